@@ -1,0 +1,107 @@
+#' Audit a trajectory
+#'
+#' Two balances from the first row to the last. Energy: the change of kinetic energy against the
+#' work of the torque less what the resistance took. Momentum: the change of angular momentum
+#' against the impulses of both. Work, heat and impulses are computed by themselves (in closed form,
+#' or with the integration), never as what is missing, so a residual means something; each comes with
+#' what rounding and the stated error could explain, and a verdict.
+#'
+#' The changes are taken from the rows as they stand: edit a value, and the audit says so. When rows
+#' were dropped, the balance runs over the rows that are left.
+#'
+#' @param x A `rot_trajectory`.
+#' @param ... Not used.
+#' @return A `rot_audit`: a tibble of one row with the columns `r describe_columns(audit_columns)`
+#'   Without rows all numbers are NA.
+#' @examples
+#' audit(spin_up())
+#' @export
+audit <- function(x, ...) {
+  UseMethod("audit")
+}
+
+#' @export
+audit.default <- function(x, ...) {
+  check_class(
+    x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::caller_env()
+  )
+}
+
+#' @export
+audit.rot_trajectory <- function(x, ...) {
+  call <- rlang::current_env()
+  rlang::check_dots_empty()
+  run <- trajectory_run(x)
+  n <- nrow(x)
+  if (n == 0L) {
+    empty <- stats::setNames(rep(list(NA_real_), length(audit_columns)), audit_columns)
+    empty$verdict <- NA_character_
+    return(tibble::new_tibble(empty, nrow = 1L, class = "rot_audit"))
+  }
+  scene <- run$scene
+  t <- x$time_s[c(1L, n)]
+  ledger <- run$ledger
+  if (is.null(ledger)) {
+    record <- Filter(function(m) m$id == run$model, models_for(scene))[[1]]
+    ledger <- record$ledger(scene, c(run, call = call), min(t), max(t))
+    if (t[2] < t[1]) {
+      ledger[1:3] <- -ledger[1:3] # rows turned round: the balance runs backwards
+    }
+  }
+  inertia <- scene$moment_of_inertia_kg_m2
+  viscous <- scene$resistance$viscous_n_m_s
+  omega <- x$omega_rad_per_s[c(1L, n)]
+  theta <- x$theta_rad[c(1L, n)]
+
+  # K1 - K0 as a product, so that a small change of a large energy keeps its digits.
+  kinetic <- 0.5 * inertia * (omega[2] - omega[1]) * (omega[2] + omega[1])
+  momentum <- inertia * (omega[2] - omega[1])
+  damping <- -viscous * (theta[2] - theta[1])
+  energy_residual <- (kinetic - ledger[1]) + ledger[2]
+  momentum_residual <- (momentum - ledger[3]) - damping
+
+  eps <- .Machine$double.eps
+  omega_error <- run$info$omega_error + eps * abs(omega)
+  energy_rounding <- ledger[4] + ledger[5] + sum(inertia * abs(omega) * omega_error) +
+    2 * eps * (abs(kinetic) + abs(ledger[1]) + abs(ledger[2]))
+  momentum_rounding <- ledger[6] + inertia * sum(omega_error) +
+    abs(viscous) * sum(run$info$theta_error + eps * abs(theta)) +
+    2 * eps * (abs(momentum) + abs(ledger[3]) + abs(damping))
+  balanced <- isTRUE(abs(energy_residual) <= energy_rounding) &&
+    isTRUE(abs(momentum_residual) <= momentum_rounding)
+  tibble::new_tibble(list(
+    work_j = ledger[1],
+    dissipated_j = ledger[2],
+    kinetic_energy_change_j = kinetic,
+    energy_residual_j = energy_residual,
+    energy_rounding_j = energy_rounding,
+    torque_impulse_n_m_s = ledger[3],
+    damping_impulse_n_m_s = damping,
+    angular_momentum_change_kg_m2_per_s = momentum,
+    momentum_residual_kg_m2_per_s = momentum_residual,
+    momentum_rounding_kg_m2_per_s = momentum_rounding,
+    verdict = if (balanced) "balanced" else "unbalanced"
+  ), nrow = 1L, class = "rot_audit")
+}
+
+#' @export
+print.rot_audit <- function(x, ...) {
+  if (!all(audit_columns %in% names(x)) || nrow(x) != 1L) {
+    return(NextMethod())
+  }
+  line <- function(text, value, unit) {
+    cat(sprintf("  %-34s %24s %s\n", text, format(value, digits = 15), unit))
+  }
+  cat("<rot_audit> ", x$verdict, "\n", sep = "")
+  line("work of the torque", x$work_j, "J")
+  line("- dissipated", x$dissipated_j, "J")
+  line("= change of kinetic energy", x$kinetic_energy_change_j, "J")
+  line("  residual", signif(x$energy_residual_j, 2), "J")
+  line("  explained by rounding and error", signif(x$energy_rounding_j, 2), "J")
+  line("impulse of the torque", x$torque_impulse_n_m_s, "N m s")
+  line("+ impulse of the damping", x$damping_impulse_n_m_s, "N m s")
+  line("= change of angular momentum", x$angular_momentum_change_kg_m2_per_s, "kg m^2/s")
+  line("  residual", signif(x$momentum_residual_kg_m2_per_s, 2), "kg m^2/s")
+  line("  explained by rounding and error", signif(x$momentum_rounding_kg_m2_per_s, 2), "kg m^2/s")
+  invisible(x)
+}

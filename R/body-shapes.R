@@ -1,0 +1,98 @@
+# The standard shapes, from the list in src/rot_inertia.h: shape, axis, formula, size (the name of
+# the length that sizes it), k = I/(m size^2) about the axis named, kx, ky, kz about the centre.
+shape_table <- function() {
+  .Call(ffi_inertia_shapes)
+}
+
+# The article's names of the same things.
+shape_aliases <- c(
+  solid_disk = "disk",
+  solid_cylinder = "disk",
+  solid_sphere = "sphere",
+  thin_spherical_shell = "spherical_shell",
+  ring = "hoop",
+  rod_center = "rod",
+  point_mass = "point",
+  point_mass_sliding = "sliding_point"
+)
+
+new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
+  shapes <- shape_table()
+  i <- match(shape, shapes$shape)
+  size_name <- shapes$size[i]
+  mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
+  size_m <- check_number(size_m, size_name, "m", call, lower = 0)
+  k <- c(shapes$kx[i], shapes$ky[i], shapes$kz[i])
+  axes <- c("x", "y", "z")
+  moments <- .Call(ffi_inertia_table, k, mass_kg, size_m)$moment_of_inertia_kg_m2
+  new_body(
+    shape,
+    mass_kg,
+    stats::setNames(size_m, size_name),
+    matrix(diag(moments), 3, 3, dimnames = list(axes, axes)),
+    beta = if (rolls) shapes$kz[i] else NA_real_,
+    formula = paste0(shapes$formula[i], "  (", shapes$axis[i], ")")
+  )
+}
+
+#' Bodies of a standard shape
+#'
+#' A body has a mass, a centre of mass, an inertia tensor about that centre in the body's own axes,
+#' and a size. Its `z` axis is the one it is usually spun about; a rod lies along `x`.
+#'
+#' | constructor | Ixx | Iyy | Izz | beta |
+#' |---|---|---|---|---|
+#' | `body_disk()` thin disk, or a cylinder about its axis | m r^2/4 | m r^2/4 | m r^2/2 | 1/2 |
+#' | `body_hoop()` thin ring | m r^2/2 | m r^2/2 | m r^2 | 1 |
+#' | `body_sphere()` solid | 2 m r^2/5 | 2 m r^2/5 | 2 m r^2/5 | 2/5 |
+#' | `body_spherical_shell()` thin | 2 m r^2/3 | 2 m r^2/3 | 2 m r^2/3 | 2/3 |
+#' | `body_rod()` thin | 0 | m l^2/12 | m l^2/12 | does not roll |
+#'
+#' `beta` is `Izz/(m r^2)`, what decides a race down an incline: see [rolling_table()].
+#'
+#' @param mass_kg Mass, one number, at least 0 kg.
+#' @param radius_m Radius, one number, at least 0 m.
+#' @param length_m Length of the rod, one number, at least 0 m.
+#' @return A `rot_body`: a list with `shape`, `mass_kg`, `size_m`, `centre_m` (in the own axes),
+#'   `inertia_kg_m2` (3 x 3, about the centre of mass; off-diagonal elements are minus the products
+#'   of inertia), `point`, `axes`, `beta` and `formula`. Products carry at most four roundings.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is not
+#'   one finite number of at least 0 (NA, NaN and Inf included); `rotdyn_error_unit` for a units
+#'   object of another dimension.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), chapter 5.
+#' @seealso [scene_axle()] puts a body on an axle; [inertia_table()] compares shapes.
+#' @examples
+#' body_disk(mass_kg = 2, radius_m = 0.25)
+#' body_rod(mass_kg = 1.5, length_m = 2)$inertia_kg_m2
+#' @name body_shapes
+NULL
+
+#' @rdname body_shapes
+#' @export
+body_disk <- function(mass_kg, radius_m) {
+  new_shape_body("disk", mass_kg, radius_m, TRUE, rlang::current_env())
+}
+
+#' @rdname body_shapes
+#' @export
+body_hoop <- function(mass_kg, radius_m) {
+  new_shape_body("hoop", mass_kg, radius_m, TRUE, rlang::current_env())
+}
+
+#' @rdname body_shapes
+#' @export
+body_sphere <- function(mass_kg, radius_m) {
+  new_shape_body("sphere", mass_kg, radius_m, TRUE, rlang::current_env())
+}
+
+#' @rdname body_shapes
+#' @export
+body_spherical_shell <- function(mass_kg, radius_m) {
+  new_shape_body("spherical_shell", mass_kg, radius_m, TRUE, rlang::current_env())
+}
+
+#' @rdname body_shapes
+#' @export
+body_rod <- function(mass_kg, length_m) {
+  new_shape_body("rod", mass_kg, length_m, FALSE, rlang::current_env())
+}

@@ -1,0 +1,164 @@
+# Checks at the door. Each returns the value as the rest of the package wants it, or aborts with the
+# user's own call. Written to cost little when nothing is wrong: students call small things often.
+
+describe_value <- function(x) {
+  if (is.null(x)) {
+    "NULL"
+  } else if (is.atomic(x) && length(x) == 1L && !is.object(x)) {
+    if (is.character(x)) encodeString(x, quote = "\"") else format(x, digits = 7)
+  } else {
+    rlang::obj_type_friendly(x)
+  }
+}
+
+is_number <- function(x) {
+  is.numeric(x) && !is.factor(x)
+}
+
+# One finite number. `lower` is the smallest value allowed; `open` excludes it.
+check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = FALSE) {
+  if (is.object(x)) {
+    x <- as_si(x, unit, arg, call)
+  }
+  if (!is_number(x) || length(x) != 1L || is.object(x)) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be one number{in_unit(unit)}.",
+        x = "It is {describe_value(x)}{if (is_number(x) && length(x) != 1L) paste0(' of length ', length(x))}."
+      ),
+      if (is_number(x) && !is.object(x)) "size" else "type",
+      call
+    )
+  }
+  if (!is.finite(x) || x < lower || x > upper || (open && x == lower)) {
+    abort_domain(x, arg, unit, call, lower, upper, open)
+  }
+  as.double(x)
+}
+
+in_unit <- function(unit) {
+  if (unit == "1") "" else paste0(" in ", unit)
+}
+
+abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
+  domain <- if (!is.finite(lower) && !is.finite(upper)) {
+    "finite"
+  } else if (!is.finite(upper)) {
+    paste0(if (open) "greater than " else "at least ", format(lower))
+  } else {
+    paste0("between ", format(lower), " and ", format(upper))
+  }
+  where <- if (is.null(row)) "" else paste0(" in row ", format(row, big.mark = ","))
+  abort_rotdyn(
+    c(
+      "{.arg {arg}} must be {domain}{in_unit(unit)}.",
+      x = "It is {describe_value(x)}{where}."
+    ),
+    "value",
+    call
+  )
+}
+
+# A column of doubles, NA allowed. NA of type logical is NA.
+check_column <- function(x, arg, unit, call) {
+  if (is.object(x)) {
+    x <- as_si(x, unit, arg, call)
+  }
+  if (is.double(x) && !is.object(x)) {
+    return(x)
+  }
+  if ((is_number(x) && !is.object(x)) || (is.logical(x) && all(is.na(x)))) {
+    return(as.double(x))
+  }
+  abort_rotdyn(
+    c(
+      "{.arg {arg}} must be numbers{in_unit(unit)}.",
+      x = "It is {describe_value(x)}."
+    ),
+    "type",
+    call
+  )
+}
+
+# Columns that recycle as tibble does: length 1 or n.
+check_recyclable <- function(columns, call) {
+  sizes <- lengths(columns)
+  others <- unique(sizes[sizes != 1L])
+  if (length(others) > 1L) {
+    text <- paste0("{.arg ", names(columns)[sizes != 1L], "} has ", sizes[sizes != 1L])
+    abort_rotdyn(
+      c(
+        "Arguments must have the same length, or length 1.",
+        stats::setNames(text, rep("x", length(text)))
+      ),
+      "size",
+      call
+    )
+  }
+  if (length(others)) others else 1L
+}
+
+# Doubles, all finite: a description, where NA means nothing.
+check_finite <- function(x, arg, unit, call, kind = "value") {
+  x <- check_column(x, arg, unit, call)
+  if (!all(is.finite(x))) {
+    at <- which(!is.finite(x))[1]
+    abort_rotdyn(
+      c("{.arg {arg}} must be finite.", x = "Element {at} is {format(x[at])}."),
+      kind,
+      call
+    )
+  }
+  attributes(x) <- NULL
+  x
+}
+
+check_class <- function(x, class, arg, remedy, call) {
+  if (!inherits(x, class)) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be a {.cls {class}} object.",
+        x = "It is {describe_value(x)}.",
+        i = remedy
+      ),
+      "type",
+      call
+    )
+  }
+}
+
+# Output times: finite, not decreasing; repeated ones and none at all are fine.
+check_times <- function(time_s, call) {
+  time_s <- check_finite(time_s, "time_s", "s", call, "time")
+  if (is.unsorted(time_s)) {
+    at <- which(diff(time_s) < 0)[1]
+    abort_rotdyn(
+      c(
+        "{.arg time_s} must not go back in time.",
+        x = "Element {at + 1} is {format(time_s[at + 1])} after {format(time_s[at])}.",
+        i = "Sort it, or ask {.fn predict} for times in any order."
+      ),
+      "time",
+      call
+    )
+  }
+  time_s
+}
+
+check_accuracy <- function(accuracy, call) {
+  check_number(accuracy, "accuracy", "1", call, lower = 0, upper = 1, open = TRUE)
+}
+
+check_string <- function(x, arg, choices, call) {
+  if (!is.character(x) || length(x) != 1L || is.na(x) || !x %in% choices) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be one of {.or {.val {choices}}}.",
+        x = "It is {describe_value(x)}."
+      ),
+      "value",
+      call
+    )
+  }
+  x
+}

@@ -1,0 +1,112 @@
+# The one dictionary of columns: name, unit, meaning. A test asserts that every function returns
+# columns from here only, and the help pages take their tables from here.
+column_list <- list(
+  c("time_s", "s", "time"),
+  c("theta_rad", "rad", "angle turned about the axle"),
+  c("omega_rad_per_s", "rad/s", "angular velocity"),
+  c("applied_torque_n_m", "N m", "torque of the torque law"),
+  c("damping_torque_n_m", "N m", "torque of the resistance on the body, opposite to omega"),
+  c("net_torque_n_m", "N m", "applied + damping"),
+  c("angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum about the axle, I omega"),
+  c("rotational_kinetic_energy_j", "J", "I omega^2 / 2"),
+  c("moment_of_inertia_kg_m2", "kg m^2", "moment of inertia about the axis in use"),
+  c("max_angular_velocity_rad_per_s", "rad/s", "largest omega of the rows (with its sign)"),
+  c("max_angular_momentum_kg_m2_per_s", "kg m^2/s", "largest angular momentum of the rows"),
+  c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy of the rows"),
+  c("final_theta_rad", "rad", "angle in the last row"),
+  c("model", "", "name of the model, as in `models()`"),
+  c("accuracy", "1", "relative accuracy asked for"),
+  c("error", "1", "relative error of the state: see `error_kind`"),
+  c("error_kind", "", "\"bound\" or \"estimate\""),
+  c("steps", "1", "accepted steps; pieces of the torque for a closed form"),
+  c("rejected", "1", "steps tried and rejected"),
+  c("rhs_calls", "1", "evaluations of the right-hand side, the companion run included"),
+  c("work_j", "J", "work of the applied torque from the first row to the last"),
+  c("dissipated_j", "J", "energy lost to the resistance, computed by itself"),
+  c("kinetic_energy_change_j", "J", "kinetic energy of the last row less that of the first"),
+  c("energy_residual_j", "J", "kinetic energy change - work + dissipated"),
+  c("energy_rounding_j", "J", "what rounding and the stated error could explain of it"),
+  c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque"),
+  c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque"),
+  c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
+  c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
+  c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what rounding and the stated error could explain"),
+  c("verdict", "", "\"balanced\" if both residuals are explained, else \"unbalanced\""),
+  c("constraint", "", "what the body may do: axle, ..."),
+  c("equations", "", "equations that the model solves"),
+  c("assumptions", "", "what must be true of the world"),
+  c("limits", "", "where the model ends"),
+  c("requires", "", "what the scene must be like"),
+  c("source", "", "where the equations come from"),
+  c("applies", "", "whether the model fits the scene and reaches the accuracy"),
+  c("reason", "", "why, or why not"),
+  c("cost", "1", "predicted cost, in floating-point operations (order of magnitude)"),
+  c("chosen", "", "TRUE for the cheapest model that applies"),
+  c("object", "", "name of the object"),
+  c("beta", "1", "I/(m r^2) of the rolling object"),
+  c("acceleration_m_per_s2", "m/s^2", "acceleration down the incline, rolling without slipping"),
+  c("final_speed_m_per_s", "m/s", "speed after the drop, from rest"),
+  c("rotational_energy_fraction", "1", "share of the kinetic energy that is rotation"),
+  c("translational_energy_fraction", "1", "share of the kinetic energy that is translation"),
+  c("incline_angle_deg", "degree", "angle of the incline"),
+  c("height_drop_m", "m", "height lost"),
+  c("gravity_m_per_s2", "m/s^2", "acceleration of gravity"),
+  c("mass_kg", "kg", "mass"),
+  c("radius_m", "m", "radius"),
+  c("length_m", "m", "length"),
+  c("speed_m_per_s", "m/s", "speed of the centre"),
+  c("translational_kinetic_energy_j", "J", "m v^2 / 2"),
+  c("total_kinetic_energy_j", "J", "translational + rotational"),
+  c("radius_of_gyration_m", "m", "sqrt(I/m)"),
+  c("axis", "", "the axis of the moment of inertia"),
+  c("formula", "", "the moment of inertia as a formula"),
+  c("name", "", "name of a column"),
+  c("unit", "", "its unit; empty for text, 1 for a pure number"),
+  c("meaning", "", "what it says")
+)
+
+column_table <- as.data.frame(do.call(rbind, column_list))
+names(column_table) <- c("name", "unit", "meaning")
+
+#' The dictionary of columns
+#'
+#' Every column that a function of the package returns, with its unit and its meaning. A name means
+#' one thing everywhere.
+#'
+#' @return A tibble with the columns `r describe_columns(c("name", "unit", "meaning"))`
+#' @examples
+#' rotdyn_columns()
+#' @export
+rotdyn_columns <- function() {
+  tibble::as_tibble(column_table)
+}
+
+# For the help pages: an itemized list of columns.
+describe_columns <- function(names) {
+  rows <- column_table[match(names, column_table$name), ]
+  unit <- ifelse(rows$unit %in% c("", "1"), "", paste0(" (", rows$unit, ")"))
+  paste0(
+    "\\itemize{\n",
+    paste0("\\item \\code{", rows$name, "}", unit, ": ", gsub("`", "", rows$meaning), collapse = "\n"),
+    "\n}"
+  )
+}
+
+trajectory_columns <- c(
+  "time_s", "theta_rad", "omega_rad_per_s", "applied_torque_n_m", "damping_torque_n_m",
+  "net_torque_n_m", "angular_momentum_kg_m2_per_s", "rotational_kinetic_energy_j"
+)
+summary_columns <- c(
+  "moment_of_inertia_kg_m2", "max_angular_velocity_rad_per_s", "max_angular_momentum_kg_m2_per_s",
+  "max_rotational_kinetic_energy_j", "final_theta_rad", "model", "accuracy", "error", "error_kind",
+  "steps", "rhs_calls"
+)
+audit_columns <- c(
+  "work_j", "dissipated_j", "kinetic_energy_change_j", "energy_residual_j", "energy_rounding_j",
+  "torque_impulse_n_m_s", "damping_impulse_n_m_s", "angular_momentum_change_kg_m2_per_s",
+  "momentum_residual_kg_m2_per_s", "momentum_rounding_kg_m2_per_s", "verdict"
+)
+rolling_columns <- c(
+  "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction",
+  "translational_energy_fraction"
+)

@@ -1,0 +1,51 @@
+# What can go wrong, by kind: the class is rotdyn_error_<kind>. The kinds of a failed run are those
+# of ROT_STATUS_LIST in src/rot_status.h.
+error_kinds <- c(
+  type = "not the kind of object asked for",
+  size = "lengths that do not fit together",
+  value = "a number outside its domain",
+  unit = "a quantity of another dimension",
+  time = "times that are missing, infinite or not in order",
+  torque = "a torque law that gives no finite number",
+  model = "no such model, or one that does not fit the scene",
+  accuracy = "an accuracy that no model reaches",
+  not_yet = "physics that this version does not have",
+  package = "a package that is not installed",
+  range = "a state outside the range of double precision",
+  budget = "the step budget is used up",
+  step = "a step below the resolution of time",
+  memory = "out of memory"
+)
+
+abort_rotdyn <- function(message, kind, call, ..., .envir = parent.frame()) {
+  cli::cli_abort(
+    message,
+    class = c(paste0("rotdyn_error_", kind), "rotdyn_error"),
+    ...,
+    call = call,
+    .envir = .envir
+  )
+}
+
+warn_rotdyn <- function(message, kind, call, ..., .envir = parent.frame()) {
+  cli::cli_warn(
+    message,
+    class = c(paste0("rotdyn_warning_", kind), "rotdyn_warning"),
+    ...,
+    call = call,
+    .envir = .envir
+  )
+}
+
+need_package <- function(package, why, call) {
+  if (!requireNamespace(package, quietly = TRUE)) {
+    abort_rotdyn(
+      c(
+        "{why} needs the package {.pkg {package}}, which is not installed.",
+        i = "Install it with {.code install.packages(\"{package}\")}."
+      ),
+      "package",
+      call
+    )
+  }
+}

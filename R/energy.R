@@ -1,0 +1,41 @@
+#' Kinetic energy of a rolling body, divided
+#'
+#' Translation and rotation of a body that rolls with a given speed of its centre:
+#' `m v^2/2` and `beta m v^2/2`, with `beta = I/(m r^2)`.
+#'
+#' @param mass_kg,radius_m,beta,speed_m_per_s Mass (at least 0), radius (greater than 0), `beta` (at
+#'   least 0) and speed: columns of length 1 or n.
+#' @return A tibble with one row for each body: the four arguments, then
+#'   `r describe_columns(c("moment_of_inertia_kg_m2", "omega_rad_per_s", "translational_kinetic_energy_j", "rotational_kinetic_energy_j", "total_kinetic_energy_j", "rotational_energy_fraction"))`
+#'   NA in a row gives NA in what depends on it. Products carry at most four roundings each.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`.
+#' @source Koenig's theorem: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section
+#'   1.2.
+#' @examples
+#' energy_partition(mass_kg = 1, radius_m = 0.1, beta = c(1, 0.5, 0.4), speed_m_per_s = 3)
+#' @export
+energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s) {
+  call <- rlang::current_env()
+  columns <- list(
+    mass_kg = check_column(mass_kg, "mass_kg", "kg", call),
+    radius_m = check_column(radius_m, "radius_m", "m", call),
+    beta = check_column(beta, "beta", "1", call),
+    speed_m_per_s = check_column(speed_m_per_s, "speed_m_per_s", "m/s", call)
+  )
+  n <- check_recyclable(columns, call)
+  check_not_negative(columns$mass_kg, "mass_kg", "kg", call)
+  check_not_negative(columns$beta, "beta", "1", call)
+  flat <- which(columns$radius_m <= 0)
+  if (length(flat)) {
+    abort_domain(columns$radius_m[flat[1]], "radius_m", "m", call, 0, Inf, TRUE, row = flat[1])
+  }
+  values <- .Call(
+    ffi_energy_partition, columns$mass_kg, columns$radius_m, columns$beta, columns$speed_m_per_s
+  )
+  fraction <- rotational_energy_fraction(columns$beta)
+  tibble::new_tibble(
+    lapply(c(columns, values, list(rotational_energy_fraction = fraction)), rep_len, n),
+    nrow = n
+  )
+}

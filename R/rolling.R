@@ -1,0 +1,201 @@
+#' Rolling down an incline
+#'
+#' A race between bodies that roll without slipping: what counts is `beta = I/(m r^2)` alone.
+#' `rolling_table()` computes the whole table in one pass in C.
+#'
+#' \deqn{a = \frac{g \sin\alpha}{1+\beta},\quad v = \sqrt{\frac{2 g h}{1+\beta}},\quad
+#'   \frac{K_{rot}}{K} = \frac{\beta}{1+\beta},\quad \frac{K_{trans}}{K} = \frac{1}{1+\beta}}
+#'
+#' @param objects A data frame with a column `beta` (at least 0; Inf takes the limit). Its other
+#'   columns are kept. Where it has columns `incline_angle_deg`, `height_drop_m` or
+#'   `gravity_m_per_s2`, those are used row by row instead of the arguments.
+#' @param incline_angle_deg Angle of the incline in degrees, -90 to 90: one number, or one for each
+#'   row. The sine is that of the exact angle in degrees: `sin(30 degrees)` is 0.5.
+#' @param height_drop_m Height lost from rest in m, at least 0: one number, or one for each row.
+#' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
+#' @return `rolling_table()`: a tibble (class `rot_rolling_table`, with an `autoplot()`) of the
+#'   columns of `objects`, then `r describe_columns(rolling_columns)`
+#'   NA in a row gives NA in what depends on it. Each number carries at most four roundings (5e-16).
+#'
+#'   `rolling_objects()`: a tibble with `object` and `beta` of five objects.
+#' @section Errors: `rotdyn_error_type` (no `beta`, or not numbers), `rotdyn_error_size`,
+#'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
+#' @seealso [rolling_acceleration()] and its sisters for use in `dplyr::mutate()`.
+#' @examples
+#' rolling_table()
+#' rolling_table(data.frame(beta = c(0.4, 0.4), incline_angle_deg = c(10, 80)))
+#' @export
+rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, height_drop_m = 1,
+                          gravity_m_per_s2 = 9.80665) {
+  call <- rlang::current_env()
+  if (!is.data.frame(objects)) {
+    abort_rotdyn(
+      c(
+        "{.arg objects} must be a data frame with a column {.field beta}.",
+        x = "It is {describe_value(objects)}."
+      ),
+      "type",
+      call
+    )
+  }
+  if (is.null(objects[["beta"]])) {
+    abort_missing_column("beta", objects, call)
+  }
+  given <- c(
+    incline_angle_deg = !missing(incline_angle_deg), height_drop_m = !missing(height_drop_m),
+    gravity_m_per_s2 = !missing(gravity_m_per_s2)
+  )
+  twice <- names(given)[given & names(given) %in% names(objects)]
+  if (length(twice)) {
+    warn_rotdyn(
+      "{.arg {twice}} {?is/are} given both as column and as argument: the column is used.",
+      "column",
+      call
+    )
+  }
+  columns <- list(
+    beta = objects[["beta"]],
+    incline_angle_deg = objects[["incline_angle_deg"]] %||% incline_angle_deg,
+    height_drop_m = objects[["height_drop_m"]] %||% height_drop_m,
+    gravity_m_per_s2 = objects[["gravity_m_per_s2"]] %||% gravity_m_per_s2
+  )
+  columns <- check_rolling(columns, call)
+  n <- nrow(objects)
+  long <- lengths(columns) != 1L & lengths(columns) != n
+  if (any(long)) {
+    abort_rotdyn(
+      c(
+        "Arguments must have one number for each row of {.arg objects}, or one for all.",
+        x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
+             has {n} row{?s}."
+      ),
+      "size",
+      call
+    )
+  }
+  values <- .Call(
+    ffi_rolling_table, columns[[1]], columns[[2]], columns[[3]], columns[[4]],
+    progress_bar("rolling")
+  )
+  check_place(values, columns, call)
+
+  # The new columns go behind the old ones, or over those of the same name.
+  out <- as.list(objects)
+  if (inherits(objects[["beta"]], "units")) {
+    out$beta <- columns$beta
+  }
+  out[names(values)] <- values
+  tibble::new_tibble(out, nrow = n, class = "rot_rolling_table")
+}
+
+#' @rdname rolling_table
+#' @export
+rolling_objects <- function() {
+  shapes <- shape_table()
+  beta <- function(shape) shapes$k[match(shape, shapes$shape)]
+  tibble::new_tibble(list(
+    object = c(
+      "hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"
+    ),
+    beta = beta(c("hoop", "disk", "sphere", "spherical_shell", "sliding_point"))
+  ), nrow = 5L)
+}
+
+#' Rolling, element by element
+#'
+#' The functions beneath [rolling_table()]: vectors in, a vector out, so they work inside
+#' `dplyr::mutate()`. Arguments recycle as in a tibble: length 1 or n.
+#'
+#' | function | value |
+#' |---|---|
+#' | `rolling_acceleration()` | `g sin(angle)/(1 + beta)`, m/s^2 |
+#' | `rolling_final_speed()` | `sqrt(2 g h/(1 + beta))`, m/s |
+#' | `rotational_energy_fraction()` | `beta/(1 + beta)` |
+#' | `translational_energy_fraction()` | `1/(1 + beta)` |
+#' | `rolling_friction_coefficient()` | `tan\|angle\| beta/(1 + beta)`: the least static friction coefficient that rolling without slipping needs |
+#'
+#' @param beta `I/(m r^2)`, at least 0. Inf takes the limit.
+#' @inheritParams rolling_table
+#' @return Doubles, with NA where an argument is NA. Largest error: 2 ulp (3 ulp for the friction
+#'   coefficient).
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of the
+#'   first value outside its domain, `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
+#' @examples
+#' rolling_acceleration(beta = c(1, 0.5, 0.4), incline_angle_deg = 20)
+#' rolling_friction_coefficient(beta = 1, incline_angle_deg = 60)
+#' @name rolling_functions
+NULL
+
+#' @rdname rolling_functions
+#' @export
+rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665) {
+  columns <- list(
+    beta = beta, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
+  )
+  by_row(ffi_rolling_acceleration, columns, rlang::current_env())
+}
+
+#' @rdname rolling_functions
+#' @export
+rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665) {
+  columns <- list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2)
+  by_row(ffi_rolling_final_speed, columns, rlang::current_env())
+}
+
+#' @rdname rolling_functions
+#' @export
+rotational_energy_fraction <- function(beta) {
+  by_row(ffi_rolling_rotational_fraction, list(beta = beta), rlang::current_env())
+}
+
+#' @rdname rolling_functions
+#' @export
+translational_energy_fraction <- function(beta) {
+  by_row(ffi_rolling_translational_fraction, list(beta = beta), rlang::current_env())
+}
+
+#' @rdname rolling_functions
+#' @export
+rolling_friction_coefficient <- function(beta, incline_angle_deg = 20) {
+  columns <- list(beta = beta, incline_angle_deg = incline_angle_deg)
+  by_row(ffi_rolling_friction, columns, rlang::current_env())
+}
+
+rolling_units <- c(
+  beta = "1", incline_angle_deg = "degree", height_drop_m = "m", gravity_m_per_s2 = "m/s^2"
+)
+rolling_domains <- list(
+  beta = c(0, Inf), incline_angle_deg = c(-90, 90), height_drop_m = c(0, Inf),
+  gravity_m_per_s2 = c(0, Inf)
+)
+
+check_rolling <- function(columns, call) {
+  for (arg in names(columns)) {
+    columns[[arg]] <- check_column(columns[[arg]], arg, rolling_units[[arg]], call)
+  }
+  columns
+}
+
+by_row <- function(routine, columns, call) {
+  columns <- check_rolling(columns, call)
+  check_recyclable(columns, call)
+  values <- do.call(.Call, c(list(routine), unname(columns)))
+  check_place(values, columns, call)
+  values[[1]]
+}
+
+# The C pass returns c(column, row) of the first value outside its domain instead of a list.
+check_place <- function(values, columns, call) {
+  if (!is.list(values)) {
+    arg <- names(columns)[values[1]]
+    domain <- rolling_domains[[arg]]
+    abort_domain(
+      columns[[arg]][values[2]], arg, rolling_units[[arg]], call, domain[1], domain[2], FALSE,
+      row = if (length(columns[[arg]]) > 1L) values[2]
+    )
+  }
+}
+
+`%||%` <- function(x, y) if (is.null(x)) y else x

@@ -1,0 +1,41 @@
+#' Rotational dynamics with an audit
+#'
+#' Describe a *scene*: a body, how it is held, what acts on it. [trajectory()] picks the cheapest
+#' model that is accurate enough, says which and why ([choose_model()]), computes it in C, and
+#' returns a tibble that carries its own error figure and its own [audit()].
+#'
+#' ```
+#' describe  ->  choose  ->  compute  ->  present
+#' body          model       C core       trajectory (a tibble)
+#' torque        + reason                 summary, audit, autoplot, predict
+#' resistance    + error
+#' scene
+#' ```
+#'
+#' @section Conventions:
+#' * **Units** are SI, and every argument and column that has a unit carries it in its name:
+#'   `mass_kg`, `omega_rad_per_s`. Torque is in N m and never in J. An object of the units package
+#'   (or a difftime) is converted; a wrong dimension is an error.
+#' * **Signs**: an angle, a rate, a torque and an angular momentum about an axle are positive in the
+#'   sense of the right hand about the axle's direction. A resisting torque is the torque that acts
+#'   on the body: it has the sign opposite to the rate. `net = applied + damping`.
+#' * **Axes** of a body: its own, from its centre of mass; `z` is the axis it is usually spun about
+#'   (the symmetry axis of a disk), and a rod lies along `x`.
+#' * **Error figures** are relative: the largest error of theta over the largest |theta| of the
+#'   rows, or the same of omega, whichever is larger. A `"bound"` is never exceeded; an
+#'   `"estimate"` is the difference to a run at a hundredth of the tolerance, plus a tenth.
+#' * **Missing values**: functions of numbers give NA for NA, row by row. A description (a body, a
+#'   torque, a scene, a grid of times) must be complete.
+#'
+#' @section Errors:
+#' Every error of the package has the class `rotdyn_error` and one of
+#' `r paste0("\\code{rotdyn_error_", names(error_kinds), "} (", error_kinds, ")", collapse = ", ")`.
+#'
+#' @keywords internal
+#' @useDynLib rotdyn, .registration = TRUE
+#' @importFrom generics glance
+#' @importFrom rlang .data
+"_PACKAGE"
+
+#' @export
+generics::glance

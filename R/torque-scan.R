@@ -1,0 +1,111 @@
+# Breakpoints of a torque function that did not tell its own: looked for on a grid, then bisected.
+#
+# A jump keeps its height however short the interval; a smooth function's difference shrinks with
+# it. A kink keeps its change of slope: its second difference halves with the step, a smooth one's
+# quarters. What is found becomes a stop of the integrator; what lies between two points of the
+# grid is missed.
+
+scan_points <- 8193L
+most_breaks <- 1000L
+
+# Sorted breaks of f (a function of one time) in [from, to].
+scan_breaks <- function(f, from, to) {
+  if (!(to > from)) {
+    return(double())
+  }
+  t <- seq(from, to, length.out = scan_points)
+  y <- vapply(t, f, double(1))
+  if (!all(is.finite(y))) {
+    return(double()) # the integrator will say where and why
+  }
+  jumps <- scan_jumps(f, t, y)
+  sort(unique(c(jumps, scan_kinks(f, t, y, jumps))))
+}
+
+# Larger than `factor` times the median of the nine around it.
+stands_out <- function(size, factor, floor) {
+  around <- stats::runmed(size, 9, endrule = "keep")
+  at <- which(size > factor * around & size > floor)
+  at[order(-size[at])][seq_len(min(length(at), most_breaks))]
+}
+
+scan_jumps <- function(f, t, y) {
+  height <- abs(diff(y))
+  floor <- 1e-12 * max(abs(y), 1e-300)
+  found <- vapply(stands_out(height, 4, floor), function(i) {
+    bisect_jump(f, t[i], t[i + 1], y[i], y[i + 1])
+  }, double(1))
+  found[!is.na(found)]
+}
+
+# The first double after the jump, or NA if the difference melts away.
+bisect_jump <- function(f, a, b, ya, yb) {
+  height <- abs(yb - ya)
+  repeat {
+    m <- a + (b - a) / 2
+    if (m <= a || m >= b) {
+      return(b)
+    }
+    ym <- f(m)
+    if (!is.finite(ym)) {
+      return(NA_real_)
+    }
+    if (abs(ym - ya) > abs(yb - ym)) {
+      b <- m
+      yb <- ym
+    } else {
+      a <- m
+      ya <- ym
+    }
+    if (abs(yb - ya) < height / 4) {
+      return(NA_real_)
+    }
+  }
+}
+
+scan_kinks <- function(f, t, y, jumps) {
+  bend <- abs(diff(diff(y)))
+  floor <- 1e-9 * max(abs(y), 1e-300)
+  at <- stands_out(bend, 4, floor)
+  # Next to a jump every second difference is large; the jump itself is the stop.
+  near <- vapply(at, function(i) any(jumps >= t[i] & jumps <= t[i + 2]), logical(1))
+  found <- vapply(at[!near], function(i) zoom_kink(f, t[i], t[i + 2]), double(1))
+  # A kink between two grid points is seen from both sides.
+  found <- sort(found[!is.na(found)])
+  found[c(TRUE, diff(found) > 2 * (t[2] - t[1]))[seq_along(found)]]
+}
+
+# Narrow the interval to a kink: of its three inner points the one with the largest second
+# difference stays in the middle. NA if the second difference shrinks as a smooth function's does.
+zoom_kink <- function(f, a, b) {
+  bend_at <- function(x) abs(diff(diff(vapply(x, f, double(1)))))
+  first <- NULL
+  halvings <- 0L
+  repeat {
+    x <- seq(a, b, length.out = 5)
+    bend <- bend_at(x)
+    if (!all(is.finite(bend))) {
+      return(NA_real_)
+    }
+    i <- which.max(bend)
+    if (is.null(first)) {
+      first <- bend[i]
+    }
+    # Per halving: 1/2 for a kink, 1/4 for a smooth bend. Judge after twelve, before rounding does.
+    if (halvings == 12L) {
+      return(if (bend[i] > first * 2^-17) cross_slopes(f, x[i], x[i + 2]) else NA_real_)
+    }
+    a <- x[i]
+    b <- x[i + 2]
+    halvings <- halvings + 1L
+  }
+}
+
+# Where the straight lines from either side meet; the interval is so short that they are straight.
+cross_slopes <- function(f, a, b) {
+  h <- b - a
+  left <- (f(a) - f(a - h)) / h
+  right <- (f(b + h) - f(b)) / h
+  x <- a + (f(b) - f(a) - right * h) / (left - right)
+  if (is.finite(x) && x >= a && x <= b) x else a + h / 2
+}

@@ -1,0 +1,212 @@
+# A torque law as data. Knots: time_s, torque_n_m, outside = c(before, after). A function: f,
+# breaks_s (NULL: not told), arguments (1 or 3).
+new_torque <- function(class, ...) {
+  structure(list(...), class = c(class, "rot_torque"))
+}
+
+#' Torque laws
+#'
+#' A torque law is data: it knows its own breakpoints, so that no model steps over one, and all but
+#' `torque_function()` are evaluated in C.
+#'
+#' * `torque_constant()`: the same torque at all times.
+#' * `torque_knots()`: straight lines between knots. A repeated time is a jump; at the jump itself
+#'   the law has the value after it. **Outside the knots the torque is zero**: nothing is known to
+#'   act there. `outside = "hold"` holds the first and the last value instead.
+#' * `torque_function()`: any R function of `time_s`, or of `time_s, theta_rad, omega_rad_per_s`.
+#'   It is called with one number each and returns one. Its jumps and kinks must be told in
+#'   `breaks_s`, because an integrator steps over a short pulse without a word; where they are not,
+#'   [trajectory()] scans the function at `r scan_points` times, bisects what it finds, stops there,
+#'   and warns (class `rotdyn_warning_breaks`). A pulse shorter than the scan's spacing may be
+#'   missed: only `breaks_s` is sure. `breaks_s = numeric()` says that there are none.
+#'
+#' Positive torque turns in the positive sense of the axle (right hand).
+#'
+#' @param torque_n_m Torque: one number, or one for each knot. Finite.
+#' @param time_s Times of the knots, finite and not decreasing.
+#' @param outside `"zero"` or `"hold"`: the torque before the first and after the last knot.
+#' @param f A function that returns one finite number in N m.
+#' @param breaks_s Times where `f` may jump or kink.
+#' @param ... Not used; names after it must be given in full.
+#' @return A `rot_torque`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is not
+#'   finite numbers of one length, `rotdyn_error_time` for knots that go back in time,
+#'   `rotdyn_error_unit`. What `f` returns is checked when it is called: `rotdyn_error_torque`.
+#' @examples
+#' torque_knots(time_s = c(0, 1, 4, 6, 8), torque_n_m = c(0, 0.8, 0.8, 0, 0))
+#' torque_knots(c(50, 50.02), c(40, 40)) # a pulse, nothing before and after
+#' torque_function(function(time_s) sin(3 * time_s), breaks_s = numeric())
+#' torque_function(function(time_s, theta_rad, omega_rad_per_s) -2 * sin(theta_rad))
+#' @name torque
+NULL
+
+#' @rdname torque
+#' @export
+torque_constant <- function(torque_n_m) {
+  call <- rlang::current_env()
+  torque_n_m <- check_number(torque_n_m, "torque_n_m", "N*m", call)
+  new_torque(
+    "rot_torque_knots",
+    time_s = double(), torque_n_m = double(), outside = c(torque_n_m, torque_n_m)
+  )
+}
+
+#' @rdname torque
+#' @export
+torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
+  call <- rlang::current_env()
+  rlang::check_dots_empty()
+  if (missing(outside)) {
+    outside <- "zero"
+  }
+  check_string(outside, "outside", c("zero", "hold"), call)
+  time_s <- check_finite(time_s, "time_s", "s", call)
+  torque_n_m <- check_finite(torque_n_m, "torque_n_m", "N*m", call)
+  n <- length(time_s)
+  if (length(torque_n_m) != n) {
+    abort_rotdyn(
+      c(
+        "Every knot needs a time and a torque.",
+        x = "{.arg time_s} has length {n}, {.arg torque_n_m} has length {length(torque_n_m)}."
+      ),
+      "size",
+      call
+    )
+  }
+  if (n < 2L) {
+    abort_rotdyn(
+      c(
+        "A piecewise-linear torque needs at least two knots.",
+        x = "There {?is/are} {n}.",
+        i = "The same torque at all times is {.fn torque_constant}."
+      ),
+      "size",
+      call
+    )
+  }
+  if (is.unsorted(time_s)) {
+    at <- which(diff(time_s) < 0)[1]
+    abort_rotdyn(
+      c(
+        "Knots must not go back in time.",
+        x = "Knot {at + 1} is at {format(time_s[at + 1])} s, after one at {format(time_s[at])} s.",
+        i = "Two knots at the same time make a jump."
+      ),
+      "time",
+      call
+    )
+  }
+  if (!is.finite(time_s[n] - time_s[1])) {
+    abort_rotdyn("The span of the knots is beyond double precision.", "value", call)
+  }
+  new_torque(
+    "rot_torque_knots",
+    time_s = time_s,
+    torque_n_m = torque_n_m,
+    outside = if (outside == "hold") torque_n_m[c(1L, n)] else c(0, 0)
+  )
+}
+
+#' @rdname torque
+#' @export
+torque_function <- function(f, breaks_s = NULL) {
+  call <- rlang::current_env()
+  if (!is.function(f)) {
+    abort_rotdyn(
+      c(
+        "{.arg f} must be a function.",
+        x = "It is {describe_value(f)}.",
+        i = "A constant torque is {.fn torque_constant}, a tabulated one {.fn torque_knots}."
+      ),
+      "type",
+      call
+    )
+  }
+  if (!is.null(breaks_s)) {
+    breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
+  }
+  new_torque(
+    "rot_torque_function",
+    f = f, breaks_s = breaks_s, arguments = count_arguments(f, call)
+  )
+}
+
+# 1: f(time_s). 3: f(time_s, theta_rad, omega_rad_per_s). Arguments with a default are f's own.
+count_arguments <- function(f, call) {
+  arguments <- formals(args(f))
+  required <- setdiff(names(arguments)[vapply(arguments, rlang::is_missing, logical(1))], "...")
+  n <- length(required)
+  if (n == 3L || (n <= 1L && length(arguments) > 0L)) {
+    return(if (n == 3L) 3L else 1L)
+  }
+  abort_rotdyn(
+    c(
+      "{.arg f} must be a function of {.code time_s}, or of
+       {.code time_s, theta_rad, omega_rad_per_s}.",
+      x = "It has {n} argument{?s} without a default."
+    ),
+    "torque",
+    call
+  )
+}
+
+# What a scene accepts as a torque.
+as_torque <- function(x, call) {
+  if (inherits(x, "rot_torque")) {
+    x
+  } else if (is.null(x)) {
+    torque_constant(0)
+  } else if (is.function(x)) {
+    torque_function(x)
+  } else if (is.numeric(x)) {
+    torque_constant(check_number(x, "torque", "N*m", call))
+  } else {
+    abort_rotdyn(
+      c(
+        "{.arg torque} must be a torque law, a function, or one number in N m.",
+        x = "It is {describe_value(x)}.",
+        i = "See {.help rotdyn::torque}."
+      ),
+      "type",
+      call
+    )
+  }
+}
+
+torque_is_zero <- function(torque) {
+  inherits(torque, "rot_torque_knots") &&
+    all(torque$outside == 0) && all(torque$torque_n_m == 0)
+}
+
+# One line that says what the law is.
+describe_torque <- function(torque) {
+  if (inherits(torque, "rot_torque_function")) {
+    told <- if (is.null(torque$breaks_s)) {
+      "breaks not told"
+    } else {
+      paste(length(torque$breaks_s), "breaks")
+    }
+    return(paste0(
+      "an R function of ", if (torque$arguments == 3L) "time, angle and rate" else "time",
+      " (", told, ")"
+    ))
+  }
+  n <- length(torque$time_s)
+  if (n == 0L) {
+    return(paste("constant,", format_si(torque$outside[1]), "N m"))
+  }
+  jumps <- sum(diff(torque$time_s) == 0)
+  outside <- if (all(torque$outside == 0)) "zero" else "held"
+  paste0(
+    "straight lines between ", n, " knots from ", format_si(torque$time_s[1]), " to ",
+    format_si(torque$time_s[n]), " s", if (jumps) paste0(", ", jumps, " jumps"), ", ",
+    format_si(min(torque$torque_n_m)), " to ", format_si(max(torque$torque_n_m)), " N m, ",
+    outside, " outside"
+  )
+}
+
+#' @export
+print.rot_torque <- function(x, ...) {
+  cat("<rot_torque> ", describe_torque(x), "\n", sep = "")
+  invisible(x)
+}

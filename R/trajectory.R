@@ -1,0 +1,281 @@
+#' The motion of a scene
+#'
+#' Picks the cheapest model that fits the scene and reaches the accuracy (see [choose_model()]),
+#' computes the motion in C, and returns a tibble that knows its model, its error and its
+#' [audit()].
+#'
+#' @param scene A scene, such as [scene_axle()].
+#' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
+#'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
+#'   backwards.
+#' @param accuracy Largest relative error wanted in the state, one number in (0, 1]: of theta
+#'   relative to the largest |theta| of the rows, and of omega likewise.
+#' @param model NULL for the cheapest that will do, or the name of one of [models()].
+#' @param ... Not used; names after it must be given in full.
+#' @param on_fail What to do when a run fails half way (a torque that is not finite, a step budget
+#'   used up): `"abort"` with an error that says where, or `"truncate"`: the good rows, with a
+#'   warning of class `rotdyn_warning_truncated`.
+#' @param max_steps Steps that an integrator may try in one run before it gives up, beyond one for
+#'   each row.
+#' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
+#'   [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()] the
+#'   balance, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while these columns stand.
+#' @section Warnings: `rotdyn_warning_breaks` when breaks of a torque function had to be looked for;
+#'   `rotdyn_warning_accuracy` when the error figure exceeds the accuracy asked for.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or
+#'   not in order), `rotdyn_error_unit`; `rotdyn_error_model`, `rotdyn_error_accuracy` when nothing
+#'   fits; `rotdyn_error_torque`, `rotdyn_error_range`, `rotdyn_error_budget`, `rotdyn_error_step`
+#'   from a run: those carry `info`, with the time reached. An error, a condition, an interrupt or a
+#'   time limit raised in a torque function arrives as itself.
+#' @examples
+#' scene <- scene_axle(
+#'   body_disk(mass_kg = 2, radius_m = 0.25),
+#'   torque_knots(time_s = c(0, 1, 4, 6, 8), torque_n_m = c(0, 0.8, 0.8, 0, 0)),
+#'   resistance(viscous_n_m_s = 0.03)
+#' )
+#' motion <- trajectory(scene, time_s = seq(0, 8, by = 0.5))
+#' motion
+#' summary(motion)
+#' predict(motion, time_s = c(5.25, 1.75))
+#' @export
+trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
+                       on_fail = c("abort", "truncate"), max_steps = 1e6) {
+  call <- rlang::current_env()
+  rlang::check_dots_empty()
+  check_scene(scene, call)
+  time_s <- check_times(time_s, call)
+  accuracy <- check_accuracy(accuracy, call)
+  max_steps <- check_number(max_steps, "max_steps", "1", call, lower = 1)
+  on_fail <- if (missing(on_fail)) "abort" else check_string(on_fail, "on_fail", c("abort", "truncate"), call)
+  record <- pick_model(scene, accuracy, model, call)
+  run_trajectory(record, scene, time_s, accuracy, on_fail, max_steps, call)
+}
+
+run_trajectory <- function(record, scene, time_s, accuracy, on_fail, max_steps, call) {
+  # One step for each row at least, so that many rows are not a failure.
+  result <- record$run(scene, time_s, accuracy, max_steps + length(time_s), call)
+  columns <- result[[1]]
+  info <- result[[2]]
+  n <- length(time_s)
+  if (info$kind != "none") {
+    failed_run(info, n, on_fail, call)
+    n <- info$rows_done
+    columns <- lapply(columns, `[`, seq_len(n))
+  } else if (n && !(info$error <= accuracy)) {
+    warn_rotdyn(
+      c(
+        "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
+         than the accuracy of {format(accuracy)} asked for.",
+        i = "Terms of two signs cancel, or the rows stay close to zero while the motion does not."
+      ),
+      "accuracy",
+      call
+    )
+  }
+  new_trajectory(columns, n, list(
+    scene = scene,
+    model = record$id,
+    accuracy = accuracy,
+    error_kind = record$error_kind,
+    info = info,
+    ledger = result[[3]],
+    max_steps = max_steps
+  ))
+}
+
+failed_run <- function(info, n, on_fail, call) {
+  message <- c(
+    "The run failed at {format(info$time_s, digits = 7)} s: {info$text}.",
+    i = "{info$rows_done} of {n} rows were done before."
+  )
+  remedy <- switch(info$kind,
+    torque = "Look at the torque function there, or end {.arg time_s} before.",
+    budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time.",
+    step = "The torque changes faster than time can be resolved: tell its {.arg breaks_s}.",
+    range = "The motion grows beyond 1.8e308: shorten the time.",
+    NULL
+  )
+  message <- c(message, i = remedy)
+  if (on_fail == "truncate") {
+    warn_rotdyn(message, "truncated", call, info = info)
+  } else {
+    message <- c(message, i = "{.code on_fail = \"truncate\"} keeps the good rows.")
+    abort_rotdyn(message, info$kind, call, info = info)
+  }
+}
+
+# ---- the class ----------------------------------------------------------------------------------
+
+new_trajectory <- function(columns, n, run) {
+  attr(columns, "run") <- run
+  class(columns) <- c("rot_trajectory", "tbl_df", "tbl", "data.frame")
+  attr(columns, "row.names") <- .set_row_names(n)
+  columns
+}
+
+key_columns <- c("time_s", "theta_rad", "omega_rad_per_s")
+
+# After a change of rows or columns: the class stands while the key columns do; the ledger and the
+# error figure stand only for the rows that they were computed for.
+reconstruct_trajectory <- function(data, template) {
+  run <- attr(template, "run", exact = TRUE)
+  if (!all(key_columns %in% names(data)) || is.null(run)) {
+    attr(data, "run") <- NULL
+    class(data) <- setdiff(class(data), "rot_trajectory")
+    return(data)
+  }
+  same <- all(vapply(key_columns, function(name) {
+    identical(data[[name]], template[[name]])
+  }, logical(1)))
+  if (!same) {
+    run["ledger"] <- list(NULL)
+  }
+  attr(data, "run") <- run
+  class(data) <- c("rot_trajectory", setdiff(class(data), "rot_trajectory"))
+  data
+}
+
+trajectory_run <- function(x) attr(x, "run", exact = TRUE)
+
+#' @export
+`[.rot_trajectory` <- function(x, ...) {
+  out <- NextMethod()
+  if (is.data.frame(out)) reconstruct_trajectory(out, x) else out
+}
+
+#' @export
+`[<-.rot_trajectory` <- function(x, ..., value) reconstruct_trajectory(NextMethod(), x)
+
+#' @export
+`[[<-.rot_trajectory` <- function(x, ..., value) reconstruct_trajectory(NextMethod(), x)
+
+#' @export
+`$<-.rot_trajectory` <- function(x, name, value) reconstruct_trajectory(NextMethod(), x)
+
+#' @export
+`names<-.rot_trajectory` <- function(x, value) reconstruct_trajectory(NextMethod(), x)
+
+#' @exportS3Method dplyr::dplyr_reconstruct
+dplyr_reconstruct.rot_trajectory <- function(data, template) {
+  plain <- data
+  class(plain) <- setdiff(class(plain), "rot_trajectory")
+  reconstruct_trajectory(plain, template)
+}
+
+#' @importFrom tibble as_tibble
+#' @export
+as_tibble.rot_trajectory <- function(x, ...) {
+  attr(x, "run") <- NULL
+  class(x) <- setdiff(class(x), "rot_trajectory")
+  tibble::as_tibble(x, ...)
+}
+
+#' @importFrom tibble tbl_sum
+#' @export
+tbl_sum.rot_trajectory <- function(x, ...) {
+  run <- trajectory_run(x)
+  c(
+    "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
+    "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy)),
+    "Error" = describe_error(run)
+  )
+}
+
+describe_error <- function(run) {
+  paste0(
+    if (run$error_kind == "bound") "at most " else "about ",
+    format(run$info$error, digits = 2), " (", run$error_kind, ")"
+  )
+}
+
+# ---- faces --------------------------------------------------------------------------------------
+
+#' One row about a trajectory
+#'
+#' The maxima are over the rows, as they stand.
+#'
+#' @param object,x A `rot_trajectory`.
+#' @param ... Not used.
+#' @return A tibble of one row with the columns `r describe_columns(summary_columns)`
+#' @examples
+#' summary(spin_up())
+#' @export
+summary.rot_trajectory <- function(object, ...) {
+  run <- trajectory_run(object)
+  largest <- function(name) {
+    values <- object[[name]]
+    if (length(values)) max(values) else NA_real_
+  }
+  n <- nrow(object)
+  tibble::new_tibble(list(
+    moment_of_inertia_kg_m2 = run$scene$moment_of_inertia_kg_m2,
+    max_angular_velocity_rad_per_s = largest("omega_rad_per_s"),
+    max_angular_momentum_kg_m2_per_s = largest("angular_momentum_kg_m2_per_s"),
+    max_rotational_kinetic_energy_j = largest("rotational_kinetic_energy_j"),
+    final_theta_rad = if (n) object$theta_rad[n] else NA_real_,
+    model = run$model,
+    accuracy = run$accuracy,
+    error = run$info$error,
+    error_kind = run$error_kind,
+    steps = run$info$steps,
+    rhs_calls = run$info$rhs_calls
+  ), nrow = 1L)
+}
+
+#' @rdname summary.rot_trajectory
+#' @export
+glance.rot_trajectory <- function(x, ...) {
+  summary(x)
+}
+
+#' The motion at other times
+#'
+#' Runs the trajectory's own model again at the times asked for: no interpolation, the same
+#' accuracy.
+#'
+#' @param object A `rot_trajectory`.
+#' @param time_s Times in s, in any order, inside the rows or outside. NA gives a row of NA.
+#' @param ... Not used.
+#' @return A tibble with one row for each time, in their order, and the columns of [trajectory()].
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_time` for infinite times, and those of
+#'   [trajectory()].
+#' @examples
+#' predict(spin_up(), time_s = c(7.5, NA, 1 / 3))
+#' @export
+predict.rot_trajectory <- function(object, time_s, ...) {
+  call <- rlang::current_env()
+  rlang::check_dots_empty()
+  run <- trajectory_run(object)
+  time_s <- check_column(time_s, "time_s", "s", call)
+  known <- which(!is.na(time_s))
+  sorted <- known[order(time_s[known])]
+  times <- check_times(time_s[sorted], call)
+  record <- pick_model(run$scene, run$accuracy, run$model, call)
+  rows <- run_trajectory(record, run$scene, times, run$accuracy, "abort", run$max_steps, call)
+  from <- rep(NA_integer_, length(time_s))
+  from[sorted] <- seq_along(sorted)
+  tibble::as_tibble(rows)[from, ]
+}
+
+#' Spin a body up: the teaching shortcut
+#'
+#' Builds a [scene_axle()] and computes its [trajectory()]. With no argument it is the standard
+#' example: a disk of 2 kg and 0.25 m, damped with 0.03 N m s, under a torque that rises to 0.8 N m
+#' in a second, holds for three, and falls to nothing in two.
+#'
+#' @inheritParams scene_axle
+#' @inheritParams trajectory
+#' @inheritParams resistance
+#' @return A `rot_trajectory`, as [trajectory()] gives.
+#' @examples
+#' spin_up()
+#' spin_up(body_sphere(5, 0.1), torque_constant(0.2), time_s = 0:10)
+#' @export
+spin_up <- function(body = body_disk(2, 0.25),
+                    torque = torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)),
+                    viscous_n_m_s = 0.03, time_s = seq(0, 8, length.out = 1000), ...,
+                    theta0_rad = 0, omega0_rad_per_s = 0, accuracy = 1e-9, model = NULL) {
+  rlang::check_dots_empty()
+  scene <- scene_axle(body, torque, resistance(viscous_n_m_s), theta0_rad, omega0_rad_per_s)
+  trajectory(scene, time_s, accuracy, model)
+}

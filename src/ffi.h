@@ -1,0 +1,61 @@
+/* What the glue shares: the unwind guard, polling, columns, and the declarations of the entries.
+ *
+ * The glue parses arguments, allocates results, calls the core and translates what comes back. R
+ * has checked every value before; the glue checks types and lengths only, so that a wrong .Call
+ * is an R error and never a crash. */
+#ifndef FFI_H
+#define FFI_H
+
+#define R_NO_REMAP
+#include <R.h>
+#include <Rinternals.h>
+#include <setjmp.h>
+
+#include "rot_column.h"
+#include "rot_status.h"
+
+/* ---- the unwind guard ------------------------------------------------------------------------
+ *
+ * Whatever may jump (an R error, a condition, an interrupt, a time limit) runs inside
+ * ffi_guarded() while the core is on the stack. A jump is caught, ROT_EUNWIND goes down through
+ * the core, which frees what it holds, and ffi_guard_end() lets the jump go on as itself. */
+typedef struct ffi_guard {
+  SEXP token;
+  jmp_buf landing;
+  SEXP progress;    /* an R function of the fraction done, or NULL */
+  double next_poll; /* monotonic seconds */
+  rot_hooks hooks;  /* hand &guard.hooks to the core */
+} ffi_guard;
+
+/* Protects one object; ffi_guard_end() unprotects it. */
+void ffi_guard_begin(ffi_guard *guard, SEXP progress);
+rot_status ffi_guarded(ffi_guard *guard, SEXP (*body)(void *), void *data, SEXP *value);
+void ffi_guard_end(ffi_guard *guard, rot_status status);
+
+/* ---- arguments and results ------------------------------------------------------------------ */
+
+double ffi_real(SEXP x, const char *what);
+const double *ffi_reals(SEXP x, const char *what, R_xlen_t length);
+/* A column of length 1 or *n; *n grows from 1 to the first length that is not. */
+rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n);
+SEXP ffi_new_column(R_xlen_t rows);
+/* A list of `n` real columns with `rows` rows, named; protects one object. */
+SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *columns[]);
+SEXP ffi_info(const rot_info *info);
+
+/* ---- entries -------------------------------------------------------------------------------- */
+
+#define FFI_ARGS_0 void
+#define FFI_ARGS_1 SEXP
+#define FFI_ARGS_2 SEXP, SEXP
+#define FFI_ARGS_3 SEXP, SEXP, SEXP
+#define FFI_ARGS_4 SEXP, SEXP, SEXP, SEXP
+#define FFI_ARGS_5 SEXP, SEXP, SEXP, SEXP, SEXP
+#define FFI_ARGS_6 SEXP, SEXP, SEXP, SEXP, SEXP, SEXP
+#define FFI_ARGS_7 SEXP, SEXP, SEXP, SEXP, SEXP, SEXP, SEXP
+
+#define X(name, n) SEXP name(FFI_ARGS_##n);
+#include "ffi_entries.h"
+#undef X
+
+#endif

@@ -1,0 +1,180 @@
+#include "ffi.h"
+#include "rot_axle.h"
+#include "rot_axle_ledger.h"
+#include "rot_axle_ode.h"
+
+/* c(inertia, viscous, start, theta0, omega0) and list(knot times, knot torques, c(before, after)),
+ * as R/model-axle.R packs them. */
+static rot_axle_params unpack(SEXP numbers, SEXP torque) {
+  const double *x = ffi_reals(numbers, "numbers", 5);
+  rot_axle_params p = {x[0], x[1], x[2], x[3], x[4], {0, NULL, NULL, 0.0, 0.0, NULL, NULL}};
+  if (Rf_isNull(torque)) return p;
+  if (TYPEOF(torque) != VECSXP || XLENGTH(torque) != 3) Rf_error("internal: `torque`");
+  SEXP knots = VECTOR_ELT(torque, 0);
+  const double *outside = ffi_reals(VECTOR_ELT(torque, 2), "outside", 2);
+  p.torque.time_s = ffi_reals(knots, "knots", -1);
+  p.torque.torque_n_m = ffi_reals(VECTOR_ELT(torque, 1), "torque", XLENGTH(knots));
+  p.torque.n = (size_t)XLENGTH(knots);
+  p.torque.before_n_m = outside[0];
+  p.torque.after_n_m = outside[1];
+  return p;
+}
+
+/* The article's eight columns; the first is the times themselves. Protects one object. */
+static SEXP new_columns(SEXP time_s, rot_axle_columns *out) {
+  static const char *const names[] = {"time_s",
+                                      "theta_rad",
+                                      "omega_rad_per_s",
+                                      "applied_torque_n_m",
+                                      "damping_torque_n_m",
+                                      "net_torque_n_m",
+                                      "angular_momentum_kg_m2_per_s",
+                                      "rotational_kinetic_energy_j",
+                                      ""};
+  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  double *c[7];
+  SET_VECTOR_ELT(list, 0, time_s);
+  for (int i = 0; i < 7; i++) {
+    SET_VECTOR_ELT(list, i + 1, ffi_new_column(XLENGTH(time_s)));
+    c[i] = REAL(VECTOR_ELT(list, i + 1));
+  }
+  *out = (rot_axle_columns){c[0], c[1], c[2], c[3], c[4], c[5], c[6]};
+  return list;
+}
+
+static SEXP ledger_vector(const rot_axle_ledger *ledger) {
+  const double numbers[] = {ledger->work_j,          ledger->dissipated_j,
+                            ledger->impulse_n_m_s,   ledger->work_rounding_j,
+                            ledger->dissipated_rounding_j, ledger->impulse_rounding_n_m_s};
+  SEXP out = Rf_allocVector(REALSXP, 6);
+  for (int i = 0; i < 6; i++) REAL(out)[i] = numbers[i];
+  return out;
+}
+
+/* list(columns, info, ledger); columns is protected by the caller, one more object than that is
+ * unprotected here. */
+static SEXP result(SEXP columns, const rot_info *info, SEXP ledger) {
+  PROTECT(ledger);
+  SEXP out = PROTECT(Rf_allocVector(VECSXP, 3));
+  SET_VECTOR_ELT(out, 0, columns);
+  SET_VECTOR_ELT(out, 1, ffi_info(info));
+  SET_VECTOR_ELT(out, 2, ledger);
+  UNPROTECT(2);
+  return out;
+}
+
+SEXP ffi_axle_free(SEXP numbers, SEXP time_s, SEXP progress) {
+  const rot_axle_params p = unpack(numbers, R_NilValue);
+  const double *t = ffi_reals(time_s, "time_s", -1);
+  rot_axle_columns columns;
+  rot_info info;
+  ffi_guard guard;
+  SEXP list = new_columns(time_s, &columns);
+  ffi_guard_begin(&guard, progress);
+  ffi_guard_end(&guard,
+                rot_axle_free(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
+  SEXP out = result(list, &info, R_NilValue);
+  UNPROTECT(1);
+  return out;
+}
+
+SEXP ffi_axle_linear(SEXP numbers, SEXP torque, SEXP time_s, SEXP progress) {
+  const rot_axle_params p = unpack(numbers, torque);
+  const double *t = ffi_reals(time_s, "time_s", -1);
+  rot_axle_columns columns;
+  rot_info info;
+  ffi_guard guard;
+  SEXP list = new_columns(time_s, &columns);
+  ffi_guard_begin(&guard, progress);
+  ffi_guard_end(&guard,
+                rot_axle_linear(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
+  SEXP out = result(list, &info, R_NilValue);
+  UNPROTECT(1);
+  return out;
+}
+
+SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP progress) {
+  const rot_axle_params p = unpack(numbers, torque);
+  const double from = ffi_real(from_s, "from_s"), to = ffi_real(to_s, "to_s");
+  rot_axle_ledger ledger;
+  rot_info info;
+  ffi_guard guard;
+  ffi_guard_begin(&guard, progress);
+  ffi_guard_end(&guard, rot_axle_linear_ledger(&p, from, to, &guard.hooks, &ledger, &info));
+  return ledger_vector(&ledger);
+}
+
+/* ---- a torque law that is an R function ----------------------------------------------------- */
+
+typedef struct r_torque {
+  ffi_guard *guard;
+  SEXP call;      /* f(time_s) or f(time_s, theta_rad, omega_rad_per_s) */
+  SEXP complain;  /* complain(value, time_s): raises the error about what f returned */
+  int arguments;  /* 1 or 3 */
+  double x[3];
+  double torque;
+} r_torque;
+
+static SEXP call_torque(void *data) {
+  r_torque *law = data;
+  SEXP cell = CDR(law->call);
+  /* New numbers each time: f may keep the ones it was given. */
+  for (int i = 0; i < law->arguments; i++, cell = CDR(cell)) {
+    SETCAR(cell, Rf_ScalarReal(law->x[i]));
+  }
+  SEXP value = PROTECT(Rf_eval(law->call, R_GlobalEnv));
+  const int type = TYPEOF(value);
+  const int number = XLENGTH(value) == 1 && !Rf_isFactor(value) &&
+                     (type == REALSXP || type == INTSXP ||
+                      (type == LGLSXP && LOGICAL(value)[0] == NA_LOGICAL));
+  if (number) {
+    law->torque = Rf_asReal(value);
+  } else {
+    SEXP time = PROTECT(Rf_ScalarReal(law->x[0]));
+    SEXP call = PROTECT(Rf_lang3(law->complain, value, time));
+    Rf_eval(call, R_GlobalEnv);
+    UNPROTECT(2);
+  }
+  UNPROTECT(1);
+  return R_NilValue;
+}
+
+static rot_status torque_from_r(double t, double theta, double omega, double *torque, void *ctx) {
+  r_torque *law = ctx;
+  law->x[0] = t;
+  law->x[1] = theta;
+  law->x[2] = omega;
+  rot_status status = ffi_guarded(law->guard, call_torque, law, NULL);
+  *torque = law->torque;
+  return status;
+}
+
+/* `law` is NULL for knots, or list(call, complain); the call's arguments are filled in here.
+ * `control` is c(accuracy, max_steps). */
+SEXP ffi_axle_integrate(SEXP numbers, SEXP torque, SEXP law, SEXP time_s, SEXP control,
+                        SEXP progress) {
+  rot_axle_params p = unpack(numbers, torque);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 2);
+  const rot_axle_ode_options options = {c[0], (size_t)c[1]};
+  rot_axle_columns columns;
+  rot_axle_ledger ledger = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  rot_info info;
+  ffi_guard guard;
+  r_torque r_law = {&guard, R_NilValue, R_NilValue, 0, {0.0, 0.0, 0.0}, 0.0};
+  SEXP list = new_columns(time_s, &columns);
+  ffi_guard_begin(&guard, progress);
+  if (!Rf_isNull(law)) {
+    r_law.call = PROTECT(Rf_duplicate(VECTOR_ELT(law, 0)));
+    r_law.complain = VECTOR_ELT(law, 1);
+    r_law.arguments = Rf_length(r_law.call) - 1;
+    p.torque.call = torque_from_r;
+    p.torque.ctx = &r_law;
+  }
+  rot_status status = rot_axle_integrate(&p, &options, (size_t)XLENGTH(time_s), t, &columns,
+                                         &ledger, &guard.hooks, &info);
+  if (!Rf_isNull(law)) UNPROTECT(1);
+  ffi_guard_end(&guard, status);
+  SEXP out = result(list, &info, PROTECT(ledger_vector(&ledger)));
+  UNPROTECT(2);
+  return out;
+}

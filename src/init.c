@@ -1,0 +1,16 @@
+#include <R_ext/Rdynload.h>
+#include <R_ext/Visibility.h>
+
+#include "ffi.h"
+
+static const R_CallMethodDef entries[] = {
+#define X(name, n) {#name, (DL_FUNC)&name, n},
+#include "ffi_entries.h"
+#undef X
+    {NULL, NULL, 0}};
+
+void attribute_visible R_init_rotdyn(DllInfo *dll) {
+  R_registerRoutines(dll, NULL, entries, NULL, NULL);
+  R_useDynamicSymbols(dll, FALSE);
+  R_forceSymbols(dll, TRUE);
+}

@@ -1,0 +1,364 @@
+#include "rot_axle.h"
+
+#include <math.h>
+
+#include "rot_phi.h"
+#include "rot_real.h"
+
+enum { ROWS_PER_POLL = 8192 };
+
+size_t rot_axle_rows_before_start(const rot_axle_params *p, size_t n, const double time_s[]) {
+  size_t lo = 0, hi = n;
+  while (lo < hi) {
+    size_t mid = lo + (hi - lo) / 2;
+    if (time_s[mid] < p->start_s) {
+      lo = mid + 1;
+    } else {
+      hi = mid;
+    }
+  }
+  return lo;
+}
+
+static void note_row(rot_info *info, double theta, double omega, double e_theta, double e_omega) {
+  if (!(fabs(theta) <= info->theta_max)) info->theta_max = fabs(theta);
+  if (!(fabs(omega) <= info->omega_max)) info->omega_max = fabs(omega);
+  if (!(e_theta <= info->theta_error)) info->theta_error = e_theta;
+  if (!(e_omega <= info->omega_error)) info->omega_error = e_omega;
+}
+
+/* ---- free spin ------------------------------------------------------------------------------ */
+
+rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
+                         const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
+  const double omega = p->omega0_rad_per_s;
+  rot_info_clear(info);
+  for (size_t i = 0; i < n; i++) {
+    double turned = omega * (time_s[i] - p->start_s), theta = p->theta0_rad + turned;
+    info->time_s = time_s[i];
+    if (!isfinite(theta)) return info->status = ROT_ERANGE;
+    rot_axle_row(p, out, i, theta, omega, 0.0);
+    /* Three roundings: the time difference, the product, the sum. */
+    note_row(info, theta, omega, ROT_EPS * (2.0 * fabs(turned) + fabs(theta)), 0.0);
+    info->rows_done = i + 1;
+    if (i % ROWS_PER_POLL == ROWS_PER_POLL - 1) {
+      rot_status status = rot_poll(hooks, (double)i / (double)n);
+      if (status != ROT_OK) return info->status = status;
+    }
+  }
+  info->steps = n > 0;
+  return ROT_OK;
+}
+
+/* ---- one step of the closed form ------------------------------------------------------------ */
+
+/* With z = c s/I, the torque a at the start of the step and b at its end,
+ *
+ *   omega  = omega0 phi0 + (s a/I) g1 + (s b/I) phi2
+ *   dtheta = s (omega0 phi1 + (s a/I)(phi2 - phi3) + (s b/I) phi3):
+ *
+ * weights at the ends, all positive, so a torque of one sign cancels nowhere. From z = 3 the same
+ * terms are written over c instead of I; that keeps their digits where z^2 would overflow. */
+static double roundings(const rot_axle_params *p) {
+  return (p->viscous_n_m_s >= 0.0 ? 12.0 : 24.0) * ROT_EPS;
+}
+
+rot_axle_state rot_axle_start(const rot_axle_params *p) {
+  rot_axle_state state = {0};
+  state.time_s = p->start_s;
+  state.theta_rad = p->theta0_rad;
+  state.omega_rad_per_s = p->omega0_rad_per_s;
+  return state;
+}
+
+/* Three terms of omega, three of theta, and the factors by which the state at the start counts. */
+typedef struct step_terms {
+  double omega[3], theta[3], decay, reach;
+} step_terms;
+
+static rot_axle_state add_terms(const rot_axle_params *p, const rot_axle_state *from,
+                                const step_terms *terms, double time_s) {
+  const double *w = terms->omega, *h = terms->theta;
+  rot_axle_state to;
+  double driven_lo, driven = rot_two_sum(w[1], w[2], &driven_lo);
+  double turned = h[0] + (h[1] + h[2]);
+  to.time_s = time_s;
+  to.omega_rad_per_s = rot_two_sum(w[0], driven, &to.omega_lo);
+  to.omega_lo += driven_lo + from->omega_lo * terms->decay;
+  to.omega_rad_per_s = rot_two_sum(to.omega_rad_per_s, to.omega_lo, &to.omega_lo);
+  to.theta_rad = rot_two_sum(from->theta_rad, turned, &to.theta_lo);
+  to.theta_lo += from->theta_lo;
+  to.theta_rad = rot_two_sum(to.theta_rad, to.theta_lo, &to.theta_lo);
+  to.omega_error =
+      from->omega_error * terms->decay + roundings(p) * (fabs(w[0]) + fabs(w[1]) + fabs(w[2]));
+  to.theta_error = from->theta_error + from->omega_error * terms->reach +
+                   roundings(p) * (fabs(h[0]) + fabs(h[1]) + fabs(h[2])) +
+                   ROT_EPS * fabs(to.theta_rad);
+  return to;
+}
+
+rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,
+                             const rot_torque_piece *piece, double time_s) {
+  const double I = p->inertia_kg_m2, c = p->viscous_n_m_s, w0 = from->omega_rad_per_s;
+  const double a = rot_torque_in_piece(piece, from->time_s),
+               b = rot_torque_in_piece(piece, time_s);
+  double s_lo, s = rot_two_sum(time_s, -from->time_s, &s_lo);
+  if (s == 0.0) {
+    rot_axle_state same = *from;
+    same.time_s = time_s;
+    return same;
+  }
+  double phi[4], z_lo, z = rot_muldiv(c, s, I, &z_lo);
+  if (isfinite(z)) z_lo += z * (s_lo / s);
+  rot_phi(z, z_lo, 3, phi);
+  step_terms terms;
+  terms.omega[0] = w0 * phi[0];
+  terms.decay = phi[0];
+  if (z < 3.0) {
+    const double g1 = rot_phi_g1(z, phi[0], phi[1]);
+    terms.omega[1] = rot_product(3, (double[]){s, a, g1}, I);
+    terms.omega[2] = rot_product(3, (double[]){s, b, phi[2]}, I);
+    terms.theta[0] = rot_product(3, (double[]){s, w0, phi[1]}, 1.0);
+    terms.theta[1] = rot_product(4, (double[]){s, s, a, phi[2] - phi[3]}, I);
+    terms.theta[2] = rot_product(4, (double[]){s, s, b, phi[3]}, I);
+    terms.reach = fabs(s) * phi[1];
+  } else {
+    const double settled = -expm1(-z);
+    terms.omega[1] = rot_product(2, (double[]){a, phi[1] - phi[0]}, c);
+    terms.omega[2] = rot_product(2, (double[]){b, 1.0 - phi[1]}, c);
+    terms.theta[0] = rot_product(3, (double[]){w0, I, settled}, c);
+    terms.theta[1] = rot_product(3, (double[]){s, a, 0.5 - phi[1] + phi[2]}, c);
+    terms.theta[2] = rot_product(3, (double[]){s, b, 0.5 - phi[2]}, c);
+    terms.reach = rot_product(2, (double[]){I, settled}, c);
+  }
+  return add_terms(p, from, &terms, time_s);
+}
+
+/* ---- rows inside one piece ------------------------------------------------------------------ */
+
+/* Products of a few such numbers stay far from overflow and underflow, so the rows may be computed
+ * without watching exponents, several at a time: some 25 ns a row against 150 to 400. */
+static int tame(double x) {
+  x = fabs(x);
+  return x == 0.0 || (x > 1e-60 && x < 1e60);
+}
+
+typedef struct row_run {
+  const rot_axle_params *p;
+  const double *time_s;
+  const rot_axle_columns *out;
+  rot_info *info;
+  rot_axle_state base;
+  rot_torque_piece piece;
+  int in_lanes;
+} row_run;
+
+static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state *state) {
+  if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) {
+    run->info->time_s = state->time_s;
+    return ROT_ERANGE;
+  }
+  rot_axle_row(run->p, run->out, i, state->theta_rad, state->omega_rad_per_s,
+               rot_torque_at(&run->p->torque, state->time_s));
+  note_row(run->info, state->theta_rad, state->omega_rad_per_s, state->theta_error,
+           state->omega_error);
+  return ROT_OK;
+}
+
+static rot_status one_row(const row_run *run, size_t i) {
+  rot_axle_state state = rot_axle_step(run->p, &run->base, &run->piece, run->time_s[i]);
+  return finish_row(run, i, &state);
+}
+
+static double tame_torque(const rot_torque_piece *piece, double t) {
+  const double a = piece->start_n_m, b = piece->end_n_m;
+  if (a == b) return a;
+  if (a * b < 0.0) return rot_torque_in_piece(piece, t);
+  return (a * (piece->end_s - t) + b * (t - piece->start_s)) / (piece->end_s - piece->start_s);
+}
+
+/* c s/I for a row, with its residual; s with its own. One division. */
+static double tame_z(const rot_axle_params *p, double s, double s_lo, double *s_over_I, double *z_lo) {
+  const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
+  double cs_lo, cs = rot_two_prod(c, s, &cs_lo);
+  *s_over_I = s / I;
+  const double z = c * *s_over_I;
+  *z_lo = s != 0.0 ? (fma(-z, I, cs) + (cs_lo + c * s_lo)) * (*s_over_I / s) : 0.0;
+  return z;
+}
+
+/* ROT_LANES rows, or fewer with the last one repeated. */
+static void lane_rows(const row_run *run, const size_t row[ROT_LANES], double base_torque) {
+  const rot_axle_state *base = &run->base;
+  const double w0 = base->omega_rad_per_s, rounding = roundings(run->p);
+  double s[ROT_LANES], u[ROT_LANES], z[ROT_LANES], z_lo[ROT_LANES];
+  for (int l = 0; l < ROT_LANES; l++) {
+    double s_lo;
+    s[l] = rot_two_sum(run->time_s[row[l]], -base->time_s, &s_lo);
+    z[l] = tame_z(run->p, s[l], s_lo, &u[l], &z_lo[l]);
+  }
+  rot_phi_lanes phi;
+  rot_phi_in_lanes(z, z_lo, &phi);
+  for (int l = 0; l < ROT_LANES; l++) {
+    const double b = tame_torque(&run->piece, run->time_s[row[l]]);
+    const double va = u[l] * base_torque, vb = u[l] * b;
+    const double p23 = phi.phi2[l] - phi.phi3[l];
+    const double from_w0 = w0 * phi.phi0[l], driven = va * phi.g1[l] + vb * phi.phi2[l];
+    const double turned = s[l] * (w0 * phi.phi1[l] + (va * p23 + vb * phi.phi3[l]));
+    const double omega = from_w0 + (driven + base->omega_lo * phi.phi0[l]);
+    const double theta = base->theta_rad + (turned + base->theta_lo);
+    rot_axle_row(run->p, run->out, row[l], theta, omega, b);
+    note_row(run->info, theta, omega,
+             base->theta_error + fabs(s[l]) * (base->omega_error * phi.phi1[l] +
+                                               rounding * (fabs(w0) * phi.phi1[l] + fabs(va) * p23 +
+                                                           fabs(vb) * phi.phi3[l])) +
+                 ROT_EPS * fabs(theta),
+             base->omega_error * phi.phi0[l] +
+                 rounding * (fabs(from_w0) + fabs(va) * phi.g1[l] + fabs(vb) * phi.phi2[l]));
+  }
+}
+
+/* A row without torque: omega0 phi0 and s omega0 phi1. */
+static void coasting_row(const row_run *run, size_t i) {
+  const rot_axle_state *base = &run->base;
+  const double w0 = base->omega_rad_per_s, rounding = roundings(run->p);
+  double s_lo, s = rot_two_sum(run->time_s[i], -base->time_s, &s_lo), u, z_lo;
+  const double z = tame_z(run->p, s, s_lo, &u, &z_lo);
+  const double gone = z < 0.5 ? -expm1(-z) : 1.0 - exp(-z); /* exp(-z) itself is small for large z */
+  double phi0 = z < 0.5 ? 1.0 - gone : exp(-z);
+  const double phi1 = z == 0.0 ? 1.0 : gone / z;
+  phi0 -= phi0 * z_lo;
+  const double omega = w0 * phi0 + base->omega_lo * phi0, turned = s * w0 * phi1;
+  const double theta = base->theta_rad + (turned + base->theta_lo);
+  rot_axle_row(run->p, run->out, i, theta, omega, 0.0);
+  note_row(run->info, theta, omega,
+           base->theta_error + base->omega_error * fabs(s) * phi1 + rounding * fabs(turned) +
+               ROT_EPS * fabs(theta),
+           base->omega_error * phi0 + rounding * fabs(omega));
+}
+
+/* The row of a settled motion, z >= 3: as rot_axle_step(), exponents unwatched. */
+static void settled_row(const row_run *run, size_t i, double base_torque) {
+  const double I = run->p->inertia_kg_m2, c = run->p->viscous_n_m_s;
+  const rot_axle_state *base = &run->base;
+  const double t = run->time_s[i], w0 = base->omega_rad_per_s, rounding = roundings(run->p);
+  const double b = tame_torque(&run->piece, t);
+  double s_lo, s = rot_two_sum(t, -base->time_s, &s_lo), u, z_lo;
+  const double z = tame_z(run->p, s, s_lo, &u, &z_lo);
+  double phi0 = exp(-z), settled = 1.0 - phi0;
+  phi0 -= phi0 * z_lo;
+  const double phi1 = settled / z, phi2 = (1.0 - phi1) / z;
+  const double from_w0 = w0 * phi0, from_a = base_torque / c * (phi1 - phi0),
+               from_b = b / c * (1.0 - phi1);
+  const double turned0 = w0 * settled * (I / c), turned_a = base_torque / c * s * (0.5 - phi1 + phi2),
+               turned_b = b / c * s * (0.5 - phi2);
+  const double omega = from_w0 + (from_a + from_b),
+               theta = base->theta_rad + (turned0 + (turned_a + turned_b) + base->theta_lo);
+  rot_axle_row(run->p, run->out, i, theta, omega, b);
+  note_row(run->info, theta, omega,
+           base->theta_error + base->omega_error * (I / c) +
+               rounding * (fabs(turned0) + fabs(turned_a) + fabs(turned_b)) + ROT_EPS * fabs(theta),
+           base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
+}
+
+/* Rows i to end - 1, all in this piece and on the far side of its base. */
+static rot_status rows_in_piece(const row_run *run, size_t i, size_t end) {
+  rot_status status = ROT_OK;
+  if (!run->in_lanes) {
+    for (; i < end && status == ROT_OK; i++) status = one_row(run, i);
+    if (status != ROT_OK) run->info->rows_done = i - 1;
+    return status;
+  }
+  const double c = run->p->viscous_n_m_s, I = run->p->inertia_kg_m2;
+  const double base_torque = tame_torque(&run->piece, run->base.time_s);
+  const int coasting = run->piece.start_n_m == 0.0 && run->piece.end_n_m == 0.0;
+  size_t row[ROT_LANES];
+  int filled = 0;
+  for (; i < end && status == ROT_OK; i++) {
+    const double t = run->time_s[i];
+    /* At a knot the torque column shows the value after a jump: leave it to one_row(). */
+    if (t == run->base.time_s || t == run->piece.start_s || t == run->piece.end_s) {
+      status = one_row(run, i);
+    } else if (coasting) {
+      coasting_row(run, i);
+    } else if (c * (t - run->base.time_s) >= 3.0 * I) {
+      settled_row(run, i, base_torque);
+    } else {
+      row[filled++] = i;
+      if (filled == ROT_LANES) {
+        lane_rows(run, row, base_torque);
+        filled = 0;
+      }
+    }
+  }
+  if (filled) {
+    for (int l = filled; l < ROT_LANES; l++) row[l] = row[filled - 1];
+    lane_rows(run, row, base_torque);
+  }
+  return status;
+}
+
+/* ---- the march ------------------------------------------------------------------------------ */
+
+/* Rows [first, last) away from start_s, forward in time or backward. */
+static rot_status march(const rot_axle_params *p, const double time_s[], size_t first, size_t last,
+                        int forward, const rot_axle_columns *out, const rot_hooks *hooks,
+                        rot_info *info) {
+  size_t k = rot_torque_find(&p->torque, p->start_s, forward), done = 0, total = last - first;
+  row_run run = {p, time_s, out, info, rot_axle_start(p), rot_torque_piece_at(&p->torque, k), 0};
+  while (done < total) {
+    run.piece = rot_torque_piece_at(&p->torque, k);
+    const double stop = forward ? run.piece.end_s : run.piece.start_s;
+    size_t end = done, lo = done, hi = total;
+    while (lo < hi) { /* rows before the end of the piece */
+      size_t mid = lo + (hi - lo) / 2;
+      double t = time_s[forward ? first + mid : last - 1 - mid];
+      if (forward ? t < stop : t > stop) {
+        lo = mid + 1;
+      } else {
+        hi = mid;
+      }
+    }
+    end = lo;
+    info->steps++;
+    if (end > done) {
+      const double far = time_s[forward ? first + end - 1 : last - end] - run.base.time_s;
+      run.in_lanes = tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) &&
+                     tame(run.base.omega_rad_per_s) && tame(run.base.theta_rad) &&
+                     tame(run.piece.start_n_m) && tame(run.piece.end_n_m) && tame(far) &&
+                     (run.piece.start_n_m == run.piece.end_n_m ||
+                      tame(run.piece.end_s - run.piece.start_s)) &&
+                     (forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
+    }
+    while (done < end) {
+      size_t chunk = end - done < ROWS_PER_POLL ? end - done : ROWS_PER_POLL;
+      size_t i = forward ? first + done : last - done - chunk;
+      rot_status status = rows_in_piece(&run, i, i + chunk);
+      if (status != ROT_OK) return status;
+      done += chunk;
+      if (forward) info->rows_done = first + done;
+      info->time_s = time_s[forward ? first + done - 1 : last - done];
+      status = rot_poll(hooks, (double)(first + done) / (double)last);
+      if (status != ROT_OK) return status;
+    }
+    if (done < total) {
+      run.base = rot_axle_step(p, &run.base, &run.piece, stop);
+      info->time_s = stop;
+      if (!(isfinite(run.base.theta_rad) && isfinite(run.base.omega_rad_per_s))) return ROT_ERANGE;
+      k = forward ? k + 1 : k - 1;
+    }
+  }
+  return ROT_OK;
+}
+
+rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
+                           const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
+  const size_t before = rot_axle_rows_before_start(p, n, time_s);
+  rot_info_clear(info);
+  info->status = march(p, time_s, 0, before, 0, out, hooks, info);
+  if (info->status == ROT_OK) {
+    info->rows_done = before;
+    info->status = march(p, time_s, before, n, 1, out, hooks, info);
+  }
+  return info->status;
+}

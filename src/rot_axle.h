@@ -1,0 +1,64 @@
+/* A body on a fixed axle:  I d(omega)/dt = torque(t) - c omega,  d(theta)/dt = omega.
+ * Closed forms; the integrator is rot_axle_ode.h, work and heat are rot_axle_ledger.h. */
+#ifndef ROT_AXLE_H
+#define ROT_AXLE_H
+
+#include <stddef.h>
+
+#include "rot_status.h"
+#include "rot_torque.h"
+
+typedef struct rot_axle_params {
+  double inertia_kg_m2;    /* > 0, about the axle */
+  double viscous_n_m_s;    /* any sign; < 0 drives */
+  double start_s;          /* the state below holds at this time */
+  double theta0_rad, omega0_rad_per_s;
+  rot_torque torque;
+} rot_axle_params;
+
+/* Columns of the result, each as long as the times. */
+typedef struct rot_axle_columns {
+  double *theta_rad, *omega_rad_per_s, *applied_n_m, *damping_n_m, *net_n_m, *momentum_kg_m2_per_s,
+      *energy_j;
+} rot_axle_columns;
+
+/* Times are finite and do not decrease; those before start_s are reached backwards. */
+
+/* No torque, no resistance: two operations a row. */
+rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
+                         const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info);
+
+/* Piecewise-linear torque and viscous resistance, any size of c t / I. The errors in *info are
+ * bounds: 12 units of roundoff (24 where c < 0) times the sum of the terms added. */
+rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
+                           const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info);
+
+/* One step of the closed form, for those who march themselves. */
+typedef struct rot_axle_state {
+  double time_s;
+  double theta_rad, theta_lo, omega_rad_per_s, omega_lo; /* carried to twice the precision */
+  double theta_error, omega_error;                       /* bounds */
+} rot_axle_state;
+
+rot_axle_state rot_axle_start(const rot_axle_params *p);
+/* To a time in, or at the end of, the piece that the state lies in. */
+rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,
+                             const rot_torque_piece *piece, double time_s);
+
+/* The six columns that follow from theta, omega and the applied torque of row i. */
+static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns *out, size_t i,
+                                double theta, double omega, double applied) {
+  double damping = 0.0 - p->viscous_n_m_s * omega, momentum = p->inertia_kg_m2 * omega;
+  out->theta_rad[i] = theta;
+  out->omega_rad_per_s[i] = omega;
+  out->applied_n_m[i] = applied;
+  out->damping_n_m[i] = damping;
+  out->net_n_m[i] = applied + damping;
+  out->momentum_kg_m2_per_s[i] = momentum;
+  out->energy_j[i] = 0.5 * momentum * omega;
+}
+
+/* Rows before start_s. */
+size_t rot_axle_rows_before_start(const rot_axle_params *p, size_t n, const double time_s[]);
+
+#endif

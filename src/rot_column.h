@@ -1,0 +1,16 @@
+/* A column of input: n values, or one for all rows. */
+#ifndef ROT_COLUMN_H
+#define ROT_COLUMN_H
+
+#include <stddef.h>
+
+typedef struct rot_column {
+  const double *values;
+  size_t step; /* 1, or 0 where one value serves every row */
+} rot_column;
+
+static inline double rot_at(rot_column column, size_t row) {
+  return column.values[row * column.step];
+}
+
+#endif

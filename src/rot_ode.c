@@ -1,0 +1,254 @@
+#include "rot_ode.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rot_real.h"
+
+enum { STEPS_PER_POLL = 16 };
+
+#define LEAST_TOLERANCE 1e-13 /* its companion runs at 1e-15: below, rounding is all one sees */
+#define MARGIN 1.1            /* on the companion's difference, 0.957 to 1.026 of the error */
+
+/* One run at one tolerance. */
+typedef struct ode_run {
+  const rot_ode_params *p;
+  const rot_hooks *hooks;
+  rot_info *info;
+  gsl_odeiv2_step *step;
+  gsl_odeiv2_system system;
+  double tolerance;
+  double t, h;                /* h: the step that the error test would like next */
+  double after, before;       /* rhs is evaluated strictly inside (break, next break) */
+  int slope_known;            /* slope holds f(t, y) */
+  int wild;                   /* rhs was not finite in the last trial */
+  rot_status status;          /* of the last rhs call */
+  double *y, *trial, *trial_error, *slope, *trial_slope, *largest; /* dim each */
+} ode_run;
+
+static int rhs_for_gsl(double t, const double y[], double dydt[], void *ctx) {
+  ode_run *run = ctx;
+  t = t < run->after ? run->after : t > run->before ? run->before : t;
+  run->info->rhs_calls++;
+  run->status = run->p->rhs(t, y, dydt, run->p->ctx);
+  if (run->status != ROT_OK) return GSL_EBADFUNC; /* the only code at which rk8pd stops at once */
+  for (size_t i = 0; i < run->p->controlled; i++) {
+    if (!isfinite(dydt[i])) {
+      run->wild = 1;
+      run->info->time_s = t;
+      return GSL_EBADFUNC;
+    }
+  }
+  return GSL_SUCCESS;
+}
+
+/* Error of the trial step over what is allowed; NaN if it makes no sense. */
+static double trial_ratio(const ode_run *run) {
+  double ratio = 0.0;
+  for (size_t i = 0; i < run->p->controlled; i++) {
+    const double error = fabs(run->trial_error[i]);
+    const double scale = fmax(run->largest[i], fabs(run->trial[i]));
+    if (!isfinite(run->trial[i])) return NAN;
+    if (error != 0.0 && !(error / (run->tolerance * scale) <= ratio)) {
+      ratio = error / (run->tolerance * scale);
+    }
+  }
+  return ratio;
+}
+
+static void accept(ode_run *run, double t) {
+  double *swap = run->y;
+  run->y = run->trial;
+  run->trial = swap;
+  swap = run->slope;
+  run->slope = run->trial_slope;
+  run->trial_slope = swap;
+  run->t = t;
+  for (size_t i = 0; i < run->p->dim; i++) {
+    run->largest[i] = fmax(run->largest[i], fabs(run->y[i]));
+  }
+  run->info->steps++;
+}
+
+/* Integrate to a time with no break in between. */
+static rot_status drive(ode_run *run, double target, double fraction) {
+  const rot_ode_params *p = run->p;
+  while (run->t != target) {
+    const double left = target - run->t;
+    const size_t tried = run->info->steps + run->info->rejected;
+    if (tried >= p->max_steps) return ROT_EBUDGET;
+    if (tried % STEPS_PER_POLL == 0) {
+      rot_status status = rot_poll(run->hooks, fraction);
+      if (status != ROT_OK) return status;
+    }
+    run->wild = 0;
+    if (!run->slope_known) {
+      if (rhs_for_gsl(run->t, run->y, run->slope, run) != GSL_SUCCESS) {
+        return run->wild ? ROT_ETORQUE : run->status;
+      }
+      run->slope_known = 1;
+    }
+    /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
+    const int last = fabs(run->h) >= fabs(left) * (1.0 - 1e-10);
+    const double h = last ? left : fabs(run->h) > 0.5 * fabs(left) ? 0.5 * left : run->h;
+    if (run->t + h == run->t) {
+      run->info->time_s = run->t;
+      return ROT_ESTEP;
+    }
+    memcpy(run->trial, run->y, p->dim * sizeof *run->y);
+    int code = gsl_odeiv2_step_apply(run->step, run->t, h, run->trial, run->trial_error,
+                                     run->slope, run->trial_slope, &run->system);
+    if (code != GSL_SUCCESS && !run->wild) return run->status != ROT_OK ? run->status : ROT_ENOMEM;
+    const double ratio = run->wild ? NAN : trial_ratio(run);
+    if (ratio <= 1.0) { /* NaN fails */
+      const double grow = ratio > 0.0 ? 0.9 * pow(ratio, -1.0 / 8.0) : 5.0;
+      accept(run, last ? target : run->t + h);
+      /* A step cut short by a target says nothing against the longer one. */
+      const double wish = h * fmin(5.0, fmax(0.5, grow));
+      if (fabs(wish) > fabs(run->h) || h == run->h) run->h = wish;
+    } else {
+      run->info->rejected++;
+      run->h = h * (isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, -1.0 / 8.0)) : 0.1);
+      if (run->t + run->h == run->t) {
+        if (!run->wild) run->info->time_s = run->t;
+        return run->wild ? ROT_ETORQUE : ROT_ESTEP;
+      }
+    }
+  }
+  return ROT_OK;
+}
+
+/* All rows on one side of the start. */
+static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_t last, int forward,
+                        double y_rows[]) {
+  const rot_ode_params *p = run->p;
+  const size_t total = last - first;
+  const double outward = forward ? INFINITY : -INFINITY;
+  if (total == 0) return ROT_OK;
+  memcpy(run->y, p->start, p->dim * sizeof *run->y);
+  for (size_t i = 0; i < p->dim; i++) run->largest[i] = fmax(run->largest[i], fabs(run->y[i]));
+  run->t = p->start_s;
+  run->h = (time_s[forward ? last - 1 : first] - p->start_s) / 100.0;
+  run->slope_known = 0;
+
+  size_t k = 0; /* next break outward: breaks[k] forward, breaks[k - 1] backward */
+  while (k < p->n_breaks && (forward ? p->breaks[k] <= run->t : p->breaks[k] < run->t)) k++;
+  run->after = -INFINITY;
+  run->before = INFINITY;
+  const int on_break = forward ? k > 0 && p->breaks[k - 1] == run->t
+                               : k < p->n_breaks && p->breaks[k] == run->t;
+  double *near = forward ? &run->after : &run->before, *far = forward ? &run->before : &run->after;
+  if (on_break) *near = nextafter(run->t, outward);
+
+  for (size_t done = 0; done < total; done++) {
+    const size_t row = forward ? first + done : last - 1 - done;
+    const double fraction = (double)done / (double)total;
+    for (;;) {
+      const int more = forward ? k < p->n_breaks : k > 0;
+      const double stop = more ? p->breaks[forward ? k : k - 1] : outward;
+      *far = more ? nextafter(stop, -outward) : outward;
+      if (forward ? time_s[row] < stop : time_s[row] > stop) break;
+      rot_status status = drive(run, stop, fraction);
+      if (status != ROT_OK) return status;
+      *near = nextafter(stop, outward);
+      run->slope_known = 0;
+      k = forward ? k + 1 : k - 1;
+    }
+    rot_status status = drive(run, time_s[row], fraction);
+    if (status != ROT_OK) return status;
+    memcpy(y_rows + row * p->dim, run->y, p->dim * sizeof *run->y);
+    if (forward) run->info->rows_done = row + 1;
+    run->info->time_s = run->t;
+  }
+  return ROT_OK;
+}
+
+static rot_status run_once(const rot_ode_params *p, double tolerance, size_t n,
+                           const double time_s[], double y_rows[], const rot_hooks *hooks,
+                           rot_info *info) {
+  ode_run run = {0};
+  double *scratch = calloc(6 * p->dim, sizeof *scratch);
+  size_t before = 0;
+  rot_info_clear(info);
+  info->tolerance = tolerance;
+  run.p = p;
+  run.hooks = hooks;
+  run.info = info;
+  run.tolerance = tolerance;
+  run.step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, p->dim);
+  info->status = scratch && run.step ? ROT_OK : ROT_ENOMEM;
+  if (info->status == ROT_OK) {
+    run.y = scratch;
+    run.trial = scratch + p->dim;
+    run.trial_error = scratch + 2 * p->dim;
+    run.slope = scratch + 3 * p->dim;
+    run.trial_slope = scratch + 4 * p->dim;
+    run.largest = scratch + 5 * p->dim;
+    run.system = (gsl_odeiv2_system){rhs_for_gsl, NULL, p->dim, &run};
+    while (before < n && time_s[before] < p->start_s) before++;
+    info->status = sweep(&run, time_s, 0, before, 0, y_rows);
+  }
+  if (info->status == ROT_OK) {
+    info->rows_done = before;
+    info->status = sweep(&run, time_s, before, n, 1, y_rows);
+  }
+  if (run.step) gsl_odeiv2_step_free(run.step);
+  free(scratch);
+  return info->status;
+}
+
+/* error[i]: largest difference of component i over the rows. Returns the worst of the controlled
+ * ones relative to their largest value. */
+static double compare(const rot_ode_params *p, size_t rows, const double a[], const double b[],
+                      double steps, double error[]) {
+  double worst = 0.0;
+  for (size_t i = 0; i < p->dim; i++) {
+    double largest = 0.0, difference = 0.0;
+    for (size_t row = 0; row < rows; row++) {
+      largest = fmax(largest, fabs(a[row * p->dim + i]));
+      difference = fmax(difference, fabs(a[row * p->dim + i] - b[row * p->dim + i]));
+    }
+    error[i] = MARGIN * difference + ROT_EPS * sqrt(1.0 + steps) * largest;
+    if (i < p->controlled && largest > 0.0) worst = fmax(worst, error[i] / largest);
+  }
+  return worst;
+}
+
+rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
+                       double error[], const rot_hooks *hooks, rot_info *info) {
+  gsl_set_error_handler_off(); /* process-wide, and aborts by default: at every entry */
+  double tolerance = fmax(LEAST_TOLERANCE, 0.1 * p->accuracy);
+  double *finer = malloc((n ? n : 1) * p->dim * sizeof *finer);
+  if (!finer) {
+    rot_info_clear(info);
+    return info->status = ROT_ENOMEM;
+  }
+  run_once(p, tolerance, n, time_s, y, hooks, info);
+  rot_status failure = info->status;
+  while (failure != ROT_EUNWIND) {
+    /* Of a run that failed, the rows that it reached are worth an error figure too. */
+    const size_t reached = info->rows_done;
+    rot_info companion;
+    run_once(p, 0.01 * tolerance, reached, time_s, finer, hooks, &companion);
+    info->rhs_calls += companion.rhs_calls;
+    if (companion.status != ROT_OK) {
+      failure = companion.status;
+      info->time_s = companion.time_s;
+      info->rows_done = companion.rows_done;
+      if (failure == ROT_EUNWIND) break;
+    }
+    const double worst = compare(p, info->rows_done, y, finer, (double)info->steps, error);
+    if (failure != ROT_OK || worst <= p->accuracy || tolerance <= LEAST_TOLERANCE) break;
+    /* Not good enough: the companion becomes the run. */
+    tolerance = fmax(LEAST_TOLERANCE, 0.01 * tolerance);
+    memcpy(y, finer, n * p->dim * sizeof *y);
+    companion.rhs_calls = info->rhs_calls;
+    *info = companion;
+  }
+  info->status = failure;
+  free(finer);
+  return info->status;
+}

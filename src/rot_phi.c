@@ -1,0 +1,136 @@
+#include "rot_phi.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "rot_pair.h"
+
+/* 1/n! */
+static const double inverse_factorial[] = {
+    1 / 1.0, 1 / 1.0, 1 / 2.0, 1 / 6.0, 1 / 24.0, 1 / 120.0, 1 / 720.0, 1 / 5040.0, 1 / 40320.0,
+    1 / 362880.0, 1 / 3628800.0, 1 / 39916800.0, 1 / 479001600.0, 1 / 6227020800.0,
+    1 / 87178291200.0, 1 / 1307674368000.0, 1 / 20922789888000.0, 1 / 355687428096000.0,
+    1 / 6402373705728000.0, 1 / 121645100408832000.0, 1 / 2432902008176640000.0,
+    1 / 51090942171709440000.0, 1 / 1124000727777607680000.0, 1 / 2.585201673888498e+22,
+    1 / 6.204484017332394e+23, 1 / 1.5511210043330986e+25, 1 / 4.0329146112660565e+26,
+    1 / 1.0888869450418352e+28, 1 / 3.0488834461171387e+29, 1 / 8.841761993739702e+30,
+    1 / 2.6525285981219107e+32, 1 / 8.222838654177922e+33, 1 / 2.631308369336935e+35,
+    1 / 8.683317618811886e+36, 1 / 2.9523279903960416e+38, 1 / 1.0333147966386145e+40,
+    1 / 3.7199332678990125e+41, 1 / 1.3763753091226346e+43, 1 / 5.230226174666011e+44,
+    1 / 2.0397882081197444e+46, 1 / 8.159152832478977e+47, 1 / 3.345252661316381e+49,
+    1 / 1.40500611775288e+51, 1 / 6.041526306337383e+52, 1 / 2.658271574788449e+54,
+    1 / 1.1962222086548019e+56,
+};
+
+/* Taylor: sum (-z)^j / (j+k)!, terms enough for 2^-54 at |z| = 0.5 (13) and at 4 (38). */
+static double taylor(double z, int k) {
+  int terms = fabs(z) <= 0.5 ? 13 : 38;
+  double s = inverse_factorial[k + terms];
+  for (int j = terms - 1; j >= 0; j--) s = s * -z + inverse_factorial[k + j];
+  return s;
+}
+
+/* Kummer's form, every term positive: phi_k = exp(-z)/(k-1)! sum_j (z^j/j!)/(j+k). Below z = 3 the
+ * upward recurrence has lost digits already and the downward one loses them: 2.9 ulp here. */
+static void kummer(double z, double e, int k_max, double phi[]) {
+  enum { TERMS = 36 };
+  double t[TERMS];
+  t[0] = 1.0;
+  for (int j = 1; j < TERMS; j++) t[j] = t[j - 1] * z / j;
+  for (int k = 2; k <= k_max; k++) {
+    double s = 0.0;
+    for (int j = TERMS - 1; j >= 0; j--) s += t[j] / (j + k);
+    phi[k] = e * s * inverse_factorial[k - 1];
+  }
+}
+
+void rot_phi(double z, double z_lo, int k_max, double phi[]) {
+  double e = exp(-z);
+  phi[0] = isfinite(e) ? e - e * z_lo : e;
+  if (k_max < 1) return;
+  if (!(z > -INFINITY)) { /* phi_k(+Inf) = +Inf; NaN stays */
+    for (int k = 1; k <= k_max; k++) phi[k] = e;
+    return;
+  }
+  phi[1] = z != 0.0 ? -expm1(-z) / z : 1.0;
+  if (z >= 3.0 || z <= -4.0) {
+    for (int k = 1; k < k_max; k++) phi[k + 1] = (inverse_factorial[k] - phi[k]) / z;
+  } else if (z >= 0.5) {
+    kummer(z, e, k_max, phi);
+  } else if (k_max > 1) {
+    phi[k_max] = taylor(z, k_max);
+    for (int k = k_max - 1; k >= 2; k--) phi[k] = fma(-z, phi[k + 1], inverse_factorial[k]);
+  }
+}
+
+double rot_phi_g1(double z, double phi0, double phi1) {
+  if (fabs(z) >= 1.0) return (phi1 - phi0) / z;
+  double s = inverse_factorial[20];
+  for (int j = 17; j >= 0; j--) s = s * z + inverse_factorial[j + 2];
+  return phi0 * s;
+}
+
+/* 1/(j! (j + 2)) and 1/(j! (j + 3)): a division in the loop costs more than the rest of it. */
+static const double kummer_2[] = {
+    1 / 1.0 / 2, 1 / 1.0 / 3, 1 / 2.0 / 4, 1 / 6.0 / 5, 1 / 24.0 / 6, 1 / 120.0 / 7,
+    1 / 720.0 / 8, 1 / 5040.0 / 9, 1 / 40320.0 / 10, 1 / 362880.0 / 11, 1 / 3628800.0 / 12,
+    1 / 39916800.0 / 13, 1 / 479001600.0 / 14, 1 / 6227020800.0 / 15, 1 / 87178291200.0 / 16,
+    1 / 1307674368000.0 / 17, 1 / 20922789888000.0 / 18, 1 / 355687428096000.0 / 19,
+    1 / 6402373705728000.0 / 20, 1 / 121645100408832000.0 / 21, 1 / 2432902008176640000.0 / 22,
+    1 / 51090942171709440000.0 / 23, 1 / 1124000727777607680000.0 / 24,
+    1 / 2.585201673888498e+22 / 25, 1 / 6.204484017332394e+23 / 26,
+    1 / 1.5511210043330986e+25 / 27, 1 / 4.0329146112660565e+26 / 28,
+    1 / 1.0888869450418352e+28 / 29, 1 / 3.0488834461171387e+29 / 30,
+    1 / 8.841761993739702e+30 / 31,
+};
+static const double kummer_3[] = {
+    1 / 1.0 / 3, 1 / 1.0 / 4, 1 / 2.0 / 5, 1 / 6.0 / 6, 1 / 24.0 / 7, 1 / 120.0 / 8,
+    1 / 720.0 / 9, 1 / 5040.0 / 10, 1 / 40320.0 / 11, 1 / 362880.0 / 12, 1 / 3628800.0 / 13,
+    1 / 39916800.0 / 14, 1 / 479001600.0 / 15, 1 / 6227020800.0 / 16, 1 / 87178291200.0 / 17,
+    1 / 1307674368000.0 / 18, 1 / 20922789888000.0 / 19, 1 / 355687428096000.0 / 20,
+    1 / 6402373705728000.0 / 21, 1 / 121645100408832000.0 / 22, 1 / 2432902008176640000.0 / 23,
+    1 / 51090942171709440000.0 / 24, 1 / 1124000727777607680000.0 / 25,
+    1 / 2.585201673888498e+22 / 26, 1 / 6.204484017332394e+23 / 27,
+    1 / 1.5511210043330986e+25 / 28, 1 / 4.0329146112660565e+26 / 29,
+    1 / 1.0888869450418352e+28 / 30, 1 / 3.0488834461171387e+29 / 31,
+    1 / 8.841761993739702e+30 / 32,
+};
+
+/* phi_1 = exp(-z) (1 + z G), g1 = exp(-z) G, phi_2 = exp(-z) A2, phi_3 = exp(-z) A3 / 2 with
+ *   G = sum z^j/(j+2)!,   A_k = sum (z^j/j!)/(j+k):
+ * polynomials with positive terms only. The degree that 2^-54 needs grows with z. */
+static int degree_for(double z) {
+  return z <= 0.03 ? 8 : z <= 0.25 ? 13 : z <= 1.0 ? 19 : 29;
+}
+
+void rot_phi_in_lanes(const double z[ROT_LANES], const double z_lo[ROT_LANES],
+                      rot_phi_lanes *out) {
+  double z_max = z[0], g[ROT_LANES], a2[ROT_LANES], a3[ROT_LANES];
+  for (int l = 1; l < ROT_LANES; l++) z_max = z[l] > z_max ? z[l] : z_max;
+  enum { HALF = ROT_LANES / 2, PAIRS = HALF / ROT_PAIR };
+  const int degree = degree_for(z_max);
+  for (int l = 0; l < ROT_LANES; l += HALF) { /* all of a half stays in registers */
+    rot_pair zs[PAIRS], gs[PAIRS], a2s[PAIRS], a3s[PAIRS];
+    memcpy(zs, z + l, sizeof zs);
+    for (int i = 0; i < PAIRS; i++) gs[i] = a2s[i] = a3s[i] = ROT_BOTH(0.0);
+    for (int j = degree; j >= 0; j--) {
+      for (int i = 0; i < PAIRS; i++) {
+        gs[i] = gs[i] * zs[i] + ROT_BOTH(inverse_factorial[j + 2]);
+        a2s[i] = a2s[i] * zs[i] + ROT_BOTH(kummer_2[j]);
+        a3s[i] = a3s[i] * zs[i] + ROT_BOTH(kummer_3[j]);
+      }
+    }
+    memcpy(g + l, gs, sizeof gs);
+    memcpy(a2 + l, a2s, sizeof a2s);
+    memcpy(a3 + l, a3s, sizeof a3s);
+  }
+  for (int l = 0; l < ROT_LANES; l++) {
+    double e = exp(-z[l]);
+    e -= e * z_lo[l];
+    out->phi0[l] = e;
+    out->phi1[l] = e * (1.0 + z[l] * g[l]);
+    out->g1[l] = e * g[l];
+    out->phi2[l] = e * a2[l];
+    out->phi3[l] = 0.5 * e * a3[l];
+  }
+}

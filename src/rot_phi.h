@@ -1,0 +1,27 @@
+/* The phi functions of exponential integrators, the kernel of every linear-drag closed form:
+ *
+ *   phi_0(-z) = exp(-z),   phi_k(-z) = int_0^1 exp(-(1-s) z) s^(k-1)/(k-1)! ds   for k >= 1.
+ *
+ * Reference: Hochbruck & Ostermann, Acta Numerica 19 (2010), section 2.1. */
+#ifndef ROT_PHI_H
+#define ROT_PHI_H
+
+#define ROT_PHI_MAX 6
+
+/* phi[0..k_max] of -(z + z_lo), k_max <= ROT_PHI_MAX; z_lo matters to phi_0 only. Any z, +-Inf and
+ * NaN included. Largest error for k <= 4: 3 ulp for z >= 0, 4 ulp down to z = -700. */
+void rot_phi(double z, double z_lo, int k_max, double phi[]);
+
+/* int_0^1 exp(-z y) y dy = phi_1 - phi_2 without the difference; phi0, phi1 of the same z. */
+double rot_phi_g1(double z, double phi0, double phi1);
+
+#define ROT_LANES 8
+
+/* One linear-torque step in four lanes, 0 <= z < 3: exp(-z), phi1, g1, phi2, phi3. */
+typedef struct rot_phi_lanes {
+  double phi0[ROT_LANES], phi1[ROT_LANES], g1[ROT_LANES], phi2[ROT_LANES], phi3[ROT_LANES];
+} rot_phi_lanes;
+
+void rot_phi_in_lanes(const double z[ROT_LANES], const double z_lo[ROT_LANES], rot_phi_lanes *out);
+
+#endif

@@ -1,0 +1,52 @@
+#include "rot_real.h"
+
+#include <stddef.h>
+
+double rot_muldiv(double a, double b, double c, double *lo) {
+  int ea = 0, eb = 0, ec = 0; /* frexp() of NaN and Inf may leave them alone */
+  double ma = frexp(a, &ea), mb = frexp(b, &eb), mc = frexp(c, &ec), p_lo;
+  double p = rot_two_prod(ma, mb, &p_lo), q = p / mc;
+  int e = ea + eb - ec;
+  double x = ldexp(q, e);
+  if (lo) *lo = isfinite(x) ? ldexp((fma(-q, mc, p) + p_lo) / mc, e) : 0.0;
+  return x;
+}
+
+double rot_product(int n, const double x[], double d) {
+  int exponent = 0, e = 0;
+  double p = 1.0;
+  for (int i = 0; i < n; i++, e = 0) {
+    p *= frexp(x[i], &e);
+    exponent += e;
+  }
+  p /= frexp(d, &e);
+  return ldexp(p, exponent - e);
+}
+
+/* Reduce to r in [-45, 45] degrees (remquo is exact), then to radians as x + *x_lo, with
+ * pi/180 carried to 106 bits. Returns the quadrant. */
+static int reduce_deg(double deg, double *x, double *x_lo) {
+  const double hi = 0x1.1df46a2529d39p-6, lo = 0x1.5c1d8becdd291p-62;
+  int quadrant;
+  double r = remquo(deg, 90.0, &quadrant);
+  *x = rot_two_prod(r, hi, x_lo);
+  *x_lo += r * lo;
+  return quadrant & 3;
+}
+
+static double quarter_sin(int quadrant, double x, double x_lo) {
+  double s = quadrant & 1 ? cos(x) - sin(x) * x_lo : sin(x) + cos(x) * x_lo;
+  return quadrant & 2 ? -s : s;
+}
+
+double rot_sin_deg(double deg) {
+  double x, x_lo;
+  int quadrant = reduce_deg(deg, &x, &x_lo);
+  return quarter_sin(quadrant, x, x_lo);
+}
+
+double rot_cos_deg(double deg) {
+  double x, x_lo;
+  int quadrant = reduce_deg(deg, &x, &x_lo);
+  return quarter_sin((quadrant + 1) & 3, x, x_lo);
+}

@@ -1,0 +1,43 @@
+/* Error-free transforms and products that neither overflow nor underflow on the way.
+ *
+ * fma() is called by name, so a compiler that contracts a*b+c by itself (gcc does on machines with
+ * the instruction) changes nothing here: sums have no product to contract. */
+#ifndef ROT_REAL_H
+#define ROT_REAL_H
+
+#include <math.h>
+
+#define ROT_EPS 0x1p-53 /* unit roundoff */
+
+/* a + b = returned + *lo, exactly (Knuth). */
+static inline double rot_two_sum(double a, double b, double *lo) {
+  double s = a + b, bb = s - a;
+  *lo = (a - (s - bb)) + (b - bb);
+  return s;
+}
+
+/* a * b = returned + *lo, exactly unless it underflows. */
+static inline double rot_two_prod(double a, double b, double *lo) {
+  double p = a * b;
+  *lo = fma(a, b, -p);
+  return p;
+}
+
+/* Add x to the running sum *sum + *lo. */
+static inline void rot_accumulate(double *sum, double *lo, double x) {
+  double e;
+  *sum = rot_two_sum(*sum, x, &e);
+  *lo += e;
+}
+
+/* a*b/c to 0.5 ulp, with the residual in *lo (may be NULL); c is not 0. */
+double rot_muldiv(double a, double b, double c, double *lo);
+
+/* Product of n numbers, divided by d: at most n + 1 roundings whatever the size of the factors. */
+double rot_product(int n, const double x[], double d);
+
+/* sin and cos of an angle in degrees: the reduction is exact, so sin(30) = 0.5 and cos(90) = 0. */
+double rot_sin_deg(double deg);
+double rot_cos_deg(double deg);
+
+#endif

@@ -1,0 +1,55 @@
+/* Status codes, the report of a run, and the hooks a caller may hang on a long one. */
+#ifndef ROT_STATUS_H
+#define ROT_STATUS_H
+
+#include <stddef.h>
+
+/* code, text, kind: the R condition class is rotdyn_error_<kind>. Listed once, here. */
+#define ROT_STATUS_LIST(X)                                                                \
+  X(ROT_OK, "ok", "none")                                                                 \
+  X(ROT_ENOMEM, "out of memory", "memory")                                                \
+  X(ROT_EVALUE, "a value outside its domain", "value")                                    \
+  X(ROT_ERANGE, "the state left the range of double precision", "range")                  \
+  X(ROT_ETORQUE, "the torque law gave no finite number", "torque")                        \
+  X(ROT_EBUDGET, "the step budget is used up", "budget")                                  \
+  X(ROT_ESTEP, "the step fell below the resolution of time", "step")                      \
+  X(ROT_EUNWIND, "stopped by the caller", "unwind")
+
+typedef enum rot_status {
+#define X(code, text, kind) code,
+  ROT_STATUS_LIST(X)
+#undef X
+      ROT_STATUS_COUNT
+} rot_status;
+
+const char *rot_status_text(rot_status status);
+const char *rot_status_kind(rot_status status);
+
+/* What happened. Filled by every run, also by one that failed. */
+typedef struct rot_info {
+  rot_status status;
+  double time_s;      /* how far the run came, or where it failed */
+  size_t rows_done;   /* rows of the output that are valid, counted from the start of the run */
+  size_t steps;       /* accepted steps; segments for a closed form */
+  size_t rejected;    /* rejected steps */
+  size_t rhs_calls;   /* right-hand sides evaluated; 0 for a closed form */
+  double theta_error; /* largest absolute error of theta over the rows: bound or estimate */
+  double omega_error; /* the same of omega */
+  double theta_max;   /* largest |theta| over the rows */
+  double omega_max;   /* largest |omega| over the rows */
+  double tolerance;   /* tolerance per step of the run that is returned; 0 for a closed form */
+} rot_info;
+
+void rot_info_clear(rot_info *info);
+/* Largest error relative to the largest value, over theta and omega. */
+double rot_info_error(const rot_info *info);
+
+/* poll() is called now and then from a long run; anything but ROT_OK stops it. */
+typedef struct rot_hooks {
+  rot_status (*poll)(void *ctx, double fraction);
+  void *ctx;
+} rot_hooks;
+
+rot_status rot_poll(const rot_hooks *hooks, double fraction);
+
+#endif
