@@ -3,12 +3,23 @@
 
 describe_value <- function(x) {
   if (is.null(x)) {
-    "NULL"
-  } else if (is.atomic(x) && length(x) == 1L && !is.object(x)) {
-    if (is.character(x)) encodeString(x, quote = "\"") else format(x, digits = 7)
-  } else {
-    rlang::obj_type_friendly(x)
+    return("NULL")
   }
+  if (is.function(x)) {
+    return("a function")
+  }
+  if (is.atomic(x) && length(x) == 1L && !is.object(x)) {
+    return(if (is.character(x)) encodeString(x, quote = "\"") else format(x, digits = 7))
+  }
+  kind <- if (is.object(x)) {
+    paste0("<", class(x)[1], "> object")
+  } else if (is.atomic(x)) {
+    paste(if (is.double(x)) "double" else typeof(x), "vector")
+  } else {
+    typeof(x)
+  }
+  article <- if (grepl("^[aeiou]", kind)) "an " else "a "
+  paste0(article, kind, " of length ", length(x))
 }
 
 is_number <- function(x) {
@@ -22,10 +33,7 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
   }
   if (!is_number(x) || length(x) != 1L || is.object(x)) {
     abort_rotdyn(
-      c(
-        "{.arg {arg}} must be one number{in_unit(unit)}.",
-        x = "It is {describe_value(x)}{if (is_number(x) && length(x) != 1L) paste0(' of length ', length(x))}."
-      ),
+      c("{.arg {arg}} must be one number{in_unit(unit)}.", x = "It is {describe_value(x)}."),
       if (is_number(x) && !is.object(x)) "size" else "type",
       call
     )
@@ -36,22 +44,27 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
   as.double(x)
 }
 
+plain_unit <- function(unit) gsub("*", " ", unit, fixed = TRUE)
+
 in_unit <- function(unit) {
-  if (unit == "1") "" else paste0(" in ", unit)
+  if (unit == "1") "" else paste0(" in ", plain_unit(unit))
 }
 
 abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
+  of_unit <- if (unit == "1") "" else paste0(" ", plain_unit(unit))
   domain <- if (!is.finite(lower) && !is.finite(upper)) {
     "finite"
   } else if (!is.finite(upper)) {
-    paste0(if (open) "greater than " else "at least ", format(lower))
+    paste0(if (open) "greater than " else "at least ", format(lower), of_unit)
+  } else if (open) {
+    paste0("greater than ", format(lower), " and at most ", format(upper), of_unit)
   } else {
-    paste0("between ", format(lower), " and ", format(upper))
+    paste0("between ", format(lower), " and ", format(upper), of_unit)
   }
   where <- if (is.null(row)) "" else paste0(" in row ", format(row, big.mark = ","))
   abort_rotdyn(
     c(
-      "{.arg {arg}} must be {domain}{in_unit(unit)}.",
+      "{.arg {arg}} must be {domain}.",
       x = "It is {describe_value(x)}{where}."
     ),
     "value",

@@ -114,7 +114,12 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call) {
     complain <- function(value, time_s) abort_torque_value(value, time_s, call)
     breaks <- torque_breaks(scene, time_s, complain, call)
     knots <- list(breaks, double(length(breaks)), c(0, 0))
-    law <- list(as.call(c(list(torque$f), rep(list(NULL), torque$arguments))), complain)
+    # The C code fills in the arguments; an error of the function's own shows the call f(...).
+    law <- list(
+      as.call(c(quote(f), rep(list(NULL), torque$arguments))),
+      list2env(list(f = torque$f), parent = baseenv()),
+      complain
+    )
   }
   .Call(
     ffi_axle_integrate, axle_numbers(scene), knots, law, time_s, c(accuracy, max_steps),
@@ -123,14 +128,10 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call) {
 }
 
 abort_torque_value <- function(value, time_s, call) {
-  what <- describe_value(value)
-  if (is.atomic(value) && length(value) != 1L) {
-    what <- paste0(what, " of length ", length(value))
-  }
   abort_rotdyn(
     c(
       "The torque function must return one number in N m.",
-      x = "At {format(time_s, digits = 17)} s it returned {what}."
+      x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
     ),
     "torque",
     call
@@ -143,18 +144,19 @@ torque_breaks <- function(scene, time_s, complain, call) {
   if (!is.null(torque$breaks_s)) {
     return(torque$breaks_s)
   }
-  f <- function(t) {
+  f <- torque$f
+  at <- function(t) {
     value <- if (torque$arguments == 3L) {
-      torque$f(t, scene$theta0_rad, scene$omega0_rad_per_s)
+      f(t, scene$theta0_rad, scene$omega0_rad_per_s)
     } else {
-      torque$f(t)
+      f(t)
     }
     if (!(is_number(value) || is.logical(value)) || length(value) != 1L) {
       complain(value, t)
     }
     as.double(value)
   }
-  breaks <- scan_breaks(f, min(scene$start_s, time_s), max(scene$start_s, time_s))
+  breaks <- scan_breaks(at, min(scene$start_s, time_s), max(scene$start_s, time_s))
   if (length(breaks)) {
     shown <- cli::cli_vec(format(breaks, digits = 7, trim = TRUE), list("vec-trunc" = 6))
     warn_rotdyn(

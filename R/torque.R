@@ -184,7 +184,8 @@ describe_torque <- function(torque) {
     told <- if (is.null(torque$breaks_s)) {
       "breaks not told"
     } else {
-      paste(length(torque$breaks_s), "breaks")
+      n <- length(torque$breaks_s)
+      paste(n, if (n == 1L) "break" else "breaks")
     }
     return(paste0(
       "an R function of ", if (torque$arguments == 3L) "time, angle and rate" else "time",
@@ -199,7 +200,7 @@ describe_torque <- function(torque) {
   outside <- if (all(torque$outside == 0)) "zero" else "held"
   paste0(
     "straight lines between ", n, " knots from ", format_si(torque$time_s[1]), " to ",
-    format_si(torque$time_s[n]), " s", if (jumps) paste0(", ", jumps, " jumps"), ", ",
+    format_si(torque$time_s[n]), " s", if (jumps) paste0(", ", jumps, if (jumps == 1) " jump" else " jumps"), ", ",
     format_si(min(torque$torque_n_m)), " to ", format_si(max(torque$torque_n_m)), " N m, ",
     outside, " outside"
   )

@@ -9,7 +9,7 @@
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]: of theta
-#'   relative to the largest |theta| of the rows, and of omega likewise.
+#'   relative to the largest |theta| on the way to the last row, and of omega likewise.
 #' @param model NULL for the cheapest that will do, or the name of one of [models()].
 #' @param ... Not used; names after it must be given in full.
 #' @param on_fail What to do when a run fails half way (a torque that is not finite, a step budget
@@ -66,7 +66,7 @@ run_trajectory <- function(record, scene, time_s, accuracy, on_fail, max_steps, 
       c(
         "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
          than the accuracy of {format(accuracy)} asked for.",
-        i = "Terms of two signs cancel, or the rows stay close to zero while the motion does not."
+        i = "Large terms of two signs cancel in this motion; the {record$error_kind} is what is left."
       ),
       "accuracy",
       call
@@ -115,23 +115,27 @@ new_trajectory <- function(columns, n, run) {
 
 key_columns <- c("time_s", "theta_rad", "omega_rad_per_s")
 
-# After a change of rows or columns: the class stands while the key columns do; the ledger and the
-# error figure stand only for the rows that they were computed for.
+# After a change of rows or columns: the class stands while the key columns do, the ledger while the
+# rows do. The error figure of the run holds for any of its rows; of values that the run did not
+# compute nothing is known.
 reconstruct_trajectory <- function(data, template) {
-  run <- attr(template, "run", exact = TRUE)
+  run <- trajectory_run(template)
+  tibble_class <- c("tbl_df", "tbl", "data.frame")
   if (!all(key_columns %in% names(data)) || is.null(run)) {
     attr(data, "run") <- NULL
-    class(data) <- setdiff(class(data), "rot_trajectory")
+    class(data) <- tibble_class
     return(data)
   }
-  same <- all(vapply(key_columns, function(name) {
-    identical(data[[name]], template[[name]])
-  }, logical(1)))
-  if (!same) {
+  now <- unclass(data)[key_columns]
+  before <- unclass(template)[key_columns]
+  if (!identical(now, before)) {
     run["ledger"] <- list(NULL)
+    rows <- match(now$time_s, before$time_s)
+    computed <- !anyNA(rows) && identical(now, lapply(before, `[`, rows))
+    if (!computed) run$info$error <- NA_real_
   }
   attr(data, "run") <- run
-  class(data) <- c("rot_trajectory", setdiff(class(data), "rot_trajectory"))
+  class(data) <- c("rot_trajectory", tibble_class)
   data
 }
 
@@ -157,9 +161,7 @@ trajectory_run <- function(x) attr(x, "run", exact = TRUE)
 
 #' @exportS3Method dplyr::dplyr_reconstruct
 dplyr_reconstruct.rot_trajectory <- function(data, template) {
-  plain <- data
-  class(plain) <- setdiff(class(plain), "rot_trajectory")
-  reconstruct_trajectory(plain, template)
+  reconstruct_trajectory(data, template)
 }
 
 #' @importFrom tibble as_tibble
@@ -182,6 +184,9 @@ tbl_sum.rot_trajectory <- function(x, ...) {
 }
 
 describe_error <- function(run) {
+  if (is.na(run$info$error)) {
+    return("unknown: the values are not those of the run")
+  }
   paste0(
     if (run$error_kind == "bound") "at most " else "about ",
     format(run$info$error, digits = 2), " (", run$error_kind, ")"

@@ -21,7 +21,7 @@ as_si <- function(x, unit, arg, call) {
 }
 
 abort_dimension <- function(given, unit, arg, call) {
-  wanted <- if (unit == "1") "a plain number" else paste("a quantity in", unit)
+  wanted <- if (unit == "1") "a plain number" else paste("a quantity in", plain_unit(unit))
   abort_rotdyn(
     c(
       "{.arg {arg}} must be {wanted}.",

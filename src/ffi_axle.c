@@ -109,6 +109,7 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
 typedef struct r_torque {
   ffi_guard *guard;
   SEXP call;      /* f(time_s) or f(time_s, theta_rad, omega_rad_per_s) */
+  SEXP env;       /* where f is */
   SEXP complain;  /* complain(value, time_s): raises the error about what f returned */
   int arguments;  /* 1 or 3 */
   double x[3];
@@ -122,9 +123,9 @@ static SEXP call_torque(void *data) {
   for (int i = 0; i < law->arguments; i++, cell = CDR(cell)) {
     SETCAR(cell, Rf_ScalarReal(law->x[i]));
   }
-  SEXP value = PROTECT(Rf_eval(law->call, R_GlobalEnv));
+  SEXP value = PROTECT(Rf_eval(law->call, law->env));
   const int type = TYPEOF(value);
-  const int number = XLENGTH(value) == 1 && !Rf_isFactor(value) &&
+  const int number = Rf_xlength(value) == 1 && !Rf_isFactor(value) &&
                      (type == REALSXP || type == INTSXP ||
                       (type == LGLSXP && LOGICAL(value)[0] == NA_LOGICAL));
   if (number) {
@@ -149,7 +150,7 @@ static rot_status torque_from_r(double t, double theta, double omega, double *to
   return status;
 }
 
-/* `law` is NULL for knots, or list(call, complain); the call's arguments are filled in here.
+/* `law` is NULL for knots, or list(call, environment, complain); the call's arguments are filled in here.
  * `control` is c(accuracy, max_steps). */
 SEXP ffi_axle_integrate(SEXP numbers, SEXP torque, SEXP law, SEXP time_s, SEXP control,
                         SEXP progress) {
@@ -160,12 +161,13 @@ SEXP ffi_axle_integrate(SEXP numbers, SEXP torque, SEXP law, SEXP time_s, SEXP c
   rot_axle_ledger ledger = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   rot_info info;
   ffi_guard guard;
-  r_torque r_law = {&guard, R_NilValue, R_NilValue, 0, {0.0, 0.0, 0.0}, 0.0};
+  r_torque r_law = {&guard, R_NilValue, R_NilValue, R_NilValue, 0, {0.0, 0.0, 0.0}, 0.0};
   SEXP list = new_columns(time_s, &columns);
   ffi_guard_begin(&guard, progress);
   if (!Rf_isNull(law)) {
     r_law.call = PROTECT(Rf_duplicate(VECTOR_ELT(law, 0)));
-    r_law.complain = VECTOR_ELT(law, 1);
+    r_law.env = VECTOR_ELT(law, 1);
+    r_law.complain = VECTOR_ELT(law, 2);
     r_law.arguments = Rf_length(r_law.call) - 1;
     p.torque.call = torque_from_r;
     p.torque.ctx = &r_law;

@@ -20,9 +20,13 @@ size_t rot_axle_rows_before_start(const rot_axle_params *p, size_t n, const doub
   return lo;
 }
 
-static void note_row(rot_info *info, double theta, double omega, double e_theta, double e_omega) {
+static void note_state(rot_info *info, double theta, double omega) {
   if (!(fabs(theta) <= info->theta_max)) info->theta_max = fabs(theta);
   if (!(fabs(omega) <= info->omega_max)) info->omega_max = fabs(omega);
+}
+
+static void note_row(rot_info *info, double theta, double omega, double e_theta, double e_omega) {
+  note_state(info, theta, omega);
   if (!(e_theta <= info->theta_error)) info->theta_error = e_theta;
   if (!(e_omega <= info->omega_error)) info->omega_error = e_omega;
 }
@@ -33,6 +37,7 @@ rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   const double omega = p->omega0_rad_per_s;
   rot_info_clear(info);
+  note_state(info, p->theta0_rad, omega);
   for (size_t i = 0; i < n; i++) {
     double turned = omega * (time_s[i] - p->start_s), theta = p->theta0_rad + turned;
     info->time_s = time_s[i];
@@ -345,6 +350,7 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
       run.base = rot_axle_step(p, &run.base, &run.piece, stop);
       info->time_s = stop;
       if (!(isfinite(run.base.theta_rad) && isfinite(run.base.omega_rad_per_s))) return ROT_ERANGE;
+      note_state(info, run.base.theta_rad, run.base.omega_rad_per_s);
       k = forward ? k + 1 : k - 1;
     }
   }
@@ -355,6 +361,7 @@ rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time
                            const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   const size_t before = rot_axle_rows_before_start(p, n, time_s);
   rot_info_clear(info);
+  note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->status = march(p, time_s, 0, before, 0, out, hooks, info);
   if (info->status == ROT_OK) {
     info->rows_done = before;

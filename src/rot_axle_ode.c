@@ -42,8 +42,6 @@ static rot_status fill_columns(const rot_axle_params *p, size_t n, const double 
       return status;
     }
     rot_axle_row(p, out, i, theta, omega, torque);
-    info->theta_max = fmax(info->theta_max, fabs(theta));
-    info->omega_max = fmax(info->omega_max, fabs(omega));
     info->rows_done = i + 1;
   }
   return ROT_OK;
@@ -53,7 +51,7 @@ rot_status rot_axle_integrate(const rot_axle_params *p, const rot_axle_ode_optio
                               size_t n, const double time_s[], const rot_axle_columns *out,
                               rot_axle_ledger *ledger, const rot_hooks *hooks, rot_info *info) {
   const double start[DIM] = {p->theta0_rad, p->omega0_rad_per_s, 0.0, 0.0, 0.0};
-  double error[DIM] = {0.0};
+  double error[DIM] = {0.0}, largest[DIM] = {0.0};
   rot_ode_params ode = {DIM, 2, axle_rhs, NULL, p->torque.n, p->torque.time_s, p->start_s, start,
                         options->accuracy, options->max_steps};
   rot_axle_params law = *p; /* the hook wants a pointer it may write through */
@@ -62,7 +60,7 @@ rot_status rot_axle_integrate(const rot_axle_params *p, const rot_axle_ode_optio
   rot_info_clear(info);
   if (!y) return info->status = ROT_ENOMEM;
 
-  rot_status failure = rot_ode_run(&ode, n, time_s, y, error, hooks, info);
+  rot_status failure = rot_ode_run(&ode, n, time_s, y, error, largest, hooks, info);
   if (failure != ROT_EUNWIND) {
     rot_status columns = fill_columns(p, n, time_s, y, out, info);
     if (columns != ROT_OK) failure = columns;
@@ -70,6 +68,8 @@ rot_status rot_axle_integrate(const rot_axle_params *p, const rot_axle_ode_optio
   info->status = failure;
   info->theta_error = error[THETA];
   info->omega_error = error[OMEGA];
+  info->theta_max = largest[THETA];
+  info->omega_max = largest[OMEGA];
   if (info->rows_done > 0) {
     const double *first = y, *last = y + (info->rows_done - 1) * DIM;
     ledger->work_j = last[WORK] - first[WORK];

@@ -31,10 +31,10 @@ typedef struct rot_ode_params {
 /* Relative errors of the state below this cannot be shown by the companion run: its own rounding. */
 #define ROT_ODE_BEST_ACCURACY 1e-13
 
-/* y (n rows of dim, row by row) at the times, which do not decrease, and the estimated error of
- * each component, error[dim]: largest over the rows. Times before start_s are reached backwards.
- * On failure the first info->rows_done rows are good. */
+/* y (n rows of dim, row by row) at the times, which do not decrease; the estimated error of each
+ * component, error[dim], largest over the rows; and its largest size on the way, largest[dim].
+ * Times before start_s are reached backwards. On failure the first info->rows_done rows are good. */
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
-                       double error[], const rot_hooks *hooks, rot_info *info);
+                       double error[], double largest[], const rot_hooks *hooks, rot_info *info);
 
 #endif

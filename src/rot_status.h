@@ -35,13 +35,14 @@ typedef struct rot_info {
   size_t rhs_calls;   /* right-hand sides evaluated; 0 for a closed form */
   double theta_error; /* largest absolute error of theta over the rows: bound or estimate */
   double omega_error; /* the same of omega */
-  double theta_max;   /* largest |theta| over the rows */
-  double omega_max;   /* largest |omega| over the rows */
+  double theta_max;   /* largest |theta| from the start to the last row, as far as it was seen */
+  double omega_max;   /* the same of omega */
   double tolerance;   /* tolerance per step of the run that is returned; 0 for a closed form */
 } rot_info;
 
 void rot_info_clear(rot_info *info);
-/* Largest error relative to the largest value, over theta and omega. */
+/* Largest error relative to the largest value, of theta or of omega. The values on the way count
+ * too: a row at rest is not an infinite error, and no row's error depends on the others asked. */
 double rot_info_error(const rot_info *info);
 
 /* poll() is called now and then from a long run; anything but ROT_OK stops it. */

@@ -1,0 +1,71 @@
+test_that("the article's scene balances, with the work and heat of the closed form", {
+  audit <- audit(spin_up())
+  expect_equal(names(audit), rotdyn:::audit_columns)
+  expect_equal(audit$verdict, "balanced")
+  # Impulse: area under the torque. Heat and work against a fine trapezoid of the exact rows.
+  expect_ulps(audit$torque_impulse_n_m_s, 3.6, 1)
+  rows <- trajectory(article_scene(), seq(0, 8, length.out = 80001))
+  trapezoid <- function(y) sum((y[-1] + y[-length(y)]) / 2) * 1e-4
+  expect_equal(
+    audit$work_j, trapezoid(rows$applied_torque_n_m * rows$omega_rad_per_s), tolerance = 1e-8
+  )
+  expect_equal(audit$dissipated_j, trapezoid(0.03 * rows$omega_rad_per_s^2), tolerance = 1e-8)
+  expect_equal(audit$damping_impulse_n_m_s, -0.03 * 107.8586453330170947)
+  expect_lt(abs(audit$energy_residual_j), 1e-12)
+})
+
+test_that("by hand: constant torque without resistance, and coasting", {
+  # I = 2, tau = 3, t = 4: omega 6, theta 12, W = 36 = K.
+  row <- audit(trajectory(scene_axle(2, 3), c(0, 4)))
+  expect_equal(row$work_j, 36)
+  expect_equal(row$dissipated_j, 0)
+  expect_equal(row$kinetic_energy_change_j, 36)
+  expect_equal(row$torque_impulse_n_m_s, 12)
+  # Coasting with c/I = 0.5 for 3 s: K0 (1 - exp(-3)).
+  coast <- scene_axle(2, resistance = resistance(1), omega0_rad_per_s = 5)
+  row <- audit(trajectory(coast, c(0, 3)))
+  expect_equal(row$dissipated_j, 25 * (1 - exp(-3)))
+  expect_equal(row$work_j, 0)
+  expect_equal(audit(trajectory(scene_axle(2, omega0_rad_per_s = 3), 0:3))$verdict, "balanced")
+})
+
+test_that("the integrator's ledger agrees with the closed form's", {
+  exact <- audit(trajectory(article_scene(), 0:8))
+  other <- audit(trajectory(article_scene(), 0:8, model = "axle_rk8pd"))
+  expect_equal(other$work_j, exact$work_j, tolerance = 1e-11)
+  expect_equal(other$dissipated_j, exact$dissipated_j, tolerance = 1e-11)
+  expect_equal(other$verdict, "balanced")
+})
+
+test_that("fewer rows: the balance of what is left", {
+  for (model in c("axle_linear", "axle_rk8pd")) {
+    motion <- trajectory(article_scene(), 0:8, model = model)
+    part <- audit(motion[3:6, ])
+    whole <- audit(trajectory(article_scene(), 2:5, model = model))
+    expect_equal(part$work_j, whole$work_j, tolerance = 1e-9)
+    expect_equal(part$verdict, "balanced")
+  }
+  turned <- audit(trajectory(article_scene(), 0:8)[9:1, ])
+  expect_equal(turned$work_j, -audit(trajectory(article_scene(), 0:8))$work_j)
+  expect_equal(turned$verdict, "balanced")
+})
+
+test_that("a value that was edited is found out", {
+  motion <- trajectory(article_scene(), 0:8)
+  motion$omega_rad_per_s[9] <- motion$omega_rad_per_s[9] * (1 + 1e-12)
+  expect_equal(audit(motion)$verdict, "unbalanced")
+  motion <- trajectory(article_scene(), 0:8)
+  motion$theta_rad[9] <- motion$theta_rad[9] + 1e-10
+  expect_equal(audit(motion)$verdict, "unbalanced")
+})
+
+test_that("rows that are one or none; what is no trajectory", {
+  expect_equal(audit(trajectory(article_scene(), 3))$verdict, "balanced")
+  expect_true(is.na(audit(trajectory(article_scene(), numeric()))$work_j))
+  expect_error(audit(data.frame(time_s = 1)), class = "rotdyn_error_type")
+})
+
+test_that("an audit prints a ledger", {
+  # Round numbers: I = 2, tau = 3.
+  expect_snapshot(audit(trajectory(scene_axle(2, 3), c(0, 4))))
+})

@@ -1,0 +1,38 @@
+test_that("values are described in words", {
+  describe <- rotdyn:::describe_value
+  expect_equal(describe(NULL), "NULL")
+  expect_equal(describe("a"), "\"a\"")
+  expect_equal(describe(c(1, 2)), "a double vector of length 2")
+  expect_equal(describe(factor("a")), "a <factor> object of length 1")
+  expect_equal(describe(list(1)), "a list of length 1")
+  expect_equal(describe(sum), "a function")
+})
+
+test_that("one number is one finite number", {
+  for (bad in list(NA_real_, NaN, Inf, -Inf)) {
+    expect_error(body_disk(bad, 1), class = "rotdyn_error_value")
+  }
+  for (bad in list("1", NULL, TRUE, factor(1), list(1), NA)) {
+    expect_error(body_disk(bad, 1), class = "rotdyn_error")
+  }
+  expect_error(body_disk(numeric(), 1), class = "rotdyn_error_size")
+  expect_equal(body_disk(2L, 1L), body_disk(2, 1))
+})
+
+test_that("output times: empty, one, repeated; not missing, infinite or backwards", {
+  scene <- article_scene()
+  expect_equal(nrow(trajectory(scene, numeric())), 0)
+  expect_equal(nrow(trajectory(scene, 3)), 1)
+  twice <- trajectory(scene, c(1, 2, 2, 3))
+  expect_equal(twice$theta_rad[2], twice$theta_rad[3])
+  for (bad in list(c(2, 1), c(0, NA), c(0, Inf), NaN)) {
+    expect_error(trajectory(scene, bad), class = "rotdyn_error_time")
+  }
+  expect_error(trajectory(scene, "now"), class = "rotdyn_error_type")
+  expect_error(trajectory(scene, NULL), class = "rotdyn_error_type")
+})
+
+test_that("arguments behind the dots must be named in full", {
+  expect_error(trajectory(article_scene(), 1, 1e-9, NULL, "abort"))
+  expect_error(torque_knots(0:1, 0:1, "hold"))
+})

@@ -1,0 +1,37 @@
+test_that("errors carry their class and the user's own call", {
+  error <- tryCatch(body_disk(-1, 2), error = identity)
+  expect_s3_class(error, c("rotdyn_error_value", "rotdyn_error"), exact = FALSE)
+  expect_equal(error$call[[1]], quote(body_disk))
+  error <- tryCatch(trajectory(article_scene(), c(2, 1)), error = identity)
+  expect_s3_class(error, "rotdyn_error_time")
+  expect_equal(error$call[[1]], quote(trajectory))
+})
+
+test_that("messages say what is wrong, the value, and the remedy", {
+  expect_snapshot(error = TRUE, {
+    body_disk(-1, 2)
+    body_disk(c(1, 2), 2)
+    body_disk("1", 2)
+    torque_knots(c(0, 2, 1), c(0, 0, 0))
+    torque_knots(1, 2)
+    torque_function(3)
+    torque_function(function(a, b) 1)
+    resistance(1, coulomb_n_m = 2)
+    scene_axle(body_disk(0, 1))
+    scene_axle("disk")
+    trajectory(article_scene(), c(1, NA))
+    trajectory(article_scene(), 1, model = "axle_free")
+    trajectory(article_scene(), 1, accuracy = 1e-17)
+    rolling_table(data.frame(beta = c(1, -2)))
+    rolling_table(data.frame(x = 1))
+    inertia_table(data.frame(object = "blob", mass_kg = 1, radius_m = 1))
+  })
+})
+
+test_that("every status of the core has a kind that the help lists", {
+  # A range failure, a torque failure, a budget failure: kinds come through from C.
+  expect_error(
+    trajectory(scene_axle(1, 1, resistance(-10)), 1000), class = "rotdyn_error_range"
+  )
+  expect_true(all(c("range", "torque", "budget", "step", "memory") %in% names(rotdyn:::error_kinds)))
+})

@@ -1,0 +1,36 @@
+test_that("energies by hand: m = 2, r = 3, beta = 0.5, v = 4", {
+  table <- energy_partition(2, 3, 0.5, 4)
+  expect_equal(table$translational_kinetic_energy_j, 16)
+  expect_equal(table$rotational_kinetic_energy_j, 8)
+  expect_equal(table$total_kinetic_energy_j, 24)
+  expect_equal(table$moment_of_inertia_kg_m2, 9)
+  expect_equal(table$omega_rad_per_s, 4 / 3)
+  expect_equal(table$rotational_energy_fraction, 1 / 3)
+})
+
+test_that("the two parts are I omega^2/2 and m v^2/2", {
+  table <- energy_partition(mass_kg = c(2, 5), radius_m = c(3, 0.7), beta = c(1, 0.4), -6)
+  expect_equal(
+    table$rotational_kinetic_energy_j,
+    table$moment_of_inertia_kg_m2 * table$omega_rad_per_s^2 / 2
+  )
+  expect_equal(table$translational_kinetic_energy_j, table$mass_kg * table$speed_m_per_s^2 / 2)
+  expect_equal(
+    table$rotational_energy_fraction,
+    table$rotational_kinetic_energy_j / table$total_kinetic_energy_j
+  )
+})
+
+test_that("NA in, NA out; what is impossible is an error; lengths recycle as a tibble's", {
+  expect_equal(energy_partition(2, 3, c(0.5, NA), 4)$rotational_kinetic_energy_j, c(8, NA))
+  expect_equal(nrow(energy_partition(numeric(), 3, 0.5, 4)), 0)
+  expect_error(energy_partition(1, 0, 1, 1), class = "rotdyn_error_value")
+  expect_error(energy_partition(-1, 1, 1, 1), class = "rotdyn_error_value")
+  expect_error(energy_partition(1, 1, -1, 1), class = "rotdyn_error_value")
+  expect_error(energy_partition(1:2, 1:3, 1, 1), class = "rotdyn_error_size")
+})
+
+test_that("textbook: stopping a 40 kg solid cylinder that rolls at 6 m/s takes 1080 J", {
+  # University Physics 1, section 11.1 (OpenStax).
+  expect_equal(energy_partition(40, 0.2, 0.5, 6)$total_kinetic_energy_j, 1080)
+})

@@ -1,0 +1,414 @@
+# ---- the closed form against the article and the 40-digit tables --------------------------------
+
+test_that("the article's spin-up at its knots", {
+  motion <- trajectory(article_scene(), c(1, 4, 6, 8))
+  expect_ulps(
+    motion$omega_rad_per_s,
+    c(5.487966211452269604, 21.64884463601268780, 15.22057591984251148, 5.827850240151794541), 2
+  )
+  expect_ulps(
+    motion$theta_rad,
+    c(1.900070392807771658, 48.23157367497356707, 88.29046683366143441, 107.8586453330170947), 2
+  )
+})
+
+test_that("phi functions hold to the goals over the whole range", {
+  table <- read.csv(shared("refs", "phi.csv"))
+  got <- .Call(rotdyn:::ffi_phi, table$z, 6)
+  goal <- c(1, 3, 3, 3, 3, 4, 6) # k = 0..6
+  for (k in 0:6) {
+    want <- table[[k + 2]]
+    normal <- want == 0 | (abs(want) >= 2.3e-308 & is.finite(want))
+    up <- normal & table$z >= 0
+    expect_lte(max(ulps(got[[k + 1]][up], want[up])), goal[k + 1])
+    down <- normal & table$z < 0
+    expect_lte(max(ulps(got[[k + 1]][down], want[down])), goal[k + 1] + 1.5)
+  }
+})
+
+test_that("a linear segment holds to the goals: state, work, heat, impulse, bounds, audit", {
+  table <- read.csv(shared("refs", "fixed_axis_linear.csv"))
+  for (i in seq_len(nrow(table))) {
+    row <- table[i, ]
+    scene <- scene_axle(
+      row$I, torque_knots(c(0, row$h), c(row$tau_start, row$tau_end)), resistance(row$c),
+      omega0_rad_per_s = row$omega0
+    )
+    motion <- suppressWarnings(trajectory(scene, c(0, row$h)))
+    info <- run_of(motion)$info
+    audit <- audit(motion)
+    got <- c(motion$theta_rad[2], motion$omega_rad_per_s[2], audit$work_j, audit$dissipated_j)
+    want <- c(row$dtheta, row$omega1, row$work, row$dissipated)
+    same_sign <- row$tau_start >= 0 && row$tau_end >= 0 && row$omega0 >= 0
+    # Positive data: theta, omega and W within 6 ulp, D within 12. Of mixed signs the goal is
+    # 5 eps of the largest term: the bounds below are of that kind, and hold in all rows.
+    if (same_sign) expect_true(all(ulps(got, want) <= c(6, 6, 6, 12)), info = i)
+    expect_true(abs(got[1] - want[1]) <= info$theta_error, info = i)
+    expect_true(abs(got[2] - want[2]) <= info$omega_error, info = i)
+    expect_ulps(audit$torque_impulse_n_m_s, row$impulse, 2)
+    expect_equal(audit$verdict, "balanced", info = i)
+    expect_true(abs(got[3] - want[3]) <= audit$energy_rounding_j, info = i)
+    expect_true(abs(got[4] - want[4]) <= audit$energy_rounding_j, info = i)
+  }
+})
+
+# ---- extremes -----------------------------------------------------------------------------------
+
+test_that("no resistance, next to none, and 1e300 of it", {
+  torque <- torque_knots(c(0, 2, 4), c(0, 3, 0))
+  at <- function(c, I = 2, t = 3) {
+    motion <- trajectory(scene_axle(I, torque, resistance(c), omega0_rad_per_s = 5), t)
+    c(motion$theta_rad, motion$omega_rad_per_s)
+  }
+  # I = 2: omega(3) = 5 + (3 + 2.25)/2, theta(3) = 15 + [t^3/4]_0^2 ... by hand: 19.375.
+  expect_ulps(at(0), c(15 + 1 + 1.5 + 0.625, 7.625), 2)
+  expect_ulps(at(1e-20 * 2 / 3), at(0), 1)
+  # Settled: omega = tau/c, theta = (integral of tau + I omega0)/c.
+  expect_ulps(at(1e300), c((5.25 + 10) / 1e300, 1.5 / 1e300), 2)
+})
+
+test_that("inertia from 1e-300 to 1e300: the same motion, scaled", {
+  unit <- trajectory(scene_axle(1, article_torque(), resistance(0.5)), (0:16) / 2)
+  for (power in c(-990, -300, 300, 990)) {
+    factor <- 2^power
+    torque <- torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0) * factor)
+    scaled <- trajectory(scene_axle(factor, torque, resistance(0.5 * factor)), (0:16) / 2)
+    expect_ulps(scaled$omega_rad_per_s, unit$omega_rad_per_s, 3)
+    expect_ulps(scaled$theta_rad, unit$theta_rad, 3)
+  }
+})
+
+test_that("where the torque goes to zero, omega keeps its digits under heavy damping", {
+  # tau falls linearly to 0 at t = 1: omega = (tau + I s/c)/c with slope -s, settled long since.
+  for (ratio in c(1e6, 1e12, 3e28)) {
+    inertia <- 2
+    scene <- scene_axle(inertia, torque_knots(c(0, 1), c(3, 0)), resistance(ratio * inertia))
+    t <- 1 - c(0.5, 2^-20, 2^-40, 0)
+    want <- (3 * (1 - t) + 3 / ratio) / (ratio * inertia)
+    expect_ulps(trajectory(scene, t)$omega_rad_per_s, want, 3)
+  }
+})
+
+test_that("ten million rows come back", {
+  skip_on_cran()
+  n <- 1e7
+  motion <- trajectory(article_scene(), seq(0, 8, length.out = n))
+  expect_equal(nrow(motion), n)
+  expect_ulps(motion$theta_rad[n], 107.8586453330170947, 2)
+})
+
+# ---- invariances --------------------------------------------------------------------------------
+
+test_that("rows do not depend on which other rows are asked for", {
+  t <- sort(c(seq(0, 9, length.out = 101), 1, 4, 6, 8))
+  together <- trajectory(article_scene(), t)
+  alone <- vapply(t, function(x) trajectory(article_scene(), x)$theta_rad, double(1))
+  expect_ulps(together$theta_rad, alone, 1)
+})
+
+test_that("a knot on the line changes nothing", {
+  split <- torque_knots(c(0, 0.5, 1, 2, 4, 6, 8), c(0, 0.4, 0.8, 0.8, 0.8, 0, 0))
+  scene <- scene_axle(body_disk(2, 0.25), split, resistance(0.03))
+  expect_ulps(trajectory(scene, 0:8)$theta_rad, trajectory(article_scene(), 0:8)$theta_rad, 3)
+})
+
+test_that("backwards in time and forward again is where it was", {
+  scene <- article_scene(omega0_rad_per_s = 3, theta0_rad = 2)
+  early <- trajectory(scene, -2)
+  again <- article_scene(
+    omega0_rad_per_s = early$omega_rad_per_s, theta0_rad = early$theta_rad, start_s = -2
+  )
+  rows <- trajectory(again, c(0, 5))
+  expect_equal(rows$theta_rad, trajectory(scene, c(0, 5))$theta_rad, tolerance = 1e-14)
+  expect_equal(rows$omega_rad_per_s, trajectory(scene, c(0, 5))$omega_rad_per_s, tolerance = 1e-14)
+})
+
+test_that("the state is that of start_s, wherever the rows begin", {
+  late <- trajectory(article_scene(start_s = 3, omega0_rad_per_s = 7), c(3, 5))
+  expect_equal(late$omega_rad_per_s[1], 7)
+  expect_equal(trajectory(article_scene(start_s = 3, omega0_rad_per_s = 7), 5)$theta_rad, late$theta_rad[2])
+})
+
+test_that("signs: torque, rate and angle turned round together", {
+  mirrored <- scene_axle(
+    body_disk(2, 0.25), torque_knots(c(0, 1, 4, 6, 8), -c(0, 0.8, 0.8, 0, 0)), resistance(0.03)
+  )
+  expect_identical(trajectory(mirrored, 0:8)$theta_rad, -trajectory(article_scene(), 0:8)$theta_rad)
+})
+
+test_that("a driven body grows, and beyond double precision it is an error", {
+  scene <- scene_axle(2, 0, resistance(-4), omega0_rad_per_s = 3)
+  expect_equal(trajectory(scene, 5)$omega_rad_per_s, 3 * exp(10), tolerance = 1e-14)
+  expect_error(trajectory(scene, 1000), class = "rotdyn_error_range")
+  expect_warning(
+    rows <- trajectory(scene, c(1, 10, 1000), on_fail = "truncate"),
+    class = "rotdyn_warning_truncated"
+  )
+  expect_equal(rows$time_s, c(1, 10))
+})
+
+# ---- the derived columns ------------------------------------------------------------------------
+
+test_that("columns follow from the state: signs and factors", {
+  motion <- trajectory(article_scene(omega0_rad_per_s = 2), c(0.5, 2, 5, 7))
+  expect_equal(names(motion), rotdyn:::trajectory_columns)
+  omega <- motion$omega_rad_per_s
+  expect_equal(motion$applied_torque_n_m, c(0.4, 0.8, 0.4, 0))
+  expect_equal(motion$damping_torque_n_m, -0.03 * omega)
+  expect_equal(motion$net_torque_n_m, motion$applied_torque_n_m - 0.03 * omega)
+  expect_equal(motion$angular_momentum_kg_m2_per_s, 0.0625 * omega)
+  expect_equal(motion$rotational_kinetic_energy_j, 0.03125 * omega^2)
+})
+
+test_that("free spin turns at a constant rate", {
+  motion <- trajectory(scene_axle(2, omega0_rad_per_s = 3, theta0_rad = 5, start_s = 1), c(0, 1, 4))
+  expect_equal(motion$theta_rad, c(2, 5, 14))
+  expect_equal(motion$omega_rad_per_s, c(3, 3, 3))
+  expect_equal(motion$rotational_kinetic_energy_j, c(9, 9, 9))
+  expect_equal(run_of(motion)$model, "axle_free")
+})
+
+# ---- pulses and textbook cases ------------------------------------------------------------------
+
+test_that("a pulse of 40 N m for 0.02 s is not stepped over", {
+  disk <- body_disk(2, 0.25)
+  short <- torque_knots(c(50, 50.02), c(40, 40))
+  long <- torque_knots(c(0, 50, 50, 50.02, 50.02, 100), c(0, 0, 40, 40, 0, 0))
+  for (torque in list(short, long)) {
+    for (model in c("axle_linear", "axle_rk8pd")) {
+      motion <- trajectory(scene_axle(disk, torque), c(0, 100), model = model)
+      expect_equal(motion$omega_rad_per_s[2], 40 * (50.02 - 50) / 0.0625, tolerance = 1e-12)
+    }
+  }
+})
+
+test_that("textbook: 100 kg m^2 from 500 rpm to rest in 2 min takes -43.6 N m", {
+  # University Physics 1, section 10.7 (OpenStax); the torque computed to ten digits.
+  omega0 <- 500 * 2 * pi / 60
+  motion <- trajectory(scene_axle(100, -43.6332313, omega0_rad_per_s = omega0), 120)
+  expect_equal(motion$omega_rad_per_s, 0, tolerance = 1e-6)
+  expect_equal(motion$theta_rad, omega0 * 120 / 2, tolerance = 1e-8)
+})
+
+test_that("viscous coasting: omega is linear in theta", {
+  scene <- scene_axle(2, resistance = resistance(0.3), omega0_rad_per_s = 7)
+  motion <- trajectory(scene, 0:30)
+  expect_equal(motion$omega_rad_per_s, 7 - 0.15 * motion$theta_rad, tolerance = 1e-14)
+})
+
+# ---- the integrator -----------------------------------------------------------------------------
+
+test_that("integrated and exact agree within the estimate", {
+  exact <- trajectory(article_scene(), (0:40) / 5)
+  for (accuracy in c(1e-4, 1e-7, 1e-10, 1e-12)) {
+    motion <- trajectory(article_scene(), (0:40) / 5, accuracy, model = "axle_rk8pd")
+    expect_lte(run_of(motion)$info$error, accuracy)
+    error <- max(abs(motion$omega_rad_per_s - exact$omega_rad_per_s)) / max(exact$omega_rad_per_s)
+    expect_lte(error, run_of(motion)$info$error + 2e-15)
+  }
+})
+
+test_that("a torque function gives what the same torque as knots gives", {
+  told <- torque_function(approxfun(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)), c(1, 4, 6))
+  scene <- scene_axle(body_disk(2, 0.25), told, resistance(0.03))
+  motion <- trajectory(scene, 0:8)
+  exact <- trajectory(article_scene(), 0:8)
+  expect_equal(motion$theta_rad, exact$theta_rad, tolerance = 1e-12)
+  expect_equal(motion$applied_torque_n_m, exact$applied_torque_n_m)
+  expect_equal(audit(motion)$work_j, audit(exact)$work_j, tolerance = 1e-12)
+})
+
+test_that("a torque of angle and rate: a torsional oscillator", {
+  # I = 2, k = 18, c = 0 in the scene: omega_n = 3; theta = cos 3t.
+  spring <- torque_function(function(time_s, theta_rad, omega_rad_per_s) -18 * theta_rad, numeric())
+  t <- seq(0, 20, by = 0.5)
+  motion <- trajectory(scene_axle(2, spring, theta0_rad = 1), t)
+  error <- max(abs(motion$theta_rad - cos(3 * t)))
+  expect_lte(error, 1e-9)
+  expect_lte(error, run_of(motion)$info$theta_error * 1.1)
+  expect_equal(audit(motion)$verdict, "balanced")
+})
+
+test_that("the integrator agrees with another one", {
+  skip_if_not_installed("deSolve")
+  torque <- function(t) sin(3 * t) + 0.2 * t
+  t <- seq(0, 10, by = 0.25)
+  motion <- trajectory(scene_axle(0.7, torque_function(torque, numeric()), resistance(0.4)), t)
+  other <- deSolve::ode(
+    c(0, 0), t, function(t, y, p) list(c(y[2], (torque(t) - 0.4 * y[2]) / 0.7)), NULL,
+    rtol = 1e-12, atol = 1e-13
+  )
+  expect_equal(motion$theta_rad, unname(other[, 2]), tolerance = 1e-10)
+  expect_equal(motion$omega_rad_per_s, unname(other[, 3]), tolerance = 1e-10)
+})
+
+test_that("integrating backwards", {
+  scene <- scene_axle(2, torque_function(cos, numeric()), resistance(0.3), omega0_rad_per_s = 1)
+  exact <- function(t) { # I w' = cos t - c w
+    a <- 0.15
+    particular <- function(t) (a * cos(t) + sin(t)) / (2 * (a^2 + 1))
+    particular(t) + (1 - particular(0)) * exp(-a * t)
+  }
+  motion <- trajectory(scene, c(-3, -1, 0, 2))
+  expect_equal(motion$omega_rad_per_s, exact(c(-3, -1, 0, 2)), tolerance = 1e-9)
+})
+
+# ---- the boundary: whatever a torque function raises arrives as itself --------------------------
+
+with_torque <- function(f, ..., n = 20) {
+  trajectory(scene_axle(0.5, torque_function(f, breaks_s = numeric())), (0:n) / 4, ...)
+}
+
+test_that("an R error arrives with its message and call", {
+  error <- tryCatch(with_torque(function(t) if (t > 2) stop("the bearing broke") else 1), error = identity)
+  expect_s3_class(error, "simpleError")
+  expect_match(conditionMessage(error), "the bearing broke")
+})
+
+test_that("a classed condition arrives with its class and fields", {
+  broken <- structure(
+    class = c("bearing_broken", "error", "condition"),
+    list(message = "broken", call = NULL, at = 2)
+  )
+  error <- tryCatch(with_torque(function(t) stop(broken)), bearing_broken = identity)
+  expect_equal(error$at, 2)
+  # Conditions that do not jump do not disturb.
+  seen <- 0
+  motion <- withCallingHandlers(
+    with_torque(function(t) {
+      warning("loud")
+      1
+    }),
+    warning = function(w) {
+      seen <<- seen + 1
+      invokeRestart("muffleWarning")
+    }
+  )
+  expect_gt(seen, 20)
+  expect_equal(motion$omega_rad_per_s[21], 10)
+})
+
+test_that("an interrupt arrives as an interrupt", {
+  skip_on_os("windows")
+  skip_on_cran()
+  calls <- 0
+  result <- tryCatch(
+    with_torque(function(t) {
+      calls <<- calls + 1
+      if (calls == 50) tools::pskill(Sys.getpid(), tools::SIGINT)
+      Sys.sleep(0.001)
+      1
+    }, n = 4000),
+    interrupt = function(i) "interrupted"
+  )
+  expect_equal(result, "interrupted")
+  expect_lt(calls, 4000)
+})
+
+test_that("a time limit arrives as a time limit", {
+  skip_on_cran()
+  on.exit(setTimeLimit())
+  error <- tryCatch(
+    {
+      setTimeLimit(elapsed = 0.3, transient = TRUE)
+      with_torque(function(t) {
+        Sys.sleep(0.002)
+        1
+      }, n = 40000)
+    },
+    error = identity
+  )
+  setTimeLimit()
+  expect_match(conditionMessage(error), "time limit")
+})
+
+test_that("a jump out of the torque function leaves", {
+  left <- (function() {
+    with_torque(function(t) return_now())
+    "not here"
+  })
+  expect_error(left(), "return_now")
+  value <- callCC(function(out) with_torque(function(t) if (t > 1) out("out") else 1))
+  expect_equal(value, "out")
+  expect_equal(with_torque(function(t) 1)$omega_rad_per_s[21], 10) # and all is well after
+})
+
+test_that("a trajectory inside a torque function", {
+  inner <- function(t) trajectory(scene_axle(2, 1), t)$omega_rad_per_s
+  motion <- with_torque(inner, n = 8)
+  expect_equal(motion$omega_rad_per_s[9], 2, tolerance = 1e-12) # int_0^2 t/2 dt / 0.5
+})
+
+test_that("what is not one number is an error that says when and what", {
+  for (bad in list(NULL, c(1, 2), "x", list(1), TRUE, factor(1), numeric(), mean)) {
+    error <- expect_error(with_torque(function(t) bad), class = "rotdyn_error_torque")
+    expect_match(conditionMessage(error), "one number in N m")
+    expect_error(trajectory(scene_axle(1, function(t) bad), 0:1), class = "rotdyn_error_torque")
+  }
+})
+
+test_that("a torque that is not finite ends the run where it begins", {
+  for (bad in list(NA, NA_real_, NaN, Inf, NA_integer_)) {
+    f <- function(t) if (t > 2) bad else 1
+    error <- expect_error(with_torque(f), class = "rotdyn_error_torque")
+    expect_equal(error$info$time_s, 2, tolerance = 1e-6)
+    expect_warning(rows <- with_torque(f, on_fail = "truncate"), class = "rotdyn_warning_truncated")
+    expect_equal(rows$time_s, (0:8) / 4)
+    expect_equal(rows$omega_rad_per_s, rows$time_s * 2)
+  }
+})
+
+test_that("numbers given to the torque function are its own to keep", {
+  kept <- list()
+  with_torque(function(t) {
+    kept[[length(kept) + 1L]] <<- t
+    1
+  }, n = 2)
+  expect_gt(length(unique(unlist(kept))), 10)
+})
+
+test_that("the step budget", {
+  fast <- function(t) sin(1e4 * t)
+  error <- expect_error(with_torque(fast, max_steps = 50), class = "rotdyn_error_budget")
+  expect_gt(error$info$time_s, 0)
+  expect_warning(
+    rows <- with_torque(fast, max_steps = 1000, on_fail = "truncate"),
+    class = "rotdyn_warning_truncated"
+  )
+  expect_lt(nrow(rows), 21)
+})
+
+test_that("a wrong .Call is an R error", {
+  expect_error(.Call(rotdyn:::ffi_axle_linear, 1, NULL, 1, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_linear, double(5), list(), 1, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_phi, "a", 1), "internal")
+  expect_error(.Call(rotdyn:::ffi_phi, 1, 99), "internal")
+  expect_error(.Call(rotdyn:::ffi_rolling_table, c(1, 2), c(1, 2, 3), 1, 1, NULL), "internal")
+})
+
+test_that("routines are registered, and nothing else is found", {
+  routines <- getDLLRegisteredRoutines("rotdyn")$.Call
+  expect_true(all(startsWith(names(routines), "ffi_")))
+  expect_false(is.loaded("rot_axle_linear", PACKAGE = "rotdyn"))
+})
+
+test_that("the progress function is called, no more than 20 times a second", {
+  skip_on_cran()
+  told <- double()
+  law <- list(
+    quote(f(NULL)), list2env(list(f = function(t) {
+      Sys.sleep(0.002)
+      1
+    }), parent = baseenv()),
+    stop
+  )
+  start <- proc.time()[[3]]
+  .Call(
+    rotdyn:::ffi_axle_integrate, c(1, 0, 0, 0, 0), list(double(), double(), c(0, 0)), law,
+    (0:8) + 0, c(1e-9, 1e6), function(fraction) told <<- c(told, fraction)
+  )
+  elapsed <- proc.time()[[3]] - start
+  expect_gt(length(told), 1)
+  expect_lte(length(told), 20 * elapsed + 1)
+  expect_true(all(told >= 0 & told <= 1))
+})

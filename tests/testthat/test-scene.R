@@ -1,0 +1,21 @@
+test_that("the moment of inertia is that about the axle", {
+  disk <- body_disk(2, 3)
+  expect_equal(scene_axle(disk)$moment_of_inertia_kg_m2, 9)
+  expect_equal(scene_axle(disk, axis = c(5, 0, 0))$moment_of_inertia_kg_m2, 4.5)
+  expect_equal(scene_axle(disk, axis = c(1e-200, 0, 1e-200))$moment_of_inertia_kg_m2, 6.75)
+  expect_equal(scene_axle(0.7)$moment_of_inertia_kg_m2, 0.7)
+})
+
+test_that("without inertia about the axle there is no motion", {
+  expect_error(scene_axle(body_disk(0, 1)), class = "rotdyn_error_value")
+  expect_error(scene_axle(body_rod(1, 1), axis = c(1, 0, 0)), class = "rotdyn_error_value")
+  expect_error(scene_axle(0), class = "rotdyn_error_value")
+  expect_error(scene_axle(-1), class = "rotdyn_error_value")
+  expect_error(scene_axle("disk"), class = "rotdyn_error_type")
+  expect_error(scene_axle(body_disk(1, 1), axis = c(0, 0, 0)), class = "rotdyn_error_value")
+  expect_error(scene_axle(1, omega0_rad_per_s = Inf), class = "rotdyn_error_value")
+})
+
+test_that("a scene prints itself", {
+  expect_snapshot(article_scene(omega0_rad_per_s = 3, start_s = -1))
+})

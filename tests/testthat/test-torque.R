@@ -1,0 +1,65 @@
+torque_at <- function(torque, t) {
+  motion <- trajectory(scene_axle(1, torque), t)
+  motion$applied_torque_n_m
+}
+
+test_that("knots: straight lines, zero outside, the last knot belongs to the law", {
+  torque <- torque_knots(c(1, 3), c(2, 6))
+  expect_equal(torque_at(torque, c(0, 1, 1.5, 2, 3, 3.1)), c(0, 2, 3, 4, 6, 0))
+  held <- torque_knots(c(1, 3), c(2, 6), outside = "hold")
+  expect_equal(torque_at(held, c(0, 1, 2, 3, 4)), c(2, 2, 4, 6, 6))
+})
+
+test_that("a repeated time is a jump, and at the jump the value after it", {
+  torque <- torque_knots(c(0, 2, 2, 4), c(1, 1, 5, 5))
+  expect_equal(torque_at(torque, c(1.9, 2, 2.1)), c(1, 5, 5))
+})
+
+test_that("knots a rounding apart", {
+  t1 <- 1
+  t2 <- 1 + 2^-52
+  torque <- torque_knots(c(0, t1, t2, 3), c(0, 0, 4, 4))
+  motion <- trajectory(scene_axle(2, torque), c(0, 3))
+  expect_equal(motion$omega_rad_per_s[2], 4, tolerance = 1e-15)
+})
+
+test_that("a constant, a number, a function and nothing at all are torques of a scene", {
+  expect_equal(torque_at(torque_constant(3), c(-5, 5)), c(3, 3))
+  expect_equal(scene_axle(1, 3)$torque, torque_constant(3))
+  expect_equal(scene_axle(1)$torque, torque_constant(0))
+  expect_s3_class(scene_axle(1, function(t) t)$torque, "rot_torque_function")
+})
+
+test_that("impossible torques are errors", {
+  expect_error(torque_knots(c(0, 2, 1), c(0, 0, 0)), class = "rotdyn_error_time")
+  expect_error(torque_knots(c(0, 1), 1), class = "rotdyn_error_size")
+  expect_error(torque_knots(1, 1), class = "rotdyn_error_size")
+  expect_error(torque_knots(numeric(), numeric()), class = "rotdyn_error_size")
+  expect_error(torque_knots(c(0, NA), c(1, 1)), class = "rotdyn_error_value")
+  expect_error(torque_knots(c(0, 1), c(1, Inf)), class = "rotdyn_error_value")
+  expect_error(torque_knots(c(-1.7e308, 1.7e308), c(1, 1)), class = "rotdyn_error_value")
+  expect_error(torque_knots(0:1, 0:1, outside = "repeat"), class = "rotdyn_error_value")
+  expect_error(torque_constant(NA), class = "rotdyn_error")
+  expect_error(torque_function(2), class = "rotdyn_error_type")
+  expect_error(torque_function(function(a, b) 1), class = "rotdyn_error_torque")
+  expect_error(torque_function(function() 1), class = "rotdyn_error_torque")
+  expect_error(scene_axle(1, "a"), class = "rotdyn_error_type")
+})
+
+test_that("functions of one and of three arguments, with defaults and primitives", {
+  count <- function(f) torque_function(f)$arguments
+  expect_equal(count(function(t) 1), 1)
+  expect_equal(count(function(t, scale = 2) 1), 1)
+  expect_equal(count(function(t, theta, omega) 1), 3)
+  expect_equal(count(sin), 1)
+})
+
+test_that("torque laws print in a line", {
+  expect_snapshot({
+    article_torque()
+    torque_constant(0.5)
+    torque_knots(c(0, 1, 1, 2), c(0, 0, 3, 3), outside = "hold")
+    torque_function(function(t) t)
+    torque_function(function(t, theta, omega) -theta, breaks_s = c(1, 2))
+  })
+})

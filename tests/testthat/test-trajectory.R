@@ -1,0 +1,105 @@
+test_that("summary and glance: the article's row, then the run", {
+  motion <- spin_up()
+  row <- summary(motion)
+  expect_equal(names(row), rotdyn:::summary_columns)
+  expect_equal(nrow(row), 1)
+  expect_equal(row$moment_of_inertia_kg_m2, 0.0625)
+  expect_equal(row$max_angular_velocity_rad_per_s, max(motion$omega_rad_per_s))
+  expect_equal(row$max_angular_momentum_kg_m2_per_s, 0.0625 * row$max_angular_velocity_rad_per_s)
+  expect_equal(
+    row$max_rotational_kinetic_energy_j, 0.03125 * row$max_angular_velocity_rad_per_s^2
+  )
+  expect_ulps(row$final_theta_rad, 107.8586453330170947, 2)
+  expect_equal(row$model, "axle_linear")
+  expect_equal(row$error_kind, "bound")
+  expect_equal(glance(motion), row)
+})
+
+test_that("the maxima are over the rows, with their sign", {
+  down <- trajectory(scene_axle(2, -3), 1:3)
+  expect_equal(summary(down)$max_angular_velocity_rad_per_s, -1.5)
+  expect_equal(summary(down)$max_rotational_kinetic_energy_j, 20.25)
+  expect_true(is.na(summary(down[0, ])$final_theta_rad))
+})
+
+test_that("spin_up is a shortcut for a scene", {
+  t <- c(0, 2.5, 7)
+  expect_equal(
+    tibble::as_tibble(spin_up(time_s = t)), tibble::as_tibble(trajectory(article_scene(), t))
+  )
+  other <- spin_up(
+    body_hoop(2, 3), 6, 0, time_s = 4, theta0_rad = 1, omega0_rad_per_s = 2
+  )
+  expect_equal(other$theta_rad, 1 + 2 * 4 + 0.5 * (6 / 18) * 16)
+  expect_equal(nrow(spin_up()), 1000)
+})
+
+test_that("predict: any order, between the rows, NA for NA", {
+  for (model in c("axle_linear", "axle_rk8pd")) {
+    motion <- trajectory(article_scene(), 0:8, model = model)
+    ahead <- predict(motion, c(5.3, NA, 0.2, 9, 5.3))
+    expect_equal(ahead$time_s, c(5.3, NA, 0.2, 9, 5.3))
+    expect_true(is.na(ahead$omega_rad_per_s[2]))
+    expect_equal(ahead$omega_rad_per_s[1], ahead$omega_rad_per_s[5])
+    exact <- trajectory(article_scene(), c(0.2, 5.3, 9))
+    expect_equal(ahead$theta_rad[c(3, 1, 4)], exact$theta_rad, tolerance = 1e-9)
+    expect_equal(nrow(predict(motion, numeric())), 0)
+    expect_error(predict(motion, Inf), class = "rotdyn_error_time")
+    expect_error(predict(motion, "a"), class = "rotdyn_error_type")
+  }
+})
+
+test_that("base R: rows and columns keep the class while the key columns stand", {
+  motion <- spin_up(time_s = 0:8)
+  expect_s3_class(motion[1:3, ], "rot_trajectory")
+  expect_s3_class(motion[1:3], "rot_trajectory")
+  expect_s3_class(head(motion, 2), "rot_trajectory")
+  expect_false(inherits(motion[c(1, 2)], "rot_trajectory"))
+  expect_type(motion[["theta_rad"]], "double")
+  expect_type(motion[, "theta_rad", drop = TRUE], "double")
+  renamed <- motion
+  names(renamed)[1] <- "t"
+  expect_false(inherits(renamed, "rot_trajectory"))
+  motion$label <- "a"
+  expect_s3_class(motion, "rot_trajectory")
+  expect_false(is.null(run_of(motion)))
+  motion$omega_rad_per_s <- NULL
+  expect_equal(class(motion), c("tbl_df", "tbl", "data.frame"))
+  expect_null(run_of(motion))
+  expect_false(inherits(tibble::as_tibble(spin_up(time_s = 0:8)), "rot_trajectory"))
+})
+
+test_that("dplyr verbs keep the class while the key columns stand", {
+  skip_if_not_installed("dplyr")
+  motion <- spin_up(time_s = 0:8)
+  expect_s3_class(dplyr::filter(motion, time_s > 2), "rot_trajectory")
+  expect_s3_class(dplyr::mutate(motion, rpm = omega_rad_per_s * 9.549297), "rot_trajectory")
+  expect_s3_class(dplyr::arrange(motion, dplyr::desc(time_s)), "tbl_df")
+  expect_equal(class(dplyr::select(motion, time_s)), c("tbl_df", "tbl", "data.frame"))
+  expect_equal(class(dplyr::summarise(motion, n = dplyr::n())), c("tbl_df", "tbl", "data.frame"))
+  expect_equal(class(dplyr::rename(motion, t = time_s)), c("tbl_df", "tbl", "data.frame"))
+})
+
+test_that("the error figure holds for any of the rows; of changed values it is unknown", {
+  motion <- spin_up(time_s = 0:8)
+  expect_equal(run_of(motion[1:2, ])$info$error, run_of(motion)$info$error)
+  motion$omega_rad_per_s[3] <- 1
+  expect_true(is.na(run_of(motion)$info$error))
+  expect_match(format(motion)[3], "unknown")
+})
+
+test_that("the header says model and error", {
+  expect_snapshot(cat(format(spin_up(time_s = 0:2))[1:3], sep = "\n"))
+})
+
+test_that("a row at rest is no infinite error; large terms that cancel are a warning", {
+  stopping <- scene_axle(2, -3, omega0_rad_per_s = 6)
+  expect_silent(motion <- trajectory(stopping, 4))
+  expect_equal(motion$omega_rad_per_s, 0)
+  expect_lte(run_of(motion)$info$error, 1e-14)
+  # theta oscillates with growing swings and ends where it began: each swing leaves its rounding.
+  swing <- torque_knots(c(0, 1, 1, 3, 3, 4), c(1, 1, -1, -1, 1, 1) * 1e3)
+  expect_warning(
+    trajectory(scene_axle(1, swing), c(0, 4), accuracy = 2e-15), class = "rotdyn_warning_accuracy"
+  )
+})

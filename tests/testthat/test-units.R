@@ -1,0 +1,23 @@
+test_that("units objects are converted, a wrong dimension is an error that names both", {
+  skip_if_not_installed("units")
+  u <- function(x, unit) units::set_units(x, unit, mode = "standard")
+  expect_equal(body_disk(u(2000, "g"), u(25, "cm")), body_disk(2, 0.25))
+  expect_equal(
+    trajectory(article_scene(), u(c(0, 0.1), "min"))$theta_rad,
+    trajectory(article_scene(), c(0, 6))$theta_rad
+  )
+  expect_equal(
+    rolling_acceleration(0.5, u(pi / 6, "rad")), rolling_acceleration(0.5, 30),
+    tolerance = 1e-15
+  )
+  expect_equal(torque_constant(u(2, "N*m")), torque_constant(2))
+  error <- expect_error(body_disk(u(2, "s"), 1), class = "rotdyn_error_unit")
+  expect_match(conditionMessage(error), "kg")
+  expect_match(conditionMessage(error), "s, has another dimension")
+})
+
+test_that("a difftime is a time", {
+  minute <- as.difftime(c(0, 0.1), units = "mins")
+  expect_equal(trajectory(article_scene(), minute)$time_s, c(0, 6))
+  expect_error(body_disk(as.difftime(1, units = "secs"), 1), class = "rotdyn_error_unit")
+})
