@@ -158,6 +158,15 @@ check_times <- function(time_s, call) {
   time_s
 }
 
+# Time differences must be doubles, too.
+check_span <- function(scene, time_s, call) {
+  n <- length(time_s)
+  start <- .subset2(scene, "start_s")
+  if (n && !(is.finite(time_s[n] - start) && is.finite(start - time_s[1]))) {
+    abort_rotdyn("The span of {.arg time_s} is beyond double precision.", "time", call)
+  }
+}
+
 check_accuracy <- function(accuracy, call) {
   check_number(accuracy, "accuracy", "1", call, lower = 0, upper = 1, open = TRUE)
 }

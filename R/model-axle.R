@@ -1,17 +1,19 @@
 # Models of a body on a fixed axle. The numbers and the torque of a scene as src/ffi_axle.c wants
-# them.
+# them. .subset2() because `$` looks for a method first: 10 us of a 35 us call.
 axle_numbers <- function(scene) {
   c(
-    scene$moment_of_inertia_kg_m2, scene$resistance$viscous_n_m_s, scene$start_s,
-    scene$theta0_rad, scene$omega0_rad_per_s
+    .subset2(scene, "moment_of_inertia_kg_m2"), viscous_of(scene), .subset2(scene, "start_s"),
+    .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s")
   )
 }
 
+viscous_of <- function(scene) .subset2(.subset2(scene, "resistance"), "viscous_n_m_s")
+
 axle_knots <- function(torque) {
-  list(torque$time_s, torque$torque_n_m, torque$outside)
+  list(.subset2(torque, "time_s"), .subset2(torque, "torque_n_m"), .subset2(torque, "outside"))
 }
 
-has_knots <- function(scene) inherits(scene$torque, "rot_torque_knots")
+has_knots <- function(scene) inherits(.subset2(scene, "torque"), "rot_torque_knots")
 
 axle_free <- list(
   id = "axle_free",
@@ -23,7 +25,7 @@ axle_free <- list(
   source = "Goldstein 2002, section 1.1",
   error_kind = "bound",
   why_not = function(scene) {
-    if (scene$resistance$viscous_n_m_s != 0) {
+    if (viscous_of(scene) != 0) {
       "the resistance is not zero"
     } else if (!torque_is_zero(scene$torque)) {
       "the torque is not zero"
@@ -54,7 +56,7 @@ axle_linear <- list(
     paste0(
       "the torque is ",
       if (length(scene$torque$time_s)) "piecewise linear" else "constant",
-      if (scene$resistance$viscous_n_m_s == 0) " and nothing resists" else
+      if (viscous_of(scene) == 0) " and nothing resists" else
         " and the resistance viscous",
       ": the solution is known in closed form"
     )
@@ -65,7 +67,7 @@ axle_linear <- list(
   cost = function(scene, rows, accuracy) 150 * rows + 600 * (1 + length(scene$torque$time_s)),
   run = function(scene, time_s, accuracy, max_steps, call) {
     .Call(
-      ffi_axle_linear, axle_numbers(scene), axle_knots(scene$torque), time_s,
+      ffi_axle_linear, axle_numbers(scene), axle_knots(.subset2(scene, "torque")), time_s,
       progress_bar("closed form")
     )
   },
@@ -156,7 +158,8 @@ torque_breaks <- function(scene, time_s, complain, call) {
     }
     as.double(value)
   }
-  breaks <- scan_breaks(at, min(scene$start_s, time_s), max(scene$start_s, time_s))
+  scan <- scan_breaks(at, min(scene$start_s, time_s), max(scene$start_s, time_s))
+  breaks <- scan$breaks
   if (length(breaks)) {
     shown <- cli::cli_vec(format(breaks, digits = 7, trim = TRUE), list("vec-trunc" = 6))
     warn_rotdyn(
@@ -170,7 +173,7 @@ torque_breaks <- function(scene, time_s, complain, call) {
       call
     )
   }
-  breaks
+  sort(c(breaks, scan$guards))
 }
 
 # A function of the fraction done, for the C code to call at most 20 times a second. The bar comes

@@ -62,7 +62,7 @@ autoplot.rot_trajectory <- function(object, ...) {
         applied = plot_colours[5], damping = plot_colours[2], net = plot_colours[3],
         state = plot_colours[1]
       ),
-      breaks = c("applied", "damping", "net"), name = NULL
+      breaks = c("applied", "damping", "net"), name = "torque"
     ) +
     ggplot2::labs(
       title = "A body on a fixed axle",

@@ -2,24 +2,32 @@
 #
 # A jump keeps its height however short the interval; a smooth function's difference shrinks with
 # it. A kink keeps its change of slope: its second difference halves with the step, a smooth one's
-# quarters. What is found becomes a stop of the integrator; what lies between two points of the
-# grid is missed.
+# quarters. Breaks become stops of the integrator. So do the grid points around a change that is
+# steep but smooth (`guards`): steps that end there cannot pass it unseen. What lies between two
+# points of the grid is missed.
 
 scan_points <- 8193L
 most_breaks <- 1000L
 
-# Sorted breaks of f (a function of one time) in [from, to].
+# Breaks and guards of f (a function of one time) in [from, to], sorted.
 scan_breaks <- function(f, from, to) {
+  none <- list(breaks = double(), guards = double())
   if (!(to > from)) {
-    return(double())
+    return(none)
   }
   t <- seq(from, to, length.out = scan_points)
   y <- vapply(t, f, double(1))
   if (!all(is.finite(y))) {
-    return(double()) # the integrator will say where and why
+    return(none) # the integrator will say where and why
   }
-  jumps <- scan_jumps(f, t, y)
-  sort(unique(c(jumps, scan_kinks(f, t, y, jumps))))
+  at <- steep_steps(y)
+  jumps <- vapply(at, function(i) bisect_jump(f, t[i], t[i + 1], y[i], y[i + 1]), double(1))
+  smooth <- at[is.na(jumps)]
+  jumps <- jumps[!is.na(jumps)]
+  list(
+    breaks = sort(unique(c(jumps, scan_kinks(f, t, y, jumps)))),
+    guards = sort(unique(t[c(smooth, smooth + 1L)]))
+  )
 }
 
 # Larger than `factor` times the median of the nine around it.
@@ -29,13 +37,10 @@ stands_out <- function(size, factor, floor) {
   at[order(-size[at])][seq_len(min(length(at), most_breaks))]
 }
 
-scan_jumps <- function(f, t, y) {
+# Grid intervals over which the function changes much more than around.
+steep_steps <- function(y) {
   height <- abs(diff(y))
-  floor <- 1e-12 * max(abs(y), 1e-300)
-  found <- vapply(stands_out(height, 4, floor), function(i) {
-    bisect_jump(f, t[i], t[i + 1], y[i], y[i + 1])
-  }, double(1))
-  found[!is.na(found)]
+  stands_out(height, 4, 1e-12 * max(abs(y), 1e-300))
 }
 
 # The first double after the jump, or NA if the difference melts away.

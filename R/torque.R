@@ -175,7 +175,7 @@ as_torque <- function(x, call) {
 
 torque_is_zero <- function(torque) {
   inherits(torque, "rot_torque_knots") &&
-    all(torque$outside == 0) && all(torque$torque_n_m == 0)
+    all(.subset2(torque, "outside") == 0) && all(.subset2(torque, "torque_n_m") == 0)
 }
 
 # One line that says what the law is.

@@ -44,9 +44,14 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   rlang::check_dots_empty()
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
+  check_span(scene, time_s, call)
   accuracy <- check_accuracy(accuracy, call)
   max_steps <- check_number(max_steps, "max_steps", "1", call, lower = 1)
-  on_fail <- if (missing(on_fail)) "abort" else check_string(on_fail, "on_fail", c("abort", "truncate"), call)
+  on_fail <- if (missing(on_fail)) {
+    "abort"
+  } else {
+    check_string(on_fail, "on_fail", c("abort", "truncate"), call)
+  }
   record <- pick_model(scene, accuracy, model, call)
   run_trajectory(record, scene, time_s, accuracy, on_fail, max_steps, call)
 }
@@ -90,7 +95,8 @@ failed_run <- function(info, n, on_fail, call) {
   )
   remedy <- switch(info$kind,
     torque = "Look at the torque function there, or end {.arg time_s} before.",
-    budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time.",
+    budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time. Resistance that
+              acts much faster than the time asked for (inertia/viscous) takes many steps.",
     step = "The torque changes faster than time can be resolved: tell its {.arg breaks_s}.",
     range = "The motion grows beyond 1.8e308: shorten the time.",
     NULL

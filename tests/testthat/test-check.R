@@ -28,6 +28,7 @@ test_that("output times: empty, one, repeated; not missing, infinite or backward
   for (bad in list(c(2, 1), c(0, NA), c(0, Inf), NaN)) {
     expect_error(trajectory(scene, bad), class = "rotdyn_error_time")
   }
+  expect_error(trajectory(article_scene(start_s = -1.7e308), 1.7e308), class = "rotdyn_error_time")
   expect_error(trajectory(scene, "now"), class = "rotdyn_error_type")
   expect_error(trajectory(scene, NULL), class = "rotdyn_error_type")
 })

@@ -1,4 +1,4 @@
-scan <- function(f, from = 0, to = 10) rotdyn:::scan_breaks(f, from, to)
+scan <- function(f, from = 0, to = 10) rotdyn:::scan_breaks(f, from, to)$breaks
 
 test_that("jumps are found to the last bit", {
   expect_equal(scan(function(t) if (t >= pi) 1 else 0), pi, tolerance = 1e-15)
@@ -21,6 +21,16 @@ test_that("smooth functions have none, however fast", {
   expect_length(scan(function(t) 1 / (1 + 25 * (t - 5)^2)), 0)
   expect_length(scan(function(t) 0), 0)
   expect_length(scan(function(t) 1e-300 * t), 0)
+})
+
+test_that("a steep but smooth change is guarded, not reported", {
+  bump <- function(t) 1000 * exp(-((t - 5) / 3e-4)^2)
+  expect_length(scan(bump), 0)
+  guards <- rotdyn:::scan_breaks(bump, 0, 10)$guards
+  expect_true(any(guards < 5) && any(guards > 5))
+  # The area of the bump, which a step of a second would pass unseen.
+  motion <- expect_silent(trajectory(scene_axle(0.5, bump), c(0, 10)))
+  expect_equal(motion$omega_rad_per_s[2], 2 * 1000 * 3e-4 * sqrt(pi), tolerance = 1e-8)
 })
 
 test_that("an empty interval and values that are not finite are left alone", {

@@ -1,0 +1,62 @@
+# Runs that fail in every way there is, 200 in all: under valgrind nothing may be lost.
+library(rotdyn)
+
+scene <- function(f) scene_axle(0.5, torque_function(f, breaks_s = numeric()))
+run <- function(f, ...) {
+  out <- tryCatch(
+    suppressWarnings(trajectory(scene(f), (0:4) / 4, ...)),
+    condition = function(c) class(c)[1]
+  )
+  if (is.data.frame(out)) "rows" else out
+}
+after <- function(limit, action) {
+  force(action)
+  calls <- 0
+  function(t) {
+    calls <<- calls + 1
+    if (calls > limit) action()
+    1
+  }
+}
+custom <- structure(class = c("bearing_broken", "error", "condition"), list(message = "", call = NULL))
+
+seen <- character()
+for (i in 1:20) {
+  seen <- c(
+    seen,
+    run(after(3 * i, function() stop("an R error"))),
+    run(after(3 * i, function() stop(custom))),
+    run(after(3 * i, function() tools::pskill(Sys.getpid(), tools::SIGINT))),
+    run(function(t) if (t > i / 25) NA else 1),
+    run(function(t) if (t > i / 25) "x" else 1),
+    run(function(t) sin(1e4 * t), max_steps = i),
+    run(function(t) if (t > i / 25) NaN else 1, on_fail = "truncate"),
+    callCC(function(out) run(after(3 * i, function() out("jumped")))),
+    tryCatch(
+      trajectory(scene_axle(1, 1, resistance(-10)), c(0, 100 * i)),
+      error = function(e) class(e)[1]
+    ),
+    tryCatch(rolling_table(data.frame(beta = c(i, -i))), error = function(e) class(e)[1])
+  )
+  setTimeLimit()
+}
+print(table(seen))
+stopifnot(length(seen) == 200, sum(seen == "rows") == 20)
+
+# A time limit, and the same limits with nothing wrong.
+for (i in 1:2) {
+  print(tryCatch(
+    {
+      setTimeLimit(elapsed = 0.5, transient = TRUE)
+      trajectory(scene(function(t) {
+        Sys.sleep(0.01)
+        1
+      }), (0:4000) / 4)
+    },
+    error = function(e) "time limit"
+  ))
+  setTimeLimit()
+}
+stopifnot(audit(spin_up())$verdict == "balanced")
+stopifnot(audit(spin_up(time_s = 0:8, model = "axle_rk8pd"))$verdict == "balanced")
+cat("boundary: done\n")
