@@ -23,6 +23,7 @@ typedef struct ode_run {
   gsl_odeiv2_step *step;
   gsl_odeiv2_system system;
   double tolerance;
+  int split;                  /* at least so many steps from one target to the next */
   double t, h;                /* h: the step that the error test would like next */
   double after, before;       /* rhs is evaluated strictly inside (break, next break) */
   int slope_known;            /* slope holds f(t, y) */
@@ -81,6 +82,7 @@ static void accept(ode_run *run, double t) {
 /* Integrate to a time with no break in between. */
 static rot_status drive(ode_run *run, double target, double fraction) {
   const rot_ode_params *p = run->p;
+  const double longest = fabs(target - run->t) / run->split;
   while (run->t != target) {
     const double left = target - run->t;
     const size_t tried = run->info->steps + run->info->rejected;
@@ -100,8 +102,11 @@ static rot_status drive(ode_run *run, double target, double fraction) {
       run->slope_known = 1;
     }
     /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
-    const int last = fabs(run->h) >= fabs(left) * (1.0 - 1e-10);
-    const double h = last ? left : fabs(run->h) > 0.5 * fabs(left) ? 0.5 * left : run->h;
+    const double size = fmin(fabs(run->h), longest);
+    const int last = size >= fabs(left) * (1.0 - 1e-10);
+    const double aim = size > 0.5 * fabs(left) ? 0.5 * left : copysign(size, left);
+    /* The step that time will really take: rounding t each time lost 4e-14 in 300 steps. */
+    const double h = last ? left : (run->t + aim) - run->t;
     if (run->t + h == run->t) {
       run->info->time_s = run->t;
       return ROT_ESTEP;
@@ -173,7 +178,8 @@ static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_
   return ROT_OK;
 }
 
-static rot_status run_once(const rot_ode_params *p, double tolerance, size_t n,
+/* A run at one tolerance: rows of y at the times, and the largest size of each component. */
+static rot_status run_once(const rot_ode_params *p, double tolerance, int split, size_t n,
                            const double time_s[], double y_rows[], const double pilot[],
                            double largest[], const rot_hooks *hooks, rot_info *info) {
   ode_run run = {0};
@@ -185,6 +191,7 @@ static rot_status run_once(const rot_ode_params *p, double tolerance, size_t n,
   run.hooks = hooks;
   run.info = info;
   run.tolerance = tolerance;
+  run.split = split;
   run.largest = largest;
   run.pilot = pilot;
   for (size_t i = 0; i < p->dim; i++) largest[i] = fabs(p->start[i]);
@@ -209,17 +216,37 @@ static rot_status run_once(const rot_ode_params *p, double tolerance, size_t n,
   return info->status;
 }
 
-/* error[i]: largest difference of component i over the rows. Returns the worst of the controlled
- * ones relative to their largest size. */
-static double compare(const rot_ode_params *p, size_t rows, const double a[], const double b[],
+/* ---- the error estimate --------------------------------------------------------------------- */
+
+/* The companion visits no more rows than this, and takes two steps at least from one to the next:
+ * with every row for a target, both runs would take the same steps and differ by nothing. */
+enum { COMPANION_ROWS = 64, COMPANION_SPLIT = 2 };
+
+typedef struct companion {
+  size_t rows, row[COMPANION_ROWS]; /* rows of the run that it visits */
+  double time_s[COMPANION_ROWS];
+  double *y;
+} companion;
+
+static void choose_rows(companion *c, size_t n, const double time_s[]) {
+  c->rows = n < COMPANION_ROWS ? n : COMPANION_ROWS;
+  for (size_t j = 0; j < c->rows; j++) {
+    c->row[j] = n <= COMPANION_ROWS ? j : (size_t)((double)j * (double)(n - 1) / (COMPANION_ROWS - 1));
+    c->time_s[j] = time_s[c->row[j]];
+  }
+}
+
+/* error[i]: largest difference of component i between the run and its companion. Returns the worst
+ * of the controlled ones relative to their largest size. */
+static double compare(const rot_ode_params *p, const double y[], const companion *c, size_t rows,
                       const double largest[], double steps, double error[]) {
   double worst = 0.0;
   for (size_t i = 0; i < p->dim; i++) {
     double difference = 0.0;
-    for (size_t row = 0; row < rows; row++) {
-      difference = fmax(difference, fabs(a[row * p->dim + i] - b[row * p->dim + i]));
+    for (size_t j = 0; j < rows; j++) {
+      difference = fmax(difference, fabs(y[c->row[j] * p->dim + i] - c->y[j * p->dim + i]));
     }
-    error[i] = MARGIN * difference + ROT_EPS * sqrt(1.0 + steps) * largest[i];
+    error[i] = MARGIN * difference + 4.0 * ROT_EPS * sqrt(1.0 + steps) * largest[i];
     if (i < p->controlled && largest[i] > 0.0) worst = fmax(worst, error[i] / largest[i]);
   }
   return worst;
@@ -234,7 +261,7 @@ static rot_status run_pilot(const rot_ode_params *p, size_t n, const double time
   const size_t first = n < 2 || ends[0] >= p->start_s;
   double *y = malloc(2 * p->dim * sizeof *y);
   if (!y) return ROT_ENOMEM;
-  run_once(p, PILOT_TOLERANCE, 2 - first, ends + first, y, NULL, pilot, hooks, info);
+  run_once(p, PILOT_TOLERANCE, 1, 2 - first, ends + first, y, NULL, pilot, hooks, info);
   free(y);
   info->rows_done = 0;
   /* Where the pilot fails the run itself will say so, with its rows. */
@@ -244,40 +271,40 @@ static rot_status run_pilot(const rot_ode_params *p, size_t n, const double time
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double error[], double largest[], const rot_hooks *hooks, rot_info *info) {
   gsl_set_error_handler_off(); /* process-wide, and aborts by default: at every entry */
+  double *scratch = calloc((2 + COMPANION_ROWS) * p->dim, sizeof *scratch);
+  double *pilot = scratch, *unused = scratch + p->dim;
   double tolerance = fmax(LEAST_TOLERANCE, 0.1 * p->accuracy);
-  double *finer = malloc((n ? n : 1) * p->dim * sizeof *finer);
-  double *pilot = calloc(p->dim, sizeof *pilot);
-  rot_status failure = finer && pilot ? ROT_OK : ROT_ENOMEM;
+  size_t rhs_calls = 0;
   rot_info_clear(info);
-  if (failure == ROT_OK && n > 0) failure = run_pilot(p, n, time_s, pilot, hooks, info);
-  if (failure == ROT_OK) {
-    const size_t spent = info->rhs_calls;
-    failure = run_once(p, tolerance, n, time_s, y, pilot, largest, hooks, info);
-    info->rhs_calls += spent;
+  info->status = scratch ? ROT_OK : ROT_ENOMEM;
+  if (info->status == ROT_OK && n > 0) {
+    info->status = run_pilot(p, n, time_s, pilot, hooks, info);
+    rhs_calls += info->rhs_calls;
   }
-  while (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
+  while (info->status == ROT_OK) {
+    companion finer;
+    rot_info report;
+    run_once(p, tolerance, 1, n, time_s, y, pilot, largest, hooks, info);
+    rhs_calls += info->rhs_calls;
+    if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
+
     /* Of a run that failed, the rows that it reached are worth an error figure too. */
-    const size_t reached = info->rows_done;
-    rot_info companion;
-    run_once(p, 0.01 * tolerance, reached, time_s, finer, pilot, largest, hooks, &companion);
-    info->rhs_calls += companion.rhs_calls;
-    if (companion.status != ROT_OK) {
-      failure = companion.status;
-      info->time_s = companion.time_s;
-      info->rows_done = companion.rows_done;
-      if (failure == ROT_EUNWIND) break;
+    choose_rows(&finer, info->rows_done, time_s);
+    finer.y = scratch + 2 * p->dim;
+    run_once(p, 0.01 * tolerance, COMPANION_SPLIT, finer.rows, finer.time_s, finer.y, pilot, unused,
+             hooks, &report);
+    rhs_calls += report.rhs_calls;
+    if (report.status != ROT_OK) {
+      info->status = report.status;
+      info->time_s = report.time_s;
+      info->rows_done = report.rows_done ? finer.row[report.rows_done - 1] + 1 : 0;
     }
-    const double worst = compare(p, info->rows_done, y, finer, largest,
-                                 (double)info->steps, error);
-    if (failure != ROT_OK || worst <= p->accuracy || tolerance <= LEAST_TOLERANCE) break;
-    /* Not good enough: the companion becomes the run. */
+    const double worst =
+        compare(p, y, &finer, report.rows_done, largest, (double)info->steps, error);
+    if (worst <= p->accuracy || tolerance <= LEAST_TOLERANCE) break;
     tolerance = fmax(LEAST_TOLERANCE, 0.01 * tolerance);
-    memcpy(y, finer, n * p->dim * sizeof *y);
-    companion.rhs_calls = info->rhs_calls;
-    *info = companion;
   }
-  info->status = failure;
-  free(pilot);
-  free(finer);
+  info->rhs_calls = rhs_calls;
+  free(scratch);
   return info->status;
 }
