@@ -22,6 +22,15 @@ describe_value <- function(x) {
   paste0(article, kind, " of length ", length(x))
 }
 
+# Arguments that the user left out, by name; `env` is the frame of the function that has them.
+check_supplied <- function(names, env) {
+  for (name in names) {
+    if (eval(call("missing", as.name(name)), env)) {
+      abort_rotdyn("{.arg {name}} is missing: it has no default.", "missing", env)
+    }
+  }
+}
+
 is_number <- function(x) {
   is.numeric(x) && !is.factor(x)
 }
@@ -44,7 +53,9 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
   as.double(x)
 }
 
-plain_unit <- function(unit) gsub("*", " ", unit, fixed = TRUE)
+plain_unit <- function(unit) {
+  gsub("*", " ", if (unit == "degree") "degrees" else unit, fixed = TRUE)
+}
 
 in_unit <- function(unit) {
   if (unit == "1") "" else paste0(" in ", plain_unit(unit))

@@ -1,6 +1,7 @@
 # What can go wrong, by kind: the class is rotdyn_error_<kind>. The kinds of a failed run are those
 # of ROT_STATUS_LIST in src/rot_status.h.
 error_kinds <- c(
+  missing = "an argument that was left out",
   type = "not the kind of object asked for",
   size = "lengths that do not fit together",
   value = "a number outside its domain",

@@ -17,6 +17,7 @@
 #' @export
 energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s) {
   call <- rlang::current_env()
+  check_supplied(c("mass_kg", "radius_m", "beta", "speed_m_per_s"), call)
   columns <- list(
     mass_kg = check_column(mass_kg, "mass_kg", "kg", call),
     radius_m = check_column(radius_m, "radius_m", "m", call),

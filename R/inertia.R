@@ -50,7 +50,8 @@ inertia_table <- function(objects = inertia_objects()) {
       c(
         "Every object must be a standard shape or have a {.field beta}.",
         x = "Not so: {.val {unknown}}.",
-        i = "The standard shapes are {.val {shapes$shape}}."
+        i = "The standard shapes are {.val {shapes$shape}}, also known as
+             {.val {names(shape_aliases)}}."
       ),
       "value",
       call

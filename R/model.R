@@ -64,7 +64,7 @@ model_why_not <- function(model, scene, accuracy) {
 #' @param time_s Output times in s, finite and not decreasing: their number counts for the cost.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1].
 #' @return A tibble with one row for each model of the scene's constraint, cheapest first:
-#'   `r describe_columns(c("model", "applies", "reason", "error", "error_kind", "cost", "chosen"))`
+#'   `r describe_columns(c("model", "applies", "error", "error_kind", "cost", "chosen", "reason"))`
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_value`;
 #'   `rotdyn_error_accuracy` if no model reaches the accuracy.
 #' @examples
@@ -73,6 +73,7 @@ model_why_not <- function(model, scene, accuracy) {
 #' @export
 choose_model <- function(scene, time_s, accuracy = 1e-9) {
   call <- rlang::current_env()
+  check_supplied(c("scene", "time_s"), call)
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
   accuracy <- check_accuracy(accuracy, call)
@@ -81,22 +82,23 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
   why_not <- lapply(candidates, model_why_not, scene, accuracy)
   applies <- vapply(why_not, is.null, logical(1))
   id <- vapply(candidates, function(m) m$id, character(1))
+  reason <- vapply(seq_along(id), function(i) {
+    if (!applies[i]) {
+      why_not[[i]]
+    } else if (id[i] == chosen) {
+      candidates[[i]]$why(scene)
+    } else {
+      paste0("fits, but costs more than ", chosen)
+    }
+  }, character(1))
   out <- tibble::tibble(
     model = id,
     applies = applies,
-    reason = vapply(seq_along(id), function(i) {
-      if (!applies[i]) {
-        why_not[[i]]
-      } else if (id[i] == chosen) {
-        candidates[[i]]$why(scene)
-      } else {
-        paste0("fits, but costs more than ", chosen)
-      }
-    }, character(1)),
     error = vapply(candidates, function(m) m$error(accuracy), double(1)),
     error_kind = vapply(candidates, function(m) m$error_kind, character(1)),
     cost = vapply(candidates, function(m) m$cost(scene, length(time_s), accuracy), double(1)),
-    chosen = id == chosen
+    chosen = id == chosen,
+    reason = reason
   )
   out[order(out$cost), ]
 }

@@ -11,7 +11,9 @@ plot_theme <- function() {
       plot.title = ggplot2::element_text(face = "bold"),
       plot.subtitle = ggplot2::element_text(colour = "grey35"),
       strip.text = ggplot2::element_text(hjust = 0, face = "bold"),
-      legend.position = "bottom"
+      legend.position = "bottom",
+      legend.margin = ggplot2::margin(0, 0, 0, 0),
+      legend.key.width = ggplot2::unit(24, "pt")
     )
 }
 
@@ -35,6 +37,7 @@ NULL
 autoplot.rot_trajectory <- function(object, ...) {
   need_package("ggplot2", "A plot", rlang::current_env())
   run <- trajectory_run(object)
+  shape <- run$scene$body$shape
   panels <- c(
     theta_rad = "angle (rad)", omega_rad_per_s = "angular velocity (rad/s)",
     applied_torque_n_m = "torque (N m)", damping_torque_n_m = "torque (N m)",
@@ -55,7 +58,7 @@ autoplot.rot_trajectory <- function(object, ...) {
   )
   ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$line)) +
     ggplot2::geom_hline(yintercept = 0, colour = "grey80") +
-    ggplot2::geom_line(linewidth = 0.8) +
+    ggplot2::geom_line(ggplot2::aes(linetype = .data$line), linewidth = 0.8) +
     ggplot2::facet_wrap("panel", scales = "free_y", ncol = 2) +
     ggplot2::scale_colour_manual(
       values = c(
@@ -64,8 +67,13 @@ autoplot.rot_trajectory <- function(object, ...) {
       ),
       breaks = c("applied", "damping", "net"), name = "torque"
     ) +
+    # Net is dashed: without damping, or without torque, it lies on one of the others.
+    ggplot2::scale_linetype_manual(
+      values = c(applied = "solid", damping = "solid", net = "22", state = "solid"),
+      breaks = c("applied", "damping", "net"), name = "torque"
+    ) +
     ggplot2::labs(
-      title = "A body on a fixed axle",
+      title = paste(if (is.null(shape)) "A body" else paste("A", gsub("_", " ", shape)), "on a fixed axle"),
       subtitle = paste0("model ", run$model, ", relative error ", describe_error(run)),
       x = "time (s)", y = NULL
     ) +
@@ -105,7 +113,7 @@ autoplot.rot_rolling_table <- function(object, ...) {
       hjust = 0, size = 4, colour = "grey25"
     ) +
     ggplot2::scale_x_continuous(
-      limits = c(0, 1.22), breaks = seq(0, 1, by = 0.25),
+      limits = c(0, 1.25), breaks = seq(0, 1, by = 0.25),
       labels = c("0", "25 %", "50 %", "75 %", "100 %"), expand = c(0, 0)
     ) +
     ggplot2::scale_fill_manual(

@@ -33,7 +33,8 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
     abort_rotdyn(
       c(
         "{.arg objects} must be a data frame with a column {.field beta}.",
-        x = "It is {describe_value(objects)}."
+        x = "It is {describe_value(objects)}.",
+        i = "Numbers alone: {.code rolling_table(data.frame(beta = ))}."
       ),
       "type",
       call
@@ -131,6 +132,7 @@ NULL
 #' @rdname rolling_functions
 #' @export
 rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665) {
+  check_supplied("beta", rlang::current_env())
   columns <- list(
     beta = beta, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
   )
@@ -140,6 +142,7 @@ rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 
 #' @rdname rolling_functions
 #' @export
 rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665) {
+  check_supplied("beta", rlang::current_env())
   columns <- list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2)
   by_row(ffi_rolling_final_speed, columns, rlang::current_env())
 }
@@ -147,18 +150,21 @@ rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80
 #' @rdname rolling_functions
 #' @export
 rotational_energy_fraction <- function(beta) {
+  check_supplied("beta", rlang::current_env())
   by_row(ffi_rolling_rotational_fraction, list(beta = beta), rlang::current_env())
 }
 
 #' @rdname rolling_functions
 #' @export
 translational_energy_fraction <- function(beta) {
+  check_supplied("beta", rlang::current_env())
   by_row(ffi_rolling_translational_fraction, list(beta = beta), rlang::current_env())
 }
 
 #' @rdname rolling_functions
 #' @export
 rolling_friction_coefficient <- function(beta, incline_angle_deg = 20) {
+  check_supplied("beta", rlang::current_env())
   columns <- list(beta = beta, incline_angle_deg = incline_angle_deg)
   by_row(ffi_rolling_friction, columns, rlang::current_env())
 }

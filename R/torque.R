@@ -23,7 +23,8 @@ new_torque <- function(class, ...) {
 #' Positive torque turns in the positive sense of the axle (right hand).
 #'
 #' @param torque_n_m Torque: one number, or one for each knot. Finite.
-#' @param time_s Times of the knots, finite and not decreasing.
+#' @param time_s Times of the knots, finite and not decreasing; or a data frame with the columns
+#'   `time_s` and `torque_n_m`.
 #' @param outside `"zero"` or `"hold"`: the torque before the first and after the last knot.
 #' @param f A function that returns one finite number in N m.
 #' @param breaks_s Times where `f` may jump or kink.
@@ -44,6 +45,7 @@ NULL
 #' @export
 torque_constant <- function(torque_n_m) {
   call <- rlang::current_env()
+  check_supplied("torque_n_m", call)
   torque_n_m <- check_number(torque_n_m, "torque_n_m", "N*m", call)
   new_torque(
     "rot_torque_knots",
@@ -55,11 +57,22 @@ torque_constant <- function(torque_n_m) {
 #' @export
 torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
   call <- rlang::current_env()
+  check_supplied("time_s", call)
   rlang::check_dots_empty()
   if (missing(outside)) {
     outside <- "zero"
   }
   check_string(outside, "outside", c("zero", "hold"), call)
+  if (is.data.frame(time_s) && missing(torque_n_m)) {
+    for (column in c("torque_n_m", "time_s")) {
+      if (is.null(time_s[[column]])) {
+        abort_missing_column(column, time_s, call)
+      }
+    }
+    torque_n_m <- time_s[["torque_n_m"]]
+    time_s <- time_s[["time_s"]]
+  }
+  check_supplied("torque_n_m", call)
   time_s <- check_finite(time_s, "time_s", "s", call)
   torque_n_m <- check_finite(torque_n_m, "torque_n_m", "N*m", call)
   n <- length(time_s)
@@ -111,6 +124,7 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
 #' @export
 torque_function <- function(f, breaks_s = NULL) {
   call <- rlang::current_env()
+  check_supplied("f", call)
   if (!is.function(f)) {
     abort_rotdyn(
       c(

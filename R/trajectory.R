@@ -41,6 +41,7 @@
 trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
                        on_fail = c("abort", "truncate"), max_steps = 1e6) {
   call <- rlang::current_env()
+  check_supplied(c("scene", "time_s"), call)
   rlang::check_dots_empty()
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
@@ -255,6 +256,7 @@ glance.rot_trajectory <- function(x, ...) {
 #' @export
 predict.rot_trajectory <- function(object, time_s, ...) {
   call <- rlang::current_env()
+  check_supplied("time_s", call)
   rlang::check_dots_empty()
   run <- trajectory_run(object)
   time_s <- check_column(time_s, "time_s", "s", call)

@@ -23,7 +23,9 @@ typedef struct ode_run {
   gsl_odeiv2_step *step;
   gsl_odeiv2_system system;
   double tolerance;
-  int split;                  /* at least so many steps from one target to the next */
+  double cap;                 /* no step is longer */
+  double longest;             /* accepted step so far */
+  double shortest_wish;       /* of the error test, after an accepted step */
   double t, h;                /* h: the step that the error test would like next */
   double after, before;       /* rhs is evaluated strictly inside (break, next break) */
   int slope_known;            /* slope holds f(t, y) */
@@ -82,7 +84,6 @@ static void accept(ode_run *run, double t) {
 /* Integrate to a time with no break in between. */
 static rot_status drive(ode_run *run, double target, double fraction) {
   const rot_ode_params *p = run->p;
-  const double longest = fabs(target - run->t) / run->split;
   while (run->t != target) {
     const double left = target - run->t;
     const size_t tried = run->info->steps + run->info->rejected;
@@ -102,7 +103,7 @@ static rot_status drive(ode_run *run, double target, double fraction) {
       run->slope_known = 1;
     }
     /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
-    const double size = fmin(fabs(run->h), longest);
+    const double size = fmin(fabs(run->h), run->cap);
     const int last = size >= fabs(left) * (1.0 - 1e-10);
     const double aim = size > 0.5 * fabs(left) ? 0.5 * left : copysign(size, left);
     /* The step that time will really take: rounding t each time lost 4e-14 in 300 steps. */
@@ -118,9 +119,11 @@ static rot_status drive(ode_run *run, double target, double fraction) {
     const double ratio = run->wild ? NAN : trial_ratio(run);
     if (ratio <= 1.0) { /* NaN fails */
       const double grow = ratio > 0.0 ? 0.9 * pow(ratio, -1.0 / 8.0) : 5.0;
-      accept(run, last ? target : run->t + h);
-      /* A step cut short by a target says nothing against the longer one. */
       const double wish = h * fmin(5.0, fmax(0.5, grow));
+      accept(run, last ? target : run->t + h);
+      run->longest = fmax(run->longest, fabs(h));
+      run->shortest_wish = fmin(run->shortest_wish, fabs(wish));
+      /* A step cut short by a target says nothing against the longer one. */
       if (fabs(wish) > fabs(run->h) || h == run->h) run->h = wish;
     } else {
       run->info->rejected++;
@@ -178,20 +181,27 @@ static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_
   return ROT_OK;
 }
 
-/* A run at one tolerance: rows of y at the times, and the largest size of each component. */
-static rot_status run_once(const rot_ode_params *p, double tolerance, int split, size_t n,
-                           const double time_s[], double y_rows[], const double pilot[],
-                           double largest[], const rot_hooks *hooks, rot_info *info) {
+/* How one run is made, and what it did with its steps. */
+typedef struct run_plan {
+  double tolerance, cap;         /* in: per step; longest step */
+  double longest, shortest_wish; /* out: longest step taken; shortest that the error test wished */
+} run_plan;
+
+/* One run: rows of y at the times, and the largest size of each component. */
+static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, const double time_s[],
+                           double y_rows[], const double pilot[], double largest[],
+                           const rot_hooks *hooks, rot_info *info) {
   ode_run run = {0};
   double *scratch = calloc(5 * p->dim, sizeof *scratch);
   size_t before = 0;
   rot_info_clear(info);
-  info->tolerance = tolerance;
+  info->tolerance = plan->tolerance;
   run.p = p;
   run.hooks = hooks;
   run.info = info;
-  run.tolerance = tolerance;
-  run.split = split;
+  run.tolerance = plan->tolerance;
+  run.cap = plan->cap;
+  run.shortest_wish = INFINITY;
   run.largest = largest;
   run.pilot = pilot;
   for (size_t i = 0; i < p->dim; i++) largest[i] = fabs(p->start[i]);
@@ -211,6 +221,8 @@ static rot_status run_once(const rot_ode_params *p, double tolerance, int split,
     info->rows_done = before;
     info->status = sweep(&run, time_s, before, n, 1, y_rows);
   }
+  plan->longest = run.longest;
+  plan->shortest_wish = run.shortest_wish;
   if (run.step) gsl_odeiv2_step_free(run.step);
   free(scratch);
   return info->status;
@@ -218,9 +230,17 @@ static rot_status run_once(const rot_ode_params *p, double tolerance, int split,
 
 /* ---- the error estimate --------------------------------------------------------------------- */
 
-/* The companion visits no more rows than this, and takes two steps at least from one to the next:
- * with every row for a target, both runs would take the same steps and differ by nothing. */
-enum { COMPANION_ROWS = 64, COMPANION_SPLIT = 2 };
+/* The companion's difference is the error of whichever of the two is worse, so their steps must
+ * differ: runs with the same steps, which dense rows make them take, differ by nothing.
+ *
+ * Finer: a hundredth of the tolerance, and no step longer than 0.55 of the run's longest. At order 8
+ * that is a hundredth of its error: the difference is the run's.
+ * Coarser: where every step was cut short by a row, and 1.8 times the longest would have passed the
+ * error test, the companion takes those. It costs a fraction; the difference is its own error, and
+ * the run's is less. */
+enum { COMPANION_ROWS = 64, COARSER_ROWS = 8 };
+#define FINER_STEP 0.55
+#define COARSER_STEP 1.8
 
 typedef struct companion {
   size_t rows, row[COMPANION_ROWS]; /* rows of the run that it visits */
@@ -228,12 +248,16 @@ typedef struct companion {
   double *y;
 } companion;
 
-static void choose_rows(companion *c, size_t n, const double time_s[]) {
-  c->rows = n < COMPANION_ROWS ? n : COMPANION_ROWS;
+/* At most `most` of the first n rows, the last one always, the first one if it lies before start. */
+static void choose_rows(companion *c, const rot_ode_params *p, size_t most, size_t n,
+                        const double time_s[]) {
+  most = most < 1 ? 1 : most > COMPANION_ROWS ? COMPANION_ROWS : most;
+  c->rows = n < most ? n : most;
   for (size_t j = 0; j < c->rows; j++) {
-    c->row[j] = n <= COMPANION_ROWS ? j : (size_t)((double)j * (double)(n - 1) / (COMPANION_ROWS - 1));
-    c->time_s[j] = time_s[c->row[j]];
+    c->row[j] = (size_t)((double)(j + 1) * (double)n / (double)c->rows + 0.5) - 1;
   }
+  if (c->rows > 1 && time_s[0] < p->start_s) c->row[0] = 0;
+  for (size_t j = 0; j < c->rows; j++) c->time_s[j] = time_s[c->row[j]];
 }
 
 /* error[i]: largest difference of component i between the run and its companion. Returns the worst
@@ -261,7 +285,8 @@ static rot_status run_pilot(const rot_ode_params *p, size_t n, const double time
   const size_t first = n < 2 || ends[0] >= p->start_s;
   double *y = malloc(2 * p->dim * sizeof *y);
   if (!y) return ROT_ENOMEM;
-  run_once(p, PILOT_TOLERANCE, 1, 2 - first, ends + first, y, NULL, pilot, hooks, info);
+  run_plan rough = {PILOT_TOLERANCE, INFINITY, 0.0, 0.0};
+  run_once(p, &rough, 2 - first, ends + first, y, NULL, pilot, hooks, info);
   free(y);
   info->rows_done = 0;
   /* Where the pilot fails the run itself will say so, with its rows. */
@@ -281,26 +306,37 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     info->status = run_pilot(p, n, time_s, pilot, hooks, info);
     rhs_calls += info->rhs_calls;
   }
+  int coarser = 1; /* try that first */
   while (info->status == ROT_OK) {
-    companion finer;
+    companion other;
     rot_info report;
-    run_once(p, tolerance, 1, n, time_s, y, pilot, largest, hooks, info);
+    run_plan plan = {tolerance, INFINITY, 0.0, 0.0};
+    run_once(p, &plan, n, time_s, y, pilot, largest, hooks, info);
     rhs_calls += info->rhs_calls;
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
 
     /* Of a run that failed, the rows that it reached are worth an error figure too. */
-    choose_rows(&finer, info->rows_done, time_s);
-    finer.y = scratch + 2 * p->dim;
-    run_once(p, 0.01 * tolerance, COMPANION_SPLIT, finer.rows, finer.time_s, finer.y, pilot, unused,
-             hooks, &report);
-    rhs_calls += report.rhs_calls;
+    const size_t reached = info->rows_done;
+    double worst = INFINITY;
+    coarser = coarser && plan.shortest_wish >= COARSER_STEP * plan.longest;
+    for (; worst > p->accuracy; coarser = 0) {
+      const size_t most = coarser ? reached / COARSER_ROWS : COMPANION_ROWS;
+      run_plan with = {coarser ? tolerance : 0.01 * tolerance,
+                       coarser ? INFINITY : FINER_STEP * plan.longest, 0.0, 0.0};
+      choose_rows(&other, p, most, reached, time_s);
+      other.y = scratch + 2 * p->dim;
+      run_once(p, &with, other.rows, other.time_s, other.y, pilot, unused, hooks, &report);
+      rhs_calls += report.rhs_calls;
+      if (report.status == ROT_OK || !coarser) {
+        worst = compare(p, y, &other, report.rows_done, largest, (double)info->steps, error);
+      }
+      if (!coarser || report.status == ROT_EUNWIND) break;
+    }
     if (report.status != ROT_OK) {
       info->status = report.status;
       info->time_s = report.time_s;
-      info->rows_done = report.rows_done ? finer.row[report.rows_done - 1] + 1 : 0;
+      info->rows_done = report.rows_done ? other.row[report.rows_done - 1] + 1 : 0;
     }
-    const double worst =
-        compare(p, y, &finer, report.rows_done, largest, (double)info->steps, error);
     if (worst <= p->accuracy || tolerance <= LEAST_TOLERANCE) break;
     tolerance = fmax(LEAST_TOLERANCE, 0.01 * tolerance);
   }

@@ -37,3 +37,14 @@ test_that("arguments behind the dots must be named in full", {
   expect_error(trajectory(article_scene(), 1, 1e-9, NULL, "abort"))
   expect_error(torque_knots(0:1, 0:1, "hold"))
 })
+
+test_that("an argument that was left out is named", {
+  for (left_out in expression(
+    body_disk(2), trajectory(), trajectory(article_scene()), torque_knots(1:2), scene_axle(),
+    energy_partition(1), rolling_acceleration(), choose_model(), torque_function(),
+    predict(spin_up(time_s = 1))
+  )) {
+    error <- expect_error(eval(left_out), class = "rotdyn_error_missing")
+    expect_match(conditionMessage(error), "is missing")
+  }
+})

@@ -229,6 +229,26 @@ test_that("a torque of angle and rate: a torsional oscillator", {
   expect_equal(audit(motion)$verdict, "balanced")
 })
 
+test_that("the estimate covers the error where dense rows set the steps, and where none does", {
+  # A damped oscillator: theta = exp(-g t)(cos wt + g/w sin wt).
+  spring <- torque_function(function(time_s, theta_rad, omega_rad_per_s) -4 * theta_rad, numeric())
+  scene <- scene_axle(body_disk(2, 0.25), spring, resistance(0.01), theta0_rad = 0.2)
+  g <- 0.01 / 0.0625 / 2
+  w <- sqrt(64 - g^2)
+  exact <- function(t) 0.2 * exp(-g * t) * (cos(w * t) + g / w * sin(w * t))
+  for (accuracy in c(1e-3, 1e-6, 1e-9, 1e-12)) {
+    for (step in c(0.02, 0.05, 0.1, 1, 10)) {
+      t <- seq(step, 10, by = step)
+      motion <- trajectory(scene, t, accuracy)
+      info <- run_of(motion)$info
+      error <- max(abs(motion$theta_rad - exact(t)))
+      expect_lte(error, info$theta_error)
+      expect_lte(info$error, accuracy)
+      expect_equal(audit(motion)$verdict, "balanced")
+    }
+  }
+})
+
 test_that("the integrator agrees with another one", {
   skip_if_not_installed("deSolve")
   torque <- function(t) sin(3 * t) + 0.2 * t

@@ -63,3 +63,10 @@ test_that("torque laws print in a line", {
     torque_function(function(t, theta, omega) -theta, breaks_s = c(1, 2))
   })
 })
+
+test_that("knots from a data frame", {
+  table <- data.frame(time_s = c(1, 3), torque_n_m = c(2, 6))
+  expect_equal(torque_knots(table), torque_knots(c(1, 3), c(2, 6)))
+  expect_error(torque_knots(data.frame(time_s = 1:2)), class = "rotdyn_error_type")
+  expect_error(torque_knots(1:2), class = "rotdyn_error_missing")
+})

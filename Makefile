@@ -1,0 +1,46 @@
+# The developer's verbs. Each is a script in tools/ that can be run by itself. GNU make.
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test core snapshots bench document format check-valgrind check-nosuggests check-manual
+
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
+
+demo: ## install what is missing and the package, run the main job, pictures in demo-output/
+	@sh tools/setup.sh demo
+	@sh tools/install.sh
+	@Rscript tools/demo.R
+
+test: ## install what is missing, then every check
+	@sh tools/run-tests.sh
+
+core: ## the tests of the C core alone
+	@sh tests/core/run.sh
+
+snapshots: ## write the text snapshots anew; read the diff before you commit it
+	@sh tools/install.sh
+	-@NOT_CRAN=true Rscript tools/run-testthat.R tests/testthat
+	@Rscript -e 'testthat::snapshot_accept(path = "tests/testthat")'
+
+bench: ## speed and error beside other tools
+	@sh tools/setup.sh bench
+	@sh tools/install.sh
+	@Rscript bench/run.R
+
+document: ## make NAMESPACE and man/ from the comments in R/
+	@sh tools/setup.sh document
+	@Rscript -e 'roxygen2::roxygenise(load_code = roxygen2::load_source)'
+	@./cleanup
+
+format: ## lay out the C sources by .clang-format
+	@sh tools/setup.sh format
+	@clang-format -i src/*.[ch] tests/core/*.[ch]
+
+check-valgrind: ## C core and C boundary under valgrind
+	@sh tools/check-valgrind.sh
+
+check-nosuggests: ## check and tests with the imported packages alone
+	@sh tools/check-nosuggests.sh
+
+check-manual: ## the PDF manual, where LaTeX is installed
+	@sh tools/check-manual.sh

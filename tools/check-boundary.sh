@@ -1,0 +1,147 @@
+#!/bin/sh
+# The walls of the house, proved by grep: what may touch what, and that the map names every file.
+# Needs no R and no compiler. One line per rule, then `boundary: N passed, N failed`.
+
+cd "$(dirname "$0")/.." || exit 1
+
+# ffi_X.c without a rot_X.h to call, each with a word on why. None today (ffi.c is no ffi_X.c).
+exempt=""
+
+work=$(mktemp -d "${TMPDIR:-/tmp}/rotdyn-boundary.XXXXXX") || exit 1
+trap 'rm -rf "$work"' 0
+trap 'exit 1' HUP INT TERM
+
+# rule NAME: reads the offences, a line each, from standard input; none is good. It runs at the
+# end of a pipe, in a shell of its own, so the verdicts go to a file.
+rule() {
+  where=$(cat)
+  if test -z "$where"; then
+    echo "ok - $1"
+    echo passed >> "$work/verdicts"
+  else
+    echo "not ok - $1:"
+    echo "$where" | sed 's/^/    /'
+    echo failed >> "$work/verdicts"
+  fi
+}
+
+# Every file of the project: what git keeps or would keep, or all of them outside a clone.
+if git rev-parse --is-inside-work-tree > /dev/null 2>&1; then
+  git ls-files --cached --others --exclude-standard
+else
+  find . -type f ! -path '*/.git/*' ! -name '*.o' ! -name '*.so' ! -path ./src/Makevars |
+    sed 's|^\./||'
+fi | sort -u | while read -r file; do test -f "$file" && echo "$file"; done > "$work/files"
+
+files() { grep -E "$1" "$work/files"; }
+
+# code FILE...: the C code as `file:line:text`, comments and strings taken out (but not the names
+# in #include "..."), so that a comment that mentions R is no offence.
+code() {
+  test $# -gt 0 || return 0
+  awk '
+    FNR == 1 { open = 0 }
+    {
+      rest = $0
+      text = ""
+      keep = rest ~ /^[ \t]*#[ \t]*include/
+      while (rest != "") {
+        if (open) {
+          end = index(rest, "*/")
+          if (!end) break
+          rest = substr(rest, end + 2)
+          open = 0
+        }
+        if (!match(rest, /"([^"\\]|\\.)*"|\047([^\047\\]|\\.)+\047|\/\/|\/\*/)) {
+          text = text rest
+          break
+        }
+        token = substr(rest, RSTART, RLENGTH)
+        text = text substr(rest, 1, RSTART - 1)
+        rest = substr(rest, RSTART + RLENGTH)
+        if (token == "//") break
+        if (token == "/*") { open = 1; text = text " " } else text = text (keep ? token : "\"\"")
+      }
+      print FILENAME ":" FNR ":" text
+    }' "$@"
+}
+
+# R code without its comments (a # inside a string ends the line too: good enough for names).
+r_code() { test $# -gt 0 && sed 's/#.*//' "$@"; }
+
+# A word by itself, for grep -E.
+word() { echo "(^|[^A-Za-z0-9_.])($1)([^A-Za-z0-9_]|\$)"; }
+
+# The shell splits these lists at blanks: no file of ours has one in its name.
+# shellcheck disable=SC2046
+{
+  code $(files '^src/rot_[a-z0-9_]*\.[ch]$') > "$work/rot"
+  code $(files '^src/(ffi[a-z0-9_]*\.[ch]|init\.c)$') > "$work/ffi"
+  code $(files '^src/ffi_entries\.h$') > "$work/entries"
+  r_code $(files '^R/.*\.R$') > "$work/r"
+  r_code $(files '^(R|tests)/.*\.R$') > "$work/r_and_tests"
+}
+
+# ---- the C core knows nothing of R -----------------------------------------------------------
+
+grep -E "#[[:space:]]*include[[:space:]]*[<\"](R|Rinternals|Rmath|Rdefines|Rversion|Rconfig|Rembedded|Rinterface|S|R_ext/.*)(\.h)?[>\"]" \
+  "$work/rot" | rule "src/rot_* includes no R header"
+grep -E "$(word 'SEXP|Rprintf|REprintf|Rvprintf|(R|Rf)_[A-Za-z0-9_]+|[A-Z]+SXP')" "$work/rot" |
+  rule "src/rot_* uses nothing of R's"
+grep -E "#[[:space:]]*include[[:space:]]*[<\"]ffi" "$work/rot" | rule "src/rot_* includes no ffi header"
+grep -E "$(word '(v?f?printf|putchar|putc|fputs?c?|puts|perror|exit|_exit|_Exit|quick_exit|abort|assert|rand|srand)[[:space:]]*\(.*')" \
+  "$work/rot" | rule "src/rot_* does not print, end the process or draw from C's random numbers"
+
+# ---- the glue knows nothing of GSL -----------------------------------------------------------
+
+grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" | rule "src/ffi* and src/init.c use nothing of GSL's"
+
+# ---- one topic word in every room ------------------------------------------------------------
+
+files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
+  test -f "${file%.c}.h" || echo "$file"
+done | rule "every src/rot_X.c has its rot_X.h"
+files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
+  case " $exempt " in *" $file "*) continue ;; esac
+  topic=${file#src/ffi_}
+  test -f "src/rot_${topic%.c}.h" || echo "$file"
+done | rule "every src/ffi_X.c has its rot_X.h"
+
+# ---- registration ----------------------------------------------------------------------------
+
+sed -n 's/^[^:]*:[0-9]*://; s/.*[^A-Za-z0-9_]*X(\(ffi_[A-Za-z0-9_]*\)[ ,].*/\1/p' "$work/entries" |
+  sort > "$work/registered"
+grep -oE 'ffi_[A-Za-z0-9_]+' "$work/r" | sort -u > "$work/called"
+grep -oE 'ffi_[A-Za-z0-9_]+' "$work/r_and_tests" | sort -u > "$work/mentioned"
+uniq -d "$work/registered" | rule "every entry of src/ffi_entries.h is listed once"
+sort -u "$work/registered" | comm -13 - "$work/called" |
+  rule "every ffi_ name in R/ is in src/ffi_entries.h"
+sort -u "$work/registered" | comm -23 - "$work/mentioned" |
+  rule "every entry of src/ffi_entries.h is called in R/ or tests/"
+{ test -s "$work/registered" || test ! -s "$work/ffi" || echo "no X(ffi_..., n) found"; } |
+  rule "src/ffi_entries.h lists entries"
+
+# ---- the map ---------------------------------------------------------------------------------
+
+if test -f ARCHITECTURE.md; then
+  files '^(R|src)/' | while read -r file; do
+    name=$(basename "$file" | sed 's/\./\\./g')
+    grep -Eq "(^|[^A-Za-z0-9_.-])$name([^A-Za-z0-9_]|\$)" ARCHITECTURE.md || echo "$file"
+  done
+else
+  echo "there is no ARCHITECTURE.md"
+fi | rule "ARCHITECTURE.md names every file in R/ and src/"
+
+# ---- what no file may hold -------------------------------------------------------------------
+
+# The patterns are written so that they do not find themselves.
+search() { tr '\n' '\0' < "$work/files" | xargs -0 grep -InE "$1" /dev/null | cut -c 1-160; }
+search '(^|[^A-Za-z0-9_.~-])/(w[o]rk|r[o]ot|h[o]me)/' | rule "no path of one machine"
+search '(^|[^A-Za-z])(TO[D]O|FI[X]ME)([^A-Za-z]|$)' | rule "no work left marked in the files"
+search '(cr[a]n|cl[o]ud)\.r-project\.org|deb\.d[e]bian\.org|registry\.n[p]mjs' |
+  rule "no package registry's host name"
+
+passed=$(grep -c passed "$work/verdicts")
+failed=$(grep -c failed "$work/verdicts")
+echo "boundary: $passed passed, $failed failed"
+test $failed = 0

@@ -1,0 +1,70 @@
+# Rscript tools/read-check.R FOLDER.Rcheck: prints what R CMD check found amiss, and closes with
+# `check: N passed, N failed, N skipped`, one for each line of verdict.
+#
+# OK passes. ERROR and WARNING fail, and so does a NOTE, but for the one that greets every new
+# submission, and for one that only says that a tool is not on this machine (a skip).
+
+folder <- commandArgs(trailingOnly = TRUE)[1L]
+log <- readLines(file.path(folder, "00check.log"), warn = FALSE, encoding = "UTF-8")
+
+starts <- grep("^\\* ", log)
+blocks <- Map(function(from, to) log[from:to], starts, c(starts[-1L] - 1L, length(log)))
+
+# The verdict stands at the end of the heading, or on a line of its own further down.
+verdict_of <- function(block) {
+  verdicts <- "(OK|NONE|NOTE|WARN|WARNING|ERROR|SKIPPED|Note_to_CRAN_maintainers)"
+  timing <- "(\\[[^]]*\\] )?"
+  found <- c(
+    grep(paste0("^ ", timing, verdicts, "$"), sub("^.* \\.\\.\\.", "", block[1L]), value = TRUE),
+    grep(paste0("^ *", timing, verdicts, "$"), block[-1L], value = TRUE)
+  )
+  if (length(found)) sub(paste0("^ *", timing), "", found[1L]) else ""
+}
+
+is_new_submission <- function(block) {
+  said <- setdiff(trimws(block[-1L]), "")
+  grepl("CRAN incoming feasibility", block[1L], fixed = TRUE) &&
+    all(grepl("^(Maintainer: |New submission$)", said))
+}
+lacks_tool <- function(block) {
+  said <- setdiff(trimws(block[-1L]), "")
+  skips <- "^Skipping checking .*(unavailable|no command|not found)"
+  (length(said) && all(grepl(skips, said, ignore.case = TRUE))) ||
+    any(grepl("^Packages? suggested but not available for checking:", said))
+}
+
+judge <- function(block) {
+  switch(verdict_of(block),
+    OK = , NONE = , Note_to_CRAN_maintainers = "passed",
+    SKIPPED = "skipped",
+    NOTE = if (is_new_submission(block)) "passed"
+           else if (lacks_tool(block)) "skipped"
+           else "failed",
+    WARN = , WARNING = , ERROR = "failed",
+    "none"
+  )
+}
+
+verdicts <- vapply(blocks[grepl("^\\* checking", log[starts])], judge, "")
+headed <- blocks[grepl("^\\* checking", log[starts])]
+for (block in headed[verdicts %in% c("failed", "skipped")]) writeLines(block)
+writeLines(grep("^Status: ", log, value = TRUE))
+
+failed <- sum(verdicts == "failed")
+# A check that stopped midway has no status line.
+if (!any(grepl("^Status: ", log)) || (!failed && any(grepl("^Status: .*(ERROR|WARNING)", log)))) {
+  said <- file.path(dirname(folder), "check.out")
+  if (file.exists(said)) log <- readLines(said, warn = FALSE)
+  writeLines(c("R CMD check did not come to its end:", tail(log, 20L)))
+  failed <- failed + 1L
+}
+# What the failing tests printed is in files of their own, below R's greeting.
+for (file in list.files(folder, "\\.fail$", recursive = TRUE, full.names = TRUE)) {
+  said <- readLines(file, warn = FALSE)
+  writeLines(c(paste0("---- ", basename(file)), tail(said[cumsum(startsWith(said, ">")) > 0L], 60L)))
+}
+cat(sprintf(
+  "check: %d passed, %d failed, %d skipped\n", sum(verdicts == "passed"), failed,
+  sum(verdicts == "skipped")
+))
+quit(status = failed > 0L)
