@@ -30,7 +30,7 @@ audit.default <- function(x, ...) {
 #' @export
 audit.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
-  rlang::check_dots_empty()
+  check_no_dots(...)
   run <- trajectory_run(x)
   n <- nrow(x)
   if (n == 0L) {

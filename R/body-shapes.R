@@ -1,8 +1,13 @@
 # The standard shapes, from the list in src/rot_inertia.h: shape, axis, formula, size (the name of
 # the length that sizes it), k = I/(m size^2) about the axis named, kx, ky, kz about the centre.
 shape_table <- function() {
-  .Call(ffi_inertia_shapes)
+  if (is.null(shape_cache$table)) {
+    shape_cache$table <- .Call(ffi_inertia_shapes)
+  }
+  shape_cache$table
 }
+
+shape_cache <- new.env(parent = emptyenv())
 
 # The article's names of the same things.
 shape_aliases <- c(
@@ -28,8 +33,8 @@ new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
   new_body(
     shape,
     mass_kg,
-    stats::setNames(size_m, size_name),
-    matrix(diag(moments), 3, 3, dimnames = list(axes, axes)),
+    `names<-`(size_m, size_name),
+    matrix(c(moments[1], 0, 0, 0, moments[2], 0, 0, 0, moments[3]), 3, 3, dimnames = list(axes, axes)),
     beta = if (rolls) shapes$kz[i] else NA_real_,
     formula = paste0(shapes$formula[i], "  (", shapes$axis[i], ")")
   )

@@ -1,20 +1,19 @@
 # A body: mass, centre of mass, inertia tensor (point, axes and sign convention stated), size.
 # `centre_m` is in the body's own axes, whose origin is the point the shape's help names.
 new_body <- function(shape, mass_kg, size_m, inertia_kg_m2, beta, formula) {
-  structure(
-    list(
-      shape = shape,
-      mass_kg = mass_kg,
-      size_m = size_m,
-      centre_m = c(x = 0, y = 0, z = 0),
-      inertia_kg_m2 = inertia_kg_m2,
-      point = "centre of mass",
-      axes = "own",
-      beta = beta,
-      formula = formula
-    ),
-    class = "rot_body"
+  body <- list(
+    shape = shape,
+    mass_kg = mass_kg,
+    size_m = size_m,
+    centre_m = c(x = 0, y = 0, z = 0),
+    inertia_kg_m2 = inertia_kg_m2,
+    point = "centre of mass",
+    axes = "own",
+    beta = beta,
+    formula = formula
   )
+  class(body) <- "rot_body"
+  body
 }
 
 # I_n = n' I n about a unit vector n in the body's own axes.

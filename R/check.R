@@ -22,6 +22,13 @@ describe_value <- function(x) {
   paste0(article, kind, " of length ", length(x))
 }
 
+# Nothing may stand in the dots; rlang says what does.
+check_no_dots <- function(...) {
+  if (...length()) {
+    rlang::check_dots_empty0(..., call = rlang::caller_env())
+  }
+}
+
 # Arguments that the user left out, by name; `env` is the frame of the function that has them.
 check_supplied <- function(names, env) {
   for (name in names) {
@@ -37,6 +44,10 @@ is_number <- function(x) {
 
 # One finite number. `lower` is the smallest value allowed; `open` excludes it.
 check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = FALSE) {
+  if (is.double(x) && length(x) == 1L && is.null(attributes(x)) && is.finite(x) &&
+    x >= lower && x <= upper && !(open && x == lower)) {
+    return(x)
+  }
   if (is.object(x)) {
     x <- as_si(x, unit, arg, call)
   }
@@ -153,6 +164,12 @@ check_class <- function(x, class, arg, remedy, call) {
 
 # Output times: finite, not decreasing; repeated ones and none at all are fine.
 check_times <- function(time_s, call) {
+  n <- length(time_s)
+  # is.unsorted() of anything missing is NA, so sorted and finite at both ends is finite throughout.
+  if (is.double(time_s) && is.null(attributes(time_s)) && identical(is.unsorted(time_s), FALSE) &&
+    (n == 0L || (is.finite(time_s[1L]) && is.finite(time_s[n])))) {
+    return(time_s)
+  }
   time_s <- check_finite(time_s, "time_s", "s", call, "time")
   if (is.unsorted(time_s)) {
     at <- which(diff(time_s) < 0)[1]

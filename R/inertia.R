@@ -77,15 +77,15 @@ inertia_table <- function(objects = inertia_objects()) {
   mass <- check_column(objects[["mass_kg"]], "mass_kg", "kg", call)
   check_not_negative(mass, "mass_kg", "kg", call)
 
-  out <- tibble::as_tibble(objects)
   moments <- .Call(ffi_inertia_table, k, mass, size)
   rolls <- shapes$size == "radius_m" & shapes$shape != "point"
-  out$moment_of_inertia_kg_m2 <- moments$moment_of_inertia_kg_m2
-  out$beta <- ifelse(is.na(i), beta, ifelse(rolls, shapes$k, NA_real_)[i])
-  out$radius_of_gyration_m <- moments$radius_of_gyration_m
-  out$axis <- ifelse(is.na(i), "rolling axis", shapes$axis[i])
-  out$formula <- ifelse(is.na(i), "beta m r^2", shapes$formula[i])
-  out
+  out <- as.list(objects)
+  out[["moment_of_inertia_kg_m2"]] <- moments$moment_of_inertia_kg_m2
+  out[["beta"]] <- ifelse(is.na(i), beta, ifelse(rolls, shapes$k, NA_real_)[i])
+  out[["radius_of_gyration_m"]] <- moments$radius_of_gyration_m
+  out[["axis"]] <- ifelse(is.na(i), "rolling axis", shapes$axis[i])
+  out[["formula"]] <- ifelse(is.na(i), "beta m r^2", shapes$formula[i])
+  tibble::new_tibble(out, nrow = nrow(objects))
 }
 
 #' @rdname inertia_table
@@ -97,12 +97,12 @@ inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1) {
   length_m <- check_number(length_m, "length_m", "m", call, lower = 0)
   shapes <- shape_table()
   round <- shapes$size == "radius_m"
-  tibble::tibble(
+  tibble::new_tibble(list(
     object = shapes$shape,
-    mass_kg = mass_kg,
+    mass_kg = rep(mass_kg, length(round)),
     radius_m = ifelse(round, radius_m, NA_real_),
     length_m = ifelse(round, NA_real_, length_m)
-  )
+  ), nrow = length(round))
 }
 
 inertia_of_bodies <- function(bodies, call) {

@@ -91,16 +91,17 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
       paste0("fits, but costs more than ", chosen)
     }
   }, character(1))
-  out <- tibble::tibble(
+  cost <- vapply(candidates, function(m) m$cost(scene, length(time_s), accuracy), double(1))
+  columns <- list(
     model = id,
     applies = applies,
     error = vapply(candidates, function(m) m$error(accuracy), double(1)),
     error_kind = vapply(candidates, function(m) m$error_kind, character(1)),
-    cost = vapply(candidates, function(m) m$cost(scene, length(time_s), accuracy), double(1)),
+    cost = cost,
     chosen = id == chosen,
     reason = reason
   )
-  out[order(out$cost), ]
+  tibble::new_tibble(lapply(columns, `[`, order(cost)), nrow = length(id))
 }
 
 check_scene <- function(scene, call) {

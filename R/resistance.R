@@ -32,12 +32,18 @@ resistance <- function(viscous_n_m_s = 0, quadratic_n_m_s2 = 0, coulomb_n_m = 0,
       call
     )
   }
-  structure(list(viscous_n_m_s = viscous_n_m_s), class = "rot_resistance")
+  new_resistance(viscous_n_m_s)
+}
+
+new_resistance <- function(viscous_n_m_s) {
+  x <- list(viscous_n_m_s = viscous_n_m_s)
+  class(x) <- "rot_resistance"
+  x
 }
 
 as_resistance <- function(x, call) {
   if (is.null(x)) {
-    return(resistance())
+    return(new_resistance(0))
   }
   check_class(
     x, "rot_resistance", "resistance",

@@ -28,7 +28,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
                        omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1)) {
   call <- rlang::current_env()
   check_supplied("body", call)
-  rlang::check_dots_empty()
+  check_no_dots(...)
   if (inherits(body, "rot_body")) {
     axis <- check_finite(axis, "axis", "1", call)
     if (length(axis) != 3L || all(axis == 0)) {
@@ -57,19 +57,18 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
       call
     )
   }
-  structure(
-    list(
-      body = body,
-      moment_of_inertia_kg_m2 = inertia,
-      axis = axis,
-      torque = as_torque(torque, call),
-      resistance = as_resistance(resistance, call),
-      theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call),
-      omega0_rad_per_s = check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
-      start_s = check_number(start_s, "start_s", "s", call)
-    ),
-    class = c("rot_scene_axle", "rot_scene")
+  scene <- list(
+    body = body,
+    moment_of_inertia_kg_m2 = inertia,
+    axis = axis,
+    torque = as_torque(torque, call),
+    resistance = as_resistance(resistance, call),
+    theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call),
+    omega0_rad_per_s = check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
+    start_s = check_number(start_s, "start_s", "s", call)
   )
+  class(scene) <- c("rot_scene_axle", "rot_scene")
+  scene
 }
 
 #' @export

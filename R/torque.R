@@ -1,7 +1,9 @@
 # A torque law as data. Knots: time_s, torque_n_m, outside = c(before, after). A function: f,
 # breaks_s (NULL: not told), arguments (1 or 3).
 new_torque <- function(class, ...) {
-  structure(list(...), class = c(class, "rot_torque"))
+  torque <- list(...)
+  class(torque) <- c(class, "rot_torque")
+  torque
 }
 
 #' Torque laws
@@ -58,7 +60,7 @@ torque_constant <- function(torque_n_m) {
 torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
   call <- rlang::current_env()
   check_supplied("time_s", call)
-  rlang::check_dots_empty()
+  check_no_dots(...)
   if (missing(outside)) {
     outside <- "zero"
   }

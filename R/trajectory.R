@@ -42,7 +42,7 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
                        on_fail = c("abort", "truncate"), max_steps = 1e6) {
   call <- rlang::current_env()
   check_supplied(c("scene", "time_s"), call)
-  rlang::check_dots_empty()
+  check_no_dots(...)
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
@@ -257,7 +257,7 @@ glance.rot_trajectory <- function(x, ...) {
 predict.rot_trajectory <- function(object, time_s, ...) {
   call <- rlang::current_env()
   check_supplied("time_s", call)
-  rlang::check_dots_empty()
+  check_no_dots(...)
   run <- trajectory_run(object)
   time_s <- check_column(time_s, "time_s", "s", call)
   known <- which(!is.na(time_s))
@@ -288,7 +288,7 @@ spin_up <- function(body = body_disk(2, 0.25),
                     torque = torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)),
                     viscous_n_m_s = 0.03, time_s = seq(0, 8, length.out = 1000), ...,
                     theta0_rad = 0, omega0_rad_per_s = 0, accuracy = 1e-9, model = NULL) {
-  rlang::check_dots_empty()
+  check_no_dots(...)
   scene <- scene_axle(body, torque, resistance(viscous_n_m_s), theta0_rad, omega0_rad_per_s)
   trajectory(scene, time_s, accuracy, model)
 }
