@@ -108,7 +108,7 @@ rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *fro
   const double a = rot_torque_in_piece(piece, from->time_s),
                b = rot_torque_in_piece(piece, time_s);
   double s_lo, s = rot_two_sum(time_s, -from->time_s, &s_lo);
-  if (s == 0.0) {
+  if (s == 0.0 || (w0 == 0.0 && a == 0.0 && b == 0.0)) { /* at rest: even where exp(-z) is Inf */
     rot_axle_state same = *from;
     same.time_s = time_s;
     return same;
@@ -134,7 +134,7 @@ rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *fro
     terms.theta[0] = rot_product(3, (double[]){w0, I, settled}, c);
     terms.theta[1] = rot_product(3, (double[]){s, a, 0.5 - phi[1] + phi[2]}, c);
     terms.theta[2] = rot_product(3, (double[]){s, b, 0.5 - phi[2]}, c);
-    terms.reach = rot_product(2, (double[]){I, settled}, c);
+    terms.reach = rot_product(2, (double[]){I, settled}, fabs(c));
   }
   return add_terms(p, from, &terms, time_s);
 }
@@ -266,12 +266,14 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
            base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
 }
 
-/* Rows i to end - 1, all in this piece and on the far side of its base. */
-static rot_status rows_in_piece(const row_run *run, size_t i, size_t end) {
+/* Rows i to end - 1, all in this piece and on the far side of its base; *good: the end of those that
+ * came out. Tame numbers cannot fail. */
+static rot_status rows_in_piece(const row_run *run, size_t i, size_t end, size_t *good) {
   rot_status status = ROT_OK;
+  *good = end;
   if (!run->in_lanes) {
     for (; i < end && status == ROT_OK; i++) status = one_row(run, i);
-    if (status != ROT_OK) run->info->rows_done = i - 1;
+    if (status != ROT_OK) *good = i - 1;
     return status;
   }
   const double c = run->p->viscous_n_m_s, I = run->p->inertia_kg_m2;
@@ -281,8 +283,9 @@ static rot_status rows_in_piece(const row_run *run, size_t i, size_t end) {
   int filled = 0;
   for (; i < end && status == ROT_OK; i++) {
     const double t = run->time_s[i];
-    /* At a knot the torque column shows the value after a jump: leave it to one_row(). */
-    if (t == run->base.time_s || t == run->piece.start_s || t == run->piece.end_s) {
+    /* At a knot the torque column shows the value after a jump, and a first instant divided by the
+     * inertia may be out of range: one_row() knows about both. */
+    if (fabs(t - run->base.time_s) < 1e-60 || t == run->piece.start_s || t == run->piece.end_s) {
       status = one_row(run, i);
     } else if (coasting) {
       coasting_row(run, i);
@@ -338,10 +341,11 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
     while (done < end) {
       size_t chunk = end - done < ROWS_PER_POLL ? end - done : ROWS_PER_POLL;
       size_t i = forward ? first + done : last - done - chunk;
-      rot_status status = rows_in_piece(&run, i, i + chunk);
+      size_t good;
+      rot_status status = rows_in_piece(&run, i, i + chunk, &good);
+      if (forward) info->rows_done = good; /* backward, the first rows come last */
       if (status != ROT_OK) return status;
       done += chunk;
-      if (forward) info->rows_done = first + done;
       info->time_s = time_s[forward ? first + done - 1 : last - done];
       status = rot_poll(hooks, (double)(first + done) / (double)last);
       if (status != ROT_OK) return status;

@@ -9,16 +9,56 @@ typedef struct running_sum {
   double hi, lo;
 } running_sum;
 
+static double difference(running_sum a, running_sum b) { return (a.hi - b.hi) + (a.lo - b.lo); }
+
 static void add(running_sum *sum, double x) { rot_accumulate(&sum->hi, &sum->lo, x); }
 
-/* int_0^1 omega(x)^2 dx of a step, in the unit of u0 (omega at its start), ua and ub (s torque/I at
- * its ends); *size is the same with every term positive. */
-static double mean_square(double z, double u0, double ua, double ub, double *size) {
+/* What drives omega in a step, all in units of 2^unit rad/s: u0 is omega at its start; ua, ub are
+ * s torque/I at its ends, for |z| <= 8; qa, qb are torque/c there, for |z| > 3. Each is used only
+ * where it is of the size of omega, so that squares stay in range, from z = 0 to z = Inf. */
+typedef struct step_drive {
+  double z, z_lo, u0, ua, ub, qa, qb;
+  int unit;
+} step_drive;
+
+static step_drive drive_of(const rot_axle_params *p, double s, double s_lo, double w0, double a,
+                           double b) {
+  const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
+  double z_lo, z = rot_muldiv(c, s, I, &z_lo);
+  if (isfinite(z)) z_lo += z * (s_lo / s);
+  const int settled = fabs(z) > 8.0;
+  step_drive drive = {z, z_lo, 0.0, 0.0, 0.0, 0.0, 0.0, 0};
+  int e0 = 0, ea, eb;
+  const double m0 = frexp(w0, &e0);
+  const double ma = settled ? rot_product_split(1, &a, c, &ea)
+                            : rot_product_split(2, (double[]){s, a}, I, &ea);
+  const double mb = settled ? rot_product_split(1, &b, c, &eb)
+                            : rot_product_split(2, (double[]){s, b}, I, &eb);
+  int e = m0 != 0.0 ? e0 : ma != 0.0 ? ea : eb;
+  if (ma != 0.0 && ea > e) e = ea;
+  if (mb != 0.0 && eb > e) e = eb;
+  drive.unit = e;
+  drive.u0 = ldexp(m0, e0 - e);
+  if (settled) {
+    drive.qa = ldexp(ma, ea - e);
+    drive.qb = ldexp(mb, eb - e);
+  } else {
+    drive.ua = ldexp(ma, ea - e);
+    drive.ub = ldexp(mb, eb - e);
+    drive.qa = fabs(z) > 3.0 ? drive.ua / z : 0.0;
+    drive.qb = fabs(z) > 3.0 ? drive.ub / z : 0.0;
+  }
+  return drive;
+}
+
+/* int_0^1 omega(x)^2 dx of a step; *size is the same with every term positive. */
+static double mean_square(const step_drive *drive, double *size) {
+  const double z = drive->z, u0 = drive->u0, ua = drive->ua, ub = drive->ub;
   if (!(fabs(z) <= 3.0)) {
     double phi[2];
-    rot_phi(z, 0.0, 1, phi);
-    const double g1 = rot_phi_g1(z, phi[0], phi[1]), twice = -expm1(-2.0 * z) / (2.0 * z);
-    const double p1 = (ub - ua) / z, p0 = (ua - p1) / z, d = u0 - p0, pe = p0 + p1;
+    rot_phi(z, drive->z_lo, 1, phi);
+    const double g1 = rot_phi_g1(z, phi[0], phi[1]), twice = -expm1(-2.0 * z) / (2.0 * z) * (z < 0.0 ? 1.0 - 2.0 * drive->z_lo : 1.0);
+    const double p1 = drive->qb - drive->qa, p0 = drive->qa - p1 / z, d = u0 - p0, pe = p0 + p1;
     *size = (p0 * p0 + fabs(p0 * pe) + pe * pe) / 3.0 +
             2.0 * fabs(d) * (fabs(p0) * phi[1] + fabs(p1) * g1) + d * d * twice;
     return (p0 * p0 + p0 * pe + pe * pe) / 3.0 + 2.0 * d * (p0 * phi[1] + p1 * g1) + d * d * twice;
@@ -50,45 +90,58 @@ typedef struct running_ledger {
   double work_rounding, heat_rounding, impulse_rounding;
 } running_ledger;
 
+/* A product in units of 2^unit. */
+static double in_unit(int n, const double x[], int unit) {
+  int exponent;
+  const double p = rot_product_split(n, x, 1.0, &exponent);
+  return ldexp(p, exponent + unit);
+}
+
 static void add_step(const rot_axle_params *p, const rot_axle_state *from,
                      const rot_torque_piece *piece, double time_s, running_ledger *sum) {
-  const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
+  const double c = p->viscous_n_m_s;
   const double a = rot_torque_in_piece(piece, from->time_s), b = rot_torque_in_piece(piece, time_s);
-  const double s = time_s - from->time_s, w0 = from->omega_rad_per_s;
+  double s_lo, s = rot_two_sum(time_s, -from->time_s, &s_lo);
   if (s == 0.0) return;
-  const double z = rot_muldiv(c, s, I, NULL), va = rot_muldiv(s, a, I, NULL),
-               vb = rot_muldiv(s, b, I, NULL);
+  const step_drive drive = drive_of(p, s, s_lo, from->omega_rad_per_s, a, b);
+  const double z = drive.z, u0 = drive.u0;
 
-  /* Velocities in units of 2^e, so that their products stay in range; I likewise. */
-  int e, ei;
-  frexp(fmax(fabs(w0), fmax(fabs(va), fabs(vb))), &e);
-  const double u0 = ldexp(w0, -e), ua = ldexp(va, -e), ub = ldexp(vb, -e), mi = frexp(I, &ei);
+  /* Work = s (a X + b Y), X and Y the mean of omega with the weights 1-x and x. */
+  double phi[5], near_a, far_a, near_b, far_b; /* coefficients of the drive in X and Y */
+  rot_phi(z, drive.z_lo, 4, phi);
+  const double g1 = rot_phi_g1(z, phi[0], phi[1]);
+  const int settled = fabs(z) > 8.0;
+  if (settled) {
+    near_a = far_b = 1.0 / 3.0 - phi[2] + phi[3];
+    far_a = 1.0 / 6.0 - phi[3];
+    near_b = 1.0 / 6.0 - phi[1] + 2.0 * phi[2] - phi[3];
+  } else {
+    near_a = far_b = phi[3] - phi[4];
+    far_a = phi[4];
+    near_b = phi[2] - 2.0 * phi[3] + phi[4];
+  }
+  const double da = settled ? drive.qa : drive.ua, db = settled ? drive.qb : drive.ub;
+  const double x = u0 * phi[2] + da * near_a + db * far_a;
+  const double y = u0 * g1 + da * near_b + db * far_b;
+  const double x_size = fabs(u0) * phi[2] + fabs(da * near_a) + fabs(db * far_a);
+  const double y_size = fabs(u0) * g1 + fabs(da * near_b) + fabs(db * far_b);
+  double square_size, square = mean_square(&drive, &square_size);
 
-  double phi[5];
-  rot_phi(z, 0.0, 4, phi);
-  const double g1 = rot_phi_g1(z, phi[0], phi[1]), p34 = phi[3] - phi[4];
-  const double b2 = z < 8.0 ? phi[2] - 2.0 * phi[3] + phi[4]
-                            : (1.0 / 6.0 - phi[1] + 2.0 * phi[2] - phi[3]) / z;
-  const double work = ua * (u0 * phi[2] + ua * p34 + ub * phi[4]) +
-                      ub * (u0 * g1 + ua * b2 + ub * p34);
-  const double work_size =
-      fabs(ua) * (fabs(u0) * phi[2] + fabs(ua) * p34 + fabs(ub) * phi[4]) +
-      fabs(ub) * (fabs(u0) * g1 + fabs(ua) * b2 + fabs(ub) * p34);
-  double square_size, square = mean_square(z, u0, ua, ub, &square_size);
-  const double impulse = rot_product(3, (double[]){s, 0.5, a + b}, 1.0);
+  /* How far the error of omega at the start moves the two. */
+  const double u_error = ldexp(from->omega_error, -drive.unit);
+  const double largest =
+      fabs(u0) + (settled ? fabs(da) + fabs(db) : (fabs(da) + fabs(db)) * phi[1]);
+  const double x_rounding = 16.0 * ROT_EPS * x_size + u_error * phi[2];
+  const double y_rounding = 16.0 * ROT_EPS * y_size + u_error * g1;
+  const double square_rounding = 24.0 * ROT_EPS * square_size + 2.0 * u_error * largest * phi[1];
 
-  /* How far the error of omega at the start moves the two; it is relative to 2^e, too. */
-  const double e0 = ldexp(from->omega_error, -e);
-  const double largest = fabs(u0) + (fabs(ua) + fabs(ub)) * phi[1];
-  const double work_rounding =
-      16.0 * ROT_EPS * work_size + e0 * (fabs(ua) * phi[2] + fabs(ub) * g1);
-  const double heat_rounding = 24.0 * ROT_EPS * square_size + 2.0 * e0 * largest * phi[1];
-
-  add(&sum->work, ldexp(mi * work, ei + 2 * e));
-  add(&sum->heat, ldexp(rot_product(3, (double[]){c, s, square}, 1.0), 2 * e));
-  add(&sum->impulse, impulse);
-  sum->work_rounding += ldexp(mi * work_rounding, ei + 2 * e);
-  sum->heat_rounding += fabs(ldexp(rot_product(3, (double[]){c, s, heat_rounding}, 1.0), 2 * e));
+  add(&sum->work, in_unit(3, (double[]){s, a, x}, drive.unit));
+  add(&sum->work, in_unit(3, (double[]){s, b, y}, drive.unit));
+  add(&sum->heat, in_unit(3, (double[]){c, s, square}, 2 * drive.unit));
+  add(&sum->impulse, rot_product(3, (double[]){s, 0.5, a + b}, 1.0));
+  sum->work_rounding += in_unit(3, (double[]){fabs(s), fabs(a), x_rounding}, drive.unit) +
+                        in_unit(3, (double[]){fabs(s), fabs(b), y_rounding}, drive.unit);
+  sum->heat_rounding += fabs(in_unit(3, (double[]){c, s, square_rounding}, 2 * drive.unit));
   sum->impulse_rounding += 4.0 * ROT_EPS * fabs(0.5 * s) * (fabs(a) + fabs(b));
 }
 
@@ -114,18 +167,27 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
   return ROT_OK;
 }
 
+/* Rows are reached outward from the start, and so is the ledger: the other way a motion that
+ * decays outward would grow, its rounding with it. */
 rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
                                   const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info) {
+  running_ledger before = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, 0.0, 0.0, 0.0}, after = before;
   rot_axle_state state = rot_axle_start(p);
-  running_ledger sum = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, 0.0, 0.0, 0.0};
   rot_info_clear(info);
-  info->status = march(p, &state, from_s, NULL, hooks, info);
-  if (info->status == ROT_OK) info->status = march(p, &state, to_s, &sum, hooks, info);
-  out->work_j = sum.work.hi + sum.work.lo;
-  out->dissipated_j = sum.heat.hi + sum.heat.lo;
-  out->impulse_n_m_s = sum.impulse.hi + sum.impulse.lo;
-  out->work_rounding_j = sum.work_rounding;
-  out->dissipated_rounding_j = sum.heat_rounding;
-  out->impulse_rounding_n_m_s = sum.impulse_rounding;
+  if (from_s < p->start_s) {
+    if (to_s < p->start_s) info->status = march(p, &state, to_s, NULL, hooks, info);
+    if (info->status == ROT_OK) info->status = march(p, &state, from_s, &before, hooks, info);
+  }
+  if (to_s > p->start_s && info->status == ROT_OK) {
+    state = rot_axle_start(p);
+    if (from_s > p->start_s) info->status = march(p, &state, from_s, NULL, hooks, info);
+    if (info->status == ROT_OK) info->status = march(p, &state, to_s, &after, hooks, info);
+  }
+  out->work_j = difference(after.work, before.work);
+  out->dissipated_j = difference(after.heat, before.heat);
+  out->impulse_n_m_s = difference(after.impulse, before.impulse);
+  out->work_rounding_j = after.work_rounding + before.work_rounding;
+  out->dissipated_rounding_j = after.heat_rounding + before.heat_rounding;
+  out->impulse_rounding_n_m_s = after.impulse_rounding + before.impulse_rounding;
   return info->status;
 }

@@ -12,7 +12,7 @@ enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and 
 
 #define LEAST_TOLERANCE 1e-13 /* its companion runs at 1e-15: below, rounding is all one sees */
 #define PILOT_TOLERANCE 1e-2
-#define NEGLIGIBLE 1e-6       /* of the largest size on the way: below, errors need not shrink with y */
+#define NEGLIGIBLE 1e-6       /* of the size at the next row: below, errors need not shrink with y */
 #define MARGIN 1.1            /* on the companion's difference, 0.957 to 1.026 of the error */
 
 /* One run at one tolerance. */
@@ -33,7 +33,7 @@ typedef struct ode_run {
   rot_status status;          /* of the last rhs call */
   double *y, *trial, *trial_error, *slope, *trial_slope; /* dim each */
   double *largest;            /* the caller's: size of each component so far */
-  const double *pilot;        /* its size on the whole way, as the pilot saw it; or NULL */
+  const double *ahead;        /* its size at the next row, as the pilot saw it; or NULL */
 } ode_run;
 
 static int rhs_for_gsl(double t, const double y[], double dydt[], void *ctx) {
@@ -58,7 +58,7 @@ static double trial_ratio(const ode_run *run) {
   for (size_t i = 0; i < run->p->controlled; i++) {
     const double error = fabs(run->trial_error[i]);
     double scale = fmax(run->largest[i], fabs(run->trial[i]));
-    if (run->pilot) scale = fmax(scale, NEGLIGIBLE * run->pilot[i]);
+    if (run->ahead) scale = fmax(scale, NEGLIGIBLE * run->ahead[i]);
     if (!isfinite(run->trial[i])) return NAN;
     if (error != 0.0 && !(error / (run->tolerance * scale) <= ratio)) {
       ratio = error / (run->tolerance * scale);
@@ -79,6 +79,14 @@ static void accept(ode_run *run, double t) {
     run->largest[i] = fmax(run->largest[i], fabs(run->y[i]));
   }
   run->info->steps++;
+}
+
+/* Why no step is short enough: the right-hand side is not finite, or the state is about to be. */
+static rot_status why_wild(const ode_run *run) {
+  for (size_t i = 0; i < run->p->controlled; i++) {
+    if (fabs(run->y[i]) > 1e300 || fabs(run->slope[i]) > 1e300) return ROT_ERANGE;
+  }
+  return ROT_ETORQUE;
 }
 
 /* Integrate to a time with no break in between. */
@@ -128,18 +136,50 @@ static rot_status drive(ode_run *run, double target, double fraction) {
     } else {
       run->info->rejected++;
       run->h = h * (isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, -1.0 / 8.0)) : 0.1);
-      if (run->t + run->h == run->t) {
-        if (!run->wild) run->info->time_s = run->t;
-        return run->wild ? ROT_ETORQUE : ROT_ESTEP;
+      /* As short as time can be resolved, or rounded back to what was just rejected. */
+      const double next = fabs((run->t + run->h) - run->t);
+      if (!(next > 0.0 && next < fabs(h))) {
+        const rot_status why = run->wild ? why_wild(run) : ROT_ESTEP;
+        if (why != ROT_ETORQUE) run->info->time_s = run->t; /* else it is where the torque failed */
+        return why;
       }
     }
   }
   return ROT_OK;
 }
 
+/* Some of the rows, and a state at each. */
+enum { SAMPLE_ROWS = 64 };
+typedef struct row_sample {
+  size_t rows, row[SAMPLE_ROWS];
+  double time_s[SAMPLE_ROWS];
+  double *y; /* SAMPLE_ROWS of dim */
+} row_sample;
+
+/* At most `most` of the first n rows, the last one always, the first one if it lies before start. */
+static void choose_rows(row_sample *sample, const rot_ode_params *p, size_t most, size_t n,
+                        const double time_s[]) {
+  most = most < 1 ? 1 : most > SAMPLE_ROWS ? SAMPLE_ROWS : most;
+  sample->rows = n < most ? n : most;
+  for (size_t j = 0; j < sample->rows; j++) {
+    sample->row[j] = (size_t)((double)(j + 1) * (double)n / (double)sample->rows + 0.5) - 1;
+  }
+  if (sample->rows > 1 && time_s[0] < p->start_s) sample->row[0] = 0;
+  for (size_t j = 0; j < sample->rows; j++) sample->time_s[j] = time_s[sample->row[j]];
+}
+
+/* The pilot's sizes at its first row at or beyond a time; NULL if it came no further. */
+static const double *size_ahead(const row_sample *pilot, size_t dim, double t, int forward) {
+  if (!pilot) return NULL;
+  size_t k = 0;
+  while (k < pilot->rows && (forward ? pilot->time_s[k] < t : pilot->time_s[k] <= t)) k++;
+  if (forward) return k < pilot->rows ? pilot->y + k * dim : NULL;
+  return k > 0 ? pilot->y + (k - 1) * dim : NULL;
+}
+
 /* All rows on one side of the start. */
 static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_t last, int forward,
-                        double y_rows[]) {
+                        const row_sample *pilot, double y_rows[]) {
   const rot_ode_params *p = run->p;
   const size_t total = last - first;
   const double outward = forward ? INFINITY : -INFINITY;
@@ -161,6 +201,7 @@ static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_
   for (size_t done = 0; done < total; done++) {
     const size_t row = forward ? first + done : last - 1 - done;
     const double fraction = (double)done / (double)total;
+    run->ahead = size_ahead(pilot, p->dim, time_s[row], forward);
     for (;;) {
       const int more = forward ? k < p->n_breaks : k > 0;
       const double stop = more ? p->breaks[forward ? k : k - 1] : outward;
@@ -189,7 +230,7 @@ typedef struct run_plan {
 
 /* One run: rows of y at the times, and the largest size of each component. */
 static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, const double time_s[],
-                           double y_rows[], const double pilot[], double largest[],
+                           double y_rows[], const row_sample *pilot, double largest[],
                            const rot_hooks *hooks, rot_info *info) {
   ode_run run = {0};
   double *scratch = calloc(5 * p->dim, sizeof *scratch);
@@ -203,7 +244,6 @@ static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, co
   run.cap = plan->cap;
   run.shortest_wish = INFINITY;
   run.largest = largest;
-  run.pilot = pilot;
   for (size_t i = 0; i < p->dim; i++) largest[i] = fabs(p->start[i]);
   run.step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, p->dim);
   info->status = scratch && run.step ? ROT_OK : ROT_ENOMEM;
@@ -215,11 +255,11 @@ static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, co
     run.trial_slope = scratch + 4 * p->dim;
     run.system = (gsl_odeiv2_system){rhs_for_gsl, NULL, p->dim, &run};
     while (before < n && time_s[before] < p->start_s) before++;
-    info->status = sweep(&run, time_s, 0, before, 0, y_rows);
+    info->status = sweep(&run, time_s, 0, before, 0, pilot, y_rows);
   }
   if (info->status == ROT_OK) {
     info->rows_done = before;
-    info->status = sweep(&run, time_s, before, n, 1, y_rows);
+    info->status = sweep(&run, time_s, before, n, 1, pilot, y_rows);
   }
   plan->longest = run.longest;
   plan->shortest_wish = run.shortest_wish;
@@ -238,31 +278,13 @@ static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, co
  * Coarser: where every step was cut short by a row, and 1.8 times the longest would have passed the
  * error test, the companion takes those. It costs a fraction; the difference is its own error, and
  * the run's is less. */
-enum { COMPANION_ROWS = 64, COARSER_ROWS = 8 };
+enum { COARSER_ROWS = 8 }; /* rows of the run for one that the coarser companion visits */
 #define FINER_STEP 0.55
 #define COARSER_STEP 1.8
 
-typedef struct companion {
-  size_t rows, row[COMPANION_ROWS]; /* rows of the run that it visits */
-  double time_s[COMPANION_ROWS];
-  double *y;
-} companion;
-
-/* At most `most` of the first n rows, the last one always, the first one if it lies before start. */
-static void choose_rows(companion *c, const rot_ode_params *p, size_t most, size_t n,
-                        const double time_s[]) {
-  most = most < 1 ? 1 : most > COMPANION_ROWS ? COMPANION_ROWS : most;
-  c->rows = n < most ? n : most;
-  for (size_t j = 0; j < c->rows; j++) {
-    c->row[j] = (size_t)((double)(j + 1) * (double)n / (double)c->rows + 0.5) - 1;
-  }
-  if (c->rows > 1 && time_s[0] < p->start_s) c->row[0] = 0;
-  for (size_t j = 0; j < c->rows; j++) c->time_s[j] = time_s[c->row[j]];
-}
-
 /* error[i]: largest difference of component i between the run and its companion. Returns the worst
  * of the controlled ones relative to their largest size. */
-static double compare(const rot_ode_params *p, const double y[], const companion *c, size_t rows,
+static double compare(const rot_ode_params *p, const double y[], const row_sample *c, size_t rows,
                       const double largest[], double steps, double error[]) {
   double worst = 0.0;
   for (size_t i = 0; i < p->dim; i++) {
@@ -276,42 +298,51 @@ static double compare(const rot_ode_params *p, const double y[], const companion
   return worst;
 }
 
-/* A rough run to the ends of the way. A motion that begins at 1e-300 of its later size, under a
- * torque that rises out of nothing, would otherwise be resolved through every decade: 1.3e6 calls
- * for a Gaussian pulse, 8e3 with the pilot. */
+/* A rough run, for the size of the motion at some of the rows and before. Without it a motion that
+ * begins at 1e-300 of its later size, under a torque that rises out of nothing, is resolved through
+ * every decade: 1.3e6 calls for a Gaussian pulse, 8e3 with the pilot. */
 static rot_status run_pilot(const rot_ode_params *p, size_t n, const double time_s[],
-                            double pilot[], const rot_hooks *hooks, rot_info *info) {
-  const double ends[2] = {time_s[0], time_s[n - 1]};
-  const size_t first = n < 2 || ends[0] >= p->start_s;
-  double *y = malloc(2 * p->dim * sizeof *y);
-  if (!y) return ROT_ENOMEM;
+                            row_sample *pilot, double largest[], const rot_hooks *hooks,
+                            rot_info *info) {
   run_plan rough = {PILOT_TOLERANCE, INFINITY, 0.0, 0.0};
-  run_once(p, &rough, 2 - first, ends + first, y, NULL, pilot, hooks, info);
-  free(y);
-  info->rows_done = 0;
+  choose_rows(pilot, p, SAMPLE_ROWS, n, time_s);
+  run_once(p, &rough, pilot->rows, pilot->time_s, pilot->y, NULL, largest, hooks, info);
   /* Where the pilot fails the run itself will say so, with its rows. */
+  pilot->rows = info->rows_done;
+  info->rows_done = 0;
+  size_t before = 0;
+  while (before < pilot->rows && pilot->time_s[before] < p->start_s) before++;
+  for (size_t j = 0; j < pilot->rows; j++) { /* outward from the start, sizes only grow */
+    const size_t row = j < before ? before - 1 - j : j;
+    const double *inner = row == before || row + 1 == before ? p->start
+                          : pilot->y + (row < before ? row + 1 : row - 1) * p->dim;
+    double *size = pilot->y + row * p->dim;
+    for (size_t i = 0; i < p->dim; i++) size[i] = fmax(fabs(size[i]), fabs(inner[i]));
+  }
   return info->status == ROT_EUNWIND ? ROT_EUNWIND : ROT_OK;
 }
 
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double error[], double largest[], const rot_hooks *hooks, rot_info *info) {
   gsl_set_error_handler_off(); /* process-wide, and aborts by default: at every entry */
-  double *scratch = calloc((2 + COMPANION_ROWS) * p->dim, sizeof *scratch);
-  double *pilot = scratch, *unused = scratch + p->dim;
+  double *scratch = calloc((1 + 2 * SAMPLE_ROWS) * p->dim, sizeof *scratch);
+  row_sample pilot, other;
   double tolerance = fmax(LEAST_TOLERANCE, 0.1 * p->accuracy);
   size_t rhs_calls = 0;
   rot_info_clear(info);
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
-  if (info->status == ROT_OK && n > 0) {
-    info->status = run_pilot(p, n, time_s, pilot, hooks, info);
+  pilot.y = scratch;
+  other.y = scratch + SAMPLE_ROWS * p->dim;
+  double *unused = scratch + 2 * SAMPLE_ROWS * p->dim;
+  if (info->status == ROT_OK) {
+    info->status = run_pilot(p, n, time_s, &pilot, unused, hooks, info);
     rhs_calls += info->rhs_calls;
   }
   int coarser = 1; /* try that first */
   while (info->status == ROT_OK) {
-    companion other;
     rot_info report;
     run_plan plan = {tolerance, INFINITY, 0.0, 0.0};
-    run_once(p, &plan, n, time_s, y, pilot, largest, hooks, info);
+    run_once(p, &plan, n, time_s, y, &pilot, largest, hooks, info);
     rhs_calls += info->rhs_calls;
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
 
@@ -320,12 +351,11 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     double worst = INFINITY;
     coarser = coarser && plan.shortest_wish >= COARSER_STEP * plan.longest;
     for (; worst > p->accuracy; coarser = 0) {
-      const size_t most = coarser ? reached / COARSER_ROWS : COMPANION_ROWS;
+      const size_t most = coarser ? reached / COARSER_ROWS : SAMPLE_ROWS;
       run_plan with = {coarser ? tolerance : 0.01 * tolerance,
                        coarser ? INFINITY : FINER_STEP * plan.longest, 0.0, 0.0};
       choose_rows(&other, p, most, reached, time_s);
-      other.y = scratch + 2 * p->dim;
-      run_once(p, &with, other.rows, other.time_s, other.y, pilot, unused, hooks, &report);
+      run_once(p, &with, other.rows, other.time_s, other.y, &pilot, unused, hooks, &report);
       rhs_calls += report.rhs_calls;
       if (report.status == ROT_OK || !coarser) {
         worst = compare(p, y, &other, report.rows_done, largest, (double)info->steps, error);

@@ -55,6 +55,10 @@ void rot_phi(double z, double z_lo, int k_max, double phi[]) {
   phi[1] = z != 0.0 ? -expm1(-z) / z : 1.0;
   if (z >= 3.0 || z <= -4.0) {
     for (int k = 1; k < k_max; k++) phi[k + 1] = (inverse_factorial[k] - phi[k]) / z;
+    if (z <= -4.0 && isfinite(e)) {
+      /* phi_k grows as exp(-z)/(-z)^k, and so does what the residual is worth. */
+      for (int k = 1; k <= k_max; k++) phi[k] -= phi[k] * z_lo * (1.0 + k / z);
+    }
   } else if (z >= 0.5) {
     kummer(z, e, k_max, phi);
   } else if (k_max > 1) {

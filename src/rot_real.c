@@ -8,26 +8,34 @@ double rot_muldiv(double a, double b, double c, double *lo) {
   double p = rot_two_prod(ma, mb, &p_lo), q = p / mc;
   int e = ea + eb - ec;
   double x = ldexp(q, e);
-  if (lo) *lo = isfinite(x) ? ldexp((fma(-q, mc, p) + p_lo) / mc, e) : 0.0;
+  if (lo) *lo = isfinite(x) && isfinite(c) ? ldexp((fma(-q, mc, p) + p_lo) / mc, e) : 0.0;
   return x;
 }
 
-double rot_product(int n, const double x[], double d) {
-  int exponent = 0, e = 0;
+double rot_product_split(int n, const double x[], double d, int *exponent) {
+  int e = 0;
   double p = 1.0;
+  *exponent = 0;
   for (int i = 0; i < n; i++, e = 0) {
     p *= frexp(x[i], &e);
-    exponent += e;
+    *exponent += e;
   }
   p /= frexp(d, &e);
-  return ldexp(p, exponent - e);
+  *exponent -= e;
+  return p;
+}
+
+double rot_product(int n, const double x[], double d) {
+  int exponent;
+  double p = rot_product_split(n, x, d, &exponent);
+  return ldexp(p, exponent);
 }
 
 /* Reduce to r in [-45, 45] degrees (remquo is exact), then to radians as x + *x_lo, with
  * pi/180 carried to 106 bits. Returns the quadrant. */
 static int reduce_deg(double deg, double *x, double *x_lo) {
   const double hi = 0x1.1df46a2529d39p-6, lo = 0x1.5c1d8becdd291p-62;
-  int quadrant;
+  int quadrant = 0; /* remquo() of NaN and Inf may leave it alone */
   double r = remquo(deg, 90.0, &quadrant);
   *x = rot_two_prod(r, hi, x_lo);
   *x_lo += r * lo;

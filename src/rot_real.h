@@ -33,8 +33,10 @@ static inline void rot_accumulate(double *sum, double *lo, double x) {
 /* a*b/c to 0.5 ulp, with the residual in *lo (may be NULL); c is not 0. */
 double rot_muldiv(double a, double b, double c, double *lo);
 
-/* Product of n numbers, divided by d: at most n + 1 roundings whatever the size of the factors. */
+/* Product of n numbers, divided by d: at most n + 1 roundings whatever the size of the factors.
+ * rot_product_split() leaves off the power of two. */
 double rot_product(int n, const double x[], double d);
+double rot_product_split(int n, const double x[], double d, int *exponent);
 
 /* sin and cos of an angle in degrees: the reduction is exact, so sin(30) = 0.5 and cos(90) = 0. */
 double rot_sin_deg(double deg);
