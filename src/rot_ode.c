@@ -11,8 +11,7 @@
 enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and more */
 
 #define LEAST_TOLERANCE 1e-13 /* its companion runs at 1e-15: below, rounding is all one sees */
-#define PILOT_TOLERANCE 1e-2
-#define NEGLIGIBLE 1e-6       /* of the size at the next row: below, errors need not shrink with y */
+#define LEAST_SIZE 1e-290     /* below, doubles have no 16 digits left that an error test could ask for */
 #define MARGIN 1.1            /* on the companion's difference, 0.957 to 1.026 of the error */
 
 /* One run at one tolerance. */
@@ -33,7 +32,6 @@ typedef struct ode_run {
   rot_status status;          /* of the last rhs call */
   double *y, *trial, *trial_error, *slope, *trial_slope; /* dim each */
   double *largest;            /* the caller's: size of each component so far */
-  const double *ahead;        /* its size at the next row, as the pilot saw it; or NULL */
 } ode_run;
 
 static int rhs_for_gsl(double t, const double y[], double dydt[], void *ctx) {
@@ -57,8 +55,9 @@ static double trial_ratio(const ode_run *run) {
   double ratio = 0.0;
   for (size_t i = 0; i < run->p->controlled; i++) {
     const double error = fabs(run->trial_error[i]);
-    double scale = fmax(run->largest[i], fabs(run->trial[i]));
-    if (run->ahead) scale = fmax(scale, NEGLIGIBLE * run->ahead[i]);
+    /* Of its size so far, never of its size later: where errors grow with the motion, what is
+     * small against the end is all there is at the start. */
+    const double scale = fmax(LEAST_SIZE, fmax(run->largest[i], fabs(run->trial[i])));
     if (!isfinite(run->trial[i])) return NAN;
     if (error != 0.0 && !(error / (run->tolerance * scale) <= ratio)) {
       ratio = error / (run->tolerance * scale);
@@ -168,18 +167,9 @@ static void choose_rows(row_sample *sample, const rot_ode_params *p, size_t most
   for (size_t j = 0; j < sample->rows; j++) sample->time_s[j] = time_s[sample->row[j]];
 }
 
-/* The pilot's sizes at its first row at or beyond a time; NULL if it came no further. */
-static const double *size_ahead(const row_sample *pilot, size_t dim, double t, int forward) {
-  if (!pilot) return NULL;
-  size_t k = 0;
-  while (k < pilot->rows && (forward ? pilot->time_s[k] < t : pilot->time_s[k] <= t)) k++;
-  if (forward) return k < pilot->rows ? pilot->y + k * dim : NULL;
-  return k > 0 ? pilot->y + (k - 1) * dim : NULL;
-}
-
 /* All rows on one side of the start. */
 static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_t last, int forward,
-                        const row_sample *pilot, double y_rows[]) {
+                        double y_rows[]) {
   const rot_ode_params *p = run->p;
   const size_t total = last - first;
   const double outward = forward ? INFINITY : -INFINITY;
@@ -201,7 +191,6 @@ static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_
   for (size_t done = 0; done < total; done++) {
     const size_t row = forward ? first + done : last - 1 - done;
     const double fraction = (double)done / (double)total;
-    run->ahead = size_ahead(pilot, p->dim, time_s[row], forward);
     for (;;) {
       const int more = forward ? k < p->n_breaks : k > 0;
       const double stop = more ? p->breaks[forward ? k : k - 1] : outward;
@@ -230,7 +219,7 @@ typedef struct run_plan {
 
 /* One run: rows of y at the times, and the largest size of each component. */
 static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, const double time_s[],
-                           double y_rows[], const row_sample *pilot, double largest[],
+                           double y_rows[], double largest[],
                            const rot_hooks *hooks, rot_info *info) {
   ode_run run = {0};
   double *scratch = calloc(5 * p->dim, sizeof *scratch);
@@ -255,11 +244,11 @@ static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, co
     run.trial_slope = scratch + 4 * p->dim;
     run.system = (gsl_odeiv2_system){rhs_for_gsl, NULL, p->dim, &run};
     while (before < n && time_s[before] < p->start_s) before++;
-    info->status = sweep(&run, time_s, 0, before, 0, pilot, y_rows);
+    info->status = sweep(&run, time_s, 0, before, 0, y_rows);
   }
   if (info->status == ROT_OK) {
     info->rows_done = before;
-    info->status = sweep(&run, time_s, before, n, 1, pilot, y_rows);
+    info->status = sweep(&run, time_s, before, n, 1, y_rows);
   }
   plan->longest = run.longest;
   plan->shortest_wish = run.shortest_wish;
@@ -298,51 +287,22 @@ static double compare(const rot_ode_params *p, const double y[], const row_sampl
   return worst;
 }
 
-/* A rough run, for the size of the motion at some of the rows and before. Without it a motion that
- * begins at 1e-300 of its later size, under a torque that rises out of nothing, is resolved through
- * every decade: 1.3e6 calls for a Gaussian pulse, 8e3 with the pilot. */
-static rot_status run_pilot(const rot_ode_params *p, size_t n, const double time_s[],
-                            row_sample *pilot, double largest[], const rot_hooks *hooks,
-                            rot_info *info) {
-  run_plan rough = {PILOT_TOLERANCE, INFINITY, 0.0, 0.0};
-  choose_rows(pilot, p, SAMPLE_ROWS, n, time_s);
-  run_once(p, &rough, pilot->rows, pilot->time_s, pilot->y, NULL, largest, hooks, info);
-  /* Where the pilot fails the run itself will say so, with its rows. */
-  pilot->rows = info->rows_done;
-  info->rows_done = 0;
-  size_t before = 0;
-  while (before < pilot->rows && pilot->time_s[before] < p->start_s) before++;
-  for (size_t j = 0; j < pilot->rows; j++) { /* outward from the start, sizes only grow */
-    const size_t row = j < before ? before - 1 - j : j;
-    const double *inner = row == before || row + 1 == before ? p->start
-                          : pilot->y + (row < before ? row + 1 : row - 1) * p->dim;
-    double *size = pilot->y + row * p->dim;
-    for (size_t i = 0; i < p->dim; i++) size[i] = fmax(fabs(size[i]), fabs(inner[i]));
-  }
-  return info->status == ROT_EUNWIND ? ROT_EUNWIND : ROT_OK;
-}
-
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double error[], double largest[], const rot_hooks *hooks, rot_info *info) {
   gsl_set_error_handler_off(); /* process-wide, and aborts by default: at every entry */
-  double *scratch = calloc((1 + 2 * SAMPLE_ROWS) * p->dim, sizeof *scratch);
-  row_sample pilot, other;
+  double *scratch = calloc((1 + SAMPLE_ROWS) * p->dim, sizeof *scratch);
+  row_sample other;
   double tolerance = fmax(LEAST_TOLERANCE, 0.1 * p->accuracy);
   size_t rhs_calls = 0;
   rot_info_clear(info);
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
-  pilot.y = scratch;
-  other.y = scratch + SAMPLE_ROWS * p->dim;
-  double *unused = scratch + 2 * SAMPLE_ROWS * p->dim;
-  if (info->status == ROT_OK) {
-    info->status = run_pilot(p, n, time_s, &pilot, unused, hooks, info);
-    rhs_calls += info->rhs_calls;
-  }
+  other.y = scratch;
+  double *unused = scratch + SAMPLE_ROWS * p->dim;
   int coarser = 1; /* try that first */
   while (info->status == ROT_OK) {
     rot_info report;
     run_plan plan = {tolerance, INFINITY, 0.0, 0.0};
-    run_once(p, &plan, n, time_s, y, &pilot, largest, hooks, info);
+    run_once(p, &plan, n, time_s, y, largest, hooks, info);
     rhs_calls += info->rhs_calls;
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
 
@@ -355,7 +315,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
       run_plan with = {coarser ? tolerance : 0.01 * tolerance,
                        coarser ? INFINITY : FINER_STEP * plan.longest, 0.0, 0.0};
       choose_rows(&other, p, most, reached, time_s);
-      run_once(p, &with, other.rows, other.time_s, other.y, &pilot, unused, hooks, &report);
+      run_once(p, &with, other.rows, other.time_s, other.y, unused, hooks, &report);
       rhs_calls += report.rhs_calls;
       if (report.status == ROT_OK || !coarser) {
         worst = compare(p, y, &other, report.rows_done, largest, (double)info->steps, error);

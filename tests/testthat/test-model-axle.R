@@ -262,6 +262,12 @@ test_that("the integrator agrees with another one", {
   expect_equal(motion$omega_rad_per_s, unname(other[, 3]), tolerance = 1e-10)
 })
 
+test_that("a motion that grows by e^50 keeps its relative accuracy from the first row on", {
+  scene <- scene_axle(2, resistance = resistance(-1), omega0_rad_per_s = 3)
+  motion <- trajectory(scene, c(0.1, 1, 10, 100), model = "axle_rk8pd")
+  expect_equal(motion$omega_rad_per_s / (3 * exp(c(0.05, 0.5, 5, 50))), rep(1, 4), tolerance = 1e-8)
+})
+
 test_that("integrating backwards", {
   scene <- scene_axle(2, torque_function(cos, numeric()), resistance(0.3), omega0_rad_per_s = 1)
   exact <- function(t) { # I w' = cos t - c w
