@@ -177,12 +177,16 @@ torque_breaks <- function(scene, time_s, complain, call) {
 }
 
 # A function of the fraction done, for the C code to call at most 20 times a second. The bar comes
-# into being at the first call, so that short work makes none.
+# into being after a second, so that short work makes none.
 progress_bar <- function(name) {
   bar <- NULL
   owner <- parent.frame()
+  start <- proc.time()[[3L]]
   function(fraction) {
     if (is.null(bar)) {
+      if (proc.time()[[3L]] - start < 1) {
+        return()
+      }
       bar <<- cli::cli_progress_bar(name, total = 1, .envir = owner)
     }
     cli::cli_progress_update(set = fraction, id = bar, .envir = owner)
