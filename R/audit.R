@@ -3,8 +3,8 @@
 #' Two balances from the first row to the last. Energy: the change of kinetic energy against the
 #' work of the torque less what the resistance took. Momentum: the change of angular momentum
 #' against the impulses of both. Work, heat and impulses are computed by themselves (in closed form,
-#' or with the integration), never as what is missing, so a residual means something; each comes with
-#' what rounding and the stated error could explain, and a verdict.
+#' or with the integration), never as what is missing, so a residual means something; each comes
+#' with what rounding and the stated error could explain, and a verdict.
 #'
 #' The changes are taken from the rows as they stand: edit a value, and the audit says so. When rows
 #' were dropped, the balance runs over the rows that are left.

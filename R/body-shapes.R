@@ -34,7 +34,10 @@ new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
     shape,
     mass_kg,
     `names<-`(size_m, size_name),
-    matrix(c(moments[1], 0, 0, 0, moments[2], 0, 0, 0, moments[3]), 3, 3, dimnames = list(axes, axes)),
+    matrix(
+      c(moments[1], 0, 0, 0, moments[2], 0, 0, 0, moments[3]), 3, 3,
+      dimnames = list(axes, axes)
+    ),
     beta = if (rolls) shapes$kz[i] else NA_real_,
     formula = paste0(shapes$formula[i], "  (", shapes$axis[i], ")")
   )
@@ -61,8 +64,8 @@ new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
 #' @return A `rot_body`: a list with `shape`, `mass_kg`, `size_m`, `centre_m` (in the own axes),
 #'   `inertia_kg_m2` (3 x 3, about the centre of mass; off-diagonal elements are minus the products
 #'   of inertia), `point`, `axes`, `beta` and `formula`. Products carry at most four roundings.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is not
-#'   one finite number of at least 0 (NA, NaN and Inf included); `rotdyn_error_unit` for a units
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
+#'   not one finite number of at least 0 (NA, NaN and Inf included); `rotdyn_error_unit` for a units
 #'   object of another dimension.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), chapter 5.
 #' @seealso [scene_axle()] puts a body on an axle; [inertia_table()] compares shapes.

@@ -30,7 +30,7 @@ column_list <- list(
   c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque"),
   c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
   c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
-  c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what rounding and the stated error could explain"),
+  c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what both could explain of it"),
   c("verdict", "", "\"balanced\" if both residuals are explained, else \"unbalanced\""),
   c("constraint", "", "what the body may do: axle, ..."),
   c("equations", "", "equations that the model solves"),
@@ -87,7 +87,10 @@ describe_columns <- function(names) {
   unit <- ifelse(rows$unit %in% c("", "1"), "", paste0(" (", rows$unit, ")"))
   paste0(
     "\\itemize{\n",
-    paste0("\\item \\code{", rows$name, "}", unit, ": ", gsub("`", "", rows$meaning), collapse = "\n"),
+    paste0(
+      "\\item \\code{", rows$name, "}", unit, ": ", gsub("`", "", rows$meaning),
+      collapse = "\n"
+    ),
     "\n}"
   )
 }
@@ -109,4 +112,15 @@ audit_columns <- c(
 rolling_columns <- c(
   "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction",
   "translational_energy_fraction"
+)
+energy_columns <- c(
+  "moment_of_inertia_kg_m2", "omega_rad_per_s", "translational_kinetic_energy_j",
+  "rotational_kinetic_energy_j", "total_kinetic_energy_j", "rotational_energy_fraction"
+)
+inertia_columns <- c(
+  "moment_of_inertia_kg_m2", "beta", "radius_of_gyration_m", "axis", "formula"
+)
+model_columns <- c(
+  "model", "constraint", "equations", "assumptions", "limits", "requires", "error", "error_kind",
+  "source"
 )

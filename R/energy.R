@@ -6,12 +6,12 @@
 #' @param mass_kg,radius_m,beta,speed_m_per_s Mass (at least 0), radius (greater than 0), `beta` (at
 #'   least 0) and speed: columns of length 1 or n.
 #' @return A tibble with one row for each body: the four arguments, then
-#'   `r describe_columns(c("moment_of_inertia_kg_m2", "omega_rad_per_s", "translational_kinetic_energy_j", "rotational_kinetic_energy_j", "total_kinetic_energy_j", "rotational_energy_fraction"))`
+#'   `r describe_columns(energy_columns)`
 #'   NA in a row gives NA in what depends on it. Products carry at most four roundings each.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
-#' @source Koenig's theorem: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section
-#'   1.2.
+#' @source Koenig's theorem: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002),
+#'   section 1.2.
 #' @examples
 #' energy_partition(mass_kg = 1, radius_m = 0.1, beta = c(1, 0.5, 0.4), speed_m_per_s = 3)
 #' @export

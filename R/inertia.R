@@ -12,11 +12,11 @@
 #'   * a `rot_body`, or a list of them: the moment about the body's `z` axis.
 #' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects.
 #' @return A tibble: the columns of `objects`, then
-#'   `r describe_columns(c("moment_of_inertia_kg_m2", "beta", "radius_of_gyration_m", "axis", "formula"))`
+#'   `r describe_columns(inertia_columns)`
 #'   `beta` is NA for what does not roll. NA in a row's mass or size gives NA in that row's moment.
 #'   Each moment carries at most four roundings (5e-16), whatever the size of its factors.
-#' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_value` for
-#'   a negative mass or length or an unknown shape without `beta`, `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_value`
+#'   for a negative mass or length or an unknown shape without `beta`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), chapter 5.
 #' @examples
 #' inertia_table()

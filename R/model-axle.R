@@ -167,7 +167,8 @@ torque_breaks <- function(scene, time_s, complain, call) {
         "The torque function was not told its {.arg breaks_s}; a scan found {length(breaks)}.",
         i = "At {shown} s. The integrator stops there.",
         i = "Breaks closer than {format(diff(range(scene$start_s, time_s)) / (scan_points - 1),
-             digits = 2)} s may be missed: to be sure, give {.code torque_function(f, breaks_s = )}."
+             digits = 2)} s may be missed: to be sure, give
+             {.code torque_function(f, breaks_s = )}."
       ),
       "breaks",
       call

@@ -22,7 +22,7 @@ all_models <- function() {
 #' Every model that the package can run, cheapest first within a constraint.
 #'
 #' @return A tibble with one row for each model:
-#'   `r describe_columns(c("model", "constraint", "equations", "assumptions", "limits", "requires", "error", "error_kind", "source"))`
+#'   `r describe_columns(model_columns)`
 #'   `error` is the smallest relative error that the model promises.
 #' @seealso [choose_model()] says which of them fit a scene.
 #' @examples

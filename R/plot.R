@@ -54,7 +54,9 @@ autoplot.rot_trajectory <- function(object, ...) {
     time_s = rep(object$time_s, length(panels)),
     value = unlist(lapply(names(panels), function(name) object[[name]]), use.names = FALSE),
     panel = factor(rep(panels, each = n), levels = unique(panels)),
-    line = factor(rep(lines[names(panels)], each = n), levels = c("applied", "damping", "net", "state"))
+    line = factor(
+      rep(lines[names(panels)], each = n), levels = c("applied", "damping", "net", "state")
+    )
   )
   ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$line)) +
     ggplot2::geom_hline(yintercept = 0, colour = "grey80") +
@@ -73,7 +75,7 @@ autoplot.rot_trajectory <- function(object, ...) {
       breaks = c("applied", "damping", "net"), name = "torque"
     ) +
     ggplot2::labs(
-      title = paste(if (is.null(shape)) "A body" else paste("A", gsub("_", " ", shape)), "on a fixed axle"),
+      title = paste("A", gsub("_", " ", shape %||% "body"), "on a fixed axle"),
       subtitle = paste0("model ", run$model, ", relative error ", describe_error(run)),
       x = "time (s)", y = NULL
     ) +

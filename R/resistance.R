@@ -7,8 +7,8 @@
 #' @param quadratic_n_m_s2,coulomb_n_m,static_n_m Quadratic, sliding and static friction. This
 #'   version does not have them yet: anything but 0 is an error of class `rotdyn_error_not_yet`.
 #' @return A `rot_resistance`.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for what is not one
-#'   finite number; `rotdyn_error_unit`; `rotdyn_error_not_yet`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for what is not
+#'   one finite number; `rotdyn_error_unit`; `rotdyn_error_not_yet`.
 #' @examples
 #' resistance(viscous_n_m_s = 0.03)
 #' @export

@@ -114,14 +114,14 @@ rolling_objects <- function() {
 #' | `rolling_final_speed()` | `sqrt(2 g h/(1 + beta))`, m/s |
 #' | `rotational_energy_fraction()` | `beta/(1 + beta)` |
 #' | `translational_energy_fraction()` | `1/(1 + beta)` |
-#' | `rolling_friction_coefficient()` | `tan\|angle\| beta/(1 + beta)`: the least static friction coefficient that rolling without slipping needs |
+#' | `rolling_friction_coefficient()` | `tan\|angle\| beta/(1 + beta)`, the least for rolling |
 #'
 #' @param beta `I/(m r^2)`, at least 0. Inf takes the limit.
 #' @inheritParams rolling_table
 #' @return Doubles, with NA where an argument is NA. Largest error: 2 ulp (3 ulp for the friction
 #'   coefficient).
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of the
-#'   first value outside its domain, `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
+#'   the first value outside its domain, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
 #' @examples
 #' rolling_acceleration(beta = c(1, 0.5, 0.4), incline_angle_deg = 20)

@@ -21,9 +21,10 @@
 #'   on the body: it has the sign opposite to the rate. `net = applied + damping`.
 #' * **Axes** of a body: its own, from its centre of mass; `z` is the axis it is usually spun about
 #'   (the symmetry axis of a disk), and a rod lies along `x`.
-#' * **Error figures** are relative: the largest error of theta over the rows, divided by the largest
-#'   |theta| from the start to the last row; or the same of omega, if that is larger. A `"bound"` is never exceeded; an
-#'   `"estimate"` is the difference to a run at a hundredth of the tolerance, plus a tenth.
+#' * **Error figures** are relative: the largest error of theta over the rows, divided by the
+#'   largest |theta| from the start to the last row; or the same of omega, if that is larger. A
+#'   `"bound"` is never exceeded; an `"estimate"` is the difference to a run with other steps, at
+#'   a hundredth of the tolerance where that is needed, plus a tenth.
 #' * **Missing values**: functions of numbers give NA for NA, row by row. A description (a body, a
 #'   torque, a scene, a grid of times) must be complete.
 #'
@@ -36,6 +37,3 @@
 #' @importFrom generics glance
 #' @importFrom rlang .data
 "_PACKAGE"
-
-#' @export
-generics::glance

@@ -14,8 +14,8 @@
 #'   does cannot depend on when it is looked at. Times before it are reached backwards.
 #' @param axis Direction of the axle in the body's own axes, any length but 0.
 #' @return A `rot_scene_axle`, which is a `rot_scene`.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (no inertia to turn
-#'   included), `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (no inertia to
+#'   turn included), `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @examples
 #' scene_axle(

@@ -32,8 +32,8 @@ new_torque <- function(class, ...) {
 #' @param breaks_s Times where `f` may jump or kink.
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_torque`.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is not
-#'   finite numbers of one length, `rotdyn_error_time` for knots that go back in time,
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
+#'   not finite numbers of one length, `rotdyn_error_time` for knots that go back in time,
 #'   `rotdyn_error_unit`. What `f` returns is checked when it is called: `rotdyn_error_torque`.
 #' @examples
 #' torque_knots(time_s = c(0, 1, 4, 6, 8), torque_n_m = c(0, 0.8, 0.8, 0, 0))
@@ -216,7 +216,8 @@ describe_torque <- function(torque) {
   outside <- if (all(torque$outside == 0)) "zero" else "held"
   paste0(
     "straight lines between ", n, " knots from ", format_si(torque$time_s[1]), " to ",
-    format_si(torque$time_s[n]), " s", if (jumps) paste0(", ", jumps, if (jumps == 1) " jump" else " jumps"), ", ",
+    format_si(torque$time_s[n]), " s",
+    if (jumps) paste0(", ", jumps, if (jumps == 1) " jump" else " jumps"), ", ",
     format_si(min(torque$torque_n_m)), " to ", format_si(max(torque$torque_n_m)), " N m, ",
     outside, " outside"
   )

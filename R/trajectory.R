@@ -19,7 +19,7 @@
 #'   each row.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
 #'   [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()] the
-#'   balance, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while these columns stand.
+#'   balance, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the columns stand.
 #' @section Warnings: `rotdyn_warning_breaks` when breaks of a torque function had to be looked for;
 #'   `rotdyn_warning_accuracy` when the error figure exceeds the accuracy asked for.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or
@@ -72,7 +72,8 @@ run_trajectory <- function(record, scene, time_s, accuracy, on_fail, max_steps, 
       c(
         "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
          than the accuracy of {format(accuracy)} asked for.",
-        i = "Large terms of two signs cancel in this motion; the {record$error_kind} is what is left."
+        i = "Large terms of two signs cancel in this motion: the {record$error_kind} says how much
+             is left."
       ),
       "accuracy",
       call
@@ -235,6 +236,8 @@ summary.rot_trajectory <- function(object, ...) {
 }
 
 #' @rdname summary.rot_trajectory
+#' @aliases glance
+#' @rawNamespace export(glance)
 #' @export
 glance.rot_trajectory <- function(x, ...) {
   summary(x)

@@ -122,21 +122,13 @@ SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *column
 
 SEXP ffi_info(const rot_info *info) {
   static const char *const names[] = {
-      "kind",      "text",        "time_s",      "rows_done", "steps",     "rejected",
-      "rhs_calls", "theta_error", "omega_error", "theta_max", "omega_max", "error",
-      "tolerance", ""};
+      "kind",        "text",        "time_s",    "rows_done", "steps", "rejected",  "rhs_calls",
+      "theta_error", "omega_error", "theta_max", "omega_max", "error", "tolerance", ""};
   SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  const double numbers[] = {info->time_s,
-                            (double)info->rows_done,
-                            (double)info->steps,
-                            (double)info->rejected,
-                            (double)info->rhs_calls,
-                            info->theta_error,
-                            info->omega_error,
-                            info->theta_max,
-                            info->omega_max,
-                            rot_info_error(info),
-                            info->tolerance};
+  const double numbers[] = {info->time_s,           (double)info->rows_done, (double)info->steps,
+                            (double)info->rejected, (double)info->rhs_calls, info->theta_error,
+                            info->omega_error,      info->theta_max,         info->omega_max,
+                            rot_info_error(info),   info->tolerance};
   SET_VECTOR_ELT(list, 0, Rf_mkString(rot_status_kind(info->status)));
   SET_VECTOR_ELT(list, 1, Rf_mkString(rot_status_text(info->status)));
   for (int i = 0; i < 11; i++) SET_VECTOR_ELT(list, i + 2, Rf_ScalarReal(numbers[i]));

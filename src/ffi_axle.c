@@ -43,9 +43,9 @@ static SEXP new_columns(SEXP time_s, rot_axle_columns *out) {
 }
 
 static SEXP ledger_vector(const rot_axle_ledger *ledger) {
-  const double numbers[] = {ledger->work_j,          ledger->dissipated_j,
-                            ledger->impulse_n_m_s,   ledger->work_rounding_j,
-                            ledger->dissipated_rounding_j, ledger->impulse_rounding_n_m_s};
+  const double numbers[] = {
+      ledger->work_j,          ledger->dissipated_j,          ledger->impulse_n_m_s,
+      ledger->work_rounding_j, ledger->dissipated_rounding_j, ledger->impulse_rounding_n_m_s};
   SEXP out = Rf_allocVector(REALSXP, 6);
   for (int i = 0; i < 6; i++) REAL(out)[i] = numbers[i];
   return out;
@@ -108,10 +108,10 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
 
 typedef struct r_torque {
   ffi_guard *guard;
-  SEXP call;      /* f(time_s) or f(time_s, theta_rad, omega_rad_per_s) */
-  SEXP env;       /* where f is */
-  SEXP complain;  /* complain(value, time_s): raises the error about what f returned */
-  int arguments;  /* 1 or 3 */
+  SEXP call;     /* f(time_s) or f(time_s, theta_rad, omega_rad_per_s) */
+  SEXP env;      /* where f is */
+  SEXP complain; /* complain(value, time_s): raises the error about what f returned */
+  int arguments; /* 1 or 3 */
   double x[3];
   double torque;
 } r_torque;
@@ -125,9 +125,9 @@ static SEXP call_torque(void *data) {
   }
   SEXP value = PROTECT(Rf_eval(law->call, law->env));
   const int type = TYPEOF(value);
-  const int number = Rf_xlength(value) == 1 && !Rf_isFactor(value) &&
-                     (type == REALSXP || type == INTSXP ||
-                      (type == LGLSXP && LOGICAL(value)[0] == NA_LOGICAL));
+  const int number =
+      Rf_xlength(value) == 1 && !Rf_isFactor(value) &&
+      (type == REALSXP || type == INTSXP || (type == LGLSXP && LOGICAL(value)[0] == NA_LOGICAL));
   if (number) {
     law->torque = Rf_asReal(value);
   } else {
@@ -150,7 +150,7 @@ static rot_status torque_from_r(double t, double theta, double omega, double *to
   return status;
 }
 
-/* `law` is NULL for knots, or list(call, environment, complain); the call's arguments are filled in here.
+/* `law` is NULL for knots, or list(call, environment, complain); the arguments are filled in here.
  * `control` is c(accuracy, max_steps). */
 SEXP ffi_axle_integrate(SEXP numbers, SEXP torque, SEXP law, SEXP time_s, SEXP control,
                         SEXP progress) {

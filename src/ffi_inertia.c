@@ -13,8 +13,7 @@ SEXP ffi_inertia_shapes(void) {
   for (R_xlen_t i = 0; i < n; i++) {
     const rot_shape *shape = rot_shape_at((size_t)i);
     const char *text[] = {shape->name, shape->axis_text, shape->formula, shape->size};
-    const double k[] = {shape->axis, shape->principal[0], shape->principal[1],
-                        shape->principal[2]};
+    const double k[] = {shape->axis, shape->principal[0], shape->principal[1], shape->principal[2]};
     for (int j = 0; j < 4; j++) SET_STRING_ELT(VECTOR_ELT(out, j), i, Rf_mkChar(text[j]));
     for (int j = 0; j < 4; j++) REAL(VECTOR_ELT(out, j + 4))[i] = k[j];
   }

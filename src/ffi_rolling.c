@@ -10,8 +10,8 @@ typedef struct checked_column {
 /* c(argument, row), both from 1, of the first value outside its domain; NULL if there is none. */
 static SEXP first_outside(const checked_column *columns, int count, R_xlen_t n) {
   for (int j = 0; j < count; j++) {
-    size_t row = rot_rolling_first_outside(columns[j].column, (size_t)n, columns[j].lo,
-                                           columns[j].hi);
+    size_t row =
+        rot_rolling_first_outside(columns[j].column, (size_t)n, columns[j].lo, columns[j].hi);
     if (row == (size_t)n) continue;
     SEXP place = Rf_allocVector(REALSXP, 2);
     REAL(place)[0] = j + 1;
@@ -51,9 +51,7 @@ static SEXP by_row(row_function f, const checked_column *columns, int count, R_x
   return out;
 }
 
-static double acceleration(const double x[]) {
-  return rot_rolling_acceleration(x[0], x[1], x[2]);
-}
+static double acceleration(const double x[]) { return rot_rolling_acceleration(x[0], x[1], x[2]); }
 static double final_speed(const double x[]) { return rot_rolling_final_speed(x[0], x[1], x[2]); }
 static double rotational(const double x[]) { return rot_rolling_rotational_fraction(x[0]); }
 static double translational(const double x[]) { return rot_rolling_translational_fraction(x[0]); }

@@ -105,8 +105,7 @@ static rot_axle_state add_terms(const rot_axle_params *p, const rot_axle_state *
 rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,
                              const rot_torque_piece *piece, double time_s) {
   const double I = p->inertia_kg_m2, c = p->viscous_n_m_s, w0 = from->omega_rad_per_s;
-  const double a = rot_torque_in_piece(piece, from->time_s),
-               b = rot_torque_in_piece(piece, time_s);
+  const double a = rot_torque_in_piece(piece, from->time_s), b = rot_torque_in_piece(piece, time_s);
   double s_lo, s = rot_two_sum(time_s, -from->time_s, &s_lo);
   if (s == 0.0 || (w0 == 0.0 && a == 0.0 && b == 0.0)) { /* at rest: even where exp(-z) is Inf */
     rot_axle_state same = *from;
@@ -183,7 +182,8 @@ static double tame_torque(const rot_torque_piece *piece, double t) {
 }
 
 /* c s/I for a row, with its residual; s with its own. One division. */
-static double tame_z(const rot_axle_params *p, double s, double s_lo, double *s_over_I, double *z_lo) {
+static double tame_z(const rot_axle_params *p, double s, double s_lo, double *s_over_I,
+                     double *z_lo) {
   const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
   double cs_lo, cs = rot_two_prod(c, s, &cs_lo);
   *s_over_I = s / I;
@@ -214,9 +214,10 @@ static void lane_rows(const row_run *run, const size_t row[ROT_LANES], double ba
     const double theta = base->theta_rad + (turned + base->theta_lo);
     rot_axle_row(run->p, run->out, row[l], theta, omega, b);
     note_row(run->info, theta, omega,
-             base->theta_error + fabs(s[l]) * (base->omega_error * phi.phi1[l] +
-                                               rounding * (fabs(w0) * phi.phi1[l] + fabs(va) * p23 +
-                                                           fabs(vb) * phi.phi3[l])) +
+             base->theta_error +
+                 fabs(s[l]) * (base->omega_error * phi.phi1[l] +
+                               rounding * (fabs(w0) * phi.phi1[l] + fabs(va) * p23 +
+                                           fabs(vb) * phi.phi3[l])) +
                  ROT_EPS * fabs(theta),
              base->omega_error * phi.phi0[l] +
                  rounding * (fabs(from_w0) + fabs(va) * phi.g1[l] + fabs(vb) * phi.phi2[l]));
@@ -229,7 +230,8 @@ static void coasting_row(const row_run *run, size_t i) {
   const double w0 = base->omega_rad_per_s, rounding = roundings(run->p);
   double s_lo, s = rot_two_sum(run->time_s[i], -base->time_s, &s_lo), u, z_lo;
   const double z = tame_z(run->p, s, s_lo, &u, &z_lo);
-  const double gone = z < 0.5 ? -expm1(-z) : 1.0 - exp(-z); /* exp(-z) itself is small for large z */
+  const double gone =
+      z < 0.5 ? -expm1(-z) : 1.0 - exp(-z); /* exp(-z) itself is small for large z */
   double phi0 = z < 0.5 ? 1.0 - gone : exp(-z);
   const double phi1 = z == 0.0 ? 1.0 : gone / z;
   phi0 -= phi0 * z_lo;
@@ -255,7 +257,8 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
   const double phi1 = settled / z, phi2 = (1.0 - phi1) / z;
   const double from_w0 = w0 * phi0, from_a = base_torque / c * (phi1 - phi0),
                from_b = b / c * (1.0 - phi1);
-  const double turned0 = w0 * settled * (I / c), turned_a = base_torque / c * s * (0.5 - phi1 + phi2),
+  const double turned0 = w0 * settled * (I / c),
+               turned_a = base_torque / c * s * (0.5 - phi1 + phi2),
                turned_b = b / c * s * (0.5 - phi2);
   const double omega = from_w0 + (from_a + from_b),
                theta = base->theta_rad + (turned0 + (turned_a + turned_b) + base->theta_lo);
@@ -266,8 +269,8 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
            base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
 }
 
-/* Rows i to end - 1, all in this piece and on the far side of its base; *good: the end of those that
- * came out. Tame numbers cannot fail. */
+/* Rows i to end - 1, all in this piece and on the far side of its base; *good: the end of those
+ * that came out. Tame numbers cannot fail. */
 static rot_status rows_in_piece(const row_run *run, size_t i, size_t end, size_t *good) {
   rot_status status = ROT_OK;
   *good = end;
@@ -331,12 +334,12 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
     info->steps++;
     if (end > done) {
       const double far = time_s[forward ? first + end - 1 : last - end] - run.base.time_s;
-      run.in_lanes = tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) &&
-                     tame(run.base.omega_rad_per_s) && tame(run.base.theta_rad) &&
-                     tame(run.piece.start_n_m) && tame(run.piece.end_n_m) && tame(far) &&
-                     (run.piece.start_n_m == run.piece.end_n_m ||
-                      tame(run.piece.end_s - run.piece.start_s)) &&
-                     (forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
+      run.in_lanes =
+          tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) && tame(run.base.omega_rad_per_s) &&
+          tame(run.base.theta_rad) && tame(run.piece.start_n_m) && tame(run.piece.end_n_m) &&
+          tame(far) &&
+          (run.piece.start_n_m == run.piece.end_n_m || tame(run.piece.end_s - run.piece.start_s)) &&
+          (forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
     }
     while (done < end) {
       size_t chunk = end - done < ROWS_PER_POLL ? end - done : ROWS_PER_POLL;

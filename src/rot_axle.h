@@ -9,9 +9,9 @@
 #include "rot_torque.h"
 
 typedef struct rot_axle_params {
-  double inertia_kg_m2;    /* > 0, about the axle */
-  double viscous_n_m_s;    /* any sign; < 0 drives */
-  double start_s;          /* the state below holds at this time */
+  double inertia_kg_m2; /* > 0, about the axle */
+  double viscous_n_m_s; /* any sign; < 0 drives */
+  double start_s;       /* the state below holds at this time */
   double theta0_rad, omega0_rad_per_s;
   rot_torque torque;
 } rot_axle_params;

@@ -30,10 +30,10 @@ static step_drive drive_of(const rot_axle_params *p, double s, double s_lo, doub
   step_drive drive = {z, z_lo, 0.0, 0.0, 0.0, 0.0, 0.0, 0};
   int e0 = 0, ea, eb;
   const double m0 = frexp(w0, &e0);
-  const double ma = settled ? rot_product_split(1, &a, c, &ea)
-                            : rot_product_split(2, (double[]){s, a}, I, &ea);
-  const double mb = settled ? rot_product_split(1, &b, c, &eb)
-                            : rot_product_split(2, (double[]){s, b}, I, &eb);
+  const double ma =
+      settled ? rot_product_split(1, &a, c, &ea) : rot_product_split(2, (double[]){s, a}, I, &ea);
+  const double mb =
+      settled ? rot_product_split(1, &b, c, &eb) : rot_product_split(2, (double[]){s, b}, I, &eb);
   int e = m0 != 0.0 ? e0 : ma != 0.0 ? ea : eb;
   if (ma != 0.0 && ea > e) e = ea;
   if (mb != 0.0 && eb > e) e = eb;
@@ -57,7 +57,8 @@ static double mean_square(const step_drive *drive, double *size) {
   if (!(fabs(z) <= 3.0)) {
     double phi[2];
     rot_phi(z, drive->z_lo, 1, phi);
-    const double g1 = rot_phi_g1(z, phi[0], phi[1]), twice = -expm1(-2.0 * z) / (2.0 * z) * (z < 0.0 ? 1.0 - 2.0 * drive->z_lo : 1.0);
+    const double g1 = rot_phi_g1(z, phi[0], phi[1]),
+                 twice = -expm1(-2.0 * z) / (2.0 * z) * (z < 0.0 ? 1.0 - 2.0 * drive->z_lo : 1.0);
     const double p1 = drive->qb - drive->qa, p0 = drive->qa - p1 / z, d = u0 - p0, pe = p0 + p1;
     *size = (p0 * p0 + fabs(p0 * pe) + pe * pe) / 3.0 +
             2.0 * fabs(d) * (fabs(p0) * phi[1] + fabs(p1) * g1) + d * d * twice;
@@ -152,8 +153,7 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
   size_t k = rot_torque_find(&p->torque, state->time_s, forward);
   while (state->time_s != to_s) {
     const rot_torque_piece piece = rot_torque_piece_at(&p->torque, k);
-    const double stop =
-        forward ? fmin(piece.end_s, to_s) : fmax(piece.start_s, to_s);
+    const double stop = forward ? fmin(piece.end_s, to_s) : fmax(piece.start_s, to_s);
     if (sum) add_step(p, state, &piece, stop, sum);
     *state = rot_axle_step(p, state, &piece, stop);
     info->time_s = stop;

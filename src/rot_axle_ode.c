@@ -52,8 +52,16 @@ rot_status rot_axle_integrate(const rot_axle_params *p, const rot_axle_ode_optio
                               rot_axle_ledger *ledger, const rot_hooks *hooks, rot_info *info) {
   const double start[DIM] = {p->theta0_rad, p->omega0_rad_per_s, 0.0, 0.0, 0.0};
   double error[DIM] = {0.0}, largest[DIM] = {0.0};
-  rot_ode_params ode = {DIM, 2, axle_rhs, NULL, p->torque.n, p->torque.time_s, p->start_s, start,
-                        options->accuracy, options->max_steps};
+  rot_ode_params ode = {DIM,
+                        2,
+                        axle_rhs,
+                        NULL,
+                        p->torque.n,
+                        p->torque.time_s,
+                        p->start_s,
+                        start,
+                        options->accuracy,
+                        options->max_steps};
   rot_axle_params law = *p; /* the hook wants a pointer it may write through */
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
   ode.ctx = &law;

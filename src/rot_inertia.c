@@ -5,7 +5,7 @@
 #include "rot_real.h"
 
 static const rot_shape shapes[] = {
-#define X(name, axis, x, y, z, size, axis_text, formula)                                         \
+#define X(name, axis, x, y, z, size, axis_text, formula)                                           \
   {name, axis, {x, y, z}, size, axis_text, formula},
     ROT_SHAPE_LIST(X)
 #undef X

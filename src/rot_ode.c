@@ -11,8 +11,9 @@
 enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and more */
 
 #define LEAST_TOLERANCE 1e-13 /* its companion runs at 1e-15: below, rounding is all one sees */
-#define LEAST_SIZE 1e-290     /* below, doubles have no 16 digits left that an error test could ask for */
-#define MARGIN 1.1            /* on the companion's difference, 0.957 to 1.026 of the error */
+#define LEAST_SIZE                                                                                 \
+  1e-290           /* below, doubles have no 16 digits left that an error test could ask for */
+#define MARGIN 1.1 /* on the companion's difference, 0.957 to 1.026 of the error */
 
 /* One run at one tolerance. */
 typedef struct ode_run {
@@ -22,16 +23,16 @@ typedef struct ode_run {
   gsl_odeiv2_step *step;
   gsl_odeiv2_system system;
   double tolerance;
-  double cap;                 /* no step is longer */
-  double longest;             /* accepted step so far */
-  double shortest_wish;       /* of the error test, after an accepted step */
-  double t, h;                /* h: the step that the error test would like next */
-  double after, before;       /* rhs is evaluated strictly inside (break, next break) */
-  int slope_known;            /* slope holds f(t, y) */
-  int wild;                   /* rhs was not finite in the last trial */
-  rot_status status;          /* of the last rhs call */
+  double cap;           /* no step is longer */
+  double longest;       /* accepted step so far */
+  double shortest_wish; /* of the error test, after an accepted step */
+  double t, h;          /* h: the step that the error test would like next */
+  double after, before; /* rhs is evaluated strictly inside (break, next break) */
+  int slope_known;      /* slope holds f(t, y) */
+  int wild;             /* rhs was not finite in the last trial */
+  rot_status status;    /* of the last rhs call */
   double *y, *trial, *trial_error, *slope, *trial_slope; /* dim each */
-  double *largest;            /* the caller's: size of each component so far */
+  double *largest; /* the caller's: size of each component so far */
 } ode_run;
 
 static int rhs_for_gsl(double t, const double y[], double dydt[], void *ctx) {
@@ -120,8 +121,8 @@ static rot_status drive(ode_run *run, double target, double fraction) {
       return ROT_ESTEP;
     }
     memcpy(run->trial, run->y, p->dim * sizeof *run->y);
-    int code = gsl_odeiv2_step_apply(run->step, run->t, h, run->trial, run->trial_error,
-                                     run->slope, run->trial_slope, &run->system);
+    int code = gsl_odeiv2_step_apply(run->step, run->t, h, run->trial, run->trial_error, run->slope,
+                                     run->trial_slope, &run->system);
     if (code != GSL_SUCCESS && !run->wild) return run->status != ROT_OK ? run->status : ROT_ENOMEM;
     const double ratio = run->wild ? NAN : trial_ratio(run);
     if (ratio <= 1.0) { /* NaN fails */
@@ -155,7 +156,7 @@ typedef struct row_sample {
   double *y; /* SAMPLE_ROWS of dim */
 } row_sample;
 
-/* At most `most` of the first n rows, the last one always, the first one if it lies before start. */
+/* At most `most` of the first n rows: the last always, the first if it lies before the start. */
 static void choose_rows(row_sample *sample, const rot_ode_params *p, size_t most, size_t n,
                         const double time_s[]) {
   most = most < 1 ? 1 : most > SAMPLE_ROWS ? SAMPLE_ROWS : most;
@@ -183,8 +184,8 @@ static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_
   while (k < p->n_breaks && (forward ? p->breaks[k] <= run->t : p->breaks[k] < run->t)) k++;
   run->after = -INFINITY;
   run->before = INFINITY;
-  const int on_break = forward ? k > 0 && p->breaks[k - 1] == run->t
-                               : k < p->n_breaks && p->breaks[k] == run->t;
+  const int on_break =
+      forward ? k > 0 && p->breaks[k - 1] == run->t : k < p->n_breaks && p->breaks[k] == run->t;
   double *near = forward ? &run->after : &run->before, *far = forward ? &run->before : &run->after;
   if (on_break) *near = nextafter(run->t, outward);
 
@@ -219,8 +220,8 @@ typedef struct run_plan {
 
 /* One run: rows of y at the times, and the largest size of each component. */
 static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, const double time_s[],
-                           double y_rows[], double largest[],
-                           const rot_hooks *hooks, rot_info *info) {
+                           double y_rows[], double largest[], const rot_hooks *hooks,
+                           rot_info *info) {
   ode_run run = {0};
   double *scratch = calloc(5 * p->dim, sizeof *scratch);
   size_t before = 0;
@@ -262,13 +263,13 @@ static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, co
 /* The companion's difference is the error of whichever of the two is worse, so their steps must
  * differ: runs with the same steps, which dense rows make them take, differ by nothing.
  *
- * Finer: a hundredth of the tolerance, and no step longer than 0.55 of the run's longest. At order 8
- * that is a hundredth of its error: the difference is the run's.
+ * Finer: a hundredth of the tolerance, and no step longer than 0.55 of the run's longest. At order
+ * 8 that is a hundredth of its error: the difference is the run's.
  * Coarser: where every step was cut short by a row, and 1.8 times the longest would have passed the
  * error test, the companion takes those. It costs a fraction; the difference is its own error, and
  * the run's is less. */
 enum { COARSER_ROWS = 8 }; /* rows of the run for one that the coarser companion visits */
-#define FINER_STEP 0.55
+#define FINER_STEP   0.55
 #define COARSER_STEP 1.8
 
 /* error[i]: largest difference of component i between the run and its companion. Returns the worst

@@ -3,8 +3,8 @@
  * GSL's adaptive driver accepts a NaN error estimate and must be reset by hand after each jump of
  * the right-hand side, so only its stepper is used. Here: an error test that NaN fails, exact
  * stops at the breaks, a step budget, and a companion run at a hundredth of the tolerance and with
- * other steps, whose difference is the error estimate. The tolerance itself is no error bar: it was off by 0.28 to
- * 2600 in 60 scenes, the companion by 0.957 to 1.026. */
+ * other steps, whose difference is the error estimate. The tolerance itself is no error bar: it was
+ * off by 0.28 to 2600 in 60 scenes, the companion by 0.957 to 1.026. */
 #ifndef ROT_ODE_H
 #define ROT_ODE_H
 
@@ -28,12 +28,13 @@ typedef struct rot_ode_params {
   size_t max_steps;    /* a run, rejected steps included */
 } rot_ode_params;
 
-/* Relative errors of the state below this cannot be shown by the companion run: its own rounding. */
+/* Relative errors below this cannot be shown by the companion run: its own rounding. */
 #define ROT_ODE_BEST_ACCURACY 1e-13
 
 /* y (n rows of dim, row by row) at the times, which do not decrease; the estimated error of each
  * component, error[dim], largest over the rows; and its largest size on the way, largest[dim].
- * Times before start_s are reached backwards. On failure the first info->rows_done rows are good. */
+ * Times before start_s are reached backwards. On failure the first info->rows_done rows are
+ * good. */
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double error[], double largest[], const rot_hooks *hooks, rot_info *info);
 

@@ -1,5 +1,5 @@
-/* Two doubles to a register, wherever the compiler knows vectors. At -O2 it finds them by itself
- * in few loops: 38 against 19 ns a row for the phi functions, 13 against 6 for the rolling table. */
+/* Two doubles to a register, wherever the compiler knows vectors. At -O2 it finds them itself in
+ * few loops: 38 against 19 ns a row for the phi functions, 13 against 6 for the rolling table. */
 #ifndef ROT_PAIR_H
 #define ROT_PAIR_H
 

@@ -5,14 +5,14 @@
 #include <stddef.h>
 
 /* code, text, kind: the R condition class is rotdyn_error_<kind>. Listed once, here. */
-#define ROT_STATUS_LIST(X)                                                                \
-  X(ROT_OK, "ok", "none")                                                                 \
-  X(ROT_ENOMEM, "out of memory", "memory")                                                \
-  X(ROT_EVALUE, "a value outside its domain", "value")                                    \
-  X(ROT_ERANGE, "the state left the range of double precision", "range")                  \
-  X(ROT_ETORQUE, "the torque law gave no finite number", "torque")                        \
-  X(ROT_EBUDGET, "the step budget is used up", "budget")                                  \
-  X(ROT_ESTEP, "the step fell below the resolution of time", "step")                      \
+#define ROT_STATUS_LIST(X)                                                                         \
+  X(ROT_OK, "ok", "none")                                                                          \
+  X(ROT_ENOMEM, "out of memory", "memory")                                                         \
+  X(ROT_EVALUE, "a value outside its domain", "value")                                             \
+  X(ROT_ERANGE, "the state left the range of double precision", "range")                           \
+  X(ROT_ETORQUE, "the torque law gave no finite number", "torque")                                 \
+  X(ROT_EBUDGET, "the step budget is used up", "budget")                                           \
+  X(ROT_ESTEP, "the step fell below the resolution of time", "step")                               \
   X(ROT_EUNWIND, "stopped by the caller", "unwind")
 
 typedef enum rot_status {
