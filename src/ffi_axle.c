@@ -78,16 +78,18 @@ SEXP ffi_axle_free(SEXP numbers, SEXP time_s, SEXP progress) {
   return out;
 }
 
-SEXP ffi_axle_linear(SEXP numbers, SEXP torque, SEXP time_s, SEXP progress) {
+SEXP ffi_axle_linear(SEXP numbers, SEXP torque, SEXP time_s, SEXP fast, SEXP progress) {
   const rot_axle_params p = unpack(numbers, torque);
   const double *t = ffi_reals(time_s, "time_s", -1);
   rot_axle_columns columns;
   rot_info info;
   ffi_guard guard;
+  rot_status (*run)(const rot_axle_params *, size_t, const double[], const rot_axle_columns *,
+                    const rot_hooks *, rot_info *) =
+      ffi_real(fast, "fast") != 0.0 ? rot_axle_linear_fast : rot_axle_linear;
   SEXP list = new_columns(time_s, &columns);
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard,
-                rot_axle_linear(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
+  ffi_guard_end(&guard, run(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
   SEXP out = result(list, &info, R_NilValue);
   UNPROTECT(1);
   return out;

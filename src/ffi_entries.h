@@ -1,6 +1,6 @@
 /* Every routine that R may call, with its number of arguments. Listed once, here. */
 X(ffi_axle_free, 3)
-X(ffi_axle_linear, 4)
+X(ffi_axle_linear, 5)
 X(ffi_axle_ledger, 5)
 X(ffi_axle_integrate, 6)
 X(ffi_energy_partition, 4)

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_axle_grid.h"
 #include "rot_phi.h"
 #include "rot_real.h"
 
@@ -154,7 +155,7 @@ typedef struct row_run {
   rot_info *info;
   rot_axle_state base;
   rot_torque_piece piece;
-  int in_lanes;
+  int in_lanes, by_doubling;
 } row_run;
 
 static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state *state) {
@@ -269,6 +270,16 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
            base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
 }
 
+/* Rows of an even grid from row i on, as many as fit in one go. */
+static size_t grid_rows(const row_run *run, size_t i, size_t end) {
+  const rot_axle_columns *to = run->out;
+  const rot_axle_columns out = {
+      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
+      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
+  return rot_axle_grid_rows(run->p, &run->base, &run->piece, end - i, run->time_s + i, &out,
+                            run->info);
+}
+
 /* Rows i to end - 1, all in this piece and on the far side of its base; *good: the end of those
  * that came out. Tame numbers cannot fail. */
 static rot_status rows_in_piece(const row_run *run, size_t i, size_t end, size_t *good) {
@@ -282,14 +293,17 @@ static rot_status rows_in_piece(const row_run *run, size_t i, size_t end, size_t
   const double c = run->p->viscous_n_m_s, I = run->p->inertia_kg_m2;
   const double base_torque = tame_torque(&run->piece, run->base.time_s);
   const int coasting = run->piece.start_n_m == 0.0 && run->piece.end_n_m == 0.0;
-  size_t row[ROT_LANES];
-  int filled = 0;
+  size_t row[ROT_LANES], done;
+  int filled = 0, even = run->by_doubling;
   for (; i < end && status == ROT_OK; i++) {
     const double t = run->time_s[i];
     /* At a knot the torque column shows the value after a jump, and a first instant divided by the
      * inertia may be out of range: one_row() knows about both. */
     if (fabs(t - run->base.time_s) < 1e-60 || t == run->piece.start_s || t == run->piece.end_s) {
       status = one_row(run, i);
+      even = run->by_doubling;
+    } else if (even && (even = (done = grid_rows(run, i, end)) > 0)) {
+      i += done - 1;
     } else if (coasting) {
       coasting_row(run, i);
     } else if (c * (t - run->base.time_s) >= 3.0 * I) {
@@ -313,10 +327,12 @@ static rot_status rows_in_piece(const row_run *run, size_t i, size_t end, size_t
 
 /* Rows [first, last) away from start_s, forward in time or backward. */
 static rot_status march(const rot_axle_params *p, const double time_s[], size_t first, size_t last,
-                        int forward, const rot_axle_columns *out, const rot_hooks *hooks,
+                        int forward, int fast, const rot_axle_columns *out, const rot_hooks *hooks,
                         rot_info *info) {
   size_t k = rot_torque_find(&p->torque, p->start_s, forward), done = 0, total = last - first;
-  row_run run = {p, time_s, out, info, rot_axle_start(p), rot_torque_piece_at(&p->torque, k), 0};
+  row_run run = {
+      p, time_s,         out, info, rot_axle_start(p), rot_torque_piece_at(&p->torque, k),
+      0, forward && fast};
   while (done < total) {
     run.piece = rot_torque_piece_at(&p->torque, k);
     const double stop = forward ? run.piece.end_s : run.piece.start_s;
@@ -364,15 +380,26 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
   return ROT_OK;
 }
 
-rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
-                           const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
+static rot_status both_ways(const rot_axle_params *p, size_t n, const double time_s[], int fast,
+                            const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   const size_t before = rot_axle_rows_before_start(p, n, time_s);
   rot_info_clear(info);
   note_state(info, p->theta0_rad, p->omega0_rad_per_s);
-  info->status = march(p, time_s, 0, before, 0, out, hooks, info);
+  info->status = march(p, time_s, 0, before, 0, fast, out, hooks, info);
   if (info->status == ROT_OK) {
     info->rows_done = before;
-    info->status = march(p, time_s, before, n, 1, out, hooks, info);
+    info->status = march(p, time_s, before, n, 1, fast, out, hooks, info);
   }
   return info->status;
+}
+
+rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
+                           const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
+  return both_ways(p, n, time_s, 0, out, hooks, info);
+}
+
+rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double time_s[],
+                                const rot_axle_columns *out, const rot_hooks *hooks,
+                                rot_info *info) {
+  return both_ways(p, n, time_s, 1, out, hooks, info);
 }

@@ -97,11 +97,51 @@ test_that("ten million rows come back", {
   expect_ulps(motion$theta_rad[n], 107.8586453330170947, 2)
 })
 
+# ---- even grids by doubling ----------------------------------------------------------------------
+
+test_that("rows by doubling agree with rows one by one, within 2e-15 and their bound", {
+  set.seed(1)
+  for (i in 1:60) {
+    knots <- c(0, sort(runif(4, 0, 10)), 10)
+    sign <- if (i %% 3) 1 else sample(c(-1, 1), 6, TRUE)
+    scene <- scene_axle(
+      10^runif(1, -3, 3), torque_knots(knots, runif(6) * sign), resistance(10^runif(1, -3, 3)),
+      omega0_rad_per_s = if (i %% 2) runif(1) else 0, theta0_rad = runif(1)
+    )
+    t <- seq(0, 10, length.out = sample(c(40, 257, 1000, 3001), 1))
+    fast <- trajectory(scene, t)
+    exact <- suppressWarnings(trajectory(scene, t, accuracy = 1e-14))
+    info <- run_of(fast)$info
+    for (column in c("theta_rad", "omega_rad_per_s")) {
+      error <- max(abs(fast[[column]] - exact[[column]]))
+      expect_lte(error, 2e-15 * max(abs(exact[[column]])))
+      expect_lte(error, info[[sub("_rad.*", "_error", column)]])
+    }
+    expect_equal(fast$applied_torque_n_m, exact$applied_torque_n_m, tolerance = 1e-15)
+    # Positive data keep their digits row by row.
+    if (i %% 3) expect_ulps(fast$omega_rad_per_s[-1], exact$omega_rad_per_s[-1], 16)
+  }
+})
+
+test_that("times that are nearly even, in parts even, or far from zero", {
+  scene <- scene_axle(2, torque_knots(c(0, 2e6), c(1, 3)), resistance(0.7), omega0_rad_per_s = 5)
+  for (t in list(
+    seq(0, 10, length.out = 500) * (1 + 1e-7 * sin(1:500)), c((0:99) / 10, 10 + (1:300) / 1000),
+    1e6 + seq(0, 8, length.out = 1000), c(0, rep(1, 50), 2:60), sort(c((0:200) / 20, (0:200) / 20))
+  )) {
+    t <- sort(t)
+    fast <- trajectory(scene, t)
+    exact <- trajectory(scene, t, accuracy = 1e-14)
+    expect_lte(max(ulps(fast$omega_rad_per_s, exact$omega_rad_per_s)), 16)
+    expect_lte(max(ulps(fast$theta_rad, exact$theta_rad)), 16)
+  }
+})
+
 # ---- invariances --------------------------------------------------------------------------------
 
 test_that("rows do not depend on which other rows are asked for", {
   t <- sort(c(seq(0, 9, length.out = 101), 1, 4, 6, 8))
-  together <- trajectory(article_scene(), t)
+  together <- trajectory(article_scene(), t, accuracy = 1e-14)
   alone <- vapply(t, function(x) trajectory(article_scene(), x)$theta_rad, double(1))
   expect_ulps(together$theta_rad, alone, 1)
 })
@@ -405,8 +445,8 @@ test_that("the step budget", {
 })
 
 test_that("a wrong .Call is an R error", {
-  expect_error(.Call(rotdyn:::ffi_axle_linear, 1, NULL, 1, NULL), "internal")
-  expect_error(.Call(rotdyn:::ffi_axle_linear, double(5), list(), 1, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_linear, 1, NULL, 1, 0, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_linear, double(5), list(), 1, 0, NULL), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, "a", 1), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, 1, 99), "internal")
   expect_error(.Call(rotdyn:::ffi_rolling_table, c(1, 2), c(1, 2, 3), 1, 1, NULL), "internal")
