@@ -332,7 +332,8 @@ static void check_scene(const struct scene *scene) {
 /* Where nothing cancels: ulps, and roundings that are worth stating. */
 static void check_one_sign(void) {
   double worst_work = 0.0, worst_heat = 0.0, worst_impulse = 0.0;
-  for (const struct scene *scene = scenes; scene < scenes + SCENES; scene++) {
+  for (int k = 0; k < SCENES; k++) {
+    const struct scene *scene = &scenes[k];
     for (size_t i = 0; i < scene->n && scene->one_sign; i++) {
       const known *row = &scene->rows[i];
       if (row->from < scene->p.start_s) continue;
@@ -344,8 +345,11 @@ static void check_one_sign(void) {
       worst_heat = fmax(worst_heat, rot_test_ulp(it.dissipated_j, row->dissipated));
       worst_impulse = fmax(worst_impulse, rot_test_ulp(it.impulse_n_m_s, row->impulse));
       ROT_CHECK(it.work_rounding_j <= 64.0 * ROT_EPS * row->work);
+      ROT_CHECK(it.work_rounding_j >= 14.0 * ROT_EPS * row->work);
       ROT_CHECK(it.dissipated_rounding_j <= 128.0 * ROT_EPS * row->dissipated);
-      ROT_CHECK(it.impulse_rounding_n_m_s <= 8.0 * ROT_EPS * row->impulse);
+      ROT_CHECK(it.dissipated_rounding_j >= 20.0 * ROT_EPS * row->dissipated);
+      ROT_CHECK(it.impulse_rounding_n_m_s <= 6.0 * ROT_EPS * row->impulse);
+      ROT_CHECK(it.impulse_rounding_n_m_s >= 3.0 * ROT_EPS * row->impulse);
     }
   }
   printf("one sign: work %g ulp, heat %g ulp, impulse %g ulp\n", worst_work, worst_heat,
@@ -451,19 +455,59 @@ static void check_start_before_and_after(void) {
   }
 }
 
+/* Torque and motion mirrored: the same energies, the impulse turned, the same roundings. */
+static void check_mirror(void) {
+  static const double time_s[] = {0.5, 2.0, 2.0, 5.0, 5.0, 9.0},
+                      torque_n_m[] = {1.0, 5.0, -3.0, 2.0, 0.0, 1.0},
+                      mirrored[] = {-1.0, -5.0, 3.0, -2.0, 0.0, -1.0};
+  const rot_torque torque = {6, time_s, torque_n_m, 1.0, 2.0, NULL, NULL},
+                   turned = {6, time_s, mirrored, -1.0, -2.0, NULL, NULL};
+  const double viscous[] = {0.0, 0.3, 0.9, 4.0, 30.0, -0.3, -3.0};
+  for (int v = 0; v < 7; v++) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const rot_axle_params p = axle(0.7, viscous[v], 2.0 * sign, torque),
+                            q = axle(0.7, viscous[v], -2.0 * sign, turned);
+      const rot_axle_ledger a = ledger(&p, 0.1, 11.0), b = ledger(&q, 0.1, 11.0);
+      ROT_CHECK(a.work_j == b.work_j && a.dissipated_j == b.dissipated_j);
+      ROT_CHECK(a.impulse_n_m_s == -b.impulse_n_m_s);
+      ROT_CHECK(a.work_rounding_j == b.work_rounding_j);
+      ROT_CHECK(a.dissipated_rounding_j == b.dissipated_rounding_j);
+      ROT_CHECK(a.impulse_rounding_n_m_s == b.impulse_rounding_n_m_s);
+    }
+  }
+}
+
+/* An error of omega that earlier pieces left moves work and heat: by e int torque dt, and by
+ * 2 c int omega e dt. A violent push back and forth leaves a slow body with a large one. */
+static void check_error_passed_on(void) {
+  static const double time_s[] = {0.0, 1.0, 1.0, 2.0, 2.0, 7.0},
+                      torque_n_m[] = {1e6, 1e6, -1e6, -1e6, 1.0, 5.0};
+  const rot_torque torque = {6, time_s, torque_n_m, 0.0, 0.0, NULL, NULL};
+  double bound;
+  const rot_axle_params p = axle(2.0, 0.0, 3.0, torque);
+  ROT_CHECK(omega_at(&p, 2.0, &bound) == 3.0);
+  ROT_CHECK_REL(ledger(&p, 2.0, 7.0).work_rounding_j, 15.0 * bound, 0.01);
+  const rot_axle_params q = axle(2.0, 1e-9, 3.0, torque);
+  const double omega = omega_at(&q, 2.0, &bound); /* to 3 + 7.5 with the ramp, at the end */
+  const double mean = omega + 5.0 * (1.0 + (5.0 - 1.0) / 3.0) / 2.0 / 2.0;
+  ROT_CHECK(ledger(&q, 2.0, 7.0).dissipated_rounding_j >= 0.99 * 2e-9 * 5.0 * mean * bound);
+  ROT_CHECK(ledger(&q, 2.0, 7.0).dissipated_rounding_j <= 8e-9 * 5.0 * mean * bound);
+}
+
 /* Many knots on a line: the sums carry what they round off. */
 static void check_many_pieces(void) {
-  enum { N = 2001 };
+  enum { N = 20001 };
   static double time_s[N], torque_n_m[N];
   for (int i = 0; i < N; i++) {
-    time_s[i] = 0.001 * i;
-    torque_n_m[i] = 6.0;
+    time_s[i] = 0.0007 * i;
+    torque_n_m[i] = 6.1;
   }
-  const rot_torque torque = {N, time_s, torque_n_m, 6.0, 6.0, NULL, NULL};
-  const rot_axle_params split = axle(2.0, 0.0, 4.0, torque),
-                        whole = axle(2.0, 0.0, 4.0, constant(6.0));
-  const rot_axle_ledger a = ledger(&split, 0.0, 2.5), b = ledger(&whole, 0.0, 2.5);
+  const rot_torque torque = {N, time_s, torque_n_m, 6.1, 6.1, NULL, NULL};
+  const rot_axle_params split = axle(1.9, 1e-20, 4.3, torque),
+                        whole = axle(1.9, 1e-20, 4.3, constant(6.1));
+  const rot_axle_ledger a = ledger(&split, 0.0, 14.3), b = ledger(&whole, 0.0, 14.3);
   ROT_CHECK_ULP(a.work_j, b.work_j, 6);
+  ROT_CHECK_ULP(a.dissipated_j, b.dissipated_j, 8);
   ROT_CHECK_ULP(a.impulse_n_m_s, b.impulse_n_m_s, 1);
 }
 
@@ -486,6 +530,29 @@ static void check_scaling(void) {
     ROT_CHECK_ULP(got.impulse_n_m_s, times * want.impulse_n_m_s, 1);
     ROT_CHECK_REL(got.work_rounding_j, times * want.work_rounding_j, 1e-9);
     ROT_CHECK_REL(got.dissipated_rounding_j, times * want.dissipated_rounding_j, 1e-9);
+  }
+}
+
+/* Speeds and torques whose squares leave the doubles, while the energies do not. */
+static void check_speed_scaling(void) {
+  static const double time_s[] = {0.0, 2.0, 5.0}, unscaled_n_m[] = {1.0, 3.0, 2.0};
+  const rot_torque unscaled = {3, time_s, unscaled_n_m, 1.0, 2.0, NULL, NULL};
+  const double viscous[] = {0.7, 70.0};
+  for (int v = 0; v < 2; v++) {
+    for (int e = -600; e <= 600; e += 200) {
+      for (int sign = -1; sign <= 1; sign += 2) {
+        const double fast = sign * ldexp(1.0, e), light = ldexp(1.0, -e - e / 3);
+        const double torque_n_m[] = {fast * light, 3.0 * fast * light, 2.0 * fast * light};
+        const rot_torque torque = {3, time_s, torque_n_m, 0.0, 0.0, NULL, NULL};
+        for (double omega = 0.0; omega <= 4.0; omega += 4.0) {
+          const rot_axle_params p = axle(2.0 * light, viscous[v] * light, omega * fast, torque),
+                                q = axle(2.0, viscous[v], omega, unscaled);
+          const rot_axle_ledger got = ledger(&p, 0.5, 4.9), want = ledger(&q, 0.5, 4.9);
+          ROT_CHECK_ULP(got.work_j, light * fast * fast * want.work_j, 2);
+          ROT_CHECK_ULP(got.dissipated_j, light * fast * fast * want.dissipated_j, 2);
+        }
+      }
+    }
   }
 }
 
@@ -600,8 +667,11 @@ int main(void) {
   check_additive();
   check_empty_interval();
   check_start_before_and_after();
+  check_mirror();
+  check_error_passed_on();
   check_many_pieces();
   check_scaling();
+  check_speed_scaling();
   check_huge_z();
   check_overflow();
   check_poll();

@@ -62,6 +62,7 @@ static void check_ledger(double got, double rounding, double want, double want_r
                          double size) {
   ROT_CHECK(fabs(got - want) <= rounding + want_rounding);
   ROT_CHECK(fabs(got - want) <= 1e-8 * size);
+  ROT_CHECK(rounding >= 0.0 && rounding <= 1e-8 * size);
 }
 
 /* Values to the accuracy asked; true errors within the estimate; ledgers alike. */

@@ -234,6 +234,9 @@ static void check_first_outside(void) {
   value[3] = -INFINITY;
   value[2] = 7.5;
   ROT_CHECK_EQ_INT(rot_rolling_first_outside(column, 3000, 2.0, 7.0), 2);
+  value[0] = 2.0; /* the ends belong also where another row of the block does not */
+  value[1] = 7.0;
+  ROT_CHECK_EQ_INT(rot_rolling_first_outside(column, 3000, 2.0, 7.0), 2);
   value[0] = 1.999;
   ROT_CHECK_EQ_INT(rot_rolling_first_outside(column, 3000, 2.0, 7.0), 0);
   ROT_CHECK_EQ_INT(rot_rolling_first_outside(column, 0, 2.0, 7.0), 0);

@@ -1,0 +1,125 @@
+/* Rows by doubling against rows one by one. */
+#include "rot_axle_grid.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "rot_real.h"
+#include "rot_test.h"
+
+enum { N = 3000 };
+
+static double exact[7][N], fast[7][N];
+
+static rot_axle_columns columns(double to[7][N]) {
+  const rot_axle_columns out = {to[0], to[1], to[2], to[3], to[4], to[5], to[6]};
+  return out;
+}
+
+static rot_axle_params article(double viscous, double omega0) {
+  static const double time_s[] = {0.0, 1.0, 4.0, 6.0, 8.0};
+  static const double torque_n_m[] = {0.0, 0.8, 0.8, 0.0, 0.0};
+  const rot_axle_params p = {0.0625, viscous, 0.0, 0.5, omega0,
+                             {5, time_s, torque_n_m, 0.0, 0.0, NULL, NULL}};
+  return p;
+}
+
+/* Both ways; the worst relative difference of omega and theta, row by row. */
+static double worst_difference(const rot_axle_params *p, size_t n, const double t[]) {
+  const rot_axle_columns out_exact = columns(exact), out_fast = columns(fast);
+  rot_info info, info_fast;
+  double worst = 0.0;
+  ROT_CHECK(rot_axle_linear(p, n, t, &out_exact, NULL, &info) == ROT_OK);
+  ROT_CHECK(rot_axle_linear_fast(p, n, t, &out_fast, NULL, &info_fast) == ROT_OK);
+  ROT_CHECK(info_fast.rows_done == n && info_fast.steps == info.steps);
+  for (size_t i = 0; i < n; i++) {
+    const double theta = fabs(fast[0][i] - exact[0][i]), omega = fabs(fast[1][i] - exact[1][i]);
+    ROT_CHECK(theta <= info_fast.theta_error && omega <= info_fast.omega_error);
+    if (exact[0][i] != 0.0) worst = fmax(worst, theta / fabs(exact[0][i]));
+    if (exact[1][i] != 0.0) worst = fmax(worst, omega / fabs(exact[1][i]));
+    for (int k = 2; k < 7; k++) {
+      ROT_CHECK(fabs(fast[k][i] - exact[k][i]) <= 1e-14 * fabs(exact[k][i]) + 1e-300 + 1e-14);
+    }
+  }
+  ROT_CHECK(info_fast.theta_max >= 0.999 * info.theta_max);
+  ROT_CHECK(info_fast.omega_max >= 0.999 * info.omega_max);
+  return worst;
+}
+
+static void even(size_t n, double from, double to, double t[]) {
+  for (size_t i = 0; i < n; i++) t[i] = from + (to - from) * (double)i / (double)(n - 1);
+}
+
+static void check_even_grids(void) {
+  static const size_t sizes[] = {16, 17, 100, 255, 256, 257, 1000, 3000};
+  static const double viscous[] = {0.0, 1e-12, 0.03, 0.5, 5.0, 60.0};
+  double t[N], worst = 0.0;
+  for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+    for (size_t k = 0; k < sizeof viscous / sizeof viscous[0]; k++) {
+      const rot_axle_params p = article(viscous[k], k % 2 ? 3.0 : 0.0);
+      even(sizes[i], 0.0, 8.5, t);
+      worst = fmax(worst, worst_difference(&p, sizes[i], t));
+    }
+  }
+  printf("  even grids: worst difference %.2g of the value\n", worst);
+  ROT_CHECK(worst < 16.0 * 2.0 * ROT_EPS);
+}
+
+/* Rounded times far from zero, a jittered grid, two grids in one piece, repeated rows. */
+static void check_other_grids(void) {
+  double t[N];
+  const rot_axle_params p = article(0.03, 2.0);
+  even(1000, 1e6, 1e6 + 3.0, t);
+  ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
+  even(1000, 0.0, 8.0, t);
+  for (int i = 0; i < 1000; i++) t[i] += 1e-6 * (i % 7);
+  ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
+  for (int i = 0; i < 1000; i++) t[i] = i < 400 ? 1.0 + 0.001 * i : 1.4 + 0.002 * (i - 400);
+  ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
+  for (int i = 0; i < 1000; i++) t[i] = 1.5 + 0.001 * (i / 2);
+  ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
+}
+
+/* What the doubling itself says: how many rows, and none where it must not be used. */
+static void check_refusals(void) {
+  double t[N];
+  rot_info info;
+  const rot_axle_columns out = columns(fast);
+  const rot_axle_params p = article(0.03, 2.0);
+  const rot_axle_state base = rot_axle_start(&p);
+  const rot_torque_piece rise = {0.0, 1.0, 0.0, 0.8}, turn = {0.0, 1.0, -0.4, 0.8};
+  rot_info_clear(&info);
+  even(1000, 0.001, 0.9, t);
+  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 1000, t, &out, &info), ROT_GRID_ROWS);
+  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 40, t, &out, &info), 40);
+  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 15, t, &out, &info), 0);
+  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &turn, 40, t, &out, &info), 0);
+  t[20] += 1e-5;
+  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 40, t, &out, &info), 0);
+  const rot_axle_params stiff = article(10.0, 2.0);
+  even(40, 0.001, 0.9, t);
+  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&stiff, &base, &rise, 40, t, &out, &info), 0);
+}
+
+/* Constant torque without resistance, by hand: omega = 2 + 3 t, theta = 1 + 2 t + 1.5 t^2. */
+static void check_by_hand(void) {
+  double t[N];
+  rot_info info;
+  const rot_axle_columns out = columns(fast);
+  const rot_axle_params p = {2.0, 0.0, 0.0, 1.0, 2.0, {0, NULL, NULL, 6.0, 6.0, NULL, NULL}};
+  even(300, 0.5, 7.0, t);
+  ROT_CHECK(rot_axle_linear_fast(&p, 300, t, &out, NULL, &info) == ROT_OK);
+  for (int i = 0; i < 300; i++) {
+    ROT_CHECK_REL(fast[1][i], 2.0 + 3.0 * t[i], 1e-15);
+    ROT_CHECK_REL(fast[0][i], 1.0 + 2.0 * t[i] + 1.5 * t[i] * t[i], 1e-15);
+    ROT_CHECK_REL(fast[6][i], fast[1][i] * fast[1][i], 1e-15);
+  }
+}
+
+int main(void) {
+  check_even_grids();
+  check_other_grids();
+  check_refusals();
+  check_by_hand();
+  return rot_test_report("axle_grid");
+}
