@@ -159,7 +159,7 @@ torque_breaks <- function(scene, time_s, complain, call) {
     } else {
       f(t)
     }
-    if (!(is_number(value) || is.logical(value)) || length(value) != 1L) {
+    if (!(is.numeric(value) || is.logical(value)) || is.object(value) || length(value) != 1L) {
       complain(value, t)
     }
     as.double(value)

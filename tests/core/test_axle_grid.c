@@ -19,8 +19,8 @@ static rot_axle_columns columns(double to[7][N]) {
 static rot_axle_params article(double viscous, double omega0) {
   static const double time_s[] = {0.0, 1.0, 4.0, 6.0, 8.0};
   static const double torque_n_m[] = {0.0, 0.8, 0.8, 0.0, 0.0};
-  const rot_axle_params p = {0.0625, viscous, 0.0, 0.5, omega0,
-                             {5, time_s, torque_n_m, 0.0, 0.0, NULL, NULL}};
+  const rot_axle_params p = {0.0625, viscous, 0.0,
+                             0.5,    omega0,  {5, time_s, torque_n_m, 0.0, 0.0, NULL, NULL}};
   return p;
 }
 

@@ -332,12 +332,15 @@ static void check_budget(void) {
 /* Where the state grows out of the doubles, that is what is said, not that the torque was bad. */
 static void check_overflow(void) {
   static const double time_s[] = {0.0}, torque_n_m[] = {0.0};
-  const rot_axle_params scene = axle(2.0, -2.0, 0.0, 0.0, 1.0, knots(1, time_s, torque_n_m));
-  const double t[] = {1.0, 100.0, 800.0};
-  integrate(&scene, 1e-6, 3, t, NULL);
-  ROT_CHECK_EQ_INT(integrated.status, ROT_ERANGE);
-  ROT_CHECK_EQ_INT(integrated.info.rows_done, 2);
-  ROT_CHECK(integrated.info.time_s > 600.0 && integrated.info.time_s < 720.0);
+  const double t[] = {1.0, 100.0, 800.0}, omega0[] = {1.0, -1.0};
+  for (int i = 0; i < 2; i++) {
+    const rot_axle_params scene =
+        axle(2.0, -2.0, 0.0, 0.0, omega0[i], knots(1, time_s, torque_n_m));
+    integrate(&scene, 1e-6, 3, t, NULL);
+    ROT_CHECK_EQ_INT(integrated.status, ROT_ERANGE);
+    ROT_CHECK_EQ_INT(integrated.info.rows_done, 2);
+    ROT_CHECK(integrated.info.time_s > 600.0 && integrated.info.time_s < 720.0);
+  }
 }
 
 static void check_no_rows(void) {

@@ -1,4 +1,6 @@
 /* The integrator: order, error estimate against true error, breaks, and every way a run can end. */
+#include <stdlib.h>
+
 #include "rot_ode.h"
 #include "rot_real.h"
 #include "rot_test.h"
@@ -169,25 +171,42 @@ static void check_estimate(void) {
   ROT_CHECK(lowest >= 0.9 && highest <= 1.3);
 }
 
-/* Dense rows cut every step; the estimate must not fall silent, nor cry. */
+/* Dense rows cut every step; the estimate must not fall silent, nor cry. Forward, then backward. */
 static void check_estimate_of_dense_rows(void) {
-  const int rows[] = {60, 200, 1000, 2000};
-  for (int k = 0; k < 4; k++) {
+  const int rows[] = {60, 200, 1000, 2000, -1000};
+  for (int k = 0; k < 5; k++) {
     static double t[2000];
+    const int n = abs(rows[k]);
     probe seen_by = quiet(2.0);
     const double start[] = {1.0, 0.0};
     const rot_ode_params p = problem(2, oscillator, &seen_by, start, 1e-8);
     double error = 0.0;
-    for (int i = 0; i < rows[k]; i++) t[i] = 10.0 * (i + 1) / rows[k];
-    run(&p, (size_t)rows[k], t, NULL);
+    for (int i = 0; i < n; i++) t[i] = rows[k] > 0 ? 10.0 * (i + 1) / n : 10.0 * (i - n) / n;
+    run(&p, (size_t)n, t, NULL);
     ROT_CHECK_EQ_INT(result.status, ROT_OK);
-    for (int i = 0; i < rows[k]; i++) error = fmax(error, fabs(result.y[2 * i] - cos(2.0 * t[i])));
-    printf("%d rows: error %.3g, estimate %.3g\n", rows[k], error, result.error[0]);
+    for (int i = 0; i < n; i++) error = fmax(error, fabs(result.y[2 * i] - cos(2.0 * t[i])));
+    printf("%d rows: error %.3g, estimate %.3g\n", n, error, result.error[0]);
     ROT_CHECK(error <= result.error[0]);
     ROT_CHECK(result.error[0] <= 1e-8);
     /* Where the rows alone make the steps short, the companion costs a fraction. */
-    if (rows[k] >= 200) ROT_CHECK(seen_by.calls < 13 * rows[k] * 3 / 2 + 500);
+    if (n >= 200) ROT_CHECK(seen_by.calls < 13 * n * 3 / 2 + 500);
   }
+}
+
+/* Where run and companion agree to the last bit, roundings are left: never an estimate of zero. */
+static rot_status steady(double t, const double y[], double dydt[], void *ctx) {
+  (void)y;
+  dydt[0] = 2.0;
+  return seen(ctx, t);
+}
+
+static void check_estimate_of_roundings(void) {
+  const double t[] = {1.0, 3.0}, start[] = {1.0};
+  probe seen_by = quiet(0.0);
+  const rot_ode_params p = problem(1, steady, &seen_by, start, 1e-9);
+  run(&p, 2, t, NULL);
+  ROT_CHECK_ULP(result.y[1], 7.0, 4);
+  ROT_CHECK(result.error[0] >= ROT_EPS * 7.0 && result.error[0] <= 1e-13);
 }
 
 /* The steps that a tolerance costs: tolerance^(-1/8). */
@@ -560,8 +579,7 @@ static void check_stop_by_rhs(void) {
     run(&p, 3, t, NULL);
     ROT_CHECK_EQ_INT(result.status, ROT_EUNWIND);
     ROT_CHECK_EQ_INT(seen_by.calls, stop_at);
-    if (stop_at < 100)
-      ROT_CHECK_EQ_INT(result.info.rows_done, 0); /* still backward */
+    if (stop_at < 100) ROT_CHECK_EQ_INT(result.info.rows_done, 0); /* still backward */
   }
   for (int i = 0; i < 3; i++) {
     probe seen_by = quiet(2.0);
@@ -642,6 +660,7 @@ int main(void) {
   check_order();
   check_estimate();
   check_estimate_of_dense_rows();
+  check_estimate_of_roundings();
   check_cost();
   check_repeated_until_accurate();
   check_accuracy_out_of_reach();

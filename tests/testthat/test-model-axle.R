@@ -406,7 +406,8 @@ test_that("a trajectory inside a torque function", {
 })
 
 test_that("what is not one number is an error that says when and what", {
-  for (bad in list(NULL, c(1, 2), "x", list(1), TRUE, factor(1), numeric(), mean)) {
+  in_kn <- structure(1, class = "units") # a unit that would be ignored is no number
+  for (bad in list(NULL, c(1, 2), "x", list(1), TRUE, factor(1), numeric(), mean, in_kn)) {
     error <- expect_error(with_torque(function(t) bad), class = "rotdyn_error_torque")
     expect_match(conditionMessage(error), "one number in N m")
     expect_error(trajectory(scene_axle(1, function(t) bad), 0:1), class = "rotdyn_error_torque")
