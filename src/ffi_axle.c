@@ -128,7 +128,7 @@ static SEXP call_torque(void *data) {
   SEXP value = PROTECT(Rf_eval(law->call, law->env));
   const int type = TYPEOF(value);
   const int number =
-      Rf_xlength(value) == 1 && !Rf_isFactor(value) &&
+      Rf_xlength(value) == 1 && !Rf_isObject(value) &&
       (type == REALSXP || type == INTSXP || (type == LGLSXP && LOGICAL(value)[0] == NA_LOGICAL));
   if (number) {
     law->torque = Rf_asReal(value);
