@@ -12,8 +12,15 @@ enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and 
 
 #define LEAST_TOLERANCE 1e-13 /* its companion runs at 1e-15: below, rounding is all one sees */
 #define LEAST_SIZE                                                                                 \
-  1e-290           /* below, doubles have no 16 digits left that an error test could ask for */
-#define MARGIN 1.1 /* on the companion's difference, 0.957 to 1.026 of the error */
+  1e-290 /* below, doubles have no 16 digits left that an error test could ask for */
+#define MARGIN        1.1 /* on the companion's difference, 0.957 to 1.026 of the error */
+#define MARGIN_FILLED 2.0 /* where it looks at some of the rows that were filled in: 1 to 1.4 */
+
+/* Nodes of one smooth stretch: t, y[dim], f[dim] of each accepted step. */
+typedef struct node_list {
+  double *data;
+  size_t count, room;
+} node_list;
 
 /* One run at one tolerance. */
 typedef struct ode_run {
@@ -32,6 +39,9 @@ typedef struct ode_run {
   int wild;             /* rhs was not finite in the last trial */
   rot_status status;    /* of the last rhs call */
   double *y, *trial, *trial_error, *slope, *trial_slope; /* dim each */
+  node_list nodes; /* kept where rows are filled in between steps */
+  int filling;     /* rows may be filled in */
+  int keep_nodes;  /* they are, on this side of the start */
   double *largest; /* the caller's: size of each component so far */
 } ode_run;
 
@@ -79,6 +89,53 @@ static void accept(ode_run *run, double t) {
     run->largest[i] = fmax(run->largest[i], fabs(run->y[i]));
   }
   run->info->steps++;
+}
+
+static const double *node_at(const ode_run *run, size_t i) {
+  return run->nodes.data + i * (1 + 2 * run->p->dim);
+}
+
+static rot_status add_node(ode_run *run) {
+  const size_t dim = run->p->dim, stride = 1 + 2 * dim;
+  node_list *nodes = &run->nodes;
+  if (nodes->count == nodes->room) {
+    const size_t room = nodes->room ? 2 * nodes->room : 64;
+    double *data = realloc(nodes->data, room * stride * sizeof *data);
+    if (!data) return ROT_ENOMEM;
+    nodes->data = data;
+    nodes->room = room;
+  }
+  double *node = nodes->data + nodes->count++ * stride;
+  node[0] = run->t;
+  memcpy(node + 1, run->y, dim * sizeof *node);
+  memcpy(node + 1 + dim, run->slope, dim * sizeof *node);
+  return ROT_OK;
+}
+
+/* y at a time between nodes i and i + 1: the Hermite polynomial through values and slopes of the
+ * four nodes around, of degree 7 (of less where there are fewer). Its error is of the order of the
+ * method's own, and the companion, which lands on rows, sees both. */
+static void between_nodes(const ode_run *run, size_t i, double t, double out[]) {
+  const size_t dim = run->p->dim, count = run->nodes.count, m = count < 4 ? count : 4;
+  const size_t first = i < 1 ? 0 : i - 1 + m > count ? count - m : i - 1;
+  const double *y0 = node_at(run, i) + 1;
+  const double width = m > 1 ? node_at(run, first + m - 1)[0] - node_at(run, first)[0] : 1.0;
+  memcpy(out, y0, dim * sizeof *out);
+  for (size_t j = 0; j < m; j++) {
+    const double *node = node_at(run, first + j);
+    const double x = (t - node[0]) / width;
+    double l = 1.0, s = 0.0; /* Lagrange's polynomial at t, its slope at the node */
+    for (size_t k = 0; k < m; k++) {
+      if (k == j) continue;
+      const double apart = (node[0] - node_at(run, first + k)[0]) / width;
+      l *= (t - node_at(run, first + k)[0]) / width / apart;
+      s += 1.0 / apart;
+    }
+    const double value = (1.0 - 2.0 * x * s) * l * l, slope = x * l * l * width;
+    for (size_t c = 0; c < dim; c++) {
+      out[c] += (node[1 + c] - y0[c]) * value + node[1 + dim + c] * slope;
+    }
+  }
 }
 
 /* Why no step is short enough: the right-hand side is not finite, or the state is about to be. */
@@ -129,10 +186,11 @@ static rot_status drive(ode_run *run, double target, double fraction) {
       const double grow = ratio > 0.0 ? 0.9 * pow(ratio, -1.0 / 8.0) : 5.0;
       const double wish = h * fmin(5.0, fmax(0.5, grow));
       accept(run, last ? target : run->t + h);
+      if (run->keep_nodes && add_node(run) != ROT_OK) return ROT_ENOMEM;
       run->longest = fmax(run->longest, fabs(h));
       run->shortest_wish = fmin(run->shortest_wish, fabs(wish));
       /* A step cut short by a target says nothing against the longer one. */
-      if (fabs(wish) > fabs(run->h) || h == run->h) run->h = wish;
+      if (fabs(wish) > fabs(run->h) || (!last && aim == run->h)) run->h = wish;
     } else {
       run->info->rejected++;
       run->h = h * (isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, -1.0 / 8.0)) : 0.1);
@@ -168,53 +226,129 @@ static void choose_rows(row_sample *sample, const rot_ode_params *p, size_t most
   for (size_t j = 0; j < sample->rows; j++) sample->time_s[j] = time_s[sample->row[j]];
 }
 
-/* All rows on one side of the start. */
-static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_t last, int forward,
-                        double y_rows[]) {
+/* The way outward from the start: the next break, and the side of it that rhs may see. */
+typedef struct way {
+  int forward;
+  double outward; /* +Inf or -Inf */
+  size_t k;       /* breaks[k] is next forward, breaks[k - 1] backward */
+  double *near, *far;
+} way;
+
+static way set_out(ode_run *run, const double time_s[], size_t first, size_t last, int forward) {
   const rot_ode_params *p = run->p;
-  const size_t total = last - first;
-  const double outward = forward ? INFINITY : -INFINITY;
-  if (total == 0) return ROT_OK;
+  way w = {forward, forward ? INFINITY : -INFINITY, 0, NULL, NULL};
+  w.near = forward ? &run->after : &run->before;
+  w.far = forward ? &run->before : &run->after;
   memcpy(run->y, p->start, p->dim * sizeof *run->y);
   run->t = p->start_s;
   run->h = (time_s[forward ? last - 1 : first] - p->start_s) / 100.0;
   run->slope_known = 0;
-
-  size_t k = 0; /* next break outward: breaks[k] forward, breaks[k - 1] backward */
-  while (k < p->n_breaks && (forward ? p->breaks[k] <= run->t : p->breaks[k] < run->t)) k++;
   run->after = -INFINITY;
   run->before = INFINITY;
-  const int on_break =
-      forward ? k > 0 && p->breaks[k - 1] == run->t : k < p->n_breaks && p->breaks[k] == run->t;
-  double *near = forward ? &run->after : &run->before, *far = forward ? &run->before : &run->after;
-  if (on_break) *near = nextafter(run->t, outward);
+  while (w.k < p->n_breaks && (forward ? p->breaks[w.k] <= run->t : p->breaks[w.k] < run->t)) w.k++;
+  const int on_break = forward ? w.k > 0 && p->breaks[w.k - 1] == run->t
+                               : w.k < p->n_breaks && p->breaks[w.k] == run->t;
+  if (on_break) *w.near = nextafter(run->t, w.outward);
+  return w;
+}
 
+/* The next break, +-Inf if there is none; rhs stays on this side of it. */
+static double next_break(const ode_run *run, way *w) {
+  const int more = w->forward ? w->k < run->p->n_breaks : w->k > 0;
+  const double stop = more ? run->p->breaks[w->forward ? w->k : w->k - 1] : w->outward;
+  *w->far = more ? nextafter(stop, -w->outward) : w->outward;
+  return stop;
+}
+
+static void cross_break(ode_run *run, way *w, double stop) {
+  *w->near = nextafter(stop, w->outward);
+  run->slope_known = 0;
+  w->k = w->forward ? w->k + 1 : w->k - 1;
+}
+
+/* All rows on one side of the start, with a step that ends at each. */
+static rot_status land_on_rows(ode_run *run, const double time_s[], size_t first, size_t last,
+                               int forward, double y_rows[]) {
+  const size_t total = last - first, dim = run->p->dim;
+  way w = set_out(run, time_s, first, last, forward);
   for (size_t done = 0; done < total; done++) {
     const size_t row = forward ? first + done : last - 1 - done;
     const double fraction = (double)done / (double)total;
     for (;;) {
-      const int more = forward ? k < p->n_breaks : k > 0;
-      const double stop = more ? p->breaks[forward ? k : k - 1] : outward;
-      *far = more ? nextafter(stop, -outward) : outward;
+      const double stop = next_break(run, &w);
       if (forward ? time_s[row] < stop : time_s[row] > stop) break;
       rot_status status = drive(run, stop, fraction);
       if (status != ROT_OK) return status;
-      *near = nextafter(stop, outward);
-      run->slope_known = 0;
-      k = forward ? k + 1 : k - 1;
+      cross_break(run, &w, stop);
     }
     rot_status status = drive(run, time_s[row], fraction);
     if (status != ROT_OK) return status;
-    memcpy(y_rows + row * p->dim, run->y, p->dim * sizeof *run->y);
+    memcpy(y_rows + row * dim, run->y, dim * sizeof *run->y);
     if (forward) run->info->rows_done = row + 1;
     run->info->time_s = run->t;
   }
   return ROT_OK;
 }
 
+/* The same with the steps that the error test allows, three at least from break to break, and the
+ * rows filled in between them. */
+static rot_status fill_rows(ode_run *run, const double time_s[], size_t first, size_t last,
+                            int forward, double y_rows[]) {
+  const size_t total = last - first, dim = run->p->dim;
+  const double cap = run->cap, end = time_s[forward ? last - 1 : first];
+  const double whole = end - run->p->start_s;
+  way w = set_out(run, time_s, first, last, forward);
+  rot_status status = ROT_OK;
+  size_t done = 0;
+  while (status == ROT_OK && done < total) {
+    const double at_break = next_break(run, &w);
+    const int breaks = forward ? at_break < end : at_break > end;
+    const double stop = breaks ? at_break : end;
+    run->nodes.count = 0;
+    if (!run->slope_known) {
+      if (rhs_for_gsl(run->t, run->y, run->slope, run) != GSL_SUCCESS) {
+        return run->wild ? ROT_ETORQUE : run->status;
+      }
+      run->slope_known = 1;
+    }
+    status = add_node(run);
+    run->cap = fmin(cap, fabs(stop - run->t) / 3.0);
+    if (status == ROT_OK)
+      status = drive(run, stop, whole != 0.0 ? (run->t - run->p->start_s) / whole : 0.0);
+    size_t i = 0;
+    while (done < total) {
+      const size_t row = forward ? first + done : last - 1 - done;
+      const double t = time_s[row];
+      if (forward ? t > run->t : t < run->t) break;
+      while (i + 2 < run->nodes.count &&
+             (forward ? node_at(run, i + 1)[0] <= t : node_at(run, i + 1)[0] >= t)) {
+        i++;
+      }
+      between_nodes(run, i, t, y_rows + row * dim);
+      if (forward) run->info->rows_done = row + 1;
+      done++;
+    }
+    if (status == ROT_OK) {
+      run->info->time_s = run->t;
+      if (breaks) cross_break(run, &w, stop);
+    }
+  }
+  run->cap = cap;
+  return status;
+}
+
+static rot_status sweep(ode_run *run, const double time_s[], size_t first, size_t last, int forward,
+                        double y_rows[]) {
+  if (last == first) return ROT_OK;
+  run->keep_nodes = run->filling && last - first > SAMPLE_ROWS;
+  return run->keep_nodes ? fill_rows(run, time_s, first, last, forward, y_rows)
+                         : land_on_rows(run, time_s, first, last, forward, y_rows);
+}
+
 /* How one run is made, and what it did with its steps. */
 typedef struct run_plan {
   double tolerance, cap;         /* in: per step; longest step */
+  int filling;                   /* in: many rows may be filled in between steps */
   double longest, shortest_wish; /* out: longest step taken; shortest that the error test wished */
 } run_plan;
 
@@ -232,6 +366,7 @@ static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, co
   run.info = info;
   run.tolerance = plan->tolerance;
   run.cap = plan->cap;
+  run.filling = plan->filling;
   run.shortest_wish = INFINITY;
   run.largest = largest;
   for (size_t i = 0; i < p->dim; i++) largest[i] = fabs(p->start[i]);
@@ -254,6 +389,7 @@ static rot_status run_once(const rot_ode_params *p, run_plan *plan, size_t n, co
   plan->longest = run.longest;
   plan->shortest_wish = run.shortest_wish;
   if (run.step) gsl_odeiv2_step_free(run.step);
+  free(run.nodes.data);
   free(scratch);
   return info->status;
 }
@@ -274,15 +410,15 @@ enum { COARSER_ROWS = 8 }; /* rows of the run for one that the coarser companion
 
 /* error[i]: largest difference of component i between the run and its companion. Returns the worst
  * of the controlled ones relative to their largest size. */
-static double compare(const rot_ode_params *p, const double y[], const row_sample *c, size_t rows,
-                      const double largest[], double steps, double error[]) {
+static double compare(const rot_ode_params *p, double margin, const double y[], const row_sample *c,
+                      size_t rows, const double largest[], double steps, double error[]) {
   double worst = 0.0;
   for (size_t i = 0; i < p->dim; i++) {
     double difference = 0.0;
     for (size_t j = 0; j < rows; j++) {
       difference = fmax(difference, fabs(y[c->row[j] * p->dim + i] - c->y[j * p->dim + i]));
     }
-    error[i] = MARGIN * difference + 4.0 * ROT_EPS * sqrt(1.0 + steps) * largest[i];
+    error[i] = margin * difference + 4.0 * ROT_EPS * sqrt(1.0 + steps) * largest[i];
     if (i < p->controlled && largest[i] > 0.0) worst = fmax(worst, error[i] / largest[i]);
   }
   return worst;
@@ -299,10 +435,10 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
   other.y = scratch;
   double *unused = scratch + SAMPLE_ROWS * p->dim;
-  int coarser = 1; /* try that first */
+  int coarser = 1, filling = n > SAMPLE_ROWS; /* try those first */
   while (info->status == ROT_OK) {
     rot_info report;
-    run_plan plan = {tolerance, INFINITY, 0.0, 0.0};
+    run_plan plan = {tolerance, INFINITY, filling, 0.0, 0.0};
     run_once(p, &plan, n, time_s, y, largest, hooks, info);
     rhs_calls += info->rhs_calls;
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
@@ -310,16 +446,18 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     /* Of a run that failed, the rows that it reached are worth an error figure too. */
     const size_t reached = info->rows_done;
     double worst = INFINITY;
-    coarser = coarser && plan.shortest_wish >= COARSER_STEP * plan.longest;
+    coarser =
+        coarser && reached <= SAMPLE_ROWS && plan.shortest_wish >= COARSER_STEP * plan.longest;
     for (; worst > p->accuracy; coarser = 0) {
       const size_t most = coarser ? reached / COARSER_ROWS : SAMPLE_ROWS;
       run_plan with = {coarser ? tolerance : 0.01 * tolerance,
-                       coarser ? INFINITY : FINER_STEP * plan.longest, 0.0, 0.0};
+                       coarser ? INFINITY : FINER_STEP * plan.longest, 0, 0.0, 0.0};
       choose_rows(&other, p, most, reached, time_s);
       run_once(p, &with, other.rows, other.time_s, other.y, unused, hooks, &report);
       rhs_calls += report.rhs_calls;
       if (report.status == ROT_OK || !coarser) {
-        worst = compare(p, y, &other, report.rows_done, largest, (double)info->steps, error);
+        worst = compare(p, filling ? MARGIN_FILLED : MARGIN, y, &other, report.rows_done, largest,
+                        (double)info->steps, error);
       }
       if (!coarser || report.status == ROT_EUNWIND) break;
     }
@@ -328,7 +466,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
       info->time_s = report.time_s;
       info->rows_done = report.rows_done ? other.row[report.rows_done - 1] + 1 : 0;
     }
-    if (worst <= p->accuracy || tolerance <= LEAST_TOLERANCE) break;
+    if (worst <= p->accuracy || (tolerance <= LEAST_TOLERANCE && !filling)) break;
+    if (tolerance <= LEAST_TOLERANCE) filling = 0; /* the last digits: land on every row */
     tolerance = fmax(LEAST_TOLERANCE, 0.01 * tolerance);
   }
   info->rhs_calls = rhs_calls;

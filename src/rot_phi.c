@@ -52,18 +52,18 @@ static const double kummer_3[] = {
 
 /* clang-format on */
 
-/* Taylor: sum (-z)^j / (j+k)!, terms enough for 2^-54 at |z| = 0.5 (13) and at 4 (38). */
+/* Taylor: sum (-z)^j / (j+k)!, terms enough for 2^-54 at |z| = 0.5 (13) and at 6 (39). */
 static double taylor(double z, int k) {
-  int terms = fabs(z) <= 0.5 ? 13 : 38;
+  int terms = fabs(z) <= 0.5 ? 13 : 39;
   double s = inverse_factorial[k + terms];
   for (int j = terms - 1; j >= 0; j--) s = s * -z + inverse_factorial[k + j];
   return s;
 }
 
-/* Kummer's form, every term positive: phi_k = exp(-z)/(k-1)! sum_j (z^j/j!)/(j+k). Below z = 3 the
+/* Kummer's form, every term positive: phi_k = exp(-z)/(k-1)! sum_j (z^j/j!)/(j+k). Below z = 4 the
  * upward recurrence has lost digits already and the downward one loses them: 2.9 ulp here. */
 static void kummer(double z, double e, int k_max, double phi[]) {
-  enum { TERMS = 36 };
+  enum { TERMS = 40 };
   double t[TERMS];
   t[0] = 1.0;
   for (int j = 1; j < TERMS; j++) t[j] = t[j - 1] * z / j;
@@ -83,9 +83,9 @@ void rot_phi(double z, double z_lo, int k_max, double phi[]) {
     return;
   }
   phi[1] = z != 0.0 ? -expm1(-z) / z : 1.0;
-  if (z >= 3.0 || z <= -4.0) {
+  if (z >= 4.0 || z <= -6.0) {
     for (int k = 1; k < k_max; k++) phi[k + 1] = (inverse_factorial[k] - phi[k]) / z;
-    if (z <= -4.0 && isfinite(e)) {
+    if (z <= -6.0 && isfinite(e)) {
       /* phi_k grows as exp(-z)/(-z)^k, and so does what the residual is worth. */
       for (int k = 1; k <= k_max; k++) phi[k] -= phi[k] * z_lo * (1.0 + k / z);
     }

@@ -30,7 +30,8 @@ static inline void rot_accumulate(double *sum, double *lo, double x) {
   *lo += e;
 }
 
-/* a*b/c to 0.5 ulp, with the residual in *lo (may be NULL); c is not 0. */
+/* a*b/c to 1.5 ulp, with the residual in *lo (may be NULL): the sum is good to some 1e-32; c is
+ * not 0. */
 double rot_muldiv(double a, double b, double c, double *lo);
 
 /* Product of n numbers, divided by d: at most n + 1 roundings whatever the size of the factors.

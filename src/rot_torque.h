@@ -33,7 +33,8 @@ rot_torque_piece rot_torque_piece_at(const rot_torque *torque, size_t i);
 /* The piece that holds the time just after t (forward) or just before it. */
 size_t rot_torque_find(const rot_torque *torque, double t, int forward);
 
-/* Torque of a piece at a time inside it: 3 ulp, also where it crosses zero. */
+/* Torque of a piece at a time inside it: 3 ulp, also where it crosses zero, down to 1e-32 of the
+ * larger end. */
 double rot_torque_in_piece(const rot_torque_piece *piece, double t);
 
 /* Torque of the knots at any time: after the jump at a jump, the last knot's at the last knot. */

@@ -748,6 +748,20 @@ static void check_there_and_back(void) {
   }
 }
 
+/* A body at rest stays there without torque, however an error would grow; with a torque that
+ * begins or ends at zero it does not. */
+static void check_at_rest(void) {
+  static const double time_s[] = {0.0, 2.0}, falling[] = {6.0, 0.0}, rising[] = {0.0, 6.0};
+  const rot_axle_params unstable = axle(2.0, -3.0, 0.5, 0.0, constant(0.0)),
+                        down = axle(2.0, 0.0, 0.0, 0.0, knots(2, time_s, falling)),
+                        up = axle(2.0, 0.0, 0.0, 0.0, knots(2, time_s, rising));
+  ROT_CHECK(theta_at(&unstable, 1e4) == 0.5 && omega_at(&unstable, 1e4) == 0.0);
+  ROT_CHECK_ULP(omega_at(&down, 2.0), 3.0, 2);
+  ROT_CHECK_ULP(theta_at(&down, 2.0), 4.0, 2);
+  ROT_CHECK_ULP(omega_at(&up, 2.0), 3.0, 2);
+  ROT_CHECK_ULP(theta_at(&up, 2.0), 2.0, 2);
+}
+
 /* Mirror: torque and state negated, theta and omega negated to the last bit; the bounds stay. */
 static void check_mirror(void) {
   static const double time_s[] = {0.0, 3.0, 10.0, 10.0, 20.0},
@@ -868,6 +882,10 @@ static void check_wild_torque(void) {
   ROT_CHECK_EQ_INT(rot_axle_linear(&rising, 1, &far, &out, NULL, &info), ROT_ERANGE);
   ROT_CHECK_EQ_INT(info.rows_done, 0);
   ROT_CHECK_EQ_INT(rot_axle_linear(&falling, 1, &far, &out, NULL, &info), ROT_ERANGE);
+  const rot_axle_params pushed = axle(1e-59, 0.0, 0.0, 0.0, constant(1e59));
+  const double times[] = {0.5, 1e100};
+  ROT_CHECK_EQ_INT(rot_axle_linear(&pushed, 2, times, &out, NULL, &info), ROT_ERANGE);
+  ROT_CHECK_EQ_INT(info.rows_done, 1);
   /* a ramp so long that torque times time is out of range, while all else is not */
   const rot_axle_params p = axle(1e50, 0.0, 0.0, 0.0, knots(2, ages_s, slow));
   ROT_CHECK_ULP(omega_at(&p, 2.0), 2.0, 4);
@@ -1128,6 +1146,10 @@ static void check_low_words(void) {
   for (int i = 1; i <= 8; i++) from = rot_axle_step(&p, &from, &piece, i * 0x1p-60);
   ROT_CHECK(from.omega_rad_per_s == 1.0 && from.omega_lo == 0x1p-54);
   ROT_CHECK(from.theta_rad == 1.0 && from.theta_lo == 0x1p-54 + 8 * 0x1p-60);
+  /* Drives of 1 and 2^-54 rad/s on a body at -1: only the small one is left. */
+  static const double time_s[] = {0.0, 1.0}, torque_n_m[] = {2.0, 0x1p-53};
+  const rot_axle_params met = axle(1.0, 0.0, 0.0, -1.0, knots(2, time_s, torque_n_m));
+  ROT_CHECK(omega_at(&met, 1.0) == 0x1p-54);
 }
 
 /* The rows use it, too, however they are computed: 3 parts of 4 of an ulp of theta round up, the 2
@@ -1212,6 +1234,7 @@ int main(void) {
   check_many_rows();
   check_repeated_times();
   check_there_and_back();
+  check_at_rest();
   check_mirror();
   check_offset();
   check_knots_on_the_line();

@@ -2,19 +2,20 @@
 #include "rot_inertia.h"
 #include "rot_test.h"
 
-/* name, I/(m size^2) about the axis named, about the centre along x, y, z */
+/* name, I/(m size^2) about the axis named, about the centre along x, y, z, and how it reads */
 static const struct {
   const char *name;
   double axis, x, y, z;
+  const char *formula;
 } known[] = {
-    {"hoop", 1.0, 1.0 / 2.0, 1.0 / 2.0, 1.0},
-    {"disk", 1.0 / 2.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 2.0},
-    {"sphere", 2.0 / 5.0, 2.0 / 5.0, 2.0 / 5.0, 2.0 / 5.0},
-    {"spherical_shell", 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0},
-    {"rod", 1.0 / 12.0, 0.0, 1.0 / 12.0, 1.0 / 12.0},
-    {"rod_end", 1.0 / 3.0, 0.0, 1.0 / 12.0, 1.0 / 12.0},
-    {"point", 1.0, 0.0, 0.0, 0.0},
-    {"sliding_point", 0.0, 0.0, 0.0, 0.0},
+    {"hoop", 1.0, 1.0 / 2.0, 1.0 / 2.0, 1.0, "m r^2"},
+    {"disk", 1.0 / 2.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 2.0, "m r^2 / 2"},
+    {"sphere", 2.0 / 5.0, 2.0 / 5.0, 2.0 / 5.0, 2.0 / 5.0, "2 m r^2 / 5"},
+    {"spherical_shell", 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, "2 m r^2 / 3"},
+    {"rod", 1.0 / 12.0, 0.0, 1.0 / 12.0, 1.0 / 12.0, "m l^2 / 12"},
+    {"rod_end", 1.0 / 3.0, 0.0, 1.0 / 12.0, 1.0 / 12.0, "m l^2 / 3"},
+    {"point", 1.0, 0.0, 0.0, 0.0, "m r^2"},
+    {"sliding_point", 0.0, 0.0, 0.0, 0.0, "0"},
 };
 
 enum { KNOWN = sizeof known / sizeof known[0] };
@@ -28,7 +29,8 @@ static void check_shapes(void) {
     ROT_CHECK_ULP(shape->principal[0], known[i].x, 0);
     ROT_CHECK_ULP(shape->principal[1], known[i].y, 0);
     ROT_CHECK_ULP(shape->principal[2], known[i].z, 0);
-    ROT_CHECK(strlen(shape->axis_text) > 0 && strlen(shape->formula) > 0);
+    ROT_CHECK(strcmp(shape->formula, known[i].formula) == 0);
+    ROT_CHECK(strlen(shape->axis_text) > 0);
     ROT_CHECK(strcmp(shape->size, i == 4 || i == 5 ? "length_m" : "radius_m") == 0);
     for (size_t j = 0; j < i; j++) ROT_CHECK(strcmp(shape->name, rot_shape_at(j)->name) != 0);
   }

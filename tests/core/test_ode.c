@@ -171,7 +171,8 @@ static void check_estimate(void) {
   ROT_CHECK(lowest >= 0.9 && highest <= 1.3);
 }
 
-/* Dense rows cut every step; the estimate must not fall silent, nor cry. Forward, then backward. */
+/* Dense rows: landed on or filled in, the estimate must not fall silent, nor cry. Forward, then
+ * backward. */
 static void check_estimate_of_dense_rows(void) {
   const int rows[] = {60, 200, 1000, 2000, -1000};
   for (int k = 0; k < 5; k++) {
@@ -188,8 +189,8 @@ static void check_estimate_of_dense_rows(void) {
     printf("%d rows: error %.3g, estimate %.3g\n", n, error, result.error[0]);
     ROT_CHECK(error <= result.error[0]);
     ROT_CHECK(result.error[0] <= 1e-8);
-    /* Where the rows alone make the steps short, the companion costs a fraction. */
-    if (n >= 200) ROT_CHECK(seen_by.calls < 13 * n * 3 / 2 + 500);
+    /* More rows than the steps need are filled in between them. */
+    if (n >= 1000) ROT_CHECK(seen_by.calls < 8 * n);
   }
 }
 
