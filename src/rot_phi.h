@@ -9,8 +9,8 @@
 #define ROT_PHI_MAX 6
 
 /* phi[0..k_max] of -(z + z_lo), k_max <= ROT_PHI_MAX; z_lo matters to phi_0, and to the others from
- * z = -6 down. Any z, +-Inf and NaN included. Largest error: 3 ulp
- * for k <= 4, 4 ulp for k = 5, 6. */
+ * z = -6 down. Any z, +-Inf and NaN included. Largest error: 3 ulp for
+ * k <= 4, 4 ulp for k = 5, 6. */
 void rot_phi(double z, double z_lo, int k_max, double phi[]);
 
 /* int_0^1 exp(-z y) y dy = phi_1 - phi_2 without the difference; phi0, phi1 of the same z. */
