@@ -78,34 +78,44 @@ NULL
 #' @rdname body_shapes
 #' @export
 body_disk <- function(mass_kg, radius_m) {
-  check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  if (missing(mass_kg) || missing(radius_m)) {
+    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  }
   new_shape_body("disk", mass_kg, radius_m, TRUE, rlang::current_env())
 }
 
 #' @rdname body_shapes
 #' @export
 body_hoop <- function(mass_kg, radius_m) {
-  check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  if (missing(mass_kg) || missing(radius_m)) {
+    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  }
   new_shape_body("hoop", mass_kg, radius_m, TRUE, rlang::current_env())
 }
 
 #' @rdname body_shapes
 #' @export
 body_sphere <- function(mass_kg, radius_m) {
-  check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  if (missing(mass_kg) || missing(radius_m)) {
+    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  }
   new_shape_body("sphere", mass_kg, radius_m, TRUE, rlang::current_env())
 }
 
 #' @rdname body_shapes
 #' @export
 body_spherical_shell <- function(mass_kg, radius_m) {
-  check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  if (missing(mass_kg) || missing(radius_m)) {
+    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+  }
   new_shape_body("spherical_shell", mass_kg, radius_m, TRUE, rlang::current_env())
 }
 
 #' @rdname body_shapes
 #' @export
 body_rod <- function(mass_kg, length_m) {
-  check_supplied(c("mass_kg", "length_m"), rlang::current_env())
+  if (missing(mass_kg) || missing(length_m)) {
+    check_supplied(c("mass_kg", "length_m"), rlang::current_env())
+  }
   new_shape_body("rod", mass_kg, length_m, FALSE, rlang::current_env())
 }

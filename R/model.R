@@ -73,7 +73,9 @@ model_why_not <- function(model, scene, accuracy) {
 #' @export
 choose_model <- function(scene, time_s, accuracy = 1e-9) {
   call <- rlang::current_env()
-  check_supplied(c("scene", "time_s"), call)
+  if (missing(scene) || missing(time_s)) {
+    check_supplied(c("scene", "time_s"), call)
+  }
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
   accuracy <- check_accuracy(accuracy, call)

@@ -132,7 +132,9 @@ NULL
 #' @rdname rolling_functions
 #' @export
 rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665) {
-  check_supplied("beta", rlang::current_env())
+  if (missing(beta)) {
+    check_supplied("beta", rlang::current_env())
+  }
   columns <- list(
     beta = beta, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
   )
@@ -142,7 +144,9 @@ rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 
 #' @rdname rolling_functions
 #' @export
 rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665) {
-  check_supplied("beta", rlang::current_env())
+  if (missing(beta)) {
+    check_supplied("beta", rlang::current_env())
+  }
   columns <- list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2)
   by_row(ffi_rolling_final_speed, columns, rlang::current_env())
 }
@@ -150,21 +154,27 @@ rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80
 #' @rdname rolling_functions
 #' @export
 rotational_energy_fraction <- function(beta) {
-  check_supplied("beta", rlang::current_env())
+  if (missing(beta)) {
+    check_supplied("beta", rlang::current_env())
+  }
   by_row(ffi_rolling_rotational_fraction, list(beta = beta), rlang::current_env())
 }
 
 #' @rdname rolling_functions
 #' @export
 translational_energy_fraction <- function(beta) {
-  check_supplied("beta", rlang::current_env())
+  if (missing(beta)) {
+    check_supplied("beta", rlang::current_env())
+  }
   by_row(ffi_rolling_translational_fraction, list(beta = beta), rlang::current_env())
 }
 
 #' @rdname rolling_functions
 #' @export
 rolling_friction_coefficient <- function(beta, incline_angle_deg = 20) {
-  check_supplied("beta", rlang::current_env())
+  if (missing(beta)) {
+    check_supplied("beta", rlang::current_env())
+  }
   columns <- list(beta = beta, incline_angle_deg = incline_angle_deg)
   by_row(ffi_rolling_friction, columns, rlang::current_env())
 }

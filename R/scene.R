@@ -27,7 +27,9 @@
 scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
                        omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1)) {
   call <- rlang::current_env()
-  check_supplied("body", call)
+  if (missing(body)) {
+    check_supplied("body", call)
+  }
   check_no_dots(...)
   if (inherits(body, "rot_body")) {
     axis <- check_finite(axis, "axis", "1", call)

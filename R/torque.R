@@ -47,7 +47,9 @@ NULL
 #' @export
 torque_constant <- function(torque_n_m) {
   call <- rlang::current_env()
-  check_supplied("torque_n_m", call)
+  if (missing(torque_n_m)) {
+    check_supplied("torque_n_m", call)
+  }
   torque_n_m <- check_number(torque_n_m, "torque_n_m", "N*m", call)
   new_torque(
     "rot_torque_knots",
@@ -59,7 +61,9 @@ torque_constant <- function(torque_n_m) {
 #' @export
 torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
   call <- rlang::current_env()
-  check_supplied("time_s", call)
+  if (missing(time_s)) {
+    check_supplied("time_s", call)
+  }
   check_no_dots(...)
   if (missing(outside)) {
     outside <- "zero"
@@ -74,7 +78,9 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
     torque_n_m <- time_s[["torque_n_m"]]
     time_s <- time_s[["time_s"]]
   }
-  check_supplied("torque_n_m", call)
+  if (missing(torque_n_m)) {
+    check_supplied("torque_n_m", call)
+  }
   time_s <- check_finite(time_s, "time_s", "s", call)
   torque_n_m <- check_finite(torque_n_m, "torque_n_m", "N*m", call)
   n <- length(time_s)
@@ -126,7 +132,9 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
 #' @export
 torque_function <- function(f, breaks_s = NULL) {
   call <- rlang::current_env()
-  check_supplied("f", call)
+  if (missing(f)) {
+    check_supplied("f", call)
+  }
   if (!is.function(f)) {
     abort_rotdyn(
       c(

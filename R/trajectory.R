@@ -40,8 +40,10 @@
 #' @export
 trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
                        on_fail = c("abort", "truncate"), max_steps = 1e6) {
-  call <- rlang::current_env()
-  check_supplied(c("scene", "time_s"), call)
+  call <- environment()
+  if (missing(scene) || missing(time_s)) {
+    check_supplied(c("scene", "time_s"), call)
+  }
   check_no_dots(...)
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
@@ -259,7 +261,9 @@ glance.rot_trajectory <- function(x, ...) {
 #' @export
 predict.rot_trajectory <- function(object, time_s, ...) {
   call <- rlang::current_env()
-  check_supplied("time_s", call)
+  if (missing(time_s)) {
+    check_supplied("time_s", call)
+  }
   check_no_dots(...)
   run <- trajectory_run(object)
   time_s <- check_column(time_s, "time_s", "s", call)

@@ -16,7 +16,7 @@ static int solve(const char *how, solution *s) {
   params.torque.time_s = time_s;
   params.torque.torque_n_m = torque;
   s->rhs_calls = 0;
-  return rot_axle_linear(&params, s->n, s->time_s, &columns, NULL, &info) != ROT_OK;
+  return rot_axle_linear_fast(&params, s->n, s->time_s, &columns, NULL, &info) != ROT_OK;
 }
 
 int main(int argc, char **argv) { return child_main(argc, argv, solve); }
