@@ -33,5 +33,6 @@ test_that("every status of the core has a kind that the help lists", {
   expect_error(
     trajectory(scene_axle(1, 1, resistance(-10)), 1000), class = "rotdyn_error_range"
   )
-  expect_true(all(c("range", "torque", "budget", "step", "memory") %in% names(rotdyn:::error_kinds)))
+  kinds <- c("range", "torque", "budget", "step", "memory")
+  expect_true(all(kinds %in% names(rotdyn:::error_kinds)))
 })

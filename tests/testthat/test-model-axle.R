@@ -166,7 +166,8 @@ test_that("backwards in time and forward again is where it was", {
 test_that("the state is that of start_s, wherever the rows begin", {
   late <- trajectory(article_scene(start_s = 3, omega0_rad_per_s = 7), c(3, 5))
   expect_equal(late$omega_rad_per_s[1], 7)
-  expect_equal(trajectory(article_scene(start_s = 3, omega0_rad_per_s = 7), 5)$theta_rad, late$theta_rad[2])
+  alone <- trajectory(article_scene(start_s = 3, omega0_rad_per_s = 7), 5)
+  expect_equal(alone$theta_rad, late$theta_rad[2])
 })
 
 test_that("signs: torque, rate and angle turned round together", {
@@ -326,7 +327,8 @@ with_torque <- function(f, ..., n = 20) {
 }
 
 test_that("an R error arrives with its message and call", {
-  error <- tryCatch(with_torque(function(t) if (t > 2) stop("the bearing broke") else 1), error = identity)
+  break_at_2 <- function(t) if (t > 2) stop("the bearing broke") else 1
+  error <- tryCatch(with_torque(break_at_2), error = identity)
   expect_s3_class(error, "simpleError")
   expect_match(conditionMessage(error), "the bearing broke")
 })

@@ -2,7 +2,8 @@ test_that("every model has a whole record", {
   table <- models()
   expect_equal(table$model, c("axle_free", "axle_linear", "axle_rk8pd"))
   expect_false(anyNA(table))
-  expect_true(all(vapply(table[vapply(table, is.character, TRUE)], function(x) all(nzchar(x)), TRUE)))
+  text <- table[vapply(table, is.character, TRUE)]
+  expect_true(all(vapply(text, function(x) all(nzchar(x)), TRUE)))
   expect_true(all(table$error_kind %in% c("bound", "estimate")))
 })
 

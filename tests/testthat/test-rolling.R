@@ -61,7 +61,9 @@ test_that("limits: a point that slides, all energy in rotation, vertical, level,
 
 test_that("the friction that rolling needs", {
   # University Physics 1, section 11.1 (OpenStax): hoop and solid cylinder on 60 degrees.
-  expect_equal(rolling_friction_coefficient(c(1, 0.5), 60), c(0.8660254037844386, 0.5773502691896258))
+  expect_equal(
+    rolling_friction_coefficient(c(1, 0.5), 60), c(0.8660254037844386, 0.5773502691896258)
+  )
   expect_equal(rolling_friction_coefficient(1, -60), rolling_friction_coefficient(1, 60))
   expect_identical(rolling_friction_coefficient(c(0, 1), 90), c(0, Inf))
 })

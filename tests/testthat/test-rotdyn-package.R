@@ -7,6 +7,8 @@ test_that("ARCHITECTURE.md names every file of R/ and src/", {
     list.files(file.path(root, "R"), "[.]R$"),
     list.files(file.path(root, "src"), "[.](c|h|in|win)$")
   )
-  named <- vapply(files, function(file) any(grepl(paste0("`", file, "`"), text, fixed = TRUE)), TRUE)
+  named <- vapply(files, function(file) {
+    any(grepl(paste0("`", file, "`"), text, fixed = TRUE))
+  }, TRUE)
   expect_equal(files[!named], character())
 })
