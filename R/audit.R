@@ -12,7 +12,8 @@
 #' @param x A `rot_trajectory`.
 #' @param ... Not used.
 #' @return A `rot_audit`: a tibble of one row with the columns `r describe_columns(audit_columns)`
-#'   Without rows all numbers are NA.
+#'   Without rows all numbers are NA. The verdict is NA where a balance cannot be drawn: no rows, or
+#'   energies beyond double precision.
 #' @examples
 #' audit(spin_up())
 #' @export
@@ -67,8 +68,8 @@ audit.rot_trajectory <- function(x, ...) {
   momentum_rounding <- ledger[6] + inertia * sum(omega_error) +
     abs(viscous) * sum(run$info$theta_error + eps * abs(theta)) +
     2 * eps * (abs(momentum) + abs(ledger[3]) + abs(damping))
-  balanced <- isTRUE(abs(energy_residual) <= energy_rounding) &&
-    isTRUE(abs(momentum_residual) <= momentum_rounding)
+  balanced <- abs(energy_residual) <= energy_rounding &&
+    abs(momentum_residual) <= momentum_rounding
   tibble::new_tibble(list(
     work_j = ledger[1],
     dissipated_j = ledger[2],
@@ -80,7 +81,7 @@ audit.rot_trajectory <- function(x, ...) {
     angular_momentum_change_kg_m2_per_s = momentum,
     momentum_residual_kg_m2_per_s = momentum_residual,
     momentum_rounding_kg_m2_per_s = momentum_rounding,
-    verdict = if (balanced) "balanced" else "unbalanced"
+    verdict = if (is.na(balanced)) NA_character_ else if (balanced) "balanced" else "unbalanced"
   ), nrow = 1L, class = "rot_audit")
 }
 

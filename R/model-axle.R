@@ -98,16 +98,19 @@ axle_rk8pd <- list(
   why = function(scene) "the torque is an R function: no closed form is known, so it is integrated",
   error = function(accuracy) max(accuracy, 1e-13),
   cost = function(scene, rows, accuracy) {
-    # Two runs of 13 evaluations a step, a step for each row at least; an R call is some 500 ns.
+    # Two runs of 13 evaluations a step; up to 64 rows are landed on, more are filled in; the torque
+    # once more for each row. An R call is some 500 ns.
     each <- if (has_knots(scene)) 60 else 2000
-    2 * 13 * each * (rows + 4 * max(1, -log10(accuracy)) * (1 + length(scene$torque$time_s)))
+    steps <- min(rows, 64) + 4 * max(1, -log10(accuracy)) * (1 + length(scene$torque$time_s))
+    each * (2 * 13 * steps + rows)
   },
   run = function(scene, time_s, accuracy, max_steps, call) {
     integrate_axle(scene, time_s, accuracy, max_steps, call)
   },
   # The integrator carries the ledger with the state; other rows mean another run.
   ledger = function(scene, run, from_s, to_s) {
-    integrate_axle(scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call)[[3]]
+    result <- integrate_axle(scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call)
+    if (result[[2]]$kind == "none") result[[3]] else rep(NA_real_, 6)
   }
 )
 

@@ -103,6 +103,9 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
   ffi_guard_end(&guard, rot_axle_linear_ledger(&p, from, to, &guard.hooks, &ledger, &info));
+  if (info.status != ROT_OK) { /* a sum of half the way is no ledger */
+    ledger = (rot_axle_ledger){NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL};
+  }
   return ledger_vector(&ledger);
 }
 

@@ -8,7 +8,7 @@
 
 enum { ROWS_PER_POLL = 8192 };
 
-size_t rot_axle_rows_before_start(const rot_axle_params *p, size_t n, const double time_s[]) {
+static size_t rows_before_start(const rot_axle_params *p, size_t n, const double time_s[]) {
   size_t lo = 0, hi = n;
   while (lo < hi) {
     size_t mid = lo + (hi - lo) / 2;
@@ -382,7 +382,7 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
 
 static rot_status both_ways(const rot_axle_params *p, size_t n, const double time_s[], int fast,
                             const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
-  const size_t before = rot_axle_rows_before_start(p, n, time_s);
+  const size_t before = rows_before_start(p, n, time_s);
   rot_info_clear(info);
   note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->status = march(p, time_s, 0, before, 0, fast, out, hooks, info);

@@ -64,7 +64,4 @@ static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns
   out->energy_j[i] = 0.5 * momentum * omega;
 }
 
-/* Rows before start_s. */
-size_t rot_axle_rows_before_start(const rot_axle_params *p, size_t n, const double time_s[]);
-
 #endif

@@ -69,3 +69,9 @@ test_that("an audit prints a ledger", {
   # Round numbers: I = 2, tau = 3.
   expect_snapshot(audit(trajectory(scene_axle(2, 3), c(0, 4))))
 })
+
+test_that("where a balance cannot be drawn there is no verdict", {
+  # K is beyond 1.8e308, omega is not.
+  huge <- trajectory(scene_axle(2, resistance = resistance(-4), omega0_rad_per_s = 1), c(0, 200))
+  expect_true(is.na(audit(huge)$verdict))
+})
