@@ -1,23 +1,31 @@
 #include "ffi.h"
+
+#include <string.h>
+
 #include "rot_axle.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_ode.h"
+#include "rot_axle_scene.h"
 
 /* c(inertia, viscous, start, theta0, omega0) and list(knot times, knot torques, c(before, after)),
  * as R/model-axle.R packs them. */
+static rot_torque unpack_knots(SEXP knots) {
+  rot_torque torque = {0, NULL, NULL, 0.0, 0.0, NULL, NULL};
+  if (Rf_isNull(knots)) return torque;
+  if (TYPEOF(knots) != VECSXP || XLENGTH(knots) != 3) Rf_error("internal: `knots`");
+  SEXP times = VECTOR_ELT(knots, 0);
+  const double *outside = ffi_reals(VECTOR_ELT(knots, 2), "outside", 2);
+  torque.time_s = ffi_reals(times, "times", -1);
+  torque.torque_n_m = ffi_reals(VECTOR_ELT(knots, 1), "torque", XLENGTH(times));
+  torque.n = (size_t)XLENGTH(times);
+  torque.before_n_m = outside[0];
+  torque.after_n_m = outside[1];
+  return torque;
+}
+
 static rot_axle_params unpack(SEXP numbers, SEXP torque) {
   const double *x = ffi_reals(numbers, "numbers", 5);
-  rot_axle_params p = {x[0], x[1], x[2], x[3], x[4], {0, NULL, NULL, 0.0, 0.0, NULL, NULL}};
-  if (Rf_isNull(torque)) return p;
-  if (TYPEOF(torque) != VECSXP || XLENGTH(torque) != 3) Rf_error("internal: `torque`");
-  SEXP knots = VECTOR_ELT(torque, 0);
-  const double *outside = ffi_reals(VECTOR_ELT(torque, 2), "outside", 2);
-  p.torque.time_s = ffi_reals(knots, "knots", -1);
-  p.torque.torque_n_m = ffi_reals(VECTOR_ELT(torque, 1), "torque", XLENGTH(knots));
-  p.torque.n = (size_t)XLENGTH(knots);
-  p.torque.before_n_m = outside[0];
-  p.torque.after_n_m = outside[1];
-  return p;
+  return (rot_axle_params){x[0], x[1], x[2], x[3], x[4], unpack_knots(torque)};
 }
 
 /* The article's eight columns; the first is the times themselves. Protects one object. */
@@ -107,6 +115,136 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
     ledger = (rot_axle_ledger){NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL};
   }
   return ledger_vector(&ledger);
+}
+
+/* ---- scenes with more than knots and viscous resistance --------------------------------------- */
+
+static size_t term_count(SEXP terms) {
+  if (TYPEOF(terms) != VECSXP) Rf_error("internal: `terms`");
+  return (size_t)XLENGTH(terms);
+}
+
+/* list(kind, from, to, x) each; the array lives as long as the call from R. */
+static const rot_term *unpack_terms(SEXP terms) {
+  const size_t n = term_count(terms);
+  rot_term *out = (rot_term *)R_alloc(n ? n : 1, sizeof *out);
+  for (size_t i = 0; i < n; i++) {
+    SEXP term = VECTOR_ELT(terms, (R_xlen_t)i);
+    if (TYPEOF(term) != VECSXP || XLENGTH(term) != 4) Rf_error("internal: `term`");
+    const double kind = ffi_real(VECTOR_ELT(term, 0), "kind");
+    SEXP x = VECTOR_ELT(term, 3);
+    if (!(kind >= 0.0 && kind < ROT_TERM_KINDS)) Rf_error("internal: `kind`");
+    out[i].kind = (rot_term_kind)(int)kind;
+    out[i].from_s = ffi_real(VECTOR_ELT(term, 1), "from");
+    out[i].to_s = ffi_real(VECTOR_ELT(term, 2), "to");
+    out[i].x = ffi_reals(x, "x", -1);
+    out[i].length = (size_t)XLENGTH(x);
+    if (!rot_term_valid(&out[i])) Rf_error("internal: a term does not hold together");
+  }
+  return out;
+}
+
+/* list(numbers, knots, terms, list(times, moments) of the inertia, breaks), as R/model-axle.R packs
+ * it; numbers = c(inertia, viscous, start, theta0, omega0, motor, quadratic, coulomb, static). */
+static rot_axle_scene unpack_scene(SEXP pack) {
+  if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 5) Rf_error("internal: `scene`");
+  const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 9);
+  SEXP terms = VECTOR_ELT(pack, 2), inertia = VECTOR_ELT(pack, 3), breaks = VECTOR_ELT(pack, 4);
+  if (TYPEOF(inertia) != VECSXP || XLENGTH(inertia) != 2) Rf_error("internal: `inertia`");
+  const R_xlen_t knots = XLENGTH(VECTOR_ELT(inertia, 0));
+  rot_axle_scene scene = {{x[0], x[1] + x[5], x[2], x[3], x[4], unpack_knots(VECTOR_ELT(pack, 1))},
+                          x[1],
+                          x[5],
+                          x[6],
+                          x[7],
+                          x[8],
+                          term_count(terms),
+                          unpack_terms(terms),
+                          (size_t)knots,
+                          ffi_reals(VECTOR_ELT(inertia, 0), "inertia", knots),
+                          ffi_reals(VECTOR_ELT(inertia, 1), "inertia", knots),
+                          (size_t)XLENGTH(breaks),
+                          ffi_reals(breaks, "breaks", -1)};
+  return scene;
+}
+
+static SEXP event_list(const rot_events *events) {
+  static const char *const names[] = {"time_s", "event", ""};
+  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  const R_xlen_t n = (R_xlen_t)events->count;
+  SET_VECTOR_ELT(list, 0, Rf_allocVector(REALSXP, n));
+  SET_VECTOR_ELT(list, 1, Rf_allocVector(STRSXP, n));
+  for (R_xlen_t i = 0; i < n; i++) {
+    REAL(VECTOR_ELT(list, 0))[i] = events->time_s[i];
+    SET_STRING_ELT(VECTOR_ELT(list, 1), i, Rf_mkChar(rot_event_name(events->event[i])));
+  }
+  UNPROTECT(1);
+  return list;
+}
+
+/* list(columns, info, ledger, events); ends the guard, and frees the events before R may jump on.
+ * The allocations here could jump too, so they are made under the guard. */
+typedef struct model_result {
+  SEXP columns, ledger;
+  const rot_info *info;
+  const rot_events *events;
+} model_result;
+
+static SEXP make_result(void *data) {
+  const model_result *r = data;
+  SEXP out = PROTECT(Rf_allocVector(VECSXP, 4));
+  SET_VECTOR_ELT(out, 0, r->columns);
+  SET_VECTOR_ELT(out, 1, ffi_info(r->info));
+  SET_VECTOR_ELT(out, 2, r->ledger);
+  SET_VECTOR_ELT(out, 3, event_list(r->events));
+  UNPROTECT(1);
+  return out;
+}
+
+static SEXP with_events(SEXP columns, const rot_info *info, SEXP ledger, rot_events *events,
+                        ffi_guard *guard, rot_status status) {
+  model_result data = {columns, ledger, info, events};
+  SEXP out = R_NilValue;
+  if (status != ROT_EUNWIND) status = ffi_guarded(guard, make_result, &data, &out);
+  rot_events_free(events);
+  PROTECT(out);
+  if (status == ROT_EUNWIND) R_ContinueUnwind(guard->token);
+  UNPROTECT(2); /* out, and what ffi_guard_begin() protects */
+  return out;
+}
+
+/* Every exact model of such a scene by its name in R/model-axle.R. Listed once, here. */
+static const struct {
+  const char *name;
+  rot_axle_model run;
+} models[] = {
+    {"", NULL},
+};
+
+static rot_axle_model model_named(SEXP name) {
+  if (TYPEOF(name) != STRSXP || XLENGTH(name) != 1) Rf_error("internal: `model`");
+  for (size_t i = 0; i < sizeof models / sizeof *models; i++) {
+    if (models[i].run && !strcmp(models[i].name, CHAR(STRING_ELT(name, 0)))) return models[i].run;
+  }
+  Rf_error("internal: no such model");
+}
+
+/* list(columns, info, NULL, events) */
+SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
+  const rot_axle_model run = model_named(name);
+  const rot_axle_scene scene = unpack_scene(pack);
+  const double *t = ffi_reals(time_s, "time_s", -1);
+  rot_axle_columns columns;
+  rot_events events = {0, 0, NULL, NULL};
+  rot_info info;
+  ffi_guard guard;
+  SEXP list = new_columns(time_s, &columns);
+  ffi_guard_begin(&guard, progress);
+  const rot_status status =
+      run(&scene, (size_t)XLENGTH(time_s), t, &columns, &events, &guard.hooks, &info);
+  SEXP out = with_events(list, &info, R_NilValue, &events, &guard, status);
+  UNPROTECT(1);
+  return out;
 }
 
 /* ---- a torque law that is an R function ----------------------------------------------------- */

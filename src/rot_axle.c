@@ -21,31 +21,20 @@ static size_t rows_before_start(const rot_axle_params *p, size_t n, const double
   return lo;
 }
 
-static void note_state(rot_info *info, double theta, double omega) {
-  if (!(fabs(theta) <= info->theta_max)) info->theta_max = fabs(theta);
-  if (!(fabs(omega) <= info->omega_max)) info->omega_max = fabs(omega);
-}
-
-static void note_row(rot_info *info, double theta, double omega, double e_theta, double e_omega) {
-  note_state(info, theta, omega);
-  if (!(e_theta <= info->theta_error)) info->theta_error = e_theta;
-  if (!(e_omega <= info->omega_error)) info->omega_error = e_omega;
-}
-
 /* ---- free spin ------------------------------------------------------------------------------ */
 
 rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   const double omega = p->omega0_rad_per_s;
   rot_info_clear(info);
-  note_state(info, p->theta0_rad, omega);
+  rot_note_state(info, p->theta0_rad, omega);
   for (size_t i = 0; i < n; i++) {
     double turned = omega * (time_s[i] - p->start_s), theta = p->theta0_rad + turned;
     info->time_s = time_s[i];
     if (!isfinite(theta)) return info->status = ROT_ERANGE;
     rot_axle_row(p, out, i, theta, omega, 0.0);
     /* Three roundings: the time difference, the product, the sum. */
-    note_row(info, theta, omega, ROT_EPS * (2.0 * fabs(turned) + fabs(theta)), 0.0);
+    rot_note_row(info, theta, omega, ROT_EPS * (2.0 * fabs(turned) + fabs(theta)), 0.0);
     info->rows_done = i + 1;
     if (i % ROWS_PER_POLL == ROWS_PER_POLL - 1) {
       rot_status status = rot_poll(hooks, (double)i / (double)n);
@@ -165,8 +154,8 @@ static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state 
   }
   rot_axle_row(run->p, run->out, i, state->theta_rad, state->omega_rad_per_s,
                rot_torque_at(&run->p->torque, state->time_s));
-  note_row(run->info, state->theta_rad, state->omega_rad_per_s, state->theta_error,
-           state->omega_error);
+  rot_note_row(run->info, state->theta_rad, state->omega_rad_per_s, state->theta_error,
+               state->omega_error);
   return ROT_OK;
 }
 
@@ -214,14 +203,14 @@ static void lane_rows(const row_run *run, const size_t row[ROT_LANES], double ba
     const double omega = from_w0 + (driven + base->omega_lo * phi.phi0[l]);
     const double theta = base->theta_rad + (turned + base->theta_lo);
     rot_axle_row(run->p, run->out, row[l], theta, omega, b);
-    note_row(run->info, theta, omega,
-             base->theta_error +
-                 fabs(s[l]) * (base->omega_error * phi.phi1[l] +
-                               rounding * (fabs(w0) * phi.phi1[l] + fabs(va) * p23 +
-                                           fabs(vb) * phi.phi3[l])) +
-                 ROT_EPS * fabs(theta),
-             base->omega_error * phi.phi0[l] +
-                 rounding * (fabs(from_w0) + fabs(va) * phi.g1[l] + fabs(vb) * phi.phi2[l]));
+    rot_note_row(run->info, theta, omega,
+                 base->theta_error +
+                     fabs(s[l]) * (base->omega_error * phi.phi1[l] +
+                                   rounding * (fabs(w0) * phi.phi1[l] + fabs(va) * p23 +
+                                               fabs(vb) * phi.phi3[l])) +
+                     ROT_EPS * fabs(theta),
+                 base->omega_error * phi.phi0[l] +
+                     rounding * (fabs(from_w0) + fabs(va) * phi.g1[l] + fabs(vb) * phi.phi2[l]));
   }
 }
 
@@ -239,10 +228,10 @@ static void coasting_row(const row_run *run, size_t i) {
   const double omega = w0 * phi0 + base->omega_lo * phi0, turned = s * w0 * phi1;
   const double theta = base->theta_rad + (turned + base->theta_lo);
   rot_axle_row(run->p, run->out, i, theta, omega, 0.0);
-  note_row(run->info, theta, omega,
-           base->theta_error + base->omega_error * fabs(s) * phi1 + rounding * fabs(turned) +
-               ROT_EPS * fabs(theta),
-           base->omega_error * phi0 + rounding * fabs(omega));
+  rot_note_row(run->info, theta, omega,
+               base->theta_error + base->omega_error * fabs(s) * phi1 + rounding * fabs(turned) +
+                   ROT_EPS * fabs(theta),
+               base->omega_error * phi0 + rounding * fabs(omega));
 }
 
 /* The row of a settled motion, z >= 3: as rot_axle_step(), exponents unwatched. */
@@ -264,10 +253,11 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
   const double omega = from_w0 + (from_a + from_b),
                theta = base->theta_rad + (turned0 + (turned_a + turned_b) + base->theta_lo);
   rot_axle_row(run->p, run->out, i, theta, omega, b);
-  note_row(run->info, theta, omega,
-           base->theta_error + base->omega_error * (I / c) +
-               rounding * (fabs(turned0) + fabs(turned_a) + fabs(turned_b)) + ROT_EPS * fabs(theta),
-           base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
+  rot_note_row(run->info, theta, omega,
+               base->theta_error + base->omega_error * (I / c) +
+                   rounding * (fabs(turned0) + fabs(turned_a) + fabs(turned_b)) +
+                   ROT_EPS * fabs(theta),
+               base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
 }
 
 /* Rows of an even grid from row i on, as many as fit in one go. */
@@ -373,7 +363,7 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
       run.base = rot_axle_step(p, &run.base, &run.piece, stop);
       info->time_s = stop;
       if (!(isfinite(run.base.theta_rad) && isfinite(run.base.omega_rad_per_s))) return ROT_ERANGE;
-      note_state(info, run.base.theta_rad, run.base.omega_rad_per_s);
+      rot_note_state(info, run.base.theta_rad, run.base.omega_rad_per_s);
       k = forward ? k + 1 : k - 1;
     }
   }
@@ -384,7 +374,7 @@ static rot_status both_ways(const rot_axle_params *p, size_t n, const double tim
                             const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   const size_t before = rows_before_start(p, n, time_s);
   rot_info_clear(info);
-  note_state(info, p->theta0_rad, p->omega0_rad_per_s);
+  rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->status = march(p, time_s, 0, before, 0, fast, out, hooks, info);
   if (info->status == ROT_OK) {
     info->rows_done = before;

@@ -45,6 +45,21 @@ void rot_info_clear(rot_info *info);
  * too: a row at rest is not an infinite error, and no row's error depends on the others asked. */
 double rot_info_error(const rot_info *info);
 
+/* Take note of a state on the way; of a row with its errors. NaN stays. */
+static inline void rot_note_state(rot_info *info, double theta, double omega) {
+  theta = theta < 0.0 ? -theta : theta;
+  omega = omega < 0.0 ? -omega : omega;
+  if (!(theta <= info->theta_max)) info->theta_max = theta;
+  if (!(omega <= info->omega_max)) info->omega_max = omega;
+}
+
+static inline void rot_note_row(rot_info *info, double theta, double omega, double theta_error,
+                                double omega_error) {
+  rot_note_state(info, theta, omega);
+  if (!(theta_error <= info->theta_error)) info->theta_error = theta_error;
+  if (!(omega_error <= info->omega_error)) info->omega_error = omega_error;
+}
+
 /* poll() is called now and then from a long run; anything but ROT_OK stops it. */
 typedef struct rot_hooks {
   rot_status (*poll)(void *ctx, double fraction);

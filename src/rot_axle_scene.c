@@ -1,0 +1,46 @@
+#include "rot_axle_scene.h"
+
+#include <math.h>
+
+#include "rot_real.h"
+
+double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double omega) {
+  double torque = rot_torque_at(&scene->linear.torque, t);
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    torque += rot_term_at(&scene->terms[i], t, theta, omega);
+  }
+  return scene->motor_n_m_s != 0.0 ? torque - scene->motor_n_m_s * omega : torque;
+}
+
+double rot_axle_scene_inertia(const rot_axle_scene *scene, double t) {
+  const size_t n = scene->n_inertia;
+  if (n == 0) return scene->linear.inertia_kg_m2;
+  const rot_torque law = {n,
+                          scene->inertia_time_s,
+                          scene->inertia_kg_m2,
+                          scene->inertia_kg_m2[0],
+                          scene->inertia_kg_m2[n - 1],
+                          NULL,
+                          NULL};
+  return rot_torque_at(&law, t);
+}
+
+double rot_axle_scene_resistance(const rot_axle_scene *scene, double omega) {
+  double torque = 0.0 - scene->viscous_n_m_s * omega;
+  if (scene->quadratic_n_m_s2 != 0.0) torque -= scene->quadratic_n_m_s2 * omega * fabs(omega);
+  if (scene->coulomb_n_m != 0.0 && omega != 0.0) torque -= copysign(scene->coulomb_n_m, omega);
+  return torque;
+}
+
+void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out, size_t i,
+                        double t, double theta, double omega, double applied, int stuck) {
+  const double resistance = stuck ? 0.0 - applied : rot_axle_scene_resistance(scene, omega);
+  const double momentum = rot_axle_scene_inertia(scene, t) * omega;
+  out->theta_rad[i] = theta;
+  out->omega_rad_per_s[i] = omega;
+  out->applied_n_m[i] = applied;
+  out->damping_n_m[i] = resistance;
+  out->net_n_m[i] = applied + resistance;
+  out->momentum_kg_m2_per_s[i] = momentum;
+  out->energy_j[i] = 0.5 * momentum * omega;
+}

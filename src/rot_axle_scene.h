@@ -1,0 +1,45 @@
+/* All that may act on an axle:
+ *
+ *   d(I(t) omega)/dt = knots(t) + sum of terms(t, theta, omega) - motor omega + resistance,
+ *   resistance = -c omega - q omega |omega| - tau_c sign(omega)   while it turns,
+ *
+ * and at rest it stays at rest while the other torques are at most tau_s. */
+#ifndef ROT_AXLE_SCENE_H
+#define ROT_AXLE_SCENE_H
+
+#include "rot_axle.h"
+#include "rot_events.h"
+#include "rot_term.h"
+
+typedef struct rot_axle_scene {
+  /* The linear part: inertia at the start, state at the start, knots (or a call). Its viscous_n_m_s
+   * is the sum of the next two, so that rot_axle_step() may be used as it is. */
+  rot_axle_params linear;
+  double viscous_n_m_s; /* of the resistance, any sign */
+  double motor_n_m_s;   /* how steeply a motor's torque falls with omega: stall / no-load speed */
+  double quadratic_n_m_s2, coulomb_n_m, static_n_m; /* >= 0, static >= coulomb */
+  size_t n_terms;
+  const rot_term *terms;
+  size_t n_inertia; /* knots of I(t), straight between them, held outside; 0: constant */
+  const double *inertia_time_s, *inertia_kg_m2;
+  size_t n_breaks; /* times where a torque or I(t) jumps or kinks, increasing */
+  const double *breaks_s;
+} rot_axle_scene;
+
+/* A model of the scene: rows at the times (finite, not decreasing), events in their order. On
+ * failure the first info->rows_done rows are good. */
+typedef rot_status (*rot_axle_model)(const rot_axle_scene *scene, size_t n, const double time_s[],
+                                     const rot_axle_columns *out, rot_events *events,
+                                     const rot_hooks *hooks, rot_info *info);
+
+/* Knots + terms - motor omega; not the call, which may fail. */
+double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double omega);
+double rot_axle_scene_inertia(const rot_axle_scene *scene, double t);
+/* The resistance while it turns. */
+double rot_axle_scene_resistance(const rot_axle_scene *scene, double omega);
+
+/* Row i. `stuck`: it is held at rest, and the resistance balances what is applied. */
+void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out, size_t i,
+                        double t, double theta, double omega, double applied, int stuck);
+
+#endif

@@ -1,0 +1,96 @@
+#include "rot_term.h"
+
+#include <math.h>
+
+#include "rot_real.h"
+
+/* The last of n increasing numbers that is <= t, n >= 1; the first if none is. */
+static size_t last_below(size_t n, const double x[], double t) {
+  size_t lo = 0, hi = n;
+  while (hi - lo > 1) {
+    const size_t mid = lo + (hi - lo) / 2;
+    if (x[mid] <= t) {
+      lo = mid;
+    } else {
+      hi = mid;
+    }
+  }
+  return lo;
+}
+
+/* cos(a t + b): the product's residual counts where a t is large. */
+static double wave(double a, double t, double b) {
+  double lo, sum_lo, at = rot_two_prod(a, t, &lo);
+  const double angle = rot_two_sum(at, b, &sum_lo);
+  lo += sum_lo;
+  return cos(angle) - lo * sin(angle);
+}
+
+static double in_pieces(const rot_term *term, double t) {
+  const double *x = term->x;
+  const size_t n = (size_t)x[0], m = (size_t)x[1];
+  const double *breaks = x + 2, *rows = breaks + n + 1;
+  if (!(t >= breaks[0] && t < breaks[n])) return 0.0;
+  const size_t i = last_below(n, breaks, t);
+  const double *a = rows + i * m;
+  if (term->kind == ROT_TERM_POLYNOMIAL) {
+    double sum = 0.0;
+    for (size_t j = m; j-- > 0;) sum = sum * (t - breaks[i]) + a[j];
+    return sum;
+  }
+  const double u = ((t - breaks[i]) - (breaks[i + 1] - t)) / (breaks[i + 1] - breaks[i]);
+  double b1 = 0.0, b2 = 0.0; /* Clenshaw */
+  for (size_t j = m; j-- > 1;) {
+    const double b = 2.0 * u * b1 - b2 + a[j];
+    b2 = b1;
+    b1 = b;
+  }
+  return u * b1 - b2 + a[0];
+}
+
+static double on_curve(const rot_term *term, double omega) {
+  const double *x = term->x;
+  const size_t n = (size_t)x[0];
+  const double *speed = x + 1, *torque = speed + n;
+  if (!(omega > speed[0])) return omega != omega ? omega : torque[0];
+  if (omega >= speed[n - 1]) return torque[n - 1];
+  const size_t i = last_below(n, speed, omega);
+  const double span = speed[i + 1] - speed[i];
+  return torque[i] * ((speed[i + 1] - omega) / span) + torque[i + 1] * ((omega - speed[i]) / span);
+}
+
+double rot_term_at(const rot_term *term, double t, double theta, double omega) {
+  const double *x = term->x;
+  if (!(t >= term->from_s && t < term->to_s)) return 0.0;
+  switch (term->kind) {
+  case ROT_TERM_SINUSOID: return x[0] * wave(x[1], t, x[2]);
+  case ROT_TERM_EXPONENTIAL: return x[0] * exp(-x[1] * (t - x[2]));
+  case ROT_TERM_POLYNOMIAL:
+  case ROT_TERM_CHEBYSHEV: return in_pieces(term, t);
+  case ROT_TERM_CURVE: return on_curve(term, omega);
+  case ROT_TERM_SPRING: return -x[0] * (theta - x[1]);
+  case ROT_TERM_GRAVITY: return -x[0] * sin(theta - x[1]);
+  case ROT_TERM_KINDS: break;
+  }
+  return NAN;
+}
+
+static int is_count(double x) { return x >= 1.0 && x <= 1e9 && x == floor(x); }
+
+int rot_term_valid(const rot_term *term) {
+  const double *x = term->x;
+  const double length = (double)term->length;
+  switch (term->kind) {
+  case ROT_TERM_SINUSOID:
+  case ROT_TERM_EXPONENTIAL: return term->length == 3;
+  case ROT_TERM_POLYNOMIAL:
+  case ROT_TERM_CHEBYSHEV:
+    return term->length > 2 && is_count(x[0]) && is_count(x[1]) &&
+           length == 3.0 + x[0] + x[0] * x[1];
+  case ROT_TERM_CURVE: return term->length > 1 && is_count(x[0]) && length == 1.0 + 2.0 * x[0];
+  case ROT_TERM_SPRING:
+  case ROT_TERM_GRAVITY: return term->length == 2;
+  case ROT_TERM_KINDS: break;
+  }
+  return 0;
+}
