@@ -5,7 +5,7 @@ column_list <- list(
   c("theta_rad", "rad", "angle turned about the axle"),
   c("omega_rad_per_s", "rad/s", "angular velocity"),
   c("applied_torque_n_m", "N m", "torque of the torque law"),
-  c("damping_torque_n_m", "N m", "torque of the resistance on the body, opposite to omega"),
+  c("damping_torque_n_m", "N m", "torque of the resistance on the body; at rest, of static friction"),
   c("net_torque_n_m", "N m", "applied + damping"),
   c("angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum about the axle, I omega"),
   c("rotational_kinetic_energy_j", "J", "I omega^2 / 2"),
@@ -20,14 +20,20 @@ column_list <- list(
   c("error_kind", "", "\"bound\" or \"estimate\""),
   c("steps", "1", "accepted steps; pieces of the torque for a closed form"),
   c("rejected", "1", "steps tried and rejected"),
-  c("rhs_calls", "1", "evaluations of the right-hand side, the companion run included"),
-  c("work_j", "J", "work of the applied torque from the first row to the last"),
+  c("rhs_calls", "1", "evaluations of the right-hand side, or of an R torque function sampled first"),
+  c("work_j", "J", "work of the applied torque since the first row"),
   c("dissipated_j", "J", "energy lost to the resistance, computed by itself"),
+  c("dissipated_viscous_j", "J", "the part of it that the viscous resistance took"),
+  c("dissipated_quadratic_j", "J", "the part of it that the quadratic drag took"),
+  c("dissipated_coulomb_j", "J", "the part of it that dry friction took"),
+  c("inertia_work_j", "J", "work done by what changes the moment of inertia"),
+  c("power_w", "W", "power of the applied torque"),
+  c("event", "", "what happened: \"stick\", \"slip\", \"reverse\", ..."),
   c("kinetic_energy_change_j", "J", "kinetic energy of the last row less that of the first"),
   c("energy_residual_j", "J", "kinetic energy change - work + dissipated"),
   c("energy_rounding_j", "J", "what rounding and the stated error could explain of it"),
-  c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque"),
-  c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque"),
+  c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque since the first row"),
+  c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),
   c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
   c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
   c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what both could explain of it"),
@@ -104,8 +110,14 @@ summary_columns <- c(
   "max_rotational_kinetic_energy_j", "final_theta_rad", "model", "accuracy", "error", "error_kind",
   "steps", "rhs_calls"
 )
+augment_columns <- c(
+  "power_w", "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
+  "dissipated_coulomb_j", "inertia_work_j", "torque_impulse_n_m_s", "damping_impulse_n_m_s"
+)
 audit_columns <- c(
-  "work_j", "dissipated_j", "kinetic_energy_change_j", "energy_residual_j", "energy_rounding_j",
+  "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
+  "dissipated_coulomb_j", "inertia_work_j", "kinetic_energy_change_j", "energy_residual_j",
+  "energy_rounding_j",
   "torque_impulse_n_m_s", "damping_impulse_n_m_s", "angular_momentum_change_kg_m2_per_s",
   "momentum_residual_kg_m2_per_s", "momentum_rounding_kg_m2_per_s", "verdict"
 )

@@ -30,7 +30,9 @@ static double in_pieces(const rot_term *term, double t) {
   const double *x = term->x;
   const size_t n = (size_t)x[0], m = (size_t)x[1];
   const double *breaks = x + 2, *rows = breaks + n + 1;
-  if (!(t >= breaks[0] && t < breaks[n])) return 0.0;
+  /* Samples of a function reach to the last row, which is asked for too. */
+  const int closed = term->kind == ROT_TERM_CHEBYSHEV && t == breaks[n];
+  if (!(t >= breaks[0] && (t < breaks[n] || closed))) return 0.0;
   const size_t i = last_below(n, breaks, t);
   const double *a = rows + i * m;
   if (term->kind == ROT_TERM_POLYNOMIAL) {
