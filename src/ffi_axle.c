@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "rot_axle.h"
+#include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_ode.h"
 #include "rot_axle_scene.h"
@@ -218,7 +219,7 @@ static const struct {
   const char *name;
   rot_axle_model run;
 } models[] = {
-    {"", NULL},
+    {"forced", rot_axle_forced},
 };
 
 static rot_axle_model model_named(SEXP name) {
