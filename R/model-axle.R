@@ -350,11 +350,12 @@ axle_radau <- axle_integrator(
 
 scene_words <- function(scene) and_words(unname(effect_words[scene$effects]))
 
-# Cheapest first, exact before integrated.
-axle_models <- list(
+# Cheapest first.
+axle_closed_forms <- list(
   axle_free, axle_linear, axle_skater, axle_drag, axle_forced, axle_oscillator, axle_pendulum,
-  axle_bands, axle_rk8pd, axle_radau
+  axle_bands
 )
+axle_integrators <- list(axle_rk8pd, axle_radau)
 
 integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   loads <- scene$loads

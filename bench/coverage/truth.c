@@ -121,13 +121,13 @@ static double step(const mode *m, quad t, const quad y[2], quad h, const quad sc
     if (k > 0) {
       error = 0;
       for (int i = 0; i < 2; i++) {
-        const quad size = fmaxq(scale[i], fabsq(y[i]));
+        const quad size = fmaxq(scale[i], fmaxq(fabsq(y[i]), fabsq(table[k][i])));
         const double e = size > 0 ? (double)(fabsq(table[k][i] - table[k - 1][i]) / size) : 0.0;
         error = e > error ? e : error;
       }
     }
     for (int i = 0; i < 2; i++) out[i] = table[k][i];
-    if (error < 1e-29) break;
+    if (k > 3 && error < 1e-29) break;
   }
   return error;
 }
