@@ -203,16 +203,16 @@ augment.rot_trajectory <- function(x, ...) {
     sums[-1, ] <- apply(parts$value, 2, cumsum)
   }
   sums <- sums[match(t, edges), , drop = FALSE]
-  colnames(sums) <- ledger_names
+  column <- function(name) as.vector(sums[, match(name, ledger_names)])
   x$power_w <- x$applied_torque_n_m * x$omega_rad_per_s
-  x$work_j <- sums[, "work"]
-  x$dissipated_j <- sums[, "dissipated"]
-  x$dissipated_viscous_j <- sums[, "viscous"]
-  x$dissipated_quadratic_j <- sums[, "quadratic"]
-  x$dissipated_coulomb_j <- sums[, "coulomb"]
-  x$inertia_work_j <- sums[, "inertia_work"]
-  x$torque_impulse_n_m_s <- sums[, "impulse"]
-  x$damping_impulse_n_m_s <- sums[, "damping_impulse"]
+  x$work_j <- column("work")
+  x$dissipated_j <- column("dissipated")
+  x$dissipated_viscous_j <- column("viscous")
+  x$dissipated_quadratic_j <- column("quadratic")
+  x$dissipated_coulomb_j <- column("coulomb")
+  x$inertia_work_j <- column("inertia_work")
+  x$torque_impulse_n_m_s <- column("impulse")
+  x$damping_impulse_n_m_s <- column("damping_impulse")
   x
 }
 

@@ -41,8 +41,12 @@ add_knots <- function(laws) {
   if (length(times) == 0L) {
     return(new_knots(double(), double(), outside))
   }
-  jump <- total[, 1] != total[, 2]
-  keep <- rbind(rep(TRUE, length(times)), jump)
+  n <- length(times)
+  # What holds outside need not be said by a knot; at the end of all torque its last value counts.
+  before <- c(FALSE, rep(TRUE, n - 1L))
+  after <- total[, 1] != total[, 2] | !before
+  if (n > 1L && outside[2] == 0) after[n] <- FALSE
+  keep <- rbind(before, after)
   new_knots(rep(times, each = 2L)[keep], t(total)[keep], outside)
 }
 

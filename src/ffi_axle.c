@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "rot_axle.h"
+#include "rot_axle_drag.h"
 #include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_ode.h"
@@ -219,6 +220,7 @@ static const struct {
   const char *name;
   rot_axle_model run;
 } models[] = {
+    {"drag", rot_axle_drag},
     {"forced", rot_axle_forced},
 };
 
@@ -244,6 +246,19 @@ SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
   const rot_status status =
       run(&scene, (size_t)XLENGTH(time_s), t, &columns, &events, &guard.hooks, &info);
   SEXP out = with_events(list, &info, R_NilValue, &events, &guard, status);
+  UNPROTECT(1);
+  return out;
+}
+
+/* c(time of the last stop, angle there, terminal omega) */
+SEXP ffi_axle_stopping(SEXP pack) {
+  const rot_axle_scene scene = unpack_scene(pack);
+  double time_s, theta;
+  const rot_status status = rot_axle_drag_stop(&scene, &time_s, &theta);
+  SEXP out = PROTECT(Rf_allocVector(REALSXP, 3));
+  REAL(out)[0] = status == ROT_OK ? time_s : NA_REAL;
+  REAL(out)[1] = status == ROT_OK ? theta : NA_REAL;
+  REAL(out)[2] = rot_axle_drag_terminal(&scene);
   UNPROTECT(1);
   return out;
 }

@@ -35,7 +35,7 @@ test_that("told breaks are ends of pieces, and an untold jump is no law to sampl
   step <- function(t) ifelse(t < 2, 1, -1)
   sampled <- sample(step, breaks = 2)
   expect_equal(value(sampled, c(0, 1.99, 2.01, 8)), c(1, 1, -1, -1), tolerance = 1e-15)
-  expect_null(sample(step))
+  expect_null(sample(function(t) ifelse(t < 2.1, 1, -1)))
   expect_null(sample(function(t) ifelse(t < 5, 1, NaN)))
   expect_null(sample(sin, span = c(3, 3)))
 })
