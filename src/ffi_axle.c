@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "rot_axle.h"
+#include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
 #include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
@@ -220,6 +221,7 @@ static const struct {
   const char *name;
   rot_axle_model run;
 } models[] = {
+    {"bands", rot_axle_bands},
     {"drag", rot_axle_drag},
     {"forced", rot_axle_forced},
 };

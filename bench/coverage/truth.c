@@ -276,7 +276,7 @@ static int walk_to(walk *w, quad target, double *theta_max, double *omega_max) {
     w->y[1] = next[1];
     w->t = last ? target : w->t + h;
     if (!last && error < 1e-31) w->h *= 1.5Q;
-    if (w->has_levels && w->h > w->span / 128) w->h = w->span / 128;
+    if (w->has_levels && w->h > w->span / 2048) w->h = w->span / 2048;
     note(w, theta_max, omega_max);
   }
   return 0;
