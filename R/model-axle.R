@@ -121,10 +121,11 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call) {
   law <- NULL
   if (has_knots(scene)) {
     knots <- axle_knots(torque)
+    breaks <- double()
   } else {
     complain <- function(value, time_s) abort_torque_value(value, time_s, call)
     breaks <- torque_breaks(scene, time_s, complain, call)
-    knots <- list(breaks, double(length(breaks)), c(0, 0))
+    knots <- NULL
     # The C code fills in the arguments; an error of the function's own shows the call f(...).
     law <- list(
       as.call(c(quote(f), rep(list(NULL), torque$arguments))),
@@ -132,9 +133,10 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call) {
       complain
     )
   }
+  numbers <- c(axle_numbers(scene), 0, 0, 0, 0) # no motor; viscous resistance alone
+  pack <- list(numbers, knots, list(), list(double(), double()), breaks)
   .Call(
-    ffi_axle_integrate, axle_numbers(scene), knots, law, time_s, c(accuracy, max_steps),
-    progress_bar("integrating")
+    ffi_axle_integrate, pack, law, time_s, c(accuracy, max_steps, 0), progress_bar("integrating")
   )
 }
 
