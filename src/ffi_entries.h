@@ -2,7 +2,7 @@
 X(ffi_axle_free, 3)
 X(ffi_axle_linear, 5)
 X(ffi_axle_ledger, 5)
-X(ffi_axle_integrate, 6)
+X(ffi_axle_integrate, 5)
 X(ffi_axle_model, 4)
 X(ffi_axle_stopping, 1)
 X(ffi_energy_partition, 4)

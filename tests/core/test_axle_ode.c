@@ -23,14 +23,33 @@ static rot_axle_columns columns(table *to) {
   return out;
 }
 
-static void integrate(const rot_axle_params *p, double accuracy, size_t n, const double t[],
-                      const rot_hooks *hooks) {
-  const rot_axle_ode_options options = {accuracy, 100000};
+/* Nothing but what rot_axle_params can say. */
+static rot_axle_scene scene_of(const rot_axle_params *p) {
+  rot_axle_scene scene;
+  memset(&scene, 0, sizeof scene);
+  scene.linear = *p;
+  scene.viscous_n_m_s = p->viscous_n_m_s;
+  return scene;
+}
+
+static rot_events events;
+static rot_method method = ROT_METHOD_NONE;
+
+static void integrate_scene(const rot_axle_scene *scene, double accuracy, size_t n,
+                            const double t[], const rot_hooks *hooks) {
+  const rot_axle_ode_options options = {accuracy, 100000, method};
   memset(&integrated, 0x5a, sizeof integrated);
   integrated.out = columns(&integrated);
-  integrated.status = rot_axle_integrate(p, &options, n, t, &integrated.out, &integrated.ledger,
-                                         hooks, &integrated.info);
+  rot_events_free(&events);
+  integrated.status = rot_axle_integrate(scene, &options, n, t, &integrated.out, &events,
+                                         &integrated.ledger, hooks, &integrated.info);
   ROT_CHECK_EQ_INT(integrated.status, integrated.info.status);
+}
+
+static void integrate(const rot_axle_params *p, double accuracy, size_t n, const double t[],
+                      const rot_hooks *hooks) {
+  const rot_axle_scene scene = scene_of(p);
+  integrate_scene(&scene, accuracy, n, t, hooks);
 }
 
 static void solve(const rot_axle_params *p, size_t n, const double t[]) {
@@ -319,11 +338,12 @@ static void check_nan_later(void) {
 static void check_budget(void) {
   pendulum p = hanging(18.0);
   const rot_axle_params scene = axle(2.0, 0.0, 0.0, 1.0, 0.0, law(gravity, &p));
-  const rot_axle_ode_options options = {1e-9, 60};
+  const rot_axle_ode_options options = {1e-9, 60, ROT_METHOD_NONE};
+  const rot_axle_scene whole = scene_of(&scene);
   const double t[] = {0.5, 1.0, 400.0};
   rot_axle_columns out = columns(&integrated);
   ROT_CHECK_EQ_INT(
-      rot_axle_integrate(&scene, &options, 3, t, &out, &integrated.ledger, NULL, &integrated.info),
+      rot_axle_integrate(&whole, &options, 3, t, &out, NULL, &integrated.ledger, NULL, &integrated.info),
       ROT_EBUDGET);
   ROT_CHECK_EQ_INT(integrated.info.rows_done, 2);
   ROT_CHECK(integrated.info.time_s > 1.0 && integrated.info.time_s < 30.0);

@@ -101,14 +101,15 @@ static outcome result;
 
 static rot_ode_params problem(size_t dim, rot_ode_rhs rhs, probe *ctx, const double start[],
                               double accuracy) {
-  rot_ode_params p = {dim, dim, rhs, ctx, 0, NULL, 0.0, start, accuracy, 1000000};
+  rot_ode_params p = {dim, dim, rhs, ctx, 0, NULL, 0.0, start, accuracy, 1000000,
+                      ROT_METHOD_NONE, NULL, NULL, 0};
   return p;
 }
 
 static void run(const rot_ode_params *p, size_t n, const double time_s[], const rot_hooks *hooks) {
   memset(&result, 0x5a, sizeof result);
   result.status =
-      rot_ode_run(p, n, time_s, result.y, result.error, result.largest, hooks, &result.info);
+      rot_ode_run(p, n, time_s, result.y, NULL, result.error, result.largest, hooks, &result.info);
   ROT_CHECK_EQ_INT(result.status, result.info.status);
 }
 
