@@ -49,7 +49,7 @@ knots_of <- function(scene) .subset2(.subset2(scene, "loads"), "knots")
 
 # An effect in words.
 effect_words <- c(
-  torque = "a torque that does not depend on the motion",
+  torque = "a torque",
   ramp = "a torque that changes in time",
   sinusoid = "a sinusoidal torque",
   exponential = "an exponential torque",
@@ -64,6 +64,12 @@ effect_words <- c(
   friction = "dry friction",
   inertia = "a changing moment of inertia"
 )
+
+# A torque that changes in time is a torque, too: said once.
+effects_in_words <- function(effects) {
+  if ("ramp" %in% effects) effects <- setdiff(effects, "torque")
+  and_words(unname(effect_words[effects]))
+}
 
 and_words <- function(x) {
   n <- length(x)
@@ -348,7 +354,7 @@ axle_radau <- axle_integrator(
   why = function(scene) "the motion is stiff: resistance acts much faster than the times asked for"
 )
 
-scene_words <- function(scene) and_words(unname(effect_words[scene$effects]))
+scene_words <- function(scene) effects_in_words(scene$effects)
 
 # Cheapest first.
 axle_closed_forms <- list(

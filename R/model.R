@@ -58,7 +58,7 @@ fit_model <- function(record, scene, time_s, accuracy) {
   effects <- .subset2(scene, "effects")
   taken <- match(effects, record$handles, 0L) > 0L
   reason <- if (!all(taken)) {
-    paste("it does not take", and_words(unname(effect_words[effects[!taken]])))
+    paste("it does not take", effects_in_words(effects[!taken]))
   } else {
     record$why_not(scene, time_s)
   }

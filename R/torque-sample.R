@@ -10,7 +10,8 @@ most_samples <- 50000L
 values_of <- function(f, time_s, complain, scene = NULL) {
   one <- function(t) {
     value <- if (is.null(scene)) f(t) else f(t, scene$theta0_rad, scene$omega0_rad_per_s)
-    if (!(is.numeric(value) || is.logical(value)) || is.object(value) || length(value) != 1L) {
+    number <- is.numeric(value) || (is.logical(value) && identical(is.na(value), TRUE))
+    if (!number || is.object(value) || length(value) != 1L) {
       return(as.double(complain(value, t)))
     }
     as.double(value)
