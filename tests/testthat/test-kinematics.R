@@ -28,6 +28,12 @@ test_that("any three of the five give the other two", {
   }
 })
 
+test_that("the columns are those of the dictionary", {
+  known <- rotdyn_columns()$name
+  expect_true(all(names(angular_motion(1, 2, 3)) %in% known))
+  expect_true(all(names(point_motion(1, 2, 3)) %in% known))
+})
+
 test_that("two motions: the smaller time first, one row each, beside the rows with one", {
   # omega^2 = 9 - 4 = 5; t = (3 -+ sqrt(5))/2.
   both <- angular_motion(
