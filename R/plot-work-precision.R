@@ -18,6 +18,7 @@ autoplot.rot_work_precision <- function(object, ...) {
   points <- as.data.frame(object)
   points <- points[order(match(points$model, unique(points$model)), -points$accuracy), ]
   points$model <- factor(points$model, levels = unique(points$model))
+  points <- points[is.finite(points$true_error) & points$cost_s > 0, ]
   limit <- 3 * max(points$reference_error)
   shown <- points[!points$floor, ]
   at_floor <- points[points$floor, ]
@@ -29,8 +30,8 @@ autoplot.rot_work_precision <- function(object, ...) {
   up <- padded(c(points$true_error, said$error), 0.08, 0.06)
   ggplot2::ggplot(points, ggplot2::aes(.data$cost_s, .data$true_error, colour = .data$model)) +
     ggplot2::annotate(
-      "rect", xmin = across[1], xmax = across[2], ymin = up[1], ymax = min(limit, up[2]),
-      fill = "grey50", alpha = 0.14
+      "rect", xmin = across[1], xmax = across[2], ymin = up[1],
+      ymax = min(max(limit, up[1]), up[2]), fill = "grey50", alpha = 0.14
     ) +
     ggplot2::geom_linerange(
       data = said, ggplot2::aes(

@@ -22,6 +22,22 @@ test_that("the work-precision diagram draws without a warning", {
   }
 })
 
+test_that("a peer without numbers has no point", {
+  skip_if_not_installed("ggplot2")
+  measured <- work_precision(
+    article_scene(), 0:8, "axle_linear", 1e-3,
+    peers = list(lost = function(scene, time_s, accuracy) {
+      list(theta_rad = c(time_s[-1], NA), omega_rad_per_s = 0 * time_s)
+    }),
+    least_batch_s = 1e-4, batches = 1
+  )
+  expect_equal(measured$true_error[2], NA_real_)
+  expect_equal(measured$floor[2], NA)
+  drawn <- ggplot2::autoplot(measured)
+  expect_silent(ggplot2::ggplot_build(drawn))
+  expect_equal(as.character(drawn$data$model), "axle_linear")
+})
+
 test_that("labels of costs and accuracies", {
   expect_equal(format_cost(c(2e-5, 9.9e-4, 1e-3, 0.25, 3, NA)), c(
     "20 us", "990 us", "1 ms", "250 ms", "3 s", NA

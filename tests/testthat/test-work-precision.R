@@ -85,9 +85,10 @@ test_that("peers are measured alike: their errors, what they say, what cannot be
 
 test_that("without a closed form the integrator at its best is the truth, with its own error", {
   measured <- measure(pendulum(), accuracies = c(1e-4, 1e-12))
-  expect_equal(unique(measured$reference), "axle_rk8pd")
-  best <- summary(trajectory(pendulum(), 0:8, 1e-13))$error
-  expect_equal(measured$reference_error[1], best)
+  expect_length(unique(measured$reference), 1)
+  best <- summary(trajectory(pendulum(), 0:8, 1e-13, measured$reference[1]))
+  expect_equal(best$error_kind, "estimate")
+  expect_equal(measured$reference_error[1], best$error)
   stepped <- measured[measured$model == "axle_rk8pd", ]
   expect_equal(stepped$floor, c(FALSE, TRUE))
   expect_true(stepped$covered[1])
