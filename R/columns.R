@@ -71,7 +71,28 @@ column_list <- list(
   c("formula", "", "the moment of inertia as a formula"),
   c("name", "", "name of a column"),
   c("unit", "", "its unit; empty for text, 1 for a pure number"),
-  c("meaning", "", "what it says")
+  c("meaning", "", "what it says"),
+  # measuring
+  c("omega0_rad_per_s", "rad/s", "angular velocity at the start"),
+  c("alpha_rad_per_s2", "rad/s^2", "angular acceleration"),
+  c("row", "1", "row of the arguments that it belongs to"),
+  c("root", "1", "1 or 2: which of the motions, the smaller time first; NA where there is none"),
+  c("tangential_speed_m_per_s", "m/s", "omega r: along the tangent, with its sign"),
+  c("tangential_acceleration_m_per_s2", "m/s^2", "alpha r: along the tangent, with its sign"),
+  c("centripetal_acceleration_m_per_s2", "m/s^2", "omega^2 r: towards the axle"),
+  c("total_acceleration_m_per_s2", "m/s^2", "size of the acceleration"),
+  c("acceleration_angle_rad", "rad", "from the inward radius to the acceleration"),
+  c("method", "", "\"closed form\", the name of an integrator, or \"peer\""),
+  c("theta_error", "1", "true error of theta, relative to the largest |theta|"),
+  c("omega_error", "1", "true error of omega, relative to the largest |omega|"),
+  c("true_error", "1", "the larger of both"),
+  c("floor", "", "TRUE where the true error is that or less: the reference can tell no more"),
+  c("covered", "", "TRUE if the error reported is at least the true one"),
+  c("reference", "", "what the true error is taken against"),
+  c("reference_error", "1", "relative error of the reference itself"),
+  c("cost_s", "s", "processor time of one run: the fastest batch"),
+  c("cost_median_s", "s", "processor time of one run: the median of the batches"),
+  c("energy_residual", "1", "energy residual of the audit, relative to the largest energy")
 )
 
 column_table <- as.data.frame(do.call(rbind, column_list))
@@ -138,4 +159,16 @@ inertia_columns <- c(
 model_columns <- c(
   "model", "constraint", "equations", "assumptions", "limits", "requires", "error", "error_kind",
   "source"
+)
+motion_columns <- c(
+  "row", "root", "theta_rad", "omega0_rad_per_s", "omega_rad_per_s", "alpha_rad_per_s2", "time_s"
+)
+point_columns <- c(
+  "tangential_speed_m_per_s", "tangential_acceleration_m_per_s2",
+  "centripetal_acceleration_m_per_s2", "total_acceleration_m_per_s2", "acceleration_angle_rad"
+)
+work_precision_columns <- c(
+  "model", "method", "accuracy", "theta_error", "omega_error", "true_error", "floor", "error",
+  "error_kind", "covered", "cost_s", "cost_median_s", "rhs_calls", "steps", "rejected",
+  "energy_residual", "reference", "reference_error"
 )
