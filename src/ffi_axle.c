@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "rot_axle.h"
+#include "rot_axle_bands.h"
+#include "rot_axle_drag.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_ode.h"
 #include "rot_axle_scene.h"
@@ -219,6 +221,8 @@ static const struct {
   rot_axle_model run;
 } models[] = {
     {"", NULL},
+    {"drag", rot_axle_drag},
+    {"bands", rot_axle_bands},
 };
 
 static rot_axle_model model_named(SEXP name) {
