@@ -86,6 +86,7 @@ typedef struct leg {
   double span_s;
   int to_end;       /* the end is that of the piece, or of the rows */
   double low, high; /* edges of v */
+  double farthest;  /* the larger of |v| at the base and at its extremum */
 } leg;
 
 /* x + push, rounded once. */
@@ -94,15 +95,16 @@ static double in_band(const leg *l, double x) {
   return sum + (lo + l->push_lo);
 }
 
-static double piece_slope(const rot_torque_piece *piece) {
-  if (piece->start_n_m == piece->end_n_m) return 0.0;
-  return (piece->end_n_m - piece->start_n_m) / (piece->end_s - piece->start_s);
+/* How much the knots' torque rises in a time, to a few roundings. */
+static double rise_in(const rot_torque_piece *piece, double time_s) {
+  const double rise = piece->end_n_m - piece->start_n_m;
+  return rise != 0.0 ? rot_muldiv(rise, time_s, piece->end_s - piece->start_s, NULL) : 0.0;
 }
 
 /* Torque of the knots at the base, whose time is known to twice the precision. */
 static double knots_at_base(const rot_torque_piece *piece, const rot_axle_base *base) {
   const double tau = rot_torque_in_piece(piece, base->time_s);
-  return base->time_lo != 0.0 ? tau + piece_slope(piece) * base->time_lo : tau;
+  return base->time_lo != 0.0 ? tau + rise_in(piece, base->time_lo) : tau;
 }
 
 static void set_push(leg *l, int sign) {
@@ -182,36 +184,41 @@ typedef struct change {
   double dtheta, omega, theta_error, omega_error;
 } change;
 
-/* What the step does not know of: the roundings of its coefficients. A torque that is off by x
- * turns omega by x (s/I) phi1. `inexact_s`: s itself is rounded. */
+/* By how much omega is off after s if the torque is off by x all the way: x (s/I) phi1. */
+static double response(const leg *l, double x, double s) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  if (!(x > 0.0 && s > 0.0)) return x * s; /* 0, or NaN */
+  const double z = rot_muldiv(c, s, I, NULL);
+  if (z > 1.0) return x / c;
+  return rot_product(3, (double[]){x, s, z != 0.0 ? -expm1(-z) / z : 1.0}, I);
+}
+
+/* What the step does not know of: the roundings of its coefficients. `inexact_s`: s itself is
+ * rounded. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
 static change leg_change(const leg *l, const rot_axle_state *v, double s, double b, int inexact_s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   change out;
   double off = l->band.torque_off;
-  if (l->band.slope != 0.0) {
-    off += (l->band.slope_off +
-            ROT_EPS * (fabs(l->scene->linear.viscous_n_m_s) + fabs(l->band.slope))) *
-           (l->high - l->low);
-  }
   if (l->a != b && (l->push != 0.0 || inexact_s)) {
     off += 4.0 * ROT_EPS * (fabs(l->a) + fabs(b) + 2.0 * fabs(l->push));
   }
-  double wrong = 0.0;
-  if (off > 0.0 && s > 0.0) {
-    const double z = rot_muldiv(c, s, I, NULL);
-    wrong =
-        z > 1.0 ? off / c : rot_product(3, (double[]){off, s, z != 0.0 ? -expm1(-z) / z : 1.0}, I);
+  double wrong = response(l, off, s), turned_off = wrong * s;
+  if (l->band.slope != 0.0) {
+    const double off_c =
+        l->band.slope_off + ROT_EPS * (fabs(l->scene->linear.viscous_n_m_s) + fabs(l->band.slope));
+    wrong += response(l, off_c * fmax(l->farthest, fabs(v->omega_rad_per_s)), s);
+    turned_off += response(l, off_c * fabs(v->theta_rad), s);
   }
-  if (inexact_s) {
-    const double net =
-        fmax(fabs(l->a - c * l->from.omega_rad_per_s), fabs(b - c * v->omega_rad_per_s));
+  if (inexact_s) { /* what counts is how fast it moves at the end */
+    const double net = fabs(b - c * v->omega_rad_per_s);
     wrong += 2.0 * ROT_EPS * rot_muldiv(net, s, I, NULL);
+    turned_off += 2.0 * ROT_EPS * fabs(v->omega_rad_per_s * s);
   }
   const double carried = l->band.ref * s;
   out.omega = l->band.ref + v->omega_rad_per_s;
   out.dtheta = carried + (v->theta_rad + v->theta_lo);
   out.omega_error = v->omega_error + wrong + (l->band.ref != 0.0 ? ROT_EPS * fabs(out.omega) : 0.0);
-  out.theta_error = l->base.theta_error + v->theta_error + wrong * s +
+  out.theta_error = l->base.theta_error + v->theta_error + turned_off +
                     2.0 * ROT_EPS * fabs(carried) + ROT_EPS * fabs(l->base.theta + out.dtheta);
   return out;
 }
@@ -352,9 +359,13 @@ static rot_status leg_end(rot_axle_march *march, const leg *l, const exit_point 
   if (wanted != end.omega) end.omega_error += fabs(wanted - end.omega);
   if (wanted == 0.0) {
     const double net = fabs(b - c * v.omega_rad_per_s), I = l->law.inertia_kg_m2;
+    const double rise = fabs(l->piece->end_n_m - l->piece->start_n_m);
     const double soon = rot_muldiv(end.omega_error, I, net, NULL);
-    const double late =
-        sqrt(2.0 * rot_muldiv(end.omega_error, I, fabs(piece_slope(l->piece)), NULL));
+    const double
+        pace = /* of a stop where the torque balances: omega goes with the square of time */
+        rise > 0.0 ? rot_muldiv(I, l->piece->end_s - l->piece->start_s, rise, NULL)
+                   : (double)INFINITY;
+    const double late = sqrt(2.0 * end.omega_error) * sqrt(pace);
     march->base.settle_s = fmin(soon, late);
   }
   if (isnan(end.omega)) wanted = end.omega;
@@ -389,7 +400,7 @@ static rot_status held(rot_axle_march *march, const rot_torque_piece *piece, int
   }
   const double I = scene->linear.inertia_kg_m2;
   base->omega_error += rot_muldiv(most - scene->coulomb_n_m, late, I, NULL) +
-                       0.5 * rot_product(3, (double[]){fabs(rise) / span, late, late}, I);
+                       0.5 * rot_muldiv(fabs(rise_in(piece, late)), late, I, NULL);
   base->theta_error += base->omega_error * late;
   return rot_axle_march_rest(march, nextafter(*slips * most, *slips * DBL_MAX), slips);
 }
@@ -407,6 +418,7 @@ static rot_status go(rot_axle_march *march, const rot_torque_piece *piece, int h
     }
     if (to.side == 2) to.side = 0, to.s = l.span_s;
   }
+  l.farthest = fmax(fabs(l.from.omega_rad_per_s), fabs(to.peak));
   if (to.peak != l.from.omega_rad_per_s) rot_note_state(march->info, 0.0, l.band.ref + to.peak);
   rot_status status = leg_rows(march, &l, &to);
   if (status != ROT_OK || march->done == march->n) return status;

@@ -110,9 +110,9 @@ rot_status rot_axle_march_rest(rot_axle_march *march, double applied, int *leave
     return status;
   }
   *leaves = applied > 0.0 ? 1 : -1;
-  if (base->stuck || base->heading == 0) {
-    if (most > 0.0) status = rot_events_add(march->events, base->time_s, ROT_EVENT_SLIP);
-  } else if (*leaves != base->heading) {
+  if (most > 0.0 && (base->stuck || base->heading == 0)) {
+    status = rot_events_add(march->events, base->time_s, ROT_EVENT_SLIP);
+  } else if (base->heading != 0 && *leaves != base->heading) {
     status = rot_events_add(march->events, base->time_s, ROT_EVENT_REVERSE);
   }
   base->stuck = 0;
