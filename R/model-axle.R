@@ -384,6 +384,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
       )
     } else {
       loads$terms <- c(loads$terms, list(sampled$term))
+      own <- c(own, sampled$term$breaks_s)
     }
     breaks <- sort(unique(c(breaks, own)))
   }
@@ -400,13 +401,13 @@ add_sampling <- function(result, sampled, scene, time_s) {
   reach <- disturbance(scene, sampled$error, time_s)
   info$omega_error <- info$omega_error + reach$omega
   info$theta_error <- info$theta_error + reach$theta
-  info$error <- relative_error(info)
+  info$error <- error_of_run(info)
   info$rhs_calls <- sampled$calls
   result[[2]] <- info
   result
 }
 
-relative_error <- function(info) {
+error_of_run <- function(info) {
   part <- function(error, largest) if (error > 0) error / largest else 0
   max(part(info$theta_error, info$theta_max), part(info$omega_error, info$omega_max))
 }

@@ -91,7 +91,8 @@ sample_torque <- function(f, span, breaks_s, accuracy) {
   n <- nrow(pieces)
   x <- c(n, ncol(a), pieces[, 1], pieces[n, 2], t(a[order, , drop = FALSE]))
   list(
-    term = new_term("chebyshev", x, "samples"),
+    # Neighbours differ by rounding where they meet: a break, where the motion is still small.
+    term = new_term("chebyshev", x, "samples", breaks_s = c(pieces[, 1], pieces[n, 2])),
     error = error + 4e-15 * largest,
     calls = counted
   )

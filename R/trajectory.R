@@ -108,7 +108,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
 widen_error <- function(info, dropped) {
   info$omega_error <- info$omega_error + dropped$omega
   info$theta_error <- info$theta_error + dropped$theta
-  info$error <- relative_error(info)
+  info$error <- error_of_run(info)
   info
 }
 
