@@ -170,17 +170,20 @@ static forced_part decay_at_once(const forced_term *f, const forced_span *at, wo
   const double A = f->term->x[0], rate = f->term->x[1], s = at->s, I = at->I, c = at->c;
   const word g = {f->growth, f->growth_lo}, z = {at->z, at->z_lo};
   forced_part part = {0};
-  if (isinf(z.hi) && isinf(y.hi)) {
+  /* s/(I p) remains, with p the distance of the outer two of the nodes 0, -z and -y. */
+  if (z.hi == INFINITY && y.hi == INFINITY) {
     part.theta = grown(A, g, 1, (double[]){1.0 / rate}, c, 1.0);
-  } else if (isinf(z.hi)) {
+  } else if (z.hi == INFINITY) {
+    const double apart = 1.0 - f->ratio;
     const word high = y.hi < 0.0 ? word_sum(g, minus(y)) : g;
-    part.omega = grown(A, word_sum(g, minus(y)), 0, NULL, c, 1.0 - f->ratio);
-    part.theta = grown(A, high, 2, (double[]){s, phi_1(fabs(y.hi))}, c, 1.0);
+    part.omega = grown(A, word_sum(g, minus(y)), 0, NULL, c, apart);
+    part.theta = grown(A, high, 2, (double[]){s, phi_1(fabs(y.hi))}, c, y.hi < 0.0 ? apart : 1.0);
   } else {
+    const double apart = 1.0 - 1.0 / f->ratio;
     const word high = z.hi < 0.0 ? word_sum(g, minus(z)) : g;
-    part.omega =
-        grown(A, word_sum(g, minus(z)), 1, (double[]){1.0 / (1.0 - 1.0 / f->ratio)}, I, rate);
-    part.theta = grown(A, high, 2, (double[]){s, phi_1(fabs(z.hi))}, I, rate);
+    part.omega = grown(A, word_sum(g, minus(z)), 1, (double[]){1.0 / apart}, I, rate);
+    part.theta = grown(A, high, 3, (double[]){s, phi_1(fabs(z.hi)), z.hi < 0.0 ? 1.0 / apart : 1.0},
+                       I, rate);
   }
   return part;
 }
