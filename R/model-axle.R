@@ -254,7 +254,7 @@ axle_forced <- axle_kernel(
   "forced", "axle_forced",
   equations = "I domega/dt = torque(t) - c omega, solved term by term",
   assumptions = "rigid body; resistance -c omega",
-  limits = "polynomials to degree 8; the state must stay within double precision",
+  limits = "polynomials to degree 16; the state must stay within double precision",
   requires = "sums of constants, knots, polynomials, sinusoids, exponentials, motors; viscous resistance",
   source = "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)",
   handles = c(
@@ -264,7 +264,7 @@ axle_forced <- axle_kernel(
   error = 1e-14, each = 400,
   why_not = function(scene, time_s) {
     degree <- vapply(terms_of(scene, "polynomial"), function(term) term$x[2] - 1, double(1))
-    if (any(degree > 8)) "it takes polynomials up to degree 8"
+    if (any(degree > 16)) "it takes polynomials up to degree 16"
   }
 )
 

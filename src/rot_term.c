@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_divided.h"
 #include "rot_real.h"
 
 /* The last of n increasing numbers that is <= t, n >= 1; the first if none is. */
@@ -20,10 +21,10 @@ static size_t last_below(size_t n, const double x[], double t) {
 
 /* cos(a t + b): the product's residual counts where a t is large. */
 static double wave(double a, double t, double b) {
-  double lo, sum_lo, at = rot_two_prod(a, t, &lo);
-  const double angle = rot_two_sum(at, b, &sum_lo);
-  lo += sum_lo;
-  return cos(angle) - lo * sin(angle);
+  double lo, sum_lo, sine, cosine;
+  const double at = rot_two_prod(a, t, &lo), angle = rot_two_sum(at, b, &sum_lo);
+  rot_sin_cos(angle, lo + sum_lo, &sine, &cosine);
+  return cosine;
 }
 
 static double in_pieces(const rot_term *term, double t) {
