@@ -228,7 +228,7 @@ given_reference <- function(scene, time_s, reference, call) {
 }
 
 # Largest difference relative to the largest value on the way.
-relative_error <- function(got, want, largest) {
+distance_to <- function(got, want, largest) {
   if (anyNA(got)) {
     return(NA_real_)
   }
@@ -250,8 +250,8 @@ measure_one <- function(one, scene, time_s, peers, truth, least_batch_s, batches
     said <- model_report(go())
   }
   raw <- c(
-    relative_error(said$theta, truth$theta, truth$theta_max),
-    relative_error(said$omega, truth$omega, truth$omega_max)
+    distance_to(said$theta, truth$theta, truth$theta_max),
+    distance_to(said$omega, truth$omega, truth$omega_max)
   )
   floor <- 3 * truth$error
   error <- pmax(raw, floor)
