@@ -13,7 +13,7 @@ column_list <- list(
   c("max_angular_velocity_rad_per_s", "rad/s", "largest omega of the rows (with its sign)"),
   c("max_angular_momentum_kg_m2_per_s", "kg m^2/s", "largest angular momentum of the rows"),
   c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy of the rows"),
-  c("final_theta_rad", "rad", "angle in the last row"),
+  c("final_theta_rad", "rad", "angle at the end"),
   c("model", "", "name of the model, as in `models()`"),
   c("accuracy", "1", "relative accuracy asked for"),
   c("error", "1", "relative error of the state: see `error_kind`"),
@@ -27,6 +27,11 @@ column_list <- list(
   c("dissipated_quadratic_j", "J", "the part of it that the quadratic drag took"),
   c("dissipated_coulomb_j", "J", "the part of it that dry friction took"),
   c("inertia_work_j", "J", "work done by what changes the moment of inertia"),
+  c("final_omega_rad_per_s", "rad/s", "angular velocity at the end"),
+  c("max_omega_rad_per_s", "rad/s", "largest omega on the whole way (with its sign)"),
+  c("max_omega_time_s", "s", "the first time at which omega is largest"),
+  c("min_omega_rad_per_s", "rad/s", "smallest omega on the whole way (with its sign)"),
+  c("max_abs_omega_rad_per_s", "rad/s", "largest |omega| on the whole way"),
   c("stop_time_s", "s", "time at which the body comes to rest for good; Inf if it never does"),
   c("stop_theta_rad", "rad", "angle at which it does"),
   c("terminal_omega_rad_per_s", "rad/s", "what omega tends to under the last torque"),
@@ -133,6 +138,10 @@ summary_columns <- c(
   "moment_of_inertia_kg_m2", "max_angular_velocity_rad_per_s", "max_angular_momentum_kg_m2_per_s",
   "max_rotational_kinetic_energy_j", "final_theta_rad", "model", "accuracy", "error", "error_kind",
   "steps", "rhs_calls"
+)
+sweep_columns <- c(
+  "final_theta_rad", "final_omega_rad_per_s", "max_omega_rad_per_s", "max_omega_time_s",
+  "min_omega_rad_per_s", "max_abs_omega_rad_per_s", "error"
 )
 augment_columns <- c(
   "power_w", "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
