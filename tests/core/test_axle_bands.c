@@ -132,6 +132,18 @@ static void check_ramp(void) {
   with_knots(&s, 3, three, up);
   go(&s, 3, rows);
   ROT_CHECK(r.status == ROT_OK && r.events.count == 1 && r.omega[2] == 0.0 && r.theta[2] == 0.0);
+  /* It slows down, touches rest where the torque equals the sliding friction, and is held there:
+   * omega' = t - 1 from 1/2. The torque never exceeds the static friction. */
+  const double touch_t[] = {0.0, 2.0}, touch[] = {0.0, 2.0}, held[] = {0.5, 1.5, 3.0};
+  s = plain_scene(1.0, 0.0, 0.5, 0.0);
+  s.coulomb_n_m = 1.0;
+  s.static_n_m = 2.0;
+  with_knots(&s, 2, touch_t, touch);
+  go(&s, 3, held);
+  ROT_CHECK(r.omega[0] == 0.125 && r.omega[1] == 0.0 && r.omega[2] == 0.0);
+  ROT_CHECK_ULP(r.theta[2], 1.0 / 6.0, 2);
+  ROT_CHECK(r.events.count == 1 && r.events.event[0] == ROT_EVENT_STICK);
+  ROT_CHECK_ULP(r.events.time_s[0], 1.0, 1);
   /* Without any friction rest is left at once: omega = t^2/2 - t, back through 0 at 2 s. */
   const double two[] = {0.0, 4.0}, line[] = {-1.0, 3.0}, later[] = {1.0, 2.0, 3.0};
   s = plain_scene(1.0, 0.0, 0.0, 0.0);
@@ -203,6 +215,19 @@ static void check_crossing_times(void) {
   ROT_CHECK_EQ_INT(r.info.steps, 3);
   const double edge[] = {0.0, t1, t2, t2 + 5.0};
   check_energy(rot_axle_bands, &s, 4, edge, 2e-14);
+}
+
+/* Far down an exponential: c/I = 1e28, and the torque turns it round at I/c log(1 + c omega0/tau),
+ * 1e-26 s after the start of a run of 100 s. A first guess in the middle would settle there. */
+static void check_stiff_crossing(void) {
+  rot_axle_scene s = plain_scene(1.0, 1e28, 10.0, -1.0);
+  const double t[] = {50.0, 100.0}, when = 1e-28 * 66.774967696827325; /* log(1e29) */
+  go(&s, 2, t);
+  ROT_CHECK(r.events.count == 1 && r.events.event[0] == ROT_EVENT_REVERSE);
+  ROT_CHECK_REL(r.events.time_s[0], when, 1e-15);
+  ROT_CHECK_REL(r.omega[1], -1e-28, 1e-15);
+  ROT_CHECK(fabs(r.theta[1] - (1e-27 - 1e-26)) <= 1e-40);
+  ROT_CHECK(rot_info_error(&r.info) < 1e-13);
 }
 
 /* Rising curves: resistance that drives. Balanced it stays, off balance it runs away to the next
@@ -297,6 +322,7 @@ int main(void) {
   check_ramp();
   check_edges();
   check_crossing_times();
+  check_stiff_crossing();
   check_rising();
   check_hold_on_curve();
   check_refusals();

@@ -288,6 +288,36 @@ static void check_balance(void) {
   check_energy(rot_axle_drag, &s, 6, edge, 2e-14);
 }
 
+/* Thousands of pieces: the angle is summed to twice the precision, and the bounds add up. */
+static void check_many_pieces(void) {
+  enum { PIECES = 2000 };
+  static double knots[PIECES], torque[PIECES];
+  const double end[] = {4.0 * PIECES}, short_end[] = {1.0};
+  rot_axle_scene s = plain_scene(1.0, 0.0, 0.1, 0.0);
+  for (int i = 0; i < PIECES; i++) knots[i] = 0.3 * i;
+  with_knots(&s, PIECES, knots, torque);
+  go(&s, 1, end);
+  ROT_CHECK_ULP(r.theta[0], 0.1 * 4.0 * PIECES, 2);
+  ROT_CHECK(r.omega[0] == 0.1);
+  const double all = r.info.omega_error;
+  go(&s, 1, short_end);
+  ROT_CHECK(all > 0.4 * PIECES / 4.0 * r.info.omega_error);
+}
+
+/* A motor's falling torque is resistance to the motion and torque in the columns. */
+static void check_motor(void) {
+  const double t[] = {1.0, 3.0};
+  rot_axle_scene s = plain_scene(2.0, 0.5, 0.0, 6.0);
+  s.linear.viscous_n_m_s = 2.0;
+  s.motor_n_m_s = 1.5;
+  go(&s, 2, t);
+  for (int i = 0; i < 2; i++) {
+    ROT_CHECK_REL(r.omega[i], -3.0 * expm1(-t[i]), 1e-15);
+    ROT_CHECK_REL(r.applied[i], 6.0 - 1.5 * r.omega[i], 1e-15);
+    ROT_CHECK_REL(r.damping[i], -0.5 * r.omega[i], 1e-15);
+  }
+}
+
 /* ---- what is refused, and how runs end ------------------------------------------------------ */
 
 static rot_status no_more(void *ctx, double fraction) {
@@ -345,6 +375,8 @@ int main(void) {
   check_coast_down();
   check_limits();
   check_balance();
+  check_many_pieces();
+  check_motor();
   check_refusals();
   rot_events_free(&r.events);
   return rot_test_report("axle_drag");
