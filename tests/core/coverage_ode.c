@@ -29,9 +29,9 @@ static rot_status rhs(double t, const double y[], double f[], void *ctx) {
   double torque = 0.0;
   s->calls++;
   switch (s->kind) {
-  case 0: torque = -s->a * s->a * sin(theta) - s->c * omega; break;             /* pendulum */
-  case 1: torque = s->a * cos(s->b * t) - s->c * omega - s->d * theta; break;   /* driven */
-  case 2: torque = s->a * (1.0 - theta * theta) * omega - s->b * theta; break;  /* van der Pol */
+  case 0: torque = -s->a * s->a * sin(theta) - s->c * omega; break;            /* pendulum */
+  case 1: torque = s->a * cos(s->b * t) - s->c * omega - s->d * theta; break;  /* driven */
+  case 2: torque = s->a * (1.0 - theta * theta) * omega - s->b * theta; break; /* van der Pol */
   case 3: torque = s->a - s->b * omega * omega * omega - s->c * tanh(theta); break;
   case 4: torque = s->a * exp(-s->b * t) * sin(s->d * t * t) - s->c * omega; break;
   case 5: torque = -s->a * sin(theta) + s->b * cos(s->d * t) - s->c * omega; break; /* chaos */
@@ -57,12 +57,13 @@ int main(int argc, char **argv) {
     double calls = 0.0, worst = INFINITY;
     srand(7);
     for (int k = 0; k < scenes; k++) {
-      scene s = {k % KINDS, uniform(0.5, 3.0), uniform(0.5, 3.0), uniform(0.0, 0.5),
-                 uniform(0.2, 2.0), 0};
+      scene s = {k % KINDS,         uniform(0.5, 3.0), uniform(0.5, 3.0),
+                 uniform(0.0, 0.5), uniform(0.2, 2.0), 0};
       const double start[] = {uniform(-2.0, 2.0), uniform(-2.0, 2.0)}, end = uniform(2.0, 20.0);
       const size_t rows = k % 3 == 0 ? 5 : k % 3 == 1 ? 100 : MOST_ROWS;
-      rot_ode_params p = {2, 2, rhs, &s, 0, NULL, 0.0, start, pow(10.0, -digits), 1000000,
-                          ROT_METHOD_NONE, NULL, NULL, 1};
+      rot_ode_params p = {
+          2,    2,    rhs, &s, 0, NULL, 0.0, start, pow(10.0, -digits), 1000000, ROT_METHOD_NONE,
+          NULL, NULL, 1};
       double error[2], largest[2], unused[2], most[2];
       rot_info info;
       for (size_t i = 0; i < rows; i++) t[i] = end * (double)(i + 1) / (double)rows;
@@ -92,8 +93,9 @@ int main(int argc, char **argv) {
     }
     qsort(ratio, (size_t)counted, sizeof *ratio, by_size);
     printf("1e-%02d: %4d of %4d covered (%.1f%%), lowest %.3f, median %.1f, 95%% below %.0f; met "
-           "%.1f%%; calls %.0f; misses", digits, covered, counted, 100.0 * covered / counted, worst,
-           ratio[counted / 2], ratio[counted * 95 / 100], 100.0 * met / counted, calls / scenes);
+           "%.1f%%; calls %.0f; misses",
+           digits, covered, counted, 100.0 * covered / counted, worst, ratio[counted / 2],
+           ratio[counted * 95 / 100], 100.0 * met / counted, calls / scenes);
     for (int k = 0; k < KINDS; k++) printf(" %d", by_kind[k]);
     printf("\n");
   }
