@@ -835,7 +835,7 @@ static rot_status fill_rows(ode_run *run, int whole_stretch) {
       for (size_t k = 0; k < run->p->dim; k++) run->form[k] = rot_dense_between(d, i, k);
       formed = i;
     }
-    const int enough = held || d->count >= 4;
+    const int enough = held || run->form[0].terms >= 4 * (d->slopes ? 2 : 1);
     if (enough && row_between(run, t, held)) continue;
     size_t rows = 1;
     while (run->done + rows < run->total && rows < 3) {
@@ -998,9 +998,10 @@ static void differences(const rot_ode_params *p, const mesh *coarse, const mesh 
 }
 
 /* The fine run's error is its distance from the coarse one over 2^8 - 1; where its own error tests
- * fell by less than 2^8, so did the error. Twice that, for steps that are not short. In the last
+ * fell by less than 2^8, so did the error; that part is mended in
+ * the rows. Four times it, for steps that are not short. In the last
  * digits the distance is rounding, which no halving makes less. */
-#define MARGIN 3.0
+#define MARGIN 4.0
 static double part_of_distance(const job *coarse, const job *fine, double rounding_share) {
   const double fell = coarse->worst > 0.0 ? fine->worst / coarse->worst : 0.0;
   const double order = fine->method == ROT_METHOD_RADAU ? 1.0 / 63.0 : 1.0 / 255.0;
