@@ -473,8 +473,9 @@ test_that("the progress function is called, no more than 20 times a second", {
   )
   start <- proc.time()[[3]]
   .Call(
-    rotdyn:::ffi_axle_integrate, c(1, 0, 0, 0, 0), list(double(), double(), c(0, 0)), law,
-    (0:8) + 0, c(1e-9, 1e6), function(fraction) told <<- c(told, fraction)
+    rotdyn:::ffi_axle_integrate,
+    list(c(1, double(8)), NULL, list(), list(double(), double()), double()), law,
+    (0:8) + 0, c(1e-9, 1e6, 0), function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start
   expect_gt(length(told), 1)
