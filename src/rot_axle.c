@@ -401,7 +401,7 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
       if (status != ROT_OK) return status;
     }
     if (done < total) {
-      run.base = run.in_lanes && run.on_grids
+      run.base = run.in_lanes && grid.step_s > 0.0
                      ? rot_axle_grid_step(&grid, p, &run.base, &run.piece, stop)
                      : rot_axle_step(p, &run.base, &run.piece, stop);
       info->time_s = stop;

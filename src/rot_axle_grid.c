@@ -21,10 +21,20 @@
 /* ---- one short step ------------------------------------------------------------------------- */
 
 /* phi3(-z), 0 <= z <= 1/2: what follows the last term is below 2^-54 of the first. */
-static const double series[] = {1 / 6.0,          -1 / 24.0,        1 / 120.0,
-                                -1 / 720.0,       1 / 5040.0,       -1 / 40320.0,
-                                1 / 362880.0,     -1 / 3628800.0,   1 / 39916800.0,
-                                -1 / 479001600.0, 1 / 6227020800.0, -1 / 87178291200.0};
+static const double series[] = {1 / 6.0,
+                                -1 / 24.0,
+                                1 / 120.0,
+                                -1 / 720.0,
+                                1 / 5040.0,
+                                -1 / 40320.0,
+                                1 / 362880.0,
+                                -1 / 3628800.0,
+                                1 / 39916800.0,
+                                -1 / 479001600.0,
+                                1 / 6227020800.0,
+                                -1 / 87178291200.0,
+                                1 / 1307674368000.0,
+                                -1 / 20922789888000.0};
 enum { TERMS = sizeof series / sizeof series[0] };
 
 /* An even number. */
@@ -140,8 +150,9 @@ static size_t chunk_rows(double z) {
 
 static int make_table(rot_axle_grid *grid, const rot_axle_params *p, double step_s) {
   const double lambda = p->viscous_n_m_s / p->inertia_kg_m2;
-  grid->rows = chunk_rows(lambda * step_s);
-  if (grid->rows == 0) return 0;
+  const size_t rows = chunk_rows(lambda * step_s);
+  if (rows == 0) return 0; /* the old table stays */
+  grid->rows = rows;
   grid->step_s = step_s;
   const int terms = terms_for(lambda * step_s * (double)grid->rows);
   const rot_pair l = ROT_BOTH(lambda), half = ROT_BOTH(0.5);

@@ -77,6 +77,12 @@ static void check_other_grids(void) {
   ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
   for (int i = 0; i < 1000; i++) t[i] = i < 400 ? 1.0 + 0.001 * i : 1.4 + 0.002 * (i - 400);
   ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
+  for (int i = 0; i < 1000; i++) { /* between two that fit, one too coarse for a table */
+    t[i] = i < 300   ? 1.001 * i / 300.0
+           : i < 320 ? 1.001 + 0.14 * (i - 300)
+                     : 4.2 + 0.003 * (i - 320);
+  }
+  ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
   for (int i = 0; i < 1000; i++) t[i] = 1.5 + 0.001 * (i / 2);
   ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
 }
@@ -129,6 +135,16 @@ static void check_steps(void) {
   for (size_t k = 0; k < sizeof pieces / sizeof pieces[0]; k++) {
     const rot_axle_params p = article(0.03, 2.0);
     const rot_axle_state from = {1.0, 0.5, 1e-17, 2.0, 1e-16, 0.0, 0.0};
+    rot_axle_grid_enter(&grid, &p, &pieces[k]);
+    for (double s = 0.99; s < 1.1; s += 0.005) { /* at rest, torque from nothing: E3 and E2 alone */
+      const rot_torque_piece ramp = {1.0, 4.0, 0.0, 0.8};
+      const rot_axle_state rest = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+      rot_axle_grid_enter(&grid, &p, &ramp);
+      const rot_axle_state a = rot_axle_grid_step(&grid, &p, &rest, &ramp, 1.0 + s);
+      const rot_axle_state b = rot_axle_step(&p, &rest, &ramp, 1.0 + s);
+      ROT_CHECK_REL(a.omega_rad_per_s, b.omega_rad_per_s, 6.0 * ROT_EPS);
+      ROT_CHECK_REL(a.theta_rad, b.theta_rad, 6.0 * ROT_EPS);
+    }
     rot_axle_grid_enter(&grid, &p, &pieces[k]);
     for (double s = 1e-9; s < 2.9; s *= 1.07) { /* c s/I from 5e-10 to 1.4 */
       const rot_axle_state a = rot_axle_grid_step(&grid, &p, &from, &pieces[k], 1.0 + s);
