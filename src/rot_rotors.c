@@ -25,24 +25,26 @@ typedef struct shaft {
   int decoupled;                     /* each mode by itself */
   double norm;                       /* of the twists' matrix, 1/s */
   double *memory;
-  double *sigma_lo;        /* n: what sigma lacks, to 1e-30 */
-  double *share;           /* J_i / sum J */
-  double *sigma, *damp;    /* n: frequency; the damping of each mode by itself */
-  double *p0, *r0, *force; /* n: state at the start, modal torque; r0[0] = omega0 */
-  double *shape;           /* n x n: theta_i per q_m; column 0 is 1 */
-  double *twist;           /* (n - 1) x n: shape_i - shape_(i+1) */
-  double *lever;           /* (n - 1) x n: elastic torque per p_m */
-  double *coupling;        /* n x n: damping of the modes, masses 1 */
+  double *leak, *force_leak; /* n: sizes whose roundings p0 and r0, and force, carry */
+  double *sigma_lo;          /* n: what sigma lacks, to 1e-30 */
+  double *share;             /* J_i / sum J */
+  double *sigma, *damp;      /* n: frequency; the damping of each mode by itself */
+  double *p0, *r0, *force;   /* n: state at the start, modal torque; r0[0] = omega0 */
+  double *shape;             /* n x n: theta_i per q_m; column 0 is 1 */
+  double *twist;             /* (n - 1) x n: shape_i - shape_(i+1) */
+  double *lever;             /* (n - 1) x n: elastic torque per p_m */
+  double *coupling;          /* n x n: damping of the modes, masses 1 */
 } shaft;
 
 /* ---- building it ---------------------------------------------------------------------------- */
 
 static int allocate(shaft *s, size_t n) {
-  double *next = s->memory = calloc(n * (4 * n + 7), sizeof *next);
+  double *next = s->memory = calloc(n * (4 * n + 9), sizeof *next);
   if (!next) return 0;
-  double **small[] = {&s->sigma_lo, &s->share, &s->sigma, &s->damp, &s->p0, &s->r0, &s->force};
+  double **small[] = {&s->leak, &s->force_leak, &s->sigma_lo, &s->share, &s->sigma,
+                      &s->damp, &s->p0,         &s->r0,       &s->force};
   double **large[] = {&s->shape, &s->twist, &s->lever, &s->coupling};
-  for (int i = 0; i < 7; i++, next += n) *small[i] = next;
+  for (int i = 0; i < 9; i++, next += n) *small[i] = next;
   for (int i = 0; i < 4; i++, next += n * n) *large[i] = next;
   return 1;
 }
@@ -286,6 +288,70 @@ static void find_damping(shaft *s) {
   }
 }
 
+static void start_floppy(shaft *s, size_t m) {
+  const rot_rotors_params *p = s->p;
+  for (size_t i = 0; i < s->n; i++) {
+    const double J = p->inertia_kg_m2[i], shape = s->shape[i * s->n + m];
+    const double angle = J * shape * (p->theta0_rad[i] - s->theta0);
+    const double rate = J * shape * (p->omega0_rad_per_s[i] - s->omega0);
+    const double torque = shape * (p->torque_n_m[i] - J * s->alpha);
+    s->p0[m] += angle;
+    s->r0[m] += rate;
+    s->force[m] += torque;
+    s->leak[m] += fabs(rate);
+    s->force_leak[m] += fabs(torque);
+  }
+}
+
+typedef struct projection {
+  double value, size; /* a sum, and the size that its rounding is of */
+} projection;
+
+static projection better_of(projection a, projection b) { return a.size <= b.size ? a : b; }
+
+/* A twist takes its share of angles, rates and torques either from the rotors, with weights J shape,
+ * or, by sum J_i shape_i x_i = sum lever_j (x_j - x_(j+1))/sigma, from the springs. With rotors of
+ * very different size the springs are better, with springs of very different size the rotors: a
+ * shape is rounded by the size of its largest part. */
+static void start_twist(shaft *s, size_t m) {
+  const rot_rotors_params *p = s->p;
+  const size_t n = s->n;
+  const double sigma = s->sigma[m];
+  projection angle[2] = {{0}}, rate[2] = {{0}}, torque[2] = {{0}};
+  double largest = 0.0, carried = 0.0;
+  for (size_t i = 0; i < n; i++) largest = fmax(largest, fabs(s->shape[i * n + m]));
+  for (size_t i = 0; i < n; i++) {
+    const double J = p->inertia_kg_m2[i], shape = s->shape[i * n + m];
+    const double theta = p->theta0_rad[i] - s->theta0, omega = p->omega0_rad_per_s[i] - s->omega0;
+    const double left = p->torque_n_m[i] - J * s->alpha;
+    angle[0].value += sigma * (J * shape * theta);
+    angle[0].size += sigma * (J * largest * fabs(theta));
+    rate[0].value += J * shape * omega;
+    rate[0].size += J * largest * fabs(omega);
+    torque[0].value += shape * left;
+    torque[0].size += largest * fabs(left);
+    carried += left;
+    if (i + 1 == n || p->stiffness_n_m_per_rad[i] == 0.0) continue;
+    const double lever = s->lever[i * n + m], root = sqrt(p->stiffness_n_m_per_rad[i]);
+    const double twist = p->theta0_rad[i] - p->theta0_rad[i + 1];
+    const double slip = p->omega0_rad_per_s[i] - p->omega0_rad_per_s[i + 1];
+    angle[1].value += lever * twist;
+    angle[1].size += root * fabs(twist);
+    rate[1].value += lever * slip / sigma;
+    rate[1].size += root * fabs(slip) / sigma;
+    torque[1].value += s->twist[i * n + m] * carried;
+    torque[1].size += sigma / root * fabs(carried);
+  }
+  const projection p0 = better_of(angle[0], angle[1]), r0 = better_of(rate[0], rate[1]);
+  /* Beyond a missing spring the torque carried is not zero, and the parts do not add up so. */
+  const projection force = s->floppy ? torque[0] : better_of(torque[0], torque[1]);
+  s->p0[m] = p0.value;
+  s->r0[m] = r0.value;
+  s->force[m] = force.value;
+  s->leak[m] = p0.size + r0.size;
+  s->force_leak[m] = force.size;
+}
+
 static void find_start(shaft *s) {
   const rot_rotors_params *p = s->p;
   const size_t n = s->n;
@@ -300,17 +366,8 @@ static void find_start(shaft *s) {
   for (size_t i = 0; i < n; i++) s->alpha += p->torque_n_m[i] / s->inertia;
   s->r0[0] = s->omega0;
   s->force[0] = s->alpha;
-  for (size_t m = 1; m < n; m++) {
-    for (size_t i = 0; i < n; i++) {
-      const double J = p->inertia_kg_m2[i], shape = s->shape[i * n + m];
-      s->r0[m] += J * shape * (p->omega0_rad_per_s[i] - s->omega0);
-      s->force[m] += shape * (p->torque_n_m[i] - J * s->alpha);
-      if (m <= s->floppy) s->p0[m] += J * shape * (p->theta0_rad[i] - s->theta0);
-    }
-    for (size_t j = 0; m > s->floppy && j + 1 < n; j++) {
-      s->p0[m] += s->lever[j * n + m] * (p->theta0_rad[j] - p->theta0_rad[j + 1]);
-    }
-  }
+  for (size_t m = 1; m <= s->floppy; m++) start_floppy(s, m);
+  for (size_t m = 1 + s->floppy; m < n; m++) start_twist(s, m);
 }
 
 static rot_status build(shaft *s, const rot_rotors_params *p) {
@@ -434,24 +491,13 @@ static void move_mode(double sigma, double sigma_lo, double damp, double force, 
   *p = p0 * (x.stay + b * x.fall) + sigma * (r0 * x.fall + turned);
 }
 
-/* Energy norm of all modes but the mean, of the start and of what the torques add: of this size a
- * rounding leaks from any mode into any other, because their shapes are rounded. */
-static double leak_at(const shaft *s, double t) {
-  double size = 0.0;
-  for (size_t m = 1; m < s->n; m++) {
-    const double reach = s->sigma[m] > 0.0 ? fmin(fabs(t), 2.0 / s->sigma[m]) : fabs(t);
-    size = hypot(size, hypot(s->r0[m], s->force[m] * reach));
-    if (m > s->floppy) size = hypot(size, s->p0[m]);
-  }
-  return size;
-}
-
 /* Size of the error of (p, r) in units of roundoff: the leak, and the phase turned, while it
  * lasts. */
-static double mode_error(const shaft *s, size_t m, double leaked, double t) {
+static double mode_error(const shaft *s, size_t m, double t) {
   const double sigma = s->sigma[m], b = 0.5 * s->damp[m], T = fabs(t);
   const double start = hypot(s->p0[m], s->r0[m]), force = fabs(s->force[m]);
-  const double leak = m == 0 ? 0.0 : leaked;
+  const double reach = sigma > 0.0 ? fmin(T, 2.0 / sigma) : T;
+  const double leak = s->leak[m] + s->force_leak[m] * reach;
   if (sigma == 0.0) {
     const double grown = t < 0.0 ? exp(2.0 * b * T) * (1.0 + 2.0 * b * T) : 1.0;
     return grown * (leak + fabs(s->r0[m]) + force * T);
@@ -529,17 +575,21 @@ static void read_system(const shaft *s, const stepper *y, const double state[], 
 
 /* Size of the twists' error, in units of roundoff, if the state has gone from the start to p, r. */
 static double system_error(const shaft *s, double t, const double p[], const double r[]) {
-  double start = 0.0, now = 0.0, force = 0.0;
+  double start = 0.0, now = 0.0, force = 0.0, leak = 0.0;
   for (size_t m = s->mean_alone ? 1 : 0; m < s->n; m++) {
     const double weight = m == 0 ? s->root_inertia : 1.0;
     const int twist = m > s->floppy;
     start = hypot(start, hypot(twist ? s->p0[m] : 0.0, weight * s->r0[m]));
     now = hypot(now, hypot(twist ? p[m] : 0.0, weight * r[m]));
     force = hypot(force, system_force(s, m));
+    leak =
+        hypot(leak, s->leak[m] + s->force_leak[m] *
+                                     (m > s->floppy ? fmin(fabs(t), 2.0 / s->sigma[m]) : fabs(t)));
   }
   const double phase = s->norm * fabs(t), growth = t < 0.0 ? 1.0 + phase : 1.0;
-  return (2.0 * (double)s->n + phase) *
-         (growth * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
+  return growth * leak +
+         (2.0 * (double)s->n + phase) *
+             (growth * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
 }
 
 /* ---- rows ----------------------------------------------------------------------------------- */
@@ -557,12 +607,11 @@ typedef struct modal_run {
 
 static void modes_by_themselves(const modal_run *run, double t) {
   const shaft *s = run->s;
-  const double leak = leak_at(s, t);
   for (size_t m = 0; m < s->n; m++) {
     run->p[m] = s->p0[m];
     run->r[m] = s->r0[m];
     move_mode(s->sigma[m], s->sigma_lo[m], s->damp[m], s->force[m], t, &run->p[m], &run->r[m]);
-    run->error[m] = ROT_EPS * roundings(s) * mode_error(s, m, leak, t);
+    run->error[m] = ROT_EPS * roundings(s) * mode_error(s, m, t);
   }
 }
 
@@ -571,7 +620,7 @@ static void note_system_errors(const modal_run *run, double t, double extra) {
   const double error = ROT_EPS * roundings(s) * system_error(s, t, run->p, run->r) * (1.0 + extra);
   for (size_t m = 1; m < s->n; m++) run->error[m] = error;
   run->error[0] =
-      s->mean_alone ? ROT_EPS * roundings(s) * mode_error(s, 0, 0.0, t) : error / s->root_inertia;
+      s->mean_alone ? ROT_EPS * roundings(s) * mode_error(s, 0, t) : error / s->root_inertia;
 }
 
 /* Angles, rates and torques from the modes. */
