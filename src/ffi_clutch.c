@@ -113,7 +113,7 @@ SEXP ffi_clutch_engagement(SEXP inertia_1, SEXP inertia_2, SEXP capacity, SEXP t
   for (size_t i = 0; i < (size_t)n; i++) {
     int known = 1;
     for (int j = 0; j < 7; j++) {
-      x[j] = in[j].x[i * in[j].step];
+      x[j] = rot_at(in[j], i);
       known &= !ISNAN(x[j]);
     }
     rot_clutch_engagement row = {NA_REAL, NA_REAL, NA_REAL, NA_REAL};
