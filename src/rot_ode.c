@@ -143,7 +143,7 @@ static rot_status attempt(ode_run *run, double t, double h, const double y[],
 }
 
 /* Error of the trial step over what is allowed; NaN if it makes no sense. */
-static double trial_ratio(const ode_run *run) {
+static double trial_ratio(const ode_run *run, double h) {
   double ratio = 0.0;
   for (size_t i = 0; i < run->p->controlled; i++) {
     const double error = fabs(run->trial_error[i]);
@@ -151,9 +151,9 @@ static double trial_ratio(const ode_run *run) {
      * small against the end is all there is at the start. */
     const double scale = fmax(LEAST_SIZE, fmax(run->largest[i], fabs(run->trial[i])));
     if (!isfinite(run->trial[i])) return NAN;
-    if (error != 0.0 && !(error / (run->tolerance * scale) <= ratio)) {
-      ratio = error / (run->tolerance * scale);
-    }
+    const double noise = run->p->noise ? run->p->noise[i] * fabs(h) : 0.0;
+    const double allowed = run->tolerance * scale + noise;
+    if (error != 0.0 && !(error / allowed <= ratio)) ratio = error / allowed;
   }
   return ratio;
 }
@@ -288,6 +288,7 @@ static rot_status look_for_zero(ode_run *run, double *h, passage *what) {
   const double s = *turn->mode;
   double w[4] = {s * run->y[i], s * run->slope[i] * *h, s * run->trial[i],
                  s * run->trial_slope[i] * *h};
+  if (run->at_rest && w[1] == 0.0 && w[2] == 0.0 && w[3] == 0.0) return ROT_OK; /* still */
   if (run->at_rest && w[2] <= 0.0) {
     if (!run->may_flip) return leave_rest(run, w, h, what);
     run->may_flip = 0;
@@ -644,7 +645,7 @@ static rot_status take_step(ode_run *run, double stop, double fraction, passage 
   status = attempt(run, run->t, plan.h, run->y, run->slope);
   if (status != ROT_OK && status != ROT_ETORQUE) return status;
   if (status == ROT_ETORQUE && !run->wild && run->status != ROT_OK) return status;
-  const double ratio = status == ROT_OK ? trial_ratio(run) : NAN;
+  const double ratio = status == ROT_OK ? trial_ratio(run, plan.h) : NAN;
   if (!(ratio <= 1.0)) { /* NaN fails */
     const double less = isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, error_power(run))) : 0.1;
     return reject(run, plan.h, less);

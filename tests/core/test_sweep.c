@@ -231,7 +231,7 @@ static void check_scenes(void) {
   unsigned long long seed = 11;
   rot_info info;
   rot_sweep_friction friction = {column(&quadratic, 0), column(&coulomb, 0), column(&sticks, 0)};
-  rot_axle_scene scene = {{0}, 0.0, 0.125, 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL};
+  rot_axle_scene scene = {{0}, 0.0, 0.125, 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL, 0.0};
   rot_axle_columns row;
   double one[7][1];
   scene.linear.torque = torque;
