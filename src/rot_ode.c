@@ -253,7 +253,7 @@ static rot_status find_zero(ode_run *run, const double w[4], double *hi) {
       high = x;
     }
     if (v == 0.0 || fabs(next - x) <= resolved || fabs(high - lo) <= 2.0 * resolved) break;
-    const int inside = fabs(next) > fabs(lo) && fabs(next) < fabs(high); /* NaN is not */
+    const int inside = (next - lo) * (next - high) < 0.0; /* NaN is not */
     x = inside ? next : lo + 0.5 * (high - lo);
   }
   *hi = x;
