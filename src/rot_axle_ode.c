@@ -195,7 +195,7 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
   return ROT_OK;
 }
 
-/* Largest omega and its error: those of the state, where the inertia changes carried to the rows. */
+/* Largest omega and its error: those of the state, carried to the rows where the inertia changes */
 static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
                        const double error[], const double largest[], rot_info *info) {
   info->theta_error = error[THETA];
