@@ -9,7 +9,7 @@
 
 enum { MOST = 64 };
 
-/* ---- against mpmath ------------------------------------------------------------------------- */
+/* ---- against mpmath -------------------------------------------------------------------------- */
 
 /* Random shafts: undamped, proportionally damped, damped between the rotors, damped outside too;
  * springs missing, times before the start. Exponential of the 2 n + 1 equations, mpmath, 120
