@@ -1,7 +1,7 @@
 # The developer's verbs. Each is a script in tools/ that can be run by itself. GNU make.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test core snapshots bench document format check-valgrind check-nosuggests check-manual
+.PHONY: help demo test core snapshots bench document format check-valgrind check-nosuggests check-manual check-coverage
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
@@ -41,6 +41,9 @@ check-valgrind: ## C core and C boundary under valgrind
 
 check-nosuggests: ## check and tests with the imported packages alone
 	@sh tools/check-nosuggests.sh
+
+check-coverage: ## do the reported errors cover the true ones: 1000 random scenes for each model
+	@sh tools/check-coverage.sh
 
 check-manual: ## the PDF manual, where LaTeX is installed
 	@sh tools/check-manual.sh

@@ -1,13 +1,14 @@
 #' Audit a trajectory
 #'
 #' Two balances from the first row to the last. Energy: the change of kinetic energy against the
-#' work of the torque less what the resistance took. Momentum: the change of angular momentum
+#' work of the torque (and of what changes the inertia) less what the resistance took. Momentum: the change of angular momentum
 #' against the impulses of both. Work, heat and impulses are computed by themselves (in closed form,
 #' or with the integration), never as what is missing, so a residual means something; each comes
 #' with what rounding and the stated error could explain, and a verdict.
 #'
 #' The changes are taken from the rows as they stand: edit a value, and the audit says so. When rows
-#' were dropped, the balance runs over the rows that are left.
+#' were dropped, the balance runs over the rows that are left. Where [choose_model()] left an effect
+#' out, the balance is that of the motion without it.
 #'
 #' @param x A `rot_trajectory`.
 #' @param ... Not used.
@@ -39,40 +40,53 @@ audit.rot_trajectory <- function(x, ...) {
     empty$verdict <- NA_character_
     return(tibble::new_tibble(empty, nrow = 1L, class = "rot_audit"))
   }
-  scene <- run$scene
+  scene <- run$solved
   t <- x$time_s[c(1L, n)]
   ledger <- run$ledger
   if (is.null(ledger)) {
-    record <- Filter(function(m) m$id == run$model, models_for(scene))[[1]]
-    ledger <- record$ledger(scene, c(run, call = call), min(t), max(t))
+    ledger <- record_of(run)$ledger(scene, c(run, call = call), min(t), max(t))
     if (t[2] < t[1]) {
-      ledger[1:3] <- -ledger[1:3] # rows turned round: the balance runs backwards
+      ledger[-(4:6)] <- -ledger[-(4:6)] # rows turned round: the balance runs backwards
     }
   }
-  inertia <- scene$moment_of_inertia_kg_m2
-  viscous <- scene$resistance$viscous_n_m_s
+  inertia <- if (is.null(scene$inertia)) {
+    rep(scene$moment_of_inertia_kg_m2, 2L)
+  } else {
+    inertia_at(scene$inertia, t)
+  }
   omega <- x$omega_rad_per_s[c(1L, n)]
   theta <- x$theta_rad[c(1L, n)]
+  linear <- !any(c("quadratic", "friction") %in% scene$effects)
+  damping <- if (linear) -viscous_of(scene) * (theta[2] - theta[1]) else ledger[10]
 
   # K1 - K0 as a product, so that a small change of a large energy keeps its digits.
-  kinetic <- 0.5 * inertia * (omega[2] - omega[1]) * (omega[2] + omega[1])
-  momentum <- inertia * (omega[2] - omega[1])
-  damping <- -viscous * (theta[2] - theta[1])
-  energy_residual <- (kinetic - ledger[1]) + ledger[2]
+  kinetic <- if (inertia[1] == inertia[2]) {
+    0.5 * inertia[1] * (omega[2] - omega[1]) * (omega[2] + omega[1])
+  } else {
+    0.5 * (inertia[2] * omega[2]^2 - inertia[1] * omega[1]^2)
+  }
+  momentum <- inertia[2] * omega[2] - inertia[1] * omega[1]
+  if (inertia[1] == inertia[2]) momentum <- inertia[1] * (omega[2] - omega[1])
+  energy_residual <- (kinetic - ledger[1] - ledger[11]) + ledger[2]
   momentum_residual <- (momentum - ledger[3]) - damping
 
   eps <- .Machine$double.eps
   omega_error <- run$info$omega_error + eps * abs(omega)
   energy_rounding <- ledger[4] + ledger[5] + sum(inertia * abs(omega) * omega_error) +
-    2 * eps * (abs(kinetic) + abs(ledger[1]) + abs(ledger[2]))
-  momentum_rounding <- ledger[6] + inertia * sum(omega_error) +
-    abs(viscous) * sum(run$info$theta_error + eps * abs(theta)) +
+    2 * eps * (abs(kinetic) + abs(ledger[1]) + abs(ledger[2]) + abs(ledger[11])) +
+    if (is.null(scene$inertia)) 0 else 2 * eps * sum(inertia * omega^2)
+  momentum_rounding <- ledger[6] + sum(inertia * omega_error) +
+    abs(viscous_of(scene)) * sum(run$info$theta_error + eps * abs(theta)) +
     2 * eps * (abs(momentum) + abs(ledger[3]) + abs(damping))
   balanced <- abs(energy_residual) <= energy_rounding &&
     abs(momentum_residual) <= momentum_rounding
   tibble::new_tibble(list(
     work_j = ledger[1],
     dissipated_j = ledger[2],
+    dissipated_viscous_j = ledger[7],
+    dissipated_quadratic_j = ledger[8],
+    dissipated_coulomb_j = ledger[9],
+    inertia_work_j = ledger[11],
     kinetic_energy_change_j = kinetic,
     energy_residual_j = energy_residual,
     energy_rounding_j = energy_rounding,
@@ -96,6 +110,17 @@ print.rot_audit <- function(x, ...) {
   cat("<rot_audit> ", x$verdict, "\n", sep = "")
   line("work of the torque", x$work_j, "J")
   line("- dissipated", x$dissipated_j, "J")
+  parts <- c(
+    viscous = x$dissipated_viscous_j, quadratic = x$dissipated_quadratic_j,
+    `dry friction` = x$dissipated_coulomb_j
+  )
+  parts <- parts[!is.na(parts) & parts != 0]
+  if (length(parts) > 1L) {
+    for (name in names(parts)) line(paste("    of it", name), parts[[name]], "J")
+  }
+  if (!is.na(x$inertia_work_j) && x$inertia_work_j != 0) {
+    line("+ work of what changes the inertia", x$inertia_work_j, "J")
+  }
   line("= change of kinetic energy", x$kinetic_energy_change_j, "J")
   line("  residual", signif(x$energy_residual_j, 2), "J")
   line("  explained by rounding and error", signif(x$energy_rounding_j, 2), "J")

@@ -5,7 +5,7 @@ column_list <- list(
   c("theta_rad", "rad", "angle turned about the axle"),
   c("omega_rad_per_s", "rad/s", "angular velocity"),
   c("applied_torque_n_m", "N m", "torque of the torque law"),
-  c("damping_torque_n_m", "N m", "torque of the resistance on the body, opposite to omega"),
+  c("damping_torque_n_m", "N m", "torque of the resistance on the body; at rest, of static friction"),
   c("net_torque_n_m", "N m", "applied + damping"),
   c("angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum about the axle, I omega"),
   c("rotational_kinetic_energy_j", "J", "I omega^2 / 2"),
@@ -13,21 +13,35 @@ column_list <- list(
   c("max_angular_velocity_rad_per_s", "rad/s", "largest omega of the rows (with its sign)"),
   c("max_angular_momentum_kg_m2_per_s", "kg m^2/s", "largest angular momentum of the rows"),
   c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy of the rows"),
-  c("final_theta_rad", "rad", "angle in the last row"),
+  c("final_theta_rad", "rad", "angle at the end"),
   c("model", "", "name of the model, as in `models()`"),
   c("accuracy", "1", "relative accuracy asked for"),
   c("error", "1", "relative error of the state: see `error_kind`"),
   c("error_kind", "", "\"bound\" or \"estimate\""),
   c("steps", "1", "accepted steps; pieces of the torque for a closed form"),
   c("rejected", "1", "steps tried and rejected"),
-  c("rhs_calls", "1", "evaluations of the right-hand side, the companion run included"),
-  c("work_j", "J", "work of the applied torque from the first row to the last"),
+  c("rhs_calls", "1", "evaluations of the right-hand side, or of an R torque function sampled first"),
+  c("work_j", "J", "work of the applied torque since the first row"),
   c("dissipated_j", "J", "energy lost to the resistance, computed by itself"),
+  c("dissipated_viscous_j", "J", "the part of it that the viscous resistance took"),
+  c("dissipated_quadratic_j", "J", "the part of it that the quadratic drag took"),
+  c("dissipated_coulomb_j", "J", "the part of it that dry friction took"),
+  c("inertia_work_j", "J", "work done by what changes the moment of inertia"),
+  c("final_omega_rad_per_s", "rad/s", "angular velocity at the end"),
+  c("max_omega_rad_per_s", "rad/s", "largest omega on the whole way (with its sign)"),
+  c("max_omega_time_s", "s", "the first time at which omega is largest"),
+  c("min_omega_rad_per_s", "rad/s", "smallest omega on the whole way (with its sign)"),
+  c("max_abs_omega_rad_per_s", "rad/s", "largest |omega| on the whole way"),
+  c("stop_time_s", "s", "time at which the body comes to rest for good; Inf if it never does"),
+  c("stop_theta_rad", "rad", "angle at which it does"),
+  c("terminal_omega_rad_per_s", "rad/s", "what omega tends to under the last torque"),
+  c("power_w", "W", "power of the applied torque"),
+  c("event", "", "what happened: \"stick\", \"slip\", \"reverse\", ..."),
   c("kinetic_energy_change_j", "J", "kinetic energy of the last row less that of the first"),
   c("energy_residual_j", "J", "kinetic energy change - work + dissipated"),
   c("energy_rounding_j", "J", "what rounding and the stated error could explain of it"),
-  c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque"),
-  c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque"),
+  c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque since the first row"),
+  c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),
   c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
   c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
   c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what both could explain of it"),
@@ -63,6 +77,27 @@ column_list <- list(
   c("name", "", "name of a column"),
   c("unit", "", "its unit; empty for text, 1 for a pure number"),
   c("meaning", "", "what it says"),
+  # measuring
+  c("omega0_rad_per_s", "rad/s", "angular velocity at the start"),
+  c("alpha_rad_per_s2", "rad/s^2", "angular acceleration"),
+  c("row", "1", "row of the arguments that it belongs to"),
+  c("root", "1", "1 or 2: which of the motions, the smaller time first; NA where there is none"),
+  c("tangential_speed_m_per_s", "m/s", "omega r: along the tangent, with its sign"),
+  c("tangential_acceleration_m_per_s2", "m/s^2", "alpha r: along the tangent, with its sign"),
+  c("centripetal_acceleration_m_per_s2", "m/s^2", "omega^2 r: towards the axle"),
+  c("total_acceleration_m_per_s2", "m/s^2", "size of the acceleration"),
+  c("acceleration_angle_rad", "rad", "from the inward radius to the acceleration"),
+  c("method", "", "\"closed form\", the name of an integrator, or \"peer\""),
+  c("theta_error", "1", "true error of theta, relative to the largest |theta|"),
+  c("omega_error", "1", "true error of omega, relative to the largest |omega|"),
+  c("true_error", "1", "the larger of both"),
+  c("floor", "", "TRUE where the true error is that or less: the reference can tell no more"),
+  c("covered", "", "TRUE if the error reported is at least the true one"),
+  c("reference", "", "what the true error is taken against"),
+  c("reference_error", "1", "relative error of the reference itself"),
+  c("cost_s", "s", "processor time of one run: the fastest batch"),
+  c("cost_median_s", "s", "processor time of one run: the median of the batches"),
+  c("energy_residual", "1", "energy residual of the audit, relative to the largest energy"),
   c("rotor", "1", "number of the rotor along the shaft, from 1"),
   c("shaft_torque_n_m", "N m", "torque of the shaft on the next rotor; NA for the last"),
   c("mode", "1", "number of the mode, slowest first"),
@@ -124,8 +159,18 @@ summary_columns <- c(
   "max_rotational_kinetic_energy_j", "final_theta_rad", "model", "accuracy", "error", "error_kind",
   "steps", "rhs_calls"
 )
+sweep_columns <- c(
+  "final_theta_rad", "final_omega_rad_per_s", "max_omega_rad_per_s", "max_omega_time_s",
+  "min_omega_rad_per_s", "max_abs_omega_rad_per_s", "error"
+)
+augment_columns <- c(
+  "power_w", "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
+  "dissipated_coulomb_j", "inertia_work_j", "torque_impulse_n_m_s", "damping_impulse_n_m_s"
+)
 audit_columns <- c(
-  "work_j", "dissipated_j", "kinetic_energy_change_j", "energy_residual_j", "energy_rounding_j",
+  "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
+  "dissipated_coulomb_j", "inertia_work_j", "kinetic_energy_change_j", "energy_residual_j",
+  "energy_rounding_j",
   "torque_impulse_n_m_s", "damping_impulse_n_m_s", "angular_momentum_change_kg_m2_per_s",
   "momentum_residual_kg_m2_per_s", "momentum_rounding_kg_m2_per_s", "verdict"
 )
@@ -144,6 +189,18 @@ model_columns <- c(
   "model", "constraint", "equations", "assumptions", "limits", "requires", "error", "error_kind",
   "source"
 )
+motion_columns <- c(
+  "row", "root", "theta_rad", "omega0_rad_per_s", "omega_rad_per_s", "alpha_rad_per_s2", "time_s"
+)
+point_columns <- c(
+  "tangential_speed_m_per_s", "tangential_acceleration_m_per_s2",
+  "centripetal_acceleration_m_per_s2", "total_acceleration_m_per_s2", "acceleration_angle_rad"
+)
+work_precision_columns <- c(
+  "model", "method", "accuracy", "theta_error", "omega_error", "true_error", "floor", "error",
+  "error_kind", "covered", "cost_s", "cost_median_s", "rhs_calls", "steps", "rejected",
+  "energy_residual", "reference", "reference_error"
+)
 rotors_columns <- c(
   "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
   "rotational_kinetic_energy_j", "shaft_torque_n_m"
@@ -154,7 +211,16 @@ clutch_columns <- c(
   "clutch_torque_n_m", "heat_j", "locked"
 )
 clutch_keys <- setdiff(clutch_columns, c("clutch_torque_n_m", "locked"))
-motion_audit_columns <- append(audit_columns, "elastic_energy_change_j", after = 3)
+motion_audit_columns <- c(
+  "work_j", "dissipated_j", "kinetic_energy_change_j", "elastic_energy_change_j",
+  setdiff(
+    audit_columns,
+    c(
+      "work_j", "dissipated_j", "kinetic_energy_change_j", "dissipated_viscous_j",
+      "dissipated_quadratic_j", "dissipated_coulomb_j", "inertia_work_j"
+    )
+  )
+)
 engagement_columns <- c(
   "lock_time_s", "common_omega_rad_per_s", "heat_j", "locked_torque_n_m"
 )

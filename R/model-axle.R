@@ -1,19 +1,96 @@
-# Models of a body on a fixed axle. The numbers and the torque of a scene as src/ffi_axle.c wants
-# them. .subset2() because `$` looks for a method first: 10 us of a 35 us call.
+# Models of a body on a fixed axle. .subset2() because `$` looks for a method first: 10 us of a 35
+# us call.
+
+# The scene as src/ffi_axle.c unpacks it.
+pack_axle <- function(scene, breaks_s = axle_breaks(scene), loads = scene$loads) {
+  resistance <- scene$resistance
+  list(
+    c(
+      scene$moment_of_inertia_kg_m2, resistance$viscous_n_m_s, scene$start_s, scene$theta0_rad,
+      scene$omega0_rad_per_s, loads$motor_n_m_s, resistance$quadratic_n_m_s2,
+      resistance$coulomb_n_m, resistance$static_n_m
+    ),
+    axle_knots(loads$knots),
+    pack_terms(loads$terms),
+    if (is.null(scene$inertia)) {
+      list(double(), double())
+    } else {
+      list(scene$inertia$time_s, scene$inertia$moment_of_inertia_kg_m2)
+    },
+    breaks_s
+  )
+}
+
+axle_knots <- function(knots) {
+  list(.subset2(knots, "time_s"), .subset2(knots, "torque_n_m"), .subset2(knots, "outside"))
+}
+
+# Times where a torque or the inertia jumps or kinks; those of an R function are looked for later.
+axle_breaks <- function(scene) {
+  terms <- lapply(scene$loads$terms, function(term) term$breaks_s)
+  sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
+}
+
+# The five numbers of the linear part: a motor's falling torque resists like a viscous coefficient.
 axle_numbers <- function(scene) {
   c(
-    .subset2(scene, "moment_of_inertia_kg_m2"), viscous_of(scene), .subset2(scene, "start_s"),
-    .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s")
+    .subset2(scene, "moment_of_inertia_kg_m2"), viscous_of(scene) + motor_of(scene),
+    .subset2(scene, "start_s"), .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s")
   )
 }
 
 viscous_of <- function(scene) .subset2(.subset2(scene, "resistance"), "viscous_n_m_s")
 
-axle_knots <- function(torque) {
-  list(.subset2(torque, "time_s"), .subset2(torque, "torque_n_m"), .subset2(torque, "outside"))
+motor_of <- function(scene) .subset2(.subset2(scene, "loads"), "motor_n_m_s")
+
+knots_of <- function(scene) .subset2(.subset2(scene, "loads"), "knots")
+
+# ---- reasons ------------------------------------------------------------------------------------
+
+# An effect in words.
+effect_words <- c(
+  torque = "a torque",
+  ramp = "a torque that changes in time",
+  sinusoid = "a sinusoidal torque",
+  exponential = "an exponential torque",
+  polynomial = "a polynomial torque",
+  curve = "a torque-speed curve",
+  spring = "a spring",
+  gravity = "gravity",
+  "function" = "a torque that is an R function",
+  viscous = "viscous resistance",
+  motor = "a motor",
+  quadratic = "quadratic drag",
+  friction = "dry friction",
+  inertia = "a changing moment of inertia"
+)
+
+# A torque that changes in time is a torque, too: said once.
+effects_in_words <- function(effects) {
+  if ("ramp" %in% effects) effects <- setdiff(effects, "torque")
+  and_words(unname(effect_words[effects]))
 }
 
-has_knots <- function(scene) inherits(.subset2(scene, "torque"), "rot_torque_knots")
+and_words <- function(x) {
+  n <- length(x)
+  if (n < 2L) x else paste(paste(x[-n], collapse = ", "), "and", x[n])
+}
+
+terms_of <- function(scene, kind) {
+  Filter(function(term) term$kind %in% kind, scene$loads$terms)
+}
+
+always <- function(terms) {
+  all(vapply(terms, function(term) term$from_s == -Inf && term$to_s == Inf, logical(1)))
+}
+
+why_not_backward <- function(scene, time_s) {
+  if (length(time_s) && time_s[1] < scene$start_s) {
+    "it cannot run backwards from the scene's start"
+  }
+}
+
+# ---- closed forms -------------------------------------------------------------------------------
 
 axle_free <- list(
   id = "axle_free",
@@ -24,20 +101,15 @@ axle_free <- list(
   requires = "no torque, no resistance",
   source = "Goldstein 2002, section 1.1",
   error_kind = "bound",
-  why_not = function(scene) {
-    if (viscous_of(scene) != 0) {
-      "the resistance is not zero"
-    } else if (!torque_is_zero(scene$torque)) {
-      "the torque is not zero"
-    }
-  },
+  handles = character(),
+  why_not = function(scene, time_s) NULL,
   why = function(scene) "nothing acts about the axle: omega keeps its value",
   error = function(accuracy) 4e-16,
   cost = function(scene, rows, accuracy) 10 * rows,
-  run = function(scene, time_s, accuracy, max_steps, call) {
+  run = function(scene, time_s, accuracy, max_steps, call, asked) {
     .Call(ffi_axle_free, axle_numbers(scene), time_s, progress_bar("free spin"))
   },
-  ledger = function(scene, run, from_s, to_s) double(6)
+  ledger = function(scene, run, from_s, to_s) double(11)
 )
 
 # Even stretches of the times may be computed by doubling where its bound is good enough.
@@ -49,16 +121,17 @@ axle_linear <- list(
   equations = "I domega/dt = torque(t) - c omega, solved in closed form between the knots",
   assumptions = "rigid body; torque a piecewise-linear function of time; resistance -c omega",
   limits = "any c t/I from 0 to 1e300; the state must stay within double precision",
-  requires = "torque_constant() or torque_knots(); viscous resistance or none",
+  requires = "constants, knots, steps, pulses, linear motors; viscous resistance or none",
   source = "Hochbruck & Ostermann 2010, section 2.1 (phi functions)",
   error_kind = "bound",
-  why_not = function(scene) {
-    if (!has_knots(scene)) "the torque is an R function, not straight lines between knots"
-  },
+  handles = c("torque", "ramp", "viscous", "motor"),
+  why_not = function(scene, time_s) NULL,
   why = function(scene) {
+    knots <- knots_of(scene)
     paste0(
       "the torque is ",
-      if (length(scene$torque$time_s)) "piecewise linear" else "constant",
+      if (motor_of(scene) != 0) "linear in the speed" else
+        if (length(knots$time_s)) "piecewise linear" else "constant",
       if (viscous_of(scene) == 0) " and nothing resists" else
         " and the resistance viscous",
       ": the solution is known in closed form"
@@ -69,73 +142,274 @@ axle_linear <- list(
   error = function(accuracy) if (by_doubling(accuracy)) 2e-14 else 2e-15,
   cost = function(scene, rows, accuracy) {
     each <- if (by_doubling(accuracy)) 30 else 150
-    each * rows + 600 * (1 + length(scene$torque$time_s))
+    each * rows + 600 * (1 + length(knots_of(scene)$time_s))
   },
-  run = function(scene, time_s, accuracy, max_steps, call) {
-    .Call(
-      ffi_axle_linear, axle_numbers(scene), axle_knots(.subset2(scene, "torque")), time_s,
+  run = function(scene, time_s, accuracy, max_steps, call, asked) {
+    result <- .Call(
+      ffi_axle_linear, axle_numbers(scene), axle_knots(knots_of(scene)), time_s,
       as.double(by_doubling(accuracy)), progress_bar("closed form")
     )
+    if (motor_of(scene) != 0) part_motor(result, scene) else result
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(
-      ffi_axle_ledger, axle_numbers(scene), axle_knots(scene$torque), from_s, to_s,
+    ledger <- .Call(
+      ffi_axle_ledger, axle_numbers(scene), axle_knots(knots_of(scene)), from_s, to_s,
       progress_bar("ledger")
     )
+    if (motor_of(scene) != 0) part_motor_ledger(ledger, scene) else ledger
   }
 )
 
-axle_rk8pd <- list(
-  id = "axle_rk8pd",
-  constraint = "axle",
-  equations = "I domega/dt = torque(t, theta, omega) - c omega, integrated",
-  assumptions = "rigid body; torque finite, and smooth between its breaks",
-  limits = "not stiff: a step is at most about 6 I/c long",
-  requires = "any torque",
-  source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library",
-  error_kind = "estimate",
-  why_not = function(scene) NULL,
-  why = function(scene) "the torque is an R function: no closed form is known, so it is integrated",
-  error = function(accuracy) max(accuracy, 1e-13),
-  cost = function(scene, rows, accuracy) {
-    # Two runs of 13 evaluations a step; up to 64 rows are landed on, more are filled in; the torque
-    # once more for each row. An R call is some 500 ns.
-    each <- if (has_knots(scene)) 60 else 2000
-    steps <- min(rows, 64) + 4 * max(1, -log10(accuracy)) * (1 + length(scene$torque$time_s))
-    each * (2 * 13 * steps + rows)
-  },
-  run = function(scene, time_s, accuracy, max_steps, call) {
-    integrate_axle(scene, time_s, accuracy, max_steps, call)
-  },
-  # The integrator carries the ledger with the state; other rows mean another run.
-  ledger = function(scene, run, from_s, to_s) {
-    result <- integrate_axle(scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call)
-    if (result[[2]]$kind == "none") result[[3]] else rep(NA_real_, 6)
-  }
-)
+# The closed form takes motor and viscous resistance as one; the columns keep them apart.
+part_motor <- function(result, scene) {
+  columns <- result[[1]]
+  omega <- columns$omega_rad_per_s
+  columns$applied_torque_n_m <- columns$applied_torque_n_m - motor_of(scene) * omega
+  columns$damping_torque_n_m <- 0 - viscous_of(scene) * omega
+  columns$net_torque_n_m <- columns$applied_torque_n_m + columns$damping_torque_n_m
+  result[[1]] <- columns
+  result
+}
 
-axle_models <- list(axle_free, axle_linear, axle_rk8pd)
+# Of what both took, the motor's part is work not done.
+part_motor_ledger <- function(ledger, scene) {
+  motor <- motor_of(scene)
+  both <- viscous_of(scene) + motor
+  share <- if (both == 0) 0 else motor / both
+  taken <- share * ledger[c(2, 10)] # heat, impulse of both
+  ledger[1] <- ledger[1] - taken[1]
+  ledger[4] <- ledger[4] + abs(share) * ledger[5]
+  ledger[c(2, 5, 7, 10)] <- (1 - share) * ledger[c(2, 5, 7, 10)]
+  ledger[3] <- ledger[3] + taken[2]
+  ledger
+}
 
-integrate_axle <- function(scene, time_s, accuracy, max_steps, call) {
-  torque <- scene$torque
-  law <- NULL
-  if (has_knots(scene)) {
-    knots <- axle_knots(torque)
-  } else {
-    complain <- function(value, time_s) abort_torque_value(value, time_s, call)
-    breaks <- torque_breaks(scene, time_s, complain, call)
-    knots <- list(breaks, double(length(breaks)), c(0, 0))
-    # The C code fills in the arguments; an error of the function's own shows the call f(...).
-    law <- list(
-      as.call(c(quote(f), rep(list(NULL), torque$arguments))),
-      list2env(list(f = torque$f), parent = baseenv()),
-      complain
-    )
-  }
-  .Call(
-    ffi_axle_integrate, axle_numbers(scene), knots, law, time_s, c(accuracy, max_steps),
-    progress_bar("integrating")
+# A closed form that src/ffi_axle.c knows by `kernel`, for scenes with more than knots.
+axle_kernel <- function(kernel, id, ..., why, error, each, why_not = function(scene, time_s) NULL) {
+  promised <- error
+  list(
+    id = id, kernel = kernel, constraint = "axle", ...,
+    error_kind = "bound",
+    why_not = why_not,
+    why = function(scene) paste0(why, ": the solution is known in closed form"),
+    error = function(accuracy) promised,
+    cost = function(scene, rows, accuracy) each * (rows + 4 * length(axle_breaks(scene)) + 1),
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      .Call(ffi_axle_model, kernel, pack_axle(scene), time_s, progress_bar("closed form"))
+    },
+    ledger = function(scene, run, from_s, to_s) ledger_by_quadrature(scene, run, from_s, to_s)
   )
+}
+
+axle_skater <- axle_kernel(
+  "skater", "axle_skater",
+  equations = "d(I(t) omega)/dt = torque, I piecewise linear in time",
+  assumptions = "rigid but for the change of inertia, which needs no torque about the axle",
+  limits = "none in double precision",
+  requires = "inertia_knots(); a torque that is constant between its steps; no resistance",
+  source = "Goldstein 2002, section 1.1",
+  handles = c("torque", "inertia"),
+  why = "angular momentum changes by the torque alone",
+  error = 4e-15, each = 200
+)
+
+axle_pendulum <- axle_kernel(
+  "pendulum", "axle_pendulum",
+  equations = "I domega/dt = -m g d sin(theta), in Jacobi's elliptic functions",
+  assumptions = "rigid body; uniform gravity",
+  limits = "any amplitude, rotation and the separatrix included",
+  requires = "torque_gravity() and nothing else",
+  source = "Landau & Lifshitz 1976, section 11; DLMF chapter 22",
+  handles = "gravity",
+  why = "gravity alone acts",
+  error = 1e-14, each = 500,
+  why_not = function(scene, time_s) {
+    gravity <- terms_of(scene, "gravity")
+    if (length(gravity) != 1L) "it needs gravity, and only one" else
+      if (!always(gravity)) "gravity must act at all times"
+  }
+)
+
+axle_oscillator <- axle_kernel(
+  "oscillator", "axle_oscillator",
+  equations = "I domega/dt = -k (theta - rest) - c omega + torque(t)",
+  assumptions = "rigid body; a spring that obeys Hooke's law",
+  limits = "any damping; the state must stay within double precision",
+  requires = "torque_spring(), constants, knots, steps, sinusoids, motors, viscous resistance",
+  source = "Landau & Lifshitz 1976, sections 22 to 26",
+  handles = c("spring", "torque", "ramp", "sinusoid", "viscous", "motor"),
+  why = "the equation is linear",
+  error = 1e-14, each = 400,
+  why_not = function(scene, time_s) {
+    spring <- terms_of(scene, "spring")
+    if (length(spring) != 1L) "it needs a spring, and only one" else
+      if (spring[[1]]$x[1] <= 0) "the spring's stiffness must be greater than 0" else
+        if (!always(c(spring, terms_of(scene, "sinusoid")))) {
+          "spring and sinusoids must act at all times"
+        }
+  }
+)
+
+axle_forced <- axle_kernel(
+  "forced", "axle_forced",
+  equations = "I domega/dt = torque(t) - c omega, solved term by term",
+  assumptions = "rigid body; resistance -c omega",
+  limits = "polynomials to degree 16; the state must stay within double precision",
+  requires = "sums of constants, knots, polynomials, sinusoids, exponentials, motors; viscous resistance",
+  source = "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)",
+  handles = c(
+    "torque", "ramp", "viscous", "motor", "sinusoid", "exponential", "polynomial"
+  ),
+  why = "the torque is a sum of laws in time, and the resistance viscous or none",
+  error = 1e-14, each = 400,
+  why_not = function(scene, time_s) {
+    degree <- vapply(terms_of(scene, "polynomial"), function(term) term$x[2] - 1, double(1))
+    if (any(degree > 16)) "it takes polynomials up to degree 16"
+  }
+)
+
+axle_drag <- axle_kernel(
+  "drag", "axle_drag",
+  equations = "I domega/dt = torque - c omega - q omega |omega| - tau_c sign(omega); sticks at rest",
+  assumptions = "rigid body; a torque that is constant between its steps",
+  limits = "forward in time; c >= 0",
+  requires = "constants, steps, pulses, a motor; viscous, quadratic and dry friction",
+  source = "Riccati's equation; Armstrong-Helouvry 1991, chapter 2 (dry friction)",
+  handles = c("torque", "viscous", "motor", "quadratic", "friction"),
+  why = "the torque is constant between its steps",
+  error = 2e-14, each = 300,
+  why_not = function(scene, time_s) {
+    if (viscous_of(scene) + motor_of(scene) < 0) "it takes no viscous coefficient below 0" else
+      why_not_backward(scene, time_s)
+  }
+)
+
+axle_bands <- axle_kernel(
+  "bands", "axle_bands",
+  equations = "I domega/dt = torque(t) + curve(omega) - c omega - tau_c sign(omega); sticks at rest",
+  assumptions = "rigid body; torque piecewise linear in time and in omega",
+  limits = "forward in time",
+  requires = "constants, knots, steps, pulses, motors, one torque_curve(); viscous and dry friction",
+  source = "Armstrong-Helouvry 1991, chapter 2 (dry friction)",
+  handles = c("torque", "ramp", "viscous", "motor", "curve", "friction"),
+  why = "torque and resistance are straight lines between known speeds",
+  error = 1e-13, each = 600,
+  why_not = function(scene, time_s) {
+    curve <- terms_of(scene, "curve")
+    if (length(curve) > 1L) "it takes one curve" else
+      if (!always(curve)) "the curve must act at all times" else
+        why_not_backward(scene, time_s)
+  }
+)
+
+# ---- integrated ---------------------------------------------------------------------------------
+
+axle_integrator <- function(id, method, ..., each, why) {
+  list(
+    id = id, constraint = "axle",
+    equations = "d(I omega)/dt = torque(t, theta, omega) + resistance, integrated",
+    assumptions = "rigid body; torque finite, and smooth between its breaks",
+    ...,
+    error_kind = "estimate",
+    handles = names(effect_words),
+    why_not = function(scene, time_s) {
+      if ("friction" %in% scene$effects) why_not_backward(scene, time_s)
+    },
+    why = why,
+    error = function(accuracy) max(accuracy, 1e-13),
+    cost = function(scene, rows, accuracy) {
+      # Two runs of 13 evaluations a step; up to 64 rows are landed on, more are filled in. An R call
+      # is some 500 ns; samples of a function of time alone are few.
+      call_r <- !is.null(scene$loads$law) && scene$loads$law$arguments == 3L
+      steps <- min(rows, 64) + 4 * max(1, -log10(accuracy)) * (1 + length(axle_breaks(scene)))
+      (if (call_r) 2000 else each) * 2 * 13 * steps
+    },
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      integrate_axle(scene, time_s, accuracy, max_steps, call, if (asked) method else 0)
+    },
+    # The integrator carries the ledger with the state; other rows mean another run.
+    ledger = function(scene, run, from_s, to_s) {
+      result <- integrate_axle(scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call, 0)
+      if (result[[2]]$kind == "none") result[[3]] else rep(NA_real_, 11)
+    }
+  )
+}
+
+axle_rk8pd <- axle_integrator(
+  "axle_rk8pd", 1,
+  limits = "not stiff: a step is at most about 6 I/c long",
+  requires = "any torque, any resistance",
+  source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library",
+  each = 60,
+  why = function(scene) paste0("no closed form is known for this scene (", scene_words(scene),
+                               "), so it is integrated")
+)
+
+axle_radau <- axle_integrator(
+  "axle_radau", 2,
+  limits = "each step solves a system of equations: dear where the motion is not stiff",
+  requires = "any torque, any resistance",
+  source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)",
+  each = 300,
+  why = function(scene) "the motion is stiff: resistance acts much faster than the times asked for"
+)
+
+scene_words <- function(scene) effects_in_words(scene$effects)
+
+# Cheapest first.
+axle_closed_forms <- list(
+  axle_free, axle_linear, axle_skater, axle_drag, axle_forced, axle_oscillator, axle_pendulum,
+  axle_bands
+)
+axle_integrators <- list(axle_rk8pd, axle_radau)
+
+integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
+  loads <- scene$loads
+  breaks <- axle_breaks(scene)
+  law <- NULL
+  sampled <- NULL
+  if (!is.null(loads$law)) {
+    torque <- loads$law
+    complain <- function(value, time_s) abort_torque_value(value, time_s, call)
+    own <- torque_breaks(torque, scene, time_s, complain, call)
+    if (torque$arguments == 1L) {
+      sampled <- sample_torque(torque$f, range(scene$start_s, time_s), own, accuracy)
+    }
+    if (is.null(sampled)) {
+      # The C code fills in the arguments; an error of the function's own shows the call f(...).
+      law <- list(
+        as.call(c(quote(f), rep(list(NULL), torque$arguments))),
+        list2env(list(f = torque$f), parent = baseenv()),
+        complain
+      )
+    } else {
+      loads$terms <- c(loads$terms, list(sampled$term))
+      own <- c(own, sampled$term$breaks_s)
+    }
+    breaks <- sort(unique(c(breaks, own)))
+  }
+  result <- .Call(
+    ffi_axle_integrate, pack_axle(scene, breaks, loads), law, time_s,
+    c(accuracy, max_steps, method), progress_bar("integrating")
+  )
+  if (is.null(sampled)) result else add_sampling(result, sampled, scene, time_s)
+}
+
+# What the samples' error can do to the motion, and what the samples cost.
+add_sampling <- function(result, sampled, scene, time_s) {
+  info <- result[[2]]
+  reach <- disturbance(scene, sampled$error, time_s)
+  info$omega_error <- info$omega_error + reach$omega
+  info$theta_error <- info$theta_error + reach$theta
+  info$error <- error_of_run(info)
+  info$rhs_calls <- sampled$calls
+  result[[2]] <- info
+  result
+}
+
+error_of_run <- function(info) {
+  part <- function(error, largest) if (error > 0) error / largest else 0
+  max(part(info$theta_error, info$theta_max), part(info$omega_error, info$omega_max))
 }
 
 abort_torque_value <- function(value, time_s, call) {
@@ -150,22 +424,12 @@ abort_torque_value <- function(value, time_s, call) {
 }
 
 # Breaks the user told, or those that a scan finds, with a warning.
-torque_breaks <- function(scene, time_s, complain, call) {
-  torque <- scene$torque
+torque_breaks <- function(torque, scene, time_s, complain, call) {
   if (!is.null(torque$breaks_s)) {
     return(torque$breaks_s)
   }
-  f <- torque$f
   at <- function(t) {
-    value <- if (torque$arguments == 3L) {
-      f(t, scene$theta0_rad, scene$omega0_rad_per_s)
-    } else {
-      f(t)
-    }
-    if (!(is.numeric(value) || is.logical(value)) || is.object(value) || length(value) != 1L) {
-      complain(value, t)
-    }
-    as.double(value)
+    values_of(torque$f, t, complain, if (torque$arguments == 3L) scene)
   }
   scan <- scan_breaks(at, min(scene$start_s, time_s), max(scene$start_s, time_s))
   breaks <- scan$breaks

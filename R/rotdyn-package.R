@@ -34,6 +34,6 @@
 #'
 #' @keywords internal
 #' @useDynLib rotdyn, .registration = TRUE
-#' @importFrom generics glance
+#' @importFrom generics glance augment
 #' @importFrom rlang .data
 "_PACKAGE"

@@ -1,12 +1,12 @@
 #' A body on a fixed axle
 #'
-#' The scene that [trajectory()] computes: `I d(omega)/dt = torque - c omega`,
+#' The scene that [trajectory()] computes: `d(I omega)/dt = torque + resistance`,
 #' `d(theta)/dt = omega`, with `I` the moment of inertia about the axle through the centre of mass.
 #'
 #' @param body A `rot_body` (see [body_disk()]), or one number: the moment of inertia about the axle
-#'   in kg m^2. It must be greater than 0.
-#' @param torque A torque law (see [torque_knots()]), an R function, one number in N m, or NULL for
-#'   none.
+#'   in kg m^2. It must be greater than 0. Or [inertia_knots()], where it changes in time.
+#' @param torque A torque law (see [torque] and [torque-terms]) or a sum of them, an R function, one
+#'   number in N m, or NULL for none.
 #' @param resistance A [resistance()], or NULL for none.
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity at `start_s`.
 #' @param ... Not used; names after it must be given in full.
@@ -32,22 +32,143 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   }
   check_no_dots(...)
   if (inherits(body, "rot_body")) {
-    axis <- check_finite(axis, "axis", "1", call)
-    if (length(axis) != 3L || all(axis == 0)) {
-      abort_rotdyn("{.arg axis} must be three numbers, not all 0.", "value", call)
-    }
-    axis <- axis / max(abs(axis))
-    axis <- axis / sqrt(sum(axis^2))
+    axis <- unit_axis(axis, call)
     inertia <- moment_about_axis(body, axis)
   } else if (is.numeric(body)) {
     inertia <- check_number(body, "body", "kg*m^2", call)
     body <- NULL
+  } else if (inherits(body, "rot_inertia_knots")) {
+    inertia <- NULL # it depends on the start, below
   } else {
     check_class(
       body, "rot_body", "body",
       "Make one with {.fn body_disk}, or give the moment of inertia as one number in kg m^2.", call
     )
   }
+  start_s <- check_number(start_s, "start_s", "s", call)
+  changing <- NULL
+  if (is.null(inertia)) {
+    changing <- body
+    inertia <- inertia_at(changing, start_s)
+  }
+  check_turns(inertia, call)
+  torque <- as_torque(torque, call)
+  resistance <- as_resistance(resistance, call)
+  new_scene_axle(
+    body, inertia, changing, axis, torque, resistance,
+    check_number(theta0_rad, "theta0_rad", "rad", call),
+    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
+    start_s
+  )
+}
+
+new_scene_axle <- function(body, inertia, changing, axis, torque, resistance, theta0, omega0,
+                           start_s) {
+  loads <- torque_loads(torque)
+  scene <- list(
+    body = body,
+    moment_of_inertia_kg_m2 = inertia,
+    inertia = changing,
+    axis = axis,
+    torque = torque,
+    loads = loads,
+    resistance = resistance,
+    effects = axle_effects(loads, resistance, changing),
+    theta0_rad = theta0,
+    omega0_rad_per_s = omega0,
+    start_s = start_s
+  )
+  class(scene) <- c("rot_scene_axle", "rot_scene")
+  scene
+}
+
+inertia_at <- function(knots, t) {
+  ends <- range(knots$time_s)
+  stats::approx(
+    knots$time_s, knots$moment_of_inertia_kg_m2, pmin(pmax(t, ends[1]), ends[2]),
+    ties = list("ordered", function(x) x[length(x)])
+  )$y
+}
+
+# What acts, by name: a model says which of these it can take. Computed once, with the scene.
+axle_effects <- function(loads, resistance, changing) {
+  knots <- .subset2(loads, "knots")
+  tau <- .subset2(knots, "torque_n_m")
+  outside <- .subset2(knots, "outside")
+  n <- length(tau)
+  torque <- any(tau != 0) || any(outside != 0)
+  c(
+    if (torque) "torque",
+    if (torque && n > 1L && any(tau[-1] != tau[-n] & diff(.subset2(knots, "time_s")) > 0)) "ramp",
+    if (length(.subset2(loads, "terms"))) {
+      unique(vapply(loads$terms, function(term) term$kind, character(1)))
+    },
+    if (!is.null(.subset2(loads, "law"))) "function",
+    if (.subset2(resistance, "viscous_n_m_s") != 0) "viscous",
+    if (.subset2(loads, "motor_n_m_s") != 0) "motor",
+    if (.subset2(resistance, "quadratic_n_m_s2") != 0) "quadratic",
+    if (.subset2(resistance, "static_n_m") != 0) "friction",
+    if (!is.null(changing)) "inertia"
+  )
+}
+
+#' A pendulum: a body that hangs from an axle
+#'
+#' Shortcut for a [scene_axle()] with [torque_gravity()]: the moment of inertia about the axle is that
+#' about the centre of mass plus `m d^2` (parallel axes). `theta` is measured from where it hangs
+#' straight down. Without resistance the motion is known in closed form at any amplitude.
+#'
+#' @inheritParams scene_axle
+#' @inheritParams torque-terms
+#' @param body A `rot_body`, or one number: the mass of a point in kg.
+#' @param distance_m Distance of the centre of mass from the axle, >= 0.
+#' @param torque Any other torque law, or NULL.
+#' @return A `rot_scene_axle`.
+#' @section Errors: those of [scene_axle()].
+#' @examples
+#' # A metre stick about its end, let go from horizontal.
+#' pendulum <- scene_pendulum(body_rod(0.1, 1), distance_m = 0.5, theta0_rad = pi / 2)
+#' trajectory(pendulum, time_s = seq(0, 2, by = 0.5))
+#' @export
+scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
+                           omega0_rad_per_s = 0, ..., torque = NULL, start_s = 0,
+                           axis = c(0, 0, 1), gravity_m_per_s2 = 9.80665) {
+  call <- rlang::current_env()
+  check_supplied(c("body", "distance_m"), call)
+  check_no_dots(...)
+  distance_m <- check_number(distance_m, "distance_m", "m", call, lower = 0)
+  torque <- as_torque(torque, call)
+  if (inherits(body, "rot_body")) {
+    mass_kg <- body$mass_kg
+    about_centre <- moment_about_axis(body, unit_axis(axis, call))
+  } else {
+    if (!is.numeric(body)) {
+      check_class(
+        body, "rot_body", "body", "Make one with {.fn body_rod}, or give a mass in kg.", call
+      )
+    }
+    mass_kg <- check_number(body, "body", "kg", call, lower = 0)
+    about_centre <- 0
+    body <- NULL
+  }
+  gravity <- torque_gravity(
+    mass_kg, distance_m,
+    gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
+  )
+  inertia <- about_centre + mass_kg * distance_m^2
+  check_turns(inertia, call)
+  new_scene_axle(
+    body, inertia, NULL, axis,
+    if (torque_is_zero(torque)) gravity else sum_torques(gravity, torque),
+    as_resistance(resistance, call),
+    check_number(theta0_rad, "theta0_rad", "rad", call),
+    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
+    check_number(start_s, "start_s", "s", call)
+  )
+}
+
+# Without inertia there is no equation of motion.
+check_turns <- function(inertia, call) {
   if (!(is.finite(inertia) && inertia > 0)) {
     abort_rotdyn(
       c(
@@ -59,26 +180,28 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
       call
     )
   }
-  scene <- list(
-    body = body,
-    moment_of_inertia_kg_m2 = inertia,
-    axis = axis,
-    torque = as_torque(torque, call),
-    resistance = as_resistance(resistance, call),
-    theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call),
-    omega0_rad_per_s = check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
-    start_s = check_number(start_s, "start_s", "s", call)
-  )
-  class(scene) <- c("rot_scene_axle", "rot_scene")
-  scene
+}
+
+unit_axis <- function(axis, call) {
+  axis <- check_finite(axis, "axis", "1", call)
+  if (length(axis) != 3L || all(axis == 0)) {
+    abort_rotdyn("{.arg axis} must be three numbers, not all 0.", "value", call)
+  }
+  axis <- axis / max(abs(axis))
+  axis / sqrt(sum(axis^2))
 }
 
 #' @export
 print.rot_scene_axle <- function(x, ...) {
-  body <- if (is.null(x$body)) "a body" else x$body$shape
+  body <- if (inherits(x$body, "rot_body")) x$body$shape else "a body"
+  inertia <- if (is.null(x$inertia)) {
+    paste(format_si(x$moment_of_inertia_kg_m2), "kg m^2 about the axle")
+  } else {
+    describe_inertia_knots(x$inertia)
+  }
   cat(
     "<rot_scene> ", body, " on a fixed axle\n",
-    "  inertia     ", format_si(x$moment_of_inertia_kg_m2), " kg m^2 about the axle\n",
+    "  inertia     ", inertia, "\n",
     "  torque      ", describe_torque(x$torque), "\n",
     "  resistance  ", describe_resistance(x$resistance), "\n",
     "  start       theta ", format_si(x$theta0_rad), " rad, omega ",

@@ -9,14 +9,14 @@
 scan_points <- 8193L
 most_breaks <- 1000L
 
-# Breaks and guards of f (a function of one time) in [from, to], sorted.
+# Breaks and guards of f (a function of time that takes a vector) in [from, to], sorted.
 scan_breaks <- function(f, from, to) {
   none <- list(breaks = double(), guards = double())
   if (!(to > from)) {
     return(none)
   }
   t <- seq(from, to, length.out = scan_points)
-  y <- vapply(t, f, double(1))
+  y <- f(t)
   if (!all(is.finite(y))) {
     return(none) # the integrator will say where and why
   }
@@ -83,7 +83,7 @@ scan_kinks <- function(f, t, y, jumps) {
 # Narrow the interval to a kink: of its three inner points the one with the largest second
 # difference stays in the middle. NA if the second difference shrinks as a smooth function's does.
 zoom_kink <- function(f, a, b) {
-  bend_at <- function(x) abs(diff(diff(vapply(x, f, double(1)))))
+  bend_at <- function(x) abs(diff(diff(f(x))))
   first <- NULL
   halvings <- 0L
   repeat {

@@ -1,5 +1,5 @@
 # A torque law as data. Knots: time_s, torque_n_m, outside = c(before, after). A function: f,
-# breaks_s (NULL: not told), arguments (1 or 3).
+# breaks_s (NULL: not told), arguments (1 or 3). A sum: laws. The others are in torque-terms.R.
 new_torque <- function(class, ...) {
   torque <- list(...)
   class(torque) <- c(class, "rot_torque")
@@ -9,14 +9,16 @@ new_torque <- function(class, ...) {
 #' Torque laws
 #'
 #' A torque law is data: it knows its own breakpoints, so that no model steps over one, and all but
-#' `torque_function()` are evaluated in C.
+#' `torque_function()` are evaluated in C. Laws add up: `torque_constant(1) + torque_knots(...)`. The
+#' laws that have a formula are in [torque-terms].
 #'
 #' * `torque_constant()`: the same torque at all times.
 #' * `torque_knots()`: straight lines between knots. A repeated time is a jump; at the jump itself
 #'   the law has the value after it. **Outside the knots the torque is zero**: nothing is known to
 #'   act there. `outside = "hold"` holds the first and the last value instead.
 #' * `torque_function()`: any R function of `time_s`, or of `time_s, theta_rad, omega_rad_per_s`.
-#'   It is called with one number each and returns one. Its jumps and kinks must be told in
+#'   It is called with one number each and returns one; a function of time alone that also takes a
+#'   vector is given many times at once. Its jumps and kinks must be told in
 #'   `breaks_s`, because an integrator steps over a short pulse without a word; where they are not,
 #'   [trajectory()] scans the function at `r scan_points` times, bisects what it finds, stops there,
 #'   and warns (class `rotdyn_warning_breaks`). A pulse shorter than the scan's spacing may be
@@ -51,10 +53,7 @@ torque_constant <- function(torque_n_m) {
     check_supplied("torque_n_m", call)
   }
   torque_n_m <- check_number(torque_n_m, "torque_n_m", "N*m", call)
-  new_torque(
-    "rot_torque_knots",
-    time_s = double(), torque_n_m = double(), outside = c(torque_n_m, torque_n_m)
-  )
+  new_knots(double(), double(), c(torque_n_m, torque_n_m))
 }
 
 #' @rdname torque
@@ -120,12 +119,7 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
   if (!is.finite(time_s[n] - time_s[1])) {
     abort_rotdyn("The span of the knots is beyond double precision.", "value", call)
   }
-  new_torque(
-    "rot_torque_knots",
-    time_s = time_s,
-    torque_n_m = torque_n_m,
-    outside = if (outside == "hold") torque_n_m[c(1L, n)] else c(0, 0)
-  )
+  new_knots(time_s, torque_n_m, if (outside == "hold") torque_n_m[c(1L, n)] else c(0, 0))
 }
 
 #' @rdname torque
@@ -204,6 +198,18 @@ torque_is_zero <- function(torque) {
 
 # One line that says what the law is.
 describe_torque <- function(torque) {
+  if (inherits(torque, "rot_torque_sum")) {
+    return(paste(vapply(torque$laws, describe_torque, character(1)), collapse = "\n              + "))
+  }
+  if (inherits(torque, "rot_torque_term")) {
+    return(torque$text)
+  }
+  if (inherits(torque, "rot_torque_motor")) {
+    return(paste0(
+      "a motor, ", format_si(torque$stall_torque_n_m), " N m at rest, nothing at ",
+      format_si(torque$no_load_omega_rad_per_s), " rad/s"
+    ))
+  }
   if (inherits(torque, "rot_torque_function")) {
     told <- if (is.null(torque$breaks_s)) {
       "breaks not told"

@@ -4,12 +4,14 @@
 #' computes the motion in C, and returns a tibble that knows its model, its error and its
 #' [audit()].
 #'
-#' @param scene A scene, such as [scene_axle()].
+#' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()].
 #' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]: of theta
-#'   relative to the largest |theta| on the way to the last row, and of omega likewise.
+#'   relative to the largest |theta| on the way to the last row, and of omega likewise. Or a
+#'   physical one with units, such as `units::set_units(0.1, "degree")` or
+#'   `units::set_units(1, "rpm")`: the largest error wanted in the angle, or in the angular velocity.
 #' @param model NULL for the cheapest that will do, or the name of one of [models()].
 #' @param ... Not used; names after it must be given in full.
 #' @param on_fail What to do when a run fails half way (a torque that is not finite, a step budget
@@ -18,8 +20,11 @@
 #' @param max_steps Steps that an integrator may try in one run before it gives up, beyond one for
 #'   each row.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
+#'   (A [scene_rotors()] or a [scene_clutch()] gives a `rot_motion` with columns of its own.)
 #'   [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()] the
-#'   balance, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the columns stand.
+#'   balance, [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()] stops
+#'   and starts, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the columns
+#'   stand. A scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
 #' @section Warnings: `rotdyn_warning_breaks` when breaks of a torque function had to be looked for;
 #'   `rotdyn_warning_accuracy` when the error figure exceeds the accuracy asked for.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or
@@ -48,23 +53,32 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
-  accuracy <- check_accuracy(accuracy, call)
+  accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   max_steps <- check_number(max_steps, "max_steps", "1", call, lower = 1)
   on_fail <- if (missing(on_fail)) {
     "abort"
   } else {
     check_string(on_fail, "on_fail", c("abort", "truncate"), call)
   }
-  record <- pick_model(scene, accuracy, model, call)
-  run_trajectory(record, scene, time_s, accuracy, on_fail, max_steps, call)
+  fit <- pick_model(scene, time_s, accuracy, model, call)
+  if (!inherits(scene, "rot_scene_axle")) {
+    return(run_motion(fit$record, scene, time_s, accuracy, on_fail, call))
+  }
+  run_trajectory(fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model))
 }
 
-run_trajectory <- function(record, scene, time_s, accuracy, on_fail, max_steps, call) {
+# `scene` is what the user described; `fit$scene` is what is solved.
+run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, call, asked) {
+  record <- fit$record
   # One step for each row at least, so that many rows are not a failure.
-  result <- record$run(scene, time_s, accuracy, max_steps + length(time_s), call)
+  result <- record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
   columns <- result[[1]]
   info <- result[[2]]
   n <- length(time_s)
+  if (!is.null(fit$dropped)) info <- widen_error(info, fit$dropped)
+  if (!is.null(.subset2(scene, "inertia"))) {
+    columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
+  }
   if (info$kind != "none") {
     failed_run(info, n, on_fail, call)
     n <- info$rows_done
@@ -83,13 +97,45 @@ run_trajectory <- function(record, scene, time_s, accuracy, on_fail, max_steps, 
   }
   new_trajectory(columns, n, list(
     scene = scene,
-    model = record$id,
+    solved = fit$scene,
+    dropped = fit$dropped,
+    model = if (identical(info$method, "radau")) "axle_radau" else record$id,
     accuracy = accuracy,
     error_kind = record$error_kind,
     info = info,
     ledger = result[[3]],
+    events = if (length(result) > 3L) result[[4]],
     max_steps = max_steps
   ))
+}
+
+widen_error <- function(info, dropped) {
+  info$omega_error <- info$omega_error + dropped$omega
+  info$theta_error <- info$theta_error + dropped$theta
+  info$error <- error_of_run(info)
+  info
+}
+
+# The accuracy as a relative number. A physical one is divided by the size of the motion, which a
+# run at 1e-3 tells; a tenth less, because that size may be off by as much.
+relative_accuracy <- function(accuracy, scene, time_s, call) {
+  if (!inherits(accuracy, "units")) {
+    return(check_accuracy(accuracy, call))
+  }
+  need_package("units", "An accuracy with units", call)
+  # rpm and Hz count turns; a plain radian has no dimension, so the time decides.
+  of_angle <- units::ud_are_convertible(units(accuracy), "rad")
+  unit <- if (of_angle) "rad" else "rad/s"
+  wanted <- check_number(accuracy, "accuracy", unit, call, lower = 0, open = TRUE)
+  pilot <- pick_model(scene, time_s, 1e-3, NULL, call)
+  info <- pilot$record$run(
+    pilot$scene, time_s, 1e-3, 1e6 + length(time_s), call, FALSE
+  )[[2]]
+  size <- if (of_angle) info$theta_max else info$omega_max
+  if (info$kind != "none" || !(size > 0)) {
+    return(1e-9) # a run that fails will say why; a motion of size 0 has no error
+  }
+  min(1, 0.9 * wanted / size)
 }
 
 failed_run <- function(info, n, on_fail, call) {
@@ -112,6 +158,10 @@ failed_run <- function(info, n, on_fail, call) {
     message <- c(message, i = "{.code on_fail = \"truncate\"} keeps the good rows.")
     abort_rotdyn(message, info$kind, call, info = info)
   }
+}
+
+record_of <- function(run) {
+  Filter(function(m) m$id == run$model, c(axle_closed_forms, axle_integrators))[[1]]
 }
 
 # ---- the class ----------------------------------------------------------------------------------
@@ -188,8 +238,9 @@ tbl_sum.rot_trajectory <- function(x, ...) {
   run <- trajectory_run(x)
   c(
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
-    "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy)),
-    "Error" = describe_error(run)
+    "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
+    "Error" = describe_error(run),
+    if (!is.null(run$dropped)) c("Dropped" = describe_dropped(run$dropped))
   )
 }
 
@@ -270,8 +321,14 @@ predict.rot_trajectory <- function(object, time_s, ...) {
   known <- which(!is.na(time_s))
   sorted <- known[order(time_s[known])]
   times <- check_times(time_s[sorted], call)
-  record <- pick_model(run$scene, run$accuracy, run$model, call)
-  rows <- run_trajectory(record, run$scene, times, run$accuracy, "abort", run$max_steps, call)
+  fit <- list(record = record_of(run), scene = run$solved, dropped = run$dropped)
+  why_not <- fit$record$why_not(fit$scene, times)
+  if (!is.null(why_not)) {
+    abort_rotdyn("Model {.val {run$model}} cannot do that: {why_not}.", "time", call)
+  }
+  rows <- run_trajectory(
+    fit, run$scene, times, run$accuracy, "abort", run$max_steps, call, TRUE
+  )
   from <- rep(NA_integer_, length(time_s))
   from[sorted] <- seq_along(sorted)
   tibble::as_tibble(rows)[from, ]

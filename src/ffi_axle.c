@@ -1,8 +1,11 @@
-#include "ffi.h"
+#include "ffi_axle.h"
 
 #include <string.h>
 
 #include "rot_axle.h"
+#include "rot_axle_bands.h"
+#include "rot_axle_drag.h"
+#include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_ode.h"
 #include "rot_axle_scene.h"
@@ -50,13 +53,34 @@ static SEXP new_columns(SEXP time_s, rot_axle_columns *out) {
   return list;
 }
 
+enum { LEDGER_NUMBERS = 12 };
+
+static void write_ledger_vector(const rot_axle_ledger *ledger, SEXP out) {
+  const double numbers[LEDGER_NUMBERS] = {ledger->work_j,
+                                          ledger->dissipated_j,
+                                          ledger->impulse_n_m_s,
+                                          ledger->work_rounding_j,
+                                          ledger->dissipated_rounding_j,
+                                          ledger->impulse_rounding_n_m_s,
+                                          ledger->viscous_j,
+                                          ledger->quadratic_j,
+                                          ledger->coulomb_j,
+                                          ledger->damping_impulse_n_m_s,
+                                          ledger->inertia_work_j,
+                                          ledger->damping_rounding_n_m_s};
+  for (int i = 0; i < LEDGER_NUMBERS; i++) REAL(out)[i] = numbers[i];
+}
+
 static SEXP ledger_vector(const rot_axle_ledger *ledger) {
-  const double numbers[] = {
-      ledger->work_j,          ledger->dissipated_j,          ledger->impulse_n_m_s,
-      ledger->work_rounding_j, ledger->dissipated_rounding_j, ledger->impulse_rounding_n_m_s};
-  SEXP out = Rf_allocVector(REALSXP, 6);
-  for (int i = 0; i < 6; i++) REAL(out)[i] = numbers[i];
+  SEXP out = Rf_allocVector(REALSXP, LEDGER_NUMBERS);
+  write_ledger_vector(ledger, out);
   return out;
+}
+
+static rot_axle_ledger no_ledger(void) {
+  const double na = NA_REAL;
+  rot_axle_ledger ledger = {na, na, na, na, na, na, na, na, na, na, na, na};
+  return ledger;
 }
 
 /* list(columns, info, ledger); columns is protected by the caller, one more object than that is
@@ -112,7 +136,7 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
   ffi_guard_begin(&guard, progress);
   ffi_guard_end(&guard, rot_axle_linear_ledger(&p, from, to, &guard.hooks, &ledger, &info));
   if (info.status != ROT_OK) { /* a sum of half the way is no ledger */
-    ledger = (rot_axle_ledger){NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL};
+    ledger = no_ledger();
   }
   return ledger_vector(&ledger);
 }
@@ -146,7 +170,7 @@ static const rot_term *unpack_terms(SEXP terms) {
 
 /* list(numbers, knots, terms, list(times, moments) of the inertia, breaks), as R/model-axle.R packs
  * it; numbers = c(inertia, viscous, start, theta0, omega0, motor, quadratic, coulomb, static). */
-static rot_axle_scene unpack_scene(SEXP pack) {
+rot_axle_scene ffi_axle_scene(SEXP pack) {
   if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 5) Rf_error("internal: `scene`");
   const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 9);
   SEXP terms = VECTOR_ELT(pack, 2), inertia = VECTOR_ELT(pack, 3), breaks = VECTOR_ELT(pack, 4);
@@ -218,10 +242,12 @@ static const struct {
   const char *name;
   rot_axle_model run;
 } models[] = {
-    {"", NULL},
+    {"bands", rot_axle_bands},
+    {"drag", rot_axle_drag},
+    {"forced", rot_axle_forced},
 };
 
-static rot_axle_model model_named(SEXP name) {
+rot_axle_model ffi_axle_model_named(SEXP name) {
   if (TYPEOF(name) != STRSXP || XLENGTH(name) != 1) Rf_error("internal: `model`");
   for (size_t i = 0; i < sizeof models / sizeof *models; i++) {
     if (models[i].run && !strcmp(models[i].name, CHAR(STRING_ELT(name, 0)))) return models[i].run;
@@ -231,8 +257,8 @@ static rot_axle_model model_named(SEXP name) {
 
 /* list(columns, info, NULL, events) */
 SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
-  const rot_axle_model run = model_named(name);
-  const rot_axle_scene scene = unpack_scene(pack);
+  const rot_axle_model run = ffi_axle_model_named(name);
+  const rot_axle_scene scene = ffi_axle_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1);
   rot_axle_columns columns;
   rot_events events = {0, 0, NULL, NULL};
@@ -243,6 +269,19 @@ SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
   const rot_status status =
       run(&scene, (size_t)XLENGTH(time_s), t, &columns, &events, &guard.hooks, &info);
   SEXP out = with_events(list, &info, R_NilValue, &events, &guard, status);
+  UNPROTECT(1);
+  return out;
+}
+
+/* c(time of the last stop, angle there, terminal omega) */
+SEXP ffi_axle_stopping(SEXP pack) {
+  const rot_axle_scene scene = ffi_axle_scene(pack);
+  double time_s, theta;
+  const rot_status status = rot_axle_drag_stop(&scene, &time_s, &theta);
+  SEXP out = PROTECT(Rf_allocVector(REALSXP, 3));
+  REAL(out)[0] = status == ROT_OK ? time_s : NA_REAL;
+  REAL(out)[1] = status == ROT_OK ? theta : NA_REAL;
+  REAL(out)[2] = rot_axle_drag_terminal(&scene);
   UNPROTECT(1);
   return out;
 }
@@ -293,33 +332,38 @@ static rot_status torque_from_r(double t, double theta, double omega, double *to
   return status;
 }
 
-/* `law` is NULL for knots, or list(call, environment, complain); the arguments are filled in here.
- * `control` is c(accuracy, max_steps). */
-SEXP ffi_axle_integrate(SEXP numbers, SEXP torque, SEXP law, SEXP time_s, SEXP control,
-                        SEXP progress) {
-  rot_axle_params p = unpack(numbers, torque);
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 2);
-  const rot_axle_ode_options options = {c[0], (size_t)c[1]};
+/* `law` is NULL, or list(call, environment, complain) of a torque to be added to the scene's; the
+ * call's arguments are filled in here. `control` is c(accuracy, max_steps, method), method as in
+ * ROT_METHOD_LIST. Gives list(columns, info, ledger, events). */
+SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
+  rot_axle_scene scene = ffi_axle_scene(pack);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
+  const rot_axle_ode_options options = {c[0], (size_t)c[1], (rot_method)(int)c[2]};
   rot_axle_columns columns;
-  rot_axle_ledger ledger = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  rot_axle_ledger ledger = no_ledger();
+  rot_events events = {0, 0, NULL, NULL};
   rot_info info;
   ffi_guard guard;
   r_torque r_law = {&guard, R_NilValue, R_NilValue, R_NilValue, 0, {0.0, 0.0, 0.0}, 0.0};
+  if (!Rf_isNull(law) && (TYPEOF(law) != VECSXP || XLENGTH(law) != 3)) Rf_error("internal: `law`");
   SEXP list = new_columns(time_s, &columns);
+  /* All that is allocated is allocated before the core holds anything. */
+  SEXP call = PROTECT(Rf_isNull(law) ? R_NilValue : Rf_duplicate(VECTOR_ELT(law, 0)));
+  SEXP sums = PROTECT(ledger_vector(&ledger));
   ffi_guard_begin(&guard, progress);
   if (!Rf_isNull(law)) {
-    r_law.call = PROTECT(Rf_duplicate(VECTOR_ELT(law, 0)));
+    r_law.call = call;
     r_law.env = VECTOR_ELT(law, 1);
     r_law.complain = VECTOR_ELT(law, 2);
-    r_law.arguments = Rf_length(r_law.call) - 1;
-    p.torque.call = torque_from_r;
-    p.torque.ctx = &r_law;
+    r_law.arguments = Rf_length(call) - 1;
+    scene.linear.torque.call = torque_from_r;
+    scene.linear.torque.ctx = &r_law;
   }
-  rot_status status = rot_axle_integrate(&p, &options, (size_t)XLENGTH(time_s), t, &columns,
-                                         &ledger, &guard.hooks, &info);
-  if (!Rf_isNull(law)) UNPROTECT(1);
-  ffi_guard_end(&guard, status);
-  SEXP out = result(list, &info, PROTECT(ledger_vector(&ledger)));
-  UNPROTECT(2);
+  const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t,
+                                               &columns, &events, &ledger, &guard.hooks, &info);
+  write_ledger_vector(&ledger, sums);
+  SEXP out = with_events(list, &info, sums, &events, &guard, status);
+  UNPROTECT(3);
   return out;
 }

@@ -1,6 +1,7 @@
 #include "rot_axle_ledger.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "rot_phi.h"
 #include "rot_real.h"
@@ -87,8 +88,8 @@ static double mean_square(const step_drive *drive, double *size) {
 }
 
 typedef struct running_ledger {
-  running_sum work, heat, impulse;
-  double work_rounding, heat_rounding, impulse_rounding;
+  running_sum work, heat, impulse, turned;
+  double work_rounding, heat_rounding, impulse_rounding, turned_rounding;
 } running_ledger;
 
 /* A product in units of 2^unit. */
@@ -155,7 +156,13 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
     const rot_torque_piece piece = rot_torque_piece_at(&p->torque, k);
     const double stop = forward ? fmin(piece.end_s, to_s) : fmax(piece.start_s, to_s);
     if (sum) add_step(p, state, &piece, stop, sum);
+    const rot_axle_state from = *state;
     *state = rot_axle_step(p, state, &piece, stop);
+    if (sum) {
+      add(&sum->turned, state->theta_rad - from.theta_rad);
+      add(&sum->turned, state->theta_lo - from.theta_lo);
+      sum->turned_rounding = state->theta_error + ROT_EPS * fabs(sum->turned.hi);
+    }
     info->time_s = stop;
     if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) return ROT_ERANGE;
     k = forward ? k + 1 : k - 1;
@@ -171,8 +178,10 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
  * decays outward would grow, its rounding with it. */
 rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
                                   const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info) {
-  running_ledger before = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, 0.0, 0.0, 0.0}, after = before;
+  running_ledger before, after;
   rot_axle_state state = rot_axle_start(p);
+  memset(&before, 0, sizeof before);
+  after = before;
   rot_info_clear(info);
   if (from_s < p->start_s) {
     if (to_s < p->start_s) info->status = march(p, &state, to_s, NULL, hooks, info);
@@ -189,5 +198,10 @@ rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, doubl
   out->work_rounding_j = after.work_rounding + before.work_rounding;
   out->dissipated_rounding_j = after.heat_rounding + before.heat_rounding;
   out->impulse_rounding_n_m_s = after.impulse_rounding + before.impulse_rounding;
+  out->viscous_j = out->dissipated_j;
+  out->quadratic_j = out->coulomb_j = out->inertia_work_j = 0.0;
+  out->damping_rounding_n_m_s =
+      2.0 * fabs(p->viscous_n_m_s) * (after.turned_rounding + before.turned_rounding);
+  out->damping_impulse_n_m_s = 0.0 - p->viscous_n_m_s * difference(after.turned, before.turned);
   return info->status;
 }

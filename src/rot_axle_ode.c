@@ -2,91 +2,276 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "rot_ode.h"
 
-enum { THETA, OMEGA, WORK, HEAT, IMPULSE, DIM };
+enum { THETA, OMEGA, WORK, VISCOUS, QUADRATIC, COULOMB, IMPULSE, DAMPING, INERTIA, DIM };
 
-static rot_status torque_now(const rot_axle_params *p, double t, double theta, double omega,
-                             double *torque) {
-  if (p->torque.call) return p->torque.call(t, theta, omega, torque, p->torque.ctx);
-  *torque = rot_torque_at(&p->torque, t);
+typedef struct motion {
+  const rot_axle_scene *scene;
+  rot_torque inertia; /* I(t) as knots; no knot: constant */
+  double reference;   /* y[OMEGA] = I(t) omega / reference */
+  int turns;          /* the resistance has a kink at rest */
+  int mode;           /* 1, -1: the sign of omega; 0: held */
+  size_t n_breaks;
+  double *breaks;
+} motion;
+
+static double inertia_at(const motion *m, double t) {
+  return m->inertia.n ? rot_torque_at(&m->inertia, t) : m->reference;
+}
+
+static double omega_of(const motion *m, double t, double y) {
+  return m->inertia.n ? y * (m->reference / inertia_at(m, t)) : y;
+}
+
+static rot_status applied_now(const rot_axle_scene *scene, double t, double theta, double omega,
+                              double *torque) {
+  const rot_torque *law = &scene->linear.torque;
+  double called = 0.0;
+  if (law->call) {
+    const rot_status status = law->call(t, theta, omega, &called, law->ctx);
+    if (status != ROT_OK) return status;
+  }
+  /* Alone it keeps its digits, and its sign of zero. */
+  const int alone = law->call && law->n == 0 && scene->n_terms == 0 && scene->motor_n_m_s == 0.0 &&
+                    law->before_n_m == 0.0;
+  *torque = alone ? called : called + rot_axle_scene_applied(scene, t, theta, omega);
   return ROT_OK;
+}
+
+static double inertia_slope(const motion *m, double t) {
+  if (m->inertia.n < 2) return 0.0;
+  const rot_torque_piece piece =
+      rot_torque_piece_at(&m->inertia, rot_torque_find(&m->inertia, t, 1));
+  const double width = piece.end_s - piece.start_s;
+  return isfinite(width) && width > 0.0 ? (piece.end_n_m - piece.start_n_m) / width : 0.0;
 }
 
 static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx) {
-  const rot_axle_params *p = ctx;
-  double torque, omega = y[OMEGA];
-  rot_status status = torque_now(p, t, y[THETA], omega, &torque);
+  const motion *m = ctx;
+  const rot_axle_scene *scene = m->scene;
+  const int held = m->turns && m->mode == 0;
+  const double omega = held ? 0.0 : omega_of(m, t, y[OMEGA]);
+  double torque;
+  const rot_status status = applied_now(scene, t, y[THETA], omega, &torque);
   if (status != ROT_OK) return status;
+  /* The sign is the stretch's, so that a stage beyond the zero sees no kink. */
+  const double sign = m->mode;
+  const double viscous = scene->viscous_n_m_s * omega,
+               quadratic = scene->quadratic_n_m_s2 * omega * omega * sign,
+               coulomb = m->turns ? scene->coulomb_n_m * sign : 0.0;
+  const double resistance = (m->turns ? quadratic + coulomb : 0.0) + viscous;
   dydt[THETA] = omega;
-  dydt[OMEGA] = (torque - p->viscous_n_m_s * omega) / p->inertia_kg_m2;
+  dydt[OMEGA] = held ? 0.0 : (torque - resistance) / m->reference;
   dydt[WORK] = torque * omega;
-  dydt[HEAT] = p->viscous_n_m_s * omega * omega;
+  dydt[VISCOUS] = viscous * omega;
+  dydt[QUADRATIC] = m->turns ? quadratic * omega : 0.0;
+  dydt[COULOMB] = coulomb * omega;
   dydt[IMPULSE] = torque;
+  dydt[DAMPING] = held ? -torque : -resistance;
+  dydt[INERTIA] = m->inertia.n ? -0.5 * inertia_slope(m, t) * omega * omega : 0.0;
   return ROT_OK;
 }
 
-static rot_status fill_columns(const rot_axle_params *p, size_t n, const double time_s[],
-                               const double y[], const rot_axle_columns *out, rot_info *info) {
-  const size_t reached = info->rows_done;
-  info->rows_done = 0;
-  for (size_t i = 0; i < n && i < reached; i++) {
-    const double theta = y[i * DIM + THETA], omega = y[i * DIM + OMEGA];
-    double torque;
-    rot_status status = torque_now(p, time_s[i], theta, omega, &torque);
-    info->rhs_calls++;
-    if (status == ROT_OK && !isfinite(torque)) status = ROT_ETORQUE;
-    if (status != ROT_OK) {
-      info->time_s = time_s[i];
-      return status;
+/* Where I(t) jumps, L stays and L^2 / 2 I is made up by what changes the inertia. */
+static void cross_inertia(double t, double y[], int forward, void *ctx) {
+  const motion *m = ctx;
+  if (m->inertia.n == 0) return;
+  double side[2];
+  for (int after = 0; after < 2; after++) {
+    const rot_torque_piece piece =
+        rot_torque_piece_at(&m->inertia, rot_torque_find(&m->inertia, t, after));
+    side[after] = rot_torque_in_piece(&piece, t);
+  }
+  const double from = side[!forward], to = side[forward != 0], momentum = m->reference * y[OMEGA];
+  if (from != to) y[INERTIA] += 0.5 * momentum * (momentum * ((from - to) / from / to));
+}
+
+/* ---- the scene ------------------------------------------------------------------------------- */
+
+static int by_size(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static rot_status collect_breaks(motion *m) {
+  const rot_axle_scene *scene = m->scene;
+  const rot_torque *law = &scene->linear.torque;
+  const size_t total = scene->n_breaks + law->n + scene->n_inertia;
+  m->breaks = malloc((total + 1) * sizeof *m->breaks);
+  if (!m->breaks) return ROT_ENOMEM;
+  for (size_t i = 0; i < scene->n_breaks; i++) m->breaks[i] = scene->breaks_s[i];
+  for (size_t i = 0; i < law->n; i++) m->breaks[scene->n_breaks + i] = law->time_s[i];
+  for (size_t i = 0; i < scene->n_inertia; i++) {
+    m->breaks[scene->n_breaks + law->n + i] = scene->inertia_time_s[i];
+  }
+  qsort(m->breaks, total, sizeof *m->breaks, by_size);
+  for (size_t i = 0; i < total; i++) {
+    if (m->n_breaks == 0 || m->breaks[i] != m->breaks[m->n_breaks - 1]) {
+      m->breaks[m->n_breaks++] = m->breaks[i];
     }
-    rot_axle_row(p, out, i, theta, omega, torque);
+  }
+  return ROT_OK;
+}
+
+static motion motion_of(const rot_axle_scene *scene) {
+  motion m;
+  memset(&m, 0, sizeof m);
+  m.scene = scene;
+  m.reference = scene->linear.inertia_kg_m2;
+  if (scene->n_inertia) {
+    m.inertia.n = scene->n_inertia;
+    m.inertia.time_s = scene->inertia_time_s;
+    m.inertia.torque_n_m = scene->inertia_kg_m2;
+    m.inertia.before_n_m = scene->inertia_kg_m2[0];
+    m.inertia.after_n_m = scene->inertia_kg_m2[scene->n_inertia - 1];
+    m.reference = rot_torque_at(&m.inertia, scene->linear.start_s);
+  }
+  m.turns = scene->quadratic_n_m_s2 != 0.0 || scene->coulomb_n_m != 0.0 || scene->static_n_m != 0.0;
+  m.mode = 1;
+  return m;
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+/* The torque of a law that only the caller can evaluate, between the steps: the slope of its
+ * impulse, where a few of the rows agree with the law itself. */
+enum { FEW_ROWS = 64, SPOT_CHECKS = 8 };
+
+static rot_status spot_check(const motion *m, double accuracy, size_t n, const double time_s[],
+                             const double y[], const double slope[], int *good, rot_info *info) {
+  double size = 0.0;
+  *good = 0;
+  for (size_t i = 0; i < n; i++) size = fmax(size, fabs(slope[i])); /* NaN counts nothing */
+  for (size_t k = 0; k < SPOT_CHECKS; k++) {
+    size_t i = (2 * k + 1) * n / (2 * SPOT_CHECKS);
+    while (i < n && isnan(slope[i])) i++;
+    if (i == n) continue;
+    double torque;
+    const double *row = y + i * DIM;
+    info->rhs_calls++;
+    const rot_status status =
+        applied_now(m->scene, time_s[i], row[THETA], omega_of(m, time_s[i], row[OMEGA]), &torque);
+    if (status != ROT_OK) return status;
+    if (!(fabs(torque - slope[i]) <= accuracy * size)) return ROT_OK;
+  }
+  *good = 1;
+  return ROT_OK;
+}
+
+static rot_status fill_columns(const motion *m, double accuracy, size_t n, const double time_s[],
+                               const double y[], const double slope[], const rot_axle_columns *out,
+                               rot_info *info) {
+  const rot_axle_scene *scene = m->scene;
+  const size_t reached = info->rows_done;
+  int use_slopes = 0;
+  info->rows_done = 0;
+  if (slope && reached) {
+    const rot_status status = spot_check(m, accuracy, reached, time_s, y, slope, &use_slopes, info);
+    if (status == ROT_EUNWIND) return status;
+  }
+  for (size_t i = 0; i < n && i < reached; i++) {
+    const double t = time_s[i], theta = y[i * DIM + THETA];
+    const double omega = omega_of(m, t, y[i * DIM + OMEGA]);
+    double torque;
+    if (use_slopes && !isnan(slope[i])) {
+      torque = slope[i];
+    } else {
+      rot_status status = applied_now(scene, t, theta, omega, &torque);
+      if (scene->linear.torque.call) info->rhs_calls++;
+      if (status == ROT_OK && !isfinite(torque)) status = ROT_ETORQUE;
+      if (status != ROT_OK) {
+        info->time_s = t;
+        return status;
+      }
+    }
+    const int stuck =
+        m->turns && scene->static_n_m > 0.0 && omega == 0.0 && fabs(torque) <= scene->static_n_m;
+    rot_axle_scene_row(scene, out, i, t, theta, omega, torque, stuck);
     info->rows_done = i + 1;
   }
   return ROT_OK;
 }
 
-rot_status rot_axle_integrate(const rot_axle_params *p, const rot_axle_ode_options *options,
-                              size_t n, const double time_s[], const rot_axle_columns *out,
-                              rot_axle_ledger *ledger, const rot_hooks *hooks, rot_info *info) {
-  const double start[DIM] = {p->theta0_rad, p->omega0_rad_per_s, 0.0, 0.0, 0.0};
-  double error[DIM] = {0.0}, largest[DIM] = {0.0};
-  rot_ode_params ode = {DIM,
-                        2,
-                        axle_rhs,
-                        NULL,
-                        p->torque.n,
-                        p->torque.time_s,
-                        p->start_s,
-                        start,
-                        options->accuracy,
-                        options->max_steps};
-  rot_axle_params law = *p; /* the hook wants a pointer it may write through */
-  double *y = malloc((n ? n : 1) * DIM * sizeof *y);
-  ode.ctx = &law;
-  rot_info_clear(info);
-  if (!y) return info->status = ROT_ENOMEM;
-
-  rot_status failure = rot_ode_run(&ode, n, time_s, y, error, largest, hooks, info);
-  if (failure != ROT_EUNWIND) {
-    rot_status columns = fill_columns(p, n, time_s, y, out, info);
-    if (columns != ROT_OK) failure = columns;
-  }
-  info->status = failure;
+/* Largest omega and its error: those of the state, where the inertia changes carried to the rows. */
+static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
+                       const double error[], const double largest[], rot_info *info) {
   info->theta_error = error[THETA];
-  info->omega_error = error[OMEGA];
   info->theta_max = largest[THETA];
+  info->omega_error = error[OMEGA];
   info->omega_max = largest[OMEGA];
-  if (info->rows_done > 0) {
-    const double *first = y, *last = y + (info->rows_done - 1) * DIM;
-    ledger->work_j = last[WORK] - first[WORK];
-    ledger->dissipated_j = last[HEAT] - first[HEAT];
-    ledger->impulse_n_m_s = last[IMPULSE] - first[IMPULSE];
-    ledger->work_rounding_j = 2.0 * error[WORK];
-    ledger->dissipated_rounding_j = 2.0 * error[HEAT];
-    ledger->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
+  if (m->inertia.n == 0) return;
+  double most = 0.0;
+  info->omega_max = fabs(m->scene->linear.omega0_rad_per_s);
+  for (size_t i = 0; i < n; i++) {
+    most = fmax(most, omega_of(m, time_s[i], 1.0));
+    info->omega_max = fmax(info->omega_max, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
   }
+  info->omega_error *= most;
+}
+
+static void write_ledger(const double first[], const double last[], const double error[],
+                         rot_axle_ledger *out) {
+  out->work_j = last[WORK] - first[WORK];
+  out->viscous_j = last[VISCOUS] - first[VISCOUS];
+  out->quadratic_j = last[QUADRATIC] - first[QUADRATIC];
+  out->coulomb_j = last[COULOMB] - first[COULOMB];
+  out->dissipated_j = out->viscous_j + out->quadratic_j + out->coulomb_j;
+  out->impulse_n_m_s = last[IMPULSE] - first[IMPULSE];
+  out->damping_impulse_n_m_s = last[DAMPING] - first[DAMPING];
+  out->inertia_work_j = last[INERTIA] - first[INERTIA];
+  out->work_rounding_j = 2.0 * (error[WORK] + error[INERTIA]);
+  out->dissipated_rounding_j = 2.0 * (error[VISCOUS] + error[QUADRATIC] + error[COULOMB]);
+  out->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
+  out->damping_rounding_n_m_s = 2.0 * error[DAMPING];
+}
+
+rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
+                              size_t n, const double time_s[], const rot_axle_columns *out,
+                              rot_events *events, rot_axle_ledger *ledger, const rot_hooks *hooks,
+                              rot_info *info) {
+  motion m = motion_of(scene);
+  double start[DIM] = {scene->linear.theta0_rad, scene->linear.omega0_rad_per_s};
+  double error[DIM] = {0.0}, largest[DIM] = {0.0};
+  const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
+  const rot_ode_switch turn = {OMEGA, IMPULSE, holds, &m.mode, events};
+  const int guess_torque = scene->linear.torque.call && n > FEW_ROWS;
+  rot_info_clear(info);
+  info->status = collect_breaks(&m);
+  double *y = malloc((n ? n : 1) * DIM * sizeof *y);
+  double *slope = guess_torque ? malloc(n * sizeof *slope) : NULL;
+  if (!y || (guess_torque && !slope)) info->status = ROT_ENOMEM;
+  rot_status failure = info->status;
+  if (failure == ROT_OK) {
+    const rot_ode_params ode = {DIM,
+                                2,
+                                axle_rhs,
+                                &m,
+                                m.n_breaks,
+                                m.breaks,
+                                scene->linear.start_s,
+                                start,
+                                options->accuracy,
+                                options->max_steps,
+                                options->method,
+                                m.turns ? &turn : NULL,
+                                m.inertia.n ? cross_inertia : NULL,
+                                IMPULSE};
+    failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
+    if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
+      const rot_status columns =
+          fill_columns(&m, options->accuracy, n, time_s, y, slope, out, info);
+      if (columns != ROT_OK) failure = columns;
+    }
+    note_sizes(&m, info->rows_done, time_s, y, error, largest, info);
+    if (info->rows_done > 0) {
+      write_ledger(y, y + (info->rows_done - 1) * DIM, error, ledger);
+    }
+  }
+  free(slope);
   free(y);
-  return failure;
+  free(m.breaks);
+  return info->status = failure;
 }

@@ -97,6 +97,67 @@ void rot_phi(double z, double z_lo, int k_max, double phi[]) {
   }
 }
 
+/* ---- high orders ---------------------------------------------------------------------------- */
+
+/* phi_k = (1/k!) (1 - z/(k+1) (1 - z/(k+2) (1 - ...))) */
+static double nested(double z, int k) {
+  int terms = 0;
+  for (double last = 1.0; last > 0x1p-57;) last *= fabs(z) / (k + ++terms);
+  double s = 1.0;
+  for (int j = terms; j >= 1; j--) s = fma(-(z / (k + j)), s, 1.0);
+  return inverse_factorial[k] * s;
+}
+
+/* Upward, phi_(k+1) = (1/k! - phi_k)/z hands an error on by k/z; downward by about z/k. So upward
+ * below k = z and downward above, from an order where the alternating series does not cancel. */
+static void phi_high_damped(double z, int k_max, double phi[]) {
+  const int middle = z < k_max ? (int)z + 1 : k_max;
+  for (int k = 1; k < middle; k++) phi[k + 1] = (inverse_factorial[k] - phi[k]) / z;
+  if (middle >= k_max) return;
+  int k = (int)(2.0 * z) + 2;
+  if (k < k_max) k = k_max;
+  double value = nested(z, k);
+  if (k == k_max) phi[k] = value;
+  while (--k > middle) {
+    value = fma(-z, value, inverse_factorial[k]);
+    if (k <= k_max) phi[k] = value;
+  }
+}
+
+/* Downward all terms are positive. Upward takes the exponential's first terms away from it; from
+ * -z = k + 6 on they are less than a twentieth of it. */
+static void phi_high_driven(double z, double z_lo, int k_max, double phi[]) {
+  double all[ROT_PHI_HIGH + 2];
+  all[1] = phi[1];
+  if (z <= -(k_max + 6.0)) {
+    for (int k = 1; k <= k_max; k++) all[k + 1] = (inverse_factorial[k] - all[k]) / z;
+  } else {
+    all[k_max + 1] = nested(z, k_max + 1);
+    for (int k = k_max; k >= 1; k--) all[k] = fma(-z, all[k + 1], inverse_factorial[k]);
+  }
+  /* d/dz phi_k(-z) = k phi_(k+1) - phi_k */
+  for (int k = 1; k <= k_max; k++) {
+    phi[k] = isfinite(all[k]) ? all[k] - z_lo * (all[k] - k * all[k + 1]) : all[k];
+  }
+}
+
+void rot_phi_high(double z, double z_lo, int k_max, double phi[]) {
+  if (k_max <= ROT_PHI_MAX && !(z < 0.0)) {
+    rot_phi(z, z_lo, k_max, phi);
+    return;
+  }
+  rot_phi(z, z_lo, 0, phi);
+  if (k_max < 1) return;
+  phi[1] = z != 0.0 ? -expm1(-z) / z : 1.0;
+  if (z >= 0.0) {
+    phi_high_damped(z, k_max, phi);
+  } else if (z > -INFINITY) {
+    phi_high_driven(z, z_lo, k_max, phi);
+  } else { /* phi_k(+Inf) = +Inf; NaN stays */
+    for (int k = 1; k <= k_max; k++) phi[k] = phi[0];
+  }
+}
+
 double rot_phi_g1(double z, double phi0, double phi1) {
   if (fabs(z) >= 1.0) return (phi1 - phi0) / z;
   double s = inverse_factorial[20];

@@ -13,6 +13,12 @@
  * k <= 4, 4 ulp for k = 5, 6. */
 void rot_phi(double z, double z_lo, int k_max, double phi[]);
 
+#define ROT_PHI_HIGH 18
+
+/* The same for k_max <= ROT_PHI_HIGH; z_lo matters to every k where z < 0. Largest error: 4 ulp
+ * (z >= 0), 5 ulp (z < 0). Up to ROT_PHI_MAX it is rot_phi() for z >= 0. */
+void rot_phi_high(double z, double z_lo, int k_max, double phi[]);
+
 /* int_0^1 exp(-z y) y dy = phi_1 - phi_2 without the difference; phi0, phi1 of the same z. */
 double rot_phi_g1(double z, double phi0, double phi1);
 

@@ -18,6 +18,15 @@ const char *rot_status_kind(rot_status status) {
   return (unsigned)status < ROT_STATUS_COUNT ? table[status].kind : "internal";
 }
 
+const char *rot_method_name(rot_method method) {
+  static const char *const names[] = {
+#define X(code, name) name,
+      ROT_METHOD_LIST(X)
+#undef X
+  };
+  return (unsigned)method < ROT_METHOD_COUNT ? names[method] : "unknown method";
+}
+
 void rot_info_clear(rot_info *info) { memset(info, 0, sizeof *info); }
 
 static double relative(double error, double largest) {

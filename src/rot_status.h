@@ -25,6 +25,19 @@ typedef enum rot_status {
 const char *rot_status_text(rot_status status);
 const char *rot_status_kind(rot_status status);
 
+/* How a run was made: listed once, here, with the name that R shows. */
+#define ROT_METHOD_LIST(X)                                                                         \
+  X(ROT_METHOD_NONE, "none")                                                                       \
+  X(ROT_METHOD_RK8PD, "rk8pd") /* Prince & Dormand, order 8 */                                     \
+  X(ROT_METHOD_RADAU, "radau") /* Radau IIA, order 9, for stiff motions */
+
+typedef enum rot_method {
+#define X(code, name) code,
+  ROT_METHOD_LIST(X)
+#undef X
+      ROT_METHOD_COUNT
+} rot_method;
+
 /* What happened. Filled by every run, also by one that failed. */
 typedef struct rot_info {
   rot_status status;
@@ -37,8 +50,11 @@ typedef struct rot_info {
   double omega_error; /* the same of omega */
   double theta_max;   /* largest |theta| from the start to the last row, as far as it was seen */
   double omega_max;   /* the same of omega */
-  double tolerance;   /* tolerance per step of the run that is returned; 0 for a closed form */
+  double tolerance;   /* tolerance per step of the run that chose the steps; 0 for a closed form */
+  rot_method method;  /* of the steps; ROT_METHOD_NONE for a closed form */
 } rot_info;
+
+const char *rot_method_name(rot_method method);
 
 void rot_info_clear(rot_info *info);
 /* Largest error relative to the largest value, of theta or of omega. The values on the way count

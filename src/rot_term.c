@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_divided.h"
 #include "rot_real.h"
 
 /* The last of n increasing numbers that is <= t, n >= 1; the first if none is. */
@@ -20,17 +21,19 @@ static size_t last_below(size_t n, const double x[], double t) {
 
 /* cos(a t + b): the product's residual counts where a t is large. */
 static double wave(double a, double t, double b) {
-  double lo, sum_lo, at = rot_two_prod(a, t, &lo);
-  const double angle = rot_two_sum(at, b, &sum_lo);
-  lo += sum_lo;
-  return cos(angle) - lo * sin(angle);
+  double lo, sum_lo, sine, cosine;
+  const double at = rot_two_prod(a, t, &lo), angle = rot_two_sum(at, b, &sum_lo);
+  rot_sin_cos(angle, lo + sum_lo, &sine, &cosine);
+  return cosine;
 }
 
 static double in_pieces(const rot_term *term, double t) {
   const double *x = term->x;
   const size_t n = (size_t)x[0], m = (size_t)x[1];
   const double *breaks = x + 2, *rows = breaks + n + 1;
-  if (!(t >= breaks[0] && t < breaks[n])) return 0.0;
+  /* Samples of a function reach to the last row, which is asked for too. */
+  const int closed = term->kind == ROT_TERM_CHEBYSHEV && t == breaks[n];
+  if (!(t >= breaks[0] && (t < breaks[n] || closed))) return 0.0;
   const size_t i = last_below(n, breaks, t);
   const double *a = rows + i * m;
   if (term->kind == ROT_TERM_POLYNOMIAL) {

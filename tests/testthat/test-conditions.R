@@ -16,7 +16,7 @@ test_that("messages say what is wrong, the value, and the remedy", {
     torque_knots(1, 2)
     torque_function(3)
     torque_function(function(a, b) 1)
-    resistance(1, coulomb_n_m = 2)
+    resistance(1, coulomb_n_m = 2, static_n_m = 1)
     scene_axle(body_disk(0, 1))
     scene_axle("disk")
     trajectory(article_scene(), c(1, NA))

@@ -361,11 +361,11 @@ test_that("an interrupt arrives as an interrupt", {
   skip_on_cran()
   calls <- 0
   result <- tryCatch(
-    with_torque(function(t) {
+    with_torque(function(t, theta, omega) {
       calls <<- calls + 1
       if (calls == 50) tools::pskill(Sys.getpid(), tools::SIGINT)
       Sys.sleep(0.001)
-      1
+      sin(1000 * theta)
     }, n = 4000),
     interrupt = function(i) "interrupted"
   )
@@ -379,9 +379,9 @@ test_that("a time limit arrives as a time limit", {
   error <- tryCatch(
     {
       setTimeLimit(elapsed = 0.3, transient = TRUE)
-      with_torque(function(t) {
+      with_torque(function(t, theta, omega) {
         Sys.sleep(0.002)
-        1
+        sin(1000 * theta)
       }, n = 40000)
     },
     error = identity
@@ -467,14 +467,15 @@ test_that("the progress function is called, no more than 20 times a second", {
   law <- list(
     quote(f(NULL)), list2env(list(f = function(t) {
       Sys.sleep(0.002)
-      1
+      sin(9 * t)
     }), parent = baseenv()),
     stop
   )
+  pack <- rotdyn:::pack_axle(scene_axle(1))
   start <- proc.time()[[3]]
   .Call(
-    rotdyn:::ffi_axle_integrate, c(1, 0, 0, 0, 0), list(double(), double(), c(0, 0)), law,
-    (0:8) + 0, c(1e-9, 1e6), function(fraction) told <<- c(told, fraction)
+    rotdyn:::ffi_axle_integrate, pack, law, (0:8) + 0, c(1e-9, 1e6, 0),
+    function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start
   expect_gt(length(told), 1)

@@ -1,4 +1,5 @@
-scan <- function(f, from = 0, to = 10) rotdyn:::scan_breaks(f, from, to)$breaks
+many <- function(f) function(t) rotdyn:::values_of(f, t, stop)
+scan <- function(f, from = 0, to = 10) rotdyn:::scan_breaks(many(f), from, to)$breaks
 
 test_that("jumps are found to the last bit", {
   expect_equal(scan(function(t) if (t >= pi) 1 else 0), pi, tolerance = 1e-15)
@@ -26,7 +27,7 @@ test_that("smooth functions have none, however fast", {
 test_that("a steep but smooth change is guarded, not reported", {
   bump <- function(t) 1000 * exp(-((t - 5) / 3e-4)^2)
   expect_length(scan(bump), 0)
-  guards <- rotdyn:::scan_breaks(bump, 0, 10)$guards
+  guards <- rotdyn:::scan_breaks(many(bump), 0, 10)$guards
   expect_true(any(guards < 5) && any(guards > 5))
   # The area of the bump, which a step of a second would pass unseen.
   expect_warning(motion <- trajectory(scene_axle(0.5, bump), c(0, 10)), NA)

@@ -103,3 +103,22 @@ test_that("a row at rest is no infinite error; large terms that cancel are a war
     trajectory(scene_axle(1, swing), c(0, 4), accuracy = 2e-15), class = "rotdyn_warning_accuracy"
   )
 })
+
+test_that("an accuracy in degrees or rpm is one of the angle or of the speed", {
+  skip_if_not_installed("units")
+  # 600 rad and 60 rad/s or so.
+  scene <- scene_axle(body_disk(2, 0.25), 1.8, resistance(0.03))
+  t <- c(0, 10, 20)
+  exact <- trajectory(scene, t)
+  size <- max(exact$theta_rad)
+  turned <- trajectory(scene, t, accuracy = units::set_units(0.1, "degree", mode = "standard"))
+  wanted <- 0.1 * pi / 180
+  expect_equal(attr(turned, "run")$accuracy * size / wanted, 0.9, tolerance = 1e-2)
+  fast <- max(exact$omega_rad_per_s)
+  speed <- trajectory(scene, t, accuracy = units::set_units(1, "rpm", mode = "standard"))
+  expect_equal(attr(speed, "run")$accuracy * fast / (2 * pi / 60), 0.9, tolerance = 1e-2)
+  expect_error(
+    trajectory(scene, t, accuracy = units::set_units(1, "kg", mode = "standard")),
+    class = "rotdyn_error_unit"
+  )
+})

@@ -1,0 +1,60 @@
+#' A moment of inertia that changes in time
+#'
+#' Straight lines between knots, held outside; a repeated time is a jump. The skater who pulls her
+#' arms in: angular momentum is what the torque changes, `d(I omega)/dt = torque`, and the work that
+#' the arms do is in the [audit()]. In a [scene_axle()] it takes the place of the body.
+#'
+#' @param time_s Times of the knots, finite and not decreasing, two at least.
+#' @param moment_of_inertia_kg_m2 Moment of inertia about the axle at each, finite and > 0.
+#' @return A `rot_inertia_knots`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_time`, `rotdyn_error_unit`.
+#' @examples
+#' skater <- inertia_knots(time_s = c(1, 2), moment_of_inertia_kg_m2 = c(5, 2))
+#' scene <- scene_axle(skater, omega0_rad_per_s = 2)
+#' trajectory(scene, time_s = 0:3)
+#' @export
+inertia_knots <- function(time_s, moment_of_inertia_kg_m2) {
+  call <- rlang::current_env()
+  check_supplied(c("time_s", "moment_of_inertia_kg_m2"), call)
+  time_s <- check_finite(time_s, "time_s", "s", call)
+  moment <- check_finite(moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call)
+  if (length(time_s) != length(moment) || length(time_s) < 2L) {
+    abort_rotdyn(
+      c(
+        "Every knot needs a time and a moment of inertia, and there must be two at least.",
+        x = "{.arg time_s} has length {length(time_s)}, {.arg moment_of_inertia_kg_m2} has length
+             {length(moment)}."
+      ),
+      "size",
+      call
+    )
+  }
+  if (is.unsorted(time_s)) {
+    abort_rotdyn("{.arg time_s} must not go back in time.", "time", call)
+  }
+  bad <- which(!(moment > 0))
+  if (length(bad)) {
+    abort_domain(
+      moment[bad[1]], "moment_of_inertia_kg_m2", "kg*m^2", call, 0, Inf, TRUE
+    )
+  }
+  x <- list(time_s = time_s, moment_of_inertia_kg_m2 = moment)
+  class(x) <- "rot_inertia_knots"
+  x
+}
+
+describe_inertia_knots <- function(x) {
+  n <- length(x$time_s)
+  paste0(
+    "from ", format_si(x$moment_of_inertia_kg_m2[1]), " to ",
+    format_si(x$moment_of_inertia_kg_m2[n]), " kg m^2, ", n, " knots from ", format_si(x$time_s[1]),
+    " to ", format_si(x$time_s[n]), " s"
+  )
+}
+
+#' @export
+print.rot_inertia_knots <- function(x, ...) {
+  cat("<rot_inertia_knots> ", describe_inertia_knots(x), "\n", sep = "")
+  invisible(x)
+}

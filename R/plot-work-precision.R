@@ -1,0 +1,111 @@
+#' Plot what accuracy costs
+#'
+#' `autoplot()` of [work_precision()] draws the work-precision diagram: cost against true error,
+#' both logarithmic, a line for each model or peer through the accuracies asked for. A solid point
+#' is the true error, a ring at the same cost the error that the run reported: a ring above its
+#' point is an honest run. In the grey band the reference can tell no more.
+#'
+#' @param object What [work_precision()] returned.
+#' @param ... Not used.
+#' @return A ggplot.
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
+#' measured <- work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
+#' ggplot2::autoplot(measured)
+#' @exportS3Method ggplot2::autoplot
+autoplot.rot_work_precision <- function(object, ...) {
+  need_package("ggplot2", "A plot", rlang::current_env())
+  points <- as.data.frame(object)
+  points <- points[order(match(points$model, unique(points$model)), -points$accuracy), ]
+  points$model <- factor(points$model, levels = unique(points$model))
+  points <- points[is.finite(points$true_error) & points$cost_s > 0, ]
+  limit <- 3 * max(points$reference_error)
+  shown <- points[!points$floor, ]
+  at_floor <- points[points$floor, ]
+  said <- points[!is.na(points$error) & points$error > 0, ]
+  # With Okabe & Ito's other colours, for more lines than R/plot.R has.
+  colours <- rep_len(c(plot_colours, "#56B4E9", "#000000", "#999999"), nlevels(points$model))
+  # Room at the right for the labels.
+  across <- padded(points$cost_s, 0.06, 0.14)
+  up <- padded(c(points$true_error, said$error), 0.08, 0.06)
+  ggplot2::ggplot(points, ggplot2::aes(.data$cost_s, .data$true_error, colour = .data$model)) +
+    ggplot2::annotate(
+      "rect", xmin = across[1], xmax = across[2], ymin = up[1],
+      ymax = min(max(limit, up[1]), up[2]), fill = "grey50", alpha = 0.14
+    ) +
+    ggplot2::geom_linerange(
+      data = said, ggplot2::aes(
+        ymin = pmin(.data$true_error, .data$error), ymax = pmax(.data$true_error, .data$error)
+      ), linewidth = 0.5, alpha = 0.6, show.legend = FALSE
+    ) +
+    ggplot2::geom_path(linewidth = 0.9) +
+    ggplot2::geom_point(
+      data = said, ggplot2::aes(y = .data$error, shape = "reported"), size = 4.5
+    ) +
+    ggplot2::geom_point(data = shown, ggplot2::aes(shape = "true"), size = 3) +
+    ggplot2::geom_point(data = at_floor, ggplot2::aes(shape = "true, at most"), size = 3) +
+    accuracy_labels(points) +
+    ggplot2::scale_shape_manual(
+      values = c(true = 16, "true, at most" = 6, reported = 1),
+      breaks = c("true", "true, at most", "reported"), name = "error"
+    ) +
+    ggplot2::scale_colour_manual(values = colours, name = NULL) +
+    ggplot2::scale_x_log10(
+      labels = format_cost, limits = across, expand = c(0, 0)
+    ) +
+    ggplot2::scale_y_log10(
+      labels = format_power, breaks = 10^seq(-18, 3, by = 3), limits = up, expand = c(0, 0)
+    ) +
+    ggplot2::labs(
+      title = "What accuracy costs",
+      subtitle = "lower left is better; labels: accuracy asked for; grey: below what can be told",
+      x = "processor time of one run", y = "relative error"
+    ) +
+    ggplot2::guides(
+      colour = ggplot2::guide_legend(order = 1, override.aes = list(shape = NA)),
+      shape = ggplot2::guide_legend(order = 2, override.aes = list(size = 3))
+    ) +
+    plot_theme() +
+    ggplot2::theme(
+      legend.box = "vertical", legend.spacing.y = ggplot2::unit(2, "pt"),
+      plot.margin = ggplot2::margin(6, 18, 6, 6)
+    )
+}
+
+# Limits on a logarithmic axis, wider than the values by shares of their range; half a decade at
+# least, or a single point would stand in no space.
+padded <- function(x, before, after) {
+  ends <- log10(range(x[x > 0 & is.finite(x)]))
+  span <- max(diff(ends), 1)
+  10^(ends + span * c(-before, after) + (span - diff(ends)) * c(-0.5, 0.5))
+}
+
+# One label for each point; points that lie on one another (a closed form is as good at any
+# accuracy) share one: the range.
+accuracy_labels <- function(points) {
+  place <- paste(points$model, signif(log10(points$true_error), 2))
+  labels <- do.call(rbind, lapply(split(points, factor(place, unique(place))), function(group) {
+    asked <- range(group$accuracy)
+    group <- group[which.max(group$cost_s), ]
+    group$label <- paste0("  ", paste(unique(format_asked(rev(asked))), collapse = " to "))
+    group
+  }))
+  ggplot2::geom_text(
+    data = labels, ggplot2::aes(label = .data$label), hjust = 0, vjust = -0.4, size = 3.4,
+    show.legend = FALSE
+  )
+}
+
+# 0.001 is 1e-3.
+format_asked <- function(x) sub("e([+-])0", "e\\1", formatC(x, digits = 0, format = "e"))
+
+format_power <- function(x) {
+  parse(text = ifelse(is.na(x), "NA", paste0("10^", round(log10(x)))))
+}
+
+# 2e-05 s is "20 us"; the micro sign does not survive every device.
+format_cost <- function(x) {
+  unit <- ifelse(x < 0.999e-3, "us", ifelse(x < 0.999, "ms", "s"))
+  scale <- c(us = 1e6, ms = 1e3, s = 1)[unit]
+  ifelse(is.na(x), NA, paste(format(signif(x * scale, 2), trim = TRUE, drop0trailing = TRUE), unit))
+}

@@ -1,0 +1,40 @@
+#' When a body stops, and how fast it ends up
+#'
+#' In closed form, where the torque is constant between its steps and the resistance is any of
+#' viscous, quadratic and dry friction: `I domega/dt = torque - c omega - q omega |omega| - tau_c
+#' sign(omega)`. With viscous resistance alone a body slows down for ever: its stopping time is Inf,
+#' though it turns through a finite angle. With dry friction it stops, and stays at rest while the
+#' torque is at most the static friction.
+#'
+#' @param scene A [scene_axle()].
+#' @return A tibble of one row with the columns
+#'   `r describe_columns(c("stop_time_s", "stop_theta_rad", "terminal_omega_rad_per_s"))`
+#'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` NaN. The
+#'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists it.
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit (see
+#'   [choose_model()], model `axle_drag`).
+#' @examples
+#' # A flywheel that coasts down: J = 2.5 kg m^2, dry, viscous and quadratic losses.
+#' losses <- resistance(0.004, 2e-5, coulomb_n_m = 0.05)
+#' stopping(scene_axle(2.5, resistance = losses, omega0_rad_per_s = 150))
+#' # A fan: terminal speed where the drag balances the torque, sqrt(0.8/2e-3) = 20 rad/s.
+#' stopping(scene_axle(0.1, 0.8, resistance(quadratic_n_m_s2 = 2e-3)))
+#' @export
+stopping <- function(scene) {
+  call <- rlang::current_env()
+  check_supplied("scene", call)
+  check_class(scene, "rot_scene_axle", "scene", "Describe one with {.fn scene_axle}.", call)
+  fit <- fit_model(axle_drag, scene, scene$start_s, 1)
+  if (!is.null(fit$reason)) {
+    abort_rotdyn(
+      c(
+        "There is no closed form of when this scene stops: {fit$reason}.",
+        i = "{.fn trajectory} and {.fn motion_events} show it."
+      ),
+      "model",
+      call
+    )
+  }
+  x <- .Call(ffi_axle_stopping, pack_axle(scene))
+  tibble::tibble(stop_time_s = x[1], stop_theta_rad = x[2], terminal_omega_rad_per_s = x[3])
+}

@@ -1,0 +1,172 @@
+# What a torque law comes to: the normal form that the models read.
+#   knots      time_s, torque_n_m, outside: all constants, knots, steps, pulses and motors at rest
+#   motor_n_m_s  how steeply the motors' torque falls with omega
+#   terms      the other terms, evaluated in C
+#   law        one R function of them all, or NULL
+torque_loads <- function(torque) {
+  laws <- if (inherits(torque, "rot_torque_sum")) torque$laws else list(torque)
+  if (length(laws) == 1L && inherits(torque, "rot_torque_knots")) {
+    return(list(knots = torque, motor_n_m_s = 0, terms = list(), law = NULL))
+  }
+  is <- function(class) laws[vapply(laws, inherits, logical(1), class)]
+  motors <- is("rot_torque_motor")
+  stall <- lapply(motors, function(m) new_knots(double(), double(), rep(m$stall_torque_n_m, 2L)))
+  list(
+    knots = add_knots(c(is("rot_torque_knots"), stall)),
+    motor_n_m_s = sum(
+      vapply(motors, function(m) m$stall_torque_n_m / m$no_load_omega_rad_per_s, double(1))
+    ),
+    terms = is("rot_torque_term"),
+    law = add_functions(is("rot_torque_function"))
+  )
+}
+
+new_knots <- function(time_s, torque_n_m, outside) {
+  new_torque("rot_torque_knots", time_s = time_s, torque_n_m = torque_n_m, outside = outside)
+}
+
+# Straight lines add up to straight lines between the knots of all; before and after each knot, so
+# that jumps stay jumps.
+add_knots <- function(laws) {
+  if (length(laws) == 0L) {
+    return(new_knots(double(), double(), c(0, 0)))
+  }
+  if (length(laws) == 1L) {
+    return(laws[[1]])
+  }
+  times <- sort(unique(unlist(lapply(laws, function(law) law$time_s))))
+  sides <- lapply(laws, knot_sides, times)
+  total <- Reduce(`+`, sides)
+  outside <- Reduce(`+`, lapply(laws, function(law) law$outside))
+  if (length(times) == 0L) {
+    return(new_knots(double(), double(), outside))
+  }
+  n <- length(times)
+  # What holds outside need not be said by a knot; at the end of all torque its last value counts.
+  before <- c(FALSE, rep(TRUE, n - 1L))
+  after <- total[, 1] != total[, 2] | !before
+  if (n > 1L && outside[2] == 0) after[n] <- FALSE
+  keep <- rbind(before, after)
+  new_knots(rep(times, each = 2L)[keep], t(total)[keep], outside)
+}
+
+# Two columns: the torque just before and just after each time.
+knot_sides <- function(law, times) {
+  t <- law$time_s
+  tau <- law$torque_n_m
+  n <- length(t)
+  if (n == 0L) {
+    return(matrix(law$outside[1], length(times), 2L))
+  }
+  first <- findInterval(times, t, left.open = TRUE) + 1L # the first knot at or after
+  last <- findInterval(times, t) # the last knot at or before
+  line <- function(i) { # between knots i and i + 1
+    width <- t[i + 1L] - t[i]
+    tau[i] * ((t[i + 1L] - times) / width) + tau[i + 1L] * ((times - t[i]) / width)
+  }
+  on_knot <- first <= n & t[pmin(first, n)] == times
+  inside <- !on_knot & last >= 1L & last < n
+  between <- double(length(times))
+  between[inside] <- line(pmin(pmax(last, 1L), n - 1L))[inside]
+  out <- ifelse(last == 0L, law$outside[1], ifelse(last >= n, law$outside[2], between))
+  before <- ifelse(on_knot, ifelse(first == 1L, law$outside[1], tau[pmin(first, n)]), out)
+  after <- ifelse(on_knot, ifelse(last == n, law$outside[2], tau[pmax(last, 1L)]), out)
+  cbind(before, after)
+}
+
+# The sum of several R functions is one; it needs the state if one of them does.
+add_functions <- function(laws) {
+  if (length(laws) < 2L) {
+    return(if (length(laws)) laws[[1]])
+  }
+  of_state <- vapply(laws, function(law) law$arguments == 3L, logical(1))
+  parts <- lapply(laws, function(law) law$f)
+  f <- if (any(of_state)) {
+    function(time_s, theta_rad, omega_rad_per_s) {
+      total <- 0
+      for (i in seq_along(parts)) {
+        total <- total + if (of_state[i]) {
+          parts[[i]](time_s, theta_rad, omega_rad_per_s)
+        } else {
+          parts[[i]](time_s)
+        }
+      }
+      total
+    }
+  } else {
+    function(time_s) Reduce(`+`, lapply(parts, function(part) part(time_s)))
+  }
+  told <- lapply(laws, function(law) law$breaks_s)
+  breaks <- if (!any(vapply(told, is.null, logical(1)))) sort(unique(unlist(told)))
+  if (is.null(breaks) && !any(vapply(told, is.null, logical(1)))) breaks <- double()
+  new_torque(
+    "rot_torque_function",
+    f = f, breaks_s = breaks, arguments = if (any(of_state)) 3L else 1L
+  )
+}
+
+#' @export
+Ops.rot_torque <- function(e1, e2) {
+  call <- rlang::caller_env()
+  is_law <- function(x) inherits(x, "rot_torque")
+  unsupported <- function() {
+    abort_rotdyn(
+      c(
+        "{.code {(.Generic)}} is not defined for torque laws.",
+        i = "They add up, and a number multiplies them."
+      ),
+      "type",
+      call
+    )
+  }
+  if (missing(e2)) {
+    return(switch(.Generic, `+` = e1, `-` = scale_torque(e1, -1), unsupported()))
+  }
+  if (.Generic %in% c("+", "-")) {
+    e1 <- as_torque(e1, call)
+    e2 <- as_torque(e2, call)
+    return(sum_torques(e1, if (.Generic == "-") scale_torque(e2, -1) else e2))
+  }
+  if (.Generic == "*" && !(is_law(e1) && is_law(e2))) {
+    law <- if (is_law(e1)) e1 else e2
+    return(scale_torque(law, check_number(if (is_law(e1)) e2 else e1, "factor", "1", call)))
+  }
+  if (.Generic == "/" && is_law(e1) && !is_law(e2)) {
+    return(scale_torque(e1, 1 / check_number(e2, "divisor", "1", call)))
+  }
+  unsupported()
+}
+
+sum_torques <- function(...) {
+  laws <- list(...)
+  flat <- lapply(laws, function(law) if (inherits(law, "rot_torque_sum")) law$laws else list(law))
+  new_torque("rot_torque_sum", laws = unlist(flat, recursive = FALSE))
+}
+
+scale_torque <- function(law, factor) {
+  if (inherits(law, "rot_torque_sum")) {
+    law$laws <- lapply(law$laws, scale_torque, factor)
+  } else if (inherits(law, "rot_torque_knots")) {
+    law$torque_n_m <- factor * law$torque_n_m
+    law$outside <- factor * law$outside
+  } else if (inherits(law, "rot_torque_motor")) {
+    law$stall_torque_n_m <- factor * law$stall_torque_n_m
+  } else if (inherits(law, "rot_torque_term")) {
+    law <- scale_term(law, factor)
+  } else {
+    f <- law$f
+    law$f <- if (law$arguments == 3L) {
+      function(time_s, theta_rad, omega_rad_per_s) factor * f(time_s, theta_rad, omega_rad_per_s)
+    } else {
+      function(time_s) factor * f(time_s)
+    }
+  }
+  law
+}
+
+# As src/ffi_axle.c unpacks them.
+pack_terms <- function(terms) {
+  lapply(terms, function(term) {
+    list(match(term$kind, term_kinds) - 1, term$from_s, term$to_s, as.double(term$x))
+  })
+}

@@ -1,0 +1,519 @@
+#include "rot_axle_bands.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "rot_axle_rest.h"
+#include "rot_real.h"
+
+/* ---- bands ---------------------------------------------------------------------------------- */
+
+/* Rates are counted from `ref`, an edge of the band: a steep curve far from rest would lose its
+ * digits in the torque that its line has at omega = 0. */
+typedef struct band {
+  double lower, upper, ref;
+  double torque_ref, torque_off; /* of the curve at ref, and how far off it may be */
+  double slope, slope_off;       /* of the curve */
+} band;
+
+static size_t points(const rot_axle_scene *scene) {
+  return scene->n_terms ? (size_t)scene->terms[0].x[0] : 0;
+}
+
+static double curve_at(const rot_axle_scene *scene, double omega) {
+  return scene->n_terms ? rot_term_at(&scene->terms[0], scene->linear.start_s, 0.0, omega) : 0.0;
+}
+
+/* How many of the n speeds are <= omega, or < omega. */
+static size_t speeds_below(const double speed[], size_t n, double omega, int or_equal) {
+  size_t lo = 0, hi = n;
+  while (lo < hi) {
+    const size_t mid = lo + (hi - lo) / 2;
+    if (or_equal ? speed[mid] <= omega : speed[mid] < omega) {
+      lo = mid + 1;
+    } else {
+      hi = mid;
+    }
+  }
+  return lo;
+}
+
+/* The band that omega lies in; from an edge, the one that it moves into. */
+static band band_of(const rot_axle_scene *scene, double omega, int heading) {
+  const size_t n = points(scene);
+  const double *speed = n ? scene->terms[0].x + 1 : NULL, *torque = n ? speed + n : NULL;
+  const size_t i = n ? speeds_below(speed, n, omega, heading > 0) : 0;
+  band b = {-INFINITY, INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0};
+  double size = 0.0;
+  if (i > 0) b.lower = speed[i - 1];
+  if (i < n) b.upper = speed[i];
+  if (i > 0 && i < n) {
+    b.slope = (torque[i] - torque[i - 1]) / (speed[i] - speed[i - 1]);
+    size = fabs(torque[i]) + fabs(torque[i - 1]);
+    b.slope_off = 2.0 * ROT_EPS * fabs(b.slope);
+  }
+  const int forward = omega > 0.0 || (omega == 0.0 && heading > 0);
+  if (b.lower < 0.0 && forward) b.lower = 0.0;
+  if (b.upper > 0.0 && !forward) b.upper = 0.0;
+  if (b.lower != 0.0 && b.upper != 0.0) {
+    b.ref = omega - b.lower <= b.upper - omega ? b.lower : b.upper;
+    b.torque_ref = torque[b.ref == b.lower ? i - 1 : i];
+  } else {
+    b.torque_ref = curve_at(scene, 0.0);
+    b.torque_off = 3.0 * ROT_EPS * size;
+  }
+  return b;
+}
+
+static int on_edge(const rot_axle_scene *scene, double omega) {
+  const size_t n = points(scene);
+  const double *speed = n ? scene->terms[0].x + 1 : NULL;
+  const size_t i = n ? speeds_below(speed, n, omega, 1) : 0;
+  return i > 0 && speed[i - 1] == omega;
+}
+
+/* ---- one leg: a motion inside one band and one piece of the torque -------------------------- */
+
+typedef struct leg {
+  const rot_axle_scene *scene;
+  const rot_torque_piece *piece;
+  rot_axle_base base;
+  band band;
+  rot_axle_params law; /* of v = omega - ref */
+  rot_axle_state from;
+  double push, push_lo; /* the constant torque of the band: curve, resistance at ref, friction */
+  double a, b;          /* torque in the band at the start and at the end */
+  double span_s;
+  int to_end;       /* the end is that of the piece, or of the rows */
+  double low, high; /* edges of v */
+  double farthest;  /* the larger of |v| at the base and at its extremum */
+} leg;
+
+/* x + push, rounded once. */
+static double in_band(const leg *l, double x) {
+  double lo, sum = rot_two_sum(x, l->push, &lo);
+  return sum + (lo + l->push_lo);
+}
+
+/* How much the knots' torque rises in a time, to a few roundings. */
+static double rise_in(const rot_torque_piece *piece, double time_s) {
+  const double rise = piece->end_n_m - piece->start_n_m;
+  return rise != 0.0 ? rot_muldiv(rise, time_s, piece->end_s - piece->start_s, NULL) : 0.0;
+}
+
+/* Torque of the knots at the base, whose time is known to twice the precision. */
+static double knots_at_base(const rot_torque_piece *piece, const rot_axle_base *base) {
+  const double tau = rot_torque_in_piece(piece, base->time_s);
+  return base->time_lo != 0.0 ? tau + rise_in(piece, base->time_lo) : tau;
+}
+
+static void set_push(leg *l, int sign) {
+  const rot_axle_scene *scene = l->scene;
+  double drag_lo, e1, e2;
+  const double drag = rot_two_prod(scene->linear.viscous_n_m_s, l->band.ref, &drag_lo);
+  const double one = rot_two_sum(l->band.torque_ref, -drag, &e1);
+  l->push = rot_two_sum(one, -sign * scene->coulomb_n_m, &e2);
+  l->push_lo = e1 + e2 - drag_lo;
+}
+
+/* The torque that speeds it up at the base, or its sign to come where that is 0. */
+static int heading_on_edge(const rot_axle_scene *scene, const rot_axle_base *base,
+                           const rot_torque_piece *piece) {
+  leg l = {.scene = scene};
+  l.band = band_of(scene, base->omega, 1);
+  l.band.ref = base->omega;
+  l.band.torque_ref = curve_at(scene, base->omega);
+  set_push(&l, base->omega > 0.0 ? 1 : -1);
+  const double net = in_band(&l, knots_at_base(piece, base));
+  if (net != 0.0) return net > 0.0 ? 1 : -1;
+  return piece->end_n_m >= piece->start_n_m ? 1 : -1;
+}
+
+/* Steps are so short that exp(c s/|I|) stays in range where c < 0. */
+enum { MOST_GROWTH = 200 };
+
+static leg leg_from(const rot_axle_march *march, const rot_torque_piece *piece, int heading) {
+  const rot_axle_base *base = &march->base;
+  leg l = {.scene = march->scene, .piece = piece, .base = *base};
+  const double end_s = fmin(piece->end_s, rot_axle_march_horizon(march));
+  double lo;
+  l.band = band_of(march->scene, base->omega, heading);
+  set_push(&l, l.band.lower >= 0.0 ? 1 : -1);
+  l.law.inertia_kg_m2 = march->scene->linear.inertia_kg_m2;
+  l.law.viscous_n_m_s = march->scene->linear.viscous_n_m_s - l.band.slope;
+  l.from.omega_rad_per_s = rot_two_sum(base->omega, -l.band.ref, &l.from.omega_lo);
+  l.from.omega_error = base->omega_error;
+  l.a = in_band(&l, knots_at_base(piece, base));
+  if (base->omega == 0.0) { /* it leaves in this direction: no rounding may turn it */
+    l.a = heading > 0 ? fmax(l.a, 0.0) : fmin(l.a, 0.0);
+  }
+  l.b = in_band(&l, rot_torque_in_piece(piece, end_s));
+  l.span_s = rot_axle_march_elapsed(march, end_s, &lo);
+  l.to_end = 1;
+  l.low = l.band.lower - l.band.ref;
+  l.high = l.band.upper - l.band.ref;
+  const double I = l.law.inertia_kg_m2, c = l.law.viscous_n_m_s;
+  const int moves = l.from.omega_rad_per_s != 0.0 || l.a != 0.0 || l.b != 0.0;
+  if (c < 0.0 && moves && rot_muldiv(-c, l.span_s, I, NULL) > MOST_GROWTH) {
+    const double shorter = rot_muldiv(MOST_GROWTH, I, -c, NULL);
+    l.b = l.a + (l.b - l.a) * (shorter / l.span_s);
+    l.span_s = shorter;
+    l.to_end = 0;
+  }
+  return l;
+}
+
+/* v after s, the torque there being b. Absolute times where they are exact: one residual less. */
+static rot_axle_state leg_state(const leg *l, double from_s, double to_s, double b) {
+  const rot_torque_piece piece = {from_s, to_s, l->a, b};
+  rot_axle_state from = l->from;
+  from.time_s = from_s;
+  return rot_axle_step(&l->law, &from, &piece, to_s);
+}
+
+static double torque_after(const leg *l, double s) {
+  if (s >= l->span_s) return l->b;
+  return l->a + (l->b - l->a) * (s / l->span_s);
+}
+
+static rot_axle_state leg_after(const leg *l, double s) {
+  return leg_state(l, 0.0, s, torque_after(l, s));
+}
+
+typedef struct change {
+  double dtheta, omega, theta_error, omega_error;
+} change;
+
+/* By how much omega is off after s if the torque is off by x all the way: x (s/I) phi1. */
+static double response(const leg *l, double x, double s) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  if (!(x > 0.0 && s > 0.0)) return x * s; /* 0, or NaN */
+  const double z = rot_muldiv(c, s, I, NULL);
+  if (z > 1.0) return x / c;
+  return rot_product(3, (double[]){x, s, z != 0.0 ? -expm1(-z) / z : 1.0}, I);
+}
+
+/* What the step does not know of: the roundings of its coefficients. `inexact_s`: s itself is
+ * rounded. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
+static change leg_change(const leg *l, const rot_axle_state *v, double s, double b, int inexact_s) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  change out;
+  double off = l->band.torque_off;
+  if (l->a != b && (l->push != 0.0 || inexact_s)) {
+    off += 4.0 * ROT_EPS * (fabs(l->a) + fabs(b) + 2.0 * fabs(l->push));
+  }
+  double wrong = response(l, off, s), turned_off = wrong * s;
+  if (l->band.slope != 0.0) {
+    const double off_c =
+        l->band.slope_off + ROT_EPS * (fabs(l->scene->linear.viscous_n_m_s) + fabs(l->band.slope));
+    wrong += response(l, off_c * fmax(l->farthest, fabs(v->omega_rad_per_s)), s);
+    turned_off += response(l, off_c * fabs(v->theta_rad), s);
+  }
+  if (inexact_s) { /* what counts is how fast it moves at the end */
+    const double net = fabs(b - c * v->omega_rad_per_s);
+    wrong += 2.0 * ROT_EPS * rot_muldiv(net, s, I, NULL);
+    turned_off += 2.0 * ROT_EPS * fabs(v->omega_rad_per_s * s);
+  }
+  const double carried = l->band.ref * s;
+  out.omega = l->band.ref + v->omega_rad_per_s;
+  out.dtheta = carried + (v->theta_rad + v->theta_lo);
+  out.omega_error = v->omega_error + wrong + (l->band.ref != 0.0 ? ROT_EPS * fabs(out.omega) : 0.0);
+  out.theta_error = l->base.theta_error + v->theta_error + turned_off +
+                    2.0 * ROT_EPS * fabs(carried) + ROT_EPS * fabs(l->base.theta + out.dtheta);
+  return out;
+}
+
+/* ---- where a leg ends ----------------------------------------------------------------------- */
+
+typedef struct exit_point {
+  double s;    /* when v leaves the band; the leg's span where it does not */
+  int side;    /* -1 below, 1 above, 0 not at all, 2 against its heading */
+  double peak; /* an extremum of v on the way, or v at the start */
+} exit_point;
+
+/* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x. */
+static double linear_time(const leg *l, double x, double sign) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  double y = sign * rot_muldiv(x, c, I, NULL);
+  if (!(y > -1.0)) return INFINITY;
+  if (fabs(y) < 1.0) return y != 0.0 ? x * (log1p(y) / y) : x;
+  if (y > DBL_MAX) y = DBL_MAX;
+  return sign * rot_muldiv(log1p(y), I, c, NULL);
+}
+
+/* When omega' passes through 0; it does so at most once. */
+static double extremum(const leg *l) {
+  const double c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
+  const double net = l->a - c * v0, rise = l->b - l->a;
+  if (!((net > 0.0 && rise < 0.0) || (net < 0.0 && rise > 0.0))) return INFINITY;
+  return linear_time(l, rot_muldiv(-net, l->span_s, rise, NULL), 1.0);
+}
+
+/* The net torque, I v', after s: without the difference between b and c v, which is all rounding
+ * once it has settled. */
+static double net_after(const leg *l, double s) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  const double z = rot_muldiv(c, s, I, NULL), rise = torque_after(l, s) - l->a;
+  const double spread = z != 0.0 ? -expm1(-z) / z : 1.0;
+  return (l->a - c * l->from.omega_rad_per_s) * exp(-z) + (rise != 0.0 ? rise * spread : 0.0);
+}
+
+/* When v would be at the level if the torque stayed as it is: exact where it does. */
+static double first_guess(const leg *l, double level) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
+  const double now = l->a - c * v0, then = l->a - c * level;
+  /* Far down the exponential log1p() would be of -1: its argument plus 1 is then/now. */
+  if (c > 0.0 && then / now < 0.5 && then / now > 0.0) {
+    return rot_muldiv(log(now / then), I, c, NULL);
+  }
+  return linear_time(l, rot_muldiv(I, level - v0, now, NULL), -1.0);
+}
+
+/* v(s) = level, s between two times where v - level has both signs: Newton's steps inside the
+ * bracket, else its middle, or a fraction of it where it begins at 0. */
+static double when_at(const leg *l, double level, double s_lo, double s_hi, int rising) {
+  leg alone = *l;
+  double s = first_guess(l, level);
+  alone.from.omega_error = 0.0; /* so that omega_error is what this step rounds */
+  if (!(s > s_lo && s < s_hi)) s = 0.5 * (s_lo + s_hi);
+  for (int i = 0; i < 300; i++) {
+    const rot_axle_state at = leg_after(&alone, s);
+    const double f = (at.omega_rad_per_s - level) + at.omega_lo;
+    /* From some step on f is rounding only, and the bracket would creep. */
+    if (f == 0.0 || (i > 8 && fabs(f) <= at.omega_error)) return s;
+    if ((f > 0.0) == rising) {
+      s_hi = s;
+    } else {
+      s_lo = s;
+    }
+    double next = s - rot_muldiv(f, l->law.inertia_kg_m2, net_after(l, s), NULL);
+    if (fabs(next - s) <= 2.0 * ROT_EPS * s) return next;
+    if (!(next > s_lo && next < s_hi)) {
+      next = s_lo > 0.0 && s_hi > 4.0 * s_lo ? sqrt(s_lo) * sqrt(s_hi)
+             : s_lo == 0.0 && i > 20         ? s_hi * 0x1p-8
+                                             : 0.5 * (s_lo + s_hi);
+      if (next == s_lo || next == s_hi) return next;
+    }
+    s = next;
+  }
+  return s;
+}
+
+/* v goes one way between s0 and s1: does it leave, and when? An edge that it starts from is left
+ * at once only by more than what the step may be off. */
+static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_state *to,
+                  int touching, exit_point *out) {
+  const double v1 = to->omega_rad_per_s;
+  const int up = v1 > v0;
+  const double edge = up ? l->high : l->low;
+  if (up ? !(v1 > edge || (touching && v1 == edge)) : !(v1 < edge || (touching && v1 == edge))) {
+    return 0;
+  }
+  if (s0 == 0.0 && v0 == edge) {
+    if (!(fabs(v1 - edge) > 2.0 * to->omega_error)) return 0;
+    out->side = 2;
+    out->s = 0.0;
+    return 1;
+  }
+  out->side = up ? 1 : -1;
+  out->s = v1 == edge ? s1 : when_at(l, edge, s0, s1, up);
+  return 1;
+}
+
+static exit_point exit_of(const leg *l) {
+  const double v0 = l->from.omega_rad_per_s, turn = extremum(l);
+  exit_point out = {l->span_s, 0, v0};
+  double s0 = 0.0, v = v0;
+  if (turn > 0.0 && turn < l->span_s) {
+    const rot_axle_state at = leg_after(l, turn);
+    if (leaves(l, s0, v, turn, &at, 1, &out)) return out;
+    s0 = turn;
+    v = out.peak = at.omega_rad_per_s;
+  }
+  const rot_axle_state end = leg_after(l, l->span_s);
+  leaves(l, s0, v, l->span_s, &end, 0, &out);
+  return out;
+}
+
+/* ---- the march ------------------------------------------------------------------------------ */
+
+/* Rows before the leg's end. */
+static rot_status leg_rows(rot_axle_march *march, const leg *l, const exit_point *to) {
+  const rot_axle_base *base = &march->base;
+  const int open = to->side == 0 && l->to_end;
+  rot_status status = ROT_OK;
+  while (status == ROT_OK && rot_axle_march_row_before(march, l->piece->end_s)) {
+    const double t = march->time_s[march->done];
+    double lo, s = rot_axle_march_elapsed(march, t, &lo);
+    if (!open && s >= to->s) break;
+    const int exact = base->time_lo == 0.0;
+    const double b = in_band(l, rot_torque_in_piece(l->piece, t));
+    const rot_axle_state v = exact ? leg_state(l, base->time_s, t, b) : leg_state(l, 0.0, s, b);
+    change row = leg_change(l, &v, s, b, !exact);
+    if (s == 0.0) row.omega = base->omega;
+    const double theta = base->theta + (row.dtheta + base->theta_lo);
+    status = rot_axle_march_row(march, theta, row.omega,
+                                rot_axle_scene_applied(march->scene, t, theta, row.omega),
+                                row.theta_error, row.omega_error);
+  }
+  return status;
+}
+
+/* The base moves to the end of the leg: onto the edge, or to the end of the piece. */
+static rot_status leg_end(rot_axle_march *march, const leg *l, const exit_point *to) {
+  const double s = to->s, b = torque_after(l, s), c = l->law.viscous_n_m_s;
+  const int exact = to->side == 0 && l->to_end && march->base.time_lo == 0.0;
+  const rot_axle_state v =
+      exact ? leg_state(l, march->base.time_s, l->piece->end_s, l->b) : leg_state(l, 0.0, s, b);
+  change end = leg_change(l, &v, s, b, !exact);
+  double time = l->piece->end_s, time_lo = 0.0, wanted = end.omega;
+  if (to->side != 0) {
+    wanted = to->side > 0 ? l->band.upper : l->band.lower;
+  } else { /* roundings do not leave the band */
+    wanted = fmin(fmax(wanted, l->band.lower), l->band.upper);
+  }
+  if (to->side != 0 || !l->to_end) {
+    time = rot_two_sum(march->base.time_s, s, &time_lo);
+    time_lo += march->base.time_lo;
+  }
+  if (wanted != end.omega) end.omega_error += fabs(wanted - end.omega);
+  if (wanted == 0.0) {
+    const double net = fabs(b - c * v.omega_rad_per_s), I = l->law.inertia_kg_m2;
+    const double rise = fabs(l->piece->end_n_m - l->piece->start_n_m);
+    const double soon = rot_muldiv(end.omega_error, I, net, NULL);
+    const double
+        pace = /* of a stop where the torque balances: omega goes with the square of time */
+        rise > 0.0 ? rot_muldiv(I, l->piece->end_s - l->piece->start_s, rise, NULL)
+                   : (double)INFINITY;
+    const double late = sqrt(2.0 * end.omega_error) * sqrt(pace);
+    march->base.settle_s = fmin(soon, late);
+  }
+  if (isnan(end.omega)) wanted = end.omega;
+  return rot_axle_march_move(march, time, time_lo, end.dtheta, wanted, end.theta_error,
+                             end.omega_error);
+}
+
+/* Held at rest from the base on: to the end of the piece, or until the torque wins. */
+static rot_status held(rot_axle_march *march, const rot_torque_piece *piece, int *slips) {
+  const rot_axle_scene *scene = march->scene;
+  const double most = scene->static_n_m, at_rest = curve_at(scene, 0.0);
+  const double rise = piece->end_n_m - piece->start_n_m;
+  rot_axle_base *base = &march->base;
+  *slips = (rise > 0.0) - (rise < 0.0);
+  if (*slips == 0 || !(*slips * (piece->end_n_m + at_rest) > most)) {
+    *slips = 0;
+    return rot_axle_march_held(march, piece->end_s);
+  }
+  const double span = piece->end_s - piece->start_s, wanted = *slips * most - at_rest;
+  double lo, now_lo;
+  const double x = rot_muldiv(wanted - piece->start_n_m, span, rise, &lo);
+  double time_lo, time = rot_two_sum(piece->start_s, x, &time_lo);
+  time_lo += lo;
+  const double now = rot_two_sum(time, -base->time_s, &now_lo) + (now_lo + time_lo - base->time_lo);
+  const double size = most + fabs(at_rest) + fabs(piece->start_n_m);
+  const double late = 4.0 * ROT_EPS * (rot_muldiv(size, span, fabs(rise), NULL) + fabs(x));
+  if (now > 0.0) {
+    const rot_status status = rot_axle_march_held(march, fmin(time, piece->end_s));
+    if (status != ROT_OK) return status;
+    base->time_s = rot_two_sum(time, time_lo, &base->time_lo);
+    base->omega_error = 0.0;
+  }
+  /* What it starts with if it starts as late, or what strong resistance leaves of that. */
+  const double I = scene->linear.inertia_kg_m2, push = most - scene->coulomb_n_m;
+  const double more = fabs(rise_in(piece, late));
+  const double c = scene->linear.viscous_n_m_s - band_of(scene, 0.0, *slips).slope;
+  double ahead = rot_muldiv(push, late, I, NULL) + 0.5 * rot_muldiv(more, late, I, NULL);
+  if (c > 0.0) ahead = fmin(ahead, (push + more) / c);
+  base->omega_error += ahead;
+  base->theta_error += base->omega_error * late;
+  return rot_axle_march_rest(march, nextafter(*slips * most, *slips * DBL_MAX), slips);
+}
+
+/* One leg from the base; `heading` where it starts on an edge. */
+static rot_status go(rot_axle_march *march, const rot_torque_piece *piece, int heading,
+                     int slipped) {
+  leg l = leg_from(march, piece, heading);
+  if (slipped) l.a = heading * (march->scene->static_n_m - march->scene->coulomb_n_m);
+  exit_point to = exit_of(&l);
+  if (to.side == 2) {
+    if (march->base.omega != 0.0) {
+      l = leg_from(march, piece, -heading);
+      to = exit_of(&l);
+    }
+    if (to.side == 2) to.side = 0, to.s = l.span_s;
+  }
+  l.farthest = fmax(fabs(l.from.omega_rad_per_s), fabs(to.peak));
+  if (to.peak != l.from.omega_rad_per_s) rot_note_state(march->info, 0.0, l.band.ref + to.peak);
+  rot_status status = leg_rows(march, &l, &to);
+  if (status != ROT_OK || march->done == march->n) return status;
+  return leg_end(march, &l, &to);
+}
+
+static rot_status through_piece(rot_axle_march *march, const rot_torque_piece *piece) {
+  const rot_axle_scene *scene = march->scene;
+  rot_axle_base *base = &march->base;
+  /* omega turns once in a piece where rest does not interfere, and once more for each stop: each
+   * edge is met a few times at most. */
+  const size_t budget = 1000 + 16 * points(scene);
+  rot_status status = ROT_OK;
+  for (size_t i = 0; status == ROT_OK && march->done < march->n; i++) {
+    double lo;
+    if (isfinite(piece->end_s) && rot_axle_march_elapsed(march, piece->end_s, &lo) <= 0.0) break;
+    if (i == budget) return ROT_EBUDGET;
+    status = rot_axle_march_step(march);
+    if (status != ROT_OK) break;
+    int heading = base->omega > 0.0 ? 1 : -1, slipped = 0;
+    if (base->omega == 0.0) {
+      const double applied = knots_at_base(piece, base) + curve_at(scene, 0.0);
+      status = rot_axle_march_rest(march, applied, &heading);
+      if (status == ROT_OK && !heading) {
+        status = held(march, piece, &heading);
+        slipped = heading;
+        if (!heading) return status;
+      }
+    } else if (on_edge(scene, base->omega)) {
+      heading = heading_on_edge(scene, base, piece);
+    }
+    if (status == ROT_OK) status = go(march, piece, heading, slipped);
+  }
+  return status;
+}
+
+static int fits(const rot_axle_scene *scene, double last_s) {
+  const rot_axle_params *p = &scene->linear;
+  if (scene->n_terms > 1) return 0;
+  if (scene->n_terms) {
+    const rot_term *term = scene->terms;
+    if (term->kind != ROT_TERM_CURVE || !rot_term_valid(term)) return 0;
+    if (!(term->from_s <= p->start_s && term->to_s > last_s)) return 0;
+  }
+  return p->inertia_kg_m2 > 0.0 && scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m >= 0.0 &&
+         scene->static_n_m >= scene->coulomb_n_m && scene->n_inertia == 0 && !p->torque.call;
+}
+
+static rot_status march_on(rot_axle_march *march) {
+  const rot_torque *torque = &march->scene->linear.torque;
+  rot_status status = rot_axle_march_begin(march);
+  if (status == ROT_OK && march->n && !fits(march->scene, march->time_s[march->n - 1])) {
+    return ROT_EVALUE;
+  }
+  for (size_t k = rot_torque_find(torque, march->base.time_s, 1);
+       status == ROT_OK && k <= torque->n && march->done < march->n; k++) {
+    const rot_torque_piece piece = rot_torque_piece_at(torque, k);
+    if (piece.start_s != piece.end_s) status = through_piece(march, &piece);
+  }
+  return status;
+}
+
+rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],
+                          const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
+                          rot_info *info) {
+  rot_axle_march march = {.scene = scene,
+                          .n = n,
+                          .time_s = time_s,
+                          .out = out,
+                          .events = events,
+                          .hooks = hooks,
+                          .info = info};
+  return info->status = march_on(&march);
+}

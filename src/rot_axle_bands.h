@@ -1,0 +1,18 @@
+/* Fixed axle, torque in straight lines over time, plus one curve in straight lines over omega:
+ *
+ *   I omega' = tau(t) + curve(omega) - c omega - tau_c sign(omega),
+ *
+ * held at rest while |tau + curve(0)| <= tau_s. Between two points of the curve, and between a point
+ * and rest, the law is linear: a band. Closed forms in a band (rot_axle.h), times of leaving it. */
+#ifndef ROT_AXLE_BANDS_H
+#define ROT_AXLE_BANDS_H
+
+#include "rot_axle_scene.h"
+
+/* A model (rot_axle_scene.h). ROT_EVALUE for quadratic resistance, changing inertia, any term but
+ * one curve that acts all the time, and for times before the start. */
+rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],
+                          const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
+                          rot_info *info);
+
+#endif

@@ -1,0 +1,25 @@
+/* Fixed axle, torque constant between jumps, resistance of every order at once:
+ *
+ *   I omega' = tau - c omega - q omega |omega| - tau_c sign(omega),
+ *
+ * held at rest while |tau| <= tau_s. Closed forms (rot_drag.h), stops and starts at their times. */
+#ifndef ROT_AXLE_DRAG_H
+#define ROT_AXLE_DRAG_H
+
+#include "rot_axle_scene.h"
+
+/* A model (rot_axle_scene.h). ROT_EVALUE where a knot's piece is not constant, for anything but
+ * knots, motor and resistance, for negative resistance, and for times before the start. */
+rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double time_s[],
+                         const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
+                         rot_info *info);
+
+/* When it comes to rest for good, and the angle there; Inf and NaN where it does not. A body at rest
+ * from the start has stopped at the start. */
+rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad);
+
+/* Where omega tends to under the last knot's torque; +-Inf where nothing resists, 0 where friction
+ * takes the torque up. */
+double rot_axle_drag_terminal(const rot_axle_scene *scene);
+
+#endif

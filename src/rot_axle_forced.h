@@ -1,0 +1,34 @@
+/* A fixed axle with viscous resistance of any sign, under knots and sums of sinusoids, exponentials
+ * and polynomials of time, each in its window: the exact solution, by superposition.
+ *
+ * Between breaks, with s the time since the last one and z = c s/I, a torque tau adds
+ *
+ *   omega += (1/I) int_0^s exp(-c (s - u)/I) tau(u) du,
+ *   theta += (1/I) int_0^s (s - u) phi_1(-c (s - u)/I) tau(u) du
+ *
+ * to what the state and the knots give (rot_axle_step()): divided differences of the exponential
+ * (rot_divided.h) and phi functions (rot_phi.h). Every row is one step from the last break, so no
+ * error grows with the number of rows or of periods. */
+#ifndef ROT_AXLE_FORCED_H
+#define ROT_AXLE_FORCED_H
+
+#include "rot_axle_scene.h"
+
+/* Polynomials of time up to this degree. */
+int rot_axle_forced_max_degree(void);
+
+/* Whether the scene is one of this model's: constant inertia, no resistance but the viscous one, no
+ * call, and terms of the three kinds. */
+int rot_axle_forced_fits(const rot_axle_scene *scene);
+
+/* A scene that does not fit is ROT_EVALUE. The errors in *info are bounds. */
+rot_status rot_axle_forced(const rot_axle_scene *scene, size_t n, const double time_s[],
+                           const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
+                           rot_info *info);
+
+/* One step, forward or backward, for those who march themselves: no break or knot lies strictly
+ * between. The scene fits, and is not asked again. */
+rot_axle_state rot_axle_forced_step(const rot_axle_scene *scene, const rot_axle_state *from,
+                                    double time_s);
+
+#endif

@@ -1,0 +1,58 @@
+/* Motion about an axle at constant angular acceleration, a point that goes round with it, and the
+ * units of angles.
+ *
+ *   omega = omega0 + alpha t,   theta = omega0 t + alpha t^2/2,
+ *   theta = (omega0 + omega) t/2,   omega^2 = omega0^2 + 2 alpha theta
+ *
+ * Any three of the five quantities give the other two: ten cases, and two motions where the squared
+ * speed is solved for. Everything is carried with 106 bits and an exponent of its own, so a result
+ * is that of the given doubles to 0.51 ulp, whatever cancels and whatever their size.
+ * Source: Goldstein, Classical Mechanics, 3rd ed., section 1.1 (fixed axis: one coordinate). */
+#ifndef ROT_KINEMATICS_H
+#define ROT_KINEMATICS_H
+
+#include <stddef.h>
+
+#include "rot_column.h"
+
+enum { ROT_THETA, ROT_OMEGA0, ROT_OMEGA, ROT_ALPHA, ROT_TIME, ROT_MOTION_SIZE };
+
+typedef enum rot_motion_kind {
+  ROT_MOTION_IMPOSSIBLE = 0,   /* no motion has these three: the other two are NaN */
+  ROT_MOTION_ONE = 1,          /* x[0] is the motion */
+  ROT_MOTION_TWO = 2,          /* x[0] and x[1], the smaller time first */
+  ROT_MOTION_UNDETERMINED = -1 /* many motions have these three: what they share is in x[0] */
+} rot_motion_kind;
+
+/* `given` has bit 1 << ROT_THETA and so on for the three that x[0] has on entry, all finite. NaN
+ * among them is passed on to the other two. */
+rot_motion_kind rot_motion_solve(unsigned given, double x[2][ROT_MOTION_SIZE]);
+
+/* A point at a distance from the axle. Signed along the tangent; the angle is that of the
+ * acceleration from the inward radius, positive ahead: atan2(alpha, omega^2), at the axle its
+ * limit. */
+double rot_tangential_speed(double omega, double radius);
+double rot_tangential_acceleration(double alpha, double radius);
+double rot_centripetal_acceleration(double omega, double radius);
+double rot_total_acceleration(double omega, double alpha, double radius);
+double rot_acceleration_angle(double omega, double alpha);
+
+/* What to multiply by, and where it comes from: name, high and low part (mpmath, 50 digits). */
+#define ROT_ANGLE_UNIT_LIST(X)                                                                     \
+  X(ROT_RAD_FROM_DEG, 0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62)        /* pi/180 */             \
+  X(ROT_DEG_FROM_RAD, 0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49)       /* 180/pi */             \
+  X(ROT_RAD_FROM_TURN, 0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52)       /* 2 pi */               \
+  X(ROT_TURN_FROM_RAD, 0x1.45f306dc9c883p-3, -0x1.6b01ec5417056p-57)      /* 1/(2 pi) */           \
+  X(ROT_RAD_PER_S_FROM_RPM, 0x1.acee9f37bebd6p-4, -0x1.7d74eb872d10ap-58) /* pi/30 */              \
+  X(ROT_RPM_FROM_RAD_PER_S, 0x1.3193d66ed2bfap+3, 0x1.ebae32712a6afp-51)  /* 30/pi */
+
+typedef enum rot_angle_unit {
+#define X(code, hi, lo) code,
+  ROT_ANGLE_UNIT_LIST(X)
+#undef X
+      ROT_ANGLE_UNIT_COUNT
+} rot_angle_unit;
+
+double rot_convert_angle(double x, rot_angle_unit unit);
+
+#endif

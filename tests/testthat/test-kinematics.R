@@ -1,0 +1,193 @@
+names_of_motion <- c(
+  "theta_rad", "omega0_rad_per_s", "omega_rad_per_s", "alpha_rad_per_s2", "time_s"
+)
+# One motion to 20 digits (mpmath, 50 digits, from the doubles 0.3, -1.7 and 2.9).
+motion_known <- c(
+  theta_rad = 0.3 * 2.9 - 0.85 * 2.9^2, omega0_rad_per_s = 0.3, omega_rad_per_s = 0.3 - 1.7 * 2.9,
+  alpha_rad_per_s2 = -1.7, time_s = 2.9
+)
+
+test_that("any three of the five give the other two", {
+  threes <- utils::combn(names_of_motion, 3, simplify = FALSE)
+  expect_length(threes, 10)
+  for (three in threes) {
+    motion <- do.call(angular_motion, as.list(motion_known[three]))
+    two <- "alpha_rad_per_s2" %in% three && "theta_rad" %in% three && !"time_s" %in% three
+    expect_equal(nrow(motion), if (two) 2 else 1)
+    expect_equal(motion$root, seq_len(nrow(motion)))
+    expect_equal(motion$row, rep(1L, nrow(motion)))
+    distance <- apply(as.matrix(motion[names_of_motion]), 1, function(x) {
+      max(abs(x - motion_known))
+    })
+    expect_lt(min(distance), 1e-14)
+    # Both roots obey the laws.
+    with(motion, {
+      expect_equal(omega_rad_per_s, omega0_rad_per_s + alpha_rad_per_s2 * time_s)
+      expect_equal(theta_rad, (omega0_rad_per_s + omega_rad_per_s) / 2 * time_s)
+    })
+  }
+})
+
+test_that("the columns are those of the dictionary", {
+  known <- rotdyn_columns()$name
+  expect_true(all(names(angular_motion(1, 2, 3)) %in% known))
+  expect_true(all(names(point_motion(1, 2, 3)) %in% known))
+})
+
+test_that("two motions: the smaller time first, one row each, beside the rows with one", {
+  # omega^2 = 9 - 4 = 5; t = (3 -+ sqrt(5))/2.
+  both <- angular_motion(
+    theta_rad = c(1, 2.25, 1), omega0_rad_per_s = 3, alpha_rad_per_s2 = c(-2, -2, 0)
+  )
+  expect_equal(both$row, c(1, 1, 2, 3))
+  expect_equal(both$root, c(1, 2, 1, 1))
+  expect_ulps(both$time_s, c(0.38196601125010515180, 2.6180339887498948482, 1.5, 1 / 3), 0)
+  expect_ulps(both$omega_rad_per_s, c(2.2360679774997896964, -2.2360679774997896964, 0, 3), 0)
+  back <- angular_motion(theta_rad = 1, omega_rad_per_s = 3, alpha_rad_per_s2 = 2)
+  expect_ulps(back$time_s, c(0.38196601125010515180, 2.6180339887498948482), 0)
+  expect_ulps(back$omega0_rad_per_s, c(2.2360679774997896964, -2.2360679774997896964), 0)
+})
+
+test_that("nothing is lost where the textbook's formulas cancel", {
+  # sqrt(1e16 + 2e-3) - 1e8 is 0 in doubles; the time is 1e-11 (1 - 5e-20).
+  fast <- angular_motion(theta_rad = 1e-3, omega0_rad_per_s = 1e8, alpha_rad_per_s2 = 1)
+  expect_ulps(fast$time_s[2], 1e-11, 1)
+  # 2 alpha theta = -(n - 1)(n + 1), so omega^2 = n^2 - n^2 + 1.
+  n <- 9007199254740881
+  almost <- angular_motion(
+    theta_rad = n + 1, omega0_rad_per_s = n, alpha_rad_per_s2 = -(n - 1) / 2
+  )
+  expect_identical(almost$omega_rad_per_s, c(1, -1))
+  # Beyond the range on the way.
+  far <- angular_motion(omega0_rad_per_s = 1e200, omega_rad_per_s = 3e200, theta_rad = 1e250)
+  expect_equal(far$alpha_rad_per_s2, 4e150)
+  expect_equal(far$time_s, 5e49)
+})
+
+test_that("no motion, or many: NaN and one warning that names the rows", {
+  warned <- expect_warning(
+    motion <- angular_motion(
+      theta_rad = c(1, 3, NA, 0, 5), omega0_rad_per_s = c(3, 3, 3, 0, 0),
+      alpha_rad_per_s2 = c(-2, -2, 1, 0, 0)
+    ),
+    class = "rotdyn_warning_value"
+  )
+  expect_match(conditionMessage(warned), "No motion has the three numbers of rows 2 and 5")
+  expect_match(conditionMessage(warned), "Many motions have the three numbers of row 4")
+  expect_equal(motion$row, c(1, 1, 2, 3, 4, 5))
+  expect_equal(motion$root, c(1, 2, NA, 1, NA, NA))
+  expect_equal(is.nan(motion$time_s), c(FALSE, FALSE, TRUE, FALSE, TRUE, TRUE))
+  expect_true(is.na(motion$omega_rad_per_s[4]) && !is.nan(motion$omega_rad_per_s[4]))
+  expect_identical(motion$omega_rad_per_s[5], 0)
+  expect_warning(
+    angular_motion(omega0_rad_per_s = 1, omega_rad_per_s = 2, time_s = 0),
+    class = "rotdyn_warning_value"
+  )
+})
+
+test_that("no row, units, and what is not numbers", {
+  expect_equal(nrow(angular_motion(numeric(), 1, 2)), 0)
+  expect_equal(nrow(point_motion(numeric(), 1, 2)), 0)
+  expect_error(angular_motion(1, 2), class = "rotdyn_error_missing")
+  expect_error(angular_motion(), class = "rotdyn_error_missing")
+  expect_error(angular_motion(1, 2, 3, 4), class = "rotdyn_error_size")
+  expect_error(angular_motion(1:2, 1:3, 1), class = "rotdyn_error_size")
+  expect_error(angular_motion("a", 2, 3), class = "rotdyn_error_type")
+  expect_match(
+    conditionMessage(expect_error(angular_motion(1:2, c(1, Inf), 3), class = "rotdyn_error_value")),
+    "row 2"
+  )
+  expect_error(point_motion(1, 2, -1), class = "rotdyn_error_value")
+  expect_error(point_motion(1, 2), class = "rotdyn_error_missing")
+  expect_error(tangential_speed(1), class = "rotdyn_error_missing")
+  expect_error(rad_from_deg(), class = "rotdyn_error_missing")
+  expect_error(rad_from_deg("a"), class = "rotdyn_error_type")
+  skip_if_not_installed("units")
+  expect_equal(rad_from_turns(units::set_units(180, "degree")), pi)
+  expect_equal(rad_per_s_from_rpm(units::set_units(2, "turn/s")), 4 * pi)
+  expect_error(rad_from_deg(units::set_units(1, "m")), class = "rotdyn_error_unit")
+  expect_equal(
+    angular_motion(units::set_units(180, "degree"), 0, time_s = 2)$alpha_rad_per_s2, pi / 2
+  )
+})
+
+test_that("a point that goes round", {
+  point <- point_motion(6, c(-2.5, NA), 0.3)
+  expect_equal(names(point), c("omega_rad_per_s", "alpha_rad_per_s2", "radius_m", point_columns))
+  # mpmath, 60 digits.
+  expect_ulps(point$tangential_speed_m_per_s[1], 1.7999999999999999334, 1)
+  expect_ulps(point$tangential_acceleration_m_per_s2[1], -0.74999999999999997224, 1)
+  expect_ulps(point$centripetal_acceleration_m_per_s2[1], 10.7999999999999996, 2)
+  expect_ulps(point$total_acceleration_m_per_s2[1], 10.82601034545967868, 3)
+  expect_ulps(point$acceleration_angle_rad[1], -0.069333133688208584975, 2)
+  expect_equal(is.na(unlist(point[2, ])), !names(point) %in% c(
+    "omega_rad_per_s", "radius_m", "tangential_speed_m_per_s", "centripetal_acceleration_m_per_s2"
+  ), ignore_attr = TRUE)
+  expect_identical(tangential_speed(6, 0.3), point$tangential_speed_m_per_s[1])
+  expect_identical(tangential_acceleration(-2.5, 0.3), point$tangential_acceleration_m_per_s2[1])
+  expect_identical(centripetal_acceleration(6, 0.3), point$centripetal_acceleration_m_per_s2[1])
+  skip_if_not_installed("dplyr")
+  wheel <- data.frame(omega = c(1, 2, NA), r = c(3, 4, 5))
+  expect_equal(dplyr::mutate(wheel, v = tangential_speed(omega, r))$v, c(3, 8, NA))
+  expect_equal(dplyr::mutate(wheel, a = centripetal_acceleration(omega, r))$a, c(3, 16, NA))
+})
+
+test_that("units of angles there and back", {
+  expect_identical(rad_from_deg(c(180, -90, 0, NA)), c(pi, -pi / 2, 0, NA))
+  expect_identical(rad_from_turns(c(1, Inf)), c(2 * pi, Inf))
+  expect_identical(rad_per_s_from_rpm(60), 2 * pi)
+  # The factors, mpmath, 60 digits: 180/pi, 1/(2 pi), 30/pi, pi/30.
+  expect_identical(deg_from_rad(1), 57.29577951308232087680)
+  expect_identical(turns_from_rad(1), 0.15915494309189533577)
+  expect_identical(rpm_from_rad_per_s(1), 9.54929658551372014613)
+  expect_identical(rad_per_s_from_rpm(1), 0.10471975511965977462)
+  expect_identical(rad_from_deg(NA), NA_real_)
+  x <- c(1e-300, 0.1, 7, 1e300)
+  expect_ulps(deg_from_rad(rad_from_deg(x)), x, 2)
+  expect_ulps(turns_from_rad(rad_from_turns(x)), x, 2)
+  expect_ulps(rpm_from_rad_per_s(rad_per_s_from_rpm(x)), x, 2)
+})
+
+test_that("textbook parts: University Physics 1, chapter 10", {
+  cases <- utils::read.csv(shared("cases", "openstax_rotation", "cases.csv"))
+  published <- function(id, got) {
+    case <- cases[cases$id == id, ]
+    expect_equal(nrow(case), 1)
+    expect_lte(abs(got - case$published), case$tol_abs)
+    expect_lte(abs(got / case$computed - 1), 1e-9)
+  }
+  # (t - 30)^2/100: 9 rad/s at the start, 0 after 30 s.
+  published("UP10-01", angular_motion(
+    omega0_rad_per_s = 9, omega_rad_per_s = 0, time_s = 30
+  )$alpha_rad_per_s2)
+  published("UP10-04", angular_motion(
+    omega0_rad_per_s = rad_per_s_from_rpm(7000), omega_rad_per_s = 0, time_s = 10
+  )$theta_rad)
+  from_rest <- angular_motion(300, 0, alpha_rad_per_s2 = 5)[2, ]
+  published("UP10-06", from_rest$omega_rad_per_s)
+  published("UP10-07", from_rest$time_s)
+  published("UP10-09", angular_motion(
+    omega0_rad_per_s = 2, alpha_rad_per_s2 = 1, time_s = 5
+  )$theta_rad)
+  # Friction holds him where omega^2 r <= mu g.
+  published("UP10-11", 0.5 * 9.8 / centripetal_acceleration(2.5, 1))
+  published("UP10-81", turns_from_rad(angular_motion(
+    omega0_rad_per_s = rad_per_s_from_rpm(100 / 3), omega_rad_per_s = 0, time_s = 60
+  )$theta_rad))
+})
+
+test_that("a wheel that slows by 5 rpm a second (BYU Physics 121)", {
+  cases <- utils::read.csv(shared("cases", "coastdown_damping", "cases.csv"))
+  computed <- function(id) cases$computed[cases$id == id]
+  stop <- angular_motion(
+    omega0_rad_per_s = rad_per_s_from_rpm(900), omega_rad_per_s = 0,
+    alpha_rad_per_s2 = rad_per_s_from_rpm(-5)
+  )
+  expect_equal(stop$time_s, computed("byu_t"), tolerance = 1e-14)
+  expect_equal(turns_from_rad(stop$theta_rad), computed("byu_rev"), tolerance = 1e-14)
+  after <- angular_motion(
+    theta_rad = rad_from_turns(1000), omega0_rad_per_s = rad_per_s_from_rpm(900),
+    alpha_rad_per_s2 = rad_per_s_from_rpm(-5)
+  )
+  expect_equal(rpm_from_rad_per_s(after$omega_rad_per_s[1]), computed("byu_1000"), tolerance = 1e-9)
+})

@@ -1,0 +1,35 @@
+test_that("published and computed coast-downs", {
+  cases <- utils::read.csv(shared("cases/coastdown_damping/cases.csv"))
+  value <- function(id) cases$computed[cases$id == id]
+  full <- stopping(scene_axle(2.5, resistance = resistance(0.004, 2e-5, 0.05),
+    omega0_rad_per_s = 150))
+  expect_equal(full$stop_time_s, value("cf_over_t"), tolerance = 1e-9)
+  expect_equal(full$stop_theta_rad, value("cf_over_th"), tolerance = 1e-9)
+  dry <- stopping(scene_axle(1.2, resistance = resistance(coulomb_n_m = 0.3),
+    omega0_rad_per_s = 200))
+  expect_equal(dry$stop_time_s, value("cf_pureC_t"), tolerance = 1e-15)
+  expect_equal(dry$stop_theta_rad, value("cf_pureC_th"), tolerance = 1e-15)
+  fan <- scene_axle(1.2, resistance = resistance(0, 3e-4), omega0_rad_per_s = 200)
+  expect_equal(trajectory(fan, 10)$omega_rad_per_s, value("cf_pureq_w10"), tolerance = 1e-9)
+})
+
+test_that("terminal speeds", {
+  expect_equal(stopping(scene_axle(0.1, 0.8, resistance(0, 2e-3)))$terminal_omega_rad_per_s, 20,
+    tolerance = 1e-15)
+  expect_equal(stopping(scene_axle(0.1, -0.8, resistance(0.04)))$terminal_omega_rad_per_s, -20,
+    tolerance = 1e-15)
+  expect_equal(stopping(scene_axle(1, 1))$terminal_omega_rad_per_s, Inf)
+  # A motor of 2 N m at rest and 100 rad/s without load, against 1 N m: half speed.
+  motor <- scene_axle(1, torque_motor(2, 100) - 1)
+  expect_equal(stopping(motor)$terminal_omega_rad_per_s, 50, tolerance = 1e-15)
+})
+
+test_that("what never stops, what has stopped, and what cannot be told", {
+  viscous <- stopping(scene_axle(1, resistance = resistance(0.1), omega0_rad_per_s = 3))
+  expect_equal(viscous$stop_time_s, Inf)
+  held <- stopping(scene_axle(1, 0.2, resistance(coulomb_n_m = 0.2), theta0_rad = 4, start_s = 7))
+  expect_equal(held$stop_time_s, 7)
+  expect_equal(held$stop_theta_rad, 4)
+  expect_error(stopping(scene_axle(1, torque_sinusoid(1, 1))), class = "rotdyn_error_model")
+  expect_error(stopping(3), class = "rotdyn_error_type")
+})
