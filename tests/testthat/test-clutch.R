@@ -23,7 +23,7 @@ test_that("the table agrees with the motion", {
   scene <- scene_clutch(0.3, 1.7, 4, torque_1 = 1, torque_2 = -2, omega1_rad_per_s = 30,
                         omega2_rad_per_s = -5)
   row <- clutch_engagement(0.3, 1.7, 4, 30, -5, torque_1_n_m = 1, torque_2_n_m = -2)
-  motion <- trajectory_clutch(scene, row$lock_time_s + 1, 1e-9, NULL, rlang::current_env())
+  motion <- trajectory(scene, row$lock_time_s + 1, 1e-9)
   expect_equal(motion$heat_j, row$heat_j, tolerance = 1e-14)
   expect_equal(motion$omega_1_rad_per_s, row$common_omega_rad_per_s - 1 / 2, tolerance = 1e-14)
 })

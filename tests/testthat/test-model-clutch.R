@@ -1,5 +1,5 @@
 motion_of <- function(scene, time_s, accuracy = 1e-9, model = NULL) {
-  trajectory_clutch(scene, as.double(time_s), accuracy, model, rlang::current_env())
+  trajectory(scene, time_s, accuracy, model)
 }
 
 test_that("a clutch locks when and where it must", {

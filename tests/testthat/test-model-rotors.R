@@ -1,5 +1,5 @@
 motion_of <- function(scene, time_s, accuracy = 1e-9, model = NULL) {
-  trajectory_rotors(scene, as.double(time_s), accuracy, model, rlang::current_env())
+  trajectory(scene, time_s, accuracy, model)
 }
 
 test_that("the motion is that of the 40-digit table", {
