@@ -5,7 +5,10 @@
 #include "rot_axle.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_ode.h"
+#include "rot_axle_oscillator.h"
+#include "rot_axle_pendulum.h"
 #include "rot_axle_scene.h"
+#include "rot_axle_skater.h"
 
 /* c(inertia, viscous, start, theta0, omega0) and list(knot times, knot torques, c(before, after)),
  * as R/model-axle.R packs them. */
@@ -218,7 +221,9 @@ static const struct {
   const char *name;
   rot_axle_model run;
 } models[] = {
-    {"", NULL},
+    {"oscillator", rot_axle_oscillator},
+    {"pendulum", rot_axle_pendulum},
+    {"skater", rot_axle_skater},
 };
 
 static rot_axle_model model_named(SEXP name) {
