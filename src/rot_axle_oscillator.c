@@ -92,7 +92,8 @@ static double net_pull(const swing *run, double a, rot_dd y, int *e, double *err
 }
 
 /* A step that is short against the slow time of the spring:
- *   theta = theta0 + omega0 psi_1 + pull/I psi_2 + slope/I psi_3. For k -> 0 it is the free axle. */
+ *   theta = theta0 + omega0 psi_1 + pull/I psi_2 + slope/I psi_3.
+ * For k -> 0 it is the free axle. */
 static void short_step(const swing *run, const rot_oscillator_step *step, double s, double a,
                        rot_dd y, step_sum *out) {
   const rot_torque_piece *piece = &run->piece;

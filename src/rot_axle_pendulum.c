@@ -115,8 +115,8 @@ static rot_dd distance(const pendulum *p, int e, double *error) {
   return rot_dd_mul(rot_dd_sub(c, v), rot_dd_add(c, v));
 }
 
-/* |u| at the start from its sn >= 0, cn >= 0, dn; near K from the distance to it, so that a start next
- * to the top keeps its digits: sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn. */
+/* |u| at the start from its sn >= 0, cn >= 0, dn; near K from the distance to it, so that a start
+ * next to the top keeps its digits: sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn. */
 static void begin_argument(pendulum *p, double sn, double cn, double dn) {
   const double u = rot_jacobi_argument(sn, cn, dn), root = p->jacobi.g[0];
   p->start = (rot_dd){u, 0.0};
@@ -196,8 +196,8 @@ static rot_dd run_of_u(const pendulum *p, rot_dd s) {
   return rot_dd_add(run, p->start);
 }
 
-/* phi = pi half_turns + 2 half_phi, |half_phi| <= pi/4, so that a small angle from the top keeps its
- * digits as one from the bottom does. */
+/* phi = pi half_turns + 2 half_phi, |half_phi| <= pi/4, so that a small angle from the top keeps
+ * its digits as one from the bottom does. */
 typedef struct pose {
   double half_phi, omega;
   rot_dd half_turns;

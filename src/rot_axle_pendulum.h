@@ -2,8 +2,8 @@
  *
  *   I th'' = -G sin(th - rest),   G = m g d of either sign.
  *
- * With phi the angle from where it hangs (rest, or rest + pi for G < 0) and w0 = sqrt(|G|/I), half the
- * angle is an elliptic function of u = w0 t + u0:
+ * With phi the angle from where it hangs (rest, or rest + pi for G < 0) and w0 = sqrt(|G|/I), half
+ * the angle is an elliptic function of u = w0 t + u0:
  *
  *   to and fro:    sin(phi/2) = k sn u,  cos(phi/2) = dn u,  omega = 2 k w0 cn u,   m = k^2
  *   all the way:   phi/2 = am(k u),      omega = +-2 k w0 dn(k u),                  m = 1/k^2

@@ -1,5 +1,5 @@
-/* Numbers of twice the precision: an unevaluated sum hi + lo, some 32 digits. For the few operations
- * of a set-up whose errors would grow with time. Each operation is good to 2^-102 of its result;
+/* Numbers of twice the precision: an unevaluated sum hi + lo, some 32 digits. For the few
+ * operations of a set-up whose errors would grow with time. Each operation is good to 2^-102 of its result;
  * the sum also where it cancels, as far as its operands are good. Nothing here watches exponents:
  * scale first.
  *

@@ -48,8 +48,8 @@ static void hyperbolic(double u, double *sn, double *cn, double *dn) {
 }
 
 /* Bulirsch's descent: y = cn/sn from level to level, and d = dn, every term positive, so that for
- * u <= K/2 both keep their digits however small they are. The recursion of the phase (an arc sine at
- * each level) loses cn and dn near K: 7e-9 of 1 where m1 < 1e-16. */
+ * u <= K/2 both keep their digits however small they are. The recursion of the phase (an arc sine
+ * at each level) loses cn and dn near K: 7e-9 of 1 where m1 < 1e-16. */
 static void descend(const rot_jacobi *jacobi, rot_dd u, double *y_out, double *d_out) {
   const double x = jacobi->a[jacobi->n] * u.hi;
   double y = jacobi->a[jacobi->n] * cos(x) / sin(x), d = 1.0;

@@ -1,5 +1,5 @@
-/* Jacobi's elliptic functions and integrals from the complementary parameter m1 = 1 - m, 0 <= m1 <= 1.
- * m1 -> 0 (a separatrix) keeps its digits, which 1 - m has lost. */
+/* Jacobi's elliptic functions and integrals from the complementary parameter m1 = 1 - m between 0
+ * and 1. m1 -> 0 (a separatrix) keeps its digits, which 1 - m has lost. */
 #ifndef ROT_JACOBI_H
 #define ROT_JACOBI_H
 

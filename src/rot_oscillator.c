@@ -7,7 +7,7 @@
 
 /* ---- set-up --------------------------------------------------------------------------------- */
 
-/* a mantissas 2^e: the exponent of sqrt(k/I) or of c/(2 I), whichever is larger. */
+/* The exponent of sqrt(k/I) or of c/(2 I), whichever is larger. */
 static int rate_exponent(int ei, int ec, int ek, int damped) {
   const int swing = (int)floor(0.5 * (ek - ei)), damp = ec - ei - 1;
   return damped && damp > swing ? damp : swing;
