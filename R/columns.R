@@ -13,7 +13,7 @@ column_list <- list(
   c("max_angular_velocity_rad_per_s", "rad/s", "largest omega of the rows (with its sign)"),
   c("max_angular_momentum_kg_m2_per_s", "kg m^2/s", "largest angular momentum of the rows"),
   c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy of the rows"),
-  c("final_theta_rad", "rad", "angle in the last row"),
+  c("final_theta_rad", "rad", "angle at the end"),
   c("model", "", "name of the model, as in `models()`"),
   c("accuracy", "1", "relative accuracy asked for"),
   c("error", "1", "relative error of the state: see `error_kind`"),
@@ -27,6 +27,11 @@ column_list <- list(
   c("dissipated_quadratic_j", "J", "the part of it that the quadratic drag took"),
   c("dissipated_coulomb_j", "J", "the part of it that dry friction took"),
   c("inertia_work_j", "J", "work done by what changes the moment of inertia"),
+  c("final_omega_rad_per_s", "rad/s", "angular velocity at the end"),
+  c("max_omega_rad_per_s", "rad/s", "largest omega on the whole way (with its sign)"),
+  c("max_omega_time_s", "s", "the first time at which omega is largest"),
+  c("min_omega_rad_per_s", "rad/s", "smallest omega on the whole way (with its sign)"),
+  c("max_abs_omega_rad_per_s", "rad/s", "largest |omega| on the whole way"),
   c("stop_time_s", "s", "time at which the body comes to rest for good; Inf if it never does"),
   c("stop_theta_rad", "rad", "angle at which it does"),
   c("terminal_omega_rad_per_s", "rad/s", "what omega tends to under the last torque"),
@@ -93,6 +98,26 @@ column_list <- list(
   c("cost_s", "s", "processor time of one run: the fastest batch"),
   c("cost_median_s", "s", "processor time of one run: the median of the batches"),
   c("energy_residual", "1", "energy residual of the audit, relative to the largest energy")
+  c("rotor", "1", "number of the rotor along the shaft, from 1"),
+  c("shaft_torque_n_m", "N m", "torque of the shaft on the next rotor; NA for the last"),
+  c("mode", "1", "number of the mode, slowest first"),
+  c("natural_rad_per_s", "rad/s", "angular frequency without damping"),
+  c("theta_1_rad", "rad", "angle of body 1"),
+  c("omega_1_rad_per_s", "rad/s", "angular velocity of body 1"),
+  c("theta_2_rad", "rad", "angle of body 2"),
+  c("omega_2_rad_per_s", "rad/s", "angular velocity of body 2"),
+  c("clutch_torque_n_m", "N m", "torque of the clutch on body 2; body 1 feels the opposite"),
+  c("heat_j", "J", "heat of the slip since the start"),
+  c("locked", "", "whether the clutch is locked"),
+  c("elastic_energy_change_j", "J", "elastic energy of the last row less that of the first"),
+  c("lock_time_s", "s", "time until the clutch locks; Inf if it never does"),
+  c("common_omega_rad_per_s", "rad/s", "angular velocity of both bodies when it locks"),
+  c("locked_torque_n_m", "N m", "torque that the locked clutch must hold"),
+  c("shaft", "1", "number of the shaft, from 1"),
+  c("ratio_to_first", "1", "angular velocity of the first shaft over that of this one"),
+  c("reflected_inertia_kg_m2", "kg m^2", "moment of inertia as the first shaft feels it"),
+  c("reflected_viscous_n_m_s", "N m s", "viscous coefficient as the first shaft feels it"),
+  c("reflected_torque_n_m", "N m", "torque as the first shaft feels it, losses included")
 )
 
 column_table <- as.data.frame(do.call(rbind, column_list))
@@ -134,6 +159,10 @@ summary_columns <- c(
   "max_rotational_kinetic_energy_j", "final_theta_rad", "model", "accuracy", "error", "error_kind",
   "steps", "rhs_calls"
 )
+sweep_columns <- c(
+  "final_theta_rad", "final_omega_rad_per_s", "max_omega_rad_per_s", "max_omega_time_s",
+  "min_omega_rad_per_s", "max_abs_omega_rad_per_s", "error"
+)
 augment_columns <- c(
   "power_w", "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
   "dissipated_coulomb_j", "inertia_work_j", "torque_impulse_n_m_s", "damping_impulse_n_m_s"
@@ -171,4 +200,18 @@ work_precision_columns <- c(
   "model", "method", "accuracy", "theta_error", "omega_error", "true_error", "floor", "error",
   "error_kind", "covered", "cost_s", "cost_median_s", "rhs_calls", "steps", "rejected",
   "energy_residual", "reference", "reference_error"
+rotors_columns <- c(
+  "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
+  "rotational_kinetic_energy_j", "shaft_torque_n_m"
+rotors_keys <- c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m")
+clutch_columns <- c(
+  "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s",
+  "clutch_torque_n_m", "heat_j", "locked"
+clutch_keys <- setdiff(clutch_columns, c("clutch_torque_n_m", "locked"))
+motion_audit_columns <- append(audit_columns, "elastic_energy_change_j", after = 3)
+engagement_columns <- c(
+  "lock_time_s", "common_omega_rad_per_s", "heat_j", "locked_torque_n_m"
+gear_columns <- c(
+  "shaft", "ratio_to_first", "moment_of_inertia_kg_m2", "reflected_inertia_kg_m2",
+  "reflected_viscous_n_m_s", "reflected_torque_n_m"
 )

@@ -209,7 +209,7 @@ part_motor_ledger <- function(ledger, scene) {
 axle_kernel <- function(kernel, id, ..., why, error, each, why_not = function(scene, time_s) NULL) {
   promised <- error
   list(
-    id = id, constraint = "axle", ...,
+    id = id, kernel = kernel, constraint = "axle", ...,
     error_kind = "bound",
     why_not = why_not,
     why = function(scene) paste0(why, ": the solution is known in closed form"),

@@ -53,14 +53,21 @@ static SEXP new_columns(SEXP time_s, rot_axle_columns *out) {
   return list;
 }
 
-enum { LEDGER_NUMBERS = 11 };
+enum { LEDGER_NUMBERS = 12 };
 
 static void write_ledger_vector(const rot_axle_ledger *ledger, SEXP out) {
-  const double numbers[LEDGER_NUMBERS] = {
-      ledger->work_j,          ledger->dissipated_j,          ledger->impulse_n_m_s,
-      ledger->work_rounding_j, ledger->dissipated_rounding_j, ledger->impulse_rounding_n_m_s,
-      ledger->viscous_j,       ledger->quadratic_j,           ledger->coulomb_j,
-      ledger->damping_impulse_n_m_s, ledger->inertia_work_j};
+  const double numbers[LEDGER_NUMBERS] = {ledger->work_j,
+                                          ledger->dissipated_j,
+                                          ledger->impulse_n_m_s,
+                                          ledger->work_rounding_j,
+                                          ledger->dissipated_rounding_j,
+                                          ledger->impulse_rounding_n_m_s,
+                                          ledger->viscous_j,
+                                          ledger->quadratic_j,
+                                          ledger->coulomb_j,
+                                          ledger->damping_impulse_n_m_s,
+                                          ledger->inertia_work_j,
+                                          ledger->damping_rounding_n_m_s};
   for (int i = 0; i < LEDGER_NUMBERS; i++) REAL(out)[i] = numbers[i];
 }
 
@@ -72,7 +79,7 @@ static SEXP ledger_vector(const rot_axle_ledger *ledger) {
 
 static rot_axle_ledger no_ledger(void) {
   const double na = NA_REAL;
-  rot_axle_ledger ledger = {na, na, na, na, na, na, na, na, na, na, na};
+  rot_axle_ledger ledger = {na, na, na, na, na, na, na, na, na, na, na, na};
   return ledger;
 }
 

@@ -10,6 +10,7 @@ enum { ROWS_PER_POLL = 8192 };
 
 static size_t rows_before_start(const rot_axle_params *p, size_t n, const double time_s[]) {
   size_t lo = 0, hi = n;
+  if (n == 0 || time_s[0] >= p->start_s) return 0;
   while (lo < hi) {
     size_t mid = lo + (hi - lo) / 2;
     if (time_s[mid] < p->start_s) {
@@ -144,7 +145,8 @@ typedef struct row_run {
   rot_info *info;
   rot_axle_state base;
   rot_torque_piece piece;
-  int in_lanes, by_doubling;
+  int in_lanes, on_grids;
+  rot_axle_grid *grid;
 } row_run;
 
 static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state *state) {
@@ -260,19 +262,32 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
                base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
 }
 
-/* Rows of an even grid from row i on, as many as fit in one go. */
-static size_t grid_rows(const row_run *run, size_t i, size_t end) {
+/* Rows of an even grid from row i on, as many as there are; the base moves on with them. */
+static size_t grid_rows(row_run *run, size_t i, size_t end) {
   const rot_axle_columns *to = run->out;
   const rot_axle_columns out = {
       to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
       to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
-  return rot_axle_grid_rows(run->p, &run->base, &run->piece, end - i, run->time_s + i, &out,
-                            run->info);
+  return rot_axle_grid_rows(run->grid, run->p, &run->base, &run->piece, end - i, run->time_s + i,
+                            &out, run->info);
+}
+
+/* Rows that wait for their lanes. */
+typedef struct lane_queue {
+  size_t row[ROT_LANES];
+  int filled;
+} lane_queue;
+
+static void flush_lanes(const row_run *run, lane_queue *queue, double base_torque) {
+  if (queue->filled == 0) return;
+  for (int l = queue->filled; l < ROT_LANES; l++) queue->row[l] = queue->row[queue->filled - 1];
+  lane_rows(run, queue->row, base_torque);
+  queue->filled = 0;
 }
 
 /* Rows i to end - 1, all in this piece and on the far side of its base; *good: the end of those
  * that came out. Tame numbers cannot fail. */
-static rot_status rows_in_piece(const row_run *run, size_t i, size_t end, size_t *good) {
+static rot_status rows_in_piece(row_run *run, size_t i, size_t end, size_t *good) {
   rot_status status = ROT_OK;
   *good = end;
   if (!run->in_lanes) {
@@ -281,72 +296,98 @@ static rot_status rows_in_piece(const row_run *run, size_t i, size_t end, size_t
     return status;
   }
   const double c = run->p->viscous_n_m_s, I = run->p->inertia_kg_m2;
-  const double base_torque = tame_torque(&run->piece, run->base.time_s);
   const int coasting = run->piece.start_n_m == 0.0 && run->piece.end_n_m == 0.0;
-  size_t row[ROT_LANES], done;
-  int filled = 0, even = run->by_doubling;
+  double base_torque = tame_torque(&run->piece, run->base.time_s);
+  lane_queue queue = {{0}, 0};
+  int even = run->on_grids;
   for (; i < end && status == ROT_OK; i++) {
     const double t = run->time_s[i];
     /* At a knot the torque column shows the value after a jump, and a first instant divided by the
      * inertia may be out of range: one_row() knows about both. */
     if (fabs(t - run->base.time_s) < 1e-60 || t == run->piece.start_s || t == run->piece.end_s) {
       status = one_row(run, i);
-      even = run->by_doubling;
-    } else if (even && (even = (done = grid_rows(run, i, end)) > 0)) {
-      i += done - 1;
-    } else if (coasting) {
+      even = run->on_grids;
+      continue;
+    }
+    if (even) {
+      flush_lanes(run, &queue, base_torque);
+      const size_t done = grid_rows(run, i, end);
+      even = done > 0;
+      base_torque = tame_torque(&run->piece, run->base.time_s);
+      if (even) {
+        i += done - 1;
+        continue;
+      }
+    }
+    if (coasting) {
       coasting_row(run, i);
     } else if (c * (t - run->base.time_s) >= 3.0 * I) {
       settled_row(run, i, base_torque);
     } else {
-      row[filled++] = i;
-      if (filled == ROT_LANES) {
-        lane_rows(run, row, base_torque);
-        filled = 0;
-      }
+      queue.row[queue.filled++] = i;
+      if (queue.filled == ROT_LANES) flush_lanes(run, &queue, base_torque);
     }
   }
-  if (filled) {
-    for (int l = filled; l < ROT_LANES; l++) row[l] = row[filled - 1];
-    lane_rows(run, row, base_torque);
-  }
+  flush_lanes(run, &queue, base_torque);
   return status;
 }
 
 /* ---- the march ------------------------------------------------------------------------------ */
+
+/* How many of the rows, counted from start_s, lie before the end of the piece. On an even grid the
+ * first guess finds it. */
+static size_t rows_before(double stop, int forward, size_t done, size_t total, size_t first,
+                          size_t last, const double time_s[]) {
+  size_t lo = done, hi = total;
+  if (forward && lo < hi) {
+    const double *t = time_s + first;
+    if (t[hi - 1] < stop) return hi;
+    const double guess = (stop - t[lo]) / (t[hi - 1] - t[lo]) * (double)(hi - 1 - lo);
+    if (guess > 0.0 && guess < (double)(hi - 1 - lo)) {
+      const size_t g = lo + (size_t)guess;
+      if (t[g] < stop)
+        lo = g + 1;
+      else
+        hi = g;
+      if (lo < hi && t[lo] >= stop) return lo;
+    }
+  }
+  while (lo < hi) {
+    size_t mid = lo + (hi - lo) / 2;
+    double t = time_s[forward ? first + mid : last - 1 - mid];
+    if (forward ? t < stop : t > stop) {
+      lo = mid + 1;
+    } else {
+      hi = mid;
+    }
+  }
+  return lo;
+}
 
 /* Rows [first, last) away from start_s, forward in time or backward. */
 static rot_status march(const rot_axle_params *p, const double time_s[], size_t first, size_t last,
                         int forward, int fast, const rot_axle_columns *out, const rot_hooks *hooks,
                         rot_info *info) {
   size_t k = rot_torque_find(&p->torque, p->start_s, forward), done = 0, total = last - first;
+  rot_axle_grid grid;
   row_run run = {
-      p, time_s,         out, info, rot_axle_start(p), rot_torque_piece_at(&p->torque, k),
-      0, forward && fast};
+      p, time_s,          out,  info, rot_axle_start(p), rot_torque_piece_at(&p->torque, k),
+      0, forward && fast, &grid};
+  rot_axle_grid_begin(&grid);
   while (done < total) {
     run.piece = rot_torque_piece_at(&p->torque, k);
     const double stop = forward ? run.piece.end_s : run.piece.start_s;
-    size_t end = done, lo = done, hi = total;
-    while (lo < hi) { /* rows before the end of the piece */
-      size_t mid = lo + (hi - lo) / 2;
-      double t = time_s[forward ? first + mid : last - 1 - mid];
-      if (forward ? t < stop : t > stop) {
-        lo = mid + 1;
-      } else {
-        hi = mid;
-      }
-    }
-    end = lo;
+    const size_t end = rows_before(stop, forward, done, total, first, last, time_s);
     info->steps++;
-    if (end > done) {
-      const double far = time_s[forward ? first + end - 1 : last - end] - run.base.time_s;
-      run.in_lanes =
-          tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) && tame(run.base.omega_rad_per_s) &&
-          tame(run.base.theta_rad) && tame(run.piece.start_n_m) && tame(run.piece.end_n_m) &&
-          tame(far) &&
-          (run.piece.start_n_m == run.piece.end_n_m || tame(run.piece.end_s - run.piece.start_s)) &&
-          (forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
-    }
+    const double far = end == total ? time_s[forward ? last - 1 : first] - run.base.time_s
+                                    : stop - run.base.time_s;
+    run.in_lanes =
+        tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) && tame(run.base.omega_rad_per_s) &&
+        tame(run.base.theta_rad) && tame(run.piece.start_n_m) && tame(run.piece.end_n_m) &&
+        tame(far) &&
+        (run.piece.start_n_m == run.piece.end_n_m || tame(run.piece.end_s - run.piece.start_s)) &&
+        (forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
+    if (run.in_lanes && run.on_grids) rot_axle_grid_enter(&grid, p, &run.piece);
     while (done < end) {
       size_t chunk = end - done < ROWS_PER_POLL ? end - done : ROWS_PER_POLL;
       size_t i = forward ? first + done : last - done - chunk;
@@ -360,7 +401,9 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
       if (status != ROT_OK) return status;
     }
     if (done < total) {
-      run.base = rot_axle_step(p, &run.base, &run.piece, stop);
+      run.base = run.in_lanes && grid.step_s > 0.0
+                     ? rot_axle_grid_step(&grid, p, &run.base, &run.piece, stop)
+                     : rot_axle_step(p, &run.base, &run.piece, stop);
       info->time_s = stop;
       if (!(isfinite(run.base.theta_rad) && isfinite(run.base.omega_rad_per_s))) return ROT_ERANGE;
       rot_note_state(info, run.base.theta_rad, run.base.omega_rad_per_s);

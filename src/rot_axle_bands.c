@@ -249,16 +249,35 @@ static double extremum(const leg *l) {
   return linear_time(l, rot_muldiv(-net, l->span_s, rise, NULL), 1.0);
 }
 
-/* v(s) = level, s between two times where v - level has both signs: Newton's steps inside the
- * bracket, else its middle. The first guess is exact where the torque is constant. */
-static double when_at(const leg *l, double level, double s_lo, double s_hi, int rising) {
+/* The net torque, I v', after s: without the difference between b and c v, which is all rounding
+ * once it has settled. */
+static double net_after(const leg *l, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
-  const double v0 = l->from.omega_rad_per_s, net0 = l->a - c * v0;
-  double s = linear_time(l, rot_muldiv(I, level - v0, net0, NULL), -1.0);
+  const double z = rot_muldiv(c, s, I, NULL), rise = torque_after(l, s) - l->a;
+  const double spread = z != 0.0 ? -expm1(-z) / z : 1.0;
+  return (l->a - c * l->from.omega_rad_per_s) * exp(-z) + (rise != 0.0 ? rise * spread : 0.0);
+}
+
+/* When v would be at the level if the torque stayed as it is: exact where it does. */
+static double first_guess(const leg *l, double level) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
+  const double now = l->a - c * v0, then = l->a - c * level;
+  /* Far down the exponential log1p() would be of -1: its argument plus 1 is then/now. */
+  if (c > 0.0 && then / now < 0.5 && then / now > 0.0) {
+    return rot_muldiv(log(now / then), I, c, NULL);
+  }
+  return linear_time(l, rot_muldiv(I, level - v0, now, NULL), -1.0);
+}
+
+/* v(s) = level, s between two times where v - level has both signs: Newton's steps inside the
+ * bracket, else its middle, or a fraction of it where it begins at 0. */
+static double when_at(const leg *l, double level, double s_lo, double s_hi, int rising) {
+  leg alone = *l;
+  double s = first_guess(l, level);
+  alone.from.omega_error = 0.0; /* so that omega_error is what this step rounds */
   if (!(s > s_lo && s < s_hi)) s = 0.5 * (s_lo + s_hi);
   for (int i = 0; i < 300; i++) {
-    const double b = torque_after(l, s);
-    const rot_axle_state at = leg_state(l, 0.0, s, b);
+    const rot_axle_state at = leg_after(&alone, s);
     const double f = (at.omega_rad_per_s - level) + at.omega_lo;
     /* From some step on f is rounding only, and the bracket would creep. */
     if (f == 0.0 || (i > 8 && fabs(f) <= at.omega_error)) return s;
@@ -267,13 +286,14 @@ static double when_at(const leg *l, double level, double s_lo, double s_hi, int 
     } else {
       s_lo = s;
     }
-    double next = s - rot_muldiv(f, I, b - c * at.omega_rad_per_s, NULL);
-    if (!(next >= s_lo && next <= s_hi)) {
+    double next = s - rot_muldiv(f, l->law.inertia_kg_m2, net_after(l, s), NULL);
+    if (fabs(next - s) <= 2.0 * ROT_EPS * s) return next;
+    if (!(next > s_lo && next < s_hi)) {
       next = s_lo > 0.0 && s_hi > 4.0 * s_lo ? sqrt(s_lo) * sqrt(s_hi)
              : s_lo == 0.0 && i > 20         ? s_hi * 0x1p-8
                                              : 0.5 * (s_lo + s_hi);
+      if (next == s_lo || next == s_hi) return next;
     }
-    if (fabs(next - s) <= 2.0 * ROT_EPS * s || next == s_lo || next == s_hi) return next;
     s = next;
   }
   return s;
@@ -398,9 +418,13 @@ static rot_status held(rot_axle_march *march, const rot_torque_piece *piece, int
     base->time_s = rot_two_sum(time, time_lo, &base->time_lo);
     base->omega_error = 0.0;
   }
-  const double I = scene->linear.inertia_kg_m2;
-  base->omega_error += rot_muldiv(most - scene->coulomb_n_m, late, I, NULL) +
-                       0.5 * rot_muldiv(fabs(rise_in(piece, late)), late, I, NULL);
+  /* What it starts with if it starts as late, or what strong resistance leaves of that. */
+  const double I = scene->linear.inertia_kg_m2, push = most - scene->coulomb_n_m;
+  const double more = fabs(rise_in(piece, late));
+  const double c = scene->linear.viscous_n_m_s - band_of(scene, 0.0, *slips).slope;
+  double ahead = rot_muldiv(push, late, I, NULL) + 0.5 * rot_muldiv(more, late, I, NULL);
+  if (c > 0.0) ahead = fmin(ahead, (push + more) / c);
+  base->omega_error += ahead;
   base->theta_error += base->omega_error * late;
   return rot_axle_march_rest(march, nextafter(*slips * most, *slips * DBL_MAX), slips);
 }

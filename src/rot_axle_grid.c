@@ -1,129 +1,330 @@
 #include "rot_axle_grid.h"
 
 #include <math.h>
+#include <stdint.h>
 
 #include "rot_pair.h"
-#include "rot_phi.h"
 #include "rot_real.h"
 
-enum { LEVELS = 8 };
+/* Where l = c/I, A the acceleration at the start and b the torque's slope over I,
+ *
+ *   omega = omega0 + A s + g E2(s),   theta = theta0 + omega0 s + A s^2/2 + g E3(s),   g = b - l A,
+ *
+ * with E1 = (1 - exp(-l s))/l and its integrals E2 = (s - E1)/l = s^2 phi2, E3 = s^3 phi3. All that
+ * is added to the state is small beside it or of one sign, so nothing cancels up to l s = 1/2. */
+#define NEAR 0.5
 
-/* A row may be off the even grid by so much of a step: its state is carried over to first order,
- * and what that leaves is below 1e-16 of it. Rounded times are off by 1e-12 of a step or less. */
+/* A row may be off the even grid by so much of a step. E2 and E3 are carried over to first order,
+ * and what that leaves is below 1e-17. Rounded times are off by 1e-12 of a step or less. */
 #define UNEVEN 1e-9
 
-/* One step of length h d:  omega1 = decay omega0 + (near tau0 + far tau1),
- * theta1 = theta0 + reach omega0 + (near_theta tau0 + far_theta tau1). */
-typedef struct grid_step {
-  double decay, near, far, reach, near_theta, far_theta;
-} grid_step;
+/* ---- one short step ------------------------------------------------------------------------- */
 
-static void make_steps(const rot_axle_params *p, double d, grid_step step[LEVELS]) {
-  const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
-  double z[ROT_LANES] = {0.0}, z_lo[ROT_LANES] = {0.0};
-  rot_phi_lanes phi;
-  for (int m = 0; m < LEVELS && m < ROT_LANES; m++) {
-    double cs_lo;
-    const double s = ldexp(d, m), cs = rot_two_prod(c, s, &cs_lo);
-    z[m] = cs / I;
-    z_lo[m] = (fma(-z[m], I, cs) + cs_lo) / I;
-  }
-  rot_phi_in_lanes(z, z_lo, &phi);
-  for (int m = 0; m < LEVELS && m < ROT_LANES; m++) {
-    const double s = ldexp(d, m), u = s / I;
-    step[m].decay = phi.phi0[m];
-    step[m].near = u * phi.g1[m];
-    step[m].far = u * phi.phi2[m];
-    step[m].reach = s * phi.phi1[m];
-    step[m].near_theta = s * u * (phi.phi2[m] - phi.phi3[m]);
-    step[m].far_theta = s * u * phi.phi3[m];
-  }
+/* phi3(-z), 0 <= z <= 1/2: what follows the last term is below 2^-54 of the first. */
+static const double series[] = {1 / 6.0,
+                                -1 / 24.0,
+                                1 / 120.0,
+                                -1 / 720.0,
+                                1 / 5040.0,
+                                -1 / 40320.0,
+                                1 / 362880.0,
+                                -1 / 3628800.0,
+                                1 / 39916800.0,
+                                -1 / 479001600.0,
+                                1 / 6227020800.0,
+                                -1 / 87178291200.0,
+                                1 / 1307674368000.0,
+                                -1 / 20922789888000.0};
+enum { TERMS = sizeof series / sizeof series[0] };
+
+/* An even number. */
+static int terms_for(double z) { return z <= 0.01 ? 6 : z <= 0.06 ? 8 : z <= 0.39 ? 12 : TERMS; }
+
+static rot_pair phi3_pair(rot_pair z, int terms) {
+  rot_pair sum = ROT_BOTH(series[terms - 1]);
+  for (int j = terms - 2; j >= 0; j--) sum = sum * z + ROT_BOTH(series[j]);
+  return sum;
 }
 
-/* Rows first .. first + rows - 1 from rows 0 .. rows - 1. */
-static void double_rows(const grid_step *step, size_t first, size_t rows, double theta[],
-                        double omega[], const double tau[]) {
+typedef rot_axle_law law;
+
+void rot_axle_grid_begin(rot_axle_grid *grid) { grid->step_s = 0.0; }
+
+void rot_axle_grid_enter(rot_axle_grid *grid, const rot_axle_params *p,
+                         const rot_torque_piece *piece) {
+  const double I = p->inertia_kg_m2, a = piece->start_n_m, b = piece->end_n_m;
+  law k = {I, p->viscous_n_m_s, p->viscous_n_m_s / I, 0.0, 0.0, b, 0.0, 0.0, a * b < 0.0};
+  if (a != b) {
+    const double span = piece->end_s - piece->start_s;
+    k.slope = (b - a) / span / I;
+    k.a = a / span;
+    k.b = b / span;
+    k.start_s = piece->start_s;
+    k.end_s = piece->end_s;
+  }
+  grid->law = k;
+}
+
+/* How a step leaves a state: A and g of above. */
+typedef struct departure {
+  double torque, acceleration, bend;
+} departure;
+
+static departure depart(const law *k, const rot_axle_state *from) {
+  const double t = from->time_s;
+  departure go;
+  go.torque = k->slope != 0.0 ? k->a * (k->end_s - t) + k->b * (t - k->start_s) : k->b;
+  go.acceleration = (go.torque - k->c * from->omega_rad_per_s) / k->I;
+  go.bend = k->slope - k->lambda * go.acceleration;
+  return go;
+}
+
+/* The rounding of a step, in omega. With A good to 2 units and its terms' own, E2 to 4.5, E3 to 6:
+ * the part of A 6 + 6 z units, of omega0 (2 + z) z; a sloping torque is good to 5, its slope to 4.
+ * That of theta is at most 2/3 of it times s, and 4 units of omega0 s. */
+static double step_rounding(const law *k, const rot_axle_state *from, const departure *go,
+                            double s) {
+  const double z = k->lambda * s;
+  double sum =
+      (6.0 + 6.0 * z) * fabs(go->acceleration) * s + (2.0 + z) * z * fabs(from->omega_rad_per_s);
+  if (k->slope != 0.0) {
+    sum += (5.0 + 3.0 * z) * fabs(go->torque) * s / k->I + 6.5 * fabs(k->slope) * s * s;
+  }
+  return ROT_EPS * sum;
+}
+
+/* To the end of a step, with E2 and E3 of its length. */
+static rot_axle_state arrive(const law *k, const rot_axle_state *from, const departure *go,
+                             double rounding, double time_s, double s, double e2, double e3) {
+  const double w0 = from->omega_rad_per_s, A = go->acceleration, z = k->lambda * s;
+  const double gained = A * s + go->bend * e2;
+  const double turned = s * (w0 + 0.5 * A * s) + go->bend * e3;
+  rot_axle_state to;
+  double lo;
+  to.time_s = time_s;
+  to.omega_rad_per_s = rot_two_sum(w0, gained + from->omega_lo, &to.omega_lo);
+  to.theta_rad = rot_two_sum(from->theta_rad, turned, &lo);
+  lo += from->theta_lo + s * from->omega_lo;
+  to.theta_rad = rot_two_sum(to.theta_rad, lo, &to.theta_lo);
+  to.omega_error = from->omega_error * (1.0 - z + 0.5 * z * z) + rounding;
+  to.theta_error = from->theta_error +
+                   s * (from->omega_error + 2.0 / 3.0 * rounding + 4.0 * ROT_EPS * fabs(w0)) +
+                   2.0 * ROT_EPS * ROT_EPS * fabs(to.theta_rad);
+  return to;
+}
+
+/* E2 and E3 of any short length; the series in two strands. */
+static double short_integrals(double lambda, double s, double *e3) {
+  const double z = lambda * s, zz = z * z;
+  int j = terms_for(z) - 2;
+  double even = series[j + 1], odd = series[j];
+  for (j -= 2; j >= 0; j -= 2) {
+    even = even * zz + series[j + 1];
+    odd = odd * zz + series[j];
+  }
+  *e3 = s * s * s * (even * z + odd);
+  return 0.5 * s * s - lambda * *e3;
+}
+
+rot_axle_state rot_axle_grid_step(const rot_axle_grid *grid, const rot_axle_params *p,
+                                  const rot_axle_state *from, const rot_torque_piece *piece,
+                                  double time_s) {
+  const law *k = &grid->law;
+  const double s = time_s - from->time_s;
+  if (k->two_signs || !(k->lambda * s <= NEAR) || !(s > 1e-60)) { /* or a first instant */
+    return rot_axle_step(p, from, piece, time_s);
+  }
+  const departure go = depart(k, from);
+  double e3, e2 = short_integrals(k->lambda, s, &e3);
+  return arrive(k, from, &go, step_rounding(k, from, &go, s), time_s, s, e2, e3);
+}
+
+/* ---- the table ------------------------------------------------------------------------------ */
+
+/* Chunks as long as the steps stay short; 0 where that is not worth it. */
+static size_t chunk_rows(double z) {
+  size_t rows = ROT_GRID_ROWS;
+  while (rows >= 8 && !((double)rows * z <= NEAR)) rows /= 2;
+  return rows >= 8 ? rows : 0;
+}
+
+static int make_table(rot_axle_grid *grid, const rot_axle_params *p, double step_s) {
+  const double lambda = p->viscous_n_m_s / p->inertia_kg_m2;
+  const size_t rows = chunk_rows(lambda * step_s);
+  if (rows == 0) return 0; /* the old table stays */
+  grid->rows = rows;
+  grid->step_s = step_s;
+  const int terms = terms_for(lambda * step_s * (double)grid->rows);
+  const rot_pair l = ROT_BOTH(lambda), half = ROT_BOTH(0.5);
+  for (size_t j = 0; j <= grid->rows; j++) grid->s[j] = (double)j * step_s;
+  for (size_t j = 0; j <= grid->rows; j += ROT_PAIR) {
+    const size_t at = j + ROT_PAIR <= grid->rows + 1 ? j : grid->rows + 1 - ROT_PAIR;
+    const rot_pair s = rot_load(grid->s + at), ss = s * s;
+    const rot_pair e3 = ss * s * phi3_pair(l * s, terms), e2 = half * ss - l * e3;
+    rot_store(grid->thrice + at, e3);
+    rot_store(grid->twice + at, e2);
+    rot_store(grid->once + at, s - l * e2);
+  }
+  return 1;
+}
+
+/* ---- rows ----------------------------------------------------------------------------------- */
+
+/* What all rows of a chunk share, twice over. The base's low parts are left to the bound: two sums
+ * of thirty. */
+typedef struct chunk {
+  rot_pair t0, w0, th0, A, half_A, g, I, c, a, b, start, end;
+} chunk;
+
+/* Rows j and j + 1; returns how far off the grid they are. */
+ROT_INLINE rot_pair fill_pair(const rot_axle_grid *grid, const chunk *k, int sloping, size_t j,
+                              const double time_s[], double theta[], double omega[],
+                              double applied[], double damping[], double net[], double momentum[],
+                              double energy[]) {
+  const rot_pair t = rot_load(time_s + j), s = t - k->t0, off = s - rot_load(grid->s + j);
+  const rot_pair e2_grid = rot_load(grid->twice + j);
+  const rot_pair e2 = e2_grid + off * rot_load(grid->once + j);
+  const rot_pair e3 = rot_load(grid->thrice + j) + off * e2_grid;
+  const rot_pair w = k->w0 + (k->A * s + k->g * e2);
+  const rot_pair th = k->th0 + (s * (k->w0 + k->half_A * s) + k->g * e3);
+  const rot_pair tau = sloping ? k->a * (k->end - t) + k->b * (t - k->start) : k->b;
+  const rot_pair drag = ROT_BOTH(0.0) - k->c * w, L = k->I * w;
+  rot_store(theta + j, th);
+  rot_store(omega + j, w);
+  rot_store(applied + j, tau);
+  rot_store(damping + j, drag);
+  rot_store(net + j, tau + drag);
+  rot_store(momentum + j, L);
+  rot_store(energy + j, ROT_BOTH(0.5) * L * w);
+  return off;
+}
+
+/* Rows 0 .. n-1 of a chunk, n >= 2; how far the worst of them is off the grid. */
+ROT_INLINE double fill_rows(const rot_axle_grid *grid, const law *of, const rot_axle_state *from,
+                            const departure *go, int sloping, size_t n, const double time_s[],
+                            const rot_axle_columns *out) {
+  double *const theta = out->theta_rad, *const omega = out->omega_rad_per_s,
+                *const applied = out->applied_n_m, *const damping = out->damping_n_m,
+                *const net = out->net_n_m, *const momentum = out->momentum_kg_m2_per_s,
+                *const energy = out->energy_j;
+  const chunk all = {ROT_BOTH(from->time_s),
+                     ROT_BOTH(from->omega_rad_per_s),
+                     ROT_BOTH(from->theta_rad),
+                     ROT_BOTH(go->acceleration),
+                     ROT_BOTH(0.5 * go->acceleration),
+                     ROT_BOTH(go->bend),
+                     ROT_BOTH(of->I),
+                     ROT_BOTH(of->c),
+                     ROT_BOTH(of->a),
+                     ROT_BOTH(of->b),
+                     ROT_BOTH(of->start_s),
+                     ROT_BOTH(of->end_s)};
+  const chunk *k = &all;
+  rot_pair worst = ROT_BOTH(0.0);
   size_t j = 0;
-  for (; j + ROT_PAIR <= rows; j += ROT_PAIR) {
-    const rot_pair w = rot_load(omega + j), t0 = rot_load(tau + j), t1 = rot_load(tau + first + j);
-    rot_store(omega + first + j,
-              ROT_BOTH(step->decay) * w + (ROT_BOTH(step->near) * t0 + ROT_BOTH(step->far) * t1));
-    rot_store(theta + first + j,
-              rot_load(theta + j) + (ROT_BOTH(step->reach) * w + (ROT_BOTH(step->near_theta) * t0 +
-                                                                  ROT_BOTH(step->far_theta) * t1)));
+  for (; j + ROT_PAIR <= n; j += ROT_PAIR) {
+    worst = rot_pair_max(worst, rot_pair_abs(fill_pair(grid, k, sloping, j, time_s, theta, omega,
+                                                       applied, damping, net, momentum, energy)));
   }
-  for (; j < rows; j++) {
-    const double t0 = tau[j], t1 = tau[first + j];
-    omega[first + j] = step->decay * omega[j] + (step->near * t0 + step->far * t1);
-    theta[first + j] =
-        theta[j] + (step->reach * omega[j] + (step->near_theta * t0 + step->far_theta * t1));
+  if (j < n) { /* the last one, and the one before it again */
+    worst = rot_pair_max(worst,
+                         rot_pair_abs(fill_pair(grid, k, sloping, n - ROT_PAIR, time_s, theta,
+                                                omega, applied, damping, net, momentum, energy)));
   }
+  double off[ROT_PAIR], most = 0.0;
+  rot_store(off, worst);
+  for (int i = 0; i < ROT_PAIR; i++) most = off[i] > most ? off[i] : most;
+  return most;
 }
 
-/* How many of the rows lie on the grid of the first and the last of them; off[j]: by how much. */
-static size_t even_rows(size_t n, const double time_s[], double *d, double off[]) {
-  if (n < ROT_GRID_LEAST) return 0;
-  const double t0 = time_s[0];
-  *d = (time_s[n - 1] - t0) / (double)(n - 1);
-  double worst = 0.0;
-  for (size_t j = 0; j < n; j++) {
-    off[j] = (time_s[j] - t0) - (double)j * *d;
-    worst = fabs(off[j]) > worst ? fabs(off[j]) : worst;
-  }
-  return worst <= UNEVEN * *d ? n : 0;
+static double fill(const rot_axle_grid *grid, const law *of, const rot_axle_state *from,
+                   const departure *go, size_t n, const double time_s[],
+                   const rot_axle_columns *out) {
+  return of->slope != 0.0 ? fill_rows(grid, of, from, go, 1, n, time_s, out)
+                          : fill_rows(grid, of, from, go, 0, n, time_s, out);
 }
 
-size_t rot_axle_grid_rows(const rot_axle_params *p, const rot_axle_state *base,
+static double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
+
+/* Sizes and bounds of the rows of a chunk. Between its ends omega and theta keep their direction if
+ * the acceleration and omega keep their sign; else every row is looked at. */
+static void note_chunk(const rot_axle_grid *grid, const rot_axle_state *from, const departure *go,
+                       double rounding, size_t n, const rot_axle_columns *out, rot_info *info) {
+  const double s = grid->s[n - 1], A = go->acceleration, w0 = from->omega_rad_per_s;
+  const double w1 = out->omega_rad_per_s[n - 1];
+  double omega = larger(fabs(w0), fabs(w1));
+  double theta = larger(fabs(from->theta_rad), fabs(out->theta_rad[n - 1]));
+  if (!(A * (A + go->bend * grid->once[n - 1]) >= 0.0 && w0 * w1 >= 0.0)) {
+    for (size_t j = 0; j < n; j++) {
+      omega = larger(omega, fabs(out->omega_rad_per_s[j]));
+      theta = larger(theta, fabs(out->theta_rad[j]));
+    }
+  }
+  rot_note_row(info, theta, omega,
+               from->theta_error +
+                   s * (from->omega_error + 2.0 / 3.0 * rounding + 5.0 * ROT_EPS * fabs(w0)) +
+                   ROT_EPS * (theta + fabs(from->theta_rad)),
+               from->omega_error + rounding + ROT_EPS * (omega + fabs(w0)));
+}
+
+/* How many of the rows lie on the grid. */
+static size_t even_rows(const rot_axle_grid *grid, size_t n, const double time_s[]) {
+  size_t j = 1;
+  while (j < n && fabs((time_s[j] - time_s[0]) - grid->s[j]) <= UNEVEN * grid->step_s) j++;
+  return j;
+}
+
+/* The columns from row i on. */
+static rot_axle_columns from_row(const rot_axle_columns *to, size_t i) {
+  const rot_axle_columns out = {
+      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
+      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
+  return out;
+}
+
+/* A table for the first rows, the old one if it will do. */
+static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const double time_s[]) {
+  const double step_s = (time_s[ROT_GRID_LEAST - 1] - time_s[0]) / (ROT_GRID_LEAST - 1);
+  return fabs(step_s - grid->step_s) <= UNEVEN / ROT_GRID_ROWS * step_s ||
+         make_table(grid, p, step_s);
+}
+
+/* A pair that straddles two cache lines is slow to store: the first chunk may end after one row. */
+static size_t first_rows(const rot_axle_grid *grid, const rot_axle_columns *out) {
+  return (uintptr_t)out->omega_rad_per_s % sizeof(rot_pair) ? 1 : grid->rows;
+}
+
+size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axle_state *base,
                           const rot_torque_piece *piece, size_t n, const double time_s[],
                           const rot_axle_columns *out, rot_info *info) {
-  const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
-  const double a = piece->start_n_m, b = piece->end_n_m;
-  double d, off[ROT_GRID_ROWS], at[ROT_GRID_ROWS], tau[ROT_GRID_ROWS];
-  double theta[ROT_GRID_ROWS], omega[ROT_GRID_ROWS];
-  if (a * b < 0.0) return 0; /* the torque's digits at its zero need the careful path */
-  if (n > ROT_GRID_ROWS) n = ROT_GRID_ROWS;
-  n = even_rows(n, time_s, &d, off);
-  /* Lanes of phi functions reach to z = 3. */
-  if (n == 0 || !(c * d * ROT_GRID_ROWS < 5.9 * I)) return 0;
+  const law *k = &grid->law;
+  if (n < ROT_GRID_LEAST || k->two_signs || !find_table(grid, p, time_s)) return 0;
 
-  /* Torque at the rows, and on the grid. */
-  const double span = piece->end_s - piece->start_s, slope = a == b ? 0.0 : (b - a) / span;
-  for (size_t j = 0; j < n; j++) {
-    at[j] = a == b ? a : (a * (piece->end_s - time_s[j]) + b * (time_s[j] - piece->start_s)) / span;
-    tau[j] = at[j] - slope * off[j];
+  rot_axle_state at = rot_axle_grid_step(grid, p, base, piece, time_s[0]);
+  size_t done = 0, chunk_rows = first_rows(grid, out);
+  while (done < n) {
+    const size_t left = n - done, rows = left < chunk_rows ? left : chunk_rows;
+    const rot_axle_columns to = from_row(out, done);
+    const departure go = depart(k, &at);
+    const double rounding = step_rounding(k, &at, &go, grid->s[rows]);
+    size_t good = rows;
+    if (left < 2) {
+      rot_axle_row(p, &to, 0, at.theta_rad, at.omega_rad_per_s, go.torque);
+    } else if (!(fill(grid, k, &at, &go, rows < 2 ? 2 : rows, time_s + done, &to) <=
+                 UNEVEN * grid->step_s)) {
+      good = even_rows(grid, rows, time_s + done);
+      if (done + good < 8) return 0;
+    }
+    note_chunk(grid, &at, &go, rounding, good, &to, info);
+    *base = at;
+    done += good;
+    if (good < rows || done == n) break;
+    const double t = time_s[done], s = t - at.time_s, off = s - grid->s[rows];
+    if (!(fabs(off) <= UNEVEN * grid->step_s)) break;
+    const double e2 = grid->twice[rows] + off * grid->once[rows];
+    const double e3 = grid->thrice[rows] + off * grid->twice[rows];
+    at = arrive(k, &at, &go, rounding, t, s, e2, e3);
+    chunk_rows = grid->rows;
   }
-
-  grid_step step[LEVELS];
-  make_steps(p, d, step);
-  const rot_axle_state first = rot_axle_step(p, base, piece, time_s[0]);
-  theta[0] = first.theta_rad;
-  omega[0] = first.omega_rad_per_s;
-  int levels = 0;
-  for (size_t h = 1; h < n; h *= 2, levels++) {
-    double_rows(&step[levels], h, h < n - h ? h : n - h, theta, omega, tau);
-  }
-
-  double omega_max = 0.0, theta_max = 0.0;
-  for (size_t j = 0; j < n; j++) {
-    const double slow = omega[j], turned = theta[j] + slow * off[j];
-    const double fast = slow + (tau[j] - c * slow) / I * off[j];
-    rot_axle_row(p, out, j, turned, fast, at[j]);
-    theta_max = fabs(turned) > theta_max ? fabs(turned) : theta_max;
-    omega_max = fabs(fast) > omega_max ? fabs(fast) : omega_max;
-  }
-
-  /* A step rounds its coefficients (4 units) and their products and sums (4 units). */
-  const grid_step *last = &step[levels - 1];
-  const double torque = fmax(fabs(a), fabs(b)), rounding = 8.0 * ROT_EPS * levels;
-  const double omega_error =
-      first.omega_error + rounding * (omega_max + (last->near + last->far) * torque);
-  const double theta_error =
-      first.theta_error + 2.0 * last->reach * omega_error +
-      rounding * (last->reach * omega_max + (last->near_theta + last->far_theta) * torque) +
-      2.0 * ROT_EPS * levels * theta_max;
-  info->theta_max = fmax(info->theta_max, theta_max);
-  info->omega_max = fmax(info->omega_max, omega_max);
-  info->theta_error = fmax(info->theta_error, theta_error);
-  info->omega_error = fmax(info->omega_error, omega_error);
-  return n;
+  return done;
 }

@@ -89,7 +89,7 @@ static double mean_square(const step_drive *drive, double *size) {
 
 typedef struct running_ledger {
   running_sum work, heat, impulse, turned;
-  double work_rounding, heat_rounding, impulse_rounding;
+  double work_rounding, heat_rounding, impulse_rounding, turned_rounding;
 } running_ledger;
 
 /* A product in units of 2^unit. */
@@ -161,6 +161,7 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
     if (sum) {
       add(&sum->turned, state->theta_rad - from.theta_rad);
       add(&sum->turned, state->theta_lo - from.theta_lo);
+      sum->turned_rounding = state->theta_error + ROT_EPS * fabs(sum->turned.hi);
     }
     info->time_s = stop;
     if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) return ROT_ERANGE;
@@ -199,6 +200,8 @@ rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, doubl
   out->impulse_rounding_n_m_s = after.impulse_rounding + before.impulse_rounding;
   out->viscous_j = out->dissipated_j;
   out->quadratic_j = out->coulomb_j = out->inertia_work_j = 0.0;
+  out->damping_rounding_n_m_s =
+      2.0 * fabs(p->viscous_n_m_s) * (after.turned_rounding + before.turned_rounding);
   out->damping_impulse_n_m_s = 0.0 - p->viscous_n_m_s * difference(after.turned, before.turned);
   return info->status;
 }

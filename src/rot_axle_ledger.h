@@ -9,9 +9,10 @@ typedef struct rot_axle_ledger {
   double dissipated_j; /* by the resistance; computed by itself, never as a difference */
   double impulse_n_m_s;
   double work_rounding_j, dissipated_rounding_j, impulse_rounding_n_m_s; /* bounds */
-  double viscous_j, quadratic_j, coulomb_j; /* parts of dissipated_j */
-  double damping_impulse_n_m_s;             /* of the resistance, that which holds at rest too */
-  double inertia_work_j; /* of what changes the inertia: -1/2 dI/dt omega^2, integrated */
+  double viscous_j, quadratic_j, coulomb_j;                              /* parts of dissipated_j */
+  double damping_impulse_n_m_s;  /* of the resistance, that which holds at rest too */
+  double inertia_work_j;         /* of what changes the inertia: -1/2 dI/dt omega^2, integrated */
+  double damping_rounding_n_m_s; /* of damping_impulse_n_m_s */
 } rot_axle_ledger;
 
 /* Closed form of rot_axle_linear() from from_s to to_s >= from_s. */

@@ -169,8 +169,7 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
   int use_slopes = 0;
   info->rows_done = 0;
   if (slope && reached) {
-    const rot_status status =
-        spot_check(m, accuracy, reached, time_s, y, slope, &use_slopes, info);
+    const rot_status status = spot_check(m, accuracy, reached, time_s, y, slope, &use_slopes, info);
     if (status == ROT_EUNWIND) return status;
   }
   for (size_t i = 0; i < n && i < reached; i++) {
@@ -188,8 +187,8 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
         return status;
       }
     }
-    const int stuck = m->turns && scene->static_n_m > 0.0 && omega == 0.0 &&
-                      fabs(torque) <= scene->static_n_m;
+    const int stuck =
+        m->turns && scene->static_n_m > 0.0 && omega == 0.0 && fabs(torque) <= scene->static_n_m;
     rot_axle_scene_row(scene, out, i, t, theta, omega, torque, stuck);
     info->rows_done = i + 1;
   }
@@ -225,7 +224,8 @@ static void write_ledger(const double first[], const double last[], const double
   out->inertia_work_j = last[INERTIA] - first[INERTIA];
   out->work_rounding_j = 2.0 * (error[WORK] + error[INERTIA]);
   out->dissipated_rounding_j = 2.0 * (error[VISCOUS] + error[QUADRATIC] + error[COULOMB]);
-  out->impulse_rounding_n_m_s = 2.0 * (error[IMPULSE] + error[DAMPING]);
+  out->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
+  out->damping_rounding_n_m_s = 2.0 * error[DAMPING];
 }
 
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,

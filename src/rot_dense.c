@@ -35,31 +35,50 @@ void rot_dense_free(rot_dense *d) {
   d->count = d->room = 0;
 }
 
+/* The next node outward from i that is not too near to it: steps that grew out of tiny ones would
+ * magnify the rounding of their values (1e4 times for a growth of 5 a step). d->count: none. */
+static size_t next_node(const rot_dense *d, size_t i, int rightward, double least) {
+  const double here = rot_dense_node(d, i)[0];
+  while (rightward ? i + 1 < d->count : i > 0) {
+    i = rightward ? i + 1 : i - 1;
+    if (fabs(rot_dense_node(d, i)[0] - here) >= least) return i;
+  }
+  return d->count;
+}
+
+static void take_node(rot_dense_form *form, const rot_dense *d, size_t i, size_t component) {
+  const double *node = rot_dense_node(d, i);
+  const double z = (node[0] - form->start) / form->width;
+  form->z[form->terms] = z;
+  form->c[form->terms++] = node[1 + component] - form->base;
+  if (!d->slopes) return;
+  form->z[form->terms] = z;
+  form->c[form->terms++] = form->width * node[1 + d->dim + component];
+}
+
 rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component) {
   rot_dense_form form;
-  const double *here = rot_dense_node(d, i), *next = rot_dense_node(d, i + 1);
-  const size_t each = d->slopes ? 2 : 1, wanted = d->slopes ? ROT_DENSE_NODES : ROT_DENSE_VALUES;
-  const size_t most = d->count < wanted ? d->count : wanted;
-  size_t left = i, right = i + 1; /* the nodes not yet taken: left - 1 and right + 1 */
+  const size_t each = d->slopes ? 2 : 1, most = d->slopes ? ROT_DENSE_NODES : ROT_DENSE_VALUES;
   memset(&form, 0, sizeof form);
-  form.start = here[0];
-  form.width = next[0] - here[0];
-  form.base = here[1 + component];
+  form.start = rot_dense_node(d, i)[0];
+  form.width = rot_dense_node(d, i + 1)[0] - form.start;
+  form.base = rot_dense_node(d, i)[1 + component];
   form.share = 2 * each;
-  /* The two ends, then outward in turn: the nearest first keeps the differences stable. */
-  for (size_t k = 0; k < most; k++) {
-    size_t j = k == 0 ? i : i + 1;
-    if (k > 1) {
-      const int on_left = left > 0 && (right + 1 >= d->count || i - left < right - i - 1 ||
-                                       (i - left == right - i - 1 && k % 2 == 0));
-      j = on_left ? --left : ++right;
+  take_node(&form, d, i, component);
+  take_node(&form, d, i + 1, component);
+  /* Then outward in turn: the nearest first keeps the differences stable. */
+  const double least = 0.25 * fabs(form.width);
+  size_t left = next_node(d, i, 0, least), right = next_node(d, i + 1, 1, least), lefts = 0;
+  for (size_t k = 2; k < most && (left < d->count || right < d->count); k++) {
+    const int on_left = left < d->count && (right == d->count || 2 * lefts <= k - 2);
+    const size_t at = on_left ? left : right;
+    take_node(&form, d, at, component);
+    if (on_left) {
+      lefts++;
+      left = next_node(d, at, 0, least);
+    } else {
+      right = next_node(d, at, 1, least);
     }
-    const double *node = rot_dense_node(d, j);
-    for (size_t twin = 0; twin < each; twin++) {
-      form.z[form.terms] = (node[0] - form.start) / form.width;
-      form.c[form.terms++] = node[1 + component] - form.base;
-    }
-    if (each == 2) form.c[form.terms - 1] = form.width * node[1 + d->dim + component];
   }
   /* Divided differences; at a twin node the first one is the slope, put there above. */
   double value[ROT_DENSE_TERMS];

@@ -29,7 +29,7 @@ typedef struct rot_drag_state {
   double omega, theta, omega_error, theta_error, gain, reach_s;
 } rot_drag_state;
 
-/* From omega0 >= 0, for times up to some span_s >= 0. */
+/* From omega0 >= 0, for times up to some span_s >= 0; k omega0 t up to 1e300. */
 rot_drag rot_drag_from(const rot_drag_law *law, double omega0, double span_s);
 /* After t + t_lo >= 0, before the stop. */
 rot_drag_state rot_drag_at(const rot_drag *flow, double t, double t_lo);

@@ -10,6 +10,13 @@
 #include <emmintrin.h>
 #endif
 
+/* For kernels that are worth a copy for each value of a flag. */
+#ifdef __GNUC__
+#define ROT_INLINE static inline __attribute__((always_inline))
+#else
+#define ROT_INLINE static inline
+#endif
+
 #ifdef __GNUC__
 enum { ROT_PAIR = 2 };
 typedef double rot_pair __attribute__((vector_size(ROT_PAIR * sizeof(double))));
@@ -37,6 +44,30 @@ static inline rot_pair rot_pair_sqrt(rot_pair x) {
   rot_store(one, x);
   for (int i = 0; i < ROT_PAIR; i++) one[i] = sqrt(one[i]);
   return rot_load(one);
+#endif
+}
+
+static inline rot_pair rot_pair_abs(rot_pair x) {
+#ifdef __SSE2__
+  return _mm_andnot_pd(_mm_set1_pd(-0.0), x);
+#else
+  double one[ROT_PAIR];
+  rot_store(one, x);
+  for (int i = 0; i < ROT_PAIR; i++) one[i] = fabs(one[i]);
+  return rot_load(one);
+#endif
+}
+
+/* The larger of two; of a NaN in x nothing is heard, one in y wins. */
+static inline rot_pair rot_pair_max(rot_pair x, rot_pair y) {
+#ifdef __SSE2__
+  return _mm_max_pd(x, y);
+#else
+  double a[ROT_PAIR], b[ROT_PAIR];
+  rot_store(a, x);
+  rot_store(b, y);
+  for (int i = 0; i < ROT_PAIR; i++) a[i] = a[i] > b[i] ? a[i] : b[i];
+  return rot_load(a);
 #endif
 }
 

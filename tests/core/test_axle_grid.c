@@ -1,7 +1,8 @@
-/* Rows by doubling against rows one by one. */
+/* Rows of even grids from a table against rows one by one. */
 #include "rot_axle_grid.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "rot_real.h"
@@ -76,29 +77,137 @@ static void check_other_grids(void) {
   ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
   for (int i = 0; i < 1000; i++) t[i] = i < 400 ? 1.0 + 0.001 * i : 1.4 + 0.002 * (i - 400);
   ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
+  for (int i = 0; i < 1000; i++) { /* between two that fit, one too coarse for a table */
+    t[i] = i < 300   ? 1.001 * i / 300.0
+           : i < 320 ? 1.001 + 0.14 * (i - 300)
+                     : 4.2 + 0.003 * (i - 320);
+  }
+  ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
   for (int i = 0; i < 1000; i++) t[i] = 1.5 + 0.001 * (i / 2);
   ROT_CHECK(worst_difference(&p, 1000, t) < 1e-14);
 }
 
-/* What the doubling itself says: how many rows, and none where it must not be used. */
+/* What the table itself says: how many rows, and none where it must not be used. */
+static size_t rows_done(const rot_axle_params *p, const rot_torque_piece *piece, size_t n,
+                        const double t[]) {
+  rot_info info;
+  rot_axle_grid grid;
+  const rot_axle_columns out = columns(fast);
+  rot_axle_state base = rot_axle_start(p);
+  rot_info_clear(&info);
+  rot_axle_grid_begin(&grid);
+  rot_axle_grid_enter(&grid, p, piece);
+  const size_t done = rot_axle_grid_rows(&grid, p, &base, piece, n, t, &out, &info);
+  if (done == 0) ROT_CHECK(base.time_s == p->start_s && info.omega_max == 0.0);
+  if (done > 0) {
+    ROT_CHECK(base.time_s >= t[0] && base.time_s <= t[done - 1]);
+    ROT_CHECK(info.omega_max > 0.0 && info.omega_error > 0.0 && info.theta_error > 0.0);
+  }
+  return done;
+}
+
 static void check_refusals(void) {
   double t[N];
-  rot_info info;
-  const rot_axle_columns out = columns(fast);
   const rot_axle_params p = article(0.03, 2.0);
-  const rot_axle_state base = rot_axle_start(&p);
   const rot_torque_piece rise = {0.0, 1.0, 0.0, 0.8}, turn = {0.0, 1.0, -0.4, 0.8};
-  rot_info_clear(&info);
   even(1000, 0.001, 0.9, t);
-  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 1000, t, &out, &info), ROT_GRID_ROWS);
-  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 40, t, &out, &info), 40);
-  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 15, t, &out, &info), 0);
-  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &turn, 40, t, &out, &info), 0);
-  t[20] += 1e-5;
-  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&p, &base, &rise, 40, t, &out, &info), 0);
+  ROT_CHECK_EQ_INT(rows_done(&p, &rise, 1000, t), 1000);
+  ROT_CHECK_EQ_INT(rows_done(&p, &rise, 40, t), 40);
+  ROT_CHECK_EQ_INT(rows_done(&p, &rise, 2 * ROT_GRID_ROWS + 1, t), 2 * ROT_GRID_ROWS + 1);
+  ROT_CHECK_EQ_INT(rows_done(&p, &rise, ROT_GRID_LEAST - 1, t), 0);
+  ROT_CHECK_EQ_INT(rows_done(&p, &turn, 40, t), 0);
+  t[300] += 1e-8;
+  ROT_CHECK_EQ_INT(rows_done(&p, &rise, 1000, t), 300);
+  t[5] += 1e-8;
+  ROT_CHECK_EQ_INT(rows_done(&p, &rise, 1000, t), 0);
   const rot_axle_params stiff = article(10.0, 2.0);
   even(40, 0.001, 0.9, t);
-  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&stiff, &base, &rise, 40, t, &out, &info), 0);
+  ROT_CHECK_EQ_INT(rows_done(&stiff, &rise, 40, t), 0);
+}
+
+/* One step at a time, from hardly any to the longest that is short, against rot_axle_step(). The
+ * bound may be wider: a falling torque is a start and a slope here, and two ends there. */
+static void check_steps(void) {
+  static const rot_torque_piece pieces[] = {
+      {0.0, 4.0, 0.0, 0.8}, {0.0, 4.0, 0.8, 0.1}, {0.0, 4.0, 0.7, 0.7}, {0.0, 4.0, -0.4, 0.8}};
+  rot_axle_grid grid;
+  rot_axle_grid_begin(&grid);
+  for (size_t k = 0; k < sizeof pieces / sizeof pieces[0]; k++) {
+    const rot_axle_params p = article(0.03, 2.0);
+    const rot_axle_state from = {1.0, 0.5, 1e-17, 2.0, 1e-16, 0.0, 0.0};
+    rot_axle_grid_enter(&grid, &p, &pieces[k]);
+    for (double s = 0.99; s < 1.1; s += 0.005) { /* at rest, torque from nothing: E3 and E2 alone */
+      const rot_torque_piece ramp = {1.0, 4.0, 0.0, 0.8};
+      const rot_axle_state rest = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+      rot_axle_grid_enter(&grid, &p, &ramp);
+      const rot_axle_state a = rot_axle_grid_step(&grid, &p, &rest, &ramp, 1.0 + s);
+      const rot_axle_state b = rot_axle_step(&p, &rest, &ramp, 1.0 + s);
+      ROT_CHECK_REL(a.omega_rad_per_s, b.omega_rad_per_s, 6.0 * ROT_EPS);
+      ROT_CHECK_REL(a.theta_rad, b.theta_rad, 6.0 * ROT_EPS);
+    }
+    rot_axle_grid_enter(&grid, &p, &pieces[k]);
+    for (double s = 1e-9; s < 2.9; s *= 1.07) { /* c s/I from 5e-10 to 1.4 */
+      const rot_axle_state a = rot_axle_grid_step(&grid, &p, &from, &pieces[k], 1.0 + s);
+      const rot_axle_state b = rot_axle_step(&p, &from, &pieces[k], 1.0 + s);
+      ROT_CHECK_REL(a.omega_rad_per_s, b.omega_rad_per_s, 8.0 * ROT_EPS);
+      ROT_CHECK_REL(a.theta_rad, b.theta_rad, 8.0 * ROT_EPS);
+      ROT_CHECK(a.omega_error > 0.0 && a.omega_error <= 2.0 * b.omega_error);
+      ROT_CHECK(a.theta_error > 0.0 && a.theta_error <= 2.0 * b.theta_error);
+    }
+  }
+}
+
+/* fixed_axis_linear.csv, 40 digits: the last row of N on an even grid, which the state has reached
+ * through every chunk, and one short step. */
+static void check_known_case(const double x[8], double *worst) {
+  const double time_s[] = {0.0, x[2]}, torque_n_m[] = {x[3], x[4]};
+  const rot_axle_params p = {x[0], x[1], 0.0, 0.0, x[5], {2, time_s, torque_n_m, x[3], x[4], 0, 0}};
+  const rot_torque_piece piece = {0.0, x[2], x[3], x[4]};
+  const rot_axle_columns out = columns(fast);
+  const rot_axle_state start = rot_axle_start(&p);
+  double t[N];
+  rot_info info;
+  rot_axle_grid grid;
+  even(N, 0.0, x[2], t);
+  ROT_CHECK(rot_axle_linear_fast(&p, N, t, &out, NULL, &info) == ROT_OK);
+  const double theta = fabs(fast[0][N - 1] - x[6]), omega = fabs(fast[1][N - 1] - x[7]);
+  ROT_CHECK(theta <= info.theta_error && omega <= info.omega_error);
+  *worst = fmax(*worst, fmax(theta / info.theta_max, omega / info.omega_max));
+  rot_axle_grid_begin(&grid);
+  rot_axle_grid_enter(&grid, &p, &piece);
+  const rot_axle_state end = rot_axle_grid_step(&grid, &p, &start, &piece, x[2]);
+  ROT_CHECK(fabs(end.theta_rad - x[6]) <= end.theta_error + ROT_EPS * fabs(x[6]));
+  ROT_CHECK(fabs(end.omega_rad_per_s - x[7]) <= end.omega_error + ROT_EPS * fabs(x[7]));
+}
+
+static void check_known(void) {
+  const char *shared = getenv("ROTDYN_SHARED");
+  char path[4096], line[4096];
+  double worst = 0.0;
+  int cases = 0;
+  if (shared) snprintf(path, sizeof path, "%s/refs/fixed_axis_linear.csv", shared);
+  FILE *in = shared ? fopen(path, "r") : NULL;
+  if (!in) {
+    printf("skip - no refs/fixed_axis_linear.csv\n");
+    return;
+  }
+  while (fgets(line, sizeof line, in)) {
+    double x[8];
+    char *at = line, *end = line;
+    int read = 0, tame = 1;
+    while (read < 8 && (x[read] = strtod(at, &end), end != at)) {
+      tame = tame && (x[read] == 0.0 || (fabs(x[read]) > 1e-60 && fabs(x[read]) < 1e60));
+      read++;
+      at = *end == ',' ? end + 1 : end;
+    }
+    if (read < 8 || !tame || !(x[1] >= 0.0 && x[2] > 0.0)) continue;
+    check_known_case(x, &worst);
+    cases++;
+  }
+  fclose(in);
+  ROT_CHECK(cases >= 30);
+  printf("  %d cases of 40 digits, the last of %d rows: worst error %.2g\n", cases, N, worst);
+  ROT_CHECK(worst < 1e-15);
 }
 
 /* Constant torque without resistance, by hand: omega = 2 + 3 t, theta = 1 + 2 t + 1.5 t^2. */
@@ -120,6 +229,8 @@ int main(void) {
   check_even_grids();
   check_other_grids();
   check_refusals();
+  check_steps();
+  check_known();
   check_by_hand();
   return rot_test_report("axle_grid");
 }

@@ -116,6 +116,11 @@ static void check_ends(void) {
   ROT_CHECK(at.omega == 0.5);
   ROT_CHECK_ULP(at.theta, 4.0, 1);
   ROT_CHECK(isinf(rot_drag_stop(&free_spin)));
+  /* k omega0 t = 1e290: log(1 + 1e290)/k, 1/(k t) */
+  const rot_drag huge = flow_of(0.0, 0.0, 1e100, 1e90, 1e100);
+  at = rot_drag_at(&huge, 1e100, 0.0);
+  ROT_CHECK_REL(at.omega, 1e-200, 1e-15);
+  ROT_CHECK_REL(at.theta, 667.74967696827324836e-100, 1e-15);
   const rot_drag bad = flow_of(NAN, 1.0, 1.0, 0.5, 1.0);
   at = rot_drag_at(&bad, 1.0, 0.0);
   ROT_CHECK(isnan(at.omega) && isnan(at.theta));

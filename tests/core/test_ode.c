@@ -44,6 +44,13 @@ static rot_status oscillator(double t, const double y[], double dydt[], void *ct
   return seen(p, t);
 }
 
+/* y'' = -sin y */
+static rot_status pendulum(double t, const double y[], double dydt[], void *ctx) {
+  dydt[0] = y[1];
+  dydt[1] = -sin(y[0]);
+  return seen(ctx, t);
+}
+
 /* y' = -rate y */
 static rot_status decay(double t, const double y[], double dydt[], void *ctx) {
   probe *p = ctx;
@@ -101,8 +108,8 @@ static outcome result;
 
 static rot_ode_params problem(size_t dim, rot_ode_rhs rhs, probe *ctx, const double start[],
                               double accuracy) {
-  rot_ode_params p = {dim, dim, rhs, ctx, 0, NULL, 0.0, start, accuracy, 1000000,
-                      ROT_METHOD_NONE, NULL, NULL, 0};
+  rot_ode_params p = {dim,  dim,  rhs, ctx, 0, NULL, 0.0, start, accuracy, 1000000, ROT_METHOD_NONE,
+                      NULL, NULL, 0};
   return p;
 }
 
@@ -115,26 +122,22 @@ static void run(const rot_ode_params *p, size_t n, const double time_s[], const 
 
 /* ---- errors --------------------------------------------------------------------------------- */
 
-/* Rows so close that each is one step: a method of fixed step, and half the step divides the
- * error by 2^8 (by 2^9 where the leading term happens to cancel). */
+/* Order 8: the error against the steps that were taken, over three decades of accuracy; 9 where the
+ * leading term happens to cancel. */
 static void check_order(void) {
-  double last = 0.0;
-  for (int n = 8; n <= 32; n *= 2) {
+  double steps[2], error[2];
+  for (int k = 0; k < 2; k++) {
     probe seen_by = quiet(1.0);
-    const double start[] = {1.0, 0.0};
-    const rot_ode_params p = problem(2, oscillator, &seen_by, start, 0.5);
-    double t[32], worst = 0.0;
-    for (int i = 0; i < n; i++) t[i] = (i + 1) * 10.0 / n;
-    run(&p, (size_t)n, t, NULL);
+    const double start[] = {1.0, 0.0}, t = 40.0;
+    const rot_ode_params p = problem(2, pendulum, &seen_by, start, k == 0 ? 1e-8 : 1e-11);
+    run(&p, 1, &t, NULL);
     ROT_CHECK_EQ_INT(result.status, ROT_OK);
-    ROT_CHECK(result.info.steps <= (size_t)n + 2); /* the first one is tried shorter */
-    for (int i = 0; i < n; i++) worst = fmax(worst, fabs(result.y[2 * i] - cos(t[i])));
-    if (last > 0.0) {
-      printf("order: %.2f\n", log2(last / worst));
-      ROT_CHECK(last / worst > 180.0 && last / worst < 1100.0);
-    }
-    last = worst;
+    steps[k] = (double)result.info.steps;
+    error[k] = result.error[0];
   }
+  const double order = log(error[0] / error[1]) / log(steps[1] / steps[0]);
+  printf("order: %.2f\n", order);
+  ROT_CHECK(order > 7.5 && order < 9.5);
 }
 
 /* True errors against the estimate, and against what was asked for, where the tolerance rules. */
@@ -162,14 +165,14 @@ static void check_estimate(void) {
       ROT_CHECK(result.error[0] <= accuracy * result.largest[0]);
       lowest = fmin(lowest, result.error[0] / error);
       highest = fmax(highest, result.error[0] / error);
-      ROT_CHECK(result.info.tolerance > 0.0 && result.info.tolerance <= 0.1 * accuracy);
+      ROT_CHECK_REL(result.info.tolerance, 10.0 * accuracy / 32.0, 1e-12);
       ROT_CHECK_EQ_INT(result.info.rhs_calls, seen_by.calls);
-      /* The run and its companion: each one slope, then 13 calls a trial. */
+      /* Both runs: each one slope, then 13 calls a trial; so are further nodes for the rows. */
       ROT_CHECK_EQ_INT((seen_by.calls - 2) % 13, 0);
     }
   }
   printf("estimate over true error: %.3f to %.3f\n", lowest, highest);
-  ROT_CHECK(lowest >= 0.9 && highest <= 1.3);
+  ROT_CHECK(lowest >= 1.0 && highest <= 100.0);
 }
 
 /* Dense rows: landed on or filled in, the estimate must not fall silent, nor cry. Forward, then
@@ -555,18 +558,22 @@ static void check_budget(void) {
   ROT_CHECK(result.info.time_s == 0.0);
 }
 
-/* Enough for the run, not for its companion: only what both reached can be vouched for. */
-static void check_budget_of_companion(void) {
+/* Enough for the coarse run, not for the fine one: only what both reached is given. */
+static void check_budget_of_fine_run(void) {
   const double t[] = {1.5, 5.0, 7.7, 10.0}, start[] = {1.0, 0.0};
   probe seen_by = quiet(2.0);
   rot_ode_params p = problem(2, oscillator, &seen_by, start, 1e-8);
   run(&p, 4, t, NULL);
-  p.max_steps = result.info.steps + result.info.rejected + 5;
+  p.max_steps = result.info.steps - 1;
   run(&p, 4, t, NULL);
   ROT_CHECK_EQ_INT(result.status, ROT_EBUDGET);
-  ROT_CHECK_EQ_INT(result.info.rows_done, 2);
-  ROT_CHECK(result.info.time_s > 5.0 && result.info.time_s < 7.7);
+  ROT_CHECK(result.info.rows_done > 0 && result.info.rows_done < 4);
+  const double last = t[result.info.rows_done - 1];
+  ROT_CHECK(result.info.time_s >= last && result.info.time_s < 10.0);
   ROT_CHECK(result.error[0] > 0.0 && result.error[0] <= 1e-8);
+  for (size_t i = 0; i < result.info.rows_done; i++) {
+    ROT_CHECK(fabs(result.y[2 * i] - cos(2.0 * t[i])) <= result.error[0]);
+  }
 }
 
 /* What the right-hand side says ends the run at that very call, wherever in a step it falls. */
@@ -684,7 +691,7 @@ int main(void) {
   check_nan_backward();
   check_explosion();
   check_budget();
-  check_budget_of_companion();
+  check_budget_of_fine_run();
   check_stop_by_rhs();
   check_stop_by_poll();
   check_scaling();

@@ -1,0 +1,55 @@
+#' One engagement of a clutch
+#'
+#' Two bodies with different speeds, constant torques, and a clutch of constant capacity that is
+#' pressed at once: when it locks, how fast both turn then, and the heat of the slip. An infinite
+#' capacity is the instant engagement, which loses
+#' `(1/2) I1 I2/(I1 + I2) (omega1 - omega2)^2` whatever the clutch is like.
+#'
+#' @param inertia_1_kg_m2,inertia_2_kg_m2 Moments of inertia, greater than 0.
+#' @param capacity_n_m Torque of the slipping clutch, at least 0; Inf for instant engagement.
+#' @param omega1_rad_per_s,omega2_rad_per_s Speeds at the start.
+#' @param ... Not used; names after it must be given in full.
+#' @param torque_1_n_m,torque_2_n_m Constant torques on the bodies.
+#' @return A tibble with one row for each engagement (arguments have length 1 or n):
+#'   `r describe_columns(engagement_columns)`
+#'   A clutch that never locks has an infinite time and heat, and no common speed (NA). NA in a row
+#'   gives NA.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`.
+#' @seealso [scene_clutch()] for the motion itself.
+#' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), section 16-6.
+#' @examples
+#' clutch_engagement(2, 3, capacity_n_m = c(6, 12, Inf), omega1_rad_per_s = 10)
+#' @export
+clutch_engagement <- function(inertia_1_kg_m2, inertia_2_kg_m2, capacity_n_m, omega1_rad_per_s,
+                              omega2_rad_per_s = 0, ..., torque_1_n_m = 0, torque_2_n_m = 0) {
+  call <- rlang::current_env()
+  check_supplied(
+    c("inertia_1_kg_m2", "inertia_2_kg_m2", "capacity_n_m", "omega1_rad_per_s"), call
+  )
+  check_no_dots(...)
+  columns <- list(
+    inertia_1_kg_m2 = check_column(inertia_1_kg_m2, "inertia_1_kg_m2", "kg*m^2", call),
+    inertia_2_kg_m2 = check_column(inertia_2_kg_m2, "inertia_2_kg_m2", "kg*m^2", call),
+    capacity_n_m = check_column(capacity_n_m, "capacity_n_m", "N*m", call),
+    torque_1_n_m = check_column(torque_1_n_m, "torque_1_n_m", "N*m", call),
+    torque_2_n_m = check_column(torque_2_n_m, "torque_2_n_m", "N*m", call),
+    omega1_rad_per_s = check_column(omega1_rad_per_s, "omega1_rad_per_s", "rad/s", call),
+    omega2_rad_per_s = check_column(omega2_rad_per_s, "omega2_rad_per_s", "rad/s", call)
+  )
+  n <- check_recyclable(columns, call)
+  for (name in c("inertia_1_kg_m2", "inertia_2_kg_m2")) {
+    bad <- which(columns[[name]] <= 0 | is.infinite(columns[[name]]))
+    if (length(bad)) {
+      abort_domain(columns[[name]][bad[1]], name, "kg*m^2", call, 0, Inf, TRUE, row = bad[1])
+    }
+  }
+  bad <- which(columns$capacity_n_m < 0)
+  if (length(bad)) {
+    abort_domain(
+      columns$capacity_n_m[bad[1]], "capacity_n_m", "N*m", call, 0, Inf, FALSE, row = bad[1]
+    )
+  }
+  values <- do.call(function(...) .Call(ffi_clutch_engagement, ...), unname(columns))
+  tibble::new_tibble(lapply(values, rep_len, n), nrow = n)
+}

@@ -1,0 +1,129 @@
+#' Two bodies and a clutch
+#'
+#' `I1 omega1' = tau1(t) - T`, `I2 omega2' = tau2(t) + T`. While the clutch slips, its torque on body
+#' 2 is `T = capacity sign(omega1 - omega2)`; when the speeds meet it locks, if the torque that keeps
+#' them equal, `(I2 tau1 - I1 tau2)/(I1 + I2)`, is at most the static capacity, and stays locked as
+#' long as it is. Before `engage_s` it carries nothing.
+#'
+#' [trajectory()] gives the closed form, with the exact times of locking and slipping (events
+#' `lock`, `slip`, and `reverse` where the slip passes through zero).
+#'
+#' @param body_1,body_2 A `rot_body` (its Izz counts), or the moment of inertia in kg m^2.
+#' @param capacity_n_m Torque of the slipping clutch, at least 0.
+#' @param ... Not used; names after it must be given in full.
+#' @param static_capacity_n_m Largest torque that the locked clutch holds, at least `capacity_n_m`.
+#' @param torque_1,torque_2 Torque on each body: one number in N m, or a [torque] law that is
+#'   constant between jumps; NULL for none.
+#' @param omega1_rad_per_s,omega2_rad_per_s,theta1_rad,theta2_rad State at `start_s`.
+#' @param engage_s Time from which the clutch is pressed; -Inf, or any time up to `start_s`, for
+#'   always.
+#' @param start_s Time at which the state above holds. Times before it cannot be had: a locked
+#'   clutch has forgotten how it slipped.
+#' @return A `rot_scene_clutch`, which is a `rot_scene`. Its trajectory is a `rot_motion` with the
+#'   columns `r describe_columns(clutch_columns)`
+#'   The error is a bound.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`; `rotdyn_error_torque` for a torque that is not constant between jumps.
+#' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), chapter 16 (energy of clutches).
+#' @examples
+#' scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
+#' scene_clutch(
+#'   body_disk(20, 0.15), body_disk(40, 0.2), capacity_n_m = 60, static_capacity_n_m = 75,
+#'   torque_1 = torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10)), torque_2 = -5,
+#'   omega1_rad_per_s = 150, engage_s = 0.5
+#' )
+#' @export
+scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m = capacity_n_m,
+                         torque_1 = NULL, torque_2 = NULL, omega1_rad_per_s = 0,
+                         omega2_rad_per_s = 0, theta1_rad = 0, theta2_rad = 0, engage_s = -Inf,
+                         start_s = 0) {
+  call <- rlang::current_env()
+  check_supplied(c("body_1", "body_2", "capacity_n_m"), call)
+  check_no_dots(...)
+  inertia <- c(one_inertia(body_1, "body_1", call), one_inertia(body_2, "body_2", call))
+  capacity <- check_number(capacity_n_m, "capacity_n_m", "N*m", call, lower = 0)
+  static <- check_number(static_capacity_n_m, "static_capacity_n_m", "N*m", call, lower = capacity)
+  if (!identical(engage_s, -Inf)) {
+    engage_s <- check_number(engage_s, "engage_s", "s", call)
+  }
+  torques <- list(as_torque(torque_1, call), as_torque(torque_2, call))
+  scene <- list(
+    moment_of_inertia_kg_m2 = inertia,
+    capacity_n_m = capacity,
+    static_capacity_n_m = static,
+    torque = torques,
+    steps = list(
+      torque_steps_of(torques[[1]], "torque_1", call),
+      torque_steps_of(torques[[2]], "torque_2", call)
+    ),
+    omega0_rad_per_s = c(
+      check_number(omega1_rad_per_s, "omega1_rad_per_s", "rad/s", call),
+      check_number(omega2_rad_per_s, "omega2_rad_per_s", "rad/s", call)
+    ),
+    theta0_rad = c(
+      check_number(theta1_rad, "theta1_rad", "rad", call),
+      check_number(theta2_rad, "theta2_rad", "rad", call)
+    ),
+    engage_s = engage_s,
+    start_s = check_number(start_s, "start_s", "s", call)
+  )
+  class(scene) <- c("rot_scene_clutch", "rot_scene")
+  scene
+}
+
+one_inertia <- function(body, arg, call) {
+  inertia <- check_inertias(body, arg, call)
+  if (length(inertia) != 1L) {
+    abort_rotdyn("{.arg {arg}} must be one body or one number in kg m^2.", "size", call)
+  }
+  inertia
+}
+
+# list(times, values): value i + 1 holds from time i on.
+torque_steps_of <- function(torque, arg, call) {
+  refuse <- function() {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be constant between jumps.",
+        x = "It is {describe_torque(torque)}.",
+        i = "A jump is two knots at one time, as in
+             {.code torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))}."
+      ),
+      "torque",
+      call
+    )
+  }
+  if (!inherits(torque, "rot_torque_knots")) {
+    refuse()
+  }
+  time <- torque$time_s
+  value <- torque$torque_n_m
+  n <- length(time)
+  outside <- torque$outside
+  if (n == 0L) {
+    return(list(double(), outside[1]))
+  }
+  apart <- which(diff(time) > 0)
+  if (any(value[apart] != value[apart + 1L])) {
+    refuse()
+  }
+  list(time[c(apart, n)], c(outside[1], value[apart], outside[2]))
+}
+
+#' @export
+print.rot_scene_clutch <- function(x, ...) {
+  engaged <- if (x$engage_s <= x$start_s) "engaged" else paste("engages at", x$engage_s, "s")
+  cat(
+    "<rot_scene> two bodies and a clutch\n",
+    "  inertia   ", paste(format_si(x$moment_of_inertia_kg_m2), collapse = ", "), " kg m^2\n",
+    "  clutch    ", format_si(x$capacity_n_m), " N m slipping, ",
+    format_si(x$static_capacity_n_m), " N m locked, ", engaged, "\n",
+    "  torque 1  ", describe_torque(x$torque[[1]]), "\n",
+    "  torque 2  ", describe_torque(x$torque[[2]]), "\n",
+    "  start     theta ", paste(format_si(x$theta0_rad), collapse = ", "), " rad, omega ",
+    paste(format_si(x$omega0_rad_per_s), collapse = ", "), " rad/s at ", format_si(x$start_s),
+    " s\n",
+    sep = ""
+  )
+  invisible(x)
+}

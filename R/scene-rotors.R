@@ -1,0 +1,161 @@
+#' Several rotors on one shaft
+#'
+#' Rotors in a line, with a piece of elastic shaft between neighbours:
+#' `J_i theta_i'' = tau_i - d_i omega_i + T_(i-1) - T_i`, where
+#' `T_i = k_i (theta_i - theta_(i+1)) + c_i (omega_i - omega_(i+1))` is the torque of shaft `i` on
+#' rotor `i + 1`.
+#'
+#' [trajectory()] solves it exactly for any stiffness: the mean motion by itself, the twists in
+#' modes. Where the twists are too small to matter at the accuracy asked for, it takes the shaft as
+#' rigid, with a bound on what that leaves out.
+#'
+#' @param bodies A list of `rot_body` (their Izz counts), or the moments of inertia as numbers in
+#'   kg m^2; each greater than 0.
+#' @param stiffness_n_m_per_rad Torsional stiffness of the shaft between neighbours: one number, or
+#'   one for each of the `n - 1` pieces; at least 0 (0: a piece that only damps, or nothing).
+#' @param damping_n_m_s Damping of the shaft between neighbours in N m s, likewise, at least 0.
+#' @param ... Not used; names after it must be given in full.
+#' @param torque_n_m,viscous_n_m_s Constant torque on each rotor from outside, and viscous
+#'   coefficient of its bearing (at least 0): one number or `n`. One torque acts on every rotor.
+#' @param theta0_rad,omega0_rad_per_s Angle and angular velocity of each rotor at `start_s`: one
+#'   number or `n`.
+#' @param start_s Time at which the state above holds.
+#' @return A `rot_scene_rotors`, which is a `rot_scene`. Its trajectory is a `rot_motion` with one
+#'   row for each time and rotor:
+#'   `r describe_columns(rotors_columns)`
+#'   The error is an estimate: roundings times what cannot be helped of the phase turned, and what
+#'   the momentum is off by. The rigid shaft's is a bound.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`.
+#' @source Meirovitch, Fundamentals of Vibrations (2001), chapter 7.
+#' @examples
+#' scene_rotors(c(1, 2), stiffness_n_m_per_rad = 1000, omega0_rad_per_s = c(1, 0.5))
+#' scene_rotors(
+#'   list(body_disk(4, 0.2), body_disk(1, 0.1), body_disk(6, 0.3)),
+#'   stiffness_n_m_per_rad = c(800, 1200), damping_n_m_s = 0.05, torque_n_m = c(2, 0, -2)
+#' )
+#' @export
+scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., torque_n_m = 0,
+                         viscous_n_m_s = 0, theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
+  call <- rlang::current_env()
+  check_supplied(c("bodies", "stiffness_n_m_per_rad"), call)
+  check_no_dots(...)
+  inertia <- check_inertias(bodies, "bodies", call)
+  n <- length(inertia)
+  each <- function(x, arg, unit, size, lower = -Inf) {
+    check_each(x, arg, unit, size, lower, call)
+  }
+  scene <- list(
+    bodies = if (is.list(bodies)) bodies,
+    moment_of_inertia_kg_m2 = inertia,
+    stiffness_n_m_per_rad = each(stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", n - 1L,
+                                 0),
+    damping_n_m_s = each(damping_n_m_s, "damping_n_m_s", "N*m*s", n - 1L, 0),
+    viscous_n_m_s = each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0),
+    torque_n_m = each(torque_n_m, "torque_n_m", "N*m", n),
+    theta0_rad = each(theta0_rad, "theta0_rad", "rad", n),
+    omega0_rad_per_s = each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n),
+    start_s = check_number(start_s, "start_s", "s", call)
+  )
+  class(scene) <- c("rot_scene_rotors", "rot_scene")
+  scene
+}
+
+# Moments of inertia about the axle, from a list of bodies or numbers.
+check_inertias <- function(bodies, arg, call) {
+  if (is.list(bodies) && !is.object(bodies)) {
+    inertia <- vapply(seq_along(bodies), function(i) {
+      body <- bodies[[i]]
+      if (inherits(body, "rot_body")) {
+        moment_about_axis(body, c(0, 0, 1))
+      } else {
+        check_number(body, paste0(arg, "[[", i, "]]"), "kg*m^2", call)
+      }
+    }, double(1))
+  } else if (inherits(bodies, "rot_body")) {
+    inertia <- moment_about_axis(bodies, c(0, 0, 1))
+  } else {
+    inertia <- check_finite(bodies, arg, "kg*m^2", call)
+  }
+  if (!length(inertia)) {
+    abort_rotdyn("{.arg {arg}} is empty: there is nothing to turn.", "size", call)
+  }
+  bad <- which(!(is.finite(inertia) & inertia > 0))
+  if (length(bad)) {
+    abort_rotdyn(
+      c(
+        "Every body must have a moment of inertia about the axle, finite and greater than 0.",
+        x = "That of body {bad[1]} in {.arg {arg}} is {format(inertia[bad[1]])} kg m^2."
+      ),
+      "value",
+      call
+    )
+  }
+  inertia
+}
+
+# One number, or `size` of them.
+check_each <- function(x, arg, unit, size, lower, call) {
+  x <- check_finite(x, arg, unit, call)
+  if (!length(x) %in% c(1L, size)) {
+    abort_rotdyn(
+      c("{.arg {arg}} must have length 1 or {size}.", x = "It has length {length(x)}."),
+      "size",
+      call
+    )
+  }
+  bad <- which(x < lower)
+  if (length(bad)) {
+    abort_domain(x[bad[1]], arg, unit, call, lower, Inf, FALSE)
+  }
+  rep_len(x, size)
+}
+
+#' @export
+print.rot_scene_rotors <- function(x, ...) {
+  list_of <- function(values) {
+    values <- unique(values)
+    if (!length(values)) {
+      return("none")
+    }
+    shown <- format_si(values[seq_len(min(6L, length(values)))])
+    paste0(paste(shown, collapse = ", "), if (length(values) > 6L) ", ...")
+  }
+  n <- length(x$moment_of_inertia_kg_m2)
+  cat(
+    "<rot_scene> ", n, if (n == 1L) " rotor" else " rotors", " on one shaft\n",
+    "  inertia    ", list_of(x$moment_of_inertia_kg_m2), " kg m^2\n",
+    "  stiffness  ", list_of(x$stiffness_n_m_per_rad), " N m/rad between neighbours\n",
+    "  damping    ", list_of(x$damping_n_m_s), " N m s between neighbours, ",
+    list_of(x$viscous_n_m_s), " N m s outside\n",
+    "  torque     ", list_of(x$torque_n_m), " N m\n",
+    "  start      theta ", list_of(x$theta0_rad), " rad, omega ", list_of(x$omega0_rad_per_s),
+    " rad/s at ", format_si(x$start_s), " s\n",
+    sep = ""
+  )
+  invisible(x)
+}
+
+#' Natural frequencies of a shaft
+#'
+#' The angular frequencies of the twists of a [scene_rotors()] without damping, ascending, good to
+#' some roundings however much rotors and springs differ. The mean motion, and each piece of shaft
+#' without stiffness, has the frequency 0.
+#'
+#' @param scene A [scene_rotors()].
+#' @return A tibble with one row for each mode:
+#'   `r describe_columns(c("mode", "natural_rad_per_s"))`
+#' @section Errors: `rotdyn_error_type`.
+#' @examples
+#' shaft_modes(scene_rotors(c(1, 2, 1), stiffness_n_m_per_rad = 500))
+#' @export
+shaft_modes <- function(scene) {
+  call <- rlang::current_env()
+  check_supplied("scene", call)
+  check_class(scene, "rot_scene_rotors", "scene", "Describe one with {.fn scene_rotors}.", call)
+  frequencies <- .Call(ffi_rotors_frequencies, rotors_pack(scene))
+  tibble::new_tibble(
+    list(mode = seq_along(frequencies), natural_rad_per_s = frequencies),
+    nrow = length(frequencies)
+  )
+}

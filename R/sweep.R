@@ -1,0 +1,238 @@
+# The columns of `parameters` that are numbers of a scene, their units, and what they are where they
+# are not given.
+sweep_parameters <- list(
+  moment_of_inertia_kg_m2 = list("kg*m^2", NULL),
+  viscous_n_m_s = list("N*m*s", 0),
+  torque_scale = list("1", 1),
+  omega0_rad_per_s = list("rad/s", 0),
+  theta0_rad = list("rad", 0),
+  quadratic_n_m_s2 = list("N*m*s^2", 0),
+  coulomb_n_m = list("N*m", 0),
+  static_n_m = list("N*m", NULL)
+)
+
+#' Many spin-ups, one row each
+#'
+#' One scene on a fixed axle for each row of `parameters`, all under the same torque law: where each
+#' ends, and its true extremes on the way, in one call of C. An extreme is found where
+#' `d(omega)/dt = 0`, not looked up among steps.
+#'
+#' @param parameters A data frame. These columns are numbers of the scene, row by row:
+#'   `moment_of_inertia_kg_m2` (needed, > 0), `viscous_n_m_s`, `quadratic_n_m_s2`, `coulomb_n_m` (0
+#'   where they are not given), `static_n_m` (`coulomb_n_m`), `torque_scale` (1: a factor on the
+#'   torque), `omega0_rad_per_s`, `theta0_rad` (0). All others are kept as they are.
+#' @param torque A torque law, as in [scene_axle()], but no R function: see [torque-terms].
+#' @param time_s When each row ends: one time, or one for each row, not before `start_s`; or NULL for
+#'   a column `time_s` of `parameters`.
+#' @param ... Not used; names after it must be given in full.
+#' @param start_s Time at which all begin.
+#' @param threads Rows are shared among at most so many threads. The result is the same to the last
+#'   bit for any number.
+#' @return `parameters` as a tibble, with the columns
+#'   `r describe_columns(sweep_columns)`
+#'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms beyond
+#'   knots are in play, `max_omega_rad_per_s`, `min_omega_rad_per_s` and `max_omega_time_s` are NA:
+#'   those models report the largest speed alone.
+#' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double precision;
+#'   they are NaN.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
+#'   `rotdyn_error_value` with the row, `rotdyn_error_time`; `rotdyn_error_model` for a law that no
+#'   closed form takes.
+#' @examples
+#' designs <- data.frame(
+#'   name = c("light", "heavy", "oily"),
+#'   moment_of_inertia_kg_m2 = c(0.05, 0.2, 0.05),
+#'   viscous_n_m_s = c(0.03, 0.03, 0.3)
+#' )
+#' law <- torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0))
+#' spin_up_table(designs, law, time_s = 8)
+#' @export
+spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s = 0,
+                          threads = 1) {
+  call <- rlang::current_env()
+  check_supplied("parameters", call)
+  check_no_dots(...)
+  if (!is.data.frame(parameters)) {
+    abort_rotdyn(
+      c("{.arg parameters} must be a data frame.", x = "It is {describe_value(parameters)}."),
+      "type",
+      call
+    )
+  }
+  n <- nrow(parameters)
+  start_s <- check_number(start_s, "start_s", "s", call)
+  threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
+  loads <- torque_loads(as_torque(torque, call))
+  columns <- sweep_inputs(parameters, time_s, call)
+  known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), rep(TRUE, n))
+  check_sweep_rows(columns, known, start_s, call)
+  # A row with something missing runs as one that can, and is blanked after.
+  columns <- lapply(columns, function(x) if (anyNA(x)) replace(x, is.na(x), 1) else x)
+  if (!all(known)) {
+    columns$time_s <- replace(rep_len(columns$time_s, n), !known, start_s)
+    columns$static_n_m <- replace(rep_len(columns$static_n_m, n), !known, Inf)
+  }
+  result <- if (n) run_sweep(loads, columns, start_s, threads, call) else empty_sweep()
+  out <- result[[1]]
+  failed <- which(result[[2]] != 0L & known)
+  out <- lapply(out, function(x) replace(x, !known, NA_real_))
+  if (length(failed)) {
+    warn_rotdyn(
+      c(
+        "{length(failed)} row{?s} left the range of double precision.",
+        i = "{cli::qty(length(failed))}Row{?s} {cli::cli_vec(failed, list('vec-trunc' = 6))}
+             {?is/are} NaN."
+      ),
+      "range",
+      call
+    )
+  }
+  data <- tibble::as_tibble(parameters)
+  data[sweep_columns] <- out
+  data
+}
+
+empty_sweep <- function() {
+  list(rep(list(double()), length(sweep_columns)), integer())
+}
+
+# The numbers of all rows, in SI units, each of length 1 or n.
+sweep_inputs <- function(parameters, time_s, call) {
+  n <- nrow(parameters)
+  if (is.null(parameters[["moment_of_inertia_kg_m2"]])) {
+    abort_rotdyn(
+      c(
+        "{.arg parameters} must have a column {.field moment_of_inertia_kg_m2}.",
+        i = "Its columns are {.field {names(parameters)}}.",
+        i = "{.fn inertia_table} computes it for the standard shapes."
+      ),
+      "missing",
+      call
+    )
+  }
+  columns <- lapply(names(sweep_parameters), function(name) {
+    unit <- sweep_parameters[[name]][[1]]
+    given <- parameters[[name]]
+    if (is.null(given)) {
+      return(sweep_parameters[[name]][[2]])
+    }
+    check_column(given, name, unit, call)
+  })
+  names(columns) <- names(sweep_parameters)
+  if (is.null(columns$static_n_m)) columns$static_n_m <- columns$coulomb_n_m
+  if (is.null(time_s)) time_s <- parameters[["time_s"]]
+  if (is.null(time_s)) {
+    abort_rotdyn(
+      c(
+        "{.arg time_s} is missing: when does each row end?",
+        i = "Give one time, one for each row, or a column {.field time_s}."
+      ),
+      "missing",
+      call
+    )
+  }
+  columns$time_s <- check_column(time_s, "time_s", "s", call)
+  if (!length(columns$time_s) %in% c(1L, n)) {
+    abort_rotdyn(
+      c(
+        "{.arg time_s} must have one time, or one for each row.",
+        x = "It has {length(columns$time_s)}, and there are {n} rows."
+      ),
+      "size",
+      call
+    )
+  }
+  columns
+}
+
+check_sweep_rows <- function(columns, known, start_s, call) {
+  first <- function(bad) which(bad & known)[1]
+  for (name in names(columns)) {
+    x <- columns[[name]]
+    least <- if (name %in% c("quadratic_n_m_s2", "coulomb_n_m", "static_n_m")) 0 else -Inf
+    open <- name == "moment_of_inertia_kg_m2"
+    bad <- first(rep_len(!is.finite(x) | x < least | (open & x <= 0), length(known)))
+    if (!is.na(bad)) {
+      value <- rep_len(x, length(known))[bad]
+      unit <- if (name == "time_s") "s" else sweep_parameters[[name]][[1]]
+      abort_domain(value, name, unit, call, if (open) 0 else least, Inf, open, row = bad)
+    }
+  }
+  bad <- first(rep_len(columns$time_s < start_s, length(known)))
+  if (!is.na(bad)) {
+    abort_rotdyn(
+      c(
+        "{.arg time_s} must not lie before {.arg start_s}.",
+        x = "Row {bad} ends at {format(rep_len(columns$time_s, length(known))[bad])} s, all begin
+             at {format(start_s)} s."
+      ),
+      "time",
+      call
+    )
+  }
+  bad <- first(rep_len(columns$static_n_m < columns$coulomb_n_m, length(known)))
+  if (!is.na(bad)) {
+    abort_rotdyn(
+      "{.arg static_n_m} must be at least {.arg coulomb_n_m}: it is less in row {bad}.",
+      "value",
+      call
+    )
+  }
+}
+
+run_sweep <- function(loads, columns, start_s, threads, call) {
+  friction <- any(columns$static_n_m != 0)
+  quadratic <- any(columns$quadratic_n_m_s2 != 0)
+  # What acts in any row decides for all.
+  scene <- new_scene_axle(
+    NULL, 1, NULL, c(0, 0, 1), sum_torques(loads$knots),
+    new_resistance(max(abs(columns$viscous_n_m_s)), quadratic * 1, friction * 1, friction * 1),
+    0, 0, start_s
+  )
+  scene$loads <- loads
+  scene$effects <- axle_effects(loads, scene$resistance, NULL)
+  linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
+  if (linear) {
+    # A motor's slope is part of the torque law, so the factor scales it too.
+    viscous <- columns$viscous_n_m_s + columns$torque_scale * loads$motor_n_m_s
+    return(.Call(
+      ffi_sweep_linear, axle_knots(loads$knots),
+      unname(c(
+        columns["moment_of_inertia_kg_m2"], list(viscous),
+        columns[c("torque_scale", "omega0_rad_per_s", "theta0_rad", "time_s")]
+      )),
+      start_s, threads, progress_bar("sweep")
+    ))
+  }
+  fit <- sweep_model(scene, columns, call)
+  .Call(
+    ffi_sweep_scenes, fit$record$kernel, pack_axle(scene),
+    unname(columns[c(
+      "moment_of_inertia_kg_m2", "viscous_n_m_s", "torque_scale", "omega0_rad_per_s", "theta0_rad",
+      "time_s", "quadratic_n_m_s2", "coulomb_n_m", "static_n_m"
+    )]),
+    threads, progress_bar("sweep")
+  )
+}
+
+# The closed form that takes what acts in any of the rows.
+sweep_model <- function(scene, columns, call) {
+  fit <- first_fit(axle_closed_forms[-(1:2)], scene, scene$start_s, 1)
+  scaled <- any(columns$torque_scale != 1) &&
+    (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
+  if (is.null(fit) || scaled) {
+    abort_rotdyn(
+      c(
+        "There is no closed form for these rows ({scene_words(scene)}).",
+        i = if (scaled) {
+          "{.field torque_scale} scales knots only: scale the law itself, {.code 2 * law}."
+        } else {
+          "{.fn trajectory} integrates one scene at a time."
+        }
+      ),
+      "model",
+      call
+    )
+  }
+  fit
+}

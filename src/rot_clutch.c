@@ -1,0 +1,322 @@
+#include "rot_clutch.h"
+
+#include <math.h>
+
+#include "rot_real.h"
+
+/* ---- torques and inertias -------------------------------------------------------------------- */
+
+/* I1/(I1 + I2) and I2/(I1 + I2), without a sum that could overflow. */
+static void find_shares(const double inertia[2], double share[2]) {
+  share[0] = 1.0 / (1.0 + inertia[1] / inertia[0]);
+  share[1] = 1.0 / (1.0 + inertia[0] / inertia[1]);
+}
+
+/* What a locked clutch carries, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
+ * against the static capacity the last digit may decide. */
+static double locked_torque(const double inertia[2], double tau1, double tau2) {
+  int of_inertia = 0, of_torque = 0;
+  frexp(fmax(inertia[0], inertia[1]), &of_inertia);
+  frexp(fmax(fabs(tau1), fabs(tau2)), &of_torque);
+  const double I1 = ldexp(inertia[0], -of_inertia), I2 = ldexp(inertia[1], -of_inertia);
+  double a_lo, b_lo, lo, sum_lo;
+  const double a = rot_two_prod(I2, ldexp(tau1, -of_torque), &a_lo);
+  const double b = rot_two_prod(I1, ldexp(tau2, -of_torque), &b_lo);
+  const double top = rot_two_sum(a, -b, &lo), sum = rot_two_sum(I1, I2, &sum_lo);
+  const double q = top / sum;
+  return ldexp(q + (fma(-q, sum, top) - q * sum_lo + (lo + a_lo - b_lo)) / sum, of_torque);
+}
+
+/* omega1' - omega2' when the clutch carries x less than it would need to lock. */
+static double relative_rate(const double inertia[2], double x) {
+  return x / inertia[0] + x / inertia[1];
+}
+
+static size_t step_at(const rot_steps *steps, double t) {
+  size_t lo = 0, hi = steps->n;
+  while (lo < hi) {
+    const size_t mid = lo + (hi - lo) / 2;
+    if (steps->time_s[mid] <= t) {
+      lo = mid + 1;
+    } else {
+      hi = mid;
+    }
+  }
+  return lo;
+}
+
+/* ---- the state -------------------------------------------------------------------------------- */
+
+/* The mean motion (of the total momentum) knows nothing of the clutch, so that its error does not
+ * depend on when the clutch locks; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
+ * - share1 slip. Angles likewise. */
+typedef struct clutch {
+  const rot_clutch_params *p;
+  double share[2];
+  double time_s;
+  double mean_theta, mean_omega, slip_theta, slip_omega, heat;
+  double mean_theta_error, mean_omega_error, slip_theta_error, slip_omega_error;
+  double settled_s; /* the slip at the lock is known to be 0 from here on */
+  /* of the stretch that begins at time_s */
+  double tau[2], mean_rate, slip_rate, torque, needed;
+  int locked;
+} clutch;
+
+static void begin(clutch *c, const rot_clutch_params *p) {
+  const double *theta = p->theta0_rad, *omega = p->omega0_rad_per_s;
+  *c = (clutch){0};
+  c->p = p;
+  find_shares(p->inertia_kg_m2, c->share);
+  c->time_s = p->start_s;
+  c->mean_theta = c->share[0] * theta[0] + c->share[1] * theta[1];
+  c->mean_omega = c->share[0] * omega[0] + c->share[1] * omega[1];
+  if (theta[0] == theta[1]) c->mean_theta = theta[0];
+  if (omega[0] == omega[1]) c->mean_omega = omega[0];
+  c->slip_theta = theta[0] - theta[1];
+  c->slip_omega = omega[0] - omega[1];
+  for (int i = 0; i < 2; i++) {
+    c->mean_theta_error += 4.0 * ROT_EPS * c->share[i] * fabs(theta[i]);
+    c->mean_omega_error += 4.0 * ROT_EPS * c->share[i] * fabs(omega[i]);
+  }
+  c->slip_theta_error = ROT_EPS * fabs(c->slip_theta);
+  c->slip_omega_error = ROT_EPS * fabs(c->slip_omega);
+  c->settled_s = -INFINITY;
+}
+
+static int sign(double x) { return (x > 0.0) - (x < 0.0); }
+
+/* What the clutch does from time_s on. */
+static void decide(clutch *c, int was_locked, rot_events *events, rot_status *status) {
+  const rot_clutch_params *p = c->p;
+  const int engaged = c->time_s >= p->engage_s;
+  for (int i = 0; i < 2; i++) {
+    c->tau[i] = p->torque_n_m[i].value[step_at(&p->torque_n_m[i], c->time_s)];
+  }
+  c->needed = locked_torque(p->inertia_kg_m2, c->tau[0], c->tau[1]);
+  c->mean_rate = c->share[0] * (c->tau[0] / p->inertia_kg_m2[0]) +
+                 c->share[1] * (c->tau[1] / p->inertia_kg_m2[1]);
+  c->locked = engaged && c->slip_omega == 0.0 && fabs(c->needed) <= p->static_n_m;
+  if (c->locked) {
+    c->torque = c->needed;
+    c->slip_rate = 0.0;
+  } else {
+    const int way = c->slip_omega != 0.0 ? sign(c->slip_omega) : sign(c->needed);
+    c->torque = engaged ? way * p->capacity_n_m : 0.0;
+    c->slip_rate = relative_rate(p->inertia_kg_m2, c->needed - c->torque);
+  }
+  if (*status == ROT_OK && c->locked && !was_locked && c->time_s > p->start_s) {
+    *status = rot_events_add(events, c->time_s, ROT_EVENT_LOCK);
+  }
+  if (*status == ROT_OK && !c->locked && was_locked) {
+    *status = rot_events_add(events, c->time_s, ROT_EVENT_SLIP);
+  }
+}
+
+/* The state at a later time of the same stretch; s = time - time_s. */
+static clutch after(const clutch *c, double time) {
+  clutch to = *c;
+  const double s = time - c->time_s, half = 0.5 * s * s, *I = c->p->inertia_kg_m2;
+  const double rates = fabs(c->tau[0] / I[0]) * c->share[0] + fabs(c->tau[1] / I[1]) * c->share[1];
+  const double pull = relative_rate(I, fabs(c->needed) + fabs(c->torque));
+  to.time_s = time;
+  to.mean_theta += c->mean_omega * s + c->mean_rate * half;
+  to.mean_omega += c->mean_rate * s;
+  to.slip_theta += c->slip_omega * s + c->slip_rate * half;
+  to.slip_omega += c->slip_rate * s;
+  /* The slip keeps its sign on the stretch: both parts of the heat are positive. */
+  to.heat += fabs(c->torque) * (c->locked ? 0.0 : 0.5 * s * fabs(c->slip_omega + to.slip_omega));
+  /* The time difference is rounded too: 6 roundings of each term at most, 10 of a half square. */
+  to.mean_omega_error += ROT_EPS * (8.0 * rates * s + fabs(to.mean_omega));
+  to.mean_theta_error +=
+      c->mean_omega_error * s +
+      ROT_EPS * (3.0 * fabs(c->mean_omega) * s + 12.0 * rates * half + fabs(to.mean_theta));
+  if (!c->locked) {
+    to.slip_omega_error += ROT_EPS * (8.0 * pull * s + fabs(to.slip_omega));
+    to.slip_theta_error +=
+        c->slip_omega_error * s +
+        ROT_EPS * (3.0 * fabs(c->slip_omega) * s + 12.0 * pull * half + fabs(to.slip_theta));
+  }
+  return to;
+}
+
+/* When the slip ends, if nothing else happens; Inf if it does not. */
+static double stop_time(const clutch *c) {
+  if (sign(c->slip_omega) * sign(c->slip_rate) >= 0) return INFINITY;
+  return c->time_s - c->slip_omega / c->slip_rate;
+}
+
+static double next_step(const rot_steps *steps, double t) {
+  const size_t i = step_at(steps, t);
+  return i < steps->n ? steps->time_s[i] : (double)INFINITY;
+}
+
+/* Goes to the end of the stretch at `end`, which is the stop of the slip or a change from outside. */
+static rot_status cross(clutch *c, double end, int stops, rot_events *events) {
+  const int was_locked = c->locked, way = sign(c->slip_omega);
+  rot_status status = ROT_OK;
+  const double rate = fabs(c->slip_rate), heat = c->heat;
+  if (stops) {
+    /* w dt + A dt^2/2 with dt = -w/A is -w^2/(2 A), without the rounding of the time itself. */
+    const double w = c->slip_omega, turned = 0.5 * w * (-w / c->slip_rate);
+    const double warmed = fabs(c->torque) * fabs(turned), slip = c->slip_theta;
+    *c = after(c, end);
+    c->slip_theta = slip + turned;
+    c->heat = heat + warmed;
+    c->slip_omega = 0.0;
+    c->slip_omega_error += 2.0 * ROT_EPS * rate * fabs(end);
+    c->settled_s = end + c->slip_omega_error / rate;
+  } else {
+    *c = after(c, end);
+    if (was_locked && end > c->settled_s) c->slip_omega_error = 0.0;
+  }
+  decide(c, was_locked, events, &status);
+  /* An error of the time at zero counts by what the slip does next. */
+  if (stops && fabs(c->slip_rate) > rate) c->slip_omega_error *= fabs(c->slip_rate) / rate;
+  if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -way) {
+    status = rot_events_add(events, c->time_s, ROT_EVENT_REVERSE);
+  }
+  return status;
+}
+
+/* To time t, or as far as it goes. */
+static rot_status advance(clutch *c, double t, size_t *steps, rot_events *events) {
+  for (;;) {
+    double stop = stop_time(c), end = fmin(next_step(&c->p->torque_n_m[0], c->time_s),
+                                           next_step(&c->p->torque_n_m[1], c->time_s));
+    if (c->p->engage_s > c->time_s) end = fmin(end, c->p->engage_s);
+    const int stops = stop <= end;
+    if (stops) end = fmax(stop, c->time_s);
+    if (!(end <= t)) return ROT_OK;
+    const rot_status status = cross(c, end, stops, events);
+    if (status != ROT_OK) return status;
+    if (!(isfinite(c->mean_theta) && isfinite(c->slip_theta))) return ROT_ERANGE;
+    ++*steps;
+  }
+}
+
+static rot_status write_row(const clutch *at, const rot_clutch_columns *out, size_t i,
+                            rot_info *info) {
+  const double way[2] = {at->share[1], -at->share[0]};
+  for (int b = 0; b < 2; b++) {
+    const int first = at->time_s == at->p->start_s;
+    const double theta = first ? at->p->theta0_rad[b] : at->mean_theta + way[b] * at->slip_theta;
+    const double omega =
+        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + way[b] * at->slip_omega;
+    if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
+    const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
+    out->theta_rad[b][i] = theta;
+    out->omega_rad_per_s[b][i] = omega;
+    rot_note_row(info, theta, omega,
+                 at->mean_theta_error + fabs(way[b]) * at->slip_theta_error +
+                     ROT_EPS * (4.0 * fabs(way[b] * at->slip_theta) + fabs(theta)),
+                 at->mean_omega_error + fabs(way[b]) * slip_error +
+                     ROT_EPS * (4.0 * fabs(way[b] * at->slip_omega) + fabs(omega)));
+  }
+  out->clutch_n_m[i] = at->torque;
+  out->heat_j[i] = at->heat;
+  out->locked[i] = at->locked;
+  return ROT_OK;
+}
+
+rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
+                          const rot_clutch_columns *out, rot_events *events, const rot_hooks *hooks,
+                          rot_info *info) {
+  clutch c;
+  rot_status status = ROT_OK;
+  rot_info_clear(info);
+  begin(&c, p);
+  decide(&c, 1, NULL, &status);
+  for (int b = 0; b < 2; b++) rot_note_state(info, p->theta0_rad[b], p->omega0_rad_per_s[b]);
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
+    info->time_s = time_s[i];
+    status = time_s[i] >= p->start_s ? advance(&c, time_s[i], &info->steps, events) : ROT_EVALUE;
+    if (status != ROT_OK) break;
+    const clutch at = after(&c, time_s[i]);
+    status = write_row(&at, out, i, info);
+    if (status != ROT_OK) break;
+    info->rows_done = i + 1;
+    if (i % 8192 == 8191) status = rot_poll(hooks, (double)i / (double)n);
+  }
+  info->steps += n > 0;
+  return info->status = status;
+}
+
+/* ---- work ------------------------------------------------------------------------------------- */
+
+static void add_work(const clutch *from, const clutch *to, double *work, double *rounding) {
+  const double mean = to->mean_theta - from->mean_theta, slip = to->slip_theta - from->slip_theta;
+  const double way[2] = {from->share[1], -from->share[0]};
+  for (int b = 0; b < 2; b++) {
+    const double part = from->tau[b] * (mean + way[b] * slip);
+    const double error =
+        from->mean_theta_error + to->mean_theta_error +
+        fabs(way[b]) * (from->slip_theta_error + to->slip_theta_error) +
+        4.0 * ROT_EPS * (fabs(from->mean_theta) + fabs(to->mean_theta) + fabs(way[b] * slip));
+    *work += part;
+    *rounding += fabs(from->tau[b]) * error + 4.0 * ROT_EPS * (fabs(part) + fabs(*work));
+  }
+}
+
+rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s, double *work_j,
+                           double *rounding_j) {
+  clutch c;
+  rot_status status = ROT_OK;
+  size_t steps = 0;
+  *work_j = *rounding_j = 0.0;
+  begin(&c, p);
+  decide(&c, 1, NULL, &status);
+  if (!(from_s >= p->start_s && to_s >= from_s)) return ROT_EVALUE;
+  status = advance(&c, from_s, &steps, NULL);
+  if (status != ROT_OK) return status;
+  c = after(&c, from_s);
+  /* The torques change at their steps only, whatever the clutch does between them. */
+  for (;;) {
+    const double end = fmin(
+        to_s, fmin(next_step(&p->torque_n_m[0], c.time_s), next_step(&p->torque_n_m[1], c.time_s)));
+    clutch to = c;
+    for (;;) { /* up to the end, not beyond: the torques of the stretch are those before it */
+      double stop = stop_time(&to);
+      const int engages = p->engage_s > to.time_s && p->engage_s < end && !(stop <= p->engage_s);
+      if (!engages && !(stop < end)) break;
+      status = cross(&to, engages ? p->engage_s : fmax(stop, to.time_s), !engages, NULL);
+      if (status != ROT_OK) return status;
+    }
+    to = after(&to, end);
+    add_work(&c, &to, work_j, rounding_j);
+    if (!(end < to_s)) break;
+    status = advance(&c, end, &steps, NULL);
+    if (status != ROT_OK) return status;
+  }
+  return isfinite(*work_j) ? ROT_OK : ROT_ERANGE;
+}
+
+/* ---- one engagement --------------------------------------------------------------------------- */
+
+rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, double capacity_n_m,
+                                        double torque_1, double torque_2, double omega_1,
+                                        double omega_2) {
+  const double inertia[2] = {inertia_1, inertia_2}, slip = omega_1 - omega_2;
+  double share[2];
+  rot_clutch_engagement x;
+  find_shares(inertia, share);
+  const double mean = slip == 0.0 ? omega_1 : share[0] * omega_1 + share[1] * omega_2;
+  x.locked_torque_n_m = locked_torque(inertia, torque_1, torque_2);
+  if (isinf(capacity_n_m) || slip == 0.0) {
+    /* (1/2) I1 I2/(I1 + I2) slip^2 by the product, never by the difference of the energies. */
+    x.lock_s = 0.0;
+    x.omega_rad_per_s = mean;
+    x.heat_j =
+        rot_product(4, (double[]){0.5, fmin(inertia_1, inertia_2), fmax(share[0], share[1]), slip},
+                    1.0) *
+        slip;
+    return x;
+  }
+  const double rate = relative_rate(inertia, x.locked_torque_n_m - sign(slip) * capacity_n_m);
+  const double t = -slip / rate;
+  x.lock_s = t >= 0.0 && isfinite(t) ? t : (double)INFINITY;
+  if (isnan(slip) || isnan(rate)) x.lock_s = NAN;
+  const double mean_rate = share[0] * (torque_1 / inertia_1) + share[1] * (torque_2 / inertia_2);
+  x.omega_rad_per_s = isfinite(x.lock_s) ? mean + mean_rate * x.lock_s : (double)NAN;
+  x.heat_j = 0.5 * capacity_n_m * fabs(slip) * x.lock_s;
+  return x;
+}

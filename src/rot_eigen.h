@@ -1,0 +1,23 @@
+/* Eigenvalues and singular values by Jacobi's rotations, which keep the small ones of a graded
+ * matrix: A = V diag(values) V',  G U = Q diag(sigma).
+ *
+ * Reference: Demmel & Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204;
+ * Drmac & Veselic, SIAM J. Matrix Anal. Appl. 29 (2008) 1322. */
+#ifndef ROT_EIGEN_H
+#define ROT_EIGEN_H
+
+#include <stddef.h>
+
+#include "rot_status.h"
+
+/* Symmetric n x n, by rows; overwritten. Values ascend; column j of `vectors` belongs to value j.
+ * ROT_EVALUE for what is not finite. */
+rot_status rot_eigen_symmetric(size_t n, double a[], double values[], double vectors[]);
+
+/* Singular values sigma (ascending) and right singular vectors (columns of u, cols x cols) of g
+ * (rows x cols, by rows; overwritten), rows >= cols: G u_j has length sigma_j. Exchanges for the
+ * largest pivot, then rotations, so that each sigma is good to some cols roundings wherever
+ * G = D1 B D2 with diagonal D1, D2 of any sizes and a tame B. ROT_EVALUE for what is not finite. */
+rot_status rot_eigen_singular(size_t rows, size_t cols, double g[], double sigma[], double u[]);
+
+#endif

@@ -1,0 +1,25 @@
+/* The exponential of a matrix: Pade approximants of degree 3 to 13, scaling and squaring.
+ *
+ * Reference: Higham, SIAM J. Matrix Anal. Appl. 26 (2005) 1179. */
+#ifndef ROT_EXPM_H
+#define ROT_EXPM_H
+
+#include <stddef.h>
+
+#include "rot_status.h"
+
+/* Doubles of work space. */
+#define ROT_EXPM_WORK(n) (7 * (n) * (n))
+
+/* e = exp(a), n x n, by rows. The error grows as the 1-norm of a: some 1e-16 each unit where exp
+ * does not grow. ROT_ERANGE when it leaves the range. */
+rot_status rot_expm(size_t n, const double a[], double e[], double work[]);
+
+/* c = a b, n x n. */
+void rot_expm_multiply(size_t n, const double a[], const double b[], double c[]);
+/* y = a x. */
+void rot_expm_apply(size_t n, const double a[], const double x[], double y[]);
+/* Largest sum of a column's absolute values. */
+double rot_expm_norm(size_t n, const double a[]);
+
+#endif
