@@ -97,7 +97,7 @@ column_list <- list(
   c("reference_error", "1", "relative error of the reference itself"),
   c("cost_s", "s", "processor time of one run: the fastest batch"),
   c("cost_median_s", "s", "processor time of one run: the median of the batches"),
-  c("energy_residual", "1", "energy residual of the audit, relative to the largest energy")
+  c("energy_residual", "1", "energy residual of the audit, relative to the largest energy"),
   c("rotor", "1", "number of the rotor along the shaft, from 1"),
   c("shaft_torque_n_m", "N m", "torque of the shaft on the next rotor; NA for the last"),
   c("mode", "1", "number of the mode, slowest first"),
@@ -200,17 +200,30 @@ work_precision_columns <- c(
   "model", "method", "accuracy", "theta_error", "omega_error", "true_error", "floor", "error",
   "error_kind", "covered", "cost_s", "cost_median_s", "rhs_calls", "steps", "rejected",
   "energy_residual", "reference", "reference_error"
+)
 rotors_columns <- c(
   "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
   "rotational_kinetic_energy_j", "shaft_torque_n_m"
+)
 rotors_keys <- c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m")
 clutch_columns <- c(
   "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s",
   "clutch_torque_n_m", "heat_j", "locked"
+)
 clutch_keys <- setdiff(clutch_columns, c("clutch_torque_n_m", "locked"))
-motion_audit_columns <- append(audit_columns, "elastic_energy_change_j", after = 3)
+motion_audit_columns <- c(
+  "work_j", "dissipated_j", "kinetic_energy_change_j", "elastic_energy_change_j",
+  setdiff(
+    audit_columns,
+    c(
+      "work_j", "dissipated_j", "kinetic_energy_change_j", "dissipated_viscous_j",
+      "dissipated_quadratic_j", "dissipated_coulomb_j", "inertia_work_j"
+    )
+  )
+)
 engagement_columns <- c(
   "lock_time_s", "common_omega_rad_per_s", "heat_j", "locked_torque_n_m"
+)
 gear_columns <- c(
   "shaft", "ratio_to_first", "moment_of_inertia_kg_m2", "reflected_inertia_kg_m2",
   "reflected_viscous_n_m_s", "reflected_torque_n_m"

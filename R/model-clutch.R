@@ -20,11 +20,12 @@ clutch_exact <- list(
   requires = "constant or stepped torques",
   source = "closed form between exact events; Shigley 2004, chapter 16",
   error_kind = "bound",
-  why_not = function(scene) NULL,
+  handles = character(),
+  why_not = function(scene, time_s) NULL,
   why = function(scene) "all torques are constant between events: the solution is known in closed form",
   error = function(accuracy) 4e-15,
   cost = function(scene, rows, accuracy) 100 * rows,
-  run = function(scene, time_s, accuracy, max_steps, call) {
+  run = function(scene, time_s, accuracy, max_steps, call, asked) {
     check_not_before_start(scene, time_s, call)
     result <- .Call(ffi_clutch_run, clutch_pack(scene), time_s, progress_bar("clutch"))
     list(result[[1]], result[[2]], NULL, tibble::as_tibble(result[[3]]))
@@ -48,9 +49,4 @@ check_not_before_start <- function(scene, time_s, call) {
       call
     )
   }
-}
-
-trajectory_clutch <- function(scene, time_s, accuracy, model, call, on_fail = "abort") {
-  record <- pick_motion_model(clutch_models, scene, accuracy, model, call)
-  run_motion(record, scene, time_s, accuracy, on_fail, call)
 }

@@ -37,13 +37,14 @@ rotors_rigid <- list(
   requires = "constant torques, stiff shafts",
   source = "energy norm of the difference; Meirovitch 2001, section 7.5",
   error_kind = "bound",
-  why_not = function(scene) {
+  handles = character(),
+  why_not = function(scene, time_s) {
     if (any(scene$stiffness_n_m_per_rad == 0)) "a piece of the shaft has no stiffness"
   },
   why = function(scene) "the twists stay below the accuracy: the shaft turns as one body",
   error = function(accuracy) 4e-15,
   cost = function(scene, rows, accuracy) 40 * rows * length(scene$moment_of_inertia_kg_m2),
-  run = function(scene, time_s, accuracy, max_steps, call) run_rotors_as(0, scene, time_s),
+  run = function(scene, time_s, accuracy, max_steps, call, asked) run_rotors_as(0, scene, time_s),
   ledger = function(scene, run, from_s, to_s) {
     .Call(ffi_rotors_balance, rotors_pack(scene), 1, c(from_s, to_s))
   }
@@ -61,14 +62,15 @@ rotors_modal <- list(
   requires = "constant torques",
   source = "Meirovitch 2001, chapter 7; Higham 2005 (exponential of a matrix)",
   error_kind = "estimate",
-  why_not = function(scene) NULL,
+  handles = character(),
+  why_not = function(scene, time_s) NULL,
   why = function(scene) "linear springs and dampers under constant torques: the modes are exact",
   error = function(accuracy) 1e-14,
   cost = function(scene, rows, accuracy) {
     n <- length(scene$moment_of_inertia_kg_m2)
     40 * n^3 + rows * (200 * n + 8 * n^2)
   },
-  run = function(scene, time_s, accuracy, max_steps, call) {
+  run = function(scene, time_s, accuracy, max_steps, call, asked) {
     run_rotors_as(if (share_exponentials(accuracy)) 2 else 1, scene, time_s)
   },
   ledger = function(scene, run, from_s, to_s) {
@@ -81,14 +83,9 @@ rotors_models <- list(rotors_rigid, rotors_modal)
 # What the rigid shaft leaves out depends on the times: its record with the bound for these.
 rotors_models_for <- function(scene, time_s) {
   rigid <- rotors_rigid
-  if (is.null(rigid$why_not(scene))) {
+  if (is.null(rigid$why_not(scene, time_s))) {
     bound <- run_rotors_as(0, scene, time_s)[[2]]$error
     rigid$error <- function(accuracy) max(4e-15, bound)
   }
   list(rigid, rotors_modal)
-}
-
-trajectory_rotors <- function(scene, time_s, accuracy, model, call, on_fail = "abort") {
-  record <- pick_motion_model(rotors_models_for(scene, time_s), scene, accuracy, model, call)
-  run_motion(record, scene, time_s, accuracy, on_fail, call)
 }

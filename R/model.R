@@ -10,19 +10,26 @@
 #                           `asked`: the user named this model
 #   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times
 
-# The models of a constraint, cheapest first: closed forms, then integrators.
-closed_forms_for <- function(scene) {
-  if (inherits(scene, "rot_scene_axle")) axle_closed_forms else list()
+# The models of a scene, cheapest first: what is exact, then integrators. What a rigid shaft leaves
+# out depends on the times.
+closed_forms_for <- function(scene, time_s) {
+  if (inherits(scene, "rot_scene_axle")) {
+    axle_closed_forms
+  } else if (inherits(scene, "rot_scene_rotors")) {
+    rotors_models_for(scene, time_s)
+  } else {
+    clutch_models
+  }
 }
 
 integrators_for <- function(scene) {
   if (inherits(scene, "rot_scene_axle")) axle_integrators else list()
 }
 
-models_for <- function(scene) c(closed_forms_for(scene), integrators_for(scene))
+models_for <- function(scene, time_s) c(closed_forms_for(scene, time_s), integrators_for(scene))
 
 all_models <- function() {
-  c(axle_closed_forms, axle_integrators)
+  c(axle_closed_forms, axle_integrators, rotors_models, clutch_models)
 }
 
 #' The models
@@ -135,7 +142,7 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
   check_span(scene, time_s, call)
   accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   chosen <- pick_model(scene, time_s, accuracy, NULL, call)$record$id
-  fits <- lapply(models_for(scene), function(record) {
+  fits <- lapply(models_for(scene, time_s), function(record) {
     fit <- fit_model(record, scene, time_s, accuracy)
     if (is.null(fit$reason)) fit else fit_without(fit, time_s, accuracy, call)
   })
@@ -177,9 +184,9 @@ check_scene <- function(scene, call) {
 # something dropped, then integrators.
 pick_model <- function(scene, time_s, accuracy, model, call) {
   if (!is.null(model)) {
-    return(named_model(models_for(scene), scene, time_s, accuracy, model, call))
+    return(named_model(models_for(scene, time_s), scene, time_s, accuracy, model, call))
   }
-  closed_forms <- closed_forms_for(scene)
+  closed_forms <- closed_forms_for(scene, time_s)
   exact <- first_fit(closed_forms, scene, time_s, accuracy)
   if (!is.null(exact)) {
     return(exact)
@@ -195,7 +202,7 @@ pick_model <- function(scene, time_s, accuracy, model, call) {
   }
   integrated <- first_fit(integrators_for(scene), scene, time_s, accuracy)
   if (is.null(integrated)) {
-    abort_no_model(models_for(scene), scene, time_s, accuracy, call)
+    abort_no_model(models_for(scene, time_s), scene, time_s, accuracy, call)
   }
   integrated
 }

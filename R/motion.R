@@ -7,52 +7,8 @@ new_motion <- function(columns, n, run) {
   columns
 }
 
-# The record of the model asked for, or of the cheapest that applies, among those given.
-pick_motion_model <- function(candidates, scene, accuracy, model, call) {
-  ids <- vapply(candidates, function(m) m$id, character(1))
-  why_not <- lapply(candidates, model_why_not, scene, accuracy)
-  applies <- vapply(why_not, is.null, logical(1))
-  if (is.null(model)) {
-    if (!any(applies)) {
-      best <- min(vapply(candidates, function(m) m$error(accuracy), double(1)))
-      abort_rotdyn(
-        c(
-          "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
-          i = "The best that one promises is {format(best, digits = 2)}."
-        ),
-        "accuracy",
-        call
-      )
-    }
-    return(candidates[[which(applies)[1]]])
-  }
-  if (!rlang::is_string(model) || !model %in% ids) {
-    abort_rotdyn(
-      c(
-        "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
-        x = "It is {describe_value(model)}."
-      ),
-      "model",
-      call
-    )
-  }
-  at <- match(model, ids)
-  if (!applies[at]) {
-    reason <- why_not[[at]]
-    abort_rotdyn(
-      c(
-        "Model {.val {model}} does not fit: {reason}.",
-        i = "{.code model = NULL} picks one that does."
-      ),
-      "model",
-      call
-    )
-  }
-  candidates[[at]]
-}
-
 run_motion <- function(record, scene, time_s, accuracy, on_fail, call) {
-  result <- record$run(scene, time_s, accuracy, Inf, call)
+  result <- record$run(scene, time_s, accuracy, Inf, call, TRUE)
   columns <- result[[1]]
   info <- result[[2]]
   each <- if (is.null(columns$rotor)) 1L else length(scene$moment_of_inertia_kg_m2)

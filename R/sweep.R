@@ -31,8 +31,8 @@ sweep_parameters <- list(
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms beyond
-#'   knots are in play, `max_omega_rad_per_s`, `min_omega_rad_per_s` and `max_omega_time_s` are NA:
-#'   those models report the largest speed alone.
+#'   knots are in play, `max_omega_rad_per_s`, `min_omega_rad_per_s` and `max_omega_time_s` are NaN;
+#'   with terms beyond knots, `max_abs_omega_rad_per_s` too.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double precision;
 #'   they are NaN.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
@@ -211,7 +211,7 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
       "moment_of_inertia_kg_m2", "viscous_n_m_s", "torque_scale", "omega0_rad_per_s", "theta0_rad",
       "time_s", "quadratic_n_m_s2", "coulomb_n_m", "static_n_m"
     )]),
-    threads, progress_bar("sweep")
+    as.double(fit$record$kernel %in% c("drag", "bands")), threads, progress_bar("sweep")
   )
 }
 

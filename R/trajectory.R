@@ -4,7 +4,7 @@
 #' computes the motion in C, and returns a tibble that knows its model, its error and its
 #' [audit()].
 #'
-#' @param scene A scene, such as [scene_axle()].
+#' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()].
 #' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.
@@ -20,6 +20,7 @@
 #' @param max_steps Steps that an integrator may try in one run before it gives up, beyond one for
 #'   each row.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
+#'   (A [scene_rotors()] or a [scene_clutch()] gives a `rot_motion` with columns of its own.)
 #'   [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()] the
 #'   balance, [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()] stops
 #'   and starts, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the columns
@@ -60,6 +61,9 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
     check_string(on_fail, "on_fail", c("abort", "truncate"), call)
   }
   fit <- pick_model(scene, time_s, accuracy, model, call)
+  if (!inherits(scene, "rot_scene_axle")) {
+    return(run_motion(fit$record, scene, time_s, accuracy, on_fail, call))
+  }
   run_trajectory(fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model))
 }
 
@@ -162,7 +166,7 @@ failed_run <- function(info, n, on_fail, call) {
 }
 
 record_of <- function(run) {
-  Filter(function(m) m$id == run$model, models_for(run$scene))[[1]]
+  Filter(function(m) m$id == run$model, c(axle_closed_forms, axle_integrators))[[1]]
 }
 
 # ---- the class ----------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-#include "ffi.h"
+#include "ffi_axle.h"
 
 #include <string.h>
 
@@ -170,7 +170,7 @@ static const rot_term *unpack_terms(SEXP terms) {
 
 /* list(numbers, knots, terms, list(times, moments) of the inertia, breaks), as R/model-axle.R packs
  * it; numbers = c(inertia, viscous, start, theta0, omega0, motor, quadratic, coulomb, static). */
-static rot_axle_scene unpack_scene(SEXP pack) {
+rot_axle_scene ffi_axle_scene(SEXP pack) {
   if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 5) Rf_error("internal: `scene`");
   const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 9);
   SEXP terms = VECTOR_ELT(pack, 2), inertia = VECTOR_ELT(pack, 3), breaks = VECTOR_ELT(pack, 4);
@@ -247,7 +247,7 @@ static const struct {
     {"forced", rot_axle_forced},
 };
 
-static rot_axle_model model_named(SEXP name) {
+rot_axle_model ffi_axle_model_named(SEXP name) {
   if (TYPEOF(name) != STRSXP || XLENGTH(name) != 1) Rf_error("internal: `model`");
   for (size_t i = 0; i < sizeof models / sizeof *models; i++) {
     if (models[i].run && !strcmp(models[i].name, CHAR(STRING_ELT(name, 0)))) return models[i].run;
@@ -257,8 +257,8 @@ static rot_axle_model model_named(SEXP name) {
 
 /* list(columns, info, NULL, events) */
 SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
-  const rot_axle_model run = model_named(name);
-  const rot_axle_scene scene = unpack_scene(pack);
+  const rot_axle_model run = ffi_axle_model_named(name);
+  const rot_axle_scene scene = ffi_axle_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1);
   rot_axle_columns columns;
   rot_events events = {0, 0, NULL, NULL};
@@ -275,7 +275,7 @@ SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
 
 /* c(time of the last stop, angle there, terminal omega) */
 SEXP ffi_axle_stopping(SEXP pack) {
-  const rot_axle_scene scene = unpack_scene(pack);
+  const rot_axle_scene scene = ffi_axle_scene(pack);
   double time_s, theta;
   const rot_status status = rot_axle_drag_stop(&scene, &time_s, &theta);
   SEXP out = PROTECT(Rf_allocVector(REALSXP, 3));
@@ -336,7 +336,7 @@ static rot_status torque_from_r(double t, double theta, double omega, double *to
  * call's arguments are filled in here. `control` is c(accuracy, max_steps, method), method as in
  * ROT_METHOD_LIST. Gives list(columns, info, ledger, events). */
 SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
-  rot_axle_scene scene = unpack_scene(pack);
+  rot_axle_scene scene = ffi_axle_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
   if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
   const rot_axle_ode_options options = {c[0], (size_t)c[1], (rot_method)(int)c[2]};
