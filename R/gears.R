@@ -1,6 +1,7 @@
 #' Moment of inertia seen through a gear
 #'
-#' A body on a shaft that turns with `omega_out = omega_in/ratio` is felt at the input as `J/ratio^2`.
+#' A body on a shaft that turns with `omega_out = omega_in/ratio` is felt at the input as
+#' `J/ratio^2`.
 #'
 #' @param moment_of_inertia_kg_m2 Moment of inertia on the output shaft, at least 0.
 #' @param ratio `omega_in/omega_out`, not 0; negative for gears that turn opposite ways. For a belt

@@ -2,13 +2,13 @@
 # us call.
 
 # The scene as src/ffi_axle.c unpacks it.
-pack_axle <- function(scene, breaks_s = axle_breaks(scene), loads = scene$loads) {
+pack_axle <- function(scene, breaks_s = axle_breaks(scene), loads = scene$loads, noise_n_m = 0) {
   resistance <- scene$resistance
   list(
     c(
       scene$moment_of_inertia_kg_m2, resistance$viscous_n_m_s, scene$start_s, scene$theta0_rad,
       scene$omega0_rad_per_s, loads$motor_n_m_s, resistance$quadratic_n_m_s2,
-      resistance$coulomb_n_m, resistance$static_n_m
+      resistance$coulomb_n_m, resistance$static_n_m, noise_n_m
     ),
     axle_knots(loads$knots),
     pack_terms(loads$terms),
@@ -412,7 +412,8 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     breaks <- sort(unique(c(breaks, own)))
   }
   result <- .Call(
-    ffi_axle_integrate, pack_axle(scene, breaks, loads), law, time_s,
+    ffi_axle_integrate,
+    pack_axle(scene, breaks, loads, if (is.null(sampled)) 0 else sampled$error), law, time_s,
     c(accuracy, max_steps, method), progress_bar("integrating")
   )
   if (is.null(sampled)) result else add_sampling(result, sampled, scene, time_s)

@@ -14,7 +14,7 @@ clutch_pack <- function(scene) {
 clutch_exact <- list(
   id = "clutch_exact",
   constraint = "clutch",
-  equations = "I1 omega1' = tau1 - T, I2 omega2' = tau2 + T; T = capacity sign(slip), or what locks",
+  equations = "I1 omega1' = tau1 - T, I2 omega2' = tau2 + T; T = capacity sign(slip) or less",
   assumptions = "rigid bodies; capacity constant while it slips; torques constant between jumps",
   limits = "not before the start; where a torque equals the static capacity, rounding decides",
   requires = "constant or stepped torques",
@@ -22,7 +22,7 @@ clutch_exact <- list(
   error_kind = "bound",
   handles = character(),
   why_not = function(scene, time_s) NULL,
-  why = function(scene) "all torques are constant between events: the solution is known in closed form",
+  why = function(scene) "all torques are constant between events: a closed form is known",
   error = function(accuracy) 4e-15,
   cost = function(scene, rows, accuracy) 100 * rows,
   run = function(scene, time_s, accuracy, max_steps, call, asked) {

@@ -58,7 +58,7 @@ rotors_modal <- list(
   constraint = "rotors",
   equations = "J theta'' + C theta' + K theta = tau, mean motion and twists in modes",
   assumptions = "rigid rotors, linear springs and dampers, constant torques",
-  limits = "the phase must stay below 1e15; 64 rotors take a second for 100 rows if damped unevenly",
+  limits = "constant torques; the error grows with the phase where rotors are damped unevenly",
   requires = "constant torques",
   source = "Meirovitch 2001, chapter 7; Higham 2005 (exponential of a matrix)",
   error_kind = "estimate",

@@ -101,7 +101,8 @@ tbl_sum.rot_motion <- function(x, ...) {
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy)),
     "Error" = describe_error(run),
     if (!is.null(events) && nrow(events)) {
-      shown <- paste(events$event, "at", format_si(events$time_s), "s")[seq_len(min(4L, nrow(events)))]
+      first <- seq_len(min(4L, nrow(events)))
+      shown <- paste(events$event[first], "at", format_si(events$time_s[first]), "s")
       c("Events" = paste0(paste(shown, collapse = ", "), if (nrow(events) > 4L) ", ..."))
     }
   )

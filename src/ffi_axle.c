@@ -169,10 +169,11 @@ static const rot_term *unpack_terms(SEXP terms) {
 }
 
 /* list(numbers, knots, terms, list(times, moments) of the inertia, breaks), as R/model-axle.R packs
- * it; numbers = c(inertia, viscous, start, theta0, omega0, motor, quadratic, coulomb, static). */
+ * it; numbers = c(inertia, viscous, start, theta0, omega0, motor, quadratic, coulomb, static,
+ * noise). */
 rot_axle_scene ffi_axle_scene(SEXP pack) {
   if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 5) Rf_error("internal: `scene`");
-  const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 9);
+  const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 10);
   SEXP terms = VECTOR_ELT(pack, 2), inertia = VECTOR_ELT(pack, 3), breaks = VECTOR_ELT(pack, 4);
   if (TYPEOF(inertia) != VECSXP || XLENGTH(inertia) != 2) Rf_error("internal: `inertia`");
   const R_xlen_t knots = XLENGTH(VECTOR_ELT(inertia, 0));
@@ -188,7 +189,8 @@ rot_axle_scene ffi_axle_scene(SEXP pack) {
                           ffi_reals(VECTOR_ELT(inertia, 0), "inertia", knots),
                           ffi_reals(VECTOR_ELT(inertia, 1), "inertia", knots),
                           (size_t)XLENGTH(breaks),
-                          ffi_reals(breaks, "breaks", -1)};
+                          ffi_reals(breaks, "breaks", -1),
+                          x[9]};
   return scene;
 }
 

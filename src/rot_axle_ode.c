@@ -195,7 +195,7 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
   return ROT_OK;
 }
 
-/* Largest omega and its error: those of the state, where the inertia changes carried to the rows. */
+/* Largest omega and its error: those of the state, carried to the rows where the inertia changes */
 static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
                        const double error[], const double largest[], rot_info *info) {
   info->theta_error = error[THETA];
@@ -245,6 +245,10 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
   if (!y || (guess_torque && !slope)) info->status = ROT_ENOMEM;
   rot_status failure = info->status;
   if (failure == ROT_OK) {
+    const double span = n ? fmax(fabs(time_s[0] - scene->linear.start_s),
+                                 fabs(time_s[n - 1] - scene->linear.start_s))
+                          : 0.0;
+    const double noise[] = {scene->noise_n_m / m.reference * span, scene->noise_n_m / m.reference};
     const rot_ode_params ode = {DIM,
                                 2,
                                 axle_rhs,
@@ -258,7 +262,8 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                 options->method,
                                 m.turns ? &turn : NULL,
                                 m.inertia.n ? cross_inertia : NULL,
-                                IMPULSE};
+                                IMPULSE,
+                                noise};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
       const rot_status columns =

@@ -24,6 +24,7 @@ typedef struct rot_axle_scene {
   const double *inertia_time_s, *inertia_kg_m2;
   size_t n_breaks; /* times where a torque or I(t) jumps or kinks, increasing */
   const double *breaks_s;
+  double noise_n_m; /* how far the terms may be off: the integrator looks for no more digits */
 } rot_axle_scene;
 
 /* A model of the scene: rows at the times (finite, not decreasing), events in their order. On

@@ -45,7 +45,7 @@ static size_t step_at(const rot_steps *steps, double t) {
   return lo;
 }
 
-/* ---- the state -------------------------------------------------------------------------------- */
+/* ---- the state ------------------------------------------------------------------------------- */
 
 /* The mean motion (of the total momentum) knows nothing of the clutch, so that its error does not
  * depend on when the clutch locks; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
@@ -150,7 +150,7 @@ static double next_step(const rot_steps *steps, double t) {
   return i < steps->n ? steps->time_s[i] : (double)INFINITY;
 }
 
-/* Goes to the end of the stretch at `end`, which is the stop of the slip or a change from outside. */
+/* Goes to the end of the stretch at `end`: the slip stops, or something changes from outside. */
 static rot_status cross(clutch *c, double end, int stops, rot_events *events) {
   const int was_locked = c->locked, way = sign(c->slip_omega);
   rot_status status = ROT_OK;
@@ -241,7 +241,7 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
   return info->status = status;
 }
 
-/* ---- work ------------------------------------------------------------------------------------- */
+/* ---- work ------------------------------------------------------------------------------------ */
 
 static void add_work(const clutch *from, const clutch *to, double *work, double *rounding) {
   const double mean = to->mean_theta - from->mean_theta, slip = to->slip_theta - from->slip_theta;
@@ -290,7 +290,7 @@ rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_
   return isfinite(*work_j) ? ROT_OK : ROT_ERANGE;
 }
 
-/* ---- one engagement --------------------------------------------------------------------------- */
+/* ---- one engagement -------------------------------------------------------------------------- */
 
 rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, double capacity_n_m,
                                         double torque_1, double torque_2, double omega_1,

@@ -88,8 +88,8 @@ static void sort_ascending(size_t n, double values[], double vectors[]) {
 }
 
 /* v'Av / v'v in double words. The error of a vector counts squared here, so a well-separated small
- * eigenvalue of an ungraded matrix gets back the digits that the rotations lost: 1e-14 becomes 2e-16
- * for the 3 x 3 matrices of the tests. */
+ * eigenvalue of an ungraded matrix gets back the digits that the rotations lost: 1e-14 becomes
+ * 2e-16 for the 3 x 3 matrices of the tests. */
 static double rayleigh(size_t n, const double a[], const double vectors[], size_t j) {
   double top = 0.0, top_lo = 0.0, below = 0.0, below_lo = 0.0;
   for (size_t i = 0; i < n; i++) {

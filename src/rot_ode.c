@@ -44,6 +44,8 @@ typedef struct ode_run {
   int slope_known;       /* slope holds f(t, y) */
   int wild;              /* rhs was not finite in the last trial */
   int at_rest, may_flip; /* a stretch began at zero; nothing said which way it goes */
+  int was_cut;           /* the last step ended at a dip that was none */
+  double noise;          /* of a stretch that began at rest: what cancels in its slope there */
   double grace;          /* held up to here whatever drives */
   rot_status status;     /* of the last rhs call */
   double *y, *trial, *trial_error, *slope, *trial_slope, *allowed, *work; /* dim each */
@@ -143,17 +145,19 @@ static rot_status attempt(ode_run *run, double t, double h, const double y[],
 }
 
 /* Error of the trial step over what is allowed; NaN if it makes no sense. */
-static double trial_ratio(const ode_run *run) {
+static double trial_ratio(const ode_run *run, double h) {
   double ratio = 0.0;
   for (size_t i = 0; i < run->p->controlled; i++) {
-    const double error = fabs(run->trial_error[i]);
+    /* Breaking loose, what drives and what resists cancel: their rounding is no error of a step. */
+    const double lost = run->p->turn && i == run->p->turn->watched ? fabs(h) : h * h;
+    const double error = fmax(0.0, fabs(run->trial_error[i]) - 16.0 * ROT_EPS * run->noise * lost);
     /* Of its size so far, never of its size later: where errors grow with the motion, what is
      * small against the end is all there is at the start. */
     const double scale = fmax(LEAST_SIZE, fmax(run->largest[i], fabs(run->trial[i])));
     if (!isfinite(run->trial[i])) return NAN;
-    if (error != 0.0 && !(error / (run->tolerance * scale) <= ratio)) {
-      ratio = error / (run->tolerance * scale);
-    }
+    const double noise = run->p->noise ? run->p->noise[i] * fabs(h) : 0.0;
+    const double allowed = run->tolerance * scale + noise;
+    if (error != 0.0 && !(error / allowed <= ratio)) ratio = error / allowed;
   }
   return ratio;
 }
@@ -249,7 +253,7 @@ static rot_status find_zero(ode_run *run, const double w[4], double *hi) {
       high = x;
     }
     if (v == 0.0 || fabs(next - x) <= resolved || fabs(high - lo) <= 2.0 * resolved) break;
-    const int inside = fabs(next) > fabs(lo) && fabs(next) < fabs(high); /* NaN is not */
+    const int inside = (next - lo) * (next - high) < 0.0; /* NaN is not */
     x = inside ? next : lo + 0.5 * (high - lo);
   }
   *hi = x;
@@ -279,7 +283,7 @@ static rot_status leave_rest(ode_run *run, const double w[4], double *h, passage
   return status;
 }
 
-/* Looks at the end of the step and, by its cubic, at three places within. */
+/* Looks at the end of the step and, by its cubic, at seven places within. */
 static rot_status look_for_zero(ode_run *run, double *h, passage *what) {
   const rot_ode_switch *turn = run->p->turn;
   *what = SAME_SIDE;
@@ -288,6 +292,7 @@ static rot_status look_for_zero(ode_run *run, double *h, passage *what) {
   const double s = *turn->mode;
   double w[4] = {s * run->y[i], s * run->slope[i] * *h, s * run->trial[i],
                  s * run->trial_slope[i] * *h};
+  if (run->at_rest && w[1] == 0.0 && w[2] == 0.0 && w[3] == 0.0) return ROT_OK; /* still */
   if (run->at_rest && w[2] <= 0.0) {
     if (!run->may_flip) return leave_rest(run, w, h, what);
     run->may_flip = 0;
@@ -296,10 +301,13 @@ static rot_status look_for_zero(ode_run *run, double *h, passage *what) {
     *what = TRY_SHORTER;
     return ROT_OK;
   }
-  double dip = 1.0;
-  for (int k = 1; k < 4 && w[2] > 0.0; k++) {
-    if (cubic(w, 0.25 * k) < 0.0 && (dip == 1.0 || cubic(w, 0.25 * k) < cubic(w, dip))) {
-      dip = 0.25 * k;
+  /* Between two ends on one side it may dip to the other. The cubic is of order 4, so that it is
+   * believed only where it stays clear of zero. */
+  double dip = 1.0, least = run->was_cut ? 0.0 : 0.3 * fmin(w[0], w[2]);
+  for (int k = 1; k < 8 && w[2] > 0.0; k++) {
+    if (cubic(w, 0.125 * k) < least) {
+      least = cubic(w, 0.125 * k);
+      dip = 0.125 * k;
     }
   }
   if (w[2] > 0.0 && (dip == 1.0 || run->at_rest)) return ROT_OK;
@@ -489,7 +497,8 @@ static void log_event(const ode_run *run, rot_event event, rot_status *status) {
 /* Which way it goes on from here. `was`: the mode before, 2 at the start of a run. */
 static rot_status choose_mode(ode_run *run, int was) {
   const rot_ode_switch *turn = run->p->turn;
-  run->at_rest = run->may_flip = 0;
+  run->at_rest = run->may_flip = run->was_cut = 0;
+  run->noise = 0.0;
   if (!turn) return ROT_OK;
   rot_status status = ROT_OK;
   const double w = run->y[turn->watched];
@@ -510,6 +519,14 @@ static rot_status choose_mode(ode_run *run, int was) {
   *turn->mode = run->forward || drive == 0.0 ? way : -way;
   run->at_rest = 1;
   run->may_flip = drive == 0.0;
+  if (turn->holds > 0.0) { /* against its way, nothing cancels */
+    const int mode = *turn->mode;
+    double unused;
+    *turn->mode = -mode;
+    if (status == ROT_OK) status = held_slope(run, run->t, &drive, &unused);
+    *turn->mode = mode;
+    run->noise = fabs(run->trial_slope[turn->watched]);
+  }
   if (was == 0) log_event(run, ROT_EVENT_SLIP, &status);
   if (was == -*turn->mode) log_event(run, ROT_EVENT_REVERSE, &status);
   return status;
@@ -644,7 +661,7 @@ static rot_status take_step(ode_run *run, double stop, double fraction, passage 
   status = attempt(run, run->t, plan.h, run->y, run->slope);
   if (status != ROT_OK && status != ROT_ETORQUE) return status;
   if (status == ROT_ETORQUE && !run->wild && run->status != ROT_OK) return status;
-  const double ratio = status == ROT_OK ? trial_ratio(run) : NAN;
+  const double ratio = status == ROT_OK ? trial_ratio(run, plan.h) : NAN;
   if (!(ratio <= 1.0)) { /* NaN fails */
     const double less = isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, error_power(run))) : 0.1;
     return reject(run, plan.h, less);
@@ -656,6 +673,7 @@ static rot_status take_step(ode_run *run, double stop, double fraction, passage 
   if (*what == TRY_SHORTER) return run->slope_known ? reject(run, plan.h, 0.1) : ROT_OK;
   note_error(run, ratio * run->tolerance);
   run->limit = INFINITY;
+  run->was_cut = *what == CUT_SHORT;
   const double grow = ratio > 0.0 ? 0.9 * pow(ratio, error_power(run)) : 5.0;
   const double wish = plan.h * fmin(5.0, fmax(0.5, grow));
   judge_stiffness(run, plan.h);

@@ -47,6 +47,9 @@ typedef struct rot_ode_params {
   const rot_ode_switch *turn; /* may be NULL */
   void (*at_break)(double t, double y[], int forward, void *ctx); /* may be NULL: y may jump */
   size_t sloped; /* the component whose slope is wanted at the rows */
+  /* What rhs itself leaves uncertain of the controlled slopes, or NULL: a step may be off by so
+   * much a second besides, or a motion that begins in rhs's rounding would never be resolved. */
+  const double *noise;
 } rot_ode_params;
 
 /* Relative errors below this cannot be shown by a second run: its own rounding. */

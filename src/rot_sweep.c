@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_pair.h"
 #include "rot_real.h"
 
 #ifdef _OPENMP
@@ -10,7 +11,7 @@
 #endif
 
 /* Rows between two polls: some milliseconds. */
-enum { LINEAR_CHUNK = 65536, SCENE_CHUNK = 512 };
+enum { LINEAR_CHUNK = 65536, SCENE_CHUNK = 512, PARTS = 32 }; /* a thread takes part by part */
 
 /* ---- sharing out ---------------------------------------------------------------------------- */
 
@@ -26,19 +27,20 @@ int rot_sweep_threads(void) {
 /* Rows first .. last-1 in the given frame. */
 typedef void (*row_worker)(const void *frame, size_t first, size_t last);
 
-static void share_out(row_worker work, const void *frame, size_t first, size_t last, int threads) {
+static void share_out(row_worker work, const void *frame, size_t first, size_t last, size_t part,
+                      int threads) {
 #ifdef _OPENMP
   if (threads > 1) {
-    const size_t n = last - first, parts = (size_t)threads;
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (int i = 0; i < threads; i++) {
-      const size_t at = (size_t)i;
-      work(frame, first + n / parts * at + (at < n % parts ? at : n % parts),
-           first + n / parts * (at + 1) + (at + 1 < n % parts ? at + 1 : n % parts));
+    const int parts = (int)((last - first + part - 1) / part);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (int i = 0; i < parts; i++) {
+      const size_t from = first + (size_t)i * part;
+      work(frame, from, last - from < part ? last : from + part);
     }
     return;
   }
 #endif
+  (void)part;
   (void)threads;
   work(frame, first, last);
 }
@@ -51,61 +53,91 @@ static rot_status sweep(row_worker work, const void *frame, size_t n, size_t chu
   rot_info_clear(info);
   for (size_t first = 0; first < n && info->status == ROT_OK;) {
     const size_t last = n - first < chunk ? n : first + chunk;
-    share_out(work, frame, first, last, threads);
+    share_out(work, frame, first, last, chunk / PARTS, threads);
     info->rows_done = first = last;
     info->status = rot_poll(hooks, (double)last / (double)n);
   }
   return info->status;
 }
 
-/* ---- one axle ------------------------------------------------------------------------------- */
-
-typedef struct axle {
-  double I, c, time_s, theta, omega, theta_error, omega_error;           /* now */
-  double omega_max, omega_max_time_s, omega_min, theta_max, worst_error; /* on the way; of omega */
-} axle;
+/* ---- weights -------------------------------------------------------------------------------- */
 
 static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
 
-static inline void note(axle *x, double time_s, double omega) {
-  if (omega > x->omega_max) {
-    x->omega_max = omega;
-    x->omega_max_time_s = time_s;
-  }
-  if (omega < x->omega_min) x->omega_min = omega;
-}
+/* phi0, phi1, g1, phi2, phi3 of -z for two steps. */
+typedef struct weights {
+  rot_pair start, reach, near, far, last;
+} weights;
 
-/* phi3(-z) for 0 <= z < 1, in four strands: what follows the last term is below 2^-54 of the first,
- * as it is from the eleventh on below 1/4. */
-static inline double phi3_below_1(double z) {
-  const double zz = z * z, z4 = zz * zz;
-  double p = 1 / 6.0 + zz * (1 / 120.0) + z4 * (1 / 5040.0 + zz * (1 / 362880.0));
-  double q = 1 / 24.0 + zz * (1 / 720.0) + z4 * (1 / 40320.0 + zz * (1 / 3628800.0));
-  const double z8 = z4 * z4;
-  p += z8 * ((1 / 39916800.0 + zz * (1 / 6227020800.0)) +
-             z4 * ((1 / 1307674368000.0 + zz * (1 / 355687428096000.0)) +
-                   z4 * (1 / 121645100408832000.0)));
-  q += z8 * ((1 / 479001600.0 + zz * (1 / 87178291200.0)) +
-             z4 * (1 / 20922789888000.0 + zz * (1 / 6402373705728000.0)));
+/* 0 <= z <= 1, in strands: what follows the last term is below 2^-54 of the first. */
+ROT_INLINE rot_pair phi3_below_1(rot_pair z) {
+#define C(x) ROT_BOTH(1 / x)
+  const rot_pair zz = z * z, z4 = zz * zz, z8 = z4 * z4;
+  const rot_pair p =
+      (C(6.0) + zz * C(120.0)) + z4 * (C(5040.0) + zz * C(362880.0)) +
+      z8 * ((C(39916800.0) + zz * C(6227020800.0)) +
+            z4 * ((C(1307674368000.0) + zz * C(355687428096000.0)) + z4 * C(121645100408832000.0)));
+  const rot_pair q = (C(24.0) + zz * C(720.0)) + z4 * (C(40320.0) + zz * C(3628800.0)) +
+                     z8 * ((C(479001600.0) + zz * C(87178291200.0)) +
+                           z4 * (C(20922789888000.0) + zz * C(6402373705728000.0)));
+#undef C
   return p - z * q;
 }
 
-typedef struct weights {
-  double start, near, far, reach; /* phi0, g1, phi2, phi1 */
-} weights;
-
-/* From z = 1 the recurrence upward loses less than a factor of four. */
-static weights weights_from_1(double z) {
-  const double each = 1.0 / z, phi0 = exp(-z), phi1 = (1.0 - phi0) * each;
-  const weights w = {phi0, (phi1 - phi0) * each, (1.0 - phi1) * each, phi1};
+/* Downward from the series below z = 1. */
+ROT_INLINE weights weights_below(rot_pair z) {
+  weights w;
+  w.last = phi3_below_1(z);
+  w.far = ROT_BOTH(0.5) - z * w.last;
+  w.reach = ROT_BOTH(1.0) - z * w.far;
+  w.near = w.reach - w.far;
+  w.start = ROT_BOTH(1.0) - z * w.reach;
   return w;
 }
 
-static weights weights_below_1(double z, double phi3) {
-  const double phi2 = 0.5 - z * phi3, phi1 = 1.0 - z * phi2;
-  const weights w = {1.0 - z * phi1, phi1 - phi2, phi2, phi1};
+/* Upward from the exponential above, where that loses less than a factor of ten. */
+ROT_INLINE weights weights_above(rot_pair z) {
+  const rot_pair one = ROT_BOTH(1.0), most = ROT_BOTH(700.0), each = one / z;
+  weights w;
+  w.start = rot_pair_decay(rot_pair_if_more(z, most, most, z));
+  w.reach = (one - w.start) * each;
+  w.near = (w.reach - w.start) * each;
+  w.far = (one - w.reach) * each;
+  w.last = (ROT_BOTH(0.5) - w.far) * each;
   return w;
 }
+
+/* Each by its own z: no row depends on its neighbour. */
+ROT_INLINE weights weights_of(rot_pair z) {
+  const rot_pair one = ROT_BOTH(1.0);
+  double each[ROT_PAIR];
+  int above = 0;
+  rot_store(each, z);
+  for (int i = 0; i < ROT_PAIR; i++) above += each[i] > 1.0;
+  if (above == 0) return weights_below(z);
+  if (above == ROT_PAIR) return weights_above(z);
+  const weights low = weights_below(rot_pair_if_more(z, one, one, z));
+  const weights high = weights_above(rot_pair_if_more(z, one, z, one));
+  weights w;
+  w.start = rot_pair_if_more(z, one, high.start, low.start);
+  w.reach = rot_pair_if_more(z, one, high.reach, low.reach);
+  w.near = rot_pair_if_more(z, one, high.near, low.near);
+  w.far = rot_pair_if_more(z, one, high.far, low.far);
+  w.last = rot_pair_if_more(z, one, high.last, low.last);
+  return w;
+}
+
+/* ---- axles side by side --------------------------------------------------------------------- */
+
+enum { BLOCK = 32 };
+
+typedef struct block {
+  double c[BLOCK], inverse[BLOCK], lambda[BLOCK], scale[BLOCK], end_s[BLOCK]; /* 1/I, c/I */
+  double time_s[BLOCK], theta[BLOCK], omega[BLOCK], theta_error[BLOCK], omega_error[BLOCK];
+  double omega_max[BLOCK], omega_max_time_s[BLOCK], omega_min[BLOCK], theta_max[BLOCK],
+      worst_error[BLOCK];
+  double s[BLOCK], stop_s[BLOCK], a[BLOCK], b[BLOCK], omega_end[BLOCK]; /* of the step at hand */
+} block;
 
 /* Where omega turns inside a piece, its acceleration I A = excess at the start:
  * exp(c s/I) = 1 - (c/I) excess/slope. */
@@ -114,62 +146,73 @@ static double turning_s(double excess, double slope, double lambda) {
   return x != 0.0 ? straight * (log1p(x) / x) : straight;
 }
 
-static void note_turn(axle *x, double lambda, double inverse, double s, double a, double b) {
-  const double at = turning_s(a - x->c * x->omega, (b - a) / s, lambda), z = lambda * at;
+static void note_turn(block *x, size_t i) {
+  const double a = x->a[i], b = x->b[i], c = x->c[i], s = x->s[i], w0 = x->omega[i];
+  const double excess = a - c * w0, left = b - c * x->omega_end[i];
+  if (!((excess > 0.0 && left < 0.0) || (excess < 0.0 && left > 0.0))) return;
+  const double at = turning_s(excess, (b - a) / s, x->lambda[i]), z = x->lambda[i] * at;
   if (!(at > 0.0 && at < s)) return;
   const double torque = a + (b - a) * (at / s), most = larger(fabs(a), fabs(b));
-  double omega, error = x->omega_error;
+  double omega, error = x->omega_error[i];
   if (z >= 1.0) {
-    omega = torque / x->c; /* nothing is left over for acceleration */
-    error += 12.0 * ROT_EPS * (most / x->c + fabs(x->omega));
+    omega = torque / c; /* nothing is left over for acceleration */
+    error += 12.0 * ROT_EPS * (most / c + fabs(w0));
   } else {
-    const weights w = weights_below_1(z, phi3_below_1(z));
-    const double v = at * inverse;
-    omega = x->omega * w.start + v * (a * w.near + torque * w.far);
-    error += 16.0 * ROT_EPS * (fabs(x->omega) + v * most);
+    const weights w = weights_of(ROT_BOTH(z));
+    double start[ROT_PAIR], near[ROT_PAIR], far[ROT_PAIR];
+    const double v = at * x->inverse[i];
+    rot_store(start, w.start);
+    rot_store(near, w.near);
+    rot_store(far, w.far);
+    omega = w0 * start[0] + v * (a * near[0] + torque * far[0]);
+    error += 16.0 * ROT_EPS * (fabs(w0) + v * most);
   }
-  note(x, x->time_s + at, omega);
-  if (error > x->worst_error) x->worst_error = error;
+  /* The end of the step was noted already; the turn is beyond it, whatever rounding says. */
+  if (omega > x->omega_max[i] || (excess > 0.0 && x->omega_max_time_s[i] >= x->stop_s[i])) {
+    x->omega_max[i] = larger(omega, x->omega_max[i]);
+    x->omega_max_time_s[i] = x->time_s[i] + at;
+  }
+  if (omega < x->omega_min[i]) x->omega_min[i] = omega;
+  if (error > x->worst_error[i]) x->worst_error[i] = error;
 }
 
-/* A step of length s to a time, torque a to b; `most` bounds the torque in the piece. The weights
- * are good to 10 units at z = 1, where they are worst; 16 with products, sums and a torque inside
- * the piece. From z = 1 theta follows from the balance, c dtheta = impulse - I domega. */
-static void pass(axle *x, double lambda, double inverse, double time_s, double s, double a,
-                 double b, double most) {
-  const double z = lambda * s, v = s * inverse, w0 = x->omega;
-  double w1, turned, rounding, turned_rounding;
-  weights w;
-  if (z < 1.0) {
-    const double phi3 = phi3_below_1(z);
-    w = weights_below_1(z, phi3);
-    const double far = w.far - phi3;
-    w1 = w0 * w.start + v * (a * w.near + b * w.far);
-    turned = s * (w0 * w.reach + v * (a * far + b * phi3));
-    rounding = 16.0 * ROT_EPS * (fabs(w0) * w.start + v * (fabs(a) * w.near + most * w.far));
-    turned_rounding = 16.0 * ROT_EPS * s * (fabs(w0) * w.reach + v * (fabs(a) * far + most * phi3));
-  } else {
-    w = weights_from_1(z);
-    w1 = w0 * w.start + v * (a * w.near + b * w.far);
-    turned = (0.5 * s * (a + b) - x->I * (w1 - w0)) / x->c;
-    rounding = ROT_EPS * ((4.0 + 3.0 * z) * fabs(w0) * w.start +
-                          16.0 * v * (fabs(a) * w.near + most * w.far));
-    turned_rounding =
-        (8.0 * ROT_EPS * s * most + x->I * (rounding + 3.0 * ROT_EPS * (fabs(w0) + fabs(w1)))) /
-        x->c;
+/* Two steps at a time; `most` bounds the torque in the piece, unscaled. The weights of omega are
+ * good to 10 units at z = 1, where they are worst, those of theta to 20; with products, sums, the
+ * rounding of z and a torque inside the piece 16 + 3 z and 24. g1 + phi2 = phi1. A step of no length changes nothing.
+ */
+static void pass(block *x, double most_n_m) {
+  const rot_pair eps = ROT_BOTH(ROT_EPS), none = ROT_BOTH(0.0);
+  for (size_t i = 0; i < BLOCK; i += ROT_PAIR) {
+    const rot_pair s = rot_load(x->s + i), a = rot_load(x->a + i), b = rot_load(x->b + i);
+    const rot_pair w0 = rot_load(x->omega + i), z = rot_load(x->lambda + i) * s;
+    const rot_pair v = s * rot_load(x->inverse + i);
+    const weights w = weights_of(z);
+    const rot_pair rest = w.far - w.last;
+    const rot_pair w1 = w0 * w.start + v * (a * w.near + b * w.far);
+    const rot_pair theta =
+        rot_load(x->theta + i) + s * (w0 * w.reach + v * (a * rest + b * w.last));
+    const rot_pair most = ROT_BOTH(most_n_m) * rot_pair_abs(rot_load(x->scale + i));
+    const rot_pair size = rot_pair_abs(w0), unit = rot_pair_if_more(s, none, eps, none);
+    const rot_pair before = rot_load(x->omega_error + i);
+    const rot_pair error =
+        before * w.start + unit * ((ROT_BOTH(16.0) + ROT_BOTH(3.0) * z) * size * w.start +
+                                   ROT_BOTH(16.0) * v * most * w.reach);
+    const rot_pair top = rot_load(x->omega_max + i), low = rot_load(x->omega_min + i);
+    rot_store(x->omega_end + i, w1);
+    rot_store(x->theta + i, theta);
+    rot_store(x->theta_error + i,
+              rot_load(x->theta_error + i) +
+                  (s * w.reach * before +
+                   unit * (ROT_BOTH(24.0) * s * (size * w.reach + v * most * w.far) +
+                           rot_pair_abs(theta))));
+    rot_store(x->theta_max + i, rot_pair_max(rot_load(x->theta_max + i), rot_pair_abs(theta)));
+    rot_store(x->worst_error + i, rot_pair_max(rot_load(x->worst_error + i), error));
+    rot_store(x->omega_max_time_s + i, rot_pair_if_more(w1, top, rot_load(x->stop_s + i),
+                                                        rot_load(x->omega_max_time_s + i)));
+    rot_store(x->omega_max + i, rot_pair_max(top, w1));
+    rot_store(x->omega_min + i, rot_pair_if_more(low, w1, w1, low));
+    rot_store(x->omega_error + i, error);
   }
-  const double excess = a - x->c * w0, left = b - x->c * w1;
-  if (a != b && ((excess > 0.0 && left < 0.0) || (excess < 0.0 && left > 0.0))) {
-    note_turn(x, lambda, inverse, s, a, b);
-  }
-  x->theta += turned;
-  x->theta_error += s * w.reach * x->omega_error + turned_rounding + ROT_EPS * fabs(x->theta);
-  x->omega = w1;
-  x->omega_error = x->omega_error * w.start + rounding;
-  if (x->omega_error > x->worst_error) x->worst_error = x->omega_error;
-  x->time_s = time_s;
-  note(x, time_s, w1);
-  if (fabs(x->theta) > x->theta_max) x->theta_max = fabs(x->theta);
 }
 
 /* ---- rows in closed form -------------------------------------------------------------------- */
@@ -193,6 +236,52 @@ static double relative(double error, double largest) {
   return error > 0.0 ? (largest > 0.0 ? error / largest : 1.0) : 0.0;
 }
 
+/* The torque of a piece at a time inside it. */
+static double inside(const rot_torque_piece *piece, double t) {
+  const double a = piece->start_n_m, b = piece->end_n_m;
+  if (a == b) return a;
+  return (a * (piece->end_s - t) + b * (t - piece->start_s)) / (piece->end_s - piece->start_s);
+}
+
+static void tame_way(const linear_frame *frame, block *x) {
+  const rot_torque_piece *piece = frame->pieces;
+  double a = frame->start_n_m, last = x->end_s[0];
+  for (size_t i = 1; i < BLOCK; i++) last = larger(last, x->end_s[i]);
+  for (;; piece++, a = piece->start_n_m) {
+    for (size_t i = 0; i < BLOCK; i++) {
+      const double end = x->end_s[i], stop = piece->end_s < end ? piece->end_s : end;
+      const double s = stop - x->time_s[i]; /* 0 where the row has ended */
+      x->s[i] = s;
+      x->stop_s[i] = stop;
+      x->a[i] = a * x->scale[i];
+      x->b[i] = piece->end_n_m * x->scale[i];
+      if (stop < piece->end_s && s > 0.0) x->b[i] = inside(piece, stop) * x->scale[i];
+    }
+    pass(x, larger(fabs(piece->start_n_m), fabs(piece->end_n_m)));
+    for (size_t i = 0; i < BLOCK; i++) {
+      if (x->a[i] != x->b[i] && x->s[i] > 0.0) note_turn(x, i);
+      x->omega[i] = x->omega_end[i];
+      x->time_s[i] = x->stop_s[i];
+    }
+    if (last <= piece->end_s) return;
+  }
+}
+
+/* ---- a row that needs care ------------------------------------------------------------------ */
+
+typedef struct axle {
+  double I, c, time_s, theta, omega, theta_error;
+  double omega_max, omega_max_time_s, omega_min, theta_max, worst_error; /* on the way; of omega */
+} axle;
+
+static inline void note(axle *x, double time_s, double omega) {
+  if (omega > x->omega_max) {
+    x->omega_max = omega;
+    x->omega_max_time_s = time_s;
+  }
+  if (omega < x->omega_min) x->omega_min = omega;
+}
+
 static void put_row(const rot_sweep_columns *out, size_t i, const axle *x, rot_status status) {
   const int good = status == ROT_OK;
   const double speed = larger(x->omega_max, -x->omega_min);
@@ -206,27 +295,6 @@ static void put_row(const rot_sweep_columns *out, size_t i, const axle *x, rot_s
   out->speed_max[i] = good ? speed : NAN;
   out->error[i] = good ? larger(of_theta, of_omega) : NAN;
   out->status[i] = (int)status;
-}
-
-/* The torque of a piece at a time inside it. */
-static double inside(const rot_torque_piece *piece, double t) {
-  const double a = piece->start_n_m, b = piece->end_n_m;
-  if (a == b) return a;
-  return (a * (piece->end_s - t) + b * (t - piece->start_s)) / (piece->end_s - piece->start_s);
-}
-
-static void tame_way(const linear_frame *frame, axle *x, double end_s, double scale) {
-  const double inverse = 1.0 / x->I, lambda = x->c * inverse;
-  const rot_torque_piece *piece = frame->pieces;
-  double a = frame->start_n_m;
-  for (;; piece++, a = piece->start_n_m) {
-    const double stop = piece->end_s < end_s ? piece->end_s : end_s;
-    const double b = stop == piece->end_s ? piece->end_n_m : inside(piece, stop);
-    const double most = larger(fabs(piece->start_n_m), fabs(piece->end_n_m));
-    const double s = stop - x->time_s;
-    if (s > 0.0) pass(x, lambda, inverse, stop, s, a * scale, b * scale, most * fabs(scale));
-    if (end_s <= piece->end_s) return;
-  }
 }
 
 /* As above, for any numbers. */
@@ -270,27 +338,82 @@ static rot_status careful_way(const linear_frame *frame, axle *x, double end_s, 
   return ROT_OK;
 }
 
+static rot_status start_row(const linear_frame *frame, size_t i, axle *x, double *scale,
+                            double *end_s, int *fast) {
+  const rot_sweep_rows *rows = frame->rows;
+  const double I = rot_at(rows->inertia_kg_m2, i), c = rot_at(rows->viscous_n_m_s, i),
+               w0 = rot_at(rows->omega0_rad_per_s, i), theta0 = rot_at(rows->theta0_rad, i),
+               start_s = rows->start_s;
+  const axle start = {I, c, start_s, theta0, w0, 0.0, w0, start_s, w0, fabs(theta0), 0.0};
+  *x = start;
+  *scale = rot_at(rows->torque_scale, i);
+  *end_s = rot_at(rows->time_s, i);
+  *fast = frame->tame && c >= 0.0 && tame(I) && tame(c) && tame(*scale) && tame(w0) &&
+          tame(theta0) && tame(*end_s - start_s);
+  return I > 0.0 && *end_s >= start_s && isfinite(I) && isfinite(c) && isfinite(*scale) &&
+                 isfinite(w0) && isfinite(theta0) && isfinite(*end_s)
+             ? ROT_OK
+             : ROT_EVALUE;
+}
+
+static void fill_place(block *b, size_t l, const axle *x, double scale, double end_s) {
+  b->c[l] = x->c;
+  b->inverse[l] = 1.0 / x->I;
+  b->lambda[l] = x->c / x->I;
+  b->scale[l] = scale;
+  b->end_s[l] = end_s;
+  b->time_s[l] = b->omega_max_time_s[l] = x->time_s;
+  b->theta[l] = x->theta;
+  b->omega[l] = b->omega_max[l] = b->omega_min[l] = x->omega;
+  b->theta_error[l] = b->omega_error[l] = b->worst_error[l] = 0.0;
+  b->theta_max[l] = fabs(x->theta);
+}
+
+static void put_block(const linear_frame *frame, block *b, const size_t row[], size_t filled) {
+  if (filled == 0) return;
+  for (size_t l = filled; l < BLOCK; l++) { /* empty places end where they start */
+    const axle idle = {1.0, 0.0, frame->rows->start_s, 0, 0, 0, 0, 0, 0, 0, 0};
+    fill_place(b, l, &idle, 0.0, frame->rows->start_s);
+  }
+  tame_way(frame, b);
+  for (size_t l = 0; l < filled; l++) {
+    const axle x = {1.0,
+                    b->c[l],
+                    b->time_s[l],
+                    b->theta[l],
+                    b->omega[l],
+                    b->theta_error[l],
+                    b->omega_max[l],
+                    b->omega_max_time_s[l],
+                    b->omega_min[l],
+                    b->theta_max[l],
+                    b->worst_error[l]};
+    put_row(frame->out, row[l], &x, ROT_OK);
+  }
+}
+
 static void linear_rows(const void *data, size_t first, size_t last) {
   const linear_frame *frame = data;
-  const rot_sweep_rows *rows = frame->rows;
-  const double start_s = rows->start_s;
+  block b;
+  size_t row[BLOCK], filled = 0;
   for (size_t i = first; i < last; i++) {
-    const double I = rot_at(rows->inertia_kg_m2, i), c = rot_at(rows->viscous_n_m_s, i),
-                 scale = rot_at(rows->torque_scale, i), w0 = rot_at(rows->omega0_rad_per_s, i),
-                 theta0 = rot_at(rows->theta0_rad, i), end_s = rot_at(rows->time_s, i);
-    axle x = {I, c, start_s, theta0, w0, 0.0, 0.0, w0, start_s, w0, fabs(theta0), 0.0};
-    rot_status status = ROT_OK;
-    if (!(I > 0.0 && end_s >= start_s && isfinite(I) && isfinite(c) && isfinite(scale) &&
-          isfinite(w0) && isfinite(theta0) && isfinite(end_s))) {
-      status = ROT_EVALUE;
-    } else if (frame->tame && c >= 0.0 && tame(I) && tame(c) && tame(scale) && tame(w0) &&
-               tame(theta0) && tame(end_s - start_s)) {
-      tame_way(frame, &x, end_s, scale);
+    axle x;
+    double scale, end_s;
+    int fast;
+    rot_status status = start_row(frame, i, &x, &scale, &end_s, &fast);
+    if (status == ROT_OK && fast) {
+      fill_place(&b, filled, &x, scale, end_s);
+      row[filled++] = i;
     } else {
-      status = careful_way(frame, &x, end_s, scale);
+      if (status == ROT_OK) status = careful_way(frame, &x, end_s, scale);
+      put_row(frame->out, i, &x, status);
     }
-    put_row(frame->out, i, &x, status);
+    if (filled == BLOCK) {
+      put_block(frame, &b, row, filled);
+      filled = 0;
+    }
   }
+  put_block(frame, &b, row, filled);
 }
 
 rot_status rot_sweep_linear(const rot_torque *torque, const rot_sweep_rows *rows, int threads,

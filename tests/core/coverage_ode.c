@@ -117,7 +117,7 @@ int main(int argc, char **argv) {
       const size_t rows = k % 3 == 0 ? 5 : k % 3 == 1 ? 100 : MOST_ROWS;
       rot_ode_params p = {
           2,    2,    rhs, &s, 0, NULL, 0.0, start, pow(10.0, -digits), 1000000, ROT_METHOD_NONE,
-          NULL, NULL, 1};
+          NULL, NULL, 1, NULL};
       double error[2], largest[2], most[2];
       rot_info info;
       for (size_t i = 0; i < rows; i++) t[i] = end * (double)(i + 1) / (double)rows;

@@ -456,7 +456,7 @@ static void check_held(void) {
   ROT_CHECK(events.count > 0);
 }
 
-/* Quadratic drag: from rest under a constant torque w = w1 tanh(t/T), in the coast w0/(1 + t w0 q/I);
+/* Quadratic drag: from rest under a constant torque w = w1 tanh(t/T);
  * thrown against the torque it comes to rest at atan(). */
 static void check_quadratic(void) {
   const double time_s[] = {-9.0}, torque[] = {3.0}, t[] = {0.0, 0.3, 1.0, 4.0};
@@ -626,7 +626,7 @@ static void check_everything(void) {
 
 /* ---- the damped pendulum of the Modelica library --------------------------------------------- */
 
-/* (I + m r^2) phi'' = -d phi' - m g r cos phi: gravity about -pi/2. The last rows by mpmath's Taylor
+/* (I + m r^2) phi'' = -d phi' - m g r cos phi: gravity about -pi/2. The rows by mpmath's Taylor
  * series, 40 digits, from the doubles used here; the file holds to 5e-6 rad and 2.6e-5 rad/s. */
 static void check_modelica(void) {
   const double x[] = {1.0 * 9.80665 * 0.5, -1.57079632679489661923};

@@ -3,7 +3,7 @@
 #include "rot_real.h"
 #include "rot_test.h"
 
-/* ---- against mpmath --------------------------------------------------------------------------- */
+/* ---- against mpmath -------------------------------------------------------------------------- */
 
 /* Random scenes, both bodies marched by themselves from event to event; mpmath, 60 digits. The
  * letters are the events on the way: L lock, S slip, R reverse. */
@@ -354,7 +354,7 @@ static void check_case(const clutch_case *x) {
   rot_events_free(&events);
 }
 
-/* ---- by hand ---------------------------------------------------------------------------------- */
+/* ---- by hand --------------------------------------------------------------------------------- */
 
 typedef struct scene {
   rot_clutch_params p;

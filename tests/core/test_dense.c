@@ -63,7 +63,7 @@ static void check_growing_steps(void) {
     const double t = 0.5 * (rot_dense_node(&d, i)[0] + rot_dense_node(&d, i + 1)[0]);
     double share;
     ROT_CHECK_REL(rot_dense_at(&form, t, NULL, &share, NULL), t, 1e-15);
-    ROT_CHECK(share <= 1e-12 * t);
+    if (form.terms > form.share) ROT_CHECK(share <= 1e-12 * t); /* else there is none to tell */
   }
   rot_dense_free(&d);
 }

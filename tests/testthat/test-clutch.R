@@ -1,0 +1,29 @@
+test_that("an engagement has its textbook time, speed and heat", {
+  table <- clutch_engagement(2, 3, c(6, 12, Inf), 10)
+  expect_named(table, engagement_columns)
+  expect_equal(table$lock_time_s, c(2, 1, 0), tolerance = 1e-15)
+  expect_equal(table$common_omega_rad_per_s, c(4, 4, 4), tolerance = 1e-15)
+  # (1/2) I1 I2/(I1 + I2) dw^2, whatever the capacity.
+  expect_equal(table$heat_j, c(60, 60, 60), tolerance = 1e-15)
+})
+
+test_that("torques help or hinder it, and some clutches never lock", {
+  # Driven with 5 N m on body 1: 10 - 5/2 = 7.5 rad/s^2.
+  table <- clutch_engagement(2, 3, 12, 10, torque_1_n_m = c(5, 20, NA))
+  expect_equal(table$lock_time_s, c(10 / 7.5, Inf, NA), tolerance = 1e-15)
+  expect_equal(table$common_omega_rad_per_s, c(4 + 10 / 7.5, NA, NA), tolerance = 1e-15)
+  expect_equal(table$heat_j, c(80, Inf, NA), tolerance = 1e-15)
+  expect_equal(table$locked_torque_n_m, c(3, 12, NA))
+  expect_error(clutch_engagement(0, 3, 12, 10), class = "rotdyn_error_value")
+  expect_error(clutch_engagement(2, 3, -1, 10), class = "rotdyn_error_value")
+  expect_error(clutch_engagement(2:3, 1:3, 1, 10), class = "rotdyn_error_size")
+})
+
+test_that("the table agrees with the motion", {
+  scene <- scene_clutch(0.3, 1.7, 4, torque_1 = 1, torque_2 = -2, omega1_rad_per_s = 30,
+                        omega2_rad_per_s = -5)
+  row <- clutch_engagement(0.3, 1.7, 4, 30, -5, torque_1_n_m = 1, torque_2_n_m = -2)
+  motion <- trajectory(scene, row$lock_time_s + 1, 1e-9)
+  expect_equal(motion$heat_j, row$heat_j, tolerance = 1e-14)
+  expect_equal(motion$omega_1_rad_per_s, row$common_omega_rad_per_s - 1 / 2, tolerance = 1e-14)
+})

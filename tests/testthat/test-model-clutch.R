@@ -1,0 +1,43 @@
+motion_of <- function(scene, time_s, accuracy = 1e-9, model = NULL) {
+  trajectory(scene, time_s, accuracy, model)
+}
+
+test_that("a clutch locks when and where it must", {
+  # 12 N m on 2 and 3 kg m^2: 12 (1/2 + 1/3) = 10 rad/s^2, so 10 rad/s are gone after 1 s.
+  motion <- motion_of(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 0.5, 1, 2))
+  expect_named(motion, clutch_columns)
+  expect_equal(motion$omega_1_rad_per_s, c(10, 7, 4, 4), tolerance = 1e-15)
+  expect_equal(motion$omega_2_rad_per_s, c(0, 2, 4, 4), tolerance = 1e-15)
+  expect_equal(motion$heat_j, c(0, 45, 60, 60), tolerance = 1e-15)
+  expect_equal(motion$locked, c(FALSE, FALSE, TRUE, TRUE))
+  expect_equal(motion$clutch_torque_n_m, c(12, 12, 0, 0))
+  run <- attr(motion, "run")
+  expect_equal(run$events$event, "lock")
+  expect_equal(run$events$time_s, 1, tolerance = 1e-15)
+  expect_equal(run$error_kind, "bound")
+  expect_lte(run$info$error, 1e-14)
+})
+
+test_that("a locked clutch slips when the torque grows, and the audit balances", {
+  scene <- scene_clutch(
+    2, 3, 12,
+    static_capacity_n_m = 15, omega1_rad_per_s = 10,
+    torque_1 = torque_knots(c(0, 2, 2, 3, 3, 9), c(0, 0, 50, 50, -5, -5)), engage_s = 0.25
+  )
+  motion <- motion_of(scene, seq(0, 9, by = 0.25))
+  # Locked, 3/5 of 50 N m is more than 15; afterwards 3/5 of 5 is not.
+  expect_equal(attr(motion, "run")$events$event, c("lock", "slip", "lock"))
+  expect_equal(attr(motion, "run")$events$time_s[1:2], c(1.25, 2), tolerance = 1e-15)
+  balance <- audit(motion)
+  expect_equal(balance$verdict, "balanced")
+  expect_equal(balance$torque_impulse_n_m_s, 50 - 30)
+  expect_gt(balance$dissipated_j, 60)
+  motion$heat_j[nrow(motion)] <- motion$heat_j[nrow(motion)] * 1.001
+  expect_equal(audit(motion)$verdict, "unbalanced")
+})
+
+test_that("there is no way back before the start", {
+  scene <- scene_clutch(2, 3, 12, omega1_rad_per_s = 10, start_s = 1)
+  expect_error(motion_of(scene, 0:2), class = "rotdyn_error_time")
+  expect_equal(motion_of(scene, 1:2)$omega_1_rad_per_s, c(10, 4), tolerance = 1e-15)
+})

@@ -1,0 +1,109 @@
+motion_of <- function(scene, time_s, accuracy = 1e-9, model = NULL) {
+  trajectory(scene, time_s, accuracy, model)
+}
+
+test_that("the motion is that of the 40-digit table", {
+  table <- read.csv(shared("refs", "coupled_rotors.csv"), colClasses = "character")
+  numbers <- function(x) as.numeric(strsplit(x, ";")[[1]])
+  for (i in seq_len(nrow(table))) {
+    row <- table[i, ]
+    scene <- scene_rotors(
+      numbers(row$J), numbers(row$k), numbers(row$c), omega0_rad_per_s = numbers(row$omega0)
+    )
+    motion <- motion_of(scene, as.numeric(row$t), 1e-11, "rotors_modal")
+    expect_lte(max(abs(motion$theta_rad - numbers(row$dtheta))), 2e-15)
+    # sqrt(k/J) t is 1e5 in row 2: a phase known to a rounding would cost 1e-11.
+    expect_lte(max(abs(motion$omega_rad_per_s - numbers(row$omega))), 1e-14)
+  }
+})
+
+test_that("rows are in long form, by time then rotor", {
+  scene <- scene_rotors(c(1, 2, 3), 50, theta0_rad = c(0.1, 0, 0))
+  motion <- motion_of(scene, c(0, 1))
+  expect_named(motion, rotors_columns)
+  expect_equal(motion$time_s, c(0, 0, 0, 1, 1, 1))
+  expect_equal(motion$rotor, c(1L, 2L, 3L, 1L, 2L, 3L))
+  expect_equal(motion$shaft_torque_n_m[1:3], c(5, 0, NA), tolerance = 1e-14)
+  expect_equal(motion$angular_momentum_kg_m2_per_s, c(1, 2, 3) * motion$omega_rad_per_s)
+  expect_equal(nrow(motion_of(scene, double())), 0L)
+})
+
+test_that("the motion agrees with an integrator of another house", {
+  skip_if_not_installed("deSolve")
+  J <- c(1, 0.4, 2)
+  k <- c(30, 45)
+  c <- c(0.2, 0)
+  d <- c(0, 0.3, 0.05)
+  tau <- c(1, 0, -0.4)
+  theta0 <- c(0.2, -0.1, 0)
+  omega0 <- c(1, 2, -1)
+  slope <- function(t, y, p) {
+    theta <- y[1:3]
+    omega <- y[4:6]
+    shaft <- k * -diff(theta) + c * -diff(omega)
+    list(c(omega, (tau - d * omega + c(0, shaft) - c(shaft, 0)) / J))
+  }
+  time <- seq(0, 5, by = 0.25)
+  other <- deSolve::ode(c(theta0, omega0), time, slope, NULL, rtol = 1e-11, atol = 1e-12)
+  scene <- scene_rotors(J, k, c, torque_n_m = tau, viscous_n_m_s = d, theta0_rad = theta0,
+                        omega0_rad_per_s = omega0)
+  motion <- motion_of(scene, time)
+  expect_equal(motion$theta_rad, c(t(other[, 2:4])), tolerance = 1e-8)
+  expect_equal(motion$omega_rad_per_s, c(t(other[, 5:7])), tolerance = 1e-8)
+  expect_equal(attr(motion, "run")$error_kind, "estimate")
+})
+
+test_that("a stiff shaft is rigid when that is good enough, and the bound holds", {
+  scene <- scene_rotors(c(1, 2), 1e10, torque_n_m = c(3, 0))
+  time <- 1:5
+  rigid <- motion_of(scene, time, 1e-4)
+  exact <- motion_of(scene, time, 1e-9)
+  expect_equal(attr(rigid, "run")$model, "rotors_rigid")
+  expect_equal(attr(exact, "run")$model, "rotors_modal")
+  expect_equal(rigid$omega_rad_per_s, rep(1 * time, each = 2))
+  expect_equal(rigid$shaft_torque_n_m[1], 2) # what it takes to turn 2 kg m^2 at 1 rad/s^2
+  run <- attr(rigid, "run")
+  expect_lte(max(abs(rigid$omega_rad_per_s - exact$omega_rad_per_s)), run$info$omega_error)
+  expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$theta_error)
+  expect_error(motion_of(scene, time, 1e-9, "rotors_rigid"), class = "rotdyn_error_model")
+  expect_error(motion_of(scene, time, 1e-9, "axle_free"), class = "rotdyn_error_model")
+  soft <- scene_rotors(c(1, 2), 0, torque_n_m = c(3, 0))
+  expect_equal(attr(motion_of(soft, time, 1), "run")$model, "rotors_modal")
+})
+
+test_that("an audit balances, and finds an edited row", {
+  time <- seq(0, 3, by = 0.1)
+  scenes <- list(
+    scene_rotors(c(1, 2), 1000, omega0_rad_per_s = c(1, 0.5)),
+    scene_rotors(c(1, 2, 0.5), c(1e8, 3e3), c(10, 0), torque_n_m = c(5, 0, -1)),
+    scene_rotors(c(1, 2, 0.5), c(1e3, 0), 0.5, viscous_n_m_s = c(0.2, 0, 0.7), theta0_rad = 1:3)
+  )
+  for (scene in scenes) {
+    motion <- motion_of(scene, time)
+    balance <- audit(motion)
+    expect_equal(balance$verdict, "balanced")
+    expect_lte(balance$energy_rounding_j, 1e-6 * (1 + abs(balance$work_j) + balance$dissipated_j))
+    rows <- nrow(motion)
+    motion$omega_rad_per_s[rows] <- motion$omega_rad_per_s[rows] + 1e-3
+    expect_equal(audit(motion)$verdict, "unbalanced")
+    expect_true(is.na(attr(motion, "run")$info$error))
+  }
+  rigid <- motion_of(scene_rotors(c(1, 2), 1e12, viscous_n_m_s = c(0.3, 0), torque_n_m = 2), time,
+                     1e-3)
+  expect_equal(attr(rigid, "run")$model, "rotors_rigid")
+  expect_gt(audit(rigid)$dissipated_j, 1)
+  expect_equal(audit(rigid)$verdict, "balanced")
+  # Rows of a rotor are missing: no balance can be drawn.
+  expect_true(is.na(audit(rigid[rigid$rotor == 1, ])$verdict))
+  expect_true(is.na(audit(rigid[0, ])$verdict))
+  expect_output(print(audit(rigid)), "balanced.*elastic energy")
+})
+
+test_that("the class stands while the keys do", {
+  motion <- motion_of(scene_rotors(c(1, 2), 10, omega0_rad_per_s = c(1, 0)), 0:3)
+  expect_s3_class(motion[3:4, ], "rot_motion")
+  expect_false(is.na(attr(motion[3:4, ], "run")$info$error))
+  expect_false(inherits(motion[, 1:2], "rot_motion"))
+  expect_false(inherits(tibble::as_tibble(motion), "rot_motion"))
+  expect_match(names(tibble::tbl_sum(motion))[1], "rotdyn motion")
+})

@@ -1,0 +1,43 @@
+test_that("numbers recycle, bodies count with their Izz", {
+  scene <- scene_rotors(list(body_disk(2, 3), 0.7, body_rod(12, 1)), 100, c(1, 2))
+  expect_equal(scene$moment_of_inertia_kg_m2, c(9, 0.7, 1))
+  expect_equal(scene$stiffness_n_m_per_rad, c(100, 100))
+  expect_equal(scene$damping_n_m_s, c(1, 2))
+  expect_equal(scene$torque_n_m, c(0, 0, 0))
+  expect_s3_class(scene, "rot_scene")
+})
+
+test_that("what is no shaft is refused", {
+  expect_error(scene_rotors(c(1, 0), 10), class = "rotdyn_error_value")
+  expect_error(scene_rotors(double(), 10), class = "rotdyn_error_size")
+  expect_error(scene_rotors(c(1, 2), -10), class = "rotdyn_error_value")
+  expect_error(scene_rotors(c(1, 2, 3), c(1, 2, 3)), class = "rotdyn_error_size")
+  expect_error(scene_rotors(c(1, 2), 1, viscous_n_m_s = -1), class = "rotdyn_error_value")
+  expect_error(scene_rotors(c(1, 2), 1, omega0_rad_per_s = NA), class = "rotdyn_error_value")
+  expect_error(scene_rotors(list("a", 2), 1), class = "rotdyn_error_type")
+  expect_error(scene_rotors(c(1, 2)), class = "rotdyn_error_missing")
+  expect_error(shaft_modes(scene_axle(1)), class = "rotdyn_error_type")
+})
+
+test_that("frequencies are those of the textbook", {
+  # Two rotors: sqrt(k (1/J1 + 1/J2)); three equal ones: sqrt(k/J), sqrt(3 k/J).
+  expect_equal(
+    shaft_modes(scene_rotors(c(2, 3), 60))$natural_rad_per_s, c(0, sqrt(50)), tolerance = 1e-15
+  )
+  expect_equal(
+    shaft_modes(scene_rotors(c(2, 2, 2), 18))$natural_rad_per_s, c(0, 3, sqrt(27)),
+    tolerance = 1e-15
+  )
+  # A missing piece leaves two zeros.
+  expect_equal(
+    shaft_modes(scene_rotors(c(2, 3, 1), c(60, 0)))$natural_rad_per_s, c(0, 0, sqrt(50)),
+    tolerance = 1e-15
+  )
+})
+
+test_that("a scene of rotors prints itself", {
+  expect_output(
+    print(scene_rotors(c(1, 2, 4), c(800, 1200), 0.05, torque_n_m = c(2, 0, -2))),
+    "3 rotors on one shaft.*1, 2, 4 kg m\\^2.*800, 1200 N m/rad"
+  )
+})
