@@ -161,21 +161,28 @@ axle_linear <- list(
 )
 
 # A motor's slope is a quotient, and its sum with the viscous coefficient c a sum: both are rounded,
-# and cancel where the resistance drives. A c that is off by d moves every term of a closed form by
-# at most d t/I of itself, or forward with c > 0 by 3 d/c; the bounds count 12 roundings of the terms.
+# and cancel where the resistance drives. A c that is off by d moves each term of a closed form by at
+# most d t/I of itself; forward with c > 0 by at most 3.4 d/c of the largest omega. The bounds count
+# 12 roundings of the terms.
 widen_by_motor <- function(info, scene, time_s) {
   motor <- motor_of(scene)
   span <- if (length(time_s)) max(abs(range(time_s) - scene$start_s)) else 0
-  if (motor == 0 || span == 0 || info$kind != "none") {
+  if (motor == 0 || span == 0 || info$kind != "none" || is.na(info$error)) {
     return(info)
   }
+  inertia <- scene$moment_of_inertia_kg_m2
   c <- viscous_of(scene) + motor
   off <- abs(motor) + abs(c) # in units of roundoff
-  moved <- off / scene$moment_of_inertia_kg_m2 * span
-  if (c > 0 && time_s[1] >= scene$start_s) moved <- min(moved, 3 * off / c)
-  widen <- function(error) if (error > 0) error * (1 + moved / 12) else error
-  info$omega_error <- widen(info$omega_error)
-  info$theta_error <- widen(info$theta_error)
+  moved <- off / inertia * span / 12
+  omega <- if (info$omega_error > 0) moved * info$omega_error else 0
+  theta <- if (info$theta_error > 0) moved * info$theta_error else 0
+  if (c > 0 && is.finite(off) && time_s[1] >= scene$start_s) {
+    share <- 3.4 * off / c
+    omega <- min(omega, 2^-53 * share * info$omega_max)
+    theta <- min(theta, share / 12 * info$theta_error + if (omega > 0) inertia / c * omega else 0)
+  }
+  info$omega_error <- info$omega_error + omega
+  info$theta_error <- info$theta_error + theta
   info$error <- error_of_run(info)
   info
 }
