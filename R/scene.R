@@ -82,12 +82,16 @@ new_scene_axle <- function(body, inertia, changing, axis, torque, resistance, th
   scene
 }
 
+# At a jump, the moment after it.
 inertia_at <- function(knots, t) {
-  ends <- range(knots$time_s)
-  stats::approx(
-    knots$time_s, knots$moment_of_inertia_kg_m2, pmin(pmax(t, ends[1]), ends[2]),
-    ties = list("ordered", function(x) x[length(x)])
-  )$y
+  times <- knots$time_s
+  moment <- knots$moment_of_inertia_kg_m2
+  n <- length(times)
+  last <- findInterval(t, times) # the last knot at or before
+  i <- pmin(pmax(last, 1L), n - 1L)
+  width <- times[i + 1L] - times[i]
+  between <- moment[i] * ((times[i + 1L] - t) / width) + moment[i + 1L] * ((t - times[i]) / width)
+  ifelse(last == 0L, moment[1], ifelse(last == n, moment[n], between))
 }
 
 # What acts, by name: a model says which of these it can take. Computed once, with the scene.

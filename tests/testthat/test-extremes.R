@@ -124,3 +124,10 @@ test_that("an implicit method does not damp what grows", {
     trajectory(scene, -0.07, 1e-8, model = "axle_radau", max_steps = 1e4), class = "rotdyn_error"
   )
 })
+
+test_that("a moment of inertia that only jumps", {
+  jump <- inertia_knots(c(1, 1), c(4, 2))
+  motion <- trajectory(scene_axle(jump, omega0_rad_per_s = 3), c(0, 1, 2))
+  expect_identical(motion$moment_of_inertia_kg_m2, c(4, 2, 2))
+  expect_identical(motion$omega_rad_per_s, c(3, 6, 6))
+})
