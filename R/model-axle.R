@@ -429,7 +429,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
 # What the samples' error can do to the motion, and what the samples cost.
 add_sampling <- function(result, sampled, scene, time_s) {
   info <- result[[2]]
-  reach <- disturbance(scene, sampled$error, time_s)
+  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse)
   info$omega_error <- info$omega_error + reach$omega
   info$theta_error <- info$theta_error + reach$theta
   info$error <- error_of_run(info)

@@ -81,8 +81,8 @@ growth <- function(scene, span) {
 
 # What a torque of at most `size` N m, whatever its course, does to the motion at most. Against
 # resistance that grows with omega two motions come together, so resistance may be left out here:
-# |delta omega| <= size/I min(T, I/c).
-disturbance <- function(scene, size, time_s) {
+# |delta omega| <= size/I min(T, I/c), and no more than its whole impulse (of its size) over I.
+disturbance <- function(scene, size, time_s, impulse = Inf) {
   span <- time_span(scene, time_s)
   inertia <- least_inertia(scene)
   c <- viscous_of(scene) + motor_of(scene)
@@ -90,7 +90,7 @@ disturbance <- function(scene, size, time_s) {
   reach <- if (c > 0 && !oscillates) min(span, inertia / c) else span
   backward <- length(time_s) && min(time_s) < scene$start_s
   grow <- growth(scene, span) * if (backward) exp(max(0, c) / inertia * span) else 1
-  omega <- size / inertia * reach * grow
+  omega <- min(size * reach, impulse) / inertia * grow
   list(omega = omega, theta = omega * span)
 }
 

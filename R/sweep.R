@@ -70,7 +70,6 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   columns <- lapply(columns, function(x) if (anyNA(x)) replace(x, is.na(x), 1) else x)
   if (!all(known)) {
     columns$time_s <- replace(rep_len(columns$time_s, n), !known, start_s)
-    columns$static_n_m <- replace(rep_len(columns$static_n_m, n), !known, Inf)
   }
   result <- if (n) run_sweep(loads, columns, start_s, threads, call) else empty_sweep()
   out <- result[[1]]

@@ -44,8 +44,8 @@ values_at_once <- function(f, time_s, scene) {
   }
 }
 
-# list(term, error, calls): the law as Chebyshev pieces over `span`, the largest error of it in N m,
-# the times sampled. NULL where it is not finite or will not converge: then it must be called.
+# list(term, error, impulse, calls): the law as Chebyshev pieces over `span`, the largest error of it
+# in N m, the integral of the error in N m s, the times sampled. NULL where it is not finite or will not converge: then it must be called.
 sample_torque <- function(f, span, breaks_s, accuracy) {
   if (!(span[2] > span[1])) {
     return(NULL)
@@ -62,6 +62,7 @@ sample_torque <- function(f, span, breaks_s, accuracy) {
   done <- list()
   largest <- 0
   error <- 0
+  impulse <- 0
   while (nrow(pieces)) {
     if (counted + (sample_degree + 1L) * nrow(pieces) > most_samples) {
       return(NULL)
@@ -76,6 +77,7 @@ sample_torque <- function(f, span, breaks_s, accuracy) {
     if (any(good)) {
       done[[length(done) + 1L]] <- list(pieces[good, , drop = FALSE], fitted$a[good, , drop = FALSE])
       error <- max(error, fitted$tail[good])
+      impulse <- impulse + sum(((fitted$tail + 4e-15 * fitted$height) * fitted$width)[good])
     }
     rest <- pieces[!good, , drop = FALSE]
     middle <- rest[, 1] + (rest[, 2] - rest[, 1]) / 2
@@ -94,6 +96,7 @@ sample_torque <- function(f, span, breaks_s, accuracy) {
     # Neighbours differ by rounding where they meet: a break, where the motion is still small.
     term = new_term("chebyshev", x, "samples", breaks_s = c(pieces[, 1], pieces[n, 2])),
     error = error + 4e-15 * largest,
+    impulse = impulse,
     calls = counted
   )
 }
@@ -123,6 +126,7 @@ fit_pieces <- function(at, pieces) {
     largest = max(abs(y)),
     # Coefficients of a smooth law fall geometrically: the last ones stand for all that follow.
     tail = tail,
+    height = apply(abs(y), 1, max),
     width = pieces[, 2] - pieces[, 1]
   )
 }

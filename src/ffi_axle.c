@@ -8,7 +8,10 @@
 #include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_ode.h"
+#include "rot_axle_oscillator.h"
+#include "rot_axle_pendulum.h"
 #include "rot_axle_scene.h"
+#include "rot_axle_skater.h"
 
 /* c(inertia, viscous, start, theta0, omega0) and list(knot times, knot torques, c(before, after)),
  * as R/model-axle.R packs them. */
@@ -247,6 +250,9 @@ static const struct {
     {"bands", rot_axle_bands},
     {"drag", rot_axle_drag},
     {"forced", rot_axle_forced},
+    {"oscillator", rot_axle_oscillator},
+    {"pendulum", rot_axle_pendulum},
+    {"skater", rot_axle_skater},
 };
 
 rot_axle_model ffi_axle_model_named(SEXP name) {

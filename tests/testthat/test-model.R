@@ -22,7 +22,7 @@ test_that("the cheapest model that fits is chosen, and says why", {
   row <- function(model) table[table$model == model, ]
   expect_false(row("axle_free")$applies)
   expect_match(row("axle_free")$reason, "does not take a torque")
-  expect_false(row("axle_skater")$applies)
+  expect_false(row("axle_pendulum")$applies)
   expect_true(all(row("axle_rk8pd")$applies, row("axle_drag")$applies))
   expect_match(row("axle_rk8pd")$reason, "axle_linear comes first")
   expect_false(is.unsorted(table$cost))

@@ -1,46 +1,118 @@
-# The C routine behind sweeps; the numbers themselves are checked in tests/core/test_sweep.c.
+designs <- data.frame(
+  name = c("light", "heavy", "oily", "back"),
+  moment_of_inertia_kg_m2 = c(0.05, 0.2, 0.05, 0.0625),
+  viscous_n_m_s = c(0.03, 0.03, 0.3, 0),
+  torque_scale = c(1, 2, 0.5, -1),
+  omega0_rad_per_s = c(0, -3, 10, 0),
+  theta0_rad = c(0, 1, -2, 0)
+)
 
-knots <- list(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0), c(0, 0))
-
-sweep_linear <- function(..., start_s = 0, threads = 1) {
-  .Call(rotdyn:::ffi_sweep_linear, knots, list(...), start_s, threads, NULL)
+one <- function(row, torque, time_s, resistance = rotdyn::resistance(row$viscous_n_m_s)) {
+  scene <- scene_axle(
+    row$moment_of_inertia_kg_m2, row$torque_scale * torque, resistance, row$theta0_rad,
+    row$omega0_rad_per_s
+  )
+  trajectory(scene, time_s)
 }
 
-test_that("a sweep gives where each row ends and how fast it was", {
-  got <- sweep_linear(c(0.0625, 0.0625), 0.03, 1, 0, 0, c(8, 5.5))
-  expect_identical(got[[2]], c(0L, 0L))
-  columns <- got[[1]]
-  # mpmath, 50 digits
-  expect_equal(columns$theta_rad, c(107.858645333017104, 79.8310161413961043), tolerance = 1e-14)
-  expect_equal(columns$omega_rad_per_s, c(5.82785024015179531, 18.4811122521298745),
-    tolerance = 1e-14
-  )
-  expect_equal(columns$omega_max, rep(22.0539440643637922, 2), tolerance = 1e-14)
-  expect_equal(columns$omega_max_time_s, rep(4.34595419517271574, 2), tolerance = 1e-14)
-  expect_identical(columns$speed_max, columns$omega_max)
-  expect_identical(columns$omega_min, c(0, 0))
-  expect_true(all(columns$error > 0 & columns$error < 1e-14))
-  expect_identical(got[[3]]$rows_done, 2)
+test_that("each row is the trajectory of its scene", {
+  table <- spin_up_table(designs, article_torque(), time_s = c(8, 5, 3, 8))
+  expect_equal(names(table), c(names(designs), rotdyn:::sweep_columns))
+  expect_equal(table$name, designs$name)
+  for (i in seq_len(4)) {
+    end <- c(8, 5, 3, 8)[i]
+    fine <- one(designs[i, ], article_torque(), seq(0, end, length.out = 20001))
+    expect_equal(table$final_theta_rad[i], fine$theta_rad[20001], tolerance = 1e-14)
+    expect_equal(table$final_omega_rad_per_s[i], fine$omega_rad_per_s[20001], tolerance = 1e-14)
+    # The true maximum is above any row, by no more than the spacing allows.
+    expect_gte(table$max_omega_rad_per_s[i], max(fine$omega_rad_per_s) * (1 - 1e-15))
+    expect_equal(table$max_omega_rad_per_s[i], max(fine$omega_rad_per_s), tolerance = 1e-6)
+    expect_equal(table$min_omega_rad_per_s[i], min(fine$omega_rad_per_s), tolerance = 1e-6)
+    expect_equal(table$max_omega_time_s[i], fine$time_s[which.max(fine$omega_rad_per_s)],
+      tolerance = 1e-3)
+  }
+  expect_equal(table$max_abs_omega_rad_per_s,
+    pmax(table$max_omega_rad_per_s, -table$min_omega_rad_per_s))
+  expect_true(all(table$error < 1e-13))
 })
 
-test_that("a sweep does not depend on the number of threads", {
-  inertia <- seq(0.05, 0.1, length.out = 1e5)
-  expect_gte(.Call(rotdyn:::ffi_sweep_threads), 1L)
+test_that("the maximum is where the torque balances the resistance", {
+  # In the article's last piece: 0.4 (6 - t) = 0.03 omega at the maximum.
+  table <- spin_up_table(data.frame(moment_of_inertia_kg_m2 = 0.0625, viscous_n_m_s = 0.03),
+    article_torque(), time_s = 8)
+  expect_equal(0.4 * (6 - table$max_omega_time_s), 0.03 * table$max_omega_rad_per_s,
+    tolerance = 1e-12)
+})
+
+test_that("any number of threads gives the same bits", {
+  many <- designs[rep(1:4, 5000), ]
+  many$viscous_n_m_s <- seq(0, 1, length.out = nrow(many))
   expect_identical(
-    sweep_linear(inertia, 0.03, 1, 0, 0, 8, threads = 1)[1:2],
-    sweep_linear(inertia, 0.03, 1, 0, 0, 8, threads = 0)[1:2]
+    spin_up_table(many, article_torque(), 8),
+    spin_up_table(many, article_torque(), 8, threads = 2)
+  )
+  many$coulomb_n_m <- 0.01
+  steps <- torque_steps(c(0, 3), c(1, -0.2))
+  expect_identical(
+    spin_up_table(many, steps, 8), spin_up_table(many, steps, 8, threads = 3)
   )
 })
 
-test_that("a row that cannot be computed says so, and the others go on", {
-  got <- sweep_linear(c(1, -1, NA, 1), 0, 1, 0, 0, c(2, 2, 2, -1))
-  expect_identical(got[[2]] == 0L, c(TRUE, FALSE, FALSE, FALSE))
-  expect_identical(is.nan(got[[1]]$omega_max), c(FALSE, TRUE, TRUE, TRUE))
+test_that("friction and drag row by row", {
+  designs$quadratic_n_m_s2 <- c(0, 0.01, 0.002, 0.1)
+  designs$coulomb_n_m <- c(0.1, 0, 0.02, 0.3)
+  steps <- torque_steps(c(0, 3), c(1, 0))
+  table <- spin_up_table(designs, steps, time_s = 6)
+  for (i in seq_len(4)) {
+    row <- designs[i, ]
+    losses <- resistance(row$viscous_n_m_s, row$quadratic_n_m_s2, row$coulomb_n_m)
+    motion <- one(row, steps, c(0, 3, 6), losses)
+    expect_equal(table$final_theta_rad[i], motion$theta_rad[3], tolerance = 1e-14)
+    expect_equal(table$final_omega_rad_per_s[i], motion$omega_rad_per_s[3], tolerance = 1e-14)
+    expect_equal(table$max_abs_omega_rad_per_s[i], max(abs(motion$omega_rad_per_s)),
+      tolerance = 1e-14)
+  }
+  expect_true(all(is.nan(table$max_omega_rad_per_s)))
 })
 
-test_that("a wrong call is an error", {
-  expect_error(sweep_linear(1, 0, 1, 0, 0), "internal")
-  expect_error(sweep_linear(c(1, 2, 3), c(0, 0), 1, 0, 0, 1), "internal")
-  expect_error(sweep_linear(1L, 0, 1, 0, 0, 1), "internal")
-  expect_error(sweep_linear(1, 0, 1, 0, 0, 1, threads = -1), "internal")
+test_that("a motor resists as it should, also scaled", {
+  rows <- data.frame(moment_of_inertia_kg_m2 = 0.1, torque_scale = c(1, 3))
+  table <- spin_up_table(rows, torque_motor(2, 100), 0.7)
+  # I w' = s ts (1 - w/wn)
+  expect_equal(table$final_omega_rad_per_s, 100 * -expm1(-c(1, 3) * 2 * 0.7 / (0.1 * 100)),
+    tolerance = 1e-14)
+})
+
+test_that("NA rows are NA, and the others what they were", {
+  holes <- designs
+  holes$viscous_n_m_s[2] <- NA
+  holes$moment_of_inertia_kg_m2[3] <- NA
+  whole <- spin_up_table(designs, article_torque(), 8)
+  table <- spin_up_table(holes, article_torque(), 8)
+  expect_identical(table[c(1, 4), rotdyn:::sweep_columns], whole[c(1, 4), rotdyn:::sweep_columns])
+  expect_true(all(is.na(unlist(table[2:3, rotdyn:::sweep_columns]))))
+  expect_true(is.na(spin_up_table(designs, article_torque(), c(8, NA, 8, 8))$error[2]))
+})
+
+test_that("wrong rows and laws are refused with the row", {
+  bad <- function(...) spin_up_table(transform(designs, ...), article_torque(), 8)
+  expect_error(bad(moment_of_inertia_kg_m2 = 0), class = "rotdyn_error_value")
+  expect_error(bad(moment_of_inertia_kg_m2 = c(1, 2, -1, 1)), "row 3", class = "rotdyn_error_value")
+  expect_error(bad(coulomb_n_m = -1), class = "rotdyn_error_value")
+  expect_error(bad(coulomb_n_m = 1, static_n_m = 0.5), class = "rotdyn_error_value")
+  expect_error(bad(viscous_n_m_s = "a"), class = "rotdyn_error_type")
+  expect_error(spin_up_table(designs["name"], 1, 8), class = "rotdyn_error_missing")
+  expect_error(spin_up_table(designs, 1), class = "rotdyn_error_missing")
+  expect_error(spin_up_table(designs, 1, -1), class = "rotdyn_error_time")
+  expect_error(spin_up_table(designs, 1, c(1, 2)), class = "rotdyn_error_size")
+  expect_error(spin_up_table(1:3, 1, 8), class = "rotdyn_error_type")
+  expect_error(spin_up_table(designs, function(t) t, 8), class = "rotdyn_error_model")
+  expect_error(spin_up_table(designs, torque_sinusoid(1, 1), 8), class = "rotdyn_error_model")
+  expect_error(spin_up_table(designs, 1, 8, threads = 0), class = "rotdyn_error_value")
+  expect_equal(nrow(spin_up_table(designs[0, ], 1, 8)), 0L)
+  expect_warning(
+    table <- spin_up_table(data.frame(moment_of_inertia_kg_m2 = c(1e-300, 1)), 1e300, 8),
+    class = "rotdyn_warning_range"
+  )
+  expect_equal(table$final_omega_rad_per_s[1], NaN)
 })
