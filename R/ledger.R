@@ -222,7 +222,7 @@ augment.rot_trajectory <- function(x, ...) {
 #' loose (`slip`), where it passed through rest (`reverse`). Their times are exact for a closed
 #' form, and good to the accuracy asked for an integration.
 #'
-#' @param x A `rot_trajectory`.
+#' @param x What [trajectory()] gave.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
 #'   Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
@@ -232,7 +232,7 @@ augment.rot_trajectory <- function(x, ...) {
 #' @export
 motion_events <- function(x) {
   call <- rlang::current_env()
-  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", call)
+  check_class(x, c("rot_trajectory", "rot_motion"), "x", "{.fn trajectory} gives one.", call)
   events <- trajectory_run(x)$events
   tibble::tibble(
     time_s = as.double(events$time_s), event = as.character(events$event)

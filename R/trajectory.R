@@ -83,6 +83,11 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     failed_run(info, n, on_fail, call)
     n <- info$rows_done
     columns <- lapply(columns, `[`, seq_len(n))
+  } else if (is.na(info$error)) {
+    abort_rotdyn(
+      "The motion cannot be told in double precision: its error figure is not a number.", "range",
+      call, info = info
+    )
   } else if (n && !(info$error <= accuracy)) {
     warn_rotdyn(
       c(

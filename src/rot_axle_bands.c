@@ -502,6 +502,7 @@ static rot_status march_on(rot_axle_march *march) {
     const rot_torque_piece piece = rot_torque_piece_at(torque, k);
     if (piece.start_s != piece.end_s) status = through_piece(march, &piece);
   }
+  if (status == ROT_OK && march->done < march->n) return ROT_ESTEP;
   return status;
 }
 
