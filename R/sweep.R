@@ -26,7 +26,7 @@ sweep_parameters <- list(
 #'   a column `time_s` of `parameters`.
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which all begin.
-#' @param threads Rows are shared among at most so many threads. The result is the same to the last
+#' @param threads Rows are shared among at most so many threads (no more than there are). The result is the same to the last
 #'   bit for any number.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
@@ -61,6 +61,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
+  threads <- min(threads, .Call(ffi_sweep_threads))
   loads <- torque_loads(as_torque(torque, call))
   columns <- sweep_inputs(parameters, time_s, call)
   known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), rep(TRUE, n))
