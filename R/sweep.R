@@ -31,8 +31,7 @@ sweep_parameters <- list(
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms beyond
-#'   knots are in play, `max_omega_rad_per_s`, `min_omega_rad_per_s` and `max_omega_time_s` are NaN;
-#'   with terms beyond knots, `max_abs_omega_rad_per_s` too.
+#'   knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double precision;
 #'   they are NaN.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
