@@ -131,3 +131,15 @@ test_that("a moment of inertia that only jumps", {
   expect_identical(motion$moment_of_inertia_kg_m2, c(4, 2, 2))
   expect_identical(motion$omega_rad_per_s, c(3, 6, 6))
 })
+
+test_that("a line of any steepness leads to the edge, and the edge tells what comes then", {
+  for (steep in 10^c(6, 14, 20, 28)) {
+    up <- trajectory(scene_axle(1, torque_curve(c(-1, 1), c(steep, 20))), c(0.5, 3))
+    expect_equal(up$omega_rad_per_s, c(11, 61), tolerance = 100 / steep + 1e-14)
+    # From -1 to -2 at once; then omega' = -201 - omega.
+    push <- torque_knots(c(1, 1), c(-200, 0), outside = "hold") +
+      torque_curve(c(-2, -1), c(-1, -steep))
+    down <- trajectory(scene_axle(1, push, resistance(1), 0, -1.2), 0.5)
+    expect_equal(down$omega_rad_per_s, -201 + 199 * exp(-0.5), tolerance = 100 / steep + 1e-14)
+  }
+})
