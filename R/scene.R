@@ -82,12 +82,17 @@ new_scene_axle <- function(body, inertia, changing, axis, torque, resistance, th
   scene
 }
 
+# Straight lines between the knots, held outside; at a jump the value after it.
 inertia_at <- function(knots, t) {
-  ends <- range(knots$time_s)
-  stats::approx(
-    knots$time_s, knots$moment_of_inertia_kg_m2, pmin(pmax(t, ends[1]), ends[2]),
-    ties = list("ordered", function(x) x[length(x)])
-  )$y
+  time <- knots$time_s
+  moment <- knots$moment_of_inertia_kg_m2
+  n <- length(time)
+  last <- findInterval(t, time) # the last knot at or before
+  from <- pmax(last, 1L)
+  to <- pmin(last + 1L, n)
+  inside <- last >= 1L & last < n
+  share <- ifelse(inside, (t - time[from]) / (time[to] - time[from]), 0)
+  moment[from] * (1 - share) + moment[to] * share
 }
 
 # What acts, by name: a model says which of these it can take. Computed once, with the scene.
