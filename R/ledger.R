@@ -55,6 +55,30 @@ inertia_slope <- function(knots, t) {
   ifelse(inside, rise, 0)
 }
 
+# Jumps of the inertia: times, and the moment before and after each.
+inertia_jumps <- function(knots) {
+  time <- knots$time_s
+  again <- unique(time[duplicated(time)])
+  list(
+    time_s = again,
+    before = knots$moment_of_inertia_kg_m2[match(again, time)],
+    after = knots$moment_of_inertia_kg_m2[findInterval(again, time)]
+  )
+}
+
+# At a jump the angular momentum stays; the energy does not. A row at the jump stands after it.
+# momentum(t) is the angular momentum at times t.
+jump_work <- function(scene, momentum, where) {
+  jumps <- inertia_jumps(scene$inertia)
+  at <- which(where(jumps$time_s))
+  l <- if (length(at)) momentum(jumps$time_s[at])
+  list(
+    time_s = jumps$time_s[at],
+    work = 0.5 * l * (l / jumps$after[at] - l / jumps$before[at]),
+    size = 0.5 * l * (l / jumps$after[at] + l / jumps$before[at])
+  )
+}
+
 # Integrals over each panel [from, to]: list(value, size, error), a row for each panel, a column for
 # each integrand. `size` is the integral of the absolute value.
 panel_integrals <- function(rates, from, to) {
@@ -127,7 +151,22 @@ integrate_motion <- function(scene, record, run, edges) {
     function(t) ledger_rates(scene, rows_at, t), all[-length(all)], all[-1]
   )
   owner <- findInterval(all[-length(all)], edges)
-  lapply(panels, function(x) rowsum(x, factor(owner, levels = seq_len(length(edges) - 1L))))
+  sums <- lapply(panels, function(x) rowsum(x, factor(owner, levels = seq_len(length(edges) - 1L))))
+  if (is.null(scene$inertia)) {
+    return(sums)
+  }
+  jumps <- jump_work(
+    scene,
+    function(t) rows_at(t)$omega_rad_per_s * inertia_at(scene$inertia, t),
+    function(t) t > edges[1] & t <= edges[length(edges)]
+  )
+  owner <- findInterval(jumps$time_s, edges, left.open = TRUE)
+  column <- match("inertia_work", ledger_names)
+  for (i in seq_along(owner)) {
+    sums$value[owner[i], column] <- sums$value[owner[i], column] + jumps$work[i]
+    sums$size[owner[i], column] <- sums$size[owner[i], column] + jumps$size[i]
+  }
+  sums
 }
 
 # As the C ledgers: work, dissipated, impulse, their roundings, viscous, quadratic, coulomb, damping
