@@ -34,7 +34,9 @@ axle_breaks <- function(scene) {
 # The five numbers of the linear part: a motor's falling torque resists like a viscous coefficient.
 axle_numbers <- function(scene) {
   c(
-    .subset2(scene, "moment_of_inertia_kg_m2"), viscous_of(scene) + motor_of(scene),
+    .subset2(scene, "moment_of_inertia_kg_m2"),
+    .subset2(.subset2(scene, "resistance"), "viscous_n_m_s") +
+      .subset2(.subset2(scene, "loads"), "motor_n_m_s"),
     .subset2(scene, "start_s"), .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s")
   )
 }
@@ -112,9 +114,6 @@ axle_free <- list(
   ledger = function(scene, run, from_s, to_s) double(11)
 )
 
-# Even stretches of the times may be computed by doubling where its bound is good enough.
-by_doubling <- function(accuracy) accuracy >= 1e-13
-
 axle_linear <- list(
   id = "axle_linear",
   constraint = "axle",
@@ -137,19 +136,18 @@ axle_linear <- list(
       ": the solution is known in closed form"
     )
   },
-  # Twelve roundings of the terms added, or with doubling some eighty (measured: five). Terms of two
-  # signs that cancel lose more: the run's own bound says how much, and warns.
-  error = function(accuracy) if (by_doubling(accuracy)) 2e-14 else 2e-15,
-  cost = function(scene, rows, accuracy) {
-    each <- if (by_doubling(accuracy)) 30 else 150
-    each * rows + 600 * (1 + length(knots_of(scene)$time_s))
-  },
+  # Some twenty roundings of the terms added (measured: four). Terms of two signs that cancel lose
+  # more: the run's own bound says how much, and warns.
+  error = function(accuracy) 2.5e-15,
+  # On even times; 100 a row elsewhere.
+  cost = function(scene, rows, accuracy) 30 * rows + 600 * (1 + length(knots_of(scene)$time_s)),
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
+    loads <- .subset2(scene, "loads")
     result <- .Call(
-      ffi_axle_linear, axle_numbers(scene), axle_knots(knots_of(scene)), time_s,
-      as.double(by_doubling(accuracy)), progress_bar("closed form")
+      ffi_axle_linear, axle_numbers(scene), axle_knots(.subset2(loads, "knots")), time_s,
+      1, progress_bar("closed form")
     )
-    if (motor_of(scene) != 0) part_motor(result, scene, time_s) else result
+    if (.subset2(loads, "motor_n_m_s") != 0) part_motor(result, scene, time_s) else result
   },
   ledger = function(scene, run, from_s, to_s) {
     ledger <- .Call(
@@ -540,13 +538,14 @@ torque_breaks <- function(torque, scene, time_s, complain, call) {
 }
 
 # A function of the fraction done, for the C code to call at most 20 times a second. The bar comes
-# into being after a second, so that short work makes none.
+# into being a second after the first call, so that short work makes none and asks no clock.
 progress_bar <- function(name) {
+  start <- NULL
   bar <- NULL
   owner <- parent.frame()
-  start <- proc.time()[[3L]]
   function(fraction) {
     if (is.null(bar)) {
+      if (is.null(start)) start <<- proc.time()[[3L]]
       if (proc.time()[[3L]] - start < 1) {
         return()
       }

@@ -26,13 +26,13 @@
 #' @export
 scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
                        omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1)) {
-  call <- rlang::current_env()
+  call <- environment()
   if (missing(body)) {
     check_supplied("body", call)
   }
   check_no_dots(...)
   if (inherits(body, "rot_body")) {
-    axis <- unit_axis(axis, call)
+    if (!missing(axis)) axis <- unit_axis(axis, call)
     inertia <- moment_about_axis(body, axis)
   } else if (is.numeric(body)) {
     inertia <- check_number(body, "body", "kg*m^2", call)
@@ -45,7 +45,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
       "Make one with {.fn body_disk}, or give the moment of inertia as one number in kg m^2.", call
     )
   }
-  start_s <- check_number(start_s, "start_s", "s", call)
+  if (!missing(start_s)) start_s <- check_number(start_s, "start_s", "s", call)
   changing <- NULL
   if (is.null(inertia)) {
     changing <- body
@@ -54,11 +54,12 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   check_turns(inertia, call, computed = !is.null(body))
   torque <- as_torque(torque, call)
   resistance <- as_resistance(resistance, call)
+  if (!missing(theta0_rad)) theta0_rad <- check_number(theta0_rad, "theta0_rad", "rad", call)
+  if (!missing(omega0_rad_per_s)) {
+    omega0_rad_per_s <- check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
+  }
   new_scene_axle(
-    body, inertia, changing, axis, torque, resistance,
-    check_number(theta0_rad, "theta0_rad", "rad", call),
-    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
-    start_s
+    body, inertia, changing, axis, torque, resistance, theta0_rad, omega0_rad_per_s, start_s
   )
 }
 
@@ -100,10 +101,11 @@ axle_effects <- function(loads, resistance, changing) {
   tau <- .subset2(knots, "torque_n_m")
   outside <- .subset2(knots, "outside")
   n <- length(tau)
+  time_s <- .subset2(knots, "time_s")
   torque <- any(tau != 0) || any(outside != 0)
   c(
     if (torque) "torque",
-    if (torque && n > 1L && any(tau[-1] != tau[-n] & diff(.subset2(knots, "time_s")) > 0)) "ramp",
+    if (torque && n > 1L && any(tau[-1L] != tau[-n] & time_s[-1L] > time_s[-n])) "ramp",
     if (length(.subset2(loads, "terms"))) {
       unique(vapply(loads$terms, function(term) term$kind, character(1)))
     },

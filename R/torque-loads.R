@@ -4,10 +4,10 @@
 #   terms      the other terms, evaluated in C
 #   law        one R function of them all, or NULL
 torque_loads <- function(torque) {
-  laws <- if (inherits(torque, "rot_torque_sum")) torque$laws else list(torque)
-  if (length(laws) == 1L && inherits(torque, "rot_torque_knots")) {
+  if (inherits(torque, "rot_torque_knots")) {
     return(list(knots = torque, motor_n_m_s = 0, terms = list(), law = NULL))
   }
+  laws <- if (inherits(torque, "rot_torque_sum")) torque$laws else list(torque)
   is <- function(class) laws[vapply(laws, inherits, logical(1), class)]
   motors <- is("rot_torque_motor")
   stall <- lapply(motors, function(m) new_knots(double(), double(), rep(m$stall_torque_n_m, 2L)))
@@ -22,7 +22,9 @@ torque_loads <- function(torque) {
 }
 
 new_knots <- function(time_s, torque_n_m, outside) {
-  new_torque("rot_torque_knots", time_s = time_s, torque_n_m = torque_n_m, outside = outside)
+  torque <- list(time_s = time_s, torque_n_m = torque_n_m, outside = outside)
+  class(torque) <- c("rot_torque_knots", "rot_torque")
+  torque
 }
 
 # Straight lines add up to straight lines between the knots of all; before and after each knot, so
