@@ -64,17 +64,21 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   threads <- min(threads, .Call(ffi_sweep_threads))
   loads <- torque_loads(as_torque(torque, call))
   columns <- sweep_inputs(parameters, time_s, call)
-  known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), rep(TRUE, n))
+  known <- rep(TRUE, n)
+  some_missing <- any(vapply(columns, anyNA, logical(1)))
+  if (some_missing) {
+    known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), known)
+  }
   check_sweep_rows(columns, known, start_s, call)
-  # A row with something missing runs as one that can, and is blanked after.
-  columns <- lapply(columns, function(x) if (anyNA(x)) replace(x, is.na(x), 1) else x)
-  if (!all(known)) {
+  if (some_missing) {
+    # A row with something missing runs as one that can, and is blanked after.
+    columns <- lapply(columns, function(x) if (anyNA(x)) replace(x, is.na(x), 1) else x)
     columns$time_s <- replace(rep_len(columns$time_s, n), !known, start_s)
   }
   result <- if (n) run_sweep(loads, columns, start_s, threads, call) else empty_sweep()
   out <- result[[1]]
   failed <- which(result[[2]] != 0L & known)
-  out <- lapply(out, function(x) replace(x, !known, NA_real_))
+  if (some_missing) out <- lapply(out, function(x) replace(x, !known, NA_real_))
   if (length(failed)) {
     warn_rotdyn(
       c(
@@ -150,6 +154,9 @@ check_sweep_rows <- function(columns, known, start_s, call) {
     x <- columns[[name]]
     least <- if (name %in% c("quadratic_n_m_s2", "coulomb_n_m", "static_n_m")) 0 else -Inf
     open <- name == "moment_of_inertia_kg_m2"
+    if (length(x) == 0L || (all(is.finite(x)) && min(x) >= least && !(open && min(x) <= 0))) {
+      next
+    }
     bad <- first(rep_len(!is.finite(x) | x < least | (open & x <= 0), length(known)))
     if (!is.na(bad)) {
       value <- rep_len(x, length(known))[bad]
@@ -157,7 +164,11 @@ check_sweep_rows <- function(columns, known, start_s, call) {
       abort_domain(value, name, unit, call, if (open) 0 else least, Inf, open, row = bad)
     }
   }
-  bad <- first(rep_len(columns$time_s < start_s, length(known)))
+  bad <- if (any(columns$time_s < start_s, na.rm = TRUE)) {
+    first(rep_len(columns$time_s < start_s, length(known)))
+  } else {
+    NA
+  }
   if (!is.na(bad)) {
     abort_rotdyn(
       c(
@@ -169,7 +180,8 @@ check_sweep_rows <- function(columns, known, start_s, call) {
       call
     )
   }
-  bad <- first(rep_len(columns$static_n_m < columns$coulomb_n_m, length(known)))
+  slips <- columns$static_n_m < columns$coulomb_n_m
+  bad <- if (any(slips, na.rm = TRUE)) first(rep_len(slips, length(known))) else NA
   if (!is.na(bad)) {
     abort_rotdyn(
       "{.arg static_n_m} must be at least {.arg coulomb_n_m}: it is less in row {bad}.",
@@ -193,7 +205,8 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
-    viscous <- columns$viscous_n_m_s + columns$torque_scale * loads$motor_n_m_s
+    viscous <- columns$viscous_n_m_s
+    if (loads$motor_n_m_s != 0) viscous <- viscous + columns$torque_scale * loads$motor_n_m_s
     return(.Call(
       ffi_sweep_linear, axle_knots(loads$knots),
       unname(c(

@@ -14,10 +14,6 @@
  * is added to the state is small beside it or of one sign, so nothing cancels up to l s = 1/2. */
 #define NEAR 0.5
 
-/* A row may be off the even grid by so much of a step. E2 and E3 are carried over to first order,
- * and what that leaves is below 1e-17. Rounded times are off by 1e-12 of a step or less. */
-#define UNEVEN 1e-9
-
 /* ---- one short step ------------------------------------------------------------------------- */
 
 /* phi3(-z), 0 <= z <= 1/2: what follows the last term is below 2^-54 of the first. */
@@ -156,8 +152,8 @@ static int make_table(rot_axle_grid *grid, const rot_axle_params *p, double step
 
 /* ---- rows ----------------------------------------------------------------------------------- */
 
-static double fill(const rot_axle_grid *grid, const rot_axle_state *from, const departure *go,
-                   size_t n, const double time_s[], const rot_axle_columns *out) {
+static int fill(const rot_axle_grid *grid, const rot_axle_state *from, const departure *go,
+                size_t n, const double time_s[], const rot_axle_columns *out) {
   return n >= ROT_WIDE_PAIR && rot_wide_ok()
              ? rot_axle_grid_fill_wide(grid, from, go, n, time_s, out)
              : fill_chunk(grid, from, go, n, time_s, out);
@@ -189,7 +185,7 @@ static void note_chunk(const rot_axle_grid *grid, const rot_axle_state *from, co
 /* How many of the rows lie on the grid. */
 static size_t even_rows(const rot_axle_grid *grid, size_t n, const double time_s[]) {
   size_t j = 1;
-  while (j < n && fabs((time_s[j] - time_s[0]) - grid->s[j]) <= UNEVEN * grid->step_s) j++;
+  while (j < n && fabs((time_s[j] - time_s[0]) - grid->s[j]) <= ROT_GRID_UNEVEN * grid->step_s) j++;
   return j;
 }
 
@@ -204,7 +200,7 @@ static rot_axle_columns from_row(const rot_axle_columns *to, size_t i) {
 /* A table for the first rows, the old one if it will do. */
 static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const double time_s[]) {
   const double step_s = (time_s[ROT_GRID_LEAST - 1] - time_s[0]) / (ROT_GRID_LEAST - 1);
-  return fabs(step_s - grid->step_s) <= UNEVEN / ROT_GRID_ROWS * step_s ||
+  return fabs(step_s - grid->step_s) <= ROT_GRID_UNEVEN / ROT_GRID_ROWS * step_s ||
          make_table(grid, p, step_s);
 }
 
@@ -222,28 +218,33 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
 
   rot_axle_state at = rot_axle_grid_step(grid, p, base, piece, time_s[0]);
   size_t done = 0, chunk_rows = first_rows(grid, out);
-  while (done < n) {
+  for (;;) {
     const size_t left = n - done, rows = left < chunk_rows ? left : chunk_rows;
     const rot_axle_columns to = from_row(out, done);
     const departure go = depart(k, &at);
     const double rounding = step_rounding(k, &at, &go, grid->s[rows]);
+    /* The next state first: a chain of sums, which the rows do not have to wait for. */
+    rot_axle_state next = at;
+    int more = 0;
+    if (rows < left) {
+      const double t = time_s[done + rows], s = t - at.time_s, off = s - grid->s[rows];
+      const double e2 = grid->twice[rows] + off * grid->once[rows];
+      const double e3 = grid->thrice[rows] + off * grid->twice[rows];
+      more = fabs(off) <= ROT_GRID_UNEVEN * grid->step_s;
+      next = arrive(k, &at, &go, rounding, t, s, e2, e3);
+    }
     size_t good = rows;
     if (left < 2) {
       rot_axle_row(p, &to, 0, at.theta_rad, at.omega_rad_per_s, go.torque);
-    } else if (!(fill(grid, &at, &go, rows, time_s + done, &to) <= UNEVEN * grid->step_s)) {
+    } else if (!fill(grid, &at, &go, rows, time_s + done, &to)) {
       good = even_rows(grid, rows, time_s + done);
       if (done + good < 8) return 0;
     }
     note_chunk(grid, &at, &go, rounding, good, &to, info);
     *base = at;
     done += good;
-    if (good < rows || done == n) break;
-    const double t = time_s[done], s = t - at.time_s, off = s - grid->s[rows];
-    if (!(fabs(off) <= UNEVEN * grid->step_s)) break;
-    const double e2 = grid->twice[rows] + off * grid->once[rows];
-    const double e3 = grid->thrice[rows] + off * grid->twice[rows];
-    at = arrive(k, &at, &go, rounding, t, s, e2, e3);
+    if (good < rows || !more) return done;
+    at = next;
     chunk_rows = grid->rows;
   }
-  return done;
 }

@@ -27,6 +27,10 @@ typedef struct rot_axle_grid {
       thrice[ROT_GRID_ROWS + 1];
 } rot_axle_grid;
 
+/* A row may be off the even grid by so much of a step. E2 and E3 are carried over to first order,
+ * and what that leaves is below 1e-17. Rounded times are off by 1e-12 of a step or less. */
+#define ROT_GRID_UNEVEN 1e-9
+
 /* How a step leaves a state: torque, acceleration A and g = d(torque)/dt/I - (c/I) A. */
 typedef struct rot_axle_departure {
   double torque, acceleration, bend;

@@ -56,12 +56,12 @@ ROT_INLINE rot_pair fill_pair(const rot_axle_grid *grid, const chunk *k, int slo
   return rot_pair_abs(off);
 }
 
-/* Rows 0 .. n-1 of a chunk, n >= ROT_PAIR; how far the worst of them is off the grid. A register
+/* Rows 0 .. n-1 of a chunk, n >= ROT_PAIR; whether all of them lie on the grid. A register
  * that straddles two lines of the cache is slow to store: the first one may overlap the second, and
  * so may the last two. */
-ROT_INLINE double fill_rows(const rot_axle_grid *grid, const rot_axle_state *from,
-                            const rot_axle_departure *go, int sloping, size_t n,
-                            const double time_s[], const rot_axle_columns *out) {
+ROT_INLINE int fill_rows(const rot_axle_grid *grid, const rot_axle_state *from,
+                         const rot_axle_departure *go, int sloping, size_t n, const double time_s[],
+                         const rot_axle_columns *out) {
   double *const theta = out->theta_rad, *const omega = out->omega_rad_per_s,
                 *const applied = out->applied_n_m, *const damping = out->damping_n_m,
                 *const net = out->net_n_m, *const momentum = out->momentum_kg_m2_per_s,
@@ -88,15 +88,12 @@ ROT_INLINE double fill_rows(const rot_axle_grid *grid, const rot_axle_state *fro
   for (; j + ROT_PAIR <= n; j += ROT_PAIR) FILL(j);
   if (j < n) FILL(n - ROT_PAIR);
 #undef FILL
-  double off[ROT_PAIR], most = 0.0;
-  rot_store(off, worst);
-  for (int i = 0; i < ROT_PAIR; i++) most = off[i] > most ? off[i] : most;
-  return most;
+  return rot_pair_count_more(ROT_BOTH(ROT_GRID_UNEVEN * grid->step_s), worst) == ROT_PAIR;
 }
 
-ROT_INLINE double fill_chunk(const rot_axle_grid *grid, const rot_axle_state *from,
-                             const rot_axle_departure *go, size_t n, const double time_s[],
-                             const rot_axle_columns *out) {
+ROT_INLINE int fill_chunk(const rot_axle_grid *grid, const rot_axle_state *from,
+                          const rot_axle_departure *go, size_t n, const double time_s[],
+                          const rot_axle_columns *out) {
   return grid->law.slope != 0.0 ? fill_rows(grid, from, go, 1, n, time_s, out)
                                 : fill_rows(grid, from, go, 0, n, time_s, out);
 }

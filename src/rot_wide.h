@@ -16,9 +16,9 @@ void rot_wide_allow(int allowed);
 
 void rot_axle_grid_table_wide(rot_axle_grid *grid, double lambda, int terms);
 /* n >= ROT_WIDE_PAIR */
-double rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
-                               const rot_axle_departure *go, size_t n, const double time_s[],
-                               const rot_axle_columns *out);
+int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
+                            const rot_axle_departure *go, size_t n, const double time_s[],
+                            const rot_axle_columns *out);
 void rot_sweep_pass_wide(rot_sweep_block *block, const rot_torque_piece *piece, double start_n_m);
 
 #endif
