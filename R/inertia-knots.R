@@ -33,6 +33,9 @@ inertia_knots <- function(time_s, moment_of_inertia_kg_m2) {
   if (is.unsorted(time_s)) {
     abort_rotdyn("{.arg time_s} must not go back in time.", "time", call)
   }
+  if (!is.finite(time_s[length(time_s)] - time_s[1])) {
+    abort_rotdyn("The span of the knots is beyond double precision.", "value", call)
+  }
   bad <- which(!(moment > 0))
   if (length(bad)) {
     abort_domain(

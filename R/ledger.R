@@ -55,6 +55,30 @@ inertia_slope <- function(knots, t) {
   ifelse(inside, rise, 0)
 }
 
+# Jumps of the inertia: times, and the moment before and after each.
+inertia_jumps <- function(knots) {
+  time <- knots$time_s
+  again <- unique(time[duplicated(time)])
+  list(
+    time_s = again,
+    before = knots$moment_of_inertia_kg_m2[match(again, time)],
+    after = knots$moment_of_inertia_kg_m2[findInterval(again, time)]
+  )
+}
+
+# At a jump the angular momentum stays; the energy does not. A row at the jump stands after it.
+# momentum(t) is the angular momentum at times t.
+jump_work <- function(scene, momentum, where) {
+  jumps <- inertia_jumps(scene$inertia)
+  at <- which(where(jumps$time_s))
+  l <- if (length(at)) momentum(jumps$time_s[at])
+  list(
+    time_s = jumps$time_s[at],
+    work = 0.5 * l * (l / jumps$after[at] - l / jumps$before[at]),
+    size = 0.5 * l * (l / jumps$after[at] + l / jumps$before[at])
+  )
+}
+
 # Integrals over each panel [from, to]: list(value, size, error), a row for each panel, a column for
 # each integrand. `size` is the integral of the absolute value.
 panel_integrals <- function(rates, from, to) {
@@ -127,7 +151,22 @@ integrate_motion <- function(scene, record, run, edges) {
     function(t) ledger_rates(scene, rows_at, t), all[-length(all)], all[-1]
   )
   owner <- findInterval(all[-length(all)], edges)
-  lapply(panels, function(x) rowsum(x, factor(owner, levels = seq_len(length(edges) - 1L))))
+  sums <- lapply(panels, function(x) rowsum(x, factor(owner, levels = seq_len(length(edges) - 1L))))
+  if (is.null(scene$inertia)) {
+    return(sums)
+  }
+  jumps <- jump_work(
+    scene,
+    function(t) rows_at(t)$omega_rad_per_s * inertia_at(scene$inertia, t),
+    function(t) t > edges[1] & t <= edges[length(edges)]
+  )
+  owner <- findInterval(jumps$time_s, edges, left.open = TRUE)
+  column <- match("inertia_work", ledger_names)
+  for (i in seq_along(owner)) {
+    sums$value[owner[i], column] <- sums$value[owner[i], column] + jumps$work[i]
+    sums$size[owner[i], column] <- sums$size[owner[i], column] + jumps$size[i]
+  }
+  sums
 }
 
 # As the C ledgers: work, dissipated, impulse, their roundings, viscous, quadratic, coulomb, damping
@@ -222,7 +261,7 @@ augment.rot_trajectory <- function(x, ...) {
 #' loose (`slip`), where it passed through rest (`reverse`). Their times are exact for a closed
 #' form, and good to the accuracy asked for an integration.
 #'
-#' @param x A `rot_trajectory`.
+#' @param x What [trajectory()] gave.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
 #'   Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
@@ -232,7 +271,7 @@ augment.rot_trajectory <- function(x, ...) {
 #' @export
 motion_events <- function(x) {
   call <- rlang::current_env()
-  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", call)
+  check_class(x, c("rot_trajectory", "rot_motion"), "x", "{.fn trajectory} gives one.", call)
   events <- trajectory_run(x)$events
   tibble::tibble(
     time_s = as.double(events$time_s), event = as.character(events$event)

@@ -37,14 +37,15 @@ largest_drive <- function(scene, time_s) {
     if (is.null(loads$law)) 0 else Inf
 }
 
-# Smallest moment of inertia on the way.
+# Smallest moment of inertia anywhere.
 least_inertia <- function(scene) {
   min(scene$moment_of_inertia_kg_m2, scene$inertia$moment_of_inertia_kg_m2)
 }
 
 # Largest |omega| that the scene can reach, by comparison: resistance only brakes, a torque D drives
 # to D/I T or, against viscous resistance c, to D/c; a spring or gravity gives back no more than its
-# energy.
+# energy. Inertia that shrinks speeds the body up: I omega is what the torque changes, and energy
+# that goes to and fro between a spring and the body grows with all that shrinks.
 largest_omega <- function(scene, time_s) {
   span <- time_span(scene, time_s)
   inertia <- least_inertia(scene)
@@ -53,14 +54,18 @@ largest_omega <- function(scene, time_s) {
   stored <- sum(vapply(scene$loads$terms, function(term) {
     x <- term$x
     switch(term$kind,
-      spring = x[1] / inertia * (scene$theta0_rad - x[2])^2,
+      spring = abs(x[1]) / inertia * (scene$theta0_rad - x[2])^2,
       gravity = 4 * abs(x[1]) / inertia,
       0
     )
   }, double(1)))
   reach <- drive / inertia * span
+  start <- abs(scene$omega0_rad_per_s) * scene$moment_of_inertia_kg_m2 / inertia
+  pumped <- if (stored == 0 || is.null(scene$inertia)) 1 else {
+    exp(sum(pmax(0, -diff(log(scene$inertia$moment_of_inertia_kg_m2)))) / 2)
+  }
   if (c > 0 && stored == 0 && is.null(scene$inertia)) reach <- min(reach, drive / c)
-  (sqrt(scene$omega0_rad_per_s^2 + stored) + reach) * growth(scene, span)
+  (sqrt(start^2 + stored) + reach) * pumped * growth(scene, span)
 }
 
 time_span <- function(scene, time_s) {
@@ -76,20 +81,24 @@ growth <- function(scene, span) {
     n <- term$x[1]
     max(0, diff(term$x[seq(2 + n, 1 + 2 * n)]) / diff(term$x[seq(2, 1 + n)]))
   }, double(1))
-  exp(span * (max(0, -c) / inertia + sum(rising) / inertia + sqrt(gravity / inertia)))
+  # A spring of negative stiffness drives away from its rest.
+  away <- sum(vapply(terms_of(scene, "spring"), function(term) max(0, -term$x[1]), double(1)))
+  exp(span * (max(0, -c) / inertia + sum(rising) / inertia + sqrt((gravity + away) / inertia)))
 }
 
 # What a torque of at most `size` N m, whatever its course, does to the motion at most. Against
 # resistance that grows with omega two motions come together, so resistance may be left out here:
 # |delta omega| <= size/I min(T, I/c), and no more than its whole impulse (of its size) over I.
-disturbance <- function(scene, size, time_s, impulse = Inf) {
+disturbance <- function(scene, size, time_s, impulse = Inf, grow = NULL) {
   span <- time_span(scene, time_s)
   inertia <- least_inertia(scene)
   c <- viscous_of(scene) + motor_of(scene)
   oscillates <- any(c("spring", "gravity", "inertia") %in% scene$effects)
   reach <- if (c > 0 && !oscillates) min(span, inertia / c) else span
-  backward <- length(time_s) && min(time_s) < scene$start_s
-  grow <- growth(scene, span) * if (backward) exp(max(0, c) / inertia * span) else 1
+  if (is.null(grow)) {
+    backward <- length(time_s) && min(time_s) < scene$start_s
+    grow <- growth(scene, span) * if (backward) exp(max(0, c) / inertia * span) else 1
+  }
   omega <- min(size * reach, impulse) / inertia * grow
   list(omega = omega, theta = omega * span)
 }
@@ -105,23 +114,29 @@ dropped_torque <- function(scene, effects, time_s) {
       quadratic = resistance$quadratic_n_m_s2 * omega^2,
       friction = resistance$static_n_m,
       spring = sum(vapply(terms_of(scene, "spring"), function(term) {
-        term$x[1] * (angle + abs(term$x[2]))
+        abs(term$x[1]) * (angle + abs(term$x[2]))
       }, double(1))),
       gravity = sum(vapply(terms_of(scene, "gravity"), function(term) abs(term$x[1]), double(1)))
     )
   }, double(1))
 }
 
-# list(scene, effects, torque, omega, theta: absolute bounds, error: relative to the motion's size)
-# of the scene without `effects`; the sizes are those of the reduced motion at some times, which is
+# list(scene, effects, until_s, omega, theta: absolute bounds, error: relative to the motion's size)
+# of the scene without `effects`, from its start to `until_s`; the sizes are those of the reduced motion at some times, which is
 # at most its largest on the way.
 drop_bound <- function(scene, effects, record, time_s, call) {
   reduced <- drop_effects(scene, effects)
+  none <- list(scene = reduced, effects = effects, error = Inf)
+  # Backwards, what brakes drives: no bound is tried. Nor where static friction decides: whether a
+  # body that comes to rest sticks or turns hangs on the last digit.
+  resistance <- reduced$resistance
+  if (length(time_s) == 0L || time_s[1] < scene$start_s ||
+    resistance$static_n_m > resistance$coulomb_n_m) {
+    return(none)
+  }
   size <- dropped_torque(scene, effects, time_s)
-  # Backwards, what brakes drives: no bound is tried.
-  backward <- length(time_s) && time_s[1] < scene$start_s
-  if (backward || !all(is.finite(size)) || length(time_s) == 0L) {
-    return(list(scene = reduced, effects = effects, error = Inf))
+  if (!all(is.finite(size))) {
+    return(none)
   }
   bound <- disturbance(reduced, sum(size), time_s)
   ends <- c(min(scene$start_s, time_s), max(time_s))
@@ -133,7 +148,8 @@ drop_bound <- function(scene, effects, record, time_s, call) {
     relative(one$omega, rows$omega_rad_per_s)
   }, double(1))
   list(
-    scene = reduced, effects = effects, omega = bound$omega, theta = bound$theta,
+    scene = reduced, effects = effects, until_s = max(time_s),
+    omega = bound$omega, theta = bound$theta,
     error = max(
       relative(bound$omega, rows$omega_rad_per_s), relative(bound$theta, rows$theta_rad)
     ),

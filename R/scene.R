@@ -51,7 +51,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
     changing <- body
     inertia <- inertia_at(changing, start_s)
   }
-  check_turns(inertia, call)
+  check_turns(inertia, call, computed = !is.null(body))
   torque <- as_torque(torque, call)
   resistance <- as_resistance(resistance, call)
   if (!missing(theta0_rad)) theta0_rad <- check_number(theta0_rad, "theta0_rad", "rad", call)
@@ -83,12 +83,16 @@ new_scene_axle <- function(body, inertia, changing, axis, torque, resistance, th
   scene
 }
 
+# At a jump, the moment after it.
 inertia_at <- function(knots, t) {
-  ends <- range(knots$time_s)
-  stats::approx(
-    knots$time_s, knots$moment_of_inertia_kg_m2, pmin(pmax(t, ends[1]), ends[2]),
-    ties = list("ordered", function(x) x[length(x)])
-  )$y
+  times <- knots$time_s
+  moment <- knots$moment_of_inertia_kg_m2
+  n <- length(times)
+  last <- findInterval(t, times) # the last knot at or before
+  i <- pmin(pmax(last, 1L), n - 1L)
+  width <- times[i + 1L] - times[i]
+  between <- moment[i] * ((times[i + 1L] - t) / width) + moment[i + 1L] * ((t - times[i]) / width)
+  ifelse(last == 0L, moment[1], ifelse(last == n, moment[n], between))
 }
 
 # What acts, by name: a model says which of these it can take. Computed once, with the scene.
@@ -158,7 +162,7 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
     gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
   )
   inertia <- about_centre + mass_kg * distance_m^2
-  check_turns(inertia, call)
+  check_turns(inertia, call, computed = TRUE)
   new_scene_axle(
     body, inertia, NULL, axis,
     if (torque_is_zero(torque)) gravity else sum_torques(gravity, torque),
@@ -169,8 +173,19 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
   )
 }
 
-# Without inertia there is no equation of motion.
-check_turns <- function(inertia, call) {
+# Without inertia there is no equation of motion. One that was computed and came out below 2.2e-308
+# has lost digits.
+check_turns <- function(inertia, call, computed = FALSE) {
+  if (is.finite(inertia) && inertia > 0 && computed && inertia < .Machine$double.xmin) {
+    abort_rotdyn(
+      c(
+        "The moment of inertia is below what double precision resolves.",
+        x = "It is about {format(inertia)} kg m^2."
+      ),
+      "value",
+      call
+    )
+  }
   if (!(is.finite(inertia) && inertia > 0)) {
     abort_rotdyn(
       c(

@@ -26,13 +26,12 @@ sweep_parameters <- list(
 #'   a column `time_s` of `parameters`.
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which all begin.
-#' @param threads Rows are shared among at most so many threads. The result is the same to the last
+#' @param threads Rows are shared among at most so many threads (no more than there are). The result is the same to the last
 #'   bit for any number.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms beyond
-#'   knots are in play, `max_omega_rad_per_s`, `min_omega_rad_per_s` and `max_omega_time_s` are NaN;
-#'   with terms beyond knots, `max_abs_omega_rad_per_s` too.
+#'   knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double precision;
 #'   they are NaN.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
@@ -62,6 +61,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
+  threads <- min(threads, .Call(ffi_sweep_threads))
   loads <- torque_loads(as_torque(torque, call))
   columns <- sweep_inputs(parameters, time_s, call)
   known <- rep(TRUE, n)

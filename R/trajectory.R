@@ -83,6 +83,11 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     failed_run(info, n, on_fail, call)
     n <- info$rows_done
     columns <- lapply(columns, `[`, seq_len(n))
+  } else if (is.na(info$error)) {
+    abort_rotdyn(
+      "The motion cannot be told in double precision: its error figure is not a number.", "range",
+      call, info = info
+    )
   } else if (n && !(info$error <= accuracy)) {
     warn_rotdyn(
       c(
@@ -302,7 +307,8 @@ glance.rot_trajectory <- function(x, ...) {
 #' The motion at other times
 #'
 #' Runs the trajectory's own model again at the times asked for: no interpolation, the same
-#' accuracy.
+#' accuracy. Where an effect was left out (see [choose_model()]), times outside the rows may need
+#' another model; it is chosen as [trajectory()] does.
 #'
 #' @param object A `rot_trajectory`.
 #' @param time_s Times in s, in any order, inside the rows or outside. NA gives a row of NA.
@@ -325,6 +331,11 @@ predict.rot_trajectory <- function(object, time_s, ...) {
   sorted <- known[order(time_s[known])]
   times <- check_times(time_s[sorted], call)
   fit <- list(record = record_of(run), scene = run$solved, dropped = run$dropped)
+  # What was dropped is bounded between the start and the last row: beyond, the choice is made anew.
+  if (!is.null(fit$dropped) && length(times) &&
+    (times[1] < run$scene$start_s || times[length(times)] > fit$dropped$until_s)) {
+    fit <- pick_model(run$scene, times, run$accuracy, NULL, call)
+  }
   why_not <- fit$record$why_not(fit$scene, times)
   if (!is.null(why_not)) {
     abort_rotdyn("Model {.val {run$model}} cannot do that: {why_not}.", "time", call)

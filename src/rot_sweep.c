@@ -325,7 +325,9 @@ static void scene_rows(const void *data, size_t first, size_t last) {
     out->theta_rad[i] = good ? row[0] : NAN;
     out->omega_rad_per_s[i] = good ? row[1] : NAN;
     out->speed_max[i] = good && frame->true_maximum ? info.omega_max : NAN;
-    out->omega_max[i] = out->omega_max_time_s[i] = out->omega_min[i] = NAN;
+    out->omega_max[i] = good && frame->true_maximum ? info.omega_high : NAN;
+    out->omega_min[i] = good && frame->true_maximum ? info.omega_low : NAN;
+    out->omega_max_time_s[i] = NAN;
     out->error[i] = good ? rot_info_error(&info) : NAN;
     out->status[i] = (int)status;
   }

@@ -75,3 +75,22 @@ test_that("where a balance cannot be drawn there is no verdict", {
   huge <- trajectory(scene_axle(2, resistance = resistance(-4), omega0_rad_per_s = 1), c(0, 200))
   expect_true(is.na(audit(huge)$verdict))
 })
+
+test_that("a jump of the inertia does work, wherever it lies between the rows", {
+  # I omega stays 10: the energy goes from 10 to 25 J.
+  jump <- inertia_knots(c(1, 1), c(5, 2))
+  for (model in list(NULL, "axle_rk8pd", "axle_radau")) {
+    for (start in c(-1, 0, 1, 2)) {
+      omega0 <- if (start < 1) 2 else 5
+      scene <- scene_axle(jump, omega0_rad_per_s = omega0, start_s = start)
+      for (t in list(c(0, 3), c(0, 1), c(1, 3), c(0, 1, 1, 3), 1)) {
+        m <- trajectory(scene, t, model = model)
+        a <- audit(m)
+        done <- if (t[1] < 1) 15 else 0
+        expect_equal(a$verdict, "balanced")
+        expect_equal(a$inertia_work_j, done, tolerance = 1e-12)
+        expect_equal(augment(m)$inertia_work_j[length(t)], done, tolerance = 1e-12)
+      }
+    }
+  }
+})

@@ -493,3 +493,23 @@ test_that("the progress function is called, no more than 20 times a second", {
   expect_lte(length(told), 20 * elapsed + 1)
   expect_true(all(told >= 0 & told <= 1))
 })
+
+test_that("a stiff integration shows the transient that it starts with", {
+  # Rows within 1e-14 s of the start, with c/I up to 1e12, against the closed form.
+  t <- sort(c(10^seq(-14, 1, by = 0.25), seq(0, 10, by = 0.5)))
+  for (c in 10^c(4, 8, 12)) {
+    scene <- scene_axle(1, torque_sinusoid(c, 1), resistance(c), 0, 5)
+    exact <- trajectory(scene, t)
+    stiff <- trajectory(scene, t, model = "axle_radau")
+    info <- run_of(stiff)$info
+    expect_lte(max(abs(stiff$omega_rad_per_s - exact$omega_rad_per_s)), info$omega_error)
+    expect_lte(max(abs(stiff$theta_rad - exact$theta_rad)), info$theta_error)
+    expect_lte(info$error, 1e-9)
+  }
+  # omega is gone long before the first row.
+  gone <- trajectory(
+    scene_axle(2e5, NULL, resistance(4.5e40), 1, 352), c(1e-12, 1),
+    model = "axle_radau", accuracy = 1e-8
+  )
+  expect_equal(gone$omega_rad_per_s, c(0, 0))
+})

@@ -66,3 +66,56 @@ test_that("nothing is dropped that has no bound", {
   ramp <- scene_axle(1, torque_knots(c(0, 1), c(1, 2)), resistance(0, 1e-30), omega0_rad_per_s = 1)
   expect_equal(attr(trajectory(ramp, -1:3, 0.1), "run")$model, "axle_rk8pd")
 })
+
+test_that("a spring of negative stiffness is bounded, not taken for a gain", {
+  t <- c(0, 0.5, 1)
+  strong <- scene_axle(1, -1 * torque_spring(100), omega0_rad_per_s = 20)
+  m <- trajectory(strong, t, accuracy = 1e-6)
+  expect_equal(m$theta_rad, 2 * sinh(10 * t), tolerance = 1e-6) # theta'' = 100 theta
+  weak <- scene_axle(1, -1 * torque_spring(1e-9), omega0_rad_per_s = 20)
+  b <- bound(weak, "spring", "axle_free", t)
+  k <- sqrt(1e-9)
+  expect_lte(abs(20 / k * sinh(k) - 20), b$theta)
+  expect_lte(20 * (cosh(k) - 1), b$omega)
+  expect_lte(b$omega, 100 * 20 * (cosh(k) - 1))
+})
+
+test_that("a bound knows that shrinking inertia speeds the body up", {
+  # I from 5 to 0.5 at once: omega = 10, and q omega^2/I t = 0.02 after 10 s for q = 1e-5.
+  skater <- inertia_knots(c(0.001, 0.001), c(5, 0.5))
+  scene <- scene_axle(
+    skater, resistance = resistance(quadratic_n_m_s2 = 1e-5), omega0_rad_per_s = 1
+  )
+  b <- bound(scene, "quadratic", "axle_skater", c(0, 10))
+  slowed <- 10 / (1 + 1e-5 * 10 / 0.5 * 10) # omega' = -(q/I) omega^2
+  expect_gte(b$omega, 10 - slowed)
+  expect_lte(b$omega, 20 * (10 - slowed))
+  # A spring gives and takes; pulling in at the right time pumps it.
+  pumped <- scene_axle(
+    inertia_knots(c(1, 1), c(5, 0.5)), torque_spring(1e-6), omega0_rad_per_s = 1
+  )
+  full <- trajectory(pumped, c(0, 5), 1e-10, model = "axle_rk8pd")
+  free <- trajectory(scene_axle(inertia_knots(c(1, 1), c(5, 0.5)), omega0_rad_per_s = 1), c(0, 5))
+  b <- bound(pumped, "spring", "axle_skater", c(0, 5))
+  expect_lte(max(abs(full$omega_rad_per_s - free$omega_rad_per_s)), b$omega)
+})
+
+test_that("nothing is dropped where static friction decides, nor without rows", {
+  law <- torque_knots(c(0, 10), c(-2, -1)) + torque_curve(c(-1, 1), c(0, 0))
+  losses <- resistance(0, 1e-9, coulomb_n_m = 0.1, static_n_m = 1.5)
+  sticky <- scene_axle(1, law, losses, omega0_rad_per_s = 9.5)
+  expect_equal(bound(sticky, "quadratic", "axle_bands", 0:5)$error, Inf)
+  fading <- scene_axle(1, torque_exponential(1, 2), resistance(0, 1e-9))
+  expect_silent(trajectory(fading, numeric(), 0.1))
+})
+
+test_that("predict() beyond the rows does not lean on a bound that ends with them", {
+  scene <- scene_axle(
+    1, torque_knots(c(0, 8), c(0, 1)), resistance(0, 1e-9), omega0_rad_per_s = 1
+  )
+  m <- trajectory(scene, 0:8, 1e-6)
+  expect_equal(run_of(m)$dropped$effects, "quadratic")
+  far <- trajectory(scene, 1e6, 1e-6, model = "axle_rk8pd")
+  expect_equal(predict(m, 1e6)$theta_rad, far$theta_rad, tolerance = 1e-6)
+  expect_equal(predict(m, 4), tibble::as_tibble(m)[5, ])
+})

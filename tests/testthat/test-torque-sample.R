@@ -46,16 +46,53 @@ test_that("a function that takes one time only is called one by one", {
   # One that takes a vector but means something else by it.
   total <- function(t) sum(t)
   expect_equal(rotdyn:::values_of(total, 0:7, stop), as.double(0:7))
-  calls <- 0
-  counted <- function(t) {
-    calls <<- calls + 1
-    sin(t)
-  }
-  rotdyn:::values_of(counted, 0:1000, stop)
-  expect_lte(calls, 4)
+  expect_identical(rotdyn:::values_of(function(t) sin(t), 0:9, stop), sin(0:9))
+})
+
+test_that("what takes vectors is told from its text, without trying", {
+  takes <- rotdyn:::takes_vectors
+  helper <- function(x) x^2
+  amplitude <- 3
+  expect_true(takes(function(t) amplitude * sin(3 * t) + helper(t)))
+  expect_true(takes(function(t) {
+    u <- t - 1
+    ifelse(u < 0, 0, exp(-u))
+  }))
+  expect_true(takes(sin))
+  expect_false(takes(sum))
+  expect_false(takes(function(t) if (t > 1) 1 else 0))
+  expect_false(takes(function(t) t > 1 && t < 2))
+  expect_false(takes(function(t) max(t, 2)))
+  expect_false(takes(approxfun(0:1, 0:1)))
+  expect_false(takes(function(t) stats::approx(0:1, 0:1, t)$y))
+  `*` <- function(a, b) if (a > b) a else b # not the one of R
+  expect_false(takes(function(t) 2 * t))
+  deep <- function(t) deep(t)
+  expect_false(takes(deep))
 })
 
 test_that("conditions of the law's own arrive as themselves", {
   expect_error(sample(function(t) stop(structure(class = c("mine", "error", "condition"),
     list(message = "no", call = NULL)))), class = "mine")
+})
+
+test_that("the samples' error is not blown up where gravity only might drive away", {
+  law <- torque_function(function(time_s) 0.1 * sin(time_s), breaks_s = numeric())
+  hanging <- scene_pendulum(1, 1, torque = law, theta0_rad = 0.3)
+  same <- scene_pendulum(1, 1, torque = torque_sinusoid(0.1, 1, -pi / 2), theta0_rad = 0.3)
+  t <- seq(0, 100, by = 5)
+  expect_silent(m <- trajectory(hanging, t))
+  truth <- trajectory(same, t, 1e-12)
+  off <- max(abs(m$theta_rad - truth$theta_rad)) / max(abs(truth$theta_rad))
+  expect_lte(off, run_of(m)$info$error)
+  expect_lte(run_of(m)$info$error, 1e-9)
+  # Upside down it does drive away: exp(sqrt(g) 4) = 2.7e5 times.
+  law <- torque_function(function(time_s) 1e-6 * exp(-time_s), breaks_s = numeric())
+  up <- scene_pendulum(1, 1, torque = law, theta0_rad = pi)
+  m <- suppressWarnings(trajectory(up, c(0, 4), 1e-6))
+  up <- scene_pendulum(1, 1, torque = torque_exponential(1e-6, 1), theta0_rad = pi)
+  truth <- suppressWarnings(trajectory(up, c(0, 4), 1e-9))
+  expect_lte(
+    max(abs(m$theta_rad - truth$theta_rad)) / max(abs(truth$theta_rad)), run_of(m)$info$error
+  )
 })
