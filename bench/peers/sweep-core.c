@@ -29,8 +29,8 @@ static int solve(const char *how, solution *s) {
   const rot_torque law = {5, time_s, torque, 0.0, 0.0, NULL, NULL};
   const rot_sweep_rows rows = {s->n,      0.0,        {inertia, 1}, {viscous, 1},
                                {&one, 0}, {&none, 0}, {&none, 0},   {&end, 0}};
-  const rot_sweep_columns out = {s->theta_rad, s->omega_rad_per_s, to[0], to[1],
-                                 to[2],        to[3],              to[4], status};
+  const rot_sweep_columns out = {
+      s->theta_rad, s->omega_rad_per_s, to[0], to[1], to[2], to[3], to[4], status};
   rot_info info;
   (void)how;
   s->rhs_calls = 0;
