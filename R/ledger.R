@@ -194,6 +194,16 @@ ledger_by_quadrature <- function(scene, run, from_s, to_s) {
   )
 }
 
+# The key columns as they stand: numbers, and no time missing.
+check_rows <- function(x, call, columns = key_columns) {
+  for (name in columns) {
+    check_column(x[[name]], name, "1", call)
+  }
+  if (anyNA(x$time_s)) {
+    abort_rotdyn("{.field time_s} must not be missing.", "time", call)
+  }
+}
+
 stop_ledger <- function() {
   stop(structure(
     class = c("rotdyn_ledger", "error", "condition"),
@@ -225,6 +235,10 @@ augment.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
   run <- trajectory_run(x)
+  if (is.null(x[["applied_torque_n_m"]])) {
+    abort_missing_column("applied_torque_n_m", x, call)
+  }
+  check_rows(x, call)
   t <- x$time_s
   n <- length(t)
   if (is.unsorted(t)) {
@@ -258,10 +272,11 @@ augment.rot_trajectory <- function(x, ...) {
 #' What happened on the way
 #'
 #' The events of a trajectory: where dry friction brought the body to rest (`stick`), where it broke
-#' loose (`slip`), where it passed through rest (`reverse`). Their times are exact for a closed
+#' loose (`slip`), where it passed through rest (`reverse`); for a clutch, where it locked (`lock`),
+#' slipped (`slip`), and where the slip passed through zero (`reverse`). Their times are exact for a closed
 #' form, and good to the accuracy asked for an integration.
 #'
-#' @param x A `rot_trajectory`.
+#' @param x A `rot_trajectory`, or the `rot_motion` of a [scene_clutch()].
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
 #'   Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
@@ -271,7 +286,9 @@ augment.rot_trajectory <- function(x, ...) {
 #' @export
 motion_events <- function(x) {
   call <- rlang::current_env()
-  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", call)
+  if (!inherits(x, "rot_motion")) {
+    check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", call)
+  }
   events <- trajectory_run(x)$events
   tibble::tibble(
     time_s = as.double(events$time_s), event = as.character(events$event)
