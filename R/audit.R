@@ -40,8 +40,9 @@ audit.rot_trajectory <- function(x, ...) {
     empty$verdict <- NA_character_
     return(tibble::new_tibble(empty, nrow = 1L, class = "rot_audit"))
   }
+  check_rows(x, call)
   scene <- run$solved
-  t <- x$time_s[c(1L, n)]
+  t <- as.double(x$time_s[c(1L, n)])
   ledger <- run$ledger
   if (is.null(ledger)) {
     ledger <- record_of(run)$ledger(scene, c(run, call = call), min(t), max(t))

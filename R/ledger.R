@@ -137,6 +137,35 @@ integrate_panels <- function(rates, from, to) {
   list(value = value, size = size, error = error)
 }
 
+# Times where omega passes a point of a torque-speed curve: next to the end of a panel no node of it
+# would see the kink.
+curve_kinks <- function(scene, rows_at, edges) {
+  points <- unlist(lapply(terms_of(scene, "curve"), function(term) term$x[1 + seq_len(term$x[1])]))
+  if (length(points) == 0L || length(edges) < 2L) {
+    return(double())
+  }
+  n <- length(edges) - 1L
+  t <- sort(unique(c(edges, outer(diff(edges), seq_len(15L) / 16) + edges[seq_len(n)])))
+  above <- outer(rows_at(t)$omega_rad_per_s, points, `>`)
+  at <- which(diff(above) != 0, arr.ind = TRUE)
+  if (nrow(at) == 0L) {
+    return(double())
+  }
+  from <- t[at[, 1]]
+  to <- t[at[, 1] + 1L]
+  point <- points[at[, 2]]
+  rises <- above[at + rep(c(1L, 0L), each = nrow(at))]
+  for (halving in 1:60) {
+    middle <- from + (to - from) / 2
+    order <- order(middle)
+    omega <- rows_at(middle[order])$omega_rad_per_s[order(order)]
+    passed <- (omega > point) == rises
+    to[passed] <- middle[passed]
+    from[!passed] <- middle[!passed]
+  }
+  to
+}
+
 # Integrals between consecutive edges, breaks and events inside them minded.
 integrate_motion <- function(scene, record, run, edges) {
   rows_at <- function(t) {
@@ -147,6 +176,7 @@ integrate_motion <- function(scene, record, run, edges) {
   inner <- c(axle_breaks(scene), scene$start_s, run$events$time_s)
   inner <- inner[inner > edges[1] & inner < edges[length(edges)]]
   all <- sort(unique(c(edges, inner)))
+  if (record$error_kind == "bound") all <- sort(unique(c(all, curve_kinks(scene, rows_at, all))))
   panels <- integrate_panels(
     function(t) ledger_rates(scene, rows_at, t), all[-length(all)], all[-1]
   )
@@ -194,6 +224,16 @@ ledger_by_quadrature <- function(scene, run, from_s, to_s) {
   )
 }
 
+# The key columns as they stand: numbers, and no time missing.
+check_rows <- function(x, call, columns = key_columns) {
+  for (name in columns) {
+    check_column(x[[name]], name, "1", call)
+  }
+  if (anyNA(x$time_s)) {
+    abort_rotdyn("{.field time_s} must not be missing.", "time", call)
+  }
+}
+
 stop_ledger <- function() {
   stop(structure(
     class = c("rotdyn_ledger", "error", "condition"),
@@ -225,6 +265,10 @@ augment.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
   run <- trajectory_run(x)
+  if (is.null(x[["applied_torque_n_m"]])) {
+    abort_missing_column("applied_torque_n_m", x, call)
+  }
+  check_rows(x, call)
   t <- x$time_s
   n <- length(t)
   if (is.unsorted(t)) {
@@ -258,8 +302,9 @@ augment.rot_trajectory <- function(x, ...) {
 #' What happened on the way
 #'
 #' The events of a trajectory: where dry friction brought the body to rest (`stick`), where it broke
-#' loose (`slip`), where it passed through rest (`reverse`). Their times are exact for a closed
-#' form, and good to the accuracy asked for an integration.
+#' loose (`slip`), where it passed through rest (`reverse`); for a clutch, where it locked (`lock`),
+#' slipped (`slip`), and where the slip passed through zero (`reverse`). Their times are exact for a
+#' closed form, and good to the accuracy asked for an integration.
 #'
 #' @param x What [trajectory()] gave.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`

@@ -108,6 +108,31 @@ tbl_sum.rot_motion <- function(x, ...) {
   )
 }
 
+#' @rdname predict.rot_trajectory
+#' @export
+predict.rot_motion <- function(object, time_s, ...) {
+  call <- rlang::current_env()
+  if (missing(time_s)) {
+    check_supplied("time_s", call)
+  }
+  check_no_dots(...)
+  run <- attr(object, "run", exact = TRUE)
+  scene <- run$scene
+  time_s <- check_column(time_s, "time_s", "s", call)
+  known <- which(!is.na(time_s))
+  sorted <- known[order(time_s[known])]
+  times <- check_times(time_s[sorted], call)
+  # How rigid a shaft may be taken depends on the times: the choice is made anew.
+  fit <- pick_model(scene, times, run$accuracy, NULL, call)
+  rows <- tibble::as_tibble(run_motion(fit$record, scene, times, run$accuracy, "abort", call))
+  each <- if (is.null(rows[["rotor"]])) 1L else length(scene$moment_of_inertia_kg_m2)
+  from <- rep(NA_integer_, length(time_s))
+  from[sorted] <- seq_along(sorted)
+  out <- rows[as.vector(outer(seq_len(each) - each, each * from, `+`)), ]
+  if (!is.null(out[["rotor"]])) out$rotor <- rep.int(seq_len(each), length(time_s))
+  out
+}
+
 # ---- audit --------------------------------------------------------------------------------------
 
 #' Audit a motion of several bodies
@@ -132,6 +157,7 @@ tbl_sum.rot_motion <- function(x, ...) {
 audit.rot_motion <- function(x, ...) {
   check_no_dots(...)
   run <- attr(x, "run", exact = TRUE)
+  check_rows(x, rlang::current_env(), run$key)
   balance <- if (inherits(run$scene, "rot_scene_rotors")) balance_rotors else balance_clutch
   values <- if (nrow(x)) balance(x, run)
   if (is.null(values)) {

@@ -93,13 +93,14 @@ torque_steps_of <- function(torque, arg, call) {
       call
     )
   }
-  if (!inherits(torque, "rot_torque_knots")) {
+  loads <- torque_loads(torque)
+  if (length(loads$terms) || !is.null(loads$law) || loads$motor_n_m_s != 0) {
     refuse()
   }
-  time <- torque$time_s
-  value <- torque$torque_n_m
+  time <- loads$knots$time_s
+  value <- loads$knots$torque_n_m
   n <- length(time)
-  outside <- torque$outside
+  outside <- loads$knots$outside
   if (n == 0L) {
     return(list(double(), outside[1]))
   }

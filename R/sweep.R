@@ -58,6 +58,12 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
       call
     )
   }
+  twice <- names(parameters)[duplicated(names(parameters))]
+  if (length(twice)) {
+    abort_rotdyn(
+      "{.arg parameters} has more than one column {.field {unique(twice)}}.", "value", call
+    )
+  }
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
@@ -71,8 +77,15 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   }
   check_sweep_rows(columns, known, start_s, call)
   if (some_missing) {
-    # A row with something missing runs as one that can, and is blanked after.
-    columns <- lapply(columns, function(x) if (anyNA(x)) replace(x, is.na(x), 1) else x)
+    # A row with something missing runs as one that can, with no more acting than in the others, and
+    # is blanked after.
+    columns[] <- Map(function(x, name) {
+      if (anyNA(x)) {
+        replace(x, is.na(x), if (name %in% c("moment_of_inertia_kg_m2", "torque_scale")) 1 else 0)
+      } else {
+        x
+      }
+    }, columns, names(columns))
     columns$time_s <- replace(rep_len(columns$time_s, n), !known, start_s)
   }
   result <- if (n) run_sweep(loads, columns, start_s, threads, call) else empty_sweep()
@@ -83,8 +96,8 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
     warn_rotdyn(
       c(
         "{length(failed)} row{?s} left the range of double precision.",
-        i = "{cli::qty(length(failed))}Row{?s} {cli::cli_vec(failed, list('vec-trunc' = 6))}
-             {?is/are} NaN."
+        i = "{cli::qty(length(failed))}Row{?s}
+             {cli::cli_vec(format(failed, trim = TRUE), list('vec-trunc' = 6))} {?is/are} NaN."
       ),
       "range",
       call
@@ -119,7 +132,11 @@ sweep_inputs <- function(parameters, time_s, call) {
     if (is.null(given)) {
       return(sweep_parameters[[name]][[2]])
     }
-    check_column(given, name, unit, call)
+    given <- check_column(given, name, unit, call)
+    if (length(given) != n) {
+      abort_rotdyn("Column {.field {name}} must have one number in each row.", "size", call)
+    }
+    given
   })
   names(columns) <- names(sweep_parameters)
   if (is.null(columns$static_n_m)) columns$static_n_m <- columns$coulomb_n_m
@@ -197,7 +214,10 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
   # What acts in any row decides for all.
   scene <- new_scene_axle(
     NULL, 1, NULL, c(0, 0, 1), sum_torques(loads$knots),
-    new_resistance(max(abs(columns$viscous_n_m_s)), quadratic * 1, friction * 1, friction * 1),
+    new_resistance(
+      if (any(columns$viscous_n_m_s < 0)) min(columns$viscous_n_m_s) else max(columns$viscous_n_m_s),
+      quadratic * 1, friction * 1, friction * 1
+    ),
     0, 0, start_s
   )
   scene$loads <- loads

@@ -146,7 +146,11 @@ Ops.rot_torque <- function(e1, e2) {
     return(scale_torque(law, check_number(if (is_law(e1)) e2 else e1, "factor", "1", call), call))
   }
   if (.Generic == "/" && is_law(e1) && !is_law(e2)) {
-    return(scale_torque(e1, 1 / check_number(e2, "divisor", "1", call), call))
+    factor <- 1 / check_number(e2, "divisor", "1", call)
+    if (!is.finite(factor)) {
+      abort_rotdyn("A torque law cannot be divided by {format(e2)}.", "value", call)
+    }
+    return(scale_torque(e1, factor, call))
   }
   unsupported()
 }

@@ -23,25 +23,32 @@ scale_term <- function(term, factor) {
   term
 }
 
+# c(from, to) in s; either may be infinite.
 check_window <- function(from_s, to_s, call) {
-  for (arg in c("from_s", "to_s")) {
-    x <- get(arg)
-    if (!is.numeric(x) || length(x) != 1L || is.na(x)) {
-      abort_rotdyn(
-        c("{.arg {arg}} must be one time in s.", x = "It is {describe_value(x)}."), "type", call
-      )
-    }
-  }
-  if (!(from_s < to_s)) {
+  window <- c(check_end(from_s, "from_s", call), check_end(to_s, "to_s", call))
+  if (!(window[1] < window[2])) {
     abort_rotdyn(
       c(
         "{.arg from_s} must lie before {.arg to_s}.",
-        x = "They are {format(from_s)} and {format(to_s)} s."
+        x = "They are {format(window[1])} and {format(window[2])} s."
       ),
       "time",
       call
     )
   }
+  window
+}
+
+check_end <- function(x, arg, call) {
+  if (is.object(x)) {
+    x <- as_si(x, "s", arg, call)
+  }
+  if (!is_number(x) || is.object(x) || length(x) != 1L || is.na(x)) {
+    abort_rotdyn(
+      c("{.arg {arg}} must be one time in s.", x = "It is {describe_value(x)}."), "type", call
+    )
+  }
+  as.double(x)
 }
 
 window_text <- function(from_s, to_s) {
@@ -211,7 +218,7 @@ torque_sinusoid <- function(amplitude_n_m, angular_frequency_rad_per_s, phase_ra
   call <- rlang::current_env()
   check_supplied(c("amplitude_n_m", "angular_frequency_rad_per_s"), call)
   check_no_dots(...)
-  check_window(from_s, to_s, call)
+  window <- check_window(from_s, to_s, call)
   a <- check_number(amplitude_n_m, "amplitude_n_m", "N*m", call)
   f <- check_number(angular_frequency_rad_per_s, "angular_frequency_rad_per_s", "rad/s", call)
   phase <- check_number(phase_rad, "phase_rad", "rad", call)
@@ -220,9 +227,9 @@ torque_sinusoid <- function(amplitude_n_m, angular_frequency_rad_per_s, phase_ra
     paste0(
       format_si(a), " cos(", format_si(f), " t",
       if (phase != 0) paste(if (phase < 0) " -" else " +", format_si(abs(phase))), ") N m",
-      window_text(from_s, to_s)
+      window_text(window[1], window[2])
     ),
-    from_s, to_s
+    window[1], window[2]
   )
 }
 
@@ -233,16 +240,16 @@ torque_exponential <- function(torque_n_m, decay_per_s, ..., from_s = 0, to_s = 
   check_supplied(c("torque_n_m", "decay_per_s"), call)
   check_no_dots(...)
   from_s <- check_number(from_s, "from_s", "s", call)
-  check_window(from_s, to_s, call)
+  window <- check_window(from_s, to_s, call)
   a <- check_number(torque_n_m, "torque_n_m", "N*m", call)
   rate <- check_number(decay_per_s, "decay_per_s", "1/s", call)
   new_term(
     "exponential", c(a, rate, from_s),
     paste0(
       format_si(a), if (rate < 0) " N m growing with " else " N m fading with ",
-      format_si(abs(rate)), " /s", window_text(from_s, to_s)
+      format_si(abs(rate)), " /s", window_text(window[1], window[2])
     ),
-    from_s, to_s
+    window[1], window[2]
   )
 }
 

@@ -128,7 +128,7 @@ relative_accuracy <- function(accuracy, scene, time_s, call) {
     return(check_accuracy(accuracy, call))
   }
   need_package("units", "An accuracy with units", call)
-  # rpm and Hz count turns; a plain radian has no dimension, so the time decides.
+  # rpm counts turns; a plain radian has no dimension, so the time decides.
   of_angle <- units::ud_are_convertible(units(accuracy), "rad")
   unit <- if (of_angle) "rad" else "rad/s"
   wanted <- check_number(accuracy, "accuracy", unit, call, lower = 0, open = TRUE)
@@ -310,10 +310,11 @@ glance.rot_trajectory <- function(x, ...) {
 #' accuracy. Where an effect was left out (see [choose_model()]), times outside the rows may need
 #' another model; it is chosen as [trajectory()] does.
 #'
-#' @param object A `rot_trajectory`.
+#' @param object A `rot_trajectory` or a `rot_motion`.
 #' @param time_s Times in s, in any order, inside the rows or outside. NA gives a row of NA.
 #' @param ... Not used.
-#' @return A tibble with one row for each time, in their order, and the columns of [trajectory()].
+#' @return A tibble with one row for each time (and rotor), in their order, and the columns of
+#'   [trajectory()].
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time` for infinite times, and those of
 #'   [trajectory()].
 #' @examples

@@ -107,7 +107,10 @@ models_that_fit <- function(scene, time_s, accuracy) {
 
 # A row for each contestant and accuracy: model, error_kind, accuracy, peer.
 list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
-  known <- choose_model(scene, time_s, 1)$model
+  known <- tryCatch(choose_model(scene, time_s, 1), rotdyn_error = function(e) {
+    e$call <- rlang::error_call(call)
+    rlang::cnd_signal(e)
+  })$model
   if (!is.null(models) && !(is.character(models) && all(models %in% known))) {
     abort_rotdyn(
       c(

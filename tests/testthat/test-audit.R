@@ -94,3 +94,18 @@ test_that("a jump of the inertia does work, wherever it lies between the rows", 
     }
   }
 })
+
+test_that("rows that are no longer numbers are refused by name", {
+  m <- spin_up(time_s = 0:3)
+  edited <- function(name, value) {
+    m[[name]] <- value
+    m
+  }
+  for (f in list(audit, augment.rot_trajectory)) {
+    expect_error(f(edited("time_s", "a")), class = "rotdyn_error_type")
+    expect_error(f(edited("omega_rad_per_s", "a")), class = "rotdyn_error_type")
+    expect_error(f(edited("time_s", NA_real_)), class = "rotdyn_error_time")
+  }
+  expect_error(augment(m[, 1:3]), class = "rotdyn_error_type")
+  expect_equal(audit(edited("time_s", 0:3))$verdict, "balanced") # integers
+})

@@ -78,3 +78,16 @@ test_that("rows out of order, one row and none", {
   expect_equal(nrow(augment(motion[0, ])), 0L)
   expect_equal(augment(trajectory(article_scene(), c(1, 1, 2)))$work_j[2], 0)
 })
+
+test_that("a kink of a torque-speed curve next to a row is seen", {
+  # omega = 2 + t up to the point at 3 rad/s: the kink comes at t = 1, a thousandth after a row.
+  curve <- torque_curve(c(-10, 3, 4), c(1, 1, -2))
+  m <- trajectory(scene_axle(1, curve, omega0_rad_per_s = 2), c(0, 0.999, 2))
+  expect_equal(run_of(m)$model, "axle_bands")
+  a <- audit(m)
+  expect_equal(a$verdict, "balanced")
+  # After it omega = 3 + (1 - exp(-3 s))/3.
+  expect_equal(a$torque_impulse_n_m_s, 1 + (1 - exp(-3)) / 3, tolerance = 1e-14)
+  g <- augment(m)
+  expect_equal(g$torque_impulse_n_m_s[3], 1 + (1 - exp(-3)) / 3, tolerance = 1e-14)
+})

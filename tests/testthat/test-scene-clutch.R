@@ -27,3 +27,8 @@ test_that("a clutch prints itself", {
     "two bodies and a clutch.*12 N m slipping, 15 N m locked, engages at 1 s"
   )
 })
+
+test_that("a sum of laws that is constant between jumps will do", {
+  one <- scene_clutch(1, 1, 1, torque_1 = torque_constant(1) + torque_pulse(1, 1, 2))
+  expect_equal(one$steps[[1]], list(c(1, 2), c(1, 3, 1)))
+})

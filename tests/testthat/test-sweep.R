@@ -118,3 +118,36 @@ test_that("wrong rows and laws are refused with the row", {
   )
   expect_equal(table$final_omega_rad_per_s[1], NaN)
 })
+
+test_that("a row with something missing does not change the others", {
+  rows <- data.frame(
+    moment_of_inertia_kg_m2 = c(1, 1), coulomb_n_m = c(0, NA), quadratic_n_m_s2 = c(0, NA),
+    viscous_n_m_s = c(0.1, NA)
+  )
+  law <- torque_knots(c(0, 1, 2), c(0, 1, 0))
+  got <- spin_up_table(rows, law, time_s = 3)
+  expect_equal(got[1, -(1:4)], spin_up_table(rows[1, ], law, time_s = 3)[, -(1:4)])
+  expect_true(is.finite(got$max_omega_rad_per_s[1]))
+  expect_true(all(is.na(got[2, rotdyn:::sweep_columns])))
+})
+
+test_that("odd data frames are told what is wrong with them", {
+  rows <- data.frame(moment_of_inertia_kg_m2 = c(1, 2, 4))
+  fails <- function(rows, kind, ...) {
+    expect_error(spin_up_table(rows, 1, 3, ...), class = paste0("rotdyn_error_", kind))
+  }
+  twice <- cbind(rows, rows)
+  fails(twice, "value")
+  wide <- rows
+  wide$viscous_n_m_s <- matrix(1, 3, 2)
+  fails(wide, "size")
+  # The drag kernel takes no negative viscous coefficient.
+  fails(cbind(rows, viscous_n_m_s = c(-1, 1, 1), quadratic_n_m_s2 = 0.1), "model")
+  expect_equal(spin_up_table(rows, 1, 3, threads = 1e9), spin_up_table(rows, 1, 3))
+})
+
+test_that("a warning names several rows", {
+  rows <- data.frame(moment_of_inertia_kg_m2 = rep(1e-300, 3), omega0_rad_per_s = c(1e300, 0, 1e300))
+  rows$viscous_n_m_s <- -1
+  expect_warning(spin_up_table(rows, NULL, 3), "Rows 1 and 3 are NaN", class = "rotdyn_warning_range")
+})

@@ -78,3 +78,24 @@ test_that("a law that makes no sense is refused", {
     2 * torque_exponential(1, -0.5)
   })
 })
+
+test_that("a window takes any kind of time", {
+  skip_if_not_installed("units")
+  minute <- units::set_units(1, "min")
+  law <- torque_sinusoid(1, 2, from_s = minute)
+  expect_equal(c(law$from_s, law$to_s), c(60, Inf))
+  law <- torque_exponential(1, 2, from_s = 30L, to_s = as.difftime(1, units = "mins"))
+  expect_equal(c(law$from_s, law$to_s), c(30, 60))
+  expect_equal(
+    trajectory(scene_axle(1, torque_sinusoid(1, 2, from_s = 1L, to_s = 2L)), 0:3)$omega_rad_per_s,
+    c(0, 0, (sin(4) - sin(2)) / 2, (sin(4) - sin(2)) / 2)
+  )
+  expect_error(torque_sinusoid(1, 2, from_s = factor(1)), class = "rotdyn_error_type")
+  expect_error(torque_sinusoid(1, 2, to_s = units::set_units(1, "m")), class = "rotdyn_error_unit")
+  expect_error(torque_sinusoid(1, 2, from_s = 1:2), class = "rotdyn_error_type")
+})
+
+test_that("a law is not divided by nothing", {
+  expect_error(torque_constant(1) / 0, class = "rotdyn_error_value")
+  expect_error(torque_motor(1, 2) / 1e-320, class = "rotdyn_error_value")
+})

@@ -21,3 +21,16 @@ test_that("a difftime is a time", {
   expect_equal(trajectory(article_scene(), minute)$time_s, c(0, 6))
   expect_error(body_disk(as.difftime(1, units = "secs"), 1), class = "rotdyn_error_unit")
 })
+
+test_that("hertz is not taken for rad/s", {
+  skip_if_not_installed("units")
+  hertz <- units::set_units(50, "Hz")
+  expect_error(torque_sinusoid(1, hertz), class = "rotdyn_error_unit")
+  expect_error(
+    scene_axle(1, omega0_rad_per_s = units::set_units(1, "kHz")), class = "rotdyn_error_unit"
+  )
+  expect_equal(torque_exponential(1, units::set_units(2, "Hz"))$x[2], 2)
+  expect_error(rad_per_s_from_rpm(units::set_units(1, "Hz")), class = "rotdyn_error_unit")
+  law <- torque_sinusoid(1, units::set_units(60, "rpm"))
+  expect_equal(law$x[2], 2 * pi)
+})

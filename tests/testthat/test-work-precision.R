@@ -219,3 +219,9 @@ test_that("the header says what was measured, and stays with the rows", {
     tibble::tbl_sum(measure(pendulum(), 0:1, accuracies = 1e-3))[["Cost"]], "an R function"
   )
 })
+
+test_that("an error of the choice shows the user's call", {
+  scene <- scene_axle(1, 1, resistance(coulomb_n_m = 0.1))
+  e <- expect_error(work_precision(scene, -1), class = "rotdyn_error_time")
+  expect_equal(as.character(conditionCall(e)[[1]]), "work_precision")
+})
