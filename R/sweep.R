@@ -67,7 +67,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   }
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
-  threads <- min(floor(check_number(threads, "threads", "1", call, lower = 1)), 1024)
+  threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
   loads <- torque_loads(as_torque(torque, call))
   columns <- sweep_inputs(parameters, time_s, call)
   known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), rep(TRUE, n))
