@@ -22,25 +22,36 @@ shape_aliases <- c(
 )
 
 new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
-  shapes <- shape_table()
-  i <- match(shape, shapes$shape)
-  size_name <- shapes$size[i]
+  of <- shape_parts(shape)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
-  size_m <- check_number(size_m, size_name, "m", call, lower = 0)
-  k <- c(shapes$kx[i], shapes$ky[i], shapes$kz[i])
-  axes <- c("x", "y", "z")
-  moments <- .Call(ffi_inertia_table, k, mass_kg, size_m)$moment_of_inertia_kg_m2
+  size_m <- check_number(size_m, .subset2(of, "size_name"), "m", call, lower = 0)
+  moments <- .Call(ffi_inertia_table, .subset2(of, "k"), mass_kg, size_m)[[1L]]
+  inertia <- c(moments[1L], 0, 0, 0, moments[2L], 0, 0, 0, moments[3L])
+  attributes(inertia) <- .subset2(of, "tensor")
+  names(size_m) <- .subset2(of, "size_name")
   new_body(
-    shape,
-    mass_kg,
-    `names<-`(size_m, size_name),
-    matrix(
-      c(moments[1], 0, 0, 0, moments[2], 0, 0, 0, moments[3]), 3, 3,
-      dimnames = list(axes, axes)
-    ),
-    beta = if (rolls) shapes$kz[i] else NA_real_,
-    formula = paste0(shapes$formula[i], "  (", shapes$axis[i], ")")
+    shape, mass_kg, size_m, inertia,
+    beta = if (rolls) .subset2(of, "k")[3L] else NA_real_,
+    formula = .subset2(of, "formula")
   )
+}
+
+# What all bodies of a shape share, put together once.
+shape_parts <- function(shape) {
+  parts <- shape_cache[[shape]]
+  if (is.null(parts)) {
+    shapes <- shape_table()
+    i <- match(shape, shapes$shape)
+    axes <- c("x", "y", "z")
+    parts <- list(
+      size_name = shapes$size[i],
+      k = c(shapes$kx[i], shapes$ky[i], shapes$kz[i]),
+      tensor = list(dim = c(3L, 3L), dimnames = list(axes, axes)),
+      formula = paste0(shapes$formula[i], "  (", shapes$axis[i], ")")
+    )
+    shape_cache[[shape]] <- parts
+  }
+  parts
 }
 
 #' Bodies of a standard shape
@@ -79,43 +90,43 @@ NULL
 #' @export
 body_disk <- function(mass_kg, radius_m) {
   if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+    check_supplied(c("mass_kg", "radius_m"), environment())
   }
-  new_shape_body("disk", mass_kg, radius_m, TRUE, rlang::current_env())
+  new_shape_body("disk", mass_kg, radius_m, TRUE, environment())
 }
 
 #' @rdname body_shapes
 #' @export
 body_hoop <- function(mass_kg, radius_m) {
   if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+    check_supplied(c("mass_kg", "radius_m"), environment())
   }
-  new_shape_body("hoop", mass_kg, radius_m, TRUE, rlang::current_env())
+  new_shape_body("hoop", mass_kg, radius_m, TRUE, environment())
 }
 
 #' @rdname body_shapes
 #' @export
 body_sphere <- function(mass_kg, radius_m) {
   if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+    check_supplied(c("mass_kg", "radius_m"), environment())
   }
-  new_shape_body("sphere", mass_kg, radius_m, TRUE, rlang::current_env())
+  new_shape_body("sphere", mass_kg, radius_m, TRUE, environment())
 }
 
 #' @rdname body_shapes
 #' @export
 body_spherical_shell <- function(mass_kg, radius_m) {
   if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), rlang::current_env())
+    check_supplied(c("mass_kg", "radius_m"), environment())
   }
-  new_shape_body("spherical_shell", mass_kg, radius_m, TRUE, rlang::current_env())
+  new_shape_body("spherical_shell", mass_kg, radius_m, TRUE, environment())
 }
 
 #' @rdname body_shapes
 #' @export
 body_rod <- function(mass_kg, length_m) {
   if (missing(mass_kg) || missing(length_m)) {
-    check_supplied(c("mass_kg", "length_m"), rlang::current_env())
+    check_supplied(c("mass_kg", "length_m"), environment())
   }
-  new_shape_body("rod", mass_kg, length_m, FALSE, rlang::current_env())
+  new_shape_body("rod", mass_kg, length_m, FALSE, environment())
 }

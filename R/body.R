@@ -18,7 +18,7 @@ new_body <- function(shape, mass_kg, size_m, inertia_kg_m2, beta, formula) {
 
 # I_n = n' I n about a unit vector n in the body's own axes.
 moment_about_axis <- function(body, axis) {
-  sum(axis * (body$inertia_kg_m2 %*% axis))
+  sum(axis * (.subset2(body, "inertia_kg_m2") %*% axis))
 }
 
 #' @export

@@ -135,6 +135,9 @@ check_recyclable <- function(columns, call) {
 
 # Doubles, all finite: a description, where NA means nothing.
 check_finite <- function(x, arg, unit, call, kind = "value") {
+  if (is.double(x) && is.null(attributes(x)) && all(is.finite(x))) {
+    return(x)
+  }
   x <- check_column(x, arg, unit, call)
   if (!all(is.finite(x))) {
     at <- which(!is.finite(x))[1]
@@ -166,9 +169,12 @@ check_class <- function(x, class, arg, remedy, call) {
 check_times <- function(time_s, call) {
   n <- length(time_s)
   # is.unsorted() of anything missing is NA, so sorted and finite at both ends is finite throughout.
-  if (is.double(time_s) && is.null(attributes(time_s)) && identical(is.unsorted(time_s), FALSE) &&
+  if (is.double(time_s) && is.null(attributes(time_s)) &&
     (n == 0L || (is.finite(time_s[1L]) && is.finite(time_s[n])))) {
-    return(time_s)
+    back <- is.unsorted(time_s)
+    if (!is.na(back) && !back) {
+      return(time_s)
+    }
   }
   time_s <- check_finite(time_s, "time_s", "s", call, "time")
   if (is.unsorted(time_s)) {

@@ -50,6 +50,9 @@ clutch_engagement <- function(inertia_1_kg_m2, inertia_2_kg_m2, capacity_n_m, om
       columns$capacity_n_m[bad[1]], "capacity_n_m", "N*m", call, 0, Inf, FALSE, row = bad[1]
     )
   }
-  values <- do.call(function(...) .Call(ffi_clutch_engagement, ...), unname(columns))
+  values <- .Call(
+    ffi_clutch_engagement, columns$inertia_1_kg_m2, columns$inertia_2_kg_m2, columns$capacity_n_m,
+    columns$torque_1_n_m, columns$torque_2_n_m, columns$omega1_rad_per_s, columns$omega2_rad_per_s
+  )
   tibble::new_tibble(lapply(values, rep_len, n), nrow = n)
 }

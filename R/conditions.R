@@ -10,7 +10,6 @@ error_kinds <- c(
   torque = "a torque law that gives no finite number",
   model = "no such model, or one that does not fit the scene",
   accuracy = "an accuracy that no model reaches",
-  not_yet = "physics that this version does not have",
   package = "a package that is not installed",
   range = "a state outside the range of double precision",
   budget = "the step budget is used up",

@@ -303,10 +303,10 @@ augment.rot_trajectory <- function(x, ...) {
 #'
 #' The events of a trajectory: where dry friction brought the body to rest (`stick`), where it broke
 #' loose (`slip`), where it passed through rest (`reverse`); for a clutch, where it locked (`lock`),
-#' slipped (`slip`), and where the slip passed through zero (`reverse`). Their times are exact for a closed
-#' form, and good to the accuracy asked for an integration.
+#' slipped (`slip`), and where the slip passed through zero (`reverse`). Their times are exact for a
+#' closed form, and good to the accuracy asked for an integration.
 #'
-#' @param x A `rot_trajectory`, or the `rot_motion` of a [scene_clutch()].
+#' @param x What [trajectory()] gave.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
 #'   Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
@@ -316,9 +316,7 @@ augment.rot_trajectory <- function(x, ...) {
 #' @export
 motion_events <- function(x) {
   call <- rlang::current_env()
-  if (!inherits(x, "rot_motion")) {
-    check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", call)
-  }
+  check_class(x, c("rot_trajectory", "rot_motion"), "x", "{.fn trajectory} gives one.", call)
   events <- trajectory_run(x)$events
   tibble::tibble(
     time_s = as.double(events$time_s), event = as.character(events$event)

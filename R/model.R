@@ -177,6 +177,9 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
 }
 
 check_scene <- function(scene, call) {
+  if (inherits(scene, "rot_scene")) {
+    return()
+  }
   check_class(scene, "rot_scene", "scene", "Describe one with {.fn scene_axle}.", call)
 }
 
@@ -212,11 +215,9 @@ pick_model <- function(scene, time_s, accuracy, model, call) {
 first_fit <- function(candidates, scene, time_s, accuracy) {
   effects <- .subset2(scene, "effects")
   for (candidate in candidates) {
-    if (!anyNA(match(effects, .subset2(candidate, "handles")))) {
-      fit <- fit_model(candidate, scene, time_s, accuracy)
-      if (is.null(fit$reason)) {
-        return(fit)
-      }
+    if (!anyNA(match(effects, candidate$handles)) && is.null(candidate$why_not(scene, time_s)) &&
+      candidate$error(accuracy) <= accuracy) {
+      return(list(record = candidate, scene = scene, dropped = NULL, reason = NULL))
     }
   }
 }

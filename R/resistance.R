@@ -56,10 +56,12 @@ as_resistance <- function(x, call) {
   if (is.null(x)) {
     return(new_resistance(0))
   }
-  check_class(
-    x, "rot_resistance", "resistance",
-    "Write {.code resistance(viscous_n_m_s = )}.", call
-  )
+  if (!inherits(x, "rot_resistance")) {
+    check_class(
+      x, "rot_resistance", "resistance",
+      "Write {.code resistance(viscous_n_m_s = )}.", call
+    )
+  }
   x
 }
 

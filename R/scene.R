@@ -26,13 +26,13 @@
 #' @export
 scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
                        omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1)) {
-  call <- rlang::current_env()
+  call <- environment()
   if (missing(body)) {
     check_supplied("body", call)
   }
   check_no_dots(...)
   if (inherits(body, "rot_body")) {
-    axis <- unit_axis(axis, call)
+    if (!missing(axis)) axis <- unit_axis(axis, call)
     inertia <- moment_about_axis(body, axis)
   } else if (is.numeric(body)) {
     inertia <- check_number(body, "body", "kg*m^2", call)
@@ -45,20 +45,21 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
       "Make one with {.fn body_disk}, or give the moment of inertia as one number in kg m^2.", call
     )
   }
-  start_s <- check_number(start_s, "start_s", "s", call)
+  if (!missing(start_s)) start_s <- check_number(start_s, "start_s", "s", call)
   changing <- NULL
   if (is.null(inertia)) {
     changing <- body
     inertia <- inertia_at(changing, start_s)
   }
-  check_turns(inertia, call)
+  check_turns(inertia, call, computed = !is.null(body))
   torque <- as_torque(torque, call)
   resistance <- as_resistance(resistance, call)
+  if (!missing(theta0_rad)) theta0_rad <- check_number(theta0_rad, "theta0_rad", "rad", call)
+  if (!missing(omega0_rad_per_s)) {
+    omega0_rad_per_s <- check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
+  }
   new_scene_axle(
-    body, inertia, changing, axis, torque, resistance,
-    check_number(theta0_rad, "theta0_rad", "rad", call),
-    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
-    start_s
+    body, inertia, changing, axis, torque, resistance, theta0_rad, omega0_rad_per_s, start_s
   )
 }
 
@@ -82,17 +83,16 @@ new_scene_axle <- function(body, inertia, changing, axis, torque, resistance, th
   scene
 }
 
-# Straight lines between the knots, held outside; at a jump the value after it.
+# At a jump, the moment after it.
 inertia_at <- function(knots, t) {
-  time <- knots$time_s
+  times <- knots$time_s
   moment <- knots$moment_of_inertia_kg_m2
-  n <- length(time)
-  last <- findInterval(t, time) # the last knot at or before
-  from <- pmax(last, 1L)
-  to <- pmin(last + 1L, n)
-  inside <- last >= 1L & last < n
-  share <- ifelse(inside, (t - time[from]) / (time[to] - time[from]), 0)
-  moment[from] * (1 - share) + moment[to] * share
+  n <- length(times)
+  last <- findInterval(t, times) # the last knot at or before
+  i <- pmin(pmax(last, 1L), n - 1L)
+  width <- times[i + 1L] - times[i]
+  between <- moment[i] * ((times[i + 1L] - t) / width) + moment[i + 1L] * ((t - times[i]) / width)
+  ifelse(last == 0L, moment[1], ifelse(last == n, moment[n], between))
 }
 
 # What acts, by name: a model says which of these it can take. Computed once, with the scene.
@@ -101,10 +101,11 @@ axle_effects <- function(loads, resistance, changing) {
   tau <- .subset2(knots, "torque_n_m")
   outside <- .subset2(knots, "outside")
   n <- length(tau)
+  time_s <- .subset2(knots, "time_s")
   torque <- any(tau != 0) || any(outside != 0)
   c(
     if (torque) "torque",
-    if (torque && n > 1L && any(tau[-1] != tau[-n] & diff(.subset2(knots, "time_s")) > 0)) "ramp",
+    if (torque && n > 1L && any(tau[-1L] != tau[-n] & time_s[-1L] > time_s[-n])) "ramp",
     if (length(.subset2(loads, "terms"))) {
       unique(vapply(loads$terms, function(term) term$kind, character(1)))
     },
@@ -161,7 +162,7 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
     gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
   )
   inertia <- about_centre + mass_kg * distance_m^2
-  check_turns(inertia, call)
+  check_turns(inertia, call, computed = TRUE)
   new_scene_axle(
     body, inertia, NULL, axis,
     if (torque_is_zero(torque)) gravity else sum_torques(gravity, torque),
@@ -172,8 +173,19 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
   )
 }
 
-# Without inertia there is no equation of motion.
-check_turns <- function(inertia, call) {
+# Without inertia there is no equation of motion. One that was computed and came out below 2.2e-308
+# has lost digits.
+check_turns <- function(inertia, call, computed = FALSE) {
+  if (is.finite(inertia) && inertia > 0 && computed && inertia < .Machine$double.xmin) {
+    abort_rotdyn(
+      c(
+        "The moment of inertia is below what double precision resolves.",
+        x = "It is about {format(inertia)} kg m^2."
+      ),
+      "value",
+      call
+    )
+  }
   if (!(is.finite(inertia) && inertia > 0)) {
     abort_rotdyn(
       c(

@@ -26,13 +26,12 @@ sweep_parameters <- list(
 #'   a column `time_s` of `parameters`.
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which all begin.
-#' @param threads Rows are shared among at most so many threads. The result is the same to the last
+#' @param threads Rows are shared among at most so many threads (no more than there are). The result is the same to the last
 #'   bit for any number.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms beyond
-#'   knots are in play, `max_omega_rad_per_s`, `min_omega_rad_per_s` and `max_omega_time_s` are NaN;
-#'   with terms beyond knots, `max_abs_omega_rad_per_s` too.
+#'   knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double precision;
 #'   they are NaN.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
@@ -68,26 +67,31 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
+  threads <- min(threads, .Call(ffi_sweep_threads))
   loads <- torque_loads(as_torque(torque, call))
   columns <- sweep_inputs(parameters, time_s, call)
-  known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), rep(TRUE, n))
+  known <- rep(TRUE, n)
+  some_missing <- any(vapply(columns, anyNA, logical(1)))
+  if (some_missing) {
+    known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), known)
+  }
   check_sweep_rows(columns, known, start_s, call)
-  # A row with something missing runs as one that can, with no more acting than in the others, and is
-  # blanked after.
-  columns[] <- Map(function(x, name) {
-    if (anyNA(x)) {
-      replace(x, is.na(x), if (name %in% c("moment_of_inertia_kg_m2", "torque_scale")) 1 else 0)
-    } else {
-      x
-    }
-  }, columns, names(columns))
-  if (!all(known)) {
+  if (some_missing) {
+    # A row with something missing runs as one that can, with no more acting than in the others, and
+    # is blanked after.
+    columns[] <- Map(function(x, name) {
+      if (anyNA(x)) {
+        replace(x, is.na(x), if (name %in% c("moment_of_inertia_kg_m2", "torque_scale")) 1 else 0)
+      } else {
+        x
+      }
+    }, columns, names(columns))
     columns$time_s <- replace(rep_len(columns$time_s, n), !known, start_s)
   }
   result <- if (n) run_sweep(loads, columns, start_s, threads, call) else empty_sweep()
   out <- result[[1]]
   failed <- which(result[[2]] != 0L & known)
-  out <- lapply(out, function(x) replace(x, !known, NA_real_))
+  if (some_missing) out <- lapply(out, function(x) replace(x, !known, NA_real_))
   if (length(failed)) {
     warn_rotdyn(
       c(
@@ -167,6 +171,9 @@ check_sweep_rows <- function(columns, known, start_s, call) {
     x <- columns[[name]]
     least <- if (name %in% c("quadratic_n_m_s2", "coulomb_n_m", "static_n_m")) 0 else -Inf
     open <- name == "moment_of_inertia_kg_m2"
+    if (length(x) == 0L || (all(is.finite(x)) && min(x) >= least && !(open && min(x) <= 0))) {
+      next
+    }
     bad <- first(rep_len(!is.finite(x) | x < least | (open & x <= 0), length(known)))
     if (!is.na(bad)) {
       value <- rep_len(x, length(known))[bad]
@@ -174,7 +181,11 @@ check_sweep_rows <- function(columns, known, start_s, call) {
       abort_domain(value, name, unit, call, if (open) 0 else least, Inf, open, row = bad)
     }
   }
-  bad <- first(rep_len(columns$time_s < start_s, length(known)))
+  bad <- if (any(columns$time_s < start_s, na.rm = TRUE)) {
+    first(rep_len(columns$time_s < start_s, length(known)))
+  } else {
+    NA
+  }
   if (!is.na(bad)) {
     abort_rotdyn(
       c(
@@ -186,7 +197,8 @@ check_sweep_rows <- function(columns, known, start_s, call) {
       call
     )
   }
-  bad <- first(rep_len(columns$static_n_m < columns$coulomb_n_m, length(known)))
+  slips <- columns$static_n_m < columns$coulomb_n_m
+  bad <- if (any(slips, na.rm = TRUE)) first(rep_len(slips, length(known))) else NA
   if (!is.na(bad)) {
     abort_rotdyn(
       "{.arg static_n_m} must be at least {.arg coulomb_n_m}: it is less in row {bad}.",
@@ -213,7 +225,8 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
-    viscous <- columns$viscous_n_m_s + columns$torque_scale * loads$motor_n_m_s
+    viscous <- columns$viscous_n_m_s
+    if (loads$motor_n_m_s != 0) viscous <- viscous + columns$torque_scale * loads$motor_n_m_s
     return(.Call(
       ffi_sweep_linear, axle_knots(loads$knots),
       unname(c(

@@ -4,10 +4,10 @@
 #   terms      the other terms, evaluated in C
 #   law        one R function of them all, or NULL
 torque_loads <- function(torque) {
-  laws <- if (inherits(torque, "rot_torque_sum")) torque$laws else list(torque)
-  if (length(laws) == 1L && inherits(torque, "rot_torque_knots")) {
+  if (inherits(torque, "rot_torque_knots")) {
     return(list(knots = torque, motor_n_m_s = 0, terms = list(), law = NULL))
   }
+  laws <- if (inherits(torque, "rot_torque_sum")) torque$laws else list(torque)
   is <- function(class) laws[vapply(laws, inherits, logical(1), class)]
   motors <- is("rot_torque_motor")
   stall <- lapply(motors, function(m) new_knots(double(), double(), rep(m$stall_torque_n_m, 2L)))
@@ -22,7 +22,9 @@ torque_loads <- function(torque) {
 }
 
 new_knots <- function(time_s, torque_n_m, outside) {
-  new_torque("rot_torque_knots", time_s = time_s, torque_n_m = torque_n_m, outside = outside)
+  torque <- list(time_s = time_s, torque_n_m = torque_n_m, outside = outside)
+  class(torque) <- c("rot_torque_knots", "rot_torque")
+  torque
 }
 
 # Straight lines add up to straight lines between the knots of all; before and after each knot, so
@@ -35,9 +37,8 @@ add_knots <- function(laws) {
     return(laws[[1]])
   }
   times <- sort(unique(unlist(lapply(laws, function(law) law$time_s))))
-  sides <- lapply(laws, knot_sides, times)
-  total <- Reduce(`+`, sides)
-  outside <- Reduce(`+`, lapply(laws, function(law) law$outside))
+  total <- exact_total(lapply(laws, knot_sides, times))
+  outside <- exact_total(lapply(laws, function(law) law$outside))
   if (length(times) == 0L) {
     return(new_knots(double(), double(), outside))
   }
@@ -48,6 +49,19 @@ add_knots <- function(laws) {
   if (n > 1L && outside[2] == 0) after[n] <- FALSE
   keep <- rbind(before, after)
   new_knots(rep(times, each = 2L)[keep], t(total)[keep], outside)
+}
+
+# Sum without what cancels taking digits along: 1e16 + 1 - 1e16 is 1 (Knuth's two-sum, Neumaier).
+exact_total <- function(parts) {
+  sum <- parts[[1]]
+  rest <- 0 * sum
+  for (x in parts[-1]) {
+    s <- sum + x
+    far <- s - sum
+    rest <- rest + ((sum - (s - far)) + (x - far))
+    sum <- s
+  }
+  if (all(is.finite(rest))) sum + rest else sum
 }
 
 # Two columns: the torque just before and just after each time.
@@ -120,23 +134,23 @@ Ops.rot_torque <- function(e1, e2) {
     )
   }
   if (missing(e2)) {
-    return(switch(.Generic, `+` = e1, `-` = scale_torque(e1, -1), unsupported()))
+    return(switch(.Generic, `+` = e1, `-` = scale_torque(e1, -1, call), unsupported()))
   }
   if (.Generic %in% c("+", "-")) {
     e1 <- as_torque(e1, call)
     e2 <- as_torque(e2, call)
-    return(sum_torques(e1, if (.Generic == "-") scale_torque(e2, -1) else e2))
+    return(sum_torques(e1, if (.Generic == "-") scale_torque(e2, -1, call) else e2))
   }
   if (.Generic == "*" && !(is_law(e1) && is_law(e2))) {
     law <- if (is_law(e1)) e1 else e2
-    return(scale_torque(law, check_number(if (is_law(e1)) e2 else e1, "factor", "1", call)))
+    return(scale_torque(law, check_number(if (is_law(e1)) e2 else e1, "factor", "1", call), call))
   }
   if (.Generic == "/" && is_law(e1) && !is_law(e2)) {
     factor <- 1 / check_number(e2, "divisor", "1", call)
     if (!is.finite(factor)) {
       abort_rotdyn("A torque law cannot be divided by {format(e2)}.", "value", call)
     }
-    return(scale_torque(e1, factor))
+    return(scale_torque(e1, factor, call))
   }
   unsupported()
 }
@@ -147,9 +161,9 @@ sum_torques <- function(...) {
   new_torque("rot_torque_sum", laws = unlist(flat, recursive = FALSE))
 }
 
-scale_torque <- function(law, factor) {
+scale_torque <- function(law, factor, call) {
   if (inherits(law, "rot_torque_sum")) {
-    law$laws <- lapply(law$laws, scale_torque, factor)
+    law$laws <- lapply(law$laws, scale_torque, factor, call)
   } else if (inherits(law, "rot_torque_knots")) {
     law$torque_n_m <- factor * law$torque_n_m
     law$outside <- factor * law$outside
@@ -164,6 +178,10 @@ scale_torque <- function(law, factor) {
     } else {
       function(time_s) factor * f(time_s)
     }
+  }
+  numbers <- unlist(unclass(law)[c("torque_n_m", "outside", "stall_torque_n_m", "x")])
+  if (!all(is.finite(c(factor, numbers)))) {
+    abort_rotdyn("The torque multiplied by {format(factor)} is beyond double precision.", "value", call)
   }
   law
 }

@@ -168,8 +168,12 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
       call
     )
   }
+  # What the rounding of the end takes from the duration the torque makes up: the impulse is kept.
+  lasts <- end - columns$start_s
+  rounded <- abs(lasts - columns$duration_s) > 4 * .Machine$double.eps * columns$duration_s
+  torque <- columns$torque_n_m * ifelse(rounded, columns$duration_s / lasts, 1)
   pulses <- lapply(seq_len(n), function(i) {
-    new_knots(c(columns$start_s[i], end[i]), rep(columns$torque_n_m[i], 2L), c(0, 0))
+    new_knots(c(columns$start_s[i], end[i]), rep(torque[i], 2L), c(0, 0))
   })
   add_knots(pulses)
 }

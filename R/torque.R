@@ -59,16 +59,17 @@ torque_constant <- function(torque_n_m) {
 #' @rdname torque
 #' @export
 torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
-  call <- rlang::current_env()
+  call <- environment()
   if (missing(time_s)) {
     check_supplied("time_s", call)
   }
   check_no_dots(...)
   if (missing(outside)) {
     outside <- "zero"
+  } else {
+    check_string(outside, "outside", c("zero", "hold"), call)
   }
-  check_string(outside, "outside", c("zero", "hold"), call)
-  if (is.data.frame(time_s) && missing(torque_n_m)) {
+  if (is.object(time_s) && is.data.frame(time_s) && missing(torque_n_m)) {
     for (column in c("torque_n_m", "time_s")) {
       if (is.null(time_s[[column]])) {
         abort_missing_column(column, time_s, call)

@@ -53,8 +53,8 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
-  accuracy <- relative_accuracy(accuracy, scene, time_s, call)
-  max_steps <- check_number(max_steps, "max_steps", "1", call, lower = 1)
+  if (!missing(accuracy)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
+  if (!missing(max_steps)) max_steps <- check_number(max_steps, "max_steps", "1", call, lower = 1)
   on_fail <- if (missing(on_fail)) {
     "abort"
   } else {
@@ -83,6 +83,11 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     failed_run(info, n, on_fail, call)
     n <- info$rows_done
     columns <- lapply(columns, `[`, seq_len(n))
+  } else if (is.na(info$error)) {
+    abort_rotdyn(
+      "The motion cannot be told in double precision: its error figure is not a number.", "range",
+      call, info = info
+    )
   } else if (n && !(info$error <= accuracy)) {
     warn_rotdyn(
       c(
@@ -119,7 +124,7 @@ widen_error <- function(info, dropped) {
 # The accuracy as a relative number. A physical one is divided by the size of the motion, which a
 # run at 1e-3 tells; a tenth less, because that size may be off by as much.
 relative_accuracy <- function(accuracy, scene, time_s, call) {
-  if (!inherits(accuracy, "units")) {
+  if (!is.object(accuracy) || !inherits(accuracy, "units")) {
     return(check_accuracy(accuracy, call))
   }
   need_package("units", "An accuracy with units", call)
@@ -167,9 +172,12 @@ record_of <- function(run) {
 # ---- the class ----------------------------------------------------------------------------------
 
 new_trajectory <- function(columns, n, run) {
-  attr(columns, "run") <- run
-  class(columns) <- c("rot_trajectory", "tbl_df", "tbl", "data.frame")
-  attr(columns, "row.names") <- .set_row_names(n)
+  attributes(columns) <- list(
+    names = names(columns),
+    run = run,
+    class = c("rot_trajectory", "tbl_df", "tbl", "data.frame"),
+    row.names = c(NA_integer_, -as.integer(n))
+  )
   columns
 }
 
@@ -357,7 +365,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' @export
 spin_up <- function(body = body_disk(2, 0.25),
                     torque = torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)),
-                    viscous_n_m_s = 0.03, time_s = seq(0, 8, length.out = 1000), ...,
+                    viscous_n_m_s = 0.03, time_s = seq.int(0, 8, length.out = 1000), ...,
                     theta0_rad = 0, omega0_rad_per_s = 0, accuracy = 1e-9, model = NULL) {
   check_no_dots(...)
   scene <- scene_axle(body, torque, resistance(viscous_n_m_s), theta0_rad, omega0_rad_per_s)

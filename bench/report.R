@@ -84,7 +84,7 @@ goals <- rbind(
   ),
   goal(
     "spin-up to the finished tibble, us", "spin-up", "1000 rows", "rotdyn, trajectory()",
-    "median_us", most = 60
+    "median_us", most = 36
   ),
   goal(
     "spin-up, the routine that trajectory() calls, us", "spin-up", "1000 rows",
@@ -93,6 +93,14 @@ goals <- rbind(
   goal(
     "spin-up, C core, us", "spin-up", "1000 rows", "rotdyn, C core without R", "median_us",
     most = 2
+  ),
+  goal(
+    "sweep, C core: times faster than GSL rk8pd, split at the kinks", "sweep", "100,000 rows",
+    "GSL rk8pd in C, 1e-9, split at the kinks", "ratio_median", least = 50
+  ),
+  goal(
+    "sweep, C core, us for 100,000 rows", "sweep", "100,000 rows", "rotdyn, C core without R",
+    "median_us", most = 10000
   ),
   goal("spin-up, error", "spin-up", "1000 rows", "rotdyn, trajectory()", "error", most = 2e-15),
   goal(

@@ -2,7 +2,7 @@
 # package installed:
 #
 #   Rscript bench/run.R                       everything, a few minutes
-#   Rscript bench/run.R spin-up calls         some of rolling, spin-up, function-torque, calls
+#   Rscript bench/run.R spin-up calls         some of rolling, spin-up, sweep, function-torque, calls
 #   Rscript bench/run.R --rounds=5 rolling    fewer rounds than 21
 #
 # Rewrites what it ran in bench/results.csv and bench/README.md.
@@ -10,7 +10,7 @@
 if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
-  "precise", "paired", "peers", "report", "rolling", "spin-up", "function-torque", "calls"
+  "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque", "calls"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -18,6 +18,7 @@ for (file in c(
 comparisons <- list(
   "rolling" = run_rolling,
   "spin-up" = run_spin_up,
+  "sweep" = run_sweep,
   "function-torque" = run_function_torque,
   "calls" = run_calls
 )

@@ -17,10 +17,10 @@ spin_torque <- function(t) {
 # Within a piece, torque = a + k s, and with l = c/I
 #   omega = (a - k/l)/c + (k/c) s + C exp(-l s),   theta = its integral.
 # It cancels for small l s; in the first rows some 25 of the 31 digits are left.
-spin_piece <- function(theta, omega, a, k, s) {
-  l <- over(spin_viscous, spin_inertia)
-  slope <- over(k, spin_viscous)
-  level <- over(minus(a, over(k, l)), spin_viscous)
+spin_piece <- function(theta, omega, a, k, s, inertia = spin_inertia, viscous = spin_viscous) {
+  l <- over(viscous, inertia)
+  slope <- over(k, viscous)
+  level <- over(minus(a, over(k, l)), viscous)
   transient <- minus(omega, level)
   left <- times(transient, exp_pair(minus(0, times(l, s))))
   list(
@@ -135,7 +135,7 @@ run_spin_up <- function(rounds) {
   )
   add(
     "rotdyn, the routine that trajectory() calls",
-    function() linear$run(scene, spin_times, 1e-9, 1e6, NULL),
+    function() linear$run(scene, spin_times, 1e-9, 1e6, NULL, FALSE),
     function(x) c(x[[1]][c("theta_rad", "omega_rad_per_s")], rhs_calls = 0)
   )
   add("rotdyn, C core without R", child(core, "all", spin_times))
@@ -157,5 +157,6 @@ run_spin_up <- function(rounds) {
     add("scipy RK45, 1e-9", python("rk45-tight"))
     add("scipy LSODA, 1e-9", python("lsoda-tight"))
   }
-  paired("spin-up", "1000 rows", contenders, rounds)
+  # Short batches: the garbage of a long one would be collected in it.
+  paired("spin-up", "1000 rows", contenders, rounds, batches = 10, batch_us = 2e3)
 }

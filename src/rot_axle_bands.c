@@ -320,6 +320,26 @@ static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_
   return 1;
 }
 
+/* On a line so steep that v settles within its error of an edge, the line cannot tell whether it
+ * gets there. The torque on the edge can: the curve has it exactly. */
+static void look_past_edge(const leg *l, double s0, double v, const rot_axle_state *end,
+                           exit_point *out) {
+  if (l->band.slope == 0.0) return;
+  const double near = 2.0 * leg_change(l, end, l->span_s, l->b, 0).omega_error;
+  const int up = fabs(end->omega_rad_per_s - l->high) < fabs(end->omega_rad_per_s - l->low);
+  const double edge = up ? l->high : l->low;
+  rot_axle_base there = l->base;
+  there.omega = up ? l->band.upper : l->band.lower;
+  if (!(fabs(end->omega_rad_per_s - edge) <= near) || there.omega == 0.0 || v == edge) return;
+  if (l->piece->start_n_m != l->piece->end_n_m) return;
+  if (heading_on_edge(l->scene, &there, l->piece) != (up ? 1 : -1)) return;
+  out->side = up ? 1 : -1;
+  out->s = s0;
+  if (fabs(v - edge) > near) {
+    out->s = when_at(l, up ? edge - near : edge + near, s0, l->span_s, up);
+  }
+}
+
 static exit_point exit_of(const leg *l) {
   const double v0 = l->from.omega_rad_per_s, turn = extremum(l);
   exit_point out = {l->span_s, 0, v0};
@@ -331,7 +351,7 @@ static exit_point exit_of(const leg *l) {
     v = out.peak = at.omega_rad_per_s;
   }
   const rot_axle_state end = leg_after(l, l->span_s);
-  leaves(l, s0, v, l->span_s, &end, 0, &out);
+  if (!leaves(l, s0, v, l->span_s, &end, 0, &out)) look_past_edge(l, s0, v, &end, &out);
   return out;
 }
 
@@ -502,6 +522,7 @@ static rot_status march_on(rot_axle_march *march) {
     const rot_torque_piece piece = rot_torque_piece_at(torque, k);
     if (piece.start_s != piece.end_s) status = through_piece(march, &piece);
   }
+  if (status == ROT_OK && march->done < march->n) return ROT_ESTEP;
   return status;
 }
 

@@ -100,9 +100,13 @@ static rot_status through_piece(rot_axle_march *march, const rot_torque_piece *p
       if (status != ROT_OK) return status;
       if (!leaves) return rot_axle_march_held(march, piece->end_s);
     }
-    const double before = base->time_s, before_lo = base->time_lo;
+    const rot_axle_base before = *base;
     if (status == ROT_OK) status = motion(march, piece);
-    if (base->time_s == before && base->time_lo == before_lo) break; /* on and on */
+    /* On and on. A stop after less time than a double can tell is a change, too. */
+    if (base->time_s == before.time_s && base->time_lo == before.time_lo &&
+        base->omega == before.omega) {
+      break;
+    }
   }
   return status;
 }
@@ -124,6 +128,7 @@ static rot_status march_on(rot_axle_march *march) {
     }
     status = through_piece(march, &piece);
   }
+  if (status == ROT_OK && !march->endless && march->done < march->n) return ROT_ESTEP;
   return status;
 }
 

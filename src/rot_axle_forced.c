@@ -108,6 +108,8 @@ static forced_part wave_part(const forced_term *f, const forced_span *at) {
   const rot_divided_wave w = rot_divided_wave_at(at->z, at->z_lo, y, y_lo, f->ratio);
   forced_part part = {0};
   part.roundings = at->z < 0.0 ? WAVE_ROUNDINGS + 4.0 : WAVE_ROUNDINGS;
+  /* The residual of the phase is rounded itself: it counts where it is many radians. */
+  if (at->s_lo != 0.0) part.roundings += fabs(x[1] * at->s_lo) + fabs(y_lo);
   for (int i = 0; i < 2; i++) value[i] = cross(f->cosine, w.re[i], f->sine, w.im[i]);
   if (at->z < INFINITY) {
     part.omega = quotient(3, (double[]){x[0], s, value[0]}, I, w.scale);

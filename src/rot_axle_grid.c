@@ -1,10 +1,10 @@
 #include "rot_axle_grid.h"
 
 #include <math.h>
-#include <stdint.h>
 
-#include "rot_pair.h"
+#include "rot_axle_grid_fill.h"
 #include "rot_real.h"
+#include "rot_wide.h"
 
 /* Where l = c/I, A the acceleration at the start and b the torque's slope over I,
  *
@@ -14,39 +14,31 @@
  * is added to the state is small beside it or of one sign, so nothing cancels up to l s = 1/2. */
 #define NEAR 0.5
 
-/* A row may be off the even grid by so much of a step. E2 and E3 are carried over to first order,
- * and what that leaves is below 1e-17. Rounded times are off by 1e-12 of a step or less. */
-#define UNEVEN 1e-9
-
 /* ---- one short step ------------------------------------------------------------------------- */
 
 /* phi3(-z), 0 <= z <= 1/2: what follows the last term is below 2^-54 of the first. */
-static const double series[] = {1 / 6.0,
-                                -1 / 24.0,
-                                1 / 120.0,
-                                -1 / 720.0,
-                                1 / 5040.0,
-                                -1 / 40320.0,
-                                1 / 362880.0,
-                                -1 / 3628800.0,
-                                1 / 39916800.0,
-                                -1 / 479001600.0,
-                                1 / 6227020800.0,
-                                -1 / 87178291200.0,
-                                1 / 1307674368000.0,
-                                -1 / 20922789888000.0};
-enum { TERMS = sizeof series / sizeof series[0] };
+const double rot_axle_grid_series[ROT_GRID_TERMS] = {1 / 6.0,
+                                                     -1 / 24.0,
+                                                     1 / 120.0,
+                                                     -1 / 720.0,
+                                                     1 / 5040.0,
+                                                     -1 / 40320.0,
+                                                     1 / 362880.0,
+                                                     -1 / 3628800.0,
+                                                     1 / 39916800.0,
+                                                     -1 / 479001600.0,
+                                                     1 / 6227020800.0,
+                                                     -1 / 87178291200.0,
+                                                     1 / 1307674368000.0,
+                                                     -1 / 20922789888000.0};
 
 /* An even number. */
-static int terms_for(double z) { return z <= 0.01 ? 6 : z <= 0.06 ? 8 : z <= 0.39 ? 12 : TERMS; }
-
-static rot_pair phi3_pair(rot_pair z, int terms) {
-  rot_pair sum = ROT_BOTH(series[terms - 1]);
-  for (int j = terms - 2; j >= 0; j--) sum = sum * z + ROT_BOTH(series[j]);
-  return sum;
+static int terms_for(double z) {
+  return z <= 0.01 ? 6 : z <= 0.06 ? 8 : z <= 0.39 ? 12 : ROT_GRID_TERMS;
 }
 
 typedef rot_axle_law law;
+typedef rot_axle_departure departure;
 
 void rot_axle_grid_begin(rot_axle_grid *grid) { grid->step_s = 0.0; }
 
@@ -64,11 +56,6 @@ void rot_axle_grid_enter(rot_axle_grid *grid, const rot_axle_params *p,
   }
   grid->law = k;
 }
-
-/* How a step leaves a state: A and g of above. */
-typedef struct departure {
-  double torque, acceleration, bend;
-} departure;
 
 static departure depart(const law *k, const rot_axle_state *from) {
   const double t = from->time_s;
@@ -117,10 +104,10 @@ static rot_axle_state arrive(const law *k, const rot_axle_state *from, const dep
 static double short_integrals(double lambda, double s, double *e3) {
   const double z = lambda * s, zz = z * z;
   int j = terms_for(z) - 2;
-  double even = series[j + 1], odd = series[j];
+  double even = rot_axle_grid_series[j + 1], odd = rot_axle_grid_series[j];
   for (j -= 2; j >= 0; j -= 2) {
-    even = even * zz + series[j + 1];
-    odd = odd * zz + series[j];
+    even = even * zz + rot_axle_grid_series[j + 1];
+    odd = odd * zz + rot_axle_grid_series[j];
   }
   *e3 = s * s * s * (even * z + odd);
   return 0.5 * s * s - lambda * *e3;
@@ -155,93 +142,21 @@ static int make_table(rot_axle_grid *grid, const rot_axle_params *p, double step
   grid->rows = rows;
   grid->step_s = step_s;
   const int terms = terms_for(lambda * step_s * (double)grid->rows);
-  const rot_pair l = ROT_BOTH(lambda), half = ROT_BOTH(0.5);
   for (size_t j = 0; j <= grid->rows; j++) grid->s[j] = (double)j * step_s;
-  for (size_t j = 0; j <= grid->rows; j += ROT_PAIR) {
-    const size_t at = j + ROT_PAIR <= grid->rows + 1 ? j : grid->rows + 1 - ROT_PAIR;
-    const rot_pair s = rot_load(grid->s + at), ss = s * s;
-    const rot_pair e3 = ss * s * phi3_pair(l * s, terms), e2 = half * ss - l * e3;
-    rot_store(grid->thrice + at, e3);
-    rot_store(grid->twice + at, e2);
-    rot_store(grid->once + at, s - l * e2);
-  }
+  if (rot_wide_ok())
+    rot_axle_grid_table_wide(grid, lambda, terms);
+  else
+    fill_table(grid, lambda, terms);
   return 1;
 }
 
 /* ---- rows ----------------------------------------------------------------------------------- */
 
-/* What all rows of a chunk share, twice over. The base's low parts are left to the bound: two sums
- * of thirty. */
-typedef struct chunk {
-  rot_pair t0, w0, th0, A, half_A, g, I, c, a, b, start, end;
-} chunk;
-
-/* Rows j and j + 1; returns how far off the grid they are. */
-ROT_INLINE rot_pair fill_pair(const rot_axle_grid *grid, const chunk *k, int sloping, size_t j,
-                              const double time_s[], double theta[], double omega[],
-                              double applied[], double damping[], double net[], double momentum[],
-                              double energy[]) {
-  const rot_pair t = rot_load(time_s + j), s = t - k->t0, off = s - rot_load(grid->s + j);
-  const rot_pair e2_grid = rot_load(grid->twice + j);
-  const rot_pair e2 = e2_grid + off * rot_load(grid->once + j);
-  const rot_pair e3 = rot_load(grid->thrice + j) + off * e2_grid;
-  const rot_pair w = k->w0 + (k->A * s + k->g * e2);
-  const rot_pair th = k->th0 + (s * (k->w0 + k->half_A * s) + k->g * e3);
-  const rot_pair tau = sloping ? k->a * (k->end - t) + k->b * (t - k->start) : k->b;
-  const rot_pair drag = ROT_BOTH(0.0) - k->c * w, L = k->I * w;
-  rot_store(theta + j, th);
-  rot_store(omega + j, w);
-  rot_store(applied + j, tau);
-  rot_store(damping + j, drag);
-  rot_store(net + j, tau + drag);
-  rot_store(momentum + j, L);
-  rot_store(energy + j, ROT_BOTH(0.5) * L * w);
-  return off;
-}
-
-/* Rows 0 .. n-1 of a chunk, n >= 2; how far the worst of them is off the grid. */
-ROT_INLINE double fill_rows(const rot_axle_grid *grid, const law *of, const rot_axle_state *from,
-                            const departure *go, int sloping, size_t n, const double time_s[],
-                            const rot_axle_columns *out) {
-  double *const theta = out->theta_rad, *const omega = out->omega_rad_per_s,
-                *const applied = out->applied_n_m, *const damping = out->damping_n_m,
-                *const net = out->net_n_m, *const momentum = out->momentum_kg_m2_per_s,
-                *const energy = out->energy_j;
-  const chunk all = {ROT_BOTH(from->time_s),
-                     ROT_BOTH(from->omega_rad_per_s),
-                     ROT_BOTH(from->theta_rad),
-                     ROT_BOTH(go->acceleration),
-                     ROT_BOTH(0.5 * go->acceleration),
-                     ROT_BOTH(go->bend),
-                     ROT_BOTH(of->I),
-                     ROT_BOTH(of->c),
-                     ROT_BOTH(of->a),
-                     ROT_BOTH(of->b),
-                     ROT_BOTH(of->start_s),
-                     ROT_BOTH(of->end_s)};
-  const chunk *k = &all;
-  rot_pair worst = ROT_BOTH(0.0);
-  size_t j = 0;
-  for (; j + ROT_PAIR <= n; j += ROT_PAIR) {
-    worst = rot_pair_max(worst, rot_pair_abs(fill_pair(grid, k, sloping, j, time_s, theta, omega,
-                                                       applied, damping, net, momentum, energy)));
-  }
-  if (j < n) { /* the last one, and the one before it again */
-    worst = rot_pair_max(worst,
-                         rot_pair_abs(fill_pair(grid, k, sloping, n - ROT_PAIR, time_s, theta,
-                                                omega, applied, damping, net, momentum, energy)));
-  }
-  double off[ROT_PAIR], most = 0.0;
-  rot_store(off, worst);
-  for (int i = 0; i < ROT_PAIR; i++) most = off[i] > most ? off[i] : most;
-  return most;
-}
-
-static double fill(const rot_axle_grid *grid, const law *of, const rot_axle_state *from,
-                   const departure *go, size_t n, const double time_s[],
-                   const rot_axle_columns *out) {
-  return of->slope != 0.0 ? fill_rows(grid, of, from, go, 1, n, time_s, out)
-                          : fill_rows(grid, of, from, go, 0, n, time_s, out);
+static int fill(const rot_axle_grid *grid, const rot_axle_state *from, const departure *go,
+                size_t n, const double time_s[], const rot_axle_columns *out) {
+  return n >= ROT_WIDE_PAIR && rot_wide_ok()
+             ? rot_axle_grid_fill_wide(grid, from, go, n, time_s, out)
+             : fill_chunk(grid, from, go, n, time_s, out);
 }
 
 static double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
@@ -270,7 +185,7 @@ static void note_chunk(const rot_axle_grid *grid, const rot_axle_state *from, co
 /* How many of the rows lie on the grid. */
 static size_t even_rows(const rot_axle_grid *grid, size_t n, const double time_s[]) {
   size_t j = 1;
-  while (j < n && fabs((time_s[j] - time_s[0]) - grid->s[j]) <= UNEVEN * grid->step_s) j++;
+  while (j < n && fabs((time_s[j] - time_s[0]) - grid->s[j]) <= ROT_GRID_UNEVEN * grid->step_s) j++;
   return j;
 }
 
@@ -285,13 +200,14 @@ static rot_axle_columns from_row(const rot_axle_columns *to, size_t i) {
 /* A table for the first rows, the old one if it will do. */
 static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const double time_s[]) {
   const double step_s = (time_s[ROT_GRID_LEAST - 1] - time_s[0]) / (ROT_GRID_LEAST - 1);
-  return fabs(step_s - grid->step_s) <= UNEVEN / ROT_GRID_ROWS * step_s ||
+  return fabs(step_s - grid->step_s) <= ROT_GRID_UNEVEN / ROT_GRID_ROWS * step_s ||
          make_table(grid, p, step_s);
 }
 
-/* A pair that straddles two cache lines is slow to store: the first chunk may end after one row. */
+/* The first chunk ends where all others begin aligned. */
 static size_t first_rows(const rot_axle_grid *grid, const rot_axle_columns *out) {
-  return (uintptr_t)out->omega_rad_per_s % sizeof(rot_pair) ? 1 : grid->rows;
+  const size_t before = rot_axle_grid_unaligned(out->omega_rad_per_s, ROT_WIDE_PAIR);
+  return before > 0 ? grid->rows - ROT_WIDE_PAIR + before : grid->rows;
 }
 
 size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axle_state *base,
@@ -302,29 +218,33 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
 
   rot_axle_state at = rot_axle_grid_step(grid, p, base, piece, time_s[0]);
   size_t done = 0, chunk_rows = first_rows(grid, out);
-  while (done < n) {
+  for (;;) {
     const size_t left = n - done, rows = left < chunk_rows ? left : chunk_rows;
     const rot_axle_columns to = from_row(out, done);
     const departure go = depart(k, &at);
     const double rounding = step_rounding(k, &at, &go, grid->s[rows]);
+    /* The next state first: a chain of sums, which the rows do not have to wait for. */
+    rot_axle_state next = at;
+    int more = 0;
+    if (rows < left) {
+      const double t = time_s[done + rows], s = t - at.time_s, off = s - grid->s[rows];
+      const double e2 = grid->twice[rows] + off * grid->once[rows];
+      const double e3 = grid->thrice[rows] + off * grid->twice[rows];
+      more = fabs(off) <= ROT_GRID_UNEVEN * grid->step_s;
+      next = arrive(k, &at, &go, rounding, t, s, e2, e3);
+    }
     size_t good = rows;
     if (left < 2) {
       rot_axle_row(p, &to, 0, at.theta_rad, at.omega_rad_per_s, go.torque);
-    } else if (!(fill(grid, k, &at, &go, rows < 2 ? 2 : rows, time_s + done, &to) <=
-                 UNEVEN * grid->step_s)) {
+    } else if (!fill(grid, &at, &go, rows, time_s + done, &to)) {
       good = even_rows(grid, rows, time_s + done);
       if (done + good < 8) return 0;
     }
     note_chunk(grid, &at, &go, rounding, good, &to, info);
     *base = at;
     done += good;
-    if (good < rows || done == n) break;
-    const double t = time_s[done], s = t - at.time_s, off = s - grid->s[rows];
-    if (!(fabs(off) <= UNEVEN * grid->step_s)) break;
-    const double e2 = grid->twice[rows] + off * grid->once[rows];
-    const double e3 = grid->thrice[rows] + off * grid->twice[rows];
-    at = arrive(k, &at, &go, rounding, t, s, e2, e3);
+    if (good < rows || !more) return done;
+    at = next;
     chunk_rows = grid->rows;
   }
-  return done;
 }

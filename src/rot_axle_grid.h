@@ -6,6 +6,7 @@
 #define ROT_AXLE_GRID_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "rot_axle.h"
 
@@ -25,6 +26,24 @@ typedef struct rot_axle_grid {
   double s[ROT_GRID_ROWS + 1], once[ROT_GRID_ROWS + 1], twice[ROT_GRID_ROWS + 1],
       thrice[ROT_GRID_ROWS + 1];
 } rot_axle_grid;
+
+/* A row may be off the even grid by so much of a step. E2 and E3 are carried over to first order,
+ * and what that leaves is below 1e-17. Rounded times are off by 1e-12 of a step or less. */
+#define ROT_GRID_UNEVEN 1e-9
+
+/* How a step leaves a state: torque, acceleration A and g = d(torque)/dt/I - (c/I) A. */
+typedef struct rot_axle_departure {
+  double torque, acceleration, bend;
+} rot_axle_departure;
+
+/* Taylor's coefficients of phi3(-z). */
+enum { ROT_GRID_TERMS = 14 };
+extern const double rot_axle_grid_series[ROT_GRID_TERMS];
+
+/* How many rows lie before the first whose register of so many doubles is aligned. */
+static inline size_t rot_axle_grid_unaligned(const double *column, size_t width) {
+  return (width - (uintptr_t)column / sizeof *column % width) % width;
+}
 
 /* Begin with no table; it is kept from call to call, so one scene to a grid. Then enter a piece. */
 void rot_axle_grid_begin(rot_axle_grid *grid);

@@ -43,6 +43,7 @@ typedef struct ode_run {
   double end;            /* of this side */
   int slope_known;       /* slope holds f(t, y) */
   int wild;              /* rhs was not finite in the last trial */
+  double stretch_t;      /* where the stretch began */
   int at_rest, may_flip; /* a stretch began at zero; nothing said which way it goes */
   int was_cut;           /* the last step ended at a dip that was none */
   double noise;          /* of a stretch that began at rest: what cancels in its slope there */
@@ -532,9 +533,48 @@ static rot_status choose_mode(ode_run *run, int was) {
   return status;
 }
 
+/* Radau's first step would pass over a transient, and the error test of its end would not see it;
+ * rows within it, and what theta gains in it, would be wrong. Where a stretch begins further from
+ * its quick equilibrium than the accuracy, the first step is a twentieth of the transient. */
+static rot_status resolve_transient(ode_run *run) {
+  const rot_ode_params *p = run->p;
+  if (run->method != ROT_METHOD_RADAU || run->guide) return ROT_OK;
+  double most = 0.0, size = 0.0, change = 0.0;
+  for (size_t i = 0; i < p->controlled; i++) {
+    most = fmax(most, fabs(run->slope[i]));
+    size = fmax(size, fabs(run->y[i]));
+  }
+  if (!(most > 0.0 && isfinite(most))) return ROT_OK;
+  /* Along the motion itself, far enough for the difference to have digits. */
+  const double way = run->forward ? 1.0 : -1.0;
+  const double d = fmin(fabs(run->h), fmax(1e-6 * fabs(run->h), 1e-7 * size / most));
+  for (size_t i = 0; i < p->controlled; i++) run->trial[i] = run->y[i] + way * d * run->slope[i];
+  for (size_t i = p->controlled; i < p->dim; i++) run->trial[i] = run->y[i];
+  if (rhs_for_gsl(run->t, run->trial, run->trial_slope, run) != GSL_SUCCESS) {
+    const int elsewhere = run->wild;
+    run->wild = 0;
+    return elsewhere ? ROT_OK : run->status;
+  }
+  for (size_t i = 0; i < p->controlled; i++) {
+    change = fmax(change, fabs(run->trial_slope[i] - run->slope[i]));
+  }
+  const double rate = change / d / most;
+  for (size_t i = 0; i < p->controlled; i++) {
+    const double apart = fabs(run->slope[i]) / rate;
+    const double scale = fmax(run->largest[i], fabs(run->y[i]));
+    if (rate * fabs(run->h) > 1.0 && apart > 0.03 * p->accuracy * scale) {
+      run->h = way * 0.05 / rate;
+      return ROT_OK;
+    }
+  }
+  return ROT_OK;
+}
+
 static rot_status begin_stretch(ode_run *run, int was) {
   rot_status status = choose_mode(run, was);
   if (status == ROT_OK) status = know_slope(run);
+  if (status == ROT_OK) status = resolve_transient(run);
+  run->stretch_t = run->t;
   run->dense.count = 0;
   if (status == ROT_OK) status = add_node(run);
   return status;
@@ -828,6 +868,19 @@ static rot_status step_between(ode_run *run, size_t i, size_t rows) {
 }
 
 /* The rows that the nodes so far allow for: all of them, or those with four nodes beyond. */
+/* Radau steps over a transient that dies out within its first step, and the values at the steps'
+ * ends do not show it; the slope where the stretch begins does. */
+static int in_transient(const ode_run *run, const double *node, double t) {
+  if (run->method != ROT_METHOD_RADAU || node[0] != run->stretch_t) return 0;
+  for (size_t i = 0; i < run->p->controlled; i++) {
+    double rise;
+    rot_dense_at(&run->form[i], node[0], &rise, NULL, NULL);
+    const double missed = fabs(node[1 + run->p->dim + i] - rise) * fabs(t - node[0]);
+    if (!(missed <= 0.03 * run->p->accuracy * run->largest[i])) return 1;
+  }
+  return 0;
+}
+
 static rot_status fill_rows(ode_run *run, int whole_stretch) {
   enum { BEYOND = 4, BEHIND = 8 };
   rot_dense *d = &run->dense;
@@ -854,7 +907,7 @@ static rot_status fill_rows(ode_run *run, int whole_stretch) {
       formed = i;
     }
     const int enough = held || run->form[0].terms >= 4 * (d->slopes ? 2 : 1);
-    if (enough && row_between(run, t, held)) continue;
+    if (enough && !in_transient(run, node, t) && row_between(run, t, held)) continue;
     size_t rows = 1;
     while (run->done + rows < run->total && rows < 3) {
       const double next = run->time_s[run->forward ? row_now(run) + rows : row_now(run) - rows];

@@ -131,6 +131,19 @@ static int differentiate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, d
   return 0;
 }
 
+/* By how many e-folds the fastest growing part of the motion would grow in a step. The method damps
+ * what grows as surely as what decays, once a step is long: it is not for such steps. */
+enum { MOST_FOLDS = 4 };
+
+static int grows_too_fast(const rot_radau *r, double h) {
+  const double *j = r->jacobian;
+  if (r->n == 1) return h * j[0] > MOST_FOLDS;
+  if (r->n != 2) return 0;
+  const double half = 0.5 * h * (j[0] + j[3]), apart = 0.5 * h * (j[0] - j[3]);
+  const double d = apart * apart + (h * j[1]) * (h * j[2]);
+  return half + (d > 0.0 ? sqrt(d) : 0.0) > MOST_FOLDS;
+}
+
 static int factor_both(rot_radau *r, double h) {
   const size_t n = r->n, wide = STAGES * n;
   for (size_t i = 0; i < STAGES; i++) {
@@ -235,6 +248,7 @@ int rot_radau_step(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
   guess(r, t, h);
   r->t_end = NAN;
   int code = differentiate(r, rhs, ctx, t, h, y, slope, allowed);
+  if (!code && grows_too_fast(r, h)) code = ROT_RADAU_DIVERGED;
   if (!code) code = factor_both(r, h);
   if (!code) code = iterate(r, rhs, ctx, t, h, y, allowed);
   if (code) return code;

@@ -1,5 +1,6 @@
 #include "rot_status.h"
 
+#include <math.h>
 #include <string.h>
 
 static const struct {
@@ -27,7 +28,11 @@ const char *rot_method_name(rot_method method) {
   return (unsigned)method < ROT_METHOD_COUNT ? names[method] : "unknown method";
 }
 
-void rot_info_clear(rot_info *info) { memset(info, 0, sizeof *info); }
+void rot_info_clear(rot_info *info) {
+  memset(info, 0, sizeof *info);
+  info->omega_high = -INFINITY;
+  info->omega_low = INFINITY;
+}
 
 static double relative(double error, double largest) {
   return error > 0 ? (largest > 0 ? error / largest : 1.0) : (error == 0 ? 0.0 : error);

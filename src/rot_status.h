@@ -50,8 +50,9 @@ typedef struct rot_info {
   double omega_error; /* the same of omega */
   double theta_max;   /* largest |theta| from the start to the last row, as far as it was seen */
   double omega_max;   /* the same of omega */
-  double tolerance;   /* tolerance per step of the run that chose the steps; 0 for a closed form */
-  rot_method method;  /* of the steps; ROT_METHOD_NONE for a closed form */
+  double omega_high, omega_low; /* omega itself, by the models that call rot_note_state() */
+  double tolerance;  /* tolerance per step of the run that chose the steps; 0 for a closed form */
+  rot_method method; /* of the steps; ROT_METHOD_NONE for a closed form */
 } rot_info;
 
 const char *rot_method_name(rot_method method);
@@ -63,6 +64,8 @@ double rot_info_error(const rot_info *info);
 
 /* Take note of a state on the way; of a row with its errors. NaN stays. */
 static inline void rot_note_state(rot_info *info, double theta, double omega) {
+  info->omega_high = omega > info->omega_high ? omega : info->omega_high;
+  info->omega_low = omega < info->omega_low ? omega : info->omega_low;
   theta = theta < 0.0 ? -theta : theta;
   omega = omega < 0.0 ? -omega : omega;
   if (!(theta <= info->theta_max)) info->theta_max = theta;

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "rot_pair.h"
 #include "rot_real.h"
+#include "rot_sweep_pass.h"
+#include "rot_wide.h"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -60,160 +61,7 @@ static rot_status sweep(row_worker work, const void *frame, size_t n, size_t chu
   return info->status;
 }
 
-/* ---- weights -------------------------------------------------------------------------------- */
-
 static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
-
-/* phi0, phi1, g1, phi2, phi3 of -z for two steps. */
-typedef struct weights {
-  rot_pair start, reach, near, far, last;
-} weights;
-
-/* 0 <= z <= 1, in strands: what follows the last term is below 2^-54 of the first. */
-ROT_INLINE rot_pair phi3_below_1(rot_pair z) {
-#define C(x) ROT_BOTH(1 / x)
-  const rot_pair zz = z * z, z4 = zz * zz, z8 = z4 * z4;
-  const rot_pair p =
-      (C(6.0) + zz * C(120.0)) + z4 * (C(5040.0) + zz * C(362880.0)) +
-      z8 * ((C(39916800.0) + zz * C(6227020800.0)) +
-            z4 * ((C(1307674368000.0) + zz * C(355687428096000.0)) + z4 * C(121645100408832000.0)));
-  const rot_pair q = (C(24.0) + zz * C(720.0)) + z4 * (C(40320.0) + zz * C(3628800.0)) +
-                     z8 * ((C(479001600.0) + zz * C(87178291200.0)) +
-                           z4 * (C(20922789888000.0) + zz * C(6402373705728000.0)));
-#undef C
-  return p - z * q;
-}
-
-/* Downward from the series below z = 1. */
-ROT_INLINE weights weights_below(rot_pair z) {
-  weights w;
-  w.last = phi3_below_1(z);
-  w.far = ROT_BOTH(0.5) - z * w.last;
-  w.reach = ROT_BOTH(1.0) - z * w.far;
-  w.near = w.reach - w.far;
-  w.start = ROT_BOTH(1.0) - z * w.reach;
-  return w;
-}
-
-/* Upward from the exponential above, where that loses less than a factor of ten. */
-ROT_INLINE weights weights_above(rot_pair z) {
-  const rot_pair one = ROT_BOTH(1.0), most = ROT_BOTH(700.0), each = one / z;
-  weights w;
-  w.start = rot_pair_decay(rot_pair_if_more(z, most, most, z));
-  w.reach = (one - w.start) * each;
-  w.near = (w.reach - w.start) * each;
-  w.far = (one - w.reach) * each;
-  w.last = (ROT_BOTH(0.5) - w.far) * each;
-  return w;
-}
-
-/* Each by its own z: no row depends on its neighbour. */
-ROT_INLINE weights weights_of(rot_pair z) {
-  const rot_pair one = ROT_BOTH(1.0);
-  double each[ROT_PAIR];
-  int above = 0;
-  rot_store(each, z);
-  for (int i = 0; i < ROT_PAIR; i++) above += each[i] > 1.0;
-  if (above == 0) return weights_below(z);
-  if (above == ROT_PAIR) return weights_above(z);
-  const weights low = weights_below(rot_pair_if_more(z, one, one, z));
-  const weights high = weights_above(rot_pair_if_more(z, one, z, one));
-  weights w;
-  w.start = rot_pair_if_more(z, one, high.start, low.start);
-  w.reach = rot_pair_if_more(z, one, high.reach, low.reach);
-  w.near = rot_pair_if_more(z, one, high.near, low.near);
-  w.far = rot_pair_if_more(z, one, high.far, low.far);
-  w.last = rot_pair_if_more(z, one, high.last, low.last);
-  return w;
-}
-
-/* ---- axles side by side --------------------------------------------------------------------- */
-
-enum { BLOCK = 32 };
-
-typedef struct block {
-  double c[BLOCK], inverse[BLOCK], lambda[BLOCK], scale[BLOCK], end_s[BLOCK]; /* 1/I, c/I */
-  double time_s[BLOCK], theta[BLOCK], omega[BLOCK], theta_error[BLOCK], omega_error[BLOCK];
-  double omega_max[BLOCK], omega_max_time_s[BLOCK], omega_min[BLOCK], theta_max[BLOCK],
-      worst_error[BLOCK];
-  double s[BLOCK], stop_s[BLOCK], a[BLOCK], b[BLOCK], omega_end[BLOCK]; /* of the step at hand */
-} block;
-
-/* Where omega turns inside a piece, its acceleration I A = excess at the start:
- * exp(c s/I) = 1 - (c/I) excess/slope. */
-static double turning_s(double excess, double slope, double lambda) {
-  const double straight = -excess / slope, x = lambda * straight;
-  return x != 0.0 ? straight * (log1p(x) / x) : straight;
-}
-
-static void note_turn(block *x, size_t i) {
-  const double a = x->a[i], b = x->b[i], c = x->c[i], s = x->s[i], w0 = x->omega[i];
-  const double excess = a - c * w0, left = b - c * x->omega_end[i];
-  if (!((excess > 0.0 && left < 0.0) || (excess < 0.0 && left > 0.0))) return;
-  const double at = turning_s(excess, (b - a) / s, x->lambda[i]), z = x->lambda[i] * at;
-  if (!(at > 0.0 && at < s)) return;
-  const double torque = a + (b - a) * (at / s), most = larger(fabs(a), fabs(b));
-  double omega, error = x->omega_error[i];
-  if (z >= 1.0) {
-    omega = torque / c; /* nothing is left over for acceleration */
-    error += 12.0 * ROT_EPS * (most / c + fabs(w0));
-  } else {
-    const weights w = weights_of(ROT_BOTH(z));
-    double start[ROT_PAIR], near[ROT_PAIR], far[ROT_PAIR];
-    const double v = at * x->inverse[i];
-    rot_store(start, w.start);
-    rot_store(near, w.near);
-    rot_store(far, w.far);
-    omega = w0 * start[0] + v * (a * near[0] + torque * far[0]);
-    error += 16.0 * ROT_EPS * (fabs(w0) + v * most);
-  }
-  /* The end of the step was noted already; the turn is beyond it, whatever rounding says. */
-  if (omega > x->omega_max[i] || (excess > 0.0 && x->omega_max_time_s[i] >= x->stop_s[i])) {
-    x->omega_max[i] = larger(omega, x->omega_max[i]);
-    x->omega_max_time_s[i] = x->time_s[i] + at;
-  }
-  if (omega < x->omega_min[i]) x->omega_min[i] = omega;
-  if (error > x->worst_error[i]) x->worst_error[i] = error;
-}
-
-/* Two steps at a time; `most` bounds the torque in the piece, unscaled. The weights of omega are
- * good to 10 units at z = 1, where they are worst, those of theta to 20; with products, sums, the
- * rounding of z and a torque inside the piece 16 + 3 z and 24. g1 + phi2 = phi1. A step of no length changes nothing.
- */
-static void pass(block *x, double most_n_m) {
-  const rot_pair eps = ROT_BOTH(ROT_EPS), none = ROT_BOTH(0.0);
-  for (size_t i = 0; i < BLOCK; i += ROT_PAIR) {
-    const rot_pair s = rot_load(x->s + i), a = rot_load(x->a + i), b = rot_load(x->b + i);
-    const rot_pair w0 = rot_load(x->omega + i), z = rot_load(x->lambda + i) * s;
-    const rot_pair v = s * rot_load(x->inverse + i);
-    const weights w = weights_of(z);
-    const rot_pair rest = w.far - w.last;
-    const rot_pair w1 = w0 * w.start + v * (a * w.near + b * w.far);
-    const rot_pair theta =
-        rot_load(x->theta + i) + s * (w0 * w.reach + v * (a * rest + b * w.last));
-    const rot_pair most = ROT_BOTH(most_n_m) * rot_pair_abs(rot_load(x->scale + i));
-    const rot_pair size = rot_pair_abs(w0), unit = rot_pair_if_more(s, none, eps, none);
-    const rot_pair before = rot_load(x->omega_error + i);
-    const rot_pair error =
-        before * w.start + unit * ((ROT_BOTH(16.0) + ROT_BOTH(3.0) * z) * size * w.start +
-                                   ROT_BOTH(16.0) * v * most * w.reach);
-    const rot_pair top = rot_load(x->omega_max + i), low = rot_load(x->omega_min + i);
-    rot_store(x->omega_end + i, w1);
-    rot_store(x->theta + i, theta);
-    rot_store(x->theta_error + i,
-              rot_load(x->theta_error + i) +
-                  (s * w.reach * before +
-                   unit * (ROT_BOTH(24.0) * s * (size * w.reach + v * most * w.far) +
-                           rot_pair_abs(theta))));
-    rot_store(x->theta_max + i, rot_pair_max(rot_load(x->theta_max + i), rot_pair_abs(theta)));
-    rot_store(x->worst_error + i, rot_pair_max(rot_load(x->worst_error + i), error));
-    rot_store(x->omega_max_time_s + i, rot_pair_if_more(w1, top, rot_load(x->stop_s + i),
-                                                        rot_load(x->omega_max_time_s + i)));
-    rot_store(x->omega_max + i, rot_pair_max(top, w1));
-    rot_store(x->omega_min + i, rot_pair_if_more(low, w1, w1, low));
-    rot_store(x->omega_error + i, error);
-  }
-}
 
 /* ---- rows in closed form -------------------------------------------------------------------- */
 
@@ -236,33 +84,19 @@ static double relative(double error, double largest) {
   return error > 0.0 ? (largest > 0.0 ? error / largest : 1.0) : 0.0;
 }
 
-/* The torque of a piece at a time inside it. */
-static double inside(const rot_torque_piece *piece, double t) {
-  const double a = piece->start_n_m, b = piece->end_n_m;
-  if (a == b) return a;
-  return (a * (piece->end_s - t) + b * (t - piece->start_s)) / (piece->end_s - piece->start_s);
-}
+typedef rot_sweep_block block;
+enum { BLOCK = ROT_SWEEP_BLOCK };
 
 static void tame_way(const linear_frame *frame, block *x) {
   const rot_torque_piece *piece = frame->pieces;
-  double a = frame->start_n_m, last = x->end_s[0];
+  const int wide = rot_wide_ok();
+  double start_n_m = frame->start_n_m, last = x->end_s[0];
   for (size_t i = 1; i < BLOCK; i++) last = larger(last, x->end_s[i]);
-  for (;; piece++, a = piece->start_n_m) {
-    for (size_t i = 0; i < BLOCK; i++) {
-      const double end = x->end_s[i], stop = piece->end_s < end ? piece->end_s : end;
-      const double s = stop - x->time_s[i]; /* 0 where the row has ended */
-      x->s[i] = s;
-      x->stop_s[i] = stop;
-      x->a[i] = a * x->scale[i];
-      x->b[i] = piece->end_n_m * x->scale[i];
-      if (stop < piece->end_s && s > 0.0) x->b[i] = inside(piece, stop) * x->scale[i];
-    }
-    pass(x, larger(fabs(piece->start_n_m), fabs(piece->end_n_m)));
-    for (size_t i = 0; i < BLOCK; i++) {
-      if (x->a[i] != x->b[i] && x->s[i] > 0.0) note_turn(x, i);
-      x->omega[i] = x->omega_end[i];
-      x->time_s[i] = x->stop_s[i];
-    }
+  for (;; piece++, start_n_m = piece->start_n_m) {
+    if (wide)
+      rot_sweep_pass_wide(x, piece, start_n_m);
+    else
+      pass_block(x, piece, start_n_m);
     if (last <= piece->end_s) return;
   }
 }
@@ -297,7 +131,7 @@ static void put_row(const rot_sweep_columns *out, size_t i, const axle *x, rot_s
   out->status[i] = (int)status;
 }
 
-/* As above, for any numbers. */
+/* A turn inside the piece, as in rot_sweep_pass.h, for any numbers. */
 static void careful_turn(axle *x, const rot_axle_params *p, const rot_axle_state *from,
                          const rot_axle_state *to, const rot_torque_piece *piece) {
   const double a = rot_torque_in_piece(piece, from->time_s);
@@ -491,7 +325,9 @@ static void scene_rows(const void *data, size_t first, size_t last) {
     out->theta_rad[i] = good ? row[0] : NAN;
     out->omega_rad_per_s[i] = good ? row[1] : NAN;
     out->speed_max[i] = good && frame->true_maximum ? info.omega_max : NAN;
-    out->omega_max[i] = out->omega_max_time_s[i] = out->omega_min[i] = NAN;
+    out->omega_max[i] = good && frame->true_maximum ? info.omega_high : NAN;
+    out->omega_min[i] = good && frame->true_maximum ? info.omega_low : NAN;
+    out->omega_max_time_s[i] = NAN;
     out->error[i] = good ? rot_info_error(&info) : NAN;
     out->status[i] = (int)status;
   }

@@ -37,9 +37,9 @@ rot_status rot_sweep_linear(const rot_torque *torque, const rot_sweep_rows *rows
                             const rot_sweep_columns *out, const rot_hooks *hooks, rot_info *info);
 
 /* Any scene, by a model of it; the rows' numbers replace the scene's, the scale that of its knots
- * (ROT_EVALUE in a row where there are other terms and it is not 1). The largest speed is the
- * model's info->omega_max where the caller knows that to be the true one, else NaN; the largest and
- * smallest omega are NaN. */
+ * (ROT_EVALUE in a row where there are other terms and it is not 1). The largest and
+ * smallest omega and the largest speed are the model's where the caller knows those to be the true
+ * ones, else NaN; the time of the largest is NaN. */
 rot_status rot_sweep_scenes(rot_axle_model model, const rot_axle_scene *scene,
                             const rot_sweep_rows *rows, const rot_sweep_friction *friction,
                             int true_maximum, int threads, const rot_sweep_columns *out,

@@ -20,16 +20,21 @@ typedef struct solution {
 
 typedef int (*solver)(const char *how, solution *s); /* 0 for success */
 
+/* Columns as long as the rows, as R has them: their place in memory counts, too. */
 static int read_times(const char *file, solution *s) {
   FILE *in = fopen(file, "r");
-  size_t room = 1 << 16;
   double t;
-  s->time_s = malloc(room * sizeof t);
-  s->theta_rad = malloc(room * sizeof t);
-  s->omega_rad_per_s = malloc(room * sizeof t);
   s->n = 0;
-  if (!in || !s->time_s || !s->theta_rad || !s->omega_rad_per_s) return 1;
-  while (s->n < room && fscanf(in, "%lf", &t) == 1) s->time_s[s->n++] = t;
+  if (!in) return 1;
+  while (fscanf(in, "%lf", &t) == 1) s->n++;
+  s->time_s = malloc(s->n * sizeof t + 1);
+  s->theta_rad = malloc(s->n * sizeof t + 1);
+  s->omega_rad_per_s = malloc(s->n * sizeof t + 1);
+  if (!s->time_s || !s->theta_rad || !s->omega_rad_per_s) return 1;
+  rewind(in);
+  for (size_t i = 0; i < s->n; i++) {
+    if (fscanf(in, "%lf", &s->time_s[i]) != 1) return 1;
+  }
   fclose(in);
   return s->n == 0;
 }

@@ -3,12 +3,12 @@
 #include "rot_axle.h"
 #include "spin-up.h"
 
-/* As many rows as child.h reads, and some more: columns a power of two apart would fight for the
- * same lines of the cache, as columns of R's do not. */
-static double spare[5][(1 << 16) + 200];
-
 static int solve(const char *how, solution *s) {
   static const double time_s[] = {0.0, 1.0, 4.0, 6.0, 8.0}, torque[] = {0.0, 0.8, 0.8, 0.0, 0.0};
+  static double *spare[5];
+  for (int i = 0; i < 5; i++) {
+    if (!spare[i] && !(spare[i] = malloc(s->n * sizeof(double)))) return 1;
+  }
   rot_axle_params params = {.inertia_kg_m2 = spin_inertia, .viscous_n_m_s = spin_viscous};
   const rot_axle_columns columns = {s->theta_rad, s->omega_rad_per_s, spare[0], spare[1],
                                     spare[2],     spare[3],           spare[4]};

@@ -253,11 +253,12 @@ static void check_scenes(void) {
     ROT_CHECK(rot_axle_linear(&p, 1, &x[5][i], &row, NULL, &info) == ROT_OK);
     ROT_CHECK(status[i] == ROT_OK && theta[i] == one[0][0] && omega[i] == one[1][0]);
     ROT_CHECK(speed[i] == info.omega_max && error[i] == rot_info_error(&info));
-    ROT_CHECK(isnan(omega_max[i]) && isnan(omega_min[i]) && isnan(max_time[i]));
+    ROT_CHECK(omega_max[i] == info.omega_high && omega_min[i] == info.omega_low);
+    ROT_CHECK(isnan(max_time[i]));
   }
   ROT_CHECK(rot_sweep_scenes(linear_model, &scene, &rows, &friction, 0, 1, &out, NULL, &info) ==
             ROT_OK);
-  ROT_CHECK(isnan(speed[0]) && !isnan(omega[0]));
+  ROT_CHECK(isnan(speed[0]) && isnan(omega_max[0]) && !isnan(omega[0]));
   friction.static_n_m = column(&bad, 0); /* below Coulomb's */
   ROT_CHECK(rot_sweep_scenes(linear_model, &scene, &rows, &friction, 1, 1, &out, NULL, &info) ==
             ROT_OK);

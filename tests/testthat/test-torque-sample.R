@@ -46,13 +46,29 @@ test_that("a function that takes one time only is called one by one", {
   # One that takes a vector but means something else by it.
   total <- function(t) sum(t)
   expect_equal(rotdyn:::values_of(total, 0:7, stop), as.double(0:7))
-  calls <- 0
-  counted <- function(t) {
-    calls <<- calls + 1
-    sin(t)
-  }
-  rotdyn:::values_of(counted, 0:1000, stop)
-  expect_lte(calls, 4)
+  expect_identical(rotdyn:::values_of(function(t) sin(t), 0:9, stop), sin(0:9))
+})
+
+test_that("what takes vectors is told from its text, without trying", {
+  takes <- rotdyn:::takes_vectors
+  helper <- function(x) x^2
+  amplitude <- 3
+  expect_true(takes(function(t) amplitude * sin(3 * t) + helper(t)))
+  expect_true(takes(function(t) {
+    u <- t - 1
+    ifelse(u < 0, 0, exp(-u))
+  }))
+  expect_true(takes(sin))
+  expect_false(takes(sum))
+  expect_false(takes(function(t) if (t > 1) 1 else 0))
+  expect_false(takes(function(t) t > 1 && t < 2))
+  expect_false(takes(function(t) max(t, 2)))
+  expect_false(takes(approxfun(0:1, 0:1)))
+  expect_false(takes(function(t) stats::approx(0:1, 0:1, t)$y))
+  `*` <- function(a, b) if (a > b) a else b # not the one of R
+  expect_false(takes(function(t) 2 * t))
+  deep <- function(t) deep(t)
+  expect_false(takes(deep))
 })
 
 test_that("conditions of the law's own arrive as themselves", {

@@ -1,0 +1,145 @@
+# The truth is inst/extdata/extremes.csv: 40 digits, by tools/extremes.py (mpmath). Every case is
+# right to the error that the run reports, or an error of the package.
+
+extreme_cases <- function() {
+  path <- system.file("extdata", "extremes.csv", package = "rotdyn")
+  cases <- utils::read.csv(path, colClasses = "character")
+  text <- c("case", "group", "expect", "law", "x")
+  cases[setdiff(names(cases), text)] <- lapply(cases[setdiff(names(cases), text)], as.numeric)
+  cases$x <- lapply(strsplit(cases$x, ";"), as.numeric)
+  cases
+}
+
+extreme_law <- function(law, x) {
+  odd <- x[c(TRUE, FALSE)]
+  even <- x[c(FALSE, TRUE)]
+  switch(law,
+    constant = torque_constant(x),
+    knots = torque_knots(odd, even),
+    steps = torque_steps(odd, even),
+    pulse = torque_pulse(x[1], x[2], x[3]),
+    sinusoid = torque_sinusoid(x[1], x[2], x[3]),
+    exponential = torque_exponential(x[1], x[2], from_s = x[3]),
+    motor = torque_motor(x[1], x[2]),
+    pendulum = torque_gravity(x, 1, gravity_m_per_s2 = 1),
+    oscillator = torque_spring(x[1]) + torque_sinusoid(x[2], x[3]),
+    stiff = torque_function(function(time_s, theta_rad, omega_rad_per_s) -x * theta_rad, numeric()),
+    skater = NULL
+  )
+}
+
+extreme_scene <- function(one) {
+  x <- one$x[[1]]
+  body <- if (one$law == "skater") inertia_knots(x[c(1, 3)], x[c(2, 4)]) else one$I
+  scene_axle(
+    body, extreme_law(one$law, x),
+    resistance(one$c, one$q, one$coulomb, one$static), one$theta0, one$omega0, start_s = one$start
+  )
+}
+
+# How far off, over what the run says; the truth as a double is off by half an ulp itself, and below
+# 2.2e-308 a double has fewer digits.
+times_reported <- function(motion, one) {
+  info <- run_of(motion)$info
+  off <- function(got, want, error) {
+    allowed <- error + 2^-53 * abs(want) + 2^-1073
+    abs(got - want) / allowed
+  }
+  max(
+    off(motion$theta_rad, one$theta, info$theta_error),
+    off(motion$omega_rad_per_s, one$omega, info$omega_error)
+  )
+}
+
+test_that("no silent wrong answer: every extreme is right to its error, or refused", {
+  cases <- extreme_cases()
+  expect_gt(nrow(cases), 150)
+  for (i in seq_len(nrow(cases))) {
+    one <- cases[i, ]
+    warned <- FALSE
+    run <- function() {
+      withCallingHandlers(
+        trajectory(extreme_scene(one), one$t),
+        rotdyn_warning_accuracy = function(w) {
+          warned <<- TRUE
+          rlang::cnd_muffle(w)
+        }
+      )
+    }
+    if (one$expect == "value") {
+      motion <- run()
+      expect_lte(times_reported(motion, one), if (one$law == "stiff") 1.5 else 1, label = one$case)
+      expect_equal(warned, summary(motion)$error > 1e-9, label = one$case)
+    } else {
+      expect_error(run(), class = paste0("rotdyn_error_", one$expect), label = one$case)
+    }
+  }
+})
+
+test_that("rows on a grid that begins after the stop, and on both sides of it", {
+  scene <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
+  expect_identical(trajectory(scene, c(50, 1e12))$theta_rad, c(200, 200))
+  expect_identical(trajectory(scene, c(50, 1e12))$omega_rad_per_s, c(0, 0))
+})
+
+test_that("a stop after less time than a double can tell leaves no row unwritten", {
+  brake <- resistance(coulomb_n_m = 1e300)
+  motion <- trajectory(scene_axle(1e-300, 0, brake, 7, -10), c(1e-290, 1, 2))
+  expect_identical(motion$theta_rad, c(7, 7, 7))
+  expect_identical(motion$omega_rad_per_s, c(0, 0, 0))
+})
+
+test_that("a motor's slope is a quotient: where the sum drives, its rounding is in the bound", {
+  # mpmath, 50 digits: exp((1 - 1/3) 600) and so on, from the doubles 1, 3, -1.
+  cases <- extreme_cases()
+  one <- cases[cases$law == "motor", ]
+  motion <- trajectory(extreme_scene(one), one$t)
+  expect_lte(times_reported(motion, one), 1)
+  expect_gt(summary(motion)$error, 1e-14)
+})
+
+test_that("the phase of a wave of 1e21 rad/s is lost, and the bound says so", {
+  scene <- scene_axle(17.8, torque_sinusoid(1, 3.3e21), start_s = -0.00148)
+  motion <- suppressWarnings(trajectory(scene, c(50, 152)))
+  expect_gt(summary(motion)$error, 1e-11)
+})
+
+test_that("sums keep what cancellation leaves", {
+  torque <- torque_constant(1e16) + torque_constant(1) - torque_constant(1e16)
+  expect_identical(trajectory(scene_axle(1, torque), 2)$omega_rad_per_s, 2)
+})
+
+test_that("what no double holds is refused at the door", {
+  expect_error(1e300 * torque_constant(1e300), class = "rotdyn_error_value")
+  expect_error(1e300 * torque_motor(1e300, 1), class = "rotdyn_error_value")
+  expect_error(torque_constant(1) / 0, class = "rotdyn_error_value")
+  expect_error(scene_axle(body_disk(1e-200, 1e-60)), class = "rotdyn_error_value")
+  steep <- torque_curve(c(0, 1e-300), c(1e300, -1e300))
+  expect_error(trajectory(scene_axle(1, steep), 1), class = "rotdyn_error_range")
+})
+
+test_that("an implicit method does not damp what grows", {
+  scene <- scene_axle(0.5, resistance = resistance(3e57), omega0_rad_per_s = 6)
+  expect_error(
+    trajectory(scene, -0.07, 1e-8, model = "axle_radau", max_steps = 1e4), class = "rotdyn_error"
+  )
+})
+
+test_that("a moment of inertia that only jumps", {
+  jump <- inertia_knots(c(1, 1), c(4, 2))
+  motion <- trajectory(scene_axle(jump, omega0_rad_per_s = 3), c(0, 1, 2))
+  expect_identical(motion$moment_of_inertia_kg_m2, c(4, 2, 2))
+  expect_identical(motion$omega_rad_per_s, c(3, 6, 6))
+})
+
+test_that("a line of any steepness leads to the edge, and the edge tells what comes then", {
+  for (steep in 10^c(6, 14, 20, 28)) {
+    up <- trajectory(scene_axle(1, torque_curve(c(-1, 1), c(steep, 20))), c(0.5, 3))
+    expect_equal(up$omega_rad_per_s, c(11, 61), tolerance = 100 / steep + 1e-14)
+    # From -1 to -2 at once; then omega' = -201 - omega.
+    push <- torque_knots(c(1, 1), c(-200, 0), outside = "hold") +
+      torque_curve(c(-2, -1), c(-1, -steep))
+    down <- trajectory(scene_axle(1, push, resistance(1), 0, -1.2), 0.5)
+    expect_equal(down$omega_rad_per_s, -201 + 199 * exp(-0.5), tolerance = 100 / steep + 1e-14)
+  }
+})
