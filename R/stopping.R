@@ -10,7 +10,8 @@
 #' @return A tibble of one row with the columns
 #'   `r describe_columns(c("stop_time_s", "stop_theta_rad", "terminal_omega_rad_per_s"))`
 #'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` NaN. The
-#'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists it.
+#'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists it;
+#'   where in the end nothing acts at all, it is the speed left.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit (see
 #'   [choose_model()], model `axle_drag`).
 #' @examples
@@ -36,5 +37,20 @@ stopping <- function(scene) {
     )
   }
   x <- .Call(ffi_axle_stopping, pack_axle(scene))
-  tibble::tibble(stop_time_s = x[1], stop_theta_rad = x[2], terminal_omega_rad_per_s = x[3])
+  tibble::tibble(
+    stop_time_s = x[1], stop_theta_rad = x[2],
+    terminal_omega_rad_per_s = if (is.finite(x[1])) 0 else terminal_omega(scene, call)
+  )
+}
+
+# Under the torque that acts for good, of a body that does not stay at rest.
+terminal_omega <- function(scene, call) {
+  knots <- scene$loads$knots
+  last <- knots$outside[2]
+  if (last == 0 && !any(c("viscous", "motor", "quadratic", "friction") %in% scene$effects)) {
+    end <- max(scene$start_s, knots$time_s)
+    return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)[[1]]$omega_rad_per_s)
+  }
+  scene$loads$knots <- new_knots(double(), double(), c(last, last))
+  .Call(ffi_axle_stopping, pack_axle(scene))[3]
 }

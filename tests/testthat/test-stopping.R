@@ -33,3 +33,19 @@ test_that("what never stops, what has stopped, and what cannot be told", {
   expect_error(stopping(scene_axle(1, torque_sinusoid(1, 1))), class = "rotdyn_error_model")
   expect_error(stopping(3), class = "rotdyn_error_type")
 })
+
+test_that("the terminal speed is that under the torque that acts for good", {
+  terminal <- function(...) stopping(scene_axle(...))$terminal_omega_rad_per_s
+  dry <- resistance(coulomb_n_m = 0.5)
+  expect_equal(terminal(1, torque_pulse(5, 1, 2), dry, omega0_rad_per_s = 1), 0)
+  expect_equal(terminal(1, torque_knots(c(0, 1), c(2, 2)), resistance(1)), 0)
+  expect_equal(terminal(1, torque_knots(c(0, 1), c(2, 2), outside = "hold"), resistance(1)), 2)
+  expect_equal(terminal(1, 0, omega0_rad_per_s = 3), 3)
+  expect_equal(terminal(2, torque_pulse(1, 3, 4), omega0_rad_per_s = -1), 5)
+  expect_equal(terminal(1, 1), Inf)
+  # Held by static friction, though more than what slides.
+  stiction <- resistance(coulomb_n_m = 0.2, static_n_m = 0.3)
+  expect_equal(terminal(1, 0.25, stiction), 0)
+  expect_equal(terminal(1, 0.25, stiction, omega0_rad_per_s = -1), 0)
+  expect_equal(terminal(1, 0.25, stiction, omega0_rad_per_s = 1), Inf)
+})
