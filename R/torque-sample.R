@@ -35,7 +35,10 @@ values_at_once <- function(f, time_s, scene) {
     if (is.null(scene)) {
       f(time_s)
     } else {
-      f(time_s, rep(scene$theta0_rad, length(time_s)), rep(scene$omega0_rad_per_s, length(time_s)))
+      f(
+        time_s, rep_len(scene$theta0_rad, length(time_s)),
+        rep_len(scene$omega0_rad_per_s, length(time_s))
+      )
     },
     error = failed, warning = failed
   )

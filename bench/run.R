@@ -10,7 +10,7 @@
 if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
-  "precise", "paired", "peers", "report", "rolling", "spin-up", "function-torque", "calls"
+  "precise", "paired", "peers", "report", "rolling", "spin-up", "function-torque", "rhs-calls", "calls"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -19,6 +19,7 @@ comparisons <- list(
   "rolling" = run_rolling,
   "spin-up" = run_spin_up,
   "function-torque" = run_function_torque,
+  "rhs-calls" = run_rhs_calls,
   "calls" = run_calls
 )
 
