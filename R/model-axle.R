@@ -389,7 +389,6 @@ axle_closed_forms <- list(
   axle_free, axle_linear, axle_skater, axle_drag, axle_forced, axle_oscillator, axle_pendulum,
   axle_bands
 )
-axle_integrators <- list(axle_rk8pd, axle_radau)
 
 integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   loads <- scene$loads

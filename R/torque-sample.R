@@ -18,19 +18,28 @@ values_of <- function(f, time_s, complain, scene = NULL) {
     as.double(value)
   }
   n <- length(time_s)
-  if (n > 4L && takes_vectors(f)) {
-    all <- if (is.null(scene)) {
-      f(time_s)
-    } else {
-      f(time_s, rep(scene$theta0_rad, n), rep(scene$omega0_rad_per_s, n))
-    }
+  if (n > 4L) {
+    all <- values_at_once(f, time_s, scene)
     probe <- c(1L, (n + 1L) %/% 2L, n)
-    if (is.double(all) && length(all) == n && !is.object(all) &&
-      identical(as.vector(all)[probe], vapply(time_s[probe], one, double(1)))) {
-      return(as.vector(all))
+    if (!is.null(all) && identical(all[probe], vapply(time_s[probe], one, double(1)))) {
+      return(all)
     }
   }
   vapply(time_s, one, double(1))
+}
+
+# All at once, or NULL where that cannot be. An angle and a rate of the scene may be one or n.
+values_at_once <- function(f, time_s, scene = NULL) {
+  if (!takes_vectors(f)) {
+    return(NULL)
+  }
+  n <- length(time_s)
+  value <- if (is.null(scene)) {
+    f(time_s)
+  } else {
+    f(time_s, rep_len(scene$theta0_rad, n), rep_len(scene$omega0_rad_per_s, n))
+  }
+  if (is.double(value) && length(value) == n && !is.object(value)) as.vector(value)
 }
 
 # Functions of R that work element by element. A law made of these alone may be given many times at

@@ -104,7 +104,12 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     scene = scene,
     solved = fit$scene,
     dropped = fit$dropped,
-    model = if (identical(info$method, "radau")) "axle_radau" else record$id,
+    # Integrators hand over to one another.
+    model = if (isTRUE(info$method %in% c("rk8pd", "radau"))) {
+      paste0("axle_", info$method)
+    } else {
+      record$id
+    },
     accuracy = accuracy,
     error_kind = record$error_kind,
     info = info,

@@ -144,7 +144,8 @@ write_page <- function(results, ran) {
   page <- readLines(readme_file)
   for (name in ran) {
     rows <- results[results$comparison == name, ]
-    page <- replace_block(page, name, c(comparison_table(rows), "", describe_machine()))
+    table <- if (name == "rhs-calls") calls_table(rows) else comparison_table(rows)
+    page <- replace_block(page, name, c(table, "", describe_machine()))
   }
   page <- replace_block(page, "goals", goals_table(results))
   writeLines(page, readme_file)

@@ -10,7 +10,8 @@
 if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
-  "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque", "calls"
+  "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque",
+  "rhs-calls", "calls"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -20,6 +21,7 @@ comparisons <- list(
   "spin-up" = run_spin_up,
   "sweep" = run_sweep,
   "function-torque" = run_function_torque,
+  "rhs-calls" = run_rhs_calls,
   "calls" = run_calls
 )
 
