@@ -156,10 +156,12 @@ spectral_law <- function(f, complain) {
     if (is.na(vectors)) {
       state <- list(theta0_rad = theta, omega0_rad_per_s = omega)
       value <- values_at_once(f, t, state)
-      calls <<- calls + n
-      probe <- c(1L, (n + 1L) %/% 2L, n)
-      vectors <<- !is.null(value) &&
-        identical(value[probe], one_by_one(t[probe], theta[probe], omega[probe]))
+      vectors <<- !is.null(value)
+      if (vectors) {
+        calls <<- calls + n
+        probe <- c(1L, (n + 1L) %/% 2L, n)
+        vectors <<- identical(value[probe], one_by_one(t[probe], theta[probe], omega[probe]))
+      }
     } else if (vectors) {
       value <- f(t, theta, omega)
       calls <<- calls + n
@@ -489,6 +491,13 @@ forget <- function(march) {
 
 remember <- function(march, seen) {
   last <- function(x) x[seq.int(max(1L, length(x) - guess_points + 1L), length(x))]
+  # A sweep that went astray may have seen what is no state; nothing is learnt from it.
+  good <- Reduce(`&`, lapply(seen, function(x) abs(x) < 1e150)) # NaN is not
+  good <- good & !is.na(good)
+  if (!any(good)) {
+    return()
+  }
+  seen <- lapply(seen, `[`, good)
   march$points <- lapply(if (is.null(march$points)) seen else Map(c, march$points, seen), last)
 }
 
