@@ -5,8 +5,9 @@
 #
 # g is a polynomial; theta and omega are its integrals. Newton's method with derivatives of G by
 # differences on the coarsest level, and by Broyden's update at each node after that. A polynomial
-# of 32 coefficients over a panel needs a fourth of the evaluations that an Adams method of order 12
-# needs for the same digits, so four sweeps are still no dearer.
+# of 32 coefficients over a panel has a fourth of the evaluations that an Adams method of order 12
+# needs for the same digits, so four sweeps are as dear. What was evaluated before foresees the next
+# panel where the law is near to powers or harmonics of the state: then one sweep or two.
 
 # Nodes of a panel: on the way up from nothing, and where a good guess says at once how many it takes.
 spectral_levels <- c(8L, 16L, 32L)
@@ -513,7 +514,7 @@ guess_panel <- function(march, panel, rest) {
     best <- kinds[which.min(march$score[kinds])]
   }
   solved <- NULL
-  if (!is.null(laws) && march$score[best] < 0.3) {
+  if (!is.null(laws) && march$score[best] < 0.1) {
     long <- panel
     long$half <- sign(panel$half) * min(1.5 * abs(panel$half), abs(rest) / 2)
     solved <- solve_guessed(

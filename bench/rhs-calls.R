@@ -10,6 +10,10 @@ calls_scenes <- function() {
   driven <- function(t, theta, omega) {
     2 * (1 - theta^2) * omega - theta + 0.5 * cos(1.3 * t)
   }
+  # Neither powers nor harmonics: what rotdyn guesses of a law does not hold here.
+  other <- function(t, theta, omega) {
+    -4 * tanh(3 * theta) - 0.1 * omega + 0.3 * sin(t) * theta + 0.2 * cos(2.7 * t)
+  }
   state_scene <- function(law, theta0) {
     rotdyn::scene_axle(1, rotdyn::torque_function(law, breaks_s = numeric()), theta0_rad = theta0)
   }
@@ -25,6 +29,9 @@ calls_scenes <- function() {
     ),
     "driven van der Pol, f(t, theta, omega)" = list(
       scene = state_scene(driven, 1), rate = driven, start = c(1, 0), stops = c(0, 20)
+    ),
+    "soft stop, driven twice, f(t, theta, omega)" = list(
+      scene = state_scene(other, 0.8), rate = other, start = c(0.8, 0), stops = c(0, 20)
     )
   )
 }
