@@ -360,7 +360,11 @@ guess_time <- function(kind, t, scale, frequency) {
 # The frequency (per unit of s, which goes from -1 to 1 over the points) of the wave that, with the
 # state, leaves least of the values: on a grid, then between two of its points.
 guess_frequency <- function(state, s, value) {
-  q <- qr.Q(qr.default(state, tol = 1e-6))
+  decomposed <- qr.default(state, tol = 1e-6)
+  if (!all(is.finite(decomposed$qr))) {
+    return(1) # at rest: columns of nothing but zeros
+  }
+  q <- qr.Q(decomposed)
   off <- function(x) x - q %*% crossprod(q, x)
   rest <- off(value)
   # Sums of squares explained by a cosine and a sine of each frequency.
