@@ -373,10 +373,11 @@ test_that("an interrupt arrives as an interrupt", {
   calls <- 0
   result <- tryCatch(
     with_torque(function(t, theta, omega) {
+      stopifnot(length(t) == 1L) # called for one time each
       calls <<- calls + 1
       if (calls == 50) tools::pskill(Sys.getpid(), tools::SIGINT)
       Sys.sleep(0.001)
-      sin(1000 * theta)
+      sin(9 * t) - theta
     }, n = 4000),
     interrupt = function(i) "interrupted"
   )
@@ -391,8 +392,9 @@ test_that("a time limit arrives as a time limit", {
     {
       setTimeLimit(elapsed = 0.3, transient = TRUE)
       with_torque(function(t, theta, omega) {
+        stopifnot(length(t) == 1L)
         Sys.sleep(0.002)
-        sin(1000 * theta)
+        sin(9 * t) - theta
       }, n = 40000)
     },
     error = identity

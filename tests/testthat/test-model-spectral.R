@@ -134,7 +134,8 @@ test_that("whatever the law raises arrives as itself", {
   )
   expect_equal(
     callCC(function(out) {
-      trajectory(law_scene(function(t, theta, omega) if (any(t > 1)) out("out") else 0 * t + 1), 0:9)
+      jump <- function(t, theta, omega) if (any(t > 1)) out("out") else 0 * t + 1
+      trajectory(law_scene(jump), 0:9)
     }),
     "out"
   )
@@ -190,4 +191,29 @@ test_that("no rows, and rows at the start alone", {
   still <- trajectory(scene, c(0, 0))
   expect_equal(still$theta_rad, c(1, 1))
   expect_equal(still$applied_torque_n_m, c(2, 2))
+})
+
+test_that("slopes guessed far too steep do not pass a wrong root", {
+  # In this one a guessed panel at 24.9 s was once accepted because a steep slope made Newton's step
+  # small: the motion was 9 times its own size off.
+  a <- 7.7691891220165417
+  b <- 0.42636767914518714
+  w <- 2.6566230308962986
+  c <- 0.036806770579423762
+  start <- c(0.45646798610687256, 0.51147967111319304)
+  law <- function(t, theta, omega) -a * theta - c * omega + b * sin(w * t)
+  motion <- trajectory(
+    law_scene(law, theta0_rad = start[1], omega0_rad_per_s = start[2]), seq(0, 29.2, 0.1), 1e-3
+  )
+  expect_spectral(motion)
+  # theta = particular + exp(-g t)(p cos kt + q sin kt)
+  g <- c / 2
+  k <- sqrt(a - g^2)
+  d <- (a - w^2)^2 + (c * w)^2
+  particular <- function(t) b * ((a - w^2) * sin(w * t) - c * w * cos(w * t)) / d
+  p <- start[1] + b * c * w / d
+  q <- (start[2] + g * p - b * (a - w^2) * w / d) / k
+  exact <- function(t) particular(t) + exp(-g * t) * (p * cos(k * t) + q * sin(k * t))
+  expect_lte(max(abs(motion$theta_rad - exact(motion$time_s))), run_of(motion)$info$theta_error)
+  expect_lte(run_of(motion)$info$error, 1e-3)
 })
