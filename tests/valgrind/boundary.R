@@ -2,9 +2,10 @@
 library(rotdyn)
 
 scene <- function(f) scene_axle(0.5, torque_function(f, breaks_s = numeric()))
-run <- function(f, ...) {
+# A law of the state called from within the integrator in C; a law of time alone is sampled from R.
+run <- function(f, ..., model = "axle_rk8pd") {
   out <- tryCatch(
-    suppressWarnings(trajectory(scene(f), (0:4) / 4, ...)),
+    suppressWarnings(trajectory(scene(f), (0:4) / 4, ..., model = model)),
     condition = function(c) class(c)[1]
   )
   if (is.data.frame(out)) "rows" else out
@@ -12,7 +13,7 @@ run <- function(f, ...) {
 after <- function(limit, action) {
   force(action)
   calls <- 0
-  function(t) {
+  function(t, theta, omega) {
     calls <<- calls + 1
     if (calls > limit) action()
     1
@@ -27,10 +28,10 @@ for (i in 1:20) {
     run(after(3 * i, function() stop("an R error"))),
     run(after(3 * i, function() stop(custom))),
     run(after(3 * i, function() tools::pskill(Sys.getpid(), tools::SIGINT))),
-    run(function(t) if (t > i / 25) NA else 1),
-    run(function(t) if (t > i / 25) "x" else 1),
-    run(function(t) sin(1e4 * t), max_steps = i),
-    run(function(t) if (t > i / 25) NaN else 1, on_fail = "truncate"),
+    run(function(t, theta, omega) if (t > i / 25) NA else 1),
+    run(function(t) if (t > i / 25) "x" else 1, model = NULL),
+    run(function(t, theta, omega) sin(1e4 * t), max_steps = i),
+    run(function(t, theta, omega) if (t > i / 25) NaN else 1, on_fail = "truncate"),
     callCC(function(out) run(after(3 * i, function() out("jumped")))),
     tryCatch(
       trajectory(scene_axle(1, 1, resistance(-10)), c(0, 100 * i)),
@@ -48,10 +49,10 @@ for (i in 1:2) {
   print(tryCatch(
     {
       setTimeLimit(elapsed = 0.5, transient = TRUE)
-      trajectory(scene(function(t) {
+      trajectory(scene(function(t, theta, omega) {
         Sys.sleep(0.01)
         1
-      }), (0:4000) / 4)
+      }), (0:4000) / 4, model = "axle_rk8pd")
     },
     error = function(e) "time limit"
   ))
