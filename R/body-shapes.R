@@ -1,8 +1,8 @@
-# The standard shapes, from the list in src/rot_inertia.h: shape, axis, formula, size (the name of
+# The standard shapes, from the list in src/rot_shapes.h: shape, axis, formula, size (the name of
 # the length that sizes it), k = I/(m size^2) about the axis named, kx, ky, kz about the centre.
 shape_table <- function() {
   if (is.null(shape_cache$table)) {
-    shape_cache$table <- .Call(ffi_inertia_shapes)
+    shape_cache$table <- .Call(ffi_shapes_list)
   }
   shape_cache$table
 }
@@ -25,7 +25,7 @@ new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
   of <- shape_parts(shape)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   size_m <- check_number(size_m, .subset2(of, "size_name"), "m", call, lower = 0)
-  moments <- .Call(ffi_inertia_table, .subset2(of, "k"), mass_kg, size_m)[[1L]]
+  moments <- .Call(ffi_shapes_table, .subset2(of, "k"), mass_kg, size_m)[[1L]]
   inertia <- c(moments[1L], 0, 0, 0, moments[2L], 0, 0, 0, moments[3L])
   attributes(inertia) <- .subset2(of, "tensor")
   names(size_m) <- .subset2(of, "size_name")

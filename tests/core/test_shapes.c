@@ -1,5 +1,5 @@
 /* The shapes and their moments of inertia, against integrals worked out by hand. */
-#include "rot_inertia.h"
+#include "rot_shapes.h"
 #include "rot_test.h"
 
 /* name, I/(m size^2) about the axis named, about the centre along x, y, z, and how it reads */
@@ -75,15 +75,15 @@ static void check_table(void) {
   const double k[] = {0.25, 4.0, 9.0, 1.0}, mass[] = {2.0, 5.0, 7.0, 1.0}, size = 3.0;
   const rot_column ks = {k, 1}, masses = {mass, 1}, sizes = {&size, 0};
   double inertia[4] = {-7.0, -7.0, -7.0, -7.0}, gyration[4] = {-7.0, -7.0, -7.0, -7.0};
-  rot_inertia_table(3, ks, masses, sizes, inertia, gyration);
+  rot_shapes_table(3, ks, masses, sizes, inertia, gyration);
   ROT_CHECK(inertia[0] == 4.5 && gyration[0] == 1.5);
   ROT_CHECK(inertia[1] == 180.0 && gyration[1] == 6.0);
   ROT_CHECK(inertia[2] == 567.0 && gyration[2] == 9.0);
   ROT_CHECK(inertia[3] == -7.0 && gyration[3] == -7.0);
-  rot_inertia_table(0, ks, masses, sizes, inertia + 3, gyration + 3);
+  rot_shapes_table(0, ks, masses, sizes, inertia + 3, gyration + 3);
   ROT_CHECK(inertia[3] == -7.0);
   const rot_column one_k = {k, 0}, one_mass = {mass, 0}, many_sizes = {mass, 1};
-  rot_inertia_table(3, one_k, one_mass, many_sizes, inertia, gyration);
+  rot_shapes_table(3, one_k, one_mass, many_sizes, inertia, gyration);
   ROT_CHECK(inertia[1] == 12.5 && gyration[1] == 2.5);
   ROT_CHECK(inertia[2] == 24.5 && gyration[2] == 3.5);
 }
@@ -93,7 +93,7 @@ static void check_ends(void) {
                size[] = {1e-200, 1e200, 3.0, 3.0};
   const rot_column ks = {k, 1}, masses = {mass, 1}, sizes = {size, 1};
   double inertia[4], gyration[4];
-  rot_inertia_table(4, ks, masses, sizes, inertia, gyration);
+  rot_shapes_table(4, ks, masses, sizes, inertia, gyration);
   ROT_CHECK_ULP(inertia[0], 1e-100, 3); /* size^2 is out of range, the moment is not */
   ROT_CHECK_ULP(inertia[1], 1e100, 3);
   ROT_CHECK(isnan(inertia[2]) && isnan(gyration[2]));

@@ -1,6 +1,6 @@
 /* Moments of inertia of the standard shapes: every one is a number times mass times size^2. */
-#ifndef ROT_INERTIA_H
-#define ROT_INERTIA_H
+#ifndef ROT_SHAPES_H
+#define ROT_SHAPES_H
 
 #include <stddef.h>
 
@@ -34,7 +34,7 @@ size_t rot_shape_count(void);
 const rot_shape *rot_shape_at(size_t i);
 
 /* I = k m size^2 and the radius of gyration sqrt(k) size, row by row. */
-void rot_inertia_table(size_t n, rot_column k, rot_column mass_kg, rot_column size_m,
+void rot_shapes_table(size_t n, rot_column k, rot_column mass_kg, rot_column size_m,
                        double inertia_kg_m2[], double gyration_m[]);
 
 #endif

@@ -77,7 +77,7 @@ inertia_table <- function(objects = inertia_objects()) {
   mass <- check_column(objects[["mass_kg"]], "mass_kg", "kg", call)
   check_not_negative(mass, "mass_kg", "kg", call)
 
-  moments <- .Call(ffi_inertia_table, k, mass, size)
+  moments <- .Call(ffi_shapes_table, k, mass, size)
   rolls <- shapes$size == "radius_m" & shapes$shape != "point"
   out <- as.list(objects)
   out[["moment_of_inertia_kg_m2"]] <- moments$moment_of_inertia_kg_m2

@@ -1,8 +1,8 @@
 #include "ffi.h"
-#include "rot_inertia.h"
+#include "rot_shapes.h"
 
 /* The list of shapes as columns. */
-SEXP ffi_inertia_shapes(void) {
+SEXP ffi_shapes_list(void) {
   static const char *const names[] = {"shape", "axis", "formula", "size", "k",
                                       "kx",    "ky",   "kz",      ""};
   const R_xlen_t n = (R_xlen_t)rot_shape_count();
@@ -21,14 +21,14 @@ SEXP ffi_inertia_shapes(void) {
   return out;
 }
 
-SEXP ffi_inertia_table(SEXP k, SEXP mass, SEXP size) {
+SEXP ffi_shapes_table(SEXP k, SEXP mass, SEXP size) {
   static const char *const names[] = {"moment_of_inertia_kg_m2", "radius_of_gyration_m"};
   R_xlen_t n = 1;
   const rot_column ks = ffi_column(k, "k", &n), m = ffi_column(mass, "mass_kg", &n),
                    s = ffi_column(size, "size_m", &n);
   double *columns[2];
   SEXP out = ffi_columns(2, names, n, columns);
-  rot_inertia_table((size_t)n, ks, m, s, columns[0], columns[1]);
+  rot_shapes_table((size_t)n, ks, m, s, columns[0], columns[1]);
   UNPROTECT(1);
   return out;
 }
