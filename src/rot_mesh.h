@@ -7,8 +7,8 @@
  *   solid:   V = sum d/6      V g = sum d s/24      C = sum d (s s' + a a' + b b' + c c')/120
  *   surface: A = sum |n|/2    A g = sum |n| s/6     C = sum |n| (s s' + a a' + b b' + c c')/24
  *
- * a is measured from the middle of the bounding box, in units of a power of two, and n comes from
- * the edges: so neither a distant origin nor small faces cost digits.
+ * a is measured from the middle of the bounding box, and n comes from the edges: so neither a
+ * distant origin nor small faces cost digits.
  *
  * Reference: Tonon, J. Math. Stat. 1 (2005) 8; Blow & Binstock, How to find the inertia tensor (or
  * other mass properties) of a 3D solid body represented by a triangle mesh (2004). */
@@ -30,6 +30,9 @@ typedef struct rot_mesh {
   size_t face_step, corner_step;
   /* For each vertex the one (from 0) that stands for it, after welding; NULL: itself. */
   const uint32_t *same;
+  /* For each vertex whether a face names it; NULL: all count as named. The others do not matter;
+   * were they to count, bounds and the reach would be larger. */
+  const unsigned char *used;
 } rot_mesh;
 
 static inline double rot_mesh_at(const rot_mesh *mesh, size_t vertex, size_t axis) {
@@ -53,17 +56,20 @@ typedef struct rot_mesh_entries {
 
 rot_mesh_entries rot_mesh_check_entries(const rot_mesh *mesh);
 
-/* The vertices about the middle of the box of those in use, in units of 2^exponent: none of their
- * coordinates is above 1. */
-typedef struct rot_mesh_local {
-  double *xyz; /* x, y, z of each vertex, or of the one that stands for it; 0 where not in use */
-  double centre[3], lo[3], hi[3];
-  int exponent;
-  size_t used;
-} rot_mesh_local;
+/* Marks the vertices that faces name; the number of the others. Entries are good. */
+size_t rot_mesh_mark_used(const rot_mesh *mesh, unsigned char used[]);
 
-/* ROT_EVALUE for bad entries or no face. On success local->xyz is the caller's to free. */
-rot_status rot_mesh_localise(const rot_mesh *mesh, rot_mesh_local *local);
+/* The box of the vertices in use. */
+typedef struct rot_mesh_box {
+  double lo[3], hi[3], centre[3];
+  int exponent; /* the largest half of a side is between a half and one 2^exponent */
+} rot_mesh_box;
+
+/* The mesh itself, or where the squares and cubes of its size would leave the range of doubles, one
+ * 2^-exponent its size: *exponent is 0 or that, *copy is 0 or the caller's to free. ROT_EVALUE for
+ * bad entries or no face. */
+rot_status rot_mesh_tame(const rot_mesh *mesh, rot_mesh *tame, rot_mesh_box *box, int *exponent,
+                         double **copy);
 
 typedef struct rot_mesh_moments {
   double size;             /* volume with its sign, or area */

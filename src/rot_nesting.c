@@ -16,7 +16,6 @@ typedef struct work {
   const rot_mesh *mesh;
   const uint32_t *component;
   size_t components;
-  double *xyz;
   part *parts;
   uint32_t *face; /* ordered by component */
 } work;
@@ -26,10 +25,9 @@ enum { POINTS = 8 };
 /* Faces and boxes that may be looked at: some seconds. */
 static const double most_looks = 4e8;
 
-/* Not through mesh->same: each vertex in use has its stand-in's place already. */
-static const double *corner_at(const work *w, size_t face, size_t k) {
-  const rot_mesh *mesh = w->mesh;
-  return w->xyz + 3 * (size_t)(mesh->corner[face * mesh->face_step + k * mesh->corner_step] - 1);
+static void corner_at(const work *w, size_t face, size_t k, double at[3]) {
+  const size_t vertex = rot_mesh_corner(w->mesh, face, k);
+  for (size_t j = 0; j < 3; j++) at[j] = rot_mesh_at(w->mesh, vertex, j);
 }
 
 static void cross(const double a[3], const double b[3], double out[3], double *gross) {
@@ -45,21 +43,20 @@ static void cross(const double a[3], const double b[3], double out[3], double *g
 
 static void add_to_part(const work *w, size_t face, rot_nesting *out) {
   part *to = &w->parts[w->component[face]];
+  double corner[3][3], origin[3], at[3], u[3], v[3], n[3], gross;
   /* From a corner of its own: far away parts of another size cost no digits. */
-  const double *origin = corner_at(w, w->face[to->begin], 0);
-  double at[3], u[3], v[3], n[3], gross;
+  corner_at(w, w->face[to->begin], 0, origin);
   for (size_t k = 0; k < 3; k++) {
-    const double *corner = corner_at(w, face, k);
+    corner_at(w, face, k, corner[k]);
     for (int j = 0; j < 3; j++) {
-      to->lo[j] = corner[j] < to->lo[j] ? corner[j] : to->lo[j];
-      to->hi[j] = corner[j] > to->hi[j] ? corner[j] : to->hi[j];
+      to->lo[j] = corner[k][j] < to->lo[j] ? corner[k][j] : to->lo[j];
+      to->hi[j] = corner[k][j] > to->hi[j] ? corner[k][j] : to->hi[j];
     }
   }
   for (int j = 0; j < 3; j++) {
-    const double a = corner_at(w, face, 0)[j];
-    at[j] = a - origin[j];
-    u[j] = corner_at(w, face, 1)[j] - a;
-    v[j] = corner_at(w, face, 2)[j] - a;
+    at[j] = corner[0][j] - origin[j];
+    u[j] = corner[1][j] - corner[0][j];
+    v[j] = corner[2][j] - corner[0][j];
   }
   cross(u, v, n, &gross);
   out->zero_area_faces += !(fabs(n[0]) + fabs(n[1]) + fabs(n[2]) > 8.0 * ROT_EPS * gross);
@@ -96,8 +93,8 @@ static void gather_parts(const work *w, rot_nesting *out) {
 static double half_angle(const work *w, size_t face, const double p[3]) {
   double r[3][3], length[3], n[3], gross;
   for (size_t k = 0; k < 3; k++) {
-    const double *at = corner_at(w, face, k);
-    for (int j = 0; j < 3; j++) r[k][j] = at[j] - p[j];
+    corner_at(w, face, k, r[k]);
+    for (int j = 0; j < 3; j++) r[k][j] -= p[j];
     length[k] = sqrt(r[k][0] * r[k][0] + r[k][1] * r[k][1] + r[k][2] * r[k][2]);
   }
   cross(r[1], r[2], n, &gross);
@@ -144,10 +141,9 @@ static int place_component(const work *w, size_t self, double *looks, double *ar
   *around = 0.0;
   for (size_t i = 0; i < points; i++) {
     const size_t face = w->face[of->begin + i * (n / points)];
-    double p[3];
-    for (int k = 0; k < 3; k++) {
-      p[k] = (corner_at(w, face, 0)[k] + corner_at(w, face, 1)[k] + corner_at(w, face, 2)[k]) / 3.0;
-    }
+    double corner[3][3], p[3];
+    for (size_t k = 0; k < 3; k++) corner_at(w, face, k, corner[k]);
+    for (int j = 0; j < 3; j++) p[j] = (corner[0][j] + corner[1][j] + corner[2][j]) / 3.0;
     const double one = count_around(w, self, p, looks);
     if (!isfinite(one)) continue; /* there it touches another */
     if (seen && (one < *around || one > *around)) return 0;
@@ -192,24 +188,28 @@ static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_nesting
 
 rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], size_t components,
                              const rot_hooks *hooks, double volume[], rot_nesting *out) {
-  rot_mesh_local local;
+  rot_mesh tame;
+  rot_mesh_box box;
+  double *copy;
+  int exponent;
   *out = (rot_nesting){0};
-  rot_status status = rot_mesh_localise(mesh, &local);
-  if (status != ROT_OK) return status;
-  work w = {mesh, component, components, local.xyz, NULL, NULL};
-  w.parts = rot_mesh_alloc(components, sizeof *w.parts);
-  w.face = rot_mesh_alloc(mesh->faces, sizeof *w.face);
-  status = w.parts && w.face ? ROT_OK : ROT_ENOMEM;
+  work w = {&tame, component, components, NULL, NULL};
+  rot_status status = rot_mesh_tame(mesh, &tame, &box, &exponent, &copy);
+  if (status == ROT_OK) {
+    w.parts = rot_mesh_alloc(components, sizeof *w.parts);
+    w.face = rot_mesh_alloc(mesh->faces, sizeof *w.face);
+    status = w.parts && w.face ? ROT_OK : ROT_ENOMEM;
+  }
   if (status == ROT_OK) {
     gather_parts(&w, out);
     for (size_t i = 0; i < components; i++) {
       volume[i] = w.parts[i].volume;
-      for (int k = 0; k < 3; k++) volume[i] = ldexp(volume[i], local.exponent);
+      for (int k = 0; k < 3; k++) volume[i] = ldexp(volume[i], exponent);
     }
     status = judge_parts(&w, hooks, out);
   }
   free(w.parts);
   free(w.face);
-  free(local.xyz);
+  free(copy);
   return status;
 }

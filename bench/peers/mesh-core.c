@@ -40,7 +40,7 @@ static void make_torus(size_t n, size_t m, double offset) {
       corner[face + 1 + 2 * nf] = (int)(i * m + k) + 1;
     }
   }
-  mesh = (rot_mesh){nv, nf, xyz, 1, nv, corner, 1, nf, NULL};
+  mesh = (rot_mesh){nv, nf, xyz, 1, nv, corner, 1, nf, NULL, NULL};
   same = room(nv, sizeof *same);
   component = room(nf, sizeof *component);
 }

@@ -20,7 +20,7 @@ static inline shape shape_room(size_t vertices, size_t faces) {
              0,
              malloc(3 * vertices * sizeof(double) + 1),
              malloc(3 * faces * sizeof(int) + 1),
-             {0, 0, NULL, 3, 1, NULL, 3, 1, NULL}};
+             {0, 0, NULL, 3, 1, NULL, 3, 1, NULL, NULL}};
   if (!s.xyz || !s.corner) abort();
   return s;
 }

@@ -127,7 +127,6 @@ static void test_tetrahedron(void) {
     for (int k = 0; k < 6; k++) {
       ROT_CHECK(fabs(got.second_moment[k] - want[k]) <= 1e-15 * 0.525);
     }
-
     ROT_CHECK(got.error < 1e-13);
     /* Half a last digit of 1e8 is 7e-9. */
     if (fabs(offsets[i]) > 1e7) {
@@ -285,6 +284,7 @@ static void test_layout(void) {
   double columns[27];
   int corners[36];
   uint32_t same[9];
+  unsigned char used[9];
   add_box(&s, lo, hi, 0);
   ROT_CHECK_EQ_INT(rot_mesh_solid(shape_mesh(&s), NULL, &one), ROT_OK);
   shape_vertex(&s, 1e300, NAN, 0.0);
@@ -295,7 +295,9 @@ static void test_layout(void) {
   for (size_t i = 0; i < 12; i++) {
     for (size_t k = 0; k < 3; k++) corners[k * 12 + i] = s.corner[3 * i + k];
   }
-  rot_mesh mesh = {9, 12, columns, 1, 9, corners, 1, 12, same};
+  rot_mesh mesh = {9, 12, columns, 1, 9, corners, 1, 12, same, used};
+  ROT_CHECK_EQ_INT(rot_mesh_mark_used(&mesh, used), 1);
+  ROT_CHECK(used[7] && !used[8]);
   ROT_CHECK_EQ_INT(rot_mesh_solid(&mesh, NULL, &got), ROT_OK);
   for (int k = 0; k < 6; k++) ROT_CHECK_ULP(got.second_moment[k], one.second_moment[k], 0);
   /* Vertex 9 stands for vertex 8, and faces still name 8. */
