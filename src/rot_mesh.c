@@ -116,31 +116,57 @@ static int find_box(const rot_mesh *mesh, rot_mesh_box *box) {
 /* Fifth powers of lengths, and their squares, must neither overflow nor underflow. */
 enum { TAME = 64 };
 
-rot_status rot_mesh_tame(const rot_mesh *mesh, rot_mesh *tame, rot_mesh_box *box, int *exponent,
-                         double **copy) {
-  *tame = *mesh;
-  *exponent = 0;
-  *copy = NULL;
-  if (!corners_ok(mesh) || !find_box(mesh, box)) return ROT_EVALUE;
+static rot_status shrink(rot_mesh_tamed *tame) {
+  rot_mesh *mesh = &tame->mesh;
+  rot_mesh_box *box = &tame->box;
   if (abs(box->exponent) <= TAME) return ROT_OK;
-  *exponent = box->exponent;
-  *copy = rot_mesh_alloc(mesh->vertices, 3 * sizeof **copy);
-  if (!*copy) return ROT_ENOMEM;
+  tame->exponent = box->exponent;
+  tame->xyz = rot_mesh_alloc(mesh->vertices, 3 * sizeof *tame->xyz);
+  if (!tame->xyz) return ROT_ENOMEM;
   /* Two factors: 2^1074 alone is no double. */
-  const int e1 = -*exponent / 2, e2 = -*exponent - e1;
+  const int e1 = -tame->exponent / 2, e2 = -tame->exponent - e1;
   const double s1 = ldexp(1.0, e1), s2 = ldexp(1.0, e2);
   for (size_t i = 0; i < mesh->vertices; i++) {
-    for (size_t k = 0; k < 3; k++) (*copy)[3 * i + k] = rot_mesh_at(mesh, i, k) * s1 * s2;
+    for (size_t k = 0; k < 3; k++) tame->xyz[3 * i + k] = rot_mesh_at(mesh, i, k) * s1 * s2;
   }
   for (int k = 0; k < 3; k++) {
     box->lo[k] = box->lo[k] * s1 * s2;
     box->hi[k] = box->hi[k] * s1 * s2;
     box->centre[k] = box->centre[k] * s1 * s2;
   }
-  tame->xyz = *copy;
-  tame->vertex_step = 3;
-  tame->axis_step = 1;
+  mesh->xyz = tame->xyz;
+  mesh->vertex_step = 3;
+  mesh->axis_step = 1;
   return ROT_OK;
+}
+
+static rot_status resolve(rot_mesh_tamed *tame) {
+  rot_mesh *mesh = &tame->mesh;
+  if (!mesh->same) return ROT_OK;
+  tame->corner = rot_mesh_alloc(mesh->faces, 3 * sizeof *tame->corner);
+  if (!tame->corner) return ROT_ENOMEM;
+  for (size_t i = 0; i < mesh->faces; i++) {
+    for (size_t k = 0; k < 3; k++) tame->corner[3 * i + k] = (int)rot_mesh_corner(mesh, i, k) + 1;
+  }
+  mesh->corner = tame->corner;
+  mesh->face_step = 3;
+  mesh->corner_step = 1;
+  return ROT_OK;
+}
+
+rot_status rot_mesh_tame(const rot_mesh *mesh, rot_mesh_tamed *tame) {
+  *tame = (rot_mesh_tamed){0};
+  tame->mesh = *mesh;
+  if (!corners_ok(mesh) || !find_box(mesh, &tame->box)) return ROT_EVALUE;
+  rot_status status = shrink(tame);
+  return status == ROT_OK ? resolve(tame) : status;
+}
+
+void rot_mesh_tame_free(rot_mesh_tamed *tame) {
+  free(tame->xyz);
+  free(tame->corner);
+  tame->xyz = NULL;
+  tame->corner = NULL;
 }
 
 /* ---- the sums ------------------------------------------------------------------------------- */
@@ -319,22 +345,20 @@ static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell
 
 static rot_status moments(const rot_mesh *mesh, int shell, const rot_hooks *hooks,
                           rot_mesh_moments *out) {
-  rot_mesh tame;
-  rot_mesh_box box;
-  double *copy;
-  int e;
+  rot_mesh_tamed tame;
   *out = (rot_mesh_moments){0};
-  rot_status status = rot_mesh_tame(mesh, &tame, &box, &e, &copy);
-  if (status == ROT_OK) status = judge(&tame, &box, shell, hooks, out);
-  free(copy);
+  rot_status status = rot_mesh_tame(mesh, &tame);
+  if (status == ROT_OK) status = judge(&tame.mesh, &tame.box, shell, hooks, out);
+  rot_mesh_tame_free(&tame);
   if (status != ROT_OK) return status;
+  const int e = tame.exponent;
   out->size = power_of_two(out->size, e, shell ? 2 : 3);
   out->area = power_of_two(out->area, e, 2);
   for (int k = 0; k < 6; k++) out->second_moment[k] = power_of_two(out->second_moment[k], e, 2);
   for (int k = 0; k < 3; k++) {
     out->centre[k] = ldexp(out->centre[k], e);
-    out->lo[k] = ldexp(box.lo[k], e);
-    out->hi[k] = ldexp(box.hi[k], e);
+    out->lo[k] = ldexp(tame.box.lo[k], e);
+    out->hi[k] = ldexp(tame.box.hi[k], e);
   }
   out->reach = ldexp(out->reach * (1.0 + 16.0 * ROT_EPS), e);
   return ROT_OK;

@@ -65,11 +65,19 @@ typedef struct rot_mesh_box {
   int exponent; /* the largest half of a side is between a half and one 2^exponent */
 } rot_mesh_box;
 
-/* The mesh itself, or where the squares and cubes of its size would leave the range of doubles, one
- * 2^-exponent its size: *exponent is 0 or that, *copy is 0 or the caller's to free. ROT_EVALUE for
- * bad entries or no face. */
-rot_status rot_mesh_tame(const rot_mesh *mesh, rot_mesh *tame, rot_mesh_box *box, int *exponent,
-                         double **copy);
+/* The mesh itself, but where the squares and cubes of its size would leave the range of doubles it
+ * is 2^-exponent its size, and the corners name the vertices that stand for others. */
+typedef struct rot_mesh_tamed {
+  rot_mesh mesh;
+  rot_mesh_box box;
+  int exponent; /* 0 where the size is as it was */
+  double *xyz;  /* what was made for it, or NULL */
+  int *corner;
+} rot_mesh_tamed;
+
+/* ROT_EVALUE for bad entries or no face, ROT_ENOMEM. To be freed in any case. */
+rot_status rot_mesh_tame(const rot_mesh *mesh, rot_mesh_tamed *tame);
+void rot_mesh_tame_free(rot_mesh_tamed *tame);
 
 typedef struct rot_mesh_moments {
   double size;             /* volume with its sign, or area */

@@ -45,11 +45,11 @@ typedef struct mesh_corners {
 #define ROT_EACH(f) (f(0))
 #endif
 
-/* Where the kernel reads, in variables of its own: the sums it writes might be anywhere. */
+/* Where the kernel reads, in variables of its own: the sums it writes might be anywhere. The
+ * corners of a tame mesh name the vertices that stand for others themselves. */
 typedef struct mesh_source {
   const double *x, *y, *z;
   const int *corner[3];
-  const uint32_t *same;
   size_t vertex_step, face_step;
   rot_pair centre[3];
 } mesh_source;
@@ -61,7 +61,6 @@ ROT_INLINE mesh_source open_source(const rot_mesh *mesh, const double centre[3])
                               x + mesh->axis_step,
                               x + 2 * mesh->axis_step,
                               {c, c + mesh->corner_step, c + 2 * mesh->corner_step},
-                              mesh->same,
                               mesh->vertex_step,
                               mesh->face_step,
                               {ROT_BOTH(centre[0]), ROT_BOTH(centre[1]), ROT_BOTH(centre[2])}};
@@ -75,7 +74,6 @@ ROT_INLINE void load_corner(const mesh_source *from, size_t face, size_t end, in
   for (size_t lane = 0; lane < ROT_PAIR; lane++) {
     const size_t one = whole || face + lane < end ? face + lane : end - 1;
     at[lane] = (size_t)from->corner[k][one * from->face_step] - 1;
-    if (from->same) at[lane] = from->same[at[lane]];
     at[lane] *= from->vertex_step;
   }
 #define X(lane) (from->x[at[lane]])

@@ -188,13 +188,10 @@ static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_nesting
 
 rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], size_t components,
                              const rot_hooks *hooks, double volume[], rot_nesting *out) {
-  rot_mesh tame;
-  rot_mesh_box box;
-  double *copy;
-  int exponent;
+  rot_mesh_tamed tame;
   *out = (rot_nesting){0};
-  work w = {&tame, component, components, NULL, NULL};
-  rot_status status = rot_mesh_tame(mesh, &tame, &box, &exponent, &copy);
+  work w = {&tame.mesh, component, components, NULL, NULL};
+  rot_status status = rot_mesh_tame(mesh, &tame);
   if (status == ROT_OK) {
     w.parts = rot_mesh_alloc(components, sizeof *w.parts);
     w.face = rot_mesh_alloc(mesh->faces, sizeof *w.face);
@@ -204,12 +201,12 @@ rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], s
     gather_parts(&w, out);
     for (size_t i = 0; i < components; i++) {
       volume[i] = w.parts[i].volume;
-      for (int k = 0; k < 3; k++) volume[i] = ldexp(volume[i], exponent);
+      for (int k = 0; k < 3; k++) volume[i] = ldexp(volume[i], tame.exponent);
     }
     status = judge_parts(&w, hooks, out);
   }
   free(w.parts);
   free(w.face);
-  free(copy);
+  rot_mesh_tame_free(&tame);
   return status;
 }
