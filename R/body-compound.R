@@ -143,7 +143,7 @@ combine_bodies <- function(parts, sign, name, call) {
   }
   trace <- sum(diag(sum$second_kg_m2))
   traces <- colSums(seconds[1:3, , drop = FALSE])
-  error <- if (trace > 0) sum(pick("error") * traces) / trace + sum$error else 0
+  error <- (if (trace > 0) sum(pick("error") * traces) / trace else 0) + sum$error
   kinds <- vapply(parts, function(b) b$error_kind, character(1))
   away <- sqrt(colSums((centres - sum$centre_m)^2))
   new_body(
