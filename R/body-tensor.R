@@ -39,15 +39,17 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
   if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
+  # About whatever point: it must be some body's. And only what is symmetric can be moved.
+  tensor <- check_inertia_or_abort(tensor, mass_kg, call)
   point <- as_point(about, list(centre_m = centre_m), "about", call)
   rotation <- if (identical(axes, "own")) NULL else as_rotation(axes, "axes", call)
   d <- centre_m - point
   scale <- sum(abs(diag(tensor)))
   if (!is.null(rotation)) {
-    tensor <- .Call(ffi_inertia_rotate, symmetrise(tensor), rotation)
+    tensor <- .Call(ffi_inertia_rotate, tensor, rotation)
   }
   if (any(d != 0)) {
-    tensor <- .Call(ffi_inertia_shift, symmetrise(tensor), mass_kg, d, -1)
+    tensor <- .Call(ffi_inertia_shift, tensor, mass_kg, d, -1)
     tensor <- check_shifted(tensor, tensor + mass_kg * sum(d^2), mass_kg, d, call)
   }
   tensor <- check_inertia_or_abort(tensor, mass_kg, call, reach_m = reach_m)

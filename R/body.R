@@ -8,6 +8,9 @@ new_body <- function(shape, mass_kg, second_moment_kg_m2, centre_m = c(0, 0, 0),
                      source = "", provenance = "formula", detail = list(), error = NA_real_,
                      error_kind = "bound") {
   tensors <- .Call(ffi_inertia_tensors, second_moment_kg_m2)
+  if (!all(is.finite(.subset2(tensors, 2L)))) {
+    abort_rotdyn("The body's inertia is beyond double precision.", "range", rlang::caller_env())
+  }
   attr(centre_m, "names") <- c("x", "y", "z")
   body <- list(
     shape = shape,

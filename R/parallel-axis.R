@@ -77,11 +77,7 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
 parallel_axis_tensor <- function(inertia, mass, d, sign, call) {
   mass <- check_number(mass, "mass_kg", "kg", call, lower = 0)
   d <- check_vector(d, "distance_m", "m", call)
-  tensor <- if (sign > 0) {
-    check_inertia_or_abort(inertia, mass, call)
-  } else {
-    as_tensor(inertia, "inertia_kg_m2", call)
-  }
+  tensor <- check_inertia_or_abort(as_tensor(inertia, "inertia_kg_m2", call), mass, call)
   out <- .Call(ffi_inertia_shift, tensor, mass, d, sign)
   if (sign < 0) {
     out <- check_shifted(out, tensor, mass, d, call)
