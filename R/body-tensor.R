@@ -49,7 +49,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     tensor <- .Call(ffi_inertia_rotate, tensor, rotation)
   }
   if (any(d != 0)) {
-    tensor <- .Call(ffi_inertia_shift, tensor, mass_kg, d, -1)
+    tensor <- check_in_range(.Call(ffi_inertia_shift, tensor, mass_kg, d, -1), call)
     tensor <- check_shifted(tensor, tensor + mass_kg * sum(d^2), mass_kg, d, call)
   }
   tensor <- check_inertia_or_abort(tensor, mass_kg, call, reach_m = reach_m)

@@ -121,7 +121,8 @@ describe_symmetry <- function(axes) {
 #' @export
 print.rot_principal_axes <- function(x, ...) {
   symmetry <- attr(x, "symmetry")
-  if (!is.null(symmetry)) {
+  # Not where rows or columns were taken out.
+  if (!is.null(symmetry) && "unique" %in% names(x) && nrow(x) == 3L) {
     cat("# Principal axes about the centre of mass: ", describe_symmetry(x), "\n", sep = "")
   }
   NextMethod()

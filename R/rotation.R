@@ -65,7 +65,9 @@ as_rotation <- function(rotation, arg, call) {
   if (is.null(rotation)) {
     return(diag(3))
   }
-  if (!is.numeric(rotation) || is.object(rotation) || !length(rotation) %in% c(4L, 9L)) {
+  size <- dim(rotation) %||% length(rotation)
+  if (!is.numeric(rotation) || is.object(rotation) ||
+    !(identical(size, c(3L, 3L)) || identical(size, 4L))) {
     abort_rotdyn(
       c(
         "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
