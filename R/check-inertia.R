@@ -3,7 +3,7 @@
 # I1 <= I2 <= I3 the smallest eigenvalue of C is (I1 + I2 - I3)/2, and a body exists just where that
 # is at least 0. The diagonal alone does not tell: its three sums may hold where this one fails.
 #
-# Source: Wittenburg, Dynamics of Multibody Systems, 2nd ed. (2008), section 3.1.
+# Source: Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60.
 
 inertia_entries <- c("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 entry_places <- cbind(c(1L, 2L, 3L, 1L, 1L, 2L), c(1L, 2L, 3L, 2L, 3L, 3L))
@@ -53,8 +53,8 @@ asymmetry_allowed <- 1e-12
 #' @param ... Nothing.
 #' @param mass_kg Mass, one or one a row; NA where it is not known. A data frame's own column
 #'   `mass_kg` is used if this is not given.
-#' @param size_m How far the body reaches from its centre of mass, greater than 0; NA where it is not
-#'   known. A data frame's own column `size_m` is used if this is not given.
+#' @param size_m How far the body reaches from its centre of mass, greater than 0; NA where it is
+#'   not known. A data frame's own column `size_m` is used if this is not given.
 #' @param products What the numbers off the diagonal are. `"negative"`: the tensor's own entries,
 #'   ixy = -int x y dm, as in URDF, SDF and most simulators. `"positive"`: the products of inertia
 #'   int x y dm, as most CAD programs print them.
@@ -66,19 +66,19 @@ asymmetry_allowed <- 1e-12
 #'
 #'   `inertia_repairs()`: a tibble, one row a change of an entry:
 #'   `r describe_columns(repair_columns)`
-#'   Sizes: 1 for the last digit; 2 for a sign, a repetition, a triangle of the matrix or a unit; 3 for two
-#'   entries swapped; 1 + n for a decimal point moved n places. Repairs one larger than the smallest
-#'   are listed, too.
+#'   Sizes: 1 for the last digit; 2 for a sign, a repetition, a triangle of the matrix or a unit; 3
+#'   for two entries swapped; 1 + n for a decimal point moved n places. Repairs one larger than the
+#'   smallest are listed, too.
 #' @section How often a suggestion is right:
-#' `bench/inertia-repair.R` draws 4000 random bodies (5 to 60 points, boxes of random sides), moves
-#' the decimal point of one moment one or two places so that no body is left, and asks for the
-#' repair: `r repair_figures`
+#' `bench/inertia-repair.R` draws random bodies (5 to 60 points in boxes of random sides), moves the
+#' decimal point of one moment one or two places, and asks for the repair wherever no body is left.
+#' `r repair_figures`
 #' @section Errors: `rotdyn_error_type` for what is none of these; `rotdyn_error_size` for other
 #'   numbers of entries; `rotdyn_error_value` for names that are missing, and sizes that are not
-#'   greater than 0; `rotdyn_error_unit` for units objects of another dimension. NA, NaN and Inf in a
-#'   tensor or a mass (NA excepted) are no error: the check says so.
-#' @source Wittenburg, Dynamics of Multibody Systems, 2nd ed. (2008), section 3.1; Traversaro,
-#'   Brossette, Escande and Nori, IROS (2016) 5516, for why a positive definite tensor is not enough.
+#'   greater than 0; `rotdyn_error_unit` for units objects of another dimension. NA, NaN and Inf in
+#'   a tensor are no error: the check says so. So it does for a mass of NaN or Inf.
+#' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60; Traversaro,
+#'   Brossette, Escande and Nori, IROS (2016) 5516, for why positive definite is not enough.
 #' @seealso [read_links()] checks a robot description.
 #' @examples
 #' # A robot's link whose izz lost its decimal point.
@@ -237,7 +237,7 @@ known_numbers <- function(x, with_x, arg, unit, n, call) {
     return(rep_len(NA_real_, n))
   }
   x <- check_column(x, arg, unit, call)
-  check_rows(length(x), arg, n, call)
+  check_one_or_each(length(x), arg, n, call)
   rep_len(as.double(x), n)
 }
 
@@ -253,11 +253,11 @@ known_names <- function(name, with_x, n, call) {
       c("{.arg name} must be text.", x = "It is {describe_value(name)}."), "type", call
     )
   }
-  check_rows(length(name), "name", n, call)
+  check_one_or_each(length(name), "name", n, call)
   rep_len(name, n)
 }
 
-check_rows <- function(length, arg, n, call) {
+check_one_or_each <- function(length, arg, n, call) {
   if (length != 1L && length != n) {
     abort_rotdyn(
       c(
@@ -274,7 +274,7 @@ check_rows <- function(length, arg, n, call) {
 check_tensors <- function(given, mass_kg, size_m, object) {
   n <- length(given$tensor)
   judged <- lapply(seq_len(n), function(i) {
-    judge_tensor(given$tensor[[i]], mass_kg[i], size_m[i])
+    judge_tensor(given$tensor[[i]], mass_kg[i], size_m[i], given$sign)
   })
   repairs <- lapply(seq_len(n), function(i) {
     repairs_of(given$tensor[[i]], mass_kg[i], size_m[i], given$sign, judged[[i]])
@@ -318,7 +318,8 @@ verdict_of <- function(margin) {
   )
 }
 
-judge_tensor <- function(tensor, mass_kg, size_m) {
+# `sign` only puts the user's own numbers into the words.
+judge_tensor <- function(tensor, mass_kg, size_m, sign = 1) {
   bad <- sum(!is.finite(tensor))
   rows <- list(
     condition_row(
@@ -332,16 +333,14 @@ judge_tensor <- function(tensor, mass_kg, size_m) {
       )))
     }
   } else {
-    rows <- c(rows, list(judge_symmetry(tensor)))
-    moments <- principal_moments(symmetric_part(tensor))
-    rows <- c(rows, judge_moments(moments))
-    known <- !is.na(mass_kg) && is.finite(mass_kg)
-    if (known && mass_kg > 0 && !is.na(size_m)) {
-      rows <- c(rows, list(judge_size(moments, mass_kg, size_m)))
-    }
+    found <- principal_moments(symmetric_part(tensor))
+    rows <- c(rows, list(judge_symmetry(tensor, sign)), judge_moments(found))
   }
   if (!is.na(mass_kg) || is.nan(mass_kg)) {
     rows <- c(rows, list(judge_mass(mass_kg, any(tensor != 0, na.rm = TRUE))))
+  }
+  if (!bad && is_positive(mass_kg) && !is.na(size_m)) {
+    rows <- c(rows, list(judge_size(found, mass_kg, size_m)))
   }
   fields <- names(rows[[1L]])
   judged <- lapply(fields, function(field) unlist(lapply(rows, `[[`, field)))
@@ -349,14 +348,13 @@ judge_tensor <- function(tensor, mass_kg, size_m) {
   judged
 }
 
-# Ascending. Scaled by a power of 2, so that no sum or square leaves the range.
+# Ascending, and the second moments along the axes, descending; exact to the rounding of each.
+# A power of 2 taken out, so that no sum leaves the range.
 principal_moments <- function(tensor) {
   largest <- max(abs(tensor))
-  if (largest == 0) {
-    return(c(0, 0, 0))
-  }
-  scale <- 2^floor(log2(largest))
-  rev(eigen(tensor / scale, symmetric = TRUE, only.values = TRUE)$values) * scale
+  scale <- if (largest > 0) 2^floor(log2(largest)) else 1
+  found <- .Call(ffi_inertia_principal, .Call(ffi_inertia_second, tensor / scale), 0)
+  list(moment = found$moment, second = found$second, scale = scale)
 }
 
 asymmetry <- function(tensor) {
@@ -382,7 +380,7 @@ meaning_finite <- function(tensor) {
   paste0(paste(inertia_entries[at], "is", format_si(values), collapse = ", "), ": no number")
 }
 
-judge_symmetry <- function(tensor) {
+judge_symmetry <- function(tensor, sign) {
   value <- asymmetry(tensor)
   verdict <- if (value == 0) {
     "holds"
@@ -396,11 +394,12 @@ judge_symmetry <- function(tensor) {
   } else {
     difference <- abs(tensor - t(tensor))[entry_places]
     at <- which.max(difference)
-    both <- format_number(c(tensor[entry_places][at], t(tensor)[entry_places][at]))
+    both <- format_number(sign * c(tensor[entry_places][at], t(tensor)[entry_places][at]))
+    entry <- strsplit(inertia_entries[at], "")[[1L]]
     if (verdict == "fails") {
       paste0(
         inertia_entries[at], " is ", both[1L], " above the diagonal and ", both[2L],
-        " below it: int x y dm has one value"
+        " below it: int ", entry[2L], " ", entry[3L], " dm has one value"
       )
     } else {
       "entries across the diagonal differ by rounding: their mean is taken"
@@ -409,14 +408,18 @@ judge_symmetry <- function(tensor) {
   condition_row("symmetric", value, asymmetry_allowed, asymmetry_allowed - value, verdict, meaning)
 }
 
-judge_moments <- function(moments) {
-  largest <- max(abs(moments))
-  relative <- if (largest > 0) moments / largest else moments
-  excess <- relative[1L] + relative[2L] - relative[3L]
+# The excess I1 + I2 - I3 is twice the smallest second moment, which Jacobi's rotations keep where
+# the sum of three moments would have lost it.
+judge_moments <- function(found) {
+  largest <- max(abs(found$moment))
+  if (largest == 0) largest <- 1
+  smallest <- found$moment[1L] / largest
+  excess <- 2 * found$second[3L] / largest
+  moments <- found$moment * found$scale
   list(
     condition_row(
-      "positive semidefinite", moments[1L], 0, relative[1L], verdict_of(relative[1L]),
-      if (relative[1L] >= margin_of_legality) {
+      "positive semidefinite", moments[1L], 0, smallest, verdict_of(smallest),
+      if (smallest >= margin_of_legality) {
         "no axis has a negative moment of inertia"
       } else {
         paste0(
@@ -426,25 +429,26 @@ judge_moments <- function(moments) {
       }
     ),
     condition_row(
-      "triangle inequality", excess * largest, 0, excess, verdict_of(excess),
-      meaning_triangle(moments, relative, excess)
+      "triangle inequality", 2 * found$second[3L] * found$scale, 0, excess, verdict_of(excess),
+      meaning_triangle(moments, smallest, excess)
     )
   )
 }
 
-meaning_triangle <- function(moments, relative, excess) {
+meaning_triangle <- function(moments, smallest, excess) {
   if (excess < margin_of_legality) {
     return(paste0(
       "the largest principal moment, ", format_si(moments[3L]),
-      " kg m^2, exceeds the sum of the others, ", format_si(sum(moments[1:2])),
+      " kg m^2, exceeds the sum of the others, ", format_si(moments[1L] + moments[2L]),
       ": mass away from an axis is away from a second one, too"
     ))
   }
+  flat <- excess <= -margin_of_legality
   if (moments[3L] == 0) {
     "a point: no moment about any axis"
-  } else if (abs(excess) <= -margin_of_legality && abs(relative[1L]) <= -margin_of_legality) {
+  } else if (flat && smallest <= -margin_of_legality) {
     "a rod: all mass on one line"
-  } else if (abs(excess) <= -margin_of_legality) {
+  } else if (flat) {
     "a plate: all mass in one plane"
   } else {
     "no principal moment exceeds the sum of the others"
@@ -471,18 +475,9 @@ judge_mass <- function(mass_kg, has_inertia) {
   )
 }
 
-radius_of_moments <- function(moments, mass_kg) {
-  largest <- max(abs(moments))
-  if (largest == 0) {
-    return(0)
-  }
-  # The largest eigenvalue of C; halves, because the sum may be beyond the largest double.
-  second <- max(0, moments[2L] / 2 + moments[3L] / 2 - moments[1L] / 2)
-  sqrt(second) / sqrt(mass_kg)
-}
-
-judge_size <- function(moments, mass_kg, size_m) {
-  radius <- radius_of_moments(moments, mass_kg)
+judge_size <- function(found, mass_kg, size_m) {
+  # Roots apart: the quotient of the numbers may leave the range. The scale is a power of 2.
+  radius <- sqrt(max(0, found$second[1L])) * sqrt(found$scale) / sqrt(mass_kg)
   margin <- 1 - radius / size_m
   verdict <- verdict_of(margin)
   condition_row(
@@ -515,7 +510,7 @@ print.rot_inertia_check <- function(x, ...) {
     return(NextMethod())
   }
   rows <- unique(x$row)
-  for (row in utils::head(rows, 10L)) {
+  for (row in rows[seq_len(min(length(rows), 10L))]) {
     print_one_check(x[x$row == row, ])
   }
   if (length(rows) > 10L) {
@@ -539,22 +534,33 @@ print_one_check <- function(x) {
   label <- if (is.na(x$object[1L])) paste("tensor", x$row[1L]) else x$object[1L]
   cat("<rot_inertia_check> ", label, ": ", head, "\n", sep = "")
   verdict <- ifelse(x$verdict == "fails", "FAILS", x$verdict)
-  lines <- paste0("  ", format(x$condition), "  ", format(verdict), "  ", x$meaning)
-  cat(strwrap(lines, width = 96L, exdent = 8L), sep = "\n")
+  labels <- paste0("  ", format(x$condition), "  ", format(verdict), "  ")
+  indent <- nchar(labels[1L])
+  for (i in seq_along(labels)) {
+    words <- strwrap(x$meaning[i], width = max(98L - indent, 30L), exdent = 2L)
+    cat(paste0(c(labels[i], rep(strrep(" ", indent), length(words) - 1L)), words), sep = "\n")
+  }
   for (text in x$suggestion[!is.na(x$suggestion)]) {
-    cat(strwrap(paste("suggestion:", text), width = 96L, indent = 2L, exdent = 4L), sep = "\n")
+    cat(strwrap(paste("suggestion:", text), width = 98L, indent = 2L, exdent = 4L), sep = "\n")
+  }
+  if (failed && all(is.na(x$suggestion))) {
+    cat("  no small change of one entry makes every condition hold\n")
   }
 }
 
 # ---- for body_tensor() ----------------------------------------------------------------------
 
 # The symmetric 3 x 3 tensor, or an error that says which condition fails, by how much, and what
-# slip would explain it. What held by rounding alone is said.
-check_inertia_or_abort <- function(tensor, mass_kg, call) {
+# slip would explain it. What held by rounding alone is said. A mass or a reach that is NULL or NA
+# is not known.
+check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL) {
+  mass_kg <- mass_kg %||% NA_real_
+  # A reach of 0 is that of a point, which must have no inertia; sizes are greater than 0.
+  reach_m <- if (is.null(reach_m)) NA_real_ else max(reach_m, 2^-1074)
   given <- list(tensor = list(unname(tensor)), sign = 1)
-  judged <- judge_tensor(given$tensor[[1L]], mass_kg, NA_real_)
+  judged <- judge_tensor(given$tensor[[1L]], mass_kg, reach_m)
   if (any(judged$verdict == "fails")) {
-    abort_inertia(check_tensors(given, mass_kg, NA_real_, NA_character_), call)
+    abort_inertia(check_tensors(given, mass_kg, reach_m, NA_character_), call)
   }
   near <- judged$verdict == "holds within rounding"
   if (any(near)) {
@@ -587,8 +593,7 @@ abort_inertia <- function(check, call) {
     c(
       "No body has this inertia: the condition {.val {first$condition}} fails.",
       x = "{measured}: {first$meaning}.",
-      i = if (!is.na(suggestion)) "{suggestion}.",
-      i = if (!is.na(suggestion)) "Nothing was changed.",
+      i = if (!is.na(suggestion)) "Suggestion: {suggestion}. Nothing was changed.",
       i = "{.fn check_inertia} shows every condition."
     ),
     "inertia",

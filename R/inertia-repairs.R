@@ -13,15 +13,20 @@ inertia_units <- c(
   "kg um^2" = 1e-12
 )
 
-decimal_places <- 1:9
+# A moment written without its point has up to nine places too many. Products are small as they
+# are, and made small enough any product is legal.
+decimal_places <- list(moment = 1:9, product = 1:3)
 
 check_columns <- c(
   "row", "object", "condition", "value", "limit", "margin", "verdict", "meaning", "suggestion"
 )
 repair_columns <- c("row", "repair", "size", "kind", "entry", "from", "to")
 
-# Measured by bench/inertia-repair.R.
-repair_figures <- "TO BE MEASURED"
+# Measured by `Rscript bench/inertia-repair.R 4000 1`.
+repair_figures <- paste(
+  "Of 3938 such slips, the true repair was always listed; it was among the smallest for 97.8 %, and",
+  "the one smallest for 88.5 %, or for 92.7 % where mass and size were known."
+)
 
 repairs_of <- function(tensor, mass_kg, size_m, sign, judged) {
   failed <- judged$condition[judged$verdict == "fails"]
@@ -111,7 +116,9 @@ is_legal <- function(now, sign) {
       return(FALSE)
     }
   }
-  all(judge_tensor(six_to_tensor(six), now$mass_kg, now$size_m)$verdict != "fails")
+  # A repair may not lean on the tolerance: any product that is made small enough would.
+  judged <- judge_tensor(six_to_tensor(six), now$mass_kg, now$size_m)
+  all(judged$margin[judged$condition != "symmetric"] >= margin_of_rounding)
 }
 
 # ---- candidates -----------------------------------------------------------------------------
@@ -153,7 +160,8 @@ decimal_candidates <- function(now) {
   found <- list()
   for (entry in names(values)[values != 0]) {
     x <- values[[entry]]
-    for (places in decimal_places) {
+    is_product <- entry %in% inertia_entries[4:6]
+    for (places in decimal_places[[if (is_product) "product" else "moment"]]) {
       found <- c(found, list(
         new_repair("decimal point", 1 + places, entry, x, x / 10^places),
         new_repair("decimal point", 1 + places, entry, x, x * 10^places)
@@ -321,21 +329,34 @@ repairs_in_words <- function(repairs, legal = FALSE) {
   sizes <- vapply(repairs, `[[`, 0, "size")
   smallest <- repairs[sizes == min(sizes)]
   words <- vapply(smallest, repair_in_words, "")
-  goal <- if (legal) "would be usual" else "would make every condition hold"
-  if (length(words) == 1L) {
-    return(paste(words, goal))
+  # The sign of any one product, or of all: no tensor can tell these four apart.
+  signs <- startsWith(vapply(smallest, `[[`, "", "kind"), "sign of a product") |
+    startsWith(vapply(smallest, `[[`, "", "kind"), "sign convention")
+  if (sum(signs) == 4L) {
+    words <- c(
+      "the other sign of one product, or of all three (the other convention)", words[!signs]
+    )
   }
-  shown <- utils::head(words, 5L)
+  goal <- if (legal) "would be usual" else "would make every condition hold"
+  larger <- sum(sizes > min(sizes))
+  more <- if (larger) paste0(" (inertia_repairs() lists ", larger, " larger)") else ""
+  if (length(words) == 1L) {
+    return(paste0(words, " ", goal, more))
+  }
+  shown <- words[seq_len(min(length(words), 5L))]
   if (length(words) > 5L) {
     shown <- c(shown, paste(length(words) - 5L, "more"))
   }
-  paste0("each of these ", goal, ", and nothing here tells which: ", paste(shown, collapse = "; or "))
+  paste0(
+    "each of these ", goal, ", and nothing here tells which: ", paste(shown, collapse = "; or "),
+    more
+  )
 }
 
 repair_in_words <- function(repair) {
   if (startsWith(repair$kind, "unit (") && !repair$entry[1L] %in% c("mass_kg", "size_m")) {
     factor <- inertia_units[[sub("^unit \\((.*)\\)$", "\\1", repair$kind)]]
-    return(paste0("every entry times ", format(factor), " (", repair$kind, ")"))
+    return(paste0("every entry times ", format(factor, scientific = TRUE), " (", repair$kind, ")"))
   }
   kind <- repair$kind
   if (kind == "decimal point" && repair$size > 2) {
