@@ -46,10 +46,10 @@ asymmetry_allowed <- 1e-12
 #' are alternatives, and the check does not choose. Give `mass_kg` and `size_m` where you know them:
 #' they rule repairs out. A suggestion is a guess at a slip of the pen, no measurement.
 #'
-#' @param x What to check: a 3 x 3 matrix, a `rot_body`, six numbers named `ixx`, `iyy`, `izz`, `ixy`,
-#'   `ixz`, `iyz`, three numbers (principal moments), or a data frame with such columns, one tensor a
-#'   row (without the last three, the products are 0). Capitals and the ending `_kg_m2` do not
-#'   matter. In kg m^2, about the centre of mass; numbers or units objects.
+#' @param x What to check: a 3 x 3 matrix, a `rot_body`, an [inertia_tensor()], six numbers named
+#'   `ixx`, `iyy`, `izz`, `ixy`, `ixz`, `iyz`, three numbers (principal moments), or a data frame with
+#'   such columns, one tensor a row (without the last three, the products are 0). Capitals and the
+#'   ending `_kg_m2` do not matter. In kg m^2, about the centre of mass; numbers or units objects.
 #' @param ... Nothing.
 #' @param mass_kg Mass, one or one a row; NA where it is not known. A data frame's own column
 #'   `mass_kg` is used if this is not given.
@@ -146,6 +146,10 @@ as_tensors <- function(x, products, call) {
     given$size_m <- x[["size_m"]]
     given$object <- if (is.character(x[["object"]])) x[["object"]]
     return(given)
+  }
+  if (inherits(x, "rot_inertia_tensor")) {
+    given$sign <- sign <- if (attr(x, "products") == "positive") -1 else 1
+    x <- as.matrix(x)
   }
   size <- dim(x)
   names <- names(x)

@@ -45,7 +45,10 @@ column_list <- list(
   c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
   c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
   c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what both could explain of it"),
-  c("verdict", "", "of an audit: \"balanced\" or not; of a check: \"holds\", \"fails\", ..."),
+  c(
+    "verdict", "",
+    "\"balanced\" if an audit's residuals are explained, else \"unbalanced\"; of a check, \"holds\"..."
+  ),
   c("constraint", "", "what the body may do: axle, ..."),
   c("equations", "", "equations that the model solves"),
   c("assumptions", "", "what must be true of the world"),

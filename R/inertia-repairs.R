@@ -24,8 +24,8 @@ repair_columns <- c("row", "repair", "size", "kind", "entry", "from", "to")
 
 # Measured by `Rscript bench/inertia-repair.R 4000 1`.
 repair_figures <- paste(
-  "Of 3938 such slips, the true repair was always listed; it was among the smallest for 97.8 %, and",
-  "the one smallest for 88.5 %, or for 92.7 % where mass and size were known."
+  "Of 3938 such slips, the true repair was always listed; it was among the smallest for 97.8 %,",
+  "and the one smallest for 88.5 %, or for 92.7 % where mass and size were known."
 )
 
 repairs_of <- function(tensor, mass_kg, size_m, sign, judged) {

@@ -269,6 +269,12 @@ test_that("vectors, matrices and units say the same", {
   expect_equal(check_inertia(moments)$value, check_inertia(matrix)$value)
   expect_equal(check_inertia(rev(moments))$value, check_inertia(matrix)$value)
   expect_equal(check_inertia(c(1, 2, 2.5))$value, check_inertia(diag(c(1, 2, 2.5)))$value)
+  # A tensor that knows its own sign.
+  body <- body_tensor(2, matrix)
+  expect_equal(check_inertia(inertia_tensor(body))$value, check_inertia(matrix)$value)
+  expect_equal(
+    check_inertia(inertia_tensor(body, products = "positive"))$value, check_inertia(matrix)$value
+  )
   skip_if_not_installed("units")
   grams <- units::set_units(1e3 * c(1, 2, 2.5), "g*m^2", mode = "standard")
   expect_equal(check_inertia(grams)$value, check_inertia(c(1, 2, 2.5))$value)
