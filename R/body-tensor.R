@@ -120,7 +120,3 @@ abort_tensor <- function(x, arg, call) {
 symmetrise <- function(tensor) {
   (tensor + t(tensor)) / 2
 }
-
-check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL) {
-  symmetrise(tensor)
-}
