@@ -6,7 +6,8 @@
 #'
 #' @param mass_kg Mass, at least 0.
 #' @param inertia_kg_m2 A symmetric 3 x 3 matrix in kg m^2; or six numbers named `ixx`, `iyy`,
-#'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes.
+#'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes; or what
+#'   [inertia_tensor()] gave, which knows its point, axes and sign convention.
 #' @param centre_m Centre of mass in the own axes.
 #' @param ... Not used; names after it must be given in full.
 #' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes), or
@@ -42,6 +43,12 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   askew <- max(abs(tensor - t(tensor))) / 2
   # About whatever point: it must be some body's. And only what is symmetric can be moved.
   tensor <- check_inertia_or_abort(tensor, mass_kg, call)
+  # A tensor that knows its point and axes is believed, unless it is told otherwise.
+  knows <- inherits(inertia_kg_m2, "rot_inertia_tensor")
+  if (knows && missing(about) && attr(inertia_kg_m2, "about") != "centre") {
+    about <- attr(inertia_kg_m2, "point_m")
+  }
+  if (knows && missing(axes)) axes <- attr(inertia_kg_m2, "rotation")
   point <- as_point(about, list(centre_m = centre_m), "about", call)
   rotation <- if (identical(axes, "own")) NULL else as_rotation(axes, "axes", call)
   d <- centre_m - point

@@ -154,3 +154,14 @@ test_that("a tensor may come with a unit", {
     body_tensor(2, units::set_units(c(1, 1, 1), "kg*m")), class = "rotdyn_error_unit"
   )
 })
+
+test_that("a tensor that knows its point, axes and signs comes back as the same body", {
+  turn <- rotation_about(c(1, 2, 3), angle_deg = 40)
+  body <- place_body(body_tensor(2, diag(c(0.05, 0.06, 0.07)), c(0.3, 0, 0.1)), rotation = turn)
+  known <- inertia_tensor(
+    body,
+    about = c(1, 0, 2), axes = rotation_about("x", angle_deg = 25), products = "positive"
+  )
+  again <- body_tensor(2, known, body$centre_m)
+  expect_equal(again$second_moment_kg_m2, body$second_moment_kg_m2, tolerance = 1e-12)
+})
