@@ -1,8 +1,8 @@
 # A body: mass, centre of mass, second moment about it, size, where the numbers come from, and how
 # good they are. `second_moment_kg_m2` is C = int (x - g)(x - g)' dm in the body's own axes; the
-# inertia tensor I = tr(C) 1 - C is derived here and nowhere else. `centre_m` is in the own axes too,
-# whose origin is the point that the shape's help names. `reach_m` is the distance from the centre
-# of mass to the farthest point, or more; NA where nothing is known of it.
+# inertia tensor I = tr(C) 1 - C is derived here and nowhere else. `centre_m` is in the own axes,
+# too, whose origin is the point that the shape's help names. `reach_m` is the distance from the
+# centre of mass to the farthest point, or more; NA where nothing is known of it.
 new_body <- function(shape, mass_kg, second_moment_kg_m2, centre_m = c(0, 0, 0),
                      size_m = numeric(), reach_m = NA_real_, beta = NA_real_, formula = "",
                      source = "", provenance = "formula", detail = list(), error = NA_real_,

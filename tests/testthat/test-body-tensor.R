@@ -85,9 +85,8 @@ test_that("what no body can have is refused", {
   askew <- matrix(c(2, 0.1, 0, 0.2, 2, 0, 0, 0, 2), 3)
   expect_error(body_tensor(1, askew), class = "rotdyn_error_inertia")
   expect_error(body_tensor(1, askew, c(1, 0, 0), about = "origin"), class = "rotdyn_error_inertia")
-  expect_error(
-    body_tensor(1, askew, axes = rotation_about("z", angle_deg = 45)), class = "rotdyn_error_inertia"
-  )
+  turned <- rotation_about("z", angle_deg = 45)
+  expect_error(body_tensor(1, askew, axes = turned), class = "rotdyn_error_inertia")
   expect_error(
     body_tensor(1, diag(c(1, NaN, 1)), c(1, 0, 0), about = "origin"), class = "rotdyn_error_inertia"
   )
