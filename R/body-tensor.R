@@ -40,6 +40,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
   if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
+  askew <- max(abs(tensor - t(tensor))) / 2
   # About whatever point: it must be some body's. And only what is symmetric can be moved.
   tensor <- check_inertia_or_abort(tensor, mass_kg, call)
   # A tensor that knows its point and axes is believed, unless it is told otherwise.
@@ -68,7 +69,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     formula = "given",
     provenance = "tensor",
     # Three numbers of the tensor, rounded once each, go into one of the second moment.
-    error = if (trace > 0) 8 * .Machine$double.eps * scale / trace else 0
+    error = if (trace > 0) (8 * .Machine$double.eps * scale + askew) / trace else 0
   )
 }
 

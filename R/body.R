@@ -91,12 +91,20 @@ print_field <- function(name, text) {
 
 principal_line <- function(x) {
   axes <- principal_axes(x)
-  moments <- paste(format_si(axes$principal_moment_kg_m2), collapse = ", ")
+  moments <- paste(format_si(clear_moments(x, axes)), collapse = ", ")
   turned <- any(x$inertia_kg_m2[upper.tri(diag(3))] != 0)
   paste0(
     "  ", formatC("principal", width = -10), if (turned) paste0(moments, " kg m^2, "),
     describe_symmetry(axes), "\n"
   )
+}
+
+# The principal moments, 0 where the body's own error cannot tell them from it.
+clear_moments <- function(x, axes) {
+  moments <- axes$principal_moment_kg_m2
+  error <- if (is.finite(x$error)) x$error else 0
+  moments[moments <= error * sum(axes$second_moment_kg_m2)] <- 0
+  moments
 }
 
 describe_body_error <- function(x) {
