@@ -56,6 +56,12 @@ column_list <- list(
   c("reason", "", "why, or why not"),
   c("cost", "1", "predicted cost, in floating-point operations (order of magnitude)"),
   c("chosen", "", "TRUE for the cheapest model that applies"),
+  c("principal_moment_kg_m2", "kg m^2", "principal moment of inertia"),
+  c("second_moment_kg_m2", "kg m^2", "second moment along the principal axis"),
+  c("x", "1", "x component of the unit vector along the axis, in the own axes"),
+  c("y", "1", "its y component"),
+  c("z", "1", "its z component"),
+  c("unique", "", "FALSE for an axis that others with the same moment could replace"),
   c("object", "", "name of the object"),
   c("beta", "1", "I/(m r^2) of the rolling object"),
   c("acceleration_m_per_s2", "m/s^2", "acceleration down the incline, rolling without slipping"),
@@ -220,6 +226,9 @@ motion_audit_columns <- c(
       "dissipated_quadratic_j", "dissipated_coulomb_j", "inertia_work_j"
     )
   )
+)
+principal_columns <- c(
+  "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"
 )
 engagement_columns <- c(
   "lock_time_s", "common_omega_rad_per_s", "heat_j", "locked_torque_n_m"
