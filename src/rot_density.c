@@ -6,15 +6,16 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "rot_real.h"
+#include "rot_dd.h"
 
-/* Orders of which GSL has a table, good to the last digit. It computes the weights of others to
- * 8e-15 at 21 nodes, 1e-10 at 63. Beyond a hundred nodes what is integrated is not smooth, and
- * panels do no worse. */
-static const size_t single_nodes[] = {20, 32, 64, 96};
-#define PANEL_NODES 64
+/* Beyond a hundred nodes what is integrated is not smooth, and panels do no worse. */
+#define SINGLE_NODES 96
+#define PANEL_NODES  64
+/* Up to here, and at 32, 64 and 96, GSL has a table. It computes other nodes to the last digit, but
+ * their weights to 8e-15 at 21 nodes and 1e-10 at 63. */
+#define TABLE_NODES  20
 /* Cells that one stream of random numbers serves. */
-#define BLOCK_CELLS 4096
+#define BLOCK_CELLS  4096
 
 /* ---- from parameters to places --------------------------------------------------------------- */
 
@@ -88,15 +89,29 @@ static double place(const chart *c, const double t[3], double x[3]) {
 /* ---- rules ---------------------------------------------------------------------------------- */
 
 size_t rot_rule_size(size_t n) {
-  if (n <= single_nodes[0]) return n;
-  for (size_t i = 1; i < sizeof single_nodes / sizeof *single_nodes; i++) {
-    if (n <= single_nodes[i]) return single_nodes[i];
-  }
+  if (n <= SINGLE_NODES) return n;
   return PANEL_NODES * ((n + PANEL_NODES - 1) / PANEL_NODES);
 }
 
+/* w = 2/((1 - t^2) P'(t)^2) at the root next to t, by Legendre's recurrence in twice the precision:
+ * the root is off t by delta, and dw/w = -2 t delta/(1 - t^2). */
+static double weight_at(size_t n, double t) {
+  rot_dd before = {1.0, 0.0}, p = {t, 0.0};
+  for (size_t k = 2; k <= n; k++) {
+    const rot_dd up = rot_dd_mul1(rot_dd_mul1(p, t), (double)(2 * k - 1));
+    const rot_dd next = rot_dd_sub(up, rot_dd_mul1(before, (double)(k - 1)));
+    before = p;
+    p = rot_dd_div(next, (rot_dd){(double)k, 0.0});
+  }
+  const double across = (1.0 - t) * (1.0 + t);
+  const double slope = (double)n * rot_dd_sub(before, rot_dd_mul1(p, t)).hi / across;
+  const double delta = -p.hi / slope;
+  return 2.0 / (across * slope * slope) * (1.0 - 2.0 * t * delta / across);
+}
+
 rot_status rot_rule_gauss(size_t n, double t[], double w[]) {
-  const size_t order = n > single_nodes[3] ? PANEL_NODES : n, panels = n / order;
+  const size_t order = n > SINGLE_NODES ? PANEL_NODES : n, panels = n / order;
+  const int known = order <= TABLE_NODES || order % 32 == 0;
   gsl_set_error_handler_off();
   gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(order);
   if (!table) return ROT_ENOMEM;
@@ -104,6 +119,7 @@ rot_status rot_rule_gauss(size_t n, double t[], double w[]) {
   for (size_t i = 0; i < order; i++) {
     double ti, wi;
     gsl_integration_glfixed_point(-1.0, 1.0, i, &ti, &wi, table);
+    if (!known) wi = weight_at(order, ti);
     for (size_t j = 0; j < panels; j++) {
       const double middle = (double)(2 * j + 1) - (double)panels;
       t[j * order + i] = (middle + ti) * half;
