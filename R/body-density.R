@@ -154,7 +154,6 @@ warn_missed_accuracy <- function(found, run, method) {
 
 density_body <- function(found, run, method, name) {
   moments <- found$moments
-  check_moments_fit(moments, run$call)
   second <- moments_second(moments)
   mass <- moments[["mass"]]
   if (!is.null(run$mass_kg)) {
@@ -319,7 +318,8 @@ density_quadrature <- function(run) {
     }
     sums <- density_moments(run, nodes, prod(n), spent)
     spent <<- spent + prod(n)
-    if (!(sums$moments[["mass"]] > 0)) abort_no_mass(spent, 1, run$call)
+    if (sums$moments[["mass"]] == 0) abort_no_mass(spent, 1, run$call)
+    check_moments_fit(sums$moments, run$call)
     sums$moments
   }
   affordable <- function(n) spent + prod(n) <= run$budget
@@ -345,7 +345,8 @@ density_quadrature <- function(run) {
     now <- evaluate(wider)
     n <- wider
     change <- moments_change(before, now, given)
-    changes[worst] <- lapply(changes[worst], function(x) c(x, list(change)))
+    shares <- if (agree) change_shares(changes) else 1
+    changes[worst] <- Map(function(x, share) c(x, list(share * change)), changes[worst], shares)
     errors <- density_errors(changes, if (agree) change)
     if (agree && max(errors) <= target) break
   }
@@ -357,16 +358,22 @@ density_quadrature <- function(run) {
 
 # Changes die away quickly where each is a tenth of the one before, or less. Then the last change is
 # the error of the rule before. Else they are of any size by chance, a small one means nothing, and
-# the larger of the last two counts, and half of it more (bench/density-coverage.R).
+# the larger of the last two counts, twice (bench/density-coverage.R).
 changes_quickly <- function(changes) {
   j <- length(changes)
   fall <- function(i) changes[[i]] <= 0.1 * changes[[i - 1L]] | changes[[i]] < 1e-15
   if (j < 2L) changes[[j]] >= 0 else fall(j) & (if (j > 2L) fall(j - 1L) else TRUE)
 }
 
+# What each parameter has to do with a change made in all three: as much as with the last changes.
+change_shares <- function(changes) {
+  last <- vapply(changes, function(x) max(x[[length(x)]]), double(1)) + .Machine$double.eps
+  last / sum(last)
+}
+
 largest_change <- function(changes) {
   j <- length(changes)
-  if (j < 2L) changes[[j]] else 1.5 * pmax(changes[[j]], changes[[j - 1L]])
+  if (j < 2L) changes[[j]] else 2 * pmax(changes[[j]], changes[[j - 1L]])
 }
 
 # What two more nodes may change: a hundredth of the last change, where all is well.
@@ -424,6 +431,7 @@ density_random <- function(run) {
     try_side <- min(room, ceiling(1.15 * try_side * max(1.2, sqrt(short))))
   }
   if (is.null(found)) abort_no_mass(spent, hits, run$call)
+  check_moments_fit(found$moments, run$call)
   found$errors <- found$errors + moments_floor(found$moments)
   c(
     found,

@@ -101,7 +101,7 @@ read_points <- function(data, mass_kg, call) {
     )
   }
   n <- nrow(data)
-  check_point_columns(columns, is.null(mass_kg), call)
+  check_places_named(columns, is.null(mass_kg), call)
   if (n == 0L) {
     abort_rotdyn("{.arg data} must have at least one point: it has none.", "size", call)
   }
@@ -148,7 +148,7 @@ matrix_columns <- function(data, call) {
 }
 
 # A column that is nearly named z_m is rather a slip than a plane.
-check_point_columns <- function(columns, needs_mass, call) {
+check_places_named <- function(columns, needs_mass, call) {
   has <- names(columns)
   wanted <- c(if (needs_mass) "mass_kg", "x_m", "y_m")
   if (any(grepl("^z($|[^[:alpha:]])", has, ignore.case = TRUE))) wanted <- c(wanted, "z_m")
