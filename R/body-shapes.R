@@ -26,13 +26,17 @@ new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   size_m <- check_number(size_m, .subset2(of, "size_name"), "m", call, lower = 0)
   moments <- .Call(ffi_shapes_table, .subset2(of, "k"), mass_kg, size_m)[[1L]]
-  inertia <- c(moments[1L], 0, 0, 0, moments[2L], 0, 0, 0, moments[3L])
-  attributes(inertia) <- .subset2(of, "tensor")
+  k <- .subset2(of, "k")
+  second <- c(
+    (moments[2L] + moments[3L] - moments[1L]) / 2, (moments[1L] + moments[3L] - moments[2L]) / 2,
+    (moments[1L] + moments[2L] - moments[3L]) / 2, 0, 0, 0
+  )
   names(size_m) <- .subset2(of, "size_name")
   new_body(
-    shape, mass_kg, size_m, inertia,
-    beta = if (rolls) .subset2(of, "k")[3L] else NA_real_,
-    formula = .subset2(of, "formula")
+    shape, mass_kg, second, c(0, 0, 0), size_m,
+    beta = if (rolls) k[3L] else NA_real_,
+    formula = .subset2(of, "formula"),
+    error = 8 * .Machine$double.eps
   )
 }
 

@@ -1,42 +1,128 @@
-# A body: mass, centre of mass, inertia tensor (point, axes and sign convention stated), size.
-# `centre_m` is in the body's own axes, whose origin is the point the shape's help names.
-new_body <- function(shape, mass_kg, size_m, inertia_kg_m2, beta, formula) {
+# A body: mass, centre of mass, second moment about it, size, where the numbers come from, and how
+# good they are. `second_moment_kg_m2` is C = int (x - g)(x - g)' dm in the body's own axes; the
+# inertia tensor I = tr(C) 1 - C is derived here and nowhere else. `centre_m` is in the own axes,
+# too, whose origin is the point that the shape's help names. `reach_m` is the distance from the
+# centre of mass to the farthest point, or more; NA where nothing is known of it.
+new_body <- function(shape, mass_kg, second_moment_kg_m2, centre_m = c(0, 0, 0),
+                     size_m = numeric(), reach_m = NA_real_, beta = NA_real_, formula = "",
+                     source = "", provenance = "formula", detail = list(), error = NA_real_,
+                     error_kind = "bound") {
+  tensors <- .Call(ffi_inertia_tensors, second_moment_kg_m2)
+  if (!all(is.finite(.subset2(tensors, 2L)))) {
+    abort_rotdyn("The body's inertia is beyond double precision.", "range", rlang::caller_env())
+  }
+  attr(centre_m, "names") <- c("x", "y", "z")
   body <- list(
     shape = shape,
     mass_kg = mass_kg,
     size_m = size_m,
-    centre_m = c(x = 0, y = 0, z = 0),
-    inertia_kg_m2 = inertia_kg_m2,
+    centre_m = centre_m,
+    second_moment_kg_m2 = .subset2(tensors, 1L),
+    inertia_kg_m2 = .subset2(tensors, 2L),
     point = "centre of mass",
     axes = "own",
+    reach_m = reach_m,
     beta = beta,
-    formula = formula
+    formula = formula,
+    source = source,
+    provenance = provenance,
+    detail = detail,
+    error = error,
+    error_kind = error_kind
   )
   class(body) <- "rot_body"
   body
 }
 
-# I_n = n' I n about a unit vector n in the body's own axes.
+# What a body's numbers rest on, in words.
+provenance_words <- c(
+  formula = "formula", tensor = "given tensor", points = "point masses",
+  mesh = "mesh, exact integrals", quadrature = "quadrature of a density",
+  monte_carlo = "random points in a density", compound = "joined bodies"
+)
+
+check_body <- function(body, call, arg = "body") {
+  if (!inherits(body, "rot_body")) {
+    check_class(body, "rot_body", arg, "Make one with {.fn body_disk} or its sisters.", call)
+  }
+  body
+}
+
+# I_n = n' I n about a unit vector n in the body's own axes, through the centre of mass.
 moment_about_axis <- function(body, axis) {
-  sum(axis * (.subset2(body, "inertia_kg_m2") %*% axis))
+  centre <- .subset2(body, "centre_m")
+  .Call(
+    ffi_inertia_axis, .subset2(body, "mass_kg"), centre, .subset2(body, "second_moment_kg_m2"),
+    axis, centre
+  )
 }
 
 #' @export
 print.rot_body <- function(x, ...) {
-  size <- paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", ")
-  principal <- format_si(diag(x$inertia_kg_m2))
-  cat(
-    "<rot_body> ", x$shape, "\n",
-    "  mass     ", format_si(x$mass_kg), " kg, ", size, "\n",
-    "  inertia  ", paste(c("Ixx", "Iyy", "Izz"), principal, collapse = ", "),
-    " kg m^2 about the ", x$point, ", ", x$axes, " axes\n",
-    if (!is.na(x$beta)) paste0("  beta     ", format_si(x$beta), "  (I/(m r^2) when it rolls)\n"),
-    "  formula  ", x$formula, "\n",
-    sep = ""
-  )
+  cat("<rot_body> ", x$shape, "\n", sep = "")
+  size <- if (length(x$size_m)) {
+    paste0(", ", paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", "))
+  }
+  print_field("mass", paste0(format_si(x$mass_kg), " kg", size))
+  if (any(x$centre_m != 0)) {
+    print_field("centre", paste0("(", paste(format_si(x$centre_m), collapse = ", "), ") m"))
+  }
+  inertia <- x$inertia_kg_m2
+  if (all(inertia[upper.tri(inertia)] == 0)) {
+    moments <- paste(c("Ixx", "Iyy", "Izz"), format_si(diag(inertia)), collapse = ", ")
+    print_field("inertia", paste0(moments, " kg m^2 about the ", x$point, ", ", x$axes, " axes"))
+  } else {
+    print_field("inertia", paste0("kg m^2 about the ", x$point, ", ", x$axes, " axes:"))
+    rows <- format_columns(inertia)
+    cat(paste0("            ", rows, "\n"), sep = "")
+  }
+  cat(principal_line(x))
+  if (!is.na(x$beta)) {
+    print_field("beta", paste0(format_si(x$beta), "  (I/(m r^2) when it rolls)"))
+  }
+  if (nzchar(x$formula)) print_field("formula", x$formula)
+  print_field("from", paste0(provenance_words[[x$provenance]], ", ", describe_body_error(x)))
   invisible(x)
+}
+
+print_field <- function(name, text) {
+  cat("  ", formatC(name, width = -10), text, "\n", sep = "")
+}
+
+principal_line <- function(x) {
+  axes <- principal_axes(x)
+  moments <- paste(format_si(clear_moments(x, axes)), collapse = ", ")
+  turned <- any(x$inertia_kg_m2[upper.tri(diag(3))] != 0)
+  paste0(
+    "  ", formatC("principal", width = -10), if (turned) paste0(moments, " kg m^2, "),
+    describe_symmetry(axes), "\n"
+  )
+}
+
+# The principal moments, 0 where the body's own error cannot tell them from it.
+clear_moments <- function(x, axes) {
+  moments <- axes$principal_moment_kg_m2
+  error <- if (is.finite(x$error)) x$error else 0
+  moments[moments <= error * sum(axes$second_moment_kg_m2)] <- 0
+  moments
+}
+
+describe_body_error <- function(x) {
+  if (is.na(x$error)) {
+    return("accuracy not known")
+  }
+  paste0(
+    "relative error ", if (x$error_kind == "bound") "at most " else "about ",
+    format(x$error, digits = 2)
+  )
 }
 
 format_si <- function(x) {
   vapply(x, format, character(1), digits = 7)
+}
+
+# The rows of a matrix as text, with columns that line up.
+format_columns <- function(x) {
+  columns <- apply(x, 2, function(column) format(format_si(column), justify = "right"))
+  apply(columns, 1, paste, collapse = "  ")
 }

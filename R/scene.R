@@ -199,15 +199,6 @@ check_turns <- function(inertia, call, computed = FALSE) {
   }
 }
 
-unit_axis <- function(axis, call) {
-  axis <- check_finite(axis, "axis", "1", call)
-  if (length(axis) != 3L || all(axis == 0)) {
-    abort_rotdyn("{.arg axis} must be three numbers, not all 0.", "value", call)
-  }
-  axis <- axis / max(abs(axis))
-  axis / sqrt(sum(axis^2))
-}
-
 #' @export
 print.rot_scene_axle <- function(x, ...) {
   body <- if (inherits(x$body, "rot_body")) x$body$shape else "a body"

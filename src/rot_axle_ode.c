@@ -89,6 +89,14 @@ static void cross_inertia(double t, double y[], int forward, void *ctx) {
   if (from != to) y[INERTIA] += 0.5 * momentum * (momentum * ((from - to) / from / to));
 }
 
+/* A torque curve of more than one straight line. */
+static int has_kinks(const rot_axle_scene *scene) {
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    if (scene->terms[i].kind == ROT_TERM_CURVE) return 1;
+  }
+  return 0;
+}
+
 /* ---- the scene ------------------------------------------------------------------------------- */
 
 static int by_size(const void *a, const void *b) {
@@ -263,7 +271,8 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                 m.turns ? &turn : NULL,
                                 m.inertia.n ? cross_inertia : NULL,
                                 IMPULSE,
-                                noise};
+                                noise,
+                                has_kinks(scene)};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
       const rot_status columns =

@@ -50,6 +50,7 @@ typedef struct rot_ode_params {
   /* What rhs itself leaves uncertain of the controlled slopes, or NULL: a step may be off by so
    * much a second besides, or a motion that begins in rhs's rounding would never be resolved. */
   const double *noise;
+  int kinks; /* rhs may have kinks in y that no break and no switch tells of */
 } rot_ode_params;
 
 /* Relative errors below this cannot be shown by a second run: its own rounding. */

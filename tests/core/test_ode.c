@@ -109,7 +109,7 @@ static outcome result;
 static rot_ode_params problem(size_t dim, rot_ode_rhs rhs, probe *ctx, const double start[],
                               double accuracy) {
   rot_ode_params p = {dim,  dim,  rhs, ctx, 0, NULL, 0.0, start, accuracy, 1000000, ROT_METHOD_NONE,
-                      NULL, NULL, 0, NULL};
+                      NULL, NULL, 0, NULL, 0};
   return p;
 }
 

@@ -1,0 +1,176 @@
+#' Bodies made of bodies
+#'
+#' @description
+#' * `place_body()`: a body at another place, turned: its own axes become those of a common frame.
+#' * `join_bodies()`: placed bodies as one rigid body.
+#' * `cut_body()`: a body less another: a hole.
+#'
+#' All nest: what comes out is a body.
+#'
+#' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i g_i,\quad
+#'   C = \sum_i \left(C_i + m_i d_i d_i^T\right),\quad d_i = g_i - g}
+#' The common centre is found first and the tensors are summed about it: a frame whose origin is far
+#' away costs no digits.
+#'
+#' @param body A `rot_body`.
+#' @param at_m Where the body's own origin goes, three numbers in m. (The origin is the point that
+#'   the shape's help names; it need not be the centre of mass.)
+#' @param rotation How the body is turned about its own origin first: a rotation matrix, as
+#'   [rotation_about()] makes it (own axes to the frame), or a unit quaternion, scalar first.
+#' @param ... `join_bodies()`: bodies placed in one frame, or lists of them. Else not used.
+#' @param hole A `rot_body` in the same frame: what is taken out, with the mass it had. Make it with
+#'   the density of the body, `density_kg_m3 =`, and its mass is right by itself.
+#' @param name What to call the result.
+#' @return A `rot_body` in the common frame. `detail$parts` of a joined body lists its parts. Its
+#'   error is what the parts' own errors make of the whole, and the roundings of the sum: a bound if
+#'   all of theirs are. A hole that leaves little makes it large: that is the truth.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also a hole
+#'   heavier than the body), `rotdyn_error_inertia` for a hole that cannot have been inside the
+#'   body, `rotdyn_error_range`, `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
+#' @examples
+#' # A dumbbell: a rod along x and a ball at each end.
+#' rod <- body_rod(mass_kg = 0.5, length_m = 1)
+#' ball <- body_sphere(mass_kg = 2, radius_m = 0.1)
+#' dumbbell <- join_bodies(rod, place_body(ball, c(0.6, 0, 0)), place_body(ball, c(-0.6, 0, 0)))
+#' dumbbell
+#'
+#' # A disk with a hole half way out: the mass of the hole goes with its area.
+#' cut_body(body_disk(4, 0.2), place_body(body_disk(4 * 0.25^2, 0.05), c(0.1, 0, 0)))
+#' @name compound
+NULL
+
+#' @rdname compound
+#' @export
+place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
+  call <- rlang::current_env()
+  check_supplied("body", call)
+  check_no_dots(...)
+  check_body(body, call)
+  at_m <- check_vector(at_m, "at_m", "m", call)
+  centre <- as.double(body$centre_m)
+  second <- body$second_moment_kg_m2
+  beta <- body$beta
+  error <- body$error
+  if (!is.null(rotation)) {
+    turn <- as_rotation(rotation, "rotation", call)
+    centre <- as.double(turn %*% centre)
+    second <- .Call(ffi_inertia_rotate, second, turn)
+    if (!identical(turn, diag(3))) {
+      beta <- NA_real_
+      error <- error + 16 * .Machine$double.eps
+    }
+  }
+  centre <- centre + at_m
+  detail <- place_detail(body$detail, if (!is.null(rotation)) turn, at_m)
+  if (!all(is.finite(centre))) {
+    abort_rotdyn("The place is beyond double precision.", "range", call)
+  }
+  new_body(
+    body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, body$formula,
+    body$source, body$provenance, detail, error, body$error_kind
+  )
+}
+
+# What a body's detail places in the own axes (parts, points, vertices) goes along.
+place_detail <- function(detail, turn, at_m) {
+  xyz <- c("x_m", "y_m", "z_m")
+  lapply(detail, function(table) {
+    if (is.data.frame(table) && all(xyz %in% names(table))) {
+      at <- rbind(table$x_m, table$y_m, table$z_m)
+      if (!is.null(turn)) at <- turn %*% at
+      table[xyz] <- list(at[1, ] + at_m[1], at[2, ] + at_m[2], at[3, ] + at_m[3])
+    }
+    table
+  })
+}
+
+#' @rdname compound
+#' @export
+join_bodies <- function(..., name = "compound") {
+  call <- rlang::current_env()
+  parts <- flatten_bodies(list(...), call)
+  if (!length(parts)) {
+    abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)
+  }
+  combine_bodies(parts, rep(1, length(parts)), name, call)
+}
+
+#' @rdname compound
+#' @export
+cut_body <- function(body, hole, ..., name = NULL) {
+  call <- rlang::current_env()
+  check_supplied(c("body", "hole"), call)
+  check_no_dots(...)
+  check_body(body, call)
+  check_body(hole, call, "hole")
+  if (!(hole$mass_kg < body$mass_kg)) {
+    abort_rotdyn(
+      c(
+        "A hole must be lighter than what it is cut from.",
+        x = "{.arg hole} has {format_si(hole$mass_kg)} kg, {.arg body}
+             {format_si(body$mass_kg)} kg.",
+        i = "{.arg hole} stands for what is taken out: give both the same density."
+      ),
+      "value",
+      call
+    )
+  }
+  left <- combine_bodies(
+    list(body, hole), c(1, -1), name %||% paste(body$shape, "with a hole"), call
+  )
+  check_inertia_or_abort(left$inertia_kg_m2, left$mass_kg, call)
+  left$reach_m <- body$reach_m + sqrt(sum((left$centre_m - body$centre_m)^2))
+  left
+}
+
+flatten_bodies <- function(x, call) {
+  parts <- list()
+  for (i in seq_along(x)) {
+    if (inherits(x[[i]], "rot_body")) {
+      parts <- c(parts, list(x[[i]]))
+    } else if (is.list(x[[i]]) && !is.object(x[[i]])) {
+      parts <- c(parts, flatten_bodies(x[[i]], call))
+    } else {
+      hint <- if (is.matrix(x[[i]])) {
+        "A tensor alone has no mass and no place: give it both with {.fn body_tensor}."
+      } else {
+        "Make one with {.fn body_disk} or its sisters."
+      }
+      check_class(x[[i]], "rot_body", paste0("..", i), hint, call)
+    }
+  }
+  parts
+}
+
+# `sign` is -1 for what is cut out.
+combine_bodies <- function(parts, sign, name, call) {
+  pick <- function(field) vapply(parts, function(b) as.double(b[[field]]), double(1))
+  mass <- pick("mass_kg")
+  centres <- vapply(parts, function(b) as.double(b$centre_m), double(3))
+  seconds <- vapply(parts, function(b) {
+    as.double(b$second_moment_kg_m2)[c(1, 5, 9, 4, 7, 8)]
+  }, double(6))
+  sum <- .Call(ffi_inertia_join, sign * mass, centres, seconds * rep(sign, each = 6))
+  if (is.null(sum)) {
+    abort_rotdyn("The bodies' inertia is beyond double precision.", "range", call)
+  }
+  trace <- sum(diag(sum$second_kg_m2))
+  traces <- colSums(seconds[1:3, , drop = FALSE])
+  error <- (if (trace > 0) sum(pick("error") * traces) / trace else 0) + sum$error
+  kinds <- vapply(parts, function(b) b$error_kind, character(1))
+  away <- sqrt(colSums((centres - sum$centre_m)^2))
+  new_body(
+    name, sum$mass_kg, sum$second_kg_m2, sum$centre_m,
+    reach_m = max(away + pick("reach_m")),
+    formula = "sum of C + m d d' about the common centre",
+    provenance = "compound",
+    detail = list(parts = tibble::tibble(
+      shape = vapply(parts, function(b) b$shape, character(1)),
+      mass_kg = sign * mass,
+      x_m = centres[1, ], y_m = centres[2, ], z_m = centres[3, ]
+    )),
+    error = error,
+    error_kind = if (all(kinds == "bound")) "bound" else "estimate"
+  )
+}

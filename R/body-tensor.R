@@ -1,0 +1,130 @@
+#' A body from its inertia tensor
+#'
+#' For a tensor that was computed or measured elsewhere: CAD, a data sheet, a robot description. A
+#' tensor that no body can have is refused, with what is wrong and, where one number explains it,
+#' the likely repair.
+#'
+#' @param mass_kg Mass, at least 0.
+#' @param inertia_kg_m2 A symmetric 3 x 3 matrix in kg m^2; or six numbers named `ixx`, `iyy`,
+#'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes; or what
+#'   [inertia_tensor()] gave, which knows its point, axes and sign convention.
+#' @param centre_m Centre of mass in the own axes.
+#' @param ... Not used; names after it must be given in full.
+#' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes),
+#'   or three numbers in m. If it is not the centre, the tensor is moved there; that subtracts, and
+#'   warns (`rotdyn_warning_digits`) where more than half of the digits go.
+#' @param axes The axes its components refer to: `"own"`, or a rotation matrix whose columns are
+#'   those axes in the own ones (or its quaternion, scalar first).
+#' @param products `"negative"` (as in Goldstein and URDF): the off-diagonal elements are minus the
+#'   products of inertia, \eqn{-\int x y\,dm}. `"positive"`: they are \eqn{+\int x y\,dm}.
+#' @param reach_m Distance from the centre of mass to the farthest point, if known: the tensor is
+#'   checked against it.
+#' @param name What to call the body.
+#' @return A `rot_body`. Its error bound counts the roundings here, and those of a number given to
+#'   sixteen digits.
+#' @section Errors: `rotdyn_error_inertia` for what no body can have (see [check_inertia()]),
+#'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`, `rotdyn_error_unit`.
+#' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60, for the
+#'   conditions.
+#' @examples
+#' body_tensor(2, c(ixx = 0.05, iyy = 0.06, izz = 0.07, ixy = 0.01, ixz = 0, iyz = 0))
+#' try(body_tensor(2, diag(c(0.05, 0.06, 0.7))))
+#' @export
+body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., about = "centre",
+                        axes = "own", products = c("negative", "positive"), reach_m = NULL,
+                        name = "given tensor") {
+  call <- rlang::current_env()
+  check_supplied(c("mass_kg", "inertia_kg_m2"), call)
+  check_no_dots(...)
+  mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
+  centre_m <- check_vector(centre_m, "centre_m", "m", call)
+  if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
+  tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
+  askew <- max(abs(tensor - t(tensor))) / 2
+  # About whatever point: it must be some body's. And only what is symmetric can be moved.
+  tensor <- check_inertia_or_abort(tensor, mass_kg, call)
+  # A tensor that knows its point and axes is believed, unless it is told otherwise.
+  knows <- inherits(inertia_kg_m2, "rot_inertia_tensor")
+  if (knows && missing(about) && attr(inertia_kg_m2, "about") != "centre") {
+    about <- attr(inertia_kg_m2, "point_m")
+  }
+  if (knows && missing(axes)) axes <- attr(inertia_kg_m2, "rotation")
+  point <- as_point(about, list(centre_m = centre_m), "about", call)
+  rotation <- if (identical(axes, "own")) NULL else as_rotation(axes, "axes", call)
+  d <- centre_m - point
+  scale <- sum(abs(diag(tensor)))
+  if (!is.null(rotation)) {
+    tensor <- .Call(ffi_inertia_rotate, tensor, rotation)
+  }
+  if (any(d != 0)) {
+    tensor <- check_in_range(.Call(ffi_inertia_shift, tensor, mass_kg, d, -1), call)
+    tensor <- check_shifted(tensor, tensor + mass_kg * sum(d^2), mass_kg, d, call)
+  }
+  tensor <- check_inertia_or_abort(tensor, mass_kg, call, reach_m = reach_m)
+  second <- .Call(ffi_inertia_second, tensor)
+  trace <- sum(diag(second))
+  new_body(
+    name, mass_kg, second, centre_m,
+    reach_m = reach_m %||% NA_real_,
+    formula = "given",
+    provenance = "tensor",
+    # Three numbers of the tensor, rounded once each, go into one of the second moment.
+    error = if (trace > 0) (8 * .Machine$double.eps * scale + askew) / trace else 0
+  )
+}
+
+# The body of a bare tensor, for what needs no mass.
+body_of_tensor <- function(x, call) {
+  tensor <- check_inertia_or_abort(as_tensor(x, "body", call), NULL, call)
+  new_body(
+    "tensor", NA_real_, .Call(ffi_inertia_second, tensor),
+    provenance = "tensor", error = 8 * .Machine$double.eps
+  )
+}
+
+tensor_names <- c("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+
+# A 3 x 3 matrix of doubles with products negative, not yet known to be symmetric or possible.
+as_tensor <- function(x, arg, call, products = "negative") {
+  if (inherits(x, "rot_inertia_tensor")) {
+    products <- attr(x, "products")
+    x <- as.matrix(x)
+  }
+  if (is.object(x)) {
+    keep <- attributes(x)[c("dim", "names")]
+    x <- as_si(x, "kg*m^2", arg, call)
+    attributes(x) <- keep[lengths(keep) > 0]
+  }
+  if (!is.numeric(x)) {
+    abort_tensor(x, arg, call)
+  }
+  tensor <- if (is.matrix(x) && all(dim(x) == 3L)) {
+    matrix(as.double(x), 3)
+  } else if (length(x) == 6L && !is.null(names(x)) && setequal(tolower(names(x)), tensor_names)) {
+    names(x) <- tolower(names(x))
+    x <- as.double(x[tensor_names])
+    matrix(x[c(1, 4, 5, 4, 2, 6, 5, 6, 3)], 3)
+  } else if (length(x) == 3L) {
+    diag(as.double(x))
+  } else {
+    abort_tensor(x, arg, call)
+  }
+  dimnames(tensor) <- list(c("x", "y", "z"), c("x", "y", "z"))
+  if (products == "positive") flip_products(tensor) else tensor
+}
+
+abort_tensor <- function(x, arg, call) {
+  abort_rotdyn(
+    c(
+      "{.arg {arg}} must be a 3 x 3 matrix, six numbers named {.val {tensor_names}}, or three
+       principal moments.",
+      x = "It is {describe_value(x)}."
+    ),
+    if (is.numeric(x)) "size" else "type",
+    call
+  )
+}
+
+symmetrise <- function(tensor) {
+  (tensor + t(tensor)) / 2
+}

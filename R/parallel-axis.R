@@ -1,0 +1,125 @@
+#' The parallel-axis theorem
+#'
+#' Moves a moment of inertia, or a whole tensor, from the centre of mass to a parallel axis or
+#' another point, and back.
+#'
+#' \deqn{I_o = I_g + m d^2, \qquad I_o = I_g + m (d^2 1 - d d^T)}
+#'
+#' Moving *to* the centre subtracts, and what is left may be rounding: where \eqn{m d^2} is more
+#' than 1e8 times what remains, half the digits are gone, and a warning of class
+#' `rotdyn_warning_digits` says how many are left. For a body, [inertia_tensor()] never has to
+#' come back: the second moment about the centre is what a body keeps.
+#'
+#' @param inertia_kg_m2 Moments of inertia (a vector, recycled with the others, so that it works
+#'   inside `dplyr::mutate()`), or one 3 x 3 tensor whose off-diagonal elements are minus the
+#'   products of inertia.
+#' @param mass_kg Mass, at least 0.
+#' @param distance_m For moments: the distance of the two axes. For a tensor: the three components
+#'   of the vector between the two points (its sign does not matter).
+#' @param ... Not used; names after it must be given in full.
+#' @param direction `"from_centre"`: `inertia_kg_m2` is about the centre of mass, and the result
+#'   about the parallel axis. `"to_centre"`: the other way.
+#' @return Moments in kg m^2, or a 3 x 3 tensor. NA gives NA. Each is rounded at most four times,
+#'   relative to the larger of the two terms.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (a negative mass
+#'   or distance; a moment about the centre that would be negative), `rotdyn_error_inertia` (a
+#'   tensor that no body can have), `rotdyn_error_range`, `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), equation 5.21.
+#' @examples
+#' # A rod of 1.5 kg and 2 m: from its centre to its end, and back.
+#' parallel_axis(0.5, mass_kg = 1.5, distance_m = 1)
+#' parallel_axis(2, mass_kg = 1.5, distance_m = 1, direction = "to_centre")
+#' parallel_axis(diag(c(1, 2, 3)), mass_kg = 2, distance_m = c(0, 0, 0.5))
+#' @export
+parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
+                          direction = c("from_centre", "to_centre")) {
+  call <- rlang::current_env()
+  check_supplied(c("inertia_kg_m2", "mass_kg", "distance_m"), call)
+  check_no_dots(...)
+  direction <- check_string(direction[1], "direction", c("from_centre", "to_centre"), call)
+  sign <- if (direction == "from_centre") 1 else -1
+  if (is.matrix(inertia_kg_m2)) {
+    return(parallel_axis_tensor(inertia_kg_m2, mass_kg, distance_m, sign, call))
+  }
+  columns <- list(
+    inertia_kg_m2 = check_column(inertia_kg_m2, "inertia_kg_m2", "kg*m^2", call),
+    mass_kg = check_column(mass_kg, "mass_kg", "kg", call),
+    distance_m = check_column(distance_m, "distance_m", "m", call)
+  )
+  check_recyclable(columns, call)
+  check_not_negative(columns$inertia_kg_m2, "inertia_kg_m2", "kg*m^2", call)
+  check_not_negative(columns$mass_kg, "mass_kg", "kg", call)
+  check_not_negative(columns$distance_m, "distance_m", "m", call)
+  moved <- columns$mass_kg * columns$distance_m * columns$distance_m
+  value <- columns$inertia_kg_m2 + sign * moved
+  # A point mass comes back as rounding of either sign.
+  rounding <- 4 * .Machine$double.eps * moved
+  if (sign < 0) {
+    below <- which(value < -rounding)
+    if (length(below)) {
+      i <- below[1]
+      abort_rotdyn(
+        c(
+          "{.arg inertia_kg_m2} must be at least m d^2, its value for a point mass.",
+          x = "In row {i} the moment about the centre would be {format(value[i], digits = 3)}
+               kg m^2."
+        ),
+        "value",
+        call
+      )
+    }
+    value <- pmax(value, 0)
+    warn_lost_digits(moved, value, call)
+  }
+  value
+}
+
+parallel_axis_tensor <- function(inertia, mass, d, sign, call) {
+  mass <- check_number(mass, "mass_kg", "kg", call, lower = 0)
+  d <- check_vector(d, "distance_m", "m", call)
+  tensor <- check_inertia_or_abort(as_tensor(inertia, "inertia_kg_m2", call), mass, call)
+  out <- check_in_range(.Call(ffi_inertia_shift, tensor, mass, d, sign), call)
+  if (sign < 0) {
+    out <- check_shifted(out, tensor, mass, d, call)
+  }
+  out
+}
+
+# A tensor moved to the centre: possible within what the subtraction rounded, and a warning where
+# little is left.
+check_shifted <- function(out, tensor, mass, d, call) {
+  moved <- mass * sum(d^2)
+  rounding <- 8 * .Machine$double.eps * max(abs(tensor))
+  second <- .Call(ffi_inertia_second, out)
+  p <- .Call(ffi_inertia_principal, second, 0)
+  if (p$second[3] >= -rounding && p$second[3] < 0) {
+    # Rounding alone made it impossible: the nearest that is possible.
+    keep <- pmax(p$second, 0)
+    second <- p$axes %*% (keep * t(p$axes))
+    second <- (second + t(second)) / 2
+    out <- .Call(ffi_inertia_tensors, second)[[2]]
+  }
+  out <- check_inertia_or_abort(out, mass, call)
+  warn_lost_digits(moved, max(abs(p$moment)), call)
+  out
+}
+
+# 1e8 is where half of the sixteen digits are gone.
+warn_lost_digits <- function(moved, left, call) {
+  lost <- which(moved > 1e8 * left)
+  if (length(lost)) {
+    i <- lost[1]
+    left <- rep_len(left, max(lost))[i]
+    digits <- if (left > 0) max(0, floor(-log10(.Machine$double.eps * moved[i] / left))) else 0
+    warn_rotdyn(
+      c(
+        "Moving to the centre of mass cancels nearly all of the moment of inertia.",
+        x = "m d^2 is {format(moved[i], digits = 3)} kg m^2, what is left
+             {format(left, digits = 3)}: about {digits} digit{?s} of it {?is/are} good.",
+        i = "Give the tensor about the centre of mass, or a point near it."
+      ),
+      "digits",
+      call
+    )
+  }
+}

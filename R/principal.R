@@ -1,0 +1,129 @@
+#' Principal axes and moments of a body
+#'
+#' `principal_axes()` diagonalises a body's inertia about its centre of mass; `symmetry_class()`
+#' names what kind of top the body is.
+#'
+#' The eigenvalues \eqn{c_1 \ge c_2 \ge c_3} of the second moment \eqn{C = \int x x^T dm} are found
+#' by Jacobi's rotations, which keep the small ones, and the moments are their sums:
+#' \deqn{I_1 = c_2 + c_3 \le I_2 = c_1 + c_3 \le I_3 = c_1 + c_2.}
+#'
+#' The axes are right-handed. The largest component of each of the first two is positive; the third
+#' is their cross product. Where moments are equal (to 1e-14), any axes in their plane will do:
+#' those nearest to the own axes are taken.
+#'
+#' | class | moments |
+#' |---|---|
+#' | `"point"` | all zero |
+#' | `"rod"` | I1 = 0, I2 = I3 |
+#' | `"plate"` | I1 + I2 = I3: all mass in one plane; it may be oblate as well |
+#' | `"spherical"` | I1 = I2 = I3 |
+#' | `"oblate"` | I1 = I2 < I3 |
+#' | `"prolate"` | I1 < I2 = I3 |
+#' | `"asymmetric"` | all different |
+#'
+#' @param body A `rot_body`, or a 3 x 3 inertia tensor in kg m^2 (off-diagonal elements are minus
+#'   the products of inertia), which must be one that a body can have: see [check_inertia()].
+#' @param ... Not used; names after it must be given in full.
+#' @param tolerance Moments that differ by no more than this part of the largest second moment count
+#'   as equal. By default 1e-12, or the body's own error where that is larger: what cannot be told
+#'   apart is not told apart.
+#' @return `principal_axes()`: a tibble (class `rot_principal_axes`) of three rows, moments
+#'   ascending: `r describe_columns(principal_columns)`
+#'   Attributes: `symmetry`, `axes` (3 x 3, a column an axis).
+#'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too.
+#'
+#'   `symmetry_class()`: one string.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_inertia` for a tensor that no body can have,
+#'   `rotdyn_error_value`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.4;
+#'   Demmel and Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204, for the rotations.
+#' @examples
+#' principal_axes(body_disk(mass_kg = 2, radius_m = 0.25))
+#' symmetry_class(body_sphere(1, 0.1))
+#' principal_axes(matrix(c(2, -0.5, 0, -0.5, 3, 0, 0, 0, 4), 3))
+#' @export
+principal_axes <- function(body, ..., tolerance = NULL) {
+  call <- rlang::current_env()
+  check_no_dots(...)
+  if (!inherits(body, "rot_body")) {
+    body <- body_of_tensor(body, call)
+  }
+  tolerance <- if (is.null(tolerance)) {
+    max(1e-12, body$error, na.rm = TRUE)
+  } else {
+    check_number(tolerance, "tolerance", "1", call, lower = 0, upper = 1)
+  }
+  p <- .Call(ffi_inertia_principal, body$second_moment_kg_m2, tolerance)
+  equal <- p$equal
+  tibble::new_tibble(
+    list(
+      axis = 1:3,
+      principal_moment_kg_m2 = p$moment,
+      second_moment_kg_m2 = p$second,
+      x = p$axes[1, ],
+      y = p$axes[2, ],
+      z = p$axes[3, ],
+      unique = !c(equal[1], equal[1] || equal[2], equal[2])
+    ),
+    nrow = 3L,
+    axes = p$axes,
+    symmetry = name_symmetry(p$second, equal, tolerance),
+    class = "rot_principal_axes"
+  )
+}
+
+#' @rdname principal_axes
+#' @export
+symmetry_class <- function(body, ..., tolerance = NULL) {
+  check_no_dots(...)
+  attr(principal_axes(body, tolerance = tolerance), "symmetry")
+}
+
+name_symmetry <- function(second, equal, tolerance) {
+  if (second[1] <= 0) {
+    return("point")
+  }
+  gone <- second <= tolerance * second[1]
+  if (gone[2]) {
+    "rod"
+  } else if (gone[3]) {
+    "plate"
+  } else if (all(equal)) {
+    "spherical"
+  } else if (equal[1]) {
+    "oblate"
+  } else if (equal[2]) {
+    "prolate"
+  } else {
+    "asymmetric"
+  }
+}
+
+describe_symmetry <- function(axes) {
+  symmetry <- attr(axes, "symmetry")
+  free <- sum(!axes$unique)
+  paste0(
+    symmetry,
+    switch(symmetry,
+      point = "",
+      rod = " (any axes across it are principal)",
+      spherical = " (every axis is principal)",
+      if (free == 2L) {
+        which <- paste(which(!axes$unique), collapse = " and ")
+        paste0(" (axes ", which, " not unique: their moments are equal)")
+      } else {
+        ""
+      }
+    )
+  )
+}
+
+#' @export
+print.rot_principal_axes <- function(x, ...) {
+  symmetry <- attr(x, "symmetry")
+  # Not where rows or columns were taken out.
+  if (!is.null(symmetry) && "unique" %in% names(x) && nrow(x) == 3L) {
+    cat("# Principal axes about the centre of mass: ", describe_symmetry(x), "\n", sep = "")
+  }
+  NextMethod()
+}

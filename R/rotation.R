@@ -1,0 +1,123 @@
+#' Rotations
+#'
+#' The rotation by an angle about an axis, as the 3 x 3 matrix that turns vectors: `v_space = R
+#' v_body`. Its columns are the body's axes as seen from space.
+#'
+#' \deqn{R = 1 + \sin\phi\,[n]_\times + (1 - \cos\phi)\,[n]_\times^2}
+#'
+#' @param axis Direction of the axis: `"x"`, `"y"`, `"z"`, or three numbers of any length but 0.
+#' @param angle_rad,angle_deg The angle, counter-clockwise as seen from the axis's tip: one of the
+#'   two. Quarter turns in degrees are exact.
+#' @return A 3 x 3 matrix, orthogonal to two roundings.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`, `rotdyn_error_missing`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.7.
+#' @examples
+#' rotation_about("z", angle_deg = 90)
+#' @export
+rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
+  call <- rlang::current_env()
+  check_supplied("axis", call)
+  if (is.null(angle_rad) == is.null(angle_deg)) {
+    abort_rotdyn(
+      "Exactly one of {.arg angle_rad} and {.arg angle_deg} must be given.", "missing", call
+    )
+  }
+  n <- unit_axis(as_axis(axis, call), call)
+  # Both from the half angle: 1 - cos keeps its digits.
+  if (is.null(angle_deg)) {
+    angle <- check_number(angle_rad, "angle_rad", "rad", call)
+    sine <- sin(angle)
+    versine <- 2 * sin(angle / 2)^2
+  } else {
+    # Whole turns go first: that remainder is exact.
+    turns <- (check_number(angle_deg, "angle_deg", "degree", call) %% 360) / 180
+    sine <- sinpi(turns)
+    versine <- 2 * sinpi(turns / 2)^2
+  }
+  # Quarter turns: sinpi(1/4)^2 is not quite 1/2.
+  if (abs(sine) == 1) versine <- 1
+  cross <- matrix(c(0, n[3], -n[2], -n[3], 0, n[1], n[2], -n[1], 0), 3)
+  diag(3) + sine * cross + versine * (cross %*% cross)
+}
+
+# "x", "y", "z" or three numbers.
+as_axis <- function(axis, call) {
+  if (is.character(axis)) {
+    axis <- check_string(axis, "axis", c("x", "y", "z"), call)
+    as.double(c("x", "y", "z") == axis)
+  } else {
+    axis
+  }
+}
+
+unit_axis <- function(axis, call) {
+  axis <- check_finite(axis, "axis", "1", call)
+  if (length(axis) != 3L || all(axis == 0)) {
+    abort_rotdyn("{.arg axis} must be three numbers, not all 0.", "value", call)
+  }
+  axis <- axis / max(abs(axis))
+  axis / sqrt(sum(axis^2))
+}
+
+# A rotation as a matrix: NULL (none), a 3 x 3 matrix, or a quaternion, scalar first, body to space.
+as_rotation <- function(rotation, arg, call) {
+  if (is.null(rotation)) {
+    return(diag(3))
+  }
+  size <- dim(rotation) %||% length(rotation)
+  if (!is.numeric(rotation) || is.object(rotation) ||
+    !(identical(size, c(3L, 3L)) || identical(size, 4L))) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
+        x = "It is {describe_value(rotation)}.",
+        i = "See {.fn rotation_about}."
+      ),
+      "type",
+      call
+    )
+  }
+  if (!all(is.finite(rotation))) {
+    abort_rotdyn("{.arg {arg}} must be finite.", "value", call)
+  }
+  if (length(rotation) == 4L) {
+    return(matrix_of_quaternion(as.double(rotation), arg, call))
+  }
+  rotation <- matrix(as.double(rotation), 3)
+  off <- max(abs(crossprod(rotation) - diag(3)))
+  if (off > 1e-8 || det(rotation) < 0) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be a rotation: orthogonal, with determinant +1.",
+        x = if (off > 1e-8) {
+          "R'R differs from 1 by {format(off, digits = 3)}."
+        } else {
+          "Its determinant is -1: it mirrors."
+        }
+      ),
+      "value",
+      call
+    )
+  }
+  # Numbers of nine digits make no rotation of sixteen: one step of Newton's to the nearest one.
+  rotation %*% (3 * diag(3) - crossprod(rotation)) / 2
+}
+
+matrix_of_quaternion <- function(q, arg, call) {
+  norm <- sqrt(sum(q^2))
+  if (!(abs(norm - 1) <= 1e-8)) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be a unit quaternion.",
+        x = "Its norm is {format(norm, digits = 7)}."
+      ),
+      "value",
+      call
+    )
+  }
+  q <- q / norm
+  v <- q[2:4]
+  cross <- matrix(c(0, v[3], -v[2], -v[3], 0, v[1], v[2], -v[1], 0), 3)
+  diag(3) + 2 * q[1] * cross + 2 * (cross %*% cross)
+}
