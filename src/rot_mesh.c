@@ -334,6 +334,7 @@ static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell
   out->error += displace(sum, &of, own, &moved);
   out->size_error += moved;
   out->coordinate_error = displace(sum, &of, last, &moved);
+  out->moved_error = displace(sum, &of, (const double[3]){1.0, 1.0, 1.0}, &moved);
   const double *n = sum + NORMAL;
   out->closure = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / (2.0 * of.area);
   out->size = of.size;
@@ -354,6 +355,7 @@ static rot_status moments(const rot_mesh *mesh, int shell, const rot_hooks *hook
   const int e = tame.exponent;
   out->size = power_of_two(out->size, e, shell ? 2 : 3);
   out->area = power_of_two(out->area, e, 2);
+  out->moved_error = ldexp(out->moved_error, -e);
   for (int k = 0; k < 6; k++) out->second_moment[k] = power_of_two(out->second_moment[k], e, 2);
   for (int k = 0; k < 3; k++) {
     out->centre[k] = ldexp(out->centre[k], e);

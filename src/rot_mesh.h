@@ -86,6 +86,7 @@ typedef struct rot_mesh_moments {
   double second_moment[6]; /* about the centre, per unit of mass: xx, yy, zz, xy, xz, yz */
   double error;            /* bound of its error, relative to its trace: rounding here */
   double coordinate_error; /* bound of what half a last digit of each coordinate does to it */
+  double moved_error;      /* the same of a vertex moved by 1 in each coordinate, to first order */
   double reach;            /* from the centre to the farthest vertex */
   double area;
   double closure;      /* |sum of the area vectors|/area: 0 for a closed mesh but for rounding */

@@ -20,10 +20,11 @@ typedef struct work {
   uint32_t *face; /* ordered by component */
 } work;
 
-enum { POINTS = 8 };
+/* Points of a component that are tried; the first few whatever they cost. */
+enum { POINTS = 64, FIRST_POINTS = 8 };
 
-/* Faces and boxes that may be looked at: some seconds. */
-static const double most_looks = 4e8;
+/* Boxes that may be looked at, a face counting as 16: some seconds, for all and for one. */
+static const double most_looks = 4e8, most_looks_each = 2e7;
 
 static void corner_at(const work *w, size_t face, size_t k, double at[3]) {
   const size_t vertex = rot_mesh_corner(w->mesh, face, k);
@@ -89,7 +90,8 @@ static void gather_parts(const work *w, rot_nesting *out) {
 
 /* ---- what is around a point ----------------------------------------------------------------- */
 
-/* Half of the solid angle of a face. */
+/* Half of the solid angle of a face; HUGE_VAL from a point on it, or so near that rounding decides
+ * which side it sees. */
 static double half_angle(const work *w, size_t face, const double p[3]) {
   double r[3][3], length[3], n[3], gross;
   for (size_t k = 0; k < 3; k++) {
@@ -104,7 +106,7 @@ static double half_angle(const work *w, size_t face, const double p[3]) {
     const double *a = r[k], *b = r[(k + 1) % 3];
     down += (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * length[(k + 2) % 3];
   }
-  return atan2(up, down);
+  return down < 0.0 && fabs(up) <= 1e-9 * -down ? HUGE_VAL : atan2(up, down);
 }
 
 static int in_box(const part *of, const double p[3]) {
@@ -133,14 +135,17 @@ static double count_around(const work *w, size_t self, const double p[3], double
   return around;
 }
 
-/* The middles of some faces, spread over the component. */
+/* The middles of some faces. The golden section spreads them over any order of the faces. */
 static int place_component(const work *w, size_t self, double *looks, double *around) {
   const part *of = &w->parts[self];
-  const size_t n = of->end - of->begin, points = n < POINTS ? n : POINTS;
+  const size_t n = of->end - of->begin;
+  const double golden = 0.61803398874989485, before = *looks;
   int seen = 0;
   *around = 0.0;
-  for (size_t i = 0; i < points; i++) {
-    const size_t face = w->face[of->begin + i * (n / points)];
+  for (size_t i = 0; i < n && i < POINTS; i++) {
+    if (i >= FIRST_POINTS && *looks - before > most_looks_each) break;
+    const double turn = golden * (double)i, place = n > POINTS ? turn - floor(turn) : 0.0;
+    const size_t face = w->face[of->begin + (n > POINTS ? (size_t)(place * (double)n) : i)];
     double corner[3][3], p[3];
     for (size_t k = 0; k < 3; k++) corner_at(w, face, k, corner[k]);
     for (int j = 0; j < 3; j++) p[j] = (corner[0][j] + corner[1][j] + corner[2][j]) / 3.0;

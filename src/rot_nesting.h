@@ -22,7 +22,7 @@ typedef struct rot_nesting {
 } rot_nesting;
 
 /* `component` from rot_edges_check(), of a mesh without open, mis-wound or crowded edges.
- * volume[i] is that of component i, with its sign. A component is tried at up to 8 points, so
+ * volume[i] is that of component i, with its sign. A component is tried at up to 64 points, so
  * parts that cross in a small region can go unseen, and one that crosses itself is not found. */
 rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], size_t components,
                              const rot_hooks *hooks, double volume[], rot_nesting *out);
