@@ -25,8 +25,8 @@
 #'
 #' **Vertices at one place.** Where the mesh is not closed as it stands, vertices with the same
 #' coordinates are made one (an STL file repeats each vertex in each face), then those that differ by
-#' no more than rounding: 2^-23 of the largest coordinate where numbers came in single precision,
-#' 2^-46 else. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
+#' no more than rounding: 2^-46 of the largest coordinate, or 2^-23 where numbers came in single
+#' precision. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
 #' `merged_vertices`, and what moved vertices may cost is in `error`.
 #'
 #' **Files.** STL is read by the package Rvcg, or rgl (binary files only, slower), OBJ by rgl, or
@@ -176,11 +176,11 @@ warn_of_millimetres <- function(of, call) {
 # first that is closed, or else the one with the fewest bad edges.
 inspect_mesh <- function(read, weld_m, call) {
   largest <- if (length(read$vertices)) max(abs(read$vertices[is.finite(read$vertices)]), 0) else 0
-  rounding <- largest * if (isTRUE(read$single)) 2^-23 else 2^-46
+  rounding <- largest * c(2^-46, if (isTRUE(read$single)) 2^-23)
   distances <- if (is.null(weld_m)) {
     # Loose triangles need not be tried as they stand.
     loose <- length(read$faces) > 3 && length(read$faces) <= mesh_vertex_count(read)
-    c(if (!loose) -1, 0, if (rounding > 0) rounding)
+    c(if (!loose) -1, 0, rounding[rounding > 0])
   } else {
     check_number(weld_m, "weld_m", "m", call, lower = 0) / read$factor
   }
@@ -196,8 +196,8 @@ inspect_mesh <- function(read, weld_m, call) {
       )
     }
     check_core_status(one$kind, call)
-    one$distance <- max(distance, 0)
-    bad <- sum(one$counts[c("open_edges", "miswound", "crowded")])
+    one$distance <- if (isTRUE(one$counts[["merged_vertices"]] > 0)) max(distance, 0) else 0
+    bad <- sum(one$counts[c("open_edges", "miswound", "crowded", "touching")])
     if (is.null(best) || isTRUE(bad < best$bad)) {
       best <- one
       best$bad <- bad
@@ -247,6 +247,12 @@ mesh_conditions <- as.data.frame(do.call(rbind, list(
     "{n} edge{?s} with more than two faces", "Take out inner walls and fins."
   ),
   c(
+    "touching", "solid", "parts do not touch along an edge",
+    "edges with as many faces in one direction as in the other, but more than one",
+    "{n} edge{?s} with four faces or more, where parts touch",
+    "Give each part vertices of its own, or make a body of each."
+  ),
+  c(
     "duplicate_faces", "solid", "no face is there twice",
     "faces with the vertices of an earlier one", "{n} duplicate face{?s}", "Take them out."
   ),
@@ -267,7 +273,6 @@ mesh_conditions <- as.data.frame(do.call(rbind, list(
   c("components", "", "parts", "parts, which hang together by edges", "", ""),
   c("cavities", "", "cavities", "parts wound against the whole, inside of it", "", ""),
   c("flipped", "", "faces point outwards", "1 where all faces point inwards", "", ""),
-  c("touching", "", "no edges touch", "edges along which parts touch", "", ""),
   c("degenerate", "", "no face has a vertex twice", "faces with a vertex twice: left out", "", ""),
   c("zero_area", "", "faces have an area", "faces with their corners on a line", "", ""),
   c("merged_vertices", "", "vertices are one each", "vertices merged with one at their place", "", ""),
@@ -341,16 +346,13 @@ mesh_moments <- function(read, found, shell, call) {
     )
   }
   check_core_status(of$kind, call)
-  # Half a last digit of the largest coordinate costs coordinate_error; single precision 2^29 times
-  # that, and merging what it may have moved.
-  largest <- max(abs(of$lo), abs(of$hi))
-  moved <- read$precision / 2^-53
-  if (found$distance > 0 && found$counts[["merged_vertices"]] > 0) {
-    moved <- moved + found$distance / (largest * 2^-53)
-  }
-  # A size smaller than its distance from the origin: the largest coordinate bounds the others.
-  of$error <- of$error + moved * of$coordinate_error
+  of$error <- of$error + of$moved_error * vertices_moved(of, read, found$distance)
   mesh_in_metres(of, read$factor, if (shell) 2 else 3)
+}
+
+# How far a vertex may be from where the file or the user had it, in each coordinate.
+vertices_moved <- function(of, read, distance) {
+  read$precision * max(abs(of$lo), abs(of$hi)) + distance
 }
 
 mesh_in_metres <- function(of, factor, power) {
@@ -424,7 +426,8 @@ mesh_box <- function(read, found, call) {
   of <- list(
     size = prod(side), size_error = 8 * .Machine$double.eps, centre = lo / 2 + hi / 2,
     second = c(side^2 / 12, 0, 0, 0), error = 8 * .Machine$double.eps,
-    coordinate_error = sum(2 * pmax(abs(lo), abs(hi)) * 2^-53 * side) / sum(side^2) * 2,
+    coordinate_error = 4 * sum(pmax(abs(lo), abs(hi)) * side) / sum(side^2) * 2^-53,
+    moved_error = 4 * sum(side) / sum(side^2),
     reach = sqrt(sum(side^2)) / 2 * (1 + 4 * .Machine$double.eps),
     area = 2 * (side[1] * side[2] + side[2] * side[3] + side[3] * side[1]), closure = 0,
     lo = lo, hi = hi
@@ -432,7 +435,7 @@ mesh_box <- function(read, found, call) {
   if (!all(side > 0)) {
     abort_rotdyn("The box of {.arg mesh} has no volume.", "mesh", call)
   }
-  of$error <- of$error + read$precision / 2^-53 * of$coordinate_error
+  of$error <- of$error + of$moved_error * vertices_moved(of, read, 0)
   mesh_in_metres(of, read$factor, 3)
 }
 

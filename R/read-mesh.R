@@ -273,7 +273,15 @@ has_rgl <- function() {
 read_by_rgl <- function(path, format) {
   if (!has_rgl()) need_package("rgl", "An OBJ file", rlang::caller_env())
   if (format == "obj") {
-    return(rgl::readOBJ(path))
+    # It tells of each kind of line that is not geometry.
+    return(withCallingHandlers(
+      rgl::readOBJ(path),
+      warning = function(w) {
+        if (grepl("ignored|incomplete final line", conditionMessage(w))) {
+          invokeRestart("muffleWarning")
+        }
+      }
+    ))
   }
   corners <- rgl::readSTL(path, plot = FALSE)
   structure(

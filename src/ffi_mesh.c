@@ -142,8 +142,8 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
 SEXP ffi_mesh_moments(SEXP vertices, SEXP faces, SEXP by_column, SEXP same, SEXP shell,
                       SEXP progress) {
   static const char *const names[] = {
-      "kind",  "size", "size_error", "centre", "second", "error", "coordinate_error",
-      "reach", "area", "closure",    "lo",     "hi",     ""};
+      "kind",  "size", "size_error", "centre", "second", "error",       "coordinate_error",
+      "reach", "area", "closure",    "lo",     "hi",     "moved_error", ""};
   rot_mesh mesh = read_mesh(vertices, faces, by_column);
   mesh.same = read_same(same, &mesh);
   rot_mesh_moments m;
@@ -160,11 +160,11 @@ SEXP ffi_mesh_moments(SEXP vertices, SEXP faces, SEXP by_column, SEXP same, SEXP
                                                         : rot_mesh_solid(&mesh, &guard.hooks, &m);
   ffi_guard_end(&guard, status);
   if (!bad.bad_faces) UNPROTECT(1);
-  const double numbers[] = {m.size,  m.size_error, m.error,  m.coordinate_error,
-                            m.reach, m.area,       m.closure};
-  static const int at[] = {1, 2, 5, 6, 7, 8, 9};
+  const double numbers[] = {m.size,  m.size_error, m.error,   m.coordinate_error,
+                            m.reach, m.area,       m.closure, m.moved_error};
+  static const int at[] = {1, 2, 5, 6, 7, 8, 9, 12};
   SET_VECTOR_ELT(out, 0, status_kind(status));
-  for (int i = 0; i < 7; i++) SET_VECTOR_ELT(out, at[i], Rf_ScalarReal(numbers[i]));
+  for (int i = 0; i < 8; i++) SET_VECTOR_ELT(out, at[i], Rf_ScalarReal(numbers[i]));
   const struct {
     int at, n;
     const double *from;
