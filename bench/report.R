@@ -110,6 +110,15 @@ goals <- rbind(
   goal(
     "rolling table, 1e7 rows: times faster than dplyr", "rolling", "1e7 rows", "dplyr, mutate()",
     "ratio_median", least = 4
+  ),
+  goal(
+    "mesh, C core: time of the plain loop over ours (50 and 75 million triangles a second)", "mesh",
+    "1.3e6 triangles, 0 from the origin", "plain loop in C: integrals alone", "ratio_median",
+    least = 0.667
+  ),
+  goal(
+    "mesh, error far from the origin", "mesh", "1.3e6 triangles, 1e+06 from the origin",
+    "rotdyn, C core: integrals, area, closure, error bound", "error", most = 2e-15
   )
 )
 

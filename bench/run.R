@@ -2,7 +2,8 @@
 # package installed:
 #
 #   Rscript bench/run.R                       everything, a few minutes
-#   Rscript bench/run.R spin-up calls         some of rolling, spin-up, sweep, function-torque, calls
+#   Rscript bench/run.R spin-up mesh          some of rolling, spin-up, sweep, function-torque,
+#                                             rhs-calls, calls, mesh
 #   Rscript bench/run.R --rounds=5 rolling    fewer rounds than 21
 #
 # Rewrites what it ran in bench/results.csv and bench/README.md.
@@ -11,7 +12,7 @@ if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
   "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque",
-  "rhs-calls", "calls"
+  "rhs-calls", "calls", "mesh"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -22,7 +23,8 @@ comparisons <- list(
   "sweep" = run_sweep,
   "function-torque" = run_function_torque,
   "rhs-calls" = run_rhs_calls,
-  "calls" = run_calls
+  "calls" = run_calls,
+  "mesh" = run_mesh
 )
 
 args <- commandArgs(trailingOnly = TRUE)

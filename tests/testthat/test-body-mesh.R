@@ -292,7 +292,9 @@ test_that("a missing, flipped, duplicated face is named with its count", {
   expect_equal(failed(check_mesh(flip(mesh, 5))), "faces are wound alike")
   twice <- list(vertices = mesh$vertices, faces = mesh$faces[c(1:12, 5), ])
   expect_error(body_mesh(twice, mass_kg = 1), "1 duplicate face", class = "rotdyn_error_mesh")
-  expect_equal(failed(check_mesh(twice)), c("no edge has a face too many", "no face is there twice"))
+  expect_equal(
+    failed(check_mesh(twice)), c("no edge has a face too many", "no face is there twice")
+  )
   whole <- list(vertices = mesh$vertices, faces = mesh$faces[c(1:12, 1:12), ])
   expect_error(body_mesh(whole, mass_kg = 1), "12 duplicate faces", class = "rotdyn_error_mesh")
   # The condition carries the check.

@@ -192,10 +192,8 @@ test_that("files that are none are refused", {
   # A text STL needs Rvcg, which finds nothing in this one.
   text <- tempfile(fileext = ".stl")
   writeLines("solid nothing", text)
-  expect_error(
-    body_mesh(text, mass_kg = 1),
-    class = if (requireNamespace("Rvcg", quietly = TRUE)) "rotdyn_error_file" else "rotdyn_error_package"
-  )
+  kind <- if (requireNamespace("Rvcg", quietly = TRUE)) "file" else "package"
+  expect_error(body_mesh(text, mass_kg = 1), class = paste0("rotdyn_error_", kind))
 })
 
 test_that("the real meshes have their mass properties, and the bad ones are refused", {
