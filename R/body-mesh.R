@@ -456,8 +456,9 @@ mesh_body <- function(name, of, amount, read, found, check, method, call) {
     size_m = c(length_x_m = side[1], length_y_m = side[2], length_z_m = side[3]),
     reach_m = of$reach,
     formula = switch(method,
-      shell = "sum of |n| (s s' + a a' + b b' + c c')/24",
-      box = "m l^2 / 12",
+      shell = "sum of |n| (s s' + a a' + b b' + c c')/24, the surface",
+      box = "m l^2 / 12, the box of the mesh",
+      hull = "sum of d (s s' + a a' + b b' + c c')/120, the convex hull",
       "sum of d (s s' + a a' + b b' + c c')/120"
     ),
     source = if (is.null(read$file)) "the mesh given" else basename(read$file),

@@ -45,21 +45,31 @@ size_t rot_mesh_mark_used(const rot_mesh *mesh, unsigned char used[]) {
   return unused;
 }
 
-/* Two corners at a time here and four vertices below: each would wait for the one before. */
-static int corners_ok(const rot_mesh *mesh) {
-  const unsigned most = (unsigned)mesh->vertices;
-  const size_t n = mesh->faces, step = mesh->face_step;
-  unsigned wrong = n == 0 || mesh->vertices > INT_MAX, more = 0;
-  for (size_t k = 0; k < 3; k++) {
-    const int *at = mesh->corner + k * mesh->corner_step;
-    size_t i = 0;
-    for (; i + 2 <= n; i += 2, at += 2 * step) {
-      wrong |= (unsigned)at[0] - 1U >= most;
-      more |= (unsigned)at[step] - 1U >= most;
-    }
-    if (i < n) wrong |= (unsigned)at[0] - 1U >= most;
+/* Four corners at a time here, and four vertices below: each would wait for the one before. The top
+ * bit of x - 1 or of most - x is set where x is below 1 or above `most`. */
+static unsigned see_corners(const int at[], size_t n, size_t step, unsigned most) {
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  size_t i = 0;
+  for (; i + 4 <= n; i += 4, at += 4 * step) {
+    const unsigned p = (unsigned)at[0], q = (unsigned)at[step], r = (unsigned)at[2 * step],
+                   s = (unsigned)at[3 * step];
+    a |= (p - 1U) | (most - p);
+    b |= (q - 1U) | (most - q);
+    c |= (r - 1U) | (most - r);
+    d |= (s - 1U) | (most - s);
   }
-  return !(wrong | more);
+  for (; i < n; i++, at += step) a |= ((unsigned)at[0] - 1U) | (most - (unsigned)at[0]);
+  return (a | b | c | d) >> 31;
+}
+
+static int corners_ok(const rot_mesh *mesh) {
+  if (mesh->faces == 0 || mesh->vertices > INT_MAX) return 0;
+  unsigned wrong = 0;
+  for (size_t k = 0; k < 3; k++) {
+    wrong |= see_corners(mesh->corner + k * mesh->corner_step, mesh->faces, mesh->face_step,
+                         (unsigned)mesh->vertices);
+  }
+  return !wrong;
 }
 
 /* Smallest and largest of some values; `zero` becomes NaN with one that is not finite. */
@@ -173,9 +183,9 @@ void rot_mesh_tame_free(rot_mesh_tamed *tame) {
 
 enum { POLL_FACES = 2048 * ROT_MESH_BLOCK };
 
-/* Roundings of a term, relative to the sizes of what is added in it (4 in n, 3 in d, 8 in the
- * square, 1 for their product), and of the sum over a block and its lanes. */
-enum { ROUNDINGS = 16 + ROT_MESH_STEPS + ROT_MESH_LANES };
+/* Roundings of a term, relative to the sizes of what is added in it (4 in n, 3 in d, 5 in q, 1 for
+ * their product), and of the sum over a block and its lanes. */
+enum { ROUNDINGS = 13 + ROT_MESH_STEPS + ROT_MESH_LANES };
 
 static void sum_narrow(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
                        int shell) {
