@@ -50,7 +50,7 @@ smooth_box <- function() {
   m <- vapply(1:3, function(k) moments_1d(g[[k]], -half[k], half[k]), double(3))
   mass <- prod(m[1, ])
   first <- mass * m[2, ] / m[1, ]
-  second <- diag(mass * m[3, ] / m[1, ]) 
+  second <- diag(mass * m[3, ] / m[1, ])
   for (i in 1:3) for (j in 1:3) if (i != j) second[i, j] <- first[i] * first[j] / mass
   list(
     f = function(x, y, z) g[[1]](x) * g[[2]](y) * g[[3]](z), domain = domain_box(-half, half),
