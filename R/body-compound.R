@@ -62,13 +62,27 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
     }
   }
   centre <- centre + at_m
+  detail <- place_detail(body$detail, if (!is.null(rotation)) turn, at_m)
   if (!all(is.finite(centre))) {
     abort_rotdyn("The place is beyond double precision.", "range", call)
   }
   new_body(
     body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, body$formula,
-    body$source, body$provenance, body$detail, error, body$error_kind
+    body$source, body$provenance, detail, error, body$error_kind
   )
+}
+
+# What a body's detail places in the own axes (parts, points, vertices) goes along.
+place_detail <- function(detail, turn, at_m) {
+  xyz <- c("x_m", "y_m", "z_m")
+  lapply(detail, function(table) {
+    if (is.data.frame(table) && all(xyz %in% names(table))) {
+      at <- rbind(table$x_m, table$y_m, table$z_m)
+      if (!is.null(turn)) at <- turn %*% at
+      table[xyz] <- list(at[1, ] + at_m[1], at[2, ] + at_m[2], at[3, ] + at_m[3])
+    }
+    table
+  })
 }
 
 #' @rdname compound
@@ -143,7 +157,7 @@ combine_bodies <- function(parts, sign, name, call) {
   }
   trace <- sum(diag(sum$second_kg_m2))
   traces <- colSums(seconds[1:3, , drop = FALSE])
-  error <- if (trace > 0) sum(pick("error") * traces) / trace + sum$error else 0
+  error <- (if (trace > 0) sum(pick("error") * traces) / trace else 0) + sum$error
   kinds <- vapply(parts, function(b) b$error_kind, character(1))
   away <- sqrt(colSums((centres - sum$centre_m)^2))
   new_body(

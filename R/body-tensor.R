@@ -1,16 +1,17 @@
 #' A body from its inertia tensor
 #'
 #' For a tensor that was computed or measured elsewhere: CAD, a data sheet, a robot description. A
-#' tensor that no body can have is refused, with what is wrong and, where one number explains it, the
-#' likely repair.
+#' tensor that no body can have is refused, with what is wrong and, where one number explains it,
+#' the likely repair.
 #'
 #' @param mass_kg Mass, at least 0.
 #' @param inertia_kg_m2 A symmetric 3 x 3 matrix in kg m^2; or six numbers named `ixx`, `iyy`,
-#'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes.
+#'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes; or what
+#'   [inertia_tensor()] gave, which knows its point, axes and sign convention.
 #' @param centre_m Centre of mass in the own axes.
 #' @param ... Not used; names after it must be given in full.
-#' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes), or
-#'   three numbers in m. If it is not the centre, the tensor is moved there; that subtracts, and
+#' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes),
+#'   or three numbers in m. If it is not the centre, the tensor is moved there; that subtracts, and
 #'   warns (`rotdyn_warning_digits`) where more than half of the digits go.
 #' @param axes The axes its components refer to: `"own"`, or a rotation matrix whose columns are
 #'   those axes in the own ones (or its quaternion, scalar first).
@@ -39,15 +40,24 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
   if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
+  askew <- max(abs(tensor - t(tensor))) / 2
+  # About whatever point: it must be some body's. And only what is symmetric can be moved.
+  tensor <- check_inertia_or_abort(tensor, mass_kg, call)
+  # A tensor that knows its point and axes is believed, unless it is told otherwise.
+  knows <- inherits(inertia_kg_m2, "rot_inertia_tensor")
+  if (knows && missing(about) && attr(inertia_kg_m2, "about") != "centre") {
+    about <- attr(inertia_kg_m2, "point_m")
+  }
+  if (knows && missing(axes)) axes <- attr(inertia_kg_m2, "rotation")
   point <- as_point(about, list(centre_m = centre_m), "about", call)
   rotation <- if (identical(axes, "own")) NULL else as_rotation(axes, "axes", call)
   d <- centre_m - point
   scale <- sum(abs(diag(tensor)))
   if (!is.null(rotation)) {
-    tensor <- .Call(ffi_inertia_rotate, symmetrise(tensor), rotation)
+    tensor <- .Call(ffi_inertia_rotate, tensor, rotation)
   }
   if (any(d != 0)) {
-    tensor <- .Call(ffi_inertia_shift, symmetrise(tensor), mass_kg, d, -1)
+    tensor <- check_in_range(.Call(ffi_inertia_shift, tensor, mass_kg, d, -1), call)
     tensor <- check_shifted(tensor, tensor + mass_kg * sum(d^2), mass_kg, d, call)
   }
   tensor <- check_inertia_or_abort(tensor, mass_kg, call, reach_m = reach_m)
@@ -59,7 +69,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     formula = "given",
     provenance = "tensor",
     # Three numbers of the tensor, rounded once each, go into one of the second moment.
-    error = if (trace > 0) 8 * .Machine$double.eps * scale / trace else 0
+    error = if (trace > 0) (8 * .Machine$double.eps * scale + askew) / trace else 0
   )
 }
 
@@ -117,8 +127,4 @@ abort_tensor <- function(x, arg, call) {
 
 symmetrise <- function(tensor) {
   (tensor + t(tensor)) / 2
-}
-
-check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL) {
-  symmetrise(tensor)
 }

@@ -45,7 +45,10 @@ column_list <- list(
   c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
   c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
   c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what both could explain of it"),
-  c("verdict", "", "\"balanced\" if both residuals are explained, else \"unbalanced\""),
+  c(
+    "verdict", "",
+    "\"balanced\" if an audit's residuals are explained, else \"unbalanced\"; of a check, \"holds\"..."
+  ),
   c("constraint", "", "what the body may do: axle, ..."),
   c("equations", "", "equations that the model solves"),
   c("assumptions", "", "what must be true of the world"),
@@ -123,7 +126,26 @@ column_list <- list(
   c("ratio_to_first", "1", "angular velocity of the first shaft over that of this one"),
   c("reflected_inertia_kg_m2", "kg m^2", "moment of inertia as the first shaft feels it"),
   c("reflected_viscous_n_m_s", "N m s", "viscous coefficient as the first shaft feels it"),
-  c("reflected_torque_n_m", "N m", "torque as the first shaft feels it, losses included")
+  c("reflected_torque_n_m", "N m", "torque as the first shaft feels it, losses included"),
+  c("condition", "", "what must hold"),
+  c("value", "", "what was found, in the unit of the condition"),
+  c("limit", "", "what is allowed, in the same unit"),
+  c("margin", "1", "how far inside the limit, relative; negative outside"),
+  c("suggestion", "", "the smallest repair that makes every condition hold; alternatives listed"),
+  c("repair", "1", "number of the repair, the smallest first"),
+  c("size", "1", "how large the repair is; the help says how it is counted"),
+  c("kind", "", "what slip the repair undoes"),
+  c("entry", "", "the number that changes"),
+  c("from", "", "what it is"),
+  c("to", "", "what it would be"),
+  c("link", "", "name of the link"),
+  c("centre_x_m", "m", "x of the centre of mass"),
+  c("centre_y_m", "m", "y of the centre of mass"),
+  c("centre_z_m", "m", "z of the centre of mass"),
+  c("reach_m", "m", "from the centre of mass to the farthest point; NA if not known"),
+  c("body", "", "the body, or NULL where there is none"),
+  c("fault", "", "the condition that fails, in words; NA if none does"),
+  c("check", "", "what check_inertia() returned; NULL without inertia")
 )
 
 column_table <- as.data.frame(do.call(rbind, column_list))

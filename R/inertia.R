@@ -32,8 +32,8 @@
 #'
 #'   All are as good as the body's own error figure, and some eight roundings.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf
-#'   included), `rotdyn_error_unit`; `rotdyn_error_point` for a sum of tensors that do not belong
-#'   together.
+#'   included), `rotdyn_error_unit`; `rotdyn_error_range` where the result is beyond 1.8e308;
+#'   `rotdyn_error_point` for a sum of tensors that do not belong together.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), sections 5.3 and 5.4.
 #' @seealso [principal_axes()], [parallel_axis()] for numbers without a body, [join_bodies()].
 #' @examples
@@ -55,6 +55,7 @@ inertia_tensor <- function(body, about = "centre", ..., axes = "own",
   tensor <- .Call(
     ffi_inertia_about, body$second_moment_kg_m2, body$mass_kg, body$centre_m - point, rotation
   )
+  check_in_range(tensor, call)
   if (products == "positive") {
     tensor <- flip_products(tensor)
   }
@@ -74,10 +75,11 @@ moment_of_inertia <- function(body, axis, through = "centre") {
   call <- rlang::current_env()
   check_supplied(c("body", "axis"), call)
   check_body(body, call)
-  .Call(
+  moment <- .Call(
     ffi_inertia_axis, body$mass_kg, body$centre_m, body$second_moment_kg_m2,
     unit_axis(as_axis(axis, call), call), as_point(through, body, "through", call)
   )
+  check_in_range(moment, call)
 }
 
 #' @rdname inertia_tensor
@@ -88,6 +90,13 @@ radius_of_gyration <- function(body, axis, through = "centre") {
   check_body(body, call)
   axis <- unit_axis(as_axis(axis, call), call)
   sqrt(moment_of_inertia(body, axis, through) / body$mass_kg)
+}
+
+check_in_range <- function(x, call) {
+  if (!all(is.finite(x))) {
+    abort_rotdyn("The inertia is beyond double precision.", "range", call)
+  }
+  x
 }
 
 check_products <- function(products, call) {

@@ -23,7 +23,7 @@
 #'   relative to the larger of the two terms.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (a negative mass
 #'   or distance; a moment about the centre that would be negative), `rotdyn_error_inertia` (a
-#'   tensor about the centre that no body can have), `rotdyn_error_unit`.
+#'   tensor that no body can have), `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), equation 5.21.
 #' @examples
 #' # A rod of 1.5 kg and 2 m: from its centre to its end, and back.
@@ -77,12 +77,8 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
 parallel_axis_tensor <- function(inertia, mass, d, sign, call) {
   mass <- check_number(mass, "mass_kg", "kg", call, lower = 0)
   d <- check_vector(d, "distance_m", "m", call)
-  tensor <- if (sign > 0) {
-    check_inertia_or_abort(inertia, mass, call)
-  } else {
-    as_tensor(inertia, "inertia_kg_m2", call)
-  }
-  out <- .Call(ffi_inertia_shift, tensor, mass, d, sign)
+  tensor <- check_inertia_or_abort(as_tensor(inertia, "inertia_kg_m2", call), mass, call)
+  out <- check_in_range(.Call(ffi_inertia_shift, tensor, mass, d, sign), call)
   if (sign < 0) {
     out <- check_shifted(out, tensor, mass, d, call)
   }

@@ -30,7 +30,8 @@ rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
     sine <- sin(angle)
     versine <- 2 * sin(angle / 2)^2
   } else {
-    turns <- (check_number(angle_deg, "angle_deg", "degree", call) / 180) %% 2
+    # Whole turns go first: that remainder is exact.
+    turns <- (check_number(angle_deg, "angle_deg", "degree", call) %% 360) / 180
     sine <- sinpi(turns)
     versine <- 2 * sinpi(turns / 2)^2
   }
@@ -64,7 +65,9 @@ as_rotation <- function(rotation, arg, call) {
   if (is.null(rotation)) {
     return(diag(3))
   }
-  if (!is.numeric(rotation) || is.object(rotation) || !length(rotation) %in% c(4L, 9L)) {
+  size <- dim(rotation) %||% length(rotation)
+  if (!is.numeric(rotation) || is.object(rotation) ||
+    !(identical(size, c(3L, 3L)) || identical(size, 4L))) {
     abort_rotdyn(
       c(
         "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
@@ -97,7 +100,8 @@ as_rotation <- function(rotation, arg, call) {
       call
     )
   }
-  rotation
+  # Numbers of nine digits make no rotation of sixteen: one step of Newton's to the nearest one.
+  rotation %*% (3 * diag(3) - crossprod(rotation)) / 2
 }
 
 matrix_of_quaternion <- function(q, arg, call) {

@@ -155,6 +155,23 @@ Ops.rot_torque <- function(e1, e2) {
   unsupported()
 }
 
+# sum() of laws is a law; no other summary of one makes sense.
+#' @export
+Summary.rot_torque <- function(..., na.rm = FALSE) {
+  call <- rlang::caller_env()
+  if (.Generic != "sum") {
+    abort_rotdyn(
+      c(
+        "{.fn {(.Generic)}} is not defined for torque laws.",
+        i = "They add up: {.fn sum}, or {.code +}."
+      ),
+      "type",
+      call
+    )
+  }
+  do.call(sum_torques, lapply(list(...), as_torque, call = call))
+}
+
 sum_torques <- function(...) {
   laws <- list(...)
   flat <- lapply(laws, function(law) if (inherits(law, "rot_torque_sum")) law$laws else list(law))

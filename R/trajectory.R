@@ -157,7 +157,8 @@ failed_run <- function(info, n, on_fail, call) {
     torque = "Look at the torque function there, or end {.arg time_s} before.",
     budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time. Resistance that
               acts much faster than the time asked for (inertia/viscous) takes many steps.",
-    step = "The torque changes faster than time can be resolved: tell its {.arg breaks_s}.",
+    step = "The torque changes faster than time can be resolved (tell its {.arg breaks_s}), or the
+            motion leaves every bound there.",
     range = "The motion grows beyond 1.8e308: shorten the time.",
     NULL
   )

@@ -164,8 +164,7 @@ rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, doubl
 }
 
 double rot_axle_drag_terminal(const rot_axle_scene *scene) {
-  const rot_torque *torque = &scene->linear.torque;
-  const double last = torque->n ? torque->torque_n_m[torque->n - 1] : torque->after_n_m;
+  const double last = scene->linear.torque.after_n_m;
   const int direction = last < 0.0 ? -1 : 1;
   const rot_drag_law law = law_towards(scene, last, direction);
   const double omega = rot_drag_terminal(&law);

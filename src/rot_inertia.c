@@ -88,9 +88,10 @@ double rot_inertia_axis(const rot_inertial *body, const double n[3], const doubl
   for (int i = 0; i < 3; i++) d[i] = body->centre_m[i] - point[i];
   const double x = u[0] * u[0], y = u[1] * u[1], z = u[2] * u[2];
   /* tr C - u'Cu, with the squares that cancel left out. */
-  const double own =
-      (c[ROT_XX] * (y + z) + c[ROT_YY] * (x + z) + c[ROT_ZZ] * (x + y)) -
-      2.0 * (c[ROT_XY] * u[0] * u[1] + c[ROT_XZ] * u[0] * u[2] + c[ROT_YZ] * u[1] * u[2]);
+  double own = (c[ROT_XX] * (y + z) + c[ROT_YY] * (x + z) + c[ROT_ZZ] * (x + y)) -
+               2.0 * (c[ROT_XY] * u[0] * u[1] + c[ROT_XZ] * u[0] * u[2] + c[ROT_YZ] * u[1] * u[2]);
+  /* A rod about itself: rounding of either sign, and no body's moment is less than 0. */
+  if (body->mass_kg >= 0.0 && own < 0.0) own = 0.0;
   const double cross[3] = {u[1] * d[2] - u[2] * d[1], u[2] * d[0] - u[0] * d[2],
                            u[0] * d[1] - u[1] * d[0]};
   double moved = 0.0;
@@ -195,20 +196,24 @@ typedef struct scales {
 /* Exponents that bring masses and distances near 1, so that no product leaves the range; 0 where
  * nothing is finite but 0. */
 static scales find_scales(size_t n, const rot_inertial part[], const double from[3]) {
-  double mass = 0.0, length2 = 0.0, length = 0.0;
+  double mass = 0.0, second = 0.0, length = 0.0;
   scales s = {0, 0};
   for (size_t i = 0; i < n; i++) {
     mass = fmax(mass, fabs(part[i].mass_kg));
-    for (int k = 0; k < 3; k++) length = fmax(length, fabs(part[i].centre_m[k] - from[k]));
-  }
-  if (mass > 0.0) frexp(mass, &s.mass);
-  for (size_t i = 0; i < n; i++) {
     for (int k = 0; k < 3; k++) {
-      length2 = fmax(length2, fabs(ldexp(part[i].second_kg_m2[k], -s.mass)));
+      length = fmax(length, fabs(part[i].centre_m[k] - from[k]));
+      second = fmax(second, fabs(part[i].second_kg_m2[k]));
     }
   }
-  length = fmax(length, sqrt(length2));
-  if (length > 0.0) frexp(length, &s.length);
+  if (mass > 0.0) frexp(mass, &s.mass);
+  if (length > 0.0 && isfinite(length)) frexp(length, &s.length);
+  if (second > 0.0 && isfinite(second)) {
+    /* By exponents: 1e300 kg m^2 over 1e-300 kg is no double. */
+    int e;
+    frexp(second, &e);
+    const int own = (e - s.mass) / 2 + 1;
+    if (own > s.length || !(length > 0.0)) s.length = own;
+  }
   return s;
 }
 
@@ -274,6 +279,7 @@ rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *w
     if (!isfinite(whole->second_kg_m2[k])) return ROT_ERANGE;
   }
   /* A term is m d d': two roundings, and two in each d; the sums add one. */
-  *error = trace > 0.0 ? 8.0 * ROT_EPS * spread / trace : 0.0;
+  const double rounding = 8.0 * ROT_EPS * spread;
+  *error = rounding <= 0.0 ? 0.0 : trace > 0.0 ? rounding / trace : INFINITY;
   return ROT_OK;
 }

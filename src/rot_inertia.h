@@ -36,7 +36,8 @@ void rot_inertia_shift(double mass, const double d[3], double sign, const double
 /* R C R', R by rows. */
 void rot_inertia_rotate(const double r[9], const double c[], double out[]);
 
-/* Moment about the axis along n (any length but 0) through `point`. */
+/* Moment about the axis along n (any length but 0) through `point`; not less than 0 where the mass
+ * is not. */
 double rot_inertia_axis(const rot_inertial *body, const double n[3], const double point[3]);
 
 /* Second moments along the principal axes, descending, so that the moments
@@ -51,9 +52,10 @@ typedef struct rot_principal {
 
 rot_status rot_inertia_principal(const double c[], double tolerance, rot_principal *out);
 
-/* n bodies as one, a hole as a body of negative mass and second moment. The common centre first, from the heaviest part
- * and not from the origin, then the parts about it. *error bounds the error of the second moment
- * by the sums' own roundings, relative to its trace. */
+/* n bodies as one, a hole as a body of negative mass and second moment. The common centre first,
+ * from the heaviest part and not from the origin, then the parts about it. *error bounds the error
+ * of the second moment by the sums' own roundings, relative to its trace; it is infinite where holes
+ * leave no trace to compare with. */
 rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *whole,
                             double *error);
 

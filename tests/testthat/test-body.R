@@ -6,9 +6,32 @@ test_that("a moment about an axis is n' I n", {
   expect_equal(rotdyn:::moment_about_axis(disk, c(1, 0, 1) / sqrt(2)), 6.75)
 })
 
+test_that("the tensor is made of the second moment, off-diagonals minus the products", {
+  body <- rotdyn:::new_body("test", 2, c(1, 2, 4, 0.5, -0.25, 0.125))
+  expect_identical(
+    body$inertia_kg_m2,
+    matrix(c(6, -0.5, 0.25, -0.5, 5, -0.125, 0.25, -0.125, 3), 3,
+           dimnames = list(c("x", "y", "z"), c("x", "y", "z")))
+  )
+  expect_identical(diag(body$second_moment_kg_m2), c(x = 1, y = 2, z = 4))
+  # Six numbers or the matrix: the same.
+  again <- rotdyn:::new_body("test", 2, body$second_moment_kg_m2)
+  expect_identical(again$inertia_kg_m2, body$inertia_kg_m2)
+})
+
+test_that("what is beyond double precision is no body", {
+  expect_error(body_sphere(1, 1e200), class = "rotdyn_error_range")
+  expect_error(rotdyn:::new_body("test", 1, c(NaN, 1, 1, 0, 0, 0)), class = "rotdyn_error_range")
+  expect_s3_class(body_sphere(1e-300, 1e300), "rot_body")
+})
+
 test_that("a body prints its mass, size, inertia and formula", {
   expect_snapshot({
     body_disk(2, 0.25)
     body_rod(1.5, 2)
+    body_disk(0, 1)
+    place_body(body_rod(1.5, 2), c(1, 0, -2), rotation_about("z", angle_deg = 30))
+    body_tensor(2, diag(c(0.05, 0.06, 0.07)) - 0.001 * (1 - diag(3)), name = "forearm")
+    join_bodies(body_sphere(2, 0.1), place_body(body_sphere(1, 0.1), c(0.3, 0, 0)), name = "pair")
   })
 })

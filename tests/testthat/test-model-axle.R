@@ -515,3 +515,34 @@ test_that("a stiff integration shows the transient that it starts with", {
   )
   expect_equal(gone$omega_rad_per_s, c(0, 0))
 })
+
+test_that("the error of the integrator covers the kinks of a torque curve", {
+  set.seed(4)
+  missed <- 0
+  for (i in 1:60) {
+    knots <- sample(3:6, 1)
+    scene <- scene_axle(
+      runif(1, 0.2, 2),
+      torque_curve(sort(runif(knots, 0, 30)), sort(runif(knots, 0, 5), decreasing = TRUE)),
+      resistance(viscous_n_m_s = runif(1, 0, 0.1), quadratic_n_m_s2 = runif(1, 0, 0.01))
+    )
+    time_s <- seq(0, 10, length.out = 20)
+    rough <- trajectory(scene, time_s, accuracy = 1e-9, model = "axle_rk8pd")
+    # The kinks keep 1e-13 from being reached; what is reached is far better than 1e-9.
+    fine <- suppressWarnings(trajectory(scene, time_s, accuracy = 1e-13, model = "axle_rk8pd"))
+    off <- max(abs(rough$omega_rad_per_s - fine$omega_rad_per_s)) / max(fine$omega_rad_per_s)
+    missed <- missed + (off > summary(rough)$error)
+  }
+  expect_lte(missed, 3)
+})
+
+test_that("Radau's impulses go with its states, from stop to stop", {
+  scene <- scene_axle(
+    1, torque_sinusoid(2, 2), resistance(viscous_n_m_s = 0.05, coulomb_n_m = 0.8),
+    omega0_rad_per_s = 1
+  )
+  run <- trajectory(scene, seq(0, 6, by = 0.1), accuracy = 1e-8, model = "axle_radau")
+  balance <- audit(run)
+  expect_lt(abs(balance$momentum_residual_kg_m2_per_s), 1e-13)
+  expect_equal(balance$verdict, "balanced")
+})

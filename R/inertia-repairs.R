@@ -1,0 +1,369 @@
+# Slips of the pen that would explain a tensor no body can have. Each candidate changes one thing;
+# it is kept if every condition then holds. Entries are handled as the user gave them, so that
+# products of the other sign convention are named with the user's own numbers.
+
+# A radius of gyration beyond `size_m` or below `size_m`/100 points to a unit. A body's is usually
+# 0.33 (cube) to 1 (dumbbell) of its reach; whatever the unit was, it must lead back there.
+radius_too_small <- 100
+radius_usual <- c(0.2, 1)
+
+# What the tensor may have been given in, relative to kg m^2.
+inertia_units <- c(
+  "g m^2" = 1e-3, "kg cm^2" = 1e-4, "kg mm^2" = 1e-6, "g cm^2" = 1e-7, "g mm^2" = 1e-9,
+  "kg um^2" = 1e-12
+)
+
+# A moment written without its point has up to nine places too many. Products are small as they
+# are, and made small enough any product is legal.
+decimal_places <- list(moment = 1:9, product = 1:3)
+
+check_columns <- c(
+  "row", "object", "condition", "value", "limit", "margin", "verdict", "meaning", "suggestion"
+)
+repair_columns <- c("row", "repair", "size", "kind", "entry", "from", "to")
+
+# Measured by `Rscript bench/inertia-repair.R 4000 1`.
+repair_figures <- paste(
+  "Of 3938 such slips, the true repair was always listed; it was among the smallest for 97.8 %,",
+  "and the one smallest for 88.5 %, or for 92.7 % where mass and size were known."
+)
+
+repairs_of <- function(tensor, mass_kg, size_m, sign, judged) {
+  failed <- judged$condition[judged$verdict == "fails"]
+  small <- is_too_small(judged, size_m)
+  if (!length(failed) && !small || "finite" %in% failed) {
+    return(list())
+  }
+  now <- list(six = to_given(tensor_to_six(tensor), sign), mass_kg = mass_kg, size_m = size_m)
+  candidates <- if (small) {
+    too_small_candidates(now, judged)
+  } else if (identical(failed, "mass")) {
+    mass_candidates(now)
+  } else if ("symmetric" %in% failed) {
+    asymmetry_candidates(tensor, now, sign)
+  } else if ("mass" %in% failed) {
+    list()
+  } else {
+    c(
+      digit_candidates(now), decimal_candidates(now), sign_candidates(now),
+      copy_candidates(now), swap_candidates(now),
+      if (identical(failed, "size")) unit_candidates(now, judged)
+    )
+  }
+  keep_legal(candidates, now, sign)
+}
+
+# Signs of the products as the tensor has them, or as the user gave them: the same flip both ways.
+to_given <- function(six, sign) {
+  c(six[1:3], sign * six[4:6])
+}
+
+is_too_small <- function(judged, size_m) {
+  at <- match("size", judged$condition)
+  if (is.na(at) || any(judged$verdict == "fails")) {
+    return(FALSE)
+  }
+  judged$value[at] > 0 && judged$value[at] < size_m / radius_too_small
+}
+
+# A candidate: which entries change to what; `size` says how large a repair it is.
+new_repair <- function(kind, size, entry, from, to) {
+  list(kind = kind, size = size, entry = entry, from = from, to = to)
+}
+
+keep_legal <- function(candidates, now, sign) {
+  if (!length(candidates)) {
+    return(list())
+  }
+  sizes <- vapply(candidates, `[[`, 0, "size")
+  candidates <- candidates[order(sizes)]
+  sizes <- sort(sizes)
+  smallest <- Inf
+  kept <- list()
+  for (i in seq_along(candidates)) {
+    if (sizes[i] > smallest + 1) {
+      break
+    }
+    if (is_legal(apply_repair(now, candidates[[i]]), sign)) {
+      kept <- c(kept, candidates[i])
+      smallest <- min(smallest, sizes[i])
+    }
+  }
+  kept
+}
+
+apply_repair <- function(now, repair) {
+  at <- match(repair$entry, inertia_entries)
+  inside <- !is.na(at)
+  now$six[at[inside]] <- repair$to[inside]
+  for (name in repair$entry[!inside]) {
+    now[[name]] <- repair$to[repair$entry == name]
+  }
+  now
+}
+
+is_legal <- function(now, sign) {
+  six <- to_given(now$six, sign)
+  largest <- max(abs(six))
+  if (!is.finite(largest)) {
+    return(FALSE)
+  }
+  # The diagonal's own sums are necessary, and cheap.
+  if (largest > 0) {
+    diagonal <- six[1:3] / largest
+    if (min(diagonal) < margin_of_legality ||
+      sum(diagonal) - 2 * max(diagonal) < margin_of_legality) {
+      return(FALSE)
+    }
+  }
+  # A repair may not lean on the tolerance: any product that is made small enough would.
+  judged <- judge_tensor(six_to_tensor(six), now$mass_kg, now$size_m)
+  all(judged$margin[judged$condition != "symmetric"] >= margin_of_rounding)
+}
+
+# ---- candidates -----------------------------------------------------------------------------
+
+# One step of the last printed digit, of numbers printed to at least two digits.
+digit_candidates <- function(now) {
+  found <- list()
+  for (i in which(now$six != 0)) {
+    x <- now$six[i]
+    digits <- printed_digits(x)
+    step <- 10^(floor(log10(abs(x))) + 1 - digits)
+    if (digits < 2L || digits > 12L || !is.finite(step) || step == 0) {
+      next
+    }
+    to <- signif(c(x - step, x + step), digits + 1L)
+    found <- c(found, lapply(to, function(to) {
+      new_repair("last digit", 1, inertia_entries[i], x, to)
+    }))
+  }
+  found
+}
+
+# How many digits the shortest decimal of x has.
+printed_digits <- function(x) {
+  for (digits in 1:16) {
+    if (as.numeric(sprintf("%.*e", digits - 1L, x)) == x) {
+      return(digits)
+    }
+  }
+  17L
+}
+
+decimal_candidates <- function(now) {
+  values <- now$six
+  names(values) <- inertia_entries
+  if (is_positive(now$mass_kg) && is_positive(now$size_m)) {
+    values <- c(values, mass_kg = now$mass_kg)
+  }
+  found <- list()
+  for (entry in names(values)[values != 0]) {
+    x <- values[[entry]]
+    is_product <- entry %in% inertia_entries[4:6]
+    for (places in decimal_places[[if (is_product) "product" else "moment"]]) {
+      found <- c(found, list(
+        new_repair("decimal point", 1 + places, entry, x, x / 10^places),
+        new_repair("decimal point", 1 + places, entry, x, x * 10^places)
+      ))
+    }
+  }
+  found
+}
+
+is_positive <- function(x) {
+  !is.na(x) && is.finite(x) && x > 0
+}
+
+# The sign of one product has the same effect as that of all three: the eigenvalues depend on the
+# product of the three only.
+sign_candidates <- function(now) {
+  found <- lapply(which(now$six[1:3] < 0), function(i) {
+    new_repair("sign of a moment", 2, inertia_entries[i], now$six[i], -now$six[i])
+  })
+  if (all(now$six[4:6] != 0)) {
+    found <- c(
+      found,
+      lapply(4:6, function(i) {
+        new_repair("sign of a product", 2, inertia_entries[i], now$six[i], -now$six[i])
+      }),
+      list(new_repair(
+        "sign convention of the products", 2, inertia_entries[4:6], now$six[4:6], -now$six[4:6]
+      ))
+    )
+  }
+  found
+}
+
+# A product that repeats a moment digit by digit was copied from it.
+copy_candidates <- function(now) {
+  copies <- 3L + which(now$six[4:6] != 0 & abs(now$six[4:6]) %in% abs(now$six[1:3]))
+  lapply(copies, function(i) {
+    new_repair("repetition of a moment", 2, inertia_entries[i], now$six[i], 0)
+  })
+}
+
+# Two entries in each other's place, at least one of them a product. Moments among themselves leave
+# the diagonal's sums as they are.
+swap_candidates <- function(now) {
+  found <- list()
+  for (i in 4:6) {
+    for (j in seq_len(i - 1L)) {
+      if (now$six[i] != now$six[j]) {
+        at <- c(j, i)
+        found <- c(found, list(
+          new_repair("entries swapped", 3, inertia_entries[at], now$six[at], now$six[rev(at)])
+        ))
+      }
+    }
+  }
+  found
+}
+
+# Every entry in another unit, where that leads to an ordinary radius of gyration.
+unit_candidates <- function(now, judged) {
+  at <- match("size", judged$condition)
+  radius <- judged$value[at] / judged$limit[at] * sqrt(inertia_units)
+  usual <- radius >= radius_usual[1L] & radius <= radius_usual[2L]
+  if (!any(usual)) {
+    usual <- radius <= 1 & radius == max(radius[radius <= 1], 0)
+  }
+  present <- now$six != 0
+  lapply(which(usual), function(i) {
+    from <- now$six[present]
+    new_repair(
+      paste0("unit (", names(inertia_units)[i], ")"), 2, inertia_entries[present], from,
+      from * inertia_units[[i]]
+    )
+  })
+}
+
+too_small_candidates <- function(now, judged) {
+  at <- match("size", judged$condition)
+  radius <- judged$value[at] / judged$limit[at]
+  found <- list(
+    new_repair("unit (mm)", 2, "size_m", now$size_m, now$size_m / 1e3),
+    new_repair("unit (um)", 2, "size_m", now$size_m, now$size_m / 1e6),
+    new_repair("unit (g)", 2, "mass_kg", now$mass_kg, now$mass_kg / 1e3)
+  )
+  after <- radius * c(1e3, 1e6, sqrt(1e3))
+  found[after >= radius_usual[1L] & after <= radius_usual[2L]]
+}
+
+mass_candidates <- function(now) {
+  if (is.finite(now$mass_kg) && now$mass_kg < 0) {
+    list(new_repair("sign of the mass", 2, "mass_kg", now$mass_kg, -now$mass_kg))
+  } else {
+    list()
+  }
+}
+
+# Where both halves of a matrix differ, one of them is right. One pair that differs has two
+# readings; several have the upper triangle and the lower.
+asymmetry_candidates <- function(tensor, now, sign) {
+  upper <- to_given(tensor[entry_places], sign)
+  lower <- to_given(t(tensor)[entry_places], sign)
+  differs <- which(abs(upper - lower) > asymmetry_allowed * max(abs(tensor)))
+  readings <- if (length(differs) > 1L && all(lower[differs] == 0)) {
+    list(upper)
+  } else if (length(differs) > 1L && all(upper[differs] == 0)) {
+    list(lower)
+  } else {
+    list(upper, lower)
+  }
+  lapply(readings, function(reading) {
+    other <- if (identical(reading, upper)) lower else upper
+    new_repair(
+      asymmetry_kind(reading[differs], other[differs]), 2, inertia_entries[differs],
+      other[differs], reading[differs]
+    )
+  })
+}
+
+asymmetry_kind <- function(a, b) {
+  if (length(a) > 1L) {
+    return("triangle of the matrix")
+  }
+  places <- if (a * b > 0) log10(a / b) else NA
+  if (a == -b) {
+    "sign of a product"
+  } else if (!is.na(places) && abs(places - round(places)) < 1e-9) {
+    "decimal point"
+  } else {
+    "entry across the diagonal"
+  }
+}
+
+# ---- in words -------------------------------------------------------------------------------
+
+bind_repairs <- function(repairs) {
+  changes <- lapply(repairs, function(of_row) lengths(lapply(of_row, `[[`, "entry")))
+  gather <- function(what, kind) {
+    parts <- lapply(repairs, function(of_row) lapply(of_row, `[[`, what))
+    as.vector(unlist(parts), mode = kind)
+  }
+  each <- as.integer(unlist(changes))
+  tibble::new_tibble(list(
+    row = rep(seq_along(repairs), vapply(changes, sum, 0)),
+    repair = rep(as.integer(unlist(lapply(changes, seq_along))), each),
+    size = rep(gather("size", "double"), each),
+    kind = rep(gather("kind", "character"), each),
+    entry = gather("entry", "character"),
+    from = gather("from", "double"),
+    to = gather("to", "double")
+  ))
+}
+
+# One text for the conditions of a tensor, at the first that fails, NA elsewhere.
+suggestion_of <- function(judged, repairs) {
+  text <- rep(NA_character_, length(judged$condition))
+  at <- which(judged$verdict == "fails")
+  if (length(repairs)) {
+    at <- if (length(at)) at[1L] else match("size", judged$condition)
+    text[at] <- repairs_in_words(repairs, legal = all(judged$verdict != "fails"))
+  }
+  text
+}
+
+repairs_in_words <- function(repairs, legal = FALSE) {
+  sizes <- vapply(repairs, `[[`, 0, "size")
+  smallest <- repairs[sizes == min(sizes)]
+  words <- vapply(smallest, repair_in_words, "")
+  # The sign of any one product, or of all: no tensor can tell these four apart.
+  signs <- startsWith(vapply(smallest, `[[`, "", "kind"), "sign of a product") |
+    startsWith(vapply(smallest, `[[`, "", "kind"), "sign convention")
+  if (sum(signs) == 4L) {
+    words <- c(
+      "the other sign of one product, or of all three (the other convention)", words[!signs]
+    )
+  }
+  goal <- if (legal) "would be usual" else "would make every condition hold"
+  larger <- sum(sizes > min(sizes))
+  more <- if (larger) paste0(" (inertia_repairs() lists ", larger, " larger)") else ""
+  if (length(words) == 1L) {
+    return(paste0(words, " ", goal, more))
+  }
+  shown <- words[seq_len(min(length(words), 5L))]
+  if (length(words) > 5L) {
+    shown <- c(shown, paste(length(words) - 5L, "more"))
+  }
+  paste0(
+    "each of these ", goal, ", and nothing here tells which: ", paste(shown, collapse = "; or "),
+    more
+  )
+}
+
+repair_in_words <- function(repair) {
+  if (startsWith(repair$kind, "unit (") && !repair$entry[1L] %in% c("mass_kg", "size_m")) {
+    factor <- inertia_units[[sub("^unit \\((.*)\\)$", "\\1", repair$kind)]]
+    return(paste0("every entry times ", format(factor, scientific = TRUE), " (", repair$kind, ")"))
+  }
+  kind <- repair$kind
+  if (kind == "decimal point" && repair$size > 2) {
+    kind <- paste0("decimal point, ", repair$size - 1, " places")
+  }
+  changes <- paste(
+    repair$entry, "=", format_number(repair$to), "instead of", format_number(repair$from)
+  )
+  paste0(paste(changes, collapse = ", "), " (", kind, ")")
+}

@@ -1,0 +1,238 @@
+# A body's picture: the solid ellipsoid of the same mass and second moments, seen along x, y and z.
+# An ellipsoid x' M^-1 x = 1 casts the shadow whose matrix is the block of M in that plane, also
+# where M is singular: a plate's shadow may be a line, a rod's always is. For a uniform solid
+# ellipsoid C = (m/5) M.
+
+#' Plot a body
+#'
+#' Draws the *equivalent ellipsoid*, the uniform solid ellipsoid with the same mass, centre and
+#' second moments, with its principal axes, as seen along the three own axes. All panels have one
+#' scale. It is the shape that a spinning body's motion knows of: two bodies with the same
+#' ellipsoid turn alike.
+#'
+#' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}} with the second moments \eqn{c_k} along the
+#' principal axes. The longest semi-axis goes with the least moment of inertia, axis 1. A plate is a flat
+#' ellipse, a rod a line, a point or a body without mass a dot. What the body was made of (parts,
+#' points, vertices, at most 2000 of a kind) is drawn faintly; parts cut out are crosses.
+#'
+#' Dashed lines go on in the direction of each principal axis. If the own origin is more than twenty
+#' times the size of the body away, coordinates are measured from the centre of mass, and the
+#' caption says where that is.
+#'
+#' @param object A `rot_body`.
+#' @param ... Not used.
+#' @return A ggplot.
+#' @section Errors: `rotdyn_error_package` without ggplot2.
+#' @seealso [principal_axes()], whose moments and class stand above the picture.
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' rod <- body_rod(mass_kg = 0.5, length_m = 1)
+#' ball <- body_sphere(mass_kg = 2, radius_m = 0.1)
+#' dumbbell <- join_bodies(rod, place_body(ball, c(0.6, 0, 0)), place_body(ball, c(-0.6, 0, 0)))
+#' ggplot2::autoplot(place_body(dumbbell, c(0.5, 0, 0), rotation_about("z", angle_deg = 30)))
+#' @exportS3Method ggplot2::autoplot
+autoplot.rot_body <- function(object, ...) {
+  need_package("ggplot2", "A plot", rlang::current_env())
+  drawn <- body_drawing(object)
+  colours <- stats::setNames(plot_colours[1:3], levels(drawn$axes$axis))
+  ggplot2::ggplot(mapping = ggplot2::aes(.data$across, .data$up)) +
+    ggplot2::geom_blank(data = drawn$frame) +
+    ggplot2::geom_polygon(data = drawn$outline, fill = "grey70", alpha = 0.35) +
+    # Round the outline as a path as well: a polygon without area would not be seen.
+    ggplot2::geom_path(data = drawn$outline, colour = "grey30", linewidth = 0.8) +
+    ggplot2::geom_segment(
+      ggplot2::aes(xend = .data$across_end, yend = .data$up_end, colour = .data$axis),
+      drawn$axes[drawn$axes$part == "direction", ], linetype = "22", linewidth = 0.8
+    ) +
+    ggplot2::geom_segment(
+      ggplot2::aes(xend = .data$across_end, yend = .data$up_end, colour = .data$axis),
+      drawn$axes[drawn$axes$part == "semi-axis", ], linewidth = 1.3, lineend = "round"
+    ) +
+    ggplot2::geom_point(
+      ggplot2::aes(shape = .data$what), drawn$pieces,
+      colour = "grey35", fill = "white", size = 2, alpha = 0.8
+    ) +
+    # The origin's cross is larger than the dot of the centre: both show where they coincide.
+    ggplot2::geom_point(
+      ggplot2::aes(shape = .data$what), drawn$marks[drawn$marks$what == "own origin", ],
+      size = 5, stroke = 1, colour = "grey10"
+    ) +
+    ggplot2::geom_point(
+      ggplot2::aes(shape = .data$what), drawn$marks[drawn$marks$what == "centre of mass", ],
+      size = 3, colour = "grey10"
+    ) +
+    ggplot2::facet_wrap("panel", nrow = 1, scales = "free") +
+    ggplot2::scale_x_continuous(expand = c(0, 0), n.breaks = 4) +
+    ggplot2::scale_y_continuous(expand = c(0, 0), n.breaks = 5) +
+    ggplot2::scale_colour_manual(values = colours, name = "principal axis") +
+    ggplot2::scale_shape_manual(values = body_marks, name = NULL) +
+    ggplot2::guides(
+      colour = ggplot2::guide_legend(order = 1, override.aes = list(linewidth = 1.3)),
+      shape = ggplot2::guide_legend(order = 2, override.aes = list(size = 3, alpha = 1))
+    ) +
+    ggplot2::labs(
+      title = body_title(object), subtitle = body_subtitle(object), caption = drawn$caption,
+      x = NULL, y = NULL
+    ) +
+    plot_theme() +
+    ggplot2::theme(
+      aspect.ratio = 1,
+      legend.box = "vertical",
+      legend.spacing.y = ggplot2::unit(0, "pt"),
+      panel.spacing = ggplot2::unit(14, "pt"),
+      plot.margin = ggplot2::margin(8, 14, 4, 8)
+    )
+}
+
+body_marks <- c("centre of mass" = 16, "own origin" = 3, part = 21, "cut out" = 4, point = 20)
+
+body_title <- function(body) {
+  name <- gsub("_", " ", body$shape)
+  substr(name, 1, 1) <- toupper(substr(name, 1, 1))
+  paste0(name, ": equivalent ellipsoid and principal axes")
+}
+
+body_subtitle <- function(body) {
+  axes <- principal_axes(body)
+  moments <- clear_noise(axes$principal_moment_kg_m2, body_noise(body))
+  moments <- vapply(moments, format, character(1), digits = 4)
+  paste0(
+    format_si(body$mass_kg), " kg; I1, I2, I3 = ", paste(moments, collapse = ", "), " kg m^2\n",
+    describe_symmetry(axes)
+  )
+}
+
+# Everything as data frames with `panel`, `across` and `up`.
+body_drawing <- function(body) {
+  axes <- principal_axes(body)
+  centre <- as.double(body$centre_m)
+  semi <- if (body$mass_kg > 0) {
+    sqrt(5 * pmax(axes$second_moment_kg_m2, 0) / body$mass_kg)
+  } else {
+    c(0, 0, 0)
+  }
+  far <- sqrt(sum(centre^2)) > 20 * semi[1] && semi[1] > 0
+  # `at` of what is drawn, from the own origin or from the centre.
+  zero <- if (far) centre else c(0, 0, 0)
+  at <- centre - zero
+  pieces <- body_pieces(body, zero)
+  marks <- data.frame(what = "centre of mass", x = at[1], y = at[2], z = at[3])
+  if (!far) {
+    marks <- rbind(marks, data.frame(what = "own origin", x = 0, y = 0, z = 0))
+  }
+  marks$what <- factor(marks$what, levels = names(body_marks))
+  directions <- attr(axes, "axes")
+  lines <- rbind(
+    axis_lines(directions, pmax(1.15 * semi, 0.3 * semi[1]), at, axes, "direction"),
+    axis_lines(directions, semi, at, axes, "semi-axis")
+  )
+  outline <- body_outline(directions, semi, at)
+  lines <- project_lines(lines)
+  marks <- project(marks)
+  pieces <- project(pieces)
+  list(
+    outline = outline, axes = lines, marks = marks, pieces = pieces,
+    frame = panel_frame(list(
+      outline, marks, pieces, lines,
+      data.frame(panel = lines$panel, across = lines$across_end, up = lines$up_end)
+    )),
+    caption = if (far) {
+      paste0("measured from the centre of mass, at (", paste(format_si(centre), collapse = ", "),
+             ") m in the own axes")
+    }
+  )
+}
+
+body_panels <- list(
+  list(label = "across x, up y (m)", across = "x", up = "y"),
+  list(label = "across x, up z (m)", across = "x", up = "z"),
+  list(label = "across y, up z (m)", across = "y", up = "z")
+)
+
+in_panels <- function(one) {
+  labels <- vapply(body_panels, function(panel) panel$label, character(1))
+  frames <- lapply(body_panels, function(panel) {
+    frame <- one(panel$across, panel$up)
+    frame$panel <- factor(rep(panel$label, nrow(frame)), levels = labels)
+    frame
+  })
+  do.call(rbind, frames)
+}
+
+project <- function(points) {
+  in_panels(function(across, up) {
+    cbind(points["what"], across = points[[across]], up = points[[up]])
+  })
+}
+
+project_lines <- function(lines) {
+  in_panels(function(across, up) {
+    data.frame(
+      axis = lines$axis, part = lines$part, across = lines[[across]], up = lines[[up]],
+      across_end = lines[[paste0(across, "_end")]], up_end = lines[[paste0(up, "_end")]]
+    )
+  })
+}
+
+# The shadow's outline: (across, up) = centre + sum over the shadow's own axes. The columns of B are
+# the semi-axes as seen in the panel, M = B B', and B's left singular vectors and values give a
+# flat shadow as a line of the right length.
+body_outline <- function(directions, semi, at, n = 181L) {
+  names(at) <- rownames(directions) <- c("x", "y", "z")
+  angle <- 2 * pi * seq(0, 1, length.out = n)
+  in_panels(function(across, up) {
+    seen <- directions[c(across, up), ] %*% diag(semi)
+    shadow <- svd(seen, nv = 0)
+    edge <- shadow$u %*% (shadow$d * rbind(cos(angle), sin(angle)))
+    data.frame(across = at[[across]] + edge[1, ], up = at[[up]] + edge[2, ])
+  })
+}
+
+axis_lines <- function(directions, reach, at, axes, part) {
+  tip <- directions %*% diag(reach)
+  free <- ifelse(axes$unique, "", " (not unique)")
+  label <- paste0(axes$axis, free)
+  data.frame(
+    axis = factor(label, levels = label), part = part,
+    x = at[1] - tip[1, ], y = at[2] - tip[2, ], z = at[3] - tip[3, ],
+    x_end = at[1] + tip[1, ], y_end = at[2] + tip[2, ], z_end = at[3] + tip[3, ]
+  )
+}
+
+# What the detail places: tables with x_m, y_m and z_m. Negative masses were cut out.
+body_pieces <- function(body, zero, most = 2000L) {
+  empty <- data.frame(what = character(), x = double(), y = double(), z = double())
+  xyz <- c("x_m", "y_m", "z_m")
+  pieces <- lapply(names(body$detail), function(name) {
+    table <- body$detail[[name]]
+    if (!is.data.frame(table) || !all(xyz %in% names(table)) || !nrow(table)) {
+      return(empty)
+    }
+    kept <- unique(round(seq(1, nrow(table), length.out = min(nrow(table), most))))
+    mass <- if ("mass_kg" %in% names(table)) table$mass_kg[kept] else 0
+    data.frame(
+      what = ifelse(mass < 0, "cut out", if (name == "parts") "part" else "point"),
+      x = table$x_m[kept] - zero[1], y = table$y_m[kept] - zero[2], z = table$z_m[kept] - zero[3]
+    )
+  })
+  pieces <- do.call(rbind, c(list(empty), pieces))
+  pieces$what <- factor(pieces$what, levels = names(body_marks))
+  pieces
+}
+
+# Corners for each panel, so that all panels span the same length.
+panel_frame <- function(tables) {
+  all <- do.call(rbind, lapply(tables, function(table) table[c("panel", "across", "up")]))
+  spans <- lapply(split(all, all$panel), function(one) {
+    list(across = range(one$across), up = range(one$up))
+  })
+  half <- max(vapply(spans, function(s) max(diff(s$across), diff(s$up)), double(1))) / 2
+  half <- if (half > 0) 1.06 * half else 1
+  corners <- lapply(names(spans), function(panel) {
+    data.frame(
+      panel = factor(panel, levels = names(spans)),
+      across = mean(spans[[panel]]$across) + c(-half, half),
+      up = mean(spans[[panel]]$up) + c(-half, half)
+    )
+  })
+  do.call(rbind, corners)
+}

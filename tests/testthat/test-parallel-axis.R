@@ -1,0 +1,131 @@
+test_that("a moment goes out with m d^2 and comes back without", {
+  expect_identical(parallel_axis(0.5, mass_kg = 1.5, distance_m = 1), 2)
+  expect_identical(parallel_axis(2, 1.5, 1, direction = "to_centre"), 0.5)
+  expect_identical(parallel_axis(0.5, 1.5, 2), 6.5)
+  set.seed(3)
+  own <- runif(50)
+  mass <- runif(50)
+  distance <- runif(50, 0, 3)
+  away <- parallel_axis(own, mass, distance)
+  expect_true(all(away >= own))
+  expect_equal(
+    parallel_axis(away, mass, distance, direction = "to_centre"), own, tolerance = 1e-13
+  )
+})
+
+test_that("it works by row: recycled, NA gives NA", {
+  expect_identical(parallel_axis(c(1, NA, 3), 2, 1), c(3, NA, 5))
+  expect_identical(parallel_axis(1, c(1, 2), c(3, 4)), c(10, 33))
+  expect_identical(parallel_axis(c(3, NA, 4), 2, 1, direction = "to_centre"), c(1, NA, 2))
+  expect_identical(parallel_axis(numeric(), 2, 1), numeric())
+  expect_identical(parallel_axis(1L, 2L, 3L), 19)
+})
+
+test_that("a tensor moves by m (d'd 1 - d d'), and back", {
+  own <- diag(c(7, 5, 4))
+  d <- c(1, 2, -4)
+  want <- own + 3 * (sum(d^2) * diag(3) - outer(d, d))
+  moved <- parallel_axis(own, mass_kg = 3, distance_m = d)
+  expect_identical(unname(moved), want)
+  expect_identical(unname(parallel_axis(own, 3, -d)), want)
+  expect_identical(unname(parallel_axis(moved, 3, d, direction = "to_centre")), own)
+  # As a body does it.
+  body <- body_tensor(3, own)
+  expect_identical(as.matrix(inertia_tensor(body, d)), moved)
+})
+
+test_that("from one point to another the way leads through the centre", {
+  # From the point at (1, 0, 0) to the one at (0, 1, 0) by way of the centre.
+  body <- place_body(body_tensor(2, c(0.5, 0.6, 0.7)), c(0, 0, 0), rotation_about("x", 1))
+  first <- as.matrix(inertia_tensor(body, c(1, 0, 0)))
+  centre <- parallel_axis(first, 2, c(1, 0, 0), direction = "to_centre")
+  expect_equal(
+    parallel_axis(centre, 2, c(0, 1, 0)), as.matrix(inertia_tensor(body, c(0, 1, 0))),
+    tolerance = 1e-15
+  )
+})
+
+test_that("what is lost on the way to the centre is said, in digits", {
+  expect_warning(
+    parallel_axis(1e9 + 1, 1e9, 1, direction = "to_centre"), "about 6 digits",
+    class = "rotdyn_warning_digits"
+  )
+  # Half of the digits is where it begins: m d^2 = 1e8 times what is left.
+  expect_no_warning(parallel_axis(1e8 + 1, 1e8, 1, direction = "to_centre"))
+  expect_no_warning(parallel_axis(1, 1e12, 1))
+  expect_warning(
+    left <- parallel_axis(diag(c(1, 1, 1)) + 1e10 * diag(c(0, 1, 1)), 1e10, c(1, 0, 0),
+                          direction = "to_centre"),
+    "about 5 digits", class = "rotdyn_warning_digits"
+  )
+  expect_equal(unname(left), diag(3))
+  expect_warning(
+    body_tensor(1e10, diag(c(1, 1, 1)) + 1e10 * diag(c(0, 1, 1)), c(1, 0, 0), about = "origin"),
+    class = "rotdyn_warning_digits"
+  )
+  # A point mass is left with nothing at all.
+  expect_warning(
+    none <- parallel_axis(2 * 0.3^2, 2, 0.3, direction = "to_centre"),
+    "about 0 digits", class = "rotdyn_warning_digits"
+  )
+  expect_gte(none, 0)
+  expect_lte(none, 1e-16)
+  # In a column the row that warns is not the first.
+  expect_warning(
+    parallel_axis(c(2, 1e9 + 1), c(1, 1e9), 1, direction = "to_centre"), "1e\\+09 kg m\\^2",
+    class = "rotdyn_warning_digits"
+  )
+})
+
+test_that("the warning tells what to do", {
+  expect_snapshot(x <- parallel_axis(1e9 + 1, 1e9, 1, direction = "to_centre"))
+})
+
+test_that("rounding on the way back leaves no impossible tensor", {
+  # A plate and a rod, from far away: what comes back may be short of possible by rounding only.
+  set.seed(11)
+  for (i in 1:20) {
+    d <- runif(3, -30, 30)
+    turn <- rotation_about(rnorm(3), angle_rad = runif(1, 0, 6))
+    for (flat in list(c(0, 1, 1), c(1, 2, 3))) {
+      body <- place_body(body_tensor(2, flat), c(0, 0, 0), turn)
+      away <- as.matrix(inertia_tensor(body, d))
+      back <- parallel_axis(away, 2, d, direction = "to_centre")
+      second <- sum(diag(back)) / 2 * diag(3) - back
+      expect_gte(min(eigen(second, TRUE, TRUE)$values), -1e-14)
+      expect_equal(back, body$inertia_kg_m2, tolerance = 1e-11)
+    }
+  }
+})
+
+test_that("bad arguments are refused by class", {
+  expect_error(parallel_axis(), class = "rotdyn_error_missing")
+  expect_error(parallel_axis(1, 2), class = "rotdyn_error_missing")
+  expect_error(parallel_axis("1", 2, 3), class = "rotdyn_error_type")
+  expect_error(parallel_axis(1, TRUE, 3), class = "rotdyn_error_type")
+  expect_error(parallel_axis(1, 2, list(3)), class = "rotdyn_error_type")
+  expect_error(parallel_axis(1:3, 1, 1:2), class = "rotdyn_error_size")
+  expect_error(parallel_axis(-1, 2, 1), "row 1", class = "rotdyn_error_value")
+  expect_error(parallel_axis(1, c(2, -2), 1), "row 2", class = "rotdyn_error_value")
+  expect_error(parallel_axis(1, 2, -1), class = "rotdyn_error_value")
+  expect_error(
+    parallel_axis(c(3, 1), 2, 1, direction = "to_centre"), "In row 2", class = "rotdyn_error_value"
+  )
+  expect_error(parallel_axis(1, 2, 3, direction = "away"), class = "rotdyn_error_value")
+  expect_error(parallel_axis(1, 2, 3, "to_centre"), class = "rlib_error_dots_nonempty")
+  expect_error(parallel_axis(diag(2), 1, c(1, 0, 0)), class = "rotdyn_error_size")
+  expect_error(parallel_axis(diag(3), 1, 2), class = "rotdyn_error_size")
+  expect_error(parallel_axis(diag(3), -1, c(1, 0, 0)), class = "rotdyn_error_value")
+  expect_error(parallel_axis(diag(3), 1, c(1, NA, 0)), class = "rotdyn_error_value")
+  expect_error(parallel_axis(diag(3), 1, c(1e200, 0, 0)), class = "rotdyn_error_range")
+  for (bad in list(diag(c(1, 1, NA)), diag(c(1, 1, Inf)), matrix(c(9, 1, rep(0, 7)), 3))) {
+    expect_error(
+      parallel_axis(bad, 1, c(1, 0, 0), direction = "to_centre"), class = "rotdyn_error_inertia"
+    )
+    expect_error(parallel_axis(bad, 1, c(1, 0, 0)), class = "rotdyn_error_inertia")
+  }
+  # m d^2 alone is more than it has.
+  expect_error(
+    parallel_axis(diag(3), 5, c(1, 0, 0), direction = "to_centre"), class = "rotdyn_error_inertia"
+  )
+})
