@@ -23,8 +23,8 @@
 #'   six components, relative to the trace), from how far leaving out one grid changes the result
 #'   (jackknife). It is no bound: for a torus the worst of the six components was off by more in
 #'   half of 660 runs, by more than four times as much in one; the mass by more than its own
-#'   standard error in a third. It falls as the number of points to the power -2/3, where points without
-#'   cells have -1/2: for the torus 4e-3 at 2e4 points, 1.7e-4 at 2e6.
+#'   standard error in a third. It falls as the number of points to the power -2/3, where points
+#'   without cells have -1/2: for the torus 4e-3 at 2e4 points, 1.7e-4 at 2e6.
 #'
 #' @param f Density in kg/m^3: one number, or a function of three vectors `x_m`, `y_m`, `z_m` that
 #'   returns a vector as long as they are. With `mass_kg`, density up to a factor.
