@@ -14,7 +14,8 @@
 #' @param mass_kg Masses, one for each row or one for all, where `data` has no column of that name.
 #' @param name What to call the body.
 #' @return A `rot_body` in the axes of the coordinates, whose origin is theirs. `reach_m` is the
-#'   distance to the farthest point, `detail` has the number of `points` and a bound of each
+#'   distance to the farthest point, `detail` has the number of `points`, the points
+#'   themselves if there are no more than 2000 (`at`, which `autoplot()` draws), and a bound of each
 #'   coordinate of the centre, `centre_error_m`. `error` is a bound: it counts the roundings here,
 #'   and takes masses and coordinates as they stand.
 #'
@@ -68,6 +69,7 @@ body_points <- function(data, ..., mass_kg = NULL, name = "points") {
     provenance = "points",
     detail = list(
       points = length(points$x_m),
+      at = if (length(points$x_m) <= 2000) tibble::as_tibble(points),
       centre_error_m = moments_centre_error(moments)
     ),
     error = moments[["error"]]
