@@ -1,4 +1,7 @@
 #include "ffi.h"
+
+#include <string.h>
+
 #include "rot_shapes.h"
 
 static SEXP strings(R_xlen_t n) { return Rf_allocVector(STRSXP, n); }
@@ -88,6 +91,17 @@ static void mark_missing(double *columns[], const int shape[], R_xlen_t n) {
   }
 }
 
+/* Every shape that occurs must have its columns; used[0] is for rows that have only beta. */
+static void check_columns(const int used[], const rot_shape_rows *rows) {
+  if (used[0] && !rows->size[ROT_RADIUS].values) Rf_error("internal: no `radius_m`");
+  for (size_t i = 0; i < rot_shape_count(); i++) {
+    const rot_shape *shape = rot_shape_at(i);
+    for (int k = 0; k < shape->sizes && used[i + 1]; k++) {
+      if (!rows->size[shape->size[k]].values) Rf_error("internal: a size is missing");
+    }
+  }
+}
+
 /* Rows of shapes: ids from 1, 0 for a row that has only beta. `sizes` is a list in the order of
  * the sizes, NULL where no row needs it. */
 SEXP ffi_shapes_table(SEXP id, SEXP mass, SEXP beta, SEXP sizes) {
@@ -107,15 +121,14 @@ SEXP ffi_shapes_table(SEXP id, SEXP mass, SEXP beta, SEXP sizes) {
   }
   if (XLENGTH(id) != n) Rf_error("internal: a shape for each row");
   int *shape = (int *)R_alloc((size_t)n, sizeof *shape);
+  int *used = (int *)R_alloc(rot_shape_count() + 1, sizeof *used);
+  memset(used, 0, (rot_shape_count() + 1) * sizeof *used);
   for (R_xlen_t i = 0; i < n; i++) {
     shape[i] = INTEGER(id)[i] - 1;
     if (shape[i] < -1 || shape[i] >= (int)rot_shape_count()) Rf_error("internal: no such shape");
-    const int needed = shape[i] < 0 ? 1 : rot_shape_at((size_t)shape[i])->sizes;
-    for (int k = 0; k < needed; k++) {
-      const int size = shape[i] < 0 ? ROT_RADIUS : (int)rot_shape_at((size_t)shape[i])->size[k];
-      if (!rows.size[size].values) Rf_error("internal: a size is missing");
-    }
+    used[shape[i] + 1] = 1;
   }
+  check_columns(used, &rows);
   rows.shape = shape;
   double *columns[ROT_SHAPE_COLUMNS];
   SEXP out = ffi_columns(ROT_SHAPE_COLUMNS, names, n, columns);

@@ -20,6 +20,9 @@ static double part(double some, double all) { return all == 0.0 ? 0.0 : some / a
 
 static double longest(double a, double b) { return a > b || isnan(a) ? a : b; }
 
+/* Of sizes near 1: what hypot() guards against costs more here than all the rest. */
+static double norm(double a, double b) { return sqrt(a * a + b * b); }
+
 /* Two radii in units of the larger one, which is returned. Both zero is an even rod. */
 static double in_largest(const double size[], double *u, double *v) {
   const double big = longest(size[0], size[1]);
@@ -73,7 +76,7 @@ void rot_half_hoop(const double size[], rot_geometry *out) {
   body(out, r * r / 2.0, 0.09471526543064891422 * r * r, 0.0); /* 1/2 - 4/pi^2 */
   out->centre[1] = up * r;
   out->measure = PI * r;
-  out->reach = hypot(1.0, up) * r;
+  out->reach = norm(1.0, up) * r;
 }
 
 /* ---- plates --------------------------------------------------------------------------------- */
@@ -99,7 +102,7 @@ void rot_half_disk(const double size[], rot_geometry *out) {
   body(out, r * r / 4.0, 0.06987345130251062854 * r * r, 0.0); /* 1/4 - 16/(9 pi^2) */
   out->centre[1] = up * r;
   out->measure = PI / 2.0 * (r * r);
-  out->reach = hypot(1.0, up) * r;
+  out->reach = norm(1.0, up) * r;
 }
 
 void rot_elliptic_plate(const double size[], rot_geometry *out) {
@@ -113,7 +116,7 @@ void rot_rectangle(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1];
   body(out, a * a / 12.0, b * b / 12.0, 0.0);
   out->measure = a * b;
-  out->reach = hypot(a, b) / 2.0;
+  out->reach = norm(a, b) / 2.0;
 }
 
 /* Corners (0, 0), (b, 0), (p, h). */
@@ -125,7 +128,7 @@ void rot_triangle(const double size[], rot_geometry *out) {
   out->centre[0] = gx;
   out->centre[1] = gy;
   out->measure = b * h / 2.0;
-  out->reach = longest(longest(hypot(gx, gy), hypot(b - gx, gy)), hypot(p - gx, h - gy));
+  out->reach = longest(longest(norm(gx, gy), norm(b - gx, gy)), norm(p - gx, h - gy));
 }
 
 /* On its circumscribed circle, a corner on x. In degrees the cosine of the usual ones is exact. */
@@ -142,7 +145,7 @@ void rot_tube(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1];
   round_body(out, r * r / 2.0, l * l / 12.0, 0.0);
   out->measure = 2.0 * PI * r * l;
-  out->reach = hypot(r, l / 2.0);
+  out->reach = norm(r, l / 2.0);
   out->beta = 1.0;
 }
 
@@ -151,7 +154,7 @@ void rot_can(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1], ends = part(r, r + l);
   round_body(out, r * r * part(2.0 * l + r, l + r) / 4.0, l * l * (1.0 + 2.0 * ends) / 12.0, 0.0);
   out->measure = 2.0 * PI * r * (l + r);
-  out->reach = hypot(r, l / 2.0);
+  out->reach = norm(r, l / 2.0);
   out->beta = (2.0 * l + r) / (l + r) / 2.0;
 }
 
@@ -181,8 +184,8 @@ void rot_spherical_cap_shell(const double size[], rot_geometry *out) {
 void rot_cone_shell(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1];
   round_body(out, r * r / 4.0, h * h / 18.0, h / 3.0);
-  out->measure = PI * r * hypot(r, h);
-  out->reach = longest(2.0 * h / 3.0, hypot(r, h / 3.0));
+  out->measure = PI * r * norm(r, h);
+  out->reach = longest(2.0 * h / 3.0, norm(r, h / 3.0));
 }
 
 void rot_frustum_shell(const double size[], rot_geometry *out) {
@@ -191,8 +194,8 @@ void rot_frustum_shell(const double size[], rot_geometry *out) {
   const double big = in_largest(size, &u, &v), s = u + v, low = h * (u + 2.0 * v) / (3.0 * s);
   round_body(out, big * big * (u * u + v * v) / 4.0,
              h * h * (u * u + 4.0 * u * v + v * v) / (18.0 * (s * s)), low);
-  out->measure = PI * (size[0] + size[1]) * hypot(size[0] - size[1], h);
-  out->reach = longest(hypot(size[0], low), hypot(size[1], h - low));
+  out->measure = PI * (size[0] + size[1]) * norm(size[0] - size[1], h);
+  out->reach = longest(norm(size[0], low), norm(size[1], h - low));
 }
 
 void rot_torus_shell(const double size[], rot_geometry *out) {
@@ -217,7 +220,7 @@ void rot_box_shell(const double size[], rot_geometry *out) {
   body(out, a * a * (1.0 + 2.0 * part(bc, area)) / 12.0,
        b * b * (1.0 + 2.0 * part(ac, area)) / 12.0, c * c * (1.0 + 2.0 * part(ab, area)) / 12.0);
   out->measure = 2.0 * area;
-  out->reach = hypot(hypot(a, b), c) / 2.0;
+  out->reach = norm(norm(a, b), c) / 2.0;
 }
 
 /* ---- round solids --------------------------------------------------------------------------- */
@@ -226,7 +229,7 @@ void rot_cylinder(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1];
   round_body(out, r * r / 4.0, l * l / 12.0, 0.0);
   out->measure = PI * (r * r) * l;
-  out->reach = hypot(r, l / 2.0);
+  out->reach = norm(r, l / 2.0);
   out->beta = 0.5;
 }
 
@@ -235,7 +238,7 @@ void rot_thick_tube(const double size[], rot_geometry *out) {
   rot_annulus(size, out);
   out->second[2] = l * l / 12.0;
   out->measure *= l;
-  out->reach = hypot(size[0], l / 2.0);
+  out->reach = norm(size[0], l / 2.0);
 }
 
 void rot_half_cylinder(const double size[], rot_geometry *out) {
@@ -243,7 +246,7 @@ void rot_half_cylinder(const double size[], rot_geometry *out) {
   rot_half_disk(size, out);
   out->second[2] = l * l / 12.0;
   out->measure *= l;
-  out->reach = hypot(out->reach, l / 2.0);
+  out->reach = norm(out->reach, l / 2.0);
 }
 
 void rot_elliptic_cylinder(const double size[], rot_geometry *out) {
@@ -251,7 +254,7 @@ void rot_elliptic_cylinder(const double size[], rot_geometry *out) {
   rot_elliptic_plate(size, out);
   out->second[2] = l * l / 12.0;
   out->measure *= l;
-  out->reach = hypot(out->reach, l / 2.0);
+  out->reach = norm(out->reach, l / 2.0);
 }
 
 void rot_sphere(const double size[], rot_geometry *out) {
@@ -288,14 +291,14 @@ void rot_spherical_cap(const double size[], rot_geometry *out) {
   round_body(out, h * (10.0 * b * x + 5.0 * b * y + h * y) / 20.0,
              h * h * (10.0 * (x * x) + 8.0 * (x * y) + y * y) / 20.0, h * (2.0 * x + y) / 2.0);
   out->measure = PI * (h * h) * d / 6.0;
-  out->reach = hypot(out->centre[2], sqrt(h * b));
+  out->reach = norm(out->centre[2], sqrt(h * b));
 }
 
 void rot_cone(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1];
   round_body(out, 3.0 * (r * r) / 20.0, 3.0 * (h * h) / 80.0, h / 4.0);
   out->measure = PI * (r * r) * h / 3.0;
-  out->reach = longest(3.0 * h / 4.0, hypot(r, h / 4.0));
+  out->reach = longest(3.0 * h / 4.0, norm(r, h / 4.0));
 }
 
 void rot_frustum(const double size[], rot_geometry *out) {
@@ -308,14 +311,14 @@ void rot_frustum(const double size[], rot_geometry *out) {
                  (80.0 * (s * s)),
              low);
   out->measure = PI * h * (big * big * s) / 3.0;
-  out->reach = longest(hypot(size[0], low), hypot(size[1], h - low));
+  out->reach = longest(norm(size[0], low), norm(size[1], h - low));
 }
 
 void rot_paraboloid(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1];
   round_body(out, r * r / 6.0, h * h / 18.0, h / 3.0);
   out->measure = PI * (r * r) * h / 2.0;
-  out->reach = longest(2.0 * h / 3.0, hypot(r, h / 3.0));
+  out->reach = longest(2.0 * h / 3.0, norm(r, h / 3.0));
 }
 
 void rot_ellipsoid(const double size[], rot_geometry *out) {
@@ -351,7 +354,7 @@ void rot_box(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2];
   body(out, a * a / 12.0, b * b / 12.0, c * c / 12.0);
   out->measure = a * b * c;
-  out->reach = hypot(hypot(a, b), c) / 2.0;
+  out->reach = norm(norm(a, b), c) / 2.0;
 }
 
 void rot_cube(const double size[], rot_geometry *out) {
@@ -366,7 +369,7 @@ void rot_polygon_prism(const double size[], rot_geometry *out) {
   rot_polygon_plate(size, out);
   out->second[2] = l * l / 12.0;
   out->measure *= l;
-  out->reach = hypot(size[0], l / 2.0);
+  out->reach = norm(size[0], l / 2.0);
 }
 
 void rot_triangular_prism(const double size[], rot_geometry *out) {
@@ -374,7 +377,7 @@ void rot_triangular_prism(const double size[], rot_geometry *out) {
   rot_triangle(size, out);
   out->second[2] = l * l / 12.0;
   out->measure *= l;
-  out->reach = hypot(out->reach, l / 2.0);
+  out->reach = norm(out->reach, l / 2.0);
 }
 
 void rot_pyramid(const double size[], rot_geometry *out) {
@@ -382,7 +385,7 @@ void rot_pyramid(const double size[], rot_geometry *out) {
   body(out, a * a / 20.0, b * b / 20.0, 3.0 * (h * h) / 80.0);
   out->centre[2] = h / 4.0;
   out->measure = a * b * h / 3.0;
-  out->reach = longest(3.0 * h / 4.0, hypot(hypot(a, b) / 2.0, h / 4.0));
+  out->reach = longest(3.0 * h / 4.0, norm(norm(a, b) / 2.0, h / 4.0));
 }
 
 void rot_regular_tetrahedron(const double size[], rot_geometry *out) {
