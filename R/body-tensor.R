@@ -1,8 +1,8 @@
 #' A body from its inertia tensor
 #'
 #' For a tensor that was computed or measured elsewhere: CAD, a data sheet, a robot description. A
-#' tensor that no body can have is refused, with what is wrong and, where one number explains it, the
-#' likely repair.
+#' tensor that no body can have is refused, with what is wrong and, where one number explains it,
+#' the likely repair.
 #'
 #' @param mass_kg Mass, at least 0.
 #' @param inertia_kg_m2 A symmetric 3 x 3 matrix in kg m^2; or six numbers named `ixx`, `iyy`,
@@ -10,8 +10,8 @@
 #'   [inertia_tensor()] gave, which knows its point, axes and sign convention.
 #' @param centre_m Centre of mass in the own axes.
 #' @param ... Not used; names after it must be given in full.
-#' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes), or
-#'   three numbers in m. If it is not the centre, the tensor is moved there; that subtracts, and
+#' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes),
+#'   or three numbers in m. If it is not the centre, the tensor is moved there; that subtracts, and
 #'   warns (`rotdyn_warning_digits`) where more than half of the digits go.
 #' @param axes The axes its components refer to: `"own"`, or a rotation matrix whose columns are
 #'   those axes in the own ones (or its quaternion, scalar first).
@@ -40,6 +40,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
   if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
+  askew <- max(abs(tensor - t(tensor))) / 2
   # About whatever point: it must be some body's. And only what is symmetric can be moved.
   tensor <- check_inertia_or_abort(tensor, mass_kg, call)
   # A tensor that knows its point and axes is believed, unless it is told otherwise.
@@ -68,7 +69,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     formula = "given",
     provenance = "tensor",
     # Three numbers of the tensor, rounded once each, go into one of the second moment.
-    error = if (trace > 0) 8 * .Machine$double.eps * scale / trace else 0
+    error = if (trace > 0) (8 * .Machine$double.eps * scale + askew) / trace else 0
   )
 }
 

@@ -10,8 +10,8 @@
 #' scale. It is the shape that a spinning body's motion knows of: two bodies with the same
 #' ellipsoid turn alike.
 #'
-#' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}} with the second moments \eqn{c_k} along the principal
-#' axes. The longest semi-axis goes with the least moment of inertia, axis 1. A plate is a flat
+#' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}} with the second moments \eqn{c_k} along the
+#' principal axes. The longest semi-axis goes with the least moment of inertia, axis 1. A plate is a flat
 #' ellipse, a rod a line, a point or a body without mass a dot. What the body was made of (parts,
 #' points, vertices, at most 2000 of a kind) is drawn faintly; parts cut out are crosses.
 #'
@@ -93,7 +93,8 @@ body_title <- function(body) {
 
 body_subtitle <- function(body) {
   axes <- principal_axes(body)
-  moments <- vapply(axes$principal_moment_kg_m2, format, character(1), digits = 4)
+  moments <- clear_noise(axes$principal_moment_kg_m2, body_noise(body))
+  moments <- vapply(moments, format, character(1), digits = 4)
   paste0(
     format_si(body$mass_kg), " kg; I1, I2, I3 = ", paste(moments, collapse = ", "), " kg m^2\n",
     describe_symmetry(axes)

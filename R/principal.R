@@ -8,8 +8,8 @@
 #' \deqn{I_1 = c_2 + c_3 \le I_2 = c_1 + c_3 \le I_3 = c_1 + c_2.}
 #'
 #' The axes are right-handed. The largest component of each of the first two is positive; the third
-#' is their cross product. Where moments are equal (to 1e-14), any axes in their plane will do: those
-#' nearest to the own axes are taken.
+#' is their cross product. Where moments are equal (to 1e-14), any axes in their plane will do:
+#' those nearest to the own axes are taken.
 #'
 #' | class | moments |
 #' |---|---|

@@ -53,6 +53,31 @@ test_that("two hemispheres make the sphere", {
   expect_same_body(sphere, place_body(body_sphere(2 * m, r), c(0, 0, 2)))
 })
 
+test_that("a tetrahedron about its corner, and a cylinder about its end", {
+  # Drake, unit_inertia_test.cc, per kg. The solid tetrahedron has the second moment of a twentieth
+  # of its mass at each corner and the rest at its centre.
+  corners <- rbind(c(0, 0, 0), c(1, 0, 0), c(0, 2, 0), c(0, 0, 3))
+  points <- c(
+    lapply(1:4, function(i) body_tensor(1 / 20, c(0, 0, 0), corners[i, ])),
+    list(body_tensor(16 / 20, c(0, 0, 0), colMeans(corners)))
+  )
+  expect_equal(
+    unname(as.matrix(inertia_tensor(join_bodies(points), "origin"))),
+    matrix(c(1.3, -0.1, -0.15, -0.1, 1, -0.3, -0.15, -0.3, 0.5), 3), tolerance = 1e-15
+  )
+  # Radius 2.5 m, length 1.5 m, along z from its end at the origin: of ever thinner disks, whose
+  # sum lacks L^2/(12 n^2).
+  n <- 300
+  disks <- lapply(seq_len(n), function(i) {
+    place_body(body_disk(1 / n, 2.5), c(0, 0, 1.5 * (i - 0.5) / n))
+  })
+  cylinder <- join_bodies(disks)
+  lack <- 1.5^2 / (12 * n^2)
+  expect_equal(moment_of_inertia(cylinder, "x", "origin") + lack, 2.3125, tolerance = 1e-14)
+  expect_equal(moment_of_inertia(cylinder, "x") + lack, 1.75, tolerance = 1e-14)
+  expect_equal(moment_of_inertia(cylinder, "z"), 3.125, tolerance = 1e-14)
+})
+
 test_that("a sphere less a sphere is the hollow one", {
   # Chrono, 2.1 to 2.3 m, 50 kg/m^3.
   ball <- function(r) body_sphere(50 * 4 / 3 * pi * r^3, r)

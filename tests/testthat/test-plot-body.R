@@ -34,6 +34,13 @@ test_that("a solid sphere is itself", {
   expect_equal(sqrt(edge$across^2 + edge$up^2), rep(0.3, nrow(edge)), tolerance = 1e-14)
 })
 
+test_that("an ellipsoid is itself: semi-axes 5, 4, 3", {
+  # Drake, unit_inertia_test.cc: the ellipsoid of unit moments 5.0, 6.8, 8.2.
+  solid <- layer(ggplot2::autoplot(body_tensor(1, c(5, 6.8, 8.2))), "GeomSegment", 2)
+  half <- pmax(abs(solid$across_end - solid$across), abs(solid$up_end - solid$up)) / 2
+  expect_equal(as.double(tapply(half, solid$axis, max)), c(5, 4, 3), tolerance = 1e-14)
+})
+
 test_that("a plate is a line from its edge, a rod a line or a dot", {
   edge <- outline(body_disk(2, 0.25))
   side <- edge[as.integer(edge$panel) == 2, ]

@@ -1,0 +1,492 @@
+#' A body from a density field
+#'
+#' Mass, centre of mass and second moment of a body whose density is a function of place, by
+#' quadrature where the domain has a map, else by random points:
+#' \deqn{m = \int \rho\,dV,\quad g = \frac{1}{m}\int \rho\,x\,dV,\quad
+#'   C = \int \rho\,(x - g)(x - g)^T dV}
+#'
+#' @section Quadrature: Gauss and Legendre's nodes in each parameter of the domain, evenly spaced ones
+#'   in an angle that goes all the way round. The numbers of nodes grow by half, in the parameter
+#'   that changes the result most, until the changes are below `accuracy`; then two more nodes in each
+#'   parameter must agree. Smooth densities take some thousand evaluations for ten digits. A jump
+#'   or a kink inside the domain takes all there are and leaves three to six digits: split the domain
+#'   there, make a body of each part and [join_bodies()].
+#'
+#'   `error` is the last change, or more where changes die away slowly. It cannot know of what
+#'   falls between the nodes: a grain much smaller than the domain needs a domain of its own.
+#' @section Random points: One point in each cell of a grid of equal cells, in 16 grids that know
+#'   nothing of each other. `error` is the standard error of the second moment (the largest of its
+#'   six components, relative to the trace), from how far leaving out one grid changes the result
+#'   (jackknife): the true error is above it in one case of three, above four of them in one of a
+#'   thousand. It falls as the number of points to the power -2/3 (-5/6 for a density that is smooth
+#'   in all of the box), where points without cells have -1/2.
+#'
+#' @param f Density in kg/m^3: one number, or a function of three vectors `x_m`, `y_m`, `z_m` that
+#'   returns a vector as long as they are. With `mass_kg`, density up to a factor.
+#' @param domain Where: see [domains]. `f` gets coordinates in the axes of the domain.
+#' @param ... Not used; names after it must be given in full.
+#' @param mass_kg The total mass, if it is known better than the density: the density is scaled to it.
+#' @param accuracy Error that will do: of the second moment relative to its trace, of the mass
+#'   relative to itself, of the centre relative to the radius of gyration. Random points take
+#'   `max_evaluations` points unless it is given.
+#' @param max_evaluations Evaluations of `f` at most.
+#' @param method `"auto"`: quadrature if the domain has a map.
+#' @param seed Whole number that the random points follow from, at least 0. R's own random numbers
+#'   are left alone.
+#' @param name What to call the body.
+#' @return A `rot_body` in the axes of the domain. `error` is an estimate; `detail` tells the method
+#'   (`nodes` of each parameter; or `points`, how many of them were `inside`, and `seed`), the number
+#'   of `evaluations`, the relative `mass_error` (0 for a given mass) and `centre_error_m`.
+#' @section Errors: `rotdyn_error_density` for an `f` (or map, Jacobian, inside) that returns
+#'   anything but a finite number of at least 0 for each point, and for a body without mass;
+#'   `rotdyn_error_model` for quadrature without a map; `rotdyn_error_type`, `rotdyn_error_size`,
+#'   `rotdyn_error_value`, `rotdyn_error_unit`, `rotdyn_error_range`. An error in `f` passes through
+#'   as itself. A warning `rotdyn_warning_accuracy` if `accuracy` was not met: the body
+#'   then has the error that was reached.
+#' @source Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed. (1984), chapters 2 and 5;
+#'   Efron and Stein, Annals of Statistics 9 (1981) 586, for the jackknife.
+#' @seealso [domains], [body_points()]
+#' @examples
+#' # A planet that is twice as dense in the middle as at the surface.
+#' planet <- body_density(
+#'   function(x_m, y_m, z_m) 8000 - 4000 * sqrt(x_m^2 + y_m^2 + z_m^2) / 6.4e6,
+#'   domain_ball(radius_m = 6.4e6)
+#' )
+#' planet
+#' moment_of_inertia(planet, "z") / (planet$mass_kg * 6.4e6^2) # below 0.4: dense inside
+#'
+#' # The same everywhere: a number. This quarter of a disk balances at 4 r/(3 pi).
+#' body_density(1000, domain_cylinder(0.3, 0.02, angle_rad = c(0, pi / 2)))$centre_m
+#'
+#' # Where only the inside is known.
+#' body_density(
+#'   1000,
+#'   domain_inside(function(x, y, z) x^4 + y^4 + z^4 < 1, c(-1, -1, -1), c(1, 1, 1)),
+#'   max_evaluations = 1e4
+#' )
+#' @export
+body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
+                         max_evaluations = 1e6, method = c("auto", "quadrature", "monte_carlo"),
+                         seed = 1, name = "density") {
+  call <- rlang::current_env()
+  check_supplied(c("f", "domain"), call)
+  check_no_dots(...)
+  check_class(domain, "rot_domain", "domain", "Make one with {.fn domain_box} or its sisters.", call)
+  if (!is.null(mass_kg)) mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
+  method <- density_method(method, domain, call)
+  run <- list(
+    domain = domain,
+    density = density_function(f, call),
+    mass_kg = mass_kg,
+    accuracy = if (method == "quadrature" || !missing(accuracy)) check_accuracy(accuracy, call),
+    budget = check_number(max_evaluations, "max_evaluations", "1", call, 1000, 2^50),
+    seed = check_seed(seed, call),
+    progress = progress_bar("density"),
+    call = call
+  )
+  found <- if (method == "quadrature") density_quadrature(run) else density_random(run)
+  if (!is.null(run$accuracy) && !(max(found$errors) <= run$accuracy)) {
+    warn_missed_accuracy(found, run, method)
+  }
+  density_body(found, run, method, name)
+}
+
+density_method <- function(method, domain, call) {
+  method <- check_string(method[1], "method", c("auto", "quadrature", "monte_carlo"), call)
+  mapped <- domain$kind != "inside"
+  if (method == "quadrature" && !mapped) {
+    abort_rotdyn(
+      c(
+        "Quadrature needs a domain with a map.",
+        x = "Of {.fn domain_inside} only the inside is known.",
+        i = "Use {.code method = \"monte_carlo\"}, or {.fn domain_map}."
+      ),
+      "model",
+      call
+    )
+  }
+  if (method == "auto") {
+    return(if (mapped) "quadrature" else "monte_carlo")
+  }
+  method
+}
+
+density_function <- function(f, call) {
+  if (is.function(f)) {
+    return(function(places) {
+      check_field(f(places[[1]], places[[2]], places[[3]]), "f", places, call, place_columns)
+    })
+  }
+  rho <- check_number(f, "f", "kg/m^3", call, lower = 0)
+  function(places) rep(rho, length(places[[1]]))
+}
+
+# What random streams of the core are counted by.
+check_seed <- function(seed, call) {
+  seed <- check_number(seed, "seed", "1", call, lower = 0, upper = 2^32 - 1)
+  if (seed != round(seed)) {
+    abort_rotdyn("{.arg seed} must be a whole number: it is {format(seed)}.", "value", call)
+  }
+  seed
+}
+
+warn_missed_accuracy <- function(found, run, method) {
+  reached <- max(found$errors)
+  remedy <- if (reached < 1e-13) {
+    "Double precision ends here."
+  } else if (method == "quadrature") {
+    "If the density has a jump or a kink, split the domain there and use {.fn join_bodies};
+     else allow more {.arg max_evaluations}."
+  } else {
+    "Allow more {.arg max_evaluations}: eight times as many make the error a quarter."
+  }
+  warn_rotdyn(
+    c(
+      "The accuracy asked for was not reached.",
+      x = "The error is about {format(reached, digits = 2)} after
+           {format(found$evaluations, big.mark = ',')} evaluations; {format(run$accuracy)} was asked.",
+      i = remedy
+    ),
+    "accuracy",
+    run$call
+  )
+}
+
+density_body <- function(found, run, method, name) {
+  moments <- found$moments
+  second <- moments_second(moments)
+  mass <- moments[["mass"]]
+  if (!is.null(run$mass_kg)) {
+    second <- second / mass * run$mass_kg
+    mass <- run$mass_kg
+  }
+  trace <- moments_trace(moments)
+  gyration <- if (trace > 0) sqrt(trace / moments[["mass"]]) else 0
+  centre <- moments_centre(moments)
+  place <- run$domain$centre_m + centre
+  new_body(
+    name, mass, second, place, run$domain$size_m,
+    reach_m = domain_reach(run$domain, place),
+    formula = "integral of rho (x - g)(x - g)'",
+    source = "the density given",
+    provenance = method,
+    detail = c(
+      found$detail,
+      list(
+        evaluations = found$evaluations,
+        mass_error = if (is.null(run$mass_kg)) found$errors[["mass"]] else 0,
+        centre_error_m = found$errors[["centre"]] * gyration + moments_centre_error(moments) +
+          .Machine$double.eps * max(abs(place))
+      )
+    ),
+    error = found$errors[["second"]],
+    error_kind = "estimate"
+  )
+}
+
+# ---- sums over nodes ----------------------------------------------------------------------------
+
+# Nodes at a time: a multiple of what one random stream serves, so that Ctrl-C is heard.
+chunk_nodes <- 65536
+
+# Moments of the density over `total` nodes, those of a chunk from nodes(from, count). Coordinates
+# are about the middle of the domain; a map's are its own.
+density_moments <- function(run, nodes, total, done) {
+  moments <- NULL
+  hits <- 0
+  for (from in seq(0, total - 1, by = chunk_nodes)) {
+    count <- min(chunk_nodes, total - from)
+    at <- density_places(run, nodes(from, count))
+    hits <- hits + length(at$w)
+    if (length(at$w)) {
+      mass <- at$w * run$density(at$places)
+      if (!all(mass < Inf)) {
+        abort_rotdyn("The mass is beyond double precision.", "range", run$call)
+      }
+      here <- points_moments(mass, at$x, at$y, at$z, run$call, run$domain$exponent, NULL)
+      moments <- join_moments(moments, here)
+    }
+    run$progress(min(1, (done + from + count) / run$budget))
+  }
+  list(moments = moments, hits = hits)
+}
+
+# x, y, z about the middle of the domain, weights, and the places as the user's functions see them.
+density_places <- function(run, at) {
+  domain <- run$domain
+  middle <- domain$centre_m
+  if (domain$kind == "map") {
+    p <- domain$parameter
+    u <- at$x + p[1]
+    v <- at$y + p[2]
+    w <- at$z + p[3]
+    places <- map_places(domain, u, v, w, run$call)
+    if (!all(is.finite(unlist(places)))) {
+      abort_rotdyn("{.arg map} must return finite places.", "density", run$call)
+    }
+    weight <- at$w * map_jacobian(domain, u, v, w, run$call)
+    return(list(x = places[[1]], y = places[[2]], z = places[[3]], w = weight, places = places))
+  }
+  at$places <- list(at$x + middle[1], at$y + middle[2], at$z + middle[3])
+  if (domain$kind == "inside") {
+    keep <- check_inside(domain$inside(at$places[[1]], at$places[[2]], at$places[[3]]), at, run$call)
+    at <- list(
+      x = at$x[keep], y = at$y[keep], z = at$z[keep], w = at$w[keep],
+      places = lapply(at$places, function(p) p[keep])
+    )
+  }
+  at
+}
+
+check_inside <- function(keep, at, call) {
+  n <- length(at$x)
+  if (!is.logical(keep) || length(keep) != n || anyNA(keep)) {
+    abort_rotdyn(
+      c(
+        "{.arg inside} must return TRUE or FALSE for each of the points it is given.",
+        x = if (is.logical(keep) && length(keep) == n) {
+          "It returned NA for {sum(is.na(keep))} of {n} point{?s}."
+        } else {
+          "For {n} point{?s} it returned {describe_value(keep)}."
+        },
+        i = if (n > 1 && length(keep) == 1L) {
+          "If it takes one point at a time, wrap it: {.code Vectorize(inside)}."
+        }
+      ),
+      "density",
+      call
+    )
+  }
+  keep
+}
+
+abort_no_mass <- function(evaluations, hits, call) {
+  abort_rotdyn(
+    c(
+      "The body has no mass.",
+      x = if (hits) {
+        "The density is 0 at all {format(evaluations, big.mark = ',')} points."
+      } else {
+        "None of {format(evaluations, big.mark = ',')} points is inside."
+      }
+    ),
+    "density",
+    call
+  )
+}
+
+# How two results differ: second moment relative to the trace (for a given mass, per mass), mass
+# relative to itself, centre relative to the radius of gyration.
+moments_change <- function(a, b, given_mass) {
+  trace <- moments_trace(b)
+  scale <- if (given_mass) b[["mass"]] / a[["mass"]] else 1
+  gyration <- sqrt(trace / b[["mass"]])
+  c(
+    second = ratio_or_zero(max(abs(moments_second(a) * scale - moments_second(b))), trace),
+    mass = if (given_mass) 0 else ratio_or_zero(abs(a[["mass"]] - b[["mass"]]), b[["mass"]]),
+    centre = ratio_or_zero(max(abs(a[2:4] - b[2:4] + (a[5:7] - b[5:7]))), gyration)
+  )
+}
+
+ratio_or_zero <- function(a, b) {
+  if (is.nan(a)) Inf else if (a == 0) 0 else a / b
+}
+
+# Roundings of the sums, of the weights and of the places: no answer is better than that.
+moments_floor <- function(moments) {
+  moments[["error"]] + 4 * .Machine$double.eps
+}
+
+# ---- quadrature ---------------------------------------------------------------------------------
+
+density_quadrature <- function(run) {
+  even <- run$domain$periodic
+  given <- !is.null(run$mass_kg)
+  spent <- 0
+  rules <- list()
+  rule <- function(n, k) {
+    key <- paste(n, even[k])
+    if (is.null(rules[[key]])) {
+      rules[[key]] <<- unname(.Call(ffi_density_rule, n, as.double(even[k])))
+    }
+    rules[[key]]
+  }
+  evaluate <- function(n) {
+    three <- lapply(1:3, function(k) rule(n[k], k))
+    nodes <- function(from, count) {
+      .Call(ffi_density_nodes, run$domain$chart, three, as.double(from), as.double(count))
+    }
+    sums <- density_moments(run, nodes, prod(n), spent)
+    spent <<- spent + prod(n)
+    if (sums$moments[["mass"]] == 0) abort_no_mass(spent, 1, run$call)
+    check_moments_fit(sums$moments, run$call)
+    sums$moments
+  }
+  affordable <- function(n) spent + prod(n) <= run$budget
+  more <- function(n, k, add) {
+    n[k] <- if (even[k]) n[k] + add else .Call(ffi_density_size, n[k] + add)
+    n
+  }
+  n <- ifelse(even, 8, 6)
+  now <- evaluate(n)
+  changes <- rep(list(list()), 3)
+  errors <- density_errors(changes, NULL)
+  repeat {
+    guess <- vapply(changes, expected_change, double(3))
+    target <- max(run$accuracy - moments_floor(now), moments_floor(now) / 2)
+    # The numbers of nodes seem to do: two more in each parameter, and so other nodes, must agree.
+    # Else half as many again in the parameter that changes the result most.
+    agree <- max(rowSums(guess)) <= target
+    worst <- if (agree) 1:3 else which.max(apply(guess, 2, max))
+    wider <- n
+    for (k in worst) wider <- more(wider, k, if (agree) 2 else ceiling(n[k] / 2))
+    if (!affordable(wider)) break
+    before <- now
+    now <- evaluate(wider)
+    n <- wider
+    change <- moments_change(before, now, given)
+    shares <- if (agree) change_shares(changes) else 1
+    changes[worst] <- Map(function(x, share) c(x, list(share * change)), changes[worst], shares)
+    errors <- density_errors(changes, if (agree) change)
+    if (agree && max(errors) <= target) break
+  }
+  list(
+    moments = now, errors = errors + moments_floor(now), evaluations = spent,
+    detail = list(nodes = n)
+  )
+}
+
+# Changes die away quickly where each is a tenth of the one before, or less. Then the last change is
+# the error of the rule before. Else they are of any size by chance, a small one means nothing, and
+# the larger of the last two counts, twice (bench/density-coverage.R).
+changes_quickly <- function(changes) {
+  j <- length(changes)
+  fall <- function(i) changes[[i]] <= 0.1 * changes[[i - 1L]] | changes[[i]] < 1e-15
+  if (j < 2L) changes[[j]] >= 0 else fall(j) & (if (j > 2L) fall(j - 1L) else TRUE)
+}
+
+# What each parameter has to do with a change made in all three: as much as with the last changes.
+change_shares <- function(changes) {
+  last <- vapply(changes, function(x) max(x[[length(x)]]), double(1)) + .Machine$double.eps
+  last / sum(last)
+}
+
+largest_change <- function(changes) {
+  j <- length(changes)
+  if (j < 2L) changes[[j]] else 2 * pmax(changes[[j]], changes[[j - 1L]])
+}
+
+# What two more nodes may change: a hundredth of the last change, where all is well.
+expected_change <- function(changes) {
+  if (!length(changes)) {
+    return(c(second = Inf, mass = Inf, centre = Inf))
+  }
+  ifelse(changes_quickly(changes), 0.01 * changes[[length(changes)]], largest_change(changes))
+}
+
+# The error after the last changes. `last` is that of two more nodes in every parameter, if it came
+# to that: then a hundredth of the other changes is left, as far as they die away quickly.
+density_errors <- function(changes, last) {
+  share <- if (is.null(last)) 1 else 0.01
+  left <- vapply(changes, function(x) {
+    if (!length(x)) {
+      return(c(second = Inf, mass = Inf, centre = Inf))
+    }
+    ifelse(changes_quickly(x), share * x[[length(x)]], largest_change(x))
+  }, double(3))
+  errors <- rowSums(left)
+  if (is.null(last)) errors else pmax(errors, last)
+}
+
+# ---- random points ------------------------------------------------------------------------------
+
+replicates <- 16
+
+density_random <- function(run) {
+  given <- !is.null(run$mass_kg)
+  spent <- 0
+  one <- function(side, replicate) {
+    nodes <- function(from, count) {
+      .Call(
+        ffi_density_strata, run$domain$chart, side, c(run$seed, replicate), as.double(from),
+        as.double(count)
+      )
+    }
+    sums <- density_moments(run, nodes, side^3, spent)
+    spent <<- spent + side^3
+    sums
+  }
+  side <- floor((run$budget / replicates)^(1 / 3) + 1e-9)
+  # With an accuracy to meet, few points first, to see how many it takes.
+  try_side <- if (is.null(run$accuracy)) side else min(8, side)
+  repeat {
+    parts <- lapply(seq_len(replicates), function(i) one(try_side, i))
+    hits <- sum(vapply(parts, function(p) p$hits, double(1)))
+    found <- jackknife(lapply(parts, function(p) p$moments), given)
+    enough <- is.null(run$accuracy) || isTRUE(max(found$errors) <= run$accuracy)
+    room <- floor(((run$budget - spent) / replicates)^(1 / 3) + 1e-9)
+    if (enough || room <= try_side) break
+    short <- if (is.null(found)) 8 else max(found$errors) / run$accuracy
+    # Cells' width goes with the square root of the error, and a half for luck.
+    try_side <- min(room, ceiling(1.15 * try_side * max(1.2, sqrt(short))))
+  }
+  if (is.null(found)) abort_no_mass(spent, hits, run$call)
+  check_moments_fit(found$moments, run$call)
+  found$errors <- found$errors + moments_floor(found$moments)
+  c(
+    found,
+    list(
+      evaluations = spent,
+      detail = list(points = replicates * try_side^3, inside = hits, seed = run$seed)
+    )
+  )
+}
+
+# The mean of the replicates and the standard error of its moments: each left out once. NULL where
+# there is no mass, an infinite error where that hangs on one replicate.
+jackknife <- function(parts, given_mass) {
+  parts <- Filter(function(m) !is.null(m) && m[["mass"]] > 0, parts)
+  if (!length(parts)) {
+    return(NULL)
+  }
+  whole <- Reduce(join_moments, parts)
+  n <- replicates
+  spread <- function(a) sqrt((n - 1) / n * rowSums(a^2))
+  changes <- lapply(seq_along(parts), function(i) {
+    rest <- Reduce(join_moments, parts[-i])
+    if (is.null(rest)) {
+      return(NULL)
+    }
+    pieces_change(per_replicate(rest, n - 1), per_replicate(whole, n), given_mass)
+  })
+  mean <- per_replicate(whole, n)
+  if (any(vapply(changes, is.null, NA))) {
+    return(list(moments = mean, errors = c(second = Inf, mass = Inf, centre = Inf)))
+  }
+  # A replicate without mass, left out, changes nothing but the count.
+  empty <- pieces_change(per_replicate(whole, n - 1), mean, given_mass)
+  changes <- c(changes, rep(list(empty), n - length(parts)))
+  each <- spread(do.call(cbind, changes))
+  list(
+    moments = mean,
+    errors = c(second = max(each[1:6]), mass = each[[7]], centre = max(each[8:10]))
+  )
+}
+
+# Moments of n replicates as the mean of them.
+per_replicate <- function(moments, n) {
+  moments[c("mass", "xx", "yy", "zz", "xy", "xz", "yz")] <-
+    moments[c("mass", "xx", "yy", "zz", "xy", "xz", "yz")] / n
+  moments
+}
+
+# The ten changes behind moments_change(), one by one.
+pieces_change <- function(a, b, given_mass) {
+  trace <- moments_trace(b)
+  scale <- if (given_mass) b[["mass"]] / a[["mass"]] else 1
+  c(
+    (moments_second(a) * scale - moments_second(b)) / trace,
+    if (given_mass) 0 else a[["mass"]] / b[["mass"]] - 1,
+    (a[2:4] - b[2:4] + (a[5:7] - b[5:7])) / sqrt(trace / b[["mass"]])
+  )
+}

@@ -1,0 +1,97 @@
+#include "ffi.h"
+#include "rot_points.h"
+
+static rot_points read_points(SEXP mass, SEXP x, SEXP y, SEXP z, SEXP exponent) {
+  R_xlen_t n = 1;
+  rot_points points = {0};
+  points.mass = ffi_column(mass, "mass", &n);
+  points.x[0] = ffi_column(x, "x", &n);
+  points.x[1] = ffi_column(y, "y", &n);
+  points.x[2] = ffi_column(z, "z", &n);
+  points.n = (size_t)n;
+  points.mass_exponent = (int)ffi_real(exponent, "exponent");
+  return points;
+}
+
+/* R holds moments as plain numbers; R/body-points.R names them. */
+enum { MASS, CENTRE, CENTRE_LO = 4, SECOND = 7, MASS_ERROR = 13, CENTRE_ERROR, ERROR, VANISHED, N };
+
+static rot_moments read_moments(SEXP x) {
+  const double *v = ffi_reals(x, "moments", N);
+  rot_moments m = {0};
+  m.mass = v[MASS];
+  for (int k = 0; k < 3; k++) {
+    m.centre[k] = v[CENTRE + k];
+    m.centre_lo[k] = v[CENTRE_LO + k];
+  }
+  for (int k = 0; k < 6; k++) m.c[k] = v[SECOND + k];
+  m.mass_error = v[MASS_ERROR];
+  m.centre_error = v[CENTRE_ERROR];
+  m.error = v[ERROR];
+  m.vanished = v[VANISHED] > 0.0;
+  return m;
+}
+
+static void write_moments(const rot_moments *m, double v[]) {
+  v[MASS] = m->mass;
+  for (int k = 0; k < 3; k++) {
+    v[CENTRE + k] = m->centre[k];
+    v[CENTRE_LO + k] = m->centre_lo[k];
+  }
+  for (int k = 0; k < 6; k++) v[SECOND + k] = m->c[k];
+  v[MASS_ERROR] = m->mass_error;
+  v[CENTRE_ERROR] = m->centre_error;
+  v[ERROR] = m->error;
+  v[VANISHED] = (double)m->vanished;
+}
+
+/* Row and column of the first bad value, from 1 and 0; a row of 0 where there is none. */
+SEXP ffi_points_bad(SEXP mass, SEXP x, SEXP y, SEXP z) {
+  SEXP exponent = PROTECT(Rf_ScalarReal(0.0)), out = PROTECT(Rf_allocVector(REALSXP, 2));
+  const rot_points points = read_points(mass, x, y, z, exponent);
+  int column = 0;
+  const size_t row = rot_points_bad(&points, &column);
+  REAL(out)[0] = row < points.n ? (double)row + 1.0 : 0.0;
+  REAL(out)[1] = (double)column;
+  UNPROTECT(2);
+  return out;
+}
+
+/* NULL where the points are too far apart for doubles. */
+SEXP ffi_points_moments(SEXP mass, SEXP x, SEXP y, SEXP z, SEXP exponent, SEXP progress) {
+  const rot_points points = read_points(mass, x, y, z, exponent);
+  rot_moments moments;
+  ffi_guard guard;
+  SEXP out = PROTECT(Rf_allocVector(REALSXP, N));
+  ffi_guard_begin(&guard, progress);
+  const rot_status status = rot_points_moments(&points, &guard.hooks, &moments);
+  ffi_guard_end(&guard, status);
+  write_moments(&moments, REAL(out));
+  UNPROTECT(1);
+  return status == ROT_OK ? out : R_NilValue;
+}
+
+SEXP ffi_points_join(SEXP a, SEXP b) {
+  const rot_moments first = read_moments(a), second = read_moments(b);
+  rot_moments both;
+  SEXP out = PROTECT(Rf_allocVector(REALSXP, N));
+  rot_moments_join(&first, &second, &both);
+  write_moments(&both, REAL(out));
+  UNPROTECT(1);
+  return out;
+}
+
+/* Whether doubles hold the mass and the moments. */
+SEXP ffi_points_fit(SEXP moments) {
+  const rot_moments m = read_moments(moments);
+  return Rf_ScalarLogical(rot_moments_check(&m) == ROT_OK);
+}
+
+SEXP ffi_points_reach(SEXP x, SEXP y, SEXP z, SEXP moments) {
+  SEXP one = PROTECT(Rf_ScalarReal(1.0)), none = PROTECT(Rf_ScalarReal(0.0));
+  const rot_points points = read_points(one, x, y, z, none);
+  const rot_moments m = read_moments(moments);
+  SEXP out = Rf_ScalarReal(rot_points_reach(&points, &m));
+  UNPROTECT(2);
+  return out;
+}

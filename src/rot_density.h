@@ -1,0 +1,57 @@
+/* Nodes for integrals over a body: a box, a cylinder, a ball or an ellipsoid is the image of a brick
+ * of parameters, and the integral of a density is a sum over nodes in that brick,
+ *
+ *   int rho dV = sum w_i rho(x_i),   w_i = (weight of the rule) |det dx/dp|.
+ *
+ * Nodes are those of Gauss and Legendre, evenly spaced where a parameter is an angle that goes all
+ * the way round, or one random point in each of many equal cells. Coordinates are about the middle
+ * of the domain, so that a far one loses no digit.
+ *
+ * Reference: Davis & Rabinowitz, Methods of Numerical Integration, 2nd ed. (1984), ch. 2 and 5. */
+#ifndef ROT_DENSITY_H
+#define ROT_DENSITY_H
+
+#include <stddef.h>
+
+#include "rot_status.h"
+
+typedef enum rot_domain_kind {
+  ROT_DOMAIN_BOX,      /* x, y, z */
+  ROT_DOMAIN_CYLINDER, /* distance from the z axis, angle, z */
+  ROT_DOMAIN_BALL,     /* distance from the centre, cosine of the polar angle, azimuth */
+  ROT_DOMAIN_COUNT
+} rot_domain_kind;
+
+typedef struct rot_domain {
+  rot_domain_kind kind;
+  double low[3], high[3]; /* of the parameters */
+  double stretch[3];      /* of x, y, z in the end: an ellipsoid is a ball of radius 1, stretched */
+} rot_domain;
+
+/* Volumes and weights are numbers times 2^rot_domain_exponent(), m^3: they fit for any size. */
+int rot_domain_exponent(const rot_domain *domain);
+
+/* A rule on [-1, 1]. */
+typedef struct rot_rule {
+  size_t n;
+  const double *t, *w;
+} rot_rule;
+
+/* The number of nodes nearest above n that rot_rule_gauss() has. */
+size_t rot_rule_size(size_t n);
+/* Gauss and Legendre; many nodes in panels of fewer. n is a rot_rule_size(). */
+rot_status rot_rule_gauss(size_t n, double t[], double w[]);
+/* The middles of n equal parts, which for a full turn are as good as Gauss's nodes elsewhere. */
+void rot_rule_even(size_t n, double t[], double w[]);
+
+/* Nodes from .. from + count - 1 of all n1 n2 n3; the third parameter runs fastest. */
+void rot_density_nodes(const rot_domain *domain, const rot_rule rule[3], size_t from, size_t count,
+                       double x[], double y[], double z[], double w[]);
+
+/* The same with one random point in each of side^3 cells. Every (seed, replicate) has points of its
+ * own, whatever the pieces they are asked in. */
+rot_status rot_density_strata(const rot_domain *domain, size_t side, unsigned long seed,
+                              unsigned long replicate, size_t from, size_t count, double x[],
+                              double y[], double z[], double w[]);
+
+#endif

@@ -1,0 +1,53 @@
+/* Mass, centre of mass and second moment of point masses:
+ *
+ *   M = sum m,   g = sum m x / M,   C = sum m (x - g)(x - g)'
+ *
+ * The sums are taken about a double next to the centre, with x less that double rounded once, and
+ * compensated; what is left of the centre is taken off in the end. So no digit depends on where
+ * the points are: 1e-16 at every offset, where sums about the origin lose all of it at 1e8 sizes.
+ *
+ * Reference: Chan, Golub & LeVeque, The American Statistician 37 (1983) 242. */
+#ifndef ROT_POINTS_H
+#define ROT_POINTS_H
+
+#include <stddef.h>
+
+#include "rot_column.h"
+#include "rot_status.h"
+
+typedef struct rot_points {
+  size_t n;
+  rot_column mass, x[3];
+  int mass_exponent; /* masses are those of the column times 2^mass_exponent */
+} rot_points;
+
+typedef struct rot_moments {
+  double mass;
+  double centre[3];    /* with no mass at all the plain mean of the points */
+  double centre_lo[3]; /* what rounding left off the centre */
+  double c[6];         /* about the centre: xx, yy, zz, xy, xz, yz */
+  double mass_error;   /* bound, relative */
+  double centre_error; /* bound of each coordinate of centre + centre_lo, in m */
+  double error;        /* bound of each element of c, relative to the trace */
+  int vanished;        /* some mass or moment on the way was too small for a double */
+} rot_moments;
+
+/* The first row with something that is not finite, or a mass below 0; n if there is none. *column
+ * says where: 0 mass, 1 to 3 x, y, z. */
+size_t rot_points_bad(const rot_points *points, int *column);
+
+/* Masses are finite and at least 0, coordinates finite. ROT_ERANGE where the points are farther
+ * apart than the largest double. Masses and moments may still overflow or vanish: see
+ * rot_moments_check(). */
+rot_status rot_points_moments(const rot_points *points, const rot_hooks *hooks, rot_moments *out);
+
+/* The moments of two bodies together, about their common centre. */
+void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *out);
+
+/* ROT_ERANGE where the mass or a moment left the range of double precision at either end. */
+rot_status rot_moments_check(const rot_moments *moments);
+
+/* Distance from the centre to the farthest point, rounded up. */
+double rot_points_reach(const rot_points *points, const rot_moments *moments);
+
+#endif

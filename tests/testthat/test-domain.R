@@ -1,0 +1,75 @@
+test_that("domains print their kind and size", {
+  expect_output(print(domain_ball(2, inner_radius_m = 1)), "ball: radius_m = 2, inner_radius_m = 1")
+  expect_output(print(domain_box(c(0, 0, 0), c(1, 2, 3))), "length_y_m = 2")
+  expect_output(print(domain_box(c(0, 0, 0), c(1, 2, 3))), "0.5, 1, 1.5")
+  expect_output(
+    print(domain_inside(function(x, y, z) x < 1, c(0, 0, 0), c(1, 1, 1))), "random points only"
+  )
+})
+
+test_that("an empty or impossible domain is an error", {
+  expect_error(domain_box(c(0, 0, 0), c(1, 0, 1)), "Component 2", class = "rotdyn_error_value")
+  expect_error(domain_box(c(0, 0), c(1, 1, 1)), class = "rotdyn_error_size")
+  expect_error(domain_box(c(0, 0, NA), c(1, 1, 1)), class = "rotdyn_error_value")
+  expect_error(domain_box(c(0, 0, 0)), class = "rotdyn_error_missing")
+  expect_error(domain_cylinder(1, 0), class = "rotdyn_error_value")
+  expect_error(domain_cylinder(1, 2, inner_radius_m = 1), class = "rotdyn_error_value")
+  expect_error(domain_cylinder(1, 2, angle_rad = c(0, 7)), class = "rotdyn_error_value")
+  expect_error(domain_cylinder(1, 2, angle_rad = c(1, 1)), class = "rotdyn_error_value")
+  expect_error(domain_cylinder(1, 2, angle_rad = 1), class = "rotdyn_error_size")
+  expect_error(domain_ball(-1), class = "rotdyn_error_value")
+  expect_error(domain_ball(1, inner_radius_m = 2), class = "rotdyn_error_value")
+  expect_error(domain_ellipsoid(1, 0, 1), class = "rotdyn_error_value")
+  expect_error(domain_ellipsoid(1, 1), class = "rotdyn_error_missing")
+  expect_error(domain_inside(1, c(0, 0, 0), c(1, 1, 1)), class = "rotdyn_error_type")
+  expect_error(
+    domain_map(identity, identity, c(0, 0, 0), c(1, 1, 1), periodic = NA),
+    class = "rotdyn_error_type"
+  )
+})
+
+test_that("units are understood", {
+  skip_if_not_installed("units")
+  cm <- function(x) units::set_units(x, "cm", mode = "standard")
+  expect_equal(domain_ball(cm(250))$size_m, c(radius_m = 2.5))
+  turn <- units::set_units(c(0, 90), "degree", mode = "standard")
+  body <- body_density(1, domain_cylinder(1, 1, angle_rad = turn))
+  expect_equal(body$mass_kg, pi / 4)
+})
+
+test_that("a wrong Jacobian, and a map that gives no places, are found out", {
+  polar <- function(r, t, z) cbind(r * cos(t), r * sin(t), z)
+  good <- domain_map(polar, function(r, t, z) r, c(0, 0, 0), c(1, 2 * pi, 1))
+  expect_s3_class(good, "rot_domain")
+  wrong <- function(jacobian) domain_map(polar, jacobian, c(0, 0, 0), c(1, 2 * pi, 1))
+  expect_error(wrong(function(r, t, z) 2 * r), "determinant", class = "rotdyn_error_density")
+  expect_error(wrong(function(r, t, z) r^2), class = "rotdyn_error_density")
+  expect_error(wrong(function(r, t, z) -r), "at least 0", class = "rotdyn_error_density")
+  expect_error(wrong(function(r, t, z) 1), "Vectorize", class = "rotdyn_error_density")
+  expect_error(
+    domain_map(function(r, t, z) r, function(r, t, z) r, c(0, 0, 0), c(1, 1, 1)),
+    class = "rotdyn_error_density"
+  )
+})
+
+test_that("the reach is never less than the farthest point", {
+  set.seed(1)
+  p <- matrix(runif(3e4, -1, 1), ncol = 3)
+  from <- c(0.3, -0.4, 2)
+  farthest <- function(p, at) max(sqrt(colSums((t(p) + at - from)^2)))
+  reach <- function(domain) rotdyn:::domain_reach(domain, from)
+  size <- c(2, 3, 0.5)
+  box <- t(t(p) * size)
+  expect_gte(reach(domain_box(-size + 1, size + 1)), farthest(box, 1))
+  expect_lte(reach(domain_box(-size + 1, size + 1)), 1.1 * farthest(box, 1))
+  inside <- p[rowSums(p^2) < 1, ]
+  expect_gte(reach(domain_ball(2, centre_m = c(1, 1, 1))), farthest(2 * inside, 1))
+  expect_lte(reach(domain_ball(2, centre_m = c(1, 1, 1))), 1.1 * farthest(2 * inside, 1))
+  expect_gte(
+    reach(domain_ellipsoid(2, 3, 0.5, centre_m = c(1, 1, 1))), farthest(t(t(inside) * size), 1)
+  )
+  round <- p[rowSums(p[, 1:2]^2) < 1, ]
+  tall <- t(t(round) * c(2, 2, 0.5))
+  expect_gte(reach(domain_cylinder(2, 1, centre_m = c(1, 1, 1))), farthest(tall, 1))
+  expect_lte(reach(domain_cylinder(2, 1, centre_m = c(1, 1, 1))), 1.1 * farthest(tall, 1))
+})
