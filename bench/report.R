@@ -110,6 +110,10 @@ goals <- rbind(
   goal(
     "rolling table, 1e7 rows: times faster than dplyr", "rolling", "1e7 rows", "dplyr, mutate()",
     "ratio_median", least = 4
+  ),
+  goal(
+    "hollow spheres of any wall, error", "shapes", "1e6 rows of seven shapes",
+    "rotdyn, inertia_table()", "error", most = 9e-16
   )
 )
 
