@@ -113,6 +113,9 @@ describe_body_error <- function(x) {
   if (is.na(x$error)) {
     return("accuracy not known")
   }
+  if (x$error == 0) {
+    return("exact")
+  }
   paste0(
     "relative error ", if (x$error_kind == "bound") "at most " else "about ",
     format(x$error, digits = 2)

@@ -121,6 +121,10 @@ sort -u "$work/registered" | comm -23 - "$work/mentioned" |
 { test -s "$work/registered" || test ! -s "$work/ffi" || echo "no X(ffi_..., n) found"; } |
   rule "src/ffi_entries.h lists entries"
 
+# Of two R functions of one name the file that comes last in the alphabet wins, without a word.
+files '^R/.*\.R$' | tr '\n' '\0' | xargs -0 grep -hoE '^[A-Za-z._][A-Za-z._0-9]* <- function' |
+  sort | uniq -d | rule "no two functions in R/ have one name"
+
 # ---- the map ---------------------------------------------------------------------------------
 
 if test -f ARCHITECTURE.md; then
