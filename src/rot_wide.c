@@ -6,6 +6,7 @@
 #endif
 
 #include "rot_axle_grid_fill.h"
+#include "rot_mesh_sum.h"
 #include "rot_sweep_pass.h"
 
 static int forbidden = 0;
@@ -33,4 +34,13 @@ ROT_TARGET int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle
 ROT_TARGET void rot_sweep_pass_wide(rot_sweep_block *block, const rot_torque_piece *piece,
                                     double start_n_m) {
   pass_block(block, piece, start_n_m);
+}
+
+ROT_TARGET void rot_mesh_sum_wide(const rot_mesh *mesh, struct rot_mesh_sums *sums, size_t from,
+                                  size_t end, int shell) {
+  if (shell) {
+    sum_faces(mesh, sums, from, end, 1);
+  } else {
+    sum_faces(mesh, sums, from, end, 0);
+  }
 }

@@ -1,0 +1,295 @@
+# Meshes as users have them, brought to one form: a list of `vertices` (matrix of doubles), `faces`
+# (matrix of integers, three of them a face), `by_column` (whether a column is a vertex and a face,
+# as a mesh3d has them), `factor` (metres in a unit of the coordinates), and of a file what it was
+# read by and the relative `precision` of what came back.
+as_mesh <- function(mesh, length_unit, call) {
+  factor <- metres_in(length_unit, call)
+  out <- if (is.character(mesh)) {
+    mesh_from_file(mesh, call)
+  } else if (inherits(mesh, "mesh3d")) {
+    mesh_from_mesh3d(mesh, "mesh", call)
+  } else if (is.list(mesh) && !is.data.frame(mesh) && length(mesh) == 2L) {
+    mesh_from_pair(mesh, length_unit, call)
+  } else {
+    abort_rotdyn(
+      c(
+        "{.arg mesh} must be a {.cls mesh3d} object, a list of {.field vertices} and {.field faces},
+         or the name of an STL, OBJ or PLY file.",
+        x = "It is {describe_value(mesh)}."
+      ),
+      "type",
+      call
+    )
+  }
+  out$factor <- factor
+  out
+}
+
+# ---- units of length ----------------------------------------------------------------------------
+
+length_units <- c(
+  m = 1, km = 1e3, dm = 0.1, cm = 0.01, mm = 1e-3, um = 1e-6, nm = 1e-9,
+  "in" = 0.0254, ft = 0.3048, yd = 0.9144, mi = 1609.344
+)
+
+metres_in <- function(length_unit, call) {
+  if (!is.character(length_unit) || length(length_unit) != 1L || is.na(length_unit)) {
+    abort_rotdyn(
+      c("{.arg length_unit} must be one unit of length.", x = "It is {describe_value(length_unit)}."),
+      "type",
+      call
+    )
+  }
+  known <- length_units[match(length_unit, names(length_units))]
+  if (!is.na(known)) {
+    return(unname(known))
+  }
+  if (requireNamespace("units", quietly = TRUE)) {
+    one <- tryCatch(units::set_units(1, length_unit, mode = "standard"), error = function(e) NULL)
+    if (!is.null(one) && units::ud_are_convertible(units(one), "m")) {
+      return(as.numeric(units::set_units(one, "m", mode = "standard")))
+    }
+  }
+  abort_rotdyn(
+    c(
+      "{.arg length_unit} must be a unit of length.",
+      x = "It is {.val {length_unit}}.",
+      i = "Known by name are {.val {names(length_units)}}; with the package {.pkg units} also what
+           that one knows."
+    ),
+    "unit",
+    call
+  )
+}
+
+# ---- objects ------------------------------------------------------------------------------------
+
+mesh_from_mesh3d <- function(mesh, arg, call) {
+  vertices <- mesh$vb
+  if (!is.matrix(vertices) || !is_number(vertices) || !nrow(vertices) %in% 3:4) {
+    abort_rotdyn(
+      c(
+        "The {.field vb} of a {.cls mesh3d} must be a numeric matrix of three or four rows.",
+        x = "It is {describe_value(vertices)}."
+      ),
+      "type",
+      call
+    )
+  }
+  storage.mode(vertices) <- "double"
+  if (nrow(vertices) == 4L && !isTRUE(all(vertices[4L, ] == 1))) {
+    vertices <- vertices[1:3, , drop = FALSE] / rep(vertices[4L, ], each = 3L)
+  }
+  triangles <- mesh_indices(mesh$it, 3L, TRUE, paste0(arg, "$it"), call)
+  quads <- mesh_indices(mesh$ib, 4L, TRUE, paste0(arg, "$ib"), call)
+  list(
+    vertices = vertices,
+    faces = if (ncol(quads)) cbind(triangles, split_quads(quads)) else triangles,
+    by_column = TRUE, reader = NA_character_, precision = 0
+  )
+}
+
+# Columns of four corners into two of three.
+split_quads <- function(quads) {
+  matrix(quads[c(1L, 2L, 3L, 1L, 3L, 4L), ], 3L)
+}
+
+mesh_from_pair <- function(mesh, length_unit, call) {
+  if (!is.null(names(mesh)) && !setequal(names(mesh), c("vertices", "faces"))) {
+    abort_rotdyn(
+      c(
+        "A list {.arg mesh} must have {.field vertices} and {.field faces}.",
+        x = "It has {.field {names(mesh)}}."
+      ),
+      "type",
+      call
+    )
+  }
+  if (is.null(names(mesh))) names(mesh) <- c("vertices", "faces")
+  faces <- mesh$faces
+  if (is.data.frame(faces)) faces <- as.matrix(faces)
+  corners <- if (is.matrix(faces) && ncol(faces) == 4L) 4L else 3L
+  faces <- mesh_indices(faces, corners, FALSE, "mesh$faces", call)
+  if (corners == 4L) faces <- t(split_quads(t(faces)))
+  list(
+    vertices = mesh_vertices(mesh$vertices, length_unit, call), faces = faces,
+    by_column = FALSE, reader = NA_character_, precision = 0
+  )
+}
+
+mesh_vertices <- function(x, length_unit, call) {
+  if (is.data.frame(x)) {
+    named <- Filter(function(names) all(names %in% names(x)), list(place_columns, c("x", "y", "z")))
+    if (!length(named)) {
+      abort_missing_column(setdiff(place_columns, names(x))[1L], x, call)
+    }
+    if (identical(named[[1L]], place_columns) && length_unit != "m") {
+      abort_rotdyn(
+        c(
+          "Columns {.field {place_columns}} are in metres.",
+          x = "{.arg length_unit} is {.val {length_unit}}.",
+          i = "Call them {.field x}, {.field y} and {.field z}."
+        ),
+        "unit",
+        call
+      )
+    }
+    x <- lapply(named[[1L]], function(name) check_column(x[[name]], name, "m", call))
+    return(matrix(unlist(x), ncol = 3L))
+  }
+  if (inherits(x, "units")) {
+    size <- dim(x)
+    x <- as_si(x, "m", "mesh$vertices", call)
+    dim(x) <- size
+  }
+  if (!is.matrix(x) || !is_number(x) || ncol(x) != 3L) {
+    abort_rotdyn(
+      c(
+        "{.code mesh$vertices} must be a numeric matrix of three columns, or a data frame of
+         {.field x_m}, {.field y_m} and {.field z_m}.",
+        x = "It is {describe_value(x)}."
+      ),
+      "type",
+      call
+    )
+  }
+  dimnames(x) <- NULL
+  storage.mode(x) <- "double"
+  x
+}
+
+# Numbers of vertices. What is no whole number names no vertex, and is counted as such later.
+mesh_indices <- function(x, corners, by_column, arg, call) {
+  if (is.null(x)) {
+    return(if (by_column) matrix(0L, corners, 0L) else matrix(0L, 0L, corners))
+  }
+  missing <- is.logical(x) && all(is.na(x))
+  if (!is.matrix(x) || !(is_number(x) || missing) || dim(x)[2L - by_column] != corners) {
+    abort_rotdyn(
+      c(
+        "{.code {arg}} must be a matrix of vertex numbers with {corners}
+         {if (by_column) 'rows' else 'columns'}.",
+        x = "It is {describe_value(x)}."
+      ),
+      "type",
+      call
+    )
+  }
+  if (is.double(x)) {
+    x[!is.finite(x) | x != floor(x) | abs(x) > .Machine$integer.max] <- NA
+  }
+  dimnames(x) <- NULL
+  storage.mode(x) <- "integer"
+  x
+}
+
+# ---- files --------------------------------------------------------------------------------------
+
+mesh_from_file <- function(path, call) {
+  if (length(path) != 1L || is.na(path) || !file.exists(path) || dir.exists(path)) {
+    abort_rotdyn(
+      c("{.arg mesh} must be the name of one file.", x = "There is no file {.file {path}}."),
+      "file",
+      call
+    )
+  }
+  format <- tolower(sub("^.*[.]", "", basename(path)))
+  reader <- switch(format,
+    stl = if (stl_is_binary(path)) stl_reader(call) else need_reader("Rvcg", "A text STL", call),
+    obj = obj_reader(),
+    ply = need_reader("Rvcg", "A PLY file", call)
+  )
+  if (is.null(reader)) {
+    abort_rotdyn(
+      c(
+        "A mesh is read from an STL, OBJ or PLY file.",
+        x = "{.file {basename(path)}} ends in none of {.val {c('.stl', '.obj', '.ply')}}."
+      ),
+      "file",
+      call
+    )
+  }
+  read <- tryCatch(
+    if (reader == "Rvcg") read_by_rvcg(path) else read_by_rgl(path, format),
+    error = function(e) {
+      abort_rotdyn(
+        c(
+          "{.file {basename(path)}} cannot be read as a mesh.",
+          x = "{.pkg {reader}} says: {conditionMessage(e)}"
+        ),
+        "file",
+        call
+      )
+    }
+  )
+  out <- mesh_from_mesh3d(read, "mesh", call)
+  out$file <- path
+  out$format <- format
+  out$reader <- reader
+  # A binary STL has single precision itself: its numbers come back as they are.
+  out$precision <- if (reader == "Rvcg" && !(format == "stl" && stl_is_binary(path))) 2^-24 else 0
+  out$single <- format == "stl" || reader == "Rvcg"
+  out
+}
+
+# 80 bytes, the number of triangles, 50 bytes for each. A text begins with "solid", and so do some
+# binaries; the length decides.
+stl_is_binary <- function(path) {
+  size <- file.size(path)
+  if (size < 84) {
+    return(FALSE)
+  }
+  con <- file(path, "rb")
+  on.exit(close(con))
+  readBin(con, "raw", 80L)
+  triangles <- readBin(con, "integer", 1L, size = 4L, endian = "little")
+  !is.na(triangles) && triangles >= 0 && size == 84 + 50 * as.double(triangles)
+}
+
+stl_reader <- function(call) {
+  if (requireNamespace("Rvcg", quietly = TRUE)) "Rvcg" else need_reader("rgl", "An STL file", call)
+}
+
+# rgl keeps double precision, Rvcg does not.
+obj_reader <- function() {
+  if (!has_rgl() && requireNamespace("Rvcg", quietly = TRUE)) "Rvcg" else "rgl"
+}
+
+need_reader <- function(package, what, call) {
+  if (package == "rgl") has_rgl()
+  need_package(package, what, call)
+  package
+}
+
+# Loaded without a window: a mesh is read, not shown. The option goes back to what it was.
+has_rgl <- function() {
+  if (!isNamespaceLoaded("rgl")) {
+    old <- options(rgl.useNULL = TRUE)
+    on.exit(options(old))
+  }
+  requireNamespace("rgl", quietly = TRUE)
+}
+
+read_by_rgl <- function(path, format) {
+  if (!has_rgl()) need_package("rgl", "An OBJ file", rlang::caller_env())
+  if (format == "obj") {
+    # It tells of each kind of line that is not geometry.
+    return(withCallingHandlers(
+      rgl::readOBJ(path),
+      warning = function(w) {
+        if (grepl("ignored|incomplete final line", conditionMessage(w))) {
+          invokeRestart("muffleWarning")
+        }
+      }
+    ))
+  }
+  corners <- rgl::readSTL(path, plot = FALSE)
+  structure(
+    list(vb = rbind(t(corners), 1), it = matrix(seq_len(nrow(corners)), 3L)),
+    class = "mesh3d"
+  )
+}
+
+read_by_rvcg <- function(path) {
+  Rvcg::vcgImport(path, updateNormals = FALSE, readcolor = FALSE, clean = FALSE, silent = TRUE)
+}

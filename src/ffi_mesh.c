@@ -1,0 +1,179 @@
+#include <string.h>
+
+#include "ffi.h"
+#include "rot_edges.h"
+#include "rot_mesh.h"
+#include "rot_nesting.h"
+#include "rot_weld.h"
+
+/* Matrices with a row for each vertex and face, or a column for each as a mesh3d has them. */
+static rot_mesh read_mesh(SEXP vertices, SEXP faces, SEXP by_column) {
+  if (TYPEOF(vertices) != REALSXP || !Rf_isMatrix(vertices) || TYPEOF(faces) != INTSXP ||
+      !Rf_isMatrix(faces)) {
+    Rf_error("internal: a mesh is a matrix of doubles and one of integers");
+  }
+  const size_t vr = (size_t)Rf_nrows(vertices), vc = (size_t)Rf_ncols(vertices),
+               fr = (size_t)Rf_nrows(faces), fc = (size_t)Rf_ncols(faces);
+  const int turned = Rf_asLogical(by_column) == TRUE;
+  if ((turned ? vr : vc) < 3 || (turned ? fr : fc) < 3) {
+    Rf_error("internal: a mesh has three coordinates and three corners");
+  }
+  if (turned) {
+    return (rot_mesh){vc, fc, REAL_RO(vertices), vr, 1, INTEGER_RO(faces), fr, 1, NULL, NULL};
+  }
+  return (rot_mesh){vr, fr, REAL_RO(vertices), 1, vr, INTEGER_RO(faces), 1, fr, NULL, NULL};
+}
+
+/* Stand-ins travel as integers. */
+static const uint32_t *read_same(SEXP same, const rot_mesh *mesh) {
+  if (Rf_isNull(same)) return NULL;
+  if (TYPEOF(same) != INTSXP || (size_t)XLENGTH(same) != mesh->vertices) {
+    Rf_error("internal: `same` is not one number for each vertex");
+  }
+  const int *at = INTEGER_RO(same);
+  for (size_t i = 0; i < mesh->vertices; i++) {
+    if (at[i] < 0 || (size_t)at[i] >= mesh->vertices) Rf_error("internal: `same` is no vertex");
+  }
+  return (const uint32_t *)(const void *)at;
+}
+
+/* What goes wrong in the core, as its kind: R makes the message. */
+static SEXP status_kind(rot_status status) { return Rf_mkString(rot_status_kind(status)); }
+
+enum { COUNTS = 21 };
+
+static const char *const count_names[COUNTS + 1] = {"vertices",        "faces",
+                                                    "bad_vertices",    "bad_faces",
+                                                    "merged_vertices", "edges",
+                                                    "open_edges",      "miswound",
+                                                    "crowded",         "touching",
+                                                    "degenerate",      "duplicate_faces",
+                                                    "unused",          "components",
+                                                    "zero_area",       "flipped",
+                                                    "cavities",        "inverted",
+                                                    "overlapping",     "flat",
+                                                    "unchecked_parts", ""};
+
+typedef struct findings {
+  rot_mesh_entries entries;
+  size_t merged;
+  rot_edges edges;
+  rot_nesting nesting;
+} findings;
+
+static void write_counts(const rot_mesh *mesh, const findings *f, int looked, int nested,
+                         double to[COUNTS]) {
+  const double counts[COUNTS] = {(double)mesh->vertices,
+                                 (double)mesh->faces,
+                                 (double)f->entries.bad_vertices,
+                                 (double)f->entries.bad_faces,
+                                 (double)f->merged,
+                                 (double)f->edges.edges,
+                                 (double)f->edges.open_edges,
+                                 (double)f->edges.miswound_edges,
+                                 (double)f->edges.crowded_edges,
+                                 (double)f->edges.touching_edges,
+                                 (double)f->edges.degenerate_faces,
+                                 (double)f->edges.duplicate_faces,
+                                 (double)f->edges.unused_vertices,
+                                 (double)f->edges.components,
+                                 (double)f->nesting.zero_area_faces,
+                                 (double)f->nesting.flipped,
+                                 (double)f->nesting.cavities,
+                                 (double)f->nesting.inverted,
+                                 (double)(f->nesting.doubled + f->nesting.crossing),
+                                 (double)f->nesting.flat,
+                                 (double)f->nesting.unchecked};
+  for (int i = 0; i < COUNTS; i++) {
+    to[i] = i < 4 || (looked && i < 14) || nested ? counts[i] : NA_REAL;
+  }
+}
+
+/* kind, counts, the stand-ins or NULL, and the volumes of the components or NULL. What could not be
+ * looked at is NA. `tolerance` is negative for no welding. */
+SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, SEXP progress) {
+  static const char *const names[] = {"kind", "counts", "same", "volume", ""};
+  rot_mesh mesh = read_mesh(vertices, faces, by_column);
+  const double weld = ffi_real(tolerance, "tolerance");
+  findings f;
+  memset(&f, 0, sizeof f);
+  rot_status status = ROT_OK;
+  int looked = 0, nested = 0;
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  SEXP counts = Rf_mkNamed(REALSXP, (const char **)count_names);
+  SET_VECTOR_ELT(out, 1, counts);
+  f.entries = rot_mesh_check_entries(&mesh);
+  if (!f.entries.bad_faces && !f.entries.bad_vertices && mesh.faces) {
+    SEXP component = PROTECT(Rf_allocVector(INTSXP, (R_xlen_t)mesh.faces));
+    uint32_t *parts = (uint32_t *)(void *)INTEGER(component);
+    ffi_guard guard;
+    if (weld >= 0.0) {
+      SEXP same = Rf_allocVector(INTSXP, (R_xlen_t)mesh.vertices);
+      SET_VECTOR_ELT(out, 2, same);
+      status = rot_weld(&mesh, weld, (uint32_t *)(void *)INTEGER(same), &f.merged);
+      mesh.same = (const uint32_t *)(const void *)INTEGER_RO(same);
+    }
+    if (status == ROT_OK) {
+      ffi_guard_begin(&guard, progress);
+      status = rot_edges_check(&mesh, &guard.hooks, parts, &f.edges);
+      ffi_guard_end(&guard, status);
+      looked = status == ROT_OK;
+    }
+    const rot_edges *e = &f.edges;
+    if (looked && e->components && !e->open_edges && !e->miswound_edges && !e->crowded_edges &&
+        !e->touching_edges) {
+      SEXP volume = Rf_allocVector(REALSXP, (R_xlen_t)e->components);
+      SET_VECTOR_ELT(out, 3, volume);
+      ffi_guard_begin(&guard, progress);
+      status =
+          rot_nesting_check(&mesh, parts, e->components, &guard.hooks, REAL(volume), &f.nesting);
+      ffi_guard_end(&guard, status);
+      nested = status == ROT_OK;
+    }
+    UNPROTECT(1);
+  }
+  write_counts(&mesh, &f, looked, nested, REAL(counts));
+  SET_VECTOR_ELT(out, 0, status_kind(status));
+  UNPROTECT(1);
+  return out;
+}
+
+/* kind, and the integrals of the solid or of the surface. */
+SEXP ffi_mesh_moments(SEXP vertices, SEXP faces, SEXP by_column, SEXP same, SEXP shell,
+                      SEXP progress) {
+  static const char *const names[] = {
+      "kind",  "size", "size_error", "centre", "second", "error",       "coordinate_error",
+      "reach", "area", "closure",    "lo",     "hi",     "moved_error", ""};
+  rot_mesh mesh = read_mesh(vertices, faces, by_column);
+  mesh.same = read_same(same, &mesh);
+  rot_mesh_moments m;
+  ffi_guard guard;
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  const rot_mesh_entries bad = rot_mesh_check_entries(&mesh);
+  if (!bad.bad_faces) {
+    /* Vertices that no face names shall not count. */
+    SEXP used = PROTECT(Rf_allocVector(RAWSXP, (R_xlen_t)mesh.vertices));
+    if (rot_mesh_mark_used(&mesh, RAW(used))) mesh.used = RAW_RO(used);
+  }
+  ffi_guard_begin(&guard, progress);
+  const rot_status status = Rf_asLogical(shell) == TRUE ? rot_mesh_shell(&mesh, &guard.hooks, &m)
+                                                        : rot_mesh_solid(&mesh, &guard.hooks, &m);
+  ffi_guard_end(&guard, status);
+  if (!bad.bad_faces) UNPROTECT(1);
+  const double numbers[] = {m.size,  m.size_error, m.error,   m.coordinate_error,
+                            m.reach, m.area,       m.closure, m.moved_error};
+  static const int at[] = {1, 2, 5, 6, 7, 8, 9, 12};
+  SET_VECTOR_ELT(out, 0, status_kind(status));
+  for (int i = 0; i < 8; i++) SET_VECTOR_ELT(out, at[i], Rf_ScalarReal(numbers[i]));
+  const struct {
+    int at, n;
+    const double *from;
+  } columns[] = {{3, 3, m.centre}, {4, 6, m.second_moment}, {10, 3, m.lo}, {11, 3, m.hi}};
+  for (int i = 0; i < 4; i++) {
+    SEXP column = Rf_allocVector(REALSXP, columns[i].n);
+    SET_VECTOR_ELT(out, columns[i].at, column);
+    memcpy(REAL(column), columns[i].from, (size_t)columns[i].n * sizeof(double));
+  }
+  UNPROTECT(1);
+  return out;
+}

@@ -1,0 +1,240 @@
+#include "rot_edges.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A use of an edge, in the bucket of its lower vertex. */
+typedef struct use {
+  uint32_t other, face_down; /* 2 face + whether it goes from the higher vertex to the lower one */
+} use;
+
+/* The uses of the edge from a bucket's vertex to this one. */
+typedef struct tally {
+  uint32_t bucket; /* from 1; whose uses these are */
+  uint32_t up, down, first;
+} tally;
+
+typedef struct work {
+  const rot_mesh *mesh;
+  size_t *bucket; /* where each bucket begins */
+  use *uses;
+  tally *tallies;
+  uint32_t *parent;     /* of each face: in its component, towards the earliest face */
+  unsigned char *crowd; /* faces on an edge that is used more than twice */
+} work;
+
+enum { POLL_STEP = 1 << 16 };
+
+/* ---- components: union by least face, paths halved ------------------------------------------ */
+
+static uint32_t root_of(uint32_t parent[], uint32_t face) {
+  while (parent[face] != face) {
+    parent[face] = parent[parent[face]];
+    face = parent[face];
+  }
+  return face;
+}
+
+static void join(uint32_t parent[], uint32_t a, uint32_t b) {
+  a = root_of(parent, a);
+  b = root_of(parent, b);
+  if (a < b) {
+    parent[b] = a;
+  } else {
+    parent[a] = b;
+  }
+}
+
+/* ---- buckets -------------------------------------------------------------------------------- */
+
+static int corners_of(const rot_mesh *mesh, size_t face, uint32_t v[3]) {
+  for (size_t k = 0; k < 3; k++) v[k] = (uint32_t)rot_mesh_corner(mesh, face, k);
+  return v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
+}
+
+/* bucket[v + 1] counts, then holds where v's bucket begins, then, filled, where it ends. */
+static void fill_buckets(const work *w, rot_edges *out) {
+  const rot_mesh *mesh = w->mesh;
+  uint32_t v[3];
+  memset(w->bucket, 0, (mesh->vertices + 2) * sizeof *w->bucket);
+  for (size_t i = 0; i < mesh->faces; i++) {
+    w->parent[i] = (uint32_t)i;
+    w->crowd[i] = 0;
+    if (!corners_of(mesh, i, v)) {
+      w->parent[i] = ROT_NO_COMPONENT;
+      out->degenerate_faces++;
+      continue;
+    }
+    for (int k = 0; k < 3; k++) {
+      const uint32_t from = v[k], to = v[(k + 1) % 3];
+      w->bucket[(from < to ? from : to) + 2]++;
+    }
+  }
+  for (size_t i = 2; i < mesh->vertices + 2; i++) w->bucket[i] += w->bucket[i - 1];
+  for (size_t i = 0; i < mesh->faces; i++) {
+    if (w->parent[i] == ROT_NO_COMPONENT || !corners_of(mesh, i, v)) continue;
+    for (int k = 0; k < 3; k++) {
+      const uint32_t from = v[k], to = v[(k + 1) % 3], low = from < to ? from : to;
+      use *one = &w->uses[w->bucket[low + 1]++];
+      one->other = from < to ? to : from;
+      one->face_down = (uint32_t)(2 * i) + (from > to);
+    }
+  }
+}
+
+static void judge_edge(const tally *edge, rot_edges *out) {
+  const size_t uses = (size_t)edge->up + edge->down;
+  out->edges++;
+  if (uses == 1) {
+    out->open_edges++;
+  } else if (uses == 2) {
+    out->miswound_edges += edge->up != edge->down;
+  } else if (edge->up == edge->down) {
+    out->touching_edges++;
+  } else {
+    out->crowded_edges++;
+  }
+}
+
+static void count_bucket(const work *w, uint32_t vertex, rot_edges *out) {
+  const use *begin = w->uses + w->bucket[vertex], *end = w->uses + w->bucket[vertex + 1];
+  for (const use *u = begin; u < end; u++) {
+    tally *edge = &w->tallies[u->other];
+    const uint32_t face = u->face_down / 2;
+    if (edge->bucket != vertex + 1) *edge = (tally){vertex + 1, 0, 0, face};
+    if (u->face_down & 1U) {
+      edge->down++;
+    } else {
+      edge->up++;
+    }
+    if (face != edge->first) join(w->parent, face, edge->first);
+  }
+  for (const use *u = begin; u < end; u++) {
+    const tally *edge = &w->tallies[u->other];
+    const uint32_t face = u->face_down / 2;
+    if (edge->up > 2 || edge->down > 2 || edge->up + edge->down > 2) w->crowd[face] = 1;
+    /* A face has an edge once: its first user speaks for it. */
+    if (face == edge->first) judge_edge(edge, out);
+  }
+}
+
+/* ---- what follows from the buckets ---------------------------------------------------------- */
+
+static void number_components(const work *w, uint32_t component[], rot_edges *out) {
+  for (size_t i = 0; i < w->mesh->faces; i++) {
+    if (w->parent[i] == ROT_NO_COMPONENT) {
+      component[i] = ROT_NO_COMPONENT;
+      continue;
+    }
+    const uint32_t root = root_of(w->parent, (uint32_t)i);
+    component[i] = root == i ? (uint32_t)out->components++ : component[root];
+  }
+}
+
+typedef struct triple {
+  uint32_t v[3];
+} triple;
+
+static triple sorted_corners(const rot_mesh *mesh, size_t face) {
+  triple t;
+  uint32_t swap;
+  (void)corners_of(mesh, face, t.v);
+  for (int pass = 0; pass < 2; pass++) {
+    for (int k = 0; k < 2; k++) {
+      if (t.v[k] > t.v[k + 1]) swap = t.v[k], t.v[k] = t.v[k + 1], t.v[k + 1] = swap;
+    }
+  }
+  return t;
+}
+
+static int by_corners(const void *a, const void *b) {
+  const triple *s = a, *t = b;
+  for (int k = 0; k < 3; k++) {
+    if (s->v[k] != t->v[k]) return s->v[k] < t->v[k] ? -1 : 1;
+  }
+  return 0;
+}
+
+/* Two faces with the same corners share three edges: either another face is on one of these, or
+ * the two are a component by themselves. So few faces need to be compared. `sizes` has a place for
+ * each component. */
+static rot_status count_duplicates(const work *w, const uint32_t component[], uint32_t sizes[],
+                                   rot_edges *out) {
+  size_t candidates = 0, n = 0;
+  memset(sizes, 0, out->components * sizeof *sizes);
+  for (size_t i = 0; i < w->mesh->faces; i++) {
+    if (component[i] != ROT_NO_COMPONENT) sizes[component[i]]++;
+  }
+  for (size_t i = 0; i < w->mesh->faces; i++) {
+    if (component[i] == ROT_NO_COMPONENT) continue;
+    if (sizes[component[i]] == 2) w->crowd[i] = 1;
+    candidates += w->crowd[i];
+  }
+  if (!candidates) return ROT_OK;
+  triple *list = rot_mesh_alloc(candidates, sizeof *list);
+  if (!list) return ROT_ENOMEM;
+  for (size_t i = 0; i < w->mesh->faces; i++) {
+    if (component[i] != ROT_NO_COMPONENT && w->crowd[i]) {
+      list[n++] = sorted_corners(w->mesh, i);
+    }
+  }
+  qsort(list, n, sizeof *list, by_corners);
+  for (size_t i = 1; i < n; i++) out->duplicate_faces += by_corners(&list[i - 1], &list[i]) == 0;
+  free(list);
+  return ROT_OK;
+}
+
+/* The tallies have done their work: `bucket` marks the vertices that faces name. */
+static void count_unused(const work *w, rot_edges *out) {
+  const rot_mesh *mesh = w->mesh;
+  for (size_t i = 0; i < mesh->vertices; i++) w->tallies[i].bucket = 0;
+  for (size_t i = 0; i < mesh->faces; i++) {
+    for (size_t k = 0; k < 3; k++) {
+      w->tallies[mesh->corner[i * mesh->face_step + k * mesh->corner_step] - 1].bucket = 1;
+    }
+  }
+  for (size_t i = 0; i < mesh->vertices; i++) out->unused_vertices += !w->tallies[i].bucket;
+}
+
+static rot_status check(const work *w, const rot_hooks *hooks, uint32_t component[],
+                        rot_edges *out) {
+  const size_t vertices = w->mesh->vertices;
+  fill_buckets(w, out);
+  for (size_t i = 0; i < vertices; i++) w->tallies[i].bucket = 0;
+  for (size_t v = 0; v < vertices; v++) {
+    if (v % POLL_STEP == 0) {
+      rot_status status = rot_poll(hooks, (double)v / (double)vertices);
+      if (status != ROT_OK) return status;
+    }
+    count_bucket(w, (uint32_t)v, out);
+  }
+  number_components(w, component, out);
+  count_unused(w, out);
+  /* No more components than faces: the parents are not needed any more. */
+  return count_duplicates(w, component, w->parent, out);
+}
+
+rot_status rot_edges_check(const rot_mesh *mesh, const rot_hooks *hooks, uint32_t component[],
+                           rot_edges *out) {
+  *out = (rot_edges){0};
+  const rot_mesh_entries bad = rot_mesh_check_entries(mesh);
+  if (bad.bad_faces || bad.bad_vertices || mesh->faces > INT32_MAX || mesh->vertices > INT32_MAX) {
+    return ROT_EVALUE;
+  }
+  work w = {mesh, NULL, NULL, NULL, NULL, NULL};
+  w.bucket = rot_mesh_alloc(mesh->vertices + 2, sizeof *w.bucket);
+  w.uses = rot_mesh_alloc(mesh->faces, 3 * sizeof *w.uses);
+  w.tallies = rot_mesh_alloc(mesh->vertices, sizeof *w.tallies);
+  w.parent = rot_mesh_alloc(mesh->faces, sizeof *w.parent);
+  w.crowd = rot_mesh_alloc(mesh->faces, 1);
+  rot_status status = ROT_ENOMEM;
+  if (w.bucket && w.uses && w.tallies && w.parent && w.crowd) {
+    status = check(&w, hooks, component, out);
+  }
+  free(w.bucket);
+  free(w.uses);
+  free(w.tallies);
+  free(w.parent);
+  free(w.crowd);
+  return status;
+}

@@ -1,0 +1,102 @@
+/* Second moment, mass and centre of a body from a mesh of triangles: of the solid inside a closed
+ * one, or of the surface itself.
+ *
+ * A triangle a, b, c and the origin span a tetrahedron of signed volume d/6, and the sum over all
+ * faces is the integral over the solid. With n = (b - a) x (c - a), d = a . n, s = a + b + c:
+ *
+ *   solid:   V = sum d/6      V g = sum d s/24      C = sum d (s s' + a a' + b b' + c c')/120
+ *   surface: A = sum |n|/2    A g = sum |n| s/6     C = sum |n| (s s' + a a' + b b' + c c')/24
+ *
+ * a is measured from the middle of the bounding box, and n comes from the edges: so neither a
+ * distant origin nor small faces cost digits.
+ *
+ * Reference: Tonon, J. Math. Stat. 1 (2005) 8; Blow & Binstock, How to find the inertia tensor (or
+ * other mass properties) of a 3D solid body represented by a triangle mesh (2004). */
+#ifndef ROT_MESH_H
+#define ROT_MESH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "rot_status.h"
+
+/* Coordinate k of vertex i is xyz[i * vertex_step + k * axis_step]; corner k of face i is
+ * corner[i * face_step + k * corner_step], the number of a vertex, from 1. */
+typedef struct rot_mesh {
+  size_t vertices, faces;
+  const double *xyz;
+  size_t vertex_step, axis_step;
+  const int *corner;
+  size_t face_step, corner_step;
+  /* For each vertex the one (from 0) that stands for it, after welding; NULL: itself. */
+  const uint32_t *same;
+  /* For each vertex whether a face names it; NULL: all count as named. The others do not matter;
+   * were they to count, bounds and the reach would be larger. */
+  const unsigned char *used;
+} rot_mesh;
+
+static inline double rot_mesh_at(const rot_mesh *mesh, size_t vertex, size_t axis) {
+  return mesh->xyz[vertex * mesh->vertex_step + axis * mesh->axis_step];
+}
+
+/* The vertex at a corner, from 0. */
+static inline size_t rot_mesh_corner(const rot_mesh *mesh, size_t face, size_t k) {
+  const size_t i = (size_t)mesh->corner[face * mesh->face_step + k * mesh->corner_step] - 1;
+  return mesh->same ? mesh->same[i] : i;
+}
+
+/* n * size bytes, not 0; NULL also where the product overflows. */
+void *rot_mesh_alloc(size_t n, size_t size);
+
+/* What must be right before anything else is looked at. */
+typedef struct rot_mesh_entries {
+  size_t bad_vertices; /* with a coordinate that is not finite */
+  size_t bad_faces;    /* with a corner that is no vertex */
+} rot_mesh_entries;
+
+rot_mesh_entries rot_mesh_check_entries(const rot_mesh *mesh);
+
+/* Marks the vertices that faces name; the number of the others. Entries are good. */
+size_t rot_mesh_mark_used(const rot_mesh *mesh, unsigned char used[]);
+
+/* The box of the vertices in use. */
+typedef struct rot_mesh_box {
+  double lo[3], hi[3], centre[3];
+  int exponent; /* the largest half of a side is between a half and one 2^exponent */
+} rot_mesh_box;
+
+/* The mesh itself, but where the squares and cubes of its size would leave the range of doubles it
+ * is 2^-exponent its size, and the corners name the vertices that stand for others. */
+typedef struct rot_mesh_tamed {
+  rot_mesh mesh;
+  rot_mesh_box box;
+  int exponent; /* 0 where the size is as it was */
+  double *xyz;  /* what was made for it, or NULL */
+  int *corner;
+} rot_mesh_tamed;
+
+/* ROT_EVALUE for bad entries or no face, ROT_ENOMEM. To be freed in any case. */
+rot_status rot_mesh_tame(const rot_mesh *mesh, rot_mesh_tamed *tame);
+void rot_mesh_tame_free(rot_mesh_tamed *tame);
+
+typedef struct rot_mesh_moments {
+  double size;             /* volume with its sign, or area */
+  double size_error;       /* bound, relative */
+  double centre[3];        /* of mass */
+  double second_moment[6]; /* about the centre, per unit of mass: xx, yy, zz, xy, xz, yz */
+  double error;            /* bound of its error, relative to its trace: rounding here */
+  double coordinate_error; /* bound of what half a last digit of each coordinate does to it */
+  double moved_error;      /* the same of a vertex moved by 1 in each coordinate, to first order */
+  double reach;            /* from the centre to the farthest vertex */
+  double area;
+  double closure;      /* |sum of the area vectors|/area: 0 for a closed mesh but for rounding */
+  double lo[3], hi[3]; /* the box */
+} rot_mesh_moments;
+
+/* Of the solid: the mesh must be closed, which is not looked at here (rot_edges.h). ROT_ERANGE
+ * where no volume is left after rounding; ROT_EVALUE, ROT_ENOMEM, ROT_EUNWIND. */
+rot_status rot_mesh_solid(const rot_mesh *mesh, const rot_hooks *hooks, rot_mesh_moments *out);
+/* Of the surface, its mass spread evenly. ROT_ERANGE where there is no area. */
+rot_status rot_mesh_shell(const rot_mesh *mesh, const rot_hooks *hooks, rot_mesh_moments *out);
+
+#endif

@@ -1,0 +1,232 @@
+/* The kernel of rot_mesh.c: the sums over faces. Compiled for registers of two there and for
+ * registers of four in rot_wide.c.
+ *
+ * Face i belongs to lane i mod 4 whatever the registers, and every lane adds on its own, so the
+ * width changes no bit. Terms are added in blocks, the sums of blocks with their rounding errors
+ * kept: what a sum loses does not grow with the number of faces. */
+#ifndef ROT_MESH_SUM_H
+#define ROT_MESH_SUM_H
+
+#include "rot_mesh.h"
+#include "rot_pair.h"
+
+enum { ROT_MESH_LANES = 4, ROT_MESH_STEPS = 8, ROT_MESH_BLOCK = ROT_MESH_LANES * ROT_MESH_STEPS };
+
+/* The sums of either kind; n, s, q as in rot_mesh.h, w is d or |n|. */
+enum {
+  SIZE,               /* w */
+  FIRST,              /* w s */
+  SECOND = FIRST + 3, /* w q: xx, yy, zz, xy, xz, yz */
+  AREA = SECOND + 6,  /* |n|; only of the solid */
+  NORMAL,             /* n */
+  EXACT = NORMAL + 3, /* those before keep their rounding errors */
+  GROSS_SIZE = EXACT, /* w, and w q, with the sizes of their terms */
+  GROSS_SECOND,
+  FLUX,                   /* of the solid |n|, of the surface the edges, axis by axis */
+  FLUX_SECOND = FLUX + 3, /* the same times the square of the distance */
+  SUMS = FLUX_SECOND + 3
+};
+
+typedef struct rot_mesh_sums {
+  const double *centre; /* where a, b, c are measured from */
+  double total[SUMS][ROT_MESH_LANES], lost[EXACT][ROT_MESH_LANES];
+} rot_mesh_sums;
+
+typedef struct mesh_corners {
+  rot_pair a[3], b[3], c[3];
+} mesh_corners;
+
+/* A pair of what `f` gives for each lane: put together through memory it would wait for the store. */
+#ifdef ROT_WIDE
+#define ROT_EACH(f) ((rot_pair){f(0), f(1), f(2), f(3)})
+#elif defined(__GNUC__)
+#define ROT_EACH(f) ((rot_pair){f(0), f(1)})
+#else
+#define ROT_EACH(f) (f(0))
+#endif
+
+/* Where the kernel reads, in variables of its own: the sums it writes might be anywhere. The
+ * corners of a tame mesh name the vertices that stand for others themselves. */
+typedef struct mesh_source {
+  const double *x, *y, *z;
+  const int *corner[3];
+  size_t vertex_step, face_step;
+  rot_pair centre[3];
+} mesh_source;
+
+ROT_INLINE mesh_source open_source(const rot_mesh *mesh, const double centre[3]) {
+  const double *x = mesh->xyz;
+  const int *c = mesh->corner;
+  const mesh_source source = {x,
+                              x + mesh->axis_step,
+                              x + 2 * mesh->axis_step,
+                              {c, c + mesh->corner_step, c + 2 * mesh->corner_step},
+                              mesh->vertex_step,
+                              mesh->face_step,
+                              {ROT_BOTH(centre[0]), ROT_BOTH(centre[1]), ROT_BOTH(centre[2])}};
+  return source;
+}
+
+/* Corner k of ROT_PAIR faces; those past `end` count as a point, which adds nothing. */
+ROT_INLINE void load_corner(const mesh_source *from, size_t face, size_t end, int k, int whole,
+                            rot_pair to[3]) {
+  size_t at[ROT_PAIR];
+  for (size_t lane = 0; lane < ROT_PAIR; lane++) {
+    const size_t one = whole || face + lane < end ? face + lane : end - 1;
+    at[lane] = (size_t)from->corner[k][one * from->face_step] - 1;
+    at[lane] *= from->vertex_step;
+  }
+#define X(lane) (from->x[at[lane]])
+#define Y(lane) (from->y[at[lane]])
+#define Z(lane) (from->z[at[lane]])
+  to[0] = ROT_EACH(X) - from->centre[0];
+  to[1] = ROT_EACH(Y) - from->centre[1];
+  to[2] = ROT_EACH(Z) - from->centre[2];
+#undef X
+#undef Y
+#undef Z
+  if (whole) return;
+#define IN(lane) (face + lane < end ? 1.0 : 0.0)
+  const rot_pair in = ROT_EACH(IN);
+#undef IN
+  to[0] *= in;
+  to[1] *= in;
+  to[2] *= in;
+}
+
+/* What both kinds need of a face. */
+typedef struct mesh_face {
+  rot_pair n[3];     /* twice the area, along the normal */
+  rot_pair m[3];     /* the same without cancellation */
+  rot_pair s[3];     /* a + b + c */
+  rot_pair q[6];     /* s s' + a a' + b b' + c c' */
+  rot_pair p;        /* 4 (a.a + b.b + c.c), at least the trace of q */
+  rot_pair edges[3]; /* |b - a| + |c - a|, axis by axis */
+  rot_pair square;   /* n . n */
+} mesh_face;
+
+ROT_INLINE void see_face(const mesh_corners *v, mesh_face *f) {
+  const rot_pair ux = v->b[0] - v->a[0], uy = v->b[1] - v->a[1], uz = v->b[2] - v->a[2];
+  const rot_pair wx = v->c[0] - v->a[0], wy = v->c[1] - v->a[1], wz = v->c[2] - v->a[2];
+  const rot_pair yz = uy * wz, zy = uz * wy, zx = uz * wx, xz = ux * wz, xy = ux * wy, yx = uy * wx;
+  f->n[0] = yz - zy;
+  f->n[1] = zx - xz;
+  f->n[2] = xy - yx;
+  f->m[0] = rot_pair_abs(yz) + rot_pair_abs(zy);
+  f->m[1] = rot_pair_abs(zx) + rot_pair_abs(xz);
+  f->m[2] = rot_pair_abs(xy) + rot_pair_abs(yx);
+  f->s[0] = v->a[0] + v->b[0] + v->c[0];
+  f->s[1] = v->a[1] + v->b[1] + v->c[1];
+  f->s[2] = v->a[2] + v->b[2] + v->c[2];
+  const rot_pair x2 = v->a[0] * v->a[0] + v->b[0] * v->b[0] + v->c[0] * v->c[0];
+  const rot_pair y2 = v->a[1] * v->a[1] + v->b[1] * v->b[1] + v->c[1] * v->c[1];
+  const rot_pair z2 = v->a[2] * v->a[2] + v->b[2] * v->b[2] + v->c[2] * v->c[2];
+  f->q[0] = f->s[0] * f->s[0] + x2;
+  f->q[1] = f->s[1] * f->s[1] + y2;
+  f->q[2] = f->s[2] * f->s[2] + z2;
+  f->q[3] = f->s[0] * f->s[1] + (v->a[0] * v->a[1] + v->b[0] * v->b[1] + v->c[0] * v->c[1]);
+  f->q[4] = f->s[0] * f->s[2] + (v->a[0] * v->a[2] + v->b[0] * v->b[2] + v->c[0] * v->c[2]);
+  f->q[5] = f->s[1] * f->s[2] + (v->a[1] * v->a[2] + v->b[1] * v->b[2] + v->c[1] * v->c[2]);
+  f->p = ROT_BOTH(4.0) * (x2 + y2 + z2);
+  f->edges[0] = rot_pair_abs(ux) + rot_pair_abs(wx);
+  f->edges[1] = rot_pair_abs(uy) + rot_pair_abs(wy);
+  f->edges[2] = rot_pair_abs(uz) + rot_pair_abs(wz);
+  f->square = f->n[0] * f->n[0] + f->n[1] * f->n[1] + f->n[2] * f->n[2];
+}
+
+ROT_INLINE void add_weighted(rot_pair sum[], const mesh_face *f, rot_pair w) {
+  sum[SIZE] += w;
+  sum[FIRST] += w * f->s[0];
+  sum[FIRST + 1] += w * f->s[1];
+  sum[FIRST + 2] += w * f->s[2];
+  sum[SECOND] += w * f->q[0];
+  sum[SECOND + 1] += w * f->q[1];
+  sum[SECOND + 2] += w * f->q[2];
+  sum[SECOND + 3] += w * f->q[3];
+  sum[SECOND + 4] += w * f->q[4];
+  sum[SECOND + 5] += w * f->q[5];
+  sum[NORMAL] += f->n[0];
+  sum[NORMAL + 1] += f->n[1];
+  sum[NORMAL + 2] += f->n[2];
+}
+
+ROT_INLINE void add_flux(rot_pair sum[], rot_pair x, rot_pair y, rot_pair z, rot_pair w) {
+  sum[FLUX] += x;
+  sum[FLUX + 1] += y;
+  sum[FLUX + 2] += z;
+  sum[FLUX_SECOND] += x * w;
+  sum[FLUX_SECOND + 1] += y * w;
+  sum[FLUX_SECOND + 2] += z * w;
+}
+
+/* The root is left for later: it takes long, and nothing here needs it. */
+ROT_INLINE rot_pair add_solid(rot_pair sum[], const mesh_corners *v) {
+  mesh_face f;
+  see_face(v, &f);
+  const rot_pair d = v->a[0] * f.n[0] + v->a[1] * f.n[1] + v->a[2] * f.n[2];
+  const rot_pair gross = rot_pair_abs(v->a[0]) * f.m[0] + rot_pair_abs(v->a[1]) * f.m[1] +
+                         rot_pair_abs(v->a[2]) * f.m[2];
+  add_weighted(sum, &f, d);
+  sum[GROSS_SIZE] += gross;
+  sum[GROSS_SECOND] += gross * f.p;
+  add_flux(sum, rot_pair_abs(f.n[0]), rot_pair_abs(f.n[1]), rot_pair_abs(f.n[2]),
+           f.q[0] + f.q[1] + f.q[2]);
+  return f.square;
+}
+
+ROT_INLINE void add_shell(rot_pair sum[], const mesh_corners *v) {
+  mesh_face f;
+  see_face(v, &f);
+  const rot_pair gross = f.m[0] + f.m[1] + f.m[2];
+  add_weighted(sum, &f, rot_pair_sqrt(f.square));
+  sum[GROSS_SIZE] += gross;
+  sum[GROSS_SECOND] += gross * f.p;
+  add_flux(sum, f.edges[0], f.edges[1], f.edges[2], f.p);
+}
+
+/* One group of lanes of a block. */
+ROT_INLINE void add_group(const mesh_source *source, rot_mesh_sums *sums, size_t from, size_t end,
+                          size_t group, int shell, int whole) {
+  rot_pair sum[SUMS], square[ROT_MESH_STEPS];
+  for (int j = 0; j < SUMS; j++) sum[j] = ROT_BOTH(0.0);
+  for (size_t step = 0; step < ROT_MESH_STEPS; step++) {
+    const size_t face = from + step * ROT_MESH_LANES + group;
+    mesh_corners v;
+    load_corner(source, face, end, 0, whole, v.a);
+    load_corner(source, face, end, 1, whole, v.b);
+    load_corner(source, face, end, 2, whole, v.c);
+    if (shell) {
+      add_shell(sum, &v);
+    } else {
+      square[step] = add_solid(sum, &v);
+    }
+  }
+  for (size_t step = 0; step < ROT_MESH_STEPS && !shell; step++) {
+    sum[AREA] += rot_pair_sqrt(square[step]);
+  }
+  for (int j = 0; j < EXACT; j++) { /* rot_two_sum() of each lane */
+    const rot_pair a = rot_load(sums->total[j] + group), b = sum[j], s = a + b, back = s - a;
+    rot_store(sums->total[j] + group, s);
+    rot_store(sums->lost[j] + group,
+              rot_load(sums->lost[j] + group) + ((a - (s - back)) + (b - back)));
+  }
+  for (int j = EXACT; j < SUMS; j++) {
+    rot_store(sums->total[j] + group, rot_load(sums->total[j] + group) + sum[j]);
+  }
+}
+
+/* Faces from .. end - 1; `from` is a multiple of ROT_MESH_BLOCK. */
+ROT_INLINE void sum_faces(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
+                          int shell) {
+  const mesh_source source = open_source(mesh, sums->centre);
+  for (; end - from >= ROT_MESH_BLOCK; from += ROT_MESH_BLOCK) {
+    for (size_t group = 0; group < ROT_MESH_LANES; group += ROT_PAIR) {
+      add_group(&source, sums, from, end, group, shell, 1);
+    }
+  }
+  for (size_t group = 0; group < ROT_MESH_LANES && from < end; group += ROT_PAIR) {
+    add_group(&source, sums, from, end, group, shell, 0);
+  }
+}
+
+#endif

@@ -1,0 +1,30 @@
+/* The components of a closed mesh: their volumes, and which lie inside which.
+ *
+ * How often the components around a point enclose it is the sum of the solid angles of their faces
+ * over 4 pi. A solid has 0 around a component wound as the whole is, and 1 around one wound the
+ * other way, a cavity: anything else would fill a place twice or less than not at all.
+ *
+ * Reference: van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125. */
+#ifndef ROT_NESTING_H
+#define ROT_NESTING_H
+
+#include "rot_mesh.h"
+
+typedef struct rot_nesting {
+  size_t zero_area_faces; /* corners on a line, within rounding */
+  int flipped;            /* the whole is wound inwards: the volume is negative */
+  size_t cavities;        /* wound against the whole, inside of it */
+  size_t inverted;        /* wound against the whole, and inside of nothing */
+  size_t doubled;         /* wound as the whole, inside of it; or more than one way around */
+  size_t crossing;        /* partly inside of another */
+  size_t flat;            /* without a volume beyond rounding */
+  size_t unchecked;       /* not looked at: it would have taken too long */
+} rot_nesting;
+
+/* `component` from rot_edges_check(), of a mesh without open, mis-wound or crowded edges.
+ * volume[i] is that of component i, with its sign. A component is tried at up to 64 points, so
+ * parts that cross in a small region can go unseen, and one that crosses itself is not found. */
+rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], size_t components,
+                             const rot_hooks *hooks, double volume[], rot_nesting *out);
+
+#endif

@@ -1,0 +1,13 @@
+/* Vertices at one place made one: files of loose triangles (STL) repeat each vertex in each face. */
+#ifndef ROT_WELD_H
+#define ROT_WELD_H
+
+#include "rot_mesh.h"
+
+/* same[i] is the first vertex at the place of vertex i (-0 is 0), or the first one kept that lies
+ * within `tolerance` of it in each coordinate. *merged counts the vertices that gave way. All
+ * coordinates finite; mesh->same is not looked at. ROT_EVALUE for a tolerance below what the
+ * coordinates resolve by 2^-52, for one that is not finite, or for more than 2^31 - 1 vertices. */
+rot_status rot_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged);
+
+#endif

@@ -1,0 +1,114 @@
+/* Bodies in bodies: cavities, islands, parts turned inside out, parts that cross. */
+#include "mesh_shapes.h"
+#include "rot_edges.h"
+#include "rot_nesting.h"
+#include "rot_test.h"
+
+static uint32_t component[5000];
+static double volume[64];
+
+static rot_nesting check(shape *s) {
+  rot_edges e;
+  rot_nesting n;
+  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(s), NULL, component, &e), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_nesting_check(shape_mesh(s), component, e.components, NULL, volume, &n),
+                   ROT_OK);
+  return n;
+}
+
+/* flipped, cavities, inverted, doubled, crossing, flat, zero area */
+static void expect(const rot_nesting *n, const size_t want[7]) {
+  const size_t got[7] = {(size_t)n->flipped, n->cavities, n->inverted,       n->doubled,
+                         n->crossing,        n->flat,     n->zero_area_faces};
+  for (int i = 0; i < 7; i++) ROT_CHECK_EQ_INT(got[i], want[i]);
+  ROT_CHECK_EQ_INT(n->unchecked, 0);
+}
+
+#define EXPECT(s, ...)                                                                             \
+  do {                                                                                             \
+    const rot_nesting n_ = check(s);                                                               \
+    expect(&n_, (const size_t[7])__VA_ARGS__);                                                     \
+  } while (0)
+
+static void add_cube(shape *s, double x, double half, int in) {
+  const double lo[3] = {x - half, -half, -half}, hi[3] = {x + half, half, half};
+  add_box(s, lo, hi, in);
+}
+
+static void flip_all(shape *s) {
+  for (size_t i = 0; i < s->faces; i++) shape_flip(s, i);
+}
+
+static void test_nested(void) {
+  shape s = shape_room(100, 200);
+  add_cube(&s, 0.0, 1.0, 0);
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  ROT_CHECK_REL(volume[0], 8.0, 1e-15);
+  flip_all(&s);
+  EXPECT(&s, {1, 0, 0, 0, 0, 0, 0});
+  ROT_CHECK_REL(volume[0], -8.0, 1e-15);
+  flip_all(&s);
+  add_cube(&s, 5.0, 0.5, 0); /* beside it */
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  add_cube(&s, 0.1, 0.75, 1); /* a cavity, an island in it, a cavity in that */
+  EXPECT(&s, {0, 1, 0, 0, 0, 0, 0});
+  ROT_CHECK_REL(volume[2], -3.375, 1e-15);
+  add_cube(&s, 0.2, 0.5, 0);
+  EXPECT(&s, {0, 1, 0, 0, 0, 0, 0});
+  add_cube(&s, 0.3, 0.25, 1);
+  EXPECT(&s, {0, 2, 0, 0, 0, 0, 0});
+  flip_all(&s);
+  EXPECT(&s, {1, 2, 0, 0, 0, 0, 0});
+  shape_free(&s);
+}
+
+static void test_wrong(void) {
+  shape s = shape_room(3000, 5000);
+  add_cube(&s, 0.0, 1.0, 0);
+  add_cube(&s, 5.0, 0.5, 1); /* inside out, beside */
+  EXPECT(&s, {0, 0, 1, 0, 0, 0, 0});
+  s.vertices = s.faces = 0;
+  add_cube(&s, 0.0, 1.0, 0);
+  add_cube(&s, 0.1, 0.5, 0); /* a body in a body */
+  EXPECT(&s, {0, 0, 0, 1, 0, 0, 0});
+  s.vertices = s.faces = 0;
+  add_cube(&s, 0.0, 1.0, 0);
+  add_cube(&s, 0.1, 0.5, 1); /* a cavity in a cavity */
+  add_cube(&s, 0.1, 0.25, 1);
+  EXPECT(&s, {0, 1, 1, 0, 0, 0, 0});
+  s.vertices = s.faces = 0;
+  add_sphere(&s, 40, 20, 1.0, (const double[3]){0.0, 0.0, 0.0});
+  add_sphere(&s, 40, 20, 1.0, (const double[3]){0.3, 0.9, 0.2});
+  const rot_nesting crossing = check(&s);
+  ROT_CHECK_EQ_INT(crossing.crossing, 2);
+  s.vertices = s.faces = 0;
+  add_cube(&s, 0.0, 1.0, 0);
+  shape_vertex(&s, 9, 0, 0);
+  shape_vertex(&s, 9, 1, 0);
+  shape_vertex(&s, 9, 0, 1);
+  shape_face(&s, 9, 10, 11);
+  shape_face(&s, 9, 11, 10);
+  EXPECT(&s, {0, 0, 0, 0, 0, 1, 0});
+  s.xyz[3 * 10 + 1] = 3.0; /* the corners on a line */
+  s.xyz[3 * 10 + 2] = 0.0;
+  EXPECT(&s, {0, 0, 0, 0, 0, 1, 2});
+  shape_free(&s);
+}
+
+/* Cubes in a row that touch face to face, at another scale; and one of 1e-100. */
+static void test_touching(void) {
+  shape s = shape_room(100, 200);
+  for (int i = 0; i < 5; i++) add_cube(&s, 2.0 * i, 1.0, 0);
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  for (size_t i = 0; i < 3 * s.vertices; i++) s.xyz[i] *= 1e-100;
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  ROT_CHECK_REL(volume[3], 8e-300, 1e-13);
+  shape_free(&s);
+}
+
+int main(void) {
+  test_nested();
+  test_wrong();
+  test_touching();
+  return rot_test_report("nesting");
+}
