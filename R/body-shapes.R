@@ -70,7 +70,7 @@ mass_or_density <- function(density, unit, call) {
   given <- if (!is.null(density)) call[[density]]
   if (is.null(given)) {
     if (no_mass) {
-      abort_mass_missing(density, call)
+      abort_mass_left_out(density, call)
     }
     return(check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0))
   }
@@ -87,7 +87,7 @@ mass_or_density <- function(density, unit, call) {
   stats::setNames(check_number(given, density, unit, call, 0), density)
 }
 
-abort_mass_missing <- function(density, call) {
+abort_mass_left_out <- function(density, call) {
   abort_rotdyn(
     c(
       "{.arg mass_kg} is missing: it has no default.",

@@ -94,8 +94,7 @@ check_known <- function(given, id, beta, call) {
       c(
         "Every object must be a standard shape or have a {.field beta}.",
         x = "Not so: {.val {unknown}}.",
-        i = "The standard shapes are {.val {shape_table()$shape}}, also known as
-             {.val {names(shape_aliases)}}."
+        i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
       ),
       "value",
       call

@@ -16,8 +16,11 @@ shape_rows <- function(n) {
 
 # Ixx, Iyy, Izz and beta of the rows of one shape.
 plain_shapes <- list(
-  disk = function(d) with(d, list(mass_kg * radius_m^2 / 4, mass_kg * radius_m^2 / 4,
-    mass_kg * radius_m^2 / 2, 0.5)),
+  disk = function(d) {
+    with(d, list(
+      mass_kg * radius_m^2 / 4, mass_kg * radius_m^2 / 4, mass_kg * radius_m^2 / 2, 0.5
+    ))
+  },
   rod = function(d) with(d, list(0, mass_kg * length_m^2 / 12, mass_kg * length_m^2 / 12, NA)),
   hollow_sphere = function(d) {
     with(d, {
