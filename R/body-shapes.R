@@ -23,22 +23,25 @@ new_shape_body <- function(shape, call) {
   if (is.null(of)) {
     of <- shape_parts(shape)
   }
-  names <- .subset2(of, "names")
-  for (name in names) {
-    if (identical(call[[name]], left_out[[1L]])) check_supplied(name, call)
+  density <- .subset2(of, "density")
+  amount <- if ((is.null(density) || is.null(call[[density]])) && !is.symbol(call[["mass_kg"]])) {
+    check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0)
+  } else {
+    mass_or_density(density, .subset2(of, "density_unit"), call)
   }
-  amount <- mass_or_density(.subset2(of, "density"), .subset2(of, "density_unit"), call)
+  names <- .subset2(of, "names")
   units <- .subset2(of, "units")
-  lower <- .subset2(of, "lower")
-  size <- lower
+  size <- .subset2(of, "lower")
   for (i in seq_along(names)) {
-    size[i] <- check_number(call[[names[i]]], names[i], units[i], call, lower[i])
+    name <- names[i]
+    if (is.symbol(call[[name]])) check_supplied(name, call)
+    size[i] <- check_number(call[[name]], name, units[i], call, size[i])
   }
   parts <- .Call(ffi_shapes_body, .subset2(of, "id"), amount, !is.null(names(amount)), size)
   if (!is.list(parts)) {
     abort_shape(parts, names, size, NULL, call)
   }
-  names(size) <- names
+  attr(size, "names") <- names
   finish_body(shape, parts, size, of, amount, call)
 }
 
