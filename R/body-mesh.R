@@ -1,8 +1,8 @@
 #' A body from a mesh of triangles
 #'
 #' Mass, centre of mass and second moment of the solid inside a closed mesh, by the exact integrals
-#' of the tetrahedra that its faces span, or of the surface itself. With d = a . (b - a) x (c - a) and
-#' s = a + b + c for each face a, b, c,
+#' of the tetrahedra that its faces span, or of the surface itself. With d = a . (b - a) x (c - a)
+#' and s = a + b + c for each face a, b, c,
 #' \deqn{V = \frac{1}{6}\sum d,\quad g = \frac{1}{24 V}\sum d\,s,\quad
 #'   C = \frac{m}{120 V}\sum d\,(s s^T + a a^T + b b^T + c c^T) - m\,g g^T}
 #' `check_mesh()` tells what is right and wrong with a mesh, and whether it bounds a solid.
@@ -24,8 +24,8 @@
 #' tried at up to 64 points each; one that crosses itself is not found.
 #'
 #' **Vertices at one place.** Where the mesh is not closed as it stands, vertices with the same
-#' coordinates are made one (an STL file repeats each vertex in each face), then those that differ by
-#' no more than rounding: 2^-46 of the largest coordinate, or 2^-23 where numbers came in single
+#' coordinates are made one (an STL file repeats each vertex in each face), then those that differ
+#' by no more than rounding: 2^-46 of the largest coordinate, or 2^-23 where numbers came in single
 #' precision. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
 #' `merged_vertices`, and what moved vertices may cost is in `error`.
 #'
@@ -35,35 +35,36 @@
 #'
 #' @param mesh One of:
 #'   * a `mesh3d` object of rgl, Rvcg or Morpho. Quadrangles are split in two.
-#'   * a list of `vertices` (a numeric matrix of three columns, or a data frame of `x_m`, `y_m`, `z_m`;
-#'     `x`, `y`, `z` in another unit) and `faces` (a matrix of three or four columns: the numbers of
-#'     the vertices, from 1).
+#'   * a list of `vertices` (a numeric matrix of three columns, or a data frame of `x_m`, `y_m` and
+#'     `z_m`; `x`, `y`, `z` in another unit) and `faces` (a matrix of three or four columns: the
+#'     numbers of the vertices, from 1).
 #'   * the name of an STL, OBJ or PLY file.
 #' @param ... Not used; names after it must be given in full.
 #' @param mass_kg Mass. One of this and a density must be given.
 #' @param density_kg_m3 Density, of what has a volume.
 #' @param areal_density_kg_m2 Mass of a unit of area, for `method = "shell"`.
-#' @param length_unit Unit of the coordinates: "m", "cm", "mm", "in", "ft", ... Nothing is guessed; a
-#'   mesh of more than 100 m whose unit was not given is warned of.
+#' @param length_unit Unit of the coordinates: "m", "cm", "mm", "in", "ft", ... Nothing is guessed;
+#'   a mesh of more than 100 m whose unit was not given is warned of.
 #' @param method What to take for the body: see above.
 #' @param weld_m Distance within which vertices are one; NULL: see above.
 #' @param name What to call the body.
-#' @return `body_mesh()`: a `rot_body` in the axes of the mesh, whose origin is the mesh's. `size_m` is the
-#'   box's. `error` is a bound: the roundings here, what single precision or welding cost, and not the
-#'   vertices' own rounding, which is `detail$coordinate_error`: half a last digit of each
-#'   coordinate, so of a mesh far from its origin. `detail` has the method, what was counted, volume or area, `closure` (the
-#'   faces' area vectors added up, relative to the area: 0 but for rounding), `volume_error`, and the
-#'   `check`.
+#' @return `body_mesh()`: a `rot_body` in the axes of the mesh, whose origin is the mesh's.
+#'   `size_m` is the box's. `error` is a bound: of the roundings here, and of what single precision
+#'   or welding cost. It takes the coordinates as they stand: `detail$coordinate_error` is what half
+#'   a last digit of each of them does, which is much for a mesh far from its origin. `detail` also
+#'   has the method, what was counted, volume or area, `closure` (the faces' area vectors added up,
+#'   relative to the area: 0 but for rounding), `volume_error`, `defects` (the counts of what
+#'   failed) and the whole `check`.
 #'
 #'   `check_mesh()`: a tibble of class `rot_mesh_check`, one row a condition:
 #'   `r describe_columns(c("condition", "count", "verdict", "meaning"))`
 #'   `verdict` is "holds", "fails", "note" (legal, and worth to know) or "not looked at".
 #' @section Errors: `rotdyn_error_mesh` for a mesh that does not bound a solid: the message counts
-#'   each defect, and the condition's `check` is what `check_mesh()` returns. Also coordinates that are
-#'   not finite, faces that name no vertex, and no faces at all. `rotdyn_error_missing` and `rotdyn_error_value` for
-#'   not exactly one of mass and density, `rotdyn_error_file`, `rotdyn_error_package`,
-#'   `rotdyn_error_type`, `rotdyn_error_unit`, `rotdyn_error_range`. A warning
-#'   `rotdyn_warning_unit` for a mesh that looks as if it were in millimetres.
+#'   each defect, and the condition's `check` is what `check_mesh()` returns. Also for coordinates
+#'   that are not finite, faces that name no vertex, and no faces at all. `rotdyn_error_missing` and
+#'   `rotdyn_error_value` for not exactly one of mass and density, `rotdyn_error_file`,
+#'   `rotdyn_error_package`, `rotdyn_error_type`, `rotdyn_error_unit`, `rotdyn_error_range`. A
+#'   warning `rotdyn_warning_unit` for a mesh that looks as if it were in millimetres.
 #' @source Tonon, Journal of Mathematics and Statistics 1 (2005) 8; van Oosterom and Strackee, IEEE
 #'   Transactions on Biomedical Engineering 30 (1983) 125, for what lies inside what.
 #' @seealso [body_points()], [body_density()], [join_bodies()]
@@ -275,7 +276,9 @@ mesh_conditions <- as.data.frame(do.call(rbind, list(
   c("flipped", "", "faces point outwards", "1 where all faces point inwards", "", ""),
   c("degenerate", "", "no face has a vertex twice", "faces with a vertex twice: left out", "", ""),
   c("zero_area", "", "faces have an area", "faces with their corners on a line", "", ""),
-  c("merged_vertices", "", "vertices are one each", "vertices merged with one at their place", "", ""),
+  c(
+    "merged_vertices", "", "vertices are one each", "vertices that gave way to one there", "", ""
+  ),
   c("unused", "", "vertices are in use", "vertices that no face names", "", ""),
   c("unchecked_parts", "", "all parts are looked at", "parts whose place was not looked at", "", "")
 )))

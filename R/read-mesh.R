@@ -35,7 +35,10 @@ length_units <- c(
 metres_in <- function(length_unit, call) {
   if (!is.character(length_unit) || length(length_unit) != 1L || is.na(length_unit)) {
     abort_rotdyn(
-      c("{.arg length_unit} must be one unit of length.", x = "It is {describe_value(length_unit)}."),
+      c(
+        "{.arg length_unit} must be one unit of length.",
+        x = "It is {describe_value(length_unit)}."
+      ),
       "type",
       call
     )

@@ -123,8 +123,8 @@ apt_install() {
 
 ask_r() { Rscript tools/setup.R "$@" < /dev/null; }
 
-# Some CRAN packages want a system library to build against: units, xml2 (beneath roxygen2, too), and
-# fs, which lies beneath the others named here. Where that library cannot be had, fs can bring its
+# Some CRAN packages want a system library to build against: units, rgl, xml2 (beneath roxygen2,
+# too), and fs, which lies beneath the others named here. Where that library cannot be had, fs can bring its
 # own copy along if there is a cmake.
 from_cran() {
   extra=""
@@ -132,6 +132,7 @@ from_cran() {
   for name in "$@"; do
     case $name in
       units) extra="$extra libudunits2-dev" ;;
+      rgl) extra="$extra libfreetype6-dev libgl1-mesa-dev libglu1-mesa-dev libpng-dev" ;;
       xml2) extra="$extra libxml2-dev pkg-config" ;;
       roxygen2) extra="$extra libxml2-dev libuv1-dev pkg-config" ;;
       testthat | rmarkdown | pkgbuild) extra="$extra libuv1-dev pkg-config" ;;

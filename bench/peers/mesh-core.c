@@ -4,8 +4,10 @@
  *
  *   HOW = core      rotdyn's C core: area, closure and error bound as well
  *         checked   welded, and its edges and components checked, before
- *         plain     the loop as one would write it: no local origin, one sum for each integral */
+ *         plain     the loop as one would write it: no local origin, one sum for each integral
+ *         exact     the same about the first vertex in numbers of 32 digits, for reference */
 #include "child.h"
+#include "rot_dd.h"
 #include "rot_edges.h"
 #include "rot_mesh.h"
 #include "rot_nesting.h"
@@ -78,6 +80,39 @@ static void plain(double c[6]) {
   c[5] = yz / (20.0 * v) - y * z;
 }
 
+static void exact(double c[6]) {
+  static const int axes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+  rot_dd v = {0.0, 0.0}, g[3] = {{0.0, 0.0}}, q[6] = {{0.0, 0.0}};
+  for (size_t i = 0; i < mesh.faces; i++) {
+    rot_dd r[3][3], s[3], d = {0.0, 0.0};
+    for (size_t k = 0; k < 3; k++) {
+      const size_t at = rot_mesh_corner(&mesh, i, k);
+      for (size_t j = 0; j < 3; j++) {
+        r[k][j] = rot_dd_sum2(rot_mesh_at(&mesh, at, j), -rot_mesh_at(&mesh, 0, j));
+      }
+    }
+    for (int j = 0; j < 3; j++) {
+      const int k = (j + 1) % 3, l = (j + 2) % 3;
+      const rot_dd n = rot_dd_sub(rot_dd_mul(r[1][k], r[2][l]), rot_dd_mul(r[1][l], r[2][k]));
+      d = rot_dd_add(d, rot_dd_mul(r[0][j], n));
+      s[j] = rot_dd_add(rot_dd_add(r[0][j], r[1][j]), r[2][j]);
+    }
+    v = rot_dd_add(v, d);
+    for (int j = 0; j < 3; j++) g[j] = rot_dd_add(g[j], rot_dd_mul(d, s[j]));
+    for (int j = 0; j < 6; j++) {
+      const int a = axes[j][0], b = axes[j][1];
+      rot_dd sum = rot_dd_mul(s[a], s[b]);
+      for (int k = 0; k < 3; k++) sum = rot_dd_add(sum, rot_dd_mul(r[k][a], r[k][b]));
+      q[j] = rot_dd_add(q[j], rot_dd_mul(d, sum));
+    }
+  }
+  for (int j = 0; j < 3; j++) g[j] = rot_dd_div(g[j], rot_dd_mul1(v, 4.0));
+  for (int j = 0; j < 6; j++) {
+    const rot_dd mean = rot_dd_div(q[j], rot_dd_mul1(v, 20.0));
+    c[j] = rot_dd_sub(mean, rot_dd_mul(g[axes[j][0]], g[axes[j][1]])).hi;
+  }
+}
+
 static int checked(rot_mesh_moments *m) {
   rot_edges edges;
   rot_nesting nesting;
@@ -101,6 +136,10 @@ static int solve(const char *how, solution *s) {
   for (size_t k = 0; k < s->n; k++) s->theta_rad[k] = s->omega_rad_per_s[k] = 0.0;
   if (!strcmp(how, "plain")) {
     plain(s->theta_rad);
+    return 0;
+  }
+  if (!strcmp(how, "exact")) {
+    exact(s->theta_rad);
     return 0;
   }
   failed = strcmp(how, "core") ? checked(&m) : rot_mesh_solid(&mesh, NULL, &m) != ROT_OK;

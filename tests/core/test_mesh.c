@@ -4,6 +4,7 @@
 #include "mesh_shapes.h"
 #include "rot_dd.h"
 #include "rot_test.h"
+#include "rot_wide.h"
 
 /* ---- the reference: a . (b x c), in double words; a from the first vertex, exactly ---------- */
 
@@ -276,6 +277,60 @@ static void test_metamorphic(void) {
   shape_free(&s);
 }
 
+/* Registers of two and of four: the same bits, also where the last block is not full. */
+static void test_width(void) {
+  for (size_t cut = 0; cut < 40; cut++) {
+    rot_mesh_moments narrow[2], wide[2];
+    shape s = shape_room(600, 1200);
+    add_torus(&s, 30, 20, 2.0, 0.75);
+    shape_roughen(&s, 0.1, 9 + cut);
+    s.faces -= cut;
+    for (int on = 0; on < 2; on++) {
+      rot_mesh_moments *to = on ? wide : narrow;
+      memset(to, 0, 2 * sizeof *to);
+      rot_wide_allow(on);
+      ROT_CHECK_EQ_INT(rot_mesh_solid(shape_mesh(&s), NULL, &to[0]), ROT_OK);
+      ROT_CHECK_EQ_INT(rot_mesh_shell(shape_mesh(&s), NULL, &to[1]), ROT_OK);
+    }
+    ROT_CHECK(memcmp(narrow, wide, sizeof narrow) == 0);
+    shape_free(&s);
+  }
+}
+
+/* Vertices moved at random within a distance: what that may cost is what is said. */
+static void test_moved(void) {
+  static const double at[3] = {3.0, -2.0, 1.0};
+  const double by = 1e-7;
+  double most = 0.0;
+  for (uint64_t seed = 1; seed < 20; seed++) {
+    for (int shell = 0; shell < 2; shell++) {
+      rot_mesh_moments before, after;
+      shape s = shape_room(1000, 2000);
+      add_sphere(&s, 24, 12, 1.0, at);
+      for (size_t i = 0; i < s.vertices; i++) s.xyz[3 * i + 2] *= 0.2;
+      rot_status (*const run)(const rot_mesh *, const rot_hooks *, rot_mesh_moments *) =
+          shell ? rot_mesh_shell : rot_mesh_solid;
+      ROT_CHECK_EQ_INT(run(shape_mesh(&s), NULL, &before), ROT_OK);
+      for (size_t i = 0; i < 3 * s.vertices; i++) {
+        /* All of them outwards in some rounds. */
+        const double off = shape_random(&seed), out = s.xyz[i] - before.centre[i % 3];
+        s.xyz[i] += by * (seed % 3 ? off : copysign(1.0, out));
+      }
+      ROT_CHECK_EQ_INT(run(shape_mesh(&s), NULL, &after), ROT_OK);
+      const double trace =
+          before.second_moment[0] + before.second_moment[1] + before.second_moment[2];
+      for (int k = 0; k < 6; k++) {
+        const double off = fabs(after.second_moment[k] - before.second_moment[k]) / trace;
+        ROT_CHECK(off <= 1.0001 * by * before.moved_error);
+        most = fmax(most, off / (by * before.moved_error));
+      }
+      shape_free(&s);
+    }
+  }
+  printf("  moved vertices: up to %.2f of what is said\n", most);
+  ROT_CHECK(most > 0.02);
+}
+
 /* Columns as R has them, vertices that no face names, and stand-ins. */
 static void test_layout(void) {
   const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {2.0, 3.0, 5.0};
@@ -365,6 +420,8 @@ int main(void) {
   test_scales();
   test_converges();
   test_metamorphic();
+  test_width();
+  test_moved();
   test_layout();
   test_refuses();
   return rot_test_report("mesh");

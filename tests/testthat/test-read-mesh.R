@@ -1,0 +1,226 @@
+tetrahedron3d <- function() {
+  vertices <- rbind(c(0, 1, 0, 0), c(0, 0, 2, 0), c(0, 0, 0, 3), 1)
+  faces <- cbind(c(1, 3, 2), c(1, 2, 4), c(1, 4, 3), c(2, 3, 4))
+  structure(list(vb = vertices, it = faces), class = c("mesh3d", "shape3d"))
+}
+
+as_pair <- function(mesh) list(vertices = t(mesh$vb[1:3, ]), faces = t(mesh$it))
+
+test_that("a mesh3d is read as it is: triangles, quadrangles, a fourth coordinate", {
+  one <- body_mesh(tetrahedron3d(), density_kg_m3 = 1)
+  expect_equal(one$mass_kg, 1, tolerance = 1e-15)
+  pair <- as_pair(tetrahedron3d())
+  expect_equal(body_mesh(pair, density_kg_m3 = 1)$inertia_kg_m2, one$inertia_kg_m2)
+  scaled <- tetrahedron3d()
+  scaled$vb <- scaled$vb * rep(c(2, 4, 0.5, 8), each = 4)
+  expect_equal(body_mesh(scaled, density_kg_m3 = 1)$inertia_kg_m2, one$inertia_kg_m2)
+  flat <- tetrahedron3d()
+  flat$vb <- flat$vb[1:3, ]
+  expect_equal(body_mesh(flat, density_kg_m3 = 1)$inertia_kg_m2, one$inertia_kg_m2)
+  integers <- tetrahedron3d()
+  storage.mode(integers$it) <- "integer"
+  expect_equal(body_mesh(integers, density_kg_m3 = 1)$inertia_kg_m2, one$inertia_kg_m2)
+  cube <- structure(
+    list(
+      vb = rbind(t(expand.grid(0:1, 0:1, 0:1)), 1),
+      ib = cbind(
+        c(1, 3, 4, 2), c(5, 6, 8, 7), c(1, 2, 6, 5), c(3, 7, 8, 4), c(1, 5, 7, 3), c(2, 4, 8, 6)
+      )
+    ),
+    class = "mesh3d"
+  )
+  body <- body_mesh(cube, density_kg_m3 = 6)
+  expect_equal(unname(diag(body$inertia_kg_m2)), rep(1, 3), tolerance = 1e-15)
+  # Both in one: a quadrangle as two triangles.
+  cube$it <- matrix(c(2, 4, 8, 2, 8, 6), 3)
+  cube$ib <- cube$ib[, -6]
+  expect_equal(body_mesh(cube, density_kg_m3 = 6)$inertia_kg_m2, body$inertia_kg_m2)
+  no_faces <- structure(list(vb = cube$vb), class = "mesh3d")
+  expect_error(body_mesh(no_faces, mass_kg = 1), class = "rotdyn_error_mesh")
+})
+
+test_that("vertices come as a data frame, with units, and in an unnamed list", {
+  pair <- as_pair(tetrahedron3d())
+  one <- body_mesh(pair, density_kg_m3 = 1)
+  frame <- stats::setNames(as.data.frame(pair$vertices), c("x_m", "y_m", "z_m"))
+  unnamed <- list(frame, pair$faces)
+  expect_equal(body_mesh(unnamed, density_kg_m3 = 1)$inertia_kg_m2, one$inertia_kg_m2)
+  turned <- list(faces = as.data.frame(pair$faces), vertices = frame)
+  expect_equal(body_mesh(turned, density_kg_m3 = 1)$mass_kg, 1, tolerance = 1e-15)
+  expect_error(
+    body_mesh(list(frame, pair$faces), mass_kg = 1, length_unit = "mm"),
+    class = "rotdyn_error_unit"
+  )
+  names(frame) <- c("x", "y", "z")
+  expect_equal(
+    body_mesh(list(frame, pair$faces), density_kg_m3 = 1, length_unit = "mm")$mass_kg, 1e-9,
+    tolerance = 1e-14
+  )
+  skip_if_not_installed("units")
+  pair$vertices <- units::set_units(pair$vertices * 100, "cm")
+  expect_equal(body_mesh(pair, density_kg_m3 = 1)$mass_kg, 1, tolerance = 1e-14)
+  pair$vertices <- units::set_units(units::drop_units(pair$vertices), "kg")
+  expect_error(body_mesh(pair, mass_kg = 1), class = "rotdyn_error_unit")
+})
+
+test_that("what is no mesh is said so", {
+  pair <- as_pair(tetrahedron3d())
+  broken <- list(
+    NULL, 1:3, data.frame(x = 1), list(1), list(points = 1, faces = 2),
+    list(vertices = "a", faces = pair$faces),
+    list(vertices = pair$vertices[, 1:2], faces = pair$faces),
+    list(vertices = pair$vertices, faces = pair$faces[, 1:2]),
+    list(vertices = pair$vertices, faces = pair$faces == 1),
+    list(vertices = pair$vertices, faces = array(as.character(pair$faces), dim(pair$faces))),
+    list(vertices = data.frame(x_m = 1, y_m = 2), faces = pair$faces),
+    structure(list(vb = "a"), class = "mesh3d"),
+    structure(list(vb = pair$vertices, it = 1:3), class = "mesh3d")
+  )
+  for (mesh in broken) {
+    expect_error(body_mesh(mesh, mass_kg = 1), class = "rotdyn_error_type")
+    expect_error(check_mesh(mesh), class = "rotdyn_error_type")
+  }
+})
+
+test_that("units of length are known by name, or to the package units", {
+  expect_equal(metres_in("in", NULL), 0.0254)
+  expect_equal(metres_in("m", NULL), 1)
+  skip_if_not_installed("units")
+  expect_equal(metres_in("furlong", NULL), 201.168, tolerance = 1e-5)
+  expect_error(metres_in("second", NULL), class = "rotdyn_error_unit")
+  expect_error(metres_in("no such unit", NULL), class = "rotdyn_error_unit")
+})
+
+# ---- files --------------------------------------------------------------------------------------
+
+# 80 bytes, the number of triangles; for each a normal, three corners, two bytes.
+write_stl <- function(mesh, path, header = "solid as many begin") {
+  con <- file(path, "wb")
+  on.exit(close(con))
+  writeBin(c(charToRaw(header), raw(80 - nchar(header))), con)
+  writeBin(ncol(mesh$it), con, size = 4, endian = "little")
+  for (i in seq_len(ncol(mesh$it))) {
+    writeBin(c(0, 0, 0, as.vector(mesh$vb[1:3, mesh$it[, i]])), con, size = 4, endian = "little")
+    writeBin(raw(2), con)
+  }
+}
+
+write_obj <- function(mesh, path) {
+  writeLines(c(
+    "# a comment", "o thing",
+    sprintf("v %.17g %.17g %.17g", mesh$vb[1, ], mesh$vb[2, ], mesh$vb[3, ]),
+    sprintf("f %.0f %.0f %.0f", mesh$it[1, ], mesh$it[2, ], mesh$it[3, ])
+  ), path)
+}
+
+write_ply <- function(mesh, path) {
+  writeLines(c(
+    "ply", "format ascii 1.0", paste("element vertex", ncol(mesh$vb)), "property double x",
+    "property double y", "property double z", paste("element face", ncol(mesh$it)),
+    "property list uchar int vertex_indices", "end_header",
+    sprintf("%.17g %.17g %.17g", mesh$vb[1, ], mesh$vb[2, ], mesh$vb[3, ]),
+    sprintf("3 %.0f %.0f %.0f", mesh$it[1, ] - 1, mesh$it[2, ] - 1, mesh$it[3, ] - 1)
+  ), path)
+}
+
+skip_without_reader <- function(...) {
+  found <- vapply(c(...), requireNamespace, logical(1), quietly = TRUE)
+  if (!any(found)) skip(paste("none of these packages:", paste(c(...), collapse = ", ")))
+}
+
+# Without a display rgl needs to be told.
+withr_null <- function(env = parent.frame()) {
+  old <- options(rgl.useNULL = TRUE)
+  do.call(on.exit, list(substitute(options(x), list(x = old)), add = TRUE), envir = env)
+}
+
+test_that("a binary STL is read in the numbers it has", {
+  withr_null()
+  skip_without_reader("rgl", "Rvcg")
+  mesh <- tetrahedron3d()
+  mesh$vb[1:3, ] <- mesh$vb[1:3, ] + 0.1
+  path <- tempfile(fileext = ".STL")
+  write_stl(mesh, path)
+  body <- body_mesh(path, density_kg_m3 = 1)
+  expect_equal(body$shape, basename(path))
+  expect_equal(body$source, basename(path))
+  # 0.1 and 1.1 in single precision, in the file.
+  expect_equal(body$mass_kg, 1, tolerance = 1e-6)
+  expect_gt(abs(body$mass_kg - 1), 1e-9)
+  expect_lte(body$error, 1e-13)
+  expect_true(body$detail$reader %in% c("rgl", "Rvcg"))
+  expect_equal(body_mesh(path, density_kg_m3 = 1, length_unit = "mm")$mass_kg, body$mass_kg * 1e-9)
+})
+
+test_that("an OBJ keeps its digits", {
+  withr_null()
+  skip_without_reader("rgl")
+  mesh <- tetrahedron3d()
+  mesh$vb[1:3, ] <- mesh$vb[1:3, ] / 7 + 0.1
+  path <- tempfile(fileext = ".obj")
+  write_obj(mesh, path)
+  expect_no_warning(body <- body_mesh(path, mass_kg = 2))
+  expect_equal(body$inertia_kg_m2, body_mesh(mesh, mass_kg = 2)$inertia_kg_m2, tolerance = 1e-15)
+  expect_equal(body$detail$reader, "rgl")
+})
+
+test_that("a reader in single precision has its error told", {
+  withr_null()
+  skip_without_reader("Rvcg")
+  mesh <- tetrahedron3d()
+  mesh$vb[1:3, ] <- mesh$vb[1:3, ] / 7 + 0.1
+  path <- tempfile(fileext = ".ply")
+  write_ply(mesh, path)
+  body <- body_mesh(path, mass_kg = 2)
+  want <- body_mesh(mesh, mass_kg = 2)$second_moment_kg_m2
+  true <- max(abs(body$second_moment_kg_m2 - want)) / sum(diag(want))
+  expect_gt(true, 1e-10)
+  expect_lte(true, body$error)
+  expect_lte(body$error, 1e-5)
+  expect_equal(body$detail$reader, "Rvcg")
+})
+
+test_that("files that are none are refused", {
+  withr_null()
+  odd <- tempfile(fileext = ".xyz")
+  writeLines("1 2 3", odd)
+  expect_error(body_mesh(odd, mass_kg = 1), class = "rotdyn_error_file")
+  expect_error(body_mesh(tempdir(), mass_kg = 1), class = "rotdyn_error_file")
+  expect_error(body_mesh(c(odd, odd), mass_kg = 1), class = "rotdyn_error_file")
+  expect_error(body_mesh(NA_character_, mass_kg = 1), class = "rotdyn_error_file")
+  expect_error(body_mesh("not/there.stl", mass_kg = 1), class = "rotdyn_error_file")
+  # A text STL needs Rvcg, which finds nothing in this one.
+  text <- tempfile(fileext = ".stl")
+  writeLines("solid nothing", text)
+  kind <- if (requireNamespace("Rvcg", quietly = TRUE)) "file" else "package"
+  expect_error(body_mesh(text, mass_kg = 1), class = paste0("rotdyn_error_", kind))
+})
+
+test_that("the real meshes have their mass properties, and the bad ones are refused", {
+  withr_null()
+  skip_without_reader("rgl")
+  known <- utils::read.csv(shared("data", "mesh", "mass_properties.csv"))
+  expect_gte(nrow(known), 12)
+  for (i in seq_len(nrow(known))) {
+    want <- known[i, ]
+    path <- shared("data", "mesh", want$file)
+    if (grepl("^BAD", want$file)) {
+      error <- tryCatch(body_mesh(path, density_kg_m3 = 1), error = identity)
+      expect_s3_class(error, "rotdyn_error_mesh")
+      counts <- error$check$count[error$check$verdict == "fails"]
+      expect_equal(counts[1], want$bad_edges)
+      next
+    }
+    body <- body_mesh(path, density_kg_m3 = 1, length_unit = "m")
+    inertia <- matrix(
+      unlist(want[c("Ixx", "Ixy", "Ixz", "Ixy", "Iyy", "Iyz", "Ixz", "Iyz", "Izz")]), 3
+    )
+    # The figures were made about the origin: misc_busted lies five of its sizes away from it.
+    most <- if (want$file == "misc_busted.STL") 2e-14 else 4e-15
+    expect_lte(max(abs(body$inertia_kg_m2 - inertia)) / sum(diag(inertia)), most)
+    expect_equal(body$mass_kg, want$mass, tolerance = 4e-15)
+    expect_equal(body$detail$area_m2, want$area, tolerance = 4e-15)
+    expect_lte(max(abs(body$centre_m - unlist(want[c("cx", "cy", "cz")]))), 4e-15 * 30)
+    expect_lte(body$error, 1e-12)
+  }
+})
