@@ -2,12 +2,7 @@
 # package installed:
 #
 #   Rscript bench/run.R                       everything, a few minutes
-<<<<<<< HEAD
-#   Rscript bench/run.R spin-up calls         some of the comparisons below
-=======
-#   Rscript bench/run.R spin-up mesh          some of rolling, spin-up, sweep, function-torque,
-#                                             rhs-calls, calls, mesh
->>>>>>> adfe65fc5e1280780ea6294632fcb48deea0f61e
+#   Rscript bench/run.R spin-up mesh          some of the comparisons below
 #   Rscript bench/run.R --rounds=5 rolling    fewer rounds than 21
 #
 # Rewrites what it ran in bench/results.csv and bench/README.md.
@@ -16,11 +11,7 @@ if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
   "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque",
-<<<<<<< HEAD
-  "rhs-calls", "calls", "shapes"
-=======
-  "rhs-calls", "calls", "mesh"
->>>>>>> adfe65fc5e1280780ea6294632fcb48deea0f61e
+  "rhs-calls", "calls", "shapes", "mesh"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -32,11 +23,8 @@ comparisons <- list(
   "function-torque" = run_function_torque,
   "rhs-calls" = run_rhs_calls,
   "calls" = run_calls,
-<<<<<<< HEAD
-  "shapes" = run_shapes
-=======
+  "shapes" = run_shapes,
   "mesh" = run_mesh
->>>>>>> adfe65fc5e1280780ea6294632fcb48deea0f61e
 )
 
 args <- commandArgs(trailingOnly = TRUE)
