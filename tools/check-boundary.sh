@@ -145,6 +145,8 @@ search '(^|[^A-Za-z])(TO[D]O|FI[X]ME)([^A-Za-z]|$)' | rule "no work left marked 
 search '(cr[a]n|cl[o]ud)\.r-project\.org|deb\.d[e]bian\.org|registry\.n[p]mjs' |
   rule "no package registry's host name"
 
+search '^(<{7}|>{7}) ' | rule "no conflict left in the files"
+
 passed=$(grep -c passed "$work/verdicts")
 failed=$(grep -c failed "$work/verdicts")
 echo "boundary: $passed passed, $failed failed"
