@@ -6,26 +6,27 @@
 #' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i x_i,\quad
 #'   C = \sum_i m_i (x_i - g)(x_i - g)^T,\quad I = \mathrm{tr}(C)\,1 - C}
 #'
-#' @param data A data frame with columns `mass_kg`, `x_m`, `y_m` and `z_m`, or a matrix whose columns
-#'   are x, y and z (named so, or not named at all), with the masses in `mass_kg`. Points in a plane
-#'   need no `z_m`: it is 0. Other columns are left alone, and so are groups: see the examples.
-#'   Columns may be units objects.
+#' @param data A data frame with columns `mass_kg`, `x_m`, `y_m` and `z_m`, or a matrix whose
+#'   columns are x, y and z (named so, or not named at all), with the masses in `mass_kg`. Points in
+#'   a plane need no `z_m`: it is 0. Other columns are left alone, and so are groups: see the
+#'   examples. Columns may be units objects.
 #' @param ... Not used; names after it must be given in full.
 #' @param mass_kg Masses, one for each row or one for all, where `data` has no column of that name.
 #' @param name What to call the body.
 #' @return A `rot_body` in the axes of the coordinates, whose origin is theirs. `reach_m` is the
-#'   distance to the farthest point, `detail` has the number of `points` and a bound of each
+#'   distance to the farthest point, `detail` has the number of `points`, the points
+#'   themselves if there are no more than 2000 (`at`, which `autoplot()` draws), and a bound of each
 #'   coordinate of the centre, `centre_error_m`. `error` is a bound: it counts the roundings here,
 #'   and takes masses and coordinates as they stand.
 #'
-#'   Masses of 0 are legal, also all of them: then the second moment is 0 and the centre is the plain
-#'   mean of the points. Masses may differ by any factor, and coordinates too.
+#'   Masses of 0 are legal, also all of them: then the second moment is 0 and the centre is the
+#'   plain mean of the points. Masses may differ by any factor, and coordinates too.
 #' @section Errors: A body is a description: NA, NaN and Inf are errors (`rotdyn_error_value`) that
-#'   name the row, and so is a mass below 0: holes are for [cut_body()]. `rotdyn_error_missing` for a
-#'   column that is not there, `rotdyn_error_size` for no points at all or lengths that do not fit,
-#'   `rotdyn_error_type`, `rotdyn_error_unit`; `rotdyn_error_range` where the mass or the moments
-#'   are beyond double precision.
-#' @source Chan, Golub and LeVeque, The American Statistician 37 (1983) 242, for sums about a centre.
+#'   name the row, and so is a mass below 0: holes are for [cut_body()]. `rotdyn_error_missing` for
+#'   a column that is not there, `rotdyn_error_size` for no points at all or lengths that do not
+#'   fit, `rotdyn_error_type`, `rotdyn_error_unit`; `rotdyn_error_range` where the mass or the
+#'   moments are beyond double precision.
+#' @source Chan, Golub and LeVeque, The American Statistician 37 (1983) 242: sums about a centre.
 #' @seealso [body_density()] for a continuous body, [join_bodies()] for bodies with a size.
 #' @examples
 #' # Water, about its own centre of mass; masses and places in kg and m.
@@ -45,7 +46,7 @@
 #'   water$end <- c("left", "right", "left")
 #'   dplyr::summarise(
 #'     dplyr::group_by(water, end),
-#'     body = list(body_points(dplyr::pick(mass_kg, x_m, y_m)))
+#'     body = list(body_points(data.frame(mass_kg, x_m, y_m)))
 #'   )
 #' }
 #' @export
@@ -68,6 +69,7 @@ body_points <- function(data, ..., mass_kg = NULL, name = "points") {
     provenance = "points",
     detail = list(
       points = length(points$x_m),
+      at = if (length(points$x_m) <= 2000) tibble::as_tibble(points),
       centre_error_m = moments_centre_error(moments)
     ),
     error = moments[["error"]]

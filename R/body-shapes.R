@@ -1,13 +1,5 @@
-# The standard shapes, from the list in src/rot_shapes.h: shape, axis, formula, size (the name of
-# the length that sizes it), k = I/(m size^2) about the axis named, kx, ky, kz about the centre.
-shape_table <- function() {
-  if (is.null(shape_cache$table)) {
-    shape_cache$table <- .Call(ffi_shapes_list)
-  }
-  shape_cache$table
-}
-
-shape_cache <- new.env(parent = emptyenv())
+# The constructors of the standard shapes. Sizes, limits and moments come from the C core, formulas
+# and sources from shapes.R.
 
 # The article's names of the same things.
 shape_aliases <- c(
@@ -21,22 +13,91 @@ shape_aliases <- c(
   point_mass_sliding = "sliding_point"
 )
 
-new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
-  of <- shape_parts(shape)
-  mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
-  size_m <- check_number(size_m, .subset2(of, "size_name"), "m", call, lower = 0)
-  moments <- .Call(ffi_shapes_table, .subset2(of, "k"), mass_kg, size_m)[[1L]]
-  k <- .subset2(of, "k")
-  second <- c(
-    (moments[2L] + moments[3L] - moments[1L]) / 2, (moments[1L] + moments[3L] - moments[2L]) / 2,
-    (moments[1L] + moments[2L] - moments[3L]) / 2, 0, 0, 0
-  )
-  names(size_m) <- .subset2(of, "size_name")
+# What an argument without a default is in its frame when it was not given.
+left_out <- formals(function(x) NULL)
+
+# A body of a shape, from the arguments of its constructor, whose frame is `call`. Students call
+# this often: what is plain is done here, what is not (densities, messages) elsewhere.
+new_shape_body <- function(shape, call) {
+  of <- shape_cache[[shape]]
+  if (is.null(of)) {
+    of <- shape_parts(shape)
+  }
+  density <- .subset2(of, "density")
+  amount <- if ((is.null(density) || is.null(call[[density]])) && !is.symbol(call[["mass_kg"]])) {
+    check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0)
+  } else {
+    mass_or_density(density, .subset2(of, "density_unit"), call)
+  }
+  names <- .subset2(of, "names")
+  units <- .subset2(of, "units")
+  size <- .subset2(of, "lower")
+  for (i in seq_along(names)) {
+    name <- names[i]
+    if (is.symbol(call[[name]])) check_supplied(name, call)
+    size[i] <- check_number(call[[name]], name, units[i], call, size[i])
+  }
+  parts <- .Call(ffi_shapes_body, .subset2(of, "id"), amount, !is.null(names(amount)), size)
+  if (!is.list(parts)) {
+    abort_shape(parts, names, size, NULL, call)
+  }
+  attr(size, "names") <- names
+  finish_body(shape, parts, size, of, amount, call)
+}
+
+# What the C core made, as a body: mass, second moments, centre, reach, beta, error. `of` has its
+# formula and source. A density is kept in `detail`.
+finish_body <- function(shape, parts, size, of, amount, call) {
+  mass <- .subset2(parts, 1L)
+  second <- .subset2(parts, 2L)
+  if (!is.finite(mass + sum(second))) {
+    abort_rotdyn(
+      c(
+        "The mass or the moments of this body are beyond double precision.",
+        x = "Its mass is {format_si(mass)} kg."
+      ),
+      "range",
+      call
+    )
+  }
   new_body(
-    shape, mass_kg, second, c(0, 0, 0), size_m,
-    beta = if (rolls) k[3L] else NA_real_,
-    formula = .subset2(of, "formula"),
-    error = 8 * .Machine$double.eps
+    shape, mass, second, .subset2(parts, 3L), size, .subset2(parts, 4L), .subset2(parts, 5L),
+    .subset2(of, "formula"), .subset2(of, "source"),
+    detail = if (is.null(names(amount))) list() else as.list(amount), error = .subset2(parts, 6L)
+  )
+}
+
+# `mass_kg`, or the density named, whichever was given: one of them must be. A density has a name.
+mass_or_density <- function(density, unit, call) {
+  no_mass <- identical(call[["mass_kg"]], left_out[[1L]])
+  given <- if (!is.null(density)) call[[density]]
+  if (is.null(given)) {
+    if (no_mass) {
+      abort_mass_left_out(density, call)
+    }
+    return(check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0))
+  }
+  if (!no_mass) {
+    abort_rotdyn(
+      c(
+        "Give {.arg mass_kg} or {.arg {density}}, not both.",
+        i = "With {.arg {density}}, the sizes must be named."
+      ),
+      "value",
+      call
+    )
+  }
+  stats::setNames(check_number(given, density, unit, call, 0), density)
+}
+
+abort_mass_left_out <- function(density, call) {
+  abort_rotdyn(
+    c(
+      "{.arg mass_kg} is missing: it has no default.",
+      i = if (!is.null(density)) "Give it, or {.arg {density}} instead of it."
+    ),
+    "missing",
+    call
   )
 }
 
@@ -44,93 +105,532 @@ new_shape_body <- function(shape, mass_kg, size_m, rolls, call) {
 shape_parts <- function(shape) {
   parts <- shape_cache[[shape]]
   if (is.null(parts)) {
-    shapes <- shape_table()
-    i <- match(shape, shapes$shape)
-    axes <- c("x", "y", "z")
+    table <- shape_table()
+    i <- match(shape, table$shape)
+    sizes <- size_table()
+    kind <- sizes$kind[match(table$names[[i]], sizes$name)]
+    dimension <- table$dimension[i]
+    weighs <- nzchar(table$measure[i])
     parts <- list(
-      size_name = shapes$size[i],
-      k = c(shapes$kx[i], shapes$ky[i], shapes$kz[i]),
-      tensor = list(dim = c(3L, 3L), dimnames = list(axes, axes)),
-      formula = paste0(shapes$formula[i], "  (", shapes$axis[i], ")")
+      id = i,
+      names = table$names[[i]],
+      units = ifelse(kind == "count", "1", "m"),
+      lower = ifelse(kind == "length", 0, -Inf),
+      density = if (weighs) density_names[dimension + 1L],
+      density_unit = density_units[dimension + 1L],
+      formula = paste0(table$formula[i], "  (", table$axis[i], ")"),
+      source = table$source[i]
     )
     shape_cache[[shape]] <- parts
   }
   parts
 }
 
-#' Bodies of a standard shape
+# beta of a shape that has one whatever its size.
+shape_beta <- function(shape) {
+  vapply(shape, function(s) {
+    .Call(ffi_shapes_body, shape_parts(s)$id, 1, FALSE, 1)[[5L]]
+  }, double(1), USE.NAMES = FALSE)
+}
+
+# c(fault, row, slot) as the C core says it; the order of rot_shape_fault. `size`: the row's sizes.
+abort_shape <- function(fault, names, size, row, call) {
+  slot <- fault[3]
+  where <- if (is.null(row)) "" else paste0(" in row ", format(row, big.mark = ","))
+  name <- names[slot]
+  of <- names[1]
+  value <- format_si(size[slot])
+  limit <- format_si(size[1])
+  switch(fault[1],
+    abort_domain(size[slot], name, "m", call, 0, Inf, FALSE, row = row),
+    abort_rotdyn(
+      c("{.arg {name}} must be a whole number of at least 3.", x = "It is {value}{where}."),
+      "value", call
+    ),
+    abort_rotdyn(
+      c(
+        "{.arg {name}} must be at most {.arg {of}}.",
+        x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
+        i = if (name == "tube_radius_m") {
+          "A tube wider than its ring would go through itself."
+        } else {
+          "A hole cannot be wider than what it is in. Equal ones make a thin shell."
+        }
+      ),
+      "value", call
+    ),
+    abort_rotdyn(
+      c(
+        "{.arg {name}} must be at most twice {.arg {of}}.",
+        x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
+        i = "{.arg {of}} is that of the whole sphere, not of the cap's rim."
+      ),
+      "value", call
+    )
+  )
+}
+
+#' Bodies of standard shapes: points, rods and hoops
 #'
-#' A body has a mass, a centre of mass, an inertia tensor about that centre in the body's own axes,
-#' and a size. Its `z` axis is the one it is usually spun about; a rod lies along `x`.
+#' A body has a mass, a centre of mass, second moments about that centre in the body's own axes, and
+#' a size. Its `z` axis is the symmetry axis, or the one it is usually spun about; a rod lies along
+#' `x`. [shapes()] lists all shapes; those of more dimensions are in [body_plates], [body_shells],
+#' [body_round_solids] and [body_flat_faced_solids].
 #'
-#' | constructor | Ixx | Iyy | Izz | beta |
-#' |---|---|---|---|---|
-#' | `body_disk()` thin disk, or a cylinder about its axis | m r^2/4 | m r^2/4 | m r^2/2 | 1/2 |
-#' | `body_hoop()` thin ring | m r^2/2 | m r^2/2 | m r^2 | 1 |
-#' | `body_sphere()` solid | 2 m r^2/5 | 2 m r^2/5 | 2 m r^2/5 | 2/5 |
-#' | `body_spherical_shell()` thin | 2 m r^2/3 | 2 m r^2/3 | 2 m r^2/3 | 2/3 |
-#' | `body_rod()` thin | 0 | m l^2/12 | m l^2/12 | does not roll |
+#' `r describe_shapes("lines")`
+#' `r formula_note`
 #'
 #' `beta` is `Izz/(m r^2)`, what decides a race down an incline: see [rolling_table()].
 #'
-#' @param mass_kg Mass, one number, at least 0 kg.
-#' @param radius_m Radius, one number, at least 0 m.
+#' @param mass_kg Mass, one number, at least 0 kg. Leave it out where a density is given.
+#' @param radius_m Radius, one number, at least 0 m; of a point, its distance from the axis.
 #' @param length_m Length of the rod, one number, at least 0 m.
-#' @return A `rot_body`: a list with `shape`, `mass_kg`, `size_m`, `centre_m` (in the own axes),
-#'   `inertia_kg_m2` (3 x 3, about the centre of mass; off-diagonal elements are minus the products
-#'   of inertia), `point`, `axes`, `beta` and `formula`. Products carry at most four roundings.
+#' @param ... Not used; names after it must be given in full.
+#' @param linear_density_kg_m Mass per length, instead of `mass_kg`.
+#' @return A `rot_body`: a list with `shape`, `mass_kg`, `size_m` (the sizes as given), `centre_m`
+#'   (in the own axes), `second_moment_kg_m2` and `inertia_kg_m2` (3 x 3, about the centre of mass;
+#'   off-diagonal elements of the latter are minus the products of inertia), `point`, `axes`,
+#'   `reach_m` (from the centre of mass to the farthest point), `beta`, `formula`, `source`,
+#'   `provenance`, `detail`, `error` and `error_kind`.
+#'
+#'   `error` is a bound of the second moments' error, relative to their sum: the roundings counted,
+#'   at most 4e-15 and for most shapes 6e-16, for sizes in a ratio of up to 1e150 to one another.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
-#'   not one finite number of at least 0 (NA, NaN and Inf included); `rotdyn_error_unit` for a units
-#'   object of another dimension.
-#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), chapter 5.
+#'   not one finite number of at least 0 (NA, NaN and Inf included), for sizes that do not fit
+#'   together, and for a mass beside a density; `rotdyn_error_missing`; `rotdyn_error_range` for
+#'   moments beyond double precision; `rotdyn_error_unit` for a units object of another dimension.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), chapter 5; Beer and
+#'   Johnston, Vector Mechanics for Engineers, inside cover; Meriam and Kraige, Engineering
+#'   Mechanics: Dynamics, tables D/3 and D/4. [shapes()] says which is whose.
 #' @seealso [scene_axle()] puts a body on an axle; [inertia_table()] compares shapes.
 #' @examples
-#' body_disk(mass_kg = 2, radius_m = 0.25)
+#' body_hoop(mass_kg = 2, radius_m = 0.25)
 #' body_rod(mass_kg = 1.5, length_m = 2)$inertia_kg_m2
+#' body_rod(length_m = 2, linear_density_kg_m = 0.75)
 #' @name body_shapes
 NULL
 
 #' @rdname body_shapes
 #' @export
-body_disk <- function(mass_kg, radius_m) {
-  if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), environment())
-  }
-  new_shape_body("disk", mass_kg, radius_m, TRUE, environment())
+body_point <- function(mass_kg, radius_m = 0) {
+  new_shape_body("point", environment())
 }
 
 #' @rdname body_shapes
 #' @export
-body_hoop <- function(mass_kg, radius_m) {
-  if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), environment())
-  }
-  new_shape_body("hoop", mass_kg, radius_m, TRUE, environment())
+body_rod <- function(mass_kg, length_m, ..., linear_density_kg_m = NULL) {
+  check_no_dots(...)
+  new_shape_body("rod", environment())
 }
 
 #' @rdname body_shapes
 #' @export
-body_sphere <- function(mass_kg, radius_m) {
-  if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), environment())
-  }
-  new_shape_body("sphere", mass_kg, radius_m, TRUE, environment())
+body_rod_end <- function(mass_kg, length_m, ..., linear_density_kg_m = NULL) {
+  check_no_dots(...)
+  new_shape_body("rod_end", environment())
 }
 
 #' @rdname body_shapes
 #' @export
-body_spherical_shell <- function(mass_kg, radius_m) {
-  if (missing(mass_kg) || missing(radius_m)) {
-    check_supplied(c("mass_kg", "radius_m"), environment())
-  }
-  new_shape_body("spherical_shell", mass_kg, radius_m, TRUE, environment())
+body_hoop <- function(mass_kg, radius_m, ..., linear_density_kg_m = NULL) {
+  check_no_dots(...)
+  new_shape_body("hoop", environment())
 }
 
 #' @rdname body_shapes
 #' @export
-body_rod <- function(mass_kg, length_m) {
-  if (missing(mass_kg) || missing(length_m)) {
-    check_supplied(c("mass_kg", "length_m"), environment())
-  }
-  new_shape_body("rod", mass_kg, length_m, FALSE, environment())
+body_half_hoop <- function(mass_kg, radius_m, ..., linear_density_kg_m = NULL) {
+  check_no_dots(...)
+  new_shape_body("half_hoop", environment())
+}
+
+#' Bodies of standard shapes: plates
+#'
+#' Flat and thin, in the plane of x and y, the mass spread evenly. For a plate by its corners see
+#' [body_polygon()]. The own axes are principal axes, but for a triangle: its product of inertia
+#' makes Ixy = -m h (2 p - b) / 36.
+#'
+#' `r describe_shapes("plates")`
+#' `r formula_note`
+#'
+#' @param radius_m Radius, at least 0 m; of a regular polygon, of the circle through its corners.
+#' @param outer_radius_m,inner_radius_m Radii of the rim and of the hole, `inner_radius_m` at most
+#'   `outer_radius_m`. Equal ones make a hoop.
+#' @param semi_x_m,semi_y_m Half axes.
+#' @param length_m,width_m Sides along x and y.
+#' @param base_m,height_m,apex_m A triangle has the corners (0, 0), (`base_m`, 0) and (`apex_m`,
+#'   `height_m`); `apex_m` may be any number and is half the base if left out.
+#' @param sides Number of sides, a whole number of at least 3.
+#' @param areal_density_kg_m2 Mass per area, instead of `mass_kg`.
+#' @inheritParams body_shapes
+#' @inherit body_shapes return source
+#' @inheritSection body_shapes Errors
+#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
+#'   is made of several.
+#' @examples
+#' body_disk(mass_kg = 2, radius_m = 0.25)
+#' body_annulus(outer_radius_m = 0.3, inner_radius_m = 0.1, areal_density_kg_m2 = 20)
+#' body_triangle(mass_kg = 1, base_m = 3, height_m = 4, apex_m = 0) # right-angled
+#' @name body_plates
+NULL
+
+#' @rdname body_plates
+#' @export
+body_disk <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("disk", environment())
+}
+
+#' @rdname body_plates
+#' @export
+body_annulus <- function(mass_kg, outer_radius_m, inner_radius_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("annulus", environment())
+}
+
+#' @rdname body_plates
+#' @export
+body_half_disk <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("half_disk", environment())
+}
+
+#' @rdname body_plates
+#' @export
+body_elliptic_plate <- function(mass_kg, semi_x_m, semi_y_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("elliptic_plate", environment())
+}
+
+#' @rdname body_plates
+#' @export
+body_rectangle <- function(mass_kg, length_m, width_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("rectangle", environment())
+}
+
+#' @rdname body_plates
+#' @export
+body_triangle <- function(mass_kg, base_m, height_m, ..., apex_m = base_m / 2,
+                          areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("triangle", environment())
+}
+
+#' @rdname body_plates
+#' @export
+body_polygon_plate <- function(mass_kg, radius_m, sides, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("polygon_plate", environment())
+}
+
+#' Bodies of standard shapes: shells
+#'
+#' Thin walls, the mass spread evenly over the surface; but an
+#' `ellipsoid_shell` is what lies between two similar ellipsoids, thickest at the far ends: it has
+#' no areal density.
+#'
+#' `r describe_shapes("shells")`
+#' `r formula_note`
+#'
+#' @param radius_m Radius, at least 0 m; of a cap, of the whole sphere; of a cone, of the rim.
+#' @param length_m Length along z, at least 0 m; of a box, the edge along x.
+#' @param height_m Height along z, at least 0 m; of a cap at most `2 radius_m`.
+#' @param base_radius_m,top_radius_m Radii at z = 0 and at z = `height_m`; either may be the larger.
+#' @param ring_radius_m,tube_radius_m From the centre to the middle of the tube, and the radius of
+#'   the tube, which is at most `ring_radius_m`.
+#' @param semi_x_m,semi_y_m,semi_z_m Half axes.
+#' @param width_m Edge along y.
+#' @param areal_density_kg_m2 Mass per area, instead of `mass_kg`.
+#' @inheritParams body_shapes
+#' @inherit body_shapes return source
+#' @inheritSection body_shapes Errors
+#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
+#'   is made of several.
+#' @examples
+#' body_spherical_shell(mass_kg = 1, radius_m = 0.1)
+#' body_can(radius_m = 0.033, length_m = 0.115, areal_density_kg_m2 = 0.6)
+#' body_spherical_cap_shell(mass_kg = 1, radius_m = 2, height_m = 0.5)
+#' @name body_shells
+NULL
+
+#' @rdname body_shells
+#' @export
+body_tube <- function(mass_kg, radius_m, length_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("tube", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_can <- function(mass_kg, radius_m, length_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("can", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_spherical_shell <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("spherical_shell", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_hemispherical_shell <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("hemispherical_shell", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_spherical_cap_shell <- function(mass_kg, radius_m, height_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("spherical_cap_shell", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_cone_shell <- function(mass_kg, radius_m, height_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("cone_shell", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_frustum_shell <- function(mass_kg, base_radius_m, top_radius_m, height_m, ...,
+                               areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("frustum_shell", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_torus_shell <- function(mass_kg, ring_radius_m, tube_radius_m, ...,
+                             areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("torus_shell", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_ellipsoid_shell <- function(mass_kg, semi_x_m, semi_y_m, semi_z_m) {
+  new_shape_body("ellipsoid_shell", environment())
+}
+
+#' @rdname body_shells
+#' @export
+body_box_shell <- function(mass_kg, length_m, width_m, height_m, ..., areal_density_kg_m2 = NULL) {
+  check_no_dots(...)
+  new_shape_body("box_shell", environment())
+}
+
+#' Bodies of standard shapes: round solids
+#'
+#' Solids with z as an axis of symmetry, or with ellipses across it. The mass is spread evenly over
+#' the volume.
+#'
+#' `r describe_shapes("round solids")`
+#' `r formula_note`
+#'
+#' @param radius_m Radius, at least 0 m; of a cap, that of the whole sphere; of a cone and a
+#'   paraboloid, that of the base.
+#' @param length_m Length along z, at least 0 m; of a capsule, without its half spheres.
+#' @param height_m Height along z, at least 0 m; of a cap at most `2 radius_m`.
+#' @param outer_radius_m,inner_radius_m Radii outside and inside, `inner_radius_m` at most
+#'   `outer_radius_m`; walls of any thickness, none included, keep all digits.
+#' @param base_radius_m,top_radius_m Radii at z = 0 and at z = `height_m`; either may be the larger.
+#' @param ring_radius_m,tube_radius_m From the centre to the middle of the tube, and the radius of
+#'   the tube, which is at most `ring_radius_m`.
+#' @param semi_x_m,semi_y_m,semi_z_m Half axes.
+#' @param density_kg_m3 Mass per volume, instead of `mass_kg`.
+#' @inheritParams body_shapes
+#' @inherit body_shapes return source
+#' @inheritSection body_shapes Errors
+#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
+#'   is made of several.
+#' @examples
+#' body_sphere(mass_kg = 1, radius_m = 0.1)
+#' body_cylinder(radius_m = 0.05, length_m = 0.3, density_kg_m3 = 7850)
+#' body_hollow_sphere(mass_kg = 1, outer_radius_m = 0.1, inner_radius_m = 0.0999)$beta
+#' body_cone(mass_kg = 1, radius_m = 0.1, height_m = 0.4)$centre_m
+#' @name body_round_solids
+NULL
+
+#' @rdname body_round_solids
+#' @export
+body_cylinder <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("cylinder", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_thick_tube <- function(mass_kg, outer_radius_m, inner_radius_m, length_m, ...,
+                            density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("thick_tube", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_half_cylinder <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("half_cylinder", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_elliptic_cylinder <- function(mass_kg, semi_x_m, semi_y_m, length_m, ...,
+                                   density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("elliptic_cylinder", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_sphere <- function(mass_kg, radius_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("sphere", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_hollow_sphere <- function(mass_kg, outer_radius_m, inner_radius_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("hollow_sphere", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_hemisphere <- function(mass_kg, radius_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("hemisphere", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_spherical_cap <- function(mass_kg, radius_m, height_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("spherical_cap", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_cone <- function(mass_kg, radius_m, height_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("cone", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_frustum <- function(mass_kg, base_radius_m, top_radius_m, height_m, ...,
+                         density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("frustum", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_paraboloid <- function(mass_kg, radius_m, height_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("paraboloid", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_ellipsoid <- function(mass_kg, semi_x_m, semi_y_m, semi_z_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("ellipsoid", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_torus <- function(mass_kg, ring_radius_m, tube_radius_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("torus", environment())
+}
+
+#' @rdname body_round_solids
+#' @export
+body_capsule <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("capsule", environment())
+}
+
+#' Bodies of standard shapes: solids with flat faces
+#'
+#' The mass is spread evenly over the volume. For any tetrahedron by its corners see
+#' [body_tetrahedron()].
+#'
+#' `r describe_shapes("flat-faced solids")`
+#' `r formula_note`
+#'
+#' @param length_m,width_m,height_m Edges along x, y and z; the length of a prism is along z, and a
+#'   pyramid has a rectangular base and its apex above the middle.
+#' @param edge_m Edge, at least 0 m.
+#' @param radius_m Radius of the circle through the corners of the prism's base.
+#' @param sides Number of sides, a whole number of at least 3.
+#' @param base_m,apex_m The triangle across a prism, as in [body_triangle()], with `height_m`.
+#' @param density_kg_m3 Mass per volume, instead of `mass_kg`.
+#' @inheritParams body_shapes
+#' @inherit body_shapes return source
+#' @inheritSection body_shapes Errors
+#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
+#'   is made of several.
+#' @examples
+#' body_box(mass_kg = 2, length_m = 0.3, width_m = 0.2, height_m = 0.1)
+#' body_cube(edge_m = 0.1, density_kg_m3 = 1000)
+#' body_polygon_prism(radius_m = 0.008, sides = 6, length_m = 0.013, density_kg_m3 = 7850)
+#' @name body_flat_faced_solids
+NULL
+
+#' @rdname body_flat_faced_solids
+#' @export
+body_box <- function(mass_kg, length_m, width_m, height_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("box", environment())
+}
+
+#' @rdname body_flat_faced_solids
+#' @export
+body_cube <- function(mass_kg, edge_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("cube", environment())
+}
+
+#' @rdname body_flat_faced_solids
+#' @export
+body_polygon_prism <- function(mass_kg, radius_m, sides, length_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("polygon_prism", environment())
+}
+
+#' @rdname body_flat_faced_solids
+#' @export
+body_triangular_prism <- function(mass_kg, base_m, height_m, length_m, ..., apex_m = base_m / 2,
+                                  density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("triangular_prism", environment())
+}
+
+#' @rdname body_flat_faced_solids
+#' @export
+body_pyramid <- function(mass_kg, length_m, width_m, height_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("pyramid", environment())
+}
+
+#' @rdname body_flat_faced_solids
+#' @export
+body_regular_tetrahedron <- function(mass_kg, edge_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("regular_tetrahedron", environment())
+}
+
+#' @rdname body_flat_faced_solids
+#' @export
+body_regular_octahedron <- function(mass_kg, edge_m, ..., density_kg_m3 = NULL) {
+  check_no_dots(...)
+  new_shape_body("regular_octahedron", environment())
 }

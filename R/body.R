@@ -48,12 +48,11 @@ check_body <- function(body, call, arg = "body") {
   body
 }
 
-# I_n = n' I n about a unit vector n in the body's own axes, through the centre of mass.
-moment_about_axis <- function(body, axis) {
-  centre <- .subset2(body, "centre_m")
+# I_n = n' I n about a unit vector n in the body's own axes, through the centre of mass or `point`.
+moment_about_axis <- function(body, axis, point = .subset2(body, "centre_m")) {
   .Call(
-    ffi_inertia_axis, .subset2(body, "mass_kg"), centre, .subset2(body, "second_moment_kg_m2"),
-    axis, centre
+    ffi_inertia_axis, .subset2(body, "mass_kg"), .subset2(body, "centre_m"),
+    .subset2(body, "second_moment_kg_m2"), axis, point
   )
 }
 
@@ -64,19 +63,12 @@ print.rot_body <- function(x, ...) {
     paste0(", ", paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", "))
   }
   print_field("mass", paste0(format_si(x$mass_kg), " kg", size))
-  if (any(x$centre_m != 0)) {
-    print_field("centre", paste0("(", paste(format_si(x$centre_m), collapse = ", "), ") m"))
+  size <- sqrt(sum(diag(x$second_moment_kg_m2)) / x$mass_kg)
+  centre <- clear_noise(x$centre_m, if (is.finite(size)) 4 * .Machine$double.eps * size else 0)
+  if (any(centre != 0)) {
+    print_field("centre", paste0("(", paste(format_si(centre), collapse = ", "), ") m"))
   }
-  inertia <- x$inertia_kg_m2
-  if (all(inertia[upper.tri(inertia)] == 0)) {
-    moments <- paste(c("Ixx", "Iyy", "Izz"), format_si(diag(inertia)), collapse = ", ")
-    print_field("inertia", paste0(moments, " kg m^2 about the ", x$point, ", ", x$axes, " axes"))
-  } else {
-    print_field("inertia", paste0("kg m^2 about the ", x$point, ", ", x$axes, " axes:"))
-    rows <- format_columns(inertia)
-    cat(paste0("            ", rows, "\n"), sep = "")
-  }
-  cat(principal_line(x))
+  print_inertia(x)
   if (!is.na(x$beta)) {
     print_field("beta", paste0(format_si(x$beta), "  (I/(m r^2) when it rolls)"))
   }
@@ -89,27 +81,39 @@ print_field <- function(name, text) {
   cat("  ", formatC(name, width = -10), text, "\n", sep = "")
 }
 
-principal_line <- function(x) {
+# What the body's own error cannot tell from 0 is shown as 0.
+print_inertia <- function(x) {
+  noise <- body_noise(x)
+  inertia <- clear_noise(x$inertia_kg_m2, noise)
   axes <- principal_axes(x)
-  moments <- paste(format_si(clear_moments(x, axes)), collapse = ", ")
-  turned <- any(x$inertia_kg_m2[upper.tri(diag(3))] != 0)
-  paste0(
-    "  ", formatC("principal", width = -10), if (turned) paste0(moments, " kg m^2, "),
-    describe_symmetry(axes), "\n"
-  )
+  about <- paste0("about the ", x$point, ", ", x$axes, " axes")
+  if (all(inertia[upper.tri(inertia)] == 0)) {
+    moments <- paste(c("Ixx", "Iyy", "Izz"), format_si(diag(inertia)), collapse = ", ")
+    print_field("inertia", paste0(moments, " kg m^2 ", about))
+  } else {
+    print_field("inertia", paste0("kg m^2 ", about, ":"))
+    cat(paste0(strrep(" ", 12), format_columns(inertia), "\n"), sep = "")
+    moments <- clear_noise(axes$principal_moment_kg_m2, noise)
+    print_field("principal", paste0(paste(format_si(moments), collapse = ", "), " kg m^2"))
+  }
+  print_field("symmetry", describe_symmetry(axes))
 }
 
-# The principal moments, 0 where the body's own error cannot tell them from it.
-clear_moments <- function(x, axes) {
-  moments <- axes$principal_moment_kg_m2
-  error <- if (is.finite(x$error)) x$error else 0
-  moments[moments <= error * sum(axes$second_moment_kg_m2)] <- 0
-  moments
+body_noise <- function(x) {
+  if (is.finite(x$error)) x$error * sum(diag(x$second_moment_kg_m2)) else 0
+}
+
+clear_noise <- function(x, noise) {
+  x[abs(x) <= noise] <- 0
+  x
 }
 
 describe_body_error <- function(x) {
   if (is.na(x$error)) {
     return("accuracy not known")
+  }
+  if (x$error == 0) {
+    return("exact")
   }
   paste0(
     "relative error ", if (x$error_kind == "bound") "at most " else "about ",

@@ -77,6 +77,36 @@ column_list <- list(
   c("mass_kg", "kg", "mass"),
   c("radius_m", "m", "radius"),
   c("length_m", "m", "length"),
+  c("outer_radius_m", "m", "outer radius"),
+  c("inner_radius_m", "m", "inner radius"),
+  c("base_radius_m", "m", "radius of the base"),
+  c("top_radius_m", "m", "radius of the top"),
+  c("ring_radius_m", "m", "radius of a ring, to the middle of its tube"),
+  c("tube_radius_m", "m", "radius of the tube of a ring"),
+  c("semi_x_m", "m", "half axis along x"),
+  c("semi_y_m", "m", "half axis along y"),
+  c("semi_z_m", "m", "half axis along z"),
+  c("width_m", "m", "width"),
+  c("height_m", "m", "height"),
+  c("edge_m", "m", "edge"),
+  c("base_m", "m", "base of a triangle"),
+  c("apex_m", "m", "where the apex of a triangle is along its base"),
+  c("sides", "1", "number of sides"),
+  c("ixx_kg_m2", "kg m^2", "moment of inertia about own x through the centre of mass"),
+  c("iyy_kg_m2", "kg m^2", "the same about own y"),
+  c("izz_kg_m2", "kg m^2", "the same about own z"),
+  c("shape", "", "name of the shape"),
+  c("family", "", "what kind of shape it is"),
+  c("constructor", "", "function that makes a body of it"),
+  c("dimension", "1", "3: solid, 2: plate or shell, 1: line, 0: point"),
+  c("sizes", "", "its sizes, with their letters in the formulas"),
+  c("ixx_formula", "", "moment of inertia about own x through the centre of mass"),
+  c("iyy_formula", "", "the same about own y"),
+  c("izz_formula", "", "the same about own z"),
+  c("centre_formula", "", "centre of mass in the own axes"),
+  c("origin", "", "where the origin of the own axes is"),
+  c("beta_formula", "", "I/(m r^2) on the outer radius, where it rolls about z"),
+  c("measure_formula", "", "volume, area or length: times the density it makes the mass"),
   c("speed_m_per_s", "m/s", "speed of the centre"),
   c("translational_kinetic_energy_j", "J", "m v^2 / 2"),
   c("total_kinetic_energy_j", "J", "translational + rotational"),
@@ -212,7 +242,13 @@ energy_columns <- c(
   "rotational_kinetic_energy_j", "total_kinetic_energy_j", "rotational_energy_fraction"
 )
 inertia_columns <- c(
-  "moment_of_inertia_kg_m2", "beta", "radius_of_gyration_m", "axis", "formula"
+  "moment_of_inertia_kg_m2", "ixx_kg_m2", "iyy_kg_m2", "izz_kg_m2", "beta",
+  "radius_of_gyration_m", "axis", "formula"
+)
+shape_columns <- c(
+  "shape", "family", "constructor", "dimension", "sizes", "ixx_formula", "iyy_formula",
+  "izz_formula", "centre_formula", "origin", "beta_formula", "measure_formula", "axis", "formula",
+  "source"
 )
 model_columns <- c(
   "model", "constraint", "equations", "assumptions", "limits", "requires", "error", "error_kind",

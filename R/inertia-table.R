@@ -1,26 +1,35 @@
 #' Moments of inertia of the standard shapes
 #'
 #' `inertia_objects()` lists the standard shapes at one mass and one size; `inertia_table()` gives
-#' the moment of inertia of each row of a table of objects, in one pass in C.
+#' the moments of inertia of each row of a table of objects, in one pass in C.
 #'
 #' @param objects One of:
 #'   * a data frame with a column `object` (or `shape`) naming a standard shape, `mass_kg`, and the
-#'     length that sizes the shape: `radius_m`, or `length_m` for the rods. The article's names
-#'     (`solid_disk`, `solid_sphere`, `thin_spherical_shell`, `point_mass_sliding`, ...) are
-#'     understood. A row whose name is no standard shape needs `beta` and `radius_m`: its moment is
-#'     `beta m r^2`. Other columns are kept.
+#'     sizes of the shapes that occur: `radius_m`, `length_m`, `outer_radius_m`, ..., as in their
+#'     constructors and in [shapes()]. The article's names (`solid_disk`, `solid_sphere`,
+#'     `thin_spherical_shell`, `point_mass_sliding`, ...) are understood. A row whose name is no
+#'     standard shape needs `beta` and `radius_m`: its moment is `beta m r^2`. Other columns are
+#'     kept; sizes that a row's shape does not have are not looked at.
 #'   * a `rot_body`, or a list of them: the moment about the body's `z` axis.
-#' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects.
+#' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
+#'   sizes are simple parts of these: inner radii are half of `radius_m`.
 #' @return A tibble: the columns of `objects`, then
 #'   `r describe_columns(inertia_columns)`
-#'   `beta` is NA for what does not roll. NA in a row's mass or size gives NA in that row's moment.
-#'   Each moment carries at most four roundings (5e-16), whatever the size of its factors.
+#'   The first moment is about `axis`, with its `formula`; the other three are about the centre of
+#'   mass, along the own axes. `beta` is NA for what does not roll; a row that has only `beta` has
+#'   no other moments (NA). NA in a row's mass or sizes gives NA in that row's results.
+#'   Each moment carries at most 25 roundings (3e-15; 2 to 5 for most shapes), whatever the size of
+#'   its factors.
 #' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_value`
-#'   for a negative mass or length or an unknown shape without `beta`, `rotdyn_error_unit`.
-#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), chapter 5.
+#'   for a negative mass or length, sizes that do not fit together, or an unknown shape without
+#'   `beta`, with the row; `rotdyn_error_unit`.
+#' @source As in [body_shapes] and [shapes()].
 #' @examples
 #' inertia_table()
 #' inertia_table(data.frame(object = c("disk", "rod"), mass_kg = 2, radius_m = 0.3, length_m = 1.2))
+#' inertia_table(data.frame(
+#'   shape = "hollow_sphere", mass_kg = 1, outer_radius_m = 0.1, inner_radius_m = c(0, 0.05, 0.1)
+#' ))
 #' inertia_table(body_disk(2, 0.25))
 #' @export
 inertia_table <- function(objects = inertia_objects()) {
@@ -36,56 +45,95 @@ inertia_table <- function(objects = inertia_objects()) {
     abort_missing_column("object", objects, call)
   }
   shapes <- shape_table()
-  given <- as.character(objects[[name]])
-  known <- ifelse(given %in% names(shape_aliases), shape_aliases[given], given)
-  i <- match(known, shapes$shape)
+  id <- shape_ids(objects[[name]], shapes)
   beta <- if ("beta" %in% names(objects)) {
     check_column(objects[["beta"]], "beta", "1", call)
   } else {
-    rep(NA_real_, length(i))
+    NA_real_
   }
-  if (any(is.na(i) & is.na(beta) & !is.na(given))) {
-    unknown <- unique(given[is.na(i) & is.na(beta) & !is.na(given)])
+  check_known(objects[[name]], id, beta, call)
+  mass <- needed_column("mass_kg", "kg", objects, call)
+  sizes <- needed_sizes(id, shapes, objects, call)
+
+  # A name that the list knows decides; else beta and the radius do.
+  values <- .Call(ffi_shapes_table, id, mass, beta, sizes)
+  if (!is.list(values)) {
+    abort_row(values, id, mass, beta, sizes, call)
+  }
+  text <- id + 1L
+  out <- as.list(objects)
+  out[names(values)] <- values
+  out[["axis"]] <- c("rolling axis", shapes$axis)[text]
+  out[["formula"]] <- c("beta m r^2", shapes$formula)[text]
+  # The order of the dictionary, behind what was there.
+  kept <- setdiff(names(out), inertia_columns)
+  tibble::new_tibble(out[c(kept, inertia_columns)], nrow = nrow(objects))
+}
+
+# The C core's numbers of the shapes named; 0 for what is none.
+shape_ids <- function(given, shapes) {
+  known <- c(shapes$shape, names(shape_aliases))
+  ids <- c(seq_along(shapes$shape), match(shape_aliases, shapes$shape))
+  if (is.factor(given)) {
+    id <- ids[match(levels(given), known)][given]
+  } else {
+    id <- ids[match(as.character(given), known)]
+  }
+  id[is.na(id)] <- 0L
+  id
+}
+
+check_known <- function(given, id, beta, call) {
+  unknown <- id == 0L
+  if (!any(unknown)) {
+    return(invisible())
+  }
+  unknown <- unique(as.character(given[unknown & is.na(beta) & !is.na(given)]))
+  if (length(unknown)) {
     abort_rotdyn(
       c(
         "Every object must be a standard shape or have a {.field beta}.",
         x = "Not so: {.val {unknown}}.",
-        i = "The standard shapes are {.val {shapes$shape}}, also known as
-             {.val {names(shape_aliases)}}."
+        i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
       ),
       "value",
       call
     )
   }
-  check_not_negative(beta, "beta", "1", call)
+}
 
-  # A name that the list knows decides; else beta and the radius do.
-  k <- ifelse(is.na(i), beta, shapes$k[i])
-  size_name <- ifelse(is.na(i), "radius_m", shapes$size[i])
-  size <- rep(NA_real_, nrow(objects))
-  for (column in unique(size_name)) {
-    if (is.null(objects[[column]])) {
-      abort_missing_column(column, objects, call)
+needed_column <- function(column, unit, objects, call) {
+  if (is.null(objects[[column]])) {
+    abort_missing_column(column, objects, call)
+  }
+  check_column(objects[[column]], column, unit, call)
+}
+
+# The columns of sizes in the order of the C core, NULL where no row needs one.
+needed_sizes <- function(id, shapes, objects, call) {
+  all <- size_table()
+  used <- which(tabulate(id, nrow(shapes)) > 0L)
+  needed <- unique(c(unlist(shapes$names[used]), if (any(id == 0L)) "radius_m"))
+  lapply(seq_len(nrow(all)), function(k) {
+    if (all$name[k] %in% needed) {
+      needed_column(all$name[k], if (all$kind[k] == "count") "1" else "m", objects, call)
     }
-    values <- check_column(objects[[column]], column, "m", call)
-    check_not_negative(values, column, "m", call)
-    size[size_name == column] <- values[size_name == column]
-  }
-  if (is.null(objects[["mass_kg"]])) {
-    abort_missing_column("mass_kg", objects, call)
-  }
-  mass <- check_column(objects[["mass_kg"]], "mass_kg", "kg", call)
-  check_not_negative(mass, "mass_kg", "kg", call)
+  })
+}
 
-  moments <- .Call(ffi_shapes_table, k, mass, size)
-  rolls <- shapes$size == "radius_m" & shapes$shape != "point"
-  out <- as.list(objects)
-  out[["moment_of_inertia_kg_m2"]] <- moments$moment_of_inertia_kg_m2
-  out[["beta"]] <- ifelse(is.na(i), beta, ifelse(rolls, shapes$k, NA_real_)[i])
-  out[["radius_of_gyration_m"]] <- moments$radius_of_gyration_m
-  out[["axis"]] <- ifelse(is.na(i), "rolling axis", shapes$axis[i])
-  out[["formula"]] <- ifelse(is.na(i), "beta m r^2", shapes$formula[i])
-  tibble::new_tibble(out, nrow = nrow(objects))
+# c(fault, row, slot) of the C pass, as an error about that row.
+abort_row <- function(fault, id, mass, beta, sizes, call) {
+  row <- fault[2]
+  at <- function(x) x[if (length(x) == 1L) 1L else row]
+  if (fault[1] == 5) {
+    abort_domain(at(mass), "mass_kg", "kg", call, 0, Inf, FALSE, row = row)
+  }
+  if (fault[1] == 6) {
+    abort_domain(at(beta), "beta", "1", call, 0, Inf, FALSE, row = row)
+  }
+  names <- if (id[row]) shape_table()$names[[id[row]]] else "radius_m"
+  size <- vapply(match(names, size_table()$name), function(k) at(sizes[[k]]), double(1))
+  abort_shape(fault, names, size, row, call)
 }
 
 #' @rdname inertia_table
@@ -93,16 +141,22 @@ inertia_table <- function(objects = inertia_objects()) {
 inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1) {
   call <- rlang::current_env()
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
-  radius_m <- check_number(radius_m, "radius_m", "m", call, lower = 0)
-  length_m <- check_number(length_m, "length_m", "m", call, lower = 0)
+  r <- check_number(radius_m, "radius_m", "m", call, lower = 0)
+  l <- check_number(length_m, "length_m", "m", call, lower = 0)
   shapes <- shape_table()
-  round <- shapes$size == "radius_m"
-  tibble::new_tibble(list(
-    object = shapes$shape,
-    mass_kg = rep(mass_kg, length(round)),
-    radius_m = ifelse(round, radius_m, NA_real_),
-    length_m = ifelse(round, NA_real_, length_m)
-  ), nrow = length(round))
+  values <- list(
+    radius_m = r, length_m = l, outer_radius_m = r, inner_radius_m = r / 2, base_radius_m = r,
+    top_radius_m = r / 2, ring_radius_m = r, tube_radius_m = r / 4, semi_x_m = r,
+    semi_y_m = r / 2, semi_z_m = r / 4, width_m = r, height_m = r, edge_m = r, base_m = r,
+    apex_m = r / 2, sides = 6
+  )
+  n <- nrow(shapes)
+  sizes <- lapply(names(values), function(name) {
+    has <- vapply(shapes$names, function(names) name %in% names, logical(1))
+    ifelse(has, values[[name]], NA_real_)
+  })
+  names(sizes) <- names(values)
+  tibble::new_tibble(c(list(object = shapes$shape, mass_kg = rep(mass_kg, n)), sizes), nrow = n)
 }
 
 inertia_of_bodies <- function(bodies, call) {
@@ -117,22 +171,29 @@ inertia_of_bodies <- function(bodies, call) {
     )
   }
   pick <- function(f) vapply(bodies, f, numeric(1))
-  size <- function(name) {
+  given <- unique(unlist(lapply(bodies, function(b) names(b$size_m))))
+  known <- intersect(size_table()$name, c("radius_m", "length_m", given))
+  sizes <- lapply(known, function(name) {
     pick(function(b) if (name %in% names(b$size_m)) b$size_m[[name]] else NA_real_)
-  }
+  })
+  names(sizes) <- known
+  moment <- function(k) pick(function(b) b$inertia_kg_m2[k, k])
   mass <- pick(function(b) b$mass_kg)
-  moment <- pick(function(b) b$inertia_kg_m2[3, 3])
-  tibble::tibble(
-    object = vapply(bodies, function(b) b$shape, character(1)),
-    mass_kg = mass,
-    radius_m = size("radius_m"),
-    length_m = size("length_m"),
-    moment_of_inertia_kg_m2 = moment,
-    beta = pick(function(b) b$beta),
-    radius_of_gyration_m = sqrt(moment / mass),
-    axis = rep("own z axis", length(bodies)),
-    formula = vapply(bodies, function(b) b$formula, character(1))
-  )
+  izz <- moment(3)
+  tibble::new_tibble(c(
+    list(object = vapply(bodies, function(b) b$shape, character(1)), mass_kg = mass),
+    sizes,
+    list(
+      moment_of_inertia_kg_m2 = izz,
+      ixx_kg_m2 = moment(1),
+      iyy_kg_m2 = moment(2),
+      izz_kg_m2 = izz,
+      beta = pick(function(b) b$beta),
+      radius_of_gyration_m = sqrt(izz / mass),
+      axis = rep("own z axis", length(bodies)),
+      formula = vapply(bodies, function(b) b$formula, character(1))
+    )
+  ), nrow = length(bodies))
 }
 
 check_not_negative <- function(x, arg, unit, call) {

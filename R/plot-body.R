@@ -93,7 +93,8 @@ body_title <- function(body) {
 
 body_subtitle <- function(body) {
   axes <- principal_axes(body)
-  moments <- vapply(clear_moments(body, axes), format, character(1), digits = 4)
+  moments <- clear_noise(axes$principal_moment_kg_m2, body_noise(body))
+  moments <- vapply(moments, format, character(1), digits = 4)
   paste0(
     format_si(body$mass_kg), " kg; I1, I2, I3 = ", paste(moments, collapse = ", "), " kg m^2\n",
     describe_symmetry(axes)

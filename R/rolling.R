@@ -93,13 +93,11 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
 #' @rdname rolling_table
 #' @export
 rolling_objects <- function() {
-  shapes <- shape_table()
-  beta <- function(shape) shapes$k[match(shape, shapes$shape)]
   tibble::new_tibble(list(
     object = c(
       "hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"
     ),
-    beta = beta(c("hoop", "disk", "sphere", "spherical_shell", "sliding_point"))
+    beta = shape_beta(c("hoop", "disk", "sphere", "spherical_shell", "sliding_point"))
   ), nrow = 5L)
 }
 

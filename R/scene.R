@@ -1,7 +1,7 @@
 #' A body on a fixed axle
 #'
 #' The scene that [trajectory()] computes: `d(I omega)/dt = torque + resistance`,
-#' `d(theta)/dt = omega`, with `I` the moment of inertia about the axle through the centre of mass.
+#' `d(theta)/dt = omega`, with `I` the moment of inertia about the axle.
 #'
 #' @param body A `rot_body` (see [body_disk()]), or one number: the moment of inertia about the axle
 #'   in kg m^2. It must be greater than 0. Or [inertia_knots()], where it changes in time.
@@ -12,7 +12,11 @@
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which the state above holds. Output times do not move it: what a scene
 #'   does cannot depend on when it is looked at. Times before it are reached backwards.
-#' @param axis Direction of the axle in the body's own axes, any length but 0.
+#' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers of
+#'   any length but 0.
+#' @param through A point on the axle: `"centre"` (of mass), `"origin"` (of the body's own axes), or
+#'   three numbers in m in the own axes. No weight acts, wherever the axle is: [scene_pendulum()]
+#'   has it.
 #' @return A `rot_scene_axle`, which is a `rot_scene`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (no inertia to
 #'   turn included), `rotdyn_error_unit`.
@@ -25,15 +29,20 @@
 #' )
 #' @export
 scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
-                       omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1)) {
+                       omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1),
+                       through = "centre") {
   call <- environment()
   if (missing(body)) {
     check_supplied("body", call)
   }
   check_no_dots(...)
   if (inherits(body, "rot_body")) {
-    if (!missing(axis)) axis <- unit_axis(axis, call)
-    inertia <- moment_about_axis(body, axis)
+    if (!missing(axis)) axis <- unit_axis(as_axis(axis, call), call)
+    inertia <- if (missing(through)) {
+      moment_about_axis(body, axis)
+    } else {
+      moment_about_axis(body, axis, as_point(through, body, "through", call))
+    }
   } else if (is.numeric(body)) {
     inertia <- check_number(body, "body", "kg*m^2", call)
     body <- NULL
@@ -146,7 +155,7 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
   torque <- as_torque(torque, call)
   if (inherits(body, "rot_body")) {
     mass_kg <- body$mass_kg
-    about_centre <- moment_about_axis(body, unit_axis(axis, call))
+    about_centre <- moment_about_axis(body, unit_axis(as_axis(axis, call), call))
   } else {
     if (!is.numeric(body)) {
       check_class(

@@ -2,8 +2,7 @@
 # package installed:
 #
 #   Rscript bench/run.R                       everything, a few minutes
-#   Rscript bench/run.R spin-up mesh          some of rolling, spin-up, sweep, function-torque,
-#                                             rhs-calls, calls, mesh
+#   Rscript bench/run.R spin-up mesh          some of the comparisons below
 #   Rscript bench/run.R --rounds=5 rolling    fewer rounds than 21
 #
 # Rewrites what it ran in bench/results.csv and bench/README.md.
@@ -12,7 +11,7 @@ if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
   "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque",
-  "rhs-calls", "calls", "mesh"
+  "rhs-calls", "calls", "shapes", "mesh"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -24,6 +23,7 @@ comparisons <- list(
   "function-torque" = run_function_torque,
   "rhs-calls" = run_rhs_calls,
   "calls" = run_calls,
+  "shapes" = run_shapes,
   "mesh" = run_mesh
 )
 

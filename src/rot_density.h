@@ -1,5 +1,5 @@
-/* Nodes for integrals over a body: a box, a cylinder, a ball or an ellipsoid is the image of a brick
- * of parameters, and the integral of a density is a sum over nodes in that brick,
+/* Nodes for integrals over a body: a box, a cylinder, a ball or an ellipsoid is the image of a
+ * brick of parameters, and the integral of a density is a sum over nodes in that brick,
  *
  *   int rho dV = sum w_i rho(x_i),   w_i = (weight of the rule) |det dx/dp|.
  *

@@ -4,22 +4,215 @@
 
 #include "rot_real.h"
 
-static const rot_shape shapes[] = {
-#define X(name, axis, x, y, z, size, axis_text, formula)                                           \
-  {name, axis, {x, y, z}, size, axis_text, formula},
-    ROT_SHAPE_LIST(X)
+static const rot_size sizes[] = {
+#define X(id, name, kind) {name, kind},
+    ROT_SIZE_LIST(X)
 #undef X
+};
+
+const rot_size *rot_size_at(int id) { return &sizes[id]; }
+
+/* name, dimension, roundings, how sizes fit, number of sizes, sizes. Roundings are counted: a
+ * constant, a square, its factor, the mass; the longer forms as they stand. test_shapes.c holds
+ * each against 50 digits. */
+#define SHAPE(name, dimension, roundings, fit, n, ...)                                             \
+  { #name, dimension, n, {__VA_ARGS__ }, fit, roundings, rot_##name }
+
+static const rot_shape shapes[] = {
+    SHAPE(point, 0, 4, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(sliding_point, 0, 4, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(rod, 1, 4, ROT_FREE, 1, ROT_LENGTH),
+    SHAPE(rod_end, 1, 4, ROT_FREE, 1, ROT_LENGTH),
+    SHAPE(hoop, 1, 4, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(half_hoop, 1, 5, ROT_FREE, 1, ROT_RADIUS),
+
+    SHAPE(disk, 2, 4, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(annulus, 2, 5, ROT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
+    SHAPE(half_disk, 2, 5, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(elliptic_plate, 2, 4, ROT_FREE, 2, ROT_SEMI_X, ROT_SEMI_Y),
+    SHAPE(rectangle, 2, 4, ROT_FREE, 2, ROT_LENGTH, ROT_WIDTH),
+    SHAPE(triangle, 2, 8, ROT_FREE, 3, ROT_BASE, ROT_HEIGHT, ROT_APEX),
+    SHAPE(polygon_plate, 2, 8, ROT_FREE, 2, ROT_RADIUS, ROT_SIDES),
+
+    SHAPE(tube, 2, 4, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(can, 2, 9, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(spherical_shell, 2, 4, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(hemispherical_shell, 2, 4, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(spherical_cap_shell, 2, 8, ROT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(cone_shell, 2, 4, ROT_FREE, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(frustum_shell, 2, 18, ROT_FREE, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
+    SHAPE(torus_shell, 2, 6, ROT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
+    SHAPE(ellipsoid_shell, 2, 4, ROT_FREE, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
+    SHAPE(box_shell, 2, 10, ROT_FREE, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
+
+    SHAPE(cylinder, 3, 4, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(thick_tube, 3, 5, ROT_INSIDE, 3, ROT_OUTER_RADIUS, ROT_INNER_RADIUS, ROT_LENGTH),
+    SHAPE(half_cylinder, 3, 5, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(elliptic_cylinder, 3, 4, ROT_FREE, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_LENGTH),
+    SHAPE(sphere, 3, 4, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(hollow_sphere, 3, 14, ROT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
+    SHAPE(hemisphere, 3, 5, ROT_FREE, 1, ROT_RADIUS),
+    SHAPE(spherical_cap, 3, 18, ROT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(cone, 3, 5, ROT_FREE, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(frustum, 3, 24, ROT_FREE, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
+    SHAPE(paraboloid, 3, 4, ROT_FREE, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(ellipsoid, 3, 4, ROT_FREE, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
+    SHAPE(torus, 3, 6, ROT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
+    SHAPE(capsule, 3, 12, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
+
+    SHAPE(box, 3, 4, ROT_FREE, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
+    SHAPE(cube, 3, 4, ROT_FREE, 1, ROT_EDGE),
+    SHAPE(polygon_prism, 3, 8, ROT_FREE, 3, ROT_RADIUS, ROT_SIDES, ROT_LENGTH),
+    SHAPE(triangular_prism, 3, 8, ROT_FREE, 4, ROT_BASE, ROT_HEIGHT, ROT_APEX, ROT_LENGTH),
+    SHAPE(pyramid, 3, 5, ROT_FREE, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
+    SHAPE(regular_tetrahedron, 3, 4, ROT_FREE, 1, ROT_EDGE),
+    SHAPE(regular_octahedron, 3, 4, ROT_FREE, 1, ROT_EDGE),
 };
 
 size_t rot_shape_count(void) { return sizeof shapes / sizeof shapes[0]; }
 
 const rot_shape *rot_shape_at(size_t i) { return &shapes[i]; }
 
-void rot_shapes_table(size_t n, rot_column k, rot_column mass_kg, rot_column size_m,
-                       double inertia_kg_m2[], double gyration_m[]) {
-  for (size_t i = 0; i < n; i++) {
-    const double ki = rot_at(k, i), m = rot_at(mass_kg, i), size = rot_at(size_m, i);
-    inertia_kg_m2[i] = rot_product(4, (double[]){ki, m, size, size}, 1.0);
-    gyration_m[i] = sqrt(ki) * size;
+/* ---- sizes ---------------------------------------------------------------------------------- */
+
+rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int *slot) {
+  for (int k = 0; k < shape->sizes; k++) {
+    *slot = k;
+    switch (sizes[shape->size[k]].kind) {
+    case ROT_KIND_LENGTH:
+      if (size[k] < 0.0) return ROT_SHAPE_NEGATIVE;
+      break;
+    case ROT_KIND_COUNT:
+      if (size[k] < 3.0 || (isfinite(size[k]) && size[k] != floor(size[k]))) return ROT_SHAPE_SIDES;
+      break;
+    case ROT_KIND_OFFSET: break;
+    }
   }
+  *slot = 1;
+  if (shape->fit == ROT_INSIDE && size[1] > size[0]) return ROT_SHAPE_OUTSIDE;
+  if (shape->fit == ROT_IN_SPHERE && size[1] / 2.0 > size[0]) return ROT_SHAPE_TOO_HIGH;
+  return ROT_SHAPE_FITS;
+}
+
+/* Sizes near 1, and the exponent of what they were divided by. Between 2^-60 and 2^60 no form of
+ * rot_geometry.c leaves the range, and there the powers of two would change no digit. */
+static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES]) {
+  double big = 0.0, small = 1.0;
+  for (int k = 0; k < shape->sizes; k++) {
+    const double a = fabs(size[k]);
+    scaled[k] = size[k];
+    if (sizes[shape->size[k]].kind == ROT_KIND_COUNT) continue;
+    if (a > big) big = a;
+    if (a > 0.0 && a < small) small = a;
+  }
+  int e = 0;
+  if ((big <= 0x1p60 && small >= 0x1p-60) || !(big > 0.0) || isinf(big)) return 0;
+  (void)frexp(big, &e);
+  for (int k = 0; k < shape->sizes; k++) {
+    if (sizes[shape->size[k]].kind != ROT_KIND_COUNT) scaled[k] = ldexp(size[k], -e);
+  }
+  return e;
+}
+
+/* a b 2^e with one rounding, whatever the size of the factors. */
+static double times(double a, double b, int e) {
+  const double p = a * b, size = fabs(p);
+  if (e == 0 && size > 0x1p-900 && size < 0x1p900) return p;
+  int ea = 0, eb = 0;
+  const double f = frexp(a, &ea) * frexp(b, &eb);
+  return ldexp(f, ea + eb + e);
+}
+
+/* ---- one body ------------------------------------------------------------------------------- */
+
+/* Each second moment carries `roundings` halves of an ulp, and half a smallest double where it
+ * comes near those. */
+static double relative_error(const rot_shape *shape, const rot_shape_body *b, double k) {
+  const double trace = b->second_kg_m2[0] + b->second_kg_m2[1] + b->second_kg_m2[2];
+  const double bound = shape->roundings * ROT_EPS;
+  if (trace > 0x1p-960) return bound;
+  if (trace > 0.0) return bound + 0x1p-1072 / trace;
+  return b->mass_kg > 0.0 && k > 0.0 ? HUGE_VAL : 0.0;
+}
+
+void rot_shape_make(const rot_shape *shape, double amount, int is_density, const double size[],
+                    rot_shape_body *out) {
+  double scaled[ROT_SIZES] = {0.0};
+  rot_geometry g;
+  const int e = scale_sizes(shape, size, scaled);
+  shape->geometry(scaled, &g);
+  const double mass = is_density ? times(amount, g.measure, shape->dimension * e) : amount;
+  out->mass_kg = mass;
+  for (int k = 0; k < 4; k++) out->second_kg_m2[k] = times(mass, g.second[k], 2 * e);
+  out->second_kg_m2[4] = out->second_kg_m2[5] = 0.0;
+  for (int k = 0; k < 3; k++) out->centre_m[k] = ldexp(g.centre[k], e);
+  const double axis = g.moment;
+  out->reach_m = ldexp(g.reach, e);
+  out->beta = g.beta;
+  out->moment_kg_m2 = times(mass, axis, 2 * e);
+  out->gyration_m = ldexp(sqrt(axis), e);
+  out->error = relative_error(shape, out, g.second[0] + g.second[1] + g.second[2]);
+  /* A mass from a density carries some roundings more. */
+  if (is_density) out->error += 8.0 * ROT_EPS;
+}
+
+/* ---- a table -------------------------------------------------------------------------------- */
+
+static void fill(double *out[], size_t i, double x) {
+  for (int c = 0; c < ROT_SHAPE_COLUMNS; c++) out[c][i] = x;
+}
+
+/* A moment of which no more is known than beta m r^2. */
+static void row_of_beta(double *out[], size_t i, double beta, double mass, double r) {
+  fill(out, i, NAN);
+  out[ROT_SHAPE_MOMENT][i] = rot_product(4, (double[]){beta, mass, r, r}, 1.0);
+  out[ROT_SHAPE_ROLLS][i] = beta;
+  out[ROT_SHAPE_GYRATION][i] = sqrt(beta) * r;
+}
+
+static void row_of_shape(double *out[], size_t i, const rot_shape *shape, double mass,
+                         const double size[]) {
+  double scaled[ROT_SIZES] = {0.0};
+  rot_geometry g;
+  const int e = scale_sizes(shape, size, scaled);
+  shape->geometry(scaled, &g);
+  const double axis = g.moment, k = sqrt(axis);
+  out[ROT_SHAPE_MOMENT][i] = times(mass, axis, 2 * e);
+  out[ROT_SHAPE_IXX][i] = times(mass, g.second[1] + g.second[2], 2 * e);
+  out[ROT_SHAPE_IYY][i] = times(mass, g.second[0] + g.second[2], 2 * e);
+  out[ROT_SHAPE_IZZ][i] = times(mass, g.second[0] + g.second[1], 2 * e);
+  out[ROT_SHAPE_ROLLS][i] = g.beta;
+  out[ROT_SHAPE_GYRATION][i] = e ? ldexp(k, e) : k;
+}
+
+rot_shape_fault rot_shapes_table(size_t n, const rot_shape_rows *rows,
+                                 double *out[ROT_SHAPE_COLUMNS], size_t *row, int *slot) {
+  for (size_t i = 0; i < n; i++) {
+    const int at = rows->shape[i * rows->shape_step];
+    const double mass = rot_at(rows->mass_kg, i), beta = rot_at(rows->beta, i);
+    double size[ROT_SIZES] = {0.0}, missing = mass;
+    rot_shape_fault fault = mass < 0.0 ? ROT_SHAPE_MASS : ROT_SHAPE_FITS;
+    *row = i;
+    *slot = 0;
+    if (beta < 0.0) return ROT_SHAPE_BETA;
+    if (fault) return fault;
+    if (at < 0) {
+      const double r = rot_at(rows->size[ROT_RADIUS], i);
+      if (r < 0.0) return ROT_SHAPE_NEGATIVE;
+      row_of_beta(out, i, beta, mass, r);
+      continue;
+    }
+    for (int k = 0; k < shapes[at].sizes; k++) {
+      size[k] = rot_at(rows->size[shapes[at].size[k]], i);
+      if (isnan(size[k])) missing = size[k];
+    }
+    fault = rot_shape_check(&shapes[at], size, slot);
+    if (fault) return fault;
+    if (isnan(missing)) {
+      fill(out, i, missing);
+    } else {
+      row_of_shape(out, i, &shapes[at], mass, size);
+    }
+  }
+  return ROT_SHAPE_FITS;
 }

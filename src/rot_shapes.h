@@ -1,40 +1,120 @@
-/* Moments of inertia of the standard shapes: every one is a number times mass times size^2. */
+/* The list of standard shapes, and bodies of a shape: one, or a table of them with a shape in each
+ * row. What the shapes' moments are is in rot_geometry.h; the words about them are R's. */
 #ifndef ROT_SHAPES_H
 #define ROT_SHAPES_H
 
 #include <stddef.h>
 
 #include "rot_column.h"
+#include "rot_geometry.h"
 
-/* name | I/(m size^2) about the axis named | about the centre: x, y, z | size | axis | formula
- *
- * Axes of the body: z is the axis a body is spun about, a rod lies along x.
- * Source: Goldstein, Classical Mechanics, 3rd ed., ch. 5; Beer & Johnston, inside cover. */
-#define ROT_SHAPE_LIST(X)                                                                          \
-  X("hoop", 1.0, 0.5, 0.5, 1.0, "radius_m", "symmetry axis", "m r^2")                              \
-  X("disk", 0.5, 0.25, 0.25, 0.5, "radius_m", "symmetry axis", "m r^2 / 2")                        \
-  X("sphere", 0.4, 0.4, 0.4, 0.4, "radius_m", "any diameter", "2 m r^2 / 5")                       \
-  X("spherical_shell", 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, "radius_m", "any diameter",     \
-    "2 m r^2 / 3")                                                                                 \
-  X("rod", 1.0 / 12.0, 0.0, 1.0 / 12.0, 1.0 / 12.0, "length_m",                                    \
-    "perpendicular, through the centre", "m l^2 / 12")                                             \
-  X("rod_end", 1.0 / 3.0, 0.0, 1.0 / 12.0, 1.0 / 12.0, "length_m",                                 \
-    "perpendicular, through one end", "m l^2 / 3")                                                 \
-  X("point", 1.0, 0.0, 0.0, 0.0, "radius_m", "at distance r", "m r^2")                             \
-  X("sliding_point", 0.0, 0.0, 0.0, 0.0, "radius_m", "none: it slides", "0")
+typedef enum rot_size_kind {
+  ROT_KIND_LENGTH, /* at least 0 */
+  ROT_KIND_OFFSET, /* a length of either sign */
+  ROT_KIND_COUNT   /* a whole number of at least 3 */
+} rot_size_kind;
+
+/* Every size that a shape may have, with the name of R's argument and column. */
+#define ROT_SIZE_LIST(X)                                                                           \
+  X(ROT_RADIUS, "radius_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_LENGTH, "length_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_OUTER_RADIUS, "outer_radius_m", ROT_KIND_LENGTH)                                           \
+  X(ROT_INNER_RADIUS, "inner_radius_m", ROT_KIND_LENGTH)                                           \
+  X(ROT_BASE_RADIUS, "base_radius_m", ROT_KIND_LENGTH)                                             \
+  X(ROT_TOP_RADIUS, "top_radius_m", ROT_KIND_LENGTH)                                               \
+  X(ROT_RING_RADIUS, "ring_radius_m", ROT_KIND_LENGTH)                                             \
+  X(ROT_TUBE_RADIUS, "tube_radius_m", ROT_KIND_LENGTH)                                             \
+  X(ROT_SEMI_X, "semi_x_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_SEMI_Y, "semi_y_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_SEMI_Z, "semi_z_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_WIDTH, "width_m", ROT_KIND_LENGTH)                                                         \
+  X(ROT_HEIGHT, "height_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_EDGE, "edge_m", ROT_KIND_LENGTH)                                                           \
+  X(ROT_BASE, "base_m", ROT_KIND_LENGTH)                                                           \
+  X(ROT_APEX, "apex_m", ROT_KIND_OFFSET)                                                           \
+  X(ROT_SIDES, "sides", ROT_KIND_COUNT)
+
+typedef enum rot_size_id {
+#define X(id, name, kind) id,
+  ROT_SIZE_LIST(X)
+#undef X
+      ROT_SIZE_COUNT
+} rot_size_id;
+
+typedef struct rot_size {
+  const char *name;
+  rot_size_kind kind;
+} rot_size;
+
+const rot_size *rot_size_at(int id);
+
+/* How sizes must fit together; ROT_INSIDE: the second is at most the first. ROT_IN_SPHERE: the
+ * second, a height, is at most twice the first, a radius. */
+typedef enum rot_fit { ROT_FREE, ROT_INSIDE, ROT_IN_SPHERE } rot_fit;
 
 typedef struct rot_shape {
   const char *name;
-  double axis;         /* about the axis named */
-  double principal[3]; /* about the centre */
-  const char *size, *axis_text, *formula;
+  int dimension; /* 3: solid, 2: surface, 1: line, 0: point */
+  int sizes;
+  rot_size_id size[ROT_SIZES];
+  rot_fit fit;
+  int roundings; /* that each second moment carries at most, the mass included */
+  rot_geometry_function *geometry;
 } rot_shape;
 
 size_t rot_shape_count(void);
 const rot_shape *rot_shape_at(size_t i);
 
-/* I = k m size^2 and the radius of gyration sqrt(k) size, row by row. */
-void rot_shapes_table(size_t n, rot_column k, rot_column mass_kg, rot_column size_m,
-                       double inertia_kg_m2[], double gyration_m[]);
+/* What is wrong with a row; NaN is not wrong, it goes through to the results. */
+typedef enum rot_shape_fault {
+  ROT_SHAPE_FITS,
+  ROT_SHAPE_NEGATIVE, /* a length below 0 */
+  ROT_SHAPE_SIDES,    /* no whole number of at least 3 */
+  ROT_SHAPE_OUTSIDE,  /* an inner size above the outer one */
+  ROT_SHAPE_TOO_HIGH, /* a cap higher than its sphere */
+  ROT_SHAPE_MASS,     /* a mass below 0 */
+  ROT_SHAPE_BETA      /* a beta below 0 */
+} rot_shape_fault;
+
+/* *slot: which of the shape's sizes is wrong. */
+rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int *slot);
+
+typedef struct rot_shape_body {
+  double mass_kg;
+  double second_kg_m2[6]; /* about the centre of mass: xx, yy, zz, xy, xz, yz */
+  double centre_m[3], reach_m, beta;
+  double moment_kg_m2; /* the one that the table reports */
+  double gyration_m;   /* of it: sqrt(I/m), also where m is 0 */
+  double error;        /* bound of the second moment's, relative to its trace */
+} rot_shape_body;
+
+/* `amount` is the mass, or the density (of volume, area or length, by the shape's dimension). Sizes
+ * may be of any scale, and in a ratio of up to 1e150 to one another; what lies beyond the range of
+ * doubles comes out as Inf or 0. The sizes are those that rot_shape_check() lets pass. */
+void rot_shape_make(const rot_shape *shape, double amount, int is_density, const double size[],
+                    rot_shape_body *out);
+
+/* Row i is of shape `shape[i]` of the list, or of none (-1): then its moment is beta m r^2. Columns
+ * of sizes are in the order of ROT_SIZE_LIST; those that no row needs are not looked at. */
+typedef struct rot_shape_rows {
+  const int *shape;
+  size_t shape_step; /* 1, or 0: one shape for all */
+  rot_column mass_kg, beta, size[ROT_SIZE_COUNT];
+} rot_shape_rows;
+
+enum {
+  ROT_SHAPE_MOMENT,
+  ROT_SHAPE_IXX,
+  ROT_SHAPE_IYY,
+  ROT_SHAPE_IZZ,
+  ROT_SHAPE_ROLLS,
+  ROT_SHAPE_GYRATION,
+  ROT_SHAPE_COLUMNS
+};
+
+/* Stops at the first row that is wrong: *row says which, *slot which of its sizes. A NaN in a row
+ * fills that row with it. */
+rot_shape_fault rot_shapes_table(size_t n, const rot_shape_rows *rows,
+                                 double *out[ROT_SHAPE_COLUMNS], size_t *row, int *slot);
 
 #endif

@@ -121,6 +121,10 @@ sort -u "$work/registered" | comm -23 - "$work/mentioned" |
 { test -s "$work/registered" || test ! -s "$work/ffi" || echo "no X(ffi_..., n) found"; } |
   rule "src/ffi_entries.h lists entries"
 
+# Of two R functions of one name the file that comes last in the alphabet wins, without a word.
+files '^R/.*\.R$' | tr '\n' '\0' | xargs -0 grep -hoE '^[A-Za-z._][A-Za-z._0-9]* <- function' |
+  sort | uniq -d | rule "no two functions in R/ have one name"
+
 # ---- the map ---------------------------------------------------------------------------------
 
 if test -f ARCHITECTURE.md; then
@@ -140,6 +144,8 @@ search '(^|[^A-Za-z0-9_.~-])/(w[o]rk|r[o]ot|h[o]me)/' | rule "no path of one mac
 search '(^|[^A-Za-z])(TO[D]O|FI[X]ME)([^A-Za-z]|$)' | rule "no work left marked in the files"
 search '(cr[a]n|cl[o]ud)\.r-project\.org|deb\.d[e]bian\.org|registry\.n[p]mjs' |
   rule "no package registry's host name"
+
+search '^(<{7}|>{7}) ' | rule "no conflict left in the files"
 
 passed=$(grep -c passed "$work/verdicts")
 failed=$(grep -c failed "$work/verdicts")

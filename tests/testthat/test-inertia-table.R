@@ -46,6 +46,95 @@ test_that("NA in, NA out; what is impossible is an error", {
   expect_error(inertia_table(3), class = "rotdyn_error_type")
 })
 
+test_that("every shape of the catalogue is in the list, with sizes it can have", {
+  objects <- inertia_objects(2, 0.3, 1.5)
+  expect_setequal(objects$object, shapes()$shape)
+  table <- inertia_table(objects)
+  expect_true(all(is.finite(table$moment_of_inertia_kg_m2)))
+  expect_true(all(is.finite(table$izz_kg_m2)))
+  moments <- cbind(table$ixx_kg_m2, table$iyy_kg_m2, table$izz_kg_m2)
+  expect_true(all(rowSums(moments) - 2 * moments >= -1e-15))
+  expect_true(nrow(inertia_table(inertia_objects(1, 0, 0))) == nrow(objects))
+})
+
+test_that("a row is what the constructor makes of it", {
+  shapes <- names(test_sizes)
+  rows <- do.call(rbind, lapply(shapes, function(shape) {
+    sizes <- as.list(body_of_shape(shape, test_sizes[[shape]][[2]], mass_kg = 2.5)$size_m)
+    all <- setdiff(names(inertia_objects()), c("object", "mass_kg"))
+    sizes[setdiff(all, names(sizes))] <- NA_real_
+    as.data.frame(c(list(shape = shape, mass_kg = 2.5), sizes[all]))
+  }))
+  rows$note <- rev(seq_along(shapes))
+  table <- inertia_table(rows[sample(nrow(rows)), ])
+  for (i in seq_along(shapes)) {
+    row <- table[table$shape == shapes[i], ]
+    body <- body_of_shape(shapes[i], test_sizes[[shapes[i]]][[2]], mass_kg = 2.5)
+    got <- c(row$ixx_kg_m2, row$iyy_kg_m2, row$izz_kg_m2)
+    expect_ulps(got, unname(diag(body$inertia_kg_m2)), 3)
+    expect_identical(row$beta, body$beta)
+    expect_equal(row$radius_of_gyration_m, sqrt(row$moment_of_inertia_kg_m2 / 2.5))
+    expect_identical(row$note, rows$note[i])
+  }
+})
+
+test_that("names may be a factor, and rows are found by name wherever they are", {
+  rows <- data.frame(
+    object = factor(c("ring", "disk", NA, "disk"), levels = c("disk", "ring", "unused")),
+    mass_kg = 2, radius_m = 3
+  )
+  expect_identical(inertia_table(rows)$moment_of_inertia_kg_m2, c(18, 9, NA, 9))
+})
+
+test_that("sizes that do not fit together name the row", {
+  rows <- data.frame(
+    shape = c("disk", "annulus"), mass_kg = 1, radius_m = c(1, -5), outer_radius_m = 1,
+    inner_radius_m = c(-1, 2)
+  )
+  # The disk's row has no inner radius, the annulus no radius: neither is looked at.
+  expect_error(inertia_table(rows), "2 m in row 2", class = "rotdyn_error_value")
+  rows$inner_radius_m[2] <- 0.5
+  expect_equal(inertia_table(rows)$moment_of_inertia_kg_m2, c(0.5, 0.625))
+  expect_error(
+    inertia_table(data.frame(shape = "polygon_plate", mass_kg = 1, radius_m = 1, sides = c(3, 2))),
+    "row 2", class = "rotdyn_error_value"
+  )
+  expect_error(
+    inertia_table(data.frame(shape = "disk", mass_kg = c(1, 1, -2), radius_m = 1)),
+    "mass_kg.*row 3", class = "rotdyn_error_value"
+  )
+  expect_error(
+    inertia_table(data.frame(object = "wheel", beta = c(1, -1), mass_kg = 1, radius_m = 1)),
+    "beta.*row 2", class = "rotdyn_error_value"
+  )
+  expect_error(
+    inertia_table(data.frame(shape = "cone", mass_kg = 1, radius_m = 1)), "height_m",
+    class = "rotdyn_error_type"
+  )
+})
+
+test_that("rows with beta alone have one moment, and NA for the others", {
+  table <- inertia_table(data.frame(object = "wheel", mass_kg = 2, radius_m = 3, beta = 0.7))
+  expect_equal(table$moment_of_inertia_kg_m2, 12.6)
+  expect_identical(c(table$ixx_kg_m2, table$iyy_kg_m2, table$izz_kg_m2), rep(NA_real_, 3))
+  expect_identical(table$axis, "rolling axis")
+})
+
+test_that("bodies bring all their moments and sizes", {
+  table <- inertia_table(list(body_cone(2, 3, 5), body_box(1, 1, 2, 3)))
+  expect_identical(table$height_m, c(5, 3))
+  expect_identical(table$radius_m, c(3, NA))
+  expect_equal(table$ixx_kg_m2, c(2 * (3 * 9 / 20 + 3 * 25 / 80), 13 / 12))
+  expect_identical(table$izz_kg_m2, table$moment_of_inertia_kg_m2)
+})
+
+test_that("sizes without an end follow the formula", {
+  table <- inertia_table(data.frame(shape = c("disk", "rod"), mass_kg = 1, radius_m = Inf,
+                                    length_m = Inf))
+  expect_identical(table$moment_of_inertia_kg_m2, c(Inf, Inf))
+  expect_identical(table$ixx_kg_m2[2], 0)
+})
+
 test_that("published radii of gyration", {
   cases <- read.csv(shared("refs", "inertia_ratios.csv"), colClasses = "numeric")
   solid <- cases[cases$r == 0, ][1, ]

@@ -28,3 +28,15 @@ test_that("an inertia that only jumps has its value before and after", {
   expect_equal(audit(m)$verdict, "balanced")
   expect_error(inertia_knots(c(-1e308, 1e308), c(1, 2)), class = "rotdyn_error_value")
 })
+
+test_that("an axle may run through any point of the body", {
+  rod <- body_rod(1.5, 2)
+  of <- function(...) scene_axle(rod, ...)$moment_of_inertia_kg_m2
+  expect_equal(of(), 0.5)
+  expect_equal(of(through = c(1, 0, 0)), 2)
+  expect_equal(of(axis = "y", through = c(0, 5, 0)), 0.5)
+  moved <- place_body(rod, c(3, 0, 0))
+  expect_equal(scene_axle(moved, through = "origin")$moment_of_inertia_kg_m2, 0.5 + 1.5 * 9)
+  expect_error(scene_axle(rod, through = 1), class = "rotdyn_error_size")
+  expect_error(scene_axle(rod, through = "end"), class = "rotdyn_error_value")
+})

@@ -1,0 +1,148 @@
+#' Bodies by their corners
+#'
+#' @description
+#' * `body_polygon()`: a flat plate of any outline, in the plane z = 0.
+#' * `body_tetrahedron()`: a solid tetrahedron.
+#'
+#' \deqn{C = \frac{M}{24 A} \sum_i d_i \left(a_i a_i^T + b_i b_i^T
+#'   + (a_i + b_i)(a_i + b_i)^T\right), \quad d_i = a_i \times b_i}
+#' over the edges of a polygon, from \eqn{a_i} to \eqn{b_i} as seen from the centre of mass, with
+#' \eqn{A = \sum d_i/2} (Green);
+#' \deqn{C = \frac{M}{20} \sum_i (v_i - g)(v_i - g)^T}
+#' over the corners of a tetrahedron. Differences of corners are exact and sums carry 31 digits, so
+#' that a place far from the origin costs nothing.
+#'
+#' @inheritParams body_shapes
+#' @param vertices_m Corners in m, in the body's own axes, one a row: a matrix of two columns
+#'   (polygon) or three (tetrahedron, four rows), or a data frame with columns `x_m`, `y_m` (and
+#'   `z_m`). Those of a polygon go round it, in either sense; the first need not be repeated.
+#' @param areal_density_kg_m2,density_kg_m3 Mass per area or volume, instead of `mass_kg`.
+#' @inherit body_shapes return
+#' @section Errors: As for all shapes (see [body_shapes]); `rotdyn_error_value` also for corners on
+#'   one line (in one plane), and for edges that cross. Corners that touch an edge, as where a slit
+#'   leads to a hole, are no crossing.
+#' @source Steger, On the calculation of arbitrary moments of polygons, TU Muenchen FGBV-96-05
+#'   (1996); Tonon, Journal of Mathematics and Statistics 1 (2005) 8.
+#' @seealso [body_triangle()] by base and height, [body_polygon_plate()] and
+#'   [body_regular_tetrahedron()] for the regular ones; [cut_body()] for holes.
+#' @examples
+#' # An L, cut from sheet metal.
+#' ell <- cbind(c(0, 2, 2, 1, 1, 0), c(0, 0, 1, 1, 2, 2))
+#' body_polygon(vertices_m = ell, areal_density_kg_m2 = 8)
+#' body_tetrahedron(1, rbind(c(0, 0, 0), c(1, 0, 0), c(0, 2, 0), c(0, 0, 3)))$centre_m
+#' @name body_vertices
+NULL
+
+#' @rdname body_vertices
+#' @export
+body_polygon <- function(mass_kg, vertices_m, ..., areal_density_kg_m2 = NULL) {
+  call <- environment()
+  check_no_dots(...)
+  check_supplied("vertices_m", call)
+  vertices <- as_vertices(vertices_m, "vertices_m", 2L, call)
+  if (nrow(vertices) < 3L) {
+    abort_rotdyn(
+      c(
+        "A polygon has at least three corners.",
+        x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."
+      ),
+      "size",
+      call
+    )
+  }
+  new_vertices_body(
+    "polygon", ffi_vertices_polygon, vertices, "areal_density_kg_m2", "kg/m^2",
+    "sum over the edges", "Steger 1996", call
+  )
+}
+
+#' @rdname body_vertices
+#' @export
+body_tetrahedron <- function(mass_kg, vertices_m, ..., density_kg_m3 = NULL) {
+  call <- environment()
+  check_no_dots(...)
+  check_supplied("vertices_m", call)
+  vertices <- as_vertices(vertices_m, "vertices_m", 3L, call)
+  if (nrow(vertices) != 4L) {
+    abort_rotdyn(
+      c(
+        "A tetrahedron has four corners.",
+        x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."
+      ),
+      "size",
+      call
+    )
+  }
+  new_vertices_body(
+    "tetrahedron", ffi_vertices_tetrahedron, vertices, "density_kg_m3", "kg/m^3",
+    "m/20 sum (v - g)(v - g)'", "Tonon 2005", call
+  )
+}
+
+new_vertices_body <- function(shape, routine, vertices, density, unit, formula, source, call) {
+  amount <- mass_or_density(density, unit, call)
+  parts <- .Call(routine, vertices, amount, !is.null(names(amount)))
+  if (!is.list(parts)) {
+    abort_vertices(parts, shape, call)
+  }
+  body <- finish_body(
+    shape, parts, numeric(), list(formula = formula, source = source), amount, call
+  )
+  measure <- if (shape == "polygon") "area_m2" else "volume_m3"
+  body$detail <- c(
+    body$detail, list(corners = nrow(vertices)), stats::setNames(list(parts[[7]]), measure)
+  )
+  body
+}
+
+# A matrix of finite doubles with `dimension` columns.
+as_vertices <- function(x, arg, dimension, call) {
+  names <- c("x_m", "y_m", "z_m")[seq_len(dimension)]
+  if (is.data.frame(x)) {
+    if (!all(names %in% names(x))) {
+      abort_rotdyn(
+        c(
+          "{.arg {arg}} needs the columns {.field {names}}.",
+          x = "Its columns are {.field {names(x)}}."
+        ),
+        "type",
+        call
+      )
+    }
+    columns <- lapply(names, function(name) check_finite(x[[name]], name, "m", call))
+    return(matrix(unlist(columns, use.names = FALSE), ncol = dimension))
+  }
+  if (!is.matrix(x) || ncol(x) != dimension) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be a matrix of {dimension} columns, or a data frame with the columns
+         {.field {names}}.",
+        x = "It is {describe_value(x)}."
+      ),
+      if (is.matrix(x)) "size" else "type",
+      call
+    )
+  }
+  rows <- nrow(x)
+  matrix(check_finite(x, arg, "m", call), rows, dimension)
+}
+
+# c(fault, edge, edge), in the order of rot_vertices_fault.
+abort_vertices <- function(fault, shape, call) {
+  flat <- fault[1] == 1
+  abort_rotdyn(
+    if (!flat) {
+      c(
+        "The edges of {.arg vertices_m} cross.",
+        x = "The one from corner {fault[2]} crosses the one from corner {fault[3]}.",
+        i = "Corners must go round the outline, in either sense."
+      )
+    } else if (shape == "polygon") {
+      c("The corners of {.arg vertices_m} enclose no area.", i = "They lie on one line.")
+    } else {
+      c("The corners of {.arg vertices_m} enclose no volume.", i = "They lie in one plane.")
+    },
+    "value",
+    call
+  )
+}

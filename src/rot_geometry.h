@@ -1,0 +1,46 @@
+/* What a shape's sizes say about it, per unit mass: second moments about the centre of mass, the
+ * centre itself, volume (area, length), reach, and beta where it rolls.
+ *
+ *     c_xx = int (x - g_x)^2 dm / m,   I_xx/m = c_yy + c_zz,   I_xy/m = -c_xy
+ *
+ * All forms are sums of terms of one sign (a triangle's c_xy and centre but for), so that no size
+ * cancels another: a hollow sphere as (1 + x + .. + x^4)/(1 + x + x^2) with x = r/R, a cap in its
+ * height h and the rest of the diameter, b = 2 R - h. The functions want sizes near 1: whoever
+ * calls them scales by a power of two.
+ *
+ * Source: Goldstein, Classical Mechanics, 3rd ed., ch. 5; Beer & Johnston, Vector Mechanics for
+ * Engineers, inside cover; the rest by integration of the same kind. */
+#ifndef ROT_GEOMETRY_H
+#define ROT_GEOMETRY_H
+
+enum { ROT_SIZES = 4 };
+
+typedef struct rot_geometry {
+  double second[4]; /* xx, yy, zz, xy; the others are zero in every shape's own axes */
+  double moment; /* the one that tables report: I_zz about the centre, unless it says otherwise */
+  double centre[3]; /* in the own axes */
+  double measure;   /* volume, area or length, by the shape's dimension; NaN if it has none */
+  double reach;     /* from the centre of mass to the farthest point */
+  double beta;      /* I_zz/(m r^2) on the outer radius; NaN where it does not roll about z */
+} rot_geometry;
+
+typedef void rot_geometry_function(const double size[ROT_SIZES], rot_geometry *out);
+
+/* Points and lines */
+rot_geometry_function rot_point, rot_sliding_point, rot_rod, rot_rod_end, rot_hoop, rot_half_hoop;
+/* Plates, in the plane of x and y */
+rot_geometry_function rot_disk, rot_annulus, rot_half_disk, rot_elliptic_plate, rot_rectangle,
+    rot_triangle, rot_polygon_plate;
+/* Shells: mass spread evenly over a surface, but for the ellipsoid's */
+rot_geometry_function rot_tube, rot_can, rot_spherical_shell, rot_hemispherical_shell,
+    rot_spherical_cap_shell, rot_cone_shell, rot_frustum_shell, rot_torus_shell,
+    rot_ellipsoid_shell, rot_box_shell;
+/* Round solids */
+rot_geometry_function rot_cylinder, rot_thick_tube, rot_half_cylinder, rot_elliptic_cylinder,
+    rot_sphere, rot_hollow_sphere, rot_hemisphere, rot_spherical_cap, rot_cone, rot_frustum,
+    rot_paraboloid, rot_ellipsoid, rot_torus, rot_capsule;
+/* Solids with flat faces */
+rot_geometry_function rot_box, rot_cube, rot_polygon_prism, rot_triangular_prism, rot_pyramid,
+    rot_regular_tetrahedron, rot_regular_octahedron;
+
+#endif
