@@ -50,9 +50,10 @@ body_polygon <- function(mass_kg, vertices_m, ..., areal_density_kg_m2 = NULL) {
       call
     )
   }
+  amount <- mass_or_density("areal_density_kg_m2", "kg/m^2", call)
+  parts <- .Call(ffi_vertices_polygon, vertices, amount, !is.null(names(amount)))
   new_vertices_body(
-    "polygon", ffi_vertices_polygon, vertices, "areal_density_kg_m2", "kg/m^2",
-    "sum over the edges", "Steger 1996", call
+    "polygon", vertices, parts, amount, "sum over the edges", "Steger 1996", call
   )
 }
 
@@ -73,15 +74,14 @@ body_tetrahedron <- function(mass_kg, vertices_m, ..., density_kg_m3 = NULL) {
       call
     )
   }
+  amount <- mass_or_density("density_kg_m3", "kg/m^3", call)
+  parts <- .Call(ffi_vertices_tetrahedron, vertices, amount, !is.null(names(amount)))
   new_vertices_body(
-    "tetrahedron", ffi_vertices_tetrahedron, vertices, "density_kg_m3", "kg/m^3",
-    "m/20 sum (v - g)(v - g)'", "Tonon 2005", call
+    "tetrahedron", vertices, parts, amount, "m/20 sum (v - g)(v - g)'", "Tonon 2005", call
   )
 }
 
-new_vertices_body <- function(shape, routine, vertices, density, unit, formula, source, call) {
-  amount <- mass_or_density(density, unit, call)
-  parts <- .Call(routine, vertices, amount, !is.null(names(amount)))
+new_vertices_body <- function(shape, vertices, parts, amount, formula, source, call) {
   if (!is.list(parts)) {
     abort_vertices(parts, shape, call)
   }
