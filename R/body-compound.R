@@ -90,6 +90,7 @@ place_detail <- function(detail, turn, at_m) {
 join_bodies <- function(..., name = "compound") {
   call <- rlang::current_env()
   parts <- flatten_bodies(list(...), call)
+  name <- check_name(name, "name", call)
   if (!length(parts)) {
     abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)
   }
@@ -104,6 +105,7 @@ cut_body <- function(body, hole, ..., name = NULL) {
   check_no_dots(...)
   check_body(body, call)
   check_body(hole, call, "hole")
+  if (!is.null(name)) name <- check_name(name, "name", call)
   if (!(hole$mass_kg < body$mass_kg)) {
     abort_rotdyn(
       c(

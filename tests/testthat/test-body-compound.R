@@ -259,3 +259,19 @@ test_that("bad arguments are refused by class", {
   # A hole larger than what it is cut from.
   expect_error(cut_body(disk, body_hoop(1, 1)), class = "rotdyn_error_inertia")
 })
+
+test_that("a name is one piece of text", {
+  disk <- body_disk(1, 1)
+  hole <- body_disk(0.1, 0.1)
+  expect_error(join_bodies(disk, name = 1), class = "rotdyn_error_type")
+  expect_error(join_bodies(disk, name = NULL), class = "rotdyn_error_type")
+  expect_error(join_bodies(disk, name = c("a", "b")), class = "rotdyn_error_size")
+  expect_error(cut_body(disk, hole, name = NA), class = "rotdyn_error_type")
+  expect_error(body_tensor(1, diag(3), name = 1), class = "rotdyn_error_type")
+  expect_error(
+    body_points(data.frame(mass_kg = 1, x_m = 0, y_m = 0), name = sum),
+    class = "rotdyn_error_type"
+  )
+  expect_error(body_density(1, domain_ball(1), name = NULL), class = "rotdyn_error_type")
+  expect_equal(cut_body(disk, hole)$shape, "disk with a hole")
+})
