@@ -44,6 +44,7 @@
 #' @export
 principal_axes <- function(body, ..., tolerance = NULL) {
   call <- rlang::current_env()
+  check_supplied("body", call)
   check_no_dots(...)
   if (!inherits(body, "rot_body")) {
     body <- body_of_tensor(body, call)
@@ -75,6 +76,7 @@ principal_axes <- function(body, ..., tolerance = NULL) {
 #' @rdname principal_axes
 #' @export
 symmetry_class <- function(body, ..., tolerance = NULL) {
+  check_supplied("body", rlang::current_env())
   check_no_dots(...)
   attr(principal_axes(body, tolerance = tolerance), "symmetry")
 }

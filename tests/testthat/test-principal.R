@@ -139,3 +139,8 @@ test_that("bad arguments are refused by class", {
     expect_error(symmetry_class(bad), class = "rotdyn_error_inertia")
   }
 })
+
+test_that("what was left out is named", {
+  expect_error(principal_axes(), class = "rotdyn_error_missing")
+  expect_error(symmetry_class(), class = "rotdyn_error_missing")
+})
