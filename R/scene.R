@@ -18,8 +18,8 @@
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which the state above holds. Output times do not move it: what a scene
 #'   does cannot depend on when it is looked at. Times before it are reached backwards.
-#' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers of
-#'   any length but 0.
+#' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers
+#'   of any length but 0.
 #' @param through A point on the axle: `"centre"` (of mass), `"origin"` (of the body's own axes), or
 #'   three numbers in m in the own axes. Of no account where `body` is no `rot_body`.
 #' @return A `rot_scene_axle`, which is a `rot_scene`.
