@@ -26,7 +26,8 @@
 #'   all of theirs are. A hole that leaves little makes it large: that is the truth.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also a hole
 #'   heavier than the body), `rotdyn_error_inertia` for a hole that cannot have been inside the
-#'   body, `rotdyn_error_range`, `rotdyn_error_unit`.
+#'   body: its centre is farther out than the body reaches, or no body is left. (One that sticks out
+#'   a little is not noticed.) `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @examples
 #' # A dumbbell: a rod along x and a ball at each end.
@@ -90,6 +91,7 @@ place_detail <- function(detail, turn, at_m) {
 join_bodies <- function(..., name = "compound") {
   call <- rlang::current_env()
   parts <- flatten_bodies(list(...), call)
+  name <- check_name(name, "name", call)
   if (!length(parts)) {
     abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)
   }
@@ -104,6 +106,7 @@ cut_body <- function(body, hole, ..., name = NULL) {
   check_no_dots(...)
   check_body(body, call)
   check_body(hole, call, "hole")
+  if (!is.null(name)) name <- check_name(name, "name", call)
   if (!(hole$mass_kg < body$mass_kg)) {
     abort_rotdyn(
       c(
@@ -116,12 +119,33 @@ cut_body <- function(body, hole, ..., name = NULL) {
       call
     )
   }
+  check_hole_near(body, hole, call)
   left <- combine_bodies(
     list(body, hole), c(1, -1), name %||% paste(body$shape, "with a hole"), call
   )
   check_inertia_or_abort(left$inertia_kg_m2, left$mass_kg, call)
   left$reach_m <- body$reach_m + sqrt(sum((left$centre_m - body$centre_m)^2))
   left
+}
+
+# The centre of what lies in a body is no farther from the body's centre than its farthest point.
+check_hole_near <- function(body, hole, call) {
+  gap <- as.double(hole$centre_m) - as.double(body$centre_m)
+  largest <- max(abs(gap))
+  away <- if (largest > 0) largest * sqrt(sum((gap / largest)^2)) else 0
+  rounding <- 8 * .Machine$double.eps * (max(abs(body$centre_m)) + max(abs(hole$centre_m)))
+  if (isTRUE(hole$mass_kg > 0 && away > body$reach_m * (1 + 1e-12) + rounding)) {
+    abort_rotdyn(
+      c(
+        "A hole must be inside of what it is cut from.",
+        x = "The centre of {.arg hole} is {format_si(away)} m from that of {.arg body}, which
+             reaches {format_si(body$reach_m)} m.",
+        i = "Both must be placed in one frame: {.fn place_body}."
+      ),
+      "inertia",
+      call
+    )
+  }
 }
 
 flatten_bodies <- function(x, call) {

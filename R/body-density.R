@@ -78,6 +78,7 @@ body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
   check_no_dots(...)
   remedy <- "Make one with {.fn domain_box} or its sisters."
   check_class(domain, "rot_domain", "domain", remedy, call)
+  name <- check_name(name, "name", call)
   if (!is.null(mass_kg)) mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   method <- density_method(method, domain, call)
   run <- list(

@@ -54,6 +54,7 @@ body_points <- function(data, ..., mass_kg = NULL, name = "points") {
   call <- rlang::current_env()
   check_supplied("data", call)
   check_no_dots(...)
+  name <- check_name(name, "name", call)
   points <- read_points(data, mass_kg, call)
   bad <- .Call(ffi_points_bad, points$mass_kg, points$x_m, points$y_m, points$z_m)
   if (bad[1] > 0) {
@@ -121,6 +122,17 @@ read_points <- function(data, mass_kg, call) {
       "size",
       call
     )
+  }
+  for (column in place_columns) {
+    # A column that is a matrix would be read as more points.
+    if (!length(points[[column]]) %in% c(1L, n)) {
+      abort_rotdyn(
+        "{.arg {column}} must have one number for each of the {n} point{?s}: it has
+         {length(points[[column]])}.",
+        "size",
+        call
+      )
+    }
   }
   lapply(points, function(x) {
     attributes(x) <- NULL

@@ -38,6 +38,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   check_no_dots(...)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
+  name <- check_name(name, "name", call)
   if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
   askew <- max(abs(tensor - t(tensor))) / 2
@@ -52,7 +53,8 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   point <- as_point(about, list(centre_m = centre_m), "about", call)
   rotation <- if (identical(axes, "own")) NULL else as_rotation(axes, "axes", call)
   d <- centre_m - point
-  scale <- sum(abs(diag(tensor)))
+  largest <- max(abs(tensor))
+  scale <- sum(abs(diag(tensor)) / largest)
   if (!is.null(rotation)) {
     tensor <- .Call(ffi_inertia_rotate, tensor, rotation)
   }
@@ -62,14 +64,19 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   }
   tensor <- check_inertia_or_abort(tensor, mass_kg, call, reach_m = reach_m)
   second <- .Call(ffi_inertia_second, tensor)
-  trace <- sum(diag(second))
+  # Relative to the largest entry: near 1.8e308 the sums would overflow.
+  trace <- sum(diag(second) / largest)
   new_body(
     name, mass_kg, second, centre_m,
     reach_m = reach_m %||% NA_real_,
     formula = "given",
     provenance = "tensor",
     # Three numbers of the tensor, rounded once each, go into one of the second moment.
-    error = if (trace > 0) (8 * .Machine$double.eps * scale + askew) / trace else 0
+    error = if (largest > 0 && trace > 0) {
+      (8 * .Machine$double.eps * scale + askew / largest) / trace
+    } else {
+      0
+    }
   )
 }
 

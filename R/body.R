@@ -48,11 +48,12 @@ check_body <- function(body, call, arg = "body") {
   body
 }
 
-# I_n = n' I n about a unit vector n in the body's own axes, through the centre of mass or `point`.
-moment_about_axis <- function(body, axis, point = .subset2(body, "centre_m")) {
+# I_n = n' I n about a unit vector n in the body's own axes, through a point.
+moment_about_axis <- function(body, axis, point = centre) {
+  centre <- .subset2(body, "centre_m")
   .Call(
-    ffi_inertia_axis, .subset2(body, "mass_kg"), .subset2(body, "centre_m"),
-    .subset2(body, "second_moment_kg_m2"), axis, point
+    ffi_inertia_axis, .subset2(body, "mass_kg"), centre, .subset2(body, "second_moment_kg_m2"),
+    axis, point
   )
 }
 

@@ -205,6 +205,18 @@ check_accuracy <- function(accuracy, call) {
   check_number(accuracy, "accuracy", "1", call, lower = 0, upper = 1, open = TRUE)
 }
 
+# What to call a thing: one piece of text.
+check_name <- function(x, arg, call) {
+  if (!is.character(x) || is.object(x) || length(x) != 1L || is.na(x)) {
+    abort_rotdyn(
+      c("{.arg {arg}} must be one piece of text.", x = "It is {describe_value(x)}."),
+      if (is.character(x) && length(x) != 1L) "size" else "type",
+      call
+    )
+  }
+  x
+}
+
 check_string <- function(x, arg, choices, call) {
   if (!is.character(x) || length(x) != 1L || is.na(x) || !x %in% choices) {
     abort_rotdyn(

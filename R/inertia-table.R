@@ -10,7 +10,9 @@
 #'     `thin_spherical_shell`, `point_mass_sliding`, ...) are understood. A row whose name is no
 #'     standard shape needs `beta` and `radius_m`: its moment is `beta m r^2`. Other columns are
 #'     kept; sizes that a row's shape does not have are not looked at.
-#'   * a `rot_body`, or a list of them: the moment about the body's `z` axis.
+#'   * a `rot_body`, or a list of them: the moment about the body's `z` axis through its centre of
+#'     mass; of a [body_rod_end()] about its end, and of a [body_point()] about the axis that it
+#'     is `radius_m` away from. Where a body was placed does not matter.
 #' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
 #'   sizes are simple parts of these: inner radii are half of `radius_m`.
 #' @return A tibble: the columns of `objects`, then
@@ -106,7 +108,18 @@ needed_column <- function(column, unit, objects, call) {
   if (is.null(objects[[column]])) {
     abort_missing_column(column, objects, call)
   }
-  check_column(objects[[column]], column, unit, call)
+  values <- check_column(objects[[column]], column, unit, call)
+  if (length(values) != nrow(objects)) {
+    abort_rotdyn(
+      c(
+        "{.arg {column}} must have one number for each row.",
+        x = "It has {length(values)} for {nrow(objects)} row{?s}."
+      ),
+      "size",
+      call
+    )
+  }
+  values
 }
 
 # The columns of sizes in the order of the C core, NULL where no row needs one.
@@ -180,20 +193,39 @@ inertia_of_bodies <- function(bodies, call) {
   moment <- function(k) pick(function(b) b$inertia_kg_m2[k, k])
   mass <- pick(function(b) b$mass_kg)
   izz <- moment(3)
+  # Two shapes are named after an axis that is not through their centre.
+  id <- shape_ids(vapply(bodies, axis_shape, ""), shape_table())
+  away <- pick(distance_of_axis)
+  about <- izz + mass * away * away
   tibble::new_tibble(c(
     list(object = vapply(bodies, function(b) b$shape, character(1)), mass_kg = mass),
     sizes,
     list(
-      moment_of_inertia_kg_m2 = izz,
+      moment_of_inertia_kg_m2 = about,
       ixx_kg_m2 = moment(1),
       iyy_kg_m2 = moment(2),
       izz_kg_m2 = izz,
       beta = pick(function(b) b$beta),
-      radius_of_gyration_m = sqrt(izz / mass),
-      axis = rep("own z axis", length(bodies)),
+      radius_of_gyration_m = sqrt(about / mass),
+      axis = c("own z axis", shape_table()$axis)[id + 1L],
       formula = vapply(bodies, function(b) b$formula, character(1))
     )
   ), nrow = length(bodies))
+}
+
+# The shape of a body if its moment is about an axis that is not through its centre; else "".
+axis_shape <- function(body) {
+  off <- body$provenance == "formula" && body$shape %in% c("point", "rod_end")
+  if (off) body$shape else ""
+}
+
+# How far that axis is from the centre.
+distance_of_axis <- function(body) {
+  switch(axis_shape(body),
+    point = body$size_m[["radius_m"]],
+    rod_end = body$size_m[["length_m"]] / 2,
+    0
+  )
 }
 
 check_not_negative <- function(x, arg, unit, call) {

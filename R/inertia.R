@@ -100,7 +100,8 @@ check_in_range <- function(x, call) {
 }
 
 check_products <- function(products, call) {
-  check_string(products[1], "products", c("negative", "positive"), call)
+  first <- if (is.character(products)) products[1] else products
+  check_string(first, "products", c("negative", "positive"), call)
 }
 
 flip_products <- function(tensor) {

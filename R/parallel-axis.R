@@ -54,6 +54,19 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
   value <- columns$inertia_kg_m2 + sign * moved
   # A point mass comes back as rounding of either sign.
   rounding <- 4 * .Machine$double.eps * moved
+  # NA gives NA; anything else that is not finite has left the range.
+  known <- !(is.na(columns$inertia_kg_m2) | is.na(columns$mass_kg) | is.na(columns$distance_m))
+  if (any(known & !is.finite(value))) {
+    abort_rotdyn(
+      c(
+        "The inertia is beyond double precision.",
+        x = "In row {which(known & !is.finite(value))[1]} it is
+             {format(value[known & !is.finite(value)][1])}."
+      ),
+      "range",
+      call
+    )
+  }
   if (sign < 0) {
     below <- which(value < -rounding)
     if (length(below)) {

@@ -20,6 +20,7 @@
 #' | `"oblate"` | I1 = I2 < I3 |
 #' | `"prolate"` | I1 < I2 = I3 |
 #' | `"asymmetric"` | all different |
+#' | `"unknown"` | the body's own error is half of its second moment, or more |
 #'
 #' @param body A `rot_body`, or a 3 x 3 inertia tensor in kg m^2 (off-diagonal elements are minus
 #'   the products of inertia), which must be one that a body can have: see [check_inertia()].
@@ -44,10 +45,13 @@
 #' @export
 principal_axes <- function(body, ..., tolerance = NULL) {
   call <- rlang::current_env()
+  check_supplied("body", call)
   check_no_dots(...)
   if (!inherits(body, "rot_body")) {
     body <- body_of_tensor(body, call)
   }
+  # Digits that are all noise make no rod.
+  unknown <- is.null(tolerance) && isTRUE(body$error >= 0.5)
   tolerance <- if (is.null(tolerance)) {
     max(1e-12, body$error, na.rm = TRUE)
   } else {
@@ -67,7 +71,7 @@ principal_axes <- function(body, ..., tolerance = NULL) {
     ),
     nrow = 3L,
     axes = p$axes,
-    symmetry = name_symmetry(p$second, equal, tolerance),
+    symmetry = if (unknown) "unknown" else name_symmetry(p$second, equal, tolerance),
     class = "rot_principal_axes"
   )
 }
@@ -75,6 +79,7 @@ principal_axes <- function(body, ..., tolerance = NULL) {
 #' @rdname principal_axes
 #' @export
 symmetry_class <- function(body, ..., tolerance = NULL) {
+  check_supplied("body", rlang::current_env())
   check_no_dots(...)
   attr(principal_axes(body, tolerance = tolerance), "symmetry")
 }
@@ -106,6 +111,7 @@ describe_symmetry <- function(axes) {
     symmetry,
     switch(symmetry,
       point = "",
+      unknown = " (the error is as large as the body's second moment)",
       rod = " (any axes across it are principal)",
       spherical = " (every axis is principal)",
       if (free == 2L) {

@@ -3,6 +3,12 @@
 #' The scene that [trajectory()] computes: `d(I omega)/dt = torque + resistance`,
 #' `d(theta)/dt = omega`, with `I` the moment of inertia about the axle.
 #'
+#' The axle goes through the body's centre of mass unless `through` says otherwise: where
+#' [place_body()] put a body, and at which of its points its own axes begin (the end of a
+#' [body_rod_end()], say), does not matter by itself. A message of class `rotdyn_message_axle` says
+#' so where the centre is not on the own axis in question and `through` is not given. No weight acts,
+#' wherever the axle is: [scene_pendulum()] and [torque_gravity()] have it.
+#'
 #' @param body A `rot_body` (see [body_disk()]), or one number: the moment of inertia about the axle
 #'   in kg m^2. It must be greater than 0. Or [inertia_knots()], where it changes in time.
 #' @param torque A torque law (see [torque] and [torque-terms]) or a sum of them, an R function, one
@@ -12,11 +18,10 @@
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which the state above holds. Output times do not move it: what a scene
 #'   does cannot depend on when it is looked at. Times before it are reached backwards.
-#' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers of
-#'   any length but 0.
+#' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers
+#'   of any length but 0.
 #' @param through A point on the axle: `"centre"` (of mass), `"origin"` (of the body's own axes), or
-#'   three numbers in m in the own axes. No weight acts, wherever the axle is: [scene_pendulum()]
-#'   has it.
+#'   three numbers in m in the own axes. Of no account where `body` is no `rot_body`.
 #' @return A `rot_scene_axle`, which is a `rot_scene`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (no inertia to
 #'   turn included), `rotdyn_error_unit`.
@@ -27,6 +32,8 @@
 #'   torque_knots(time_s = c(0, 1, 4, 6, 8), torque_n_m = c(0, 0.8, 0.8, 0, 0)),
 #'   resistance(viscous_n_m_s = 0.03)
 #' )
+#' # A rod that turns about its end.
+#' scene_axle(body_rod_end(mass_kg = 1.5, length_m = 2), 0.8, through = "origin")
 #' @export
 scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
                        omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1),
@@ -38,10 +45,11 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   check_no_dots(...)
   if (inherits(body, "rot_body")) {
     if (!missing(axis)) axis <- unit_axis(as_axis(axis, call), call)
-    inertia <- if (missing(through)) {
-      moment_about_axis(body, axis)
+    if (missing(through)) {
+      inertia <- moment_about_axis(body, axis)
+      if (any(.subset2(body, "centre_m") != 0)) say_axle_in_centre(body, axis)
     } else {
-      moment_about_axis(body, axis, as_point(through, body, "through", call))
+      inertia <- moment_about_axis(body, axis, as_point(through, body, "through", call))
     }
   } else if (is.numeric(body)) {
     inertia <- check_number(body, "body", "kg*m^2", call)
@@ -69,6 +77,27 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   }
   new_scene_axle(
     body, inertia, changing, axis, torque, resistance, theta0_rad, omega0_rad_per_s, start_s
+  )
+}
+
+# Where the own axis that is parallel to the axle misses the centre of mass, the user may have meant
+# that one.
+say_axle_in_centre <- function(body, axis) {
+  centre <- as.double(.subset2(body, "centre_m"))
+  off <- centre - sum(centre * axis) * axis
+  size <- sqrt(sum(diag(body$second_moment_kg_m2)) / body$mass_kg)
+  if (!is.finite(size)) size <- 0
+  if (max(abs(off)) <= 16 * .Machine$double.eps * (size + max(abs(centre)))) {
+    return(invisible())
+  }
+  cli::cli_inform(
+    c(
+      "The axle is taken through the centre of mass, {format_si(sqrt(sum(off^2)))} m from the
+       body's own axis.",
+      i = "{.code through = \"centre\"} says that it is meant; {.code through = \"origin\"} takes
+           the own axis instead."
+    ),
+    class = c("rotdyn_message_axle", "rotdyn_message")
   )
 }
 

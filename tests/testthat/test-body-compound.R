@@ -259,3 +259,37 @@ test_that("bad arguments are refused by class", {
   # A hole larger than what it is cut from.
   expect_error(cut_body(disk, body_hoop(1, 1)), class = "rotdyn_error_inertia")
 })
+
+test_that("a name is one piece of text", {
+  disk <- body_disk(1, 1)
+  hole <- body_disk(0.1, 0.1)
+  expect_error(join_bodies(disk, name = 1), class = "rotdyn_error_type")
+  expect_error(join_bodies(disk, name = NULL), class = "rotdyn_error_type")
+  expect_error(join_bodies(disk, name = c("a", "b")), class = "rotdyn_error_size")
+  expect_error(cut_body(disk, hole, name = NA), class = "rotdyn_error_type")
+  expect_error(body_tensor(1, diag(3), name = 1), class = "rotdyn_error_type")
+  expect_error(
+    body_points(data.frame(mass_kg = 1, x_m = 0, y_m = 0), name = sum),
+    class = "rotdyn_error_type"
+  )
+  expect_error(body_density(1, domain_ball(1), name = NULL), class = "rotdyn_error_type")
+  expect_equal(cut_body(disk, hole)$shape, "disk with a hole")
+})
+
+test_that("a hole beyond the body is refused, one at its very edge is not", {
+  ball <- body_sphere(10, 1)
+  hole <- body_sphere(0.01, 0.1)
+  expect_error(cut_body(ball, place_body(hole, c(1.5, 0, 0))), class = "rotdyn_error_inertia")
+  expect_error(
+    cut_body(place_body(ball, c(9, 0, 0)), hole),
+    class = "rotdyn_error_inertia"
+  )
+  far <- c(1e8, 1e8, 0)
+  left <- cut_body(place_body(ball, far), place_body(hole, far + c(0.9, 0, 0)))
+  expect_equal(left$mass_kg, 9.99)
+  hoop <- body_hoop(3, 0.7)
+  expect_equal(cut_body(hoop, place_body(body_point(1), c(0.7, 0, 0)))$mass_kg, 2)
+  # Nothing is known of how far it reaches.
+  given <- body_tensor(10, c(4, 4, 4))
+  expect_equal(cut_body(given, place_body(hole, c(1.5, 0, 0)))$mass_kg, 9.99)
+})

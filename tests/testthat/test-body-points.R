@@ -152,3 +152,10 @@ test_that("points of a rod of many points tend to the rod", {
   expect_equal(body$inertia_kg_m2["z", "z"], 1.5 * 4 / 12 * (1 - 1 / n^2), tolerance = 1e-11)
   expect_lte(body$inertia_kg_m2["x", "x"], 1e-12)
 })
+
+test_that("a column that is a matrix does not become more points", {
+  wide <- tibble::tibble(mass_kg = 1, x_m = matrix(c(1, 2), 1), y_m = 1)
+  expect_error(body_points(wide), class = "rotdyn_error_size")
+  tall <- tibble::tibble(mass_kg = c(1, 3), x_m = matrix(c(0, 4), 2), y_m = 1)
+  expect_equal(body_points(tall)$centre_m[["x"]], 3)
+})

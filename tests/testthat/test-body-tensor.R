@@ -164,3 +164,11 @@ test_that("a tensor that knows its point, axes and signs comes back as the same 
   again <- body_tensor(2, known, body$centre_m)
   expect_equal(again$second_moment_kg_m2, body$second_moment_kg_m2, tolerance = 1e-12)
 })
+
+test_that("a tensor near the largest double keeps its class and its error", {
+  big <- body_tensor(1, diag(3) * 1e308)
+  expect_lt(big$error, 1e-14)
+  expect_equal(symmetry_class(big), "spherical")
+  small <- body_tensor(1, diag(3) * 2^-1000)
+  expect_equal(small$error, big$error)
+})

@@ -143,3 +143,23 @@ test_that("published radii of gyration", {
     table$moment_of_inertia_kg_m2, c(solid$hollow_sphere_k2, solid$thick_cylinder_axis_k2), 2
   )
 })
+
+test_that("a table of bodies has each moment about the axis it names", {
+  bodies <- list(body_rod_end(2, 3), body_point(2, 3), body_disk(2, 3), body_rod(2, 3))
+  of_bodies <- inertia_table(bodies)
+  expect_equal(of_bodies$moment_of_inertia_kg_m2, c(2 * 9 / 3, 2 * 9, 9, 2 * 9 / 12))
+  expect_equal(of_bodies$radius_of_gyration_m, sqrt(of_bodies$moment_of_inertia_kg_m2 / 2))
+  expect_equal(of_bodies$izz_kg_m2, c(1.5, 0, 9, 1.5))
+  expect_equal(
+    of_bodies$axis,
+    c("perpendicular, through one end", "at distance r", "own z axis", "own z axis")
+  )
+  # Another body of the same name is not that shape.
+  given <- body_tensor(2, c(0, 1, 1), name = "rod_end")
+  expect_equal(inertia_table(given)$moment_of_inertia_kg_m2, 1)
+})
+
+test_that("a column that is a matrix is no column of numbers", {
+  wide <- tibble::tibble(object = "disk", mass_kg = 1, radius_m = matrix(c(1, 2), 1))
+  expect_error(inertia_table(wide), class = "rotdyn_error_size")
+})

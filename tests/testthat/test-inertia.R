@@ -244,3 +244,8 @@ test_that("points may come with a unit", {
     moment_of_inertia(disk, "z", units::set_units(c(25, 0, 0), "kg")), class = "rotdyn_error_unit"
   )
 })
+
+test_that("a sign convention that is no text is an error of this package", {
+  expect_error(inertia_tensor(body_disk(1, 1), products = sum), class = "rotdyn_error_value")
+  expect_error(body_tensor(1, diag(3), products = sum), class = "rotdyn_error_value")
+})

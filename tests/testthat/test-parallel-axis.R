@@ -129,3 +129,12 @@ test_that("bad arguments are refused by class", {
     parallel_axis(diag(3), 5, c(1, 0, 0), direction = "to_centre"), class = "rotdyn_error_inertia"
   )
 })
+
+test_that("a moment outside of double precision is an error, NA is not", {
+  expect_error(parallel_axis(1, 1, 1e200), class = "rotdyn_error_range")
+  expect_error(parallel_axis(c(1, 1), c(1, Inf), 0), class = "rotdyn_error_range")
+  expect_error(
+    parallel_axis(Inf, 1, 1e200, direction = "to_centre"), class = "rotdyn_error_range"
+  )
+  expect_equal(parallel_axis(c(NA, 1), 1, c(1e200, 1)), c(NA, 2))
+})

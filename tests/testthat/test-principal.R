@@ -139,3 +139,19 @@ test_that("bad arguments are refused by class", {
     expect_error(symmetry_class(bad), class = "rotdyn_error_inertia")
   }
 })
+
+test_that("what was left out is named", {
+  expect_error(principal_axes(), class = "rotdyn_error_missing")
+  expect_error(symmetry_class(), class = "rotdyn_error_missing")
+})
+
+test_that("a body whose error is as large as itself has no class", {
+  # What is left of the ball is a rounding: 2^-50 of its mass.
+  left <- cut_body(body_sphere(1, 1), body_sphere(1 - 2^-50, 1 - 2^-51))
+  expect_gt(left$error, 0.5)
+  expect_equal(symmetry_class(left), "unknown")
+  expect_output(print(left), "the error is as large")
+  expect_equal(symmetry_class(body_sphere(1, 1e-170)), "unknown")
+  # A tolerance of the user's own is taken at its word.
+  expect_no_match(symmetry_class(left, tolerance = 1e-12), "unknown")
+})

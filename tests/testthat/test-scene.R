@@ -29,14 +29,26 @@ test_that("an inertia that only jumps has its value before and after", {
   expect_error(inertia_knots(c(-1e308, 1e308), c(1, 2)), class = "rotdyn_error_value")
 })
 
-test_that("an axle may run through any point of the body", {
-  rod <- body_rod(1.5, 2)
-  of <- function(...) scene_axle(rod, ...)$moment_of_inertia_kg_m2
-  expect_equal(of(), 0.5)
-  expect_equal(of(through = c(1, 0, 0)), 2)
-  expect_equal(of(axis = "y", through = c(0, 5, 0)), 0.5)
-  moved <- place_body(rod, c(3, 0, 0))
-  expect_equal(scene_axle(moved, through = "origin")$moment_of_inertia_kg_m2, 0.5 + 1.5 * 9)
-  expect_error(scene_axle(rod, through = 1), class = "rotdyn_error_size")
+test_that("an axle goes through the centre, or the point that is asked for", {
+  rod <- body_rod_end(2, 3)
+  expect_message(centre <- scene_axle(rod), class = "rotdyn_message_axle")
+  expect_equal(centre$moment_of_inertia_kg_m2, 2 * 3^2 / 12)
+  expect_no_message(end <- scene_axle(rod, through = "origin"))
+  expect_equal(end$moment_of_inertia_kg_m2, 2 * 3^2 / 3)
+  expect_no_message(same <- scene_axle(rod, through = "centre"))
+  expect_equal(same$moment_of_inertia_kg_m2, 2 * 3^2 / 12)
+  aside <- place_body(body_disk(2, 0.5), c(1, 2, 7))
+  expect_equal(scene_axle(aside, through = "origin")$moment_of_inertia_kg_m2, 0.25 + 2 * 5)
+  expect_equal(scene_axle(aside, through = c(1, 0, 0))$moment_of_inertia_kg_m2, 0.25 + 2 * 4)
+  expect_equal(
+    scene_axle(aside, axis = "x", through = "origin")$moment_of_inertia_kg_m2, 0.125 + 2 * 53
+  )
+  expect_equal(
+    scene_axle(body_rod(1.5, 2), axis = "y", through = c(0, 5, 0))$moment_of_inertia_kg_m2, 0.5
+  )
+  # Along the axle a place is of no account.
+  expect_no_message(scene_axle(place_body(body_disk(2, 0.5), c(0, 0, 7))))
+  expect_no_message(scene_axle(body_cone(1, 0.5, 2)))
   expect_error(scene_axle(rod, through = "end"), class = "rotdyn_error_value")
+  expect_error(scene_axle(rod, through = 1), class = "rotdyn_error_size")
 })
