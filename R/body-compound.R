@@ -53,6 +53,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   second <- body$second_moment_kg_m2
   beta <- body$beta
   error <- body$error
+  formula <- body$formula
   if (!is.null(rotation)) {
     turn <- as_rotation(rotation, "rotation", call)
     centre <- as.double(turn %*% centre)
@@ -60,6 +61,10 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
     if (!identical(turn, diag(3))) {
       beta <- NA_real_
       error <- error + 16 * .Machine$double.eps
+      # A shape's formula is about an axis of its own, which is not where it was.
+      if (body$shape %in% shape_table()$shape && body$provenance == "formula") {
+        formula <- paste0(sub(turned_mark, "", formula, fixed = TRUE), turned_mark)
+      }
     }
   }
   centre <- centre + at_m
@@ -68,10 +73,12 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
     abort_rotdyn("The place is beyond double precision.", "range", call)
   }
   new_body(
-    body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, body$formula,
+    body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, formula,
     body$source, body$provenance, detail, error, body$error_kind
   )
 }
+
+turned_mark <- ", then turned"
 
 # What a body's detail places in the own axes (parts, points, vertices) goes along.
 place_detail <- function(detail, turn, at_m) {
