@@ -78,8 +78,17 @@ print.rot_body <- function(x, ...) {
   invisible(x)
 }
 
+# A line "name  text" of at most the console's width; what is longer goes on under the text.
 print_field <- function(name, text) {
-  cat("  ", formatC(name, width = -10), text, "\n", sep = "")
+  room <- max(print_width() - 12L, 30L)
+  lines <- if (nchar(text) > room) strwrap(text, room + 1L) else text
+  names <- formatC(c(name, rep("", length(lines) - 1L)), width = -10)
+  cat(paste0("  ", names, lines, "\n"), sep = "")
+}
+
+# The console's width, but no more than a line that is read with ease.
+print_width <- function() {
+  min(getOption("width", 80L), 98L)
 }
 
 # What the body's own error cannot tell from 0 is shown as 0.

@@ -519,8 +519,9 @@ print.rot_inertia_check <- function(x, ...) {
   }
   if (length(rows) > 10L) {
     left <- x[!x$row %in% rows[1:10] & x$verdict == "fails", ]
+    more <- length(rows) - 10L
     cat(
-      "... and ", length(rows) - 10L, " tensors more, ", length(unique(left$row)),
+      "... and ", more, " tensor", if (more > 1L) "s", " more, ", length(unique(left$row)),
       " of them with a condition that fails\n",
       sep = ""
     )
@@ -541,11 +542,14 @@ print_one_check <- function(x) {
   labels <- paste0("  ", format(x$condition), "  ", format(verdict), "  ")
   indent <- nchar(labels[1L])
   for (i in seq_along(labels)) {
-    words <- strwrap(x$meaning[i], width = max(98L - indent, 30L), exdent = 2L)
+    words <- strwrap(x$meaning[i], width = max(print_width() - indent, 30L), exdent = 2L)
     cat(paste0(c(labels[i], rep(strrep(" ", indent), length(words) - 1L)), words), sep = "\n")
   }
   for (text in x$suggestion[!is.na(x$suggestion)]) {
-    cat(strwrap(paste("suggestion:", text), width = 98L, indent = 2L, exdent = 4L), sep = "\n")
+    cat(
+      strwrap(paste("suggestion:", text), width = print_width(), indent = 2L, exdent = 4L),
+      sep = "\n"
+    )
   }
   if (failed && all(is.na(x$suggestion))) {
     cat("  no small change of one entry makes every condition hold\n")

@@ -155,12 +155,17 @@ print.rot_inertia_tensor <- function(x, ...) {
   )
   own <- identical(attr(x, "rotation"), diag(3))
   sign <- if (attr(x, "products") == "negative") "-" else "+"
-  cat(
-    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "turned", " axes, ",
-    "off-diagonal ", sign, "int x y dm\n",
-    sep = ""
+  where <- paste0(
+    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "turned", " axes,"
   )
-  print(as.matrix(x), ...)
+  signs <- paste0("off-diagonal ", sign, "int x y dm")
+  head <- paste(where, signs)
+  if (nchar(head) > print_width()) {
+    head <- c(strwrap(where, print_width() + 1L, exdent = 2L), paste0("  ", signs))
+  }
+  cat(head, sep = "\n")
+  # Turning leaves roundings where there is nothing.
+  print(clear_noise(as.matrix(x), 8 * .Machine$double.eps * max(abs(x))), ...)
   invisible(x)
 }
 

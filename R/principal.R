@@ -129,7 +129,17 @@ print.rot_principal_axes <- function(x, ...) {
   symmetry <- attr(x, "symmetry")
   # Not where rows or columns were taken out.
   if (!is.null(symmetry) && "unique" %in% names(x) && nrow(x) == 3L) {
-    cat("# Principal axes about the centre of mass: ", describe_symmetry(x), "\n", sep = "")
+    head <- paste("Principal axes about the centre of mass:", describe_symmetry(x))
+    cat(strwrap(head, print_width() + 1L, prefix = "# "), sep = "\n")
+    # A plate has no second moment across it, but for roundings.
+    shown <- x
+    second <- x$second_moment_kg_m2
+    if (!is.null(second)) {
+      shown$second_moment_kg_m2 <- clear_noise(second, 8 * .Machine$double.eps * max(second))
+    }
+    class(shown) <- setdiff(class(x), "rot_principal_axes")
+    print(shown, ...)
+    return(invisible(x))
   }
   NextMethod()
 }

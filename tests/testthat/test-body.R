@@ -35,3 +35,20 @@ test_that("a body prints its mass, size, inertia and formula", {
     join_bodies(body_sphere(2, 0.1), place_body(body_sphere(1, 0.1), c(0.3, 0, 0)), name = "pair")
   })
 })
+
+test_that("print keeps to the console's width", {
+  bodies <- list(
+    body_frustum(1, 0.1, 0.2, 0.4), body_spherical_cap(1, 0.1, 0.05),
+    place_body(body_box(2, 0.3, 0.2, 0.1), c(0.5, 0, 0), rotation_about("z", angle_deg = 30))
+  )
+  for (width in c(60L, 80L, 120L)) {
+    lines <- rlang::with_options(
+      unlist(lapply(bodies, function(body) capture.output(print(body)))),
+      width = width
+    )
+    expect_lte(max(nchar(lines)), min(width, 98L))
+    # Nothing is lost.
+    words <- strsplit(trimws(lines), " +")
+    expect_true(all(c("turned", "frustum", "kg", "symmetry") %in% unlist(words)))
+  }
+})
