@@ -24,8 +24,8 @@
 #' @return A `rot_body` in the common frame. `detail$parts` of a joined body lists its parts. Its
 #'   error is what the parts' own errors make of the whole, and the roundings of the sum: a bound if
 #'   all of theirs are. A hole that leaves little makes it large: that is the truth.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also a hole
-#'   heavier than the body), `rotdyn_error_inertia` for a hole that cannot have been inside the
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
+#'   what is no rotation, a hole as heavy as the body or heavier), `rotdyn_error_inertia` for a hole that cannot have been inside the
 #'   body: its centre is farther out than the body reaches, or no body is left. (One that sticks out
 #'   a little is not noticed.) `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.

@@ -23,7 +23,9 @@
 #' @return A `rot_body`. Its error bound counts the roundings here, and those of a number given to
 #'   sixteen digits.
 #' @section Errors: `rotdyn_error_inertia` for what no body can have (see [check_inertia()]),
-#'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`, `rotdyn_error_unit`.
+#'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf included, but for
+#'   the tensor: that is `rotdyn_error_inertia`), `rotdyn_error_unit`; `rotdyn_error_range` where
+#'   moving the tensor leaves double precision.
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60, for the
 #'   conditions.
 #' @examples

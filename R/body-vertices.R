@@ -18,8 +18,8 @@
 #'   `z_m`). Those of a polygon go round it, in either sense; the first need not be repeated.
 #' @param areal_density_kg_m2,density_kg_m3 Mass per area or volume, instead of `mass_kg`.
 #' @inherit body_shapes return
-#' @section Errors: As for all shapes (see [body_shapes]); `rotdyn_error_value` also for corners on
-#'   one line (in one plane), and for edges that cross. Corners that touch an edge, as where a slit
+#' @section Errors: As for all shapes (see [body_shapes]); `rotdyn_error_value` also for coordinates
+#'   of NA, NaN or Inf, for corners on one line (in one plane), and for edges that cross. Corners that touch an edge, as where a slit
 #'   leads to a hole, are no crossing.
 #' @source Steger, On the calculation of arbitrary moments of polygons, TU Muenchen FGBV-96-05
 #'   (1996); Tonon, Journal of Mathematics and Statistics 1 (2005) 8.

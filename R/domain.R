@@ -22,7 +22,7 @@
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_domain`.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
-#'   `rotdyn_error_value` (also an empty domain), `rotdyn_error_unit`; `rotdyn_error_density` for a
+#'   `rotdyn_error_value` (NA, NaN, Inf, an empty domain), `rotdyn_error_unit`; `rotdyn_error_density` for a
 #'   map that returns no places, or a Jacobian that is not the map's.
 #' @seealso [body_density()]
 #' @examples

@@ -9,8 +9,8 @@
 #' @param angle_rad,angle_deg The angle, counter-clockwise as seen from the axis's tip: one of the
 #'   two. Quarter turns in degrees are exact.
 #' @return A 3 x 3 matrix, orthogonal to two roundings.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
-#'   `rotdyn_error_unit`, `rotdyn_error_missing`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
+#'   and an axis of length 0), `rotdyn_error_unit`, `rotdyn_error_missing` for no angle or two.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.7.
 #' @examples
 #' rotation_about("z", angle_deg = 90)
