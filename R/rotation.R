@@ -10,7 +10,7 @@
 #'   two. Quarter turns in degrees are exact.
 #' @return A 3 x 3 matrix, orthogonal to two roundings.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
-#'   and an axis of length 0), `rotdyn_error_unit`, `rotdyn_error_missing` for no angle or two.
+#'   an axis of length 0, two angles), `rotdyn_error_unit`, `rotdyn_error_missing` for no angle.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.7.
 #' @examples
 #' rotation_about("z", angle_deg = 90)
@@ -20,7 +20,9 @@ rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
   check_supplied("axis", call)
   if (is.null(angle_rad) == is.null(angle_deg)) {
     abort_rotdyn(
-      "Exactly one of {.arg angle_rad} and {.arg angle_deg} must be given.", "missing", call
+      "Exactly one of {.arg angle_rad} and {.arg angle_deg} must be given.",
+      if (is.null(angle_rad)) "missing" else "value",
+      call
     )
   }
   n <- unit_axis(as_axis(axis, call), call)
