@@ -34,8 +34,9 @@
 #'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too.
 #'
 #'   `symmetry_class()`: one string.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_inertia` for a tensor that no body can have,
-#'   `rotdyn_error_value`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`; `rotdyn_error_inertia` for a tensor that no body can have, NA, NaN and Inf
+#'   included.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.4;
 #'   Demmel and Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204, for the rotations.
 #' @examples
