@@ -73,9 +73,9 @@ asymmetry_allowed <- 1e-12
 #' `bench/inertia-repair.R` draws random bodies (5 to 60 points in boxes of random sides), moves the
 #' decimal point of one moment one or two places, and asks for the repair wherever no body is left.
 #' `r repair_figures`
-#' @section Errors: `rotdyn_error_type` for what is none of these; `rotdyn_error_size` for other
-#'   numbers of entries; `rotdyn_error_value` for names that are missing, and sizes that are not
-#'   greater than 0; `rotdyn_error_unit` for units objects of another dimension. NA, NaN and Inf in
+#' @section Errors: `rotdyn_error_type` for what is none of these, and for columns that are not
+#'   there; `rotdyn_error_size` for other numbers of entries; `rotdyn_error_value` for numbers
+#'   without names, and sizes that are not greater than 0; `rotdyn_error_unit` for units objects of another dimension. NA, NaN and Inf in
 #'   a tensor are no error: the check says so. So it does for a mass of NaN or Inf.
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60; Traversaro,
 #'   Brossette, Escande and Nori, IROS (2016) 5516, for why positive definite is not enough.
@@ -212,7 +212,7 @@ tensors_from_columns <- function(x, sign, call) {
         x = "{.val {lacking}} {?is/are} not there.",
         i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
       ),
-      "value", call
+      "type", call
     )
   }
   columns <- lapply(inertia_entries[has], function(entry) {
