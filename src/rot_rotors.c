@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rot_dd.h"
 #include "rot_eigen.h"
 #include "rot_expm.h"
 #include "rot_phi.h"
@@ -137,51 +138,13 @@ static void find_shapes(shaft *s) {
   }
 }
 
-/* ---- double words, for the phases ------------------------------------------------------------ */
-
-/* hi + lo, some 31 digits. */
-typedef struct word {
-  double hi, lo;
-} word;
-
-static word word_sum(word a, word b) {
-  word s;
-  s.hi = rot_two_sum(a.hi, b.hi, &s.lo);
-  s.lo += a.lo + b.lo;
-  s.hi = rot_two_sum(s.hi, s.lo, &s.lo);
-  return s;
-}
-
-static word word_times(word a, word b) {
-  word p;
-  p.hi = rot_two_prod(a.hi, b.hi, &p.lo);
-  p.lo += a.hi * b.lo + a.lo * b.hi;
-  p.hi = rot_two_sum(p.hi, p.lo, &p.lo);
-  return p;
-}
-
-static word word_over(word a, word b) {
-  const double q = a.hi / b.hi;
-  const word back = word_times((word){-q, 0.0}, b), rest = word_sum(a, back);
-  word x = {q, rest.hi / b.hi};
-  x.hi = rot_two_sum(x.hi, x.lo, &x.lo);
-  return x;
-}
-
-static word word_root(word a) {
-  const double root = sqrt(a.hi);
-  if (!(root > 0.0)) return (word){root, 0.0};
-  const word back = word_times((word){-root, 0.0}, (word){root, 0.0}), rest = word_sum(a, back);
-  word x = {root, rest.hi / (2.0 * root)};
-  x.hi = rot_two_sum(x.hi, x.lo, &x.lo);
-  return x;
-}
+/* ---- phases of the modes ---------------------------------------------------------------------- */
 
 /* Elastic over kinetic energy of a shape given by its twists, sigma^2 = sum k twist^2 /
  * sum J theta^2 with no net momentum in any group: an error of the shape counts squared, so this
  * has twice its digits. At a phase of 1e5 (k = 1e10 for 1 s) it takes the error of omega from
  * 4e-12 to 1e-16. */
-static word sharp_sigma(const shaft *s, size_t m) {
+static rot_dd sharp_sigma(const shaft *s, size_t m) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad, *J = s->p->inertia_kg_m2;
   /* By powers of two near 1, so that no square leaves the range. */
@@ -196,42 +159,40 @@ static word sharp_sigma(const shaft *s, size_t m) {
   frexp(most_J, &of_J);
   frexp(most, &of_twist);
   of_J += (of_k - of_J) % 2; /* an even power between them, for the root */
-  word elastic = {0.0, 0.0}, kinetic = {0.0, 0.0};
+  rot_dd elastic = {0.0, 0.0}, kinetic = {0.0, 0.0};
   for (size_t first = 0, last = 0; first < n; first = ++last) {
     while (last + 1 < n && k[last] > 0.0) last++;
-    word theta = {0.0, 0.0}, momentum = {0.0, 0.0}, inertia = {0.0, 0.0}, energy = {0.0, 0.0};
+    rot_dd theta = {0.0, 0.0}, momentum = {0.0, 0.0}, inertia = {0.0, 0.0}, energy = {0.0, 0.0};
     for (size_t i = last + 1; i-- > first;) {
-      const word mass = {ldexp(J[i], -of_J), 0.0};
+      const rot_dd mass = {ldexp(J[i], -of_J), 0.0};
       if (i < last) {
-        const word twist = {ldexp(s->twist[i * n + m], -of_twist), 0.0};
-        const word spring = {ldexp(k[i], -of_k), 0.0};
-        theta = word_sum(theta, twist);
-        elastic = word_sum(elastic, word_times(spring, word_times(twist, twist)));
+        const rot_dd twist = {ldexp(s->twist[i * n + m], -of_twist), 0.0};
+        const rot_dd spring = {ldexp(k[i], -of_k), 0.0};
+        theta = rot_dd_add(theta, twist);
+        elastic = rot_dd_add(elastic, rot_dd_mul(spring, rot_dd_mul(twist, twist)));
       }
-      inertia = word_sum(inertia, mass);
-      momentum = word_sum(momentum, word_times(mass, theta));
+      inertia = rot_dd_add(inertia, mass);
+      momentum = rot_dd_add(momentum, rot_dd_mul(mass, theta));
     }
-    const word mean = word_over(momentum, (word){-inertia.hi, -inertia.lo});
+    const rot_dd mean = rot_dd_div(momentum, (rot_dd){-inertia.hi, -inertia.lo});
     theta = mean;
     for (size_t i = last + 1; i-- > first;) {
       if (i < last) {
-        theta = word_sum(theta, (word){ldexp(s->twist[i * n + m], -of_twist), 0.0});
+        theta = rot_dd_add(theta, (rot_dd){ldexp(s->twist[i * n + m], -of_twist), 0.0});
       }
-      const word mass = {ldexp(J[i], -of_J), 0.0};
-      energy = word_sum(energy, word_times(mass, word_times(theta, theta)));
+      const rot_dd mass = {ldexp(J[i], -of_J), 0.0};
+      energy = rot_dd_add(energy, rot_dd_mul(mass, rot_dd_mul(theta, theta)));
     }
-    kinetic = word_sum(kinetic, energy);
+    kinetic = rot_dd_add(kinetic, energy);
   }
-  word sigma = word_root(word_over(elastic, kinetic));
-  sigma.hi = ldexp(sigma.hi, (of_k - of_J) / 2);
-  sigma.lo = ldexp(sigma.lo, (of_k - of_J) / 2);
-  return sigma;
+  const rot_dd sigma = rot_dd_sqrt(rot_dd_div(elastic, kinetic));
+  return rot_dd_ldexp(sigma, (of_k - of_J) / 2);
 }
 
 /* Keeps what agrees with the singular value, as it does unless something underflowed. */
 static void sharpen(shaft *s) {
   for (size_t m = 1 + s->floppy; m < s->n; m++) {
-    const word sigma = sharp_sigma(s, m);
+    const rot_dd sigma = sharp_sigma(s, m);
     if (fabs(sigma.hi - s->sigma[m]) <= 1e-12 * s->sigma[m] && isfinite(sigma.lo)) {
       s->sigma[m] = sigma.hi;
       s->sigma_lo[m] = sigma.lo;
@@ -409,14 +370,14 @@ static impulse impulse_at(double sigma, double sigma_lo, double b, double t) {
   const double mu = sqrt(fabs(b - sigma)) * sqrt(b + sigma);
   if (b <= sigma) {
     /* The phase mu t to twice the precision. */
-    const word w = {sigma, sigma_lo == sigma_lo ? sigma_lo : 0.0};
-    word nu = w;
+    const rot_dd w = {sigma, sigma_lo == sigma_lo ? sigma_lo : 0.0};
+    rot_dd nu = w;
     if (b > 0.0) {
       const double ratio = b / sigma;
-      word one = {1.0, 0.0}, square = word_times((word){-ratio, 0.0}, (word){ratio, 0.0});
-      nu = word_times(w, word_root(word_sum(one, square)));
+      rot_dd one = {1.0, 0.0}, square = rot_dd_mul((rot_dd){-ratio, 0.0}, (rot_dd){ratio, 0.0});
+      nu = rot_dd_mul(w, rot_dd_sqrt(rot_dd_add(one, square)));
     }
-    const word phase = word_times(nu, (word){t, 0.0});
+    const rot_dd phase = rot_dd_mul(nu, (rot_dd){t, 0.0});
     const double e = exp(-b * t), sine = sin(phase.hi), cosine = cos(phase.hi);
     const double lo = isfinite(phase.lo) ? phase.lo : 0.0;
     x.fall = e * (mu * fabs(t) > 0.0 ? (sine + cosine * lo) / mu : t);
