@@ -1,4 +1,6 @@
 #include "rot_rotors.h"
+#include "rot_rotors_ledger.h"
+#include "rot_rotors_rigid.h"
 
 #include <stdlib.h>
 
