@@ -1,5 +1,5 @@
-/* One run of the integrator from its start outward, as the files of rot_ode_*.c share it. Private to
- * them: the rest of the core knows rot_ode.h alone. */
+/* One run of the integrator from its start outward, as the files of rot_ode_*.c share it. Private
+ * to them: the rest of the core knows rot_ode.h alone. */
 #ifndef ROT_ODE_MARCH_H
 #define ROT_ODE_MARCH_H
 

@@ -107,7 +107,7 @@ static void find_shapes(rot_shaft *s) {
   }
 }
 
-/* ---- phases of the modes ---------------------------------------------------------------------- */
+/* ---- phases of the modes --------------------------------------------------------------------- */
 
 /* Elastic over kinetic energy of a shape given by its twists, sigma^2 = sum k twist^2 /
  * sum J theta^2 with no net momentum in any group: an error of the shape counts squared, so this
