@@ -8,7 +8,8 @@
 #' All nest: what comes out is a body.
 #'
 #' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i g_i,\quad
-#'   C = \sum_i \left(C_i + m_i d_i d_i^T\right),\quad d_i = g_i - g}
+#'   C = \sum_i \left(C_i + m_i d_i d_i^T\right),\quad d_i = g_i - g}{
+#'   m = sum m_i,  g = sum m_i g_i / m,  C = sum (C_i + m_i d_i d_i'),  d_i = g_i - g}
 #' The common centre is found first and the tensors are summed about it: a frame whose origin is far
 #' away costs no digits.
 #'
@@ -25,9 +26,10 @@
 #'   error is what the parts' own errors make of the whole, and the roundings of the sum: a bound if
 #'   all of theirs are. A hole that leaves little makes it large: that is the truth.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
-#'   what is no rotation, a hole as heavy as the body or heavier), `rotdyn_error_inertia` for a hole that cannot have been inside the
-#'   body: its centre is farther out than the body reaches, or no body is left. (One that sticks out
-#'   a little is not noticed.) `rotdyn_error_range`, `rotdyn_error_unit`.
+#'   what is no rotation, a hole as heavy as the body or heavier), `rotdyn_error_inertia` for a hole
+#'   that cannot have been inside the body: its centre is farther out than the body reaches, or no
+#'   body is left. (One that sticks out a little is not noticed.) `rotdyn_error_range`,
+#'   `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @examples
 #' # A dumbbell: a rod along x and a ball at each end.

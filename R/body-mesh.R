@@ -4,7 +4,9 @@
 #' of the tetrahedra that its faces span, or of the surface itself. With d = a . (b - a) x (c - a)
 #' and s = a + b + c for each face a, b, c,
 #' \deqn{V = \frac{1}{6}\sum d,\quad g = \frac{1}{24 V}\sum d\,s,\quad
-#'   C = \frac{m}{120 V}\sum d\,(s s^T + a a^T + b b^T + c c^T) - m\,g g^T}
+#'   C = \frac{m}{120 V}\sum d\,(s s^T + a a^T + b b^T + c c^T) - m\,g g^T}{
+#'   V = sum d / 6,  g = sum d s / (24 V),
+#'   C = m/(120 V) sum d (s s' + a a' + b b' + c c') - m g g'}
 #' `check_mesh()` tells what is right and wrong with a mesh, and whether it bounds a solid.
 #'
 #' A mesh bounds a solid if each of its edges is used once in either direction. An open or

@@ -4,7 +4,8 @@
 #' the centre itself and compensated, so the result is as good far from the origin as at it: some
 #' 1e-16 of the trace at any offset, where sums about the origin lose everything 1e8 sizes away.
 #' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i x_i,\quad
-#'   C = \sum_i m_i (x_i - g)(x_i - g)^T,\quad I = \mathrm{tr}(C)\,1 - C}
+#'   C = \sum_i m_i (x_i - g)(x_i - g)^T,\quad I = \mathrm{tr}(C)\,1 - C}{
+#'   m = sum m_i,  g = sum m_i x_i / m,  C = sum m_i (x_i - g)(x_i - g)',  I = tr(C) 1 - C}
 #'
 #' @param data A data frame with columns `mass_kg`, `x_m`, `y_m` and `z_m`, or a matrix whose
 #'   columns are x, y and z (named so, or not named at all), with the masses in `mass_kg`. Points in

@@ -14,7 +14,8 @@
 #' @param map A function of three vectors, the parameters, that returns the places: a matrix with
 #'   columns x, y, z, or a list of three vectors.
 #' @param jacobian A function of the same that returns the absolute value of the determinant
-#'   \eqn{|\partial(x, y, z)/\partial(u, v, w)|}. A few differences of `map` are held against it.
+#'   \eqn{|\partial(x, y, z)/\partial(u, v, w)|}{|d(x, y, z)/d(u, v, w)|}. A few differences of
+#'   `map` are held against it.
 #' @param lower,upper Smallest and largest value of the three parameters.
 #' @param periodic Which of the parameters go all the way round, so that map and density repeat
 #'   after `upper - lower`: three logical values.
@@ -22,8 +23,8 @@
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_domain`.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
-#'   `rotdyn_error_value` (NA, NaN, Inf, an empty domain), `rotdyn_error_unit`; `rotdyn_error_density` for a
-#'   map that returns no places, or a Jacobian that is not the map's.
+#'   `rotdyn_error_value` (NA, NaN, Inf, an empty domain), `rotdyn_error_unit`;
+#'   `rotdyn_error_density` for a map that returns no places, or a Jacobian that is not the map's.
 #' @seealso [body_density()]
 #' @examples
 #' domain_box(lower_m = c(0, 0, 0), upper_m = c(1, 2, 3))

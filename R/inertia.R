@@ -6,13 +6,14 @@
 #' * `radius_of_gyration()`: the distance at which all mass would have the same moment.
 #'
 #' \deqn{I_{ij} = \int (x^2 \delta_{ij} - x_i x_j)\, dm, \quad
-#'   I_n = n^T I n, \quad I_o = I_g + m (d^2 1 - d d^T), \quad k = \sqrt{I_n/m}}
+#'   I_n = n^T I n, \quad I_o = I_g + m (d^2 1 - d d^T), \quad k = \sqrt{I_n/m}}{
+#'   I = int (x^2 1 - x x') dm,  I_n = n' I n,  I_o = I_g + m (d^2 1 - d d'),  k = sqrt(I_n/m)}
 #' with \eqn{d} from the centre of mass \eqn{g} to the point \eqn{o} (parallel axes, Steiner).
 #'
 #' @section Signs: The off-diagonal elements of the tensor are *minus* the products of inertia:
-#'   \eqn{I_{xy} = -\int x y\, dm}. That is `products = "negative"`, as in Goldstein, URDF and most
-#'   of mechanics. Some books and CAD programs write \eqn{+\int x y\, dm}: `products = "positive"`
-#'   gives those.
+#'   \eqn{I_{xy} = -\int x y\, dm}{Ixy = -int x y dm}. That is `products = "negative"`, as in
+#'   Goldstein, URDF and most of mechanics. Some books and CAD programs write \eqn{+\int x y\,
+#'   dm}{+int x y dm}: `products = "positive"` gives those.
 #'
 #' @param body A `rot_body`.
 #' @param about,through The point: `"centre"` (of mass), `"origin"` (of the body's own axes), or

@@ -10,10 +10,10 @@
 #' scale. It is the shape that a spinning body's motion knows of: two bodies with the same
 #' ellipsoid turn alike.
 #'
-#' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}} with the second moments \eqn{c_k} along the
-#' principal axes. The longest semi-axis goes with the least moment of inertia, axis 1. A plate is a
-#' flat ellipse, a rod a line, a point or a body without mass a dot. What the body was made of (parts
-#' and points, at most 2000 of a kind) is marked; parts cut out are crosses.
+#' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}}{a_k = sqrt(5 c_k/m)} with the second moments
+#' \eqn{c_k} along the principal axes. The longest semi-axis goes with the least moment of inertia,
+#' axis 1. A plate is a flat ellipse, a rod a line, a point or a body without mass a dot. What the
+#' body was made of (parts and points, at most 2000 of a kind) is marked; parts cut out are crosses.
 #'
 #' Dashed lines go on in the direction of each principal axis. Coordinates are in m, or in the power
 #' of 1000 of it that the panels' heads name. If the own origin is more than twenty

@@ -3,9 +3,11 @@
 #' `principal_axes()` diagonalises a body's inertia about its centre of mass; `symmetry_class()`
 #' names what kind of top the body is.
 #'
-#' The eigenvalues \eqn{c_1 \ge c_2 \ge c_3} of the second moment \eqn{C = \int x x^T dm} are found
+#' The eigenvalues \eqn{c_1 \ge c_2 \ge c_3}{c1 >= c2 >= c3} of the second moment
+#' \eqn{C = \int x x^T dm}{C = int x x' dm} are found
 #' by Jacobi's rotations, which keep the small ones, and the moments are their sums:
-#' \deqn{I_1 = c_2 + c_3 \le I_2 = c_1 + c_3 \le I_3 = c_1 + c_2.}
+#' \deqn{I_1 = c_2 + c_3 \le I_2 = c_1 + c_3 \le I_3 = c_1 + c_2.}{
+#'   I1 = c2 + c3 <= I2 = c1 + c3 <= I3 = c1 + c2.}
 #'
 #' The axes are right-handed. The largest component of each of the first two is positive; the third
 #' is their cross product. Where moments are equal (to 1e-14), any axes in their plane will do:

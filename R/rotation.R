@@ -3,7 +3,8 @@
 #' The rotation by an angle about an axis, as the 3 x 3 matrix that turns vectors: `v_space = R
 #' v_body`. Its columns are the body's axes as seen from space.
 #'
-#' \deqn{R = 1 + \sin\phi\,[n]_\times + (1 - \cos\phi)\,[n]_\times^2}
+#' \deqn{R = 1 + \sin\phi\,[n]_\times + (1 - \cos\phi)\,[n]_\times^2}{
+#'   R = 1 + sin(phi) [n x] + (1 - cos(phi)) [n x]^2}
 #'
 #' @param axis Direction of the axis: `"x"`, `"y"`, `"z"`, or three numbers of any length but 0.
 #' @param angle_rad,angle_deg The angle, counter-clockwise as seen from the axis's tip: one of the
