@@ -68,7 +68,8 @@ autoplot.rot_body <- function(object, ...) {
       labeller = ggplot2::as_labeller(function(panel) paste0(panel, " (", drawn$unit$name, ")"))
     ) +
     ggplot2::scale_x_continuous(
-      expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label
+      expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label,
+      guide = ggplot2::guide_axis(check.overlap = TRUE)
     ) +
     ggplot2::scale_y_continuous(
       expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label
@@ -165,7 +166,7 @@ body_panels <- list(
 
 # One step for all panels and both directions: the grid is of squares, as the scale is one.
 even_breaks <- function(span) {
-  step <- diff(pretty(c(0, span), n = 4))[1]
+  step <- diff(pretty(c(0, span), n = 3))[1]
   function(limits) step * seq(ceiling(limits[1] / step), floor(limits[2] / step))
 }
 

@@ -159,16 +159,13 @@ test_that("coordinates are in a power of 1000 m of few digits, and the heads nam
   }
   expect_equal(
     head(body_sphere(2, 0.1)),
-    list(
-      unit = "across x, up y (m)", x = c("-0.10", "-0.05", "0.00", "0.05", "0.10"),
-      y = c("-0.10", "-0.05", "0.00", "0.05", "0.10")
-    )
+    list(unit = "across x, up y (m)", x = c("-0.1", "0.0", "0.1"), y = c("-0.1", "0.0", "0.1"))
   )
   expect_equal(head(body_sphere(2, 0.002))$unit, "across x, up y (mm)")
-  expect_equal(head(body_sphere(2, 0.002))$x, c("-2", "-1", "0", "1", "2"))
+  expect_equal(head(body_sphere(2, 0.002))$x, c("-2", "0", "2"))
   expect_equal(head(body_sphere(1e22, 6.4e6))$unit, "across x, up y (1e6 m)")
   expect_equal(head(body_sphere(1e-26, 1e-10))$unit, "across x, up y (1e-12 m)")
-  expect_equal(head(body_sphere(1e-26, 1e-10))$x, c("-100", "-50", "0", "50", "100"))
+  expect_equal(head(body_sphere(1e-26, 1e-10))$x, c("-100", "0", "100"))
 })
 
 test_that("a point has no axes in its picture, and a long name is broken", {
