@@ -220,8 +220,8 @@ axis_shape <- function(body) {
   if (off) body$shape else ""
 }
 
-# The moment about the parallel axis through the centre. A rod's end is swung across the rod, however
-# it was turned: there the second moments' sum is the moment.
+# The moment about the parallel axis through the centre. A rod's end is swung across the rod,
+# however it was turned: there the second moments' sum is the moment.
 moment_of_axis <- function(body) {
   if (axis_shape(body) == "rod_end") {
     sum(diag(body$second_moment_kg_m2))
