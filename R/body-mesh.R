@@ -20,8 +20,9 @@
 #'
 #' **Parts.** Faces that hang together by edges are a part. Several parts are legal: a part wound
 #' against the whole and inside of it is a cavity. All faces turned inwards is legal, too: `detail`
-#' says `flipped`. One part turned inside out, or inside another and wound alike, is not. Parts are
-#' tried at up to 64 points each; one that crosses itself is not found.
+#' says `flipped`. One part turned inside out, or inside another and wound alike, is not; nor are
+#' parts that cross, or one that is there twice. Parts may touch. One that crosses itself is not
+#' found, and of large parts that cross in a small region not every pair of faces is looked at.
 #'
 #' **Vertices at one place.** Where the mesh is not closed as it stands, vertices with the same
 #' coordinates are made one (an STL file repeats each vertex in each face), then those that differ
