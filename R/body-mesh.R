@@ -30,9 +30,9 @@
 #' precision. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
 #' `merged_vertices`, and what moved vertices may cost is in `error`.
 #'
-#' **Files.** STL is read by the package Rvcg, or rgl (binary files only, slower), OBJ by rgl, or
-#' Rvcg, PLY by Rvcg. Rvcg works in single precision, 6e-8 of the coordinates: where that loses
-#' digits of the file, `error` has it. Files tell no unit.
+#' **Files.** Binary STL is read by the package Rvcg, or rgl (slower), text STL and PLY by Rvcg,
+#' OBJ by this package: its polygons become triangles. Rvcg works in single precision, 6e-8 of the
+#' coordinates: where that loses digits of the file, `error` has it. Files tell no unit.
 #'
 #' @param mesh One of:
 #'   * a `mesh3d` object of rgl, Rvcg or Morpho. Quadrangles are split in two.
@@ -45,7 +45,7 @@
 #' @param density_kg_m3 Density, of what has a volume.
 #' @param areal_density_kg_m2 Mass of a unit of area, for `method = "shell"`.
 #' @param length_unit Unit of the coordinates: "m", "cm", "mm", "in", "ft", ... Nothing is guessed;
-#'   a mesh of more than 100 m whose unit was not given is warned of.
+#'   a mesh of more than 100 m whose unit was not given is warned of. Units objects have their own.
 #' @param method What to take for the body: see above.
 #' @param weld_m Distance within which vertices are one; NULL: see above.
 #' @param name What to call the body.
@@ -193,7 +193,12 @@ inspect_mesh <- function(read, weld_m, call) {
     )
     if (one$kind == "value") {
       abort_rotdyn(
-        "{.arg weld_m} is below what the coordinates resolve, or the mesh is too large.",
+        c(
+          "{.arg weld_m} must be at least 2^-52 of the largest coordinate, or 0.",
+          x = "It is {format(weld_m)}, and the largest coordinate
+               {format(largest * read$factor, digits = 3)} m.",
+          i = "0 merges equal vertices alone."
+        ),
         "value", call
       )
     }
