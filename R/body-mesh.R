@@ -453,8 +453,16 @@ mesh_body <- function(name, of, amount, read, found, check, method, call) {
   mass <- if (amount$kind == "mass_kg") amount$value else amount$value * size
   error <- of$error
   if (amount$kind != "mass_kg") error <- error + of$size_error
-  if (!is.finite(mass) || (mass == 0 && amount$value > 0)) {
-    abort_rotdyn("The mass of the mesh is beyond double precision.", "range", call)
+  trace <- sum(mass * of$second[1:3])
+  if (!is.finite(mass + trace) || (amount$value > 0 && trace < .Machine$double.xmin)) {
+    abort_rotdyn(
+      c(
+        "The mass or the second moment is beyond double precision.",
+        x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
+        i = "Use other units of mass or length, as if they were kg and m."
+      ),
+      "range", call
+    )
   }
   side <- of$hi - of$lo
   new_body(

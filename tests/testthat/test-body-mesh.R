@@ -363,6 +363,16 @@ test_that("parts, cavities and parts inside out are told apart", {
   )
 })
 
+test_that("what a double cannot hold is refused in the user's own call", {
+  cube <- split_box(c(0, 0, 0), c(1, 1, 1))
+  for (scale in c(1e-300, 1e-200, 1e200, 1e300)) {
+    cube$vertices <- split_box(c(0, 0, 0), c(scale, scale, scale))$vertices
+    error <- tryCatch(body_mesh(cube, mass_kg = 1, length_unit = "m"), error = identity)
+    expect_s3_class(error, "rotdyn_error_range")
+    expect_equal(error$call[[1]], quote(body_mesh))
+  }
+})
+
 test_that("parts that cross, and parts that are there twice, are refused", {
   cube <- split_box(c(0, 0, 0), c(1, 1, 1))
   expect_refused <- function(mesh, count) {
