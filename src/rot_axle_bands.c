@@ -231,7 +231,7 @@ typedef struct exit_point {
   double peak; /* an extremum of v on the way, or v at the start */
 } exit_point;
 
-/* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x. */
+/* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x */
 static double linear_time(const leg *l, double x, double sign) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   double y = sign * rot_muldiv(x, c, I, NULL);

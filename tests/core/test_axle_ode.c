@@ -4,6 +4,7 @@
 #include "rot_axle_ode.h"
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 /* ---- helpers -------------------------------------------------------------------------------- */
 
@@ -643,26 +644,16 @@ static void check_modelica(void) {
     integrate_scene(&scene, accuracy, 3, t, NULL);
     check_rows(3, want, accuracy);
   }
-  const char *shared = getenv("ROTDYN_SHARED");
-  char path[4096];
-  snprintf(path, sizeof path, "%s/cases/modelica_damped_pendulum/reference.csv",
-           shared ? shared : "");
-  FILE *file = shared ? fopen(path, "r") : NULL;
-  if (!file) {
-    printf("skip - no reference of the Modelica library\n");
-    return;
-  }
-  char line[256];
+  FILE *file = shared_table("cases/modelica_damped_pendulum/reference.csv");
+  double row[3];
   long rows = 0;
-  while (fgets(line, sizeof line, file)) {
-    double at, phi, w;
-    if (sscanf(line, "%lf,%lf,%lf", &at, &phi, &w) != 3) continue;
-    integrate_scene(&scene, 1e-9, 1, &at, NULL);
-    ROT_CHECK(fabs(integrated.out.theta_rad[0] - phi) <= 5.1e-6);
-    ROT_CHECK(fabs(integrated.out.omega_rad_per_s[0] - w) <= 2.7e-5);
+  if (!file) return;
+  while (shared_row(file, 3, row)) {
+    integrate_scene(&scene, 1e-9, 1, row, NULL);
+    ROT_CHECK(fabs(integrated.out.theta_rad[0] - row[1]) <= 5.1e-6);
+    ROT_CHECK(fabs(integrated.out.omega_rad_per_s[0] - row[2]) <= 2.7e-5);
     rows++;
   }
-  fclose(file);
   ROT_CHECK(rows > 100);
 }
 
