@@ -34,8 +34,9 @@ link_columns <- c(
 #'   that is not there, is no XML, no robot description, has xacro in it or no link, or two links of
 #'   one name, and for a link (it is named) that leaves out what it needs, or has it twice;
 #'   `rotdyn_error_value` for text that is no number, and a pose that is not finite;
-#'   `rotdyn_error_unit` for a unit of its own, which the format does not know; `rotdyn_error_type` for what is no file. A mass or a tensor that is not finite,
-#'   or that no body has, is no error: `verdict`, `fault` and `suggestion` say so.
+#'   `rotdyn_error_unit` for a unit of its own, which the format does not know; `rotdyn_error_type`
+#'   for what is no file. A mass or a tensor that is not finite, or that no body has, is no error:
+#'   `verdict`, `fault` and `suggestion` say so.
 #' @source URDF: the XML specification of the `urdf` package of ROS. SDF: sdformat.org, version
 #'   1.11.
 #' @seealso [check_inertia()], [inertia_repairs()].

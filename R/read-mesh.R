@@ -8,7 +8,7 @@ as_mesh <- function(mesh, length_unit, call) {
     mesh_from_file(mesh, call)
   } else if (inherits(mesh, "mesh3d")) {
     mesh_from_mesh3d(mesh, "mesh", call)
-  } else if (is.list(mesh) && !is.data.frame(mesh) && length(mesh) == 2L) {
+  } else if (is_pair(mesh)) {
     mesh_from_pair(mesh, length_unit, factor, call)
   } else {
     abort_rotdyn(
@@ -23,6 +23,23 @@ as_mesh <- function(mesh, length_unit, call) {
   }
   out$factor <- factor
   out
+}
+
+# A list without a class that has names is told which names it needs.
+is_pair <- function(mesh) {
+  is.list(mesh) && !is.data.frame(mesh) && if (is.object(mesh)) {
+    setequal(names(mesh), c("vertices", "faces"))
+  } else {
+    length(mesh) == 2L || !is.null(names(mesh))
+  }
+}
+
+describe_matrix <- function(x) {
+  if (is.matrix(x)) {
+    paste("a", nrow(x), "x", ncol(x), typeof(x), "matrix")
+  } else {
+    describe_value(x)
+  }
 }
 
 # ---- units of length ----------------------------------------------------------------------------
@@ -73,7 +90,7 @@ mesh_from_mesh3d <- function(mesh, arg, call) {
     abort_rotdyn(
       c(
         "The {.field vb} of a {.cls mesh3d} must be a numeric matrix of three or four rows.",
-        x = "It is {describe_value(vertices)}."
+        x = "It is {describe_matrix(vertices)}."
       ),
       "type",
       call
@@ -154,7 +171,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
       c(
         "{.code mesh$vertices} must be a numeric matrix of three columns, or a data frame of
          {.field x_m}, {.field y_m} and {.field z_m}.",
-        x = "It is {describe_value(x)}."
+        x = "It is {describe_matrix(x)}."
       ),
       "type",
       call
@@ -176,7 +193,7 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
       c(
         "{.code {arg}} must be a matrix of vertex numbers with {corners}
          {if (by_column) 'rows' else 'columns'}.",
-        x = "It is {describe_value(x)}."
+        x = "It is {describe_matrix(x)}."
       ),
       "type",
       call

@@ -92,6 +92,15 @@ test_that("what is no mesh is said so", {
   }
 })
 
+test_that("what is wrong with a list or a matrix is told", {
+  pair <- as_pair(tetrahedron3d())
+  expect_error(body_mesh(c(pair, list(normals = 1)), mass_kg = 1), "normals")
+  turned <- list(vertices = t(pair$vertices), faces = pair$faces)
+  expect_error(body_mesh(turned, mass_kg = 1), "a 3 x 4 double matrix")
+  several <- structure(list(tetrahedron3d(), tetrahedron3d()), class = "shapelist3d")
+  expect_error(body_mesh(several, mass_kg = 1), "<shapelist3d> object")
+})
+
 test_that("units of length are known by name, or to the package units", {
   expect_equal(metres_in("in", NULL), 0.0254)
   expect_equal(metres_in("m", NULL), 1)
