@@ -29,7 +29,8 @@ link_columns <- c(
 #' @param ... Nothing.
 #' @return A tibble, one row a link:
 #'   `r describe_columns(link_columns)`
-#'   In an SDF file with several models, links are named `model::link`.
+#'   In an SDF file with several models, links are named `model::link`, with several worlds
+#'   `world::model::link`.
 #' @section Errors: `rotdyn_error_package` without the package xml2; `rotdyn_error_file` for a file
 #'   that is not there, is no XML, no robot description, has xacro in it or no link, or two links of
 #'   one name, and for a link (it is named) that leaves out what it needs, or has it twice;
@@ -328,15 +329,20 @@ urdf_solid <- function(shape, kind, link, call) {
 
 sdf_links <- function(root, call) {
   nodes <- as.list(xml2::xml_find_all(root, ".//*[local-name()='model']/*[local-name()='link']"))
-  models <- length(xml2::xml_find_all(root, ".//*[local-name()='model']"))
-  lapply(seq_along(nodes), function(i) sdf_link(nodes[[i]], i, models > 1L, call))
+  # Only what there are several of has to be named.
+  scopes <- Filter(
+    function(scope) length(xml2::xml_find_all(root, paste0(".//*[", scope, "]"))) > 1L,
+    c("local-name()='model'", "local-name()='world'")
+  )
+  lapply(seq_along(nodes), function(i) sdf_link(nodes[[i]], i, scopes, call))
 }
 
-sdf_link <- function(node, number, several, call) {
+sdf_link <- function(node, number, scopes, call) {
   name <- link_name(node, number, call)
-  if (several) {
-    models <- xml2::xml_find_all(node, "ancestor::*[local-name()='model']")
-    name <- paste(c(xml2::xml_attr(models, "name"), name), collapse = "::")
+  if (length(scopes)) {
+    around <- paste0("ancestor::*[", paste(scopes, collapse = " or "), "]")
+    around <- xml2::xml_attr(xml2::xml_find_all(node, around), "name")
+    name <- paste(c(around, name), collapse = "::")
   }
   link <- list(name = name)
   inertial <- only_child(node, "inertial", name, call)

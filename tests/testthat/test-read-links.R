@@ -182,6 +182,12 @@ test_that("nothing is taken that is there twice, or in a unit of its own", {
   expect_error(read_links(sdf), "A simulator would take", class = "rotdyn_error_file")
 })
 
+test_that("links of several worlds are told apart", {
+  world <- '<world name="%s"><model name="m"><link name="a"/></model></world>'
+  worlds <- paste0("<sdf>", sprintf(world, "v"), sprintf(world, "w"), "</sdf>")
+  expect_equal(read_links(worlds)$link, c("v::m::a", "w::m::a"))
+})
+
 test_that("text is UTF-8 whatever it declares", {
   text <- paste0('<?xml version="1.0" encoding="ISO-8859-1"?>', urdf())
   text <- sub('<link name="[^"]*"', '<link name="caf\u00e9"', text)
