@@ -18,7 +18,8 @@ link_columns <- c(
 #'
 #' Where a link's visual or collision geometry is made of boxes, cylinders, capsules and spheres
 #' alone, `reach_m` is how far it goes from the centre of mass, and the radius of gyration is
-#' checked against it. One mesh among them leaves `reach_m` unknown, and nothing is checked so.
+#' checked against it. One mesh among them, or a pose in another frame, leaves `reach_m` unknown,
+#' and nothing is checked so.
 #'
 #' `verdict` is the worst of the link's conditions: "holds", "holds within rounding", "fails", or
 #' "no inertia" for a link without `<inertial>`, which is how frames are written. A link that fails
@@ -385,7 +386,11 @@ sdf_pose <- function(node, where, link, call) {
   what <- paste("<pose> in", where)
   format <- xml2::xml_attr(pose, "rotation_format")
   frame <- xml2::xml_attr(pose, "relative_to")
-  if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "")) {
+  if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "", sub("^.*::", "", link))) {
+    # What is drawn only gives the reach, which is then unknown.
+    if (where != "<inertial>") {
+      return(NULL)
+    }
     abort_rotdyn(
       c(
         "{what} of link {.val {link}} must be roll, pitch and yaw in the link's own frame.",
@@ -419,7 +424,8 @@ sdf_solid <- function(shape, kind, link, call) {
 
 # ---- how far the drawn shape reaches --------------------------------------------------------
 
-# The solids of all visual and collision elements; NULL where one of them is a mesh or unknown.
+# The solids of all visual and collision elements; NULL where one of them is a mesh or unknown, or
+# in a frame of its own.
 geometry_parts <- function(node, link, call, read_pose, read_solid) {
   elements <- c(children(node, "visual"), children(node, "collision"))
   parts <- list()
@@ -430,10 +436,11 @@ geometry_parts <- function(node, link, call, read_pose, read_solid) {
     if (!kind %in% c("box", "sphere", "cylinder", "capsule")) {
       return(NULL)
     }
-    where <- paste0("<", xml2::xml_name(element), ">")
-    parts <- c(parts, list(c(
-      read_pose(element, where, link, call), read_solid(shape[[1L]], kind, link, call)
-    )))
+    pose <- read_pose(element, paste0("<", xml2::xml_name(element), ">"), link, call)
+    if (is.null(pose)) {
+      return(NULL)
+    }
+    parts <- c(parts, list(c(pose, read_solid(shape[[1L]], kind, link, call))))
   }
   parts
 }

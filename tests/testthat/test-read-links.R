@@ -188,6 +188,21 @@ test_that("links of several worlds are told apart", {
   expect_equal(read_links(worlds)$link, c("v::m::a", "w::m::a"))
 })
 
+test_that("what is drawn in another frame leaves the reach unknown, and no more", {
+  sdf <- function(attribute) {
+    paste0(
+      '<sdf version="1.9"><model name="m"><link name="a"><inertial><mass>2</mass><inertia>',
+      "<ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>",
+      "<visual name=\"v\"><pose ", attribute, ">0 0 3 0 0 0</pose>",
+      "<geometry><sphere><radius>1</radius></sphere></geometry></visual></link></model></sdf>"
+    )
+  }
+  expect_equal(read_links(sdf(""))$reach_m, 4)
+  expect_equal(read_links(sdf('relative_to="a"'))$reach_m, 4)
+  expect_equal(read_links(sdf('relative_to="other"'))$reach_m, NA_real_)
+  expect_equal(read_links(sdf('rotation_format="quat_xyzw"'))$verdict, "holds")
+})
+
 test_that("text is UTF-8 whatever it declares", {
   text <- paste0('<?xml version="1.0" encoding="ISO-8859-1"?>', urdf())
   text <- sub('<link name="[^"]*"', '<link name="caf\u00e9"', text)
