@@ -118,21 +118,23 @@ flat_polygons <- function(vertices, polygons) {
 # Corners of triangles: one that no other corner lies in is cut off, until three are left.
 cut_ears <- function(u, v) {
   area <- function(a, b, c) (u[b] - u[a]) * (v[c] - v[a]) - (v[b] - v[a]) * (u[c] - u[a])
+  # Corners at the same place stand for a cut to a hole, and are in nobody's way there.
+  place <- match(paste(u, v), paste(u, v))
   left <- seq_along(u)
   out <- integer()
+  ear <- 1L
   while (length(left) > 3L) {
     n <- length(left)
+    from <- ear
     ear <- 0L
-    for (i in seq_len(n)) {
+    for (i in (from + seq_len(n) - 2L) %% n + 1L) {
       a <- left[(i - 2L) %% n + 1L]
       b <- left[i]
       c <- left[i %% n + 1L]
-      others <- setdiff(left, c(a, b, c))
-      # A corner at the same place as one of these stands for a cut to a hole.
-      same <- paste(u[others], v[others]) %in% paste(u[c(a, b, c)], v[c(a, b, c)])
-      others <- others[!same]
+      if (!isTRUE(area(a, b, c) > 0)) next
+      others <- left[!place[left] %in% place[c(a, b, c)]]
       inside <- area(a, b, others) >= 0 & area(b, c, others) >= 0 & area(c, a, others) >= 0
-      if (isTRUE(area(a, b, c) > 0) && !any(inside, na.rm = TRUE)) {
+      if (!any(inside, na.rm = TRUE)) {
         ear <- i
         break
       }
