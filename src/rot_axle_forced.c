@@ -439,7 +439,7 @@ static rot_status one_row(const forced_run *run, size_t i) {
   run->info->time_s = state.time_s;
   if (!in_range(&state)) return ROT_ERANGE;
   rot_axle_scene_row(scene, run->out, i, state.time_s, theta, omega,
-                     rot_axle_scene_applied(scene, state.time_s, theta, omega), 0);
+                     rot_axle_scene_applied(scene, state.time_s, theta, 0.0, omega), 0);
   rot_note_row(run->info, theta, omega, state.theta_error, state.omega_error);
   return ROT_OK;
 }
