@@ -12,7 +12,8 @@
 #'     kept; sizes that a row's shape does not have are not looked at.
 #'   * a `rot_body`, or a list of them: the moment about the body's `z` axis through its centre of
 #'     mass; of a [body_rod_end()] about its end, and of a [body_point()] about the axis that it
-#'     is `radius_m` away from. Where a body was placed does not matter.
+#'     is `radius_m` away from. Where a body was placed does not matter; one that was turned has
+#'     its moment about `z` as it is now, while its `formula` is from before.
 #' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
 #'   sizes are simple parts of these: inner radii are half of `radius_m`.
 #' @return A tibble: the columns of `objects`, then
@@ -196,7 +197,7 @@ inertia_of_bodies <- function(bodies, call) {
   # Two shapes are named after an axis that is not through their centre.
   id <- shape_ids(vapply(bodies, axis_shape, ""), shape_table())
   away <- pick(distance_of_axis)
-  about <- izz + mass * away * away
+  about <- pick(moment_of_axis) + mass * away * away
   tibble::new_tibble(c(
     list(object = vapply(bodies, function(b) b$shape, character(1)), mass_kg = mass),
     sizes,
@@ -217,6 +218,16 @@ inertia_of_bodies <- function(bodies, call) {
 axis_shape <- function(body) {
   off <- body$provenance == "formula" && body$shape %in% c("point", "rod_end")
   if (off) body$shape else ""
+}
+
+# The moment about the parallel axis through the centre. A rod's end is swung across the rod,
+# however it was turned: there the second moments' sum is the moment.
+moment_of_axis <- function(body) {
+  if (axis_shape(body) == "rod_end") {
+    sum(diag(body$second_moment_kg_m2))
+  } else {
+    body$inertia_kg_m2[3, 3]
+  }
 }
 
 # How far that axis is from the centre.

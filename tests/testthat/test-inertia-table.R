@@ -163,3 +163,13 @@ test_that("a column that is a matrix is no column of numbers", {
   wide <- tibble::tibble(object = "disk", mass_kg = 1, radius_m = matrix(c(1, 2), 1))
   expect_error(inertia_table(wide), class = "rotdyn_error_size")
 })
+
+test_that("a rod's end stays across the rod, however the rod was turned", {
+  rod <- body_rod_end(3, 2)
+  up <- place_body(rod, c(1, 2, 3), rotation_about("y", angle_deg = 90))
+  leaning <- place_body(rod, rotation = rotation_about(c(1, 2, 3), angle_deg = 50))
+  table <- inertia_table(list(rod, up, leaning))
+  # m l^2 / 3
+  expect_equal(table$moment_of_inertia_kg_m2, c(4, 4, 4), tolerance = 1e-14)
+  expect_equal(table$izz_kg_m2[1:2], c(1, 0))
+})

@@ -249,3 +249,12 @@ test_that("a sign convention that is no text is an error of this package", {
   expect_error(inertia_tensor(body_disk(1, 1), products = sum), class = "rotdyn_error_value")
   expect_error(body_tensor(1, diag(3), products = sum), class = "rotdyn_error_value")
 })
+
+test_that("print shows no roundings off the diagonal of a turned tensor", {
+  turn <- rotation_about(c(1, 1, 1), angle_deg = 40)
+  box <- place_body(body_box(2, 0.3, 0.2, 0.1), rotation = turn)
+  tensor <- inertia_tensor(box, axes = "principal")
+  expect_gt(max(abs(as.matrix(tensor)[upper.tri(tensor)])), 0)
+  shown <- capture.output(print(tensor))
+  expect_false(any(grepl("e-", shown, fixed = TRUE)))
+})

@@ -155,3 +155,13 @@ test_that("a body whose error is as large as itself has no class", {
   # A tolerance of the user's own is taken at its word.
   expect_no_match(symmetry_class(left, tolerance = 1e-12), "unknown")
 })
+
+test_that("print shows no second moment across a plate, the table keeps the rounding", {
+  # In the plane through (1, 2, 3), (-1, 0, 1) and the centre: not along the axes.
+  at <- rbind(c(1, 2, 3), c(-1, 0, 1), c(0.3, 0.7, -0.2))
+  axes <- principal_axes(body_points(at, mass_kg = c(0.1, 0.7, 1.3)))
+  expect_lt(abs(axes$second_moment_kg_m2[3]), 1e-15)
+  shown <- capture.output(print(axes))
+  expect_match(shown[1], "plate")
+  expect_false(any(grepl("e-", shown, fixed = TRUE)))
+})
