@@ -18,8 +18,8 @@ typedef struct work {
   const uint32_t *component;
   size_t components;
   part *parts;
-  uint32_t *face; /* ordered by component */
-  uint32_t *near; /* faces of one component that meet another's box */
+  uint32_t *face;    /* ordered by component */
+  uint32_t *meeting; /* faces of one component that meet another's box */
 } work;
 
 /* Points of a component that are tried; the first few whatever they cost. */
@@ -125,8 +125,8 @@ static double half_angle(const work *w, size_t face, const double p[3]) {
 /* Or next to it: the middle of a face that touches the box is not exact. */
 static int in_box(const part *of, const double p[3]) {
   for (int k = 0; k < 3; k++) {
-    const double near = 8.0 * ROT_EPS * (fabs(of->lo[k]) + fabs(of->hi[k]));
-    if (!(p[k] >= of->lo[k] - near && p[k] <= of->hi[k] + near)) return 0;
+    const double slack = 8.0 * ROT_EPS * (fabs(of->lo[k]) + fabs(of->hi[k]));
+    if (!(p[k] >= of->lo[k] - slack && p[k] <= of->hi[k] + slack)) return 0;
   }
   return 1;
 }
@@ -277,18 +277,18 @@ static int sheets_cross(const sheet *a, const sheet *b) {
   return 0;
 }
 
-static size_t gather_near(const work *w, const part *of, const part *other, sheet *one) {
+static size_t gather_meeting(const work *w, const part *of, const part *other, sheet *one) {
   size_t n = 0;
   for (size_t i = of->begin; i < of->end; i++) {
     see_sheet(w, w->face[i], one);
-    if (boxes_meet(one->lo, one->hi, other->lo, other->hi)) w->near[n++] = w->face[i];
+    if (boxes_meet(one->lo, one->hi, other->lo, other->hi)) w->meeting[n++] = w->face[i];
   }
   return n;
 }
 
 static int parts_cross(const work *w, const part *a, const part *b, double *looks) {
   sheet one, other;
-  const size_t n = gather_near(w, b, a, &other);
+  const size_t n = gather_meeting(w, b, a, &other);
   *looks += (double)(b->end - b->begin);
   for (size_t i = a->begin; i < a->end && n; i++) {
     see_sheet(w, w->face[i], &one);
@@ -297,7 +297,7 @@ static int parts_cross(const work *w, const part *a, const part *b, double *look
     *looks += 4.0 * (double)n;
     if (*looks > most_looks) return 0;
     for (size_t j = 0; j < n; j++) {
-      see_sheet(w, w->near[j], &other);
+      see_sheet(w, w->meeting[j], &other);
       if (sheets_cross(&one, &other)) return 1;
     }
   }
@@ -368,8 +368,8 @@ rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], s
   if (status == ROT_OK) {
     w.parts = rot_mesh_alloc(components, sizeof *w.parts);
     w.face = rot_mesh_alloc(mesh->faces, sizeof *w.face);
-    w.near = rot_mesh_alloc(mesh->faces, sizeof *w.near);
-    status = w.parts && w.face && w.near ? ROT_OK : ROT_ENOMEM;
+    w.meeting = rot_mesh_alloc(mesh->faces, sizeof *w.meeting);
+    status = w.parts && w.face && w.meeting ? ROT_OK : ROT_ENOMEM;
   }
   if (status == ROT_OK) {
     gather_parts(&w, out);
@@ -382,7 +382,7 @@ rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], s
   }
   free(w.parts);
   free(w.face);
-  free(w.near);
+  free(w.meeting);
   rot_mesh_tame_free(&tame);
   return status;
 }
