@@ -22,8 +22,9 @@
 #'
 #' **Parts.** Faces that hang together by edges are a part. Several parts are legal: a part wound
 #' against the whole and inside of it is a cavity. All faces turned inwards is legal, too: `detail`
-#' says `flipped`. One part turned inside out, or inside another and wound alike, is not. Parts are
-#' tried at up to 64 points each; one that crosses itself is not found.
+#' says `flipped`. One part turned inside out, or inside another and wound alike, is not; nor are
+#' parts that cross, or one that is there twice. Parts may touch. One that crosses itself is not
+#' found, and of large parts that cross in a small region not every pair of faces is looked at.
 #'
 #' **Vertices at one place.** Where the mesh is not closed as it stands, vertices with the same
 #' coordinates are made one (an STL file repeats each vertex in each face), then those that differ
@@ -31,9 +32,9 @@
 #' precision. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
 #' `merged_vertices`, and what moved vertices may cost is in `error`.
 #'
-#' **Files.** STL is read by the package Rvcg, or rgl (binary files only, slower), OBJ by rgl, or
-#' Rvcg, PLY by Rvcg. Rvcg works in single precision, 6e-8 of the coordinates: where that loses
-#' digits of the file, `error` has it. Files tell no unit.
+#' **Files.** Binary STL is read by the package Rvcg, or rgl (slower), text STL and PLY by Rvcg,
+#' OBJ by this package: its polygons become triangles. Rvcg works in single precision, 6e-8 of the
+#' coordinates: where that loses digits of the file, `error` has it. Files tell no unit.
 #'
 #' @param mesh One of:
 #'   * a `mesh3d` object of rgl, Rvcg or Morpho. Quadrangles are split in two.
@@ -46,7 +47,7 @@
 #' @param density_kg_m3 Density, of what has a volume.
 #' @param areal_density_kg_m2 Mass of a unit of area, for `method = "shell"`.
 #' @param length_unit Unit of the coordinates: "m", "cm", "mm", "in", "ft", ... Nothing is guessed;
-#'   a mesh of more than 100 m whose unit was not given is warned of.
+#'   a mesh of more than 100 m whose unit was not given is warned of. Units objects have their own.
 #' @param method What to take for the body: see above.
 #' @param weld_m Distance within which vertices are one; NULL: see above.
 #' @param name What to call the body.
@@ -100,7 +101,7 @@ body_mesh <- function(mesh, ..., mass_kg = NULL, density_kg_m3 = NULL, areal_den
   check_mesh_fits(check, found, method, call)
   of <- switch(method,
     box = mesh_box(read, found, call),
-    hull = mesh_hull(read, call),
+    hull = mesh_hull(read, found, call),
     mesh_moments(read, found, method == "shell", call)
   )
   if (missing(length_unit)) warn_of_millimetres(of, call)
@@ -194,7 +195,12 @@ inspect_mesh <- function(read, weld_m, call) {
     )
     if (one$kind == "value") {
       abort_rotdyn(
-        "{.arg weld_m} is below what the coordinates resolve, or the mesh is too large.",
+        c(
+          "{.arg weld_m} must be at least 2^-52 of the largest coordinate, or 0.",
+          x = "It is {format(weld_m)}, and the largest coordinate
+               {format(largest * read$factor, digits = 3)} m.",
+          i = "0 merges equal vertices alone."
+        ),
         "value", call
       )
     }
@@ -375,7 +381,7 @@ mesh_in_metres <- function(of, factor, power) {
   of
 }
 
-mesh_hull <- function(read, call) {
+mesh_hull <- function(read, found, call) {
   need_package("geometry", "The convex hull of a mesh", call)
   points <- if (read$by_column) t(read$vertices[1:3, , drop = FALSE]) else read$vertices
   points <- unique(points[sort(unique(as.vector(read$faces))), , drop = FALSE])
@@ -398,11 +404,19 @@ mesh_hull <- function(read, call) {
     vertices = points, faces = outward_faces(local, faces), by_column = FALSE,
     factor = read$factor, precision = read$precision
   )
-  found <- inspect_mesh(hull, NULL, call)
-  if (any(found_table(found)$verdict[mesh_conditions$fails == "solid"] != "holds")) {
-    abort_rotdyn("The convex hull of {.arg mesh} does not close.", "mesh", call)
-  }
+  found$same <- NULL
+  found$distance <- 0
   of <- mesh_moments(hull, found, FALSE, call)
+  # Slivers may still be turned either way, which does not matter: the edges cannot be asked.
+  if (!(of$closure <= 1e-9)) {
+    abort_rotdyn(
+      c(
+        "The convex hull of {.arg mesh} does not close.",
+        i = "Take {.code method = \"box\"} or {.code \"shell\"}."
+      ),
+      "mesh", call
+    )
+  }
   of$faces <- nrow(faces)
   of
 }
@@ -419,6 +433,22 @@ outward_faces <- function(points, faces) {
   )
   inwards <- rowSums(n * sweep(a, 2, inside)) < 0
   faces[inwards, 2:3] <- faces[inwards, 3:2]
+  wind_alike(faces)
+}
+
+# Where many points lie in a plane, but for rounding, some triangles are slivers, or folded over
+# their neighbours: such a one has to go along with these. It is against two of them or all three.
+wind_alike <- function(faces) {
+  most <- max(faces)
+  for (pass in 1:20) {
+    from <- as.double(faces)
+    to <- as.vector(faces[, c(2, 3, 1)])
+    along <- from * most + to
+    same <- duplicated(along) | duplicated(along, fromLast = TRUE)
+    against <- rowSums(matrix(same, ncol = 3L)) >= 2
+    if (!any(against)) break
+    faces[against, 2:3] <- faces[against, 3:2]
+  }
   faces
 }
 
@@ -449,8 +479,16 @@ mesh_body <- function(name, of, amount, read, found, check, method, call) {
   mass <- if (amount$kind == "mass_kg") amount$value else amount$value * size
   error <- of$error
   if (amount$kind != "mass_kg") error <- error + of$size_error
-  if (!is.finite(mass) || (mass == 0 && amount$value > 0)) {
-    abort_rotdyn("The mass of the mesh is beyond double precision.", "range", call)
+  trace <- sum(mass * of$second[1:3])
+  if (!is.finite(mass + trace) || (amount$value > 0 && trace < .Machine$double.xmin)) {
+    abort_rotdyn(
+      c(
+        "The mass or the second moment is beyond double precision.",
+        x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
+        i = "Use other units of mass or length, as if they were kg and m."
+      ),
+      "range", call
+    )
   }
   side <- of$hi - of$lo
   new_body(

@@ -6,8 +6,9 @@
 #'
 #' @param mass_kg Mass, at least 0.
 #' @param inertia_kg_m2 A symmetric 3 x 3 matrix in kg m^2; or six numbers named `ixx`, `iyy`,
-#'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes; or what
-#'   [inertia_tensor()] gave, which knows its point, axes and sign convention.
+#'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes (if they have names,
+#'   `ixx`, `iyy`, `izz` or `x`, `y`, `z`); or what [inertia_tensor()] gave, which knows its point,
+#'   axes and sign convention.
 #' @param centre_m Centre of mass in the own axes.
 #' @param ... Not used; names after it must be given in full.
 #' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes),
@@ -92,8 +93,6 @@ body_of_tensor <- function(x, call) {
   )
 }
 
-tensor_names <- c("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-
 # A 3 x 3 matrix of doubles with products negative, not yet known to be symmetric or possible.
 as_tensor <- function(x, arg, call, products = "negative") {
   if (inherits(x, "rot_inertia_tensor")) {
@@ -108,13 +107,14 @@ as_tensor <- function(x, arg, call, products = "negative") {
   if (!is.numeric(x)) {
     abort_tensor(x, arg, call)
   }
+  names <- plain_entry_names(names(x))
   tensor <- if (is.matrix(x) && all(dim(x) == 3L)) {
     matrix(as.double(x), 3)
-  } else if (length(x) == 6L && !is.null(names(x)) && setequal(tolower(names(x)), tensor_names)) {
-    names(x) <- tolower(names(x))
-    x <- as.double(x[tensor_names])
-    matrix(x[c(1, 4, 5, 4, 2, 6, 5, 6, 3)], 3)
-  } else if (length(x) == 3L) {
+  } else if (length(x) == 6L && setequal(names, inertia_entries)) {
+    six_to_tensor(as.double(x[match(inertia_entries, names)]))
+  } else if (length(x) == 3L && setequal(names, inertia_entries[1:3])) {
+    diag(as.double(x[match(inertia_entries[1:3], names)]))
+  } else if (length(x) == 3L && !length(names)) {
     diag(as.double(x))
   } else {
     abort_tensor(x, arg, call)
@@ -126,9 +126,13 @@ as_tensor <- function(x, arg, call, products = "negative") {
 abort_tensor <- function(x, arg, call) {
   abort_rotdyn(
     c(
-      "{.arg {arg}} must be a 3 x 3 matrix, six numbers named {.val {tensor_names}}, or three
+      "{.arg {arg}} must be a 3 x 3 matrix, six numbers named {.val {inertia_entries}}, or three
        principal moments.",
-      x = "It is {describe_value(x)}."
+      x = if (length(x) %in% c(3L, 6L) && length(names(x))) {
+        "Its names are {.val {names(x)}}."
+      } else {
+        "It is {describe_value(x)}."
+      }
     ),
     if (is.numeric(x)) "size" else "type",
     call

@@ -171,8 +171,10 @@ as_tensors <- function(x, products, call) {
   given
 }
 
+# A matrix's diagonal has the names of the axes.
 plain_entry_names <- function(names) {
-  sub("_kg_m2$", "", tolower(names))
+  names <- sub("_kg_m2$", "", tolower(names))
+  if (setequal(names, c("x", "y", "z"))) paste0("i", names, names) else names
 }
 
 tensor_from_vector <- function(x, names, sign, call) {

@@ -18,7 +18,8 @@ link_columns <- c(
 #'
 #' Where a link's visual or collision geometry is made of boxes, cylinders, capsules and spheres
 #' alone, `reach_m` is how far it goes from the centre of mass, and the radius of gyration is
-#' checked against it. One mesh among them leaves `reach_m` unknown, and nothing is checked so.
+#' checked against it. One mesh among them, or a pose in another frame, leaves `reach_m` unknown,
+#' and nothing is checked so.
 #'
 #' `verdict` is the worst of the link's conditions: "holds", "holds within rounding", "fails", or
 #' "no inertia" for a link without `<inertial>`, which is how frames are written. A link that fails
@@ -29,12 +30,15 @@ link_columns <- c(
 #' @param ... Nothing.
 #' @return A tibble, one row a link:
 #'   `r describe_columns(link_columns)`
-#'   In an SDF file with several models, links are named `model::link`.
+#'   In an SDF file with several models, links are named `model::link`, with several worlds
+#'   `world::model::link`.
 #' @section Errors: `rotdyn_error_package` without the package xml2; `rotdyn_error_file` for a file
-#'   that is not there, is no XML, no robot description, has no link, or leaves out what the format
-#'   demands (the link is named); `rotdyn_error_value` for text that is no number, and a pose that
-#'   is not finite; `rotdyn_error_type` for what is no file. A mass or a tensor that is not finite,
-#'   or that no body has, is no error: `verdict`, `fault` and `suggestion` say so.
+#'   that is not there, is no XML, no robot description, has xacro in it or no link, or two links of
+#'   one name, and for a link (it is named) that leaves out what it needs, or has it twice;
+#'   `rotdyn_error_value` for text that is no number, and a pose that is not finite;
+#'   `rotdyn_error_unit` for a unit of its own, which the format does not know; `rotdyn_error_type`
+#'   for what is no file. A mass or a tensor that is not finite, or that no body has, is no error:
+#'   `verdict`, `fault` and `suggestion` say so.
 #' @source URDF: the XML specification of the `urdf` package of ROS. SDF: sdformat.org, version
 #'   1.11.
 #' @seealso [check_inertia()], [inertia_repairs()].
@@ -53,6 +57,7 @@ read_links <- function(file, ...) {
   check_no_dots(...)
   need_package("xml2", "Reading a robot description", call)
   root <- description_root(file, call)
+  check_expanded(root, call)
   links <- switch(xml2::xml_name(root),
     robot = lapply(children(root, "link"), urdf_link, call = call),
     sdf_links(root, call)
@@ -60,7 +65,38 @@ read_links <- function(file, ...) {
   if (!length(links)) {
     abort_rotdyn("{.arg file} describes no link.", "file", call)
   }
+  check_unique(vapply(links, `[[`, "", "name"), call)
   links_table(links, call)
+}
+
+# What a macro would have put into a link is not there.
+check_expanded <- function(root, call) {
+  left <- xml2::xml_find_first(root, "//*[starts-with(name(), 'xacro:')]")
+  if (!is.na(left)) {
+    abort_rotdyn(
+      c(
+        "{.arg file} must be a description without xacro.",
+        x = "It has {.code <{xml2::xml_name(left, xml2::xml_ns(root))}>}.",
+        i = xacro_remedy
+      ),
+      "file", call
+    )
+  }
+}
+
+xacro_remedy <- "This is xacro: expand it first, {.code xacro robot.urdf.xacro > robot.urdf}."
+
+check_unique <- function(names, call) {
+  twice <- unique(names[duplicated(names)])
+  if (length(twice)) {
+    abort_rotdyn(
+      c(
+        "Every link must have a name of its own.",
+        x = "More than one is called {.val {twice}}."
+      ),
+      "file", call
+    )
+  }
 }
 
 # ---- the document ---------------------------------------------------------------------------
@@ -107,10 +143,12 @@ parse_description <- function(file, call) {
       )
     }
   } else {
+    # Text is UTF-8 by now, whatever its declaration says.
     file <- charToRaw(enc2utf8(sub("^[[:space:]\ufeff]+", "", file)))
   }
   tryCatch(
-    xml2::read_xml(file),
+    # Prefixes that nothing declares are common in older files, and worth a warning to the parser.
+    suppressWarnings(xml2::read_xml(file, encoding = if (is.raw(file)) "UTF-8" else "")),
     error = function(e) {
       reason <- gsub("\\s+", " ", conditionMessage(e))
       abort_rotdyn(
@@ -130,6 +168,21 @@ child <- function(node, name) {
   if (length(found)) found[[1L]]
 }
 
+# What the format has at most once; NULL if it is not there.
+only_child <- function(node, name, link, call) {
+  found <- children(node, name)
+  if (length(found) > 1L) {
+    abort_rotdyn(
+      c(
+        "Link {.val {link}} must have one {.code <{name}>}.",
+        x = "Its {.code <{xml2::xml_name(node)}>} has {length(found)}."
+      ),
+      "file", call
+    )
+  }
+  if (length(found)) found[[1L]]
+}
+
 numbers_of <- function(text, n, what, link, call) {
   words <- strsplit(trimws(text), "[[:space:]]+")[[1L]]
   values <- suppressWarnings(as.numeric(words))
@@ -142,7 +195,7 @@ numbers_of <- function(text, n, what, link, call) {
         "{what} of link {.val {link}} must be {cli::qty(n)}{?a number/numbers}.",
         x = "It says {.val {text}}.",
         i = if (grepl("$", text, fixed = TRUE)) {
-          "This is xacro: expand it first, {.code xacro robot.urdf.xacro > robot.urdf}."
+          xacro_remedy
         } else if (grepl("^[-+0-9.]*,[0-9]+$", word)) {
           "Decimals are written with a point."
         }
@@ -173,12 +226,12 @@ finite_numbers <- function(text, n, what, link, call) {
   values
 }
 
-abort_lacking <- function(what, link, call) {
+# `why`: URDF demands it; SDF has defaults, of 1, or takes the inertia from the shape.
+abort_lacking <- function(what, link, call, why = "The format demands it in {.code <inertial>}.") {
   abort_rotdyn(
     c(
       "Link {.val {link}} has no {.code {what}}.",
-      i = "The format demands it in {.code <inertial>}. A frame without mass has no
-           {.code <inertial>}."
+      i = paste(why, "A frame without mass has no {.code <inertial>}.")
     ),
     "file", call
   )
@@ -213,11 +266,12 @@ rotation_rpy <- function(rpy) {
 urdf_link <- function(node, call) {
   number <- length(xml2::xml_find_all(node, "preceding-sibling::*[local-name()='link']")) + 1L
   link <- list(name = link_name(node, number, call))
-  inertial <- child(node, "inertial")
+  inertial <- only_child(node, "inertial", link$name, call)
   if (!is.null(inertial)) {
     link$pose <- urdf_pose(inertial, "<inertial>", link$name, call)
-    link$mass_kg <- urdf_number(child(inertial, "mass"), "value", "mass", link$name, call)
-    inertia <- child(inertial, "inertia")
+    mass <- only_child(inertial, "mass", link$name, call)
+    link$mass_kg <- urdf_number(mass, "value", "mass", link$name, call)
+    inertia <- only_child(inertial, "inertia", link$name, call)
     link$six <- vapply(inertia_entries, function(entry) {
       urdf_number(inertia, entry, "inertia", link$name, call)
     }, 0)
@@ -232,11 +286,22 @@ urdf_number <- function(node, attribute, element, link, call) {
   if (is.na(text)) {
     abort_lacking(what, link, call)
   }
+  unit <- c(xml2::xml_attr(node, "unit"), xml2::xml_attr(node, "units"))
+  unit <- unit[!is.na(unit)]
+  if (length(unit)) {
+    abort_rotdyn(
+      c(
+        "{what} of link {.val {link}} must be in kg and m.",
+        x = "Its unit is {.val {unit}}, and the format has no units."
+      ),
+      "unit", call
+    )
+  }
   numbers_of(text, 1L, what, link, call)
 }
 
 urdf_pose <- function(node, where, link, call) {
-  origin <- child(node, "origin")
+  origin <- only_child(node, "origin", link, call)
   read <- function(attribute) {
     text <- if (is.null(origin)) NA_character_ else xml2::xml_attr(origin, attribute)
     if (is.na(text)) {
@@ -265,24 +330,29 @@ urdf_solid <- function(shape, kind, link, call) {
 
 sdf_links <- function(root, call) {
   nodes <- as.list(xml2::xml_find_all(root, ".//*[local-name()='model']/*[local-name()='link']"))
-  models <- length(xml2::xml_find_all(root, ".//*[local-name()='model']"))
-  lapply(seq_along(nodes), function(i) sdf_link(nodes[[i]], i, models > 1L, call))
+  # Only what there are several of has to be named.
+  scopes <- Filter(
+    function(scope) length(xml2::xml_find_all(root, paste0(".//*[", scope, "]"))) > 1L,
+    c("local-name()='model'", "local-name()='world'")
+  )
+  lapply(seq_along(nodes), function(i) sdf_link(nodes[[i]], i, scopes, call))
 }
 
-sdf_link <- function(node, number, several, call) {
+sdf_link <- function(node, number, scopes, call) {
   name <- link_name(node, number, call)
-  if (several) {
-    models <- xml2::xml_find_all(node, "ancestor::*[local-name()='model']")
-    name <- paste(c(xml2::xml_attr(models, "name"), name), collapse = "::")
+  if (length(scopes)) {
+    around <- paste0("ancestor::*[", paste(scopes, collapse = " or "), "]")
+    around <- xml2::xml_attr(xml2::xml_find_all(node, around), "name")
+    name <- paste(c(around, name), collapse = "::")
   }
   link <- list(name = name)
-  inertial <- child(node, "inertial")
+  inertial <- only_child(node, "inertial", name, call)
   if (!is.null(inertial)) {
     link$pose <- sdf_pose(inertial, "<inertial>", name, call)
     link$mass_kg <- sdf_number(inertial, "mass", NULL, name, call)
-    inertia <- child(inertial, "inertia")
+    inertia <- only_child(inertial, "inertia", name, call)
     if (is.null(inertia)) {
-      abort_lacking("<inertia>", name, call)
+      abort_lacking("<inertia>", name, call, sdf_default)
     }
     # The format gives products that are left out as 0.
     defaults <- list(NULL, NULL, NULL, 0, 0, 0)
@@ -295,11 +365,13 @@ sdf_link <- function(node, number, several, call) {
   link
 }
 
+sdf_default <- "A simulator would take 1, or the shape's: write it in {.code <inertial>}."
+
 sdf_number <- function(node, element, default, link, call) {
-  found <- child(node, element)
+  found <- only_child(node, element, link, call)
   if (is.null(found)) {
     if (is.null(default)) {
-      abort_lacking(paste0("<", element, ">"), link, call)
+      abort_lacking(paste0("<", element, ">"), link, call, sdf_default)
     }
     return(default)
   }
@@ -307,14 +379,18 @@ sdf_number <- function(node, element, default, link, call) {
 }
 
 sdf_pose <- function(node, where, link, call) {
-  pose <- child(node, "pose")
+  pose <- only_child(node, "pose", link, call)
   if (is.null(pose) || !nzchar(trimws(xml2::xml_text(pose)))) {
     return(list(at = c(0, 0, 0), rpy = c(0, 0, 0)))
   }
   what <- paste("<pose> in", where)
   format <- xml2::xml_attr(pose, "rotation_format")
   frame <- xml2::xml_attr(pose, "relative_to")
-  if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "")) {
+  if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "", sub("^.*::", "", link))) {
+    # What is drawn only gives the reach, which is then unknown.
+    if (where != "<inertial>") {
+      return(NULL)
+    }
     abort_rotdyn(
       c(
         "{what} of link {.val {link}} must be roll, pitch and yaw in the link's own frame.",
@@ -348,7 +424,8 @@ sdf_solid <- function(shape, kind, link, call) {
 
 # ---- how far the drawn shape reaches --------------------------------------------------------
 
-# The solids of all visual and collision elements; NULL where one of them is a mesh or unknown.
+# The solids of all visual and collision elements; NULL where one of them is a mesh or unknown, or
+# in a frame of its own.
 geometry_parts <- function(node, link, call, read_pose, read_solid) {
   elements <- c(children(node, "visual"), children(node, "collision"))
   parts <- list()
@@ -359,10 +436,11 @@ geometry_parts <- function(node, link, call, read_pose, read_solid) {
     if (!kind %in% c("box", "sphere", "cylinder", "capsule")) {
       return(NULL)
     }
-    where <- paste0("<", xml2::xml_name(element), ">")
-    parts <- c(parts, list(c(
-      read_pose(element, where, link, call), read_solid(shape[[1L]], kind, link, call)
-    )))
+    pose <- read_pose(element, paste0("<", xml2::xml_name(element), ">"), link, call)
+    if (is.null(pose)) {
+      return(NULL)
+    }
+    parts <- c(parts, list(c(pose, read_solid(shape[[1L]], kind, link, call))))
   }
   parts
 }

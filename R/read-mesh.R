@@ -8,8 +8,8 @@ as_mesh <- function(mesh, length_unit, call) {
     mesh_from_file(mesh, call)
   } else if (inherits(mesh, "mesh3d")) {
     mesh_from_mesh3d(mesh, "mesh", call)
-  } else if (is.list(mesh) && !is.data.frame(mesh) && length(mesh) == 2L) {
-    mesh_from_pair(mesh, length_unit, call)
+  } else if (is_pair(mesh)) {
+    mesh_from_pair(mesh, length_unit, factor, call)
   } else {
     abort_rotdyn(
       c(
@@ -23,6 +23,23 @@ as_mesh <- function(mesh, length_unit, call) {
   }
   out$factor <- factor
   out
+}
+
+# A list without a class that has names is told which names it needs.
+is_pair <- function(mesh) {
+  is.list(mesh) && !is.data.frame(mesh) && if (is.object(mesh)) {
+    setequal(names(mesh), c("vertices", "faces"))
+  } else {
+    length(mesh) == 2L || !is.null(names(mesh))
+  }
+}
+
+describe_matrix <- function(x) {
+  if (is.matrix(x)) {
+    paste("a", nrow(x), "x", ncol(x), typeof(x), "matrix")
+  } else {
+    describe_value(x)
+  }
 }
 
 # ---- units of length ----------------------------------------------------------------------------
@@ -73,7 +90,7 @@ mesh_from_mesh3d <- function(mesh, arg, call) {
     abort_rotdyn(
       c(
         "The {.field vb} of a {.cls mesh3d} must be a numeric matrix of three or four rows.",
-        x = "It is {describe_value(vertices)}."
+        x = "It is {describe_matrix(vertices)}."
       ),
       "type",
       call
@@ -97,7 +114,7 @@ split_quads <- function(quads) {
   matrix(quads[c(1L, 2L, 3L, 1L, 3L, 4L), ], 3L)
 }
 
-mesh_from_pair <- function(mesh, length_unit, call) {
+mesh_from_pair <- function(mesh, length_unit, factor, call) {
   if (!is.null(names(mesh)) && !setequal(names(mesh), c("vertices", "faces"))) {
     abort_rotdyn(
       c(
@@ -115,12 +132,13 @@ mesh_from_pair <- function(mesh, length_unit, call) {
   faces <- mesh_indices(faces, corners, FALSE, "mesh$faces", call)
   if (corners == 4L) faces <- t(split_quads(t(faces)))
   list(
-    vertices = mesh_vertices(mesh$vertices, length_unit, call), faces = faces,
+    vertices = mesh_vertices(mesh$vertices, length_unit, factor, call), faces = faces,
     by_column = FALSE, reader = NA_character_, precision = 0
   )
 }
 
-mesh_vertices <- function(x, length_unit, call) {
+# Quantities with a unit of their own are put into `length_unit`, like the numbers without.
+mesh_vertices <- function(x, length_unit, factor, call) {
   if (is.data.frame(x)) {
     named <- Filter(function(names) all(names %in% names(x)), list(place_columns, c("x", "y", "z")))
     if (!length(named)) {
@@ -137,12 +155,15 @@ mesh_vertices <- function(x, length_unit, call) {
         call
       )
     }
-    x <- lapply(named[[1L]], function(name) check_column(x[[name]], name, "m", call))
+    x <- lapply(named[[1L]], function(name) {
+      own <- is.object(x[[name]])
+      check_column(x[[name]], name, "m", call) / if (own) factor else 1
+    })
     return(matrix(unlist(x), ncol = 3L))
   }
   if (inherits(x, "units")) {
     size <- dim(x)
-    x <- as_si(x, "m", "mesh$vertices", call)
+    x <- as_si(x, "m", "mesh$vertices", call) / factor
     dim(x) <- size
   }
   if (!is.matrix(x) || !is_number(x) || ncol(x) != 3L) {
@@ -150,7 +171,7 @@ mesh_vertices <- function(x, length_unit, call) {
       c(
         "{.code mesh$vertices} must be a numeric matrix of three columns, or a data frame of
          {.field x_m}, {.field y_m} and {.field z_m}.",
-        x = "It is {describe_value(x)}."
+        x = "It is {describe_matrix(x)}."
       ),
       "type",
       call
@@ -172,7 +193,7 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
       c(
         "{.code {arg}} must be a matrix of vertex numbers with {corners}
          {if (by_column) 'rows' else 'columns'}.",
-        x = "It is {describe_value(x)}."
+        x = "It is {describe_matrix(x)}."
       ),
       "type",
       call
@@ -197,12 +218,7 @@ mesh_from_file <- function(path, call) {
     )
   }
   format <- tolower(sub("^.*[.]", "", basename(path)))
-  reader <- switch(format,
-    stl = if (stl_is_binary(path)) stl_reader(call) else need_reader("Rvcg", "A text STL", call),
-    obj = obj_reader(),
-    ply = need_reader("Rvcg", "A PLY file", call)
-  )
-  if (is.null(reader)) {
+  if (!format %in% c("stl", "obj", "ply")) {
     abort_rotdyn(
       c(
         "A mesh is read from an STL, OBJ or PLY file.",
@@ -212,17 +228,18 @@ mesh_from_file <- function(path, call) {
       call
     )
   }
+  if (isTRUE(file.size(path) == 0)) abort_mesh_file(path, "It is empty.", call)
+  binary <- format == "stl" && stl_is_binary(path, call)
+  reader <- switch(format,
+    stl = if (binary) stl_reader(call) else need_reader("Rvcg", "A text STL", call),
+    obj = "rotdyn",
+    ply = need_reader("Rvcg", "A PLY file", call)
+  )
   read <- tryCatch(
-    if (reader == "Rvcg") read_by_rvcg(path) else read_by_rgl(path, format),
+    switch(reader, Rvcg = read_by_rvcg(path), rgl = read_by_rgl(path), read_obj(path)),
     error = function(e) {
-      abort_rotdyn(
-        c(
-          "{.file {basename(path)}} cannot be read as a mesh.",
-          x = "{.pkg {reader}} says: {conditionMessage(e)}"
-        ),
-        "file",
-        call
-      )
+      reason <- conditionMessage(e)
+      abort_mesh_file(path, "The reader ({.pkg {reader}}) says: {reason}.", call)
     }
   )
   out <- mesh_from_mesh3d(read, "mesh", call)
@@ -230,32 +247,50 @@ mesh_from_file <- function(path, call) {
   out$format <- format
   out$reader <- reader
   # A binary STL has single precision itself: its numbers come back as they are.
-  out$precision <- if (reader == "Rvcg" && !(format == "stl" && stl_is_binary(path))) 2^-24 else 0
+  out$precision <- if (reader == "Rvcg" && !binary) 2^-24 else 0
   out$single <- format == "stl" || reader == "Rvcg"
   out
 }
 
+abort_mesh_file <- function(path, why, call, .envir = parent.frame()) {
+  why <- cli::format_inline(why, .envir = .envir)
+  abort_rotdyn(
+    c("{.file {basename(path)}} cannot be read as a mesh.", x = "{why}"), "file", call
+  )
+}
+
 # 80 bytes, the number of triangles, 50 bytes for each. A text begins with "solid", and so do some
-# binaries; the length decides.
-stl_is_binary <- function(path) {
+# binaries; the length decides. A text has no byte that is 0.
+stl_is_binary <- function(path, call) {
   size <- file.size(path)
-  if (size < 84) {
-    return(FALSE)
-  }
   con <- file(path, "rb")
   on.exit(close(con))
-  readBin(con, "raw", 80L)
-  triangles <- readBin(con, "integer", 1L, size = 4L, endian = "little")
-  !is.na(triangles) && triangles >= 0 && size == 84 + 50 * as.double(triangles)
+  head <- readBin(con, "raw", 84L)
+  triangles <- sum(as.integer(head[81:84]) * 256^(0:3))
+  if (isTRUE(triangles == 0 && size == 84)) {
+    abort_mesh_file(path, "It has no triangles.", call)
+  }
+  if (isTRUE(size == 84 + 50 * triangles)) {
+    return(TRUE)
+  }
+  if (!any(head == 0) && grepl("^[[:space:]]*solid", rawToChar(head), TRUE, useBytes = TRUE)) {
+    return(FALSE)
+  }
+  abort_mesh_file(
+    path,
+    if (size < 84) {
+      "It is no text that begins with {.val solid}, and too short for a binary STL."
+    } else {
+      "It counts {format(triangles, big.mark = ',')} triangles, which take
+       {format(84 + 50 * triangles, big.mark = ',')} bytes, and has
+       {format(size, big.mark = ',')}: it was cut off or changed."
+    },
+    call
+  )
 }
 
 stl_reader <- function(call) {
   if (requireNamespace("Rvcg", quietly = TRUE)) "Rvcg" else need_reader("rgl", "An STL file", call)
-}
-
-# rgl keeps double precision, Rvcg does not.
-obj_reader <- function() {
-  if (!has_rgl() && requireNamespace("Rvcg", quietly = TRUE)) "Rvcg" else "rgl"
 }
 
 need_reader <- function(package, what, call) {
@@ -273,19 +308,7 @@ has_rgl <- function() {
   requireNamespace("rgl", quietly = TRUE)
 }
 
-read_by_rgl <- function(path, format) {
-  if (!has_rgl()) need_package("rgl", "An OBJ file", rlang::caller_env())
-  if (format == "obj") {
-    # It tells of each kind of line that is not geometry.
-    return(withCallingHandlers(
-      rgl::readOBJ(path),
-      warning = function(w) {
-        if (grepl("ignored|incomplete final line", conditionMessage(w))) {
-          invokeRestart("muffleWarning")
-        }
-      }
-    ))
-  }
+read_by_rgl <- function(path) {
   corners <- rgl::readSTL(path, plot = FALSE)
   structure(
     list(vb = rbind(t(corners), 1), it = matrix(seq_len(nrow(corners)), 3L)),

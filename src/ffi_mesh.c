@@ -120,6 +120,7 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
       looked = status == ROT_OK;
     }
     const rot_edges *e = &f.edges;
+    nested = looked && !e->components; /* of no parts, all counts are 0 */
     if (looked && e->components && !e->open_edges && !e->miswound_edges && !e->crowded_edges &&
         !e->touching_edges) {
       SEXP volume = Rf_allocVector(REALSXP, (R_xlen_t)e->components);

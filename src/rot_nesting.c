@@ -10,6 +10,7 @@
 typedef struct part {
   double lo[3], hi[3], volume, gross;
   size_t begin, end; /* its faces, in work.face */
+  int flat, crosses;
 } part;
 
 typedef struct work {
@@ -17,7 +18,8 @@ typedef struct work {
   const uint32_t *component;
   size_t components;
   part *parts;
-  uint32_t *face; /* ordered by component */
+  uint32_t *face;    /* ordered by component */
+  uint32_t *meeting; /* faces of one component that meet another's box */
 } work;
 
 /* Points of a component that are tried; the first few whatever they cost. */
@@ -68,8 +70,8 @@ static void add_to_part(const work *w, size_t face, rot_nesting *out) {
 static void gather_parts(const work *w, rot_nesting *out) {
   const size_t faces = w->mesh->faces;
   for (size_t i = 0; i < w->components; i++) {
-    w->parts[i] =
-        (part){{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0.0, 0.0, 0, 0};
+    w->parts[i] = (part){
+        {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0.0, 0.0, 0, 0, 0, 0};
   }
   for (size_t i = 0; i < faces; i++) {
     if (w->component[i] != ROT_NO_COMPONENT) w->parts[w->component[i]].end++;
@@ -86,12 +88,20 @@ static void gather_parts(const work *w, rot_nesting *out) {
   for (size_t i = 0; i < faces; i++) {
     if (w->component[i] != ROT_NO_COMPONENT) add_to_part(w, i, out);
   }
+  for (size_t i = 0; i < w->components; i++) {
+    part *of = &w->parts[i];
+    const double n = (double)(of->end - of->begin);
+    of->flat = !(fabs(of->volume) > ROT_EPS * (16.0 + n) * of->gross);
+  }
 }
 
 /* ---- what is around a point ----------------------------------------------------------------- */
 
-/* Half of the solid angle of a face; HUGE_VAL from a point on it, or so near that rounding decides
- * which side it sees. */
+/* Nearer than this, relative to the face, is on it: files in single precision have 6e-8 of the
+ * coordinates. */
+static const double touching = 1e-6;
+
+/* Half of the solid angle of a face; HUGE_VAL from a point on it. */
 static double half_angle(const work *w, size_t face, const double p[3]) {
   double r[3][3], length[3], n[3], gross;
   for (size_t k = 0; k < 3; k++) {
@@ -101,38 +111,75 @@ static double half_angle(const work *w, size_t face, const double p[3]) {
   }
   cross(r[1], r[2], n, &gross);
   const double up = r[0][0] * n[0] + r[0][1] * n[1] + r[0][2] * n[2];
+  const double farthest = fmax(fmax(length[0], length[1]), length[2]),
+               least = touching * farthest * farthest * farthest;
   double down = length[0] * length[1] * length[2];
   for (int k = 0; k < 3; k++) {
     const double *a = r[k], *b = r[(k + 1) % 3];
     down += (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * length[(k + 2) % 3];
   }
-  return down < 0.0 && fabs(up) <= 1e-9 * -down ? HUGE_VAL : atan2(up, down);
+  /* down is negative over the face, and 0 over its edges and corners. */
+  return down <= least && fabs(up) <= least ? HUGE_VAL : atan2(up, down);
 }
 
+/* Or next to it: the middle of a face that touches the box is not exact. */
 static int in_box(const part *of, const double p[3]) {
   for (int k = 0; k < 3; k++) {
-    if (!(p[k] >= of->lo[k] && p[k] <= of->hi[k])) return 0;
+    const double slack = 8.0 * ROT_EPS * (fabs(of->lo[k]) + fabs(of->hi[k]));
+    if (!(p[k] >= of->lo[k] - slack && p[k] <= of->hi[k] + slack)) return 0;
   }
   return 1;
 }
 
+/* How often a component encloses p; HUGE_VAL where p is on it. */
+static double count_turns(const work *w, const part *of, const double p[3], double *looks) {
+  const double pi = 3.14159265358979323846;
+  double angle = 0.0;
+  for (size_t i = of->begin; i < of->end; i++) angle += half_angle(w, w->face[i], p);
+  *looks += 16.0 * (double)(of->end - of->begin);
+  const double turns = angle / (2.0 * pi), whole = nearbyint(turns);
+  return fabs(turns - whole) < 1e-6 ? whole : HUGE_VAL;
+}
+
 /* How often the other components enclose p; HUGE_VAL where p is on one of them. */
 static double count_around(const work *w, size_t self, const double p[3], double *looks) {
-  const double pi = 3.14159265358979323846;
   double around = 0.0;
   for (size_t j = 0; j < w->components; j++) {
     *looks += 1.0;
     if (j == self || !in_box(&w->parts[j], p)) continue;
-    double angle = 0.0;
-    for (size_t i = w->parts[j].begin; i < w->parts[j].end; i++) {
-      angle += half_angle(w, w->face[i], p);
-    }
-    *looks += 16.0 * (double)(w->parts[j].end - w->parts[j].begin);
-    const double turns = angle / (2.0 * pi), whole = nearbyint(turns);
-    if (!(fabs(turns - whole) < 1e-6)) return HUGE_VAL;
-    around += whole;
+    around += count_turns(w, &w->parts[j], p, looks);
   }
   return around;
+}
+
+/* The middle of a face, pushed in by a thousandth of its size. */
+static void step_inside(const work *w, const part *of, size_t face, double p[3]) {
+  double corner[3][3], u[3], v[3], n[3], gross;
+  for (size_t k = 0; k < 3; k++) corner_at(w, face, k, corner[k]);
+  for (int j = 0; j < 3; j++) {
+    p[j] = (corner[0][j] + corner[1][j] + corner[2][j]) / 3.0;
+    u[j] = corner[1][j] - corner[0][j];
+    v[j] = corner[2][j] - corner[0][j];
+  }
+  cross(u, v, n, &gross);
+  /* |n| is a length squared. */
+  const double size = sqrt(sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
+  const double step = size > 0.0 ? (of->volume > 0.0 ? -1e-3 : 1e-3) / size : 0.0;
+  for (int j = 0; j < 3; j++) p[j] += step * n[j];
+}
+
+/* A component that touches others with every face, as one that is there twice: from its inside. */
+static void place_from_inside(const work *w, size_t self, double *looks, double *around) {
+  const part *of = &w->parts[self];
+  for (size_t i = of->begin; i < of->end && i < of->begin + FIRST_POINTS; i++) {
+    double p[3];
+    step_inside(w, of, w->face[i], p);
+    const double own = count_turns(w, of, p, looks), one = count_around(w, self, p, looks);
+    if (!isfinite(one) || !(own * of->volume > 0.0)) continue;
+    /* Another part may fill a cavity to its walls: that one is not around it. */
+    *around = fabs(one + 2.0 * own) < 0.5 ? -own : one;
+    return;
+  }
 }
 
 /* The middles of some faces. The golden section spreads them over any order of the faces. */
@@ -155,8 +202,128 @@ static int place_component(const work *w, size_t self, double *looks, double *ar
     *around = one;
     seen = 1;
   }
+  if (!seen) place_from_inside(w, self, looks, around);
   return 1;
 }
+
+/* ---- parts that cross ----------------------------------------------------------------------- */
+
+/* A face, its corners, its middle, and its box. */
+typedef struct sheet {
+  double at[4][3], lo[3], hi[3];
+} sheet;
+
+static void see_sheet(const work *w, size_t face, sheet *to) {
+  for (size_t k = 0; k < 3; k++) corner_at(w, face, k, to->at[k]);
+  for (int j = 0; j < 3; j++) {
+    const double a = to->at[0][j], b = to->at[1][j], c = to->at[2][j];
+    to->at[3][j] = (a + b + c) / 3.0;
+    to->lo[j] = a < b ? (a < c ? a : c) : (b < c ? b : c);
+    to->hi[j] = a > b ? (a > c ? a : c) : (b > c ? b : c);
+  }
+}
+
+static int boxes_meet(const double alo[3], const double ahi[3], const double blo[3],
+                      const double bhi[3]) {
+  for (int k = 0; k < 3; k++) {
+    if (!(alo[k] < bhi[k] && blo[k] < ahi[k])) return 0;
+  }
+  return 1;
+}
+
+/* On which side of the plane through a, b, c is d: 0 where it is as near as parts that touch. What
+ * rounding makes of six times the volume is at most `least`. */
+static int side_of(const double a[3], const double b[3], const double c[3], const double d[3],
+                   double least) {
+  double u[3], v[3], n[3], gross;
+  for (int j = 0; j < 3; j++) {
+    u[j] = b[j] - a[j];
+    v[j] = c[j] - a[j];
+  }
+  cross(u, v, n, &gross);
+  double volume = 0.0;
+  for (int j = 0; j < 3; j++) volume += (d[j] - a[j]) * n[j];
+  return fabs(volume) > least ? (volume > 0.0 ? 1 : -1) : 0;
+}
+
+static double length_of(const double a[3], const double b[3]) {
+  return fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]);
+}
+
+/* Whether the line from p to q goes through the inside of a face. Heights over the face, and the
+ * distances of two lines, are compared with the longest of the lengths. */
+static int pierces(const double p[3], const double q[3], const sheet *s) {
+  const double *a = s->at[0], *b = s->at[1], *c = s->at[2];
+  const double line = length_of(p, q), ab = length_of(a, b), bc = length_of(b, c),
+               ca = length_of(c, a), most = fmax(fmax(line, ab), fmax(bc, ca));
+  const double least = touching * most * ab * ca, least_line = touching * most * line;
+  if (side_of(a, b, c, p, least) * side_of(a, b, c, q, least) >= 0) return 0;
+  const int turn = side_of(p, q, a, b, least_line * ab);
+  return turn != 0 && side_of(p, q, b, c, least_line * bc) == turn &&
+         side_of(p, q, c, a, least_line * ca) == turn;
+}
+
+/* The edges of either, and the lines from its middle to its corners: where bodies are alike or lie
+ * evenly, edges meet edges, and only those lines go through. */
+static int sheets_cross(const sheet *a, const sheet *b) {
+  if (!boxes_meet(a->lo, a->hi, b->lo, b->hi)) return 0;
+  for (int k = 0; k < 3; k++) {
+    const int next = (k + 1) % 3;
+    if (pierces(a->at[k], a->at[next], b) || pierces(a->at[k], a->at[3], b) ||
+        pierces(b->at[k], b->at[next], a) || pierces(b->at[k], b->at[3], a)) {
+      return 1;
+    }
+  }
+  return 0;
+}
+
+static size_t gather_meeting(const work *w, const part *of, const part *other, sheet *one) {
+  size_t n = 0;
+  for (size_t i = of->begin; i < of->end; i++) {
+    see_sheet(w, w->face[i], one);
+    if (boxes_meet(one->lo, one->hi, other->lo, other->hi)) w->meeting[n++] = w->face[i];
+  }
+  return n;
+}
+
+static int parts_cross(const work *w, const part *a, const part *b, double *looks) {
+  sheet one, other;
+  const size_t n = gather_meeting(w, b, a, &other);
+  *looks += (double)(b->end - b->begin);
+  for (size_t i = a->begin; i < a->end && n; i++) {
+    see_sheet(w, w->face[i], &one);
+    *looks += 1.0;
+    if (!boxes_meet(one.lo, one.hi, b->lo, b->hi)) continue;
+    *looks += 4.0 * (double)n;
+    if (*looks > most_looks) return 0;
+    for (size_t j = 0; j < n; j++) {
+      see_sheet(w, w->meeting[j], &other);
+      if (sheets_cross(&one, &other)) return 1;
+    }
+  }
+  return 0;
+}
+
+static rot_status find_crossings(const work *w, const rot_hooks *hooks) {
+  double looks = 0.0;
+  for (size_t i = 1; i < w->components && looks <= most_looks; i++) {
+    part *a = &w->parts[i];
+    if (i % 64 == 0) {
+      rot_status status = rot_poll(hooks, 0.0);
+      if (status != ROT_OK) return status;
+    }
+    for (size_t j = 0; j < i && looks <= most_looks; j++) {
+      part *b = &w->parts[j];
+      looks += 1.0;
+      if (a->flat || b->flat || (a->crosses && b->crosses)) continue;
+      if (!boxes_meet(a->lo, a->hi, b->lo, b->hi)) continue;
+      if (parts_cross(w, a, b, &looks)) a->crosses = b->crosses = 1;
+    }
+  }
+  return ROT_OK;
+}
+
+/* ---- which lie in which --------------------------------------------------------------------- */
 
 static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_nesting *out) {
   double total = 0.0, looks = 0.0;
@@ -165,14 +332,15 @@ static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_nesting
   const double sign = out->flipped ? -1.0 : 1.0;
   for (size_t i = 0; i < w->components; i++) {
     const double volume = sign * w->parts[i].volume;
-    const size_t n = w->parts[i].end - w->parts[i].begin;
     double around;
     if (i % 64 == 0) {
       rot_status status = rot_poll(hooks, (double)i / (double)w->components);
       if (status != ROT_OK) return status;
     }
-    if (!(fabs(volume) > ROT_EPS * (16.0 + (double)n) * w->parts[i].gross)) {
+    if (w->parts[i].flat) {
       out->flat++;
+    } else if (w->parts[i].crosses) {
+      out->crossing++;
     } else if (looks > most_looks) {
       out->unchecked++;
     } else if (!place_component(w, i, &looks, &around)) {
@@ -195,12 +363,13 @@ rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], s
                              const rot_hooks *hooks, double volume[], rot_nesting *out) {
   rot_mesh_tamed tame;
   *out = (rot_nesting){0};
-  work w = {&tame.mesh, component, components, NULL, NULL};
+  work w = {&tame.mesh, component, components, NULL, NULL, NULL};
   rot_status status = rot_mesh_tame(mesh, &tame);
   if (status == ROT_OK) {
     w.parts = rot_mesh_alloc(components, sizeof *w.parts);
     w.face = rot_mesh_alloc(mesh->faces, sizeof *w.face);
-    status = w.parts && w.face ? ROT_OK : ROT_ENOMEM;
+    w.meeting = rot_mesh_alloc(mesh->faces, sizeof *w.meeting);
+    status = w.parts && w.face && w.meeting ? ROT_OK : ROT_ENOMEM;
   }
   if (status == ROT_OK) {
     gather_parts(&w, out);
@@ -208,10 +377,12 @@ rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], s
       volume[i] = w.parts[i].volume;
       for (int k = 0; k < 3; k++) volume[i] = ldexp(volume[i], tame.exponent);
     }
-    status = judge_parts(&w, hooks, out);
+    status = find_crossings(&w, hooks);
+    if (status == ROT_OK) status = judge_parts(&w, hooks, out);
   }
   free(w.parts);
   free(w.face);
+  free(w.meeting);
   rot_mesh_tame_free(&tame);
   return status;
 }

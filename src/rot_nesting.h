@@ -16,14 +16,15 @@ typedef struct rot_nesting {
   size_t cavities;        /* wound against the whole, inside of it */
   size_t inverted;        /* wound against the whole, and inside of nothing */
   size_t doubled;         /* wound as the whole, inside of it; or more than one way around */
-  size_t crossing;        /* partly inside of another */
+  size_t crossing;        /* a face goes through one of another */
   size_t flat;            /* without a volume beyond rounding */
   size_t unchecked;       /* not looked at: it would have taken too long */
 } rot_nesting;
 
 /* `component` from rot_edges_check(), of a mesh without open, mis-wound or crowded edges.
- * volume[i] is that of component i, with its sign. A component is tried at up to 64 points, so
- * parts that cross in a small region can go unseen, and one that crosses itself is not found. */
+ * volume[i] is that of component i, with its sign. Parts that cross are found by their faces, up to
+ * 1e8 pairs of these. Where a part lies is tried at up to 64 points, the middles of its faces, or
+ * from its inside where all of these touch others. One that crosses itself is not found. */
 rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], size_t components,
                              const rot_hooks *hooks, double volume[], rot_nesting *out);
 

@@ -106,7 +106,114 @@ static void test_touching(void) {
   shape_free(&s);
 }
 
+static void add_bar(shape *s, double x, double y, double z, int in) {
+  const double lo[3] = {-x, -y, -z}, hi[3] = {x, y, z};
+  add_box(s, lo, hi, in);
+}
+
+/* Parts of a few large faces: the middle of none lies in the other part. */
+static void test_crossing_bars(void) {
+  shape s = shape_room(100, 200);
+  add_bar(&s, 0.5, 0.5, 0.5, 0);
+  add_box(&s, (const double[3]){0.0, 0.0, 0.0}, (const double[3]){1.5, 1.5, 1.5}, 0);
+  EXPECT(&s, {0, 0, 0, 0, 2, 0, 0});
+  s.vertices = s.faces = 0;
+  add_bar(&s, 100.0, 0.5, 0.5, 0); /* of one thickness: their upper faces lie in one plane */
+  add_bar(&s, 0.5, 100.0, 0.5, 0);
+  EXPECT(&s, {0, 0, 0, 0, 2, 0, 0});
+  s.vertices = s.faces = 0;
+  add_bar(&s, 2.0, 2.0, 2.0, 0); /* a shaft through the wall, wound as a cavity */
+  add_box(&s, (const double[3]){1.9, -0.1, -0.1}, (const double[3]){9.0, 0.1, 0.1}, 1);
+  EXPECT(&s, {0, 0, 0, 0, 2, 0, 0});
+  s.vertices = s.faces = 0;
+  add_bar(&s, 1.0, 3.0, 1.0, 0); /* against a longer one's side, the corners between its own */
+  add_box(&s, (const double[3]){1.0, -1.0, -1.0}, (const double[3]){2.0, 1.0, 1.0}, 0);
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  /* Turned, so that they touch within rounding only. */
+  for (size_t i = 0; i < s.vertices; i++) {
+    double *p = s.xyz + 3 * i;
+    const double x = p[0];
+    p[0] = cos(0.7) * x - sin(0.7) * p[1];
+    p[1] = sin(0.7) * x + cos(0.7) * p[1];
+    p[2] += 0.3 * p[0];
+  }
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  for (size_t i = 0; i < 3 * s.vertices; i++) s.xyz[i] = (double)(float)s.xyz[i];
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  shape_free(&s);
+}
+
+/* A part that is there twice touches its likeness with every face; so does one that fills a cavity,
+ * which is legal. */
+static void test_same_place(void) {
+  shape s = shape_room(3000, 5000);
+  add_cube(&s, 0.0, 1.0, 0);
+  add_cube(&s, 0.0, 1.0, 0);
+  EXPECT(&s, {0, 0, 0, 2, 0, 0, 0});
+  s.vertices = s.faces = 0;
+  add_sphere(&s, 20, 10, 1e-3, (const double[3]){5.0, 6.0, 7.0});
+  add_sphere(&s, 20, 10, 1e-3, (const double[3]){5.0, 6.0, 7.0});
+  flip_all(&s);
+  EXPECT(&s, {1, 0, 0, 2, 0, 0, 0});
+  s.vertices = s.faces = 0;
+  /* The middle of a face on an edge of another, whose side rounding would choose. */
+  add_box(&s, (const double[3]){0.0, 1.0, 1.0}, (const double[3]){2.0, 3.0, 4.0}, 0);
+  add_box(&s, (const double[3]){2.0, 1.0, 2.0}, (const double[3]){3.0, 2.0, 5.0}, 0);
+  for (size_t i = 0; i < 3 * s.vertices; i++) s.xyz[i] *= 0.1;
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  s.vertices = s.faces = 0;
+  add_box(&s, (const double[3]){2.0, 2.0, 1.0}, (const double[3]){4.0, 5.0, 3.0}, 0);
+  add_box(&s, (const double[3]){1.0, 1.0, 3.0}, (const double[3]){4.0, 4.0, 4.0}, 0);
+  for (int turn = 0; turn < 20; turn++) { /* and on a corner */
+    for (size_t i = 0; i < s.vertices; i++) {
+      double *p = s.xyz + 3 * i;
+      const double x = p[0], y = p[1], z = p[2];
+      p[0] = cos(0.7) * x - sin(0.7) * y;
+      p[1] = cos(0.3) * (sin(0.7) * x + cos(0.7) * y) - sin(0.3) * z;
+      p[2] = sin(0.3) * (sin(0.7) * x + cos(0.7) * y) + cos(0.3) * z;
+    }
+    EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  }
+  s.vertices = s.faces = 0;
+  add_cube(&s, 0.0, 1.0, 0);
+  add_cube(&s, 0.1, 0.5, 1);
+  add_cube(&s, 0.1, 0.5, 0);
+  EXPECT(&s, {0, 1, 0, 0, 0, 0, 0});
+  flip_all(&s);
+  EXPECT(&s, {1, 1, 0, 0, 0, 0, 0});
+  s.vertices = s.faces = 0;
+  add_cube(&s, 0.0, 1.0, 0);
+  add_cube(&s, 0.1, 0.5, 1); /* a cavity that is there twice */
+  add_cube(&s, 0.1, 0.5, 1);
+  EXPECT(&s, {0, 0, 2, 0, 0, 0, 0});
+  shape_free(&s);
+}
+
+/* Cubes that share faces, edges and corners within rounding, turned: none crosses another. */
+static void test_voxels(void) {
+  shape s = shape_room(600, 800);
+  for (int i = 0; i < 64; i++) {
+    const double at[3] = {0.1 * (i % 4), 0.1 * (i / 4 % 4), 0.1 * (i / 16)};
+    add_box(&s, at, (const double[3]){at[0] + 0.1, at[1] + 0.1, at[2] + 0.1}, 0);
+  }
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  for (size_t i = 0; i < s.vertices; i++) {
+    double *p = s.xyz + 3 * i;
+    const double x = p[0], y = p[1];
+    p[0] = cos(0.7) * x - sin(0.7) * y;
+    p[1] = sin(0.7) * x + cos(0.7) * y;
+    p[2] += 0.3 * x - 0.4 * y;
+  }
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  for (size_t i = 0; i < 3 * s.vertices; i++) s.xyz[i] = 2.0 * s.xyz[i] - 50.0;
+  EXPECT(&s, {0, 0, 0, 0, 0, 0, 0});
+  shape_free(&s);
+}
+
 int main(void) {
+  test_voxels();
+  test_crossing_bars();
+  test_same_place();
   test_nested();
   test_wrong();
   test_touching();

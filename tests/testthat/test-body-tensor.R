@@ -11,6 +11,17 @@ test_that("matrix, six numbers and three moments are the same body", {
   expect_equal(
     unname(body_tensor(2, c(0.05, 0.06, 0.07))$inertia_kg_m2), diag(c(0.05, 0.06, 0.07))
   )
+  # Names say which is which, of three as well as of six.
+  three <- body_tensor(2, c(izz = 0.07, ixx = 0.05, iyy = 0.06))
+  expect_equal(unname(three$inertia_kg_m2), diag(c(0.05, 0.06, 0.07)))
+  expect_identical(body_tensor(2, rev(diag(three$inertia_kg_m2))), three)
+  names(six) <- paste0(names(six), "_kg_m2")
+  expect_identical(body_tensor(2, six)$inertia_kg_m2, body$inertia_kg_m2)
+  expect_error(
+    body_tensor(2, c(izz = 0.07, ixy = 0, iyy = 0.06)), "names",
+    class = "rotdyn_error_size"
+  )
+  expect_error(body_tensor(2, c(a = 1, b = 1, c = 1)), class = "rotdyn_error_size")
   # The second moment: (tr I)/2 1 - I.
   expect_equal(
     unname(body$second_moment_kg_m2), 0.09 * diag(3) - matrix, tolerance = 1e-15

@@ -148,6 +148,67 @@ test_that("SDF is read", {
   expect_error(read_links(sdf(">0 0 0 0 0 0", "<ixx>1</ixx>")), class = "rotdyn_error_file")
 })
 
+test_that("what a macro would have written is missed", {
+  macro <- '<link name="a"><xacro:box_inertia m="1"/></link>'
+  bound <- '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+  for (head in c(bound, '<robot name="r">')) {
+    expect_no_warning(
+      expect_error(
+        read_links(paste0(head, macro, "</robot>")), "expand it first",
+        class = "rotdyn_error_file"
+      )
+    )
+  }
+  # The declaration alone is what an expanded file keeps; other prefixes do not matter.
+  text <- sub('<robot name="r">', bound, urdf(more = "<old:gazebo/>"), fixed = TRUE)
+  expect_no_warning(links <- read_links(text))
+  expect_equal(links$mass_kg, 1)
+})
+
+test_that("nothing is taken that is there twice, or in a unit of its own", {
+  two <- sub("</robot>", '<link name="b"/><link name="b"/></robot>', urdf(), fixed = TRUE)
+  expect_error(read_links(two), "More than one is called \"b\"", class = "rotdyn_error_file")
+  expect_error(
+    read_links(urdf(mass = '<mass value="1"/><mass value="2"/>')), "must have one",
+    class = "rotdyn_error_file"
+  )
+  expect_error(
+    read_links(urdf(mass = '<mass value="1" unit="g"/>')), "\"g\"",
+    class = "rotdyn_error_unit"
+  )
+  sdf <- paste0(
+    '<sdf version="1.9"><model name="m"><link name="a"><inertial auto="true"/></link></model></sdf>'
+  )
+  expect_error(read_links(sdf), "A simulator would take", class = "rotdyn_error_file")
+})
+
+test_that("links of several worlds are told apart", {
+  world <- '<world name="%s"><model name="m"><link name="a"/></model></world>'
+  worlds <- paste0("<sdf>", sprintf(world, "v"), sprintf(world, "w"), "</sdf>")
+  expect_equal(read_links(worlds)$link, c("v::m::a", "w::m::a"))
+})
+
+test_that("what is drawn in another frame leaves the reach unknown, and no more", {
+  sdf <- function(attribute) {
+    paste0(
+      '<sdf version="1.9"><model name="m"><link name="a"><inertial><mass>2</mass><inertia>',
+      "<ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>",
+      "<visual name=\"v\"><pose ", attribute, ">0 0 3 0 0 0</pose>",
+      "<geometry><sphere><radius>1</radius></sphere></geometry></visual></link></model></sdf>"
+    )
+  }
+  expect_equal(read_links(sdf(""))$reach_m, 4)
+  expect_equal(read_links(sdf('relative_to="a"'))$reach_m, 4)
+  expect_equal(read_links(sdf('relative_to="other"'))$reach_m, NA_real_)
+  expect_equal(read_links(sdf('rotation_format="quat_xyzw"'))$verdict, "holds")
+})
+
+test_that("text is UTF-8 whatever it declares", {
+  text <- paste0('<?xml version="1.0" encoding="ISO-8859-1"?>', urdf())
+  text <- sub('<link name="[^"]*"', '<link name="caf\u00e9"', text)
+  expect_equal(read_links(text)$link, "caf\u00e9")
+})
+
 test_that("what cannot be read is an error that names the link", {
   expect_error(read_links(), class = "rotdyn_error_missing")
   expect_error(read_links(3), class = "rotdyn_error_type")

@@ -59,6 +59,16 @@ test_that("vertices come as a data frame, with units, and in an unnamed list", {
   skip_if_not_installed("units")
   pair$vertices <- units::set_units(pair$vertices * 100, "cm")
   expect_equal(body_mesh(pair, density_kg_m3 = 1)$mass_kg, 1, tolerance = 1e-14)
+  # Their own unit holds, whatever that of plain numbers is.
+  expect_equal(
+    body_mesh(pair, density_kg_m3 = 1, length_unit = "cm")$mass_kg, 1,
+    tolerance = 1e-14
+  )
+  columns <- data.frame(x = pair$vertices[, 1], y = pair$vertices[, 2], z = pair$vertices[, 3])
+  expect_equal(
+    body_mesh(list(columns, pair$faces), density_kg_m3 = 1, length_unit = "mm")$mass_kg, 1,
+    tolerance = 1e-14
+  )
   pair$vertices <- units::set_units(units::drop_units(pair$vertices), "kg")
   expect_error(body_mesh(pair, mass_kg = 1), class = "rotdyn_error_unit")
 })
@@ -80,6 +90,15 @@ test_that("what is no mesh is said so", {
     expect_error(body_mesh(mesh, mass_kg = 1), class = "rotdyn_error_type")
     expect_error(check_mesh(mesh), class = "rotdyn_error_type")
   }
+})
+
+test_that("what is wrong with a list or a matrix is told", {
+  pair <- as_pair(tetrahedron3d())
+  expect_error(body_mesh(c(pair, list(normals = 1)), mass_kg = 1), "normals")
+  turned <- list(vertices = t(pair$vertices), faces = pair$faces)
+  expect_error(body_mesh(turned, mass_kg = 1), "a 3 x 4 double matrix")
+  several <- structure(list(tetrahedron3d(), tetrahedron3d()), class = "shapelist3d")
+  expect_error(body_mesh(several, mass_kg = 1), "<shapelist3d> object")
 })
 
 test_that("units of length are known by name, or to the package units", {
@@ -153,15 +172,68 @@ test_that("a binary STL is read in the numbers it has", {
 })
 
 test_that("an OBJ keeps its digits", {
-  withr_null()
-  skip_without_reader("rgl")
   mesh <- tetrahedron3d()
   mesh$vb[1:3, ] <- mesh$vb[1:3, ] / 7 + 0.1
   path <- tempfile(fileext = ".obj")
   write_obj(mesh, path)
   expect_no_warning(body <- body_mesh(path, mass_kg = 2))
   expect_equal(body$inertia_kg_m2, body_mesh(mesh, mass_kg = 2)$inertia_kg_m2, tolerance = 1e-15)
-  expect_equal(body$detail$reader, "rgl")
+  expect_equal(body$detail$reader, "rotdyn")
+})
+
+obj_body <- function(...) {
+  path <- tempfile(fileext = ".obj")
+  on.exit(unlink(path))
+  writeLines(c(...), path)
+  expect_no_warning(body <- body_mesh(path, density_kg_m3 = 1))
+  body
+}
+
+# Walls between two copies of a polygon, which are `height` apart.
+prism_obj <- function(x, y, height) {
+  n <- length(x)
+  after <- c(2:n, 1)
+  c(
+    paste("v", x, y, 0), paste("v", x, y, height),
+    paste("f", paste(n:1, collapse = " ")), paste("f", paste(n + 1:n, collapse = " ")),
+    paste("f", 1:n, after, after + n, 1:n + n)
+  )
+}
+
+read_obj_text <- function(lines) {
+  path <- tempfile(fileext = ".obj")
+  on.exit(unlink(path))
+  writeLines(lines, path)
+  read_obj(path)
+}
+
+test_that("an OBJ may have polygons, negative numbers, colours, and lines that go on", {
+  hexagon <- obj_body(prism_obj(cospi(0:5 / 3), sinpi(0:5 / 3), 1))
+  expect_equal(hexagon$mass_kg, 1.5 * sqrt(3), tolerance = 1e-14)
+  expect_equal(hexagon$detail$faces, 2 * 4 + 6 * 2)
+  corner <- prism_obj(c(1, 2, 2, 0.5, 0.5, 0, 0), c(0, 0, 0.5, 0.5, 2, 2, 0), 1)
+  angle <- obj_body(corner)
+  expect_equal(angle$mass_kg, 1.75, tolerance = 1e-14)
+  # Fans across the notch would count its area twice.
+  expect_equal(angle$detail$area_m2, 2 * 1.75 + 8, tolerance = 1e-14)
+  # Turned, so that no polygon lies along an axis.
+  turned <- rotation_rpy(c(0.3, -0.7, 1.2)) %*% read_obj_text(corner)$vb
+  lines <- c(
+    sprintf("v %.17g %.17g %.17g", turned[1, ], turned[2, ], turned[3, ]),
+    grep("^f", corner, value = TRUE)
+  )
+  expect_equal(obj_body(lines)$detail$area_m2, 11.5, tolerance = 1e-14)
+  # A square in a square, cut open along one line: the corners there come twice.
+  keyhole <- obj_body(prism_obj(
+    c(0, 3, 3, 0, 0, 1, 1, 2, 2, 1), c(0, 0, 3, 3, 0, 1, 2, 2, 1, 1), 1
+  ))
+  expect_equal(keyhole$mass_kg, 8, tolerance = 1e-14)
+  vertices <- c("v 0 0 0 1 0 0", "v 1 0 0 0 1 0", "v 0 2 0 0 0 1", "v 0 0 3 1 1 1")
+  faces <- c("f -4/1/1 -2//1 -3/2", "f -4 -3 -1", "f -4 \\", "-1 -2", "f 2 3 4 # the last")
+  expect_equal(obj_body(vertices, faces)$mass_kg, 1, tolerance = 1e-15)
+  # Negative numbers count from the vertices so far.
+  early <- obj_body(vertices, "f -4 -2 -3", "f -4 -3 -1", "f -4 -1 -2", "f -3 -2 -1", "v 9 9 9")
+  expect_equal(early$mass_kg, 1, tolerance = 1e-15)
 })
 
 test_that("a reader in single precision has its error told", {
@@ -189,6 +261,29 @@ test_that("files that are none are refused", {
   expect_error(body_mesh(c(odd, odd), mass_kg = 1), class = "rotdyn_error_file")
   expect_error(body_mesh(NA_character_, mass_kg = 1), class = "rotdyn_error_file")
   expect_error(body_mesh("not/there.stl", mass_kg = 1), class = "rotdyn_error_file")
+  expect_file <- function(content, extension, says) {
+    path <- tempfile(fileext = extension)
+    writeBin(content, path)
+    expect_no_warning(
+      expect_error(body_mesh(path, mass_kg = 1), says, class = "rotdyn_error_file")
+    )
+  }
+  expect_file(raw(), ".stl", "empty")
+  expect_file(raw(), ".obj", "empty")
+  expect_file(raw(), ".ply", "empty")
+  expect_file(raw(40), ".stl", "too short")
+  expect_file(raw(84), ".stl", "no triangles")
+  expect_file(charToRaw("v 1 2\n"), ".obj", "fewer than three coordinates")
+  expect_file(charToRaw("v 1 2 a\n"), ".obj", "no number: a")
+  expect_file(charToRaw("v 1 2 3\nf 1 1\n"), ".obj", "fewer than three corners")
+  # Binary files that were cut off are no texts.
+  whole <- tempfile(fileext = ".stl")
+  write_stl(tetrahedron3d(), whole)
+  bytes <- readBin(whole, "raw", 1e4)
+  expect_file(bytes[-284], ".stl", "4 triangles, which take 284\\s+bytes, and has\\s+283")
+  expect_file(c(bytes, as.raw(1)), ".stl", "285")
+  bytes[81:84] <- as.raw(255)
+  expect_file(bytes, ".stl", "4,294,967,295")
   # A text STL needs Rvcg, which finds nothing in this one.
   text <- tempfile(fileext = ".stl")
   writeLines("solid nothing", text)
