@@ -99,7 +99,7 @@ body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
 }
 
 density_method <- function(method, domain, call) {
-  method <- check_string(method[1], "method", c("auto", "quadrature", "monte_carlo"), call)
+  method <- check_choice(method, "method", c("auto", "quadrature", "monte_carlo"), call)
   mapped <- domain$kind != "inside"
   if (method == "quadrature" && !mapped) {
     abort_rotdyn(
@@ -229,9 +229,6 @@ density_places <- function(run, at) {
     v <- at$y + p[2]
     w <- at$z + p[3]
     places <- map_places(domain, u, v, w, run$call)
-    if (!all(is.finite(unlist(places)))) {
-      abort_rotdyn("{.arg map} must return finite places.", "density", run$call)
-    }
     weight <- at$w * map_jacobian(domain, u, v, w, run$call)
     return(list(x = places[[1]], y = places[[2]], z = places[[3]], w = weight, places = places))
   }

@@ -323,7 +323,21 @@ map_places <- function(domain, u, v, w, call) {
       call
     )
   }
-  lapply(unname(as.list(places)), as.double)
+  places <- lapply(unname(as.list(places)), as.double)
+  at <- which(!(is.finite(places[[1]]) & is.finite(places[[2]]) & is.finite(places[[3]])))
+  if (length(at)) {
+    place <- vapply(places, function(x) format(x[at[1]], digits = 7), "")
+    abort_rotdyn(
+      c(
+        "{.arg map} must return finite places.",
+        x = "At u = {format(u[at[1]], digits = 7)}, v = {format(v[at[1]], digits = 7)},
+             w = {format(w[at[1]], digits = 7)} it returned ({paste(place, collapse = ', ')})."
+      ),
+      "density",
+      call
+    )
+  }
+  places
 }
 
 map_jacobian <- function(domain, u, v, w, call) {
@@ -356,7 +370,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
     )
   }
   if (!(isTRUE(min(x) >= 0) && max(x) < Inf)) {
-    at <- which(!(x >= 0 & x < Inf))[1]
+    at <- which(is.na(x) | x < 0 | x == Inf)[1]
     where <- paste0(
       names, " = ", vapply(places, function(p) format(p[at], digits = 7), ""), collapse = ", "
     )

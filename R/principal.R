@@ -47,6 +47,10 @@ principal_axes <- function(body, ..., tolerance = NULL) {
   call <- rlang::current_env()
   check_supplied("body", call)
   check_no_dots(...)
+  find_principal(body, tolerance, call)
+}
+
+find_principal <- function(body, tolerance, call) {
   if (!inherits(body, "rot_body")) {
     body <- body_of_tensor(body, call)
   }
@@ -79,9 +83,10 @@ principal_axes <- function(body, ..., tolerance = NULL) {
 #' @rdname principal_axes
 #' @export
 symmetry_class <- function(body, ..., tolerance = NULL) {
-  check_supplied("body", rlang::current_env())
+  call <- rlang::current_env()
+  check_supplied("body", call)
   check_no_dots(...)
-  attr(principal_axes(body, tolerance = tolerance), "symmetry")
+  attr(find_principal(body, tolerance, call), "symmetry")
 }
 
 name_symmetry <- function(second, equal, tolerance) {
