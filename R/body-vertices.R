@@ -89,6 +89,8 @@ new_vertices_body <- function(shape, vertices, parts, amount, formula, source, c
     shape, parts, numeric(), list(formula = formula, source = source), amount, call
   )
   measure <- if (shape == "polygon") "area_m2" else "volume_m3"
+  # Of the first corner and the way from there.
+  body$detail$centre_error_m <- .Machine$double.eps * (max(abs(body$centre_m)) + body$reach_m)
   body$detail <- c(
     body$detail, list(corners = nrow(vertices)), stats::setNames(list(parts[[7]]), measure)
   )
