@@ -114,7 +114,7 @@ check_shifted <- function(out, tensor, mass, d, call) {
     second <- (second + t(second)) / 2
     out <- .Call(ffi_inertia_tensors, second)[[2]]
   }
-  out <- check_inertia_or_abort(out, mass, call)
+  out <- check_inertia_or_abort(out, mass, call, given_by_user = FALSE)
   warn_lost_digits(moved, max(abs(p$moment)), call)
   out
 }

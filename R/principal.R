@@ -31,7 +31,7 @@
 #' @return `principal_axes()`: a tibble (class `rot_principal_axes`) of three rows, moments
 #'   ascending: `r describe_columns(principal_columns)`
 #'   Attributes: `symmetry`, `axes` (3 x 3, a column an axis).
-#'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too.
+#'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too, and at least 0.
 #'
 #'   `symmetry_class()`: one string.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_inertia` for a tensor that no body can have,
@@ -62,6 +62,11 @@ find_principal <- function(body, tolerance, call) {
     check_number(tolerance, "tolerance", "1", call, lower = 0, upper = 1)
   }
   p <- .Call(ffi_inertia_principal, body$second_moment_kg_m2, tolerance)
+  if (p$second[3] < 0) {
+    # A rod that was turned: rounding of either sign, and a body's are at least 0.
+    p$second <- pmax(p$second, 0)
+    p$moment <- p$second[c(2, 1, 1)] + p$second[c(3, 3, 2)]
+  }
   equal <- p$equal
   tibble::new_tibble(
     list(

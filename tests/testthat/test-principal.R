@@ -155,3 +155,15 @@ test_that("a body whose error is as large as itself has no class", {
   # A tolerance of the user's own is taken at its word.
   expect_no_match(symmetry_class(left, tolerance = 1e-12), "unknown")
 })
+
+test_that("no principal moment of a body is negative, however it was turned", {
+  set.seed(9)
+  least <- vapply(1:200, function(i) {
+    rod <- place_body(body_rod(2, 1), rotation = rotation_about(rnorm(3), runif(1, -3, 3)))
+    pair <- join_bodies(place_body(body_point(1), rnorm(3)), place_body(body_point(2), rnorm(3)))
+    expect_equal(symmetry_class(pair), "rod")
+    both <- rbind(principal_axes(rod), principal_axes(pair))
+    min(both$principal_moment_kg_m2, both$second_moment_kg_m2)
+  }, 0)
+  expect_gte(min(least), 0)
+})
