@@ -111,7 +111,7 @@ as_vertices <- function(x, arg, dimension, call) {
         call
       )
     }
-    columns <- lapply(names, function(name) check_finite(x[[name]], name, "m", call))
+    columns <- lapply(names, function(name) check_corner_column(x[[name]], name, nrow(x), call))
     return(matrix(unlist(columns, use.names = FALSE), ncol = dimension))
   }
   if (!is.matrix(x) || ncol(x) != dimension) {
@@ -127,6 +127,19 @@ as_vertices <- function(x, arg, dimension, call) {
   }
   rows <- nrow(x)
   matrix(check_finite(x, arg, "m", call), rows, dimension)
+}
+
+# A column that is a matrix would be read as more corners.
+check_corner_column <- function(x, name, rows, call) {
+  x <- check_finite(x, name, "m", call)
+  if (length(x) != rows) {
+    abort_rotdyn(
+      "{.arg {name}} must have one number for each of the {rows} corner{?s}: it has {length(x)}.",
+      "size",
+      call
+    )
+  }
+  x
 }
 
 # c(fault, edge, edge), in the order of rot_vertices_fault.

@@ -59,12 +59,15 @@ static void give_mass(rot_vertices_body *out, int dimension, double measure, dou
   }
 }
 
-/* `roundings` of each entry, by its share of the trace; what comes near the smallest doubles. */
-static double relative_error(const rot_vertices_body *b, double roundings) {
+/* `roundings` of each entry, by its share of the trace; what comes near the smallest doubles, the
+ * mass of a density too. Where that or a moment vanished, nothing is known. */
+static double relative_error(const rot_vertices_body *b, double amount, int is_density,
+                             double roundings) {
   const double trace = b->second_kg_m2[0] + b->second_kg_m2[1] + b->second_kg_m2[2];
-  const double bound = roundings * ROT_EPS;
+  double bound = roundings * ROT_EPS;
+  if (is_density && b->mass_kg > 0.0) bound += 0x1p-1074 / b->mass_kg;
   if (trace > 0x1p-960) return bound;
-  return trace > 0.0 ? bound + 0x1p-1072 / trace : b->mass_kg > 0.0 ? HUGE_VAL : 0.0;
+  return trace > 0.0 ? bound + 0x1p-1072 / trace : amount > 0.0 ? HUGE_VAL : 0.0;
 }
 
 /* ---- polygon -------------------------------------------------------------------------------- */
@@ -184,7 +187,7 @@ static rot_vertices_fault polygon_from(size_t n, const double v[], double amount
   out->reach_m = ldexp(sqrt(reach), e);
   /* The sums carry some 2^-96 of their terms; the rest is the last rounding and the mass. */
   const double sums = 64.0 * (double)n * ROT_DD_EPS / ROT_EPS * terms / fabs(area2.hi);
-  out->error = relative_error(out, (is_density ? 8.0 : 4.0) + sums);
+  out->error = relative_error(out, amount, is_density, (is_density ? 8.0 : 4.0) + sums);
   return ROT_VERTICES_FIT;
 }
 
@@ -246,6 +249,6 @@ rot_status rot_tetrahedron(const double v[12], double amount, int is_density,
   for (int i = 0; i < 4; i++) reach = fmax(reach, square_length(c[i].x, g));
   give_mass(out, 3, fabs(volume6.hi) / 6.0, amount, is_density, e, second);
   out->reach_m = ldexp(sqrt(reach), e);
-  out->error = relative_error(out, is_density ? 8.0 : 4.0);
+  out->error = relative_error(out, amount, is_density, is_density ? 8.0 : 4.0);
   return ROT_OK;
 }

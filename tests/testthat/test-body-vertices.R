@@ -109,3 +109,18 @@ test_that("corners that make no body are refused, and it is said why", {
   expect_error(body_polygon(vertices_m = ell), "areal", class = "rotdyn_error_missing")
   expect_error(body_polygon(1, ell, areal_density_kg_m2 = 1), class = "rotdyn_error_value")
 })
+
+test_that("a column that is a matrix is no column; a mass that vanished is not exact", {
+  corners <- data.frame(x_m = c(0, 1, 1))
+  corners$y_m <- matrix(1:6, 3)
+  expect_error(body_polygon(1, corners), class = "rotdyn_error_size")
+  small <- cbind(c(0, 1, 1), c(0, 0, 1)) * 1e-170
+  expect_equal(body_polygon(vertices_m = small, areal_density_kg_m2 = 1)$error, Inf)
+  # 5/2 smallest doubles of mass are 2 of them: a fifth is lost.
+  some <- body_polygon(
+    vertices_m = rbind(c(0, 0), c(2^300, 0), c(0, 5 * 2^-300)), areal_density_kg_m2 = 2^-1074
+  )
+  expect_equal(some$mass_kg, 2^-1073)
+  expect_gte(some$error, 0.2)
+  expect_equal(body_polygon(0, small)$error, 0)
+})
