@@ -124,3 +124,39 @@ test_that("a column that is a matrix is no column; a mass that vanished is not e
   expect_gte(some$error, 0.2)
   expect_equal(body_polygon(0, small)$error, 0)
 })
+
+test_that("outlines that cross in a corner cross; those that touch do not", {
+  crossing <- list(
+    # An hourglass with a corner in its waist on both ways, on one way, and turned.
+    rbind(c(0, -1), c(1, 0), c(4, 3), c(4, -3), c(1, 0), c(0, 1)),
+    rbind(c(0, 0), c(1, 1), c(2, 2), c(2, 0), c(0, 2)),
+    rbind(c(0, 0), c(2, 2), c(2, 0), c(1, 1), c(0, 2)),
+    rbind(c(0, -1), c(1, 0), c(4, 1), c(4, -3), c(1, 0), c(0, 3))
+  )
+  touching <- list(
+    # Two squares that share a corner, in the order that does not cross.
+    list(rbind(c(0, 0), c(1, 0), c(1, 1), c(2, 1), c(2, 2), c(1, 2), c(1, 1), c(0, 1)), 2),
+    # A corner on the edge across.
+    list(rbind(c(0, 0), c(4, 0), c(4, 2), c(2, 0), c(0, 2)), 4),
+    # A square with a square hole, at the end of a slit.
+    list(rbind(
+      c(0, 0), c(3, 0), c(3, 3), c(0, 3), c(0, 0), c(1, 1), c(1, 2), c(2, 2), c(2, 1), c(1, 1)
+    ), 8)
+  )
+  turn <- rotation_about("z", angle_deg = 30)[1:2, 1:2]
+  for (around in c(0, 1, 3)) {
+    moved <- function(x) {
+      n <- nrow(x)
+      x[(seq_len(n) + around - 1) %% n + 1, ]
+    }
+    for (x in crossing) {
+      expect_error(body_polygon(1, moved(x)), "cross", class = "rotdyn_error_value")
+      expect_error(body_polygon(1, moved(x)[rev(seq_len(nrow(x))), ]), "cross")
+      expect_error(body_polygon(1, 1e5 + moved(x)), "cross")
+    }
+    for (x in touching) {
+      expect_equal(body_polygon(1, moved(x[[1]]))$detail$area_m2, x[[2]])
+      expect_equal(body_polygon(1, moved(x[[1]]) %*% turn)$detail$area_m2, x[[2]])
+    }
+  }
+})
