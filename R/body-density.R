@@ -120,6 +120,7 @@ density_method <- function(method, domain, call) {
 
 density_function <- function(f, call) {
   if (is.function(f)) {
+    check_field_function(f, "f", call)
     return(function(places) {
       check_field(f(places[[1]], places[[2]], places[[3]]), "f", places, call, place_columns)
     })

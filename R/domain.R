@@ -121,8 +121,8 @@ domain_map <- function(map, jacobian, lower, upper, ..., periodic = c(FALSE, FAL
   call <- rlang::current_env()
   check_supplied(c("map", "jacobian", "lower", "upper"), call)
   check_no_dots(...)
-  check_function(map, "map", call)
-  check_function(jacobian, "jacobian", call)
+  check_field_function(map, "map", call)
+  check_field_function(jacobian, "jacobian", call)
   box <- check_box(lower, upper, c("lower", "upper"), "1", call)
   if (!is.logical(periodic) || length(periodic) != 3L || anyNA(periodic)) {
     abort_rotdyn("{.arg periodic} must be three logical values.", "type", call)
@@ -141,7 +141,7 @@ domain_map <- function(map, jacobian, lower, upper, ..., periodic = c(FALSE, FAL
 domain_inside <- function(inside, lower_m, upper_m) {
   call <- rlang::current_env()
   check_supplied(c("inside", "lower_m", "upper_m"), call)
-  check_function(inside, "inside", call)
+  check_field_function(inside, "inside", call)
   box <- check_box(lower_m, upper_m, c("lower_m", "upper_m"), "m", call)
   new_domain(
     "inside",
@@ -207,6 +207,22 @@ check_function <- function(f, arg, call) {
   if (!is.function(f)) {
     abort_rotdyn(
       c("{.arg {arg}} must be a function.", x = "It is {describe_value(f)}."), "type", call
+    )
+  }
+}
+
+# A function of three vectors.
+check_field_function <- function(f, arg, call) {
+  check_function(f, arg, call)
+  takes <- names(formals(args(f)))
+  if (!"..." %in% takes && length(takes) < 3L) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be a function of three vectors.",
+        x = "It takes {length(takes)} argument{?s}."
+      ),
+      "type",
+      call
     )
   }
 }
