@@ -502,8 +502,8 @@ judge_size <- function(found, mass_kg, size_m) {
   )
 }
 
-format_number <- function(x) {
-  vapply(x, format, character(1), digits = 10)
+format_number <- function(x, digits = 10) {
+  vapply(x, format, character(1), digits = digits)
 }
 
 # ---- faces ----------------------------------------------------------------------------------
