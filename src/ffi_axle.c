@@ -144,7 +144,7 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
   return ledger_vector(&ledger);
 }
 
-/* ---- scenes with more than knots and viscous resistance --------------------------------------- */
+/* ---- scenes with more than knots and viscous resistance -------------------------------------- */
 
 static size_t term_count(SEXP terms) {
   if (TYPEOF(terms) != VECSXP) Rf_error("internal: `terms`");

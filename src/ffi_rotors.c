@@ -1,6 +1,8 @@
 #include "ffi.h"
 
 #include "rot_rotors.h"
+#include "rot_rotors_ledger.h"
+#include "rot_rotors_rigid.h"
 
 /* list(inertia, stiffness, damping, viscous, torque, theta0, omega0, start), as R/model-rotors.R
  * packs it. */

@@ -21,7 +21,8 @@ static size_t points(const rot_axle_scene *scene) {
 }
 
 static double curve_at(const rot_axle_scene *scene, double omega) {
-  return scene->n_terms ? rot_term_at(&scene->terms[0], scene->linear.start_s, 0.0, omega) : 0.0;
+  return scene->n_terms ? rot_term_at(&scene->terms[0], scene->linear.start_s, 0.0, 0.0, omega)
+                        : 0.0;
 }
 
 /* How many of the n speeds are <= omega, or < omega. */
@@ -231,7 +232,7 @@ typedef struct exit_point {
   double peak; /* an extremum of v on the way, or v at the start */
 } exit_point;
 
-/* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x. */
+/* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x */
 static double linear_time(const leg *l, double x, double sign) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   double y = sign * rot_muldiv(x, c, I, NULL);
@@ -373,7 +374,7 @@ static rot_status leg_rows(rot_axle_march *march, const leg *l, const exit_point
     if (s == 0.0) row.omega = base->omega;
     const double theta = base->theta + (row.dtheta + base->theta_lo);
     status = rot_axle_march_row(march, theta, row.omega,
-                                rot_axle_scene_applied(march->scene, t, theta, row.omega),
+                                rot_axle_scene_applied(march->scene, t, theta, 0.0, row.omega),
                                 row.theta_error, row.omega_error);
   }
   return status;

@@ -2,8 +2,9 @@
  *
  *   I omega' = tau(t) + curve(omega) - c omega - tau_c sign(omega),
  *
- * held at rest while |tau + curve(0)| <= tau_s. Between two points of the curve, and between a point
- * and rest, the law is linear: a band. Closed forms in a band (rot_axle.h), times of leaving it. */
+ * held at rest while |tau + curve(0)| <= tau_s. Between two points of the curve, and between a
+ * point and rest, the law is linear: a band. Closed forms in a band (rot_axle.h), times of leaving
+ * it. */
 #ifndef ROT_AXLE_BANDS_H
 #define ROT_AXLE_BANDS_H
 

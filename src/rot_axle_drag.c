@@ -51,7 +51,7 @@ static rot_status moving_rows(rot_axle_march *march, const rot_torque_piece *pie
     const change to = after(base, flow, s, lo);
     const double theta = base->theta + (to.dtheta + base->theta_lo);
     const double applied = t == piece->start_s
-                               ? rot_axle_scene_applied(march->scene, t, theta, to.omega)
+                               ? rot_axle_scene_applied(march->scene, t, theta, 0.0, to.omega)
                                : piece->start_n_m - (motor != 0.0 ? motor * to.omega : 0.0);
     status = rot_axle_march_row(march, theta, to.omega, applied, to.theta_error, to.omega_error);
   }

@@ -14,8 +14,8 @@ rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double tim
                          const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                          rot_info *info);
 
-/* When it comes to rest for good, and the angle there; Inf and NaN where it does not. A body at rest
- * from the start has stopped at the start. */
+/* When it comes to rest for good, and the angle there; Inf and NaN where it does not. A body at
+ * rest from the start has stopped at the start. */
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad);
 
 /* Where omega tends to under the last knot's torque; +-Inf where nothing resists, 0 where friction

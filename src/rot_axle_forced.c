@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_dd.h"
 #include "rot_divided.h"
 #include "rot_phi.h"
 #include "rot_real.h"
@@ -136,26 +137,16 @@ static void prepare_decay(forced_term *f, double base_s, double I, double c) {
   f->ratio = rot_muldiv(x[1], I, c, NULL);
 }
 
-/* Numbers in double words. */
-typedef struct word {
-  double hi, lo;
-} word;
-
-static word word_sum(word a, word b) {
-  word s;
-  s.hi = rot_two_sum(a.hi, b.hi, &s.lo);
-  if (!isfinite(s.hi)) return (word){s.hi, 0.0};
-  s.lo += a.lo + b.lo;
-  s.hi = rot_two_sum(s.hi, s.lo, &s.lo);
-  return s;
+/* As rot_dd_add(), but an infinite term stays infinite: a decay that has gone to nothing. */
+static rot_dd sum_of(rot_dd a, rot_dd b) {
+  const double hi = a.hi + b.hi;
+  return isfinite(hi) ? rot_dd_add(a, b) : (rot_dd){hi, 0.0};
 }
-
-static word minus(word a) { return (word){-a.hi, -a.lo}; }
 
 static double phi_1(double z) { return z != 0.0 ? -expm1(-z) / z : 1.0; }
 
 /* A exp(g) x[0] x[1] .. / (d1 d2) */
-static double grown(double A, word g, int n, const double x[], double d1, double d2) {
+static double grown(double A, rot_dd g, int n, const double x[], double d1, double d2) {
   int exponent;
   const double e = rot_exp_split(g.hi, g.lo, &exponent);
   double factor[6] = {A, e};
@@ -168,22 +159,22 @@ static double grown(double A, word g, int n, const double x[], double d1, double
 }
 
 /* Where z or y is infinite: a torque that the axle follows at once, or one that is a blow. */
-static forced_part decay_at_once(const forced_term *f, const forced_span *at, word y) {
+static forced_part decay_at_once(const forced_term *f, const forced_span *at, rot_dd y) {
   const double A = f->term->x[0], rate = f->term->x[1], s = at->s, I = at->I, c = at->c;
-  const word g = {f->growth, f->growth_lo}, z = {at->z, at->z_lo};
+  const rot_dd g = {f->growth, f->growth_lo}, z = {at->z, at->z_lo};
   forced_part part = {0};
   /* s/(I p) remains, with p the distance of the outer two of the nodes 0, -z and -y. */
   if (z.hi == INFINITY && y.hi == INFINITY) {
     part.theta = grown(A, g, 1, (double[]){1.0 / rate}, c, 1.0);
   } else if (z.hi == INFINITY) {
     const double apart = 1.0 - f->ratio;
-    const word high = y.hi < 0.0 ? word_sum(g, minus(y)) : g;
-    part.omega = grown(A, word_sum(g, minus(y)), 0, NULL, c, apart);
+    const rot_dd high = y.hi < 0.0 ? sum_of(g, rot_dd_neg(y)) : g;
+    part.omega = grown(A, sum_of(g, rot_dd_neg(y)), 0, NULL, c, apart);
     part.theta = grown(A, high, 2, (double[]){s, phi_1(fabs(y.hi))}, c, y.hi < 0.0 ? apart : 1.0);
   } else {
     const double apart = 1.0 - 1.0 / f->ratio;
-    const word high = z.hi < 0.0 ? word_sum(g, minus(z)) : g;
-    part.omega = grown(A, word_sum(g, minus(z)), 1, (double[]){1.0 / apart}, I, rate);
+    const rot_dd high = z.hi < 0.0 ? sum_of(g, rot_dd_neg(z)) : g;
+    part.omega = grown(A, sum_of(g, rot_dd_neg(z)), 1, (double[]){1.0 / apart}, I, rate);
     part.theta = grown(A, high, 3, (double[]){s, phi_1(fabs(z.hi)), z.hi < 0.0 ? 1.0 / apart : 1.0},
                        I, rate);
   }
@@ -192,8 +183,8 @@ static forced_part decay_at_once(const forced_term *f, const forced_span *at, wo
 
 static forced_part decay_part(const forced_term *f, const forced_span *at) {
   const double A = f->term->x[0], s = at->s, I = at->I;
-  const word z = {at->z, at->z_lo}, g = {f->growth, f->growth_lo};
-  word y;
+  const rot_dd z = {at->z, at->z_lo}, g = {f->growth, f->growth_lo};
+  rot_dd y;
   y.hi = rot_two_prod(f->term->x[1], s, &y.lo);
   y.lo = isfinite(y.lo) ? y.lo + f->term->x[1] * at->s_lo : 0.0;
   forced_part part;
@@ -201,29 +192,29 @@ static forced_part decay_part(const forced_term *f, const forced_span *at) {
     part = decay_at_once(f, at, y);
   } else {
     /* exp[-z, -y] = exp(-min) phi_1(-|z - y|); exp[0, -z, -y] with the largest node at zero. */
-    const word gap = word_sum(z, minus(y)), less = gap.hi > 0.0 ? y : z,
-               more = gap.hi > 0.0 ? z : y;
+    const rot_dd gap = sum_of(z, rot_dd_neg(y)), less = gap.hi > 0.0 ? y : z,
+                 more = gap.hi > 0.0 ? z : y;
     const double apart = fabs(gap.hi);
-    word top = {0.0, 0.0};
+    rot_dd top = {0.0, 0.0};
     double p, q, r, scale;
-    part.omega = grown(A, word_sum(g, minus(less)), 2, (double[]){s, phi_1(apart)}, I, 1.0);
+    part.omega = grown(A, sum_of(g, rot_dd_neg(less)), 2, (double[]){s, phi_1(apart)}, I, 1.0);
     if (less.hi >= 0.0) { /* nodes 0, -less, -more */
       p = more.hi;
       q = less.hi;
       r = apart;
     } else if (more.hi >= 0.0) { /* -less, 0, -more */
-      top = minus(less);
+      top = rot_dd_neg(less);
       p = apart;
       q = -less.hi;
       r = more.hi;
     } else { /* -less, -more, 0 */
-      top = minus(less);
+      top = rot_dd_neg(less);
       p = -less.hi;
       q = apart;
       r = -more.hi;
     }
     const double value = rot_divided_decay(p, q, r, &scale);
-    part.theta = grown(A, word_sum(g, top), 3, (double[]){s, value, s}, I, scale);
+    part.theta = grown(A, sum_of(g, top), 3, (double[]){s, value, s}, I, scale);
   }
   part.roundings = DECAY_ROUNDINGS;
   part.omega_size = fabs(part.omega);
@@ -240,12 +231,12 @@ static double binomial(int n, int k) {
 }
 
 /* u^m 2^(m exponent of u) for m = 0 .. degree in double words, mantissas only */
-static void powers(double u, double u_lo, int degree, word power[MAX_DEGREE + 1], int *exponent) {
+static void powers(double u, double u_lo, int degree, rot_dd power[MAX_DEGREE + 1], int *exponent) {
   *exponent = 0;
   const double m = frexp(u, exponent), m_lo = ldexp(u_lo, -*exponent);
-  power[0] = (word){1.0, 0.0};
+  power[0] = (rot_dd){1.0, 0.0};
   for (int k = 1; k <= degree; k++) {
-    const word last = power[k - 1];
+    const rot_dd last = power[k - 1];
     double lo, hi = rot_two_prod(last.hi, m, &lo);
     lo += last.lo * m + last.hi * m_lo;
     power[k].hi = rot_two_sum(hi, lo, &power[k].lo);
@@ -256,7 +247,7 @@ static void powers(double u, double u_lo, int degree, word power[MAX_DEGREE + 1]
  * that what cancels in it costs no digits of the rows. */
 static void shift_coefficients(forced_term *f, const double a[], double u, double u_lo) {
   const int n = f->degree;
-  word power[MAX_DEGREE + 1];
+  rot_dd power[MAX_DEGREE + 1];
   int eu;
   powers(u, u_lo, n, power, &eu);
   for (int j = 0; j <= n; j++) {
@@ -267,14 +258,14 @@ static void shift_coefficients(forced_term *f, const double a[], double u, doubl
       e[k] += (k - j) * eu;
       if (m[k] != 0.0 && e[k] > most) most = e[k];
     }
-    word sum = {0.0, 0.0};
+    rot_dd sum = {0.0, 0.0};
     double size = 0.0;
     for (int k = j; k <= n; k++) {
       if (m[k] == 0.0 || e[k] < most - 2000) continue;
-      const word p = power[k - j];
+      const rot_dd p = power[k - j];
       const double b = ldexp(m[k], e[k] - most), c = binomial(k, j);
       double lo, cb = c * b, cb_lo = fma(c, b, -cb), hi = rot_two_prod(cb, p.hi, &lo);
-      sum = word_sum(sum, (word){hi, lo + cb * p.lo + cb_lo * p.hi});
+      sum = sum_of(sum, (rot_dd){hi, lo + cb * p.lo + cb_lo * p.hi});
       size += fabs(hi);
     }
     f->a[j] = sum.hi;
@@ -308,7 +299,7 @@ static int prepare_powers(forced_term *f, double base_s, double low_s) {
 static forced_part powers_part(const forced_term *f, const forced_span *at) {
   const double s = at->s, I = at->I;
   const int n = f->degree, settled = at->z == INFINITY;
-  word power[MAX_DEGREE + 1];
+  rot_dd power[MAX_DEGREE + 1];
   int es, most = -1000000;
   powers(s, at->s_lo, n, power, &es);
   for (int j = 0; j <= n; j++) {
@@ -448,7 +439,7 @@ static rot_status one_row(const forced_run *run, size_t i) {
   run->info->time_s = state.time_s;
   if (!in_range(&state)) return ROT_ERANGE;
   rot_axle_scene_row(scene, run->out, i, state.time_s, theta, omega,
-                     rot_axle_scene_applied(scene, state.time_s, theta, omega), 0);
+                     rot_axle_scene_applied(scene, state.time_s, theta, 0.0, omega), 0);
   rot_note_row(run->info, theta, omega, state.theta_error, state.omega_error);
   return ROT_OK;
 }

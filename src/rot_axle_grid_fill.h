@@ -28,7 +28,7 @@ ROT_INLINE void fill_table(rot_axle_grid *grid, double lambda, int terms) {
   }
 }
 
-/* What all rows of a chunk share. The base's low parts are left to the bound: two sums of thirty. */
+/* What all rows of a chunk share. The bound covers the base's low parts: two sums of thirty. */
 typedef struct chunk {
   rot_pair t0, w0, th0, A, half_A, g, I, c, a, b, start, end;
 } chunk;

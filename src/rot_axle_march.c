@@ -31,9 +31,9 @@ static rot_status one_row(const marching *run, size_t i) {
   run->march->state_at(run->march->model, t, &state);
   run->info->time_s = t;
   if (!is_finite(&state)) return ROT_ERANGE;
-  rot_axle_scene_row(run->scene, run->out, i, t, state.theta_rad, state.omega_rad_per_s,
-                     rot_axle_scene_applied(run->scene, t, state.theta_rad, state.omega_rad_per_s),
-                     0);
+  rot_axle_scene_row(
+      run->scene, run->out, i, t, state.theta_rad, state.omega_rad_per_s,
+      rot_axle_scene_applied(run->scene, t, state.theta_rad, 0.0, state.omega_rad_per_s), 0);
   rot_note_row(run->info, state.theta_rad, state.omega_rad_per_s, state.theta_error,
                state.omega_error);
   return ROT_OK;

@@ -5,8 +5,11 @@
 #include <string.h>
 
 #include "rot_ode.h"
+#include "rot_real.h"
 
-enum { THETA, OMEGA, WORK, VISCOUS, QUADRATIC, COULOMB, IMPULSE, DAMPING, INERTIA, DIM };
+/* TURNED: theta less theta0, whose size would hide the first digits of a small motion: a pendulum
+ * upside down, pushed by 1e-12 rad/s, never left pi. */
+enum { TURNED, OMEGA, WORK, VISCOUS, QUADRATIC, COULOMB, IMPULSE, DAMPING, INERTIA, DIM };
 
 typedef struct motion {
   const rot_axle_scene *scene;
@@ -26,8 +29,9 @@ static double omega_of(const motion *m, double t, double y) {
   return m->inertia.n ? y * (m->reference / inertia_at(m, t)) : y;
 }
 
-static rot_status applied_now(const rot_axle_scene *scene, double t, double theta, double omega,
+static rot_status applied_now(const rot_axle_scene *scene, double t, double turned, double omega,
                               double *torque) {
+  double theta_lo, theta = rot_two_sum(scene->linear.theta0_rad, turned, &theta_lo);
   const rot_torque *law = &scene->linear.torque;
   double called = 0.0;
   if (law->call) {
@@ -37,7 +41,7 @@ static rot_status applied_now(const rot_axle_scene *scene, double t, double thet
   /* Alone it keeps its digits, and its sign of zero. */
   const int alone = law->call && law->n == 0 && scene->n_terms == 0 && scene->motor_n_m_s == 0.0 &&
                     law->before_n_m == 0.0;
-  *torque = alone ? called : called + rot_axle_scene_applied(scene, t, theta, omega);
+  *torque = alone ? called : called + rot_axle_scene_applied(scene, t, theta, theta_lo, omega);
   return ROT_OK;
 }
 
@@ -55,7 +59,7 @@ static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx)
   const int held = m->turns && m->mode == 0;
   const double omega = held ? 0.0 : omega_of(m, t, y[OMEGA]);
   double torque;
-  const rot_status status = applied_now(scene, t, y[THETA], omega, &torque);
+  const rot_status status = applied_now(scene, t, y[TURNED], omega, &torque);
   if (status != ROT_OK) return status;
   /* The sign is the stretch's, so that a stage beyond the zero sees no kink. */
   const double sign = m->mode;
@@ -63,7 +67,7 @@ static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx)
                quadratic = scene->quadratic_n_m_s2 * omega * omega * sign,
                coulomb = m->turns ? scene->coulomb_n_m * sign : 0.0;
   const double resistance = (m->turns ? quadratic + coulomb : 0.0) + viscous;
-  dydt[THETA] = omega;
+  dydt[TURNED] = omega;
   dydt[OMEGA] = held ? 0.0 : (torque - resistance) / m->reference;
   dydt[WORK] = torque * omega;
   dydt[VISCOUS] = viscous * omega;
@@ -161,7 +165,7 @@ static rot_status spot_check(const motion *m, double accuracy, size_t n, const d
     const double *row = y + i * DIM;
     info->rhs_calls++;
     const rot_status status =
-        applied_now(m->scene, time_s[i], row[THETA], omega_of(m, time_s[i], row[OMEGA]), &torque);
+        applied_now(m->scene, time_s[i], row[TURNED], omega_of(m, time_s[i], row[OMEGA]), &torque);
     if (status != ROT_OK) return status;
     if (!(fabs(torque - slope[i]) <= accuracy * size)) return ROT_OK;
   }
@@ -181,13 +185,13 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
     if (status == ROT_EUNWIND) return status;
   }
   for (size_t i = 0; i < n && i < reached; i++) {
-    const double t = time_s[i], theta = y[i * DIM + THETA];
+    const double t = time_s[i], turned = y[i * DIM + TURNED];
     const double omega = omega_of(m, t, y[i * DIM + OMEGA]);
     double torque;
     if (use_slopes && !isnan(slope[i])) {
       torque = slope[i];
     } else {
-      rot_status status = applied_now(scene, t, theta, omega, &torque);
+      rot_status status = applied_now(scene, t, turned, omega, &torque);
       if (scene->linear.torque.call) info->rhs_calls++;
       if (status == ROT_OK && !isfinite(torque)) status = ROT_ETORQUE;
       if (status != ROT_OK) {
@@ -197,17 +201,22 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
     }
     const int stuck =
         m->turns && scene->static_n_m > 0.0 && omega == 0.0 && fabs(torque) <= scene->static_n_m;
-    rot_axle_scene_row(scene, out, i, t, theta, omega, torque, stuck);
+    rot_axle_scene_row(scene, out, i, t, scene->linear.theta0_rad + turned, omega, torque, stuck);
     info->rows_done = i + 1;
   }
   return ROT_OK;
 }
 
-/* Largest omega and its error: those of the state, carried to the rows where the inertia changes */
+/* Largest theta: of the rows and the start, or what it must have been on the way. Largest omega and
+ * its error: those of the state, carried to the rows where the inertia changes. */
 static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
                        const double error[], const double largest[], rot_info *info) {
-  info->theta_error = error[THETA];
-  info->theta_max = largest[THETA];
+  const double theta0 = m->scene->linear.theta0_rad;
+  info->theta_max = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
+  for (size_t i = 0; i < n; i++) {
+    info->theta_max = fmax(info->theta_max, fabs(theta0 + y[i * DIM + TURNED]));
+  }
+  info->theta_error = error[TURNED] + 0.5 * ROT_EPS * info->theta_max;
   info->omega_error = error[OMEGA];
   info->omega_max = largest[OMEGA];
   if (m->inertia.n == 0) return;
@@ -241,7 +250,7 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                               rot_events *events, rot_axle_ledger *ledger, const rot_hooks *hooks,
                               rot_info *info) {
   motion m = motion_of(scene);
-  double start[DIM] = {scene->linear.theta0_rad, scene->linear.omega0_rad_per_s};
+  double start[DIM] = {0.0, scene->linear.omega0_rad_per_s};
   double error[DIM] = {0.0}, largest[DIM] = {0.0};
   const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
   const rot_ode_switch turn = {OMEGA, IMPULSE, holds, &m.mode, events};

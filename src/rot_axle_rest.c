@@ -68,7 +68,7 @@ rot_status rot_axle_march_held(rot_axle_march *march, double end_s) {
     const double t = march->time_s[march->done];
     const int near = rot_axle_march_elapsed(march, t, &lo) <= base->settle_s;
     status = rot_axle_march_row(march, base->theta, 0.0,
-                                rot_axle_scene_applied(march->scene, t, base->theta, 0.0),
+                                rot_axle_scene_applied(march->scene, t, base->theta, 0.0, 0.0),
                                 base->theta_error, near ? base->omega_error : 0.0);
   }
   if (status != ROT_OK || !isfinite(end_s)) return status;

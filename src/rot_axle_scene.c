@@ -4,10 +4,11 @@
 
 #include "rot_real.h"
 
-double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double omega) {
+double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,
+                              double omega) {
   double torque = rot_torque_at(&scene->linear.torque, t);
   for (size_t i = 0; i < scene->n_terms; i++) {
-    torque += rot_term_at(&scene->terms[i], t, theta, omega);
+    torque += rot_term_at(&scene->terms[i], t, theta, theta_lo, omega);
   }
   return scene->motor_n_m_s != 0.0 ? torque - scene->motor_n_m_s * omega : torque;
 }

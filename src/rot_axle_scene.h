@@ -34,7 +34,8 @@ typedef rot_status (*rot_axle_model)(const rot_axle_scene *scene, size_t n, cons
                                      const rot_hooks *hooks, rot_info *info);
 
 /* Knots + terms - motor omega; not the call, which may fail. */
-double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double omega);
+double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,
+                              double omega);
 double rot_axle_scene_inertia(const rot_axle_scene *scene, double t);
 /* The resistance while it turns. */
 double rot_axle_scene_resistance(const rot_axle_scene *scene, double omega);

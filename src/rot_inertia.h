@@ -54,8 +54,8 @@ rot_status rot_inertia_principal(const double c[], double tolerance, rot_princip
 
 /* n bodies as one, a hole as a body of negative mass and second moment. The common centre first,
  * from the heaviest part and not from the origin, then the parts about it. *error bounds the error
- * of the second moment by the sums' own roundings, relative to its trace; it is infinite where holes
- * leave no trace to compare with. */
+ * of the second moment by the sums' own roundings, relative to its trace; it is infinite where
+ * holes leave no trace to compare with. */
 rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *whole,
                             double *error);
 

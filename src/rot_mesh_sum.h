@@ -36,7 +36,7 @@ typedef struct mesh_corners {
   rot_pair a[3], b[3], c[3];
 } mesh_corners;
 
-/* A pair of what `f` gives for each lane: put together through memory it would wait for the store. */
+/* A pair of what `f` gives for each lane: by way of memory it would wait for the store. */
 #ifdef ROT_WIDE
 #define ROT_EACH(f) ((rot_pair){f(0), f(1), f(2), f(3)})
 #elif defined(__GNUC__)

@@ -259,8 +259,8 @@ int rot_radau_step(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
   if (!code && grows_too_fast(r, h)) code = ROT_RADAU_DIVERGED;
   if (!code) code = factor_both(r, h);
   if (!code) code = iterate(r, rhs, ctx, t, h, y, allowed);
-  /* The last correction moved the stages from where their slopes are known, by up to a tenth of what
-   * is allowed: sums of those slopes would not go with the state. */
+  /* The last correction moved the stages from where their slopes are known, by up to a tenth of
+   * what is allowed: sums of those slopes would not go with the state. */
   if (!code && dim > n) code = slopes_at_stages(r, rhs, ctx, t, h, y);
   if (code) return code;
 

@@ -32,19 +32,8 @@ typedef struct rot_rotors_columns {
 rot_status rot_rotors_modal(const rot_rotors_params *p, int fast, size_t n, const double time_s[],
                             const rot_rotors_columns *out, const rot_hooks *hooks, rot_info *info);
 
-/* The shaft as one rigid body. The errors in *info are bounds on what the twists would have added,
- * Inf where none is known (a missing spring; damped motion followed backwards). */
-rot_status rot_rotors_rigid(const rot_rotors_params *p, size_t n, const double time_s[],
-                            const rot_rotors_columns *out, const rot_hooks *hooks, rot_info *info);
-
-/* Work of the torques and heat of all dampers between two times, with their rounding. */
-typedef struct rot_rotors_ledger {
-  double work_j, dissipated_j, work_rounding_j, dissipated_rounding_j;
-} rot_rotors_ledger;
-
-/* `rigid`: of the rigid shaft. from_s <= to_s. */
-rot_status rot_rotors_balance(const rot_rotors_params *p, int rigid, double from_s, double to_s,
-                              rot_rotors_ledger *ledger);
+/* Clears *info, the state at the start noted. */
+void rot_rotors_note_start(const rot_rotors_params *p, rot_info *info);
 
 /* Angular frequencies sqrt(eigenvalue) of the undamped shaft in rad/s, ascending, n of them: 0 for
  * the mean motion and for each spring that is missing. */

@@ -69,8 +69,8 @@ ROT_INLINE weights weights_of(rot_pair z) {
 
 /* Two steps at a time and more. `most` bounds the torque in the piece, unscaled. The weights of
  * omega are good to 10 units at z = 1, where they are worst, those of theta to 20; with products,
- * sums, the rounding of z and a torque inside the piece 16 + 3 z and 24. g1 + phi2 = phi1. A step of
- * no length changes nothing.
+ * sums, the rounding of z and a torque inside the piece 16 + 3 z and 24. g1 + phi2 = phi1. A step
+ * of no length changes nothing.
  *
  * Inside the piece omega turns where its acceleration is nothing, I A = excess at the start:
  * exp(c s/I) = 1 - (c/I) excess/slope. From c s/I = 1 on what is left there is torque/c. */

@@ -62,8 +62,21 @@ static double on_curve(const rot_term *term, double omega) {
   return torque[i] * ((speed[i + 1] - omega) / span) + torque[i + 1] * ((omega - speed[i]) / span);
 }
 
-double rot_term_at(const rot_term *term, double t, double theta, double omega) {
+/* From the angle of rest: its digits are those of theta + theta_lo, however near they are. */
+static double since_rest(double theta, double theta_lo, double rest, double *lo) {
+  double sum_lo, sum = rot_two_sum(theta, -rest, &sum_lo);
+  return rot_two_sum(sum, sum_lo + theta_lo, lo);
+}
+
+static double pull_of_gravity(double theta, double theta_lo, double rest) {
+  double lo, sine, cosine, angle = since_rest(theta, theta_lo, rest, &lo);
+  rot_sin_cos(angle, lo, &sine, &cosine);
+  return sine;
+}
+
+double rot_term_at(const rot_term *term, double t, double theta, double theta_lo, double omega) {
   const double *x = term->x;
+  double lo;
   if (!(t >= term->from_s && t < term->to_s)) return 0.0;
   switch (term->kind) {
   case ROT_TERM_SINUSOID: return x[0] * wave(x[1], t, x[2]);
@@ -71,8 +84,8 @@ double rot_term_at(const rot_term *term, double t, double theta, double omega) {
   case ROT_TERM_POLYNOMIAL:
   case ROT_TERM_CHEBYSHEV: return in_pieces(term, t);
   case ROT_TERM_CURVE: return on_curve(term, omega);
-  case ROT_TERM_SPRING: return -x[0] * (theta - x[1]);
-  case ROT_TERM_GRAVITY: return -x[0] * sin(theta - x[1]);
+  case ROT_TERM_SPRING: return -x[0] * since_rest(theta, theta_lo, x[1], &lo);
+  case ROT_TERM_GRAVITY: return -x[0] * pull_of_gravity(theta, theta_lo, x[1]);
   case ROT_TERM_KINDS: break;
   }
   return NAN;

@@ -29,8 +29,8 @@ typedef struct rot_term {
 /* The first kinds are functions of time alone. */
 static inline int rot_term_of_time(const rot_term *term) { return term->kind < ROT_TERM_CURVE; }
 
-/* Torque of the term, N m; after the jump at a jump. */
-double rot_term_at(const rot_term *term, double t, double theta, double omega);
+/* Torque of the term, N m; after the jump at a jump. The angle is theta + theta_lo. */
+double rot_term_at(const rot_term *term, double t, double theta, double theta_lo, double omega);
 
 /* Whether length and x make sense: nothing may be read outside x. */
 int rot_term_valid(const rot_term *term);

@@ -1,4 +1,4 @@
-/* Vertices at one place made one: files of loose triangles (STL) repeat each vertex in each face. */
+/* Vertices at one place made one: files of loose triangles (STL) repeat a vertex in each face. */
 #ifndef ROT_WELD_H
 #define ROT_WELD_H
 

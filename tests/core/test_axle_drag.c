@@ -4,6 +4,7 @@
 
 #include "axle_friction.h"
 #include "rot_axle_drag.h"
+#include "shared_table.h"
 
 static run r;
 
@@ -177,13 +178,10 @@ static void check_jump_at_stop(void) {
 
 /* (J/R^2 + m) v' = 10 - 0.4 v^2 from 0.1 s on: 5 tanh(t - 0.1). The table is good to 1e-5. */
 static void check_modelica(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
   const double knots[] = {0.1}, torque[] = {10.0};
   static double t[MOST_ROWS], theta[MOST_ROWS], omega[MOST_ROWS];
   rot_axle_scene s = plain_scene(2.0, 0.0, 0.0, 0.0);
   size_t n = 0;
-  char line[512];
-  FILE *file = NULL;
   s.quadratic_n_m_s2 = 0.4;
   s.linear.torque = (rot_torque){1, knots, torque, 0.0, 10.0, NULL, NULL};
   for (n = 0; n < 500; n++) t[n] = 0.1 + 0.01 * (double)n;
@@ -194,24 +192,16 @@ static void check_modelica(void) {
     ROT_CHECK(fabs(r.theta[i] - 5.0 * (since + log1p(expm1(-2.0 * since) / 2.0))) <= 8e-15);
   }
   ROT_CHECK_ULP(rot_axle_drag_terminal(&s), 5.0, 1);
-  if (shared &&
-      snprintf(line, sizeof line, "%s/cases/modelica_torque_step_quadratic_drag/reference.csv",
-               shared) < (int)sizeof line)
-    file = fopen(line, "r");
-  if (!file) {
-    printf("skip - cases/modelica_torque_step_quadratic_drag: ROTDYN_SHARED does not lead to it\n");
-    return;
-  }
+  FILE *file = shared_table("cases/modelica_torque_step_quadratic_drag/reference.csv");
+  double x[3];
+  if (!file) return;
   n = 0;
-  while (n < MOST_ROWS && fgets(line, sizeof line, file)) {
-    char *at = line;
-    t[n] = strtod(at, &at);
-    if (at == line) continue;
-    theta[n] = strtod(at + 1, &at);
-    omega[n] = strtod(at + 1, &at);
+  while (shared_row(file, 3, x) && n < MOST_ROWS) {
+    t[n] = x[0];
+    theta[n] = x[1];
+    omega[n] = x[2];
     n += n == 0 || t[n] >= t[n - 1];
   }
-  fclose(file);
   ROT_CHECK(n > 400);
   go(&s, n, t);
   ROT_CHECK_EQ_INT(r.status, ROT_OK);

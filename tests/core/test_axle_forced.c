@@ -5,6 +5,7 @@
 #include "rot_axle_forced.h"
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 /* Scenes as read_scene() reads them; then a row each: time, theta, omega, and the sums of the
  * absolute values of the terms that make theta and omega. */
@@ -470,29 +471,6 @@ static void check_mixed(void) {
 
 /* ---- the shared tables ---------------------------------------------------------------------- */
 
-static FILE *shared_table(const char *name) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char path[1024], line[4096];
-  if (!shared) return NULL;
-  snprintf(path, sizeof path, "%s/refs/%s", shared, name);
-  FILE *file = fopen(path, "r");
-  if (file && !fgets(line, sizeof line, file)) { /* the head */
-    fclose(file);
-    return NULL;
-  }
-  return file;
-}
-
-static int numbers(FILE *file, int n, double x[]) {
-  char line[4096], *at = line;
-  if (!fgets(line, sizeof line, file)) return 0;
-  for (int i = 0; i < n; i++) {
-    x[i] = strtod(at, &at);
-    if (*at == ',') at++;
-  }
-  return 1;
-}
-
 /* The terms that the start adds, and the rest: their absolute values in *size. */
 static void sizes(const rot_axle_scene *scene, double t, double size[2]) {
   rot_axle_scene still = *scene, coasting = *scene;
@@ -520,11 +498,8 @@ static void check_shared(const char *name, rot_term_kind kind, double allowed) {
   FILE *file = shared_table(name);
   const int n_x = kind == ROT_TERM_SINUSOID ? 3 : 2, n = 4 + n_x + 2;
   double row[9], worst[2] = {0.0, 0.0}, worst_ulp[2] = {0.0, 0.0};
-  if (!file) {
-    printf("skip - no %s\n", name);
-    return;
-  }
-  while (numbers(file, n, row)) {
+  if (!file) return;
+  while (shared_row(file, n, row)) {
     const double x[] = {row[3], row[4], n_x == 3 ? row[5] : 0.0}, t = row[2];
     const rot_term term = term_of(kind, x, 3);
     const rot_axle_scene scene = simple(row[0], row[1], row[3 + n_x], &term);
@@ -542,7 +517,6 @@ static void check_shared(const char *name, rot_term_kind kind, double allowed) {
       }
     }
   }
-  fclose(file);
   printf("%s: worst %.2f (theta), %.2f (omega) units of roundoff of the terms; %g, %g ulp where "
          "they do not cancel\n",
          name, worst[0], worst[1], worst_ulp[0], worst_ulp[1]);
@@ -550,13 +524,10 @@ static void check_shared(const char *name, rot_term_kind kind, double allowed) {
 }
 
 static void check_shared_linear(void) {
-  FILE *file = shared_table("fixed_axis_linear.csv");
+  FILE *file = shared_table("refs/fixed_axis_linear.csv");
   double row[11];
-  if (!file) {
-    printf("skip - no fixed_axis_linear.csv\n");
-    return;
-  }
-  while (numbers(file, 11, row)) {
+  if (!file) return;
+  while (shared_row(file, 11, row)) {
     const double times[] = {0.0, row[2]}, torques[] = {row[3], row[4]};
     rot_axle_scene scene = simple(row[0], row[1], row[5], NULL);
     scene.linear.torque.n = 2;
@@ -571,7 +542,6 @@ static void check_shared_linear(void) {
       ROT_CHECK_ULP(column[1][0], row[7], 6);
     }
   }
-  fclose(file);
 }
 
 /* ---- powers of time ------------------------------------------------------------------------- */
@@ -1012,8 +982,8 @@ static void check_poll(void) {
 
 int main(void) {
   check_mixed();
-  check_shared("fixed_axis_sinus.csv", ROT_TERM_SINUSOID, 4.0);
-  check_shared("fixed_axis_expon.csv", ROT_TERM_EXPONENTIAL, 5.0);
+  check_shared("refs/fixed_axis_sinus.csv", ROT_TERM_SINUSOID, 4.0);
+  check_shared("refs/fixed_axis_expon.csv", ROT_TERM_EXPONENTIAL, 5.0);
   check_shared_linear();
   check_powers();
   check_fits();

@@ -7,6 +7,7 @@
 
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 enum { N = 3000 };
 
@@ -181,30 +182,18 @@ static void check_known_case(const double x[8], double *worst) {
 }
 
 static void check_known(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char path[4096], line[4096];
-  double worst = 0.0;
+  FILE *file = shared_table("refs/fixed_axis_linear.csv");
+  double x[8], worst = 0.0;
   int cases = 0;
-  if (shared) snprintf(path, sizeof path, "%s/refs/fixed_axis_linear.csv", shared);
-  FILE *in = shared ? fopen(path, "r") : NULL;
-  if (!in) {
-    printf("skip - no refs/fixed_axis_linear.csv\n");
-    return;
-  }
-  while (fgets(line, sizeof line, in)) {
-    double x[8];
-    char *at = line, *end = line;
-    int read = 0, tame = 1;
-    while (read < 8 && (x[read] = strtod(at, &end), end != at)) {
-      tame = tame && (x[read] == 0.0 || (fabs(x[read]) > 1e-60 && fabs(x[read]) < 1e60));
-      read++;
-      at = *end == ',' ? end + 1 : end;
-    }
-    if (read < 8 || !tame || !(x[1] >= 0.0 && x[2] > 0.0)) continue;
+  if (!file) return;
+  while (shared_row(file, 8, x)) {
+    int tame = x[1] >= 0.0 && x[2] > 0.0;
+    for (int i = 0; i < 8; i++)
+      tame = tame && (x[i] == 0.0 || (fabs(x[i]) > 1e-60 && fabs(x[i]) < 1e60));
+    if (!tame) continue;
     check_known_case(x, &worst);
     cases++;
   }
-  fclose(in);
   ROT_CHECK(cases >= 30);
   printf("  %d cases of 40 digits, the last of %d rows: worst error %.2g\n", cases, N, worst);
   ROT_CHECK(worst < 1e-15);

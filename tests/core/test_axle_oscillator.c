@@ -1,10 +1,8 @@
 /* The spring against closed forms at 220 digits (themselves checked against Taylor integration), in
  * every regime; against what it must become where the spring is nothing; back and forth in time. */
+#include "axle_row.h"
 #include "rot_axle_oscillator.h"
 #include "rot_test.h"
-
-static double got[7];
-static const rot_axle_columns columns = {got, got + 1, got + 2, got + 3, got + 4, got + 5, got + 6};
 
 typedef struct row {
   double inertia, viscous, stiffness, rest, start, theta0, omega0;
@@ -118,14 +116,6 @@ static rot_status run_scene(const row *r, double t, rot_info *info) {
       .n_terms = (size_t)r->n_waves + 1,
       .terms = terms};
   return rot_axle_oscillator(&scene, 1, &t, &columns, NULL, NULL, info);
-}
-
-/* Within the bound that comes with it (and half an ulp of the wanted number as it is written), which
- * is itself a few roundings of the largest value met. */
-static void check_row(const rot_info *info, double theta, double omega, double looseness) {
-  ROT_CHECK(fabs(got[0] - theta) <= info->theta_error + 0x1p-53 * fabs(theta));
-  ROT_CHECK(fabs(got[1] - omega) <= info->omega_error + 0x1p-53 * fabs(omega));
-  ROT_CHECK(rot_info_error(info) <= looseness);
 }
 
 static void test_table(void) {

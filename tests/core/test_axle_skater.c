@@ -2,11 +2,10 @@
  * against the shared table where it is at hand; momentum; back in time. */
 #include <stdlib.h>
 
+#include "axle_row.h"
 #include "rot_axle_skater.h"
 #include "rot_test.h"
-
-static double got[7];
-static const rot_axle_columns columns = {got, got + 1, got + 2, got + 3, got + 4, got + 5, got + 6};
+#include "shared_table.h"
 
 typedef struct row {
   double inertia, start, theta0, omega0;
@@ -65,14 +64,6 @@ static rot_status run_scene(const row *r, double t, rot_info *info) {
   return rot_axle_skater(&scene, 1, &t, &columns, NULL, NULL, info);
 }
 
-/* Within the bound that comes with it (and half an ulp of the wanted number as it is written), which
- * is itself a few roundings of the largest value met. */
-static void check_row(const rot_info *info, double theta, double omega, double looseness) {
-  ROT_CHECK(fabs(got[0] - theta) <= info->theta_error + 0x1p-53 * fabs(theta));
-  ROT_CHECK(fabs(got[1] - omega) <= info->omega_error + 0x1p-53 * fabs(omega));
-  ROT_CHECK(rot_info_error(info) <= looseness);
-}
-
 static void test_table(void) {
   for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
     rot_info info;
@@ -81,28 +72,13 @@ static void test_table(void) {
   }
 }
 
-static FILE *shared(const char *name) {
-  const char *folder = getenv("ROTDYN_SHARED");
-  char path[4096];
-  if (!folder || strlen(folder) > 4000) return NULL;
-  snprintf(path, sizeof path, "%s/refs/%s", folder, name);
-  return fopen(path, "r");
-}
-
 /* I0, I1, L0, tau, t, dtheta, omega1: 4 ulp, of the larger term where the two differ in sign. */
 static void test_shared(void) {
-  FILE *file = shared("variable_inertia.csv");
-  char line[1024];
-  if (!file) {
-    printf("skip - no ROTDYN_SHARED/refs/variable_inertia.csv\n");
-    return;
-  }
+  FILE *file = shared_table("refs/variable_inertia.csv");
+  double x[7];
   long rows = 0;
-  ROT_CHECK(fgets(line, sizeof line, file) != NULL);
-  while (fgets(line, sizeof line, file)) {
-    double x[7];
-    char *at = line;
-    for (int i = 0; i < 7; i++, at++) x[i] = strtod(at, &at);
+  if (!file) return;
+  while (shared_row(file, 7, x)) {
     const row r = {.inertia = x[0],
                    .omega0 = x[2] / x[0],
                    .n_inertia = 2,
@@ -118,7 +94,6 @@ static void test_shared(void) {
     ROT_CHECK(fabs(got[1] - x[6]) <= 4.0 * 0x1p-52 * fmax(fabs(x[6]), size / x[1]));
     rows++;
   }
-  fclose(file);
   ROT_CHECK(rows >= 5);
 }
 

@@ -4,6 +4,7 @@
 #include "rot_drag.h"
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 static rot_drag flow_of(double a, double b, double k, double omega0, double t) {
   const rot_drag_law law = {a, 0.0, b, k, 1.0};
@@ -40,26 +41,14 @@ static void check_known(void) {
 }
 
 static void check_shared_table(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char line[2048];
+  FILE *file = shared_table("refs/quad_drag.csv");
+  double x[8];
   long rows = 0;
-  FILE *file = NULL;
-  if (shared && snprintf(line, sizeof line, "%s/refs/quad_drag.csv", shared) < (int)sizeof line)
-    file = fopen(line, "r");
-  if (!file) {
-    printf("skip - refs/quad_drag.csv: ROTDYN_SHARED does not lead to it\n");
-    return;
-  }
-  while (fgets(line, sizeof line, file)) {
-    char *at = line;
-    double x[8];
-    x[0] = strtod(at, &at);
-    if (at == line) continue; /* the heading */
-    for (int i = 1; i < 8 && *at == ','; i++) x[i] = strtod(at + 1, &at);
+  if (!file) return;
+  while (shared_row(file, 8, x)) {
     check_row(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]);
     rows++;
   }
-  fclose(file);
   ROT_CHECK(rows >= 60);
 }
 

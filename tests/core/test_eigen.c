@@ -5,6 +5,7 @@
 
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 static uint64_t seed = 7;
 static double uniform(void) {
@@ -17,29 +18,11 @@ static double uniform(void) {
 /* refs/eig3.csv: 40 digits. Graded matrices lose no digit of the small eigenvalues; those of nearly
  * equal ones are conditioned as well as any. */
 static void check_shared_table(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char line[2048];
+  FILE *file = shared_table("refs/eig3.csv");
+  double x[9], values[3], vectors[9], worst = 0.0;
   long rows = 0;
-  double worst = 0.0;
-  FILE *file = NULL;
-  if (shared && snprintf(line, sizeof line, "%s/refs/eig3.csv", shared) < (int)sizeof line)
-    file = fopen(line, "r");
-  if (!file) {
-    printf("skip - refs/eig3.csv: ROTDYN_SHARED does not lead to it\n");
-    return;
-  }
-  while (fgets(line, sizeof line, file)) {
-    double x[9], values[3], vectors[9];
-    char *at = line;
-    int n = 0;
-    while (n < 9) {
-      char *end;
-      x[n] = strtod(at, &end);
-      if (end == at) break;
-      n++;
-      at = *end == ',' ? end + 1 : end;
-    }
-    if (n < 9) continue; /* the heading */
+  if (!file) return;
+  while (shared_row(file, 9, x)) {
     double a[9] = {x[0], x[1], x[2], x[1], x[3], x[4], x[2], x[4], x[5]};
     ROT_CHECK_EQ_INT(rot_eigen_symmetric(3, a, values, vectors), ROT_OK);
     for (int i = 0; i < 3; i++) {
@@ -48,7 +31,6 @@ static void check_shared_table(void) {
     }
     rows++;
   }
-  fclose(file);
   printf("3 x 3: worst %.2g relative\n", worst);
   ROT_CHECK(rows >= 20);
 }

@@ -5,6 +5,7 @@
 
 #include "rot_dd.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 static uint64_t seed = 20;
 static double uniform(void) {
@@ -279,29 +280,11 @@ static double misfit(const rot_principal *p, const double c[6]) {
 }
 
 static void check_shared_table(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char line[2048];
+  FILE *file = shared_table("refs/eig3.csv");
+  double x[9], worst = 0.0;
   long rows = 0;
-  double worst = 0.0;
-  FILE *file = NULL;
-  if (shared && snprintf(line, sizeof line, "%s/refs/eig3.csv", shared) < (int)sizeof line)
-    file = fopen(line, "r");
-  if (!file) {
-    printf("skip - refs/eig3.csv: ROTDYN_SHARED does not lead to it\n");
-    return;
-  }
-  while (fgets(line, sizeof line, file)) {
-    double x[9];
-    char *at = line;
-    int n = 0;
-    while (n < 9) {
-      char *end;
-      x[n] = strtod(at, &end);
-      if (end == at) break;
-      n++;
-      at = *end == ',' ? end + 1 : end;
-    }
-    if (n < 9) continue; /* the heading */
+  if (!file) return;
+  while (shared_row(file, 9, x)) {
     const double c[6] = {x[0], x[3], x[5], x[1], x[2], x[4]};
     rot_principal p;
     ROT_CHECK_EQ_INT(rot_inertia_principal(c, 1e-12, &p), ROT_OK);
@@ -316,7 +299,6 @@ static void check_shared_table(void) {
     ROT_CHECK(misfit(&p, c) <= 3e-14);
     rows++;
   }
-  fclose(file);
   printf("second moments: worst %.2g relative\n", worst);
   ROT_CHECK(rows >= 20);
 }

@@ -4,6 +4,7 @@
 
 #include "rot_jacobi.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 /* mpmath, 80 digits (400 for m1 < 1e-30): u, m1, K, sn, cn, dn, am. */
 /* clang-format off */
@@ -79,27 +80,14 @@ static void test_table(void) {
 }
 
 static void test_shared(void) {
-  const char *folder = getenv("ROTDYN_SHARED");
-  char path[4096], line[1024];
-  FILE *file = NULL;
-  if (folder && strlen(folder) < 4000) {
-    snprintf(path, sizeof path, "%s/refs/jacobi_m1.csv", folder);
-    file = fopen(path, "r");
-  }
-  if (!file) {
-    printf("skip - no ROTDYN_SHARED/refs/jacobi_m1.csv\n");
-    return;
-  }
+  FILE *file = shared_table("refs/jacobi_m1.csv");
+  double x[6];
   long rows = 0;
-  ROT_CHECK(fgets(line, sizeof line, file) != NULL);
-  while (fgets(line, sizeof line, file)) {
-    double x[6];
-    char *at = line;
-    for (int i = 0; i < 6; i++, at++) x[i] = strtod(at, &at);
+  if (!file) return;
+  while (shared_row(file, 6, x)) {
     check(x);
     rows++;
   }
-  fclose(file);
   ROT_CHECK(rows >= 70);
 }
 

@@ -2,9 +2,11 @@
  * double words at random arguments, and against the shared table where it is at hand. */
 #include <stdlib.h>
 
+#include "rot_dd.h"
 #include "rot_phi.h"
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 /* ---- references ----------------------------------------------------------------------------- */
 
@@ -170,46 +172,12 @@ static double allowed(double z, int k) {
 }
 static const double allowed_g1 = 5.0;
 
-/* Double words: hi + lo, some 31 digits. */
-typedef struct word {
-  double hi, lo;
-} word;
-
-static word word_sum(word a, word b) {
-  word s;
-  s.hi = rot_two_sum(a.hi, b.hi, &s.lo);
-  s.lo += a.lo + b.lo;
-  s.hi = rot_two_sum(s.hi, s.lo, &s.lo);
-  return s;
-}
-
-static word word_difference(word a, word b) {
-  const word minus_b = {-b.hi, -b.lo};
-  return word_sum(a, minus_b);
-}
-
-static word word_times(word a, double b) {
-  word p;
-  p.hi = rot_two_prod(a.hi, b, &p.lo);
-  p.lo += a.lo * b;
-  p.hi = rot_two_sum(p.hi, p.lo, &p.lo);
-  return p;
-}
-
-static word word_over(word a, double b) {
-  word q = {a.hi / b, 0.0};
-  q.lo = (fma(-q.hi, b, a.hi) + a.lo) / b;
-  q.hi = rot_two_sum(q.hi, q.lo, &q.lo);
-  return q;
-}
-
-/* The series of the definition, sum (-z)^j/(j+k)!. What cancels at |z| <= 10 leaves 20 digits. */
-static word phi_word(double z, int k) {
-  word term = {1.0, 0.0}, sum = {0.0, 0.0};
-  for (int i = 2; i <= k; i++) term = word_over(term, i);
+static rot_dd phi_dd(double z, int k) {
+  rot_dd term = {1.0, 0.0}, sum = {0.0, 0.0};
+  for (int i = 2; i <= k; i++) term = rot_dd_div(term, (rot_dd){i, 0.0});
   for (int j = 1; j <= 70; j++) {
-    sum = word_sum(sum, term);
-    term = word_over(word_times(term, -z), j + k);
+    sum = rot_dd_add(sum, term);
+    term = rot_dd_div(rot_dd_mul1(term, -z), (rot_dd){j + k, 0.0});
   }
   return sum;
 }
@@ -256,9 +224,8 @@ static void check_random_arguments(void) {
     const int k_max = 1 + i / 4 % ROT_PHI_MAX;
     double phi[ROT_PHI_MAX + 1], *most = worst[z < 0.0];
     rot_phi(z, 0.0, k_max, phi);
-    for (int k = 0; k <= k_max; k++)
-      most[k] = fmax(most[k], rot_test_ulp(phi[k], phi_word(z, k).hi));
-    const word g1 = word_difference(phi_word(z, 1), phi_word(z, 2));
+    for (int k = 0; k <= k_max; k++) most[k] = fmax(most[k], rot_test_ulp(phi[k], phi_dd(z, k).hi));
+    const rot_dd g1 = rot_dd_sub(phi_dd(z, 1), phi_dd(z, 2));
     most[G1] = fmax(most[G1], rot_test_ulp(rot_phi_g1(z, phi[0], phi[1]), g1.hi));
   }
   for (int k = 0; k <= ROT_PHI_MAX; k++) {
@@ -358,9 +325,9 @@ static void compare_lanes(const double z[ROT_LANES], double worst[5]) {
   rot_phi_lanes lanes;
   rot_phi_in_lanes(z, no_residual, &lanes);
   for (int l = 0; l < ROT_LANES; l++) {
-    const word phi1 = phi_word(z[l], 1), phi2 = phi_word(z[l], 2);
-    const double want[5] = {phi_word(z[l], 0).hi, phi1.hi, word_difference(phi1, phi2).hi, phi2.hi,
-                            phi_word(z[l], 3).hi};
+    const rot_dd phi1 = phi_dd(z[l], 1), phi2 = phi_dd(z[l], 2);
+    const double want[5] = {phi_dd(z[l], 0).hi, phi1.hi, rot_dd_sub(phi1, phi2).hi, phi2.hi,
+                            phi_dd(z[l], 3).hi};
     double phi[4];
     rot_phi(z[l], 0.0, 3, phi);
     const double scalar[5] = {phi[0], phi[1], rot_phi_g1(z[l], phi[0], phi[1]), phi[2], phi[3]};
@@ -424,29 +391,15 @@ static void check_lane_residual(void) {
 /* ---- the shared table ----------------------------------------------------------------------- */
 
 static void check_shared_table(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char line[2048];
+  FILE *file = shared_table("refs/phi.csv");
+  double x[ROT_PHI_MAX + 2], phi[ROT_PHI_MAX + 1];
   long rows = 0;
-  FILE *file = NULL;
-  if (shared && snprintf(line, sizeof line, "%s/refs/phi.csv", shared) < (int)sizeof line)
-    file = fopen(line, "r");
-  if (!file) {
-    printf("skip - refs/phi.csv: ROTDYN_SHARED does not lead to it\n");
-    return;
+  if (!file) return;
+  while (shared_row(file, ROT_PHI_MAX + 2, x)) {
+    rot_phi(x[0], 0.0, ROT_PHI_MAX, phi);
+    for (int k = 0; k <= ROT_PHI_MAX; k++) ROT_CHECK_ULP(phi[k], x[k + 1], allowed(x[0], k));
+    rows++;
   }
-  while (fgets(line, sizeof line, file)) {
-    char *at = line;
-    const double z = strtod(at, &at);
-    double phi[ROT_PHI_MAX + 1];
-    if (at == line) continue; /* the heading */
-    rot_phi(z, 0.0, ROT_PHI_MAX, phi);
-    for (int k = 0; k <= ROT_PHI_MAX && *at == ','; k++) {
-      const double want = strtod(at + 1, &at);
-      ROT_CHECK_ULP(phi[k], want, allowed(z, k));
-      rows += k == ROT_PHI_MAX;
-    }
-  }
-  fclose(file);
   ROT_CHECK(rows >= 60);
 }
 

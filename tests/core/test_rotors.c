@@ -1,9 +1,12 @@
 #include "rot_rotors.h"
+#include "rot_rotors_ledger.h"
+#include "rot_rotors_rigid.h"
 
 #include <stdlib.h>
 
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 
 enum { MOST = 64 };
 
@@ -357,17 +360,10 @@ static size_t read_list(char **at, double x[]) {
 /* From rest angles 0. The phases are known to twice the precision: k = 1e10 loses
  * no digit. */
 static void check_shared_table(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
+  FILE *file = shared_table("refs/coupled_rotors.csv");
   char line[4096];
   long rows = 0;
-  FILE *file = NULL;
-  if (shared &&
-      snprintf(line, sizeof line, "%s/refs/coupled_rotors.csv", shared) < (int)sizeof line)
-    file = fopen(line, "r");
-  if (!file) {
-    printf("skip - refs/coupled_rotors.csv: ROTDYN_SHARED does not lead to it\n");
-    return;
-  }
+  if (!file) return;
   while (fgets(line, sizeof line, file)) {
     char *at = line;
     double head[4], J[6], k[6], c[6], omega0[6], dtheta[6], want[6], zero[6] = {0.0};

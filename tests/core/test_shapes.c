@@ -5,6 +5,7 @@
 #include "rot_dd.h"
 #include "rot_shapes.h"
 #include "rot_test.h"
+#include "shared_table.h"
 #include "shape_cases.h"
 
 enum { CASES = sizeof shape_cases / sizeof shape_cases[0] };
@@ -161,26 +162,12 @@ static void check_moment(void) {
 /* ---- the shared table ----------------------------------------------------------------------- */
 
 static void check_shared(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char path[4096], line[1024];
-  FILE *file = NULL;
-  if (shared && strlen(shared) < 4000) {
-    sprintf(path, "%s/refs/inertia_ratios.csv", shared);
-    file = fopen(path, "r");
-  }
-  if (!file) {
-    printf("skip - no inertia_ratios.csv\n");
-    return;
-  }
+  FILE *file = shared_table("refs/inertia_ratios.csv");
+  double x[5];
   int rows = 0;
-  while (fgets(line, sizeof line, file)) {
-    double x[5];
-    char *at = line;
-    if (rows++ == 0) continue;
-    for (int i = 0; i < 5; i++) {
-      x[i] = strtod(at, &at);
-      if (*at == ',') at++;
-    }
+  if (!file) return;
+  while (shared_row(file, 5, x)) {
+    rows++;
     const rot_shape_body hollow = make("hollow_sphere", 1, x[0], x[1], 0, 0),
                          tube = make("thick_tube", 1, x[0], x[1], 1, 0),
                          frustum = make("frustum", 1, x[0], x[1], 1, 0);
@@ -190,7 +177,6 @@ static void check_shared(void) {
     ROT_CHECK_ULP(frustum.moment_kg_m2, x[4], 4);
   }
   ROT_CHECK(rows > 5);
-  fclose(file);
 }
 
 /* Walls from all of the sphere to 1e-16 of it, against 31 digits: (R^5 - r^5)/(R^3 - r^3) with the

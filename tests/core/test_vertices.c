@@ -4,6 +4,7 @@
 
 #include "rot_real.h"
 #include "rot_test.h"
+#include "shared_table.h"
 #include "rot_vertices.h"
 
 static rot_vertices_body polygon(size_t n, const double v[], double mass) {
@@ -184,28 +185,12 @@ static void check_tetrahedron(void) {
 
 /* The shared table: offset -> volume, centre, inertia about the centre. */
 static void check_shared(void) {
-  const char *shared = getenv("ROTDYN_SHARED");
-  char path[4096], line[2048];
-  FILE *file = NULL;
-  if (shared && strlen(shared) < 4000) {
-    sprintf(path, "%s/refs/tetrahedron.csv", shared);
-    file = fopen(path, "r");
-  }
-  if (!file) {
-    printf("skip - no tetrahedron.csv\n");
-    return;
-  }
+  FILE *file = shared_table("refs/tetrahedron.csv");
+  double x[8];
   int rows = 0;
-  while (fgets(line, sizeof line, file)) {
-    double x[14];
-    char *at = line;
-    int count = 0;
-    if (rows++ == 0) continue;
-    for (; count < 14 && *at && *at != '\n'; count++) {
-      x[count] = strtod(at, &at);
-      if (*at == ',') at++;
-    }
-    ROT_CHECK(count >= 8);
+  if (!file) return;
+  while (shared_row(file, 8, x)) {
+    rows++;
     const double base[12] = {0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3};
     double v[12];
     for (int k = 0; k < 12; k++) v[k] = base[k] + x[0];
@@ -220,7 +205,6 @@ static void check_shared(void) {
     ROT_CHECK_ULP(c[0] + c[1], x[7], 3);
   }
   ROT_CHECK(rows > 1);
-  fclose(file);
 }
 
 int main(void) {

@@ -1,0 +1,349 @@
+#include "rot_ode_march.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <string.h>
+
+#include "rot_ode_rest.h"
+#include "rot_ode_rows.h"
+#include "rot_ode_step.h"
+#include "rot_ode_zero.h"
+#include "rot_real.h"
+
+enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and more */
+
+/* ---- the stretches of a motion that may turn or stick ---------------------------------------- */
+
+static void log_event(const rot_ode_march *run, rot_event event, rot_status *status) {
+  /* Met on the way back, coming to rest is breaking loose. */
+  if (!run->forward && event != ROT_EVENT_REVERSE) {
+    event = event == ROT_EVENT_STICK ? ROT_EVENT_SLIP : ROT_EVENT_STICK;
+  }
+  if (rot_events_add(run->p->turn->events, run->t, event) != ROT_OK) *status = ROT_ENOMEM;
+}
+
+/* Which way it goes on from here. `was`: the mode before, 2 at the start of a run. */
+static rot_status choose_mode(rot_ode_march *run, int was) {
+  const rot_ode_switch *turn = run->p->turn;
+  run->at_rest = run->may_flip = run->was_cut = 0;
+  run->noise = 0.0;
+  if (!turn) return ROT_OK;
+  rot_status status = ROT_OK;
+  const double w = run->y[turn->watched];
+  run->slope_known = 0;
+  if (w != 0.0) {
+    *turn->mode = w > 0.0 ? 1 : -1;
+    return ROT_OK;
+  }
+  double drive, grip;
+  *turn->mode = 0;
+  status = rot_ode_held_slope(run, run->t, &drive, &grip);
+  if (status != ROT_OK) return status;
+  if (turn->holds > 0.0 && grip <= 0.0) {
+    if (was == 1 || was == -1) log_event(run, ROT_EVENT_STICK, &status);
+    return status;
+  }
+  const int way = drive > 0.0 ? 1 : drive < 0.0 ? -1 : was == 1 ? -1 : 1;
+  *turn->mode = run->forward || drive == 0.0 ? way : -way;
+  run->at_rest = 1;
+  run->may_flip = drive == 0.0;
+  if (turn->holds > 0.0) { /* against its way, nothing cancels */
+    const int mode = *turn->mode;
+    double unused;
+    *turn->mode = -mode;
+    if (status == ROT_OK) status = rot_ode_held_slope(run, run->t, &drive, &unused);
+    *turn->mode = mode;
+    run->noise = fabs(run->trial_slope[turn->watched]);
+  }
+  if (was == 0) log_event(run, ROT_EVENT_SLIP, &status);
+  if (was == -*turn->mode) log_event(run, ROT_EVENT_REVERSE, &status);
+  return status;
+}
+
+/* Radau's first step would pass over a transient, and the error test of its end would not see it;
+ * rows within it, and what theta gains in it, would be wrong. Where a stretch begins further from
+ * its quick equilibrium than the accuracy, the first step is a twentieth of the transient. */
+static rot_status resolve_transient(rot_ode_march *run) {
+  const rot_ode_params *p = run->p;
+  if (run->method != ROT_METHOD_RADAU || run->guide) return ROT_OK;
+  double most = 0.0, size = 0.0, change = 0.0;
+  for (size_t i = 0; i < p->controlled; i++) {
+    most = fmax(most, fabs(run->slope[i]));
+    size = fmax(size, fabs(run->y[i]));
+  }
+  if (!(most > 0.0 && isfinite(most))) return ROT_OK;
+  /* Along the motion itself, far enough for the difference to have digits. */
+  const double way = run->forward ? 1.0 : -1.0;
+  const double d = fmin(fabs(run->h), fmax(1e-6 * fabs(run->h), 1e-7 * size / most));
+  for (size_t i = 0; i < p->controlled; i++) run->trial[i] = run->y[i] + way * d * run->slope[i];
+  for (size_t i = p->controlled; i < p->dim; i++) run->trial[i] = run->y[i];
+  if (rot_ode_slope_at(run->t, run->trial, run->trial_slope, run) != GSL_SUCCESS) {
+    const int elsewhere = run->wild;
+    run->wild = 0;
+    return elsewhere ? ROT_OK : run->status;
+  }
+  for (size_t i = 0; i < p->controlled; i++) {
+    change = fmax(change, fabs(run->trial_slope[i] - run->slope[i]));
+  }
+  const double rate = change / d / most;
+  for (size_t i = 0; i < p->controlled; i++) {
+    const double apart = fabs(run->slope[i]) / rate;
+    const double scale = fmax(run->largest[i], fabs(run->y[i]));
+    if (rate * fabs(run->h) > 1.0 && apart > 0.03 * p->accuracy * scale) {
+      run->h = way * 0.05 / rate;
+      return ROT_OK;
+    }
+  }
+  return ROT_OK;
+}
+
+static rot_status begin_stretch(rot_ode_march *run, int was) {
+  rot_status status = choose_mode(run, was);
+  if (status == ROT_OK) status = rot_ode_know_slope(run);
+  if (status == ROT_OK) status = resolve_transient(run);
+  run->stretch_t = run->t;
+  run->dense.count = 0;
+  if (status == ROT_OK) status = rot_ode_add_node(run);
+  return status;
+}
+
+/* ---- the march ------------------------------------------------------------------------------- */
+
+/* Where the guided run steps to next: halves of the steps of its guide. Nearer than a third of a
+ * half step it goes for the one after, so that after a zero, which no two runs meet at the same
+ * time, it falls in with the guide again. */
+static double guided_aim(rot_ode_march *run, double stop) {
+  const rot_ode_trace *m = run->guide;
+  while (run->guide_at + 2 < m->count &&
+         (run->forward ? rot_ode_node(m, run->guide_at + 1)[0] <= run->t
+                       : rot_ode_node(m, run->guide_at + 1)[0] >= run->t)) {
+    run->guide_at++;
+  }
+  for (size_t k = run->guide_at; k + 1 < m->count; k++) {
+    const double a = rot_ode_node(m, k)[0], b = rot_ode_node(m, k + 1)[0], mid = 0.5 * (a + b);
+    const double least = 0.3 * fabs(mid - a), way = run->forward ? 1.0 : -1.0;
+    const double aim = way * (mid - run->t) > least ? mid : b;
+    if (way * (aim - run->t) <= 0.0) continue;
+    if (way * (stop - aim) <= 0.0) return stop;
+    if (way * (aim - run->t) > least) return aim;
+  }
+  return stop;
+}
+
+typedef struct step_plan {
+  double h, target; /* target: the time at its end */
+  int as_wished;    /* not cut short by a target */
+} step_plan;
+
+static step_plan plan_step(rot_ode_march *run, double stop) {
+  const double left = stop - run->t;
+  step_plan plan = {left, stop, 0};
+  if (run->guide) {
+    plan.target = guided_aim(run, stop);
+    plan.h = plan.target - run->t;
+    if (fabs(plan.h) > run->limit) {
+      plan.h = (run->t + copysign(run->limit, left)) - run->t;
+      plan.target = run->t + plan.h;
+    }
+    return plan;
+  }
+  /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
+  const double size = fabs(run->h);
+  if (size >= fabs(left) * (1.0 - 1e-10)) return plan;
+  const double aim = size > 0.5 * fabs(left) ? 0.5 * left : copysign(size, left);
+  /* The step that time will really take: rounding t each time lost 4e-14 in 300 steps. */
+  plan.h = (run->t + aim) - run->t;
+  plan.target = run->t + plan.h;
+  plan.as_wished = aim == run->h;
+  return plan;
+}
+
+static double error_power(const rot_ode_march *run) {
+  return run->method == ROT_METHOD_RADAU ? -1.0 / (ROT_RADAU_ERROR_ORDER + 1.0) : -1.0 / 8.0;
+}
+
+/* A stiff problem costs an explicit method steps that its error test would not need. */
+static void judge_stiffness(rot_ode_march *run, double h) {
+  if (!run->watch_stiffness) return;
+  if (fabs(h) * run->stiffness > 4.0) {
+    run->stiff_steps++;
+    run->calm_steps = 0;
+  } else if (++run->calm_steps >= 6) {
+    run->stiff_steps = 0;
+  }
+  run->stiff = run->stiff_steps >= 15 && fabs(run->end - run->t) > 50.0 * fabs(h);
+}
+
+/* Why no step is short enough: the right-hand side is not finite, or the state is about to be. */
+static rot_status why_wild(const rot_ode_march *run) {
+  for (size_t i = 0; i < run->p->controlled; i++) {
+    if (fabs(run->y[i]) > 1e300 || fabs(run->slope[i]) > 1e300) return ROT_ERANGE;
+  }
+  return ROT_ETORQUE;
+}
+static rot_status reject(rot_ode_march *run, double h, double factor) {
+  run->info->rejected++;
+  run->h = h * factor;
+  run->limit = fabs(run->h);
+  /* As short as time can be resolved, or rounded back to what was just rejected. */
+  const double next = fabs((run->t + run->h) - run->t);
+  if (next > 0.0 && next < fabs(h)) return ROT_OK;
+  if (run->at_rest && run->p->turn->holds > 0.0) { /* drives no further than rounding: held */
+    run->grace = run->t + 1e-9 * (run->end - run->t);
+    *run->p->turn->mode = 0;
+    run->slope_known = 0;
+    return ROT_OK;
+  }
+  const rot_status why = run->wild ? why_wild(run) : ROT_ESTEP;
+  if (why != ROT_ETORQUE) run->info->time_s = run->t; /* else it is where the torque failed */
+  return why;
+}
+
+/* Half the step should divide the error that the test sees by 2^8 (2^6: Radau). Where it does not,
+ * something is too quick for these steps, or has a kink, and the test's figure itself must stand
+ * for the error. */
+static void note_error(rot_ode_march *run, double error) {
+  run->worst = fmax(run->worst, error);
+  if (!run->guide || run->guide_at + 1 >= run->guide->count) return;
+  double before = rot_ode_node(run->guide, run->guide_at + 1)[1];
+  if (run->guide_at + 2 < run->guide->count) { /* after a zero the guide is some way off */
+    before = fmax(before, rot_ode_node(run->guide, run->guide_at + 2)[1]);
+  }
+  if (error > before / (run->method == ROT_METHOD_RADAU ? 8.0 : 32.0) && error > 16.0 * ROT_EPS) {
+    /* Radau's test is that of order 5, its result of order 9. */
+    const double missed = run->method == ROT_METHOD_RADAU ? pow(error, 1.5) : error;
+    run->unresolved += missed * missed;
+  }
+}
+
+/* One step towards `stop`, which no break comes before. */
+static rot_status take_step(rot_ode_march *run, double stop, double fraction,
+                            rot_ode_passage *what) {
+  const size_t tried = run->info->steps + run->info->rejected;
+  *what = ROT_ODE_TRY_SHORTER;
+  if (tried >= run->budget) {
+    run->info->time_s = run->t;
+    return ROT_EBUDGET;
+  }
+  rot_status status = tried % STEPS_PER_POLL == 0 ? rot_poll(run->hooks, fraction) : ROT_OK;
+  if (status == ROT_OK) status = rot_ode_know_slope(run);
+  if (status != ROT_OK) return status;
+  step_plan plan = plan_step(run, stop);
+  if (run->t + plan.h == run->t) {
+    run->info->time_s = run->t;
+    return ROT_ESTEP;
+  }
+  status = rot_ode_attempt(run, run->t, plan.h, run->y, run->slope);
+  if (status != ROT_OK && status != ROT_ETORQUE) return status;
+  if (status == ROT_ETORQUE && !run->wild && run->status != ROT_OK) return status;
+  const double ratio = status == ROT_OK ? rot_ode_trial_ratio(run, plan.h) : NAN;
+  if (!(ratio <= 1.0)) { /* NaN fails */
+    const double less = isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, error_power(run))) : 0.1;
+    return reject(run, plan.h, less);
+  }
+  double h = plan.h;
+  status = rot_ode_look_for_zero(run, &h, what);
+  if (status == ROT_ETORQUE && run->wild) return reject(run, plan.h, 0.5);
+  if (status != ROT_OK) return status;
+  if (*what == ROT_ODE_TRY_SHORTER) return run->slope_known ? reject(run, plan.h, 0.1) : ROT_OK;
+  note_error(run, ratio * run->tolerance);
+  run->limit = INFINITY;
+  run->was_cut = *what == ROT_ODE_CUT_SHORT;
+  const double grow = ratio > 0.0 ? 0.9 * pow(ratio, error_power(run)) : 5.0;
+  const double wish = plan.h * fmin(5.0, fmax(0.5, grow));
+  judge_stiffness(run, plan.h);
+  /* A step cut short by a target says nothing against the longer one. */
+  if (fabs(wish) > fabs(run->h) || plan.as_wished) run->h = wish;
+  return rot_ode_accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : run->t + h,
+                        ratio * run->tolerance);
+}
+
+/* Integrate to a time with no break in between. */
+static rot_status drive(rot_ode_march *run, double stop) {
+  const rot_ode_switch *turn = run->p->turn;
+  const double whole = run->end - run->p->start_s;
+  while (run->t != stop) {
+    rot_ode_passage what = ROT_ODE_SAME_SIDE;
+    rot_status status;
+    int was = turn ? *turn->mode : 1, broke_loose = 0;
+    if (was == 0) {
+      status = rot_ode_hold(run, stop, &broke_loose);
+    } else {
+      status = take_step(run, stop, fabs((run->t - run->p->start_s) / whole), &what);
+      if (run->stiff) return ROT_ESTEP;
+    }
+    if (status != ROT_OK) return status;
+    if (what == ROT_ODE_AT_ZERO || broke_loose) {
+      status = rot_ode_fill_rows(run, 1);
+      if (status == ROT_OK) status = begin_stretch(run, was);
+      if (status != ROT_OK) return status;
+    }
+  }
+  return ROT_OK;
+}
+
+/* The way outward from the start: the next break, and the side of it that rhs may see. */
+typedef struct course {
+  double outward; /* +Inf or -Inf */
+  size_t k;       /* breaks[k] is next forward, breaks[k - 1] backward */
+  double *near, *far;
+} course;
+
+static course set_out(rot_ode_march *run, double end, int forward) {
+  const rot_ode_params *p = run->p;
+  course w = {forward ? INFINITY : -INFINITY, 0, NULL, NULL};
+  w.near = forward ? &run->after : &run->before;
+  w.far = forward ? &run->before : &run->after;
+  memcpy(run->y, p->start, p->dim * sizeof *run->y);
+  run->forward = forward;
+  run->end = end;
+  run->t = p->start_s;
+  run->h = (end - p->start_s) / 100.0;
+  run->limit = INFINITY;
+  run->slope_known = 0;
+  run->guide_at = 0;
+  run->grace = -w.outward;
+  run->stage_t = NAN;
+  run->stiffness = 0.0;
+  run->stiff_steps = run->calm_steps = 0;
+  run->after = -INFINITY;
+  run->before = INFINITY;
+  while (w.k < p->n_breaks && (forward ? p->breaks[w.k] <= run->t : p->breaks[w.k] < run->t)) w.k++;
+  const int on_break = forward ? w.k > 0 && p->breaks[w.k - 1] == run->t
+                               : w.k < p->n_breaks && p->breaks[w.k] == run->t;
+  if (on_break) *w.near = nextafter(run->t, w.outward);
+  return w;
+}
+
+/* The next break, +-Inf if there is none; rhs stays on this side of it. */
+static double next_break(const rot_ode_march *run, course *w) {
+  const int more = run->forward ? w->k < run->p->n_breaks : w->k > 0;
+  const double stop = more ? run->p->breaks[run->forward ? w->k : w->k - 1] : w->outward;
+  *w->far = more ? nextafter(stop, -w->outward) : w->outward;
+  return stop;
+}
+
+static void cross_break(rot_ode_march *run, course *w, double stop) {
+  *w->near = nextafter(stop, w->outward);
+  run->slope_known = 0;
+  w->k = run->forward ? w->k + 1 : w->k - 1;
+  if (run->p->at_break) run->p->at_break(stop, run->y, run->forward, run->p->ctx);
+}
+
+rot_status rot_ode_march_to(rot_ode_march *run, double end, int forward) {
+  course w = set_out(run, end, forward);
+  rot_status status = rot_ode_trace_end(run, 0.0);
+  int was = 2;
+  while (status == ROT_OK && run->t != end) {
+    const double at_break = next_break(run, &w);
+    const int breaks = forward ? at_break < end : at_break > end;
+    status = begin_stretch(run, was);
+    if (status == ROT_OK) status = drive(run, breaks ? at_break : end);
+    const rot_status rows = rot_ode_fill_rows(run, 1);
+    if (status == ROT_OK) status = rows;
+    if (status == ROT_OK) run->info->time_s = run->t;
+    if (status == ROT_OK && breaks) cross_break(run, &w, at_break);
+    was = run->p->turn ? *run->p->turn->mode : 1;
+  }
+  return status;
+}

@@ -1,0 +1,122 @@
+#include "rot_ode_rows.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "rot_ode_step.h"
+
+static size_t row_now(const rot_ode_march *run) {
+  return run->forward ? run->first + run->done : run->first + run->total - 1 - run->done;
+}
+
+static void row_is(rot_ode_march *run, const double y[], double slope) {
+  const size_t row = row_now(run);
+  memcpy(run->y_rows + row * run->p->dim, y, run->p->dim * sizeof *y);
+  if (run->slope_rows) run->slope_rows[row] = slope;
+  run->done++;
+  if (run->forward) run->info->rows_done = row + 1;
+}
+
+void rot_ode_rows_at_start(rot_ode_march *run) {
+  const rot_ode_params *p = run->p;
+  while (run->y_rows && run->done < run->total && run->time_s[row_now(run)] == p->start_s) {
+    row_is(run, p->start, NAN);
+  }
+}
+
+/* A row from the polynomials; 0 if they are not good enough there. */
+static int row_between(rot_ode_march *run, double t, int held) {
+  const rot_ode_params *p = run->p;
+  double slope = NAN;
+  for (size_t i = 0; i < p->dim; i++) {
+    double share, rise, rise_share;
+    run->work[i] = rot_dense_at(&run->form[i], t, &rise, &share, &rise_share);
+    /* A tenth: the share is what the last of the nodes mends, some ten times what is left. */
+    if (i < p->controlled && !held) {
+      if (!(share <= 0.03 * p->accuracy * run->largest[i])) return 0;
+      run->share[i] = fmax(run->share[i], share);
+    }
+    if (i == p->sloped && run->slope_rows && run->dense.slopes) {
+      const double *a = rot_dense_node(&run->dense, 0) + 1 + p->dim + i;
+      const size_t stride = 1 + 2 * p->dim;
+      double size = 0.0;
+      for (size_t k = 0; k < run->dense.count; k++) size = fmax(size, fabs(a[k * stride]));
+      if (rise_share <= 0.03 * p->accuracy * size) slope = rise;
+    }
+  }
+  row_is(run, run->work, slope);
+  return 1;
+}
+
+/* A node of its own for a row, or for the middle of an interval with several. */
+static rot_status step_between(rot_ode_march *run, size_t i, size_t rows) {
+  const rot_ode_params *p = run->p;
+  const double *node = rot_dense_node(&run->dense, i);
+  const double a = node[0], b = rot_dense_node(&run->dense, i + 1)[0],
+               t = run->time_s[row_now(run)];
+  const double mid = 0.5 * (a + b);
+  const int split = rows > 2 && mid != a && mid != b;
+  const double to = split ? mid : t;
+  const rot_status status = rot_ode_attempt(run, a, to - a, node + 1, node + 1 + p->dim);
+  if (status != ROT_OK) return status;
+  if (split) return rot_dense_insert(&run->dense, i + 1, mid, run->trial, run->trial_slope);
+  row_is(run, run->trial, run->dense.slopes ? run->trial_slope[p->sloped] : NAN);
+  return ROT_OK;
+}
+
+/* Radau steps over a transient that dies out within its first step, and the values at the steps'
+ * ends do not show it; the slope where the stretch begins does. */
+static int in_transient(const rot_ode_march *run, const double *node, double t) {
+  if (run->method != ROT_METHOD_RADAU || node[0] != run->stretch_t) return 0;
+  for (size_t i = 0; i < run->p->controlled; i++) {
+    double rise;
+    rot_dense_at(&run->form[i], node[0], &rise, NULL, NULL);
+    const double missed = fabs(node[1 + run->p->dim + i] - rise) * fabs(t - node[0]);
+    if (!(missed <= 0.03 * run->p->accuracy * run->largest[i])) return 1;
+  }
+  return 0;
+}
+
+rot_status rot_ode_fill_rows(rot_ode_march *run, int whole_stretch) {
+  enum { BEYOND = 4, BEHIND = 8 };
+  rot_dense *d = &run->dense;
+  if (!run->y_rows) return ROT_OK;
+  const int watching = run->watch_stiffness, held = run->p->turn && *run->p->turn->mode == 0;
+  const double way = run->forward ? 1.0 : -1.0;
+  const size_t beyond = whole_stretch ? 0 : BEYOND;
+  size_t i = 0, formed = (size_t)-1;
+  rot_status status = ROT_OK;
+  run->watch_stiffness = 0;
+  while (status == ROT_OK && run->done < run->total && d->count > beyond) {
+    const double t = run->time_s[row_now(run)];
+    const size_t last = d->count - 1 - beyond;
+    if (way * (t - rot_dense_node(d, last)[0]) > 0.0) break;
+    while (i < last && way * (t - rot_dense_node(d, i + 1)[0]) >= 0.0) i++;
+    const double *node = rot_dense_node(d, i);
+    if (t == node[0]) {
+      const int inside = i > 0 && i + 1 < d->count;
+      row_is(run, node + 1, inside ? node[1 + run->p->dim + run->p->sloped] : NAN);
+      continue;
+    }
+    if (formed != i) {
+      for (size_t k = 0; k < run->p->dim; k++) run->form[k] = rot_dense_between(d, i, k);
+      formed = i;
+    }
+    const int enough = held || run->form[0].terms >= 4 * (d->slopes ? 2 : 1);
+    if (enough && !in_transient(run, node, t) && row_between(run, t, held)) continue;
+    size_t rows = 1;
+    while (run->done + rows < run->total && rows < 3) {
+      const double next = run->time_s[run->forward ? row_now(run) + rows : row_now(run) - rows];
+      if (way * (next - rot_dense_node(d, i + 1)[0]) >= 0.0) break;
+      rows++;
+    }
+    const size_t count = d->count;
+    status = step_between(run, i, rows);
+    if (d->count != count) formed = (size_t)-1;
+  }
+  if (!whole_stretch && d->count > BEYOND + BEHIND + 1) {
+    rot_dense_drop(d, d->count - (BEYOND + BEHIND + 1));
+  }
+  run->watch_stiffness = watching;
+  return status;
+}

@@ -1,0 +1,28 @@
+/* One step of GSL's rk8pd or of Radau, its error test, and the right-hand side as they call it. */
+#ifndef ROT_ODE_STEP_H
+#define ROT_ODE_STEP_H
+
+#include "rot_ode_march.h"
+
+/* The right-hand side in GSL's form: on this side of the breaks, counted, and finite. */
+int rot_ode_slope_at(double t, const double y[], double dydt[], void *march);
+
+/* Where it stands, into run->slope. */
+rot_status rot_ode_know_slope(rot_ode_march *run);
+
+/* From (t, y) with its slope to t + h: trial, trial_error, trial_slope. ROT_ETORQUE: not here, try
+ * shorter; else what ends the run. */
+rot_status rot_ode_attempt(rot_ode_march *run, double t, double h, const double y[],
+                           const double slope[]);
+
+/* Error of the trial step over what is allowed; NaN if it makes no sense. */
+double rot_ode_trial_ratio(const rot_ode_march *run, double h);
+
+/* The state moves on to the trial, at t. */
+rot_status rot_ode_accept(rot_ode_march *run, double t, double error);
+
+/* Notes where it stands: as the end of a step, and as a node of the rows' polynomials. */
+rot_status rot_ode_trace_end(rot_ode_march *run, double error);
+rot_status rot_ode_add_node(rot_ode_march *run);
+
+#endif

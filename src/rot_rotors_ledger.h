@@ -1,0 +1,16 @@
+/* Work and heat of a shaft of rotors. */
+#ifndef ROT_ROTORS_LEDGER_H
+#define ROT_ROTORS_LEDGER_H
+
+#include "rot_rotors.h"
+
+/* Work of the torques and heat of all dampers between two times, with their rounding. */
+typedef struct rot_rotors_ledger {
+  double work_j, dissipated_j, work_rounding_j, dissipated_rounding_j;
+} rot_rotors_ledger;
+
+/* `rigid`: of the rigid shaft. from_s <= to_s. */
+rot_status rot_rotors_balance(const rot_rotors_params *p, int rigid, double from_s, double to_s,
+                              rot_rotors_ledger *ledger);
+
+#endif
