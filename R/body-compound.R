@@ -22,9 +22,9 @@
 #'   the density of the body, `density_kg_m3 =`, and its mass is right by itself.
 #' @param name What to call the result.
 #' @return A `rot_body` in the common frame. `detail$parts` of a joined body lists its parts;
-#'   `detail$centre_error_m` bounds how far rounding took each coordinate of the centre. The error of
-#'   a joined body is what the parts' own errors and those of their centres make of the whole, and
-#'   the roundings of the sum: a bound if all of theirs are. A hole that leaves little makes it
+#'   `detail$centre_error_m` bounds how far rounding took each coordinate of the centre. The error
+#'   of a joined body is what the parts' own errors and those of their centres make of the whole,
+#'   and the roundings of the sum: a bound if all of theirs are. A hole that leaves little makes it
 #'   large: that is the truth.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also a hole
 #'   heavier than the body), `rotdyn_error_inertia` for a hole that cannot have been inside the
@@ -79,8 +79,8 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   )
 }
 
-# A bound of each coordinate of the centre, where one is known: how far rounding took it. It is of no
-# account to the body alone, and of much to what it is joined with.
+# A bound of each coordinate of the centre, where one is known: how far rounding took it. It is of
+# no account to the body alone, and of much to what it is joined with.
 centre_error <- function(body) {
   known <- .subset2(.subset2(body, "detail"), "centre_error_m")
   if (!is.null(known)) {
