@@ -23,8 +23,8 @@
 #'   Each moment carries at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in a ratio
 #'   of up to 1e300 to one another and whatever the mass.
 #' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_size`
-#'   for a column that is a matrix, `rotdyn_error_value` for a negative mass or length, sizes that do
-#'   not fit together, or an unknown shape without `beta`, with the row; `rotdyn_error_unit`.
+#'   for a column that is a matrix, `rotdyn_error_value` for a negative mass or length, sizes that
+#'   do not fit together, or an unknown shape without `beta`, with the row; `rotdyn_error_unit`.
 #' @source As in [body_shapes] and [shapes()].
 #' @examples
 #' inertia_table()
