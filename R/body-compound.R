@@ -75,7 +75,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   }
   new_body(
     body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, body$formula,
-    body$source, body$provenance, detail, error, body$error_kind
+    body$source, body$provenance, detail, error, body$error_kind, call
   )
 }
 
@@ -151,15 +151,14 @@ cut_body <- function(body, hole, ..., name = NULL) {
     list(body, hole), c(1, -1), name %||% paste(body$shape, "with a hole"), call
   )
   check_inertia_or_abort(left$inertia_kg_m2, left$mass_kg, call, given_by_user = FALSE)
-  left$reach_m <- body$reach_m + sqrt(sum((left$centre_m - body$centre_m)^2))
+  left$reach_m <- body$reach_m + hypot3(as.double(left$centre_m - body$centre_m))
   left
 }
 
 # The centre of what lies in a body is no farther from the body's centre than its farthest point.
 check_hole_near <- function(body, hole, call) {
   gap <- as.double(hole$centre_m) - as.double(body$centre_m)
-  largest <- max(abs(gap))
-  away <- if (largest > 0) largest * sqrt(sum((gap / largest)^2)) else 0
+  away <- hypot3(gap)
   rounding <- 8 * .Machine$double.eps * (max(abs(body$centre_m)) + max(abs(hole$centre_m)))
   if (isTRUE(hole$mass_kg > 0 && away > body$reach_m * (1 + 1e-12) + rounding)) {
     abort_rotdyn(
@@ -207,10 +206,15 @@ combine_bodies <- function(parts, sign, name, call) {
     abort_rotdyn("The bodies' inertia is beyond double precision.", "range", call)
   }
   trace <- sum(diag(sum$second_kg_m2))
+  if (!is.finite(trace)) {
+    abort_rotdyn("The bodies' inertia is beyond double precision.", "range", call)
+  }
   traces <- colSums(seconds[1:3, , drop = FALSE])
-  error <- (if (trace > 0) sum(pick("error") * traces) / trace else 0) + sum$error
+  # A part whose moment vanished beneath the smallest double has an error of some of those.
+  own <- ifelse(pick("error") == Inf & traces == 0, 2^-1070, pick("error") * traces)
+  error <- (if (trace > 0) sum(own) / trace else if (any(own > 0)) Inf else 0) + sum$error
   kinds <- vapply(parts, function(b) b$error_kind, character(1))
-  away <- sqrt(colSums((centres - sum$centre_m)^2))
+  away <- apply(centres - sum$centre_m, 2, hypot3)
   off <- vapply(parts, centre_error, double(1))
   # Centres that are off by rounding change m d d' by so much; d itself is from a rounded centre.
   arm <- away + 2 * .Machine$double.eps * max(abs(sum$centre_m))
@@ -226,7 +230,8 @@ combine_bodies <- function(parts, sign, name, call) {
       x_m = centres[1, ], y_m = centres[2, ], z_m = centres[3, ]
     ), centre_error_m = joined_centre_error(mass, off, away, sum)),
     error = error,
-    error_kind = if (all(kinds == "bound")) "bound" else "estimate"
+    error_kind = if (all(kinds == "bound")) "bound" else "estimate",
+    call = call
   )
 }
 

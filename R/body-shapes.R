@@ -50,7 +50,7 @@ new_shape_body <- function(shape, call) {
 finish_body <- function(shape, parts, size, of, amount, call) {
   mass <- .subset2(parts, 1L)
   second <- .subset2(parts, 2L)
-  if (!is.finite(mass + sum(second))) {
+  if (!is.finite(mass) || !is.finite(sum(second))) {
     abort_rotdyn(
       c(
         "The mass or the moments of this body are beyond double precision.",
@@ -67,7 +67,7 @@ finish_body <- function(shape, parts, size, of, amount, call) {
   new_body(
     shape, mass, second, centre, size, .subset2(parts, 4L), .subset2(parts, 5L),
     .subset2(of, "formula"), .subset2(of, "source"),
-    detail = detail, error = .subset2(parts, 6L)
+    detail = detail, error = .subset2(parts, 6L), call = call
   )
 }
 

@@ -75,10 +75,12 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     provenance = "tensor",
     # Three numbers of the tensor, rounded once each, go into one of the second moment.
     error = if (largest > 0 && trace > 0) {
-      (8 * .Machine$double.eps * scale + askew / largest) / trace
+      # The last term is of halves that are no doubles.
+      (8 * .Machine$double.eps * scale + askew / largest + 2^-1072 / largest) / trace
     } else {
       0
-    }
+    },
+    call = call
   )
 }
 

@@ -359,3 +359,30 @@ test_that("what is left of a rod is no matter for a message", {
     expect_equal(symmetry_class(left), "rod")
   }
 })
+
+test_that("a part too small for doubles leaves the error of the whole a number", {
+  speck <- body_disk(1, 1e-200)
+  both <- join_bodies(speck, place_body(speck, c(1, 0, 0)))
+  expect_lt(both$error, 1e-14)
+  expect_lt(join_bodies(speck, body_disk(1, 1))$error, 1e-14)
+  expect_equal(join_bodies(speck, speck)$error, Inf)
+  expect_equal(join_bodies(body_point(1), body_point(1))$error, 0)
+})
+
+test_that("beyond doubles: an error of the call, or numbers", {
+  called <- function(expr) {
+    error <- tryCatch(expr, rotdyn_error_range = identity)
+    deparse(conditionCall(error)[[1]])
+  }
+  heavy <- body_disk(1.2e308, 0.1)
+  expect_equal(called(join_bodies(heavy, heavy)), "join_bodies")
+  rod <- body_rod(8e307, 4.5)
+  across <- place_body(rod, rotation = rotation_about("z", angle_deg = 90))
+  expect_equal(called(join_bodies(rod, across)), "join_bodies")
+  light <- body_point(1e-300)
+  apart <- join_bodies(light, place_body(light, c(1e200, 0, 0)))
+  expect_equal(apart$reach_m / 5e199, 1)
+  expect_equal(apart$inertia_kg_m2[[5]] / 5e99, 1)
+  expect_lt(apart$error, 1e-14)
+  expect_lt(apart$detail$centre_error_m, 1e185)
+})

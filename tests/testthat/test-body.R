@@ -35,3 +35,8 @@ test_that("a body prints its mass, size, inertia and formula", {
     join_bodies(body_sphere(2, 0.1), place_body(body_sphere(1, 0.1), c(0.3, 0, 0)), name = "pair")
   })
 })
+
+test_that("moments near the largest double are made and printed", {
+  expect_equal(body_rod(8e307, 4.5)$inertia_kg_m2[[9]] / 1.35e308, 1)
+  expect_output(print(body_tensor(1, c(1.7e308, 1.7e308, 1.7e308))), "Izz 1.7e[+]308")
+})
