@@ -1,10 +1,14 @@
 #' Audit a trajectory
 #'
 #' Two balances from the first row to the last. Energy: the change of kinetic energy against the
-#' work of the torque (and of what changes the inertia) less what the resistance took. Momentum: the change of angular momentum
-#' against the impulses of both. Work, heat and impulses are computed by themselves (in closed form,
-#' or with the integration), never as what is missing, so a residual means something; each comes
-#' with what rounding and the stated error could explain, and a verdict.
+#' work of the torque (and of what changes the inertia) less what the resistance took. Momentum: the
+#' change of angular momentum against the impulses of both. Work, heat and impulses are computed by
+#' themselves (in closed form, or with the integration), never as what is missing, so a residual
+#' means something; each comes with what rounding and the stated error could explain, and a verdict.
+#' \deqn{\Delta\left(\tfrac12 I \omega^2\right) = \int \tau\,\omega\,dt - Q, \quad
+#'   \Delta(I \omega) = \int (\tau + \tau_r)\,dt}{
+#'   change of I omega^2/2 = int tau omega dt - Q,  change of I omega = int (tau + tau_r) dt}
+#' with the heat Q and the torque \eqn{\tau_r}{tau_r} of the resistance.
 #'
 #' The changes are taken from the rows as they stand: edit a value, and the audit says so. When rows
 #' were dropped, the balance runs over the rows that are left. Where [choose_model()] left an effect
@@ -15,6 +19,8 @@
 #' @return A `rot_audit`: a tibble of one row with the columns `r describe_columns(audit_columns)`
 #'   Without rows all numbers are NA. The verdict is NA where a balance cannot be drawn: no rows, or
 #'   energies beyond double precision.
+#' @section Errors: `rotdyn_error_type` for what has no audit (a table that lost its columns is no
+#'   trajectory); `rotdyn_error_time` for a missing time.
 #' @examples
 #' audit(spin_up())
 #' @export

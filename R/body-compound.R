@@ -8,7 +8,8 @@
 #' All nest: what comes out is a body.
 #'
 #' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i g_i,\quad
-#'   C = \sum_i \left(C_i + m_i d_i d_i^T\right),\quad d_i = g_i - g}
+#'   C = \sum_i \left(C_i + m_i d_i d_i^T\right),\quad d_i = g_i - g}{
+#'   m = sum m_i,  g = sum m_i g_i / m,  C = sum (C_i + m_i d_i d_i'),  d_i = g_i - g}
 #' The common centre is found first and the tensors are summed about it: a frame whose origin is far
 #' away costs no digits but those that the parts' places lose when they are rounded there.
 #'
@@ -26,10 +27,11 @@
 #'   of a joined body is what the parts' own errors and those of their centres make of the whole,
 #'   and the roundings of the sum: a bound if all of theirs are. A hole that leaves little makes it
 #'   large: that is the truth.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also a hole
-#'   heavier than the body), `rotdyn_error_inertia` for a hole that cannot have been inside the
-#'   body: its centre is farther out than the body reaches, or no body is left. (One that sticks out
-#'   a little is not noticed.) `rotdyn_error_range`, `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
+#'   what is no rotation, a hole as heavy as the body or heavier), `rotdyn_error_inertia` for a hole
+#'   that cannot have been inside the body: its centre is farther out than the body reaches, or no
+#'   body is left. (One that sticks out a little is not noticed.) `rotdyn_error_range`,
+#'   `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @examples
 #' # A dumbbell: a rod along x and a ball at each end.
@@ -56,6 +58,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   beta <- body$beta
   error <- body$error
   off <- centre_error(body)
+  formula <- body$formula
   if (!is.null(rotation)) {
     turn <- as_rotation(rotation, "rotation", call)
     centre <- as.double(turn %*% centre)
@@ -64,6 +67,10 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
       beta <- NA_real_
       error <- error + 16 * .Machine$double.eps
       off <- sqrt(3) * off + 8 * .Machine$double.eps * max(abs(centre))
+      # A shape's formula is about an axis of its own, which is not where it was.
+      if (body$shape %in% shape_table()$shape && body$provenance == "formula") {
+        formula <- paste0(sub(turned_mark, "", formula, fixed = TRUE), turned_mark)
+      }
     }
   }
   off <- off + max(abs(lost_in_sum(centre, at_m)))
@@ -74,10 +81,12 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
     abort_rotdyn("The place is beyond double precision.", "range", call)
   }
   new_body(
-    body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, body$formula,
+    body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, formula,
     body$source, body$provenance, detail, error, body$error_kind, call
   )
 }
+
+turned_mark <- ", then turned"
 
 # A bound of each coordinate of the centre, where one is known: how far rounding took it. It is of
 # no account to the body alone, and of much to what it is joined with.

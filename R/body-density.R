@@ -3,7 +3,8 @@
 #' Mass, centre of mass and second moment of a body whose density is a function of place, by
 #' quadrature where the domain has a map, else by random points:
 #' \deqn{m = \int \rho\,dV,\quad g = \frac{1}{m}\int \rho\,x\,dV,\quad
-#'   C = \int \rho\,(x - g)(x - g)^T dV}
+#'   C = \int \rho\,(x - g)(x - g)^T dV}{
+#'   m = int rho dV,  g = int rho x dV / m,  C = int rho (x - g)(x - g)' dV}
 #'
 #' @section Quadrature: Gauss and Legendre's nodes in each parameter of the domain, evenly spaced
 #'   ones in an angle that goes all the way round. The numbers of nodes grow by half, in the

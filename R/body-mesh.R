@@ -4,7 +4,9 @@
 #' of the tetrahedra that its faces span, or of the surface itself. With d = a . (b - a) x (c - a)
 #' and s = a + b + c for each face a, b, c,
 #' \deqn{V = \frac{1}{6}\sum d,\quad g = \frac{1}{24 V}\sum d\,s,\quad
-#'   C = \frac{m}{120 V}\sum d\,(s s^T + a a^T + b b^T + c c^T) - m\,g g^T}
+#'   C = \frac{m}{120 V}\sum d\,(s s^T + a a^T + b b^T + c c^T) - m\,g g^T}{
+#'   V = sum d / 6,  g = sum d s / (24 V),
+#'   C = m/(120 V) sum d (s s' + a a' + b b' + c c') - m g g'}
 #' `check_mesh()` tells what is right and wrong with a mesh, and whether it bounds a solid.
 #'
 #' A mesh bounds a solid if each of its edges is used once in either direction. An open or
@@ -490,4 +492,40 @@ mesh_detail <- function(of, read, found, check, method) {
     check = check
   )
   detail
+}
+
+# ---- faces --------------------------------------------------------------------------------------
+
+#' @export
+print.rot_mesh_check <- function(x, ...) {
+  # Not where rows or columns were taken out.
+  columns <- c("condition", "count", "verdict", "meaning")
+  if (!all(columns %in% names(x)) || !identical(x$condition, mesh_conditions$condition)) {
+    return(NextMethod())
+  }
+  failed <- sum(x$verdict == "fails")
+  cat("<rot_mesh_check> ", if (failed) {
+    paste0("bounds no solid: ", failed, " condition", if (failed == 1L) " fails" else "s fail")
+  } else {
+    "bounds a solid"
+  }, "\n", sep = "")
+  told <- x[x$verdict %in% c("fails", "note"), columns]
+  verdict <- ifelse(told$verdict == "fails", "FAILS", told$verdict)
+  labels <- paste0("  ", format(verdict), "  ", format(told$condition), "  ")
+  text <- paste0(format_si(told$count), ": ", told$meaning)
+  for (i in seq_len(nrow(told))) {
+    indent <- nchar(labels[i])
+    lines <- strwrap(text[i], max(print_width() - indent, 30L), exdent = 2L)
+    cat(paste0(c(labels[i], rep(strrep(" ", indent), length(lines) - 1L)), lines), sep = "\n")
+  }
+  for (verdict in c("holds", "not looked at")) {
+    rest <- paste(x$condition[x$verdict == verdict], collapse = ", ")
+    if (nzchar(rest)) {
+      cat(
+        strwrap(paste0(verdict, ": ", rest), print_width() + 1L, indent = 2L, exdent = 4L),
+        sep = "\n"
+      )
+    }
+  }
+  invisible(x)
 }

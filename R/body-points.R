@@ -4,7 +4,8 @@
 #' the centre itself and compensated, so the result is as good far from the origin as at it: some
 #' 1e-16 of the trace at any offset, where sums about the origin lose everything 1e8 sizes away.
 #' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i x_i,\quad
-#'   C = \sum_i m_i (x_i - g)(x_i - g)^T,\quad I = \mathrm{tr}(C)\,1 - C}
+#'   C = \sum_i m_i (x_i - g)(x_i - g)^T,\quad I = \mathrm{tr}(C)\,1 - C}{
+#'   m = sum m_i,  g = sum m_i x_i / m,  C = sum m_i (x_i - g)(x_i - g)',  I = tr(C) 1 - C}
 #'
 #' @param data A data frame with columns `mass_kg`, `x_m`, `y_m` and `z_m`, or a matrix whose
 #'   columns are x, y and z (named so, or not named at all), with the masses in `mass_kg`. Points in
@@ -22,10 +23,10 @@
 #'   Masses of 0 are legal, also all of them: then the second moment is 0 and the centre is the
 #'   plain mean of the points. Masses may differ by any factor, and coordinates too.
 #' @section Errors: A body is a description: NA, NaN and Inf are errors (`rotdyn_error_value`) that
-#'   name the row, and so is a mass below 0: holes are for [cut_body()]. `rotdyn_error_missing` for
-#'   a column that is not there, `rotdyn_error_size` for no points at all or lengths that do not
-#'   fit, `rotdyn_error_type`, `rotdyn_error_unit`; `rotdyn_error_range` where the mass or the
-#'   moments are beyond double precision.
+#'   name the row, and so is a mass below 0: holes are for [cut_body()]. `rotdyn_error_type` for a
+#'   column that is not there or of a wrong type, `rotdyn_error_size` for no points at all or
+#'   lengths that do not fit, `rotdyn_error_missing`, `rotdyn_error_unit`; `rotdyn_error_range`
+#'   where the mass or the moments are beyond double precision.
 #' @source Chan, Golub and LeVeque, The American Statistician 37 (1983) 242: sums about a centre.
 #' @seealso [body_density()] for a continuous body, [join_bodies()] for bodies with a size.
 #' @examples
@@ -174,7 +175,7 @@ check_places_named <- function(columns, needs_mass, call) {
         x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
         i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
       ),
-      "missing",
+      "type",
       call
     )
   }

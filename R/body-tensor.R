@@ -16,14 +16,17 @@
 #' @param axes The axes its components refer to: `"own"`, or a rotation matrix whose columns are
 #'   those axes in the own ones (or its quaternion, scalar first).
 #' @param products `"negative"` (as in Goldstein and URDF): the off-diagonal elements are minus the
-#'   products of inertia, \eqn{-\int x y\,dm}. `"positive"`: they are \eqn{+\int x y\,dm}.
+#'   products of inertia, \eqn{-\int x y\,dm}{-int x y dm}. `"positive"`: they are \eqn{+\int x
+#'   y\,dm}{+int x y dm}.
 #' @param reach_m Distance from the centre of mass to the farthest point, if known: the tensor is
 #'   checked against it.
 #' @param name What to call the body.
 #' @return A `rot_body`. Its error bound counts the roundings here, and those of a number given to
 #'   sixteen digits.
 #' @section Errors: `rotdyn_error_inertia` for what no body can have (see [check_inertia()]),
-#'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`, `rotdyn_error_unit`.
+#'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf included, but
+#'   for the tensor: that is `rotdyn_error_inertia`), `rotdyn_error_unit`; `rotdyn_error_range`
+#'   where moving the tensor leaves double precision.
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60, for the
 #'   conditions.
 #' @examples

@@ -5,10 +5,11 @@
 #' * `body_tetrahedron()`: a solid tetrahedron.
 #'
 #' \deqn{C = \frac{M}{24 A} \sum_i d_i \left(a_i a_i^T + b_i b_i^T
-#'   + (a_i + b_i)(a_i + b_i)^T\right), \quad d_i = a_i \times b_i}
+#'   + (a_i + b_i)(a_i + b_i)^T\right), \quad d_i = a_i \times b_i}{
+#'   C = M/(24 A) sum d_i (a_i a_i' + b_i b_i' + (a_i + b_i)(a_i + b_i)'),  d_i = a_i x b_i}
 #' over the edges of a polygon, from \eqn{a_i} to \eqn{b_i} as seen from the centre of mass, with
-#' \eqn{A = \sum d_i/2} (Green);
-#' \deqn{C = \frac{M}{20} \sum_i (v_i - g)(v_i - g)^T}
+#' \eqn{A = \sum d_i/2}{A = sum d_i/2} (Green);
+#' \deqn{C = \frac{M}{20} \sum_i (v_i - g)(v_i - g)^T}{C = M/20 sum (v_i - g)(v_i - g)'}
 #' over the corners of a tetrahedron. Differences of corners are exact and sums carry 31 digits, so
 #' that a place far from the origin costs nothing.
 #'
@@ -18,9 +19,9 @@
 #'   `z_m`). Those of a polygon go round it, in either sense; the first need not be repeated.
 #' @param areal_density_kg_m2,density_kg_m3 Mass per area or volume, instead of `mass_kg`.
 #' @inherit body_shapes return
-#' @section Errors: As for all shapes (see [body_shapes]); `rotdyn_error_value` also for corners on
-#'   one line (in one plane), and for edges that cross. Corners that touch an edge, as where a slit
-#'   leads to a hole, are no crossing.
+#' @section Errors: As for all shapes (see [body_shapes]); `rotdyn_error_value` also for coordinates
+#'   of NA, NaN or Inf, for corners on one line (in one plane), and for edges that cross. Corners
+#'   that touch an edge, as where a slit leads to a hole, are no crossing.
 #' @source Steger, On the calculation of arbitrary moments of polygons, TU Muenchen FGBV-96-05
 #'   (1996); Tonon, Journal of Mathematics and Statistics 1 (2005) 8.
 #' @seealso [body_triangle()] by base and height, [body_polygon_plate()] and

@@ -37,8 +37,14 @@ new_body <- function(shape, mass_kg, second_moment_kg_m2, centre_m = c(0, 0, 0),
 # What a body's numbers rest on, in words.
 provenance_words <- c(
   formula = "formula", tensor = "given tensor", points = "point masses",
-  mesh = "mesh, exact integrals", quadrature = "quadrature of a density",
+  quadrature = "quadrature of a density",
   monte_carlo = "random points in a density", compound = "joined bodies"
+)
+
+# And of a mesh, by the method.
+mesh_words <- c(
+  solid = "mesh, exact integrals", shell = "faces of a mesh, exact integrals",
+  hull = "convex hull of a mesh, exact integrals", box = "box of a mesh"
 )
 
 check_body <- function(body, call, arg = "body") {
@@ -74,28 +80,43 @@ print.rot_body <- function(x, ...) {
     print_field("beta", paste0(format_si(x$beta), "  (I/(m r^2) when it rolls)"))
   }
   if (nzchar(x$formula)) print_field("formula", x$formula)
-  print_field("from", paste0(provenance_words[[x$provenance]], ", ", describe_body_error(x)))
+  from <- if (x$provenance == "mesh") {
+    mesh_words[[x$detail$method]]
+  } else {
+    provenance_words[[x$provenance]]
+  }
+  print_field("from", paste0(from, ", ", describe_body_error(x)))
   invisible(x)
 }
 
+# A line "name  text" of at most the console's width; what is longer goes on under the text.
 print_field <- function(name, text) {
-  cat("  ", formatC(name, width = -10), text, "\n", sep = "")
+  room <- max(print_width() - 12L, 30L)
+  lines <- if (nchar(text) > room) strwrap(text, room + 1L) else text
+  names <- formatC(c(name, rep("", length(lines) - 1L)), width = -10)
+  cat(paste0("  ", names, lines, "\n"), sep = "")
+}
+
+# The console's width, but no more than a line that is read with ease.
+print_width <- function() {
+  min(getOption("width", 80L), 98L)
 }
 
 # What the body's own error cannot tell from 0 is shown as 0.
 print_inertia <- function(x) {
   noise <- body_noise(x)
+  digits <- body_digits(x)
   inertia <- clear_noise(x$inertia_kg_m2, noise)
   axes <- principal_axes(x)
   about <- paste0("about the ", x$point, ", ", x$axes, " axes")
   if (all(inertia[upper.tri(inertia)] == 0)) {
-    moments <- paste(c("Ixx", "Iyy", "Izz"), format_si(diag(inertia)), collapse = ", ")
+    moments <- paste(c("Ixx", "Iyy", "Izz"), format_si(diag(inertia), digits), collapse = ", ")
     print_field("inertia", paste0(moments, " kg m^2 ", about))
   } else {
     print_field("inertia", paste0("kg m^2 ", about, ":"))
-    cat(paste0(strrep(" ", 12), format_columns(inertia), "\n"), sep = "")
+    cat(paste0(strrep(" ", 12), format_columns(inertia, digits), "\n"), sep = "")
     moments <- clear_noise(axes$principal_moment_kg_m2, noise)
-    print_field("principal", paste0(paste(format_si(moments), collapse = ", "), " kg m^2"))
+    print_field("principal", paste0(paste(format_si(moments, digits), collapse = ", "), " kg m^2"))
   }
   print_field("symmetry", describe_symmetry(axes))
 }
@@ -103,6 +124,11 @@ print_inertia <- function(x) {
 body_noise <- function(x) {
   # Term by term: of moments near 1.8e308 the sum would overflow.
   if (is.finite(x$error)) sum(x$error * diag(x$second_moment_kg_m2)) else 0
+}
+
+# As many digits as the error leaves, and one more: 7 at most.
+body_digits <- function(x) {
+  if (isTRUE(x$error > 0)) min(max(1 - floor(log10(x$error)), 2), 7) else 7
 }
 
 clear_noise <- function(x, noise) {
@@ -123,12 +149,12 @@ describe_body_error <- function(x) {
   )
 }
 
-format_si <- function(x) {
-  vapply(x, format, character(1), digits = 7)
+format_si <- function(x, digits = 7) {
+  vapply(x, format, character(1), digits = digits)
 }
 
 # The rows of a matrix as text, with columns that line up.
-format_columns <- function(x) {
-  columns <- apply(x, 2, function(column) format(format_si(column), justify = "right"))
+format_columns <- function(x, digits = 7) {
+  columns <- apply(x, 2, function(column) format(format_si(column, digits), justify = "right"))
   apply(columns, 1, paste, collapse = "  ")
 }

@@ -28,13 +28,13 @@ asymmetry_allowed <- 1e-12
 #' | `mass` | the mass, where it is known | at least 0; and not 0 if there is inertia |
 #' | `size` | radius of gyration sqrt(c3/m), c3 the largest eigenvalue of C | at most `size_m` |
 #'
-#' I1 <= I2 <= I3 are the principal moments and C = int x x^T dm is the second moment of the mass, so
-#' that I = tr(C) 1 - C. Each moment of inertia sums two directions, so none can exceed the other
+#' I1 <= I2 <= I3 are the principal moments and C = int x x^T dm is the second moment of the mass,
+#' so that I = tr(C) 1 - C. Each moment of inertia sums two directions, so none can exceed the other
 #' two together. A tensor may be positive definite and still be no body's; and all three sums of its
 #' diagonal may hold while those of its principal moments fail.
 #'
-#' **What is legal.** A rod along x (I1 = 0), a plate (I1 + I2 = I3) and a point (all 0). Rounding is
-#' let pass: a condition short by at most 8 roundings (8.9e-16 of I3) holds, one short by at most
+#' **What is legal.** A rod along x (I1 = 0), a plate (I1 + I2 = I3) and a point (all 0). Rounding
+#' is let pass: a condition short by at most 8 roundings (8.9e-16 of I3) holds, one short by at most
 #' 1e-12 `holds within rounding`, anything more `fails`. An asymmetry of at most 1e-12 is rounding
 #' as well; the mean of both entries is then used.
 #'
@@ -47,9 +47,10 @@ asymmetry_allowed <- 1e-12
 #' they rule repairs out. A suggestion is a guess at a slip of the pen, no measurement.
 #'
 #' @param x What to check: a 3 x 3 matrix, a `rot_body`, an [inertia_tensor()], six numbers named
-#'   `ixx`, `iyy`, `izz`, `ixy`, `ixz`, `iyz`, three numbers (principal moments), or a data frame with
-#'   such columns, one tensor a row (without the last three, the products are 0). Capitals and the
-#'   ending `_kg_m2` do not matter. In kg m^2, about the centre of mass; numbers or units objects.
+#'   `ixx`, `iyy`, `izz`, `ixy`, `ixz`, `iyz`, three numbers (principal moments), or a data frame
+#'   with such columns, one tensor a row (without the last three, the products are 0). Capitals and
+#'   the ending `_kg_m2` do not matter. In kg m^2, about the centre of mass; numbers or units
+#'   objects.
 #' @param ... Nothing.
 #' @param mass_kg Mass, one or one a row; NA where it is not known. A data frame's own column
 #'   `mass_kg` is used if this is not given.
@@ -73,10 +74,11 @@ asymmetry_allowed <- 1e-12
 #' `bench/inertia-repair.R` draws random bodies (5 to 60 points in boxes of random sides), moves the
 #' decimal point of one moment one or two places, and asks for the repair wherever no body is left.
 #' `r repair_figures`
-#' @section Errors: `rotdyn_error_type` for what is none of these; `rotdyn_error_size` for other
-#'   numbers of entries; `rotdyn_error_value` for names that are missing, and sizes that are not
-#'   greater than 0; `rotdyn_error_unit` for units objects of another dimension. NA, NaN and Inf in
-#'   a tensor are no error: the check says so. So it does for a mass of NaN or Inf.
+#' @section Errors: `rotdyn_error_type` for what is none of these, and for columns that are not
+#'   there; `rotdyn_error_size` for other numbers of entries; `rotdyn_error_value` for numbers
+#'   without names, and sizes that are not greater than 0; `rotdyn_error_unit` for units objects of
+#'   another dimension. NA, NaN and Inf in a tensor are no error: the check says so. So it does for
+#'   a mass of NaN or Inf.
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60; Traversaro,
 #'   Brossette, Escande and Nori, IROS (2016) 5516, for why positive definite is not enough.
 #' @seealso [read_links()] checks a robot description.
@@ -212,7 +214,7 @@ tensors_from_columns <- function(x, sign, call) {
         x = "{.val {lacking}} {?is/are} not there.",
         i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
       ),
-      "value", call
+      "type", call
     )
   }
   columns <- lapply(inertia_entries[has], function(entry) {
@@ -519,8 +521,9 @@ print.rot_inertia_check <- function(x, ...) {
   }
   if (length(rows) > 10L) {
     left <- x[!x$row %in% rows[1:10] & x$verdict == "fails", ]
+    more <- length(rows) - 10L
     cat(
-      "... and ", length(rows) - 10L, " tensors more, ", length(unique(left$row)),
+      "... and ", more, " tensor", if (more > 1L) "s", " more, ", length(unique(left$row)),
       " of them with a condition that fails\n",
       sep = ""
     )
@@ -541,11 +544,14 @@ print_one_check <- function(x) {
   labels <- paste0("  ", format(x$condition), "  ", format(verdict), "  ")
   indent <- nchar(labels[1L])
   for (i in seq_along(labels)) {
-    words <- strwrap(x$meaning[i], width = max(98L - indent, 30L), exdent = 2L)
+    words <- strwrap(x$meaning[i], width = max(print_width() - indent, 30L), exdent = 2L)
     cat(paste0(c(labels[i], rep(strrep(" ", indent), length(words) - 1L)), words), sep = "\n")
   }
   for (text in x$suggestion[!is.na(x$suggestion)]) {
-    cat(strwrap(paste("suggestion:", text), width = 98L, indent = 2L, exdent = 4L), sep = "\n")
+    cat(
+      strwrap(paste("suggestion:", text), width = print_width(), indent = 2L, exdent = 4L),
+      sep = "\n"
+    )
   }
   if (failed && all(is.na(x$suggestion))) {
     cat("  no small change of one entry makes every condition hold\n")

@@ -6,15 +6,16 @@
 #'
 #' @param lower_m,upper_m Opposite corners of the box, three numbers each. For `domain_inside()`, a
 #'   box around the body: what is outside of it is not seen.
-#' @param radius_m,height_m Outer radius; height along z.
+#' @param radius_m,length_m Outer radius; length along z; both greater than 0 m.
 #' @param inner_radius_m Radius of the hole, less than `radius_m`.
 #' @param angle_rad First and last angle of a sector, counted from x to y; at most a full turn.
 #' @param centre_m Where the middle of the cylinder, ball or ellipsoid is.
-#' @param a_m,b_m,c_m Semi-axes along x, y and z.
+#' @param semi_x_m,semi_y_m,semi_z_m Half axes, greater than 0 m.
 #' @param map A function of three vectors, the parameters, that returns the places: a matrix with
 #'   columns x, y, z, or a list of three vectors.
 #' @param jacobian A function of the same that returns the absolute value of the determinant
-#'   \eqn{|\partial(x, y, z)/\partial(u, v, w)|}. A few differences of `map` are held against it.
+#'   \eqn{|\partial(x, y, z)/\partial(u, v, w)|}{|d(x, y, z)/d(u, v, w)|}. A few differences of
+#'   `map` are held against it.
 #' @param lower,upper Smallest and largest value of the three parameters.
 #' @param periodic Which of the parameters go all the way round, so that map and density repeat
 #'   after `upper - lower`: three logical values.
@@ -22,12 +23,12 @@
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_domain`.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
-#'   `rotdyn_error_value` (also an empty domain), `rotdyn_error_unit`; `rotdyn_error_density` for a
-#'   map that returns no places, or a Jacobian that is not the map's.
+#'   `rotdyn_error_value` (NA, NaN, Inf, an empty domain), `rotdyn_error_unit`;
+#'   `rotdyn_error_density` for a map that returns no places, or a Jacobian that is not the map's.
 #' @seealso [body_density()]
 #' @examples
 #' domain_box(lower_m = c(0, 0, 0), upper_m = c(1, 2, 3))
-#' domain_cylinder(radius_m = 0.5, height_m = 2, inner_radius_m = 0.4)
+#' domain_cylinder(radius_m = 0.5, length_m = 2, inner_radius_m = 0.4)
 #' domain_ball(radius_m = 6.371e6)
 #'
 #' # A torus, radii 2 and 0.5, by its map ...
@@ -60,21 +61,21 @@ domain_box <- function(lower_m, upper_m) {
 
 #' @rdname domains
 #' @export
-domain_cylinder <- function(radius_m, height_m, ..., inner_radius_m = 0,
+domain_cylinder <- function(radius_m, length_m, ..., inner_radius_m = 0,
                             angle_rad = c(0, 2 * pi), centre_m = c(0, 0, 0)) {
   call <- rlang::current_env()
-  check_supplied(c("radius_m", "height_m"), call)
+  check_supplied(c("radius_m", "length_m"), call)
   check_no_dots(...)
   radii <- check_radii(inner_radius_m, radius_m, call)
-  height_m <- check_number(height_m, "height_m", "m", call, lower = 0, open = TRUE)
+  length_m <- check_number(length_m, "length_m", "m", call, lower = 0, open = TRUE)
   angle <- check_turn(angle_rad, call)
   new_domain(
     "cylinder",
     size_m = c(
-      radius_m = radii[2], height_m = height_m, if (radii[1] > 0) c(inner_radius_m = radii[1])
+      radius_m = radii[2], length_m = length_m, if (radii[1] > 0) c(inner_radius_m = radii[1])
     ),
     centre_m = check_vector(centre_m, "centre_m", "m", call),
-    chart = c(1, radii[1], angle$from, -height_m / 2, radii[2], angle$to, height_m / 2, 1, 1, 1),
+    chart = c(1, radii[1], angle$from, -length_m / 2, radii[2], angle$to, length_m / 2, 1, 1, 1),
     periodic = c(FALSE, angle$full, FALSE)
   )
 }
@@ -97,14 +98,14 @@ domain_ball <- function(radius_m, ..., inner_radius_m = 0, centre_m = c(0, 0, 0)
 
 #' @rdname domains
 #' @export
-domain_ellipsoid <- function(a_m, b_m, c_m, ..., centre_m = c(0, 0, 0)) {
+domain_ellipsoid <- function(semi_x_m, semi_y_m, semi_z_m, ..., centre_m = c(0, 0, 0)) {
   call <- rlang::current_env()
-  check_supplied(c("a_m", "b_m", "c_m"), call)
+  check_supplied(c("semi_x_m", "semi_y_m", "semi_z_m"), call)
   check_no_dots(...)
   size <- c(
-    a_m = check_number(a_m, "a_m", "m", call, lower = 0, open = TRUE),
-    b_m = check_number(b_m, "b_m", "m", call, lower = 0, open = TRUE),
-    c_m = check_number(c_m, "c_m", "m", call, lower = 0, open = TRUE)
+    semi_x_m = check_number(semi_x_m, "semi_x_m", "m", call, lower = 0, open = TRUE),
+    semi_y_m = check_number(semi_y_m, "semi_y_m", "m", call, lower = 0, open = TRUE),
+    semi_z_m = check_number(semi_z_m, "semi_z_m", "m", call, lower = 0, open = TRUE)
   )
   new_domain(
     "ellipsoid",

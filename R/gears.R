@@ -52,8 +52,8 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
 #'   number or `n`.
 #' @return `gear_train()`: a tibble with one row for each shaft:
 #'   `r describe_columns(gear_columns)`
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
-#'   `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf
+#'   included), `rotdyn_error_unit`.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), sections 13-13 and 16-7.
 #' @examples
 #' gear_train(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque_n_m = c(2, -4))

@@ -9,6 +9,8 @@
 #' @return A `rot_inertia_knots`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_time`, `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.1: without
+#'   torque I omega stays.
 #' @examples
 #' skater <- inertia_knots(time_s = c(1, 2), moment_of_inertia_kg_m2 = c(5, 2))
 #' scene <- scene_axle(skater, omega0_rad_per_s = 2)

@@ -12,7 +12,8 @@
 #'     kept; sizes that a row's shape does not have are not looked at.
 #'   * a `rot_body`, or a list of them: the moment about the body's `z` axis through its centre of
 #'     mass; of a [body_rod_end()] about its end, and of a [body_point()] about the axis that it
-#'     is `radius_m` away from. Where a body was placed does not matter.
+#'     is `radius_m` away from. Where a body was placed does not matter; one that was turned has
+#'     its moment about `z` as it is now, while its `formula` is from before.
 #' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
 #'   sizes are simple parts of these: inner radii are half of `radius_m`.
 #' @return A tibble: the columns of `objects`, then

@@ -6,13 +6,14 @@
 #' * `radius_of_gyration()`: the distance at which all mass would have the same moment.
 #'
 #' \deqn{I_{ij} = \int (x^2 \delta_{ij} - x_i x_j)\, dm, \quad
-#'   I_n = n^T I n, \quad I_o = I_g + m (d^2 1 - d d^T), \quad k = \sqrt{I_n/m}}
+#'   I_n = n^T I n, \quad I_o = I_g + m (d^2 1 - d d^T), \quad k = \sqrt{I_n/m}}{
+#'   I = int (x^2 1 - x x') dm,  I_n = n' I n,  I_o = I_g + m (d^2 1 - d d'),  k = sqrt(I_n/m)}
 #' with \eqn{d} from the centre of mass \eqn{g} to the point \eqn{o} (parallel axes, Steiner).
 #'
 #' @section Signs: The off-diagonal elements of the tensor are *minus* the products of inertia:
-#'   \eqn{I_{xy} = -\int x y\, dm}. That is `products = "negative"`, as in Goldstein, URDF and most
-#'   of mechanics. Some books and CAD programs write \eqn{+\int x y\, dm}: `products = "positive"`
-#'   gives those.
+#'   \eqn{I_{xy} = -\int x y\, dm}{Ixy = -int x y dm}. That is `products = "negative"`, as in
+#'   Goldstein, URDF and most of mechanics. Some books and CAD programs write \eqn{+\int x y\,
+#'   dm}{+int x y dm}: `products = "positive"` gives those.
 #'
 #' @param body A `rot_body`.
 #' @param about,through The point: `"centre"` (of mass), `"origin"` (of the body's own axes), or
@@ -157,12 +158,17 @@ print.rot_inertia_tensor <- function(x, ...) {
   )
   own <- identical(attr(x, "rotation"), diag(3))
   sign <- if (attr(x, "products") == "negative") "-" else "+"
-  cat(
-    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "turned", " axes, ",
-    "off-diagonal ", sign, "int x y dm\n",
-    sep = ""
+  where <- paste0(
+    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "turned", " axes,"
   )
-  print(as.matrix(x), ...)
+  signs <- paste0("off-diagonal ", sign, "int x y dm")
+  head <- paste(where, signs)
+  if (nchar(head) > print_width()) {
+    head <- c(strwrap(where, print_width() + 1L, exdent = 2L), paste0("  ", signs))
+  }
+  cat(head, sep = "\n")
+  # Turning leaves roundings where there is nothing.
+  print(clear_noise(as.matrix(x), 8 * .Machine$double.eps * max(abs(x))), ...)
   invisible(x)
 }
 

@@ -4,7 +4,9 @@
 #' Vectors recycle as in a tibble: length 1 or n.
 #'
 #' \deqn{\omega = \omega_0 + \alpha t,\quad \theta = \omega_0 t + \tfrac12 \alpha t^2,\quad
-#'   \theta = \tfrac12 (\omega_0 + \omega)\, t,\quad \omega^2 = \omega_0^2 + 2 \alpha \theta}
+#'   \theta = \tfrac12 (\omega_0 + \omega)\, t,\quad \omega^2 = \omega_0^2 + 2 \alpha \theta}{
+#'   omega = omega0 + alpha t,  theta = omega0 t + alpha t^2/2,  theta = (omega0 + omega) t/2,
+#'   omega^2 = omega0^2 + 2 alpha theta}
 #'
 #' Where the acceleration, the angle and one of the rates are given, there may be two motions: the
 #' angle is passed twice, once on the way out and once on the way back. Both come, the smaller time

@@ -126,6 +126,7 @@ fit_without <- function(fit, time_s, accuracy, call) {
 #'   `r describe_columns(c("model", "applies", "error", "error_kind", "cost", "chosen", "reason"))`
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_value`;
 #'   `rotdyn_error_accuracy` if no model reaches the accuracy.
+#' @source [models()] says for each model where its equations come from.
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' choose_model(scene, time_s = seq(0, 8, by = 0.1))

@@ -3,7 +3,8 @@
 #' Moves a moment of inertia, or a whole tensor, from the centre of mass to a parallel axis or
 #' another point, and back.
 #'
-#' \deqn{I_o = I_g + m d^2, \qquad I_o = I_g + m (d^2 1 - d d^T)}
+#' \deqn{I_o = I_g + m d^2, \qquad I_o = I_g + m (d^2 1 - d d^T)}{
+#'   I_o = I_g + m d^2,  I_o = I_g + m (d^2 1 - d d')}
 #'
 #' Moving *to* the centre subtracts, and what is left may be rounding: where \eqn{m d^2} is more
 #' than 1e8 times what remains, half the digits are gone, and a warning of class

@@ -10,12 +10,13 @@
 #' scale. It is the shape that a spinning body's motion knows of: two bodies with the same
 #' ellipsoid turn alike.
 #'
-#' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}} with the second moments \eqn{c_k} along the
-#' principal axes. The longest semi-axis goes with the least moment of inertia, axis 1. A plate is a flat
-#' ellipse, a rod a line, a point or a body without mass a dot. What the body was made of (parts,
-#' points, vertices, at most 2000 of a kind) is drawn faintly; parts cut out are crosses.
+#' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}}{a_k = sqrt(5 c_k/m)} with the second moments
+#' \eqn{c_k} along the principal axes. The longest semi-axis goes with the least moment of inertia,
+#' axis 1. A plate is a flat ellipse, a rod a line, a point or a body without mass a dot. What the
+#' body was made of (parts and points, at most 2000 of a kind) is marked; parts cut out are crosses.
 #'
-#' Dashed lines go on in the direction of each principal axis. If the own origin is more than twenty
+#' Dashed lines go on in the direction of each principal axis. Coordinates are in m, or in the power
+#' of 1000 of it that the panels' heads name. If the own origin is more than twenty
 #' times the size of the body away, coordinates are measured from the centre of mass, and the
 #' caption says where that is.
 #'
@@ -47,9 +48,11 @@ autoplot.rot_body <- function(object, ...) {
       ggplot2::aes(xend = .data$across_end, yend = .data$up_end, colour = .data$axis),
       drawn$axes[drawn$axes$part == "semi-axis", ], linewidth = 1.3, lineend = "round"
     ) +
+    # A few are seen from the last row; many must not hide the rest.
     ggplot2::geom_point(
       ggplot2::aes(shape = .data$what), drawn$pieces,
-      colour = "grey35", fill = "white", size = 2, alpha = 0.8
+      colour = "grey20", fill = "white", stroke = 1,
+      size = if (drawn$few) 3 else 1.5, alpha = if (drawn$few) 1 else 0.6
     ) +
     # The origin's cross is larger than the dot of the centre: both show where they coincide.
     ggplot2::geom_point(
@@ -60,9 +63,17 @@ autoplot.rot_body <- function(object, ...) {
       ggplot2::aes(shape = .data$what), drawn$marks[drawn$marks$what == "centre of mass", ],
       size = 3, colour = "grey10"
     ) +
-    ggplot2::facet_wrap("panel", nrow = 1, scales = "free") +
-    ggplot2::scale_x_continuous(expand = c(0, 0), n.breaks = 4) +
-    ggplot2::scale_y_continuous(expand = c(0, 0), n.breaks = 5) +
+    ggplot2::facet_wrap(
+      "panel", nrow = 1, scales = "free",
+      labeller = ggplot2::as_labeller(function(panel) paste0(panel, " (", drawn$unit$name, ")"))
+    ) +
+    ggplot2::scale_x_continuous(
+      expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label,
+      guide = ggplot2::guide_axis(check.overlap = TRUE)
+    ) +
+    ggplot2::scale_y_continuous(
+      expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label
+    ) +
     ggplot2::scale_colour_manual(values = colours, name = "principal axis") +
     ggplot2::scale_shape_manual(values = body_marks, name = NULL) +
     ggplot2::guides(
@@ -88,7 +99,7 @@ body_marks <- c("centre of mass" = 16, "own origin" = 3, part = 21, "cut out" = 
 body_title <- function(body) {
   name <- gsub("_", " ", body$shape)
   substr(name, 1, 1) <- toupper(substr(name, 1, 1))
-  paste0(name, ": equivalent ellipsoid and principal axes")
+  paste(strwrap(paste0(name, ": equivalent ellipsoid and principal axes"), 70), collapse = "\n")
 }
 
 body_subtitle <- function(body) {
@@ -125,16 +136,21 @@ body_drawing <- function(body) {
     axis_lines(directions, pmax(1.15 * semi, 0.3 * semi[1]), at, axes, "direction"),
     axis_lines(directions, semi, at, axes, "semi-axis")
   )
+  # A point has no axes to show.
+  lines <- lines[rep(semi[1] > 0, nrow(lines)), ]
   outline <- body_outline(directions, semi, at)
   lines <- project_lines(lines)
   marks <- project(marks)
+  few <- nrow(pieces) <= 30L
   pieces <- project(pieces)
+  frame <- panel_frame(list(
+    outline, marks, pieces, lines,
+    data.frame(panel = lines$panel, across = lines$across_end, up = lines$up_end)
+  ))
+  span <- diff(frame$across[1:2])
   list(
-    outline = outline, axes = lines, marks = marks, pieces = pieces,
-    frame = panel_frame(list(
-      outline, marks, pieces, lines,
-      data.frame(panel = lines$panel, across = lines$across_end, up = lines$up_end)
-    )),
+    outline = outline, axes = lines, marks = marks, pieces = pieces, few = few, frame = frame,
+    breaks = even_breaks(span), unit = panel_unit(span),
     caption = if (far) {
       paste0("measured from the centre of mass, at (", paste(format_si(centre), collapse = ", "),
              ") m in the own axes")
@@ -143,10 +159,27 @@ body_drawing <- function(body) {
 }
 
 body_panels <- list(
-  list(label = "across x, up y (m)", across = "x", up = "y"),
-  list(label = "across x, up z (m)", across = "x", up = "z"),
-  list(label = "across y, up z (m)", across = "y", up = "z")
+  list(label = "across x, up y", across = "x", up = "y"),
+  list(label = "across x, up z", across = "x", up = "z"),
+  list(label = "across y, up z", across = "y", up = "z")
 )
+
+# One step for all panels and both directions: the grid is of squares, as the scale is one.
+even_breaks <- function(span) {
+  step <- diff(pretty(c(0, span), n = 3))[1]
+  function(limits) step * seq(ceiling(limits[1] / step), floor(limits[2] / step))
+}
+
+# Labels of few digits: from micrometres to kilometres by their names, else in powers of 1000 m.
+panel_unit <- function(span) {
+  power <- if (span >= 0.02 && span < 2e4) 0 else 3 * floor(log10(span / 2) / 3)
+  named <- c("-6" = "um", "-3" = "mm", "0" = "m", "3" = "km")
+  name <- named[as.character(power)]
+  list(
+    name = if (is.na(name)) sprintf("1e%d m", as.integer(power)) else name[[1]],
+    label = function(breaks) format(breaks / 10^power, digits = 6, trim = TRUE)
+  )
+}
 
 in_panels <- function(one) {
   labels <- vapply(body_panels, function(panel) panel$label, character(1))
@@ -226,7 +259,8 @@ panel_frame <- function(tables) {
     list(across = range(one$across), up = range(one$up))
   })
   half <- max(vapply(spans, function(s) max(diff(s$across), diff(s$up)), double(1))) / 2
-  half <- if (half > 0) 1.06 * half else 1
+  # Room for a mark at the edge.
+  half <- 1.12 * if (half > 0) half else 1
   corners <- lapply(names(spans), function(panel) {
     data.frame(
       panel = factor(panel, levels = names(spans)),

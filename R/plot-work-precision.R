@@ -25,8 +25,8 @@ autoplot.rot_work_precision <- function(object, ...) {
   said <- points[!is.na(points$error) & points$error > 0, ]
   # With Okabe & Ito's other colours, for more lines than R/plot.R has.
   colours <- rep_len(c(plot_colours, "#56B4E9", "#000000", "#999999"), nlevels(points$model))
-  # Room at the right for the labels.
-  across <- padded(points$cost_s, 0.06, 0.14)
+  # Room at the right for the labels, of which the longest are "1e-9 to 1e-12".
+  across <- padded(points$cost_s, 0.06, 0.22)
   up <- padded(c(points$true_error, said$error), 0.08, 0.06)
   ggplot2::ggplot(points, ggplot2::aes(.data$cost_s, .data$true_error, colour = .data$model)) +
     ggplot2::annotate(

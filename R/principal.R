@@ -3,9 +3,11 @@
 #' `principal_axes()` diagonalises a body's inertia about its centre of mass; `symmetry_class()`
 #' names what kind of top the body is.
 #'
-#' The eigenvalues \eqn{c_1 \ge c_2 \ge c_3} of the second moment \eqn{C = \int x x^T dm} are found
+#' The eigenvalues \eqn{c_1 \ge c_2 \ge c_3}{c1 >= c2 >= c3} of the second moment
+#' \eqn{C = \int x x^T dm}{C = int x x' dm} are found
 #' by Jacobi's rotations, which keep the small ones, and the moments are their sums:
-#' \deqn{I_1 = c_2 + c_3 \le I_2 = c_1 + c_3 \le I_3 = c_1 + c_2.}
+#' \deqn{I_1 = c_2 + c_3 \le I_2 = c_1 + c_3 \le I_3 = c_1 + c_2.}{
+#'   I1 = c2 + c3 <= I2 = c1 + c3 <= I3 = c1 + c2.}
 #'
 #' The axes are right-handed. The largest component of each of the first two is positive; the third
 #' is their cross product. Where moments are equal (to 1e-14), any axes in their plane will do:
@@ -34,8 +36,9 @@
 #'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too, and at least 0.
 #'
 #'   `symmetry_class()`: one string.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_inertia` for a tensor that no body can have,
-#'   `rotdyn_error_value`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`; `rotdyn_error_inertia` for a tensor that no body can have, NA, NaN and Inf
+#'   included.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.4;
 #'   Demmel and Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204, for the rotations.
 #' @examples
@@ -139,7 +142,17 @@ print.rot_principal_axes <- function(x, ...) {
   symmetry <- attr(x, "symmetry")
   # Not where rows or columns were taken out.
   if (!is.null(symmetry) && "unique" %in% names(x) && nrow(x) == 3L) {
-    cat("# Principal axes about the centre of mass: ", describe_symmetry(x), "\n", sep = "")
+    head <- paste("Principal axes about the centre of mass:", describe_symmetry(x))
+    cat(strwrap(head, print_width() + 1L, prefix = "# "), sep = "\n")
+    # A plate has no second moment across it, but for roundings.
+    shown <- x
+    second <- x$second_moment_kg_m2
+    if (!is.null(second)) {
+      shown$second_moment_kg_m2 <- clear_noise(second, 8 * .Machine$double.eps * max(second))
+    }
+    class(shown) <- setdiff(class(x), "rot_principal_axes")
+    print(shown, ...)
+    return(invisible(x))
   }
   NextMethod()
 }

@@ -15,6 +15,9 @@
 #' @return A `rot_resistance`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for what is not
 #'   one finite number or is out of range; `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.5, for what is
+#'   lost; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter 2, for dry
+#'   friction.
 #' @examples
 #' resistance(viscous_n_m_s = 0.03)
 #' resistance(quadratic_n_m_s2 = 1e-4, coulomb_n_m = 0.2, static_n_m = 0.3)

@@ -4,7 +4,9 @@
 #' `rolling_table()` computes the whole table in one pass in C.
 #'
 #' \deqn{a = \frac{g \sin\alpha}{1+\beta},\quad v = \sqrt{\frac{2 g h}{1+\beta}},\quad
-#'   \frac{K_{rot}}{K} = \frac{\beta}{1+\beta},\quad \frac{K_{trans}}{K} = \frac{1}{1+\beta}}
+#'   \frac{K_{rot}}{K} = \frac{\beta}{1+\beta},\quad \frac{K_{trans}}{K} = \frac{1}{1+\beta}}{
+#'   a = g sin(alpha)/(1 + beta),  v = sqrt(2 g h/(1 + beta)),  K_rot/K = beta/(1 + beta),
+#'   K_trans/K = 1/(1 + beta)}
 #'
 #' @param objects A data frame with a column `beta` (at least 0; Inf takes the limit). Its other
 #'   columns are kept. Where it has columns `incline_angle_deg`, `height_drop_m` or

@@ -3,14 +3,15 @@
 #' The rotation by an angle about an axis, as the 3 x 3 matrix that turns vectors: `v_space = R
 #' v_body`. Its columns are the body's axes as seen from space.
 #'
-#' \deqn{R = 1 + \sin\phi\,[n]_\times + (1 - \cos\phi)\,[n]_\times^2}
+#' \deqn{R = 1 + \sin\phi\,[n]_\times + (1 - \cos\phi)\,[n]_\times^2}{
+#'   R = 1 + sin(phi) [n x] + (1 - cos(phi)) [n x]^2}
 #'
 #' @param axis Direction of the axis: `"x"`, `"y"`, `"z"`, or three numbers of any length but 0.
 #' @param angle_rad,angle_deg The angle, counter-clockwise as seen from the axis's tip: one of the
 #'   two. Quarter turns in degrees are exact.
 #' @return A 3 x 3 matrix, orthogonal to two roundings.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
-#'   `rotdyn_error_unit`, `rotdyn_error_missing`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
+#'   an axis of length 0, two angles), `rotdyn_error_unit`, `rotdyn_error_missing` for no angle.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.7.
 #' @examples
 #' rotation_about("z", angle_deg = 90)
@@ -20,7 +21,9 @@ rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
   check_supplied("axis", call)
   if (is.null(angle_rad) == is.null(angle_deg)) {
     abort_rotdyn(
-      "Exactly one of {.arg angle_rad} and {.arg angle_deg} must be given.", "missing", call
+      "Exactly one of {.arg angle_rad} and {.arg angle_deg} must be given.",
+      if (is.null(angle_rad)) "missing" else "value",
+      call
     )
   }
   n <- unit_axis(as_axis(axis, call), call)

@@ -146,6 +146,7 @@ print.rot_scene_rotors <- function(x, ...) {
 #' @return A tibble with one row for each mode:
 #'   `r describe_columns(c("mode", "natural_rad_per_s"))`
 #' @section Errors: `rotdyn_error_type`.
+#' @source Meirovitch, Fundamentals of Vibrations (2001), chapter 7.
 #' @examples
 #' shaft_modes(scene_rotors(c(1, 2, 1), stiffness_n_m_per_rad = 500))
 #' @export

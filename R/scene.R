@@ -6,8 +6,8 @@
 #' The axle goes through the body's centre of mass unless `through` says otherwise: where
 #' [place_body()] put a body, and at which of its points its own axes begin (the end of a
 #' [body_rod_end()], say), does not matter by itself. A message of class `rotdyn_message_axle` says
-#' so where the centre is not on the own axis in question and `through` is not given. No weight acts,
-#' wherever the axle is: [scene_pendulum()] and [torque_gravity()] have it.
+#' so where the centre is not on the own axis in question and `through` is not given. No weight
+#' acts, wherever the axle is: [scene_pendulum()] and [torque_gravity()] have it.
 #'
 #' @param body A `rot_body` (see [body_disk()]), or one number: the moment of inertia about the axle
 #'   in kg m^2. It must be greater than 0. Or [inertia_knots()], where it changes in time.
@@ -23,8 +23,8 @@
 #' @param through A point on the axle: `"centre"` (of mass), `"origin"` (of the body's own axes), or
 #'   three numbers in m in the own axes. Of no account where `body` is no `rot_body`.
 #' @return A `rot_scene_axle`, which is a `rot_scene`.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (no inertia to
-#'   turn included), `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
+#'   no inertia to turn), `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @examples
 #' scene_axle(
@@ -158,9 +158,9 @@ axle_effects <- function(loads, resistance, changing) {
 
 #' A pendulum: a body that hangs from an axle
 #'
-#' Shortcut for a [scene_axle()] with [torque_gravity()]: the moment of inertia about the axle is that
-#' about the centre of mass plus `m d^2` (parallel axes). `theta` is measured from where it hangs
-#' straight down. Without resistance the motion is known in closed form at any amplitude.
+#' Shortcut for a [scene_axle()] with [torque_gravity()]: the moment of inertia about the axle is
+#' that about the centre of mass plus `m d^2` (parallel axes). `theta` is measured from where it
+#' hangs straight down. Without resistance the motion is known in closed form at any amplitude.
 #'
 #' @inheritParams scene_axle
 #' @inheritParams torque-terms
@@ -169,6 +169,7 @@ axle_effects <- function(loads, resistance, changing) {
 #' @param torque Any other torque law, or NULL.
 #' @return A `rot_scene_axle`.
 #' @section Errors: those of [scene_axle()].
+#' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), section 11.
 #' @examples
 #' # A metre stick about its end, let go from horizontal.
 #' pendulum <- scene_pendulum(body_rod(0.1, 1), distance_m = 0.5, theta0_rad = pi / 2)

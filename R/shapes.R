@@ -234,7 +234,7 @@ shape_list <- list(
   shape_words(
     "polygon_prism", "flat-faced solids", "r = radius_m, n = sides, l = length_m",
     "m r^2 (2 + cos(2 pi / n)) / 12 + m l^2 / 12", izz = "m r^2 (2 + cos(2 pi / n)) / 6",
-    origin = "its centre; corners on the circle of radius r, one edge across x",
+    origin = "its centre; corners on the circle of radius r, an edge along z crosses x",
     measure = "n r^2 sin(2 pi / n) l / 2", axis = "symmetry axis"
   ),
   shape_words(
@@ -305,7 +305,7 @@ shape_constructor <- function(shape) {
 #' @return A tibble, one row a shape: `r describe_columns(shape_columns)`
 #'   In the formulas m is the mass and a blank multiplies; the letters are those of `sizes`. Moments
 #'   are about the centre of mass and along the own axes, which are principal axes of all shapes but
-#'   a triangle, where also Ixy = -m h (2 p - b) / 36.
+#'   the triangle and its prism, where also Ixy = -m h (2 p - b) / 36.
 #' @seealso The constructors: [body_shapes], [body_plates], [body_shells], [body_round_solids],
 #'   [body_flat_faced_solids]; [inertia_table()] for numbers.
 #' @examples

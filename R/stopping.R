@@ -12,8 +12,10 @@
 #'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` NaN. The
 #'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists it;
 #'   where in the end nothing acts at all, it is the speed left.
-#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit (see
-#'   [choose_model()], model `axle_drag`).
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
+#'   (see [choose_model()], model `axle_drag`).
+#' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
+#'   2.
 #' @examples
 #' # A flywheel that coasts down: J = 2.5 kg m^2, dry, viscous and quadratic losses.
 #' losses <- resistance(0.004, 2e-5, coulomb_n_m = 0.05)

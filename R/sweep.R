@@ -22,21 +22,22 @@ sweep_parameters <- list(
 #'   where they are not given), `static_n_m` (`coulomb_n_m`), `torque_scale` (1: a factor on the
 #'   torque), `omega0_rad_per_s`, `theta0_rad` (0). All others are kept as they are.
 #' @param torque A torque law, as in [scene_axle()], but no R function: see [torque-terms].
-#' @param time_s When each row ends: one time, or one for each row, not before `start_s`; or NULL for
-#'   a column `time_s` of `parameters`.
+#' @param time_s When each row ends: one time, or one for each row, not before `start_s`; or NULL
+#'   for a column `time_s` of `parameters`.
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which all begin.
-#' @param threads Rows are shared among at most so many threads (no more than there are). The result is the same to the last
-#'   bit for any number.
+#' @param threads Rows are shared among at most so many threads (no more than there are). The result
+#'   is the same to the last bit for any number.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms beyond
 #'   knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
-#' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double precision;
-#'   they are NaN.
+#' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double
+#'   precision; they are NaN.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
 #'   `rotdyn_error_value` with the row, `rotdyn_error_time`; `rotdyn_error_model` for a law that no
 #'   closed form takes.
+#' @source As for [trajectory()]: [models()] says which equation is whose.
 #' @examples
 #' designs <- data.frame(
 #'   name = c("light", "heavy", "oily"),

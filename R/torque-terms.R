@@ -94,8 +94,8 @@ window_text <- function(from_s, to_s) {
 #' @param breaks_s Ends of the pieces, finite and increasing: one more than there are pieces.
 #' @param coefficients A matrix with one row for each piece, N m s^-j in column j + 1; or a vector
 #'   for one piece.
-#' @param amplitude_n_m,angular_frequency_rad_per_s,phase_rad Amplitude, angular frequency, and phase
-#'   at the scene's time 0.
+#' @param amplitude_n_m,angular_frequency_rad_per_s,phase_rad Amplitude, angular frequency, and
+#'   phase at the scene's time 0.
 #' @param decay_per_s Rate of decay; negative grows.
 #' @param stall_torque_n_m Torque at rest.
 #' @param no_load_omega_rad_per_s Angular velocity at which the motor's torque is 0: not 0, of the

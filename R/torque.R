@@ -9,8 +9,8 @@ new_torque <- function(class, ...) {
 #' Torque laws
 #'
 #' A torque law is data: it knows its own breakpoints, so that no model steps over one, and all but
-#' `torque_function()` are evaluated in C. Laws add up: `torque_constant(1) + torque_knots(...)`. The
-#' laws that have a formula are in [torque-terms].
+#' `torque_function()` are evaluated in C. Laws add up: `torque_constant(1) + torque_knots(...)`.
+#' The laws that have a formula are in [torque-terms].
 #'
 #' * `torque_constant()`: the same torque at all times.
 #' * `torque_knots()`: straight lines between knots. A repeated time is a jump; at the jump itself
@@ -25,8 +25,8 @@ new_torque <- function(class, ...) {
 #'   missed: only `breaks_s` is sure. `breaks_s = numeric()` says that there are none.
 #'
 #' A function of time alone is sampled some 30 to 300 times. One of angle and rate is solved by the
-#' model `axle_spectral`, which calls it as seldom as it can; where a call takes less than some 10 us,
-#' `trajectory(model = "axle_rk8pd")` calls it more often and is done sooner.
+#' model `axle_spectral`, which calls it as seldom as it can; where a call takes less than some 10
+#' us, `trajectory(model = "axle_rk8pd")` calls it more often and is done sooner.
 #'
 #' Positive torque turns in the positive sense of the axle (right hand).
 #'

@@ -10,8 +10,8 @@
 #'   backwards.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]: of theta
 #'   relative to the largest |theta| on the way to the last row, and of omega likewise. Or a
-#'   physical one with units, such as `units::set_units(0.1, "degree")` or
-#'   `units::set_units(1, "rpm")`: the largest error wanted in the angle, or in the angular velocity.
+#'   physical one with units, such as `units::set_units(0.1, "degree")` or `units::set_units(1,
+#'   "rpm")`: the largest error wanted in the angle, or in the angular velocity.
 #' @param model NULL for the cheapest that will do, or the name of one of [models()].
 #' @param ... Not used; names after it must be given in full.
 #' @param on_fail What to do when a run fails half way (a torque that is not finite, a step budget
@@ -32,6 +32,7 @@
 #'   fits; `rotdyn_error_torque`, `rotdyn_error_range`, `rotdyn_error_budget`, `rotdyn_error_step`
 #'   from a run: those carry `info`, with the time reached. An error, a condition, an interrupt or a
 #'   time limit raised in a torque function arrives as itself.
+#' @source [models()] says for each model where its equations come from.
 #' @examples
 #' scene <- scene_axle(
 #'   body_disk(mass_kg = 2, radius_m = 0.25),
@@ -277,6 +278,7 @@ describe_error <- function(run) {
 #' @param object,x A `rot_trajectory`.
 #' @param ... Not used.
 #' @return A tibble of one row with the columns `r describe_columns(summary_columns)`
+#' @section Errors: none: the largest and the last of no rows are NA.
 #' @examples
 #' summary(spin_up())
 #' @export
@@ -365,6 +367,8 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' @inheritParams trajectory
 #' @inheritParams resistance
 #' @return A `rot_trajectory`, as [trajectory()] gives.
+#' @section Errors: those of [scene_axle()] and [trajectory()].
+#' @source As for [trajectory()].
 #' @examples
 #' spin_up()
 #' spin_up(body_sphere(5, 0.1), torque_constant(0.2), time_s = 0:10)

@@ -34,6 +34,8 @@
 #'   `rotdyn_error_time`, `rotdyn_error_model` for an unknown model, `rotdyn_error_accuracy` if
 #'   nothing can serve as reference.
 #' @seealso [choose_model()] predicts what this function measures.
+#' @source Work-precision diagrams as in Hairer, Norsett and Wanner, Solving Ordinary Differential
+#'   Equations I, 2nd ed. (1993), section II.10.
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)

@@ -204,12 +204,6 @@ static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const doubl
          make_table(grid, p, step_s);
 }
 
-/* The first chunk ends where all others begin aligned. */
-static size_t first_rows(const rot_axle_grid *grid, const rot_axle_columns *out) {
-  const size_t before = rot_axle_grid_unaligned(out->omega_rad_per_s, ROT_WIDE_PAIR);
-  return before > 0 ? grid->rows - ROT_WIDE_PAIR + before : grid->rows;
-}
-
 size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axle_state *base,
                           const rot_torque_piece *piece, size_t n, const double time_s[],
                           const rot_axle_columns *out, rot_info *info) {
@@ -217,7 +211,9 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
   if (n < ROT_GRID_LEAST || k->two_signs || !find_table(grid, p, time_s)) return 0;
 
   rot_axle_state at = rot_axle_grid_step(grid, p, base, piece, time_s[0]);
-  size_t done = 0, chunk_rows = first_rows(grid, out);
+  /* All chunks are of one length, wherever the columns lie: bits must not depend on an address. */
+  const size_t chunk_rows = grid->rows;
+  size_t done = 0;
   for (;;) {
     const size_t left = n - done, rows = left < chunk_rows ? left : chunk_rows;
     const rot_axle_columns to = from_row(out, done);
@@ -245,6 +241,5 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
     done += good;
     if (good < rows || !more) return done;
     at = next;
-    chunk_rows = grid->rows;
   }
 }

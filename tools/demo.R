@@ -84,6 +84,25 @@ cat(
   sep = ""
 )
 
+# ---- bodies -------------------------------------------------------------------------------------
+
+heading("A body made of bodies: a rod and two balls")
+rod <- body_rod(mass_kg = 0.5, length_m = 1)
+ball <- body_sphere(mass_kg = 2, radius_m = 0.1)
+dumbbell <- join_bodies(
+  rod, place_body(ball, c(0.6, 0, 0)), place_body(ball, c(-0.6, 0, 0)), name = "dumbbell"
+)
+leaning <- place_body(dumbbell, rotation = rotation_about("z", angle_deg = 30))
+print(leaning)
+
+heading("A robot arm, its links checked: read_links()")
+if (requireNamespace("xml2", quietly = TRUE)) {
+  links <- read_links(system.file("extdata", "arm.urdf", package = "rotdyn", mustWork = TRUE))
+  print(links[c("link", "mass_kg", "reach_m", "verdict", "suggestion")])
+} else {
+  cat("not read: the package xml2 is not installed\n")
+}
+
 # ---- the measured cart --------------------------------------------------------------------------
 
 heading("A measured cart: big wheels free, or locked to the axle")
@@ -159,6 +178,7 @@ heading("Pictures")
 if (have_ggplot2) {
   picture("demo-output/rolling.png", ggplot2::autoplot(race))
   picture("demo-output/spin-up.png", ggplot2::autoplot(motion))
+  picture("demo-output/body.png", ggplot2::autoplot(leaning))
 } else {
   cat("none: the package ggplot2 is not installed\n")
 }

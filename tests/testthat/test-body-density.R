@@ -20,7 +20,7 @@ test_that("uniform bodies have the moments of the books", {
   )
   tube <- body_density(2, domain_cylinder(3, 5, inner_radius_m = 2))
   expect_good(tube, 50 * pi, 50 * pi * c(13 / 4, 13 / 4, 25 / 12), 3e-15)
-  expect_equal(tube$size_m, c(radius_m = 3, height_m = 5, inner_radius_m = 2))
+  expect_equal(tube$size_m, c(radius_m = 3, length_m = 5, inner_radius_m = 2))
   # A shell of 2^-20 radii: 2/3 m R^2 about a diameter.
   t <- 2^-20
   thin <- body_density(1, domain_ball(1, inner_radius_m = 1 - t))

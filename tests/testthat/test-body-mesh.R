@@ -493,3 +493,20 @@ test_that("errors say what is wrong and what to do", {
   })
   expect_snapshot(check_mesh(open)[c("condition", "count", "verdict")])
 })
+
+test_that("a check prints what fails, with its count, and keeps to the width", {
+  mesh <- list(
+    vertices = rbind(c(0, 0, 0), c(1, 0, 0), c(0, 2, 0), c(0, 0, 3)),
+    faces = rbind(c(1, 3, 2), c(1, 2, 4), c(1, 4, 3), c(2, 3, 4))
+  )
+  print_check <- function(x) capture.output(rotdyn:::print.rot_mesh_check(x))
+  closed <- print_check(check_mesh(mesh))
+  expect_equal(closed[1], "<rot_mesh_check> bounds a solid")
+  expect_match(closed[2], "^  holds: there are faces, coordinates are finite")
+  mesh$faces <- mesh$faces[-1, ]
+  open <- print_check(check_mesh(mesh))
+  expect_equal(open[1], "<rot_mesh_check> bounds no solid: 1 condition fails")
+  expect_equal(open[2], "  FAILS  no open edges  3: edges with one face: the rims of holes")
+  expect_match(paste(open, collapse = " "), "not looked at: no part is inside out", fixed = TRUE)
+  expect_lte(max(nchar(c(closed, open))), 80)
+})

@@ -129,12 +129,12 @@ test_that("a bad point is an error that names its row", {
   expect_error(body_points(spoil(4, "mass_kg", Inf)), "row 4", class = "rotdyn_error_value")
   expect_error(body_points(spoil(2, "mass_kg", -1)), "cut_body", class = "rotdyn_error_value")
   expect_error(body_points(at[0, ]), class = "rotdyn_error_size")
-  expect_error(body_points(at[-1]), "mass_kg", class = "rotdyn_error_missing")
-  expect_error(body_points(at[-3]), "y_m", class = "rotdyn_error_missing")
+  expect_error(body_points(at[-1]), "mass_kg", class = "rotdyn_error_type")
+  expect_error(body_points(at[-3]), "y_m", class = "rotdyn_error_type")
   expect_error(body_points(at, mass_kg = 1), class = "rotdyn_error_value")
   # A slip in the name of the third column is not a plane.
   names(at)[4] <- "z_mm"
-  expect_error(body_points(at), "z_m", class = "rotdyn_error_missing")
+  expect_error(body_points(at), "z_m", class = "rotdyn_error_type")
   expect_error(body_points(1:3), class = "rotdyn_error_type")
   expect_error(body_points(matrix(1, 2, 4), mass_kg = 1), class = "rotdyn_error_size")
   expect_error(body_points(matrix(1, 2, 3), mass_kg = 1:3), class = "rotdyn_error_size")

@@ -40,3 +40,46 @@ test_that("moments near the largest double are made and printed", {
   expect_equal(body_rod(8e307, 4.5)$inertia_kg_m2[[9]] / 1.35e308, 1)
   expect_output(print(body_tensor(1, c(1.7e308, 1.7e308, 1.7e308))), "Izz 1.7e[+]308")
 })
+
+test_that("print keeps to the console's width", {
+  bodies <- list(
+    body_frustum(1, 0.1, 0.2, 0.4), body_spherical_cap(1, 0.1, 0.05),
+    place_body(body_box(2, 0.3, 0.2, 0.1), c(0.5, 0, 0), rotation_about("z", angle_deg = 30))
+  )
+  for (width in c(60L, 80L, 120L)) {
+    lines <- rlang::with_options(
+      unlist(lapply(bodies, function(body) capture.output(print(body)))),
+      width = width
+    )
+    expect_lte(max(nchar(lines)), min(width, 98L))
+    # Nothing is lost.
+    words <- strsplit(trimws(lines), " +")
+    expect_true(all(c("turned", "frustum", "kg", "symmetry") %in% unlist(words)))
+  }
+})
+
+test_that("print shows no more digits than the error leaves", {
+  rough <- body_density(
+    1000, domain_inside(function(x, y, z) x^4 + y^4 + z^4 < 1, c(-1, -1, -1), c(1, 1, 1)),
+    max_evaluations = 1e4
+  )
+  expect_gt(rough$error, 1e-3)
+  line <- grep("^  inertia", capture.output(print(rough)), value = TRUE)
+  moment <- regmatches(line, regexpr("Ixx [0-9.]+", line))
+  expect_equal(moment, paste("Ixx", format(rough$inertia_kg_m2[1, 1], digits = 4)))
+  # Exact ones have seven.
+  line <- capture.output(print(body_sphere(1, 1 / 3)))
+  expect_match(line, "Ixx 0.04444444,", fixed = TRUE, all = FALSE)
+})
+
+test_that("print says what of a mesh the body is", {
+  open <- list(
+    vertices = rbind(c(0, 0, 0), c(1, 0, 0), c(0, 2, 0), c(0, 0, 3)),
+    faces = rbind(c(1, 3, 2), c(1, 2, 4), c(1, 4, 3))
+  )
+  from <- function(method) {
+    tail(capture.output(print(body_mesh(open, mass_kg = 1, method = method))), 1)
+  }
+  expect_match(from("box"), "from      box of a mesh, relative error", fixed = TRUE)
+  expect_match(from("shell"), "from      faces of a mesh, exact integrals", fixed = TRUE)
+})

@@ -290,9 +290,9 @@ test_that("what is no tensor is an error", {
   expect_error(check_inertia(matrix(1, 2, 2)), class = "rotdyn_error_size")
   expect_error(check_inertia(c(1, 2, 3, 0, 0, 0)), class = "rotdyn_error_value")
   expect_error(check_inertia(c(a = 1, b = 2, c = 3)), class = "rotdyn_error_value")
-  expect_error(check_inertia(data.frame(ixx = 1, iyy = 1)), class = "rotdyn_error_value")
+  expect_error(check_inertia(data.frame(ixx = 1, iyy = 1)), class = "rotdyn_error_type")
   expect_error(
-    check_inertia(data.frame(ixx = 1, iyy = 1, izz = 1, ixy = 0)), class = "rotdyn_error_value"
+    check_inertia(data.frame(ixx = 1, iyy = 1, izz = 1, ixy = 0)), class = "rotdyn_error_type"
   )
   expect_error(check_inertia(1:3, size_m = 0), class = "rotdyn_error_value")
   expect_error(check_inertia(1:3, size_m = NaN), class = "rotdyn_error_value")

@@ -14,6 +14,52 @@ test_that("every function returns columns of the dictionary only", {
   }
 })
 
+test_that("so does every table about bodies, and those that a body keeps", {
+  known <- rotdyn_columns()$name
+  corner <- rbind(c(0, 0, 0), c(1, 0, 0), c(0, 2, 0), c(0, 0, 3))
+  mesh <- list(vertices = corner, faces = rbind(c(1, 3, 2), c(1, 2, 4), c(1, 4, 3), c(2, 3, 4)))
+  check <- check_inertia(data.frame(ixx = c(0.0123, 1), iyy = c(0.0145, 1), izz = c(0.213, 1)))
+  bodies <- list(
+    body_mesh(mesh, mass_kg = 1), body_points(corner, mass_kg = 1),
+    join_bodies(body_box(1, 1, 2, 3), body_torus(1, 0.4, 0.1)),
+    body_density(1000, domain_box(c(0, 0, 0), c(1, 2, 3)))
+  )
+  kept <- do.call(c, lapply(bodies, function(body) Filter(is.data.frame, body$detail)))
+  returned <- c(
+    list(
+      shapes(), inertia_table(bodies), principal_axes(bodies[[1]]), check, inertia_repairs(check),
+      check_mesh(mesh)
+    ),
+    kept
+  )
+  expect_gte(length(kept), 3)
+  for (table in returned) {
+    expect_setequal(setdiff(names(table), known), character())
+  }
+  skip_if_not_installed("xml2")
+  links <- read_links(system.file("extdata", "arm.urdf", package = "rotdyn"))
+  expect_setequal(setdiff(names(links), known), character())
+})
+
+test_that("so does every table about motion", {
+  known <- rotdyn_columns()$name
+  scene <- scene_axle(body_disk(2, 0.25), torque_constant(1), resistance(0.1, coulomb_n_m = 0.2))
+  motion <- trajectory(scene, 0:3)
+  designs <- data.frame(moment_of_inertia_kg_m2 = c(0.05, 0.2))
+  rotors <- scene_rotors(c(1, 2), 1000, 0.5, torque_n_m = c(3, 0))
+  returned <- list(
+    motion_events(motion), augment(motion), glance(motion), stopping(scene),
+    spin_up_table(designs, article_torque(), time_s = 8),
+    trajectory(rotors, 0:2), audit(trajectory(rotors, 0:2)), shaft_modes(rotors),
+    clutch_engagement(2, 3, 6, 10), gear_train(c(0.01, 0.5), ratios = 5),
+    angular_motion(theta_rad = 1, omega0_rad_per_s = 3, alpha_rad_per_s2 = -2),
+    point_motion(6, -2.5, 0.1)
+  )
+  for (table in returned) {
+    expect_setequal(setdiff(names(table), known), character())
+  }
+})
+
 test_that("a name that carries a unit carries the unit of the dictionary", {
   columns <- rotdyn_columns()
   suffix <- c(

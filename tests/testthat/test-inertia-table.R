@@ -201,3 +201,13 @@ test_that("sizes of any ratio, in a table and as bodies", {
   expect_equal(moment_of_inertia(wire, "z") / 1.5e-300, 1, tolerance = 1e-14)
   expect_equal(body_sphere(radius_m = 1e-150, density_kg_m3 = 1)$error, Inf)
 })
+
+test_that("a rod's end stays across the rod, however the rod was turned", {
+  rod <- body_rod_end(3, 2)
+  up <- place_body(rod, c(1, 2, 3), rotation_about("y", angle_deg = 90))
+  leaning <- place_body(rod, rotation = rotation_about(c(1, 2, 3), angle_deg = 50))
+  table <- inertia_table(list(rod, up, leaning))
+  # m l^2 / 3
+  expect_equal(table$moment_of_inertia_kg_m2, c(4, 4, 4), tolerance = 1e-14)
+  expect_equal(table$izz_kg_m2[1:2], c(1, 0))
+})

@@ -265,3 +265,12 @@ test_that("errors and range checks name the function that was called", {
   expect_equal(called(inertia_tensor(d) + inertia_tensor(d, c(1, 0, 0))), "+")
   expect_equal(called(inertia_tensor(d) - inertia_tensor(d, axes = rotation_about("x", 1))), "-")
 })
+
+test_that("print shows no roundings off the diagonal of a turned tensor", {
+  turn <- rotation_about(c(1, 1, 1), angle_deg = 40)
+  box <- place_body(body_box(2, 0.3, 0.2, 0.1), rotation = turn)
+  tensor <- inertia_tensor(box, axes = "principal")
+  expect_gt(max(abs(as.matrix(tensor)[upper.tri(tensor)])), 0)
+  shown <- capture.output(print(tensor))
+  expect_false(any(grepl("e-", shown, fixed = TRUE)))
+})

@@ -546,3 +546,16 @@ test_that("Radau's impulses go with its states, from stop to stop", {
   expect_lt(abs(balance$momentum_residual_kg_m2_per_s), 1e-13)
   expect_equal(balance$verdict, "balanced")
 })
+
+test_that("the same call gives the same bits, wherever its columns come to lie", {
+  scene <- article_scene()
+  time_s <- seq(0, 8, by = 0.01)
+  kept <- list()
+  runs <- lapply(1:20, function(i) {
+    # Vectors of odd lengths move what is allocated next.
+    kept[[i]] <<- numeric(1000 + i)
+    motion <- trajectory(scene, time_s)
+    c(motion$theta_rad, motion$omega_rad_per_s, audit(motion)$momentum_residual_kg_m2_per_s)
+  })
+  for (run in runs[-1]) expect_identical(run, runs[[1]])
+})

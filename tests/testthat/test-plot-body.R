@@ -147,3 +147,31 @@ test_that("it builds without a warning, also for a point and for no mass", {
     expect_gt(nrow(built$data[[1]]), 0)
   }
 })
+
+test_that("coordinates are in a power of 1000 m of few digits, and the heads name it", {
+  head <- function(body) {
+    plot <- ggplot2::autoplot(body)
+    panel <- ggplot2::ggplot_build(plot)$layout$panel_params[[1]]
+    list(
+      unit = plot$facet$params$labeller(data.frame(panel = "across x, up y"))[[1]][[1]],
+      x = panel$x$get_labels(), y = panel$y$get_labels()
+    )
+  }
+  expect_equal(
+    head(body_sphere(2, 0.1)),
+    list(unit = "across x, up y (m)", x = c("-0.1", "0.0", "0.1"), y = c("-0.1", "0.0", "0.1"))
+  )
+  expect_equal(head(body_sphere(2, 0.002))$unit, "across x, up y (mm)")
+  expect_equal(head(body_sphere(2, 0.002))$x, c("-2", "0", "2"))
+  expect_equal(head(body_sphere(1e22, 6.4e6))$unit, "across x, up y (1e6 m)")
+  expect_equal(head(body_sphere(1e-26, 1e-10))$unit, "across x, up y (1e-12 m)")
+  expect_equal(head(body_sphere(1e-26, 1e-10))$x, c("-100", "0", "100"))
+})
+
+test_that("a point has no axes in its picture, and a long name is broken", {
+  expect_equal(nrow(layer(ggplot2::autoplot(body_point(1, 0.5)), "GeomSegment")), 0)
+  long <- body_tensor(1, c(1, 1, 1.5), name = strrep("arm ", 40))
+  lines <- strsplit(ggplot2::autoplot(long)$labels$title, "\n")[[1]]
+  expect_gt(length(lines), 1)
+  expect_lte(max(nchar(lines)), 70)
+})

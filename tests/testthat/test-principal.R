@@ -167,3 +167,13 @@ test_that("no principal moment of a body is negative, however it was turned", {
   }, 0)
   expect_gte(min(least), 0)
 })
+
+test_that("print shows no second moment across a plate, the table keeps the rounding", {
+  # In the plane through (1, 2, 3), (-1, 0, 1) and the centre: not along the axes.
+  at <- rbind(c(1, 2, 3), c(-1, 0, 1), c(0.3, 0.7, -0.2))
+  axes <- principal_axes(body_points(at, mass_kg = c(0.1, 0.7, 1.3)))
+  expect_lt(abs(axes$second_moment_kg_m2[3]), 1e-15)
+  shown <- capture.output(print(axes))
+  expect_match(shown[1], "plate")
+  expect_false(any(grepl("e-", shown, fixed = TRUE)))
+})

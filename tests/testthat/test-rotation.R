@@ -76,7 +76,7 @@ test_that("what is no rotation is refused by class", {
   expect_error(turn(c(0, 0, 0, 0)), "unit quaternion", class = "rotdyn_error_value")
   expect_error(rotation_about(), class = "rotdyn_error_missing")
   expect_error(rotation_about("z"), class = "rotdyn_error_missing")
-  expect_error(rotation_about("z", 1, 2), class = "rotdyn_error_missing")
+  expect_error(rotation_about("z", 1, 2), class = "rotdyn_error_value")
   expect_error(rotation_about("w", 1), class = "rotdyn_error_value")
   expect_error(rotation_about(c(0, 0, 0), 1), class = "rotdyn_error_value")
   expect_error(rotation_about(c(0, 1), 1), class = "rotdyn_error_value")
