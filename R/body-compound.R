@@ -11,7 +11,7 @@
 #'   C = \sum_i \left(C_i + m_i d_i d_i^T\right),\quad d_i = g_i - g}{
 #'   m = sum m_i,  g = sum m_i g_i / m,  C = sum (C_i + m_i d_i d_i'),  d_i = g_i - g}
 #' The common centre is found first and the tensors are summed about it: a frame whose origin is far
-#' away costs no digits.
+#' away costs no digits but those that the parts' places lose when they are rounded there.
 #'
 #' @param body A `rot_body`.
 #' @param at_m Where the body's own origin goes, three numbers in m. (The origin is the point that
@@ -22,9 +22,11 @@
 #' @param hole A `rot_body` in the same frame: what is taken out, with the mass it had. Make it with
 #'   the density of the body, `density_kg_m3 =`, and its mass is right by itself.
 #' @param name What to call the result.
-#' @return A `rot_body` in the common frame. `detail$parts` of a joined body lists its parts. Its
-#'   error is what the parts' own errors make of the whole, and the roundings of the sum: a bound if
-#'   all of theirs are. A hole that leaves little makes it large: that is the truth.
+#' @return A `rot_body` in the common frame. `detail$parts` of a joined body lists its parts;
+#'   `detail$centre_error_m` bounds how far rounding took each coordinate of the centre. The error
+#'   of a joined body is what the parts' own errors and those of their centres make of the whole,
+#'   and the roundings of the sum: a bound if all of theirs are. A hole that leaves little makes it
+#'   large: that is the truth.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
 #'   what is no rotation, a hole as heavy as the body or heavier), `rotdyn_error_inertia` for a hole
 #'   that cannot have been inside the body: its centre is farther out than the body reaches, or no
@@ -55,6 +57,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   second <- body$second_moment_kg_m2
   beta <- body$beta
   error <- body$error
+  off <- centre_error(body)
   formula <- body$formula
   if (!is.null(rotation)) {
     turn <- as_rotation(rotation, "rotation", call)
@@ -63,24 +66,48 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
     if (!identical(turn, diag(3))) {
       beta <- NA_real_
       error <- error + 16 * .Machine$double.eps
+      off <- sqrt(3) * off + 8 * .Machine$double.eps * max(abs(centre))
       # A shape's formula is about an axis of its own, which is not where it was.
       if (body$shape %in% shape_table()$shape && body$provenance == "formula") {
         formula <- paste0(sub(turned_mark, "", formula, fixed = TRUE), turned_mark)
       }
     }
   }
+  off <- off + max(abs(lost_in_sum(centre, at_m)))
   centre <- centre + at_m
   detail <- place_detail(body$detail, if (!is.null(rotation)) turn, at_m)
+  detail$centre_error_m <- if (off > 0) off
   if (!all(is.finite(centre))) {
     abort_rotdyn("The place is beyond double precision.", "range", call)
   }
   new_body(
     body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, formula,
-    body$source, body$provenance, detail, error, body$error_kind
+    body$source, body$provenance, detail, error, body$error_kind, call
   )
 }
 
 turned_mark <- ", then turned"
+
+# A bound of each coordinate of the centre, where one is known: how far rounding took it. It is of
+# no account to the body alone, and of much to what it is joined with.
+centre_error <- function(body) {
+  known <- .subset2(.subset2(body, "detail"), "centre_error_m")
+  if (!is.null(known)) {
+    known
+  } else if (body$provenance == "mesh") {
+    .Machine$double.eps * (max(abs(body$centre_m)) + max(0, body$reach_m, na.rm = TRUE))
+  } else {
+    0
+  }
+}
+
+# What rounding leaves off a + b, exactly (Knuth).
+lost_in_sum <- function(a, b) {
+  sum <- a + b
+  of_b <- sum - a
+  lost <- (a - (sum - of_b)) + (b - of_b)
+  ifelse(is.finite(lost), lost, 0)
+}
 
 # What a body's detail places in the own axes (parts, points, vertices) goes along.
 place_detail <- function(detail, turn, at_m) {
@@ -132,16 +159,15 @@ cut_body <- function(body, hole, ..., name = NULL) {
   left <- combine_bodies(
     list(body, hole), c(1, -1), name %||% paste(body$shape, "with a hole"), call
   )
-  check_inertia_or_abort(left$inertia_kg_m2, left$mass_kg, call)
-  left$reach_m <- body$reach_m + sqrt(sum((left$centre_m - body$centre_m)^2))
+  check_inertia_or_abort(left$inertia_kg_m2, left$mass_kg, call, given_by_user = FALSE)
+  left$reach_m <- body$reach_m + hypot3(as.double(left$centre_m - body$centre_m))
   left
 }
 
 # The centre of what lies in a body is no farther from the body's centre than its farthest point.
 check_hole_near <- function(body, hole, call) {
   gap <- as.double(hole$centre_m) - as.double(body$centre_m)
-  largest <- max(abs(gap))
-  away <- if (largest > 0) largest * sqrt(sum((gap / largest)^2)) else 0
+  away <- hypot3(gap)
   rounding <- 8 * .Machine$double.eps * (max(abs(body$centre_m)) + max(abs(hole$centre_m)))
   if (isTRUE(hole$mass_kg > 0 && away > body$reach_m * (1 + 1e-12) + rounding)) {
     abort_rotdyn(
@@ -189,10 +215,19 @@ combine_bodies <- function(parts, sign, name, call) {
     abort_rotdyn("The bodies' inertia is beyond double precision.", "range", call)
   }
   trace <- sum(diag(sum$second_kg_m2))
+  if (!is.finite(trace)) {
+    abort_rotdyn("The bodies' inertia is beyond double precision.", "range", call)
+  }
   traces <- colSums(seconds[1:3, , drop = FALSE])
-  error <- (if (trace > 0) sum(pick("error") * traces) / trace else 0) + sum$error
+  # A part whose moment vanished beneath the smallest double has an error of some of those.
+  own <- ifelse(pick("error") == Inf & traces == 0, 2^-1070, pick("error") * traces)
+  error <- (if (trace > 0) sum(own) / trace else if (any(own > 0)) Inf else 0) + sum$error
   kinds <- vapply(parts, function(b) b$error_kind, character(1))
-  away <- sqrt(colSums((centres - sum$centre_m)^2))
+  away <- apply(centres - sum$centre_m, 2, hypot3)
+  off <- vapply(parts, centre_error, double(1))
+  # Centres that are off by rounding change m d d' by so much; d itself is from a rounded centre.
+  arm <- away + 2 * .Machine$double.eps * max(abs(sum$centre_m))
+  if (trace > 0) error <- error + sum(mass * (2 * arm + off) * off / trace)
   new_body(
     name, sum$mass_kg, sum$second_kg_m2, sum$centre_m,
     reach_m = max(away + pick("reach_m")),
@@ -202,8 +237,19 @@ combine_bodies <- function(parts, sign, name, call) {
       shape = vapply(parts, function(b) b$shape, character(1)),
       mass_kg = sign * mass,
       x_m = centres[1, ], y_m = centres[2, ], z_m = centres[3, ]
-    )),
+    ), centre_error_m = joined_centre_error(mass, off, away, sum)),
     error = error,
-    error_kind = if (all(kinds == "bound")) "bound" else "estimate"
+    error_kind = if (all(kinds == "bound")) "bound" else "estimate",
+    call = call
   )
+}
+
+# The errors of the parts' centres, by their masses, and the roundings of the mean.
+joined_centre_error <- function(mass, off, away, sum) {
+  if (sum$mass_kg > 0) {
+    share <- mass / sum$mass_kg
+    sum(share * off) + .Machine$double.eps * (max(abs(sum$centre_m)) + 4 * sum(share * away))
+  } else {
+    max(off)
+  }
 }

@@ -100,7 +100,7 @@ body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
 }
 
 density_method <- function(method, domain, call) {
-  method <- check_string(method[1], "method", c("auto", "quadrature", "monte_carlo"), call)
+  method <- check_choice(method, "method", c("auto", "quadrature", "monte_carlo"), call)
   mapped <- domain$kind != "inside"
   if (method == "quadrature" && !mapped) {
     abort_rotdyn(
@@ -121,6 +121,7 @@ density_method <- function(method, domain, call) {
 
 density_function <- function(f, call) {
   if (is.function(f)) {
+    check_field_function(f, "f", call)
     return(function(places) {
       check_field(f(places[[1]], places[[2]], places[[3]]), "f", places, call, place_columns)
     })
@@ -230,9 +231,6 @@ density_places <- function(run, at) {
     v <- at$y + p[2]
     w <- at$z + p[3]
     places <- map_places(domain, u, v, w, run$call)
-    if (!all(is.finite(unlist(places)))) {
-      abort_rotdyn("{.arg map} must return finite places.", "density", run$call)
-    }
     weight <- at$w * map_jacobian(domain, u, v, w, run$call)
     return(list(x = places[[1]], y = places[[2]], z = places[[3]], w = weight, places = places))
   }

@@ -171,8 +171,8 @@ check_places_named <- function(columns, needs_mass, call) {
   if (length(lacking)) {
     abort_rotdyn(
       c(
-        "{.arg data} has no column {.field {lacking}}.",
-        x = "Its columns are {.field {has}}.",
+        "{.arg data} has no {cli::qty(lacking)}column{?s} {.field {lacking}}.",
+        x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
         i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
       ),
       "type",

@@ -50,7 +50,7 @@ new_shape_body <- function(shape, call) {
 finish_body <- function(shape, parts, size, of, amount, call) {
   mass <- .subset2(parts, 1L)
   second <- .subset2(parts, 2L)
-  if (!is.finite(mass + sum(second))) {
+  if (!is.finite(mass) || !is.finite(sum(second))) {
     abort_rotdyn(
       c(
         "The mass or the moments of this body are beyond double precision.",
@@ -60,10 +60,14 @@ finish_body <- function(shape, parts, size, of, amount, call) {
       call
     )
   }
+  detail <- if (is.null(names(amount))) list() else as.list(amount)
+  centre <- .subset2(parts, 3L)
+  # Eight roundings are more than any centre takes.
+  if (any(centre != 0)) detail$centre_error_m <- 4 * .Machine$double.eps * max(abs(centre))
   new_body(
-    shape, mass, second, .subset2(parts, 3L), size, .subset2(parts, 4L), .subset2(parts, 5L),
+    shape, mass, second, centre, size, .subset2(parts, 4L), .subset2(parts, 5L),
     .subset2(of, "formula"), .subset2(of, "source"),
-    detail = if (is.null(names(amount))) list() else as.list(amount), error = .subset2(parts, 6L)
+    detail = detail, error = .subset2(parts, 6L), call = call
   )
 }
 

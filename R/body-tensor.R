@@ -66,7 +66,9 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     tensor <- check_in_range(.Call(ffi_inertia_shift, tensor, mass_kg, d, -1), call)
     tensor <- check_shifted(tensor, tensor + mass_kg * sum(d^2), mass_kg, d, call)
   }
-  tensor <- check_inertia_or_abort(tensor, mass_kg, call, reach_m = reach_m)
+  tensor <- check_inertia_or_abort(
+    tensor, mass_kg, call, reach_m = reach_m, given_by_user = FALSE
+  )
   second <- .Call(ffi_inertia_second, tensor)
   # Relative to the largest entry: near 1.8e308 the sums would overflow.
   trace <- sum(diag(second) / largest)
@@ -77,10 +79,12 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     provenance = "tensor",
     # Three numbers of the tensor, rounded once each, go into one of the second moment.
     error = if (largest > 0 && trace > 0) {
-      (8 * .Machine$double.eps * scale + askew / largest) / trace
+      # The last term is of halves that are no doubles.
+      (8 * .Machine$double.eps * scale + askew / largest + 2^-1072 / largest) / trace
     } else {
       0
-    }
+    },
+    call = call
   )
 }
 

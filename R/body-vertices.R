@@ -90,6 +90,8 @@ new_vertices_body <- function(shape, vertices, parts, amount, formula, source, c
     shape, parts, numeric(), list(formula = formula, source = source), amount, call
   )
   measure <- if (shape == "polygon") "area_m2" else "volume_m3"
+  # Of the first corner and the way from there.
+  body$detail$centre_error_m <- .Machine$double.eps * (max(abs(body$centre_m)) + body$reach_m)
   body$detail <- c(
     body$detail, list(corners = nrow(vertices)), stats::setNames(list(parts[[7]]), measure)
   )
@@ -110,7 +112,7 @@ as_vertices <- function(x, arg, dimension, call) {
         call
       )
     }
-    columns <- lapply(names, function(name) check_finite(x[[name]], name, "m", call))
+    columns <- lapply(names, function(name) check_corner_column(x[[name]], name, nrow(x), call))
     return(matrix(unlist(columns, use.names = FALSE), ncol = dimension))
   }
   if (!is.matrix(x) || ncol(x) != dimension) {
@@ -126,6 +128,19 @@ as_vertices <- function(x, arg, dimension, call) {
   }
   rows <- nrow(x)
   matrix(check_finite(x, arg, "m", call), rows, dimension)
+}
+
+# A column that is a matrix would be read as more corners.
+check_corner_column <- function(x, name, rows, call) {
+  x <- check_finite(x, name, "m", call)
+  if (length(x) != rows) {
+    abort_rotdyn(
+      "{.arg {name}} must have one number for each of the {rows} corner{?s}: it has {length(x)}.",
+      "size",
+      call
+    )
+  }
+  x
 }
 
 # c(fault, edge, edge), in the order of rot_vertices_fault.

@@ -6,10 +6,10 @@
 new_body <- function(shape, mass_kg, second_moment_kg_m2, centre_m = c(0, 0, 0),
                      size_m = numeric(), reach_m = NA_real_, beta = NA_real_, formula = "",
                      source = "", provenance = "formula", detail = list(), error = NA_real_,
-                     error_kind = "bound") {
+                     error_kind = "bound", call = rlang::caller_env()) {
   tensors <- .Call(ffi_inertia_tensors, second_moment_kg_m2)
   if (!all(is.finite(.subset2(tensors, 2L)))) {
-    abort_rotdyn("The body's inertia is beyond double precision.", "range", rlang::caller_env())
+    abort_rotdyn("The body's inertia is beyond double precision.", "range", call)
   }
   attr(centre_m, "names") <- c("x", "y", "z")
   body <- list(
@@ -122,7 +122,8 @@ print_inertia <- function(x) {
 }
 
 body_noise <- function(x) {
-  if (is.finite(x$error)) x$error * sum(diag(x$second_moment_kg_m2)) else 0
+  # Term by term: of moments near 1.8e308 the sum would overflow.
+  if (is.finite(x$error)) sum(x$error * diag(x$second_moment_kg_m2)) else 0
 }
 
 # As many digits as the error leaves, and one more: 7 at most.

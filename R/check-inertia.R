@@ -506,8 +506,8 @@ judge_size <- function(found, mass_kg, size_m) {
   )
 }
 
-format_number <- function(x) {
-  vapply(x, format, character(1), digits = 10)
+format_number <- function(x, digits = 10) {
+  vapply(x, format, character(1), digits = digits)
 }
 
 # ---- faces ----------------------------------------------------------------------------------
@@ -563,9 +563,9 @@ print_one_check <- function(x) {
 # ---- for body_tensor() ----------------------------------------------------------------------
 
 # The symmetric 3 x 3 tensor, or an error that says which condition fails, by how much, and what
-# slip would explain it. What held by rounding alone is said. A mass or a reach that is NULL or NA
-# is not known.
-check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL) {
+# slip would explain it. What held by rounding alone is said, unless the rounding is our own. A mass
+# or a reach that is NULL or NA is not known.
+check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL, given_by_user = TRUE) {
   mass_kg <- mass_kg %||% NA_real_
   # A reach of 0 is that of a point, which must have no inertia; sizes are greater than 0.
   reach_m <- if (is.null(reach_m)) NA_real_ else max(reach_m, 2^-1074)
@@ -575,7 +575,7 @@ check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL) {
     abort_inertia(check_tensors(given, mass_kg, reach_m, NA_character_), call)
   }
   near <- judged$verdict == "holds within rounding"
-  if (any(near)) {
+  if (any(near) && given_by_user) {
     cli::cli_inform(
       c(
         "The inertia tensor is taken as legal, within rounding.",

@@ -217,6 +217,11 @@ check_name <- function(x, arg, call) {
   x
 }
 
+# As match.arg() does: the first of several is the default.
+check_choice <- function(x, arg, choices, call) {
+  check_string(if (is.character(x)) x[1] else x, arg, choices, call)
+}
+
 check_string <- function(x, arg, choices, call) {
   if (!is.character(x) || length(x) != 1L || is.na(x) || !x %in% choices) {
     abort_rotdyn(

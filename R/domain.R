@@ -122,8 +122,8 @@ domain_map <- function(map, jacobian, lower, upper, ..., periodic = c(FALSE, FAL
   call <- rlang::current_env()
   check_supplied(c("map", "jacobian", "lower", "upper"), call)
   check_no_dots(...)
-  check_function(map, "map", call)
-  check_function(jacobian, "jacobian", call)
+  check_field_function(map, "map", call)
+  check_field_function(jacobian, "jacobian", call)
   box <- check_box(lower, upper, c("lower", "upper"), "1", call)
   if (!is.logical(periodic) || length(periodic) != 3L || anyNA(periodic)) {
     abort_rotdyn("{.arg periodic} must be three logical values.", "type", call)
@@ -142,7 +142,7 @@ domain_map <- function(map, jacobian, lower, upper, ..., periodic = c(FALSE, FAL
 domain_inside <- function(inside, lower_m, upper_m) {
   call <- rlang::current_env()
   check_supplied(c("inside", "lower_m", "upper_m"), call)
-  check_function(inside, "inside", call)
+  check_field_function(inside, "inside", call)
   box <- check_box(lower_m, upper_m, c("lower_m", "upper_m"), "m", call)
   new_domain(
     "inside",
@@ -208,6 +208,22 @@ check_function <- function(f, arg, call) {
   if (!is.function(f)) {
     abort_rotdyn(
       c("{.arg {arg}} must be a function.", x = "It is {describe_value(f)}."), "type", call
+    )
+  }
+}
+
+# A function of three vectors.
+check_field_function <- function(f, arg, call) {
+  check_function(f, arg, call)
+  takes <- names(formals(args(f)))
+  if (!"..." %in% takes && length(takes) < 3L) {
+    abort_rotdyn(
+      c(
+        "{.arg {arg}} must be a function of three vectors.",
+        x = "It takes {length(takes)} argument{?s}."
+      ),
+      "type",
+      call
     )
   }
 }
@@ -324,7 +340,21 @@ map_places <- function(domain, u, v, w, call) {
       call
     )
   }
-  lapply(unname(as.list(places)), as.double)
+  places <- lapply(unname(as.list(places)), as.double)
+  at <- which(!(is.finite(places[[1]]) & is.finite(places[[2]]) & is.finite(places[[3]])))
+  if (length(at)) {
+    place <- vapply(places, function(x) format(x[at[1]], digits = 7), "")
+    abort_rotdyn(
+      c(
+        "{.arg map} must return finite places.",
+        x = "At u = {format(u[at[1]], digits = 7)}, v = {format(v[at[1]], digits = 7)},
+             w = {format(w[at[1]], digits = 7)} it returned ({paste(place, collapse = ', ')})."
+      ),
+      "density",
+      call
+    )
+  }
+  places
 }
 
 map_jacobian <- function(domain, u, v, w, call) {
@@ -357,7 +387,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
     )
   }
   if (!(isTRUE(min(x) >= 0) && max(x) < Inf)) {
-    at <- which(!(x >= 0 & x < Inf))[1]
+    at <- which(is.na(x) | x < 0 | x == Inf)[1]
     where <- paste0(
       names, " = ", vapply(places, function(p) format(p[at], digits = 7), ""), collapse = ", "
     )

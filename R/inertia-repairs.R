@@ -362,8 +362,11 @@ repair_in_words <- function(repair) {
   if (kind == "decimal point" && repair$size > 2) {
     kind <- paste0("decimal point, ", repair$size - 1, " places")
   }
+  # Ten digits, or all where those are the same.
+  digits <- if (any(format_number(repair$to) == format_number(repair$from))) 17 else 10
   changes <- paste(
-    repair$entry, "=", format_number(repair$to), "instead of", format_number(repair$from)
+    repair$entry, "=", format_number(repair$to, digits), "instead of",
+    format_number(repair$from, digits)
   )
   paste0(paste(changes, collapse = ", "), " (", kind, ")")
 }

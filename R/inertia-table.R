@@ -21,11 +21,11 @@
 #'   The first moment is about `axis`, with its `formula`; the other three are about the centre of
 #'   mass, along the own axes. `beta` is NA for what does not roll; a row that has only `beta` has
 #'   no other moments (NA). NA in a row's mass or sizes gives NA in that row's results.
-#'   Each moment carries at most 25 roundings (3e-15; 2 to 5 for most shapes), whatever the size of
-#'   its factors.
-#' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_value`
-#'   for a negative mass or length, sizes that do not fit together, or an unknown shape without
-#'   `beta`, with the row; `rotdyn_error_unit`.
+#'   Each moment carries at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in a ratio
+#'   of up to 1e300 to one another and whatever the mass.
+#' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_size`
+#'   for a column that is a matrix, `rotdyn_error_value` for a negative mass or length, sizes that
+#'   do not fit together, or an unknown shape without `beta`, with the row; `rotdyn_error_unit`.
 #' @source As in [body_shapes] and [shapes()].
 #' @examples
 #' inertia_table()
@@ -48,12 +48,9 @@ inertia_table <- function(objects = inertia_objects()) {
     abort_missing_column("object", objects, call)
   }
   shapes <- shape_table()
+  check_shape_names(objects[[name]], name, nrow(objects), call)
   id <- shape_ids(objects[[name]], shapes)
-  beta <- if ("beta" %in% names(objects)) {
-    check_column(objects[["beta"]], "beta", "1", call)
-  } else {
-    NA_real_
-  }
+  beta <- if ("beta" %in% names(objects)) needed_column("beta", "1", objects, call) else NA_real_
   check_known(objects[[name]], id, beta, call)
   mass <- needed_column("mass_kg", "kg", objects, call)
   sizes <- needed_sizes(id, shapes, objects, call)
@@ -71,6 +68,19 @@ inertia_table <- function(objects = inertia_objects()) {
   # The order of the dictionary, behind what was there.
   kept <- setdiff(names(out), inertia_columns)
   tibble::new_tibble(out[c(kept, inertia_columns)], nrow = nrow(objects))
+}
+
+check_shape_names <- function(given, column, rows, call) {
+  if (is.data.frame(given) || length(given) != rows) {
+    abort_rotdyn(
+      c(
+        "{.field {column}} must be a column of names, one for each row.",
+        x = "It is {describe_value(given)} for {rows} row{?s}."
+      ),
+      if (is.data.frame(given)) "type" else "size",
+      call
+    )
+  }
 }
 
 # The C core's numbers of the shapes named; 0 for what is none.
@@ -196,8 +206,7 @@ inertia_of_bodies <- function(bodies, call) {
   izz <- moment(3)
   # Two shapes are named after an axis that is not through their centre.
   id <- shape_ids(vapply(bodies, axis_shape, ""), shape_table())
-  away <- pick(distance_of_axis)
-  about <- pick(moment_of_axis) + mass * away * away
+  about <- pick(moment_of_shape)
   tibble::new_tibble(c(
     list(object = vapply(bodies, function(b) b$shape, character(1)), mass_kg = mass),
     sizes,
@@ -220,22 +229,13 @@ axis_shape <- function(body) {
   if (off) body$shape else ""
 }
 
-# The moment about the parallel axis through the centre. A rod's end is swung across the rod,
-# however it was turned: there the second moments' sum is the moment.
-moment_of_axis <- function(body) {
-  if (axis_shape(body) == "rod_end") {
-    sum(diag(body$second_moment_kg_m2))
-  } else {
-    body$inertia_kg_m2[3, 3]
-  }
-}
-
-# How far that axis is from the centre.
-distance_of_axis <- function(body) {
+# The axis goes with the body however it was turned: from its sizes, then.
+moment_of_shape <- function(body) {
+  mass <- body$mass_kg
   switch(axis_shape(body),
-    point = body$size_m[["radius_m"]],
-    rod_end = body$size_m[["length_m"]] / 2,
-    0
+    point = mass * body$size_m[["radius_m"]] * body$size_m[["radius_m"]],
+    rod_end = mass * body$size_m[["length_m"]] * body$size_m[["length_m"]] / 3,
+    body$inertia_kg_m2[[9]]
   )
 }
 
@@ -250,7 +250,7 @@ abort_missing_column <- function(column, data, call) {
   abort_rotdyn(
     c(
       "The table needs a column {.field {column}}.",
-      x = "Its columns are {.field {names(data)}}."
+      x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
     ),
     "type",
     call

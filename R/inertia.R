@@ -75,12 +75,7 @@ inertia_tensor <- function(body, about = "centre", ..., axes = "own",
 moment_of_inertia <- function(body, axis, through = "centre") {
   call <- rlang::current_env()
   check_supplied(c("body", "axis"), call)
-  check_body(body, call)
-  moment <- .Call(
-    ffi_inertia_axis, body$mass_kg, body$centre_m, body$second_moment_kg_m2,
-    unit_axis(as_axis(axis, call), call), as_point(through, body, "through", call)
-  )
-  check_in_range(moment, call)
+  moment_through(body, axis, through, call)
 }
 
 #' @rdname inertia_tensor
@@ -88,9 +83,17 @@ moment_of_inertia <- function(body, axis, through = "centre") {
 radius_of_gyration <- function(body, axis, through = "centre") {
   call <- rlang::current_env()
   check_supplied(c("body", "axis"), call)
+  sqrt(moment_through(body, axis, through, call) / body$mass_kg)
+}
+
+moment_through <- function(body, axis, through, call) {
   check_body(body, call)
   axis <- unit_axis(as_axis(axis, call), call)
-  sqrt(moment_of_inertia(body, axis, through) / body$mass_kg)
+  moment <- .Call(
+    ffi_inertia_axis, body$mass_kg, body$centre_m, body$second_moment_kg_m2, axis,
+    as_point(through, body, "through", call)
+  )
+  check_in_range(moment, call)
 }
 
 check_in_range <- function(x, call) {
@@ -101,8 +104,7 @@ check_in_range <- function(x, call) {
 }
 
 check_products <- function(products, call) {
-  first <- if (is.character(products)) products[1] else products
-  check_string(first, "products", c("negative", "positive"), call)
+  check_choice(products, "products", c("negative", "positive"), call)
 }
 
 flip_products <- function(tensor) {
@@ -193,7 +195,7 @@ Ops.rot_inertia_tensor <- function(e1, e2) {
   value <- operation(bare(e1), bare(e2))
   both <- inherits(e1, "rot_inertia_tensor") && inherits(e2, "rot_inertia_tensor")
   if (both && .Generic %in% c("+", "-")) {
-    check_same_point(e1, e2, .Generic)
+    check_same_point(e1, e2, .Generic, sum_call(.Generic, sys.call()))
     return(like_tensor(value, e1))
   }
   one <- if (inherits(e1, "rot_inertia_tensor")) e1 else e2
@@ -207,7 +209,13 @@ like_tensor <- function(value, tensor) {
   value
 }
 
-check_same_point <- function(e1, e2, operation, call = rlang::caller_env(2)) {
+# The sum as the user wrote it: R calls the method by its own name.
+sum_call <- function(generic, call) {
+  call[[1L]] <- as.name(generic)
+  call
+}
+
+check_same_point <- function(e1, e2, operation, call) {
   p1 <- attr(e1, "point_m")
   p2 <- attr(e2, "point_m")
   verb <- if (operation == "+") "added" else "subtracted"

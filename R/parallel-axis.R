@@ -37,7 +37,7 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
   call <- rlang::current_env()
   check_supplied(c("inertia_kg_m2", "mass_kg", "distance_m"), call)
   check_no_dots(...)
-  direction <- check_string(direction[1], "direction", c("from_centre", "to_centre"), call)
+  direction <- check_choice(direction, "direction", c("from_centre", "to_centre"), call)
   sign <- if (direction == "from_centre") 1 else -1
   if (is.matrix(inertia_kg_m2)) {
     return(parallel_axis_tensor(inertia_kg_m2, mass_kg, distance_m, sign, call))
@@ -47,6 +47,8 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
     mass_kg = check_column(mass_kg, "mass_kg", "kg", call),
     distance_m = check_column(distance_m, "distance_m", "m", call)
   )
+  # Arrays of other dimensions do not add.
+  columns <- lapply(columns, function(x) if (is.null(dim(x))) x else as.vector(x))
   check_recyclable(columns, call)
   check_not_negative(columns$inertia_kg_m2, "inertia_kg_m2", "kg*m^2", call)
   check_not_negative(columns$mass_kg, "mass_kg", "kg", call)
@@ -113,7 +115,7 @@ check_shifted <- function(out, tensor, mass, d, call) {
     second <- (second + t(second)) / 2
     out <- .Call(ffi_inertia_tensors, second)[[2]]
   }
-  out <- check_inertia_or_abort(out, mass, call)
+  out <- check_inertia_or_abort(out, mass, call, given_by_user = FALSE)
   warn_lost_digits(moved, max(abs(p$moment)), call)
   out
 }

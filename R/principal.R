@@ -33,7 +33,7 @@
 #' @return `principal_axes()`: a tibble (class `rot_principal_axes`) of three rows, moments
 #'   ascending: `r describe_columns(principal_columns)`
 #'   Attributes: `symmetry`, `axes` (3 x 3, a column an axis).
-#'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too.
+#'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too, and at least 0.
 #'
 #'   `symmetry_class()`: one string.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
@@ -50,6 +50,10 @@ principal_axes <- function(body, ..., tolerance = NULL) {
   call <- rlang::current_env()
   check_supplied("body", call)
   check_no_dots(...)
+  find_principal(body, tolerance, call)
+}
+
+find_principal <- function(body, tolerance, call) {
   if (!inherits(body, "rot_body")) {
     body <- body_of_tensor(body, call)
   }
@@ -61,6 +65,11 @@ principal_axes <- function(body, ..., tolerance = NULL) {
     check_number(tolerance, "tolerance", "1", call, lower = 0, upper = 1)
   }
   p <- .Call(ffi_inertia_principal, body$second_moment_kg_m2, tolerance)
+  if (p$second[3] < 0) {
+    # A rod that was turned: rounding of either sign, and a body's are at least 0.
+    p$second <- pmax(p$second, 0)
+    p$moment <- p$second[c(2, 1, 1)] + p$second[c(3, 3, 2)]
+  }
   equal <- p$equal
   tibble::new_tibble(
     list(
@@ -82,9 +91,10 @@ principal_axes <- function(body, ..., tolerance = NULL) {
 #' @rdname principal_axes
 #' @export
 symmetry_class <- function(body, ..., tolerance = NULL) {
-  check_supplied("body", rlang::current_env())
+  call <- rlang::current_env()
+  check_supplied("body", call)
   check_no_dots(...)
-  attr(principal_axes(body, tolerance = tolerance), "symmetry")
+  attr(find_principal(body, tolerance, call), "symmetry")
 }
 
 name_symmetry <- function(second, equal, tolerance) {

@@ -33,12 +33,12 @@ rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
     sine <- sin(angle)
     versine <- 2 * sin(angle / 2)^2
   } else {
-    # Whole turns go first: that remainder is exact.
-    turns <- (check_number(angle_deg, "angle_deg", "degree", call) %% 360) / 180
-    sine <- sinpi(turns)
-    versine <- 2 * sinpi(turns / 2)^2
+    # In C, where the remainder is exact for any number of turns, of either sense.
+    angle <- check_number(angle_deg, "angle_deg", "degree", call)
+    sine <- .Call(ffi_inertia_sine, angle)
+    versine <- 2 * .Call(ffi_inertia_sine, angle / 2)^2
   }
-  # Quarter turns: sinpi(1/4)^2 is not quite 1/2.
+  # Quarter turns: the square of the sine of 45 degrees is not quite 1/2.
   if (abs(sine) == 1) versine <- 1
   cross <- matrix(c(0, n[3], -n[2], -n[3], 0, n[1], n[2], -n[1], 0), 3)
   diag(3) + sine * cross + versine * (cross %*% cross)

@@ -1,5 +1,6 @@
 #include "ffi.h"
 #include "rot_inertia.h"
+#include "rot_real.h"
 
 /* R's 3 x 3 matrices of tensors are symmetric, or six numbers stand for them. */
 static void read_tensor(SEXP x, double t[ROT_TENSOR]) {
@@ -127,6 +128,10 @@ SEXP ffi_inertia_principal(SEXP second, SEXP tolerance) {
   LOGICAL(VECTOR_ELT(out, 3))[1] = p.equal23;
   UNPROTECT(1);
   return out;
+}
+
+SEXP ffi_inertia_sine(SEXP angle_deg) {
+  return Rf_ScalarReal(rot_sin_deg(ffi_real(angle_deg, "angle_deg")));
 }
 
 /* The second moment of a body that was turned. */

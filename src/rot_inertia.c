@@ -274,6 +274,7 @@ rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *w
     whole->centre_m[k] = from[k] + ldexp(mean[k], s.length);
   }
   whole->mass_kg = ldexp(m_all, s.mass);
+  if (!isfinite(whole->mass_kg)) return ROT_ERANGE;
   for (int k = 0; k < ROT_TENSOR; k++) {
     whole->second_kg_m2[k] = ldexp(total(&second[k]), s.mass + 2 * s.length);
     if (!isfinite(whole->second_kg_m2[k])) return ROT_ERANGE;

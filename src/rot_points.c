@@ -243,12 +243,13 @@ void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *o
     const double x[3] = {reduced, d[row_of[k]], d[column_of[k]]};
     out->c[k] = p.c[k] + q.c[k] + rot_product(3, x, 1.0);
   }
-  out->vanished = p.vanished | q.vanished;
+  const double trace = trace_of(out->c);
+  /* Points apart have a moment, be it beneath the smallest double. */
+  out->vanished = p.vanished | q.vanished | (d_most > 0.0 && trace < DBL_MIN);
   out->mass = p.mass + q.mass;
   out->mass_error = fmax(p.mass_error, q.mass_error) + ROT_EPS;
   const double slip = p.centre_error + q.centre_error;
   out->centre_error = fmax(p.centre_error, q.centre_error) + 4.0 * ROT_EPS * share * d_most;
-  const double trace = trace_of(out->c);
   if (!(trace > 0.0)) {
     out->error = 0.0;
     return;

@@ -94,9 +94,13 @@ rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int
   return ROT_SHAPE_FITS;
 }
 
+/* Sizes in a ratio beyond 2 to this power need a scale each. */
+#define WIDE 400
+
 /* Sizes near 1, and the exponent of what they were divided by. Between 2^-60 and 2^60 no form of
  * rot_geometry.c leaves the range, and there the powers of two would change no digit. */
-static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES]) {
+static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES],
+                       int *wide) {
   double big = 0.0, small = 1.0;
   for (int k = 0; k < shape->sizes; k++) {
     const double a = fabs(size[k]);
@@ -105,9 +109,12 @@ static int scale_sizes(const rot_shape *shape, const double size[], double scale
     if (a > big) big = a;
     if (a > 0.0 && a < small) small = a;
   }
-  int e = 0;
+  int e = 0, least = 0;
+  *wide = 0;
   if ((big <= 0x1p60 && small >= 0x1p-60) || !(big > 0.0) || isinf(big)) return 0;
   (void)frexp(big, &e);
+  (void)frexp(small, &least);
+  *wide = e - least > WIDE;
   for (int k = 0; k < shape->sizes; k++) {
     if (sizes[shape->size[k]].kind != ROT_KIND_COUNT) scaled[k] = ldexp(size[k], -e);
   }
@@ -123,37 +130,100 @@ static double times(double a, double b, int e) {
   return ldexp(f, ea + eb + e);
 }
 
+/* ---- a geometry of any sizes ---------------------------------------------------------------- */
+
+/* Second moments in units of 4^of[k]; the rest in units of 2^e. */
+typedef struct scaled_geometry {
+  rot_geometry is;
+  int e, of[3];
+} scaled_geometry;
+
+/* Where sizes lie 2^400 and more apart, the squares of the small ones may vanish beside the large
+ * ones. So each size sets the scale once, larger ones cut off at 2^400 of it: cutting off can only
+ * make a moment less, as underflow does, and of all values the largest is right. */
+static void widen(const rot_shape *shape, const double size[], scaled_geometry *g) {
+  for (int j = 0; j < shape->sizes; j++) {
+    double scaled[ROT_SIZES] = {0.0};
+    rot_geometry other;
+    int e;
+    (void)frexp(size[j], &e);
+    if (sizes[shape->size[j]].kind == ROT_KIND_COUNT || !(fabs(size[j]) > 0.0)) continue;
+    if (g->e - e <= WIDE) continue;
+    for (int k = 0; k < shape->sizes; k++) {
+      const int counts = sizes[shape->size[k]].kind == ROT_KIND_COUNT;
+      scaled[k] = counts ? size[k] : fmax(fmin(ldexp(size[k], -e), 0x1p400), -0x1p400);
+    }
+    shape->geometry(scaled, &other);
+    for (int k = 0; k < 3; k++) {
+      /* In the new unit; Inf where the old one is the larger by far. */
+      const double was = ldexp(g->is.second[k], 2 * (g->of[k] - e));
+      if (!(other.second[k] > was)) continue;
+      g->is.second[k] = other.second[k];
+      g->of[k] = e;
+    }
+  }
+}
+
+static void geometry_of(const rot_shape *shape, const double size[], scaled_geometry *g) {
+  double scaled[ROT_SIZES] = {0.0};
+  int wide;
+  g->e = scale_sizes(shape, size, scaled, &wide);
+  shape->geometry(scaled, &g->is);
+  for (int k = 0; k < 3; k++) g->of[k] = g->e;
+  if (wide) widen(shape, size, g);
+}
+
+static double second_of(const scaled_geometry *g, double mass, int k) {
+  return times(mass, g->is.second[k], 2 * g->of[k]);
+}
+
+/* Of the moment that the table reports: about z where one scale does not do. */
+static int one_scale(const scaled_geometry *g) { return g->of[0] == g->e && g->of[1] == g->e; }
+
+static double moment_of(const scaled_geometry *g, double mass) {
+  if (one_scale(g)) return times(mass, g->is.moment, 2 * g->e);
+  return second_of(g, mass, 0) + second_of(g, mass, 1);
+}
+
+static double gyration_of(const scaled_geometry *g) {
+  if (one_scale(g)) return ldexp(sqrt(g->is.moment), g->e);
+  return hypot(ldexp(sqrt(g->is.second[0]), g->of[0]), ldexp(sqrt(g->is.second[1]), g->of[1]));
+}
+
 /* ---- one body ------------------------------------------------------------------------------- */
 
 /* Each second moment carries `roundings` halves of an ulp, and half a smallest double where it
- * comes near those. */
-static double relative_error(const rot_shape *shape, const rot_shape_body *b, double k) {
+ * comes near those; a mass from a density some more. A body that has a mass and a size has a
+ * moment: one that vanished is not exact. */
+static double relative_error(const rot_shape *shape, const rot_shape_body *b, int is_density,
+                             int has_moment) {
   const double trace = b->second_kg_m2[0] + b->second_kg_m2[1] + b->second_kg_m2[2];
-  const double bound = shape->roundings * ROT_EPS;
+  double bound = (shape->roundings + (is_density ? 8 : 0)) * ROT_EPS;
+  if (is_density && b->mass_kg > 0.0) bound += 0x1p-1074 / b->mass_kg;
   if (trace > 0x1p-960) return bound;
   if (trace > 0.0) return bound + 0x1p-1072 / trace;
-  return b->mass_kg > 0.0 && k > 0.0 ? HUGE_VAL : 0.0;
+  return has_moment ? HUGE_VAL : 0.0;
 }
 
 void rot_shape_make(const rot_shape *shape, double amount, int is_density, const double size[],
                     rot_shape_body *out) {
-  double scaled[ROT_SIZES] = {0.0};
-  rot_geometry g;
-  const int e = scale_sizes(shape, size, scaled);
-  shape->geometry(scaled, &g);
-  const double mass = is_density ? times(amount, g.measure, shape->dimension * e) : amount;
+  scaled_geometry scaled;
+  geometry_of(shape, size, &scaled);
+  const rot_geometry *g = &scaled.is;
+  const int e = scaled.e;
+  const double mass = is_density ? times(amount, g->measure, shape->dimension * e) : amount;
   out->mass_kg = mass;
-  for (int k = 0; k < 4; k++) out->second_kg_m2[k] = times(mass, g.second[k], 2 * e);
+  for (int k = 0; k < 3; k++) out->second_kg_m2[k] = second_of(&scaled, mass, k);
+  out->second_kg_m2[3] = times(mass, g->second[3], 2 * e);
   out->second_kg_m2[4] = out->second_kg_m2[5] = 0.0;
-  for (int k = 0; k < 3; k++) out->centre_m[k] = ldexp(g.centre[k], e);
-  const double axis = g.moment;
-  out->reach_m = ldexp(g.reach, e);
-  out->beta = g.beta;
-  out->moment_kg_m2 = times(mass, axis, 2 * e);
-  out->gyration_m = ldexp(sqrt(axis), e);
-  out->error = relative_error(shape, out, g.second[0] + g.second[1] + g.second[2]);
-  /* A mass from a density carries some roundings more. */
-  if (is_density) out->error += 8.0 * ROT_EPS;
+  for (int k = 0; k < 3; k++) out->centre_m[k] = ldexp(g->centre[k], e);
+  out->reach_m = ldexp(g->reach, e);
+  out->beta = g->beta;
+  out->moment_kg_m2 = moment_of(&scaled, mass);
+  out->gyration_m = gyration_of(&scaled);
+  const int has_mass = is_density ? amount > 0.0 && g->measure > 0.0 : mass > 0.0;
+  const int has_moment = has_mass && g->second[0] + g->second[1] + g->second[2] > 0.0;
+  out->error = relative_error(shape, out, is_density, has_moment);
 }
 
 /* ---- a table -------------------------------------------------------------------------------- */
@@ -172,17 +242,24 @@ static void row_of_beta(double *out[], size_t i, double beta, double mass, doubl
 
 static void row_of_shape(double *out[], size_t i, const rot_shape *shape, double mass,
                          const double size[]) {
-  double scaled[ROT_SIZES] = {0.0};
-  rot_geometry g;
-  const int e = scale_sizes(shape, size, scaled);
-  shape->geometry(scaled, &g);
-  const double axis = g.moment, k = sqrt(axis);
-  out[ROT_SHAPE_MOMENT][i] = times(mass, axis, 2 * e);
-  out[ROT_SHAPE_IXX][i] = times(mass, g.second[1] + g.second[2], 2 * e);
-  out[ROT_SHAPE_IYY][i] = times(mass, g.second[0] + g.second[2], 2 * e);
-  out[ROT_SHAPE_IZZ][i] = times(mass, g.second[0] + g.second[1], 2 * e);
-  out[ROT_SHAPE_ROLLS][i] = g.beta;
-  out[ROT_SHAPE_GYRATION][i] = e ? ldexp(k, e) : k;
+  scaled_geometry scaled;
+  geometry_of(shape, size, &scaled);
+  const rot_geometry *g = &scaled.is;
+  const int e = scaled.e;
+  out[ROT_SHAPE_ROLLS][i] = g->beta;
+  out[ROT_SHAPE_MOMENT][i] = moment_of(&scaled, mass);
+  out[ROT_SHAPE_GYRATION][i] = e ? gyration_of(&scaled) : sqrt(g->moment);
+  if (one_scale(&scaled) && scaled.of[2] == e) {
+    out[ROT_SHAPE_IXX][i] = times(mass, g->second[1] + g->second[2], 2 * e);
+    out[ROT_SHAPE_IYY][i] = times(mass, g->second[0] + g->second[2], 2 * e);
+    out[ROT_SHAPE_IZZ][i] = times(mass, g->second[0] + g->second[1], 2 * e);
+  } else {
+    const double x = second_of(&scaled, mass, 0), y = second_of(&scaled, mass, 1),
+                 z = second_of(&scaled, mass, 2);
+    out[ROT_SHAPE_IXX][i] = y + z;
+    out[ROT_SHAPE_IYY][i] = x + z;
+    out[ROT_SHAPE_IZZ][i] = x + y;
+  }
 }
 
 rot_shape_fault rot_shapes_table(size_t n, const rot_shape_rows *rows,

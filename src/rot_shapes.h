@@ -89,8 +89,9 @@ typedef struct rot_shape_body {
 } rot_shape_body;
 
 /* `amount` is the mass, or the density (of volume, area or length, by the shape's dimension). Sizes
- * may be of any scale, and in a ratio of up to 1e150 to one another; what lies beyond the range of
- * doubles comes out as Inf or 0. The sizes are those that rot_shape_check() lets pass. */
+ * may be of any scale, and in a ratio of up to 1e300 to one another (1e150 where a density makes the
+ * mass); what lies beyond the range of doubles comes out as Inf or 0. The sizes are those that
+ * rot_shape_check() lets pass. */
 void rot_shape_make(const rot_shape *shape, double amount, int is_density, const double size[],
                     rot_shape_body *out);
 

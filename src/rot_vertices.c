@@ -59,12 +59,15 @@ static void give_mass(rot_vertices_body *out, int dimension, double measure, dou
   }
 }
 
-/* `roundings` of each entry, by its share of the trace; what comes near the smallest doubles. */
-static double relative_error(const rot_vertices_body *b, double roundings) {
+/* `roundings` of each entry, by its share of the trace; what comes near the smallest doubles, the
+ * mass of a density too. Where that or a moment vanished, nothing is known. */
+static double relative_error(const rot_vertices_body *b, double amount, int is_density,
+                             double roundings) {
   const double trace = b->second_kg_m2[0] + b->second_kg_m2[1] + b->second_kg_m2[2];
-  const double bound = roundings * ROT_EPS;
+  double bound = roundings * ROT_EPS;
+  if (is_density && b->mass_kg > 0.0) bound += 0x1p-1074 / b->mass_kg;
   if (trace > 0x1p-960) return bound;
-  return trace > 0.0 ? bound + 0x1p-1072 / trace : b->mass_kg > 0.0 ? HUGE_VAL : 0.0;
+  return trace > 0.0 ? bound + 0x1p-1072 / trace : amount > 0.0 ? HUGE_VAL : 0.0;
 }
 
 /* ---- polygon -------------------------------------------------------------------------------- */
@@ -132,6 +135,49 @@ static int side(const rot_dd a[], const rot_dd b[], const rot_dd c[]) {
   return p - q > doubt ? 1 : p - q < -doubt ? -1 : 0;
 }
 
+static int same_place(const rot_dd a[], const rot_dd b[]) {
+  const rot_dd x = rot_dd_sub(a[0], b[0]), y = rot_dd_sub(a[1], b[1]);
+  return x.hi == 0.0 && y.hi == 0.0;
+}
+
+/* Is b less than a quarter turn away from a, as seen from v? */
+static int ahead(const rot_dd v[], const rot_dd a[], const rot_dd b[]) {
+  return (a[0].hi - v[0].hi) * (b[0].hi - v[0].hi) + (a[1].hi - v[1].hi) * (b[1].hi - v[1].hi) >
+         0.0;
+}
+
+/* Does the outline go through the edge from s to t at the corner v, between a and b? */
+static int goes_through(const rot_dd a[], const rot_dd v[], const rot_dd b[], const rot_dd s[],
+                        const rot_dd t[]) {
+  if (side(s, t, v) != 0 || !ahead(s, t, v) || !ahead(t, s, v)) return 0;
+  if (same_place(v, s) || same_place(v, t)) return 0;
+  return side(s, t, a) * side(s, t, b) < 0;
+}
+
+/* Seen from v, is x met between a and b, counter-clockwise? -1 where it lies on one of them. */
+static int between(const rot_dd v[], const rot_dd a[], const rot_dd b[], const rot_dd x[]) {
+  const int ab = side(v, a, b), ax = side(v, a, x), bx = side(v, b, x);
+  if ((ax == 0 && ahead(v, a, x)) || (bx == 0 && ahead(v, b, x))) return -1;
+  if (ab == 0) return ahead(v, a, b) ? -1 : ax > 0;
+  return ab > 0 ? ax > 0 && bx < 0 : !(bx > 0 && ax < 0);
+}
+
+/* Two ways through one corner, from a to b and from s to t: do they cross there? */
+static int cross_at_corner(const rot_dd a[], const rot_dd v[], const rot_dd b[], const rot_dd s[],
+                           const rot_dd t[]) {
+  if (same_place(a, v) || same_place(b, v) || same_place(s, v) || same_place(t, v)) return 0;
+  return between(v, a, b, s) + between(v, a, b, t) == 1 && between(v, a, b, s) >= 0 &&
+         between(v, a, b, t) >= 0;
+}
+
+/* Edges p and q, of which at least one ends on the other. */
+static int cross_where_they_touch(size_t n, const corner c[], size_t p, size_t q) {
+  const rot_dd *a = c[p].x, *v = c[(p + 1) % n].x, *b = c[(p + 2) % n].x;
+  const rot_dd *s = c[q].x, *w = c[(q + 1) % n].x, *t = c[(q + 2) % n].x;
+  if (same_place(v, w)) return cross_at_corner(a, v, b, s, t);
+  return goes_through(a, v, b, s, w) || goes_through(s, w, t, a, v);
+}
+
 typedef struct edge_box {
   double low, high, bottom, top;
   size_t from;
@@ -155,7 +201,8 @@ static int find_crossing(size_t n, const corner c[], edge_box box[], size_t edge
       if (box[j].bottom > box[i].top || box[j].top < box[i].bottom) continue;
       const size_t p = box[i].from, q = box[j].from;
       const rot_dd *a = c[p].x, *b = c[(p + 1) % n].x, *s = c[q].x, *t = c[(q + 1) % n].x;
-      if (side(a, b, s) * side(a, b, t) < 0 && side(s, t, a) * side(s, t, b) < 0) {
+      if ((side(a, b, s) * side(a, b, t) < 0 && side(s, t, a) * side(s, t, b) < 0) ||
+          cross_where_they_touch(n, c, p, q)) {
         edge[0] = p < q ? p : q;
         edge[1] = p < q ? q : p;
         return 1;
@@ -184,7 +231,7 @@ static rot_vertices_fault polygon_from(size_t n, const double v[], double amount
   out->reach_m = ldexp(sqrt(reach), e);
   /* The sums carry some 2^-96 of their terms; the rest is the last rounding and the mass. */
   const double sums = 64.0 * (double)n * ROT_DD_EPS / ROT_EPS * terms / fabs(area2.hi);
-  out->error = relative_error(out, (is_density ? 8.0 : 4.0) + sums);
+  out->error = relative_error(out, amount, is_density, (is_density ? 8.0 : 4.0) + sums);
   return ROT_VERTICES_FIT;
 }
 
@@ -246,6 +293,6 @@ rot_status rot_tetrahedron(const double v[12], double amount, int is_density,
   for (int i = 0; i < 4; i++) reach = fmax(reach, square_length(c[i].x, g));
   give_mass(out, 3, fabs(volume6.hi) / 6.0, amount, is_density, e, second);
   out->reach_m = ldexp(sqrt(reach), e);
-  out->error = relative_error(out, is_density ? 8.0 : 4.0);
+  out->error = relative_error(out, amount, is_density, is_density ? 8.0 : 4.0);
   return ROT_OK;
 }

@@ -310,6 +310,13 @@ static void check_edges(void) {
   m[0] = m[1] = 1.7e308;
   ROT_CHECK_EQ_INT(rot_points_moments(&points, NULL, &got), ROT_OK);
   ROT_CHECK_EQ_INT(rot_moments_check(&got), ROT_ERANGE);
+  /* Masses so far apart that they are added in two parts, and what is between them is too small. */
+  m[0] = 0x1p-742;
+  m[1] = 0x1p-259;
+  x[0] = -0x1p-500;
+  x[1] = 0x1p-500;
+  ROT_CHECK_EQ_INT(rot_points_moments(&points, NULL, &got), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_moments_check(&got), ROT_ERANGE);
   /* Masses with a power of two of their own: too small for a double, and not lost. */
   m[0] = m[1] = 0.75;
   x[0] = -0x1p600;

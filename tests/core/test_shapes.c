@@ -351,6 +351,77 @@ static void check_ratios(void) {
   ROT_CHECK(small.second_kg_m2[0] > 0.0 && small.error > 1e-4 && small.error < 1.0);
 }
 
+/* One row of the table: its moment and radius of gyration, then Ixx, Iyy and Izz. */
+static void one_row(const rot_shape *shape, double mass, const double size[], double got[5]) {
+  const int at = (int)(shape - rot_shape_at(0));
+  const double none = NAN;
+  double store[ROT_SHAPE_COLUMNS], *out[ROT_SHAPE_COLUMNS];
+  rot_shape_rows rows = {&at, 0, {&mass, 0}, {&none, 0}, {{NULL, 0}}};
+  size_t row;
+  int slot;
+  for (int k = 0; k < shape->sizes; k++) rows.size[shape->size[k]] = (rot_column){&size[k], 0};
+  for (int c = 0; c < ROT_SHAPE_COLUMNS; c++) out[c] = &store[c];
+  ROT_CHECK_EQ_INT(rot_shapes_table(1, &rows, out, &row, &slot), ROT_SHAPE_FITS);
+  got[0] = store[ROT_SHAPE_MOMENT];
+  got[1] = store[ROT_SHAPE_GYRATION];
+  for (int k = 0; k < 3; k++) got[2 + k] = store[ROT_SHAPE_IXX + k];
+}
+
+/* Sizes in a ratio of 1e280, in every choice of thin ones: the squares of those are beneath the
+ * smallest double, and a mass brings them back. Against sizes in a ratio of 1e-20. */
+static void check_wide(void) {
+  const double thin = 1e-280, less = 1e-20, mass = 1e300;
+  for (size_t i = 0; i < rot_shape_count(); i++) {
+    const rot_shape *shape = rot_shape_at(i);
+    for (int set = 1; set < 1 << shape->sizes; set++) {
+      double a[4] = {1.0, 1.0, 1.0, 1.0}, b[4] = {1.0, 1.0, 1.0, 1.0}, p[5], q[5];
+      int slot;
+      for (int k = 0; k < shape->sizes; k++) {
+        if (set >> k & 1) {
+          a[k] = thin;
+          b[k] = less;
+        }
+        if (shape->size[k] == ROT_SIDES) a[k] = b[k] = 5.0;
+      }
+      if (rot_shape_check(shape, a, &slot) != ROT_SHAPE_FITS) continue;
+      rot_shape_body x, y;
+      rot_shape_make(shape, mass, 0, a, &x);
+      rot_shape_make(shape, 1.0, 0, b, &y);
+      const double *u = x.second_kg_m2, *v = y.second_kg_m2;
+      for (int k = 0; k < 3; k++) {
+        const double by = v[k] < 1e-38 ? mass * thin * thin : v[k] < 1e-18 ? mass * thin : mass;
+        const double unit = v[k] < 1e-38 ? less * less : v[k] < 1e-18 ? less : 1.0;
+        ROT_CHECK_REL(u[k], v[k] / unit * by, 1e-14);
+      }
+      one_row(shape, mass, a, p);
+      one_row(shape, 1.0, b, q);
+      ROT_CHECK_REL(p[0], x.moment_kg_m2, 4.0 * ROT_EPS);
+      ROT_CHECK_REL(p[1], x.gyration_m, 4.0 * ROT_EPS);
+      if (q[1] > 1e-5 || q[1] < 1e-15)
+        ROT_CHECK_REL(p[1], q[1] * (q[1] < 1e-15 ? thin / less : 1), 1e-14);
+      ROT_CHECK_REL(p[2], u[1] + u[2], 4.0 * ROT_EPS);
+      ROT_CHECK_REL(p[3], u[0] + u[2], 4.0 * ROT_EPS);
+      ROT_CHECK_REL(p[4], u[0] + u[1], 4.0 * ROT_EPS);
+    }
+  }
+  /* By mpmath, 50 digits: m r^2/2 of a wire, r = 1e-150 and l = 1e150, m = 3. */
+  ROT_CHECK_ULP(make("cylinder", 3, 1e-150, 1e150, 0, 0).moment_kg_m2, 1.5e-300, 4);
+}
+
+/* A density carries a mass that has few digits, or none, and the error says so. */
+static void check_small_masses(void) {
+  rot_shape_body b;
+  rot_shape_make(find("sphere"), 1.0, 1, (double[]){1e-150}, &b);
+  ROT_CHECK(b.mass_kg == 0.0 && isinf(b.error));
+  /* 4 smallest doubles of kg/m^2 on 1.1875 m^2: 4.75 of them, which round to 5. */
+  rot_shape_make(find("rectangle"), 0x1p-1072, 1, (double[]){0x1p200, 0x1.3p-200}, &b);
+  ROT_CHECK(b.mass_kg == 0x1.4p-1072 && b.error > 0.25 / 4.75 && b.error < 1.0);
+  rot_shape_make(find("rectangle"), 0.0, 1, (double[]){1.0, 2.0}, &b);
+  ROT_CHECK(b.mass_kg == 0.0 && b.error <= 16.0 * ROT_EPS);
+  rot_shape_make(find("rectangle"), 1.0, 1, (double[]){1.0, 0.0}, &b);
+  ROT_CHECK(b.mass_kg == 0.0 && b.error <= 16.0 * ROT_EPS);
+}
+
 /* ---- what does not fit ---------------------------------------------------------------------- */
 
 static void check_faults(void) {
@@ -469,6 +540,8 @@ int main(void) {
   check_nothing();
   check_scales();
   check_ratios();
+  check_wide();
+  check_small_masses();
   check_faults();
   check_table();
   check_table_ends();

@@ -294,6 +294,99 @@ test_that("a hole beyond the body is refused, one at its very edge is not", {
   expect_equal(cut_body(given, place_body(hole, c(1.5, 0, 0)))$mass_kg, 9.99)
 })
 
+test_that("far away, the error says what rounding of the places costs", {
+  # Two halves of a disk, and a cone cut in two: what they make is known.
+  half <- body_half_disk(1, 0.3)
+  disk <- body_disk(2, 0.3)
+  cone <- body_cone(radius_m = 0.3, height_m = 1, density_kg_m3 = 1000)
+  low <- body_frustum(
+    base_radius_m = 0.3, top_radius_m = 0.15, height_m = 0.5, density_kg_m3 = 1000
+  )
+  high <- body_cone(radius_m = 0.15, height_m = 0.5, density_kg_m3 = 1000)
+  corner <- function(...) body_polygon(vertices_m = rbind(...), areal_density_kg_m2 = 3)
+  off_by <- function(got, want) {
+    wanted <- want$second_moment_kg_m2
+    max(abs(got$second_moment_kg_m2 - wanted)) / sum(diag(wanted))
+  }
+  set.seed(5)
+  for (far in c(0, 1, 1e4, 1e8, 1e12)) {
+    p <- c(far, -far / 3, far / 7)
+    turn <- rotation_about("z", angle_deg = 180)
+    disks <- join_bodies(place_body(half, p), place_body(half, p, turn))
+    cones <- join_bodies(place_body(low, p), place_body(place_body(high, c(0, 0, 0.5)), p))
+    back <- place_body(cones, rotation = rotation_about(rnorm(3), 1))
+    nested <- join_bodies(disks, place_body(disk, p))
+    expect_lte(off_by(disks, disk), disks$error)
+    expect_lte(off_by(cones, cone), cones$error)
+    expect_lte(off_by(nested, body_disk(4, 0.3)), nested$error)
+    expect_lte(
+      abs(sum(diag(back$second_moment_kg_m2)) / sum(diag(cone$second_moment_kg_m2)) - 1),
+      back$error
+    )
+    # Some digits of what the places are rounded to, no more.
+    expect_lte(cones$error, 1e-14 + 8 * far * .Machine$double.eps)
+    expect_lte(max(abs(disks$centre_m - p)), disks$detail$centre_error_m)
+    f <- far + 2^-3
+    if (far < 1e10) {
+      square <- corner(c(far, f), c(far + 2^-4, f), c(far + 2^-4, f + 2^-3), c(far, f + 2^-3))
+      halves <- join_bodies(
+        corner(c(far, f), c(far + 2^-4, f), c(far + 2^-4, f + 2^-3)),
+        corner(c(far, f), c(far + 2^-4, f + 2^-3), c(far, f + 2^-3))
+      )
+      expect_lte(off_by(halves, square), halves$error)
+    }
+  }
+  # Where nothing is rounded, nothing is lost.
+  ball <- body_sphere(1, 0.5)
+  pair <- join_bodies(place_body(ball, c(1e8, 0, 0)), place_body(ball, c(1e8 + 2, 0, 0)))
+  expect_lt(pair$error, 1e-14)
+  expect_null(place_body(ball, c(1e8, 0, 0))$detail$centre_error_m)
+})
+
+test_that("what is left of a rod is no matter for a message", {
+  turn <- rotation_about(c(1, 2, 3), 1)
+  rod <- place_body(body_rod(2, 1), c(3, 1, 2), turn)
+  hole <- place_body(place_body(body_rod(1, 0.5), c(0.25, 0, 0)), c(3, 1, 2), turn)
+  expect_silent(left <- cut_body(rod, hole))
+  # Whether rounding falls on one side or the other: many of them.
+  set.seed(3)
+  for (i in 1:20) {
+    turn <- rotation_about(rnorm(3), runif(1, -3, 3))
+    expect_silent(left <- cut_body(
+      place_body(body_rod(2, 1), rotation = turn),
+      place_body(place_body(body_rod(1, 0.5), c(0.25, 0, 0)), rotation = turn)
+    ))
+    expect_equal(symmetry_class(left), "rod")
+  }
+})
+
+test_that("a part too small for doubles leaves the error of the whole a number", {
+  speck <- body_disk(1, 1e-200)
+  both <- join_bodies(speck, place_body(speck, c(1, 0, 0)))
+  expect_lt(both$error, 1e-14)
+  expect_lt(join_bodies(speck, body_disk(1, 1))$error, 1e-14)
+  expect_equal(join_bodies(speck, speck)$error, Inf)
+  expect_equal(join_bodies(body_point(1), body_point(1))$error, 0)
+})
+
+test_that("beyond doubles: an error of the call, or numbers", {
+  called <- function(expr) {
+    error <- tryCatch(expr, rotdyn_error_range = identity)
+    deparse(conditionCall(error)[[1]])
+  }
+  heavy <- body_disk(1.2e308, 0.1)
+  expect_equal(called(join_bodies(heavy, heavy)), "join_bodies")
+  rod <- body_rod(8e307, 4.5)
+  across <- place_body(rod, rotation = rotation_about("z", angle_deg = 90))
+  expect_equal(called(join_bodies(rod, across)), "join_bodies")
+  light <- body_point(1e-300)
+  apart <- join_bodies(light, place_body(light, c(1e200, 0, 0)))
+  expect_equal(apart$reach_m / 5e199, 1)
+  expect_equal(apart$inertia_kg_m2[[5]] / 5e99, 1)
+  expect_lt(apart$error, 1e-14)
+  expect_lt(apart$detail$centre_error_m, 1e185)
+})
+
 test_that("a shape that was turned says that its formula is from before", {
   box <- body_box(2, 0.3, 0.2, 0.1)
   turn <- rotation_about("y", angle_deg = 90)

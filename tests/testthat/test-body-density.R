@@ -292,3 +292,31 @@ test_that("sizes whose volume is no double are none to the moments", {
     body_density(1e300, domain_ball(1e100)), class = "rotdyn_error_range"
   )
 })
+
+test_that("what is no number, or no place, is an error that says where", {
+  ball <- domain_ball(2)
+  for (value in c(NA, NaN, Inf, -1)) {
+    error <- expect_error(
+      body_density(function(x, y, z) ifelse(x > 1, value, 1), ball), class = "rotdyn_error_density"
+    )
+    expect_match(conditionMessage(error), "x_m = *1[.]", fixed = FALSE)
+  }
+  one <- function(u, v, w) 1 + 0 * u
+  place <- expect_error(
+    domain_map(function(u, v, w) cbind(u, v, w / 0), one, c(1, 1, 1), c(2, 2, 2)),
+    class = "rotdyn_error_density"
+  )
+  expect_match(conditionMessage(place), "u = 1[.].*Inf")
+  expect_error(
+    domain_map(function(u, v, w) cbind(u, v, NA * w), one, c(1, 1, 1), c(2, 2, 2)),
+    class = "rotdyn_error_density"
+  )
+  # Finite where the Jacobian was held against it, not everywhere.
+  hole <- domain_map(
+    function(u, v, w) cbind(u, v, ifelse(u > 1.99, NaN, w)), one, c(1, 1, 1), c(2, 2, 2)
+  )
+  expect_error(body_density(1, hole), class = "rotdyn_error_density")
+  for (method in list(sum, quote(x), NULL, 1, data.frame())) {
+    expect_error(body_density(1, ball, method = method), class = "rotdyn_error_value")
+  }
+})

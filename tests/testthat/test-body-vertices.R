@@ -109,3 +109,54 @@ test_that("corners that make no body are refused, and it is said why", {
   expect_error(body_polygon(vertices_m = ell), "areal", class = "rotdyn_error_missing")
   expect_error(body_polygon(1, ell, areal_density_kg_m2 = 1), class = "rotdyn_error_value")
 })
+
+test_that("a column that is a matrix is no column; a mass that vanished is not exact", {
+  corners <- data.frame(x_m = c(0, 1, 1))
+  corners$y_m <- matrix(1:6, 3)
+  expect_error(body_polygon(1, corners), class = "rotdyn_error_size")
+  small <- cbind(c(0, 1, 1), c(0, 0, 1)) * 1e-170
+  expect_equal(body_polygon(vertices_m = small, areal_density_kg_m2 = 1)$error, Inf)
+  # 5/2 smallest doubles of mass are 2 of them: a fifth is lost.
+  some <- body_polygon(
+    vertices_m = rbind(c(0, 0), c(2^300, 0), c(0, 5 * 2^-300)), areal_density_kg_m2 = 2^-1074
+  )
+  expect_equal(some$mass_kg, 2^-1073)
+  expect_gte(some$error, 0.2)
+  expect_equal(body_polygon(0, small)$error, 0)
+})
+
+test_that("outlines that cross in a corner cross; those that touch do not", {
+  crossing <- list(
+    # An hourglass with a corner in its waist on both ways, on one way, and turned.
+    rbind(c(0, -1), c(1, 0), c(4, 3), c(4, -3), c(1, 0), c(0, 1)),
+    rbind(c(0, 0), c(1, 1), c(2, 2), c(2, 0), c(0, 2)),
+    rbind(c(0, 0), c(2, 2), c(2, 0), c(1, 1), c(0, 2)),
+    rbind(c(0, -1), c(1, 0), c(4, 1), c(4, -3), c(1, 0), c(0, 3))
+  )
+  touching <- list(
+    # Two squares that share a corner, in the order that does not cross.
+    list(rbind(c(0, 0), c(1, 0), c(1, 1), c(2, 1), c(2, 2), c(1, 2), c(1, 1), c(0, 1)), 2),
+    # A corner on the edge across.
+    list(rbind(c(0, 0), c(4, 0), c(4, 2), c(2, 0), c(0, 2)), 4),
+    # A square with a square hole, at the end of a slit.
+    list(rbind(
+      c(0, 0), c(3, 0), c(3, 3), c(0, 3), c(0, 0), c(1, 1), c(1, 2), c(2, 2), c(2, 1), c(1, 1)
+    ), 8)
+  )
+  turn <- rotation_about("z", angle_deg = 30)[1:2, 1:2]
+  for (around in c(0, 1, 3)) {
+    moved <- function(x) {
+      n <- nrow(x)
+      x[(seq_len(n) + around - 1) %% n + 1, ]
+    }
+    for (x in crossing) {
+      expect_error(body_polygon(1, moved(x)), "cross", class = "rotdyn_error_value")
+      expect_error(body_polygon(1, moved(x)[rev(seq_len(nrow(x))), ]), "cross")
+      expect_error(body_polygon(1, 1e5 + moved(x)), "cross")
+    }
+    for (x in touching) {
+      expect_equal(body_polygon(1, moved(x[[1]]))$detail$area_m2, x[[2]])
+      expect_equal(body_polygon(1, moved(x[[1]]) %*% turn)$detail$area_m2, x[[2]])
+    }
+  }
+})

@@ -36,6 +36,11 @@ test_that("a body prints its mass, size, inertia and formula", {
   })
 })
 
+test_that("moments near the largest double are made and printed", {
+  expect_equal(body_rod(8e307, 4.5)$inertia_kg_m2[[9]] / 1.35e308, 1)
+  expect_output(print(body_tensor(1, c(1.7e308, 1.7e308, 1.7e308))), "Izz 1.7e[+]308")
+})
+
 test_that("print keeps to the console's width", {
   bodies <- list(
     body_frustum(1, 0.1, 0.2, 0.4), body_spherical_cap(1, 0.1, 0.05),

@@ -349,3 +349,8 @@ test_that("a check prints what fails and what to look at", {
     check_inertia(c(1, 2, 3, 0, 0, 0))
   })
 })
+
+test_that("a repair in the eleventh digit shows both numbers", {
+  error <- expect_error(body_tensor(1, c(1, 1, 2 + 1e-11)), class = "rotdyn_error_inertia")
+  expect_match(gsub("\\s+", " ", conditionMessage(error)), "izz = 2 instead of 2[.]00000000001")
+})

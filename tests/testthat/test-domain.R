@@ -73,3 +73,17 @@ test_that("the reach is never less than the farthest point", {
   expect_gte(reach(domain_cylinder(2, 1, centre_m = c(1, 1, 1))), farthest(tall, 1))
   expect_lte(reach(domain_cylinder(2, 1, centre_m = c(1, 1, 1))), 1.1 * farthest(tall, 1))
 })
+
+test_that("a function of too few arguments is refused at the door", {
+  two <- function(x, y) x
+  three <- function(u, v, w) 1 + 0 * u
+  expect_error(domain_inside(two, c(0, 0, 0), c(1, 1, 1)), "takes 2", class = "rotdyn_error_type")
+  expect_error(domain_map(two, three, c(0, 0, 0), c(1, 1, 1)), class = "rotdyn_error_type")
+  expect_error(
+    domain_map(function(u, v, w) cbind(u, v, w), two, c(0, 0, 0), c(1, 1, 1)),
+    class = "rotdyn_error_type"
+  )
+  box <- domain_box(c(0, 0, 0), c(1, 1, 1))
+  expect_error(body_density(function() 1, box), "takes 0", class = "rotdyn_error_type")
+  expect_equal(body_density(function(...) 1 + 0 * ..1, box)$mass_kg, 1)
+})

@@ -164,6 +164,44 @@ test_that("a column that is a matrix is no column of numbers", {
   expect_error(inertia_table(wide), class = "rotdyn_error_size")
 })
 
+test_that("columns that are tables, or of another length, are errors", {
+  table <- data.frame(shape = c("disk", "wheel"), mass_kg = 1:2, radius_m = 1:2)
+  table$beta <- matrix(1:4 / 8, 2)
+  expect_error(inertia_table(table), class = "rotdyn_error_size")
+  table$beta <- 0.5
+  table$shape <- matrix("disk", 2, 2)
+  expect_error(inertia_table(table), class = "rotdyn_error_size")
+  table$shape <- data.frame(a = c("disk", "hoop"))
+  expect_error(inertia_table(table), class = "rotdyn_error_type")
+  expect_error(inertia_table(data.frame()), "no columns", class = "rotdyn_error_type")
+  table$shape <- list("disk", "hoop")
+  expect_equal(inertia_table(table)$moment_of_inertia_kg_m2, c(0.5, 8))
+})
+
+test_that("a body's named axis goes with it when it is turned", {
+  up <- rotation_about("y", angle_deg = 90)
+  turned <- list(
+    place_body(body_rod_end(2, 3), rotation = up), place_body(body_point(2, 3), c(1, 0, 0), up)
+  )
+  table <- inertia_table(turned)
+  expect_equal(table$moment_of_inertia_kg_m2, c(2 * 9 / 3, 2 * 9))
+  expect_equal(table$radius_of_gyration_m, c(sqrt(3), 3))
+  expect_equal(table$izz_kg_m2, c(0, 0))
+})
+
+test_that("sizes of any ratio, in a table and as bodies", {
+  table <- inertia_table(data.frame(
+    shape = "cylinder", mass_kg = c(3, 1e300), radius_m = c(1e-150, 1e-280),
+    length_m = c(1e150, 1e-3)
+  ))
+  expect_equal(table$izz_kg_m2 / c(1.5e-300, 5e-261), c(1, 1), tolerance = 1e-14)
+  expect_equal(table$moment_of_inertia_kg_m2, table$izz_kg_m2)
+  expect_equal(table$radius_of_gyration_m / c(1e-150, 1e-280), sqrt(c(0.5, 0.5)))
+  wire <- body_cylinder(3, 1e-150, 1e150)
+  expect_equal(moment_of_inertia(wire, "z") / 1.5e-300, 1, tolerance = 1e-14)
+  expect_equal(body_sphere(radius_m = 1e-150, density_kg_m3 = 1)$error, Inf)
+})
+
 test_that("a rod's end stays across the rod, however the rod was turned", {
   rod <- body_rod_end(3, 2)
   up <- place_body(rod, c(1, 2, 3), rotation_about("y", angle_deg = 90))

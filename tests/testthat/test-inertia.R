@@ -250,6 +250,22 @@ test_that("a sign convention that is no text is an error of this package", {
   expect_error(body_tensor(1, diag(3), products = sum), class = "rotdyn_error_value")
 })
 
+test_that("errors and range checks name the function that was called", {
+  d <- body_disk(2, 0.3)
+  called <- function(expr) {
+    error <- tryCatch(expr, rotdyn_error = identity)
+    deparse(conditionCall(error)[[1]])
+  }
+  expect_equal(called(radius_of_gyration(d, "z", through = 1)), "radius_of_gyration")
+  expect_equal(called(radius_of_gyration(d, "w")), "radius_of_gyration")
+  expect_equal(called(radius_of_gyration(d, "z", c(1e200, 0, 0))), "radius_of_gyration")
+  expect_equal(called(moment_of_inertia(d, "z", through = "here")), "moment_of_inertia")
+  expect_equal(called(symmetry_class(diag(c(1, 1, 3)))), "symmetry_class")
+  expect_equal(called(symmetry_class(d, tolerance = 2)), "symmetry_class")
+  expect_equal(called(inertia_tensor(d) + inertia_tensor(d, c(1, 0, 0))), "+")
+  expect_equal(called(inertia_tensor(d) - inertia_tensor(d, axes = rotation_about("x", 1))), "-")
+})
+
 test_that("print shows no roundings off the diagonal of a turned tensor", {
   turn <- rotation_about(c(1, 1, 1), angle_deg = 40)
   box <- place_body(body_box(2, 0.3, 0.2, 0.1), rotation = turn)

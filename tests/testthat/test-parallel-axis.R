@@ -138,3 +138,11 @@ test_that("a moment outside of double precision is an error, NA is not", {
   )
   expect_equal(parallel_axis(c(NA, 1), 1, c(1e200, 1)), c(NA, 2))
 })
+
+test_that("arrays are numbers, and a direction that is no text is an error", {
+  expect_identical(parallel_axis(array(1, c(1, 1, 1)), 2, 1:3), c(3, 9, 19))
+  expect_identical(parallel_axis(array(1:2), 1, matrix(c(1, 2), 2)), c(2, 6))
+  for (direction in list(sum, quote(x), new.env(), NULL, list(), data.frame(), NA, character())) {
+    expect_error(parallel_axis(1, 1, 1, direction = direction), class = "rotdyn_error_value")
+  }
+})

@@ -156,6 +156,18 @@ test_that("a body whose error is as large as itself has no class", {
   expect_no_match(symmetry_class(left, tolerance = 1e-12), "unknown")
 })
 
+test_that("no principal moment of a body is negative, however it was turned", {
+  set.seed(9)
+  least <- vapply(1:200, function(i) {
+    rod <- place_body(body_rod(2, 1), rotation = rotation_about(rnorm(3), runif(1, -3, 3)))
+    pair <- join_bodies(place_body(body_point(1), rnorm(3)), place_body(body_point(2), rnorm(3)))
+    expect_equal(symmetry_class(pair), "rod")
+    both <- rbind(principal_axes(rod), principal_axes(pair))
+    min(both$principal_moment_kg_m2, both$second_moment_kg_m2)
+  }, 0)
+  expect_gte(min(least), 0)
+})
+
 test_that("print shows no second moment across a plate, the table keeps the rounding", {
   # In the plane through (1, 2, 3), (-1, 0, 1) and the centre: not along the axes.
   at <- rbind(c(1, 2, 3), c(-1, 0, 1), c(0.3, 0.7, -0.2))

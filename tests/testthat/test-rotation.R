@@ -98,3 +98,16 @@ test_that("angles may come with a unit", {
     rotation_about("z", angle_rad = units::set_units(1, "m")), class = "rotdyn_error_unit"
   )
 })
+
+test_that("degrees: any number of turns, of either sense, and small angles", {
+  expect_silent(big <- rotation_about("z", angle_deg = 1e300))
+  # 1e300 mod 360 = 280, and 1e15 + 1 mod 360 = 281: integer arithmetic in Python.
+  expect_silent(expect_equal(rotation_about("z", angle_deg = 1e15 + 1)[1, 1], cospi(281 / 180)))
+  expect_equal(max(abs(crossprod(big) - diag(3))), 0, tolerance = 1e-15)
+  expect_ulps(rotation_about("z", angle_deg = -1e-20)[2, 1], -1e-20 * pi / 180, 1)
+  expect_identical(
+    rotation_about("z", angle_deg = -0.1)[2, 1], -rotation_about("z", angle_deg = 0.1)[2, 1]
+  )
+  expect_identical(rotation_about("x", angle_deg = -270), rotation_about("x", angle_deg = 90))
+  expect_identical(rotation_about("x", angle_deg = 360 * 2^60), diag(3))
+})
