@@ -32,9 +32,9 @@
 #' precision. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
 #' `merged_vertices`, and what moved vertices may cost is in `error`.
 #'
-#' **Files.** Binary STL is read by the package Rvcg, or rgl (slower), text STL and PLY by Rvcg,
-#' OBJ by this package: its polygons become triangles. Rvcg works in single precision, 6e-8 of the
-#' coordinates: where that loses digits of the file, `error` has it. Files tell no unit.
+#' **Files.** Text STL and OBJ (its polygons become triangles) are read by this package, binary STL
+#' by Rvcg, or rgl (slower), PLY by Rvcg. Rvcg works in single precision, 6e-8 of the coordinates:
+#' where that loses digits of the file, `error` has it. Files tell no unit.
 #'
 #' @param mesh One of:
 #'   * a `mesh3d` object of rgl, Rvcg or Morpho. Quadrangles are split in two.

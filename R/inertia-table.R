@@ -16,7 +16,7 @@
 #'     its moment about `z` as it is now, while its `formula` is from before.
 #' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
 #'   sizes are simple parts of these: inner radii are half of `radius_m`.
-#' @return A tibble: the columns of `objects`, then
+#' @return A tibble: the columns of `objects` (of the standard shapes: behind the others), then
 #'   `r describe_columns(inertia_columns)`
 #'   The first moment is about `axis`, with its `formula`; the other three are about the centre of
 #'   mass, along the own axes. `beta` is NA for what does not roll; a row that has only `beta` has
@@ -67,7 +67,12 @@ inertia_table <- function(objects = inertia_objects()) {
   out[["formula"]] <- c("beta m r^2", shapes$formula)[text]
   # The order of the dictionary, behind what was there.
   kept <- setdiff(names(out), inertia_columns)
-  tibble::new_tibble(out[c(kept, inertia_columns)], nrow = nrow(objects))
+  columns <- c(kept, inertia_columns)
+  if (missing(objects)) {
+    first <- c("object", "mass_kg", "moment_of_inertia_kg_m2", "axis", "formula")
+    columns <- c(first, setdiff(inertia_columns, first), setdiff(kept, first))
+  }
+  tibble::new_tibble(out[columns], nrow = nrow(objects))
 }
 
 check_shape_names <- function(given, column, rows, call) {

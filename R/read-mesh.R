@@ -231,12 +231,16 @@ mesh_from_file <- function(path, call) {
   if (isTRUE(file.size(path) == 0)) abort_mesh_file(path, "It is empty.", call)
   binary <- format == "stl" && stl_is_binary(path, call)
   reader <- switch(format,
-    stl = if (binary) stl_reader(call) else need_reader("Rvcg", "A text STL", call),
+    stl = if (binary) stl_reader(call) else "rotdyn",
     obj = "rotdyn",
     ply = need_reader("Rvcg", "A PLY file", call)
   )
   read <- tryCatch(
-    switch(reader, Rvcg = read_by_rvcg(path), rgl = read_by_rgl(path), read_obj(path)),
+    switch(reader,
+      Rvcg = read_by_rvcg(path),
+      rgl = read_by_rgl(path),
+      if (format == "obj") read_obj(path) else read_stl_text(path)
+    ),
     error = function(e) {
       reason <- conditionMessage(e)
       abort_mesh_file(path, "The reader ({.pkg {reader}}) says: {reason}.", call)

@@ -1,3 +1,11 @@
+test_that("of the standard shapes the moments come first", {
+  standard <- inertia_table()
+  expect_named(standard[1:5], c("object", "mass_kg", "moment_of_inertia_kg_m2", "axis", "formula"))
+  given <- inertia_table(inertia_objects())
+  expect_named(given[1:3], names(inertia_objects())[1:3])
+  expect_equal(standard[names(given)], given)
+})
+
 test_that("the standard shapes, at m = 2, r = 3, l = 5", {
   table <- inertia_table(inertia_objects(2, 3, 5))
   want <- c(

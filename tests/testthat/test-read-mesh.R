@@ -284,11 +284,34 @@ test_that("files that are none are refused", {
   expect_file(c(bytes, as.raw(1)), ".stl", "285")
   bytes[81:84] <- as.raw(255)
   expect_file(bytes, ".stl", "4,294,967,295")
-  # A text STL needs Rvcg, which finds nothing in this one.
-  text <- tempfile(fileext = ".stl")
-  writeLines("solid nothing", text)
-  kind <- if (requireNamespace("Rvcg", quietly = TRUE)) "file" else "package"
-  expect_error(body_mesh(text, mass_kg = 1), class = paste0("rotdyn_error_", kind))
+  facet <- c("facet normal 0 0 1", "outer loop", rep("vertex 0 1 2", 3), "endloop", "endfacet")
+  expect_text <- function(lines, says) {
+    expect_file(charToRaw(paste(lines, collapse = "\n")), ".stl", says)
+  }
+  expect_text("solid nothing", "no facets")
+  expect_text(c("solid", facet[-3]), "three vertices")
+  expect_text(c("solid", facet, facet[1:4]), "cut off")
+  expect_text(c("solid", sub("1 2", "1", facet)), "3 elements")
+  expect_text(c("solid", sub("1 2", "1 x", facet)), "'x'")
+})
+
+test_that("an STL may be text", {
+  mesh <- tetrahedron3d()
+  mesh$vb[1:3, ] <- mesh$vb[1:3, ] / 7 + 0.1
+  facets <- apply(mesh$it, 2, function(corner) {
+    c(
+      " facet normal 0 0 0", "  outer loop",
+      sprintf("   VERTEX %.17g\t%.17e %.17g", mesh$vb[1, corner], mesh$vb[2, corner], mesh$vb[3, corner]),
+      "  endloop", " endfacet"
+    )
+  })
+  path <- tempfile(fileext = ".STL")
+  writeLines(c("solid a vertex of many", facets, "endsolid"), path, sep = "\r\n")
+  body <- body_mesh(path, mass_kg = 2)
+  want <- body_mesh(mesh, mass_kg = 2)
+  expect_equal(body$second_moment_kg_m2, want$second_moment_kg_m2, tolerance = 1e-14)
+  expect_equal(body$centre_m, want$centre_m, tolerance = 1e-14)
+  expect_equal(body$detail$reader, "rotdyn")
 })
 
 test_that("the real meshes have their mass properties, and the bad ones are refused", {
