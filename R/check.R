@@ -22,11 +22,31 @@ describe_value <- function(x) {
   paste0(article, kind, " of length ", length(x))
 }
 
-# Nothing may stand in the dots; rlang says what does.
+# Nothing may stand in the dots. Where something does, it is not evaluated.
 check_no_dots <- function(...) {
   if (...length()) {
-    rlang::check_dots_empty0(..., call = rlang::caller_env())
+    abort_dots(as.list(substitute(list(...)))[-1L], rlang::caller_env(), rlang::caller_fn())
   }
+}
+
+abort_dots <- function(given, call, fn) {
+  said <- vapply(given, rlang::as_label, "")
+  named <- rlang::have_name(given)
+  said[named] <- paste(names(given)[named], "=", said[named])
+  known <- setdiff(names(formals(fn)), "...")
+  abort_rotdyn(
+    c(
+      if (all(named)) {
+        "{length(said)} argument{?s} {?is/are} not known."
+      } else {
+        "Arguments after the first ones must be given by name."
+      },
+      x = "Not understood: {.code {said}}.",
+      i = "The arguments are {.arg {known}}."
+    ),
+    "argument",
+    call
+  )
 }
 
 # Arguments that the user left out, by name; `env` is the frame of the function that has them.

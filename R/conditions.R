@@ -2,6 +2,7 @@
 # of ROT_STATUS_LIST in src/rot_status.h.
 error_kinds <- c(
   missing = "an argument that was left out",
+  argument = "an argument that is not known, or whose name was left out",
   type = "not the kind of object asked for",
   size = "lengths that do not fit together",
   value = "a number outside its domain",

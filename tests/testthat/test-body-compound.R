@@ -236,7 +236,7 @@ test_that("bad arguments are refused by class", {
   expect_error(place_body(disk, 1), class = "rotdyn_error_size")
   expect_error(place_body(disk, c(1, NA, 0)), class = "rotdyn_error_value")
   expect_error(place_body(disk, "there"), class = "rotdyn_error_type")
-  expect_error(place_body(disk, c(0, 0, 0), NULL, 1), class = "rlib_error_dots_nonempty")
+  expect_error(place_body(disk, c(0, 0, 0), NULL, 1), class = "rotdyn_error_argument")
   expect_error(
     place_body(place_body(disk, c(1e308, 0, 0)), c(1e308, 0, 0)), class = "rotdyn_error_range"
   )
@@ -255,7 +255,7 @@ test_that("bad arguments are refused by class", {
   expect_error(cut_body(3, disk), class = "rotdyn_error_type")
   expect_error(cut_body(disk, disk), "lighter", class = "rotdyn_error_value")
   expect_error(cut_body(disk, body_disk(3, 0.1)), class = "rotdyn_error_value")
-  expect_error(cut_body(disk, body_disk(1, 0.1), 3), class = "rlib_error_dots_nonempty")
+  expect_error(cut_body(disk, body_disk(1, 0.1), 3), class = "rotdyn_error_argument")
   # A hole larger than what it is cut from.
   expect_error(cut_body(disk, body_hoop(1, 1)), class = "rotdyn_error_inertia")
 })

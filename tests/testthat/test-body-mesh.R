@@ -176,7 +176,7 @@ test_that("mass and density say the same", {
   expect_error(body_mesh(mesh, mass_kg = -1), class = "rotdyn_error_value")
   expect_error(body_mesh(mesh, mass_kg = NA), class = "rotdyn_error_type")
   expect_error(body_mesh(), class = "rotdyn_error_missing")
-  expect_error(body_mesh(mesh, 1), class = "rlib_error_dots_nonempty")
+  expect_error(body_mesh(mesh, 1), class = "rotdyn_error_argument")
 })
 
 # ---- what must change nothing -------------------------------------------------------------------

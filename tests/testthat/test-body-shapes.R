@@ -214,7 +214,7 @@ test_that("sizes that do not fit together are refused, with the remedy", {
     body_sphere(radius_m = 1e150, density_kg_m3 = 1), "double precision",
     class = "rotdyn_error_range"
   )
-  expect_error(body_disk(1, 2, 3), class = "rlib_error_dots_nonempty")
+  expect_error(body_disk(1, 2, 3), class = "rotdyn_error_argument")
 })
 
 test_that("an error names the user's own call", {

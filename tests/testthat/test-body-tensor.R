@@ -150,7 +150,7 @@ test_that("bad arguments are refused by class", {
   expect_error(body_tensor(1, diag(3), axes = diag(2)), class = "rotdyn_error_type")
   expect_error(body_tensor(1, diag(3), products = "none"), class = "rotdyn_error_value")
   expect_error(body_tensor(1, diag(3), reach_m = -1), class = "rotdyn_error_value")
-  expect_error(body_tensor(1, diag(3), c(0, 0, 0), "origin"), class = "rlib_error_dots_nonempty")
+  expect_error(body_tensor(1, diag(3), c(0, 0, 0), "origin"), class = "rotdyn_error_argument")
   expect_error(
     body_tensor(1, diag(3), c(1e200, 0, 0), about = "origin"), class = "rotdyn_error_range"
   )

@@ -36,3 +36,12 @@ test_that("every status of the core has a kind that the help lists", {
   kinds <- c("range", "torque", "budget", "step", "memory")
   expect_true(all(kinds %in% names(rotdyn:::error_kinds)))
 })
+
+test_that("what an argument is not is said, and not evaluated", {
+  expect_snapshot(error = TRUE, {
+    body_disk(1, 2, colour = stop("evaluated"))
+    body_disk(1, 2, 3)
+    scene_axle(1, axle = 3, tau = 4)
+  })
+  expect_error(body_disk(1, 2, colour = 3), class = "rotdyn_error_argument")
+})

@@ -224,7 +224,7 @@ test_that("bad arguments are refused by class", {
   expect_error(inertia_tensor(disk, axes = "body"), class = "rotdyn_error_value")
   expect_error(inertia_tensor(disk, axes = diag(2)), class = "rotdyn_error_type")
   expect_error(inertia_tensor(disk, products = "plus"), class = "rotdyn_error_value")
-  expect_error(inertia_tensor(disk, "centre", "own"), class = "rlib_error_dots_nonempty")
+  expect_error(inertia_tensor(disk, "centre", "own"), class = "rotdyn_error_argument")
   expect_error(moment_of_inertia(disk, "q"), class = "rotdyn_error_value")
   expect_error(moment_of_inertia(disk, c(1, 0)), class = "rotdyn_error_value")
   expect_error(moment_of_inertia(disk, c(1, NA, 0)), class = "rotdyn_error_value")

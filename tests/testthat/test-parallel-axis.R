@@ -112,7 +112,7 @@ test_that("bad arguments are refused by class", {
     parallel_axis(c(3, 1), 2, 1, direction = "to_centre"), "In row 2", class = "rotdyn_error_value"
   )
   expect_error(parallel_axis(1, 2, 3, direction = "away"), class = "rotdyn_error_value")
-  expect_error(parallel_axis(1, 2, 3, "to_centre"), class = "rlib_error_dots_nonempty")
+  expect_error(parallel_axis(1, 2, 3, "to_centre"), class = "rotdyn_error_argument")
   expect_error(parallel_axis(diag(2), 1, c(1, 0, 0)), class = "rotdyn_error_size")
   expect_error(parallel_axis(diag(3), 1, 2), class = "rotdyn_error_size")
   expect_error(parallel_axis(diag(3), -1, c(1, 0, 0)), class = "rotdyn_error_value")

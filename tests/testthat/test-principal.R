@@ -131,8 +131,8 @@ test_that("bad arguments are refused by class", {
   expect_error(principal_axes(disk, tolerance = -1), class = "rotdyn_error_value")
   expect_error(principal_axes(disk, tolerance = NA_real_), class = "rotdyn_error_value")
   expect_error(principal_axes(disk, tolerance = "small"), class = "rotdyn_error_type")
-  expect_error(principal_axes(disk, 0.1), class = "rlib_error_dots_nonempty")
-  expect_error(symmetry_class(disk, 0.1), class = "rlib_error_dots_nonempty")
+  expect_error(principal_axes(disk, 0.1), class = "rotdyn_error_argument")
+  expect_error(symmetry_class(disk, 0.1), class = "rotdyn_error_argument")
   expect_error(symmetry_class(NULL), class = "rotdyn_error_type")
   for (bad in list(diag(c(1, 1, 3)), diag(c(1, NA, 1)), diag(c(-1, 1, 1)))) {
     expect_error(principal_axes(bad), class = "rotdyn_error_inertia")

@@ -301,7 +301,9 @@ test_that("an STL may be text", {
   facets <- apply(mesh$it, 2, function(corner) {
     c(
       " facet normal 0 0 0", "  outer loop",
-      sprintf("   VERTEX %.17g\t%.17e %.17g", mesh$vb[1, corner], mesh$vb[2, corner], mesh$vb[3, corner]),
+      apply(mesh$vb[1:3, corner], 2, function(at) {
+        sprintf("   VERTEX %.17g\t%.17e %.17g", at[1], at[2], at[3])
+      }),
       "  endloop", " endfacet"
     )
   })

@@ -206,7 +206,7 @@ test_that("bad arguments", {
   expect_error(measure(peers = list(function(...) 1)), class = "rotdyn_error_type")
   expect_error(measure(peers = list(a = 1)), class = "rotdyn_error_type")
   expect_error(work_precision(article_scene(), 0:8, batches = 0), class = "rotdyn_error_value")
-  expect_error(measure(peer = 1), class = "rlib_error_dots_nonempty")
+  expect_error(measure(peer = 1), class = "rotdyn_error_argument")
 })
 
 test_that("the header says what was measured, and stays with the rows", {
