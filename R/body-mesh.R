@@ -32,12 +32,11 @@
 #' precision. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
 #' `merged_vertices`, and what moved vertices may cost is in `error`.
 #'
-#' **Files.** Text STL and OBJ (its polygons become triangles) are read by this package, binary STL
-#' by Rvcg, or rgl (slower), PLY by Rvcg. Rvcg works in single precision, 6e-8 of the coordinates:
-#' where that loses digits of the file, `error` has it. Files tell no unit.
+#' **Files.** OBJ, PLY (text and binary) and text STL need no other package, binary STL needs rgl.
+#' Polygons become triangles. Files tell no unit.
 #'
 #' @param mesh One of:
-#'   * a `mesh3d` object of rgl, Rvcg or Morpho. Quadrangles are split in two.
+#'   * a `mesh3d` object as rgl, Rvcg and Morpho have them. Quadrangles are split in two.
 #'   * a list of `vertices` (a numeric matrix of three columns, or a data frame of `x_m`, `y_m` and
 #'     `z_m`; `x`, `y`, `z` in another unit) and `faces` (a matrix of three or four columns: the
 #'     numbers of the vertices, from 1).
@@ -52,10 +51,9 @@
 #' @param weld_m Distance within which vertices are one; NULL: see above.
 #' @param name What to call the body.
 #' @return `body_mesh()`: a `rot_body` in the axes of the mesh, whose origin is the mesh's.
-#'   `size_m` is the box's. `error` is a bound: of the roundings here, and of what single precision
-#'   or welding cost. It takes the coordinates as they stand: `detail$coordinate_error` is what half
-#'   a last digit of each of them does, which is much for a mesh far from its origin. `detail` also
-#'   has the method, what was counted, volume or area, `closure` (the faces' area vectors added up,
+#'   `size_m` is the box's. `error` is a bound: of the roundings here, and of what welding cost.
+#'   It takes the coordinates as they stand: `detail$coordinate_error` is what half a last digit of
+#'   each of them does, which is much for a mesh far from its origin. `detail` also has the method, what was counted, volume or area, `closure` (the faces' area vectors added up,
 #'   relative to the area: 0 but for rounding), `volume_error`, `defects` (the counts of what
 #'   failed) and the whole `check`.
 #'
@@ -357,13 +355,8 @@ mesh_moments <- function(read, found, shell, call) {
     )
   }
   check_core_status(of$kind, call)
-  of$error <- of$error + of$moved_error * vertices_moved(of, read, found$distance)
+  of$error <- of$error + of$moved_error * found$distance
   mesh_in_metres(of, read$factor, if (shell) 2 else 3)
-}
-
-# How far a vertex may be from where the file or the user had it, in each coordinate.
-vertices_moved <- function(of, read, distance) {
-  read$precision * max(abs(of$lo), abs(of$hi)) + distance
 }
 
 mesh_in_metres <- function(of, factor, power) {
@@ -402,7 +395,7 @@ mesh_hull <- function(read, found, call) {
   )
   hull <- list(
     vertices = points, faces = outward_faces(local, faces), by_column = FALSE,
-    factor = read$factor, precision = read$precision
+    factor = read$factor
   )
   found$same <- NULL
   found$distance <- 0
@@ -462,7 +455,6 @@ mesh_box <- function(read, found, call) {
     size = prod(side), size_error = 8 * .Machine$double.eps, centre = lo / 2 + hi / 2,
     second = c(side^2 / 12, 0, 0, 0), error = 8 * .Machine$double.eps,
     coordinate_error = 4 * sum(pmax(abs(lo), abs(hi)) * side) / sum(side^2) * 2^-53,
-    moved_error = 4 * sum(side) / sum(side^2),
     reach = sqrt(sum(side^2)) / 2 * (1 + 4 * .Machine$double.eps),
     area = 2 * (side[1] * side[2] + side[2] * side[3] + side[3] * side[1]), closure = 0,
     lo = lo, hi = hi
@@ -470,7 +462,6 @@ mesh_box <- function(read, found, call) {
   if (!all(side > 0)) {
     abort_rotdyn("The box of {.arg mesh} has no volume.", "mesh", call)
   }
-  of$error <- of$error + of$moved_error * vertices_moved(of, read, 0)
   mesh_in_metres(of, read$factor, 3)
 }
 

@@ -1,7 +1,7 @@
 # Meshes as users have them, brought to one form: a list of `vertices` (matrix of doubles), `faces`
 # (matrix of integers, three of them a face), `by_column` (whether a column is a vertex and a face,
 # as a mesh3d has them), `factor` (metres in a unit of the coordinates), and of a file what it was
-# read by and the relative `precision` of what came back.
+# read by, and whether the numbers have `single` precision.
 as_mesh <- function(mesh, length_unit, call) {
   factor <- metres_in(length_unit, call)
   out <- if (is.character(mesh)) {
@@ -105,7 +105,7 @@ mesh_from_mesh3d <- function(mesh, arg, call) {
   list(
     vertices = vertices,
     faces = if (ncol(quads)) cbind(triangles, split_quads(quads)) else triangles,
-    by_column = TRUE, reader = NA_character_, precision = 0
+    by_column = TRUE, reader = NA_character_
   )
 }
 
@@ -133,7 +133,7 @@ mesh_from_pair <- function(mesh, length_unit, factor, call) {
   if (corners == 4L) faces <- t(split_quads(t(faces)))
   list(
     vertices = mesh_vertices(mesh$vertices, length_unit, factor, call), faces = faces,
-    by_column = FALSE, reader = NA_character_, precision = 0
+    by_column = FALSE, reader = NA_character_
   )
 }
 
@@ -230,29 +230,23 @@ mesh_from_file <- function(path, call) {
   }
   if (isTRUE(file.size(path) == 0)) abort_mesh_file(path, "It is empty.", call)
   binary <- format == "stl" && stl_is_binary(path, call)
-  reader <- switch(format,
-    stl = if (binary) stl_reader(call) else "rotdyn",
-    obj = "rotdyn",
-    ply = need_reader("Rvcg", "A PLY file", call)
-  )
+  if (binary) need_rgl(call)
   read <- tryCatch(
-    switch(reader,
-      Rvcg = read_by_rvcg(path),
-      rgl = read_by_rgl(path),
-      if (format == "obj") read_obj(path) else read_stl_text(path)
+    switch(format,
+      stl = if (binary) read_stl_binary(path) else read_stl_text(path),
+      obj = read_obj(path),
+      ply = read_ply(path)
     ),
     error = function(e) {
       reason <- conditionMessage(e)
-      abort_mesh_file(path, "The reader ({.pkg {reader}}) says: {reason}.", call)
+      abort_mesh_file(path, "The reader says: {reason}.", call)
     }
   )
   out <- mesh_from_mesh3d(read, "mesh", call)
   out$file <- path
   out$format <- format
-  out$reader <- reader
-  # A binary STL has single precision itself: its numbers come back as they are.
-  out$precision <- if (reader == "Rvcg" && !binary) 2^-24 else 0
-  out$single <- format == "stl" || reader == "Rvcg"
+  out$reader <- if (binary) "rgl" else "rotdyn"
+  out$single <- if (format == "ply") read$single else format == "stl"
   out
 }
 
@@ -261,65 +255,4 @@ abort_mesh_file <- function(path, why, call, .envir = parent.frame()) {
   abort_rotdyn(
     c("{.file {basename(path)}} cannot be read as a mesh.", x = "{why}"), "file", call
   )
-}
-
-# 80 bytes, the number of triangles, 50 bytes for each. A text begins with "solid", and so do some
-# binaries; the length decides. A text has no byte that is 0.
-stl_is_binary <- function(path, call) {
-  size <- file.size(path)
-  con <- file(path, "rb")
-  on.exit(close(con))
-  head <- readBin(con, "raw", 84L)
-  triangles <- sum(as.integer(head[81:84]) * 256^(0:3))
-  if (isTRUE(triangles == 0 && size == 84)) {
-    abort_mesh_file(path, "It has no triangles.", call)
-  }
-  if (isTRUE(size == 84 + 50 * triangles)) {
-    return(TRUE)
-  }
-  if (!any(head == 0) && grepl("^[[:space:]]*solid", rawToChar(head), TRUE, useBytes = TRUE)) {
-    return(FALSE)
-  }
-  abort_mesh_file(
-    path,
-    if (size < 84) {
-      "It is no text that begins with {.val solid}, and too short for a binary STL."
-    } else {
-      "It counts {format(triangles, big.mark = ',')} triangles, which take
-       {format(84 + 50 * triangles, big.mark = ',')} bytes, and has
-       {format(size, big.mark = ',')}: it was cut off or changed."
-    },
-    call
-  )
-}
-
-stl_reader <- function(call) {
-  if (requireNamespace("Rvcg", quietly = TRUE)) "Rvcg" else need_reader("rgl", "An STL file", call)
-}
-
-need_reader <- function(package, what, call) {
-  if (package == "rgl") has_rgl()
-  need_package(package, what, call)
-  package
-}
-
-# Loaded without a window: a mesh is read, not shown. The option goes back to what it was.
-has_rgl <- function() {
-  if (!isNamespaceLoaded("rgl")) {
-    old <- options(rgl.useNULL = TRUE)
-    on.exit(options(old))
-  }
-  requireNamespace("rgl", quietly = TRUE)
-}
-
-read_by_rgl <- function(path) {
-  corners <- rgl::readSTL(path, plot = FALSE)
-  structure(
-    list(vb = rbind(t(corners), 1), it = matrix(seq_len(nrow(corners)), 3L)),
-    class = "mesh3d"
-  )
-}
-
-read_by_rvcg <- function(path) {
-  Rvcg::vcgImport(path, updateNormals = FALSE, readcolor = FALSE, clean = FALSE, silent = TRUE)
 }

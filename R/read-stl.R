@@ -1,8 +1,56 @@
-# STL as text: three vertices a facet; normals, and what else is said, are passed over. rgl reads
-# binary files only, and Rvcg in single precision.
+# STL files: triangles with their corners, each by itself. Binary ones are read by rgl, text here:
+# rgl::readSTL() has no text.
 #
 # Source: 3D Systems, StereoLithography Interface Specification (1989), section 6.5.
 
+# 80 bytes, the number of triangles, 50 bytes for each. A text begins with "solid", and so do some
+# binaries; the length decides. A text has no byte that is 0.
+stl_is_binary <- function(path, call) {
+  size <- file.size(path)
+  con <- file(path, "rb")
+  on.exit(close(con))
+  head <- readBin(con, "raw", 84L)
+  triangles <- sum(as.integer(head[81:84]) * 256^(0:3))
+  if (isTRUE(triangles == 0 && size == 84)) {
+    abort_mesh_file(path, "It has no triangles.", call)
+  }
+  if (isTRUE(size == 84 + 50 * triangles)) {
+    return(TRUE)
+  }
+  if (!any(head == 0) && grepl("^[[:space:]]*solid", rawToChar(head), TRUE, useBytes = TRUE)) {
+    return(FALSE)
+  }
+  abort_mesh_file(
+    path,
+    if (size < 84) {
+      "It is no text that begins with {.val solid}, and too short for a binary STL."
+    } else {
+      "It counts {format(triangles, big.mark = ',')} triangles, which take
+       {format(84 + 50 * triangles, big.mark = ',')} bytes, and has
+       {format(size, big.mark = ',')}: it was cut off or changed."
+    },
+    call
+  )
+}
+
+# Loaded without a window: a mesh is read, not shown. The option goes back to what it was.
+need_rgl <- function(call) {
+  if (!isNamespaceLoaded("rgl")) {
+    old <- options(rgl.useNULL = TRUE)
+    on.exit(options(old))
+  }
+  need_package("rgl", "A binary STL file", call)
+}
+
+read_stl_binary <- function(path) {
+  corners <- rgl::readSTL(path, plot = FALSE)
+  structure(
+    list(vb = t(corners), it = matrix(seq_len(nrow(corners)), 3L)),
+    class = "mesh3d"
+  )
+}
+
+# Three vertices a facet; normals, and what else is said, are passed over.
 read_stl_text <- function(path) {
   lines <- readLines(path, warn = FALSE, skipNul = TRUE)
   lines <- lines[grepl("^[[:space:]]*(vertex|endloop)", lines, TRUE, useBytes = TRUE)]

@@ -92,7 +92,6 @@ heading "R CMD check --as-cran"
 #   _R_CHECK_CRAN_INCOMING_REMOTE_          compares with CRAN's own package list, follows URLs
 #   _R_CHECK_SYSTEM_CLOCK_                  asks a time server whether our clock is right
 #   _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_   fetches the help topics of packages not installed here
-# And what Enhances names need not be here: nothing of the check uses it.
 check_options="--as-cran --no-manual"
 test $vignettes = yes || check_options="$check_options --ignore-vignettes"
 force=true
@@ -107,7 +106,6 @@ fi
 if test -n "$tarball"; then
   # shellcheck disable=SC2086
   (cd "$work" && env _R_CHECK_CRAN_INCOMING_REMOTE_=false _R_CHECK_SYSTEM_CLOCK_=false \
-    _R_CHECK_PACKAGE_DEPENDS_IGNORE_MISSING_ENHANCES_=true \
     _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_=false _R_CHECK_FORCE_SUGGESTS_=$force \
     R CMD check $check_options "$tarball" < /dev/null > check.out 2>&1)
   counted check Rscript tools/read-check.R "$work/rotdyn.Rcheck"

@@ -1,0 +1,79 @@
+# Polygons of one size, a column each, into columns of triangles with the same winding: fans from
+# the first corner, or where a polygon is not convex, ears cut off it.
+polygon_triangles <- function(vertices, polygons) {
+  n <- nrow(polygons)
+  fan <- rbind(1L, seq_len(n - 2L) + 1L, seq_len(n - 2L) + 2L)
+  if (n == 3L || anyNA(polygons) || any(polygons < 1 | polygons > ncol(vertices))) {
+    return(matrix(polygons[fan, ], 3L))
+  }
+  flat <- flat_polygons(vertices, polygons)
+  out <- array(polygons[fan, ], c(3L, n - 2L, ncol(polygons)))
+  for (i in which(!flat$convex)) {
+    out[, , i] <- polygons[cut_ears(flat$u[, i], flat$v[, i]), i]
+  }
+  matrix(out, 3L)
+}
+
+# The corners in a plane, counter-clockwise: along the axis that the polygon faces most, by the
+# normal of Newell (the sum of the cross products of neighbours).
+flat_polygons <- function(vertices, polygons) {
+  n <- nrow(polygons)
+  turn <- c(2:n, 1L)
+  at <- lapply(1:3, function(k) {
+    x <- matrix(vertices[k, polygons], n)
+    x - rep(x[1L, ], each = n)
+  })
+  normal <- vapply(1:3, function(k) {
+    u <- at[[k %% 3L + 1L]]
+    v <- at[[(k + 1L) %% 3L + 1L]]
+    colSums(u * v[turn, , drop = FALSE] - v * u[turn, , drop = FALSE])
+  }, numeric(ncol(polygons)))
+  normal <- matrix(normal, ncol = 3L)
+  normal[is.na(normal)] <- 0
+  axis <- max.col(abs(normal), "first")
+  sign <- ifelse(normal[cbind(seq_along(axis), axis)] < 0, -1, 1)
+  pick <- function(offset) {
+    matrix(vapply(seq_along(axis), function(i) {
+      at[[(axis[i] + offset) %% 3L + 1L]][, i]
+    }, numeric(n)), n)
+  }
+  u <- pick(0L)
+  v <- pick(1L) * rep(sign, each = n)
+  before <- c(n, seq_len(n - 1L))
+  corner <- (u - u[before, , drop = FALSE]) * (v[turn, , drop = FALSE] - v) -
+    (v - v[before, , drop = FALSE]) * (u[turn, , drop = FALSE] - u)
+  least <- -1e-12 * apply(abs(u) + abs(v), 2, max)^2
+  list(u = u, v = v, convex = colSums(corner < rep(least, each = n)) %in% 0)
+}
+
+# Corners of triangles: one that no other corner lies in is cut off, until three are left.
+cut_ears <- function(u, v) {
+  area <- function(a, b, c) (u[b] - u[a]) * (v[c] - v[a]) - (v[b] - v[a]) * (u[c] - u[a])
+  # Corners at the same place stand for a cut to a hole, and are in nobody's way there.
+  place <- match(paste(u, v), paste(u, v))
+  left <- seq_along(u)
+  out <- integer()
+  ear <- 1L
+  while (length(left) > 3L) {
+    n <- length(left)
+    from <- ear
+    ear <- 0L
+    for (i in (from + seq_len(n) - 2L) %% n + 1L) {
+      a <- left[(i - 2L) %% n + 1L]
+      b <- left[i]
+      c <- left[i %% n + 1L]
+      if (!isTRUE(area(a, b, c) > 0)) next
+      others <- left[!place[left] %in% place[c(a, b, c)]]
+      inside <- area(a, b, others) >= 0 & area(b, c, others) >= 0 & area(c, a, others) >= 0
+      if (!any(inside, na.rm = TRUE)) {
+        ear <- i
+        break
+      }
+    }
+    # None is left of what crosses itself, or lies on a line: any other keeps the edges.
+    if (!ear) ear <- 2L
+    out <- c(out, left[c((ear - 2L) %% n + 1L, ear, ear %% n + 1L)])
+    left <- left[-ear]
+  }
+  c(out, left)
+}
