@@ -52,7 +52,9 @@ body_polygon <- function(mass_kg, vertices_m, ..., areal_density_kg_m2 = NULL) {
     )
   }
   amount <- mass_or_density("areal_density_kg_m2", "kg/m^2", call)
-  parts <- .Call(ffi_vertices_polygon, vertices, amount, !is.null(names(amount)))
+  parts <- .Call(
+    ffi_vertices_polygon, vertices, amount, !is.null(names(amount)), progress_bar("polygon")
+  )
   new_vertices_body(
     "polygon", vertices, parts, amount, "sum over the edges", "Steger 1996", call
   )

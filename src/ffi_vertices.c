@@ -25,13 +25,16 @@ static SEXP result(rot_status status, rot_vertices_fault fault, const rot_vertic
 }
 
 /* `vertices` is a matrix of n rows and two columns. */
-SEXP ffi_vertices_polygon(SEXP vertices, SEXP amount, SEXP is_density) {
+SEXP ffi_vertices_polygon(SEXP vertices, SEXP amount, SEXP is_density, SEXP progress) {
   const R_xlen_t n = XLENGTH(vertices) / 2;
   rot_vertices_body body = {0};
   rot_vertices_fault fault;
+  const double *v = ffi_reals(vertices, "vertices", 2 * n), by = ffi_real(amount, "amount");
+  ffi_guard guard;
+  ffi_guard_begin(&guard, progress);
   const rot_status status =
-      rot_polygon((size_t)n, ffi_reals(vertices, "vertices", 2 * n), ffi_real(amount, "amount"),
-                  Rf_asLogical(is_density) == TRUE, &body, &fault);
+      rot_polygon((size_t)n, v, by, Rf_asLogical(is_density) == TRUE, &guard.hooks, &body, &fault);
+  ffi_guard_end(&guard, status);
   return result(status, fault, &body);
 }
 

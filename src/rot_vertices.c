@@ -189,7 +189,9 @@ static int by_low_end(const void *a, const void *b) {
 }
 
 /* Edges in the order of their low ends; each is held against those that begin before it ends. */
-static int find_crossing(size_t n, const corner c[], edge_box box[], size_t edge[2]) {
+static rot_status find_crossing(size_t n, const corner c[], edge_box box[], const rot_hooks *hooks,
+                                int *found, size_t edge[2]) {
+  *found = 0;
   for (size_t i = 0; i < n; i++) {
     const rot_dd *a = c[i].x, *b = c[(i + 1) % n].x;
     box[i] = (edge_box){fmin(a[0].hi, b[0].hi), fmax(a[0].hi, b[0].hi), fmin(a[1].hi, b[1].hi),
@@ -197,6 +199,11 @@ static int find_crossing(size_t n, const corner c[], edge_box box[], size_t edge
   }
   qsort(box, n, sizeof *box, by_low_end);
   for (size_t i = 0; i < n; i++) {
+    /* As a rule an edge meets few others; of a star with long spikes each meets all. */
+    if (i % 64 == 63) {
+      const rot_status status = rot_poll(hooks, (double)i / (double)n);
+      if (status != ROT_OK) return status;
+    }
     for (size_t j = i + 1; j < n && box[j].low <= box[i].high; j++) {
       if (box[j].bottom > box[i].top || box[j].top < box[i].bottom) continue;
       const size_t p = box[i].from, q = box[j].from;
@@ -205,23 +212,31 @@ static int find_crossing(size_t n, const corner c[], edge_box box[], size_t edge
           cross_where_they_touch(n, c, p, q)) {
         edge[0] = p < q ? p : q;
         edge[1] = p < q ? q : p;
-        return 1;
+        *found = 1;
+        return ROT_OK;
       }
     }
   }
-  return 0;
+  return ROT_OK;
 }
 
-static rot_vertices_fault polygon_from(size_t n, const double v[], double amount, int is_density,
-                                       corner c[], edge_box box[], rot_vertices_body *out) {
+static rot_status polygon_from(size_t n, const double v[], double amount, int is_density,
+                               corner c[], edge_box box[], const rot_hooks *hooks,
+                               rot_vertices_body *out, rot_vertices_fault *fault) {
   const int e = exponent_of(n, 2, v);
   double terms, second[6], reach = 0.0;
   rot_dd g[3];
   for (size_t i = 0; i < n; i++) c[i] = corner_at(n, 2, v, i, e);
   const rot_dd area2 = double_area(n, c, &terms);
-  if (find_crossing(n, c, box, out->edge)) return ROT_VERTICES_CROSSING;
+  int crossing;
+  const rot_status status = find_crossing(n, c, box, hooks, &crossing, out->edge);
+  if (status != ROT_OK) return status;
   /* Corners on a line, but for the rounding of their coordinates. */
-  if (!(fabs(area2.hi) > 8.0 * ROT_EPS * terms)) return ROT_VERTICES_FLAT;
+  const int flat = !(fabs(area2.hi) > 8.0 * ROT_EPS * terms);
+  if (crossing || flat) {
+    *fault = crossing ? ROT_VERTICES_CROSSING : ROT_VERTICES_FLAT;
+    return ROT_EVALUE;
+  }
   polygon_centre(n, c, area2, g);
   polygon_second(n, c, area2, g, second);
   for (size_t i = 0; i < n; i++) reach = fmax(reach, square_length(c[i].x, g));
@@ -232,18 +247,20 @@ static rot_vertices_fault polygon_from(size_t n, const double v[], double amount
   /* The sums carry some 2^-96 of their terms; the rest is the last rounding and the mass. */
   const double sums = 64.0 * (double)n * ROT_DD_EPS / ROT_EPS * terms / fabs(area2.hi);
   out->error = relative_error(out, amount, is_density, (is_density ? 8.0 : 4.0) + sums);
-  return ROT_VERTICES_FIT;
+  return ROT_OK;
 }
 
 rot_status rot_polygon(size_t n, const double v[], double amount, int is_density,
-                       rot_vertices_body *out, rot_vertices_fault *fault) {
+                       const rot_hooks *hooks, rot_vertices_body *out, rot_vertices_fault *fault) {
   corner *c = malloc((n ? n : 1) * sizeof *c);
   edge_box *box = malloc((n ? n : 1) * sizeof *box);
   rot_status status = ROT_ENOMEM;
   *fault = ROT_VERTICES_FIT;
-  if (c && box) {
-    *fault = n < 3 ? ROT_VERTICES_FLAT : polygon_from(n, v, amount, is_density, c, box, out);
-    status = *fault == ROT_VERTICES_FIT ? ROT_OK : ROT_EVALUE;
+  if (n < 3) {
+    *fault = ROT_VERTICES_FLAT;
+    status = ROT_EVALUE;
+  } else if (c && box) {
+    status = polygon_from(n, v, amount, is_density, c, box, hooks, out, fault);
   }
   free(box);
   free(c);

@@ -32,9 +32,10 @@ typedef struct rot_vertices_body {
 /* `amount` is the mass, or the density of area or volume. Coordinates are finite. ROT_ENOMEM, or
  * ROT_EVALUE with *fault. */
 
-/* n corners in order, either way round; corner i is at (v[i], v[n + i]), the plate in z = 0. */
+/* n corners in order, either way round; corner i is at (v[i], v[n + i]), the plate in z = 0. What
+ * the hooks' poll says ends it too. */
 rot_status rot_polygon(size_t n, const double v[], double amount, int is_density,
-                       rot_vertices_body *out, rot_vertices_fault *fault);
+                       const rot_hooks *hooks, rot_vertices_body *out, rot_vertices_fault *fault);
 
 /* Corner i is at (v[i], v[4 + i], v[8 + i]). */
 rot_status rot_tetrahedron(const double v[12], double amount, int is_density,

@@ -10,7 +10,7 @@
 static rot_vertices_body polygon(size_t n, const double v[], double mass) {
   rot_vertices_body b = {0};
   rot_vertices_fault fault = ROT_VERTICES_FLAT;
-  ROT_CHECK_EQ_INT(rot_polygon(n, v, mass, 0, &b, &fault), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_polygon(n, v, mass, 0, NULL, &b, &fault), ROT_OK);
   ROT_CHECK_EQ_INT(fault, ROT_VERTICES_FIT);
   return b;
 }
@@ -18,7 +18,7 @@ static rot_vertices_body polygon(size_t n, const double v[], double mass) {
 static rot_vertices_fault refused(size_t n, const double v[]) {
   rot_vertices_body b = {0};
   rot_vertices_fault fault = ROT_VERTICES_FIT;
-  ROT_CHECK_EQ_INT(rot_polygon(n, v, 1.0, 0, &b, &fault), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_polygon(n, v, 1.0, 0, NULL, &b, &fault), ROT_EVALUE);
   return fault;
 }
 
@@ -63,7 +63,7 @@ static void check_density(void) {
   const double square[] = {0, 3, 3, 0, 0, 0, 2, 2};
   rot_vertices_body b;
   rot_vertices_fault fault;
-  ROT_CHECK_EQ_INT(rot_polygon(4, square, 0.5, 1, &b, &fault), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_polygon(4, square, 0.5, 1, NULL, &b, &fault), ROT_OK);
   ROT_CHECK(b.mass_kg == 3.0);
   ROT_CHECK_ULP(b.second_kg_m2[0], 3.0 * 9.0 / 12.0, 2);
   const double corners[12] = {0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3};
@@ -92,7 +92,7 @@ static void check_places(void) {
     for (int k = 0; k < 8; k++) v[k] = ldexp(at[k], powers[i]);
     rot_vertices_body b;
     rot_vertices_fault fault;
-    ROT_CHECK_EQ_INT(rot_polygon(4, v, ldexp(1.0, -powers[i]), 0, &b, &fault), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_polygon(4, v, ldexp(1.0, -powers[i]), 0, NULL, &b, &fault), ROT_OK);
     for (int k = 0; k < 6; k++) {
       ROT_CHECK(b.second_kg_m2[k] == ldexp(here.second_kg_m2[k], powers[i]));
     }
@@ -117,6 +117,12 @@ static void check_thin(void) {
 }
 
 /* n corners on a circle. */
+static rot_status stop(void *ctx, double fraction) {
+  (void)ctx;
+  (void)fraction;
+  return ROT_EUNWIND;
+}
+
 static void check_many(void) {
   enum { N = 5000 };
   double *v = malloc(2 * N * sizeof *v);
@@ -128,6 +134,10 @@ static void check_many(void) {
   ROT_CHECK_REL(b.second_kg_m2[0], 0.25 - sin(4.0 * atan(1.0) / N) * sin(4.0 * atan(1.0) / N) / 6.0,
                 2e-15);
   ROT_CHECK(b.error < 1e-14);
+  const rot_hooks hooks = {stop, NULL};
+  rot_vertices_body none;
+  rot_vertices_fault fault;
+  ROT_CHECK_EQ_INT(rot_polygon(N, v, 1.0, 0, &hooks, &none, &fault), ROT_EUNWIND);
   free(v);
 }
 
@@ -147,7 +157,7 @@ static void check_refused(void) {
   ROT_CHECK_EQ_INT(refused(0, line), ROT_VERTICES_FLAT);
   rot_vertices_body b = {0};
   rot_vertices_fault fault;
-  (void)rot_polygon(4, bow, 1.0, 0, &b, &fault);
+  (void)rot_polygon(4, bow, 1.0, 0, NULL, &b, &fault);
   ROT_CHECK(b.edge[0] == 0 && b.edge[1] == 2);
   /* Corners that touch an edge cross nothing; nor does a slit. */
   const double touching[] = {0, 4, 4, 2, 0, 0, 0, 4, 0, 4};
