@@ -74,7 +74,10 @@ autoplot.rot_body <- function(object, ...) {
     ggplot2::scale_y_continuous(
       expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label
     ) +
-    ggplot2::scale_colour_manual(values = colours, name = "principal axis") +
+    # Of a point there is none, which a scale with names would be told.
+    (if (nrow(drawn$axes)) {
+      ggplot2::scale_colour_manual(values = colours, name = "principal axis")
+    }) +
     ggplot2::scale_shape_manual(values = body_marks, name = NULL) +
     ggplot2::guides(
       colour = ggplot2::guide_legend(order = 1, override.aes = list(linewidth = 1.3)),

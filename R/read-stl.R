@@ -1,5 +1,5 @@
-# STL files: triangles with their corners, each by itself. Binary ones are read by rgl, text here:
-# rgl::readSTL() has no text.
+# STL files: triangles with their corners, each by itself. Binary ones are read by rgl, which is told
+# so: of its own it takes one whose first word is "solid" for a text (1.3.36). Text is read here.
 #
 # Source: 3D Systems, StereoLithography Interface Specification (1989), section 6.5.
 
@@ -43,7 +43,7 @@ need_rgl <- function(call) {
 }
 
 read_stl_binary <- function(path) {
-  corners <- rgl::readSTL(path, plot = FALSE)
+  corners <- rgl::readSTL(path, ascii = FALSE, plot = FALSE)
   structure(
     list(vb = t(corners), it = matrix(seq_len(nrow(corners)), 3L)),
     class = "mesh3d"
