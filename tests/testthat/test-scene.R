@@ -20,15 +20,6 @@ test_that("a scene prints itself", {
   expect_snapshot(article_scene(omega0_rad_per_s = 3, start_s = -1))
 })
 
-test_that("an inertia that only jumps has its value before and after", {
-  jump <- inertia_knots(c(1, 1), c(5, 2))
-  m <- trajectory(scene_axle(jump, omega0_rad_per_s = 2), c(0, 1, 3))
-  expect_equal(m$moment_of_inertia_kg_m2, c(5, 2, 2))
-  expect_equal(m$omega_rad_per_s, c(2, 5, 5))
-  expect_equal(audit(m)$verdict, "balanced")
-  expect_error(inertia_knots(c(-1e308, 1e308), c(1, 2)), class = "rotdyn_error_value")
-})
-
 test_that("an axle goes through the centre, or the point that is asked for", {
   rod <- body_rod_end(2, 3)
   expect_message(centre <- scene_axle(rod), class = "rotdyn_message_axle")
