@@ -124,7 +124,8 @@ ply_walk <- function(ply) {
 ply_even_rows <- function(element, at, ply) {
   n <- element$count
   if (n == 0) {
-    return(list(before = lapply(element$size, double), end = at))
+    none <- lapply(element$size, function(one) double())
+    return(list(before = none, values = none, end = at))
   }
   first <- ply_row(element, at, ply)
   start <- at + (seq_len(n) - 1) * (first$end - at)
@@ -172,7 +173,8 @@ ply_row <- function(element, at, ply) {
     before[k] <- at
     at <- at + values[k] * element$size[k]
   }
-  list(before = before, values = values, end = if (isTRUE(all(values >= 0))) at else Inf)
+  counts <- isTRUE(all(values >= 0 & values == floor(values)))
+  list(before = before, values = values, end = if (counts) at else Inf)
 }
 
 # Lengths of lists that begin behind the places `at`.

@@ -225,6 +225,13 @@ void rot_box_shell(const double size[], rot_geometry *out) {
 
 /* ---- round solids --------------------------------------------------------------------------- */
 
+/* A plate becomes a prism of length l. */
+static void extrude(double l, rot_geometry *out) {
+  out->second[2] = l * l / 12.0;
+  out->measure *= l;
+  out->reach = norm(out->reach, l / 2.0);
+}
+
 void rot_cylinder(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1];
   round_body(out, r * r / 4.0, l * l / 12.0, 0.0);
@@ -234,27 +241,18 @@ void rot_cylinder(const double size[], rot_geometry *out) {
 }
 
 void rot_thick_tube(const double size[], rot_geometry *out) {
-  const double l = size[2];
   rot_annulus(size, out);
-  out->second[2] = l * l / 12.0;
-  out->measure *= l;
-  out->reach = norm(size[0], l / 2.0);
+  extrude(size[2], out);
 }
 
 void rot_half_cylinder(const double size[], rot_geometry *out) {
-  const double l = size[1];
   rot_half_disk(size, out);
-  out->second[2] = l * l / 12.0;
-  out->measure *= l;
-  out->reach = norm(out->reach, l / 2.0);
+  extrude(size[1], out);
 }
 
 void rot_elliptic_cylinder(const double size[], rot_geometry *out) {
-  const double l = size[2];
   rot_elliptic_plate(size, out);
-  out->second[2] = l * l / 12.0;
-  out->measure *= l;
-  out->reach = norm(out->reach, l / 2.0);
+  extrude(size[2], out);
 }
 
 void rot_sphere(const double size[], rot_geometry *out) {
@@ -365,19 +363,13 @@ void rot_cube(const double size[], rot_geometry *out) {
 }
 
 void rot_polygon_prism(const double size[], rot_geometry *out) {
-  const double l = size[2];
   rot_polygon_plate(size, out);
-  out->second[2] = l * l / 12.0;
-  out->measure *= l;
-  out->reach = norm(size[0], l / 2.0);
+  extrude(size[2], out);
 }
 
 void rot_triangular_prism(const double size[], rot_geometry *out) {
-  const double l = size[3];
   rot_triangle(size, out);
-  out->second[2] = l * l / 12.0;
-  out->measure *= l;
-  out->reach = norm(out->reach, l / 2.0);
+  extrude(size[3], out);
 }
 
 void rot_pyramid(const double size[], rot_geometry *out) {
