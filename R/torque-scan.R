@@ -114,3 +114,41 @@ cross_slopes <- function(f, a, b) {
   x <- a + (f(b) - f(a) - right * h) / (left - right)
   if (is.finite(x) && x >= a && x <= b) x else a + h / 2
 }
+
+abort_torque_value <- function(value, time_s, call) {
+  abort_rotdyn(
+    c(
+      "The torque function must return one number in N m.",
+      x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
+    ),
+    "torque",
+    call
+  )
+}
+
+# Breaks the user told, or those that a scan finds, with a warning.
+torque_breaks <- function(torque, scene, time_s, complain, call) {
+  if (!is.null(torque$breaks_s)) {
+    return(torque$breaks_s)
+  }
+  at <- function(t) {
+    values_of(torque$f, t, complain, if (torque$arguments == 3L) scene)
+  }
+  scan <- scan_breaks(at, min(scene$start_s, time_s), max(scene$start_s, time_s))
+  breaks <- scan$breaks
+  if (length(breaks)) {
+    shown <- cli::cli_vec(format(breaks, digits = 7, trim = TRUE), list("vec-trunc" = 6))
+    warn_rotdyn(
+      c(
+        "The torque function was not told its {.arg breaks_s}; a scan found {length(breaks)}.",
+        i = "At {shown} s. The integrator stops there.",
+        i = "Breaks closer than {format(diff(range(scene$start_s, time_s)) / (scan_points - 1),
+             digits = 2)} s may be missed: to be sure, give
+             {.code torque_function(f, breaks_s = )}."
+      ),
+      "breaks",
+      call
+    )
+  }
+  sort(c(breaks, scan$guards))
+}

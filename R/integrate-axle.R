@@ -1,0 +1,104 @@
+# The run of an axle by an integrator: breaks and samples of an R function first.
+
+integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
+  loads <- scene$loads
+  breaks <- axle_breaks(scene)
+  law <- NULL
+  sampled <- NULL
+  if (!is.null(loads$law)) {
+    torque <- loads$law
+    complain <- function(value, time_s) abort_torque_value(value, time_s, call)
+    own <- torque_breaks(torque, scene, time_s, complain, call)
+    if (torque$arguments == 1L) {
+      sampled <- sample_torque(torque$f, range(scene$start_s, time_s), own, accuracy)
+    }
+    if (is.null(sampled)) {
+      # The C code fills in the arguments; an error of the function's own shows the call f(...).
+      law <- list(
+        as.call(c(quote(f), rep(list(NULL), torque$arguments))),
+        list2env(list(f = torque$f), parent = baseenv()),
+        complain
+      )
+    } else {
+      loads$terms <- c(loads$terms, list(sampled$term))
+      own <- c(own, sampled$term$breaks_s)
+    }
+    breaks <- sort(unique(c(breaks, own)))
+  }
+  solve <- function(loads, time_s) {
+    .Call(
+      ffi_axle_integrate,
+      pack_axle(scene, breaks, loads, if (is.null(sampled)) 0 else sampled$error), law, time_s,
+      c(accuracy, max_steps, method), progress_bar("integrating")
+    )
+  }
+  result <- add_end_jumps(solve(loads, time_s), scene, time_s)
+  if (is.null(sampled) || length(time_s) == 0L || result[[2]]$kind != "none") {
+    return(result)
+  }
+  add_sampling(result, sampled, scene, time_s, function(push_n_m) {
+    loads$knots <- add_knots(list(loads$knots, torque_constant(push_n_m)))
+    solve(loads, seq(min(scene$start_s, time_s), max(scene$start_s, time_s), length.out = 65L))
+  }, accuracy)
+}
+
+# Where a jump of the inertia lies at an end of the integrator's ledger, it is counted by the side
+# that was integrated; in the balance of rows it belongs to what lies before it.
+add_end_jumps <- function(result, scene, time_s) {
+  n <- length(time_s)
+  if (is.null(scene$inertia) || n == 0L || result[[2]]$kind != "none") {
+    return(result)
+  }
+  start <- scene$start_s
+  from <- time_s[1]
+  to <- time_s[n]
+  at <- function(end, omega) {
+    jump_work(scene, function(t) omega * inertia_at(scene$inertia, t), function(t) t == end)
+  }
+  omega <- result[[1]]$omega_rad_per_s
+  add <- function(result, jumps, sign) {
+    result[[3]][11] <- result[[3]][11] + sign * sum(jumps$work)
+    result[[3]][4] <- result[[3]][4] + 4 * .Machine$double.eps * sum(jumps$size)
+    result
+  }
+  if (from < start && to >= start) result <- add(result, at(start, scene$omega0_rad_per_s), 1)
+  if (to > start) result <- add(result, at(to, omega[n]), 1)
+  if (from > start) result <- add(result, at(from, omega[1]), -1)
+  result
+}
+
+# What the samples' error can do to the motion, and what the samples cost. solve(push_n_m) is the
+# motion under a constant torque besides.
+add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
+  info <- result[[2]]
+  grow <- sampling_growth(info, scene, time_s, solve, accuracy)
+  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
+  info$omega_error <- info$omega_error + reach$omega
+  info$theta_error <- info$theta_error + reach$theta
+  info$error <- error_of_run(info)
+  info$rhs_calls <- sampled$calls
+  result[[2]] <- info
+  result
+}
+
+# How much more a small torque does than in free motion. The bound of growth() takes a pendulum for
+# upside down all the time, 1e125 in 100 s: where it matters the growth is measured, by a push that
+# stands out from the integration's own error.
+sampling_growth <- function(info, scene, time_s, solve, accuracy) {
+  free <- disturbance(scene, 1, time_s, grow = 1)
+  grow <- disturbance(scene, 1, time_s)$omega / free$omega
+  if (!(grow > 2) || !(info$omega_max > 0)) {
+    return(if (is.finite(grow)) grow else 1)
+  }
+  push <- min(100 * accuracy, 1e-3) * info$omega_max / free$omega
+  if (!(is.finite(push) && push > 0)) {
+    return(grow)
+  }
+  still <- solve(0)
+  moved <- solve(push)
+  if (still[[2]]$kind != "none" || moved[[2]]$kind != "none") {
+    return(grow)
+  }
+  apart <- function(column) max(abs(moved[[1]][[column]] - still[[1]][[column]])) / push
+  max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
+}
