@@ -192,7 +192,8 @@ static void ellipsoid_shell(const double size[], rot_geometry *out) {
   body(out, a * a / 3.0, b * b / 3.0, c * c / 3.0, NAN, longest(longest(a, b), c));
 }
 
-/* Faces across x are 2 b c of the area 2 (b c + a c + a b), at a/2; x is uniform over the others. */
+/* Faces across x are 2 b c of the area 2 (b c + a c + a b), at a/2; x is uniform over the
+ * others. */
 static void box_shell(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2], bc = b * c, ac = a * c, ab = a * b,
                area = bc + ac + ab;

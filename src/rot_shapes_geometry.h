@@ -3,10 +3,10 @@
  *
  *     c_xx = int (x - g_x)^2 dm / m,   I_xx/m = c_yy + c_zz,   I_xy/m = -c_xy
  *
- * All forms are sums of terms of one sign (except a triangle's c_xy and centre), so no sizes cancel:
- * a hollow sphere is (1 + x + .. + x^4)/(1 + x + x^2) with x = r/R, a cap is written in its height h
- * and the rest of the diameter, b = 2 R - h. The sizes must be near 1: callers scale by a power of
- * two.
+ * All forms are sums of terms of one sign (except a triangle's c_xy and centre), so no sizes
+ * cancel: a hollow sphere is (1 + x + .. + x^4)/(1 + x + x^2) with x = r/R, a cap is written in its
+ * height h and the rest of the diameter, b = 2 R - h. The sizes must be near 1: callers scale by a
+ * power of two.
  *
  * Source: Goldstein, Classical Mechanics, 3rd ed., ch. 5; Beer & Johnston, Vector Mechanics for
  * Engineers, inside cover; the rest by integration of the same kind. */
