@@ -23,7 +23,7 @@ closed_forms_for <- function(scene, time_s) {
 }
 
 # Here, because R reads the files in alphabetical order.
-axle_integrators <- list(axle_spectral, axle_rk8pd, axle_radau)
+axle_integrators <- list(axle_rk8pd, axle_radau)
 
 integrators_for <- function(scene) {
   if (inherits(scene, "rot_scene_axle")) axle_integrators else list()
