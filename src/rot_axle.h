@@ -3,6 +3,7 @@
 #ifndef ROT_AXLE_H
 #define ROT_AXLE_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "rot_status.h"
@@ -35,6 +36,18 @@ rot_axle_state rot_axle_start(const rot_axle_params *p);
 /* To a time in, or at the end of, the piece that the state lies in. */
 rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,
                              const rot_torque_piece *piece, double time_s);
+
+static inline int rot_axle_in_range(const rot_axle_state *state) {
+  return isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s);
+}
+
+/* The columns from row i on. */
+static inline rot_axle_columns rot_axle_columns_from(const rot_axle_columns *to, size_t i) {
+  const rot_axle_columns out = {
+      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
+      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
+  return out;
+}
 
 /* The six columns that follow from theta, omega and the applied torque of row i. */
 static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns *out, size_t i,
