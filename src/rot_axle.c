@@ -27,7 +27,7 @@ static size_t rows_before_start(const rot_axle_params *p, size_t n, const double
 rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   const double omega = p->omega0_rad_per_s;
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, omega);
   for (size_t i = 0; i < n; i++) {
     double turned = omega * (time_s[i] - p->start_s), theta = p->theta0_rad + turned;
@@ -264,10 +264,7 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
 
 /* Rows of an even grid from row i on, as many as there are; the base moves on with them. */
 static size_t grid_rows(row_run *run, size_t i, size_t end) {
-  const rot_axle_columns *to = run->out;
-  const rot_axle_columns out = {
-      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
-      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
+  const rot_axle_columns out = rot_axle_columns_from(run->out, i);
   return rot_axle_grid_rows(run->grid, run->p, &run->base, &run->piece, end - i, run->time_s + i,
                             &out, run->info);
 }
@@ -416,7 +413,7 @@ static rot_status march(const rot_axle_params *p, const double time_s[], size_t 
 static rot_status both_ways(const rot_axle_params *p, size_t n, const double time_s[], int fast,
                             const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   const size_t before = rows_before_start(p, n, time_s);
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->status = march(p, time_s, 0, before, 0, fast, out, hooks, info);
   if (info->status == ROT_OK) {

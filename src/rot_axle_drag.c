@@ -114,7 +114,7 @@ static rot_status through_piece(rot_axle_march *march, const rot_torque_piece *p
 static rot_status march_on(rot_axle_march *march) {
   const rot_torque *torque = &march->scene->linear.torque;
   if (!fits(march->scene)) {
-    rot_info_clear(march->info);
+    rot_info_clear(march->info, rot_turning);
     return ROT_EVALUE;
   }
   rot_status status = rot_axle_march_begin(march);

@@ -531,7 +531,7 @@ rot_status rot_axle_forced(const rot_axle_scene *scene, size_t n, const double t
                            const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                            rot_info *info) {
   (void)events; /* nothing sticks, slips or locks */
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->time_s = scene->linear.start_s;
   if (!rot_axle_forced_fits(scene)) return info->status = ROT_EVALUE;
   forced_run run = {0};

@@ -85,7 +85,7 @@ rot_status rot_axle_march(const rot_axle_scene *scene, const rot_march *march, s
       hi = mid;
     }
   }
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, scene->linear.theta0_rad, scene->linear.omega0_rad_per_s);
   info->status = one_way(&run, before - 1, before, 0);
   if (info->status == ROT_OK) {

@@ -15,7 +15,7 @@ rot_status rot_axle_march_begin(rot_axle_march *march) {
   base->omega = p->omega0_rad_per_s;
   base->heading = (base->omega > 0.0) - (base->omega < 0.0);
   march->done = 0;
-  rot_info_clear(march->info);
+  rot_info_clear(march->info, rot_turning);
   rot_note_state(march->info, base->theta, base->omega);
   march->info->time_s = p->start_s;
   if (march->n > 0 && !(march->time_s[0] >= p->start_s)) {
@@ -51,8 +51,8 @@ rot_status rot_axle_march_row(rot_axle_march *march, double theta, double omega,
   rot_axle_scene_row(scene, march->out, i, t, theta, omega, applied, march->base.stuck);
   if (omega == 0.0 && !march->base.stuck && scene->coulomb_n_m > 0.0) {
     /* It is about to leave: friction is there already. */
-    march->out->damping_n_m[i] = -copysign(scene->coulomb_n_m, applied);
-    march->out->net_n_m[i] = applied + march->out->damping_n_m[i];
+    march->out->damping_torque_n_m[i] = -copysign(scene->coulomb_n_m, applied);
+    march->out->net_torque_n_m[i] = applied + march->out->damping_torque_n_m[i];
   }
   rot_note_row(march->info, theta, omega, theta_error, omega_error);
   march->info->rows_done = ++march->done;

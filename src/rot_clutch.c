@@ -204,15 +204,15 @@ static rot_status write_row(const clutch *at, const rot_clutch_columns *out, siz
         first ? at->p->omega0_rad_per_s[b] : at->mean_omega + way[b] * at->slip_omega;
     if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
     const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
-    out->theta_rad[b][i] = theta;
-    out->omega_rad_per_s[b][i] = omega;
+    (b == 0 ? out->theta_1_rad : out->theta_2_rad)[i] = theta;
+    (b == 0 ? out->omega_1_rad_per_s : out->omega_2_rad_per_s)[i] = omega;
     rot_note_row(info, theta, omega,
                  at->mean_theta_error + fabs(way[b]) * at->slip_theta_error +
                      ROT_EPS * (4.0 * fabs(way[b] * at->slip_theta) + fabs(theta)),
                  at->mean_omega_error + fabs(way[b]) * slip_error +
                      ROT_EPS * (4.0 * fabs(way[b] * at->slip_omega) + fabs(omega)));
   }
-  out->clutch_n_m[i] = at->torque;
+  out->clutch_torque_n_m[i] = at->torque;
   out->heat_j[i] = at->heat;
   out->locked[i] = at->locked;
   return ROT_OK;
@@ -223,7 +223,7 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
                           rot_info *info) {
   clutch c;
   rot_status status = ROT_OK;
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   begin(&c, p);
   decide(&c, 1, NULL, &status);
   for (int b = 0; b < 2; b++) rot_note_state(info, p->theta0_rad[b], p->omega0_rad_per_s[b]);
@@ -257,12 +257,12 @@ static void add_work(const clutch *from, const clutch *to, double *work, double 
   }
 }
 
-rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s, double *work_j,
-                           double *rounding_j) {
+rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s,
+                           rot_clutch_ledger *ledger) {
   clutch c;
   rot_status status = ROT_OK;
   size_t steps = 0;
-  *work_j = *rounding_j = 0.0;
+  ledger->work_j = ledger->work_rounding_j = 0.0;
   begin(&c, p);
   decide(&c, 1, NULL, &status);
   if (!(from_s >= p->start_s && to_s >= from_s)) return ROT_EVALUE;
@@ -282,12 +282,12 @@ rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_
       if (status != ROT_OK) return status;
     }
     to = after(&to, end);
-    add_work(&c, &to, work_j, rounding_j);
+    add_work(&c, &to, &ledger->work_j, &ledger->work_rounding_j);
     if (!(end < to_s)) break;
     status = advance(&c, end, &steps, NULL);
     if (status != ROT_OK) return status;
   }
-  return isfinite(*work_j) ? ROT_OK : ROT_ERANGE;
+  return isfinite(ledger->work_j) ? ROT_OK : ROT_ERANGE;
 }
 
 /* ---- one engagement -------------------------------------------------------------------------- */

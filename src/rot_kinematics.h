@@ -15,7 +15,14 @@
 
 #include "rot_column.h"
 
-enum { ROT_THETA, ROT_OMEGA0, ROT_OMEGA, ROT_ALPHA, ROT_TIME, ROT_MOTION_SIZE };
+enum {
+  ROT_MOTION_THETA,
+  ROT_MOTION_OMEGA0,
+  ROT_MOTION_OMEGA,
+  ROT_MOTION_ALPHA,
+  ROT_MOTION_TIME,
+  ROT_MOTION_SIZE
+};
 
 typedef enum rot_motion_kind {
   ROT_MOTION_IMPOSSIBLE = 0,   /* no motion has these three: the other two are NaN */
@@ -24,7 +31,7 @@ typedef enum rot_motion_kind {
   ROT_MOTION_UNDETERMINED = -1 /* many motions have these three: what they share is in x[0] */
 } rot_motion_kind;
 
-/* `given` has bit 1 << ROT_THETA and so on for the three that x[0] has on entry, all finite. NaN
+/* `given` has bit 1 << ROT_MOTION_THETA and so on for the three that x[0] has on entry, all finite. NaN
  * among them is passed on to the other two. */
 rot_motion_kind rot_motion_solve(unsigned given, double x[2][ROT_MOTION_SIZE]);
 

@@ -21,8 +21,15 @@ typedef struct rot_rotors_params {
 } rot_rotors_params;
 
 /* Row i, rotor j at [i n + j]; the shaft torque is that on rotor j + 1, NaN for the last. */
+#define ROT_ROTORS_COLUMNS(X)                                                                      \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, shaft_torque_n_m)
+
 typedef struct rot_rotors_columns {
-  double *theta_rad, *omega_rad_per_s, *shaft_n_m;
+#define X(type, name) type *name;
+  ROT_ROTORS_COLUMNS(X)
+#undef X
 } rot_rotors_columns;
 
 /* Exact for any stiffness. Without damping, or with c_i = a k_i and d_i = b J_i, each mode is a
