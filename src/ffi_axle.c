@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "ffi_torque.h"
 #include "rot_axle.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
@@ -181,55 +182,10 @@ SEXP ffi_axle_stopping(SEXP pack) {
   return out;
 }
 
-/* ---- a torque law that is an R function ----------------------------------------------------- */
+/* ---- integrated ------------------------------------------------------------------------------ */
 
-typedef struct r_torque {
-  ffi_guard *guard;
-  SEXP call;     /* f(time_s) or f(time_s, theta_rad, omega_rad_per_s) */
-  SEXP env;      /* where f is */
-  SEXP complain; /* complain(value, time_s): raises the error about what f returned */
-  int arguments; /* 1 or 3 */
-  double x[3];
-  double torque;
-} r_torque;
-
-static SEXP call_torque(void *data) {
-  r_torque *law = data;
-  SEXP cell = CDR(law->call);
-  /* New numbers each time: f may keep the ones it was given. */
-  for (int i = 0; i < law->arguments; i++, cell = CDR(cell)) {
-    SETCAR(cell, Rf_ScalarReal(law->x[i]));
-  }
-  SEXP value = PROTECT(Rf_eval(law->call, law->env));
-  const int type = TYPEOF(value);
-  const int number =
-      Rf_xlength(value) == 1 && !Rf_isObject(value) &&
-      (type == REALSXP || type == INTSXP || (type == LGLSXP && LOGICAL(value)[0] == NA_LOGICAL));
-  if (number) {
-    law->torque = Rf_asReal(value);
-  } else {
-    SEXP time = PROTECT(Rf_ScalarReal(law->x[0]));
-    SEXP call = PROTECT(Rf_lang3(law->complain, value, time));
-    Rf_eval(call, R_GlobalEnv);
-    UNPROTECT(2);
-  }
-  UNPROTECT(1);
-  return R_NilValue;
-}
-
-static rot_status torque_from_r(double t, double theta, double omega, double *torque, void *ctx) {
-  r_torque *law = ctx;
-  law->x[0] = t;
-  law->x[1] = theta;
-  law->x[2] = omega;
-  rot_status status = ffi_guarded(law->guard, call_torque, law, NULL);
-  *torque = law->torque;
-  return status;
-}
-
-/* `law` is NULL, or list(call, environment, complain) of a torque to be added to the scene's; the
- * call's arguments are filled in here. `control` is c(accuracy, max_steps, method), method as in
- * ROT_METHOD_LIST. */
+/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is
+ * c(accuracy, max_steps, method), method as in ROT_METHOD_LIST. */
 SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
   rot_axle_scene scene = ffi_axle_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
@@ -240,27 +196,21 @@ SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP pro
   ROT_AXLE_LEDGER(X)
 #undef X
   ffi_run run;
-  r_torque r_law = {&run.guard, R_NilValue, R_NilValue, R_NilValue, 0, {0.0, 0.0, 0.0}, 0.0};
-  if (!Rf_isNull(law) && (TYPEOF(law) != VECSXP || XLENGTH(law) != 3)) Rf_error("internal: `law`");
-  /* All that is allocated is allocated before the core holds anything. */
-  SEXP call = PROTECT(Rf_isNull(law) ? R_NilValue : Rf_duplicate(VECTOR_ELT(law, 0)));
+  ffi_torque called;
+  if (!Rf_isNull(law)) {
+    called = ffi_torque_new(law, &run.guard);
+    scene.linear.torque.call = ffi_torque_call;
+    scene.linear.torque.ctx = &called;
+  }
   ffi_run_begin(&run, progress);
   const rot_axle_columns out = new_columns(&run, time_s);
   SEXP sums = ffi_numbers(FFI_LENGTH(ledger_names), ledger_names, NULL);
   SET_VECTOR_ELT(run.out, FFI_LEDGER, sums);
-  if (!Rf_isNull(law)) {
-    r_law.call = call;
-    r_law.env = VECTOR_ELT(law, 1);
-    r_law.complain = VECTOR_ELT(law, 2);
-    r_law.arguments = Rf_length(call) - 1;
-    scene.linear.torque.call = torque_from_r;
-    scene.linear.torque.ctx = &r_law;
-  }
   const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t, &out,
                                                &run.events, &ledger, &run.guard.hooks, &run.info);
   const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
   memcpy(REAL(sums), values, sizeof values);
   SEXP result = ffi_run_end(&run, status, 1);
-  UNPROTECT(1);
+  if (!Rf_isNull(law)) UNPROTECT(1);
   return result;
 }
