@@ -83,7 +83,7 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
   ffi_guard_end(&guard, rot_axle_linear_ledger(&p, from, to, &guard.hooks, &ledger, &info));
   const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
   /* A sum of half the way is no ledger. */
-  return ffi_numbers(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);
+  return ffi_named(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);
 }
 
 /* ---- scenes with more than knots and viscous resistance -------------------------------------- */
@@ -204,7 +204,7 @@ SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP pro
   }
   ffi_run_begin(&run, progress);
   const rot_axle_columns out = new_columns(&run, time_s);
-  SEXP sums = ffi_numbers(FFI_LENGTH(ledger_names), ledger_names, NULL);
+  SEXP sums = ffi_named(FFI_LENGTH(ledger_names), ledger_names, NULL);
   SET_VECTOR_ELT(run.out, FFI_LEDGER, sums);
   const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t, &out,
                                                &run.events, &ledger, &run.guard.hooks, &run.info);

@@ -48,7 +48,7 @@ SEXP ffi_clutch_ledger(SEXP pack, SEXP span) {
   rot_clutch_ledger ledger = {0.0, 0.0};
   const rot_status status = rot_clutch_work(&p, x[0], x[1], &ledger);
   const double values[] = {ROT_CLUTCH_LEDGER(FFI_VALUE)};
-  return ffi_numbers(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
+  return ffi_named(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
 }
 
 SEXP ffi_clutch_engagement(SEXP inertia_1, SEXP inertia_2, SEXP capacity, SEXP torque_1,

@@ -48,7 +48,7 @@ SEXP ffi_rotors_ledger(SEXP pack, SEXP rigid, SEXP span) {
   const rot_status status =
       rot_rotors_balance(&p, ffi_real(rigid, "rigid") != 0.0, x[0], x[1], &ledger);
   const double values[] = {ROT_ROTORS_LEDGER(FFI_VALUE)};
-  return ffi_numbers(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
+  return ffi_named(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
 }
 
 /* The angular frequencies of the undamped shaft; NA where they are out of range. */

@@ -1,6 +1,6 @@
 #include "ffi_run.h"
 
-SEXP ffi_numbers(size_t n, const char *const names[], const double values[]) {
+SEXP ffi_named(size_t n, const char *const names[], const double values[]) {
   SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)n));
   SEXP text = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)n));
   for (size_t i = 0; i < n; i++) {
@@ -42,8 +42,8 @@ SEXP ffi_info(const rot_info *info) {
   SET_VECTOR_ELT(list, 1, Rf_mkString(rot_status_text(info->status)));
   for (int i = 0; i < 7; i++) SET_VECTOR_ELT(list, i + 2, Rf_ScalarReal(numbers[i]));
   SET_VECTOR_ELT(list, 9, Rf_mkString(rot_method_name(info->method)));
-  SET_VECTOR_ELT(list, 10, ffi_numbers(n, info->measure_names, errors));
-  SET_VECTOR_ELT(list, 11, ffi_numbers(n, info->measure_names, sizes));
+  SET_VECTOR_ELT(list, 10, ffi_named(n, info->measure_names, errors));
+  SET_VECTOR_ELT(list, 11, ffi_named(n, info->measure_names, sizes));
   UNPROTECT(1);
   return list;
 }

@@ -26,7 +26,7 @@ SEXP ffi_run_end(ffi_run *run, rot_status status, int with_events);
 
 SEXP ffi_info(const rot_info *info);
 /* A named double vector; NA where `values` is NULL. */
-SEXP ffi_numbers(size_t n, const char *const names[], const double values[]);
+SEXP ffi_named(size_t n, const char *const names[], const double values[]);
 /* Element i of a list: a new column of doubles, of logicals. */
 double *ffi_new_double(SEXP list, R_xlen_t i, R_xlen_t rows);
 int *ffi_new_int(SEXP list, R_xlen_t i, R_xlen_t rows);
