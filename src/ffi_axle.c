@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "ffi_torque.h"
-#include "rot_axle.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
 #include "rot_axle_forced.h"
