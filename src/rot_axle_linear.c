@@ -42,7 +42,7 @@ rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   static const rot_march march = {.write_rows = free_rows};
   row_run run = {.p = p, .time_s = time_s, .out = out, .info = info};
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->steps = n > 0;
   return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
@@ -287,7 +287,7 @@ static rot_status linear(const rot_axle_params *p, size_t n, const double time_s
     run.last_s[1] = time_s[n - 1];
   }
   rot_axle_grid_begin(&grid);
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
 }
