@@ -60,14 +60,6 @@ static inline int rot_axle_in_range(const rot_axle_state *state) {
   return isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s);
 }
 
-/* The columns from row i on. */
-static inline rot_axle_columns rot_axle_columns_from(const rot_axle_columns *to, size_t i) {
-  const rot_axle_columns out = {
-      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
-      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
-  return out;
-}
-
 /* The six columns that follow from theta, omega and the applied torque of row i. */
 static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns *out, size_t i,
                                 double theta, double omega, double applied) {
