@@ -1,4 +1,4 @@
-#include "ffi.h"
+#include "ffi_scenes.h"
 
 #include "rot_clutch.h"
 
@@ -12,7 +12,7 @@ static rot_steps unpack_steps(SEXP steps) {
 
 /* list(numbers, torque 1, torque 2); numbers = c(I1, I2, capacity, static capacity, engage, start,
  * theta1, theta2, omega1, omega2), as R/model-clutch.R packs it. */
-static rot_clutch_params unpack(SEXP pack) {
+rot_clutch_params ffi_clutch_scene(SEXP pack) {
   if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 3) Rf_error("internal: `scene`");
   const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 10);
   return (rot_clutch_params){
@@ -58,7 +58,7 @@ SEXP ffi_clutch_run(SEXP pack, SEXP time_s, SEXP progress) {
                                       "heat_j",
                                       "locked",
                                       ""};
-  const rot_clutch_params p = unpack(pack);
+  const rot_clutch_params p = ffi_clutch_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1);
   const R_xlen_t rows = XLENGTH(time_s);
   SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
@@ -88,7 +88,7 @@ SEXP ffi_clutch_run(SEXP pack, SEXP time_s, SEXP progress) {
 
 /* c(work, rounding) of the torques from span[0] to span[1]; NA where it failed. */
 SEXP ffi_clutch_work(SEXP pack, SEXP span) {
-  const rot_clutch_params p = unpack(pack);
+  const rot_clutch_params p = ffi_clutch_scene(pack);
   const double *x = ffi_reals(span, "span", 2);
   SEXP out = PROTECT(Rf_allocVector(REALSXP, 2));
   if (rot_clutch_work(&p, x[0], x[1], REAL(out), REAL(out) + 1) != ROT_OK) {

@@ -1,4 +1,4 @@
-#include "ffi.h"
+#include "ffi_scenes.h"
 
 #include "rot_rotors.h"
 #include "rot_rotors_ledger.h"
@@ -6,7 +6,7 @@
 
 /* list(inertia, stiffness, damping, viscous, torque, theta0, omega0, start), as R/model-rotors.R
  * packs it. */
-static rot_rotors_params unpack(SEXP pack) {
+rot_rotors_params ffi_rotors_scene(SEXP pack) {
   if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 8) Rf_error("internal: `scene`");
   const R_xlen_t n = XLENGTH(VECTOR_ELT(pack, 0));
   if (n < 1) Rf_error("internal: no rotor");
@@ -22,7 +22,7 @@ static rot_rotors_params unpack(SEXP pack) {
  * modal, fast. */
 SEXP ffi_rotors_run(SEXP pack, SEXP time_s, SEXP how, SEXP progress) {
   static const char *const names[] = {"theta_rad", "omega_rad_per_s", "shaft_torque_n_m"};
-  const rot_rotors_params p = unpack(pack);
+  const rot_rotors_params p = ffi_rotors_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1), kind = ffi_real(how, "how");
   const R_xlen_t rows = XLENGTH(time_s);
   double *c[3];
@@ -45,7 +45,7 @@ SEXP ffi_rotors_run(SEXP pack, SEXP time_s, SEXP how, SEXP progress) {
 
 /* c(work, dissipated, and the rounding of both) from span[0] to span[1]; NA where it failed. */
 SEXP ffi_rotors_balance(SEXP pack, SEXP rigid, SEXP span) {
-  const rot_rotors_params p = unpack(pack);
+  const rot_rotors_params p = ffi_rotors_scene(pack);
   const double *x = ffi_reals(span, "span", 2);
   rot_rotors_ledger ledger;
   if (rot_rotors_balance(&p, ffi_real(rigid, "rigid") != 0.0, x[0], x[1], &ledger) != ROT_OK) {
@@ -60,7 +60,7 @@ SEXP ffi_rotors_balance(SEXP pack, SEXP rigid, SEXP span) {
 
 /* The angular frequencies of the undamped shaft; NA where they are out of range. */
 SEXP ffi_rotors_frequencies(SEXP pack) {
-  const rot_rotors_params p = unpack(pack);
+  const rot_rotors_params p = ffi_rotors_scene(pack);
   SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)p.n));
   if (rot_rotors_frequencies(&p, REAL(out)) != ROT_OK) {
     for (size_t i = 0; i < p.n; i++) REAL(out)[i] = NA_REAL;
