@@ -14,6 +14,7 @@ error_kinds <- c(
   density = "a density that gives no finite number of at least 0",
   file = "a file that cannot be read, or is not of the format",
   torque = "a torque law that gives no finite number",
+  rhs = "an equation of motion that gives no finite number",
   model = "no such model, or one that does not fit the scene",
   accuracy = "an accuracy that no model reaches",
   package = "a package that is not installed",
@@ -41,6 +42,14 @@ warn_rotdyn <- function(message, kind, call, ..., .envir = parent.frame()) {
     call = call,
     .envir = .envir
   )
+}
+
+# As warn_rotdyn(), but of plain text, in 0.1 ms: cli's markup takes 15.
+warn_quickly <- function(message, kind, call) {
+  bullets <- c("", rep(paste0(cli::symbol$info, " "), length(message) - 1L))
+  class <- c(paste0("rotdyn_warning_", kind), "rotdyn_warning", "warning", "condition")
+  text <- paste0(bullets, message, collapse = "\n")
+  warning(structure(class = class, list(message = text, call = rlang::error_call(call))))
 }
 
 need_package <- function(package, why, call) {

@@ -108,6 +108,19 @@ SEXP ffi_new_column(R_xlen_t rows) {
   return column;
 }
 
+SEXP ffi_numbers(int n, const double x[]) {
+  SEXP out = Rf_allocVector(REALSXP, n);
+  for (int i = 0; i < n; i++) REAL(out)[i] = x[i];
+  return out;
+}
+
+SEXP ffi_vectors(int n, const char *const names[], const ffi_vector parts[]) {
+  SEXP out = PROTECT(names ? Rf_mkNamed(VECSXP, (const char **)names) : Rf_allocVector(VECSXP, n));
+  for (int i = 0; i < n; i++) SET_VECTOR_ELT(out, i, ffi_numbers(parts[i].n, parts[i].x));
+  UNPROTECT(1);
+  return out;
+}
+
 SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *columns[]) {
   SEXP list = PROTECT(Rf_allocVector(VECSXP, n)), text = PROTECT(Rf_allocVector(STRSXP, n));
   for (int i = 0; i < n; i++) {

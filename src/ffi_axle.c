@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "ffi_torque.h"
-#include "rot_axle.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
 #include "rot_axle_forced.h"
@@ -294,8 +294,9 @@ SEXP ffi_axle_stopping(SEXP pack) {
 
 /* ---- integrated ------------------------------------------------------------------------------ */
 
-/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is c(accuracy, max_steps, method), method as in
- * ROT_METHOD_LIST. Gives list(columns, info, ledger, events). */
+/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is
+ * c(accuracy, max_steps, method), method as in ROT_METHOD_LIST. Gives list(columns, info, ledger,
+ * events). */
 SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
   rot_axle_scene scene = ffi_axle_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);

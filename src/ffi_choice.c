@@ -12,7 +12,7 @@ typedef struct question {
   const rot_constraint *constraint;
   union {
     rot_axle_scene axle;
-    rot_rotors_params rotors;
+    rot_shaft_params rotors;
     rot_clutch_params clutch;
   } scene;
   rot_query query;

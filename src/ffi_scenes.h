@@ -4,9 +4,9 @@
 
 #include "ffi.h"
 #include "rot_clutch.h"
-#include "rot_rotors.h"
+#include "rot_shaft.h"
 
-rot_rotors_params ffi_rotors_scene(SEXP pack);
+rot_shaft_params ffi_rotors_scene(SEXP pack);
 rot_clutch_params ffi_clutch_scene(SEXP pack);
 
 #endif

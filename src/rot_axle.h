@@ -1,5 +1,5 @@
 /* A body on a fixed axle:  I d(omega)/dt = torque(t) - c omega,  d(theta)/dt = omega.
- * Closed forms; the integrator is rot_axle_ode.h, work and heat are rot_axle_ledger.h. */
+ * Its parameters, columns, and the closed form of one step. */
 #ifndef ROT_AXLE_H
 #define ROT_AXLE_H
 
@@ -22,30 +22,15 @@ typedef struct rot_axle_columns {
       *energy_j;
 } rot_axle_columns;
 
-/* Times are finite and do not decrease; those before start_s are reached backwards. */
-
-/* No torque, no resistance: two operations a row. */
-rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
-                         const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info);
-
-/* Piecewise-linear torque and viscous resistance, any size of c t / I. The errors in *info are
- * bounds: 12 units of roundoff (24 where c < 0) times the sum of the terms added. */
-rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
-                           const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info);
-
-/* The same, and even stretches of the times from a table (rot_axle_grid.h): ten times as fast,
- * with bounds as wide (1.9e-15 of the largest value in a damped spin-up of 1000 rows). */
-rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double time_s[],
-                                const rot_axle_columns *out, const rot_hooks *hooks,
-                                rot_info *info);
-
-/* One step of the closed form, for those who march themselves. */
+/* One step of the closed form, for callers that loop over the pieces. */
 typedef struct rot_axle_state {
   double time_s;
   double theta_rad, theta_lo, omega_rad_per_s, omega_lo; /* carried to twice the precision */
   double theta_error, omega_error;                       /* bounds */
 } rot_axle_state;
 
+/* Its bound, relative to the sum of the terms that it adds. */
+double rot_axle_rounding(const rot_axle_params *p);
 rot_axle_state rot_axle_start(const rot_axle_params *p);
 /* To a time in, or at the end of, the piece that the state lies in. */
 rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,

@@ -1,5 +1,5 @@
 /* The kernels of rot_axle_grid.c: its table, and the rows of a chunk. Compiled for registers of two
- * there and for registers of four in rot_wide.c. */
+ * there and for registers of four in rot_axle_grid_fill.c. */
 #ifndef ROT_AXLE_GRID_FILL_H
 #define ROT_AXLE_GRID_FILL_H
 
@@ -97,5 +97,11 @@ ROT_INLINE int fill_chunk(const rot_axle_grid *grid, const rot_axle_state *from,
   return grid->law.slope != 0.0 ? fill_rows(grid, from, go, 1, n, time_s, out)
                                 : fill_rows(grid, from, go, 0, n, time_s, out);
 }
+
+/* The same for registers of four; n >= ROT_WIDE_PAIR. */
+void rot_axle_grid_table_wide(rot_axle_grid *grid, double lambda, int terms);
+int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
+                            const rot_axle_departure *go, size_t n, const double time_s[],
+                            const rot_axle_columns *out);
 
 #endif

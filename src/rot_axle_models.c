@@ -7,6 +7,7 @@
 #include "rot_axle_drag.h"
 #include "rot_axle_drop.h"
 #include "rot_axle_forced.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_oscillator.h"
 #include "rot_axle_pendulum.h"
 #include "rot_axle_skater.h"

@@ -254,7 +254,7 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
   double start[DIM] = {0.0, scene->linear.omega0_rad_per_s};
   double error[DIM] = {0.0}, largest[DIM] = {0.0};
   const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
-  const rot_ode_switch turn = {OMEGA, IMPULSE, holds, &m.mode, events};
+  const rot_ode_switch turn = {OMEGA, IMPULSE, holds};
   const int guess_torque = scene->linear.torque.call && n > FEW_ROWS;
   rot_info_clear(info);
   info->status = collect_breaks(&m);
@@ -267,23 +267,26 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                  fabs(time_s[n - 1] - scene->linear.start_s))
                           : 0.0;
     const double noise[] = {scene->noise_n_m / m.reference * span, scene->noise_n_m / m.reference};
-    const rot_ode_params ode = {DIM,
-                                2,
-                                axle_rhs,
-                                &m,
-                                m.n_breaks,
-                                m.breaks,
-                                scene->linear.start_s,
-                                start,
-                                options->accuracy,
-                                options->max_steps,
-                                options->method,
-                                m.turns ? &turn : NULL,
-                                m.inertia.n ? cross_inertia : NULL,
-                                IMPULSE,
-                                noise,
-                                has_kinks(scene)};
+    const rot_ode_params ode = {.dim = DIM,
+                                .controlled = 2,
+                                .rhs = axle_rhs,
+                                .ctx = &m,
+                                .n_breaks = m.n_breaks,
+                                .breaks = m.breaks,
+                                .start_s = scene->linear.start_s,
+                                .start = start,
+                                .accuracy = options->accuracy,
+                                .max_steps = options->max_steps,
+                                .method = options->method,
+                                .mode = &m.mode,
+                                .turn = m.turns ? &turn : NULL,
+                                .log = events,
+                                .at_break = m.inertia.n ? cross_inertia : NULL,
+                                .sloped = IMPULSE,
+                                .noise = noise,
+                                .kinks = has_kinks(scene)};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
+    if (failure == ROT_ERHS) failure = ROT_ETORQUE;
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
       const rot_status columns =
           fill_columns(&m, options->accuracy, n, time_s, y, slope, out, info);

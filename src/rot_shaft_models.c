@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "rot_rotors.h"
+#include "rot_shaft.h"
 
 enum { TORQUE = 1, SPRING = 2, DAMPER = 4, VISCOUS = 8, ALL = 15 };
 
@@ -19,7 +19,7 @@ static int any(size_t n, const double x[]) {
 }
 
 static unsigned effects_of(const void *scene) {
-  const rot_rotors_params *p = scene;
+  const rot_shaft_params *p = scene;
   return (any(p->n, p->torque_n_m) ? TORQUE : 0u) |
          (any(p->n - 1, p->stiffness_n_m_per_rad) ? SPRING : 0u) |
          (any(p->n - 1, p->damping_n_m_s) ? DAMPER : 0u) |
@@ -27,7 +27,7 @@ static unsigned effects_of(const void *scene) {
 }
 
 static const char *not_rigid(const void *scene, const rot_query *query) {
-  const rot_rotors_params *p = scene;
+  const rot_shaft_params *p = scene;
   for (size_t i = 0; i + 1 < p->n; i++) {
     if (p->stiffness_n_m_per_rad[i] <= 0.0) return "a piece of the shaft has no stiffness";
   }
@@ -39,7 +39,7 @@ static const char *not_rigid(const void *scene, const rot_query *query) {
 }
 
 /* Whether c_i = a k_i and d_i = b J_i: then each mode has a closed form. */
-static int modes_apart(const rot_rotors_params *p) {
+static int modes_apart(const rot_shaft_params *p) {
   int apart = 1;
   for (size_t i = 1; i < p->n; i++) {
     const double *J = p->inertia_kg_m2, *d = p->viscous_n_m_s, *k = p->stiffness_n_m_per_rad;
@@ -51,7 +51,7 @@ static int modes_apart(const rot_rotors_params *p) {
 }
 
 static double rigid_s(const rot_model *model, const void *scene, const rot_query *query) {
-  const double n = (double)((const rot_rotors_params *)scene)->n, rows = (double)query->n;
+  const double n = (double)((const rot_shaft_params *)scene)->n, rows = (double)query->n;
   const double *s = model->seconds, exponential_s = effects_of(scene) & VISCOUS ? s[3] : 0.0;
   return s[0] + rows * (n * s[1] + n * n * s[2] + exponential_s);
 }
@@ -59,7 +59,7 @@ static double rigid_s(const rot_model *model, const void *scene, const rot_query
 /* Coupled modes take the exponential of a matrix: one for even rows, or (for the last digits) one a
  * row. */
 static double modal_s(const rot_model *model, const void *scene, const rot_query *query) {
-  const double n = (double)((const rot_rotors_params *)scene)->n, rows = (double)query->n;
+  const double n = (double)((const rot_shaft_params *)scene)->n, rows = (double)query->n;
   const double *s = model->seconds, cube = n * n * n * s[3];
   if (modes_apart(scene)) return s[0] + cube + rows * n * (s[1] + n * s[2]);
   return 3.0 * s[0] + 2.0 * cube +

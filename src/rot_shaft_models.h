@@ -4,7 +4,7 @@
 
 #include "rot_model.h"
 
-/* Its scene is a rot_rotors_params. */
+/* Its scene is a rot_shaft_params. */
 extern const rot_constraint rot_shaft_constraint;
 
 #endif

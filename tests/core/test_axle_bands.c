@@ -1,6 +1,7 @@
 /* Torque in straight lines over time and over omega, with friction: known scenes, the ways to meet
  * an edge, agreement with the models that it contains. */
 #include "axle_friction.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
 

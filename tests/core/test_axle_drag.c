@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "axle_friction.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_drag.h"
 #include "shared_table.h"
 

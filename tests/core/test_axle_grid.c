@@ -1,4 +1,5 @@
 /* Rows of even grids from a table against rows one by one. */
+#include "rot_axle_linear.h"
 #include "rot_axle_grid.h"
 
 #include <math.h>

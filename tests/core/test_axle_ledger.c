@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "axle_scenes.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_ledger.h"
 #include "rot_real.h"
 #include "rot_test.h"

@@ -1,6 +1,7 @@
 /* The integrated axle against the closed form, and the torque laws that only it can run. */
 #include <stdlib.h>
 
+#include "rot_axle_linear.h"
 #include "rot_axle_ode.h"
 #include "rot_real.h"
 #include "rot_test.h"

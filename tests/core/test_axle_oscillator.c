@@ -1,6 +1,7 @@
 /* The spring against closed forms at 220 digits (themselves checked against Taylor integration), in
  * every regime; against what it must become where the spring is nothing; back and forth in time. */
 #include "axle_row.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_oscillator.h"
 #include "rot_test.h"
 
