@@ -67,9 +67,7 @@ add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
   info <- result[[2]]
   grow <- sampling_growth(info, scene, time_s, solve, accuracy)
   reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
-  info$omega_error <- info$omega_error + reach$omega
-  info$theta_error <- info$theta_error + reach$theta
-  info$error <- error_of_run(info)
+  info <- widen_error(info, reach)
   result[[2]] <- info
   result
 }
@@ -80,10 +78,10 @@ add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
 sampling_growth <- function(info, scene, time_s, solve, accuracy) {
   free <- disturbance(scene, 1, time_s, grow = 1)
   grow <- disturbance(scene, 1, time_s)$omega / free$omega
-  if (!(grow > 2) || !(info$omega_max > 0)) {
+  if (!(grow > 2) || !(info$sizes[["omega"]] > 0)) {
     return(if (is.finite(grow)) grow else 1)
   }
-  push <- min(100 * accuracy, 1e-3) * info$omega_max / free$omega
+  push <- min(100 * accuracy, 1e-3) * info$sizes[["omega"]] / free$omega
   if (!(is.finite(push) && push > 0)) {
     return(grow)
   }

@@ -1,5 +1,6 @@
 #include "ffi_axle.h"
 
+#include "ffi_run.h"
 #include "rot_axle_sweep.h"
 
 /* The order of the columns that come in, and of those that go out. */

@@ -1,4 +1,5 @@
 #include "ffi_axle.h"
+#include "ffi_run.h"
 #include "ffi_scenes.h"
 
 #include <math.h>
@@ -71,17 +72,6 @@ static SEXP effect_names(const rot_constraint *constraint, unsigned effects) {
   return out;
 }
 
-static SEXP named_numbers(int n, const char *const names[], const double x[]) {
-  SEXP out = PROTECT(Rf_allocVector(REALSXP, n)), text = PROTECT(Rf_allocVector(STRSXP, n));
-  for (int i = 0; i < n; i++) {
-    REAL(out)[i] = x[i];
-    SET_STRING_ELT(text, i, Rf_mkChar(names[i]));
-  }
-  Rf_setAttrib(out, R_NamesSymbol, text);
-  UNPROTECT(2);
-  return out;
-}
-
 /* NULL, or list(effects, until_s, errors = c(theta, omega), error, each). */
 static SEXP dropped_list(const rot_constraint *constraint, const rot_candidate *c) {
   static const char *const names[] = {"effects", "until_s", "errors", "error", "each", ""};
@@ -92,7 +82,7 @@ static SEXP dropped_list(const rot_constraint *constraint, const rot_candidate *
   SEXP effects = effect_names(constraint, c->untaken), each;
   SET_VECTOR_ELT(out, 0, effects);
   SET_VECTOR_ELT(out, 1, Rf_ScalarReal(c->drop.until_s));
-  SET_VECTOR_ELT(out, 2, named_numbers(2, measures, errors));
+  SET_VECTOR_ELT(out, 2, ffi_named(2, measures, errors));
   SET_VECTOR_ELT(out, 3, Rf_ScalarReal(c->drop.error));
   SET_VECTOR_ELT(out, 4, each = Rf_allocVector(REALSXP, XLENGTH(effects)));
   Rf_setAttrib(each, R_NamesSymbol, effects);

@@ -1,3 +1,4 @@
+#include "ffi_run.h"
 #include "ffi_scenes.h"
 
 #include "rot_shaft_modal.h"
@@ -18,44 +19,37 @@ rot_shaft_params ffi_rotors_scene(SEXP pack) {
       (size_t)n, x[0], x[1], x[2], x[3], x[4], x[5], x[6], ffi_real(VECTOR_ELT(pack, 7), "start")};
 }
 
-/* list(columns, info); the columns are as long as rows times rotors. `how`: 0 rigid, 1 modal, 2
- * modal, fast. */
+/* The columns are as long as rows times rotors. `how`: 0 rigid, 1 modal, 2 modal, fast. */
 SEXP ffi_rotors_run(SEXP pack, SEXP time_s, SEXP how, SEXP progress) {
-  static const char *const names[] = {"theta_rad", "omega_rad_per_s", "shaft_torque_n_m"};
+  static const char *const names[] = {ROT_SHAFT_COLUMNS(FFI_COLUMN_NAME) ""};
   const rot_shaft_params p = ffi_rotors_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1), kind = ffi_real(how, "how");
-  const R_xlen_t rows = XLENGTH(time_s);
-  double *c[3];
-  SEXP list = ffi_columns(3, names, rows * (R_xlen_t)p.n, c);
-  const rot_shaft_columns out = {c[0], c[1], c[2]};
-  rot_info info;
-  ffi_guard guard;
-  ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard,
-                kind == 0.0
-                    ? rot_shaft_rigid(&p, (size_t)rows, t, &out, &guard.hooks, &info)
-                    : rot_shaft_modal(&p, kind == 2.0, (size_t)rows, t, &out, &guard.hooks, &info));
-  for (R_xlen_t i = 0; i < rows; i++) c[2][i * (R_xlen_t)p.n + (R_xlen_t)p.n - 1] = NA_REAL;
-  SEXP result = PROTECT(Rf_allocVector(VECSXP, 2));
-  SET_VECTOR_ELT(result, 0, list);
-  SET_VECTOR_ELT(result, 1, ffi_info(&info));
-  UNPROTECT(2);
-  return result;
+  const size_t n = (size_t)XLENGTH(time_s);
+  const R_xlen_t rows = XLENGTH(time_s) * (R_xlen_t)p.n;
+  rot_shaft_columns out;
+  R_xlen_t at = 0;
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  SEXP list = Rf_mkNamed(VECSXP, (const char **)names);
+  SET_VECTOR_ELT(run.out, FFI_COLUMNS, list);
+  ROT_SHAFT_COLUMNS(FFI_COLUMN_NEW)
+  const rot_status status =
+      kind == 0.0 ? rot_shaft_rigid(&p, n, t, &out, &run.guard.hooks, &run.info)
+                  : rot_shaft_modal(&p, kind == 2.0, n, t, &out, &run.guard.hooks, &run.info);
+  for (size_t i = 1; i <= n; i++) out.shaft_torque_n_m[i * p.n - 1] = NA_REAL;
+  return ffi_run_end(&run, status, 0);
 }
 
-/* c(work, dissipated, and the rounding of both) from span[0] to span[1]; NA where it failed. */
-SEXP ffi_rotors_balance(SEXP pack, SEXP rigid, SEXP span) {
+/* From span[0] to span[1]; NA where it failed. */
+SEXP ffi_rotors_ledger(SEXP pack, SEXP rigid, SEXP span) {
+  static const char *const names[] = {ROT_SHAFT_LEDGER(FFI_NAME)};
   const rot_shaft_params p = ffi_rotors_scene(pack);
   const double *x = ffi_reals(span, "span", 2);
-  rot_shaft_ledger ledger;
-  if (rot_shaft_balance(&p, ffi_real(rigid, "rigid") != 0.0, x[0], x[1], &ledger) != ROT_OK) {
-    ledger = (rot_shaft_ledger){NA_REAL, NA_REAL, NA_REAL, NA_REAL};
-  }
-  const double numbers[] = {ledger.work_j, ledger.dissipated_j, ledger.work_rounding_j,
-                            ledger.dissipated_rounding_j};
-  SEXP out = Rf_allocVector(REALSXP, 4);
-  for (int i = 0; i < 4; i++) REAL(out)[i] = numbers[i];
-  return out;
+  rot_shaft_ledger ledger = {0.0, 0.0, 0.0, 0.0};
+  const rot_status status =
+      rot_shaft_balance(&p, ffi_real(rigid, "rigid") != 0.0, x[0], x[1], &ledger);
+  const double values[] = {ROT_SHAFT_LEDGER(FFI_VALUE)};
+  return ffi_named(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
 }
 
 /* The angular frequencies of the undamped shaft; NA where they are out of range. */

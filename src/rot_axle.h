@@ -16,11 +16,30 @@ typedef struct rot_axle_params {
   rot_torque torque;
 } rot_axle_params;
 
-/* Columns of the result, each as long as the times. */
+/* Columns of the result, each as long as the times: type, name in R and member. */
+#define ROT_AXLE_COLUMNS(X)                                                                        \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, applied_torque_n_m)                                                                    \
+  X(double, damping_torque_n_m)                                                                    \
+  X(double, net_torque_n_m)                                                                        \
+  X(double, angular_momentum_kg_m2_per_s)                                                          \
+  X(double, rotational_kinetic_energy_j)
+
 typedef struct rot_axle_columns {
-  double *theta_rad, *omega_rad_per_s, *applied_n_m, *damping_n_m, *net_n_m, *momentum_kg_m2_per_s,
-      *energy_j;
+#define X(type, name) type *name;
+  ROT_AXLE_COLUMNS(X)
+#undef X
 } rot_axle_columns;
+
+/* The columns from row i on. */
+static inline rot_axle_columns rot_axle_columns_from(const rot_axle_columns *columns, size_t i) {
+  rot_axle_columns out;
+#define X(type, name) out.name = columns->name + i;
+  ROT_AXLE_COLUMNS(X)
+#undef X
+  return out;
+}
 
 /* One step of the closed form, for callers that loop over the pieces. */
 typedef struct rot_axle_state {
@@ -42,11 +61,11 @@ static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns
   double damping = 0.0 - p->viscous_n_m_s * omega, momentum = p->inertia_kg_m2 * omega;
   out->theta_rad[i] = theta;
   out->omega_rad_per_s[i] = omega;
-  out->applied_n_m[i] = applied;
-  out->damping_n_m[i] = damping;
-  out->net_n_m[i] = applied + damping;
-  out->momentum_kg_m2_per_s[i] = momentum;
-  out->energy_j[i] = 0.5 * momentum * omega;
+  out->applied_torque_n_m[i] = applied;
+  out->damping_torque_n_m[i] = damping;
+  out->net_torque_n_m[i] = applied + damping;
+  out->angular_momentum_kg_m2_per_s[i] = momentum;
+  out->rotational_kinetic_energy_j[i] = 0.5 * momentum * omega;
 }
 
 #endif

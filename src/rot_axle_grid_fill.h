@@ -63,9 +63,10 @@ ROT_INLINE int fill_rows(const rot_axle_grid *grid, const rot_axle_state *from,
                          const rot_axle_departure *go, int sloping, size_t n, const double time_s[],
                          const rot_axle_columns *out) {
   double *const theta = out->theta_rad, *const omega = out->omega_rad_per_s,
-                *const applied = out->applied_n_m, *const damping = out->damping_n_m,
-                *const net = out->net_n_m, *const momentum = out->momentum_kg_m2_per_s,
-                *const energy = out->energy_j;
+                *const applied = out->applied_torque_n_m, *const damping = out->damping_torque_n_m,
+                *const net = out->net_torque_n_m,
+                *const momentum = out->angular_momentum_kg_m2_per_s,
+                *const energy = out->rotational_kinetic_energy_j;
   const rot_axle_law *of = &grid->law;
   const chunk k = {ROT_BOTH(from->time_s),
                    ROT_BOTH(from->omega_rad_per_s),

@@ -42,7 +42,7 @@ rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   static const rot_march march = {.write_rows = free_rows};
   row_run run = {.p = p, .time_s = time_s, .out = out, .info = info};
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->steps = n > 0;
   return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
@@ -169,10 +169,7 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
 
 /* Rows of an even grid from row i on, as many as there are; the base moves on with them. */
 static size_t grid_rows(row_run *run, size_t i, size_t end) {
-  const rot_axle_columns *to = run->out;
-  const rot_axle_columns out = {
-      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
-      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
+  const rot_axle_columns out = rot_axle_columns_from(run->out, i);
   return rot_axle_grid_rows(run->grid, run->p, &run->base, &run->piece, end - i, run->time_s + i,
                             &out, run->info);
 }
@@ -293,7 +290,7 @@ static rot_status linear(const rot_axle_params *p, size_t n, const double time_s
     run.last_s[1] = time_s[n - 1];
   }
   rot_axle_grid_begin(&grid);
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
 }

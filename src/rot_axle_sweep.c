@@ -51,7 +51,7 @@ static rot_status sweep(row_worker work, const void *frame, size_t n, size_t chu
                         const rot_hooks *hooks, rot_info *info) {
   const int most = rot_axle_sweep_threads();
   if (threads < 1 || threads > most) threads = most;
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   for (size_t first = 0; first < n && info->status == ROT_OK;) {
     const size_t last = n - first < chunk ? n : first + chunk;
     share_out(work, frame, first, last, chunk / PARTS, threads);
@@ -78,10 +78,6 @@ typedef struct linear_frame {
 static int tame(double x) {
   x = fabs(x);
   return x == 0.0 || (x > 1e-40 && x < 1e40);
-}
-
-static double relative(double error, double largest) {
-  return error > 0.0 ? (largest > 0.0 ? error / largest : 1.0) : 0.0;
 }
 
 typedef rot_axle_sweep_block block;
@@ -119,8 +115,8 @@ static inline void note(axle *x, double time_s, double omega) {
 static void put_row(const rot_axle_sweep_columns *out, size_t i, const axle *x, rot_status status) {
   const int good = status == ROT_OK;
   const double speed = larger(x->omega_max, -x->omega_min);
-  const double of_theta = relative(x->theta_error, x->theta_max),
-               of_omega = relative(x->worst_error, speed);
+  const double of_theta = rot_relative_error(x->theta_error, x->theta_max),
+               of_omega = rot_relative_error(x->worst_error, speed);
   out->theta_rad[i] = good ? x->theta : NAN;
   out->omega_rad_per_s[i] = good ? x->omega : NAN;
   out->omega_max[i] = good ? x->omega_max : NAN;
@@ -255,7 +251,7 @@ rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_
                                  const rot_hooks *hooks, rot_info *info) {
   const size_t k = rot_torque_find(torque, rows->start_s, 1), n = torque->n - k + 1;
   rot_torque_piece *pieces = malloc(n * sizeof *pieces);
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   if (!pieces) return info->status = ROT_ENOMEM;
   linear_frame frame = {rows, out, torque, pieces, 0.0, 1};
   for (size_t j = 0; j < n; j++) {
@@ -320,14 +316,14 @@ static void scene_rows(const void *data, size_t first, size_t last) {
   for (size_t i = first; i < last; i++) {
     double row[7] = {0.0};
     rot_info info;
-    rot_info_clear(&info);
+    rot_info_clear(&info, NULL);
     const rot_status status = torque_n_m ? run_scene(frame, i, torque_n_m, row, &info) : ROT_ENOMEM;
     const int good = status == ROT_OK;
     out->theta_rad[i] = good ? row[0] : NAN;
     out->omega_rad_per_s[i] = good ? row[1] : NAN;
-    out->speed_max[i] = good && frame->true_maximum ? info.omega_max : NAN;
-    out->omega_max[i] = good && frame->true_maximum ? info.omega_high : NAN;
-    out->omega_min[i] = good && frame->true_maximum ? info.omega_low : NAN;
+    out->speed_max[i] = good && frame->true_maximum ? info.measure[ROT_OMEGA].largest : NAN;
+    out->omega_max[i] = good && frame->true_maximum ? info.measure[ROT_OMEGA].high : NAN;
+    out->omega_min[i] = good && frame->true_maximum ? info.measure[ROT_OMEGA].low : NAN;
     out->omega_max_time_s[i] = NAN;
     out->error[i] = good ? rot_info_error(&info) : NAN;
     out->status[i] = (int)status;

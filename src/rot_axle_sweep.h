@@ -32,7 +32,7 @@ typedef struct rot_axle_sweep_columns {
 
 /* Knots and viscous resistance, in closed form. At most so many threads; 0: as many as there are.
  * The status is ROT_OK whatever becomes of single rows; info->rows_done counts rows that are done,
- * info->theta_error and so on are not filled. */
+ * and *info has no measures. */
 rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_rows *rows,
                                  int threads, const rot_axle_sweep_columns *out,
                                  const rot_hooks *hooks, rot_info *info);

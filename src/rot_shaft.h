@@ -21,13 +21,20 @@ typedef struct rot_shaft_params {
 } rot_shaft_params;
 
 /* Row i, rotor j at [i n + j]; the shaft torque is that on rotor j + 1, NaN for the last. */
+#define ROT_SHAFT_COLUMNS(X)                                                                       \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, shaft_torque_n_m)
+
 typedef struct rot_shaft_columns {
-  double *theta_rad, *omega_rad_per_s, *shaft_n_m;
+#define X(type, name) type *name;
+  ROT_SHAFT_COLUMNS(X)
+#undef X
 } rot_shaft_columns;
 
 /* Clears *info and notes the state at the start. */
 static inline void rot_shaft_note_start(const rot_shaft_params *p, rot_info *info) {
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   for (size_t i = 0; i < p->n; i++) rot_note_state(info, p->theta0_rad[i], p->omega0_rad_per_s[i]);
 }
 

@@ -5,8 +5,16 @@
 #include "rot_shaft.h"
 
 /* Work of the torques and heat of all dampers between two times, with their rounding. */
+#define ROT_SHAFT_LEDGER(X)                                                                        \
+  X(work_j)                                                                                        \
+  X(dissipated_j)                                                                                  \
+  X(work_rounding_j)                                                                               \
+  X(dissipated_rounding_j)
+
 typedef struct rot_shaft_ledger {
-  double work_j, dissipated_j, work_rounding_j, dissipated_rounding_j;
+#define X(name) double name;
+  ROT_SHAFT_LEDGER(X)
+#undef X
 } rot_shaft_ledger;
 
 /* `rigid`: of the rigid shaft. from_s <= to_s. */

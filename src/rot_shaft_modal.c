@@ -32,7 +32,7 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
   const rot_shaft_params *p = s->p;
   const size_t n = s->n;
   double *theta = run->out->theta_rad + row * n, *omega = run->out->omega_rad_per_s + row * n;
-  double *torque = run->out->shaft_n_m + row * n;
+  double *torque = run->out->shaft_torque_n_m + row * n;
   double momentum = s->omega0 + s->alpha * t, size = fabs(s->omega0) + fabs(s->alpha * t);
   for (size_t i = 0; i < n; i++) {
     double turned = 0.0, rate = 0.0;

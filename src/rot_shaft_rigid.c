@@ -105,7 +105,7 @@ static rot_status write_row(void *model, size_t row) {
     }
     out->theta_rad[row * n + i] = theta;
     out->omega_rad_per_s[row * n + i] = omega;
-    out->shaft_n_m[row * n + i] = i + 1 < n ? s->base[i] + s->slope[i] * omega : (double)NAN;
+    out->shaft_torque_n_m[row * n + i] = i + 1 < n ? s->base[i] + s->slope[i] * omega : (double)NAN;
     rot_note_row(run->info, theta, omega,
                  fabs(p->theta0_rad[i] - s->theta0) + twists * (1.0 + rounding) + mean_off +
                      rounding * turned_size + 2.0 * ROT_EPS * fabs(theta),

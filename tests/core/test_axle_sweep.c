@@ -119,13 +119,15 @@ static void check_against_rows(const rot_axle_sweep_rows *rows, size_t i, double
     top = fmax(top, to[1][j]);
     low = fmin(low, to[1][j]);
   }
-  const double off = error[i] * fmax(speed[i], info.omega_max) + info.omega_error;
-  const double off_theta = error[i] * fmax(info.theta_max, fabs(theta[i])) + info.theta_error;
+  const double off =
+      error[i] * fmax(speed[i], info.measure[ROT_OMEGA].largest) + info.measure[ROT_OMEGA].error;
+  const double off_theta = error[i] * fmax(info.measure[ROT_THETA].largest, fabs(theta[i])) +
+                           info.measure[ROT_THETA].error;
   ROT_CHECK(fabs(omega[i] - to[1][N - 1]) <= off);
   ROT_CHECK(fabs(theta[i] - to[0][N - 1]) <= off_theta);
   ROT_CHECK(omega_max[i] >= top - off && omega_min[i] <= low + off);
-  ROT_CHECK(omega_max[i] <= top + 2e-3 * info.omega_max + off);
-  ROT_CHECK(omega_min[i] >= low - 2e-3 * info.omega_max - off);
+  ROT_CHECK(omega_max[i] <= top + 2e-3 * info.measure[ROT_OMEGA].largest + off);
+  ROT_CHECK(omega_min[i] >= low - 2e-3 * info.measure[ROT_OMEGA].largest - off);
   ROT_CHECK(speed[i] == fmax(omega_max[i], -omega_min[i]));
 }
 
@@ -254,8 +256,9 @@ static void check_scenes(void) {
     row = (rot_axle_columns){one[0], one[1], one[2], one[3], one[4], one[5], one[6]};
     ROT_CHECK(rot_axle_linear(&p, 1, &x[5][i], &row, NULL, &info) == ROT_OK);
     ROT_CHECK(status[i] == ROT_OK && theta[i] == one[0][0] && omega[i] == one[1][0]);
-    ROT_CHECK(speed[i] == info.omega_max && error[i] == rot_info_error(&info));
-    ROT_CHECK(omega_max[i] == info.omega_high && omega_min[i] == info.omega_low);
+    ROT_CHECK(speed[i] == info.measure[ROT_OMEGA].largest && error[i] == rot_info_error(&info));
+    ROT_CHECK(omega_max[i] == info.measure[ROT_OMEGA].high &&
+              omega_min[i] == info.measure[ROT_OMEGA].low);
     ROT_CHECK(isnan(max_time[i]));
   }
   ROT_CHECK(rot_axle_sweep_scenes(linear_model, &scene, &rows, &friction, 0, 1, &out, NULL,

@@ -294,25 +294,26 @@ static void check_case(const shaft_case *x) {
       theta_off = fmax(theta_off, fabs(theta[last + i] - x->theta[i]));
       omega_off = fmax(omega_off, fabs(omega[last + i] - x->omega[i]));
     }
-    ROT_CHECK(theta_off <= info.theta_error + slack);
-    ROT_CHECK(omega_off <= info.omega_error + slack);
-    if (!(theta_off <= info.theta_error + slack && omega_off <= info.omega_error + slack)) {
+    ROT_CHECK(theta_off <= info.measure[ROT_THETA].error + slack);
+    ROT_CHECK(omega_off <= info.measure[ROT_OMEGA].error + slack);
+    if (!(theta_off <= info.measure[ROT_THETA].error + slack &&
+          omega_off <= info.measure[ROT_OMEGA].error + slack)) {
       printf("  case %d pass %d: %g of %g, %g of %g\n", (int)(x - cases), pass, theta_off,
-             info.theta_error, omega_off, info.omega_error);
+             info.measure[ROT_THETA].error, omega_off, info.measure[ROT_OMEGA].error);
     }
     if (pass == 0) {
-      const double ratio =
-          fmax(theta_off / (info.theta_error + slack), omega_off / (info.omega_error + slack));
+      const double ratio = fmax(theta_off / (info.measure[ROT_THETA].error + slack),
+                                omega_off / (info.measure[ROT_OMEGA].error + slack));
       worst_ratio = fmax(worst_ratio, ratio);
       smallest_ratio = fmin(smallest_ratio, ratio);
       worst_relative = fmax(worst_relative, omega_off / largest(x->n, x->omega));
       if (getenv("ROTORS_VERBOSE")) {
         printf("case %d: ratio %.3g  error %.3g (theta %.3g)\n", (int)(x - cases), ratio,
-               info.omega_error, info.theta_error);
+               info.measure[ROT_OMEGA].error, info.measure[ROT_THETA].error);
       }
     }
-    double size = fabs(x->k[0]) * info.theta_error;
-    for (size_t i = 0; i < 2; i++) size += x->c[0] * info.omega_error;
+    double size = fabs(x->k[0]) * info.measure[ROT_THETA].error;
+    for (size_t i = 0; i < 2; i++) size += x->c[0] * info.measure[ROT_OMEGA].error;
     ROT_CHECK(fabs(torque[last] - x->torque) <= 2.0 * size + 1e-13 * fabs(x->torque) + slack);
     ROT_CHECK(isnan(torque[last + x->n - 1]));
   }
@@ -382,13 +383,13 @@ static void check_shared_table(void) {
     rot_info info;
     ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &head[3], &out, NULL, &info), ROT_OK);
     for (size_t i = 0; i < n; i++) {
-      ROT_CHECK(fabs(theta[i] - dtheta[i]) <= fmin(2e-15, info.theta_error));
-      ROT_CHECK(fabs(omega[i] - want[i]) <= info.omega_error);
+      ROT_CHECK(fabs(theta[i] - dtheta[i]) <= fmin(2e-15, info.measure[ROT_THETA].error));
+      ROT_CHECK(fabs(omega[i] - want[i]) <= info.measure[ROT_OMEGA].error);
       off = fmax(off, fabs(omega[i] - want[i]));
     }
     ROT_CHECK(off <= 1e-14);
     printf("n = %d, k = %g, c = %g: omega off by %.2g, stated %.2g\n", (int)n, head[1], head[2],
-           off, info.omega_error);
+           off, info.measure[ROT_OMEGA].error);
     rows++;
   }
   fclose(file);
@@ -485,7 +486,7 @@ static void check_ends(void) {
   ROT_CHECK_ULP(theta, 25.0 + 40.0 * expm1(-1.0), 30);
   ROT_CHECK_EQ_INT(rot_shaft_rigid(&p, 1, &t, &out, NULL, &info), ROT_OK);
   ROT_CHECK_ULP(omega, 6.0 - 10.0 * exp(-1.0), 4);
-  ROT_CHECK(info.omega_error < 1e-13);
+  ROT_CHECK(info.measure[ROT_OMEGA].error < 1e-13);
   J = 1e-300;
   tau = 1e300;
   ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_ERANGE);
@@ -517,9 +518,9 @@ static void check_rigid(void) {
       theta_off = fmax(theta_off, fabs(a[j] - x[j]));
       omega_off = fmax(omega_off, fabs(b[j] - y[j]));
     }
-    ROT_CHECK(theta_off <= bound.theta_error + info.theta_error);
-    ROT_CHECK(omega_off <= bound.omega_error + info.omega_error);
-    if (i / 2 % 2 == 0) ROT_CHECK(bound.omega_error <= 30.0 * omega_off);
+    ROT_CHECK(theta_off <= bound.measure[ROT_THETA].error + info.measure[ROT_THETA].error);
+    ROT_CHECK(omega_off <= bound.measure[ROT_OMEGA].error + info.measure[ROT_OMEGA].error);
+    if (i / 2 % 2 == 0) ROT_CHECK(bound.measure[ROT_OMEGA].error <= 30.0 * omega_off);
     rot_shaft_ledger ledger;
     double work = 0.0, energy = 0.0;
     ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 1, 0.0, time[ROWS - 1], &ledger), ROT_OK);
@@ -535,7 +536,7 @@ static void check_rigid(void) {
   const rot_shaft_columns out = {theta, omega, torque};
   rot_info info;
   ROT_CHECK_EQ_INT(rot_shaft_rigid(&p, 1, &t, &out, NULL, &info), ROT_OK);
-  ROT_CHECK(isinf(info.omega_error));
+  ROT_CHECK(isinf(info.measure[ROT_OMEGA].error));
 }
 
 static rot_status stop(void *ctx, double fraction) {

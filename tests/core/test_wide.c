@@ -46,8 +46,10 @@ static void check_grids(void) {
     rot_wide_allow(1);
     const rot_info fast = grid_rows(wide, shift, n, t, &p);
     ROT_CHECK(memcmp(narrow, wide, sizeof narrow) == 0); /* and nothing before or after */
-    ROT_CHECK(slow.omega_error == fast.omega_error && slow.theta_error == fast.theta_error);
-    ROT_CHECK(slow.omega_max == fast.omega_max && slow.theta_max == fast.theta_max);
+    ROT_CHECK(slow.measure[ROT_OMEGA].error == fast.measure[ROT_OMEGA].error &&
+              slow.measure[ROT_THETA].error == fast.measure[ROT_THETA].error);
+    ROT_CHECK(slow.measure[ROT_OMEGA].largest == fast.measure[ROT_OMEGA].largest &&
+              slow.measure[ROT_THETA].largest == fast.measure[ROT_THETA].largest);
   }
 }
 
