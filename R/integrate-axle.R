@@ -61,9 +61,9 @@ add_end_jumps <- function(result, scene, time_s) {
   result
 }
 
-# The error of the samples added to that of the run. growth() takes a pendulum for upside down at all
-# times, 1e125 in 100 s: where its bound matters the growth is measured, by a constant torque that
-# stands out from the integration's own error. solve(push_n_m) is the motion with that torque added.
+# The error of the samples added to that of the run. growth() takes a pendulum for upside down at
+# all times, 1e125 in 100 s: where its bound matters the growth is measured, by a constant torque
+# that stands out from the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
   free <- disturbance(scene, 1, time_s, grow = 1)
   grow <- disturbance(scene, 1, time_s)$omega / free$omega
