@@ -213,12 +213,13 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
 }
 
 /* Time of `steps` steps (counted in the fine run) with so many calls of the right-hand side each,
- * both runs counted; `rest_s` is the rest of a step. */
+ * both runs counted; `rest_s` is the rest of a step. A break costs 2 us besides. */
 static double steps_s(const rot_axle_scene *scene, const rot_query *query, double steps,
-                      double calls, double rest_s, double row_s) {
+                      double breaks, double calls, double rest_s, double row_s) {
   const double call_s = 40e-9 + 35e-9 * (double)scene->n_terms, n = (double)query->n;
   const double law_s = scene->linear.torque.call ? query->law_s : 0.0;
-  return 5e-6 + steps * (calls * (call_s + law_s) + rest_s) + n * row_s + fmin(n, 64.0) * law_s;
+  return 5e-6 + 2e-6 * breaks + steps * (calls * (call_s + law_s) + rest_s) + n * row_s +
+         fmin(n, 64.0) * law_s;
 }
 
 /* Order 8: steps by accuracy^(-1/8.5) over what lasts and the first ten decay times; beyond these
@@ -229,7 +230,7 @@ static double rk8pd_s(const rot_model *model, const void *scene, const rot_query
   const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
   const double steps = 8.0 + 2.0 * r.breaks + rate * fmax(swings, fmin(decays, 10.0)) +
                        model->seconds[1] * fmax(0.0, decays - 10.0);
-  return steps_s(scene, query, steps, 20.4, 0.0, 0.6e-6);
+  return steps_s(scene, query, steps, r.breaks, 20.4, 0.0, 0.6e-6);
 }
 
 /* Order 9, L-stable: a decay costs steps until it is over. */
@@ -239,7 +240,7 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
   const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
   const double steps = 8.0 + 2.0 * r.breaks + rate * (swings + fmin(decays, 6.0)) +
                        model->seconds[1] * fmax(0.0, log10(decays));
-  return steps_s(scene, query, steps, 28.0, 1.5e-6, 1.2e-6);
+  return steps_s(scene, query, steps, r.breaks, 28.0, 1.5e-6, 1.2e-6);
 }
 
 /* ---- models ---------------------------------------------------------------------------------- */
