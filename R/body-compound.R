@@ -150,9 +150,7 @@ cut_body <- function(body, hole, ..., name = NULL) {
         x = "{.arg hole} has {format_si(hole$mass_kg)} kg, {.arg body}
              {format_si(body$mass_kg)} kg.",
         i = "{.arg hole} stands for what is taken out: give both the same density."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   check_hole_near(body, hole, call)
@@ -176,9 +174,7 @@ check_hole_near <- function(body, hole, call) {
         x = "The centre of {.arg hole} is {format_si(away)} m from that of {.arg body}, which
              reaches {format_si(body$reach_m)} m.",
         i = "Both must be placed in one frame: {.fn place_body}."
-      ),
-      "inertia",
-      call
+      ), "inertia", call
     )
   }
 }

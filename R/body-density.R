@@ -108,9 +108,7 @@ density_method <- function(method, domain, call) {
         "Quadrature needs a domain with a map.",
         x = "Of {.fn domain_inside} only the inside is known.",
         i = "Use {.code method = \"monte_carlo\"}, or {.fn domain_map}."
-      ),
-      "model",
-      call
+      ), "model", call
     )
   }
   if (method == "auto") {
@@ -156,9 +154,7 @@ warn_missed_accuracy <- function(found, run, method) {
            {format(found$evaluations, big.mark = ',')} evaluations;
            {format(run$accuracy)} was asked.",
       i = remedy
-    ),
-    "accuracy",
-    run$call
+    ), "accuracy", run$call
   )
 }
 
@@ -260,9 +256,7 @@ check_inside <- function(keep, at, call) {
         i = if (n > 1 && length(keep) == 1L) {
           "If it takes one point at a time, wrap it: {.code Vectorize(inside)}."
         }
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   keep
@@ -277,9 +271,7 @@ abort_no_mass <- function(evaluations, hits, call) {
       } else {
         "None of {format(evaluations, big.mark = ',')} points is inside."
       }
-    ),
-    "density",
-    call
+    ), "density", call
   )
 }
 

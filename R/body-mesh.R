@@ -125,9 +125,7 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
   density <- if (method == "shell") "areal_density_kg_m2" else "density_kg_m3"
   wanted <- c("mass_kg", density)
   if (!length(given)) {
-    abort_rotdyn(
-      "One of {.arg mass_kg} and {.arg {density}} must be given.", "missing", call
-    )
+    abort_rotdyn("One of {.arg mass_kg} and {.arg {density}} must be given.", "missing", call)
   }
   if (length(given) > 1L || !names(given) %in% wanted) {
     abort_rotdyn(
@@ -135,9 +133,7 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
         "Exactly one of {.arg mass_kg} and {.arg {density}} must be given with
          {.code method = \"{method}\"}.",
         x = "Given {?is/are} {.arg {names(given)}}."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   kind <- names(given)
@@ -165,9 +161,7 @@ warn_of_millimetres <- function(of, call) {
         "The mesh is {format(side, digits = 3)} m long.",
         i = "Files tell no unit. If its coordinates are in millimetres, say
              {.code length_unit = \"mm\"}; if in metres, {.code length_unit = \"m\"}."
-      ),
-      "unit",
-      call
+      ), "unit", call
     )
   }
 }
@@ -198,8 +192,7 @@ inspect_mesh <- function(read, weld_m, call) {
           x = "It is {format(weld_m)}, and the largest coordinate
                {format(largest * read$factor, digits = 3)} m.",
           i = "0 merges equal vertices alone."
-        ),
-        "value", call
+        ), "value", call
       )
     }
     check_core_status(one$kind, call)
@@ -333,10 +326,7 @@ check_mesh_fits <- function(check, found, method, call) {
         "Or take {.code method = \"shell\"}, {.code \"hull\"} or {.code \"box\"} in its place.
          {.fn check_mesh} tells more."
       }
-    ),
-    "mesh",
-    call,
-    check = check
+    ), "mesh", call, check = check
   )
 }
 
@@ -388,8 +378,7 @@ mesh_hull <- function(read, found, call) {
       abort_rotdyn(
         c("The vertices of {.arg mesh} have no convex hull with a volume.",
           i = "Take {.code method = \"shell\"} for a sheet."
-        ),
-        "mesh", call
+        ), "mesh", call
       )
     }
   )
@@ -406,8 +395,7 @@ mesh_hull <- function(read, found, call) {
       c(
         "The convex hull of {.arg mesh} does not close.",
         i = "Take {.code method = \"box\"} or {.code \"shell\"}."
-      ),
-      "mesh", call
+      ), "mesh", call
     )
   }
   of$faces <- nrow(faces)
@@ -477,8 +465,7 @@ mesh_body <- function(name, of, amount, read, found, check, method, call) {
         "The mass or the second moment is beyond double precision.",
         x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
         i = "Use other units of mass or length, as if they were kg and m."
-      ),
-      "range", call
+      ), "range", call
     )
   }
   side <- of$hi - of$lo

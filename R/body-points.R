@@ -99,9 +99,7 @@ read_points <- function(data, mass_kg, call) {
         "{.arg data} must be a data frame with columns {.field mass_kg}, {.field x_m},
          {.field y_m} and {.field z_m}, or a matrix of coordinates.",
         x = "It is {describe_value(data)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   n <- nrow(data)
@@ -120,8 +118,7 @@ read_points <- function(data, mass_kg, call) {
     abort_rotdyn(
       "{.arg mass_kg} must have one mass for each of the {n} point{?s}, or one for all: it has
        {length(points$mass_kg)}.",
-      "size",
-      call
+      "size", call
     )
   }
   for (column in place_columns) {
@@ -130,8 +127,7 @@ read_points <- function(data, mass_kg, call) {
       abort_rotdyn(
         "{.arg {column}} must have one number for each of the {n} point{?s}: it has
          {length(points[[column]])}.",
-        "size",
-        call
+        "size", call
       )
     }
   }
@@ -151,9 +147,7 @@ matrix_columns <- function(data, call) {
       c(
         "A matrix without column names must have two or three columns: x, y and z.",
         x = "It has {ncol(data)}."
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   columns <- lapply(seq_len(ncol(data)), function(j) as.vector(data[, j]))
@@ -174,9 +168,7 @@ check_places_named <- function(columns, needs_mass, call) {
         "{.arg data} has no {cli::qty(lacking)}column{?s} {.field {lacking}}.",
         x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
         i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (!needs_mass && "mass_kg" %in% has) {
@@ -195,9 +187,7 @@ abort_point <- function(points, row, column, call) {
       if (column == 1L) "Masses must be finite and at least 0 kg." else "Places must be finite.",
       x = "{.field {arg}} is {format(value)} in row {format(row, big.mark = ',')}.",
       i = if (isTRUE(value < 0) && is.finite(value)) "To take a part out, use {.fn cut_body}."
-    ),
-    "value",
-    call
+    ), "value", call
   )
 }
 
@@ -244,9 +234,7 @@ check_moments_fit <- function(moments, call) {
         x = "Mass {format(moments[['mass']], digits = 3)} kg, trace of the second moment
              {format(moments_trace(moments), digits = 3)} kg m^2.",
         i = "Use other units of mass or length, as if they were kg and m."
-      ),
-      "range",
-      call
+      ), "range", call
     )
   }
 }

@@ -55,9 +55,7 @@ finish_body <- function(shape, parts, size, of, amount, call) {
       c(
         "The mass or the moments of this body are beyond double precision.",
         x = "Its mass is {format_si(mass)} kg."
-      ),
-      "range",
-      call
+      ), "range", call
     )
   }
   detail <- if (is.null(names(amount))) list() else as.list(amount)
@@ -86,9 +84,7 @@ mass_or_density <- function(density, unit, call) {
       c(
         "Give {.arg mass_kg} or {.arg {density}}, not both.",
         i = "With {.arg {density}}, the sizes must be named."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   stats::setNames(check_number(given, density, unit, call, 0), density)
@@ -99,9 +95,7 @@ abort_mass_left_out <- function(density, call) {
     c(
       "{.arg mass_kg} is missing: it has no default.",
       i = if (!is.null(density)) "Give it, or {.arg {density}} instead of it."
-    ),
-    "missing",
-    call
+    ), "missing", call
   )
 }
 
@@ -160,16 +154,14 @@ abort_shape <- function(fault, names, size, row, call) {
         } else {
           "A hole cannot be wider than what it is in. Equal ones make a thin shell."
         }
-      ),
-      "value", call
+      ), "value", call
     ),
     abort_rotdyn(
       c(
         "{.arg {name}} must be at most twice {.arg {of}}.",
         x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
         i = "{.arg {of}} is that of the whole sphere, not of the cap's rim."
-      ),
-      "value", call
+      ), "value", call
     )
   )
 }

@@ -137,9 +137,7 @@ abort_tensor <- function(x, arg, call) {
       } else {
         "It is {describe_value(x)}."
       }
-    ),
-    if (is.numeric(x)) "size" else "type",
-    call
+    ), if (is.numeric(x)) "size" else "type", call
   )
 }
 

@@ -46,9 +46,7 @@ body_polygon <- function(mass_kg, vertices_m, ..., areal_density_kg_m2 = NULL) {
       c(
         "A polygon has at least three corners.",
         x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   amount <- mass_or_density("areal_density_kg_m2", "kg/m^2", call)
@@ -69,12 +67,8 @@ body_tetrahedron <- function(mass_kg, vertices_m, ..., density_kg_m3 = NULL) {
   vertices <- as_vertices(vertices_m, "vertices_m", 3L, call)
   if (nrow(vertices) != 4L) {
     abort_rotdyn(
-      c(
-        "A tetrahedron has four corners.",
-        x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."
-      ),
-      "size",
-      call
+      c("A tetrahedron has four corners.", x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."),
+      "size", call
     )
   }
   amount <- mass_or_density("density_kg_m3", "kg/m^3", call)
@@ -109,9 +103,7 @@ as_vertices <- function(x, arg, dimension, call) {
         c(
           "{.arg {arg}} needs the columns {.field {names}}.",
           x = "Its columns are {.field {names(x)}}."
-        ),
-        "type",
-        call
+        ), "type", call
       )
     }
     columns <- lapply(names, function(name) check_corner_column(x[[name]], name, nrow(x), call))
@@ -123,9 +115,7 @@ as_vertices <- function(x, arg, dimension, call) {
         "{.arg {arg}} must be a matrix of {dimension} columns, or a data frame with the columns
          {.field {names}}.",
         x = "It is {describe_value(x)}."
-      ),
-      if (is.matrix(x)) "size" else "type",
-      call
+      ), if (is.matrix(x)) "size" else "type", call
     )
   }
   rows <- nrow(x)
@@ -138,8 +128,7 @@ check_corner_column <- function(x, name, rows, call) {
   if (length(x) != rows) {
     abort_rotdyn(
       "{.arg {name}} must have one number for each of the {rows} corner{?s}: it has {length(x)}.",
-      "size",
-      call
+      "size", call
     )
   }
   x
@@ -160,7 +149,6 @@ abort_vertices <- function(fault, shape, call) {
     } else {
       c("The corners of {.arg vertices_m} enclose no volume.", i = "They lie in one plane.")
     },
-    "value",
-    call
+    "value", call
   )
 }

@@ -183,10 +183,7 @@ tensor_from_vector <- function(x, names, sign, call) {
   }
   if (!length(x) %in% c(3L, 6L)) {
     abort_rotdyn(
-      c(
-        "{.arg x} must be a 3 x 3 matrix, six numbers or three.",
-        x = "It has length {length(x)}."
-      ),
+      c("{.arg x} must be a 3 x 3 matrix, six numbers or three.", x = "It has length {length(x)}."),
       "size", call
     )
   }
@@ -198,8 +195,7 @@ tensor_from_vector <- function(x, names, sign, call) {
         "The numbers of {.arg x} must be named {.val {wanted}}.",
         x = if (length(names)) "They are named {.val {names}}." else "They have no names.",
         i = "Files disagree about their order, so it is not guessed."
-      ),
-      "value", call
+      ), "value", call
     )
   }
   six_to_tensor(c(x[match(wanted, names)], 0, 0, 0)[1:6] * rep(c(1, sign), each = 3L))
@@ -215,8 +211,7 @@ tensors_from_columns <- function(x, sign, call) {
         "{.arg x} must have the columns {.val {inertia_entries}}.",
         x = "{.val {lacking}} {?is/are} not there.",
         i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
-      ),
-      "type", call
+      ), "type", call
     )
   }
   columns <- lapply(inertia_entries[has], function(entry) {
@@ -257,9 +252,7 @@ known_names <- function(name, with_x, n, call) {
     return(rep_len(NA_character_, n))
   }
   if (!is.character(name)) {
-    abort_rotdyn(
-      c("{.arg name} must be text.", x = "It is {describe_value(name)}."), "type", call
-    )
+    abort_rotdyn(c("{.arg name} must be text.", x = "It is {describe_value(name)}."), "type", call)
   }
   check_one_or_each(length(name), "name", n, call)
   rep_len(name, n)
@@ -271,8 +264,7 @@ check_one_or_each <- function(length, arg, n, call) {
       c(
         "{.arg {arg}} must have length 1, or one element for each tensor.",
         x = "It has length {length}, and there {cli::qty(n)}{?is/are} {n} tensor{?s}."
-      ),
-      "size", call
+      ), "size", call
     )
   }
 }

@@ -43,9 +43,7 @@ abort_dots <- function(given, call, fn) {
       },
       x = "Not understood: {.code {said}}.",
       i = "The arguments are {.arg {known}}."
-    ),
-    "argument",
-    call
+    ), "argument", call
   )
 }
 
@@ -74,8 +72,7 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
   if (!is_number(x) || length(x) != 1L || is.object(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must be one number{in_unit(unit)}.", x = "It is {describe_value(x)}."),
-      if (is_number(x) && !is.object(x)) "size" else "type",
-      call
+      if (is_number(x) && !is.object(x)) "size" else "type", call
     )
   }
   if (!is.finite(x) || x < lower || x > upper || (open && x == lower)) {
@@ -105,12 +102,7 @@ abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
   }
   where <- if (is.null(row)) "" else paste0(" in row ", format(row, big.mark = ","))
   abort_rotdyn(
-    c(
-      "{.arg {arg}} must be {domain}.",
-      x = "It is {describe_value(x)}{where}."
-    ),
-    "value",
-    call
+    c("{.arg {arg}} must be {domain}.", x = "It is {describe_value(x)}{where}."), "value", call
   )
 }
 
@@ -126,12 +118,8 @@ check_column <- function(x, arg, unit, call) {
     return(as.double(x))
   }
   abort_rotdyn(
-    c(
-      "{.arg {arg}} must be numbers{in_unit(unit)}.",
-      x = "It is {describe_value(x)}."
-    ),
-    "type",
-    call
+    c("{.arg {arg}} must be numbers{in_unit(unit)}.", x = "It is {describe_value(x)}."),
+    "type", call
   )
 }
 
@@ -145,9 +133,7 @@ check_recyclable <- function(columns, call) {
       c(
         "Arguments must have the same length, or length 1.",
         stats::setNames(text, rep("x", length(text)))
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   if (length(others)) others else 1L
@@ -162,9 +148,7 @@ check_finite <- function(x, arg, unit, call, kind = "value") {
   if (!all(is.finite(x))) {
     at <- which(!is.finite(x))[1]
     abort_rotdyn(
-      c("{.arg {arg}} must be finite.", x = "Element {at} is {format(x[at])}."),
-      kind,
-      call
+      c("{.arg {arg}} must be finite.", x = "Element {at} is {format(x[at])}."), kind, call
     )
   }
   attributes(x) <- NULL
@@ -178,9 +162,7 @@ check_class <- function(x, class, arg, remedy, call) {
         "{.arg {arg}} must be a {.cls {class}} object.",
         x = "It is {describe_value(x)}.",
         i = remedy
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
 }
@@ -204,9 +186,7 @@ check_times <- function(time_s, call) {
         "{.arg time_s} must not go back in time.",
         x = "Element {at + 1} is {format(time_s[at + 1])} after {format(time_s[at])}.",
         i = "Sort it, or ask {.fn predict} for times in any order."
-      ),
-      "time",
-      call
+      ), "time", call
     )
   }
   time_s
@@ -230,8 +210,7 @@ check_name <- function(x, arg, call) {
   if (!is.character(x) || is.object(x) || length(x) != 1L || is.na(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must be one piece of text.", x = "It is {describe_value(x)}."),
-      if (is.character(x) && length(x) != 1L) "size" else "type",
-      call
+      if (is.character(x) && length(x) != 1L) "size" else "type", call
     )
   }
   x
@@ -245,12 +224,8 @@ check_choice <- function(x, arg, choices, call) {
 check_string <- function(x, arg, choices, call) {
   if (!is.character(x) || length(x) != 1L || is.na(x) || !x %in% choices) {
     abort_rotdyn(
-      c(
-        "{.arg {arg}} must be one of {.or {.val {choices}}}.",
-        x = "It is {describe_value(x)}."
-      ),
-      "value",
-      call
+      c("{.arg {arg}} must be one of {.or {.val {choices}}}.", x = "It is {describe_value(x)}."),
+      "value", call
     )
   }
   x

@@ -58,9 +58,7 @@ need_package <- function(package, why, call) {
       c(
         "{why} needs the package {.pkg {package}}, which is not installed.",
         i = "Install it with {.code install.packages(\"{package}\")}."
-      ),
-      "package",
-      call
+      ), "package", call
     )
   }
 }

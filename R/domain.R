@@ -221,9 +221,7 @@ check_field_function <- function(f, arg, call) {
       c(
         "{.arg {arg}} must be a function of three vectors.",
         x = "It takes {length(takes)} argument{?s}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
 }
@@ -238,9 +236,7 @@ check_box <- function(lower, upper, args, unit, call) {
       c(
         "{.arg {args[2]}} must be greater than {.arg {args[1]}}.",
         x = "Component {at} is {format(upper[at])} against {format(lower[at])}."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   list(middle = lower / 2 + upper / 2, half = half)
@@ -255,9 +251,7 @@ check_radii <- function(inner_m, outer_m, call) {
         "{.arg inner_radius_m} must be less than {.arg radius_m}.",
         x = "It is {format(inner_m)} m against {format(outer_m)} m.",
         i = "A shell without thickness has an areal density: see {.fn shapes}."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   c(inner_m, outer_m)
@@ -277,9 +271,7 @@ check_turn <- function(angle_rad, call) {
       c(
         "{.arg angle_rad} must go up, by at most a full turn.",
         x = "It goes from {format(angle[1])} to {format(angle[2])} rad."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   full <- turn >= 1 - 1e-12
@@ -315,9 +307,7 @@ check_jacobian <- function(domain, call) {
         x = "At ({paste(format(at[i, ], digits = 4), collapse = ', ')}) it is
              {format(said[i], digits = 4)}; differences of {.arg map} give
              {format(found[i], digits = 4)}."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
 }
@@ -335,9 +325,7 @@ map_places <- function(domain, u, v, w, call) {
         "{.arg map} must return a matrix with columns x, y and z, a row for each of its arguments'
          elements, or a list of three such vectors.",
         x = "For {length(u)} point{?s} it returned {describe_value(places)}."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   places <- lapply(unname(as.list(places)), as.double)
@@ -349,9 +337,7 @@ map_places <- function(domain, u, v, w, call) {
         "{.arg map} must return finite places.",
         x = "At u = {format(u[at[1]], digits = 7)}, v = {format(v[at[1]], digits = 7)},
              w = {format(w[at[1]], digits = 7)} it returned ({paste(place, collapse = ', ')})."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   places
@@ -370,8 +356,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
   if (!is_number(x) || is.object(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must return numbers.", x = "It returned {describe_value(x)}."),
-      "density",
-      call
+      "density", call
     )
   }
   if (length(x) != n) {
@@ -381,9 +366,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
         x = "For {n} points it returned {length(x)} value{?s}.",
         i = "If it takes one point at a time, wrap it: {.code Vectorize({arg})}.",
         i = if (length(x) == 1L && arg == "f") "A density that is the same everywhere is a number."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   if (!(isTRUE(min(x) >= 0) && max(x) < Inf)) {
@@ -393,8 +376,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
     )
     abort_rotdyn(
       c("{.arg {arg}} must be finite and at least 0.", x = "It is {format(x[at])} at {where}."),
-      "density",
-      call
+      "density", call
     )
   }
   as.double(x)

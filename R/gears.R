@@ -22,9 +22,7 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
   check_not_negative(inertia, "moment_of_inertia_kg_m2", "kg*m^2", call)
   zero <- which(ratio == 0)
   if (length(zero)) {
-    abort_rotdyn(
-      c("{.arg ratio} must not be 0.", x = "It is in row {zero[1]}."), "value", call
-    )
+    abort_rotdyn(c("{.arg ratio} must not be 0.", x = "It is in row {zero[1]}."), "value", call)
   }
   # Divided twice: the square of a ratio may leave the range where the result does not.
   rep_len(inertia, n) / ratio / ratio

@@ -81,9 +81,7 @@ check_shape_names <- function(given, column, rows, call) {
       c(
         "{.field {column}} must be a column of names, one for each row.",
         x = "It is {describe_value(given)} for {rows} row{?s}."
-      ),
-      if (is.data.frame(given)) "type" else "size",
-      call
+      ), if (is.data.frame(given)) "type" else "size", call
     )
   }
 }
@@ -113,9 +111,7 @@ check_known <- function(given, id, beta, call) {
         "Every object must be a standard shape or have a {.field beta}.",
         x = "Not so: {.val {unknown}}.",
         i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
 }
@@ -130,9 +126,7 @@ needed_column <- function(column, unit, objects, call) {
       c(
         "{.arg {column}} must have one number for each row.",
         x = "It has {length(values)} for {nrow(objects)} row{?s}."
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   values
@@ -194,9 +188,7 @@ inertia_of_bodies <- function(bodies, call) {
       c(
         "{.arg objects} must be a data frame, a {.cls rot_body}, or a list of those.",
         x = "It is {describe_value(bodies)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   pick <- function(f) vapply(bodies, f, numeric(1))
@@ -256,8 +248,6 @@ abort_missing_column <- function(column, data, call) {
     c(
       "The table needs a column {.field {column}}.",
       x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
-    ),
-    "type",
-    call
+    ), "type", call
   )
 }

@@ -227,9 +227,7 @@ check_same_point <- function(e1, e2, operation, call) {
              ({paste(format_si(p2), collapse = ', ')}) m.",
         i = "Take both about one point, {.code inertia_tensor(body, about = )}, or join the bodies:
              {.fn join_bodies}."
-      ),
-      "point",
-      call
+      ), "point", call
     )
   }
   if (!isTRUE(all.equal(attr(e1, "rotation"), attr(e2, "rotation"), tolerance = 1e-12)) ||
@@ -238,9 +236,7 @@ check_same_point <- function(e1, e2, operation, call) {
       c(
         "Inertia tensors in different axes, or of different sign conventions, cannot be {verb}.",
         i = "Take both in the same {.arg axes} and with the same {.arg products}."
-      ),
-      "point",
-      call
+      ), "point", call
     )
   }
 }

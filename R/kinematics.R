@@ -51,9 +51,7 @@ angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_r
       c(
         "Three of {.arg {names(columns)}} must be given.",
         x = if (any(given)) "Given: {.arg {names(columns)[given]}}." else "None is given."
-      ),
-      if (sum(given) < 3L) "missing" else "size",
-      call
+      ), if (sum(given) < 3L) "missing" else "size", call
     )
   }
   for (arg in names(columns)[given]) {
@@ -87,9 +85,7 @@ warn_no_motion <- function(none, many, call) {
       "Not every row has one answer: there is NaN where it has none.",
       x = if (length(none)) "No motion has the three numbers of row{?s} {rows(none)}.",
       x = if (length(many)) "Many motions have the three numbers of row{?s} {rows(many)}."
-    ),
-    "value",
-    call
+    ), "value", call
   )
 }
 
@@ -97,9 +93,7 @@ check_finite_or_na <- function(x, arg, unit, call) {
   x <- check_column(x, arg, unit, call)
   bad <- which(is.infinite(x))
   if (length(bad)) {
-    abort_domain(
-      x[bad[1]], arg, unit, call, -Inf, Inf, FALSE, row = if (length(x) > 1L) bad[1]
-    )
+    abort_domain(x[bad[1]], arg, unit, call, -Inf, Inf, FALSE, row = if (length(x) > 1L) bad[1])
   }
   x
 }

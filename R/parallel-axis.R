@@ -65,9 +65,7 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
         "The inertia is beyond double precision.",
         x = "In row {which(known & !is.finite(value))[1]} it is
              {format(value[known & !is.finite(value)][1])}."
-      ),
-      "range",
-      call
+      ), "range", call
     )
   }
   if (sign < 0) {
@@ -79,9 +77,7 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
           "{.arg inertia_kg_m2} must be at least m d^2, its value for a point mass.",
           x = "In row {i} the moment about the centre would be {format(value[i], digits = 3)}
                kg m^2."
-        ),
-        "value",
-        call
+        ), "value", call
       )
     }
     value <- pmax(value, 0)
@@ -133,9 +129,7 @@ warn_lost_digits <- function(moved, left, call) {
         x = "m d^2 is {format(moved[i], digits = 3)} kg m^2, what is left
              {format(left, digits = 3)}: about {digits} digit{?s} of it {?is/are} good.",
         i = "Give the tensor about the centre of mass, or a point near it."
-      ),
-      "digits",
-      call
+      ), "digits", call
     )
   }
 }

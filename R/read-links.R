@@ -78,8 +78,7 @@ check_expanded <- function(root, call) {
         "{.arg file} must be a description without xacro.",
         x = "It has {.code <{xml2::xml_name(left, xml2::xml_ns(root))}>}.",
         i = xacro_remedy
-      ),
-      "file", call
+      ), "file", call
     )
   }
 }
@@ -90,10 +89,7 @@ check_unique <- function(names, call) {
   twice <- unique(names[duplicated(names)])
   if (length(twice)) {
     abort_rotdyn(
-      c(
-        "Every link must have a name of its own.",
-        x = "More than one is called {.val {twice}}."
-      ),
+      c("Every link must have a name of its own.", x = "More than one is called {.val {twice}}."),
       "file", call
     )
   }
@@ -114,8 +110,7 @@ description_root <- function(file, call) {
       c(
         "{.arg file} must be a URDF or SDF description.",
         x = "Its root is {.code <{name}>}, not {.code <robot>} or {.code <sdf>}."
-      ),
-      "file", call
+      ), "file", call
     )
   }
   root
@@ -127,8 +122,7 @@ parse_description <- function(file, call) {
       c(
         "{.arg file} must be a path, XML text or an {.cls xml_document}.",
         x = "It is {describe_value(file)}."
-      ),
-      "type", call
+      ), "type", call
     )
   }
   if (!grepl("^[[:space:]\ufeff]*<", file)) {
@@ -138,8 +132,7 @@ parse_description <- function(file, call) {
           "{.arg file} must be a file, or XML text.",
           x = "There is no file {.file {file}}.",
           i = if (grepl("^[a-z]+://", file)) "Download it first."
-        ),
-        "file", call
+        ), "file", call
       )
     }
   } else {
@@ -176,8 +169,7 @@ only_child <- function(node, name, link, call) {
       c(
         "Link {.val {link}} must have one {.code <{name}>}.",
         x = "Its {.code <{xml2::xml_name(node)}>} has {length(found)}."
-      ),
-      "file", call
+      ), "file", call
     )
   }
   if (length(found)) found[[1L]]
@@ -199,8 +191,7 @@ numbers_of <- function(text, n, what, link, call) {
         } else if (grepl("^[-+0-9.]*,[0-9]+$", word)) {
           "Decimals are written with a point."
         }
-      ),
-      "value", call
+      ), "value", call
     )
   }
   if (length(values) != n) {
@@ -208,8 +199,7 @@ numbers_of <- function(text, n, what, link, call) {
       c(
         "{what} of link {.val {link}} must be {n} number{?s}.",
         x = "It has {length(values)}: {.val {text}}."
-      ),
-      "value", call
+      ), "value", call
     )
   }
   values
@@ -219,8 +209,7 @@ finite_numbers <- function(text, n, what, link, call) {
   values <- numbers_of(text, n, what, link, call)
   if (!all(is.finite(values))) {
     abort_rotdyn(
-      c("{what} of link {.val {link}} must be finite.", x = "It says {.val {text}}."),
-      "value", call
+      c("{what} of link {.val {link}} must be finite.", x = "It says {.val {text}}."), "value", call
     )
   }
   values
@@ -232,17 +221,14 @@ abort_lacking <- function(what, link, call, why = "The format demands it in {.co
     c(
       "Link {.val {link}} has no {.code {what}}.",
       i = paste(why, "A frame without mass has no {.code <inertial>}.")
-    ),
-    "file", call
+    ), "file", call
   )
 }
 
 link_name <- function(node, number, call) {
   name <- xml2::xml_attr(node, "name")
   if (is.na(name) || !nzchar(name)) {
-    abort_rotdyn(
-      c("Every link must have a name.", x = "Link {number} has none."), "file", call
-    )
+    abort_rotdyn(c("Every link must have a name.", x = "Link {number} has none."), "file", call)
   }
   name
 }
@@ -293,8 +279,7 @@ urdf_number <- function(node, attribute, element, link, call) {
       c(
         "{what} of link {.val {link}} must be in kg and m.",
         x = "Its unit is {.val {unit}}, and the format has no units."
-      ),
-      "unit", call
+      ), "unit", call
     )
   }
   numbers_of(text, 1L, what, link, call)
@@ -399,8 +384,7 @@ sdf_pose <- function(node, where, link, call) {
         } else {
           "Its rotation is given as {.val {format}}."
         }
-      ),
-      "file", call
+      ), "file", call
     )
   }
   pose_numbers <- finite_numbers(xml2::xml_text(pose), 6L, what, link, call)

@@ -16,9 +16,7 @@ as_mesh <- function(mesh, length_unit, call) {
         "{.arg mesh} must be a {.cls mesh3d} object, a list of {.field vertices} and {.field faces},
          or the name of an STL, OBJ or PLY file.",
         x = "It is {describe_value(mesh)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   out$factor <- factor
@@ -55,9 +53,7 @@ metres_in <- function(length_unit, call) {
       c(
         "{.arg length_unit} must be one unit of length.",
         x = "It is {describe_value(length_unit)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   known <- length_units[match(length_unit, names(length_units))]
@@ -76,9 +72,7 @@ metres_in <- function(length_unit, call) {
       x = "It is {.val {length_unit}}.",
       i = "Known by name are {.val {names(length_units)}}; with the package {.pkg units} also what
            that one knows."
-    ),
-    "unit",
-    call
+    ), "unit", call
   )
 }
 
@@ -91,9 +85,7 @@ mesh_from_mesh3d <- function(mesh, arg, call) {
       c(
         "The {.field vb} of a {.cls mesh3d} must be a numeric matrix of three or four rows.",
         x = "It is {describe_matrix(vertices)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   storage.mode(vertices) <- "double"
@@ -120,9 +112,7 @@ mesh_from_pair <- function(mesh, length_unit, factor, call) {
       c(
         "A list {.arg mesh} must have {.field vertices} and {.field faces}.",
         x = "It has {.field {names(mesh)}}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (is.null(names(mesh))) names(mesh) <- c("vertices", "faces")
@@ -150,9 +140,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
           "Columns {.field {place_columns}} are in metres.",
           x = "{.arg length_unit} is {.val {length_unit}}.",
           i = "Call them {.field x}, {.field y} and {.field z}."
-        ),
-        "unit",
-        call
+        ), "unit", call
       )
     }
     x <- lapply(named[[1L]], function(name) {
@@ -172,9 +160,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
         "{.code mesh$vertices} must be a numeric matrix of three columns, or a data frame of
          {.field x_m}, {.field y_m} and {.field z_m}.",
         x = "It is {describe_matrix(x)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   dimnames(x) <- NULL
@@ -194,9 +180,7 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
         "{.code {arg}} must be a matrix of vertex numbers with {corners}
          {if (by_column) 'rows' else 'columns'}.",
         x = "It is {describe_matrix(x)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (is.double(x)) {
@@ -213,8 +197,7 @@ mesh_from_file <- function(path, call) {
   if (length(path) != 1L || is.na(path) || !file.exists(path) || dir.exists(path)) {
     abort_rotdyn(
       c("{.arg mesh} must be the name of one file.", x = "There is no file {.file {path}}."),
-      "file",
-      call
+      "file", call
     )
   }
   format <- tolower(sub("^.*[.]", "", basename(path)))
@@ -223,9 +206,7 @@ mesh_from_file <- function(path, call) {
       c(
         "A mesh is read from an STL, OBJ or PLY file.",
         x = "{.file {basename(path)}} ends in none of {.val {c('.stl', '.obj', '.ply')}}."
-      ),
-      "file",
-      call
+      ), "file", call
     )
   }
   if (isTRUE(file.size(path) == 0)) abort_mesh_file(path, "It is empty.", call)
@@ -252,7 +233,5 @@ mesh_from_file <- function(path, call) {
 
 abort_mesh_file <- function(path, why, call, .envir = parent.frame()) {
   why <- cli::format_inline(why, .envir = .envir)
-  abort_rotdyn(
-    c("{.file {basename(path)}} cannot be read as a mesh.", x = "{why}"), "file", call
-  )
+  abort_rotdyn(c("{.file {basename(path)}} cannot be read as a mesh.", x = "{why}"), "file", call)
 }

@@ -37,9 +37,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
         "{.arg objects} must be a data frame with a column {.field beta}.",
         x = "It is {describe_value(objects)}.",
         i = "Numbers alone: {.code rolling_table(data.frame(beta = ))}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (is.null(objects[["beta"]])) {
@@ -53,8 +51,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   if (length(twice)) {
     warn_rotdyn(
       "{.arg {twice}} {?is/are} given both as column and as argument: the column is used.",
-      "column",
-      call
+      "column", call
     )
   }
   columns <- list(
@@ -72,9 +69,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
         "Arguments must have one number for each row of {.arg objects}, or one for all.",
         x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
              has {n} row{?s}."
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   values <- .Call(

@@ -22,8 +22,7 @@ rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
   if (is.null(angle_rad) == is.null(angle_deg)) {
     abort_rotdyn(
       "Exactly one of {.arg angle_rad} and {.arg angle_deg} must be given.",
-      if (is.null(angle_rad)) "missing" else "value",
-      call
+      if (is.null(angle_rad)) "missing" else "value", call
     )
   }
   n <- unit_axis(as_axis(axis, call), call)
@@ -76,9 +75,7 @@ as_rotation <- function(rotation, arg, call) {
         "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
         x = "It is {describe_value(rotation)}.",
         i = "See {.fn rotation_about}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (!all(is.finite(rotation))) {
@@ -98,9 +95,7 @@ as_rotation <- function(rotation, arg, call) {
         } else {
           "Its determinant is -1: it mirrors."
         }
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   # Numbers of nine digits make no rotation of sixteen: one step of Newton's to the nearest one.
@@ -111,12 +106,8 @@ matrix_of_quaternion <- function(q, arg, call) {
   norm <- sqrt(sum(q^2))
   if (!(abs(norm - 1) <= 1e-8)) {
     abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a unit quaternion.",
-        x = "Its norm is {format(norm, digits = 7)}."
-      ),
-      "value",
-      call
+      c("{.arg {arg}} must be a unit quaternion.", x = "Its norm is {format(norm, digits = 7)}."),
+      "value", call
     )
   }
   q <- q / norm

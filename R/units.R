@@ -25,9 +25,7 @@ as_si <- function(x, unit, arg, call) {
         "{.arg {arg}} must be a quantity in {plain_unit(unit)}.",
         x = "Its unit, {given}, counts cycles: a cycle is 2 pi rad.",
         i = "Give it in {.val rpm}, or {.code 2 * pi} times it in {.val rad/s}."
-      ),
-      "unit",
-      call
+      ), "unit", call
     )
   }
   as.numeric(units::set_units(x, unit, mode = "standard"))
@@ -36,11 +34,7 @@ as_si <- function(x, unit, arg, call) {
 abort_dimension <- function(given, unit, arg, call) {
   wanted <- if (unit == "1") "a plain number" else paste("a quantity in", plain_unit(unit))
   abort_rotdyn(
-    c(
-      "{.arg {arg}} must be {wanted}.",
-      x = "Its unit, {given}, has another dimension."
-    ),
-    "unit",
-    call
+    c("{.arg {arg}} must be {wanted}.", x = "Its unit, {given}, has another dimension."),
+    "unit", call
   )
 }
