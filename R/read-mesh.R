@@ -1,7 +1,7 @@
-# Meshes as users have them, brought to one form: a list of `vertices` (matrix of doubles), `faces`
-# (matrix of integers, three of them a face), `by_column` (whether a column is a vertex and a face,
-# as a mesh3d has them), `factor` (metres in a unit of the coordinates), and of a file what it was
-# read by, and whether the numbers have `single` precision.
+# Converts a mesh to a list of `vertices` (matrix of doubles), `faces` (matrix of integers, three
+# for a face), `by_column` (whether vertices and faces are in columns, as in a mesh3d), `factor`
+# (metres in a unit of the coordinates), and for a file the `reader` and whether the numbers have
+# `single` precision.
 as_mesh <- function(mesh, length_unit, call) {
   factor <- metres_in(length_unit, call)
   out <- if (is.character(mesh)) {
@@ -14,7 +14,7 @@ as_mesh <- function(mesh, length_unit, call) {
     abort_rotdyn(
       c(
         "{.arg mesh} must be a {.cls mesh3d} object, a list of {.field vertices} and {.field faces},
-         or the name of an STL, OBJ or PLY file.",
+         or the path of an STL, OBJ or PLY file.",
         x = "It is {describe_value(mesh)}."
       ), "type", call
     )
@@ -23,7 +23,7 @@ as_mesh <- function(mesh, length_unit, call) {
   out
 }
 
-# A list without a class that has names is told which names it needs.
+# A list with names but no class is accepted here, so that the message says which names it needs.
 is_pair <- function(mesh) {
   is.list(mesh) && !is.data.frame(mesh) && if (is.object(mesh)) {
     setequal(names(mesh), c("vertices", "faces"))
@@ -70,8 +70,8 @@ metres_in <- function(length_unit, call) {
     c(
       "{.arg length_unit} must be a unit of length.",
       x = "It is {.val {length_unit}}.",
-      i = "Known by name are {.val {names(length_units)}}; with the package {.pkg units} also what
-           that one knows."
+      i = "Known are {.val {names(length_units)}}, and with the package {.pkg units} all its units
+           of length."
     ), "unit", call
   )
 }
@@ -127,7 +127,7 @@ mesh_from_pair <- function(mesh, length_unit, factor, call) {
   )
 }
 
-# Quantities with a unit of their own are put into `length_unit`, like the numbers without.
+# Units objects are converted to `length_unit`, the unit of plain numbers.
 mesh_vertices <- function(x, length_unit, factor, call) {
   if (is.data.frame(x)) {
     named <- Filter(function(names) all(names %in% names(x)), list(place_columns, c("x", "y", "z")))
@@ -168,7 +168,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
   x
 }
 
-# Numbers of vertices. What is no whole number names no vertex, and is counted as such later.
+# Vertex numbers. Those that are not whole become NA, and are counted as invalid later.
 mesh_indices <- function(x, corners, by_column, arg, call) {
   if (is.null(x)) {
     return(if (by_column) matrix(0L, corners, 0L) else matrix(0L, 0L, corners))
@@ -196,7 +196,7 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
 mesh_from_file <- function(path, call) {
   if (length(path) != 1L || is.na(path) || !file.exists(path) || dir.exists(path)) {
     abort_rotdyn(
-      c("{.arg mesh} must be the name of one file.", x = "There is no file {.file {path}}."),
+      c("{.arg mesh} must be the path of one file.", x = "There is no file {.file {path}}."),
       "file", call
     )
   }
@@ -205,7 +205,8 @@ mesh_from_file <- function(path, call) {
     abort_rotdyn(
       c(
         "A mesh is read from an STL, OBJ or PLY file.",
-        x = "{.file {basename(path)}} ends in none of {.val {c('.stl', '.obj', '.ply')}}."
+        x = "The extension of {.file {basename(path)}} must be one of
+             {.val {c('.stl', '.obj', '.ply')}}."
       ), "file", call
     )
   }
@@ -220,7 +221,7 @@ mesh_from_file <- function(path, call) {
     ),
     error = function(e) {
       reason <- conditionMessage(e)
-      abort_mesh_file(path, "The reader says: {reason}.", call)
+      abort_mesh_file(path, "The reader reports: {reason}.", call)
     }
   )
   out <- mesh_from_mesh3d(read, "mesh", call)

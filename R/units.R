@@ -1,5 +1,5 @@
-# A number in SI units from what the user gave: a plain number is taken as it is, a units object or
-# a difftime is converted to `unit` (in the notation of the units package).
+# The value in SI units: a plain number is unchanged, a units object or a difftime is converted to
+# `unit` (in the notation of the units package).
 as_si <- function(x, unit, arg, call) {
   if (!is.object(x)) {
     return(x)
