@@ -56,6 +56,7 @@ audit.rot_trajectory <- function(x, ...) {
       ledger[-(4:6)] <- -ledger[-(4:6)] # rows turned round: the balance runs backwards
     }
   }
+  ledger <- unname(ledger)
   inertia <- if (is.null(scene$inertia)) {
     rep(scene$moment_of_inertia_kg_m2, 2L)
   } else {
@@ -78,12 +79,12 @@ audit.rot_trajectory <- function(x, ...) {
   momentum_residual <- (momentum - ledger[3]) - damping
 
   eps <- .Machine$double.eps
-  omega_error <- run$info$omega_error + eps * abs(omega)
+  omega_error <- run$info$errors[["omega"]] + eps * abs(omega)
   energy_rounding <- ledger[4] + ledger[5] + sum(inertia * abs(omega) * omega_error) +
     2 * eps * (abs(kinetic) + abs(ledger[1]) + abs(ledger[2]) + abs(ledger[11])) +
     if (is.null(scene$inertia)) 0 else 2 * eps * sum(inertia * omega^2)
   momentum_rounding <- ledger[6] + sum(inertia * omega_error) +
-    abs(viscous_of(scene)) * sum(run$info$theta_error + eps * abs(theta)) +
+    abs(viscous_of(scene)) * sum(run$info$errors[["theta"]] + eps * abs(theta)) +
     2 * eps * (abs(momentum) + abs(ledger[3]) + abs(damping))
   balanced <- abs(energy_residual) <= energy_rounding &&
     abs(momentum_residual) <= momentum_rounding

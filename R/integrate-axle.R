@@ -61,37 +61,23 @@ add_end_jumps <- function(result, scene, time_s) {
   result
 }
 
-# What the samples' error can do to the motion, and what the samples cost. solve(push_n_m) is the
-# motion under a constant torque besides.
+# The error of the samples added to that of the run. growth() takes a pendulum for upside down at
+# all times, 1e125 in 100 s: where its bound matters the growth is measured, by a constant torque
+# that stands out from the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
-  info <- result[[2]]
-  grow <- sampling_growth(info, scene, time_s, solve, accuracy)
-  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
-  info$omega_error <- info$omega_error + reach$omega
-  info$theta_error <- info$theta_error + reach$theta
-  info$error <- error_of_run(info)
-  result[[2]] <- info
-  result
-}
-
-# How much more a small torque does than in free motion. The bound of growth() takes a pendulum for
-# upside down all the time, 1e125 in 100 s: where it matters the growth is measured, by a push that
-# stands out from the integration's own error.
-sampling_growth <- function(info, scene, time_s, solve, accuracy) {
   free <- disturbance(scene, 1, time_s, grow = 1)
   grow <- disturbance(scene, 1, time_s)$omega / free$omega
-  if (!(grow > 2) || !(info$omega_max > 0)) {
-    return(if (is.finite(grow)) grow else 1)
+  push <- min(100 * accuracy, 1e-3) * result[[2]]$sizes[["omega"]] / free$omega
+  if (isTRUE(grow > 2) && is.finite(push) && push > 0) {
+    runs <- lapply(c(0, push), solve)
+    if (all(vapply(runs, function(run) run[[2]]$kind == "none", logical(1)))) {
+      apart <- function(column) max(abs(runs[[2]][[1]][[column]] - runs[[1]][[1]][[column]])) / push
+      grow <- max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
+    }
+  } else if (!is.finite(grow)) {
+    grow <- 1 # nothing moves, or in no time
   }
-  push <- min(100 * accuracy, 1e-3) * info$omega_max / free$omega
-  if (!(is.finite(push) && push > 0)) {
-    return(grow)
-  }
-  still <- solve(0)
-  moved <- solve(push)
-  if (still[[2]]$kind != "none" || moved[[2]]$kind != "none") {
-    return(grow)
-  }
-  apart <- function(column) max(abs(moved[[1]][[column]] - still[[1]][[column]])) / push
-  max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
+  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
+  result[[2]] <- widen_error(result[[2]], reach)
+  result
 }

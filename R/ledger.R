@@ -216,7 +216,7 @@ ledger_by_quadrature <- function(scene, run, from_s, to_s) {
   value <- parts$value[1, ]
   size <- parts$size[1, ]
   # What the motion's own error does: omega's to the rates, linear in each.
-  omega <- run$info$omega_error / max(run$info$omega_max, 1e-300)
+  omega <- run$info$errors[["omega"]] / max(run$info$sizes[["omega"]], 1e-300)
   rounding <- parts$error[1, ] + (4e-15 + 3 * omega) * size
   c(
     value[1:3], rounding[1] + rounding[8], rounding[2], rounding[3] + rounding[7], value[4:6],

@@ -28,10 +28,10 @@ clutch_exact <- list(
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     check_not_before_start(scene, time_s, call)
     result <- .Call(ffi_clutch_run, clutch_pack(scene), time_s, progress_bar("clutch"))
-    list(result[[1]], result[[2]], NULL, tibble::as_tibble(result[[3]]))
+    list(result[[1]], result[[2]], NULL, tibble::as_tibble(result[[4]]))
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_clutch_work, clutch_pack(scene), c(from_s, to_s))
+    .Call(ffi_clutch_ledger, clutch_pack(scene), c(from_s, to_s))
   }
 )
 

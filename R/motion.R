@@ -205,9 +205,9 @@ balance_rotors <- function(x, run) {
     return(NULL)
   }
   record <- if (run$model == "rotors_rigid") rotors_rigid else rotors_modal
-  ledger <- record$ledger(scene, run, span[1], span[2])
+  ledger <- unname(record$ledger(scene, run, span[1], span[2]))
   eps <- .Machine$double.eps
-  error <- run$info$omega_error + eps * max(abs(c(from$omega, to$omega)))
+  error <- run$info$errors[["omega"]] + eps * max(abs(c(from$omega, to$omega)))
   rate <- c(from$omega, to$omega)
   twist <- elastic_energy(scene, from, to, record)
   # An error of omega goes with one of the same energy norm in the twists.
@@ -217,7 +217,7 @@ balance_rotors <- function(x, run) {
   moved <- to$theta - from$theta
   momentum <- sum(inertia * (to$omega - from$omega))
   impulse <- sum(scene$torque_n_m) * diff(span)
-  turned_error <- 2 * run$info$theta_error +
+  turned_error <- 2 * run$info$errors[["theta"]] +
     eps * max(abs(c(from$theta, to$theta)))
   list(
     work = ledger[1],
@@ -263,9 +263,9 @@ balance_clutch <- function(x, run) {
   if (rows[1] == rows[2]) rows[2] <- rows[1]
   time <- x$time_s[rows]
   omega <- rbind(x$omega_1_rad_per_s[rows], x$omega_2_rad_per_s[rows])
-  ledger <- clutch_exact$ledger(scene, run, time[1], time[2])
+  ledger <- unname(clutch_exact$ledger(scene, run, time[1], time[2]))
   eps <- .Machine$double.eps
-  error <- run$info$omega_error + eps * max(abs(omega))
+  error <- run$info$errors[["omega"]] + eps * max(abs(omega))
   heat <- x$heat_j[rows[2]] - x$heat_j[rows[1]]
   impulses <- vapply(scene$steps, steps_impulse, double(2), time[1], time[2])
   list(
@@ -274,7 +274,8 @@ balance_clutch <- function(x, run) {
     kinetic = sum(0.5 * inertia * (omega[, 2] - omega[, 1]) * (omega[, 2] + omega[, 1])),
     elastic = 0,
     energy_rounding = ledger[2] + sum(inertia * abs(omega)) * error +
-      16 * eps * abs(x$heat_j[rows[2]]) + 4 * scene$static_capacity_n_m * run$info$theta_error +
+      16 * eps * abs(x$heat_j[rows[2]]) +
+      4 * scene$static_capacity_n_m * run$info$errors[["theta"]] +
       4 * eps * (abs(ledger[1]) + heat),
     momentum = sum(inertia * (omega[, 2] - omega[, 1])),
     impulse = sum(impulses[1, ]),

@@ -120,10 +120,9 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   ))
 }
 
-widen_error <- function(info, dropped) {
-  info$omega_error <- info$omega_error + dropped$omega
-  info$theta_error <- info$theta_error + dropped$theta
-  info$error <- error_of_run(info)
+widen_error <- function(info, by) {
+  info$errors <- info$errors + c(by$theta, by$omega)
+  info$error <- .Call(ffi_error_figure, info$errors, info$sizes)
   info
 }
 
@@ -142,7 +141,7 @@ relative_accuracy <- function(accuracy, scene, time_s, call) {
   info <- pilot$record$run(
     pilot$scene, time_s, 1e-3, 1e6 + length(time_s), call, FALSE
   )[[2]]
-  size <- if (of_angle) info$theta_max else info$omega_max
+  size <- if (of_angle) info$sizes[["theta"]] else info$sizes[["omega"]]
   if (info$kind != "none" || !(size > 0)) {
     return(1e-9) # a run that fails will say why; a motion of size 0 has no error
   }

@@ -164,7 +164,8 @@ new_truth <- function(name, theta, omega, theta_max, omega_max, error) {
 truth_of_run <- function(motion) {
   run <- trajectory_run(motion)
   new_truth(
-    run$model, motion$theta_rad, motion$omega_rad_per_s, run$info$theta_max, run$info$omega_max,
+    run$model, motion$theta_rad, motion$omega_rad_per_s, run$info$sizes[["theta"]],
+    run$info$sizes[["omega"]],
     run$info$error
   )
 }

@@ -132,20 +132,3 @@ SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *column
   UNPROTECT(1);
   return list;
 }
-
-SEXP ffi_info(const rot_info *info) {
-  static const char *const names[] = {
-      "kind",        "text",        "time_s",    "rows_done", "steps", "rejected",  "rhs_calls",
-      "theta_error", "omega_error", "theta_max", "omega_max", "error", "tolerance", "method", ""};
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  const double numbers[] = {info->time_s,           (double)info->rows_done, (double)info->steps,
-                            (double)info->rejected, (double)info->rhs_calls, info->theta_error,
-                            info->omega_error,      info->theta_max,         info->omega_max,
-                            rot_info_error(info),   info->tolerance};
-  SET_VECTOR_ELT(list, 0, Rf_mkString(rot_status_kind(info->status)));
-  SET_VECTOR_ELT(list, 1, Rf_mkString(rot_status_text(info->status)));
-  for (int i = 0; i < 11; i++) SET_VECTOR_ELT(list, i + 2, Rf_ScalarReal(numbers[i]));
-  SET_VECTOR_ELT(list, 13, Rf_mkString(rot_method_name(info->method)));
-  UNPROTECT(1);
-  return list;
-}

@@ -48,7 +48,6 @@ typedef struct ffi_vector {
   const double *x;
 } ffi_vector;
 SEXP ffi_vectors(int n, const char *const names[], const ffi_vector parts[]);
-SEXP ffi_info(const rot_info *info);
 
 /* ---- entries -------------------------------------------------------------------------------- */
 

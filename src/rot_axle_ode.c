@@ -212,22 +212,24 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
 static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
                        const double error[], const double largest[], rot_info *info) {
   const double theta0 = m->scene->linear.theta0_rad;
-  info->theta_max = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
+  rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
+  rot_info_measures(info, rot_turning);
+  theta->largest = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
   for (size_t i = 0; i < n; i++) {
-    info->theta_max = fmax(info->theta_max, fabs(theta0 + y[i * DIM + TURNED]));
+    theta->largest = fmax(theta->largest, fabs(theta0 + y[i * DIM + TURNED]));
   }
   /* With half of an ulp of theta, two of 1000 motions erred by more, at 3e-16. */
-  info->theta_error = error[TURNED] + 4.0 * ROT_EPS * info->theta_max;
-  info->omega_error = error[OMEGA];
-  info->omega_max = largest[OMEGA];
+  theta->error = error[TURNED] + 4.0 * ROT_EPS * theta->largest;
+  omega->error = error[OMEGA];
+  omega->largest = largest[OMEGA];
   if (m->inertia.n == 0) return;
   double most = 0.0;
-  info->omega_max = fabs(m->scene->linear.omega0_rad_per_s);
+  omega->largest = fabs(m->scene->linear.omega0_rad_per_s);
   for (size_t i = 0; i < n; i++) {
     most = fmax(most, omega_of(m, time_s[i], 1.0));
-    info->omega_max = fmax(info->omega_max, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
+    omega->largest = fmax(omega->largest, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
   }
-  info->omega_error *= most;
+  omega->error *= most;
 }
 
 static void write_ledger(const double first[], const double last[], const double error[],
@@ -243,7 +245,6 @@ static void write_ledger(const double first[], const double last[], const double
   out->work_rounding_j = 2.0 * (error[WORK] + error[INERTIA]);
   out->dissipated_rounding_j = 2.0 * (error[VISCOUS] + error[QUADRATIC] + error[COULOMB]);
   out->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
-  out->damping_rounding_n_m_s = 2.0 * error[DAMPING];
 }
 
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
@@ -256,7 +257,7 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
   const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
   const rot_ode_switch turn = {OMEGA, IMPULSE, holds};
   const int guess_torque = scene->linear.torque.call && n > FEW_ROWS;
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->status = collect_breaks(&m);
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
   double *slope = guess_torque ? malloc(n * sizeof *slope) : NULL;

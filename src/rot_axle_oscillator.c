@@ -43,10 +43,7 @@ typedef struct swing {
 
 /* ---- products ------------------------------------------------------------------------------- */
 
-static int tame(double x) {
-  x = fabs(x);
-  return x == 0.0 || (x > 1e-60 && x < 1e60);
-}
+static int tame(double x) { return rot_well_scaled(x, 1e60); }
 
 /* Product of n numbers times 2^e, divided by d. */
 static double product(int plain, int n, const double x[], double d, int e) {
@@ -374,7 +371,7 @@ rot_status rot_axle_oscillator(const rot_axle_scene *scene, size_t n, const doub
   static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   swing run;
   (void)events; /* nothing happens here that would be one */
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->status = begin(scene, &run);
   if (info->status == ROT_OK) {
     rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);

@@ -63,8 +63,8 @@ test_that("a stiff shaft is rigid when that is good enough, and the bound holds"
   expect_equal(rigid$omega_rad_per_s, rep(1 * time, each = 2))
   expect_equal(rigid$shaft_torque_n_m[1], 2) # what it takes to turn 2 kg m^2 at 1 rad/s^2
   run <- attr(rigid, "run")
-  expect_lte(max(abs(rigid$omega_rad_per_s - exact$omega_rad_per_s)), run$info$omega_error)
-  expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$theta_error)
+  expect_lte(max(abs(rigid$omega_rad_per_s - exact$omega_rad_per_s)), run$info$errors[["omega"]])
+  expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$errors[["theta"]])
   expect_error(motion_of(scene, time, 1e-9, "rotors_rigid"), class = "rotdyn_error_model")
   expect_error(motion_of(scene, time, 1e-9, "axle_free"), class = "rotdyn_error_model")
   soft <- scene_rotors(c(1, 2), 0, torque_n_m = c(3, 0))
