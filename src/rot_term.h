@@ -1,5 +1,5 @@
-/* The terms of a torque law that straight lines over time cannot say. A law is the sum of its knots
- * (rot_torque.h) and of these. */
+/* Torque terms that are not piecewise linear in time. A law is the sum of its knots (rot_torque.h)
+ * and of these. */
 #ifndef ROT_TERM_H
 #define ROT_TERM_H
 
@@ -12,7 +12,7 @@ typedef enum rot_term_kind {
   ROT_TERM_POLYNOMIAL, /* n pieces of m coefficients: n, m, n + 1 breaks, then n rows of m; in piece
                            i sum_j a_ij (t - break_i)^j; zero outside the breaks */
   ROT_TERM_CHEBYSHEV,  /* the same layout; in piece i sum_j a_ij T_j, on the piece as [-1, 1] */
-  ROT_TERM_CURVE,      /* straight lines over omega: n, n speeds (increasing), n torques; held
+  ROT_TERM_CURVE,      /* piecewise linear in omega: n, n speeds (increasing), n torques; held
                            outside */
   ROT_TERM_SPRING,     /* -x[0] (theta - x[1]) */
   ROT_TERM_GRAVITY,    /* -x[0] sin(theta - x[1]) */
