@@ -322,7 +322,15 @@ static rot_status run_linear(const rot_axle_scene *scene, size_t n, const double
                              const rot_axle_columns *out, rot_events *events,
                              const rot_hooks *hooks, rot_info *info) {
   (void)events;
-  return rot_axle_linear_fast(&scene->linear, n, time_s, out, hooks, info);
+  const rot_status status = rot_axle_linear_fast(&scene->linear, n, time_s, out, hooks, info);
+  /* The closed form takes motor and viscous resistance as one; the columns keep them apart. */
+  for (size_t i = 0; i < info->rows_done && scene->motor_n_m_s != 0.0; i++) {
+    const double omega = out->omega_rad_per_s[i];
+    out->applied_torque_n_m[i] -= scene->motor_n_m_s * omega;
+    out->damping_torque_n_m[i] = 0.0 - scene->viscous_n_m_s * omega;
+    out->net_torque_n_m[i] = out->applied_torque_n_m[i] + out->damping_torque_n_m[i];
+  }
+  return status;
 }
 
 rot_axle_model rot_axle_closed_form(const char *id) {

@@ -1,8 +1,57 @@
 #include "rot_axle_scene.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "rot_real.h"
+
+static int by_size(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+size_t rot_axle_scene_room(const rot_axle_scene *scene) {
+  size_t room = scene->linear.torque.n + scene->n_inertia + scene->n_breaks + 1;
+  for (size_t i = 0; i < scene->n_terms; i++) room += rot_term_breaks(&scene->terms[i], NULL);
+  return room;
+}
+
+size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]) {
+  const rot_torque *torque = &scene->linear.torque;
+  size_t total = 0, n = 0;
+  for (size_t i = 0; i < torque->n; i++) out[total++] = torque->time_s[i];
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    total += rot_term_breaks(&scene->terms[i], out + total);
+  }
+  for (size_t i = 0; i < scene->n_inertia; i++) out[total++] = scene->inertia_time_s[i];
+  for (size_t i = 0; i < scene->n_breaks; i++) out[total++] = scene->breaks_s[i];
+  qsort(out, total, sizeof *out, by_size);
+  for (size_t i = 0; i < total; i++) {
+    if (n == 0 || out[i] != out[n - 1]) out[n++] = out[i];
+  }
+  return n;
+}
+
+void rot_axle_widen_by_motor(const rot_axle_scene *scene, size_t n, const double time_s[],
+                             rot_info *info) {
+  const double start_s = scene->linear.start_s, motor = scene->motor_n_m_s;
+  const double span = n ? fmax(fabs(time_s[0] - start_s), fabs(time_s[n - 1] - start_s)) : 0.0;
+  if (motor == 0.0 || span == 0.0 || isnan(rot_info_error(info))) return;
+  rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
+  const double inertia = scene->linear.inertia_kg_m2, c = scene->viscous_n_m_s + motor;
+  const double off = fabs(motor) + fabs(c); /* in units of roundoff */
+  const double moved = off / inertia * span / 12.0;
+  double more_theta = theta->error > 0.0 ? moved * theta->error : 0.0;
+  double more_omega = omega->error > 0.0 ? moved * omega->error : 0.0;
+  if (c > 0.0 && isfinite(off) && time_s[0] >= start_s) {
+    const double share = 3.4 * off / c;
+    more_omega = fmin(more_omega, ROT_EPS * share * omega->largest);
+    const double turned = more_omega > 0.0 ? inertia / c * more_omega : 0.0;
+    more_theta = fmin(more_theta, share / 12.0 * theta->error + turned);
+  }
+  theta->error += more_theta;
+  omega->error += more_omega;
+}
 
 double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,
                               double omega) {
