@@ -2,8 +2,7 @@
 
 integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   loads <- scene$loads
-  breaks <- axle_breaks(scene)
-  law <- sampled <- NULL
+  law <- sampled <- stops <- NULL
   if (!is.null(loads$law)) {
     span <- range(scene$start_s, time_s)
     reader <- law_reader(loads$law, scene, call)
@@ -13,13 +12,14 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     }
     if (is.null(sampled)) law <- reader$own
     loads$terms <- c(loads$terms, list(sampled$term)[!is.null(sampled)])
-    breaks <- sort(unique(c(breaks, scan$stops, sampled$term$breaks_s)))
+    stops <- scan$stops
   }
+  noise_n_m <- if (is.null(sampled)) 0 else sampled$error
   solve <- function(loads, time_s) {
+    scene$loads <- loads
     .Call(
-      ffi_axle_integrate,
-      pack_axle(scene, breaks, loads, if (is.null(sampled)) 0 else sampled$error), law, time_s,
-      c(accuracy, max_steps, method), progress_bar("integrating")
+      ffi_axle_integrate, scene, law, stops, time_s, c(accuracy, max_steps, method, noise_n_m),
+      progress_bar("integrating")
     )
   }
   result <- add_end_jumps(solve(loads, time_s), scene, time_s)
@@ -61,35 +61,23 @@ add_end_jumps <- function(result, scene, time_s) {
   result
 }
 
-# What the samples' error can do to the motion, and what the samples cost. solve(push_n_m) is the
-# motion under a constant torque besides.
+# The error of the samples added to that of the run. growth() takes a pendulum for upside down at
+# all times, 1e125 in 100 s: where its bound matters the growth is measured, by a constant torque
+# that stands out from the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
-  info <- result[[2]]
-  grow <- sampling_growth(info, scene, time_s, solve, accuracy)
-  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
-  info <- widen_error(info, reach)
-  result[[2]] <- info
-  result
-}
-
-# How much more a small torque does than in free motion. The bound of growth() takes a pendulum for
-# upside down all the time, 1e125 in 100 s: where it matters the growth is measured, by a push that
-# stands out from the integration's own error.
-sampling_growth <- function(info, scene, time_s, solve, accuracy) {
   free <- disturbance(scene, 1, time_s, grow = 1)
   grow <- disturbance(scene, 1, time_s)$omega / free$omega
-  if (!(grow > 2) || !(info$sizes[["omega"]] > 0)) {
-    return(if (is.finite(grow)) grow else 1)
+  push <- min(100 * accuracy, 1e-3) * result[[2]]$sizes[["omega"]] / free$omega
+  if (isTRUE(grow > 2) && is.finite(push) && push > 0) {
+    runs <- lapply(c(0, push), solve)
+    if (all(vapply(runs, function(run) run[[2]]$kind == "none", logical(1)))) {
+      apart <- function(column) max(abs(runs[[2]][[1]][[column]] - runs[[1]][[1]][[column]])) / push
+      grow <- max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
+    }
+  } else if (!is.finite(grow)) {
+    grow <- 1 # nothing moves, or in no time
   }
-  push <- min(100 * accuracy, 1e-3) * info$sizes[["omega"]] / free$omega
-  if (!(is.finite(push) && push > 0)) {
-    return(grow)
-  }
-  still <- solve(0)
-  moved <- solve(push)
-  if (still[[2]]$kind != "none" || moved[[2]]$kind != "none") {
-    return(grow)
-  }
-  apart <- function(column) max(abs(moved[[1]][[column]] - still[[1]][[column]])) / push
-  max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
+  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
+  result[[2]] <- widen_error(result[[2]], reach)
+  result
 }

@@ -226,7 +226,9 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
-    columns$viscous_n_m_s <- columns$viscous_n_m_s + columns$torque_scale * loads$motor_n_m_s
+    if (loads$motor_n_m_s != 0) {
+      columns$viscous_n_m_s <- columns$viscous_n_m_s + columns$torque_scale * loads$motor_n_m_s
+    }
     model <- "axle_linear"
   } else {
     model <- sweep_model(scene, columns, call)$record$id

@@ -72,17 +72,17 @@ static SEXP effect_names(const rot_constraint *constraint, unsigned effects) {
   return out;
 }
 
-/* NULL, or list(effects, until_s, errors = c(theta, omega), error, each). */
+/* NULL, or list(effects, until_s, errors, error, each). */
 static SEXP dropped_list(const rot_constraint *constraint, const rot_candidate *c) {
   static const char *const names[] = {"effects", "until_s", "errors", "error", "each", ""};
-  static const char *const measures[] = {"theta", "omega"};
+  size_t n_measures = 0;
   if (!c->dropped) return R_NilValue;
-  const double errors[] = {c->drop.theta, c->drop.omega};
+  while (constraint->measures[n_measures]) n_measures++;
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   SEXP effects = effect_names(constraint, c->untaken), each;
   SET_VECTOR_ELT(out, 0, effects);
   SET_VECTOR_ELT(out, 1, Rf_ScalarReal(c->drop.until_s));
-  SET_VECTOR_ELT(out, 2, ffi_named(2, measures, errors));
+  SET_VECTOR_ELT(out, 2, ffi_named(n_measures, constraint->measures, c->drop.bound));
   SET_VECTOR_ELT(out, 3, Rf_ScalarReal(c->drop.error));
   SET_VECTOR_ELT(out, 4, each = Rf_allocVector(REALSXP, XLENGTH(effects)));
   Rf_setAttrib(each, R_NamesSymbol, effects);
