@@ -102,10 +102,8 @@ test_that("ten million rows come back", {
 # The same closed form, row by row.
 row_by_row <- function(scene, t) {
   rows <- lapply(t, function(t) .Call(rotdyn:::ffi_axle_run, "axle_linear", scene, t, NULL)[[1]])
-  list(
-    theta_rad = vapply(rows, `[[`, double(1), "theta_rad"),
-    omega_rad_per_s = vapply(rows, `[[`, double(1), "omega_rad_per_s")
-  )
+  columns <- names(rows[[1]])
+  sapply(columns, function(x) vapply(rows, `[[`, double(1), x), simplify = FALSE)
 }
 
 test_that("rows from a table agree with rows one by one, within 2e-15 and their bound", {
