@@ -6,6 +6,7 @@
 #include "rot_axle_drag.h"
 #include "rot_axle_ledger.h"
 #include "rot_axle_models.h"
+#include "rot_axle_motor.h"
 #include "rot_axle_ode.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
@@ -95,7 +96,6 @@ SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
   ffi_run_begin(&run, progress);
   const rot_axle_columns out = new_columns(&run, time_s);
   const rot_status status = model(&scene, n, t, &out, &run.events, &run.guard.hooks, &run.info);
-  if (status == ROT_OK) rot_axle_widen_by_motor(&scene, n, t, &run.info);
   return ffi_run_end(&run, status);
 }
 
@@ -109,7 +109,9 @@ SEXP ffi_axle_ledger(SEXP list, SEXP from_s, SEXP to_s, SEXP progress) {
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_axle_scene_ledger(&scene, from, to, &guard.hooks, &ledger, &info));
+  ffi_guard_end(&guard,
+                rot_axle_linear_ledger(&scene.linear, from, to, &guard.hooks, &ledger, &info));
+  rot_axle_motor_ledger(&scene, &ledger);
   const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
   /* A sum over a part of the span is no ledger. */
   return ffi_named(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);

@@ -197,19 +197,3 @@ rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, doubl
   out->damping_impulse_n_m_s = 0.0 - p->viscous_n_m_s * difference(after.turned, before.turned);
   return info->status;
 }
-
-rot_status rot_axle_scene_ledger(const rot_axle_scene *scene, double from_s, double to_s,
-                                 const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info) {
-  const rot_status status = rot_axle_linear_ledger(&scene->linear, from_s, to_s, hooks, out, info);
-  const double both = scene->linear.viscous_n_m_s, motor = scene->motor_n_m_s;
-  if (motor == 0.0) return status;
-  const double share = both == 0.0 ? 0.0 : motor / both;
-  out->work_j -= share * out->dissipated_j;
-  out->impulse_n_m_s += share * out->damping_impulse_n_m_s;
-  out->work_rounding_j += fabs(share) * out->dissipated_rounding_j;
-  out->dissipated_j *= 1.0 - share;
-  out->dissipated_rounding_j *= 1.0 - share;
-  out->viscous_j *= 1.0 - share;
-  out->damping_impulse_n_m_s *= 1.0 - share;
-  return status;
-}

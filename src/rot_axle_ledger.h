@@ -2,7 +2,7 @@
 #ifndef ROT_AXLE_LEDGER_H
 #define ROT_AXLE_LEDGER_H
 
-#include "rot_axle_scene.h"
+#include "rot_axle.h"
 
 /* Names in R and members. Heat is computed separately, never as a difference. */
 #define ROT_AXLE_LEDGER(X)                                                                         \
@@ -27,9 +27,5 @@ typedef struct rot_axle_ledger {
 /* Closed form of rot_axle_linear() from from_s to to_s >= from_s. */
 rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
                                   const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info);
-
-/* The same of a scene that has nothing but its linear part; what a motor takes is work not done. */
-rot_status rot_axle_scene_ledger(const rot_axle_scene *scene, double from_s, double to_s,
-                                 const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info);
 
 #endif

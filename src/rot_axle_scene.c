@@ -32,27 +32,6 @@ size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]) {
   return n;
 }
 
-void rot_axle_widen_by_motor(const rot_axle_scene *scene, size_t n, const double time_s[],
-                             rot_info *info) {
-  const double start_s = scene->linear.start_s, motor = scene->motor_n_m_s;
-  const double span = n ? fmax(fabs(time_s[0] - start_s), fabs(time_s[n - 1] - start_s)) : 0.0;
-  if (motor == 0.0 || span == 0.0 || isnan(rot_info_error(info))) return;
-  rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
-  const double inertia = scene->linear.inertia_kg_m2, c = scene->viscous_n_m_s + motor;
-  const double off = fabs(motor) + fabs(c); /* in units of roundoff */
-  const double moved = off / inertia * span / 12.0;
-  double more_theta = theta->error > 0.0 ? moved * theta->error : 0.0;
-  double more_omega = omega->error > 0.0 ? moved * omega->error : 0.0;
-  if (c > 0.0 && isfinite(off) && time_s[0] >= start_s) {
-    const double share = 3.4 * off / c;
-    more_omega = fmin(more_omega, ROT_EPS * share * omega->largest);
-    const double turned = more_omega > 0.0 ? inertia / c * more_omega : 0.0;
-    more_theta = fmin(more_theta, share / 12.0 * theta->error + turned);
-  }
-  theta->error += more_theta;
-  omega->error += more_omega;
-}
-
 double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,
                               double omega) {
   double torque = rot_torque_at(&scene->linear.torque, t);

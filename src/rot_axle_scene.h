@@ -38,13 +38,6 @@ typedef rot_status (*rot_axle_model)(const rot_axle_scene *scene, size_t n, cons
 size_t rot_axle_scene_room(const rot_axle_scene *scene);
 size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]);
 
-/* The slope of a motor is a rounded quotient, and its sum with the viscous coefficient c is rounded
- * too; they cancel where the resistance drives. An error d of c changes each term of a closed form
- * by at most d t/I of itself; forward with c > 0 by at most 3.4 d/c of the largest omega. This widens
- * the bounds in *info, which count 12 roundings of the terms. */
-void rot_axle_widen_by_motor(const rot_axle_scene *scene, size_t n, const double time_s[],
-                             rot_info *info);
-
 /* Knots + terms - motor omega; not the call, which may fail. */
 double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,
                               double omega);
