@@ -52,7 +52,7 @@ static const double table[][7] = {
 };
 /* clang-format on */
 
-/* ---- for one argument of any size -------------------------------------------------------------- */
+/* ---- for one argument of any size ----------------------------------------------------------- */
 
 static double jacobi_k(double m1) {
   rot_jacobi jacobi;
@@ -83,7 +83,7 @@ static double jacobi_amplitude(double u, double m1) {
   return rot_dd_add1(rot_dd_mul1(pi, turns), atan2(sn, cn)).hi;
 }
 
-/* In units of 2^-53: sn 8, cn and dn 6 (1 + distance from the nearest of 0, K, 2K, ...), at any u. */
+/* Bounds in units of 2^-53: sn 8, cn and dn 6 (1 + distance from the nearest of 0, K, 2K, ...). */
 static void check(const double x[6]) {
   const double eps = 0x1p-53, u = fmod(fabs(x[0]), 2.0 * x[2]);
   const double within = fmin(fmin(u, fabs(x[2] - u)), 2.0 * x[2] - u);
