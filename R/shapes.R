@@ -1,5 +1,5 @@
 # The words about the standard shapes: formulas, origin, source. Their numbers, and which sizes they
-# have, are in src/rot_geometry.c and src/rot_shapes.c; a test evaluates every formula here and
+# have, are in src/rot_shapes_geometry.c and src/rot_shapes.c; a test evaluates every formula here and
 # compares it with those.
 #
 # m is the mass; a blank multiplies. Moments are about the centre of mass and the own axes; `axis`

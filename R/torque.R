@@ -24,9 +24,8 @@ new_torque <- function(class, ...) {
 #'   and warns (class `rotdyn_warning_breaks`). A pulse shorter than the scan's spacing may be
 #'   missed: only `breaks_s` is sure. `breaks_s = numeric()` says that there are none.
 #'
-#' A function of time alone is sampled some 30 to 300 times. One of angle and rate is solved by the
-#' model `axle_spectral`, which calls it as seldom as it can; where a call takes less than some 10
-#' us, `trajectory(model = "axle_rk8pd")` calls it more often and is done sooner.
+#' A function of time alone is sampled some 30 to 300 times, one of angle and rate is called at each
+#' evaluation of the integrator.
 #'
 #' Positive torque turns in the positive sense of the axle (right hand).
 #'

@@ -1,10 +1,10 @@
 #include <string.h>
 
 #include "ffi.h"
-#include "rot_edges.h"
+#include "rot_mesh_edges.h"
 #include "rot_mesh.h"
-#include "rot_nesting.h"
-#include "rot_weld.h"
+#include "rot_mesh_nesting.h"
+#include "rot_mesh_weld.h"
 
 /* Matrices with a row for each vertex and face, or a column for each as a mesh3d has them. */
 static rot_mesh read_mesh(SEXP vertices, SEXP faces, SEXP by_column) {
@@ -57,8 +57,8 @@ static const char *const count_names[COUNTS + 1] = {"vertices",        "faces",
 typedef struct findings {
   rot_mesh_entries entries;
   size_t merged;
-  rot_edges edges;
-  rot_nesting nesting;
+  rot_mesh_edges edges;
+  rot_mesh_nesting nesting;
 } findings;
 
 static void write_counts(const rot_mesh *mesh, const findings *f, int looked, int nested,
@@ -110,24 +110,24 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
     if (weld >= 0.0) {
       SEXP same = Rf_allocVector(INTSXP, (R_xlen_t)mesh.vertices);
       SET_VECTOR_ELT(out, 2, same);
-      status = rot_weld(&mesh, weld, (uint32_t *)(void *)INTEGER(same), &f.merged);
+      status = rot_mesh_weld(&mesh, weld, (uint32_t *)(void *)INTEGER(same), &f.merged);
       mesh.same = (const uint32_t *)(const void *)INTEGER_RO(same);
     }
     if (status == ROT_OK) {
       ffi_guard_begin(&guard, progress);
-      status = rot_edges_check(&mesh, &guard.hooks, parts, &f.edges);
+      status = rot_mesh_check_edges(&mesh, &guard.hooks, parts, &f.edges);
       ffi_guard_end(&guard, status);
       looked = status == ROT_OK;
     }
-    const rot_edges *e = &f.edges;
+    const rot_mesh_edges *e = &f.edges;
     nested = looked && !e->components; /* of no parts, all counts are 0 */
     if (looked && e->components && !e->open_edges && !e->miswound_edges && !e->crowded_edges &&
         !e->touching_edges) {
       SEXP volume = Rf_allocVector(REALSXP, (R_xlen_t)e->components);
       SET_VECTOR_ELT(out, 3, volume);
       ffi_guard_begin(&guard, progress);
-      status =
-          rot_nesting_check(&mesh, parts, e->components, &guard.hooks, REAL(volume), &f.nesting);
+      status = rot_mesh_check_nesting(&mesh, parts, e->components, &guard.hooks, REAL(volume),
+                                      &f.nesting);
       ffi_guard_end(&guard, status);
       nested = status == ROT_OK;
     }

@@ -93,7 +93,7 @@ typedef struct rot_mesh_moments {
   double lo[3], hi[3]; /* the box */
 } rot_mesh_moments;
 
-/* Of the solid: the mesh must be closed, which is not looked at here (rot_edges.h). ROT_ERANGE
+/* Of the solid: the mesh must be closed, which is not looked at here (rot_mesh_edges.h). ROT_ERANGE
  * where no volume is left after rounding; ROT_EVALUE, ROT_ENOMEM, ROT_EUNWIND. */
 rot_status rot_mesh_solid(const rot_mesh *mesh, const rot_hooks *hooks, rot_mesh_moments *out);
 /* Of the surface, its mass spread evenly. ROT_ERANGE where there is no area. */

@@ -12,67 +12,6 @@ static const rot_size sizes[] = {
 
 const rot_size *rot_size_at(int id) { return &sizes[id]; }
 
-/* name, dimension, roundings, how sizes fit, number of sizes, sizes. Roundings are counted: a
- * constant, a square, its factor, the mass; the longer forms as they stand. test_shapes.c holds
- * each against 50 digits. */
-#define SHAPE(name, dimension, roundings, fit, n, ...)                                             \
-  { #name, dimension, n, {__VA_ARGS__ }, fit, roundings, rot_##name }
-
-static const rot_shape shapes[] = {
-    SHAPE(point, 0, 4, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(sliding_point, 0, 4, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(rod, 1, 4, ROT_FREE, 1, ROT_LENGTH),
-    SHAPE(rod_end, 1, 4, ROT_FREE, 1, ROT_LENGTH),
-    SHAPE(hoop, 1, 4, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(half_hoop, 1, 5, ROT_FREE, 1, ROT_RADIUS),
-
-    SHAPE(disk, 2, 4, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(annulus, 2, 5, ROT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
-    SHAPE(half_disk, 2, 5, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(elliptic_plate, 2, 4, ROT_FREE, 2, ROT_SEMI_X, ROT_SEMI_Y),
-    SHAPE(rectangle, 2, 4, ROT_FREE, 2, ROT_LENGTH, ROT_WIDTH),
-    SHAPE(triangle, 2, 8, ROT_FREE, 3, ROT_BASE, ROT_HEIGHT, ROT_APEX),
-    SHAPE(polygon_plate, 2, 8, ROT_FREE, 2, ROT_RADIUS, ROT_SIDES),
-
-    SHAPE(tube, 2, 4, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(can, 2, 9, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(spherical_shell, 2, 4, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(hemispherical_shell, 2, 4, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(spherical_cap_shell, 2, 8, ROT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(cone_shell, 2, 4, ROT_FREE, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(frustum_shell, 2, 18, ROT_FREE, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
-    SHAPE(torus_shell, 2, 6, ROT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
-    SHAPE(ellipsoid_shell, 2, 4, ROT_FREE, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
-    SHAPE(box_shell, 2, 10, ROT_FREE, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
-
-    SHAPE(cylinder, 3, 4, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(thick_tube, 3, 5, ROT_INSIDE, 3, ROT_OUTER_RADIUS, ROT_INNER_RADIUS, ROT_LENGTH),
-    SHAPE(half_cylinder, 3, 5, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(elliptic_cylinder, 3, 4, ROT_FREE, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_LENGTH),
-    SHAPE(sphere, 3, 4, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(hollow_sphere, 3, 14, ROT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
-    SHAPE(hemisphere, 3, 5, ROT_FREE, 1, ROT_RADIUS),
-    SHAPE(spherical_cap, 3, 18, ROT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(cone, 3, 5, ROT_FREE, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(frustum, 3, 24, ROT_FREE, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
-    SHAPE(paraboloid, 3, 4, ROT_FREE, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(ellipsoid, 3, 4, ROT_FREE, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
-    SHAPE(torus, 3, 6, ROT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
-    SHAPE(capsule, 3, 12, ROT_FREE, 2, ROT_RADIUS, ROT_LENGTH),
-
-    SHAPE(box, 3, 4, ROT_FREE, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
-    SHAPE(cube, 3, 4, ROT_FREE, 1, ROT_EDGE),
-    SHAPE(polygon_prism, 3, 8, ROT_FREE, 3, ROT_RADIUS, ROT_SIDES, ROT_LENGTH),
-    SHAPE(triangular_prism, 3, 8, ROT_FREE, 4, ROT_BASE, ROT_HEIGHT, ROT_APEX, ROT_LENGTH),
-    SHAPE(pyramid, 3, 5, ROT_FREE, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
-    SHAPE(regular_tetrahedron, 3, 4, ROT_FREE, 1, ROT_EDGE),
-    SHAPE(regular_octahedron, 3, 4, ROT_FREE, 1, ROT_EDGE),
-};
-
-size_t rot_shape_count(void) { return sizeof shapes / sizeof shapes[0]; }
-
-const rot_shape *rot_shape_at(size_t i) { return &shapes[i]; }
-
 /* ---- sizes ---------------------------------------------------------------------------------- */
 
 rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int *slot) {
@@ -89,8 +28,8 @@ rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int
     }
   }
   *slot = 1;
-  if (shape->fit == ROT_INSIDE && size[1] > size[0]) return ROT_SHAPE_OUTSIDE;
-  if (shape->fit == ROT_IN_SPHERE && size[1] / 2.0 > size[0]) return ROT_SHAPE_TOO_HIGH;
+  if (shape->fit == ROT_FIT_INSIDE && size[1] > size[0]) return ROT_SHAPE_OUTSIDE;
+  if (shape->fit == ROT_FIT_IN_SPHERE && size[1] / 2.0 > size[0]) return ROT_SHAPE_TOO_HIGH;
   return ROT_SHAPE_FITS;
 }
 
@@ -98,7 +37,7 @@ rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int
 #define WIDE 400
 
 /* Sizes near 1, and the exponent of what they were divided by. Between 2^-60 and 2^60 no form of
- * rot_geometry.c leaves the range, and there the powers of two would change no digit. */
+ * rot_shapes_geometry.c leaves the range, and there the powers of two would change no digit. */
 static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES],
                        int *wide) {
   double big = 0.0, small = 1.0;
@@ -279,16 +218,17 @@ rot_shape_fault rot_shapes_table(size_t n, const rot_shape_rows *rows,
       row_of_beta(out, i, beta, mass, r);
       continue;
     }
-    for (int k = 0; k < shapes[at].sizes; k++) {
-      size[k] = rot_at(rows->size[shapes[at].size[k]], i);
+    const rot_shape *shape = rot_shape_at((size_t)at);
+    for (int k = 0; k < shape->sizes; k++) {
+      size[k] = rot_at(rows->size[shape->size[k]], i);
       if (isnan(size[k])) missing = size[k];
     }
-    fault = rot_shape_check(&shapes[at], size, slot);
+    fault = rot_shape_check(shape, size, slot);
     if (fault) return fault;
     if (isnan(missing)) {
       fill(out, i, missing);
     } else {
-      row_of_shape(out, i, &shapes[at], mass, size);
+      row_of_shape(out, i, shape, mass, size);
     }
   }
   return ROT_SHAPE_FITS;

@@ -1,12 +1,11 @@
-/* The list of standard shapes, and bodies of a shape: one, or a table of them with a shape in each
- * row. What the shapes' moments are is in rot_geometry.h; the words about them are R's. */
+/* Bodies of a standard shape: one, or a table with a shape in each row. */
 #ifndef ROT_SHAPES_H
 #define ROT_SHAPES_H
 
 #include <stddef.h>
 
 #include "rot_column.h"
-#include "rot_geometry.h"
+#include "rot_shapes_geometry.h"
 
 typedef enum rot_size_kind {
   ROT_KIND_LENGTH, /* at least 0 */
@@ -48,9 +47,9 @@ typedef struct rot_size {
 
 const rot_size *rot_size_at(int id);
 
-/* How sizes must fit together; ROT_INSIDE: the second is at most the first. ROT_IN_SPHERE: the
+/* How sizes must fit together; ROT_FIT_INSIDE: the second is at most the first. ROT_FIT_IN_SPHERE: the
  * second, a height, is at most twice the first, a radius. */
-typedef enum rot_fit { ROT_FREE, ROT_INSIDE, ROT_IN_SPHERE } rot_fit;
+typedef enum rot_fit { ROT_FIT_ANY, ROT_FIT_INSIDE, ROT_FIT_IN_SPHERE } rot_fit;
 
 typedef struct rot_shape {
   const char *name;

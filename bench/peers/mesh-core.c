@@ -8,10 +8,10 @@
  *         exact     the same about the first vertex in numbers of 32 digits, for reference */
 #include "child.h"
 #include "rot_dd.h"
-#include "rot_edges.h"
+#include "rot_mesh_edges.h"
 #include "rot_mesh.h"
-#include "rot_nesting.h"
-#include "rot_weld.h"
+#include "rot_mesh_nesting.h"
+#include "rot_mesh_weld.h"
 
 #include <math.h>
 
@@ -114,16 +114,16 @@ static void exact(double c[6]) {
 }
 
 static int checked(rot_mesh_moments *m) {
-  rot_edges edges;
-  rot_nesting nesting;
+  rot_mesh_edges edges;
+  rot_mesh_nesting nesting;
   size_t merged;
   double volume[1];
   rot_mesh welded = mesh;
   welded.same = same;
-  return rot_weld(&mesh, 0.0, same, &merged) != ROT_OK ||
-         rot_edges_check(&welded, NULL, component, &edges) != ROT_OK || edges.open_edges ||
+  return rot_mesh_weld(&mesh, 0.0, same, &merged) != ROT_OK ||
+         rot_mesh_check_edges(&welded, NULL, component, &edges) != ROT_OK || edges.open_edges ||
          edges.components != 1 ||
-         rot_nesting_check(&welded, component, 1, NULL, volume, &nesting) != ROT_OK ||
+         rot_mesh_check_nesting(&welded, component, 1, NULL, volume, &nesting) != ROT_OK ||
          rot_mesh_solid(&welded, NULL, m) != ROT_OK;
 }
 

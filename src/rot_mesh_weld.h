@@ -1,6 +1,6 @@
 /* Vertices at one place made one: files of loose triangles (STL) repeat a vertex in each face. */
-#ifndef ROT_WELD_H
-#define ROT_WELD_H
+#ifndef ROT_MESH_WELD_H
+#define ROT_MESH_WELD_H
 
 #include "rot_mesh.h"
 
@@ -8,6 +8,6 @@
  * within `tolerance` of it in each coordinate. *merged counts the vertices that gave way. All
  * coordinates finite; mesh->same is not looked at. ROT_EVALUE for a tolerance below what the
  * coordinates resolve by 2^-52, for one that is not finite, or for more than 2^31 - 1 vertices. */
-rot_status rot_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged);
+rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged);
 
 #endif

@@ -1,10 +1,10 @@
-#include "rot_nesting.h"
+#include "rot_mesh_nesting.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "rot_edges.h"
+#include "rot_mesh_edges.h"
 #include "rot_real.h"
 
 typedef struct part {
@@ -44,7 +44,7 @@ static void cross(const double a[3], const double b[3], double out[3], double *g
 
 /* ---- volumes and boxes ---------------------------------------------------------------------- */
 
-static void add_to_part(const work *w, size_t face, rot_nesting *out) {
+static void add_to_part(const work *w, size_t face, rot_mesh_nesting *out) {
   part *to = &w->parts[w->component[face]];
   double corner[3][3], origin[3], at[3], u[3], v[3], n[3], gross;
   /* From a corner of its own: far away parts of another size cost no digits. */
@@ -67,7 +67,7 @@ static void add_to_part(const work *w, size_t face, rot_nesting *out) {
   to->gross += (fabs(at[0]) + fabs(at[1]) + fabs(at[2])) * gross / 6.0;
 }
 
-static void gather_parts(const work *w, rot_nesting *out) {
+static void gather_parts(const work *w, rot_mesh_nesting *out) {
   const size_t faces = w->mesh->faces;
   for (size_t i = 0; i < w->components; i++) {
     w->parts[i] = (part){
@@ -325,7 +325,7 @@ static rot_status find_crossings(const work *w, const rot_hooks *hooks) {
 
 /* ---- which lie in which --------------------------------------------------------------------- */
 
-static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_nesting *out) {
+static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_mesh_nesting *out) {
   double total = 0.0, looks = 0.0;
   for (size_t i = 0; i < w->components; i++) total += w->parts[i].volume;
   out->flipped = total < 0.0;
@@ -359,10 +359,11 @@ static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_nesting
   return ROT_OK;
 }
 
-rot_status rot_nesting_check(const rot_mesh *mesh, const uint32_t component[], size_t components,
-                             const rot_hooks *hooks, double volume[], rot_nesting *out) {
+rot_status rot_mesh_check_nesting(const rot_mesh *mesh, const uint32_t component[],
+                                  size_t components, const rot_hooks *hooks, double volume[],
+                                  rot_mesh_nesting *out) {
   rot_mesh_tamed tame;
-  *out = (rot_nesting){0};
+  *out = (rot_mesh_nesting){0};
   work w = {&tame.mesh, component, components, NULL, NULL, NULL};
   rot_status status = rot_mesh_tame(mesh, &tame);
   if (status == ROT_OK) {

@@ -1,8 +1,9 @@
-#include "rot_geometry.h"
+#include "rot_shapes_geometry.h"
 
 #include <math.h>
 
 #include "rot_real.h"
+#include "rot_shapes.h"
 
 #define PI 3.14159265358979323846
 
@@ -34,21 +35,21 @@ static double in_largest(const double size[], double *u, double *v) {
 /* ---- points and lines ----------------------------------------------------------------------- */
 
 /* About an axis at the distance r. */
-void rot_point(const double size[], rot_geometry *out) {
+static void point(const double size[], rot_geometry *out) {
   body(out, 0.0, 0.0, 0.0);
   out->moment = size[0] * size[0];
   out->centre[0] = size[0];
   out->reach = 0.0;
 }
 
-void rot_sliding_point(const double size[], rot_geometry *out) {
+static void sliding_point(const double size[], rot_geometry *out) {
   (void)size;
   body(out, 0.0, 0.0, 0.0);
   out->reach = 0.0;
   out->beta = 0.0;
 }
 
-void rot_rod(const double size[], rot_geometry *out) {
+static void rod(const double size[], rot_geometry *out) {
   const double l = size[0];
   body(out, l * l / 12.0, 0.0, 0.0);
   out->measure = l;
@@ -56,13 +57,13 @@ void rot_rod(const double size[], rot_geometry *out) {
 }
 
 /* About its end. */
-void rot_rod_end(const double size[], rot_geometry *out) {
-  rot_rod(size, out);
+static void rod_end(const double size[], rot_geometry *out) {
+  rod(size, out);
   out->moment = size[0] * size[0] / 3.0;
   out->centre[0] = size[0] / 2.0;
 }
 
-void rot_hoop(const double size[], rot_geometry *out) {
+static void hoop(const double size[], rot_geometry *out) {
   const double r = size[0];
   round_body(out, r * r / 2.0, 0.0, 0.0);
   out->measure = 2.0 * PI * r;
@@ -71,7 +72,7 @@ void rot_hoop(const double size[], rot_geometry *out) {
 }
 
 /* Its centre of mass is 2 r/pi above the diameter; reach is from there to an end. */
-void rot_half_hoop(const double size[], rot_geometry *out) {
+static void half_hoop(const double size[], rot_geometry *out) {
   const double r = size[0], up = 2.0 / PI;
   body(out, r * r / 2.0, 0.09471526543064891422 * r * r, 0.0); /* 1/2 - 4/pi^2 */
   out->centre[1] = up * r;
@@ -81,7 +82,7 @@ void rot_half_hoop(const double size[], rot_geometry *out) {
 
 /* ---- plates --------------------------------------------------------------------------------- */
 
-void rot_disk(const double size[], rot_geometry *out) {
+static void disk(const double size[], rot_geometry *out) {
   const double r = size[0];
   round_body(out, r * r / 4.0, 0.0, 0.0);
   out->measure = PI * (r * r);
@@ -89,7 +90,7 @@ void rot_disk(const double size[], rot_geometry *out) {
   out->beta = 0.5;
 }
 
-void rot_annulus(const double size[], rot_geometry *out) {
+static void annulus(const double size[], rot_geometry *out) {
   const double outer = size[0], inner = size[1], x = inner / outer;
   round_body(out, (outer * outer + inner * inner) / 4.0, 0.0, 0.0);
   out->measure = PI * (outer - inner) * (outer + inner);
@@ -97,7 +98,7 @@ void rot_annulus(const double size[], rot_geometry *out) {
   out->beta = (1.0 + x * x) / 2.0;
 }
 
-void rot_half_disk(const double size[], rot_geometry *out) {
+static void half_disk(const double size[], rot_geometry *out) {
   const double r = size[0], up = 4.0 / (3.0 * PI);
   body(out, r * r / 4.0, 0.06987345130251062854 * r * r, 0.0); /* 1/4 - 16/(9 pi^2) */
   out->centre[1] = up * r;
@@ -105,14 +106,14 @@ void rot_half_disk(const double size[], rot_geometry *out) {
   out->reach = norm(1.0, up) * r;
 }
 
-void rot_elliptic_plate(const double size[], rot_geometry *out) {
+static void elliptic_plate(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1];
   body(out, a * a / 4.0, b * b / 4.0, 0.0);
   out->measure = PI * a * b;
   out->reach = longest(a, b);
 }
 
-void rot_rectangle(const double size[], rot_geometry *out) {
+static void rectangle(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1];
   body(out, a * a / 12.0, b * b / 12.0, 0.0);
   out->measure = a * b;
@@ -120,7 +121,7 @@ void rot_rectangle(const double size[], rot_geometry *out) {
 }
 
 /* Corners (0, 0), (b, 0), (p, h). */
-void rot_triangle(const double size[], rot_geometry *out) {
+static void triangle(const double size[], rot_geometry *out) {
   const double b = size[0], h = size[1], p = size[2], q = b - p;
   const double gx = (b + p) / 3.0, gy = h / 3.0;
   body(out, (b * b + p * p + q * q) / 36.0, h * h / 18.0, 0.0);
@@ -132,7 +133,7 @@ void rot_triangle(const double size[], rot_geometry *out) {
 }
 
 /* On its circumscribed circle, a corner on x. In degrees the cosine of the usual ones is exact. */
-void rot_polygon_plate(const double size[], rot_geometry *out) {
+static void polygon_plate(const double size[], rot_geometry *out) {
   const double r = size[0], n = size[1], deg = 360.0 / n;
   round_body(out, r * r * (2.0 + rot_cos_deg(deg)) / 12.0, 0.0, 0.0);
   out->measure = r * r * (n / 2.0 * rot_sin_deg(deg));
@@ -141,7 +142,7 @@ void rot_polygon_plate(const double size[], rot_geometry *out) {
 
 /* ---- shells --------------------------------------------------------------------------------- */
 
-void rot_tube(const double size[], rot_geometry *out) {
+static void tube(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1];
   round_body(out, r * r / 2.0, l * l / 12.0, 0.0);
   out->measure = 2.0 * PI * r * l;
@@ -150,7 +151,7 @@ void rot_tube(const double size[], rot_geometry *out) {
 }
 
 /* A tube and two disks, in proportion to their areas, l to r. */
-void rot_can(const double size[], rot_geometry *out) {
+static void can(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1], ends = part(r, r + l);
   round_body(out, r * r * part(2.0 * l + r, l + r) / 4.0, l * l * (1.0 + 2.0 * ends) / 12.0, 0.0);
   out->measure = 2.0 * PI * r * (l + r);
@@ -158,7 +159,7 @@ void rot_can(const double size[], rot_geometry *out) {
   out->beta = (2.0 * l + r) / (l + r) / 2.0;
 }
 
-void rot_spherical_shell(const double size[], rot_geometry *out) {
+static void spherical_shell(const double size[], rot_geometry *out) {
   const double r = size[0];
   round_body(out, r * r / 3.0, r * r / 3.0, 0.0);
   out->measure = 4.0 * PI * (r * r);
@@ -166,7 +167,7 @@ void rot_spherical_shell(const double size[], rot_geometry *out) {
   out->beta = 2.0 / 3.0;
 }
 
-void rot_hemispherical_shell(const double size[], rot_geometry *out) {
+static void hemispherical_shell(const double size[], rot_geometry *out) {
   const double r = size[0];
   round_body(out, r * r / 3.0, r * r / 12.0, r / 2.0);
   out->measure = 2.0 * PI * (r * r);
@@ -174,21 +175,21 @@ void rot_hemispherical_shell(const double size[], rot_geometry *out) {
 }
 
 /* Even in z (Archimedes). */
-void rot_spherical_cap_shell(const double size[], rot_geometry *out) {
+static void spherical_cap_shell(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1], b = 2.0 * r - h;
   round_body(out, h * (3.0 * b + h) / 12.0, h * h / 12.0, h / 2.0);
   out->measure = 2.0 * PI * r * h;
   out->reach = sqrt(h * (h / 4.0 + b));
 }
 
-void rot_cone_shell(const double size[], rot_geometry *out) {
+static void cone_shell(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1];
   round_body(out, r * r / 4.0, h * h / 18.0, h / 3.0);
   out->measure = PI * r * norm(r, h);
   out->reach = longest(2.0 * h / 3.0, norm(r, h / 3.0));
 }
 
-void rot_frustum_shell(const double size[], rot_geometry *out) {
+static void frustum_shell(const double size[], rot_geometry *out) {
   const double h = size[2];
   double u, v;
   const double big = in_largest(size, &u, &v), s = u + v, low = h * (u + 2.0 * v) / (3.0 * s);
@@ -198,7 +199,7 @@ void rot_frustum_shell(const double size[], rot_geometry *out) {
   out->reach = longest(norm(size[0], low), norm(size[1], h - low));
 }
 
-void rot_torus_shell(const double size[], rot_geometry *out) {
+static void torus_shell(const double size[], rot_geometry *out) {
   const double ring = size[0], a = size[1], f = ring + a, x = ring / f, y = a / f;
   round_body(out, (ring * ring + 1.5 * (a * a)) / 2.0, a * a / 2.0, 0.0);
   out->measure = 4.0 * PI * PI * ring * a;
@@ -207,14 +208,14 @@ void rot_torus_shell(const double size[], rot_geometry *out) {
 }
 
 /* Between similar ellipsoids: of no even thickness, so it has no areal density. */
-void rot_ellipsoid_shell(const double size[], rot_geometry *out) {
+static void ellipsoid_shell(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2];
   body(out, a * a / 3.0, b * b / 3.0, c * c / 3.0);
   out->reach = longest(longest(a, b), c);
 }
 
 /* Faces across x are 2 b c of the area 2 (b c + a c + a b), at a/2; over the others x is even. */
-void rot_box_shell(const double size[], rot_geometry *out) {
+static void box_shell(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2], bc = b * c, ac = a * c, ab = a * b,
                area = bc + ac + ab;
   body(out, a * a * (1.0 + 2.0 * part(bc, area)) / 12.0,
@@ -232,7 +233,7 @@ static void extrude(double l, rot_geometry *out) {
   out->reach = norm(out->reach, l / 2.0);
 }
 
-void rot_cylinder(const double size[], rot_geometry *out) {
+static void cylinder(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1];
   round_body(out, r * r / 4.0, l * l / 12.0, 0.0);
   out->measure = PI * (r * r) * l;
@@ -240,22 +241,22 @@ void rot_cylinder(const double size[], rot_geometry *out) {
   out->beta = 0.5;
 }
 
-void rot_thick_tube(const double size[], rot_geometry *out) {
-  rot_annulus(size, out);
+static void thick_tube(const double size[], rot_geometry *out) {
+  annulus(size, out);
   extrude(size[2], out);
 }
 
-void rot_half_cylinder(const double size[], rot_geometry *out) {
-  rot_half_disk(size, out);
+static void half_cylinder(const double size[], rot_geometry *out) {
+  half_disk(size, out);
   extrude(size[1], out);
 }
 
-void rot_elliptic_cylinder(const double size[], rot_geometry *out) {
-  rot_elliptic_plate(size, out);
+static void elliptic_cylinder(const double size[], rot_geometry *out) {
+  elliptic_plate(size, out);
   extrude(size[2], out);
 }
 
-void rot_sphere(const double size[], rot_geometry *out) {
+static void sphere(const double size[], rot_geometry *out) {
   const double r = size[0];
   round_body(out, r * r / 5.0, r * r / 5.0, 0.0);
   out->measure = 4.0 * PI / 3.0 * (r * r * r);
@@ -265,7 +266,7 @@ void rot_sphere(const double size[], rot_geometry *out) {
 
 /* (R^5 - r^5)/(R^3 - r^3) would lose all digits of a thin wall. With x = r/R it is
  * r^2 + R (R + r)/(1 + x + x^2), the form with the fewest roundings: 4 ulp over all x. */
-void rot_hollow_sphere(const double size[], rot_geometry *out) {
+static void hollow_sphere(const double size[], rot_geometry *out) {
   const double outer = size[0], inner = size[1], x = outer > 0.0 ? inner / outer : inner;
   const double q = 1.0 + x * (1.0 + x);
   const double c = (inner * inner + outer * ((outer + inner) / q)) / 5.0;
@@ -275,14 +276,14 @@ void rot_hollow_sphere(const double size[], rot_geometry *out) {
   out->beta = outer > 0.0 ? 0.4 * (x * x + (1.0 + x) / q) : NAN;
 }
 
-void rot_hemisphere(const double size[], rot_geometry *out) {
+static void hemisphere(const double size[], rot_geometry *out) {
   const double r = size[0];
   round_body(out, r * r / 5.0, 19.0 * (r * r) / 320.0, 3.0 * r / 8.0);
   out->measure = 2.0 * PI / 3.0 * (r * r * r);
   out->reach = 1.0680004681646913960 * r; /* sqrt(73)/8: the rim */
 }
 
-void rot_spherical_cap(const double size[], rot_geometry *out) {
+static void spherical_cap(const double size[], rot_geometry *out) {
   const double h = size[1], b = 2.0 * size[0] - h, d = 3.0 * b + h;
   /* Shares of b and h, so that a flat cap of a huge sphere stays in range. */
   const double x = part(b, d), y = part(h, d);
@@ -292,14 +293,14 @@ void rot_spherical_cap(const double size[], rot_geometry *out) {
   out->reach = norm(out->centre[2], sqrt(h * b));
 }
 
-void rot_cone(const double size[], rot_geometry *out) {
+static void cone(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1];
   round_body(out, 3.0 * (r * r) / 20.0, 3.0 * (h * h) / 80.0, h / 4.0);
   out->measure = PI * (r * r) * h / 3.0;
   out->reach = longest(3.0 * h / 4.0, norm(r, h / 4.0));
 }
 
-void rot_frustum(const double size[], rot_geometry *out) {
+static void frustum(const double size[], rot_geometry *out) {
   const double h = size[2];
   double u, v;
   const double big = in_largest(size, &u, &v), uu = u * u, uv = u * v, vv = v * v;
@@ -312,21 +313,21 @@ void rot_frustum(const double size[], rot_geometry *out) {
   out->reach = longest(norm(size[0], low), norm(size[1], h - low));
 }
 
-void rot_paraboloid(const double size[], rot_geometry *out) {
+static void paraboloid(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1];
   round_body(out, r * r / 6.0, h * h / 18.0, h / 3.0);
   out->measure = PI * (r * r) * h / 2.0;
   out->reach = longest(2.0 * h / 3.0, norm(r, h / 3.0));
 }
 
-void rot_ellipsoid(const double size[], rot_geometry *out) {
+static void ellipsoid(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2];
   body(out, a * a / 5.0, b * b / 5.0, c * c / 5.0);
   out->measure = 4.0 * PI / 3.0 * a * b * c;
   out->reach = longest(longest(a, b), c);
 }
 
-void rot_torus(const double size[], rot_geometry *out) {
+static void torus(const double size[], rot_geometry *out) {
   const double ring = size[0], a = size[1], f = ring + a, x = ring / f, y = a / f;
   round_body(out, (ring * ring + 0.75 * (a * a)) / 2.0, a * a / 4.0, 0.0);
   out->measure = 2.0 * PI * PI * ring * (a * a);
@@ -335,7 +336,7 @@ void rot_torus(const double size[], rot_geometry *out) {
 }
 
 /* A cylinder and two half spheres, in proportion to 3 l to 4 r. */
-void rot_capsule(const double size[], rot_geometry *out) {
+static void capsule(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1], all = 3.0 * l + 4.0 * r;
   const double cylinder = part(3.0 * l, all), ends = part(4.0 * r, all);
   round_body(out, r * r * (cylinder / 4.0 + ends / 5.0),
@@ -348,31 +349,31 @@ void rot_capsule(const double size[], rot_geometry *out) {
 
 /* ---- solids with flat faces ----------------------------------------------------------------- */
 
-void rot_box(const double size[], rot_geometry *out) {
+static void box(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2];
   body(out, a * a / 12.0, b * b / 12.0, c * c / 12.0);
   out->measure = a * b * c;
   out->reach = norm(norm(a, b), c) / 2.0;
 }
 
-void rot_cube(const double size[], rot_geometry *out) {
+static void cube(const double size[], rot_geometry *out) {
   const double a = size[0];
   round_body(out, a * a / 12.0, a * a / 12.0, 0.0);
   out->measure = a * a * a;
   out->reach = 0.86602540378443864676 * a; /* sqrt(3)/2 */
 }
 
-void rot_polygon_prism(const double size[], rot_geometry *out) {
-  rot_polygon_plate(size, out);
+static void polygon_prism(const double size[], rot_geometry *out) {
+  polygon_plate(size, out);
   extrude(size[2], out);
 }
 
-void rot_triangular_prism(const double size[], rot_geometry *out) {
-  rot_triangle(size, out);
+static void triangular_prism(const double size[], rot_geometry *out) {
+  triangle(size, out);
   extrude(size[3], out);
 }
 
-void rot_pyramid(const double size[], rot_geometry *out) {
+static void pyramid(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], h = size[2];
   body(out, a * a / 20.0, b * b / 20.0, 3.0 * (h * h) / 80.0);
   out->centre[2] = h / 4.0;
@@ -380,16 +381,79 @@ void rot_pyramid(const double size[], rot_geometry *out) {
   out->reach = longest(3.0 * h / 4.0, norm(norm(a, b) / 2.0, h / 4.0));
 }
 
-void rot_regular_tetrahedron(const double size[], rot_geometry *out) {
+static void regular_tetrahedron(const double size[], rot_geometry *out) {
   const double a = size[0];
   round_body(out, a * a / 40.0, a * a / 40.0, 0.20412414523193150818 * a); /* sqrt(6)/12 */
   out->measure = 0.11785113019775792073 * (a * a * a);                     /* sqrt(2)/12 */
   out->reach = 0.61237243569579452455 * a;                                 /* sqrt(6)/4 */
 }
 
-void rot_regular_octahedron(const double size[], rot_geometry *out) {
+static void regular_octahedron(const double size[], rot_geometry *out) {
   const double a = size[0];
   round_body(out, a * a / 20.0, a * a / 20.0, 0.0);
   out->measure = 0.47140452079103168293 * (a * a * a); /* sqrt(2)/3 */
   out->reach = 0.70710678118654752440 * a;
 }
+
+/* ---- the list ------------------------------------------------------------------------------- */
+
+/* name, dimension, roundings, how sizes fit, number of sizes, sizes. Roundings are counted: a
+ * constant, a square, its factor, the mass; the longer forms as they stand. test_shapes.c holds
+ * each against 50 digits. */
+#define SHAPE(name, dimension, roundings, fit, n, ...)                                             \
+  { #name, dimension, n, {__VA_ARGS__ }, fit, roundings, name }
+
+static const rot_shape shapes[] = {
+    SHAPE(point, 0, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(sliding_point, 0, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(rod, 1, 4, ROT_FIT_ANY, 1, ROT_LENGTH),
+    SHAPE(rod_end, 1, 4, ROT_FIT_ANY, 1, ROT_LENGTH),
+    SHAPE(hoop, 1, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(half_hoop, 1, 5, ROT_FIT_ANY, 1, ROT_RADIUS),
+
+    SHAPE(disk, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(annulus, 2, 5, ROT_FIT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
+    SHAPE(half_disk, 2, 5, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(elliptic_plate, 2, 4, ROT_FIT_ANY, 2, ROT_SEMI_X, ROT_SEMI_Y),
+    SHAPE(rectangle, 2, 4, ROT_FIT_ANY, 2, ROT_LENGTH, ROT_WIDTH),
+    SHAPE(triangle, 2, 8, ROT_FIT_ANY, 3, ROT_BASE, ROT_HEIGHT, ROT_APEX),
+    SHAPE(polygon_plate, 2, 8, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_SIDES),
+
+    SHAPE(tube, 2, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(can, 2, 9, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(spherical_shell, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(hemispherical_shell, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(spherical_cap_shell, 2, 8, ROT_FIT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(cone_shell, 2, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(frustum_shell, 2, 18, ROT_FIT_ANY, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
+    SHAPE(torus_shell, 2, 6, ROT_FIT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
+    SHAPE(ellipsoid_shell, 2, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
+    SHAPE(box_shell, 2, 10, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
+
+    SHAPE(cylinder, 3, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(thick_tube, 3, 5, ROT_FIT_INSIDE, 3, ROT_OUTER_RADIUS, ROT_INNER_RADIUS, ROT_LENGTH),
+    SHAPE(half_cylinder, 3, 5, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
+    SHAPE(elliptic_cylinder, 3, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_LENGTH),
+    SHAPE(sphere, 3, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(hollow_sphere, 3, 14, ROT_FIT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
+    SHAPE(hemisphere, 3, 5, ROT_FIT_ANY, 1, ROT_RADIUS),
+    SHAPE(spherical_cap, 3, 18, ROT_FIT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(cone, 3, 5, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(frustum, 3, 24, ROT_FIT_ANY, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
+    SHAPE(paraboloid, 3, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT),
+    SHAPE(ellipsoid, 3, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
+    SHAPE(torus, 3, 6, ROT_FIT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
+    SHAPE(capsule, 3, 12, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
+
+    SHAPE(box, 3, 4, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
+    SHAPE(cube, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE),
+    SHAPE(polygon_prism, 3, 8, ROT_FIT_ANY, 3, ROT_RADIUS, ROT_SIDES, ROT_LENGTH),
+    SHAPE(triangular_prism, 3, 8, ROT_FIT_ANY, 4, ROT_BASE, ROT_HEIGHT, ROT_APEX, ROT_LENGTH),
+    SHAPE(pyramid, 3, 5, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
+    SHAPE(regular_tetrahedron, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE),
+    SHAPE(regular_octahedron, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE),
+};
+
+size_t rot_shape_count(void) { return sizeof shapes / sizeof shapes[0]; }
+
+const rot_shape *rot_shape_at(size_t i) { return &shapes[i]; }

@@ -1,6 +1,6 @@
 /* Each defect put into a sound mesh must be the one that is counted, and nothing else. */
 #include "mesh_shapes.h"
-#include "rot_edges.h"
+#include "rot_mesh_edges.h"
 #include "rot_test.h"
 
 enum { MOST = 3000 };
@@ -8,14 +8,14 @@ enum { MOST = 3000 };
 static uint32_t component[MOST];
 static const double low[3] = {0.0, 0.0, 0.0}, high[3] = {1.0, 2.0, 3.0};
 
-static rot_edges check(shape *s) {
-  rot_edges e;
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(s), NULL, component, &e), ROT_OK);
+static rot_mesh_edges check(shape *s) {
+  rot_mesh_edges e;
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(s), NULL, component, &e), ROT_OK);
   return e;
 }
 
 /* open, miswound, crowded, touching, degenerate, duplicate, unused, components */
-static void expect(const rot_edges *e, size_t edges, const size_t want[8]) {
+static void expect(const rot_mesh_edges *e, size_t edges, const size_t want[8]) {
   const size_t got[8] = {e->open_edges,      e->miswound_edges,   e->crowded_edges,
                          e->touching_edges,  e->degenerate_faces, e->duplicate_faces,
                          e->unused_vertices, e->components};
@@ -25,7 +25,7 @@ static void expect(const rot_edges *e, size_t edges, const size_t want[8]) {
 
 #define EXPECT(s, edges, ...)                                                                      \
   do {                                                                                             \
-    const rot_edges e_ = check(s);                                                                 \
+    const rot_mesh_edges e_ = check(s);                                                            \
     expect(&e_, edges, (const size_t[8])__VA_ARGS__);                                              \
   } while (0)
 
@@ -121,7 +121,7 @@ static void test_touching(void) {
 static void test_crowd(void) {
   enum { N = 200000 };
   shape s = shape_room(N + 2, 2 * N);
-  rot_edges e;
+  rot_mesh_edges e;
   uint32_t *parts = malloc(2 * N * sizeof *parts);
   if (!parts) abort();
   shape_vertex(&s, 0, 0, 1);
@@ -132,11 +132,11 @@ static void test_crowd(void) {
     shape_face(&s, 1, a, b);
     shape_face(&s, 2, b, a);
   }
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(&s), NULL, parts, &e), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(&s), NULL, parts, &e), ROT_OK);
   expect(&e, 3 * N, (const size_t[8]){0, 0, 0, 0, 0, 0, 0, 1});
   s.faces = 0;
   for (int i = 0; i < N; i++) shape_face(&s, 1, 2, 3 + i); /* the pages of a book */
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(&s), NULL, parts, &e), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(&s), NULL, parts, &e), ROT_OK);
   expect(&e, 2 * N + 1, (const size_t[8]){2 * N, 0, 1, 0, 0, 0, 0, 1});
   free(parts);
   shape_free(&s);
@@ -151,15 +151,15 @@ static rot_status stop(void *ctx, double fraction) {
 static void test_refuses(void) {
   const rot_hooks hooks = {stop, NULL};
   shape s = box();
-  rot_edges e;
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(&s), &hooks, component, &e), ROT_EUNWIND);
+  rot_mesh_edges e;
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(&s), &hooks, component, &e), ROT_EUNWIND);
   s.corner[0] = 9;
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(&s), NULL, component, &e), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(&s), NULL, component, &e), ROT_EVALUE);
   s.corner[0] = -1;
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(&s), NULL, component, &e), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(&s), NULL, component, &e), ROT_EVALUE);
   s.corner[0] = 1;
   s.xyz[0] = NAN;
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(&s), NULL, component, &e), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(&s), NULL, component, &e), ROT_EVALUE);
   s.vertices = s.faces = 0;
   EXPECT(&s, 0, {0, 0, 0, 0, 0, 0, 0, 0});
   shape_free(&s);
@@ -172,5 +172,5 @@ int main(void) {
   test_touching();
   test_crowd();
   test_refuses();
-  return rot_test_report("edges");
+  return rot_test_report("mesh_edges");
 }

@@ -1,23 +1,23 @@
 /* Bodies in bodies: cavities, islands, parts turned inside out, parts that cross. */
 #include "mesh_shapes.h"
-#include "rot_edges.h"
-#include "rot_nesting.h"
+#include "rot_mesh_edges.h"
+#include "rot_mesh_nesting.h"
 #include "rot_test.h"
 
 static uint32_t component[5000];
 static double volume[64];
 
-static rot_nesting check(shape *s) {
-  rot_edges e;
-  rot_nesting n;
-  ROT_CHECK_EQ_INT(rot_edges_check(shape_mesh(s), NULL, component, &e), ROT_OK);
-  ROT_CHECK_EQ_INT(rot_nesting_check(shape_mesh(s), component, e.components, NULL, volume, &n),
+static rot_mesh_nesting check(shape *s) {
+  rot_mesh_edges e;
+  rot_mesh_nesting n;
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(s), NULL, component, &e), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_mesh_check_nesting(shape_mesh(s), component, e.components, NULL, volume, &n),
                    ROT_OK);
   return n;
 }
 
 /* flipped, cavities, inverted, doubled, crossing, flat, zero area */
-static void expect(const rot_nesting *n, const size_t want[7]) {
+static void expect(const rot_mesh_nesting *n, const size_t want[7]) {
   const size_t got[7] = {(size_t)n->flipped, n->cavities, n->inverted,       n->doubled,
                          n->crossing,        n->flat,     n->zero_area_faces};
   for (int i = 0; i < 7; i++) ROT_CHECK_EQ_INT(got[i], want[i]);
@@ -26,7 +26,7 @@ static void expect(const rot_nesting *n, const size_t want[7]) {
 
 #define EXPECT(s, ...)                                                                             \
   do {                                                                                             \
-    const rot_nesting n_ = check(s);                                                               \
+    const rot_mesh_nesting n_ = check(s);                                                          \
     expect(&n_, (const size_t[7])__VA_ARGS__);                                                     \
   } while (0)
 
@@ -79,7 +79,7 @@ static void test_wrong(void) {
   s.vertices = s.faces = 0;
   add_sphere(&s, 40, 20, 1.0, (const double[3]){0.0, 0.0, 0.0});
   add_sphere(&s, 40, 20, 1.0, (const double[3]){0.3, 0.9, 0.2});
-  const rot_nesting crossing = check(&s);
+  const rot_mesh_nesting crossing = check(&s);
   ROT_CHECK_EQ_INT(crossing.crossing, 2);
   s.vertices = s.faces = 0;
   add_cube(&s, 0.0, 1.0, 0);
@@ -217,5 +217,5 @@ int main(void) {
   test_nested();
   test_wrong();
   test_touching();
-  return rot_test_report("nesting");
+  return rot_test_report("mesh_nesting");
 }

@@ -10,8 +10,8 @@
  *
  * Source: Goldstein, Classical Mechanics, 3rd ed., ch. 5; Beer & Johnston, Vector Mechanics for
  * Engineers, inside cover; the rest by integration of the same kind. */
-#ifndef ROT_GEOMETRY_H
-#define ROT_GEOMETRY_H
+#ifndef ROT_SHAPES_GEOMETRY_H
+#define ROT_SHAPES_GEOMETRY_H
 
 enum { ROT_SIZES = 4 };
 
@@ -25,22 +25,5 @@ typedef struct rot_geometry {
 } rot_geometry;
 
 typedef void rot_geometry_function(const double size[ROT_SIZES], rot_geometry *out);
-
-/* Points and lines */
-rot_geometry_function rot_point, rot_sliding_point, rot_rod, rot_rod_end, rot_hoop, rot_half_hoop;
-/* Plates, in the plane of x and y */
-rot_geometry_function rot_disk, rot_annulus, rot_half_disk, rot_elliptic_plate, rot_rectangle,
-    rot_triangle, rot_polygon_plate;
-/* Shells: mass spread evenly over a surface, but for the ellipsoid's */
-rot_geometry_function rot_tube, rot_can, rot_spherical_shell, rot_hemispherical_shell,
-    rot_spherical_cap_shell, rot_cone_shell, rot_frustum_shell, rot_torus_shell,
-    rot_ellipsoid_shell, rot_box_shell;
-/* Round solids */
-rot_geometry_function rot_cylinder, rot_thick_tube, rot_half_cylinder, rot_elliptic_cylinder,
-    rot_sphere, rot_hollow_sphere, rot_hemisphere, rot_spherical_cap, rot_cone, rot_frustum,
-    rot_paraboloid, rot_ellipsoid, rot_torus, rot_capsule;
-/* Solids with flat faces */
-rot_geometry_function rot_box, rot_cube, rot_polygon_prism, rot_triangular_prism, rot_pyramid,
-    rot_regular_tetrahedron, rot_regular_octahedron;
 
 #endif

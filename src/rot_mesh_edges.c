@@ -1,4 +1,4 @@
-#include "rot_edges.h"
+#include "rot_mesh_edges.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +53,7 @@ static int corners_of(const rot_mesh *mesh, size_t face, uint32_t v[3]) {
 }
 
 /* bucket[v + 1] counts, then holds where v's bucket begins, then, filled, where it ends. */
-static void fill_buckets(const work *w, rot_edges *out) {
+static void fill_buckets(const work *w, rot_mesh_edges *out) {
   const rot_mesh *mesh = w->mesh;
   uint32_t v[3];
   memset(w->bucket, 0, (mesh->vertices + 2) * sizeof *w->bucket);
@@ -82,7 +82,7 @@ static void fill_buckets(const work *w, rot_edges *out) {
   }
 }
 
-static void judge_edge(const tally *edge, rot_edges *out) {
+static void judge_edge(const tally *edge, rot_mesh_edges *out) {
   const size_t uses = (size_t)edge->up + edge->down;
   out->edges++;
   if (uses == 1) {
@@ -96,7 +96,7 @@ static void judge_edge(const tally *edge, rot_edges *out) {
   }
 }
 
-static void count_bucket(const work *w, uint32_t vertex, rot_edges *out) {
+static void count_bucket(const work *w, uint32_t vertex, rot_mesh_edges *out) {
   const use *begin = w->uses + w->bucket[vertex], *end = w->uses + w->bucket[vertex + 1];
   for (const use *u = begin; u < end; u++) {
     tally *edge = &w->tallies[u->other];
@@ -120,7 +120,7 @@ static void count_bucket(const work *w, uint32_t vertex, rot_edges *out) {
 
 /* ---- what follows from the buckets ---------------------------------------------------------- */
 
-static void number_components(const work *w, uint32_t component[], rot_edges *out) {
+static void number_components(const work *w, uint32_t component[], rot_mesh_edges *out) {
   for (size_t i = 0; i < w->mesh->faces; i++) {
     if (w->parent[i] == ROT_NO_COMPONENT) {
       component[i] = ROT_NO_COMPONENT;
@@ -159,7 +159,7 @@ static int by_corners(const void *a, const void *b) {
  * the two are a component by themselves. So few faces need to be compared. `sizes` has a place for
  * each component. */
 static rot_status count_duplicates(const work *w, const uint32_t component[], uint32_t sizes[],
-                                   rot_edges *out) {
+                                   rot_mesh_edges *out) {
   size_t candidates = 0, n = 0;
   memset(sizes, 0, out->components * sizeof *sizes);
   for (size_t i = 0; i < w->mesh->faces; i++) {
@@ -185,7 +185,7 @@ static rot_status count_duplicates(const work *w, const uint32_t component[], ui
 }
 
 /* The tallies have done their work: `bucket` marks the vertices that faces name. */
-static void count_unused(const work *w, rot_edges *out) {
+static void count_unused(const work *w, rot_mesh_edges *out) {
   const rot_mesh *mesh = w->mesh;
   for (size_t i = 0; i < mesh->vertices; i++) w->tallies[i].bucket = 0;
   for (size_t i = 0; i < mesh->faces; i++) {
@@ -197,7 +197,7 @@ static void count_unused(const work *w, rot_edges *out) {
 }
 
 static rot_status check(const work *w, const rot_hooks *hooks, uint32_t component[],
-                        rot_edges *out) {
+                        rot_mesh_edges *out) {
   const size_t vertices = w->mesh->vertices;
   fill_buckets(w, out);
   for (size_t i = 0; i < vertices; i++) w->tallies[i].bucket = 0;
@@ -214,9 +214,9 @@ static rot_status check(const work *w, const rot_hooks *hooks, uint32_t componen
   return count_duplicates(w, component, w->parent, out);
 }
 
-rot_status rot_edges_check(const rot_mesh *mesh, const rot_hooks *hooks, uint32_t component[],
-                           rot_edges *out) {
-  *out = (rot_edges){0};
+rot_status rot_mesh_check_edges(const rot_mesh *mesh, const rot_hooks *hooks, uint32_t component[],
+                                rot_mesh_edges *out) {
+  *out = (rot_mesh_edges){0};
   const rot_mesh_entries bad = rot_mesh_check_entries(mesh);
   if (bad.bad_faces || bad.bad_vertices || mesh->faces > INT32_MAX || mesh->vertices > INT32_MAX) {
     return ROT_EVALUE;

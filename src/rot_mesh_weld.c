@@ -1,4 +1,4 @@
-#include "rot_weld.h"
+#include "rot_mesh_weld.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -98,7 +98,7 @@ static void weld_nearly(const rot_mesh *mesh, double tolerance, table *t, uint32
   }
 }
 
-rot_status rot_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged) {
+rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged) {
   table t = {NULL, 0};
   *merged = 0;
   if (!(tolerance >= 0.0 && isfinite(tolerance)) || mesh->vertices > INT32_MAX) return ROT_EVALUE;
