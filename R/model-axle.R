@@ -67,17 +67,6 @@ effect_words <- c(
   inertia = "a changing moment of inertia"
 )
 
-# A torque that changes in time is a torque, too: said once.
-effects_in_words <- function(effects) {
-  if ("ramp" %in% effects) effects <- setdiff(effects, "torque")
-  and_words(unname(effect_words[effects]))
-}
-
-and_words <- function(x) {
-  n <- length(x)
-  if (n < 2L) x else paste(paste(x[-n], collapse = ", "), "and", x[n])
-}
-
 terms_of <- function(scene, kind) {
   Filter(function(term) term$kind %in% kind, scene$loads$terms)
 }
@@ -96,7 +85,6 @@ why_not_backward <- function(scene, time_s) {
 
 axle_free <- list(
   id = "axle_free",
-  constraint = "axle",
   equations = "omega = omega0; theta = theta0 + omega0 t",
   assumptions = "rigid body; nothing acts about the axle",
   limits = "none in double precision",
@@ -116,7 +104,6 @@ axle_free <- list(
 
 axle_linear <- list(
   id = "axle_linear",
-  constraint = "axle",
   equations = "I domega/dt = torque(t) - c omega, solved in closed form between the knots",
   assumptions = "rigid body; torque a piecewise-linear function of time; resistance -c omega",
   limits = "any c t/I from 0 to 1e300; the state must stay within double precision",
@@ -214,7 +201,7 @@ part_motor_ledger <- function(ledger, scene) {
 axle_kernel <- function(kernel, id, ..., why, error, each, why_not = function(scene, time_s) NULL) {
   promised <- error
   list(
-    id = id, kernel = kernel, constraint = "axle", ...,
+    id = id, kernel = kernel, ...,
     error_kind = "bound",
     why_not = why_not,
     why = function(scene) paste0(why, ": the solution is known in closed form"),
@@ -334,7 +321,7 @@ axle_bands <- axle_kernel(
 
 axle_integrator <- function(id, method, ..., each, why) {
   list(
-    id = id, constraint = "axle",
+    id = id,
     equations = "d(I omega)/dt = torque(t, theta, omega) + resistance, integrated",
     assumptions = "rigid body; torque finite, and smooth between its breaks",
     ...,
@@ -382,7 +369,10 @@ axle_radau <- axle_integrator(
   why = function(scene) "the motion is stiff: resistance acts much faster than the times asked for"
 )
 
-scene_words <- function(scene) effects_in_words(scene$effects)
+scene_words <- function(scene) {
+  constraint <- constraint_of(scene)
+  effects_in_words(constraint$effects_of(scene), constraint)
+}
 
 # Cheapest first.
 axle_closed_forms <- list(

@@ -125,7 +125,13 @@ dropped_torque <- function(scene, effects, time_s) {
 # of the scene without `effects`, from its start to `until_s`; the sizes are those of the reduced motion at some times, which is
 # at most its largest on the way.
 drop_bound <- function(scene, effects, record, time_s, call) {
+  if (!all(effects %in% droppable)) {
+    return(NULL)
+  }
   reduced <- drop_effects(scene, effects)
+  if (!is.null(record$why_not(reduced, time_s))) {
+    return(NULL)
+  }
   none <- list(scene = reduced, effects = effects, error = Inf)
   # Backwards, what brakes drives: no bound is tried. Nor where static friction decides: whether a
   # body that comes to rest sticks or turns hangs on the last digit.
@@ -141,7 +147,7 @@ drop_bound <- function(scene, effects, record, time_s, call) {
   bound <- disturbance(reduced, sum(size), time_s)
   ends <- c(min(scene$start_s, time_s), max(time_s))
   times <- seq(ends[1], ends[2], length.out = 65L)
-  rows <- record$run(reduced, times, 1e-9, 1e6, call, TRUE)[[1]]
+  rows <- record$run(reduced, times, 1e-9, 1e6, call, TRUE)$columns
   relative <- function(bound, x) if (bound == 0) 0 else bound / max(abs(x))
   each <- vapply(seq_along(effects), function(i) {
     one <- disturbance(reduced, size[[i]], time_s)
@@ -149,18 +155,10 @@ drop_bound <- function(scene, effects, record, time_s, call) {
   }, double(1))
   list(
     scene = reduced, effects = effects, until_s = max(time_s),
-    omega = bound$omega, theta = bound$theta,
+    errors = c(theta = bound$theta, omega = bound$omega),
     error = max(
       relative(bound$omega, rows$omega_rad_per_s), relative(bound$theta, rows$theta_rad)
     ),
     each = each
-  )
-}
-
-describe_dropped <- function(dropped) {
-  paste0(
-    effect_words[dropped$effects], " ignored: it changes omega by at most ",
-    vapply(dropped$each, format, character(1), digits = 2), " of its maximum",
-    collapse = "; "
   )
 }
