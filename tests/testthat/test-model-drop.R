@@ -49,7 +49,7 @@ test_that("weak drag is left out at a low accuracy, with the reason, and kept at
     max(abs(fine$omega_rad_per_s - coarse$omega_rad_per_s)) / max(fine$omega_rad_per_s),
     run$info$error
   )
-  expect_equal(audit(coarse)$verdict, "balanced")
+  expect_equal(audited(coarse)$verdict, "balanced")
 })
 
 test_that("an exact model is never left for a cheaper one with something dropped", {

@@ -33,7 +33,7 @@ test_that("every model that fits, at every accuracy it promises", {
   expect_identical(row$error, summary(motion)$error)
   expect_equal(row$rhs_calls, summary(motion)$rhs_calls)
   expect_equal(row$steps, summary(motion)$steps)
-  balance <- audit(motion)
+  balance <- audited(motion)
   # The work, 54 J in all, is the largest of the energies.
   expect_equal(row$energy_residual, abs(balance$energy_residual_j) / balance$work_j)
 })
