@@ -76,7 +76,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   info <- result$info
   n <- length(time_s)
   each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
-  if (!is.null(fit$dropped)) info <- widen_error(info, fit$dropped)
+  if (!is.null(fit$dropped)) info <- widen_error(info, fit$dropped$errors)
   if (info$kind != "none") {
     failed_run(info, n, on_fail, call)
     n <- info$rows_done
@@ -112,8 +112,9 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   ))
 }
 
-widen_error <- function(info, dropped) {
-  info$errors <- info$errors + dropped$errors
+# `by`: named numbers, added to the errors of the measures.
+widen_error <- function(info, by) {
+  info$errors <- info$errors + unlist(by)[names(info$errors)]
   info$error <- .Call(ffi_error_figure, info$errors, info$sizes)
   info
 }
