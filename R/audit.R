@@ -73,7 +73,7 @@ balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
     residual = residual, rounding = rounding,
     verdict = if (is.na(balanced)) NA_character_ else if (balanced) "balanced" else "unbalanced",
     terms = tibble::new_tibble(list(
-      term = names(parts),
+      term = names(parts) %||% rep(NA_character_, length(parts)),
       role = rep(
         c("supplied", "dissipated", "change"), lengths(list(supplied, dissipated, change))
       ),
@@ -108,7 +108,8 @@ print.rot_audit <- function(x, ...) {
     terms <- x$terms[[i]]
     for (role in c("supplied", "dissipated", "change")) {
       part <- terms[terms$role == role, ]
-      shown <- part[part$value != 0 | is.na(part$value) | !any(part$value != 0) & seq_len(nrow(part)) == 1L, ]
+      shown <- part[!part$value %in% 0, ]
+      if (nrow(shown) == 0L) shown <- part[seq_len(min(1L, nrow(part))), ]
       sign <- c(supplied = "+", dissipated = "-", change = "=")[[role]]
       for (k in seq_len(nrow(shown))) {
         first <- k == 1L && role != "dissipated"

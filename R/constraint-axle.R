@@ -7,7 +7,7 @@ axle_constraint <- function() {
     title = function(run) {
       paste("A", gsub("_", " ", run$scene$body$shape %||% "body"), "on a fixed axle")
     },
-    models = c(axle_closed_forms, axle_integrators),
+    models = c(axle_closed_forms, list(axle_rk8pd, axle_radau)),
     effects = effect_words,
     effects_of = function(scene) .subset2(scene, "effects"),
     without = drop_effects,

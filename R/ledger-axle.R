@@ -119,7 +119,7 @@ integrate_axle_flows <- function(run, edges, call) {
 }
 
 # The ledger from one time to another, as C makes it.
-axle_ledger_by_quadrature <- function(scene, run, from_s, to_s) {
+axle_ledger_by_quadrature <- function(run, from_s, to_s) {
   parts <- if (from_s < to_s) integrate_axle_flows(run, c(from_s, to_s), run$call)
   if (is.null(parts)) {
     return(empty_axle_ledger(if (from_s < to_s) NA_real_ else 0))

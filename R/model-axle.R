@@ -99,7 +99,7 @@ axle_free <- list(
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     .Call(ffi_axle_free, axle_numbers(scene), time_s, progress_bar("free spin"))
   },
-  ledger = function(scene, run, from_s, to_s) double(11)
+  ledger = function(scene, run, from_s, to_s) empty_axle_ledger(0)
 )
 
 axle_linear <- list(
@@ -212,7 +212,7 @@ axle_kernel <- function(kernel, id, ..., why, error, each, why_not = function(sc
       result[[2]] <- widen_by_motor(result[[2]], scene, time_s)
       result
     },
-    ledger = function(scene, run, from_s, to_s) ledger_by_quadrature(scene, run, from_s, to_s)
+    ledger = function(scene, run, from_s, to_s) axle_ledger_by_quadrature(run, from_s, to_s)
   )
 }
 

@@ -256,7 +256,9 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
     "Error" = describe_error(run),
-    if (!is.null(run$dropped)) c("Dropped" = describe_dropped(run$dropped)),
+    if (!is.null(run$dropped)) {
+      c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
+    },
     if (length(run$events$time_s)) c("Events" = describe_events(run$events))
   )
 }

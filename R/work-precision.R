@@ -75,8 +75,8 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
     rows[[i]] <- tryCatch(
       hear_warnings(
         measure_one(
-          one, scene, time_s, constraint, peers, reference_for(references, one), least_batch_s,
-          batches
+          one, scene, time_s, constraint, peers, reference_for(references, one, constraint),
+          least_batch_s, batches
         ),
         heard
       ),
@@ -90,7 +90,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   }
   cli::cli_progress_done(id = bar)
   tell_warnings(heard, failed, call)
-  new_work_precision(rows, constraint, references[[1]], scene, time_s, least_batch_s, batches)
+  new_work_precision(rows, constraint, scene, time_s, least_batch_s, batches)
 }
 
 check_peers <- function(peers, call) {
@@ -220,12 +220,16 @@ find_references <- function(scene, time_s, reference, constraint, call) {
   found
 }
 
-# The first that is another run than the contestant; else one that says there is none.
-reference_for <- function(references, one) {
+# The first that is another run than the contestant; else one that says there is none. A model that
+# adapts to the accuracy is another run at a tenth of it.
+reference_for <- function(references, one, constraint) {
   for (truth in references) {
-    same <- identical(truth$name, one$model) &&
-      (one$error_kind %in% "bound" || !(truth$accuracy < 0.1 * one$accuracy))
-    if (!same) {
+    if (!identical(truth$name, one$model)) {
+      return(truth)
+    }
+    record <- Filter(function(m) m$id == one$model, constraint$models)[[1]]
+    adapts <- isTRUE(record$error(1e-2) > record$error(1e-10))
+    if (adapts && truth$accuracy < 0.1 * one$accuracy) {
       return(truth)
     }
   }
@@ -432,7 +436,7 @@ tell_warnings <- function(heard, failed, call) {
 
 # ---- the class ----------------------------------------------------------------------------------
 
-new_work_precision <- function(rows, constraint, truth, scene, time_s, least_batch_s, batches) {
+new_work_precision <- function(rows, constraint, scene, time_s, least_batch_s, batches) {
   rows <- Filter(Negate(is.null), rows)
   empty <- list(
     model = character(), method = character(), floor = logical(), error_kind = character(),
@@ -449,8 +453,6 @@ new_work_precision <- function(rows, constraint, truth, scene, time_s, least_bat
   tibble::new_tibble(
     columns, nrow = length(rows), class = "rot_work_precision",
     measured = list(
-      reference = truth$name,
-      reference_error = truth$error,
       rows = length(time_s),
       torque = if (inherits(scene$torque, "rot_torque_function")) "an R function" else "in C",
       batches = batches,
@@ -458,6 +460,13 @@ new_work_precision <- function(rows, constraint, truth, scene, time_s, least_bat
       machine = paste0(R.version$platform, ", R ", getRversion())
     )
   )
+}
+
+describe_references <- function(x) {
+  each <- unique(data.frame(name = x[["reference"]], error = x[["reference_error"]]))
+  toString(paste0(
+    each$name, ifelse(is.na(each$error), "", paste(", error", format(each$error, digits = 2)))
+  ))
 }
 
 #' @importFrom tibble tbl_sum
@@ -470,7 +479,7 @@ tbl_sum.rot_work_precision <- function(x, ...) {
   }
   c(
     size,
-    "Reference" = paste0(how$reference, ", error ", format(how$reference_error, digits = 2)),
+    "Reference" = describe_references(x),
     "Cost" = paste0(
       "processor time of ", format(how$rows, big.mark = ","), " rows, ", how$batches,
       " batches of ", format(1000 * how$least_batch_s), " ms, torque ", how$torque

@@ -36,7 +36,8 @@ audited <- function(x) {
   list(
     verdict = if (anyNA(a$verdict)) NA_character_ else
       if (all(a$verdict == "balanced")) "balanced" else "unbalanced",
-    work_j = term(1, "work of the torque"), inertia_work_j = term(1, "changes the inertia"),
+    work_j = if (is.na(a$supplied[1])) NA_real_ else term(1, "work of the torque"),
+    inertia_work_j = term(1, "changes the inertia"),
     dissipated_j = a$dissipated[1], dissipated_viscous_j = term(1, "viscous"),
     dissipated_quadratic_j = term(1, "quadratic"), dissipated_coulomb_j = term(1, "dry"),
     kinetic_energy_change_j = term(1, "kinetic"), energy_residual_j = a$residual[1],

@@ -184,13 +184,9 @@ drop_constraint <- function() {
   )
 }
 
-with_drop <- function(code) {
-  rotdyn:::join_constraint(drop_constraint())
-  on.exit(rm("rot_scene_drop", envir = rotdyn:::registry))
-  force(code)
-}
+rotdyn:::join_constraint(drop_constraint())
 
-test_that("the cheapest model that fits is chosen, whatever the order of the list", with_drop({
+test_that("the cheapest model that fits is chosen, whatever the order of the list", {
   scene <- scene_drop(100)
   choice <- choose_model(scene, 0:3)
   expect_equal(choice$model, c("drop_free", "drop_exact", "drop_rk4"))
@@ -205,12 +201,13 @@ test_that("the cheapest model that fits is chosen, whatever the order of the lis
   expect_error(trajectory(scene, 0:3, model = "axle_free"), class = "rotdyn_error_model")
   expect_error(trajectory(scene, 0:3, model = "drop_free"), class = "rotdyn_error_model")
   expect_error(trajectory(scene_drop(9, speed_m_per_s = 1), 0:3, 1e-12), class = "rotdyn_error_accuracy")
-}))
+})
 
-test_that("an effect is left out with its bound where nothing exact takes the scene", with_drop({
+test_that("an effect is left out with its bound where nothing exact takes the scene", {
   constraint <- drop_constraint()
   constraint$models <- constraint$models[-2]
   rotdyn:::join_constraint(constraint)
+  on.exit(rotdyn:::join_constraint(drop_constraint()))
   thin <- scene_drop(100, drag_kg_per_m = 1e-9)
   motion <- trajectory(thin, 0:3, 1e-6)
   expect_equal(run_of(motion)$model, "drop_free")
@@ -219,10 +216,10 @@ test_that("an effect is left out with its bound where nothing exact takes the sc
   expect_gt(run_of(motion)$info$error, abs(motion$height_m[4] - true) / 100)
   expect_equal(run_of(trajectory(thin, 0:3, 1e-9))$model, "drop_rk4")
   expect_s3_class(predict(motion, c(30, 1)), "tbl_df") # beyond the rows the bound is made anew
-}))
+})
 
-test_that("every verb works on it", with_drop({
-  scene <- scene_drop(100)
+test_that("every verb works on it", {
+  scene <- scene_drop(50)
   motion <- trajectory(scene, seq(0, 6, by = 0.5))
   expect_s3_class(motion, "rot_trajectory")
   vt <- sqrt(2 * G / 0.1)
@@ -234,7 +231,7 @@ test_that("every verb works on it", with_drop({
   # Where log cosh(g t / vt) = h k/m.
   events <- motion_events(motion)
   expect_equal(events$event, "ground")
-  expect_equal(log(cosh(G * events$time_s / vt)), 5, tolerance = 1e-12)
+  expect_equal(log(cosh(G * events$time_s / vt)), 2.5, tolerance = 1e-12)
   expect_match(paste(format(motion), collapse = " "), "Events.*ground at")
   a <- audit(motion)
   expect_equal(a$balance, "energy")
@@ -244,14 +241,14 @@ test_that("every verb works on it", with_drop({
   expect_equal(audit(motion)$verdict, "unbalanced")
   expect_true(is.na(run_of(motion)$info$error))
   motion <- trajectory(scene, c(0, 2, 4))
-  expect_equal(generics::augment(motion)$work_j, 2 * G * (100 - motion$height_m))
+  expect_equal(generics::augment(motion)$work_j, 2 * G * (50 - motion$height_m))
   ahead <- predict(motion, c(1, NA, 0.5))
   expect_equal(ahead$fall_speed_m_per_s, vt * tanh(G * c(1, NA, 0.5) / vt), tolerance = 1e-14)
   expect_error(predict(motion, -1), class = "rotdyn_error_time")
-}))
+})
 
-test_that("rows survive a file, dplyr and a selection by their own bits", with_drop({
-  times <- c(0, 1, 1 + .Machine$double.eps, 2)
+test_that("rows survive a file, dplyr and a selection by their own bits", {
+  times <- c(0, 1, 1 + 8 * .Machine$double.eps, 2)
   motion <- trajectory(scene_drop(100), times)
   path <- tempfile()
   saveRDS(motion, path)
@@ -267,9 +264,9 @@ test_that("rows survive a file, dplyr and a selection by their own bits", with_d
   expect_s3_class(some, "rot_trajectory")
   expect_false(is.na(run_of(some)$info$error))
   expect_false(inherits(dplyr::select(back, height_m), "rot_trajectory"))
-}))
+})
 
-test_that("accuracies with units, failures and budgets mean the same", with_drop({
+test_that("accuracies with units, failures and budgets mean the same", {
   skip_if_not_installed("units")
   scene <- scene_drop(100, speed_m_per_s = 1)
   motion <- trajectory(scene, 0:2, units::set_units(1, "mm", mode = "standard"))
@@ -287,12 +284,12 @@ test_that("accuracies with units, failures and budgets mean the same", with_drop
     class = "rotdyn_warning_truncated"
   )
   expect_equal(part$time_s, 0:4)
-}))
+})
 
-test_that("it is measured beside its other models, and drawn", with_drop({
-  expect_silent(measured <- work_precision(
+test_that("it is measured beside its other models, and drawn", {
+  expect_warning(measured <- work_precision(
     scene_drop(100), 0:3, accuracies = c(1e-3, 1e-6), least_batch_s = 1e-4, batches = 2
-  ))
+  ), NA)
   expect_true(all(c("height_error", "speed_error") %in% names(measured)))
   expect_equal(unique(measured$model), c("drop_exact", "drop_rk4"))
   # Each against the other.
@@ -304,8 +301,9 @@ test_that("it is measured beside its other models, and drawn", with_drop({
   expect_silent(built <- ggplot2::ggplot_build(plot))
   expect_equal(levels(plot$data$panel), c("height (m)", "speed (m/s)"))
   expect_equal(plot$labels$title, "A body dropped in air")
-}))
+})
 
 test_that("a scene that no constraint has is an error", {
+  rm("rot_scene_drop", envir = rotdyn:::registry)
   expect_error(trajectory(scene_drop(1), 0), class = "rotdyn_error_type")
 })
