@@ -13,6 +13,12 @@ axle_constraint <- function() {
     without = drop_effects,
     drop_bound = drop_bound,
     columns = trajectory_columns,
+    more_columns = function(columns, scene, time_s) {
+      if (!is.null(.subset2(scene, "inertia"))) {
+        columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
+      }
+      columns
+    },
     keys = c("time_s", "theta_rad", "omega_rad_per_s"),
     measures = list(
       theta = measure("rad", "theta_rad", "angle"),
@@ -121,7 +127,7 @@ augment_axle <- function(x, run, edges, call) {
     }
   }
   since_first <- function(flow) {
-    c(0, if (!is.null(parts)) cumsum(parts$value[, flow]))[seq_along(edges)]
+    c(0, if (!is.null(parts)) cumsum(unname(parts$value[, flow])))[seq_along(edges)]
   }
   heat <- list(
     dissipated_viscous_j = since_first("viscous_j"),

@@ -11,6 +11,7 @@
 #   without(scene, effects)      the scene without some of them
 #   drop_bound(scene, effects, record, time_s, call)   what leaving them out changes at most, see
 #                 R/model.R; NULL: nothing may be left out
+#   more_columns(columns, scene, time_s)   NULL, or what completes the columns of a run
 #   columns, keys columns of a result; the keys are the state: the class stands while they do
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
 #   measures      named list of measure(): what errors and accuracies refer to

@@ -345,7 +345,7 @@ axle_integrator <- function(id, method, ..., each, why) {
     # The integrator carries the ledger with the state; other rows mean another run.
     ledger = function(scene, run, from_s, to_s) {
       result <- integrate_axle(scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call, method)
-      if (result[[2]]$kind == "none") result[[3]] else rep(NA_real_, 11)
+      if (result$info$kind == "none") result$ledger else empty_axle_ledger(NA_real_)
     }
   )
 }

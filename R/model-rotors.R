@@ -42,7 +42,7 @@ rotors_rigid <- list(
   },
   why = function(scene) "the twists stay below the accuracy: the shaft turns as one body",
   on_trial = TRUE,
-  error = function(accuracy) NA_real_,
+  error = function(accuracy) 4e-15,
   cost = function(scene, rows, accuracy) 40 * rows * length(scene$moment_of_inertia_kg_m2),
   run = function(scene, time_s, accuracy, max_steps, call, asked) run_rotors_as(0, scene, time_s),
   ledger = function(scene, run, from_s, to_s) {

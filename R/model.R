@@ -19,7 +19,7 @@
 #'
 #' @return A tibble with one row for each model:
 #'   `r describe_columns(model_columns)`
-#'   `error` is the smallest relative error that the model promises; NA where only a run tells it.
+#'   `error` is the smallest relative error that the model promises.
 #' @seealso [choose_model()] says which of them fit a scene.
 #' @examples
 #' models()

@@ -63,8 +63,8 @@ test_that("a stiff shaft is rigid when that is good enough, and the bound holds"
   expect_equal(rigid$omega_rad_per_s, rep(1 * time, each = 2))
   expect_equal(rigid$shaft_torque_n_m[1], 2) # what it takes to turn 2 kg m^2 at 1 rad/s^2
   run <- attr(rigid, "run")
-  expect_lte(max(abs(rigid$omega_rad_per_s - exact$omega_rad_per_s)), run$info$omega_error)
-  expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$theta_error)
+  expect_lte(max(abs(rigid$omega_rad_per_s - exact$omega_rad_per_s)), run$info$errors[["omega"]])
+  expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$errors[["theta"]])
   expect_error(motion_of(scene, time, 1e-9, "rotors_rigid"), class = "rotdyn_error_model")
   expect_error(motion_of(scene, time, 1e-9, "axle_free"), class = "rotdyn_error_model")
   soft <- scene_rotors(c(1, 2), 0, torque_n_m = c(3, 0))
@@ -96,14 +96,14 @@ test_that("an audit balances, and finds an edited row", {
   # Rows of a rotor are missing: no balance can be drawn.
   expect_true(is.na(audited(rigid[rigid$rotor == 1, ])$verdict))
   expect_true(is.na(audited(rigid[0, ])$verdict))
-  expect_output(print(audited(rigid)), "balanced.*elastic energy")
+  expect_output(print(audit(rigid)), "balanced.*kinetic energy")
 })
 
 test_that("the class stands while the keys do", {
   motion <- motion_of(scene_rotors(c(1, 2), 10, omega0_rad_per_s = c(1, 0)), 0:3)
-  expect_s3_class(motion[3:4, ], "rot_motion")
+  expect_s3_class(motion[3:4, ], "rot_trajectory")
   expect_false(is.na(attr(motion[3:4, ], "run")$info$error))
-  expect_false(inherits(motion[, 1:2], "rot_motion"))
-  expect_false(inherits(tibble::as_tibble(motion), "rot_motion"))
-  expect_match(names(tibble::tbl_sum(motion))[1], "rotdyn motion")
+  expect_false(inherits(motion[, 1:2], "rot_trajectory"))
+  expect_false(inherits(tibble::as_tibble(motion), "rot_trajectory"))
+  expect_match(names(tibble::tbl_sum(motion))[1], "rotdyn trajectory")
 })
