@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "ffi_torque.h"
 #include "rot_axle.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
@@ -247,12 +248,9 @@ static const struct {
   const char *name;
   rot_axle_model run;
 } models[] = {
-    {"bands", rot_axle_bands},
-    {"drag", rot_axle_drag},
-    {"forced", rot_axle_forced},
-    {"oscillator", rot_axle_oscillator},
-    {"pendulum", rot_axle_pendulum},
-    {"skater", rot_axle_skater},
+    {"bands", rot_axle_bands},       {"drag", rot_axle_drag},
+    {"forced", rot_axle_forced},     {"oscillator", rot_axle_oscillator},
+    {"pendulum", rot_axle_pendulum}, {"skater", rot_axle_skater},
 };
 
 rot_axle_model ffi_axle_model_named(SEXP name) {
@@ -294,54 +292,9 @@ SEXP ffi_axle_stopping(SEXP pack) {
   return out;
 }
 
-/* ---- a torque law that is an R function ----------------------------------------------------- */
+/* ---- integrated ------------------------------------------------------------------------------ */
 
-typedef struct r_torque {
-  ffi_guard *guard;
-  SEXP call;     /* f(time_s) or f(time_s, theta_rad, omega_rad_per_s) */
-  SEXP env;      /* where f is */
-  SEXP complain; /* complain(value, time_s): raises the error about what f returned */
-  int arguments; /* 1 or 3 */
-  double x[3];
-  double torque;
-} r_torque;
-
-static SEXP call_torque(void *data) {
-  r_torque *law = data;
-  SEXP cell = CDR(law->call);
-  /* New numbers each time: f may keep the ones it was given. */
-  for (int i = 0; i < law->arguments; i++, cell = CDR(cell)) {
-    SETCAR(cell, Rf_ScalarReal(law->x[i]));
-  }
-  SEXP value = PROTECT(Rf_eval(law->call, law->env));
-  const int type = TYPEOF(value);
-  const int number =
-      Rf_xlength(value) == 1 && !Rf_isObject(value) &&
-      (type == REALSXP || type == INTSXP || (type == LGLSXP && LOGICAL(value)[0] == NA_LOGICAL));
-  if (number) {
-    law->torque = Rf_asReal(value);
-  } else {
-    SEXP time = PROTECT(Rf_ScalarReal(law->x[0]));
-    SEXP call = PROTECT(Rf_lang3(law->complain, value, time));
-    Rf_eval(call, R_GlobalEnv);
-    UNPROTECT(2);
-  }
-  UNPROTECT(1);
-  return R_NilValue;
-}
-
-static rot_status torque_from_r(double t, double theta, double omega, double *torque, void *ctx) {
-  r_torque *law = ctx;
-  law->x[0] = t;
-  law->x[1] = theta;
-  law->x[2] = omega;
-  rot_status status = ffi_guarded(law->guard, call_torque, law, NULL);
-  *torque = law->torque;
-  return status;
-}
-
-/* `law` is NULL, or list(call, environment, complain) of a torque to be added to the scene's; the
- * call's arguments are filled in here. `control` is c(accuracy, max_steps, method), method as in
+/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is c(accuracy, max_steps, method), method as in
  * ROT_METHOD_LIST. Gives list(columns, info, ledger, events). */
 SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
   rot_axle_scene scene = ffi_axle_scene(pack);
@@ -353,25 +306,20 @@ SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP pro
   rot_events events = {0, 0, NULL, NULL};
   rot_info info;
   ffi_guard guard;
-  r_torque r_law = {&guard, R_NilValue, R_NilValue, R_NilValue, 0, {0.0, 0.0, 0.0}, 0.0};
-  if (!Rf_isNull(law) && (TYPEOF(law) != VECSXP || XLENGTH(law) != 3)) Rf_error("internal: `law`");
+  ffi_torque called;
   SEXP list = new_columns(time_s, &columns);
   /* All that is allocated is allocated before the core holds anything. */
-  SEXP call = PROTECT(Rf_isNull(law) ? R_NilValue : Rf_duplicate(VECTOR_ELT(law, 0)));
   SEXP sums = PROTECT(ledger_vector(&ledger));
-  ffi_guard_begin(&guard, progress);
   if (!Rf_isNull(law)) {
-    r_law.call = call;
-    r_law.env = VECTOR_ELT(law, 1);
-    r_law.complain = VECTOR_ELT(law, 2);
-    r_law.arguments = Rf_length(call) - 1;
-    scene.linear.torque.call = torque_from_r;
-    scene.linear.torque.ctx = &r_law;
+    called = ffi_torque_new(law, &guard);
+    scene.linear.torque.call = ffi_torque_call;
+    scene.linear.torque.ctx = &called;
   }
+  ffi_guard_begin(&guard, progress);
   const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t,
                                                &columns, &events, &ledger, &guard.hooks, &info);
   write_ledger_vector(&ledger, sums);
   SEXP out = with_events(list, &info, sums, &events, &guard, status);
-  UNPROTECT(3);
+  UNPROTECT(Rf_isNull(law) ? 2 : 3);
   return out;
 }

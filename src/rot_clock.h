@@ -1,8 +1,8 @@
-/* Processor time of this process, to measure what a run costs: other processes do not count. */
+/* Processor time of this process, to measure the cost of a run. */
 #ifndef ROT_CLOCK_H
 #define ROT_CLOCK_H
 
-/* In s since some moment; NaN where the system does not tell. */
+/* In s, from an arbitrary origin; NaN where it is not available. */
 double rot_clock_cpu_s(void);
 
 #endif

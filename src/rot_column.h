@@ -6,7 +6,7 @@
 
 typedef struct rot_column {
   const double *values;
-  size_t step; /* 1, or 0 where one value serves every row */
+  size_t step; /* 1, or 0 for one value in all rows */
 } rot_column;
 
 static inline double rot_at(rot_column column, size_t row) {

@@ -1,7 +1,6 @@
-/* Numbers of twice the precision: an unevaluated sum hi + lo, some 32 digits. For the few
- * operations of a set-up whose errors would grow with time. Each operation is good to 2^-102 of its
- * result; the sum also where it cancels, as far as its operands are good. Nothing here watches
- * exponents: scale first.
+/* Double-double numbers: an unevaluated sum hi + lo, some 32 digits, for set-up calculations whose
+ * errors would grow with time. Relative error 2^-102 for each operation, also for sums of exact
+ * operands that cancel. Overflow and underflow are not checked: scale first.
  *
  * Reference: Dekker, Numer. Math. 18 (1971); Joldes, Muller & Popescu, ACM TOMS 44 (2017). */
 #ifndef ROT_DD_H

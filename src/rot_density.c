@@ -8,13 +8,13 @@
 
 #include "rot_dd.h"
 
-/* Beyond a hundred nodes what is integrated is not smooth, and panels do no worse. */
+/* Where this many nodes do not suffice, the integrand is not smooth, and panels are as good. */
 #define SINGLE_NODES 96
 #define PANEL_NODES  64
-/* Up to here, and at 32, 64 and 96, GSL has a table. It computes other nodes to the last digit, but
- * their weights to 8e-15 at 21 nodes and 1e-10 at 63. */
+/* Up to here, and at 32, 64 and 96 nodes, GSL has a table. It computes other nodes to the last
+ * digit, but their weights to 8e-15 at 21 nodes and 1e-10 at 63. */
 #define TABLE_NODES  20
-/* Cells that one stream of random numbers serves. */
+/* Cells for each stream of random numbers. */
 #define BLOCK_CELLS  4096
 
 /* ---- from parameters to places --------------------------------------------------------------- */
@@ -25,7 +25,7 @@ static int exponent_of(double x) {
   return e;
 }
 
-/* Powers of two of the factors that make a weight: those of the brick, then those of the map. */
+/* Exponents of the factors of a weight: of the parameters, then of the map. */
 static void exponents(const rot_domain *domain, int e[3]) {
   for (int k = 0; k < 3; k++) {
     e[k] = exponent_of(fmax(fabs(domain->low[k]), fabs(domain->high[k])));
@@ -46,7 +46,7 @@ int rot_domain_exponent(const rot_domain *domain) {
 typedef struct chart {
   const rot_domain *domain;
   int e[3];
-  double middle[3], half[3], stretch; /* the last without its power of two */
+  double middle[3], half[3], stretch; /* `stretch` without its power of two */
 } chart;
 
 static chart chart_of(const rot_domain *domain) {
@@ -61,7 +61,7 @@ static chart chart_of(const rot_domain *domain) {
   return c;
 }
 
-/* The place of t in [-1, 1]^3; returns the determinant, without the domain's power of two. */
+/* Maps t in [-1, 1]^3 to x; returns the determinant, without the domain's power of two. */
 static double place(const chart *c, const double t[3], double x[3]) {
   double p[3], det = c->stretch;
   for (int k = 0; k < 3; k++) {
@@ -157,8 +157,8 @@ void rot_density_nodes(const rot_domain *domain, const rot_rule rule[3], size_t 
 
 /* ---- random points -------------------------------------------------------------------------- */
 
-/* Steele, Lea & Flood, Fast splittable pseudorandom number generators (2014): every bit of the
- * result depends on every bit of x. */
+/* Steele, Lea & Flood, Fast splittable pseudorandom number generators (2014): each bit of the
+ * result depends on each bit of x. */
 static uint64_t mixed(uint64_t x) {
   x += UINT64_C(0x9e3779b97f4a7c15);
   x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);

@@ -2,48 +2,13 @@
 
 #include <math.h>
 
+#include "rot_phi.h"
 #include "rot_real.h"
-
-/* 1/n! */
-static const double inverse_factorial[] = {
-    1 / 1.0,
-    1 / 1.0,
-    1 / 2.0,
-    1 / 6.0,
-    1 / 24.0,
-    1 / 120.0,
-    1 / 720.0,
-    1 / 5040.0,
-    1 / 40320.0,
-    1 / 362880.0,
-    1 / 3628800.0,
-    1 / 39916800.0,
-    1 / 479001600.0,
-    1 / 6227020800.0,
-    1 / 87178291200.0,
-    1 / 1307674368000.0,
-    1 / 20922789888000.0,
-    1 / 355687428096000.0,
-    1 / 6402373705728000.0,
-    1 / 121645100408832000.0,
-    1 / 2432902008176640000.0,
-    1 / 51090942171709440000.0,
-    1 / 1124000727777607680000.0,
-    1 / 2.585201673888498e+22,
-    1 / 6.204484017332394e+23,
-    1 / 1.5511210043330986e+25,
-    1 / 4.0329146112660565e+26,
-    1 / 1.0888869450418352e+28,
-    1 / 3.0488834461171387e+29,
-    1 / 8.841761993739702e+30,
-    1 / 2.6525285981219107e+32,
-    1 / 8.222838654177922e+33,
-};
 
 void rot_sin_cos(double x, double x_lo, double *sine, double *cosine) {
   const double s = sin(x), c = cos(x);
   double sl = x_lo, cl = 1.0;
-  if (fabs(x_lo) > 0x1p-28) { /* from x = 1e8 on the second order counts */
+  if (fabs(x_lo) > 0x1p-28) { /* above x = 1e8 the second order counts */
     sl = sin(x_lo);
     cl = cos(x_lo);
   }
@@ -58,7 +23,7 @@ double rot_exp_split(double x, double x_lo, int *exponent) {
     return e + e * x_lo;
   }
   if (!(fabs(x) < 7e5)) return exp(x); /* 0, Inf or NaN */
-  /* ln 2 in two parts; the first has 33 bits, so that its product with k < 2^20 is exact. */
+  /* ln 2 in two parts; the first has 33 bits: its product with k < 2^20 is exact. */
   const double k = rint(x * 1.4426950408889634);
   const double rest = (x - k * 0x1.62e42feep-1) + (x_lo - k * 0x1.a39ef35793c76p-33);
   *exponent = (int)k;
@@ -68,7 +33,7 @@ double rot_exp_split(double x, double x_lo, int *exponent) {
 /* (x - sin x)/x^3 for |x| <= 2, all digits */
 static double sine_gap(double x) {
   double s = 0.0;
-  for (int n = 25; n >= 3; n -= 2) s = fma(-(x * x), s, inverse_factorial[n]);
+  for (int n = 25; n >= 3; n -= 2) s = fma(-(x * x), s, rot_inverse_factorial[n]);
   return s;
 }
 
@@ -76,7 +41,7 @@ static double sine_gap(double x) {
 static double phi_2(double z, double phi1) {
   if (z > 1.0) return (1.0 - phi1) / z;
   double s = 0.0;
-  for (int n = fabs(z) <= 0.1 ? 11 : 25; n >= 2; n--) s = fma(-z, s, inverse_factorial[n]);
+  for (int n = fabs(z) <= 0.1 ? 11 : 25; n >= 2; n--) s = fma(-z, s, rot_inverse_factorial[n]);
   return s;
 }
 
@@ -93,7 +58,7 @@ static void divide(rot_divided_wave *wave, int i, double re, double im, double s
  * exp[0, -z, iy] = (phi_1(iy) - phi_1(-z))/(z + iy)
  *                = (z phi_2(-z) - y^2 (y - sin y)/y^3 + i (1 - cos y)/y)/(z + iy),
  *
- * the last where both are small: there the difference of the phi_1 is one of ones. */
+ * the last form where both are small, since there the difference of the phi_1 cancels. */
 rot_divided_wave rot_divided_wave_at(double z, double z_lo, double y, double y_lo,
                                      double y_over_z) {
   rot_divided_wave wave;
@@ -127,8 +92,8 @@ rot_divided_wave rot_divided_wave_at(double z, double z_lo, double y, double y_l
   return wave;
 }
 
-/* From p = 3 on (phi_1(-q) - exp(-q) phi_1(-r))/p loses a bit at most; below it
- * exp(-p) sum h_k(p, r)/(k+2)! with h_k = sum_j p^j r^(k-j), all positive. */
+/* For p >= 3, (phi_1(-q) - exp(-q) phi_1(-r))/p loses a bit at most; below,
+ * exp(-p) sum h_k(p, r)/(k+2)! with h_k = sum_j p^j r^(k-j), all terms positive. */
 double rot_divided_decay(double p, double q, double r, double *scale) {
   *scale = 1.0;
   if (p >= 3.0) {
@@ -140,7 +105,7 @@ double rot_divided_decay(double p, double q, double r, double *scale) {
   for (int k = 1; k < 28; k++) {
     power *= p;
     h = fma(r, h, power);
-    const double next = h * inverse_factorial[k + 2];
+    const double next = h * rot_inverse_factorial[k + 2];
     sum += next;
     if (!(next > 0x1p-56 * sum)) break;
   }

@@ -9,8 +9,8 @@
 /* Matrices of 64 rows, graded over 1e-30, took at most 11 sweeps. */
 enum { MOST_SWEEPS = 60 };
 
-/* Numbers are brought near 1 by a power of two, so that no square leaves the range. Returns the
- * exponent taken out, or NOT_FINITE. */
+/* Scales by a power of two to near 1, so that no square leaves the range. Returns the exponent, or
+ * NOT_FINITE. */
 enum { NOT_FINITE = -100000 };
 
 static int scale_to_one(size_t n, double a[]) {
@@ -29,15 +29,15 @@ static void set_identity(size_t n, double a[]) {
   for (size_t i = 0; i < n * n; i++) a[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
 }
 
-/* Rotation that makes [alpha gamma; gamma beta] diagonal: tangent of the smaller angle. */
+/* The rotation that diagonalises [alpha gamma; gamma beta]: tangent of the smaller angle. */
 static double tangent(double alpha, double beta, double gamma) {
   const double cot = (beta - alpha) / (2.0 * gamma);
   if (fabs(cot) > 1e150) return 0.5 / cot;
   return (cot >= 0.0 ? 1.0 : -1.0) / (fabs(cot) + sqrt(1.0 + cot * cot));
 }
 
-/* x and y, strided, become c x - s y and s x + c y; written with tau = s/(1 + c), which rounds
- * less (Rutishauser 1966). */
+/* x and y, strided, become c x - s y and s x + c y, written with tau = s/(1 + c) for smaller
+ * rounding errors (Rutishauser 1966). */
 static void rotate(size_t n, size_t step, double x[], double y[], double s, double tau) {
   for (size_t i = 0; i < n; i++) {
     const double a = x[i * step], b = y[i * step];
@@ -50,7 +50,7 @@ static void rotate(size_t n, size_t step, double x[], double y[], double s, doub
 
 static int rotate_pair(size_t n, double a[], double v[], size_t p, size_t q) {
   const double gamma = a[p * n + q], alpha = a[p * n + p], beta = a[q * n + q];
-  /* Against both diagonal elements, not against the norm: that is what keeps small values. */
+  /* Relative to both diagonal elements, not to the norm: this resolves small eigenvalues. */
   if (fabs(gamma) <= ROT_EPS * sqrt(fabs(alpha)) * sqrt(fabs(beta)) || fabs(gamma) < DBL_MIN) {
     return 0;
   }
@@ -87,8 +87,8 @@ static void sort_ascending(size_t n, double values[], double vectors[]) {
   }
 }
 
-/* v'Av / v'v in double words. The error of a vector counts squared here, so a well-separated small
- * eigenvalue of an ungraded matrix gets back the digits that the rotations lost: 1e-14 becomes
+/* v'Av / v'v with compensated sums. The error of the vector enters squared, so a well-separated
+ * small eigenvalue of an ungraded matrix regains the digits that the rotations lost: 1e-14 becomes
  * 2e-16 for the 3 x 3 matrices of the tests. */
 static double rayleigh(size_t n, const double a[], const double vectors[], size_t j) {
   double top = 0.0, top_lo = 0.0, below = 0.0, below_lo = 0.0;
@@ -150,7 +150,8 @@ static void swap_rows(size_t cols, double g[], size_t p, size_t q) {
   for (size_t j = 0; p != q && j < cols; j++) swap(&g[p * cols + j], &g[q * cols + j]);
 }
 
-/* Householder's reflection of rows k.. that leaves column k with its first element only. */
+/* Householder reflection of the rows from k on, which leaves column k with its first element
+ * only. */
 static void reflect(size_t rows, size_t cols, double g[], size_t k) {
   double *x = g + k * cols + k;
   const size_t length = rows - k;
@@ -165,8 +166,8 @@ static void reflect(size_t rows, size_t cols, double g[], size_t k) {
   x[0] = corner;
 }
 
-/* G P = Q R with the largest column and row exchanged to the front each time: rows and columns of
- * any size keep their digits (Cox & Higham 1998). R is left in the upper triangle of g. */
+/* G P = Q R, each time with the largest column and row exchanged to the front: row-wise and
+ * column-wise stable (Cox & Higham 1998). R is left in the upper triangle of g. */
 static void triangularize(size_t rows, size_t cols, double g[], size_t place[]) {
   for (size_t j = 0; j < cols; j++) place[j] = j;
   for (size_t k = 0; k < cols; k++) {
@@ -200,7 +201,7 @@ static int rotate_columns(size_t n, double a[], size_t p, size_t q) {
   return 1;
 }
 
-/* Makes the columns orthogonal, then of length 1; the lengths go to sigma. */
+/* Makes the columns orthonormal; their lengths go to sigma. */
 static int orthogonalize(size_t n, double a[], double sigma[]) {
   int turned = 1;
   for (int sweep = 0; turned && sweep < MOST_SWEEPS; sweep++) {
@@ -216,7 +217,7 @@ static int orthogonalize(size_t n, double a[], double sigma[]) {
   return !turned;
 }
 
-/* R' W = Z Sigma gives G P = Q W Sigma Z': the vectors wanted are the rows of Z, put back. */
+/* R' W = Z Sigma gives G P = Q W Sigma Z': the right singular vectors are the rows of P Z. */
 rot_status rot_eigen_singular(size_t rows, size_t cols, double g[], double sigma[], double u[]) {
   const int exponent = scale_to_one(rows * cols, g);
   if (exponent == NOT_FINITE || rows < cols) return ROT_EVALUE;

@@ -1,4 +1,4 @@
-/* Kinetic energy of a rolling body, divided between its two motions (Koenig's theorem). */
+/* Translational and rotational kinetic energy of a rolling body (Koenig's theorem). */
 #ifndef ROT_ENERGY_H
 #define ROT_ENERGY_H
 

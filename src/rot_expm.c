@@ -9,7 +9,7 @@ void rot_expm_multiply(size_t n, const double a[], const double b[], double c[])
     for (size_t j = 0; j < n; j++) row[j] = 0.0;
     for (size_t k = 0; k < n; k++) {
       const double x = a[i * n + k];
-      if (x == 0.0) continue; /* blocks of zeros stay what they are */
+      if (x == 0.0) continue; /* blocks of zeros remain exactly zero */
       for (size_t j = 0; j < n; j++) row[j] += x * b[k * n + j];
     }
   }
@@ -33,8 +33,8 @@ double rot_expm_norm(size_t n, const double a[]) {
   return most;
 }
 
-/* a x = b for n right-hand sides, rows exchanged for the largest pivot; both are overwritten, b by
- * x. The denominator of a Pade approximant is far from singular. */
+/* Solves a x = b for n right-hand sides, with partial pivoting; both are overwritten, b by x. The
+ * denominator of a Pade approximant is well conditioned. */
 static void solve(size_t n, double a[], double b[]) {
   for (size_t k = 0; k < n; k++) {
     size_t pivot = k;
@@ -73,7 +73,8 @@ static void add_identity(size_t n, double to[], double factor) {
   for (size_t i = 0; i < n; i++) to[i * (n + 1)] += factor;
 }
 
-/* Up to this 1-norm each degree is good to half a unit of roundoff (Higham 2005, table 2.3). */
+/* Up to this 1-norm the error of each degree is below the unit roundoff (Higham 2005, table
+ * 2.3). */
 static const struct {
   int degree;
   double norm, b[14];

@@ -11,8 +11,8 @@
 /* Doubles of work space. */
 #define ROT_EXPM_WORK(n) (7 * (n) * (n))
 
-/* e = exp(a), n x n, by rows. The error grows as the 1-norm of a: some 1e-16 each unit where exp
- * does not grow. ROT_ERANGE when it leaves the range. */
+/* e = exp(a), n x n, by rows. Where exp does not grow, the error is some 1e-16 times the 1-norm of
+ * a. ROT_ERANGE if it overflows. */
 rot_status rot_expm(size_t n, const double a[], double e[], double work[]);
 
 /* c = a b, n x n. */

@@ -1,8 +1,8 @@
 #ifndef ROT_GAUSS_H
 #define ROT_GAUSS_H
 
-/* Gauss and Legendre's 12 points in (0, 1). Truncation below 1e-17 for exponentials and sines of
- * up to 3. */
+/* The 12-point Gauss-Legendre rule on (0, 1). Truncation error below 1e-17 for exponentials and
+ * sines with arguments up to 3. */
 typedef struct rot_gauss_node {
   double x, weight;
 } rot_gauss_node;

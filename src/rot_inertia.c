@@ -6,12 +6,10 @@
 #include "rot_eigen.h"
 #include "rot_real.h"
 
-static const int row_of[ROT_TENSOR] = {0, 1, 2, 0, 0, 1},
-                 column_of[ROT_TENSOR] = {0, 1, 2, 1, 2, 2};
-
 static void to_matrix(const double c[], double m[9]) {
   for (int k = 0; k < ROT_TENSOR; k++) {
-    m[3 * row_of[k] + column_of[k]] = m[3 * column_of[k] + row_of[k]] = c[k];
+    m[3 * rot_tensor_row[k] + rot_tensor_column[k]] =
+        m[3 * rot_tensor_column[k] + rot_tensor_row[k]] = c[k];
   }
 }
 
@@ -24,7 +22,7 @@ void rot_inertia_of_second(const double c[], double inertia[]) {
   for (int k = ROT_XY; k < ROT_TENSOR; k++) inertia[k] = 0.0 - c[k];
 }
 
-/* (a + b - c)/2 rounded once, or nearly: what a + b rounds off is added at the end. */
+/* (a + b - c)/2 rounded about once: the rounding error of a + b is added at the end. */
 static double half_excess(double a, double b, double c) {
   double lo, lost;
   const double s = rot_two_sum(0.5 * a, 0.5 * b, &lo), e = rot_two_sum(s, -0.5 * c, &lost);
@@ -42,7 +40,9 @@ void rot_inertia_to_second(const double inertia[], double c[]) {
 void rot_inertia_shift_second(double mass, const double d[3], double sign, const double c[],
                               double out[]) {
   for (int k = 0; k < ROT_TENSOR; k++) {
-    out[k] = c[k] + sign * rot_product(3, (double[]){mass, d[row_of[k]], d[column_of[k]]}, 1.0);
+    out[k] =
+        c[k] +
+        sign * rot_product(3, (double[]){mass, d[rot_tensor_row[k]], d[rot_tensor_column[k]]}, 1.0);
   }
 }
 
@@ -64,14 +64,14 @@ void rot_inertia_rotate(const double r[9], const double c[], double out[]) {
     }
   }
   for (int k = 0; k < ROT_TENSOR; k++) {
-    const double *a = half + 3 * row_of[k], *b = r + 3 * column_of[k];
+    const double *a = half + 3 * rot_tensor_row[k], *b = r + 3 * rot_tensor_column[k];
     out[k] = (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
   }
 }
 
 /* ---- about an axis -------------------------------------------------------------------------- */
 
-/* Length 1, whatever the length given; the largest component is brought near 1 first. */
+/* n/|n|; scaled first, so that no square leaves the range. */
 static void unit_vector(const double n[3], double u[3]) {
   const double most = fmax(fmax(fabs(n[0]), fabs(n[1])), fabs(n[2]));
   int e;
@@ -87,10 +87,10 @@ double rot_inertia_axis(const rot_inertial *body, const double n[3], const doubl
   unit_vector(n, u);
   for (int i = 0; i < 3; i++) d[i] = body->centre_m[i] - point[i];
   const double x = u[0] * u[0], y = u[1] * u[1], z = u[2] * u[2];
-  /* tr C - u'Cu, with the squares that cancel left out. */
+  /* tr C - u'Cu, without the squares that cancel. */
   double own = (c[ROT_XX] * (y + z) + c[ROT_YY] * (x + z) + c[ROT_ZZ] * (x + y)) -
                2.0 * (c[ROT_XY] * u[0] * u[1] + c[ROT_XZ] * u[0] * u[2] + c[ROT_YZ] * u[1] * u[2]);
-  /* A rod about itself: rounding of either sign, and no body's moment is less than 0. */
+  /* A rod about its own axis: rounding of either sign, where the moment is at least 0. */
   if (body->mass_kg >= 0.0 && own < 0.0) own = 0.0;
   const double cross[3] = {u[1] * d[2] - u[2] * d[1], u[2] * d[0] - u[0] * d[2],
                            u[0] * d[1] - u[1] * d[0]};
@@ -103,7 +103,7 @@ double rot_inertia_axis(const rot_inertial *body, const double n[3], const doubl
 
 /* ---- principal axes ------------------------------------------------------------------------- */
 
-/* Gap beneath which Jacobi's vectors are noise: 1e-14 of the largest, some fifty roundings. */
+/* Relative gap of eigenvalues below which the eigenvectors are noise: some fifty roundings. */
 static const double same = 1e-14;
 
 static void set_axis(double axes[9], int k, const double v[3]) {
@@ -120,8 +120,8 @@ static void cross_product(const double a[3], const double b[3], double out[3]) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The coordinate axis nearest to the plane across v, as a unit vector in that plane; the first of
- * equals. */
+/* The coordinate axis nearest to the plane perpendicular to v, projected into it and normalised;
+ * the first of equals. */
 static void nearest_in_plane(const double v[3], double u[3]) {
   int k = 0;
   for (int i = 1; i < 3; i++) {
@@ -145,7 +145,7 @@ static void fix_sign(double axes[9], int k) {
   }
 }
 
-/* Among equal moments every pair of axes will do: take those that lie nearest to x, y, z. */
+/* For equal moments the axes are not unique: those nearest to x, y, z are taken. */
 static void settle_equal_axes(const double second[3], double axes[9]) {
   const int first = second[0] - second[1] <= same * second[0];
   const int last = second[1] - second[2] <= same * second[0];
@@ -193,8 +193,8 @@ typedef struct scales {
   int mass, length;
 } scales;
 
-/* Exponents that bring masses and distances near 1, so that no product leaves the range; 0 where
- * nothing is finite but 0. */
+/* Exponents that scale masses and distances to near 1, so that no product leaves the range; 0 where
+ * all finite values are 0. */
 static scales find_scales(size_t n, const rot_inertial part[], const double from[3]) {
   double mass = 0.0, second = 0.0, length = 0.0;
   scales s = {0, 0};
@@ -208,7 +208,7 @@ static scales find_scales(size_t n, const rot_inertial part[], const double from
   if (mass > 0.0) frexp(mass, &s.mass);
   if (length > 0.0 && isfinite(length)) frexp(length, &s.length);
   if (second > 0.0 && isfinite(second)) {
-    /* By exponents: 1e300 kg m^2 over 1e-300 kg is no double. */
+    /* By exponents: 1e300 kg m^2/1e-300 kg is not a double. */
     int e;
     frexp(second, &e);
     const int own = (e - s.mass) / 2 + 1;
@@ -251,7 +251,7 @@ rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *w
   }
   const double m_all = total(&mass);
   if (!isfinite(m_all)) return ROT_EVALUE;
-  /* Where all is massless, or holes leave nothing, there is no centre to find. */
+  /* Without mass the centre is that of the heaviest part. */
   double mean[3], trace = 0.0, spread = 0.0;
   for (int k = 0; k < 3; k++) mean[k] = m_all == 0.0 ? 0.0 : total(&first[k]) / m_all;
   for (size_t i = 0; i < n; i++) {
@@ -265,7 +265,7 @@ rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *w
     for (int k = 0; k < ROT_TENSOR; k++) {
       const double own = ldexp(part[i].second_kg_m2[k], -s.mass - 2 * s.length);
       add(&second[k], own);
-      add(&second[k], m * d[row_of[k]] * d[column_of[k]]);
+      add(&second[k], m * d[rot_tensor_row[k]] * d[rot_tensor_column[k]]);
       if (k < ROT_XY) spread += fabs(own);
     }
   }
@@ -279,8 +279,17 @@ rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *w
     whole->second_kg_m2[k] = ldexp(total(&second[k]), s.mass + 2 * s.length);
     if (!isfinite(whole->second_kg_m2[k])) return ROT_ERANGE;
   }
-  /* A term is m d d': two roundings, and two in each d; the sums add one. */
+  /* A term m d d' has two roundings, and two in each d; the sums add one. */
   const double rounding = 8.0 * ROT_EPS * spread;
   *error = rounding <= 0.0 ? 0.0 : trace > 0.0 ? rounding / trace : INFINITY;
   return ROT_OK;
+}
+
+double rot_inertia_error(const double second[ROT_TENSOR], double mass, int is_density,
+                         double roundings, int has_moment) {
+  const double trace = second[ROT_XX] + second[ROT_YY] + second[ROT_ZZ];
+  double bound = roundings * ROT_EPS;
+  if (is_density && mass > 0.0) bound += 0x1p-1074 / mass;
+  if (trace > 0x1p-960) return bound;
+  return trace > 0.0 ? bound + 0x1p-1072 / trace : has_moment ? HUGE_VAL : 0.0;
 }

@@ -1,9 +1,9 @@
-/* Inertia from second moments. The tensor that is kept is
+/* Inertia from second moments. The tensor stored is
  *
  *     C = int (x - g)(x - g)' dm   about the centre of mass g,    I = tr(C) 1 - C.
  *
- * Its eigenvalues are not negative, and a principal moment is the sum of two of them: a rod's zero
- * stays zero, a plate's I1 + I2 = I3 holds exactly, and I1 + I2 >= I3 becomes C >= 0.
+ * Its eigenvalues are not negative, and a principal moment is the sum of two of them: the zero of a
+ * rod stays zero, I1 + I2 = I3 holds exactly for a plate, and I1 + I2 >= I3 becomes C >= 0.
  * A tensor is six numbers: xx, yy, zz, xy, xz, yz.
  *
  * Source: Goldstein, Classical Mechanics, 3rd ed., 5.3-5.4; Featherstone, Rigid Body Dynamics
@@ -16,6 +16,8 @@
 #include "rot_status.h"
 
 enum { ROT_XX, ROT_YY, ROT_ZZ, ROT_XY, ROT_XZ, ROT_YZ, ROT_TENSOR };
+static const int rot_tensor_row[ROT_TENSOR] = {0, 1, 2, 0, 0, 1},
+                 rot_tensor_column[ROT_TENSOR] = {0, 1, 2, 1, 2, 2};
 
 typedef struct rot_inertial {
   double mass_kg;
@@ -36,8 +38,8 @@ void rot_inertia_shift(double mass, const double d[3], double sign, const double
 /* R C R', R by rows. */
 void rot_inertia_rotate(const double r[9], const double c[], double out[]);
 
-/* Moment about the axis along n (any length but 0) through `point`; not less than 0 where the mass
- * is not. */
+/* Moment about the axis along n (of any length but 0) through `point`; at least 0 if the mass
+ * is. */
 double rot_inertia_axis(const rot_inertial *body, const double n[3], const double point[3]);
 
 /* Second moments along the principal axes, descending, so that the moments
@@ -52,11 +54,16 @@ typedef struct rot_principal {
 
 rot_status rot_inertia_principal(const double c[], double tolerance, rot_principal *out);
 
-/* n bodies as one, a hole as a body of negative mass and second moment. The common centre first,
- * from the heaviest part and not from the origin, then the parts about it. *error bounds the error
- * of the second moment by the sums' own roundings, relative to its trace; it is infinite where
- * holes leave no trace to compare with. */
+/* n bodies as one; a hole has negative mass and second moment. First the common centre, relative to
+ * the heaviest part, then the sum about it. *error bounds the rounding error of the second moment,
+ * relative to its trace; infinite where holes leave no trace. */
 rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *whole,
                             double *error);
+
+/* Bound of the error, relative to the trace, of a second moment whose entries carry `roundings`:
+ * plus the underflow of a mass from a density, and of moments near the smallest double. Infinite
+ * where the trace underflowed (`has_moment`: it is not 0). */
+double rot_inertia_error(const double second[ROT_TENSOR], double mass, int is_density,
+                         double roundings, int has_moment);
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* K = pi/(2 M(1, sqrt(m1))). The steps are kept: they lead back from the circle to sn, cn, dn. */
+/* K = pi/(2 M(1, sqrt(m1))). The steps of the mean are stored for the descent to sn, cn, dn. */
 void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
   static const rot_dd half_pi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
   rot_dd a = {1.0, 0.0}, g = rot_dd_sqrt(m1);
@@ -14,7 +14,7 @@ void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
     out->k = (rot_dd){m1.hi == 0.0 ? INFINITY : NAN, 0.0};
     return;
   }
-  /* At 2^-56 the last a serves the functions; one more mean makes K good to 2^-113. */
+  /* At 2^-56 the last a suffices for the functions; one more mean gives K to 2^-113. */
   for (int known = 0; !known && out->n < 22;) {
     known = fabs(a.hi - g.hi) < 0x1p-56 * a.hi;
     const rot_dd mean = rot_dd_ldexp(rot_dd_add(a, g), -1);
@@ -31,7 +31,7 @@ void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
 double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u) {
   const rot_dd period = rot_dd_ldexp(jacobi->k, 1);
   double turns = 0.0;
-  /* Twice: the first quotient is rounded, and may leave more than K. */
+  /* Twice: the first quotient is rounded and may leave more than K. */
   for (int i = 0; i < 2; i++) {
     if (!(fabs(u->hi) > jacobi->k.hi)) break;
     const double n = nearbyint(u->hi / period.hi);
@@ -47,9 +47,9 @@ static void hyperbolic(double u, double *sn, double *cn, double *dn) {
   *cn = *dn = 1.0 / cosh(u);
 }
 
-/* Bulirsch's descent: y = cn/sn from level to level, and d = dn, every term positive, so that for
- * u <= K/2 both keep their digits however small they are. The recursion of the phase (an arc sine
- * at each level) loses cn and dn near K: 7e-9 of 1 where m1 < 1e-16. */
+/* Bulirsch's descent: y = cn/sn and d = dn at each level, with positive terms only, so that for
+ * u <= K/2 small values keep their relative accuracy. The recursion of the phase (an arc sine at
+ * each level) loses cn and dn near K: 7e-9 of 1 where m1 < 1e-16. */
 static void descend(const rot_jacobi *jacobi, rot_dd u, double *y_out, double *d_out) {
   const double x = jacobi->a[jacobi->n] * u.hi;
   double y = jacobi->a[jacobi->n] * cos(x) / sin(x), d = 1.0;

@@ -1,5 +1,5 @@
-/* Jacobi's elliptic functions and integrals from the complementary parameter m1 = 1 - m between 0
- * and 1. m1 -> 0 (a separatrix) keeps its digits, which 1 - m has lost. */
+/* Jacobi's elliptic functions and integrals from the complementary parameter m1 = 1 - m in [0, 1],
+ * which resolves the limit m1 -> 0 (a separatrix). */
 #ifndef ROT_JACOBI_H
 #define ROT_JACOBI_H
 
@@ -8,18 +8,18 @@
 /* One m1, 0 or 1e-290 <= m1 <= 1, and many arguments. */
 typedef struct rot_jacobi {
   double m1;
-  rot_dd k; /* K, to twice the precision as far as m1 is; Inf at m1 = 0 */
+  rot_dd k; /* K, to twice the precision if m1 is; Inf at m1 = 0 */
   int n;    /* steps of the arithmetic-geometric mean */
   double a[24], g[24];
 } rot_jacobi;
 
 void rot_jacobi_begin(rot_dd m1, rot_jacobi *out);
 
-/* sn, cn, dn of u.hi + u.lo, |u| <= K: sn to 8 eps, cn and dn to 6 eps (1 + w), where w is the
- * distance from the nearer of 0 and K and eps = 2^-53, all of them relative. */
+/* sn, cn, dn of u.hi + u.lo, |u| <= K. Relative errors: sn 8 eps, cn and dn 6 eps (1 + w), with w
+ * the distance from the nearer of 0 and K, and eps = 2^-53. */
 void rot_jacobi_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, double *dn);
 
-/* u less the nearest multiple of 2K, which is returned. */
+/* Subtracts the nearest multiple of 2K from u; returns the multiple. */
 double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u);
 
 /* For one argument of any size. The amplitude is continuous in u: am(u + 2K) = am(u) + pi. */
@@ -30,8 +30,8 @@ double rot_jacobi_amplitude(double u, double m1);
 /* Carlson's R_F of x, y, z >= 0, at most one of them 0. */
 double rot_carlson_rf(double x, double y, double z);
 
-/* The argument |u| <= K at which the functions have these values, cn >= 0: sn R_F(cn^2, dn^2, 1).
- * Any common factor of sn and cn drops out. */
+/* The argument |u| <= K at which the functions have these values, cn >= 0: sn R_F(cn^2, dn^2, 1). A
+ * common factor of sn and cn has no effect. */
 double rot_jacobi_argument(double sn, double cn, double dn);
 
 #endif

@@ -4,11 +4,11 @@
 
 #include "rot_real.h"
 
-/* ---- numbers with 106 bits and an exponent of their own -------------------------------------
+/* ---- numbers with 106 bits and a separate exponent ------------------------------------------
  *
  * (hi + lo) 2^e, with |hi| in [1/2, 1) and lo below half a unit of hi's last place, or all zero.
- * Products of given numbers are exact. A sum is good to 3 units of 2^-106 of itself, also where
- * it cancels (Joldes, Muller & Popescu 2017, algorithm 6), and nothing overflows on the way. */
+ * Products of doubles are exact. A sum has a relative error of 3 2^-106, also where it cancels
+ * (Joldes, Muller & Popescu 2017, algorithm 6), and no intermediate result overflows. */
 typedef struct wide {
   double hi, lo;
   int e;
@@ -78,8 +78,8 @@ static wide root(wide x) {
 
 /* ---- the ten cases --------------------------------------------------------------------------
  *
- * Six of them; the other four are these, run backwards: omega0 and omega change places, time and
- * angle change sign. */
+ * Six of them; the other four are the same with time reversed: omega0 and omega are exchanged, time
+ * and angle change sign. */
 enum {
   THETA = 1 << ROT_THETA,
   OMEGA0 = 1 << ROT_OMEGA0,
@@ -117,7 +117,7 @@ static rot_motion_kind from_rates_and_angle(double x[ROT_MOTION_SIZE]) {
   const wide before = wide_of(x[ROT_OMEGA0]), after = wide_of(x[ROT_OMEGA]);
   const wide theta = wide_of(x[ROT_THETA]), sum = plus(before, after);
   if (sum.hi == 0.0) return theta.hi == 0.0 ? ROT_MOTION_UNDETERMINED : ROT_MOTION_IMPOSSIBLE;
-  if (theta.hi == 0.0) { /* a mean rate that is not 0 and no angle: no time either */
+  if (theta.hi == 0.0) { /* the mean rate is not 0 and the angle is: the time is 0 */
     if (x[ROT_OMEGA0] != x[ROT_OMEGA]) return ROT_MOTION_IMPOSSIBLE;
     x[ROT_TIME] = 0.0;
     return ROT_MOTION_UNDETERMINED;
@@ -135,8 +135,8 @@ static rot_motion_kind from_start_alpha_time(double x[ROT_MOTION_SIZE]) {
   return ROT_MOTION_ONE;
 }
 
-/* omega = +-s with s^2 = omega0^2 + 2 alpha theta. With q = omega0 + sign(omega0) s, where nothing
- * cancels, the times are 2 theta/q for the omega of omega0's sign and -q/alpha for the other. */
+/* omega = +-s with s^2 = omega0^2 + 2 alpha theta. With q = omega0 + sign(omega0) s, which does not
+ * cancel, the times are 2 theta/q for the omega of omega0's sign and -q/alpha for the other. */
 static rot_motion_kind from_start_alpha_angle(double x[2][ROT_MOTION_SIZE]) {
   const wide before = wide_of(x[0][ROT_OMEGA0]), alpha = wide_of(x[0][ROT_ALPHA]);
   const wide theta = wide_of(x[0][ROT_THETA]);
@@ -173,14 +173,14 @@ static rot_motion_kind from_start_time_angle(double x[ROT_MOTION_SIZE]) {
     x[ROT_OMEGA] = x[ROT_OMEGA0];
     return ROT_MOTION_UNDETERMINED;
   }
-  const wide way = times(before, t); /* omega t = 2 theta - omega0 t, and no quotient is rounded */
+  const wide way = times(before, t); /* omega t = 2 theta - omega0 t: one division, at the end */
   x[ROT_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(way)), t));
   x[ROT_ALPHA] = narrow(scaled(over(plus(theta, minus(way)), times(t, t)), 1));
   return ROT_MOTION_ONE;
 }
 
-/* theta + sign alpha t^2/2. Three factors have 159 bits, and theta may cancel the first hundred:
- * the parts are exact products, added from the large ones down. */
+/* theta + sign alpha t^2/2. The product of three factors has 159 bits, and theta may cancel the
+ * first hundred: exact partial products are added in descending order. */
 static wide angle_with_half(wide theta, wide alpha, wide t, double sign) {
   const wide rate = times(alpha, t);
   const wide most = times(normal(sign * rate.hi, 0.0, rate.e - 1), t);
@@ -227,7 +227,7 @@ static rot_motion_kind backwards(unsigned given, double x[2][ROT_MOTION_SIZE]) {
   turn_back(x[0]);
   if (kind == ROT_MOTION_TWO) {
     turn_back(x[1]);
-    for (int i = 0; i < ROT_MOTION_SIZE; i++) { /* the later is now the earlier */
+    for (int i = 0; i < ROT_MOTION_SIZE; i++) { /* the order of times is reversed */
       const double swap = x[0][i];
       x[0][i] = x[1][i];
       x[1][i] = swap;
@@ -254,7 +254,7 @@ rot_motion_kind rot_motion_solve(unsigned given, double x[2][ROT_MOTION_SIZE]) {
   return from_the_end ? backwards(given, x) : forwards(given, x);
 }
 
-/* ---- a point that goes round ---------------------------------------------------------------- */
+/* ---- a point of the body -------------------------------------------------------------------- */
 
 double rot_tangential_speed(double omega, double radius) { return omega * radius; }
 
@@ -270,7 +270,7 @@ double rot_total_acceleration(double omega, double alpha, double radius) {
                rot_centripetal_acceleration(omega, radius));
 }
 
-/* omega^2 may be beyond the range where the angle is not: its power of two goes over to alpha. */
+/* omega^2 may overflow where the angle does not: its power of two is moved to alpha. */
 double rot_acceleration_angle(double omega, double alpha) {
   int e = 0;
   const double m = frexp(omega, &e);
@@ -287,7 +287,7 @@ static const struct {
 #undef X
 };
 
-/* Through frexp(), so that the product's low part is not lost to underflow, nor NaN at infinity. */
+/* With frexp(), so that the low part of the product neither underflows nor is NaN at infinity. */
 double rot_convert_angle(double x, rot_angle_unit unit) {
   int e = 0;
   const double m = frexp(x, &e);

@@ -1,12 +1,12 @@
-/* Motion about an axle at constant angular acceleration, a point that goes round with it, and the
+/* Motion about an axle at constant angular acceleration, the motion of a point on the body, and
  * units of angles.
  *
  *   omega = omega0 + alpha t,   theta = omega0 t + alpha t^2/2,
  *   theta = (omega0 + omega) t/2,   omega^2 = omega0^2 + 2 alpha theta
  *
- * Any three of the five quantities give the other two: ten cases, and two motions where the squared
- * speed is solved for. Everything is carried with 106 bits and an exponent of its own, so a result
- * is that of the given doubles to 0.51 ulp, whatever cancels and whatever their size.
+ * Any three of the five quantities give the other two: ten cases, with two solutions where the
+ * equation for omega^2 is solved. Numbers have 106 bits and a separate exponent, so results are
+ * good to 0.51 ulp for the given doubles, with any cancellation and at any scale.
  * Source: Goldstein, Classical Mechanics, 3rd ed., section 1.1 (fixed axis: one coordinate). */
 #ifndef ROT_KINEMATICS_H
 #define ROT_KINEMATICS_H
@@ -18,26 +18,26 @@
 enum { ROT_THETA, ROT_OMEGA0, ROT_OMEGA, ROT_ALPHA, ROT_TIME, ROT_MOTION_SIZE };
 
 typedef enum rot_motion_kind {
-  ROT_MOTION_IMPOSSIBLE = 0,   /* no motion has these three: the other two are NaN */
+  ROT_MOTION_IMPOSSIBLE = 0,   /* the three are inconsistent: the other two are NaN */
   ROT_MOTION_ONE = 1,          /* x[0] is the motion */
   ROT_MOTION_TWO = 2,          /* x[0] and x[1], the smaller time first */
-  ROT_MOTION_UNDETERMINED = -1 /* many motions have these three: what they share is in x[0] */
+  ROT_MOTION_UNDETERMINED = -1 /* the three do not determine the motion: x[0] has what they do */
 } rot_motion_kind;
 
-/* `given` has bit 1 << ROT_THETA and so on for the three that x[0] has on entry, all finite. NaN
- * among them is passed on to the other two. */
+/* `given` has the bits (1 << ROT_THETA, ...) of the three values in x[0], finite or NaN. A NaN is
+ * passed on to the other two. */
 rot_motion_kind rot_motion_solve(unsigned given, double x[2][ROT_MOTION_SIZE]);
 
-/* A point at a distance from the axle. Signed along the tangent; the angle is that of the
- * acceleration from the inward radius, positive ahead: atan2(alpha, omega^2), at the axle its
- * limit. */
+/* A point at a distance from the axle. Tangential values have a sign; the angle is that of the
+ * acceleration from the inward radius, positive in the direction of motion: atan2(alpha, omega^2),
+ * at the axle its limit. */
 double rot_tangential_speed(double omega, double radius);
 double rot_tangential_acceleration(double alpha, double radius);
 double rot_centripetal_acceleration(double omega, double radius);
 double rot_total_acceleration(double omega, double alpha, double radius);
 double rot_acceleration_angle(double omega, double alpha);
 
-/* What to multiply by, and where it comes from: name, high and low part (mpmath, 50 digits). */
+/* Factors: name, high and low part (mpmath, 50 digits). */
 #define ROT_ANGLE_UNIT_LIST(X)                                                                     \
   X(ROT_RAD_FROM_DEG, 0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62)        /* pi/180 */             \
   X(ROT_DEG_FROM_RAD, 0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49)       /* 180/pi */             \

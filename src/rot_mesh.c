@@ -14,7 +14,7 @@ void *rot_mesh_alloc(size_t n, size_t size) {
   return malloc(n ? n * size : 1);
 }
 
-/* ---- what goes in --------------------------------------------------------------------------- */
+/* ---- input ---------------------------------------------------------------------------------- */
 
 rot_mesh_entries rot_mesh_check_entries(const rot_mesh *mesh) {
   rot_mesh_entries bad = {0, 0};
@@ -45,8 +45,8 @@ size_t rot_mesh_mark_used(const rot_mesh *mesh, unsigned char used[]) {
   return unused;
 }
 
-/* Four corners at a time here, and four vertices below: each would wait for the one before. The top
- * bit of x - 1 or of most - x is set where x is below 1 or above `most`. */
+/* Four independent chains here and below, for instruction parallelism. The top bit of x - 1 or of
+ * most - x is set where x is below 1 or above `most`. */
 static unsigned see_corners(const int at[], size_t n, size_t step, unsigned most) {
   unsigned a = 0, b = 0, c = 0, d = 0;
   size_t i = 0;
@@ -72,7 +72,7 @@ static int corners_ok(const rot_mesh *mesh) {
   return !wrong;
 }
 
-/* Smallest and largest of some values; `zero` becomes NaN with one that is not finite. */
+/* Smallest and largest value; `zero` becomes NaN with a value that is not finite. */
 typedef struct spread {
   double lo, hi, zero;
 } spread;
@@ -123,7 +123,7 @@ static int find_box(const rot_mesh *mesh, rot_mesh_box *box) {
   return 1;
 }
 
-/* Fifth powers of lengths, and their squares, must neither overflow nor underflow. */
+/* Fifth powers of lengths and their squares must neither overflow nor underflow. */
 enum { TAME = 64 };
 
 static rot_status shrink(rot_mesh_tamed *tame) {
@@ -133,7 +133,7 @@ static rot_status shrink(rot_mesh_tamed *tame) {
   tame->exponent = box->exponent;
   tame->xyz = rot_mesh_alloc(mesh->vertices, 3 * sizeof *tame->xyz);
   if (!tame->xyz) return ROT_ENOMEM;
-  /* Two factors: 2^1074 alone is no double. */
+  /* Two factors: 2^1074 alone is not a double. */
   const int e1 = -tame->exponent / 2, e2 = -tame->exponent - e1;
   const double s1 = ldexp(1.0, e1), s2 = ldexp(1.0, e2);
   for (size_t i = 0; i < mesh->vertices; i++) {
@@ -183,18 +183,9 @@ void rot_mesh_tame_free(rot_mesh_tamed *tame) {
 
 enum { POLL_FACES = 2048 * ROT_MESH_BLOCK };
 
-/* Roundings of a term, relative to the sizes of what is added in it (4 in n, 3 in d, 5 in q, 1 for
+/* Roundings of a term, relative to the absolute values added in it (4 in n, 3 in d, 5 in q, 1 for
  * their product), and of the sum over a block and its lanes. */
 enum { ROUNDINGS = 13 + ROT_MESH_STEPS + ROT_MESH_LANES };
-
-static void sum_narrow(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
-                       int shell) {
-  if (shell) {
-    sum_faces(mesh, sums, from, end, 1);
-  } else {
-    sum_faces(mesh, sums, from, end, 0);
-  }
-}
 
 static rot_status add_faces(const rot_mesh *mesh, const double centre[3], int shell,
                             const rot_hooks *hooks, double sum[SUMS]) {
@@ -208,7 +199,7 @@ static rot_status add_faces(const rot_mesh *mesh, const double centre[3], int sh
     if (rot_wide_ok()) {
       rot_mesh_sum_wide(mesh, &sums, i, end, shell);
     } else {
-      sum_narrow(mesh, &sums, i, end, shell);
+      sum_faces(mesh, &sums, i, end, shell);
     }
   }
   for (int j = 0; j < SUMS; j++) {
@@ -225,9 +216,9 @@ static rot_status add_faces(const rot_mesh *mesh, const double centre[3], int sh
 
 /* ---- from sums to a body -------------------------------------------------------------------- */
 
-/* The sums as integrals; `centre` is where they were taken about, then that of the mass. */
+/* The integrals: centre of mass relative to the origin of the sums, second moment about it. */
 typedef struct integrals {
-  double size, area, centre[3], about[6], trace; /* `about` the centre, divided by the size */
+  double size, area, centre[3], about[6], trace; /* `about` is divided by the size */
   double shift;                                  /* |centre|^2 */
 } integrals;
 
@@ -244,9 +235,10 @@ static void integrate(const double sum[SUMS], int shell, integrals *to) {
   to->shift = outer[0] + outer[1] + outer[2];
 }
 
-/* What it costs to move each vertex by at most by[k] along axis k: bounds relative to the trace and
- * to the size. Along its normal the solid's surface moves by sum by[k] |n_k|/|n|; that changes C by
- * that times the surface's own second moment, V by that times the area. */
+/* Bounds of the change of C, relative to its trace, and of the size, relative to itself, when each
+ * vertex moves by at most by[k] along axis k. The surface of the solid moves along its normal by at
+ * most sum by[k] |n_k|/|n|; C changes by that times the surface's second moment, V by that times
+ * the area. */
 static double displace_solid(const double sum[SUMS], const integrals *of, const double by[3],
                              double *of_size) {
   double first = 0.0, second = 0.0;
@@ -306,8 +298,8 @@ static double power_of_two(double x, int exponent, int times) {
   return x;
 }
 
-/* The sums about `origin`, and what they say. Where the centre of mass is far from it and most of
- * the mass close to the centre of mass, the shift cancels: once more, from there. */
+/* The sums about `origin` and their integrals. Where the centre of mass is far from the origin
+ * compared with the radius of gyration, the shift cancels: repeated about the centre of mass. */
 static rot_status gather(const rot_mesh *mesh, int shell, const rot_hooks *hooks, double origin[3],
                          double sum[SUMS], integrals *of) {
   rot_status status = add_faces(mesh, origin, shell, hooks, sum);
@@ -320,7 +312,7 @@ static rot_status gather(const rot_mesh *mesh, int shell, const rot_hooks *hooks
   return status;
 }
 
-/* From the tame mesh; `out` is of its size. */
+/* Of the scaled mesh, in its units. */
 static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell,
                         const rot_hooks *hooks, rot_mesh_moments *out) {
   double sum[SUMS], origin[3], own[3], last[3], most = 0.0, moved;
@@ -328,7 +320,7 @@ static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell
   memcpy(origin, box->centre, sizeof origin);
   rot_status status = gather(mesh, shell, hooks, origin, sum, &of);
   if (status != ROT_OK) return status;
-  /* A coordinate about the origin is off by a rounding of its own. */
+  /* Each coordinate relative to the origin has a rounding of its own. */
   for (int k = 0; k < 3; k++) {
     const double side = fmax(box->hi[k] - origin[k], origin[k] - box->lo[k]);
     most = fmax(most, side);
@@ -337,7 +329,7 @@ static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell
     out->centre[k] = origin[k] + of.centre[k];
   }
   out->error = rounding(sum, shell, &of, most, &out->size_error);
-  /* No size beyond rounding, or NaN: sums of 0, or volumes that cancel. */
+  /* The size is zero within rounding, or NaN. */
   if (!(out->size_error < 0.125) || !(of.trace > 0.0)) return ROT_ERANGE;
   double (*const displace)(const double[SUMS], const integrals *, const double[3], double *) =
       shell ? displace_shell : displace_solid;

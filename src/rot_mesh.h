@@ -7,8 +7,8 @@
  *   solid:   V = sum d/6      V g = sum d s/24      C = sum d (s s' + a a' + b b' + c c')/120
  *   surface: A = sum |n|/2    A g = sum |n| s/6     C = sum |n| (s s' + a a' + b b' + c c')/24
  *
- * a is measured from the middle of the bounding box, and n comes from the edges: so neither a
- * distant origin nor small faces cost digits.
+ * a is relative to the centre of the bounding box, and n comes from the edges, so neither a distant
+ * origin nor small faces cost digits.
  *
  * Reference: Tonon, J. Math. Stat. 1 (2005) 8; Blow & Binstock, How to find the inertia tensor (or
  * other mass properties) of a 3D solid body represented by a triangle mesh (2004). */
@@ -21,17 +21,17 @@
 #include "rot_status.h"
 
 /* Coordinate k of vertex i is xyz[i * vertex_step + k * axis_step]; corner k of face i is
- * corner[i * face_step + k * corner_step], the number of a vertex, from 1. */
+ * corner[i * face_step + k * corner_step], a vertex index from 1. */
 typedef struct rot_mesh {
   size_t vertices, faces;
   const double *xyz;
   size_t vertex_step, axis_step;
   const int *corner;
   size_t face_step, corner_step;
-  /* For each vertex the one (from 0) that stands for it, after welding; NULL: itself. */
+  /* For each vertex, the vertex (from 0) that replaces it after welding; NULL: itself. */
   const uint32_t *same;
-  /* For each vertex whether a face names it; NULL: all count as named. The others do not matter;
-   * were they to count, bounds and the reach would be larger. */
+  /* For each vertex, whether a face uses it; NULL: all. The others do not affect bounds and
+   * reach. */
   const unsigned char *used;
 } rot_mesh;
 
@@ -48,34 +48,34 @@ static inline size_t rot_mesh_corner(const rot_mesh *mesh, size_t face, size_t k
 /* n * size bytes, not 0; NULL also where the product overflows. */
 void *rot_mesh_alloc(size_t n, size_t size);
 
-/* What must be right before anything else is looked at. */
+/* Errors that exclude every other check. */
 typedef struct rot_mesh_entries {
   size_t bad_vertices; /* with a coordinate that is not finite */
-  size_t bad_faces;    /* with a corner that is no vertex */
+  size_t bad_faces;    /* with a corner that is not a vertex */
 } rot_mesh_entries;
 
 rot_mesh_entries rot_mesh_check_entries(const rot_mesh *mesh);
 
-/* Marks the vertices that faces name; the number of the others. Entries are good. */
+/* Marks the vertices that faces use; returns the number of the others. Entries are good. */
 size_t rot_mesh_mark_used(const rot_mesh *mesh, unsigned char used[]);
 
 /* The box of the vertices in use. */
 typedef struct rot_mesh_box {
   double lo[3], hi[3], centre[3];
-  int exponent; /* the largest half of a side is between a half and one 2^exponent */
+  int exponent; /* the largest half side is in [0.5, 1) 2^exponent */
 } rot_mesh_box;
 
-/* The mesh itself, but where the squares and cubes of its size would leave the range of doubles it
- * is 2^-exponent its size, and the corners name the vertices that stand for others. */
+/* The mesh with welded corners resolved, and scaled by 2^-exponent where the squares and cubes of
+ * its size would leave the range of doubles. */
 typedef struct rot_mesh_tamed {
   rot_mesh mesh;
   rot_mesh_box box;
-  int exponent; /* 0 where the size is as it was */
-  double *xyz;  /* what was made for it, or NULL */
+  int exponent; /* 0 without scaling */
+  double *xyz;  /* allocated for it, or NULL */
   int *corner;
 } rot_mesh_tamed;
 
-/* ROT_EVALUE for bad entries or no face, ROT_ENOMEM. To be freed in any case. */
+/* ROT_EVALUE for bad entries or no face, ROT_ENOMEM. Always to be freed. */
 rot_status rot_mesh_tame(const rot_mesh *mesh, rot_mesh_tamed *tame);
 void rot_mesh_tame_free(rot_mesh_tamed *tame);
 
@@ -84,19 +84,19 @@ typedef struct rot_mesh_moments {
   double size_error;       /* bound, relative */
   double centre[3];        /* of mass */
   double second_moment[6]; /* about the centre, per unit of mass: xx, yy, zz, xy, xz, yz */
-  double error;            /* bound of its error, relative to its trace: rounding here */
-  double coordinate_error; /* bound of what half a last digit of each coordinate does to it */
-  double moved_error;      /* the same of a vertex moved by 1 in each coordinate, to first order */
+  double error;            /* bound of its rounding error, relative to its trace */
+  double coordinate_error; /* bound of the effect of half an ulp of each coordinate on it */
+  double moved_error;      /* the same for vertices moved by 1 in each coordinate, to first order */
   double reach;            /* from the centre to the farthest vertex */
   double area;
-  double closure;      /* |sum of the area vectors|/area: 0 for a closed mesh but for rounding */
+  double closure;      /* |sum of the area vectors|/area: 0 within rounding for a closed mesh */
   double lo[3], hi[3]; /* the box */
 } rot_mesh_moments;
 
-/* Of the solid: the mesh must be closed, which is not looked at here (rot_mesh_edges.h). ROT_ERANGE
- * where no volume is left after rounding; ROT_EVALUE, ROT_ENOMEM, ROT_EUNWIND. */
+/* Of the solid: the mesh must be closed, which is not checked here (rot_mesh_edges.h). ROT_ERANGE
+ * where the volume is zero within rounding; ROT_EVALUE, ROT_ENOMEM, ROT_EUNWIND. */
 rot_status rot_mesh_solid(const rot_mesh *mesh, const rot_hooks *hooks, rot_mesh_moments *out);
-/* Of the surface, its mass spread evenly. ROT_ERANGE where there is no area. */
+/* Of the surface, with uniform areal density. ROT_ERANGE where there is no area. */
 rot_status rot_mesh_shell(const rot_mesh *mesh, const rot_hooks *hooks, rot_mesh_moments *out);
 
 #endif

@@ -3,29 +3,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A use of an edge, in the bucket of its lower vertex. */
+/* One use of an edge, in the bucket of its lower vertex. */
 typedef struct use {
   uint32_t other, face_down; /* 2 face + whether it goes from the higher vertex to the lower one */
 } use;
 
-/* The uses of the edge from a bucket's vertex to this one. */
+/* The count of the uses of the edge from the bucket's vertex to this one. */
 typedef struct tally {
-  uint32_t bucket; /* from 1; whose uses these are */
+  uint32_t bucket; /* the bucket counted here, from 1 */
   uint32_t up, down, first;
 } tally;
 
 typedef struct work {
   const rot_mesh *mesh;
-  size_t *bucket; /* where each bucket begins */
+  size_t *bucket; /* start of each bucket */
   use *uses;
   tally *tallies;
-  uint32_t *parent;     /* of each face: in its component, towards the earliest face */
-  unsigned char *crowd; /* faces on an edge that is used more than twice */
+  uint32_t *parent;     /* union-find: of each face, towards the first face of its component */
+  unsigned char *crowd; /* marks faces on an edge that is used more than twice */
 } work;
 
 enum { POLL_STEP = 1 << 16 };
 
-/* ---- components: union by least face, paths halved ------------------------------------------ */
+/* ---- components: union by least face, path halving ------------------------------------------ */
 
 static uint32_t root_of(uint32_t parent[], uint32_t face) {
   while (parent[face] != face) {
@@ -52,7 +52,7 @@ static int corners_of(const rot_mesh *mesh, size_t face, uint32_t v[3]) {
   return v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
 }
 
-/* bucket[v + 1] counts, then holds where v's bucket begins, then, filled, where it ends. */
+/* bucket[v + 1] is first a count, then the start of v's bucket, and after filling its end. */
 static void fill_buckets(const work *w, rot_mesh_edges *out) {
   const rot_mesh *mesh = w->mesh;
   uint32_t v[3];
@@ -113,12 +113,12 @@ static void count_bucket(const work *w, uint32_t vertex, rot_mesh_edges *out) {
     const tally *edge = &w->tallies[u->other];
     const uint32_t face = u->face_down / 2;
     if (edge->up > 2 || edge->down > 2 || edge->up + edge->down > 2) w->crowd[face] = 1;
-    /* A face has an edge once: its first user speaks for it. */
+    /* Each edge is judged once, by the first face that uses it. */
     if (face == edge->first) judge_edge(edge, out);
   }
 }
 
-/* ---- what follows from the buckets ---------------------------------------------------------- */
+/* ---- results from the buckets --------------------------------------------------------------- */
 
 static void number_components(const work *w, uint32_t component[], rot_mesh_edges *out) {
   for (size_t i = 0; i < w->mesh->faces; i++) {
@@ -155,8 +155,8 @@ static int by_corners(const void *a, const void *b) {
   return 0;
 }
 
-/* Two faces with the same corners share three edges: either another face is on one of these, or
- * the two are a component by themselves. So few faces need to be compared. `sizes` has a place for
+/* Two faces with the same corners share three edges: either a third face is on one of them, or the
+ * two are a component of two faces. So few faces need to be compared. `sizes` has an element for
  * each component. */
 static rot_status count_duplicates(const work *w, const uint32_t component[], uint32_t sizes[],
                                    rot_mesh_edges *out) {
@@ -184,7 +184,7 @@ static rot_status count_duplicates(const work *w, const uint32_t component[], ui
   return ROT_OK;
 }
 
-/* The tallies have done their work: `bucket` marks the vertices that faces name. */
+/* The tallies are reused: `bucket` marks the vertices that faces use. */
 static void count_unused(const work *w, rot_mesh_edges *out) {
   const rot_mesh *mesh = w->mesh;
   for (size_t i = 0; i < mesh->vertices; i++) w->tallies[i].bucket = 0;
@@ -210,7 +210,7 @@ static rot_status check(const work *w, const rot_hooks *hooks, uint32_t componen
   }
   number_components(w, component, out);
   count_unused(w, out);
-  /* No more components than faces: the parents are not needed any more. */
+  /* The parents are reused: there are no more components than faces. */
   return count_duplicates(w, component, w->parent, out);
 }
 

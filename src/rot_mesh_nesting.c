@@ -19,13 +19,13 @@ typedef struct work {
   size_t components;
   part *parts;
   uint32_t *face;    /* ordered by component */
-  uint32_t *meeting; /* faces of one component that meet another's box */
+  uint32_t *meeting; /* faces of one component that overlap another's box */
 } work;
 
-/* Points of a component that are tried; the first few whatever they cost. */
+/* Points tried for each component; the first few are outside the work budget. */
 enum { POINTS = 64, FIRST_POINTS = 8 };
 
-/* Boxes that may be looked at, a face counting as 16: some seconds, for all and for one. */
+/* Work budget in box tests (a face costs 16), some seconds: in total, and for each component. */
 static const double most_looks = 4e8, most_looks_each = 2e7;
 
 static void corner_at(const work *w, size_t face, size_t k, double at[3]) {
@@ -33,35 +33,51 @@ static void corner_at(const work *w, size_t face, size_t k, double at[3]) {
   for (size_t j = 0; j < 3; j++) at[j] = rot_mesh_at(w->mesh, vertex, j);
 }
 
-static void cross(const double a[3], const double b[3], double out[3], double *gross) {
-  *gross = 0.0;
+static void corners_at(const work *w, size_t face, double at[3][3]) {
+  for (size_t k = 0; k < 3; k++) corner_at(w, face, k, at[k]);
+}
+
+static void centroid_of(double at[3][3], double p[3]) {
+  for (int j = 0; j < 3; j++) p[j] = (at[0][j] + at[1][j] + at[2][j]) / 3.0;
+}
+
+/* a x b; returns the sum of the absolute values of its terms. */
+static double cross(const double a[3], const double b[3], double out[3]) {
+  double gross = 0.0;
   for (int k = 0; k < 3; k++) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     out[k] = a[i] * b[j] - a[j] * b[i];
-    *gross += fabs(a[i] * b[j]) + fabs(a[j] * b[i]);
+    gross += fabs(a[i] * b[j]) + fabs(a[j] * b[i]);
   }
+  return gross;
+}
+
+/* n = (b - a) x (c - a), returns as cross(). */
+static double normal_of(const double a[3], const double b[3], const double c[3], double n[3]) {
+  double u[3], v[3];
+  for (int j = 0; j < 3; j++) {
+    u[j] = b[j] - a[j];
+    v[j] = c[j] - a[j];
+  }
+  return cross(u, v, n);
 }
 
 /* ---- volumes and boxes ---------------------------------------------------------------------- */
 
 static void add_to_part(const work *w, size_t face, rot_mesh_nesting *out) {
   part *to = &w->parts[w->component[face]];
-  double corner[3][3], origin[3], at[3], u[3], v[3], n[3], gross;
-  /* From a corner of its own: far away parts of another size cost no digits. */
+  double corner[3][3], origin[3], at[3], n[3];
+  /* Relative to a corner of its own: a small component far from the others keeps its digits. */
   corner_at(w, w->face[to->begin], 0, origin);
-  for (size_t k = 0; k < 3; k++) {
-    corner_at(w, face, k, corner[k]);
-    for (int j = 0; j < 3; j++) {
+  corners_at(w, face, corner);
+  for (int j = 0; j < 3; j++) {
+    at[j] = corner[0][j] - origin[j];
+    for (int k = 0; k < 3; k++) {
       to->lo[j] = corner[k][j] < to->lo[j] ? corner[k][j] : to->lo[j];
       to->hi[j] = corner[k][j] > to->hi[j] ? corner[k][j] : to->hi[j];
     }
   }
-  for (int j = 0; j < 3; j++) {
-    at[j] = corner[0][j] - origin[j];
-    u[j] = corner[1][j] - corner[0][j];
-    v[j] = corner[2][j] - corner[0][j];
-  }
-  cross(u, v, n, &gross);
+  const double gross = normal_of(corner[0], corner[1], corner[2], n);
   out->zero_area_faces += !(fabs(n[0]) + fabs(n[1]) + fabs(n[2]) > 8.0 * ROT_EPS * gross);
   to->volume += (at[0] * n[0] + at[1] * n[1] + at[2] * n[2]) / 6.0;
   to->gross += (fabs(at[0]) + fabs(at[1]) + fabs(at[2])) * gross / 6.0;
@@ -95,21 +111,21 @@ static void gather_parts(const work *w, rot_mesh_nesting *out) {
   }
 }
 
-/* ---- what is around a point ----------------------------------------------------------------- */
+/* ---- winding numbers ------------------------------------------------------------------------ */
 
-/* Nearer than this, relative to the face, is on it: files in single precision have 6e-8 of the
+/* A point nearer than this, relative to the face, is on it: single precision resolves 6e-8 of the
  * coordinates. */
 static const double touching = 1e-6;
 
-/* Half of the solid angle of a face; HUGE_VAL from a point on it. */
+/* Half of the solid angle of a face; HUGE_VAL for a point on it. */
 static double half_angle(const work *w, size_t face, const double p[3]) {
-  double r[3][3], length[3], n[3], gross;
-  for (size_t k = 0; k < 3; k++) {
-    corner_at(w, face, k, r[k]);
+  double r[3][3], length[3], n[3];
+  corners_at(w, face, r);
+  for (int k = 0; k < 3; k++) {
     for (int j = 0; j < 3; j++) r[k][j] -= p[j];
     length[k] = sqrt(r[k][0] * r[k][0] + r[k][1] * r[k][1] + r[k][2] * r[k][2]);
   }
-  cross(r[1], r[2], n, &gross);
+  (void)cross(r[1], r[2], n);
   const double up = r[0][0] * n[0] + r[0][1] * n[1] + r[0][2] * n[2];
   const double farthest = fmax(fmax(length[0], length[1]), length[2]),
                least = touching * farthest * farthest * farthest;
@@ -122,7 +138,7 @@ static double half_angle(const work *w, size_t face, const double p[3]) {
   return down <= least && fabs(up) <= least ? HUGE_VAL : atan2(up, down);
 }
 
-/* Or next to it: the middle of a face that touches the box is not exact. */
+/* With slack: the centroid of a face that touches the box is rounded. */
 static int in_box(const part *of, const double p[3]) {
   for (int k = 0; k < 3; k++) {
     const double slack = 8.0 * ROT_EPS * (fabs(of->lo[k]) + fabs(of->hi[k]));
@@ -131,7 +147,7 @@ static int in_box(const part *of, const double p[3]) {
   return 1;
 }
 
-/* How often a component encloses p; HUGE_VAL where p is on it. */
+/* Winding number of a component at p; HUGE_VAL where p is on it. */
 static double count_turns(const work *w, const part *of, const double p[3], double *looks) {
   const double pi = 3.14159265358979323846;
   double angle = 0.0;
@@ -141,7 +157,7 @@ static double count_turns(const work *w, const part *of, const double p[3], doub
   return fabs(turns - whole) < 1e-6 ? whole : HUGE_VAL;
 }
 
-/* How often the other components enclose p; HUGE_VAL where p is on one of them. */
+/* Winding number of the other components at p; HUGE_VAL where p is on one of them. */
 static double count_around(const work *w, size_t self, const double p[3], double *looks) {
   double around = 0.0;
   for (size_t j = 0; j < w->components; j++) {
@@ -152,23 +168,19 @@ static double count_around(const work *w, size_t self, const double p[3], double
   return around;
 }
 
-/* The middle of a face, pushed in by a thousandth of its size. */
+/* The centroid of a face, moved inwards by a thousandth of its size. */
 static void step_inside(const work *w, const part *of, size_t face, double p[3]) {
-  double corner[3][3], u[3], v[3], n[3], gross;
-  for (size_t k = 0; k < 3; k++) corner_at(w, face, k, corner[k]);
-  for (int j = 0; j < 3; j++) {
-    p[j] = (corner[0][j] + corner[1][j] + corner[2][j]) / 3.0;
-    u[j] = corner[1][j] - corner[0][j];
-    v[j] = corner[2][j] - corner[0][j];
-  }
-  cross(u, v, n, &gross);
+  double corner[3][3], n[3];
+  corners_at(w, face, corner);
+  centroid_of(corner, p);
+  (void)normal_of(corner[0], corner[1], corner[2], n);
   /* |n| is a length squared. */
   const double size = sqrt(sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
   const double step = size > 0.0 ? (of->volume > 0.0 ? -1e-3 : 1e-3) / size : 0.0;
   for (int j = 0; j < 3; j++) p[j] += step * n[j];
 }
 
-/* A component that touches others with every face, as one that is there twice: from its inside. */
+/* For a component all of whose faces touch others (a duplicate, for example): interior points. */
 static void place_from_inside(const work *w, size_t self, double *looks, double *around) {
   const part *of = &w->parts[self];
   for (size_t i = of->begin; i < of->end && i < of->begin + FIRST_POINTS; i++) {
@@ -176,13 +188,14 @@ static void place_from_inside(const work *w, size_t self, double *looks, double 
     step_inside(w, of, w->face[i], p);
     const double own = count_turns(w, of, p, looks), one = count_around(w, self, p, looks);
     if (!isfinite(one) || !(own * of->volume > 0.0)) continue;
-    /* Another part may fill a cavity to its walls: that one is not around it. */
+    /* A component that fills a cavity completely does not enclose it. */
     *around = fabs(one + 2.0 * own) < 0.5 ? -own : one;
     return;
   }
 }
 
-/* The middles of some faces. The golden section spreads them over any order of the faces. */
+/* Centroids of some faces, spread over the list of faces by the golden section. Returns 0 where
+ * they differ: the component intersects another. */
 static int place_component(const work *w, size_t self, double *looks, double *around) {
   const part *of = &w->parts[self];
   const size_t n = of->end - of->begin;
@@ -194,10 +207,10 @@ static int place_component(const work *w, size_t self, double *looks, double *ar
     const double turn = golden * (double)i, place = n > POINTS ? turn - floor(turn) : 0.0;
     const size_t face = w->face[of->begin + (n > POINTS ? (size_t)(place * (double)n) : i)];
     double corner[3][3], p[3];
-    for (size_t k = 0; k < 3; k++) corner_at(w, face, k, corner[k]);
-    for (int j = 0; j < 3; j++) p[j] = (corner[0][j] + corner[1][j] + corner[2][j]) / 3.0;
+    corners_at(w, face, corner);
+    centroid_of(corner, p);
     const double one = count_around(w, self, p, looks);
-    if (!isfinite(one)) continue; /* there it touches another */
+    if (!isfinite(one)) continue; /* touches another component there */
     if (seen && (one < *around || one > *around)) return 0;
     *around = one;
     seen = 1;
@@ -206,18 +219,18 @@ static int place_component(const work *w, size_t self, double *looks, double *ar
   return 1;
 }
 
-/* ---- parts that cross ----------------------------------------------------------------------- */
+/* ---- components that intersect -------------------------------------------------------------- */
 
-/* A face, its corners, its middle, and its box. */
+/* A face: its corners, its centroid, and its box. */
 typedef struct sheet {
   double at[4][3], lo[3], hi[3];
 } sheet;
 
 static void see_sheet(const work *w, size_t face, sheet *to) {
-  for (size_t k = 0; k < 3; k++) corner_at(w, face, k, to->at[k]);
+  corners_at(w, face, to->at);
+  centroid_of(to->at, to->at[3]);
   for (int j = 0; j < 3; j++) {
     const double a = to->at[0][j], b = to->at[1][j], c = to->at[2][j];
-    to->at[3][j] = (a + b + c) / 3.0;
     to->lo[j] = a < b ? (a < c ? a : c) : (b < c ? b : c);
     to->hi[j] = a > b ? (a > c ? a : c) : (b > c ? b : c);
   }
@@ -231,17 +244,12 @@ static int boxes_meet(const double alo[3], const double ahi[3], const double blo
   return 1;
 }
 
-/* On which side of the plane through a, b, c is d: 0 where it is as near as parts that touch. What
- * rounding makes of six times the volume is at most `least`. */
+/* The side of the plane through a, b, c on which d lies: 0 where six times the volume is at most
+ * `least`, the limit for contact. */
 static int side_of(const double a[3], const double b[3], const double c[3], const double d[3],
                    double least) {
-  double u[3], v[3], n[3], gross;
-  for (int j = 0; j < 3; j++) {
-    u[j] = b[j] - a[j];
-    v[j] = c[j] - a[j];
-  }
-  cross(u, v, n, &gross);
-  double volume = 0.0;
+  double n[3], volume = 0.0;
+  (void)normal_of(a, b, c, n);
   for (int j = 0; j < 3; j++) volume += (d[j] - a[j]) * n[j];
   return fabs(volume) > least ? (volume > 0.0 ? 1 : -1) : 0;
 }
@@ -250,7 +258,7 @@ static double length_of(const double a[3], const double b[3]) {
   return fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]);
 }
 
-/* Whether the line from p to q goes through the inside of a face. Heights over the face, and the
+/* Whether the segment from p to q passes through the interior of a face. Heights over the face, and
  * distances of two lines, are compared with the longest of the lengths. */
 static int pierces(const double p[3], const double q[3], const sheet *s) {
   const double *a = s->at[0], *b = s->at[1], *c = s->at[2];
@@ -263,8 +271,8 @@ static int pierces(const double p[3], const double q[3], const sheet *s) {
          side_of(p, q, c, a, least_line * ca) == turn;
 }
 
-/* The edges of either, and the lines from its middle to its corners: where bodies are alike or lie
- * evenly, edges meet edges, and only those lines go through. */
+/* Tests the edges of both faces, and the segments from their centroids to their corners: in
+ * congruent or aligned bodies edges meet edges, and only those segments pass through. */
 static int sheets_cross(const sheet *a, const sheet *b) {
   if (!boxes_meet(a->lo, a->hi, b->lo, b->hi)) return 0;
   for (int k = 0; k < 3; k++) {
@@ -323,7 +331,7 @@ static rot_status find_crossings(const work *w, const rot_hooks *hooks) {
   return ROT_OK;
 }
 
-/* ---- which lie in which --------------------------------------------------------------------- */
+/* ---- nesting -------------------------------------------------------------------------------- */
 
 static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_mesh_nesting *out) {
   double total = 0.0, looks = 0.0;

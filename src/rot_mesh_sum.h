@@ -1,9 +1,9 @@
-/* The kernel of rot_mesh.c: the sums over faces. Compiled for registers of two there and for
- * registers of four in rot_wide.c.
+/* The kernel of rot_mesh.c: the sums over faces. Compiled for registers of two doubles there, of
+ * four in rot_wide.c.
  *
- * Face i belongs to lane i mod 4 whatever the registers, and every lane adds on its own, so the
- * width changes no bit. Terms are added in blocks, the sums of blocks with their rounding errors
- * kept: what a sum loses does not grow with the number of faces. */
+ * Face i belongs to lane i mod 4 for either width, and each lane is summed separately, so the width
+ * changes no bit. Terms are added in blocks; the sums of blocks are compensated, so the error does
+ * not grow with the number of faces. */
 #ifndef ROT_MESH_SUM_H
 #define ROT_MESH_SUM_H
 
@@ -12,23 +12,23 @@
 
 enum { ROT_MESH_LANES = 4, ROT_MESH_STEPS = 8, ROT_MESH_BLOCK = ROT_MESH_LANES * ROT_MESH_STEPS };
 
-/* The sums of either kind; n, s, q as in rot_mesh.h, w is d or |n|. */
+/* The sums; n, s, q as in rot_mesh.h, w is d (solid) or |n| (surface). */
 enum {
   SIZE,               /* w */
   FIRST,              /* w s */
   SECOND = FIRST + 3, /* w q: xx, yy, zz, xy, xz, yz */
   AREA = SECOND + 6,  /* |n|; only of the solid */
   NORMAL,             /* n */
-  EXACT = NORMAL + 3, /* those before keep their rounding errors */
-  GROSS_SIZE = EXACT, /* w, and w q, with the sizes of their terms */
+  EXACT = NORMAL + 3, /* the sums before this are compensated */
+  GROSS_SIZE = EXACT, /* w, and w tr q, of the absolute values of their terms */
   GROSS_SECOND,
-  FLUX,                   /* of the solid |n|, of the surface the edges, axis by axis */
-  FLUX_SECOND = FLUX + 3, /* the same times the square of the distance */
+  FLUX,                   /* solid: |n|, surface: edge lengths; for each axis */
+  FLUX_SECOND = FLUX + 3, /* the same times the squared distance */
   SUMS = FLUX_SECOND + 3
 };
 
 typedef struct rot_mesh_sums {
-  const double *centre; /* where a, b, c are measured from */
+  const double *centre; /* origin of a, b, c */
   double total[SUMS][ROT_MESH_LANES], lost[EXACT][ROT_MESH_LANES];
 } rot_mesh_sums;
 
@@ -36,7 +36,7 @@ typedef struct mesh_corners {
   rot_pair a[3], b[3], c[3];
 } mesh_corners;
 
-/* A pair of what `f` gives for each lane: by way of memory it would wait for the store. */
+/* A pair of f(lane), without a store and a load. */
 #ifdef ROT_WIDE
 #define ROT_EACH(f) ((rot_pair){f(0), f(1), f(2), f(3)})
 #elif defined(__GNUC__)
@@ -45,8 +45,8 @@ typedef struct mesh_corners {
 #define ROT_EACH(f) (f(0))
 #endif
 
-/* Where the kernel reads, in variables of its own: the sums it writes might be anywhere. The
- * corners of a tame mesh name the vertices that stand for others themselves. */
+/* A copy of the addresses, so that the compiler need not assume that the sums alias them. Welded
+ * corners are resolved already. */
 typedef struct mesh_source {
   const double *x, *y, *z;
   const int *corner[3];
@@ -67,7 +67,7 @@ ROT_INLINE mesh_source open_source(const rot_mesh *mesh, const double centre[3])
   return source;
 }
 
-/* Corner k of ROT_PAIR faces; those past `end` count as a point, which adds nothing. */
+/* Corner k of ROT_PAIR faces; faces past `end` become a point, which adds nothing. */
 ROT_INLINE void load_corner(const mesh_source *from, size_t face, size_t end, int k, int whole,
                             rot_pair to[3]) {
   size_t at[ROT_PAIR];
@@ -94,10 +94,10 @@ ROT_INLINE void load_corner(const mesh_source *from, size_t face, size_t end, in
   to[2] *= in;
 }
 
-/* What both kinds need of a face. */
+/* Quantities of a face that both kinds need. */
 typedef struct mesh_face {
   rot_pair n[3];     /* twice the area, along the normal */
-  rot_pair m[3];     /* the same without cancellation */
+  rot_pair m[3];     /* the same from absolute values */
   rot_pair s[3];     /* a + b + c */
   rot_pair q[6];     /* s s' + a a' + b b' + c c' */
   rot_pair trace;    /* of q */
@@ -116,7 +116,7 @@ ROT_INLINE void see_face(const mesh_corners *v, mesh_face *f) {
   f->m[1] = rot_pair_abs(zx) + rot_pair_abs(xz);
   f->m[2] = rot_pair_abs(xy) + rot_pair_abs(yx);
   /* s s' + a a' + b b' + c c' is also the sum over the sums of two corners: three products instead
-   * of four, and no square of a sum that cancels. */
+   * of four, without the square of a sum that cancels. */
   const rot_pair px = v->a[0] + v->b[0], py = v->a[1] + v->b[1], pz = v->a[2] + v->b[2];
   const rot_pair qx = v->b[0] + v->c[0], qy = v->b[1] + v->c[1], qz = v->b[2] + v->c[2];
   const rot_pair rx = v->c[0] + v->a[0], ry = v->c[1] + v->a[1], rz = v->c[2] + v->a[2];
@@ -161,7 +161,7 @@ ROT_INLINE void add_flux(rot_pair sum[], rot_pair x, rot_pair y, rot_pair z, rot
   sum[FLUX_SECOND + 2] += z * w;
 }
 
-/* The root is left for later: it takes long, and nothing here needs it. */
+/* Returns |n|^2: the root is taken after the block. */
 ROT_INLINE rot_pair add_solid(rot_pair sum[], const mesh_corners *v) {
   mesh_face f;
   see_face(v, &f);
@@ -217,8 +217,8 @@ ROT_INLINE void add_group(const mesh_source *source, rot_mesh_sums *sums, size_t
 }
 
 /* Faces from .. end - 1; `from` is a multiple of ROT_MESH_BLOCK. */
-ROT_INLINE void sum_faces(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
-                          int shell) {
+ROT_INLINE void sum_kind(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
+                         int shell) {
   const mesh_source source = open_source(mesh, sums->centre);
   for (; end - from >= ROT_MESH_BLOCK; from += ROT_MESH_BLOCK) {
     for (size_t group = 0; group < ROT_MESH_LANES; group += ROT_PAIR) {
@@ -227,6 +227,16 @@ ROT_INLINE void sum_faces(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from
   }
   for (size_t group = 0; group < ROT_MESH_LANES && from < end; group += ROT_PAIR) {
     add_group(&source, sums, from, end, group, shell, 0);
+  }
+}
+
+/* A copy of the kernel for each kind. */
+ROT_INLINE void sum_faces(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
+                          int shell) {
+  if (shell) {
+    sum_kind(mesh, sums, from, end, 1);
+  } else {
+    sum_kind(mesh, sums, from, end, 0);
   }
 }
 

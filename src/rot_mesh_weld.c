@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Open addressing: a slot holds a vertex, from 1, or 0. At most half of the slots are taken. */
+/* Open addressing: a slot holds a vertex (from 1) or 0. At most half of the slots are used. */
 typedef struct table {
   uint32_t *slot;
   size_t mask;
@@ -20,7 +20,7 @@ static rot_status open_table(table *t, size_t n) {
   return ROT_OK;
 }
 
-/* The finalizer of MurmurHash3: every bit of x moves half of the bits. */
+/* The finalizer of MurmurHash3: each bit of x changes half of the bits. */
 static uint64_t mix(uint64_t x) {
   x ^= x >> 33;
   x *= 0xff51afd7ed558ccdU;
@@ -68,8 +68,9 @@ static void weld_exactly(const rot_mesh *mesh, table *t, uint32_t same[], size_t
   }
 }
 
-/* Cubes of twice the tolerance: what is within it lies in a cube that one of the eight corners of
- * at -+ tolerance is in. A cube may hold several that were kept, so the whole run is looked at. */
+/* Cubes of twice the tolerance: every vertex within the tolerance is in one of the cubes of the
+ * eight points at -+ tolerance. A cube may hold several kept vertices, so the whole run of slots is
+ * searched. */
 static void weld_nearly(const rot_mesh *mesh, double tolerance, table *t, uint32_t same[],
                         size_t *merged) {
   for (size_t i = 0; i < mesh->vertices; i++) {

@@ -1,13 +1,14 @@
-/* Vertices at one place made one: files of loose triangles (STL) repeat a vertex in each face. */
+/* Merges vertices at the same place: files of loose triangles (STL) repeat a vertex in each
+ * face. */
 #ifndef ROT_MESH_WELD_H
 #define ROT_MESH_WELD_H
 
 #include "rot_mesh.h"
 
-/* same[i] is the first vertex at the place of vertex i (-0 is 0), or the first one kept that lies
- * within `tolerance` of it in each coordinate. *merged counts the vertices that gave way. All
- * coordinates finite; mesh->same is not looked at. ROT_EVALUE for a tolerance below what the
- * coordinates resolve by 2^-52, for one that is not finite, or for more than 2^31 - 1 vertices. */
+/* same[i] is the first vertex at the place of vertex i (-0 is 0), or the first kept vertex within
+ * `tolerance` of it in each coordinate. *merged counts the vertices replaced. All coordinates are
+ * finite; mesh->same is ignored. ROT_EVALUE for a tolerance below 2^-52 of the largest coordinate
+ * or not finite, or for more than 2^31 - 1 vertices. */
 rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged);
 
 #endif

@@ -1,8 +1,8 @@
-/* Two doubles to a register, wherever the compiler knows vectors. At -O2 it finds them itself in
- * few loops: 38 against 19 ns a row for the phi functions, 13 against 6 for the rolling table.
+/* Two doubles in a register, where the compiler has vector types. At -O2 it vectorises few loops
+ * itself: 38 against 19 ns a row for the phi functions, 13 against 6 for the rolling table.
  *
- * A file that defines ROT_WIDE before gets registers of four: rot_wide.c, for processors that have
- * them. Each lane goes through the same operations, so the width changes no bit. */
+ * A file that first defines ROT_WIDE gets registers of four (rot_wide.c). All lanes go through the
+ * same operations, so the width changes no bit. */
 #ifndef ROT_PAIR_H
 #define ROT_PAIR_H
 
@@ -21,7 +21,7 @@
 #define ROT_TARGET
 #endif
 
-/* For kernels that are worth a copy for each value of a flag. */
+/* For kernels that are compiled once for each value of a flag. */
 #ifdef __GNUC__
 #define ROT_INLINE static inline __attribute__((always_inline)) ROT_TARGET
 #else
@@ -53,7 +53,7 @@ ROT_INLINE rot_pair rot_load(const double *x) {
 
 ROT_INLINE void rot_store(double *x, rot_pair pair) { memcpy(x, &pair, sizeof pair); }
 
-/* The compiler may not pair sqrt() by itself either: it may set errno. */
+/* The compiler does not vectorise sqrt(), which may set errno. */
 ROT_INLINE rot_pair rot_pair_sqrt(rot_pair x) {
 #ifdef ROT_WIDE
   return _mm256_sqrt_pd(x);
@@ -80,7 +80,7 @@ ROT_INLINE rot_pair rot_pair_abs(rot_pair x) {
 #endif
 }
 
-/* The larger of two; of a NaN in x nothing is heard, one in y wins. */
+/* The larger of two; a NaN in x is ignored, a NaN in y is returned (maxpd). */
 ROT_INLINE rot_pair rot_pair_max(rot_pair x, rot_pair y) {
 #ifdef ROT_WIDE
   return _mm256_max_pd(x, y);
@@ -113,7 +113,7 @@ ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pai
 #endif
 }
 
-/* How many of the lanes have p > q. */
+/* The number of lanes with p > q. */
 ROT_INLINE int rot_pair_count_more(rot_pair p, rot_pair q) {
 #ifdef ROT_WIDE
   const int bits = _mm256_movemask_pd(_mm256_cmp_pd(p, q, _CMP_GT_OQ));
@@ -134,7 +134,7 @@ ROT_INLINE int rot_pair_count_more(rot_pair p, rot_pair q) {
 /* exp(-x) for 0 <= x <= 700, to 1 ulp. */
 ROT_INLINE rot_pair rot_pair_decay(rot_pair x) {
 #if defined(ROT_WIDE) || defined(__SSE2__)
-  /* x = k log 2 - r, log 2 in two parts, the first with zeros at its end; then Taylor's series. */
+  /* x = k log 2 - r, log 2 in two parts, the first with trailing zeros; then the Taylor series. */
   const rot_pair magic = ROT_BOTH(0x1.8p52), shifted = magic - x * ROT_BOTH(0x1.71547652b82fep+0);
   const rot_pair k = shifted - magic;
   const rot_pair r =
@@ -163,8 +163,8 @@ ROT_INLINE rot_pair rot_pair_decay(rot_pair x) {
 }
 
 #if defined(ROT_WIDE) || defined(__SSE2__)
-/* x = m 2^k with 1/sqrt(2) <= m < sqrt(2), for normal x > 0: the constant moves the bits so that
- * m's exponent turns over at sqrt(2). */
+/* x = m 2^k with 1/sqrt(2) <= m < sqrt(2), for normal x > 0: the constant shifts the bits so that
+ * the exponent changes at sqrt(2). */
 ROT_INLINE rot_pair rot_pair_split(rot_pair x, rot_pair *k) {
   enum { TURN = 0x95f62 }; /* the exponent of 1 less that of 1/sqrt(2), in the upper half */
   const long long turn = (long long)TURN << 32, one = 0x3ffLL << 52, low = (1LL << 52) - 1;
@@ -190,9 +190,9 @@ ROT_INLINE rot_pair rot_pair_split(rot_pair x, rot_pair *k) {
 /* log(1 + x) for 0 <= x <= 1e300, to 2 ulp. */
 ROT_INLINE rot_pair rot_pair_log1p(rot_pair x) {
 #if defined(ROT_WIDE) || defined(__SSE2__)
-  /* With f = m - 1 and s = f/(2 + f), log m = 2 atanh s = f - f^2/2 + s (f^2/2 + R(s^2)), R by the
-   * minimax polynomial of fdlibm's log(). What 1 + x rounds off is given back; where k = 0 the
-   * difference f is x itself. */
+  /* With f = m - 1 and s = f/(2 + f), log m = 2 atanh s = f - f^2/2 + s (f^2/2 + R(s^2)), R the
+   * minimax polynomial of fdlibm's log(). The rounding error of 1 + x is added; for k = 0, f is
+   * x. */
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0), u = one + x;
   rot_pair k;
   const rot_pair m = rot_pair_split(u, &k);

@@ -7,8 +7,7 @@
 
 /* clang-format off */
 
-/* 1/n! */
-static const double inverse_factorial[] = {
+const double rot_inverse_factorial[46] = {
     1 / 1.0, 1 / 1.0, 1 / 2.0, 1 / 6.0, 1 / 24.0, 1 / 120.0, 1 / 720.0, 1 / 5040.0, 1 / 40320.0,
     1 / 362880.0, 1 / 3628800.0, 1 / 39916800.0, 1 / 479001600.0, 1 / 6227020800.0,
     1 / 87178291200.0, 1 / 1307674368000.0, 1 / 20922789888000.0, 1 / 355687428096000.0,
@@ -24,7 +23,7 @@ static const double inverse_factorial[] = {
     1 / 1.1962222086548019e+56,
 };
 
-/* 1/(j! (j + 2)) and 1/(j! (j + 3)): a division in the loop costs more than the rest of it. */
+/* 1/(j! (j + 2)) and 1/(j! (j + 3)): no division in the loop. */
 static const double kummer_2[] = {
     1 / 1.0 / 2, 1 / 1.0 / 3, 1 / 2.0 / 4, 1 / 6.0 / 5, 1 / 24.0 / 6, 1 / 120.0 / 7,
     1 / 720.0 / 8, 1 / 5040.0 / 9, 1 / 40320.0 / 10, 1 / 362880.0 / 11, 1 / 3628800.0 / 12,
@@ -52,16 +51,16 @@ static const double kummer_3[] = {
 
 /* clang-format on */
 
-/* Taylor: sum (-z)^j / (j+k)!, terms enough for 2^-54 at |z| = 0.5 (13) and at 6 (39). */
+/* Taylor series: sum (-z)^j / (j+k)!, to 2^-54 at |z| = 0.5 (13 terms) and at 6 (39 terms). */
 static double taylor(double z, int k) {
   int terms = fabs(z) <= 0.5 ? 13 : 39;
-  double s = inverse_factorial[k + terms];
-  for (int j = terms - 1; j >= 0; j--) s = s * -z + inverse_factorial[k + j];
+  double s = rot_inverse_factorial[k + terms];
+  for (int j = terms - 1; j >= 0; j--) s = s * -z + rot_inverse_factorial[k + j];
   return s;
 }
 
-/* Kummer's form, every term positive: phi_k = exp(-z)/(k-1)! sum_j (z^j/j!)/(j+k). Below z = 4 the
- * upward recurrence has lost digits already and the downward one loses them: 2.9 ulp here. */
+/* Kummer's form, all terms positive: phi_k = exp(-z)/(k-1)! sum_j (z^j/j!)/(j+k). For z < 4 both
+ * the upward and the downward recurrence lose digits; error here: 2.9 ulp. */
 static void kummer(double z, double e, int k_max, double phi[]) {
   enum { TERMS = 40 };
   double t[TERMS];
@@ -70,7 +69,7 @@ static void kummer(double z, double e, int k_max, double phi[]) {
   for (int k = 2; k <= k_max; k++) {
     double s = 0.0;
     for (int j = TERMS - 1; j >= 0; j--) s += t[j] / (j + k);
-    phi[k] = e * s * inverse_factorial[k - 1];
+    phi[k] = e * s * rot_inverse_factorial[k - 1];
   }
 }
 
@@ -84,16 +83,16 @@ void rot_phi(double z, double z_lo, int k_max, double phi[]) {
   }
   phi[1] = z != 0.0 ? -expm1(-z) / z : 1.0;
   if (z >= 4.0 || z <= -6.0) {
-    for (int k = 1; k < k_max; k++) phi[k + 1] = (inverse_factorial[k] - phi[k]) / z;
+    for (int k = 1; k < k_max; k++) phi[k + 1] = (rot_inverse_factorial[k] - phi[k]) / z;
     if (z <= -6.0 && isfinite(e)) {
-      /* phi_k grows as exp(-z)/(-z)^k, and so does what the residual is worth. */
+      /* phi_k grows as exp(-z)/(-z)^k, and so does the effect of the residual. */
       for (int k = 1; k <= k_max; k++) phi[k] -= phi[k] * z_lo * (1.0 + k / z);
     }
   } else if (z >= 0.5) {
     kummer(z, e, k_max, phi);
   } else if (k_max > 1) {
     phi[k_max] = taylor(z, k_max);
-    for (int k = k_max - 1; k >= 2; k--) phi[k] = fma(-z, phi[k + 1], inverse_factorial[k]);
+    for (int k = k_max - 1; k >= 2; k--) phi[k] = fma(-z, phi[k + 1], rot_inverse_factorial[k]);
   }
 }
 
@@ -105,35 +104,36 @@ static double nested(double z, int k) {
   for (double last = 1.0; last > 0x1p-57;) last *= fabs(z) / (k + ++terms);
   double s = 1.0;
   for (int j = terms; j >= 1; j--) s = fma(-(z / (k + j)), s, 1.0);
-  return inverse_factorial[k] * s;
+  return rot_inverse_factorial[k] * s;
 }
 
-/* Upward, phi_(k+1) = (1/k! - phi_k)/z hands an error on by k/z; downward by about z/k. So upward
- * below k = z and downward above, from an order where the alternating series does not cancel. */
+/* The upward recurrence phi_(k+1) = (1/k! - phi_k)/z amplifies an error by k/z, the downward one by
+ * about z/k: upward for k < z and downward above, from an order where the alternating series does
+ * not cancel. */
 static void phi_high_damped(double z, int k_max, double phi[]) {
   const int middle = z < k_max ? (int)z + 1 : k_max;
-  for (int k = 1; k < middle; k++) phi[k + 1] = (inverse_factorial[k] - phi[k]) / z;
+  for (int k = 1; k < middle; k++) phi[k + 1] = (rot_inverse_factorial[k] - phi[k]) / z;
   if (middle >= k_max) return;
   int k = (int)(2.0 * z) + 2;
   if (k < k_max) k = k_max;
   double value = nested(z, k);
   if (k == k_max) phi[k] = value;
   while (--k > middle) {
-    value = fma(-z, value, inverse_factorial[k]);
+    value = fma(-z, value, rot_inverse_factorial[k]);
     if (k <= k_max) phi[k] = value;
   }
 }
 
-/* Downward all terms are positive. Upward takes the exponential's first terms away from it; from
- * -z = k + 6 on they are less than a twentieth of it. */
+/* Downward, all terms are positive. Upward, the first terms of the exponential are subtracted from
+ * it; for -z >= k + 6 they are less than a twentieth of it. */
 static void phi_high_driven(double z, double z_lo, int k_max, double phi[]) {
   double all[ROT_PHI_HIGH + 2];
   all[1] = phi[1];
   if (z <= -(k_max + 6.0)) {
-    for (int k = 1; k <= k_max; k++) all[k + 1] = (inverse_factorial[k] - all[k]) / z;
+    for (int k = 1; k <= k_max; k++) all[k + 1] = (rot_inverse_factorial[k] - all[k]) / z;
   } else {
     all[k_max + 1] = nested(z, k_max + 1);
-    for (int k = k_max; k >= 1; k--) all[k] = fma(-z, all[k + 1], inverse_factorial[k]);
+    for (int k = k_max; k >= 1; k--) all[k] = fma(-z, all[k + 1], rot_inverse_factorial[k]);
   }
   /* d/dz phi_k(-z) = k phi_(k+1) - phi_k */
   for (int k = 1; k <= k_max; k++) {
@@ -160,14 +160,14 @@ void rot_phi_high(double z, double z_lo, int k_max, double phi[]) {
 
 double rot_phi_g1(double z, double phi0, double phi1) {
   if (fabs(z) >= 1.0) return (phi1 - phi0) / z;
-  double s = inverse_factorial[20];
-  for (int j = 17; j >= 0; j--) s = s * z + inverse_factorial[j + 2];
+  double s = rot_inverse_factorial[20];
+  for (int j = 17; j >= 0; j--) s = s * z + rot_inverse_factorial[j + 2];
   return phi0 * s;
 }
 
 /* phi_1 = exp(-z) (1 + z G), g1 = exp(-z) G, phi_2 = exp(-z) A2, phi_3 = exp(-z) A3 / 2 with
  *   G = sum z^j/(j+2)!,   A_k = sum (z^j/j!)/(j+k):
- * polynomials with positive terms only. The degree that 2^-54 needs grows with z. */
+ * polynomials with positive terms only. The degree needed for 2^-54 grows with z. */
 static int degree_for(double z) { return z <= 0.03 ? 8 : z <= 0.25 ? 13 : z <= 1.0 ? 19 : 29; }
 
 void rot_phi_in_lanes(const double z[ROT_LANES], const double z_lo[ROT_LANES], rot_phi_lanes *out) {
@@ -175,13 +175,13 @@ void rot_phi_in_lanes(const double z[ROT_LANES], const double z_lo[ROT_LANES], r
   for (int l = 1; l < ROT_LANES; l++) z_max = z[l] > z_max ? z[l] : z_max;
   enum { HALF = ROT_LANES / 2, PAIRS = HALF / ROT_PAIR };
   const int degree = degree_for(z_max);
-  for (int l = 0; l < ROT_LANES; l += HALF) { /* all of a half stays in registers */
+  for (int l = 0; l < ROT_LANES; l += HALF) { /* a half fits in the registers */
     rot_pair zs[PAIRS], gs[PAIRS], a2s[PAIRS], a3s[PAIRS];
     memcpy(zs, z + l, sizeof zs);
     for (int i = 0; i < PAIRS; i++) gs[i] = a2s[i] = a3s[i] = ROT_BOTH(0.0);
     for (int j = degree; j >= 0; j--) {
       for (int i = 0; i < PAIRS; i++) {
-        gs[i] = gs[i] * zs[i] + ROT_BOTH(inverse_factorial[j + 2]);
+        gs[i] = gs[i] * zs[i] + ROT_BOTH(rot_inverse_factorial[j + 2]);
         a2s[i] = a2s[i] * zs[i] + ROT_BOTH(kummer_2[j]);
         a3s[i] = a3s[i] * zs[i] + ROT_BOTH(kummer_3[j]);
       }

@@ -2,17 +2,16 @@
 
 #include <float.h>
 
+#include "rot_inertia.h"
 #include "rot_real.h"
 
-/* Masses of one band lie within 2^300 of each other, so that the farthest point of a band outweighs
- * whatever underflows beside it. One band is the rule. */
+/* Masses of one band are within 2^300 of each other, so that products that underflow are negligible
+ * beside the farthest point of the band. Usually there is one band. */
 #define BAND_BITS     300
-/* Powers of two stay far enough from the ends of the range to be numbers themselves. */
+/* Limit of the exponents, so that the powers of two are doubles. */
 #define MOST_EXPONENT 1000
 /* Points between two polls: some milliseconds. */
 #define POLL_POINTS   65536
-
-static const int row_of[6] = {0, 1, 2, 0, 0, 1}, column_of[6] = {0, 1, 2, 1, 2, 2};
 
 size_t rot_points_bad(const rot_points *points, int *column) {
   for (size_t i = 0; i < points->n; i++) {
@@ -32,9 +31,9 @@ size_t rot_points_bad(const rot_points *points, int *column) {
 typedef struct band {
   double above, upto;         /* masses in (above, upto] */
   int mass_bits, length_bits; /* sums are of m 2^-mass_bits and x 2^-length_bits */
-  double ref[3];              /* what they are taken about, unscaled */
+  double ref[3];              /* their origin, unscaled */
   double count;
-  double mass[2], first[3][2], second[6][2]; /* sums and what rounding left off */
+  double mass[2], first[3][2], second[6][2]; /* sums and their low parts */
 } band;
 
 static int exponent_of(double x) {
@@ -46,7 +45,7 @@ static int exponent_of(double x) {
 
 static int in_band(const band *b, double m) { return m > b->above && m <= b->upto; }
 
-/* The middle of the box around the points of the band, and its size. */
+/* The centre of the bounding box of the band, and its size. */
 static rot_status find_box(const rot_points *points, band *b) {
   double low[3], high[3], size = 0.0;
   b->count = 0.0;
@@ -107,7 +106,8 @@ static rot_status add_up(const rot_points *points, const rot_hooks *hooks, band 
       rot_accumulate(&b->first[k][0], &b->first[k][1], md[k]);
     }
     for (int k = 0; k < 6; k++) {
-      rot_accumulate(&b->second[k][0], &b->second[k][1], md[row_of[k]] * d[column_of[k]]);
+      rot_accumulate(&b->second[k][0], &b->second[k][1],
+                     md[rot_tensor_row[k]] * d[rot_tensor_column[k]]);
     }
   }
   close_sum(b->mass);
@@ -118,8 +118,8 @@ static rot_status add_up(const rot_points *points, const rot_hooks *hooks, band 
 
 static double trace_of(const double c[6]) { return c[0] + c[1] + c[2]; }
 
-/* Move what the sums are taken about to a double next to the centre they gave, unless what is left
- * of it already counts for less than a sixteenth of the trace. */
+/* Moves the origin of the sums to a double next to their centre, unless the remaining offset counts
+ * for less than a sixteenth of the trace. */
 static int step_to_centre(band *b) {
   const double trace = b->second[0][0] + b->second[1][0] + b->second[2][0];
   double h[3], left = 0.0;
@@ -137,8 +137,8 @@ static int step_to_centre(band *b) {
   return moved;
 }
 
-/* Once is the rule; more often where most of the mass sits in a spot smaller than the rounding of
- * the box: each time the spot may be 1e-16 of what it was. */
+/* Usually once; more often where most of the mass is in a region smaller than the rounding of the
+ * box: each pass resolves a region 1e-16 of the size. */
 static rot_status settle(const rot_points *points, const rot_hooks *hooks, band *b) {
   for (int turn = 0;; turn++) {
     const rot_status status = add_up(points, hooks, b);
@@ -158,7 +158,7 @@ static void finish(const band *b, int mass_exponent, rot_moments *out) {
     out->centre[k] = rot_two_sum(b->ref[k], ldexp(h[k], b->length_bits), &out->centre_lo[k]);
   }
   for (int k = 0; k < 6; k++) {
-    const double left = b->first[row_of[k]][0] * h[column_of[k]];
+    const double left = b->first[rot_tensor_row[k]][0] * h[rot_tensor_column[k]];
     c[k] = (b->second[k][0] - left) + b->second[k][1];
     if (k < 3 && c[k] < 0.0) c[k] = 0.0;
     out->c[k] = ldexp(c[k], b->mass_bits + mass_exponent + 2 * b->length_bits);
@@ -177,9 +177,9 @@ static void finish(const band *b, int mass_exponent, rot_moments *out) {
   if (!(a_most > 0.0)) out->centre_error = 0.0;
 }
 
-/* ---- all of them ---------------------------------------------------------------------------- */
+/* ---- all bands ------------------------------------------------------------------------------ */
 
-/* Points without mass: the plain mean of them. */
+/* Points without mass: their unweighted mean. */
 static rot_status mean_of(const rot_points *points, const rot_hooks *hooks, rot_moments *out) {
   static const double one = 1.0;
   rot_points equal = *points;
@@ -218,7 +218,7 @@ rot_status rot_points_moments(const rot_points *points, const rot_hooks *hooks, 
   return ROT_OK;
 }
 
-/* C = C_a + C_b + m d d' with the reduced mass m and the way d from one centre to the other. */
+/* C = C_a + C_b + m d d', m the reduced mass, d from one centre to the other. */
 void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *out) {
   if (!(a->mass > 0.0) || !(b->mass > 0.0)) {
     const int vanished = a->vanished | b->vanished;
@@ -240,11 +240,11 @@ void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *o
     out->centre[k] = rot_two_sum(step, step_lo + p.centre_lo[k], &out->centre_lo[k]);
   }
   for (int k = 0; k < 6; k++) {
-    const double x[3] = {reduced, d[row_of[k]], d[column_of[k]]};
+    const double x[3] = {reduced, d[rot_tensor_row[k]], d[rot_tensor_column[k]]};
     out->c[k] = p.c[k] + q.c[k] + rot_product(3, x, 1.0);
   }
   const double trace = trace_of(out->c);
-  /* Points apart have a moment, be it beneath the smallest double. */
+  /* Points at different places have a moment, even if it underflows. */
   out->vanished = p.vanished | q.vanished | (d_most > 0.0 && trace < DBL_MIN);
   out->mass = p.mass + q.mass;
   out->mass_error = fmax(p.mass_error, q.mass_error) + ROT_EPS;

@@ -2,9 +2,10 @@
  *
  *   M = sum m,   g = sum m x / M,   C = sum m (x - g)(x - g)'
  *
- * The sums are taken about a double next to the centre, with x less that double rounded once, and
- * compensated; what is left of the centre is taken off in the end. So no digit depends on where
- * the points are: 1e-16 at every offset, where sums about the origin lose all of it at 1e8 sizes.
+ * The sums are compensated and taken about a double next to the centre (x minus that double is
+ * rounded once); the remaining offset of the centre is subtracted at the end. The error does not
+ * depend on the place of the points: 1e-16 at every offset, where sums about the origin lose all
+ * digits at an offset of 1e8 sizes.
  *
  * Reference: Chan, Golub & LeVeque, The American Statistician 37 (1983) 242. */
 #ifndef ROT_POINTS_H
@@ -23,28 +24,28 @@ typedef struct rot_points {
 
 typedef struct rot_moments {
   double mass;
-  double centre[3];    /* with no mass at all the plain mean of the points */
-  double centre_lo[3]; /* what rounding left off the centre */
+  double centre[3];    /* the unweighted mean if there is no mass */
+  double centre_lo[3]; /* low part of the centre */
   double c[6];         /* about the centre: xx, yy, zz, xy, xz, yz */
   double mass_error;   /* bound, relative */
   double centre_error; /* bound of each coordinate of centre + centre_lo, in m */
   double error;        /* bound of each element of c, relative to the trace */
-  int vanished;        /* some mass or moment on the way was too small for a double */
+  int vanished;        /* a mass or moment underflowed */
 } rot_moments;
 
-/* The first row with something that is not finite, or a mass below 0; n if there is none. *column
- * says where: 0 mass, 1 to 3 x, y, z. */
+/* The first row with a value that is not finite, or a mass below 0; n if none. *column: 0 mass,
+ * 1 to 3 x, y, z. */
 size_t rot_points_bad(const rot_points *points, int *column);
 
 /* Masses are finite and at least 0, coordinates finite. ROT_ERANGE where the points are farther
- * apart than the largest double. Masses and moments may still overflow or vanish: see
+ * apart than the largest double. Masses and moments may overflow or underflow:
  * rot_moments_check(). */
 rot_status rot_points_moments(const rot_points *points, const rot_hooks *hooks, rot_moments *out);
 
 /* The moments of two bodies together, about their common centre. */
 void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *out);
 
-/* ROT_ERANGE where the mass or a moment left the range of double precision at either end. */
+/* ROT_ERANGE where the mass or a moment overflowed or underflowed. */
 rot_status rot_moments_check(const rot_moments *moments);
 
 /* Distance from the centre to the farthest point, rounded up. */

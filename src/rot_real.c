@@ -31,14 +31,14 @@ double rot_product(int n, const double x[], double d) {
   return ldexp(p, exponent);
 }
 
-/* Reduce to r in [-45, 45] degrees, exactly, then to radians as x + *x_lo, with pi/180 carried to
- * 106 bits. Returns the quadrant. */
+/* Reduces to r in [-45, 45] degrees, exactly, then to radians x + *x_lo, with pi/180 to 106 bits.
+ * Returns the quadrant. */
 static int reduce_deg(double deg, double *x, double *x_lo) {
   const double hi = 0x1.1df46a2529d39p-6, lo = 0x1.5c1d8becdd291p-62;
   int quadrant = 0; /* remquo() of NaN and Inf may leave it alone */
   double r = deg;
   if (fabs(deg) > 45.0) {
-    if (fabs(deg) <= 90.0) { /* the slopes of this world, without remquo(): 20 ns */
+    if (fabs(deg) <= 90.0) { /* slopes: without remquo(), which takes 20 ns */
       quadrant = deg > 0.0 ? 1 : -1;
       r = deg > 0.0 ? deg - 90.0 : deg + 90.0;
     } else {
@@ -50,7 +50,7 @@ static int reduce_deg(double deg, double *x, double *x_lo) {
   return quadrant & 3;
 }
 
-/* The derivative that goes with x_lo needs a few digits only. */
+/* The derivative times x_lo needs a few digits only. */
 static double quarter_sin(int quadrant, double x, double x_lo) {
   double s =
       quadrant & 1 ? cos(x) - x * (1.0 - x * x / 6.0) * x_lo : sin(x) + (1.0 - x * x / 2.0) * x_lo;

@@ -1,7 +1,7 @@
-/* Error-free transforms and products that neither overflow nor underflow on the way.
+/* Error-free transforms, and products without intermediate overflow and underflow.
  *
- * fma() is called by name, so a compiler that contracts a*b+c by itself (gcc does on machines with
- * the instruction) changes nothing here: sums have no product to contract. */
+ * fma() is called explicitly, so contraction of a*b+c by the compiler changes nothing here: the
+ * sums contain no product. */
 #ifndef ROT_REAL_H
 #define ROT_REAL_H
 
@@ -30,12 +30,12 @@ static inline void rot_accumulate(double *sum, double *lo, double x) {
   *lo += e;
 }
 
-/* a*b/c to 1.5 ulp, with the residual in *lo (may be NULL): the sum is good to some 1e-32; c is
- * not 0. */
+/* a*b/c to 1.5 ulp, with the residual in *lo (may be NULL): the sum has a relative error of some
+ * 1e-32; c is not 0. */
 double rot_muldiv(double a, double b, double c, double *lo);
 
-/* Product of n numbers, divided by d: at most n + 1 roundings whatever the size of the factors.
- * rot_product_split() leaves off the power of two. */
+/* Product of n numbers, divided by d: at most n + 1 roundings, for factors of any size.
+ * rot_product_split() returns the power of two separately. */
 double rot_product(int n, const double x[], double d);
 double rot_product_split(int n, const double x[], double d, int *exponent);
 

@@ -7,13 +7,13 @@
 
 enum { BLOCK = 1024, BLOCKS_PER_POLL = 64 };
 
-/* share = 1/(1 + beta) serves three of the four columns: one division less each, 6 against 4 ns a
- * row, for half an ulp. beta = +Inf takes the limit. */
+/* share = 1/(1 + beta) is used for three of the four columns, which saves a division each (6 to 4
+ * ns a row) and costs half an ulp. beta = +Inf takes the limit. */
 static inline double rotational_fraction(double beta, double share) {
   return isinf(beta) ? 1.0 : beta * share;
 }
 
-/* 2 g h leaves the range of doubles long before the speed does. */
+/* 2 g h may overflow or underflow where the speed does not. */
 static double wide_final_speed(double beta, double height_m, double gravity) {
   return sqrt(2.0 * height_m) * (sqrt(gravity) / sqrt(1.0 + beta));
 }
@@ -37,14 +37,14 @@ double rot_rolling_rotational_fraction(double beta) {
 double rot_rolling_translational_fraction(double beta) { return 1.0 / (1.0 + beta); }
 
 double rot_rolling_friction(double beta, double angle_deg) {
-  /* Nothing to spin up: no friction at any angle, 90 degrees included. */
+  /* No rotational inertia: no friction at any angle, 90 degrees included. */
   if (beta == 0.0 && !isnan(angle_deg)) return 0.0;
   return fabs(rot_sin_deg(angle_deg)) / fabs(rot_cos_deg(angle_deg)) *
          rot_rolling_rotational_fraction(beta);
 }
 
-/* What does not depend on beta, for the rows of a block: computed once where one angle and one
- * height serve all rows. */
+/* Terms that do not depend on beta, for the rows of a block; computed once where angle, height and
+ * gravity are constants. */
 typedef struct block {
   double pull[BLOCK], twice_g_h[BLOCK];
   int any_wide;

@@ -31,7 +31,7 @@ typedef struct rot_rolling_output {
 rot_status rot_rolling_table(size_t n, const rot_rolling_input *in, const rot_rolling_output *out,
                              const rot_hooks *hooks, rot_info *info);
 
-/* First row of a column whose value lies outside [lo, hi]; n if none does. NaN lies nowhere. */
+/* First row of a column with a value outside [lo, hi]; n if none. NaN is not outside. */
 size_t rot_rolling_first_outside(rot_column column, size_t n, double lo, double hi);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_inertia.h"
 #include "rot_real.h"
 
 static const rot_size sizes[] = {
@@ -33,11 +34,11 @@ rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int
   return ROT_SHAPE_FITS;
 }
 
-/* Sizes in a ratio beyond 2 to this power need a scale each. */
+/* Exponent of the ratio of sizes above which each needs a scale of its own. */
 #define WIDE 400
 
-/* Sizes near 1, and the exponent of what they were divided by. Between 2^-60 and 2^60 no form of
- * rot_shapes_geometry.c leaves the range, and there the powers of two would change no digit. */
+/* Scales the sizes to near 1 and returns the exponent. Between 2^-60 and 2^60 no form of
+ * rot_shapes_geometry.c leaves the range: no scaling. */
 static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES],
                        int *wide) {
   double big = 0.0, small = 1.0;
@@ -60,7 +61,7 @@ static int scale_sizes(const rot_shape *shape, const double size[], double scale
   return e;
 }
 
-/* a b 2^e with one rounding, whatever the size of the factors. */
+/* a b 2^e with one rounding, for factors of any size. */
 static double times(double a, double b, int e) {
   const double p = a * b, size = fabs(p);
   if (e == 0 && size > 0x1p-900 && size < 0x1p900) return p;
@@ -77,9 +78,9 @@ typedef struct scaled_geometry {
   int e, of[3];
 } scaled_geometry;
 
-/* Where sizes lie 2^400 and more apart, the squares of the small ones may vanish beside the large
- * ones. So each size sets the scale once, larger ones cut off at 2^400 of it: cutting off can only
- * make a moment less, as underflow does, and of all values the largest is right. */
+/* Where the ratio of sizes is 2^400 or more, the squares of the small ones may underflow beside the
+ * large ones. So each size sets the scale once, with larger sizes clamped to 2^400 of it: clamping
+ * and underflow only reduce a moment, so the largest value is right. */
 static void widen(const rot_shape *shape, const double size[], scaled_geometry *g) {
   for (int j = 0; j < shape->sizes; j++) {
     double scaled[ROT_SIZES] = {0.0};
@@ -94,7 +95,7 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
     }
     shape->geometry(scaled, &other);
     for (int k = 0; k < 3; k++) {
-      /* In the new unit; Inf where the old one is the larger by far. */
+      /* In the new unit; Inf where the old unit is much larger. */
       const double was = ldexp(g->is.second[k], 2 * (g->of[k] - e));
       if (!(other.second[k] > was)) continue;
       g->is.second[k] = other.second[k];
@@ -116,7 +117,7 @@ static double second_of(const scaled_geometry *g, double mass, int k) {
   return times(mass, g->is.second[k], 2 * g->of[k]);
 }
 
-/* Of the moment that the table reports: about z where one scale does not do. */
+/* Where one scale is not enough, the reported moment is that about z. */
 static int one_scale(const scaled_geometry *g) { return g->of[0] == g->e && g->of[1] == g->e; }
 
 static double moment_of(const scaled_geometry *g, double mass) {
@@ -130,19 +131,6 @@ static double gyration_of(const scaled_geometry *g) {
 }
 
 /* ---- one body ------------------------------------------------------------------------------- */
-
-/* Each second moment carries `roundings` halves of an ulp, and half a smallest double where it
- * comes near those; a mass from a density some more. A body that has a mass and a size has a
- * moment: one that vanished is not exact. */
-static double relative_error(const rot_shape *shape, const rot_shape_body *b, int is_density,
-                             int has_moment) {
-  const double trace = b->second_kg_m2[0] + b->second_kg_m2[1] + b->second_kg_m2[2];
-  double bound = (shape->roundings + (is_density ? 8 : 0)) * ROT_EPS;
-  if (is_density && b->mass_kg > 0.0) bound += 0x1p-1074 / b->mass_kg;
-  if (trace > 0x1p-960) return bound;
-  if (trace > 0.0) return bound + 0x1p-1072 / trace;
-  return has_moment ? HUGE_VAL : 0.0;
-}
 
 void rot_shape_make(const rot_shape *shape, double amount, int is_density, const double size[],
                     rot_shape_body *out) {
@@ -162,7 +150,8 @@ void rot_shape_make(const rot_shape *shape, double amount, int is_density, const
   out->gyration_m = gyration_of(&scaled);
   const int has_mass = is_density ? amount > 0.0 && g->measure > 0.0 : mass > 0.0;
   const int has_moment = has_mass && g->second[0] + g->second[1] + g->second[2] > 0.0;
-  out->error = relative_error(shape, out, is_density, has_moment);
+  out->error = rot_inertia_error(out->second_kg_m2, mass, is_density,
+                                 shape->roundings + (is_density ? 8.0 : 0.0), has_moment);
 }
 
 /* ---- a table -------------------------------------------------------------------------------- */
@@ -171,7 +160,7 @@ static void fill(double *out[], size_t i, double x) {
   for (int c = 0; c < ROT_SHAPE_COLUMNS; c++) out[c][i] = x;
 }
 
-/* A moment of which no more is known than beta m r^2. */
+/* Only the moment beta m r^2 is known. */
 static void row_of_beta(double *out[], size_t i, double beta, double mass, double r) {
   fill(out, i, NAN);
   out[ROT_SHAPE_MOMENT][i] = rot_product(4, (double[]){beta, mass, r, r}, 1.0);

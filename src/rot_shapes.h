@@ -47,7 +47,7 @@ typedef struct rot_size {
 
 const rot_size *rot_size_at(int id);
 
-/* How sizes must fit together; ROT_FIT_INSIDE: the second is at most the first. ROT_FIT_IN_SPHERE: the
+/* Constraints on the sizes. ROT_FIT_INSIDE: the second is at most the first; ROT_FIT_IN_SPHERE: the
  * second, a height, is at most twice the first, a radius. */
 typedef enum rot_fit { ROT_FIT_ANY, ROT_FIT_INSIDE, ROT_FIT_IN_SPHERE } rot_fit;
 
@@ -57,25 +57,25 @@ typedef struct rot_shape {
   int sizes;
   rot_size_id size[ROT_SIZES];
   rot_fit fit;
-  int roundings; /* that each second moment carries at most, the mass included */
+  int roundings; /* of each second moment at most, the mass included */
   rot_geometry_function *geometry;
 } rot_shape;
 
 size_t rot_shape_count(void);
 const rot_shape *rot_shape_at(size_t i);
 
-/* What is wrong with a row; NaN is not wrong, it goes through to the results. */
+/* Errors in a row; NaN is none, it passes to the results. */
 typedef enum rot_shape_fault {
   ROT_SHAPE_FITS,
   ROT_SHAPE_NEGATIVE, /* a length below 0 */
-  ROT_SHAPE_SIDES,    /* no whole number of at least 3 */
+  ROT_SHAPE_SIDES,    /* not a whole number of at least 3 */
   ROT_SHAPE_OUTSIDE,  /* an inner size above the outer one */
   ROT_SHAPE_TOO_HIGH, /* a cap higher than its sphere */
   ROT_SHAPE_MASS,     /* a mass below 0 */
   ROT_SHAPE_BETA      /* a beta below 0 */
 } rot_shape_fault;
 
-/* *slot: which of the shape's sizes is wrong. */
+/* *slot: index of the wrong size. */
 rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int *slot);
 
 typedef struct rot_shape_body {
@@ -88,14 +88,13 @@ typedef struct rot_shape_body {
 } rot_shape_body;
 
 /* `amount` is the mass, or the density (of volume, area or length, by the shape's dimension). Sizes
- * may be of any scale, and in a ratio of up to 1e300 to one another (1e150 where a density makes the
- * mass); what lies beyond the range of doubles comes out as Inf or 0. The sizes are those that
- * rot_shape_check() lets pass. */
+ * have passed rot_shape_check(); they may be of any scale, in ratios of up to 1e300 (1e150 with a
+ * density). Results that overflow or underflow are Inf or 0. */
 void rot_shape_make(const rot_shape *shape, double amount, int is_density, const double size[],
                     rot_shape_body *out);
 
-/* Row i is of shape `shape[i]` of the list, or of none (-1): then its moment is beta m r^2. Columns
- * of sizes are in the order of ROT_SIZE_LIST; those that no row needs are not looked at. */
+/* Row i has shape `shape[i]` of the list, or none (-1): then its moment is beta m r^2. Columns of
+ * sizes are in the order of ROT_SIZE_LIST; those that no row needs are not read. */
 typedef struct rot_shape_rows {
   const int *shape;
   size_t shape_step; /* 1, or 0: one shape for all */
@@ -112,8 +111,7 @@ enum {
   ROT_SHAPE_COLUMNS
 };
 
-/* Stops at the first row that is wrong: *row says which, *slot which of its sizes. A NaN in a row
- * fills that row with it. */
+/* Stops at the first wrong row, *row, and its size *slot. A NaN in a row fills its results. */
 rot_shape_fault rot_shapes_table(size_t n, const rot_shape_rows *rows,
                                  double *out[ROT_SHAPE_COLUMNS], size_t *row, int *slot);
 

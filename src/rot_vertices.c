@@ -4,14 +4,15 @@
 #include <stdlib.h>
 
 #include "rot_dd.h"
+#include "rot_inertia.h"
 
-/* A corner as seen from the first one, exactly, in units of 2^exponent. */
+/* A vertex relative to the first one, exactly, in units of 2^exponent. */
 typedef struct corner {
   rot_dd x[3];
 } corner;
 
-/* Half the largest coordinate difference and more, as a power of two: halved, for that difference
- * may be beyond doubles. */
+/* Exponent of the largest coordinate difference; computed from halves, since the difference may
+ * overflow. */
 static int exponent_of(size_t n, int dimension, const double v[]) {
   double most = 0.0;
   int e = 0;
@@ -24,7 +25,7 @@ static int exponent_of(size_t n, int dimension, const double v[]) {
   return e + 1;
 }
 
-/* Scaled before the difference, which is exact unless the coordinates leave the range. */
+/* Scaled before the subtraction, which is exact unless the coordinates leave the range. */
 static corner corner_at(size_t n, int dimension, const double v[], size_t i, int e) {
   corner c = {{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}}};
   for (int d = 0; d < dimension; d++) {
@@ -43,7 +44,7 @@ static double square_length(const rot_dd x[3], const rot_dd from[3]) {
   return sum;
 }
 
-/* The mass of a density and a measure; second moments of that mass from those of a mass of 1. */
+/* The mass (from a density and the measure), and the second moments from those of unit mass. */
 static void give_mass(rot_vertices_body *out, int dimension, double measure, double amount,
                       int is_density, int e, const double second[6]) {
   int power;
@@ -59,24 +60,13 @@ static void give_mass(rot_vertices_body *out, int dimension, double measure, dou
   }
 }
 
-/* `roundings` of each entry, by its share of the trace; what comes near the smallest doubles, the
- * mass of a density too. Where that or a moment vanished, nothing is known. */
-static double relative_error(const rot_vertices_body *b, double amount, int is_density,
-                             double roundings) {
-  const double trace = b->second_kg_m2[0] + b->second_kg_m2[1] + b->second_kg_m2[2];
-  double bound = roundings * ROT_EPS;
-  if (is_density && b->mass_kg > 0.0) bound += 0x1p-1074 / b->mass_kg;
-  if (trace > 0x1p-960) return bound;
-  return trace > 0.0 ? bound + 0x1p-1072 / trace : amount > 0.0 ? HUGE_VAL : 0.0;
-}
-
 /* ---- polygon -------------------------------------------------------------------------------- */
 
 static rot_dd cross(const rot_dd a[], const rot_dd b[]) {
   return rot_dd_sub(rot_dd_mul(a[0], b[1]), rot_dd_mul(a[1], b[0]));
 }
 
-/* Twice the area, and what its terms would be without their signs. */
+/* Twice the area, and the sum of the absolute values of its terms. */
 static rot_dd double_area(size_t n, const corner c[], double *terms) {
   rot_dd area = {0.0, 0.0};
   *terms = 0.0;
@@ -127,7 +117,7 @@ static void polygon_second(size_t n, const corner c[], rot_dd area2, const rot_d
   second[2] = second[4] = second[5] = 0.0;
 }
 
-/* On which side of a to b c lies: 1, -1, or 0 where rounding could decide. */
+/* The side of the line from a to b on which c lies: 1, -1, or 0 within rounding. */
 static int side(const rot_dd a[], const rot_dd b[], const rot_dd c[]) {
   const double abx = b[0].hi - a[0].hi, aby = b[1].hi - a[1].hi, acx = c[0].hi - a[0].hi,
                acy = c[1].hi - a[1].hi, p = abx * acy, q = aby * acx;
@@ -140,13 +130,13 @@ static int same_place(const rot_dd a[], const rot_dd b[]) {
   return x.hi == 0.0 && y.hi == 0.0;
 }
 
-/* Is b less than a quarter turn away from a, as seen from v? */
+/* Is the angle at v between a and b less than a right angle? */
 static int ahead(const rot_dd v[], const rot_dd a[], const rot_dd b[]) {
   return (a[0].hi - v[0].hi) * (b[0].hi - v[0].hi) + (a[1].hi - v[1].hi) * (b[1].hi - v[1].hi) >
          0.0;
 }
 
-/* Does the outline go through the edge from s to t at the corner v, between a and b? */
+/* Does the outline a, v, b cross the edge from s to t at the vertex v? */
 static int goes_through(const rot_dd a[], const rot_dd v[], const rot_dd b[], const rot_dd s[],
                         const rot_dd t[]) {
   if (side(s, t, v) != 0 || !ahead(s, t, v) || !ahead(t, s, v)) return 0;
@@ -154,7 +144,8 @@ static int goes_through(const rot_dd a[], const rot_dd v[], const rot_dd b[], co
   return side(s, t, a) * side(s, t, b) < 0;
 }
 
-/* Seen from v, is x met between a and b, counter-clockwise? -1 where it lies on one of them. */
+/* Is the direction from v to x between those to a and b, counter-clockwise? -1 where it is one of
+ * them. */
 static int between(const rot_dd v[], const rot_dd a[], const rot_dd b[], const rot_dd x[]) {
   const int ab = side(v, a, b), ax = side(v, a, x), bx = side(v, b, x);
   if ((ax == 0 && ahead(v, a, x)) || (bx == 0 && ahead(v, b, x))) return -1;
@@ -162,7 +153,7 @@ static int between(const rot_dd v[], const rot_dd a[], const rot_dd b[], const r
   return ab > 0 ? ax > 0 && bx < 0 : !(bx > 0 && ax < 0);
 }
 
-/* Two ways through one corner, from a to b and from s to t: do they cross there? */
+/* Do the paths a, v, b and s, v, t cross at v? */
 static int cross_at_corner(const rot_dd a[], const rot_dd v[], const rot_dd b[], const rot_dd s[],
                            const rot_dd t[]) {
   if (same_place(a, v) || same_place(b, v) || same_place(s, v) || same_place(t, v)) return 0;
@@ -188,7 +179,7 @@ static int by_low_end(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Edges in the order of their low ends; each is held against those that begin before it ends. */
+/* Sweep over x: each edge is compared with those that begin before it ends. */
 static rot_status find_crossing(size_t n, const corner c[], edge_box box[], const rot_hooks *hooks,
                                 int *found, size_t edge[2]) {
   *found = 0;
@@ -199,7 +190,7 @@ static rot_status find_crossing(size_t n, const corner c[], edge_box box[], cons
   }
   qsort(box, n, sizeof *box, by_low_end);
   for (size_t i = 0; i < n; i++) {
-    /* As a rule an edge meets few others; of a star with long spikes each meets all. */
+    /* Usually an edge overlaps few others; in a star with long spikes, all. */
     if (i % 64 == 63) {
       const rot_status status = rot_poll(hooks, (double)i / (double)n);
       if (status != ROT_OK) return status;
@@ -231,7 +222,7 @@ static rot_status polygon_from(size_t n, const double v[], double amount, int is
   int crossing;
   const rot_status status = find_crossing(n, c, box, hooks, &crossing, out->edge);
   if (status != ROT_OK) return status;
-  /* Corners on a line, but for the rounding of their coordinates. */
+  /* Vertices collinear within the rounding of their coordinates. */
   const int flat = !(fabs(area2.hi) > 8.0 * ROT_EPS * terms);
   if (crossing || flat) {
     *fault = crossing ? ROT_VERTICES_CROSSING : ROT_VERTICES_FLAT;
@@ -244,9 +235,11 @@ static rot_status polygon_from(size_t n, const double v[], double amount, int is
   for (int k = 0; k < 2; k++) out->centre_m[k] = v[(size_t)k * n] + ldexp(g[k].hi, e);
   out->centre_m[2] = 0.0;
   out->reach_m = ldexp(sqrt(reach), e);
-  /* The sums carry some 2^-96 of their terms; the rest is the last rounding and the mass. */
+  /* The error of the sums is some 2^-96 of their terms; the rest is the last rounding and the
+   * mass. */
   const double sums = 64.0 * (double)n * ROT_DD_EPS / ROT_EPS * terms / fabs(area2.hi);
-  out->error = relative_error(out, amount, is_density, (is_density ? 8.0 : 4.0) + sums);
+  out->error = rot_inertia_error(out->second_kg_m2, out->mass_kg, is_density,
+                                 (is_density ? 8.0 : 4.0) + sums, amount > 0.0);
   return ROT_OK;
 }
 
@@ -269,7 +262,7 @@ rot_status rot_polygon(size_t n, const double v[], double amount, int is_density
 
 /* ---- tetrahedron ---------------------------------------------------------------------------- */
 
-/* Six times the volume, and its terms without their signs. */
+/* Six times the volume, and the sum of the absolute values of its terms. */
 static rot_dd six_volumes(const corner c[4], double *terms) {
   rot_dd volume = {0.0, 0.0};
   *terms = 0.0;
@@ -285,7 +278,7 @@ static rot_dd six_volumes(const corner c[4], double *terms) {
 
 rot_status rot_tetrahedron(const double v[12], double amount, int is_density,
                            rot_vertices_body *out, rot_vertices_fault *fault) {
-  static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+  const int *row = rot_tensor_row, *column = rot_tensor_column;
   const int e = exponent_of(4, 3, v);
   corner c[4];
   rot_dd g[3];
@@ -310,6 +303,7 @@ rot_status rot_tetrahedron(const double v[12], double amount, int is_density,
   for (int i = 0; i < 4; i++) reach = fmax(reach, square_length(c[i].x, g));
   give_mass(out, 3, fabs(volume6.hi) / 6.0, amount, is_density, e, second);
   out->reach_m = ldexp(sqrt(reach), e);
-  out->error = relative_error(out, amount, is_density, is_density ? 8.0 : 4.0);
+  out->error = rot_inertia_error(out->second_kg_m2, out->mass_kg, is_density,
+                                 is_density ? 8.0 : 4.0, amount > 0.0);
   return ROT_OK;
 }

@@ -1,6 +1,6 @@
 #include "rot_wide.h"
 
-/* On Windows the stack is not aligned for registers of four. */
+/* Not on Windows, where the stack is not aligned for registers of four. */
 #if defined(__GNUC__) && defined(__x86_64__) && defined(__SSE2__) && !defined(_WIN32)
 #define ROT_WIDE
 #endif
@@ -38,9 +38,5 @@ ROT_TARGET void rot_sweep_pass_wide(rot_sweep_block *block, const rot_torque_pie
 
 ROT_TARGET void rot_mesh_sum_wide(const rot_mesh *mesh, struct rot_mesh_sums *sums, size_t from,
                                   size_t end, int shell) {
-  if (shell) {
-    sum_faces(mesh, sums, from, end, 1);
-  } else {
-    sum_faces(mesh, sums, from, end, 0);
-  }
+  sum_faces(mesh, sums, from, end, shell);
 }

@@ -1,6 +1,5 @@
-/* Kernels for registers of four doubles, where processor and compiler have them (AVX2): the same
- * operations as with two, lane by lane, and so the same bits. Stores of rows are what the table of
- * a spin-up waits for: half as many of them. */
+/* Kernels for registers of four doubles (AVX2), where processor and compiler support them: the same
+ * operations as with two, lane by lane, and so the same bits. */
 #ifndef ROT_WIDE_H
 #define ROT_WIDE_H
 
