@@ -27,7 +27,7 @@ stopping <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
   check_class(scene, "rot_scene_axle", "scene", "Describe one with {.fn scene_axle}.", call)
-  fit <- fit_model(axle_drag, scene, scene$start_s, 1)
+  fit <- fit_model(axle_drag, constraint_of(scene), scene, scene$start_s, 1)
   if (!is.null(fit$reason)) {
     abort_rotdyn(
       c(
@@ -51,7 +51,7 @@ terminal_omega <- function(scene, call) {
   last <- knots$outside[2]
   if (last == 0 && !any(c("viscous", "motor", "quadratic", "friction") %in% scene$effects)) {
     end <- max(scene$start_s, knots$time_s)
-    return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)[[1]]$omega_rad_per_s)
+    return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s)
   }
   scene$loads$knots <- new_knots(double(), double(), c(last, last))
   .Call(ffi_axle_stopping, pack_axle(scene))[3]

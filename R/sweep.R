@@ -250,7 +250,10 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
 
 # The closed form that takes what acts in any of the rows.
 sweep_model <- function(scene, columns, call) {
-  fit <- first_fit(axle_closed_forms[-(1:2)], scene, scene$start_s, 1)
+  fits <- lapply(
+    axle_closed_forms[-(1:2)], fit_model, constraint_of(scene), scene, scene$start_s, 1
+  )
+  fit <- Find(function(fit) is.null(fit$reason), fits)
   scaled <- any(columns$torque_scale != 1) &&
     (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
   if (is.null(fit) || scaled) {
