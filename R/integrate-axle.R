@@ -3,27 +3,17 @@
 integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   loads <- scene$loads
   breaks <- axle_breaks(scene)
-  law <- NULL
-  sampled <- NULL
+  law <- sampled <- NULL
   if (!is.null(loads$law)) {
-    torque <- loads$law
-    complain <- function(value, time_s) abort_torque_value(value, time_s, call)
-    own <- torque_breaks(torque, scene, time_s, complain, call)
-    if (torque$arguments == 1L) {
-      sampled <- sample_torque(torque$f, range(scene$start_s, time_s), own, accuracy)
+    span <- range(scene$start_s, time_s)
+    reader <- law_reader(loads$law, scene, call)
+    scan <- law_breaks(loads$law, reader$at, span[1], span[2], call)
+    if (loads$law$arguments == 1L) {
+      sampled <- sample_torque(reader, span, scan$stops, accuracy)
     }
-    if (is.null(sampled)) {
-      # The C code fills in the arguments; an error of the function's own shows the call f(...).
-      law <- list(
-        as.call(c(quote(f), rep(list(NULL), torque$arguments))),
-        list2env(list(f = torque$f), parent = baseenv()),
-        complain
-      )
-    } else {
-      loads$terms <- c(loads$terms, list(sampled$term))
-      own <- c(own, sampled$term$breaks_s)
-    }
-    breaks <- sort(unique(c(breaks, own)))
+    if (is.null(sampled)) law <- reader$own
+    loads$terms <- c(loads$terms, list(sampled$term)[!is.null(sampled)])
+    breaks <- sort(unique(c(breaks, scan$stops, sampled$term$breaks_s)))
   }
   solve <- function(loads, time_s) {
     .Call(
@@ -33,6 +23,10 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     )
   }
   result <- add_end_jumps(solve(loads, time_s), scene, time_s)
+  if (!is.null(loads$law)) {
+    result[[2]]$rhs_calls <- reader$calls() + if (is.null(sampled)) result[[2]]$rhs_calls else 0
+    result[[2]]$scan_spacing_s <- scan$spacing_s
+  }
   if (is.null(sampled) || length(time_s) == 0L || result[[2]]$kind != "none") {
     return(result)
   }
@@ -76,7 +70,6 @@ add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
   info$omega_error <- info$omega_error + reach$omega
   info$theta_error <- info$theta_error + reach$theta
   info$error <- error_of_run(info)
-  info$rhs_calls <- sampled$calls
   result[[2]] <- info
   result
 }

@@ -115,7 +115,8 @@ add_functions <- function(laws) {
   if (is.null(breaks) && !any(vapply(told, is.null, logical(1)))) breaks <- double()
   new_torque(
     "rot_torque_function",
-    f = f, breaks_s = breaks, arguments = if (any(of_state)) 3L else 1L
+    f = f, breaks_s = breaks, arguments = if (any(of_state)) 3L else 1L,
+    vectorised = all(vapply(laws, function(law) law$vectorised, logical(1)))
   )
 }
 

@@ -1,169 +1,136 @@
-# A torque function of time alone, sampled once and for all: Chebyshev polynomials between its
-# breaks, halved until their tail is below what the accuracy asks. The integrator then never calls
-# R: a sinusoid over 8 s takes some 130 samples where the integration would take 3500.
+# A torque function of time alone, sampled before the run: Chebyshev polynomials between its breaks,
+# halved until their tail is below what the accuracy asks. The integrator then never calls R: a
+# sinusoid over 8 s takes some 130 samples where the integration would take 3500.
 
 sample_degree <- 32L
 most_samples <- 50000L
 
-# Values of f at times; `scene` holds the angle and rate of a law of the state, NULL for one of time
-# alone. A function that can take a vector is called once: it must give the same numbers as one by
-# one.
-values_of <- function(f, time_s, complain, scene = NULL) {
-  one <- function(t) {
-    value <- if (is.null(scene)) f(t) else f(t, scene$theta0_rad, scene$omega0_rad_per_s)
-    number <- is.numeric(value) || (is.logical(value) && identical(is.na(value), TRUE))
-    if (!number || is.object(value) || length(value) != 1L) {
-      return(as.double(complain(value, t)))
+# list(at, calls, own): at(time_s) evaluates the law at many times, at the angle and rate where the
+# scene starts, calls() counts the times so far, own is the law as src/ffi_torque.h reads it.
+law_reader <- function(law, scene, call) {
+  f <- law$f
+  state <- c(scene$theta0_rad, scene$omega0_rad_per_s)
+  called <- 0
+  # C fills in the arguments; an error of the function's own shows the call f(...).
+  own <- list(
+    as.call(c(quote(f), rep(list(NULL), law$arguments))), list2env(list(f = f), parent = baseenv()),
+    function(value, time_s) abort_torque_value(value, time_s, call)
+  )
+  at <- function(time_s) {
+    n <- length(time_s)
+    called <<- called + n
+    if (!law$vectorised) {
+      .Call(ffi_torque_values, own, time_s, state)
+    } else if (law$arguments == 1L) {
+      check_torques(f(time_s), n, call)
+    } else {
+      check_torques(f(time_s, rep(state[1], n), rep(state[2], n)), n, call)
     }
-    as.double(value)
   }
-  n <- length(time_s)
-  if (n > 4L) {
-    all <- values_at_once(f, time_s, scene)
-    probe <- c(1L, (n + 1L) %/% 2L, n)
-    if (!is.null(all) && identical(all[probe], vapply(time_s[probe], one, double(1)))) {
-      return(all)
-    }
-  }
-  vapply(time_s, one, double(1))
+  list(at = at, calls = function() called, own = own)
 }
 
-# All at once, or NULL where that cannot be. An angle and a rate of the scene may be one or n.
-values_at_once <- function(f, time_s, scene = NULL) {
-  if (!takes_vectors(f)) {
-    return(NULL)
+# What a vectorised law returned for n times, as doubles.
+check_torques <- function(value, n, call) {
+  number <- is.numeric(value) || (is.logical(value) && all(is.na(value)))
+  if (!number || is.object(value) || length(value) != n) {
+    abort_rotdyn(
+      c(
+        "The torque function must return one number in N m for each time.",
+        x = "Called with {n} time{?s} it returned {describe_value(value)}.",
+        i = "{.code torque_function(f, vectorised = FALSE)} calls it with one time each."
+      ),
+      "torque",
+      call
+    )
   }
-  n <- length(time_s)
-  value <- if (is.null(scene)) {
-    f(time_s)
-  } else {
-    f(time_s, rep_len(scene$theta0_rad, n), rep_len(scene$omega0_rad_per_s, n))
-  }
-  if (is.double(value) && length(value) == n && !is.object(value)) as.vector(value)
+  as.double(value)
 }
 
-# Functions of R that work element by element. A law made of these alone may be given many times at
-# once. Trying it out is no way to know: `&&` of a vector ends the whole process where R CMD check
-# is strict.
-elementwise <- c(
-  "{", "(", "<-", "=", "return", "+", "-", "*", "/", "^", "%%", "%/%", "<", "<=", ">", ">=", "==",
-  "!=", "!", "&", "|", "ifelse", "sin", "cos", "tan", "sinpi", "cospi", "tanpi", "asin", "acos",
-  "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "exp", "expm1", "log",
-  "log10", "log2", "log1p", "sqrt", "abs", "sign", "floor", "ceiling", "trunc", "round", "pmin",
-  "pmax", "is.na", "as.numeric", "as.double"
-)
-
-takes_vectors <- function(f, depth = 0L) {
-  if (is.primitive(f)) {
-    return(any(vapply(elementwise, function(name) {
-      identical(f, get0(name, baseenv()))
-    }, logical(1))))
-  }
-  calls_elementwise(body(f), environment(f), depth)
+abort_torque_value <- function(value, time_s, call) {
+  abort_rotdyn(
+    c(
+      "The torque function must return one number in N m.",
+      x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
+    ),
+    "torque",
+    call
+  )
 }
 
-calls_elementwise <- function(x, env, depth) {
-  if (is.symbol(x) || is.numeric(x) || is.logical(x) || is.null(x)) {
-    return(TRUE)
+# Seconds of processor time that a call of the law takes: the median of five, after one that is not
+# counted. NaN where there is no clock.
+law_seconds <- function(law, scene) {
+  reader <- law_reader(law, scene, rlang::caller_env())
+  timed <- function(i) {
+    start <- .Call(ffi_clock_cpu)
+    reader$at(scene$start_s)
+    .Call(ffi_clock_cpu) - start
   }
-  if (!is.call(x) || !is.symbol(x[[1]])) {
-    return(FALSE)
-  }
-  name <- as.character(x[[1]])
-  called <- get0(name, env, mode = "function")
-  known <- if (name %in% elementwise && identical(called, get0(name, baseenv()))) {
-    TRUE
-  } else {
-    depth < 4L && is.function(called) && takes_vectors(called, depth + 1L)
-  }
-  known && all(vapply(as.list(x)[-1], function(part) {
-    identical(part, quote(expr = )) || calls_elementwise(part, env, depth)
-  }, logical(1)))
+  stats::median(vapply(0:5, timed, double(1))[-1])
 }
 
-# list(term, error, impulse, calls): the law as Chebyshev pieces over `span`, the largest error of it
-# in N m, the integral of the error in N m s, the times sampled. NULL where it is not finite or will not converge: then it must be called.
-sample_torque <- function(f, span, breaks_s, accuracy) {
+# list(term, error, impulse): the law as Chebyshev pieces over `span`, their largest error in N m, the
+# integral of the error in N m s. NULL where the law is not finite or the pieces do not converge: then
+# the integrator calls it.
+sample_torque <- function(reader, span, breaks_s, accuracy) {
   if (!(span[2] > span[1])) {
     return(NULL)
   }
-  inside <- breaks_s[breaks_s > span[1] & breaks_s < span[2]]
-  edges <- c(span[1], inside, span[2])
-  counted <- 0L
-  # What is no number at all makes the values NaN; whoever calls the law will say where.
-  at <- function(t) {
-    counted <<- counted + length(t)
-    values_of(f, t, function(value, t) NaN)
-  }
-  pieces <- cbind(edges[-length(edges)], edges[-1])
+  edges <- c(span[1], breaks_s[breaks_s > span[1] & breaks_s < span[2]], span[2])
+  from <- edges[-length(edges)]
+  to <- edges[-1]
   done <- list()
   largest <- 0
-  error <- 0
-  impulse <- 0
-  while (nrow(pieces)) {
-    if (counted + (sample_degree + 1L) * nrow(pieces) > most_samples) {
+  samples <- 0
+  while (length(from)) {
+    samples <- samples + (sample_degree + 1L) * length(from)
+    fit <- if (samples <= most_samples) fit_pieces(reader$at, from, to)
+    if (is.null(fit)) {
       return(NULL)
     }
-    fitted <- fit_pieces(at, pieces)
-    if (is.null(fitted)) {
-      return(NULL)
-    }
-    largest <- max(largest, fitted$largest)
+    largest <- max(largest, fit$height)
     wanted <- largest * max(1e-3 * accuracy, 2e-14) # below, many laws have noise of their own
-    good <- fitted$tail <= wanted | fitted$width <= 1e-10 * diff(span)
-    if (any(good)) {
-      done[[length(done) + 1L]] <- list(pieces[good, , drop = FALSE], fitted$a[good, , drop = FALSE])
-      error <- max(error, fitted$tail[good])
-      impulse <- impulse + sum(((fitted$tail + 4e-15 * fitted$height) * fitted$width)[good])
-    }
-    rest <- pieces[!good, , drop = FALSE]
-    middle <- rest[, 1] + (rest[, 2] - rest[, 1]) / 2
-    pieces <- rbind(cbind(rest[, 1], middle), cbind(middle, rest[, 2]))
+    good <- fit$tail <= wanted | to - from <= 1e-10 * diff(span)
+    done[[length(done) + 1L]] <- lapply(fit, function(x) x[good, , drop = FALSE])
+    middle <- (from + (to - from) / 2)[!good]
+    from <- c(from[!good], middle)
+    to <- c(middle, to[!good])
   }
+  fit <- do.call(Map, c(rbind, done))
+  error <- max(fit$tail)
   if (error > largest * max(accuracy, 1e-13)) {
-    return(NULL) # a jump that nobody told
+    return(NULL) # a jump that is no break
   }
-  pieces <- do.call(rbind, lapply(done, `[[`, 1L))
-  a <- do.call(rbind, lapply(done, `[[`, 2L))
-  order <- order(pieces[, 1])
-  pieces <- pieces[order, , drop = FALSE]
-  n <- nrow(pieces)
-  x <- c(n, ncol(a), pieces[, 1], pieces[n, 2], t(a[order, , drop = FALSE]))
+  order <- order(fit$from)
+  ends <- c(fit$from[order], span[2])
   list(
     # Neighbours differ by rounding where they meet: a break, where the motion is still small.
-    term = new_term("chebyshev", x, "samples", breaks_s = c(pieces[, 1], pieces[n, 2])),
+    term = new_term(
+      "chebyshev", c(length(order), sample_degree + 1, ends, t(fit$a[order, , drop = FALSE])),
+      "samples", breaks_s = ends
+    ),
     error = error + 4e-15 * largest,
-    impulse = impulse,
-    calls = counted
+    impulse = sum((fit$tail + 4e-15 * fit$height)[order] * diff(ends))
   )
 }
 
-# Coefficients on each piece (a row each), and the size of their tails; NULL where
-# not finite. The ends of a piece are never sampled: a function may jump there.
-fit_pieces <- function(at, pieces) {
-  degree <- sample_degree
-  n <- degree + 1L
-  odd <- 2 * seq_len(n) - 1
-  node <- cospi(odd / (2 * n))
-  middle <- pieces[, 1] + (pieces[, 2] - pieces[, 1]) / 2
-  half <- (pieces[, 2] - pieces[, 1]) / 2
-  t <- outer(half, node) + middle
-  y <- matrix(at(as.vector(t)), nrow(t))
+# Matrices with a row for each piece: the coefficients a, the size of their tail, the largest value,
+# where the piece begins. NULL where the law is not finite. The ends of a piece are never sampled: a
+# law may jump there.
+fit_pieces <- function(at, from, to) {
+  n <- sample_degree + 1L
+  odd <- 2 * rev(seq_len(n)) - 1 # the times of a piece increase
+  half <- (to - from) / 2
+  y <- matrix(at(as.vector(outer(half, cospi(odd / (2 * n))) + (from + half))), length(from))
   if (!all(is.finite(y))) {
     return(NULL)
   }
-  # Whole turns taken off as integers: else the rounding of 32 half turns is the largest error.
-  a <- (2 / n) * y %*% cospi((outer(odd, 0:degree) %% (4 * n)) / (2 * n))
+  # Whole turns are taken off as integers: else the rounding of 32 half turns is the largest error.
+  a <- (2 / n) * y %*% cospi((outer(odd, 0:sample_degree) %% (4 * n)) / (2 * n))
   a[, 1] <- a[, 1] / 2
-  size <- apply(abs(a), 1, max)
-  tail <- 2 * apply(abs(a[, degree - 0:3 + 1L, drop = FALSE]), 1, max)
-  a[abs(a) < 2.5e-16 * size] <- 0 # rounding: 33 of them would add up
-  list(
-    a = a,
-    largest = max(abs(y)),
-    # Coefficients of a smooth law fall geometrically: the last ones stand for all that follow.
-    tail = tail,
-    height = apply(abs(y), 1, max),
-    width = pieces[, 2] - pieces[, 1]
-  )
+  # Coefficients of a smooth law fall geometrically: the last four stand for all that follow.
+  tail <- 2 * apply(abs(a[, n - 0:3, drop = FALSE]), 1, max)
+  a[abs(a) < 2.5e-16 * apply(abs(a), 1, max)] <- 0 # rounding: 33 of them would add up
+  list(a = a, tail = cbind(tail), height = cbind(apply(abs(y), 1, max)), from = cbind(from))
 }

@@ -1,46 +1,69 @@
-# Breakpoints of a torque function that did not tell its own: looked for on a grid, then bisected.
+# Breakpoints of a torque function whose breaks were not told: looked for on an even grid in time, at
+# the angle and rate where the scene starts, then bisected. The number of points is fixed, so that
+# the same motion computed twice is the same to the last bit.
 #
 # A jump keeps its height however short the interval; a smooth function's difference shrinks with
-# it. A kink keeps its change of slope: its second difference halves with the step, a smooth one's
-# quarters. Breaks become stops of the integrator. So do the grid points around a change that is
-# steep but smooth (`guards`): steps that end there cannot pass it unseen. What lies between two
-# points of the grid is missed.
+# it. A kink keeps its change of slope: its second difference halves with the step, that of a smooth
+# function quarters. Breaks become stops of the integrator, and so do the grid points around a
+# change that is steep but smooth (`guards`): a step that ends there does not pass it. What lies
+# between two points of the grid is missed.
 
-scan_points <- 8193L
+scan_points <- 513L
+scan_points_vectorised <- 8193L
 most_breaks <- 1000L
 
-# Breaks and guards of f (a function of time that takes a vector) in [from, to], sorted.
-scan_breaks <- function(f, from, to) {
-  none <- list(breaks = double(), guards = double())
-  if (!(to > from)) {
-    return(none)
+# list(stops, spacing_s) between two times: the breaks told, and NA; or those found, with guards and
+# the spacing of the scan.
+law_breaks <- function(law, at, from, to, call) {
+  if (!is.null(law$breaks_s) || !(to > from)) {
+    return(list(stops = as.double(law$breaks_s), spacing_s = NA_real_))
   }
-  t <- seq(from, to, length.out = scan_points)
+  points <- if (law$vectorised) scan_points_vectorised else scan_points
+  spacing <- (to - from) / (points - 1)
+  scan <- scan_breaks(at, from, to, points)
+  found <- length(scan$breaks)
+  if (found) {
+    shown <- format(utils::head(scan$breaks, 6L), digits = 7, trim = TRUE)
+    warn_quickly(
+      c(
+        paste0(
+          "The torque function was not told its `breaks_s`; a scan found ", found, ", at ",
+          paste(shown, collapse = ", "), if (found > 6L) ", ...", " s."
+        ),
+        "The integrator stops there.",
+        paste0(
+          "The function was sampled every ", format(spacing, digits = 2),
+          " s: anything shorter is not seen. Give `torque_function(f, breaks_s = )`."
+        )
+      ),
+      "breaks",
+      call
+    )
+  }
+  list(stops = sort(c(scan$breaks, scan$guards)), spacing_s = spacing)
+}
+
+# Breaks and guards of f (a function of many times) in [from, to], sorted.
+scan_breaks <- function(f, from, to, points = scan_points) {
+  t <- seq(from, to, length.out = points)
   y <- f(t)
   if (!all(is.finite(y))) {
-    return(none) # the integrator will say where and why
+    return(list(breaks = double(), guards = double())) # the integrator will say where and why
   }
-  at <- steep_steps(y)
+  at <- stands_out(abs(diff(y)), 1e-12 * max(abs(y), 1e-300))
   jumps <- vapply(at, function(i) bisect_jump(f, t[i], t[i + 1], y[i], y[i + 1]), double(1))
   smooth <- at[is.na(jumps)]
   jumps <- jumps[!is.na(jumps)]
   list(
-    breaks = sort(unique(c(jumps, scan_kinks(f, t, y, jumps)))),
+    breaks = sort(c(jumps, scan_kinks(f, t, y, jumps))),
     guards = sort(unique(t[c(smooth, smooth + 1L)]))
   )
 }
 
-# Larger than `factor` times the median of the nine around it.
-stands_out <- function(size, factor, floor) {
-  around <- stats::runmed(size, 9, endrule = "keep")
-  at <- which(size > factor * around & size > floor)
+# Where a size is larger than four times the median of the nine around it.
+stands_out <- function(size, floor) {
+  at <- which(size > floor & size > 4 * stats::runmed(size, 9, endrule = "keep"))
   at[order(-size[at])][seq_len(min(length(at), most_breaks))]
-}
-
-# Grid intervals over which the function changes much more than around.
-steep_steps <- function(y) {
-  height <- abs(diff(y))
-  stands_out(height, 4, 1e-12 * max(abs(y), 1e-300))
 }
 
 # The first double after the jump, or NA if the difference melts away.
@@ -69,86 +92,48 @@ bisect_jump <- function(f, a, b, ya, yb) {
 }
 
 scan_kinks <- function(f, t, y, jumps) {
-  bend <- abs(diff(diff(y)))
-  floor <- 1e-9 * max(abs(y), 1e-300)
-  at <- stands_out(bend, 4, floor)
+  at <- stands_out(abs(diff(diff(y))), 1e-9 * max(abs(y), 1e-300))
   # Next to a jump every second difference is large; the jump itself is the stop.
   near <- vapply(at, function(i) any(jumps >= t[i] & jumps <= t[i + 2]), logical(1))
-  found <- vapply(at[!near], function(i) zoom_kink(f, t[i], t[i + 2]), double(1))
+  found <- vapply(at[!near], function(i) zoom_kink(f, t[i + 0:2], y[i + 0:2]), double(1))
   # A kink between two grid points is seen from both sides.
   found <- sort(found[!is.na(found)])
-  found[c(TRUE, diff(found) > 2 * (t[2] - t[1]))[seq_along(found)]]
+  found[c(TRUE, diff(found) > 1e-3 * (t[2] - t[1]))[seq_along(found)]]
 }
 
-# Narrow the interval to a kink: of its three inner points the one with the largest second
-# difference stays in the middle. NA if the second difference shrinks as a smooth function's does.
-zoom_kink <- function(f, a, b) {
-  bend_at <- function(x) abs(diff(diff(f(x))))
-  first <- NULL
-  halvings <- 0L
-  repeat {
-    x <- seq(a, b, length.out = 5)
-    bend <- bend_at(x)
+# Narrow an interval, given by its ends and its middle, to a kink: of the three inner points of its
+# quarters the one with the largest second difference becomes the middle. NA if the second difference
+# shrinks as that of a smooth function does.
+zoom_kink <- function(f, t, y) {
+  halvings <- 16L
+  for (k in 0:halvings) {
+    new <- t[-3] + (t[-1] - t[-3]) / 2
+    t <- c(t[1], new[1], t[2], new[2], t[3])
+    seen <- f(new)
+    y <- c(y[1], seen[1], y[2], seen[2], y[3])
+    bend <- abs(y[1:3] - 2 * y[2:4] + y[3:5])
     if (!all(is.finite(bend))) {
       return(NA_real_)
     }
     i <- which.max(bend)
-    if (is.null(first)) {
-      first <- bend[i]
-    }
-    # Per halving: 1/2 for a kink, 1/4 for a smooth bend. Judge after twelve, before rounding does.
-    if (halvings == 12L) {
-      return(if (bend[i] > first * 2^-17) cross_slopes(f, x[i], x[i + 2]) else NA_real_)
-    }
-    a <- x[i]
-    b <- x[i + 2]
-    halvings <- halvings + 1L
+    if (k == halvings - 6L) first <- bend[i]
+    t <- t[i + 0:2]
+    y <- y[i + 0:2]
   }
+  # In six halvings 2^-6 of it is left at a kink, 2^-12 of a smooth bend; less than 1e-14 is rounding.
+  if (bend[i] > max(first * 2^-9, 1e-14 * abs(y))) cross_curves(f, t, y) else NA_real_
 }
 
-# Where the straight lines from either side meet; the interval is so short that they are straight.
-cross_slopes <- function(f, a, b) {
-  h <- b - a
-  left <- (f(a) - f(a - h)) / h
-  right <- (f(b + h) - f(b)) / h
-  x <- a + (f(b) - f(a) - right * h) / (left - right)
-  if (is.finite(x) && x >= a && x <= b) x else a + h / 2
-}
-
-abort_torque_value <- function(value, time_s, call) {
-  abort_rotdyn(
-    c(
-      "The torque function must return one number in N m.",
-      x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
-    ),
-    "torque",
-    call
-  )
-}
-
-# Breaks the user told, or those that a scan finds, with a warning.
-torque_breaks <- function(torque, scene, time_s, complain, call) {
-  if (!is.null(torque$breaks_s)) {
-    return(torque$breaks_s)
-  }
-  at <- function(t) {
-    values_of(torque$f, t, complain, if (torque$arguments == 3L) scene)
-  }
-  scan <- scan_breaks(at, min(scene$start_s, time_s), max(scene$start_s, time_s))
-  breaks <- scan$breaks
-  if (length(breaks)) {
-    shown <- cli::cli_vec(format(breaks, digits = 7, trim = TRUE), list("vec-trunc" = 6))
-    warn_rotdyn(
-      c(
-        "The torque function was not told its {.arg breaks_s}; a scan found {length(breaks)}.",
-        i = "At {shown} s. The integrator stops there.",
-        i = "Breaks closer than {format(diff(range(scene$start_s, time_s)) / (scan_points - 1),
-             digits = 2)} s may be missed: to be sure, give
-             {.code torque_function(f, breaks_s = )}."
-      ),
-      "breaks",
-      call
-    )
-  }
-  sort(c(breaks, scan$guards))
+# Where the parabolas through three points on either side of an interval meet.
+cross_curves <- function(f, t, y) {
+  width <- t[3] - t[1]
+  side <- f(c(t[1] - width * c(1, 0.5), t[3] + width * c(0.5, 1)))
+  left <- c(y[1], 3 * y[1] - 3 * side[2] + side[1], 6 * y[1] - 8 * side[2] + 3 * side[1])
+  right <- c(6 * y[3] - 8 * side[3] + 3 * side[4], 3 * y[3] - 3 * side[3] + side[4], y[3])
+  # right - left at the ends and in the middle; its zero as a part of the width.
+  apart <- right - left
+  bend <- 2 * (apart[1] - 2 * apart[2] + apart[3])
+  slope <- apart[3] - apart[1] - bend
+  part <- -2 * apart[1] / (slope + sign(slope) * sqrt(max(0, slope^2 - 4 * bend * apart[1])))
+  t[1] + width * if (is.finite(part) && part >= 0 && part <= 1) part else 0.5
 }

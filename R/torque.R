@@ -1,5 +1,6 @@
 # A torque law as data. Knots: time_s, torque_n_m, outside = c(before, after). A function: f,
-# breaks_s (NULL: not told), arguments (1 or 3). A sum: laws. The others are in torque-terms.R.
+# breaks_s (NULL: not told), arguments (1 or 3), vectorised. A sum: laws. The others are in
+# torque-terms.R.
 new_torque <- function(class, ...) {
   torque <- list(...)
   class(torque) <- c(class, "rot_torque")
@@ -17,15 +18,17 @@ new_torque <- function(class, ...) {
 #'   the law has the value after it. **Outside the knots the torque is zero**: nothing is known to
 #'   act there. `outside = "hold"` holds the first and the last value instead.
 #' * `torque_function()`: any R function of `time_s`, or of `time_s, theta_rad, omega_rad_per_s`.
-#'   It is called with one number each and returns one; a function of time alone that also takes a
-#'   vector is given many times at once. Its jumps and kinks must be told in
-#'   `breaks_s`, because an integrator steps over a short pulse without a word; where they are not,
-#'   [trajectory()] scans the function at `r scan_points` times, bisects what it finds, stops there,
-#'   and warns (class `rotdyn_warning_breaks`). A pulse shorter than the scan's spacing may be
-#'   missed: only `breaks_s` is sure. `breaks_s = numeric()` says that there are none.
+#'   It is called with one number each and returns one number. `vectorised = TRUE` says that it also
+#'   takes vectors of equal length and returns one number for each element: then it is called once
+#'   wherever many values are wanted. Its jumps and kinks in time belong in `breaks_s`, because an
+#'   integrator steps over a short pulse without a warning. Where they are not given, [trajectory()]
+#'   scans the function at `r scan_points` times (`r scan_points_vectorised` if it is vectorised), at
+#'   the angle and rate where the scene starts, bisects what it finds, stops there, and warns (class
+#'   `rotdyn_warning_breaks`). A pulse shorter than the spacing of the scan may be missed: only
+#'   `breaks_s` is sure. `breaks_s = numeric()` says that there are none.
 #'
 #' A function of time alone is sampled some 30 to 300 times, one of angle and rate is called at each
-#' evaluation of the integrator.
+#' evaluation of the integrator. The calls of the scan are counted in `rhs_calls`.
 #'
 #' Positive torque turns in the positive sense of the axle (right hand).
 #'
@@ -34,7 +37,9 @@ new_torque <- function(class, ...) {
 #'   `time_s` and `torque_n_m`.
 #' @param outside `"zero"` or `"hold"`: the torque before the first and after the last knot.
 #' @param f A function that returns one finite number in N m.
-#' @param breaks_s Times where `f` may jump or kink.
+#' @param breaks_s Times where `f` may jump or kink; NULL: not known.
+#' @param vectorised Does `f` take vectors and return one number for each element? What it returns is
+#'   checked in type and length; that the numbers are those of single calls is not.
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_torque`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
@@ -128,7 +133,7 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
 
 #' @rdname torque
 #' @export
-torque_function <- function(f, breaks_s = NULL) {
+torque_function <- function(f, breaks_s = NULL, vectorised = FALSE) {
   call <- rlang::current_env()
   if (missing(f)) {
     check_supplied("f", call)
@@ -147,9 +152,19 @@ torque_function <- function(f, breaks_s = NULL) {
   if (!is.null(breaks_s)) {
     breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
   }
+  if (!isTRUE(vectorised) && !isFALSE(vectorised)) {
+    abort_rotdyn(
+      c(
+        "{.arg vectorised} must be TRUE or FALSE.",
+        x = "It is {describe_value(vectorised)}."
+      ),
+      "type",
+      call
+    )
+  }
   new_torque(
     "rot_torque_function",
-    f = f, breaks_s = breaks_s, arguments = count_arguments(f, call)
+    f = f, breaks_s = breaks_s, arguments = count_arguments(f, call), vectorised = vectorised
   )
 }
 

@@ -3,47 +3,49 @@
 #include <math.h>
 
 #include "rot_axle_grid.h"
+#include "rot_march.h"
 #include "rot_phi.h"
 #include "rot_real.h"
 
-enum { ROWS_PER_POLL = 8192 };
-
-static size_t rows_before_start(const rot_axle_params *p, size_t n, const double time_s[]) {
-  size_t lo = 0, hi = n;
-  if (n == 0 || time_s[0] >= p->start_s) return 0;
-  while (lo < hi) {
-    size_t mid = lo + (hi - lo) / 2;
-    if (time_s[mid] < p->start_s) {
-      lo = mid + 1;
-    } else {
-      hi = mid;
-    }
-  }
-  return lo;
-}
-
 /* ---- free spin ------------------------------------------------------------------------------ */
+
+typedef struct row_run {
+  const rot_axle_params *p;
+  const double *time_s;
+  const rot_axle_columns *out;
+  rot_info *info;
+  rot_axle_state base;
+  rot_torque_piece piece;
+  size_t index; /* of the piece */
+  int forward, in_lanes, on_grids;
+  double last_s[2]; /* the last rows backward and forward */
+  rot_axle_grid *grid;
+} row_run;
+
+static rot_status free_rows(void *model, size_t first, size_t last, size_t *end) {
+  const row_run *run = model;
+  const rot_axle_params *p = run->p;
+  const double omega = p->omega0_rad_per_s;
+  for (size_t i = first; i < last; i++) {
+    double turned = omega * (run->time_s[i] - p->start_s), theta = p->theta0_rad + turned;
+    *end = i;
+    if (!isfinite(theta)) return ROT_ERANGE;
+    rot_axle_row(p, run->out, i, theta, omega, 0.0);
+    /* Three roundings: the time difference, the product, the sum. */
+    rot_note_row(run->info, theta, omega, ROT_EPS * (2.0 * fabs(turned) + fabs(theta)), 0.0);
+  }
+  *end = last;
+  return ROT_OK;
+}
 
 rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
-  const double omega = p->omega0_rad_per_s;
+  static const rot_march march = {.write_rows = free_rows};
+  row_run run = {.p = p, .time_s = time_s, .out = out, .info = info};
   rot_info_clear(info);
-  rot_note_state(info, p->theta0_rad, omega);
-  for (size_t i = 0; i < n; i++) {
-    double turned = omega * (time_s[i] - p->start_s), theta = p->theta0_rad + turned;
-    info->time_s = time_s[i];
-    if (!isfinite(theta)) return info->status = ROT_ERANGE;
-    rot_axle_row(p, out, i, theta, omega, 0.0);
-    /* Three roundings: the time difference, the product, the sum. */
-    rot_note_row(info, theta, omega, ROT_EPS * (2.0 * fabs(turned) + fabs(theta)), 0.0);
-    info->rows_done = i + 1;
-    if (i % ROWS_PER_POLL == ROWS_PER_POLL - 1) {
-      rot_status status = rot_poll(hooks, (double)i / (double)n);
-      if (status != ROT_OK) return info->status = status;
-    }
-  }
+  rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->steps = n > 0;
-  return ROT_OK;
+  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
 }
 
 /* ---- one step of the closed form ------------------------------------------------------------ */
@@ -138,22 +140,8 @@ static int tame(double x) {
   return x == 0.0 || (x > 1e-60 && x < 1e60);
 }
 
-typedef struct row_run {
-  const rot_axle_params *p;
-  const double *time_s;
-  const rot_axle_columns *out;
-  rot_info *info;
-  rot_axle_state base;
-  rot_torque_piece piece;
-  int in_lanes, on_grids;
-  rot_axle_grid *grid;
-} row_run;
-
 static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state *state) {
-  if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) {
-    run->info->time_s = state->time_s;
-    return ROT_ERANGE;
-  }
+  if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) return ROT_ERANGE;
   rot_axle_row(run->p, run->out, i, state->theta_rad, state->omega_rad_per_s,
                rot_torque_at(&run->p->torque, state->time_s));
   rot_note_row(run->info, state->theta_rad, state->omega_rad_per_s, state->theta_error,
@@ -285,9 +273,9 @@ static void flush_lanes(const row_run *run, lane_queue *queue, double base_torqu
   queue->filled = 0;
 }
 
-/* Rows i to end - 1, all in this piece and on the far side of its base; *good: the end of those
- * that came out. Tame numbers cannot fail. */
-static rot_status rows_in_piece(row_run *run, size_t i, size_t end, size_t *good) {
+/* Rows i to end - 1, all in this piece and beyond its base. Tame numbers cannot fail. */
+static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good) {
+  row_run *run = model;
   rot_status status = ROT_OK;
   *good = end;
   if (!run->in_lanes) {
@@ -299,14 +287,15 @@ static rot_status rows_in_piece(row_run *run, size_t i, size_t end, size_t *good
   const int coasting = run->piece.start_n_m == 0.0 && run->piece.end_n_m == 0.0;
   double base_torque = tame_torque(&run->piece, run->base.time_s);
   lane_queue queue = {{0}, 0};
-  int even = run->on_grids;
+  const int on_grids = run->on_grids && run->forward;
+  int even = on_grids;
   for (; i < end && status == ROT_OK; i++) {
     const double t = run->time_s[i];
     /* At a knot the torque column shows the value after a jump, and a first instant divided by the
      * inertia may be out of range: one_row() knows about both. */
     if (fabs(t - run->base.time_s) < 1e-60 || t == run->piece.start_s || t == run->piece.end_s) {
       status = one_row(run, i);
-      even = run->on_grids;
+      even = on_grids;
       continue;
     }
     if (even) {
@@ -334,105 +323,71 @@ static rot_status rows_in_piece(row_run *run, size_t i, size_t end, size_t *good
 
 /* ---- the march ------------------------------------------------------------------------------ */
 
-/* How many of the rows, counted from start_s, lie before the end of the piece. On an even grid the
- * first guess finds it. */
-static size_t rows_before(double stop, int forward, size_t done, size_t total, size_t first,
-                          size_t last, const double time_s[]) {
-  size_t lo = done, hi = total;
-  if (forward && lo < hi) {
-    const double *t = time_s + first;
-    if (t[hi - 1] < stop) return hi;
-    const double guess = (stop - t[lo]) / (t[hi - 1] - t[lo]) * (double)(hi - 1 - lo);
-    if (guess > 0.0 && guess < (double)(hi - 1 - lo)) {
-      const size_t g = lo + (size_t)guess;
-      if (t[g] < stop)
-        lo = g + 1;
-      else
-        hi = g;
-      if (lo < hi && t[lo] >= stop) return lo;
-    }
-  }
-  while (lo < hi) {
-    size_t mid = lo + (hi - lo) / 2;
-    double t = time_s[forward ? first + mid : last - 1 - mid];
-    if (forward ? t < stop : t > stop) {
-      lo = mid + 1;
-    } else {
-      hi = mid;
-    }
-  }
-  return lo;
+static void enter_piece(row_run *run) {
+  const rot_axle_params *p = run->p;
+  const rot_torque_piece *piece = &run->piece;
+  run->piece = rot_torque_piece_at(&p->torque, run->index);
+  const double end_s =
+      run->forward ? fmin(piece->end_s, run->last_s[1]) : fmax(piece->start_s, run->last_s[0]);
+  run->in_lanes = tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) &&
+                  tame(run->base.omega_rad_per_s) && tame(run->base.theta_rad) &&
+                  tame(piece->start_n_m) && tame(piece->end_n_m) &&
+                  tame(end_s - run->base.time_s) &&
+                  (piece->start_n_m == piece->end_n_m || tame(piece->end_s - piece->start_s)) &&
+                  (run->forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
+  if (run->in_lanes && run->on_grids && run->forward) rot_axle_grid_enter(run->grid, p, piece);
 }
 
-/* Rows [first, last) away from start_s, forward in time or backward. */
-static rot_status march(const rot_axle_params *p, const double time_s[], size_t first, size_t last,
-                        int forward, int fast, const rot_axle_columns *out, const rot_hooks *hooks,
-                        rot_info *info) {
-  size_t k = rot_torque_find(&p->torque, p->start_s, forward), done = 0, total = last - first;
-  rot_axle_grid grid;
-  row_run run = {
-      p, time_s,          out,  info, rot_axle_start(p), rot_torque_piece_at(&p->torque, k),
-      0, forward && fast, &grid};
-  rot_axle_grid_begin(&grid);
-  while (done < total) {
-    run.piece = rot_torque_piece_at(&p->torque, k);
-    const double stop = forward ? run.piece.end_s : run.piece.start_s;
-    const size_t end = rows_before(stop, forward, done, total, first, last, time_s);
-    info->steps++;
-    const double far = end == total ? time_s[forward ? last - 1 : first] - run.base.time_s
-                                    : stop - run.base.time_s;
-    run.in_lanes =
-        tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) && tame(run.base.omega_rad_per_s) &&
-        tame(run.base.theta_rad) && tame(run.piece.start_n_m) && tame(run.piece.end_n_m) &&
-        tame(far) &&
-        (run.piece.start_n_m == run.piece.end_n_m || tame(run.piece.end_s - run.piece.start_s)) &&
-        (forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
-    if (run.in_lanes && run.on_grids) rot_axle_grid_enter(&grid, p, &run.piece);
-    while (done < end) {
-      size_t chunk = end - done < ROWS_PER_POLL ? end - done : ROWS_PER_POLL;
-      size_t i = forward ? first + done : last - done - chunk;
-      size_t good;
-      rot_status status = rows_in_piece(&run, i, i + chunk, &good);
-      if (forward) info->rows_done = good; /* backward, the first rows come last */
-      if (status != ROT_OK) return status;
-      done += chunk;
-      info->time_s = time_s[forward ? first + done - 1 : last - done];
-      status = rot_poll(hooks, (double)(first + done) / (double)last);
-      if (status != ROT_OK) return status;
-    }
-    if (done < total) {
-      run.base = run.in_lanes && grid.step_s > 0.0
-                     ? rot_axle_grid_step(&grid, p, &run.base, &run.piece, stop)
-                     : rot_axle_step(p, &run.base, &run.piece, stop);
-      info->time_s = stop;
-      if (!(isfinite(run.base.theta_rad) && isfinite(run.base.omega_rad_per_s))) return ROT_ERANGE;
-      rot_note_state(info, run.base.theta_rad, run.base.omega_rad_per_s);
-      k = forward ? k + 1 : k - 1;
-    }
-  }
+static rot_status restart(void *model, int forward) {
+  row_run *run = model;
+  run->forward = forward;
+  run->index = rot_torque_find(&run->p->torque, run->p->start_s, forward);
+  run->base = rot_axle_start(run->p);
+  enter_piece(run);
   return ROT_OK;
 }
 
-static rot_status both_ways(const rot_axle_params *p, size_t n, const double time_s[], int fast,
-                            const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
-  const size_t before = rows_before_start(p, n, time_s);
+static int holds(const void *model, double time_s) {
+  const row_run *run = model;
+  return run->forward ? time_s < run->piece.end_s : time_s > run->piece.start_s;
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  row_run *run = model;
+  *end_s = run->forward ? run->piece.end_s : run->piece.start_s;
+  run->base = run->in_lanes && run->grid->step_s > 0.0
+                  ? rot_axle_grid_step(run->grid, run->p, &run->base, &run->piece, *end_s)
+                  : rot_axle_step(run->p, &run->base, &run->piece, *end_s);
+  if (!(isfinite(run->base.theta_rad) && isfinite(run->base.omega_rad_per_s))) return ROT_ERANGE;
+  rot_note_state(run->info, run->base.theta_rad, run->base.omega_rad_per_s);
+  run->index += run->forward ? 1 : (size_t)-1;
+  enter_piece(run);
+  return ROT_OK;
+}
+
+static rot_status linear(const rot_axle_params *p, size_t n, const double time_s[], int fast,
+                         const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
+  static const rot_march march = {restart, holds, next_piece, NULL, rows_in_piece};
+  rot_axle_grid grid;
+  row_run run = {
+      .p = p, .time_s = time_s, .out = out, .info = info, .on_grids = fast, .grid = &grid};
+  if (n > 0) {
+    run.last_s[0] = time_s[0];
+    run.last_s[1] = time_s[n - 1];
+  }
+  rot_axle_grid_begin(&grid);
   rot_info_clear(info);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
-  info->status = march(p, time_s, 0, before, 0, fast, out, hooks, info);
-  if (info->status == ROT_OK) {
-    info->rows_done = before;
-    info->status = march(p, time_s, before, n, 1, fast, out, hooks, info);
-  }
-  return info->status;
+  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
 }
 
 rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
                            const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
-  return both_ways(p, n, time_s, 0, out, hooks, info);
+  return linear(p, n, time_s, 0, out, hooks, info);
 }
 
 rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double time_s[],
                                 const rot_axle_columns *out, const rot_hooks *hooks,
                                 rot_info *info) {
-  return both_ways(p, n, time_s, 1, out, hooks, info);
+  return linear(p, n, time_s, 1, out, hooks, info);
 }

@@ -4,7 +4,9 @@
 #include <math.h>
 
 #include "rot_axle_rest.h"
+#include "rot_march.h"
 #include "rot_real.h"
+#include "rot_search.h"
 
 /* ---- bands ---------------------------------------------------------------------------------- */
 
@@ -25,25 +27,11 @@ static double curve_at(const rot_axle_scene *scene, double omega) {
                         : 0.0;
 }
 
-/* How many of the n speeds are <= omega, or < omega. */
-static size_t speeds_below(const double speed[], size_t n, double omega, int or_equal) {
-  size_t lo = 0, hi = n;
-  while (lo < hi) {
-    const size_t mid = lo + (hi - lo) / 2;
-    if (or_equal ? speed[mid] <= omega : speed[mid] < omega) {
-      lo = mid + 1;
-    } else {
-      hi = mid;
-    }
-  }
-  return lo;
-}
-
 /* The band that omega lies in; from an edge, the one that it moves into. */
 static band band_of(const rot_axle_scene *scene, double omega, int heading) {
   const size_t n = points(scene);
   const double *speed = n ? scene->terms[0].x + 1 : NULL, *torque = n ? speed + n : NULL;
-  const size_t i = n ? speeds_below(speed, n, omega, heading > 0) : 0;
+  const size_t i = n ? rot_bound(n, speed, omega, heading > 0) : 0;
   band b = {-INFINITY, INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0};
   double size = 0.0;
   if (i > 0) b.lower = speed[i - 1];
@@ -69,7 +57,7 @@ static band band_of(const rot_axle_scene *scene, double omega, int heading) {
 static int on_edge(const rot_axle_scene *scene, double omega) {
   const size_t n = points(scene);
   const double *speed = n ? scene->terms[0].x + 1 : NULL;
-  const size_t i = n ? speeds_below(speed, n, omega, 1) : 0;
+  const size_t i = n ? rot_upper_bound(n, speed, omega) : 0;
   return i > 0 && speed[i - 1] == omega;
 }
 
@@ -85,7 +73,7 @@ typedef struct leg {
   double push, push_lo; /* the constant torque of the band: curve, resistance at ref, friction */
   double a, b;          /* torque in the band at the start and at the end */
   double span_s;
-  int to_end;       /* the end is that of the piece, or of the rows */
+  int to_end;       /* the span reaches the end of the piece, or of the rows */
   double low, high; /* edges of v */
   double farthest;  /* the larger of |v| at the base and at its extremum */
 } leg;
@@ -133,15 +121,16 @@ static int heading_on_edge(const rot_axle_scene *scene, const rot_axle_base *bas
 /* Steps are so short that exp(c s/|I|) stays in range where c < 0. */
 enum { MOST_GROWTH = 200 };
 
-static leg leg_from(const rot_axle_march *march, const rot_torque_piece *piece, int heading) {
-  const rot_axle_base *base = &march->base;
-  leg l = {.scene = march->scene, .piece = piece, .base = *base};
-  const double end_s = fmin(piece->end_s, rot_axle_march_horizon(march));
+static leg leg_from(const rot_axle_rest *rest, int heading) {
+  const rot_axle_base *base = &rest->base;
+  const rot_torque_piece *piece = &rest->piece;
+  leg l = {.scene = rest->scene, .piece = piece, .base = *base};
+  const double end_s = fmin(piece->end_s, rest->last_s);
   double lo;
-  l.band = band_of(march->scene, base->omega, heading);
+  l.band = band_of(rest->scene, base->omega, heading);
   set_push(&l, l.band.lower >= 0.0 ? 1 : -1);
-  l.law.inertia_kg_m2 = march->scene->linear.inertia_kg_m2;
-  l.law.viscous_n_m_s = march->scene->linear.viscous_n_m_s - l.band.slope;
+  l.law.inertia_kg_m2 = rest->scene->linear.inertia_kg_m2;
+  l.law.viscous_n_m_s = rest->scene->linear.viscous_n_m_s - l.band.slope;
   l.from.omega_rad_per_s = rot_two_sum(base->omega, -l.band.ref, &l.from.omega_lo);
   l.from.omega_error = base->omega_error;
   l.a = in_band(&l, knots_at_base(piece, base));
@@ -149,7 +138,7 @@ static leg leg_from(const rot_axle_march *march, const rot_torque_piece *piece, 
     l.a = heading > 0 ? fmax(l.a, 0.0) : fmin(l.a, 0.0);
   }
   l.b = in_band(&l, rot_torque_in_piece(piece, end_s));
-  l.span_s = rot_axle_march_elapsed(march, end_s, &lo);
+  l.span_s = rot_axle_rest_elapsed(rest, end_s, &lo);
   l.to_end = 1;
   l.low = l.band.lower - l.band.ref;
   l.high = l.band.upper - l.band.ref;
@@ -226,9 +215,12 @@ static change leg_change(const leg *l, const rot_axle_state *v, double s, double
 
 /* ---- where a leg ends ----------------------------------------------------------------------- */
 
+/* Where v leaves the band: AGAINST its heading, by the edge that it starts from. */
+typedef enum exit_side { NOWHERE, BELOW, ABOVE, AGAINST } exit_side;
+
 typedef struct exit_point {
-  double s;    /* when v leaves the band; the leg's span where it does not */
-  int side;    /* -1 below, 1 above, 0 not at all, 2 against its heading */
+  double s; /* when; the leg's span where it does not */
+  exit_side side;
   double peak; /* an extremum of v on the way, or v at the start */
 } exit_point;
 
@@ -312,11 +304,11 @@ static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_
   }
   if (s0 == 0.0 && v0 == edge) {
     if (!(fabs(v1 - edge) > 2.0 * to->omega_error)) return 0;
-    out->side = 2;
+    out->side = AGAINST;
     out->s = 0.0;
     return 1;
   }
-  out->side = up ? 1 : -1;
+  out->side = up ? ABOVE : BELOW;
   out->s = v1 == edge ? s1 : when_at(l, edge, s0, s1, up);
   return 1;
 }
@@ -334,7 +326,7 @@ static void look_past_edge(const leg *l, double s0, double v, const rot_axle_sta
   if (!(fabs(end->omega_rad_per_s - edge) <= near) || there.omega == 0.0 || v == edge) return;
   if (l->piece->start_n_m != l->piece->end_n_m) return;
   if (heading_on_edge(l->scene, &there, l->piece) != (up ? 1 : -1)) return;
-  out->side = up ? 1 : -1;
+  out->side = up ? ABOVE : BELOW;
   out->s = s0;
   if (fabs(v - edge) > near) {
     out->s = when_at(l, up ? edge - near : edge + near, s0, l->span_s, up);
@@ -343,7 +335,7 @@ static void look_past_edge(const leg *l, double s0, double v, const rot_axle_sta
 
 static exit_point exit_of(const leg *l) {
   const double v0 = l->from.omega_rad_per_s, turn = extremum(l);
-  exit_point out = {l->span_s, 0, v0};
+  exit_point out = {l->span_s, NOWHERE, v0};
   double s0 = 0.0, v = v0;
   if (turn > 0.0 && turn < l->span_s) {
     const rot_axle_state at = leg_after(l, turn);
@@ -356,149 +348,201 @@ static exit_point exit_of(const leg *l) {
   return out;
 }
 
-/* ---- the march ------------------------------------------------------------------------------ */
+/* ---- the legs ------------------------------------------------------------------------------- */
 
-/* Rows before the leg's end. */
-static rot_status leg_rows(rot_axle_march *march, const leg *l, const exit_point *to) {
-  const rot_axle_base *base = &march->base;
-  const int open = to->side == 0 && l->to_end;
-  rot_status status = ROT_OK;
-  while (status == ROT_OK && rot_axle_march_row_before(march, l->piece->end_s)) {
-    const double t = march->time_s[march->done];
-    double lo, s = rot_axle_march_elapsed(march, t, &lo);
-    if (!open && s >= to->s) break;
-    const int exact = base->time_lo == 0.0;
-    const double b = in_band(l, rot_torque_in_piece(l->piece, t));
-    const rot_axle_state v = exact ? leg_state(l, base->time_s, t, b) : leg_state(l, 0.0, s, b);
-    change row = leg_change(l, &v, s, b, !exact);
-    if (s == 0.0) row.omega = base->omega;
-    const double theta = base->theta + (row.dtheta + base->theta_lo);
-    status = rot_axle_march_row(march, theta, row.omega,
-                                rot_axle_scene_applied(march->scene, t, theta, 0.0, row.omega),
-                                row.theta_error, row.omega_error);
+/* A leg is a motion in one band, or a hold at rest. */
+typedef struct bands_run {
+  rot_axle_rest rest;
+  size_t legs; /* in this piece */
+  int held;
+  leg leg;       /* moving: */
+  exit_point to; /* and where it leaves the band */
+  int slips;     /* held: the direction in which it breaks loose; 0: not in this piece */
+  double slip_s, slip_lo, late_s; /* when, and how uncertain that is */
+} bands_run;
+
+/* Begins a motion; `heading` counts where it starts on an edge. */
+static void begin_motion(bands_run *run, int heading, int slipped) {
+  rot_axle_rest *rest = &run->rest;
+  leg l = leg_from(rest, heading);
+  if (slipped) l.a = heading * (rest->scene->static_n_m - rest->scene->coulomb_n_m);
+  exit_point to = exit_of(&l);
+  if (to.side == AGAINST) {
+    if (rest->base.omega != 0.0) {
+      l = leg_from(rest, -heading);
+      to = exit_of(&l);
+    }
+    if (to.side == AGAINST) {
+      to.side = NOWHERE;
+      to.s = l.span_s;
+    }
   }
-  return status;
+  l.farthest = fmax(fabs(l.from.omega_rad_per_s), fabs(to.peak));
+  if (to.peak != l.from.omega_rad_per_s) rot_note_state(rest->info, 0.0, l.band.ref + to.peak);
+  run->held = 0;
+  run->leg = l;
+  run->to = to;
 }
 
-/* The base moves to the end of the leg: onto the edge, or to the end of the piece. */
-static rot_status leg_end(rot_axle_march *march, const leg *l, const exit_point *to) {
-  const double s = to->s, b = torque_after(l, s), c = l->law.viscous_n_m_s;
-  const int exact = to->side == 0 && l->to_end && march->base.time_lo == 0.0;
-  const rot_axle_state v =
-      exact ? leg_state(l, march->base.time_s, l->piece->end_s, l->b) : leg_state(l, 0.0, s, b);
-  change end = leg_change(l, &v, s, b, !exact);
-  double time = l->piece->end_s, time_lo = 0.0, wanted = end.omega;
-  if (to->side != 0) {
-    wanted = to->side > 0 ? l->band.upper : l->band.lower;
-  } else { /* roundings do not leave the band */
-    wanted = fmin(fmax(wanted, l->band.lower), l->band.upper);
-  }
-  if (to->side != 0 || !l->to_end) {
-    time = rot_two_sum(march->base.time_s, s, &time_lo);
-    time_lo += march->base.time_lo;
-  }
-  if (wanted != end.omega) end.omega_error += fabs(wanted - end.omega);
-  if (wanted == 0.0) {
-    const double net = fabs(b - c * v.omega_rad_per_s), I = l->law.inertia_kg_m2;
-    const double rise = fabs(l->piece->end_n_m - l->piece->start_n_m);
-    const double soon = rot_muldiv(end.omega_error, I, net, NULL);
-    const double
-        pace = /* of a stop where the torque balances: omega goes with the square of time */
-        rise > 0.0 ? rot_muldiv(I, l->piece->end_s - l->piece->start_s, rise, NULL)
-                   : (double)INFINITY;
-    const double late = sqrt(2.0 * end.omega_error) * sqrt(pace);
-    march->base.settle_s = fmin(soon, late);
-  }
-  if (isnan(end.omega)) wanted = end.omega;
-  return rot_axle_march_move(march, time, time_lo, end.dtheta, wanted, end.theta_error,
-                             end.omega_error);
-}
-
-/* Held at rest from the base on: to the end of the piece, or until the torque wins. */
-static rot_status held(rot_axle_march *march, const rot_torque_piece *piece, int *slips) {
-  const rot_axle_scene *scene = march->scene;
-  const double most = scene->static_n_m, at_rest = curve_at(scene, 0.0);
-  const double rise = piece->end_n_m - piece->start_n_m;
-  rot_axle_base *base = &march->base;
-  *slips = (rise > 0.0) - (rise < 0.0);
-  if (*slips == 0 || !(*slips * (piece->end_n_m + at_rest) > most)) {
-    *slips = 0;
-    return rot_axle_march_held(march, piece->end_s);
-  }
-  const double span = piece->end_s - piece->start_s, wanted = *slips * most - at_rest;
-  double lo, now_lo;
-  const double x = rot_muldiv(wanted - piece->start_n_m, span, rise, &lo);
-  double time_lo, time = rot_two_sum(piece->start_s, x, &time_lo);
-  time_lo += lo;
-  const double now = rot_two_sum(time, -base->time_s, &now_lo) + (now_lo + time_lo - base->time_lo);
-  const double size = most + fabs(at_rest) + fabs(piece->start_n_m);
-  const double late = 4.0 * ROT_EPS * (rot_muldiv(size, span, fabs(rise), NULL) + fabs(x));
-  if (now > 0.0) {
-    const rot_status status = rot_axle_march_held(march, fmin(time, piece->end_s));
-    if (status != ROT_OK) return status;
-    base->time_s = rot_two_sum(time, time_lo, &base->time_lo);
-    base->omega_error = 0.0;
-  }
-  /* What it starts with if it starts as late, or what strong resistance leaves of that. */
-  const double I = scene->linear.inertia_kg_m2, push = most - scene->coulomb_n_m;
-  const double more = fabs(rise_in(piece, late));
-  const double c = scene->linear.viscous_n_m_s - band_of(scene, 0.0, *slips).slope;
+/* Moves off with what it has gained if it breaks loose as late as it may, or with what strong
+ * resistance leaves of that. */
+static rot_status break_loose(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  rot_axle_base *base = &rest->base;
+  const rot_axle_scene *scene = rest->scene;
+  const double I = scene->linear.inertia_kg_m2, most = scene->static_n_m, late = run->late_s;
+  const double push = most - scene->coulomb_n_m, more = fabs(rise_in(&rest->piece, late));
+  const double c = scene->linear.viscous_n_m_s - band_of(scene, 0.0, run->slips).slope;
   double ahead = rot_muldiv(push, late, I, NULL) + 0.5 * rot_muldiv(more, late, I, NULL);
   if (c > 0.0) ahead = fmin(ahead, (push + more) / c);
   base->omega_error += ahead;
   base->theta_error += base->omega_error * late;
-  return rot_axle_march_rest(march, nextafter(*slips * most, *slips * DBL_MAX), slips);
+  int heading = run->slips;
+  const double above = nextafter(heading * most, heading * DBL_MAX);
+  const rot_status status = rot_axle_rest_decide(rest, above, &heading);
+  begin_motion(run, heading, 1);
+  return status;
 }
 
-/* One leg from the base; `heading` where it starts on an edge. */
-static rot_status go(rot_axle_march *march, const rot_torque_piece *piece, int heading,
-                     int slipped) {
-  leg l = leg_from(march, piece, heading);
-  if (slipped) l.a = heading * (march->scene->static_n_m - march->scene->coulomb_n_m);
-  exit_point to = exit_of(&l);
-  if (to.side == 2) {
-    if (march->base.omega != 0.0) {
-      l = leg_from(march, piece, -heading);
-      to = exit_of(&l);
-    }
-    if (to.side == 2) to.side = 0, to.s = l.span_s;
-  }
-  l.farthest = fmax(fabs(l.from.omega_rad_per_s), fabs(to.peak));
-  if (to.peak != l.from.omega_rad_per_s) rot_note_state(march->info, 0.0, l.band.ref + to.peak);
-  rot_status status = leg_rows(march, &l, &to);
-  if (status != ROT_OK || march->done == march->n) return status;
-  return leg_end(march, &l, &to);
+/* Held from the base on: to the end of the piece, or until the torque exceeds static friction. */
+static rot_status begin_hold(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  const rot_torque_piece *piece = &rest->piece;
+  const rot_axle_base *base = &rest->base;
+  const double most = rest->scene->static_n_m, at_rest = curve_at(rest->scene, 0.0);
+  const double rise = piece->end_n_m - piece->start_n_m, span = piece->end_s - piece->start_s;
+  run->held = 1;
+  run->slips = (rise > 0.0) - (rise < 0.0);
+  if (!(run->slips * (piece->end_n_m + at_rest) > most)) run->slips = 0;
+  if (run->slips == 0) return ROT_OK;
+  double lo, time_lo, now_lo;
+  const double x = rot_muldiv(run->slips * most - at_rest - piece->start_n_m, span, rise, &lo);
+  run->slip_s = rot_two_sum(piece->start_s, x, &time_lo);
+  run->slip_lo = time_lo + lo;
+  const double size = most + fabs(at_rest) + fabs(piece->start_n_m);
+  run->late_s = 4.0 * ROT_EPS * (rot_muldiv(size, span, fabs(rise), NULL) + fabs(x));
+  const double now =
+      rot_two_sum(run->slip_s, -base->time_s, &now_lo) + (now_lo + run->slip_lo - base->time_lo);
+  return now > 0.0 ? ROT_OK : break_loose(run);
 }
 
-static rot_status through_piece(rot_axle_march *march, const rot_torque_piece *piece) {
-  const rot_axle_scene *scene = march->scene;
-  rot_axle_base *base = &march->base;
+static rot_status enter_leg(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  const rot_axle_scene *scene = rest->scene;
+  const rot_axle_base *base = &rest->base;
   /* omega turns once in a piece where rest does not interfere, and once more for each stop: each
    * edge is met a few times at most. */
   const size_t budget = 1000 + 16 * points(scene);
-  rot_status status = ROT_OK;
-  for (size_t i = 0; status == ROT_OK && march->done < march->n; i++) {
-    double lo;
-    if (isfinite(piece->end_s) && rot_axle_march_elapsed(march, piece->end_s, &lo) <= 0.0) break;
-    if (i == budget) return ROT_EBUDGET;
-    status = rot_axle_march_step(march);
-    if (status != ROT_OK) break;
-    int heading = base->omega > 0.0 ? 1 : -1, slipped = 0;
-    if (base->omega == 0.0) {
-      const double applied = knots_at_base(piece, base) + curve_at(scene, 0.0);
-      status = rot_axle_march_rest(march, applied, &heading);
-      if (status == ROT_OK && !heading) {
-        status = held(march, piece, &heading);
-        slipped = heading;
-        if (!heading) return status;
-      }
-    } else if (on_edge(scene, base->omega)) {
-      heading = heading_on_edge(scene, base, piece);
-    }
-    if (status == ROT_OK) status = go(march, piece, heading, slipped);
+  if (rot_axle_rest_enter(rest)) run->legs = 0;
+  if (run->legs++ == budget) return ROT_EBUDGET;
+  int heading = base->omega > 0.0 ? 1 : -1;
+  if (base->omega == 0.0) {
+    const double applied = knots_at_base(&rest->piece, base) + curve_at(scene, 0.0);
+    const rot_status status = rot_axle_rest_decide(rest, applied, &heading);
+    if (status != ROT_OK) return status;
+    if (!heading) return begin_hold(run);
+  } else if (on_edge(scene, base->omega)) {
+    heading = heading_on_edge(scene, base, &rest->piece);
   }
-  return status;
+  begin_motion(run, heading, 0);
+  return ROT_OK;
 }
+
+static rot_status restart(void *model, int forward) {
+  return forward ? enter_leg(model) : ROT_EVALUE;
+}
+
+static double hold_end(const bands_run *run) {
+  const double end_s = run->rest.piece.end_s;
+  return run->slips ? fmin(run->slip_s, end_s) : end_s;
+}
+
+static int holds(const void *model, double time_s) {
+  const bands_run *run = model;
+  double lo;
+  if (run->held) return time_s < hold_end(run);
+  if (!(time_s < run->rest.piece.end_s)) return 0;
+  if (run->to.side == NOWHERE && run->leg.to_end) return 1;
+  return !(rot_axle_rest_elapsed(&run->rest, time_s, &lo) >= run->to.s);
+}
+
+static rot_status write_row(void *model, size_t i) {
+  bands_run *run = model;
+  rot_axle_rest *rest = &run->rest;
+  if (run->held) return rot_axle_rest_held_row(rest, i);
+  const rot_axle_base *base = &rest->base;
+  const leg *l = &run->leg;
+  const double t = rest->time_s[i];
+  double lo, s = rot_axle_rest_elapsed(rest, t, &lo);
+  const int exact = base->time_lo == 0.0;
+  const double b = in_band(l, rot_torque_in_piece(l->piece, t));
+  const rot_axle_state v = exact ? leg_state(l, base->time_s, t, b) : leg_state(l, 0.0, s, b);
+  change row = leg_change(l, &v, s, b, !exact);
+  if (s == 0.0) row.omega = base->omega;
+  const double theta = base->theta + (row.dtheta + base->theta_lo);
+  return rot_axle_rest_row(rest, i, theta, row.omega,
+                           rot_axle_scene_applied(rest->scene, t, theta, 0.0, row.omega),
+                           row.theta_error, row.omega_error);
+}
+
+/* How uncertain the time of a stop is that happens after s, with omega off by so much: by the net
+ * torque there or, where the torques balance, by the square of the time. */
+static double settling_time(const leg *l, double net, double omega_error) {
+  const double I = l->law.inertia_kg_m2, rise = fabs(l->piece->end_n_m - l->piece->start_n_m);
+  const double pace = rise > 0.0 ? rot_muldiv(I, l->piece->end_s - l->piece->start_s, rise, NULL)
+                                 : (double)INFINITY;
+  return fmin(rot_muldiv(omega_error, I, net, NULL), sqrt(2.0 * omega_error) * sqrt(pace));
+}
+
+/* The base to the end of the motion: onto the edge, or to the end of the piece. */
+static rot_status finish_motion(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  rot_axle_base *base = &rest->base;
+  const leg *l = &run->leg;
+  const exit_point *to = &run->to;
+  const double s = to->s, b = torque_after(l, s);
+  const int exact = to->side == NOWHERE && l->to_end && base->time_lo == 0.0;
+  const rot_axle_state v =
+      exact ? leg_state(l, base->time_s, l->piece->end_s, l->b) : leg_state(l, 0.0, s, b);
+  change end = leg_change(l, &v, s, b, !exact);
+  double time = l->piece->end_s, time_lo = 0.0, wanted = end.omega;
+  if (to->side != NOWHERE) {
+    wanted = to->side == ABOVE ? l->band.upper : l->band.lower;
+  } else { /* roundings do not leave the band */
+    wanted = fmin(fmax(wanted, l->band.lower), l->band.upper);
+  }
+  if (to->side != NOWHERE || !l->to_end) {
+    time = rot_two_sum(base->time_s, s, &time_lo);
+    time_lo += base->time_lo;
+  }
+  if (wanted != end.omega) end.omega_error += fabs(wanted - end.omega);
+  if (wanted == 0.0) {
+    const double net = fabs(b - l->law.viscous_n_m_s * v.omega_rad_per_s);
+    base->settle_s = settling_time(l, net, end.omega_error);
+  }
+  if (isnan(end.omega)) wanted = end.omega;
+  return rot_axle_rest_move(rest, time, time_lo, end.dtheta, wanted, end.theta_error,
+                            end.omega_error);
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  bands_run *run = model;
+  rot_axle_base *base = &run->rest.base;
+  const int breaks_loose = run->held && run->slips != 0;
+  rot_status status = ROT_OK;
+  if (run->held) {
+    rot_axle_rest_hold(&run->rest, hold_end(run));
+  } else {
+    status = finish_motion(run);
+  }
+  *end_s = base->time_s;
+  if (status != ROT_OK || !breaks_loose) return status != ROT_OK ? status : enter_leg(run);
+  base->time_s = rot_two_sum(run->slip_s, run->slip_lo, &base->time_lo);
+  base->omega_error = 0.0;
+  return break_loose(run);
+}
+
+/* ---- the model ------------------------------------------------------------------------------ */
 
 static int fits(const rot_axle_scene *scene, double last_s) {
   const rot_axle_params *p = &scene->linear;
@@ -512,30 +556,11 @@ static int fits(const rot_axle_scene *scene, double last_s) {
          scene->static_n_m >= scene->coulomb_n_m && scene->n_inertia == 0 && !p->torque.call;
 }
 
-static rot_status march_on(rot_axle_march *march) {
-  const rot_torque *torque = &march->scene->linear.torque;
-  rot_status status = rot_axle_march_begin(march);
-  if (status == ROT_OK && march->n && !fits(march->scene, march->time_s[march->n - 1])) {
-    return ROT_EVALUE;
-  }
-  for (size_t k = rot_torque_find(torque, march->base.time_s, 1);
-       status == ROT_OK && k <= torque->n && march->done < march->n; k++) {
-    const rot_torque_piece piece = rot_torque_piece_at(torque, k);
-    if (piece.start_s != piece.end_s) status = through_piece(march, &piece);
-  }
-  if (status == ROT_OK && march->done < march->n) return ROT_ESTEP;
-  return status;
-}
-
 rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],
                           const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                           rot_info *info) {
-  rot_axle_march march = {.scene = scene,
-                          .n = n,
-                          .time_s = time_s,
-                          .out = out,
-                          .events = events,
-                          .hooks = hooks,
-                          .info = info};
-  return info->status = march_on(&march);
+  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  bands_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
+  if (n > 0 && !fits(scene, time_s[n - 1])) return info->status = ROT_EVALUE;
+  return rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
 }

@@ -4,6 +4,7 @@
 
 #include "rot_axle_rest.h"
 #include "rot_drag.h"
+#include "rot_march.h"
 #include "rot_real.h"
 
 static int fits(const rot_axle_scene *scene) {
@@ -21,13 +22,23 @@ static rot_drag_law law_towards(const rot_axle_scene *scene, double torque, int 
   return law;
 }
 
+/* A leg: held to the end of the piece, or moving up to there or to the stop. */
+typedef struct drag_run {
+  rot_axle_rest rest;
+  int held;
+  rot_drag_law law;
+  rot_drag flow;
+  double stop_s; /* after the base */
+} drag_run;
+
 typedef struct change {
   double dtheta, omega, theta_error, omega_error;
 } change;
 
 /* From the base, with its errors carried along. */
-static change after(const rot_axle_base *base, const rot_drag *flow, double t, double t_lo) {
-  const rot_drag_state to = rot_drag_at(flow, t, t_lo);
+static change after(const drag_run *run, double t, double t_lo) {
+  const rot_axle_base *base = &run->rest.base;
+  const rot_drag_state to = rot_drag_at(&run->flow, t, t_lo);
   const int sign = base->heading;
   change out;
   out.dtheta = sign * to.theta;
@@ -38,123 +49,114 @@ static change after(const rot_axle_base *base, const rot_drag *flow, double t, d
   return out;
 }
 
-/* Rows of one motion: before `end_s`, and before the stop. */
-static rot_status moving_rows(rot_axle_march *march, const rot_torque_piece *piece,
-                              const rot_drag *flow, double stop) {
-  const double motor = march->scene->motor_n_m_s;
-  const rot_axle_base *base = &march->base;
-  rot_status status = ROT_OK;
-  while (status == ROT_OK && rot_axle_march_row_before(march, piece->end_s)) {
-    const double t = march->time_s[march->done];
-    double lo, s = rot_axle_march_elapsed(march, t, &lo);
-    if (s >= stop) break;
-    const change to = after(base, flow, s, lo);
-    const double theta = base->theta + (to.dtheta + base->theta_lo);
-    const double applied = t == piece->start_s
-                               ? rot_axle_scene_applied(march->scene, t, theta, 0.0, to.omega)
-                               : piece->start_n_m - (motor != 0.0 ? motor * to.omega : 0.0);
-    status = rot_axle_march_row(march, theta, to.omega, applied, to.theta_error, to.omega_error);
+static rot_status enter_leg(drag_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  const rot_axle_base *base = &rest->base;
+  rot_axle_rest_enter(rest);
+  const rot_torque_piece *piece = &rest->piece;
+  if (piece->start_n_m != piece->end_n_m) return ROT_EVALUE;
+  run->held = 0;
+  if (base->omega == 0.0) {
+    int leaves;
+    const rot_status status = rot_axle_rest_decide(rest, piece->start_n_m, &leaves);
+    run->held = !leaves;
+    if (status != ROT_OK || run->held) return status;
   }
-  return status;
+  double lo, span = rot_axle_rest_elapsed(rest, fmin(piece->end_s, rest->last_s), &lo);
+  run->law = law_towards(rest->scene, piece->start_n_m, base->heading);
+  run->flow = rot_drag_from(&run->law, fabs(base->omega), span);
+  run->stop_s = rot_drag_stop(&run->flow);
+  return ROT_OK;
 }
 
-/* Move on to the stop or to the end of the piece. */
-static rot_status motion(rot_axle_march *march, const rot_torque_piece *piece) {
-  rot_axle_base *base = &march->base;
-  const rot_drag_law law = law_towards(march->scene, piece->start_n_m, base->heading);
-  const double horizon = fmin(piece->end_s, rot_axle_march_horizon(march));
-  double lo, left_lo, e, span = rot_axle_march_elapsed(march, horizon, &lo);
-  const rot_drag flow = rot_drag_from(&law, fabs(base->omega), span);
-  const double stop = rot_drag_stop(&flow);
-  rot_status status = moving_rows(march, piece, &flow, stop);
-  if (status != ROT_OK || (march->done == march->n && !march->endless)) return status;
-  const double left = isfinite(piece->end_s) ? rot_axle_march_elapsed(march, piece->end_s, &left_lo)
-                                             : (double)INFINITY;
-  if (stop < left) {
-    change to = after(base, &flow, stop, 0.0);
-    const double time = rot_two_sum(base->time_s, stop, &e), drive = fabs(law.drive_n_m);
-    /* The time of the stop is good to 4 roundings, the speed lost meanwhile to as many. */
-    to.omega_error += 4.0 * ROT_EPS * rot_muldiv(drive, stop, law.inertia_kg_m2, NULL);
-    base->settle_s = rot_muldiv(to.omega_error, law.inertia_kg_m2, drive, NULL);
-    return rot_axle_march_move(march, time, e + base->time_lo, to.dtheta, 0.0,
-                               to.theta_error + to.omega_error * base->settle_s, to.omega_error);
-  }
-  if (!isfinite(left)) return ROT_OK;
-  const change to = after(base, &flow, left, left_lo);
-  return rot_axle_march_move(march, piece->end_s, 0.0, to.dtheta, to.omega, to.theta_error,
-                             to.omega_error);
+static rot_status restart(void *model, int forward) {
+  return forward ? enter_leg(model) : ROT_EVALUE;
 }
 
-/* Up to the end of the piece, or until there is nothing more to do. */
-static rot_status through_piece(rot_axle_march *march, const rot_torque_piece *piece) {
-  rot_axle_base *base = &march->base;
-  rot_status status = ROT_OK;
+static int holds(const void *model, double time_s) {
+  const drag_run *run = model;
   double lo;
-  /* Twice at most: a motion that stops, and the one that leaves from there. */
-  while (status == ROT_OK && (march->done < march->n || march->endless)) {
-    if (isfinite(piece->end_s) && rot_axle_march_elapsed(march, piece->end_s, &lo) <= 0.0) break;
-    status = rot_axle_march_step(march);
-    if (status == ROT_OK && base->omega == 0.0) {
-      int leaves;
-      status = rot_axle_march_rest(march, piece->start_n_m, &leaves);
-      if (status != ROT_OK) return status;
-      if (!leaves) return rot_axle_march_held(march, piece->end_s);
-    }
-    const rot_axle_base before = *base;
-    if (status == ROT_OK) status = motion(march, piece);
-    /* On and on. A stop after less time than a double can tell is a change, too. */
-    if (base->time_s == before.time_s && base->time_lo == before.time_lo &&
-        base->omega == before.omega) {
-      break;
-    }
-  }
-  return status;
+  return time_s < run->rest.piece.end_s &&
+         (run->held || !(rot_axle_rest_elapsed(&run->rest, time_s, &lo) >= run->stop_s));
 }
 
-static rot_status march_on(rot_axle_march *march) {
-  const rot_torque *torque = &march->scene->linear.torque;
-  if (!fits(march->scene)) {
-    rot_info_clear(march->info);
-    return ROT_EVALUE;
+static rot_status write_row(void *model, size_t i) {
+  drag_run *run = model;
+  rot_axle_rest *rest = &run->rest;
+  const rot_axle_base *base = &rest->base;
+  if (run->held) return rot_axle_rest_held_row(rest, i);
+  const double t = rest->time_s[i], motor = rest->scene->motor_n_m_s;
+  double lo, s = rot_axle_rest_elapsed(rest, t, &lo);
+  const change to = after(run, s, lo);
+  const double theta = base->theta + (to.dtheta + base->theta_lo);
+  const double applied = t == rest->piece.start_s
+                             ? rot_axle_scene_applied(rest->scene, t, theta, 0.0, to.omega)
+                             : rest->piece.start_n_m - (motor != 0.0 ? motor * to.omega : 0.0);
+  return rot_axle_rest_row(rest, i, theta, to.omega, applied, to.theta_error, to.omega_error);
+}
+
+/* The base to the stop, or to the end of the piece. */
+static rot_status move(drag_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  rot_axle_base *base = &rest->base;
+  const double end_s = rest->piece.end_s;
+  double lo = 0.0, e, left = isfinite(end_s) ? rot_axle_rest_elapsed(rest, end_s, &lo) : end_s;
+  if (!(run->stop_s < left)) {
+    const change to = after(run, left, lo);
+    return rot_axle_rest_move(rest, end_s, 0.0, to.dtheta, to.omega, to.theta_error,
+                              to.omega_error);
   }
-  rot_status status = rot_axle_march_begin(march);
-  for (size_t k = rot_torque_find(torque, march->base.time_s, 1);
-       status == ROT_OK && k <= torque->n && (march->done < march->n || march->endless); k++) {
-    const rot_torque_piece piece = rot_torque_piece_at(torque, k);
-    if (piece.start_s == piece.end_s) continue;
-    if (piece.start_n_m != piece.end_n_m) {
-      march->info->time_s = piece.start_s;
-      return ROT_EVALUE;
-    }
-    status = through_piece(march, &piece);
+  change to = after(run, run->stop_s, 0.0);
+  const double time = rot_two_sum(base->time_s, run->stop_s, &e), drive = fabs(run->law.drive_n_m);
+  /* The time of the stop is good to 4 roundings, the speed lost meanwhile to as many. */
+  to.omega_error += 4.0 * ROT_EPS * rot_muldiv(drive, run->stop_s, run->law.inertia_kg_m2, NULL);
+  base->settle_s = rot_muldiv(to.omega_error, run->law.inertia_kg_m2, drive, NULL);
+  return rot_axle_rest_move(rest, time, e + base->time_lo, to.dtheta, 0.0,
+                            to.theta_error + to.omega_error * base->settle_s, to.omega_error);
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  drag_run *run = model;
+  rot_axle_rest *rest = &run->rest;
+  const rot_axle_base *base = &rest->base, before = *base;
+  rot_status status = ROT_OK;
+  if (run->held) {
+    rot_axle_rest_hold(rest, rest->piece.end_s);
+  } else {
+    status = move(run);
   }
-  if (status == ROT_OK && !march->endless && march->done < march->n) return ROT_ESTEP;
-  return status;
+  *end_s = base->time_s;
+  if (status != ROT_OK) return status;
+  /* A stop within one ulp of time is a change. */
+  const int stays = base->time_s == before.time_s && base->time_lo == before.time_lo &&
+                    base->omega == before.omega;
+  return stays ? ROT_ESTEP : enter_leg(run);
 }
 
 rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double time_s[],
                          const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                          rot_info *info) {
-  rot_axle_march march = {.scene = scene,
-                          .n = n,
-                          .time_s = time_s,
-                          .out = out,
-                          .events = events,
-                          .hooks = hooks,
-                          .info = info};
-  return info->status = march_on(&march);
+  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  drag_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
+  if (!fits(scene)) return info->status = ROT_EVALUE;
+  return rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
 }
 
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad) {
   rot_info info;
   rot_events events = {0, 0, NULL, NULL};
-  rot_axle_march march = {.scene = scene, .events = &events, .info = &info, .endless = 1};
-  const rot_status status = march_on(&march);
+  drag_run run = {.rest = rot_axle_rest_from(scene, 0, NULL, NULL, &events, &info)};
   *time_s = INFINITY;
   *theta_rad = NAN;
-  if (status == ROT_OK && march.base.stuck) {
+  if (!fits(scene)) return ROT_EVALUE;
+  rot_status status = enter_leg(&run);
+  while (status == ROT_OK &&
+         (isfinite(run.rest.piece.end_s) || (!run.held && run.stop_s < INFINITY))) {
+    status = next_piece(&run, &info.time_s);
+  }
+  if (status == ROT_OK && run.rest.base.stuck) {
     *time_s = scene->linear.start_s;
-    *theta_rad = march.base.theta;
+    *theta_rad = run.rest.base.theta;
     for (size_t i = 0; i < events.count; i++) {
       if (events.event[i] == ROT_EVENT_STICK) *time_s = events.time_s[i];
     }

@@ -3,12 +3,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_axle_pieces.h"
 #include "rot_dd.h"
 #include "rot_divided.h"
 #include "rot_phi.h"
 #include "rot_real.h"
+#include "rot_search.h"
 
-enum { ROWS_PER_POLL = 4096, MAX_DEGREE = ROT_PHI_HIGH - 2 };
+enum { MAX_DEGREE = ROT_PHI_HIGH - 2 };
 
 int rot_axle_forced_max_degree(void) { return MAX_DEGREE; }
 
@@ -158,7 +160,7 @@ static double grown(double A, rot_dd g, int n, const double x[], double d1, doub
   return ldexp(p, shift - e1 - e2 + exponent);
 }
 
-/* Where z or y is infinite: a torque that the axle follows at once, or one that is a blow. */
+/* z or y infinite: the limits, a quasi-static axle or an impulsive torque. */
 static forced_part decay_at_once(const forced_term *f, const forced_span *at, rot_dd y) {
   const double A = f->term->x[0], rate = f->term->x[1], s = at->s, I = at->I, c = at->c;
   const rot_dd g = {f->growth, f->growth_lo}, z = {at->z, at->z_lo};
@@ -280,18 +282,10 @@ static int prepare_powers(forced_term *f, double base_s, double low_s) {
   const double *x = f->term->x, *breaks = x + 2;
   const size_t n = (size_t)x[0], m = (size_t)x[1];
   if (!(low_s >= breaks[0] && low_s < breaks[n])) return 0;
-  size_t lo = 0, hi = n;
-  while (hi - lo > 1) {
-    const size_t mid = lo + (hi - lo) / 2;
-    if (breaks[mid] <= low_s) {
-      lo = mid;
-    } else {
-      hi = mid;
-    }
-  }
-  double u_lo, u = rot_two_sum(base_s, -breaks[lo], &u_lo);
+  const size_t k = rot_upper_bound(n, breaks, low_s) - 1;
+  double u_lo, u = rot_two_sum(base_s, -breaks[k], &u_lo);
   f->degree = (int)m - 1;
-  shift_coefficients(f, breaks + n + 1 + lo * m, u, u_lo);
+  shift_coefficients(f, breaks + n + 1 + k * m, u, u_lo);
   return 1;
 }
 
@@ -405,21 +399,21 @@ rot_axle_state rot_axle_forced_step(const rot_axle_scene *scene, const rot_axle_
   return to;
 }
 
-/* ---- the march ------------------------------------------------------------------------------ */
+/* ---- the pieces ----------------------------------------------------------------------------- */
 
+/* From one break or knot to the next. */
 typedef struct forced_run {
   const rot_axle_scene *scene;
-  const double *time_s;
-  const rot_axle_columns *out;
-  rot_info *info;
   rot_axle_state base;
   rot_torque_piece piece;
-  forced_term *term; /* those that act in this stretch */
+  int forward;
+  double end_s;
+  forced_term *term; /* those that act here */
   size_t n_terms;
   int k_max; /* of the phi functions they need */
 } forced_run;
 
-static rot_axle_state state_at(const forced_run *run, double time_s) {
+static rot_axle_state move(const forced_run *run, double time_s) {
   rot_axle_state to = rot_axle_step(&run->scene->linear, &run->base, &run->piece, time_s);
   if (run->n_terms == 0 || time_s == run->base.time_s) return to;
   const forced_span at = make_span(run->scene, run->base.time_s, time_s, run->k_max);
@@ -428,126 +422,69 @@ static rot_axle_state state_at(const forced_run *run, double time_s) {
   return to;
 }
 
-static int in_range(const rot_axle_state *state) {
-  return isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s);
+static rot_axle_point point_of(const rot_axle_state *x) {
+  return (rot_axle_point){x->theta_rad, x->omega_rad_per_s, x->theta_error, x->omega_error};
 }
 
-static rot_status one_row(const forced_run *run, size_t i) {
-  const rot_axle_scene *scene = run->scene;
-  const rot_axle_state state = state_at(run, run->time_s[i]);
-  const double theta = state.theta_rad, omega = state.omega_rad_per_s;
-  run->info->time_s = state.time_s;
-  if (!in_range(&state)) return ROT_ERANGE;
-  rot_axle_scene_row(scene, run->out, i, state.time_s, theta, omega,
-                     rot_axle_scene_applied(scene, state.time_s, theta, 0.0, omega), 0);
-  rot_note_row(run->info, theta, omega, state.theta_error, state.omega_error);
-  return ROT_OK;
+static void state_at(const void *model, double time_s, rot_axle_point *state) {
+  const rot_axle_state at = move(model, time_s);
+  *state = point_of(&at);
 }
 
 /* The next break or knot beyond t, or an infinite time. */
 static double next_stop(const rot_axle_scene *scene, double t, int forward,
                         const rot_torque_piece *piece) {
-  const size_t n = scene->n_breaks;
-  size_t lo = 0, hi = n; /* breaks <= t (forward) or < t */
-  while (lo < hi) {
-    const size_t mid = lo + (hi - lo) / 2;
-    if (forward ? scene->breaks_s[mid] <= t : scene->breaks_s[mid] < t) {
-      lo = mid + 1;
-    } else {
-      hi = mid;
-    }
-  }
-  if (forward) return lo < n ? fmin(scene->breaks_s[lo], piece->end_s) : piece->end_s;
-  return lo > 0 ? fmax(scene->breaks_s[lo - 1], piece->start_s) : piece->start_s;
+  const size_t n = scene->n_breaks, k = rot_bound(n, scene->breaks_s, t, forward);
+  if (forward) return k < n ? fmin(scene->breaks_s[k], piece->end_s) : piece->end_s;
+  return k > 0 ? fmax(scene->breaks_s[k - 1], piece->start_s) : piece->start_s;
 }
 
-/* Makes ready for the stretch beyond the base; returns its end. */
-static double begin_stretch(forced_run *run, int forward) {
+/* The piece beyond the base. */
+static void enter_piece(forced_run *run) {
   const rot_axle_scene *scene = run->scene;
   const double base_s = run->base.time_s;
   const rot_torque *knots = &scene->linear.torque;
-  run->piece = rot_torque_piece_at(knots, rot_torque_find(knots, base_s, forward));
-  const double stop = next_stop(scene, base_s, forward, &run->piece);
+  run->piece = rot_torque_piece_at(knots, rot_torque_find(knots, base_s, run->forward));
+  run->end_s = next_stop(scene, base_s, run->forward, &run->piece);
   run->n_terms = 0;
   run->k_max = 0;
   for (size_t i = 0; i < scene->n_terms; i++) {
     forced_term *f = &run->term[run->n_terms];
-    prepare(f, scene, &scene->terms[i], base_s, forward ? base_s : stop);
+    prepare(f, scene, &scene->terms[i], base_s, run->forward ? base_s : run->end_s);
     if (!f->term) continue;
     run->n_terms++;
     if (f->degree + 2 > run->k_max && f->degree >= 0) run->k_max = f->degree + 2;
   }
-  run->info->steps++;
-  return stop;
 }
 
-/* Rows [first, last) away from the start, forward in time or backward. */
-static rot_status march(forced_run *run, size_t first, size_t last, int forward,
-                        const rot_hooks *hooks) {
-  const size_t total = last - first;
-  size_t done = 0;
+static void restart(void *model, int forward) {
+  forced_run *run = model;
+  run->forward = forward;
   run->base = rot_axle_start(&run->scene->linear);
-  while (done < total) {
-    const double stop = begin_stretch(run, forward);
-    for (; done < total; done++) {
-      const size_t i = forward ? first + done : last - 1 - done;
-      const double t = run->time_s[i];
-      if (forward ? t >= stop : t <= stop) break;
-      const rot_status status = one_row(run, i);
-      if (status != ROT_OK) return status;
-      if (forward) run->info->rows_done = i + 1; /* backward, the first rows come last */
-      if (done % ROWS_PER_POLL == ROWS_PER_POLL - 1) {
-        const rot_status poll = rot_poll(hooks, (double)(first + done) / (double)last);
-        if (poll != ROT_OK) return poll;
-      }
-    }
-    if (done == total) break;
-    if (run->info->steps % ROWS_PER_POLL == 0) {
-      const rot_status poll = rot_poll(hooks, (double)(first + done) / (double)last);
-      if (poll != ROT_OK) return poll;
-    }
-    run->base = state_at(run, stop);
-    run->info->time_s = stop;
-    if (!in_range(&run->base)) return ROT_ERANGE;
-    rot_note_state(run->info, run->base.theta_rad, run->base.omega_rad_per_s);
-  }
-  return ROT_OK;
+  enter_piece(run);
 }
 
-static size_t rows_before(double start_s, size_t n, const double time_s[]) {
-  size_t lo = 0, hi = n;
-  while (lo < hi) {
-    const size_t mid = lo + (hi - lo) / 2;
-    if (time_s[mid] < start_s) {
-      lo = mid + 1;
-    } else {
-      hi = mid;
-    }
-  }
-  return lo;
+static double piece_end(const void *model) { return ((const forced_run *)model)->end_s; }
+
+static void next_piece(void *model, rot_axle_point *at_end) {
+  forced_run *run = model;
+  run->base = move(run, run->end_s);
+  *at_end = point_of(&run->base);
+  enter_piece(run);
 }
 
 rot_status rot_axle_forced(const rot_axle_scene *scene, size_t n, const double time_s[],
                            const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                            rot_info *info) {
+  static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   (void)events; /* nothing sticks, slips or locks */
   rot_info_clear(info);
   info->time_s = scene->linear.start_s;
   if (!rot_axle_forced_fits(scene)) return info->status = ROT_EVALUE;
-  forced_run run = {0};
-  run.scene = scene;
-  run.time_s = time_s;
-  run.out = out;
-  run.info = info;
+  forced_run run = {.scene = scene};
   run.term = malloc((scene->n_terms ? scene->n_terms : 1) * sizeof *run.term);
   if (!run.term) return info->status = ROT_ENOMEM;
-  rot_note_state(info, scene->linear.theta0_rad, scene->linear.omega0_rad_per_s);
-  const size_t before = rows_before(scene->linear.start_s, n, time_s);
-  info->status = march(&run, 0, before, 0, hooks);
-  if (info->status == ROT_OK) {
-    info->rows_done = before;
-    info->status = march(&run, before, n, 1, hooks);
-  }
+  rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);
   free(run.term);
   return info->status;
 }

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "rot_axle_march.h"
+#include "rot_axle_pieces.h"
 #include "rot_oscillator.h"
 
 /* The answer to the knots is marched from piece to piece. The answer to each wave is taken from the
@@ -213,7 +213,7 @@ static void begin_wave(const swing *run, const rot_term *term, wave *out) {
 
 /* Steady answer, less the free motion that meets it at the start. */
 static void far_answer(const swing *run, const wave *w, const rot_oscillator_step *step, double t,
-                       rot_march_state *sum) {
+                       rot_axle_point *sum) {
   const double T = run->unit_s, w2 = run->of.stiff.hi, rate = w->rate, psi1 = fabs(step->psi1);
   const rot_complex now = times(w->steady, turn(w->omega, t, w->phase));
   const rot_complex start = times(w->steady, w->start);
@@ -235,7 +235,7 @@ static void far_answer(const swing *run, const wave *w, const rot_oscillator_ste
 }
 
 static void wave_answer(const swing *run, const wave *w, const rot_oscillator_step *step, double t,
-                        rot_march_state *sum) {
+                        rot_axle_point *sum) {
   const double s = t - run->scene->linear.start_s, I = run->of.inertia;
   const int plain = run->tame && tame(s);
   rot_complex y, v;
@@ -259,10 +259,10 @@ static void wave_answer(const swing *run, const wave *w, const rot_oscillator_st
 
 /* All waves at t; `step` is from the base, and from the start of the scene only if that is it. */
 static void all_waves(const swing *run, const rot_oscillator_step *step, double t,
-                      rot_march_state *sum) {
+                      rot_axle_point *sum) {
   const double start = run->scene->linear.start_s;
   rot_oscillator_step from_start;
-  *sum = (rot_march_state){0.0, 0.0, 0.0, 0.0};
+  *sum = (rot_axle_point){0.0, 0.0, 0.0, 0.0};
   if (run->n_waves == 0) return;
   if (run->base.time_s != start) {
     rot_oscillator_at(&run->of, rot_dd_sum2(t, -start), &from_start);
@@ -288,9 +288,9 @@ static double piece_end(const void *model) {
 }
 
 /* Knots and waves together. */
-static void move(const swing *run, double t, base_state *to, rot_march_state *state) {
+static void move(const swing *run, double t, base_state *to, rot_axle_point *state) {
   rot_oscillator_step step;
-  rot_march_state waves;
+  rot_axle_point waves;
   rot_oscillator_at(&run->of, rot_dd_sum2(t, -run->base.time_s), &step);
   knots_step(run, &step, t, to);
   all_waves(run, &step, t, &waves);
@@ -300,12 +300,12 @@ static void move(const swing *run, double t, base_state *to, rot_march_state *st
   state->omega_error = to->omega_error + waves.omega_error + ROT_EPS * fabs(state->omega_rad_per_s);
 }
 
-static void state_at(const void *model, double t, rot_march_state *state) {
+static void state_at(const void *model, double t, rot_axle_point *state) {
   base_state at;
   move(model, t, &at, state);
 }
 
-static void next_piece(void *model, rot_march_state *at_end) {
+static void next_piece(void *model, rot_axle_point *at_end) {
   swing *run = model;
   base_state end;
   move(run, piece_end(run), &end, at_end);
@@ -371,13 +371,13 @@ static rot_status begin(const rot_axle_scene *scene, swing *run) {
 rot_status rot_axle_oscillator(const rot_axle_scene *scene, size_t n, const double time_s[],
                                const rot_axle_columns *out, rot_events *events,
                                const rot_hooks *hooks, rot_info *info) {
+  static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   swing run;
-  const rot_march march = {&run, restart, piece_end, next_piece, state_at};
   (void)events; /* nothing happens here that would be one */
   rot_info_clear(info);
   info->status = begin(scene, &run);
   if (info->status == ROT_OK) {
-    rot_axle_march(scene, &march, n, time_s, out, hooks, info);
+    rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);
   }
   free(run.waves);
   return info->status;

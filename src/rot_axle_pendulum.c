@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "rot_axle_march.h"
+#include "rot_axle_pieces.h"
 #include "rot_jacobi.h"
 
 typedef enum manner { STILL, TO_AND_FRO, SEPARATRIX, ALL_ROUND, TOO_NEAR } manner;
@@ -211,8 +211,7 @@ static void set_angle(pose *out, double sine, double cosine, double turns) {
   out->half_phi = high ? -side * atan2(cosine, fabs(sine)) : atan2(sine, cosine);
 }
 
-/* What u is off for. Above 2^52 even the whole turns are rounded. */
-
+/* The error of u. Above 2^52 even the whole turns are rounded. */
 static double argument_error(const pendulum *p, rot_dd u, double turns) {
   const double uncounted =
       fabs(turns) > 0x1p52 ? p->jacobi.k.hi * (2.0 + 0x1p-51 * fabs(turns)) : 0.0;
@@ -268,14 +267,14 @@ static void separatrix_pose(const pendulum *p, rot_dd u, pose *out) {
 /* Results below the smallest normal double are off by a unit of the smallest of all. */
 static const double least = 0x1p-1070;
 
-static void state_at(const void *model, double t, rot_march_state *state) {
+static void state_at(const void *model, double t, rot_axle_point *state) {
   static const rot_dd pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
   const pendulum *p = model;
   const rot_axle_params *at = &p->scene->linear;
   const double rest = p->scene->terms[0].x[1];
   pose at_t;
   if (p->manner == STILL || t == at->start_s) {
-    *state = (rot_march_state){at->theta0_rad, at->omega0_rad_per_s, 0.0, 0.0};
+    *state = (rot_axle_point){at->theta0_rad, at->omega0_rad_per_s, 0.0, 0.0};
     return;
   }
   const rot_dd u = run_of_u(p, rot_dd_sum2(t, -at->start_s));
@@ -318,6 +317,7 @@ static const double farthest = 1e15; /* rad: whole turns are counted exactly */
 rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double time_s[],
                              const rot_axle_columns *out, rot_events *events,
                              const rot_hooks *hooks, rot_info *info) {
+  static const rot_axle_pieces pieces = {restart, piece_end, NULL, state_at};
   pendulum run = {.scene = scene};
   (void)events; /* nothing happens here that would be one */
   rot_info_clear(info);
@@ -327,8 +327,7 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
   if (!(fabs(p->theta0_rad - rest) <= farthest)) return info->status = ROT_ERANGE;
   begin(&run, p->inertia_kg_m2, gravity, p->theta0_rad, rest, p->omega0_rad_per_s);
   if (run.manner == TOO_NEAR) return info->status = ROT_ERANGE;
-  const rot_march march = {&run, restart, piece_end, NULL, state_at};
-  return rot_axle_march(scene, &march, n, time_s, out, hooks, info);
+  return rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);
 }
 
 double rot_pendulum_period(double inertia_kg_m2, double gravity_n_m, double theta_rad,

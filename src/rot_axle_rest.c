@@ -4,85 +4,80 @@
 
 #include "rot_real.h"
 
-enum { ROWS_PER_POLL = 8192, STEPS_PER_POLL = 1024 };
-
-rot_status rot_axle_march_begin(rot_axle_march *march) {
-  const rot_axle_params *p = &march->scene->linear;
-  rot_axle_base *base = &march->base;
-  *base = (rot_axle_base){0};
-  base->time_s = p->start_s;
-  base->theta = p->theta0_rad;
-  base->omega = p->omega0_rad_per_s;
-  base->heading = (base->omega > 0.0) - (base->omega < 0.0);
-  march->done = 0;
-  rot_info_clear(march->info);
-  rot_note_state(march->info, base->theta, base->omega);
-  march->info->time_s = p->start_s;
-  if (march->n > 0 && !(march->time_s[0] >= p->start_s)) {
-    march->info->time_s = march->time_s[0];
-    return ROT_EVALUE;
-  }
-  return ROT_OK;
+rot_axle_rest rot_axle_rest_from(const rot_axle_scene *scene, size_t n, const double time_s[],
+                                 const rot_axle_columns *out, rot_events *events, rot_info *info) {
+  const rot_axle_params *p = &scene->linear;
+  const double omega = p->omega0_rad_per_s;
+  rot_axle_rest rest = {.scene = scene, .time_s = time_s, .out = out, .events = events};
+  rest.info = info;
+  rest.last_s = n ? time_s[n - 1] : (double)INFINITY;
+  rest.base = (rot_axle_base){.time_s = p->start_s, .theta = p->theta0_rad, .omega = omega};
+  rest.base.heading = (omega > 0.0) - (omega < 0.0);
+  rest.index = rot_torque_find(&p->torque, p->start_s, 1);
+  rest.piece = rot_torque_piece_at(&p->torque, rest.index);
+  rot_info_clear(info);
+  info->time_s = p->start_s;
+  rot_note_state(info, p->theta0_rad, omega);
+  return rest;
 }
 
-double rot_axle_march_elapsed(const rot_axle_march *march, double t, double *lo) {
-  double first, second, s = rot_two_sum(t, -march->base.time_s, &first);
-  s = rot_two_sum(s, first - march->base.time_lo, &second);
+int rot_axle_rest_enter(rot_axle_rest *rest) {
+  rot_torque_piece *piece = &rest->piece;
+  const size_t before = rest->index;
+  double lo;
+  while (isfinite(piece->end_s) && (rot_axle_rest_elapsed(rest, piece->end_s, &lo) <= 0.0 ||
+                                    piece->start_s == piece->end_s)) {
+    *piece = rot_torque_piece_at(&rest->scene->linear.torque, ++rest->index);
+  }
+  return rest->index != before;
+}
+
+double rot_axle_rest_elapsed(const rot_axle_rest *rest, double t, double *lo) {
+  double first, second, s = rot_two_sum(t, -rest->base.time_s, &first);
+  s = rot_two_sum(s, first - rest->base.time_lo, &second);
   if (s < 0.0) s = second = 0.0;
   *lo = second;
   return s;
 }
 
-int rot_axle_march_row_before(const rot_axle_march *march, double end_s) {
-  return march->done < march->n && march->time_s[march->done] < end_s;
-}
-
-double rot_axle_march_horizon(const rot_axle_march *march) {
-  return march->endless || march->n == 0 ? (double)INFINITY : march->time_s[march->n - 1];
-}
-
-rot_status rot_axle_march_row(rot_axle_march *march, double theta, double omega, double applied,
-                              double theta_error, double omega_error) {
-  const rot_axle_scene *scene = march->scene;
-  const size_t i = march->done;
-  const double t = march->time_s[i];
-  march->info->time_s = t;
+rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, double theta, double omega,
+                             double applied, double theta_error, double omega_error) {
+  const rot_axle_scene *scene = rest->scene;
+  const rot_axle_columns *out = rest->out;
   if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
-  rot_axle_scene_row(scene, march->out, i, t, theta, omega, applied, march->base.stuck);
-  if (omega == 0.0 && !march->base.stuck && scene->coulomb_n_m > 0.0) {
+  rot_axle_scene_row(scene, out, i, rest->time_s[i], theta, omega, applied, rest->base.stuck);
+  if (omega == 0.0 && !rest->base.stuck && scene->coulomb_n_m > 0.0) {
     /* It is about to leave: friction is there already. */
-    march->out->damping_n_m[i] = -copysign(scene->coulomb_n_m, applied);
-    march->out->net_n_m[i] = applied + march->out->damping_n_m[i];
+    out->damping_n_m[i] = -copysign(scene->coulomb_n_m, applied);
+    out->net_n_m[i] = applied + out->damping_n_m[i];
   }
-  rot_note_row(march->info, theta, omega, theta_error, omega_error);
-  march->info->rows_done = ++march->done;
-  if (march->done % ROWS_PER_POLL) return ROT_OK;
-  return rot_poll(march->hooks, (double)march->done / (double)march->n);
+  rot_note_row(rest->info, theta, omega, theta_error, omega_error);
+  return ROT_OK;
 }
 
-rot_status rot_axle_march_held(rot_axle_march *march, double end_s) {
-  rot_axle_base *base = &march->base;
-  rot_status status = ROT_OK;
+rot_status rot_axle_rest_held_row(rot_axle_rest *rest, size_t i) {
+  const rot_axle_base *base = &rest->base;
+  const double t = rest->time_s[i];
   double lo;
-  while (status == ROT_OK && rot_axle_march_row_before(march, end_s)) {
-    const double t = march->time_s[march->done];
-    const int near = rot_axle_march_elapsed(march, t, &lo) <= base->settle_s;
-    status = rot_axle_march_row(march, base->theta, 0.0,
-                                rot_axle_scene_applied(march->scene, t, base->theta, 0.0, 0.0),
-                                base->theta_error, near ? base->omega_error : 0.0);
-  }
-  if (status != ROT_OK || !isfinite(end_s)) return status;
-  if (rot_axle_march_elapsed(march, end_s, &lo) > base->settle_s) {
+  const int near = rot_axle_rest_elapsed(rest, t, &lo) <= base->settle_s;
+  return rot_axle_rest_row(rest, i, base->theta, 0.0,
+                           rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, 0.0),
+                           base->theta_error, near ? base->omega_error : 0.0);
+}
+
+void rot_axle_rest_hold(rot_axle_rest *rest, double end_s) {
+  rot_axle_base *base = &rest->base;
+  double lo;
+  if (rot_axle_rest_elapsed(rest, end_s, &lo) > base->settle_s) {
     base->settle_s = base->omega_error = 0.0;
   }
   base->time_s = end_s;
   base->time_lo = 0.0;
-  return ROT_OK;
 }
 
-rot_status rot_axle_march_move(rot_axle_march *march, double time_s, double time_lo, double dtheta,
-                               double omega, double theta_error, double omega_error) {
-  rot_axle_base *base = &march->base;
+rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo, double dtheta,
+                              double omega, double theta_error, double omega_error) {
+  rot_axle_base *base = &rest->base;
   double lo;
   base->time_s = rot_two_sum(time_s, time_lo, &base->time_lo);
   base->theta = rot_two_sum(base->theta, dtheta, &lo);
@@ -91,37 +86,26 @@ rot_status rot_axle_march_move(rot_axle_march *march, double time_s, double time
   base->theta_error = theta_error;
   base->omega_error = omega_error;
   if (omega != 0.0) base->heading = omega > 0.0 ? 1 : -1;
-  if (!march->endless) march->info->time_s = base->time_s;
   if (!(isfinite(base->theta) && isfinite(omega))) return ROT_ERANGE;
-  rot_note_state(march->info, base->theta, omega);
+  rot_note_state(rest->info, base->theta, omega);
   return ROT_OK;
 }
 
-rot_status rot_axle_march_rest(rot_axle_march *march, double applied, int *leaves) {
-  rot_axle_base *base = &march->base;
-  const double most = march->scene->static_n_m;
-  rot_status status = ROT_OK;
-  if (fabs(applied) <= most) {
-    if (!base->stuck && most > 0.0) {
-      status = rot_events_add(march->events, base->time_s, ROT_EVENT_STICK);
-    }
-    base->stuck = 1;
-    *leaves = 0;
-    return status;
+rot_status rot_axle_rest_decide(rot_axle_rest *rest, double applied, int *leaves) {
+  rot_axle_base *base = &rest->base;
+  const double most = rest->scene->static_n_m;
+  const int was_stuck = base->stuck, heading = base->heading;
+  base->stuck = fabs(applied) <= most;
+  *leaves = base->stuck ? 0 : applied > 0.0 ? 1 : -1;
+  if (base->stuck) {
+    if (was_stuck || !(most > 0.0)) return ROT_OK;
+    return rot_events_add(rest->events, base->time_s, ROT_EVENT_STICK);
   }
-  *leaves = applied > 0.0 ? 1 : -1;
-  if (most > 0.0 && (base->stuck || base->heading == 0)) {
-    status = rot_events_add(march->events, base->time_s, ROT_EVENT_SLIP);
-  } else if (base->heading != 0 && *leaves != base->heading) {
-    status = rot_events_add(march->events, base->time_s, ROT_EVENT_REVERSE);
-  }
-  base->stuck = 0;
   base->settle_s = 0.0;
   base->heading = *leaves;
-  return status;
-}
-
-rot_status rot_axle_march_step(rot_axle_march *march) {
-  if (++march->info->steps % STEPS_PER_POLL) return ROT_OK;
-  return rot_poll(march->hooks, march->n ? (double)march->done / (double)march->n : 0.0);
+  if (most > 0.0 && (was_stuck || heading == 0)) {
+    return rot_events_add(rest->events, base->time_s, ROT_EVENT_SLIP);
+  }
+  if (heading == 0 || *leaves == heading) return ROT_OK;
+  return rot_events_add(rest->events, base->time_s, ROT_EVENT_REVERSE);
 }

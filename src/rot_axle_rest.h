@@ -1,7 +1,10 @@
-/* What the marching models with friction share: the state from which rows are computed, with its
- * time to twice the precision, and what happens where omega is zero:
+/* What the models with friction share: the base from which rows are computed, with its time to
+ * twice the precision, the piece of the torque that it lies in, and what happens where omega is
+ * zero:
  *
- *   |applied| <= tau_s: held;   else it leaves in the torque's direction. */
+ *   |applied| <= tau_s: held;   else it leaves in the torque's direction.
+ *
+ * A model moves from base to base in legs: one motion, or one hold, inside one piece. */
 #ifndef ROT_AXLE_REST_H
 #define ROT_AXLE_REST_H
 
@@ -15,39 +18,37 @@ typedef struct rot_axle_base {
   double settle_s; /* at rest: how uncertain the time of the stop is */
 } rot_axle_base;
 
-typedef struct rot_axle_march {
+typedef struct rot_axle_rest {
   const rot_axle_scene *scene;
-  size_t n, done; /* rows, and how many are filled */
   const double *time_s;
   const rot_axle_columns *out;
   rot_events *events;
-  const rot_hooks *hooks;
   rot_info *info;
+  double last_s; /* of the rows; Inf: there is none */
   rot_axle_base base;
-  int endless; /* march on without rows, until nothing more happens */
-} rot_axle_march;
+  size_t index; /* of the piece */
+  rot_torque_piece piece;
+} rot_axle_rest;
 
-/* At the start of the scene. ROT_EVALUE where a row lies before it: friction runs forward only. */
-rot_status rot_axle_march_begin(rot_axle_march *march);
+/* At the start of the scene, the report of the run begun; n may be 0. */
+rot_axle_rest rot_axle_rest_from(const rot_axle_scene *scene, size_t n, const double time_s[],
+                                 const rot_axle_columns *out, rot_events *events, rot_info *info);
+/* On to the piece that the base lies in, if it is not the present one; whether it was not. */
+int rot_axle_rest_enter(rot_axle_rest *rest);
 /* Time from the base to t, to twice the precision; not below 0. */
-double rot_axle_march_elapsed(const rot_axle_march *march, double t, double *lo);
-/* Is there a row before `end_s`, or only an endless way? */
-int rot_axle_march_row_before(const rot_axle_march *march, double end_s);
-/* The last time that matters: the last row's, or Inf. */
-double rot_axle_march_horizon(const rot_axle_march *march);
+double rot_axle_rest_elapsed(const rot_axle_rest *rest, double t, double *lo);
 
-/* Write the next row, at its time. */
-rot_status rot_axle_march_row(rot_axle_march *march, double theta, double omega, double applied,
-                              double theta_error, double omega_error);
-/* Rows at rest before `end_s`; the base moves there. */
-rot_status rot_axle_march_held(rot_axle_march *march, double end_s);
-/* Move the base: by dtheta to `omega` at a time, with the errors there. */
-rot_status rot_axle_march_move(rot_axle_march *march, double time_s, double time_lo, double dtheta,
-                               double omega, double theta_error, double omega_error);
+/* Row i: moving, or held. */
+rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, double theta, double omega,
+                             double applied, double theta_error, double omega_error);
+rot_status rot_axle_rest_held_row(rot_axle_rest *rest, size_t i);
+
+/* Move the base: by dtheta to `omega` at a time, with the errors there; or, held, to a time. */
+rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo, double dtheta,
+                              double omega, double theta_error, double omega_error);
+void rot_axle_rest_hold(rot_axle_rest *rest, double end_s);
 /* The base is at rest and `applied` acts: *leaves is 0 where it is held, else the direction. Logs
  * what happens. */
-rot_status rot_axle_march_rest(rot_axle_march *march, double applied, int *leaves);
-/* Call once for each piece or event: counts steps and polls. */
-rot_status rot_axle_march_step(rot_axle_march *march);
+rot_status rot_axle_rest_decide(rot_axle_rest *rest, double applied, int *leaves);
 
 #endif

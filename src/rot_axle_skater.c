@@ -2,13 +2,13 @@
 
 #include <math.h>
 
-#include "rot_axle_march.h"
+#include "rot_axle_pieces.h"
 #include "rot_dd.h"
 
 /* Inertia, torque and momentum are divided by 2^exponent, so that their sizes do not matter. */
 typedef struct skater {
   const rot_axle_scene *scene;
-  rot_torque inertia; /* I(t) in the clothes of a torque law */
+  rot_torque inertia; /* I(t) stored as a rot_torque, to reuse its interpolation */
   int exponent, forward;
   size_t inertia_index, torque_index;
   rot_torque_piece inertia_piece;
@@ -113,7 +113,7 @@ static void move(const skater *run, double t, skater *to) {
                     angle_roundings * (fabs(coasted) + fabs(driven));
 }
 
-static void read_state(const skater *at, rot_march_state *state) {
+static void read_state(const skater *at, rot_axle_point *state) {
   state->theta_rad = at->theta.hi;
   state->omega_rad_per_s = quotient(at->momentum, at->moment);
   state->theta_error = at->theta_error + ROT_EPS * fabs(at->theta.hi);
@@ -121,7 +121,7 @@ static void read_state(const skater *at, rot_march_state *state) {
       at->momentum_error / at->moment + 10.0 * ROT_EPS * fabs(state->omega_rad_per_s);
 }
 
-static void state_at(const void *model, double t, rot_march_state *state) {
+static void state_at(const void *model, double t, rot_axle_point *state) {
   const skater *run = model;
   skater at;
   move(run, t, &at);
@@ -131,7 +131,7 @@ static void state_at(const void *model, double t, rot_march_state *state) {
   read_state(&at, state);
 }
 
-static void next_piece(void *model, rot_march_state *at_end) {
+static void next_piece(void *model, rot_axle_point *at_end) {
   skater *run = model, at;
   const double end = piece_end(run);
   move(run, end, &at);
@@ -163,8 +163,8 @@ static int fits(const rot_axle_scene *scene) {
 rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double time_s[],
                            const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                            rot_info *info) {
+  static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   skater run = {.scene = scene};
-  const rot_march march = {&run, restart, piece_end, next_piece, state_at};
   const double I = scene->linear.inertia_kg_m2, *moments = scene->inertia_kg_m2;
   const size_t knots = scene->n_inertia;
   (void)events; /* nothing happens here that would be one */
@@ -178,5 +178,5 @@ rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double t
                              NULL,
                              NULL};
   (void)frexp(rot_axle_scene_inertia(scene, scene->linear.start_s), &run.exponent);
-  return rot_axle_march(scene, &march, n, time_s, out, hooks, info);
+  return rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);
 }

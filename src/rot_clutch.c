@@ -2,7 +2,9 @@
 
 #include <math.h>
 
+#include "rot_march.h"
 #include "rot_real.h"
+#include "rot_search.h"
 
 /* ---- torques and inertias -------------------------------------------------------------------- */
 
@@ -33,16 +35,7 @@ static double relative_rate(const double inertia[2], double x) {
 }
 
 static size_t step_at(const rot_steps *steps, double t) {
-  size_t lo = 0, hi = steps->n;
-  while (lo < hi) {
-    const size_t mid = lo + (hi - lo) / 2;
-    if (steps->time_s[mid] <= t) {
-      lo = mid + 1;
-    } else {
-      hi = mid;
-    }
-  }
-  return lo;
+  return rot_upper_bound(steps->n, steps->time_s, t);
 }
 
 /* ---- the state ------------------------------------------------------------------------------- */
@@ -59,7 +52,8 @@ typedef struct clutch {
   double settled_s; /* the slip at the lock is known to be 0 from here on */
   /* of the stretch that begins at time_s */
   double tau[2], mean_rate, slip_rate, torque, needed;
-  int locked;
+  int locked, stops; /* stops: the stretch ends because the slip does */
+  double end_s;
 } clutch;
 
 static void begin(clutch *c, const rot_clutch_params *p) {
@@ -85,8 +79,33 @@ static void begin(clutch *c, const rot_clutch_params *p) {
 
 static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 
-/* What the clutch does from time_s on. */
-static void decide(clutch *c, int was_locked, rot_events *events, rot_status *status) {
+static double next_step(const rot_steps *steps, double t) {
+  const size_t i = step_at(steps, t);
+  return i < steps->n ? steps->time_s[i] : (double)INFINITY;
+}
+
+/* When the next torque changes after t. */
+static double next_torque(const rot_clutch_params *p, double t) {
+  return fmin(next_step(&p->torque_n_m[0], t), next_step(&p->torque_n_m[1], t));
+}
+
+/* When the slip ends, if nothing else happens; Inf if it does not. */
+static double stop_time(const clutch *c) {
+  if (sign(c->slip_omega) * sign(c->slip_rate) >= 0) return INFINITY;
+  return c->time_s - c->slip_omega / c->slip_rate;
+}
+
+/* The stretch ends where the slip does, or where something changes from outside. */
+static void find_end(clutch *c) {
+  const double stop = stop_time(c), engage_s = c->p->engage_s;
+  c->end_s = next_torque(c->p, c->time_s);
+  if (engage_s > c->time_s) c->end_s = fmin(c->end_s, engage_s);
+  c->stops = stop <= c->end_s;
+  if (c->stops) c->end_s = fmax(stop, c->time_s);
+}
+
+/* The stretch from time_s on. */
+static rot_status enter(clutch *c, int was_locked, rot_events *events) {
   const rot_clutch_params *p = c->p;
   const int engaged = c->time_s >= p->engage_s;
   for (int i = 0; i < 2; i++) {
@@ -104,12 +123,11 @@ static void decide(clutch *c, int was_locked, rot_events *events, rot_status *st
     c->torque = engaged ? way * p->capacity_n_m : 0.0;
     c->slip_rate = relative_rate(p->inertia_kg_m2, c->needed - c->torque);
   }
-  if (*status == ROT_OK && c->locked && !was_locked && c->time_s > p->start_s) {
-    *status = rot_events_add(events, c->time_s, ROT_EVENT_LOCK);
+  find_end(c);
+  if (c->locked && !was_locked && c->time_s > p->start_s) {
+    return rot_events_add(events, c->time_s, ROT_EVENT_LOCK);
   }
-  if (*status == ROT_OK && !c->locked && was_locked) {
-    *status = rot_events_add(events, c->time_s, ROT_EVENT_SLIP);
-  }
+  return !c->locked && was_locked ? rot_events_add(events, c->time_s, ROT_EVENT_SLIP) : ROT_OK;
 }
 
 /* The state at a later time of the same stretch; s = time - time_s. */
@@ -139,22 +157,10 @@ static clutch after(const clutch *c, double time) {
   return to;
 }
 
-/* When the slip ends, if nothing else happens; Inf if it does not. */
-static double stop_time(const clutch *c) {
-  if (sign(c->slip_omega) * sign(c->slip_rate) >= 0) return INFINITY;
-  return c->time_s - c->slip_omega / c->slip_rate;
-}
-
-static double next_step(const rot_steps *steps, double t) {
-  const size_t i = step_at(steps, t);
-  return i < steps->n ? steps->time_s[i] : (double)INFINITY;
-}
-
-/* Goes to the end of the stretch at `end`: the slip stops, or something changes from outside. */
-static rot_status cross(clutch *c, double end, int stops, rot_events *events) {
-  const int was_locked = c->locked, way = sign(c->slip_omega);
-  rot_status status = ROT_OK;
-  const double rate = fabs(c->slip_rate), heat = c->heat;
+/* Goes to the end of the stretch, and enters the next one. */
+static rot_status cross(clutch *c, rot_events *events) {
+  const int was_locked = c->locked, stops = c->stops, way = sign(c->slip_omega);
+  const double rate = fabs(c->slip_rate), heat = c->heat, end = c->end_s;
   if (stops) {
     /* w dt + A dt^2/2 with dt = -w/A is -w^2/(2 A), without the rounding of the time itself. */
     const double w = c->slip_omega, turned = 0.5 * w * (-w / c->slip_rate);
@@ -169,33 +175,52 @@ static rot_status cross(clutch *c, double end, int stops, rot_events *events) {
     *c = after(c, end);
     if (was_locked && end > c->settled_s) c->slip_omega_error = 0.0;
   }
-  decide(c, was_locked, events, &status);
+  rot_status status = enter(c, was_locked, events);
   /* An error of the time at zero counts by what the slip does next. */
   if (stops && fabs(c->slip_rate) > rate) c->slip_omega_error *= fabs(c->slip_rate) / rate;
   if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -way) {
     status = rot_events_add(events, c->time_s, ROT_EVENT_REVERSE);
   }
+  if (status != ROT_OK) return status;
+  return isfinite(c->mean_theta) && isfinite(c->slip_theta) ? ROT_OK : ROT_ERANGE;
+}
+
+/* To the stretch that holds time t. */
+static rot_status advance(clutch *c, double t) {
+  rot_status status = ROT_OK;
+  while (status == ROT_OK && c->end_s <= t) status = cross(c, NULL);
   return status;
 }
 
-/* To time t, or as far as it goes. */
-static rot_status advance(clutch *c, double t, size_t *steps, rot_events *events) {
-  for (;;) {
-    double stop = stop_time(c), end = fmin(next_step(&c->p->torque_n_m[0], c->time_s),
-                                           next_step(&c->p->torque_n_m[1], c->time_s));
-    if (c->p->engage_s > c->time_s) end = fmin(end, c->p->engage_s);
-    const int stops = stop <= end;
-    if (stops) end = fmax(stop, c->time_s);
-    if (!(end <= t)) return ROT_OK;
-    const rot_status status = cross(c, end, stops, events);
-    if (status != ROT_OK) return status;
-    if (!(isfinite(c->mean_theta) && isfinite(c->slip_theta))) return ROT_ERANGE;
-    ++*steps;
-  }
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+typedef struct clutch_run {
+  clutch at;
+  const double *time_s;
+  const rot_clutch_columns *out;
+  rot_events *events;
+  rot_info *info;
+} clutch_run;
+
+static rot_status restart(void *model, int forward) {
+  clutch_run *run = model;
+  return forward ? enter(&run->at, 1, NULL) : ROT_EVALUE;
 }
 
-static rot_status write_row(const clutch *at, const rot_clutch_columns *out, size_t i,
-                            rot_info *info) {
+static int holds(const void *model, double time_s) {
+  return !(((const clutch_run *)model)->at.end_s <= time_s);
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  clutch_run *run = model;
+  *end_s = run->at.end_s;
+  return cross(&run->at, run->events);
+}
+
+static rot_status write_row(void *model, size_t i) {
+  const clutch_run *run = model;
+  const clutch state = after(&run->at, run->time_s[i]), *at = &state;
+  const rot_clutch_columns *out = run->out;
   const double way[2] = {at->share[1], -at->share[0]};
   for (int b = 0; b < 2; b++) {
     const int first = at->time_s == at->p->start_s;
@@ -206,7 +231,7 @@ static rot_status write_row(const clutch *at, const rot_clutch_columns *out, siz
     const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
     out->theta_rad[b][i] = theta;
     out->omega_rad_per_s[b][i] = omega;
-    rot_note_row(info, theta, omega,
+    rot_note_row(run->info, theta, omega,
                  at->mean_theta_error + fabs(way[b]) * at->slip_theta_error +
                      ROT_EPS * (4.0 * fabs(way[b] * at->slip_theta) + fabs(theta)),
                  at->mean_omega_error + fabs(way[b]) * slip_error +
@@ -221,24 +246,12 @@ static rot_status write_row(const clutch *at, const rot_clutch_columns *out, siz
 rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
                           const rot_clutch_columns *out, rot_events *events, const rot_hooks *hooks,
                           rot_info *info) {
-  clutch c;
-  rot_status status = ROT_OK;
+  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  clutch_run run = {.time_s = time_s, .out = out, .events = events, .info = info};
   rot_info_clear(info);
-  begin(&c, p);
-  decide(&c, 1, NULL, &status);
+  begin(&run.at, p);
   for (int b = 0; b < 2; b++) rot_note_state(info, p->theta0_rad[b], p->omega0_rad_per_s[b]);
-  for (size_t i = 0; i < n && status == ROT_OK; i++) {
-    info->time_s = time_s[i];
-    status = time_s[i] >= p->start_s ? advance(&c, time_s[i], &info->steps, events) : ROT_EVALUE;
-    if (status != ROT_OK) break;
-    const clutch at = after(&c, time_s[i]);
-    status = write_row(&at, out, i, info);
-    if (status != ROT_OK) break;
-    info->rows_done = i + 1;
-    if (i % 8192 == 8191) status = rot_poll(hooks, (double)i / (double)n);
-  }
-  info->steps += n > 0;
-  return info->status = status;
+  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
 }
 
 /* ---- work ------------------------------------------------------------------------------------ */
@@ -260,31 +273,25 @@ static void add_work(const clutch *from, const clutch *to, double *work, double 
 rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s, double *work_j,
                            double *rounding_j) {
   clutch c;
-  rot_status status = ROT_OK;
-  size_t steps = 0;
   *work_j = *rounding_j = 0.0;
-  begin(&c, p);
-  decide(&c, 1, NULL, &status);
   if (!(from_s >= p->start_s && to_s >= from_s)) return ROT_EVALUE;
-  status = advance(&c, from_s, &steps, NULL);
+  begin(&c, p);
+  rot_status status = enter(&c, 1, NULL);
+  if (status == ROT_OK) status = advance(&c, from_s);
   if (status != ROT_OK) return status;
   c = after(&c, from_s);
+  find_end(&c);
   /* The torques change at their steps only, whatever the clutch does between them. */
   for (;;) {
-    const double end = fmin(
-        to_s, fmin(next_step(&p->torque_n_m[0], c.time_s), next_step(&p->torque_n_m[1], c.time_s)));
+    const double end = fmin(to_s, next_torque(p, c.time_s));
     clutch to = c;
-    for (;;) { /* up to the end, not beyond: the torques of the stretch are those before it */
-      double stop = stop_time(&to);
-      const int engages = p->engage_s > to.time_s && p->engage_s < end && !(stop <= p->engage_s);
-      if (!engages && !(stop < end)) break;
-      status = cross(&to, engages ? p->engage_s : fmax(stop, to.time_s), !engages, NULL);
-      if (status != ROT_OK) return status;
-    }
+    /* Up to the end, not beyond: the torques of the stretch are those before it. */
+    while (status == ROT_OK && to.end_s < end) status = cross(&to, NULL);
+    if (status != ROT_OK) return status;
     to = after(&to, end);
     add_work(&c, &to, work_j, rounding_j);
     if (!(end < to_s)) break;
-    status = advance(&c, end, &steps, NULL);
+    status = advance(&c, end);
     if (status != ROT_OK) return status;
   }
   return isfinite(*work_j) ? ROT_OK : ROT_ERANGE;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "rot_expm.h"
+#include "rot_march.h"
 #include "rot_real.h"
 #include "rot_shaft.h"
 #include "rot_shaft_mode.h"
@@ -14,9 +15,15 @@ enum { ROWS_PER_ANCHOR = 64 };
 
 typedef struct modal_run {
   const rot_shaft *s;
+  const double *time_s;
+  size_t rows;
   const rot_rotors_columns *out;
   rot_info *info;
   double *p, *r, *error; /* n each: the modes at the row, and their errors */
+  int fast;
+  rot_shaft_stepper one, grid; /* coupled modes: a jump from the start, a step of an even grid */
+  double *state;
+  size_t even_left; /* rows of the grid that are still to come */
 } modal_run;
 
 /* Angles, rates and torques from the modes. */
@@ -88,12 +95,14 @@ static size_t even_rows(const rot_shaft *s, size_t n, const double time_s[], siz
 }
 
 /* Rows i .. i + count - 1, evenly h apart, row i at hand: one matrix times a vector each, with the
- * small part of the time that is not even set right to first order. */
-static rot_status even_stretch(const modal_run *run, rot_shaft_stepper *grid, double state[],
-                               size_t i, size_t count, const double time_s[]) {
+ * small part of the time that is not even set right to first order. *end: the rows written. */
+static rot_status even_stretch(const modal_run *run, size_t i, size_t count, size_t *end) {
   const rot_shaft *s = run->s;
+  const rot_shaft_stepper *grid = &run->grid;
   const size_t n = s->n, size = grid->size;
+  const double *time_s = run->time_s;
   double *next = grid->work, *slope = grid->work + size, *moved = grid->work + 2 * size;
+  double *state = run->state;
   for (size_t m = 0; m < n; m++) {
     const double weight = m == 0 ? s->root_inertia : 1.0;
     state[m] = run->p[m] * weight / (m <= s->floppy ? fabs(grid->step) : 1.0);
@@ -113,66 +122,50 @@ static rot_status even_stretch(const modal_run *run, rot_shaft_stepper *grid, do
                             run->error);
     const rot_status status = write_row(run, i + k, t);
     if (status != ROT_OK) return status;
-    run->info->rows_done = i + k + 1;
-    run->info->time_s = time_s[i + k];
+    *end = i + k + 1;
   }
   return ROT_OK;
 }
 
-static rot_status rows_together(const modal_run *run, int fast, size_t n, const double time_s[],
-                                double memory[], const rot_hooks *hooks) {
+/* A row by one exponential, and the rows of an even grid from there. */
+static rot_status coupled_rows(void *model, size_t i, size_t last, size_t *end) {
+  modal_run *run = model;
   const rot_shaft *s = run->s;
-  const size_t room = rot_shaft_system_room(s->n);
-  rot_shaft_stepper one = rot_shaft_stepper_in(s->n, memory),
-                    grid = rot_shaft_stepper_in(s->n, memory + room);
-  double *state = memory + 2 * room;
-  size_t even_left = 0;
-  for (size_t i = 0; i < n;) {
-    const double t = time_s[i] - s->p->start_s;
-    rot_status status = rot_shaft_jump(s, &one, t, state, run->p, run->r);
-    run->info->steps += status == ROT_OK;
-    if (status == ROT_OK) {
-      rot_shaft_system_errors(s, t, 0.0, run->p, run->r, run->error);
-      status = write_row(run, i, t);
+  const double t = run->time_s[i] - s->p->start_s;
+  *end = i;
+  rot_status status = rot_shaft_jump(s, &run->one, t, run->state, run->p, run->r);
+  if (status != ROT_OK) return status;
+  run->info->steps++;
+  rot_shaft_system_errors(s, t, 0.0, run->p, run->r, run->error);
+  status = write_row(run, i, t);
+  if (status != ROT_OK) return status;
+  *end = i + 1;
+  if (run->fast && run->even_left <= 1) {
+    run->even_left = even_rows(s, run->rows, run->time_s, i);
+    if (run->even_left > 1) {
+      status = rot_shaft_set_step(s, &run->grid, run->time_s[i + 1] - run->time_s[i]);
     }
-    run->info->time_s = time_s[i];
-    if (status != ROT_OK) return status;
-    run->info->rows_done = i + 1;
-    if (fast && even_left <= 1) {
-      even_left = even_rows(s, n, time_s, i);
-      if (even_left > 1) status = rot_shaft_set_step(s, &grid, time_s[i + 1] - time_s[i]);
-    }
-    if (status != ROT_OK) return status;
-    size_t count = even_left < ROWS_PER_ANCHOR ? even_left : ROWS_PER_ANCHOR;
-    if (count > 1) {
-      status = even_stretch(run, &grid, state, i, count, time_s);
-      even_left -= count;
-    } else {
-      count = 1;
-      even_left = 0;
-    }
-    if (status != ROT_OK) return status;
-    i += count;
-    status = rot_poll(hooks, (double)i / (double)n);
-    if (status != ROT_OK) return status;
   }
-  return ROT_OK;
+  size_t count = run->even_left < ROWS_PER_ANCHOR ? run->even_left : ROWS_PER_ANCHOR;
+  if (count > last - i) count = last - i;
+  if (status != ROT_OK || count <= 1) {
+    run->even_left = 0;
+    return status;
+  }
+  run->even_left -= count;
+  return even_stretch(run, i, count, end);
 }
 
-static rot_status rows_by_themselves(const modal_run *run, size_t n, const double time_s[],
-                                     const rot_hooks *hooks) {
-  for (size_t i = 0; i < n; i++) {
-    const double t = time_s[i] - run->s->p->start_s;
+static rot_status decoupled_rows(void *model, size_t i, size_t last, size_t *end) {
+  const modal_run *run = model;
+  rot_status status = ROT_OK;
+  for (*end = i; *end < last && *end < i + 256; ++*end) {
+    const double t = run->time_s[*end] - run->s->p->start_s;
     rot_shaft_modes_apart(run->s, t, run->p, run->r, run->error);
-    rot_status status = write_row(run, i, t);
-    run->info->time_s = time_s[i];
-    if (status != ROT_OK) return status;
-    run->info->rows_done = i + 1;
-    if (i % 256 == 255) status = rot_poll(hooks, (double)i / (double)n);
-    if (status != ROT_OK) return status;
+    status = write_row(run, *end, t);
+    if (status != ROT_OK) break;
   }
-  run->info->steps = n > 0;
-  return ROT_OK;
+  return status;
 }
 
 void rot_rotors_note_start(const rot_rotors_params *p, rot_info *info) {
@@ -182,20 +175,28 @@ void rot_rotors_note_start(const rot_rotors_params *p, rot_info *info) {
 
 rot_status rot_rotors_modal(const rot_rotors_params *p, int fast, size_t n, const double time_s[],
                             const rot_rotors_columns *out, const rot_hooks *hooks, rot_info *info) {
+  static const rot_march coupled = {.write_rows = coupled_rows};
+  static const rot_march decoupled = {.write_rows = decoupled_rows};
   rot_shaft s;
   rot_rotors_note_start(p, info);
   info->status = rot_shaft_build(&s, p);
   if (info->status == ROT_OK) {
-    const size_t room =
-        3 * p->n + (s.decoupled ? 0 : 2 * rot_shaft_system_room(p->n) + 2 * p->n + 1);
-    double *memory = malloc(room * sizeof *memory);
-    const modal_run run = {&s, out, info, memory, memory + p->n, memory + 2 * p->n};
-    if (!memory) {
-      info->status = ROT_ENOMEM;
-    } else if (s.decoupled) {
-      info->status = rows_by_themselves(&run, n, time_s, hooks);
+    const size_t room = s.decoupled ? 0 : rot_shaft_system_room(p->n);
+    double *memory = malloc((2 * room + 5 * p->n + 1) * sizeof *memory), *x = memory;
+    modal_run run = {.s = &s, .time_s = time_s, .rows = n, .out = out, .info = info, .fast = fast};
+    if (memory) {
+      if (!s.decoupled) {
+        run.one = rot_shaft_stepper_in(p->n, x);
+        run.grid = rot_shaft_stepper_in(p->n, x + room);
+      }
+      run.p = x += 2 * room;
+      run.r = x += p->n;
+      run.error = x += p->n;
+      run.state = x + p->n;
+      info->steps = s.decoupled && n > 0;
+      rot_march_rows(s.decoupled ? &decoupled : &coupled, &run, p->start_s, n, time_s, hooks, info);
     } else {
-      info->status = rows_together(&run, fast, n, time_s, memory + 3 * p->n, hooks);
+      info->status = ROT_ENOMEM;
     }
     free(memory);
   }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rot_march.h"
 #include "rot_phi.h"
 #include "rot_real.h"
 
@@ -72,9 +73,19 @@ void rot_rotors_lump_at(const rot_rotors_lump *s, double t, double *turned, doub
   *turned_size = fabs(s->omega0 * t) * phi[1] + fabs(s->alpha * t * t) * phi[2];
 }
 
-static rot_status lump_row(const rot_rotors_lump *s, const rot_rotors_columns *out, size_t row,
-                           double t, rot_info *info) {
+typedef struct rigid_run {
+  const rot_rotors_lump *s;
+  const double *time_s;
+  const rot_rotors_columns *out;
+  rot_info *info;
+} rigid_run;
+
+static rot_status write_row(void *model, size_t row) {
+  const rigid_run *run = model;
+  const rot_rotors_lump *s = run->s;
+  const rot_rotors_columns *out = run->out;
   const rot_rotors_params *p = s->p;
+  const double t = run->time_s[row] - p->start_s;
   const size_t n = s->n;
   const double rounding = (12.0 + 2.0 * (double)n) * ROT_EPS;
   double turned, omega, turned_size, omega_size;
@@ -95,7 +106,7 @@ static rot_status lump_row(const rot_rotors_lump *s, const rot_rotors_columns *o
     out->theta_rad[row * n + i] = theta;
     out->omega_rad_per_s[row * n + i] = omega;
     out->shaft_n_m[row * n + i] = i + 1 < n ? s->base[i] + s->slope[i] * omega : (double)NAN;
-    rot_note_row(info, theta, omega,
+    rot_note_row(run->info, theta, omega,
                  fabs(p->theta0_rad[i] - s->theta0) + twists * (1.0 + rounding) + mean_off +
                      rounding * turned_size + 2.0 * ROT_EPS * fabs(theta),
                  off / sqrt(J) * (1.0 + rounding) + rounding * omega_size);
@@ -105,17 +116,15 @@ static rot_status lump_row(const rot_rotors_lump *s, const rot_rotors_columns *o
 
 rot_status rot_rotors_rigid(const rot_rotors_params *p, size_t n, const double time_s[],
                             const rot_rotors_columns *out, const rot_hooks *hooks, rot_info *info) {
+  static const rot_march march = {.write_row = write_row};
   rot_rotors_lump s;
+  rigid_run run = {&s, time_s, out, info};
   rot_rotors_note_start(p, info);
   info->status = rot_rotors_lump_build(&s, p);
-  for (size_t i = 0; i < n && info->status == ROT_OK; i++) {
-    info->time_s = time_s[i];
-    info->status = lump_row(&s, out, i, time_s[i] - p->start_s, info);
-    if (info->status != ROT_OK) break;
-    info->rows_done = i + 1;
-    if (i % 4096 == 4095) info->status = rot_poll(hooks, (double)i / (double)n);
-  }
   info->steps = n > 0;
+  if (info->status == ROT_OK) {
+    rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+  }
   rot_rotors_lump_free(&s);
   return info->status;
 }

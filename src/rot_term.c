@@ -4,20 +4,7 @@
 
 #include "rot_divided.h"
 #include "rot_real.h"
-
-/* The last of n increasing numbers that is <= t, n >= 1; the first if none is. */
-static size_t last_below(size_t n, const double x[], double t) {
-  size_t lo = 0, hi = n;
-  while (hi - lo > 1) {
-    const size_t mid = lo + (hi - lo) / 2;
-    if (x[mid] <= t) {
-      lo = mid;
-    } else {
-      hi = mid;
-    }
-  }
-  return lo;
-}
+#include "rot_search.h"
 
 /* cos(a t + b): the product's residual counts where a t is large. */
 static double wave(double a, double t, double b) {
@@ -34,7 +21,7 @@ static double in_pieces(const rot_term *term, double t) {
   /* Samples of a function reach to the last row, which is asked for too. */
   const int closed = term->kind == ROT_TERM_CHEBYSHEV && t == breaks[n];
   if (!(t >= breaks[0] && (t < breaks[n] || closed))) return 0.0;
-  const size_t i = last_below(n, breaks, t);
+  const size_t i = rot_upper_bound(n, breaks, t) - 1;
   const double *a = rows + i * m;
   if (term->kind == ROT_TERM_POLYNOMIAL) {
     double sum = 0.0;
@@ -57,7 +44,7 @@ static double on_curve(const rot_term *term, double omega) {
   const double *speed = x + 1, *torque = speed + n;
   if (!(omega > speed[0])) return omega != omega ? omega : torque[0];
   if (omega >= speed[n - 1]) return torque[n - 1];
-  const size_t i = last_below(n, speed, omega);
+  const size_t i = rot_upper_bound(n, speed, omega) - 1;
   const double span = speed[i + 1] - speed[i];
   return torque[i] * ((speed[i + 1] - omega) / span) + torque[i + 1] * ((omega - speed[i]) / span);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "rot_real.h"
+#include "rot_search.h"
 
 rot_torque_piece rot_torque_piece_at(const rot_torque *torque, size_t i) {
   rot_torque_piece piece = {-INFINITY, INFINITY, torque->before_n_m, torque->before_n_m};
@@ -23,17 +24,7 @@ rot_torque_piece rot_torque_piece_at(const rot_torque *torque, size_t i) {
 }
 
 size_t rot_torque_find(const rot_torque *torque, double t, int forward) {
-  size_t lo = 0, hi = torque->n; /* the answer is the count of knots <= t (forward) or < t */
-  while (lo < hi) {
-    size_t mid = lo + (hi - lo) / 2;
-    double knot = torque->time_s[mid];
-    if (forward ? knot <= t : knot < t) {
-      lo = mid + 1;
-    } else {
-      hi = mid;
-    }
-  }
-  return lo;
+  return rot_bound(torque->n, torque->time_s, t, forward); /* knots <= t (forward) or < t */
 }
 
 double rot_torque_in_piece(const rot_torque_piece *piece, double t) {

@@ -1,5 +1,11 @@
+reader <- function(f, ..., scene = scene_axle(1)) {
+  rotdyn:::law_reader(torque_function(f, ...), scene, rlang::current_env())
+}
 sample <- function(f, span = c(0, 8), breaks = double(), accuracy = 1e-9) {
-  rotdyn:::sample_torque(f, span, breaks, accuracy)
+  reader <- reader(f)
+  sampled <- rotdyn:::sample_torque(reader, span, breaks, accuracy)
+  if (!is.null(sampled)) sampled$calls <- reader$calls()
+  sampled
 }
 
 # Chebyshev pieces at some times, by the cosine form.
@@ -40,35 +46,60 @@ test_that("told breaks are ends of pieces, and an untold jump is no law to sampl
   expect_null(sample(sin, span = c(3, 3)))
 })
 
-test_that("a function that takes one time only is called one by one", {
-  f <- function(t) if (t < 2) 1 else t - 1
-  expect_equal(rotdyn:::values_of(f, 0:7, stop), c(1, 1, 1, 2, 3, 4, 5, 6))
-  # One that takes a vector but means something else by it.
-  total <- function(t) sum(t)
-  expect_equal(rotdyn:::values_of(total, 0:7, stop), as.double(0:7))
-  expect_identical(rotdyn:::values_of(function(t) sin(t), 0:9, stop), sin(0:9))
+test_that("one call for each time, or one for all of them", {
+  shapes <- integer()
+  f <- function(t) {
+    shapes <<- c(shapes, length(t))
+    2 * t
+  }
+  expect_identical(reader(f)$at(c(1, 2.5)), c(2, 5))
+  expect_identical(shapes, c(1L, 1L))
+  expect_identical(reader(f, vectorised = TRUE)$at(c(1, 2.5)), c(2, 5))
+  expect_identical(shapes, c(1L, 1L, 2L))
+  g <- function(t, theta, omega) t + 10 * theta + 100 * omega
+  start <- scene_axle(1, theta0_rad = 2, omega0_rad_per_s = 3)
+  expect_identical(reader(g, scene = start)$at(0:1 + 0), c(320, 321))
+  expect_identical(reader(g, vectorised = TRUE, scene = start)$at(0:1 + 0), c(320, 321))
+  # Integers, and NA of no type.
+  expect_identical(reader(function(t) 3L)$at(1), 3)
+  expect_identical(reader(function(t) rep(NA, length(t)), vectorised = TRUE)$at(1:2), c(NA, NaN)[c(1, 1)])
 })
 
-test_that("what takes vectors is told from its text, without trying", {
-  takes <- rotdyn:::takes_vectors
-  helper <- function(x) x^2
-  amplitude <- 3
-  expect_true(takes(function(t) amplitude * sin(3 * t) + helper(t)))
-  expect_true(takes(function(t) {
-    u <- t - 1
-    ifelse(u < 0, 0, exp(-u))
-  }))
-  expect_true(takes(sin))
-  expect_false(takes(sum))
-  expect_false(takes(function(t) if (t > 1) 1 else 0))
-  expect_false(takes(function(t) t > 1 && t < 2))
-  expect_false(takes(function(t) max(t, 2)))
-  expect_false(takes(approxfun(0:1, 0:1)))
-  expect_false(takes(function(t) stats::approx(0:1, 0:1, t)$y))
-  `*` <- function(a, b) if (a > b) a else b # not the one of R
-  expect_false(takes(function(t) 2 * t))
-  deep <- function(t) deep(t)
-  expect_false(takes(deep))
+test_that("a vectorised law must return one number for each time", {
+  for (f in list(
+    function(t) sum(t), function(t) 0.3, function(t) c(t, 1), function(t) as.character(t),
+    function(t) NULL, function(t) as.Date(t, origin = "1970-01-01"), function(t) t > 1
+  )) {
+    law <- torque_function(f, numeric(), vectorised = TRUE)
+    expect_error(trajectory(scene_axle(1, law), 0:2), class = "rotdyn_error_torque")
+  }
+  expect_error(torque_function(sin, vectorised = NA), class = "rotdyn_error_type")
+  expect_error(torque_function(sin, vectorised = c(TRUE, TRUE)), class = "rotdyn_error_type")
+})
+
+test_that("sums and multiples of vectorised laws are vectorised, others are not", {
+  one <- torque_function(sin, numeric())
+  all <- torque_function(cos, numeric(), vectorised = TRUE)
+  state <- torque_function(function(t, theta, omega) -theta, numeric(), vectorised = TRUE)
+  law <- function(torque) rotdyn:::torque_loads(torque)$law
+  expect_true(law(all + 2 * all)$vectorised)
+  expect_true(law(all - state)$vectorised)
+  expect_false(law(all + one)$vectorised)
+  both <- rotdyn:::law_reader(law(all - state), scene_axle(1, theta0_rad = 2), NULL)
+  expect_identical(both$at(c(0, 1)), cos(0:1) + 2)
+})
+
+test_that("the time of a call is measured", {
+  skip_if(is.nan(.Call(rotdyn:::ffi_clock_cpu)))
+  busy <- torque_function(function(t) {
+    until <- .Call(rotdyn:::ffi_clock_cpu) + 0.002
+    while (.Call(rotdyn:::ffi_clock_cpu) < until) NULL
+    0
+  })
+  seconds <- rotdyn:::law_seconds(busy, scene_axle(1))
+  expect_gte(seconds, 0.002)
+  expect_lt(seconds, 0.01)
+  expect_lt(rotdyn:::law_seconds(torque_function(function(t) 0), scene_axle(1)), 0.001)
 })
 
 test_that("conditions of the law's own arrive as themselves", {

@@ -1,17 +1,22 @@
-many <- function(f) function(t) rotdyn:::values_of(f, t, stop)
-scan <- function(f, from = 0, to = 10) rotdyn:::scan_breaks(many(f), from, to)$breaks
+many <- function(f) function(t) vapply(t, f, double(1))
+scan <- function(f, from = 0, to = 10, ...) rotdyn:::scan_breaks(many(f), from, to, ...)$breaks
+looked_for <- function(scene, t, ...) suppressWarnings(run_of(trajectory(scene, t, ...))$info)
 
 test_that("jumps are found to the last bit", {
   expect_equal(scan(function(t) if (t >= pi) 1 else 0), pi, tolerance = 1e-15)
   expect_equal(scan(function(t) if (t > 2) t else -t), 2, tolerance = 1e-15)
   pulse <- function(t) if (t >= 5 && t < 5.002) 40 else 0
-  expect_equal(scan(pulse), c(5, 5.002), tolerance = 1e-15)
+  expect_equal(scan(pulse, points = 8193L), c(5, 5.002), tolerance = 1e-15)
+  pulse <- function(t) if (t >= 5 && t < 5.025) 40 else 0
+  expect_equal(scan(pulse), c(5, 5.025), tolerance = 1e-15)
 })
 
 test_that("kinks are found", {
-  expect_equal(scan(function(t) abs(t - pi)), pi, tolerance = 1e-9)
+  expect_equal(scan(function(t) abs(t - pi)), pi, tolerance = 1e-14)
   knots <- approxfun(c(0, 1, 4, 6, 10), c(0, 0.8, 0.8, 0, 0))
-  expect_equal(scan(knots), c(1, 4, 6), tolerance = 1e-8)
+  expect_equal(scan(knots), c(1, 4, 6), tolerance = 1e-14)
+  expect_equal(scan(function(t) exp(t) + abs(t - 1)), 1, tolerance = 1e-13)
+  expect_equal(scan(function(t) abs(sin(3 * t))), 1:9 * pi / 3, tolerance = 1e-14)
 })
 
 test_that("smooth functions have none, however fast", {
@@ -35,15 +40,63 @@ test_that("a steep but smooth change is guarded, not reported", {
 })
 
 test_that("an empty interval and values that are not finite are left alone", {
-  expect_length(scan(sin, 1, 1), 0)
+  law <- torque_function(function(t) if (t > 1) 1 else 0)
+  expect_identical(
+    rotdyn:::law_breaks(law, stop, 1, 1, NULL), list(stops = double(), spacing_s = NA_real_)
+  )
   expect_length(scan(function(t) if (t > 3) NaN else 1), 0)
 })
 
+test_that("the points are a fixed number, few where the law is called one by one, and counted", {
+  step <- function(t) ifelse(t < pi, 1, 0)
+  of_state <- function(t, theta, omega) step(t) - theta
+  for (f in list(step, of_state)) {
+    for (vectorised in c(FALSE, TRUE)) {
+      calls <- 0
+      counted <- f
+      body(counted) <- call("{", quote(calls <<- calls + length(t)), body(f))
+      environment(counted) <- environment()
+      law <- function(...) scene_axle(1, torque_function(counted, ..., vectorised = vectorised))
+      points <- if (vectorised) 8193 else 513
+      info <- looked_for(law(), 0:10)
+      expect_equal(info$rhs_calls, calls)
+      expect_equal(info$scan_spacing_s, 10 / (points - 1))
+      calls <- 0
+      told <- looked_for(law(breaks_s = pi), 0:10)
+      expect_equal(told$rhs_calls, calls)
+      expect_identical(told$scan_spacing_s, NA_real_)
+      # The points, and the jump bisected to the last of 52 bits.
+      expect_lt(info$rhs_calls - told$rhs_calls, points + 60)
+      expect_gt(info$rhs_calls - told$rhs_calls, points)
+    }
+  }
+})
+
+test_that("the same motion twice is the same to the last bit", {
+  f <- function(t, theta, omega) -2 * sin(theta) + if (t < 3.3) t else 3
+  scene <- scene_axle(1, f, theta0_rad = 1)
+  motion <- function() suppressWarnings(trajectory(scene, (0:40) / 2))
+  expect_identical(motion(), motion())
+})
+
 test_that("a trajectory warns of what was found and stops there", {
-  pulse <- function(t) if (t >= 50 && t < 50.02) 40 else 0
+  pulse <- function(t) if (t >= 50 & t < 50.02) 40 else 0
   scene <- scene_axle(body_disk(2, 0.25), pulse)
-  warning <- expect_warning(motion <- trajectory(scene, 0:100), class = "rotdyn_warning_breaks")
-  expect_match(conditionMessage(warning), "50")
+  # Longer than half of the spacing of 0.195 s, or it is missed.
+  lasts <- function(t) if (t >= 50 && t < 50.2) 4 else 0
+  warning <- expect_warning(
+    motion <- trajectory(scene_axle(body_disk(2, 0.25), lasts), 0:100),
+    class = "rotdyn_warning_breaks"
+  )
+  expect_match(conditionMessage(warning), "found 2, at 50.0, 50.2 s", fixed = TRUE)
+  expect_match(conditionMessage(warning), "sampled every 0.2 s: anything shorter is not seen")
+  expect_equal(motion$omega_rad_per_s[101], 4 * (50.2 - 50) / 0.0625, tolerance = 1e-12)
+  # A function that takes vectors is sampled every 12 ms.
+  short <- torque_function(function(t) ifelse(t >= 50 & t < 50.02, 40, 0), vectorised = TRUE)
+  expect_warning(
+    motion <- trajectory(scene_axle(body_disk(2, 0.25), short), 0:100),
+    class = "rotdyn_warning_breaks"
+  )
   expect_equal(motion$omega_rad_per_s[101], 40 * (50.02 - 50) / 0.0625, tolerance = 1e-12)
   # Told, there is nothing to warn of.
   told <- scene_axle(body_disk(2, 0.25), torque_function(pulse, breaks_s = c(50, 50.02)))
