@@ -14,6 +14,7 @@ error_kinds <- c(
   density = "a density that gives no finite number of at least 0",
   file = "a file that cannot be read, or is not of the format",
   torque = "a torque law that gives no finite number",
+  rhs = "an equation of motion that gives no finite number",
   model = "no such model, or one that does not fit the scene",
   accuracy = "an accuracy that no model reaches",
   package = "a package that is not installed",

@@ -24,10 +24,10 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   }
   result <- add_end_jumps(solve(loads, time_s), scene, time_s)
   if (!is.null(loads$law)) {
-    result[[2]]$rhs_calls <- reader$calls() + if (is.null(sampled)) result[[2]]$rhs_calls else 0
-    result[[2]]$scan_spacing_s <- scan$spacing_s
+    result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
+    result$info$scan_spacing_s <- scan$spacing_s
   }
-  if (is.null(sampled) || length(time_s) == 0L || result[[2]]$kind != "none") {
+  if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") {
     return(result)
   }
   add_sampling(result, sampled, scene, time_s, function(push_n_m) {
@@ -40,7 +40,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
 # that was integrated; in the balance of rows it belongs to what lies before it.
 add_end_jumps <- function(result, scene, time_s) {
   n <- length(time_s)
-  if (is.null(scene$inertia) || n == 0L || result[[2]]$kind != "none") {
+  if (is.null(scene$inertia) || n == 0L || result$info$kind != "none") {
     return(result)
   }
   start <- scene$start_s
@@ -49,10 +49,11 @@ add_end_jumps <- function(result, scene, time_s) {
   at <- function(end, omega) {
     jump_work(scene, function(t) omega * inertia_at(scene$inertia, t), function(t) t == end)
   }
-  omega <- result[[1]]$omega_rad_per_s
+  omega <- result$columns$omega_rad_per_s
   add <- function(result, jumps, sign) {
-    result[[3]][11] <- result[[3]][11] + sign * sum(jumps$work)
-    result[[3]][4] <- result[[3]][4] + 4 * .Machine$double.eps * sum(jumps$size)
+    off <- c(inertia_work_j = sign * sum(jumps$work),
+             work_rounding_j = 4 * .Machine$double.eps * sum(jumps$size))
+    result$ledger[names(off)] <- result$ledger[names(off)] + off
     result
   }
   if (from < start && to >= start) result <- add(result, at(start, scene$omega0_rad_per_s), 1)
@@ -64,13 +65,11 @@ add_end_jumps <- function(result, scene, time_s) {
 # What the samples' error can do to the motion, and what the samples cost. solve(push_n_m) is the
 # motion under a constant torque besides.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
-  info <- result[[2]]
+  info <- result$info
   grow <- sampling_growth(info, scene, time_s, solve, accuracy)
   reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
-  info$omega_error <- info$omega_error + reach$omega
-  info$theta_error <- info$theta_error + reach$theta
-  info$error <- error_of_run(info)
-  result[[2]] <- info
+  info <- widen_error(info, reach)
+  result$info <- info
   result
 }
 
@@ -80,18 +79,18 @@ add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
 sampling_growth <- function(info, scene, time_s, solve, accuracy) {
   free <- disturbance(scene, 1, time_s, grow = 1)
   grow <- disturbance(scene, 1, time_s)$omega / free$omega
-  if (!(grow > 2) || !(info$omega_max > 0)) {
+  if (!(grow > 2) || !(info$sizes[["omega"]] > 0)) {
     return(if (is.finite(grow)) grow else 1)
   }
-  push <- min(100 * accuracy, 1e-3) * info$omega_max / free$omega
+  push <- min(100 * accuracy, 1e-3) * info$sizes[["omega"]] / free$omega
   if (!(is.finite(push) && push > 0)) {
     return(grow)
   }
   still <- solve(0)
   moved <- solve(push)
-  if (still[[2]]$kind != "none" || moved[[2]]$kind != "none") {
+  if (still$info$kind != "none" || moved$info$kind != "none") {
     return(grow)
   }
-  apart <- function(column) max(abs(moved[[1]][[column]] - still[[1]][[column]])) / push
+  apart <- function(column) max(abs(moved$columns[[column]] - still$columns[[column]])) / push
   max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
 }

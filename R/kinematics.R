@@ -145,37 +145,32 @@ point_motion <- function(omega_rad_per_s, alpha_rad_per_s2, radius_m) {
 #' @rdname point_motion
 #' @export
 tangential_speed <- function(omega_rad_per_s, radius_m) {
-  call <- rlang::current_env()
-  check_supplied(names(formals()), call)
   one_point_column(
-    list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m), "tangential_speed_m_per_s", call
+    list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m), "tangential_speed_m_per_s"
   )
 }
 
 #' @rdname point_motion
 #' @export
 tangential_acceleration <- function(alpha_rad_per_s2, radius_m) {
-  call <- rlang::current_env()
-  check_supplied(names(formals()), call)
   one_point_column(
     list(alpha_rad_per_s2 = alpha_rad_per_s2, radius_m = radius_m),
-    "tangential_acceleration_m_per_s2", call
+    "tangential_acceleration_m_per_s2"
   )
 }
 
 #' @rdname point_motion
 #' @export
 centripetal_acceleration <- function(omega_rad_per_s, radius_m) {
-  call <- rlang::current_env()
-  check_supplied(names(formals()), call)
   one_point_column(
     list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m),
-    "centripetal_acceleration_m_per_s2", call
+    "centripetal_acceleration_m_per_s2"
   )
 }
 
-# What is not given does not count for the column that is wanted.
-one_point_column <- function(columns, wanted, call) {
+# The other quantity does not affect the column wanted.
+one_point_column <- function(columns, wanted, call = parent.frame()) {
+  check_supplied(names(formals(sys.function(-1L))), call)
   columns <- check_point_columns(columns, call)
   check_recyclable(columns, call)
   given <- function(name) if (is.null(columns[[name]])) 0 else columns[[name]]
@@ -211,46 +206,41 @@ NULL
 #' @rdname angle_units
 #' @export
 rad_from_deg <- function(angle_deg) {
-  if (missing(angle_deg)) check_supplied("angle_deg", rlang::current_env())
-  convert_angle(angle_deg, "angle_deg", "degree", 0, rlang::current_env())
+  convert_angle(angle_deg, "angle_deg", "degree", 0)
 }
 
 #' @rdname angle_units
 #' @export
 deg_from_rad <- function(angle_rad) {
-  if (missing(angle_rad)) check_supplied("angle_rad", rlang::current_env())
-  convert_angle(angle_rad, "angle_rad", "rad", 1, rlang::current_env())
+  convert_angle(angle_rad, "angle_rad", "rad", 1)
 }
 
 #' @rdname angle_units
 #' @export
 rad_from_turns <- function(turns) {
-  if (missing(turns)) check_supplied("turns", rlang::current_env())
-  convert_angle(turns, "turns", "turn", 2, rlang::current_env())
+  convert_angle(turns, "turns", "turn", 2)
 }
 
 #' @rdname angle_units
 #' @export
 turns_from_rad <- function(angle_rad) {
-  if (missing(angle_rad)) check_supplied("angle_rad", rlang::current_env())
-  convert_angle(angle_rad, "angle_rad", "rad", 3, rlang::current_env())
+  convert_angle(angle_rad, "angle_rad", "rad", 3)
 }
 
 #' @rdname angle_units
 #' @export
 rad_per_s_from_rpm <- function(omega_rpm) {
-  if (missing(omega_rpm)) check_supplied("omega_rpm", rlang::current_env())
-  convert_angle(omega_rpm, "omega_rpm", "rpm", 4, rlang::current_env())
+  convert_angle(omega_rpm, "omega_rpm", "rpm", 4)
 }
 
 #' @rdname angle_units
 #' @export
 rpm_from_rad_per_s <- function(omega_rad_per_s) {
-  if (missing(omega_rad_per_s)) check_supplied("omega_rad_per_s", rlang::current_env())
-  convert_angle(omega_rad_per_s, "omega_rad_per_s", "rad/s", 5, rlang::current_env())
+  convert_angle(omega_rad_per_s, "omega_rad_per_s", "rad/s", 5)
 }
 
 # `place` in ROT_ANGLE_UNIT_LIST of src/rot_kinematics.h, from 0.
-convert_angle <- function(x, arg, unit, place, call) {
+convert_angle <- function(x, arg, unit, place, call = parent.frame()) {
+  if (missing(x)) check_supplied(arg, call)
   .Call(ffi_convert_angle, check_column(x, arg, unit, call), place)
 }

@@ -159,28 +159,26 @@ widen_by_motor <- function(info, scene, time_s) {
   c <- viscous_of(scene) + motor
   off <- abs(motor) + abs(c) # in units of roundoff
   moved <- off / inertia * span / 12
-  omega <- if (info$omega_error > 0) moved * info$omega_error else 0
-  theta <- if (info$theta_error > 0) moved * info$theta_error else 0
+  errors <- info$errors
+  by <- as.list(ifelse(errors > 0, moved * errors, 0))
   if (c > 0 && is.finite(off) && time_s[1] >= scene$start_s) {
     share <- 3.4 * off / c
-    omega <- min(omega, 2^-53 * share * info$omega_max)
-    theta <- min(theta, share / 12 * info$theta_error + if (omega > 0) inertia / c * omega else 0)
+    by$omega <- min(by$omega, 2^-53 * share * info$sizes[["omega"]])
+    turned <- if (by$omega > 0) inertia / c * by$omega else 0
+    by$theta <- min(by$theta, share / 12 * errors[["theta"]] + turned)
   }
-  info$omega_error <- info$omega_error + omega
-  info$theta_error <- info$theta_error + theta
-  info$error <- error_of_run(info)
-  info
+  widen_error(info, by)
 }
 
 # The closed form takes motor and viscous resistance as one; the columns keep them apart.
 part_motor <- function(result, scene, time_s) {
-  result[[2]] <- widen_by_motor(result[[2]], scene, time_s)
-  columns <- result[[1]]
+  result$info <- widen_by_motor(result$info, scene, time_s)
+  columns <- result$columns
   omega <- columns$omega_rad_per_s
   columns$applied_torque_n_m <- columns$applied_torque_n_m - motor_of(scene) * omega
   columns$damping_torque_n_m <- 0 - viscous_of(scene) * omega
   columns$net_torque_n_m <- columns$applied_torque_n_m + columns$damping_torque_n_m
-  result[[1]] <- columns
+  result$columns <- columns
   result
 }
 
@@ -209,7 +207,7 @@ axle_kernel <- function(kernel, id, ..., why, error, each, why_not = function(sc
     cost = function(scene, rows, accuracy) each * (rows + 4 * length(axle_breaks(scene)) + 1),
     run = function(scene, time_s, accuracy, max_steps, call, asked) {
       result <- .Call(ffi_axle_model, kernel, pack_axle(scene), time_s, progress_bar("closed form"))
-      result[[2]] <- widen_by_motor(result[[2]], scene, time_s)
+      result$info <- widen_by_motor(result$info, scene, time_s)
       result
     },
     ledger = function(scene, run, from_s, to_s) axle_ledger_by_quadrature(run, from_s, to_s)
@@ -379,11 +377,6 @@ axle_closed_forms <- list(
   axle_free, axle_linear, axle_skater, axle_drag, axle_forced, axle_oscillator, axle_pendulum,
   axle_bands
 )
-
-error_of_run <- function(info) {
-  part <- function(error, largest) if (error > 0) error / largest else 0
-  max(part(info$theta_error, info$theta_max), part(info$omega_error, info$omega_max))
-}
 
 # A function of the fraction done, for the C code to call at most 20 times a second. The bar comes
 # into being a second after the first call, so that short work makes none and asks no clock.

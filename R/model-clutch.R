@@ -32,7 +32,7 @@ clutch_exact <- list(
     .Call(ffi_clutch_run, clutch_pack(scene), time_s, progress_bar("clutch"))
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_clutch_work, clutch_pack(scene), c(from_s, to_s))
+    .Call(ffi_clutch_ledger, clutch_pack(scene), c(from_s, to_s))
   }
 )
 

@@ -46,7 +46,7 @@ rotors_rigid <- list(
   cost = function(scene, rows, accuracy) 40 * rows * length(scene$moment_of_inertia_kg_m2),
   run = function(scene, time_s, accuracy, max_steps, call, asked) run_rotors_as(0, scene, time_s),
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_rotors_balance, rotors_pack(scene), 1, c(from_s, to_s))
+    .Call(ffi_rotors_ledger, rotors_pack(scene), 1, c(from_s, to_s))
   }
 )
 
@@ -73,7 +73,7 @@ rotors_modal <- list(
     run_rotors_as(if (share_exponentials(accuracy)) 2 else 1, scene, time_s)
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_rotors_balance, rotors_pack(scene), 0, c(from_s, to_s))
+    .Call(ffi_rotors_ledger, rotors_pack(scene), 0, c(from_s, to_s))
   }
 )
 

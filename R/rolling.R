@@ -132,59 +132,37 @@ NULL
 #' @rdname rolling_functions
 #' @export
 rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  columns <- list(
+  by_row(1L, list(
     beta = beta, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
-  )
-  by_row(ffi_rolling_acceleration, columns, rlang::current_env())
+  ))
 }
 
 #' @rdname rolling_functions
 #' @export
 rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  columns <- list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2)
-  by_row(ffi_rolling_final_speed, columns, rlang::current_env())
+  by_row(2L, list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2))
 }
 
 #' @rdname rolling_functions
 #' @export
 rotational_energy_fraction <- function(beta) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  by_row(ffi_rolling_rotational_fraction, list(beta = beta), rlang::current_env())
+  by_row(3L, list(beta = beta))
 }
 
 #' @rdname rolling_functions
 #' @export
 translational_energy_fraction <- function(beta) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  by_row(ffi_rolling_translational_fraction, list(beta = beta), rlang::current_env())
+  by_row(4L, list(beta = beta))
 }
 
 #' @rdname rolling_functions
 #' @export
 rolling_friction_coefficient <- function(beta, incline_angle_deg = 20) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  columns <- list(beta = beta, incline_angle_deg = incline_angle_deg)
-  by_row(ffi_rolling_friction, columns, rlang::current_env())
+  by_row(5L, list(beta = beta, incline_angle_deg = incline_angle_deg))
 }
 
 rolling_units <- c(
   beta = "1", incline_angle_deg = "degree", height_drop_m = "m", gravity_m_per_s2 = "m/s^2"
-)
-rolling_domains <- list(
-  beta = c(0, Inf), incline_angle_deg = c(-90, 90), height_drop_m = c(0, Inf),
-  gravity_m_per_s2 = c(0, Inf)
 )
 
 check_rolling <- function(columns, call) {
@@ -194,21 +172,22 @@ check_rolling <- function(columns, call) {
   columns
 }
 
-by_row <- function(routine, columns, call) {
+# Function number `which` of src/ffi_rolling.c, for the caller's arguments.
+by_row <- function(which, columns, call = parent.frame()) {
+  if (eval(quote(missing(beta)), call)) check_supplied("beta", call)
   columns <- check_rolling(columns, call)
   check_recyclable(columns, call)
-  values <- do.call(.Call, c(list(routine), unname(columns)))
+  values <- .Call(ffi_rolling_value, which, columns)
   check_place(values, columns, call)
   values[[1]]
 }
 
-# The C pass returns c(column, row) of the first value outside its domain instead of a list.
+# In place of a list, C returns c(column, row, lowest, highest) of the first value out of its domain.
 check_place <- function(values, columns, call) {
   if (!is.list(values)) {
     arg <- names(columns)[values[1]]
-    domain <- rolling_domains[[arg]]
     abort_domain(
-      columns[[arg]][values[2]], arg, rolling_units[[arg]], call, domain[1], domain[2], FALSE,
+      columns[[arg]][values[2]], arg, rolling_units[[arg]], call, values[3], values[4], FALSE,
       row = if (length(columns[[arg]]) > 1L) values[2]
     )
   }

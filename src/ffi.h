@@ -41,7 +41,13 @@ rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n);
 SEXP ffi_new_column(R_xlen_t rows);
 /* A list of `n` real columns with `rows` rows, named; protects one object. */
 SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *columns[]);
-SEXP ffi_info(const rot_info *info);
+/* A vector of these numbers; a list of such vectors, named up to a "" (or NULL: without names). */
+SEXP ffi_numbers(int n, const double x[]);
+typedef struct ffi_vector {
+  int n;
+  const double *x;
+} ffi_vector;
+SEXP ffi_vectors(int n, const char *const names[], const ffi_vector parts[]);
 
 /* ---- entries -------------------------------------------------------------------------------- */
 

@@ -1,9 +1,10 @@
 #include "ffi_axle.h"
+#include "ffi_run.h"
 
 #include <string.h>
 
 #include "ffi_torque.h"
-#include "rot_axle.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
 #include "rot_axle_forced.h"
@@ -35,100 +36,41 @@ static rot_axle_params unpack(SEXP numbers, SEXP torque) {
   return (rot_axle_params){x[0], x[1], x[2], x[3], x[4], unpack_knots(torque)};
 }
 
-/* The article's eight columns; the first is the times themselves. Protects one object. */
-static SEXP new_columns(SEXP time_s, rot_axle_columns *out) {
-  static const char *const names[] = {"time_s",
-                                      "theta_rad",
-                                      "omega_rad_per_s",
-                                      "applied_torque_n_m",
-                                      "damping_torque_n_m",
-                                      "net_torque_n_m",
-                                      "angular_momentum_kg_m2_per_s",
-                                      "rotational_kinetic_energy_j",
-                                      ""};
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  double *c[7];
+static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
+  static const char *const names[] = {"time_s", ROT_AXLE_COLUMNS(FFI_COLUMN_NAME) ""};
+  const R_xlen_t rows = XLENGTH(time_s);
+  rot_axle_columns out;
+  R_xlen_t at = 1;
+  SEXP list = Rf_mkNamed(VECSXP, (const char **)names);
+  SET_VECTOR_ELT(run->out, FFI_COLUMNS, list);
   SET_VECTOR_ELT(list, 0, time_s);
-  for (int i = 0; i < 7; i++) {
-    SET_VECTOR_ELT(list, i + 1, ffi_new_column(XLENGTH(time_s)));
-    c[i] = REAL(VECTOR_ELT(list, i + 1));
-  }
-  *out = (rot_axle_columns){c[0], c[1], c[2], c[3], c[4], c[5], c[6]};
-  return list;
-}
-
-enum { LEDGER_NUMBERS = 12 };
-
-static void write_ledger_vector(const rot_axle_ledger *ledger, SEXP out) {
-  const double numbers[LEDGER_NUMBERS] = {ledger->work_j,
-                                          ledger->dissipated_j,
-                                          ledger->impulse_n_m_s,
-                                          ledger->work_rounding_j,
-                                          ledger->dissipated_rounding_j,
-                                          ledger->impulse_rounding_n_m_s,
-                                          ledger->viscous_j,
-                                          ledger->quadratic_j,
-                                          ledger->coulomb_j,
-                                          ledger->damping_impulse_n_m_s,
-                                          ledger->inertia_work_j,
-                                          ledger->damping_rounding_n_m_s};
-  for (int i = 0; i < LEDGER_NUMBERS; i++) REAL(out)[i] = numbers[i];
-}
-
-static SEXP ledger_vector(const rot_axle_ledger *ledger) {
-  SEXP out = Rf_allocVector(REALSXP, LEDGER_NUMBERS);
-  write_ledger_vector(ledger, out);
+  ROT_AXLE_COLUMNS(FFI_COLUMN_NEW)
   return out;
 }
 
-static rot_axle_ledger no_ledger(void) {
-  const double na = NA_REAL;
-  rot_axle_ledger ledger = {na, na, na, na, na, na, na, na, na, na, na, na};
-  return ledger;
-}
-
-/* list(columns, info, ledger); columns is protected by the caller, one more object than that is
- * unprotected here. */
-static SEXP result(SEXP columns, const rot_info *info, SEXP ledger) {
-  PROTECT(ledger);
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 3));
-  SET_VECTOR_ELT(out, 0, columns);
-  SET_VECTOR_ELT(out, 1, ffi_info(info));
-  SET_VECTOR_ELT(out, 2, ledger);
-  UNPROTECT(2);
-  return out;
-}
+static const char *const ledger_names[] = {ROT_AXLE_LEDGER(FFI_NAME)};
 
 SEXP ffi_axle_free(SEXP numbers, SEXP time_s, SEXP progress) {
   const rot_axle_params p = unpack(numbers, R_NilValue);
   const double *t = ffi_reals(time_s, "time_s", -1);
-  rot_axle_columns columns;
-  rot_info info;
-  ffi_guard guard;
-  SEXP list = new_columns(time_s, &columns);
-  ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard,
-                rot_axle_free(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
-  SEXP out = result(list, &info, R_NilValue);
-  UNPROTECT(1);
-  return out;
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  const rot_axle_columns out = new_columns(&run, time_s);
+  return ffi_run_end(
+      &run, rot_axle_free(&p, (size_t)XLENGTH(time_s), t, &out, &run.guard.hooks, &run.info), 0);
 }
 
 SEXP ffi_axle_linear(SEXP numbers, SEXP torque, SEXP time_s, SEXP fast, SEXP progress) {
   const rot_axle_params p = unpack(numbers, torque);
   const double *t = ffi_reals(time_s, "time_s", -1);
-  rot_axle_columns columns;
-  rot_info info;
-  ffi_guard guard;
-  rot_status (*run)(const rot_axle_params *, size_t, const double[], const rot_axle_columns *,
-                    const rot_hooks *, rot_info *) =
+  rot_status (*model)(const rot_axle_params *, size_t, const double[], const rot_axle_columns *,
+                      const rot_hooks *, rot_info *) =
       ffi_real(fast, "fast") != 0.0 ? rot_axle_linear_fast : rot_axle_linear;
-  SEXP list = new_columns(time_s, &columns);
-  ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, run(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
-  SEXP out = result(list, &info, R_NilValue);
-  UNPROTECT(1);
-  return out;
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  const rot_axle_columns out = new_columns(&run, time_s);
+  return ffi_run_end(&run, model(&p, (size_t)XLENGTH(time_s), t, &out, &run.guard.hooks, &run.info),
+                     0);
 }
 
 SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP progress) {
@@ -139,10 +81,9 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
   ffi_guard_end(&guard, rot_axle_linear_ledger(&p, from, to, &guard.hooks, &ledger, &info));
-  if (info.status != ROT_OK) { /* a sum of half the way is no ledger */
-    ledger = no_ledger();
-  }
-  return ledger_vector(&ledger);
+  const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
+  /* A sum of half the way is no ledger. */
+  return ffi_named(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);
 }
 
 /* ---- scenes with more than knots and viscous resistance -------------------------------------- */
@@ -198,51 +139,6 @@ rot_axle_scene ffi_axle_scene(SEXP pack) {
   return scene;
 }
 
-static SEXP event_list(const rot_events *events) {
-  static const char *const names[] = {"time_s", "event", ""};
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  const R_xlen_t n = (R_xlen_t)events->count;
-  SET_VECTOR_ELT(list, 0, Rf_allocVector(REALSXP, n));
-  SET_VECTOR_ELT(list, 1, Rf_allocVector(STRSXP, n));
-  for (R_xlen_t i = 0; i < n; i++) {
-    REAL(VECTOR_ELT(list, 0))[i] = events->time_s[i];
-    SET_STRING_ELT(VECTOR_ELT(list, 1), i, Rf_mkChar(rot_event_name(events->event[i])));
-  }
-  UNPROTECT(1);
-  return list;
-}
-
-/* list(columns, info, ledger, events); ends the guard, and frees the events before R may jump on.
- * The allocations here could jump too, so they are made under the guard. */
-typedef struct model_result {
-  SEXP columns, ledger;
-  const rot_info *info;
-  const rot_events *events;
-} model_result;
-
-static SEXP make_result(void *data) {
-  const model_result *r = data;
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 4));
-  SET_VECTOR_ELT(out, 0, r->columns);
-  SET_VECTOR_ELT(out, 1, ffi_info(r->info));
-  SET_VECTOR_ELT(out, 2, r->ledger);
-  SET_VECTOR_ELT(out, 3, event_list(r->events));
-  UNPROTECT(1);
-  return out;
-}
-
-static SEXP with_events(SEXP columns, const rot_info *info, SEXP ledger, rot_events *events,
-                        ffi_guard *guard, rot_status status) {
-  model_result data = {columns, ledger, info, events};
-  SEXP out = R_NilValue;
-  if (status != ROT_EUNWIND) status = ffi_guarded(guard, make_result, &data, &out);
-  rot_events_free(events);
-  PROTECT(out);
-  if (status == ROT_EUNWIND) R_ContinueUnwind(guard->token);
-  UNPROTECT(2); /* out, and what ffi_guard_begin() protects */
-  return out;
-}
-
 /* Every exact model of such a scene by its name in R/model-axle.R. Listed once, here. */
 static const struct {
   const char *name;
@@ -261,22 +157,16 @@ rot_axle_model ffi_axle_model_named(SEXP name) {
   Rf_error("internal: no such model");
 }
 
-/* list(columns, info, NULL, events) */
 SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
-  const rot_axle_model run = ffi_axle_model_named(name);
+  const rot_axle_model model = ffi_axle_model_named(name);
   const rot_axle_scene scene = ffi_axle_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1);
-  rot_axle_columns columns;
-  rot_events events = {0, 0, NULL, NULL};
-  rot_info info;
-  ffi_guard guard;
-  SEXP list = new_columns(time_s, &columns);
-  ffi_guard_begin(&guard, progress);
-  const rot_status status =
-      run(&scene, (size_t)XLENGTH(time_s), t, &columns, &events, &guard.hooks, &info);
-  SEXP out = with_events(list, &info, R_NilValue, &events, &guard, status);
-  UNPROTECT(1);
-  return out;
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  const rot_axle_columns out = new_columns(&run, time_s);
+  return ffi_run_end(
+      &run,
+      model(&scene, (size_t)XLENGTH(time_s), t, &out, &run.events, &run.guard.hooks, &run.info), 1);
 }
 
 /* c(time of the last stop, angle there, terminal omega) */
@@ -294,32 +184,33 @@ SEXP ffi_axle_stopping(SEXP pack) {
 
 /* ---- integrated ------------------------------------------------------------------------------ */
 
-/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is c(accuracy, max_steps, method), method as in
- * ROT_METHOD_LIST. Gives list(columns, info, ledger, events). */
+/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is
+ * c(accuracy, max_steps, method), method as in ROT_METHOD_LIST. */
 SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
   rot_axle_scene scene = ffi_axle_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
   if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
   const rot_axle_ode_options options = {c[0], (size_t)c[1], (rot_method)(int)c[2]};
-  rot_axle_columns columns;
-  rot_axle_ledger ledger = no_ledger();
-  rot_events events = {0, 0, NULL, NULL};
-  rot_info info;
-  ffi_guard guard;
+  rot_axle_ledger ledger;
+#define X(name) ledger.name = NA_REAL;
+  ROT_AXLE_LEDGER(X)
+#undef X
+  ffi_run run;
   ffi_torque called;
-  SEXP list = new_columns(time_s, &columns);
-  /* All that is allocated is allocated before the core holds anything. */
-  SEXP sums = PROTECT(ledger_vector(&ledger));
   if (!Rf_isNull(law)) {
-    called = ffi_torque_new(law, &guard);
+    called = ffi_torque_new(law, &run.guard);
     scene.linear.torque.call = ffi_torque_call;
     scene.linear.torque.ctx = &called;
   }
-  ffi_guard_begin(&guard, progress);
-  const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t,
-                                               &columns, &events, &ledger, &guard.hooks, &info);
-  write_ledger_vector(&ledger, sums);
-  SEXP out = with_events(list, &info, sums, &events, &guard, status);
-  UNPROTECT(Rf_isNull(law) ? 2 : 3);
-  return out;
+  ffi_run_begin(&run, progress);
+  const rot_axle_columns out = new_columns(&run, time_s);
+  SEXP sums = ffi_named(FFI_LENGTH(ledger_names), ledger_names, NULL);
+  SET_VECTOR_ELT(run.out, FFI_LEDGER, sums);
+  const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t, &out,
+                                               &run.events, &ledger, &run.guard.hooks, &run.info);
+  const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
+  memcpy(REAL(sums), values, sizeof values);
+  SEXP result = ffi_run_end(&run, status, 1);
+  if (!Rf_isNull(law)) UNPROTECT(1);
+  return result;
 }

@@ -1,4 +1,4 @@
-#include "ffi.h"
+#include "ffi_run.h"
 
 #include "rot_clutch.h"
 
@@ -22,80 +22,33 @@ static rot_clutch_params unpack(SEXP pack) {
       {x[6], x[7]}, {x[8], x[9]}};
 }
 
-typedef struct result_parts {
-  SEXP columns;
-  const rot_info *info;
-  const rot_events *events;
-} result_parts;
-
-/* list(columns, info, list(time_s, event)) */
-static SEXP make_result(void *data) {
-  static const char *const names[] = {"time_s", "event", ""};
-  const result_parts *parts = data;
-  const R_xlen_t n = (R_xlen_t)parts->events->count;
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 3));
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  SET_VECTOR_ELT(list, 0, Rf_allocVector(REALSXP, n));
-  SET_VECTOR_ELT(list, 1, Rf_allocVector(STRSXP, n));
-  for (R_xlen_t i = 0; i < n; i++) {
-    REAL(VECTOR_ELT(list, 0))[i] = parts->events->time_s[i];
-    SET_STRING_ELT(VECTOR_ELT(list, 1), i, Rf_mkChar(rot_event_name(parts->events->event[i])));
-  }
-  SET_VECTOR_ELT(out, 0, parts->columns);
-  SET_VECTOR_ELT(out, 1, ffi_info(parts->info));
-  SET_VECTOR_ELT(out, 2, list);
-  UNPROTECT(2);
-  return out;
-}
-
 SEXP ffi_clutch_run(SEXP pack, SEXP time_s, SEXP progress) {
-  static const char *const names[] = {"time_s",
-                                      "theta_1_rad",
-                                      "omega_1_rad_per_s",
-                                      "theta_2_rad",
-                                      "omega_2_rad_per_s",
-                                      "clutch_torque_n_m",
-                                      "heat_j",
-                                      "locked",
-                                      ""};
+  static const char *const names[] = {"time_s", ROT_CLUTCH_COLUMNS(FFI_COLUMN_NAME) ""};
   const rot_clutch_params p = unpack(pack);
   const double *t = ffi_reals(time_s, "time_s", -1);
   const R_xlen_t rows = XLENGTH(time_s);
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  double *c[6];
+  rot_clutch_columns out;
+  R_xlen_t at = 1;
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  SEXP list = Rf_mkNamed(VECSXP, (const char **)names);
+  SET_VECTOR_ELT(run.out, FFI_COLUMNS, list);
   SET_VECTOR_ELT(list, 0, time_s);
-  for (int i = 0; i < 6; i++) {
-    SET_VECTOR_ELT(list, i + 1, ffi_new_column(rows));
-    c[i] = REAL(VECTOR_ELT(list, i + 1));
-  }
-  SET_VECTOR_ELT(list, 7, Rf_allocVector(LGLSXP, rows));
-  const rot_clutch_columns out = {
-      {c[0], c[2]}, {c[1], c[3]}, c[4], c[5], LOGICAL(VECTOR_ELT(list, 7))};
-  rot_events events = {0, 0, NULL, NULL};
-  rot_info info;
-  ffi_guard guard;
-  SEXP result = R_NilValue;
-  ffi_guard_begin(&guard, progress);
-  rot_status status = rot_clutch_run(&p, (size_t)rows, t, &out, &events, &guard.hooks, &info);
-  result_parts parts = {list, &info, &events};
-  if (status != ROT_EUNWIND) status = ffi_guarded(&guard, make_result, &parts, &result);
-  rot_events_free(&events);
-  PROTECT(result);
-  if (status == ROT_EUNWIND) R_ContinueUnwind(guard.token);
-  UNPROTECT(3);
-  return result;
+  ROT_CLUTCH_COLUMNS(FFI_COLUMN_NEW)
+  const rot_status status =
+      rot_clutch_run(&p, (size_t)rows, t, &out, &run.events, &run.guard.hooks, &run.info);
+  return ffi_run_end(&run, status, 1);
 }
 
-/* c(work, rounding) of the torques from span[0] to span[1]; NA where it failed. */
-SEXP ffi_clutch_work(SEXP pack, SEXP span) {
+/* From span[0] to span[1]; NA where it failed. */
+SEXP ffi_clutch_ledger(SEXP pack, SEXP span) {
+  static const char *const names[] = {ROT_CLUTCH_LEDGER(FFI_NAME)};
   const rot_clutch_params p = unpack(pack);
   const double *x = ffi_reals(span, "span", 2);
-  SEXP out = PROTECT(Rf_allocVector(REALSXP, 2));
-  if (rot_clutch_work(&p, x[0], x[1], REAL(out), REAL(out) + 1) != ROT_OK) {
-    REAL(out)[0] = REAL(out)[1] = NA_REAL;
-  }
-  UNPROTECT(1);
-  return out;
+  rot_clutch_ledger ledger = {0.0, 0.0};
+  const rot_status status = rot_clutch_work(&p, x[0], x[1], &ledger);
+  const double values[] = {ROT_CLUTCH_LEDGER(FFI_VALUE)};
+  return ffi_named(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
 }
 
 SEXP ffi_clutch_engagement(SEXP inertia_1, SEXP inertia_2, SEXP capacity, SEXP torque_1,

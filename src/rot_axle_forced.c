@@ -478,7 +478,7 @@ rot_status rot_axle_forced(const rot_axle_scene *scene, size_t n, const double t
                            rot_info *info) {
   static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   (void)events; /* nothing sticks, slips or locks */
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->time_s = scene->linear.start_s;
   if (!rot_axle_forced_fits(scene)) return info->status = ROT_EVALUE;
   forced_run run = {.scene = scene};

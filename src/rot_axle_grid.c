@@ -189,14 +189,6 @@ static size_t even_rows(const rot_axle_grid *grid, size_t n, const double time_s
   return j;
 }
 
-/* The columns from row i on. */
-static rot_axle_columns from_row(const rot_axle_columns *to, size_t i) {
-  const rot_axle_columns out = {
-      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
-      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
-  return out;
-}
-
 /* A table for the first rows, the old one if it will do. */
 static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const double time_s[]) {
   const double step_s = (time_s[ROT_GRID_LEAST - 1] - time_s[0]) / (ROT_GRID_LEAST - 1);
@@ -216,7 +208,7 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
   size_t done = 0;
   for (;;) {
     const size_t left = n - done, rows = left < chunk_rows ? left : chunk_rows;
-    const rot_axle_columns to = from_row(out, done);
+    const rot_axle_columns to = rot_axle_columns_from(out, done);
     const departure go = depart(k, &at);
     const double rounding = step_rounding(k, &at, &go, grid->s[rows]);
     /* The next state first: a chain of sums, which the rows do not have to wait for. */

@@ -89,7 +89,7 @@ static double mean_square(const step_drive *drive, double *size) {
 
 typedef struct running_ledger {
   running_sum work, heat, impulse, turned;
-  double work_rounding, heat_rounding, impulse_rounding, turned_rounding;
+  double work_rounding, heat_rounding, impulse_rounding;
 } running_ledger;
 
 /* A product in units of 2^unit. */
@@ -161,7 +161,6 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
     if (sum) {
       add(&sum->turned, state->theta_rad - from.theta_rad);
       add(&sum->turned, state->theta_lo - from.theta_lo);
-      sum->turned_rounding = state->theta_error + ROT_EPS * fabs(sum->turned.hi);
     }
     info->time_s = stop;
     if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) return ROT_ERANGE;
@@ -182,7 +181,7 @@ rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, doubl
   rot_axle_state state = rot_axle_start(p);
   memset(&before, 0, sizeof before);
   after = before;
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   if (from_s < p->start_s) {
     if (to_s < p->start_s) info->status = march(p, &state, to_s, NULL, hooks, info);
     if (info->status == ROT_OK) info->status = march(p, &state, from_s, &before, hooks, info);
@@ -200,8 +199,6 @@ rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, doubl
   out->impulse_rounding_n_m_s = after.impulse_rounding + before.impulse_rounding;
   out->viscous_j = out->dissipated_j;
   out->quadratic_j = out->coulomb_j = out->inertia_work_j = 0.0;
-  out->damping_rounding_n_m_s =
-      2.0 * fabs(p->viscous_n_m_s) * (after.turned_rounding + before.turned_rounding);
   out->damping_impulse_n_m_s = 0.0 - p->viscous_n_m_s * difference(after.turned, before.turned);
   return info->status;
 }

@@ -212,22 +212,24 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
 static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
                        const double error[], const double largest[], rot_info *info) {
   const double theta0 = m->scene->linear.theta0_rad;
-  info->theta_max = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
+  rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
+  rot_info_measures(info, rot_turning);
+  theta->largest = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
   for (size_t i = 0; i < n; i++) {
-    info->theta_max = fmax(info->theta_max, fabs(theta0 + y[i * DIM + TURNED]));
+    theta->largest = fmax(theta->largest, fabs(theta0 + y[i * DIM + TURNED]));
   }
   /* With half of an ulp of theta, two of 1000 motions erred by more, at 3e-16. */
-  info->theta_error = error[TURNED] + 4.0 * ROT_EPS * info->theta_max;
-  info->omega_error = error[OMEGA];
-  info->omega_max = largest[OMEGA];
+  theta->error = error[TURNED] + 4.0 * ROT_EPS * theta->largest;
+  omega->error = error[OMEGA];
+  omega->largest = largest[OMEGA];
   if (m->inertia.n == 0) return;
   double most = 0.0;
-  info->omega_max = fabs(m->scene->linear.omega0_rad_per_s);
+  omega->largest = fabs(m->scene->linear.omega0_rad_per_s);
   for (size_t i = 0; i < n; i++) {
     most = fmax(most, omega_of(m, time_s[i], 1.0));
-    info->omega_max = fmax(info->omega_max, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
+    omega->largest = fmax(omega->largest, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
   }
-  info->omega_error *= most;
+  omega->error *= most;
 }
 
 static void write_ledger(const double first[], const double last[], const double error[],
@@ -243,7 +245,6 @@ static void write_ledger(const double first[], const double last[], const double
   out->work_rounding_j = 2.0 * (error[WORK] + error[INERTIA]);
   out->dissipated_rounding_j = 2.0 * (error[VISCOUS] + error[QUADRATIC] + error[COULOMB]);
   out->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
-  out->damping_rounding_n_m_s = 2.0 * error[DAMPING];
 }
 
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
@@ -254,9 +255,9 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
   double start[DIM] = {0.0, scene->linear.omega0_rad_per_s};
   double error[DIM] = {0.0}, largest[DIM] = {0.0};
   const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
-  const rot_ode_switch turn = {OMEGA, IMPULSE, holds, &m.mode, events};
+  const rot_ode_switch turn = {OMEGA, IMPULSE, holds};
   const int guess_torque = scene->linear.torque.call && n > FEW_ROWS;
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->status = collect_breaks(&m);
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
   double *slope = guess_torque ? malloc(n * sizeof *slope) : NULL;
@@ -267,23 +268,26 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                  fabs(time_s[n - 1] - scene->linear.start_s))
                           : 0.0;
     const double noise[] = {scene->noise_n_m / m.reference * span, scene->noise_n_m / m.reference};
-    const rot_ode_params ode = {DIM,
-                                2,
-                                axle_rhs,
-                                &m,
-                                m.n_breaks,
-                                m.breaks,
-                                scene->linear.start_s,
-                                start,
-                                options->accuracy,
-                                options->max_steps,
-                                options->method,
-                                m.turns ? &turn : NULL,
-                                m.inertia.n ? cross_inertia : NULL,
-                                IMPULSE,
-                                noise,
-                                has_kinks(scene)};
+    const rot_ode_params ode = {.dim = DIM,
+                                .controlled = 2,
+                                .rhs = axle_rhs,
+                                .ctx = &m,
+                                .n_breaks = m.n_breaks,
+                                .breaks = m.breaks,
+                                .start_s = scene->linear.start_s,
+                                .start = start,
+                                .accuracy = options->accuracy,
+                                .max_steps = options->max_steps,
+                                .method = options->method,
+                                .mode = &m.mode,
+                                .turn = m.turns ? &turn : NULL,
+                                .log = events,
+                                .at_break = m.inertia.n ? cross_inertia : NULL,
+                                .sloped = IMPULSE,
+                                .noise = noise,
+                                .kinks = has_kinks(scene)};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
+    if (failure == ROT_ERHS) failure = ROT_ETORQUE;
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
       const rot_status columns =
           fill_columns(&m, options->accuracy, n, time_s, y, slope, out, info);

@@ -374,7 +374,7 @@ rot_status rot_axle_oscillator(const rot_axle_scene *scene, size_t n, const doub
   static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   swing run;
   (void)events; /* nothing happens here that would be one */
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->status = begin(scene, &run);
   if (info->status == ROT_OK) {
     rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);

@@ -320,7 +320,7 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
   static const rot_axle_pieces pieces = {restart, piece_end, NULL, state_at};
   pendulum run = {.scene = scene};
   (void)events; /* nothing happens here that would be one */
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   if (!fits(scene)) return info->status = ROT_EVALUE;
   const rot_axle_params *p = &scene->linear;
   const double gravity = scene->terms[0].x[0], rest = scene->terms[0].x[1];

@@ -39,9 +39,9 @@ void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out
   const double momentum = rot_axle_scene_inertia(scene, t) * omega;
   out->theta_rad[i] = theta;
   out->omega_rad_per_s[i] = omega;
-  out->applied_n_m[i] = applied;
-  out->damping_n_m[i] = resistance;
-  out->net_n_m[i] = applied + resistance;
-  out->momentum_kg_m2_per_s[i] = momentum;
-  out->energy_j[i] = 0.5 * momentum * omega;
+  out->applied_torque_n_m[i] = applied;
+  out->damping_torque_n_m[i] = resistance;
+  out->net_torque_n_m[i] = applied + resistance;
+  out->angular_momentum_kg_m2_per_s[i] = momentum;
+  out->rotational_kinetic_energy_j[i] = 0.5 * momentum * omega;
 }

@@ -27,8 +27,10 @@ typedef struct job {
   const rot_ode_trace *guide;  /* of both sides, or NULL */
   rot_ode_trace *trace;        /* of both sides */
   double *largest, *share;
+  double *moved;
   double worst, unresolved; /* out: see rot_ode_march */
   int stiff;                /* in: look for it; out: found */
+  int first_mode;
 } job;
 
 static rot_status run_sides(rot_ode_march *run, job *j) {
@@ -46,9 +48,10 @@ static rot_status run_sides(rot_ode_march *run, job *j) {
     if (forward) run->info->rows_done = j->before;
     if (run->total == 0) continue;
     double end = j->time_s[forward ? j->n - 1 : 0];
-    if (guide && guide->count) end = rot_ode_node(guide, guide->count - 1)[0];
+    if (guide && guide->count && !guide->ended) end = rot_ode_node(guide, guide->count - 1)[0];
     rot_ode_rows_at_start(run);
     status = rot_ode_march_to(run, end, forward);
+    run->trace->ended = run->phase == ROT_ODE_ENDED;
   }
   return status;
 }
@@ -58,9 +61,9 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   const size_t dim = p->dim;
   rot_ode_march run;
   memset(&run, 0, sizeof run);
-  double *scratch = calloc(9 * dim, sizeof *scratch);
+  double *scratch = calloc(10 * dim, sizeof *scratch);
   const size_t calls = info->rhs_calls;
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   info->rhs_calls = calls;
   info->tolerance = j->tolerance;
   info->method = j->method;
@@ -72,6 +75,8 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   run.budget = j->budget;
   run.largest = j->largest;
   run.share = j->share;
+  run.moved = j->moved;
+  run.first_mode = j->first_mode;
   run.time_s = j->time_s;
   run.y_rows = j->y_rows;
   run.slope_rows = j->slope_rows;
@@ -79,42 +84,56 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   run.dense.dim = dim;
   run.dense.slopes = j->method == ROT_METHOD_RK8PD;
   run.form = calloc(dim, sizeof *run.form);
-  for (size_t i = 0; i < dim; i++) {
-    j->largest[i] = fabs(p->start[i]);
-    if (j->share) j->share[i] = 0.0;
+  run.n_watch = (p->turn != NULL) + p->n_events;
+  run.watch = calloc(run.n_watch + 1, sizeof *run.watch);
+  memset(j->share, 0, dim * sizeof *j->share);
+  memset(j->moved, 0, dim * sizeof *j->moved);
+  for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    j->largest[m] = rot_ode_size(rot_ode_group_of(p, m), p->start);
   }
-  if (p->turn && p->turn->events) p->turn->events->count = 0;
+  if (p->log) p->log->count = 0;
   if (j->method == ROT_METHOD_RADAU) {
     run.radau = rot_radau_alloc(dim, p->controlled);
   } else {
     run.rk = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, dim);
   }
-  info->status = scratch && run.form && (run.rk || run.radau) ? ROT_OK : ROT_ENOMEM;
+  info->status = scratch && run.form && run.watch && (run.rk || run.radau) ? ROT_OK : ROT_ENOMEM;
   if (info->status == ROT_OK) {
-    double **part[] = {&run.y,       &run.trial, &run.trial_error, &run.slope,  &run.trial_slope,
-                       &run.allowed, &run.work,  &run.stage_y,     &run.stage_f};
+    double **part[] = {&run.y,       &run.trial, &run.trial_error, &run.slope,   &run.trial_slope,
+                       &run.allowed, &run.work,  &run.change,      &run.stage_y, &run.stage_f};
     for (size_t k = 0; k < sizeof part / sizeof *part; k++) *part[k] = scratch + k * dim;
     run.system = (gsl_odeiv2_system){rot_ode_slope_at, NULL, dim, &run};
     info->status = run_sides(&run, j);
   }
   j->worst = run.worst;
   j->unresolved = sqrt(run.unresolved);
-  j->stiff = run.stiff;
+  j->stiff = run.phase == ROT_ODE_STIFF;
   if (run.rk) gsl_odeiv2_step_free(run.rk);
   rot_radau_free(run.radau);
   rot_dense_free(&run.dense);
   free(run.form);
+  free(run.watch);
   free(scratch);
   return info->status;
 }
 
 /* ---- the error estimate ---------------------------------------------------------------------- */
 
-/* Largest difference of each component between two runs, where both have a step's end, at those on
+static void note_apart(const rot_ode_params *p, const double a[], const double b[], double change[],
+                       double apart[]) {
+  for (size_t i = 0; i < p->dim; i++) change[i] = b[i] - a[i];
+  for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    const double now = rot_ode_apart(rot_ode_group_of(p, m), a, change);
+    if (!(now <= apart[m])) apart[m] = now;
+  }
+}
+
+/* Largest difference of each measure between two runs, where both have a step's end, at those on
  * either side of a row. */
 static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
                         const rot_ode_trace *fine, int forward, size_t first, size_t rows,
-                        const double time_s[], double mend, double y_rows[], double apart[]) {
+                        const double time_s[], double mend, double y_rows[], double change[],
+                        double apart[]) {
   const double way = forward ? 1.0 : -1.0;
   size_t f = 0, row = 0;
   const double *last[2] = {NULL, NULL}; /* the pair before */
@@ -135,17 +154,13 @@ static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
         const double before = last[0] ? last[1][i] - last[0][i] : 0.0, now = b[2 + i] - a[2 + i];
         y_rows[at * p->dim + i] += mend * (before + weight * (now - before));
       }
+      if (mend > 0.0 && p->project) p->project(t, y_rows + at * p->dim, p->ctx);
       seen_here = 1;
       seen_before = seen_before || t != a[0];
       row++;
     }
-    for (size_t i = 0; i < p->dim; i++) {
-      const double now = fabs(a[2 + i] - b[2 + i]);
-      if (seen_here && !(now <= apart[i])) apart[i] = now;
-      if (seen_before && last[0] && !(fabs(last[0][i] - last[1][i]) <= apart[i])) {
-        apart[i] = fabs(last[0][i] - last[1][i]);
-      }
-    }
+    if (seen_here) note_apart(p, a + 2, b + 2, change, apart);
+    if (seen_before && last[0]) note_apart(p, last[0], last[1], change, apart);
     last_s = a[0];
     last[0] = a + 2;
     last[1] = b + 2;
@@ -169,28 +184,28 @@ static double part_of_distance(const job *coarse, const job *fine, double roundi
 }
 
 static double estimate(const job *coarse, const job *fine, const rot_info *info,
-                       double rounding_share, double error[]) {
+                       double rounding_share, double change[], double error[]) {
   const rot_ode_params *p = fine->p;
   const double part = part_of_distance(coarse, fine, rounding_share);
-  const double mend = !p->turn && fine->method == ROT_METHOD_RK8PD ? 1.0 / 255.0 : 0.0;
+  const int smooth = !p->turn && p->n_events == 0;
+  const double mend = smooth && fine->method == ROT_METHOD_RK8PD ? 1.0 / 255.0 : 0.0;
   const double resolve = (p->kinks ? 4.0 : 1.0) * fine->unresolved;
   double worst = 0.0;
-  memset(error, 0, p->dim * sizeof *error);
+  memset(error, 0, rot_ode_measures(p) * sizeof *error);
   for (int forward = 0; forward < 2; forward++) {
     const size_t first = forward ? fine->before : 0;
     const size_t before = fine->before < info->rows_done ? fine->before : info->rows_done;
     const size_t rows = forward ? info->rows_done - before : before;
     if (rows) {
       differences(p, &coarse->trace[forward], &fine->trace[forward], forward, first, rows,
-                  fine->time_s, mend, fine->y_rows, error);
+                  fine->time_s, mend, fine->y_rows, change, error);
     }
   }
-  for (size_t i = 0; i < p->dim; i++) {
-    error[i] = part * error[i] + fine->share[i] + resolve * fine->largest[i] +
-               4.0 * ROT_EPS * sqrt(1.0 + (double)info->steps) * fine->largest[i];
-    if (i < p->controlled && fine->largest[i] > 0.0) {
-      worst = fmax(worst, error[i] / fine->largest[i]);
-    }
+  for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    const double size = fine->largest[m];
+    error[m] = part * error[m] + fine->share[m] + fine->moved[m] + resolve * size +
+               4.0 * ROT_EPS * sqrt(1.0 + (double)info->steps) * size;
+    if (m < rot_ode_steering(p) && size > 0.0) worst = fmax(worst, error[m] / size);
   }
   return worst;
 }
@@ -250,12 +265,12 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
                        rot_info *info) {
   gsl_set_error_handler_off(); /* process-wide, and aborts by default: at every entry */
   rot_ode_trace traces[2][2];
-  double *scratch = calloc(2 * p->dim + 1, sizeof *scratch);
+  double *scratch = calloc(4 * p->dim + 1, sizeof *scratch);
   double tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, 10.0 * p->accuracy));
   job coarse;
   memset(traces, 0, sizeof traces);
   memset(&coarse, 0, sizeof coarse);
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
   coarse.p = p;
   coarse.time_s = time_s;
@@ -263,10 +278,13 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   while (coarse.before < n && time_s[coarse.before] < p->start_s) coarse.before++;
   coarse.trace = traces[0];
   coarse.largest = scratch;
+  coarse.share = scratch + p->dim;
+  coarse.moved = scratch + 2 * p->dim;
+  coarse.first_mode = p->mode ? *p->mode : 0;
   coarse.budget = p->max_steps / 2;
   if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
   const rot_info failure = *info;
-  if (scratch) memcpy(largest, scratch, p->dim * sizeof *largest);
+  if (scratch) memcpy(largest, scratch, rot_ode_measures(p) * sizeof *largest);
   if (info->status != ROT_OK) cut_traces(&coarse, &coarse.n);
 
   const int hopeless = info->status == ROT_EUNWIND || info->status == ROT_ENOMEM ||
@@ -279,14 +297,13 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     fine.y_rows = y;
     fine.slope_rows = slope;
     fine.largest = largest;
-    fine.share = scratch + p->dim;
     fine.budget = p->max_steps;
     fine.tolerance = coarse.tolerance / (coarse.method == ROT_METHOD_RADAU ? 8.0 : 32.0);
     run_once(&fine, hooks, info);
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
     /* A step's rounding beside what its error test allows. */
     const double share = 4e-15 / tolerance;
-    const double worst = estimate(&coarse, &fine, info, share, error);
+    const double worst = estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error);
     if (info->status != ROT_OK || worst <= p->accuracy || share > 0.3 || worst > 0.5 * last ||
         info->steps > p->max_steps / 2) {
       break;
@@ -301,7 +318,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     info->time_s = failure.time_s;
   }
   if (hopeless) info->rows_done = 0;
-  if (p->turn) sort_by_time(p->turn->events);
+  sort_by_time(p->log);
   for (int k = 0; k < 4; k++) free(traces[k / 2][k % 2].data);
   free(scratch);
   return info->status;

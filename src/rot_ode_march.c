@@ -2,61 +2,62 @@
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
+#include "rot_ode_event.h"
 #include "rot_ode_rest.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_step.h"
-#include "rot_ode_zero.h"
 #include "rot_real.h"
 
 enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and more */
 
-/* ---- the stretches of a motion that may turn or stick ---------------------------------------- */
+/* ---- stretches ------------------------------------------------------------------------------- */
 
-static void log_event(const rot_ode_march *run, rot_event event, rot_status *status) {
-  /* Met on the way back, coming to rest is breaking loose. */
-  if (!run->forward && event != ROT_EVENT_REVERSE) {
-    event = event == ROT_EVENT_STICK ? ROT_EVENT_SLIP : ROT_EVENT_STICK;
+/* Integrating backward, stick and slip swap. */
+static rot_status log_event(const rot_ode_march *run, rot_event event) {
+  if (!run->forward && event == ROT_EVENT_STICK) {
+    event = ROT_EVENT_SLIP;
+  } else if (!run->forward && event == ROT_EVENT_SLIP) {
+    event = ROT_EVENT_STICK;
   }
-  if (rot_events_add(run->p->turn->events, run->t, event) != ROT_OK) *status = ROT_ENOMEM;
+  return rot_events_add(run->p->log, run->t, event);
 }
 
-/* Which way it goes on from here. `was`: the mode before, 2 at the start of a run. */
+/* The mode of a switch from here on. `was`: the mode before, 2 at the start of a run. */
 static rot_status choose_mode(rot_ode_march *run, int was) {
   const rot_ode_switch *turn = run->p->turn;
-  run->at_rest = run->may_flip = run->was_cut = 0;
+  int *mode = run->p->mode;
   run->noise = 0.0;
+  run->phase = ROT_ODE_MOVING;
   if (!turn) return ROT_OK;
-  rot_status status = ROT_OK;
   const double w = run->y[turn->watched];
   run->slope_known = 0;
   if (w != 0.0) {
-    *turn->mode = w > 0.0 ? 1 : -1;
+    *mode = w > 0.0 ? 1 : -1;
     return ROT_OK;
   }
   double drive, grip;
-  *turn->mode = 0;
-  status = rot_ode_held_slope(run, run->t, &drive, &grip);
+  *mode = 0;
+  rot_status status = rot_ode_held_slope(run, run->t, &drive, &grip);
   if (status != ROT_OK) return status;
   if (turn->holds > 0.0 && grip <= 0.0) {
-    if (was == 1 || was == -1) log_event(run, ROT_EVENT_STICK, &status);
-    return status;
+    run->phase = ROT_ODE_HELD;
+    return was == 1 || was == -1 ? log_event(run, ROT_EVENT_STICK) : ROT_OK;
   }
   const int way = drive > 0.0 ? 1 : drive < 0.0 ? -1 : was == 1 ? -1 : 1;
-  *turn->mode = run->forward || drive == 0.0 ? way : -way;
-  run->at_rest = 1;
-  run->may_flip = drive == 0.0;
-  if (turn->holds > 0.0) { /* against its way, nothing cancels */
-    const int mode = *turn->mode;
+  const int chosen = run->forward || drive == 0.0 ? way : -way;
+  run->phase = drive == 0.0 ? ROT_ODE_UNDECIDED : ROT_ODE_LEAVING;
+  if (turn->holds > 0.0) { /* in the other direction nothing cancels: the rounding of the slope */
     double unused;
-    *turn->mode = -mode;
-    if (status == ROT_OK) status = rot_ode_held_slope(run, run->t, &drive, &unused);
-    *turn->mode = mode;
+    *mode = -chosen;
+    status = rot_ode_held_slope(run, run->t, &drive, &unused);
     run->noise = fabs(run->trial_slope[turn->watched]);
   }
-  if (was == 0) log_event(run, ROT_EVENT_SLIP, &status);
-  if (was == -*turn->mode) log_event(run, ROT_EVENT_REVERSE, &status);
+  *mode = chosen;
+  if (status == ROT_OK && was == 0) status = log_event(run, ROT_EVENT_SLIP);
+  if (status == ROT_OK && was == -chosen) status = log_event(run, ROT_EVENT_REVERSE);
   return status;
 }
 
@@ -66,11 +67,8 @@ static rot_status choose_mode(rot_ode_march *run, int was) {
 static rot_status resolve_transient(rot_ode_march *run) {
   const rot_ode_params *p = run->p;
   if (run->method != ROT_METHOD_RADAU || run->guide) return ROT_OK;
-  double most = 0.0, size = 0.0, change = 0.0;
-  for (size_t i = 0; i < p->controlled; i++) {
-    most = fmax(most, fabs(run->slope[i]));
-    size = fmax(size, fabs(run->y[i]));
-  }
+  const rot_ode_group all = {0, p->controlled, ROT_ODE_VECTOR};
+  const double most = rot_ode_rate(all, run->slope), size = rot_ode_size(all, run->y);
   if (!(most > 0.0 && isfinite(most))) return ROT_OK;
   /* Along the motion itself, far enough for the difference to have digits. */
   const double way = run->forward ? 1.0 : -1.0;
@@ -78,17 +76,14 @@ static rot_status resolve_transient(rot_ode_march *run) {
   for (size_t i = 0; i < p->controlled; i++) run->trial[i] = run->y[i] + way * d * run->slope[i];
   for (size_t i = p->controlled; i < p->dim; i++) run->trial[i] = run->y[i];
   if (rot_ode_slope_at(run->t, run->trial, run->trial_slope, run) != GSL_SUCCESS) {
-    const int elsewhere = run->wild;
-    run->wild = 0;
-    return elsewhere ? ROT_OK : run->status;
+    return run->status == ROT_ERHS ? ROT_OK : run->status;
   }
-  for (size_t i = 0; i < p->controlled; i++) {
-    change = fmax(change, fabs(run->trial_slope[i] - run->slope[i]));
-  }
-  const double rate = change / d / most;
-  for (size_t i = 0; i < p->controlled; i++) {
-    const double apart = fabs(run->slope[i]) / rate;
-    const double scale = fmax(run->largest[i], fabs(run->y[i]));
+  for (size_t i = 0; i < p->controlled; i++) run->trial_slope[i] -= run->slope[i];
+  const double rate = rot_ode_rate(all, run->trial_slope) / d / most;
+  for (size_t m = 0; m < rot_ode_steering(p); m++) {
+    const rot_ode_group g = rot_ode_group_of(p, m);
+    const double apart = rot_ode_rate(g, run->slope) / rate;
+    const double scale = fmax(run->largest[m], rot_ode_size(g, run->y));
     if (rate * fabs(run->h) > 1.0 && apart > 0.03 * p->accuracy * scale) {
       run->h = way * 0.05 / rate;
       return ROT_OK;
@@ -97,9 +92,10 @@ static rot_status resolve_transient(rot_ode_march *run) {
   return ROT_OK;
 }
 
-static rot_status begin_stretch(rot_ode_march *run, int was) {
+static rot_status begin_stretch(rot_ode_march *run, int was, size_t fired, double at) {
   rot_status status = choose_mode(run, was);
   if (status == ROT_OK) status = rot_ode_know_slope(run);
+  if (status == ROT_OK) rot_ode_arm(run, fired, at);
   if (status == ROT_OK) status = resolve_transient(run);
   run->stretch_t = run->t;
   run->dense.count = 0;
@@ -138,7 +134,9 @@ typedef struct step_plan {
 static step_plan plan_step(rot_ode_march *run, double stop) {
   const double left = stop - run->t;
   step_plan plan = {left, stop, 0};
-  if (run->guide) {
+  const rot_ode_trace *m = run->guide; /* it may have ended early, at an event */
+  if (m && m->count &&
+      fabs(rot_ode_node(m, m->count - 1)[0] - run->p->start_s) > fabs(run->t - run->p->start_s)) {
     plan.target = guided_aim(run, stop);
     plan.h = plan.target - run->t;
     if (fabs(plan.h) > run->limit) {
@@ -171,31 +169,31 @@ static void judge_stiffness(rot_ode_march *run, double h) {
   } else if (++run->calm_steps >= 6) {
     run->stiff_steps = 0;
   }
-  run->stiff = run->stiff_steps >= 15 && fabs(run->end - run->t) > 50.0 * fabs(h);
+  if (run->stiff_steps >= 15 && fabs(run->end - run->t) > 50.0 * fabs(h)) {
+    run->phase = ROT_ODE_STIFF;
+  }
 }
 
-/* Why no step is short enough: the right-hand side is not finite, or the state is about to be. */
-static rot_status why_wild(const rot_ode_march *run) {
-  for (size_t i = 0; i < run->p->controlled; i++) {
-    if (fabs(run->y[i]) > 1e300 || fabs(run->slope[i]) > 1e300) return ROT_ERANGE;
-  }
-  return ROT_ETORQUE;
-}
-static rot_status reject(rot_ode_march *run, double h, double factor) {
+/* `why`: ROT_ERHS, or what a step too short means. The state may be about to leave the doubles. */
+static rot_status reject(rot_ode_march *run, double h, double factor, rot_status why) {
   run->info->rejected++;
   run->h = h * factor;
   run->limit = fabs(run->h);
   /* As short as time can be resolved, or rounded back to what was just rejected. */
   const double next = fabs((run->t + run->h) - run->t);
   if (next > 0.0 && next < fabs(h)) return ROT_OK;
-  if (run->at_rest && run->p->turn->holds > 0.0) { /* drives no further than rounding: held */
+  if (run->phase == ROT_ODE_LEAVING && run->p->turn->holds > 0.0) { /* driven by rounding: held */
     run->grace = run->t + 1e-9 * (run->end - run->t);
-    *run->p->turn->mode = 0;
+    *run->p->mode = 0;
+    run->phase = ROT_ODE_HELD;
     run->slope_known = 0;
     return ROT_OK;
   }
-  const rot_status why = run->wild ? why_wild(run) : ROT_ESTEP;
-  if (why != ROT_ETORQUE) run->info->time_s = run->t; /* else it is where the torque failed */
+  if (why != ROT_ERHS) run->info->time_s = run->t; /* else it is where rhs failed */
+  for (size_t i = 0; i < run->p->controlled && why == ROT_ERHS; i++) {
+    if (fabs(run->y[i]) > 1e300 || fabs(run->slope[i]) > 1e300) why = ROT_ERANGE;
+  }
+  if (why == ROT_ERANGE) run->info->time_s = run->t;
   return why;
 }
 
@@ -216,9 +214,11 @@ static void note_error(rot_ode_march *run, double error) {
   }
 }
 
+static int may_retry(rot_status status) { return status == ROT_ERHS || status == ROT_ESTEP; }
+
 /* One step towards `stop`, which no break comes before. */
-static rot_status take_step(rot_ode_march *run, double stop, double fraction,
-                            rot_ode_passage *what) {
+static rot_status take_step(rot_ode_march *run, double stop, double fraction, rot_ode_passage *what,
+                            size_t *which) {
   const size_t tried = run->info->steps + run->info->rejected;
   *what = ROT_ODE_TRY_SHORTER;
   if (tried >= run->budget) {
@@ -234,21 +234,22 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction,
     return ROT_ESTEP;
   }
   status = rot_ode_attempt(run, run->t, plan.h, run->y, run->slope);
-  if (status != ROT_OK && status != ROT_ETORQUE) return status;
-  if (status == ROT_ETORQUE && !run->wild && run->status != ROT_OK) return status;
+  if (status != ROT_OK && !may_retry(status)) return status;
   const double ratio = status == ROT_OK ? rot_ode_trial_ratio(run, plan.h) : NAN;
   if (!(ratio <= 1.0)) { /* NaN fails */
     const double less = isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, error_power(run))) : 0.1;
-    return reject(run, plan.h, less);
+    return reject(run, plan.h, less, status == ROT_OK ? ROT_ESTEP : status);
   }
   double h = plan.h;
-  status = rot_ode_look_for_zero(run, &h, what);
-  if (status == ROT_ETORQUE && run->wild) return reject(run, plan.h, 0.5);
+  status = rot_ode_look_for_events(run, &h, what, which);
+  if (may_retry(status)) return reject(run, plan.h, 0.5, status);
   if (status != ROT_OK) return status;
-  if (*what == ROT_ODE_TRY_SHORTER) return run->slope_known ? reject(run, plan.h, 0.1) : ROT_OK;
+  if (*what == ROT_ODE_TRY_SHORTER) {
+    return run->slope_known ? reject(run, plan.h, 0.1, ROT_ESTEP) : ROT_OK;
+  }
   note_error(run, ratio * run->tolerance);
   run->limit = INFINITY;
-  run->was_cut = *what == ROT_ODE_CUT_SHORT;
+  run->phase = *what == ROT_ODE_CUT_SHORT ? ROT_ODE_CUT : ROT_ODE_MOVING;
   const double grow = ratio > 0.0 ? 0.9 * pow(ratio, error_power(run)) : 5.0;
   const double wish = plan.h * fmin(5.0, fmax(0.5, grow));
   judge_stiffness(run, plan.h);
@@ -258,26 +259,48 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction,
                         ratio * run->tolerance);
 }
 
+/* At an event: the log, and what follows. */
+static rot_status pass_event(rot_ode_march *run, size_t which, int *new_stretch) {
+  const rot_ode_event *e = &run->p->events[which - (run->p->turn != NULL)];
+  rot_status status = log_event(run, e->name);
+  rot_ode_then then = ROT_ODE_GO_ON;
+  if (status == ROT_OK && e->then) {
+    then = e->then(run->t, run->y, run->p->mode, run->forward, run->p->ctx);
+  }
+  *new_stretch = then == ROT_ODE_NEW_STRETCH;
+  if (then == ROT_ODE_END) run->phase = ROT_ODE_ENDED;
+  if (*new_stretch) run->slope_known = 0;
+  return status;
+}
+
 /* Integrate to a time with no break in between. */
 static rot_status drive(rot_ode_march *run, double stop) {
-  const rot_ode_switch *turn = run->p->turn;
   const double whole = run->end - run->p->start_s;
-  while (run->t != stop) {
+  while (run->t != stop && run->phase != ROT_ODE_ENDED) {
     rot_ode_passage what = ROT_ODE_SAME_SIDE;
     rot_status status;
-    int was = turn ? *turn->mode : 1, broke_loose = 0;
-    if (was == 0) {
-      status = rot_ode_hold(run, stop, &broke_loose);
+    const int was = run->p->turn ? *run->p->mode : 1;
+    int new_stretch = 0;
+    size_t which = SIZE_MAX;
+    double at = 0.0;
+    if (run->phase == ROT_ODE_HELD) {
+      status = rot_ode_hold(run, stop, &new_stretch);
     } else {
-      status = take_step(run, stop, fabs((run->t - run->p->start_s) / whole), &what);
-      if (run->stiff) return ROT_ESTEP;
+      status = take_step(run, stop, fabs((run->t - run->p->start_s) / whole), &what, &which);
+      if (run->phase == ROT_ODE_STIFF) return ROT_ESTEP;
     }
     if (status != ROT_OK) return status;
-    if (what == ROT_ODE_AT_ZERO || broke_loose) {
-      status = rot_ode_fill_rows(run, 1);
-      if (status == ROT_OK) status = begin_stretch(run, was);
-      if (status != ROT_OK) return status;
+    if (run->n_watch && what != ROT_ODE_TRY_SHORTER) rot_ode_watch_on(run, which);
+    if (what == ROT_ODE_AT_ZERO) {
+      new_stretch = run->p->turn && which == 0;
+      at = new_stretch ? 0.0 : rot_ode_event_value(run, which);
+      if (!new_stretch) status = pass_event(run, which, &new_stretch);
     }
+    if (status == ROT_OK && new_stretch) {
+      status = rot_ode_fill_rows(run, 1);
+      if (status == ROT_OK) status = begin_stretch(run, was, which, at);
+    }
+    if (status != ROT_OK) return status;
   }
   return ROT_OK;
 }
@@ -295,6 +318,8 @@ static course set_out(rot_ode_march *run, double end, int forward) {
   w.near = forward ? &run->after : &run->before;
   w.far = forward ? &run->before : &run->after;
   memcpy(run->y, p->start, p->dim * sizeof *run->y);
+  if (p->mode) *p->mode = run->first_mode;
+  run->phase = ROT_ODE_MOVING;
   run->forward = forward;
   run->end = end;
   run->t = p->start_s;
@@ -334,16 +359,16 @@ rot_status rot_ode_march_to(rot_ode_march *run, double end, int forward) {
   course w = set_out(run, end, forward);
   rot_status status = rot_ode_trace_end(run, 0.0);
   int was = 2;
-  while (status == ROT_OK && run->t != end) {
+  while (status == ROT_OK && run->t != end && run->phase != ROT_ODE_ENDED) {
     const double at_break = next_break(run, &w);
     const int breaks = forward ? at_break < end : at_break > end;
-    status = begin_stretch(run, was);
+    status = begin_stretch(run, was, SIZE_MAX, 0.0);
     if (status == ROT_OK) status = drive(run, breaks ? at_break : end);
     const rot_status rows = rot_ode_fill_rows(run, 1);
     if (status == ROT_OK) status = rows;
     if (status == ROT_OK) run->info->time_s = run->t;
-    if (status == ROT_OK && breaks) cross_break(run, &w, at_break);
-    was = run->p->turn ? *run->p->turn->mode : 1;
+    if (status == ROT_OK && breaks && run->t == at_break) cross_break(run, &w, at_break);
+    was = run->p->turn ? *run->p->mode : 1;
   }
   return status;
 }

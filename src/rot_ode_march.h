@@ -6,19 +6,46 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "rot_dense.h"
-#include "rot_ode.h"
+#include "rot_ode_norm.h"
 #include "rot_radau.h"
 
 /* Ends of the steps of one run on one side of the start, outward: t, the error that the test found
  * in the step that ends there (a part of the largest value), y[dim]. */
 typedef struct rot_ode_trace {
   size_t dim, count, room;
+  int ended; /* by an event */
   double *data;
 } rot_ode_trace;
 
 static inline const double *rot_ode_node(const rot_ode_trace *m, size_t i) {
   return m->data + i * (2 + m->dim);
 }
+
+/* The state of the march.
+ *
+ *   MOVING     -> a step -> MOVING, CUT
+ *   CUT        -> the last step was cut where an event seemed near; a step -> MOVING
+ *   LEAVING    -> a stretch begins at rest, its direction known; a step -> MOVING; none -> HELD
+ *   UNDECIDED  -> the same where nothing drives: the direction is a guess, and may flip -> LEAVING
+ *   HELD       -> until it breaks loose -> LEAVING
+ *   STIFF      -> ended: not for an explicit method
+ *   ENDED      -> ended by an event */
+typedef enum rot_ode_phase {
+  ROT_ODE_MOVING,
+  ROT_ODE_CUT,
+  ROT_ODE_LEAVING,
+  ROT_ODE_UNDECIDED,
+  ROT_ODE_HELD,
+  ROT_ODE_STIFF,
+  ROT_ODE_ENDED
+} rot_ode_phase;
+
+/* One event function at run->t. */
+typedef struct rot_ode_watch {
+  double value;
+  int side;  /* its sign on the way here; 0: not known yet */
+  int fresh; /* the stretch begins at its zero */
+} rot_ode_watch;
 
 /* One run. */
 typedef struct rot_ode_march {
@@ -34,25 +61,27 @@ typedef struct rot_ode_march {
   double t, h;          /* h: the step that the error test would like next */
   double after, before; /* rhs is evaluated strictly inside (break, next break) */
   int forward;
-  double end;            /* of this side */
-  int slope_known;       /* slope holds f(t, y) */
-  int wild;              /* rhs was not finite in the last trial */
-  double stretch_t;      /* where the stretch began */
-  int at_rest, may_flip; /* a stretch began at zero; nothing said which way it goes */
-  int was_cut;           /* the last step ended at a dip that was none */
-  double noise;          /* of a stretch that began at rest: what cancels in its slope there */
-  double grace;          /* held up to here whatever drives */
-  rot_status status;     /* of the last rhs call */
-  double *y, *trial, *trial_error, *slope, *trial_slope, *allowed, *work; /* dim each */
-  double *largest;            /* the caller's: size of each component so far */
+  double end; /* of this side */
+  rot_ode_phase phase;
+  int first_mode;    /* *p->mode where a run sets out */
+  int slope_known;   /* slope holds f(t, y) */
+  double stretch_t;  /* where the stretch began */
+  double noise;      /* of a stretch that began at rest: what cancels in its slope there */
+  double grace;      /* held up to here whatever drives */
+  rot_status status; /* of the last rhs call */
+  double *y, *trial, *trial_error, *slope, *trial_slope, *allowed, *work, *change; /* dim each */
+  double *largest;            /* the caller's: size of each measure so far */
+  double *moved;              /* by the projection, summed, each measure */
   double worst;               /* error that the test found in a step, largest so far */
   double unresolved;          /* of steps where halving did not help, the sum of squares */
   const rot_ode_trace *guide; /* steps to be halved; NULL: the error test rules */
   size_t guide_at;            /* t lies from this node of it to the next */
   double limit;               /* no step is longer, after a rejection in a guided run */
   rot_ode_trace *trace;       /* its own steps */
+  rot_ode_watch *watch;       /* the switch first, if there is one, then the events */
+  size_t n_watch;
   double stage_t, *stage_y, *stage_f, stiffness; /* Hairer's test, see rot_ode_step.c */
-  int watch_stiffness, stiff, stiff_steps, calm_steps;
+  int watch_stiffness, stiff_steps, calm_steps;
   /* rows, outward from the start */
   rot_dense dense;
   rot_dense_form *form;

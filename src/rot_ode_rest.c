@@ -15,14 +15,11 @@ static const double held_at[HELD_POINTS] = {
     1.0};
 
 rot_status rot_ode_held_slope(rot_ode_march *run, double t, double *drive, double *grip) {
-  run->wild = 0;
-  if (rot_ode_slope_at(t, run->y, run->trial_slope, run) != GSL_SUCCESS) {
-    return run->wild ? ROT_ETORQUE : run->status;
-  }
+  if (rot_ode_slope_at(t, run->y, run->trial_slope, run) != GSL_SUCCESS) return run->status;
   *drive = run->trial_slope[run->p->turn->driver];
   if (!isfinite(*drive)) {
     run->info->time_s = t;
-    return ROT_ETORQUE;
+    return ROT_ERHS;
   }
   *grip = fabs(*drive) - run->p->turn->holds;
   if (run->forward ? t < run->grace : t > run->grace) *grip = fmin(*grip, 0.0);
@@ -152,7 +149,6 @@ rot_status rot_ode_hold(rot_ode_march *run, double stop, int *broke_loose) {
     }
     status = rot_ode_accept(run, end, 0.0);
     if (status != ROT_OK) return status;
-    run->slope_known = 1;
     h = copysign(fmin(fabs(most), 2.0 * fabs(h)), whole);
   }
   return ROT_OK;

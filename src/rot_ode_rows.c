@@ -24,26 +24,30 @@ void rot_ode_rows_at_start(rot_ode_march *run) {
   }
 }
 
+/* The last node's share is what it mended, some ten times what is left. */
+#define MOST_SHARE 0.03
+
 /* A row from the polynomials; 0 if they are not good enough there. */
 static int row_between(rot_ode_march *run, double t, int held) {
   const rot_ode_params *p = run->p;
   double slope = NAN;
   for (size_t i = 0; i < p->dim; i++) {
-    double share, rise, rise_share;
-    run->work[i] = rot_dense_at(&run->form[i], t, &rise, &share, &rise_share);
-    /* A tenth: the share is what the last of the nodes mends, some ten times what is left. */
-    if (i < p->controlled && !held) {
-      if (!(share <= 0.03 * p->accuracy * run->largest[i])) return 0;
-      run->share[i] = fmax(run->share[i], share);
-    }
+    double rise, rise_share;
+    run->work[i] = rot_dense_at(&run->form[i], t, &rise, &run->change[i], &rise_share);
     if (i == p->sloped && run->slope_rows && run->dense.slopes) {
       const double *a = rot_dense_node(&run->dense, 0) + 1 + p->dim + i;
       const size_t stride = 1 + 2 * p->dim;
       double size = 0.0;
       for (size_t k = 0; k < run->dense.count; k++) size = fmax(size, fabs(a[k * stride]));
-      if (rise_share <= 0.03 * p->accuracy * size) slope = rise;
+      if (rise_share <= MOST_SHARE * p->accuracy * size) slope = rise;
     }
   }
+  for (size_t m = 0; m < rot_ode_steering(p) && !held; m++) {
+    const double share = rot_ode_rate(rot_ode_group_of(p, m), run->change);
+    if (!(share <= MOST_SHARE * p->accuracy * run->largest[m])) return 0;
+    run->share[m] = fmax(run->share[m], share);
+  }
+  if (p->project) p->project(t, run->work, p->ctx);
   row_is(run, run->work, slope);
   return 1;
 }
@@ -60,6 +64,7 @@ static rot_status step_between(rot_ode_march *run, size_t i, size_t rows) {
   const rot_status status = rot_ode_attempt(run, a, to - a, node + 1, node + 1 + p->dim);
   if (status != ROT_OK) return status;
   if (split) return rot_dense_insert(&run->dense, i + 1, mid, run->trial, run->trial_slope);
+  if (p->project) p->project(to, run->trial, p->ctx);
   row_is(run, run->trial, run->dense.slopes ? run->trial_slope[p->sloped] : NAN);
   return ROT_OK;
 }
@@ -71,8 +76,11 @@ static int in_transient(const rot_ode_march *run, const double *node, double t) 
   for (size_t i = 0; i < run->p->controlled; i++) {
     double rise;
     rot_dense_at(&run->form[i], node[0], &rise, NULL, NULL);
-    const double missed = fabs(node[1 + run->p->dim + i] - rise) * fabs(t - node[0]);
-    if (!(missed <= 0.03 * run->p->accuracy * run->largest[i])) return 1;
+    run->change[i] = (node[1 + run->p->dim + i] - rise) * (t - node[0]);
+  }
+  for (size_t m = 0; m < rot_ode_steering(run->p); m++) {
+    const double missed = rot_ode_rate(rot_ode_group_of(run->p, m), run->change);
+    if (!(missed <= MOST_SHARE * run->p->accuracy * run->largest[m])) return 1;
   }
   return 0;
 }
@@ -81,7 +89,7 @@ rot_status rot_ode_fill_rows(rot_ode_march *run, int whole_stretch) {
   enum { BEYOND = 4, BEHIND = 8 };
   rot_dense *d = &run->dense;
   if (!run->y_rows) return ROT_OK;
-  const int watching = run->watch_stiffness, held = run->p->turn && *run->p->turn->mode == 0;
+  const int watching = run->watch_stiffness, held = run->phase == ROT_ODE_HELD;
   const double way = run->forward ? 1.0 : -1.0;
   const size_t beyond = whole_stretch ? 0 : BEYOND;
   size_t i = 0, formed = (size_t)-1;

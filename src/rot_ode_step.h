@@ -7,21 +7,24 @@
 /* The right-hand side in GSL's form: on this side of the breaks, counted, and finite. */
 int rot_ode_slope_at(double t, const double y[], double dydt[], void *march);
 
-/* Where it stands, into run->slope. */
+/* The slope at (run->t, run->y), into run->slope. */
 rot_status rot_ode_know_slope(rot_ode_march *run);
 
-/* From (t, y) with its slope to t + h: trial, trial_error, trial_slope. ROT_ETORQUE: not here, try
- * shorter; else what ends the run. */
+/* From (t, y) with its slope to t + h: trial, trial_error, trial_slope. ROT_ERHS (not finite) and
+ * ROT_ESTEP (Newton diverged): try shorter; any other status ends the run. */
 rot_status rot_ode_attempt(rot_ode_march *run, double t, double h, const double y[],
                            const double slope[]);
 
 /* Error of the trial step over what is allowed; NaN if it makes no sense. */
 double rot_ode_trial_ratio(const rot_ode_march *run, double h);
 
-/* The state moves on to the trial, at t. */
+/* run->y counts among the largest. */
+void rot_ode_note_sizes(rot_ode_march *run);
+
+/* The trial, projected, becomes the state at t. */
 rot_status rot_ode_accept(rot_ode_march *run, double t, double error);
 
-/* Notes where it stands: as the end of a step, and as a node of the rows' polynomials. */
+/* Adds the state to the trace, and to the nodes of the rows' polynomials. */
 rot_status rot_ode_trace_end(rot_ode_march *run, double error);
 rot_status rot_ode_add_node(rot_ode_march *run);
 

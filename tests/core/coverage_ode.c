@@ -115,9 +115,14 @@ int main(int argc, char **argv) {
                  uniform(0.0, 0.5), uniform(0.2, 2.0), 0};
       const double start[] = {uniform(-2.0, 2.0), uniform(-2.0, 2.0)}, end = uniform(2.0, 20.0);
       const size_t rows = k % 3 == 0 ? 5 : k % 3 == 1 ? 100 : MOST_ROWS;
-      rot_ode_params p = {
-          2,    2,    rhs, &s, 0, NULL, 0.0, start, pow(10.0, -digits), 1000000, ROT_METHOD_NONE,
-          NULL, NULL, 1, NULL};
+      const rot_ode_params p = {.dim = 2,
+                                .controlled = 2,
+                                .rhs = rhs,
+                                .ctx = &s,
+                                .start = start,
+                                .accuracy = pow(10.0, -digits),
+                                .max_steps = 1000000,
+                                .sloped = 1};
       double error[2], largest[2], most[2];
       rot_info info;
       for (size_t i = 0; i < rows; i++) t[i] = end * (double)(i + 1) / (double)rows;

@@ -4,8 +4,8 @@
 
 /* Every code has a text and a kind of its own; R builds its condition classes from the kinds. */
 static void check_texts(void) {
-  static const char *const kind[] = {"none",   "memory", "value", "range",
-                                     "torque", "budget", "step",  "unwind"};
+  static const char *const kind[] = {"none", "memory", "value", "range", "torque",
+                                     "rhs",  "budget", "step",  "unwind"};
   ROT_CHECK_EQ_INT(ROT_OK, 0);
   ROT_CHECK_EQ_INT(ROT_STATUS_COUNT, sizeof kind / sizeof kind[0]);
   for (int i = 0; i < ROT_STATUS_COUNT; i++) {
@@ -28,21 +28,21 @@ static void check_unknown_code(void) {
 static void check_clear(void) {
   rot_info info;
   memset(&info, 0x5a, sizeof info);
-  rot_info_clear(&info);
+  rot_info_clear(&info, rot_turning);
   ROT_CHECK_EQ_INT(info.status, ROT_OK);
   ROT_CHECK(info.time_s == 0.0 && info.tolerance == 0.0);
   ROT_CHECK(info.rows_done == 0 && info.steps == 0 && info.rejected == 0 && info.rhs_calls == 0);
-  ROT_CHECK(info.theta_error == 0.0 && info.omega_error == 0.0);
-  ROT_CHECK(info.theta_max == 0.0 && info.omega_max == 0.0);
+  ROT_CHECK(info.measure[ROT_THETA].error == 0.0 && info.measure[ROT_OMEGA].error == 0.0);
+  ROT_CHECK(info.measure[ROT_THETA].largest == 0.0 && info.measure[ROT_OMEGA].largest == 0.0);
 }
 
 static double error_of(double theta_error, double theta_max, double omega_error, double omega_max) {
   rot_info info;
-  rot_info_clear(&info);
-  info.theta_error = theta_error;
-  info.theta_max = theta_max;
-  info.omega_error = omega_error;
-  info.omega_max = omega_max;
+  rot_info_clear(&info, rot_turning);
+  info.measure[ROT_THETA].error = theta_error;
+  info.measure[ROT_THETA].largest = theta_max;
+  info.measure[ROT_OMEGA].error = omega_error;
+  info.measure[ROT_OMEGA].largest = omega_max;
   return rot_info_error(&info);
 }
 

@@ -43,8 +43,8 @@ test_that("a linear segment holds to the goals: state, work, heat, impulse, boun
     # Positive data: theta, omega and W within 6 ulp, D within 12. Of mixed signs the goal is
     # 5 eps of the largest term: the bounds below are of that kind, and hold in all rows.
     if (same_sign) expect_true(all(ulps(got, want) <= c(6, 6, 6, 12)), info = i)
-    expect_true(abs(got[1] - want[1]) <= info$theta_error, info = i)
-    expect_true(abs(got[2] - want[2]) <= info$omega_error, info = i)
+    expect_true(abs(got[1] - want[1]) <= info$errors[["theta"]], info = i)
+    expect_true(abs(got[2] - want[2]) <= info$errors[["omega"]], info = i)
     expect_ulps(audit$torque_impulse_n_m_s, row$impulse, 2)
     expect_equal(audit$verdict, "balanced", info = i)
     expect_true(abs(got[3] - want[3]) <= audit$energy_rounding_j, info = i)
@@ -123,7 +123,7 @@ test_that("rows from a table agree with rows one by one, within 2e-15 and their 
     for (column in c("theta_rad", "omega_rad_per_s")) {
       error <- max(abs(fast[[column]] - exact[[column]]))
       expect_lte(error, 2e-15 * max(abs(exact[[column]])))
-      expect_lte(error, info[[sub("_rad.*", "_error", column)]])
+      expect_lte(error, info$errors[[sub("_rad.*", "", column)]])
     }
     expect_equal(fast$applied_torque_n_m, exact$applied_torque_n_m, tolerance = 1e-15)
     # Positive data keep their digits row by row.
@@ -154,7 +154,7 @@ test_that("rows depend on which other rows are asked for by their rounding at mo
   even <- sort(c(seq(0, 9, length.out = 101), 1, 4, 6, 8))
   together <- trajectory(article_scene(), even)
   expect_ulps(together$theta_rad, alone(even), 4)
-  expect_lte(max(abs(together$theta_rad - alone(even))), run_of(together)$info$theta_error)
+  expect_lte(max(abs(together$theta_rad - alone(even))), run_of(together)$info$errors[["theta"]])
 })
 
 test_that("a knot on the line changes nothing", {
@@ -277,7 +277,7 @@ test_that("a torque of angle and rate: a torsional oscillator", {
   motion <- trajectory(scene_axle(2, spring, theta0_rad = 1), t)
   error <- max(abs(motion$theta_rad - cos(3 * t)))
   expect_lte(error, 1e-9)
-  expect_lte(error, run_of(motion)$info$theta_error * 1.1)
+  expect_lte(error, run_of(motion)$info$errors[["theta"]] * 1.1)
   expect_equal(audited(motion)$verdict, "balanced")
 })
 
@@ -294,7 +294,7 @@ test_that("the estimate covers the error where dense rows set the steps, and whe
       motion <- trajectory(scene, t, accuracy)
       info <- run_of(motion)$info
       error <- max(abs(motion$theta_rad - exact(t)))
-      expect_lte(error, info$theta_error)
+      expect_lte(error, info$errors[["theta"]])
       expect_lte(info$error, accuracy)
       expect_equal(audited(motion)$verdict, "balanced")
     }
@@ -504,8 +504,8 @@ test_that("a stiff integration shows the transient that it starts with", {
     exact <- trajectory(scene, t)
     stiff <- trajectory(scene, t, model = "axle_radau")
     info <- run_of(stiff)$info
-    expect_lte(max(abs(stiff$omega_rad_per_s - exact$omega_rad_per_s)), info$omega_error)
-    expect_lte(max(abs(stiff$theta_rad - exact$theta_rad)), info$theta_error)
+    expect_lte(max(abs(stiff$omega_rad_per_s - exact$omega_rad_per_s)), info$errors[["omega"]])
+    expect_lte(max(abs(stiff$theta_rad - exact$theta_rad)), info$errors[["theta"]])
     expect_lte(info$error, 1e-9)
   }
   # omega is gone long before the first row.

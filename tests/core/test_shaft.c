@@ -1,6 +1,6 @@
-#include "rot_rotors.h"
-#include "rot_rotors_ledger.h"
-#include "rot_rotors_rigid.h"
+#include "rot_shaft_modal.h"
+#include "rot_shaft_ledger.h"
+#include "rot_shaft_rigid.h"
 
 #include <stdlib.h>
 
@@ -262,8 +262,8 @@ static const shaft_case cases[] = {
 #endif
 };
 
-static rot_rotors_params params_of(const shaft_case *x) {
-  return (rot_rotors_params){x->n, x->J, x->k, x->c, x->d, x->tau, x->theta0, x->omega0, 0.0};
+static rot_shaft_params params_of(const shaft_case *x) {
+  return (rot_shaft_params){x->n, x->J, x->k, x->c, x->d, x->tau, x->theta0, x->omega0, 0.0};
 }
 
 static double worst_ratio = 0.0, smallest_ratio = 1.0, worst_relative = 0.0;
@@ -278,15 +278,15 @@ static double largest(size_t n, const double x[]) {
 static void check_case(const shaft_case *x) {
   enum { GRID = 200 };
   static double theta[GRID * 6], omega[GRID * 6], torque[GRID * 6];
-  const rot_rotors_params p = params_of(x);
-  const rot_rotors_columns out = {theta, omega, torque};
+  const rot_shaft_params p = params_of(x);
+  const rot_shaft_columns out = {theta, omega, torque};
   double time[GRID];
   for (int pass = 0; pass < 2; pass++) {
     const size_t rows = pass == 0 || x->t < 0.0 ? 1 : GRID, last = (rows - 1) * x->n;
     for (size_t i = 0; i < rows; i++) time[i] = x->t * (double)(i + 1) / (double)rows;
     time[rows - 1] = x->t;
     rot_info info;
-    ROT_CHECK_EQ_INT(rot_rotors_modal(&p, pass, rows, time, &out, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, pass, rows, time, &out, NULL, &info), ROT_OK);
     ROT_CHECK_EQ_INT((long long)info.rows_done, (long long)rows);
     const double slack = 1e-300;
     double theta_off = 0.0, omega_off = 0.0;
@@ -294,35 +294,36 @@ static void check_case(const shaft_case *x) {
       theta_off = fmax(theta_off, fabs(theta[last + i] - x->theta[i]));
       omega_off = fmax(omega_off, fabs(omega[last + i] - x->omega[i]));
     }
-    ROT_CHECK(theta_off <= info.theta_error + slack);
-    ROT_CHECK(omega_off <= info.omega_error + slack);
-    if (!(theta_off <= info.theta_error + slack && omega_off <= info.omega_error + slack)) {
+    ROT_CHECK(theta_off <= info.measure[ROT_THETA].error + slack);
+    ROT_CHECK(omega_off <= info.measure[ROT_OMEGA].error + slack);
+    if (!(theta_off <= info.measure[ROT_THETA].error + slack &&
+          omega_off <= info.measure[ROT_OMEGA].error + slack)) {
       printf("  case %d pass %d: %g of %g, %g of %g\n", (int)(x - cases), pass, theta_off,
-             info.theta_error, omega_off, info.omega_error);
+             info.measure[ROT_THETA].error, omega_off, info.measure[ROT_OMEGA].error);
     }
     if (pass == 0) {
-      const double ratio =
-          fmax(theta_off / (info.theta_error + slack), omega_off / (info.omega_error + slack));
+      const double ratio = fmax(theta_off / (info.measure[ROT_THETA].error + slack),
+                                omega_off / (info.measure[ROT_OMEGA].error + slack));
       worst_ratio = fmax(worst_ratio, ratio);
       smallest_ratio = fmin(smallest_ratio, ratio);
       worst_relative = fmax(worst_relative, omega_off / largest(x->n, x->omega));
       if (getenv("ROTORS_VERBOSE")) {
         printf("case %d: ratio %.3g  error %.3g (theta %.3g)\n", (int)(x - cases), ratio,
-               info.omega_error, info.theta_error);
+               info.measure[ROT_OMEGA].error, info.measure[ROT_THETA].error);
       }
     }
-    double size = fabs(x->k[0]) * info.theta_error;
-    for (size_t i = 0; i < 2; i++) size += x->c[0] * info.omega_error;
+    double size = fabs(x->k[0]) * info.measure[ROT_THETA].error;
+    for (size_t i = 0; i < 2; i++) size += x->c[0] * info.measure[ROT_OMEGA].error;
     ROT_CHECK(fabs(torque[last] - x->torque) <= 2.0 * size + 1e-13 * fabs(x->torque) + slack);
     ROT_CHECK(isnan(torque[last + x->n - 1]));
   }
 }
 
 static void check_heat(const shaft_case *x) {
-  const rot_rotors_params p = params_of(x);
-  rot_rotors_ledger ledger;
+  const rot_shaft_params p = params_of(x);
+  rot_shaft_ledger ledger;
   if (x->t < 0.0) return;
-  ROT_CHECK_EQ_INT(rot_rotors_balance(&p, 0, 0.0, x->t, &ledger), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, x->t, &ledger), ROT_OK);
   double work = 0.0;
   for (size_t i = 0; i < x->n; i++) work += x->tau[i] * (x->theta[i] - x->theta0[i]);
   ROT_CHECK(fabs(ledger.dissipated_j - x->heat) <= ledger.dissipated_rounding_j + 1e-30);
@@ -377,18 +378,18 @@ static void check_shared_table(void) {
     read_list(&at, dtheta);
     ROT_CHECK_EQ_INT((long long)read_list(&at, want), (long long)n);
     double theta[6], omega[6], torque[6], off = 0.0;
-    const rot_rotors_params p = {n, J, k, c, zero, zero, zero, omega0, 0.0};
-    const rot_rotors_columns out = {theta, omega, torque};
+    const rot_shaft_params p = {n, J, k, c, zero, zero, zero, omega0, 0.0};
+    const rot_shaft_columns out = {theta, omega, torque};
     rot_info info;
-    ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 0, 1, &head[3], &out, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &head[3], &out, NULL, &info), ROT_OK);
     for (size_t i = 0; i < n; i++) {
-      ROT_CHECK(fabs(theta[i] - dtheta[i]) <= fmin(2e-15, info.theta_error));
-      ROT_CHECK(fabs(omega[i] - want[i]) <= info.omega_error);
+      ROT_CHECK(fabs(theta[i] - dtheta[i]) <= fmin(2e-15, info.measure[ROT_THETA].error));
+      ROT_CHECK(fabs(omega[i] - want[i]) <= info.measure[ROT_OMEGA].error);
       off = fmax(off, fabs(omega[i] - want[i]));
     }
     ROT_CHECK(off <= 1e-14);
     printf("n = %d, k = %g, c = %g: omega off by %.2g, stated %.2g\n", (int)n, head[1], head[2],
-           off, info.omega_error);
+           off, info.measure[ROT_OMEGA].error);
     rows++;
   }
   fclose(file);
@@ -401,8 +402,8 @@ static void check_shared_table(void) {
 static void check_frequencies(void) {
   double J[MOST], k[MOST], zero[MOST] = {0.0}, sigma[MOST];
   for (int i = 0; i < MOST; i++) J[i] = 0.5, k[i] = 200.0;
-  const rot_rotors_params p = {MOST, J, k, zero, zero, zero, zero, zero, 0.0};
-  ROT_CHECK_EQ_INT(rot_rotors_frequencies(&p, sigma), ROT_OK);
+  const rot_shaft_params p = {MOST, J, k, zero, zero, zero, zero, zero, 0.0};
+  ROT_CHECK_EQ_INT(rot_shaft_frequencies(&p, sigma), ROT_OK);
   ROT_CHECK(sigma[0] == 0.0);
   for (int m = 1; m < MOST; m++) {
     ROT_CHECK_REL(sigma[m], 40.0 * sin(m * 3.14159265358979323846 / (2.0 * MOST)), 4e-15);
@@ -411,8 +412,8 @@ static void check_frequencies(void) {
   const double scale[] = {1e-300, 1.0, 1e300};
   for (int i = 0; i < 3; i++) {
     double pair[2] = {2.0 * scale[i], 3.0 * scale[i]}, spring = 7.0 * scale[i];
-    const rot_rotors_params two = {2, pair, &spring, zero, zero, zero, zero, zero, 0.0};
-    ROT_CHECK_EQ_INT(rot_rotors_frequencies(&two, sigma), ROT_OK);
+    const rot_shaft_params two = {2, pair, &spring, zero, zero, zero, zero, zero, 0.0};
+    ROT_CHECK_EQ_INT(rot_shaft_frequencies(&two, sigma), ROT_OK);
     ROT_CHECK_REL(sigma[1], sqrt(7.0 * 5.0 / 6.0), 1e-15);
   }
 }
@@ -429,12 +430,12 @@ static void check_balances(void) {
   }
   d[N - 1] = 0.7;
   for (int i = 0; i < ROWS; i++) time[i] = 0.1 * i;
-  const rot_rotors_params p = {N, J, k, c, d, tau, zero, omega0, 0.0};
-  const rot_rotors_columns out = {theta, omega, torque};
+  const rot_shaft_params p = {N, J, k, c, d, tau, zero, omega0, 0.0};
+  const rot_shaft_columns out = {theta, omega, torque};
   rot_info info;
-  rot_rotors_ledger ledger;
-  ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 1, ROWS, time, &out, NULL, &info), ROT_OK);
-  ROT_CHECK_EQ_INT(rot_rotors_balance(&p, 0, 0.0, time[ROWS - 1], &ledger), ROT_OK);
+  rot_shaft_ledger ledger;
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 1, ROWS, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, time[ROWS - 1], &ledger), ROT_OK);
   double momentum = 0.0, energy = 0.0, size = 0.0;
   const double *last = omega + (ROWS - 1) * N, *turned = theta + (ROWS - 1) * N;
   for (int i = 0; i < N; i++) {
@@ -460,13 +461,13 @@ static void check_backwards(void) {
   double theta0[3] = {0.1, 0.0, -0.2}, omega0[3] = {1.0, 2.0, 3.0}, t = 4.0, back = -4.0;
   double theta[3], omega[3], torque[3], again[3], rate[3];
   rot_info info;
-  rot_rotors_params p = {3, J, k, zero, zero, tau, theta0, omega0, 0.0};
-  rot_rotors_columns out = {theta, omega, torque};
-  ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
+  rot_shaft_params p = {3, J, k, zero, zero, tau, theta0, omega0, 0.0};
+  rot_shaft_columns out = {theta, omega, torque};
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
   p.theta0_rad = theta;
   p.omega0_rad_per_s = omega;
-  out = (rot_rotors_columns){again, rate, torque};
-  ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 0, 1, &back, &out, NULL, &info), ROT_OK);
+  out = (rot_shaft_columns){again, rate, torque};
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &back, &out, NULL, &info), ROT_OK);
   for (int i = 0; i < 3; i++) {
     ROT_CHECK(fabs(again[i] - theta0[i]) <= 1e-13);
     ROT_CHECK(fabs(rate[i] - omega0[i]) <= 1e-12);
@@ -476,19 +477,19 @@ static void check_backwards(void) {
 /* One rotor is an axle; a bad number ends as ROT_ERANGE and no row. */
 static void check_ends(void) {
   double J = 2.0, d = 0.5, tau = 3.0, theta0 = 1.0, omega0 = -4.0, t = 6.0, theta, omega, torque;
-  const rot_rotors_params p = {1, &J, NULL, NULL, &d, &tau, &theta0, &omega0, 2.0};
-  const rot_rotors_columns out = {&theta, &omega, &torque};
+  const rot_shaft_params p = {1, &J, NULL, NULL, &d, &tau, &theta0, &omega0, 2.0};
+  const rot_shaft_columns out = {&theta, &omega, &torque};
   rot_info info;
-  ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
   /* d/J = 1/4, 4 s on: 6 - 10 exp(-1); 1 + 24 - 40 (1 - exp(-1)) */
   ROT_CHECK_ULP(omega, 6.0 - 10.0 * exp(-1.0), 4);
   ROT_CHECK_ULP(theta, 25.0 + 40.0 * expm1(-1.0), 30);
-  ROT_CHECK_EQ_INT(rot_rotors_rigid(&p, 1, &t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_rigid(&p, 1, &t, &out, NULL, &info), ROT_OK);
   ROT_CHECK_ULP(omega, 6.0 - 10.0 * exp(-1.0), 4);
-  ROT_CHECK(info.omega_error < 1e-13);
+  ROT_CHECK(info.measure[ROT_OMEGA].error < 1e-13);
   J = 1e-300;
   tau = 1e300;
-  ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_ERANGE);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_ERANGE);
   ROT_CHECK_EQ_INT((long long)info.rows_done, 0);
 }
 
@@ -507,22 +508,22 @@ static void check_rigid(void) {
     enum { ROWS = 50 };
     double time[ROWS], a[ROWS * 3], b[ROWS * 3], x[ROWS * 3], y[ROWS * 3], s[ROWS * 3];
     for (int j = 0; j < ROWS; j++) time[j] = 0.37 * j;
-    const rot_rotors_params p = {3, J, k, c, drag[i / 4], tau, zero, start[i / 2 % 2], 0.0};
-    const rot_rotors_columns exact = {a, b, s}, rigid = {x, y, s};
+    const rot_shaft_params p = {3, J, k, c, drag[i / 4], tau, zero, start[i / 2 % 2], 0.0};
+    const rot_shaft_columns exact = {a, b, s}, rigid = {x, y, s};
     rot_info info, bound;
-    ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 0, ROWS, time, &exact, NULL, &info), ROT_OK);
-    ROT_CHECK_EQ_INT(rot_rotors_rigid(&p, ROWS, time, &rigid, NULL, &bound), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, ROWS, time, &exact, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_rigid(&p, ROWS, time, &rigid, NULL, &bound), ROT_OK);
     double theta_off = 0.0, omega_off = 0.0;
     for (int j = 0; j < ROWS * 3; j++) {
       theta_off = fmax(theta_off, fabs(a[j] - x[j]));
       omega_off = fmax(omega_off, fabs(b[j] - y[j]));
     }
-    ROT_CHECK(theta_off <= bound.theta_error + info.theta_error);
-    ROT_CHECK(omega_off <= bound.omega_error + info.omega_error);
-    if (i / 2 % 2 == 0) ROT_CHECK(bound.omega_error <= 30.0 * omega_off);
-    rot_rotors_ledger ledger;
+    ROT_CHECK(theta_off <= bound.measure[ROT_THETA].error + info.measure[ROT_THETA].error);
+    ROT_CHECK(omega_off <= bound.measure[ROT_OMEGA].error + info.measure[ROT_OMEGA].error);
+    if (i / 2 % 2 == 0) ROT_CHECK(bound.measure[ROT_OMEGA].error <= 30.0 * omega_off);
+    rot_shaft_ledger ledger;
     double work = 0.0, energy = 0.0;
-    ROT_CHECK_EQ_INT(rot_rotors_balance(&p, 1, 0.0, time[ROWS - 1], &ledger), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 1, 0.0, time[ROWS - 1], &ledger), ROT_OK);
     const double w0 = y[0], w1 = y[ROWS * 3 - 1];
     energy = 0.5 * 3.5 * (w1 - w0) * (w1 + w0);
     work = 3.0 * x[ROWS * 3 - 1] - 3.0 * x[0];
@@ -531,11 +532,11 @@ static void check_rigid(void) {
   }
   k[0] = 0.0;
   double theta[3], omega[3], torque[3], t = 1.0;
-  const rot_rotors_params p = {3, J, k, c, zero, tau, zero, together, 0.0};
-  const rot_rotors_columns out = {theta, omega, torque};
+  const rot_shaft_params p = {3, J, k, c, zero, tau, zero, together, 0.0};
+  const rot_shaft_columns out = {theta, omega, torque};
   rot_info info;
-  ROT_CHECK_EQ_INT(rot_rotors_rigid(&p, 1, &t, &out, NULL, &info), ROT_OK);
-  ROT_CHECK(isinf(info.omega_error));
+  ROT_CHECK_EQ_INT(rot_shaft_rigid(&p, 1, &t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK(isinf(info.measure[ROT_OMEGA].error));
 }
 
 static rot_status stop(void *ctx, double fraction) {
@@ -548,12 +549,12 @@ static void check_stop(void) {
   enum { ROWS = 300 };
   static double theta[2 * ROWS], omega[2 * ROWS], torque[2 * ROWS], time[ROWS];
   double J[2] = {1.0, 1.0}, k = 1.0, c = 0.1, d[2] = {0.1, 0.0}, zero[2] = {0.0};
-  const rot_rotors_params p = {2, J, &k, &c, d, zero, zero, J, 0.0};
-  const rot_rotors_columns out = {theta, omega, torque};
+  const rot_shaft_params p = {2, J, &k, &c, d, zero, zero, J, 0.0};
+  const rot_shaft_columns out = {theta, omega, torque};
   const rot_hooks hooks = {stop, NULL};
   rot_info info;
   for (int i = 0; i < ROWS; i++) time[i] = i;
-  ROT_CHECK_EQ_INT(rot_rotors_modal(&p, 1, ROWS, time, &out, &hooks, &info), ROT_EUNWIND);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 1, ROWS, time, &out, &hooks, &info), ROT_EUNWIND);
   ROT_CHECK(info.rows_done > 0 && info.rows_done < ROWS);
 }
 
@@ -566,5 +567,5 @@ int main(void) {
   check_rigid();
   check_stop();
   check_cases();
-  return rot_test_report("rotors");
+  return rot_test_report("shaft");
 }

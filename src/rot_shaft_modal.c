@@ -1,4 +1,4 @@
-#include "rot_rotors.h"
+#include "rot_shaft_modal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,17 +7,17 @@
 #include "rot_expm.h"
 #include "rot_march.h"
 #include "rot_real.h"
-#include "rot_shaft.h"
-#include "rot_shaft_mode.h"
-#include "rot_shaft_system.h"
+#include "rot_shaft_modes.h"
+#include "rot_shaft_decoupled.h"
+#include "rot_shaft_coupled.h"
 
 enum { ROWS_PER_ANCHOR = 64 };
 
 typedef struct modal_run {
-  const rot_shaft *s;
+  const rot_shaft_modes *s;
   const double *time_s;
   size_t rows;
-  const rot_rotors_columns *out;
+  const rot_shaft_columns *out;
   rot_info *info;
   double *p, *r, *error; /* n each: the modes at the row, and their errors */
   int fast;
@@ -28,11 +28,11 @@ typedef struct modal_run {
 
 /* Angles, rates and torques from the modes. */
 static rot_status write_row(const modal_run *run, size_t row, double t) {
-  const rot_shaft *s = run->s;
-  const rot_rotors_params *p = s->p;
+  const rot_shaft_modes *s = run->s;
+  const rot_shaft_params *p = s->p;
   const size_t n = s->n;
   double *theta = run->out->theta_rad + row * n, *omega = run->out->omega_rad_per_s + row * n;
-  double *torque = run->out->shaft_n_m + row * n;
+  double *torque = run->out->shaft_torque_n_m + row * n;
   double momentum = s->omega0 + s->alpha * t, size = fabs(s->omega0) + fabs(s->alpha * t);
   for (size_t i = 0; i < n; i++) {
     double turned = 0.0, rate = 0.0;
@@ -82,7 +82,7 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
 
 /* How many times from row i on are even: t_i, t_i + h, ... to what a first-order correction sets
  * right. */
-static size_t even_rows(const rot_shaft *s, size_t n, const double time_s[], size_t i) {
+static size_t even_rows(const rot_shaft_modes *s, size_t n, const double time_s[], size_t i) {
   if (i + 8 > n) return 1;
   const double h = time_s[i + 1] - time_s[i];
   size_t k = 1;
@@ -97,7 +97,7 @@ static size_t even_rows(const rot_shaft *s, size_t n, const double time_s[], siz
 /* Rows i .. i + count - 1, evenly h apart, row i at hand: one matrix times a vector each, with the
  * small part of the time that is not even set right to first order. *end: the rows written. */
 static rot_status even_stretch(const modal_run *run, size_t i, size_t count, size_t *end) {
-  const rot_shaft *s = run->s;
+  const rot_shaft_modes *s = run->s;
   const rot_shaft_stepper *grid = &run->grid;
   const size_t n = s->n, size = grid->size;
   const double *time_s = run->time_s;
@@ -116,10 +116,10 @@ static rot_status even_stretch(const modal_run *run, size_t i, size_t count, siz
     memcpy(state, next, size * sizeof *state);
     rot_expm_apply(size, grid->a, state, slope);
     for (size_t j = 0; j < size; j++) moved[j] = state[j] + off * slope[j];
-    rot_shaft_read_system(s, grid, moved, run->p, run->r);
+    rot_shaft_coupled_read(s, grid, moved, run->p, run->r);
     const double t = time_s[i + k] - s->p->start_s;
-    rot_shaft_system_errors(s, t, 2.0 * (double)k / (1.0 + s->norm * fabs(t)), run->p, run->r,
-                            run->error);
+    rot_shaft_coupled_errors(s, t, 2.0 * (double)k / (1.0 + s->norm * fabs(t)), run->p, run->r,
+                             run->error);
     const rot_status status = write_row(run, i + k, t);
     if (status != ROT_OK) return status;
     *end = i + k + 1;
@@ -130,13 +130,13 @@ static rot_status even_stretch(const modal_run *run, size_t i, size_t count, siz
 /* A row by one exponential, and the rows of an even grid from there. */
 static rot_status coupled_rows(void *model, size_t i, size_t last, size_t *end) {
   modal_run *run = model;
-  const rot_shaft *s = run->s;
+  const rot_shaft_modes *s = run->s;
   const double t = run->time_s[i] - s->p->start_s;
   *end = i;
   rot_status status = rot_shaft_jump(s, &run->one, t, run->state, run->p, run->r);
   if (status != ROT_OK) return status;
   run->info->steps++;
-  rot_shaft_system_errors(s, t, 0.0, run->p, run->r, run->error);
+  rot_shaft_coupled_errors(s, t, 0.0, run->p, run->r, run->error);
   status = write_row(run, i, t);
   if (status != ROT_OK) return status;
   *end = i + 1;
@@ -161,27 +161,22 @@ static rot_status decoupled_rows(void *model, size_t i, size_t last, size_t *end
   rot_status status = ROT_OK;
   for (*end = i; *end < last && *end < i + 256; ++*end) {
     const double t = run->time_s[*end] - run->s->p->start_s;
-    rot_shaft_modes_apart(run->s, t, run->p, run->r, run->error);
+    rot_shaft_decoupled_at(run->s, t, run->p, run->r, run->error);
     status = write_row(run, *end, t);
     if (status != ROT_OK) break;
   }
   return status;
 }
 
-void rot_rotors_note_start(const rot_rotors_params *p, rot_info *info) {
-  rot_info_clear(info);
-  for (size_t i = 0; i < p->n; i++) rot_note_state(info, p->theta0_rad[i], p->omega0_rad_per_s[i]);
-}
-
-rot_status rot_rotors_modal(const rot_rotors_params *p, int fast, size_t n, const double time_s[],
-                            const rot_rotors_columns *out, const rot_hooks *hooks, rot_info *info) {
+rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const double time_s[],
+                           const rot_shaft_columns *out, const rot_hooks *hooks, rot_info *info) {
   static const rot_march coupled = {.write_rows = coupled_rows};
   static const rot_march decoupled = {.write_rows = decoupled_rows};
-  rot_shaft s;
-  rot_rotors_note_start(p, info);
-  info->status = rot_shaft_build(&s, p);
+  rot_shaft_modes s;
+  rot_shaft_note_start(p, info);
+  info->status = rot_shaft_modes_build(&s, p);
   if (info->status == ROT_OK) {
-    const size_t room = s.decoupled ? 0 : rot_shaft_system_room(p->n);
+    const size_t room = s.decoupled ? 0 : rot_shaft_coupled_room(p->n);
     double *memory = malloc((2 * room + 5 * p->n + 1) * sizeof *memory), *x = memory;
     modal_run run = {.s = &s, .time_s = time_s, .rows = n, .out = out, .info = info, .fast = fast};
     if (memory) {
@@ -200,14 +195,14 @@ rot_status rot_rotors_modal(const rot_rotors_params *p, int fast, size_t n, cons
     }
     free(memory);
   }
-  rot_shaft_free(&s);
+  rot_shaft_modes_free(&s);
   return info->status;
 }
 
-rot_status rot_rotors_frequencies(const rot_rotors_params *p, double sigma[]) {
-  rot_shaft s;
-  const rot_status status = rot_shaft_build(&s, p);
+rot_status rot_shaft_frequencies(const rot_shaft_params *p, double sigma[]) {
+  rot_shaft_modes s;
+  const rot_status status = rot_shaft_modes_build(&s, p);
   if (status == ROT_OK) memcpy(sigma, s.sigma, p->n * sizeof *sigma);
-  rot_shaft_free(&s);
+  rot_shaft_modes_free(&s);
   return status;
 }

@@ -1,18 +1,18 @@
-#include "rot_shaft_system.h"
+#include "rot_shaft_coupled.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "rot_expm.h"
 #include "rot_real.h"
-#include "rot_shaft_mode.h"
+#include "rot_shaft_decoupled.h"
 
-size_t rot_shaft_system_room(size_t n) {
+size_t rot_shaft_coupled_room(size_t n) {
   const size_t size = 2 * n + 1;
   return 2 * size * size + ROT_EXPM_WORK(size);
 }
 
-static double system_start(const rot_shaft *s, size_t place, double unit, double step) {
+static double system_start(const rot_shaft_modes *s, size_t place, double unit, double step) {
   const size_t n = s->n;
   if (place == 2 * n) return unit;
   if (place == n) return s->r0[0] * s->root_inertia;
@@ -20,7 +20,7 @@ static double system_start(const rot_shaft *s, size_t place, double unit, double
   return place <= s->floppy ? s->p0[place] / fabs(step) : s->p0[place];
 }
 
-static double system_force(const rot_shaft *s, size_t m) {
+static double system_force(const rot_shaft_modes *s, size_t m) {
   return m == 0 ? s->alpha * s->root_inertia : s->force[m];
 }
 
@@ -29,7 +29,7 @@ rot_shaft_stepper rot_shaft_stepper_in(size_t n, double memory[]) {
   return (rot_shaft_stepper){size, 0.0, 0.0, memory, memory + square, memory + 2 * square};
 }
 
-rot_status rot_shaft_set_step(const rot_shaft *s, rot_shaft_stepper *y, double h) {
+rot_status rot_shaft_set_step(const rot_shaft_modes *s, rot_shaft_stepper *y, double h) {
   const size_t n = s->n, size = y->size;
   double most = 0.0;
   int exponent = 0;
@@ -48,8 +48,8 @@ rot_status rot_shaft_set_step(const rot_shaft *s, rot_shaft_stepper *y, double h
   return rot_expm(size, y->a, y->e, y->work);
 }
 
-void rot_shaft_read_system(const rot_shaft *s, const rot_shaft_stepper *y, const double state[],
-                           double p[], double r[]) {
+void rot_shaft_coupled_read(const rot_shaft_modes *s, const rot_shaft_stepper *y,
+                            const double state[], double p[], double r[]) {
   for (size_t m = 0; m < s->n; m++) {
     p[m] = state[m] * (m <= s->floppy ? fabs(y->step) : 1.0);
     r[m] = state[s->n + m];
@@ -59,7 +59,7 @@ void rot_shaft_read_system(const rot_shaft *s, const rot_shaft_stepper *y, const
 }
 
 /* Size of the twists' error, in units of roundoff, if the state has gone from the start to p, r. */
-static double system_error(const rot_shaft *s, double t, const double p[], const double r[]) {
+static double system_error(const rot_shaft_modes *s, double t, const double p[], const double r[]) {
   double start = 0.0, now = 0.0, force = 0.0, leak = 0.0;
   for (size_t m = s->mean_alone ? 1 : 0; m < s->n; m++) {
     const double weight = m == 0 ? s->root_inertia : 1.0;
@@ -77,7 +77,7 @@ static double system_error(const rot_shaft *s, double t, const double p[], const
              (growth * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
 }
 
-rot_status rot_shaft_jump(const rot_shaft *s, rot_shaft_stepper *y, double t, double state[],
+rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, double t, double state[],
                           double p[], double r[]) {
   double *start = y->work; /* free once the exponential is done */
   if (t == 0.0) {
@@ -89,12 +89,12 @@ rot_status rot_shaft_jump(const rot_shaft *s, rot_shaft_stepper *y, double t, do
     for (size_t i = 0; i < y->size; i++) start[i] = system_start(s, i, y->unit, t);
     rot_expm_apply(y->size, y->e, start, state);
   }
-  rot_shaft_read_system(s, y, state, p, r);
+  rot_shaft_coupled_read(s, y, state, p, r);
   return ROT_OK;
 }
 
-void rot_shaft_system_errors(const rot_shaft *s, double t, double extra, const double p[],
-                             const double r[], double error[]) {
+void rot_shaft_coupled_errors(const rot_shaft_modes *s, double t, double extra, const double p[],
+                              const double r[], double error[]) {
   const double all = ROT_EPS * 4.0 * system_error(s, t, p, r) * (1.0 + extra);
   for (size_t m = 1; m < s->n; m++) error[m] = all;
   error[0] = s->mean_alone ? ROT_EPS * rot_shaft_roundings(s) * rot_shaft_mode_error(s, 0, t)

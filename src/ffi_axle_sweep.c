@@ -1,6 +1,7 @@
 #include "ffi_axle.h"
 
-#include "rot_sweep.h"
+#include "ffi_run.h"
+#include "rot_axle_sweep.h"
 
 /* The order of the columns that come in, and of those that go out. */
 enum { INERTIA, VISCOUS, SCALE, OMEGA0, THETA0, TIME, COLUMNS_IN };
@@ -30,17 +31,18 @@ SEXP ffi_sweep_linear(SEXP knots, SEXP columns, SEXP start_s, SEXP threads, SEXP
   rot_column in[COLUMNS_IN];
   R_xlen_t n = 1;
   for (int i = 0; i < COLUMNS_IN; i++) in[i] = ffi_column(VECTOR_ELT(columns, i), what[i], &n);
-  const rot_sweep_rows rows = {(size_t)n, start,      in[INERTIA], in[VISCOUS],
-                               in[SCALE], in[OMEGA0], in[THETA0],  in[TIME]};
+  const rot_axle_sweep_rows rows = {(size_t)n, start,      in[INERTIA], in[VISCOUS],
+                                    in[SCALE], in[OMEGA0], in[THETA0],  in[TIME]};
 
   double *c[COLUMNS_OUT];
   SEXP list = ffi_columns(COLUMNS_OUT, names_out, n, c);
   SEXP status = PROTECT(Rf_allocVector(INTSXP, n));
-  const rot_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], INTEGER(status)};
+  const rot_axle_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], INTEGER(status)};
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_sweep_linear(&torque, &rows, (int)most, &out, &guard.hooks, &info));
+  ffi_guard_end(&guard,
+                rot_axle_sweep_linear(&torque, &rows, (int)most, &out, &guard.hooks, &info));
   SEXP result = PROTECT(Rf_allocVector(VECSXP, 3));
   SET_VECTOR_ELT(result, 0, list);
   SET_VECTOR_ELT(result, 1, status);
@@ -64,20 +66,20 @@ SEXP ffi_sweep_scenes(SEXP model, SEXP pack, SEXP columns, SEXP true_maximum, SE
   rot_column in[ALL];
   R_xlen_t n = 1;
   for (int i = 0; i < ALL; i++) in[i] = ffi_column(VECTOR_ELT(columns, i), what[i], &n);
-  const rot_sweep_rows rows = {(size_t)n, scene.linear.start_s, in[INERTIA], in[VISCOUS],
-                               in[SCALE], in[OMEGA0],           in[THETA0],  in[TIME]};
-  const rot_sweep_friction friction = {in[QUADRATIC], in[COULOMB], in[STATIC]};
+  const rot_axle_sweep_rows rows = {(size_t)n, scene.linear.start_s, in[INERTIA], in[VISCOUS],
+                                    in[SCALE], in[OMEGA0],           in[THETA0],  in[TIME]};
+  const rot_axle_sweep_friction friction = {in[QUADRATIC], in[COULOMB], in[STATIC]};
 
   double *c[COLUMNS_OUT];
   SEXP list = ffi_columns(COLUMNS_OUT, names_out, n, c);
   SEXP status = PROTECT(Rf_allocVector(INTSXP, n));
-  const rot_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], INTEGER(status)};
+  const rot_axle_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], INTEGER(status)};
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_sweep_scenes(run, &scene, &rows, &friction,
-                                         ffi_real(true_maximum, "true_maximum") != 0.0, (int)most,
-                                         &out, &guard.hooks, &info));
+  ffi_guard_end(&guard, rot_axle_sweep_scenes(run, &scene, &rows, &friction,
+                                              ffi_real(true_maximum, "true_maximum") != 0.0,
+                                              (int)most, &out, &guard.hooks, &info));
   SEXP result = PROTECT(Rf_allocVector(VECSXP, 3));
   SET_VECTOR_ELT(result, 0, list);
   SET_VECTOR_ELT(result, 1, status);
@@ -86,4 +88,4 @@ SEXP ffi_sweep_scenes(SEXP model, SEXP pack, SEXP columns, SEXP true_maximum, SE
   return result;
 }
 
-SEXP ffi_sweep_threads(void) { return Rf_ScalarInteger(rot_sweep_threads()); }
+SEXP ffi_sweep_threads(void) { return Rf_ScalarInteger(rot_axle_sweep_threads()); }

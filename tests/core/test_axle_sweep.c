@@ -1,6 +1,7 @@
 /* Many axles at once: against 50-digit values, against the rows of rot_axle_linear(), and whatever a
  * row or a run can end with. */
-#include "rot_sweep.h"
+#include "rot_axle_linear.h"
+#include "rot_axle_sweep.h"
 
 #include <stdlib.h>
 
@@ -13,8 +14,8 @@ enum { MOST = 140000 };
 static double theta[MOST], omega[MOST], omega_max[MOST], max_time[MOST], omega_min[MOST],
     speed[MOST], error[MOST];
 static int status[MOST];
-static const rot_sweep_columns out = {theta,     omega, omega_max, max_time,
-                                      omega_min, speed, error,     status};
+static const rot_axle_sweep_columns out = {theta,     omega, omega_max, max_time,
+                                           omega_min, speed, error,     status};
 
 static const double time_s[] = {0.0, 1.0, 4.0, 6.0, 8.0};
 static const double torque_n_m[] = {0.0, 0.8, 0.8, 0.0, 0.0};
@@ -26,15 +27,15 @@ static rot_column column(const double *x, size_t step) {
 }
 
 /* x: inertia, viscous, scale, omega0, theta0, time; n = 1: every column serves all rows. */
-static rot_sweep_rows rows_of(double *const x[6], size_t n, size_t step, double start_s) {
-  const rot_sweep_rows rows = {n,
-                               start_s,
-                               column(x[0], step),
-                               column(x[1], step),
-                               column(x[2], step),
-                               column(x[3], step),
-                               column(x[4], step),
-                               column(x[5], step)};
+static rot_axle_sweep_rows rows_of(double *const x[6], size_t n, size_t step, double start_s) {
+  const rot_axle_sweep_rows rows = {n,
+                                    start_s,
+                                    column(x[0], step),
+                                    column(x[1], step),
+                                    column(x[2], step),
+                                    column(x[3], step),
+                                    column(x[4], step),
+                                    column(x[5], step)};
   return rows;
 }
 
@@ -77,8 +78,8 @@ static void check_known(void) {
       x[j] = k[j];
       in[j] = &x[j];
     }
-    const rot_sweep_rows rows = rows_of(in, 1, 0, k[6]);
-    ROT_CHECK(rot_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
+    const rot_axle_sweep_rows rows = rows_of(in, 1, 0, k[6]);
+    ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
     ROT_CHECK(status[0] == ROT_OK && info.rows_done == 1);
     const double fast = fmax(k[9], -k[11]), far = fmax(fabs(k[7]), fabs(theta[0]));
     ROT_CHECK(error[0] > 0.0 && error[0] < 1.5e-14);
@@ -99,7 +100,7 @@ static double uniform(unsigned long long *seed) {
 }
 
 /* What rot_axle_linear() sees at so many rows is at most the extremes, and close to them. */
-static void check_against_rows(const rot_sweep_rows *rows, size_t i, double scale) {
+static void check_against_rows(const rot_axle_sweep_rows *rows, size_t i, double scale) {
   enum { N = 2001 };
   static double t[N], to[7][N];
   double scaled[5], top = -INFINITY, low = INFINITY;
@@ -118,13 +119,15 @@ static void check_against_rows(const rot_sweep_rows *rows, size_t i, double scal
     top = fmax(top, to[1][j]);
     low = fmin(low, to[1][j]);
   }
-  const double off = error[i] * fmax(speed[i], info.omega_max) + info.omega_error;
-  const double off_theta = error[i] * fmax(info.theta_max, fabs(theta[i])) + info.theta_error;
+  const double off =
+      error[i] * fmax(speed[i], info.measure[ROT_OMEGA].largest) + info.measure[ROT_OMEGA].error;
+  const double off_theta = error[i] * fmax(info.measure[ROT_THETA].largest, fabs(theta[i])) +
+                           info.measure[ROT_THETA].error;
   ROT_CHECK(fabs(omega[i] - to[1][N - 1]) <= off);
   ROT_CHECK(fabs(theta[i] - to[0][N - 1]) <= off_theta);
   ROT_CHECK(omega_max[i] >= top - off && omega_min[i] <= low + off);
-  ROT_CHECK(omega_max[i] <= top + 2e-3 * info.omega_max + off);
-  ROT_CHECK(omega_min[i] >= low - 2e-3 * info.omega_max - off);
+  ROT_CHECK(omega_max[i] <= top + 2e-3 * info.measure[ROT_OMEGA].largest + off);
+  ROT_CHECK(omega_min[i] >= low - 2e-3 * info.measure[ROT_OMEGA].largest - off);
   ROT_CHECK(speed[i] == fmax(omega_max[i], -omega_min[i]));
 }
 
@@ -144,8 +147,8 @@ static void check_random(void) {
     x[5][i] = 0.5 + 9.0 * uniform(&seed);
     if (i % 7 == 0) x[1][i] = -0.1 * x[1][i]; /* drives */
   }
-  const rot_sweep_rows rows = rows_of(in, ROWS, 1, 0.5);
-  ROT_CHECK(rot_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
+  const rot_axle_sweep_rows rows = rows_of(in, ROWS, 1, 0.5);
+  ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
   for (size_t i = 0; i < ROWS; i++) {
     ROT_CHECK_EQ_INT(status[i], ROT_OK);
     check_against_rows(&rows, i, x[2][i]);
@@ -163,8 +166,8 @@ static void check_bad_rows(void) {
   double *in[6];
   rot_info info;
   for (int j = 0; j < 6; j++) in[j] = x[j];
-  const rot_sweep_rows rows = rows_of(in, 6, 1, 0.0);
-  ROT_CHECK(rot_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
+  const rot_axle_sweep_rows rows = rows_of(in, 6, 1, 0.0);
+  ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
   for (int i = 0; i < 6; i++) {
     ROT_CHECK_EQ_INT(status[i], want[i]);
     ROT_CHECK(isnan(theta[i]) == (want[i] != ROT_OK) && isnan(omega_max[i]) == isnan(theta[i]));
@@ -197,17 +200,17 @@ static void check_many(void) {
     x[2][i] = 1.0;
     x[5][i] = 8.0 * uniform(&seed);
   }
-  const rot_sweep_rows rows = rows_of(in, MOST, 1, 0.0);
-  ROT_CHECK(rot_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
+  const rot_axle_sweep_rows rows = rows_of(in, MOST, 1, 0.0);
+  ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
   ROT_CHECK_EQ_INT(info.rows_done, MOST);
   memcpy(first[0], omega, sizeof first[0]);
   memcpy(first[1], max_time, sizeof first[1]);
-  ROT_CHECK(rot_sweep_linear(&torque, &rows, 0, &out, &hooks, &info) == ROT_EUNWIND);
+  ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 0, &out, &hooks, &info) == ROT_EUNWIND);
   ROT_CHECK(info.rows_done > 0 && info.rows_done < MOST && seen.calls == 2);
-  ROT_CHECK(rot_sweep_linear(&torque, &rows, 3, &out, NULL, &info) == ROT_OK);
+  ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 3, &out, NULL, &info) == ROT_OK);
   ROT_CHECK(!memcmp(first[0], omega, sizeof first[0]));
   ROT_CHECK(!memcmp(first[1], max_time, sizeof first[1]));
-  ROT_CHECK(rot_sweep_threads() >= 1);
+  ROT_CHECK(rot_axle_sweep_threads() >= 1);
 }
 
 /* ---- by a model ----------------------------------------------------------------------------- */
@@ -231,7 +234,8 @@ static void check_scenes(void) {
   double *in[6];
   unsigned long long seed = 11;
   rot_info info;
-  rot_sweep_friction friction = {column(&quadratic, 0), column(&coulomb, 0), column(&sticks, 0)};
+  rot_axle_sweep_friction friction = {column(&quadratic, 0), column(&coulomb, 0),
+                                      column(&sticks, 0)};
   rot_axle_scene scene = {{0}, 0.0, 0.125, 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL, 0.0};
   rot_axle_columns row;
   double one[7][1];
@@ -240,9 +244,9 @@ static void check_scenes(void) {
   for (size_t i = 0; i < ROWS; i++) {
     for (int j = 0; j < 6; j++) x[j][i] = 0.1 + uniform(&seed);
   }
-  const rot_sweep_rows rows = rows_of(in, ROWS, 1, 0.0);
-  ROT_CHECK(rot_sweep_scenes(linear_model, &scene, &rows, &friction, 1, 2, &out, NULL, &info) ==
-            ROT_OK);
+  const rot_axle_sweep_rows rows = rows_of(in, ROWS, 1, 0.0);
+  ROT_CHECK(rot_axle_sweep_scenes(linear_model, &scene, &rows, &friction, 1, 2, &out, NULL,
+                                  &info) == ROT_OK);
   ROT_CHECK_EQ_INT(info.rows_done, ROWS);
   for (size_t i = 0; i < ROWS; i += 100) {
     double scaled[5];
@@ -252,16 +256,17 @@ static void check_scenes(void) {
     row = (rot_axle_columns){one[0], one[1], one[2], one[3], one[4], one[5], one[6]};
     ROT_CHECK(rot_axle_linear(&p, 1, &x[5][i], &row, NULL, &info) == ROT_OK);
     ROT_CHECK(status[i] == ROT_OK && theta[i] == one[0][0] && omega[i] == one[1][0]);
-    ROT_CHECK(speed[i] == info.omega_max && error[i] == rot_info_error(&info));
-    ROT_CHECK(omega_max[i] == info.omega_high && omega_min[i] == info.omega_low);
+    ROT_CHECK(speed[i] == info.measure[ROT_OMEGA].largest && error[i] == rot_info_error(&info));
+    ROT_CHECK(omega_max[i] == info.measure[ROT_OMEGA].high &&
+              omega_min[i] == info.measure[ROT_OMEGA].low);
     ROT_CHECK(isnan(max_time[i]));
   }
-  ROT_CHECK(rot_sweep_scenes(linear_model, &scene, &rows, &friction, 0, 1, &out, NULL, &info) ==
-            ROT_OK);
+  ROT_CHECK(rot_axle_sweep_scenes(linear_model, &scene, &rows, &friction, 0, 1, &out, NULL,
+                                  &info) == ROT_OK);
   ROT_CHECK(isnan(speed[0]) && isnan(omega_max[0]) && !isnan(omega[0]));
   friction.static_n_m = column(&bad, 0); /* below Coulomb's */
-  ROT_CHECK(rot_sweep_scenes(linear_model, &scene, &rows, &friction, 1, 1, &out, NULL, &info) ==
-            ROT_OK);
+  ROT_CHECK(rot_axle_sweep_scenes(linear_model, &scene, &rows, &friction, 1, 1, &out, NULL,
+                                  &info) == ROT_OK);
   ROT_CHECK(status[0] == ROT_EVALUE && isnan(omega[0]) && isnan(error[0]));
 }
 
@@ -285,5 +290,5 @@ int main(void) {
   check_bad_rows();
   check_many();
   check_scenes();
-  return rot_test_report("sweep");
+  return rot_test_report("axle_sweep");
 }

@@ -1,4 +1,4 @@
-#include "rot_rotors_ledger.h"
+#include "rot_shaft_ledger.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,12 +7,12 @@
 #include "rot_expm.h"
 #include "rot_gauss.h"
 #include "rot_real.h"
-#include "rot_rotors_rigid.h"
-#include "rot_shaft.h"
-#include "rot_shaft_mode.h"
-#include "rot_shaft_system.h"
+#include "rot_shaft_rigid.h"
+#include "rot_shaft_modes.h"
+#include "rot_shaft_decoupled.h"
+#include "rot_shaft_coupled.h"
 
-static double angle_of(const rot_shaft *s, const double p[], size_t i) {
+static double angle_of(const rot_shaft_modes *s, const double p[], size_t i) {
   double sum = 0.0;
   for (size_t m = s->n; m-- > 1;) {
     sum += s->shape[i * s->n + m] * (m > s->floppy ? p[m] / s->sigma[m] : p[m]);
@@ -35,8 +35,8 @@ static void add_transformed(size_t n, double w[], const double weight, const dou
 
 /* Heat = x0' W x0 with W = int exp(A't) Q exp(A t) dt: by quadrature over a short time, then by
  * doubling, W(2h) = W(h) + exp(A'h) W(h) exp(A h). All parts are positive: nothing cancels. */
-static rot_status find_heat(const rot_shaft *s, double from, double span, const double p[],
-                            const double r[], rot_rotors_ledger *ledger) {
+static rot_status find_heat(const rot_shaft_modes *s, double from, double span, const double p[],
+                            const double r[], rot_shaft_ledger *ledger) {
   const size_t n = s->n, size = 2 * n + 1, square = size * size;
   double *memory = calloc(4 * square + 2 * size + ROT_EXPM_WORK(size) + 2 * square, sizeof *memory);
   if (!memory) return ROT_ENOMEM;
@@ -86,27 +86,28 @@ static rot_status find_heat(const rot_shaft *s, double from, double span, const 
 }
 
 /* p and r (or q) of the modes at a time. */
-static rot_status modes_at(const rot_shaft *s, double t, double p[], double r[], double error[]) {
+static rot_status modes_at(const rot_shaft_modes *s, double t, double p[], double r[],
+                           double error[]) {
   if (s->decoupled) {
-    rot_shaft_modes_apart(s, t, p, r, error);
+    rot_shaft_decoupled_at(s, t, p, r, error);
     return ROT_OK;
   }
-  const size_t room = rot_shaft_system_room(s->n);
+  const size_t room = rot_shaft_coupled_room(s->n);
   double *memory = malloc((room + 2 * s->n + 1) * sizeof *memory);
   if (!memory) return ROT_ENOMEM;
   rot_shaft_stepper one = rot_shaft_stepper_in(s->n, memory);
   const rot_status status = rot_shaft_jump(s, &one, t, memory + room, p, r);
-  if (status == ROT_OK) rot_shaft_system_errors(s, t, 0.0, p, r, error);
+  if (status == ROT_OK) rot_shaft_coupled_errors(s, t, 0.0, p, r, error);
   free(memory);
   return status;
 }
 
-static rot_status balance_of_modes(const rot_rotors_params *p, double from, double to,
-                                   rot_rotors_ledger *ledger) {
-  rot_shaft s;
+static rot_status balance_of_modes(const rot_shaft_params *p, double from, double to,
+                                   rot_shaft_ledger *ledger) {
+  rot_shaft_modes s;
   const size_t n = p->n;
   double *memory = calloc(6 * n, sizeof *memory);
-  rot_status status = memory ? rot_shaft_build(&s, p) : ROT_ENOMEM;
+  rot_status status = memory ? rot_shaft_modes_build(&s, p) : ROT_ENOMEM;
   if (!memory) return status;
   double *p0 = memory, *r0 = p0 + n, *p1 = r0 + n, *r1 = p1 + n, *e0 = r1 + n, *e1 = e0 + n;
   if (status == ROT_OK) status = modes_at(&s, from, p0, r0, e0);
@@ -126,21 +127,21 @@ static rot_status balance_of_modes(const rot_rotors_params *p, double from, doub
   if (damped && to > from && status == ROT_OK) {
     status = find_heat(&s, from, to - from, p0, r0, ledger);
   }
-  rot_shaft_free(&s);
+  rot_shaft_modes_free(&s);
   free(memory);
   return status;
 }
 
 /* int omega^2 by Gauss and Legendre over stretches of decay * t = 2. */
-static rot_status balance_of_lump(const rot_rotors_params *p, double from, double to,
-                                  rot_rotors_ledger *ledger) {
-  rot_rotors_lump s;
+static rot_status balance_of_lump(const rot_shaft_params *p, double from, double to,
+                                  rot_shaft_ledger *ledger) {
+  rot_shaft_lump s;
   double theta0, theta1, omega, theta_size, omega_size, torque = 0.0, most = 0.0;
-  const rot_status status = rot_rotors_lump_build(&s, p);
+  const rot_status status = rot_shaft_lump_build(&s, p);
   if (status != ROT_OK) return status;
-  rot_rotors_lump_at(&s, from, &theta0, &omega, &theta_size, &omega_size);
+  rot_shaft_lump_at(&s, from, &theta0, &omega, &theta_size, &omega_size);
   most += theta_size;
-  rot_rotors_lump_at(&s, to, &theta1, &omega, &theta_size, &omega_size);
+  rot_shaft_lump_at(&s, to, &theta1, &omega, &theta_size, &omega_size);
   most += theta_size;
   for (size_t i = 0; i < p->n; i++) torque += p->torque_n_m[i];
   ledger->work_j = torque * (theta1 - theta0);
@@ -153,23 +154,23 @@ static rot_status balance_of_lump(const rot_rotors_params *p, double from, doubl
     const double h = (settled - from) / parts;
     for (int i = 0; i < 12; i++) {
       const rot_gauss_node at = rot_gauss(i);
-      rot_rotors_lump_at(&s, from + (k + at.x) * h, &theta1, &omega, &theta_size, &omega_size);
+      rot_shaft_lump_at(&s, from + (k + at.x) * h, &theta1, &omega, &theta_size, &omega_size);
       sum += at.weight * h * omega * omega;
     }
   }
   if (s.decay > 0.0 && to > settled) {
-    rot_rotors_lump_at(&s, to, &theta1, &omega, &theta_size, &omega_size);
+    rot_shaft_lump_at(&s, to, &theta1, &omega, &theta_size, &omega_size);
     sum += (to - settled) * omega * omega;
   }
   ledger->dissipated_j = s.decay * s.inertia * sum;
   ledger->dissipated_rounding_j = 40.0 * ROT_EPS * ledger->dissipated_j;
-  rot_rotors_lump_free(&s);
+  rot_shaft_lump_free(&s);
   return ROT_OK;
 }
 
-rot_status rot_rotors_balance(const rot_rotors_params *p, int rigid, double from_s, double to_s,
-                              rot_rotors_ledger *ledger) {
+rot_status rot_shaft_balance(const rot_shaft_params *p, int rigid, double from_s, double to_s,
+                             rot_shaft_ledger *ledger) {
   const double from = from_s - p->start_s, to = to_s - p->start_s;
-  *ledger = (rot_rotors_ledger){0.0, 0.0, 0.0, 0.0};
+  *ledger = (rot_shaft_ledger){0.0, 0.0, 0.0, 0.0};
   return rigid ? balance_of_lump(p, from, to, ledger) : balance_of_modes(p, from, to, ledger);
 }

@@ -1,10 +1,10 @@
-#include "rot_sweep.h"
+#include "rot_axle_sweep.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "rot_real.h"
-#include "rot_sweep_pass.h"
+#include "rot_axle_sweep_pass.h"
 #include "rot_wide.h"
 
 #ifdef _OPENMP
@@ -16,7 +16,7 @@ enum { LINEAR_CHUNK = 65536, SCENE_CHUNK = 512, PARTS = 32 }; /* a thread takes 
 
 /* ---- sharing out ---------------------------------------------------------------------------- */
 
-int rot_sweep_threads(void) {
+int rot_axle_sweep_threads(void) {
 #ifdef _OPENMP
   const int most = omp_get_max_threads(), limit = omp_get_thread_limit();
   return most < limit ? most : limit;
@@ -49,9 +49,9 @@ static void share_out(row_worker work, const void *frame, size_t first, size_t l
 /* Only this thread polls: the hooks may speak to R. */
 static rot_status sweep(row_worker work, const void *frame, size_t n, size_t chunk, int threads,
                         const rot_hooks *hooks, rot_info *info) {
-  const int most = rot_sweep_threads();
+  const int most = rot_axle_sweep_threads();
   if (threads < 1 || threads > most) threads = most;
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   for (size_t first = 0; first < n && info->status == ROT_OK;) {
     const size_t last = n - first < chunk ? n : first + chunk;
     share_out(work, frame, first, last, chunk / PARTS, threads);
@@ -66,8 +66,8 @@ static inline double larger(double x, double y) { return x > y ? x : y; } /* fma
 /* ---- rows in closed form -------------------------------------------------------------------- */
 
 typedef struct linear_frame {
-  const rot_sweep_rows *rows;
-  const rot_sweep_columns *out;
+  const rot_axle_sweep_rows *rows;
+  const rot_axle_sweep_columns *out;
   const rot_torque *torque;
   const rot_torque_piece *pieces; /* from the one that holds the start */
   double start_n_m;               /* just after the start */
@@ -80,12 +80,8 @@ static int tame(double x) {
   return x == 0.0 || (x > 1e-40 && x < 1e40);
 }
 
-static double relative(double error, double largest) {
-  return error > 0.0 ? (largest > 0.0 ? error / largest : 1.0) : 0.0;
-}
-
-typedef rot_sweep_block block;
-enum { BLOCK = ROT_SWEEP_BLOCK };
+typedef rot_axle_sweep_block block;
+enum { BLOCK = ROT_AXLE_SWEEP_BLOCK };
 
 static void tame_way(const linear_frame *frame, block *x) {
   const rot_torque_piece *piece = frame->pieces;
@@ -94,7 +90,7 @@ static void tame_way(const linear_frame *frame, block *x) {
   for (size_t i = 1; i < BLOCK; i++) last = larger(last, x->end_s[i]);
   for (;; piece++, start_n_m = piece->start_n_m) {
     if (wide)
-      rot_sweep_pass_wide(x, piece, start_n_m);
+      rot_axle_sweep_pass_wide(x, piece, start_n_m);
     else
       pass_block(x, piece, start_n_m);
     if (last <= piece->end_s) return;
@@ -116,11 +112,11 @@ static inline void note(axle *x, double time_s, double omega) {
   if (omega < x->omega_min) x->omega_min = omega;
 }
 
-static void put_row(const rot_sweep_columns *out, size_t i, const axle *x, rot_status status) {
+static void put_row(const rot_axle_sweep_columns *out, size_t i, const axle *x, rot_status status) {
   const int good = status == ROT_OK;
   const double speed = larger(x->omega_max, -x->omega_min);
-  const double of_theta = relative(x->theta_error, x->theta_max),
-               of_omega = relative(x->worst_error, speed);
+  const double of_theta = rot_relative_error(x->theta_error, x->theta_max),
+               of_omega = rot_relative_error(x->worst_error, speed);
   out->theta_rad[i] = good ? x->theta : NAN;
   out->omega_rad_per_s[i] = good ? x->omega : NAN;
   out->omega_max[i] = good ? x->omega_max : NAN;
@@ -131,7 +127,7 @@ static void put_row(const rot_sweep_columns *out, size_t i, const axle *x, rot_s
   out->status[i] = (int)status;
 }
 
-/* A turn inside the piece, as in rot_sweep_pass.h, for any numbers. */
+/* A turn inside the piece, as in rot_axle_sweep_pass.h, for any numbers. */
 static void careful_turn(axle *x, const rot_axle_params *p, const rot_axle_state *from,
                          const rot_axle_state *to, const rot_torque_piece *piece) {
   const double a = rot_torque_in_piece(piece, from->time_s);
@@ -174,7 +170,7 @@ static rot_status careful_way(const linear_frame *frame, axle *x, double end_s, 
 
 static rot_status start_row(const linear_frame *frame, size_t i, axle *x, double *scale,
                             double *end_s, int *fast) {
-  const rot_sweep_rows *rows = frame->rows;
+  const rot_axle_sweep_rows *rows = frame->rows;
   const double I = rot_at(rows->inertia_kg_m2, i), c = rot_at(rows->viscous_n_m_s, i),
                w0 = rot_at(rows->omega0_rad_per_s, i), theta0 = rot_at(rows->theta0_rad, i),
                start_s = rows->start_s;
@@ -250,11 +246,12 @@ static void linear_rows(const void *data, size_t first, size_t last) {
   put_block(frame, &b, row, filled);
 }
 
-rot_status rot_sweep_linear(const rot_torque *torque, const rot_sweep_rows *rows, int threads,
-                            const rot_sweep_columns *out, const rot_hooks *hooks, rot_info *info) {
+rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_rows *rows,
+                                 int threads, const rot_axle_sweep_columns *out,
+                                 const rot_hooks *hooks, rot_info *info) {
   const size_t k = rot_torque_find(torque, rows->start_s, 1), n = torque->n - k + 1;
   rot_torque_piece *pieces = malloc(n * sizeof *pieces);
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   if (!pieces) return info->status = ROT_ENOMEM;
   linear_frame frame = {rows, out, torque, pieces, 0.0, 1};
   for (size_t j = 0; j < n; j++) {
@@ -274,15 +271,15 @@ rot_status rot_sweep_linear(const rot_torque *torque, const rot_sweep_rows *rows
 typedef struct scene_frame {
   rot_axle_model model;
   const rot_axle_scene *scene;
-  const rot_sweep_rows *rows;
-  const rot_sweep_friction *friction;
-  const rot_sweep_columns *out;
+  const rot_axle_sweep_rows *rows;
+  const rot_axle_sweep_friction *friction;
+  const rot_axle_sweep_columns *out;
   int true_maximum;
 } scene_frame;
 
 static rot_status run_scene(const scene_frame *frame, size_t i, double torque_n_m[], double row[7],
                             rot_info *info) {
-  const rot_sweep_rows *rows = frame->rows;
+  const rot_axle_sweep_rows *rows = frame->rows;
   const double scale = rot_at(rows->torque_scale, i), end_s = rot_at(rows->time_s, i);
   const rot_axle_columns to = {row, row + 1, row + 2, row + 3, row + 4, row + 5, row + 6};
   rot_axle_scene scene = *frame->scene;
@@ -313,20 +310,20 @@ static rot_status run_scene(const scene_frame *frame, size_t i, double torque_n_
 
 static void scene_rows(const void *data, size_t first, size_t last) {
   const scene_frame *frame = data;
-  const rot_sweep_columns *out = frame->out;
+  const rot_axle_sweep_columns *out = frame->out;
   const size_t n = frame->scene->linear.torque.n;
   double *torque_n_m = malloc((n ? n : 1) * sizeof *torque_n_m);
   for (size_t i = first; i < last; i++) {
     double row[7] = {0.0};
     rot_info info;
-    rot_info_clear(&info);
+    rot_info_clear(&info, NULL);
     const rot_status status = torque_n_m ? run_scene(frame, i, torque_n_m, row, &info) : ROT_ENOMEM;
     const int good = status == ROT_OK;
     out->theta_rad[i] = good ? row[0] : NAN;
     out->omega_rad_per_s[i] = good ? row[1] : NAN;
-    out->speed_max[i] = good && frame->true_maximum ? info.omega_max : NAN;
-    out->omega_max[i] = good && frame->true_maximum ? info.omega_high : NAN;
-    out->omega_min[i] = good && frame->true_maximum ? info.omega_low : NAN;
+    out->speed_max[i] = good && frame->true_maximum ? info.measure[ROT_OMEGA].largest : NAN;
+    out->omega_max[i] = good && frame->true_maximum ? info.measure[ROT_OMEGA].high : NAN;
+    out->omega_min[i] = good && frame->true_maximum ? info.measure[ROT_OMEGA].low : NAN;
     out->omega_max_time_s[i] = NAN;
     out->error[i] = good ? rot_info_error(&info) : NAN;
     out->status[i] = (int)status;
@@ -334,10 +331,11 @@ static void scene_rows(const void *data, size_t first, size_t last) {
   free(torque_n_m);
 }
 
-rot_status rot_sweep_scenes(rot_axle_model model, const rot_axle_scene *scene,
-                            const rot_sweep_rows *rows, const rot_sweep_friction *friction,
-                            int true_maximum, int threads, const rot_sweep_columns *out,
-                            const rot_hooks *hooks, rot_info *info) {
+rot_status rot_axle_sweep_scenes(rot_axle_model model, const rot_axle_scene *scene,
+                                 const rot_axle_sweep_rows *rows,
+                                 const rot_axle_sweep_friction *friction, int true_maximum,
+                                 int threads, const rot_axle_sweep_columns *out,
+                                 const rot_hooks *hooks, rot_info *info) {
   const scene_frame frame = {model, scene, rows, friction, out, true_maximum};
   return sweep(scene_rows, &frame, rows->n, SCENE_CHUNK, threads, hooks, info);
 }

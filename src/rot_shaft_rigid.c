@@ -1,4 +1,4 @@
-#include "rot_rotors_rigid.h"
+#include "rot_shaft_rigid.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "rot_phi.h"
 #include "rot_real.h"
 
-rot_status rot_rotors_lump_build(rot_rotors_lump *s, const rot_rotors_params *p) {
+rot_status rot_shaft_lump_build(rot_shaft_lump *s, const rot_shaft_params *p) {
   const size_t n = p->n;
   memset(s, 0, sizeof *s);
   s->p = p;
@@ -61,10 +61,10 @@ rot_status rot_rotors_lump_build(rot_rotors_lump *s, const rot_rotors_params *p)
   return ROT_OK;
 }
 
-void rot_rotors_lump_free(rot_rotors_lump *s) { free(s->memory); }
+void rot_shaft_lump_free(rot_shaft_lump *s) { free(s->memory); }
 
-void rot_rotors_lump_at(const rot_rotors_lump *s, double t, double *turned, double *omega,
-                        double *turned_size, double *omega_size) {
+void rot_shaft_lump_at(const rot_shaft_lump *s, double t, double *turned, double *omega,
+                       double *turned_size, double *omega_size) {
   double phi[3];
   rot_phi(s->decay * t, 0.0, 2, phi);
   *omega = s->omega0 * phi[0] + s->alpha * t * phi[1];
@@ -74,22 +74,22 @@ void rot_rotors_lump_at(const rot_rotors_lump *s, double t, double *turned, doub
 }
 
 typedef struct rigid_run {
-  const rot_rotors_lump *s;
+  const rot_shaft_lump *s;
   const double *time_s;
-  const rot_rotors_columns *out;
+  const rot_shaft_columns *out;
   rot_info *info;
 } rigid_run;
 
 static rot_status write_row(void *model, size_t row) {
   const rigid_run *run = model;
-  const rot_rotors_lump *s = run->s;
-  const rot_rotors_columns *out = run->out;
-  const rot_rotors_params *p = s->p;
+  const rot_shaft_lump *s = run->s;
+  const rot_shaft_columns *out = run->out;
+  const rot_shaft_params *p = s->p;
   const double t = run->time_s[row] - p->start_s;
   const size_t n = s->n;
   const double rounding = (12.0 + 2.0 * (double)n) * ROT_EPS;
   double turned, omega, turned_size, omega_size;
-  rot_rotors_lump_at(s, t, &turned, &omega, &turned_size, &omega_size);
+  rot_shaft_lump_at(s, t, &turned, &omega, &turned_size, &omega_size);
   const int known = !s->broken && !(t < 0.0 && s->damped);
   const double off = known ? s->start + s->path * fabs(omega - s->omega0) : (double)INFINITY;
   const double mean_off = s->mean_exact ? 0.0 : off * fabs(t) / sqrt(s->inertia);
@@ -105,7 +105,7 @@ static rot_status write_row(void *model, size_t row) {
     }
     out->theta_rad[row * n + i] = theta;
     out->omega_rad_per_s[row * n + i] = omega;
-    out->shaft_n_m[row * n + i] = i + 1 < n ? s->base[i] + s->slope[i] * omega : (double)NAN;
+    out->shaft_torque_n_m[row * n + i] = i + 1 < n ? s->base[i] + s->slope[i] * omega : (double)NAN;
     rot_note_row(run->info, theta, omega,
                  fabs(p->theta0_rad[i] - s->theta0) + twists * (1.0 + rounding) + mean_off +
                      rounding * turned_size + 2.0 * ROT_EPS * fabs(theta),
@@ -114,17 +114,17 @@ static rot_status write_row(void *model, size_t row) {
   return ROT_OK;
 }
 
-rot_status rot_rotors_rigid(const rot_rotors_params *p, size_t n, const double time_s[],
-                            const rot_rotors_columns *out, const rot_hooks *hooks, rot_info *info) {
+rot_status rot_shaft_rigid(const rot_shaft_params *p, size_t n, const double time_s[],
+                           const rot_shaft_columns *out, const rot_hooks *hooks, rot_info *info) {
   static const rot_march march = {.write_row = write_row};
-  rot_rotors_lump s;
+  rot_shaft_lump s;
   rigid_run run = {&s, time_s, out, info};
-  rot_rotors_note_start(p, info);
-  info->status = rot_rotors_lump_build(&s, p);
+  rot_shaft_note_start(p, info);
+  info->status = rot_shaft_lump_build(&s, p);
   info->steps = n > 0;
   if (info->status == ROT_OK) {
     rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
   }
-  rot_rotors_lump_free(&s);
+  rot_shaft_lump_free(&s);
   return info->status;
 }

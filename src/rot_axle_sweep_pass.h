@@ -1,11 +1,11 @@
-/* The kernel of rot_sweep.c: a block of axles through one piece of the torque law. Compiled for
- * registers of two there and for registers of four in rot_wide.c. */
-#ifndef ROT_SWEEP_PASS_H
-#define ROT_SWEEP_PASS_H
+/* The kernel of rot_axle_sweep.c: a block of axles through one piece of the torque law. Compiled for
+ * registers of two there and for registers of four in rot_axle_sweep_pass.c. */
+#ifndef ROT_AXLE_SWEEP_PASS_H
+#define ROT_AXLE_SWEEP_PASS_H
 
 #include "rot_pair.h"
 #include "rot_real.h"
-#include "rot_sweep_block.h"
+#include "rot_axle_sweep_block.h"
 
 /* phi0, phi1, g1, phi2, phi3 of -z for two steps. */
 typedef struct weights {
@@ -74,8 +74,8 @@ ROT_INLINE weights weights_of(rot_pair z) {
  *
  * Inside the piece omega turns where its acceleration is nothing, I A = excess at the start:
  * exp(c s/I) = 1 - (c/I) excess/slope. From c s/I = 1 on what is left there is torque/c. */
-ROT_INLINE void pass_turns(rot_sweep_block *x, size_t i, rot_pair turns, rot_pair stop, rot_pair s,
-                           rot_pair a, rot_pair b, rot_pair w0, rot_pair excess) {
+ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, rot_pair stop,
+                           rot_pair s, rot_pair a, rot_pair b, rot_pair w0, rot_pair excess) {
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0), c = rot_load(x->c + i);
   const rot_pair lambda = rot_load(x->lambda + i);
   /* Lanes without a turn get numbers that harm nothing. */
@@ -113,12 +113,13 @@ ROT_INLINE void pass_turns(rot_sweep_block *x, size_t i, rot_pair turns, rot_pai
 }
 
 /* From where each axle is to the end of the piece, or to its own end. */
-ROT_INLINE void pass_block(rot_sweep_block *x, const rot_torque_piece *piece, double start_n_m) {
+ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piece,
+                           double start_n_m) {
   const rot_pair none = ROT_BOTH(0.0), eps = ROT_BOTH(ROT_EPS), end = ROT_BOTH(piece->end_s);
   const double A = piece->start_n_m, B = piece->end_n_m;
   const double most_n_m = fabs(A) > fabs(B) ? fabs(A) : fabs(B);
   const int sloping = A != B;
-  for (size_t i = 0; i < ROT_SWEEP_BLOCK; i += ROT_PAIR) {
+  for (size_t i = 0; i < ROT_AXLE_SWEEP_BLOCK; i += ROT_PAIR) {
     const rot_pair own = rot_load(x->end_s + i), from = rot_load(x->time_s + i);
     const rot_pair stop = rot_pair_if_more(own, end, end, own), s = stop - from;
     const rot_pair scale = rot_load(x->scale + i), a = ROT_BOTH(start_n_m) * scale;
@@ -168,5 +169,9 @@ ROT_INLINE void pass_block(rot_sweep_block *x, const rot_torque_piece *piece, do
     rot_store(x->time_s + i, stop);
   }
 }
+
+/* The same for registers of four. */
+void rot_axle_sweep_pass_wide(rot_axle_sweep_block *block, const rot_torque_piece *piece,
+                              double start_n_m);
 
 #endif

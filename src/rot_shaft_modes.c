@@ -1,4 +1,4 @@
-#include "rot_shaft.h"
+#include "rot_shaft_modes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "rot_eigen.h"
 #include "rot_real.h"
 
-static int allocate(rot_shaft *s, size_t n) {
+static int allocate(rot_shaft_modes *s, size_t n) {
   double *next = s->memory = calloc(n * (4 * n + 9), sizeof *next);
   if (!next) return 0;
   double **small[] = {&s->leak, &s->force_leak, &s->sigma_lo, &s->share, &s->sigma,
@@ -20,7 +20,7 @@ static int allocate(rot_shaft *s, size_t n) {
 }
 
 /* Weighted by inertia, from the first one on: rotors that agree have exactly their own mean. */
-static double mean_of(const rot_shaft *s, const double x[]) {
+static double mean_of(const rot_shaft_modes *s, const double x[]) {
   double sum = 0.0, lo = 0.0;
   for (size_t i = 1; i < s->n; i++) {
     double e, d = rot_two_prod(s->share[i], x[i] - x[0], &e);
@@ -32,7 +32,7 @@ static double mean_of(const rot_shaft *s, const double x[]) {
 
 /* The twists: singular vectors of sqrt(k) B J^-1/2, whose small singular values keep their digits
  * however much the rotors and springs differ. Fills sigma and lever. */
-static rot_status find_twists(rot_shaft *s) {
+static rot_status find_twists(rot_shaft_modes *s) {
   const size_t n = s->n, springs = n - 1 - s->floppy;
   const double *k = s->p->stiffness_n_m_per_rad, *J = s->p->inertia_kg_m2;
   if (springs == 0) return ROT_OK;
@@ -61,7 +61,7 @@ static rot_status find_twists(rot_shaft *s) {
 /* Shapes of the twists in rotors first .. last, joined by springs: each rotor from the twists to
  * its right and left, with the shares of inertia beyond. No difference of large numbers, and no
  * net momentum. */
-static void shape_group(rot_shaft *s, size_t first, size_t last) {
+static void shape_group(rot_shaft_modes *s, size_t first, size_t last) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad;
   double all = 0.0, left = 0.0;
@@ -80,7 +80,7 @@ static void shape_group(rot_shaft *s, size_t first, size_t last) {
 }
 
 /* Mode f moves the groups before group f against group f. */
-static void shape_floppy(rot_shaft *s, size_t f, size_t first, size_t last) {
+static void shape_floppy(rot_shaft_modes *s, size_t f, size_t first, size_t last) {
   double before = 0.0, here = 0.0;
   for (size_t i = 0; i < first; i++) before += s->share[i];
   for (size_t i = first; i <= last; i++) here += s->share[i];
@@ -91,7 +91,7 @@ static void shape_floppy(rot_shaft *s, size_t f, size_t first, size_t last) {
   }
 }
 
-static void find_shapes(rot_shaft *s) {
+static void find_shapes(rot_shaft_modes *s) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad;
   for (size_t first = 0, last = 0, group = 0; first < n; first = ++last, group++) {
@@ -113,7 +113,7 @@ static void find_shapes(rot_shaft *s) {
  * sum J theta^2 with no net momentum in any group: an error of the shape counts squared, so this
  * has twice its digits. At a phase of 1e5 (k = 1e10 for 1 s) it takes the error of omega from
  * 4e-12 to 1e-16. */
-static rot_dd sharp_sigma(const rot_shaft *s, size_t m) {
+static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad, *J = s->p->inertia_kg_m2;
   /* By powers of two near 1, so that no square leaves the range. */
@@ -159,7 +159,7 @@ static rot_dd sharp_sigma(const rot_shaft *s, size_t m) {
 }
 
 /* Keeps what agrees with the singular value, as it does unless something underflowed. */
-static void sharpen(rot_shaft *s) {
+static void sharpen(rot_shaft_modes *s) {
   for (size_t m = 1 + s->floppy; m < s->n; m++) {
     const rot_dd sigma = sharp_sigma(s, m);
     if (fabs(sigma.hi - s->sigma[m]) <= 1e-12 * s->sigma[m] && isfinite(sigma.lo)) {
@@ -186,7 +186,7 @@ static int proportional(size_t n, const double x[], const double y[], double *ra
 }
 
 /* Column 0 of twist is zero, so what acts between the rotors leaves the mean alone, exactly. */
-static void find_damping(rot_shaft *s) {
+static void find_damping(rot_shaft_modes *s) {
   const size_t n = s->n;
   const double *c = s->p->damping_n_m_s, *d = s->p->viscous_n_m_s, *J = s->p->inertia_kg_m2;
   double of_springs, of_rotors;
@@ -218,8 +218,8 @@ static void find_damping(rot_shaft *s) {
   }
 }
 
-static void start_floppy(rot_shaft *s, size_t m) {
-  const rot_rotors_params *p = s->p;
+static void start_floppy(rot_shaft_modes *s, size_t m) {
+  const rot_shaft_params *p = s->p;
   for (size_t i = 0; i < s->n; i++) {
     const double J = p->inertia_kg_m2[i], shape = s->shape[i * s->n + m];
     const double angle = J * shape * (p->theta0_rad[i] - s->theta0);
@@ -243,8 +243,8 @@ static projection better_of(projection a, projection b) { return a.size <= b.siz
  * J shape, or, by sum J_i shape_i x_i = sum lever_j (x_j - x_(j+1))/sigma, from the springs. With
  * rotors of very different size the springs are better, with springs of very different size the
  * rotors: a shape is rounded by the size of its largest part. */
-static void start_twist(rot_shaft *s, size_t m) {
-  const rot_rotors_params *p = s->p;
+static void start_twist(rot_shaft_modes *s, size_t m) {
+  const rot_shaft_params *p = s->p;
   const size_t n = s->n;
   const double sigma = s->sigma[m];
   projection angle[2] = {{0}}, rate[2] = {{0}}, torque[2] = {{0}};
@@ -282,8 +282,8 @@ static void start_twist(rot_shaft *s, size_t m) {
   s->force_leak[m] = force.size;
 }
 
-static void find_start(rot_shaft *s) {
-  const rot_rotors_params *p = s->p;
+static void find_start(rot_shaft_modes *s) {
+  const rot_shaft_params *p = s->p;
   const size_t n = s->n;
   s->theta0 = mean_of(s, p->theta0_rad);
   s->omega0 = mean_of(s, p->omega0_rad_per_s);
@@ -300,7 +300,7 @@ static void find_start(rot_shaft *s) {
   for (size_t m = 1 + s->floppy; m < n; m++) start_twist(s, m);
 }
 
-rot_status rot_shaft_build(rot_shaft *s, const rot_rotors_params *p) {
+rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p) {
   memset(s, 0, sizeof *s);
   s->p = p;
   s->n = p->n;
@@ -318,4 +318,4 @@ rot_status rot_shaft_build(rot_shaft *s, const rot_rotors_params *p) {
   return ROT_OK;
 }
 
-void rot_shaft_free(rot_shaft *s) { free(s->memory); }
+void rot_shaft_modes_free(rot_shaft_modes *s) { free(s->memory); }

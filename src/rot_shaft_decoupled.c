@@ -1,4 +1,4 @@
-#include "rot_shaft_mode.h"
+#include "rot_shaft_decoupled.h"
 
 #include <math.h>
 
@@ -83,7 +83,7 @@ static void move_mode(double sigma, double sigma_lo, double damp, double force, 
   *p = p0 * (x.stay + b * x.fall) + sigma * (r0 * x.fall + turned);
 }
 
-double rot_shaft_mode_error(const rot_shaft *s, size_t m, double t) {
+double rot_shaft_mode_error(const rot_shaft_modes *s, size_t m, double t) {
   const double sigma = s->sigma[m], b = 0.5 * s->damp[m], T = fabs(t);
   const double start = hypot(s->p0[m], s->r0[m]), force = fabs(s->force[m]);
   const double reach = sigma > 0.0 ? fmin(T, 2.0 / sigma) : T;
@@ -104,9 +104,12 @@ double rot_shaft_mode_error(const rot_shaft *s, size_t m, double t) {
   return leak + (start + driven) * (1.0 + phase);
 }
 
-double rot_shaft_roundings(const rot_shaft *s) { return fmin(4.0 + 2.0 * (double)s->n, 24.0); }
+double rot_shaft_roundings(const rot_shaft_modes *s) {
+  return fmin(4.0 + 2.0 * (double)s->n, 24.0);
+}
 
-void rot_shaft_modes_apart(const rot_shaft *s, double t, double p[], double r[], double error[]) {
+void rot_shaft_decoupled_at(const rot_shaft_modes *s, double t, double p[], double r[],
+                            double error[]) {
   for (size_t m = 0; m < s->n; m++) {
     p[m] = s->p0[m];
     r[m] = s->r0[m];
