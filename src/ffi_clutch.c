@@ -1,4 +1,5 @@
 #include "ffi_run.h"
+#include "ffi_scenes.h"
 
 #include "rot_clutch.h"
 
@@ -12,7 +13,7 @@ static rot_steps unpack_steps(SEXP steps) {
 
 /* list(numbers, torque 1, torque 2); numbers = c(I1, I2, capacity, static capacity, engage, start,
  * theta1, theta2, omega1, omega2), as R/model-clutch.R packs it. */
-static rot_clutch_params unpack(SEXP pack) {
+rot_clutch_params ffi_clutch_scene(SEXP pack) {
   if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 3) Rf_error("internal: `scene`");
   const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 10);
   return (rot_clutch_params){
@@ -24,7 +25,7 @@ static rot_clutch_params unpack(SEXP pack) {
 
 SEXP ffi_clutch_run(SEXP pack, SEXP time_s, SEXP progress) {
   static const char *const names[] = {"time_s", ROT_CLUTCH_COLUMNS(FFI_COLUMN_NAME) ""};
-  const rot_clutch_params p = unpack(pack);
+  const rot_clutch_params p = ffi_clutch_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1);
   const R_xlen_t rows = XLENGTH(time_s);
   rot_clutch_columns out;
@@ -43,7 +44,7 @@ SEXP ffi_clutch_run(SEXP pack, SEXP time_s, SEXP progress) {
 /* From span[0] to span[1]; NA where it failed. */
 SEXP ffi_clutch_ledger(SEXP pack, SEXP span) {
   static const char *const names[] = {ROT_CLUTCH_LEDGER(FFI_NAME)};
-  const rot_clutch_params p = unpack(pack);
+  const rot_clutch_params p = ffi_clutch_scene(pack);
   const double *x = ffi_reals(span, "span", 2);
   rot_clutch_ledger ledger = {0.0, 0.0};
   const rot_status status = rot_clutch_work(&p, x[0], x[1], &ledger);

@@ -1,4 +1,5 @@
 #include "ffi_run.h"
+#include "ffi_scenes.h"
 
 #include "rot_shaft_modal.h"
 #include "rot_shaft_ledger.h"
@@ -6,7 +7,7 @@
 
 /* list(inertia, stiffness, damping, viscous, torque, theta0, omega0, start), as R/model-rotors.R
  * packs it. */
-static rot_shaft_params unpack(SEXP pack) {
+rot_shaft_params ffi_rotors_scene(SEXP pack) {
   if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 8) Rf_error("internal: `scene`");
   const R_xlen_t n = XLENGTH(VECTOR_ELT(pack, 0));
   if (n < 1) Rf_error("internal: no rotor");
@@ -21,7 +22,7 @@ static rot_shaft_params unpack(SEXP pack) {
 /* The columns are as long as rows times rotors. `how`: 0 rigid, 1 modal, 2 modal, fast. */
 SEXP ffi_rotors_run(SEXP pack, SEXP time_s, SEXP how, SEXP progress) {
   static const char *const names[] = {ROT_SHAFT_COLUMNS(FFI_COLUMN_NAME) ""};
-  const rot_shaft_params p = unpack(pack);
+  const rot_shaft_params p = ffi_rotors_scene(pack);
   const double *t = ffi_reals(time_s, "time_s", -1), kind = ffi_real(how, "how");
   const size_t n = (size_t)XLENGTH(time_s);
   const R_xlen_t rows = XLENGTH(time_s) * (R_xlen_t)p.n;
@@ -42,7 +43,7 @@ SEXP ffi_rotors_run(SEXP pack, SEXP time_s, SEXP how, SEXP progress) {
 /* From span[0] to span[1]; NA where it failed. */
 SEXP ffi_rotors_ledger(SEXP pack, SEXP rigid, SEXP span) {
   static const char *const names[] = {ROT_SHAFT_LEDGER(FFI_NAME)};
-  const rot_shaft_params p = unpack(pack);
+  const rot_shaft_params p = ffi_rotors_scene(pack);
   const double *x = ffi_reals(span, "span", 2);
   rot_shaft_ledger ledger = {0.0, 0.0, 0.0, 0.0};
   const rot_status status =
@@ -53,7 +54,7 @@ SEXP ffi_rotors_ledger(SEXP pack, SEXP rigid, SEXP span) {
 
 /* The angular frequencies of the undamped shaft; NA where they are out of range. */
 SEXP ffi_rotors_frequencies(SEXP pack) {
-  const rot_shaft_params p = unpack(pack);
+  const rot_shaft_params p = ffi_rotors_scene(pack);
   SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)p.n));
   if (rot_shaft_frequencies(&p, REAL(out)) != ROT_OK) {
     for (size_t i = 0; i < p.n; i++) REAL(out)[i] = NA_REAL;

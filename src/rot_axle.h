@@ -3,6 +3,7 @@
 #ifndef ROT_AXLE_H
 #define ROT_AXLE_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "rot_status.h"
@@ -54,6 +55,10 @@ rot_axle_state rot_axle_start(const rot_axle_params *p);
 /* To a time in, or at the end of, the piece that the state lies in. */
 rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,
                              const rot_torque_piece *piece, double time_s);
+
+static inline int rot_axle_in_range(const rot_axle_state *state) {
+  return isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s);
+}
 
 /* The six columns that follow from theta, omega and the applied torque of row i. */
 static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns *out, size_t i,

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "rot_gauss.h"
 #include "rot_phi.h"
 #include "rot_real.h"
 
@@ -65,24 +66,18 @@ static double mean_square(const step_drive *drive, double *size) {
             2.0 * fabs(d) * (fabs(p0) * phi[1] + fabs(p1) * g1) + d * d * twice;
     return (p0 * p0 + p0 * pe + pe * pe) / 3.0 + 2.0 * d * (p0 * phi[1] + p1 * g1) + d * d * twice;
   }
-  /* Gauss-Legendre, 12 points: truncation below 1e-17 for |z| <= 3. */
-  static const double node[6] = {0.98156063424671925069, 0.90411725637047485667,
-                                 0.76990267419430468703, 0.58731795428661744729,
-                                 0.36783149899818019375, 0.12523340851146891547};
-  static const double weight[6] = {0.04717533638651182719, 0.10693932599531843096,
-                                   0.16007832854334622633, 0.20316742672306592174,
-                                   0.23349253653835480876, 0.24914704581340278500};
   double sum = 0.0;
   *size = 0.0;
   for (int i = 0; i < 12; i++) {
-    const double x = 0.5 + (i < 6 ? -0.5 : 0.5) * node[i < 6 ? i : 11 - i];
+    const rot_gauss_node at = rot_gauss(i);
+    const double x = at.x;
     double phi[3];
     rot_phi(z * x, 0.0, 2, phi);
     const double from_a = ua * x * (phi[1] - x * phi[2]), from_b = ub * x * x * phi[2];
     const double omega = u0 * phi[0] + (from_a + from_b);
     const double largest = fabs(u0) * phi[0] + fabs(from_a) + fabs(from_b);
-    sum += 0.5 * weight[i < 6 ? i : 11 - i] * omega * omega;
-    *size += 0.5 * weight[i < 6 ? i : 11 - i] * largest * largest;
+    sum += at.weight * omega * omega;
+    *size += at.weight * largest * largest;
   }
   return sum;
 }
@@ -147,8 +142,8 @@ static void add_step(const rot_axle_params *p, const rot_axle_state *from,
   sum->impulse_rounding += 4.0 * ROT_EPS * fabs(0.5 * s) * (fabs(a) + fabs(b));
 }
 
-/* March from *state to a time, adding up on the way if there is a sum. */
-static rot_status march(const rot_axle_params *p, rot_axle_state *state, double to_s,
+/* From *state to a time, piece by piece, adding up if there is a sum. */
+static rot_status go_to(const rot_axle_params *p, rot_axle_state *state, double to_s,
                         running_ledger *sum, const rot_hooks *hooks, rot_info *info) {
   const int forward = to_s >= state->time_s;
   size_t k = rot_torque_find(&p->torque, state->time_s, forward);
@@ -163,7 +158,7 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
       add(&sum->turned, state->theta_lo - from.theta_lo);
     }
     info->time_s = stop;
-    if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) return ROT_ERANGE;
+    if (!rot_axle_in_range(state)) return ROT_ERANGE;
     k = forward ? k + 1 : k - 1;
     if (++info->steps % 256 == 0) {
       rot_status status = rot_poll(hooks, 0.0);
@@ -183,13 +178,13 @@ rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, doubl
   after = before;
   rot_info_clear(info, rot_turning);
   if (from_s < p->start_s) {
-    if (to_s < p->start_s) info->status = march(p, &state, to_s, NULL, hooks, info);
-    if (info->status == ROT_OK) info->status = march(p, &state, from_s, &before, hooks, info);
+    if (to_s < p->start_s) info->status = go_to(p, &state, to_s, NULL, hooks, info);
+    if (info->status == ROT_OK) info->status = go_to(p, &state, from_s, &before, hooks, info);
   }
   if (to_s > p->start_s && info->status == ROT_OK) {
     state = rot_axle_start(p);
-    if (from_s > p->start_s) info->status = march(p, &state, from_s, NULL, hooks, info);
-    if (info->status == ROT_OK) info->status = march(p, &state, to_s, &after, hooks, info);
+    if (from_s > p->start_s) info->status = go_to(p, &state, from_s, NULL, hooks, info);
+    if (info->status == ROT_OK) info->status = go_to(p, &state, to_s, &after, hooks, info);
   }
   out->work_j = difference(after.work, before.work);
   out->dissipated_j = difference(after.heat, before.heat);

@@ -43,10 +43,7 @@ typedef struct swing {
 
 /* ---- products ------------------------------------------------------------------------------- */
 
-static int tame(double x) {
-  x = fabs(x);
-  return x == 0.0 || (x > 1e-60 && x < 1e60);
-}
+static int tame(double x) { return rot_well_scaled(x, 1e60); }
 
 /* Product of n numbers times 2^e, divided by d. */
 static double product(int plain, int n, const double x[], double d, int e) {

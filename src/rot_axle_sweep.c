@@ -74,11 +74,7 @@ typedef struct linear_frame {
   int tame;                       /* all knots are */
 } linear_frame;
 
-/* Products of a few such numbers stay far from overflow and underflow. */
-static int tame(double x) {
-  x = fabs(x);
-  return x == 0.0 || (x > 1e-40 && x < 1e40);
-}
+static int tame(double x) { return rot_well_scaled(x, 1e40); }
 
 typedef rot_axle_sweep_block block;
 enum { BLOCK = ROT_AXLE_SWEEP_BLOCK };
@@ -155,7 +151,7 @@ static rot_status careful_way(const linear_frame *frame, axle *x, double end_s, 
     const double stop = piece.end_s < end_s ? piece.end_s : end_s;
     const rot_axle_state from = state;
     state = rot_axle_step(&p, &from, &piece, stop);
-    if (!(isfinite(state.theta_rad) && isfinite(state.omega_rad_per_s))) return ROT_ERANGE;
+    if (!rot_axle_in_range(&state)) return ROT_ERANGE;
     if (piece.start_n_m != piece.end_n_m) careful_turn(x, &p, &from, &state, &piece);
     note(x, stop, state.omega_rad_per_s);
     if (state.omega_error > x->worst_error) x->worst_error = state.omega_error;
