@@ -7,11 +7,8 @@ axle_constraint <- function() {
     title = function(run) {
       paste("A", gsub("_", " ", run$scene$body$shape %||% "body"), "on a fixed axle")
     },
-    models = c(axle_closed_forms, list(axle_rk8pd, axle_radau)),
-    effects = effect_words,
-    effects_of = function(scene) .subset2(scene, "effects"),
-    without = drop_effects,
-    drop_bound = drop_bound,
+    models = axle_models,
+    without = axle_without,
     columns = trajectory_columns,
     more_columns = function(columns, scene, time_s) {
       if (!is.null(.subset2(scene, "inertia"))) {
@@ -44,6 +41,15 @@ axle_constraint <- function() {
       panel("kinetic energy (J)", c(rotational_kinetic_energy_j = ""))
     )
   )
+}
+
+# The scene without some effects.
+axle_without <- function(scene, effects) {
+  if ("viscous" %in% effects) scene$resistance$viscous_n_m_s <- 0
+  if ("quadratic" %in% effects) scene$resistance$quadratic_n_m_s2 <- 0
+  if ("friction" %in% effects) scene$resistance[c("coulomb_n_m", "static_n_m")] <- 0
+  scene$loads$terms <- Filter(function(term) !term$kind %in% effects, scene$loads$terms)
+  scene
 }
 
 balance_axle <- function(x, run, call) {

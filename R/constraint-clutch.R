@@ -6,8 +6,6 @@ clutch_constraint <- function() {
     scene_function = "scene_clutch",
     title = function(run) "Two bodies and a clutch",
     models = clutch_models,
-    effects = character(),
-    effects_of = function(scene) character(),
     columns = clutch_columns,
     keys = c(
       "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s", "heat_j"

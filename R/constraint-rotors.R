@@ -6,8 +6,6 @@ rotors_constraint <- function() {
     scene_function = "scene_rotors",
     title = function(run) "Rotors on one shaft",
     models = rotors_models,
-    effects = character(),
-    effects_of = function(scene) character(),
     columns = rotors_columns,
     keys = c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m"),
     index = "rotor",

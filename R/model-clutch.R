@@ -18,16 +18,6 @@ clutch_exact <- list(
   limits = "not before the start; where a torque equals the static capacity, rounding decides",
   requires = "constant or stepped torques",
   source = "closed form between exact events; Shigley 2004, chapter 16",
-  error_kind = "bound",
-  handles = character(),
-  why_not = function(scene, time_s) {
-    if (length(time_s) && time_s[1] < scene$start_s) {
-      "a locked clutch has no record of its slip before the start: ask for times from start_s on"
-    }
-  },
-  why = function(scene) "all torques are constant between events: a closed form is known",
-  error = function(accuracy) 4e-15,
-  cost = function(scene, rows, accuracy) 100 * rows,
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     .Call(ffi_clutch_run, clutch_pack(scene), time_s, progress_bar("clutch"))
   },

@@ -35,15 +35,6 @@ rotors_rigid <- list(
   limits = "a bound is known forward in time, or without damping; every piece needs a stiffness",
   requires = "constant torques, stiff shafts",
   source = "energy norm of the difference; Meirovitch 2001, section 7.5",
-  error_kind = "bound",
-  handles = character(),
-  why_not = function(scene, time_s) {
-    if (any(scene$stiffness_n_m_per_rad == 0)) "a piece of the shaft has no stiffness"
-  },
-  why = function(scene) "the twists stay below the accuracy: the shaft turns as one body",
-  on_trial = TRUE,
-  error = function(accuracy) 4e-15,
-  cost = function(scene, rows, accuracy) 40 * rows * length(scene$moment_of_inertia_kg_m2),
   run = function(scene, time_s, accuracy, max_steps, call, asked) run_rotors_as(0, scene, time_s),
   ledger = function(scene, run, from_s, to_s) {
     .Call(ffi_rotors_ledger, rotors_pack(scene), 1, c(from_s, to_s))
@@ -55,20 +46,12 @@ share_exponentials <- function(accuracy) accuracy >= 1e-11
 
 rotors_modal <- list(
   id = "rotors_modal",
+  loses = "Stiff springs turn through many radians of phase, and large terms may cancel.",
   equations = "J theta'' + C theta' + K theta = tau, mean motion and twists in modes",
   assumptions = "rigid rotors, linear springs and dampers, constant torques",
   limits = "constant torques; the error grows with the phase where rotors are damped unevenly",
   requires = "constant torques",
   source = "Meirovitch 2001, chapter 7; Higham 2005 (exponential of a matrix)",
-  error_kind = "estimate",
-  handles = character(),
-  why_not = function(scene, time_s) NULL,
-  why = function(scene) "linear springs and dampers under constant torques: the modes are exact",
-  error = function(accuracy) 1e-14,
-  cost = function(scene, rows, accuracy) {
-    n <- length(scene$moment_of_inertia_kg_m2)
-    40 * n^3 + rows * (200 * n + 8 * n^2)
-  },
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     run_rotors_as(if (share_exponentials(accuracy)) 2 else 1, scene, time_s)
   },

@@ -222,7 +222,6 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
     0, 0, start_s
   )
   scene$loads <- loads
-  scene$effects <- axle_effects(loads, scene$resistance, NULL)
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
@@ -237,26 +236,25 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
       start_s, threads, progress_bar("sweep")
     ))
   }
-  fit <- sweep_model(scene, columns, call)
+  kernel <- sweep_kernel(scene, columns, call)
   .Call(
-    ffi_sweep_scenes, fit$record$kernel, pack_axle(scene),
+    ffi_sweep_scenes, kernel, pack_axle(scene),
     unname(columns[c(
       "moment_of_inertia_kg_m2", "viscous_n_m_s", "torque_scale", "omega0_rad_per_s", "theta0_rad",
       "time_s", "quadratic_n_m_s2", "coulomb_n_m", "static_n_m"
     )]),
-    as.double(fit$record$kernel %in% c("drag", "bands")), threads, progress_bar("sweep")
+    as.double(kernel %in% c("drag", "bands")), threads, progress_bar("sweep")
   )
 }
 
 # The closed form that takes what acts in any of the rows.
-sweep_model <- function(scene, columns, call) {
-  fits <- lapply(
-    axle_closed_forms[-(1:2)], fit_model, constraint_of(scene), scene, scene$start_s, 1
-  )
-  fit <- Find(function(fit) is.null(fit$reason), fits)
+sweep_kernel <- function(scene, columns, call) {
+  fits <- core_candidates("axle", scene, scene$start_s, 1)
+  takes <- fits$applies & fits$error_kind == "bound" & lengths(fits$dropped) == 0L &
+    !fits$model %in% c("axle_free", "axle_linear")
   scaled <- any(columns$torque_scale != 1) &&
     (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
-  if (is.null(fit) || scaled) {
+  if (!any(takes) || scaled) {
     abort_rotdyn(
       c(
         "There is no closed form for these rows ({scene_words(scene)}).",
@@ -270,5 +268,5 @@ sweep_model <- function(scene, columns, call) {
       call
     )
   }
-  fit
+  sub("axle_", "", fits$model[takes][1])
 }
