@@ -3,7 +3,6 @@ axle_constraint <- function() {
   list(
     id = "axle",
     scene_class = "rot_scene_axle",
-    scene_function = "scene_axle",
     title = function(run) {
       paste("A", gsub("_", " ", run$scene$body$shape %||% "body"), "on a fixed axle")
     },

@@ -3,7 +3,6 @@ clutch_constraint <- function() {
   list(
     id = "clutch",
     scene_class = "rot_scene_clutch",
-    scene_function = "scene_clutch",
     title = function(run) "Two bodies and a clutch",
     models = clutch_models,
     columns = clutch_columns,

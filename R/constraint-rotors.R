@@ -3,7 +3,6 @@ rotors_constraint <- function() {
   list(
     id = "rotors",
     scene_class = "rot_scene_rotors",
-    scene_function = "scene_rotors",
     title = function(run) "Rotors on one shaft",
     models = rotors_models,
     columns = rotors_columns,

@@ -62,35 +62,27 @@ add_end_jumps <- function(result, scene, time_s) {
   result
 }
 
-# What the samples' error can do to the motion, and what the samples cost. solve(push_n_m) is the
-# motion under a constant torque besides.
+# The error of the samples added to that of the run. The bound takes a pendulum for upside down at
+# all times, 1e125 in 100 s: where it matters the growth is measured, by a constant torque
+# that stands out from the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
-  info <- result$info
-  grow <- sampling_growth(info, scene, time_s, solve, accuracy)
-  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
-  info <- widen_error(info, reach)
-  result$info <- info
+  disturb <- function(size, impulse, grow) {
+    .Call(ffi_axle_disturbance, core_scene("axle", scene), time_s, c(size, impulse, grow))
+  }
+  free <- disturb(1, Inf, 1)
+  grow <- disturb(1, Inf, NaN)[["omega"]] / free[["omega"]]
+  push <- min(100 * accuracy, 1e-3) * result$info$sizes[["omega"]] / free[["omega"]]
+  if (isTRUE(grow > 2) && is.finite(push) && push > 0) {
+    runs <- lapply(c(0, push), solve)
+    if (all(vapply(runs, function(run) run$info$kind == "none", logical(1)))) {
+      apart <- function(column) {
+        max(abs(runs[[2]]$columns[[column]] - runs[[1]]$columns[[column]])) / push
+      }
+      grow <- max(1, c(apart("theta_rad"), apart("omega_rad_per_s")) / free)
+    }
+  } else if (!is.finite(grow)) {
+    grow <- 1 # nothing moves, or in no time
+  }
+  result$info <- widen_error(result$info, disturb(sampled$error, sampled$impulse, grow))
   result
-}
-
-# How much more a small torque does than in free motion. The bound of growth() takes a pendulum for
-# upside down all the time, 1e125 in 100 s: where it matters the growth is measured, by a push that
-# stands out from the integration's own error.
-sampling_growth <- function(info, scene, time_s, solve, accuracy) {
-  free <- disturbance(scene, 1, time_s, grow = 1)
-  grow <- disturbance(scene, 1, time_s)$omega / free$omega
-  if (!(grow > 2) || !(info$sizes[["omega"]] > 0)) {
-    return(if (is.finite(grow)) grow else 1)
-  }
-  push <- min(100 * accuracy, 1e-3) * info$sizes[["omega"]] / free$omega
-  if (!(is.finite(push) && push > 0)) {
-    return(grow)
-  }
-  still <- solve(0)
-  moved <- solve(push)
-  if (still$info$kind != "none" || moved$info$kind != "none") {
-    return(grow)
-  }
-  apart <- function(column) max(abs(moved$columns[[column]] - still$columns[[column]])) / push
-  max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
 }

@@ -1,17 +1,37 @@
 # A model is a record:
 #   id, equations, assumptions, limits, requires, source: text
-#   error_kind  "bound" (a closed form) or "estimate" (an integrator)
-#   handles     the effects of a scene that it takes, by name
-#   why_not(scene, time_s)  NULL if it takes them as they are here, else the reason in words
-#   why(scene)              what makes it fit, in words
-#   error(accuracy)         promised relative error
-#   on_trial                TRUE: only a run tells its error; it is kept if that is good
-#   cost(scene, rows, accuracy)  predicted time in s
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
 #   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
+#   adapts                  TRUE: its error depends on the accuracy asked
 #   ran_as(info)            NULL, or the id of the model that a run ended with
 #   loses                   NULL, or what makes a large error, for the warning
+# and, from the C core for the models that it knows, from the record itself for others:
+#   error_kind              "bound" (a closed form) or "estimate"
+#   handles                 the effects of a scene that it takes, by name
+#   why_not(scene, time_s)  NULL if it takes them as they are here, else the reason in words
+#   why                     what makes it fit, in words
+#   error(accuracy)         promised relative error
+#   on_trial                TRUE: only a run tells its error; it is kept if that is good enough
+#   cost(scene, rows, accuracy)  predicted time in s
+
+core_record <- function(record) {
+  known <- core_models()
+  at <- match(record$id, known$model)
+  if (is.na(at)) {
+    return(record)
+  }
+  promise <- known$error[at]
+  id <- known$constraint[at]
+  record$core <- TRUE
+  record$error_kind <- known$error_kind[at]
+  record$handles <- known$takes[[at]]
+  record$why_not <- function(scene, time_s) core_pick(id, scene, time_s, 1, model = record$id)$reason
+  record$why <- known$why[at]
+  record$error <- function(accuracy) if (isTRUE(record$adapts)) max(accuracy, promise) else promise
+  record$on_trial <- known$on_trial[at]
+  record
+}
 
 #' The models
 #'
@@ -42,65 +62,67 @@ models <- function() {
   )
 }
 
-# A model for a scene: list(record, scene: what it will solve, dropped: NULL or what was left out,
-# reason: NULL or why it does not fit, result: NULL or that of a run on trial).
-fit_model <- function(record, constraint, scene, time_s, accuracy) {
-  effects <- constraint$effects_of(scene)
-  taken <- effects %in% record$handles
-  reason <- if (!all(taken)) {
-    paste("it does not take", effects_in_words(effects[!taken], constraint))
-  } else {
-    record$why_not(scene, time_s)
-  }
-  if (is.null(reason)) reason <- too_coarse(record$error(accuracy), accuracy)
-  list(record = record, scene = scene, dropped = NULL, reason = reason, result = NULL)
+# A fit: list(record, scene: what it will solve, dropped: NULL or what was left out, reason: NULL or
+# why the model does not fit, result: NULL or that of a run on trial, error, cost_s).
+new_fit <- function(record, constraint, scene, dropped, reason, error, cost_s) {
+  if (!is.null(dropped)) scene <- constraint$without(scene, dropped$effects)
+  list(
+    record = record, scene = scene, dropped = dropped, reason = reason, result = NULL,
+    error = error, cost_s = cost_s
+  )
 }
 
 too_coarse <- function(error, accuracy) {
-  if (!is.na(error) && !(error <= accuracy)) {
+  if (!(error <= accuracy)) {
     paste0("its error of ", format(error, digits = 2), " exceeds the accuracy asked")
   }
 }
 
-# The same without the effects that the model does not take, if that changes little enough.
-fit_without <- function(fit, constraint, time_s, accuracy, call) {
-  record <- fit$record
-  missing <- setdiff(constraint$effects_of(fit$scene), record$handles)
-  if (length(missing) == 0L || is.null(constraint$drop_bound) || record$error_kind != "bound") {
-    return(fit)
-  }
-  dropped <- constraint$drop_bound(fit$scene, missing, record, time_s, call)
-  if (is.null(dropped)) {
-    return(fit)
-  }
-  if (!(dropped$error + record$error(accuracy) <= accuracy)) {
-    if (is.finite(dropped$error)) {
-      fit$reason <- paste0(
-        fit$reason, ", and without ", if (length(missing) == 1L) "it" else "them",
-        " the error could be ", format(dropped$error, digits = 2)
-      )
+# A model of R on a scene; where it does not take all effects, without them if `drop` allows and that
+# changes little enough.
+fit_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
+  effects <- constraint$effects_of(scene)
+  missing <- setdiff(effects, record$handles)
+  error <- record$error(accuracy)
+  dropped <- reason <- NULL
+  if (length(missing)) {
+    reason <- paste("it does not take", effects_in_words(missing, constraint))
+    if (drop && record$error_kind == "bound" && !is.null(constraint$drop_bound)) {
+      dropped <- constraint$drop_bound(scene, missing, record, time_s, call)
     }
-    return(fit)
+    if (!is.null(dropped)) {
+      without <- constraint$without(scene, missing)
+      reason <- record$why_not(without, time_s) %||% too_coarse(dropped$error + error, accuracy)
+      if (is.null(reason)) error <- dropped$error + error else dropped <- NULL
+    }
+  } else {
+    reason <- record$why_not(scene, time_s) %||% too_coarse(error, accuracy)
   }
-  list(
-    record = record, scene = constraint$without(fit$scene, missing), dropped = dropped,
-    reason = NULL, result = NULL
-  )
+  cost <- record$cost(scene, length(time_s), accuracy)
+  new_fit(record, constraint, scene, dropped, reason, error, cost)
 }
 
 # All models of a scene, cheapest first. An effect is left out only where no closed form takes the
 # scene as it is.
-candidates <- function(constraint, scene, time_s, accuracy, call) {
-  fits <- lapply(constraint$models, fit_model, constraint, scene, time_s, accuracy)
-  exact <- vapply(fits, function(fit) {
-    is.null(fit$reason) && fit$record$error_kind == "bound" && !isTRUE(fit$record$on_trial)
-  }, logical(1))
-  if (!any(exact)) fits <- lapply(fits, fit_without, constraint, time_s, accuracy, call)
-  cost <- vapply(fits, function(fit) {
-    fit$record$cost(fit$scene, length(time_s), accuracy)
-  }, double(1))
-  for (i in seq_along(fits)) fits[[i]]$cost <- cost[i]
-  fits[order(cost)]
+candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
+  own <- Filter(function(record) is.null(record$core), constraint$models)
+  try_own <- function(drop) {
+    lapply(own, fit_model, constraint, scene, time_s, accuracy, drop, call)
+  }
+  fits <- try_own(FALSE)
+  exact <- function(fit) is.null(fit$reason) && fit$record$error_kind == "bound"
+  if (constraint$core) {
+    table <- core_candidates(constraint$id, scene, time_s, accuracy, law_s)
+    fits <- c(fits, lapply(seq_along(table$model), function(i) {
+      new_fit(
+        constraint$models[[table$model[i]]], constraint, scene, table$dropped[[i]],
+        if (!table$applies[i]) table$reason[i], table$error[i], table$cost_s[i]
+      )
+    }))
+  } else if (!any(vapply(fits, exact, logical(1)))) {
+    fits <- try_own(TRUE)
+  }
+  fits[order(vapply(fits, function(fit) fit$cost_s, double(1)))]
 }
 
 # A model on trial is run, and kept if its error is good enough.
@@ -114,11 +136,24 @@ try_model <- function(fit, time_s, accuracy, max_steps, call) {
   fit
 }
 
-# The model asked for, or the cheapest that applies.
+# The model asked for, or the cheapest that applies. Where the core knows all models, it picks.
 pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
   constraint <- constraint_of(scene)
   if (!is.null(model)) {
     return(named_model(constraint, scene, time_s, accuracy, model, max_steps, call))
+  }
+  if (constraint$all_core) {
+    pick <- core_pick(constraint$id, scene, time_s, accuracy)
+    n <- length(pick$model)
+    for (i in seq_len(n)) {
+      fit <- new_fit(
+        constraint$models[[pick$model[i]]], constraint, scene, if (i == n) pick$dropped, NULL, 0, 0
+      )
+      if (i <= pick$on_trial) fit <- try_model(fit, time_s, accuracy, max_steps, call)
+      if (is.null(fit$reason)) {
+        return(fit)
+      }
+    }
   }
   fits <- candidates(constraint, scene, time_s, accuracy, call)
   for (fit in fits) {
@@ -169,7 +204,9 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
   check_span(scene, time_s, call)
   accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   constraint <- constraint_of(scene)
-  fits <- candidates(constraint, scene, time_s, accuracy, call)
+  law <- scene[["loads"]]$law
+  law_s <- if (is.null(law)) 0 else tryCatch(law_seconds(law, scene), error = function(e) 1e-6)
+  fits <- candidates(constraint, scene, time_s, accuracy, call, law_s)
   fits <- lapply(fits, try_model, time_s, accuracy, 1e6, call)
   applies <- vapply(fits, function(fit) is.null(fit$reason), logical(1))
   if (!any(applies)) {
@@ -181,11 +218,10 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
     model = id,
     applies = applies,
     error = vapply(fits, function(fit) {
-      if (!is.null(fit$result)) fit$result$info$error else
-        fit$record$error(accuracy) + (fit$dropped$error %||% 0)
+      if (is.null(fit$result)) fit$error else fit$result$info$error
     }, double(1)),
     error_kind = vapply(fits, function(fit) fit$record$error_kind, character(1)),
-    cost_s = vapply(fits, function(fit) fit$cost, double(1)),
+    cost_s = vapply(fits, function(fit) fit$cost_s, double(1)),
     chosen = seq_along(id) == chosen,
     reason = vapply(seq_along(fits), function(i) {
       fit <- fits[[i]]
@@ -194,7 +230,7 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
       } else if (!is.null(fit$dropped)) {
         describe_dropped(fit$dropped, constraint)
       } else if (i == chosen) {
-        fit$record$why(scene)
+        fit$record$why
       } else {
         paste0("fits, but ", id[chosen], " is cheaper")
       }
@@ -228,7 +264,7 @@ abort_no_model <- function(fits, scene, time_s, accuracy, call) {
     )
   }
   best <- min(vapply(takes[fits_now], function(fit) {
-    if (is.null(fit$result)) fit$record$error(accuracy) else fit$result$info$error
+    if (is.null(fit$result)) fit$error else fit$result$info$error
   }, double(1)), na.rm = TRUE)
   abort_rotdyn(
     c(
@@ -241,7 +277,7 @@ abort_no_model <- function(fits, scene, time_s, accuracy, call) {
 }
 
 named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, call) {
-  ids <- vapply(constraint$models, function(m) m$id, character(1))
+  ids <- names(constraint$models)
   if (!rlang::is_string(model) || !model %in% ids) {
     abort_rotdyn(
       c(
@@ -252,9 +288,13 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
       call
     )
   }
-  record <- constraint$models[[match(model, ids)]]
-  fit <- fit_model(record, constraint, scene, time_s, accuracy)
-  if (!is.null(fit$reason)) fit <- fit_without(fit, constraint, time_s, accuracy, call)
+  record <- constraint$models[[model]]
+  fit <- if (is.null(record$core)) {
+    fit_model(record, constraint, scene, time_s, accuracy, TRUE, call)
+  } else {
+    pick <- core_pick(constraint$id, scene, time_s, accuracy, model = model)
+    new_fit(record, constraint, scene, pick$dropped, pick$reason, 0, 0)
+  }
   fit <- try_model(fit, time_s, accuracy, max_steps, call)
   if (!is.null(fit$reason)) {
     abort_rotdyn(
@@ -269,9 +309,7 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
   fit
 }
 
-record_of <- function(run) {
-  Filter(function(m) m$id == run$model, constraint_of(run$scene)$models)[[1]]
-}
+record_of <- function(run) constraint_of(run$scene)$models[[run$model]]
 
 # A torque that changes in time is a torque, too: said once.
 effects_in_words <- function(effects, constraint) {

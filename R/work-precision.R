@@ -227,9 +227,7 @@ reference_for <- function(references, one, constraint) {
     if (!identical(truth$name, one$model)) {
       return(truth)
     }
-    record <- Filter(function(m) m$id == one$model, constraint$models)[[1]]
-    adapts <- isTRUE(record$error(1e-2) > record$error(1e-10))
-    if (adapts && truth$accuracy < 0.1 * one$accuracy) {
+    if (isTRUE(constraint$models[[one$model]]$adapts) && truth$accuracy < 0.1 * one$accuracy) {
       return(truth)
     }
   }

@@ -1,7 +1,7 @@
 # Torque laws that are R functions: what the default costs beside every other model that applies, and
 # beside lsoda of deSolve at the loosest tolerance with which its true error is no larger. 20 s, 201
 # rows, accuracy 1e-9; laws of 0.5 to 500 us a call, of time and of state, smooth and kinked, their
-# breaks told or not.
+# breaks given or looked for.
 
 laws_times <- (0:200) / 10
 laws_costs_us <- c(0.5, 5, 50, 500)
@@ -155,7 +155,7 @@ laws_time <- function(runs, rounds) {
 
 laws_case <- function(name, case, cost_us, told, truth, rounds) {
   breaks <- if (told) case$told
-  label <- paste0(name, ", ", cost_us, " us, breaks ", if (told) "told" else "looked for")
+  label <- paste0(name, ", ", cost_us, " us, breaks ", if (told) "given" else "looked for")
   scene_of <- function(law) laws_scene(rotdyn::torque_function(law, breaks_s = breaks))
   quick <- scene_of(case$law(0))
   move <- function(scene, model) {

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "rot_axle_drop.h"
 #include "rot_choice.h"
 
 /* ---- what is asked --------------------------------------------------------------------------- */
@@ -72,17 +73,17 @@ static SEXP effect_names(const rot_constraint *constraint, unsigned effects) {
   return out;
 }
 
-/* NULL, or list(effects, until_s, errors = c(theta, omega), error, each). */
+/* NULL, or list(effects, until_s, errors, error, each). */
 static SEXP dropped_list(const rot_constraint *constraint, const rot_candidate *c) {
   static const char *const names[] = {"effects", "until_s", "errors", "error", "each", ""};
-  static const char *const measures[] = {"theta", "omega"};
+  size_t n_measures = 0;
   if (!c->dropped) return R_NilValue;
-  const double errors[] = {c->drop.theta, c->drop.omega};
+  while (constraint->measures[n_measures]) n_measures++;
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   SEXP effects = effect_names(constraint, c->untaken), each;
   SET_VECTOR_ELT(out, 0, effects);
   SET_VECTOR_ELT(out, 1, Rf_ScalarReal(c->drop.until_s));
-  SET_VECTOR_ELT(out, 2, ffi_named(2, measures, errors));
+  SET_VECTOR_ELT(out, 2, ffi_named(n_measures, constraint->measures, c->drop.bound));
   SET_VECTOR_ELT(out, 3, Rf_ScalarReal(c->drop.error));
   SET_VECTOR_ELT(out, 4, each = Rf_allocVector(REALSXP, XLENGTH(effects)));
   Rf_setAttrib(each, R_NamesSymbol, effects);
@@ -203,4 +204,16 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
   }
   UNPROTECT(1);
   return out;
+}
+
+/* c(theta, omega): the change due to a torque, numbers = c(size, impulse, growth), see
+ * rot_axle_drop.h. */
+SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
+  static const char *const names[] = {"theta", "omega"};
+  const rot_axle_scene axle = ffi_axle_scene(scene);
+  const rot_query query = {(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1), 1.0, 0.0};
+  const double *x = ffi_reals(numbers, "numbers", 3);
+  double by[2];
+  rot_axle_disturbance(&axle, &query, x[0], x[1], x[2], &by[0], &by[1]);
+  return ffi_named(2, names, by);
 }

@@ -1,4 +1,5 @@
 /* Every routine that R may call, with its number of arguments. Listed once, here. */
+X(ffi_axle_disturbance, 3)
 X(ffi_axle_free, 3)
 X(ffi_axle_linear, 5)
 X(ffi_axle_ledger, 5)

@@ -198,12 +198,14 @@ static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduce
     sum += size[i];
   }
   if (!isfinite(sum)) return;
-  rot_axle_disturbance(reduced, query, sum, INFINITY, NAN, &drop->theta, &drop->omega);
+  rot_axle_disturbance(reduced, query, sum, INFINITY, NAN, &drop->bound[ROT_THETA],
+                       &drop->bound[ROT_OMEGA]);
   /* The motion is no faster than largest_omega(): a bound on the error from below spares a run. */
-  if (drop->omega > worst * largest_omega(reduced, query)) return;
+  if (drop->bound[ROT_OMEGA] > worst * largest_omega(reduced, query)) return;
   if (!motion_size(reduced, model, query, &theta, &omega)) return;
-  drop->error = fmax(relative(drop->omega, omega), relative(drop->theta, theta));
-  if (isnan(drop->omega) || isnan(drop->theta)) drop->error = INFINITY;
+  drop->error =
+      fmax(relative(drop->bound[ROT_OMEGA], omega), relative(drop->bound[ROT_THETA], theta));
+  if (isnan(drop->bound[ROT_OMEGA]) || isnan(drop->bound[ROT_THETA])) drop->error = INFINITY;
   for (size_t i = 0; i < ROT_AXLE_EFFECTS; i++) {
     double one, turned;
     rot_axle_disturbance(reduced, query, size[i], INFINITY, NAN, &turned, &one);
@@ -215,7 +217,7 @@ void rot_axle_drop(const void *of, const rot_model *model, unsigned effects, con
                    double worst, rot_drop *drop) {
   const rot_axle_scene *scene = of;
   const rot_axle_model run = rot_axle_closed_form(model->id);
-  drop->theta = drop->omega = drop->error = INFINITY;
+  drop->bound[ROT_THETA] = drop->bound[ROT_OMEGA] = drop->error = INFINITY;
   drop->until_s = query->n ? query->time_s[query->n - 1] : scene->linear.start_s;
   drop->why_not = NULL;
   rot_term *terms = malloc((scene->n_terms + 1) * sizeof *terms);

@@ -303,6 +303,7 @@ static const rot_model models[] = {
 };
 
 const rot_constraint rot_axle_constraint = {"axle",
+                                            rot_turning,
                                             sizeof effects / sizeof *effects,
                                             sizeof models / sizeof *models,
                                             effects,

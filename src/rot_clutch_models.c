@@ -44,6 +44,7 @@ static const rot_model models[] = {
 };
 
 const rot_constraint rot_clutch_constraint = {"clutch",
+                                              rot_turning,
                                               sizeof effects / sizeof *effects,
                                               sizeof models / sizeof *models,
                                               effects,

@@ -2,7 +2,7 @@
 #ifndef ROT_MODEL_H
 #define ROT_MODEL_H
 
-#include <stddef.h>
+#include "rot_status.h"
 
 enum { ROT_MOST_EFFECTS = 16, ROT_MOST_MODELS = 16 };
 
@@ -21,12 +21,13 @@ typedef struct rot_query {
   double law_s; /* used where the scene has a law that only the caller can evaluate */
 } rot_query;
 
-/* The motion without some effects: absolute bounds on what they change up to until_s, and the same
- * relative to the motion's size. Inf: no bound. */
+/* What leaving effects out changes at most, up to until_s. Inf: no bound. */
 typedef struct rot_drop {
-  double theta, omega, error, until_s;
-  double each[ROT_MOST_EFFECTS]; /* of omega, relative, effect by effect */
-  const char *why_not;           /* the model's reason against the scene without them, or NULL */
+  double until_s;
+  double bound[ROT_MOST_MEASURES]; /* absolute, of each measure */
+  double error;                    /* the worst, relative to the size of the motion */
+  double each[ROT_MOST_EFFECTS];   /* of omega, relative, effect by effect */
+  const char *why_not;             /* the model's reason against the scene without them, or NULL */
 } rot_drop;
 
 typedef enum rot_error_kind { ROT_ESTIMATE, ROT_BOUND } rot_error_kind;
@@ -47,6 +48,7 @@ typedef struct rot_model {
 
 typedef struct rot_constraint {
   const char *id;
+  const char *const *measures; /* names; the list ends with NULL */
   size_t n_effects, n_models;
   const rot_effect *effects;
   const rot_model *models;

@@ -88,6 +88,7 @@ static const rot_model models[] = {
 };
 
 const rot_constraint rot_shaft_constraint = {"rotors",
+                                             rot_turning,
                                              sizeof effects / sizeof *effects,
                                              sizeof models / sizeof *models,
                                              effects,

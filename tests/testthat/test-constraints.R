@@ -50,7 +50,7 @@ drop_model <- function(id, ..., error_kind = "bound", handles, seconds,
   list(
     id = id, equations = "m v' = m g - k v |v|", assumptions = "still air", limits = "none",
     requires = "a body that falls", source = "elementary", error_kind = error_kind,
-    handles = handles, why_not = why_not, why = function(scene) "it falls", error = error,
+    handles = handles, why_not = why_not, why = "it falls", error = error,
     cost = function(scene, rows, accuracy) seconds * (1 + rows), ...,
     ledger = function(scene, run, from_s, to_s) {
       t <- seq(from_s, to_s, length.out = 4001)
@@ -91,7 +91,7 @@ drop_constraint <- function() {
     }
   )
   stepped <- drop_model(
-    "drop_rk4", handles = c("drag", "push"), error_kind = "estimate", seconds = 1e-3,
+    "drop_rk4", handles = c("drag", "push"), error_kind = "estimate", seconds = 1e-3, adapts = TRUE,
     error = function(accuracy) max(accuracy, 1e-10),
     run = function(scene, time_s, accuracy, max_steps, call, asked) {
       n <- 2 * ceiling(accuracy^-0.25)
@@ -128,7 +128,7 @@ drop_constraint <- function() {
     }
   )
   list(
-    id = "drop", scene_class = "rot_scene_drop", scene_function = "scene_drop",
+    id = "drop", scene_class = "rot_scene_drop",
     title = function(run) "A body dropped in air",
     models = list(stepped, exact, free), # not in the order of cost
     effects = c(drag = "drag of the air", push = "a speed at the start"),
