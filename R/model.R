@@ -122,7 +122,7 @@ candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) 
   } else if (!any(vapply(fits, exact, logical(1)))) {
     fits <- try_own(TRUE)
   }
-  fits[order(vapply(fits, function(fit) fit$cost_s, double(1)))]
+  unname(fits)[order(vapply(fits, function(fit) fit$cost_s, double(1)))]
 }
 
 # A model on trial is run, and kept if its error is good enough.

@@ -87,7 +87,7 @@ test_that("an audit prints its balances", {
   # Round numbers: I = 2, tau = 3.
   expect_snapshot({
     audit(trajectory(scene_axle(2, 3), c(0, 4)))
-    audit(trajectory(scene_rotors(c(1, 2), 8, omega0_rad_per_s = c(3, 0)), 0))
+    audit(trajectory(scene_rotors(c(1, 2), 8, torque_n_m = 3), c(0, 1)))
     audit(trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 2)))
   })
 })

@@ -1,6 +1,8 @@
-record <- function(id) Filter(function(m) m$id == id, rotdyn:::all_models())[[1]]
+# Absolute bounds on what leaving effects out changes, and the scene without them.
 bound <- function(scene, effects, id, t) {
-  rotdyn:::drop_bound(scene, effects, record(id), t, NULL)
+  dropped <- core_pick("axle", scene, t, 1, model = id)$dropped
+  expect_setequal(dropped$effects, effects)
+  c(as.list(dropped$errors), list(scene = axle_without(scene, effects)))
 }
 
 # Scenes whose full and reduced motion both have a closed form: the bound must cover the difference,
