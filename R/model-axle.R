@@ -31,13 +31,11 @@ axle_breaks <- function(scene) {
   sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
 }
 
-# The five numbers of the linear part: a motor's falling torque resists like a viscous coefficient.
+# The six numbers of the linear part.
 axle_numbers <- function(scene) {
   c(
-    .subset2(scene, "moment_of_inertia_kg_m2"),
-    .subset2(.subset2(scene, "resistance"), "viscous_n_m_s") +
-      .subset2(.subset2(scene, "loads"), "motor_n_m_s"),
-    .subset2(scene, "start_s"), .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s")
+    .subset2(scene, "moment_of_inertia_kg_m2"), viscous_of(scene), .subset2(scene, "start_s"),
+    .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s"), motor_of(scene)
   )
 }
 
@@ -74,80 +72,25 @@ axle_linear <- list(
   requires = "constants, knots, steps, pulses, linear motors; viscous resistance or none",
   source = "Hochbruck & Ostermann 2010, section 2.1 (phi functions)",
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    loads <- .subset2(scene, "loads")
-    result <- .Call(
-      ffi_axle_linear, axle_numbers(scene), axle_knots(.subset2(loads, "knots")), time_s,
-      1, progress_bar("closed form")
+    .Call(
+      ffi_axle_linear, axle_numbers(scene), axle_knots(knots_of(scene)), time_s, 1,
+      progress_bar("closed form")
     )
-    if (.subset2(loads, "motor_n_m_s") != 0) part_motor(result, scene, time_s) else result
   },
   ledger = function(scene, run, from_s, to_s) {
-    ledger <- .Call(
+    .Call(
       ffi_axle_ledger, axle_numbers(scene), axle_knots(knots_of(scene)), from_s, to_s,
       progress_bar("ledger")
     )
-    if (motor_of(scene) != 0) part_motor_ledger(ledger, scene) else ledger
   }
 )
-
-# A motor's slope is a quotient, and its sum with the viscous coefficient c a sum: both are rounded,
-# and cancel where the resistance drives. A c that is off by d moves each term of a closed form by at
-# most d t/I of itself; forward with c > 0 by at most 3.4 d/c of the largest omega. The bounds count
-# 12 roundings of the terms.
-widen_by_motor <- function(info, scene, time_s) {
-  motor <- motor_of(scene)
-  span <- if (length(time_s)) max(abs(range(time_s) - scene$start_s)) else 0
-  if (motor == 0 || span == 0 || info$kind != "none" || is.na(info$error)) {
-    return(info)
-  }
-  inertia <- scene$moment_of_inertia_kg_m2
-  c <- viscous_of(scene) + motor
-  off <- abs(motor) + abs(c) # in units of roundoff
-  moved <- off / inertia * span / 12
-  errors <- info$errors
-  by <- as.list(ifelse(errors > 0, moved * errors, 0))
-  if (c > 0 && is.finite(off) && time_s[1] >= scene$start_s) {
-    share <- 3.4 * off / c
-    by$omega <- min(by$omega, 2^-53 * share * info$sizes[["omega"]])
-    turned <- if (by$omega > 0) inertia / c * by$omega else 0
-    by$theta <- min(by$theta, share / 12 * errors[["theta"]] + turned)
-  }
-  widen_error(info, by)
-}
-
-# The closed form takes motor and viscous resistance as one; the columns keep them apart.
-part_motor <- function(result, scene, time_s) {
-  result$info <- widen_by_motor(result$info, scene, time_s)
-  columns <- result$columns
-  omega <- columns$omega_rad_per_s
-  columns$applied_torque_n_m <- columns$applied_torque_n_m - motor_of(scene) * omega
-  columns$damping_torque_n_m <- 0 - viscous_of(scene) * omega
-  columns$net_torque_n_m <- columns$applied_torque_n_m + columns$damping_torque_n_m
-  result$columns <- columns
-  result
-}
-
-# Of what both took, the motor's part is work not done.
-part_motor_ledger <- function(ledger, scene) {
-  motor <- motor_of(scene)
-  both <- viscous_of(scene) + motor
-  share <- if (both == 0) 0 else motor / both
-  taken <- share * ledger[c(2, 10)] # heat, impulse of both
-  ledger[1] <- ledger[1] - taken[1]
-  ledger[4] <- ledger[4] + abs(share) * ledger[5]
-  ledger[c(2, 5, 7, 10)] <- (1 - share) * ledger[c(2, 5, 7, 10)]
-  ledger[3] <- ledger[3] + taken[2]
-  ledger
-}
 
 # A closed form that src/ffi_axle.c knows by `kernel`, for scenes with more than knots.
 axle_kernel <- function(kernel, id, ...) {
   list(
     id = id, ...,
     run = function(scene, time_s, accuracy, max_steps, call, asked) {
-      result <- .Call(ffi_axle_model, kernel, pack_axle(scene), time_s, progress_bar("closed form"))
-      result$info <- widen_by_motor(result$info, scene, time_s)
-      result
+      .Call(ffi_axle_model, kernel, pack_axle(scene), time_s, progress_bar("closed form"))
     },
     ledger = function(scene, run, from_s, to_s) axle_ledger_by_quadrature(run, from_s, to_s)
   )

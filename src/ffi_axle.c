@@ -9,13 +9,14 @@
 #include "rot_axle_drag.h"
 #include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
+#include "rot_axle_motor.h"
 #include "rot_axle_ode.h"
 #include "rot_axle_oscillator.h"
 #include "rot_axle_pendulum.h"
 #include "rot_axle_scene.h"
 #include "rot_axle_skater.h"
 
-/* c(inertia, viscous, start, theta0, omega0) and list(knot times, knot torques, c(before, after)),
+/* c(inertia, viscous, start, theta0, omega0, motor) and list(knot times, knot torques, c(before, after)),
  * as R/model-axle.R packs them. */
 static rot_torque unpack_knots(SEXP knots) {
   rot_torque torque = {0, NULL, NULL, 0.0, 0.0, NULL, NULL};
@@ -31,9 +32,13 @@ static rot_torque unpack_knots(SEXP knots) {
   return torque;
 }
 
-static rot_axle_params unpack(SEXP numbers, SEXP torque) {
-  const double *x = ffi_reals(numbers, "numbers", 5);
-  return (rot_axle_params){x[0], x[1], x[2], x[3], x[4], unpack_knots(torque)};
+static rot_axle_scene unpack(SEXP numbers, SEXP torque) {
+  const double *x = ffi_reals(numbers, "numbers", 6);
+  const rot_axle_scene scene = {
+      .linear = {x[0], x[1] + x[5], x[2], x[3], x[4], unpack_knots(torque)},
+      .viscous_n_m_s = x[1],
+      .motor_n_m_s = x[5]};
+  return scene;
 }
 
 static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
@@ -51,36 +56,43 @@ static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
 static const char *const ledger_names[] = {ROT_AXLE_LEDGER(FFI_NAME)};
 
 SEXP ffi_axle_free(SEXP numbers, SEXP time_s, SEXP progress) {
-  const rot_axle_params p = unpack(numbers, R_NilValue);
+  const rot_axle_scene scene = unpack(numbers, R_NilValue);
   const double *t = ffi_reals(time_s, "time_s", -1);
   ffi_run run;
   ffi_run_begin(&run, progress);
   const rot_axle_columns out = new_columns(&run, time_s);
   return ffi_run_end(
-      &run, rot_axle_free(&p, (size_t)XLENGTH(time_s), t, &out, &run.guard.hooks, &run.info), 0);
+      &run,
+      rot_axle_free(&scene.linear, (size_t)XLENGTH(time_s), t, &out, &run.guard.hooks, &run.info),
+      0);
 }
 
+/* `fast` = 0: row by row, a motor's slope counted as resistance; for tests. */
 SEXP ffi_axle_linear(SEXP numbers, SEXP torque, SEXP time_s, SEXP fast, SEXP progress) {
-  const rot_axle_params p = unpack(numbers, torque);
+  const rot_axle_scene scene = unpack(numbers, torque);
   const double *t = ffi_reals(time_s, "time_s", -1);
-  rot_status (*model)(const rot_axle_params *, size_t, const double[], const rot_axle_columns *,
-                      const rot_hooks *, rot_info *) =
-      ffi_real(fast, "fast") != 0.0 ? rot_axle_linear_fast : rot_axle_linear;
+  const size_t n = (size_t)XLENGTH(time_s);
+  const int by_table = ffi_real(fast, "fast") != 0.0;
   ffi_run run;
   ffi_run_begin(&run, progress);
   const rot_axle_columns out = new_columns(&run, time_s);
-  return ffi_run_end(&run, model(&p, (size_t)XLENGTH(time_s), t, &out, &run.guard.hooks, &run.info),
+  const rot_hooks *hooks = &run.guard.hooks;
+  return ffi_run_end(&run,
+                     by_table ? rot_axle_linear_scene(&scene, n, t, &out, NULL, hooks, &run.info)
+                              : rot_axle_linear(&scene.linear, n, t, &out, hooks, &run.info),
                      0);
 }
 
 SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP progress) {
-  const rot_axle_params p = unpack(numbers, torque);
+  const rot_axle_scene scene = unpack(numbers, torque);
   const double from = ffi_real(from_s, "from_s"), to = ffi_real(to_s, "to_s");
   rot_axle_ledger ledger;
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_axle_linear_ledger(&p, from, to, &guard.hooks, &ledger, &info));
+  ffi_guard_end(&guard,
+                rot_axle_linear_ledger(&scene.linear, from, to, &guard.hooks, &ledger, &info));
+  rot_axle_motor_ledger(&scene, &ledger);
   const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
   /* A sum of half the way is no ledger. */
   return ffi_named(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);

@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "rot_axle_motor.h"
 #include "rot_axle_rest.h"
 #include "rot_march.h"
 #include "rot_real.h"
@@ -574,5 +575,7 @@ rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double ti
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
   bands_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
   if (n > 0 && !fits(scene, time_s[n - 1])) return info->status = ROT_EVALUE;
-  return rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_axle_motor_error(scene, n, time_s, info);
+  return info->status;
 }

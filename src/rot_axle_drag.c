@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_axle_motor.h"
 #include "rot_axle_rest.h"
 #include "rot_drag.h"
 #include "rot_march.h"
@@ -139,7 +140,9 @@ rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double tim
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
   drag_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
   if (!fits(scene)) return info->status = ROT_EVALUE;
-  return rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_axle_motor_error(scene, n, time_s, info);
+  return info->status;
 }
 
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad) {

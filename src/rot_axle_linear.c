@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "rot_axle_grid.h"
+#include "rot_axle_motor.h"
 #include "rot_march.h"
 #include "rot_phi.h"
 #include "rot_real.h"
@@ -301,4 +302,21 @@ rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double
                                 const rot_axle_columns *out, const rot_hooks *hooks,
                                 rot_info *info) {
   return linear(p, n, time_s, 1, out, hooks, info);
+}
+
+rot_status rot_axle_free_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
+                               const rot_axle_columns *out, rot_events *events,
+                               const rot_hooks *hooks, rot_info *info) {
+  (void)events; /* nothing happens here that would be one */
+  return rot_axle_free(&scene->linear, n, time_s, out, hooks, info);
+}
+
+rot_status rot_axle_linear_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
+                                 const rot_axle_columns *out, rot_events *events,
+                                 const rot_hooks *hooks, rot_info *info) {
+  (void)events;
+  rot_axle_linear_fast(&scene->linear, n, time_s, out, hooks, info);
+  rot_axle_motor_columns(scene, info->rows_done, out);
+  rot_axle_motor_error(scene, n, time_s, info);
+  return info->status;
 }

@@ -3,7 +3,7 @@
 #ifndef ROT_AXLE_LINEAR_H
 #define ROT_AXLE_LINEAR_H
 
-#include "rot_axle.h"
+#include "rot_axle_scene.h"
 
 /* Times are finite and do not decrease; those before start_s are reached backwards. */
 
@@ -21,5 +21,13 @@ rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time
 rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double time_s[],
                                 const rot_axle_columns *out, const rot_hooks *hooks,
                                 rot_info *info);
+
+/* rot_axle_free() and rot_axle_linear_fast() as models of a scene that holds nothing else. */
+rot_status rot_axle_free_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
+                               const rot_axle_columns *out, rot_events *events,
+                               const rot_hooks *hooks, rot_info *info);
+rot_status rot_axle_linear_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
+                                 const rot_axle_columns *out, rot_events *events,
+                                 const rot_hooks *hooks, rot_info *info);
 
 #endif

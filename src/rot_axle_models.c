@@ -311,33 +311,14 @@ const rot_constraint rot_axle_constraint = {"axle",
                                             effects_of,
                                             rot_axle_drop};
 
-/* The two closed forms that need the linear part alone. */
-static rot_status run_free(const rot_axle_scene *scene, size_t n, const double time_s[],
-                           const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
-                           rot_info *info) {
-  (void)events;
-  return rot_axle_free(&scene->linear, n, time_s, out, hooks, info);
-}
-
-static rot_status run_linear(const rot_axle_scene *scene, size_t n, const double time_s[],
-                             const rot_axle_columns *out, rot_events *events,
-                             const rot_hooks *hooks, rot_info *info) {
-  (void)events;
-  return rot_axle_linear_fast(&scene->linear, n, time_s, out, hooks, info);
-}
-
 rot_axle_model rot_axle_closed_form(const char *id) {
   static const struct {
     const char *id;
     rot_axle_model run;
-  } list[] = {{"axle_free", run_free},
-              {"axle_linear", run_linear},
-              {"axle_skater", rot_axle_skater},
-              {"axle_drag", rot_axle_drag},
-              {"axle_forced", rot_axle_forced},
-              {"axle_oscillator", rot_axle_oscillator},
-              {"axle_pendulum", rot_axle_pendulum},
-              {"axle_bands", rot_axle_bands}};
+  } list[] = {{"axle_free", rot_axle_free_scene},   {"axle_linear", rot_axle_linear_scene},
+              {"axle_skater", rot_axle_skater},     {"axle_drag", rot_axle_drag},
+              {"axle_forced", rot_axle_forced},     {"axle_oscillator", rot_axle_oscillator},
+              {"axle_pendulum", rot_axle_pendulum}, {"axle_bands", rot_axle_bands}};
   for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
     if (!strcmp(list[i].id, id)) return list[i].run;
   }
