@@ -162,7 +162,7 @@ column_list <- list(
   c("reflected_viscous_n_m_s", "N m s", "viscous coefficient as the first shaft feels it"),
   c("reflected_torque_n_m", "N m", "torque as the first shaft feels it, losses included"),
   c("condition", "", "what must hold"),
-  c("count", "1", "how many there are; NA where it was not looked at"),
+  c("count", "1", "number found; NA where not checked"),
   c("value", "", "what was found, in the unit of the condition"),
   c("limit", "", "what is allowed, in the same unit"),
   c("margin", "1", "how far inside the limit, relative; negative outside"),

@@ -51,7 +51,8 @@ jump_work <- function(scene, momentum, where) {
 # Times where omega passes a point of a torque-speed curve: next to the end of a panel no node would
 # see the kink.
 curve_kinks <- function(scene, rows_at, edges) {
-  points <- unlist(lapply(terms_of(scene, "curve"), function(term) term$x[1 + seq_len(term$x[1])]))
+  curves <- Filter(function(term) term$kind == "curve", scene$loads$terms)
+  points <- unlist(lapply(curves, function(term) term$x[1 + seq_len(term$x[1])]))
   if (length(points) == 0L || length(edges) < 2L) {
     return(double())
   }
@@ -75,6 +76,12 @@ curve_kinks <- function(scene, rows_at, edges) {
     from[!passed] <- middle[!passed]
   }
   to
+}
+
+# Times where a torque or the inertia jumps or kinks; those of an R function are looked for.
+axle_breaks <- function(scene) {
+  terms <- lapply(scene$loads$terms, function(term) term$breaks_s)
+  sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
 }
 
 # Integrals between consecutive edges, with panels that end at breaks and events: list(value, size,

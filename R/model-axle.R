@@ -1,103 +1,46 @@
-# Models of a body on a fixed axle. .subset2() because `$` looks for a method first: 10 us of a 35
-# us call.
-
-# The scene as src/ffi_axle.c unpacks it.
-pack_axle <- function(scene, breaks_s = axle_breaks(scene), loads = scene$loads, noise_n_m = 0) {
-  resistance <- scene$resistance
-  list(
-    c(
-      scene$moment_of_inertia_kg_m2, resistance$viscous_n_m_s, scene$start_s, scene$theta0_rad,
-      scene$omega0_rad_per_s, loads$motor_n_m_s, resistance$quadratic_n_m_s2,
-      resistance$coulomb_n_m, resistance$static_n_m, noise_n_m
-    ),
-    axle_knots(loads$knots),
-    pack_terms(loads$terms),
-    if (is.null(scene$inertia)) {
-      list(double(), double())
-    } else {
-      list(scene$inertia$time_s, scene$inertia$moment_of_inertia_kg_m2)
-    },
-    breaks_s
-  )
-}
-
-axle_knots <- function(knots) {
-  list(.subset2(knots, "time_s"), .subset2(knots, "torque_n_m"), .subset2(knots, "outside"))
-}
-
-# Times where a torque or the inertia jumps or kinks; those of an R function are looked for later.
-axle_breaks <- function(scene) {
-  terms <- lapply(scene$loads$terms, function(term) term$breaks_s)
-  sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
-}
-
-# The six numbers of the linear part.
-axle_numbers <- function(scene) {
-  c(
-    .subset2(scene, "moment_of_inertia_kg_m2"), viscous_of(scene), .subset2(scene, "start_s"),
-    .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s"), motor_of(scene)
-  )
-}
-
-viscous_of <- function(scene) .subset2(.subset2(scene, "resistance"), "viscous_n_m_s")
-
-motor_of <- function(scene) .subset2(.subset2(scene, "loads"), "motor_n_m_s")
-
-knots_of <- function(scene) .subset2(.subset2(scene, "loads"), "knots")
-
-terms_of <- function(scene, kind) {
-  Filter(function(term) term$kind %in% kind, scene$loads$terms)
-}
+# Models of a body on a fixed axle.
 
 # ---- closed forms -------------------------------------------------------------------------------
 
-axle_free <- list(
-  id = "axle_free",
+# A closed form. `ledger`: that of the core, or by quadrature of the motion.
+axle_closed_form <- function(id, ..., ledger = NULL) {
+  list(
+    id = id, ...,
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      .Call(ffi_axle_run, id, scene, time_s, progress_bar("closed form"))
+    },
+    ledger = ledger %||% function(scene, run, from_s, to_s) {
+      axle_ledger_by_quadrature(run, from_s, to_s)
+    }
+  )
+}
+
+linear_ledger <- function(scene, run, from_s, to_s) {
+  .Call(ffi_axle_ledger, scene, from_s, to_s, progress_bar("ledger"))
+}
+
+axle_free <- axle_closed_form(
+  "axle_free",
   equations = "omega = omega0; theta = theta0 + omega0 t",
   assumptions = "rigid body; nothing acts about the axle",
   limits = "none in double precision",
   requires = "no torque, no resistance",
   source = "Goldstein 2002, section 1.1",
-  run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    .Call(ffi_axle_free, axle_numbers(scene), time_s, progress_bar("free spin"))
-  },
-  ledger = function(scene, run, from_s, to_s) empty_axle_ledger(0)
+  ledger = linear_ledger
 )
 
-axle_linear <- list(
-  id = "axle_linear",
+axle_linear <- axle_closed_form(
+  "axle_linear",
   equations = "I domega/dt = torque(t) - c omega, solved in closed form between the knots",
   assumptions = "rigid body; torque a piecewise-linear function of time; resistance -c omega",
   limits = "any c t/I from 0 to 1e300; the state must stay within double precision",
   requires = "constants, knots, steps, pulses, linear motors; viscous resistance or none",
   source = "Hochbruck & Ostermann 2010, section 2.1 (phi functions)",
-  run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    .Call(
-      ffi_axle_linear, axle_numbers(scene), axle_knots(knots_of(scene)), time_s, 1,
-      progress_bar("closed form")
-    )
-  },
-  ledger = function(scene, run, from_s, to_s) {
-    .Call(
-      ffi_axle_ledger, axle_numbers(scene), axle_knots(knots_of(scene)), from_s, to_s,
-      progress_bar("ledger")
-    )
-  }
+  ledger = linear_ledger
 )
 
-# A closed form that src/ffi_axle.c knows by `kernel`, for scenes with more than knots.
-axle_kernel <- function(kernel, id, ...) {
-  list(
-    id = id, ...,
-    run = function(scene, time_s, accuracy, max_steps, call, asked) {
-      .Call(ffi_axle_model, kernel, pack_axle(scene), time_s, progress_bar("closed form"))
-    },
-    ledger = function(scene, run, from_s, to_s) axle_ledger_by_quadrature(run, from_s, to_s)
-  )
-}
-
-axle_skater <- axle_kernel(
-  "skater", "axle_skater",
+axle_skater <- axle_closed_form(
+  "axle_skater",
   equations = "d(I(t) omega)/dt = torque, I piecewise linear in time",
   assumptions = "rigid but for the change of inertia, which needs no torque about the axle",
   limits = "none in double precision",
@@ -105,8 +48,8 @@ axle_skater <- axle_kernel(
   source = "Goldstein 2002, section 1.1"
 )
 
-axle_pendulum <- axle_kernel(
-  "pendulum", "axle_pendulum",
+axle_pendulum <- axle_closed_form(
+  "axle_pendulum",
   equations = "I domega/dt = -m g d sin(theta), in Jacobi's elliptic functions",
   assumptions = "rigid body; uniform gravity",
   limits = "any amplitude, rotation and the separatrix included",
@@ -114,8 +57,8 @@ axle_pendulum <- axle_kernel(
   source = "Landau & Lifshitz 1976, section 11; DLMF chapter 22"
 )
 
-axle_oscillator <- axle_kernel(
-  "oscillator", "axle_oscillator",
+axle_oscillator <- axle_closed_form(
+  "axle_oscillator",
   equations = "I domega/dt = -k (theta - rest) - c omega + torque(t)",
   assumptions = "rigid body; a spring that obeys Hooke's law",
   limits = "any damping; the state must stay within double precision",
@@ -123,8 +66,8 @@ axle_oscillator <- axle_kernel(
   source = "Landau & Lifshitz 1976, sections 22 to 26"
 )
 
-axle_forced <- axle_kernel(
-  "forced", "axle_forced",
+axle_forced <- axle_closed_form(
+  "axle_forced",
   equations = "I domega/dt = torque(t) - c omega, solved term by term",
   assumptions = "rigid body; resistance -c omega",
   limits = "polynomials to degree 16; the state must stay within double precision",
@@ -132,8 +75,8 @@ axle_forced <- axle_kernel(
   source = "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)"
 )
 
-axle_drag <- axle_kernel(
-  "drag", "axle_drag",
+axle_drag <- axle_closed_form(
+  "axle_drag",
   equations = "I domega/dt = torque - c omega - q omega |omega| - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; a torque that is constant between its steps",
   limits = "forward in time; c >= 0",
@@ -141,8 +84,8 @@ axle_drag <- axle_kernel(
   source = "Riccati's equation; Armstrong-Helouvry 1991, chapter 2 (dry friction)"
 )
 
-axle_bands <- axle_kernel(
-  "bands", "axle_bands",
+axle_bands <- axle_closed_form(
+  "axle_bands",
   equations = "I domega/dt = torque(t) + curve(omega) - c omega - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; torque piecewise linear in time and in omega",
   limits = "forward in time",

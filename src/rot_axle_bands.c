@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_motor.h"
 #include "rot_axle_rest.h"
 #include "rot_march.h"
@@ -558,15 +559,14 @@ static rot_status next_piece(void *model, double *end_s) {
 /* ---- the model ------------------------------------------------------------------------------ */
 
 static int fits(const rot_axle_scene *scene, double last_s) {
-  const rot_axle_params *p = &scene->linear;
+  const rot_term *curve = scene->terms;
   if (scene->n_terms > 1) return 0;
-  if (scene->n_terms) {
-    const rot_term *term = scene->terms;
-    if (term->kind != ROT_TERM_CURVE || !rot_term_valid(term)) return 0;
-    if (!(term->from_s <= p->start_s && term->to_s > last_s)) return 0;
+  if (scene->n_terms == 1) {
+    if (!(curve->from_s <= scene->linear.start_s && curve->to_s > last_s)) return 0;
+    if (!rot_term_valid(curve)) return 0;
   }
-  return p->inertia_kg_m2 > 0.0 && scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m >= 0.0 &&
-         scene->static_n_m >= scene->coulomb_n_m && scene->n_inertia == 0 && !p->torque.call;
+  return rot_axle_fits(scene, ROT_AXLE_BANDS_TAKES) && scene->coulomb_n_m >= 0.0 &&
+         scene->static_n_m >= scene->coulomb_n_m;
 }
 
 rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],

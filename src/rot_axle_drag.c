@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_motor.h"
 #include "rot_axle_rest.h"
 #include "rot_drag.h"
@@ -9,10 +10,9 @@
 #include "rot_real.h"
 
 static int fits(const rot_axle_scene *scene) {
-  const rot_axle_params *p = &scene->linear;
-  return p->inertia_kg_m2 > 0.0 && p->viscous_n_m_s >= 0.0 && scene->quadratic_n_m_s2 >= 0.0 &&
-         scene->coulomb_n_m >= 0.0 && scene->static_n_m >= scene->coulomb_n_m &&
-         scene->n_terms == 0 && scene->n_inertia == 0 && !p->torque.call;
+  return rot_axle_fits(scene, ROT_AXLE_DRAG_TAKES) && scene->linear.viscous_n_m_s >= 0.0 &&
+         scene->quadratic_n_m_s2 >= 0.0 && scene->coulomb_n_m >= 0.0 &&
+         scene->static_n_m >= scene->coulomb_n_m;
 }
 
 /* The law for motion in a direction, mirrored where that is backward. */
@@ -55,7 +55,6 @@ static rot_status enter_leg(drag_run *run) {
   const rot_axle_base *base = &rest->base;
   rot_axle_rest_enter(rest);
   const rot_torque_piece *piece = &rest->piece;
-  if (piece->start_n_m != piece->end_n_m) return ROT_EVALUE;
   run->held = 0;
   if (base->omega == 0.0) {
     int leaves;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
 #include "rot_dd.h"
 #include "rot_divided.h"
@@ -14,24 +15,12 @@ enum { MAX_DEGREE = ROT_PHI_HIGH - 2 };
 
 int rot_axle_forced_max_degree(void) { return MAX_DEGREE; }
 
-static int term_fits(const rot_term *term) {
-  switch (term->kind) {
-  case ROT_TERM_SINUSOID:
-  case ROT_TERM_EXPONENTIAL: return 1;
-  case ROT_TERM_POLYNOMIAL: return term->x[1] <= MAX_DEGREE + 1;
-  default: return 0;
-  }
-}
-
 int rot_axle_forced_fits(const rot_axle_scene *scene) {
-  if (scene->linear.torque.call || scene->n_inertia > 0) return 0;
-  if (scene->quadratic_n_m_s2 != 0.0 || scene->coulomb_n_m != 0.0 || scene->static_n_m != 0.0) {
-    return 0;
-  }
   for (size_t i = 0; i < scene->n_terms; i++) {
-    if (!term_fits(&scene->terms[i])) return 0;
+    const rot_term *term = &scene->terms[i];
+    if (term->kind == ROT_TERM_POLYNOMIAL && term->x[1] > MAX_DEGREE + 1) return 0;
   }
-  return 1;
+  return rot_axle_fits(scene, ROT_AXLE_FORCED_TAKES);
 }
 
 /* ---- a term between two breaks -------------------------------------------------------------- */

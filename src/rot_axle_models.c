@@ -21,27 +21,6 @@ static const rot_effect effects[] = {
 #undef X
 };
 
-unsigned rot_axle_effects(const rot_axle_scene *scene) {
-  const rot_torque *torque = &scene->linear.torque;
-  int acts = torque->before_n_m != 0.0 || torque->after_n_m != 0.0, ramp = 0;
-  for (size_t i = 0; i < torque->n && !ramp; i++) {
-    acts |= torque->torque_n_m[i] != 0.0;
-    ramp = i > 0 && torque->torque_n_m[i] != torque->torque_n_m[i - 1] &&
-           torque->time_s[i] > torque->time_s[i - 1];
-  }
-  unsigned mask = (acts || ramp ? ROT_AXLE_TORQUE : 0u) | (ramp ? ROT_AXLE_RAMP : 0u);
-  for (size_t i = 0; i < scene->n_terms; i++) {
-    mask |= 1u << (ROT_AXLE_INDEX_SINUSOID + (int)scene->terms[i].kind);
-  }
-  if (torque->call) mask |= ROT_AXLE_FUNCTION;
-  if (scene->viscous_n_m_s != 0.0) mask |= ROT_AXLE_VISCOUS;
-  if (scene->motor_n_m_s != 0.0) mask |= ROT_AXLE_MOTOR;
-  if (scene->quadratic_n_m_s2 != 0.0) mask |= ROT_AXLE_QUADRATIC;
-  if (scene->static_n_m != 0.0) mask |= ROT_AXLE_FRICTION;
-  if (scene->n_inertia > 0) mask |= ROT_AXLE_INERTIA;
-  return mask;
-}
-
 static unsigned effects_of(const void *scene) { return rot_axle_effects(scene); }
 
 /* ---- reasons against a scene ----------------------------------------------------------------- */
@@ -213,12 +192,13 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
 }
 
 /* Time of `steps` steps (counted in the fine run) with so many calls of the right-hand side each,
- * both runs counted; `rest_s` is the rest of a step. */
+ * both runs counted; `rest_s` is the rest of a step. A break costs 2 us besides. */
 static double steps_s(const rot_axle_scene *scene, const rot_query *query, double steps,
-                      double calls, double rest_s, double row_s) {
+                      double breaks, double calls, double rest_s, double row_s) {
   const double call_s = 40e-9 + 35e-9 * (double)scene->n_terms, n = (double)query->n;
   const double law_s = scene->linear.torque.call ? query->law_s : 0.0;
-  return 5e-6 + steps * (calls * (call_s + law_s) + rest_s) + n * row_s + fmin(n, 64.0) * law_s;
+  return 5e-6 + 2e-6 * breaks + steps * (calls * (call_s + law_s) + rest_s) + n * row_s +
+         fmin(n, 64.0) * law_s;
 }
 
 /* Order 8: steps by accuracy^(-1/8.5) over what lasts and the first ten decay times; beyond these
@@ -229,7 +209,7 @@ static double rk8pd_s(const rot_model *model, const void *scene, const rot_query
   const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
   const double steps = 8.0 + 2.0 * r.breaks + rate * fmax(swings, fmin(decays, 10.0)) +
                        model->seconds[1] * fmax(0.0, decays - 10.0);
-  return steps_s(scene, query, steps, 20.4, 0.0, 0.6e-6);
+  return steps_s(scene, query, steps, r.breaks, 20.4, 0.0, 0.6e-6);
 }
 
 /* Order 9, L-stable: a decay costs steps until it is over. */
@@ -239,14 +219,12 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
   const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
   const double steps = 8.0 + 2.0 * r.breaks + rate * (swings + fmin(decays, 6.0)) +
                        model->seconds[1] * fmax(0.0, log10(decays));
-  return steps_s(scene, query, steps, 28.0, 1.5e-6, 1.2e-6);
+  return steps_s(scene, query, steps, r.breaks, 28.0, 1.5e-6, 1.2e-6);
 }
 
 /* ---- models ---------------------------------------------------------------------------------- */
 
-#define LAW  (ROT_AXLE_TORQUE | ROT_AXLE_RAMP)
-#define DRAG (ROT_AXLE_VISCOUS | ROT_AXLE_MOTOR)
-#define ALL  ((1u << ROT_AXLE_EFFECTS) - 1u)
+#define ALL ((1u << ROT_AXLE_EFFECTS) - 1u)
 
 #define CLOSED ": the solution is known in closed form"
 
@@ -261,25 +239,23 @@ static const rot_model models[] = {
           closed_form_s, 0.7e-6, 6.3e-9, 0.0, 0.0),
     /* Some twenty roundings of the terms added (measured: four). Terms of two signs that cancel
      * lose more: the run's own bound says how much. */
-    EXACT("axle_linear", LAW | DRAG, 2.5e-15,
+    EXACT("axle_linear", ROT_AXLE_LINEAR_TAKES, 2.5e-15,
           "the torque is piecewise linear in time, and the resistance viscous or none" CLOSED, NULL,
           linear_s, 0.8e-6, 1.7e-9, 28e-9, 0.25e-6),
-    EXACT("axle_skater", ROT_AXLE_TORQUE | ROT_AXLE_INERTIA, 4e-15,
+    EXACT("axle_skater", ROT_AXLE_SKATER_TAKES, 4e-15,
           "angular momentum changes by the torque alone" CLOSED, NULL, closed_form_s, 1.0e-6,
           0.1e-6, 0.0, 0.25e-6),
-    EXACT("axle_drag", ROT_AXLE_TORQUE | DRAG | ROT_AXLE_QUADRATIC | ROT_AXLE_FRICTION, 2e-14,
+    EXACT("axle_drag", ROT_AXLE_DRAG_TAKES, 2e-14,
           "the torque is constant between its steps" CLOSED, not_drag, closed_form_s, 1.1e-6,
           0.29e-6, 0.0, 0.8e-6),
-    EXACT("axle_forced",
-          LAW | DRAG | ROT_AXLE_SINUSOID | ROT_AXLE_EXPONENTIAL | ROT_AXLE_POLYNOMIAL, 1e-14,
+    EXACT("axle_forced", ROT_AXLE_FORCED_TAKES, 1e-14,
           "the torque is a sum of laws in time, and the resistance viscous or none" CLOSED,
           not_forced, forced_s, 1.0e-6, 0.17e-6, 0.24e-6, 0.55e-6),
-    EXACT("axle_oscillator", LAW | DRAG | ROT_AXLE_SINUSOID | ROT_AXLE_SPRING, 1e-14,
-          "the equation is linear" CLOSED, not_oscillator, closed_form_s, 1.2e-6, 0.1e-6, 0.14e-6,
-          0.21e-6),
-    EXACT("axle_pendulum", ROT_AXLE_GRAVITY, 1e-14, "gravity alone acts" CLOSED, not_pendulum,
-          closed_form_s, 2.4e-6, 0.23e-6, 0.0, 0.0),
-    EXACT("axle_bands", LAW | DRAG | ROT_AXLE_CURVE | ROT_AXLE_FRICTION, 1e-13,
+    EXACT("axle_oscillator", ROT_AXLE_OSCILLATOR_TAKES, 1e-14, "the equation is linear" CLOSED,
+          not_oscillator, closed_form_s, 1.2e-6, 0.1e-6, 0.14e-6, 0.21e-6),
+    EXACT("axle_pendulum", ROT_AXLE_PENDULUM_TAKES, 1e-14, "gravity alone acts" CLOSED,
+          not_pendulum, closed_form_s, 2.4e-6, 0.23e-6, 0.0, 0.0),
+    EXACT("axle_bands", ROT_AXLE_BANDS_TAKES, 1e-13,
           "torque and resistance are straight lines between known speeds" CLOSED, not_bands,
           closed_form_s, 1.8e-6, 0.42e-6, 0.0, 0.65e-6),
     {"axle_rk8pd",

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
 #include "rot_oscillator.h"
 
@@ -311,26 +312,18 @@ static void next_piece(void *model, rot_axle_point *at_end) {
   run->piece = rot_torque_piece_at(&run->scene->linear.torque, run->index);
 }
 
-static int all_the_time(const rot_term *term) {
-  return term->from_s == -INFINITY && term->to_s == INFINITY;
-}
-
 /* The spring, if the scene is one of ours. */
 static const rot_term *the_spring(const rot_axle_scene *scene) {
   const rot_term *spring = NULL;
+  if (!rot_axle_fits(scene, ROT_AXLE_OSCILLATOR_TAKES)) return NULL;
   for (size_t i = 0; i < scene->n_terms; i++) {
     const rot_term *term = &scene->terms[i];
-    if (!all_the_time(term)) return NULL;
-    if (term->kind == ROT_TERM_SPRING && !spring && term->x[0] > 0.0) {
-      spring = term;
-    } else if (term->kind != ROT_TERM_SINUSOID) {
-      return NULL;
-    }
+    if (term->from_s != -INFINITY || term->to_s != INFINITY) return NULL;
+    if (term->kind != ROT_TERM_SPRING) continue;
+    if (spring || !(term->x[0] > 0.0)) return NULL;
+    spring = term;
   }
-  const int nothing_else = scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m == 0.0 &&
-                           scene->static_n_m == 0.0 && scene->n_inertia == 0 &&
-                           !scene->linear.torque.call && scene->linear.inertia_kg_m2 > 0.0;
-  return nothing_else ? spring : NULL;
+  return spring;
 }
 
 static int all_tame(const rot_axle_scene *scene, const rot_term *spring) {

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
 #include "rot_jacobi.h"
 
@@ -301,15 +302,9 @@ static double piece_end(const void *model) {
 }
 
 static int fits(const rot_axle_scene *scene) {
-  const rot_axle_params *p = &scene->linear;
-  if (scene->n_terms != 1 || scene->terms[0].kind != ROT_TERM_GRAVITY) return 0;
-  const rot_term *term = &scene->terms[0];
-  int ok = term->from_s == -INFINITY && term->to_s == INFINITY && term->x[0] != 0.0 &&
-           p->viscous_n_m_s == 0.0 && scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m == 0.0 &&
-           scene->static_n_m == 0.0 && scene->n_inertia == 0 && !p->torque.call &&
-           p->inertia_kg_m2 > 0.0 && p->torque.before_n_m == 0.0 && p->torque.after_n_m == 0.0;
-  for (size_t i = 0; ok && i < p->torque.n; i++) ok = p->torque.torque_n_m[i] == 0.0;
-  return ok;
+  const rot_term *term = scene->terms;
+  return rot_axle_fits(scene, ROT_AXLE_PENDULUM_TAKES) && scene->n_terms == 1 &&
+         term->from_s == -INFINITY && term->to_s == INFINITY && term->x[0] != 0.0;
 }
 
 static const double farthest = 1e15; /* rad: whole turns are counted exactly */

@@ -33,6 +33,11 @@ typedef rot_status (*rot_axle_model)(const rot_axle_scene *scene, size_t n, cons
                                      const rot_axle_columns *out, rot_events *events,
                                      const rot_hooks *hooks, rot_info *info);
 
+/* All breaks of a scene, increasing: knots, terms, I(t), and the scene's own list of others. They go
+ * to out[], which has room for rot_axle_scene_room(); returns how many there are. */
+size_t rot_axle_scene_room(const rot_axle_scene *scene);
+size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]);
+
 /* Knots + terms - motor omega; not the call, which may fail. */
 double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,
                               double omega);

@@ -24,9 +24,19 @@ typedef struct rot_axle_sweep_friction {
 /* NaN in a row whose status is not ROT_OK. The largest and the smallest omega are those of the
  * whole way, with the first time of the largest; error: the larger bound of theta and omega, each
  * relative to the largest value on the way. */
+#define ROT_AXLE_SWEEP_COLUMNS(X)                                                                  \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, omega_max)                                                                             \
+  X(double, omega_max_time_s)                                                                      \
+  X(double, omega_min)                                                                             \
+  X(double, speed_max)                                                                             \
+  X(double, error)
+
 typedef struct rot_axle_sweep_columns {
-  double *theta_rad, *omega_rad_per_s, *omega_max, *omega_max_time_s, *omega_min, *speed_max,
-      *error;
+#define X(type, name) type *name;
+  ROT_AXLE_SWEEP_COLUMNS(X)
+#undef X
   int *status; /* rot_status */
 } rot_axle_sweep_columns;
 
