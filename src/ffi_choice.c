@@ -210,7 +210,7 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
  * rot_axle_drop.h. */
 SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
   static const char *const names[] = {"theta", "omega"};
-  const rot_axle_scene axle = ffi_axle_scene(scene);
+  const rot_axle_scene axle = ffi_axle_scene(scene, R_NilValue);
   const rot_query query = {(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1), 1.0, 0.0};
   const double *x = ffi_reals(numbers, "numbers", 3);
   double by[2];
