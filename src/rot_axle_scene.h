@@ -1,4 +1,4 @@
-/* All that may act on an axle:
+/* The torques and moments of inertia of an axle:
  *
  *   d(I(t) omega)/dt = knots(t) + sum of terms(t, theta, omega) - motor omega + resistance,
  *   resistance = -c omega - q omega |omega| - tau_c sign(omega)   while it turns,
@@ -13,7 +13,7 @@
 
 typedef struct rot_axle_scene {
   /* The linear part: inertia at the start, state at the start, knots (or a call). Its viscous_n_m_s
-   * is the sum of the next two, so that rot_axle_step() may be used as it is. */
+   * is the sum of the next two, for rot_axle_step(). */
   rot_axle_params linear;
   double viscous_n_m_s; /* of the resistance, any sign */
   double motor_n_m_s;   /* how steeply a motor's torque falls with omega: stall / no-load speed */

@@ -1,5 +1,5 @@
-/* The terms of a torque law that straight lines over time cannot say. A law is the sum of its knots
- * (rot_torque.h) and of these. */
+/* Torque terms that are not piecewise linear in time. A law is the sum of its knots (rot_torque.h)
+ * and of these. */
 #ifndef ROT_TERM_H
 #define ROT_TERM_H
 

@@ -97,7 +97,7 @@ test_that("ten million rows come back", {
   expect_ulps(motion$theta_rad[n], 107.8586453330170947, 2)
 })
 
-# ---- even grids from a table ----------------------------------------------------------------------
+# ---- even grids from a table -------------------------------------------------------------------
 
 # The same closed form, row by row.
 row_by_row <- function(scene, t) {
