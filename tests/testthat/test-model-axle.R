@@ -459,6 +459,28 @@ test_that("the step budget", {
   expect_lt(nrow(rows), 21)
 })
 
+test_that("a run is a named list, with its measures by name", {
+  scene <- scene_axle(2, 3, resistance(coulomb_n_m = 1), omega0_rad_per_s = -4)
+  run <- .Call(rotdyn:::ffi_axle_run, "axle_drag", scene, c(0, 8), NULL)
+  expect_named(run, c("columns", "info", "ledger", "events"))
+  expect_named(run$columns, rotdyn:::trajectory_columns)
+  expect_named(run$info, c(
+    "kind", "text", "time_s", "rows_done", "steps", "rejected", "rhs_calls", "error", "tolerance",
+    "method", "errors", "sizes"
+  ))
+  expect_named(run$info$errors, c("theta", "omega"))
+  # -4 rad/s braked at 2 rad/s^2, then 1 rad/s^2 for 6 s.
+  expect_equal(run$info$sizes, c(theta = 14, omega = 6))
+  expect_equal(run$events, list(time_s = 2, event = "reverse"))
+  expect_equal(
+    run$info$error, .Call(rotdyn:::ffi_error_figure, run$info$errors, run$info$sizes)
+  )
+  expect_null(.Call(rotdyn:::ffi_axle_run, "axle_free", scene_axle(1), 1, NULL)$events)
+  ledger <- .Call(rotdyn:::ffi_axle_ledger, scene_axle(1, 2), 0, 1, NULL)
+  expect_equal(ledger[["work_j"]], 2)
+  expect_error(.Call(rotdyn:::ffi_error_figure, c(1, 2), 1), "internal")
+})
+
 test_that("a wrong .Call is an R error", {
   expect_error(.Call(rotdyn:::ffi_axle_run, "axle_none", scene_axle(1), 1, NULL), "internal")
   expect_error(.Call(rotdyn:::ffi_axle_run, 1, scene_axle(1), 1, NULL), "internal")
@@ -534,7 +556,7 @@ test_that("the progress function is called, no more than 20 times a second", {
   )
   start <- proc.time()[[3]]
   .Call(
-    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, (0:8) + 0, c(1e-9, 1e6, 0, 0),
+    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, c(0, 1, 2), c(1e-9, 1e6, 0, 0),
     function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start
