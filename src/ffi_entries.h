@@ -1,4 +1,5 @@
 /* Every routine that R may call, with its number of arguments. Listed once, here. */
+X(ffi_axle_disturbance, 3)
 X(ffi_axle_run, 4)
 X(ffi_axle_ledger, 4)
 X(ffi_axle_integrate, 6)
