@@ -113,6 +113,34 @@ files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
   test -f "src/rot_${topic%.c}.h" || echo "$file"
 done | rule "every src/ffi_X.c has its rot_X.h"
 
+# Files of R/ whose tests are in a file of another topic.
+elsewhere='
+augment ledger-axle
+constraint-axle model-axle
+constraint-clutch model-clutch
+constraint-rotors model-rotors
+integrate-axle model-axle
+'
+# tested TOPIC SEPARATOR PREFIX SUFFIX: is there a file of tests of TOPIC, or of a topic that it
+# continues (ode_step: ode)?
+tested() {
+  topic=$1
+  while ! grep -qx "$3$topic$4" "$work/files"; do
+    case $topic in *"$2"*) topic=${topic%"$2"*} ;; *) return 1 ;; esac
+  done
+}
+{
+  files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
+    topic=${file#src/rot_} topic=${topic%.c}
+    tested "$topic" _ tests/core/test_ .c || echo "$file"
+  done
+  files '^R/.*\.R$' | while read -r file; do
+    topic=${file#R/} topic=${topic%.R}
+    other=$(echo "$elsewhere" | sed -n "s/^$topic //p")
+    tested "${other:-$topic}" - tests/testthat/test- .R || echo "$file"
+  done
+} | rule "every rot_X.c and every file of R/ has a file of tests"
+
 # ---- registration ----------------------------------------------------------------------------
 
 sed -n 's/^[^:]*:[0-9]*://; s/.*[^A-Za-z0-9_]*X(\(ffi_[A-Za-z0-9_]*\)[ ,].*/\1/p' "$work/entries" |
@@ -152,6 +180,11 @@ search '(cr[a]n|cl[o]ud)\.r-project\.org|deb\.d[e]bian\.org|registry\.n[p]mjs' |
   rule "no package registry's host name"
 
 search '^(<{7}|>{7}) ' | rule "no conflict left in the files"
+
+# Code: R, C, shell.
+code_files='\.([Rch]|sh|in|win)$|^(configure|cleanup|\.ci/run)$'
+files "$code_files" | tr '\n' '\0' | xargs -0 grep -nE "$(printf '\t')|[[:space:]]\$" /dev/null |
+  rule "code has no tab and no blank at the end of a line"
 
 passed=$(grep -c passed "$work/verdicts")
 failed=$(grep -c failed "$work/verdicts")
