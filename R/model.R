@@ -142,16 +142,20 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
     return(named_model(constraint, scene, time_s, accuracy, model, max_steps, call))
   }
   pick <- if (constraint$all_core) {
-    core_pick(constraint$id, scene, time_s, accuracy)
+    .Call(ffi_choice_pick, constraint$id, scene, time_s, accuracy, 1e-6, NULL) # 1 us less
   } else {
     table <- candidates(constraint, scene, time_s, accuracy, call)
     lapply(table[c("model", "dropped")], `[`, table$applies)
   }
-  tried <- double()
+  tried <- NULL
   for (i in seq_along(pick$model)) {
     record <- constraint$models[[pick$model[i]]]
     fit <- new_fit(record, constraint, scene, pick$dropped[[i]])
-    if (isTRUE(record$on_trial)) fit <- try_model(fit, time_s, accuracy, max_steps, call)
+    trial <- record$on_trial
+    if (is.null(trial) || !trial) {
+      return(fit)
+    }
+    fit <- try_model(fit, time_s, accuracy, max_steps, call)
     if (is.null(fit$reason)) {
       return(fit)
     }
