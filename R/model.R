@@ -253,40 +253,28 @@ abort_no_model <- function(fits, scene, time_s, accuracy, call) {
   why_not <- lapply(takes, function(fit) fit$record$why_not(scene, time_s))
   fits_now <- vapply(why_not, is.null, logical(1))
   if (!any(fits_now)) {
-    abort_rotdyn(
-      c(
-        "No model can run this scene at these times.",
-        x = "{.arg time_s} begins at {format(time_s[1])} s, the scene at {format(scene$start_s)} s.",
-        i = "{.field {takes[[1]]$record$id}}: {why_not[[1]]}."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "No model can run this scene at these times.",
+      x = "{.arg time_s} begins at {format(time_s[1])} s, the scene at {format(scene$start_s)} s.",
+      i = "{.field {takes[[1]]$record$id}}: {why_not[[1]]}."
+    ), "time", call)
   }
   best <- min(vapply(takes[fits_now], function(fit) {
     if (is.null(fit$result)) fit$error else fit$result$info$error
   }, double(1)), na.rm = TRUE)
-  abort_rotdyn(
-    c(
-      "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
-      i = "The best that one promises is {format(best, digits = 2)}."
-    ),
-    "accuracy",
-    call
-  )
+  abort_rotdyn(c(
+    "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
+    i = "The best that one promises is {format(best, digits = 2)}."
+  ), "accuracy", call)
 }
 
 named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, call) {
   ids <- names(constraint$models)
   if (!rlang::is_string(model) || !model %in% ids) {
-    abort_rotdyn(
-      c(
-        "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
-        x = "It is {describe_value(model)}."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
+      x = "It is {describe_value(model)}."
+    ), "model", call)
   }
   record <- constraint$models[[model]]
   fit <- if (is.null(record$core)) {
@@ -297,14 +285,10 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
   }
   fit <- try_model(fit, time_s, accuracy, max_steps, call)
   if (!is.null(fit$reason)) {
-    abort_rotdyn(
-      c(
-        "Model {.val {model}} does not fit: {fit$reason}.",
-        i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "Model {.val {model}} does not fit: {fit$reason}.",
+      i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
+    ), "model", call)
   }
   fit
 }
