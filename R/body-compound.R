@@ -47,9 +47,8 @@ NULL
 #' @rdname compound
 #' @export
 place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   check_body(body, call)
   at_m <- check_vector(at_m, "at_m", "m", call)
   centre <- as.double(body$centre_m)
@@ -136,9 +135,8 @@ join_bodies <- function(..., name = "compound") {
 #' @rdname compound
 #' @export
 cut_body <- function(body, hole, ..., name = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("body", "hole"), call)
-  check_no_dots(...)
   check_body(body, call)
   check_body(hole, call, "hole")
   if (!is.null(name)) name <- check_name(name, "name", call)

@@ -72,9 +72,8 @@
 body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
                          max_evaluations = 1e6, method = c("auto", "quadrature", "monte_carlo"),
                          seed = 1, name = "density") {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("f", "domain"), call)
-  check_no_dots(...)
   remedy <- "Make one with {.fn domain_box} or its sisters."
   check_class(domain, "rot_domain", "domain", remedy, call)
   name <- check_name(name, "name", call)

@@ -88,9 +88,8 @@
 body_mesh <- function(mesh, ..., mass_kg = NULL, density_kg_m3 = NULL, areal_density_kg_m2 = NULL,
                       length_unit = "m", method = c("solid", "shell", "hull", "box"),
                       weld_m = NULL, name = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("mesh", call)
-  check_no_dots(...)
   method <- if (missing(method)) "solid" else method
   check_string(method, "method", c("solid", "shell", "hull", "box"), call)
   amount <- mesh_amount(mass_kg, density_kg_m3, areal_density_kg_m2, method, call)
@@ -117,9 +116,8 @@ body_mesh <- function(mesh, ..., mass_kg = NULL, density_kg_m3 = NULL, areal_den
 #' @rdname body_mesh
 #' @export
 check_mesh <- function(mesh, ..., length_unit = "m", weld_m = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("mesh", call)
-  check_no_dots(...)
   found_table(inspect_mesh(as_mesh(mesh, length_unit, call), weld_m, call))
 }
 

@@ -51,9 +51,8 @@
 #' }
 #' @export
 body_points <- function(data, ..., mass_kg = NULL, name = "points") {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("data", call)
-  check_no_dots(...)
   name <- check_name(name, "name", call)
   points <- read_points(data, mass_kg, call)
   bad <- .Call(ffi_points_bad, points$mass_kg, points$x_m, points$y_m, points$z_m)
@@ -113,18 +112,11 @@ read_points <- function(data, mass_kg, call) {
     y_m = check_column(columns$y_m, "y_m", "m", call),
     z_m = if (is.null(columns$z_m)) 0 else check_column(columns$z_m, "z_m", "m", call)
   )
-  if (!length(points$mass_kg) %in% c(1L, n)) {
-    abort_rotdyn(
-      "{.arg mass_kg} must have one mass for each of the {n} point{?s}, or one for all: it has
-       {length(points$mass_kg)}.",
-      "size", call
-    )
-  }
-  for (column in place_columns) {
+  for (column in names(points)) {
     # A column that is a matrix would be read as more points.
     if (!length(points[[column]]) %in% c(1L, n)) {
       abort_rotdyn(
-        "{.arg {column}} must have one number for each of the {n} point{?s}: it has
+        "{.arg {column}} must have one number for each of the {n} point{?s}, or one for all: it has
          {length(points[[column]])}.",
         "size", call
       )

@@ -36,9 +36,8 @@
 body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., about = "centre",
                         axes = "own", products = c("negative", "positive"), reach_m = NULL,
                         name = "given tensor") {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("mass_kg", "inertia_kg_m2"), call)
-  check_no_dots(...)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
   name <- check_name(name, "name", call)

@@ -38,18 +38,10 @@ NULL
 #' @rdname body_vertices
 #' @export
 body_polygon <- function(mass_kg, vertices_m, ..., areal_density_kg_m2 = NULL) {
-  call <- environment()
-  check_no_dots(...)
+  call <- check_no_dots(...)
   check_supplied("vertices_m", call)
-  vertices <- as_vertices(vertices_m, "vertices_m", 2L, call)
-  if (nrow(vertices) < 3L) {
-    abort_rotdyn(
-      c(
-        "A polygon has at least three corners.",
-        x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."
-      ), "size", call
-    )
-  }
+  vertices <- as_vertices(vertices_m, 2L, call)
+  if (nrow(vertices) < 3L) abort_corners("A polygon has at least three corners.", vertices, call)
   amount <- mass_or_density("areal_density_kg_m2", "kg/m^2", call)
   parts <- .Call(
     ffi_vertices_polygon, vertices, amount, !is.null(names(amount)), progress_bar("polygon")
@@ -62,21 +54,19 @@ body_polygon <- function(mass_kg, vertices_m, ..., areal_density_kg_m2 = NULL) {
 #' @rdname body_vertices
 #' @export
 body_tetrahedron <- function(mass_kg, vertices_m, ..., density_kg_m3 = NULL) {
-  call <- environment()
-  check_no_dots(...)
+  call <- check_no_dots(...)
   check_supplied("vertices_m", call)
-  vertices <- as_vertices(vertices_m, "vertices_m", 3L, call)
-  if (nrow(vertices) != 4L) {
-    abort_rotdyn(
-      c("A tetrahedron has four corners.", x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."),
-      "size", call
-    )
-  }
+  vertices <- as_vertices(vertices_m, 3L, call)
+  if (nrow(vertices) != 4L) abort_corners("A tetrahedron has four corners.", vertices, call)
   amount <- mass_or_density("density_kg_m3", "kg/m^3", call)
   parts <- .Call(ffi_vertices_tetrahedron, vertices, amount, !is.null(names(amount)))
   new_vertices_body(
     "tetrahedron", vertices, parts, amount, "m/20 sum (v - g)(v - g)'", "Tonon 2005", call
   )
+}
+
+abort_corners <- function(must, vertices, call) {
+  abort_rotdyn(c(must, x = "{.arg vertices_m} has {nrow(vertices)} row{?s}."), "size", call)
 }
 
 new_vertices_body <- function(shape, vertices, parts, amount, formula, source, call) {
@@ -96,13 +86,13 @@ new_vertices_body <- function(shape, vertices, parts, amount, formula, source, c
 }
 
 # A matrix of finite doubles with `dimension` columns.
-as_vertices <- function(x, arg, dimension, call) {
+as_vertices <- function(x, dimension, call) {
   names <- c("x_m", "y_m", "z_m")[seq_len(dimension)]
   if (is.data.frame(x)) {
     if (!all(names %in% names(x))) {
       abort_rotdyn(
         c(
-          "{.arg {arg}} needs the columns {.field {names}}.",
+          "{.arg vertices_m} needs the columns {.field {names}}.",
           x = "Its columns are {.field {names(x)}}."
         ), "type", call
       )
@@ -113,14 +103,13 @@ as_vertices <- function(x, arg, dimension, call) {
   if (!is.matrix(x) || ncol(x) != dimension) {
     abort_rotdyn(
       c(
-        "{.arg {arg}} must be a matrix of {dimension} columns, or a data frame with the columns
+        "{.arg vertices_m} must be a matrix of {dimension} columns, or a data frame with the columns
          {.field {names}}.",
         x = "It is {describe_value(x)}."
       ), if (is.matrix(x)) "size" else "type", call
     )
   }
-  rows <- nrow(x)
-  matrix(check_finite(x, arg, "m", call), rows, dimension)
+  matrix(check_finite(x, "vertices_m", "m", call), ncol = dimension)
 }
 
 # A column that is a matrix would be read as more vertices.

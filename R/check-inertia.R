@@ -96,8 +96,7 @@ asymmetry_allowed <- 1e-12
 #' @export
 check_inertia <- function(x, ..., mass_kg = NULL, size_m = NULL,
                           products = c("negative", "positive"), name = NULL) {
-  check_no_dots(...)
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("x", call)
   if (missing(products)) {
     products <- "negative"

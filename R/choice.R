@@ -12,7 +12,7 @@ core_effect_words <- function(constraint) .Call(ffi_choice_effects, constraint, 
 
 # Names of the effects that act in a scene.
 core_effects <- function(constraint, scene) {
-  .Call(ffi_choice_effects, constraint, core_scene(constraint, scene), core_law(scene, 0))
+  .Call(ffi_choice_effects, constraint, scene, core_law(scene, 0))
 }
 
 # All models on a scene, cheapest first: named columns
@@ -26,7 +26,7 @@ core_effects <- function(constraint, scene) {
 #             effect (each), relative to the size of the motion
 core_candidates <- function(constraint, scene, time_s, accuracy, law_s = 1e-6) {
   .Call(
-    ffi_choice_table, constraint, core_scene(constraint, scene), time_s, accuracy,
+    ffi_choice_table, constraint, scene, time_s, accuracy,
     core_law(scene, law_s)
   )
 }
@@ -37,16 +37,8 @@ core_candidates <- function(constraint, scene, time_s, accuracy, law_s = 1e-6) {
 # not apply.
 core_pick <- function(constraint, scene, time_s, accuracy, law_s = 1e-6, model = NULL) {
   .Call(
-    ffi_choice_pick, constraint, core_scene(constraint, scene), time_s, accuracy,
+    ffi_choice_pick, constraint, scene, time_s, accuracy,
     core_law(scene, law_s), model
-  )
-}
-
-core_scene <- function(constraint, scene) {
-  switch(constraint,
-    axle = pack_axle(scene),
-    rotors = rotors_pack(scene),
-    clutch = clutch_pack(scene)
   )
 }
 

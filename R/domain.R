@@ -63,9 +63,8 @@ domain_box <- function(lower_m, upper_m) {
 #' @export
 domain_cylinder <- function(radius_m, length_m, ..., inner_radius_m = 0,
                             angle_rad = c(0, 2 * pi), centre_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("radius_m", "length_m"), call)
-  check_no_dots(...)
   radii <- check_radii(inner_radius_m, radius_m, call)
   length_m <- check_number(length_m, "length_m", "m", call, lower = 0, open = TRUE)
   angle <- check_turn(angle_rad, call)
@@ -83,9 +82,8 @@ domain_cylinder <- function(radius_m, length_m, ..., inner_radius_m = 0,
 #' @rdname domains
 #' @export
 domain_ball <- function(radius_m, ..., inner_radius_m = 0, centre_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("radius_m", call)
-  check_no_dots(...)
   radii <- check_radii(inner_radius_m, radius_m, call)
   new_domain(
     "ball",
@@ -99,9 +97,8 @@ domain_ball <- function(radius_m, ..., inner_radius_m = 0, centre_m = c(0, 0, 0)
 #' @rdname domains
 #' @export
 domain_ellipsoid <- function(semi_x_m, semi_y_m, semi_z_m, ..., centre_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("semi_x_m", "semi_y_m", "semi_z_m"), call)
-  check_no_dots(...)
   size <- c(
     semi_x_m = check_number(semi_x_m, "semi_x_m", "m", call, lower = 0, open = TRUE),
     semi_y_m = check_number(semi_y_m, "semi_y_m", "m", call, lower = 0, open = TRUE),
@@ -119,9 +116,8 @@ domain_ellipsoid <- function(semi_x_m, semi_y_m, semi_z_m, ..., centre_m = c(0, 
 #' @rdname domains
 #' @export
 domain_map <- function(map, jacobian, lower, upper, ..., periodic = c(FALSE, FALSE, FALSE)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("map", "jacobian", "lower", "upper"), call)
-  check_no_dots(...)
   check_field_function(map, "map", call)
   check_field_function(jacobian, "jacobian", call)
   box <- check_box(lower, upper, c("lower", "upper"), "1", call)

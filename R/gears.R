@@ -58,9 +58,8 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
 #' trajectory(scene, time_s = 0:3)
 #' @export
 gear_train <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, viscous_n_m_s = 0) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("bodies", "ratios"), call)
-  check_no_dots(...)
   train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
 }
 
@@ -98,9 +97,8 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
 #' @export
 scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, viscous_n_m_s = 0,
                         theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("bodies", "ratios"), call)
-  check_no_dots(...)
   train <- train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
   scene_axle(
     sum(train$reflected_inertia_kg_m2),

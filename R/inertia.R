@@ -46,9 +46,8 @@
 #' @export
 inertia_tensor <- function(body, about = "centre", ..., axes = "own",
                            products = c("negative", "positive")) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   check_body(body, call)
   products <- check_products(products, call)
   point <- as_point(about, body, "about", call)

@@ -2,8 +2,7 @@
 
 integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   loads <- scene$loads
-  breaks <- axle_breaks(scene)
-  law <- sampled <- NULL
+  law <- sampled <- stops <- NULL
   if (!is.null(loads$law)) {
     span <- range(scene$start_s, time_s)
     reader <- law_reader(loads$law, scene, call)
@@ -13,13 +12,14 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     }
     if (is.null(sampled)) law <- reader$own
     loads$terms <- c(loads$terms, list(sampled$term)[!is.null(sampled)])
-    breaks <- sort(unique(c(breaks, scan$stops, sampled$term$breaks_s)))
+    stops <- scan$stops
   }
+  noise_n_m <- if (is.null(sampled)) 0 else sampled$error
   solve <- function(loads, time_s) {
+    scene$loads <- loads
     .Call(
-      ffi_axle_integrate,
-      pack_axle(scene, breaks, loads, if (is.null(sampled)) 0 else sampled$error), law, time_s,
-      c(accuracy, max_steps, method), progress_bar("integrating")
+      ffi_axle_integrate, scene, law, stops, time_s, c(accuracy, max_steps, method, noise_n_m),
+      progress_bar("integrating")
     )
   }
   result <- add_end_jumps(solve(loads, time_s), scene, time_s)

@@ -1,42 +1,10 @@
 # Models of a body on a fixed axle. .subset2() because `$` looks for a method first: 10 us of a 35
 # us call.
 
-# The scene as src/ffi_axle.c unpacks it.
-pack_axle <- function(scene, breaks_s = axle_breaks(scene), loads = scene$loads, noise_n_m = 0) {
-  resistance <- scene$resistance
-  list(
-    c(
-      scene$moment_of_inertia_kg_m2, resistance$viscous_n_m_s, scene$start_s, scene$theta0_rad,
-      scene$omega0_rad_per_s, loads$motor_n_m_s, resistance$quadratic_n_m_s2,
-      resistance$coulomb_n_m, resistance$static_n_m, noise_n_m
-    ),
-    axle_knots(loads$knots),
-    pack_terms(loads$terms),
-    if (is.null(scene$inertia)) {
-      list(double(), double())
-    } else {
-      list(scene$inertia$time_s, scene$inertia$moment_of_inertia_kg_m2)
-    },
-    breaks_s
-  )
-}
-
-axle_knots <- function(knots) {
-  list(.subset2(knots, "time_s"), .subset2(knots, "torque_n_m"), .subset2(knots, "outside"))
-}
-
 # Times where a torque or the inertia jumps or kinks; those of an R function are looked for later.
 axle_breaks <- function(scene) {
   terms <- lapply(scene$loads$terms, function(term) term$breaks_s)
   sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
-}
-
-# The six numbers of the linear part.
-axle_numbers <- function(scene) {
-  c(
-    .subset2(scene, "moment_of_inertia_kg_m2"), viscous_of(scene), .subset2(scene, "start_s"),
-    .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s"), motor_of(scene)
-  )
 }
 
 viscous_of <- function(scene) .subset2(.subset2(scene, "resistance"), "viscous_n_m_s")
@@ -107,9 +75,11 @@ axle_free <- list(
   error = function(accuracy) 4e-16,
   cost = function(scene, rows, accuracy) 10 * rows,
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    .Call(ffi_axle_free, axle_numbers(scene), time_s, progress_bar("free spin"))
+    .Call(ffi_axle_run, "axle_free", scene, time_s, progress_bar("free spin"))
   },
-  ledger = function(scene, run, from_s, to_s) double(11)
+  ledger = function(scene, run, from_s, to_s) {
+    .Call(ffi_axle_ledger, scene, from_s, to_s, progress_bar("ledger"))
+  }
 )
 
 axle_linear <- list(
@@ -140,38 +110,32 @@ axle_linear <- list(
   # On even times; 100 a row elsewhere.
   cost = function(scene, rows, accuracy) 30 * rows + 600 * (1 + length(knots_of(scene)$time_s)),
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    .Call(
-      ffi_axle_linear, axle_numbers(scene), axle_knots(knots_of(scene)), time_s, 1,
-      progress_bar("closed form")
-    )
+    .Call(ffi_axle_run, "axle_linear", scene, time_s, progress_bar("closed form"))
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(
-      ffi_axle_ledger, axle_numbers(scene), axle_knots(knots_of(scene)), from_s, to_s,
-      progress_bar("ledger")
-    )
+    .Call(ffi_axle_ledger, scene, from_s, to_s, progress_bar("ledger"))
   }
 )
 
-# A closed form that src/ffi_axle.c knows by `kernel`, for scenes with more than knots.
-axle_kernel <- function(kernel, id, ..., why, error, each, why_not = function(scene, time_s) NULL) {
+# A closed form for scenes with more than knots.
+axle_kernel <- function(id, ..., why, error, each, why_not = function(scene, time_s) NULL) {
   promised <- error
   list(
-    id = id, kernel = kernel, constraint = "axle", ...,
+    id = id, constraint = "axle", ...,
     error_kind = "bound",
     why_not = why_not,
     why = function(scene) paste0(why, ": the solution is known in closed form"),
     error = function(accuracy) promised,
     cost = function(scene, rows, accuracy) each * (rows + 4 * length(axle_breaks(scene)) + 1),
     run = function(scene, time_s, accuracy, max_steps, call, asked) {
-      .Call(ffi_axle_model, kernel, pack_axle(scene), time_s, progress_bar("closed form"))
+      .Call(ffi_axle_run, id, scene, time_s, progress_bar("closed form"))
     },
     ledger = function(scene, run, from_s, to_s) ledger_by_quadrature(scene, run, from_s, to_s)
   )
 }
 
 axle_skater <- axle_kernel(
-  "skater", "axle_skater",
+  "axle_skater",
   equations = "d(I(t) omega)/dt = torque, I piecewise linear in time",
   assumptions = "rigid but for the change of inertia, which needs no torque about the axle",
   limits = "none in double precision",
@@ -183,7 +147,7 @@ axle_skater <- axle_kernel(
 )
 
 axle_pendulum <- axle_kernel(
-  "pendulum", "axle_pendulum",
+  "axle_pendulum",
   equations = "I domega/dt = -m g d sin(theta), in Jacobi's elliptic functions",
   assumptions = "rigid body; uniform gravity",
   limits = "any amplitude, rotation and the separatrix included",
@@ -200,7 +164,7 @@ axle_pendulum <- axle_kernel(
 )
 
 axle_oscillator <- axle_kernel(
-  "oscillator", "axle_oscillator",
+  "axle_oscillator",
   equations = "I domega/dt = -k (theta - rest) - c omega + torque(t)",
   assumptions = "rigid body; a spring that obeys Hooke's law",
   limits = "any damping; the state must stay within double precision",
@@ -220,7 +184,7 @@ axle_oscillator <- axle_kernel(
 )
 
 axle_forced <- axle_kernel(
-  "forced", "axle_forced",
+  "axle_forced",
   equations = "I domega/dt = torque(t) - c omega, solved term by term",
   assumptions = "rigid body; resistance -c omega",
   limits = "polynomials to degree 16; the state must stay within double precision",
@@ -238,7 +202,7 @@ axle_forced <- axle_kernel(
 )
 
 axle_drag <- axle_kernel(
-  "drag", "axle_drag",
+  "axle_drag",
   equations = "I domega/dt = torque - c omega - q omega |omega| - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; a torque that is constant between its steps",
   limits = "forward in time; c >= 0",
@@ -254,7 +218,7 @@ axle_drag <- axle_kernel(
 )
 
 axle_bands <- axle_kernel(
-  "bands", "axle_bands",
+  "axle_bands",
   equations = "I domega/dt = torque(t) + curve(omega) - c omega - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; torque piecewise linear in time and in omega",
   limits = "forward in time",

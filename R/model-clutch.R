@@ -1,15 +1,4 @@
-# The model of two bodies and a clutch. The scene as src/ffi_clutch.c wants it.
-clutch_pack <- function(scene) {
-  # -Inf is no time for the core: engaged from the start on says the same.
-  engage <- max(scene$engage_s, scene$start_s)
-  list(
-    c(
-      scene$moment_of_inertia_kg_m2, scene$capacity_n_m, scene$static_capacity_n_m, engage,
-      scene$start_s, scene$theta0_rad, scene$omega0_rad_per_s
-    ),
-    scene$steps[[1]], scene$steps[[2]]
-  )
-}
+# The model of two bodies and a clutch.
 
 clutch_exact <- list(
   id = "clutch_exact",
@@ -27,11 +16,11 @@ clutch_exact <- list(
   cost = function(scene, rows, accuracy) 100 * rows,
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     check_not_before_start(scene, time_s, call)
-    result <- .Call(ffi_clutch_run, clutch_pack(scene), time_s, progress_bar("clutch"))
+    result <- .Call(ffi_clutch_run, scene, time_s, progress_bar("clutch"))
     list(result[[1]], result[[2]], NULL, tibble::as_tibble(result[[4]]))
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_clutch_ledger, clutch_pack(scene), c(from_s, to_s))
+    .Call(ffi_clutch_ledger, scene, c(from_s, to_s))
   }
 )
 

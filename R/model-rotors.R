@@ -1,16 +1,8 @@
-# Models of several rotors on one shaft. The scene as src/ffi_rotors.c wants it.
-rotors_pack <- function(scene) {
-  unname(unclass(scene)[c(
-    "moment_of_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s", "viscous_n_m_s",
-    "torque_n_m", "theta0_rad", "omega0_rad_per_s", "start_s"
-  )])
-}
+# Models of several rotors on one shaft.
 
 # Rows in long form: by time, then rotor. `how`: 0 rigid, 1 modal, 2 modal with shared exponentials.
 run_rotors_as <- function(how, scene, time_s) {
-  result <- .Call(
-    ffi_rotors_run, rotors_pack(scene), time_s, as.double(how), progress_bar("rotors")
-  )
+  result <- .Call(ffi_rotors_run, scene, time_s, as.double(how), progress_bar("rotors"))
   inertia <- scene$moment_of_inertia_kg_m2
   n <- length(inertia)
   rotor <- rep.int(seq_len(n), length(time_s))
@@ -46,7 +38,7 @@ rotors_rigid <- list(
   cost = function(scene, rows, accuracy) 40 * rows * length(scene$moment_of_inertia_kg_m2),
   run = function(scene, time_s, accuracy, max_steps, call, asked) run_rotors_as(0, scene, time_s),
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_rotors_ledger, rotors_pack(scene), 1, c(from_s, to_s))
+    .Call(ffi_rotors_ledger, scene, 1, c(from_s, to_s))
   }
 )
 
@@ -74,7 +66,7 @@ rotors_modal <- list(
     run_rotors_as(if (share_exponentials(accuracy)) 2 else 1, scene, time_s)
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_rotors_ledger, rotors_pack(scene), 0, c(from_s, to_s))
+    .Call(ffi_rotors_ledger, scene, 0, c(from_s, to_s))
   }
 )
 

@@ -34,9 +34,8 @@
 #' @export
 parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
                           direction = c("from_centre", "to_centre")) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("inertia_kg_m2", "mass_kg", "distance_m"), call)
-  check_no_dots(...)
   direction <- check_choice(direction, "direction", c("from_centre", "to_centre"), call)
   sign <- if (direction == "from_centre") 1 else -1
   if (is.matrix(inertia_kg_m2)) {

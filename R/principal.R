@@ -45,9 +45,8 @@
 #' principal_axes(matrix(c(2, -0.5, 0, -0.5, 3, 0, 0, 0, 4), 3))
 #' @export
 principal_axes <- function(body, ..., tolerance = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   find_principal(body, tolerance, call)
 }
 
@@ -89,9 +88,8 @@ find_principal <- function(body, tolerance, call) {
 #' @rdname principal_axes
 #' @export
 symmetry_class <- function(body, ..., tolerance = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   attr(find_principal(body, tolerance, call), "symmetry")
 }
 

@@ -52,9 +52,8 @@ link_columns <- c(
 #' }
 #' @export
 read_links <- function(file, ...) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("file", call)
-  check_no_dots(...)
   need_package("xml2", "Reading a robot description", call)
   root <- description_root(file, call)
   check_expanded(root, call)

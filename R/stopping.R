@@ -38,7 +38,7 @@ stopping <- function(scene) {
       call
     )
   }
-  x <- .Call(ffi_axle_stopping, pack_axle(scene))
+  x <- .Call(ffi_axle_stopping, scene)
   tibble::tibble(
     stop_time_s = x[1], stop_theta_rad = x[2],
     terminal_omega_rad_per_s = if (is.finite(x[1])) 0 else terminal_omega(scene, call)
@@ -54,5 +54,5 @@ terminal_omega <- function(scene, call) {
     return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)[[1]]$omega_rad_per_s)
   }
   scene$loads$knots <- new_knots(double(), double(), c(last, last))
-  .Call(ffi_axle_stopping, pack_axle(scene))[3]
+  .Call(ffi_axle_stopping, scene)[3]
 }

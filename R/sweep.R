@@ -68,7 +68,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
-  threads <- min(threads, .Call(ffi_sweep_threads))
+  threads <- min(threads, .Call(ffi_axle_sweep_threads))
   loads <- torque_loads(as_torque(torque, call))
   columns <- sweep_inputs(parameters, time_s, call)
   known <- rep(TRUE, n)
@@ -226,26 +226,14 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
-    viscous <- columns$viscous_n_m_s
-    if (loads$motor_n_m_s != 0) viscous <- viscous + columns$torque_scale * loads$motor_n_m_s
-    return(.Call(
-      ffi_sweep_linear, axle_knots(loads$knots),
-      unname(c(
-        columns["moment_of_inertia_kg_m2"], list(viscous),
-        columns[c("torque_scale", "omega0_rad_per_s", "theta0_rad", "time_s")]
-      )),
-      start_s, threads, progress_bar("sweep")
-    ))
+    if (loads$motor_n_m_s != 0) {
+      columns$viscous_n_m_s <- columns$viscous_n_m_s + columns$torque_scale * loads$motor_n_m_s
+    }
+    model <- "axle_linear"
+  } else {
+    model <- sweep_model(scene, columns, call)$record$id
   }
-  fit <- sweep_model(scene, columns, call)
-  .Call(
-    ffi_sweep_scenes, fit$record$kernel, pack_axle(scene),
-    unname(columns[c(
-      "moment_of_inertia_kg_m2", "viscous_n_m_s", "torque_scale", "omega0_rad_per_s", "theta0_rad",
-      "time_s", "quadratic_n_m_s2", "coulomb_n_m", "static_n_m"
-    )]),
-    as.double(fit$record$kernel %in% c("drag", "bands")), threads, progress_bar("sweep")
-  )
+  .Call(ffi_axle_sweep, model, scene, columns, threads, progress_bar("sweep"))
 }
 
 # The closed form that takes what acts in any of the rows.

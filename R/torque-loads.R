@@ -202,10 +202,3 @@ scale_torque <- function(law, factor, call) {
   }
   law
 }
-
-# As src/ffi_axle.c unpacks them.
-pack_terms <- function(terms) {
-  lapply(terms, function(term) {
-    list(match(term$kind, term_kinds) - 1, term$from_s, term$to_s, as.double(term$x))
-  })
-}

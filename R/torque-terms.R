@@ -1,11 +1,9 @@
-# Torque laws that are not piecewise linear in time: one term each, as src/rot_term.h
-# evaluates it. The kinds are numbered as there.
-term_kinds <- c("sinusoid", "exponential", "polynomial", "chebyshev", "curve", "spring", "gravity")
-
+# Torque laws that are not piecewise linear in time: one term each, as src/rot_term.h evaluates it.
+# The kinds have the names there.
 new_term <- function(kind, x, text, from_s = -Inf, to_s = Inf, breaks_s = c(from_s, to_s)) {
   new_torque(
     "rot_torque_term",
-    kind = kind, from_s = from_s, to_s = to_s, x = x, text = text,
+    kind = kind, from_s = as.double(from_s), to_s = as.double(to_s), x = as.double(x), text = text,
     breaks_s = breaks_s[is.finite(breaks_s)]
   )
 }

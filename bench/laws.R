@@ -1,5 +1,5 @@
-# Torque laws that are R functions: what the default costs beside every other model that applies, and
-# beside lsoda of deSolve at the loosest tolerance with which its true error is no larger. 20 s, 201
+# Torque laws that are R functions: the cost of the default, of every other model that applies, and
+# of deSolve's lsoda at the loosest tolerance with which its true error is no larger. 20 s, 201
 # rows, accuracy 1e-9; laws of 0.5 to 500 us a call, of time and of state, smooth and kinked, their
 # breaks given or looked for.
 

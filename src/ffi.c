@@ -3,6 +3,7 @@
 #include "ffi.h"
 
 #include <stdint.h>
+#include <string.h>
 #include <time.h>
 
 #ifdef __linux__
@@ -81,6 +82,28 @@ const double *ffi_reals(SEXP x, const char *what, R_xlen_t length) {
 }
 
 double ffi_real(SEXP x, const char *what) { return ffi_reals(x, what, 1)[0]; }
+
+const char *ffi_text(SEXP x, const char *what) {
+  if (TYPEOF(x) != STRSXP || XLENGTH(x) != 1) Rf_error("internal: `%s` is not a string", what);
+  return CHAR(STRING_ELT(x, 0));
+}
+
+SEXP ffi_element(SEXP list, const char *name) {
+  SEXP names = TYPEOF(list) == VECSXP ? Rf_getAttrib(list, R_NamesSymbol) : R_NilValue;
+  const R_xlen_t n = TYPEOF(names) == STRSXP ? XLENGTH(names) : 0;
+  for (R_xlen_t i = 0; i < n; i++) {
+    if (!strcmp(CHAR(STRING_ELT(names, i)), name)) return VECTOR_ELT(list, i);
+  }
+  return R_NilValue;
+}
+
+double ffi_number_of(SEXP list, const char *name) {
+  return ffi_real(ffi_element(list, name), name);
+}
+
+const double *ffi_numbers_of(SEXP list, const char *name, R_xlen_t length) {
+  return ffi_reals(ffi_element(list, name), name, length);
+}
 
 rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n) {
   rot_column column = {ffi_reals(x, what, -1), 1};

@@ -36,6 +36,11 @@ void ffi_guard_end(ffi_guard *guard, rot_status status);
 
 double ffi_real(SEXP x, const char *what);
 const double *ffi_reals(SEXP x, const char *what, R_xlen_t length);
+const char *ffi_text(SEXP x, const char *what);
+/* The element of that name, R_NilValue where there is none; the same as a number, as numbers. */
+SEXP ffi_element(SEXP list, const char *name);
+double ffi_number_of(SEXP list, const char *name);
+const double *ffi_numbers_of(SEXP list, const char *name, R_xlen_t length);
 /* A column of length 1 or *n; *n grows from 1 to the first length that is not. */
 rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n);
 SEXP ffi_new_column(R_xlen_t rows);

@@ -1,90 +1,109 @@
-#include "ffi_axle.h"
-#include "ffi_run.h"
-
 #include <string.h>
 
+#include "ffi_run.h"
+#include "ffi_scenes.h"
 #include "ffi_torque.h"
-#include "rot_axle_linear.h"
-#include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
-#include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
+#include "rot_axle_models.h"
 #include "rot_axle_motor.h"
 #include "rot_axle_ode.h"
-#include "rot_axle_oscillator.h"
-#include "rot_axle_pendulum.h"
-#include "rot_axle_scene.h"
-#include "rot_axle_skater.h"
 
-/* c(inertia, viscous, start, theta0, omega0, motor) and list(knot times, knot torques, c(before, after)),
- * as R/model-axle.R packs them. */
-static rot_torque unpack_knots(SEXP knots) {
-  rot_torque torque = {0, NULL, NULL, 0.0, 0.0, NULL, NULL};
-  if (Rf_isNull(knots)) return torque;
-  if (TYPEOF(knots) != VECSXP || XLENGTH(knots) != 3) Rf_error("internal: `knots`");
-  SEXP times = VECTOR_ELT(knots, 0);
-  const double *outside = ffi_reals(VECTOR_ELT(knots, 2), "outside", 2);
-  torque.time_s = ffi_reals(times, "times", -1);
-  torque.torque_n_m = ffi_reals(VECTOR_ELT(knots, 1), "torque", XLENGTH(times));
-  torque.n = (size_t)XLENGTH(times);
-  torque.before_n_m = outside[0];
-  torque.after_n_m = outside[1];
+/* ---- scenes ---------------------------------------------------------------------------------- */
+
+static rot_torque knots_of(SEXP knots) {
+  SEXP time_s = ffi_element(knots, "time_s");
+  const double *outside = ffi_numbers_of(knots, "outside", 2);
+  rot_torque torque = {0, NULL, NULL, outside[0], outside[1], NULL, NULL};
+  torque.time_s = ffi_reals(time_s, "time_s", -1);
+  torque.n = (size_t)XLENGTH(time_s);
+  torque.torque_n_m = ffi_numbers_of(knots, "torque_n_m", XLENGTH(time_s));
   return torque;
 }
 
-static rot_axle_scene unpack(SEXP numbers, SEXP torque) {
-  const double *x = ffi_reals(numbers, "numbers", 6);
-  const rot_axle_scene scene = {
-      .linear = {x[0], x[1] + x[5], x[2], x[3], x[4], unpack_knots(torque)},
-      .viscous_n_m_s = x[1],
-      .motor_n_m_s = x[5]};
+static rot_term term_of(SEXP list) {
+  SEXP x = ffi_element(list, "x");
+  rot_term term;
+  term.kind = rot_term_named(ffi_text(ffi_element(list, "kind"), "kind"));
+  term.from_s = ffi_number_of(list, "from_s");
+  term.to_s = ffi_number_of(list, "to_s");
+  term.x = ffi_reals(x, "x", -1);
+  term.length = (size_t)XLENGTH(x);
+  if (!rot_term_valid(&term)) Rf_error("internal: a term of the torque is not valid");
+  return term;
+}
+
+rot_axle_scene ffi_axle_scene(SEXP list, SEXP breaks_s) {
+  SEXP loads = ffi_element(list, "loads"), resistance = ffi_element(list, "resistance");
+  SEXP terms = ffi_element(loads, "terms"), inertia = ffi_element(list, "inertia");
+  rot_axle_scene scene;
+  memset(&scene, 0, sizeof scene);
+  scene.viscous_n_m_s = ffi_number_of(resistance, "viscous_n_m_s");
+  scene.quadratic_n_m_s2 = ffi_number_of(resistance, "quadratic_n_m_s2");
+  scene.coulomb_n_m = ffi_number_of(resistance, "coulomb_n_m");
+  scene.static_n_m = ffi_number_of(resistance, "static_n_m");
+  scene.motor_n_m_s = ffi_number_of(loads, "motor_n_m_s");
+  scene.linear.inertia_kg_m2 = ffi_number_of(list, "moment_of_inertia_kg_m2");
+  scene.linear.viscous_n_m_s = scene.viscous_n_m_s + scene.motor_n_m_s;
+  scene.linear.start_s = ffi_number_of(list, "start_s");
+  scene.linear.theta0_rad = ffi_number_of(list, "theta0_rad");
+  scene.linear.omega0_rad_per_s = ffi_number_of(list, "omega0_rad_per_s");
+  scene.linear.torque = knots_of(ffi_element(loads, "knots"));
+  if (TYPEOF(terms) != VECSXP) Rf_error("internal: `terms` is not a list");
+  scene.n_terms = (size_t)XLENGTH(terms);
+  if (scene.n_terms) {
+    rot_term *all = (rot_term *)R_alloc(scene.n_terms, sizeof *all);
+    for (size_t i = 0; i < scene.n_terms; i++) all[i] = term_of(VECTOR_ELT(terms, (R_xlen_t)i));
+    scene.terms = all;
+  }
+  if (!Rf_isNull(inertia)) {
+    SEXP time_s = ffi_element(inertia, "time_s");
+    scene.inertia_time_s = ffi_reals(time_s, "time_s", -1);
+    scene.n_inertia = (size_t)XLENGTH(time_s);
+    scene.inertia_kg_m2 = ffi_numbers_of(inertia, "moment_of_inertia_kg_m2", XLENGTH(time_s));
+  }
+  if (!Rf_isNull(breaks_s)) {
+    scene.breaks_s = ffi_reals(breaks_s, "breaks_s", -1);
+    scene.n_breaks = (size_t)XLENGTH(breaks_s);
+  }
+  double *all = (double *)R_alloc(rot_axle_scene_room(&scene), sizeof *all);
+  scene.n_breaks = rot_axle_scene_breaks(&scene, all);
+  scene.breaks_s = all;
   return scene;
 }
+
+/* ---- closed forms ---------------------------------------------------------------------------- */
 
 static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
   static const char *const names[] = {"time_s", ROT_AXLE_COLUMNS(FFI_COLUMN_NAME) ""};
   const R_xlen_t rows = XLENGTH(time_s);
   rot_axle_columns out;
   R_xlen_t at = 1;
-  SEXP list = Rf_mkNamed(VECSXP, (const char **)names);
-  SET_VECTOR_ELT(run->out, FFI_COLUMNS, list);
-  SET_VECTOR_ELT(list, 0, time_s);
+  SEXP columns = ffi_run_columns(run, names);
+  SET_VECTOR_ELT(columns, 0, time_s);
   ROT_AXLE_COLUMNS(FFI_COLUMN_NEW)
   return out;
 }
 
-static const char *const ledger_names[] = {ROT_AXLE_LEDGER(FFI_NAME)};
-
-SEXP ffi_axle_free(SEXP numbers, SEXP time_s, SEXP progress) {
-  const rot_axle_scene scene = unpack(numbers, R_NilValue);
-  const double *t = ffi_reals(time_s, "time_s", -1);
-  ffi_run run;
-  ffi_run_begin(&run, progress);
-  const rot_axle_columns out = new_columns(&run, time_s);
-  return ffi_run_end(
-      &run,
-      rot_axle_free(&scene.linear, (size_t)XLENGTH(time_s), t, &out, &run.guard.hooks, &run.info),
-      0);
-}
-
-/* `fast` = 0: row by row, a motor's slope counted as resistance; for tests. */
-SEXP ffi_axle_linear(SEXP numbers, SEXP torque, SEXP time_s, SEXP fast, SEXP progress) {
-  const rot_axle_scene scene = unpack(numbers, torque);
+/* A closed form by its id in models(). */
+SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  const rot_axle_model model = rot_axle_closed_form(ffi_text(id, "model"));
   const double *t = ffi_reals(time_s, "time_s", -1);
   const size_t n = (size_t)XLENGTH(time_s);
-  const int by_table = ffi_real(fast, "fast") != 0.0;
+  if (!model) Rf_error("internal: no such model");
   ffi_run run;
   ffi_run_begin(&run, progress);
   const rot_axle_columns out = new_columns(&run, time_s);
-  const rot_hooks *hooks = &run.guard.hooks;
-  return ffi_run_end(&run,
-                     by_table ? rot_axle_linear_scene(&scene, n, t, &out, NULL, hooks, &run.info)
-                              : rot_axle_linear(&scene.linear, n, t, &out, hooks, &run.info),
-                     0);
+  const rot_status status = model(&scene, n, t, &out, &run.events, &run.guard.hooks, &run.info);
+  return ffi_run_end(&run, status);
 }
 
-SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP progress) {
-  const rot_axle_scene scene = unpack(numbers, torque);
+static const char *const ledger_names[] = {ROT_AXLE_LEDGER(FFI_NAME)};
+
+/* Of "axle_free" and "axle_linear". */
+SEXP ffi_axle_ledger(SEXP list, SEXP from_s, SEXP to_s, SEXP progress) {
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
   const double from = ffi_real(from_s, "from_s"), to = ffi_real(to_s, "to_s");
   rot_axle_ledger ledger;
   rot_info info;
@@ -94,115 +113,29 @@ SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP pro
                 rot_axle_linear_ledger(&scene.linear, from, to, &guard.hooks, &ledger, &info));
   rot_axle_motor_ledger(&scene, &ledger);
   const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
-  /* A sum of half the way is no ledger. */
+  /* A sum over a part of the span is no ledger. */
   return ffi_named(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);
 }
 
-/* ---- scenes with more than knots and viscous resistance -------------------------------------- */
-
-static size_t term_count(SEXP terms) {
-  if (TYPEOF(terms) != VECSXP) Rf_error("internal: `terms`");
-  return (size_t)XLENGTH(terms);
-}
-
-/* list(kind, from, to, x) each; the array lives as long as the call from R. */
-static const rot_term *unpack_terms(SEXP terms) {
-  const size_t n = term_count(terms);
-  rot_term *out = (rot_term *)R_alloc(n ? n : 1, sizeof *out);
-  for (size_t i = 0; i < n; i++) {
-    SEXP term = VECTOR_ELT(terms, (R_xlen_t)i);
-    if (TYPEOF(term) != VECSXP || XLENGTH(term) != 4) Rf_error("internal: `term`");
-    const double kind = ffi_real(VECTOR_ELT(term, 0), "kind");
-    SEXP x = VECTOR_ELT(term, 3);
-    if (!(kind >= 0.0 && kind < ROT_TERM_KINDS)) Rf_error("internal: `kind`");
-    out[i].kind = (rot_term_kind)(int)kind;
-    out[i].from_s = ffi_real(VECTOR_ELT(term, 1), "from");
-    out[i].to_s = ffi_real(VECTOR_ELT(term, 2), "to");
-    out[i].x = ffi_reals(x, "x", -1);
-    out[i].length = (size_t)XLENGTH(x);
-    if (!rot_term_valid(&out[i])) Rf_error("internal: a term does not hold together");
-  }
-  return out;
-}
-
-/* list(numbers, knots, terms, list(times, moments) of the inertia, breaks), as R/model-axle.R packs
- * it; numbers = c(inertia, viscous, start, theta0, omega0, motor, quadratic, coulomb, static,
- * noise). */
-rot_axle_scene ffi_axle_scene(SEXP pack) {
-  if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 5) Rf_error("internal: `scene`");
-  const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 10);
-  SEXP terms = VECTOR_ELT(pack, 2), inertia = VECTOR_ELT(pack, 3), breaks = VECTOR_ELT(pack, 4);
-  if (TYPEOF(inertia) != VECSXP || XLENGTH(inertia) != 2) Rf_error("internal: `inertia`");
-  const R_xlen_t knots = XLENGTH(VECTOR_ELT(inertia, 0));
-  rot_axle_scene scene = {{x[0], x[1] + x[5], x[2], x[3], x[4], unpack_knots(VECTOR_ELT(pack, 1))},
-                          x[1],
-                          x[5],
-                          x[6],
-                          x[7],
-                          x[8],
-                          term_count(terms),
-                          unpack_terms(terms),
-                          (size_t)knots,
-                          ffi_reals(VECTOR_ELT(inertia, 0), "inertia", knots),
-                          ffi_reals(VECTOR_ELT(inertia, 1), "inertia", knots),
-                          (size_t)XLENGTH(breaks),
-                          ffi_reals(breaks, "breaks", -1),
-                          x[9]};
-  return scene;
-}
-
-/* Every exact model of such a scene by its name in R/model-axle.R. Listed once, here. */
-static const struct {
-  const char *name;
-  rot_axle_model run;
-} models[] = {
-    {"bands", rot_axle_bands},       {"drag", rot_axle_drag},
-    {"forced", rot_axle_forced},     {"oscillator", rot_axle_oscillator},
-    {"pendulum", rot_axle_pendulum}, {"skater", rot_axle_skater},
-};
-
-rot_axle_model ffi_axle_model_named(SEXP name) {
-  if (TYPEOF(name) != STRSXP || XLENGTH(name) != 1) Rf_error("internal: `model`");
-  for (size_t i = 0; i < sizeof models / sizeof *models; i++) {
-    if (models[i].run && !strcmp(models[i].name, CHAR(STRING_ELT(name, 0)))) return models[i].run;
-  }
-  Rf_error("internal: no such model");
-}
-
-SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
-  const rot_axle_model model = ffi_axle_model_named(name);
-  const rot_axle_scene scene = ffi_axle_scene(pack);
-  const double *t = ffi_reals(time_s, "time_s", -1);
-  ffi_run run;
-  ffi_run_begin(&run, progress);
-  const rot_axle_columns out = new_columns(&run, time_s);
-  return ffi_run_end(
-      &run,
-      model(&scene, (size_t)XLENGTH(time_s), t, &out, &run.events, &run.guard.hooks, &run.info), 1);
-}
-
 /* c(time of the last stop, angle there, terminal omega) */
-SEXP ffi_axle_stopping(SEXP pack) {
-  const rot_axle_scene scene = ffi_axle_scene(pack);
-  double time_s, theta;
-  const rot_status status = rot_axle_drag_stop(&scene, &time_s, &theta);
-  SEXP out = PROTECT(Rf_allocVector(REALSXP, 3));
-  REAL(out)[0] = status == ROT_OK ? time_s : NA_REAL;
-  REAL(out)[1] = status == ROT_OK ? theta : NA_REAL;
-  REAL(out)[2] = rot_axle_drag_terminal(&scene);
-  UNPROTECT(1);
-  return out;
+SEXP ffi_axle_stopping(SEXP list) {
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  double x[] = {NA_REAL, NA_REAL, rot_axle_drag_terminal(&scene)};
+  if (rot_axle_drag_stop(&scene, &x[0], &x[1]) != ROT_OK) x[0] = x[1] = NA_REAL;
+  return ffi_numbers(3, x);
 }
 
 /* ---- integrated ------------------------------------------------------------------------------ */
 
-/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is
- * c(accuracy, max_steps, method), method as in ROT_METHOD_LIST. */
-SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
-  rot_axle_scene scene = ffi_axle_scene(pack);
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque; `breaks_s` its breaks,
+ * or NULL. `control` is c(accuracy, max_steps, method, noise_n_m), method as in ROT_METHOD_LIST. */
+SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP control,
+                        SEXP progress) {
+  rot_axle_scene scene = ffi_axle_scene(list, breaks_s);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
   if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
   const rot_axle_ode_options options = {c[0], (size_t)c[1], (rot_method)(int)c[2]};
+  scene.noise_n_m = c[3];
   rot_axle_ledger ledger;
 #define X(name) ledger.name = NA_REAL;
   ROT_AXLE_LEDGER(X)
@@ -222,7 +155,7 @@ SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP pro
                                                &run.events, &ledger, &run.guard.hooks, &run.info);
   const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
   memcpy(REAL(sums), values, sizeof values);
-  SEXP result = ffi_run_end(&run, status, 1);
+  SEXP result = ffi_run_end(&run, status);
   if (!Rf_isNull(law)) UNPROTECT(1);
   return result;
 }

@@ -1,91 +1,56 @@
-#include "ffi_axle.h"
+#include <string.h>
 
 #include "ffi_run.h"
+#include "ffi_scenes.h"
+#include "rot_axle_drag.h"
+#include "rot_axle_bands.h"
+#include "rot_axle_models.h"
 #include "rot_axle_sweep.h"
 
-/* The order of the columns that come in, and of those that go out. */
-enum { INERTIA, VISCOUS, SCALE, OMEGA0, THETA0, TIME, COLUMNS_IN };
-static const char *const names_out[] = {
-    "theta_rad", "omega_rad_per_s", "omega_max", "omega_max_time_s",
-    "omega_min", "speed_max",       "error"};
-enum { COLUMNS_OUT = sizeof names_out / sizeof names_out[0] };
-
-/* list(knot times, knot torques, c(before, after)); list of six columns, each of one value or one a
- * row: inertia, viscous, scale, omega0, theta0, time; gives list(columns, status, info), the status
- * of a row 0 where it is good. */
-SEXP ffi_sweep_linear(SEXP knots, SEXP columns, SEXP start_s, SEXP threads, SEXP progress) {
-  static const char *const what[] = {"inertia", "viscous", "scale", "omega0", "theta0", "time"};
-  if (TYPEOF(knots) != VECSXP || XLENGTH(knots) != 3) Rf_error("internal: `knots`");
-  if (TYPEOF(columns) != VECSXP || XLENGTH(columns) != COLUMNS_IN) Rf_error("internal: `columns`");
-  SEXP times = VECTOR_ELT(knots, 0);
-  const double *outside = ffi_reals(VECTOR_ELT(knots, 2), "outside", 2);
-  const rot_torque torque = {(size_t)XLENGTH(times),
-                             ffi_reals(times, "times", -1),
-                             ffi_reals(VECTOR_ELT(knots, 1), "torque", XLENGTH(times)),
-                             outside[0],
-                             outside[1],
-                             NULL,
-                             NULL};
-  const double start = ffi_real(start_s, "start"), most = ffi_real(threads, "threads");
-  if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
-  rot_column in[COLUMNS_IN];
-  R_xlen_t n = 1;
-  for (int i = 0; i < COLUMNS_IN; i++) in[i] = ffi_column(VECTOR_ELT(columns, i), what[i], &n);
-  const rot_axle_sweep_rows rows = {(size_t)n, start,      in[INERTIA], in[VISCOUS],
-                                    in[SCALE], in[OMEGA0], in[THETA0],  in[TIME]};
-
-  double *c[COLUMNS_OUT];
-  SEXP list = ffi_columns(COLUMNS_OUT, names_out, n, c);
-  SEXP status = PROTECT(Rf_allocVector(INTSXP, n));
-  const rot_axle_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], INTEGER(status)};
-  rot_info info;
-  ffi_guard guard;
-  ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard,
-                rot_axle_sweep_linear(&torque, &rows, (int)most, &out, &guard.hooks, &info));
-  SEXP result = PROTECT(Rf_allocVector(VECSXP, 3));
-  SET_VECTOR_ELT(result, 0, list);
-  SET_VECTOR_ELT(result, 1, status);
-  SET_VECTOR_ELT(result, 2, ffi_info(&info));
-  UNPROTECT(3);
-  return result;
-}
-
-/* The same by a model of a scene that may hold more than knots; three columns more: quadratic drag,
- * sliding and static friction. `true_maximum`: 1 where the model knows its largest speed. */
-SEXP ffi_sweep_scenes(SEXP model, SEXP pack, SEXP columns, SEXP true_maximum, SEXP threads,
-                      SEXP progress) {
-  enum { QUADRATIC = COLUMNS_IN, COULOMB, STATIC, ALL };
-  static const char *const what[] = {"inertia", "viscous", "scale",   "omega0", "theta0",
-                                     "time",    "drag",    "coulomb", "static"};
-  const rot_axle_model run = ffi_axle_model_named(model);
-  const rot_axle_scene scene = ffi_axle_scene(pack);
-  if (TYPEOF(columns) != VECSXP || XLENGTH(columns) != ALL) Rf_error("internal: `columns`");
+/* Rows of a scene by the closed form `id`. `list` has named columns, each of one value or one for
+ * each row, that replace the scene's numbers; the viscous coefficient of "axle_linear" includes the
+ * motor's. Gives list(columns, status, info); the status of a good row is 0. */
+SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progress) {
+  static const char *const names[] = {ROT_AXLE_SWEEP_COLUMNS(FFI_COLUMN_NAME) ""};
+  static const char *const parts[] = {"columns", "status", "info", ""};
+  const char *name = ffi_text(id, "model");
+  const rot_axle_model model = rot_axle_closed_form(name);
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
   const double most = ffi_real(threads, "threads");
+  if (!model) Rf_error("internal: no such model");
   if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
-  rot_column in[ALL];
-  R_xlen_t n = 1;
-  for (int i = 0; i < ALL; i++) in[i] = ffi_column(VECTOR_ELT(columns, i), what[i], &n);
-  const rot_axle_sweep_rows rows = {(size_t)n, scene.linear.start_s, in[INERTIA], in[VISCOUS],
-                                    in[SCALE], in[OMEGA0],           in[THETA0],  in[TIME]};
-  const rot_axle_sweep_friction friction = {in[QUADRATIC], in[COULOMB], in[STATIC]};
-
-  double *c[COLUMNS_OUT];
-  SEXP list = ffi_columns(COLUMNS_OUT, names_out, n, c);
-  SEXP status = PROTECT(Rf_allocVector(INTSXP, n));
-  const rot_axle_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], INTEGER(status)};
+  R_xlen_t rows = 1, at = 0;
+#define IN(name) ffi_column(ffi_element(rows_in, #name), #name, &rows)
+  rot_axle_sweep_rows in = {0,
+                            scene.linear.start_s,
+                            IN(moment_of_inertia_kg_m2),
+                            IN(viscous_n_m_s),
+                            IN(torque_scale),
+                            IN(omega0_rad_per_s),
+                            IN(theta0_rad),
+                            IN(time_s)};
+  const rot_axle_sweep_friction friction = {IN(quadratic_n_m_s2), IN(coulomb_n_m), IN(static_n_m)};
+#undef IN
+  in.n = (size_t)rows;
+  SEXP result = PROTECT(Rf_mkNamed(VECSXP, (const char **)parts)), columns, status;
+  SET_VECTOR_ELT(result, 0, columns = Rf_mkNamed(VECSXP, (const char **)names));
+  SET_VECTOR_ELT(result, 1, status = Rf_allocVector(INTSXP, rows));
+  rot_axle_sweep_columns out;
+  ROT_AXLE_SWEEP_COLUMNS(FFI_COLUMN_NEW)
+  out.status = INTEGER(status);
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_axle_sweep_scenes(run, &scene, &rows, &friction,
-                                              ffi_real(true_maximum, "true_maximum") != 0.0,
-                                              (int)most, &out, &guard.hooks, &info));
-  SEXP result = PROTECT(Rf_allocVector(VECSXP, 3));
-  SET_VECTOR_ELT(result, 0, list);
-  SET_VECTOR_ELT(result, 1, status);
+  ffi_guard_end(
+      &guard,
+      !strcmp(name, "axle_linear")
+          ? rot_axle_sweep_linear(&scene.linear.torque, &in, (int)most, &out, &guard.hooks, &info)
+          : rot_axle_sweep_scenes(model, &scene, &in, &friction,
+                                  model == rot_axle_drag || model == rot_axle_bands, (int)most,
+                                  &out, &guard.hooks, &info));
   SET_VECTOR_ELT(result, 2, ffi_info(&info));
-  UNPROTECT(3);
+  UNPROTECT(1);
   return result;
 }
 
-SEXP ffi_sweep_threads(void) { return Rf_ScalarInteger(rot_axle_sweep_threads()); }
+SEXP ffi_axle_sweep_threads(void) { return Rf_ScalarInteger(rot_axle_sweep_threads()); }

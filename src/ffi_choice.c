@@ -1,4 +1,4 @@
-#include "ffi_axle.h"
+#include "ffi_run.h"
 #include "ffi_run.h"
 #include "ffi_scenes.h"
 
@@ -35,9 +35,9 @@ static const rot_constraint *constraint_of(SEXP id) {
 static void read_scene(SEXP id, SEXP scene, question *q) {
   q->constraint = constraint_of(id);
   if (!strcmp(q->constraint->id, "axle")) {
-    q->scene.axle = ffi_axle_scene(scene);
+    q->scene.axle = ffi_axle_scene(scene, R_NilValue);
   } else if (!strcmp(q->constraint->id, "rotors")) {
-    q->scene.rotors = ffi_rotors_scene(scene);
+    q->scene.rotors = ffi_shaft_scene(scene);
   } else {
     q->scene.clutch = ffi_clutch_scene(scene);
   }

@@ -1,50 +1,52 @@
 #include "ffi_run.h"
 #include "ffi_scenes.h"
 
-#include "rot_clutch.h"
+static rot_steps steps_of(SEXP list) {
+  SEXP time_s = ffi_element(list, "time_s");
+  const double *time = ffi_reals(time_s, "time_s", -1);
+  return (rot_steps){(size_t)XLENGTH(time_s), time,
+                     ffi_numbers_of(list, "torque_n_m", XLENGTH(time_s) + 1)};
+}
 
-/* list(times, values) of a torque that is constant between times. */
-static rot_steps unpack_steps(SEXP steps) {
+rot_clutch_params ffi_clutch_scene(SEXP list) {
+  SEXP steps = ffi_element(list, "steps");
   if (TYPEOF(steps) != VECSXP || XLENGTH(steps) != 2) Rf_error("internal: `steps`");
-  const R_xlen_t n = XLENGTH(VECTOR_ELT(steps, 0));
-  return (rot_steps){(size_t)n, ffi_reals(VECTOR_ELT(steps, 0), "times", n),
-                     ffi_reals(VECTOR_ELT(steps, 1), "torques", n + 1)};
+  rot_clutch_params p;
+  for (int i = 0; i < 2; i++) {
+    p.inertia_kg_m2[i] = ffi_numbers_of(list, "moment_of_inertia_kg_m2", 2)[i];
+    p.theta0_rad[i] = ffi_numbers_of(list, "theta0_rad", 2)[i];
+    p.omega0_rad_per_s[i] = ffi_numbers_of(list, "omega0_rad_per_s", 2)[i];
+    p.torque_n_m[i] = steps_of(VECTOR_ELT(steps, i));
+  }
+  p.capacity_n_m = ffi_number_of(list, "capacity_n_m");
+  p.static_n_m = ffi_number_of(list, "static_capacity_n_m");
+  p.start_s = ffi_number_of(list, "start_s");
+  /* -Inf in R: engaged from the start. */
+  p.engage_s = fmax(ffi_number_of(list, "engage_s"), p.start_s);
+  return p;
 }
 
-/* list(numbers, torque 1, torque 2); numbers = c(I1, I2, capacity, static capacity, engage, start,
- * theta1, theta2, omega1, omega2), as R/model-clutch.R packs it. */
-rot_clutch_params ffi_clutch_scene(SEXP pack) {
-  if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 3) Rf_error("internal: `scene`");
-  const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 10);
-  return (rot_clutch_params){
-      {x[0], x[1]}, x[2],
-      x[3],         {unpack_steps(VECTOR_ELT(pack, 1)), unpack_steps(VECTOR_ELT(pack, 2))},
-      x[4],         x[5],
-      {x[6], x[7]}, {x[8], x[9]}};
-}
-
-SEXP ffi_clutch_run(SEXP pack, SEXP time_s, SEXP progress) {
+SEXP ffi_clutch_run(SEXP list, SEXP time_s, SEXP progress) {
   static const char *const names[] = {"time_s", ROT_CLUTCH_COLUMNS(FFI_COLUMN_NAME) ""};
-  const rot_clutch_params p = ffi_clutch_scene(pack);
+  const rot_clutch_params p = ffi_clutch_scene(list);
   const double *t = ffi_reals(time_s, "time_s", -1);
   const R_xlen_t rows = XLENGTH(time_s);
   rot_clutch_columns out;
   R_xlen_t at = 1;
   ffi_run run;
   ffi_run_begin(&run, progress);
-  SEXP list = Rf_mkNamed(VECSXP, (const char **)names);
-  SET_VECTOR_ELT(run.out, FFI_COLUMNS, list);
-  SET_VECTOR_ELT(list, 0, time_s);
+  SEXP columns = ffi_run_columns(&run, names);
+  SET_VECTOR_ELT(columns, 0, time_s);
   ROT_CLUTCH_COLUMNS(FFI_COLUMN_NEW)
   const rot_status status =
       rot_clutch_run(&p, (size_t)rows, t, &out, &run.events, &run.guard.hooks, &run.info);
-  return ffi_run_end(&run, status, 1);
+  return ffi_run_end(&run, status);
 }
 
 /* From span[0] to span[1]; NA where it failed. */
-SEXP ffi_clutch_ledger(SEXP pack, SEXP span) {
+SEXP ffi_clutch_ledger(SEXP list, SEXP span) {
   static const char *const names[] = {ROT_CLUTCH_LEDGER(FFI_NAME)};
-  const rot_clutch_params p = ffi_clutch_scene(pack);
+  const rot_clutch_params p = ffi_clutch_scene(list);
   const double *x = ffi_reals(span, "span", 2);
   rot_clutch_ledger ledger = {0.0, 0.0};
   const rot_status status = rot_clutch_work(&p, x[0], x[1], &ledger);

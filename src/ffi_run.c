@@ -1,5 +1,7 @@
 #include "ffi_run.h"
 
+#include <string.h>
+
 SEXP ffi_named(size_t n, const char *const names[], const double values[]) {
   SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)n));
   SEXP text = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)n));
@@ -54,19 +56,6 @@ SEXP ffi_error_figure(SEXP errors, SEXP sizes) {
   return Rf_ScalarReal(rot_error_figure((size_t)XLENGTH(errors), error, size));
 }
 
-static void add_events(SEXP out, const rot_events *events) {
-  static const char *const names[] = {"time_s", "event", ""};
-  const R_xlen_t n = (R_xlen_t)events->count;
-  SEXP list = Rf_mkNamed(VECSXP, (const char **)names);
-  SET_VECTOR_ELT(out, FFI_EVENTS, list);
-  double *time_s = ffi_new_double(list, 0, n);
-  SET_VECTOR_ELT(list, 1, Rf_allocVector(STRSXP, n));
-  for (R_xlen_t i = 0; i < n; i++) {
-    time_s[i] = events->time_s[i];
-    SET_STRING_ELT(VECTOR_ELT(list, 1), i, Rf_mkChar(rot_event_name(events->event[i])));
-  }
-}
-
 void ffi_run_begin(ffi_run *run, SEXP progress) {
   static const char *const names[] = {"columns", "info", "ledger", "events", ""};
   run->out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
@@ -74,23 +63,31 @@ void ffi_run_begin(ffi_run *run, SEXP progress) {
   ffi_guard_begin(&run->guard, progress);
 }
 
+SEXP ffi_run_columns(const ffi_run *run, const char *const names[]) {
+  SEXP list = Rf_mkNamed(VECSXP, (const char **)names);
+  SET_VECTOR_ELT(run->out, FFI_COLUMNS, list);
+  return list;
+}
+
 static SEXP finish(void *data) {
+  static const char *const names[] = {"time_s", "event", ""};
   const ffi_run *run = data;
+  const R_xlen_t n = (R_xlen_t)run->events.count;
   SET_VECTOR_ELT(run->out, FFI_INFO, ffi_info(&run->info));
+  if (n == 0) return R_NilValue;
+  SEXP list = Rf_mkNamed(VECSXP, (const char **)names), event;
+  SET_VECTOR_ELT(run->out, FFI_EVENTS, list);
+  memcpy(ffi_new_double(list, 0, n), run->events.time_s, (size_t)n * sizeof(double));
+  SET_VECTOR_ELT(list, 1, event = Rf_allocVector(STRSXP, n));
+  for (R_xlen_t i = 0; i < n; i++) {
+    SET_STRING_ELT(event, i, Rf_mkChar(rot_event_name(run->events.event[i])));
+  }
   return R_NilValue;
 }
 
-static SEXP finish_with_events(void *data) {
-  const ffi_run *run = data;
-  add_events(run->out, &run->events);
-  return finish(data);
-}
-
 /* The allocations may jump too: under the guard, so that the events are freed before. */
-SEXP ffi_run_end(ffi_run *run, rot_status status, int with_events) {
-  if (status != ROT_EUNWIND) {
-    status = ffi_guarded(&run->guard, with_events ? finish_with_events : finish, run, NULL);
-  }
+SEXP ffi_run_end(ffi_run *run, rot_status status) {
+  if (status != ROT_EUNWIND) status = ffi_guarded(&run->guard, finish, run, NULL);
   rot_events_free(&run->events);
   ffi_guard_end(&run->guard, status);
   UNPROTECT(1);

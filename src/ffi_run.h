@@ -1,10 +1,9 @@
 /* What the entries that run a motion share: list(columns, info, ledger, events) under the guard.
  *
- *   ffi_run run;
  *   ffi_run_begin(&run, progress);
- *   const rot_..._columns out = new_columns(&run, ...);     (allocates; puts the list into run.out)
- *   return ffi_run_end(&run, rot_...(..., &run.guard.hooks, &run.info), 0);
- */
+ *   SEXP columns = ffi_run_columns(&run, names);
+ *   ROT_..._COLUMNS(FFI_COLUMN_NEW)
+ *   return ffi_run_end(&run, rot_...(..., &out, &run.guard.hooks, &run.info)); */
 #ifndef FFI_RUN_H
 #define FFI_RUN_H
 
@@ -21,8 +20,10 @@ typedef struct ffi_run {
 } ffi_run;
 
 void ffi_run_begin(ffi_run *run, SEXP progress);
-/* Ends the guard; the report, and the events where the model logs them, are made under it. */
-SEXP ffi_run_end(ffi_run *run, rot_status status, int with_events);
+/* The named list of columns, yet empty; `names` ends with "". */
+SEXP ffi_run_columns(const ffi_run *run, const char *const names[]);
+/* Ends the guard. The report, and the events if there are any, are made under it. */
+SEXP ffi_run_end(ffi_run *run, rot_status status);
 
 SEXP ffi_info(const rot_info *info);
 /* A named double vector; NA where `values` is NULL. */
@@ -31,9 +32,10 @@ SEXP ffi_named(size_t n, const char *const names[], const double values[]);
 double *ffi_new_double(SEXP list, R_xlen_t i, R_xlen_t rows);
 int *ffi_new_int(SEXP list, R_xlen_t i, R_xlen_t rows);
 
-/* For the lists of columns X(type, name) and ledgers X(name) of the core. */
+/* For the lists of columns X(type, name) and ledgers X(name) of the core: columns[at++] becomes
+ * out.name. */
 #define FFI_COLUMN_NAME(type, name) #name,
-#define FFI_COLUMN_NEW(type, name)  out.name = ffi_new_##type(list, at++, rows);
+#define FFI_COLUMN_NEW(type, name)  out.name = ffi_new_##type(columns, at++, rows);
 #define FFI_NAME(name)              #name,
 #define FFI_VALUE(name)             ledger.name,
 #define FFI_LENGTH(array)           (sizeof(array) / sizeof *(array))

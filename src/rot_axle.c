@@ -10,8 +10,8 @@
  *   omega  = omega0 phi0 + (s a/I) g1 + (s b/I) phi2
  *   dtheta = s (omega0 phi1 + (s a/I)(phi2 - phi3) + (s b/I) phi3):
  *
- * weights at the ends, all positive, so a torque of one sign cancels nowhere. From z = 3 the same
- * terms are written over c instead of I; that keeps their digits where z^2 would overflow. */
+ * weights at the ends, all positive: nothing cancels under a torque of one sign. From z = 3 the
+ * same terms are divided by c instead of I, which keeps their digits where z^2 would overflow. */
 double rot_axle_rounding(const rot_axle_params *p) {
   return (p->viscous_n_m_s >= 0.0 ? 12.0 : 24.0) * ROT_EPS;
 }

@@ -49,7 +49,7 @@ typedef struct rot_axle_state {
   double theta_error, omega_error;                       /* bounds */
 } rot_axle_state;
 
-/* Its bound, relative to the sum of the terms that it adds. */
+/* Its error bound, relative to the sum of the terms added. */
 double rot_axle_rounding(const rot_axle_params *p);
 rot_axle_state rot_axle_start(const rot_axle_params *p);
 /* To a time in, or at the end of, the piece that the state lies in. */

@@ -10,8 +10,8 @@
 #include "rot_real.h"
 #include "rot_search.h"
 
-/* The motion is a chain of legs. In a leg the body is held, or it moves within one band of speed and
- * one piece of the knots' torque, where the law is linear:
+/* The motion is a chain of legs. In a leg the body is held, or it moves within one band of speed
+ * and one piece of the knots' torque, where the law is linear:
  *
  *   I v' = a + (b - a) s/span - c v,   v = omega - ref,
  *
@@ -25,7 +25,7 @@
  * digits in the torque that its line has at omega = 0. */
 typedef struct band {
   double lower, upper, ref;
-  double torque_ref, torque_off; /* of the curve at ref, and how far off it may be */
+  double torque_ref, torque_off; /* of the curve at ref, and its error */
   double slope, slope_off;       /* of the curve */
 } band;
 
@@ -145,7 +145,7 @@ static leg leg_from(const rot_axle_rest *rest, int heading) {
   l.from.omega_rad_per_s = rot_two_sum(base->omega, -l.band.ref, &l.from.omega_lo);
   l.from.omega_error = base->omega_error;
   l.a = in_band(&l, knots_at_base(rest));
-  if (base->omega == 0.0) { /* it leaves in this direction: no rounding may turn it */
+  if (base->omega == 0.0) { /* no rounding may reverse it */
     l.a = heading > 0 ? fmax(l.a, 0.0) : fmin(l.a, 0.0);
   }
   l.b = in_band(&l, rot_torque_in_piece(piece, end_s));
@@ -185,7 +185,7 @@ typedef struct change {
   double dtheta, omega, theta_error, omega_error;
 } change;
 
-/* By how much omega is off after s if the torque is off by x all the way: x (s/I) phi1. */
+/* Error of omega after s for an error x of the torque: x (s/I) phi1. */
 static double response(const leg *l, double x, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   if (!(x > 0.0 && s > 0.0)) return x * s; /* 0, or NaN */
@@ -194,8 +194,8 @@ static double response(const leg *l, double x, double s) {
   return rot_product(3, (double[]){x, s, z != 0.0 ? -expm1(-z) / z : 1.0}, I);
 }
 
-/* What the step does not know of: the roundings of its coefficients. `inexact_s`: s itself is
- * rounded. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
+/* Adds what rot_axle_step() does not count: the roundings of its coefficients and, with
+ * `inexact_s`, of s. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
 static change leg_change(const leg *l, const rot_axle_state *v, double s, double b, int inexact_s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   change out;
@@ -210,7 +210,7 @@ static change leg_change(const leg *l, const rot_axle_state *v, double s, double
     wrong += response(l, off_c * fmax(l->farthest, fabs(v->omega_rad_per_s)), s);
     turned_off += response(l, off_c * fabs(v->theta_rad), s);
   }
-  if (inexact_s) { /* what counts is how fast it moves at the end */
+  if (inexact_s) { /* by the rate at the end */
     const double net = fabs(b - c * v->omega_rad_per_s);
     wrong += 2.0 * ROT_EPS * rot_muldiv(net, s, I, NULL);
     turned_off += 2.0 * ROT_EPS * fabs(v->omega_rad_per_s * s);
@@ -254,8 +254,8 @@ static double extremum(const leg *l) {
   return linear_time(l, rot_muldiv(-net, l->span_s, rise, NULL), 1.0);
 }
 
-/* The net torque, I v', after s: without the difference between b and c v, which is all rounding
- * once it has settled. */
+/* The net torque, I v', after s: without the difference between b and c v, which is rounding
+ * alone once v has settled. */
 static double net_after(const leg *l, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   const double z = rot_muldiv(c, s, I, NULL), rise = torque_after(l, s) - l->a;
@@ -267,7 +267,7 @@ static double net_after(const leg *l, double s) {
 static double first_guess(const leg *l, double level) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
   const double now = l->a - c * v0, then = l->a - c * level;
-  /* Far down the exponential log1p() would be of -1: its argument plus 1 is then/now. */
+  /* Near -1 the argument of log1p() loses its digits: plus 1 it is then/now. */
   if (c > 0.0 && then / now < 0.5 && then / now > 0.0) {
     return rot_muldiv(log(now / then), I, c, NULL);
   }
@@ -284,7 +284,7 @@ static double when_at(const leg *l, double level, double s_lo, double s_hi, int 
   for (int i = 0; i < 300; i++) {
     const rot_axle_state at = leg_after(&alone, s);
     const double f = (at.omega_rad_per_s - level) + at.omega_lo;
-    /* From some step on f is rounding only, and the bracket would creep. */
+    /* In the end f is rounding alone. */
     if (f == 0.0 || (i > 8 && fabs(f) <= at.omega_error)) return s;
     if ((f > 0.0) == rising) {
       s_hi = s;
@@ -370,7 +370,7 @@ typedef struct bands_run {
   leg leg;       /* moving: */
   exit_point to; /* and where it leaves the band */
   int slips;     /* held: the direction in which it breaks loose; 0: not in this piece */
-  double slip_s, slip_lo, late_s; /* when, and how uncertain that is */
+  double slip_s, slip_lo, late_s; /* when, and the error of that */
 } bands_run;
 
 /* Begins a motion; `heading` counts where it starts on an edge. */
@@ -396,8 +396,8 @@ static void begin_motion(bands_run *run, int heading, int slipped) {
   run->to = to;
 }
 
-/* Moves off with what it has gained if it breaks loose as late as it may, or with what strong
- * resistance leaves of that. */
+/* Begins to move; the errors count what it would gain until the latest time of breaking loose, at
+ * most what strong resistance leaves of that. */
 static rot_status break_loose(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   rot_axle_base *base = &rest->base;
@@ -498,8 +498,8 @@ static rot_status write_row(void *model, size_t i) {
                            row.theta_error, row.omega_error);
 }
 
-/* How uncertain the time of a stop is that happens after s, with omega off by so much: by the net
- * torque there or, where the torques balance, by the square of the time. */
+/* Error of the time of a stop, from that of omega: by the net torque or, where the torques balance
+ * there, by its rate of change. */
 static double settling_time(const leg *l, double net, double omega_error) {
   const rot_torque_piece *piece = &l->rest->piece;
   const double I = l->law.inertia_kg_m2, rise = fabs(piece->end_n_m - piece->start_n_m);

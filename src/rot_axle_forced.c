@@ -26,8 +26,8 @@ int rot_axle_forced_fits(const rot_axle_scene *scene) {
 /* ---- a term between two breaks -------------------------------------------------------------- */
 
 /* Roundings of a contribution, in units of the sum of its parts, each counted at its worst: the
- * kernel 6 to 10 (phi functions of a driven axle), its scaling 5 to 8, and what residuals leave
- * out: up to 4 more in a driven wave. In 8000 random scenes the largest error was half of it. */
+ * kernel 6 to 10 (phi functions of a driven axle), its scaling 5 to 8, and what the residuals omit
+ * up to 4 more in a driven wave. In 8000 random scenes the largest error was half of it. */
 enum { WAVE_ROUNDINGS = 14, DECAY_ROUNDINGS = 16, POWER_ROUNDINGS = 24 };
 
 /* What does not change between two breaks. Coefficient j of a polynomial about the base is

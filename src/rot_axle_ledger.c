@@ -124,7 +124,7 @@ static void add_step(const rot_axle_params *p, const rot_axle_state *from,
   const double y_size = fabs(u0) * g1 + fabs(da * near_b) + fabs(db * far_b);
   double square_size, square = mean_square(&drive, &square_size);
 
-  /* How far the error of omega at the start moves the two. */
+  /* Their errors from that of omega at the start. */
   const double u_error = ldexp(from->omega_error, -drive.unit);
   const double largest =
       fabs(u0) + (settled ? fabs(da) + fabs(db) : (fabs(da) + fabs(db)) * phi[1]);
@@ -168,8 +168,8 @@ static rot_status go_to(const rot_axle_params *p, rot_axle_state *state, double 
   return ROT_OK;
 }
 
-/* Rows are reached outward from the start, and so is the ledger: the other way a motion that
- * decays outward would grow, its rounding with it. */
+/* Outward from the start, as the rows: in the other direction a motion that decays outward would
+ * grow, and its rounding with it. */
 rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
                                   const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info) {
   running_ledger before, after;

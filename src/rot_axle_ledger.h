@@ -1,4 +1,4 @@
-/* Where the energy went: work, heat and angular impulse between two times. */
+/* Work, heat and angular impulse between two times. */
 #ifndef ROT_AXLE_LEDGER_H
 #define ROT_AXLE_LEDGER_H
 

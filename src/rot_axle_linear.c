@@ -51,8 +51,8 @@ rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s
 
 /* ---- rows inside one piece ------------------------------------------------------------------ */
 
-/* Numbers of such size need no watch over exponents, and the rows are computed several at a time:
- * some 25 ns a row against 150 to 400. */
+/* Well-scaled numbers are multiplied as they come, several rows at a time: 25 ns a row against 150
+ * to 400. */
 static int tame(double x) { return rot_well_scaled(x, 1e60); }
 
 static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state *state) {
@@ -139,7 +139,7 @@ static void coasting_row(const row_run *run, size_t i) {
                base->omega_error * phi0 + rounding * fabs(omega));
 }
 
-/* The row of a settled motion, z >= 3: as rot_axle_step(), exponents unwatched. */
+/* The row of a settled motion, z >= 3: as rot_axle_step(), for well-scaled numbers. */
 static void settled_row(const row_run *run, size_t i, double base_torque) {
   const double I = run->p->inertia_kg_m2, c = run->p->viscous_n_m_s;
   const rot_axle_state *base = &run->base;
@@ -185,7 +185,7 @@ static void flush_lanes(const row_run *run, lane_queue *queue, double base_torqu
   queue->filled = 0;
 }
 
-/* Rows i to end - 1, all in this piece and beyond its base. Tame numbers cannot fail. */
+/* Rows i to end - 1, all in this piece and beyond its base. Well-scaled numbers cannot fail. */
 static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good) {
   row_run *run = model;
   rot_status status = ROT_OK;
@@ -204,7 +204,7 @@ static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good)
   for (; i < end && status == ROT_OK; i++) {
     const double t = run->time_s[i];
     /* At a knot the torque column shows the value after a jump, and a first instant divided by the
-     * inertia may be out of range: one_row() knows about both. */
+     * inertia may be out of range: one_row() handles both. */
     if (fabs(t - run->base.time_s) < 1e-60 || t == run->piece.start_s || t == run->piece.end_s) {
       status = one_row(run, i);
       even = on_grids;
@@ -307,7 +307,7 @@ rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double
 rot_status rot_axle_free_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
                                const rot_axle_columns *out, rot_events *events,
                                const rot_hooks *hooks, rot_info *info) {
-  (void)events; /* nothing happens here that would be one */
+  (void)events; /* there are none */
   return rot_axle_free(&scene->linear, n, time_s, out, hooks, info);
 }
 

@@ -103,28 +103,10 @@ static int has_kinks(const rot_axle_scene *scene) {
 
 /* ---- the scene ------------------------------------------------------------------------------- */
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 static rot_status collect_breaks(motion *m) {
-  const rot_axle_scene *scene = m->scene;
-  const rot_torque *law = &scene->linear.torque;
-  const size_t total = scene->n_breaks + law->n + scene->n_inertia;
-  m->breaks = malloc((total + 1) * sizeof *m->breaks);
+  m->breaks = malloc(rot_axle_scene_room(m->scene) * sizeof *m->breaks);
   if (!m->breaks) return ROT_ENOMEM;
-  for (size_t i = 0; i < scene->n_breaks; i++) m->breaks[i] = scene->breaks_s[i];
-  for (size_t i = 0; i < law->n; i++) m->breaks[scene->n_breaks + i] = law->time_s[i];
-  for (size_t i = 0; i < scene->n_inertia; i++) {
-    m->breaks[scene->n_breaks + law->n + i] = scene->inertia_time_s[i];
-  }
-  qsort(m->breaks, total, sizeof *m->breaks, by_size);
-  for (size_t i = 0; i < total; i++) {
-    if (m->n_breaks == 0 || m->breaks[i] != m->breaks[m->n_breaks - 1]) {
-      m->breaks[m->n_breaks++] = m->breaks[i];
-    }
-  }
+  m->n_breaks = rot_axle_scene_breaks(m->scene, m->breaks);
   return ROT_OK;
 }
 

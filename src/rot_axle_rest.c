@@ -47,7 +47,7 @@ rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, double theta, double
   if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
   rot_axle_scene_row(scene, out, i, rest->time_s[i], theta, omega, applied, rest->base.stuck);
   if (omega == 0.0 && !rest->base.stuck && scene->coulomb_n_m > 0.0) {
-    /* It is about to leave: friction is there already. */
+    /* It starts to move: friction acts already. */
     out->damping_torque_n_m[i] = -copysign(scene->coulomb_n_m, applied);
     out->net_torque_n_m[i] = applied + out->damping_torque_n_m[i];
   }

@@ -154,7 +154,7 @@ rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double t
   skater run = {.scene = scene};
   const double I = scene->linear.inertia_kg_m2, *moments = scene->inertia_kg_m2;
   const size_t knots = scene->n_inertia;
-  (void)events; /* nothing happens here that would be one */
+  (void)events; /* there are none */
   rot_info_clear(info, rot_turning);
   if (!rot_axle_fits(scene, ROT_AXLE_SKATER_TAKES)) return info->status = ROT_EVALUE;
   run.inertia = (rot_torque){knots,

@@ -93,7 +93,7 @@ static void tame_way(const linear_frame *frame, block *x) {
   }
 }
 
-/* ---- a row that needs care ------------------------------------------------------------------ */
+/* ---- a row of any numbers ------------------------------------------------------------------ */
 
 typedef struct axle {
   double I, c, time_s, theta, omega, theta_error;

@@ -1,4 +1,4 @@
-/* Many axles under one torque law, a row each: where each ends, and how fast it was on the way.
+/* Many axles under one torque law, a row each: its final state, and its extreme speeds.
  * Rows are independent of each other and of the threads, which only share them out. */
 #ifndef ROT_AXLE_SWEEP_H
 #define ROT_AXLE_SWEEP_H
@@ -16,7 +16,7 @@ typedef struct rot_axle_sweep_rows {
   rot_column time_s; /* where a row ends, not before start_s */
 } rot_axle_sweep_rows;
 
-/* Those of a scene that a closed form of rot_axle_linear() does not know. */
+/* Resistance that rot_axle_linear() does not take. */
 typedef struct rot_axle_sweep_friction {
   rot_column quadratic_n_m_s2, coulomb_n_m, static_n_m;
 } rot_axle_sweep_friction;
@@ -24,14 +24,24 @@ typedef struct rot_axle_sweep_friction {
 /* NaN in a row whose status is not ROT_OK. The largest and the smallest omega are those of the
  * whole way, with the first time of the largest; error: the larger bound of theta and omega, each
  * relative to the largest value on the way. */
+#define ROT_AXLE_SWEEP_COLUMNS(X)                                                                  \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, omega_max)                                                                             \
+  X(double, omega_max_time_s)                                                                      \
+  X(double, omega_min)                                                                             \
+  X(double, speed_max)                                                                             \
+  X(double, error)
+
 typedef struct rot_axle_sweep_columns {
-  double *theta_rad, *omega_rad_per_s, *omega_max, *omega_max_time_s, *omega_min, *speed_max,
-      *error;
+#define X(type, name) type *name;
+  ROT_AXLE_SWEEP_COLUMNS(X)
+#undef X
   int *status; /* rot_status */
 } rot_axle_sweep_columns;
 
 /* Knots and viscous resistance, in closed form. At most so many threads; 0: as many as there are.
- * The status is ROT_OK whatever becomes of single rows; info->rows_done counts rows that are done,
+ * The status is ROT_OK even if single rows fail; info->rows_done counts rows that are done,
  * and *info has no measures. */
 rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_rows *rows,
                                  int threads, const rot_axle_sweep_columns *out,

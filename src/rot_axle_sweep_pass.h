@@ -1,5 +1,5 @@
-/* The kernel of rot_axle_sweep.c: a block of axles through one piece of the torque law. Compiled for
- * registers of two there and for registers of four in rot_axle_sweep_pass.c. */
+/* The kernel of rot_axle_sweep.c: a block of axles through one piece of the torque law. Compiled
+ * for registers of two there and for registers of four in rot_axle_sweep_pass.c. */
 #ifndef ROT_AXLE_SWEEP_PASS_H
 #define ROT_AXLE_SWEEP_PASS_H
 

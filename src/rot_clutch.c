@@ -14,8 +14,8 @@ static void find_shares(const double inertia[2], double share[2]) {
   share[1] = 1.0 / (1.0 + inertia[0] / inertia[1]);
 }
 
-/* What a locked clutch carries, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
- * against the static capacity the last digit may decide. */
+/* The torque of a locked clutch, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
+ * compared with the static capacity, the last digit may decide. */
 static double locked_torque(const double inertia[2], double tau1, double tau2) {
   int of_inertia = 0, of_torque = 0;
   frexp(fmax(inertia[0], inertia[1]), &of_inertia);
@@ -40,8 +40,8 @@ static size_t step_at(const rot_steps *steps, double t) {
 
 /* ---- the state ------------------------------------------------------------------------------- */
 
-/* The mean motion (of the total momentum) knows nothing of the clutch, so that its error does not
- * depend on when the clutch locks; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
+/* The mean motion (of the total momentum) does not depend on the clutch, nor does its error on the
+ * time of locking; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
  * - share1 slip. Angles likewise. */
 typedef struct clutch {
   const rot_clutch_params *p;
@@ -176,7 +176,7 @@ static rot_status cross(clutch *c, rot_events *events) {
     if (was_locked && end > c->settled_s) c->slip_omega_error = 0.0;
   }
   rot_status status = enter(c, was_locked, events);
-  /* An error of the time at zero counts by what the slip does next. */
+  /* An error of the time at zero counts by the next rate of slip. */
   if (stops && fabs(c->slip_rate) > rate) c->slip_omega_error *= fabs(c->slip_rate) / rate;
   if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -way) {
     status = rot_events_add(events, c->time_s, ROT_EVENT_REVERSE);

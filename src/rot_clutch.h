@@ -42,9 +42,9 @@ typedef struct rot_clutch_columns {
 #undef X
 } rot_clutch_columns;
 
-/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE): a locked clutch has
- * forgotten what was before. Events: lock, slip, reverse. The errors in *info are bounds, unless a
- * torque is so near to the static capacity that its rounding decides. */
+/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE): the
+ * motion before a lock is lost. Events: lock, slip, reverse. The errors in *info are bounds, unless
+ * a torque is within a rounding of the static capacity. */
 rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
                           const rot_clutch_columns *out, rot_events *events, const rot_hooks *hooks,
                           rot_info *info);

@@ -1,4 +1,4 @@
-/* Modes of a shaft that damping does not couple, each by itself. */
+/* Modes of a shaft that damping does not couple. */
 #ifndef ROT_SHAFT_DECOUPLED_H
 #define ROT_SHAFT_DECOUPLED_H
 

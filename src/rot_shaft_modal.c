@@ -57,7 +57,7 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
       const double angle =
           m > s->floppy ? error / s->sigma[m]
                         : error * fabs(t) + ROT_EPS * rot_shaft_roundings(s) * fabs(s->p0[m]);
-      /* Together the modes share one error of that norm; by themselves each has its own. */
+      /* Coupled modes share one error of that norm; decoupled ones have their own. */
       omega_error = s->decoupled ? omega_error + shape * error : hypot(omega_error, shape * error);
       theta_error = s->decoupled ? theta_error + shape * angle : hypot(theta_error, shape * angle);
     }
@@ -94,8 +94,8 @@ static size_t even_rows(const rot_shaft_modes *s, size_t n, const double time_s[
   return k >= 8 ? k : 1;
 }
 
-/* Rows i .. i + count - 1, evenly h apart, row i at hand: one matrix times a vector each, with the
- * small part of the time that is not even set right to first order. *end: the rows written. */
+/* Rows i .. i + count - 1, evenly h apart, row i at hand: one matrix times a vector each, with a
+ * first-order correction for what is not even in the times. *end: the rows written. */
 static rot_status even_stretch(const modal_run *run, size_t i, size_t count, size_t *end) {
   const rot_shaft_modes *s = run->s;
   const rot_shaft_stepper *grid = &run->grid;

@@ -158,7 +158,7 @@ static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m) {
   return rot_dd_ldexp(sigma, (of_k - of_J) / 2);
 }
 
-/* Keeps what agrees with the singular value, as it does unless something underflowed. */
+/* Keeps those that agree with the singular value: all, unless something underflowed. */
 static void sharpen(rot_shaft_modes *s) {
   for (size_t m = 1 + s->floppy; m < s->n; m++) {
     const rot_dd sigma = sharp_sigma(s, m);
@@ -185,7 +185,7 @@ static int proportional(size_t n, const double x[], const double y[], double *ra
   return isfinite(most);
 }
 
-/* Column 0 of twist is zero, so what acts between the rotors leaves the mean alone, exactly. */
+/* Column 0 of twist is zero, so torques between the rotors do not act on the mean, exactly. */
 static void find_damping(rot_shaft_modes *s) {
   const size_t n = s->n;
   const double *c = s->p->damping_n_m_s, *d = s->p->viscous_n_m_s, *J = s->p->inertia_kg_m2;
@@ -273,7 +273,7 @@ static void start_twist(rot_shaft_modes *s, size_t m) {
     torque[1].size += sigma / root * fabs(carried);
   }
   const projection p0 = better_of(angle[0], angle[1]), r0 = better_of(rate[0], rate[1]);
-  /* Beyond a missing spring the torque carried is not zero, and the parts do not add up so. */
+  /* Beyond a missing spring the torque carried is not zero, and the second sum does not hold. */
   const projection force = s->floppy ? torque[0] : better_of(torque[0], torque[1]);
   s->p0[m] = p0.value;
   s->r0[m] = r0.value;

@@ -1,4 +1,4 @@
-/* The shaft of rotors as one rigid body, and what that leaves out. */
+/* The shaft of rotors as one rigid body, and a bound on what that omits. */
 #ifndef ROT_SHAFT_RIGID_H
 #define ROT_SHAFT_RIGID_H
 

@@ -1,6 +1,6 @@
-/* Registers of four doubles, where processor and compiler have them (AVX2). A kernel that is written
- * with rot_pair.h is compiled for two doubles by the file that calls it, and for four by a file of
- * its own: one that defines ROT_WIDE under ROT_WIDE_CAN before it includes the kernel. The
+/* Registers of four doubles, where processor and compiler have them (AVX2). A kernel that is
+ * written with rot_pair.h is compiled for two doubles by the file that calls it, and for four by a
+ * file of its own: one that defines ROT_WIDE under ROT_WIDE_CAN before it includes the kernel. The
  * operations are the same lane by lane, and so are the bits. */
 #ifndef ROT_WIDE_H
 #define ROT_WIDE_H

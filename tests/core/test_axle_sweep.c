@@ -1,5 +1,5 @@
-/* Many axles at once: against 50-digit values, against the rows of rot_axle_linear(), and whatever a
- * row or a run can end with. */
+/* Many axles at once: against 50-digit values, against the rows of rot_axle_linear(), and every
+ * outcome of a row or a run. */
 #include "rot_axle_linear.h"
 #include "rot_axle_sweep.h"
 
@@ -41,9 +41,9 @@ static rot_axle_sweep_rows rows_of(double *const x[6], size_t n, size_t step, do
 
 /* ---- known rows ----------------------------------------------------------------------------- */
 
-/* The closed form in mpmath, 50 digits: inertia, viscous, scale, omega0, theta0, time, start; theta,
- * omega, largest omega, its time, smallest omega. Maxima inside a piece, sweeps before and after
- * knots, no resistance, hardly any, much, driving, and sizes that leave the fast way. */
+/* The closed form in mpmath, 50 digits: inertia, viscous, scale, omega0, theta0, time, start;
+ * theta, omega, largest omega, its time, smallest omega. Maxima inside a piece; sweeps before and
+ * after the knots; zero, tiny, large and negative resistance; sizes beyond the kernel's range. */
 static const double known[][12] = {
     {0.0625, 0.03, 1.0, 0.0, 0.0, 8.0, 0.0, 107.858645333017103749, 5.82785024015179531384,
      22.053944064363792175, 4.34595419517271573991, 0.0},
@@ -215,7 +215,7 @@ static void check_many(void) {
 
 /* ---- by a model ----------------------------------------------------------------------------- */
 
-/* Knows no friction: what it is told of it must arrive. It runs in threads, so it counts nothing. */
+/* Omits friction and must report that. It runs in threads, so it makes no checks. */
 static rot_status linear_model(const rot_axle_scene *scene, size_t n, const double t[],
                                const rot_axle_columns *to, rot_events *events,
                                const rot_hooks *hooks, rot_info *info) {

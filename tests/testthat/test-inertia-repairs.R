@@ -83,7 +83,7 @@ test_that("a body that is there passes, and each slip of its point is listed", {
   set.seed(20)
   passed <- 0L
   broken <- listed <- alone <- 0L
-  for (b in 1:1000) {
+  for (b in 1:300) {
     # From one point and two (a rod) to three (a plate) and many.
     tensor <- random_tensor(if (b <= 60) 1 + (b - 1) %/% 20 else 5 + b %% 40)
     passed <- passed + holds(check_inertia(tensor))
@@ -101,8 +101,8 @@ test_that("a body that is there passes, and each slip of its point is listed", {
       alone <- alone + (sum(found$size == min(found$size)) == 1L && true[1])
     }
   }
-  expect_equal(passed, 1000L)
-  expect_gt(broken, 800L)
+  expect_equal(passed, 300L)
+  expect_gt(broken, 200L)
   expect_equal(listed, broken)
   # The help says 88 % of slips of every kind.
   expect_gt(alone / broken, 0.8)

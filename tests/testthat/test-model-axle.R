@@ -97,14 +97,13 @@ test_that("ten million rows come back", {
   expect_ulps(motion$theta_rad[n], 107.8586453330170947, 2)
 })
 
-# ---- even grids from a table ----------------------------------------------------------------------
+# ---- even grids from a table -------------------------------------------------------------------
 
 # The same closed form, row by row.
 row_by_row <- function(scene, t) {
-  .Call(
-    rotdyn:::ffi_axle_linear, rotdyn:::axle_numbers(scene),
-    rotdyn:::axle_knots(rotdyn:::knots_of(scene)), t, 0, NULL
-  )[[1]]
+  rows <- lapply(t, function(t) .Call(rotdyn:::ffi_axle_run, "axle_linear", scene, t, NULL)[[1]])
+  columns <- names(rows[[1]])
+  sapply(columns, function(x) vapply(rows, `[[`, double(1), x), simplify = FALSE)
 }
 
 test_that("rows from a table agree with rows one by one, within 2e-15 and their bound", {
@@ -461,11 +460,60 @@ test_that("the step budget", {
 })
 
 test_that("a wrong .Call is an R error", {
-  expect_error(.Call(rotdyn:::ffi_axle_linear, 1, NULL, 1, 0, NULL), "internal")
-  expect_error(.Call(rotdyn:::ffi_axle_linear, double(5), list(), 1, 0, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_run, "axle_none", scene_axle(1), 1, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_run, 1, scene_axle(1), 1, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_run, "axle_free", scene_axle(1), 1L, NULL), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, "a", 1), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, 1, 99), "internal")
   expect_error(.Call(rotdyn:::ffi_rolling_table, c(1, 2), c(1, 2, 3), 1, 1, NULL), "internal")
+})
+
+test_that("a damaged scene is an R error", {
+  broken <- list(NULL, "a", 1L, double(), c(1, 2, 3, 4, 5), list(1), environment())
+  damage <- function(scene, path, run) {
+    for (value in broken) {
+      bad <- unclass(scene)
+      bad[[path]] <- value
+      expect_error(run(bad), "internal", info = paste(path, collapse = " "))
+    }
+    expect_type(run(scene), "list")
+  }
+  axle <- scene_axle(
+    inertia_knots(c(0, 1), c(1, 2)), torque_knots(0:2, c(0, 1, 0)) + torque_spring(1)
+  )
+  run <- function(scene) .Call(rotdyn:::ffi_axle_run, "axle_oscillator", scene, 1, NULL)
+  for (path in list(
+    "moment_of_inertia_kg_m2", "start_s", "theta0_rad", "omega0_rad_per_s", "loads", "resistance",
+    c("loads", "motor_n_m_s"), c("loads", "knots"), c("loads", "knots", "time_s"),
+    c("loads", "knots", "torque_n_m"), c("loads", "knots", "outside"),
+    c("resistance", "viscous_n_m_s"), c("resistance", "quadratic_n_m_s2"),
+    c("resistance", "coulomb_n_m"), c("resistance", "static_n_m"), c("inertia", "time_s"),
+    c("inertia", "moment_of_inertia_kg_m2")
+  )) {
+    damage(axle, path, run)
+  }
+  for (path in c("kind", "from_s", "to_s", "x")) {
+    bad <- axle
+    for (value in broken) {
+      bad$loads$terms[[1]] <- unclass(axle$loads$terms[[1]])
+      bad$loads$terms[[1]][[path]] <- value
+      expect_error(run(bad), "internal", info = path)
+    }
+  }
+  rotors <- scene_rotors(c(1, 2), 1000, 0.5)
+  for (path in c(
+    "moment_of_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s", "viscous_n_m_s",
+    "torque_n_m", "theta0_rad", "omega0_rad_per_s", "start_s"
+  )) {
+    damage(rotors, path, function(scene) .Call(rotdyn:::ffi_rotors_run, scene, 1, 1, NULL))
+  }
+  clutch <- scene_clutch(1, 2, 3, omega1_rad_per_s = 10)
+  for (path in list(
+    "moment_of_inertia_kg_m2", "capacity_n_m", "static_capacity_n_m", "steps", "engage_s",
+    "start_s", "theta0_rad", "omega0_rad_per_s"
+  )) {
+    damage(clutch, path, function(scene) .Call(rotdyn:::ffi_clutch_run, scene, 1, NULL))
+  }
 })
 
 test_that("routines are registered, and nothing else is found", {
@@ -484,10 +532,9 @@ test_that("the progress function is called, no more than 20 times a second", {
     }), parent = baseenv()),
     stop
   )
-  pack <- rotdyn:::pack_axle(scene_axle(1))
   start <- proc.time()[[3]]
   .Call(
-    rotdyn:::ffi_axle_integrate, pack, law, (0:8) + 0, c(1e-9, 1e6, 0),
+    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, (0:8) + 0, c(1e-9, 1e6, 0, 0),
     function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start
