@@ -8,15 +8,13 @@
 core_models <- function() .Call(ffi_choice_models)
 
 # Words of the effects of a constraint, by name.
-core_effect_words <- function(constraint) .Call(ffi_choice_effects, constraint, NULL, NULL)
+core_effect_words <- function(constraint) .Call(ffi_choice_effects, constraint, NULL)
 
 # Names of the effects that act in a scene.
-core_effects <- function(constraint, scene) {
-  .Call(ffi_choice_effects, constraint, scene, core_law(scene, 0))
-}
+core_effects <- function(constraint, scene) .Call(ffi_choice_effects, constraint, scene)
 
 # All models on a scene, cheapest first: named columns
-#   model, error_kind, on_trial, why   as above
+#   model, error_kind   as above
 #   applies   it takes the scene, or the scene without `dropped`, and promises the accuracy
 #   error     promised relative error, with what dropping changes
 #   cost_s    predicted time
@@ -25,10 +23,7 @@ core_effects <- function(constraint, scene) {
 #             what leaving the effects out changes, up to until_s; error, and omega's share effect by
 #             effect (each), relative to the size of the motion
 core_candidates <- function(constraint, scene, time_s, accuracy, law_s = 1e-6) {
-  .Call(
-    ffi_choice_table, constraint, scene, time_s, accuracy,
-    core_law(scene, law_s)
-  )
+  .Call(ffi_choice_table, constraint, scene, time_s, accuracy, law_s)
 }
 
 # list(model, dropped, on_trial, reason): the models to run, cheapest first, of which the first
@@ -36,12 +31,5 @@ core_candidates <- function(constraint, scene, time_s, accuracy, law_s = 1e-6) {
 # character() if none applies. With `model`, the id of one, that one: `reason` is NULL, or why it does
 # not apply.
 core_pick <- function(constraint, scene, time_s, accuracy, law_s = 1e-6, model = NULL) {
-  .Call(
-    ffi_choice_pick, constraint, scene, time_s, accuracy,
-    core_law(scene, law_s), model
-  )
-}
-
-core_law <- function(scene, law_s) {
-  if (!is.null(.subset2(.subset2(scene, "loads"), "law"))) as.double(law_s)
+  .Call(ffi_choice_pick, constraint, scene, time_s, accuracy, law_s, model)
 }

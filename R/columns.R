@@ -1,5 +1,5 @@
-# The one dictionary of columns: name, unit, meaning. A test asserts that every function returns
-# columns from here only, and the help pages take their tables from here.
+# The dictionary of columns: name, unit, meaning. A test asserts that all columns of all functions are
+# in it; the help pages take their tables from it.
 column_list <- list(
   c("time_s", "s", "time"),
   c("theta_rad", "rad", "angle turned about the axle"),
@@ -22,49 +22,54 @@ column_list <- list(
   c("rejected", "1", "steps tried and rejected"),
   c("rhs_calls", "1", "evaluations of the right-hand side, or of an R torque function sampled first"),
   c("work_j", "J", "work of the applied torque since the first row"),
-  c("dissipated_j", "J", "energy lost to the resistance, computed by itself"),
-  c("dissipated_viscous_j", "J", "the part of it that the viscous resistance took"),
-  c("dissipated_quadratic_j", "J", "the part of it that the quadratic drag took"),
-  c("dissipated_coulomb_j", "J", "the part of it that dry friction took"),
-  c("inertia_work_j", "J", "work done by what changes the moment of inertia"),
+  c("dissipated_j", "J", "energy dissipated by the resistance, computed separately"),
+  c("dissipated_viscous_j", "J", "its part by viscous resistance"),
+  c("dissipated_quadratic_j", "J", "its part by quadratic drag"),
+  c("dissipated_coulomb_j", "J", "its part by dry friction"),
+  c("inertia_work_j", "J", "work of changing the moment of inertia"),
   c("final_omega_rad_per_s", "rad/s", "angular velocity at the end"),
-  c("max_omega_rad_per_s", "rad/s", "largest omega on the whole way (with its sign)"),
+  c("max_omega_rad_per_s", "rad/s", "largest omega during the motion (with its sign)"),
   c("max_omega_time_s", "s", "the first time at which omega is largest"),
-  c("min_omega_rad_per_s", "rad/s", "smallest omega on the whole way (with its sign)"),
-  c("max_abs_omega_rad_per_s", "rad/s", "largest |omega| on the whole way"),
-  c("stop_time_s", "s", "time at which the body comes to rest for good; Inf if it never does"),
-  c("stop_theta_rad", "rad", "angle at which it does"),
-  c("terminal_omega_rad_per_s", "rad/s", "what omega tends to under the last torque"),
+  c("min_omega_rad_per_s", "rad/s", "smallest omega during the motion (with its sign)"),
+  c("max_abs_omega_rad_per_s", "rad/s", "largest |omega| during the motion"),
+  c("stop_time_s", "s", "time at which the body comes to rest finally; Inf if it never does"),
+  c("stop_theta_rad", "rad", "angle at that time"),
+  c("terminal_omega_rad_per_s", "rad/s", "limit of omega under the last torque"),
+  c("final_omega_1_rad_per_s", "rad/s", "angular velocity of body 1 at the end"),
+  c("final_omega_2_rad_per_s", "rad/s", "angular velocity of body 2 at the end"),
   c("power_w", "W", "power of the applied torque"),
-  c("event", "", "what happened: \"stick\", \"slip\", \"reverse\", ..."),
-  c("kinetic_energy_change_j", "J", "kinetic energy of the last row less that of the first"),
-  c("energy_residual_j", "J", "kinetic energy change - work + dissipated"),
-  c("energy_rounding_j", "J", "what rounding and the stated error could explain of it"),
+  c("event", "", "event: \"stick\", \"slip\", \"reverse\", ..."),
   c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque since the first row"),
   c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),
-  c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
-  c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
-  c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what both could explain of it"),
   c(
     "verdict", "",
     "\"balanced\" if an audit's residuals are explained, else \"unbalanced\"; of a check, \"holds\"..."
   ),
-  c("constraint", "", "what the body may do: axle, ..."),
+  c("balance", "", "the quantity that is balanced: energy, angular_momentum, ..."),
+  c("about", "", "the point or axis of a momentum; NA for an energy"),
+  c("change", "", "last value minus first; unit in the column `unit`"),
+  c("supplied", "", "amount supplied from outside, in the same unit"),
+  c("dissipated", "", "amount dissipated by the resistance, computed separately, in the same unit"),
+  c("residual", "", "change - supplied + dissipated, in the same unit"),
+  c("rounding", "", "the part explained by rounding and the stated error, in the same unit"),
+  c("terms", "", "the terms of the balance, a tibble"),
+  c("term", "", "the term in words"),
+  c("role", "", "\"supplied\", \"dissipated\" (by mechanism) or \"change\""),
+  c("constraint", "", "constraint of the bodies: axle, ..."),
   c("equations", "", "equations that the model solves"),
-  c("assumptions", "", "what must be true of the world"),
-  c("limits", "", "where the model ends"),
-  c("requires", "", "what the scene must be like"),
-  c("source", "", "where the equations come from"),
+  c("assumptions", "", "physical assumptions"),
+  c("limits", "", "limits of validity"),
+  c("requires", "", "requirements on the scene"),
+  c("source", "", "source of the equations"),
   c("applies", "", "whether the model fits the scene and reaches the accuracy"),
-  c("reason", "", "why, or why not"),
-  c("cost", "1", "predicted cost, in floating-point operations (order of magnitude)"),
+  c("reason", "", "the reason"),
   c("chosen", "", "TRUE for the cheapest model that applies"),
   c("principal_moment_kg_m2", "kg m^2", "principal moment of inertia"),
   c("second_moment_kg_m2", "kg m^2", "second moment along the principal axis"),
   c("x", "1", "x component of the unit vector along the axis, in the own axes"),
   c("y", "1", "its y component"),
   c("z", "1", "its z component"),
-  c("unique", "", "FALSE for an axis that others with the same moment could replace"),
+  c("unique", "", "FALSE if the axis is not unique, since moments are equal"),
   c("object", "", "name of the object"),
   c("beta", "1", "I/(m r^2) of the rolling object"),
   c("acceleration_m_per_s2", "m/s^2", "acceleration down the incline, rolling without slipping"),
@@ -90,13 +95,13 @@ column_list <- list(
   c("height_m", "m", "height"),
   c("edge_m", "m", "edge"),
   c("base_m", "m", "base of a triangle"),
-  c("apex_m", "m", "where the apex of a triangle is along its base"),
+  c("apex_m", "m", "x of the apex of a triangle"),
   c("sides", "1", "number of sides"),
   c("ixx_kg_m2", "kg m^2", "moment of inertia about own x through the centre of mass"),
   c("iyy_kg_m2", "kg m^2", "the same about own y"),
   c("izz_kg_m2", "kg m^2", "the same about own z"),
   c("shape", "", "name of the shape"),
-  c("family", "", "what kind of shape it is"),
+  c("family", "", "family of shapes"),
   c("constructor", "", "function that makes a body of it"),
   c("dimension", "1", "3: solid, 2: plate or shell, 1: line, 0: point"),
   c("sizes", "", "its sizes, with their letters in the formulas"),
@@ -104,9 +109,9 @@ column_list <- list(
   c("iyy_formula", "", "the same about own y"),
   c("izz_formula", "", "the same about own z"),
   c("centre_formula", "", "centre of mass in the own axes"),
-  c("origin", "", "where the origin of the own axes is"),
-  c("beta_formula", "", "I/(m r^2) on the outer radius, where it rolls about z"),
-  c("measure_formula", "", "volume, area or length: times the density it makes the mass"),
+  c("origin", "", "origin of the own axes"),
+  c("beta_formula", "", "I/(m r^2) for rolling on the outer radius"),
+  c("measure_formula", "", "volume, area or length; the mass is its product with the density"),
   c("speed_m_per_s", "m/s", "speed of the centre"),
   c("translational_kinetic_energy_j", "J", "m v^2 / 2"),
   c("total_kinetic_energy_j", "J", "translational + rotational"),
@@ -115,12 +120,12 @@ column_list <- list(
   c("formula", "", "the moment of inertia as a formula"),
   c("name", "", "name of a column"),
   c("unit", "", "its unit; empty for text, 1 for a pure number"),
-  c("meaning", "", "what it says"),
+  c("meaning", "", "its meaning"),
   # measuring
   c("omega0_rad_per_s", "rad/s", "angular velocity at the start"),
   c("alpha_rad_per_s2", "rad/s^2", "angular acceleration"),
-  c("row", "1", "row of the arguments that it belongs to"),
-  c("root", "1", "1 or 2: which of the motions, the smaller time first; NA where there is none"),
+  c("row", "1", "row of the arguments"),
+  c("root", "1", "1 or 2, the smaller time first; NA without a unique motion"),
   c("tangential_speed_m_per_s", "m/s", "omega r: along the tangent, with its sign"),
   c("tangential_acceleration_m_per_s2", "m/s^2", "alpha r: along the tangent, with its sign"),
   c("centripetal_acceleration_m_per_s2", "m/s^2", "omega^2 r: towards the axle"),
@@ -130,11 +135,11 @@ column_list <- list(
   c("theta_error", "1", "true error of theta, relative to the largest |theta|"),
   c("omega_error", "1", "true error of omega, relative to the largest |omega|"),
   c("true_error", "1", "the larger of both"),
-  c("floor", "", "TRUE where the true error is that or less: the reference can tell no more"),
+  c("floor", "", "TRUE where the true error is below 3 x reference_error: not resolved"),
   c("covered", "", "TRUE if the error reported is at least the true one"),
-  c("reference", "", "what the true error is taken against"),
+  c("reference", "", "reference for the true error"),
   c("reference_error", "1", "relative error of the reference itself"),
-  c("cost_s", "s", "processor time of one run: the fastest batch"),
+  c("cost_s", "s", "processor time of one run: predicted, or that of the fastest batch"),
   c("cost_median_s", "s", "processor time of one run: the median of the batches"),
   c("energy_residual", "1", "energy residual of the audit, relative to the largest energy"),
   c("rotor", "1", "number of the rotor along the shaft, from 1"),
@@ -145,30 +150,29 @@ column_list <- list(
   c("omega_1_rad_per_s", "rad/s", "angular velocity of body 1"),
   c("theta_2_rad", "rad", "angle of body 2"),
   c("omega_2_rad_per_s", "rad/s", "angular velocity of body 2"),
-  c("clutch_torque_n_m", "N m", "torque of the clutch on body 2; body 1 feels the opposite"),
-  c("heat_j", "J", "heat of the slip since the start"),
+  c("clutch_torque_n_m", "N m", "torque of the clutch on body 2; opposite on body 1"),
+  c("heat_j", "J", "heat of slip since the start"),
   c("locked", "", "whether the clutch is locked"),
-  c("elastic_energy_change_j", "J", "elastic energy of the last row less that of the first"),
   c("lock_time_s", "s", "time until the clutch locks; Inf if it never does"),
   c("common_omega_rad_per_s", "rad/s", "angular velocity of both bodies when it locks"),
-  c("locked_torque_n_m", "N m", "torque that the locked clutch must hold"),
+  c("locked_torque_n_m", "N m", "torque transmitted by the locked clutch"),
   c("shaft", "1", "number of the shaft, from 1"),
   c("ratio_to_first", "1", "angular velocity of the first shaft over that of this one"),
-  c("reflected_inertia_kg_m2", "kg m^2", "moment of inertia as the first shaft feels it"),
-  c("reflected_viscous_n_m_s", "N m s", "viscous coefficient as the first shaft feels it"),
-  c("reflected_torque_n_m", "N m", "torque as the first shaft feels it, losses included"),
-  c("condition", "", "what must hold"),
+  c("reflected_inertia_kg_m2", "kg m^2", "moment of inertia reflected to the first shaft"),
+  c("reflected_viscous_n_m_s", "N m s", "viscous coefficient reflected to the first shaft"),
+  c("reflected_torque_n_m", "N m", "torque reflected to the first shaft, with losses"),
+  c("condition", "", "the condition"),
   c("count", "1", "number found; NA where not checked"),
-  c("value", "", "what was found, in the unit of the condition"),
-  c("limit", "", "what is allowed, in the same unit"),
-  c("margin", "1", "how far inside the limit, relative; negative outside"),
-  c("suggestion", "", "the smallest repair that makes every condition hold; alternatives listed"),
+  c("value", "", "value found, in the unit of the condition"),
+  c("limit", "", "limit, in the same unit"),
+  c("margin", "1", "relative margin; negative outside the limit"),
+  c("suggestion", "", "smallest repairs that make every condition hold"),
   c("repair", "1", "number of the repair, the smallest first"),
-  c("size", "1", "how large the repair is; the help says how it is counted"),
-  c("kind", "", "what slip the repair undoes"),
+  c("size", "1", "size of the repair: see the help of `check_inertia()`"),
+  c("kind", "", "error that the repair corrects"),
   c("entry", "", "the number that changes"),
-  c("from", "", "what it is"),
-  c("to", "", "what it would be"),
+  c("from", "", "old value"),
+  c("to", "", "new value"),
   c("link", "", "name of the link"),
   c("x_m", "m", "x in the own axes"),
   c("y_m", "m", "y in the own axes"),
@@ -176,10 +180,10 @@ column_list <- list(
   c("centre_x_m", "m", "x of the centre of mass"),
   c("centre_y_m", "m", "y of the centre of mass"),
   c("centre_z_m", "m", "z of the centre of mass"),
-  c("reach_m", "m", "from the centre of mass to the farthest point; NA if not known"),
-  c("body", "", "the body, or NULL where there is none"),
-  c("fault", "", "the condition that fails, in words; NA if none does"),
-  c("check", "", "what check_inertia() returned; NULL without inertia")
+  c("reach_m", "m", "distance from the centre of mass to the farthest point; NA if unknown"),
+  c("body", "", "the body, or NULL"),
+  c("fault", "", "the condition that fails; NA if none"),
+  c("check", "", "result of check_inertia(); NULL without inertia")
 )
 
 column_table <- as.data.frame(do.call(rbind, column_list))
@@ -187,8 +191,7 @@ names(column_table) <- c("name", "unit", "meaning")
 
 #' The dictionary of columns
 #'
-#' Every column that a function of the package returns, with its unit and its meaning. A name means
-#' one thing everywhere.
+#' All columns returned by the functions of the package, with unit and meaning.
 #'
 #' @return A tibble with the columns `r describe_columns(c("name", "unit", "meaning"))`
 #' @examples
@@ -230,11 +233,11 @@ augment_columns <- c(
   "dissipated_coulomb_j", "inertia_work_j", "torque_impulse_n_m_s", "damping_impulse_n_m_s"
 )
 audit_columns <- c(
-  "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
-  "dissipated_coulomb_j", "inertia_work_j", "kinetic_energy_change_j", "energy_residual_j",
-  "energy_rounding_j",
-  "torque_impulse_n_m_s", "damping_impulse_n_m_s", "angular_momentum_change_kg_m2_per_s",
-  "momentum_residual_kg_m2_per_s", "momentum_rounding_kg_m2_per_s", "verdict"
+  "balance", "about", "unit", "change", "supplied", "dissipated", "residual", "rounding",
+  "verdict"
+)
+clutch_summary_columns <- c(
+  "final_omega_1_rad_per_s", "final_omega_2_rad_per_s", "heat_j", "lock_time_s"
 )
 rolling_columns <- c(
   "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction",
@@ -273,21 +276,9 @@ rotors_columns <- c(
   "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
   "rotational_kinetic_energy_j", "shaft_torque_n_m"
 )
-rotors_keys <- c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m")
 clutch_columns <- c(
   "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s",
   "clutch_torque_n_m", "heat_j", "locked"
-)
-clutch_keys <- setdiff(clutch_columns, c("clutch_torque_n_m", "locked"))
-motion_audit_columns <- c(
-  "work_j", "dissipated_j", "kinetic_energy_change_j", "elastic_energy_change_j",
-  setdiff(
-    audit_columns,
-    c(
-      "work_j", "dissipated_j", "kinetic_energy_change_j", "dissipated_viscous_j",
-      "dissipated_quadratic_j", "dissipated_coulomb_j", "inertia_work_j"
-    )
-  )
 )
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"

@@ -24,10 +24,10 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   }
   result <- add_end_jumps(solve(loads, time_s), scene, time_s)
   if (!is.null(loads$law)) {
-    result[[2]]$rhs_calls <- reader$calls() + if (is.null(sampled)) result[[2]]$rhs_calls else 0
-    result[[2]]$scan_spacing_s <- scan$spacing_s
+    result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
+    result$info$scan_spacing_s <- scan$spacing_s
   }
-  if (is.null(sampled) || length(time_s) == 0L || result[[2]]$kind != "none") {
+  if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") {
     return(result)
   }
   add_sampling(result, sampled, scene, time_s, function(push_n_m) {
@@ -40,7 +40,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
 # that was integrated; in the balance of rows it belongs to what lies before it.
 add_end_jumps <- function(result, scene, time_s) {
   n <- length(time_s)
-  if (is.null(scene$inertia) || n == 0L || result[[2]]$kind != "none") {
+  if (is.null(scene$inertia) || n == 0L || result$info$kind != "none") {
     return(result)
   }
   start <- scene$start_s
@@ -49,10 +49,11 @@ add_end_jumps <- function(result, scene, time_s) {
   at <- function(end, omega) {
     jump_work(scene, function(t) omega * inertia_at(scene$inertia, t), function(t) t == end)
   }
-  omega <- result[[1]]$omega_rad_per_s
+  omega <- result$columns$omega_rad_per_s
   add <- function(result, jumps, sign) {
-    result[[3]][11] <- result[[3]][11] + sign * sum(jumps$work)
-    result[[3]][4] <- result[[3]][4] + 4 * .Machine$double.eps * sum(jumps$size)
+    off <- c(inertia_work_j = sign * sum(jumps$work),
+             work_rounding_j = 4 * .Machine$double.eps * sum(jumps$size))
+    result$ledger[names(off)] <- result$ledger[names(off)] + off
     result
   }
   if (from < start && to >= start) result <- add(result, at(start, scene$omega0_rad_per_s), 1)
@@ -61,23 +62,27 @@ add_end_jumps <- function(result, scene, time_s) {
   result
 }
 
-# The error of the samples added to that of the run. growth() takes a pendulum for upside down at
-# all times, 1e125 in 100 s: where its bound matters the growth is measured, by a constant torque
+# The error of the samples added to that of the run. The bound takes a pendulum for upside down at
+# all times, 1e125 in 100 s: where it matters the growth is measured, by a constant torque
 # that stands out from the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
-  free <- disturbance(scene, 1, time_s, grow = 1)
-  grow <- disturbance(scene, 1, time_s)$omega / free$omega
-  push <- min(100 * accuracy, 1e-3) * result[[2]]$sizes[["omega"]] / free$omega
+  disturb <- function(size, impulse, grow) {
+    .Call(ffi_axle_disturbance, scene, time_s, c(size, impulse, grow))
+  }
+  free <- disturb(1, Inf, 1)
+  grow <- disturb(1, Inf, NaN)[["omega"]] / free[["omega"]]
+  push <- min(100 * accuracy, 1e-3) * result$info$sizes[["omega"]] / free[["omega"]]
   if (isTRUE(grow > 2) && is.finite(push) && push > 0) {
     runs <- lapply(c(0, push), solve)
-    if (all(vapply(runs, function(run) run[[2]]$kind == "none", logical(1)))) {
-      apart <- function(column) max(abs(runs[[2]][[1]][[column]] - runs[[1]][[1]][[column]])) / push
-      grow <- max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
+    if (all(vapply(runs, function(run) run$info$kind == "none", logical(1)))) {
+      apart <- function(column) {
+        max(abs(runs[[2]]$columns[[column]] - runs[[1]]$columns[[column]])) / push
+      }
+      grow <- max(1, c(apart("theta_rad"), apart("omega_rad_per_s")) / free)
     }
   } else if (!is.finite(grow)) {
     grow <- 1 # nothing moves, or in no time
   }
-  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
-  result[[2]] <- widen_error(result[[2]], reach)
+  result$info <- widen_error(result$info, disturb(sampled$error, sampled$impulse, grow))
   result
 }

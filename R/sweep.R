@@ -222,7 +222,6 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
     0, 0, start_s
   )
   scene$loads <- loads
-  scene$effects <- axle_effects(loads, scene$resistance, NULL)
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
@@ -231,17 +230,19 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
     }
     model <- "axle_linear"
   } else {
-    model <- sweep_model(scene, columns, call)$record$id
+    model <- sweep_model(scene, columns, call)
   }
   .Call(ffi_axle_sweep, model, scene, columns, threads, progress_bar("sweep"))
 }
 
 # The closed form that takes what acts in any of the rows.
 sweep_model <- function(scene, columns, call) {
-  fit <- first_fit(axle_closed_forms[-(1:2)], scene, scene$start_s, 1)
+  fits <- core_candidates("axle", scene, scene$start_s, 1)
+  takes <- fits$applies & fits$error_kind == "bound" & lengths(fits$dropped) == 0L &
+    !fits$model %in% c("axle_free", "axle_linear")
   scaled <- any(columns$torque_scale != 1) &&
     (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
-  if (is.null(fit) || scaled) {
+  if (!any(takes) || scaled) {
     abort_rotdyn(
       c(
         "There is no closed form for these rows ({scene_words(scene)}).",
@@ -255,5 +256,5 @@ sweep_model <- function(scene, columns, call) {
       call
     )
   }
-  fit
+  fits$model[takes][1]
 }

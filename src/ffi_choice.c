@@ -1,10 +1,10 @@
 #include "ffi_run.h"
-#include "ffi_run.h"
 #include "ffi_scenes.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "rot_axle_drop.h"
 #include "rot_choice.h"
 
 /* ---- what is asked --------------------------------------------------------------------------- */
@@ -26,32 +26,25 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
 }
 
 static const rot_constraint *constraint_of(SEXP id) {
-  const rot_constraint *found =
-      TYPEOF(id) == STRSXP && XLENGTH(id) == 1 ? rot_choice_constraint(CHAR(STRING_ELT(id, 0))) : 0;
+  const rot_constraint *found = rot_choice_constraint(ffi_text(id, "constraint"));
   if (!found) Rf_error("internal: no such constraint");
   return found;
 }
 
-static void read_scene(SEXP id, SEXP scene, question *q) {
-  q->constraint = constraint_of(id);
-  if (!strcmp(q->constraint->id, "axle")) {
-    q->scene.axle = ffi_axle_scene(scene, R_NilValue);
-  } else if (!strcmp(q->constraint->id, "rotors")) {
-    q->scene.rotors = ffi_shaft_scene(scene);
-  } else {
-    q->scene.clutch = ffi_clutch_scene(scene);
-  }
-}
-
-/* law_s: NULL where the scene has no law. */
 static void read_question(SEXP id, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s,
                           question *q) {
-  read_scene(id, scene, q);
+  q->constraint = constraint_of(id);
   q->query = (rot_query){(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1),
-                         ffi_real(accuracy, "accuracy"), 0.0};
-  if (Rf_isNull(law_s)) return;
-  q->query.law_s = ffi_real(law_s, "law_s");
-  q->scene.axle.linear.torque.call = no_call;
+                         ffi_real(accuracy, "accuracy"), ffi_real(law_s, "law_s")};
+  if (!strcmp(q->constraint->id, "rotors")) {
+    q->scene.rotors = ffi_shaft_scene(scene);
+  } else if (!strcmp(q->constraint->id, "clutch")) {
+    q->scene.clutch = ffi_clutch_scene(scene);
+  } else {
+    q->scene.axle = ffi_axle_scene(scene, R_NilValue);
+    const int law = !Rf_isNull(ffi_element(ffi_element(scene, "loads"), "law"));
+    if (law) q->scene.axle.linear.torque.call = no_call;
+  }
 }
 
 /* ---- answers --------------------------------------------------------------------------------- */
@@ -103,10 +96,12 @@ static SEXP reason_text(const rot_constraint *constraint, const rot_candidate *c
 /* ---- entries --------------------------------------------------------------------------------- */
 
 /* Named words of every effect of a constraint; with a scene, the names of those that act in it. */
-SEXP ffi_choice_effects(SEXP constraint, SEXP scene, SEXP law_s) {
+SEXP ffi_choice_effects(SEXP constraint, SEXP scene) {
   question q;
   if (!Rf_isNull(scene)) {
-    read_question(constraint, scene, Rf_allocVector(REALSXP, 0), Rf_ScalarReal(1.0), law_s, &q);
+    SEXP one = PROTECT(Rf_ScalarReal(1.0));
+    read_question(constraint, scene, one, one, one, &q);
+    UNPROTECT(1);
     return effect_names(q.constraint, q.constraint->effects_of(&q.scene));
   }
   const rot_constraint *of = constraint_of(constraint);
@@ -148,16 +143,15 @@ SEXP ffi_choice_models(void) {
 
 /* A column for each field of the candidates, cheapest first; R/choice.R says what they are. */
 SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s) {
-  static const char *const names[] = {"model",    "applies", "error",  "error_kind", "cost_s",
-                                      "on_trial", "why",     "reason", "dropped",    ""};
-  static const SEXPTYPE types[] = {STRSXP, LGLSXP, REALSXP, STRSXP, REALSXP,
-                                   LGLSXP, STRSXP, STRSXP,  VECSXP};
+  static const char *const names[] = {"model",  "applies", "error",   "error_kind",
+                                      "cost_s", "reason",  "dropped", ""};
+  static const SEXPTYPE types[] = {STRSXP, LGLSXP, REALSXP, STRSXP, REALSXP, STRSXP, VECSXP};
   question q;
   rot_candidate all[ROT_MOST_MODELS];
   read_question(constraint, scene, time_s, accuracy, law_s, &q);
   const size_t n = rot_choice_candidates(q.constraint, &q.scene, &q.query, all);
-  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), c[9];
-  for (int i = 0; i < 9; i++) SET_VECTOR_ELT(out, i, c[i] = Rf_allocVector(types[i], (R_xlen_t)n));
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), c[7];
+  for (int i = 0; i < 7; i++) SET_VECTOR_ELT(out, i, c[i] = Rf_allocVector(types[i], (R_xlen_t)n));
   for (size_t i = 0; i < n; i++) {
     const R_xlen_t row = (R_xlen_t)i;
     SET_STRING_ELT(c[0], row, Rf_mkChar(all[i].model->id));
@@ -165,10 +159,8 @@ SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, S
     REAL(c[2])[i] = all[i].error;
     SET_STRING_ELT(c[3], row, Rf_mkChar(kind_text(all[i].model)));
     REAL(c[4])[i] = all[i].cost_s;
-    LOGICAL(c[5])[i] = all[i].model->on_trial;
-    SET_STRING_ELT(c[6], row, Rf_mkChar(all[i].model->why));
-    SET_STRING_ELT(c[7], row, reason_text(q.constraint, &all[i]));
-    SET_VECTOR_ELT(c[8], row, dropped_list(q.constraint, &all[i]));
+    SET_STRING_ELT(c[5], row, reason_text(q.constraint, &all[i]));
+    SET_VECTOR_ELT(c[6], row, dropped_list(q.constraint, &all[i]));
   }
   UNPROTECT(1);
   return out;
@@ -185,8 +177,7 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
   if (Rf_isNull(model)) {
     n = rot_choice_pick(q.constraint, &q.scene, &q.query, picked);
   } else {
-    if (TYPEOF(model) != STRSXP || XLENGTH(model) != 1) Rf_error("internal: `model`");
-    const rot_model *of = rot_choice_model(q.constraint, CHAR(STRING_ELT(model, 0)));
+    const rot_model *of = rot_choice_model(q.constraint, ffi_text(model, "model"));
     if (!of) Rf_error("internal: no such model");
     rot_choice_judge(q.constraint, of, &q.scene, &q.query, picked);
   }
@@ -203,4 +194,16 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
   }
   UNPROTECT(1);
   return out;
+}
+
+/* c(theta, omega): the change due to a torque, numbers = c(size, impulse, growth), see
+ * rot_axle_drop.h. */
+SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
+  static const char *const names[] = {"theta", "omega"};
+  const rot_axle_scene axle = ffi_axle_scene(scene, R_NilValue);
+  const rot_query query = {(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1), 1.0, 0.0};
+  const double *x = ffi_reals(numbers, "numbers", 3);
+  double by[2];
+  rot_axle_disturbance(&axle, &query, x[0], x[1], x[2], &by[0], &by[1]);
+  return ffi_named(2, names, by);
 }

@@ -1,10 +1,11 @@
 /* Every routine that R may call, with its number of arguments. Listed once, here. */
+X(ffi_axle_disturbance, 3)
 X(ffi_axle_run, 4)
 X(ffi_axle_ledger, 4)
 X(ffi_axle_integrate, 6)
 X(ffi_axle_stopping, 1)
 X(ffi_angular_motion, 1)
-X(ffi_choice_effects, 3)
+X(ffi_choice_effects, 2)
 X(ffi_choice_models, 0)
 X(ffi_choice_pick, 6)
 X(ffi_choice_table, 5)

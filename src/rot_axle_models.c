@@ -148,7 +148,7 @@ static double forced_s(const rot_model *model, const void *of, const rot_query *
     const int powers = scene->terms[i].kind == ROT_TERM_POLYNOMIAL;
     row_s += powers ? s[1] * (0.6 + 0.5 * scene->terms[i].x[1]) : s[1];
   }
-  if (rot_axle_effects(scene) & ROT_AXLE_TORQUE) row_s += s[2];
+  if (scene->linear.torque.n || scene->linear.torque.after_n_m != 0.0) row_s += s[2];
   return s[0] + (double)query->n * row_s + s[3] * count_breaks(scene, query);
 }
 
@@ -181,8 +181,9 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
     default: break;
     }
   }
-  for (size_t i = 0; i < torque->n; i++) drive = fmax(drive, fabs(torque->torque_n_m[i]));
   const double q = scene->quadratic_n_m_s2;
+  for (size_t i = 0; q > 0.0 && i < torque->n; i++)
+    drive = fmax(drive, fabs(torque->torque_n_m[i]));
   falling += 2.0 * fmax(q * fabs(scene->linear.omega0_rad_per_s), sqrt(q * drive));
   r.swing_per_s = fmax(r.swing_per_s, sqrt(pull / inertia));
   /* Of a law nothing is known: some periods. */
@@ -191,35 +192,31 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
   return r;
 }
 
-/* Time of `steps` steps (counted in the fine run) with so many calls of the right-hand side each,
- * both runs counted; `rest_s` is the rest of a step. A break costs 2 us besides. */
-static double steps_s(const rot_axle_scene *scene, const rot_query *query, double steps,
-                      double breaks, double calls, double rest_s, double row_s) {
-  const double call_s = 40e-9 + 35e-9 * (double)scene->n_terms, n = (double)query->n;
+/* Two runs of steps, counted in the finer one: a few at the start and at breaks; accuracy to a power
+ * times what lasts, or the first decay times; after these, stability limits an explicit step to some
+ * 5 decay times, and an implicit one grows. seconds: the rate, its power, decay times, steps after. */
+static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
+                           int implicit) {
+  const rot_axle_scene *scene = of;
+  const rates r = rates_of(scene, query);
+  const double *s = model->seconds, n = (double)query->n, terms = (double)scene->n_terms;
+  const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
+  const double rate = s[0] * pow(fmax(query->accuracy, model->promise), s[1]);
+  const double after = s[3] * fmax(0.0, implicit ? log10(decays) : decays - s[2]);
+  const double steps = 8.0 + 2.0 * r.breaks + rate * fmax(swings, fmin(decays, s[2])) + after;
   const double law_s = scene->linear.torque.call ? query->law_s : 0.0;
-  return 5e-6 + 2e-6 * breaks + steps * (calls * (call_s + law_s) + rest_s) + n * row_s +
-         fmin(n, 64.0) * law_s;
+  const double call_s = 40e-9 + 35e-9 * terms + law_s;
+  const double row_s = implicit ? 1.2e-6 : 0.55e-6 + 70e-9 * terms;
+  return 5e-6 + 2e-6 * r.breaks + steps * (implicit ? 28.0 * call_s + 1.5e-6 : 20.4 * call_s) +
+         n * row_s + fmin(n, 64.0) * law_s;
 }
 
-/* Order 8: steps by accuracy^(-1/8.5) over what lasts and the first ten decay times; beyond these
- * stability limits a step to some 5 decay times. */
 static double rk8pd_s(const rot_model *model, const void *scene, const rot_query *query) {
-  const rates r = rates_of(scene, query);
-  const double rate = model->seconds[0] * pow(fmax(query->accuracy, model->promise), -1.0 / 8.5);
-  const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
-  const double steps = 8.0 + 2.0 * r.breaks + rate * fmax(swings, fmin(decays, 10.0)) +
-                       model->seconds[1] * fmax(0.0, decays - 10.0);
-  return steps_s(scene, query, steps, r.breaks, 20.4, 0.0, 0.6e-6);
+  return integrated_s(model, scene, query, 0);
 }
 
-/* Order 9, L-stable: a decay costs steps until it is over. */
 static double radau_s(const rot_model *model, const void *scene, const rot_query *query) {
-  const rates r = rates_of(scene, query);
-  const double rate = model->seconds[0] * pow(fmax(query->accuracy, model->promise), -1.0 / 9.0);
-  const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
-  const double steps = 8.0 + 2.0 * r.breaks + rate * (swings + fmin(decays, 6.0)) +
-                       model->seconds[1] * fmax(0.0, log10(decays));
-  return steps_s(scene, query, steps, r.breaks, 28.0, 1.5e-6, 1.2e-6);
+  return integrated_s(model, scene, query, 1);
 }
 
 /* ---- models ---------------------------------------------------------------------------------- */
@@ -266,7 +263,7 @@ static const rot_model models[] = {
      "it is integrated, with explicit steps: the motion is not stiff",
      not_integrated,
      rk8pd_s,
-     {0.25, 0.39, 0.0, 0.0}},
+     {0.25, -1.0 / 8.5, 10.0, 0.39}},
     {"axle_radau",
      ALL,
      ROT_ESTIMATE,
@@ -275,7 +272,7 @@ static const rot_model models[] = {
      "it is integrated, with implicit steps: resistance acts much faster than the times asked for",
      not_integrated,
      radau_s,
-     {0.24, 2.0, 0.0, 0.0}},
+     {0.24, -1.0 / 9.0, 6.0, 2.0}},
 };
 
 const rot_constraint rot_axle_constraint = {"axle",

@@ -25,7 +25,9 @@ size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]) {
   }
   for (size_t i = 0; i < scene->n_inertia; i++) out[total++] = scene->inertia_time_s[i];
   for (size_t i = 0; i < scene->n_breaks; i++) out[total++] = scene->breaks_s[i];
-  qsort(out, total, sizeof *out, by_size);
+  size_t sorted = 1;
+  while (sorted < total && out[sorted - 1] <= out[sorted]) sorted++;
+  if (sorted < total) qsort(out, total, sizeof *out, by_size);
   for (size_t i = 0; i < total; i++) {
     if (n == 0 || out[i] != out[n - 1]) out[n++] = out[i];
   }

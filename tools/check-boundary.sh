@@ -26,7 +26,7 @@ rule() {
   fi
 }
 
-# Every file of the project: what git keeps or would keep, or all of them outside a clone.
+# Every file of the project: those that git tracks or would add, or all files outside a clone.
 if git rev-parse --is-inside-work-tree > /dev/null 2>&1; then
   git ls-files --cached --others --exclude-standard
 else
@@ -36,8 +36,8 @@ fi | sort -u | while read -r file; do test -f "$file" && echo "$file"; done > "$
 
 files() { grep -E "$1" "$work/files"; }
 
-# code FILE...: the C code as `file:line:text`, comments and strings taken out (but not the names
-# in #include "..."), so that a comment that mentions R is no offence.
+# code FILE...: the C code as `file:line:text`, without comments and strings (but with the names in
+# #include "..."), so that a comment may mention R.
 code() {
   test $# -gt 0 || return 0
   awk '
@@ -67,13 +67,13 @@ code() {
     }' "$@"
 }
 
-# R code without its comments (a # inside a string ends the line too: good enough for names).
+# R code without its comments (a # inside a string ends the line, too).
 r_code() { test $# -gt 0 && sed 's/#.*//' "$@"; }
 
-# A word by itself, for grep -E.
+# A whole word, for grep -E.
 word() { echo "(^|[^A-Za-z0-9_.])($1)([^A-Za-z0-9_]|\$)"; }
 
-# The shell splits these lists at blanks: no file of ours has one in its name.
+# The shell splits these lists at blanks: no file has one in its name.
 # shellcheck disable=SC2046
 {
   code $(files '^src/rot_[a-z0-9_]*\.[ch]$') > "$work/rot"

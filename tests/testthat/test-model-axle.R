@@ -36,7 +36,7 @@ test_that("a linear segment holds to the goals: state, work, heat, impulse, boun
     )
     motion <- suppressWarnings(trajectory(scene, c(0, row$h)))
     info <- run_of(motion)$info
-    audit <- audit(motion)
+    audit <- audited(motion)
     got <- c(motion$theta_rad[2], motion$omega_rad_per_s[2], audit$work_j, audit$dissipated_j)
     want <- c(row$dtheta, row$omega1, row$work, row$dissipated)
     same_sign <- row$tau_start >= 0 && row$tau_end >= 0 && row$omega0 >= 0
@@ -266,7 +266,7 @@ test_that("a torque function gives what the same torque as knots gives", {
   exact <- trajectory(article_scene(), 0:8)
   expect_equal(motion$theta_rad, exact$theta_rad, tolerance = 1e-12)
   expect_equal(motion$applied_torque_n_m, exact$applied_torque_n_m)
-  expect_equal(audit(motion)$work_j, audit(exact)$work_j, tolerance = 1e-12)
+  expect_equal(audited(motion)$work_j, audited(exact)$work_j, tolerance = 1e-12)
 })
 
 test_that("a torque of angle and rate: a torsional oscillator", {
@@ -277,7 +277,7 @@ test_that("a torque of angle and rate: a torsional oscillator", {
   error <- max(abs(motion$theta_rad - cos(3 * t)))
   expect_lte(error, 1e-9)
   expect_lte(error, run_of(motion)$info$errors[["theta"]] * 1.1)
-  expect_equal(audit(motion)$verdict, "balanced")
+  expect_equal(audited(motion)$verdict, "balanced")
 })
 
 test_that("the estimate covers the error where dense rows set the steps, and where none does", {
@@ -295,7 +295,7 @@ test_that("the estimate covers the error where dense rows set the steps, and whe
       error <- max(abs(motion$theta_rad - exact(t)))
       expect_lte(error, info$errors[["theta"]])
       expect_lte(info$error, accuracy)
-      expect_equal(audit(motion)$verdict, "balanced")
+      expect_equal(audited(motion)$verdict, "balanced")
     }
   }
 })
@@ -459,6 +459,28 @@ test_that("the step budget", {
   expect_lt(nrow(rows), 21)
 })
 
+test_that("a run is a named list, with its measures by name", {
+  scene <- scene_axle(2, 3, resistance(coulomb_n_m = 1), omega0_rad_per_s = -4)
+  run <- .Call(rotdyn:::ffi_axle_run, "axle_drag", scene, c(0, 8), NULL)
+  expect_named(run, c("columns", "info", "ledger", "events"))
+  expect_named(run$columns, rotdyn:::trajectory_columns)
+  expect_named(run$info, c(
+    "kind", "text", "time_s", "rows_done", "steps", "rejected", "rhs_calls", "error", "tolerance",
+    "method", "errors", "sizes"
+  ))
+  expect_named(run$info$errors, c("theta", "omega"))
+  # -4 rad/s braked at 2 rad/s^2, then 1 rad/s^2 for 6 s.
+  expect_equal(run$info$sizes, c(theta = 14, omega = 6))
+  expect_equal(run$events, list(time_s = 2, event = "reverse"))
+  expect_equal(
+    run$info$error, .Call(rotdyn:::ffi_error_figure, run$info$errors, run$info$sizes)
+  )
+  expect_null(.Call(rotdyn:::ffi_axle_run, "axle_free", scene_axle(1), 1, NULL)$events)
+  ledger <- .Call(rotdyn:::ffi_axle_ledger, scene_axle(1, 2), 0, 1, NULL)
+  expect_equal(ledger[["work_j"]], 2)
+  expect_error(.Call(rotdyn:::ffi_error_figure, c(1, 2), 1), "internal")
+})
+
 test_that("a wrong .Call is an R error", {
   expect_error(.Call(rotdyn:::ffi_axle_run, "axle_none", scene_axle(1), 1, NULL), "internal")
   expect_error(.Call(rotdyn:::ffi_axle_run, 1, scene_axle(1), 1, NULL), "internal")
@@ -534,7 +556,7 @@ test_that("the progress function is called, no more than 20 times a second", {
   )
   start <- proc.time()[[3]]
   .Call(
-    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, (0:8) + 0, c(1e-9, 1e6, 0, 0),
+    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, c(0, 1, 2), c(1e-9, 1e6, 0, 0),
     function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start
@@ -589,7 +611,7 @@ test_that("Radau's impulses go with its states, from stop to stop", {
     omega0_rad_per_s = 1
   )
   run <- trajectory(scene, seq(0, 6, by = 0.1), accuracy = 1e-8, model = "axle_radau")
-  balance <- audit(run)
+  balance <- audited(run)
   expect_lt(abs(balance$momentum_residual_kg_m2_per_s), 1e-13)
   expect_equal(balance$verdict, "balanced")
 })
@@ -602,7 +624,7 @@ test_that("the same call gives the same bits, wherever its columns come to lie",
     # Vectors of odd lengths move what is allocated next.
     kept[[i]] <<- numeric(1000 + i)
     motion <- trajectory(scene, time_s)
-    c(motion$theta_rad, motion$omega_rad_per_s, audit(motion)$momentum_residual_kg_m2_per_s)
+    c(motion$theta_rad, motion$omega_rad_per_s, audited(motion)$momentum_residual_kg_m2_per_s)
   })
   for (run in runs[-1]) expect_identical(run, runs[[1]])
 })

@@ -1,6 +1,8 @@
-record <- function(id) Filter(function(m) m$id == id, rotdyn:::all_models())[[1]]
+# Absolute bounds on what leaving effects out changes, and the scene without them.
 bound <- function(scene, effects, id, t) {
-  rotdyn:::drop_bound(scene, effects, record(id), t, NULL)
+  dropped <- core_pick("axle", scene, as.double(t), 1, model = id)$dropped
+  expect_setequal(dropped$effects, effects)
+  c(as.list(dropped$errors), list(scene = axle_without(scene, effects)))
 }
 
 # Scenes whose full and reduced motion both have a closed form: the bound must cover the difference,
@@ -49,7 +51,7 @@ test_that("weak drag is left out at a low accuracy, with the reason, and kept at
     max(abs(fine$omega_rad_per_s - coarse$omega_rad_per_s)) / max(fine$omega_rad_per_s),
     run$info$error
   )
-  expect_equal(audit(coarse)$verdict, "balanced")
+  expect_equal(audited(coarse)$verdict, "balanced")
 })
 
 test_that("an exact model is never left for a cheaper one with something dropped", {
@@ -104,7 +106,9 @@ test_that("nothing is dropped where static friction decides, nor without rows", 
   law <- torque_knots(c(0, 10), c(-2, -1)) + torque_curve(c(-1, 1), c(0, 0))
   losses <- resistance(0, 1e-9, coulomb_n_m = 0.1, static_n_m = 1.5)
   sticky <- scene_axle(1, law, losses, omega0_rad_per_s = 9.5)
-  expect_equal(bound(sticky, "quadratic", "axle_bands", 0:5)$error, Inf)
+  pick <- core_pick("axle", sticky, as.double(0:5), 1, model = "axle_bands")
+  expect_null(pick$dropped)
+  expect_match(pick$reason, "does not take quadratic drag")
   fading <- scene_axle(1, torque_exponential(1, 2), resistance(0, 1e-9))
   expect_silent(trajectory(fading, numeric(), 0.1))
 })

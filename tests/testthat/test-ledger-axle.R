@@ -1,6 +1,6 @@
 test_that("the quadrature agrees with the closed form of the linear ledger", {
   motion <- trajectory(article_scene(), c(0, 0.3, 2, 5, 8))
-  whole <- audit(motion)
+  whole <- audited(motion)
   rows <- augment(motion)
   last <- nrow(rows)
   expect_equal(rows$work_j[last], whole$work_j, tolerance = 1e-14)
@@ -22,7 +22,7 @@ test_that("a sinusoid on a free axle does the work it should", {
   expect_equal(rows$work_j, 0.5 * 4 * speed^2, tolerance = 1e-13)
   expect_equal(rows$torque_impulse_n_m_s, 4 * speed, tolerance = 1e-13)
   expect_equal(rows$dissipated_j, rep(0, 4))
-  expect_equal(audit(motion)$verdict, "balanced")
+  expect_equal(audited(motion)$verdict, "balanced")
 })
 
 test_that("the parts of a loss are what each resistance took", {
@@ -31,7 +31,7 @@ test_that("the parts of a loss are what each resistance took", {
     2, 0.3 * 5 + 0.02 * 25 + 0.4, resistance(0.3, 0.02, 0.4),
     omega0_rad_per_s = 5
   )
-  whole <- audit(trajectory(wheel, c(0, 10)))
+  whole <- audited(trajectory(wheel, c(0, 10)))
   expect_equal(whole$dissipated_viscous_j, 0.3 * 25 * 10, tolerance = 1e-13)
   expect_equal(whole$dissipated_quadratic_j, 0.02 * 125 * 10, tolerance = 1e-13)
   expect_equal(whole$dissipated_coulomb_j, 0.4 * 5 * 10, tolerance = 1e-13)
@@ -49,7 +49,7 @@ test_that("a wheel that stops gives all its energy to friction, and friction the
   expect_equal(motion$theta_rad, c(0, 200, 200), tolerance = 1e-15)
   expect_equal(motion$damping_torque_n_m, c(-0.5, 0, -0.3))
   expect_equal(motion$net_torque_n_m[2:3], c(0, 0))
-  whole <- audit(motion)
+  whole <- audited(motion)
   expect_equal(whole$dissipated_coulomb_j, 100, tolerance = 1e-13)
   expect_equal(whole$torque_impulse_n_m_s, 3, tolerance = 1e-13)
   expect_equal(whole$damping_impulse_n_m_s, -20 - 3, tolerance = 1e-13)
@@ -65,7 +65,7 @@ test_that("the skater's arms do the work that her energy gains", {
   expect_equal(motion$angular_momentum_kg_m2_per_s, rep(10, 3), tolerance = 1e-15)
   # The angle over the ramp: L/(dI) log(I0/I1), over one second.
   expect_equal(motion$theta_rad[3], 2 + 10 / 3 * log(5 / 2) + 5, tolerance = 1e-15)
-  whole <- audit(motion)
+  whole <- audited(motion)
   expect_equal(whole$inertia_work_j, 0.5 * 100 * (1 / 2 - 1 / 5), tolerance = 1e-13)
   expect_equal(whole$work_j, 0)
   expect_equal(whole$verdict, "balanced")
@@ -84,7 +84,7 @@ test_that("a kink of a torque-speed curve next to a row is seen", {
   curve <- torque_curve(c(-10, 3, 4), c(1, 1, -2))
   m <- trajectory(scene_axle(1, curve, omega0_rad_per_s = 2), c(0, 0.999, 2))
   expect_equal(run_of(m)$model, "axle_bands")
-  a <- audit(m)
+  a <- audited(m)
   expect_equal(a$verdict, "balanced")
   # After it omega = 3 + (1 - exp(-3 s))/3.
   expect_equal(a$torque_impulse_n_m_s, 1 + (1 - exp(-3)) / 3, tolerance = 1e-14)
