@@ -67,7 +67,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
       off <- sqrt(3) * off + 8 * .Machine$double.eps * max(abs(centre))
       # The formula of a shape is about its own axis, which was rotated.
       if (body$shape %in% shape_table()$shape && body$provenance == "formula") {
-        formula <- paste0(sub(turned_mark, "", formula, fixed = TRUE), turned_mark)
+        formula <- paste0(sub(rotated_mark, "", formula, fixed = TRUE), rotated_mark)
       }
     }
   }
@@ -84,7 +84,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   )
 }
 
-turned_mark <- ", then turned"
+rotated_mark <- ", then rotated"
 
 # A bound of the rounding error of each coordinate of the centre, where known. It is ignored for the
 # body alone, but matters when the body is joined to others.
@@ -187,7 +187,7 @@ flatten_bodies <- function(x, call) {
       hint <- if (is.matrix(x[[i]])) {
         "A tensor has no mass and no position: make a body of it with {.fn body_tensor}."
       } else {
-        "Make one with {.fn body_disk} or its sisters."
+        "Make one with {.fn body_disk} or another constructor."
       }
       check_class(x[[i]], "rot_body", paste0("..", i), hint, call)
     }

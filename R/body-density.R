@@ -74,7 +74,7 @@ body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
                          seed = 1, name = "density") {
   call <- check_no_dots(...)
   check_supplied(c("f", "domain"), call)
-  remedy <- "Make one with {.fn domain_box} or its sisters."
+  remedy <- "Make one with {.fn domain_box} or another constructor."
   check_class(domain, "rot_domain", "domain", remedy, call)
   name <- check_name(name, "name", call)
   if (!is.null(mass_kg)) mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)

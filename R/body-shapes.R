@@ -518,9 +518,8 @@ body_capsule <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL)
 
 #' Bodies of standard shapes: solids with flat faces
 #'
-#' The mass is spread evenly over the volume. For any tetrahedron by its corners see
-#' [body_tetrahedron()]. The own axes are principal axes, but for a triangular prism: its product of
-#' inertia makes Ixy = -m h (2 p - b) / 36.
+#' Polyhedra of uniform density. For a tetrahedron given by its vertices see [body_tetrahedron()].
+#' The own axes are principal axes, except for the triangular prism: Ixy = -m h (2 p - b) / 36.
 #'
 #' `r describe_shapes("flat-faced solids")`
 #' `r formula_note`

@@ -49,7 +49,7 @@ mesh_words <- c(
 
 check_body <- function(body, call, arg = "body") {
   if (!inherits(body, "rot_body")) {
-    check_class(body, "rot_body", arg, "Make one with {.fn body_disk} or its sisters.", call)
+    check_class(body, "rot_body", arg, "Make one with {.fn body_disk} or another constructor.", call)
   }
   body
 }

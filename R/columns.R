@@ -1,5 +1,5 @@
-# The dictionary of columns: name, unit, meaning. A test asserts that all columns of all functions are
-# in it; the help pages take their tables from it.
+# The dictionary of columns: name, unit, meaning. A test asserts that it has all columns of all
+# functions; the help pages take their tables from it.
 column_list <- list(
   c("time_s", "s", "time"),
   c("theta_rad", "rad", "angle turned about the axle"),

@@ -158,7 +158,7 @@ print.rot_inertia_tensor <- function(x, ...) {
   own <- identical(attr(x, "rotation"), diag(3))
   sign <- if (attr(x, "products") == "negative") "-" else "+"
   where <- paste0(
-    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "turned", " axes,"
+    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "rotated", " axes,"
   )
   signs <- paste0("off-diagonal ", sign, "int x y dm")
   head <- paste(where, signs)

@@ -26,7 +26,9 @@
 stopping <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
-  check_class(scene, "rot_scene_axle", "scene", "Describe one with {.fn scene_axle}.", call)
+  check_class(
+    scene, axle_constraint()$scene_class, "scene", "Describe one with {.fn scene_axle}.", call
+  )
   why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
   if (!is.null(why_not)) {
     abort_rotdyn(

@@ -262,7 +262,13 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     if (!is.null(run$dropped)) {
       c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
     },
-    if (length(run$events$time_s)) c("Events" = describe_events(run$events))
+    if (length(run$events$time_s)) c("Events" = describe_events(run$events)),
+    if (is.finite(run$info$scan_spacing_s %||% NA)) {
+      c("Sampled" = paste0(
+        "the torque function every ", format(run$info$scan_spacing_s, digits = 2),
+        " s: anything shorter is not seen"
+      ))
+    }
   )
 }
 

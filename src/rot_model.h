@@ -30,7 +30,8 @@ typedef struct rot_drop {
   const char *why_not;             /* the model's reason against the scene without them, or NULL */
 } rot_drop;
 
-typedef enum rot_error_kind { ROT_ESTIMATE, ROT_BOUND } rot_error_kind;
+/* An adaptive model's error is an estimate that follows the accuracy asked for. */
+typedef enum rot_error_kind { ROT_ESTIMATE, ROT_BOUND, ROT_ADAPTIVE } rot_error_kind;
 
 typedef struct rot_model {
   const char *id;
