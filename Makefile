@@ -1,7 +1,8 @@
 # The developer's verbs. Each is a script in tools/ that can be run by itself. GNU make.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test core snapshots bench document format check-valgrind check-nosuggests check-manual check-coverage
+.PHONY: help demo test core snapshots bench document format
+.PHONY: check-valgrind check-nosuggests check-manual check-coverage
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
@@ -11,7 +12,7 @@ demo: ## install what is missing and the package, run the main job, pictures in 
 	@sh tools/install.sh
 	@Rscript tools/demo.R
 
-test: ## install what is missing, then every check
+test: ## install what is missing, then run every check
 	@sh tools/run-tests.sh
 
 core: ## the tests of the C core alone
@@ -19,7 +20,7 @@ core: ## the tests of the C core alone
 
 snapshots: ## write the text snapshots anew; read the diff before you commit it
 	@sh tools/install.sh
-	-@NOT_CRAN=true Rscript tools/run-testthat.R tests/testthat
+	-@cd tests && NOT_CRAN=true Rscript testthat.R
 	@Rscript -e 'testthat::snapshot_accept(path = "tests/testthat")'
 
 bench: ## speed and error beside other tools

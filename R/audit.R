@@ -1,28 +1,37 @@
 #' Audit a trajectory
 #'
-#' Two balances from the first row to the last. Energy: the change of kinetic energy against the
-#' work of the torque (and of what changes the inertia) less what the resistance took. Momentum: the
-#' change of angular momentum against the impulses of both. Work, heat and impulses are computed by
-#' themselves (in closed form, or with the integration), never as what is missing, so a residual
-#' means something; each comes with what rounding and the stated error could explain, and a verdict.
+#' The balances of a motion from its first row to its last, a row each: the change of a quantity
+#' against what supplied it, less what dissipated it. Energy: the change of kinetic (and elastic)
+#' energy against the work of the torques (and of what changes the inertia) less the heat. Angular
+#' momentum: its change against the impulse of the torques less that of the resistance. Work, heat
+#' and impulses are computed separately (in closed form, or with the integration), never as what is
+#' missing, so a residual means something; each comes with what rounding and the stated error could
+#' explain, and a verdict.
 #' \deqn{\Delta\left(\tfrac12 I \omega^2\right) = \int \tau\,\omega\,dt - Q, \quad
 #'   \Delta(I \omega) = \int (\tau + \tau_r)\,dt}{
 #'   change of I omega^2/2 = int tau omega dt - Q,  change of I omega = int (tau + tau_r) dt}
-#' with the heat Q and the torque \eqn{\tau_r}{tau_r} of the resistance.
+#' with the heat Q and the torque \eqn{\tau_r}{tau_r} of the resistance. With several bodies the sums
+#' are over all of them; torques between them have no part in the angular momentum.
 #'
-#' The changes are taken from the rows as they stand: edit a value, and the audit says so. When rows
+#' The changes are taken from the rows as they are now: edit a value, and the audit says so. When rows
 #' were dropped, the balance runs over the rows that are left. Where [choose_model()] left an effect
 #' out, the balance is that of the motion without it.
 #'
 #' @param x A `rot_trajectory`.
 #' @param ... Not used.
-#' @return A `rot_audit`: a tibble of one row with the columns `r describe_columns(audit_columns)`
-#'   Without rows all numbers are NA. The verdict is NA where a balance cannot be drawn: no rows, or
-#'   energies beyond double precision.
+#' @return A `rot_audit`: a tibble with a row for each balance and the columns
+#'   `r describe_columns(audit_columns)`
+#'   `terms` holds, for each balance, a tibble with the columns
+#'   `r describe_columns(c("term", "role", "value"))`
+#'   The verdict is NA where a balance cannot be drawn: no rows, rotors missing from them, or energies
+#'   beyond double precision.
 #' @section Errors: `rotdyn_error_type` for what has no audit (a table that lost its columns is no
 #'   trajectory); `rotdyn_error_time` for a missing time.
 #' @examples
-#' audit(spin_up())
+#' wheel <- audit(spin_up())
+#' wheel
+#' all(wheel$verdict == "balanced")
+#' wheel$terms[[1]]
 #' @export
 audit <- function(x, ...) {
   UseMethod("audit")
@@ -40,101 +49,76 @@ audit.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
   run <- trajectory_run(x)
-  n <- nrow(x)
-  if (n == 0L) {
-    empty <- stats::setNames(rep(list(NA_real_), length(audit_columns)), audit_columns)
-    empty$verdict <- NA_character_
-    return(tibble::new_tibble(empty, nrow = 1L, class = "rot_audit"))
+  constraint <- constraint_of(run$scene)
+  check_rows(x, call, constraint$keys)
+  balances <- constraint$balances(x, run, call)
+  column <- function(name) {
+    unlist(lapply(balances, `[[`, name), use.names = FALSE)
   }
-  check_rows(x, call)
-  scene <- run$solved
-  t <- as.double(x$time_s[c(1L, n)])
-  ledger <- run$ledger
-  if (is.null(ledger)) {
-    ledger <- record_of(run)$ledger(scene, c(run, call = call), min(t), max(t))
-    if (t[2] < t[1]) {
-      ledger[-(4:6)] <- -ledger[-(4:6)] # rows turned round: the balance runs backwards
-    }
-  }
-  inertia <- if (is.null(scene$inertia)) {
-    rep(scene$moment_of_inertia_kg_m2, 2L)
-  } else {
-    inertia_at(scene$inertia, t)
-  }
-  omega <- x$omega_rad_per_s[c(1L, n)]
-  theta <- x$theta_rad[c(1L, n)]
-  linear <- !any(c("quadratic", "friction") %in% scene$effects)
-  damping <- if (linear) -viscous_of(scene) * (theta[2] - theta[1]) else ledger[10]
-
-  # K1 - K0 as a product, so that a small change of a large energy keeps its digits.
-  kinetic <- if (inertia[1] == inertia[2]) {
-    0.5 * inertia[1] * (omega[2] - omega[1]) * (omega[2] + omega[1])
-  } else {
-    0.5 * (inertia[2] * omega[2]^2 - inertia[1] * omega[1]^2)
-  }
-  momentum <- inertia[2] * omega[2] - inertia[1] * omega[1]
-  if (inertia[1] == inertia[2]) momentum <- inertia[1] * (omega[2] - omega[1])
-  energy_residual <- (kinetic - ledger[1] - ledger[11]) + ledger[2]
-  momentum_residual <- (momentum - ledger[3]) - damping
-
-  eps <- .Machine$double.eps
-  omega_error <- run$info$omega_error + eps * abs(omega)
-  energy_rounding <- ledger[4] + ledger[5] + sum(inertia * abs(omega) * omega_error) +
-    2 * eps * (abs(kinetic) + abs(ledger[1]) + abs(ledger[2]) + abs(ledger[11])) +
-    if (is.null(scene$inertia)) 0 else 2 * eps * sum(inertia * omega^2)
-  momentum_rounding <- ledger[6] + sum(inertia * omega_error) +
-    abs(viscous_of(scene)) * sum(run$info$theta_error + eps * abs(theta)) +
-    2 * eps * (abs(momentum) + abs(ledger[3]) + abs(damping))
-  balanced <- abs(energy_residual) <= energy_rounding &&
-    abs(momentum_residual) <= momentum_rounding
-  tibble::new_tibble(list(
-    work_j = ledger[1],
-    dissipated_j = ledger[2],
-    dissipated_viscous_j = ledger[7],
-    dissipated_quadratic_j = ledger[8],
-    dissipated_coulomb_j = ledger[9],
-    inertia_work_j = ledger[11],
-    kinetic_energy_change_j = kinetic,
-    energy_residual_j = energy_residual,
-    energy_rounding_j = energy_rounding,
-    torque_impulse_n_m_s = ledger[3],
-    damping_impulse_n_m_s = damping,
-    angular_momentum_change_kg_m2_per_s = momentum,
-    momentum_residual_kg_m2_per_s = momentum_residual,
-    momentum_rounding_kg_m2_per_s = momentum_rounding,
-    verdict = if (is.na(balanced)) NA_character_ else if (balanced) "balanced" else "unbalanced"
-  ), nrow = 1L, class = "rot_audit")
+  columns <- lapply(audit_columns, column)
+  names(columns) <- audit_columns
+  columns$terms <- lapply(balances, `[[`, "terms")
+  tibble::new_tibble(columns, nrow = length(balances), class = "rot_audit")
 }
+
+# One balance: change = supplied - dissipated, each numbers named in words. `about`: the point or axis
+# of a momentum.
+balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
+  residual <- (sum(change) - sum(supplied)) + sum(dissipated)
+  balanced <- abs(residual) <= rounding
+  parts <- c(supplied, dissipated, change)
+  list(
+    balance = name, about = about, unit = unit,
+    change = sum(change), supplied = sum(supplied), dissipated = sum(dissipated),
+    residual = residual, rounding = rounding,
+    verdict = if (is.na(balanced)) NA_character_ else if (balanced) "balanced" else "unbalanced",
+    terms = tibble::new_tibble(list(
+      term = names(parts) %||% rep(NA_character_, length(parts)),
+      role = rep(
+        c("supplied", "dissipated", "change"), lengths(list(supplied, dissipated, change))
+      ),
+      value = unname(parts)
+    ), nrow = length(parts))
+  )
+}
+
+# A balance that cannot be drawn: no rows, or rows missing.
+no_balance <- function(name, about, unit) {
+  balance(name, about, unit, NA_real_, NA_real_, NA_real_, NA_real_)
+}
+
+# The difference of squares as a product keeps the digits of a small change of a large energy.
+kinetic_change <- function(inertia, from, to) sum(0.5 * inertia * (to - from) * (to + from))
 
 #' @export
 print.rot_audit <- function(x, ...) {
-  if (!all(audit_columns %in% names(x)) || nrow(x) != 1L) {
+  if (!all(audit_columns %in% names(x))) {
     return(NextMethod())
   }
-  line <- function(text, value, unit) {
-    cat(sprintf("  %-34s %24s %s\n", text, format(value, digits = 15), unit))
+  line <- function(text, value, unit, digits = 15) {
+    cat(sprintf("  %-38s %22s %s\n", text, format(value, digits = digits), unit))
   }
-  cat("<rot_audit> ", x$verdict, "\n", sep = "")
-  line("work of the torque", x$work_j, "J")
-  line("- dissipated", x$dissipated_j, "J")
-  parts <- c(
-    viscous = x$dissipated_viscous_j, quadratic = x$dissipated_quadratic_j,
-    `dry friction` = x$dissipated_coulomb_j
-  )
-  parts <- parts[!is.na(parts) & parts != 0]
-  if (length(parts) > 1L) {
-    for (name in names(parts)) line(paste("    of it", name), parts[[name]], "J")
+  verdict <- if (all(x$verdict %in% "balanced")) "balanced" else
+    if ("unbalanced" %in% x$verdict) "unbalanced" else NA
+  cat("<rot_audit> ", verdict, "\n", sep = "")
+  for (i in seq_len(nrow(x))) {
+    unit <- x$unit[i]
+    about <- if (!is.na(x$about[i])) paste(" about", x$about[i])
+    cat(gsub("_", " ", x$balance[i]), about, "\n", sep = "")
+    terms <- x$terms[[i]]
+    for (role in c("supplied", "dissipated", "change")) {
+      part <- terms[terms$role == role, ]
+      shown <- part[!part$value %in% 0, ]
+      if (nrow(shown) == 0L) shown <- part[seq_len(min(1L, nrow(part))), ]
+      sign <- c(supplied = "+", dissipated = "-", change = "=")[[role]]
+      for (k in seq_len(nrow(shown))) {
+        first <- k == 1L && role != "dissipated"
+        mark <- if (!first) sub("=", "+", sign) else if (role == "change") "=" else " "
+        line(paste(mark, shown$term[k]), shown$value[k], unit)
+      }
+    }
+    line("  residual", signif(x$residual[i], 2), unit)
+    line("  explained by rounding and error", signif(x$rounding[i], 2), unit)
   }
-  if (!is.na(x$inertia_work_j) && x$inertia_work_j != 0) {
-    line("+ work of what changes the inertia", x$inertia_work_j, "J")
-  }
-  line("= change of kinetic energy", x$kinetic_energy_change_j, "J")
-  line("  residual", signif(x$energy_residual_j, 2), "J")
-  line("  explained by rounding and error", signif(x$energy_rounding_j, 2), "J")
-  line("impulse of the torque", x$torque_impulse_n_m_s, "N m s")
-  line("+ impulse of the damping", x$damping_impulse_n_m_s, "N m s")
-  line("= change of angular momentum", x$angular_momentum_change_kg_m2_per_s, "kg m^2/s")
-  line("  residual", signif(x$momentum_residual_kg_m2_per_s, 2), "kg m^2/s")
-  line("  explained by rounding and error", signif(x$momentum_rounding_kg_m2_per_s, 2), "kg m^2/s")
   invisible(x)
 }

@@ -1,46 +1,45 @@
 #' Bodies made of bodies
 #'
 #' @description
-#' * `place_body()`: a body at another place, turned: its own axes become those of a common frame.
+#' * `place_body()`: rotates and translates a body: its own axes become those of a common frame.
 #' * `join_bodies()`: placed bodies as one rigid body.
-#' * `cut_body()`: a body less another: a hole.
+#' * `cut_body()`: subtracts a body from another: a hole.
 #'
-#' All nest: what comes out is a body.
+#' The results are bodies, so the functions can be nested.
 #'
 #' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i g_i,\quad
 #'   C = \sum_i \left(C_i + m_i d_i d_i^T\right),\quad d_i = g_i - g}{
 #'   m = sum m_i,  g = sum m_i g_i / m,  C = sum (C_i + m_i d_i d_i'),  d_i = g_i - g}
-#' The common centre is found first and the tensors are summed about it: a frame whose origin is far
-#' away costs no digits but those that the parts' places lose when they are rounded there.
+#' The common centre is computed first, and the tensors are summed about it. A distant origin of the
+#' frame costs only the rounding of the parts' positions.
 #'
 #' @param body A `rot_body`.
-#' @param at_m Where the body's own origin goes, three numbers in m. (The origin is the point that
-#'   the shape's help names; it need not be the centre of mass.)
-#' @param rotation How the body is turned about its own origin first: a rotation matrix, as
-#'   [rotation_about()] makes it (own axes to the frame), or a unit quaternion, scalar first.
-#' @param ... `join_bodies()`: bodies placed in one frame, or lists of them. Else not used.
-#' @param hole A `rot_body` in the same frame: what is taken out, with the mass it had. Make it with
-#'   the density of the body, `density_kg_m3 =`, and its mass is right by itself.
-#' @param name What to call the result.
+#' @param at_m Position of the body's own origin in the frame, three numbers in m. (The origin is
+#'   stated in the help of the shape; it need not be the centre of mass.)
+#' @param rotation Rotation of the body about its own origin, applied first: a rotation matrix (own
+#'   axes to the frame, as from [rotation_about()]) or a unit quaternion, scalar first.
+#' @param ... `join_bodies()`: bodies placed in one frame, or lists of them. Otherwise not used.
+#' @param hole A `rot_body` in the same frame: the material removed, with its mass. Its mass is
+#'   consistent if it is made with the density of the body, `density_kg_m3 =`.
+#' @param name Name of the result.
 #' @return A `rot_body` in the common frame. `detail$parts` of a joined body lists its parts;
-#'   `detail$centre_error_m` bounds how far rounding took each coordinate of the centre. The error
-#'   of a joined body is what the parts' own errors and those of their centres make of the whole,
-#'   and the roundings of the sum: a bound if all of theirs are. A hole that leaves little makes it
-#'   large: that is the truth.
+#'   `detail$centre_error_m` bounds the rounding error of each coordinate of the centre. The error
+#'   of a joined body combines the errors of the parts and of their centres with the rounding of the
+#'   sum; it is a bound if all of theirs are. It is large where a hole leaves little of the body.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
-#'   what is no rotation, a hole as heavy as the body or heavier), `rotdyn_error_inertia` for a hole
-#'   that cannot have been inside the body: its centre is farther out than the body reaches, or no
-#'   body is left. (One that sticks out a little is not noticed.) `rotdyn_error_range`,
-#'   `rotdyn_error_unit`.
+#'   a matrix that is not a rotation, a hole at least as heavy as the body), `rotdyn_error_inertia`
+#'   for a hole that cannot have been inside the body: its centre is outside the body's reach, or
+#'   the remaining inertia is not physical. (A hole that protrudes slightly is not detected.)
+#'   `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @examples
-#' # A dumbbell: a rod along x and a ball at each end.
+#' # A dumbbell: a rod along x with a ball at each end.
 #' rod <- body_rod(mass_kg = 0.5, length_m = 1)
 #' ball <- body_sphere(mass_kg = 2, radius_m = 0.1)
 #' dumbbell <- join_bodies(rod, place_body(ball, c(0.6, 0, 0)), place_body(ball, c(-0.6, 0, 0)))
 #' dumbbell
 #'
-#' # A disk with a hole half way out: the mass of the hole goes with its area.
+#' # A disk with a hole at half its radius: the mass of the hole is proportional to its area.
 #' cut_body(body_disk(4, 0.2), place_body(body_disk(4 * 0.25^2, 0.05), c(0.1, 0, 0)))
 #' @name compound
 NULL
@@ -48,9 +47,8 @@ NULL
 #' @rdname compound
 #' @export
 place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   check_body(body, call)
   at_m <- check_vector(at_m, "at_m", "m", call)
   centre <- as.double(body$centre_m)
@@ -67,7 +65,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
       beta <- NA_real_
       error <- error + 16 * .Machine$double.eps
       off <- sqrt(3) * off + 8 * .Machine$double.eps * max(abs(centre))
-      # A shape's formula is about an axis of its own, which is not where it was.
+      # The formula of a shape is about its own axis, which was rotated.
       if (body$shape %in% shape_table()$shape && body$provenance == "formula") {
         formula <- paste0(sub(turned_mark, "", formula, fixed = TRUE), turned_mark)
       }
@@ -78,7 +76,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   detail <- place_detail(body$detail, if (!is.null(rotation)) turn, at_m)
   detail$centre_error_m <- if (off > 0) off
   if (!all(is.finite(centre))) {
-    abort_rotdyn("The place is beyond double precision.", "range", call)
+    abort_rotdyn("The position exceeds double precision.", "range", call)
   }
   new_body(
     body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, formula,
@@ -88,8 +86,8 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
 
 turned_mark <- ", then turned"
 
-# A bound of each coordinate of the centre, where one is known: how far rounding took it. It is of
-# no account to the body alone, and of much to what it is joined with.
+# A bound of the rounding error of each coordinate of the centre, where known. It is ignored for the
+# body alone, but matters when the body is joined to others.
 centre_error <- function(body) {
   known <- .subset2(.subset2(body, "detail"), "centre_error_m")
   if (!is.null(known)) {
@@ -101,7 +99,7 @@ centre_error <- function(body) {
   }
 }
 
-# What rounding leaves off a + b, exactly (Knuth).
+# The rounding error of a + b, exactly (Knuth).
 lost_in_sum <- function(a, b) {
   sum <- a + b
   of_b <- sum - a
@@ -109,7 +107,7 @@ lost_in_sum <- function(a, b) {
   ifelse(is.finite(lost), lost, 0)
 }
 
-# What a body's detail places in the own axes (parts, points, vertices) goes along.
+# Moves the positions in a body's detail (parts, points) with the body.
 place_detail <- function(detail, turn, at_m) {
   xyz <- c("x_m", "y_m", "z_m")
   lapply(detail, function(table) {
@@ -137,22 +135,19 @@ join_bodies <- function(..., name = "compound") {
 #' @rdname compound
 #' @export
 cut_body <- function(body, hole, ..., name = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("body", "hole"), call)
-  check_no_dots(...)
   check_body(body, call)
   check_body(hole, call, "hole")
   if (!is.null(name)) name <- check_name(name, "name", call)
   if (!(hole$mass_kg < body$mass_kg)) {
     abort_rotdyn(
       c(
-        "A hole must be lighter than what it is cut from.",
+        "A hole must be lighter than the body.",
         x = "{.arg hole} has {format_si(hole$mass_kg)} kg, {.arg body}
              {format_si(body$mass_kg)} kg.",
-        i = "{.arg hole} stands for what is taken out: give both the same density."
-      ),
-      "value",
-      call
+        i = "{.arg hole} is the material removed: give both the same density."
+      ), "value", call
     )
   }
   check_hole_near(body, hole, call)
@@ -164,7 +159,7 @@ cut_body <- function(body, hole, ..., name = NULL) {
   left
 }
 
-# The centre of what lies in a body is no farther from the body's centre than its farthest point.
+# The centre of a hole inside a body is within the body's reach.
 check_hole_near <- function(body, hole, call) {
   gap <- as.double(hole$centre_m) - as.double(body$centre_m)
   away <- hypot3(gap)
@@ -172,13 +167,11 @@ check_hole_near <- function(body, hole, call) {
   if (isTRUE(hole$mass_kg > 0 && away > body$reach_m * (1 + 1e-12) + rounding)) {
     abort_rotdyn(
       c(
-        "A hole must be inside of what it is cut from.",
+        "A hole must be inside the body.",
         x = "The centre of {.arg hole} is {format_si(away)} m from that of {.arg body}, which
              reaches {format_si(body$reach_m)} m.",
         i = "Both must be placed in one frame: {.fn place_body}."
-      ),
-      "inertia",
-      call
+      ), "inertia", call
     )
   }
 }
@@ -192,7 +185,7 @@ flatten_bodies <- function(x, call) {
       parts <- c(parts, flatten_bodies(x[[i]], call))
     } else {
       hint <- if (is.matrix(x[[i]])) {
-        "A tensor alone has no mass and no place: give it both with {.fn body_tensor}."
+        "A tensor has no mass and no position: make a body of it with {.fn body_tensor}."
       } else {
         "Make one with {.fn body_disk} or its sisters."
       }
@@ -202,7 +195,7 @@ flatten_bodies <- function(x, call) {
   parts
 }
 
-# `sign` is -1 for what is cut out.
+# `sign` is -1 for holes.
 combine_bodies <- function(parts, sign, name, call) {
   pick <- function(field) vapply(parts, function(b) as.double(b[[field]]), double(1))
   mass <- pick("mass_kg")
@@ -211,21 +204,18 @@ combine_bodies <- function(parts, sign, name, call) {
     as.double(b$second_moment_kg_m2)[c(1, 5, 9, 4, 7, 8)]
   }, double(6))
   sum <- .Call(ffi_inertia_join, sign * mass, centres, seconds * rep(sign, each = 6))
-  if (is.null(sum)) {
-    abort_rotdyn("The bodies' inertia is beyond double precision.", "range", call)
-  }
-  trace <- sum(diag(sum$second_kg_m2))
+  trace <- if (is.null(sum)) Inf else sum(diag(sum$second_kg_m2))
   if (!is.finite(trace)) {
-    abort_rotdyn("The bodies' inertia is beyond double precision.", "range", call)
+    abort_rotdyn("The bodies' inertia exceeds double precision.", "range", call)
   }
   traces <- colSums(seconds[1:3, , drop = FALSE])
-  # A part whose moment vanished beneath the smallest double has an error of some of those.
+  # The error of a part whose moment underflowed is a few smallest doubles.
   own <- ifelse(pick("error") == Inf & traces == 0, 2^-1070, pick("error") * traces)
   error <- (if (trace > 0) sum(own) / trace else if (any(own > 0)) Inf else 0) + sum$error
   kinds <- vapply(parts, function(b) b$error_kind, character(1))
   away <- apply(centres - sum$centre_m, 2, hypot3)
   off <- vapply(parts, centre_error, double(1))
-  # Centres that are off by rounding change m d d' by so much; d itself is from a rounded centre.
+  # The effect on m d d' of the errors of the centres; d itself is from a rounded centre.
   arm <- away + 2 * .Machine$double.eps * max(abs(sum$centre_m))
   if (trace > 0) error <- error + sum(mass * (2 * arm + off) * off / trace)
   new_body(
@@ -244,7 +234,7 @@ combine_bodies <- function(parts, sign, name, call) {
   )
 }
 
-# The errors of the parts' centres, by their masses, and the roundings of the mean.
+# The errors of the parts' centres, weighted by mass, and the rounding of the mean.
 joined_centre_error <- function(mass, off, away, sum) {
   if (sum$mass_kg > 0) {
     share <- mass / sum$mass_kg

@@ -1,70 +1,68 @@
 #' A body from a density field
 #'
-#' Mass, centre of mass and second moment of a body whose density is a function of place, by
-#' quadrature where the domain has a map, else by random points:
+#' Mass, centre of mass and second moment of a body whose density is a function of position, by
+#' quadrature if the domain has a map, otherwise from random points:
 #' \deqn{m = \int \rho\,dV,\quad g = \frac{1}{m}\int \rho\,x\,dV,\quad
 #'   C = \int \rho\,(x - g)(x - g)^T dV}{
 #'   m = int rho dV,  g = int rho x dV / m,  C = int rho (x - g)(x - g)' dV}
 #'
-#' @section Quadrature: Gauss and Legendre's nodes in each parameter of the domain, evenly spaced
-#'   ones in an angle that goes all the way round. The numbers of nodes grow by half, in the
-#'   parameter that changes the result most, until the changes are below `accuracy`; then two more
-#'   nodes in each parameter (16 at least) must agree. Smooth densities take some thousand
-#'   evaluations for ten digits, and the error reported covers the true one in 99 of 100 random
-#'   ones.
+#' @section Quadrature: Gauss-Legendre nodes in each parameter of the domain, evenly spaced nodes
+#'   for a periodic angle. The number of nodes grows by half, in the parameter that changes the
+#'   result most, until the changes are below `accuracy`; then two more nodes in each parameter (at
+#'   least 16) must agree. Smooth densities take some thousand evaluations for ten digits, and the
+#'   reported error covers the true one for 99 of 100 random densities.
 #'
-#'   A jump or a kink inside the domain takes all evaluations there are and leaves two to five
-#'   digits; the error figure then holds in nine of ten cases or more. Better split the domain
-#'   there, make a body of each part and [join_bodies()].
+#'   A discontinuity or a kink inside the domain uses all evaluations and leaves two to five digits;
+#'   the reported error then covers the true one in nine of ten cases or more. It is better to split
+#'   the domain there, make a body of each part and [join_bodies()].
 #'
-#'   No quadrature knows of what falls between its nodes: a grain of less than a tenth of the domain
-#'   needs a domain of its own.
-#' @section Random points: One point in each cell of a grid of equal cells, in 16 grids that know
-#'   nothing of each other. `error` is the standard error of the second moment (the largest of its
-#'   six components, relative to the trace), from how far leaving out one grid changes the result
-#'   (jackknife). It is no bound: for a torus the worst of the six components was off by more in
-#'   half of 660 runs, by more than four times as much in one; the mass by more than its own
-#'   standard error in a third. It falls as the number of points to the power -2/3, where points
-#'   without cells have -1/2: for the torus 4e-3 at 2e4 points, 1.7e-4 at 2e6.
+#'   Features between the nodes are not seen: a region smaller than a tenth of the domain needs a
+#'   domain of its own.
+#' @section Random points: One point in each cell of a grid of equal cells, in 16 independent grids.
+#'   `error` is the standard error of the second moment (the largest of its six components, relative
+#'   to the trace) by the jackknife over the grids. It is not a bound: for a torus the error of the
+#'   worst component was larger in half of 660 runs, and more than four times as large in one; that
+#'   of the mass was larger in a third. It decreases as the number of points to the power -2/3
+#'   (without cells: -1/2): for the torus 4e-3 at 2e4 points, 1.7e-4 at 2e6.
 #'
 #' @param f Density in kg/m^3: one number, or a function of three vectors `x_m`, `y_m`, `z_m` that
-#'   returns a vector as long as they are. With `mass_kg`, density up to a factor.
-#' @param domain Where: see [domains]. `f` gets coordinates in the axes of the domain.
+#'   returns a vector of the same length. With `mass_kg`, density up to a factor.
+#' @param domain See [domains]. `f` gets coordinates in the axes of the domain.
 #' @param ... Not used; names after it must be given in full.
-#' @param mass_kg The total mass, if it is known better than the density, which is scaled to it.
-#' @param accuracy Error that will do: of the second moment relative to its trace, of the mass
-#'   relative to itself, of the centre relative to the radius of gyration. Random points take
-#'   `max_evaluations` points unless it is given.
-#' @param max_evaluations Evaluations of `f` at most.
+#' @param mass_kg Total mass, to which the density is scaled.
+#' @param accuracy Accepted error: of the second moment relative to its trace, of the mass, of the
+#'   centre relative to the radius of gyration. If it is not given, `max_evaluations` random points
+#'   are used.
+#' @param max_evaluations Largest number of evaluations of `f`.
 #' @param method `"auto"`: quadrature if the domain has a map.
-#' @param seed Whole number that the random points follow from, at least 0. R's own random numbers
-#'   are left alone.
-#' @param name What to call the body.
-#' @return A `rot_body` in the axes of the domain. `error` is an estimate; `detail` tells the method
-#'   (`nodes` of each parameter; or `points`, how many of them were `inside`, and `seed`), the
-#'   number of `evaluations`, the relative `mass_error` (0 for a given mass) and `centre_error_m`.
-#' @section Errors: `rotdyn_error_density` for an `f` (or map, Jacobian, inside) that returns
-#'   anything but a finite number of at least 0 for each point, and for a body without mass;
+#' @param seed Seed of the random points, a whole number of at least 0. R's random numbers are not
+#'   affected.
+#' @param name Name of the body.
+#' @return A `rot_body` in the axes of the domain. `error` is an estimate; `detail` has the `nodes`
+#'   of each parameter (or the number of `points`, of those `inside`, and `seed`), the number of
+#'   `evaluations`, the relative `mass_error` (0 for a given mass) and `centre_error_m`.
+#' @section Errors: `rotdyn_error_density` for an `f` (or map, Jacobian, inside) that does not
+#'   return a finite number of at least 0 for each point, and for a body without mass;
 #'   `rotdyn_error_model` for quadrature without a map; `rotdyn_error_type`, `rotdyn_error_size`,
-#'   `rotdyn_error_value`, `rotdyn_error_unit`, `rotdyn_error_range`. An error in `f` passes through
-#'   as itself. A warning `rotdyn_warning_accuracy` if `accuracy` was not met: the body
-#'   then has the error that was reached.
+#'   `rotdyn_error_value`, `rotdyn_error_unit`, `rotdyn_error_range`. An error in `f` keeps its
+#'   class. A warning `rotdyn_warning_accuracy` if `accuracy` was not reached; the body has the
+#'   error reached.
 #' @source Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed. (1984), chapters 2 and 5;
 #'   Efron and Stein, Annals of Statistics 9 (1981) 586, for the jackknife.
 #' @seealso [domains], [body_points()]
 #' @examples
-#' # A planet that is twice as dense in the middle as at the surface.
+#' # A planet twice as dense at the centre as at the surface.
 #' planet <- body_density(
 #'   function(x_m, y_m, z_m) 8000 - 4000 * sqrt(x_m^2 + y_m^2 + z_m^2) / 6.4e6,
 #'   domain_ball(radius_m = 6.4e6)
 #' )
 #' planet
-#' moment_of_inertia(planet, "z") / (planet$mass_kg * 6.4e6^2) # below 0.4: dense inside
+#' moment_of_inertia(planet, "z") / (planet$mass_kg * 6.4e6^2) # below 0.4
 #'
-#' # The same everywhere: a number. This quarter of a disk balances at 4 r/(3 pi).
+#' # Uniform density: a number. The centre of this quarter of a disk is at 4 r/(3 pi).
 #' body_density(1000, domain_cylinder(0.3, 0.02, angle_rad = c(0, pi / 2)))$centre_m
 #'
-#' # Where only the inside is known.
+#' # A domain defined by a predicate.
 #' body_density(
 #'   1000,
 #'   domain_inside(function(x, y, z) x^4 + y^4 + z^4 < 1, c(-1, -1, -1), c(1, 1, 1)),
@@ -74,9 +72,8 @@
 body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
                          max_evaluations = 1e6, method = c("auto", "quadrature", "monte_carlo"),
                          seed = 1, name = "density") {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("f", "domain"), call)
-  check_no_dots(...)
   remedy <- "Make one with {.fn domain_box} or its sisters."
   check_class(domain, "rot_domain", "domain", remedy, call)
   name <- check_name(name, "name", call)
@@ -106,11 +103,9 @@ density_method <- function(method, domain, call) {
     abort_rotdyn(
       c(
         "Quadrature needs a domain with a map.",
-        x = "Of {.fn domain_inside} only the inside is known.",
+        x = "{.fn domain_inside} has no map.",
         i = "Use {.code method = \"monte_carlo\"}, or {.fn domain_map}."
-      ),
-      "model",
-      call
+      ), "model", call
     )
   }
   if (method == "auto") {
@@ -130,7 +125,7 @@ density_function <- function(f, call) {
   function(places) rep(rho, length(places[[1]]))
 }
 
-# What random streams of the core are counted by.
+# The seed of the random streams of the core.
 check_seed <- function(seed, call) {
   seed <- check_number(seed, "seed", "1", call, lower = 0, upper = 2^32 - 1)
   if (seed != round(seed)) {
@@ -142,23 +137,21 @@ check_seed <- function(seed, call) {
 warn_missed_accuracy <- function(found, run, method) {
   reached <- max(found$errors)
   remedy <- if (reached < 1e-13) {
-    "Double precision ends here."
+    "This is the limit of double precision."
   } else if (method == "quadrature") {
-    "If the density has a jump or a kink, split the domain there and use {.fn join_bodies};
-     else allow more {.arg max_evaluations}."
+    "If the density has a discontinuity or a kink, split the domain there and use
+     {.fn join_bodies}; otherwise increase {.arg max_evaluations}."
   } else {
-    "Allow more {.arg max_evaluations}: eight times as many make the error a quarter."
+    "Increase {.arg max_evaluations}: eight times as many reduce the error to a quarter."
   }
   warn_rotdyn(
     c(
-      "The accuracy asked for was not reached.",
+      "The requested accuracy was not reached.",
       x = "The error is about {format(reached, digits = 2)} after
            {format(found$evaluations, big.mark = ',')} evaluations;
-           {format(run$accuracy)} was asked.",
+           {format(run$accuracy)} was requested.",
       i = remedy
-    ),
-    "accuracy",
-    run$call
+    ), "accuracy", run$call
   )
 }
 
@@ -196,11 +189,11 @@ density_body <- function(found, run, method, name) {
 
 # ---- sums over nodes ----------------------------------------------------------------------------
 
-# Nodes at a time: a multiple of what one random stream serves, so that Ctrl-C is heard.
+# Nodes of a chunk, between checks for interrupts: a multiple of the cells of a random stream.
 chunk_nodes <- 65536
 
-# Moments of the density over `total` nodes, those of a chunk from nodes(from, count). Coordinates
-# are about the middle of the domain; a map's are its own.
+# Moments of the density over `total` nodes, in chunks from nodes(from, count). Coordinates are
+# relative to the centre of the domain; those of a map are not.
 density_moments <- function(run, nodes, total, done) {
   moments <- NULL
   hits <- 0
@@ -211,7 +204,7 @@ density_moments <- function(run, nodes, total, done) {
     if (length(at$w)) {
       mass <- at$w * run$density(at$places)
       if (!all(mass < Inf)) {
-        abort_rotdyn("The mass is beyond double precision.", "range", run$call)
+        abort_rotdyn("The mass exceeds double precision.", "range", run$call)
       }
       here <- points_moments(mass, at$x, at$y, at$z, run$call, run$domain$exponent, NULL)
       moments <- join_moments(moments, here)
@@ -221,7 +214,8 @@ density_moments <- function(run, nodes, total, done) {
   list(moments = moments, hits = hits)
 }
 
-# x, y, z about the middle of the domain, weights, and the places as the user's functions see them.
+# x, y, z relative to the centre of the domain, weights, and the points as the user's functions get
+# them.
 density_places <- function(run, at) {
   domain <- run$domain
   middle <- domain$centre_m
@@ -260,9 +254,7 @@ check_inside <- function(keep, at, call) {
         i = if (n > 1 && length(keep) == 1L) {
           "If it takes one point at a time, wrap it: {.code Vectorize(inside)}."
         }
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   keep
@@ -277,14 +269,12 @@ abort_no_mass <- function(evaluations, hits, call) {
       } else {
         "None of {format(evaluations, big.mark = ',')} points is inside."
       }
-    ),
-    "density",
-    call
+    ), "density", call
   )
 }
 
-# How two results differ: second moment relative to the trace (for a given mass, per mass), mass
-# relative to itself, centre relative to the radius of gyration.
+# The difference of two results: second moment relative to the trace (for a given mass, per mass),
+# mass relative to itself, centre relative to the radius of gyration.
 moments_change <- function(a, b, given_mass) {
   if (a[["mass"]] == 0 || b[["mass"]] == 0) {
     return(c(second = most_change, mass = most_change, centre = most_change))
@@ -299,14 +289,14 @@ moments_change <- function(a, b, given_mass) {
   )
 }
 
-# A change of ten times the whole is as bad as any: a single node with mass has no size at all.
+# Upper limit of a relative change: a single node with mass has no size.
 most_change <- 10
 
 ratio_or_zero <- function(a, b) {
   if (is.nan(a)) most_change else if (a == 0) 0 else min(a / b, most_change)
 }
 
-# Roundings of the sums, of the weights and of the places: no answer is better than that.
+# The rounding error of the sums, weights and points, a lower limit of the error.
 moments_floor <- function(moments) {
   moments[["error"]] + 4 * .Machine$double.eps
 }
@@ -352,9 +342,8 @@ density_quadrature <- function(run) {
   repeat {
     guess <- vapply(changes, expected_change, double(3))
     target <- max(run$accuracy - moments_floor(now), moments_floor(now) / 2)
-    # The numbers of nodes seem to do: two more in each parameter, and so other nodes, must agree,
-    # at least 16 to find what may lie between few. Else half as many again in the parameter that
-    # changes the result most.
+    # If the numbers of nodes seem sufficient, two more in each parameter (at least 16) must agree.
+    # Otherwise half as many more in the parameter that changes the result most.
     agree <- max(rowSums(guess)) <= target
     worst <- if (agree) 1:3 else which.max(apply(guess, 2, max))
     wider <- if (agree) more_of_all(n, pmax(2, 16 - n)) else more(n, worst, ceiling(n[worst] / 2))
@@ -376,16 +365,16 @@ density_quadrature <- function(run) {
   )
 }
 
-# Changes die away quickly where each is a tenth of the one before (of the whole), or less. Then the
-# last change is the error of the rule before. Else they are of any size by chance, a small one
-# means nothing, and the larger of the last two counts, twice (bench/density-coverage.R).
+# Fast convergence: each change is at most a tenth of the one before (of the whole for the first);
+# the last change is then the error of the previous rule. Otherwise a small change may be chance,
+# and twice the larger of the last two is used (bench/density-coverage.R).
 changes_quickly <- function(changes) {
   j <- length(changes)
   fall <- function(i) changes[[i]] <= 0.1 * changes[[i - 1L]] | changes[[i]] < 1e-15
   if (j < 2L) changes[[j]] <= 0.1 else fall(j) & (if (j > 2L) fall(j - 1L) else TRUE)
 }
 
-# What each parameter has to do with a change made in all three: as much as with the last changes.
+# The shares of the parameters in a change made in all three: in proportion to their last changes.
 change_shares <- function(changes) {
   last <- vapply(changes, function(x) max(x[[length(x)]]), double(1)) + .Machine$double.eps
   last / sum(last)
@@ -396,7 +385,7 @@ largest_change <- function(changes) {
   if (j < 2L) changes[[j]] else 2 * pmax(changes[[j]], changes[[j - 1L]])
 }
 
-# What two more nodes may change: a hundredth of the last change, where all is well.
+# The expected change by two more nodes: a hundredth of the last change, if convergence is fast.
 expected_change <- function(changes) {
   if (!length(changes)) {
     return(c(second = Inf, mass = Inf, centre = Inf))
@@ -404,8 +393,8 @@ expected_change <- function(changes) {
   ifelse(changes_quickly(changes), 0.01 * changes[[length(changes)]], largest_change(changes))
 }
 
-# The error after the last changes. `last` is that of two more nodes in every parameter, if it came
-# to that: then a hundredth of the other changes is left, as far as they die away quickly.
+# The error after the last changes. `last` is the change by two more nodes in every parameter, if
+# made: then a hundredth of the other changes remains where convergence is fast.
 density_errors <- function(changes, last) {
   share <- if (is.null(last)) 1 else 0.01
   left <- vapply(changes, function(x) {
@@ -437,7 +426,7 @@ density_random <- function(run) {
     sums
   }
   side <- floor((run$budget / replicates)^(1 / 3) + 1e-9)
-  # With an accuracy to meet, few points first, to see how many it takes.
+  # With a requested accuracy: few points first, to predict the number needed.
   try_side <- if (is.null(run$accuracy)) side else min(8, side)
   repeat {
     parts <- lapply(seq_len(replicates), function(i) one(try_side, i))
@@ -447,7 +436,7 @@ density_random <- function(run) {
     room <- floor(((run$budget - spent) / replicates)^(1 / 3) + 1e-9)
     if (enough || room <= try_side) break
     short <- if (is.null(found)) 8 else max(found$errors) / run$accuracy
-    # Cells' width goes with the square root of the error, and a half for luck.
+    # The width of the cells is proportional to the square root of the error; with a safety factor.
     try_side <- min(room, ceiling(1.15 * try_side * max(1.2, sqrt(short))))
   }
   if (is.null(found)) abort_no_mass(spent, hits, run$call)
@@ -462,8 +451,8 @@ density_random <- function(run) {
   )
 }
 
-# The mean of the replicates and the standard error of its moments: each left out once. NULL where
-# there is no mass, an infinite error where that hangs on one replicate.
+# The mean of the replicates and the standard error of its moments, each left out once. NULL without
+# mass; an infinite error if only one replicate has mass.
 jackknife <- function(parts, given_mass) {
   parts <- Filter(function(m) !is.null(m) && m[["mass"]] > 0, parts)
   if (!length(parts)) {
@@ -483,7 +472,7 @@ jackknife <- function(parts, given_mass) {
   if (any(vapply(changes, is.null, NA))) {
     return(list(moments = mean, errors = c(second = Inf, mass = Inf, centre = Inf)))
   }
-  # A replicate without mass, left out, changes nothing but the count.
+  # Omitting a replicate without mass changes only the count.
   empty <- pieces_change(per_replicate(whole, n - 1), mean, given_mass)
   changes <- c(changes, rep(list(empty), n - length(parts)))
   each <- spread(do.call(cbind, changes))
@@ -493,14 +482,13 @@ jackknife <- function(parts, given_mass) {
   )
 }
 
-# Moments of n replicates as the mean of them.
+# The mean of the moments of n replicates.
 per_replicate <- function(moments, n) {
-  moments[c("mass", "xx", "yy", "zz", "xy", "xz", "yz")] <-
-    moments[c("mass", "xx", "yy", "zz", "xy", "xz", "yz")] / n
-  moments
+  summed <- c("mass", "xx", "yy", "zz", "xy", "xz", "yz")
+  replace(moments, summed, moments[summed] / n)
 }
 
-# The ten changes behind moments_change(), one by one.
+# The ten components of moments_change().
 pieces_change <- function(a, b, given_mass) {
   trace <- moments_trace(b)
   scale <- if (given_mass) b[["mass"]] / a[["mass"]] else 1

@@ -1,73 +1,75 @@
 #' A body from a mesh of triangles
 #'
 #' Mass, centre of mass and second moment of the solid inside a closed mesh, by the exact integrals
-#' of the tetrahedra that its faces span, or of the surface itself. With d = a . (b - a) x (c - a)
+#' of the tetrahedra spanned by its faces, or of the surface itself. With d = a . (b - a) x (c - a)
 #' and s = a + b + c for each face a, b, c,
 #' \deqn{V = \frac{1}{6}\sum d,\quad g = \frac{1}{24 V}\sum d\,s,\quad
 #'   C = \frac{m}{120 V}\sum d\,(s s^T + a a^T + b b^T + c c^T) - m\,g g^T}{
 #'   V = sum d / 6,  g = sum d s / (24 V),
 #'   C = m/(120 V) sum d (s s' + a a' + b b' + c c') - m g g'}
-#' `check_mesh()` tells what is right and wrong with a mesh, and whether it bounds a solid.
+#' `check_mesh()` lists the defects of a mesh and says whether it bounds a solid.
 #'
-#' A mesh bounds a solid if each of its edges is used once in either direction. An open or
-#' mis-wound one has a volume that depends on where the origin is, so it is refused: `method` names
-#' what to take in its place.
+#' A mesh bounds a solid if exactly two faces use each edge, in opposite directions. The volume of a
+#' mesh that is open or inconsistently oriented depends on the origin, so it is refused; `method`
+#' offers alternatives.
 #'
 #' | method | body | mesh |
 #' |---|---|---|
-#' | `"solid"` | what the faces enclose | closed, wound one way |
-#' | `"shell"` | the faces, the mass spread evenly over them | any |
+#' | `"solid"` | the enclosed volume | closed, consistently oriented |
+#' | `"shell"` | the faces, with uniform areal density | any |
 #' | `"hull"` | the convex hull of the vertices; needs the package geometry | any |
-#' | `"box"` | the box of the vertices, along the axes | any |
+#' | `"box"` | the bounding box of the vertices, along the axes | any |
 #'
-#' **Parts.** Faces that hang together by edges are a part. Several parts are legal: a part wound
-#' against the whole and inside of it is a cavity. All faces turned inwards is legal, too: `detail`
-#' says `flipped`. One part turned inside out, or inside another and wound alike, is not; nor are
-#' parts that cross, or one that is there twice. Parts may touch. One that crosses itself is not
-#' found, and of large parts that cross in a small region not every pair of faces is looked at.
+#' **Parts** are connected components: faces connected by shared edges. Several parts are legal; a
+#' part inside another and oriented the opposite way is a cavity. If all faces are oriented inwards,
+#' `detail$flipped` says so. Not legal are a single inverted part, a part inside another with the
+#' same orientation, parts that intersect, and duplicate parts. Parts may touch. A part that
+#' intersects itself is not detected, and for large parts that intersect in a small region not every
+#' pair of faces is tested.
 #'
-#' **Vertices at one place.** Where the mesh is not closed as it stands, vertices with the same
-#' coordinates are made one (an STL file repeats each vertex in each face), then those that differ
-#' by no more than rounding: 2^-46 of the largest coordinate, or 2^-23 where numbers came in single
-#' precision. `weld_m` sets that distance; 0 merges equal ones alone. The check counts
-#' `merged_vertices`, and what moved vertices may cost is in `error`.
+#' **Welding.** If the mesh is not closed, vertices with the same coordinates are merged (an STL
+#' file repeats each vertex in each face), then vertices that differ only by rounding: by 2^-46 of
+#' the largest coordinate, or 2^-23 for single precision. `weld_m` sets this distance; 0 merges only
+#' equal vertices. The check counts `merged_vertices`; `error` includes the effect of moved
+#' vertices.
 #'
 #' **Files.** OBJ, PLY (text and binary) and text STL need no other package, binary STL needs rgl.
-#' Polygons become triangles. Files tell no unit.
+#' Polygons are triangulated. The formats have no unit.
 #'
 #' @param mesh One of:
 #'   * a `mesh3d` object as rgl, Rvcg and Morpho have them. Quadrangles are split in two.
 #'   * a list of `vertices` (a numeric matrix of three columns, or a data frame of `x_m`, `y_m` and
 #'     `z_m`; `x`, `y`, `z` in another unit) and `faces` (a matrix of three or four columns: the
 #'     numbers of the vertices, from 1).
-#'   * the name of an STL, OBJ or PLY file.
+#'   * the path of an STL, OBJ or PLY file.
 #' @param ... Not used; names after it must be given in full.
-#' @param mass_kg Mass. One of this and a density must be given.
-#' @param density_kg_m3 Density, of what has a volume.
-#' @param areal_density_kg_m2 Mass of a unit of area, for `method = "shell"`.
-#' @param length_unit Unit of the coordinates: "m", "cm", "mm", "in", "ft", ... Nothing is guessed;
-#'   a mesh of more than 100 m whose unit was not given is warned of. Units objects have their own.
-#' @param method What to take for the body: see above.
-#' @param weld_m Distance within which vertices are one; NULL: see above.
-#' @param name What to call the body.
+#' @param mass_kg Mass. Either this or a density must be given.
+#' @param density_kg_m3 Density; not for `method = "shell"`.
+#' @param areal_density_kg_m2 Mass per area, for `method = "shell"`.
+#' @param length_unit Unit of the coordinates: "m", "cm", "mm", "in", "ft", ... It is not guessed; a
+#'   mesh larger than 100 m without this argument gives a warning. Units objects have their own
+#'   unit.
+#' @param method The body made of the mesh: see above.
+#' @param weld_m Distance within which vertices are merged; NULL: see above.
+#' @param name Name of the body.
 #' @return `body_mesh()`: a `rot_body` in the axes of the mesh, whose origin is the mesh's.
-#'   `size_m` is the box's. `error` is a bound: of the roundings here, and of what welding cost.
-#'   It takes the coordinates as they stand: `detail$coordinate_error` is what half a last digit of
-#'   each of them does, which is much for a mesh far from its origin. `detail` also has the method, what was counted, volume or area, `closure` (the faces' area vectors added up,
-#'   relative to the area: 0 but for rounding), `volume_error`, `defects` (the counts of what
-#'   failed) and the whole `check`.
+#'   `size_m` is that of the bounding box. `error` bounds the effect of rounding and welding; the
+#'   coordinates are taken as exact. `detail$coordinate_error` is the effect of half an ulp of each
+#'   coordinate, which is large for a mesh far from its origin. `detail` also has the method, the
+#'   counts, volume or area, `closure` (the sum of the faces' area vectors relative to the area: 0
+#'   within rounding), `volume_error`, `defects` (the counts that fail) and the whole `check`.
 #'
-#'   `check_mesh()`: a tibble of class `rot_mesh_check`, one row a condition:
+#'   `check_mesh()`: a tibble of class `rot_mesh_check`, one row for each condition:
 #'   `r describe_columns(c("condition", "count", "verdict", "meaning"))`
-#'   `verdict` is "holds", "fails", "note" (legal, and worth to know) or "not looked at".
-#' @section Errors: `rotdyn_error_mesh` for a mesh that does not bound a solid: the message counts
-#'   each defect, and the condition's `check` is what `check_mesh()` returns. Also for coordinates
-#'   that are not finite, faces that name no vertex, and no faces at all. `rotdyn_error_missing` and
-#'   `rotdyn_error_value` for not exactly one of mass and density, `rotdyn_error_file`,
+#'   `verdict` is "holds", "fails", "note" (legal) or "not checked".
+#' @section Errors: `rotdyn_error_mesh` for a mesh that does not bound a solid (the message counts
+#'   the defects, and the condition's `check` is the result of `check_mesh()`), for coordinates that
+#'   are not finite, invalid vertex numbers, and no faces. `rotdyn_error_missing` and
+#'   `rotdyn_error_value` unless exactly one of mass and density is given, `rotdyn_error_file`,
 #'   `rotdyn_error_package`, `rotdyn_error_type`, `rotdyn_error_unit`, `rotdyn_error_range`. A
-#'   warning `rotdyn_warning_unit` for a mesh that looks as if it were in millimetres.
+#'   warning `rotdyn_warning_unit` for a mesh that seems to be in millimetres.
 #' @source Tonon, Journal of Mathematics and Statistics 1 (2005) 8; van Oosterom and Strackee, IEEE
-#'   Transactions on Biomedical Engineering 30 (1983) 125, for what lies inside what.
+#'   Transactions on Biomedical Engineering 30 (1983) 125, for solid angles.
 #' @seealso [body_points()], [body_density()], [join_bodies()]
 #' @examples
 #' # A tetrahedron.
@@ -77,7 +79,7 @@
 #' )
 #' body_mesh(corner, density_kg_m3 = 1000)
 #'
-#' # Without one face it bounds nothing.
+#' # Without one face it is open.
 #' open <- list(vertices = corner$vertices, faces = corner$faces[-1, ])
 #' check_mesh(open)
 #' try(body_mesh(open, mass_kg = 1))
@@ -86,13 +88,18 @@
 body_mesh <- function(mesh, ..., mass_kg = NULL, density_kg_m3 = NULL, areal_density_kg_m2 = NULL,
                       length_unit = "m", method = c("solid", "shell", "hull", "box"),
                       weld_m = NULL, name = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("mesh", call)
-  check_no_dots(...)
   method <- if (missing(method)) "solid" else method
   check_string(method, "method", c("solid", "shell", "hull", "box"), call)
   amount <- mesh_amount(mass_kg, density_kg_m3, areal_density_kg_m2, method, call)
-  name <- mesh_name(name, mesh, call)
+  name <- if (!is.null(name)) {
+    check_name(name, "name", call)
+  } else if (is.character(mesh) && length(mesh) == 1L) {
+    basename(mesh)
+  } else {
+    "mesh"
+  }
   read <- as_mesh(mesh, length_unit, call)
   found <- inspect_mesh(read, weld_m, call)
   check <- found_table(found)
@@ -109,9 +116,8 @@ body_mesh <- function(mesh, ..., mass_kg = NULL, density_kg_m3 = NULL, areal_den
 #' @rdname body_mesh
 #' @export
 check_mesh <- function(mesh, ..., length_unit = "m", weld_m = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("mesh", call)
-  check_no_dots(...)
   found_table(inspect_mesh(as_mesh(mesh, length_unit, call), weld_m, call))
 }
 
@@ -125,9 +131,7 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
   density <- if (method == "shell") "areal_density_kg_m2" else "density_kg_m3"
   wanted <- c("mass_kg", density)
   if (!length(given)) {
-    abort_rotdyn(
-      "One of {.arg mass_kg} and {.arg {density}} must be given.", "missing", call
-    )
+    abort_rotdyn("One of {.arg mass_kg} and {.arg {density}} must be given.", "missing", call)
   }
   if (length(given) > 1L || !names(given) %in% wanted) {
     abort_rotdyn(
@@ -135,26 +139,12 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
         "Exactly one of {.arg mass_kg} and {.arg {density}} must be given with
          {.code method = \"{method}\"}.",
         x = "Given {?is/are} {.arg {names(given)}}."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   kind <- names(given)
   unit <- c(mass_kg = "kg", density_kg_m3 = "kg/m^3", areal_density_kg_m2 = "kg/m^2")[[kind]]
   list(kind = kind, value = check_number(given[[1L]], kind, unit, call, lower = 0))
-}
-
-mesh_name <- function(name, mesh, call) {
-  if (is.null(name)) {
-    return(if (is.character(mesh) && length(mesh) == 1L) basename(mesh) else "mesh")
-  }
-  if (!is.character(name) || length(name) != 1L || is.na(name)) {
-    abort_rotdyn(
-      c("{.arg name} must be one piece of text.", x = "It is {describe_value(name)}."), "type", call
-    )
-  }
-  name
 }
 
 warn_of_millimetres <- function(of, call) {
@@ -163,24 +153,22 @@ warn_of_millimetres <- function(of, call) {
     warn_rotdyn(
       c(
         "The mesh is {format(side, digits = 3)} m long.",
-        i = "Files tell no unit. If its coordinates are in millimetres, say
-             {.code length_unit = \"mm\"}; if in metres, {.code length_unit = \"m\"}."
-      ),
-      "unit",
-      call
+        i = "Mesh files have no unit. For coordinates in millimetres, use
+             {.code length_unit = \"mm\"}; for metres, {.code length_unit = \"m\"}."
+      ), "unit", call
     )
   }
 }
 
-# ---- what is wrong with it ----------------------------------------------------------------------
+# ---- defects ------------------------------------------------------------------------------------
 
-# As it stands, then with equal vertices made one, then with those that differ by rounding: the
-# first that is closed, or else the one with the fewest bad edges.
+# Unchanged, then with equal vertices merged, then with those that differ by rounding: the first
+# that is closed, or else the one with the fewest bad edges.
 inspect_mesh <- function(read, weld_m, call) {
   largest <- if (length(read$vertices)) max(abs(read$vertices[is.finite(read$vertices)]), 0) else 0
   rounding <- largest * c(2^-46, if (isTRUE(read$single)) 2^-23)
   distances <- if (is.null(weld_m)) {
-    # Loose triangles need not be tried as they stand.
+    # Loose triangles need not be tried unchanged.
     loose <- length(read$faces) > 3 && length(read$faces) <= mesh_vertex_count(read)
     c(if (!loose) -1, 0, rounding[rounding > 0])
   } else {
@@ -197,9 +185,8 @@ inspect_mesh <- function(read, weld_m, call) {
           "{.arg weld_m} must be at least 2^-52 of the largest coordinate, or 0.",
           x = "It is {format(weld_m)}, and the largest coordinate
                {format(largest * read$factor, digits = 3)} m.",
-          i = "0 merges equal vertices alone."
-        ),
-        "value", call
+          i = "0 merges only equal vertices."
+        ), "value", call
       )
     }
     check_core_status(one$kind, call)
@@ -225,68 +212,66 @@ check_core_status <- function(kind, call) {
   }
 }
 
-# key: of the counts that C returns. fails: whether one of them is one too many for a solid, or for
-# any method ("any"). remedy: of what fails.
+# key: of the counts that C returns. fails: the methods for which a count above 0 fails ("any":
+# all).
 mesh_conditions <- as.data.frame(do.call(rbind, list(
-  c("faces", "any", "there are faces", "number of faces", "no faces", "Give it faces."),
+  c("faces", "any", "there are faces", "number of faces", "no faces", "Add faces."),
   c(
     "bad_vertices", "any", "coordinates are finite", "vertices with NA, NaN or Inf",
     "{n} vert{?ex/ices} with a coordinate that is not finite",
-    "Take them out, or give them numbers."
+    "Correct or remove them."
   ),
   c(
-    "bad_faces", "any", "faces name vertices",
-    "faces with a corner that is no vertex: below 1, above their number, NA or not whole",
-    "{n} face{?s} with a corner that is no vertex", "Vertices are counted from 1."
+    "bad_faces", "any", "vertex numbers are valid",
+    "faces with a vertex number below 1, above the number of vertices, NA or not whole",
+    "{n} face{?s} with an invalid vertex number", "Vertices are counted from 1."
   ),
   c(
-    "open_edges", "solid", "no open edges", "edges with one face: the rims of holes",
-    "{n} open edge{?s}, with one face alone", "Close the holes."
+    "open_edges", "solid", "no boundary edges", "edges of one face: the rims of holes",
+    "{n} boundary edge{?s}, with only one face", "Close the holes."
   ),
   c(
-    "miswound", "solid", "faces are wound alike",
-    "edges that two faces go along in the same direction: one of them is flipped",
-    "{n} edge{?s} between faces that are wound against each other", "Flip the faces."
+    "miswound", "solid", "consistent orientation",
+    "edges that two faces use in the same direction: one of them is flipped",
+    "{n} edge{?s} between inconsistently oriented faces", "Flip some faces."
   ),
   c(
-    "crowded", "solid", "no edge has a face too many",
-    "edges with more than two faces, not as many in one direction as in the other",
-    "{n} edge{?s} with more than two faces", "Take out inner walls and fins."
+    "crowded", "solid", "no non-manifold edges",
+    "edges of more than two faces, with directions not balanced",
+    "{n} non-manifold edge{?s}, with more than two faces", "Remove inner walls and fins."
   ),
   c(
     "touching", "solid", "parts do not touch along an edge",
-    "edges with as many faces in one direction as in the other, but more than one",
-    "{n} edge{?s} with four faces or more, where parts touch",
-    "Give each part vertices of its own, or make a body of each."
+    "non-manifold edges with as many faces in one direction as in the other",
+    "{n} non-manifold edge{?s} with four faces or more, where parts touch",
+    "Give each part its own vertices, or make a body of each."
   ),
   c(
-    "duplicate_faces", "solid", "no face is there twice",
-    "faces with the vertices of an earlier one", "{n} duplicate face{?s}", "Take them out."
+    "duplicate_faces", "solid", "no duplicate faces",
+    "faces with the vertices of an earlier one", "{n} duplicate face{?s}", "Remove them."
   ),
   c(
-    "inverted", "solid", "no part is inside out",
-    "parts wound against the whole that are no cavities", "{n} part{?s} turned inside out",
+    "inverted", "solid", "no inverted parts",
+    "parts oriented against the whole that are not cavities", "{n} inverted part{?s}",
     "Flip their faces."
   ),
   c(
-    "overlapping", "solid", "no part is inside another",
-    "parts that lie wholly or partly in another: mass counted twice",
-    "{n} part{?s} inside of others", "Make a body of each part, or unite them."
+    "overlapping", "solid", "no overlapping parts",
+    "parts inside others or intersecting them: mass counted twice",
+    "{n} overlapping part{?s}", "Make a body of each part, or take their union."
   ),
   c(
-    "flat", "flat", "parts have a volume", "parts without a volume beyond rounding",
-    "no volume beyond rounding", "Take {.code method = \"shell\"} for a sheet."
+    "flat", "flat", "parts have a volume", "parts with zero volume, within rounding",
+    "zero volume, within rounding", "Use {.code method = \"shell\"} for a sheet."
   ),
-  c("components", "", "parts", "parts, which hang together by edges", "", ""),
-  c("cavities", "", "cavities", "parts wound against the whole, inside of it", "", ""),
-  c("flipped", "", "faces point outwards", "1 where all faces point inwards", "", ""),
-  c("degenerate", "", "no face has a vertex twice", "faces with a vertex twice: left out", "", ""),
-  c("zero_area", "", "faces have an area", "faces with their corners on a line", "", ""),
-  c(
-    "merged_vertices", "", "vertices are one each", "vertices that gave way to one there", "", ""
-  ),
-  c("unused", "", "vertices are in use", "vertices that no face names", "", ""),
-  c("unchecked_parts", "", "all parts are looked at", "parts whose place was not looked at", "", "")
+  c("components", "", "parts", "connected components", "", ""),
+  c("cavities", "", "cavities", "parts inside the whole, oriented against it", "", ""),
+  c("flipped", "", "faces point outwards", "1 if all faces point inwards", "", ""),
+  c("degenerate", "", "no degenerate faces", "faces with a vertex twice: ignored", "", ""),
+  c("zero_area", "", "faces have an area", "faces with collinear vertices", "", ""),
+  c("merged_vertices", "", "no vertices to merge", "vertices merged with another", "", ""),
+  c("unused", "", "vertices are in use", "vertices that no face uses", "", ""),
+  c("unchecked_parts", "", "all parts are checked", "parts not checked for overlap", "", "")
 )))
 names(mesh_conditions) <- c("key", "fails", "condition", "meaning", "fault", "remedy")
 
@@ -300,7 +285,7 @@ found_table <- function(found) {
   note <- !fails & count > (of$key == "components")
   note[of$key == "flat"] <- isTRUE(found$counts[["flat"]] > 0)
   verdict <- ifelse(fails & bad, "fails", ifelse(note, "note", "holds"))
-  verdict[is.na(count)] <- "not looked at"
+  verdict[is.na(count)] <- "not checked"
   out <- tibble::tibble(
     condition = of$condition, count = count, verdict = verdict, meaning = of$meaning
   )
@@ -308,7 +293,7 @@ found_table <- function(found) {
   out
 }
 
-# Whether the method can take the mesh.
+# Aborts if the method does not accept the mesh.
 check_mesh_fits <- function(check, found, method, call) {
   fatal <- mesh_conditions$fails == "any" |
     (method == "solid" & mesh_conditions$fails %in% c("solid", "flat"))
@@ -330,13 +315,10 @@ check_mesh_fits <- function(check, found, method, call) {
       gsub("([{}])", "\\1\\1", faults),
       remedies,
       i = if (only_solid) {
-        "Or take {.code method = \"shell\"}, {.code \"hull\"} or {.code \"box\"} in its place.
-         {.fn check_mesh} tells more."
+        "Or use {.code method = \"shell\"}, {.code \"hull\"} or {.code \"box\"}.
+         {.fn check_mesh} lists all conditions."
       }
-    ),
-    "mesh",
-    call,
-    check = check
+    ), "mesh", call, check = check
   )
 }
 
@@ -387,9 +369,8 @@ mesh_hull <- function(read, found, call) {
     error = function(e) {
       abort_rotdyn(
         c("The vertices of {.arg mesh} have no convex hull with a volume.",
-          i = "Take {.code method = \"shell\"} for a sheet."
-        ),
-        "mesh", call
+          i = "Use {.code method = \"shell\"} for a sheet."
+        ), "mesh", call
       )
     }
   )
@@ -400,21 +381,20 @@ mesh_hull <- function(read, found, call) {
   found$same <- NULL
   found$distance <- 0
   of <- mesh_moments(hull, found, FALSE, call)
-  # Slivers may still be turned either way, which does not matter: the edges cannot be asked.
+  # Slivers may have either orientation, which has no effect, so the edges are not checked.
   if (!(of$closure <= 1e-9)) {
     abort_rotdyn(
       c(
         "The convex hull of {.arg mesh} does not close.",
-        i = "Take {.code method = \"box\"} or {.code \"shell\"}."
-      ),
-      "mesh", call
+        i = "Use {.code method = \"box\"} or {.code \"shell\"}."
+      ), "mesh", call
     )
   }
   of$faces <- nrow(faces)
   of
 }
 
-# Quickhull's triangles in no order; the middle of their corners is inside.
+# Quickhull's triangles are not oriented; the mean of their vertices is inside.
 outward_faces <- function(points, faces) {
   inside <- colMeans(points[unique(as.vector(faces)), , drop = FALSE])
   a <- points[faces[, 1], , drop = FALSE]
@@ -429,8 +409,9 @@ outward_faces <- function(points, faces) {
   wind_alike(faces)
 }
 
-# Where many points lie in a plane, but for rounding, some triangles are slivers, or folded over
-# their neighbours: such a one has to go along with these. It is against two of them or all three.
+# Where many points are coplanar within rounding, some triangles are slivers or folded over their
+# neighbours, and are oriented like these: a triangle is flipped if it is inconsistent with two of
+# them or all three.
 wind_alike <- function(faces) {
   most <- max(faces)
   for (pass in 1:20) {
@@ -474,11 +455,10 @@ mesh_body <- function(name, of, amount, read, found, check, method, call) {
   if (!is.finite(mass + trace) || (amount$value > 0 && trace < .Machine$double.xmin)) {
     abort_rotdyn(
       c(
-        "The mass or the second moment is beyond double precision.",
+        "The mass or the second moment exceeds double precision.",
         x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
         i = "Use other units of mass or length, as if they were kg and m."
-      ),
-      "range", call
+      ), "range", call
     )
   }
   side <- of$hi - of$lo
@@ -503,7 +483,7 @@ mesh_detail <- function(of, read, found, check, method) {
   counts <- found$counts
   failed <- check$verdict == "fails"
   size <- abs(of$size)
-  detail <- list(
+  list(
     method = method,
     vertices = counts[["vertices"]],
     faces = if (is.null(of$faces)) counts[["faces"]] else of$faces,
@@ -520,21 +500,20 @@ mesh_detail <- function(of, read, found, check, method) {
     defects = stats::setNames(check$count[failed], mesh_conditions$key[failed]),
     check = check
   )
-  detail
 }
 
-# ---- faces --------------------------------------------------------------------------------------
+# ---- print --------------------------------------------------------------------------------------
 
 #' @export
 print.rot_mesh_check <- function(x, ...) {
-  # Not where rows or columns were taken out.
+  # Unless rows or columns were removed.
   columns <- c("condition", "count", "verdict", "meaning")
   if (!all(columns %in% names(x)) || !identical(x$condition, mesh_conditions$condition)) {
     return(NextMethod())
   }
   failed <- sum(x$verdict == "fails")
   cat("<rot_mesh_check> ", if (failed) {
-    paste0("bounds no solid: ", failed, " condition", if (failed == 1L) " fails" else "s fail")
+    paste0("not a solid: ", failed, " condition", if (failed == 1L) " fails" else "s fail")
   } else {
     "bounds a solid"
   }, "\n", sep = "")
@@ -547,7 +526,7 @@ print.rot_mesh_check <- function(x, ...) {
     lines <- strwrap(text[i], max(print_width() - indent, 30L), exdent = 2L)
     cat(paste0(c(labels[i], rep(strrep(" ", indent), length(lines) - 1L)), lines), sep = "\n")
   }
-  for (verdict in c("holds", "not looked at")) {
+  for (verdict in c("holds", "not checked")) {
     rest <- paste(x$condition[x$verdict == verdict], collapse = ", ")
     if (nzchar(rest)) {
       cat(

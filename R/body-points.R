@@ -1,36 +1,35 @@
 #' A body from point masses
 #'
-#' Mass, centre of mass and second moment of points held rigidly together. The sums are taken about
-#' the centre itself and compensated, so the result is as good far from the origin as at it: some
-#' 1e-16 of the trace at any offset, where sums about the origin lose everything 1e8 sizes away.
+#' Mass, centre of mass and second moment of rigidly connected points. The sums are compensated and
+#' taken about the centre, so the error is some 1e-16 of the trace at any distance from the origin;
+#' sums about the origin lose all digits at a distance of 1e8 sizes.
 #' \deqn{m = \sum_i m_i,\quad g = \frac{1}{m}\sum_i m_i x_i,\quad
 #'   C = \sum_i m_i (x_i - g)(x_i - g)^T,\quad I = \mathrm{tr}(C)\,1 - C}{
 #'   m = sum m_i,  g = sum m_i x_i / m,  C = sum m_i (x_i - g)(x_i - g)',  I = tr(C) 1 - C}
 #'
 #' @param data A data frame with columns `mass_kg`, `x_m`, `y_m` and `z_m`, or a matrix whose
-#'   columns are x, y and z (named so, or not named at all), with the masses in `mass_kg`. Points in
-#'   a plane need no `z_m`: it is 0. Other columns are left alone, and so are groups: see the
-#'   examples. Columns may be units objects.
+#'   columns are x, y and z (with these names or none), with the masses in `mass_kg`. Without `z_m`,
+#'   z is 0. Other columns and groups are ignored: see the examples. Columns may be units objects.
 #' @param ... Not used; names after it must be given in full.
-#' @param mass_kg Masses, one for each row or one for all, where `data` has no column of that name.
-#' @param name What to call the body.
-#' @return A `rot_body` in the axes of the coordinates, whose origin is theirs. `reach_m` is the
-#'   distance to the farthest point, `detail` has the number of `points`, the points
-#'   themselves if there are no more than 2000 (`at`, which `autoplot()` draws), and a bound of each
-#'   coordinate of the centre, `centre_error_m`. `error` is a bound: it counts the roundings here,
-#'   and takes masses and coordinates as they stand.
+#' @param mass_kg Masses, one for each row or one for all, if `data` has no column of that name.
+#' @param name Name of the body.
+#' @return A `rot_body` in the axes of the coordinates. `reach_m` is the distance to the farthest
+#'   point; `detail` has the number of `points`, the points themselves if there are at most 2000
+#'   (`at`, drawn by `autoplot()`), and `centre_error_m`, a bound of the error of each coordinate of
+#'   the centre. `error` is a bound of the rounding errors; masses and coordinates are taken as
+#'   exact.
 #'
-#'   Masses of 0 are legal, also all of them: then the second moment is 0 and the centre is the
-#'   plain mean of the points. Masses may differ by any factor, and coordinates too.
-#' @section Errors: A body is a description: NA, NaN and Inf are errors (`rotdyn_error_value`) that
-#'   name the row, and so is a mass below 0: holes are for [cut_body()]. `rotdyn_error_type` for a
-#'   column that is not there or of a wrong type, `rotdyn_error_size` for no points at all or
-#'   lengths that do not fit, `rotdyn_error_missing`, `rotdyn_error_unit`; `rotdyn_error_range`
-#'   where the mass or the moments are beyond double precision.
+#'   Masses may be 0. If all are, the second moment is 0 and the centre is the unweighted mean of
+#'   the points. Masses and coordinates may differ by any factor.
+#' @section Errors: `rotdyn_error_value` for NA, NaN, Inf and a mass below 0, with the row (for
+#'   holes see [cut_body()]); `rotdyn_error_type` for a missing column or one of a wrong type;
+#'   `rotdyn_error_size` for no points or incompatible lengths; `rotdyn_error_missing`;
+#'   `rotdyn_error_unit`; `rotdyn_error_range` where the mass or the moments exceed double
+#'   precision.
 #' @source Chan, Golub and LeVeque, The American Statistician 37 (1983) 242: sums about a centre.
 #' @seealso [body_density()] for a continuous body, [join_bodies()] for bodies with a size.
 #' @examples
-#' # Water, about its own centre of mass; masses and places in kg and m.
+#' # A water molecule.
 #' u <- 1.66053906660e-27
 #' angle <- 104.45 / 2 * pi / 180
 #' water <- data.frame(
@@ -52,9 +51,8 @@
 #' }
 #' @export
 body_points <- function(data, ..., mass_kg = NULL, name = "points") {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("data", call)
-  check_no_dots(...)
   name <- check_name(name, "name", call)
   points <- read_points(data, mass_kg, call)
   bad <- .Call(ffi_points_bad, points$mass_kg, points$x_m, points$y_m, points$z_m)
@@ -78,11 +76,11 @@ body_points <- function(data, ..., mass_kg = NULL, name = "points") {
   )
 }
 
-# ---- what the points are given as ---------------------------------------------------------------
+# ---- input --------------------------------------------------------------------------------------
 
 place_columns <- c("x_m", "y_m", "z_m")
 
-# A list of columns, z_m maybe of length 1.
+# A list of columns; z_m may have length 1.
 read_points <- function(data, mass_kg, call) {
   if (inherits(data, "units")) {
     keep <- attributes(data)[c("dim", "dimnames")]
@@ -99,9 +97,7 @@ read_points <- function(data, mass_kg, call) {
         "{.arg data} must be a data frame with columns {.field mass_kg}, {.field x_m},
          {.field y_m} and {.field z_m}, or a matrix of coordinates.",
         x = "It is {describe_value(data)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   n <- nrow(data)
@@ -116,22 +112,13 @@ read_points <- function(data, mass_kg, call) {
     y_m = check_column(columns$y_m, "y_m", "m", call),
     z_m = if (is.null(columns$z_m)) 0 else check_column(columns$z_m, "z_m", "m", call)
   )
-  if (!length(points$mass_kg) %in% c(1L, n)) {
-    abort_rotdyn(
-      "{.arg mass_kg} must have one mass for each of the {n} point{?s}, or one for all: it has
-       {length(points$mass_kg)}.",
-      "size",
-      call
-    )
-  }
-  for (column in place_columns) {
+  for (column in names(points)) {
     # A column that is a matrix would be read as more points.
     if (!length(points[[column]]) %in% c(1L, n)) {
       abort_rotdyn(
-        "{.arg {column}} must have one number for each of the {n} point{?s}: it has
+        "{.arg {column}} must have one number for each of the {n} point{?s}, or one for all: it has
          {length(points[[column]])}.",
-        "size",
-        call
+        "size", call
       )
     }
   }
@@ -151,9 +138,7 @@ matrix_columns <- function(data, call) {
       c(
         "A matrix without column names must have two or three columns: x, y and z.",
         x = "It has {ncol(data)}."
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   columns <- lapply(seq_len(ncol(data)), function(j) as.vector(data[, j]))
@@ -162,7 +147,7 @@ matrix_columns <- function(data, call) {
   stats::setNames(columns, names)
 }
 
-# A column that is nearly named z_m is rather a slip than a plane.
+# A column with a name like z_m is taken for a misspelling, not for points in a plane.
 check_places_named <- function(columns, needs_mass, call) {
   has <- names(columns)
   wanted <- c(if (needs_mass) "mass_kg", "x_m", "y_m")
@@ -174,9 +159,7 @@ check_places_named <- function(columns, needs_mass, call) {
         "{.arg data} has no {cli::qty(lacking)}column{?s} {.field {lacking}}.",
         x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
         i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (!needs_mass && "mass_kg" %in% has) {
@@ -192,18 +175,16 @@ abort_point <- function(points, row, column, call) {
   value <- if (length(x) == 1L) x else x[row]
   abort_rotdyn(
     c(
-      if (column == 1L) "Masses must be finite and at least 0 kg." else "Places must be finite.",
+      if (column == 1L) "Masses must be finite and at least 0." else "Coordinates must be finite.",
       x = "{.field {arg}} is {format(value)} in row {format(row, big.mark = ',')}.",
-      i = if (isTRUE(value < 0) && is.finite(value)) "To take a part out, use {.fn cut_body}."
-    ),
-    "value",
-    call
+      i = if (isTRUE(value < 0) && is.finite(value)) "For a hole, use {.fn cut_body}."
+    ), "value", call
   )
 }
 
 # ---- moments ------------------------------------------------------------------------------------
 
-# Seventeen numbers, as in src/ffi_points.c: what nodes and random points go through, too.
+# The numbers of src/ffi_points.c; used for nodes and random points of a density, too.
 moment_names <- c(
   "mass", "x", "y", "z", "x_lo", "y_lo", "z_lo", "xx", "yy", "zz", "xy", "xz", "yz",
   "mass_error", "centre_error", "error", "vanished"
@@ -231,7 +212,7 @@ moments_centre <- function(moments) as.double(moments[2:4])
 
 moments_trace <- function(moments) sum(moments[8:10])
 
-# The centre is given without what rounding left off.
+# The low part of the centre is dropped.
 moments_centre_error <- function(moments) {
   moments[["centre_error"]] + max(abs(moments[5:7]))
 }
@@ -240,13 +221,11 @@ check_moments_fit <- function(moments, call) {
   if (!.Call(ffi_points_fit, as.double(moments))) {
     abort_rotdyn(
       c(
-        "The mass or the second moment is beyond double precision.",
+        "The mass or the second moment exceeds double precision.",
         x = "Mass {format(moments[['mass']], digits = 3)} kg, trace of the second moment
              {format(moments_trace(moments), digits = 3)} kg m^2.",
         i = "Use other units of mass or length, as if they were kg and m."
-      ),
-      "range",
-      call
+      ), "range", call
     )
   }
 }

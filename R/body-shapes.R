@@ -1,7 +1,7 @@
 # The constructors of the standard shapes. Sizes, limits and moments come from the C core, formulas
 # and sources from shapes.R.
 
-# The article's names of the same things.
+# The names used in the article.
 shape_aliases <- c(
   solid_disk = "disk",
   solid_cylinder = "disk",
@@ -13,11 +13,11 @@ shape_aliases <- c(
   point_mass_sliding = "sliding_point"
 )
 
-# What an argument without a default is in its frame when it was not given.
+# The value of a missing argument without a default in its frame.
 left_out <- formals(function(x) NULL)
 
-# A body of a shape, from the arguments of its constructor, whose frame is `call`. Students call
-# this often: what is plain is done here, what is not (densities, messages) elsewhere.
+# A body of a shape, from the arguments of its constructor, whose frame is `call`. Called often:
+# only the usual case is handled here; densities and messages are elsewhere.
 new_shape_body <- function(shape, call) {
   of <- shape_cache[[shape]]
   if (is.null(of)) {
@@ -45,24 +45,22 @@ new_shape_body <- function(shape, call) {
   finish_body(shape, parts, size, of, amount, call)
 }
 
-# What the C core made, as a body: mass, second moments, centre, reach, beta, error. `of` has its
-# formula and source. A density is kept in `detail`.
+# A body of the C core's results: mass, second moments, centre, reach, beta, error. `of` has its
+# formula and source. A density is stored in `detail`.
 finish_body <- function(shape, parts, size, of, amount, call) {
   mass <- .subset2(parts, 1L)
   second <- .subset2(parts, 2L)
   if (!is.finite(mass) || !is.finite(sum(second))) {
     abort_rotdyn(
       c(
-        "The mass or the moments of this body are beyond double precision.",
+        "The mass or the moments of this body exceed double precision.",
         x = "Its mass is {format_si(mass)} kg."
-      ),
-      "range",
-      call
+      ), "range", call
     )
   }
   detail <- if (is.null(names(amount))) list() else as.list(amount)
   centre <- .subset2(parts, 3L)
-  # Eight roundings are more than any centre takes.
+  # At most eight roundings.
   if (any(centre != 0)) detail$centre_error_m <- 4 * .Machine$double.eps * max(abs(centre))
   new_body(
     shape, mass, second, centre, size, .subset2(parts, 4L), .subset2(parts, 5L),
@@ -71,7 +69,7 @@ finish_body <- function(shape, parts, size, of, amount, call) {
   )
 }
 
-# `mass_kg`, or the density named, whichever was given: one of them must be. A density has a name.
+# `mass_kg` or the density, of which one must be given; a density is returned with its name.
 mass_or_density <- function(density, unit, call) {
   no_mass <- identical(call[["mass_kg"]], left_out[[1L]])
   given <- if (!is.null(density)) call[[density]]
@@ -86,9 +84,7 @@ mass_or_density <- function(density, unit, call) {
       c(
         "Give {.arg mass_kg} or {.arg {density}}, not both.",
         i = "With {.arg {density}}, the sizes must be named."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   stats::setNames(check_number(given, density, unit, call, 0), density)
@@ -99,13 +95,11 @@ abort_mass_left_out <- function(density, call) {
     c(
       "{.arg mass_kg} is missing: it has no default.",
       i = if (!is.null(density)) "Give it, or {.arg {density}} instead of it."
-    ),
-    "missing",
-    call
+    ), "missing", call
   )
 }
 
-# What all bodies of a shape share, put together once.
+# Properties of a shape, cached.
 shape_parts <- function(shape) {
   parts <- shape_cache[[shape]]
   if (is.null(parts)) {
@@ -130,14 +124,14 @@ shape_parts <- function(shape) {
   parts
 }
 
-# beta of a shape that has one whatever its size.
+# beta of a shape whose beta does not depend on its size.
 shape_beta <- function(shape) {
   vapply(shape, function(s) {
     .Call(ffi_shapes_body, shape_parts(s)$id, 1, FALSE, 1)[[5L]]
   }, double(1), USE.NAMES = FALSE)
 }
 
-# c(fault, row, slot) as the C core says it; the order of rot_shape_fault. `size`: the row's sizes.
+# c(fault, row, slot) from the C core, in the order of rot_shape_fault. `size`: the row's sizes.
 abort_shape <- function(fault, names, size, row, call) {
   slot <- fault[3]
   where <- if (is.null(row)) "" else paste0(" in row ", format(row, big.mark = ","))
@@ -156,20 +150,18 @@ abort_shape <- function(fault, names, size, row, call) {
         "{.arg {name}} must be at most {.arg {of}}.",
         x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
         i = if (name == "tube_radius_m") {
-          "A tube wider than its ring would go through itself."
+          "A wider tube would intersect itself."
         } else {
-          "A hole cannot be wider than what it is in. Equal ones make a thin shell."
+          "Equal ones make a thin shell."
         }
-      ),
-      "value", call
+      ), "value", call
     ),
     abort_rotdyn(
       c(
         "{.arg {name}} must be at most twice {.arg {of}}.",
         x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
-        i = "{.arg {of}} is that of the whole sphere, not of the cap's rim."
-      ),
-      "value", call
+        i = "{.arg {of}} is that of the sphere, not of the cap's rim."
+      ), "value", call
     )
   )
 }
@@ -177,16 +169,16 @@ abort_shape <- function(fault, names, size, row, call) {
 #' Bodies of standard shapes: points, rods and hoops
 #'
 #' A body has a mass, a centre of mass, second moments about that centre in the body's own axes, and
-#' a size. Its `z` axis is the symmetry axis, or the one it is usually spun about; a rod lies along
-#' `x`. [shapes()] lists all shapes; those of more dimensions are in [body_plates], [body_shells],
+#' a size. Its `z` axis is the symmetry axis, or the usual axis of rotation; a rod lies along `x`.
+#' [shapes()] lists all shapes; those of more dimensions are in [body_plates], [body_shells],
 #' [body_round_solids] and [body_flat_faced_solids].
 #'
 #' `r describe_shapes("lines")`
 #' `r formula_note`
 #'
-#' `beta` is `Izz/(m r^2)`, what decides a race down an incline: see [rolling_table()].
+#' `beta` is `Izz/(m r^2)`, which determines the acceleration of a rolling body: [rolling_table()].
 #'
-#' @param mass_kg Mass, one number, at least 0 kg. Leave it out where a density is given.
+#' @param mass_kg Mass, one number, at least 0 kg. Omitted if a density is given.
 #' @param radius_m Radius, one number, at least 0 m; of a point, its distance from the axis.
 #' @param length_m Length of the rod, one number, at least 0 m.
 #' @param ... Not used; names after it must be given in full.
@@ -197,15 +189,15 @@ abort_shape <- function(fault, names, size, row, call) {
 #'   `reach_m` (from the centre of mass to the farthest point), `beta`, `formula`, `source`,
 #'   `provenance`, `detail`, `error` and `error_kind`.
 #'
-#'   `error` is a bound of the second moments' error, relative to their sum: the roundings counted,
-#'   at most 4e-15 and for most shapes 6e-16, for sizes in a ratio of up to 1e150 to one another.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
-#'   not one finite number of at least 0 (NA, NaN and Inf included), for sizes that do not fit
-#'   together, and for a mass beside a density; `rotdyn_error_missing`; `rotdyn_error_range` for
-#'   moments beyond double precision; `rotdyn_error_unit` for a units object of another dimension.
+#'   `error` is a bound of the rounding error of the second moments, relative to their sum: at most
+#'   4e-15, for most shapes 6e-16, for sizes in ratios of up to 1e150.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` unless each
+#'   argument is one finite number of at least 0, for inconsistent sizes, and for a mass with a
+#'   density; `rotdyn_error_missing`; `rotdyn_error_range` for moments that exceed double precision;
+#'   `rotdyn_error_unit` for a units object of another dimension.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), chapter 5; Beer and
 #'   Johnston, Vector Mechanics for Engineers, inside cover; Meriam and Kraige, Engineering
-#'   Mechanics: Dynamics, tables D/3 and D/4. [shapes()] says which is whose.
+#'   Mechanics: Dynamics, tables D/3 and D/4. [shapes()] has the source of each formula.
 #' @seealso [scene_axle()] puts a body on an axle; [inertia_table()] compares shapes.
 #' @examples
 #' body_hoop(mass_kg = 2, radius_m = 0.25)
@@ -223,36 +215,32 @@ body_point <- function(mass_kg, radius_m = 0) {
 #' @rdname body_shapes
 #' @export
 body_rod <- function(mass_kg, length_m, ..., linear_density_kg_m = NULL) {
-  check_no_dots(...)
-  new_shape_body("rod", environment())
+  new_shape_body("rod", check_no_dots(...))
 }
 
 #' @rdname body_shapes
 #' @export
 body_rod_end <- function(mass_kg, length_m, ..., linear_density_kg_m = NULL) {
-  check_no_dots(...)
-  new_shape_body("rod_end", environment())
+  new_shape_body("rod_end", check_no_dots(...))
 }
 
 #' @rdname body_shapes
 #' @export
 body_hoop <- function(mass_kg, radius_m, ..., linear_density_kg_m = NULL) {
-  check_no_dots(...)
-  new_shape_body("hoop", environment())
+  new_shape_body("hoop", check_no_dots(...))
 }
 
 #' @rdname body_shapes
 #' @export
 body_half_hoop <- function(mass_kg, radius_m, ..., linear_density_kg_m = NULL) {
-  check_no_dots(...)
-  new_shape_body("half_hoop", environment())
+  new_shape_body("half_hoop", check_no_dots(...))
 }
 
 #' Bodies of standard shapes: plates
 #'
-#' Flat and thin, in the plane of x and y, the mass spread evenly. For a plate by its corners see
-#' [body_polygon()]. The own axes are principal axes, but for a triangle: its product of inertia
-#' makes Ixy = -m h (2 p - b) / 36.
+#' Thin plates in the plane of x and y, of uniform density. For a plate given by its vertices see
+#' [body_polygon()]. The own axes are principal axes, except for the triangle:
+#' Ixy = -m h (2 p - b) / 36.
 #'
 #' `r describe_shapes("plates")`
 #' `r formula_note`
@@ -269,8 +257,7 @@ body_half_hoop <- function(mass_kg, radius_m, ..., linear_density_kg_m = NULL) {
 #' @inheritParams body_shapes
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
-#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
-#'   is made of several.
+#' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
 #' @examples
 #' body_disk(mass_kg = 2, radius_m = 0.25)
 #' body_annulus(outer_radius_m = 0.3, inner_radius_m = 0.1, areal_density_kg_m2 = 20)
@@ -281,58 +268,50 @@ NULL
 #' @rdname body_plates
 #' @export
 body_disk <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("disk", environment())
+  new_shape_body("disk", check_no_dots(...))
 }
 
 #' @rdname body_plates
 #' @export
 body_annulus <- function(mass_kg, outer_radius_m, inner_radius_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("annulus", environment())
+  new_shape_body("annulus", check_no_dots(...))
 }
 
 #' @rdname body_plates
 #' @export
 body_half_disk <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("half_disk", environment())
+  new_shape_body("half_disk", check_no_dots(...))
 }
 
 #' @rdname body_plates
 #' @export
 body_elliptic_plate <- function(mass_kg, semi_x_m, semi_y_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("elliptic_plate", environment())
+  new_shape_body("elliptic_plate", check_no_dots(...))
 }
 
 #' @rdname body_plates
 #' @export
 body_rectangle <- function(mass_kg, length_m, width_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("rectangle", environment())
+  new_shape_body("rectangle", check_no_dots(...))
 }
 
 #' @rdname body_plates
 #' @export
 body_triangle <- function(mass_kg, base_m, height_m, ..., apex_m = base_m / 2,
                           areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("triangle", environment())
+  new_shape_body("triangle", check_no_dots(...))
 }
 
 #' @rdname body_plates
 #' @export
 body_polygon_plate <- function(mass_kg, radius_m, sides, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("polygon_plate", environment())
+  new_shape_body("polygon_plate", check_no_dots(...))
 }
 
 #' Bodies of standard shapes: shells
 #'
-#' Thin walls, the mass spread evenly over the surface; but an
-#' `ellipsoid_shell` is what lies between two similar ellipsoids, thickest at the far ends: it has
-#' no areal density.
+#' Thin shells of uniform areal density, except the `ellipsoid_shell`: the region between two
+#' similar ellipsoids, whose thickness varies.
 #'
 #' `r describe_shapes("shells")`
 #' `r formula_note`
@@ -349,8 +328,7 @@ body_polygon_plate <- function(mass_kg, radius_m, sides, ..., areal_density_kg_m
 #' @inheritParams body_shapes
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
-#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
-#'   is made of several.
+#' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
 #' @examples
 #' body_spherical_shell(mass_kg = 1, radius_m = 0.1)
 #' body_can(radius_m = 0.033, length_m = 0.115, areal_density_kg_m2 = 0.6)
@@ -361,59 +339,51 @@ NULL
 #' @rdname body_shells
 #' @export
 body_tube <- function(mass_kg, radius_m, length_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("tube", environment())
+  new_shape_body("tube", check_no_dots(...))
 }
 
 #' @rdname body_shells
 #' @export
 body_can <- function(mass_kg, radius_m, length_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("can", environment())
+  new_shape_body("can", check_no_dots(...))
 }
 
 #' @rdname body_shells
 #' @export
 body_spherical_shell <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("spherical_shell", environment())
+  new_shape_body("spherical_shell", check_no_dots(...))
 }
 
 #' @rdname body_shells
 #' @export
 body_hemispherical_shell <- function(mass_kg, radius_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("hemispherical_shell", environment())
+  new_shape_body("hemispherical_shell", check_no_dots(...))
 }
 
 #' @rdname body_shells
 #' @export
 body_spherical_cap_shell <- function(mass_kg, radius_m, height_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("spherical_cap_shell", environment())
+  new_shape_body("spherical_cap_shell", check_no_dots(...))
 }
 
 #' @rdname body_shells
 #' @export
 body_cone_shell <- function(mass_kg, radius_m, height_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("cone_shell", environment())
+  new_shape_body("cone_shell", check_no_dots(...))
 }
 
 #' @rdname body_shells
 #' @export
 body_frustum_shell <- function(mass_kg, base_radius_m, top_radius_m, height_m, ...,
                                areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("frustum_shell", environment())
+  new_shape_body("frustum_shell", check_no_dots(...))
 }
 
 #' @rdname body_shells
 #' @export
 body_torus_shell <- function(mass_kg, ring_radius_m, tube_radius_m, ...,
                              areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("torus_shell", environment())
+  new_shape_body("torus_shell", check_no_dots(...))
 }
 
 #' @rdname body_shells
@@ -425,14 +395,13 @@ body_ellipsoid_shell <- function(mass_kg, semi_x_m, semi_y_m, semi_z_m) {
 #' @rdname body_shells
 #' @export
 body_box_shell <- function(mass_kg, length_m, width_m, height_m, ..., areal_density_kg_m2 = NULL) {
-  check_no_dots(...)
-  new_shape_body("box_shell", environment())
+  new_shape_body("box_shell", check_no_dots(...))
 }
 
 #' Bodies of standard shapes: round solids
 #'
-#' Solids with z as an axis of symmetry, or with ellipses across it. The mass is spread evenly over
-#' the volume.
+#' Solids with z as an axis of symmetry, or with elliptic sections perpendicular to it, of uniform
+#' density.
 #'
 #' `r describe_shapes("round solids")`
 #' `r formula_note`
@@ -442,7 +411,7 @@ body_box_shell <- function(mass_kg, length_m, width_m, height_m, ..., areal_dens
 #' @param length_m Length along z, at least 0 m; of a capsule, without its half spheres.
 #' @param height_m Height along z, at least 0 m; of a cap at most `2 radius_m`.
 #' @param outer_radius_m,inner_radius_m Radii outside and inside, `inner_radius_m` at most
-#'   `outer_radius_m`; walls of any thickness, none included, keep all digits.
+#'   `outer_radius_m`; thin walls, also of thickness 0, lose no digits.
 #' @param base_radius_m,top_radius_m Radii at z = 0 and at z = `height_m`; either may be the larger.
 #' @param ring_radius_m,tube_radius_m From the centre to the middle of the tube, and the radius of
 #'   the tube, which is at most `ring_radius_m`.
@@ -451,8 +420,7 @@ body_box_shell <- function(mass_kg, length_m, width_m, height_m, ..., areal_dens
 #' @inheritParams body_shapes
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
-#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
-#'   is made of several.
+#' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
 #' @examples
 #' body_sphere(mass_kg = 1, radius_m = 0.1)
 #' body_cylinder(radius_m = 0.05, length_m = 0.3, density_kg_m3 = 7850)
@@ -464,102 +432,88 @@ NULL
 #' @rdname body_round_solids
 #' @export
 body_cylinder <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("cylinder", environment())
+  new_shape_body("cylinder", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_thick_tube <- function(mass_kg, outer_radius_m, inner_radius_m, length_m, ...,
                             density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("thick_tube", environment())
+  new_shape_body("thick_tube", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_half_cylinder <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("half_cylinder", environment())
+  new_shape_body("half_cylinder", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_elliptic_cylinder <- function(mass_kg, semi_x_m, semi_y_m, length_m, ...,
                                    density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("elliptic_cylinder", environment())
+  new_shape_body("elliptic_cylinder", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_sphere <- function(mass_kg, radius_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("sphere", environment())
+  new_shape_body("sphere", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_hollow_sphere <- function(mass_kg, outer_radius_m, inner_radius_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("hollow_sphere", environment())
+  new_shape_body("hollow_sphere", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_hemisphere <- function(mass_kg, radius_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("hemisphere", environment())
+  new_shape_body("hemisphere", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_spherical_cap <- function(mass_kg, radius_m, height_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("spherical_cap", environment())
+  new_shape_body("spherical_cap", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_cone <- function(mass_kg, radius_m, height_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("cone", environment())
+  new_shape_body("cone", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_frustum <- function(mass_kg, base_radius_m, top_radius_m, height_m, ...,
                          density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("frustum", environment())
+  new_shape_body("frustum", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_paraboloid <- function(mass_kg, radius_m, height_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("paraboloid", environment())
+  new_shape_body("paraboloid", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_ellipsoid <- function(mass_kg, semi_x_m, semi_y_m, semi_z_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("ellipsoid", environment())
+  new_shape_body("ellipsoid", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_torus <- function(mass_kg, ring_radius_m, tube_radius_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("torus", environment())
+  new_shape_body("torus", check_no_dots(...))
 }
 
 #' @rdname body_round_solids
 #' @export
 body_capsule <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("capsule", environment())
+  new_shape_body("capsule", check_no_dots(...))
 }
 
 #' Bodies of standard shapes: solids with flat faces
@@ -581,8 +535,7 @@ body_capsule <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL)
 #' @inheritParams body_shapes
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
-#' @seealso [shapes()], [body_shapes] for what a body is, [join_bodies()] and [cut_body()] for what
-#'   is made of several.
+#' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
 #' @examples
 #' body_box(mass_kg = 2, length_m = 0.3, width_m = 0.2, height_m = 0.1)
 #' body_cube(edge_m = 0.1, density_kg_m3 = 1000)
@@ -593,49 +546,42 @@ NULL
 #' @rdname body_flat_faced_solids
 #' @export
 body_box <- function(mass_kg, length_m, width_m, height_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("box", environment())
+  new_shape_body("box", check_no_dots(...))
 }
 
 #' @rdname body_flat_faced_solids
 #' @export
 body_cube <- function(mass_kg, edge_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("cube", environment())
+  new_shape_body("cube", check_no_dots(...))
 }
 
 #' @rdname body_flat_faced_solids
 #' @export
 body_polygon_prism <- function(mass_kg, radius_m, sides, length_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("polygon_prism", environment())
+  new_shape_body("polygon_prism", check_no_dots(...))
 }
 
 #' @rdname body_flat_faced_solids
 #' @export
 body_triangular_prism <- function(mass_kg, base_m, height_m, length_m, ..., apex_m = base_m / 2,
                                   density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("triangular_prism", environment())
+  new_shape_body("triangular_prism", check_no_dots(...))
 }
 
 #' @rdname body_flat_faced_solids
 #' @export
 body_pyramid <- function(mass_kg, length_m, width_m, height_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("pyramid", environment())
+  new_shape_body("pyramid", check_no_dots(...))
 }
 
 #' @rdname body_flat_faced_solids
 #' @export
 body_regular_tetrahedron <- function(mass_kg, edge_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("regular_tetrahedron", environment())
+  new_shape_body("regular_tetrahedron", check_no_dots(...))
 }
 
 #' @rdname body_flat_faced_solids
 #' @export
 body_regular_octahedron <- function(mass_kg, edge_m, ..., density_kg_m3 = NULL) {
-  check_no_dots(...)
-  new_shape_body("regular_octahedron", environment())
+  new_shape_body("regular_octahedron", check_no_dots(...))
 }

@@ -1,33 +1,32 @@
 #' A body from its inertia tensor
 #'
-#' For a tensor that was computed or measured elsewhere: CAD, a data sheet, a robot description. A
-#' tensor that no body can have is refused, with what is wrong and, where one number explains it,
-#' the likely repair.
+#' For a tensor from another source: CAD, a data sheet, a robot description. A tensor that is not
+#' physical is an error, with the reason and, if one number explains it, a suggested repair.
 #'
 #' @param mass_kg Mass, at least 0.
 #' @param inertia_kg_m2 A symmetric 3 x 3 matrix in kg m^2; or six numbers named `ixx`, `iyy`,
 #'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes (if they have names,
-#'   `ixx`, `iyy`, `izz` or `x`, `y`, `z`); or what [inertia_tensor()] gave, which knows its point,
-#'   axes and sign convention.
+#'   `ixx`, `iyy`, `izz` or `x`, `y`, `z`); or an [inertia_tensor()], whose point, axes and sign
+#'   convention are used.
 #' @param centre_m Centre of mass in the own axes.
 #' @param ... Not used; names after it must be given in full.
-#' @param about The point the tensor is about: `"centre"` (of mass), `"origin"` (of the own axes),
-#'   or three numbers in m. If it is not the centre, the tensor is moved there; that subtracts, and
-#'   warns (`rotdyn_warning_digits`) where more than half of the digits go.
-#' @param axes The axes its components refer to: `"own"`, or a rotation matrix whose columns are
-#'   those axes in the own ones (or its quaternion, scalar first).
+#' @param about Point of the tensor: `"centre"` (of mass), `"origin"` (of the own axes), or three
+#'   numbers in m. The tensor is moved from there to the centre, with a warning
+#'   (`rotdyn_warning_digits`) if the subtraction cancels more than half of the digits.
+#' @param axes Axes of the components: `"own"`, or a rotation matrix whose columns are those axes in
+#'   the own ones (or its quaternion, scalar first).
 #' @param products `"negative"` (as in Goldstein and URDF): the off-diagonal elements are minus the
 #'   products of inertia, \eqn{-\int x y\,dm}{-int x y dm}. `"positive"`: they are \eqn{+\int x
 #'   y\,dm}{+int x y dm}.
 #' @param reach_m Distance from the centre of mass to the farthest point, if known: the tensor is
 #'   checked against it.
-#' @param name What to call the body.
-#' @return A `rot_body`. Its error bound counts the roundings here, and those of a number given to
-#'   sixteen digits.
-#' @section Errors: `rotdyn_error_inertia` for what no body can have (see [check_inertia()]),
+#' @param name Name of the body.
+#' @return A `rot_body`. Its error bound includes the rounding of the numbers given to sixteen
+#'   digits.
+#' @section Errors: `rotdyn_error_inertia` for a tensor that is not physical ([check_inertia()]),
 #'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf included, but
 #'   for the tensor: that is `rotdyn_error_inertia`), `rotdyn_error_unit`; `rotdyn_error_range`
-#'   where moving the tensor leaves double precision.
+#'   where the moved tensor exceeds double precision.
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60, for the
 #'   conditions.
 #' @examples
@@ -37,18 +36,17 @@
 body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., about = "centre",
                         axes = "own", products = c("negative", "positive"), reach_m = NULL,
                         name = "given tensor") {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("mass_kg", "inertia_kg_m2"), call)
-  check_no_dots(...)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
   name <- check_name(name, "name", call)
   if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
   askew <- max(abs(tensor - t(tensor))) / 2
-  # About whatever point: it must be some body's. And only what is symmetric can be moved.
+  # It must be physical about any point, and symmetric to be moved.
   tensor <- check_inertia_or_abort(tensor, mass_kg, call)
-  # A tensor that knows its point and axes is believed, unless it is told otherwise.
+  # The point and axes of an inertia_tensor() are the defaults.
   knows <- inherits(inertia_kg_m2, "rot_inertia_tensor")
   if (knows && missing(about) && attr(inertia_kg_m2, "about") != "centre") {
     about <- attr(inertia_kg_m2, "point_m")
@@ -70,16 +68,16 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     tensor, mass_kg, call, reach_m = reach_m, given_by_user = FALSE
   )
   second <- .Call(ffi_inertia_second, tensor)
-  # Relative to the largest entry: near 1.8e308 the sums would overflow.
+  # Relative to the largest entry, so that sums do not overflow.
   trace <- sum(diag(second) / largest)
   new_body(
     name, mass_kg, second, centre_m,
     reach_m = reach_m %||% NA_real_,
     formula = "given",
     provenance = "tensor",
-    # Three numbers of the tensor, rounded once each, go into one of the second moment.
+    # An element of the second moment is from three elements of the tensor, rounded once each.
     error = if (largest > 0 && trace > 0) {
-      # The last term is of halves that are no doubles.
+      # The last term is for underflow.
       (8 * .Machine$double.eps * scale + askew / largest + 2^-1072 / largest) / trace
     } else {
       0
@@ -88,7 +86,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   )
 }
 
-# The body of a bare tensor, for what needs no mass.
+# The body of a tensor without a mass.
 body_of_tensor <- function(x, call) {
   tensor <- check_inertia_or_abort(as_tensor(x, "body", call), NULL, call)
   new_body(
@@ -97,7 +95,7 @@ body_of_tensor <- function(x, call) {
   )
 }
 
-# A 3 x 3 matrix of doubles with products negative, not yet known to be symmetric or possible.
+# A 3 x 3 matrix of doubles with negative products, not yet checked.
 as_tensor <- function(x, arg, call, products = "negative") {
   if (inherits(x, "rot_inertia_tensor")) {
     products <- attr(x, "products")
@@ -137,12 +135,7 @@ abort_tensor <- function(x, arg, call) {
       } else {
         "It is {describe_value(x)}."
       }
-    ),
-    if (is.numeric(x)) "size" else "type",
-    call
+    ), if (is.numeric(x)) "size" else "type", call
   )
 }
 
-symmetrise <- function(tensor) {
-  (tensor + t(tensor)) / 2
-}

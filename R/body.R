@@ -1,15 +1,15 @@
-# A body: mass, centre of mass, second moment about it, size, where the numbers come from, and how
-# good they are. `second_moment_kg_m2` is C = int (x - g)(x - g)' dm in the body's own axes; the
-# inertia tensor I = tr(C) 1 - C is derived here and nowhere else. `centre_m` is in the own axes,
-# too, whose origin is the point that the shape's help names. `reach_m` is the distance from the
-# centre of mass to the farthest point, or more; NA where nothing is known of it.
+# A body: mass, centre of mass, second moment about it, size, source and error of the numbers.
+# `second_moment_kg_m2` is C = int (x - g)(x - g)' dm in the body's own axes; the inertia tensor
+# I = tr(C) 1 - C is derived only here. `centre_m` is in the own axes, with the origin stated in the
+# help of the shape. `reach_m` is an upper bound of the distance from the centre of mass to the
+# farthest point; NA if unknown.
 new_body <- function(shape, mass_kg, second_moment_kg_m2, centre_m = c(0, 0, 0),
                      size_m = numeric(), reach_m = NA_real_, beta = NA_real_, formula = "",
                      source = "", provenance = "formula", detail = list(), error = NA_real_,
                      error_kind = "bound", call = rlang::caller_env()) {
   tensors <- .Call(ffi_inertia_tensors, second_moment_kg_m2)
   if (!all(is.finite(.subset2(tensors, 2L)))) {
-    abort_rotdyn("The body's inertia is beyond double precision.", "range", call)
+    abort_rotdyn("The body's inertia exceeds double precision.", "range", call)
   }
   attr(centre_m, "names") <- c("x", "y", "z")
   body <- list(
@@ -34,14 +34,14 @@ new_body <- function(shape, mass_kg, second_moment_kg_m2, centre_m = c(0, 0, 0),
   body
 }
 
-# What a body's numbers rest on, in words.
+# The source of a body's numbers, in words.
 provenance_words <- c(
   formula = "formula", tensor = "given tensor", points = "point masses",
   quadrature = "quadrature of a density",
   monte_carlo = "random points in a density", compound = "joined bodies"
 )
 
-# And of a mesh, by the method.
+# For a mesh, by method.
 mesh_words <- c(
   solid = "mesh, exact integrals", shell = "faces of a mesh, exact integrals",
   hull = "convex hull of a mesh, exact integrals", box = "box of a mesh"
@@ -54,7 +54,7 @@ check_body <- function(body, call, arg = "body") {
   body
 }
 
-# I_n = n' I n about a unit vector n in the body's own axes, through a point.
+# I_n = n' I n about the unit vector n in the body's own axes, through a point.
 moment_about_axis <- function(body, axis, point = centre) {
   centre <- .subset2(body, "centre_m")
   .Call(
@@ -89,7 +89,7 @@ print.rot_body <- function(x, ...) {
   invisible(x)
 }
 
-# A line "name  text" of at most the console's width; what is longer goes on under the text.
+# A line "name  text", wrapped to the console's width under the text.
 print_field <- function(name, text) {
   room <- max(print_width() - 12L, 30L)
   lines <- if (nchar(text) > room) strwrap(text, room + 1L) else text
@@ -97,12 +97,12 @@ print_field <- function(name, text) {
   cat(paste0("  ", names, lines, "\n"), sep = "")
 }
 
-# The console's width, but no more than a line that is read with ease.
+# The console's width, at most 98.
 print_width <- function() {
   min(getOption("width", 80L), 98L)
 }
 
-# What the body's own error cannot tell from 0 is shown as 0.
+# Values below the body's error are shown as 0.
 print_inertia <- function(x) {
   noise <- body_noise(x)
   digits <- body_digits(x)
@@ -122,11 +122,11 @@ print_inertia <- function(x) {
 }
 
 body_noise <- function(x) {
-  # Term by term: of moments near 1.8e308 the sum would overflow.
+  # Term by term: the sum of moments near 1.8e308 would overflow.
   if (is.finite(x$error)) sum(x$error * diag(x$second_moment_kg_m2)) else 0
 }
 
-# As many digits as the error leaves, and one more: 7 at most.
+# The significant digits by the error, and one more; at most 7.
 body_digits <- function(x) {
   if (isTRUE(x$error > 0)) min(max(1 - floor(log10(x$error)), 2), 7) else 7
 }
@@ -138,7 +138,7 @@ clear_noise <- function(x, noise) {
 
 describe_body_error <- function(x) {
   if (is.na(x$error)) {
-    return("accuracy not known")
+    return("accuracy unknown")
   }
   if (x$error == 0) {
     return("exact")
@@ -153,7 +153,7 @@ format_si <- function(x, digits = 7) {
   vapply(x, format, character(1), digits = digits)
 }
 
-# The rows of a matrix as text, with columns that line up.
+# The rows of a matrix as text, with aligned columns.
 format_columns <- function(x, digits = 7) {
   columns <- apply(x, 2, function(column) format(format_si(column, digits), justify = "right"))
   apply(columns, 1, paste, collapse = "  ")

@@ -1,94 +1,94 @@
-# Which tensors can be tensors of inertia. The moments of mass about a point are
-# I = tr(C) 1 - C, where C = int x x^T dm has no negative eigenvalue; so with the principal moments
-# I1 <= I2 <= I3 the smallest eigenvalue of C is (I1 + I2 - I3)/2, and a body exists just where that
-# is at least 0. The diagonal alone does not tell: its three sums may hold where this one fails.
+# Which tensors are inertia tensors: I = tr(C) 1 - C, where C = int x x^T dm is positive
+# semidefinite. With the principal moments I1 <= I2 <= I3 the smallest eigenvalue of C is (I1 + I2 -
+# I3)/2; a body exists if and only if it is at least 0. The triangle inequalities of the diagonal
+# are necessary, not sufficient.
 #
 # Source: Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60.
 
 inertia_entries <- c("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 entry_places <- cbind(c(1L, 2L, 3L, 1L, 1L, 2L), c(1L, 2L, 3L, 2L, 3L, 3L))
 
-# Margins relative to the largest moment. Eight roundings are what turning a plate costs; 1e-12 is
-# far above what double precision can do to a legal tensor and far below any printed digit.
+# Margins relative to the largest moment. Rotating a plate costs up to eight roundings; 1e-12 is far
+# above any rounding of a legal tensor and far below any printed digit.
 margin_of_rounding <- -8 * 2^-53
 margin_of_legality <- -1e-12
 asymmetry_allowed <- 1e-12
 
-#' Can a body have this inertia?
+#' Check whether an inertia tensor is physical
 #'
-#' Most tensors are no body's. `check_inertia()` says which conditions hold, by how much, and where
-#' one number may be mistyped. It never changes what it is given.
+#' `check_inertia()` lists the conditions that an inertia tensor must satisfy, their margins, and
+#' likely typing errors. It does not change its argument.
 #'
 #' | condition | value | must be |
 #' |---|---|---|
 #' | `finite` | entries that are NA, NaN or infinite | 0 |
-#' | `symmetric` | largest difference across the diagonal, relative to the largest entry | at most 1e-12 |
+#' | `symmetric` | largest asymmetry, relative to the largest entry | at most 1e-12 |
 #' | `positive semidefinite` | I1, the smallest principal moment | at least 0 |
 #' | `triangle inequality` | I1 + I2 - I3, twice the smallest eigenvalue of C | at least 0 |
 #' | `mass` | the mass, where it is known | at least 0; and not 0 if there is inertia |
 #' | `size` | radius of gyration sqrt(c3/m), c3 the largest eigenvalue of C | at most `size_m` |
 #'
 #' I1 <= I2 <= I3 are the principal moments and C = int x x^T dm is the second moment of the mass,
-#' so that I = tr(C) 1 - C. Each moment of inertia sums two directions, so none can exceed the other
-#' two together. A tensor may be positive definite and still be no body's; and all three sums of its
-#' diagonal may hold while those of its principal moments fail.
+#' so that I = tr(C) 1 - C. Each moment of inertia is the sum of two second moments, so none exceeds
+#' the sum of the other two. A positive definite tensor may violate this, and so may the principal
+#' moments of a tensor whose diagonal satisfies it.
 #'
-#' **What is legal.** A rod along x (I1 = 0), a plate (I1 + I2 = I3) and a point (all 0). Rounding
-#' is let pass: a condition short by at most 8 roundings (8.9e-16 of I3) holds, one short by at most
-#' 1e-12 `holds within rounding`, anything more `fails`. An asymmetry of at most 1e-12 is rounding
-#' as well; the mean of both entries is then used.
+#' **Limits.** Legal are also a rod along x (I1 = 0), a plate (I1 + I2 = I3) and a point (all 0).
+#' Rounding is tolerated: a condition violated by at most 8 roundings (8.9e-16 of I3) holds, by at
+#' most 1e-12 `holds within rounding`, by more `fails`. For an asymmetry of at most 1e-12 the mean
+#' of both entries is used.
 #'
-#' **Suggestions.** Where a tensor fails, small repairs are tried one by one: the last digit of an
-#' entry; the decimal point of one entry; the sign of a product, or of all (the other convention);
-#' the sign of a moment; a product that repeats a moment; a matrix of which one triangle was filled;
-#' two entries swapped; the unit of all, if mass and size are known. Those that make every condition
-#' hold are listed by `inertia_repairs()`, the smallest first. Where several are equally small they
-#' are alternatives, and the check does not choose. Give `mass_kg` and `size_m` where you know them:
-#' they rule repairs out. A suggestion is a guess at a slip of the pen, no measurement.
+#' **Suggestions.** If a tensor fails, small repairs are tried separately: the last digit of an
+#' entry; the decimal point of an entry; the sign of a product, or of all (the other convention);
+#' the sign of a moment; a product that repeats a moment; a matrix with only one triangle filled;
+#' two entries swapped; the unit of all entries, if mass and size are known. `inertia_repairs()`
+#' lists those that make every condition hold, the smallest first; equally small ones are
+#' alternatives. A known `mass_kg` and `size_m` exclude repairs. A suggestion is a guess, not a
+#' measurement.
 #'
-#' @param x What to check: a 3 x 3 matrix, a `rot_body`, an [inertia_tensor()], six numbers named
-#'   `ixx`, `iyy`, `izz`, `ixy`, `ixz`, `iyz`, three numbers (principal moments), or a data frame
-#'   with such columns, one tensor a row (without the last three, the products are 0). Capitals and
-#'   the ending `_kg_m2` do not matter. In kg m^2, about the centre of mass; numbers or units
+#' @param x A 3 x 3 matrix, a `rot_body`, an [inertia_tensor()], six numbers named `ixx`, `iyy`,
+#'   `izz`, `ixy`, `ixz`, `iyz`, three numbers (principal moments), or a data frame with such
+#'   columns, one tensor in each row (without the last three, the products are 0). Case and the
+#'   ending `_kg_m2` of names are ignored. In kg m^2, about the centre of mass; numbers or units
 #'   objects.
-#' @param ... Nothing.
-#' @param mass_kg Mass, one or one a row; NA where it is not known. A data frame's own column
-#'   `mass_kg` is used if this is not given.
-#' @param size_m How far the body reaches from its centre of mass, greater than 0; NA where it is
-#'   not known. A data frame's own column `size_m` is used if this is not given.
-#' @param products What the numbers off the diagonal are. `"negative"`: the tensor's own entries,
+#' @param ... Not used.
+#' @param mass_kg Mass, one for all or one for each row; NA if unknown. By default the column
+#'   `mass_kg` of a data frame.
+#' @param size_m Distance from the centre of mass to the farthest point of the body, greater than 0;
+#'   NA if unknown. By default the column `size_m` of a data frame.
+#' @param products The meaning of the off-diagonal numbers. `"negative"`: the tensor's own entries,
 #'   ixy = -int x y dm, as in URDF, SDF and most simulators. `"positive"`: the products of inertia
-#'   int x y dm, as most CAD programs print them.
-#' @param name What to call the tensors: text, one or one a row.
-#' @return `check_inertia()`: a tibble of class `rot_inertia_check`, one row a condition and tensor:
-#'   `r describe_columns(check_columns)`
-#'   `verdict` is "holds", "holds within rounding", "fails", or "not checked" where entries are not
-#'   finite. Rows `mass` and `size` are there where these are known.
+#'   int x y dm, as printed by most CAD programs.
+#' @param name Names of the tensors, one for all or one for each row.
+#' @return `check_inertia()`: a tibble of class `rot_inertia_check`, one row for each condition and
+#'   tensor: `r describe_columns(check_columns)`
+#'   `verdict` is "holds", "holds within rounding", "fails", or "not checked" if entries are not
+#'   finite. The conditions `mass` and `size` are checked if these are known.
 #'
-#'   `inertia_repairs()`: a tibble, one row a change of an entry:
+#'   `inertia_repairs()`: a tibble, one row for each change of an entry:
 #'   `r describe_columns(repair_columns)`
 #'   Sizes: 1 for the last digit; 2 for a sign, a repetition, a triangle of the matrix or a unit; 3
 #'   for two entries swapped; 1 + n for a decimal point moved n places. Repairs one larger than the
 #'   smallest are listed, too.
-#' @section How often a suggestion is right:
+#' @section Reliability of suggestions:
 #' `bench/inertia-repair.R` draws random bodies (5 to 60 points in boxes of random sides), moves the
-#' decimal point of one moment one or two places, and asks for the repair wherever no body is left.
+#' decimal point of one moment one or two places, and repairs the tensors that are not physical.
 #' `r repair_figures`
-#' @section Errors: `rotdyn_error_type` for what is none of these, and for columns that are not
-#'   there; `rotdyn_error_size` for other numbers of entries; `rotdyn_error_value` for numbers
-#'   without names, and sizes that are not greater than 0; `rotdyn_error_unit` for units objects of
-#'   another dimension. NA, NaN and Inf in a tensor are no error: the check says so. So it does for
-#'   a mass of NaN or Inf.
+#' @section Errors: `rotdyn_error_type` for other types, and for missing columns;
+#'   `rotdyn_error_size` for other numbers of entries; `rotdyn_error_value` for numbers without
+#'   names, and sizes that are not greater than 0; `rotdyn_error_unit` for units objects of another
+#'   dimension. NA, NaN and Inf in a tensor, and a mass of NaN or Inf, are no errors: the check
+#'   reports them.
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60; Traversaro,
-#'   Brossette, Escande and Nori, IROS (2016) 5516, for why positive definite is not enough.
+#'   Brossette, Escande and Nori, IROS (2016) 5516.
 #' @seealso [read_links()] checks a robot description.
 #' @examples
-#' # A robot's link whose izz lost its decimal point.
+#' # A link of a robot; the decimal point of izz is missing.
 #' link <- c(ixx = 0.0123, iyy = 0.0145, izz = 213, ixy = 0, ixz = 0, iyz = 0)
 #' check_inertia(link, name = "forearm")
 #' inertia_repairs(check_inertia(link))
 #'
-#' # Every sum of the diagonal holds, and the matrix is positive definite: still no body.
+#' # The diagonal satisfies the inequalities and the matrix is positive definite, but it fails.
 #' check_inertia(matrix(c(2, -1, 0, -1, 2, -1, 0, -1, 2), 3))$verdict
 #'
 #' # A plate and a rod are legal.
@@ -96,8 +96,7 @@ asymmetry_allowed <- 1e-12
 #' @export
 check_inertia <- function(x, ..., mass_kg = NULL, size_m = NULL,
                           products = c("negative", "positive"), name = NULL) {
-  check_no_dots(...)
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("x", call)
   if (missing(products)) {
     products <- "negative"
@@ -114,7 +113,7 @@ check_inertia <- function(x, ..., mass_kg = NULL, size_m = NULL,
   check_tensors(given, mass_kg, size_m, known_names(name, given$object, n, call))
 }
 
-#' @param check What `check_inertia()` returned.
+#' @param check Result of `check_inertia()`.
 #' @rdname check_inertia
 #' @export
 inertia_repairs <- function(check) {
@@ -126,7 +125,7 @@ inertia_repairs <- function(check) {
   attr(check, "repairs")
 }
 
-# ---- what was given -------------------------------------------------------------------------
+# ---- input ----------------------------------------------------------------------------------
 
 # A list of tensors (3 x 3, the tensor's own signs) and the sign of the products as given.
 as_tensors <- function(x, products, call) {
@@ -171,7 +170,7 @@ as_tensors <- function(x, products, call) {
   given
 }
 
-# A matrix's diagonal has the names of the axes.
+# The names x, y, z (of a diagonal) stand for ixx, iyy, izz.
 plain_entry_names <- function(names) {
   names <- sub("_kg_m2$", "", tolower(names))
   if (setequal(names, c("x", "y", "z"))) paste0("i", names, names) else names
@@ -183,10 +182,7 @@ tensor_from_vector <- function(x, names, sign, call) {
   }
   if (!length(x) %in% c(3L, 6L)) {
     abort_rotdyn(
-      c(
-        "{.arg x} must be a 3 x 3 matrix, six numbers or three.",
-        x = "It has length {length(x)}."
-      ),
+      c("{.arg x} must be a 3 x 3 matrix, six numbers or three.", x = "It has length {length(x)}."),
       "size", call
     )
   }
@@ -197,9 +193,8 @@ tensor_from_vector <- function(x, names, sign, call) {
       c(
         "The numbers of {.arg x} must be named {.val {wanted}}.",
         x = if (length(names)) "They are named {.val {names}}." else "They have no names.",
-        i = "Files disagree about their order, so it is not guessed."
-      ),
-      "value", call
+        i = "The order differs between formats and is not guessed."
+      ), "value", call
     )
   }
   six_to_tensor(c(x[match(wanted, names)], 0, 0, 0)[1:6] * rep(c(1, sign), each = 3L))
@@ -213,10 +208,9 @@ tensors_from_columns <- function(x, sign, call) {
     abort_rotdyn(
       c(
         "{.arg x} must have the columns {.val {inertia_entries}}.",
-        x = "{.val {lacking}} {?is/are} not there.",
+        x = "{.val {lacking}} {?is/are} missing.",
         i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
-      ),
-      "type", call
+      ), "type", call
     )
   }
   columns <- lapply(inertia_entries[has], function(entry) {
@@ -236,7 +230,7 @@ tensor_to_six <- function(tensor) {
   tensor[entry_places]
 }
 
-# Masses or sizes: those of the argument, or else those that came with x; NA is "not known".
+# Masses or sizes: from the argument, or else from x; NA if unknown.
 known_numbers <- function(x, with_x, arg, unit, n, call) {
   if (is.null(x)) {
     x <- with_x
@@ -257,9 +251,7 @@ known_names <- function(name, with_x, n, call) {
     return(rep_len(NA_character_, n))
   }
   if (!is.character(name)) {
-    abort_rotdyn(
-      c("{.arg name} must be text.", x = "It is {describe_value(name)}."), "type", call
-    )
+    abort_rotdyn(c("{.arg name} must be text.", x = "It is {describe_value(name)}."), "type", call)
   }
   check_one_or_each(length(name), "name", n, call)
   rep_len(name, n)
@@ -271,8 +263,7 @@ check_one_or_each <- function(length, arg, n, call) {
       c(
         "{.arg {arg}} must have length 1, or one element for each tensor.",
         x = "It has length {length}, and there {cli::qty(n)}{?is/are} {n} tensor{?s}."
-      ),
-      "size", call
+      ), "size", call
     )
   }
 }
@@ -311,7 +302,7 @@ check_tensors <- function(given, mass_kg, size_m, object) {
   check
 }
 
-# One value, its limit, and the margin: how far inside, relative; negative outside.
+# A value, its limit, and the relative margin (negative outside the limit).
 condition_row <- function(condition, value, limit, margin, verdict, meaning) {
   list(
     condition = condition, value = value, limit = limit, margin = margin, verdict = verdict,
@@ -326,7 +317,7 @@ verdict_of <- function(margin) {
   )
 }
 
-# `sign` only puts the user's own numbers into the words.
+# `sign` is only used to quote the user's own numbers.
 judge_tensor <- function(tensor, mass_kg, size_m, sign = 1) {
   bad <- sum(!is.finite(tensor))
   rows <- list(
@@ -337,7 +328,7 @@ judge_tensor <- function(tensor, mass_kg, size_m, sign = 1) {
   if (bad) {
     for (condition in c("symmetric", "positive semidefinite", "triangle inequality")) {
       rows <- c(rows, list(condition_row(
-        condition, NA_real_, NA_real_, NA_real_, "not checked", "there is no telling"
+        condition, NA_real_, NA_real_, NA_real_, "not checked", "undetermined"
       )))
     }
   } else {
@@ -356,8 +347,8 @@ judge_tensor <- function(tensor, mass_kg, size_m, sign = 1) {
   judged
 }
 
-# Ascending, and the second moments along the axes, descending; exact to the rounding of each.
-# A power of 2 taken out, so that no sum leaves the range.
+# Principal moments, ascending, and the second moments along the axes, descending, scaled by a power
+# of 2 so that no sum overflows.
 principal_moments <- function(tensor) {
   largest <- max(abs(tensor))
   scale <- if (largest > 0) 2^floor(log2(largest)) else 1
@@ -370,7 +361,7 @@ asymmetry <- function(tensor) {
   if (largest == 0) 0 else max(abs(tensor / largest - t(tensor) / largest))
 }
 
-# The mean of both entries, in half steps: their sum may be beyond the largest double.
+# The mean of both entries, from halves, since their sum may overflow.
 symmetric_part <- function(tensor) {
   upper <- tensor + (t(tensor) / 2 - tensor / 2)
   upper[lower.tri(upper)] <- t(upper)[lower.tri(upper)]
@@ -385,7 +376,7 @@ meaning_finite <- function(tensor) {
   values <- ifelse(
     is.finite(tensor[entry_places][at]), t(tensor)[entry_places][at], tensor[entry_places][at]
   )
-  paste0(paste(inertia_entries[at], "is", format_si(values), collapse = ", "), ": no number")
+  paste0(paste(inertia_entries[at], "is", format_si(values), collapse = ", "), ": not finite")
 }
 
 judge_symmetry <- function(tensor, sign) {
@@ -410,14 +401,14 @@ judge_symmetry <- function(tensor, sign) {
         " below it: int ", entry[2L], " ", entry[3L], " dm has one value"
       )
     } else {
-      "entries across the diagonal differ by rounding: their mean is taken"
+      "entries across the diagonal differ by rounding: their mean is used"
     }
   }
   condition_row("symmetric", value, asymmetry_allowed, asymmetry_allowed - value, verdict, meaning)
 }
 
-# The excess I1 + I2 - I3 is twice the smallest second moment, which Jacobi's rotations keep where
-# the sum of three moments would have lost it.
+# The excess I1 + I2 - I3 is twice the smallest second moment, which Jacobi rotations resolve where
+# the sum of three moments cancels.
 judge_moments <- function(found) {
   largest <- max(abs(found$moment))
   if (largest == 0) largest <- 1
@@ -448,7 +439,7 @@ meaning_triangle <- function(moments, smallest, excess) {
     return(paste0(
       "the largest principal moment, ", format_si(moments[3L]),
       " kg m^2, exceeds the sum of the others, ", format_si(moments[1L] + moments[2L]),
-      ": mass away from an axis is away from a second one, too"
+      ": I1 + I2 - I3 = 2 int x3^2 dm is not negative"
     ))
   }
   flat <- excess <= -margin_of_legality
@@ -465,11 +456,11 @@ meaning_triangle <- function(moments, smallest, excess) {
 
 judge_mass <- function(mass_kg, has_inertia) {
   meaning <- if (!is.finite(mass_kg)) {
-    "the mass is no number"
+    "the mass is not finite"
   } else if (mass_kg < 0) {
     "the mass is negative"
   } else if (mass_kg == 0 && has_inertia) {
-    "the mass is 0 and the inertia is not: there is nothing to be inert"
+    "the mass is 0 and the inertia is not"
   }
   condition_row(
     "mass", mass_kg, 0,
@@ -484,7 +475,7 @@ judge_mass <- function(mass_kg, has_inertia) {
 }
 
 judge_size <- function(found, mass_kg, size_m) {
-  # Roots apart: the quotient of the numbers may leave the range. The scale is a power of 2.
+  # Separate roots, since the quotient may overflow.
   radius <- sqrt(max(0, found$second[1L])) * sqrt(found$scale) / sqrt(mass_kg)
   margin <- 1 - radius / size_m
   verdict <- verdict_of(margin)
@@ -492,13 +483,13 @@ judge_size <- function(found, mass_kg, size_m) {
     "size", radius, size_m, margin, verdict,
     if (verdict == "fails") {
       paste0(
-        "the mass would have to lie ", format_si(radius), " m from the centre in the root mean ",
-        "square, and the body ends at ", format_si(size_m), " m"
+        "the radius of gyration would be ", format_si(radius), " m, and the body reaches only ",
+        format_si(size_m), " m"
       )
     } else if (radius > 0 && radius < size_m / radius_too_small) {
       paste0(
-        "legal, but the mass would lie within ", format_si(radius),
-        " m of the centre and the body reaches to ", format_si(size_m), " m"
+        "legal, but the radius of gyration is ", format_si(radius),
+        " m and the body reaches ", format_si(size_m), " m"
       )
     } else {
       "the mass lies within the size"
@@ -510,7 +501,7 @@ format_number <- function(x, digits = 10) {
   vapply(x, format, character(1), digits = digits)
 }
 
-# ---- faces ----------------------------------------------------------------------------------
+# ---- print ----------------------------------------------------------------------------------
 
 #' @export
 print.rot_inertia_check <- function(x, ...) {
@@ -536,9 +527,9 @@ print.rot_inertia_check <- function(x, ...) {
 print_one_check <- function(x) {
   failed <- sum(x$verdict == "fails")
   head <- if (failed == 0L) {
-    "a body can have it"
+    "physical"
   } else {
-    paste0("no body: ", failed, " of ", nrow(x), " conditions fail", if (failed == 1L) "s")
+    paste0("not physical: ", failed, " of ", nrow(x), " conditions fail", if (failed == 1L) "s")
   }
   label <- if (is.na(x$object[1L])) paste("tensor", x$row[1L]) else x$object[1L]
   cat("<rot_inertia_check> ", label, ": ", head, "\n", sep = "")
@@ -562,12 +553,12 @@ print_one_check <- function(x) {
 
 # ---- for body_tensor() ----------------------------------------------------------------------
 
-# The symmetric 3 x 3 tensor, or an error that says which condition fails, by how much, and what
-# slip would explain it. What held by rounding alone is said, unless the rounding is our own. A mass
-# or a reach that is NULL or NA is not known.
+# The symmetric 3 x 3 tensor, or an error with the condition that fails, its margin and suggested
+# repairs. Conditions that hold within rounding are reported for tensors given by the user. A mass
+# or a reach that is NULL or NA is unknown.
 check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL, given_by_user = TRUE) {
   mass_kg <- mass_kg %||% NA_real_
-  # A reach of 0 is that of a point, which must have no inertia; sizes are greater than 0.
+  # A reach of 0 is that of a point, but sizes must be greater than 0.
   reach_m <- if (is.null(reach_m)) NA_real_ else max(reach_m, 2^-1074)
   given <- list(tensor = list(unname(tensor)), sign = 1)
   judged <- judge_tensor(given$tensor[[1L]], mass_kg, reach_m)
@@ -578,7 +569,7 @@ check_inertia_or_abort <- function(tensor, mass_kg, call, reach_m = NULL, given_
   if (any(near) && given_by_user) {
     cli::cli_inform(
       c(
-        "The inertia tensor is taken as legal, within rounding.",
+        "The inertia tensor is physical within rounding.",
         stats::setNames(
           paste0(judged$condition[near], ": ", judged$meaning[near], "."),
           rep("i", sum(near))
@@ -603,7 +594,7 @@ abort_inertia <- function(check, call) {
   )
   abort_rotdyn(
     c(
-      "No body has this inertia: the condition {.val {first$condition}} fails.",
+      "The inertia tensor is not physical: the condition {.val {first$condition}} fails.",
       x = "{measured}: {first$meaning}.",
       i = if (!is.na(suggestion)) "Suggestion: {suggestion}. Nothing was changed.",
       i = "{.fn check_inertia} shows every condition."

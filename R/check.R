@@ -1,5 +1,7 @@
-# Checks at the door. Each returns the value as the rest of the package wants it, or aborts with the
-# user's own call. Written to cost little when nothing is wrong: students call small things often.
+# Checks of arguments. Each returns the value in the form used by the package, or aborts with the
+# user's call. Fast where the value is valid.
+
+`%||%` <- function(x, y) if (is.null(x)) y else x
 
 describe_value <- function(x) {
   if (is.null(x)) {
@@ -22,11 +24,12 @@ describe_value <- function(x) {
   paste0(article, kind, " of length ", length(x))
 }
 
-# Nothing may stand in the dots. Where something does, it is not evaluated.
+# The dots must be empty; they are not evaluated. Returns the caller's frame.
 check_no_dots <- function(...) {
   if (...length()) {
     abort_dots(as.list(substitute(list(...)))[-1L], rlang::caller_env(), rlang::caller_fn())
   }
+  invisible(parent.frame())
 }
 
 abort_dots <- function(given, call, fn) {
@@ -37,19 +40,17 @@ abort_dots <- function(given, call, fn) {
   abort_rotdyn(
     c(
       if (all(named)) {
-        "{length(said)} argument{?s} {?is/are} not known."
+        "{length(said)} unknown argument{?s}."
       } else {
         "Arguments after the first ones must be given by name."
       },
-      x = "Not understood: {.code {said}}.",
+      x = "Unknown: {.code {said}}.",
       i = "The arguments are {.arg {known}}."
-    ),
-    "argument",
-    call
+    ), "argument", call
   )
 }
 
-# Arguments that the user left out, by name; `env` is the frame of the function that has them.
+# Required arguments, by name; `env` is the frame of the function.
 check_supplied <- function(names, env) {
   for (name in names) {
     if (eval(call("missing", as.name(name)), env)) {
@@ -62,7 +63,7 @@ is_number <- function(x) {
   is.numeric(x) && !is.factor(x)
 }
 
-# One finite number. `lower` is the smallest value allowed; `open` excludes it.
+# One finite number, from `lower` (excluded if `open`) to `upper`.
 check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = FALSE) {
   if (is.double(x) && length(x) == 1L && is.null(attributes(x)) && is.finite(x) &&
     x >= lower && x <= upper && !(open && x == lower)) {
@@ -74,8 +75,7 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
   if (!is_number(x) || length(x) != 1L || is.object(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must be one number{in_unit(unit)}.", x = "It is {describe_value(x)}."),
-      if (is_number(x) && !is.object(x)) "size" else "type",
-      call
+      if (is_number(x) && !is.object(x)) "size" else "type", call
     )
   }
   if (!is.finite(x) || x < lower || x > upper || (open && x == lower)) {
@@ -105,16 +105,11 @@ abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
   }
   where <- if (is.null(row)) "" else paste0(" in row ", format(row, big.mark = ","))
   abort_rotdyn(
-    c(
-      "{.arg {arg}} must be {domain}.",
-      x = "It is {describe_value(x)}{where}."
-    ),
-    "value",
-    call
+    c("{.arg {arg}} must be {domain}.", x = "It is {describe_value(x)}{where}."), "value", call
   )
 }
 
-# A column of doubles, NA allowed. NA of type logical is NA.
+# A column of doubles; NA, also logical, is allowed.
 check_column <- function(x, arg, unit, call) {
   if (is.object(x)) {
     x <- as_si(x, unit, arg, call)
@@ -126,16 +121,34 @@ check_column <- function(x, arg, unit, call) {
     return(as.double(x))
   }
   abort_rotdyn(
-    c(
-      "{.arg {arg}} must be numbers{in_unit(unit)}.",
-      x = "It is {describe_value(x)}."
-    ),
-    "type",
-    call
+    c("{.arg {arg}} must be numbers{in_unit(unit)}.", x = "It is {describe_value(x)}."),
+    "type", call
   )
 }
 
-# Columns that recycle as tibble does: length 1 or n.
+# Named columns, each checked in the unit at the same place.
+check_columns_of <- function(columns, units, call) {
+  for (i in seq_along(columns)) {
+    columns[[i]] <- check_column(columns[[i]], names(columns)[i], units[[i]], call)
+  }
+  columns
+}
+
+check_not_negative <- function(x, arg, unit, call, open = FALSE) {
+  bad <- which(if (open) x <= 0 else x < 0)
+  if (length(bad)) abort_domain(x[bad[1]], arg, unit, call, 0, Inf, open, row = bad[1])
+}
+
+abort_missing_column <- function(column, data, call) {
+  abort_rotdyn(
+    c(
+      "The table needs a column {.field {column}}.",
+      x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
+    ), "type", call
+  )
+}
+
+# Columns of length 1 or n; returns n.
 check_recyclable <- function(columns, call) {
   sizes <- lengths(columns)
   others <- unique(sizes[sizes != 1L])
@@ -145,15 +158,13 @@ check_recyclable <- function(columns, call) {
       c(
         "Arguments must have the same length, or length 1.",
         stats::setNames(text, rep("x", length(text)))
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   if (length(others)) others else 1L
 }
 
-# Doubles, all finite: a description, where NA means nothing.
+# Finite doubles, for descriptions, where NA is not allowed.
 check_finite <- function(x, arg, unit, call, kind = "value") {
   if (is.double(x) && is.null(attributes(x)) && all(is.finite(x))) {
     return(x)
@@ -162,9 +173,7 @@ check_finite <- function(x, arg, unit, call, kind = "value") {
   if (!all(is.finite(x))) {
     at <- which(!is.finite(x))[1]
     abort_rotdyn(
-      c("{.arg {arg}} must be finite.", x = "Element {at} is {format(x[at])}."),
-      kind,
-      call
+      c("{.arg {arg}} must be finite.", x = "Element {at} is {format(x[at])}."), kind, call
     )
   }
   attributes(x) <- NULL
@@ -178,17 +187,15 @@ check_class <- function(x, class, arg, remedy, call) {
         "{.arg {arg}} must be a {.cls {class}} object.",
         x = "It is {describe_value(x)}.",
         i = remedy
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
 }
 
-# Output times: finite, not decreasing; repeated ones and none at all are fine.
+# Output times: finite, not decreasing; they may repeat, and there may be none.
 check_times <- function(time_s, call) {
   n <- length(time_s)
-  # is.unsorted() of anything missing is NA, so sorted and finite at both ends is finite throughout.
+  # is.unsorted() is NA with missing values: sorted and finite at both ends means finite throughout.
   if (is.double(time_s) && is.null(attributes(time_s)) &&
     (n == 0L || (is.finite(time_s[1L]) && is.finite(time_s[n])))) {
     back <- is.unsorted(time_s)
@@ -204,20 +211,18 @@ check_times <- function(time_s, call) {
         "{.arg time_s} must not go back in time.",
         x = "Element {at + 1} is {format(time_s[at + 1])} after {format(time_s[at])}.",
         i = "Sort it, or ask {.fn predict} for times in any order."
-      ),
-      "time",
-      call
+      ), "time", call
     )
   }
   time_s
 }
 
-# Time differences must be doubles, too.
+# Time differences must be finite, too.
 check_span <- function(scene, time_s, call) {
   n <- length(time_s)
   start <- .subset2(scene, "start_s")
   if (n && !(is.finite(time_s[n] - start) && is.finite(start - time_s[1]))) {
-    abort_rotdyn("The span of {.arg time_s} is beyond double precision.", "time", call)
+    abort_rotdyn("The span of {.arg time_s} exceeds double precision.", "time", call)
   }
 }
 
@@ -225,19 +230,18 @@ check_accuracy <- function(accuracy, call) {
   check_number(accuracy, "accuracy", "1", call, lower = 0, upper = 1, open = TRUE)
 }
 
-# What to call a thing: one piece of text.
+# A name: one string.
 check_name <- function(x, arg, call) {
   if (!is.character(x) || is.object(x) || length(x) != 1L || is.na(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must be one piece of text.", x = "It is {describe_value(x)}."),
-      if (is.character(x) && length(x) != 1L) "size" else "type",
-      call
+      if (is.character(x) && length(x) != 1L) "size" else "type", call
     )
   }
   x
 }
 
-# As match.arg() does: the first of several is the default.
+# As match.arg(): the first of several choices is the default.
 check_choice <- function(x, arg, choices, call) {
   check_string(if (is.character(x)) x[1] else x, arg, choices, call)
 }
@@ -245,12 +249,8 @@ check_choice <- function(x, arg, choices, call) {
 check_string <- function(x, arg, choices, call) {
   if (!is.character(x) || length(x) != 1L || is.na(x) || !x %in% choices) {
     abort_rotdyn(
-      c(
-        "{.arg {arg}} must be one of {.or {.val {choices}}}.",
-        x = "It is {describe_value(x)}."
-      ),
-      "value",
-      call
+      c("{.arg {arg}} must be one of {.or {.val {choices}}}.", x = "It is {describe_value(x)}."),
+      "value", call
     )
   }
   x

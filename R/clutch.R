@@ -1,18 +1,18 @@
-#' One engagement of a clutch
+#' Engagement of a clutch
 #'
-#' Two bodies with different speeds, constant torques, and a clutch of constant capacity that is
-#' pressed at once: when it locks, how fast both turn then, and the heat of the slip. An infinite
-#' capacity is the instant engagement, which loses
-#' `(1/2) I1 I2/(I1 + I2) (omega1 - omega2)^2` whatever the clutch is like.
+#' Two bodies with different speeds, constant torques, and a clutch of constant capacity engaged at
+#' time 0: time until it locks, common speed, and heat of slip. An infinite capacity is the
+#' instantaneous engagement, which dissipates `(1/2) I1 I2/(I1 + I2) (omega1 - omega2)^2` for any
+#' clutch.
 #'
 #' @param inertia_1_kg_m2,inertia_2_kg_m2 Moments of inertia, greater than 0.
-#' @param capacity_n_m Torque of the slipping clutch, at least 0; Inf for instant engagement.
+#' @param capacity_n_m Torque of the slipping clutch, at least 0; Inf for instantaneous engagement.
 #' @param omega1_rad_per_s,omega2_rad_per_s Speeds at the start.
 #' @param ... Not used; names after it must be given in full.
 #' @param torque_1_n_m,torque_2_n_m Constant torques on the bodies.
 #' @return A tibble with one row for each engagement (arguments have length 1 or n):
 #'   `r describe_columns(engagement_columns)`
-#'   A clutch that never locks has an infinite time and heat, and no common speed (NA). NA in a row
+#'   If the clutch never locks, time and heat are infinite and the common speed is NA. NA in a row
 #'   gives NA.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
@@ -23,36 +23,26 @@
 #' @export
 clutch_engagement <- function(inertia_1_kg_m2, inertia_2_kg_m2, capacity_n_m, omega1_rad_per_s,
                               omega2_rad_per_s = 0, ..., torque_1_n_m = 0, torque_2_n_m = 0) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(
     c("inertia_1_kg_m2", "inertia_2_kg_m2", "capacity_n_m", "omega1_rad_per_s"), call
   )
-  check_no_dots(...)
-  columns <- list(
-    inertia_1_kg_m2 = check_column(inertia_1_kg_m2, "inertia_1_kg_m2", "kg*m^2", call),
-    inertia_2_kg_m2 = check_column(inertia_2_kg_m2, "inertia_2_kg_m2", "kg*m^2", call),
-    capacity_n_m = check_column(capacity_n_m, "capacity_n_m", "N*m", call),
-    torque_1_n_m = check_column(torque_1_n_m, "torque_1_n_m", "N*m", call),
-    torque_2_n_m = check_column(torque_2_n_m, "torque_2_n_m", "N*m", call),
-    omega1_rad_per_s = check_column(omega1_rad_per_s, "omega1_rad_per_s", "rad/s", call),
-    omega2_rad_per_s = check_column(omega2_rad_per_s, "omega2_rad_per_s", "rad/s", call)
+  columns <- check_columns_of(
+    list(
+      inertia_1_kg_m2 = inertia_1_kg_m2, inertia_2_kg_m2 = inertia_2_kg_m2,
+      capacity_n_m = capacity_n_m, torque_1_n_m = torque_1_n_m, torque_2_n_m = torque_2_n_m,
+      omega1_rad_per_s = omega1_rad_per_s, omega2_rad_per_s = omega2_rad_per_s
+    ),
+    c("kg*m^2", "kg*m^2", "N*m", "N*m", "N*m", "rad/s", "rad/s"), call
   )
   n <- check_recyclable(columns, call)
-  for (name in c("inertia_1_kg_m2", "inertia_2_kg_m2")) {
+  for (name in names(columns)[1:2]) {
     bad <- which(columns[[name]] <= 0 | is.infinite(columns[[name]]))
     if (length(bad)) {
       abort_domain(columns[[name]][bad[1]], name, "kg*m^2", call, 0, Inf, TRUE, row = bad[1])
     }
   }
-  bad <- which(columns$capacity_n_m < 0)
-  if (length(bad)) {
-    abort_domain(
-      columns$capacity_n_m[bad[1]], "capacity_n_m", "N*m", call, 0, Inf, FALSE, row = bad[1]
-    )
-  }
-  values <- .Call(
-    ffi_clutch_engagement, columns$inertia_1_kg_m2, columns$inertia_2_kg_m2, columns$capacity_n_m,
-    columns$torque_1_n_m, columns$torque_2_n_m, columns$omega1_rad_per_s, columns$omega2_rad_per_s
-  )
+  check_not_negative(columns$capacity_n_m, "capacity_n_m", "N*m", call)
+  values <- do.call(.Call, c(list(ffi_clutch_engagement), unname(columns)))
   tibble::new_tibble(lapply(values, rep_len, n), nrow = n)
 }

@@ -35,20 +35,26 @@ column_list <- list(
   c("stop_time_s", "s", "time at which the body comes to rest for good; Inf if it never does"),
   c("stop_theta_rad", "rad", "angle at which it does"),
   c("terminal_omega_rad_per_s", "rad/s", "what omega tends to under the last torque"),
+  c("final_omega_1_rad_per_s", "rad/s", "angular velocity of body 1 at the end"),
+  c("final_omega_2_rad_per_s", "rad/s", "angular velocity of body 2 at the end"),
   c("power_w", "W", "power of the applied torque"),
   c("event", "", "what happened: \"stick\", \"slip\", \"reverse\", ..."),
-  c("kinetic_energy_change_j", "J", "kinetic energy of the last row less that of the first"),
-  c("energy_residual_j", "J", "kinetic energy change - work + dissipated"),
-  c("energy_rounding_j", "J", "what rounding and the stated error could explain of it"),
   c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque since the first row"),
   c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),
-  c("angular_momentum_change_kg_m2_per_s", "kg m^2/s", "angular momentum, last row less first"),
-  c("momentum_residual_kg_m2_per_s", "kg m^2/s", "angular momentum change less both impulses"),
-  c("momentum_rounding_kg_m2_per_s", "kg m^2/s", "what both could explain of it"),
   c(
     "verdict", "",
     "\"balanced\" if an audit's residuals are explained, else \"unbalanced\"; of a check, \"holds\"..."
   ),
+  c("balance", "", "the quantity that is balanced: energy, angular_momentum, ..."),
+  c("about", "", "the point or axis of a momentum; NA for an energy"),
+  c("change", "", "its value in the last row less that in the first; unit in the column `unit`"),
+  c("supplied", "", "what acts from outside supplied of it, in the same unit"),
+  c("dissipated", "", "what the resistance took of it, computed separately, in the same unit"),
+  c("residual", "", "change - supplied + dissipated, in the same unit"),
+  c("rounding", "", "what rounding and the stated error could explain of it, in the same unit"),
+  c("terms", "", "the terms of the balance, a tibble"),
+  c("term", "", "what the term is, in words"),
+  c("role", "", "\"supplied\", \"dissipated\" (by mechanism) or \"change\""),
   c("constraint", "", "what the body may do: axle, ..."),
   c("equations", "", "equations that the model solves"),
   c("assumptions", "", "what must be true of the world"),
@@ -57,7 +63,6 @@ column_list <- list(
   c("source", "", "where the equations come from"),
   c("applies", "", "whether the model fits the scene and reaches the accuracy"),
   c("reason", "", "why, or why not"),
-  c("cost", "1", "predicted cost, in floating-point operations (order of magnitude)"),
   c("chosen", "", "TRUE for the cheapest model that applies"),
   c("principal_moment_kg_m2", "kg m^2", "principal moment of inertia"),
   c("second_moment_kg_m2", "kg m^2", "second moment along the principal axis"),
@@ -134,7 +139,7 @@ column_list <- list(
   c("covered", "", "TRUE if the error reported is at least the true one"),
   c("reference", "", "what the true error is taken against"),
   c("reference_error", "1", "relative error of the reference itself"),
-  c("cost_s", "s", "processor time of one run: the fastest batch"),
+  c("cost_s", "s", "processor time of one run: predicted, or that of the fastest batch"),
   c("cost_median_s", "s", "processor time of one run: the median of the batches"),
   c("energy_residual", "1", "energy residual of the audit, relative to the largest energy"),
   c("rotor", "1", "number of the rotor along the shaft, from 1"),
@@ -148,7 +153,6 @@ column_list <- list(
   c("clutch_torque_n_m", "N m", "torque of the clutch on body 2; body 1 feels the opposite"),
   c("heat_j", "J", "heat of the slip since the start"),
   c("locked", "", "whether the clutch is locked"),
-  c("elastic_energy_change_j", "J", "elastic energy of the last row less that of the first"),
   c("lock_time_s", "s", "time until the clutch locks; Inf if it never does"),
   c("common_omega_rad_per_s", "rad/s", "angular velocity of both bodies when it locks"),
   c("locked_torque_n_m", "N m", "torque that the locked clutch must hold"),
@@ -158,7 +162,7 @@ column_list <- list(
   c("reflected_viscous_n_m_s", "N m s", "viscous coefficient as the first shaft feels it"),
   c("reflected_torque_n_m", "N m", "torque as the first shaft feels it, losses included"),
   c("condition", "", "what must hold"),
-  c("count", "1", "how many there are; NA where it was not looked at"),
+  c("count", "1", "number found; NA where not checked"),
   c("value", "", "what was found, in the unit of the condition"),
   c("limit", "", "what is allowed, in the same unit"),
   c("margin", "1", "how far inside the limit, relative; negative outside"),
@@ -230,11 +234,11 @@ augment_columns <- c(
   "dissipated_coulomb_j", "inertia_work_j", "torque_impulse_n_m_s", "damping_impulse_n_m_s"
 )
 audit_columns <- c(
-  "work_j", "dissipated_j", "dissipated_viscous_j", "dissipated_quadratic_j",
-  "dissipated_coulomb_j", "inertia_work_j", "kinetic_energy_change_j", "energy_residual_j",
-  "energy_rounding_j",
-  "torque_impulse_n_m_s", "damping_impulse_n_m_s", "angular_momentum_change_kg_m2_per_s",
-  "momentum_residual_kg_m2_per_s", "momentum_rounding_kg_m2_per_s", "verdict"
+  "balance", "about", "unit", "change", "supplied", "dissipated", "residual", "rounding",
+  "verdict"
+)
+clutch_summary_columns <- c(
+  "final_omega_1_rad_per_s", "final_omega_2_rad_per_s", "heat_j", "lock_time_s"
 )
 rolling_columns <- c(
   "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction",
@@ -273,21 +277,9 @@ rotors_columns <- c(
   "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
   "rotational_kinetic_energy_j", "shaft_torque_n_m"
 )
-rotors_keys <- c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m")
 clutch_columns <- c(
   "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s",
   "clutch_torque_n_m", "heat_j", "locked"
-)
-clutch_keys <- setdiff(clutch_columns, c("clutch_torque_n_m", "locked"))
-motion_audit_columns <- c(
-  "work_j", "dissipated_j", "kinetic_energy_change_j", "elastic_energy_change_j",
-  setdiff(
-    audit_columns,
-    c(
-      "work_j", "dissipated_j", "kinetic_energy_change_j", "dissipated_viscous_j",
-      "dissipated_quadratic_j", "dissipated_coulomb_j", "inertia_work_j"
-    )
-  )
 )
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"

@@ -1,18 +1,18 @@
-# What can go wrong, by kind: the class is rotdyn_error_<kind>. The kinds of a failed run are those
-# of ROT_STATUS_LIST in src/rot_status.h.
+# Kinds of errors: the class is rotdyn_error_<kind>. The kinds of a failed run are those of
+# ROT_STATUS_LIST in src/rot_status.h.
 error_kinds <- c(
-  missing = "an argument that was left out",
-  argument = "an argument that is not known, or whose name was left out",
-  type = "not the kind of object asked for",
-  size = "lengths that do not fit together",
+  missing = "a required argument is missing",
+  argument = "an unknown argument, or one without its name",
+  type = "an object of the wrong type",
+  size = "incompatible lengths",
   value = "a number outside its domain",
   unit = "a quantity of another dimension",
   time = "times that are missing, infinite or not in order",
-  inertia = "an inertia tensor that no body can have",
+  inertia = "an inertia tensor that is not physical",
   point = "inertia tensors about different points, or in different axes",
-  mesh = "a mesh that is open, mis-wound or damaged",
-  density = "a density that gives no finite number of at least 0",
-  file = "a file that cannot be read, or is not of the format",
+  mesh = "a mesh that is open, inconsistently oriented or damaged",
+  density = "a density that is below 0 or not finite",
+  file = "a file that cannot be read, or has another format",
   torque = "a torque law that gives no finite number",
   rhs = "an equation of motion that gives no finite number",
   model = "no such model, or one that does not fit the scene",
@@ -58,9 +58,7 @@ need_package <- function(package, why, call) {
       c(
         "{why} needs the package {.pkg {package}}, which is not installed.",
         i = "Install it with {.code install.packages(\"{package}\")}."
-      ),
-      "package",
-      call
+      ), "package", call
     )
   }
 }

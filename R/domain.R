@@ -1,30 +1,30 @@
-#' Where a density lives
+#' Domains of a density
 #'
 #' Domains for [body_density()]. Boxes, cylinders, balls, ellipsoids and maps are the image of a
-#' brick of parameters, so that quadrature gets many digits with few evaluations. Of
-#' `domain_inside()` only the inside is known, and random points must do.
+#' cuboid of parameters, for which quadrature is accurate with few evaluations. A `domain_inside()`
+#' is defined by a predicate and needs random points.
 #'
 #' @param lower_m,upper_m Opposite corners of the box, three numbers each. For `domain_inside()`, a
-#'   box around the body: what is outside of it is not seen.
+#'   bounding box of the body.
 #' @param radius_m,length_m Outer radius; length along z; both greater than 0 m.
 #' @param inner_radius_m Radius of the hole, less than `radius_m`.
-#' @param angle_rad First and last angle of a sector, counted from x to y; at most a full turn.
-#' @param centre_m Where the middle of the cylinder, ball or ellipsoid is.
-#' @param semi_x_m,semi_y_m,semi_z_m Half axes, greater than 0 m.
-#' @param map A function of three vectors, the parameters, that returns the places: a matrix with
+#' @param angle_rad First and last angle of a sector, from x towards y; at most a full turn.
+#' @param centre_m Centre of the cylinder, ball or ellipsoid.
+#' @param semi_x_m,semi_y_m,semi_z_m Semi-axes, greater than 0 m.
+#' @param map A function of three vectors, the parameters, that returns the points: a matrix with
 #'   columns x, y, z, or a list of three vectors.
-#' @param jacobian A function of the same that returns the absolute value of the determinant
-#'   \eqn{|\partial(x, y, z)/\partial(u, v, w)|}{|d(x, y, z)/d(u, v, w)|}. A few differences of
-#'   `map` are held against it.
+#' @param jacobian A function of the same vectors that returns the absolute value of the determinant
+#'   \eqn{|\partial(x, y, z)/\partial(u, v, w)|}{|d(x, y, z)/d(u, v, w)|}. It is compared with
+#'   finite differences of `map` at a few points.
 #' @param lower,upper Smallest and largest value of the three parameters.
-#' @param periodic Which of the parameters go all the way round, so that map and density repeat
-#'   after `upper - lower`: three logical values.
-#' @param inside A function of the vectors x, y and z that says which points are in the body.
+#' @param periodic Which parameters are periodic, so that map and density repeat after
+#'   `upper - lower`: three logical values.
+#' @param inside A function of the vectors x, y and z that returns TRUE for points in the body.
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_domain`.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
 #'   `rotdyn_error_value` (NA, NaN, Inf, an empty domain), `rotdyn_error_unit`;
-#'   `rotdyn_error_density` for a map that returns no places, or a Jacobian that is not the map's.
+#'   `rotdyn_error_density` for a map that returns no points, or a wrong Jacobian.
 #' @seealso [body_density()]
 #' @examples
 #' domain_box(lower_m = c(0, 0, 0), upper_m = c(1, 2, 3))
@@ -37,7 +37,7 @@
 #'   jacobian = function(r, t, p) r * (2 + r * cos(t)),
 #'   lower = c(0, 0, 0), upper = c(0.5, 2 * pi, 2 * pi), periodic = c(FALSE, TRUE, TRUE)
 #' )
-#' # ... and by its inside.
+#' # ... and by a predicate.
 #' domain_inside(
 #'   function(x, y, z) (sqrt(x^2 + y^2) - 2)^2 + z^2 < 0.25,
 #'   lower_m = c(-2.5, -2.5, -0.5), upper_m = c(2.5, 2.5, 0.5)
@@ -63,9 +63,8 @@ domain_box <- function(lower_m, upper_m) {
 #' @export
 domain_cylinder <- function(radius_m, length_m, ..., inner_radius_m = 0,
                             angle_rad = c(0, 2 * pi), centre_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("radius_m", "length_m"), call)
-  check_no_dots(...)
   radii <- check_radii(inner_radius_m, radius_m, call)
   length_m <- check_number(length_m, "length_m", "m", call, lower = 0, open = TRUE)
   angle <- check_turn(angle_rad, call)
@@ -83,9 +82,8 @@ domain_cylinder <- function(radius_m, length_m, ..., inner_radius_m = 0,
 #' @rdname domains
 #' @export
 domain_ball <- function(radius_m, ..., inner_radius_m = 0, centre_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("radius_m", call)
-  check_no_dots(...)
   radii <- check_radii(inner_radius_m, radius_m, call)
   new_domain(
     "ball",
@@ -99,9 +97,8 @@ domain_ball <- function(radius_m, ..., inner_radius_m = 0, centre_m = c(0, 0, 0)
 #' @rdname domains
 #' @export
 domain_ellipsoid <- function(semi_x_m, semi_y_m, semi_z_m, ..., centre_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("semi_x_m", "semi_y_m", "semi_z_m"), call)
-  check_no_dots(...)
   size <- c(
     semi_x_m = check_number(semi_x_m, "semi_x_m", "m", call, lower = 0, open = TRUE),
     semi_y_m = check_number(semi_y_m, "semi_y_m", "m", call, lower = 0, open = TRUE),
@@ -119,9 +116,8 @@ domain_ellipsoid <- function(semi_x_m, semi_y_m, semi_z_m, ..., centre_m = c(0, 
 #' @rdname domains
 #' @export
 domain_map <- function(map, jacobian, lower, upper, ..., periodic = c(FALSE, FALSE, FALSE)) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("map", "jacobian", "lower", "upper"), call)
-  check_no_dots(...)
   check_field_function(map, "map", call)
   check_field_function(jacobian, "jacobian", call)
   box <- check_box(lower, upper, c("lower", "upper"), "1", call)
@@ -180,8 +176,7 @@ print.rot_domain <- function(x, ...) {
   invisible(x)
 }
 
-# From the place `from` (in the axes of the domain) no point of it is farther than this; NA for a
-# map, of which only points are known.
+# Upper bound of the distance of points of the domain from `from` (in its axes); NA for a map.
 domain_reach <- function(domain, from) {
   g <- abs(from - domain$centre_m)
   high <- domain$chart[5:7]
@@ -196,7 +191,7 @@ domain_reach <- function(domain, from) {
   reach * (1 + 8 * .Machine$double.eps)
 }
 
-# Length of a vector, with no square that overflows.
+# Length of a vector, without overflow.
 hypot3 <- function(x) {
   size <- max(abs(x))
   if (size > 0) size * sqrt(sum((x / size)^2)) else 0
@@ -221,9 +216,7 @@ check_field_function <- function(f, arg, call) {
       c(
         "{.arg {arg}} must be a function of three vectors.",
         x = "It takes {length(takes)} argument{?s}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
 }
@@ -238,9 +231,7 @@ check_box <- function(lower, upper, args, unit, call) {
       c(
         "{.arg {args[2]}} must be greater than {.arg {args[1]}}.",
         x = "Component {at} is {format(upper[at])} against {format(lower[at])}."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   list(middle = lower / 2 + upper / 2, half = half)
@@ -254,10 +245,8 @@ check_radii <- function(inner_m, outer_m, call) {
       c(
         "{.arg inner_radius_m} must be less than {.arg radius_m}.",
         x = "It is {format(inner_m)} m against {format(outer_m)} m.",
-        i = "A shell without thickness has an areal density: see {.fn shapes}."
-      ),
-      "value",
-      call
+        i = "For a thin shell with an areal density see {.fn shapes}."
+      ), "value", call
     )
   }
   c(inner_m, outer_m)
@@ -275,19 +264,17 @@ check_turn <- function(angle_rad, call) {
   if (!(turn > 0 && turn <= 1 + 1e-12)) {
     abort_rotdyn(
       c(
-        "{.arg angle_rad} must go up, by at most a full turn.",
+        "{.arg angle_rad} must increase, by at most a full turn.",
         x = "It goes from {format(angle[1])} to {format(angle[2])} rad."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
   full <- turn >= 1 - 1e-12
   list(from = angle[1], to = if (full) angle[1] + 2 * pi else angle[2], full = full)
 }
 
-# Differences of the map at five places that no formula singles out. A wrong factor is off at all of
-# them; a kink may spoil one or two.
+# Finite differences of the map at five generic points. A wrong factor fails at all of them; a kink
+# may fail at one or two.
 check_jacobian <- function(domain, call) {
   half <- domain$chart[5:7]
   t <- (outer(1:5, c(0.819, 0.671, 0.549)) %% 1) * 1.8 - 0.9
@@ -295,7 +282,7 @@ check_jacobian <- function(domain, call) {
   place <- function(p) {
     do.call(cbind, map_places(domain, p[, 1], p[, 2], p[, 3], call))
   }
-  # Central differences, good to some 1e-8.
+  # Central differences, accurate to some 1e-8.
   step <- 1e-5 * half
   slopes <- lapply(1:3, function(k) {
     off <- matrix(rep(step * (1:3 == k), each = 5), 5)
@@ -315,9 +302,7 @@ check_jacobian <- function(domain, call) {
         x = "At ({paste(format(at[i, ], digits = 4), collapse = ', ')}) it is
              {format(said[i], digits = 4)}; differences of {.arg map} give
              {format(found[i], digits = 4)}."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
 }
@@ -335,9 +320,7 @@ map_places <- function(domain, u, v, w, call) {
         "{.arg map} must return a matrix with columns x, y and z, a row for each of its arguments'
          elements, or a list of three such vectors.",
         x = "For {length(u)} point{?s} it returned {describe_value(places)}."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   places <- lapply(unname(as.list(places)), as.double)
@@ -346,12 +329,10 @@ map_places <- function(domain, u, v, w, call) {
     place <- vapply(places, function(x) format(x[at[1]], digits = 7), "")
     abort_rotdyn(
       c(
-        "{.arg map} must return finite places.",
+        "{.arg map} must return finite coordinates.",
         x = "At u = {format(u[at[1]], digits = 7)}, v = {format(v[at[1]], digits = 7)},
              w = {format(w[at[1]], digits = 7)} it returned ({paste(place, collapse = ', ')})."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   places
@@ -361,7 +342,7 @@ map_jacobian <- function(domain, u, v, w, call) {
   check_field(domain$jacobian(u, v, w), "jacobian", list(u, v, w), call)
 }
 
-# What a function of places must return: a number of at least 0 for each.
+# Checks the value of a function of points: a number of at least 0 for each.
 check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
   n <- length(places[[1]])
   if (inherits(x, "units") && arg == "f") {
@@ -370,8 +351,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
   if (!is_number(x) || is.object(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must return numbers.", x = "It returned {describe_value(x)}."),
-      "density",
-      call
+      "density", call
     )
   }
   if (length(x) != n) {
@@ -381,9 +361,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
         x = "For {n} points it returned {length(x)} value{?s}.",
         i = "If it takes one point at a time, wrap it: {.code Vectorize({arg})}.",
         i = if (length(x) == 1L && arg == "f") "A density that is the same everywhere is a number."
-      ),
-      "density",
-      call
+      ), "density", call
     )
   }
   if (!(isTRUE(min(x) >= 0) && max(x) < Inf)) {
@@ -393,8 +371,7 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
     )
     abort_rotdyn(
       c("{.arg {arg}} must be finite and at least 0.", x = "It is {format(x[at])} at {where}."),
-      "density",
-      call
+      "density", call
     )
   }
   as.double(x)

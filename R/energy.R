@@ -1,13 +1,13 @@
-#' Kinetic energy of a rolling body, divided
+#' Translational and rotational kinetic energy of a rolling body
 #'
-#' Translation and rotation of a body that rolls with a given speed of its centre:
-#' `m v^2/2` and `beta m v^2/2`, with `beta = I/(m r^2)`.
+#' For a body that rolls with a given speed of its centre: `m v^2/2` and `beta m v^2/2`, with
+#' `beta = I/(m r^2)`.
 #'
 #' @param mass_kg,radius_m,beta,speed_m_per_s Mass (at least 0), radius (greater than 0), `beta` (at
 #'   least 0) and speed: columns of length 1 or n.
 #' @return A tibble with one row for each body: the four arguments, then
 #'   `r describe_columns(energy_columns)`
-#'   NA in a row gives NA in what depends on it. Products carry at most four roundings each.
+#'   NA in a row gives NA in the values that depend on it. Products have at most four roundings.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
 #' @source Koenig's theorem: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002),
@@ -18,19 +18,14 @@
 energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s) {
   call <- rlang::current_env()
   check_supplied(c("mass_kg", "radius_m", "beta", "speed_m_per_s"), call)
-  columns <- list(
-    mass_kg = check_column(mass_kg, "mass_kg", "kg", call),
-    radius_m = check_column(radius_m, "radius_m", "m", call),
-    beta = check_column(beta, "beta", "1", call),
-    speed_m_per_s = check_column(speed_m_per_s, "speed_m_per_s", "m/s", call)
+  columns <- check_columns_of(
+    list(mass_kg = mass_kg, radius_m = radius_m, beta = beta, speed_m_per_s = speed_m_per_s),
+    c("kg", "m", "1", "m/s"), call
   )
   n <- check_recyclable(columns, call)
   check_not_negative(columns$mass_kg, "mass_kg", "kg", call)
   check_not_negative(columns$beta, "beta", "1", call)
-  flat <- which(columns$radius_m <= 0)
-  if (length(flat)) {
-    abort_domain(columns$radius_m[flat[1]], "radius_m", "m", call, 0, Inf, TRUE, row = flat[1])
-  }
+  check_not_negative(columns$radius_m, "radius_m", "m", call, open = TRUE)
   values <- .Call(
     ffi_energy_partition, columns$mass_kg, columns$radius_m, columns$beta, columns$speed_m_per_s
   )

@@ -1,7 +1,7 @@
-#' Moment of inertia seen through a gear
+#' Moment of inertia reflected through a gear
 #'
-#' A body on a shaft that turns with `omega_out = omega_in/ratio` is felt at the input as
-#' `J/ratio^2`.
+#' The moment of inertia J of a body on a shaft with `omega_out = omega_in/ratio` is `J/ratio^2` at
+#' the input.
 #'
 #' @param moment_of_inertia_kg_m2 Moment of inertia on the output shaft, at least 0.
 #' @param ratio `omega_in/omega_out`, not 0; negative for gears that turn opposite ways. For a belt
@@ -22,26 +22,23 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
   check_not_negative(inertia, "moment_of_inertia_kg_m2", "kg*m^2", call)
   zero <- which(ratio == 0)
   if (length(zero)) {
-    abort_rotdyn(
-      c("{.arg ratio} must not be 0.", x = "It is in row {zero[1]}."), "value", call
-    )
+    abort_rotdyn(c("{.arg ratio} must not be 0.", x = "It is in row {zero[1]}."), "value", call)
   }
-  # Divided twice: the square of a ratio may leave the range where the result does not.
+  # Two divisions: the square of a ratio may overflow where the result does not.
   rep_len(inertia, n) / ratio / ratio
 }
 
-#' A rigid train of gears
+#' A rigid gear train
 #'
 #' Shafts 1, 2, ..., n, each geared to the next with `ratio = omega_i/omega_(i+1)`. `gear_train()`
-#' says what each shaft adds to the first: with `N_i = omega_1/omega_i`, the product of the ratios
-#' before it, inertia `J_i/N_i^2`, viscous coefficient `d_i/N_i^2`, torque `tau_i/N_i`.
+#' gives the contribution of each shaft at the first: with `N_i = omega_1/omega_i`, the product of
+#' the ratios before it, inertia `J_i/N_i^2`, viscous coefficient `d_i/N_i^2`, torque `tau_i/N_i`.
 #' `scene_gears()` makes a [scene_axle()] of the first shaft with their sums.
 #'
-#' **Efficiency.** A stage passes on the share `efficiency` of the power that enters it. Power flows
-#' from the shaft that drives: with the first shaft turning in the positive sense, a torque that
-#' helps it (`tau_i/N_i > 0`) drives, and reaches it as `eta tau_i/N_i`; one that holds it back is a
-#' load, and costs it `tau_i/(N_i eta)`, with `eta` the product of the efficiencies between. The
-#' losses count for these torques; inertia and viscous torques are reflected without them.
+#' **Efficiency.** A stage transmits the share `efficiency` of its input power, in the direction of
+#' the power flow. With the first shaft rotating in the positive sense, a driving torque
+#' (`tau_i/N_i > 0`) acts on it as `eta tau_i/N_i`, a load as `tau_i/(N_i eta)`, with `eta` the
+#' product of the efficiencies between. Inertia and viscous torques are reflected without losses.
 #'
 #' @param bodies A list of `rot_body` (their Izz counts), or moments of inertia in kg m^2, one for
 #'   each shaft; greater than 0.
@@ -61,9 +58,8 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
 #' trajectory(scene, time_s = 0:3)
 #' @export
 gear_train <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, viscous_n_m_s = 0) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("bodies", "ratios"), call)
-  check_no_dots(...)
   train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
 }
 
@@ -101,9 +97,8 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
 #' @export
 scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, viscous_n_m_s = 0,
                         theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("bodies", "ratios"), call)
-  check_no_dots(...)
   train <- train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
   scene_axle(
     sum(train$reflected_inertia_kg_m2),

@@ -1,20 +1,20 @@
-# Slips of the pen that would explain a tensor no body can have. Each candidate changes one thing;
-# it is kept if every condition then holds. Entries are handled as the user gave them, so that
-# products of the other sign convention are named with the user's own numbers.
+# Typing errors that would explain a tensor that is not physical. Each candidate changes one thing
+# and is kept if every condition then holds. Entries have the user's sign convention, so that
+# messages quote the user's own numbers.
 
-# A radius of gyration beyond `size_m` or below `size_m`/100 points to a unit. A body's is usually
-# 0.33 (cube) to 1 (dumbbell) of its reach; whatever the unit was, it must lead back there.
+# A radius of gyration above `size_m` or below `size_m`/100 suggests a wrong unit. It is usually
+# 0.33 (cube) to 1 (dumbbell) of the reach, so the right unit must give such a ratio.
 radius_too_small <- 100
 radius_usual <- c(0.2, 1)
 
-# What the tensor may have been given in, relative to kg m^2.
+# Units other than kg m^2, relative to it.
 inertia_units <- c(
   "g m^2" = 1e-3, "kg cm^2" = 1e-4, "kg mm^2" = 1e-6, "g cm^2" = 1e-7, "g mm^2" = 1e-9,
   "kg um^2" = 1e-12
 )
 
-# A moment written without its point has up to nine places too many. Products are small as they
-# are, and made small enough any product is legal.
+# A moment without its decimal point is off by up to nine places. Products are shifted less, since
+# any product is legal if it is small enough.
 decimal_places <- list(moment = 1:9, product = 1:3)
 
 check_columns <- c(
@@ -53,7 +53,7 @@ repairs_of <- function(tensor, mass_kg, size_m, sign, judged) {
   keep_legal(candidates, now, sign)
 }
 
-# Signs of the products as the tensor has them, or as the user gave them: the same flip both ways.
+# Between the tensor's sign convention and the user's; its own inverse.
 to_given <- function(six, sign) {
   c(six[1:3], sign * six[4:6])
 }
@@ -66,7 +66,7 @@ is_too_small <- function(judged, size_m) {
   judged$value[at] > 0 && judged$value[at] < size_m / radius_too_small
 }
 
-# A candidate: which entries change to what; `size` says how large a repair it is.
+# A candidate: the entries and their old and new values; `size` of the repair.
 new_repair <- function(kind, size, entry, from, to) {
   list(kind = kind, size = size, entry = entry, from = from, to = to)
 }
@@ -108,7 +108,7 @@ is_legal <- function(now, sign) {
   if (!is.finite(largest)) {
     return(FALSE)
   }
-  # The diagonal's own sums are necessary, and cheap.
+  # The inequalities of the diagonal are necessary, and cheap.
   if (largest > 0) {
     diagonal <- six[1:3] / largest
     if (min(diagonal) < margin_of_legality ||
@@ -116,14 +116,14 @@ is_legal <- function(now, sign) {
       return(FALSE)
     }
   }
-  # A repair may not lean on the tolerance: any product that is made small enough would.
+  # Without tolerance: a product that is made small enough would pass.
   judged <- judge_tensor(six_to_tensor(six), now$mass_kg, now$size_m)
   all(judged$margin[judged$condition != "symmetric"] >= margin_of_rounding)
 }
 
 # ---- candidates -----------------------------------------------------------------------------
 
-# One step of the last printed digit, of numbers printed to at least two digits.
+# One unit of the last decimal digit, for numbers of at least two digits.
 digit_candidates <- function(now) {
   found <- list()
   for (i in which(now$six != 0)) {
@@ -141,7 +141,7 @@ digit_candidates <- function(now) {
   found
 }
 
-# How many digits the shortest decimal of x has.
+# Number of digits of the shortest decimal representation of x.
 printed_digits <- function(x) {
   for (digits in 1:16) {
     if (as.numeric(sprintf("%.*e", digits - 1L, x)) == x) {
@@ -175,8 +175,8 @@ is_positive <- function(x) {
   !is.na(x) && is.finite(x) && x > 0
 }
 
-# The sign of one product has the same effect as that of all three: the eigenvalues depend on the
-# product of the three only.
+# Changing the sign of one product has the same effect as changing all three: the eigenvalues depend
+# only on the product of the three.
 sign_candidates <- function(now) {
   found <- lapply(which(now$six[1:3] < 0), function(i) {
     new_repair("sign of a moment", 2, inertia_entries[i], now$six[i], -now$six[i])
@@ -195,7 +195,7 @@ sign_candidates <- function(now) {
   found
 }
 
-# A product that repeats a moment digit by digit was copied from it.
+# A product equal to a moment is taken for a copy of it.
 copy_candidates <- function(now) {
   copies <- 3L + which(now$six[4:6] != 0 & abs(now$six[4:6]) %in% abs(now$six[1:3]))
   lapply(copies, function(i) {
@@ -203,8 +203,8 @@ copy_candidates <- function(now) {
   })
 }
 
-# Two entries in each other's place, at least one of them a product. Moments among themselves leave
-# the diagonal's sums as they are.
+# Two entries exchanged, at least one of them a product: exchanging moments has no effect on the
+# inequalities of the diagonal.
 swap_candidates <- function(now) {
   found <- list()
   for (i in 4:6) {
@@ -220,7 +220,7 @@ swap_candidates <- function(now) {
   found
 }
 
-# Every entry in another unit, where that leads to an ordinary radius of gyration.
+# All entries in another unit, if that gives a usual radius of gyration.
 unit_candidates <- function(now, judged) {
   at <- match("size", judged$condition)
   radius <- judged$value[at] / judged$limit[at] * sqrt(inertia_units)
@@ -258,8 +258,7 @@ mass_candidates <- function(now) {
   }
 }
 
-# Where both halves of a matrix differ, one of them is right. One pair that differs has two
-# readings; several have the upper triangle and the lower.
+# If the triangles of a matrix differ, one of them is right: candidates are the upper and the lower.
 asymmetry_candidates <- function(tensor, now, sign) {
   upper <- to_given(tensor[entry_places], sign)
   lower <- to_given(t(tensor)[entry_places], sign)
@@ -314,7 +313,7 @@ bind_repairs <- function(repairs) {
   ))
 }
 
-# One text for the conditions of a tensor, at the first that fails, NA elsewhere.
+# The suggestion at the first condition that fails, NA elsewhere.
 suggestion_of <- function(judged, repairs) {
   text <- rep(NA_character_, length(judged$condition))
   at <- which(judged$verdict == "fails")
@@ -329,7 +328,7 @@ repairs_in_words <- function(repairs, legal = FALSE) {
   sizes <- vapply(repairs, `[[`, 0, "size")
   smallest <- repairs[sizes == min(sizes)]
   words <- vapply(smallest, repair_in_words, "")
-  # The sign of any one product, or of all: no tensor can tell these four apart.
+  # The sign of any one product, or of all: these four are equivalent.
   signs <- startsWith(vapply(smallest, `[[`, "", "kind"), "sign of a product") |
     startsWith(vapply(smallest, `[[`, "", "kind"), "sign convention")
   if (sum(signs) == 4L) {
@@ -348,7 +347,7 @@ repairs_in_words <- function(repairs, legal = FALSE) {
     shown <- c(shown, paste(length(words) - 5L, "more"))
   }
   paste0(
-    "each of these ", goal, ", and nothing here tells which: ", paste(shown, collapse = "; or "),
+    "each of these ", goal, "; which is right is unknown: ", paste(shown, collapse = "; or "),
     more
   )
 }
@@ -362,7 +361,7 @@ repair_in_words <- function(repair) {
   if (kind == "decimal point" && repair$size > 2) {
     kind <- paste0("decimal point, ", repair$size - 1, " places")
   }
-  # Ten digits, or all where those are the same.
+  # Ten digits, or 17 where those are equal.
   digits <- if (any(format_number(repair$to) == format_number(repair$from))) 17 else 10
   changes <- paste(
     repair$entry, "=", format_number(repair$to, digits), "instead of",

@@ -7,25 +7,25 @@
 #'   * a data frame with a column `object` (or `shape`) naming a standard shape, `mass_kg`, and the
 #'     sizes of the shapes that occur: `radius_m`, `length_m`, `outer_radius_m`, ..., as in their
 #'     constructors and in [shapes()]. The article's names (`solid_disk`, `solid_sphere`,
-#'     `thin_spherical_shell`, `point_mass_sliding`, ...) are understood. A row whose name is no
-#'     standard shape needs `beta` and `radius_m`: its moment is `beta m r^2`. Other columns are
-#'     kept; sizes that a row's shape does not have are not looked at.
+#'     `thin_spherical_shell`, `point_mass_sliding`, ...) are also accepted. A row with another name
+#'     needs `beta` and `radius_m`: its moment is `beta m r^2`. Other columns are kept; sizes that a
+#'     row's shape does not have are ignored.
 #'   * a `rot_body`, or a list of them: the moment about the body's `z` axis through its centre of
-#'     mass; of a [body_rod_end()] about its end, and of a [body_point()] about the axis that it
-#'     is `radius_m` away from. Where a body was placed does not matter; one that was turned has
-#'     its moment about `z` as it is now, while its `formula` is from before.
+#'     mass; for a [body_rod_end()] about its end, and for a [body_point()] about the axis at the
+#'     distance `radius_m`. The position of a body has no effect; after a rotation the moment is
+#'     about the new `z` axis, while `formula` is unchanged.
 #' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
 #'   sizes are simple parts of these: inner radii are half of `radius_m`.
-#' @return A tibble: the columns of `objects` (of the standard shapes: behind the others), then
+#' @return A tibble: the columns of `objects` (of the default: last), then
 #'   `r describe_columns(inertia_columns)`
 #'   The first moment is about `axis`, with its `formula`; the other three are about the centre of
-#'   mass, along the own axes. `beta` is NA for what does not roll; a row that has only `beta` has
+#'   mass, along the own axes. `beta` is NA for bodies that do not roll; a row with only `beta` has
 #'   no other moments (NA). NA in a row's mass or sizes gives NA in that row's results.
-#'   Each moment carries at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in a ratio
-#'   of up to 1e300 to one another and whatever the mass.
+#'   Each moment has at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in ratios of up
+#'   to 1e300 and any mass.
 #' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_size`
 #'   for a column that is a matrix, `rotdyn_error_value` for a negative mass or length, sizes that
-#'   do not fit together, or an unknown shape without `beta`, with the row; `rotdyn_error_unit`.
+#'   are inconsistent, or an unknown shape without `beta`, with the row; `rotdyn_error_unit`.
 #' @source As in [body_shapes] and [shapes()].
 #' @examples
 #' inertia_table()
@@ -55,7 +55,7 @@ inertia_table <- function(objects = inertia_objects()) {
   mass <- needed_column("mass_kg", "kg", objects, call)
   sizes <- needed_sizes(id, shapes, objects, call)
 
-  # A name that the list knows decides; else beta and the radius do.
+  # Known names have precedence over beta and the radius.
   values <- .Call(ffi_shapes_table, id, mass, beta, sizes)
   if (!is.list(values)) {
     abort_row(values, id, mass, beta, sizes, call)
@@ -65,7 +65,7 @@ inertia_table <- function(objects = inertia_objects()) {
   out[names(values)] <- values
   out[["axis"]] <- c("rolling axis", shapes$axis)[text]
   out[["formula"]] <- c("beta m r^2", shapes$formula)[text]
-  # The order of the dictionary, behind what was there.
+  # The columns given, then the results in the order of the dictionary.
   kept <- setdiff(names(out), inertia_columns)
   columns <- c(kept, inertia_columns)
   if (missing(objects)) {
@@ -81,14 +81,12 @@ check_shape_names <- function(given, column, rows, call) {
       c(
         "{.field {column}} must be a column of names, one for each row.",
         x = "It is {describe_value(given)} for {rows} row{?s}."
-      ),
-      if (is.data.frame(given)) "type" else "size",
-      call
+      ), if (is.data.frame(given)) "type" else "size", call
     )
   }
 }
 
-# The C core's numbers of the shapes named; 0 for what is none.
+# The C core's numbers of the named shapes; 0 for other names.
 shape_ids <- function(given, shapes) {
   known <- c(shapes$shape, names(shape_aliases))
   ids <- c(seq_along(shapes$shape), match(shape_aliases, shapes$shape))
@@ -111,11 +109,9 @@ check_known <- function(given, id, beta, call) {
     abort_rotdyn(
       c(
         "Every object must be a standard shape or have a {.field beta}.",
-        x = "Not so: {.val {unknown}}.",
+        x = "Neither: {.val {unknown}}.",
         i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
 }
@@ -130,15 +126,13 @@ needed_column <- function(column, unit, objects, call) {
       c(
         "{.arg {column}} must have one number for each row.",
         x = "It has {length(values)} for {nrow(objects)} row{?s}."
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   values
 }
 
-# The columns of sizes in the order of the C core, NULL where no row needs one.
+# The columns of sizes in the order of the C core; NULL if no row needs it.
 needed_sizes <- function(id, shapes, objects, call) {
   all <- size_table()
   used <- which(tabulate(id, nrow(shapes)) > 0L)
@@ -194,9 +188,7 @@ inertia_of_bodies <- function(bodies, call) {
       c(
         "{.arg objects} must be a data frame, a {.cls rot_body}, or a list of those.",
         x = "It is {describe_value(bodies)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   pick <- function(f) vapply(bodies, f, numeric(1))
@@ -209,7 +201,7 @@ inertia_of_bodies <- function(bodies, call) {
   moment <- function(k) pick(function(b) b$inertia_kg_m2[k, k])
   mass <- pick(function(b) b$mass_kg)
   izz <- moment(3)
-  # Two shapes are named after an axis that is not through their centre.
+  # Two shapes have their moment about an axis that is not through the centre.
   id <- shape_ids(vapply(bodies, axis_shape, ""), shape_table())
   about <- pick(moment_of_shape)
   tibble::new_tibble(c(
@@ -234,30 +226,12 @@ axis_shape <- function(body) {
   if (off) body$shape else ""
 }
 
-# The axis goes with the body however it was turned: from its sizes, then.
+# The axis rotates with the body, so the moment is computed from the sizes.
 moment_of_shape <- function(body) {
   mass <- body$mass_kg
   switch(axis_shape(body),
     point = mass * body$size_m[["radius_m"]] * body$size_m[["radius_m"]],
     rod_end = mass * body$size_m[["length_m"]] * body$size_m[["length_m"]] / 3,
     body$inertia_kg_m2[[9]]
-  )
-}
-
-check_not_negative <- function(x, arg, unit, call) {
-  bad <- which(x < 0)
-  if (length(bad)) {
-    abort_domain(x[bad[1]], arg, unit, call, 0, Inf, FALSE, row = bad[1])
-  }
-}
-
-abort_missing_column <- function(column, data, call) {
-  abort_rotdyn(
-    c(
-      "The table needs a column {.field {column}}.",
-      x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
-    ),
-    "type",
-    call
   )
 }

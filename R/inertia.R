@@ -1,9 +1,9 @@
 #' Inertia of a body about any point and axis
 #'
 #' @description
-#' * `inertia_tensor()`: the tensor about a point, in axes of your choice.
-#' * `moment_of_inertia()`: the moment about one axis, through a point.
-#' * `radius_of_gyration()`: the distance at which all mass would have the same moment.
+#' * `inertia_tensor()`: the tensor about a point, in given axes.
+#' * `moment_of_inertia()`: the moment about an axis through a point.
+#' * `radius_of_gyration()`: the distance from the axis of a point mass with the same moment.
 #'
 #' \deqn{I_{ij} = \int (x^2 \delta_{ij} - x_i x_j)\, dm, \quad
 #'   I_n = n^T I n, \quad I_o = I_g + m (d^2 1 - d d^T), \quad k = \sqrt{I_n/m}}{
@@ -21,20 +21,20 @@
 #' @param ... Not used; names after it must be given in full.
 #' @param axes The axes the components refer to: `"own"`, `"principal"`, or a rotation matrix whose
 #'   columns are the new axes in the own ones (or its quaternion, scalar first).
-#' @param products What the off-diagonal elements hold: see the section on signs.
+#' @param products Sign convention of the off-diagonal elements: see the section on signs.
 #' @param axis Direction of the axis in the own axes: `"x"`, `"y"`, `"z"`, or three numbers of any
 #'   length but 0.
-#' @return `inertia_tensor()`: a 3 x 3 matrix in kg m^2 (class `rot_inertia_tensor`), which knows
-#'   its point, its axes and its sign convention: tensors about different points or in different
-#'   axes cannot be added. `as.matrix()` gives the bare matrix.
+#' @return `inertia_tensor()`: a 3 x 3 matrix in kg m^2 (class `rot_inertia_tensor`) with its point,
+#'   axes and sign convention as attributes: tensors about different points or in different axes
+#'   cannot be added. `as.matrix()` returns the plain matrix.
 #'
 #'   `moment_of_inertia()`: one number in kg m^2. `radius_of_gyration()`: one number in m; NaN for a
 #'   body without mass.
 #'
-#'   All are as good as the body's own error figure, and some eight roundings.
+#'   The error is that of the body plus some eight roundings.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf
-#'   included), `rotdyn_error_unit`; `rotdyn_error_range` where the result is beyond 1.8e308;
-#'   `rotdyn_error_point` for a sum of tensors that do not belong together.
+#'   included), `rotdyn_error_unit`; `rotdyn_error_range` where the result overflows;
+#'   `rotdyn_error_point` for a sum of tensors about different points or in different axes.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), sections 5.3 and 5.4.
 #' @seealso [principal_axes()], [parallel_axis()] for numbers without a body, [join_bodies()].
 #' @examples
@@ -46,9 +46,8 @@
 #' @export
 inertia_tensor <- function(body, about = "centre", ..., axes = "own",
                            products = c("negative", "positive")) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   check_body(body, call)
   products <- check_products(products, call)
   point <- as_point(about, body, "about", call)
@@ -98,7 +97,7 @@ moment_through <- function(body, axis, through, call) {
 
 check_in_range <- function(x, call) {
   if (!all(is.finite(x))) {
-    abort_rotdyn("The inertia is beyond double precision.", "range", call)
+    abort_rotdyn("The inertia exceeds double precision.", "range", call)
   }
   x
 }
@@ -167,7 +166,7 @@ print.rot_inertia_tensor <- function(x, ...) {
     head <- c(strwrap(where, print_width() + 1L, exdent = 2L), paste0("  ", signs))
   }
   cat(head, sep = "\n")
-  # Turning leaves roundings where there is nothing.
+  # Rotations leave rounding errors in place of zeros.
   print(clear_noise(as.matrix(x), 8 * .Machine$double.eps * max(abs(x))), ...)
   invisible(x)
 }
@@ -178,13 +177,14 @@ as.matrix.rot_inertia_tensor <- function(x, ...) {
   x
 }
 
-# A part of a tensor is a number, or a matrix that knows nothing.
+# Parts of a tensor are plain numbers or matrices.
 #' @export
 `[.rot_inertia_tensor` <- function(x, ...) {
   as.matrix(x)[...]
 }
 
-# Sums of tensors about one point in one set of axes; multiples by a number. All else is a matrix.
+# Sums of tensors about one point in one set of axes, and multiples, are tensors; other results are
+# plain matrices.
 #' @export
 Ops.rot_inertia_tensor <- function(e1, e2) {
   bare <- function(x) if (inherits(x, "rot_inertia_tensor")) as.matrix(x) else x
@@ -209,7 +209,7 @@ like_tensor <- function(value, tensor) {
   value
 }
 
-# The sum as the user wrote it: R calls the method by its own name.
+# The call as the user wrote it; R puts the name of the method into it.
 sum_call <- function(generic, call) {
   call[[1L]] <- as.name(generic)
   call
@@ -227,9 +227,7 @@ check_same_point <- function(e1, e2, operation, call) {
              ({paste(format_si(p2), collapse = ', ')}) m.",
         i = "Take both about one point, {.code inertia_tensor(body, about = )}, or join the bodies:
              {.fn join_bodies}."
-      ),
-      "point",
-      call
+      ), "point", call
     )
   }
   if (!isTRUE(all.equal(attr(e1, "rotation"), attr(e2, "rotation"), tolerance = 1e-12)) ||
@@ -238,9 +236,7 @@ check_same_point <- function(e1, e2, operation, call) {
       c(
         "Inertia tensors in different axes, or of different sign conventions, cannot be {verb}.",
         i = "Take both in the same {.arg axes} and with the same {.arg products}."
-      ),
-      "point",
-      call
+      ), "point", call
     )
   }
 }

@@ -2,8 +2,7 @@
 
 integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   loads <- scene$loads
-  breaks <- axle_breaks(scene)
-  law <- sampled <- NULL
+  law <- sampled <- stops <- NULL
   if (!is.null(loads$law)) {
     span <- range(scene$start_s, time_s)
     reader <- law_reader(loads$law, scene, call)
@@ -13,21 +12,22 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     }
     if (is.null(sampled)) law <- reader$own
     loads$terms <- c(loads$terms, list(sampled$term)[!is.null(sampled)])
-    breaks <- sort(unique(c(breaks, scan$stops, sampled$term$breaks_s)))
+    stops <- scan$stops
   }
+  noise_n_m <- if (is.null(sampled)) 0 else sampled$error
   solve <- function(loads, time_s) {
+    scene$loads <- loads
     .Call(
-      ffi_axle_integrate,
-      pack_axle(scene, breaks, loads, if (is.null(sampled)) 0 else sampled$error), law, time_s,
-      c(accuracy, max_steps, method), progress_bar("integrating")
+      ffi_axle_integrate, scene, law, stops, time_s, c(accuracy, max_steps, method, noise_n_m),
+      progress_bar("integrating")
     )
   }
   result <- add_end_jumps(solve(loads, time_s), scene, time_s)
   if (!is.null(loads$law)) {
-    result[[2]]$rhs_calls <- reader$calls() + if (is.null(sampled)) result[[2]]$rhs_calls else 0
-    result[[2]]$scan_spacing_s <- scan$spacing_s
+    result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
+    result$info$scan_spacing_s <- scan$spacing_s
   }
-  if (is.null(sampled) || length(time_s) == 0L || result[[2]]$kind != "none") {
+  if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") {
     return(result)
   }
   add_sampling(result, sampled, scene, time_s, function(push_n_m) {
@@ -40,7 +40,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
 # that was integrated; in the balance of rows it belongs to what lies before it.
 add_end_jumps <- function(result, scene, time_s) {
   n <- length(time_s)
-  if (is.null(scene$inertia) || n == 0L || result[[2]]$kind != "none") {
+  if (is.null(scene$inertia) || n == 0L || result$info$kind != "none") {
     return(result)
   }
   start <- scene$start_s
@@ -49,10 +49,11 @@ add_end_jumps <- function(result, scene, time_s) {
   at <- function(end, omega) {
     jump_work(scene, function(t) omega * inertia_at(scene$inertia, t), function(t) t == end)
   }
-  omega <- result[[1]]$omega_rad_per_s
+  omega <- result$columns$omega_rad_per_s
   add <- function(result, jumps, sign) {
-    result[[3]][11] <- result[[3]][11] + sign * sum(jumps$work)
-    result[[3]][4] <- result[[3]][4] + 4 * .Machine$double.eps * sum(jumps$size)
+    off <- c(inertia_work_j = sign * sum(jumps$work),
+             work_rounding_j = 4 * .Machine$double.eps * sum(jumps$size))
+    result$ledger[names(off)] <- result$ledger[names(off)] + off
     result
   }
   if (from < start && to >= start) result <- add(result, at(start, scene$omega0_rad_per_s), 1)
@@ -61,37 +62,27 @@ add_end_jumps <- function(result, scene, time_s) {
   result
 }
 
-# What the samples' error can do to the motion, and what the samples cost. solve(push_n_m) is the
-# motion under a constant torque besides.
+# The error of the samples added to that of the run. The bound takes a pendulum for upside down at
+# all times, 1e125 in 100 s: where it matters the growth is measured, by a constant torque
+# that stands out from the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
-  info <- result[[2]]
-  grow <- sampling_growth(info, scene, time_s, solve, accuracy)
-  reach <- disturbance(scene, sampled$error, time_s, sampled$impulse, grow)
-  info$omega_error <- info$omega_error + reach$omega
-  info$theta_error <- info$theta_error + reach$theta
-  info$error <- error_of_run(info)
-  result[[2]] <- info
+  disturb <- function(size, impulse, grow) {
+    .Call(ffi_axle_disturbance, scene, time_s, c(size, impulse, grow))
+  }
+  free <- disturb(1, Inf, 1)
+  grow <- disturb(1, Inf, NaN)[["omega"]] / free[["omega"]]
+  push <- min(100 * accuracy, 1e-3) * result$info$sizes[["omega"]] / free[["omega"]]
+  if (isTRUE(grow > 2) && is.finite(push) && push > 0) {
+    runs <- lapply(c(0, push), solve)
+    if (all(vapply(runs, function(run) run$info$kind == "none", logical(1)))) {
+      apart <- function(column) {
+        max(abs(runs[[2]]$columns[[column]] - runs[[1]]$columns[[column]])) / push
+      }
+      grow <- max(1, c(apart("theta_rad"), apart("omega_rad_per_s")) / free)
+    }
+  } else if (!is.finite(grow)) {
+    grow <- 1 # nothing moves, or in no time
+  }
+  result$info <- widen_error(result$info, disturb(sampled$error, sampled$impulse, grow))
   result
-}
-
-# How much more a small torque does than in free motion. The bound of growth() takes a pendulum for
-# upside down all the time, 1e125 in 100 s: where it matters the growth is measured, by a push that
-# stands out from the integration's own error.
-sampling_growth <- function(info, scene, time_s, solve, accuracy) {
-  free <- disturbance(scene, 1, time_s, grow = 1)
-  grow <- disturbance(scene, 1, time_s)$omega / free$omega
-  if (!(grow > 2) || !(info$omega_max > 0)) {
-    return(if (is.finite(grow)) grow else 1)
-  }
-  push <- min(100 * accuracy, 1e-3) * info$omega_max / free$omega
-  if (!(is.finite(push) && push > 0)) {
-    return(grow)
-  }
-  still <- solve(0)
-  moved <- solve(push)
-  if (still[[2]]$kind != "none" || moved[[2]]$kind != "none") {
-    return(grow)
-  }
-  apart <- function(column) max(abs(moved[[1]][[column]] - still[[1]][[column]])) / push
-  max(1, apart("omega_rad_per_s") / free$omega, apart("theta_rad") / free$theta)
 }

@@ -1,39 +1,39 @@
 #' Angular motion at constant angular acceleration
 #'
-#' Five quantities describe it, and any three give the other two: leave two of the arguments out.
-#' Vectors recycle as in a tibble: length 1 or n.
+#' Any three of the five quantities give the other two: omit two arguments. Vectors have length 1 or
+#' n.
 #'
 #' \deqn{\omega = \omega_0 + \alpha t,\quad \theta = \omega_0 t + \tfrac12 \alpha t^2,\quad
 #'   \theta = \tfrac12 (\omega_0 + \omega)\, t,\quad \omega^2 = \omega_0^2 + 2 \alpha \theta}{
 #'   omega = omega0 + alpha t,  theta = omega0 t + alpha t^2/2,  theta = (omega0 + omega) t/2,
 #'   omega^2 = omega0^2 + 2 alpha theta}
 #'
-#' Where the acceleration, the angle and one of the rates are given, there may be two motions: the
-#' angle is passed twice, once on the way out and once on the way back. Both come, the smaller time
-#' first; a time below 0 lies before the start.
+#' For the acceleration, the angle and one of the rates there may be two motions, since the angle
+#' may be passed twice, outward and on the return. Both are returned, the smaller time first; a
+#' negative time is before the start.
 #'
 #' @param theta_rad Angle turned in the time, in rad.
 #' @param omega0_rad_per_s,omega_rad_per_s Angular velocity at the start and at the end, in rad/s.
 #' @param alpha_rad_per_s2 Angular acceleration in rad/s^2.
 #' @param time_s Time since the start in s.
 #' @return A tibble: `r describe_columns(motion_columns)`
-#'   One row for each motion. NA in a row gives NA in what was left out. Where no motion has the
-#'   three numbers of a row, or more than one has and not by a second root, what cannot be told is
-#'   NaN and `root` is NA, with one warning (class `rotdyn_warning_value`) that names the rows.
-#'   Every number is that of the given doubles to 0.51 ulp, whatever cancels and whatever its size.
+#'   One row for each motion. NA in a row gives NA in the missing values. Where the three values are
+#'   inconsistent or do not determine the motion, the missing ones are NaN and `root` is NA, with
+#'   one warning (class `rotdyn_warning_value`) that names the rows. The error is at most 0.51 ulp,
+#'   with any cancellation and at any scale.
 #' @section Errors: `rotdyn_error_missing` or `rotdyn_error_size` if not three are given,
 #'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for infinite numbers,
 #'   `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.1.
-#' @seealso [point_motion()] for a point that goes round, [rad_per_s_from_rpm()] for rpm.
+#' @seealso [point_motion()] for a point of the body, [rad_per_s_from_rpm()] for rpm.
 #' @examples
-#' # A centrifuge runs down from 7000 rpm in 10 s: how many turns?
+#' # A centrifuge stops from 7000 rpm in 10 s: number of turns.
 #' down <- angular_motion(
 #'   omega0_rad_per_s = rad_per_s_from_rpm(7000), omega_rad_per_s = 0, time_s = 10
 #' )
 #' turns_from_rad(down$theta_rad)
 #'
-#' # Thrown against a brake: past 1 rad it comes twice.
+#' # A decelerated body passes 1 rad twice.
 #' angular_motion(theta_rad = 1, omega0_rad_per_s = 3, alpha_rad_per_s2 = -2)
 #' @export
 angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_rad_per_s2, time_s) {
@@ -51,9 +51,7 @@ angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_r
       c(
         "Three of {.arg {names(columns)}} must be given.",
         x = if (any(given)) "Given: {.arg {names(columns)[given]}}." else "None is given."
-      ),
-      if (sum(given) < 3L) "missing" else "size",
-      call
+      ), if (sum(given) < 3L) "missing" else "size", call
     )
   }
   for (arg in names(columns)[given]) {
@@ -84,12 +82,10 @@ warn_no_motion <- function(none, many, call) {
   }
   warn_rotdyn(
     c(
-      "Not every row has one answer: there is NaN where it has none.",
-      x = if (length(none)) "No motion has the three numbers of row{?s} {rows(none)}.",
-      x = if (length(many)) "Many motions have the three numbers of row{?s} {rows(many)}."
-    ),
-    "value",
-    call
+      "Some rows do not have a unique solution; their missing values are NaN.",
+      x = if (length(none)) "The three values are inconsistent in row{?s} {rows(none)}.",
+      x = if (length(many)) "They do not determine the motion in row{?s} {rows(many)}."
+    ), "value", call
   )
 }
 
@@ -97,17 +93,15 @@ check_finite_or_na <- function(x, arg, unit, call) {
   x <- check_column(x, arg, unit, call)
   bad <- which(is.infinite(x))
   if (length(bad)) {
-    abort_domain(
-      x[bad[1]], arg, unit, call, -Inf, Inf, FALSE, row = if (length(x) > 1L) bad[1]
-    )
+    abort_domain(x[bad[1]], arg, unit, call, -Inf, Inf, FALSE, row = if (length(x) > 1L) bad[1])
   }
   x
 }
 
-#' A point that goes round
+#' Motion of a point of a rotating body
 #'
-#' Speed and acceleration of a point of a turning body. Vectors in, a tibble out; the functions of
-#' one column work inside `dplyr::mutate()`. Arguments recycle as in a tibble: length 1 or n.
+#' Speed and acceleration of a point of a rotating body. `point_motion()` returns a tibble, the
+#' other functions vectors, for use in `dplyr::mutate()`. Arguments have length 1 or n.
 #'
 #' | function | value |
 #' |---|---|
@@ -119,7 +113,7 @@ check_finite_or_na <- function(x, arg, unit, call) {
 #' @param alpha_rad_per_s2 Angular acceleration in rad/s^2.
 #' @param radius_m Distance from the axle in m, at least 0.
 #' @return `point_motion()`: a tibble of the arguments, then `r describe_columns(point_columns)`
-#'   The others: doubles. NA gives NA. Largest error: 3 ulp (2 ulp for the angle).
+#'   The others: doubles. NA gives NA. Error: at most 3 ulp (2 ulp for the angle).
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
 #'   `rotdyn_error_value` for infinite numbers or a negative radius, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.9.
@@ -145,42 +139,37 @@ point_motion <- function(omega_rad_per_s, alpha_rad_per_s2, radius_m) {
 #' @rdname point_motion
 #' @export
 tangential_speed <- function(omega_rad_per_s, radius_m) {
-  call <- rlang::current_env()
-  check_supplied(names(formals()), call)
   one_point_column(
-    list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m), "tangential_speed_m_per_s", call
+    list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m), "tangential_speed_m_per_s"
   )
 }
 
 #' @rdname point_motion
 #' @export
 tangential_acceleration <- function(alpha_rad_per_s2, radius_m) {
-  call <- rlang::current_env()
-  check_supplied(names(formals()), call)
   one_point_column(
     list(alpha_rad_per_s2 = alpha_rad_per_s2, radius_m = radius_m),
-    "tangential_acceleration_m_per_s2", call
+    "tangential_acceleration_m_per_s2"
   )
 }
 
 #' @rdname point_motion
 #' @export
 centripetal_acceleration <- function(omega_rad_per_s, radius_m) {
-  call <- rlang::current_env()
-  check_supplied(names(formals()), call)
   one_point_column(
     list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m),
-    "centripetal_acceleration_m_per_s2", call
+    "centripetal_acceleration_m_per_s2"
   )
 }
 
-# What is not given does not count for the column that is wanted.
-one_point_column <- function(columns, wanted, call) {
+# The other quantity does not affect the column wanted.
+one_point_column <- function(columns, wanted, call = parent.frame()) {
+  check_supplied(names(formals(sys.function(-1L))), call)
   columns <- check_point_columns(columns, call)
   check_recyclable(columns, call)
-  given <- function(name) if (is.null(columns[[name]])) 0 else columns[[name]]
   .Call(
-    ffi_point_motion, given("omega_rad_per_s"), given("alpha_rad_per_s2"), columns$radius_m
+    ffi_point_motion, columns$omega_rad_per_s %||% 0, columns$alpha_rad_per_s2 %||% 0,
+    columns$radius_m
   )[[wanted]]
 }
 
@@ -195,12 +184,12 @@ check_point_columns <- function(columns, call) {
 
 #' Units of angles
 #'
-#' Degrees, turns and rpm to radians and rad/s, and back. The factors carry 106 bits, so each result
-#' is off by 0.51 ulp at most (in base R `deg * pi / 180` is off by up to 2).
+#' Degrees, turns and rpm to radians and rad/s, and back. The factors have 106 bits, so the error is
+#' at most 0.51 ulp (of `deg * pi / 180` in base R: 2 ulp).
 #'
 #' @param angle_deg,angle_rad,turns Angles in degrees, radians, full turns.
 #' @param omega_rpm,omega_rad_per_s Angular velocities in turns per minute, rad/s.
-#' @return Doubles. NA stays NA, an infinity itself.
+#' @return Doubles. NA stays NA; infinite values are unchanged.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_unit`.
 #' @examples
 #' rad_per_s_from_rpm(c(33 + 1 / 3, 45, 78))
@@ -211,46 +200,41 @@ NULL
 #' @rdname angle_units
 #' @export
 rad_from_deg <- function(angle_deg) {
-  if (missing(angle_deg)) check_supplied("angle_deg", rlang::current_env())
-  convert_angle(angle_deg, "angle_deg", "degree", 0, rlang::current_env())
+  convert_angle(angle_deg, "angle_deg", "degree", 0)
 }
 
 #' @rdname angle_units
 #' @export
 deg_from_rad <- function(angle_rad) {
-  if (missing(angle_rad)) check_supplied("angle_rad", rlang::current_env())
-  convert_angle(angle_rad, "angle_rad", "rad", 1, rlang::current_env())
+  convert_angle(angle_rad, "angle_rad", "rad", 1)
 }
 
 #' @rdname angle_units
 #' @export
 rad_from_turns <- function(turns) {
-  if (missing(turns)) check_supplied("turns", rlang::current_env())
-  convert_angle(turns, "turns", "turn", 2, rlang::current_env())
+  convert_angle(turns, "turns", "turn", 2)
 }
 
 #' @rdname angle_units
 #' @export
 turns_from_rad <- function(angle_rad) {
-  if (missing(angle_rad)) check_supplied("angle_rad", rlang::current_env())
-  convert_angle(angle_rad, "angle_rad", "rad", 3, rlang::current_env())
+  convert_angle(angle_rad, "angle_rad", "rad", 3)
 }
 
 #' @rdname angle_units
 #' @export
 rad_per_s_from_rpm <- function(omega_rpm) {
-  if (missing(omega_rpm)) check_supplied("omega_rpm", rlang::current_env())
-  convert_angle(omega_rpm, "omega_rpm", "rpm", 4, rlang::current_env())
+  convert_angle(omega_rpm, "omega_rpm", "rpm", 4)
 }
 
 #' @rdname angle_units
 #' @export
 rpm_from_rad_per_s <- function(omega_rad_per_s) {
-  if (missing(omega_rad_per_s)) check_supplied("omega_rad_per_s", rlang::current_env())
-  convert_angle(omega_rad_per_s, "omega_rad_per_s", "rad/s", 5, rlang::current_env())
+  convert_angle(omega_rad_per_s, "omega_rad_per_s", "rad/s", 5)
 }
 
 # `place` in ROT_ANGLE_UNIT_LIST of src/rot_kinematics.h, from 0.
-convert_angle <- function(x, arg, unit, place, call) {
+convert_angle <- function(x, arg, unit, place, call = parent.frame()) {
+  if (missing(x)) check_supplied(arg, call)
   .Call(ffi_convert_angle, check_column(x, arg, unit, call), place)
 }

@@ -1,356 +1,110 @@
-# Models of a body on a fixed axle. .subset2() because `$` looks for a method first: 10 us of a 35
-# us call.
-
-# The scene as src/ffi_axle.c unpacks it.
-pack_axle <- function(scene, breaks_s = axle_breaks(scene), loads = scene$loads, noise_n_m = 0) {
-  resistance <- scene$resistance
-  list(
-    c(
-      scene$moment_of_inertia_kg_m2, resistance$viscous_n_m_s, scene$start_s, scene$theta0_rad,
-      scene$omega0_rad_per_s, loads$motor_n_m_s, resistance$quadratic_n_m_s2,
-      resistance$coulomb_n_m, resistance$static_n_m, noise_n_m
-    ),
-    axle_knots(loads$knots),
-    pack_terms(loads$terms),
-    if (is.null(scene$inertia)) {
-      list(double(), double())
-    } else {
-      list(scene$inertia$time_s, scene$inertia$moment_of_inertia_kg_m2)
-    },
-    breaks_s
-  )
-}
-
-axle_knots <- function(knots) {
-  list(.subset2(knots, "time_s"), .subset2(knots, "torque_n_m"), .subset2(knots, "outside"))
-}
-
-# Times where a torque or the inertia jumps or kinks; those of an R function are looked for later.
-axle_breaks <- function(scene) {
-  terms <- lapply(scene$loads$terms, function(term) term$breaks_s)
-  sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
-}
-
-# The five numbers of the linear part: a motor's falling torque resists like a viscous coefficient.
-axle_numbers <- function(scene) {
-  c(
-    .subset2(scene, "moment_of_inertia_kg_m2"),
-    .subset2(.subset2(scene, "resistance"), "viscous_n_m_s") +
-      .subset2(.subset2(scene, "loads"), "motor_n_m_s"),
-    .subset2(scene, "start_s"), .subset2(scene, "theta0_rad"), .subset2(scene, "omega0_rad_per_s")
-  )
-}
-
-viscous_of <- function(scene) .subset2(.subset2(scene, "resistance"), "viscous_n_m_s")
-
-motor_of <- function(scene) .subset2(.subset2(scene, "loads"), "motor_n_m_s")
-
-knots_of <- function(scene) .subset2(.subset2(scene, "loads"), "knots")
-
-# ---- reasons ------------------------------------------------------------------------------------
-
-# An effect in words.
-effect_words <- c(
-  torque = "a torque",
-  ramp = "a torque that changes in time",
-  sinusoid = "a sinusoidal torque",
-  exponential = "an exponential torque",
-  polynomial = "a polynomial torque",
-  curve = "a torque-speed curve",
-  spring = "a spring",
-  gravity = "gravity",
-  "function" = "a torque that is an R function",
-  viscous = "viscous resistance",
-  motor = "a motor",
-  quadratic = "quadratic drag",
-  friction = "dry friction",
-  inertia = "a changing moment of inertia"
-)
-
-# A torque that changes in time is a torque, too: said once.
-effects_in_words <- function(effects) {
-  if ("ramp" %in% effects) effects <- setdiff(effects, "torque")
-  and_words(unname(effect_words[effects]))
-}
-
-and_words <- function(x) {
-  n <- length(x)
-  if (n < 2L) x else paste(paste(x[-n], collapse = ", "), "and", x[n])
-}
-
-terms_of <- function(scene, kind) {
-  Filter(function(term) term$kind %in% kind, scene$loads$terms)
-}
-
-always <- function(terms) {
-  all(vapply(terms, function(term) term$from_s == -Inf && term$to_s == Inf, logical(1)))
-}
-
-why_not_backward <- function(scene, time_s) {
-  if (length(time_s) && time_s[1] < scene$start_s) {
-    "it cannot run backwards from the scene's start"
-  }
-}
+# Models of a body on a fixed axle.
 
 # ---- closed forms -------------------------------------------------------------------------------
 
-axle_free <- list(
-  id = "axle_free",
-  constraint = "axle",
+# A closed form. `ledger`: that of the core, or by quadrature of the motion.
+axle_closed_form <- function(id, ..., ledger = NULL) {
+  list(
+    id = id, ...,
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      .Call(ffi_axle_run, id, scene, time_s, progress_bar("closed form"))
+    },
+    ledger = ledger %||% function(scene, run, from_s, to_s) {
+      axle_ledger_by_quadrature(run, from_s, to_s)
+    }
+  )
+}
+
+linear_ledger <- function(scene, run, from_s, to_s) {
+  .Call(ffi_axle_ledger, scene, from_s, to_s, progress_bar("ledger"))
+}
+
+axle_free <- axle_closed_form(
+  "axle_free",
   equations = "omega = omega0; theta = theta0 + omega0 t",
   assumptions = "rigid body; nothing acts about the axle",
   limits = "none in double precision",
   requires = "no torque, no resistance",
   source = "Goldstein 2002, section 1.1",
-  error_kind = "bound",
-  handles = character(),
-  why_not = function(scene, time_s) NULL,
-  why = function(scene) "nothing acts about the axle: omega keeps its value",
-  error = function(accuracy) 4e-16,
-  cost = function(scene, rows, accuracy) 10 * rows,
-  run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    .Call(ffi_axle_free, axle_numbers(scene), time_s, progress_bar("free spin"))
-  },
-  ledger = function(scene, run, from_s, to_s) double(11)
+  ledger = linear_ledger
 )
 
-axle_linear <- list(
-  id = "axle_linear",
-  constraint = "axle",
+axle_linear <- axle_closed_form(
+  "axle_linear",
   equations = "I domega/dt = torque(t) - c omega, solved in closed form between the knots",
   assumptions = "rigid body; torque a piecewise-linear function of time; resistance -c omega",
   limits = "any c t/I from 0 to 1e300; the state must stay within double precision",
   requires = "constants, knots, steps, pulses, linear motors; viscous resistance or none",
   source = "Hochbruck & Ostermann 2010, section 2.1 (phi functions)",
-  error_kind = "bound",
-  handles = c("torque", "ramp", "viscous", "motor"),
-  why_not = function(scene, time_s) NULL,
-  why = function(scene) {
-    knots <- knots_of(scene)
-    paste0(
-      "the torque is ",
-      if (motor_of(scene) != 0) "linear in the speed" else
-        if (length(knots$time_s)) "piecewise linear" else "constant",
-      if (viscous_of(scene) == 0) " and nothing resists" else
-        " and the resistance viscous",
-      ": the solution is known in closed form"
-    )
-  },
-  # Some twenty roundings of the terms added (measured: four). Terms of two signs that cancel lose
-  # more: the run's own bound says how much, and warns.
-  error = function(accuracy) 2.5e-15,
-  # On even times; 100 a row elsewhere.
-  cost = function(scene, rows, accuracy) 30 * rows + 600 * (1 + length(knots_of(scene)$time_s)),
-  run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    loads <- .subset2(scene, "loads")
-    result <- .Call(
-      ffi_axle_linear, axle_numbers(scene), axle_knots(.subset2(loads, "knots")), time_s,
-      1, progress_bar("closed form")
-    )
-    if (.subset2(loads, "motor_n_m_s") != 0) part_motor(result, scene, time_s) else result
-  },
-  ledger = function(scene, run, from_s, to_s) {
-    ledger <- .Call(
-      ffi_axle_ledger, axle_numbers(scene), axle_knots(knots_of(scene)), from_s, to_s,
-      progress_bar("ledger")
-    )
-    if (motor_of(scene) != 0) part_motor_ledger(ledger, scene) else ledger
-  }
+  ledger = linear_ledger
 )
 
-# A motor's slope is a quotient, and its sum with the viscous coefficient c a sum: both are rounded,
-# and cancel where the resistance drives. A c that is off by d moves each term of a closed form by at
-# most d t/I of itself; forward with c > 0 by at most 3.4 d/c of the largest omega. The bounds count
-# 12 roundings of the terms.
-widen_by_motor <- function(info, scene, time_s) {
-  motor <- motor_of(scene)
-  span <- if (length(time_s)) max(abs(range(time_s) - scene$start_s)) else 0
-  if (motor == 0 || span == 0 || info$kind != "none" || is.na(info$error)) {
-    return(info)
-  }
-  inertia <- scene$moment_of_inertia_kg_m2
-  c <- viscous_of(scene) + motor
-  off <- abs(motor) + abs(c) # in units of roundoff
-  moved <- off / inertia * span / 12
-  omega <- if (info$omega_error > 0) moved * info$omega_error else 0
-  theta <- if (info$theta_error > 0) moved * info$theta_error else 0
-  if (c > 0 && is.finite(off) && time_s[1] >= scene$start_s) {
-    share <- 3.4 * off / c
-    omega <- min(omega, 2^-53 * share * info$omega_max)
-    theta <- min(theta, share / 12 * info$theta_error + if (omega > 0) inertia / c * omega else 0)
-  }
-  info$omega_error <- info$omega_error + omega
-  info$theta_error <- info$theta_error + theta
-  info$error <- error_of_run(info)
-  info
-}
-
-# The closed form takes motor and viscous resistance as one; the columns keep them apart.
-part_motor <- function(result, scene, time_s) {
-  result[[2]] <- widen_by_motor(result[[2]], scene, time_s)
-  columns <- result[[1]]
-  omega <- columns$omega_rad_per_s
-  columns$applied_torque_n_m <- columns$applied_torque_n_m - motor_of(scene) * omega
-  columns$damping_torque_n_m <- 0 - viscous_of(scene) * omega
-  columns$net_torque_n_m <- columns$applied_torque_n_m + columns$damping_torque_n_m
-  result[[1]] <- columns
-  result
-}
-
-# Of what both took, the motor's part is work not done.
-part_motor_ledger <- function(ledger, scene) {
-  motor <- motor_of(scene)
-  both <- viscous_of(scene) + motor
-  share <- if (both == 0) 0 else motor / both
-  taken <- share * ledger[c(2, 10)] # heat, impulse of both
-  ledger[1] <- ledger[1] - taken[1]
-  ledger[4] <- ledger[4] + abs(share) * ledger[5]
-  ledger[c(2, 5, 7, 10)] <- (1 - share) * ledger[c(2, 5, 7, 10)]
-  ledger[3] <- ledger[3] + taken[2]
-  ledger
-}
-
-# A closed form that src/ffi_axle.c knows by `kernel`, for scenes with more than knots.
-axle_kernel <- function(kernel, id, ..., why, error, each, why_not = function(scene, time_s) NULL) {
-  promised <- error
-  list(
-    id = id, kernel = kernel, constraint = "axle", ...,
-    error_kind = "bound",
-    why_not = why_not,
-    why = function(scene) paste0(why, ": the solution is known in closed form"),
-    error = function(accuracy) promised,
-    cost = function(scene, rows, accuracy) each * (rows + 4 * length(axle_breaks(scene)) + 1),
-    run = function(scene, time_s, accuracy, max_steps, call, asked) {
-      result <- .Call(ffi_axle_model, kernel, pack_axle(scene), time_s, progress_bar("closed form"))
-      result[[2]] <- widen_by_motor(result[[2]], scene, time_s)
-      result
-    },
-    ledger = function(scene, run, from_s, to_s) ledger_by_quadrature(scene, run, from_s, to_s)
-  )
-}
-
-axle_skater <- axle_kernel(
-  "skater", "axle_skater",
+axle_skater <- axle_closed_form(
+  "axle_skater",
   equations = "d(I(t) omega)/dt = torque, I piecewise linear in time",
   assumptions = "rigid but for the change of inertia, which needs no torque about the axle",
   limits = "none in double precision",
   requires = "inertia_knots(); a torque that is constant between its steps; no resistance",
-  source = "Goldstein 2002, section 1.1",
-  handles = c("torque", "inertia"),
-  why = "angular momentum changes by the torque alone",
-  error = 4e-15, each = 200
+  source = "Goldstein 2002, section 1.1"
 )
 
-axle_pendulum <- axle_kernel(
-  "pendulum", "axle_pendulum",
+axle_pendulum <- axle_closed_form(
+  "axle_pendulum",
   equations = "I domega/dt = -m g d sin(theta), in Jacobi's elliptic functions",
   assumptions = "rigid body; uniform gravity",
   limits = "any amplitude, rotation and the separatrix included",
   requires = "torque_gravity() and nothing else",
-  source = "Landau & Lifshitz 1976, section 11; DLMF chapter 22",
-  handles = "gravity",
-  why = "gravity alone acts",
-  error = 1e-14, each = 500,
-  why_not = function(scene, time_s) {
-    gravity <- terms_of(scene, "gravity")
-    if (length(gravity) != 1L) "it needs gravity, and only one" else
-      if (!always(gravity)) "gravity must act at all times"
-  }
+  source = "Landau & Lifshitz 1976, section 11; DLMF chapter 22"
 )
 
-axle_oscillator <- axle_kernel(
-  "oscillator", "axle_oscillator",
+axle_oscillator <- axle_closed_form(
+  "axle_oscillator",
   equations = "I domega/dt = -k (theta - rest) - c omega + torque(t)",
   assumptions = "rigid body; a spring that obeys Hooke's law",
   limits = "any damping; the state must stay within double precision",
   requires = "torque_spring(), constants, knots, steps, sinusoids, motors, viscous resistance",
-  source = "Landau & Lifshitz 1976, sections 22 to 26",
-  handles = c("spring", "torque", "ramp", "sinusoid", "viscous", "motor"),
-  why = "the equation is linear",
-  error = 1e-14, each = 400,
-  why_not = function(scene, time_s) {
-    spring <- terms_of(scene, "spring")
-    if (length(spring) != 1L) "it needs a spring, and only one" else
-      if (spring[[1]]$x[1] <= 0) "the spring's stiffness must be greater than 0" else
-        if (!always(c(spring, terms_of(scene, "sinusoid")))) {
-          "spring and sinusoids must act at all times"
-        }
-  }
+  source = "Landau & Lifshitz 1976, sections 22 to 26"
 )
 
-axle_forced <- axle_kernel(
-  "forced", "axle_forced",
+axle_forced <- axle_closed_form(
+  "axle_forced",
   equations = "I domega/dt = torque(t) - c omega, solved term by term",
   assumptions = "rigid body; resistance -c omega",
   limits = "polynomials to degree 16; the state must stay within double precision",
   requires = "sums of constants, knots, polynomials, sinusoids, exponentials, motors; viscous resistance",
-  source = "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)",
-  handles = c(
-    "torque", "ramp", "viscous", "motor", "sinusoid", "exponential", "polynomial"
-  ),
-  why = "the torque is a sum of laws in time, and the resistance viscous or none",
-  error = 1e-14, each = 400,
-  why_not = function(scene, time_s) {
-    degree <- vapply(terms_of(scene, "polynomial"), function(term) term$x[2] - 1, double(1))
-    if (any(degree > 16)) "it takes polynomials up to degree 16"
-  }
+  source = "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)"
 )
 
-axle_drag <- axle_kernel(
-  "drag", "axle_drag",
+axle_drag <- axle_closed_form(
+  "axle_drag",
   equations = "I domega/dt = torque - c omega - q omega |omega| - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; a torque that is constant between its steps",
   limits = "forward in time; c >= 0",
   requires = "constants, steps, pulses, a motor; viscous, quadratic and dry friction",
-  source = "Riccati's equation; Armstrong-Helouvry 1991, chapter 2 (dry friction)",
-  handles = c("torque", "viscous", "motor", "quadratic", "friction"),
-  why = "the torque is constant between its steps",
-  error = 2e-14, each = 300,
-  why_not = function(scene, time_s) {
-    if (viscous_of(scene) + motor_of(scene) < 0) "it takes no viscous coefficient below 0" else
-      why_not_backward(scene, time_s)
-  }
+  source = "Riccati's equation; Armstrong-Helouvry 1991, chapter 2 (dry friction)"
 )
 
-axle_bands <- axle_kernel(
-  "bands", "axle_bands",
+axle_bands <- axle_closed_form(
+  "axle_bands",
   equations = "I domega/dt = torque(t) + curve(omega) - c omega - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; torque piecewise linear in time and in omega",
   limits = "forward in time",
   requires = "constants, knots, steps, pulses, motors, one torque_curve(); viscous and dry friction",
-  source = "Armstrong-Helouvry 1991, chapter 2 (dry friction)",
-  handles = c("torque", "ramp", "viscous", "motor", "curve", "friction"),
-  why = "torque and resistance are straight lines between known speeds",
-  error = 1e-13, each = 600,
-  why_not = function(scene, time_s) {
-    curve <- terms_of(scene, "curve")
-    if (length(curve) > 1L) "it takes one curve" else
-      if (!always(curve)) "the curve must act at all times" else
-        why_not_backward(scene, time_s)
-  }
+  source = "Armstrong-Helouvry 1991, chapter 2 (dry friction)"
 )
 
 # ---- integrated ---------------------------------------------------------------------------------
 
-axle_integrator <- function(id, method, ..., each, why) {
+axle_integrator <- function(id, method, ...) {
   list(
-    id = id, constraint = "axle",
+    id = id,
     equations = "d(I omega)/dt = torque(t, theta, omega) + resistance, integrated",
     assumptions = "rigid body; torque finite, and smooth between its breaks",
+    requires = "any torque, any resistance",
     ...,
-    error_kind = "estimate",
-    handles = names(effect_words),
-    why_not = function(scene, time_s) {
-      if ("friction" %in% scene$effects) why_not_backward(scene, time_s)
-    },
-    why = why,
-    error = function(accuracy) max(accuracy, 1e-13),
-    cost = function(scene, rows, accuracy) {
-      # Two runs of 13 evaluations a step; up to 64 rows are landed on, more are filled in. An R call
-      # is some 500 ns; samples of a function of time alone are few.
-      call_r <- !is.null(scene$loads$law) && scene$loads$law$arguments == 3L
-      steps <- min(rows, 64) + 4 * max(1, -log10(accuracy)) * (1 + length(axle_breaks(scene)))
-      (if (call_r) 2000 else each) * 2 * 13 * steps
+    adapts = TRUE,
+    ran_as = function(info) {
+      if (info$method %in% c("rk8pd", "radau")) paste0("axle_", info$method) else id
     },
     run = function(scene, time_s, accuracy, max_steps, call, asked) {
       integrate_axle(scene, time_s, accuracy, max_steps, call, if (asked) method else 0)
@@ -358,7 +112,7 @@ axle_integrator <- function(id, method, ..., each, why) {
     # The integrator carries the ledger with the state; other rows mean another run.
     ledger = function(scene, run, from_s, to_s) {
       result <- integrate_axle(scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call, method)
-      if (result[[2]]$kind == "none") result[[3]] else rep(NA_real_, 11)
+      if (result$info$kind == "none") result$ledger else empty_axle_ledger(NA_real_)
     }
   )
 }
@@ -366,34 +120,24 @@ axle_integrator <- function(id, method, ..., each, why) {
 axle_rk8pd <- axle_integrator(
   "axle_rk8pd", 1,
   limits = "not stiff: a step is at most about 6 I/c long",
-  requires = "any torque, any resistance",
-  source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library",
-  each = 60,
-  why = function(scene) paste0("no closed form is known for this scene (", scene_words(scene),
-                               "), so it is integrated")
+  source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library"
 )
 
 axle_radau <- axle_integrator(
   "axle_radau", 2,
-  limits = "each step solves a system of equations: dear where the motion is not stiff",
-  requires = "any torque, any resistance",
-  source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)",
-  each = 300,
-  why = function(scene) "the motion is stiff: resistance acts much faster than the times asked for"
+  limits = "each step solves a system of equations: expensive for a motion that is not stiff",
+  source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
 )
 
-scene_words <- function(scene) effects_in_words(scene$effects)
-
-# Cheapest first.
-axle_closed_forms <- list(
-  axle_free, axle_linear, axle_skater, axle_drag, axle_forced, axle_oscillator, axle_pendulum,
-  axle_bands
-)
-
-error_of_run <- function(info) {
-  part <- function(error, largest) if (error > 0) error / largest else 0
-  max(part(info$theta_error, info$theta_max), part(info$omega_error, info$omega_max))
+scene_words <- function(scene) {
+  constraint <- constraint_of(scene)
+  effects_in_words(constraint$effects_of(scene), constraint)
 }
+
+axle_models <- list(
+  axle_free, axle_linear, axle_skater, axle_drag, axle_forced, axle_oscillator, axle_pendulum,
+  axle_bands, axle_rk8pd, axle_radau
+)
 
 # A function of the fraction done, for the C code to call at most 20 times a second. The bar comes
 # into being a second after the first call, so that short work makes none and asks no clock.

@@ -1,43 +1,41 @@
 # A model is a record:
-#   id, constraint, equations, assumptions, limits, requires, source: text
-#   error_kind  "bound" (a closed form) or "estimate" (an integrator)
-#   handles     the effects of a scene that it takes, by name
+#   id, equations, assumptions, limits, requires, source: text
+#   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
+#                           named; `asked`: the user named this model
+#   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
+#   adapts                  TRUE: its error depends on the accuracy asked
+#   ran_as(info)            NULL, or the id of the model that a run ended with
+#   loses                   NULL, or what makes a large error, for the warning
+# and, from the C core for the models that it knows, from the record itself for others:
+#   error_kind              "bound" (a closed form) or "estimate"
+#   handles                 the effects of a scene that it takes, by name
 #   why_not(scene, time_s)  NULL if it takes them as they are here, else the reason in words
-#   why(scene)              what makes it fit, in words
-#   error(accuracy)         predicted relative error
-#   cost(scene, rows, accuracy)  predicted floating-point operations
-#   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, ledger, events);
-#                           `asked`: the user named this model
-#   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times
+#   why                     what makes it fit, in words
+#   error(accuracy)         promised relative error
+#   on_trial                TRUE: only a run tells its error; it is kept if that is good enough
+#   cost(scene, rows, accuracy)  predicted time in s
 
-# The models of a scene, cheapest first: what is exact, then integrators. What a rigid shaft leaves
-# out depends on the times.
-closed_forms_for <- function(scene, time_s) {
-  if (inherits(scene, "rot_scene_axle")) {
-    axle_closed_forms
-  } else if (inherits(scene, "rot_scene_rotors")) {
-    rotors_models_for(scene, time_s)
-  } else {
-    clutch_models
+core_record <- function(record) {
+  known <- core_models()
+  at <- match(record$id, known$model)
+  if (is.na(at)) {
+    return(record)
   }
-}
-
-# Here, because R reads the files in alphabetical order.
-axle_integrators <- list(axle_rk8pd, axle_radau)
-
-integrators_for <- function(scene) {
-  if (inherits(scene, "rot_scene_axle")) axle_integrators else list()
-}
-
-models_for <- function(scene, time_s) c(closed_forms_for(scene, time_s), integrators_for(scene))
-
-all_models <- function() {
-  c(axle_closed_forms, axle_integrators, rotors_models, clutch_models)
+  promise <- known$error[at]
+  id <- known$constraint[at]
+  record$core <- TRUE
+  record$error_kind <- known$error_kind[at]
+  record$handles <- known$takes[[at]]
+  record$why_not <- function(scene, time_s) core_pick(id, scene, time_s, 1, model = record$id)$reason
+  record$why <- known$why[at]
+  record$error <- function(accuracy) if (isTRUE(record$adapts)) max(accuracy, promise) else promise
+  record$on_trial <- known$on_trial[at]
+  record
 }
 
 #' The models
 #'
-#' Every model that the package can run, cheapest first within a constraint.
+#' Every model that the package can run, by constraint.
 #'
 #' @return A tibble with one row for each model:
 #'   `r describe_columns(model_columns)`
@@ -47,83 +45,143 @@ all_models <- function() {
 #' models()
 #' @export
 models <- function() {
-  all <- all_models()
-  text <- function(field) vapply(all, function(m) m[[field]], character(1))
+  constraints <- all_constraints()
+  all <- unlist(lapply(constraints, function(constraint) constraint$models), recursive = FALSE)
+  text <- function(field) vapply(all, function(m) m[[field]], character(1), USE.NAMES = FALSE)
+  of <- lapply(constraints, function(constraint) rep(constraint$id, length(constraint$models)))
   tibble::tibble(
     model = text("id"),
-    constraint = text("constraint"),
+    constraint = unlist(of, use.names = FALSE),
     equations = text("equations"),
     assumptions = text("assumptions"),
     limits = text("limits"),
     requires = text("requires"),
-    error = vapply(all, function(m) m$error(0), double(1)),
+    error = vapply(all, function(m) m$error(0), double(1), USE.NAMES = FALSE),
     error_kind = text("error_kind"),
     source = text("source")
   )
 }
 
-# A model for a scene: list(record, scene: what it will solve, dropped: NULL or drop_bound(),
-# reason: NULL or why it does not fit). The first way is without dropping anything.
-fit_model <- function(record, scene, time_s, accuracy) {
-  effects <- .subset2(scene, "effects")
-  taken <- match(effects, record$handles, 0L) > 0L
-  reason <- if (!all(taken)) {
-    paste("it does not take", effects_in_words(effects[!taken]))
-  } else {
-    record$why_not(scene, time_s)
-  }
-  if (is.null(reason) && record$error(accuracy) > accuracy) {
-    reason <- paste0(
-      "its error of ", format(record$error(accuracy), digits = 2), " exceeds the accuracy asked"
-    )
-  }
-  list(record = record, scene = scene, dropped = NULL, reason = reason)
+# A fit: list(record, scene: what it will solve, dropped: NULL or what was left out, reason: NULL or
+# why the model does not fit, result: NULL or that of a run on trial, error, cost_s).
+new_fit <- function(record, constraint, scene, dropped, reason, error, cost_s) {
+  if (!is.null(dropped)) scene <- constraint$without(scene, dropped$effects)
+  list(
+    record = record, scene = scene, dropped = dropped, reason = reason, result = NULL,
+    error = error, cost_s = cost_s
+  )
 }
 
-# The second way: without what it does not take, if that changes little enough.
-fit_without <- function(fit, time_s, accuracy, call) {
-  record <- fit$record
-  scene <- fit$scene
-  missing <- setdiff(scene$effects, record$handles)
-  if (length(missing) == 0L || !all(missing %in% droppable) || record$error_kind != "bound") {
-    return(fit)
+too_coarse <- function(error, accuracy) {
+  if (!(error <= accuracy)) {
+    paste0("its error of ", format(error, digits = 2), " exceeds the accuracy asked")
   }
-  reduced <- drop_effects(scene, missing)
-  reason <- record$why_not(reduced, time_s)
-  if (!is.null(reason)) {
-    return(fit)
+}
+
+# A model of R on a scene; where it does not take all effects, without them if `drop` allows and that
+# changes little enough.
+fit_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
+  effects <- constraint$effects_of(scene)
+  missing <- setdiff(effects, record$handles)
+  error <- record$error(accuracy)
+  dropped <- reason <- NULL
+  if (length(missing)) {
+    reason <- paste("it does not take", effects_in_words(missing, constraint))
+    if (drop && record$error_kind == "bound" && !is.null(constraint$drop_bound)) {
+      dropped <- constraint$drop_bound(scene, missing, record, time_s, call)
+    }
+    if (!is.null(dropped)) {
+      without <- constraint$without(scene, missing)
+      reason <- record$why_not(without, time_s) %||% too_coarse(dropped$error + error, accuracy)
+      if (is.null(reason)) error <- dropped$error + error else dropped <- NULL
+    }
+  } else {
+    reason <- record$why_not(scene, time_s) %||% too_coarse(error, accuracy)
   }
-  dropped <- drop_bound(scene, missing, record, time_s, call)
-  if (!(dropped$error + record$error(accuracy) <= accuracy)) {
-    fit$reason <- paste0(
-      fit$reason, if (is.finite(dropped$error)) paste0(
-        ", and without ", if (length(missing) == 1L) "it" else "them", " the error could be ",
-        format(dropped$error, digits = 2)
+  cost <- record$cost(scene, length(time_s), accuracy)
+  new_fit(record, constraint, scene, dropped, reason, error, cost)
+}
+
+# All models of a scene, cheapest first. An effect is left out only where no closed form takes the
+# scene as it is.
+candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
+  own <- Filter(function(record) is.null(record$core), constraint$models)
+  try_own <- function(drop) {
+    lapply(own, fit_model, constraint, scene, time_s, accuracy, drop, call)
+  }
+  fits <- try_own(FALSE)
+  exact <- function(fit) is.null(fit$reason) && fit$record$error_kind == "bound"
+  if (constraint$core) {
+    table <- core_candidates(constraint$id, scene, time_s, accuracy, law_s)
+    fits <- c(fits, lapply(seq_along(table$model), function(i) {
+      new_fit(
+        constraint$models[[table$model[i]]], constraint, scene, table$dropped[[i]],
+        if (!table$applies[i]) table$reason[i], table$error[i], table$cost_s[i]
       )
-    )
-    return(fit)
+    }))
+  } else if (!any(vapply(fits, exact, logical(1)))) {
+    fits <- try_own(TRUE)
   }
-  list(record = record, scene = reduced, dropped = dropped, reason = NULL)
+  unname(fits)[order(vapply(fits, function(fit) fit$cost_s, double(1)))]
+}
+
+# A model on trial is run, and kept if its error is good enough.
+try_model <- function(fit, time_s, accuracy, max_steps, call) {
+  if (is.null(fit$reason) && isTRUE(fit$record$on_trial)) {
+    fit$result <- fit$record$run(
+      fit$scene, time_s, accuracy, max_steps + length(time_s), call, FALSE
+    )
+    fit$reason <- too_coarse(fit$result$info$error, accuracy)
+  }
+  fit
+}
+
+# The model asked for, or the cheapest that applies. Where the core knows all models, it picks.
+pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
+  constraint <- constraint_of(scene)
+  if (!is.null(model)) {
+    return(named_model(constraint, scene, time_s, accuracy, model, max_steps, call))
+  }
+  if (constraint$all_core) {
+    pick <- core_pick(constraint$id, scene, time_s, accuracy)
+    n <- length(pick$model)
+    for (i in seq_len(n)) {
+      fit <- new_fit(
+        constraint$models[[pick$model[i]]], constraint, scene, if (i == n) pick$dropped, NULL, 0, 0
+      )
+      if (i <= pick$on_trial) fit <- try_model(fit, time_s, accuracy, max_steps, call)
+      if (is.null(fit$reason)) {
+        return(fit)
+      }
+    }
+  }
+  fits <- candidates(constraint, scene, time_s, accuracy, call)
+  for (fit in fits) {
+    fit <- try_model(fit, time_s, accuracy, max_steps, call)
+    if (is.null(fit$reason)) {
+      return(fit)
+    }
+  }
+  abort_no_model(fits, scene, time_s, accuracy, call)
 }
 
 #' Choose a model for a scene
 #'
-#' The cheapest model that fits the scene and reaches the accuracy: a closed form if there is one;
-#' else a closed form of the scene without effects that provably change too little to matter at the
-#' accuracy asked; else an integrator. [trajectory()] makes the same choice; `choose_model()` shows
-#' the candidates and the reasons.
+#' The cheapest model, by predicted time, that takes the scene and reaches the accuracy.
+#' [trajectory()] makes the same choice; `choose_model()` shows the candidates and the reasons.
 #'
-#' An effect is dropped only with a bound: a torque of at most D changes omega by at most
-#' `D/I min(T, I/c)` in a time T, and theta by T times that. The trajectory names what was dropped,
-#' and its error includes the bound.
+#' An effect is left out only where no closed form takes the scene as it is, and only with a bound: a
+#' torque of at most D changes omega by at most `D/I min(T, I/c)` in a time T, and theta by T times
+#' that. The trajectory names what was left out, and its error includes the bound.
 #'
 #' @param scene A scene, such as [scene_axle()].
 #' @param time_s Output times in s, finite and not decreasing: their number counts for the cost,
-#'   their span for what may be dropped.
+#'   their span for what may be left out.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]; or an angle or
 #'   an angular velocity with units: see [trajectory()].
 #' @return A tibble with one row for each model of the scene's constraint, cheapest first:
-#'   `r describe_columns(c("model", "applies", "error", "error_kind", "cost", "chosen", "reason"))`
+#'   `r describe_columns(c("model", "applies", "error", "error_kind", "cost_s", "chosen", "reason"))`
+#'   `cost_s` is a prediction.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_value`;
 #'   `rotdyn_error_accuracy` if no model reaches the accuracy.
 #' @source [models()] says for each model where its equations come from.
@@ -145,104 +203,69 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
   accuracy <- relative_accuracy(accuracy, scene, time_s, call)
-  chosen <- pick_model(scene, time_s, accuracy, NULL, call)$record$id
-  fits <- lapply(models_for(scene, time_s), function(record) {
-    fit <- fit_model(record, scene, time_s, accuracy)
-    if (is.null(fit$reason)) fit else fit_without(fit, time_s, accuracy, call)
-  })
-  records <- lapply(fits, function(fit) fit$record)
+  constraint <- constraint_of(scene)
+  law <- scene[["loads"]]$law
+  law_s <- if (is.null(law)) 0 else tryCatch(law_seconds(law, scene), error = function(e) 1e-6)
+  fits <- candidates(constraint, scene, time_s, accuracy, call, law_s)
+  fits <- lapply(fits, try_model, time_s, accuracy, 1e6, call)
   applies <- vapply(fits, function(fit) is.null(fit$reason), logical(1))
-  id <- vapply(records, function(m) m$id, character(1))
-  reason <- vapply(fits, function(fit) {
-    if (!is.null(fit$reason)) {
-      fit$reason
-    } else if (!is.null(fit$dropped)) {
-      describe_dropped(fit$dropped)
-    } else if (fit$record$id == chosen) {
-      fit$record$why(scene)
-    } else {
-      paste0("fits, but ", chosen, " comes first")
-    }
-  }, character(1))
-  cost <- vapply(records, function(m) m$cost(scene, length(time_s), accuracy), double(1))
-  error <- vapply(fits, function(fit) {
-    fit$record$error(accuracy) + if (is.null(fit$dropped)) 0 else fit$dropped$error
-  }, double(1))
-  columns <- list(
+  if (!any(applies)) {
+    abort_no_model(fits, scene, time_s, accuracy, call)
+  }
+  chosen <- which(applies)[1]
+  id <- vapply(fits, function(fit) fit$record$id, character(1))
+  tibble::new_tibble(list(
     model = id,
     applies = applies,
-    error = error,
-    error_kind = vapply(records, function(m) m$error_kind, character(1)),
-    cost = cost,
-    chosen = id == chosen,
-    reason = reason
-  )
-  tibble::new_tibble(lapply(columns, `[`, order(cost)), nrow = length(id))
+    error = vapply(fits, function(fit) {
+      if (is.null(fit$result)) fit$error else fit$result$info$error
+    }, double(1)),
+    error_kind = vapply(fits, function(fit) fit$record$error_kind, character(1)),
+    cost_s = vapply(fits, function(fit) fit$cost_s, double(1)),
+    chosen = seq_along(id) == chosen,
+    reason = vapply(seq_along(fits), function(i) {
+      fit <- fits[[i]]
+      if (!is.null(fit$reason)) {
+        fit$reason
+      } else if (!is.null(fit$dropped)) {
+        describe_dropped(fit$dropped, constraint)
+      } else if (i == chosen) {
+        fit$record$why
+      } else {
+        paste0("fits, but ", id[chosen], " is cheaper")
+      }
+    }, character(1))
+  ), nrow = length(id))
 }
 
 check_scene <- function(scene, call) {
-  if (inherits(scene, "rot_scene")) {
+  if (inherits(scene, "rot_scene") && !is.null(constraint_of(scene))) {
     return()
   }
   check_class(scene, "rot_scene", "scene", "Describe one with {.fn scene_axle}.", call)
+  abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
 }
 
-# The model asked for, or the first that applies: closed forms, then closed forms of the scene with
-# something dropped, then integrators.
-pick_model <- function(scene, time_s, accuracy, model, call) {
-  if (!is.null(model)) {
-    return(named_model(models_for(scene, time_s), scene, time_s, accuracy, model, call))
-  }
-  closed_forms <- closed_forms_for(scene, time_s)
-  exact <- first_fit(closed_forms, scene, time_s, accuracy)
-  if (!is.null(exact)) {
-    return(exact)
-  }
-  if (any(scene$effects %in% droppable)) {
-    for (candidate in closed_forms) {
-      fit <- fit_model(candidate, scene, time_s, accuracy)
-      fit <- fit_without(fit, time_s, accuracy, call)
-      if (is.null(fit$reason)) {
-        return(fit)
-      }
-    }
-  }
-  integrated <- first_fit(integrators_for(scene), scene, time_s, accuracy)
-  if (is.null(integrated)) {
-    abort_no_model(models_for(scene, time_s), scene, time_s, accuracy, call)
-  }
-  integrated
-}
-
-# The first that takes the scene as it is, or NULL. No reason is made for the others: half the time
-# of a small call.
-first_fit <- function(candidates, scene, time_s, accuracy) {
-  effects <- .subset2(scene, "effects")
-  for (candidate in candidates) {
-    if (!anyNA(match(effects, candidate$handles)) && is.null(candidate$why_not(scene, time_s)) &&
-      candidate$error(accuracy) <= accuracy) {
-      return(list(record = candidate, scene = scene, dropped = NULL, reason = NULL))
-    }
-  }
-}
-
-abort_no_model <- function(candidates, scene, time_s, accuracy, call) {
-  takes <- Filter(
-    function(m) all(scene$effects %in% m$handles) && is.null(m$why_not(scene, time_s)), candidates
-  )
-  if (length(takes) == 0L) {
+abort_no_model <- function(fits, scene, time_s, accuracy, call) {
+  constraint <- constraint_of(scene)
+  effects <- constraint$effects_of(scene)
+  takes <- Filter(function(fit) all(effects %in% fit$record$handles), fits)
+  why_not <- lapply(takes, function(fit) fit$record$why_not(scene, time_s))
+  fits_now <- vapply(why_not, is.null, logical(1))
+  if (!any(fits_now)) {
     abort_rotdyn(
       c(
-        "No model can run this scene backwards.",
+        "No model can run this scene at these times.",
         x = "{.arg time_s} begins at {format(time_s[1])} s, the scene at {format(scene$start_s)} s.",
-        i = "Where dry friction has brought a body to rest, its past cannot be told: ask for times
-             from {.arg start_s} on."
+        i = "{.field {takes[[1]]$record$id}}: {why_not[[1]]}."
       ),
       "time",
       call
     )
   }
-  best <- min(vapply(takes, function(m) m$error(accuracy), double(1)))
+  best <- min(vapply(takes[fits_now], function(fit) {
+    if (is.null(fit$result)) fit$error else fit$result$info$error
+  }, double(1)), na.rm = TRUE)
   abort_rotdyn(
     c(
       "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
@@ -253,8 +276,8 @@ abort_no_model <- function(candidates, scene, time_s, accuracy, call) {
   )
 }
 
-named_model <- function(candidates, scene, time_s, accuracy, model, call) {
-  ids <- vapply(candidates, function(m) m$id, character(1))
+named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, call) {
+  ids <- names(constraint$models)
   if (!rlang::is_string(model) || !model %in% ids) {
     abort_rotdyn(
       c(
@@ -265,8 +288,14 @@ named_model <- function(candidates, scene, time_s, accuracy, model, call) {
       call
     )
   }
-  fit <- fit_model(candidates[[match(model, ids)]], scene, time_s, accuracy)
-  if (!is.null(fit$reason)) fit <- fit_without(fit, time_s, accuracy, call)
+  record <- constraint$models[[model]]
+  fit <- if (is.null(record$core)) {
+    fit_model(record, constraint, scene, time_s, accuracy, TRUE, call)
+  } else {
+    pick <- core_pick(constraint$id, scene, time_s, accuracy, model = model)
+    new_fit(record, constraint, scene, pick$dropped, pick$reason, 0, 0)
+  }
+  fit <- try_model(fit, time_s, accuracy, max_steps, call)
   if (!is.null(fit$reason)) {
     abort_rotdyn(
       c(
@@ -278,4 +307,25 @@ named_model <- function(candidates, scene, time_s, accuracy, model, call) {
     )
   }
   fit
+}
+
+record_of <- function(run) constraint_of(run$scene)$models[[run$model]]
+
+# A torque that changes in time is a torque, too: said once.
+effects_in_words <- function(effects, constraint) {
+  if ("ramp" %in% effects) effects <- setdiff(effects, "torque")
+  and_words(unname(constraint$effects[effects]))
+}
+
+and_words <- function(x) {
+  n <- length(x)
+  if (n < 2L) x else paste(paste(x[-n], collapse = ", "), "and", x[n])
+}
+
+describe_dropped <- function(dropped, constraint) {
+  paste0(
+    constraint$effects[dropped$effects], " ignored: it changes omega by at most ",
+    vapply(dropped$each, format, character(1), digits = 2), " of its maximum",
+    collapse = "; "
+  )
 }

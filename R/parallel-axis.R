@@ -1,30 +1,30 @@
 #' The parallel-axis theorem
 #'
-#' Moves a moment of inertia, or a whole tensor, from the centre of mass to a parallel axis or
-#' another point, and back.
+#' Moves a moment of inertia or a tensor from the centre of mass to a parallel axis or another
+#' point, and back.
 #'
 #' \deqn{I_o = I_g + m d^2, \qquad I_o = I_g + m (d^2 1 - d d^T)}{
 #'   I_o = I_g + m d^2,  I_o = I_g + m (d^2 1 - d d')}
 #'
-#' Moving *to* the centre subtracts, and what is left may be rounding: where \eqn{m d^2} is more
-#' than 1e8 times what remains, half the digits are gone, and a warning of class
-#' `rotdyn_warning_digits` says how many are left. For a body, [inertia_tensor()] never has to
-#' come back: the second moment about the centre is what a body keeps.
+#' Moving *to* the centre subtracts, which may cancel: where \eqn{m d^2} is more than 1e8 times the
+#' result, half the digits are lost, and a warning of class `rotdyn_warning_digits` says how many
+#' are left. A body stores its second moment about the centre, so [inertia_tensor()] does not
+#' subtract.
 #'
 #' @param inertia_kg_m2 Moments of inertia (a vector, recycled with the others, so that it works
 #'   inside `dplyr::mutate()`), or one 3 x 3 tensor whose off-diagonal elements are minus the
 #'   products of inertia.
 #' @param mass_kg Mass, at least 0.
 #' @param distance_m For moments: the distance of the two axes. For a tensor: the three components
-#'   of the vector between the two points (its sign does not matter).
+#'   of the vector between the two points (its sign has no effect).
 #' @param ... Not used; names after it must be given in full.
 #' @param direction `"from_centre"`: `inertia_kg_m2` is about the centre of mass, and the result
-#'   about the parallel axis. `"to_centre"`: the other way.
+#'   about the parallel axis. `"to_centre"`: the reverse.
 #' @return Moments in kg m^2, or a 3 x 3 tensor. NA gives NA. Each is rounded at most four times,
 #'   relative to the larger of the two terms.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (a negative mass
 #'   or distance; a moment about the centre that would be negative), `rotdyn_error_inertia` (a
-#'   tensor that no body can have), `rotdyn_error_range`, `rotdyn_error_unit`.
+#'   tensor that is not physical), `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), equation 5.21.
 #' @examples
 #' # A rod of 1.5 kg and 2 m: from its centre to its end, and back.
@@ -34,9 +34,8 @@
 #' @export
 parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
                           direction = c("from_centre", "to_centre")) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("inertia_kg_m2", "mass_kg", "distance_m"), call)
-  check_no_dots(...)
   direction <- check_choice(direction, "direction", c("from_centre", "to_centre"), call)
   sign <- if (direction == "from_centre") 1 else -1
   if (is.matrix(inertia_kg_m2)) {
@@ -47,7 +46,7 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
     mass_kg = check_column(mass_kg, "mass_kg", "kg", call),
     distance_m = check_column(distance_m, "distance_m", "m", call)
   )
-  # Arrays of other dimensions do not add.
+  # Arrays of different dimensions cannot be added.
   columns <- lapply(columns, function(x) if (is.null(dim(x))) x else as.vector(x))
   check_recyclable(columns, call)
   check_not_negative(columns$inertia_kg_m2, "inertia_kg_m2", "kg*m^2", call)
@@ -55,19 +54,17 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
   check_not_negative(columns$distance_m, "distance_m", "m", call)
   moved <- columns$mass_kg * columns$distance_m * columns$distance_m
   value <- columns$inertia_kg_m2 + sign * moved
-  # A point mass comes back as rounding of either sign.
+  # A point mass leaves a rounding error of either sign.
   rounding <- 4 * .Machine$double.eps * moved
-  # NA gives NA; anything else that is not finite has left the range.
+  # NA gives NA; other values that are not finite overflowed.
   known <- !(is.na(columns$inertia_kg_m2) | is.na(columns$mass_kg) | is.na(columns$distance_m))
   if (any(known & !is.finite(value))) {
     abort_rotdyn(
       c(
-        "The inertia is beyond double precision.",
+        "The inertia exceeds double precision.",
         x = "In row {which(known & !is.finite(value))[1]} it is
              {format(value[known & !is.finite(value)][1])}."
-      ),
-      "range",
-      call
+      ), "range", call
     )
   }
   if (sign < 0) {
@@ -79,9 +76,7 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
           "{.arg inertia_kg_m2} must be at least m d^2, its value for a point mass.",
           x = "In row {i} the moment about the centre would be {format(value[i], digits = 3)}
                kg m^2."
-        ),
-        "value",
-        call
+        ), "value", call
       )
     }
     value <- pmax(value, 0)
@@ -101,15 +96,15 @@ parallel_axis_tensor <- function(inertia, mass, d, sign, call) {
   out
 }
 
-# A tensor moved to the centre: possible within what the subtraction rounded, and a warning where
-# little is left.
+# A tensor moved to the centre must be physical within the rounding of the subtraction; warns where
+# it cancels.
 check_shifted <- function(out, tensor, mass, d, call) {
   moved <- mass * sum(d^2)
   rounding <- 8 * .Machine$double.eps * max(abs(tensor))
   second <- .Call(ffi_inertia_second, out)
   p <- .Call(ffi_inertia_principal, second, 0)
   if (p$second[3] >= -rounding && p$second[3] < 0) {
-    # Rounding alone made it impossible: the nearest that is possible.
+    # Violated by rounding alone: the nearest physical tensor.
     keep <- pmax(p$second, 0)
     second <- p$axes %*% (keep * t(p$axes))
     second <- (second + t(second)) / 2
@@ -120,7 +115,7 @@ check_shifted <- function(out, tensor, mass, d, call) {
   out
 }
 
-# 1e8 is where half of the sixteen digits are gone.
+# At 1e8 half of the sixteen digits are lost.
 warn_lost_digits <- function(moved, left, call) {
   lost <- which(moved > 1e8 * left)
   if (length(lost)) {
@@ -130,12 +125,10 @@ warn_lost_digits <- function(moved, left, call) {
     warn_rotdyn(
       c(
         "Moving to the centre of mass cancels nearly all of the moment of inertia.",
-        x = "m d^2 is {format(moved[i], digits = 3)} kg m^2, what is left
-             {format(left, digits = 3)}: about {digits} digit{?s} of it {?is/are} good.",
+        x = "m d^2 is {format(moved[i], digits = 3)} kg m^2, the result
+             {format(left, digits = 3)}, of which about {digits} digit{?s} {?is/are} correct.",
         i = "Give the tensor about the centre of mass, or a point near it."
-      ),
-      "digits",
-      call
+      ), "digits", call
     )
   }
 }

@@ -1,30 +1,27 @@
-# A body's picture: the solid ellipsoid of the same mass and second moments, seen along x, y and z.
-# An ellipsoid x' M^-1 x = 1 casts the shadow whose matrix is the block of M in that plane, also
-# where M is singular: a plate's shadow may be a line, a rod's always is. For a uniform solid
-# ellipsoid C = (m/5) M.
+# The plot of a body: the solid ellipsoid of the same mass and second moments, projected along x, y
+# and z. The projection of the ellipsoid x' M^-1 x = 1 has the block of M in that plane as its
+# matrix, also where M is singular (plates and rods). For a uniform solid ellipsoid C = (m/5) M.
 
 #' Plot a body
 #'
 #' Draws the *equivalent ellipsoid*, the uniform solid ellipsoid with the same mass, centre and
-#' second moments, with its principal axes, as seen along the three own axes. All panels have one
-#' scale. It is the shape that a spinning body's motion knows of: two bodies with the same
-#' ellipsoid turn alike.
+#' second moments, with its principal axes, projected along the three own axes, at one scale. The
+#' rotation of a rigid body depends only on this ellipsoid.
 #'
 #' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}}{a_k = sqrt(5 c_k/m)} with the second moments
-#' \eqn{c_k} along the principal axes. The longest semi-axis goes with the least moment of inertia,
-#' axis 1. A plate is a flat ellipse, a rod a line, a point or a body without mass a dot. What the
-#' body was made of (parts and points, at most 2000 of a kind) is marked; parts cut out are crosses.
+#' \eqn{c_k} along the principal axes. The longest semi-axis belongs to the smallest moment of
+#' inertia, axis 1. A plate is a flat ellipse, a rod a line, a point or a body without mass a dot.
+#' Parts and points of the body are marked (at most 2000 of a kind); holes are crosses.
 #'
-#' Dashed lines go on in the direction of each principal axis. Coordinates are in m, or in the power
-#' of 1000 of it that the panels' heads name. If the own origin is more than twenty
-#' times the size of the body away, coordinates are measured from the centre of mass, and the
-#' caption says where that is.
+#' Dashed lines continue the principal axes. Coordinates are in m or a power of 1000 of it, as
+#' stated above the panels. If the distance of the own origin is more than twenty times the size of
+#' the body, coordinates are relative to the centre of mass, which the caption states.
 #'
 #' @param object A `rot_body`.
 #' @param ... Not used.
 #' @return A ggplot.
 #' @section Errors: `rotdyn_error_package` without ggplot2.
-#' @seealso [principal_axes()], whose moments and class stand above the picture.
+#' @seealso [principal_axes()], whose moments and class are in the subtitle.
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' rod <- body_rod(mass_kg = 0.5, length_m = 1)
 #' ball <- body_sphere(mass_kg = 2, radius_m = 0.1)
@@ -38,7 +35,7 @@ autoplot.rot_body <- function(object, ...) {
   ggplot2::ggplot(mapping = ggplot2::aes(.data$across, .data$up)) +
     ggplot2::geom_blank(data = drawn$frame) +
     ggplot2::geom_polygon(data = drawn$outline, fill = "grey70", alpha = 0.35) +
-    # Round the outline as a path as well: a polygon without area would not be seen.
+    # The outline as a path, too: a polygon without area is invisible.
     ggplot2::geom_path(data = drawn$outline, colour = "grey30", linewidth = 0.8) +
     ggplot2::geom_segment(
       ggplot2::aes(xend = .data$across_end, yend = .data$up_end, colour = .data$axis),
@@ -48,13 +45,13 @@ autoplot.rot_body <- function(object, ...) {
       ggplot2::aes(xend = .data$across_end, yend = .data$up_end, colour = .data$axis),
       drawn$axes[drawn$axes$part == "semi-axis", ], linewidth = 1.3, lineend = "round"
     ) +
-    # A few are seen from the last row; many must not hide the rest.
+    # Many points must not hide the rest.
     ggplot2::geom_point(
       ggplot2::aes(shape = .data$what), drawn$pieces,
       colour = "grey20", fill = "white", stroke = 1,
       size = if (drawn$few) 3 else 1.5, alpha = if (drawn$few) 1 else 0.6
     ) +
-    # The origin's cross is larger than the dot of the centre: both show where they coincide.
+    # The cross of the origin is larger than the dot of the centre, so both are visible.
     ggplot2::geom_point(
       ggplot2::aes(shape = .data$what), drawn$marks[drawn$marks$what == "own origin", ],
       size = 5, stroke = 1, colour = "grey10"
@@ -74,7 +71,7 @@ autoplot.rot_body <- function(object, ...) {
     ggplot2::scale_y_continuous(
       expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label
     ) +
-    # Of a point there is none, which a scale with names would be told.
+    # No colour scale for a point, which has no axes.
     (if (nrow(drawn$axes)) {
       ggplot2::scale_colour_manual(values = colours, name = "principal axis")
     }) +
@@ -115,7 +112,7 @@ body_subtitle <- function(body) {
   )
 }
 
-# Everything as data frames with `panel`, `across` and `up`.
+# The contents of the plot as data frames with `panel`, `across` and `up`.
 body_drawing <- function(body) {
   axes <- principal_axes(body)
   centre <- as.double(body$centre_m)
@@ -125,7 +122,7 @@ body_drawing <- function(body) {
     c(0, 0, 0)
   }
   far <- sqrt(sum(centre^2)) > 20 * semi[1] && semi[1] > 0
-  # `at` of what is drawn, from the own origin or from the centre.
+  # The origin of the plot: the own origin or the centre.
   zero <- if (far) centre else c(0, 0, 0)
   at <- centre - zero
   pieces <- body_pieces(body, zero)
@@ -167,13 +164,13 @@ body_panels <- list(
   list(label = "across y, up z", across = "y", up = "z")
 )
 
-# One step for all panels and both directions: the grid is of squares, as the scale is one.
+# One step for all panels and both directions, so that the grid is square.
 even_breaks <- function(span) {
   step <- diff(pretty(c(0, span), n = 3))[1]
   function(limits) step * seq(ceiling(limits[1] / step), floor(limits[2] / step))
 }
 
-# Labels of few digits: from micrometres to kilometres by their names, else in powers of 1000 m.
+# Units from micrometres to kilometres by name, others as powers of 1000 m.
 panel_unit <- function(span) {
   power <- if (span >= 0.02 && span < 2e4) 0 else 3 * floor(log10(span / 2) / 3)
   named <- c("-6" = "um", "-3" = "mm", "0" = "m", "3" = "km")
@@ -209,9 +206,8 @@ project_lines <- function(lines) {
   })
 }
 
-# The shadow's outline: (across, up) = centre + sum over the shadow's own axes. The columns of B are
-# the semi-axes as seen in the panel, M = B B', and B's left singular vectors and values give a
-# flat shadow as a line of the right length.
+# The outline of the projection. The columns of B are the projected semi-axes, M = B B'; the left
+# singular vectors and values of B also give a flat projection as a line of the right length.
 body_outline <- function(directions, semi, at, n = 181L) {
   names(at) <- rownames(directions) <- c("x", "y", "z")
   angle <- 2 * pi * seq(0, 1, length.out = n)
@@ -234,7 +230,7 @@ axis_lines <- function(directions, reach, at, axes, part) {
   )
 }
 
-# What the detail places: tables with x_m, y_m and z_m. Negative masses were cut out.
+# Tables in the detail with x_m, y_m and z_m. Negative masses are holes.
 body_pieces <- function(body, zero, most = 2000L) {
   empty <- data.frame(what = character(), x = double(), y = double(), z = double())
   xyz <- c("x_m", "y_m", "z_m")
@@ -255,14 +251,14 @@ body_pieces <- function(body, zero, most = 2000L) {
   pieces
 }
 
-# Corners for each panel, so that all panels span the same length.
+# Limits of each panel, so that all panels span the same length.
 panel_frame <- function(tables) {
   all <- do.call(rbind, lapply(tables, function(table) table[c("panel", "across", "up")]))
   spans <- lapply(split(all, all$panel), function(one) {
     list(across = range(one$across), up = range(one$up))
   })
   half <- max(vapply(spans, function(s) max(diff(s$across), diff(s$up)), double(1))) / 2
-  # Room for a mark at the edge.
+  # Margin for a mark at the edge.
   half <- 1.12 * if (half > 0) half else 1
   corners <- lapply(names(spans), function(panel) {
     data.frame(

@@ -19,9 +19,11 @@ plot_theme <- function() {
 
 #' Plot a trajectory or a rolling table
 #'
-#' `autoplot()` of a trajectory draws angle, angular velocity, the three torques and the kinetic
-#' energy over time; of a rolling table, the final speed of each object and how its energy is
-#' divided.
+#' `autoplot()` of a trajectory draws the state, the torques and the energies of its scene over time,
+#' with its events as dashed lines: of an axle, angle, angular velocity, the three torques and the
+#' kinetic energy; of rotors, the angular velocity of each and the torque of each piece of shaft; of
+#' a clutch, both angular velocities, the torque of the clutch and the heat. Of a rolling table it
+#' draws the final speed of each object and how its energy is divided.
 #'
 #' @param object A `rot_trajectory`, or what [rolling_table()] returned.
 #' @param ... Not used.
@@ -29,6 +31,8 @@ plot_theme <- function() {
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(spin_up())
 #' ggplot2::autoplot(rolling_table())
+#' scene <- scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
+#' ggplot2::autoplot(trajectory(scene, time_s = seq(0, 2, by = 0.02)))
 #' @name autoplot.rotdyn
 NULL
 
@@ -37,49 +41,57 @@ NULL
 autoplot.rot_trajectory <- function(object, ...) {
   need_package("ggplot2", "A plot", rlang::current_env())
   run <- trajectory_run(object)
-  shape <- run$scene$body$shape
-  panels <- c(
-    theta_rad = "angle (rad)", omega_rad_per_s = "angular velocity (rad/s)",
-    applied_torque_n_m = "torque (N m)", damping_torque_n_m = "torque (N m)",
-    net_torque_n_m = "torque (N m)", rotational_kinetic_energy_j = "kinetic energy (J)"
+  constraint <- constraint_of(run$scene)
+  long <- panel_lines(object, constraint)
+  lines <- setdiff(levels(long$line), "")
+  colours <- stats::setNames(
+    c(plot_colours[1], line_colours(lines)), c("", lines)
   )
-  lines <- c(
-    theta_rad = "state", omega_rad_per_s = "state", applied_torque_n_m = "applied",
-    damping_torque_n_m = "damping", net_torque_n_m = "net",
-    rotational_kinetic_energy_j = "state"
-  )
-  panels <- panels[names(panels) %in% names(object)]
-  n <- nrow(object)
-  long <- data.frame(
-    time_s = rep(object$time_s, length(panels)),
-    value = unlist(lapply(names(panels), function(name) object[[name]]), use.names = FALSE),
-    panel = factor(rep(panels, each = n), levels = unique(panels)),
-    line = factor(
-      rep(lines[names(panels)], each = n), levels = c("applied", "damping", "net", "state")
+  # Dashed, "net" shows where it lies on one of the others.
+  types <- stats::setNames(ifelse(names(colours) == "net", "22", "solid"), names(colours))
+  plot <- ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$line)) +
+    ggplot2::geom_hline(yintercept = 0, colour = "grey80")
+  if (length(run$events$time_s)) {
+    plot <- plot + ggplot2::geom_vline(
+      xintercept = run$events$time_s, colour = "grey55", linetype = "22"
     )
-  )
-  ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$line)) +
-    ggplot2::geom_hline(yintercept = 0, colour = "grey80") +
+  }
+  plot +
     ggplot2::geom_line(ggplot2::aes(linetype = .data$line), linewidth = 0.8) +
-    ggplot2::facet_wrap("panel", scales = "free_y", ncol = 2) +
-    ggplot2::scale_colour_manual(
-      values = c(
-        applied = plot_colours[5], damping = plot_colours[2], net = plot_colours[3],
-        state = plot_colours[1]
-      ),
-      breaks = c("applied", "damping", "net"), name = "torque"
+    ggplot2::facet_wrap(
+      "panel", scales = "free_y", ncol = if (length(constraint$panels) > 3L) 2 else 1
     ) +
-    # Net is dashed: without damping, or without torque, it lies on one of the others.
-    ggplot2::scale_linetype_manual(
-      values = c(applied = "solid", damping = "solid", net = "22", state = "solid"),
-      breaks = c("applied", "damping", "net"), name = "torque"
-    ) +
+    ggplot2::scale_colour_manual(values = colours, breaks = lines, name = NULL) +
+    ggplot2::scale_linetype_manual(values = types, breaks = lines, name = NULL) +
     ggplot2::labs(
-      title = paste("A", gsub("_", " ", shape %||% "body"), "on a fixed axle"),
+      title = constraint$title(run),
       subtitle = paste0("model ", run$model, ", relative error ", describe_error(run)),
       x = "time (s)", y = NULL
     ) +
     plot_theme()
+}
+
+line_colours <- function(lines) {
+  named <- c(applied = plot_colours[5], damping = plot_colours[2], net = plot_colours[3])
+  if (all(lines %in% names(named))) named[lines] else rep_len(plot_colours, length(lines))
+}
+
+# The columns of the panels one below the other: time_s, value, panel, line. Where rows have an
+# index, each value of it is a line. Values that are missing everywhere on a line make none.
+panel_lines <- function(object, constraint) {
+  index <- constraint$index
+  parts <- lapply(constraint$panels, function(panel) {
+    columns <- panel$columns[names(panel$columns) %in% names(object)]
+    lapply(names(columns), function(name) {
+      value <- object[[name]]
+      line <- if (is.null(index)) columns[[name]] else paste(index, object[[index]])
+      part <- data.frame(time_s = object$time_s, value = value, panel = rep(panel$label, length(value)), line = line)
+      part[!is.na(value), ]
+    })
+  })
+  long <- do.call(rbind, unlist(parts, recursive = FALSE))
+  for (name in c("panel", "line")) long[[name]] <- factor(long[[name]], unique(long[[name]]))
+  long
 }
 
 #' @rdname autoplot.rotdyn

@@ -1,5 +1,5 @@
-# Polygons of one size, a column each, into columns of triangles with the same winding: fans from
-# the first corner, or where a polygon is not convex, ears cut off it.
+# Triangulates polygons with the same number of corners (in columns), keeping their orientation:
+# fans from the first corner, or ear clipping where a polygon is not convex.
 polygon_triangles <- function(vertices, polygons) {
   n <- nrow(polygons)
   fan <- rbind(1L, seq_len(n - 2L) + 1L, seq_len(n - 2L) + 2L)
@@ -14,8 +14,8 @@ polygon_triangles <- function(vertices, polygons) {
   matrix(out, 3L)
 }
 
-# The corners in a plane, counter-clockwise: along the axis that the polygon faces most, by the
-# normal of Newell (the sum of the cross products of neighbours).
+# The corners projected along the axis nearest to the normal, counter-clockwise. Newell's normal:
+# the sum of the cross products of neighbours.
 flat_polygons <- function(vertices, polygons) {
   n <- nrow(polygons)
   turn <- c(2:n, 1L)
@@ -46,10 +46,11 @@ flat_polygons <- function(vertices, polygons) {
   list(u = u, v = v, convex = colSums(corner < rep(least, each = n)) %in% 0)
 }
 
-# Corners of triangles: one that no other corner lies in is cut off, until three are left.
+# Ear clipping: a triangle of neighbours that contains no other corner is cut off, until three
+# corners are left.
 cut_ears <- function(u, v) {
   area <- function(a, b, c) (u[b] - u[a]) * (v[c] - v[a]) - (v[b] - v[a]) * (u[c] - u[a])
-  # Corners at the same place stand for a cut to a hole, and are in nobody's way there.
+  # Corners at the same place are from a cut to a hole and do not count as inside.
   place <- match(paste(u, v), paste(u, v))
   left <- seq_along(u)
   out <- integer()
@@ -70,7 +71,7 @@ cut_ears <- function(u, v) {
         break
       }
     }
-    # None is left of what crosses itself, or lies on a line: any other keeps the edges.
+    # Without an ear (the polygon crosses itself or is collinear) any corner is cut off.
     if (!ear) ear <- 2L
     out <- c(out, left[c((ear - 2L) %% n + 1L, ear, ear %% n + 1L)])
     left <- left[-ear]

@@ -1,23 +1,23 @@
 #' Principal axes and moments of a body
 #'
 #' `principal_axes()` diagonalises a body's inertia about its centre of mass; `symmetry_class()`
-#' names what kind of top the body is.
+#' classifies the body.
 #'
 #' The eigenvalues \eqn{c_1 \ge c_2 \ge c_3}{c1 >= c2 >= c3} of the second moment
 #' \eqn{C = \int x x^T dm}{C = int x x' dm} are found
-#' by Jacobi's rotations, which keep the small ones, and the moments are their sums:
+#' by Jacobi rotations, which resolve the small ones, and the moments are their sums:
 #' \deqn{I_1 = c_2 + c_3 \le I_2 = c_1 + c_3 \le I_3 = c_1 + c_2.}{
 #'   I1 = c2 + c3 <= I2 = c1 + c3 <= I3 = c1 + c2.}
 #'
 #' The axes are right-handed. The largest component of each of the first two is positive; the third
-#' is their cross product. Where moments are equal (to 1e-14), any axes in their plane will do:
-#' those nearest to the own axes are taken.
+#' is their cross product. For equal moments (to 1e-14) the axes are not unique: those nearest to
+#' the own axes are returned.
 #'
 #' | class | moments |
 #' |---|---|
 #' | `"point"` | all zero |
 #' | `"rod"` | I1 = 0, I2 = I3 |
-#' | `"plate"` | I1 + I2 = I3: all mass in one plane; it may be oblate as well |
+#' | `"plate"` | I1 + I2 = I3: all mass in one plane; it may also be oblate |
 #' | `"spherical"` | I1 = I2 = I3 |
 #' | `"oblate"` | I1 = I2 < I3 |
 #' | `"prolate"` | I1 < I2 = I3 |
@@ -25,20 +25,18 @@
 #' | `"unknown"` | the body's own error is half of its second moment, or more |
 #'
 #' @param body A `rot_body`, or a 3 x 3 inertia tensor in kg m^2 (off-diagonal elements are minus
-#'   the products of inertia), which must be one that a body can have: see [check_inertia()].
+#'   the products of inertia), which must be physical: see [check_inertia()].
 #' @param ... Not used; names after it must be given in full.
-#' @param tolerance Moments that differ by no more than this part of the largest second moment count
-#'   as equal. By default 1e-12, or the body's own error where that is larger: what cannot be told
-#'   apart is not told apart.
+#' @param tolerance Moments count as equal if they differ by at most this part of the largest second
+#'   moment. By default 1e-12, or the body's error where that is larger.
 #' @return `principal_axes()`: a tibble (class `rot_principal_axes`) of three rows, moments
 #'   ascending: `r describe_columns(principal_columns)`
-#'   Attributes: `symmetry`, `axes` (3 x 3, a column an axis).
-#'   Eigenvalues of the second moment are good to 1e-15 relative, the smallest too, and at least 0.
+#'   Attributes: `symmetry`, `axes` (3 x 3, axes in columns).
+#'   All eigenvalues of the second moment have a relative error of 1e-15, and are at least 0.
 #'
 #'   `symmetry_class()`: one string.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
-#'   `rotdyn_error_unit`; `rotdyn_error_inertia` for a tensor that no body can have, NA, NaN and Inf
-#'   included.
+#'   `rotdyn_error_unit`; `rotdyn_error_inertia` for a tensor that is not physical, or not finite.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.4;
 #'   Demmel and Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204, for the rotations.
 #' @examples
@@ -47,9 +45,8 @@
 #' principal_axes(matrix(c(2, -0.5, 0, -0.5, 3, 0, 0, 0, 4), 3))
 #' @export
 principal_axes <- function(body, ..., tolerance = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   find_principal(body, tolerance, call)
 }
 
@@ -57,7 +54,7 @@ find_principal <- function(body, tolerance, call) {
   if (!inherits(body, "rot_body")) {
     body <- body_of_tensor(body, call)
   }
-  # Digits that are all noise make no rod.
+  # With an error of this size the class is undetermined.
   unknown <- is.null(tolerance) && isTRUE(body$error >= 0.5)
   tolerance <- if (is.null(tolerance)) {
     max(1e-12, body$error, na.rm = TRUE)
@@ -66,7 +63,7 @@ find_principal <- function(body, tolerance, call) {
   }
   p <- .Call(ffi_inertia_principal, body$second_moment_kg_m2, tolerance)
   if (p$second[3] < 0) {
-    # A rod that was turned: rounding of either sign, and a body's are at least 0.
+    # A rotated rod: a rounding error below 0.
     p$second <- pmax(p$second, 0)
     p$moment <- p$second[c(2, 1, 1)] + p$second[c(3, 3, 2)]
   }
@@ -91,9 +88,8 @@ find_principal <- function(body, tolerance, call) {
 #' @rdname principal_axes
 #' @export
 symmetry_class <- function(body, ..., tolerance = NULL) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("body", call)
-  check_no_dots(...)
   attr(find_principal(body, tolerance, call), "symmetry")
 }
 
@@ -140,11 +136,11 @@ describe_symmetry <- function(axes) {
 #' @export
 print.rot_principal_axes <- function(x, ...) {
   symmetry <- attr(x, "symmetry")
-  # Not where rows or columns were taken out.
+  # Unless rows or columns were removed.
   if (!is.null(symmetry) && "unique" %in% names(x) && nrow(x) == 3L) {
     head <- paste("Principal axes about the centre of mass:", describe_symmetry(x))
     cat(strwrap(head, print_width() + 1L, prefix = "# "), sep = "\n")
-    # A plate has no second moment across it, but for roundings.
+    # Rounding errors (of a plate, for example) are shown as 0.
     shown <- x
     second <- x$second_moment_kg_m2
     if (!is.null(second)) {

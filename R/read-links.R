@@ -1,5 +1,5 @@
-# Robot descriptions: the inertia of every link, checked. URDF and SDF write the tensor about the
-# centre of mass in a frame of its own, with its off-diagonal entries minus the products.
+# Robot descriptions (URDF, SDF): the inertia of every link, checked. The tensor is about the centre
+# of mass, in a frame of its own, with negative products off the diagonal.
 
 link_columns <- c(
   "link", "mass_kg", "centre_x_m", "centre_y_m", "centre_z_m", "reach_m", "verdict", "fault",
@@ -9,36 +9,36 @@ link_columns <- c(
 #' The links of a robot description, checked
 #'
 #' Reads the mass, the centre of mass and the inertia of every link of a URDF or SDF file, checks
-#' each with [check_inertia()], and makes bodies of those that can be. Simulators run with tensors
-#' that no body has, and fail much later and elsewhere.
+#' each with [check_inertia()], and makes bodies of those that are physical. Simulators accept
+#' tensors that are not physical and may fail later for other apparent reasons.
 #'
 #' The inertia is about the centre of mass, in the axes of `<inertial><origin>` (SDF: `<pose>`):
 #' fixed-axis roll, pitch and yaw, R = Rz(yaw) Ry(pitch) Rx(roll). The bodies are in the link's own
 #' frame: I_link = R I R'.
 #'
-#' Where a link's visual or collision geometry is made of boxes, cylinders, capsules and spheres
-#' alone, `reach_m` is how far it goes from the centre of mass, and the radius of gyration is
-#' checked against it. One mesh among them, or a pose in another frame, leaves `reach_m` unknown,
-#' and nothing is checked so.
+#' If the visual and collision geometry of a link consists of boxes, cylinders, capsules and
+#' spheres, `reach_m` is its largest distance from the centre of mass, and the radius of gyration is
+#' checked against it. With a mesh, or a pose in another frame, `reach_m` is unknown and not
+#' checked.
 #'
 #' `verdict` is the worst of the link's conditions: "holds", "holds within rounding", "fails", or
-#' "no inertia" for a link without `<inertial>`, which is how frames are written. A link that fails
-#' by its size alone has a body, since its tensor is some body's, though not the one that is drawn.
+#' "no inertia" for a link without `<inertial>` (a frame). A link that fails only by its size has a
+#' body, since its tensor is physical, though not for this geometry.
 #'
-#' @param file A URDF or SDF file, XML text (what begins with `<`), or an `xml_document` of xml2. A
+#' @param file A URDF or SDF file, XML text (beginning with `<`), or an `xml_document` of xml2. A
 #'   xacro file must be expanded first: `xacro robot.urdf.xacro > robot.urdf`.
-#' @param ... Nothing.
-#' @return A tibble, one row a link:
+#' @param ... Not used.
+#' @return A tibble, one row for each link:
 #'   `r describe_columns(link_columns)`
 #'   In an SDF file with several models, links are named `model::link`, with several worlds
 #'   `world::model::link`.
 #' @section Errors: `rotdyn_error_package` without the package xml2; `rotdyn_error_file` for a file
-#'   that is not there, is no XML, no robot description, has xacro in it or no link, or two links of
-#'   one name, and for a link (it is named) that leaves out what it needs, or has it twice;
-#'   `rotdyn_error_value` for text that is no number, and a pose that is not finite;
-#'   `rotdyn_error_unit` for a unit of its own, which the format does not know; `rotdyn_error_type`
-#'   for what is no file. A mass or a tensor that is not finite, or that no body has, is no error:
-#'   `verdict`, `fault` and `suggestion` say so.
+#'   that is missing, not XML, not a robot description, contains xacro, no link, or two links of one
+#'   name, and for a link (named in the message) with missing or repeated elements;
+#'   `rotdyn_error_value` for text that is not a number, and a pose that is not finite;
+#'   `rotdyn_error_unit` for a unit, which the format does not have; `rotdyn_error_type` for other
+#'   types. A mass or a tensor that is not finite or not physical is no error: it is reported in
+#'   `verdict`, `fault` and `suggestion`.
 #' @source URDF: the XML specification of the `urdf` package of ROS. SDF: sdformat.org, version
 #'   1.11.
 #' @seealso [check_inertia()], [inertia_repairs()].
@@ -47,14 +47,13 @@ link_columns <- c(
 #' if (requireNamespace("xml2", quietly = TRUE)) {
 #'   links <- read_links(file)
 #'   print(links[c("link", "mass_kg", "verdict", "suggestion")])
-#'   # The whole check of the link that cannot exist.
+#'   # The check of the link that fails.
 #'   print(links$check[[match("fails", links$verdict)]])
 #' }
 #' @export
 read_links <- function(file, ...) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied("file", call)
-  check_no_dots(...)
   need_package("xml2", "Reading a robot description", call)
   root <- description_root(file, call)
   check_expanded(root, call)
@@ -69,7 +68,7 @@ read_links <- function(file, ...) {
   links_table(links, call)
 }
 
-# What a macro would have put into a link is not there.
+# Unexpanded macros would leave links incomplete.
 check_expanded <- function(root, call) {
   left <- xml2::xml_find_first(root, "//*[starts-with(name(), 'xacro:')]")
   if (!is.na(left)) {
@@ -78,8 +77,7 @@ check_expanded <- function(root, call) {
         "{.arg file} must be a description without xacro.",
         x = "It has {.code <{xml2::xml_name(left, xml2::xml_ns(root))}>}.",
         i = xacro_remedy
-      ),
-      "file", call
+      ), "file", call
     )
   }
 }
@@ -90,10 +88,7 @@ check_unique <- function(names, call) {
   twice <- unique(names[duplicated(names)])
   if (length(twice)) {
     abort_rotdyn(
-      c(
-        "Every link must have a name of its own.",
-        x = "More than one is called {.val {twice}}."
-      ),
+      c("Names of links must be unique.", x = "More than one link is named {.val {twice}}."),
       "file", call
     )
   }
@@ -108,14 +103,13 @@ description_root <- function(file, call) {
     root <- xml2::xml_root(parse_description(file, call))
   }
   name <- xml2::xml_name(root)
-  # A default namespace leaves no prefix in xml_name(); a prefix is cut off.
+  # Without the prefix of a namespace.
   if (!sub("^.*:", "", name) %in% c("robot", "sdf", "gazebo")) {
     abort_rotdyn(
       c(
         "{.arg file} must be a URDF or SDF description.",
         x = "Its root is {.code <{name}>}, not {.code <robot>} or {.code <sdf>}."
-      ),
-      "file", call
+      ), "file", call
     )
   }
   root
@@ -127,8 +121,7 @@ parse_description <- function(file, call) {
       c(
         "{.arg file} must be a path, XML text or an {.cls xml_document}.",
         x = "It is {describe_value(file)}."
-      ),
-      "type", call
+      ), "type", call
     )
   }
   if (!grepl("^[[:space:]\ufeff]*<", file)) {
@@ -138,27 +131,26 @@ parse_description <- function(file, call) {
           "{.arg file} must be a file, or XML text.",
           x = "There is no file {.file {file}}.",
           i = if (grepl("^[a-z]+://", file)) "Download it first."
-        ),
-        "file", call
+        ), "file", call
       )
     }
   } else {
-    # Text is UTF-8 by now, whatever its declaration says.
+    # Text in R is UTF-8, regardless of its XML declaration.
     file <- charToRaw(enc2utf8(sub("^[[:space:]\ufeff]+", "", file)))
   }
   tryCatch(
-    # Prefixes that nothing declares are common in older files, and worth a warning to the parser.
+    # Older files have undeclared prefixes, of which the parser warns.
     suppressWarnings(xml2::read_xml(file, encoding = if (is.raw(file)) "UTF-8" else "")),
     error = function(e) {
       reason <- gsub("\\s+", " ", conditionMessage(e))
       abort_rotdyn(
-        c("{.arg file} must be well-formed XML.", x = "The parser says: {reason}"), "file", call
+        c("{.arg file} must be well-formed XML.", x = "The parser reports: {reason}"), "file", call
       )
     }
   )
 }
 
-# Children by name, whatever their namespace: some files declare a default one.
+# Children by local name, since some files declare a default namespace.
 children <- function(node, name) {
   as.list(xml2::xml_find_all(node, paste0("./*[local-name()='", name, "']")))
 }
@@ -168,7 +160,7 @@ child <- function(node, name) {
   if (length(found)) found[[1L]]
 }
 
-# What the format has at most once; NULL if it is not there.
+# An element that may occur at most once; NULL if missing.
 only_child <- function(node, name, link, call) {
   found <- children(node, name)
   if (length(found) > 1L) {
@@ -176,8 +168,7 @@ only_child <- function(node, name, link, call) {
       c(
         "Link {.val {link}} must have one {.code <{name}>}.",
         x = "Its {.code <{xml2::xml_name(node)}>} has {length(found)}."
-      ),
-      "file", call
+      ), "file", call
     )
   }
   if (length(found)) found[[1L]]
@@ -193,14 +184,13 @@ numbers_of <- function(text, n, what, link, call) {
     abort_rotdyn(
       c(
         "{what} of link {.val {link}} must be {cli::qty(n)}{?a number/numbers}.",
-        x = "It says {.val {text}}.",
+        x = "It is {.val {text}}.",
         i = if (grepl("$", text, fixed = TRUE)) {
           xacro_remedy
         } else if (grepl("^[-+0-9.]*,[0-9]+$", word)) {
           "Decimals are written with a point."
         }
-      ),
-      "value", call
+      ), "value", call
     )
   }
   if (length(values) != n) {
@@ -208,8 +198,7 @@ numbers_of <- function(text, n, what, link, call) {
       c(
         "{what} of link {.val {link}} must be {n} number{?s}.",
         x = "It has {length(values)}: {.val {text}}."
-      ),
-      "value", call
+      ), "value", call
     )
   }
   values
@@ -219,30 +208,26 @@ finite_numbers <- function(text, n, what, link, call) {
   values <- numbers_of(text, n, what, link, call)
   if (!all(is.finite(values))) {
     abort_rotdyn(
-      c("{what} of link {.val {link}} must be finite.", x = "It says {.val {text}}."),
-      "value", call
+      c("{what} of link {.val {link}} must be finite.", x = "It is {.val {text}}."), "value", call
     )
   }
   values
 }
 
-# `why`: URDF demands it; SDF has defaults, of 1, or takes the inertia from the shape.
-abort_lacking <- function(what, link, call, why = "The format demands it in {.code <inertial>}.") {
+# `why`: URDF requires it; SDF has defaults of 1, or uses the inertia of the shape.
+abort_lacking <- function(what, link, call, why = "The format requires it in {.code <inertial>}.") {
   abort_rotdyn(
     c(
       "Link {.val {link}} has no {.code {what}}.",
       i = paste(why, "A frame without mass has no {.code <inertial>}.")
-    ),
-    "file", call
+    ), "file", call
   )
 }
 
 link_name <- function(node, number, call) {
   name <- xml2::xml_attr(node, "name")
   if (is.na(name) || !nzchar(name)) {
-    abort_rotdyn(
-      c("Every link must have a name.", x = "Link {number} has none."), "file", call
-    )
+    abort_rotdyn(c("Every link must have a name.", x = "Link {number} has none."), "file", call)
   }
   name
 }
@@ -293,8 +278,7 @@ urdf_number <- function(node, attribute, element, link, call) {
       c(
         "{what} of link {.val {link}} must be in kg and m.",
         x = "Its unit is {.val {unit}}, and the format has no units."
-      ),
-      "unit", call
+      ), "unit", call
     )
   }
   numbers_of(text, 1L, what, link, call)
@@ -330,7 +314,7 @@ urdf_solid <- function(shape, kind, link, call) {
 
 sdf_links <- function(root, call) {
   nodes <- as.list(xml2::xml_find_all(root, ".//*[local-name()='model']/*[local-name()='link']"))
-  # Only what there are several of has to be named.
+  # Models and worlds are part of the name only if there are several.
   scopes <- Filter(
     function(scope) length(xml2::xml_find_all(root, paste0(".//*[", scope, "]"))) > 1L,
     c("local-name()='model'", "local-name()='world'")
@@ -354,7 +338,7 @@ sdf_link <- function(node, number, scopes, call) {
     if (is.null(inertia)) {
       abort_lacking("<inertia>", name, call, sdf_default)
     }
-    # The format gives products that are left out as 0.
+    # Missing products are 0.
     defaults <- list(NULL, NULL, NULL, 0, 0, 0)
     link$six <- mapply(
       function(entry, default) sdf_number(inertia, entry, default, name, call),
@@ -365,7 +349,7 @@ sdf_link <- function(node, number, scopes, call) {
   link
 }
 
-sdf_default <- "A simulator would take 1, or the shape's: write it in {.code <inertial>}."
+sdf_default <- "A simulator would use 1, or the shape's: write it in {.code <inertial>}."
 
 sdf_number <- function(node, element, default, link, call) {
   found <- only_child(node, element, link, call)
@@ -387,7 +371,7 @@ sdf_pose <- function(node, where, link, call) {
   format <- xml2::xml_attr(pose, "rotation_format")
   frame <- xml2::xml_attr(pose, "relative_to")
   if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "", sub("^.*::", "", link))) {
-    # What is drawn only gives the reach, which is then unknown.
+    # For visual and collision elements the reach is then unknown.
     if (where != "<inertial>") {
       return(NULL)
     }
@@ -399,8 +383,7 @@ sdf_pose <- function(node, where, link, call) {
         } else {
           "Its rotation is given as {.val {format}}."
         }
-      ),
-      "file", call
+      ), "file", call
     )
   }
   pose_numbers <- finite_numbers(xml2::xml_text(pose), 6L, what, link, call)
@@ -422,10 +405,10 @@ sdf_solid <- function(shape, kind, link, call) {
   solid_of(kind, read)
 }
 
-# ---- how far the drawn shape reaches --------------------------------------------------------
+# ---- reach of the geometry ------------------------------------------------------------------
 
-# The solids of all visual and collision elements; NULL where one of them is a mesh or unknown, or
-# in a frame of its own.
+# The solids of all visual and collision elements; NULL if one of them is a mesh or unknown, or in
+# another frame.
 geometry_parts <- function(node, link, call, read_pose, read_solid) {
   elements <- c(children(node, "visual"), children(node, "collision"))
   parts <- list()
@@ -445,7 +428,7 @@ geometry_parts <- function(node, link, call, read_pose, read_solid) {
   parts
 }
 
-# Half the edges of a core, a disk's radius that is added across, a ball's that is added all round.
+# A solid as the Minkowski sum of a box (half edges), a disk (radius `round`) and a ball.
 solid_of <- function(kind, read) {
   switch(kind,
     box = list(half = read("size", 3L) / 2, ball = 0),
@@ -455,11 +438,11 @@ solid_of <- function(kind, read) {
   )
 }
 
-# The farthest point of a solid from `centre`. A box and the line of a capsule have it at a corner;
-# a cylinder on one of its rims.
+# The distance of the farthest point of a solid from `centre`: at a corner of the box, or on a rim
+# of a cylinder.
 part_reach <- function(part, centre) {
   turn <- rotation_rpy(part$rpy)
-  # The centre as the solid sees it.
+  # The centre in the axes of the solid.
   from <- abs(as.double(crossprod(turn, centre - part$at)))
   if (!is.null(part$round)) {
     return(sqrt((sqrt(sum(from[1:2]^2)) + part$round)^2 + (from[3L] + part$half[3L])^2))
@@ -537,7 +520,7 @@ link_fault <- function(check) {
   paste0(first$condition, ": ", first$meaning)
 }
 
-# The tensor is legal, or nearly: what is said of rounding stands in the check.
+# The message about rounding is suppressed, since it is in the check.
 link_body <- function(link, reach, call) {
   body <- withCallingHandlers(
     body_tensor(link$mass_kg, six_to_tensor(link$six), name = link$name),

@@ -1,7 +1,7 @@
-# Meshes as users have them, brought to one form: a list of `vertices` (matrix of doubles), `faces`
-# (matrix of integers, three of them a face), `by_column` (whether a column is a vertex and a face,
-# as a mesh3d has them), `factor` (metres in a unit of the coordinates), and of a file what it was
-# read by, and whether the numbers have `single` precision.
+# Converts a mesh to a list of `vertices` (matrix of doubles), `faces` (matrix of integers, three
+# for a face), `by_column` (whether vertices and faces are in columns, as in a mesh3d), `factor`
+# (metres in a unit of the coordinates), and for a file the `reader` and whether the numbers have
+# `single` precision.
 as_mesh <- function(mesh, length_unit, call) {
   factor <- metres_in(length_unit, call)
   out <- if (is.character(mesh)) {
@@ -14,18 +14,16 @@ as_mesh <- function(mesh, length_unit, call) {
     abort_rotdyn(
       c(
         "{.arg mesh} must be a {.cls mesh3d} object, a list of {.field vertices} and {.field faces},
-         or the name of an STL, OBJ or PLY file.",
+         or the path of an STL, OBJ or PLY file.",
         x = "It is {describe_value(mesh)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   out$factor <- factor
   out
 }
 
-# A list without a class that has names is told which names it needs.
+# A list with names but no class is accepted here, so that the message says which names it needs.
 is_pair <- function(mesh) {
   is.list(mesh) && !is.data.frame(mesh) && if (is.object(mesh)) {
     setequal(names(mesh), c("vertices", "faces"))
@@ -55,9 +53,7 @@ metres_in <- function(length_unit, call) {
       c(
         "{.arg length_unit} must be one unit of length.",
         x = "It is {describe_value(length_unit)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   known <- length_units[match(length_unit, names(length_units))]
@@ -74,11 +70,9 @@ metres_in <- function(length_unit, call) {
     c(
       "{.arg length_unit} must be a unit of length.",
       x = "It is {.val {length_unit}}.",
-      i = "Known by name are {.val {names(length_units)}}; with the package {.pkg units} also what
-           that one knows."
-    ),
-    "unit",
-    call
+      i = "Known are {.val {names(length_units)}}, and with the package {.pkg units} all its units
+           of length."
+    ), "unit", call
   )
 }
 
@@ -91,9 +85,7 @@ mesh_from_mesh3d <- function(mesh, arg, call) {
       c(
         "The {.field vb} of a {.cls mesh3d} must be a numeric matrix of three or four rows.",
         x = "It is {describe_matrix(vertices)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   storage.mode(vertices) <- "double"
@@ -120,9 +112,7 @@ mesh_from_pair <- function(mesh, length_unit, factor, call) {
       c(
         "A list {.arg mesh} must have {.field vertices} and {.field faces}.",
         x = "It has {.field {names(mesh)}}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (is.null(names(mesh))) names(mesh) <- c("vertices", "faces")
@@ -137,7 +127,7 @@ mesh_from_pair <- function(mesh, length_unit, factor, call) {
   )
 }
 
-# Quantities with a unit of their own are put into `length_unit`, like the numbers without.
+# Units objects are converted to `length_unit`, the unit of plain numbers.
 mesh_vertices <- function(x, length_unit, factor, call) {
   if (is.data.frame(x)) {
     named <- Filter(function(names) all(names %in% names(x)), list(place_columns, c("x", "y", "z")))
@@ -150,9 +140,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
           "Columns {.field {place_columns}} are in metres.",
           x = "{.arg length_unit} is {.val {length_unit}}.",
           i = "Call them {.field x}, {.field y} and {.field z}."
-        ),
-        "unit",
-        call
+        ), "unit", call
       )
     }
     x <- lapply(named[[1L]], function(name) {
@@ -172,9 +160,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
         "{.code mesh$vertices} must be a numeric matrix of three columns, or a data frame of
          {.field x_m}, {.field y_m} and {.field z_m}.",
         x = "It is {describe_matrix(x)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   dimnames(x) <- NULL
@@ -182,7 +168,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
   x
 }
 
-# Numbers of vertices. What is no whole number names no vertex, and is counted as such later.
+# Vertex numbers. Those that are not whole become NA, and are counted as invalid later.
 mesh_indices <- function(x, corners, by_column, arg, call) {
   if (is.null(x)) {
     return(if (by_column) matrix(0L, corners, 0L) else matrix(0L, 0L, corners))
@@ -194,9 +180,7 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
         "{.code {arg}} must be a matrix of vertex numbers with {corners}
          {if (by_column) 'rows' else 'columns'}.",
         x = "It is {describe_matrix(x)}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (is.double(x)) {
@@ -212,9 +196,8 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
 mesh_from_file <- function(path, call) {
   if (length(path) != 1L || is.na(path) || !file.exists(path) || dir.exists(path)) {
     abort_rotdyn(
-      c("{.arg mesh} must be the name of one file.", x = "There is no file {.file {path}}."),
-      "file",
-      call
+      c("{.arg mesh} must be the path of one file.", x = "There is no file {.file {path}}."),
+      "file", call
     )
   }
   format <- tolower(sub("^.*[.]", "", basename(path)))
@@ -222,10 +205,9 @@ mesh_from_file <- function(path, call) {
     abort_rotdyn(
       c(
         "A mesh is read from an STL, OBJ or PLY file.",
-        x = "{.file {basename(path)}} ends in none of {.val {c('.stl', '.obj', '.ply')}}."
-      ),
-      "file",
-      call
+        x = "The extension of {.file {basename(path)}} must be one of
+             {.val {c('.stl', '.obj', '.ply')}}."
+      ), "file", call
     )
   }
   if (isTRUE(file.size(path) == 0)) abort_mesh_file(path, "It is empty.", call)
@@ -239,7 +221,7 @@ mesh_from_file <- function(path, call) {
     ),
     error = function(e) {
       reason <- conditionMessage(e)
-      abort_mesh_file(path, "The reader says: {reason}.", call)
+      abort_mesh_file(path, "The reader reports: {reason}.", call)
     }
   )
   out <- mesh_from_mesh3d(read, "mesh", call)
@@ -252,7 +234,5 @@ mesh_from_file <- function(path, call) {
 
 abort_mesh_file <- function(path, why, call, .envir = parent.frame()) {
   why <- cli::format_inline(why, .envir = .envir)
-  abort_rotdyn(
-    c("{.file {basename(path)}} cannot be read as a mesh.", x = "{why}"), "file", call
-  )
+  abort_rotdyn(c("{.file {basename(path)}} cannot be read as a mesh.", x = "{why}"), "file", call)
 }

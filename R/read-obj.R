@@ -1,6 +1,6 @@
-# Wavefront OBJ: the vertices and faces of a file, whatever else it holds. A face may have any
-# number of corners, count them from the last vertex read (negative numbers), and name textures and
-# normals behind slashes. rgl::readOBJ() turns some polygons over and takes no negative numbers.
+# Wavefront OBJ: the vertices and faces of a file; other statements are skipped. A face may have any
+# number of corners, count them from the last vertex read (negative numbers), and have textures and
+# normals after slashes. rgl::readOBJ() flips some polygons and does not accept negative numbers.
 #
 # Source: Wavefront, Advanced Visualizer manual, appendix B1 (object files).
 
@@ -19,7 +19,7 @@ read_obj <- function(path) {
   )
 }
 
-# Without comments; a backslash at the end goes on in the next line.
+# Without comments; lines that end with a backslash are joined with the next.
 obj_lines <- function(path) {
   lines <- readLines(path, warn = FALSE, skipNul = TRUE)
   lines <- sub("#.*$", "", lines, useBytes = TRUE)
@@ -34,7 +34,7 @@ obj_lines <- function(path) {
 
 obj_words <- function(lines) {
   words <- strsplit(lines, "[[:space:]]+", useBytes = TRUE)
-  # What stands before the keyword, and the keyword.
+  # Without leading space and the keyword.
   lapply(words, function(line) line[-seq_len(if (nzchar(line[1L])) 1L else 2L)])
 }
 
@@ -48,12 +48,12 @@ obj_vertices <- function(lines) {
   x <- suppressWarnings(as.numeric(text))
   bad <- is.na(x) & !grepl("^[-+]?nan", text, ignore.case = TRUE, useBytes = TRUE)
   if (any(bad)) {
-    stop("a coordinate is no number: ", encodeString(text[bad][1L]), call. = FALSE)
+    stop("a coordinate is not a number: ", encodeString(text[bad][1L]), call. = FALSE)
   }
   matrix(x, 3L)
 }
 
-# `before` is how many vertices stand before each face. What is no number names no vertex.
+# `before`: the number of vertices before each face. Other text becomes an invalid vertex number.
 obj_faces <- function(lines, before) {
   words <- obj_words(lines)
   sizes <- lengths(words)

@@ -1,7 +1,8 @@
-# PLY, text or binary: the places of its vertices and the corners of its faces, whatever else they
-# carry. In words: a header names the elements and their properties; the rows follow, element by
-# element. A list property begins with its length. A text is read as numbers and a binary file as
-# bytes, and both by the same walk: a number takes one place of the text, or its size in bytes.
+# PLY, text or binary: the coordinates of the vertices and the vertex numbers of the faces; other
+# properties are skipped. The header lists the elements and their properties; the rows follow,
+# element by element. A list property begins with its length. A text file is read as numbers, a
+# binary file as bytes, and both are parsed alike: a number takes one place in a text, or its size
+# in bytes.
 #
 # Source: Turk, The PLY polygon file format (Stanford, 1994).
 
@@ -42,7 +43,7 @@ ply_types <- c(
   uint32 = "uint", float32 = "float", float64 = "double"
 )
 
-# list(format, lines of the header, bytes behind it, elements): of each element its count and of
+# list(format, lines of the header, bytes after it, elements): for each element its count, and for
 # each property the name, the type, whether it is a list, and the type of its length.
 ply_header <- function(bytes) {
   end <- grepRaw("end_header[ \t]*\r?\n", bytes)
@@ -61,12 +62,12 @@ ply_header <- function(bytes) {
       elements[[word[2L]]] <- list(count = suppressWarnings(as.numeric(word[3L])))
     } else if (word[1L] == "property") {
       last <- length(elements)
-      if (!last) stop("a property stands before all elements", call. = FALSE)
+      if (!last) stop("a property precedes all elements", call. = FALSE)
       elements[[last]] <- ply_property(elements[[last]], word)
     }
   }
   if (!format %in% c("ascii", "binary_little_endian", "binary_big_endian")) {
-    stop("it has no format that is known", call. = FALSE)
+    stop("its format is unknown", call. = FALSE)
   }
   list(format = format, lines = length(lines), bytes = bytes[-seq_len(behind)], elements = elements)
 }
@@ -76,7 +77,7 @@ ply_property <- function(element, word) {
   types <- if (is_list) word[3:4] else c(NA, word[2L])
   types <- ifelse(types %in% names(ply_types), ply_types[types], types)
   if (!types[2L] %in% names(ply_sizes) || is_list && !types[1L] %in% names(ply_sizes)) {
-    stop("a property has a type that is not known: ", paste(word, collapse = " "), call. = FALSE)
+    stop("a property has an unknown type: ", paste(word, collapse = " "), call. = FALSE)
   }
   element$name <- c(element$name, word[length(word)])
   element$type <- c(element$type, unname(types[2L]))
@@ -85,7 +86,7 @@ ply_property <- function(element, word) {
   element
 }
 
-# The numbers of a text, the bytes of a binary file as integers.
+# The numbers of a text file, or the bytes of a binary file as integers.
 ply_places <- function(ply, path) {
   if (ply$format == "ascii") {
     scan(path, skip = ply$lines, quiet = TRUE)
@@ -94,8 +95,8 @@ ply_places <- function(ply, path) {
   }
 }
 
-# Where each value stands: for each element and property the place before it, row by row, and how
-# many values.
+# The place of each value: for each element and property the place before it, row by row, and the
+# number of values.
 ply_walk <- function(ply) {
   text <- ply$format == "ascii"
   at <- 0
@@ -103,7 +104,7 @@ ply_walk <- function(ply) {
     element <- ply$elements[[name]]
     n <- element$count
     if (!isTRUE(n >= 0 && n == floor(n) && n <= length(ply$places))) {
-      stop("it is cut off, or a count is wrong", call. = FALSE)
+      stop("it is truncated, or a count is wrong", call. = FALSE)
     }
     one <- rep(1, length(element$type))
     element$size <- if (text) one else unname(ply_sizes[element$type])
@@ -112,7 +113,7 @@ ply_walk <- function(ply) {
     walked <- ply_even_rows(element, at, ply)
     if (is.null(walked)) walked <- ply_uneven_rows(element, at, ply)
     if (!isTRUE(walked$end <= length(ply$places))) {
-      stop("it is cut off, or a count is wrong", call. = FALSE)
+      stop("it is truncated, or a count is wrong", call. = FALSE)
     }
     at <- walked$end
     ply$elements[[name]] <- c(element, walked)
@@ -120,7 +121,7 @@ ply_walk <- function(ply) {
   ply$elements
 }
 
-# Rows that are all as long as the first, as most are; NULL if they are not.
+# Rows that are all as long as the first (the usual case); NULL if they are not.
 ply_even_rows <- function(element, at, ply) {
   n <- element$count
   if (n == 0) {
@@ -177,7 +178,7 @@ ply_row <- function(element, at, ply) {
   list(before = before, values = values, end = if (counts) at else Inf)
 }
 
-# Lengths of lists that begin behind the places `at`.
+# Lengths of lists that begin after the places `at`.
 ply_length <- function(ply, at, size) {
   sum <- 0
   order <- if (ply$format == "binary_big_endian") seq_len(size) else rev(seq_len(size))
@@ -185,7 +186,7 @@ ply_length <- function(ply, at, size) {
   sum
 }
 
-# The values of a property, a matrix for all rows that have as many: a column a row.
+# The values of a property: a matrix for all rows with the same number of values, rows in columns.
 ply_values <- function(element, name, ply) {
   k <- match(name, element$name)
   rows <- split(seq_len(element$count), element$values[[k]])

@@ -1,10 +1,11 @@
-# STL files: triangles with their corners, each by itself. Binary ones are read by rgl, which is told
-# so: of its own it takes one whose first word is "solid" for a text (1.3.36). Text is read here.
+# STL files: separate triangles. Binary files are read by rgl, with the format given explicitly: rgl
+# (1.3.36) takes a binary file that begins with "solid" for a text. Text files are read here.
 #
 # Source: 3D Systems, StereoLithography Interface Specification (1989), section 6.5.
 
-# 80 bytes, the number of triangles, 50 bytes for each. A text begins with "solid", and so do some
-# binaries; the length decides. A text has no byte that is 0.
+# A binary file has 80 bytes, the number of triangles, and 50 bytes for each. A text begins with
+# "solid", but so do some binary files, which are identified by their length. A text has no zero
+# byte.
 stl_is_binary <- function(path, call) {
   size <- file.size(path)
   con <- file(path, "rb")
@@ -23,17 +24,17 @@ stl_is_binary <- function(path, call) {
   abort_mesh_file(
     path,
     if (size < 84) {
-      "It is no text that begins with {.val solid}, and too short for a binary STL."
+      "It is not a text that begins with {.val solid}, and too short for a binary STL."
     } else {
-      "It counts {format(triangles, big.mark = ',')} triangles, which take
-       {format(84 + 50 * triangles, big.mark = ',')} bytes, and has
-       {format(size, big.mark = ',')}: it was cut off or changed."
+      "It declares {format(triangles, big.mark = ',')} triangles, which need
+       {format(84 + 50 * triangles, big.mark = ',')} bytes, but has
+       {format(size, big.mark = ',')}: it is truncated or damaged."
     },
     call
   )
 }
 
-# Loaded without a window: a mesh is read, not shown. The option goes back to what it was.
+# Loaded without a window; the option is then restored.
 need_rgl <- function(call) {
   if (!isNamespaceLoaded("rgl")) {
     old <- options(rgl.useNULL = TRUE)
@@ -50,7 +51,7 @@ read_stl_binary <- function(path) {
   )
 }
 
-# Three vertices a facet; normals, and what else is said, are passed over.
+# Three vertices for each facet; normals and other lines are skipped.
 read_stl_text <- function(path) {
   lines <- readLines(path, warn = FALSE, skipNul = TRUE)
   lines <- lines[grepl("^[[:space:]]*(vertex|endloop)", lines, TRUE, useBytes = TRUE)]
@@ -60,7 +61,7 @@ read_stl_text <- function(path) {
   }
   facets <- length(lines) %/% 4L
   if (!identical(is_vertex, rep(c(TRUE, TRUE, TRUE, FALSE), facets))) {
-    stop("a facet has not three vertices, or the file was cut off", call. = FALSE)
+    stop("a facet does not have three vertices, or the file is truncated", call. = FALSE)
   }
   numbers <- sub("^[[:space:]]*[[:alpha:]]+", "", lines[is_vertex], useBytes = TRUE)
   places <- scan(text = numbers, what = list(0, 0, 0), multi.line = FALSE, quiet = TRUE)

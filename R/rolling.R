@@ -1,7 +1,7 @@
 #' Rolling down an incline
 #'
-#' A race between bodies that roll without slipping: what counts is `beta = I/(m r^2)` alone.
-#' `rolling_table()` computes the whole table in one pass in C.
+#' Acceleration, final speed and energies of bodies that roll without slipping, which depend on
+#' `beta = I/(m r^2)` only. `rolling_table()` computes the whole table in one pass in C.
 #'
 #' \deqn{a = \frac{g \sin\alpha}{1+\beta},\quad v = \sqrt{\frac{2 g h}{1+\beta}},\quad
 #'   \frac{K_{rot}}{K} = \frac{\beta}{1+\beta},\quad \frac{K_{trans}}{K} = \frac{1}{1+\beta}}{
@@ -9,21 +9,21 @@
 #'   K_trans/K = 1/(1 + beta)}
 #'
 #' @param objects A data frame with a column `beta` (at least 0; Inf takes the limit). Its other
-#'   columns are kept. Where it has columns `incline_angle_deg`, `height_drop_m` or
-#'   `gravity_m_per_s2`, those are used row by row instead of the arguments.
+#'   columns are kept. Columns `incline_angle_deg`, `height_drop_m` or `gravity_m_per_s2` replace
+#'   the arguments.
 #' @param incline_angle_deg Angle of the incline in degrees, -90 to 90: one number, or one for each
 #'   row. The sine is that of the exact angle in degrees: `sin(30 degrees)` is 0.5.
 #' @param height_drop_m Height lost from rest in m, at least 0: one number, or one for each row.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @return `rolling_table()`: a tibble (class `rot_rolling_table`, with an `autoplot()`) of the
 #'   columns of `objects`, then `r describe_columns(rolling_columns)`
-#'   NA in a row gives NA in what depends on it. Each number carries at most four roundings (5e-16).
+#'   NA in a row gives NA in the values that depend on it. At most four roundings each (5e-16).
 #'
 #'   `rolling_objects()`: a tibble with `object` and `beta` of five objects.
 #' @section Errors: `rotdyn_error_type` (no `beta`, or not numbers), `rotdyn_error_size`,
 #'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
-#' @seealso [rolling_acceleration()] and its sisters for use in `dplyr::mutate()`.
+#' @seealso [rolling_functions] for use in `dplyr::mutate()`.
 #' @examples
 #' rolling_table()
 #' rolling_table(data.frame(beta = c(0.4, 0.4), incline_angle_deg = c(10, 80)))
@@ -36,10 +36,8 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
       c(
         "{.arg objects} must be a data frame with a column {.field beta}.",
         x = "It is {describe_value(objects)}.",
-        i = "Numbers alone: {.code rolling_table(data.frame(beta = ))}."
-      ),
-      "type",
-      call
+        i = "For numbers use {.code rolling_table(data.frame(beta = ))}."
+      ), "type", call
     )
   }
   if (is.null(objects[["beta"]])) {
@@ -53,8 +51,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   if (length(twice)) {
     warn_rotdyn(
       "{.arg {twice}} {?is/are} given both as column and as argument: the column is used.",
-      "column",
-      call
+      "column", call
     )
   }
   columns <- list(
@@ -63,7 +60,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
     height_drop_m = objects[["height_drop_m"]] %||% height_drop_m,
     gravity_m_per_s2 = objects[["gravity_m_per_s2"]] %||% gravity_m_per_s2
   )
-  columns <- check_rolling(columns, call)
+  columns <- check_columns_of(columns, rolling_units, call)
   n <- nrow(objects)
   long <- lengths(columns) != 1L & lengths(columns) != n
   if (any(long)) {
@@ -72,9 +69,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
         "Arguments must have one number for each row of {.arg objects}, or one for all.",
         x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
              has {n} row{?s}."
-      ),
-      "size",
-      call
+      ), "size", call
     )
   }
   values <- .Call(
@@ -83,7 +78,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   )
   check_place(values, columns, call)
 
-  # The new columns go behind the old ones, or over those of the same name.
+  # New columns are last, or replace those of the same name.
   out <- as.list(objects)
   if (inherits(objects[["beta"]], "units")) {
     out$beta <- columns$beta
@@ -103,10 +98,10 @@ rolling_objects <- function() {
   ), nrow = 5L)
 }
 
-#' Rolling, element by element
+#' Rolling, for vectors
 #'
-#' The functions beneath [rolling_table()]: vectors in, a vector out, so they work inside
-#' `dplyr::mutate()`. Arguments recycle as in a tibble: length 1 or n.
+#' The functions of [rolling_table()] for vectors, for use in `dplyr::mutate()`. Arguments have
+#' length 1 or n.
 #'
 #' | function | value |
 #' |---|---|
@@ -132,86 +127,57 @@ NULL
 #' @rdname rolling_functions
 #' @export
 rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  columns <- list(
+  by_row(1L, list(
     beta = beta, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
-  )
-  by_row(ffi_rolling_acceleration, columns, rlang::current_env())
+  ))
 }
 
 #' @rdname rolling_functions
 #' @export
 rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  columns <- list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2)
-  by_row(ffi_rolling_final_speed, columns, rlang::current_env())
+  by_row(2L, list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2))
 }
 
 #' @rdname rolling_functions
 #' @export
 rotational_energy_fraction <- function(beta) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  by_row(ffi_rolling_rotational_fraction, list(beta = beta), rlang::current_env())
+  by_row(3L, list(beta = beta))
 }
 
 #' @rdname rolling_functions
 #' @export
 translational_energy_fraction <- function(beta) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  by_row(ffi_rolling_translational_fraction, list(beta = beta), rlang::current_env())
+  by_row(4L, list(beta = beta))
 }
 
 #' @rdname rolling_functions
 #' @export
 rolling_friction_coefficient <- function(beta, incline_angle_deg = 20) {
-  if (missing(beta)) {
-    check_supplied("beta", rlang::current_env())
-  }
-  columns <- list(beta = beta, incline_angle_deg = incline_angle_deg)
-  by_row(ffi_rolling_friction, columns, rlang::current_env())
+  by_row(5L, list(beta = beta, incline_angle_deg = incline_angle_deg))
 }
 
 rolling_units <- c(
   beta = "1", incline_angle_deg = "degree", height_drop_m = "m", gravity_m_per_s2 = "m/s^2"
 )
-rolling_domains <- list(
-  beta = c(0, Inf), incline_angle_deg = c(-90, 90), height_drop_m = c(0, Inf),
-  gravity_m_per_s2 = c(0, Inf)
-)
 
-check_rolling <- function(columns, call) {
-  for (arg in names(columns)) {
-    columns[[arg]] <- check_column(columns[[arg]], arg, rolling_units[[arg]], call)
-  }
-  columns
-}
-
-by_row <- function(routine, columns, call) {
-  columns <- check_rolling(columns, call)
+# Function number `which` of src/ffi_rolling.c, for the caller's arguments.
+by_row <- function(which, columns, call = parent.frame()) {
+  if (eval(quote(missing(beta)), call)) check_supplied("beta", call)
+  columns <- check_columns_of(columns, rolling_units[names(columns)], call)
   check_recyclable(columns, call)
-  values <- do.call(.Call, c(list(routine), unname(columns)))
+  values <- .Call(ffi_rolling_value, which, columns)
   check_place(values, columns, call)
   values[[1]]
 }
 
-# The C pass returns c(column, row) of the first value outside its domain instead of a list.
+# In place of a list, C returns c(column, row, lowest, highest) of the first value out of its
+# domain.
 check_place <- function(values, columns, call) {
   if (!is.list(values)) {
     arg <- names(columns)[values[1]]
-    domain <- rolling_domains[[arg]]
     abort_domain(
-      columns[[arg]][values[2]], arg, rolling_units[[arg]], call, domain[1], domain[2], FALSE,
+      columns[[arg]][values[2]], arg, rolling_units[[arg]], call, values[3], values[4], FALSE,
       row = if (length(columns[[arg]]) > 1L) values[2]
     )
   }
 }
-
-`%||%` <- function(x, y) if (is.null(x)) y else x

@@ -1,14 +1,14 @@
 #' Rotations
 #'
 #' The rotation by an angle about an axis, as the 3 x 3 matrix that turns vectors: `v_space = R
-#' v_body`. Its columns are the body's axes as seen from space.
+#' v_body`. Its columns are the body's axes in space.
 #'
 #' \deqn{R = 1 + \sin\phi\,[n]_\times + (1 - \cos\phi)\,[n]_\times^2}{
 #'   R = 1 + sin(phi) [n x] + (1 - cos(phi)) [n x]^2}
 #'
 #' @param axis Direction of the axis: `"x"`, `"y"`, `"z"`, or three numbers of any length but 0.
-#' @param angle_rad,angle_deg The angle, counter-clockwise as seen from the axis's tip: one of the
-#'   two. Quarter turns in degrees are exact.
+#' @param angle_rad,angle_deg The angle, right-handed about the axis: one of the two. Quarter turns
+#'   in degrees are exact.
 #' @return A 3 x 3 matrix, orthogonal to two roundings.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
 #'   an axis of length 0, two angles), `rotdyn_error_unit`, `rotdyn_error_missing` for no angle.
@@ -22,23 +22,22 @@ rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
   if (is.null(angle_rad) == is.null(angle_deg)) {
     abort_rotdyn(
       "Exactly one of {.arg angle_rad} and {.arg angle_deg} must be given.",
-      if (is.null(angle_rad)) "missing" else "value",
-      call
+      if (is.null(angle_rad)) "missing" else "value", call
     )
   }
   n <- unit_axis(as_axis(axis, call), call)
-  # Both from the half angle: 1 - cos keeps its digits.
+  # 1 - cos from the half angle, without cancellation.
   if (is.null(angle_deg)) {
     angle <- check_number(angle_rad, "angle_rad", "rad", call)
     sine <- sin(angle)
     versine <- 2 * sin(angle / 2)^2
   } else {
-    # In C, where the remainder is exact for any number of turns, of either sense.
+    # In C, where the reduction is exact.
     angle <- check_number(angle_deg, "angle_deg", "degree", call)
     sine <- .Call(ffi_inertia_sine, angle)
     versine <- 2 * .Call(ffi_inertia_sine, angle / 2)^2
   }
-  # Quarter turns: the square of the sine of 45 degrees is not quite 1/2.
+  # Quarter turns: the rounded square of the sine of 45 degrees is not 1/2.
   if (abs(sine) == 1) versine <- 1
   cross <- matrix(c(0, n[3], -n[2], -n[3], 0, n[1], n[2], -n[1], 0), 3)
   diag(3) + sine * cross + versine * (cross %*% cross)
@@ -76,9 +75,7 @@ as_rotation <- function(rotation, arg, call) {
         "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
         x = "It is {describe_value(rotation)}.",
         i = "See {.fn rotation_about}."
-      ),
-      "type",
-      call
+      ), "type", call
     )
   }
   if (!all(is.finite(rotation))) {
@@ -96,14 +93,12 @@ as_rotation <- function(rotation, arg, call) {
         x = if (off > 1e-8) {
           "R'R differs from 1 by {format(off, digits = 3)}."
         } else {
-          "Its determinant is -1: it mirrors."
+          "Its determinant is -1: a reflection."
         }
-      ),
-      "value",
-      call
+      ), "value", call
     )
   }
-  # Numbers of nine digits make no rotation of sixteen: one step of Newton's to the nearest one.
+  # One Newton step to the nearest orthogonal matrix, for numbers given with few digits.
   rotation %*% (3 * diag(3) - crossprod(rotation)) / 2
 }
 
@@ -111,12 +106,8 @@ matrix_of_quaternion <- function(q, arg, call) {
   norm <- sqrt(sum(q^2))
   if (!(abs(norm - 1) <= 1e-8)) {
     abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a unit quaternion.",
-        x = "Its norm is {format(norm, digits = 7)}."
-      ),
-      "value",
-      call
+      c("{.arg {arg}} must be a unit quaternion.", x = "Its norm is {format(norm, digits = 7)}."),
+      "value", call
     )
   }
   q <- q / norm

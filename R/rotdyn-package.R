@@ -1,8 +1,8 @@
 #' Rotational dynamics with an audit
 #'
-#' Describe a *scene*: a body, how it is held, what acts on it. [trajectory()] picks the cheapest
-#' model that is accurate enough, says which and why ([choose_model()]), computes it in C, and
-#' returns a tibble that carries its own error figure and its own [audit()].
+#' Describe a *scene*: a body, its constraint, the torques and resistances. [trajectory()] chooses
+#' the cheapest model that is accurate enough ([choose_model()] gives the reason), computes it in C,
+#' and returns a tibble with its error and an [audit()].
 #'
 #' ```
 #' describe  ->  choose  ->  compute  ->  present
@@ -17,10 +17,10 @@
 #'   `mass_kg`, `omega_rad_per_s`. Torque is in N m and never in J. An object of the units package
 #'   (or a difftime) is converted; a wrong dimension is an error.
 #' * **Signs**: an angle, a rate, a torque and an angular momentum about an axle are positive in the
-#'   sense of the right hand about the axle's direction. A resisting torque is the torque that acts
-#'   on the body: it has the sign opposite to the rate. `net = applied + damping`.
-#' * **Axes** of a body: its own, from its centre of mass; `z` is the axis it is usually spun about
-#'   (the symmetry axis of a disk), and a rod lies along `x`.
+#'   right-handed sense about the axle's direction. A resisting torque is the torque on the body:
+#'   its sign is opposite to that of the rate. `net = applied + damping`.
+#' * **Axes** of a body: its own; `z` is the usual axis of rotation (the symmetry axis of a disk),
+#'   and a rod lies along `x`.
 #' * **Error figures** are relative: the largest error of theta over the rows, divided by the
 #'   largest |theta| from the start to the last row; or the same of omega, if that is larger. A
 #'   `"bound"` is never exceeded. An `"estimate"` compares the run with what it would have been with

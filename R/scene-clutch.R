@@ -79,7 +79,7 @@ one_inertia <- function(body, arg, call) {
   inertia
 }
 
-# list(times, values): value i + 1 holds from time i on.
+# Torque i + 1 holds from time i on.
 torque_steps_of <- function(torque, arg, call) {
   refuse <- function() {
     abort_rotdyn(
@@ -102,13 +102,13 @@ torque_steps_of <- function(torque, arg, call) {
   n <- length(time)
   outside <- loads$knots$outside
   if (n == 0L) {
-    return(list(double(), outside[1]))
+    return(list(time_s = double(), torque_n_m = outside[1]))
   }
   apart <- which(diff(time) > 0)
   if (any(value[apart] != value[apart + 1L])) {
     refuse()
   }
-  list(time[c(apart, n)], c(outside[1], value[apart], outside[2]))
+  list(time_s = time[c(apart, n)], torque_n_m = c(outside[1], value[apart], outside[2]))
 }
 
 #' @export

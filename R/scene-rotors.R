@@ -154,7 +154,7 @@ shaft_modes <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
   check_class(scene, "rot_scene_rotors", "scene", "Describe one with {.fn scene_rotors}.", call)
-  frequencies <- .Call(ffi_rotors_frequencies, rotors_pack(scene))
+  frequencies <- .Call(ffi_rotors_frequencies, scene)
   tibble::new_tibble(
     list(mode = seq_along(frequencies), natural_rad_per_s = frequencies),
     nrow = length(frequencies)

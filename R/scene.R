@@ -112,7 +112,6 @@ new_scene_axle <- function(body, inertia, changing, axis, torque, resistance, th
     torque = torque,
     loads = loads,
     resistance = resistance,
-    effects = axle_effects(loads, resistance, changing),
     theta0_rad = theta0,
     omega0_rad_per_s = omega0,
     start_s = start_s
@@ -131,29 +130,6 @@ inertia_at <- function(knots, t) {
   width <- times[i + 1L] - times[i]
   between <- moment[i] * ((times[i + 1L] - t) / width) + moment[i + 1L] * ((t - times[i]) / width)
   ifelse(last == 0L, moment[1], ifelse(last == n, moment[n], between))
-}
-
-# What acts, by name: a model says which of these it can take. Computed once, with the scene.
-axle_effects <- function(loads, resistance, changing) {
-  knots <- .subset2(loads, "knots")
-  tau <- .subset2(knots, "torque_n_m")
-  outside <- .subset2(knots, "outside")
-  n <- length(tau)
-  time_s <- .subset2(knots, "time_s")
-  torque <- any(tau != 0) || any(outside != 0)
-  c(
-    if (torque) "torque",
-    if (torque && n > 1L && any(tau[-1L] != tau[-n] & time_s[-1L] > time_s[-n])) "ramp",
-    if (length(.subset2(loads, "terms"))) {
-      unique(vapply(loads$terms, function(term) term$kind, character(1)))
-    },
-    if (!is.null(.subset2(loads, "law"))) "function",
-    if (.subset2(resistance, "viscous_n_m_s") != 0) "viscous",
-    if (.subset2(loads, "motor_n_m_s") != 0) "motor",
-    if (.subset2(resistance, "quadratic_n_m_s2") != 0) "quadratic",
-    if (.subset2(resistance, "static_n_m") != 0) "friction",
-    if (!is.null(changing)) "inertia"
-  )
 }
 
 #' A pendulum: a body that hangs from an axle

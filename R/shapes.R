@@ -1,9 +1,9 @@
 # The words about the standard shapes: formulas, origin, source. Their numbers, and which sizes they
-# have, are in src/rot_shapes_geometry.c and src/rot_shapes.c; a test evaluates every formula here and
-# compares it with those.
+# have, are in src/rot_shapes_geometry.c and src/rot_shapes.c; a test evaluates every formula here
+# and compares it with those.
 #
-# m is the mass; a blank multiplies. Moments are about the centre of mass and the own axes; `axis`
-# and `formula` are of the moment that inertia_table() reports.
+# m is the mass; a blank multiplies. Moments are about the centre of mass, along the own axes;
+# `axis` and `formula` belong to the moment reported by inertia_table().
 shape_words <- function(shape, family, sizes, ixx, iyy = ixx, izz = ixx, centre = "(0, 0, 0)",
                         origin = "its centre", beta = "", measure = "", axis, formula = izz,
                         source = "by integration") {
@@ -280,7 +280,7 @@ shape_table <- function() {
   shape_cache$table
 }
 
-# Every size that a shape may have, in the order of the C core.
+# All sizes of shapes, in the order of the C core.
 size_table <- function() {
   shape_table()
   shape_cache$sizes
@@ -288,9 +288,7 @@ size_table <- function() {
 
 shape_cache <- new.env(parent = emptyenv())
 
-measure_names <- c("", "length", "area", "volume")
-
-# What density gives a shape its mass, by its dimension.
+# The density of a shape, by its dimension.
 density_names <- c("", "linear_density_kg_m", "areal_density_kg_m2", "density_kg_m3")
 density_units <- c("", "kg/m", "kg/m^2", "kg/m^3")
 
@@ -300,12 +298,12 @@ shape_constructor <- function(shape) {
 
 #' The catalogue of shapes
 #'
-#' Every shape that has a constructor of its own, with its formulas.
+#' The standard shapes and their formulas.
 #'
-#' @return A tibble, one row a shape: `r describe_columns(shape_columns)`
+#' @return A tibble, one row for each shape: `r describe_columns(shape_columns)`
 #'   In the formulas m is the mass and a blank multiplies; the letters are those of `sizes`. Moments
-#'   are about the centre of mass and along the own axes, which are principal axes of all shapes but
-#'   the triangle and its prism, where also Ixy = -m h (2 p - b) / 36.
+#'   are about the centre of mass, along the own axes. These are principal axes, except for the
+#'   triangle and its prism: Ixy = -m h (2 p - b) / 36.
 #' @seealso The constructors: [body_shapes], [body_plates], [body_shells], [body_round_solids],
 #'   [body_flat_faced_solids]; [inertia_table()] for numbers.
 #' @examples
@@ -335,8 +333,8 @@ shapes <- function() {
 
 formula_note <- paste(
   "In the formulas m is the mass and a blank multiplies. Moments are about the centre of mass, in",
-  "the own axes; the centre of mass is at the origin unless it is said where; `measure` is the",
-  "volume, area or length, which times the density makes the mass."
+  "the own axes; the centre of mass is at the origin unless stated otherwise; `measure` is the",
+  "volume, area or length: the mass is its product with the density."
 )
 
 # For the help pages: the shapes of a family and their formulas.

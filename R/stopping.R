@@ -27,18 +27,18 @@ stopping <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
   check_class(scene, "rot_scene_axle", "scene", "Describe one with {.fn scene_axle}.", call)
-  fit <- fit_model(axle_drag, scene, scene$start_s, 1)
-  if (!is.null(fit$reason)) {
+  why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
+  if (!is.null(why_not)) {
     abort_rotdyn(
       c(
-        "There is no closed form of when this scene stops: {fit$reason}.",
+        "There is no closed form of when this scene stops: {why_not}.",
         i = "{.fn trajectory} and {.fn motion_events} show it."
       ),
       "model",
       call
     )
   }
-  x <- .Call(ffi_axle_stopping, pack_axle(scene))
+  x <- .Call(ffi_axle_stopping, scene)
   tibble::tibble(
     stop_time_s = x[1], stop_theta_rad = x[2],
     terminal_omega_rad_per_s = if (is.finite(x[1])) 0 else terminal_omega(scene, call)
@@ -49,10 +49,10 @@ stopping <- function(scene) {
 terminal_omega <- function(scene, call) {
   knots <- scene$loads$knots
   last <- knots$outside[2]
-  if (last == 0 && !any(c("viscous", "motor", "quadratic", "friction") %in% scene$effects)) {
+  if (last == 0 && !any(c("viscous", "motor", "quadratic", "friction") %in% core_effects("axle", scene))) {
     end <- max(scene$start_s, knots$time_s)
-    return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)[[1]]$omega_rad_per_s)
+    return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s)
   }
   scene$loads$knots <- new_knots(double(), double(), c(last, last))
-  .Call(ffi_axle_stopping, pack_axle(scene))[3]
+  .Call(ffi_axle_stopping, scene)[3]
 }

@@ -68,7 +68,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
-  threads <- min(threads, .Call(ffi_sweep_threads))
+  threads <- min(threads, .Call(ffi_axle_sweep_threads))
   loads <- torque_loads(as_torque(torque, call))
   columns <- sweep_inputs(parameters, time_s, call)
   known <- rep(TRUE, n)
@@ -222,38 +222,27 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
     0, 0, start_s
   )
   scene$loads <- loads
-  scene$effects <- axle_effects(loads, scene$resistance, NULL)
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
-    viscous <- columns$viscous_n_m_s
-    if (loads$motor_n_m_s != 0) viscous <- viscous + columns$torque_scale * loads$motor_n_m_s
-    return(.Call(
-      ffi_sweep_linear, axle_knots(loads$knots),
-      unname(c(
-        columns["moment_of_inertia_kg_m2"], list(viscous),
-        columns[c("torque_scale", "omega0_rad_per_s", "theta0_rad", "time_s")]
-      )),
-      start_s, threads, progress_bar("sweep")
-    ))
+    if (loads$motor_n_m_s != 0) {
+      columns$viscous_n_m_s <- columns$viscous_n_m_s + columns$torque_scale * loads$motor_n_m_s
+    }
+    model <- "axle_linear"
+  } else {
+    model <- sweep_model(scene, columns, call)
   }
-  fit <- sweep_model(scene, columns, call)
-  .Call(
-    ffi_sweep_scenes, fit$record$kernel, pack_axle(scene),
-    unname(columns[c(
-      "moment_of_inertia_kg_m2", "viscous_n_m_s", "torque_scale", "omega0_rad_per_s", "theta0_rad",
-      "time_s", "quadratic_n_m_s2", "coulomb_n_m", "static_n_m"
-    )]),
-    as.double(fit$record$kernel %in% c("drag", "bands")), threads, progress_bar("sweep")
-  )
+  .Call(ffi_axle_sweep, model, scene, columns, threads, progress_bar("sweep"))
 }
 
 # The closed form that takes what acts in any of the rows.
 sweep_model <- function(scene, columns, call) {
-  fit <- first_fit(axle_closed_forms[-(1:2)], scene, scene$start_s, 1)
+  fits <- core_candidates("axle", scene, scene$start_s, 1)
+  takes <- fits$applies & fits$error_kind == "bound" & lengths(fits$dropped) == 0L &
+    !fits$model %in% c("axle_free", "axle_linear")
   scaled <- any(columns$torque_scale != 1) &&
     (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
-  if (is.null(fit) || scaled) {
+  if (!any(takes) || scaled) {
     abort_rotdyn(
       c(
         "There is no closed form for these rows ({scene_words(scene)}).",
@@ -267,5 +256,5 @@ sweep_model <- function(scene, columns, call) {
       call
     )
   }
-  fit
+  fits$model[takes][1]
 }

@@ -1,6 +1,6 @@
-# What a torque law comes to: the normal form that the models read.
+# The normal form of a torque law, as the models read it.
 #   knots      time_s, torque_n_m, outside: all constants, knots, steps, pulses and motors at rest
-#   motor_n_m_s  how steeply the motors' torque falls with omega
+#   motor_n_m_s  slope of the motors' torque over omega, >= 0 where it falls
 #   terms      the other terms, evaluated in C
 #   law        one R function of them all, or NULL
 torque_loads <- function(torque) {
@@ -27,8 +27,8 @@ new_knots <- function(time_s, torque_n_m, outside) {
   torque
 }
 
-# Straight lines add up to straight lines between the knots of all; before and after each knot, so
-# that jumps stay jumps.
+# The sum is piecewise linear between the knots of all laws. Values before and after each knot are
+# added separately, so that jumps stay jumps.
 add_knots <- function(laws) {
   if (length(laws) == 0L) {
     return(new_knots(double(), double(), c(0, 0)))
@@ -43,7 +43,7 @@ add_knots <- function(laws) {
     return(new_knots(double(), double(), outside))
   }
   n <- length(times)
-  # What holds outside need not be said by a knot; at the end of all torque its last value counts.
+  # A value held outside needs no knot; where the torque ends, its last value is kept.
   before <- c(FALSE, rep(TRUE, n - 1L))
   after <- total[, 1] != total[, 2] | !before
   if (n > 1L && outside[2] == 0) after[n] <- FALSE
@@ -51,7 +51,7 @@ add_knots <- function(laws) {
   new_knots(rep(times, each = 2L)[keep], t(total)[keep], outside)
 }
 
-# Sum without what cancels taking digits along: 1e16 + 1 - 1e16 is 1 (Knuth's two-sum, Neumaier).
+# Compensated sum (Knuth's two-sum, Neumaier): 1e16 + 1 - 1e16 is 1.
 exact_total <- function(parts) {
   sum <- parts[[1]]
   rest <- 0 * sum
@@ -110,9 +110,8 @@ add_functions <- function(laws) {
   } else {
     function(time_s) Reduce(`+`, lapply(parts, function(part) part(time_s)))
   }
-  told <- lapply(laws, function(law) law$breaks_s)
-  breaks <- if (!any(vapply(told, is.null, logical(1)))) sort(unique(unlist(told)))
-  if (is.null(breaks) && !any(vapply(told, is.null, logical(1)))) breaks <- double()
+  given <- lapply(laws, function(law) law$breaks_s)
+  breaks <- if (!any(vapply(given, is.null, logical(1)))) sort(unique(as.double(unlist(given))))
   new_torque(
     "rot_torque_function",
     f = f, breaks_s = breaks, arguments = if (any(of_state)) 3L else 1L,
@@ -156,7 +155,7 @@ Ops.rot_torque <- function(e1, e2) {
   unsupported()
 }
 
-# sum() of laws is a law; no other summary of one makes sense.
+# sum() of laws is a law; other summaries are errors.
 #' @export
 Summary.rot_torque <- function(..., na.rm = FALSE) {
   call <- rlang::caller_env()
@@ -202,11 +201,4 @@ scale_torque <- function(law, factor, call) {
     abort_rotdyn("The torque multiplied by {format(factor)} is beyond double precision.", "value", call)
   }
   law
-}
-
-# As src/ffi_axle.c unpacks them.
-pack_terms <- function(terms) {
-  lapply(terms, function(term) {
-    list(match(term$kind, term_kinds) - 1, term$from_s, term$to_s, as.double(term$x))
-  })
 }

@@ -1,6 +1,6 @@
-# Breakpoints of a torque function whose breaks were not told: looked for on an even grid in time, at
-# the angle and rate where the scene starts, then bisected. The number of points is fixed, so that
-# the same motion computed twice is the same to the last bit.
+# Breakpoints of a torque function whose breaks are not given: looked for on an even grid in time,
+# at the angle and rate where the scene starts, then bisected. The number of points is fixed, so
+# that the same motion computed twice is the same to the last bit.
 #
 # A jump keeps its height however short the interval; a smooth function's difference shrinks with
 # it. A kink keeps its change of slope: its second difference halves with the step, that of a smooth
@@ -12,8 +12,8 @@ scan_points <- 513L
 scan_points_vectorised <- 8193L
 most_breaks <- 1000L
 
-# list(stops, spacing_s) between two times: the breaks told, and NA; or those found, with guards and
-# the spacing of the scan.
+# list(stops, spacing_s) between two times: the breaks given, and NA; or those found, with guards,
+# and the spacing of the scan.
 law_breaks <- function(law, at, from, to, call) {
   if (!is.null(law$breaks_s) || !(to > from)) {
     return(list(stops = as.double(law$breaks_s), spacing_s = NA_real_))
@@ -27,7 +27,7 @@ law_breaks <- function(law, at, from, to, call) {
     warn_quickly(
       c(
         paste0(
-          "The torque function was not told its `breaks_s`; a scan found ", found, ", at ",
+          "The `breaks_s` of the torque function are not given; a scan found ", found, ", at ",
           paste(shown, collapse = ", "), if (found > 6L) ", ...", " s."
         ),
         "The integrator stops there.",
@@ -102,8 +102,8 @@ scan_kinks <- function(f, t, y, jumps) {
 }
 
 # Narrow an interval, given by its ends and its middle, to a kink: of the three inner points of its
-# quarters the one with the largest second difference becomes the middle. NA if the second difference
-# shrinks as that of a smooth function does.
+# quarters the one with the largest second difference becomes the middle. NA if the second
+# difference shrinks as that of a smooth function does.
 zoom_kink <- function(f, t, y) {
   halvings <- 16L
   for (k in 0:halvings) {
@@ -120,7 +120,7 @@ zoom_kink <- function(f, t, y) {
     t <- t[i + 0:2]
     y <- y[i + 0:2]
   }
-  # In six halvings 2^-6 of it is left at a kink, 2^-12 of a smooth bend; less than 1e-14 is rounding.
+  # Six halvings leave 2^-6 of it at a kink, 2^-12 of a smooth bend; below 1e-14 is rounding.
   if (bend[i] > max(first * 2^-9, 1e-14 * abs(y))) cross_curves(f, t, y) else NA_real_
 }
 

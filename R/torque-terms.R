@@ -1,16 +1,14 @@
-# Torque laws that straight lines over time cannot say: one term each, as src/rot_term.h evaluates
-# it. The kinds are numbered as there.
-term_kinds <- c("sinusoid", "exponential", "polynomial", "chebyshev", "curve", "spring", "gravity")
-
+# Torque laws that are not piecewise linear in time: one term each, as src/rot_term.h evaluates it.
+# The kinds have the names there.
 new_term <- function(kind, x, text, from_s = -Inf, to_s = Inf, breaks_s = c(from_s, to_s)) {
   new_torque(
     "rot_torque_term",
-    kind = kind, from_s = from_s, to_s = to_s, x = x, text = text,
+    kind = kind, from_s = as.double(from_s), to_s = as.double(to_s), x = as.double(x), text = text,
     breaks_s = breaks_s[is.finite(breaks_s)]
   )
 }
 
-# The factors of x that carry the torque's size.
+# The term with its torque multiplied by a factor.
 scale_term <- function(term, factor) {
   x <- term$x
   at <- switch(term$kind,
@@ -83,8 +81,8 @@ window_text <- function(from_s, to_s) {
 #' * `torque_curve()`: straight lines between points of a measured torque-speed curve; held outside.
 #' * `torque_spring()`: `-stiffness_n_m_per_rad (theta - rest_rad)`.
 #' * `torque_gravity()`: `-mass g distance sin(theta - rest_rad)`, the weight of a body whose centre
-#'   of mass hangs `distance_m` from the axle. (Its moment of inertia about the axle is the scene's
-#'   business: [scene_pendulum()] does both.)
+#'   of mass hangs `distance_m` from the axle. ([scene_pendulum()] also sets the moment of inertia
+#'   about the axle.)
 #'
 #' @param time_s Times of the steps, finite and increasing.
 #' @param torque_n_m Torque: one number for each step, pulse or point of the curve; for
@@ -153,7 +151,7 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
     abort_domain(columns$duration_s[bad[1]], "duration_s", "s", call, 0, Inf, TRUE)
   }
   end <- columns$start_s + columns$duration_s
-  # Lost altogether, or rounded to a duration that is off by more than a thousandth.
+  # Its rounded duration is 0, or off by more than a thousandth.
   short <- which(!(abs((end - columns$start_s) - columns$duration_s) <= 1e-3 * columns$duration_s))
   if (length(short)) {
     i <- short[1]
@@ -168,7 +166,7 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
       call
     )
   }
-  # What the rounding of the end takes from the duration the torque makes up: the impulse is kept.
+  # Where the end is rounded the torque is scaled, so that the impulse is kept.
   lasts <- end - columns$start_s
   rounded <- abs(lasts - columns$duration_s) > 4 * .Machine$double.eps * columns$duration_s
   torque <- columns$torque_n_m * ifelse(rounded, columns$duration_s / lasts, 1)
@@ -198,7 +196,7 @@ torque_polynomial <- function(breaks_s, coefficients) {
       call
     )
   }
-  # Trailing zeros say nothing of the degree.
+  # Trailing zeros do not raise the degree.
   degree <- max(which(colSums(abs(a)) > 0), 1L)
   a <- a[, seq_len(degree), drop = FALSE]
   new_term(

@@ -1,5 +1,5 @@
 # A torque law as data. Knots: time_s, torque_n_m, outside = c(before, after). A function: f,
-# breaks_s (NULL: not told), arguments (1 or 3), vectorised. A sum: laws. The others are in
+# breaks_s (NULL: not given), arguments (1 or 3), vectorised. A sum: laws. The others are in
 # torque-terms.R.
 new_torque <- function(class, ...) {
   torque <- list(...)
@@ -9,7 +9,7 @@ new_torque <- function(class, ...) {
 
 #' Torque laws
 #'
-#' A torque law is data: it knows its own breakpoints, so that no model steps over one, and all but
+#' A torque law is data and includes its breakpoints, so that no model steps over one; all but
 #' `torque_function()` are evaluated in C. Laws add up: `torque_constant(1) + torque_knots(...)`.
 #' The laws that have a formula are in [torque-terms].
 #'
@@ -38,8 +38,8 @@ new_torque <- function(class, ...) {
 #' @param outside `"zero"` or `"hold"`: the torque before the first and after the last knot.
 #' @param f A function that returns one finite number in N m.
 #' @param breaks_s Times where `f` may jump or kink; NULL: not known.
-#' @param vectorised Does `f` take vectors and return one number for each element? What it returns is
-#'   checked in type and length; that the numbers are those of single calls is not.
+#' @param vectorised Does `f` take vectors and return one number for each element? Type and length
+#'   of what it returns are checked; that the numbers are those of single calls is not.
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_torque`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
@@ -187,7 +187,7 @@ count_arguments <- function(f, call) {
   )
 }
 
-# What a scene accepts as a torque.
+# The torque argument of a scene as a law.
 as_torque <- function(x, call) {
   if (inherits(x, "rot_torque")) {
     x
@@ -215,7 +215,7 @@ torque_is_zero <- function(torque) {
     all(.subset2(torque, "outside") == 0) && all(.subset2(torque, "torque_n_m") == 0)
 }
 
-# One line that says what the law is.
+# The law in one line.
 describe_torque <- function(torque) {
   if (inherits(torque, "rot_torque_sum")) {
     return(paste(vapply(torque$laws, describe_torque, character(1)), collapse = "\n              + "))
@@ -230,15 +230,15 @@ describe_torque <- function(torque) {
     ))
   }
   if (inherits(torque, "rot_torque_function")) {
-    told <- if (is.null(torque$breaks_s)) {
-      "breaks not told"
+    breaks <- if (is.null(torque$breaks_s)) {
+      "breaks not given"
     } else {
       n <- length(torque$breaks_s)
       paste(n, if (n == 1L) "break" else "breaks")
     }
     return(paste0(
       "an R function of ", if (torque$arguments == 3L) "time, angle and rate" else "time",
-      " (", told, ")"
+      " (", breaks, ")"
     ))
   }
   n <- length(torque$time_s)

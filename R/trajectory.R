@@ -20,7 +20,7 @@
 #' @param max_steps Steps that an integrator may try in one run before it gives up, beyond one for
 #'   each row.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
-#'   (A [scene_rotors()] or a [scene_clutch()] gives a `rot_motion` with columns of its own.)
+#'   The trajectory of a [scene_rotors()] or a [scene_clutch()] has columns of its own, listed there.
 #'   [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()] the
 #'   balance, [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()] stops
 #'   and starts, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the columns
@@ -61,88 +61,85 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   } else {
     check_string(on_fail, "on_fail", c("abort", "truncate"), call)
   }
-  fit <- pick_model(scene, time_s, accuracy, model, call)
-  if (!inherits(scene, "rot_scene_axle")) {
-    return(run_motion(fit$record, scene, time_s, accuracy, on_fail, call))
-  }
+  fit <- pick_model(scene, time_s, accuracy, model, max_steps, call)
   run_trajectory(fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model))
 }
 
 # `scene` is what the user described; `fit$scene` is what is solved.
 run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, call, asked) {
   record <- fit$record
+  constraint <- constraint_of(scene)
   # One step for each row at least, so that many rows are not a failure.
-  result <- record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
-  columns <- result[[1]]
-  info <- result[[2]]
+  result <- fit$result %||%
+    record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
+  columns <- result$columns
+  info <- result$info
   n <- length(time_s)
-  if (!is.null(fit$dropped)) info <- widen_error(info, fit$dropped)
-  if (!is.null(.subset2(scene, "inertia"))) {
-    columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
+  each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
+  if (!is.null(constraint$more_columns)) {
+    columns <- constraint$more_columns(columns, scene, time_s)
   }
+  if (!is.null(fit$dropped)) info <- widen_error(info, fit$dropped$errors)
   if (info$kind != "none") {
     failed_run(info, n, on_fail, call)
     n <- info$rows_done
-    columns <- lapply(columns, `[`, seq_len(n))
+    columns <- lapply(columns, `[`, seq_len(n * each))
   } else if (is.na(info$error)) {
     abort_rotdyn(
-      "The motion cannot be told in double precision: its error figure is not a number.", "range",
-      call, info = info
+      "The error bound is not finite: the motion exceeds double precision.", "range", call,
+      info = info
     )
   } else if (n && !(info$error <= accuracy)) {
     warn_rotdyn(
       c(
         "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
          than the accuracy of {format(accuracy)} asked for.",
-        i = "Large terms of two signs cancel in this motion: the {record$error_kind} says how much
-             is left."
+        i = "{record$loses %||% \"Large terms of two signs cancel in this motion.\"}"
       ),
       "accuracy",
       call
     )
   }
-  new_trajectory(columns, n, list(
+  new_trajectory(columns, n * each, list(
     scene = scene,
     solved = fit$scene,
     dropped = fit$dropped,
     # Integrators hand over to one another.
-    model = if (isTRUE(info$method %in% c("rk8pd", "radau"))) {
-      paste0("axle_", info$method)
-    } else {
-      record$id
-    },
+    model = if (is.null(record$ran_as)) record$id else record$ran_as(info),
     accuracy = accuracy,
     error_kind = record$error_kind,
     info = info,
-    ledger = result[[3]],
-    events = if (length(result) > 3L) result[[4]],
+    ledger = result$ledger,
+    events = result$events,
     max_steps = max_steps
   ))
 }
 
-widen_error <- function(info, dropped) {
-  info$omega_error <- info$omega_error + dropped$omega
-  info$theta_error <- info$theta_error + dropped$theta
-  info$error <- error_of_run(info)
+# `by`: named numbers, added to the errors of the measures.
+widen_error <- function(info, by) {
+  info$errors <- info$errors + unlist(by)[names(info$errors)]
+  info$error <- .Call(ffi_error_figure, info$errors, info$sizes)
   info
 }
 
-# The accuracy as a relative number. A physical one is divided by the size of the motion, which a
-# run at 1e-3 tells; a tenth less, because that size may be off by as much.
+# The accuracy as a relative number. A physical one is that of the measure of its unit, divided by
+# the measure's size, which a run at 1e-3 gives; a tenth less, because that size may be off by as
+# much.
 relative_accuracy <- function(accuracy, scene, time_s, call) {
   if (!is.object(accuracy) || !inherits(accuracy, "units")) {
     return(check_accuracy(accuracy, call))
   }
   need_package("units", "An accuracy with units", call)
-  # rpm counts turns; a plain radian has no dimension, so the time decides.
-  of_angle <- units::ud_are_convertible(units(accuracy), "rad")
-  unit <- if (of_angle) "rad" else "rad/s"
-  wanted <- check_number(accuracy, "accuracy", unit, call, lower = 0, open = TRUE)
-  pilot <- pick_model(scene, time_s, 1e-3, NULL, call)
-  info <- pilot$record$run(
-    pilot$scene, time_s, 1e-3, 1e6 + length(time_s), call, FALSE
-  )[[2]]
-  size <- if (of_angle) info$theta_max else info$omega_max
+  measures <- constraint_of(scene)$measures
+  fits <- vapply(measures, function(m) {
+    units::ud_are_convertible(units(accuracy), m$unit)
+  }, logical(1))
+  of <- names(measures)[if (any(fits)) which(fits)[1] else length(measures)]
+  wanted <- check_number(accuracy, "accuracy", measures[[of]]$unit, call, lower = 0, open = TRUE)
+  pilot <- pick_model(scene, time_s, 1e-3, NULL, 1e6, call)
+  info <- (pilot$result %||%
+    pilot$record$run(pilot$scene, time_s, 1e-3, 1e6 + length(time_s), call, FALSE))$info
+  size <- info$sizes[[of]]
   if (info$kind != "none" || !(size > 0)) {
     return(1e-9) # a run that fails will say why; a motion of size 0 has no error
   }
@@ -158,8 +155,8 @@ failed_run <- function(info, n, on_fail, call) {
     torque = "Look at the torque function there, or end {.arg time_s} before.",
     budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time. Resistance that
               acts much faster than the time asked for (inertia/viscous) takes many steps.",
-    step = "The torque changes faster than time can be resolved (tell its {.arg breaks_s}), or the
-            motion leaves every bound there.",
+    step = "The torque changes faster than time can be resolved (give its {.arg breaks_s}), or the
+            motion grows without bound there.",
     range = "The motion grows beyond 1.8e308: shorten the time.",
     NULL
   )
@@ -170,10 +167,6 @@ failed_run <- function(info, n, on_fail, call) {
     message <- c(message, i = "{.code on_fail = \"truncate\"} keeps the good rows.")
     abort_rotdyn(message, info$kind, call, info = info)
   }
-}
-
-record_of <- function(run) {
-  Filter(function(m) m$id == run$model, c(axle_closed_forms, axle_integrators))[[1]]
 }
 
 # ---- the class ----------------------------------------------------------------------------------
@@ -188,30 +181,41 @@ new_trajectory <- function(columns, n, run) {
   columns
 }
 
-key_columns <- c("time_s", "theta_rad", "omega_rad_per_s")
-
 # After a change of rows or columns: the class stands while the key columns do, the ledger while the
-# rows do. The error figure of the run holds for any of its rows; of values that the run did not
-# compute nothing is known.
+# rows do. The error figure of the run holds for any of its rows; the error of values that the run
+# did not compute is unknown.
 reconstruct_trajectory <- function(data, template) {
   run <- trajectory_run(template)
   tibble_class <- c("tbl_df", "tbl", "data.frame")
-  if (!all(key_columns %in% names(data)) || is.null(run)) {
+  constraint <- if (!is.null(run)) constraint_of(run$scene)
+  if (is.null(constraint) || !all(constraint$keys %in% names(data))) {
     attr(data, "run") <- NULL
     class(data) <- tibble_class
     return(data)
   }
-  now <- unclass(data)[key_columns]
-  before <- unclass(template)[key_columns]
+  now <- unclass(data)[constraint$keys]
+  before <- unclass(template)[constraint$keys]
   if (!identical(now, before)) {
     run["ledger"] <- list(NULL)
-    rows <- match(now$time_s, before$time_s)
-    computed <- !anyNA(rows) && identical(now, lapply(before, `[`, rows))
-    if (!computed) run$info$error <- NA_real_
+    if (!rows_of_run(now, before, constraint$index)) run$info$error <- NA_real_
   }
   attr(data, "run") <- run
   class(data) <- c("rot_trajectory", tibble_class)
   data
+}
+
+# Whether all rows stand in the run, found by time (its bits, no printed digits) and index.
+rows_of_run <- function(now, before, index) {
+  identity <- function(x) {
+    id <- match(x$time_s, before$time_s)
+    for (name in index) {
+      values <- unique(before[[name]])
+      id <- id * (length(values) + 1) + match(x[[name]], values)
+    }
+    id
+  }
+  rows <- match(identity(now), identity(before))
+  !anyNA(rows) && identical(now, lapply(before, `[`, rows))
 }
 
 trajectory_run <- function(x) attr(x, "run", exact = TRUE)
@@ -255,8 +259,18 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
     "Error" = describe_error(run),
-    if (!is.null(run$dropped)) c("Dropped" = describe_dropped(run$dropped))
+    if (!is.null(run$dropped)) {
+      c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
+    },
+    if (length(run$events$time_s)) c("Events" = describe_events(run$events))
   )
+}
+
+describe_events <- function(events) {
+  n <- length(events$time_s)
+  first <- seq_len(min(4L, n))
+  shown <- paste(events$event[first], "at", format_si(events$time_s[first]), "s")
+  paste0(paste(shown, collapse = ", "), if (n > 4L) ", ...")
 }
 
 describe_error <- function(run) {
@@ -277,32 +291,33 @@ describe_error <- function(run) {
 #'
 #' @param object,x A `rot_trajectory`.
 #' @param ... Not used.
-#' @return A tibble of one row with the columns `r describe_columns(summary_columns)`
+#' @return A tibble of one row. On an axle, the columns `r describe_columns(summary_columns)`
+#'   With several rotors the largest values are those of the whole shaft; a clutch has
+#'   `r describe_columns(clutch_summary_columns)`
+#'   instead of the first five.
 #' @section Errors: none: the largest and the last of no rows are NA.
 #' @examples
 #' summary(spin_up())
 #' @export
 summary.rot_trajectory <- function(object, ...) {
   run <- trajectory_run(object)
-  largest <- function(name) {
-    values <- object[[name]]
-    if (length(values)) max(values) else NA_real_
-  }
-  n <- nrow(object)
-  tibble::new_tibble(list(
-    moment_of_inertia_kg_m2 = run$scene$moment_of_inertia_kg_m2,
-    max_angular_velocity_rad_per_s = largest("omega_rad_per_s"),
-    max_angular_momentum_kg_m2_per_s = largest("angular_momentum_kg_m2_per_s"),
-    max_rotational_kinetic_energy_j = largest("rotational_kinetic_energy_j"),
-    final_theta_rad = if (n) object$theta_rad[n] else NA_real_,
-    model = run$model,
-    accuracy = run$accuracy,
-    error = run$info$error,
-    error_kind = run$error_kind,
-    steps = run$info$steps,
-    rhs_calls = run$info$rhs_calls
+  tibble::new_tibble(c(
+    constraint_of(run$scene)$summary(object, run),
+    list(
+      model = run$model,
+      accuracy = run$accuracy,
+      error = run$info$error,
+      error_kind = run$error_kind,
+      steps = run$info$steps,
+      rhs_calls = run$info$rhs_calls
+    )
   ), nrow = 1L)
 }
+
+# Of values that may be none.
+largest <- function(values) if (length(values)) max(values) else NA_real_
+
+last <- function(values) if (length(values)) values[[length(values)]] else NA_real_
 
 #' @rdname summary.rot_trajectory
 #' @aliases glance
@@ -315,10 +330,10 @@ glance.rot_trajectory <- function(x, ...) {
 #' The motion at other times
 #'
 #' Runs the trajectory's own model again at the times asked for: no interpolation, the same
-#' accuracy. Where an effect was left out (see [choose_model()]), times outside the rows may need
-#' another model; it is chosen as [trajectory()] does.
+#' accuracy. Where the error of the model depends on the times (an effect that was left out, a shaft
+#' taken as rigid), the model is chosen anew, as [trajectory()] does.
 #'
-#' @param object A `rot_trajectory` or a `rot_motion`.
+#' @param object A `rot_trajectory`.
 #' @param time_s Times in s, in any order, inside the rows or outside. NA gives a row of NA.
 #' @param ... Not used.
 #' @return A tibble with one row for each time (and rotor), in their order, and the columns of
@@ -335,26 +350,58 @@ predict.rot_trajectory <- function(object, time_s, ...) {
   }
   check_no_dots(...)
   run <- trajectory_run(object)
+  scene <- run$scene
+  constraint <- constraint_of(scene)
   time_s <- check_column(time_s, "time_s", "s", call)
   known <- which(!is.na(time_s))
   sorted <- known[order(time_s[known])]
   times <- check_times(time_s[sorted], call)
+  check_span(scene, times, call)
   fit <- list(record = record_of(run), scene = run$solved, dropped = run$dropped)
-  # What was dropped is bounded between the start and the last row: beyond, the choice is made anew.
-  if (!is.null(fit$dropped) && length(times) &&
-    (times[1] < run$scene$start_s || times[length(times)] > fit$dropped$until_s)) {
-    fit <- pick_model(run$scene, times, run$accuracy, NULL, call)
+  beyond <- !is.null(fit$dropped) && length(times) &&
+    (times[1] < scene$start_s || times[length(times)] > fit$dropped$until_s)
+  if (beyond || isTRUE(fit$record$on_trial)) {
+    fit <- pick_model(scene, times, run$accuracy, NULL, run$max_steps, call)
   }
   why_not <- fit$record$why_not(fit$scene, times)
   if (!is.null(why_not)) {
     abort_rotdyn("Model {.val {run$model}} cannot do that: {why_not}.", "time", call)
   }
-  rows <- run_trajectory(
-    fit, run$scene, times, run$accuracy, "abort", run$max_steps, call, TRUE
-  )
+  rows <- tibble::as_tibble(run_trajectory(
+    fit, scene, times, run$accuracy, "abort", run$max_steps, call, TRUE
+  ))
   from <- rep(NA_integer_, length(time_s))
   from[sorted] <- seq_along(sorted)
-  tibble::as_tibble(rows)[from, ]
+  if (is.null(constraint$index)) {
+    return(rows[from, ])
+  }
+  each <- constraint$copies(scene)
+  out <- rows[as.vector(outer(seq_len(each) - each, each * from, `+`)), ]
+  out[[constraint$index]] <- rep.int(seq_len(each), length(time_s))
+  out
+}
+
+#' What happened during a motion
+#'
+#' The events of a trajectory: where dry friction brought the body to rest (`stick`), where it broke
+#' loose (`slip`), where it passed through rest (`reverse`); for a clutch, where it locked (`lock`),
+#' slipped (`slip`), and where the slip passed through zero (`reverse`). Their times are exact for a
+#' closed form, and good to the accuracy asked for an integration.
+#'
+#' @param x A `rot_trajectory`.
+#' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
+#'   Models without events give none.
+#' @section Errors: `rotdyn_error_type`.
+#' @examples
+#' wheel <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
+#' motion_events(trajectory(wheel, time_s = 0:60))
+#' @export
+motion_events <- function(x) {
+  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::current_env())
+  events <- trajectory_run(x)$events
+  tibble::tibble(
+    time_s = as.double(events$time_s), event = as.character(events$event)
+  )
 }
 
 #' Spin a body up: the teaching shortcut

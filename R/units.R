@@ -1,5 +1,5 @@
-# A number in SI units from what the user gave: a plain number is taken as it is, a units object or
-# a difftime is converted to `unit` (in the notation of the units package).
+# The value in SI units: a plain number is unchanged, a units object or a difftime is converted to
+# `unit` (in the notation of the units package).
 as_si <- function(x, unit, arg, call) {
   if (!is.object(x)) {
     return(x)
@@ -25,9 +25,7 @@ as_si <- function(x, unit, arg, call) {
         "{.arg {arg}} must be a quantity in {plain_unit(unit)}.",
         x = "Its unit, {given}, counts cycles: a cycle is 2 pi rad.",
         i = "Give it in {.val rpm}, or {.code 2 * pi} times it in {.val rad/s}."
-      ),
-      "unit",
-      call
+      ), "unit", call
     )
   }
   as.numeric(units::set_units(x, unit, mode = "standard"))
@@ -36,11 +34,7 @@ as_si <- function(x, unit, arg, call) {
 abort_dimension <- function(given, unit, arg, call) {
   wanted <- if (unit == "1") "a plain number" else paste("a quantity in", plain_unit(unit))
   abort_rotdyn(
-    c(
-      "{.arg {arg}} must be {wanted}.",
-      x = "Its unit, {given}, has another dimension."
-    ),
-    "unit",
-    call
+    c("{.arg {arg}} must be {wanted}.", x = "Its unit, {given}, has another dimension."),
+    "unit", call
   )
 }

@@ -4,9 +4,11 @@
 #' how far it is from the truth, and whether it said so. Peers, functions of your own, are measured
 #' in the same way.
 #'
-#' **The truth** is a closed form where one fits, else the integrator at the least accuracy it
-#' promises, or what you give as `reference`. A reference has an error too, `reference_error`. A
-#' true error below three times that cannot be told: it is set to that value and marked `floor`.
+#' **The reference** is a closed form where one fits, else the integrator at the least accuracy it
+#' promises, or what you give as `reference`. It is never the run itself: a model that nothing else
+#' can be compared with has the reference `"none"`, and its true error is NA. A reference has an error
+#' too, `reference_error`. A true error below three times that is not resolved: it is set to that
+#' value and marked `floor`.
 #'
 #' **The cost** is processor time, which other work on the machine does not count into. A run is
 #' repeated until a batch takes `least_batch_s`; the first batch is thrown away. Everything counts
@@ -18,10 +20,10 @@
 #' @param accuracies Accuracies to ask for, numbers in (0, 1].
 #' @param ... Not used; names after it must be given in full.
 #' @param peers A named list of functions of `scene`, `time_s` and `accuracy`. Each returns a list
-#'   with `theta_rad` and `omega_rad_per_s`, one number for each time, and may add `rhs_calls`,
-#'   `steps` and `error` (relative, what it says of itself).
-#' @param reference NULL; or a `rot_trajectory` of the same times; or a list with `theta_rad`,
-#'   `omega_rad_per_s` and their relative `error`.
+#'   with the columns of the scene's measures (on an axle `theta_rad` and `omega_rad_per_s`), one
+#'   number for each time, and may add `rhs_calls`, `steps` and `error` (relative, its own figure).
+#' @param reference NULL; or a `rot_trajectory` of the same times; or a list with the same columns
+#'   and their relative `error`.
 #' @param least_batch_s Least processor time of a batch in s.
 #' @param batches Batches that count.
 #' @return A `rot_work_precision`, with an `autoplot()`: a tibble with a row for each model or peer
@@ -50,6 +52,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   if (length(time_s) == 0L) {
     abort_rotdyn("{.arg time_s} must have one time at least.", "size", call)
   }
+  constraint <- constraint_of(scene)
   accuracies <- check_finite(accuracies, "accuracies", "1", call)
   for (accuracy in accuracies) {
     check_number(accuracy, "accuracies", "1", call, lower = 0, upper = 1, open = TRUE)
@@ -60,7 +63,9 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   contestants <- list_contestants(scene, time_s, models, accuracies, peers, call)
 
   heard <- new.env()
-  truth <- hear_warnings(find_reference(scene, time_s, reference, call), heard)
+  references <- hear_warnings(
+    find_references(scene, time_s, reference, constraint, call), heard
+  )
   n <- nrow(contestants)
   rows <- vector("list", n)
   failed <- character()
@@ -68,7 +73,13 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   for (i in seq_len(n)) {
     one <- contestants[i, ]
     rows[[i]] <- tryCatch(
-      hear_warnings(measure_one(one, scene, time_s, peers, truth, least_batch_s, batches), heard),
+      hear_warnings(
+        measure_one(
+          one, scene, time_s, constraint, peers, reference_for(references, one, constraint),
+          least_batch_s, batches
+        ),
+        heard
+      ),
       rotdyn_error = function(e) {
         why <- strsplit(cli::ansi_strip(conditionMessage(e)), "\n", fixed = TRUE)[[1]][1]
         failed <<- c(failed, paste0(one$model, " at ", format(one$accuracy), ": ", why))
@@ -79,7 +90,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   }
   cli::cli_progress_done(id = bar)
   tell_warnings(heard, failed, call)
-  new_work_precision(rows, truth, scene, time_s, least_batch_s, batches)
+  new_work_precision(rows, constraint, scene, time_s, least_batch_s, batches)
 }
 
 check_peers <- function(peers, call) {
@@ -152,64 +163,92 @@ method_of <- function(model, error_kind, peer) {
 
 # ---- the truth ----------------------------------------------------------------------------------
 
-# list(name, theta, omega, theta_max, omega_max, error): the values, their sizes, what they are
-# good for. Rows are doubles, so none is better than half a unit of the last place.
-new_truth <- function(name, theta, omega, theta_max, omega_max, error) {
+# list(name, accuracy, columns, sizes, error): the columns of the measures, the sizes of these, and the
+# relative error. Rows are doubles, so none is better than half a unit of the last place.
+new_truth <- function(name, accuracy, columns, sizes, error) {
   list(
-    name = name, theta = theta, omega = omega, theta_max = theta_max, omega_max = omega_max,
+    name = name, accuracy = accuracy, columns = columns, sizes = sizes,
     error = max(error, .Machine$double.eps / 2)
   )
 }
 
-truth_of_run <- function(motion) {
+measure_columns <- function(constraint) {
+  unique(unlist(lapply(constraint$measures, `[[`, "columns"), use.names = FALSE))
+}
+
+truth_of_run <- function(motion, constraint) {
   run <- trajectory_run(motion)
   new_truth(
-    run$model, motion$theta_rad, motion$omega_rad_per_s, run$info$theta_max, run$info$omega_max,
+    run$model, run$accuracy, unclass(motion)[measure_columns(constraint)], run$info$sizes,
     run$info$error
   )
 }
 
-find_reference <- function(scene, time_s, reference, call) {
+# Up to two, so that no model is compared with itself: closed forms first, and among equals the one
+# that claims less error; then the cheapest integrator. At the least accuracy they reach.
+find_references <- function(scene, time_s, reference, constraint, call) {
   if (!is.null(reference)) {
-    return(given_reference(scene, time_s, reference, call))
+    return(list(given_reference(scene, time_s, reference, constraint, call)))
   }
-  # A closed form first, and among equals the one that claims less error; then the cheapest
-  # integrator. At the least accuracies they know.
+  found <- list()
   for (kind in c("bound", "estimate")) {
     for (accuracy in 10^-(15:6)) {
       fit <- models_that_fit(scene, time_s, accuracy)
-      for (model in fit$model[fit$error_kind == kind]) {
+      wanted <- fit$model[fit$error_kind == kind]
+      for (model in setdiff(wanted, vapply(found, `[[`, "", "name"))) {
         motion <- tryCatch(
           trajectory(scene, time_s, accuracy, model), rotdyn_error = function(e) NULL
         )
-        if (!is.null(motion)) {
-          return(truth_of_run(motion))
+        if (is.null(motion)) next
+        found[[length(found) + 1L]] <- truth_of_run(motion, constraint)
+        if (length(found) == 2L) {
+          return(found)
         }
       }
     }
   }
-  abort_rotdyn(
-    c(
-      "No model can serve as reference for this scene: every run failed.",
-      i = "{.fn trajectory} says why; {.arg reference} takes values of your own."
-    ),
-    "accuracy",
-    call
-  )
+  if (length(found) == 0L) {
+    abort_rotdyn(
+      c(
+        "No model can serve as reference for this scene: every run failed.",
+        i = "{.fn trajectory} says why; {.arg reference} takes values of your own."
+      ),
+      "accuracy",
+      call
+    )
+  }
+  found
 }
 
-given_reference <- function(scene, time_s, reference, call) {
+# The first that is another run than the contestant; else one that says there is none. A model that
+# adapts to the accuracy is another run at a tenth of it.
+reference_for <- function(references, one, constraint) {
+  for (truth in references) {
+    if (!identical(truth$name, one$model)) {
+      return(truth)
+    }
+    if (isTRUE(constraint$models[[one$model]]$adapts) && truth$accuracy < 0.1 * one$accuracy) {
+      return(truth)
+    }
+  }
+  list(name = "none", error = NA_real_)
+}
+
+given_reference <- function(scene, time_s, reference, constraint, call) {
+  columns <- measure_columns(constraint)
   if (inherits(reference, "rot_trajectory")) {
-    if (!identical(as.double(reference$time_s), time_s)) {
+    each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
+    if (!identical(as.double(reference$time_s), rep(time_s, each = each))) {
       abort_rotdyn("The {.arg reference} must have the same times.", "size", call)
     }
-    truth <- truth_of_run(reference)
+    truth <- truth_of_run(reference, constraint)
     if (!is.finite(truth$error)) {
       abort_rotdyn("The error of the {.arg reference} is not known.", "value", call)
     }
+    truth["name"] <- list(paste("given:", truth$name))
     return(truth)
   }
-  wanted <- c("theta_rad", "omega_rad_per_s", "error")
+  wanted <- c(columns, "error")
   if (!is.list(reference) || !all(wanted %in% names(reference))) {
     abort_rotdyn(
       c(
@@ -220,66 +259,79 @@ given_reference <- function(scene, time_s, reference, call) {
       call
     )
   }
-  theta <- check_finite(reference[["theta_rad"]], "reference$theta_rad", "rad", call)
-  omega <- check_finite(reference[["omega_rad_per_s"]], "reference$omega_rad_per_s", "rad/s", call)
-  if (length(theta) != length(time_s) || length(omega) != length(time_s)) {
+  values <- lapply(columns, function(name) {
+    check_finite(reference[[name]], paste0("reference$", name), "1", call)
+  })
+  names(values) <- columns
+  rows <- length(time_s) * if (is.null(constraint$index)) 1L else constraint$copies(scene)
+  if (any(lengths(values) != rows)) {
     abort_rotdyn("The {.arg reference} must have a row for each time.", "size", call)
   }
   new_truth(
-    "given", theta, omega, max(abs(c(theta, scene$theta0_rad))),
-    max(abs(c(omega, scene$omega0_rad_per_s))),
+    "given", 0, values, vapply(constraint$measures, function(m) {
+      zero <- lapply(values[m$columns], function(x) 0 * x)
+      largest(m$distance(do.call(cbind, values[m$columns]), do.call(cbind, zero)))
+    }, double(1)),
     check_number(reference[["error"]], "reference$error", "1", call, lower = 0, upper = 1)
   )
 }
 
-# Largest difference relative to the largest value on the way.
-distance_to <- function(got, want, largest) {
+# Largest distance of a measure relative to its largest value on the way.
+distance_to <- function(columns, truth, name, measure) {
+  got <- do.call(cbind, columns[measure$columns])
   if (anyNA(got)) {
     return(NA_real_)
   }
-  difference <- max(abs(got - want))
-  if (difference == 0) 0 else if (largest > 0) difference / largest else 1
+  difference <- max(measure$distance(got, do.call(cbind, truth$columns[measure$columns])))
+  size <- truth$sizes[[name]]
+  if (difference == 0) 0 else if (size > 0) difference / size else 1
 }
 
 # ---- one contestant -----------------------------------------------------------------------------
 
-measure_one <- function(one, scene, time_s, peers, truth, least_batch_s, batches) {
+measure_one <- function(one, scene, time_s, constraint, peers, truth, least_batch_s, batches) {
   accuracy <- one$accuracy
+  columns <- measure_columns(constraint)
   if (one$peer) {
     f <- peers[[one$model]]
     go <- function() f(scene, time_s, accuracy)
-    said <- peer_report(try_peer(go, one$model), one$model, length(time_s))
+    rows <- length(time_s) * if (is.null(constraint$index)) 1L else constraint$copies(scene)
+    said <- peer_report(try_peer(go, one$model), one$model, columns, rows)
   } else {
     model <- one$model
     go <- function() trajectory(scene, time_s, accuracy, model)
-    said <- model_report(go())
+    said <- model_report(go(), columns)
   }
-  raw <- c(
-    distance_to(said$theta, truth$theta, truth$theta_max),
-    distance_to(said$omega, truth$omega, truth$omega_max)
-  )
+  measures <- constraint$measures
+  raw <- rep(NA_real_, length(measures))
+  if (truth$name != "none") {
+    raw <- vapply(names(measures), function(name) {
+      distance_to(said$columns, truth, name, measures[[name]])
+    }, double(1))
+  }
   floor <- 3 * truth$error
   error <- pmax(raw, floor)
+  names(error) <- paste0(names(measures), "_error")
   cost <- measure_cost(go, least_batch_s, batches)
-  list(
-    model = one$model,
-    method = method_of(one$model, one$error_kind, one$peer),
-    accuracy = accuracy,
-    theta_error = error[1],
-    omega_error = error[2],
-    true_error = max(error),
-    floor = max(raw) < floor,
-    error = said$error,
-    error_kind = one$error_kind,
-    covered = is_covered(max(raw), said$error, truth$error),
-    cost_s = min(cost),
-    cost_median_s = stats::median(cost),
-    rhs_calls = said$rhs_calls,
-    steps = said$steps,
-    rejected = said$rejected,
-    energy_residual = said$energy_residual,
-    reference = truth$name,
-    reference_error = truth$error
+  c(
+    list(model = one$model, method = method_of(one$model, one$error_kind, one$peer),
+         accuracy = accuracy),
+    as.list(error),
+    list(
+      true_error = max(error),
+      floor = max(raw) < floor,
+      error = said$error,
+      error_kind = one$error_kind,
+      covered = is_covered(max(raw), said$error, truth$error),
+      cost_s = min(cost),
+      cost_median_s = stats::median(cost),
+      rhs_calls = said$rhs_calls,
+      steps = said$steps,
+      rejected = said$rejected,
+      energy_residual = said$energy_residual,
+      reference = truth$name,
+      reference_error = truth$error
+    )
   )
 }
 
@@ -296,18 +348,18 @@ is_covered <- function(found, said, reference) {
   }
 }
 
-model_report <- function(motion) {
+model_report <- function(motion, columns) {
   info <- trajectory_run(motion)$info
   balance <- audit(motion)
-  largest <- max(
-    abs(balance$work_j), abs(balance$dissipated_j), motion$rotational_kinetic_energy_j
-  )
-  residual <- abs(balance$energy_residual_j)
+  energy <- balance[balance$balance == "energy", ]
+  sizes <- abs(c(energy$change, energy$supplied, energy$dissipated, energy$terms[[1]]$value))
+  residual <- abs(energy$residual)
   list(
-    theta = motion$theta_rad, omega = motion$omega_rad_per_s, error = info$error,
+    columns = unclass(motion)[columns], error = info$error,
     rhs_calls = as.double(info$rhs_calls), steps = as.double(info$steps),
     rejected = as.double(info$rejected),
-    energy_residual = if (residual %in% 0) 0 else residual / largest
+    energy_residual = if (length(residual) == 0L) NA_real_ else
+      if (residual %in% 0) 0 else residual / max(sizes)
   )
 }
 
@@ -319,23 +371,20 @@ try_peer <- function(go, name) {
   })
 }
 
-peer_report <- function(value, name, rows) {
-  ok <- is.list(value) && is.numeric(value[["theta_rad"]]) &&
-    is.numeric(value[["omega_rad_per_s"]]) && length(value[["theta_rad"]]) == rows &&
-    length(value[["omega_rad_per_s"]]) == rows
-  if (!ok) {
+peer_report <- function(value, name, columns, rows) {
+  right <- function(x) is.numeric(x) && length(x) == rows
+  if (!is.list(value) || !all(vapply(columns, function(of) right(value[[of]]), logical(1)))) {
     abort_rotdyn(
-      "The peer {.val {name}} must return a list with {.field theta_rad} and
-       {.field omega_rad_per_s}, one number for each time.",
+      "The peer {.val {name}} must return a list with {.field {columns}}, one number for each time.",
       "peer",
       NULL
     )
   }
   number <- function(field) if (is.null(value[[field]])) NA_real_ else as.double(value[[field]])
   list(
-    theta = as.double(value[["theta_rad"]]), omega = as.double(value[["omega_rad_per_s"]]),
-    error = number("error"), rhs_calls = number("rhs_calls"), steps = number("steps"),
-    rejected = number("rejected"), energy_residual = NA_real_
+    columns = lapply(value[columns], as.double), error = number("error"),
+    rhs_calls = number("rhs_calls"), steps = number("steps"), rejected = number("rejected"),
+    energy_residual = NA_real_
   )
 }
 
@@ -385,21 +434,23 @@ tell_warnings <- function(heard, failed, call) {
 
 # ---- the class ----------------------------------------------------------------------------------
 
-new_work_precision <- function(rows, truth, scene, time_s, least_batch_s, batches) {
+new_work_precision <- function(rows, constraint, scene, time_s, least_batch_s, batches) {
   rows <- Filter(Negate(is.null), rows)
   empty <- list(
     model = character(), method = character(), floor = logical(), error_kind = character(),
     covered = logical(), reference = character()
   )
-  columns <- lapply(work_precision_columns, function(name) {
+  names <- c(
+    "model", "method", "accuracy", paste0(names(constraint$measures), "_error"),
+    setdiff(work_precision_columns, c("model", "method", "accuracy", "theta_error", "omega_error"))
+  )
+  columns <- lapply(names, function(name) {
     unlist(c(list(empty[[name]] %||% double()), lapply(rows, `[[`, name)), use.names = FALSE)
   })
-  names(columns) <- work_precision_columns
+  names(columns) <- names
   tibble::new_tibble(
     columns, nrow = length(rows), class = "rot_work_precision",
     measured = list(
-      reference = truth$name,
-      reference_error = truth$error,
       rows = length(time_s),
       torque = if (inherits(scene$torque, "rot_torque_function")) "an R function" else "in C",
       batches = batches,
@@ -407,6 +458,13 @@ new_work_precision <- function(rows, truth, scene, time_s, least_batch_s, batche
       machine = paste0(R.version$platform, ", R ", getRversion())
     )
   )
+}
+
+describe_references <- function(x) {
+  each <- unique(data.frame(name = x[["reference"]], error = x[["reference_error"]]))
+  toString(paste0(
+    each$name, ifelse(is.na(each$error), "", paste(", error", format(each$error, digits = 2)))
+  ))
 }
 
 #' @importFrom tibble tbl_sum
@@ -419,7 +477,7 @@ tbl_sum.rot_work_precision <- function(x, ...) {
   }
   c(
     size,
-    "Reference" = paste0(how$reference, ", error ", format(how$reference_error, digits = 2)),
+    "Reference" = describe_references(x),
     "Cost" = paste0(
       "processor time of ", format(how$rows, big.mark = ","), " rows, ", how$batches,
       " batches of ", format(1000 * how$least_batch_s), " ms, torque ", how$torque

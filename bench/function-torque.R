@@ -7,7 +7,8 @@ run_function_torque <- function(rounds) {
   untold <- spin_scene(rotdyn::torque_function(spin_torque))
   contenders <- list(
     spin_contender(
-      "rotdyn, breaks told", function() rotdyn::trajectory(told, spin_times), read_rotdyn, reference
+      "rotdyn, breaks given", function() rotdyn::trajectory(told, spin_times),
+      read_rotdyn, reference
     ),
     spin_contender(
       "rotdyn, breaks looked for",

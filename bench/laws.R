@@ -1,7 +1,7 @@
-# Torque laws that are R functions: what the default costs beside every other model that applies, and
-# beside lsoda of deSolve at the loosest tolerance with which its true error is no larger. 20 s, 201
+# Torque laws that are R functions: the cost of the default, of every other model that applies, and
+# of deSolve's lsoda at the loosest tolerance with which its true error is no larger. 20 s, 201
 # rows, accuracy 1e-9; laws of 0.5 to 500 us a call, of time and of state, smooth and kinked, their
-# breaks told or not.
+# breaks given or looked for.
 
 laws_times <- (0:200) / 10
 laws_costs_us <- c(0.5, 5, 50, 500)
@@ -23,7 +23,7 @@ laws_scenes <- list(
     law = function(turns) {
       function(time_s) {
         for (i in seq_len(turns)) NULL
-        ifelse(time_s < 3.3, 0.3 * time_s, 0.99) + 0.2 * cos(time_s)
+        (if (time_s < 3.3) 0.3 * time_s else 0.99) + 0.2 * cos(time_s)
       }
     },
     told = 3.3,
@@ -44,7 +44,7 @@ laws_scenes <- list(
     law = function(turns) {
       function(time_s, theta_rad, omega_rad_per_s) {
         for (i in seq_len(turns)) NULL
-        -2 * sin(theta_rad) - 3 * pmax(theta_rad - 0.5, 0) +
+        -2 * sin(theta_rad) - 3 * max(theta_rad - 0.5, 0) +
           0.5 * cos(2 * if (time_s < 3.3) time_s else 3.3)
       }
     },
@@ -138,39 +138,35 @@ laws_turns <- function(case, cost_us) {
   max(0, round((cost_us - base) / ((us(1e4) - base) / 1e4)))
 }
 
-# Microseconds of each, in turns: a row each round. One that took three times as long as the first in
-# the first round is not run again.
+# Microseconds of each, in turns: a row each round, at least one, for two seconds. What took three
+# times as long as the first at its first call is not run again.
 laws_time <- function(runs, rounds) {
-  calls <- vapply(runs, function(run) {
-    run()
-    max(1, ceiling(2e4 / time_batch(run, 1)))
-  }, double(1))
-  us <- matrix(NA_real_, rounds, length(runs))
+  once <- vapply(runs, time_batch, double(1), 1)
+  quick <- once < 3 * once[1]
+  calls <- pmax(1, ceiling(2e4 / once))
+  us <- matrix(once, rounds, length(runs), byrow = TRUE)
   from <- clock_us()
   for (round in seq_len(rounds)) {
-    for (i in seq_along(runs)) {
-      if (round > 1 && us[1, i] > 3 * us[1, 1]) next
-      us[round, i] <- time_batch(runs[[i]], calls[i])
-    }
-    if (round >= 3 && clock_us() - from > 2e6) break
+    for (i in which(quick)) us[round, i] <- time_batch(runs[[i]], calls[i])
+    if (clock_us() - from > 2e6) break
   }
-  us
+  us[seq_len(round), , drop = FALSE]
 }
 
 laws_case <- function(name, case, cost_us, told, truth, rounds) {
   breaks <- if (told) case$told
-  label <- paste0(name, ", ", cost_us, " us, breaks ", if (told) "told" else "looked for")
+  label <- paste0(name, ", ", cost_us, " us, breaks ", if (told) "given" else "looked for")
   scene_of <- function(law) laws_scene(rotdyn::torque_function(law, breaks_s = breaks))
   quick <- scene_of(case$law(0))
   move <- function(scene, model) {
     suppressWarnings(rotdyn::trajectory(scene, laws_times, model = model))
   }
-  chosen <- attr(move(quick, NULL), "run")$model
+  chosen <- summary(move(quick, NULL))$model
   table <- rotdyn::choose_model(quick, laws_times)
   models <- c(list(NULL), as.list(setdiff(table$model[table$applies], chosen)))
   found <- lapply(models, function(model) {
     motion <- move(quick, model)
-    c(laws_error(laws_states(motion), truth), attr(motion, "run")$info$rhs_calls)
+    c(laws_error(laws_states(motion), truth), summary(motion)$rhs_calls)
   })
   error <- vapply(found, `[`, double(1), 1L)
   calls <- vapply(found, `[`, double(1), 2L)

@@ -11,7 +11,7 @@ if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
   "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque",
-  "rhs-calls", "calls", "shapes", "mesh"
+  "laws", "calls", "shapes", "mesh"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -21,7 +21,7 @@ comparisons <- list(
   "spin-up" = run_spin_up,
   "sweep" = run_sweep,
   "function-torque" = run_function_torque,
-  "rhs-calls" = run_rhs_calls,
+  "laws" = run_laws,
   "calls" = run_calls,
   "shapes" = run_shapes,
   "mesh" = run_mesh

@@ -3,6 +3,7 @@
 #include "ffi.h"
 
 #include <stdint.h>
+#include <string.h>
 #include <time.h>
 
 #ifdef __linux__
@@ -82,6 +83,28 @@ const double *ffi_reals(SEXP x, const char *what, R_xlen_t length) {
 
 double ffi_real(SEXP x, const char *what) { return ffi_reals(x, what, 1)[0]; }
 
+const char *ffi_text(SEXP x, const char *what) {
+  if (TYPEOF(x) != STRSXP || XLENGTH(x) != 1) Rf_error("internal: `%s` is not a string", what);
+  return CHAR(STRING_ELT(x, 0));
+}
+
+SEXP ffi_element(SEXP list, const char *name) {
+  SEXP names = TYPEOF(list) == VECSXP ? Rf_getAttrib(list, R_NamesSymbol) : R_NilValue;
+  const R_xlen_t n = TYPEOF(names) == STRSXP ? XLENGTH(names) : 0;
+  for (R_xlen_t i = 0; i < n; i++) {
+    if (!strcmp(CHAR(STRING_ELT(names, i)), name)) return VECTOR_ELT(list, i);
+  }
+  return R_NilValue;
+}
+
+double ffi_number_of(SEXP list, const char *name) {
+  return ffi_real(ffi_element(list, name), name);
+}
+
+const double *ffi_numbers_of(SEXP list, const char *name, R_xlen_t length) {
+  return ffi_reals(ffi_element(list, name), name, length);
+}
+
 rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n) {
   rot_column column = {ffi_reals(x, what, -1), 1};
   const R_xlen_t length = XLENGTH(x);
@@ -108,6 +131,19 @@ SEXP ffi_new_column(R_xlen_t rows) {
   return column;
 }
 
+SEXP ffi_numbers(int n, const double x[]) {
+  SEXP out = Rf_allocVector(REALSXP, n);
+  for (int i = 0; i < n; i++) REAL(out)[i] = x[i];
+  return out;
+}
+
+SEXP ffi_vectors(int n, const char *const names[], const ffi_vector parts[]) {
+  SEXP out = PROTECT(names ? Rf_mkNamed(VECSXP, (const char **)names) : Rf_allocVector(VECSXP, n));
+  for (int i = 0; i < n; i++) SET_VECTOR_ELT(out, i, ffi_numbers(parts[i].n, parts[i].x));
+  UNPROTECT(1);
+  return out;
+}
+
 SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *columns[]) {
   SEXP list = PROTECT(Rf_allocVector(VECSXP, n)), text = PROTECT(Rf_allocVector(STRSXP, n));
   for (int i = 0; i < n; i++) {
@@ -116,23 +152,6 @@ SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *column
     columns[i] = REAL(VECTOR_ELT(list, i));
   }
   Rf_setAttrib(list, R_NamesSymbol, text);
-  UNPROTECT(1);
-  return list;
-}
-
-SEXP ffi_info(const rot_info *info) {
-  static const char *const names[] = {
-      "kind",        "text",        "time_s",    "rows_done", "steps", "rejected",  "rhs_calls",
-      "theta_error", "omega_error", "theta_max", "omega_max", "error", "tolerance", "method", ""};
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  const double numbers[] = {info->time_s,           (double)info->rows_done, (double)info->steps,
-                            (double)info->rejected, (double)info->rhs_calls, info->theta_error,
-                            info->omega_error,      info->theta_max,         info->omega_max,
-                            rot_info_error(info),   info->tolerance};
-  SET_VECTOR_ELT(list, 0, Rf_mkString(rot_status_kind(info->status)));
-  SET_VECTOR_ELT(list, 1, Rf_mkString(rot_status_text(info->status)));
-  for (int i = 0; i < 11; i++) SET_VECTOR_ELT(list, i + 2, Rf_ScalarReal(numbers[i]));
-  SET_VECTOR_ELT(list, 13, Rf_mkString(rot_method_name(info->method)));
   UNPROTECT(1);
   return list;
 }

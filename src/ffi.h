@@ -36,12 +36,23 @@ void ffi_guard_end(ffi_guard *guard, rot_status status);
 
 double ffi_real(SEXP x, const char *what);
 const double *ffi_reals(SEXP x, const char *what, R_xlen_t length);
+const char *ffi_text(SEXP x, const char *what);
+/* The element of that name, R_NilValue where there is none; the same as a number, as numbers. */
+SEXP ffi_element(SEXP list, const char *name);
+double ffi_number_of(SEXP list, const char *name);
+const double *ffi_numbers_of(SEXP list, const char *name, R_xlen_t length);
 /* A column of length 1 or *n; *n grows from 1 to the first length that is not. */
 rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n);
 SEXP ffi_new_column(R_xlen_t rows);
 /* A list of `n` real columns with `rows` rows, named; protects one object. */
 SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *columns[]);
-SEXP ffi_info(const rot_info *info);
+/* A vector of these numbers; a list of such vectors, named up to a "" (or NULL: without names). */
+SEXP ffi_numbers(int n, const double x[]);
+typedef struct ffi_vector {
+  int n;
+  const double *x;
+} ffi_vector;
+SEXP ffi_vectors(int n, const char *const names[], const ffi_vector parts[]);
 
 /* ---- entries -------------------------------------------------------------------------------- */
 

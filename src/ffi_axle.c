@@ -1,325 +1,161 @@
-#include "ffi_axle.h"
-
 #include <string.h>
 
+#include "ffi_run.h"
+#include "ffi_scenes.h"
 #include "ffi_torque.h"
-#include "rot_axle.h"
-#include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
-#include "rot_axle_forced.h"
 #include "rot_axle_ledger.h"
+#include "rot_axle_models.h"
+#include "rot_axle_motor.h"
 #include "rot_axle_ode.h"
-#include "rot_axle_oscillator.h"
-#include "rot_axle_pendulum.h"
-#include "rot_axle_scene.h"
-#include "rot_axle_skater.h"
 
-/* c(inertia, viscous, start, theta0, omega0) and list(knot times, knot torques, c(before, after)),
- * as R/model-axle.R packs them. */
-static rot_torque unpack_knots(SEXP knots) {
-  rot_torque torque = {0, NULL, NULL, 0.0, 0.0, NULL, NULL};
-  if (Rf_isNull(knots)) return torque;
-  if (TYPEOF(knots) != VECSXP || XLENGTH(knots) != 3) Rf_error("internal: `knots`");
-  SEXP times = VECTOR_ELT(knots, 0);
-  const double *outside = ffi_reals(VECTOR_ELT(knots, 2), "outside", 2);
-  torque.time_s = ffi_reals(times, "times", -1);
-  torque.torque_n_m = ffi_reals(VECTOR_ELT(knots, 1), "torque", XLENGTH(times));
-  torque.n = (size_t)XLENGTH(times);
-  torque.before_n_m = outside[0];
-  torque.after_n_m = outside[1];
+/* ---- scenes ---------------------------------------------------------------------------------- */
+
+static rot_torque knots_of(SEXP knots) {
+  SEXP time_s = ffi_element(knots, "time_s");
+  const double *outside = ffi_numbers_of(knots, "outside", 2);
+  rot_torque torque = {0, NULL, NULL, outside[0], outside[1], NULL, NULL};
+  torque.time_s = ffi_reals(time_s, "time_s", -1);
+  torque.n = (size_t)XLENGTH(time_s);
+  torque.torque_n_m = ffi_numbers_of(knots, "torque_n_m", XLENGTH(time_s));
   return torque;
 }
 
-static rot_axle_params unpack(SEXP numbers, SEXP torque) {
-  const double *x = ffi_reals(numbers, "numbers", 5);
-  return (rot_axle_params){x[0], x[1], x[2], x[3], x[4], unpack_knots(torque)};
+static rot_term term_of(SEXP list) {
+  SEXP x = ffi_element(list, "x");
+  rot_term term;
+  term.kind = rot_term_named(ffi_text(ffi_element(list, "kind"), "kind"));
+  term.from_s = ffi_number_of(list, "from_s");
+  term.to_s = ffi_number_of(list, "to_s");
+  term.x = ffi_reals(x, "x", -1);
+  term.length = (size_t)XLENGTH(x);
+  if (!rot_term_valid(&term)) Rf_error("internal: a term of the torque is not valid");
+  return term;
 }
 
-/* The article's eight columns; the first is the times themselves. Protects one object. */
-static SEXP new_columns(SEXP time_s, rot_axle_columns *out) {
-  static const char *const names[] = {"time_s",
-                                      "theta_rad",
-                                      "omega_rad_per_s",
-                                      "applied_torque_n_m",
-                                      "damping_torque_n_m",
-                                      "net_torque_n_m",
-                                      "angular_momentum_kg_m2_per_s",
-                                      "rotational_kinetic_energy_j",
-                                      ""};
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  double *c[7];
-  SET_VECTOR_ELT(list, 0, time_s);
-  for (int i = 0; i < 7; i++) {
-    SET_VECTOR_ELT(list, i + 1, ffi_new_column(XLENGTH(time_s)));
-    c[i] = REAL(VECTOR_ELT(list, i + 1));
+rot_axle_scene ffi_axle_scene(SEXP list, SEXP breaks_s) {
+  SEXP loads = ffi_element(list, "loads"), resistance = ffi_element(list, "resistance");
+  SEXP terms = ffi_element(loads, "terms"), inertia = ffi_element(list, "inertia");
+  rot_axle_scene scene;
+  memset(&scene, 0, sizeof scene);
+  scene.viscous_n_m_s = ffi_number_of(resistance, "viscous_n_m_s");
+  scene.quadratic_n_m_s2 = ffi_number_of(resistance, "quadratic_n_m_s2");
+  scene.coulomb_n_m = ffi_number_of(resistance, "coulomb_n_m");
+  scene.static_n_m = ffi_number_of(resistance, "static_n_m");
+  scene.motor_n_m_s = ffi_number_of(loads, "motor_n_m_s");
+  scene.linear.inertia_kg_m2 = ffi_number_of(list, "moment_of_inertia_kg_m2");
+  scene.linear.viscous_n_m_s = scene.viscous_n_m_s + scene.motor_n_m_s;
+  scene.linear.start_s = ffi_number_of(list, "start_s");
+  scene.linear.theta0_rad = ffi_number_of(list, "theta0_rad");
+  scene.linear.omega0_rad_per_s = ffi_number_of(list, "omega0_rad_per_s");
+  scene.linear.torque = knots_of(ffi_element(loads, "knots"));
+  if (TYPEOF(terms) != VECSXP) Rf_error("internal: `terms` is not a list");
+  scene.n_terms = (size_t)XLENGTH(terms);
+  if (scene.n_terms) {
+    rot_term *all = (rot_term *)R_alloc(scene.n_terms, sizeof *all);
+    for (size_t i = 0; i < scene.n_terms; i++) all[i] = term_of(VECTOR_ELT(terms, (R_xlen_t)i));
+    scene.terms = all;
   }
-  *out = (rot_axle_columns){c[0], c[1], c[2], c[3], c[4], c[5], c[6]};
-  return list;
+  if (!Rf_isNull(inertia)) {
+    SEXP time_s = ffi_element(inertia, "time_s");
+    scene.inertia_time_s = ffi_reals(time_s, "time_s", -1);
+    scene.n_inertia = (size_t)XLENGTH(time_s);
+    scene.inertia_kg_m2 = ffi_numbers_of(inertia, "moment_of_inertia_kg_m2", XLENGTH(time_s));
+  }
+  if (!Rf_isNull(breaks_s)) {
+    scene.breaks_s = ffi_reals(breaks_s, "breaks_s", -1);
+    scene.n_breaks = (size_t)XLENGTH(breaks_s);
+  }
+  double *all = (double *)R_alloc(rot_axle_scene_room(&scene), sizeof *all);
+  scene.n_breaks = rot_axle_scene_breaks(&scene, all);
+  scene.breaks_s = all;
+  return scene;
 }
 
-enum { LEDGER_NUMBERS = 12 };
+/* ---- closed forms ---------------------------------------------------------------------------- */
 
-static void write_ledger_vector(const rot_axle_ledger *ledger, SEXP out) {
-  const double numbers[LEDGER_NUMBERS] = {ledger->work_j,
-                                          ledger->dissipated_j,
-                                          ledger->impulse_n_m_s,
-                                          ledger->work_rounding_j,
-                                          ledger->dissipated_rounding_j,
-                                          ledger->impulse_rounding_n_m_s,
-                                          ledger->viscous_j,
-                                          ledger->quadratic_j,
-                                          ledger->coulomb_j,
-                                          ledger->damping_impulse_n_m_s,
-                                          ledger->inertia_work_j,
-                                          ledger->damping_rounding_n_m_s};
-  for (int i = 0; i < LEDGER_NUMBERS; i++) REAL(out)[i] = numbers[i];
-}
-
-static SEXP ledger_vector(const rot_axle_ledger *ledger) {
-  SEXP out = Rf_allocVector(REALSXP, LEDGER_NUMBERS);
-  write_ledger_vector(ledger, out);
+static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
+  static const char *const names[] = {"time_s", ROT_AXLE_COLUMNS(FFI_COLUMN_NAME) ""};
+  const R_xlen_t rows = XLENGTH(time_s);
+  rot_axle_columns out;
+  R_xlen_t at = 1;
+  SEXP columns = ffi_run_columns(run, names);
+  SET_VECTOR_ELT(columns, 0, time_s);
+  ROT_AXLE_COLUMNS(FFI_COLUMN_NEW)
   return out;
 }
 
-static rot_axle_ledger no_ledger(void) {
-  const double na = NA_REAL;
-  rot_axle_ledger ledger = {na, na, na, na, na, na, na, na, na, na, na, na};
-  return ledger;
-}
-
-/* list(columns, info, ledger); columns is protected by the caller, one more object than that is
- * unprotected here. */
-static SEXP result(SEXP columns, const rot_info *info, SEXP ledger) {
-  PROTECT(ledger);
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 3));
-  SET_VECTOR_ELT(out, 0, columns);
-  SET_VECTOR_ELT(out, 1, ffi_info(info));
-  SET_VECTOR_ELT(out, 2, ledger);
-  UNPROTECT(2);
-  return out;
-}
-
-SEXP ffi_axle_free(SEXP numbers, SEXP time_s, SEXP progress) {
-  const rot_axle_params p = unpack(numbers, R_NilValue);
+/* A closed form by its id in models(). */
+SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  const rot_axle_model model = rot_axle_closed_form(ffi_text(id, "model"));
   const double *t = ffi_reals(time_s, "time_s", -1);
-  rot_axle_columns columns;
-  rot_info info;
-  ffi_guard guard;
-  SEXP list = new_columns(time_s, &columns);
-  ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard,
-                rot_axle_free(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
-  SEXP out = result(list, &info, R_NilValue);
-  UNPROTECT(1);
-  return out;
+  const size_t n = (size_t)XLENGTH(time_s);
+  if (!model) Rf_error("internal: no such model");
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  const rot_axle_columns out = new_columns(&run, time_s);
+  const rot_status status = model(&scene, n, t, &out, &run.events, &run.guard.hooks, &run.info);
+  return ffi_run_end(&run, status);
 }
 
-SEXP ffi_axle_linear(SEXP numbers, SEXP torque, SEXP time_s, SEXP fast, SEXP progress) {
-  const rot_axle_params p = unpack(numbers, torque);
-  const double *t = ffi_reals(time_s, "time_s", -1);
-  rot_axle_columns columns;
-  rot_info info;
-  ffi_guard guard;
-  rot_status (*run)(const rot_axle_params *, size_t, const double[], const rot_axle_columns *,
-                    const rot_hooks *, rot_info *) =
-      ffi_real(fast, "fast") != 0.0 ? rot_axle_linear_fast : rot_axle_linear;
-  SEXP list = new_columns(time_s, &columns);
-  ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, run(&p, (size_t)XLENGTH(time_s), t, &columns, &guard.hooks, &info));
-  SEXP out = result(list, &info, R_NilValue);
-  UNPROTECT(1);
-  return out;
-}
+static const char *const ledger_names[] = {ROT_AXLE_LEDGER(FFI_NAME)};
 
-SEXP ffi_axle_ledger(SEXP numbers, SEXP torque, SEXP from_s, SEXP to_s, SEXP progress) {
-  const rot_axle_params p = unpack(numbers, torque);
+/* Of "axle_free" and "axle_linear". */
+SEXP ffi_axle_ledger(SEXP list, SEXP from_s, SEXP to_s, SEXP progress) {
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
   const double from = ffi_real(from_s, "from_s"), to = ffi_real(to_s, "to_s");
   rot_axle_ledger ledger;
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_axle_linear_ledger(&p, from, to, &guard.hooks, &ledger, &info));
-  if (info.status != ROT_OK) { /* a sum of half the way is no ledger */
-    ledger = no_ledger();
-  }
-  return ledger_vector(&ledger);
-}
-
-/* ---- scenes with more than knots and viscous resistance -------------------------------------- */
-
-static size_t term_count(SEXP terms) {
-  if (TYPEOF(terms) != VECSXP) Rf_error("internal: `terms`");
-  return (size_t)XLENGTH(terms);
-}
-
-/* list(kind, from, to, x) each; the array lives as long as the call from R. */
-static const rot_term *unpack_terms(SEXP terms) {
-  const size_t n = term_count(terms);
-  rot_term *out = (rot_term *)R_alloc(n ? n : 1, sizeof *out);
-  for (size_t i = 0; i < n; i++) {
-    SEXP term = VECTOR_ELT(terms, (R_xlen_t)i);
-    if (TYPEOF(term) != VECSXP || XLENGTH(term) != 4) Rf_error("internal: `term`");
-    const double kind = ffi_real(VECTOR_ELT(term, 0), "kind");
-    SEXP x = VECTOR_ELT(term, 3);
-    if (!(kind >= 0.0 && kind < ROT_TERM_KINDS)) Rf_error("internal: `kind`");
-    out[i].kind = (rot_term_kind)(int)kind;
-    out[i].from_s = ffi_real(VECTOR_ELT(term, 1), "from");
-    out[i].to_s = ffi_real(VECTOR_ELT(term, 2), "to");
-    out[i].x = ffi_reals(x, "x", -1);
-    out[i].length = (size_t)XLENGTH(x);
-    if (!rot_term_valid(&out[i])) Rf_error("internal: a term does not hold together");
-  }
-  return out;
-}
-
-/* list(numbers, knots, terms, list(times, moments) of the inertia, breaks), as R/model-axle.R packs
- * it; numbers = c(inertia, viscous, start, theta0, omega0, motor, quadratic, coulomb, static,
- * noise). */
-rot_axle_scene ffi_axle_scene(SEXP pack) {
-  if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 5) Rf_error("internal: `scene`");
-  const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 10);
-  SEXP terms = VECTOR_ELT(pack, 2), inertia = VECTOR_ELT(pack, 3), breaks = VECTOR_ELT(pack, 4);
-  if (TYPEOF(inertia) != VECSXP || XLENGTH(inertia) != 2) Rf_error("internal: `inertia`");
-  const R_xlen_t knots = XLENGTH(VECTOR_ELT(inertia, 0));
-  rot_axle_scene scene = {{x[0], x[1] + x[5], x[2], x[3], x[4], unpack_knots(VECTOR_ELT(pack, 1))},
-                          x[1],
-                          x[5],
-                          x[6],
-                          x[7],
-                          x[8],
-                          term_count(terms),
-                          unpack_terms(terms),
-                          (size_t)knots,
-                          ffi_reals(VECTOR_ELT(inertia, 0), "inertia", knots),
-                          ffi_reals(VECTOR_ELT(inertia, 1), "inertia", knots),
-                          (size_t)XLENGTH(breaks),
-                          ffi_reals(breaks, "breaks", -1),
-                          x[9]};
-  return scene;
-}
-
-static SEXP event_list(const rot_events *events) {
-  static const char *const names[] = {"time_s", "event", ""};
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  const R_xlen_t n = (R_xlen_t)events->count;
-  SET_VECTOR_ELT(list, 0, Rf_allocVector(REALSXP, n));
-  SET_VECTOR_ELT(list, 1, Rf_allocVector(STRSXP, n));
-  for (R_xlen_t i = 0; i < n; i++) {
-    REAL(VECTOR_ELT(list, 0))[i] = events->time_s[i];
-    SET_STRING_ELT(VECTOR_ELT(list, 1), i, Rf_mkChar(rot_event_name(events->event[i])));
-  }
-  UNPROTECT(1);
-  return list;
-}
-
-/* list(columns, info, ledger, events); ends the guard, and frees the events before R may jump on.
- * The allocations here could jump too, so they are made under the guard. */
-typedef struct model_result {
-  SEXP columns, ledger;
-  const rot_info *info;
-  const rot_events *events;
-} model_result;
-
-static SEXP make_result(void *data) {
-  const model_result *r = data;
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 4));
-  SET_VECTOR_ELT(out, 0, r->columns);
-  SET_VECTOR_ELT(out, 1, ffi_info(r->info));
-  SET_VECTOR_ELT(out, 2, r->ledger);
-  SET_VECTOR_ELT(out, 3, event_list(r->events));
-  UNPROTECT(1);
-  return out;
-}
-
-static SEXP with_events(SEXP columns, const rot_info *info, SEXP ledger, rot_events *events,
-                        ffi_guard *guard, rot_status status) {
-  model_result data = {columns, ledger, info, events};
-  SEXP out = R_NilValue;
-  if (status != ROT_EUNWIND) status = ffi_guarded(guard, make_result, &data, &out);
-  rot_events_free(events);
-  PROTECT(out);
-  if (status == ROT_EUNWIND) R_ContinueUnwind(guard->token);
-  UNPROTECT(2); /* out, and what ffi_guard_begin() protects */
-  return out;
-}
-
-/* Every exact model of such a scene by its name in R/model-axle.R. Listed once, here. */
-static const struct {
-  const char *name;
-  rot_axle_model run;
-} models[] = {
-    {"bands", rot_axle_bands},       {"drag", rot_axle_drag},
-    {"forced", rot_axle_forced},     {"oscillator", rot_axle_oscillator},
-    {"pendulum", rot_axle_pendulum}, {"skater", rot_axle_skater},
-};
-
-rot_axle_model ffi_axle_model_named(SEXP name) {
-  if (TYPEOF(name) != STRSXP || XLENGTH(name) != 1) Rf_error("internal: `model`");
-  for (size_t i = 0; i < sizeof models / sizeof *models; i++) {
-    if (models[i].run && !strcmp(models[i].name, CHAR(STRING_ELT(name, 0)))) return models[i].run;
-  }
-  Rf_error("internal: no such model");
-}
-
-/* list(columns, info, NULL, events) */
-SEXP ffi_axle_model(SEXP name, SEXP pack, SEXP time_s, SEXP progress) {
-  const rot_axle_model run = ffi_axle_model_named(name);
-  const rot_axle_scene scene = ffi_axle_scene(pack);
-  const double *t = ffi_reals(time_s, "time_s", -1);
-  rot_axle_columns columns;
-  rot_events events = {0, 0, NULL, NULL};
-  rot_info info;
-  ffi_guard guard;
-  SEXP list = new_columns(time_s, &columns);
-  ffi_guard_begin(&guard, progress);
-  const rot_status status =
-      run(&scene, (size_t)XLENGTH(time_s), t, &columns, &events, &guard.hooks, &info);
-  SEXP out = with_events(list, &info, R_NilValue, &events, &guard, status);
-  UNPROTECT(1);
-  return out;
+  ffi_guard_end(&guard,
+                rot_axle_linear_ledger(&scene.linear, from, to, &guard.hooks, &ledger, &info));
+  rot_axle_motor_ledger(&scene, &ledger);
+  const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
+  /* A sum over a part of the span is no ledger. */
+  return ffi_named(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);
 }
 
 /* c(time of the last stop, angle there, terminal omega) */
-SEXP ffi_axle_stopping(SEXP pack) {
-  const rot_axle_scene scene = ffi_axle_scene(pack);
-  double time_s, theta;
-  const rot_status status = rot_axle_drag_stop(&scene, &time_s, &theta);
-  SEXP out = PROTECT(Rf_allocVector(REALSXP, 3));
-  REAL(out)[0] = status == ROT_OK ? time_s : NA_REAL;
-  REAL(out)[1] = status == ROT_OK ? theta : NA_REAL;
-  REAL(out)[2] = rot_axle_drag_terminal(&scene);
-  UNPROTECT(1);
-  return out;
+SEXP ffi_axle_stopping(SEXP list) {
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  double x[] = {NA_REAL, NA_REAL, rot_axle_drag_terminal(&scene)};
+  if (rot_axle_drag_stop(&scene, &x[0], &x[1]) != ROT_OK) x[0] = x[1] = NA_REAL;
+  return ffi_numbers(3, x);
 }
 
 /* ---- integrated ------------------------------------------------------------------------------ */
 
-/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque. `control` is c(accuracy, max_steps, method), method as in
- * ROT_METHOD_LIST. Gives list(columns, info, ledger, events). */
-SEXP ffi_axle_integrate(SEXP pack, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
-  rot_axle_scene scene = ffi_axle_scene(pack);
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque; `breaks_s` its breaks,
+ * or NULL. `control` is c(accuracy, max_steps, method, noise_n_m), method as in ROT_METHOD_LIST. */
+SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP control,
+                        SEXP progress) {
+  rot_axle_scene scene = ffi_axle_scene(list, breaks_s);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
   if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
   const rot_axle_ode_options options = {c[0], (size_t)c[1], (rot_method)(int)c[2]};
-  rot_axle_columns columns;
-  rot_axle_ledger ledger = no_ledger();
-  rot_events events = {0, 0, NULL, NULL};
-  rot_info info;
-  ffi_guard guard;
+  scene.noise_n_m = c[3];
+  rot_axle_ledger ledger;
+#define X(name) ledger.name = NA_REAL;
+  ROT_AXLE_LEDGER(X)
+#undef X
+  ffi_run run;
   ffi_torque called;
-  SEXP list = new_columns(time_s, &columns);
-  /* All that is allocated is allocated before the core holds anything. */
-  SEXP sums = PROTECT(ledger_vector(&ledger));
   if (!Rf_isNull(law)) {
-    called = ffi_torque_new(law, &guard);
+    called = ffi_torque_new(law, &run.guard);
     scene.linear.torque.call = ffi_torque_call;
     scene.linear.torque.ctx = &called;
   }
-  ffi_guard_begin(&guard, progress);
-  const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t,
-                                               &columns, &events, &ledger, &guard.hooks, &info);
-  write_ledger_vector(&ledger, sums);
-  SEXP out = with_events(list, &info, sums, &events, &guard, status);
-  UNPROTECT(Rf_isNull(law) ? 2 : 3);
-  return out;
+  ffi_run_begin(&run, progress);
+  const rot_axle_columns out = new_columns(&run, time_s);
+  SEXP sums = ffi_named(FFI_LENGTH(ledger_names), ledger_names, NULL);
+  SET_VECTOR_ELT(run.out, FFI_LEDGER, sums);
+  const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t, &out,
+                                               &run.events, &ledger, &run.guard.hooks, &run.info);
+  const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
+  memcpy(REAL(sums), values, sizeof values);
+  SEXP result = ffi_run_end(&run, status);
+  if (!Rf_isNull(law)) UNPROTECT(1);
+  return result;
 }

@@ -1,101 +1,57 @@
-#include "ffi.h"
+#include "ffi_run.h"
+#include "ffi_scenes.h"
 
-#include "rot_clutch.h"
+static rot_steps steps_of(SEXP list) {
+  SEXP time_s = ffi_element(list, "time_s");
+  const double *time = ffi_reals(time_s, "time_s", -1);
+  return (rot_steps){(size_t)XLENGTH(time_s), time,
+                     ffi_numbers_of(list, "torque_n_m", XLENGTH(time_s) + 1)};
+}
 
-/* list(times, values) of a torque that is constant between times. */
-static rot_steps unpack_steps(SEXP steps) {
+rot_clutch_params ffi_clutch_scene(SEXP list) {
+  SEXP steps = ffi_element(list, "steps");
   if (TYPEOF(steps) != VECSXP || XLENGTH(steps) != 2) Rf_error("internal: `steps`");
-  const R_xlen_t n = XLENGTH(VECTOR_ELT(steps, 0));
-  return (rot_steps){(size_t)n, ffi_reals(VECTOR_ELT(steps, 0), "times", n),
-                     ffi_reals(VECTOR_ELT(steps, 1), "torques", n + 1)};
-}
-
-/* list(numbers, torque 1, torque 2); numbers = c(I1, I2, capacity, static capacity, engage, start,
- * theta1, theta2, omega1, omega2), as R/model-clutch.R packs it. */
-static rot_clutch_params unpack(SEXP pack) {
-  if (TYPEOF(pack) != VECSXP || XLENGTH(pack) != 3) Rf_error("internal: `scene`");
-  const double *x = ffi_reals(VECTOR_ELT(pack, 0), "numbers", 10);
-  return (rot_clutch_params){
-      {x[0], x[1]}, x[2],
-      x[3],         {unpack_steps(VECTOR_ELT(pack, 1)), unpack_steps(VECTOR_ELT(pack, 2))},
-      x[4],         x[5],
-      {x[6], x[7]}, {x[8], x[9]}};
-}
-
-typedef struct result_parts {
-  SEXP columns;
-  const rot_info *info;
-  const rot_events *events;
-} result_parts;
-
-/* list(columns, info, list(time_s, event)) */
-static SEXP make_result(void *data) {
-  static const char *const names[] = {"time_s", "event", ""};
-  const result_parts *parts = data;
-  const R_xlen_t n = (R_xlen_t)parts->events->count;
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 3));
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  SET_VECTOR_ELT(list, 0, Rf_allocVector(REALSXP, n));
-  SET_VECTOR_ELT(list, 1, Rf_allocVector(STRSXP, n));
-  for (R_xlen_t i = 0; i < n; i++) {
-    REAL(VECTOR_ELT(list, 0))[i] = parts->events->time_s[i];
-    SET_STRING_ELT(VECTOR_ELT(list, 1), i, Rf_mkChar(rot_event_name(parts->events->event[i])));
+  rot_clutch_params p;
+  for (int i = 0; i < 2; i++) {
+    p.inertia_kg_m2[i] = ffi_numbers_of(list, "moment_of_inertia_kg_m2", 2)[i];
+    p.theta0_rad[i] = ffi_numbers_of(list, "theta0_rad", 2)[i];
+    p.omega0_rad_per_s[i] = ffi_numbers_of(list, "omega0_rad_per_s", 2)[i];
+    p.torque_n_m[i] = steps_of(VECTOR_ELT(steps, i));
   }
-  SET_VECTOR_ELT(out, 0, parts->columns);
-  SET_VECTOR_ELT(out, 1, ffi_info(parts->info));
-  SET_VECTOR_ELT(out, 2, list);
-  UNPROTECT(2);
-  return out;
+  p.capacity_n_m = ffi_number_of(list, "capacity_n_m");
+  p.static_n_m = ffi_number_of(list, "static_capacity_n_m");
+  p.start_s = ffi_number_of(list, "start_s");
+  /* -Inf in R: engaged from the start. */
+  p.engage_s = fmax(ffi_number_of(list, "engage_s"), p.start_s);
+  return p;
 }
 
-SEXP ffi_clutch_run(SEXP pack, SEXP time_s, SEXP progress) {
-  static const char *const names[] = {"time_s",
-                                      "theta_1_rad",
-                                      "omega_1_rad_per_s",
-                                      "theta_2_rad",
-                                      "omega_2_rad_per_s",
-                                      "clutch_torque_n_m",
-                                      "heat_j",
-                                      "locked",
-                                      ""};
-  const rot_clutch_params p = unpack(pack);
+SEXP ffi_clutch_run(SEXP list, SEXP time_s, SEXP progress) {
+  static const char *const names[] = {"time_s", ROT_CLUTCH_COLUMNS(FFI_COLUMN_NAME) ""};
+  const rot_clutch_params p = ffi_clutch_scene(list);
   const double *t = ffi_reals(time_s, "time_s", -1);
   const R_xlen_t rows = XLENGTH(time_s);
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  double *c[6];
-  SET_VECTOR_ELT(list, 0, time_s);
-  for (int i = 0; i < 6; i++) {
-    SET_VECTOR_ELT(list, i + 1, ffi_new_column(rows));
-    c[i] = REAL(VECTOR_ELT(list, i + 1));
-  }
-  SET_VECTOR_ELT(list, 7, Rf_allocVector(LGLSXP, rows));
-  const rot_clutch_columns out = {
-      {c[0], c[2]}, {c[1], c[3]}, c[4], c[5], LOGICAL(VECTOR_ELT(list, 7))};
-  rot_events events = {0, 0, NULL, NULL};
-  rot_info info;
-  ffi_guard guard;
-  SEXP result = R_NilValue;
-  ffi_guard_begin(&guard, progress);
-  rot_status status = rot_clutch_run(&p, (size_t)rows, t, &out, &events, &guard.hooks, &info);
-  result_parts parts = {list, &info, &events};
-  if (status != ROT_EUNWIND) status = ffi_guarded(&guard, make_result, &parts, &result);
-  rot_events_free(&events);
-  PROTECT(result);
-  if (status == ROT_EUNWIND) R_ContinueUnwind(guard.token);
-  UNPROTECT(3);
-  return result;
+  rot_clutch_columns out;
+  R_xlen_t at = 1;
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  SEXP columns = ffi_run_columns(&run, names);
+  SET_VECTOR_ELT(columns, 0, time_s);
+  ROT_CLUTCH_COLUMNS(FFI_COLUMN_NEW)
+  const rot_status status =
+      rot_clutch_run(&p, (size_t)rows, t, &out, &run.events, &run.guard.hooks, &run.info);
+  return ffi_run_end(&run, status);
 }
 
-/* c(work, rounding) of the torques from span[0] to span[1]; NA where it failed. */
-SEXP ffi_clutch_work(SEXP pack, SEXP span) {
-  const rot_clutch_params p = unpack(pack);
+/* From span[0] to span[1]; NA where it failed. */
+SEXP ffi_clutch_ledger(SEXP list, SEXP span) {
+  static const char *const names[] = {ROT_CLUTCH_LEDGER(FFI_NAME)};
+  const rot_clutch_params p = ffi_clutch_scene(list);
   const double *x = ffi_reals(span, "span", 2);
-  SEXP out = PROTECT(Rf_allocVector(REALSXP, 2));
-  if (rot_clutch_work(&p, x[0], x[1], REAL(out), REAL(out) + 1) != ROT_OK) {
-    REAL(out)[0] = REAL(out)[1] = NA_REAL;
-  }
-  UNPROTECT(1);
-  return out;
+  rot_clutch_ledger ledger = {0.0, 0.0};
+  const rot_status status = rot_clutch_work(&p, x[0], x[1], &ledger);
+  const double values[] = {ROT_CLUTCH_LEDGER(FFI_VALUE)};
+  return ffi_named(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
 }
 
 SEXP ffi_clutch_engagement(SEXP inertia_1, SEXP inertia_2, SEXP capacity, SEXP torque_1,

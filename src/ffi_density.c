@@ -35,14 +35,14 @@ SEXP ffi_density_rule(SEXP n, SEXP even) {
   const size_t size = read_size(n, "n");
   double *columns[2];
   rot_status status = ROT_OK;
-  if (rot_rule_size(size) != size && !(ffi_real(even, "even") > 0.0)) {
-    Rf_error("internal: no rule of this size");
-  }
+  const int is_even = ffi_real(even, "even") > 0.0;
+  if (rot_rule_size(size) != size && !is_even) Rf_error("internal: no rule of this size");
   SEXP out = ffi_columns(2, names, (R_xlen_t)size, columns);
-  if (ffi_real(even, "even") > 0.0)
+  if (is_even) {
     rot_rule_even(size, columns[0], columns[1]);
-  else
+  } else {
     status = rot_rule_gauss(size, columns[0], columns[1]);
+  }
   if (status != ROT_OK) Rf_error("%s", rot_status_text(status));
   UNPROTECT(1);
   return out;

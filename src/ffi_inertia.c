@@ -2,7 +2,7 @@
 #include "rot_inertia.h"
 #include "rot_real.h"
 
-/* R's 3 x 3 matrices of tensors are symmetric, or six numbers stand for them. */
+/* A tensor from R: a symmetric 3 x 3 matrix, or its six numbers. */
 static void read_tensor(SEXP x, double t[ROT_TENSOR]) {
   if (XLENGTH(x) == ROT_TENSOR) {
     const double *six = ffi_reals(x, "tensor", ROT_TENSOR);
@@ -50,12 +50,6 @@ static void read_rotation(SEXP x, double r[9]) {
   }
 }
 
-static SEXP write_vector(const double v[3]) {
-  SEXP out = Rf_allocVector(REALSXP, 3);
-  for (int i = 0; i < 3; i++) REAL(out)[i] = v[i];
-  return out;
-}
-
 /* Both tensors of a second moment. */
 SEXP ffi_inertia_tensors(SEXP second) {
   double c[ROT_TENSOR], inertia[ROT_TENSOR];
@@ -75,7 +69,7 @@ SEXP ffi_inertia_second(SEXP inertia) {
   return write_tensor(c);
 }
 
-/* An inertia tensor about a point at -sign d from where it was. */
+/* An inertia tensor about the point at -sign d from its own. */
 SEXP ffi_inertia_shift(SEXP inertia, SEXP mass, SEXP d, SEXP sign) {
   double t[ROT_TENSOR], out[ROT_TENSOR];
   read_tensor(inertia, t);
@@ -83,14 +77,14 @@ SEXP ffi_inertia_shift(SEXP inertia, SEXP mass, SEXP d, SEXP sign) {
   return write_tensor(out);
 }
 
-/* The inertia tensor about the point at -d from the centre, in axes that are the columns of
+/* The inertia tensor about the point at -d from the centre, in the axes in the columns of
  * `axes`. */
 SEXP ffi_inertia_about(SEXP second, SEXP mass, SEXP d, SEXP axes) {
   double c[ROT_TENSOR], moved[ROT_TENSOR], inertia[ROT_TENSOR];
   read_tensor(second, c);
   rot_inertia_shift_second(ffi_real(mass, "mass"), ffi_reals(d, "d", 3), 1.0, c, moved);
   if (!Rf_isNull(axes)) {
-    /* R's columns read as rows are the transpose, which is what takes components to new axes. */
+    /* R's columns read as rows are the transpose, which transforms components to the new axes. */
     rot_inertia_rotate(ffi_reals(axes, "axes", 9), moved, c);
     for (int k = 0; k < ROT_TENSOR; k++) moved[k] = c[k];
   }
@@ -117,8 +111,8 @@ SEXP ffi_inertia_principal(SEXP second, SEXP tolerance) {
     Rf_error("internal: `second`");
   }
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  SET_VECTOR_ELT(out, 0, write_vector(p.second));
-  SET_VECTOR_ELT(out, 1, write_vector(p.moment));
+  SET_VECTOR_ELT(out, 0, ffi_numbers(3, p.second));
+  SET_VECTOR_ELT(out, 1, ffi_numbers(3, p.moment));
   SET_VECTOR_ELT(out, 2, Rf_allocMatrix(REALSXP, 3, 3));
   SET_VECTOR_ELT(out, 3, Rf_allocVector(LGLSXP, 2));
   for (int i = 0; i < 3; i++) {
@@ -134,7 +128,7 @@ SEXP ffi_inertia_sine(SEXP angle_deg) {
   return Rf_ScalarReal(rot_sin_deg(ffi_real(angle_deg, "angle_deg")));
 }
 
-/* The second moment of a body that was turned. */
+/* The second moment of a rotated body. */
 SEXP ffi_inertia_rotate(SEXP second, SEXP rotation) {
   double c[ROT_TENSOR], r[9], out[ROT_TENSOR];
   read_tensor(second, c);
@@ -143,7 +137,7 @@ SEXP ffi_inertia_rotate(SEXP second, SEXP rotation) {
   return write_tensor(out);
 }
 
-/* n masses, 3 x n centres, 6 x n second moments. NULL where the sum leaves the range. */
+/* n masses, 3 x n centres, 6 x n second moments. NULL where the sum overflows. */
 SEXP ffi_inertia_join(SEXP mass, SEXP centre, SEXP second) {
   static const char *const names[] = {"mass_kg", "centre_m", "second_kg_m2", "error", ""};
   const R_xlen_t n = XLENGTH(mass);
@@ -159,7 +153,7 @@ SEXP ffi_inertia_join(SEXP mass, SEXP centre, SEXP second) {
   if (rot_inertia_join((size_t)n, part, &whole, &error) != ROT_OK) return R_NilValue;
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   SET_VECTOR_ELT(out, 0, Rf_ScalarReal(whole.mass_kg));
-  SET_VECTOR_ELT(out, 1, write_vector(whole.centre_m));
+  SET_VECTOR_ELT(out, 1, ffi_numbers(3, whole.centre_m));
   SET_VECTOR_ELT(out, 2, write_tensor(whole.second_kg_m2));
   SET_VECTOR_ELT(out, 3, Rf_ScalarReal(error));
   UNPROTECT(1);

@@ -9,7 +9,7 @@ typedef struct motion_input {
   rot_column column[ROT_MOTION_SIZE];
 } motion_input;
 
-/* R NULL is a quantity that is asked for. */
+/* NULL is a quantity to be solved for. */
 static motion_input read_motion(SEXP list, R_xlen_t *n) {
   motion_input in = {0, {{NULL, 0}}};
   if (TYPEOF(list) != VECSXP || XLENGTH(list) != ROT_MOTION_SIZE) Rf_error("internal: `columns`");
@@ -30,7 +30,7 @@ static rot_motion_kind solve_row(const motion_input *in, R_xlen_t row,
   return rot_motion_solve(in->given, x);
 }
 
-/* Rows of the answer: one for each row that is given, and one more for each second root. */
+/* Rows of the result: one for each row given, and one for each second root. */
 static R_xlen_t count_rows(const motion_input *in, R_xlen_t n) {
   double x[2][ROT_MOTION_SIZE];
   R_xlen_t rows = n;

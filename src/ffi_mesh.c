@@ -24,7 +24,7 @@ static rot_mesh read_mesh(SEXP vertices, SEXP faces, SEXP by_column) {
   return (rot_mesh){vr, fr, REAL_RO(vertices), 1, vr, INTEGER_RO(faces), 1, fr, NULL, NULL};
 }
 
-/* Stand-ins travel as integers. */
+/* The replacements after welding, as integers. */
 static const uint32_t *read_same(SEXP same, const rot_mesh *mesh) {
   if (Rf_isNull(same)) return NULL;
   if (TYPEOF(same) != INTSXP || (size_t)XLENGTH(same) != mesh->vertices) {
@@ -32,13 +32,10 @@ static const uint32_t *read_same(SEXP same, const rot_mesh *mesh) {
   }
   const int *at = INTEGER_RO(same);
   for (size_t i = 0; i < mesh->vertices; i++) {
-    if (at[i] < 0 || (size_t)at[i] >= mesh->vertices) Rf_error("internal: `same` is no vertex");
+    if (at[i] < 0 || (size_t)at[i] >= mesh->vertices) Rf_error("internal: `same` is not a vertex");
   }
   return (const uint32_t *)(const void *)at;
 }
-
-/* What goes wrong in the core, as its kind: R makes the message. */
-static SEXP status_kind(rot_status status) { return Rf_mkString(rot_status_kind(status)); }
 
 enum { COUNTS = 21 };
 
@@ -89,8 +86,9 @@ static void write_counts(const rot_mesh *mesh, const findings *f, int looked, in
   }
 }
 
-/* kind, counts, the stand-ins or NULL, and the volumes of the components or NULL. What could not be
- * looked at is NA. `tolerance` is negative for no welding. */
+/* kind of status (R makes the message), counts, the replacements or NULL, and the volumes of the
+ * components or NULL. Counts that were not determined are NA. `tolerance` is negative for no
+ * welding. */
 SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, SEXP progress) {
   static const char *const names[] = {"kind", "counts", "same", "volume", ""};
   rot_mesh mesh = read_mesh(vertices, faces, by_column);
@@ -120,7 +118,7 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
       looked = status == ROT_OK;
     }
     const rot_mesh_edges *e = &f.edges;
-    nested = looked && !e->components; /* of no parts, all counts are 0 */
+    nested = looked && !e->components; /* without components all counts are 0 */
     if (looked && e->components && !e->open_edges && !e->miswound_edges && !e->crowded_edges &&
         !e->touching_edges) {
       SEXP volume = Rf_allocVector(REALSXP, (R_xlen_t)e->components);
@@ -134,47 +132,41 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
     UNPROTECT(1);
   }
   write_counts(&mesh, &f, looked, nested, REAL(counts));
-  SET_VECTOR_ELT(out, 0, status_kind(status));
+  SET_VECTOR_ELT(out, 0, Rf_mkString(rot_status_kind(status)));
   UNPROTECT(1);
   return out;
 }
 
-/* kind, and the integrals of the solid or of the surface. */
+/* kind of status, and the integrals of the solid or of the surface. */
 SEXP ffi_mesh_moments(SEXP vertices, SEXP faces, SEXP by_column, SEXP same, SEXP shell,
                       SEXP progress) {
-  static const char *const names[] = {
-      "kind",  "size", "size_error", "centre", "second", "error",       "coordinate_error",
-      "reach", "area", "closure",    "lo",     "hi",     "moved_error", ""};
+  static const char *const names[] = {"size",    "size_error",
+                                      "centre",  "second",
+                                      "error",   "coordinate_error",
+                                      "reach",   "area",
+                                      "closure", "lo",
+                                      "hi",      "moved_error",
+                                      "kind",    ""};
   rot_mesh mesh = read_mesh(vertices, faces, by_column);
   mesh.same = read_same(same, &mesh);
   rot_mesh_moments m;
   ffi_guard guard;
-  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  const rot_mesh_entries bad = rot_mesh_check_entries(&mesh);
-  if (!bad.bad_faces) {
-    /* Vertices that no face names shall not count. */
-    SEXP used = PROTECT(Rf_allocVector(RAWSXP, (R_xlen_t)mesh.vertices));
-    if (rot_mesh_mark_used(&mesh, RAW(used))) mesh.used = RAW_RO(used);
+  if (!rot_mesh_check_entries(&mesh).bad_faces) {
+    unsigned char *used = (unsigned char *)R_alloc(mesh.vertices, 1);
+    if (rot_mesh_mark_used(&mesh, used)) mesh.used = used;
   }
   ffi_guard_begin(&guard, progress);
   const rot_status status = Rf_asLogical(shell) == TRUE ? rot_mesh_shell(&mesh, &guard.hooks, &m)
                                                         : rot_mesh_solid(&mesh, &guard.hooks, &m);
   ffi_guard_end(&guard, status);
-  if (!bad.bad_faces) UNPROTECT(1);
-  const double numbers[] = {m.size,  m.size_error, m.error,   m.coordinate_error,
-                            m.reach, m.area,       m.closure, m.moved_error};
-  static const int at[] = {1, 2, 5, 6, 7, 8, 9, 12};
-  SET_VECTOR_ELT(out, 0, status_kind(status));
-  for (int i = 0; i < 8; i++) SET_VECTOR_ELT(out, at[i], Rf_ScalarReal(numbers[i]));
-  const struct {
-    int at, n;
-    const double *from;
-  } columns[] = {{3, 3, m.centre}, {4, 6, m.second_moment}, {10, 3, m.lo}, {11, 3, m.hi}};
-  for (int i = 0; i < 4; i++) {
-    SEXP column = Rf_allocVector(REALSXP, columns[i].n);
-    SET_VECTOR_ELT(out, columns[i].at, column);
-    memcpy(REAL(column), columns[i].from, (size_t)columns[i].n * sizeof(double));
-  }
+  const ffi_vector parts[] = {{1, &m.size},    {1, &m.size_error},
+                              {3, m.centre},   {6, m.second_moment},
+                              {1, &m.error},   {1, &m.coordinate_error},
+                              {1, &m.reach},   {1, &m.area},
+                              {1, &m.closure}, {3, m.lo},
+                              {3, m.hi},       {1, &m.moved_error}};
+  SEXP out = PROTECT(ffi_vectors(12, names, parts));
+  SET_VECTOR_ELT(out, 12, Rf_mkString(rot_status_kind(status)));
   UNPROTECT(1);
   return out;
 }

@@ -1,4 +1,8 @@
 #include "ffi.h"
+
+#include <stddef.h>
+#include <string.h>
+
 #include "rot_points.h"
 
 static rot_points read_points(SEXP mass, SEXP x, SEXP y, SEXP z, SEXP exponent) {
@@ -13,48 +17,30 @@ static rot_points read_points(SEXP mass, SEXP x, SEXP y, SEXP z, SEXP exponent) 
   return points;
 }
 
-/* R holds moments as plain numbers; R/body-points.R names them. */
-enum { MASS, CENTRE, CENTRE_LO = 4, SECOND = 7, MASS_ERROR = 13, CENTRE_ERROR, ERROR, VANISHED, N };
+/* R holds moments as numbers, in the order of the struct's members; R/body-points.R names them. */
+enum { DOUBLES = offsetof(rot_moments, vanished) / sizeof(double), N = DOUBLES + 1 };
 
 static rot_moments read_moments(SEXP x) {
   const double *v = ffi_reals(x, "moments", N);
-  rot_moments m = {0};
-  m.mass = v[MASS];
-  for (int k = 0; k < 3; k++) {
-    m.centre[k] = v[CENTRE + k];
-    m.centre_lo[k] = v[CENTRE_LO + k];
-  }
-  for (int k = 0; k < 6; k++) m.c[k] = v[SECOND + k];
-  m.mass_error = v[MASS_ERROR];
-  m.centre_error = v[CENTRE_ERROR];
-  m.error = v[ERROR];
-  m.vanished = v[VANISHED] > 0.0;
+  rot_moments m;
+  memcpy(&m, v, DOUBLES * sizeof *v);
+  m.vanished = v[DOUBLES] > 0.0;
   return m;
 }
 
 static void write_moments(const rot_moments *m, double v[]) {
-  v[MASS] = m->mass;
-  for (int k = 0; k < 3; k++) {
-    v[CENTRE + k] = m->centre[k];
-    v[CENTRE_LO + k] = m->centre_lo[k];
-  }
-  for (int k = 0; k < 6; k++) v[SECOND + k] = m->c[k];
-  v[MASS_ERROR] = m->mass_error;
-  v[CENTRE_ERROR] = m->centre_error;
-  v[ERROR] = m->error;
-  v[VANISHED] = (double)m->vanished;
+  memcpy(v, m, DOUBLES * sizeof *v);
+  v[DOUBLES] = (double)m->vanished;
 }
 
-/* Row and column of the first bad value, from 1 and 0; a row of 0 where there is none. */
+/* Row and column of the first bad value, from 1 and 0; row 0 if there is none. */
 SEXP ffi_points_bad(SEXP mass, SEXP x, SEXP y, SEXP z) {
-  SEXP exponent = PROTECT(Rf_ScalarReal(0.0)), out = PROTECT(Rf_allocVector(REALSXP, 2));
+  SEXP exponent = PROTECT(Rf_ScalarReal(0.0));
   const rot_points points = read_points(mass, x, y, z, exponent);
   int column = 0;
   const size_t row = rot_points_bad(&points, &column);
-  REAL(out)[0] = row < points.n ? (double)row + 1.0 : 0.0;
-  REAL(out)[1] = (double)column;
-  UNPROTECT(2);
-  return out;
+  UNPROTECT(1);
+  return ffi_numbers(2, (const double[]){row < points.n ? (double)row + 1.0 : 0.0, column});
 }
 
 /* NULL where the points are too far apart for doubles. */

@@ -50,14 +50,10 @@ static const rot_shape *shape_of(SEXP id) {
 
 /* c(fault, row, slot), the last two from 1: R makes the message. */
 static SEXP fault_of(rot_shape_fault fault, size_t row, int slot) {
-  SEXP out = Rf_allocVector(REALSXP, 3);
-  REAL(out)[0] = (double)fault;
-  REAL(out)[1] = (double)row + 1.0;
-  REAL(out)[2] = (double)slot + 1.0;
-  return out;
+  return ffi_numbers(3, (const double[]){(double)fault, (double)row + 1.0, slot + 1.0});
 }
 
-/* One body: mass, six second moments, centre, c(reach, beta, error). */
+/* One body: mass, six second moments, centre, reach, beta, error. */
 SEXP ffi_shapes_body(SEXP id, SEXP amount, SEXP is_density, SEXP sizes) {
   const rot_shape *shape = shape_of(id);
   const double *given = ffi_reals(sizes, "sizes", shape->sizes);
@@ -68,22 +64,14 @@ SEXP ffi_shapes_body(SEXP id, SEXP amount, SEXP is_density, SEXP sizes) {
   if (fault) return fault_of(fault, 0, slot);
   rot_shape_body body;
   rot_shape_make(shape, ffi_real(amount, "amount"), Rf_asLogical(is_density) == TRUE, size, &body);
-  const double *parts[] = {&body.mass_kg, body.second_kg_m2, body.centre_m};
-  const int lengths[] = {1, 6, 3};
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 6));
-  for (int i = 0; i < 3; i++) {
-    SET_VECTOR_ELT(out, i, Rf_allocVector(REALSXP, lengths[i]));
-    for (int k = 0; k < lengths[i]; k++) REAL(VECTOR_ELT(out, i))[k] = parts[i][k];
-  }
-  SET_VECTOR_ELT(out, 3, Rf_ScalarReal(body.reach_m));
-  SET_VECTOR_ELT(out, 4, Rf_ScalarReal(ISNAN(body.beta) ? NA_REAL : body.beta));
-  SET_VECTOR_ELT(out, 5, Rf_ScalarReal(body.error));
-  UNPROTECT(1);
-  return out;
+  if (ISNAN(body.beta)) body.beta = NA_REAL;
+  const ffi_vector parts[] = {{1, &body.mass_kg}, {6, body.second_kg_m2}, {3, body.centre_m},
+                              {1, &body.reach_m}, {1, &body.beta},        {1, &body.error}};
+  return ffi_vectors(6, NULL, parts);
 }
 
-/* Where the core says with a NaN that there is nothing, R says NA: no beta, no more moments of a
- * row that has only beta. Other NaN are results. */
+/* A NaN of the core for "no beta", and the moments of a row that has only beta, become NA. Other
+ * NaN are results. */
 static void mark_missing(double *columns[], const int shape[], R_xlen_t n) {
   for (R_xlen_t i = 0; i < n; i++) {
     if (ISNAN(columns[ROT_SHAPE_ROLLS][i])) columns[ROT_SHAPE_ROLLS][i] = NA_REAL;

@@ -1,27 +1,18 @@
 #include "ffi.h"
 #include "rot_vertices.h"
 
-/* As ffi_shapes_body() gives it, the measure behind; or c(fault, edge, edge), edges from 1. */
+/* The list of ffi_shapes_body() and the measure; or c(fault, edge, edge), edges from 1. */
 static SEXP result(rot_status status, rot_vertices_fault fault, const rot_vertices_body *body) {
   if (status == ROT_ENOMEM) Rf_error("internal: out of memory");
   if (status != ROT_OK) {
-    SEXP out = Rf_allocVector(REALSXP, 3);
-    REAL(out)[0] = (double)fault;
-    REAL(out)[1] = (double)body->edge[0] + 1.0;
-    REAL(out)[2] = (double)body->edge[1] + 1.0;
-    return out;
+    return ffi_numbers(3, (const double[]){(double)fault, (double)body->edge[0] + 1.0,
+                                           (double)body->edge[1] + 1.0});
   }
   const double beta = NA_REAL;
-  const double *parts[] = {&body->mass_kg, body->second_kg_m2, body->centre_m, &body->reach_m,
-                           &beta,          &body->error,       &body->measure};
-  const int lengths[] = {1, 6, 3, 1, 1, 1, 1};
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, 7));
-  for (int i = 0; i < 7; i++) {
-    SET_VECTOR_ELT(out, i, Rf_allocVector(REALSXP, lengths[i]));
-    for (int k = 0; k < lengths[i]; k++) REAL(VECTOR_ELT(out, i))[k] = parts[i][k];
-  }
-  UNPROTECT(1);
-  return out;
+  const ffi_vector parts[] = {
+      {1, &body->mass_kg}, {6, body->second_kg_m2}, {3, body->centre_m}, {1, &body->reach_m},
+      {1, &beta},          {1, &body->error},       {1, &body->measure}};
+  return ffi_vectors(7, NULL, parts);
 }
 
 /* `vertices` is a matrix of n rows and two columns. */

@@ -1,8 +1,9 @@
 /* A body on a fixed axle:  I d(omega)/dt = torque(t) - c omega,  d(theta)/dt = omega.
- * Closed forms; the integrator is rot_axle_ode.h, work and heat are rot_axle_ledger.h. */
+ * Its parameters, columns, and the closed form of one step. */
 #ifndef ROT_AXLE_H
 #define ROT_AXLE_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "rot_status.h"
@@ -16,40 +17,48 @@ typedef struct rot_axle_params {
   rot_torque torque;
 } rot_axle_params;
 
-/* Columns of the result, each as long as the times. */
+/* Columns of the result, each as long as the times: type, name in R and member. */
+#define ROT_AXLE_COLUMNS(X)                                                                        \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, applied_torque_n_m)                                                                    \
+  X(double, damping_torque_n_m)                                                                    \
+  X(double, net_torque_n_m)                                                                        \
+  X(double, angular_momentum_kg_m2_per_s)                                                          \
+  X(double, rotational_kinetic_energy_j)
+
 typedef struct rot_axle_columns {
-  double *theta_rad, *omega_rad_per_s, *applied_n_m, *damping_n_m, *net_n_m, *momentum_kg_m2_per_s,
-      *energy_j;
+#define X(type, name) type *name;
+  ROT_AXLE_COLUMNS(X)
+#undef X
 } rot_axle_columns;
 
-/* Times are finite and do not decrease; those before start_s are reached backwards. */
+/* The columns from row i on. */
+static inline rot_axle_columns rot_axle_columns_from(const rot_axle_columns *columns, size_t i) {
+  rot_axle_columns out;
+#define X(type, name) out.name = columns->name + i;
+  ROT_AXLE_COLUMNS(X)
+#undef X
+  return out;
+}
 
-/* No torque, no resistance: two operations a row. */
-rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
-                         const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info);
-
-/* Piecewise-linear torque and viscous resistance, any size of c t / I. The errors in *info are
- * bounds: 12 units of roundoff (24 where c < 0) times the sum of the terms added. */
-rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
-                           const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info);
-
-/* The same, and even stretches of the times from a table (rot_axle_grid.h): ten times as fast,
- * with bounds as wide (1.9e-15 of the largest value in a damped spin-up of 1000 rows). */
-rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double time_s[],
-                                const rot_axle_columns *out, const rot_hooks *hooks,
-                                rot_info *info);
-
-/* One step of the closed form, for those who march themselves. */
+/* One step of the closed form, for callers that loop over the pieces. */
 typedef struct rot_axle_state {
   double time_s;
   double theta_rad, theta_lo, omega_rad_per_s, omega_lo; /* carried to twice the precision */
   double theta_error, omega_error;                       /* bounds */
 } rot_axle_state;
 
+/* Its error bound, relative to the sum of the terms added. */
+double rot_axle_rounding(const rot_axle_params *p);
 rot_axle_state rot_axle_start(const rot_axle_params *p);
 /* To a time in, or at the end of, the piece that the state lies in. */
 rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,
                              const rot_torque_piece *piece, double time_s);
+
+static inline int rot_axle_in_range(const rot_axle_state *state) {
+  return isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s);
+}
 
 /* The six columns that follow from theta, omega and the applied torque of row i. */
 static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns *out, size_t i,
@@ -57,11 +66,11 @@ static inline void rot_axle_row(const rot_axle_params *p, const rot_axle_columns
   double damping = 0.0 - p->viscous_n_m_s * omega, momentum = p->inertia_kg_m2 * omega;
   out->theta_rad[i] = theta;
   out->omega_rad_per_s[i] = omega;
-  out->applied_n_m[i] = applied;
-  out->damping_n_m[i] = damping;
-  out->net_n_m[i] = applied + damping;
-  out->momentum_kg_m2_per_s[i] = momentum;
-  out->energy_j[i] = 0.5 * momentum * omega;
+  out->applied_torque_n_m[i] = applied;
+  out->damping_torque_n_m[i] = damping;
+  out->net_torque_n_m[i] = applied + damping;
+  out->angular_momentum_kg_m2_per_s[i] = momentum;
+  out->rotational_kinetic_energy_j[i] = 0.5 * momentum * omega;
 }
 
 #endif

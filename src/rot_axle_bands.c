@@ -3,10 +3,21 @@
 #include <float.h>
 #include <math.h>
 
+#include "rot_axle_effects.h"
+#include "rot_axle_motor.h"
 #include "rot_axle_rest.h"
 #include "rot_march.h"
 #include "rot_real.h"
 #include "rot_search.h"
+
+/* The motion is a chain of legs. In a leg the body is held, or it moves within one band of speed
+ * and one piece of the knots' torque, where the law is linear:
+ *
+ *   I v' = a + (b - a) s/span - c v,   v = omega - ref,
+ *
+ * with c the viscous coefficient less the slope of the curve. The leg ends where v reaches an edge
+ * of the band, where the piece ends, or where a torque breaks the body loose. Each leg starts from
+ * the last one's end, and enter_leg() decides from the torque there which leg it is. */
 
 /* ---- bands ---------------------------------------------------------------------------------- */
 
@@ -14,24 +25,26 @@
  * digits in the torque that its line has at omega = 0. */
 typedef struct band {
   double lower, upper, ref;
-  double torque_ref, torque_off; /* of the curve at ref, and how far off it may be */
+  double torque_ref, torque_off; /* of the curve at ref, and its error */
   double slope, slope_off;       /* of the curve */
 } band;
 
-static size_t points(const rot_axle_scene *scene) {
-  return scene->n_terms ? (size_t)scene->terms[0].x[0] : 0;
+/* The points of the curve; NULL and 0 where there is none. */
+static const double *speeds_of(const rot_axle_scene *scene, size_t *n) {
+  *n = scene->n_terms ? (size_t)scene->terms[0].x[0] : 0;
+  return *n ? scene->terms[0].x + 1 : NULL;
 }
 
 static double curve_at(const rot_axle_scene *scene, double omega) {
-  return scene->n_terms ? rot_term_at(&scene->terms[0], scene->linear.start_s, 0.0, 0.0, omega)
-                        : 0.0;
+  if (scene->n_terms == 0) return 0.0;
+  return rot_term_at(&scene->terms[0], scene->linear.start_s, 0.0, 0.0, omega);
 }
 
 /* The band that omega lies in; from an edge, the one that it moves into. */
 static band band_of(const rot_axle_scene *scene, double omega, int heading) {
-  const size_t n = points(scene);
-  const double *speed = n ? scene->terms[0].x + 1 : NULL, *torque = n ? speed + n : NULL;
-  const size_t i = n ? rot_bound(n, speed, omega, heading > 0) : 0;
+  size_t n;
+  const double *speed = speeds_of(scene, &n), *torque = n ? speed + n : NULL;
+  const size_t i = rot_bound(n, speed, omega, heading > 0);
   band b = {-INFINITY, INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0};
   double size = 0.0;
   if (i > 0) b.lower = speed[i - 1];
@@ -55,20 +68,18 @@ static band band_of(const rot_axle_scene *scene, double omega, int heading) {
 }
 
 static int on_edge(const rot_axle_scene *scene, double omega) {
-  const size_t n = points(scene);
-  const double *speed = n ? scene->terms[0].x + 1 : NULL;
-  const size_t i = n ? rot_upper_bound(n, speed, omega) : 0;
+  size_t n;
+  const double *speed = speeds_of(scene, &n);
+  const size_t i = rot_upper_bound(n, speed, omega);
   return i > 0 && speed[i - 1] == omega;
 }
 
-/* ---- one leg: a motion inside one band and one piece of the torque -------------------------- */
+/* ---- a motion in one band and one piece ------------------------------------------------------ */
 
 typedef struct leg {
-  const rot_axle_scene *scene;
-  const rot_torque_piece *piece;
-  rot_axle_base base;
+  const rot_axle_rest *rest; /* its base is where the leg starts */
   band band;
-  rot_axle_params law; /* of v = omega - ref */
+  rot_axle_params law; /* of v = omega - ref: I, and c less the slope */
   rot_axle_state from;
   double push, push_lo; /* the constant torque of the band: curve, resistance at ref, friction */
   double a, b;          /* torque in the band at the start and at the end */
@@ -78,11 +89,23 @@ typedef struct leg {
   double farthest;  /* the larger of |v| at the base and at its extremum */
 } leg;
 
-/* x + push, rounded once. */
-static double in_band(const leg *l, double x) {
-  double lo, sum = rot_two_sum(x, l->push, &lo);
-  return sum + (lo + l->push_lo);
+static double push_of(const rot_axle_scene *scene, double omega, double curve, int sign,
+                      double *lo) {
+  double drag_lo, e1, e2;
+  const double drag = rot_two_prod(scene->linear.viscous_n_m_s, omega, &drag_lo);
+  const double one = rot_two_sum(curve, -drag, &e1);
+  const double push = rot_two_sum(one, -sign * scene->coulomb_n_m, &e2);
+  *lo = e1 + e2 - drag_lo;
+  return push;
 }
+
+/* x + push, rounded once. */
+static double add_push(double x, double push, double push_lo) {
+  double lo, sum = rot_two_sum(x, push, &lo);
+  return sum + (lo + push_lo);
+}
+
+static double in_band(const leg *l, double x) { return add_push(x, l->push, l->push_lo); }
 
 /* How much the knots' torque rises in a time, to a few roundings. */
 static double rise_in(const rot_torque_piece *piece, double time_s) {
@@ -91,31 +114,18 @@ static double rise_in(const rot_torque_piece *piece, double time_s) {
 }
 
 /* Torque of the knots at the base, whose time is known to twice the precision. */
-static double knots_at_base(const rot_torque_piece *piece, const rot_axle_base *base) {
-  const double tau = rot_torque_in_piece(piece, base->time_s);
-  return base->time_lo != 0.0 ? tau + rise_in(piece, base->time_lo) : tau;
+static double knots_at_base(const rot_axle_rest *rest) {
+  const double tau = rot_torque_in_piece(&rest->piece, rest->base.time_s);
+  return rest->base.time_lo != 0.0 ? tau + rise_in(&rest->piece, rest->base.time_lo) : tau;
 }
 
-static void set_push(leg *l, int sign) {
-  const rot_axle_scene *scene = l->scene;
-  double drag_lo, e1, e2;
-  const double drag = rot_two_prod(scene->linear.viscous_n_m_s, l->band.ref, &drag_lo);
-  const double one = rot_two_sum(l->band.torque_ref, -drag, &e1);
-  l->push = rot_two_sum(one, -sign * scene->coulomb_n_m, &e2);
-  l->push_lo = e1 + e2 - drag_lo;
-}
-
-/* The torque that speeds it up at the base, or its sign to come where that is 0. */
-static int heading_on_edge(const rot_axle_scene *scene, const rot_axle_base *base,
-                           const rot_torque_piece *piece) {
-  leg l = {.scene = scene};
-  l.band = band_of(scene, base->omega, 1);
-  l.band.ref = base->omega;
-  l.band.torque_ref = curve_at(scene, base->omega);
-  set_push(&l, base->omega > 0.0 ? 1 : -1);
-  const double net = in_band(&l, knots_at_base(piece, base));
+/* The sign of the net torque at the base's time and at a speed, or that to come where it is 0. */
+static int heading_at(const rot_axle_rest *rest, double omega) {
+  double lo,
+      push = push_of(rest->scene, omega, curve_at(rest->scene, omega), omega > 0.0 ? 1 : -1, &lo);
+  const double net = add_push(knots_at_base(rest), push, lo);
   if (net != 0.0) return net > 0.0 ? 1 : -1;
-  return piece->end_n_m >= piece->start_n_m ? 1 : -1;
+  return rest->piece.end_n_m >= rest->piece.start_n_m ? 1 : -1;
 }
 
 /* Steps are so short that exp(c s/|I|) stays in range where c < 0. */
@@ -124,17 +134,18 @@ enum { MOST_GROWTH = 200 };
 static leg leg_from(const rot_axle_rest *rest, int heading) {
   const rot_axle_base *base = &rest->base;
   const rot_torque_piece *piece = &rest->piece;
-  leg l = {.scene = rest->scene, .piece = piece, .base = *base};
+  leg l = {.rest = rest};
   const double end_s = fmin(piece->end_s, rest->last_s);
   double lo;
   l.band = band_of(rest->scene, base->omega, heading);
-  set_push(&l, l.band.lower >= 0.0 ? 1 : -1);
+  l.push =
+      push_of(rest->scene, l.band.ref, l.band.torque_ref, l.band.lower >= 0.0 ? 1 : -1, &l.push_lo);
   l.law.inertia_kg_m2 = rest->scene->linear.inertia_kg_m2;
   l.law.viscous_n_m_s = rest->scene->linear.viscous_n_m_s - l.band.slope;
   l.from.omega_rad_per_s = rot_two_sum(base->omega, -l.band.ref, &l.from.omega_lo);
   l.from.omega_error = base->omega_error;
-  l.a = in_band(&l, knots_at_base(piece, base));
-  if (base->omega == 0.0) { /* it leaves in this direction: no rounding may turn it */
+  l.a = in_band(&l, knots_at_base(rest));
+  if (base->omega == 0.0) { /* no rounding may reverse it */
     l.a = heading > 0 ? fmax(l.a, 0.0) : fmin(l.a, 0.0);
   }
   l.b = in_band(&l, rot_torque_in_piece(piece, end_s));
@@ -174,7 +185,7 @@ typedef struct change {
   double dtheta, omega, theta_error, omega_error;
 } change;
 
-/* By how much omega is off after s if the torque is off by x all the way: x (s/I) phi1. */
+/* Error of omega after s for an error x of the torque: x (s/I) phi1. */
 static double response(const leg *l, double x, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   if (!(x > 0.0 && s > 0.0)) return x * s; /* 0, or NaN */
@@ -183,8 +194,8 @@ static double response(const leg *l, double x, double s) {
   return rot_product(3, (double[]){x, s, z != 0.0 ? -expm1(-z) / z : 1.0}, I);
 }
 
-/* What the step does not know of: the roundings of its coefficients. `inexact_s`: s itself is
- * rounded. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
+/* Adds what rot_axle_step() does not count: the roundings of its coefficients and, with
+ * `inexact_s`, of s. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
 static change leg_change(const leg *l, const rot_axle_state *v, double s, double b, int inexact_s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   change out;
@@ -194,12 +205,12 @@ static change leg_change(const leg *l, const rot_axle_state *v, double s, double
   }
   double wrong = response(l, off, s), turned_off = wrong * s;
   if (l->band.slope != 0.0) {
-    const double off_c =
-        l->band.slope_off + ROT_EPS * (fabs(l->scene->linear.viscous_n_m_s) + fabs(l->band.slope));
+    const double off_c = l->band.slope_off + ROT_EPS * (fabs(l->rest->scene->linear.viscous_n_m_s) +
+                                                        fabs(l->band.slope));
     wrong += response(l, off_c * fmax(l->farthest, fabs(v->omega_rad_per_s)), s);
     turned_off += response(l, off_c * fabs(v->theta_rad), s);
   }
-  if (inexact_s) { /* what counts is how fast it moves at the end */
+  if (inexact_s) { /* by the rate at the end */
     const double net = fabs(b - c * v->omega_rad_per_s);
     wrong += 2.0 * ROT_EPS * rot_muldiv(net, s, I, NULL);
     turned_off += 2.0 * ROT_EPS * fabs(v->omega_rad_per_s * s);
@@ -208,8 +219,9 @@ static change leg_change(const leg *l, const rot_axle_state *v, double s, double
   out.omega = l->band.ref + v->omega_rad_per_s;
   out.dtheta = carried + (v->theta_rad + v->theta_lo);
   out.omega_error = v->omega_error + wrong + (l->band.ref != 0.0 ? ROT_EPS * fabs(out.omega) : 0.0);
-  out.theta_error = l->base.theta_error + v->theta_error + turned_off +
-                    2.0 * ROT_EPS * fabs(carried) + ROT_EPS * fabs(l->base.theta + out.dtheta);
+  out.theta_error = l->rest->base.theta_error + v->theta_error + turned_off +
+                    2.0 * ROT_EPS * fabs(carried) +
+                    ROT_EPS * fabs(l->rest->base.theta + out.dtheta);
   return out;
 }
 
@@ -242,8 +254,8 @@ static double extremum(const leg *l) {
   return linear_time(l, rot_muldiv(-net, l->span_s, rise, NULL), 1.0);
 }
 
-/* The net torque, I v', after s: without the difference between b and c v, which is all rounding
- * once it has settled. */
+/* The net torque, I v', after s: without the difference between b and c v, which is rounding
+ * alone once v has settled. */
 static double net_after(const leg *l, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   const double z = rot_muldiv(c, s, I, NULL), rise = torque_after(l, s) - l->a;
@@ -255,7 +267,7 @@ static double net_after(const leg *l, double s) {
 static double first_guess(const leg *l, double level) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
   const double now = l->a - c * v0, then = l->a - c * level;
-  /* Far down the exponential log1p() would be of -1: its argument plus 1 is then/now. */
+  /* Near -1 the argument of log1p() loses its digits: plus 1 it is then/now. */
   if (c > 0.0 && then / now < 0.5 && then / now > 0.0) {
     return rot_muldiv(log(now / then), I, c, NULL);
   }
@@ -272,7 +284,7 @@ static double when_at(const leg *l, double level, double s_lo, double s_hi, int 
   for (int i = 0; i < 300; i++) {
     const rot_axle_state at = leg_after(&alone, s);
     const double f = (at.omega_rad_per_s - level) + at.omega_lo;
-    /* From some step on f is rounding only, and the bracket would creep. */
+    /* In the end f is rounding alone. */
     if (f == 0.0 || (i > 8 && fabs(f) <= at.omega_error)) return s;
     if ((f > 0.0) == rising) {
       s_hi = s;
@@ -292,8 +304,8 @@ static double when_at(const leg *l, double level, double s_lo, double s_hi, int 
   return s;
 }
 
-/* v goes one way between s0 and s1: does it leave, and when? An edge that it starts from is left
- * at once only by more than what the step may be off. */
+/* v is monotonic between s0 and s1: does it leave, and when? An edge that it starts from is left at
+ * once only by more than the error of the step. */
 static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_state *to,
                   int touching, exit_point *out) {
   const double v1 = to->omega_rad_per_s;
@@ -313,19 +325,19 @@ static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_
   return 1;
 }
 
-/* On a line so steep that v settles within its error of an edge, the line cannot tell whether it
- * gets there. The torque on the edge can: the curve has it exactly. */
+/* On a line so steep that v settles within its error of an edge, the torque on the edge, which the
+ * curve gives exactly, decides whether it gets there. */
 static void look_past_edge(const leg *l, double s0, double v, const rot_axle_state *end,
                            exit_point *out) {
   if (l->band.slope == 0.0) return;
   const double near = 2.0 * leg_change(l, end, l->span_s, l->b, 0).omega_error;
   const int up = fabs(end->omega_rad_per_s - l->high) < fabs(end->omega_rad_per_s - l->low);
   const double edge = up ? l->high : l->low;
-  rot_axle_base there = l->base;
-  there.omega = up ? l->band.upper : l->band.lower;
-  if (!(fabs(end->omega_rad_per_s - edge) <= near) || there.omega == 0.0 || v == edge) return;
-  if (l->piece->start_n_m != l->piece->end_n_m) return;
-  if (heading_on_edge(l->scene, &there, l->piece) != (up ? 1 : -1)) return;
+  const double omega = up ? l->band.upper : l->band.lower;
+  const rot_torque_piece *piece = &l->rest->piece;
+  if (!(fabs(end->omega_rad_per_s - edge) <= near) || omega == 0.0 || v == edge) return;
+  if (piece->start_n_m != piece->end_n_m) return;
+  if (heading_at(l->rest, omega) != (up ? 1 : -1)) return;
   out->side = up ? ABOVE : BELOW;
   out->s = s0;
   if (fabs(v - edge) > near) {
@@ -358,7 +370,7 @@ typedef struct bands_run {
   leg leg;       /* moving: */
   exit_point to; /* and where it leaves the band */
   int slips;     /* held: the direction in which it breaks loose; 0: not in this piece */
-  double slip_s, slip_lo, late_s; /* when, and how uncertain that is */
+  double slip_s, slip_lo, late_s; /* when, and the error of that */
 } bands_run;
 
 /* Begins a motion; `heading` counts where it starts on an edge. */
@@ -384,8 +396,8 @@ static void begin_motion(bands_run *run, int heading, int slipped) {
   run->to = to;
 }
 
-/* Moves off with what it has gained if it breaks loose as late as it may, or with what strong
- * resistance leaves of that. */
+/* Begins to move; the errors count what it would gain until the latest time of breaking loose, at
+ * most what strong resistance leaves of that. */
 static rot_status break_loose(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   rot_axle_base *base = &rest->base;
@@ -432,17 +444,18 @@ static rot_status enter_leg(bands_run *run) {
   const rot_axle_base *base = &rest->base;
   /* omega turns once in a piece where rest does not interfere, and once more for each stop: each
    * edge is met a few times at most. */
-  const size_t budget = 1000 + 16 * points(scene);
+  size_t n;
+  (void)speeds_of(scene, &n);
   if (rot_axle_rest_enter(rest)) run->legs = 0;
-  if (run->legs++ == budget) return ROT_EBUDGET;
+  if (run->legs++ == 1000 + 16 * n) return ROT_EBUDGET;
   int heading = base->omega > 0.0 ? 1 : -1;
   if (base->omega == 0.0) {
-    const double applied = knots_at_base(&rest->piece, base) + curve_at(scene, 0.0);
+    const double applied = knots_at_base(rest) + curve_at(scene, 0.0);
     const rot_status status = rot_axle_rest_decide(rest, applied, &heading);
     if (status != ROT_OK) return status;
     if (!heading) return begin_hold(run);
   } else if (on_edge(scene, base->omega)) {
-    heading = heading_on_edge(scene, base, &rest->piece);
+    heading = heading_at(rest, base->omega);
   }
   begin_motion(run, heading, 0);
   return ROT_OK;
@@ -475,7 +488,7 @@ static rot_status write_row(void *model, size_t i) {
   const double t = rest->time_s[i];
   double lo, s = rot_axle_rest_elapsed(rest, t, &lo);
   const int exact = base->time_lo == 0.0;
-  const double b = in_band(l, rot_torque_in_piece(l->piece, t));
+  const double b = in_band(l, rot_torque_in_piece(&rest->piece, t));
   const rot_axle_state v = exact ? leg_state(l, base->time_s, t, b) : leg_state(l, 0.0, s, b);
   change row = leg_change(l, &v, s, b, !exact);
   if (s == 0.0) row.omega = base->omega;
@@ -485,12 +498,13 @@ static rot_status write_row(void *model, size_t i) {
                            row.theta_error, row.omega_error);
 }
 
-/* How uncertain the time of a stop is that happens after s, with omega off by so much: by the net
- * torque there or, where the torques balance, by the square of the time. */
+/* Error of the time of a stop, from that of omega: by the net torque or, where the torques balance
+ * there, by its rate of change. */
 static double settling_time(const leg *l, double net, double omega_error) {
-  const double I = l->law.inertia_kg_m2, rise = fabs(l->piece->end_n_m - l->piece->start_n_m);
-  const double pace = rise > 0.0 ? rot_muldiv(I, l->piece->end_s - l->piece->start_s, rise, NULL)
-                                 : (double)INFINITY;
+  const rot_torque_piece *piece = &l->rest->piece;
+  const double I = l->law.inertia_kg_m2, rise = fabs(piece->end_n_m - piece->start_n_m);
+  const double pace =
+      rise > 0.0 ? rot_muldiv(I, piece->end_s - piece->start_s, rise, NULL) : (double)INFINITY;
   return fmin(rot_muldiv(omega_error, I, net, NULL), sqrt(2.0 * omega_error) * sqrt(pace));
 }
 
@@ -503,9 +517,9 @@ static rot_status finish_motion(bands_run *run) {
   const double s = to->s, b = torque_after(l, s);
   const int exact = to->side == NOWHERE && l->to_end && base->time_lo == 0.0;
   const rot_axle_state v =
-      exact ? leg_state(l, base->time_s, l->piece->end_s, l->b) : leg_state(l, 0.0, s, b);
+      exact ? leg_state(l, base->time_s, rest->piece.end_s, l->b) : leg_state(l, 0.0, s, b);
   change end = leg_change(l, &v, s, b, !exact);
-  double time = l->piece->end_s, time_lo = 0.0, wanted = end.omega;
+  double time = rest->piece.end_s, time_lo = 0.0, wanted = end.omega;
   if (to->side != NOWHERE) {
     wanted = to->side == ABOVE ? l->band.upper : l->band.lower;
   } else { /* roundings do not leave the band */
@@ -545,15 +559,14 @@ static rot_status next_piece(void *model, double *end_s) {
 /* ---- the model ------------------------------------------------------------------------------ */
 
 static int fits(const rot_axle_scene *scene, double last_s) {
-  const rot_axle_params *p = &scene->linear;
+  const rot_term *curve = scene->terms;
   if (scene->n_terms > 1) return 0;
-  if (scene->n_terms) {
-    const rot_term *term = scene->terms;
-    if (term->kind != ROT_TERM_CURVE || !rot_term_valid(term)) return 0;
-    if (!(term->from_s <= p->start_s && term->to_s > last_s)) return 0;
+  if (scene->n_terms == 1) {
+    if (!(curve->from_s <= scene->linear.start_s && curve->to_s > last_s)) return 0;
+    if (!rot_term_valid(curve)) return 0;
   }
-  return p->inertia_kg_m2 > 0.0 && scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m >= 0.0 &&
-         scene->static_n_m >= scene->coulomb_n_m && scene->n_inertia == 0 && !p->torque.call;
+  return rot_axle_fits(scene, ROT_AXLE_BANDS_TAKES) && scene->coulomb_n_m >= 0.0 &&
+         scene->static_n_m >= scene->coulomb_n_m;
 }
 
 rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],
@@ -562,5 +575,7 @@ rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double ti
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
   bands_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
   if (n > 0 && !fits(scene, time_s[n - 1])) return info->status = ROT_EVALUE;
-  return rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_axle_motor_error(scene, n, time_s, info);
+  return info->status;
 }

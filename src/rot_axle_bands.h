@@ -1,10 +1,10 @@
-/* Fixed axle, torque in straight lines over time, plus one curve in straight lines over omega:
+/* Fixed axle, torque piecewise linear in time, plus one curve piecewise linear in omega:
  *
  *   I omega' = tau(t) + curve(omega) - c omega - tau_c sign(omega),
  *
  * held at rest while |tau + curve(0)| <= tau_s. Between two points of the curve, and between a
- * point and rest, the law is linear: a band. Closed forms in a band (rot_axle.h), times of leaving
- * it. */
+ * point and rest, the law is linear: a band. Closed forms in a band (rot_axle.h); the
+ * times of leaving it are found by iteration. */
 #ifndef ROT_AXLE_BANDS_H
 #define ROT_AXLE_BANDS_H
 

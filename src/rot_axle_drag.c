@@ -2,16 +2,17 @@
 
 #include <math.h>
 
+#include "rot_axle_effects.h"
+#include "rot_axle_motor.h"
 #include "rot_axle_rest.h"
 #include "rot_drag.h"
 #include "rot_march.h"
 #include "rot_real.h"
 
 static int fits(const rot_axle_scene *scene) {
-  const rot_axle_params *p = &scene->linear;
-  return p->inertia_kg_m2 > 0.0 && p->viscous_n_m_s >= 0.0 && scene->quadratic_n_m_s2 >= 0.0 &&
-         scene->coulomb_n_m >= 0.0 && scene->static_n_m >= scene->coulomb_n_m &&
-         scene->n_terms == 0 && scene->n_inertia == 0 && !p->torque.call;
+  return rot_axle_fits(scene, ROT_AXLE_DRAG_TAKES) && scene->linear.viscous_n_m_s >= 0.0 &&
+         scene->quadratic_n_m_s2 >= 0.0 && scene->coulomb_n_m >= 0.0 &&
+         scene->static_n_m >= scene->coulomb_n_m;
 }
 
 /* The law for motion in a direction, mirrored where that is backward. */
@@ -54,7 +55,6 @@ static rot_status enter_leg(drag_run *run) {
   const rot_axle_base *base = &rest->base;
   rot_axle_rest_enter(rest);
   const rot_torque_piece *piece = &rest->piece;
-  if (piece->start_n_m != piece->end_n_m) return ROT_EVALUE;
   run->held = 0;
   if (base->omega == 0.0) {
     int leaves;
@@ -139,7 +139,9 @@ rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double tim
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
   drag_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
   if (!fits(scene)) return info->status = ROT_EVALUE;
-  return rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_axle_motor_error(scene, n, time_s, info);
+  return info->status;
 }
 
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad) {

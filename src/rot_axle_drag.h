@@ -1,4 +1,4 @@
-/* Fixed axle, torque constant between jumps, resistance of every order at once:
+/* Fixed axle, piecewise-constant torque, viscous, quadratic and dry resistance together:
  *
  *   I omega' = tau - c omega - q omega |omega| - tau_c sign(omega),
  *
@@ -19,7 +19,7 @@ rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double tim
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad);
 
 /* Where omega tends to under the last knot's torque; +-Inf where nothing resists, 0 where friction
- * takes the torque up. */
+ * exceeds the torque. */
 double rot_axle_drag_terminal(const rot_axle_scene *scene);
 
 #endif

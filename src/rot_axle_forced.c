@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
 #include "rot_dd.h"
 #include "rot_divided.h"
@@ -14,31 +15,19 @@ enum { MAX_DEGREE = ROT_PHI_HIGH - 2 };
 
 int rot_axle_forced_max_degree(void) { return MAX_DEGREE; }
 
-static int term_fits(const rot_term *term) {
-  switch (term->kind) {
-  case ROT_TERM_SINUSOID:
-  case ROT_TERM_EXPONENTIAL: return 1;
-  case ROT_TERM_POLYNOMIAL: return term->x[1] <= MAX_DEGREE + 1;
-  default: return 0;
-  }
-}
-
 int rot_axle_forced_fits(const rot_axle_scene *scene) {
-  if (scene->linear.torque.call || scene->n_inertia > 0) return 0;
-  if (scene->quadratic_n_m_s2 != 0.0 || scene->coulomb_n_m != 0.0 || scene->static_n_m != 0.0) {
-    return 0;
-  }
   for (size_t i = 0; i < scene->n_terms; i++) {
-    if (!term_fits(&scene->terms[i])) return 0;
+    const rot_term *term = &scene->terms[i];
+    if (term->kind == ROT_TERM_POLYNOMIAL && term->x[1] > MAX_DEGREE + 1) return 0;
   }
-  return 1;
+  return rot_axle_fits(scene, ROT_AXLE_FORCED_TAKES);
 }
 
 /* ---- a term between two breaks -------------------------------------------------------------- */
 
 /* Roundings of a contribution, in units of the sum of its parts, each counted at its worst: the
- * kernel 6 to 10 (phi functions of a driven axle), its scaling 5 to 8, and what residuals leave
- * out: up to 4 more in a driven wave. In 8000 random scenes the largest error was half of it. */
+ * kernel 6 to 10 (phi functions of a driven axle), its scaling 5 to 8, and what the residuals omit
+ * up to 4 more in a driven wave. In 8000 random scenes the largest error was half of it. */
 enum { WAVE_ROUNDINGS = 14, DECAY_ROUNDINGS = 16, POWER_ROUNDINGS = 24 };
 
 /* What does not change between two breaks. Coefficient j of a polynomial about the base is
@@ -478,7 +467,7 @@ rot_status rot_axle_forced(const rot_axle_scene *scene, size_t n, const double t
                            rot_info *info) {
   static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   (void)events; /* nothing sticks, slips or locks */
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->time_s = scene->linear.start_s;
   if (!rot_axle_forced_fits(scene)) return info->status = ROT_EVALUE;
   forced_run run = {.scene = scene};

@@ -128,7 +128,7 @@ rot_axle_state rot_axle_grid_step(const rot_axle_grid *grid, const rot_axle_para
 
 /* ---- the table ------------------------------------------------------------------------------ */
 
-/* Chunks as long as the steps stay short; 0 where that is not worth it. */
+/* The longest chunk whose steps are short; 0 where it would not pay. */
 static size_t chunk_rows(double z) {
   size_t rows = ROT_GRID_ROWS;
   while (rows >= 8 && !((double)rows * z <= NEAR)) rows /= 2;
@@ -162,7 +162,7 @@ static int fill(const rot_axle_grid *grid, const rot_axle_state *from, const dep
 static double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
 
 /* Sizes and bounds of the rows of a chunk. Between its ends omega and theta keep their direction if
- * the acceleration and omega keep their sign; else every row is looked at. */
+ * the acceleration and omega keep their sign; else all rows are compared. */
 static void note_chunk(const rot_axle_grid *grid, const rot_axle_state *from, const departure *go,
                        double rounding, size_t n, const rot_axle_columns *out, rot_info *info) {
   const double s = grid->s[n - 1], A = go->acceleration, w0 = from->omega_rad_per_s;
@@ -189,15 +189,7 @@ static size_t even_rows(const rot_axle_grid *grid, size_t n, const double time_s
   return j;
 }
 
-/* The columns from row i on. */
-static rot_axle_columns from_row(const rot_axle_columns *to, size_t i) {
-  const rot_axle_columns out = {
-      to->theta_rad + i, to->omega_rad_per_s + i,      to->applied_n_m + i, to->damping_n_m + i,
-      to->net_n_m + i,   to->momentum_kg_m2_per_s + i, to->energy_j + i};
-  return out;
-}
-
-/* A table for the first rows, the old one if it will do. */
+/* A table for the first rows, the old one if its step is the same. */
 static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const double time_s[]) {
   const double step_s = (time_s[ROT_GRID_LEAST - 1] - time_s[0]) / (ROT_GRID_LEAST - 1);
   return fabs(step_s - grid->step_s) <= ROT_GRID_UNEVEN / ROT_GRID_ROWS * step_s ||
@@ -216,10 +208,10 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
   size_t done = 0;
   for (;;) {
     const size_t left = n - done, rows = left < chunk_rows ? left : chunk_rows;
-    const rot_axle_columns to = from_row(out, done);
+    const rot_axle_columns to = rot_axle_columns_from(out, done);
     const departure go = depart(k, &at);
     const double rounding = step_rounding(k, &at, &go, grid->s[rows]);
-    /* The next state first: a chain of sums, which the rows do not have to wait for. */
+    /* The next state first: the rows do not depend on this chain of sums. */
     rot_axle_state next = at;
     int more = 0;
     if (rows < left) {

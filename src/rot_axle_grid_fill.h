@@ -1,5 +1,5 @@
 /* The kernels of rot_axle_grid.c: its table, and the rows of a chunk. Compiled for registers of two
- * there and for registers of four in rot_wide.c. */
+ * there and for registers of four in rot_axle_grid_fill.c. */
 #ifndef ROT_AXLE_GRID_FILL_H
 #define ROT_AXLE_GRID_FILL_H
 
@@ -63,9 +63,10 @@ ROT_INLINE int fill_rows(const rot_axle_grid *grid, const rot_axle_state *from,
                          const rot_axle_departure *go, int sloping, size_t n, const double time_s[],
                          const rot_axle_columns *out) {
   double *const theta = out->theta_rad, *const omega = out->omega_rad_per_s,
-                *const applied = out->applied_n_m, *const damping = out->damping_n_m,
-                *const net = out->net_n_m, *const momentum = out->momentum_kg_m2_per_s,
-                *const energy = out->energy_j;
+                *const applied = out->applied_torque_n_m, *const damping = out->damping_torque_n_m,
+                *const net = out->net_torque_n_m,
+                *const momentum = out->angular_momentum_kg_m2_per_s,
+                *const energy = out->rotational_kinetic_energy_j;
   const rot_axle_law *of = &grid->law;
   const chunk k = {ROT_BOTH(from->time_s),
                    ROT_BOTH(from->omega_rad_per_s),
@@ -97,5 +98,11 @@ ROT_INLINE int fill_chunk(const rot_axle_grid *grid, const rot_axle_state *from,
   return grid->law.slope != 0.0 ? fill_rows(grid, from, go, 1, n, time_s, out)
                                 : fill_rows(grid, from, go, 0, n, time_s, out);
 }
+
+/* The same for registers of four; n >= ROT_WIDE_PAIR. */
+void rot_axle_grid_table_wide(rot_axle_grid *grid, double lambda, int terms);
+int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
+                            const rot_axle_departure *go, size_t n, const double time_s[],
+                            const rot_axle_columns *out);
 
 #endif

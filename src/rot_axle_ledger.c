@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "rot_gauss.h"
 #include "rot_phi.h"
 #include "rot_real.h"
 
@@ -65,31 +66,25 @@ static double mean_square(const step_drive *drive, double *size) {
             2.0 * fabs(d) * (fabs(p0) * phi[1] + fabs(p1) * g1) + d * d * twice;
     return (p0 * p0 + p0 * pe + pe * pe) / 3.0 + 2.0 * d * (p0 * phi[1] + p1 * g1) + d * d * twice;
   }
-  /* Gauss-Legendre, 12 points: truncation below 1e-17 for |z| <= 3. */
-  static const double node[6] = {0.98156063424671925069, 0.90411725637047485667,
-                                 0.76990267419430468703, 0.58731795428661744729,
-                                 0.36783149899818019375, 0.12523340851146891547};
-  static const double weight[6] = {0.04717533638651182719, 0.10693932599531843096,
-                                   0.16007832854334622633, 0.20316742672306592174,
-                                   0.23349253653835480876, 0.24914704581340278500};
   double sum = 0.0;
   *size = 0.0;
   for (int i = 0; i < 12; i++) {
-    const double x = 0.5 + (i < 6 ? -0.5 : 0.5) * node[i < 6 ? i : 11 - i];
+    const rot_gauss_node at = rot_gauss(i);
+    const double x = at.x;
     double phi[3];
     rot_phi(z * x, 0.0, 2, phi);
     const double from_a = ua * x * (phi[1] - x * phi[2]), from_b = ub * x * x * phi[2];
     const double omega = u0 * phi[0] + (from_a + from_b);
     const double largest = fabs(u0) * phi[0] + fabs(from_a) + fabs(from_b);
-    sum += 0.5 * weight[i < 6 ? i : 11 - i] * omega * omega;
-    *size += 0.5 * weight[i < 6 ? i : 11 - i] * largest * largest;
+    sum += at.weight * omega * omega;
+    *size += at.weight * largest * largest;
   }
   return sum;
 }
 
 typedef struct running_ledger {
   running_sum work, heat, impulse, turned;
-  double work_rounding, heat_rounding, impulse_rounding, turned_rounding;
+  double work_rounding, heat_rounding, impulse_rounding;
 } running_ledger;
 
 /* A product in units of 2^unit. */
@@ -129,7 +124,7 @@ static void add_step(const rot_axle_params *p, const rot_axle_state *from,
   const double y_size = fabs(u0) * g1 + fabs(da * near_b) + fabs(db * far_b);
   double square_size, square = mean_square(&drive, &square_size);
 
-  /* How far the error of omega at the start moves the two. */
+  /* Their errors from that of omega at the start. */
   const double u_error = ldexp(from->omega_error, -drive.unit);
   const double largest =
       fabs(u0) + (settled ? fabs(da) + fabs(db) : (fabs(da) + fabs(db)) * phi[1]);
@@ -147,8 +142,8 @@ static void add_step(const rot_axle_params *p, const rot_axle_state *from,
   sum->impulse_rounding += 4.0 * ROT_EPS * fabs(0.5 * s) * (fabs(a) + fabs(b));
 }
 
-/* March from *state to a time, adding up on the way if there is a sum. */
-static rot_status march(const rot_axle_params *p, rot_axle_state *state, double to_s,
+/* From *state to a time, piece by piece, adding up if there is a sum. */
+static rot_status go_to(const rot_axle_params *p, rot_axle_state *state, double to_s,
                         running_ledger *sum, const rot_hooks *hooks, rot_info *info) {
   const int forward = to_s >= state->time_s;
   size_t k = rot_torque_find(&p->torque, state->time_s, forward);
@@ -161,10 +156,9 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
     if (sum) {
       add(&sum->turned, state->theta_rad - from.theta_rad);
       add(&sum->turned, state->theta_lo - from.theta_lo);
-      sum->turned_rounding = state->theta_error + ROT_EPS * fabs(sum->turned.hi);
     }
     info->time_s = stop;
-    if (!(isfinite(state->theta_rad) && isfinite(state->omega_rad_per_s))) return ROT_ERANGE;
+    if (!rot_axle_in_range(state)) return ROT_ERANGE;
     k = forward ? k + 1 : k - 1;
     if (++info->steps % 256 == 0) {
       rot_status status = rot_poll(hooks, 0.0);
@@ -174,23 +168,23 @@ static rot_status march(const rot_axle_params *p, rot_axle_state *state, double 
   return ROT_OK;
 }
 
-/* Rows are reached outward from the start, and so is the ledger: the other way a motion that
- * decays outward would grow, its rounding with it. */
+/* Outward from the start, as the rows: in the other direction a motion that decays outward would
+ * grow, and its rounding with it. */
 rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
                                   const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info) {
   running_ledger before, after;
   rot_axle_state state = rot_axle_start(p);
   memset(&before, 0, sizeof before);
   after = before;
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   if (from_s < p->start_s) {
-    if (to_s < p->start_s) info->status = march(p, &state, to_s, NULL, hooks, info);
-    if (info->status == ROT_OK) info->status = march(p, &state, from_s, &before, hooks, info);
+    if (to_s < p->start_s) info->status = go_to(p, &state, to_s, NULL, hooks, info);
+    if (info->status == ROT_OK) info->status = go_to(p, &state, from_s, &before, hooks, info);
   }
   if (to_s > p->start_s && info->status == ROT_OK) {
     state = rot_axle_start(p);
-    if (from_s > p->start_s) info->status = march(p, &state, from_s, NULL, hooks, info);
-    if (info->status == ROT_OK) info->status = march(p, &state, to_s, &after, hooks, info);
+    if (from_s > p->start_s) info->status = go_to(p, &state, from_s, NULL, hooks, info);
+    if (info->status == ROT_OK) info->status = go_to(p, &state, to_s, &after, hooks, info);
   }
   out->work_j = difference(after.work, before.work);
   out->dissipated_j = difference(after.heat, before.heat);
@@ -200,8 +194,6 @@ rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, doubl
   out->impulse_rounding_n_m_s = after.impulse_rounding + before.impulse_rounding;
   out->viscous_j = out->dissipated_j;
   out->quadratic_j = out->coulomb_j = out->inertia_work_j = 0.0;
-  out->damping_rounding_n_m_s =
-      2.0 * fabs(p->viscous_n_m_s) * (after.turned_rounding + before.turned_rounding);
   out->damping_impulse_n_m_s = 0.0 - p->viscous_n_m_s * difference(after.turned, before.turned);
   return info->status;
 }

@@ -103,28 +103,10 @@ static int has_kinks(const rot_axle_scene *scene) {
 
 /* ---- the scene ------------------------------------------------------------------------------- */
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 static rot_status collect_breaks(motion *m) {
-  const rot_axle_scene *scene = m->scene;
-  const rot_torque *law = &scene->linear.torque;
-  const size_t total = scene->n_breaks + law->n + scene->n_inertia;
-  m->breaks = malloc((total + 1) * sizeof *m->breaks);
+  m->breaks = malloc(rot_axle_scene_room(m->scene) * sizeof *m->breaks);
   if (!m->breaks) return ROT_ENOMEM;
-  for (size_t i = 0; i < scene->n_breaks; i++) m->breaks[i] = scene->breaks_s[i];
-  for (size_t i = 0; i < law->n; i++) m->breaks[scene->n_breaks + i] = law->time_s[i];
-  for (size_t i = 0; i < scene->n_inertia; i++) {
-    m->breaks[scene->n_breaks + law->n + i] = scene->inertia_time_s[i];
-  }
-  qsort(m->breaks, total, sizeof *m->breaks, by_size);
-  for (size_t i = 0; i < total; i++) {
-    if (m->n_breaks == 0 || m->breaks[i] != m->breaks[m->n_breaks - 1]) {
-      m->breaks[m->n_breaks++] = m->breaks[i];
-    }
-  }
+  m->n_breaks = rot_axle_scene_breaks(m->scene, m->breaks);
   return ROT_OK;
 }
 
@@ -212,22 +194,24 @@ static rot_status fill_columns(const motion *m, double accuracy, size_t n, const
 static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
                        const double error[], const double largest[], rot_info *info) {
   const double theta0 = m->scene->linear.theta0_rad;
-  info->theta_max = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
+  rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
+  rot_info_measures(info, rot_turning);
+  theta->largest = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
   for (size_t i = 0; i < n; i++) {
-    info->theta_max = fmax(info->theta_max, fabs(theta0 + y[i * DIM + TURNED]));
+    theta->largest = fmax(theta->largest, fabs(theta0 + y[i * DIM + TURNED]));
   }
   /* With half of an ulp of theta, two of 1000 motions erred by more, at 3e-16. */
-  info->theta_error = error[TURNED] + 4.0 * ROT_EPS * info->theta_max;
-  info->omega_error = error[OMEGA];
-  info->omega_max = largest[OMEGA];
+  theta->error = error[TURNED] + 4.0 * ROT_EPS * theta->largest;
+  omega->error = error[OMEGA];
+  omega->largest = largest[OMEGA];
   if (m->inertia.n == 0) return;
   double most = 0.0;
-  info->omega_max = fabs(m->scene->linear.omega0_rad_per_s);
+  omega->largest = fabs(m->scene->linear.omega0_rad_per_s);
   for (size_t i = 0; i < n; i++) {
     most = fmax(most, omega_of(m, time_s[i], 1.0));
-    info->omega_max = fmax(info->omega_max, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
+    omega->largest = fmax(omega->largest, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
   }
-  info->omega_error *= most;
+  omega->error *= most;
 }
 
 static void write_ledger(const double first[], const double last[], const double error[],
@@ -243,7 +227,6 @@ static void write_ledger(const double first[], const double last[], const double
   out->work_rounding_j = 2.0 * (error[WORK] + error[INERTIA]);
   out->dissipated_rounding_j = 2.0 * (error[VISCOUS] + error[QUADRATIC] + error[COULOMB]);
   out->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
-  out->damping_rounding_n_m_s = 2.0 * error[DAMPING];
 }
 
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
@@ -256,7 +239,7 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
   const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
   const rot_ode_switch turn = {OMEGA, IMPULSE, holds};
   const int guess_torque = scene->linear.torque.call && n > FEW_ROWS;
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->status = collect_breaks(&m);
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
   double *slope = guess_torque ? malloc(n * sizeof *slope) : NULL;

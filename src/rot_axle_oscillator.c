@@ -3,13 +3,14 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
 #include "rot_oscillator.h"
 
-/* The answer to the knots is marched from piece to piece. The answer to each wave is taken from the
- * start of the scene in one step, from rest, and added: no knot adds to its error. */
+/* The response to the knots goes from piece to piece. The response to each wave is computed in one
+ * step from rest at the start of the scene, and added: no knot adds to its error. */
 
-/* exp(-z) is off by 2^-1074 at least, and its factors are below 2^11 where that counts. */
+/* exp(-z) has an error of 2^-1074 at least, and its factors are below 2^11 where that counts. */
 static const double least = 0x1p-1060;
 
 typedef struct wave {
@@ -43,10 +44,7 @@ typedef struct swing {
 
 /* ---- products ------------------------------------------------------------------------------- */
 
-static int tame(double x) {
-  x = fabs(x);
-  return x == 0.0 || (x > 1e-60 && x < 1e60);
-}
+static int tame(double x) { return rot_well_scaled(x, 1e60); }
 
 /* Product of n numbers times 2^e, divided by d. */
 static double product(int plain, int n, const double x[], double d, int e) {
@@ -64,7 +62,7 @@ static double product(int plain, int n, const double x[], double d, int e) {
 
 static int sloped(const rot_torque_piece *piece) { return piece->start_n_m != piece->end_n_m; }
 
-/* What a step adds up, and what it may be off for. */
+/* The sum of a step, and its errors. */
 typedef struct step_sum {
   rot_dd theta;
   double omega, theta_error, omega_error;
@@ -211,7 +209,7 @@ static void begin_wave(const swing *run, const rot_term *term, wave *out) {
       16.0 * ROT_DD_EPS * (of->stiff.hi + out->rate * out->rate) * hypot(steady.re, steady.im);
 }
 
-/* Steady answer, less the free motion that meets it at the start. */
+/* Steady response, less the free motion that equals it at the start. */
 static void far_answer(const swing *run, const wave *w, const rot_oscillator_step *step, double t,
                        rot_axle_point *sum) {
   const double T = run->unit_s, w2 = run->of.stiff.hi, rate = w->rate, psi1 = fabs(step->psi1);
@@ -314,26 +312,18 @@ static void next_piece(void *model, rot_axle_point *at_end) {
   run->piece = rot_torque_piece_at(&run->scene->linear.torque, run->index);
 }
 
-static int all_the_time(const rot_term *term) {
-  return term->from_s == -INFINITY && term->to_s == INFINITY;
-}
-
-/* The spring, if the scene is one of ours. */
+/* The spring, if the model takes the scene. */
 static const rot_term *the_spring(const rot_axle_scene *scene) {
   const rot_term *spring = NULL;
+  if (!rot_axle_fits(scene, ROT_AXLE_OSCILLATOR_TAKES)) return NULL;
   for (size_t i = 0; i < scene->n_terms; i++) {
     const rot_term *term = &scene->terms[i];
-    if (!all_the_time(term)) return NULL;
-    if (term->kind == ROT_TERM_SPRING && !spring && term->x[0] > 0.0) {
-      spring = term;
-    } else if (term->kind != ROT_TERM_SINUSOID) {
-      return NULL;
-    }
+    if (term->from_s != -INFINITY || term->to_s != INFINITY) return NULL;
+    if (term->kind != ROT_TERM_SPRING) continue;
+    if (spring || !(term->x[0] > 0.0)) return NULL;
+    spring = term;
   }
-  const int nothing_else = scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m == 0.0 &&
-                           scene->static_n_m == 0.0 && scene->n_inertia == 0 &&
-                           !scene->linear.torque.call && scene->linear.inertia_kg_m2 > 0.0;
-  return nothing_else ? spring : NULL;
+  return spring;
 }
 
 static int all_tame(const rot_axle_scene *scene, const rot_term *spring) {
@@ -373,8 +363,8 @@ rot_status rot_axle_oscillator(const rot_axle_scene *scene, size_t n, const doub
                                const rot_hooks *hooks, rot_info *info) {
   static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   swing run;
-  (void)events; /* nothing happens here that would be one */
-  rot_info_clear(info);
+  (void)events; /* there are none */
+  rot_info_clear(info, rot_turning);
   info->status = begin(scene, &run);
   if (info->status == ROT_OK) {
     rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);

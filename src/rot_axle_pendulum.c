@@ -2,12 +2,13 @@
 
 #include <math.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
 #include "rot_jacobi.h"
 
 typedef enum manner { STILL, TO_AND_FRO, SEPARATRIX, ALL_ROUND, TOO_NEAR } manner;
 
-/* Nearer to the top than this (rad, or omega/w0) the squares of what is left would underflow. */
+/* Nearer to the top than this (rad, or omega/w0) squares of the distance would underflow. */
 static const double nearest_top = 1e-130;
 
 /* Times are in the unit 2^exponent s, in which w0 lies between 1/2 and 2. */
@@ -24,7 +25,7 @@ typedef struct pendulum {
   int k_exponent;
   double sign;  /* of the rate of u */
   rot_dd rate;  /* of u: w0, or k w0 */
-  rot_dd start; /* u at the start, and what it is off for */
+  rot_dd start; /* u at the start, and its error */
   double start_error;
   double top;  /* 2 k w0, the largest speed, in rad/s */
   double size; /* k as a number: the sine of half the amplitude */
@@ -58,8 +59,8 @@ static rot_dd sine_of(rot_dd r) {
 
 static rot_dd square(rot_dd x) { return rot_dd_mul(x, x); }
 
-/* Sine and cosine of phi/2. The angle is taken from the nearest hanging position before anything is
- * rounded, so that near the top, too, the small one of them keeps its digits. */
+/* Sine and cosine of phi/2. The angle is reduced to the nearest hanging position before anything is
+ * rounded, so that the smaller one keeps its digits near the top, too. */
 static void half_angle(pendulum *out, double theta, double rest, double gravity) {
   const int hangs_up = gravity < 0.0;
   rot_dd r;
@@ -106,8 +107,8 @@ static void modulus(pendulum *out) {
   out->size = ldexp(out->k.hi, out->k_exponent);
 }
 
-/* cosine^2 - speed^2 = 1 - k^2 over 4^e, the distance from the separatrix, as a product: what is
- * left of the difference is good to 2^-100 of cosine^2. */
+/* cosine^2 - speed^2 = 1 - k^2 over 4^e, the distance from the separatrix, as a product: the
+ * difference is good to 2^-100 of cosine^2. */
 static rot_dd distance(const pendulum *p, int e, double *error) {
   const rot_dd c = rot_dd_ldexp(p->cosine, -e);
   const rot_dd v = rot_dd_ldexp(rot_dd_abs(p->speed), p->speed_exponent - e);
@@ -135,7 +136,7 @@ static void begin_swing(pendulum *p, rot_dd m1) {
   rot_jacobi_begin(m1, &p->jacobi);
   p->rate = p->w0;
   begin_argument(p, fabs(s.hi / p->k.hi), fabs(v.hi / p->k.hi), p->cosine.hi);
-  if (v.hi < 0.0) { /* on the way back: u is as far beyond K */
+  if (v.hi < 0.0) { /* moving back: u is as far beyond K */
     p->start = rot_dd_sub(rot_dd_ldexp(p->jacobi.k, 1), p->start);
   }
   if (s.hi < 0.0) p->start = rot_dd_neg(p->start);
@@ -196,8 +197,8 @@ static rot_dd run_of_u(const pendulum *p, rot_dd s) {
   return rot_dd_add(run, p->start);
 }
 
-/* phi = pi half_turns + 2 half_phi, |half_phi| <= pi/4, so that a small angle from the top keeps
- * its digits as one from the bottom does. */
+/* phi = pi half_turns + 2 half_phi, |half_phi| <= pi/4, so that small angles from the top
+ * and from the bottom keep their digits. */
 typedef struct pose {
   double half_phi, omega;
   rot_dd half_turns;
@@ -219,7 +220,7 @@ static double argument_error(const pendulum *p, rot_dd u, double turns) {
          uncounted;
 }
 
-/* Of sn, cn and dn at r, |r| <= K, and a few more. */
+/* Relative roundings of sn, cn and dn at r, |r| <= K, and of their products. */
 static double roundings(const pendulum *p, rot_dd r) {
   const double x = fabs(r.hi);
   return ROT_EPS * (18.0 + 6.0 * fmin(x, fabs(p->jacobi.k.hi - x)));
@@ -253,7 +254,7 @@ static void turning_pose(const pendulum *p, rot_dd u, pose *out) {
   out->omega_error = p->top * (roundings(p, r) * dn + m * fabs(sn * cn) * du);
 }
 
-/* u that an unnoticed m1 would change by half of it: d(phi/2) = m1 sinh(u)/4. */
+/* A small m1 taken as 0 changes phi/2 by m1 sinh(u)/4. */
 static void separatrix_pose(const pendulum *p, rot_dd u, pose *out) {
   const double sech = 1.0 / cosh(u.hi);
   const double du =
@@ -264,7 +265,7 @@ static void separatrix_pose(const pendulum *p, rot_dd u, pose *out) {
   out->omega_error = p->top * (8.0 * ROT_EPS * sech + du);
 }
 
-/* Results below the smallest normal double are off by a unit of the smallest of all. */
+/* Results below the smallest normal double have an absolute error. */
 static const double least = 0x1p-1070;
 
 static void state_at(const void *model, double t, rot_axle_point *state) {
@@ -301,15 +302,9 @@ static double piece_end(const void *model) {
 }
 
 static int fits(const rot_axle_scene *scene) {
-  const rot_axle_params *p = &scene->linear;
-  if (scene->n_terms != 1 || scene->terms[0].kind != ROT_TERM_GRAVITY) return 0;
-  const rot_term *term = &scene->terms[0];
-  int ok = term->from_s == -INFINITY && term->to_s == INFINITY && term->x[0] != 0.0 &&
-           p->viscous_n_m_s == 0.0 && scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m == 0.0 &&
-           scene->static_n_m == 0.0 && scene->n_inertia == 0 && !p->torque.call &&
-           p->inertia_kg_m2 > 0.0 && p->torque.before_n_m == 0.0 && p->torque.after_n_m == 0.0;
-  for (size_t i = 0; ok && i < p->torque.n; i++) ok = p->torque.torque_n_m[i] == 0.0;
-  return ok;
+  const rot_term *term = scene->terms;
+  return rot_axle_fits(scene, ROT_AXLE_PENDULUM_TAKES) && scene->n_terms == 1 &&
+         term->from_s == -INFINITY && term->to_s == INFINITY && term->x[0] != 0.0;
 }
 
 static const double farthest = 1e15; /* rad: whole turns are counted exactly */
@@ -319,8 +314,8 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
                              const rot_hooks *hooks, rot_info *info) {
   static const rot_axle_pieces pieces = {restart, piece_end, NULL, state_at};
   pendulum run = {.scene = scene};
-  (void)events; /* nothing happens here that would be one */
-  rot_info_clear(info);
+  (void)events; /* there are none */
+  rot_info_clear(info, rot_turning);
   if (!fits(scene)) return info->status = ROT_EVALUE;
   const rot_axle_params *p = &scene->linear;
   const double gravity = scene->terms[0].x[0], rest = scene->terms[0].x[1];

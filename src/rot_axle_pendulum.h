@@ -5,8 +5,8 @@
  * With phi the angle from where it hangs (rest, or rest + pi for G < 0) and w0 = sqrt(|G|/I), half
  * the angle is an elliptic function of u = w0 t + u0:
  *
- *   to and fro:    sin(phi/2) = k sn u,  cos(phi/2) = dn u,  omega = 2 k w0 cn u,   m = k^2
- *   all the way:   phi/2 = am(k u),      omega = +-2 k w0 dn(k u),                  m = 1/k^2
+ *   oscillation:   sin(phi/2) = k sn u,  cos(phi/2) = dn u,  omega = 2 k w0 cn u,   m = k^2
+ *   rotation:      phi/2 = am(k u),      omega = +-2 k w0 dn(k u),                  m = 1/k^2
  *   k^2 = sin^2(phi0/2) + (omega0/(2 w0))^2, and on the separatrix between them k = 1. */
 #ifndef ROT_AXLE_PENDULUM_H
 #define ROT_AXLE_PENDULUM_H
@@ -20,9 +20,9 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
                              const rot_axle_columns *out, rot_events *events,
                              const rot_hooks *hooks, rot_info *info);
 
-/* Time of a swing to and fro, or of a whole turn where it goes all the way round, from any state of
- * the motion; theta counts from the rest angle. Inf on the separatrix and where it is balanced, the
- * time of a small swing where it hangs still; NaN where gravity is 0. */
+/* Period of the oscillation, or of a whole turn where it rotates, from any state of the motion;
+ * theta counts from the rest angle. Inf on the separatrix and where it is balanced, the time of a
+ * small swing where it hangs still; NaN where gravity is 0. */
 double rot_pendulum_period(double inertia_kg_m2, double gravity_n_m, double theta_rad,
                            double omega_rad_per_s);
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_axle_motor.h"
 #include "rot_march.h"
 
 typedef struct run {
@@ -59,7 +60,9 @@ rot_status rot_axle_by_pieces(const rot_axle_scene *scene, const rot_axle_pieces
                               const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
   run r = {scene, pieces, model, time_s, out, info, 1};
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   rot_note_state(info, scene->linear.theta0_rad, scene->linear.omega0_rad_per_s);
-  return rot_march_rows(&march, &r, scene->linear.start_s, n, time_s, hooks, info);
+  rot_march_rows(&march, &r, scene->linear.start_s, n, time_s, hooks, info);
+  rot_axle_motor_error(scene, n, time_s, info);
+  return info->status;
 }

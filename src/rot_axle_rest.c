@@ -15,7 +15,7 @@ rot_axle_rest rot_axle_rest_from(const rot_axle_scene *scene, size_t n, const do
   rest.base.heading = (omega > 0.0) - (omega < 0.0);
   rest.index = rot_torque_find(&p->torque, p->start_s, 1);
   rest.piece = rot_torque_piece_at(&p->torque, rest.index);
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   info->time_s = p->start_s;
   rot_note_state(info, p->theta0_rad, omega);
   return rest;
@@ -47,9 +47,9 @@ rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, double theta, double
   if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
   rot_axle_scene_row(scene, out, i, rest->time_s[i], theta, omega, applied, rest->base.stuck);
   if (omega == 0.0 && !rest->base.stuck && scene->coulomb_n_m > 0.0) {
-    /* It is about to leave: friction is there already. */
-    out->damping_n_m[i] = -copysign(scene->coulomb_n_m, applied);
-    out->net_n_m[i] = applied + out->damping_n_m[i];
+    /* It starts to move: friction acts already. */
+    out->damping_torque_n_m[i] = -copysign(scene->coulomb_n_m, applied);
+    out->net_torque_n_m[i] = applied + out->damping_torque_n_m[i];
   }
   rot_note_row(rest->info, theta, omega, theta_error, omega_error);
   return ROT_OK;

@@ -15,7 +15,7 @@ typedef struct rot_axle_base {
   double theta_error, omega_error; /* bounds */
   int heading;                     /* sign of the last motion; 0: none yet */
   int stuck;
-  double settle_s; /* at rest: how uncertain the time of the stop is */
+  double settle_s; /* at rest: error of the time of the stop */
 } rot_axle_base;
 
 typedef struct rot_axle_rest {

@@ -1,4 +1,4 @@
-/* All that may act on an axle:
+/* The torques and moments of inertia of an axle:
  *
  *   d(I(t) omega)/dt = knots(t) + sum of terms(t, theta, omega) - motor omega + resistance,
  *   resistance = -c omega - q omega |omega| - tau_c sign(omega)   while it turns,
@@ -13,7 +13,7 @@
 
 typedef struct rot_axle_scene {
   /* The linear part: inertia at the start, state at the start, knots (or a call). Its viscous_n_m_s
-   * is the sum of the next two, so that rot_axle_step() may be used as it is. */
+   * is the sum of the next two, for rot_axle_step(). */
   rot_axle_params linear;
   double viscous_n_m_s; /* of the resistance, any sign */
   double motor_n_m_s;   /* how steeply a motor's torque falls with omega: stall / no-load speed */
@@ -32,6 +32,11 @@ typedef struct rot_axle_scene {
 typedef rot_status (*rot_axle_model)(const rot_axle_scene *scene, size_t n, const double time_s[],
                                      const rot_axle_columns *out, rot_events *events,
                                      const rot_hooks *hooks, rot_info *info);
+
+/* All breaks of a scene, increasing: knots, terms, I(t), and the scene's own list of others. They go
+ * to out[], which has room for rot_axle_scene_room(); returns how many there are. */
+size_t rot_axle_scene_room(const rot_axle_scene *scene);
+size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]);
 
 /* Knots + terms - motor omega; not the call, which may fail. */
 double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,

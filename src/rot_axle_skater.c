@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
 #include "rot_dd.h"
 
@@ -146,20 +147,6 @@ static void next_piece(void *model, rot_axle_point *at_end) {
   enter_piece(run);
 }
 
-static int fits(const rot_axle_scene *scene) {
-  const rot_torque *torque = &scene->linear.torque;
-  for (size_t i = 0; i <= torque->n; i++) {
-    const rot_torque_piece piece = rot_torque_piece_at(torque, i);
-    if (piece.end_s > piece.start_s && piece.start_n_m != piece.end_n_m) return 0;
-  }
-  for (size_t i = 0; i < scene->n_inertia; i++) {
-    if (!(scene->inertia_kg_m2[i] > 0.0)) return 0;
-  }
-  return scene->n_terms == 0 && scene->linear.viscous_n_m_s == 0.0 &&
-         scene->quadratic_n_m_s2 == 0.0 && scene->coulomb_n_m == 0.0 && scene->static_n_m == 0.0 &&
-         !torque->call && scene->linear.inertia_kg_m2 > 0.0;
-}
-
 rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double time_s[],
                            const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                            rot_info *info) {
@@ -167,9 +154,9 @@ rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double t
   skater run = {.scene = scene};
   const double I = scene->linear.inertia_kg_m2, *moments = scene->inertia_kg_m2;
   const size_t knots = scene->n_inertia;
-  (void)events; /* nothing happens here that would be one */
-  rot_info_clear(info);
-  if (!fits(scene)) return info->status = ROT_EVALUE;
+  (void)events; /* there are none */
+  rot_info_clear(info, rot_turning);
+  if (!rot_axle_fits(scene, ROT_AXLE_SKATER_TAKES)) return info->status = ROT_EVALUE;
   run.inertia = (rot_torque){knots,
                              scene->inertia_time_s,
                              moments,

@@ -1,17 +1,17 @@
-/* The skater: a body whose moment of inertia changes on its axle, straight from knot to knot, under
- * torques that are constant from knot to knot, without resistance:
+/* The skater: a body on an axle whose moment of inertia is linear from knot to knot, under torques
+ * that are constant from knot to knot, without resistance:
  *
  *   d(I(t) omega)/dt = tau,   d(theta)/dt = omega.
  *
- * Angular momentum L is what lasts: it runs on over a jump of I, and omega = L / I. */
+ * The angular momentum L is continuous, also where I jumps, and omega = L/I. */
 #ifndef ROT_AXLE_SKATER_H
 #define ROT_AXLE_SKATER_H
 
 #include "rot_axle_scene.h"
 
 /* Knots of I(t) > 0 (or none), knots of a torque that is constant between them, nothing else:
- * ROT_EVALUE otherwise. The state at the start goes with the inertia after a jump there. The errors
- * in *info are bounds. */
+ * ROT_EVALUE otherwise. The state at the start belongs to the inertia after a jump there. The
+ * errors in *info are bounds. */
 rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double time_s[],
                            const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                            rot_info *info);

@@ -14,8 +14,8 @@ static void find_shares(const double inertia[2], double share[2]) {
   share[1] = 1.0 / (1.0 + inertia[0] / inertia[1]);
 }
 
-/* What a locked clutch carries, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
- * against the static capacity the last digit may decide. */
+/* The torque of a locked clutch, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
+ * compared with the static capacity, the last digit may decide. */
 static double locked_torque(const double inertia[2], double tau1, double tau2) {
   int of_inertia = 0, of_torque = 0;
   frexp(fmax(inertia[0], inertia[1]), &of_inertia);
@@ -40,8 +40,8 @@ static size_t step_at(const rot_steps *steps, double t) {
 
 /* ---- the state ------------------------------------------------------------------------------- */
 
-/* The mean motion (of the total momentum) knows nothing of the clutch, so that its error does not
- * depend on when the clutch locks; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
+/* The mean motion (of the total momentum) does not depend on the clutch, nor does its error on the
+ * time of locking; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
  * - share1 slip. Angles likewise. */
 typedef struct clutch {
   const rot_clutch_params *p;
@@ -176,7 +176,7 @@ static rot_status cross(clutch *c, rot_events *events) {
     if (was_locked && end > c->settled_s) c->slip_omega_error = 0.0;
   }
   rot_status status = enter(c, was_locked, events);
-  /* An error of the time at zero counts by what the slip does next. */
+  /* An error of the time at zero counts by the next rate of slip. */
   if (stops && fabs(c->slip_rate) > rate) c->slip_omega_error *= fabs(c->slip_rate) / rate;
   if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -way) {
     status = rot_events_add(events, c->time_s, ROT_EVENT_REVERSE);
@@ -229,15 +229,15 @@ static rot_status write_row(void *model, size_t i) {
         first ? at->p->omega0_rad_per_s[b] : at->mean_omega + way[b] * at->slip_omega;
     if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
     const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
-    out->theta_rad[b][i] = theta;
-    out->omega_rad_per_s[b][i] = omega;
+    (b == 0 ? out->theta_1_rad : out->theta_2_rad)[i] = theta;
+    (b == 0 ? out->omega_1_rad_per_s : out->omega_2_rad_per_s)[i] = omega;
     rot_note_row(run->info, theta, omega,
                  at->mean_theta_error + fabs(way[b]) * at->slip_theta_error +
                      ROT_EPS * (4.0 * fabs(way[b] * at->slip_theta) + fabs(theta)),
                  at->mean_omega_error + fabs(way[b]) * slip_error +
                      ROT_EPS * (4.0 * fabs(way[b] * at->slip_omega) + fabs(omega)));
   }
-  out->clutch_n_m[i] = at->torque;
+  out->clutch_torque_n_m[i] = at->torque;
   out->heat_j[i] = at->heat;
   out->locked[i] = at->locked;
   return ROT_OK;
@@ -248,7 +248,7 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
                           rot_info *info) {
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
   clutch_run run = {.time_s = time_s, .out = out, .events = events, .info = info};
-  rot_info_clear(info);
+  rot_info_clear(info, rot_turning);
   begin(&run.at, p);
   for (int b = 0; b < 2; b++) rot_note_state(info, p->theta0_rad[b], p->omega0_rad_per_s[b]);
   return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
@@ -270,10 +270,10 @@ static void add_work(const clutch *from, const clutch *to, double *work, double 
   }
 }
 
-rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s, double *work_j,
-                           double *rounding_j) {
+rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s,
+                           rot_clutch_ledger *ledger) {
   clutch c;
-  *work_j = *rounding_j = 0.0;
+  ledger->work_j = ledger->work_rounding_j = 0.0;
   if (!(from_s >= p->start_s && to_s >= from_s)) return ROT_EVALUE;
   begin(&c, p);
   rot_status status = enter(&c, 1, NULL);
@@ -289,12 +289,12 @@ rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_
     while (status == ROT_OK && to.end_s < end) status = cross(&to, NULL);
     if (status != ROT_OK) return status;
     to = after(&to, end);
-    add_work(&c, &to, work_j, rounding_j);
+    add_work(&c, &to, &ledger->work_j, &ledger->work_rounding_j);
     if (!(end < to_s)) break;
     status = advance(&c, end);
     if (status != ROT_OK) return status;
   }
-  return isfinite(*work_j) ? ROT_OK : ROT_ERANGE;
+  return isfinite(ledger->work_j) ? ROT_OK : ROT_ERANGE;
 }
 
 /* ---- one engagement -------------------------------------------------------------------------- */

@@ -27,23 +27,41 @@ typedef struct rot_clutch_params {
   double theta0_rad[2], omega0_rad_per_s[2];
 } rot_clutch_params;
 
+#define ROT_CLUTCH_COLUMNS(X)                                                                      \
+  X(double, theta_1_rad)                                                                           \
+  X(double, omega_1_rad_per_s)                                                                     \
+  X(double, theta_2_rad)                                                                           \
+  X(double, omega_2_rad_per_s)                                                                     \
+  X(double, clutch_torque_n_m) /* on body 2; body 1 feels the opposite */                          \
+  X(double, heat_j)            /* since the start */                                               \
+  X(int, locked)
+
 typedef struct rot_clutch_columns {
-  double *theta_rad[2], *omega_rad_per_s[2];
-  double *clutch_n_m; /* on body 2; body 1 feels the opposite */
-  double *heat_j;     /* since the start */
-  int *locked;
+#define X(type, name) type *name;
+  ROT_CLUTCH_COLUMNS(X)
+#undef X
 } rot_clutch_columns;
 
-/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE): a locked clutch has
- * forgotten what was before. Events: lock, slip, reverse. The errors in *info are bounds, unless a
- * torque is so near to the static capacity that its rounding decides. */
+/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE): the
+ * motion before a lock is lost. Events: lock, slip, reverse. The errors in *info are bounds, unless
+ * a torque is within a rounding of the static capacity. */
 rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
                           const rot_clutch_columns *out, rot_events *events, const rot_hooks *hooks,
                           rot_info *info);
 
+#define ROT_CLUTCH_LEDGER(X)                                                                       \
+  X(work_j)                                                                                        \
+  X(work_rounding_j)
+
+typedef struct rot_clutch_ledger {
+#define X(name) double name;
+  ROT_CLUTCH_LEDGER(X)
+#undef X
+} rot_clutch_ledger;
+
 /* Work of the two torques between two times, not before start_s, with its rounding. */
-rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s, double *work_j,
-                           double *rounding_j);
+rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s,
+                           rot_clutch_ledger *ledger);
 
 /* The engagement from two speeds to one under constant torques; capacity Inf is instant. Never
  * locks: time and heat Inf, speed NaN. */

@@ -1,4 +1,4 @@
-/* What happened on the way, and when: a log that grows. */
+/* The events of a run, with their times: a log that grows. */
 #ifndef ROT_EVENTS_H
 #define ROT_EVENTS_H
 
@@ -28,7 +28,7 @@ typedef struct rot_events {
   rot_event *event;
 } rot_events; /* begin with {0} */
 
-/* ROT_OK or ROT_ENOMEM. `events` may be NULL: nobody listens. */
+/* ROT_OK or ROT_ENOMEM. `events` may be NULL: nothing is logged. */
 rot_status rot_events_add(rot_events *events, double time_s, rot_event event);
 void rot_events_free(rot_events *events);
 

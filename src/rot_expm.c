@@ -23,7 +23,8 @@ void rot_expm_apply(size_t n, const double a[], const double x[], double y[]) {
   }
 }
 
-double rot_expm_norm(size_t n, const double a[]) {
+/* The 1-norm. */
+static double norm_of(size_t n, const double a[]) {
   double most = 0.0;
   for (size_t j = 0; j < n; j++) {
     double sum = 0.0;
@@ -125,7 +126,7 @@ static void approximate(size_t n, const double a[], int which, double e[], doubl
 
 rot_status rot_expm(size_t n, const double a[], double e[], double work[]) {
   const size_t size = n * n;
-  const double norm = rot_expm_norm(n, a);
+  const double norm = norm_of(n, a);
   double *scaled = work + 6 * size;
   int which = 0, squarings = 0;
   if (!isfinite(norm)) return ROT_ERANGE;
@@ -137,5 +138,5 @@ rot_status rot_expm(size_t n, const double a[], double e[], double work[]) {
     rot_expm_multiply(n, e, e, work);
     memcpy(e, work, size * sizeof *e);
   }
-  return isfinite(rot_expm_norm(n, e)) ? ROT_OK : ROT_ERANGE;
+  return isfinite(norm_of(n, e)) ? ROT_OK : ROT_ERANGE;
 }

@@ -19,7 +19,5 @@ rot_status rot_expm(size_t n, const double a[], double e[], double work[]);
 void rot_expm_multiply(size_t n, const double a[], const double b[], double c[]);
 /* y = a x. */
 void rot_expm_apply(size_t n, const double a[], const double x[], double y[]);
-/* Largest sum of a column's absolute values. */
-double rot_expm_norm(size_t n, const double a[]);
 
 #endif

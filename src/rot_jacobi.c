@@ -92,35 +92,6 @@ void rot_jacobi_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, d
   if (u.hi < 0.0) *sn = -*sn;
 }
 
-double rot_jacobi_k(double m1) {
-  rot_jacobi jacobi;
-  rot_jacobi_begin((rot_dd){m1, 0.0}, &jacobi);
-  return jacobi.k.hi;
-}
-
-void rot_jacobi_functions(double u, double m1, double *sn, double *cn, double *dn) {
-  rot_jacobi jacobi;
-  rot_dd x = {u, 0.0};
-  rot_jacobi_begin((rot_dd){m1, 0.0}, &jacobi);
-  const double turns = rot_jacobi_reduce(&jacobi, &x);
-  rot_jacobi_at(&jacobi, x, sn, cn, dn);
-  if (fmod(turns, 2.0) != 0.0) {
-    *sn = -*sn;
-    *cn = -*cn;
-  }
-}
-
-double rot_jacobi_amplitude(double u, double m1) {
-  static const rot_dd pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
-  rot_jacobi jacobi;
-  rot_dd x = {u, 0.0};
-  double sn, cn, dn;
-  rot_jacobi_begin((rot_dd){m1, 0.0}, &jacobi);
-  const double turns = rot_jacobi_reduce(&jacobi, &x);
-  rot_jacobi_at(&jacobi, x, &sn, &cn, &dn);
-  return rot_dd_add1(rot_dd_mul1(pi, turns), atan2(sn, cn)).hi;
-}
-
 /* Duplication until the three differ by less than 0.003, then the series to order 7 in their
  * deviations (DLMF 19.36.1): its next term is below 2^-58. */
 double rot_carlson_rf(double x, double y, double z) {

@@ -22,11 +22,6 @@ void rot_jacobi_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, d
 /* Subtracts the nearest multiple of 2K from u; returns the multiple. */
 double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u);
 
-/* For one argument of any size. The amplitude is continuous in u: am(u + 2K) = am(u) + pi. */
-double rot_jacobi_k(double m1);
-void rot_jacobi_functions(double u, double m1, double *sn, double *cn, double *dn);
-double rot_jacobi_amplitude(double u, double m1);
-
 /* Carlson's R_F of x, y, z >= 0, at most one of them 0. */
 double rot_carlson_rf(double x, double y, double z);
 

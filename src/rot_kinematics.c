@@ -81,101 +81,102 @@ static wide root(wide x) {
  * Six of them; the other four are the same with time reversed: omega0 and omega are exchanged, time
  * and angle change sign. */
 enum {
-  THETA = 1 << ROT_THETA,
-  OMEGA0 = 1 << ROT_OMEGA0,
-  OMEGA = 1 << ROT_OMEGA,
-  ALPHA = 1 << ROT_ALPHA,
-  TIME = 1 << ROT_TIME
+  THETA = 1 << ROT_MOTION_THETA,
+  OMEGA0 = 1 << ROT_MOTION_OMEGA0,
+  OMEGA = 1 << ROT_MOTION_OMEGA,
+  ALPHA = 1 << ROT_MOTION_ALPHA,
+  TIME = 1 << ROT_MOTION_TIME
 };
 
 static rot_motion_kind from_rates_and_time(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_OMEGA0]), after = wide_of(x[ROT_OMEGA]);
-  const wide t = wide_of(x[ROT_TIME]);
+  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), after = wide_of(x[ROT_MOTION_OMEGA]);
+  const wide t = wide_of(x[ROT_MOTION_TIME]);
   if (t.hi == 0.0) {
-    if (x[ROT_OMEGA0] != x[ROT_OMEGA]) return ROT_MOTION_IMPOSSIBLE;
-    x[ROT_THETA] = 0.0;
+    if (x[ROT_MOTION_OMEGA0] != x[ROT_MOTION_OMEGA]) return ROT_MOTION_IMPOSSIBLE;
+    x[ROT_MOTION_THETA] = 0.0;
     return ROT_MOTION_UNDETERMINED;
   }
-  x[ROT_ALPHA] = narrow(over(plus(after, minus(before)), t));
-  x[ROT_THETA] = narrow(scaled(times(plus(before, after), t), -1));
+  x[ROT_MOTION_ALPHA] = narrow(over(plus(after, minus(before)), t));
+  x[ROT_MOTION_THETA] = narrow(scaled(times(plus(before, after), t), -1));
   return ROT_MOTION_ONE;
 }
 
 static rot_motion_kind from_rates_and_alpha(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_OMEGA0]), after = wide_of(x[ROT_OMEGA]);
-  const wide alpha = wide_of(x[ROT_ALPHA]);
+  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), after = wide_of(x[ROT_MOTION_OMEGA]);
+  const wide alpha = wide_of(x[ROT_MOTION_ALPHA]);
   if (alpha.hi == 0.0) {
-    return x[ROT_OMEGA0] == x[ROT_OMEGA] ? ROT_MOTION_UNDETERMINED : ROT_MOTION_IMPOSSIBLE;
+    return x[ROT_MOTION_OMEGA0] == x[ROT_MOTION_OMEGA] ? ROT_MOTION_UNDETERMINED
+                                                       : ROT_MOTION_IMPOSSIBLE;
   }
   const wide t = over(plus(after, minus(before)), alpha);
-  x[ROT_TIME] = narrow(t);
-  x[ROT_THETA] = narrow(scaled(times(plus(before, after), t), -1));
+  x[ROT_MOTION_TIME] = narrow(t);
+  x[ROT_MOTION_THETA] = narrow(scaled(times(plus(before, after), t), -1));
   return ROT_MOTION_ONE;
 }
 
 static rot_motion_kind from_rates_and_angle(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_OMEGA0]), after = wide_of(x[ROT_OMEGA]);
-  const wide theta = wide_of(x[ROT_THETA]), sum = plus(before, after);
+  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), after = wide_of(x[ROT_MOTION_OMEGA]);
+  const wide theta = wide_of(x[ROT_MOTION_THETA]), sum = plus(before, after);
   if (sum.hi == 0.0) return theta.hi == 0.0 ? ROT_MOTION_UNDETERMINED : ROT_MOTION_IMPOSSIBLE;
   if (theta.hi == 0.0) { /* the mean rate is not 0 and the angle is: the time is 0 */
-    if (x[ROT_OMEGA0] != x[ROT_OMEGA]) return ROT_MOTION_IMPOSSIBLE;
-    x[ROT_TIME] = 0.0;
+    if (x[ROT_MOTION_OMEGA0] != x[ROT_MOTION_OMEGA]) return ROT_MOTION_IMPOSSIBLE;
+    x[ROT_MOTION_TIME] = 0.0;
     return ROT_MOTION_UNDETERMINED;
   }
-  x[ROT_TIME] = narrow(scaled(over(theta, sum), 1));
-  x[ROT_ALPHA] = narrow(scaled(over(times(plus(after, minus(before)), sum), theta), -1));
+  x[ROT_MOTION_TIME] = narrow(scaled(over(theta, sum), 1));
+  x[ROT_MOTION_ALPHA] = narrow(scaled(over(times(plus(after, minus(before)), sum), theta), -1));
   return ROT_MOTION_ONE;
 }
 
 static rot_motion_kind from_start_alpha_time(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_OMEGA0]), t = wide_of(x[ROT_TIME]);
-  const wide gain = times(wide_of(x[ROT_ALPHA]), t);
-  x[ROT_OMEGA] = narrow(plus(before, gain));
-  x[ROT_THETA] = narrow(times(plus(before, scaled(gain, -1)), t));
+  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), t = wide_of(x[ROT_MOTION_TIME]);
+  const wide gain = times(wide_of(x[ROT_MOTION_ALPHA]), t);
+  x[ROT_MOTION_OMEGA] = narrow(plus(before, gain));
+  x[ROT_MOTION_THETA] = narrow(times(plus(before, scaled(gain, -1)), t));
   return ROT_MOTION_ONE;
 }
 
 /* omega = +-s with s^2 = omega0^2 + 2 alpha theta. With q = omega0 + sign(omega0) s, which does not
  * cancel, the times are 2 theta/q for the omega of omega0's sign and -q/alpha for the other. */
 static rot_motion_kind from_start_alpha_angle(double x[2][ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[0][ROT_OMEGA0]), alpha = wide_of(x[0][ROT_ALPHA]);
-  const wide theta = wide_of(x[0][ROT_THETA]);
+  const wide before = wide_of(x[0][ROT_MOTION_OMEGA0]), alpha = wide_of(x[0][ROT_MOTION_ALPHA]);
+  const wide theta = wide_of(x[0][ROT_MOTION_THETA]);
   if (alpha.hi == 0.0) {
     if (before.hi == 0.0 && theta.hi != 0.0) return ROT_MOTION_IMPOSSIBLE;
-    x[0][ROT_OMEGA] = x[0][ROT_OMEGA0];
+    x[0][ROT_MOTION_OMEGA] = x[0][ROT_MOTION_OMEGA0];
     if (before.hi == 0.0) return ROT_MOTION_UNDETERMINED;
-    x[0][ROT_TIME] = narrow(over(theta, before));
+    x[0][ROT_MOTION_TIME] = narrow(over(theta, before));
     return ROT_MOTION_ONE;
   }
   const wide square = plus(times(before, before), scaled(times(alpha, theta), 1));
   if (square.hi < 0.0) return ROT_MOTION_IMPOSSIBLE;
   if (square.hi == 0.0) {
-    x[0][ROT_OMEGA] = 0.0;
-    x[0][ROT_TIME] = narrow(minus(over(before, alpha)));
+    x[0][ROT_MOTION_OMEGA] = 0.0;
+    x[0][ROT_MOTION_TIME] = narrow(minus(over(before, alpha)));
     return ROT_MOTION_ONE;
   }
   const wide s = before.hi < 0.0 ? minus(root(square)) : root(square), q = plus(before, s);
   const int other_first = (q.hi > 0.0) == (alpha.hi > 0.0); /* times differ by 2 s/alpha */
   for (int i = 0; i < ROT_MOTION_SIZE; i++) x[1][i] = x[0][i];
   double *same = x[other_first], *other = x[!other_first];
-  same[ROT_OMEGA] = narrow(s);
-  same[ROT_TIME] = narrow(scaled(over(theta, q), 1));
-  other[ROT_OMEGA] = narrow(minus(s));
-  other[ROT_TIME] = narrow(minus(over(q, alpha)));
+  same[ROT_MOTION_OMEGA] = narrow(s);
+  same[ROT_MOTION_TIME] = narrow(scaled(over(theta, q), 1));
+  other[ROT_MOTION_OMEGA] = narrow(minus(s));
+  other[ROT_MOTION_TIME] = narrow(minus(over(q, alpha)));
   return ROT_MOTION_TWO;
 }
 
 static rot_motion_kind from_start_time_angle(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_OMEGA0]), t = wide_of(x[ROT_TIME]);
-  const wide theta = wide_of(x[ROT_THETA]);
+  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), t = wide_of(x[ROT_MOTION_TIME]);
+  const wide theta = wide_of(x[ROT_MOTION_THETA]);
   if (t.hi == 0.0) {
     if (theta.hi != 0.0) return ROT_MOTION_IMPOSSIBLE;
-    x[ROT_OMEGA] = x[ROT_OMEGA0];
+    x[ROT_MOTION_OMEGA] = x[ROT_MOTION_OMEGA0];
     return ROT_MOTION_UNDETERMINED;
   }
   const wide way = times(before, t); /* omega t = 2 theta - omega0 t: one division, at the end */
-  x[ROT_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(way)), t));
-  x[ROT_ALPHA] = narrow(scaled(over(plus(theta, minus(way)), times(t, t)), 1));
+  x[ROT_MOTION_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(way)), t));
+  x[ROT_MOTION_ALPHA] = narrow(scaled(over(plus(theta, minus(way)), times(t, t)), 1));
   return ROT_MOTION_ONE;
 }
 
@@ -192,20 +193,20 @@ static wide angle_with_half(wide theta, wide alpha, wide t, double sign) {
 
 /* theta = (omega0 + alpha t/2) t = (omega - alpha t/2) t. */
 static rot_motion_kind from_alpha_time_angle(double x[ROT_MOTION_SIZE]) {
-  const wide alpha = wide_of(x[ROT_ALPHA]), t = wide_of(x[ROT_TIME]);
-  const wide theta = wide_of(x[ROT_THETA]);
+  const wide alpha = wide_of(x[ROT_MOTION_ALPHA]), t = wide_of(x[ROT_MOTION_TIME]);
+  const wide theta = wide_of(x[ROT_MOTION_THETA]);
   if (t.hi == 0.0) return theta.hi == 0.0 ? ROT_MOTION_UNDETERMINED : ROT_MOTION_IMPOSSIBLE;
-  x[ROT_OMEGA0] = narrow(over(angle_with_half(theta, alpha, t, -1.0), t));
-  x[ROT_OMEGA] = narrow(over(angle_with_half(theta, alpha, t, 1.0), t));
+  x[ROT_MOTION_OMEGA0] = narrow(over(angle_with_half(theta, alpha, t, -1.0), t));
+  x[ROT_MOTION_OMEGA] = narrow(over(angle_with_half(theta, alpha, t, 1.0), t));
   return ROT_MOTION_ONE;
 }
 
 static void turn_back(double x[ROT_MOTION_SIZE]) {
-  const double before = x[ROT_OMEGA0];
-  x[ROT_OMEGA0] = x[ROT_OMEGA];
-  x[ROT_OMEGA] = before;
-  x[ROT_THETA] = -x[ROT_THETA];
-  x[ROT_TIME] = -x[ROT_TIME];
+  const double before = x[ROT_MOTION_OMEGA0];
+  x[ROT_MOTION_OMEGA0] = x[ROT_MOTION_OMEGA];
+  x[ROT_MOTION_OMEGA] = before;
+  x[ROT_MOTION_THETA] = -x[ROT_MOTION_THETA];
+  x[ROT_MOTION_TIME] = -x[ROT_MOTION_TIME];
 }
 
 static rot_motion_kind forwards(unsigned given, double x[2][ROT_MOTION_SIZE]) {

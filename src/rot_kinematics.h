@@ -15,7 +15,14 @@
 
 #include "rot_column.h"
 
-enum { ROT_THETA, ROT_OMEGA0, ROT_OMEGA, ROT_ALPHA, ROT_TIME, ROT_MOTION_SIZE };
+enum {
+  ROT_MOTION_THETA,
+  ROT_MOTION_OMEGA0,
+  ROT_MOTION_OMEGA,
+  ROT_MOTION_ALPHA,
+  ROT_MOTION_TIME,
+  ROT_MOTION_SIZE
+};
 
 typedef enum rot_motion_kind {
   ROT_MOTION_IMPOSSIBLE = 0,   /* the three are inconsistent: the other two are NaN */
@@ -24,7 +31,7 @@ typedef enum rot_motion_kind {
   ROT_MOTION_UNDETERMINED = -1 /* the three do not determine the motion: x[0] has what they do */
 } rot_motion_kind;
 
-/* `given` has the bits (1 << ROT_THETA, ...) of the three values in x[0], finite or NaN. A NaN is
+/* `given` has the bits (1 << ROT_MOTION_THETA, ...) of the three values in x[0], finite or NaN. A NaN is
  * passed on to the other two. */
 rot_motion_kind rot_motion_solve(unsigned given, double x[2][ROT_MOTION_SIZE]);
 

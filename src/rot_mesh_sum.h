@@ -1,5 +1,5 @@
 /* The kernel of rot_mesh.c: the sums over faces. Compiled for registers of two doubles there, of
- * four in rot_wide.c.
+ * four in rot_mesh_sum.c.
  *
  * Face i belongs to lane i mod 4 for either width, and each lane is summed separately, so the width
  * changes no bit. Terms are added in blocks; the sums of blocks are compensated, so the error does
@@ -239,5 +239,9 @@ ROT_INLINE void sum_faces(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from
     sum_kind(mesh, sums, from, end, 0);
   }
 }
+
+/* The same for registers of four. */
+void rot_mesh_sum_wide(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
+                       int shell);
 
 #endif

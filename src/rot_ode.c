@@ -65,7 +65,7 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   memset(&run, 0, sizeof run);
   double *scratch = calloc(10 * dim, sizeof *scratch);
   const size_t calls = info->rhs_calls;
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   info->rhs_calls = calls;
   info->tolerance = j->tolerance;
   info->method = j->method;
@@ -291,7 +291,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   job coarse;
   memset(traces, 0, sizeof traces);
   memset(&coarse, 0, sizeof coarse);
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
   coarse.p = p;
   coarse.time_s = time_s;

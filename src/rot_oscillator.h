@@ -37,7 +37,7 @@ typedef struct rot_oscillator {
 rot_status rot_oscillator_begin(double inertia, double damping, double stiffness,
                                 rot_oscillator *out);
 
-/* One step. All for |s| in the unit of time and, for s < 0, for the motion told backward. */
+/* One step. All for |s| in the unit of time and, for s < 0, for the reversed motion. */
 typedef struct rot_oscillator_step {
   const rot_oscillator *of;
   int backward;         /* s < 0: psi_1 and psi_3 below are odd in s and carry their sign */
@@ -52,8 +52,8 @@ typedef struct rot_oscillator_step {
   double second, third; /* psi_2 / s^2, psi_3 / s^3; only where `early` */
   int early;            /* the step is short against the slow time: 1 - u may lose its digits */
   int near_roots;       /* both |roots s| are of order 1 at most */
-  /* Sums of the terms of u, psi_0, psi_1: their roundings are 8 units of these; and how much more
-   * they are off for what a phase of that size loses. */
+  /* Sums of the terms of u, psi_0, psi_1: their roundings are 8 units of these; and the errors of a
+   * phase of that size. */
   double u_size, psi0_size, u_phase, psi1_phase;
   double norm; /* of the step in (y omega0, y') */
 } rot_oscillator_step;

@@ -1,7 +1,7 @@
 /* Two doubles in a register, where the compiler has vector types. At -O2 it vectorises few loops
  * itself: 38 against 19 ns a row for the phi functions, 13 against 6 for the rolling table.
  *
- * A file that first defines ROT_WIDE gets registers of four (rot_wide.c). All lanes go through the
+ * A file that first defines ROT_WIDE gets registers of four (rot_wide.h). All lanes go through the
  * same operations, so the width changes no bit. */
 #ifndef ROT_PAIR_H
 #define ROT_PAIR_H

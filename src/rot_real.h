@@ -39,6 +39,12 @@ double rot_muldiv(double a, double b, double c, double *lo);
 double rot_product(int n, const double x[], double d);
 double rot_product_split(int n, const double x[], double d, int *exponent);
 
+/* Products of a few such numbers stay far from overflow and underflow. */
+static inline int rot_well_scaled(double x, double largest) {
+  x = fabs(x);
+  return x == 0.0 || (x * largest > 1.0 && x < largest);
+}
+
 /* sin and cos of an angle in degrees: the reduction is exact, so sin(30) = 0.5 and cos(90) = 0. */
 double rot_sin_deg(double deg);
 double rot_cos_deg(double deg);

@@ -102,7 +102,7 @@ rot_status rot_rolling_table(size_t n, const rot_rolling_input *in, const rot_ro
                              const rot_hooks *hooks, rot_info *info) {
   const int same = !in->angle_deg.step && !in->gravity.step && !in->height_m.step;
   block terms;
-  rot_info_clear(info);
+  rot_info_clear(info, NULL);
   for (size_t first = 0; first < n; first += BLOCK) {
     const size_t rows = n - first < BLOCK ? n - first : BLOCK;
     if (!same || first == 0) fill_block(&terms, first, rows, in);

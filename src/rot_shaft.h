@@ -1,36 +1,41 @@
-/* A shaft of rotors in its modes: frequencies, shapes, damping, and where each begins. */
+/* Rotors in a line on one shaft, n of them, with a spring and a damper between neighbours:
+ *
+ *   J_i theta_i'' = tau_i - d_i omega_i + T_(i-1) - T_i,
+ *   T_i = k_i (theta_i - theta_(i+1)) + c_i (omega_i - omega_(i+1)),   T_0 = T_n = 0,
+ *
+ * with constant torques tau_i. */
 #ifndef ROT_SHAFT_H
 #define ROT_SHAFT_H
 
-#include "rot_rotors.h"
+#include <stddef.h>
 
-/* Modes: 0 is the mean motion, 1 .. floppy are those without a spring (groups of rotors that
- * missing springs leave), the rest are twists, slowest first. In each the motion is q, with
- * p = sigma q (q itself where sigma = 0) and r = q'. */
-typedef struct rot_shaft {
-  const rot_rotors_params *p;
-  size_t n, floppy;
-  double inertia, root_inertia;      /* all together, and its square root */
-  double theta0, omega0;             /* means at the start, weighted by inertia */
-  double theta_spread, omega_spread; /* largest distance of a rotor from the first, at the start */
-  double alpha, decay;               /* mean: omega' = alpha - decay omega, if it is by itself */
-  int mean_alone;                    /* external damping does not couple the mean to the twists */
-  int decoupled;                     /* each mode by itself */
-  double norm;                       /* of the twists' matrix, 1/s */
-  double *memory;
-  double *leak, *force_leak; /* n: sizes whose roundings p0 and r0, and force, carry */
-  double *sigma_lo;          /* n: what sigma lacks, to 1e-30 */
-  double *share;             /* J_i / sum J */
-  double *sigma, *damp;      /* n: frequency; the damping of each mode by itself */
-  double *p0, *r0, *force;   /* n: state at the start, modal torque; r0[0] = omega0 */
-  double *shape;             /* n x n: theta_i per q_m; column 0 is 1 */
-  double *twist;             /* (n - 1) x n: shape_i - shape_(i+1) */
-  double *lever;             /* (n - 1) x n: elastic torque per p_m */
-  double *coupling;          /* n x n: damping of the modes, masses 1 */
-} rot_shaft;
+#include "rot_status.h"
 
-/* rot_shaft_free() afterwards, also where this failed. */
-rot_status rot_shaft_build(rot_shaft *s, const rot_rotors_params *p);
-void rot_shaft_free(rot_shaft *s);
+typedef struct rot_shaft_params {
+  size_t n;                                            /* >= 1 */
+  const double *inertia_kg_m2;                         /* n, > 0 */
+  const double *stiffness_n_m_per_rad, *damping_n_m_s; /* n - 1, >= 0 */
+  const double *viscous_n_m_s, *torque_n_m;            /* n; viscous >= 0 */
+  const double *theta0_rad, *omega0_rad_per_s;         /* n */
+  double start_s;
+} rot_shaft_params;
+
+/* Row i, rotor j at [i n + j]; the shaft torque is that on rotor j + 1, NaN for the last. */
+#define ROT_SHAFT_COLUMNS(X)                                                                       \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, shaft_torque_n_m)
+
+typedef struct rot_shaft_columns {
+#define X(type, name) type *name;
+  ROT_SHAFT_COLUMNS(X)
+#undef X
+} rot_shaft_columns;
+
+/* Clears *info and notes the state at the start. */
+static inline void rot_shaft_note_start(const rot_shaft_params *p, rot_info *info) {
+  rot_info_clear(info, rot_turning);
+  for (size_t i = 0; i < p->n; i++) rot_note_state(info, p->theta0_rad[i], p->omega0_rad_per_s[i]);
+}
 
 #endif

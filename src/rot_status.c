@@ -28,20 +28,37 @@ const char *rot_method_name(rot_method method) {
   return (unsigned)method < ROT_METHOD_COUNT ? names[method] : "unknown method";
 }
 
-void rot_info_clear(rot_info *info) {
-  memset(info, 0, sizeof *info);
-  info->omega_high = -INFINITY;
-  info->omega_low = INFINITY;
+const char *const rot_turning[] = {"theta", "omega", NULL};
+
+void rot_info_measures(rot_info *info, const char *const names[]) {
+  info->measure_names = names;
+  for (info->n_measures = 0; names && names[info->n_measures]; info->n_measures++) {
+    info->measure[info->n_measures] = (rot_measure){0.0, 0.0, -INFINITY, INFINITY};
+  }
 }
 
-static double relative(double error, double largest) {
-  return error > 0 ? (largest > 0 ? error / largest : 1.0) : (error == 0 ? 0.0 : error);
+void rot_info_clear(rot_info *info, const char *const names[]) {
+  memset(info, 0, sizeof *info);
+  rot_info_measures(info, names);
+}
+
+static double worse(double figure, double error, double largest) {
+  const double relative = rot_relative_error(error, largest);
+  return figure >= relative || figure != figure ? figure : relative;
+}
+
+double rot_error_figure(size_t n, const double error[], const double largest[]) {
+  double figure = 0.0;
+  for (size_t i = 0; i < n; i++) figure = worse(figure, error[i], largest[i]);
+  return figure;
 }
 
 double rot_info_error(const rot_info *info) {
-  double theta = relative(info->theta_error, info->theta_max);
-  double omega = relative(info->omega_error, info->omega_max);
-  return theta >= omega || theta != theta ? theta : omega;
+  double figure = 0.0;
+  for (size_t i = 0; i < info->n_measures; i++) {
+    figure = worse(figure, info->measure[i].error, info->measure[i].largest);
+  }
+  return figure;
 }
 
 rot_status rot_poll(const rot_hooks *hooks, double fraction) {

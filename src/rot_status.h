@@ -39,45 +39,71 @@ typedef enum rot_method {
       ROT_METHOD_COUNT
 } rot_method;
 
-/* What happened. Filled by every run, also by one that failed. */
+/* A measure: a named quantity that has an error. */
+typedef struct rot_measure {
+  double error;     /* largest absolute error over the rows: bound or estimate */
+  double largest;   /* largest absolute value from the start to the last row, as far as seen */
+  double high, low; /* extreme values, by models that call rot_note_state(); else -Inf and Inf */
+} rot_measure;
+
+enum { ROT_MOST_MEASURES = 8 };
+
+/* The measures of bodies that turn about a fixed axis; the list of names ends with NULL. */
+enum { ROT_THETA, ROT_OMEGA };
+extern const char *const rot_turning[];
+
+/* The report of a run, also of one that failed. */
 typedef struct rot_info {
   rot_status status;
-  double time_s;      /* how far the run came, or where it failed */
-  size_t rows_done;   /* rows of the output that are valid, counted from the start of the run */
-  size_t steps;       /* accepted steps; segments for a closed form */
-  size_t rejected;    /* rejected steps */
-  size_t rhs_calls;   /* right-hand sides evaluated; 0 for a closed form */
-  double theta_error; /* largest absolute error of theta over the rows: bound or estimate */
-  double omega_error; /* the same of omega */
-  double theta_max;   /* largest |theta| from the start to the last row, as far as it was seen */
-  double omega_max;   /* the same of omega */
-  double omega_high, omega_low; /* omega itself, by the models that call rot_note_state() */
+  double time_s;     /* how far the run came, or where it failed */
+  size_t rows_done;  /* rows of the output that are valid, counted from the start of the run */
+  size_t steps;      /* accepted steps; segments for a closed form */
+  size_t rejected;   /* rejected steps */
+  size_t rhs_calls;  /* right-hand sides evaluated; 0 for a closed form */
   double tolerance;  /* tolerance per step of the run that chose the steps; 0 for a closed form */
   rot_method method; /* of the steps; ROT_METHOD_NONE for a closed form */
+  size_t n_measures;
+  const char *const *measure_names;
+  rot_measure measure[ROT_MOST_MEASURES];
 } rot_info;
 
 const char *rot_method_name(rot_method method);
 
-void rot_info_clear(rot_info *info);
-/* Largest error relative to the largest value, of theta or of omega. The values on the way count
- * too: a row at rest is not an infinite error, and no row's error depends on the others asked. */
+/* All zero; measures named by a list that ends with NULL, or none where the list is NULL. */
+void rot_info_clear(rot_info *info, const char *const names[]);
+/* The measures alone: named, and cleared. */
+void rot_info_measures(rot_info *info, const char *const names[]);
+
+/* Error relative to the largest value: 1 where that is 0, 0 where there is no error; NaN stays. */
+static inline double rot_relative_error(double error, double largest) {
+  return error > 0.0 ? (largest > 0.0 ? error / largest : 1.0) : (error == 0.0 ? 0.0 : error);
+}
+
+/* The error figure: the worst relative error of n measures. The values on the way count, so a row
+ * at rest is not an infinite error, and no row's error depends on the other rows. NaN stays. */
+double rot_error_figure(size_t n, const double error[], const double largest[]);
 double rot_info_error(const rot_info *info);
 
-/* Take note of a state on the way; of a row with its errors. NaN stays. */
+static inline void rot_note_value(rot_measure *measure, double value) {
+  const double size = value < 0.0 ? -value : value;
+  measure->high = value > measure->high ? value : measure->high;
+  measure->low = value < measure->low ? value : measure->low;
+  if (!(size <= measure->largest)) measure->largest = size;
+}
+
+/* Note a state on the way, and a row with its errors. NaN stays. */
 static inline void rot_note_state(rot_info *info, double theta, double omega) {
-  info->omega_high = omega > info->omega_high ? omega : info->omega_high;
-  info->omega_low = omega < info->omega_low ? omega : info->omega_low;
-  theta = theta < 0.0 ? -theta : theta;
-  omega = omega < 0.0 ? -omega : omega;
-  if (!(theta <= info->theta_max)) info->theta_max = theta;
-  if (!(omega <= info->omega_max)) info->omega_max = omega;
+  rot_note_value(&info->measure[ROT_THETA], theta);
+  rot_note_value(&info->measure[ROT_OMEGA], omega);
 }
 
 static inline void rot_note_row(rot_info *info, double theta, double omega, double theta_error,
                                 double omega_error) {
   rot_note_state(info, theta, omega);
-  if (!(theta_error <= info->theta_error)) info->theta_error = theta_error;
-  if (!(omega_error <= info->omega_error)) info->omega_error = omega_error;
+  if (!(theta_error <= info->measure[ROT_THETA].error))
+    info->measure[ROT_THETA].error = theta_error;
+  if (!(omega_error <= info->measure[ROT_OMEGA].error))
+    info->measure[ROT_OMEGA].error = omega_error;
 }
 
 /* poll() is called now and then from a long run; anything but ROT_OK stops it. */

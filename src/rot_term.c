@@ -1,6 +1,7 @@
 #include "rot_term.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "rot_divided.h"
 #include "rot_real.h"
@@ -96,4 +97,28 @@ int rot_term_valid(const rot_term *term) {
   case ROT_TERM_KINDS: break;
   }
   return 0;
+}
+
+rot_term_kind rot_term_named(const char *name) {
+  static const char *const names[] = {
+#define X(code, name) name,
+      ROT_TERM_LIST(X)
+#undef X
+  };
+  int kind = 0;
+  while (kind < ROT_TERM_KINDS && strcmp(names[kind], name)) kind++;
+  return (rot_term_kind)kind;
+}
+
+size_t rot_term_breaks(const rot_term *term, double out[]) {
+  const int pieces = term->kind == ROT_TERM_POLYNOMIAL || term->kind == ROT_TERM_CHEBYSHEV;
+  const size_t edges = pieces ? (size_t)term->x[0] + 1 : 0;
+  const double ends[] = {term->from_s, term->to_s};
+  size_t n = 0;
+  if (!out) return edges + 2;
+  for (size_t i = 0; i < edges; i++) out[n++] = term->x[2 + i];
+  for (size_t i = 0; i < 2; i++) {
+    if (isfinite(ends[i])) out[n++] = ends[i];
+  }
+  return n;
 }

@@ -1,23 +1,38 @@
-/* The terms of a torque law that straight lines over time cannot say. A law is the sum of its knots
- * (rot_torque.h) and of these. */
+/* Torque terms that are not piecewise linear in time. A law is the sum of its knots (rot_torque.h)
+ * and of these. */
 #ifndef ROT_TERM_H
 #define ROT_TERM_H
 
 #include <stddef.h>
 
-/* kind, and what x holds. R packs them by the same numbers: R/torque-terms.R. */
+/* code, name in R. The first kinds are functions of time alone. What x holds:
+ *
+ *   sinusoid     x[0] cos(x[1] t + x[2])
+ *   exponential  x[0] exp(-x[1] (t - x[2]))
+ *   polynomial   n pieces of m coefficients: n, m, n + 1 breaks, then n rows of m; in piece i
+ *                sum_j a_ij (t - break_i)^j; zero outside the breaks
+ *   chebyshev    the same layout; in piece i sum_j a_ij T_j, with the piece mapped to [-1, 1]
+ *   curve        piecewise linear in omega: n, n speeds (increasing), n torques; constant outside
+ *   spring       -x[0] (theta - x[1])
+ *   gravity      -x[0] sin(theta - x[1]) */
+#define ROT_TERM_LIST(X)                                                                           \
+  X(ROT_TERM_SINUSOID, "sinusoid")                                                                 \
+  X(ROT_TERM_EXPONENTIAL, "exponential")                                                           \
+  X(ROT_TERM_POLYNOMIAL, "polynomial")                                                             \
+  X(ROT_TERM_CHEBYSHEV, "chebyshev")                                                               \
+  X(ROT_TERM_CURVE, "curve")                                                                       \
+  X(ROT_TERM_SPRING, "spring")                                                                     \
+  X(ROT_TERM_GRAVITY, "gravity")
+
 typedef enum rot_term_kind {
-  ROT_TERM_SINUSOID,    /* x[0] cos(x[1] t + x[2]) */
-  ROT_TERM_EXPONENTIAL, /* x[0] exp(-x[1] (t - x[2])) */
-  ROT_TERM_POLYNOMIAL, /* n pieces of m coefficients: n, m, n + 1 breaks, then n rows of m; in piece
-                           i sum_j a_ij (t - break_i)^j; zero outside the breaks */
-  ROT_TERM_CHEBYSHEV,  /* the same layout; in piece i sum_j a_ij T_j, on the piece as [-1, 1] */
-  ROT_TERM_CURVE,      /* straight lines over omega: n, n speeds (increasing), n torques; held
-                           outside */
-  ROT_TERM_SPRING,     /* -x[0] (theta - x[1]) */
-  ROT_TERM_GRAVITY,    /* -x[0] sin(theta - x[1]) */
-  ROT_TERM_KINDS
+#define X(code, name) code,
+  ROT_TERM_LIST(X)
+#undef X
+      ROT_TERM_KINDS
 } rot_term_kind;
+
+/* ROT_TERM_KINDS where there is none of this name. */
+rot_term_kind rot_term_named(const char *name);
 
 typedef struct rot_term {
   rot_term_kind kind;
@@ -26,7 +41,6 @@ typedef struct rot_term {
   const double *x;
 } rot_term;
 
-/* The first kinds are functions of time alone. */
 static inline int rot_term_of_time(const rot_term *term) { return term->kind < ROT_TERM_CURVE; }
 
 /* Torque of the term, N m; after the jump at a jump. The angle is theta + theta_lo. */
@@ -34,5 +48,9 @@ double rot_term_at(const rot_term *term, double t, double theta, double theta_lo
 
 /* Whether length and x make sense: nothing may be read outside x. */
 int rot_term_valid(const rot_term *term);
+
+/* Finite times where the term jumps or kinks, unsorted; returns how many. With `out` NULL: room that
+ * is enough. */
+size_t rot_term_breaks(const rot_term *term, double out[]);
 
 #endif

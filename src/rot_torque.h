@@ -1,4 +1,4 @@
-/* A torque law as data. It knows its breakpoints, so that nobody steps over one. */
+/* A torque law as data, with its breakpoints. */
 #ifndef ROT_TORQUE_H
 #define ROT_TORQUE_H
 

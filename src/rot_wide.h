@@ -1,27 +1,20 @@
-/* Kernels for registers of four doubles (AVX2), where processor and compiler support them: the same
- * operations as with two, lane by lane, and so the same bits. */
+/* Registers of four doubles, where processor and compiler have them (AVX2). A kernel that is
+ * written with rot_pair.h is compiled for two doubles by the file that calls it, and for four by a
+ * file of its own: one that defines ROT_WIDE under ROT_WIDE_CAN before it includes the kernel. The
+ * operations are the same lane by lane, and so are the bits. */
 #ifndef ROT_WIDE_H
 #define ROT_WIDE_H
 
-#include "rot_axle_grid.h"
-#include "rot_mesh.h"
-#include "rot_sweep_block.h"
+/* On Windows the stack is not aligned for registers of four. */
+#if defined(__GNUC__) && defined(__x86_64__) && defined(__SSE2__) && !defined(_WIN32)
+#define ROT_WIDE_CAN
+#endif
 
 enum { ROT_WIDE_PAIR = 4 };
 
-/* Whether the routines below may be called. */
+/* Whether kernels for registers of four may be called. */
 int rot_wide_ok(void);
 /* For tests: 0 forbids them, 1 allows them where they can run. */
 void rot_wide_allow(int allowed);
-
-void rot_axle_grid_table_wide(rot_axle_grid *grid, double lambda, int terms);
-/* n >= ROT_WIDE_PAIR */
-int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
-                            const rot_axle_departure *go, size_t n, const double time_s[],
-                            const rot_axle_columns *out);
-struct rot_mesh_sums;
-void rot_mesh_sum_wide(const rot_mesh *mesh, struct rot_mesh_sums *sums, size_t from, size_t end,
-                       int shell);
-void rot_sweep_pass_wide(rot_sweep_block *block, const rot_torque_piece *piece, double start_n_m);
 
 #endif

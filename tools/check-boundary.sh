@@ -1,18 +1,19 @@
 #!/bin/sh
-# The walls of the house, proved by grep: what may touch what, and that the map names every file.
-# Needs no R and no compiler. One line per rule, then `boundary: N passed, N failed`.
+# Rules on the text of the files: which part may use which, that ARCHITECTURE.md names every file,
+# names of tests, length of lines. Needs no R and no compiler. Prints a line for each rule, then
+# `boundary: N passed, N failed`.
 
 cd "$(dirname "$0")/.." || exit 1
 
-# ffi_X.c without a rot_X.h to call, each with a word on why. None today (ffi.c is no ffi_X.c).
-exempt=""
+# ffi_X.c without a rot_X.h to call: ffi_run.c serves the other glue files (as ffi.c does).
+exempt="src/ffi_run.c"
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/rotdyn-boundary.XXXXXX") || exit 1
 trap 'rm -rf "$work"' 0
 trap 'exit 1' HUP INT TERM
 
-# rule NAME: reads the offences, a line each, from standard input; none is good. It runs at the
-# end of a pipe, in a shell of its own, so the verdicts go to a file.
+# rule NAME: reads the offences from standard input, a line each. It runs at the end of a pipe, in a
+# shell of its own, so the verdicts go to a file.
 rule() {
   where=$(cat)
   if test -z "$where"; then
@@ -20,7 +21,7 @@ rule() {
     echo passed >> "$work/verdicts"
   else
     echo "not ok - $1:"
-    echo "$where" | sed 's/^/    /'
+    printf '%s\n' "$where" | sed 's/^/    /'
     echo failed >> "$work/verdicts"
   fi
 }
@@ -84,19 +85,24 @@ word() { echo "(^|[^A-Za-z0-9_.])($1)([^A-Za-z0-9_]|\$)"; }
 
 # ---- the C core knows nothing of R -----------------------------------------------------------
 
-grep -E "#[[:space:]]*include[[:space:]]*[<\"](R|Rinternals|Rmath|Rdefines|Rversion|Rconfig|Rembedded|Rinterface|S|R_ext/.*)(\.h)?[>\"]" \
-  "$work/rot" | rule "src/rot_* includes no R header"
+include='#[[:space:]]*include[[:space:]]*[<"]'
+r_headers='R|Rinternals|Rmath|Rdefines|Rversion|Rconfig|Rembedded|Rinterface|S|R_ext/.*'
+grep -E "$include($r_headers)(\.h)?[>\"]" "$work/rot" |
+  rule "src/rot_* includes no R header"
 grep -E "$(word 'SEXP|Rprintf|REprintf|Rvprintf|(R|Rf)_[A-Za-z0-9_]+|[A-Z]+SXP')" "$work/rot" |
   rule "src/rot_* uses nothing of R's"
-grep -E "#[[:space:]]*include[[:space:]]*[<\"]ffi" "$work/rot" | rule "src/rot_* includes no ffi header"
-grep -E "$(word '(v?f?printf|putchar|putc|fputs?c?|puts|perror|exit|_exit|_Exit|quick_exit|abort|assert|rand|srand)[[:space:]]*\(.*')" \
-  "$work/rot" | rule "src/rot_* does not print, end the process or draw from C's random numbers"
+grep -E "${include}ffi" "$work/rot" | rule "src/rot_* includes no ffi header"
+prints='v?f?printf|putchar|putc|fputs?c?|puts|perror'
+ends='exit|_exit|_Exit|quick_exit|abort|assert'
+grep -E "$(word "($prints|$ends|rand|srand)[[:space:]]*\\(.*")" "$work/rot" |
+  rule "src/rot_* does not print, end the process or draw from C's random numbers"
 
 # ---- the glue knows nothing of GSL -----------------------------------------------------------
 
-grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" | rule "src/ffi* and src/init.c use nothing of GSL's"
+grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
+  rule "src/ffi* and src/init.c use nothing of GSL's"
 
-# ---- one topic word in every room ------------------------------------------------------------
+# ---- files of one topic ----------------------------------------------------------------------
 
 files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
   test -f "${file%.c}.h" || echo "$file"
@@ -121,11 +127,11 @@ sort -u "$work/registered" | comm -23 - "$work/mentioned" |
 { test -s "$work/registered" || test ! -s "$work/ffi" || echo "no X(ffi_..., n) found"; } |
   rule "src/ffi_entries.h lists entries"
 
-# Of two R functions of one name the file that comes last in the alphabet wins, without a word.
+# Of two R functions of one name R silently takes the one in the last file of the alphabet.
 files '^R/.*\.R$' | tr '\n' '\0' | xargs -0 grep -hoE '^[A-Za-z._][A-Za-z._0-9]* <- function' |
   sort | uniq -d | rule "no two functions in R/ have one name"
 
-# ---- the map ---------------------------------------------------------------------------------
+# ---- ARCHITECTURE.md -------------------------------------------------------------------------
 
 if test -f ARCHITECTURE.md; then
   files '^(R|src)/' | while read -r file; do
@@ -136,9 +142,9 @@ else
   echo "there is no ARCHITECTURE.md"
 fi | rule "ARCHITECTURE.md names every file in R/ and src/"
 
-# ---- what no file may hold -------------------------------------------------------------------
+# ---- text that no file may contain -----------------------------------------------------------
 
-# The patterns are written so that they do not find themselves.
+# The patterns are written so that they do not match themselves.
 search() { tr '\n' '\0' < "$work/files" | xargs -0 grep -InE "$1" /dev/null | cut -c 1-160; }
 search '(^|[^A-Za-z0-9_.~-])/(w[o]rk|r[o]ot|h[o]me)/' | rule "no path of one machine"
 search '(^|[^A-Za-z])(TO[D]O|FI[X]ME)([^A-Za-z]|$)' | rule "no work left marked in the files"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Do the reported errors cover the true ones? Random scenes for each model of the axle, judged in
-# quadruple precision (bench/coverage/). Needs gcc and libquadmath. Usage: check-coverage.sh [scenes]
+# quadruple precision (bench/coverage/). Needs gcc and libquadmath.
+#   check-coverage.sh [SCENES]
 set -eu
 cd "$(dirname "$0")/.."
 build=$(mktemp -d)

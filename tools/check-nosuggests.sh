@@ -16,7 +16,7 @@ build_tarball "$work" --no-build-vignettes > "$work/log" 2>&1 || { cat "$work/lo
 echo "==== R CMD check without the suggested packages"
 (cd "$work" && env _R_CHECK_DEPENDS_ONLY_=true _R_CHECK_NO_RECOMMENDED_=true \
   _R_CHECK_FORCE_SUGGESTS_=false R CMD check --no-manual --ignore-vignettes "$tarball" \
-  < /dev/null > check.out 2>&1)
+  < /dev/null > R-CMD-check.out 2>&1)
 Rscript tools/read-check.R "$work/rotdyn.Rcheck"
 tally $?
 
@@ -29,9 +29,10 @@ R_LIBS_SITE=$R_LIBS R_LIBS_USER=$R_LIBS
 export R_ENVIRON R_ENVIRON_USER R_LIBS R_LIBS_SITE R_LIBS_USER
 Rscript tools/link-imports.R "$work/library" --verify || exit 1
 if install_into "$work/library" > "$work/log" 2>&1; then
+  # A copy, so that a new snapshot does not land in the tree.
   mkdir "$work/tests"
-  cp -R tests/testthat "$work/tests/"
-  NOT_CRAN=true Rscript tools/run-testthat.R "$work/tests/testthat"
+  cp -R tests/testthat tests/testthat.R "$work/tests/"
+  (cd "$work/tests" && NOT_CRAN=true Rscript testthat.R)
   tally $?
 else
   cat "$work/log"

@@ -61,7 +61,7 @@ print(scene)
 
 heading("Damped spin-up: choose_model()")
 choice <- choose_model(scene, time_s)
-print(choice[c("model", "applies", "error", "error_kind", "cost", "chosen")])
+print(choice[c("model", "applies", "error", "error_kind", "cost_s", "chosen")])
 writeLines(strwrap(paste0(choice$model, ": ", choice$reason), 96, indent = 2, exdent = 4))
 
 heading("Damped spin-up: trajectory(), the first rows, and predict() at the knots of the torque")
@@ -80,7 +80,7 @@ difference <- max(abs(integrated$omega_rad_per_s - motion$omega_rad_per_s))
 cat(
   "steps ", summary(integrated)$steps,
   ", largest difference of omega to the exact model ", format(difference, digits = 2), " rad/s\n",
-  "audit: ", audit(integrated)$verdict, "\n",
+  "audit: ", toString(unique(audit(integrated)$verdict)), "\n",
   sep = ""
 )
 

@@ -1,8 +1,9 @@
 # Rscript tools/read-check.R FOLDER.Rcheck: prints what R CMD check found amiss, and closes with
 # `check: N passed, N failed, N skipped`, one for each line of verdict.
 #
-# OK passes. ERROR and WARNING fail, and so does a NOTE, but for the one that greets every new
-# submission, and for one that only says that a tool is not on this machine (a skip).
+# OK passes. ERROR, WARNING and NOTE fail, except the NOTE of every new submission (passes) and a
+# NOTE that only says that a tool is missing on this machine (a skip). The stages that rebuild the
+# vignettes do not count where --no-vignettes switches them off: R CMD build has built them.
 
 folder <- commandArgs(trailingOnly = TRUE)[1L]
 log <- readLines(file.path(folder, "00check.log"), warn = FALSE, encoding = "UTF-8")
@@ -33,10 +34,14 @@ lacks_tool <- function(block) {
     any(grepl("^Packages? suggested but not available for checking:", said))
 }
 
+left_to_build <- function(block) {
+  grepl("R code from vignettes|re-building of vignette outputs", block[1L])
+}
+
 judge <- function(block) {
   switch(verdict_of(block),
     OK = , NONE = , Note_to_CRAN_maintainers = "passed",
-    SKIPPED = "skipped",
+    SKIPPED = if (left_to_build(block)) "none" else "skipped",
     NOTE = if (is_new_submission(block)) "passed"
            else if (lacks_tool(block)) "skipped"
            else "failed",
@@ -53,15 +58,18 @@ writeLines(grep("^Status: ", log, value = TRUE))
 failed <- sum(verdicts == "failed")
 # A check that stopped midway has no status line.
 if (!any(grepl("^Status: ", log)) || (!failed && any(grepl("^Status: .*(ERROR|WARNING)", log)))) {
-  said <- file.path(dirname(folder), "check.out")
+  said <- file.path(dirname(folder), "R-CMD-check.out")
   if (file.exists(said)) log <- readLines(said, warn = FALSE)
   writeLines(c("R CMD check did not come to its end:", tail(log, 20L)))
   failed <- failed + 1L
 }
-# What the failing tests printed is in files of their own, below R's greeting.
+# What the failing tests printed is in files of their own, after R's greeting, between the echoed
+# lines of the script.
 for (file in list.files(folder, "\\.fail$", recursive = TRUE, full.names = TRUE)) {
   said <- readLines(file, warn = FALSE)
-  writeLines(c(paste0("---- ", basename(file)), tail(said[cumsum(startsWith(said, ">")) > 0L], 60L)))
+  echoed <- grepl("^[>+]( |$)", said)
+  said <- tail(said[cumsum(echoed) > 0L & !echoed], 60L)
+  writeLines(c(paste0("---- ", basename(file)), said))
 }
 cat(sprintf(
   "check: %d passed, %d failed, %d skipped\n", sum(verdicts == "passed"), failed,

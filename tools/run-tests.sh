@@ -1,7 +1,11 @@
 #!/bin/sh
-# `make test`: every check, each under its heading. A failure does not stop the ones after it.
-# The last line is `tests: N passed, N failed, N skipped`: the checks of the boundary script, those
-# of the C core, testthat's expectations and R CMD check's verdicts, added up.
+# `make test`: every check, each under its heading. A failure does not stop the later ones.
+#
+# The tests of the C core run beside the checks of the R package, at a lower priority. R CMD build
+# builds the vignettes and R CMD check runs the tests, each once.
+#
+# The last line is `tests: N passed, N failed, N skipped`: the rules of the boundary script, the
+# builds and tests of the C core, testthat's blocks and the verdicts of R CMD check, added up.
 . "${0%/*}/common.sh"
 
 start=$(date +%s)
@@ -17,21 +21,19 @@ verdict() {
   esac
 }
 
-# counted NAME COMMAND...: runs it, shows what it prints, and adds up its closing line
-# `NAME: N passed, N failed[, N skipped]`. No such line, or a bad exit with no failure counted, is
-# a failure: the script died.
+# counted NAME STATUS: shows $work/NAME.out and adds up its closing line
+# `NAME: N passed, N failed[, N skipped]`. Without that line, or where the script that wrote it
+# ended with a STATUS other than 0 and no failure counted, the script itself has failed.
 counted() {
-  name=$1
-  shift
-  "$@" < /dev/null > "$work/$name.out" 2>&1
-  status=$?
+  name=$1 status=$2
   cat "$work/$name.out"
-  counts=$(sed -n "s/^$name: \([0-9]*\) passed, \([0-9]*\) failed\(, \([0-9]*\) skipped\)\{0,1\}\$/\1 \2 \4/p" \
+  counts=$(sed -n \
+    "s/^$name: \([0-9]*\) passed, \([0-9]*\) failed\(, \([0-9]*\) skipped\)\{0,1\}\$/\1 \2 \4/p" \
     "$work/$name.out" | tail -n 1)
   # shellcheck disable=SC2086
   set -- $counts
   passed=$((passed + ${1:-0})) failed=$((failed + ${2:-0})) skipped=$((skipped + ${3:-0}))
-  if test -z "$counts" || { test $status != 0 && test "$2" = 0; }; then
+  if test -z "$counts" || { test "$status" != 0 && test "$2" = 0; }; then
     verdict fail "$name ended with status $status and no failure counted"
   fi
 }
@@ -40,12 +42,26 @@ heading "setup"
 sh tools/setup.sh test || verdict fail "setup"
 
 heading "boundary"
-counted boundary sh tools/check-boundary.sh
+sh tools/check-boundary.sh < /dev/null > "$work/boundary.out" 2>&1
+counted boundary $?
 
-heading "C core"
-counted core sh tests/core/run.sh
+nice -n 5 sh tests/core/run.sh < /dev/null > "$work/core.out" 2>&1 &
+core=$!
+trap 'kill $core 2> /dev/null; rm -rf "$work"' 0
 
-heading "R CMD build and INSTALL"
+heading "layout of the C code"
+# Other versions lay out some lines in another way.
+case $(clang-format --version 2> /dev/null) in
+  *" version 14."*)
+    if clang-format --dry-run -Werror src/*.[ch] tests/core/*.[ch]; then
+      verdict pass "clang-format"
+    else
+      verdict fail "clang-format: run make format"
+    fi ;;
+  *) verdict skip "clang-format 14 is not here" ;;
+esac
+
+heading "R CMD build"
 vignettes=yes
 for need in knitr rmarkdown; do
   test -z "$(Rscript tools/setup.R missing $need)" || vignettes=no
@@ -66,33 +82,12 @@ fi
 test -n "$tarball" || build_tarball "$work" --no-build-vignettes > "$work/build.out" 2>&1 ||
   { cat "$work/build.out"; verdict fail "R CMD build --no-build-vignettes"; }
 
-mkdir "$work/library"
-if test -n "$tarball"; then
-  if install_into "$work/library" > "$work/install.out" 2>&1; then
-    verdict pass "R CMD INSTALL"
-  else
-    cat "$work/install.out"
-    verdict fail "R CMD INSTALL"
-  fi
-fi
-
-heading "testthat"
-# A copy, so that a new snapshot does not land in the tree. NOT_CRAN: nothing is left out.
-mkdir "$work/tests"
-cp -R tests/testthat "$work/tests/"
-if test -d "$work/library/rotdyn"; then
-  counted testthat env NOT_CRAN=true "R_LIBS=$work/library:$R_LIBS" \
-    Rscript tools/run-testthat.R "$work/tests/testthat"
-else
-  verdict fail "testthat: the package is not installed"
-fi
-
 heading "R CMD check --as-cran"
 # Only what asks another host is switched off:
 #   _R_CHECK_CRAN_INCOMING_REMOTE_          compares with CRAN's own package list, follows URLs
 #   _R_CHECK_SYSTEM_CLOCK_                  asks a time server whether our clock is right
 #   _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_   fetches the help topics of packages not installed here
-check_options="--as-cran --no-manual"
+check_options="--as-cran --no-manual --no-vignettes"
 test $vignettes = yes || check_options="$check_options --ignore-vignettes"
 force=true
 # A suggested package that could not be had was announced by setup; it is no error of ours. But
@@ -104,14 +99,26 @@ if test -n "$(Rscript tools/setup.R missing $(Rscript tools/setup.R suggests))";
   check_options=${check_options#--as-cran }
 fi
 if test -n "$tarball"; then
+  # NOT_CRAN: no test is left out. TESTTHAT_PARALLEL: several files of tests at a time.
   # shellcheck disable=SC2086
-  (cd "$work" && env _R_CHECK_CRAN_INCOMING_REMOTE_=false _R_CHECK_SYSTEM_CLOCK_=false \
+  (cd "$work" && env NOT_CRAN=true TESTTHAT_PARALLEL=true TESTTHAT_CPUS="$cores" \
+    MAKEFLAGS="-j$cores" _R_CHECK_CRAN_INCOMING_REMOTE_=false _R_CHECK_SYSTEM_CLOCK_=false \
     _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_=false _R_CHECK_FORCE_SUGGESTS_=$force \
-    R CMD check $check_options "$tarball" < /dev/null > check.out 2>&1)
-  counted check Rscript tools/read-check.R "$work/rotdyn.Rcheck"
+    R CMD check $check_options "$tarball" < /dev/null > R-CMD-check.out 2>&1)
+  Rscript tools/read-check.R "$work/rotdyn.Rcheck" > "$work/check.out" 2>&1
+  counted check $?
+
+  heading "testthat, in R CMD check"
+  grep -h '^testthat: ' "$work"/rotdyn.Rcheck/tests/testthat.Rout* > "$work/testthat.out" 2>&1
+  counted testthat $?
 else
   verdict fail "R CMD check: there is no tarball"
 fi
+
+heading "C core"
+wait $core
+counted core $?
+trap 'rm -rf "$work"' 0
 
 heading "sum"
 echo "tests: $passed passed, $failed failed, $skipped skipped"

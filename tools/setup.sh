@@ -79,6 +79,7 @@ system_needs() {
       need optional tidy "HTML tidy" tidy tidy tidy-html5
       need optional checkbashisms checkbashisms devscripts devscripts-checkbashisms checkbashisms
       need optional clang clang clang clang llvm
+      need optional clang-format clang-format clang-format clang-tools-extra clang-format
       need optional has_clang_sanitizer "clang's sanitizers" "$(clang_rt)" compiler-rt -
       ;;
     bench) need optional has_scipy "Python's scipy" python3-scipy python3-scipy scipy ;;
@@ -88,7 +89,8 @@ system_needs() {
       # LaTeX is large: whoever wants the manual installs it knowingly.
       if ! have pdflatex; then
         say "LaTeX is not installed. The manual needs it:"
-        say "  Debian, Ubuntu   apt-get install texlive-latex-recommended texlive-fonts-extra texinfo"
+        say "  Debian, Ubuntu   apt-get install texlive-latex-recommended \\"
+        say "                     texlive-fonts-extra texinfo"
         say "  Fedora           dnf install texlive-scheme-medium texlive-inconsolata"
         say "  macOS            brew install --cask mactex-no-gui"
         exit 1
@@ -123,9 +125,9 @@ apt_install() {
 
 ask_r() { Rscript tools/setup.R "$@" < /dev/null; }
 
-# Some CRAN packages want a system library to build against: units, rgl, xml2 (beneath roxygen2,
-# too), and fs, which lies beneath the others named here. Where that library cannot be had, fs can bring its
-# own copy along if there is a cmake.
+# Some CRAN packages need a system library to build: units, rgl, xml2 (roxygen2 depends on it) and
+# fs, on which the others named here depend. Without that library fs builds its own copy, if cmake
+# is installed.
 from_cran() {
   extra=""
   have g++ && have gfortran || extra="r-base-dev"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rot_axle.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
 #include "rot_axle_forced.h"
@@ -371,13 +371,13 @@ int main(int argc, char **argv) {
                                                                     : omega[j] - (quad)c[1][j]));
       }
       /* The truth itself is good to some 1e-28 of the motion's size. */
-      const int held = e_theta <= info.theta_error + 1e-26 * theta_max &&
-                       e_omega <= info.omega_error + 1e-26 * omega_max;
+      const int held = e_theta <= info.measure[ROT_THETA].error + 1e-26 * theta_max &&
+                       e_omega <= info.measure[ROT_OMEGA].error + 1e-26 * omega_max;
       covered += held;
       if (!held && getenv("COVERAGE_SHOW")) {
         fprintf(stderr, "%s %ld: theta %.3g of %.3g, omega %.3g of %.3g (accuracy %.2g)\n",
-                contestants[k].name, i, e_theta, info.theta_error, e_omega, info.omega_error,
-                s.accuracy);
+                contestants[k].name, i, e_theta, info.measure[ROT_THETA].error, e_omega,
+                info.measure[ROT_OMEGA].error, s.accuracy);
       }
       const double relative = fmax(theta_max > 0.0 ? e_theta / theta_max : 0.0,
                                    omega_max > 0.0 ? e_omega / omega_max : 0.0);

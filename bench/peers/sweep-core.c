@@ -1,7 +1,7 @@
 /* The sweep by rotdyn's C core, without R: all seven columns, in memory that is there. One
  * thread; HOW is not looked at. */
 #include "child.h"
-#include "rot_sweep.h"
+#include "rot_axle_sweep.h"
 #include "sweep.h"
 
 static double *column(size_t n) {
@@ -27,14 +27,14 @@ static int solve(const char *how, solution *s) {
     if (!status) return 1;
   }
   const rot_torque law = {5, time_s, torque, 0.0, 0.0, NULL, NULL};
-  const rot_sweep_rows rows = {s->n,      0.0,        {inertia, 1}, {viscous, 1},
-                               {&one, 0}, {&none, 0}, {&none, 0},   {&end, 0}};
-  const rot_sweep_columns out = {
+  const rot_axle_sweep_rows rows = {s->n,      0.0,        {inertia, 1}, {viscous, 1},
+                                    {&one, 0}, {&none, 0}, {&none, 0},   {&end, 0}};
+  const rot_axle_sweep_columns out = {
       s->theta_rad, s->omega_rad_per_s, to[0], to[1], to[2], to[3], to[4], status};
   rot_info info;
   (void)how;
   s->rhs_calls = 0;
-  return rot_sweep_linear(&law, &rows, 1, &out, NULL, &info) != ROT_OK;
+  return rot_axle_sweep_linear(&law, &rows, 1, &out, NULL, &info) != ROT_OK;
 }
 
 int main(int argc, char **argv) { return child_main(argc, argv, solve); }

@@ -24,10 +24,10 @@ static void run_model(run *r, rot_axle_model model, const rot_axle_scene *scene,
                                 r->column[4], r->column[5], r->column[6]};
   r->theta = out.theta_rad;
   r->omega = out.omega_rad_per_s;
-  r->applied = out.applied_n_m;
-  r->damping = out.damping_n_m;
-  r->net = out.net_n_m;
-  r->energy = out.energy_j;
+  r->applied = out.applied_torque_n_m;
+  r->damping = out.damping_torque_n_m;
+  r->net = out.net_torque_n_m;
+  r->energy = out.rotational_kinetic_energy_j;
   rot_events_free(&r->events);
   r->status = model(scene, n, time_s, &out, &r->events, NULL, &r->info);
   ROT_CHECK(r->status == r->info.status);
@@ -99,8 +99,10 @@ static inline void check_case(run *r, rot_axle_model model, const friction_case 
   run_model(r, model, &c->scene, c->rows, c->time_s);
   ROT_CHECK(r->status == ROT_OK && r->info.rows_done == c->rows);
   for (size_t i = 0; i < c->rows; i++) {
-    ROT_CHECK(fabs(r->theta[i] - c->theta[i]) <= r->info.theta_error + ROT_EPS * fabs(c->theta[i]));
-    ROT_CHECK(fabs(r->omega[i] - c->omega[i]) <= r->info.omega_error + ROT_EPS * fabs(c->omega[i]));
+    ROT_CHECK(fabs(r->theta[i] - c->theta[i]) <=
+              r->info.measure[ROT_THETA].error + ROT_EPS * fabs(c->theta[i]));
+    ROT_CHECK(fabs(r->omega[i] - c->omega[i]) <=
+              r->info.measure[ROT_OMEGA].error + ROT_EPS * fabs(c->omega[i]));
     ROT_CHECK((r->omega[i] == 0.0) == (c->omega[i] == 0.0));
   }
   ROT_CHECK(rot_info_error(&r->info) < 1e-12);
@@ -207,11 +209,12 @@ static inline void check_units(rot_axle_model model, int which) {
       ROT_CHECK_EQ_INT(m.status, ROT_OK);
       ROT_CHECK_EQ_INT(m.events.count, r.events.count);
       for (size_t j = 0; j < c.rows; j++) {
-        ROT_CHECK(fabs(m.theta[j] - r.theta[j]) <= r.info.theta_error);
-        ROT_CHECK(fabs(ldexp(m.omega[j], -e) - r.omega[j]) <= r.info.omega_error);
+        ROT_CHECK(fabs(m.theta[j] - r.theta[j]) <= r.info.measure[ROT_THETA].error);
+        ROT_CHECK(fabs(ldexp(m.omega[j], -e) - r.omega[j]) <= r.info.measure[ROT_OMEGA].error);
       }
-      ROT_CHECK_REL(m.info.theta_error, r.info.theta_error, 1e-3);
-      ROT_CHECK_REL(ldexp(m.info.omega_error, -e), r.info.omega_error, 1e-3);
+      ROT_CHECK_REL(m.info.measure[ROT_THETA].error, r.info.measure[ROT_THETA].error, 1e-3);
+      ROT_CHECK_REL(ldexp(m.info.measure[ROT_OMEGA].error, -e), r.info.measure[ROT_OMEGA].error,
+                    1e-3);
     }
   }
   rot_events_free(&r.events);
@@ -228,7 +231,8 @@ static inline void check_splits(rot_axle_model model, int which) {
     x = read_case(x, &c);
     if (c.model != which) continue;
     run_model(&r, model, &c.scene, c.rows, c.time_s);
-    const double size = r.info.theta_max, speed = r.info.omega_max;
+    const double size = r.info.measure[ROT_THETA].largest,
+                 speed = r.info.measure[ROT_OMEGA].largest;
     const double error = rot_info_error(&r.info);
     for (size_t j = 0; j + 1 < c.rows; j++) {
       c.scene.linear.start_s = c.time_s[j];

@@ -1,14 +1,17 @@
-/* A test kit in one header: checks that count, a report that sums up. One per test program.
+/* A test kit in one header, for one test program.
  *
  *   #include "rot_test.h"
- *   int main(void)
- *   {
+ *   static void known_values(void) {
  *     ROT_CHECK(n == 3);
  *     ROT_CHECK_ULP(rot_phi1(-1.0), 0.63212055882855767, 2);
+ *   }
+ *   int main(void) {
+ *     known_values();
  *     return rot_test_report("phi");
  *   }
  *
- * A failed check says where, what and which values, and the program goes on. */
+ * A failed check prints its place, its text and its values; the program continues. The report
+ * counts tests: functions that make checks. */
 #ifndef ROT_TEST_H
 #define ROT_TEST_H
 
@@ -17,19 +20,33 @@
 #include <stdio.h>
 #include <string.h>
 
-static long rot_test_passed = 0;
+/* Failed checks so far. */
 static long rot_test_failed = 0;
+
+/* A test is a function that makes checks, however many; it passes if none of its checks fails. */
+#define ROT_TEST_MOST_CASES 200
+static struct {
+  const char *name;
+  long failed;
+} rot_test_case[ROT_TEST_MOST_CASES];
+static int rot_test_cases = 0, rot_test_current = 0;
 
 /* A loop that fails a million times should not print a million lines. */
 #define ROT_TEST_MOST_LINES 40
 
-static inline int rot_test_count(int ok) {
-  if (ok) {
-    rot_test_passed++;
-    return 0;
+/* Counts a check of the function `name` (its __func__, compared by address). True if the failure
+ * should be printed. Functions beyond the last place share that place. */
+static inline int rot_test_count(int ok, const char *name) {
+  if (rot_test_cases == 0 || rot_test_case[rot_test_current].name != name) {
+    int i = 0;
+    while (i < rot_test_cases && rot_test_case[i].name != name) i++;
+    if (i == ROT_TEST_MOST_CASES) i--;
+    if (i == rot_test_cases) rot_test_case[rot_test_cases++].name = name;
+    rot_test_current = i;
   }
-  rot_test_failed++;
-  return rot_test_failed <= ROT_TEST_MOST_LINES;
+  if (ok) return 0;
+  rot_test_case[rot_test_current].failed++;
+  return ++rot_test_failed <= ROT_TEST_MOST_LINES;
 }
 
 /* Doubles as integers in the order of the doubles: neighbours differ by 1, -0 equals +0. */
@@ -58,54 +75,57 @@ static inline double rot_test_rel(double got, double want) {
   return HUGE_VAL;
 }
 
-static inline void rot_test_true(int ok, const char *file, int line, const char *what) {
-  if (rot_test_count(ok)) printf("%s:%d: failed: %s\n", file, line, what);
+static inline void rot_test_true(int ok, const char *func, const char *file, int line,
+                                 const char *what) {
+  if (rot_test_count(ok, func)) printf("%s:%d: failed: %s\n", file, line, what);
 }
 
 static inline void rot_test_near(double off, double most, const char *unit, double got, double want,
-                                 const char *file, int line, const char *what) {
+                                 const char *func, const char *file, int line, const char *what) {
   /* Written so that a NaN distance or a NaN limit fails. */
-  if (rot_test_count(off <= most))
+  if (rot_test_count(off <= most, func))
     printf("%s:%d: failed: %s\n  got  %.17g\n  want %.17g\n  off by %.4g %s, allowed %.4g\n", file,
            line, what, got, want, off, unit, most);
 }
 
-static inline void rot_test_int(long long a, long long b, const char *file, int line,
-                                const char *what) {
-  if (rot_test_count(a == b))
+static inline void rot_test_int(long long a, long long b, const char *func, const char *file,
+                                int line, const char *what) {
+  if (rot_test_count(a == b, func))
     printf("%s:%d: failed: %s\n  got  %lld\n  want %lld\n", file, line, what, a, b);
 }
 
-#define ROT_CHECK(cond) rot_test_true((cond) ? 1 : 0, __FILE__, __LINE__, #cond)
+#define ROT_CHECK(cond) rot_test_true((cond) ? 1 : 0, __func__, __FILE__, __LINE__, #cond)
 
 #define ROT_CHECK_ULP(got, want, max_ulp)                                                          \
   do {                                                                                             \
     const double rot_test_g_ = (got), rot_test_w_ = (want);                                        \
     rot_test_near(rot_test_ulp(rot_test_g_, rot_test_w_), (double)(max_ulp), "ulp", rot_test_g_,   \
-                  rot_test_w_, __FILE__, __LINE__, #got " == " #want);                             \
+                  rot_test_w_, __func__, __FILE__, __LINE__, #got " == " #want);                   \
   } while (0)
 
 #define ROT_CHECK_REL(got, want, rel)                                                              \
   do {                                                                                             \
     const double rot_test_g_ = (got), rot_test_w_ = (want);                                        \
     rot_test_near(rot_test_rel(rot_test_g_, rot_test_w_), (double)(rel), "relative", rot_test_g_,  \
-                  rot_test_w_, __FILE__, __LINE__, #got " == " #want);                             \
+                  rot_test_w_, __func__, __FILE__, __LINE__, #got " == " #want);                   \
   } while (0)
 
 #define ROT_CHECK_EQ_INT(a, b)                                                                     \
-  rot_test_int((long long)(a), (long long)(b), __FILE__, __LINE__, #a " == " #b)
+  rot_test_int((long long)(a), (long long)(b), __func__, __FILE__, __LINE__, #a " == " #b)
 
-/* The closing line that tests/core/run.sh adds up, and the exit code of main(). A program that
- * checked nothing has failed. */
+/* Prints the tests that failed and the closing line that tests/core/run.sh adds up; returns the
+ * exit code of main(). A program without a check fails. */
 static inline int rot_test_report(const char *topic) {
+  int i, failed = 0;
   if (rot_test_failed > ROT_TEST_MOST_LINES)
     printf("(%ld more failures not shown)\n", rot_test_failed - ROT_TEST_MOST_LINES);
-  if (rot_test_passed + rot_test_failed == 0) {
-    printf("core %s: no check was made\n", topic);
-    rot_test_failed = 1;
-  }
-  printf("core %s: %ld passed, %ld failed\n", topic, rot_test_passed, rot_test_failed);
-  return rot_test_failed == 0 ? 0 : 1;
+  for (i = 0; i < rot_test_cases; i++)
+    if (rot_test_case[i].failed > 0) {
+      printf("failed test: %s, %ld checks\n", rot_test_case[i].name, rot_test_case[i].failed);
+      failed++;
+    }
+  printf("core %s: %d passed, %d failed\n", topic, rot_test_cases - failed, failed);
+  return rot_test_cases == 0 || failed > 0;
 }
 
 #endif

@@ -4,16 +4,18 @@
 #   tests/core/run.sh              every compiler and standard
 #   tests/core/run.sh --valgrind   one build, run under valgrind
 #
-# Each tests/core/test_*.c is a program of its own, linked with all of src/rot_*.c. For gcc and
-# clang, whichever are here:
-#   c99 and the newest standard that the compiler knows: built with -O2 and run
-#   the standards between: compiled for their warnings alone
-#   address and undefined behaviour sanitizers: built with -O1 and run
-# Each build counts as one check; each check in the programs counts. The last line is
-# `core: N passed, N failed, N skipped`. CORE_STDS="c99" narrows the standards.
+# Each tests/core/test_*.c is a program of its own, linked with all of src/rot_*.c. The builds that
+# run, for the compilers gcc and clang or the one that is installed:
+#   the first compiler, C99, -O2
+#   the last compiler, the newest standard that it knows, -O2
+#   the last compiler that has them: address and undefined behaviour sanitizers, -O0
+# The other pairs of compiler and standard are compiled for their warnings (-fsyntax-only).
+#
+# A build counts as one check; so does each test (a function with checks) of a build that runs. The
+# last line is `core: N passed, N failed, N skipped`. CORE_STDS="c99" narrows the standards.
 
 cd "$(dirname "$0")/../.." || exit 1
-# Where the tests look for reference data beside the repository; they skip it if it is not there.
+# Tests look for reference data beside the repository and skip what needs it where it is absent.
 if test -z "$ROTDYN_SHARED" && test -d ../shared; then
   ROTDYN_SHARED=$(cd ../shared && pwd)
   export ROTDYN_SHARED
@@ -49,6 +51,7 @@ done)
 
 core=$(ls src/rot_*.c 2>/dev/null)
 tests=$(ls tests/core/test_*.c 2>/dev/null)
+names=$(for file in $tests; do basename "$file" .c; done)
 if test -z "$core" || test -z "$tests"; then
   echo "there is no src/rot_*.c, or no tests/core/test_*.c"
   echo "core: 0 passed, 1 failed, 0 skipped"
@@ -61,43 +64,42 @@ accepts() {
   "$@" "$work/empty.c" -o "$work/empty" > /dev/null 2>&1 && "$work/empty" > /dev/null 2>&1
 }
 
-# build DIR COMPILER FLAGS...: everything, side by side, into DIR. What the compiler says is in
-# DIR/log; programs that could be linked are there.
+# build DIR COMPILER FLAGS...: compiles and links into DIR, several files at a time. DIR/log holds
+# what the compiler prints.
 build() {
   dir=$1
   shift
   mkdir -p "$dir"
-  echo "$*" > "$dir/command"
   for file in $core $tests; do echo "$file"; done |
     xargs -P "$jobs" -I{} sh -c 'file=$1; dir=$2; shift 2
       name=$(basename "$file" .c)
       "$@" -Isrc -Itests/core -c "$file" -o "$dir/$name.o" > "$dir/$name.log" 2>&1' \
-      build {} "$dir" "$@" $warnings -Werror $gsl_cflags
+      build {} "$dir" "$@" $warnings -Werror $gsl_cflags &&
+    for name in $names; do echo "$name"; done |
+    xargs -P "$jobs" -I{} sh -c 'name=$1; dir=$2; libs=$3; shift 3
+      "$@" "$dir/$name.o" "$dir"/rot_*.o $libs -lm -o "$dir/$name" >> "$dir/$name.log" 2>&1' \
+      link {} "$dir" "$gsl_libs" "$@"
   status=$?
   cat "$dir"/*.log > "$dir/log"
-  test $status = 0 || return 1
-  for file in $tests; do
-    name=$(basename "$file" .c)
-    "$@" "$dir/$name.o" "$dir"/rot_*.o $gsl_libs -lm -o "$dir/$name" >> "$dir/log" 2>&1 ||
-      return 1
-  done
+  return $status
 }
 
-# run DIR [WRAPPER...]: each program; its closing line is counted, its death is a failure,
-# each line `skip - why` that it prints is a skip.
+# run DIR [WRAPPER...]: runs the programs, several at a time, and adds up their closing lines. A
+# program that dies counts as a failure, each line `skip - why` as a skip.
 run() {
   dir=$1
   shift
-  for file in $tests; do
-    name=$(basename "$file" .c)
-    "$@" "$dir/$name" > "$dir/$name.out" 2>&1
-    status=$?
+  for name in $names; do echo "$name"; done |
+    xargs -P "$jobs" -I{} sh -c 'name=$1; dir=$2; shift 2
+      "$@" "$dir/$name" > "$dir/$name.out" 2>&1; echo $? > "$dir/$name.status"' run {} "$dir" "$@"
+  for name in $names; do
+    status=$(cat "$dir/$name.status")
     line=$(sed -n 's/^core [^:]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$dir/$name.out" |
       tail -n 1)
     p=${line%% *} f=${line##* }
     skipped=$((skipped + $(grep -c '^skip - ' "$dir/$name.out")))
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0}))
-    if test $status = 0 && test -n "$line"; then
+    if test "$status" = 0 && test -n "$line"; then
       echo "  $name: $p passed, $f failed"
       grep '^skip - ' "$dir/$name.out" | sed 's/^/  /'
     else
@@ -108,7 +110,7 @@ run() {
   done
 }
 
-# check LABEL COMPILER FLAGS...: build, count that as one, run.
+# check LABEL COMPILER FLAGS...: builds, counts that as one check, runs.
 check() {
   label=$1
   shift
@@ -116,11 +118,26 @@ check() {
   if build "$dir" "$@"; then
     echo "ok - builds: $label"
     pass
-    # Fresh memory holds garbage rather than zeros, so that reading it unset shows.
+    # New memory holds garbage rather than zeros, so that a read of unset memory shows.
     run "$dir" env MALLOC_PERTURB_=165
   else
     echo "not ok - builds: $label"
     sed 's/^/  /' "$dir/log"
+    fail
+  fi
+  rm -rf "$dir"
+}
+
+# warn COMPILER STANDARD: compiles for the warnings alone.
+warn() {
+  if (for file in $core $tests; do echo "$file"; done | xargs -P "$jobs" -n 4 \
+    "$1" -std="$2" -fsyntax-only -Isrc -Itests/core $warnings -Werror $gsl_cflags) \
+    > "$work/log" 2>&1; then
+    echo "ok - compiles: $1 $2"
+    pass
+  else
+    echo "not ok - compiles: $1 $2"
+    sed 's/^/  /' "$work/log"
     fail
   fi
 }
@@ -137,43 +154,40 @@ if test "$1" = --valgrind; then
     fail
   fi
 else
+  compilers=""
   for cc in gcc clang; do
-    if ! command -v $cc > /dev/null 2>&1; then
-      skip "$cc is not here"
-      continue
-    fi
+    if command -v $cc > /dev/null 2>&1; then compilers="$compilers $cc"
+    else skip "$cc is not here"; fi
+  done
+  first=${compilers# } first=${first%% *} last=${compilers##* } sanitizer=""
+  test -n "$compilers" || fail
+  for cc in $compilers; do
     # c23 was called c2x, and c17 c18, before they were finished.
     known=""
     for std in $stds; do
-      case $std in c17) names="c17 c18" ;; c23) names="c23 c2x" ;; *) names=$std ;; esac
+      case $std in c17) spellings="c17 c18" ;; c23) spellings="c23 c2x" ;; *) spellings=$std ;; esac
       one=""
-      for name in $names; do
-        if accepts $cc -std="$name"; then one=$name; break; fi
+      for spelling in $spellings; do
+        if accepts $cc -std="$spelling"; then one=$spelling; break; fi
       done
       if test -n "$one"; then known="$known $one"; else skip "$cc does not know $std"; fi
     done
-    newest=${known##* }
     for std in $known; do
-      if test "$std" = c99 || test "$std" = "$newest"; then
+      if { test $cc = "$first" && test "$std" = c99; } ||
+        { test $cc = "$last" && test "$std" = "${known##* }"; }; then
         check "$cc $std -O2" $cc -std="$std" -O2
-      elif (for file in $core $tests; do echo "$file"; done | xargs -P "$jobs" -n 4 \
-          $cc -std="$std" -fsyntax-only -Isrc -Itests/core $warnings -Werror $gsl_cflags) \
-          > "$work/log" 2>&1; then
-        echo "ok - compiles: $cc $std"
-        pass
       else
-        echo "not ok - compiles: $cc $std"
-        sed 's/^/  /' "$work/log"
-        fail
+        warn $cc "$std"
       fi
     done
-    if accepts $cc -fsanitize=address,undefined; then
-      check "$cc address,undefined" $cc -std=c99 -O1 -g -fno-omit-frame-pointer \
-        -fsanitize=address,undefined -fno-sanitize-recover=all
-    else
-      skip "$cc has no sanitizers here"
-    fi
+    ! accepts $cc -fsanitize=address,undefined || sanitizer=$cc
   done
+  if test -n "$sanitizer"; then
+    check "$sanitizer address,undefined" $sanitizer -std=c99 -O0 -g1 -fno-omit-frame-pointer \
+      -fsanitize=address,undefined -fno-sanitize-recover=all
+  else
+    skip "no compiler has the sanitizers"
+  fi
 fi
 
 echo "core: $passed passed, $failed failed, $skipped skipped"

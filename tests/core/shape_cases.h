@@ -1,6 +1,5 @@
-/* clang-format off
- *
- * Integrals over the shapes' geometry: mpmath, 50 digits, slices and curves of revolution by
+/* clang-format off */
+/* Integrals over the shapes' geometry: mpmath, 50 digits, slices and curves of revolution by
  * quadrature, no closed form. Shape, sizes; per unit mass xx, yy, zz, xy about the centre of mass;
  * the centre; volume, area or length. */
 static const struct {

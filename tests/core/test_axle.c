@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "axle_scenes.h"
-#include "rot_axle.h"
+#include "rot_axle_linear.h"
 #include "rot_phi.h"
 #include "rot_real.h"
 #include "rot_test.h"
@@ -378,9 +378,11 @@ static void check_scene(int scene) {
     rot_axle_columns out = columns(0);
     rot_info info;
     ROT_CHECK_EQ_INT(rot_axle_linear(p, 1, &row->t, &out, NULL, &info), ROT_OK);
-    check_bound(info.theta_error, fabs(out.theta_rad[0] - row->theta), row->theta_bound);
-    check_bound(info.omega_error, fabs(out.omega_rad_per_s[0] - row->omega), row->omega_bound);
-    ROT_CHECK_ULP(out.applied_n_m[0], row->applied, 3);
+    check_bound(info.measure[ROT_THETA].error, fabs(out.theta_rad[0] - row->theta),
+                row->theta_bound);
+    check_bound(info.measure[ROT_OMEGA].error, fabs(out.omega_rad_per_s[0] - row->omega),
+                row->omega_bound);
+    ROT_CHECK_ULP(out.applied_torque_n_m[0], row->applied, 3);
     if (axle_scenes[scene].one_sign && row->t >= p->start_s) {
       ROT_CHECK_ULP(out.theta_rad[0], row->theta, 6);
       ROT_CHECK_ULP(out.omega_rad_per_s[0], row->omega, 6);
@@ -410,13 +412,13 @@ static void check_scene_together(int scene) {
     one_row(&axle_scenes[scene].p, t[i], &theta, &omega, &one);
     ROT_CHECK(fabs(out.theta_rad[i] - theta) <= ROT_EPS * fabs(row->theta_bound) / 6.0);
     ROT_CHECK(fabs(out.omega_rad_per_s[i] - omega) <= ROT_EPS * fabs(row->omega_bound) / 6.0);
-    ROT_CHECK_ULP(out.applied_n_m[i], row->applied, 3);
-    theta_error = fmax(theta_error, one.theta_error);
-    omega_error = fmax(omega_error, one.omega_error);
+    ROT_CHECK_ULP(out.applied_torque_n_m[i], row->applied, 3);
+    theta_error = fmax(theta_error, one.measure[ROT_THETA].error);
+    omega_error = fmax(omega_error, one.measure[ROT_OMEGA].error);
   }
   /* The report is about the worst row. */
-  ROT_CHECK(fabs(info.theta_error - theta_error) <= 0.06 * theta_error);
-  ROT_CHECK(fabs(info.omega_error - omega_error) <= 0.06 * omega_error);
+  ROT_CHECK(fabs(info.measure[ROT_THETA].error - theta_error) <= 0.06 * theta_error);
+  ROT_CHECK(fabs(info.measure[ROT_OMEGA].error - omega_error) <= 0.06 * omega_error);
 }
 
 /* The largest values count the start and the knots passed on the way, whichever rows are asked. */
@@ -428,28 +430,30 @@ static void check_largest_values(void) {
   rot_axle_columns out = columns(0);
   rot_info info;
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 1, &start, &out, NULL, &info), ROT_OK);
-  ROT_CHECK(info.theta_max == 3.0 && info.omega_max == 4.0);
+  ROT_CHECK(info.measure[ROT_THETA].largest == 3.0 && info.measure[ROT_OMEGA].largest == 4.0);
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 1, &next, &out, NULL, &info), ROT_OK);
   ROT_CHECK(out.theta_rad[0] == 2.25 && out.omega_rad_per_s[0] == 1.0);
-  ROT_CHECK(info.theta_max == 3.0 && info.omega_max == 4.0);
+  ROT_CHECK(info.measure[ROT_THETA].largest == 3.0 && info.measure[ROT_OMEGA].largest == 4.0);
   /* theta and omega: 26, -14 at -2 s, 12, -14 at -1 s, 4, 6 at 1 s, 2.5, -9 at 2 s */
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 1, &far[0], &out, NULL, &info), ROT_OK);
   ROT_CHECK_ULP(out.theta_rad[0], 40.0, 1);
-  ROT_CHECK(info.theta_max == out.theta_rad[0] && info.omega_max == 14.0);
+  ROT_CHECK(info.measure[ROT_THETA].largest == out.theta_rad[0] &&
+            info.measure[ROT_OMEGA].largest == 14.0);
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 1, &far[1], &out, NULL, &info), ROT_OK);
   ROT_CHECK_ULP(out.omega_rad_per_s[0], -24.0, 1);
-  ROT_CHECK(info.theta_max == 14.0 && info.omega_max == 24.0);
+  ROT_CHECK(info.measure[ROT_THETA].largest == 14.0 && info.measure[ROT_OMEGA].largest == 24.0);
   /* Between knots, below what the knots behind had. */
   const double slow = 1.5, near = 2.5;
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 1, &slow, &out, NULL, &info), ROT_OK);
-  ROT_CHECK(out.omega_rad_per_s[0] == -1.5 && info.omega_max == 6.0);
+  ROT_CHECK(out.omega_rad_per_s[0] == -1.5 && info.measure[ROT_OMEGA].largest == 6.0);
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 1, &near, &out, NULL, &info), ROT_OK);
   ROT_CHECK_ULP(out.theta_rad[0], -3.875, 3);
-  ROT_CHECK_ULP(info.theta_max, 4.0, 1);
+  ROT_CHECK_ULP(info.measure[ROT_THETA].largest, 4.0, 1);
   const rot_axle_params free = axle(2.0, 0.0, 8.0, -4.0, constant(0.0));
   const double turned_back = 2.5;
   ROT_CHECK_EQ_INT(rot_axle_free(&free, 1, &turned_back, &out, NULL, &info), ROT_OK);
-  ROT_CHECK(out.theta_rad[0] == -2.0 && info.theta_max == 8.0 && info.omega_max == 4.0);
+  ROT_CHECK(out.theta_rad[0] == -2.0 && info.measure[ROT_THETA].largest == 8.0 &&
+            info.measure[ROT_OMEGA].largest == 4.0);
 }
 
 /* Answers one can check in the head: inertia 2, torque 6, so 3 rad/s^2. */
@@ -487,16 +491,16 @@ static void check_derived_columns(void) {
   rot_axle_row(&p, &out, 4, 7.0, -5.0, 11.0);
   ROT_CHECK(out.theta_rad[4] == 7.0);
   ROT_CHECK(out.omega_rad_per_s[4] == -5.0);
-  ROT_CHECK(out.applied_n_m[4] == 11.0);
-  ROT_CHECK(out.damping_n_m[4] == 15.0);           /* -c omega */
-  ROT_CHECK(out.net_n_m[4] == 26.0);               /* applied + damping */
-  ROT_CHECK(out.momentum_kg_m2_per_s[4] == -10.0); /* I omega */
-  ROT_CHECK(out.energy_j[4] == 25.0);              /* I omega^2/2 */
+  ROT_CHECK(out.applied_torque_n_m[4] == 11.0);
+  ROT_CHECK(out.damping_torque_n_m[4] == 15.0);            /* -c omega */
+  ROT_CHECK(out.net_torque_n_m[4] == 26.0);                /* applied + damping */
+  ROT_CHECK(out.angular_momentum_kg_m2_per_s[4] == -10.0); /* I omega */
+  ROT_CHECK(out.rotational_kinetic_energy_j[4] == 25.0);   /* I omega^2/2 */
   /* No resistance, no damping torque: 0, and not -0, which a table would print. */
   const rot_axle_params free = axle(2.0, 0.0, 0.0, 5.0, constant(0.0));
   rot_info info;
   ROT_CHECK_EQ_INT(rot_axle_linear(&free, 1, &t, &out, NULL, &info), ROT_OK);
-  ROT_CHECK(out.damping_n_m[0] == 0.0 && !signbit(out.damping_n_m[0]));
+  ROT_CHECK(out.damping_torque_n_m[0] == 0.0 && !signbit(out.damping_torque_n_m[0]));
 }
 
 /* ---- one way to compute a row against another ----------------------------------------------- */
@@ -521,16 +525,17 @@ static void compare_with_careful(const rot_axle_params *p, size_t n, const doubl
   for (size_t i = 0; i < n; i++) {
     ROT_CHECK_ULP(fast.theta_rad[i], careful.theta_rad[i], 6);
     ROT_CHECK_ULP(fast.omega_rad_per_s[i], careful.omega_rad_per_s[i], 6);
-    ROT_CHECK_ULP(fast.applied_n_m[i] * times, careful.applied_n_m[i], 3);
-    ROT_CHECK_ULP(fast.damping_n_m[i] * times, careful.damping_n_m[i], 7);
-    ROT_CHECK_ULP(fast.momentum_kg_m2_per_s[i] * times, careful.momentum_kg_m2_per_s[i], 7);
+    ROT_CHECK_ULP(fast.applied_torque_n_m[i] * times, careful.applied_torque_n_m[i], 3);
+    ROT_CHECK_ULP(fast.damping_torque_n_m[i] * times, careful.damping_torque_n_m[i], 7);
+    ROT_CHECK_ULP(fast.angular_momentum_kg_m2_per_s[i] * times,
+                  careful.angular_momentum_kg_m2_per_s[i], 7);
     worst = fmax(worst, rot_test_ulp(fast.theta_rad[i], careful.theta_rad[i]));
     worst = fmax(worst, rot_test_ulp(fast.omega_rad_per_s[i], careful.omega_rad_per_s[i]));
   }
-  ROT_CHECK_ULP(fast_info.theta_max, careful_info.theta_max, 4);
-  ROT_CHECK_ULP(fast_info.omega_max, careful_info.omega_max, 4);
-  ROT_CHECK_REL(fast_info.theta_error, careful_info.theta_error, 0.06);
-  ROT_CHECK_REL(fast_info.omega_error, careful_info.omega_error, 0.06);
+  ROT_CHECK_ULP(fast_info.measure[ROT_THETA].largest, careful_info.measure[ROT_THETA].largest, 4);
+  ROT_CHECK_ULP(fast_info.measure[ROT_OMEGA].largest, careful_info.measure[ROT_OMEGA].largest, 4);
+  ROT_CHECK_REL(fast_info.measure[ROT_THETA].error, careful_info.measure[ROT_THETA].error, 0.06);
+  ROT_CHECK_REL(fast_info.measure[ROT_OMEGA].error, careful_info.measure[ROT_OMEGA].error, 0.06);
   ROT_CHECK_EQ_INT(fast_info.steps, careful_info.steps);
   printf("fast against careful: worst %g ulp\n", worst);
 }
@@ -576,7 +581,7 @@ static void check_row_alone_and_among_others(void) {
     for (size_t i = 0; i < n; i++) {
       worst = fmax(worst, rot_test_ulp(some.theta_rad[i], all.theta_rad[first + i]));
       worst = fmax(worst, rot_test_ulp(some.omega_rad_per_s[i], all.omega_rad_per_s[first + i]));
-      ROT_CHECK(some.applied_n_m[i] == all.applied_n_m[first + i]);
+      ROT_CHECK(some.applied_torque_n_m[i] == all.applied_torque_n_m[first + i]);
     }
   }
   printf("a row alone and among others: %g ulp apart\n", worst);
@@ -611,7 +616,7 @@ static void check_repeated_times(void) {
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 11, t, &out, NULL, &info), ROT_OK);
   for (int i = 1; i < 11; i++) {
     ROT_CHECK((t[i] == t[i - 1]) == (out.theta_rad[i] == out.theta_rad[i - 1]));
-    if (t[i] == t[i - 1]) ROT_CHECK(out.applied_n_m[i] == out.applied_n_m[i - 1]);
+    if (t[i] == t[i - 1]) ROT_CHECK(out.applied_torque_n_m[i] == out.applied_torque_n_m[i - 1]);
   }
   ROT_CHECK(out.theta_rad[2] == 0.3 && out.omega_rad_per_s[2] == 2.0);
 }
@@ -630,10 +635,12 @@ static void check_there_and_back(void) {
     q.start_s = -5.0;
     one_row(&p, q.start_s, &q.theta0_rad, &q.omega0_rad_per_s, &back);
     one_row(&q, 0.0, &theta, &omega, &forth);
-    ROT_CHECK(fabs(omega - 2.0) <= 20.0 * back.omega_error + forth.omega_error);
+    ROT_CHECK(fabs(omega - 2.0) <=
+              20.0 * back.measure[ROT_OMEGA].error + forth.measure[ROT_OMEGA].error);
     ROT_CHECK(fabs(theta - 0.3) <=
-              20.0 * (back.theta_error + back.omega_error) + forth.theta_error);
-    ROT_CHECK(20.0 * (back.omega_error + forth.omega_error) < 1e-11);
+              20.0 * (back.measure[ROT_THETA].error + back.measure[ROT_OMEGA].error) +
+                  forth.measure[ROT_THETA].error);
+    ROT_CHECK(20.0 * (back.measure[ROT_OMEGA].error + forth.measure[ROT_OMEGA].error) < 1e-11);
   }
 }
 
@@ -667,8 +674,8 @@ static void check_mirror(void) {
       one_row(&q, t, &theta_mirrored, &omega_mirrored, &info_mirrored);
       ROT_CHECK(theta == -theta_mirrored);
       ROT_CHECK(omega == -omega_mirrored);
-      ROT_CHECK(info.theta_error == info_mirrored.theta_error);
-      ROT_CHECK(info.omega_error == info_mirrored.omega_error);
+      ROT_CHECK(info.measure[ROT_THETA].error == info_mirrored.measure[ROT_THETA].error);
+      ROT_CHECK(info.measure[ROT_OMEGA].error == info_mirrored.measure[ROT_OMEGA].error);
     }
   }
 }
@@ -702,8 +709,8 @@ static void check_knots_on_the_line(void) {
     one_row(&split, 14.7, &theta, &omega, &info);
     one_row(&whole, 14.7, &theta_whole, &omega_whole, &info_whole);
     ROT_CHECK_EQ_INT(info.steps, N);
-    ROT_CHECK(fabs(theta - theta_whole) <= info.theta_error);
-    ROT_CHECK(fabs(omega - omega_whole) <= info.omega_error);
+    ROT_CHECK(fabs(theta - theta_whole) <= info.measure[ROT_THETA].error);
+    ROT_CHECK(fabs(omega - omega_whole) <= info.measure[ROT_OMEGA].error);
     if (viscous[i] == 0.0) {
       ROT_CHECK_ULP(theta, theta_whole, 2);
       ROT_CHECK_ULP(omega, omega_whole, 2);
@@ -824,7 +831,7 @@ static void check_no_rows(void) {
   memset(&info, 0x5a, sizeof info);
   ROT_CHECK_EQ_INT(rot_axle_linear(&p, 0, NULL, &out, NULL, &info), ROT_OK);
   ROT_CHECK(info.status == ROT_OK && info.rows_done == 0 && info.steps == 0);
-  ROT_CHECK(info.theta_error == 0.0 && info.omega_error == 0.0);
+  ROT_CHECK(info.measure[ROT_THETA].error == 0.0 && info.measure[ROT_OMEGA].error == 0.0);
   memset(&info, 0x5a, sizeof info);
   ROT_CHECK_EQ_INT(rot_axle_free(&p, 0, NULL, &out, NULL, &info), ROT_OK);
   ROT_CHECK(info.status == ROT_OK && info.rows_done == 0 && info.steps == 0);
@@ -976,16 +983,18 @@ static void check_free(void) {
   for (int i = 0; i < 4; i++) {
     ROT_CHECK(out.theta_rad[i] == theta[i]);
     ROT_CHECK(out.omega_rad_per_s[i] == -3.0);
-    ROT_CHECK(out.applied_n_m[i] == 0.0 && out.damping_n_m[i] == 0.0 && out.net_n_m[i] == 0.0);
-    ROT_CHECK(out.momentum_kg_m2_per_s[i] == -6.0);
-    ROT_CHECK(out.energy_j[i] == 9.0);
+    ROT_CHECK(out.applied_torque_n_m[i] == 0.0 && out.damping_torque_n_m[i] == 0.0 &&
+              out.net_torque_n_m[i] == 0.0);
+    ROT_CHECK(out.angular_momentum_kg_m2_per_s[i] == -6.0);
+    ROT_CHECK(out.rotational_kinetic_energy_j[i] == 9.0);
   }
   ROT_CHECK_EQ_INT(info.rows_done, 4);
   ROT_CHECK_EQ_INT(info.steps, 1);
-  ROT_CHECK(info.time_s == 7.0 && info.theta_max == 19.25 && info.omega_max == 3.0);
-  ROT_CHECK(info.omega_error == 0.0);
+  ROT_CHECK(info.time_s == 7.0 && info.measure[ROT_THETA].largest == 19.25 &&
+            info.measure[ROT_OMEGA].largest == 3.0);
+  ROT_CHECK(info.measure[ROT_OMEGA].error == 0.0);
   /* 2 |turned| + |theta| roundings, at the last row */
-  ROT_CHECK_REL(info.theta_error, (2.0 * 19.5 + 19.25) * ROT_EPS, 1e-12);
+  ROT_CHECK_REL(info.measure[ROT_THETA].error, (2.0 * 19.5 + 19.25) * ROT_EPS, 1e-12);
 }
 
 /* Against double words: the bound holds, and is not idle. */
@@ -1002,8 +1011,8 @@ static void check_free_bound(void) {
                  sum = rot_two_sum(p.theta0_rad, turned, &sum_lo);
     turned_lo += p.omega0_rad_per_s * s_lo;
     const double error = fabs((out.theta_rad[0] - sum) - (sum_lo + turned_lo));
-    ROT_CHECK(error <= info.theta_error);
-    closest = fmax(closest, error / info.theta_error);
+    ROT_CHECK(error <= info.measure[ROT_THETA].error);
+    closest = fmax(closest, error / info.measure[ROT_THETA].error);
   }
   ROT_CHECK(closest > 0.4);
 }
@@ -1071,11 +1080,11 @@ static void check_shared_row(const double in[6], double want_turned, double want
   rot_info info;
   one_row(&p, h, &theta, &omega, &info);
   const double theta_error = fabs(theta - want_turned), omega_error = fabs(omega - want_omega);
-  ROT_CHECK(theta_error <= info.theta_error);
-  ROT_CHECK(omega_error <= info.omega_error);
+  ROT_CHECK(theta_error <= info.measure[ROT_THETA].error);
+  ROT_CHECK(omega_error <= info.measure[ROT_OMEGA].error);
   /* The bounds are 12 (24) roundings of all terms: 6 of the largest is less than 3/4 of them. */
-  ROT_CHECK(theta_error <= 0.5 * info.theta_error);
-  ROT_CHECK(omega_error <= 0.5 * info.omega_error);
+  ROT_CHECK(theta_error <= 0.5 * info.measure[ROT_THETA].error);
+  ROT_CHECK(omega_error <= 0.5 * info.measure[ROT_OMEGA].error);
   if (in[3] >= 0.0 && in[4] >= 0.0 && in[5] >= 0.0) {
     ROT_CHECK_ULP(theta, want_turned, 6);
     ROT_CHECK_ULP(omega, want_omega, 6);

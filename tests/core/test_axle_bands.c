@@ -1,6 +1,7 @@
 /* Torque in straight lines over time and over omega, with friction: known scenes, the ways to meet
  * an edge, agreement with the models that it contains. */
 #include "axle_friction.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
 
@@ -22,8 +23,8 @@ static void with_curve(rot_axle_scene *s, rot_term *term, size_t length, const d
 
 /* Rows of two runs agree within the bounds of both. */
 static void expect_same(const run *a, const run *b, size_t n) {
-  const double theta = a->info.theta_error + b->info.theta_error;
-  const double omega = a->info.omega_error + b->info.omega_error;
+  const double theta = a->info.measure[ROT_THETA].error + b->info.measure[ROT_THETA].error;
+  const double omega = a->info.measure[ROT_OMEGA].error + b->info.measure[ROT_OMEGA].error;
   for (size_t i = 0; i < n; i++) {
     ROT_CHECK(fabs(a->theta[i] - b->theta[i]) <= theta);
     ROT_CHECK(fabs(a->omega[i] - b->omega[i]) <= omega);
@@ -124,7 +125,7 @@ static void check_ramp(void) {
     ROT_CHECK(fabs(r.events.time_s[i] - at[i]) <= 1e-15);
   }
   ROT_CHECK(r.net[5] == 0.0 && r.damping[5] == -1.5);
-  ROT_CHECK_REL(r.info.omega_max, 7.5, 1e-15);
+  ROT_CHECK_REL(r.info.measure[ROT_OMEGA].largest, 7.5, 1e-15);
   /* Static = sliding friction, a triangle that just reaches it: held all the time. */
   const double three[] = {0.0, 1.0, 2.0}, up[] = {0.0, 0.1, 0.0}, rows[] = {0.5, 1.0, 3.0};
   s = plain_scene(1.0, 0.0, 0.0, 0.0);
@@ -152,8 +153,8 @@ static void check_ramp(void) {
   ROT_CHECK_ULP(r.omega[0], -0.5, 1);
   ROT_CHECK(fabs(r.omega[1]) <= 1e-15);
   ROT_CHECK_ULP(r.omega[2], 1.5, 2);
-  ROT_CHECK_REL(r.info.theta_max, 2.0 / 3.0, 1e-15); /* where it turns, 2 s */
-  ROT_CHECK_REL(r.info.omega_max, 1.5, 1e-15);
+  ROT_CHECK_REL(r.info.measure[ROT_THETA].largest, 2.0 / 3.0, 1e-15); /* where it turns, 2 s */
+  ROT_CHECK_REL(r.info.measure[ROT_OMEGA].largest, 1.5, 1e-15);
 }
 
 /* ---- edges ---------------------------------------------------------------------------------- */

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "axle_friction.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_drag.h"
 #include "shared_table.h"
 
@@ -56,7 +57,7 @@ static void check_at_rest(void) {
   const double at[] = {0.0, 2.0, 11.0};
   const rot_event kind[] = {ROT_EVENT_STICK, ROT_EVENT_SLIP, ROT_EVENT_STICK};
   expect_events(3, at, kind);
-  ROT_CHECK(r.info.omega_max == 3.0);
+  ROT_CHECK(r.info.measure[ROT_OMEGA].largest == 3.0);
   double stop, angle;
   ROT_CHECK_EQ_INT(rot_axle_drag_stop(&s, &stop, &angle), ROT_OK);
   ROT_CHECK_ULP(stop, 11.0, 1);
@@ -108,7 +109,7 @@ static void check_reversal(void) {
   const double at[] = {1.0};
   const rot_event kind[] = {ROT_EVENT_REVERSE};
   expect_events(1, at, kind);
-  ROT_CHECK_ULP(r.info.theta_max, 2.0, 2); /* the turning point */
+  ROT_CHECK_ULP(r.info.measure[ROT_THETA].largest, 2.0, 2); /* the turning point */
   double stop, angle;
   ROT_CHECK_EQ_INT(rot_axle_drag_stop(&s, &stop, &angle), ROT_OK);
   ROT_CHECK(isinf(stop) && isnan(angle));
@@ -289,9 +290,9 @@ static void check_many_pieces(void) {
   go(&s, 1, end);
   ROT_CHECK_ULP(r.theta[0], 0.1 * 4.0 * PIECES, 2);
   ROT_CHECK(r.omega[0] == 0.1);
-  const double all = r.info.omega_error;
+  const double all = r.info.measure[ROT_OMEGA].error;
   go(&s, 1, short_end);
-  ROT_CHECK(all > 0.4 * PIECES / 4.0 * r.info.omega_error);
+  ROT_CHECK(all > 0.4 * PIECES / 4.0 * r.info.measure[ROT_OMEGA].error);
 }
 
 /* A motor's falling torque is resistance to the motion and torque in the columns. */

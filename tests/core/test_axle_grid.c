@@ -1,4 +1,5 @@
 /* Rows of even grids from a table against rows one by one. */
+#include "rot_axle_linear.h"
 #include "rot_axle_grid.h"
 
 #include <math.h>
@@ -36,15 +37,16 @@ static double worst_difference(const rot_axle_params *p, size_t n, const double 
   ROT_CHECK(info_fast.rows_done == n && info_fast.steps == info.steps);
   for (size_t i = 0; i < n; i++) {
     const double theta = fabs(fast[0][i] - exact[0][i]), omega = fabs(fast[1][i] - exact[1][i]);
-    ROT_CHECK(theta <= info_fast.theta_error && omega <= info_fast.omega_error);
+    ROT_CHECK(theta <= info_fast.measure[ROT_THETA].error &&
+              omega <= info_fast.measure[ROT_OMEGA].error);
     if (exact[0][i] != 0.0) worst = fmax(worst, theta / fabs(exact[0][i]));
     if (exact[1][i] != 0.0) worst = fmax(worst, omega / fabs(exact[1][i]));
     for (int k = 2; k < 7; k++) {
       ROT_CHECK(fabs(fast[k][i] - exact[k][i]) <= 1e-14 * fabs(exact[k][i]) + 1e-300 + 1e-14);
     }
   }
-  ROT_CHECK(info_fast.theta_max >= 0.999 * info.theta_max);
-  ROT_CHECK(info_fast.omega_max >= 0.999 * info.omega_max);
+  ROT_CHECK(info_fast.measure[ROT_THETA].largest >= 0.999 * info.measure[ROT_THETA].largest);
+  ROT_CHECK(info_fast.measure[ROT_OMEGA].largest >= 0.999 * info.measure[ROT_OMEGA].largest);
   return worst;
 }
 
@@ -95,14 +97,15 @@ static size_t rows_done(const rot_axle_params *p, const rot_torque_piece *piece,
   rot_axle_grid grid;
   const rot_axle_columns out = columns(fast);
   rot_axle_state base = rot_axle_start(p);
-  rot_info_clear(&info);
+  rot_info_clear(&info, rot_turning);
   rot_axle_grid_begin(&grid);
   rot_axle_grid_enter(&grid, p, piece);
   const size_t done = rot_axle_grid_rows(&grid, p, &base, piece, n, t, &out, &info);
-  if (done == 0) ROT_CHECK(base.time_s == p->start_s && info.omega_max == 0.0);
+  if (done == 0) ROT_CHECK(base.time_s == p->start_s && info.measure[ROT_OMEGA].largest == 0.0);
   if (done > 0) {
     ROT_CHECK(base.time_s >= t[0] && base.time_s <= t[done - 1]);
-    ROT_CHECK(info.omega_max > 0.0 && info.omega_error > 0.0 && info.theta_error > 0.0);
+    ROT_CHECK(info.measure[ROT_OMEGA].largest > 0.0 && info.measure[ROT_OMEGA].error > 0.0 &&
+              info.measure[ROT_THETA].error > 0.0);
   }
   return done;
 }
@@ -172,8 +175,9 @@ static void check_known_case(const double x[8], double *worst) {
   even(N, 0.0, x[2], t);
   ROT_CHECK(rot_axle_linear_fast(&p, N, t, &out, NULL, &info) == ROT_OK);
   const double theta = fabs(fast[0][N - 1] - x[6]), omega = fabs(fast[1][N - 1] - x[7]);
-  ROT_CHECK(theta <= info.theta_error && omega <= info.omega_error);
-  *worst = fmax(*worst, fmax(theta / info.theta_max, omega / info.omega_max));
+  ROT_CHECK(theta <= info.measure[ROT_THETA].error && omega <= info.measure[ROT_OMEGA].error);
+  *worst = fmax(*worst, fmax(theta / info.measure[ROT_THETA].largest,
+                             omega / info.measure[ROT_OMEGA].largest));
   rot_axle_grid_begin(&grid);
   rot_axle_grid_enter(&grid, &p, &piece);
   const rot_axle_state end = rot_axle_grid_step(&grid, &p, &start, &piece, x[2]);

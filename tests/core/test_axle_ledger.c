@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "axle_scenes.h"
+#include "rot_axle_linear.h"
 #include "rot_axle_ledger.h"
 #include "rot_real.h"
 #include "rot_test.h"
@@ -193,7 +194,7 @@ static double omega_at(const rot_axle_params *p, double t, double *bound) {
   const rot_axle_columns out = {row, row + 1, row + 2, row + 3, row + 4, row + 5, row + 6};
   rot_info info;
   ROT_CHECK_EQ_INT(rot_axle_linear(p, 1, &t, &out, NULL, &info), ROT_OK);
-  *bound = info.omega_error;
+  *bound = info.measure[ROT_OMEGA].error;
   return row[1];
 }
 

@@ -1,6 +1,7 @@
 /* The integrated axle against the closed form, and the torque laws that only it can run. */
 #include <stdlib.h>
 
+#include "rot_axle_linear.h"
 #include "rot_axle_ode.h"
 #include "rot_real.h"
 #include "rot_test.h"
@@ -96,7 +97,8 @@ static void compare(const rot_axle_params *p, size_t n, const double t[]) {
     ROT_CHECK_EQ_INT(integrated.status, ROT_OK);
     ROT_CHECK_EQ_INT(integrated.info.rows_done, n);
     ROT_CHECK(rot_info_error(&integrated.info) <= accuracy[k]);
-    const double theta_max = integrated.info.theta_max, omega_max = integrated.info.omega_max;
+    const double theta_max = integrated.info.measure[ROT_THETA].largest,
+                 omega_max = integrated.info.measure[ROT_OMEGA].largest;
     double theta_error = 0.0, omega_error = 0.0;
     for (size_t i = 0; i < n; i++) {
       const double theta = integrated.out.theta_rad[i], omega = integrated.out.omega_rad_per_s[i];
@@ -104,12 +106,14 @@ static void compare(const rot_axle_params *p, size_t n, const double t[]) {
       omega_error = fmax(omega_error, fabs(omega - exact.out.omega_rad_per_s[i]));
       ROT_CHECK(fabs(theta) <= theta_max * (1 + accuracy[k]));
       ROT_CHECK(fabs(omega) <= omega_max * (1 + accuracy[k]));
-      ROT_CHECK_ULP(integrated.out.applied_n_m[i], exact.out.applied_n_m[i], 3);
-      ROT_CHECK(integrated.out.momentum_kg_m2_per_s[i] == p->inertia_kg_m2 * omega);
-      ROT_CHECK_ULP(integrated.out.damping_n_m[i], -p->viscous_n_m_s * omega, 0);
+      ROT_CHECK_ULP(integrated.out.applied_torque_n_m[i], exact.out.applied_torque_n_m[i], 3);
+      ROT_CHECK(integrated.out.angular_momentum_kg_m2_per_s[i] == p->inertia_kg_m2 * omega);
+      ROT_CHECK_ULP(integrated.out.damping_torque_n_m[i], -p->viscous_n_m_s * omega, 0);
     }
-    ROT_CHECK(theta_error <= 1.2 * integrated.info.theta_error + exact.info.theta_error);
-    ROT_CHECK(omega_error <= 1.2 * integrated.info.omega_error + exact.info.omega_error);
+    ROT_CHECK(theta_error <=
+              1.2 * integrated.info.measure[ROT_THETA].error + exact.info.measure[ROT_THETA].error);
+    ROT_CHECK(omega_error <=
+              1.2 * integrated.info.measure[ROT_OMEGA].error + exact.info.measure[ROT_OMEGA].error);
     ROT_CHECK(theta_error <= accuracy[k] * theta_max);
     ROT_CHECK(omega_error <= accuracy[k] * omega_max);
   }
@@ -183,11 +187,14 @@ static void check_pendulum_energy(void) {
   integrate(&scene, 1e-11, MOST_ROWS, t, NULL);
   ROT_CHECK_EQ_INT(integrated.status, ROT_OK);
   for (int i = 0; i < MOST_ROWS; i++) {
-    const double energy = integrated.out.energy_j[i] - 18.0 * cos(integrated.out.theta_rad[i]);
+    const double energy =
+        integrated.out.rotational_kinetic_energy_j[i] - 18.0 * cos(integrated.out.theta_rad[i]);
     ROT_CHECK(fabs(energy + 18.0 * cos(2.5)) <= 18.0 * 1e-9);
-    ROT_CHECK_ULP(integrated.out.applied_n_m[i], -18.0 * sin(integrated.out.theta_rad[i]), 0);
+    ROT_CHECK_ULP(integrated.out.applied_torque_n_m[i], -18.0 * sin(integrated.out.theta_rad[i]),
+                  0);
   }
-  const double gained = integrated.out.energy_j[MOST_ROWS - 1] - integrated.out.energy_j[0];
+  const double gained = integrated.out.rotational_kinetic_energy_j[MOST_ROWS - 1] -
+                        integrated.out.rotational_kinetic_energy_j[0];
   ROT_CHECK(fabs(integrated.ledger.work_j - gained) <= 18.0 * 1e-9);
   ROT_CHECK(integrated.ledger.dissipated_j == 0.0);
   ROT_CHECK_EQ_INT(integrated.info.rhs_calls, p.calls);
@@ -211,13 +218,14 @@ static void check_balance(void) {
   const rot_axle_params scene = axle(2.0, 0.8, 0.0, 1.0, 3.0, law(gravity, &p));
   const double t[] = {-0.5, 1.0, 2.0, 6.0};
   integrate(&scene, 1e-10, 4, t, NULL);
-  const double gained = integrated.out.energy_j[3] - integrated.out.energy_j[0];
+  const double gained =
+      integrated.out.rotational_kinetic_energy_j[3] - integrated.out.rotational_kinetic_energy_j[0];
   ROT_CHECK(integrated.ledger.dissipated_j > 5.0);
   ROT_CHECK(fabs(integrated.ledger.work_j - integrated.ledger.dissipated_j - gained) <= 1e-8);
   /* The angular impulse less what the resistance took is the gain of momentum. */
   const double turned = integrated.out.theta_rad[3] - integrated.out.theta_rad[0];
-  const double momentum =
-      integrated.out.momentum_kg_m2_per_s[3] - integrated.out.momentum_kg_m2_per_s[0];
+  const double momentum = integrated.out.angular_momentum_kg_m2_per_s[3] -
+                          integrated.out.angular_momentum_kg_m2_per_s[0];
   ROT_CHECK(fabs(integrated.ledger.impulse_n_m_s - 0.8 * turned - momentum) <= 1e-8);
 }
 
@@ -238,8 +246,9 @@ static void check_law_of_speed(void) {
     const double left = exp(-2.0 * (t[i] - 0.5)); /* (3 + 1)/2 a second */
     ROT_CHECK_REL(integrated.out.omega_rad_per_s[i], 5.0 * left, 1e-9);
     ROT_CHECK(fabs(integrated.out.theta_rad[i] - (0.25 + 2.5 * (1.0 - left))) <= 1e-8);
-    ROT_CHECK_ULP(integrated.out.applied_n_m[i], -3.0 * integrated.out.omega_rad_per_s[i], 0);
-    ROT_CHECK_ULP(integrated.out.net_n_m[i], -4.0 * integrated.out.omega_rad_per_s[i], 1);
+    ROT_CHECK_ULP(integrated.out.applied_torque_n_m[i], -3.0 * integrated.out.omega_rad_per_s[i],
+                  0);
+    ROT_CHECK_ULP(integrated.out.net_torque_n_m[i], -4.0 * integrated.out.omega_rad_per_s[i], 1);
   }
   /* Three parts of the loss are the brake's work, one the resistance's heat. */
   ROT_CHECK_REL(integrated.ledger.work_j, -3.0 * integrated.ledger.dissipated_j, 1e-8);
@@ -264,7 +273,7 @@ static void check_law_with_breaks(void) {
   integrate(&scene, 1e-10, 2, t, NULL);
   ROT_CHECK_REL(integrated.out.omega_rad_per_s[0], 3.9, 1e-14);
   ROT_CHECK_REL(integrated.out.omega_rad_per_s[1], 1.9, 1e-14);
-  ROT_CHECK(integrated.out.applied_n_m[0] == -2.0); /* after the switch */
+  ROT_CHECK(integrated.out.applied_torque_n_m[0] == -2.0); /* after the switch */
   ROT_CHECK_EQ_INT(integrated.info.rejected, 0);
 }
 
@@ -294,13 +303,14 @@ static void check_rows(size_t n, const double (*want)[3], double accuracy) {
     theta_error = fmax(theta_error, fabs(integrated.out.theta_rad[i] - want[i][1]));
     omega_error = fmax(omega_error, fabs(integrated.out.omega_rad_per_s[i] - want[i][2]));
   }
-  ROT_CHECK(theta_error <= integrated.info.theta_error);
-  ROT_CHECK(omega_error <= integrated.info.omega_error);
+  ROT_CHECK(theta_error <= integrated.info.measure[ROT_THETA].error);
+  ROT_CHECK(omega_error <= integrated.info.measure[ROT_OMEGA].error);
 }
 
 static void check_balances(size_t n, double within) {
   const rot_axle_ledger *l = &integrated.ledger;
-  const double *energy = integrated.out.energy_j, *momentum = integrated.out.momentum_kg_m2_per_s;
+  const double *energy = integrated.out.rotational_kinetic_energy_j,
+               *momentum = integrated.out.angular_momentum_kg_m2_per_s;
   ROT_CHECK(fabs(energy[n - 1] - energy[0] - l->work_j - l->inertia_work_j + l->dissipated_j) <=
             within);
   ROT_CHECK(fabs(momentum[n - 1] - momentum[0] - l->impulse_n_m_s - l->damping_impulse_n_m_s) <=
@@ -336,9 +346,9 @@ static void check_constant_torque_and_friction(void) {
     ROT_CHECK_REL(integrated.ledger.coulomb_j, heat, 1e-13);
     ROT_CHECK_REL(integrated.ledger.impulse_n_m_s, 10.0 * torque, 1e-13);
     ROT_CHECK(integrated.ledger.viscous_j == 0.0 && integrated.ledger.quadratic_j == 0.0);
-    ROT_CHECK(integrated.out.damping_n_m[0] == 1.0); /* against the motion */
-    ROT_CHECK(integrated.out.damping_n_m[4] == (k == 0 ? -1.0 : -1.2));
-    ROT_CHECK(integrated.out.net_n_m[4] == (k == 0 ? 2.0 : 0.0));
+    ROT_CHECK(integrated.out.damping_torque_n_m[0] == 1.0); /* against the motion */
+    ROT_CHECK(integrated.out.damping_torque_n_m[4] == (k == 0 ? -1.0 : -1.2));
+    ROT_CHECK(integrated.out.net_torque_n_m[4] == (k == 0 ? 2.0 : 0.0));
   }
 }
 
@@ -443,8 +453,8 @@ static void check_held(void) {
   check_events(0, NULL, NULL, 0.0);
   for (int i = 0; i < 4; i++) {
     ROT_CHECK(integrated.out.theta_rad[i] == 2.0 && integrated.out.omega_rad_per_s[i] == 0.0);
-    ROT_CHECK_ULP(integrated.out.damping_n_m[i], -cos(3.0 * t[i] + 0.3), 4);
-    ROT_CHECK(integrated.out.net_n_m[i] == 0.0);
+    ROT_CHECK_ULP(integrated.out.damping_torque_n_m[i], -cos(3.0 * t[i] + 0.3), 4);
+    ROT_CHECK(integrated.out.net_torque_n_m[i] == 0.0);
   }
   const double impulse = (sin(21.3) - sin(-8.7)) / 3.0;
   ROT_CHECK(fabs(integrated.ledger.impulse_n_m_s - impulse) <= 1e-9);
@@ -578,10 +588,11 @@ static void check_skater(void) {
     integrate_scene(&scene, accuracy, 5, t, NULL);
     ROT_CHECK_EQ_INT(integrated.status, ROT_OK);
     for (int i = 0; i < 5; i++) {
-      ROT_CHECK(fabs(integrated.out.theta_rad[i] - want[i][1]) <= integrated.info.theta_error);
+      ROT_CHECK(fabs(integrated.out.theta_rad[i] - want[i][1]) <=
+                integrated.info.measure[ROT_THETA].error);
       ROT_CHECK(fabs(integrated.out.omega_rad_per_s[i] - want[i][2]) <=
-                integrated.info.omega_error);
-      ROT_CHECK_REL(integrated.out.momentum_kg_m2_per_s[i], 8.0, 1e-13);
+                integrated.info.measure[ROT_OMEGA].error);
+      ROT_CHECK_REL(integrated.out.angular_momentum_kg_m2_per_s[i], 8.0, 1e-13);
     }
     ROT_CHECK(rot_info_error(&integrated.info) <= accuracy);
   }
@@ -828,10 +839,12 @@ static void check_only_the_start(void) {
   integrate(&scene, 1e-9, 1, &t, NULL);
   ROT_CHECK_EQ_INT(integrated.status, ROT_OK);
   ROT_CHECK(integrated.out.theta_rad[0] == 1.0 && integrated.out.omega_rad_per_s[0] == -7.0);
-  ROT_CHECK(integrated.out.damping_n_m[0] == 3.5 && integrated.out.energy_j[0] == 49.0);
+  ROT_CHECK(integrated.out.damping_torque_n_m[0] == 3.5 &&
+            integrated.out.rotational_kinetic_energy_j[0] == 49.0);
   ROT_CHECK(integrated.ledger.work_j == 0.0 && integrated.ledger.impulse_n_m_s == 0.0);
   ROT_CHECK_EQ_INT(p.calls, 1);
-  ROT_CHECK(integrated.info.theta_max == 1.0 && integrated.info.omega_max == 7.0);
+  ROT_CHECK(integrated.info.measure[ROT_THETA].largest == 1.0 &&
+            integrated.info.measure[ROT_OMEGA].largest == 7.0);
 }
 
 int main(void) {

@@ -113,9 +113,10 @@ static void test_metamorphic(void) {
       ROT_CHECK_EQ_INT(run_scene(&mirror, -t, &info), ROT_OK);
       const double theta = got[0], omega = got[1];
       ROT_CHECK_EQ_INT(run_scene(&r, t, &info), ROT_OK);
-      ROT_CHECK(fabs(got[0] - theta) <= 2.0 * info.theta_error);
-      ROT_CHECK(fabs(got[1] + omega) <= 2.0 * info.omega_error);
-      const double scale = 1.3 * got[1] * info.omega_error + 2.7 * info.theta_error;
+      ROT_CHECK(fabs(got[0] - theta) <= 2.0 * info.measure[ROT_THETA].error);
+      ROT_CHECK(fabs(got[1] + omega) <= 2.0 * info.measure[ROT_OMEGA].error);
+      const double scale =
+          1.3 * got[1] * info.measure[ROT_OMEGA].error + 2.7 * info.measure[ROT_THETA].error;
       ROT_CHECK(fabs(energy(&r, got[0], got[1]) - energy(&r, r.theta0, omega0)) <=
                 2.0 * fabs(scale) + 1e-15 * energy(&r, r.theta0, omega0));
       row back = r;
@@ -168,7 +169,7 @@ static void test_at_rest(void) {
   rot_info info;
   const row top = {1.0, -2.0, 0.75, 0.0, 0.75, 0.0, 0.0, 0.0, 0.0};
   ROT_CHECK_EQ_INT(run_scene(&top, 1e6, &info), ROT_OK);
-  ROT_CHECK(got[0] == 0.75 && got[1] == 0.0 && info.theta_error == 0.0);
+  ROT_CHECK(got[0] == 0.75 && got[1] == 0.0 && info.measure[ROT_THETA].error == 0.0);
   const row hanging = {1.0, 2.0, 0.75, 0.0, 0.75, 0.0, 0.0, 0.0, 0.0};
   ROT_CHECK_EQ_INT(run_scene(&hanging, 1e6, &info), ROT_OK);
   ROT_CHECK(got[0] == 0.75 && got[1] == 0.0);

@@ -1,5 +1,5 @@
-/* The skater against closed forms at 200 digits (themselves checked against Taylor integration), and
- * against the shared table where it is at hand; momentum; back in time. */
+/* The skater against closed forms at 200 digits (checked against Taylor integration) and against
+ * the shared table where it is present; momentum; back in time. */
 #include <stdlib.h>
 
 #include "axle_row.h"

@@ -320,7 +320,7 @@ static void check_case(const clutch_case *x) {
       0.0,
       {x->theta0[0], x->theta0[1]},
       {x->omega0[0], x->omega0[1]}};
-  const rot_clutch_columns out = {{theta[0], theta[1]}, {omega[0], omega[1]}, torque, heat, locked};
+  const rot_clutch_columns out = {theta[0], omega[0], theta[1], omega[1], torque, heat, locked};
   rot_events events = {0, 0, NULL, NULL};
   rot_info info;
   for (int i = 0; i < ROWS; i++) time[i] = x->t * i / (ROWS - 1.0);
@@ -330,10 +330,11 @@ static void check_case(const clutch_case *x) {
   for (int b = 0; b < 2; b++) {
     const double theta_off = fabs(theta[b][end] - x->theta[b]);
     const double omega_off = fabs(omega[b][end] - x->omega[b]);
-    ROT_CHECK(theta_off <= info.theta_error);
-    ROT_CHECK(omega_off <= info.omega_error);
-    ROT_CHECK(info.omega_error <= 1e-12 * info.omega_max);
-    worst = fmax(worst, fmax(theta_off / info.theta_error, omega_off / info.omega_error));
+    ROT_CHECK(theta_off <= info.measure[ROT_THETA].error);
+    ROT_CHECK(omega_off <= info.measure[ROT_OMEGA].error);
+    ROT_CHECK(info.measure[ROT_OMEGA].error <= 1e-12 * info.measure[ROT_OMEGA].largest);
+    worst = fmax(worst, fmax(theta_off / info.measure[ROT_THETA].error,
+                             omega_off / info.measure[ROT_OMEGA].error));
     ROT_CHECK(omega[b][0] == x->omega0[b]);
   }
   ROT_CHECK(fabs(heat[end] - x->heat) <= 1e-13 * x->heat);
@@ -345,12 +346,13 @@ static void check_case(const clutch_case *x) {
     ROT_CHECK(name[0] + 'A' - 'a' == x->events[i]);
   }
   for (int i = 1; i < ROWS; i++) ROT_CHECK(heat[i] >= heat[i - 1]);
-  double work, rounding, half, rest, slack;
-  ROT_CHECK_EQ_INT(rot_clutch_work(&p, 0.0, x->t, &work, &rounding), ROT_OK);
-  ROT_CHECK(fabs(work - x->work) <= rounding);
-  ROT_CHECK_EQ_INT(rot_clutch_work(&p, 0.0, 0.4 * x->t, &half, &slack), ROT_OK);
-  ROT_CHECK_EQ_INT(rot_clutch_work(&p, 0.4 * x->t, x->t, &rest, &slack), ROT_OK);
-  ROT_CHECK(fabs(half + rest - x->work) <= 4.0 * (rounding + slack));
+  rot_clutch_ledger all, half, rest;
+  ROT_CHECK_EQ_INT(rot_clutch_work(&p, 0.0, x->t, &all), ROT_OK);
+  ROT_CHECK(fabs(all.work_j - x->work) <= all.work_rounding_j);
+  ROT_CHECK_EQ_INT(rot_clutch_work(&p, 0.0, 0.4 * x->t, &half), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_clutch_work(&p, 0.4 * x->t, x->t, &rest), ROT_OK);
+  ROT_CHECK(fabs(half.work_j + rest.work_j - x->work) <=
+            4.0 * (all.work_rounding_j + rest.work_rounding_j));
   rot_events_free(&events);
 }
 
@@ -365,8 +367,8 @@ typedef struct scene {
 } scene;
 
 static rot_status run(scene *x, size_t n, const double time[]) {
-  const rot_clutch_columns out = {
-      {x->theta[0], x->theta[1]}, {x->omega[0], x->omega[1]}, x->torque, x->heat, x->locked};
+  const rot_clutch_columns out = {x->theta[0], x->omega[0], x->theta[1], x->omega[1],
+                                  x->torque,   x->heat,     x->locked};
   rot_events_free(&x->events);
   return rot_clutch_run(&x->p, n, time, &out, &x->events, NULL, &x->info);
 }

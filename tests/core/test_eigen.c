@@ -80,7 +80,7 @@ static void check_bad_values(void) {
 /* ---- singular values ------------------------------------------------------------------------ */
 
 /* Shafts with rotors from 1e-12 to 1e6 kg m^2 and springs from 1e-6 to 1e9 N m/rad: the matrix
- * sqrt(k) B J^-1/2 that rot_rotors.c takes apart. mpmath, 50 digits (svd_r at 120). */
+ * sqrt(k) B J^-1/2 that rot_shaft.c takes apart. mpmath, 50 digits (svd_r at 120). */
 static const struct {
   size_t n;
   double J[5], k[4], sigma[4];

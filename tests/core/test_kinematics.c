@@ -4,11 +4,11 @@
 #include "rot_test.h"
 
 enum {
-  THETA = 1 << ROT_THETA,
-  OMEGA0 = 1 << ROT_OMEGA0,
-  OMEGA = 1 << ROT_OMEGA,
-  ALPHA = 1 << ROT_ALPHA,
-  TIME = 1 << ROT_TIME
+  THETA = 1 << ROT_MOTION_THETA,
+  OMEGA0 = 1 << ROT_MOTION_OMEGA0,
+  OMEGA = 1 << ROT_MOTION_OMEGA,
+  ALPHA = 1 << ROT_MOTION_ALPHA,
+  TIME = 1 << ROT_MOTION_TIME
 };
 
 static const unsigned combinations[] = {
@@ -271,8 +271,8 @@ static void check_exact_motions(void) {
         found += same == ROT_MOTION_SIZE;
       }
       ROT_CHECK_EQ_INT(found, 1);
-      if (kind == ROT_MOTION_TWO) ROT_CHECK(x[0][ROT_TIME] < x[1][ROT_TIME]);
-      if (a != 0.0 && t != 0.0 && w0 + all[ROT_OMEGA] != 0.0) ROT_CHECK(kind > 0);
+      if (kind == ROT_MOTION_TWO) ROT_CHECK(x[0][ROT_MOTION_TIME] < x[1][ROT_MOTION_TIME]);
+      if (a != 0.0 && t != 0.0 && w0 + all[ROT_MOTION_OMEGA] != 0.0) ROT_CHECK(kind > 0);
     }
   }
 }

@@ -1,4 +1,4 @@
-/* Events of the integrator: plain ones, with a jump and a next mode, terminal; several at a time. */
+/* Events of the integrator: plain, with a jump and a next mode, terminal; several at one time. */
 #include <stdlib.h>
 
 #include "rot_ode.h"

@@ -28,21 +28,42 @@ static void check_unknown_code(void) {
 static void check_clear(void) {
   rot_info info;
   memset(&info, 0x5a, sizeof info);
-  rot_info_clear(&info);
+  rot_info_clear(&info, rot_turning);
   ROT_CHECK_EQ_INT(info.status, ROT_OK);
   ROT_CHECK(info.time_s == 0.0 && info.tolerance == 0.0);
   ROT_CHECK(info.rows_done == 0 && info.steps == 0 && info.rejected == 0 && info.rhs_calls == 0);
-  ROT_CHECK(info.theta_error == 0.0 && info.omega_error == 0.0);
-  ROT_CHECK(info.theta_max == 0.0 && info.omega_max == 0.0);
+  ROT_CHECK(info.measure[ROT_THETA].error == 0.0 && info.measure[ROT_OMEGA].error == 0.0);
+  ROT_CHECK(info.measure[ROT_THETA].largest == 0.0 && info.measure[ROT_OMEGA].largest == 0.0);
+}
+
+/* A run with other measures, or with none. */
+static void check_measures(void) {
+  static const char *const names[] = {"x", "y", "spin", NULL};
+  const double errors[] = {1.0, NAN}, sizes[] = {4.0, 1.0};
+  rot_info info;
+  rot_info_clear(&info, names);
+  ROT_CHECK_EQ_INT((int)info.n_measures, 3);
+  ROT_CHECK(strcmp(info.measure_names[2], "spin") == 0);
+  rot_note_value(&info.measure[2], -3.0);
+  rot_note_value(&info.measure[2], 2.0);
+  ROT_CHECK(info.measure[2].largest == 3.0);
+  ROT_CHECK(info.measure[2].high == 2.0 && info.measure[2].low == -3.0);
+  info.measure[2].error = 1.5;
+  ROT_CHECK(rot_info_error(&info) == 0.5);
+  rot_info_clear(&info, NULL);
+  ROT_CHECK(info.n_measures == 0 && rot_info_error(&info) == 0.0);
+  ROT_CHECK(rot_error_figure(1, errors, sizes) == 0.25);
+  ROT_CHECK(isnan(rot_error_figure(2, errors, sizes)));
+  ROT_CHECK(rot_error_figure(0, NULL, NULL) == 0.0);
 }
 
 static double error_of(double theta_error, double theta_max, double omega_error, double omega_max) {
   rot_info info;
-  rot_info_clear(&info);
-  info.theta_error = theta_error;
-  info.theta_max = theta_max;
-  info.omega_error = omega_error;
-  info.omega_max = omega_max;
+  rot_info_clear(&info, rot_turning);
+  info.measure[ROT_THETA].error = theta_error;
+  info.measure[ROT_THETA].largest = theta_max;
+  info.measure[ROT_OMEGA].error = omega_error;
+  info.measure[ROT_OMEGA].largest = omega_max;
   return rot_info_error(&info);
 }
 
@@ -91,6 +112,7 @@ int main(void) {
   check_texts();
   check_unknown_code();
   check_clear();
+  check_measures();
   check_error();
   check_error_of_nothing();
   check_error_of_nan();

@@ -96,7 +96,33 @@ static void test_what_does_not_hold_together(void) {
   ROT_CHECK(!rot_term_valid(&t));
 }
 
+static void test_names(void) {
+  ROT_CHECK_EQ_INT(rot_term_named("sinusoid"), ROT_TERM_SINUSOID);
+  ROT_CHECK_EQ_INT(rot_term_named("chebyshev"), ROT_TERM_CHEBYSHEV);
+  ROT_CHECK_EQ_INT(rot_term_named("gravity"), ROT_TERM_GRAVITY);
+  ROT_CHECK_EQ_INT(rot_term_named("gravit"), ROT_TERM_KINDS);
+  ROT_CHECK_EQ_INT(rot_term_named(""), ROT_TERM_KINDS);
+}
+
+static void test_breaks(void) {
+  const double x[] = {2, 1, 5, 6, 8, 1, 1};
+  double out[8];
+  rot_term t = term(ROT_TERM_POLYNOMIAL, 7, x);
+  ROT_CHECK(rot_term_breaks(&t, NULL) >= 5);
+  ROT_CHECK_EQ_INT((int)rot_term_breaks(&t, out), 3);
+  ROT_CHECK(out[0] == 5.0 && out[1] == 6.0 && out[2] == 8.0);
+  t = term(ROT_TERM_SPRING, 2, x);
+  ROT_CHECK_EQ_INT((int)rot_term_breaks(&t, out), 0);
+  t.to_s = 3.0;
+  ROT_CHECK_EQ_INT((int)rot_term_breaks(&t, out), 1);
+  ROT_CHECK(out[0] == 3.0);
+  t.from_s = -1.0;
+  ROT_CHECK_EQ_INT((int)rot_term_breaks(&t, out), 2);
+}
+
 int main(void) {
+  test_names();
+  test_breaks();
   test_values();
   test_pieces();
   test_curve();

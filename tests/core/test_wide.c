@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rot_axle.h"
+#include "rot_axle_linear.h"
 #include "rot_pair.h"
 #include "rot_real.h"
-#include "rot_sweep.h"
+#include "rot_axle_sweep.h"
 #include "rot_test.h"
 
 enum { N = 700, COLUMNS = 7 };
@@ -46,8 +46,10 @@ static void check_grids(void) {
     rot_wide_allow(1);
     const rot_info fast = grid_rows(wide, shift, n, t, &p);
     ROT_CHECK(memcmp(narrow, wide, sizeof narrow) == 0); /* and nothing before or after */
-    ROT_CHECK(slow.omega_error == fast.omega_error && slow.theta_error == fast.theta_error);
-    ROT_CHECK(slow.omega_max == fast.omega_max && slow.theta_max == fast.theta_max);
+    ROT_CHECK(slow.measure[ROT_OMEGA].error == fast.measure[ROT_OMEGA].error &&
+              slow.measure[ROT_THETA].error == fast.measure[ROT_THETA].error);
+    ROT_CHECK(slow.measure[ROT_OMEGA].largest == fast.measure[ROT_OMEGA].largest &&
+              slow.measure[ROT_THETA].largest == fast.measure[ROT_THETA].largest);
   }
 }
 
@@ -62,14 +64,14 @@ static void check_sweep(void) {
     in[4][i] = uniform();
     in[5][i] = i % 7 ? 9.0 * uniform() : 0.0;
   }
-  const rot_sweep_rows rows = {N,          0.0,        {in[0], 1}, {in[1], 1},
-                               {in[2], 1}, {in[3], 1}, {in[4], 1}, {in[5], 1}};
+  const rot_axle_sweep_rows rows = {N,          0.0,        {in[0], 1}, {in[1], 1},
+                                    {in[2], 1}, {in[3], 1}, {in[4], 1}, {in[5], 1}};
   for (int k = 0; k < 2; k++) {
     double(*c)[N] = to[k];
-    const rot_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], status[k]};
+    const rot_axle_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], status[k]};
     rot_info info;
     rot_wide_allow(k);
-    ROT_CHECK(rot_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
+    ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
   }
   ROT_CHECK(memcmp(to[0], to[1], sizeof to[0]) == 0);
   ROT_CHECK(memcmp(status[0], status[1], sizeof status[0]) == 0);

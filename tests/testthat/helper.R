@@ -28,3 +28,21 @@ article_scene <- function(...) {
 }
 
 run_of <- function(x) attr(x, "run")
+
+# The numbers of an audit, energy first, by name.
+audited <- function(x) {
+  a <- audit(x)
+  term <- function(row, pattern) sum(a$terms[[row]]$value[grepl(pattern, a$terms[[row]]$term)])
+  list(
+    verdict = if (anyNA(a$verdict)) NA_character_ else
+      if (all(a$verdict == "balanced")) "balanced" else "unbalanced",
+    work_j = if (is.na(a$supplied[1])) NA_real_ else term(1, "work of the torque"),
+    inertia_work_j = term(1, "changes the inertia"),
+    dissipated_j = a$dissipated[1], dissipated_viscous_j = term(1, "viscous"),
+    dissipated_quadratic_j = term(1, "quadratic"), dissipated_coulomb_j = term(1, "dry"),
+    kinetic_energy_change_j = term(1, "kinetic"), energy_residual_j = a$residual[1],
+    energy_rounding_j = a$rounding[1], torque_impulse_n_m_s = a$supplied[2],
+    damping_impulse_n_m_s = -a$dissipated[2], angular_momentum_change_kg_m2_per_s = a$change[2],
+    momentum_residual_kg_m2_per_s = a$residual[2], momentum_rounding_kg_m2_per_s = a$rounding[2]
+  )
+}

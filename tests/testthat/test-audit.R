@@ -1,6 +1,5 @@
 test_that("the article's scene balances, with the work and heat of the closed form", {
-  audit <- audit(spin_up())
-  expect_equal(names(audit), rotdyn:::audit_columns)
+  audit <- audited(spin_up())
   expect_equal(audit$verdict, "balanced")
   # Impulse: area under the torque. Heat and work against a fine trapezoid of the exact rows.
   expect_ulps(audit$torque_impulse_n_m_s, 3.6, 1)
@@ -16,22 +15,22 @@ test_that("the article's scene balances, with the work and heat of the closed fo
 
 test_that("by hand: constant torque without resistance, and coasting", {
   # I = 2, tau = 3, t = 4: omega 6, theta 12, W = 36 = K.
-  row <- audit(trajectory(scene_axle(2, 3), c(0, 4)))
+  row <- audited(trajectory(scene_axle(2, 3), c(0, 4)))
   expect_equal(row$work_j, 36)
   expect_equal(row$dissipated_j, 0)
   expect_equal(row$kinetic_energy_change_j, 36)
   expect_equal(row$torque_impulse_n_m_s, 12)
   # Coasting with c/I = 0.5 for 3 s: K0 (1 - exp(-3)).
   coast <- scene_axle(2, resistance = resistance(1), omega0_rad_per_s = 5)
-  row <- audit(trajectory(coast, c(0, 3)))
+  row <- audited(trajectory(coast, c(0, 3)))
   expect_equal(row$dissipated_j, 25 * (1 - exp(-3)))
   expect_equal(row$work_j, 0)
-  expect_equal(audit(trajectory(scene_axle(2, omega0_rad_per_s = 3), 0:3))$verdict, "balanced")
+  expect_equal(audited(trajectory(scene_axle(2, omega0_rad_per_s = 3), 0:3))$verdict, "balanced")
 })
 
 test_that("the integrator's ledger agrees with the closed form's", {
-  exact <- audit(trajectory(article_scene(), 0:8))
-  other <- audit(trajectory(article_scene(), 0:8, model = "axle_rk8pd"))
+  exact <- audited(trajectory(article_scene(), 0:8))
+  other <- audited(trajectory(article_scene(), 0:8, model = "axle_rk8pd"))
   expect_equal(other$work_j, exact$work_j, tolerance = 1e-11)
   expect_equal(other$dissipated_j, exact$dissipated_j, tolerance = 1e-11)
   expect_equal(other$verdict, "balanced")
@@ -40,40 +39,63 @@ test_that("the integrator's ledger agrees with the closed form's", {
 test_that("fewer rows: the balance of what is left", {
   for (model in c("axle_linear", "axle_rk8pd")) {
     motion <- trajectory(article_scene(), 0:8, model = model)
-    part <- audit(motion[3:6, ])
-    whole <- audit(trajectory(article_scene(), 2:5, model = model))
+    part <- audited(motion[3:6, ])
+    whole <- audited(trajectory(article_scene(), 2:5, model = model))
     expect_equal(part$work_j, whole$work_j, tolerance = 1e-9)
     expect_equal(part$verdict, "balanced")
   }
-  turned <- audit(trajectory(article_scene(), 0:8)[9:1, ])
-  expect_equal(turned$work_j, -audit(trajectory(article_scene(), 0:8))$work_j)
+  turned <- audited(trajectory(article_scene(), 0:8)[9:1, ])
+  expect_equal(turned$work_j, -audited(trajectory(article_scene(), 0:8))$work_j)
   expect_equal(turned$verdict, "balanced")
 })
 
 test_that("a value that was edited is found out", {
   motion <- trajectory(article_scene(), 0:8)
   motion$omega_rad_per_s[9] <- motion$omega_rad_per_s[9] * (1 + 1e-12)
-  expect_equal(audit(motion)$verdict, "unbalanced")
+  expect_equal(audited(motion)$verdict, "unbalanced")
   motion <- trajectory(article_scene(), 0:8)
   motion$theta_rad[9] <- motion$theta_rad[9] + 1e-10
-  expect_equal(audit(motion)$verdict, "unbalanced")
+  expect_equal(audited(motion)$verdict, "unbalanced")
 })
 
 test_that("rows that are one or none; what is no trajectory", {
-  expect_equal(audit(trajectory(article_scene(), 3))$verdict, "balanced")
-  expect_true(is.na(audit(trajectory(article_scene(), numeric()))$work_j))
+  expect_equal(audited(trajectory(article_scene(), 3))$verdict, "balanced")
+  expect_true(is.na(audited(trajectory(article_scene(), numeric()))$work_j))
   expect_error(audit(data.frame(time_s = 1)), class = "rotdyn_error_type")
 })
 
-test_that("an audit prints a ledger", {
+test_that("a row for each balance, its terms nested", {
+  for (motion in list(
+    spin_up(time_s = 0:3), trajectory(scene_rotors(c(1, 2), 50, torque_n_m = 3), 0:3),
+    trajectory(scene_clutch(1, 2, 3, omega1_rad_per_s = 9), 0:3)
+  )) {
+    a <- audit(motion)
+    expect_s3_class(a, "rot_audit")
+    expect_equal(names(a), c(rotdyn:::audit_columns, "terms"))
+    expect_equal(a$balance, c("energy", "angular_momentum"))
+    expect_equal(a$unit, c("J", "kg m^2/s"))
+    expect_equal(a$residual, a$change - a$supplied + a$dissipated, tolerance = 1e-12)
+    for (i in 1:2) {
+      sums <- tapply(a$terms[[i]]$value, a$terms[[i]]$role, sum)
+      for (role in names(sums)) expect_equal(a[[role]][i], sums[[role]])
+    }
+    expect_setequal(setdiff(c(names(a), names(a$terms[[1]])), rotdyn_columns()$name), character())
+  }
+})
+
+test_that("an audit prints its balances", {
   # Round numbers: I = 2, tau = 3.
-  expect_snapshot(audit(trajectory(scene_axle(2, 3), c(0, 4))))
+  expect_snapshot({
+    audit(trajectory(scene_axle(2, 3), c(0, 4)))
+    audit(trajectory(scene_rotors(c(1, 2), 8, torque_n_m = 3), c(0, 1)))
+    audit(trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 2)))
+  })
 })
 
 test_that("where a balance cannot be drawn there is no verdict", {
   # K is beyond 1.8e308, omega is not.
   huge <- trajectory(scene_axle(2, resistance = resistance(-4), omega0_rad_per_s = 1), c(0, 200))
-  expect_true(is.na(audit(huge)$verdict))
+  expect_true(is.na(audited(huge)$verdict))
 })
 
 test_that("a jump of the inertia does work, wherever it lies between the rows", {
@@ -85,7 +107,7 @@ test_that("a jump of the inertia does work, wherever it lies between the rows", 
       scene <- scene_axle(jump, omega0_rad_per_s = omega0, start_s = start)
       for (t in list(c(0, 3), c(0, 1), c(1, 3), c(0, 1, 1, 3), 1)) {
         m <- trajectory(scene, t, model = model)
-        a <- audit(m)
+        a <- audited(m)
         done <- if (t[1] < 1) 15 else 0
         expect_equal(a$verdict, "balanced")
         expect_equal(a$inertia_work_j, done, tolerance = 1e-12)
@@ -107,5 +129,5 @@ test_that("rows that are no longer numbers are refused by name", {
     expect_error(f(edited("time_s", NA_real_)), class = "rotdyn_error_time")
   }
   expect_error(augment(m[, 1:3]), class = "rotdyn_error_type")
-  expect_equal(audit(edited("time_s", 0:3))$verdict, "balanced") # integers
+  expect_equal(audited(edited("time_s", 0:3))$verdict, "balanced") # integers
 })

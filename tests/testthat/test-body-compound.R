@@ -243,7 +243,7 @@ test_that("bad arguments are refused by class", {
   expect_error(join_bodies(), class = "rotdyn_error_missing")
   expect_error(join_bodies(list()), class = "rotdyn_error_missing")
   expect_error(join_bodies(disk, 3), "\\.\\.2", class = "rotdyn_error_type")
-  expect_error(join_bodies(inertia_tensor(disk)), "no mass and no place",
+  expect_error(join_bodies(inertia_tensor(disk)), "no mass and no position",
                class = "rotdyn_error_type")
   expect_error(join_bodies(list(disk, NULL)), class = "rotdyn_error_type")
   expect_error(

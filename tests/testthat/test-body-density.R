@@ -128,7 +128,7 @@ test_that("a jump is not met in silence, and the error stays honest", {
   )
   expect_lte(second_error(parts, rep(4 * pi / 15 * (1 + 3 * 0.8^5), 3)), 1e-14)
   expect_warning(
-    body_density(1, domain_ball(1), accuracy = 1e-17), "Double precision",
+    body_density(1, domain_ball(1), accuracy = 1e-17), "double precision",
     class = "rotdyn_warning_accuracy"
   )
 })

@@ -286,14 +286,14 @@ test_that("a missing, flipped, duplicated face is named with its count", {
   mesh <- split_box(c(0, 0, 0), c(1, 2, 3))
   expect_equal(failed(check_mesh(mesh)), character())
   open <- list(vertices = mesh$vertices, faces = mesh$faces[-5, ])
-  expect_error(body_mesh(open, mass_kg = 1), "3 open edges", class = "rotdyn_error_mesh")
-  expect_equal(failed(check_mesh(open)), "no open edges")
+  expect_error(body_mesh(open, mass_kg = 1), "3 boundary edges", class = "rotdyn_error_mesh")
+  expect_equal(failed(check_mesh(open)), "no boundary edges")
   expect_error(body_mesh(flip(mesh, 5), mass_kg = 1), "3 edges", class = "rotdyn_error_mesh")
-  expect_equal(failed(check_mesh(flip(mesh, 5))), "faces are wound alike")
+  expect_equal(failed(check_mesh(flip(mesh, 5))), "consistent orientation")
   twice <- list(vertices = mesh$vertices, faces = mesh$faces[c(1:12, 5), ])
   expect_error(body_mesh(twice, mass_kg = 1), "1 duplicate face", class = "rotdyn_error_mesh")
   expect_equal(
-    failed(check_mesh(twice)), c("no edge has a face too many", "no face is there twice")
+    failed(check_mesh(twice)), c("no non-manifold edges", "no duplicate faces")
   )
   whole <- list(vertices = mesh$vertices, faces = mesh$faces[c(1:12, 1:12), ])
   expect_error(body_mesh(whole, mass_kg = 1), "12 duplicate faces", class = "rotdyn_error_mesh")
@@ -354,11 +354,11 @@ test_that("parts, cavities and parts inside out are told apart", {
   )
   expect_lte(off(two$inertia_kg_m2, joined$inertia_kg_m2), 1e-14)
   expect_error(
-    body_mesh(both(outer, flip(beside)), mass_kg = 1), "1 part turned inside out",
+    body_mesh(both(outer, flip(beside)), mass_kg = 1), "1 inverted part",
     class = "rotdyn_error_mesh"
   )
   expect_error(
-    body_mesh(both(outer, inner), mass_kg = 1), "1 part inside",
+    body_mesh(both(outer, inner), mass_kg = 1), "1 overlapping part",
     class = "rotdyn_error_mesh"
   )
 })
@@ -393,7 +393,7 @@ test_that("parts that cross, and parts that are there twice, are refused", {
     error <- tryCatch(body_mesh(mesh, mass_kg = 1), error = identity)
     expect_s3_class(error, "rotdyn_error_mesh")
     fails <- error$check[error$check$verdict == "fails", ]
-    expect_equal(fails$condition, "no part is inside another")
+    expect_equal(fails$condition, "no overlapping parts")
     expect_equal(fails$count, count)
   }
   expect_refused(both(cube, cube), 2)
@@ -418,7 +418,7 @@ test_that("a sheet has a surface and no volume", {
   sheet <- list(
     vertices = rbind(c(0, 0, 0), c(3, 0, 0), c(0, 3, 0)), faces = rbind(c(1, 2, 3), c(2, 1, 3))
   )
-  expect_error(body_mesh(sheet, mass_kg = 1), "no volume", class = "rotdyn_error_mesh")
+  expect_error(body_mesh(sheet, mass_kg = 1), "zero volume", class = "rotdyn_error_mesh")
   one <- list(vertices = sheet$vertices, faces = sheet$faces[1, , drop = FALSE])
   body <- body_mesh(one, mass_kg = 12, method = "shell")
   # A triangle: C = m/12 (sum of (v - g)(v - g)').
@@ -441,7 +441,7 @@ test_that("loose triangles are welded, and what differs by rounding", {
   expect_equal(body$inertia_kg_m2, one$inertia_kg_m2, tolerance = 1e-15)
   check <- check_mesh(loose)
   expect_equal(
-    check$count[check$condition == "vertices are one each"],
+    check$count[check$condition == "no vertices to merge"],
     nrow(loose$vertices) - nrow(mesh$vertices)
   )
   set.seed(8)
@@ -531,7 +531,7 @@ test_that("check_mesh() is a table of the dictionary", {
   open <- corner()
   open$faces <- open$faces[-1, ]
   check <- check_mesh(open)
-  expect_equal(check$verdict[check$condition == "no part is inside out"], "not looked at")
+  expect_equal(check$verdict[check$condition == "no inverted parts"], "not checked")
   expect_true(is.na(check$count[check$condition == "cavities"]))
 })
 
@@ -559,8 +559,8 @@ test_that("a check prints what fails, with its count, and keeps to the width", {
   expect_match(closed[2], "^  holds: there are faces, coordinates are finite")
   mesh$faces <- mesh$faces[-1, ]
   open <- print_check(check_mesh(mesh))
-  expect_equal(open[1], "<rot_mesh_check> bounds no solid: 1 condition fails")
-  expect_equal(open[2], "  FAILS  no open edges  3: edges with one face: the rims of holes")
-  expect_match(paste(open, collapse = " "), "not looked at: no part is inside out", fixed = TRUE)
+  expect_equal(open[1], "<rot_mesh_check> not a solid: 1 condition fails")
+  expect_equal(open[2], "  FAILS  no boundary edges  3: edges of one face: the rims of holes")
+  expect_match(paste(open, collapse = " "), "not checked: no inverted parts", fixed = TRUE)
   expect_lte(max(nchar(c(closed, open))), 80)
 })

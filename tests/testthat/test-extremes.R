@@ -46,8 +46,8 @@ times_reported <- function(motion, one) {
     abs(got - want) / allowed
   }
   max(
-    off(motion$theta_rad, one$theta, info$theta_error),
-    off(motion$omega_rad_per_s, one$omega, info$omega_error)
+    off(motion$theta_rad, one$theta, info$errors[["theta"]]),
+    off(motion$omega_rad_per_s, one$omega, info$errors[["omega"]])
   )
 }
 

@@ -3,7 +3,7 @@ test_that("an inertia that only jumps has its value before and after", {
   m <- trajectory(scene_axle(jump, omega0_rad_per_s = 2), c(0, 1, 3))
   expect_equal(m$moment_of_inertia_kg_m2, c(5, 2, 2))
   expect_equal(m$omega_rad_per_s, c(2, 5, 5))
-  expect_equal(audit(m)$verdict, "balanced")
+  expect_equal(audited(m)$verdict, "balanced")
   expect_error(inertia_knots(c(-1e308, 1e308), c(1, 2)), class = "rotdyn_error_value")
 })
 

@@ -23,7 +23,7 @@ test_that("equally small repairs are alternatives, and what is known rules some 
   arm <- six(1.11, 100.11, 1.01)
   repairs <- inertia_repairs(check_inertia(arm))
   expect_setequal(repairs$entry[repairs$size == 3], c("iyy", "izz"))
-  expect_match(at(check_inertia(arm), "triangle inequality")$suggestion, "nothing here tells which")
+  expect_match(at(check_inertia(arm), "triangle inequality")$suggestion, "which is right is unknown")
   repairs <- inertia_repairs(check_inertia(arm, mass_kg = 1, size_m = 2))
   expect_equal(repairs$entry[repairs$size == min(repairs$size)], "iyy")
   expect_equal(repairs$to[1], 1.0011)
@@ -83,7 +83,7 @@ test_that("a body that is there passes, and each slip of its point is listed", {
   set.seed(20)
   passed <- 0L
   broken <- listed <- alone <- 0L
-  for (b in 1:1000) {
+  for (b in 1:300) {
     # From one point and two (a rod) to three (a plate) and many.
     tensor <- random_tensor(if (b <= 60) 1 + (b - 1) %/% 20 else 5 + b %% 40)
     passed <- passed + holds(check_inertia(tensor))
@@ -101,8 +101,8 @@ test_that("a body that is there passes, and each slip of its point is listed", {
       alone <- alone + (sum(found$size == min(found$size)) == 1L && true[1])
     }
   }
-  expect_equal(passed, 1000L)
-  expect_gt(broken, 800L)
+  expect_equal(passed, 300L)
+  expect_gt(broken, 200L)
   expect_equal(listed, broken)
   # The help says 88 % of slips of every kind.
   expect_gt(alone / broken, 0.8)

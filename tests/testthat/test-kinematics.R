@@ -72,8 +72,8 @@ test_that("no motion, or many: NaN and one warning that names the rows", {
     ),
     class = "rotdyn_warning_value"
   )
-  expect_match(conditionMessage(warned), "No motion has the three numbers of rows 2 and 5")
-  expect_match(conditionMessage(warned), "Many motions have the three numbers of row 4")
+  expect_match(conditionMessage(warned), "The three values are inconsistent in rows 2 and 5")
+  expect_match(conditionMessage(warned), "They do not determine the motion in row 4")
   expect_equal(motion$row, c(1, 1, 2, 3, 4, 5))
   expect_equal(motion$root, c(1, 2, NA, 1, NA, NA))
   expect_equal(is.nan(motion$time_s), c(FALSE, FALSE, TRUE, FALSE, TRUE, TRUE))

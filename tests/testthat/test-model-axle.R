@@ -36,15 +36,15 @@ test_that("a linear segment holds to the goals: state, work, heat, impulse, boun
     )
     motion <- suppressWarnings(trajectory(scene, c(0, row$h)))
     info <- run_of(motion)$info
-    audit <- audit(motion)
+    audit <- audited(motion)
     got <- c(motion$theta_rad[2], motion$omega_rad_per_s[2], audit$work_j, audit$dissipated_j)
     want <- c(row$dtheta, row$omega1, row$work, row$dissipated)
     same_sign <- row$tau_start >= 0 && row$tau_end >= 0 && row$omega0 >= 0
     # Positive data: theta, omega and W within 6 ulp, D within 12. Of mixed signs the goal is
     # 5 eps of the largest term: the bounds below are of that kind, and hold in all rows.
     if (same_sign) expect_true(all(ulps(got, want) <= c(6, 6, 6, 12)), info = i)
-    expect_true(abs(got[1] - want[1]) <= info$theta_error, info = i)
-    expect_true(abs(got[2] - want[2]) <= info$omega_error, info = i)
+    expect_true(abs(got[1] - want[1]) <= info$errors[["theta"]], info = i)
+    expect_true(abs(got[2] - want[2]) <= info$errors[["omega"]], info = i)
     expect_ulps(audit$torque_impulse_n_m_s, row$impulse, 2)
     expect_equal(audit$verdict, "balanced", info = i)
     expect_true(abs(got[3] - want[3]) <= audit$energy_rounding_j, info = i)
@@ -97,14 +97,13 @@ test_that("ten million rows come back", {
   expect_ulps(motion$theta_rad[n], 107.8586453330170947, 2)
 })
 
-# ---- even grids from a table ----------------------------------------------------------------------
+# ---- even grids from a table -------------------------------------------------------------------
 
 # The same closed form, row by row.
 row_by_row <- function(scene, t) {
-  .Call(
-    rotdyn:::ffi_axle_linear, rotdyn:::axle_numbers(scene),
-    rotdyn:::axle_knots(rotdyn:::knots_of(scene)), t, 0, NULL
-  )[[1]]
+  rows <- lapply(t, function(t) .Call(rotdyn:::ffi_axle_run, "axle_linear", scene, t, NULL)[[1]])
+  columns <- names(rows[[1]])
+  sapply(columns, function(x) vapply(rows, `[[`, double(1), x), simplify = FALSE)
 }
 
 test_that("rows from a table agree with rows one by one, within 2e-15 and their bound", {
@@ -123,7 +122,7 @@ test_that("rows from a table agree with rows one by one, within 2e-15 and their 
     for (column in c("theta_rad", "omega_rad_per_s")) {
       error <- max(abs(fast[[column]] - exact[[column]]))
       expect_lte(error, 2e-15 * max(abs(exact[[column]])))
-      expect_lte(error, info[[sub("_rad.*", "_error", column)]])
+      expect_lte(error, info$errors[[sub("_rad.*", "", column)]])
     }
     expect_equal(fast$applied_torque_n_m, exact$applied_torque_n_m, tolerance = 1e-15)
     # Positive data keep their digits row by row.
@@ -154,7 +153,7 @@ test_that("rows depend on which other rows are asked for by their rounding at mo
   even <- sort(c(seq(0, 9, length.out = 101), 1, 4, 6, 8))
   together <- trajectory(article_scene(), even)
   expect_ulps(together$theta_rad, alone(even), 4)
-  expect_lte(max(abs(together$theta_rad - alone(even))), run_of(together)$info$theta_error)
+  expect_lte(max(abs(together$theta_rad - alone(even))), run_of(together)$info$errors[["theta"]])
 })
 
 test_that("a knot on the line changes nothing", {
@@ -267,7 +266,7 @@ test_that("a torque function gives what the same torque as knots gives", {
   exact <- trajectory(article_scene(), 0:8)
   expect_equal(motion$theta_rad, exact$theta_rad, tolerance = 1e-12)
   expect_equal(motion$applied_torque_n_m, exact$applied_torque_n_m)
-  expect_equal(audit(motion)$work_j, audit(exact)$work_j, tolerance = 1e-12)
+  expect_equal(audited(motion)$work_j, audited(exact)$work_j, tolerance = 1e-12)
 })
 
 test_that("a torque of angle and rate: a torsional oscillator", {
@@ -277,8 +276,8 @@ test_that("a torque of angle and rate: a torsional oscillator", {
   motion <- trajectory(scene_axle(2, spring, theta0_rad = 1), t)
   error <- max(abs(motion$theta_rad - cos(3 * t)))
   expect_lte(error, 1e-9)
-  expect_lte(error, run_of(motion)$info$theta_error * 1.1)
-  expect_equal(audit(motion)$verdict, "balanced")
+  expect_lte(error, run_of(motion)$info$errors[["theta"]] * 1.1)
+  expect_equal(audited(motion)$verdict, "balanced")
 })
 
 test_that("the estimate covers the error where dense rows set the steps, and where none does", {
@@ -294,9 +293,9 @@ test_that("the estimate covers the error where dense rows set the steps, and whe
       motion <- trajectory(scene, t, accuracy)
       info <- run_of(motion)$info
       error <- max(abs(motion$theta_rad - exact(t)))
-      expect_lte(error, info$theta_error)
+      expect_lte(error, info$errors[["theta"]])
       expect_lte(info$error, accuracy)
-      expect_equal(audit(motion)$verdict, "balanced")
+      expect_equal(audited(motion)$verdict, "balanced")
     }
   }
 })
@@ -460,12 +459,83 @@ test_that("the step budget", {
   expect_lt(nrow(rows), 21)
 })
 
+test_that("a run is a named list, with its measures by name", {
+  scene <- scene_axle(2, 3, resistance(coulomb_n_m = 1), omega0_rad_per_s = -4)
+  run <- .Call(rotdyn:::ffi_axle_run, "axle_drag", scene, c(0, 8), NULL)
+  expect_named(run, c("columns", "info", "ledger", "events"))
+  expect_named(run$columns, rotdyn:::trajectory_columns)
+  expect_named(run$info, c(
+    "kind", "text", "time_s", "rows_done", "steps", "rejected", "rhs_calls", "error", "tolerance",
+    "method", "errors", "sizes"
+  ))
+  expect_named(run$info$errors, c("theta", "omega"))
+  # -4 rad/s braked at 2 rad/s^2, then 1 rad/s^2 for 6 s.
+  expect_equal(run$info$sizes, c(theta = 14, omega = 6))
+  expect_equal(run$events, list(time_s = 2, event = "reverse"))
+  expect_equal(
+    run$info$error, .Call(rotdyn:::ffi_error_figure, run$info$errors, run$info$sizes)
+  )
+  expect_null(.Call(rotdyn:::ffi_axle_run, "axle_free", scene_axle(1), 1, NULL)$events)
+  ledger <- .Call(rotdyn:::ffi_axle_ledger, scene_axle(1, 2), 0, 1, NULL)
+  expect_equal(ledger[["work_j"]], 2)
+  expect_error(.Call(rotdyn:::ffi_error_figure, c(1, 2), 1), "internal")
+})
+
 test_that("a wrong .Call is an R error", {
-  expect_error(.Call(rotdyn:::ffi_axle_linear, 1, NULL, 1, 0, NULL), "internal")
-  expect_error(.Call(rotdyn:::ffi_axle_linear, double(5), list(), 1, 0, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_run, "axle_none", scene_axle(1), 1, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_run, 1, scene_axle(1), 1, NULL), "internal")
+  expect_error(.Call(rotdyn:::ffi_axle_run, "axle_free", scene_axle(1), 1L, NULL), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, "a", 1), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, 1, 99), "internal")
   expect_error(.Call(rotdyn:::ffi_rolling_table, c(1, 2), c(1, 2, 3), 1, 1, NULL), "internal")
+})
+
+test_that("a damaged scene is an R error", {
+  broken <- list(NULL, "a", 1L, double(), c(1, 2, 3, 4, 5), list(1), environment())
+  damage <- function(scene, path, run) {
+    for (value in broken) {
+      bad <- unclass(scene)
+      bad[[path]] <- value
+      expect_error(run(bad), "internal", info = paste(path, collapse = " "))
+    }
+    expect_type(run(scene), "list")
+  }
+  axle <- scene_axle(
+    inertia_knots(c(0, 1), c(1, 2)), torque_knots(0:2, c(0, 1, 0)) + torque_spring(1)
+  )
+  run <- function(scene) .Call(rotdyn:::ffi_axle_run, "axle_oscillator", scene, 1, NULL)
+  for (path in list(
+    "moment_of_inertia_kg_m2", "start_s", "theta0_rad", "omega0_rad_per_s", "loads", "resistance",
+    c("loads", "motor_n_m_s"), c("loads", "knots"), c("loads", "knots", "time_s"),
+    c("loads", "knots", "torque_n_m"), c("loads", "knots", "outside"),
+    c("resistance", "viscous_n_m_s"), c("resistance", "quadratic_n_m_s2"),
+    c("resistance", "coulomb_n_m"), c("resistance", "static_n_m"), c("inertia", "time_s"),
+    c("inertia", "moment_of_inertia_kg_m2")
+  )) {
+    damage(axle, path, run)
+  }
+  for (path in c("kind", "from_s", "to_s", "x")) {
+    bad <- axle
+    for (value in broken) {
+      bad$loads$terms[[1]] <- unclass(axle$loads$terms[[1]])
+      bad$loads$terms[[1]][[path]] <- value
+      expect_error(run(bad), "internal", info = path)
+    }
+  }
+  rotors <- scene_rotors(c(1, 2), 1000, 0.5)
+  for (path in c(
+    "moment_of_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s", "viscous_n_m_s",
+    "torque_n_m", "theta0_rad", "omega0_rad_per_s", "start_s"
+  )) {
+    damage(rotors, path, function(scene) .Call(rotdyn:::ffi_rotors_run, scene, 1, 1, NULL))
+  }
+  clutch <- scene_clutch(1, 2, 3, omega1_rad_per_s = 10)
+  for (path in list(
+    "moment_of_inertia_kg_m2", "capacity_n_m", "static_capacity_n_m", "steps", "engage_s",
+    "start_s", "theta0_rad", "omega0_rad_per_s"
+  )) {
+    damage(clutch, path, function(scene) .Call(rotdyn:::ffi_clutch_run, scene, 1, NULL))
+  }
 })
 
 test_that("routines are registered, and nothing else is found", {
@@ -484,10 +554,9 @@ test_that("the progress function is called, no more than 20 times a second", {
     }), parent = baseenv()),
     stop
   )
-  pack <- rotdyn:::pack_axle(scene_axle(1))
   start <- proc.time()[[3]]
   .Call(
-    rotdyn:::ffi_axle_integrate, pack, law, (0:8) + 0, c(1e-9, 1e6, 0),
+    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, (0:8) + 0, c(1e-9, 1e6, 0, 0),
     function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start
@@ -504,8 +573,8 @@ test_that("a stiff integration shows the transient that it starts with", {
     exact <- trajectory(scene, t)
     stiff <- trajectory(scene, t, model = "axle_radau")
     info <- run_of(stiff)$info
-    expect_lte(max(abs(stiff$omega_rad_per_s - exact$omega_rad_per_s)), info$omega_error)
-    expect_lte(max(abs(stiff$theta_rad - exact$theta_rad)), info$theta_error)
+    expect_lte(max(abs(stiff$omega_rad_per_s - exact$omega_rad_per_s)), info$errors[["omega"]])
+    expect_lte(max(abs(stiff$theta_rad - exact$theta_rad)), info$errors[["theta"]])
     expect_lte(info$error, 1e-9)
   }
   # omega is gone long before the first row.
@@ -542,7 +611,7 @@ test_that("Radau's impulses go with its states, from stop to stop", {
     omega0_rad_per_s = 1
   )
   run <- trajectory(scene, seq(0, 6, by = 0.1), accuracy = 1e-8, model = "axle_radau")
-  balance <- audit(run)
+  balance <- audited(run)
   expect_lt(abs(balance$momentum_residual_kg_m2_per_s), 1e-13)
   expect_equal(balance$verdict, "balanced")
 })
@@ -555,7 +624,7 @@ test_that("the same call gives the same bits, wherever its columns come to lie",
     # Vectors of odd lengths move what is allocated next.
     kept[[i]] <<- numeric(1000 + i)
     motion <- trajectory(scene, time_s)
-    c(motion$theta_rad, motion$omega_rad_per_s, audit(motion)$momentum_residual_kg_m2_per_s)
+    c(motion$theta_rad, motion$omega_rad_per_s, audited(motion)$momentum_residual_kg_m2_per_s)
   })
   for (run in runs[-1]) expect_identical(run, runs[[1]])
 })

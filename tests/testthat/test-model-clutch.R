@@ -28,12 +28,12 @@ test_that("a locked clutch slips when the torque grows, and the audit balances",
   # Locked, 3/5 of 50 N m is more than 15; afterwards 3/5 of 5 is not.
   expect_equal(attr(motion, "run")$events$event, c("lock", "slip", "lock"))
   expect_equal(attr(motion, "run")$events$time_s[1:2], c(1.25, 2), tolerance = 1e-15)
-  balance <- audit(motion)
+  balance <- audited(motion)
   expect_equal(balance$verdict, "balanced")
   expect_equal(balance$torque_impulse_n_m_s, 50 - 30)
   expect_gt(balance$dissipated_j, 60)
   motion$heat_j[nrow(motion)] <- motion$heat_j[nrow(motion)] * 1.001
-  expect_equal(audit(motion)$verdict, "unbalanced")
+  expect_equal(audited(motion)$verdict, "unbalanced")
 })
 
 test_that("there is no way back before the start", {

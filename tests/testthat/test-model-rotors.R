@@ -63,8 +63,8 @@ test_that("a stiff shaft is rigid when that is good enough, and the bound holds"
   expect_equal(rigid$omega_rad_per_s, rep(1 * time, each = 2))
   expect_equal(rigid$shaft_torque_n_m[1], 2) # what it takes to turn 2 kg m^2 at 1 rad/s^2
   run <- attr(rigid, "run")
-  expect_lte(max(abs(rigid$omega_rad_per_s - exact$omega_rad_per_s)), run$info$omega_error)
-  expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$theta_error)
+  expect_lte(max(abs(rigid$omega_rad_per_s - exact$omega_rad_per_s)), run$info$errors[["omega"]])
+  expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$errors[["theta"]])
   expect_error(motion_of(scene, time, 1e-9, "rotors_rigid"), class = "rotdyn_error_model")
   expect_error(motion_of(scene, time, 1e-9, "axle_free"), class = "rotdyn_error_model")
   soft <- scene_rotors(c(1, 2), 0, torque_n_m = c(3, 0))
@@ -80,30 +80,30 @@ test_that("an audit balances, and finds an edited row", {
   )
   for (scene in scenes) {
     motion <- motion_of(scene, time)
-    balance <- audit(motion)
+    balance <- audited(motion)
     expect_equal(balance$verdict, "balanced")
     expect_lte(balance$energy_rounding_j, 1e-6 * (1 + abs(balance$work_j) + balance$dissipated_j))
     rows <- nrow(motion)
     motion$omega_rad_per_s[rows] <- motion$omega_rad_per_s[rows] + 1e-3
-    expect_equal(audit(motion)$verdict, "unbalanced")
+    expect_equal(audited(motion)$verdict, "unbalanced")
     expect_true(is.na(attr(motion, "run")$info$error))
   }
   rigid <- motion_of(scene_rotors(c(1, 2), 1e12, viscous_n_m_s = c(0.3, 0), torque_n_m = 2), time,
                      1e-3)
   expect_equal(attr(rigid, "run")$model, "rotors_rigid")
-  expect_gt(audit(rigid)$dissipated_j, 1)
-  expect_equal(audit(rigid)$verdict, "balanced")
+  expect_gt(audited(rigid)$dissipated_j, 1)
+  expect_equal(audited(rigid)$verdict, "balanced")
   # Rows of a rotor are missing: no balance can be drawn.
-  expect_true(is.na(audit(rigid[rigid$rotor == 1, ])$verdict))
-  expect_true(is.na(audit(rigid[0, ])$verdict))
-  expect_output(print(audit(rigid)), "balanced.*elastic energy")
+  expect_true(is.na(audited(rigid[rigid$rotor == 1, ])$verdict))
+  expect_true(is.na(audited(rigid[0, ])$verdict))
+  expect_output(print(audit(rigid)), "balanced.*kinetic energy")
 })
 
 test_that("the class stands while the keys do", {
   motion <- motion_of(scene_rotors(c(1, 2), 10, omega0_rad_per_s = c(1, 0)), 0:3)
-  expect_s3_class(motion[3:4, ], "rot_motion")
+  expect_s3_class(motion[3:4, ], "rot_trajectory")
   expect_false(is.na(attr(motion[3:4, ], "run")$info$error))
-  expect_false(inherits(motion[, 1:2], "rot_motion"))
-  expect_false(inherits(tibble::as_tibble(motion), "rot_motion"))
-  expect_match(names(tibble::tbl_sum(motion))[1], "rotdyn motion")
+  expect_false(inherits(motion[, 1:2], "rot_trajectory"))
+  expect_false(inherits(tibble::as_tibble(motion), "rot_trajectory"))
+  expect_match(names(tibble::tbl_sum(motion))[1], "rotdyn trajectory")
 })

@@ -167,7 +167,7 @@ test_that("what a macro would have written is missed", {
 
 test_that("nothing is taken that is there twice, or in a unit of its own", {
   two <- sub("</robot>", '<link name="b"/><link name="b"/></robot>', urdf(), fixed = TRUE)
-  expect_error(read_links(two), "More than one is called \"b\"", class = "rotdyn_error_file")
+  expect_error(read_links(two), "More than one link is named \"b\"", class = "rotdyn_error_file")
   expect_error(
     read_links(urdf(mass = '<mass value="1"/><mass value="2"/>')), "must have one",
     class = "rotdyn_error_file"
@@ -179,7 +179,7 @@ test_that("nothing is taken that is there twice, or in a unit of its own", {
   sdf <- paste0(
     '<sdf version="1.9"><model name="m"><link name="a"><inertial auto="true"/></link></model></sdf>'
   )
-  expect_error(read_links(sdf), "A simulator would take", class = "rotdyn_error_file")
+  expect_error(read_links(sdf), "A simulator would use", class = "rotdyn_error_file")
 })
 
 test_that("links of several worlds are told apart", {

@@ -27,6 +27,6 @@ test_that("an OBJ may have negative numbers, colours, and lines that go on", {
 
 test_that("a damaged OBJ is refused", {
   expect_no_mesh_file("v 1 2", ".obj", "fewer than three coordinates")
-  expect_no_mesh_file("v 1 2 a", ".obj", "no number: a")
+  expect_no_mesh_file("v 1 2 a", ".obj", "not a number: a")
   expect_no_mesh_file(c("v 1 2 3", "f 1 1"), ".obj", "fewer than three corners")
 })

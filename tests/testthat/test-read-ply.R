@@ -84,8 +84,8 @@ test_that("a damaged PLY is refused", {
   head <- rawToChar(bytes[seq_len(grepRaw("end_header", bytes) + 10)])
   body <- bytes[-seq_len(nchar(head))]
   changed <- function(from, to) c(charToRaw(sub(from, to, head)), body)
-  expect_refused(bytes[seq_len(length(bytes) - 5)], "cut off")
-  expect_refused(bytes[seq_len(nchar(head) + 3)], "cut off")
+  expect_refused(bytes[seq_len(length(bytes) - 5)], "truncated")
+  expect_refused(bytes[seq_len(nchar(head) + 3)], "truncated")
   expect_refused(bytes[1:100], "header")
   expect_refused(changed("ply", "plx"), "header")
   expect_refused(changed("binary_little", "binary_middle"), "format")
@@ -94,7 +94,7 @@ test_that("a damaged PLY is refused", {
   expect_refused(changed("vertex_index", "vertices"), "faces with vertex_indices")
   expect_refused(changed("list uchar uint vertex_index", "uint vertex_index"), "a list")
   expect_refused(changed("face 10", "face 1e9"), "count is wrong")
-  expect_refused(changed("element odd 2", "comment"), "before all elements")
+  expect_refused(changed("element odd 2", "comment"), "precedes all elements")
   expect_refused(changed("face 10", "face -1"), "count is wrong")
   expect_refused(changed("face 10", "face ten"), "count is wrong")
   text <- c(
@@ -103,10 +103,10 @@ test_that("a damaged PLY is refused", {
     "0 0 0", "1 0 0", "0 1 0"
   )
   as_text <- function(last) c(text, last)
-  expect_refused(as_text("3 0 1"), "cut off")
+  expect_refused(as_text("3 0 1"), "truncated")
   expect_refused(as_text("2 0 1"), "three corners")
-  expect_refused(as_text("-3 0 1 2"), "cut off")
-  expect_refused(as_text("2.5 0 1 2"), "cut off")
+  expect_refused(as_text("-3 0 1 2"), "truncated")
+  expect_refused(as_text("2.5 0 1 2"), "truncated")
   expect_refused(as_text("3 0 1 b"), "'b'")
   writeLines(sub("(vertex|face) [31]", "\\1 0", text[1:9]), path)
   expect_error(body_mesh(path, mass_kg = 1), class = "rotdyn_error_mesh")

@@ -6,8 +6,8 @@ number <- function(x) as.numeric(x)
 expect_row <- function(motion, theta, omega) {
   info <- run_of(motion)$info
   eps <- .Machine$double.eps / 2
-  expect_lte(abs(motion$theta_rad - theta), info$theta_error + eps * abs(theta))
-  expect_lte(abs(motion$omega_rad_per_s - omega), info$omega_error + eps * abs(omega))
+  expect_lte(abs(motion$theta_rad - theta), info$errors[["theta"]] + eps * abs(theta))
+  expect_lte(abs(motion$omega_rad_per_s - omega), info$errors[["omega"]] + eps * abs(omega))
 }
 
 test_that("sinusoidal torque", {
@@ -67,9 +67,9 @@ test_that("a moment of inertia that changes", {
     # L0/I0 is rounded once on the way in.
     eps <- .Machine$double.eps
     expect_lte(abs(motion$theta_rad - r$dtheta),
-      run_of(motion)$info$theta_error + eps * abs(r$L0 / r$I0 * r$t))
+      run_of(motion)$info$errors[["theta"]] + eps * abs(r$L0 / r$I0 * r$t))
     expect_lte(abs(motion$omega_rad_per_s - r$omega1),
-      run_of(motion)$info$omega_error + eps * abs(r$L0 / r$I1))
+      run_of(motion)$info$errors[["omega"]] + eps * abs(r$L0 / r$I1))
   }
 })
 
@@ -81,8 +81,8 @@ test_that("coupled rotors", {
     scene <- scene_rotors(r$J, r$k, r$c, omega0_rad_per_s = r$omega0)
     motion <- suppressWarnings(trajectory(scene, r$t, 1e-9, model = "rotors_modal"))
     info <- attr(motion, "run")$info
-    expect_lte(max(abs(motion$theta_rad - r$dtheta)), info$theta_error)
-    expect_lte(max(abs(motion$omega_rad_per_s - r$omega)), info$omega_error)
+    expect_lte(max(abs(motion$theta_rad - r$dtheta)), info$errors[["theta"]])
+    expect_lte(max(abs(motion$omega_rad_per_s - r$omega)), info$errors[["omega"]])
     expect_lte(max(abs(motion$omega_rad_per_s - r$omega)), 1e-11)
   }
 })

@@ -70,7 +70,7 @@ test_that("what is no rotation is refused by class", {
   expect_error(turn(TRUE), class = "rotdyn_error_type")
   expect_error(turn(diag(c(1, 1, NA))), class = "rotdyn_error_value")
   expect_error(turn(diag(c(1, 1, Inf))), class = "rotdyn_error_value")
-  expect_error(turn(diag(c(1, 1, -1))), "mirrors", class = "rotdyn_error_value")
+  expect_error(turn(diag(c(1, 1, -1))), "reflection", class = "rotdyn_error_value")
   expect_error(turn(1.001 * diag(3)), "differs from 1", class = "rotdyn_error_value")
   expect_error(turn(c(1, 1, 0, 0)), "unit quaternion", class = "rotdyn_error_value")
   expect_error(turn(c(0, 0, 0, 0)), "unit quaternion", class = "rotdyn_error_value")

@@ -1,10 +1,10 @@
 test_that("stepped torques are taken apart at their jumps", {
   scene <- scene_clutch(2, 3, 12, torque_1 = torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10)),
                         torque_2 = -5)
-  expect_equal(scene$steps[[1]], list(c(0, 2, 5), c(0, 30, -10, 0)))
-  expect_equal(scene$steps[[2]], list(double(), -5))
+  expect_equal(unname(scene$steps[[1]]), list(c(0, 2, 5), c(0, 30, -10, 0)))
+  expect_equal(unname(scene$steps[[2]]), list(double(), -5))
   held <- scene_clutch(2, 3, 12, torque_1 = torque_knots(c(1, 1), c(4, 7), outside = "hold"))
-  expect_equal(held$steps[[1]], list(1, c(4, 7)))
+  expect_equal(unname(held$steps[[1]]), list(1, c(4, 7)))
 })
 
 test_that("what is no clutch is refused", {
@@ -30,5 +30,5 @@ test_that("a clutch prints itself", {
 
 test_that("a sum of laws that is constant between jumps will do", {
   one <- scene_clutch(1, 1, 1, torque_1 = torque_constant(1) + torque_pulse(1, 1, 2))
-  expect_equal(one$steps[[1]], list(c(1, 2), c(1, 3, 1)))
+  expect_equal(unname(one$steps[[1]]), list(c(1, 2), c(1, 3, 1)))
 })

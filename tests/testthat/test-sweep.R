@@ -147,7 +147,12 @@ test_that("odd data frames are told what is wrong with them", {
 })
 
 test_that("a warning names several rows", {
-  rows <- data.frame(moment_of_inertia_kg_m2 = rep(1e-300, 3), omega0_rad_per_s = c(1e300, 0, 1e300))
+  rows <- data.frame(
+    moment_of_inertia_kg_m2 = rep(1e-300, 3), omega0_rad_per_s = c(1e300, 0, 1e300)
+  )
   rows$viscous_n_m_s <- -1
-  expect_warning(spin_up_table(rows, NULL, 3), "Rows 1 and 3 are NaN", class = "rotdyn_warning_range")
+  expect_warning(
+    spin_up_table(rows, NULL, 3), "Rows 1 and 3 are NaN",
+    class = "rotdyn_warning_range"
+  )
 })

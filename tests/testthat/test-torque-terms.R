@@ -54,7 +54,9 @@ test_that("torques of speed and angle are what they say", {
   expect_equal(torque_of(curve, 0, 150), 1)
   expect_equal(torque_of(curve, 0, 500), 0)
   expect_equal(torque_of(2 * curve, 0, 50), 5)
-  at <- function(law, theta) trajectory(scene_axle(1, law, theta0_rad = theta), 0)$applied_torque_n_m
+  at <- function(law, theta) {
+    trajectory(scene_axle(1, law, theta0_rad = theta), 0)$applied_torque_n_m
+  }
   expect_equal(at(torque_spring(3, 0.5), 2), -4.5)
   expect_equal(at(torque_gravity(2, 0.5, gravity_m_per_s2 = 10), pi / 6), -5, tolerance = 1e-15)
   expect_equal(at(torque_gravity(2, 0.5, pi / 2, gravity_m_per_s2 = 10), 0), 10, tolerance = 1e-15)

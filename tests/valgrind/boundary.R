@@ -19,7 +19,9 @@ after <- function(limit, action) {
     1
   }
 }
-custom <- structure(class = c("bearing_broken", "error", "condition"), list(message = "", call = NULL))
+custom <- structure(
+  class = c("bearing_broken", "error", "condition"), list(message = "", call = NULL)
+)
 
 seen <- character()
 for (i in 1:20) {

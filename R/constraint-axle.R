@@ -1,0 +1,154 @@
+# The axle: one body that turns about a fixed axis.
+axle_constraint <- function() {
+  list(
+    id = "axle",
+    scene_class = "rot_scene_axle",
+    title = function(run) {
+      paste("A", gsub("_", " ", run$scene$body$shape %||% "body"), "on a fixed axle")
+    },
+    models = axle_models,
+    without = axle_without,
+    columns = trajectory_columns,
+    more_columns = function(columns, scene, time_s) {
+      if (!is.null(.subset2(scene, "inertia"))) {
+        columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
+      }
+      columns
+    },
+    keys = c("time_s", "theta_rad", "omega_rad_per_s"),
+    measures = list(
+      theta = measure("rad", "theta_rad", "angle"),
+      omega = measure("rad/s", "omega_rad_per_s", "angular velocity")
+    ),
+    summary = function(x, run) {
+      list(
+        moment_of_inertia_kg_m2 = run$scene$moment_of_inertia_kg_m2,
+        max_angular_velocity_rad_per_s = largest(x[["omega_rad_per_s"]]),
+        max_angular_momentum_kg_m2_per_s = largest(x[["angular_momentum_kg_m2_per_s"]]),
+        max_rotational_kinetic_energy_j = largest(x[["rotational_kinetic_energy_j"]]),
+        final_theta_rad = last(x[["theta_rad"]])
+      )
+    },
+    balances = balance_axle,
+    augment = augment_axle,
+    panels = list(
+      panel("angle (rad)", c(theta_rad = "")),
+      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      panel("torque (N m)", c(
+        applied_torque_n_m = "applied", damping_torque_n_m = "damping", net_torque_n_m = "net"
+      )),
+      panel("kinetic energy (J)", c(rotational_kinetic_energy_j = ""))
+    )
+  )
+}
+
+# The scene without some effects.
+axle_without <- function(scene, effects) {
+  if ("viscous" %in% effects) scene$resistance$viscous_n_m_s <- 0
+  if ("quadratic" %in% effects) scene$resistance$quadratic_n_m_s2 <- 0
+  if ("friction" %in% effects) scene$resistance[c("coulomb_n_m", "static_n_m")] <- 0
+  scene$loads$terms <- Filter(function(term) !term$kind %in% effects, scene$loads$terms)
+  scene
+}
+
+balance_axle <- function(x, run, call) {
+  n <- nrow(x)
+  if (n == 0L) {
+    return(list(
+      no_balance("energy", NA_character_, "J"),
+      no_balance("angular_momentum", "the axle", "kg m^2/s")
+    ))
+  }
+  scene <- run$solved
+  t <- as.double(x$time_s[c(1L, n)])
+  ledger <- run$ledger
+  if (is.null(ledger)) {
+    ledger <- record_of(run)$ledger(scene, c(run, call = call), min(t), max(t))
+    if (t[2] < t[1]) { # rows in reverse order: the balance runs backward
+      flows <- !grepl("_rounding_", names(ledger))
+      ledger[flows] <- -ledger[flows]
+    }
+  }
+  flow <- function(name) ledger[[name]]
+  inertia <- if (is.null(scene$inertia)) {
+    rep(scene$moment_of_inertia_kg_m2, 2L)
+  } else {
+    inertia_at(scene$inertia, t)
+  }
+  omega <- x$omega_rad_per_s[c(1L, n)]
+  theta <- x$theta_rad[c(1L, n)]
+  viscous <- scene$resistance$viscous_n_m_s
+  linear <- scene$resistance$quadratic_n_m_s2 == 0 && scene$resistance$static_n_m == 0
+  damping <- if (linear) -viscous * (theta[2] - theta[1]) else flow("damping_impulse_n_m_s")
+  constant <- inertia[1] == inertia[2]
+  kinetic <- if (constant) kinetic_change(inertia[1], omega[1], omega[2]) else
+    0.5 * (inertia[2] * omega[2]^2 - inertia[1] * omega[1]^2)
+  momentum <- if (constant) inertia[1] * (omega[2] - omega[1]) else
+    inertia[2] * omega[2] - inertia[1] * omega[1]
+  eps <- .Machine$double.eps
+  errors <- run$info$errors
+  omega_error <- errors[["omega"]] + eps * abs(omega)
+  sizes <- abs(c(
+    kinetic, flow("work_j"), flow("dissipated_j"), flow("inertia_work_j")
+  ))
+  list(
+    balance(
+      "energy", NA_character_, "J",
+      c("change of kinetic energy" = kinetic),
+      c(
+        "work of the torque" = flow("work_j"),
+        "work of what changes the inertia" = flow("inertia_work_j")
+      ),
+      c(
+        "heat of viscous resistance" = flow("viscous_j"),
+        "heat of quadratic drag" = flow("quadratic_j"),
+        "heat of dry friction" = flow("coulomb_j")
+      ),
+      flow("work_rounding_j") + flow("dissipated_rounding_j") +
+        sum(inertia * abs(omega) * omega_error) + 2 * eps * sum(sizes) +
+        if (is.null(scene$inertia)) 0 else 2 * eps * sum(inertia * omega^2)
+    ),
+    balance(
+      "angular_momentum", "the axle", "kg m^2/s",
+      c("change of angular momentum" = momentum),
+      c("impulse of the torque" = flow("impulse_n_m_s")),
+      c("impulse of the resistance" = -damping),
+      flow("impulse_rounding_n_m_s") + sum(inertia * omega_error) +
+        abs(viscous) * sum(errors[["theta"]] + eps * abs(theta)) +
+        2 * eps * (abs(momentum) + abs(flow("impulse_n_m_s")) + abs(damping))
+    )
+  )
+}
+
+augment_axle <- function(x, run, edges, call) {
+  if (is.null(x[["applied_torque_n_m"]])) {
+    abort_missing_column("applied_torque_n_m", x, call)
+  }
+  parts <- NULL
+  if (length(edges) > 1L) {
+    parts <- integrate_axle_flows(run, edges, call)
+    if (is.null(parts)) {
+      return(NULL)
+    }
+  }
+  since_first <- function(flow) {
+    c(0, if (!is.null(parts)) cumsum(unname(parts$value[, flow])))[seq_along(edges)]
+  }
+  heat <- list(
+    dissipated_viscous_j = since_first("viscous_j"),
+    dissipated_quadratic_j = since_first("quadratic_j"),
+    dissipated_coulomb_j = since_first("coulomb_j")
+  )
+  c(
+    list(
+      power_w = x$applied_torque_n_m * x$omega_rad_per_s, work_j = since_first("work_j"),
+      dissipated_j = heat[[1]] + heat[[2]] + heat[[3]]
+    ),
+    heat,
+    list(
+      inertia_work_j = since_first("inertia_work_j"),
+      torque_impulse_n_m_s = since_first("impulse_n_m_s"),
+      damping_impulse_n_m_s = since_first("damping_impulse_n_m_s")
+    )
+  )
+}

@@ -1,0 +1,131 @@
+# Several rotors on one shaft. Rows in long form: by time, then rotor.
+rotors_constraint <- function() {
+  list(
+    id = "rotors",
+    scene_class = "rot_scene_rotors",
+    title = function(run) "Rotors on one shaft",
+    models = rotors_models,
+    columns = rotors_columns,
+    keys = c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m"),
+    index = "rotor",
+    copies = function(scene) length(scene$moment_of_inertia_kg_m2),
+    measures = list(
+      theta = measure("rad", "theta_rad", "angle"),
+      omega = measure("rad/s", "omega_rad_per_s", "angular velocity")
+    ),
+    summary = function(x, run) {
+      whole <- function(column) {
+        if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
+      }
+      list(
+        moment_of_inertia_kg_m2 = sum(run$scene$moment_of_inertia_kg_m2),
+        max_angular_velocity_rad_per_s = largest(x[["omega_rad_per_s"]]),
+        max_angular_momentum_kg_m2_per_s = largest(whole("angular_momentum_kg_m2_per_s")),
+        max_rotational_kinetic_energy_j = largest(whole("rotational_kinetic_energy_j")),
+        final_theta_rad = last(x[["theta_rad"]])
+      )
+    },
+    balances = balance_rotors,
+    augment = augment_rotors,
+    panels = list(
+      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      panel("torque of the shaft behind it (N m)", c(shaft_torque_n_m = ""))
+    )
+  )
+}
+
+# From the rows of the first and the last time.
+balance_rotors <- function(x, run, call) {
+  none <- list(
+    no_balance("energy", NA_character_, "J"),
+    no_balance("angular_momentum", "the shaft", "kg m^2/s")
+  )
+  scene <- run$scene
+  inertia <- scene$moment_of_inertia_kg_m2
+  n <- length(inertia)
+  if (nrow(x) == 0L) {
+    return(none)
+  }
+  span <- range(x$time_s)
+  state <- function(time) {
+    rows <- which(x$time_s == time)
+    rows <- rows[match(seq_len(n), x$rotor[rows])]
+    if (anyNA(rows)) NULL else list(
+      theta = x$theta_rad[rows], omega = x$omega_rad_per_s[rows],
+      shaft = x$shaft_torque_n_m[rows][-n]
+    )
+  }
+  from <- state(span[1])
+  to <- state(span[2])
+  if (is.null(from) || is.null(to)) {
+    return(none)
+  }
+  record <- record_of(run)
+  ledger <- record$ledger(scene, run, span[1], span[2])
+  eps <- .Machine$double.eps
+  rate <- c(from$omega, to$omega)
+  error <- run$info$errors[["omega"]] + eps * max(abs(rate))
+  twist <- elastic_energy(scene, from, to, rigid = record$id == "rotors_rigid")
+  momentum <- sum(inertia * (to$omega - from$omega))
+  turned_error <- 2 * run$info$errors[["theta"]] + eps * max(abs(c(from$theta, to$theta)))
+  list(
+    balance(
+      "energy", NA_character_, "J",
+      c(
+        "change of kinetic energy" = kinetic_change(inertia, from$omega, to$omega),
+        "change of elastic energy" = twist$change
+      ),
+      c("work of the torques" = ledger[["work_j"]]),
+      c("heat of dampers and bearings" = ledger[["dissipated_j"]]),
+      # An error of omega goes with one of the same energy norm in the twists.
+      ledger[["work_rounding_j"]] + ledger[["dissipated_rounding_j"]] +
+        sum(inertia * abs(rate)) * error + sqrt(2 * sum(inertia)) * twist$root * error +
+        twist$rounding + 4 * eps * (abs(ledger[["work_j"]]) + ledger[["dissipated_j"]])
+    ),
+    balance(
+      "angular_momentum", "the shaft", "kg m^2/s",
+      c("change of angular momentum" = momentum),
+      c("impulse of the torques" = sum(scene$torque_n_m) * diff(span)),
+      c("impulse of the bearings" = sum(scene$viscous_n_m_s * (to$theta - from$theta))),
+      2 * sum(inertia) * error + sum(scene$viscous_n_m_s) * turned_error +
+        4 * eps * (n * sum(inertia * abs(rate)) + sum(abs(scene$torque_n_m)) * diff(span))
+    )
+  )
+}
+
+# From the shaft's torque: the difference of two angles would have lost the twist of a stiff shaft.
+# The rigid shaft has none.
+elastic_energy <- function(scene, from, to, rigid) {
+  k <- scene$stiffness_n_m_per_rad
+  if (rigid || all(k == 0)) {
+    return(list(change = 0, root = 0, rounding = 0))
+  }
+  damped <- function(state) scene$damping_n_m_s * -diff(state$omega)
+  spring <- function(state) (state$shaft - damped(state))[k > 0]
+  size <- function(state) {
+    (abs(state$shaft) + scene$damping_n_m_s * max(abs(state$omega)))[k > 0]
+  }
+  k_used <- k[k > 0]
+  before <- spring(from)
+  after <- spring(to)
+  list(
+    change = sum(0.5 * (after - before) * (after + before) / k_used),
+    root = sqrt(sum(before^2 / k_used)) + sqrt(sum(after^2 / k_used)),
+    rounding = 8 * .Machine$double.eps *
+      sum((abs(before) * size(from) + abs(after) * size(to)) / k_used)
+  )
+}
+
+augment_rotors <- function(x, run, edges, call) {
+  scene <- run$scene
+  record <- record_of(run)
+  ledger <- vapply(edges, function(edge) {
+    record$ledger(scene, run, edges[1], edge)[c("work_j", "dissipated_j")]
+  }, double(2))
+  list(
+    power_w = scene$torque_n_m[x$rotor] * x$omega_rad_per_s,
+    work_j = ledger[1, ],
+    dissipated_j = ledger[2, ],
+    torque_impulse_n_m_s = sum(scene$torque_n_m) * (edges - edges[1])
+  )
+}

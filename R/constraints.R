@@ -1,0 +1,69 @@
+# The constraints: what a body may do, one record each. A constraint joins by a line in the list
+# below and by files of its own; every verb works on the record and knows no constraint by name.
+#
+# A record:
+#   id            name of the constraint, as models() shows it
+#   scene_class   class of its scenes
+#   title(run)    title of the picture
+#   models        records of models, see R/model.R
+#   effects       what a scene may contain: words by name. Names belong to the constraint.
+#   effects_of(scene)            those of a scene, by name
+#   without(scene, effects)      the scene without some of them
+#   drop_bound(scene, effects, record, time_s, call)   NULL, or what leaving them out changes at
+#                 most: list(effects, until_s, errors, error, each), see R/choice.R
+#                 (a constraint of the C core has these three from there)
+#   columns       columns of a result
+#   keys          those that hold the state: the class stands while they do
+#   more_columns(columns, scene, time_s)   NULL, or what completes the columns of a run
+#   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
+#   measures      named list of measure(): what errors and accuracies refer to
+#   summary(x, run)              columns that summary() puts first
+#   balances(x, run, call)       list of balance(), see R/audit.R
+#   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w: for
+#                 each row); NULL where the motion could not be computed again
+#   panels        list of panel(): the picture
+constraint_list <- function() {
+  list(
+    axle_constraint(),
+    rotors_constraint(),
+    clutch_constraint()
+  )
+}
+
+registry <- new.env(parent = emptyenv())
+
+.onLoad <- function(libname, pkgname) {
+  for (constraint in constraint_list()) join_constraint(constraint)
+}
+
+# Constraints of the C core (src/rot_choice.c) have their effects and their models' promises there.
+join_constraint <- function(constraint) {
+  constraint$core <- constraint$id %in% core_models()$constraint
+  if (constraint$core) {
+    id <- constraint$id
+    constraint$models <- lapply(constraint$models, core_record)
+    constraint$effects <- core_effect_words(id)
+    constraint$effects_of <- function(scene) core_effects(id, scene)
+  }
+  constraint$all_core <- all(vapply(constraint$models, function(m) isTRUE(m$core), NA))
+  names(constraint$models) <- vapply(constraint$models, function(m) m$id, "")
+  assign(constraint$scene_class, constraint, envir = registry)
+}
+
+constraint_of <- function(scene) .subset2(registry, class(scene)[1L])
+
+all_constraints <- function() {
+  listed <- vapply(constraint_list(), function(constraint) constraint$scene_class, "")
+  mget(c(listed, setdiff(ls(registry), listed)), envir = registry)
+}
+
+# A named quantity with a unit and a norm: the columns that hold it, which are taken together by the
+# 2-norm; distance(got, want), two matrices of these columns, where another one is meant.
+measure <- function(unit, columns, label,
+                    distance = function(got, want) sqrt(rowSums((got - want)^2))) {
+  list(unit = unit, columns = columns, label = label, distance = distance)
+}
+
+# One panel of the picture: its label, and its columns with the names of their lines ("" for a line
+# that needs none).
+panel <- function(label, columns) list(label = label, columns = columns)

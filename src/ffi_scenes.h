@@ -1,0 +1,16 @@
+/* Scenes of R, read by the names of their elements. Vectors stay those of R. A wrong type or length
+ * is an R error. */
+#ifndef FFI_SCENES_H
+#define FFI_SCENES_H
+
+#include "ffi.h"
+#include "rot_axle_scene.h"
+#include "rot_clutch.h"
+#include "rot_shaft.h"
+
+/* With all its breaks, and with those in `breaks_s` (NULL: no others). */
+rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
+rot_shaft_params ffi_shaft_scene(SEXP scene);
+rot_clutch_params ffi_clutch_scene(SEXP scene);
+
+#endif

@@ -1,0 +1,93 @@
+test_that("the quadrature agrees with the closed form of the linear ledger", {
+  motion <- trajectory(article_scene(), c(0, 0.3, 2, 5, 8))
+  whole <- audited(motion)
+  rows <- augment(motion)
+  last <- nrow(rows)
+  expect_equal(rows$work_j[last], whole$work_j, tolerance = 1e-14)
+  expect_equal(rows$dissipated_j[last], whole$dissipated_j, tolerance = 1e-14)
+  expect_equal(rows$torque_impulse_n_m_s[last], whole$torque_impulse_n_m_s, tolerance = 1e-14)
+  expect_equal(rows$damping_impulse_n_m_s[last], whole$damping_impulse_n_m_s, tolerance = 1e-14)
+  expect_equal(rows$dissipated_viscous_j, rows$dissipated_j, tolerance = 0)
+  expect_equal(rows$work_j[1], 0)
+  # Row by row: what came in less what went out is the kinetic energy.
+  expect_equal(rows$work_j - rows$dissipated_j, rows$rotational_kinetic_energy_j, tolerance = 1e-14)
+  expect_equal(rows$power_w, rows$applied_torque_n_m * rows$omega_rad_per_s, tolerance = 0)
+})
+
+test_that("a sinusoid on a free axle does the work it should", {
+  # omega = A/(I Omega) sin(Omega t); the work is the kinetic energy, the impulse the momentum.
+  motion <- trajectory(scene_axle(4, torque_sinusoid(2, 3)), c(0, 0.4, 1, 7))
+  speed <- 2 / (4 * 3) * sin(3 * motion$time_s)
+  rows <- augment(motion)
+  expect_equal(rows$work_j, 0.5 * 4 * speed^2, tolerance = 1e-13)
+  expect_equal(rows$torque_impulse_n_m_s, 4 * speed, tolerance = 1e-13)
+  expect_equal(rows$dissipated_j, rep(0, 4))
+  expect_equal(audited(motion)$verdict, "balanced")
+})
+
+test_that("the parts of a loss are what each resistance took", {
+  # Constant speed: torque = c w + q w^2 + tau_c at w = 5, so the shares are c w^2 t and so on.
+  wheel <- scene_axle(
+    2, 0.3 * 5 + 0.02 * 25 + 0.4, resistance(0.3, 0.02, 0.4),
+    omega0_rad_per_s = 5
+  )
+  whole <- audited(trajectory(wheel, c(0, 10)))
+  expect_equal(whole$dissipated_viscous_j, 0.3 * 25 * 10, tolerance = 1e-13)
+  expect_equal(whole$dissipated_quadratic_j, 0.02 * 125 * 10, tolerance = 1e-13)
+  expect_equal(whole$dissipated_coulomb_j, 0.4 * 5 * 10, tolerance = 1e-13)
+  expect_equal(whole$work_j, (0.3 * 5 + 0.02 * 25 + 0.4) * 5 * 10, tolerance = 1e-13)
+  expect_equal(whole$verdict, "balanced")
+})
+
+test_that("a wheel that stops gives all its energy to friction, and friction then holds it", {
+  wheel <- scene_axle(
+    2, torque_steps(c(0, 100), c(0, 0.3)), resistance(coulomb_n_m = 0.5),
+    omega0_rad_per_s = 10
+  )
+  # Stops after I w/tau = 40 s, 200 rad; then 0.3 N m for 10 s is balanced.
+  motion <- trajectory(wheel, c(0, 50, 110))
+  expect_equal(motion$theta_rad, c(0, 200, 200), tolerance = 1e-15)
+  expect_equal(motion$damping_torque_n_m, c(-0.5, 0, -0.3))
+  expect_equal(motion$net_torque_n_m[2:3], c(0, 0))
+  whole <- audited(motion)
+  expect_equal(whole$dissipated_coulomb_j, 100, tolerance = 1e-13)
+  expect_equal(whole$torque_impulse_n_m_s, 3, tolerance = 1e-13)
+  expect_equal(whole$damping_impulse_n_m_s, -20 - 3, tolerance = 1e-13)
+  expect_equal(whole$verdict, "balanced")
+  expect_equal(motion_events(motion), tibble::tibble(time_s = 40, event = "stick"))
+})
+
+test_that("the skater's arms do the work that her energy gains", {
+  skater <- scene_axle(inertia_knots(c(1, 2), c(5, 2)), omega0_rad_per_s = 2)
+  motion <- trajectory(skater, c(0, 1.5, 3))
+  expect_equal(motion$omega_rad_per_s, c(2, 10 / 3.5, 5), tolerance = 1e-15)
+  expect_equal(motion$moment_of_inertia_kg_m2, c(5, 3.5, 2))
+  expect_equal(motion$angular_momentum_kg_m2_per_s, rep(10, 3), tolerance = 1e-15)
+  # The angle over the ramp: L/(dI) log(I0/I1), over one second.
+  expect_equal(motion$theta_rad[3], 2 + 10 / 3 * log(5 / 2) + 5, tolerance = 1e-15)
+  whole <- audited(motion)
+  expect_equal(whole$inertia_work_j, 0.5 * 100 * (1 / 2 - 1 / 5), tolerance = 1e-13)
+  expect_equal(whole$work_j, 0)
+  expect_equal(whole$verdict, "balanced")
+})
+
+test_that("rows out of order, one row and none", {
+  motion <- trajectory(article_scene(), 0:3)
+  expect_error(augment(motion[3:1, ]), class = "rotdyn_error_time")
+  expect_equal(augment(motion[2, ])$work_j, 0)
+  expect_equal(nrow(augment(motion[0, ])), 0L)
+  expect_equal(augment(trajectory(article_scene(), c(1, 1, 2)))$work_j[2], 0)
+})
+
+test_that("a kink of a torque-speed curve next to a row is seen", {
+  # omega = 2 + t up to the point at 3 rad/s: the kink comes at t = 1, a thousandth after a row.
+  curve <- torque_curve(c(-10, 3, 4), c(1, 1, -2))
+  m <- trajectory(scene_axle(1, curve, omega0_rad_per_s = 2), c(0, 0.999, 2))
+  expect_equal(run_of(m)$model, "axle_bands")
+  a <- audited(m)
+  expect_equal(a$verdict, "balanced")
+  # After it omega = 3 + (1 - exp(-3 s))/3.
+  expect_equal(a$torque_impulse_n_m_s, 1 + (1 - exp(-3)) / 3, tolerance = 1e-14)
+  g <- augment(m)
+  expect_equal(g$torque_impulse_n_m_s[3], 1 + (1 - exp(-3)) / 3, tolerance = 1e-14)
+})
