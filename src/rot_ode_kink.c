@@ -108,7 +108,7 @@ static rot_status step_to(path *w, double t, double h) {
 static rot_status close_in(path *w, double h) {
   rot_ode_march *run = w->run;
   const size_t dim = run->p->dim;
-  const double apart = sqrt(run->p->accuracy) * h / 32.0;
+  const double apart = sqrt(run->p->accuracy) * h / 8.0;
   double at = run->t, margin = h / 64.0, s, last, t = NAN;
   rot_status status = find(w, &s);
   do {

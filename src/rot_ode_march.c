@@ -107,9 +107,13 @@ static rot_status begin_stretch(rot_ode_march *run, int was, size_t fired, doubl
 
 /* ---- the march ------------------------------------------------------------------------------- */
 
-/* Where the guided run steps to next: halves of the steps of its guide. Nearer than a third of a
- * half step it goes for the one after, so that after a zero, which no two runs meet at the same
- * time, it falls in with the guide again. */
+double rot_ode_gain(rot_method method, double parts) {
+  return pow(parts, method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0);
+}
+
+/* The end of the next step of a guided run: equal parts of the steps of its guide. Nearer than a
+ * third of a part it goes for the one after, so that after an event, which no two runs meet at the
+ * same time, it falls in with the guide again. */
 static double guided_aim(rot_ode_march *run, double stop) {
   const rot_ode_trace *m = run->guide;
   while (run->guide_at + 2 < m->count &&
@@ -118,9 +122,11 @@ static double guided_aim(rot_ode_march *run, double stop) {
     run->guide_at++;
   }
   for (size_t k = run->guide_at; k + 1 < m->count; k++) {
-    const double a = rot_ode_node(m, k)[0], b = rot_ode_node(m, k + 1)[0], mid = 0.5 * (a + b);
-    const double least = 0.3 * fabs(mid - a), way = run->forward ? 1.0 : -1.0;
-    const double aim = way * (mid - run->t) > least ? mid : b;
+    const double a = rot_ode_node(m, k)[0], b = rot_ode_node(m, k + 1)[0];
+    const double part = (b - a) / (double)run->parts, least = 0.3 * fabs(part);
+    const double way = run->forward ? 1.0 : -1.0;
+    const double done = floor((run->t - a) / part + 0.3) + 1.0;
+    const double aim = done < (double)run->parts ? a + fmax(1.0, done) * part : b;
     if (way * (aim - run->t) <= 0.0) continue;
     if (way * (stop - aim) <= 0.0) return stop;
     if (way * (aim - run->t) > least) return aim;
@@ -199,17 +205,18 @@ static rot_status reject(rot_ode_march *run, double h, double factor, rot_status
   return why;
 }
 
-/* Half the step should divide the error that the test sees by 2^8 (2^6: Radau). Where it does not,
- * something is too quick for these steps, or has a kink, and the test's figure itself must stand
- * for the error. */
+/* A part of a step should have the error of the whole less rot_ode_gain(). Where it does not,
+ * the motion is too quick for these steps, or has a kink, and the error that the test found counts
+ * in full. */
 static void note_error(rot_ode_march *run, double error) {
-  run->worst = fmax(run->worst, error);
+  run->found += error;
   if (!run->guide || run->guide_at + 1 >= run->guide->count) return;
   double before = rot_ode_node(run->guide, run->guide_at + 1)[1];
   if (run->guide_at + 2 < run->guide->count) { /* after a zero the guide is some way off */
     before = fmax(before, rot_ode_node(run->guide, run->guide_at + 2)[1]);
   }
-  if (error > before / (run->method == ROT_METHOD_RADAU ? 8.0 : 32.0) && error > 16.0 * ROT_EPS) {
+  const double want = before / rot_ode_gain(run->method, (double)run->parts);
+  if (error > 8.0 * want && error > 16.0 * ROT_EPS) {
     /* Radau's test is that of order 5, its result of order 9. */
     const double missed = run->method == ROT_METHOD_RADAU ? pow(error, 1.5) : error;
     run->unresolved += missed * missed;
@@ -318,7 +325,7 @@ static rot_status drive(rot_ode_march *run, double stop) {
   while (run->t != stop && run->phase != ROT_ODE_ENDED) {
     rot_ode_passage what = ROT_ODE_SAME_SIDE;
     rot_status status;
-    const int was = run->p->turn ? *run->p->mode : 1;
+    const int was = run->p->turn ? *run->p->mode : 1, mode = run->p->mode ? *run->p->mode : 0;
     int new_stretch = 0;
     size_t which = SIZE_MAX;
     double at = 0.0;
@@ -335,8 +342,11 @@ static rot_status drive(rot_ode_march *run, double stop) {
       at = new_stretch ? 0.0 : rot_ode_event_value(run, which);
       if (!new_stretch) status = pass_event(run, which, &new_stretch);
     }
-    if (status == ROT_OK && new_stretch) {
+    if (status == ROT_OK && new_stretch) { /* the rows before it belong to the mode before it */
+      const int next = run->p->mode ? *run->p->mode : 0;
+      if (run->p->mode) *run->p->mode = mode;
       status = rot_ode_fill_rows(run, 1);
+      if (run->p->mode) *run->p->mode = next;
       if (status == ROT_OK) status = begin_stretch(run, was, which, at);
     }
     if (status != ROT_OK) return status;
