@@ -75,9 +75,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   centre <- centre + at_m
   detail <- place_detail(body$detail, if (!is.null(rotation)) turn, at_m)
   detail$centre_error_m <- if (off > 0) off
-  if (!all(is.finite(centre))) {
-    abort_rotdyn("The position exceeds double precision.", "range", call)
-  }
+  if (!all(is.finite(centre))) abort_rotdyn("The position exceeds double precision.", "range", call)
   new_body(
     body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, formula,
     body$source, body$provenance, detail, error, body$error_kind, call
@@ -126,9 +124,7 @@ join_bodies <- function(..., name = "compound") {
   call <- rlang::current_env()
   parts <- flatten_bodies(list(...), call)
   name <- check_name(name, "name", call)
-  if (!length(parts)) {
-    abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)
-  }
+  if (!length(parts)) abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)
   combine_bodies(parts, rep(1, length(parts)), name, call)
 }
 

@@ -108,9 +108,7 @@ density_method <- function(method, domain, call) {
       ), "model", call
     )
   }
-  if (method == "auto") {
-    return(if (mapped) "quadrature" else "monte_carlo")
-  }
+  if (method == "auto") return(if (mapped) "quadrature" else "monte_carlo")
   method
 }
 
@@ -203,9 +201,7 @@ density_moments <- function(run, nodes, total, done) {
     hits <- hits + length(at$w)
     if (length(at$w)) {
       mass <- at$w * run$density(at$places)
-      if (!all(mass < Inf)) {
-        abort_rotdyn("The mass exceeds double precision.", "range", run$call)
-      }
+      if (!all(mass < Inf)) abort_rotdyn("The mass exceeds double precision.", "range", run$call)
       here <- points_moments(mass, at$x, at$y, at$z, run$call, run$domain$exponent, NULL)
       moments <- join_moments(moments, here)
     }
@@ -387,9 +383,7 @@ largest_change <- function(changes) {
 
 # The expected change by two more nodes: a hundredth of the last change, if convergence is fast.
 expected_change <- function(changes) {
-  if (!length(changes)) {
-    return(c(second = Inf, mass = Inf, centre = Inf))
-  }
+  if (!length(changes)) return(c(second = Inf, mass = Inf, centre = Inf))
   ifelse(changes_quickly(changes), 0.01 * changes[[length(changes)]], largest_change(changes))
 }
 
@@ -398,9 +392,7 @@ expected_change <- function(changes) {
 density_errors <- function(changes, last) {
   share <- if (is.null(last)) 1 else 0.01
   left <- vapply(changes, function(x) {
-    if (!length(x)) {
-      return(c(second = Inf, mass = Inf, centre = Inf))
-    }
+    if (!length(x)) return(c(second = Inf, mass = Inf, centre = Inf))
     ifelse(changes_quickly(x), share * x[[length(x)]], largest_change(x))
   }, double(3))
   errors <- rowSums(left)
@@ -455,17 +447,13 @@ density_random <- function(run) {
 # mass; an infinite error if only one replicate has mass.
 jackknife <- function(parts, given_mass) {
   parts <- Filter(function(m) !is.null(m) && m[["mass"]] > 0, parts)
-  if (!length(parts)) {
-    return(NULL)
-  }
+  if (!length(parts)) return(NULL)
   whole <- Reduce(join_moments, parts)
   n <- replicates
   spread <- function(a) sqrt((n - 1) / n * rowSums(a^2))
   changes <- lapply(seq_along(parts), function(i) {
     rest <- Reduce(join_moments, parts[-i])
-    if (is.null(rest)) {
-      return(NULL)
-    }
+    if (is.null(rest)) return(NULL)
     pieces_change(per_replicate(rest, n - 1), per_replicate(whole, n), given_mass)
   })
   mean <- per_replicate(whole, n)
@@ -477,8 +465,7 @@ jackknife <- function(parts, given_mass) {
   changes <- c(changes, rep(list(empty), n - length(parts)))
   each <- spread(do.call(cbind, changes))
   list(
-    moments = mean,
-    errors = c(second = max(each[1:6]), mass = each[[7]], centre = max(each[8:10]))
+    moments = mean, errors = c(second = max(each[1:6]), mass = each[[7]], centre = max(each[8:10]))
   )
 }
 

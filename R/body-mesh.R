@@ -204,9 +204,7 @@ inspect_mesh <- function(read, weld_m, call) {
 mesh_vertex_count <- function(read) dim(read$vertices)[1L + read$by_column]
 
 check_core_status <- function(kind, call) {
-  if (kind == "memory") {
-    abort_rotdyn("There is not enough memory for the mesh.", "memory", call)
-  }
+  if (kind == "memory") abort_rotdyn("There is not enough memory for the mesh.", "memory", call)
   if (!kind %in% c("none", "range")) {
     abort_rotdyn("The mesh cannot be computed: {kind}.", kind, call)
   }
@@ -298,9 +296,7 @@ check_mesh_fits <- function(check, found, method, call) {
   fatal <- mesh_conditions$fails == "any" |
     (method == "solid" & mesh_conditions$fails %in% c("solid", "flat"))
   bad <- which(fatal & check$verdict == "fails")
-  if (!length(bad)) {
-    return()
-  }
+  if (!length(bad)) return()
   faults <- vapply(bad, function(i) {
     n <- check$count[i]
     cli::format_inline(mesh_conditions$fault[i])
@@ -343,9 +339,7 @@ mesh_moments <- function(read, found, shell, call) {
 
 mesh_in_metres <- function(of, factor, power) {
   of$dimension <- power
-  if (factor == 1) {
-    return(of)
-  }
+  if (factor == 1) return(of)
   for (length in c("centre", "lo", "hi", "reach")) of[[length]] <- factor * of[[length]]
   of$reach <- of$reach * (1 + 2 * .Machine$double.eps)
   of$second <- factor * (factor * of$second)
@@ -375,8 +369,7 @@ mesh_hull <- function(read, found, call) {
     }
   )
   hull <- list(
-    vertices = points, faces = outward_faces(local, faces), by_column = FALSE,
-    factor = read$factor
+    vertices = points, faces = outward_faces(local, faces), by_column = FALSE, factor = read$factor
   )
   found$same <- NULL
   found$distance <- 0
@@ -440,9 +433,7 @@ mesh_box <- function(read, found, call) {
     area = 2 * (side[1] * side[2] + side[2] * side[3] + side[3] * side[1]), closure = 0,
     lo = lo, hi = hi
   )
-  if (!all(side > 0)) {
-    abort_rotdyn("The box of {.arg mesh} has no volume.", "mesh", call)
-  }
+  if (!all(side > 0)) abort_rotdyn("The box of {.arg mesh} has no volume.", "mesh", call)
   mesh_in_metres(of, read$factor, 3)
 }
 

@@ -56,9 +56,7 @@ body_points <- function(data, ..., mass_kg = NULL, name = "points") {
   name <- check_name(name, "name", call)
   points <- read_points(data, mass_kg, call)
   bad <- .Call(ffi_points_bad, points$mass_kg, points$x_m, points$y_m, points$z_m)
-  if (bad[1] > 0) {
-    abort_point(points, bad[1], bad[2] + 1, call)
-  }
+  if (bad[1] > 0) abort_point(points, bad[1], bad[2] + 1, call)
   moments <- points_moments(points$mass_kg, points$x_m, points$y_m, points$z_m, call)
   check_moments_fit(moments, call)
   new_body(
@@ -102,9 +100,7 @@ read_points <- function(data, mass_kg, call) {
   }
   n <- nrow(data)
   check_places_named(columns, is.null(mass_kg), call)
-  if (n == 0L) {
-    abort_rotdyn("{.arg data} must have at least one point: it has none.", "size", call)
-  }
+  if (n == 0L) abort_rotdyn("{.arg data} must have at least one point: it has none.", "size", call)
   if (!is.null(mass_kg)) columns$mass_kg <- mass_kg
   points <- list(
     mass_kg = check_column(columns$mass_kg, "mass_kg", "kg", call),
@@ -130,9 +126,7 @@ read_points <- function(data, mass_kg, call) {
 
 matrix_columns <- function(data, call) {
   names <- colnames(data)
-  if (is.null(names) && ncol(data) %in% 2:3) {
-    names <- place_columns[seq_len(ncol(data))]
-  }
+  if (is.null(names) && ncol(data) %in% 2:3) names <- place_columns[seq_len(ncol(data))]
   if (is.null(names)) {
     abort_rotdyn(
       c(
@@ -200,9 +194,7 @@ points_moments <- function(mass, x, y, z, call, exponent = 0, progress = progres
 }
 
 join_moments <- function(a, b) {
-  if (is.null(a)) {
-    return(b)
-  }
+  if (is.null(a)) return(b)
   stats::setNames(.Call(ffi_points_join, as.double(a), as.double(b)), moment_names)
 }
 

@@ -20,9 +20,7 @@ left_out <- formals(function(x) NULL)
 # only the usual case is handled here; densities and messages are elsewhere.
 new_shape_body <- function(shape, call) {
   of <- shape_cache[[shape]]
-  if (is.null(of)) {
-    of <- shape_parts(shape)
-  }
+  if (is.null(of)) of <- shape_parts(shape)
   density <- .subset2(of, "density")
   amount <- if ((is.null(density) || is.null(call[[density]])) && !is.symbol(call[["mass_kg"]])) {
     check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0)
@@ -38,9 +36,7 @@ new_shape_body <- function(shape, call) {
     size[i] <- check_number(call[[name]], name, units[i], call, size[i])
   }
   parts <- .Call(ffi_shapes_body, .subset2(of, "id"), amount, !is.null(names(amount)), size)
-  if (!is.list(parts)) {
-    abort_shape(parts, names, size, NULL, call)
-  }
+  if (!is.list(parts)) abort_shape(parts, names, size, NULL, call)
   attr(size, "names") <- names
   finish_body(shape, parts, size, of, amount, call)
 }
@@ -74,9 +70,7 @@ mass_or_density <- function(density, unit, call) {
   no_mass <- identical(call[["mass_kg"]], left_out[[1L]])
   given <- if (!is.null(density)) call[[density]]
   if (is.null(given)) {
-    if (no_mass) {
-      abort_mass_left_out(density, call)
-    }
+    if (no_mass) abort_mass_left_out(density, call)
     return(check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0))
   }
   if (!no_mass) {

@@ -46,9 +46,7 @@ body_polygon <- function(mass_kg, vertices_m, ..., areal_density_kg_m2 = NULL) {
   parts <- .Call(
     ffi_vertices_polygon, vertices, amount, !is.null(names(amount)), progress_bar("polygon")
   )
-  new_vertices_body(
-    "polygon", vertices, parts, amount, "sum over the edges", "Steger 1996", call
-  )
+  new_vertices_body("polygon", vertices, parts, amount, "sum over the edges", "Steger 1996", call)
 }
 
 #' @rdname body_vertices
@@ -70,9 +68,7 @@ abort_corners <- function(must, vertices, call) {
 }
 
 new_vertices_body <- function(shape, vertices, parts, amount, formula, source, call) {
-  if (!is.list(parts)) {
-    abort_vertices(parts, shape, call)
-  }
+  if (!is.list(parts)) abort_vertices(parts, shape, call)
   body <- finish_body(
     shape, parts, numeric(), list(formula = formula, source = source), amount, call
   )

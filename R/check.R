@@ -4,12 +4,8 @@
 `%||%` <- function(x, y) if (is.null(x)) y else x
 
 describe_value <- function(x) {
-  if (is.null(x)) {
-    return("NULL")
-  }
-  if (is.function(x)) {
-    return("a function")
-  }
+  if (is.null(x)) return("NULL")
+  if (is.function(x)) return("a function")
   if (is.atomic(x) && length(x) == 1L && !is.object(x)) {
     return(if (is.character(x)) encodeString(x, quote = "\"") else format(x, digits = 7))
   }
@@ -69,9 +65,7 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
     x >= lower && x <= upper && !(open && x == lower)) {
     return(x)
   }
-  if (is.object(x)) {
-    x <- as_si(x, unit, arg, call)
-  }
+  if (is.object(x)) x <- as_si(x, unit, arg, call)
   if (!is_number(x) || length(x) != 1L || is.object(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must be one number{in_unit(unit)}.", x = "It is {describe_value(x)}."),
@@ -111,15 +105,9 @@ abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
 
 # A column of doubles; NA, also logical, is allowed.
 check_column <- function(x, arg, unit, call) {
-  if (is.object(x)) {
-    x <- as_si(x, unit, arg, call)
-  }
-  if (is.double(x) && !is.object(x)) {
-    return(x)
-  }
-  if ((is_number(x) && !is.object(x)) || (is.logical(x) && all(is.na(x)))) {
-    return(as.double(x))
-  }
+  if (is.object(x)) x <- as_si(x, unit, arg, call)
+  if (is.double(x) && !is.object(x)) return(x)
+  if ((is_number(x) && !is.object(x)) || (is.logical(x) && all(is.na(x)))) return(as.double(x))
   abort_rotdyn(
     c("{.arg {arg}} must be numbers{in_unit(unit)}.", x = "It is {describe_value(x)}."),
     "type", call
@@ -166,9 +154,7 @@ check_recyclable <- function(columns, call) {
 
 # Finite doubles, for descriptions, where NA is not allowed.
 check_finite <- function(x, arg, unit, call, kind = "value") {
-  if (is.double(x) && is.null(attributes(x)) && all(is.finite(x))) {
-    return(x)
-  }
+  if (is.double(x) && is.null(attributes(x)) && all(is.finite(x))) return(x)
   x <- check_column(x, arg, unit, call)
   if (!all(is.finite(x))) {
     at <- which(!is.finite(x))[1]
@@ -199,9 +185,7 @@ check_times <- function(time_s, call) {
   if (is.double(time_s) && is.null(attributes(time_s)) &&
     (n == 0L || (is.finite(time_s[1L]) && is.finite(time_s[n])))) {
     back <- is.unsorted(time_s)
-    if (!is.na(back) && !back) {
-      return(time_s)
-    }
+    if (!is.na(back) && !back) return(time_s)
   }
   time_s <- check_finite(time_s, "time_s", "s", call, "time")
   if (is.unsorted(time_s)) {

@@ -5,7 +5,7 @@ column_list <- list(
   c("theta_rad", "rad", "angle turned about the axle"),
   c("omega_rad_per_s", "rad/s", "angular velocity"),
   c("applied_torque_n_m", "N m", "torque of the torque law"),
-  c("damping_torque_n_m", "N m", "torque of the resistance on the body; at rest, of static friction"),
+  c("damping_torque_n_m", "N m", "torque of the resistance; at rest, of static friction"),
   c("net_torque_n_m", "N m", "applied + damping"),
   c("angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum about the axle, I omega"),
   c("rotational_kinetic_energy_j", "J", "I omega^2 / 2"),
@@ -20,7 +20,7 @@ column_list <- list(
   c("error_kind", "", "\"bound\" or \"estimate\""),
   c("steps", "1", "accepted steps; pieces of the torque for a closed form"),
   c("rejected", "1", "steps tried and rejected"),
-  c("rhs_calls", "1", "evaluations of the right-hand side, or of an R torque function sampled first"),
+  c("rhs_calls", "1", "calls of the right-hand side, or of an R torque function sampled first"),
   c("work_j", "J", "work of the applied torque since the first row"),
   c("dissipated_j", "J", "energy dissipated by the resistance, computed separately"),
   c("dissipated_viscous_j", "J", "its part by viscous resistance"),
@@ -43,7 +43,7 @@ column_list <- list(
   c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),
   c(
     "verdict", "",
-    "\"balanced\" if an audit's residuals are explained, else \"unbalanced\"; of a check, \"holds\"..."
+    "\"balanced\" if an audit's residuals are explained, else \"unbalanced\"; checks: \"holds\"..."
   ),
   c("balance", "", "the quantity that is balanced: energy, angular_momentum, ..."),
   c("about", "", "the point or axis of a momentum; NA for an energy"),

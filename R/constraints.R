@@ -19,8 +19,8 @@
 #   measures      named list of measure(): what errors and accuracies refer to
 #   summary(x, run)              columns that summary() puts first
 #   balances(x, run, call)       list of balance(), see R/audit.R
-#   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w: for
-#                 each row); NULL where the motion could not be computed again
+#   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:
+#                 for each row); NULL where the motion could not be computed again
 #   panels        list of panel(): the picture
 constraint_list <- function() {
   list(

@@ -141,8 +141,7 @@ domain_inside <- function(inside, lower_m, upper_m) {
   check_field_function(inside, "inside", call)
   box <- check_box(lower_m, upper_m, c("lower_m", "upper_m"), "m", call)
   new_domain(
-    "inside",
-    centre_m = box$middle, chart = c(0, -box$half, box$half, 1, 1, 1), inside = inside
+    "inside", centre_m = box$middle, chart = c(0, -box$half, box$half, 1, 1, 1), inside = inside
   )
 }
 
@@ -309,9 +308,7 @@ check_jacobian <- function(domain, call) {
 
 map_places <- function(domain, u, v, w, call) {
   places <- domain$map(u, v, w)
-  if (is.matrix(places)) {
-    places <- lapply(seq_len(ncol(places)), function(j) places[, j])
-  }
+  if (is.matrix(places)) places <- lapply(seq_len(ncol(places)), function(j) places[, j])
   fine <- is.list(places) && length(places) == 3L &&
     all(vapply(places, function(x) is_number(x) && length(x) == length(u), NA))
   if (!fine) {
@@ -345,9 +342,7 @@ map_jacobian <- function(domain, u, v, w, call) {
 # Checks the value of a function of points: a number of at least 0 for each.
 check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
   n <- length(places[[1]])
-  if (inherits(x, "units") && arg == "f") {
-    x <- as_si(x, "kg/m^3", "f", call)
-  }
+  if (inherits(x, "units") && arg == "f") x <- as_si(x, "kg/m^3", "f", call)
   if (!is_number(x) || is.object(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must return numbers.", x = "It returned {describe_value(x)}."),

@@ -37,16 +37,10 @@
 #' @export
 inertia_table <- function(objects = inertia_objects()) {
   call <- rlang::current_env()
-  if (inherits(objects, "rot_body")) {
-    objects <- list(objects)
-  }
-  if (!is.data.frame(objects)) {
-    return(inertia_of_bodies(objects, call))
-  }
+  if (inherits(objects, "rot_body")) objects <- list(objects)
+  if (!is.data.frame(objects)) return(inertia_of_bodies(objects, call))
   name <- intersect(c("object", "shape"), names(objects))[1]
-  if (is.na(name)) {
-    abort_missing_column("object", objects, call)
-  }
+  if (is.na(name)) abort_missing_column("object", objects, call)
   shapes <- shape_table()
   check_shape_names(objects[[name]], name, nrow(objects), call)
   id <- shape_ids(objects[[name]], shapes)
@@ -57,9 +51,7 @@ inertia_table <- function(objects = inertia_objects()) {
 
   # Known names have precedence over beta and the radius.
   values <- .Call(ffi_shapes_table, id, mass, beta, sizes)
-  if (!is.list(values)) {
-    abort_row(values, id, mass, beta, sizes, call)
-  }
+  if (!is.list(values)) abort_row(values, id, mass, beta, sizes, call)
   text <- id + 1L
   out <- as.list(objects)
   out[names(values)] <- values
@@ -101,9 +93,7 @@ shape_ids <- function(given, shapes) {
 
 check_known <- function(given, id, beta, call) {
   unknown <- id == 0L
-  if (!any(unknown)) {
-    return(invisible())
-  }
+  if (!any(unknown)) return(invisible())
   unknown <- unique(as.character(given[unknown & is.na(beta) & !is.na(given)]))
   if (length(unknown)) {
     abort_rotdyn(
@@ -117,9 +107,7 @@ check_known <- function(given, id, beta, call) {
 }
 
 needed_column <- function(column, unit, objects, call) {
-  if (is.null(objects[[column]])) {
-    abort_missing_column(column, objects, call)
-  }
+  if (is.null(objects[[column]])) abort_missing_column(column, objects, call)
   values <- check_column(objects[[column]], column, unit, call)
   if (length(values) != nrow(objects)) {
     abort_rotdyn(
@@ -148,12 +136,8 @@ needed_sizes <- function(id, shapes, objects, call) {
 abort_row <- function(fault, id, mass, beta, sizes, call) {
   row <- fault[2]
   at <- function(x) x[if (length(x) == 1L) 1L else row]
-  if (fault[1] == 5) {
-    abort_domain(at(mass), "mass_kg", "kg", call, 0, Inf, FALSE, row = row)
-  }
-  if (fault[1] == 6) {
-    abort_domain(at(beta), "beta", "1", call, 0, Inf, FALSE, row = row)
-  }
+  if (fault[1] == 5) abort_domain(at(mass), "mass_kg", "kg", call, 0, Inf, FALSE, row = row)
+  if (fault[1] == 6) abort_domain(at(beta), "beta", "1", call, 0, Inf, FALSE, row = row)
   names <- if (id[row]) shape_table()$names[[id[row]]] else "radius_m"
   size <- vapply(match(names, size_table()$name), function(k) at(sizes[[k]]), double(1))
   abort_shape(fault, names, size, row, call)

@@ -56,9 +56,7 @@ inertia_tensor <- function(body, about = "centre", ..., axes = "own",
     ffi_inertia_about, body$second_moment_kg_m2, body$mass_kg, body$centre_m - point, rotation
   )
   check_in_range(tensor, call)
-  if (products == "positive") {
-    tensor <- flip_products(tensor)
-  }
+  if (products == "positive") tensor <- flip_products(tensor)
   structure(
     tensor,
     point_m = point,
@@ -96,9 +94,7 @@ moment_through <- function(body, axis, through, call) {
 }
 
 check_in_range <- function(x, call) {
-  if (!all(is.finite(x))) {
-    abort_rotdyn("The inertia exceeds double precision.", "range", call)
-  }
+  if (!all(is.finite(x))) abort_rotdyn("The inertia exceeds double precision.", "range", call)
   x
 }
 
@@ -189,9 +185,7 @@ as.matrix.rot_inertia_tensor <- function(x, ...) {
 Ops.rot_inertia_tensor <- function(e1, e2) {
   bare <- function(x) if (inherits(x, "rot_inertia_tensor")) as.matrix(x) else x
   operation <- get(.Generic, mode = "function")
-  if (missing(e2)) {
-    return(operation(bare(e1)))
-  }
+  if (missing(e2)) return(operation(bare(e1)))
   value <- operation(bare(e1), bare(e2))
   both <- inherits(e1, "rot_inertia_tensor") && inherits(e2, "rot_inertia_tensor")
   if (both && .Generic %in% c("+", "-")) {

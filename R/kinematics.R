@@ -74,9 +74,7 @@ motion_units <- c(
 )
 
 warn_no_motion <- function(none, many, call) {
-  if (length(none) + length(many) == 0L) {
-    return(invisible())
-  }
+  if (length(none) + length(many) == 0L) return(invisible())
   rows <- function(at) {
     cli::cli_vec(format(at, big.mark = ",", trim = TRUE), list("vec-trunc" = 6))
   }

@@ -26,7 +26,9 @@ core_record <- function(record) {
   record$core <- TRUE
   record$error_kind <- known$error_kind[at]
   record$handles <- known$takes[[at]]
-  record$why_not <- function(scene, time_s) core_pick(id, scene, time_s, 1, model = record$id)$reason
+  record$why_not <- function(scene, time_s) {
+    core_pick(id, scene, time_s, 1, model = record$id)$reason
+  }
   record$why <- known$why[at]
   record$error <- function(accuracy) if (isTRUE(record$adapts)) max(accuracy, promise) else promise
   record$on_trial <- known$on_trial[at]
@@ -78,8 +80,8 @@ too_coarse <- function(error, accuracy) {
   }
 }
 
-# A model of R on a scene; where it does not take all effects, without them if `drop` allows and that
-# changes little enough.
+# A model of R on a scene; where it does not take all effects, without them if `drop` allows and
+# that changes little enough.
 fit_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
   effects <- constraint$effects_of(scene)
   missing <- setdiff(effects, record$handles)
@@ -170,9 +172,9 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' The cheapest model, by predicted time, that takes the scene and reaches the accuracy.
 #' [trajectory()] makes the same choice; `choose_model()` shows the candidates and the reasons.
 #'
-#' An effect is left out only where no closed form takes the scene as it is, and only with a bound: a
-#' torque of at most D changes omega by at most `D/I min(T, I/c)` in a time T, and theta by T times
-#' that. The trajectory names what was left out, and its error includes the bound.
+#' An effect is left out only where no closed form takes the scene as it is, and only with a bound:
+#' a torque of at most D changes omega by at most `D/I min(T, I/c)` in a time T, and theta by T
+#' times that. The trajectory names what was left out, and its error includes the bound.
 #'
 #' @param scene A scene, such as [scene_axle()].
 #' @param time_s Output times in s, finite and not decreasing: their number counts for the cost,
@@ -256,7 +258,10 @@ abort_no_model <- function(fits, scene, time_s, accuracy, call) {
     abort_rotdyn(
       c(
         "No model can run this scene at these times.",
-        x = "{.arg time_s} begins at {format(time_s[1])} s, the scene at {format(scene$start_s)} s.",
+        x = paste0(
+          "{.arg time_s} begins at {format(time_s[1])} s, ",
+          "the scene at {format(scene$start_s)} s."
+        ),
         i = "{.field {takes[[1]]$record$id}}: {why_not[[1]]}."
       ),
       "time",

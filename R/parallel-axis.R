@@ -90,9 +90,7 @@ parallel_axis_tensor <- function(inertia, mass, d, sign, call) {
   d <- check_vector(d, "distance_m", "m", call)
   tensor <- check_inertia_or_abort(as_tensor(inertia, "inertia_kg_m2", call), mass, call)
   out <- check_in_range(.Call(ffi_inertia_shift, tensor, mass, d, sign), call)
-  if (sign < 0) {
-    out <- check_shifted(out, tensor, mass, d, call)
-  }
+  if (sign < 0) out <- check_shifted(out, tensor, mass, d, call)
   out
 }
 

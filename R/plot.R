@@ -19,11 +19,11 @@ plot_theme <- function() {
 
 #' Plot a trajectory or a rolling table
 #'
-#' `autoplot()` of a trajectory draws the state, the torques and the energies of its scene over time,
-#' with its events as dashed lines: of an axle, angle, angular velocity, the three torques and the
-#' kinetic energy; of rotors, the angular velocity of each and the torque of each piece of shaft; of
-#' a clutch, both angular velocities, the torque of the clutch and the heat. Of a rolling table it
-#' draws the final speed of each object and how its energy is divided.
+#' `autoplot()` of a trajectory draws the state, the torques and the energies of its scene over
+#' time, with its events as dashed lines: of an axle, angle, angular velocity, the three torques and
+#' the kinetic energy; of rotors, the angular velocity of each and the torque of each piece of
+#' shaft; of a clutch, both angular velocities, the torque of the clutch and the heat. Of a rolling
+#' table it draws the final speed of each object and how its energy is divided.
 #'
 #' @param object A `rot_trajectory`, or what [rolling_table()] returned.
 #' @param ... Not used.
@@ -85,7 +85,9 @@ panel_lines <- function(object, constraint) {
     lapply(names(columns), function(name) {
       value <- object[[name]]
       line <- if (is.null(index)) columns[[name]] else paste(index, object[[index]])
-      part <- data.frame(time_s = object$time_s, value = value, panel = rep(panel$label, length(value)), line = line)
+      part <- data.frame(
+        time_s = object$time_s, value = value, panel = rep(panel$label, length(value)), line = line
+      )
       part[!is.na(value), ]
     })
   })

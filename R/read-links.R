@@ -61,9 +61,7 @@ read_links <- function(file, ...) {
     robot = lapply(children(root, "link"), urdf_link, call = call),
     sdf_links(root, call)
   )
-  if (!length(links)) {
-    abort_rotdyn("{.arg file} describes no link.", "file", call)
-  }
+  if (!length(links)) abort_rotdyn("{.arg file} describes no link.", "file", call)
   check_unique(vapply(links, `[[`, "", "name"), call)
   links_table(links, call)
 }
@@ -268,9 +266,7 @@ urdf_link <- function(node, call) {
 urdf_number <- function(node, attribute, element, link, call) {
   text <- if (is.null(node)) NA_character_ else xml2::xml_attr(node, attribute)
   what <- paste0("<", element, " ", attribute, ">")
-  if (is.na(text)) {
-    abort_lacking(what, link, call)
-  }
+  if (is.na(text)) abort_lacking(what, link, call)
   unit <- c(xml2::xml_attr(node, "unit"), xml2::xml_attr(node, "units"))
   unit <- unit[!is.na(unit)]
   if (length(unit)) {
@@ -288,9 +284,7 @@ urdf_pose <- function(node, where, link, call) {
   origin <- only_child(node, "origin", link, call)
   read <- function(attribute) {
     text <- if (is.null(origin)) NA_character_ else xml2::xml_attr(origin, attribute)
-    if (is.na(text)) {
-      return(c(0, 0, 0))
-    }
+    if (is.na(text)) return(c(0, 0, 0))
     finite_numbers(text, 3L, paste0("<origin ", attribute, "> in ", where), link, call)
   }
   list(at = read("xyz"), rpy = read("rpy"))
@@ -335,9 +329,7 @@ sdf_link <- function(node, number, scopes, call) {
     link$pose <- sdf_pose(inertial, "<inertial>", name, call)
     link$mass_kg <- sdf_number(inertial, "mass", NULL, name, call)
     inertia <- only_child(inertial, "inertia", name, call)
-    if (is.null(inertia)) {
-      abort_lacking("<inertia>", name, call, sdf_default)
-    }
+    if (is.null(inertia)) abort_lacking("<inertia>", name, call, sdf_default)
     # Missing products are 0.
     defaults <- list(NULL, NULL, NULL, 0, 0, 0)
     link$six <- mapply(
@@ -354,9 +346,7 @@ sdf_default <- "A simulator would use 1, or the shape's: write it in {.code <ine
 sdf_number <- function(node, element, default, link, call) {
   found <- only_child(node, element, link, call)
   if (is.null(found)) {
-    if (is.null(default)) {
-      abort_lacking(paste0("<", element, ">"), link, call, sdf_default)
-    }
+    if (is.null(default)) abort_lacking(paste0("<", element, ">"), link, call, sdf_default)
     return(default)
   }
   numbers_of(xml2::xml_text(found), 1L, paste0("<", element, ">"), link, call)
@@ -372,9 +362,7 @@ sdf_pose <- function(node, where, link, call) {
   frame <- xml2::xml_attr(pose, "relative_to")
   if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "", sub("^.*::", "", link))) {
     # For visual and collision elements the reach is then unknown.
-    if (where != "<inertial>") {
-      return(NULL)
-    }
+    if (where != "<inertial>") return(NULL)
     abort_rotdyn(
       c(
         "{what} of link {.val {link}} must be roll, pitch and yaw in the link's own frame.",
@@ -416,13 +404,9 @@ geometry_parts <- function(node, link, call, read_pose, read_solid) {
     geometry <- child(element, "geometry")
     shape <- if (!is.null(geometry)) xml2::xml_children(geometry)
     kind <- if (length(shape)) xml2::xml_name(shape[[1L]]) else "none"
-    if (!kind %in% c("box", "sphere", "cylinder", "capsule")) {
-      return(NULL)
-    }
+    if (!kind %in% c("box", "sphere", "cylinder", "capsule")) return(NULL)
     pose <- read_pose(element, paste0("<", xml2::xml_name(element), ">"), link, call)
-    if (is.null(pose)) {
-      return(NULL)
-    }
+    if (is.null(pose)) return(NULL)
     parts <- c(parts, list(c(pose, read_solid(shape[[1L]], kind, link, call))))
   }
   parts
@@ -451,9 +435,7 @@ part_reach <- function(part, centre) {
 }
 
 link_reach <- function(link) {
-  if (!length(link$parts) || is.null(link$pose)) {
-    return(NA_real_)
-  }
+  if (!length(link$parts) || is.null(link$pose)) return(NA_real_)
   reach <- max(vapply(link$parts, part_reach, 0, centre = link$pose$at))
   # A shape without extent is a placeholder.
   if (reach > 0 && is.finite(reach)) reach else NA_real_

@@ -57,9 +57,7 @@ metres_in <- function(length_unit, call) {
     )
   }
   known <- length_units[match(length_unit, names(length_units))]
-  if (!is.na(known)) {
-    return(unname(known))
-  }
+  if (!is.na(known)) return(unname(known))
   if (requireNamespace("units", quietly = TRUE)) {
     one <- tryCatch(units::set_units(1, length_unit, mode = "standard"), error = function(e) NULL)
     if (!is.null(one) && units::ud_are_convertible(units(one), "m")) {
@@ -131,9 +129,7 @@ mesh_from_pair <- function(mesh, length_unit, factor, call) {
 mesh_vertices <- function(x, length_unit, factor, call) {
   if (is.data.frame(x)) {
     named <- Filter(function(names) all(names %in% names(x)), list(place_columns, c("x", "y", "z")))
-    if (!length(named)) {
-      abort_missing_column(setdiff(place_columns, names(x))[1L], x, call)
-    }
+    if (!length(named)) abort_missing_column(setdiff(place_columns, names(x))[1L], x, call)
     if (identical(named[[1L]], place_columns) && length_unit != "m") {
       abort_rotdyn(
         c(
@@ -170,9 +166,7 @@ mesh_vertices <- function(x, length_unit, factor, call) {
 
 # Vertex numbers. Those that are not whole become NA, and are counted as invalid later.
 mesh_indices <- function(x, corners, by_column, arg, call) {
-  if (is.null(x)) {
-    return(if (by_column) matrix(0L, corners, 0L) else matrix(0L, 0L, corners))
-  }
+  if (is.null(x)) return(if (by_column) matrix(0L, corners, 0L) else matrix(0L, 0L, corners))
   missing <- is.logical(x) && all(is.na(x))
   if (!is.matrix(x) || !(is_number(x) || missing) || dim(x)[2L - by_column] != corners) {
     abort_rotdyn(
@@ -183,9 +177,7 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
       ), "type", call
     )
   }
-  if (is.double(x)) {
-    x[!is.finite(x) | x != floor(x) | abs(x) > .Machine$integer.max] <- NA
-  }
+  if (is.double(x)) x[!is.finite(x) | x != floor(x) | abs(x) > .Machine$integer.max] <- NA
   dimnames(x) <- NULL
   storage.mode(x) <- "integer"
   x

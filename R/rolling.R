@@ -40,9 +40,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
       ), "type", call
     )
   }
-  if (is.null(objects[["beta"]])) {
-    abort_missing_column("beta", objects, call)
-  }
+  if (is.null(objects[["beta"]])) abort_missing_column("beta", objects, call)
   given <- c(
     incline_angle_deg = !missing(incline_angle_deg), height_drop_m = !missing(height_drop_m),
     gravity_m_per_s2 = !missing(gravity_m_per_s2)
@@ -80,9 +78,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
 
   # New columns are last, or replace those of the same name.
   out <- as.list(objects)
-  if (inherits(objects[["beta"]], "units")) {
-    out$beta <- columns$beta
-  }
+  if (inherits(objects[["beta"]], "units")) out$beta <- columns$beta
   out[names(values)] <- values
   tibble::new_tibble(out, nrow = n, class = "rot_rolling_table")
 }
@@ -91,9 +87,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
 #' @export
 rolling_objects <- function() {
   tibble::new_tibble(list(
-    object = c(
-      "hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"
-    ),
+    object = c("hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"),
     beta = shape_beta(c("hoop", "disk", "sphere", "spherical_shell", "sliding_point"))
   ), nrow = 5L)
 }

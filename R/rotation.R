@@ -64,9 +64,7 @@ unit_axis <- function(axis, call) {
 
 # A rotation as a matrix: NULL (none), a 3 x 3 matrix, or a quaternion, scalar first, body to space.
 as_rotation <- function(rotation, arg, call) {
-  if (is.null(rotation)) {
-    return(diag(3))
-  }
+  if (is.null(rotation)) return(diag(3))
   size <- dim(rotation) %||% length(rotation)
   if (!is.numeric(rotation) || is.object(rotation) ||
     !(identical(size, c(3L, 3L)) || identical(size, 4L))) {
@@ -78,12 +76,8 @@ as_rotation <- function(rotation, arg, call) {
       ), "type", call
     )
   }
-  if (!all(is.finite(rotation))) {
-    abort_rotdyn("{.arg {arg}} must be finite.", "value", call)
-  }
-  if (length(rotation) == 4L) {
-    return(matrix_of_quaternion(as.double(rotation), arg, call))
-  }
+  if (!all(is.finite(rotation))) abort_rotdyn("{.arg {arg}} must be finite.", "value", call)
+  if (length(rotation) == 4L) return(matrix_of_quaternion(as.double(rotation), arg, call))
   rotation <- matrix(as.double(rotation), 3)
   off <- max(abs(crossprod(rotation) - diag(3)))
   if (off > 1e-8 || det(rotation) < 0) {

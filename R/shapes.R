@@ -347,9 +347,7 @@ describe_shapes <- function(family) {
     ifelse(
       words$ixx == words$iyy,
       paste0("Ixx = Iyy = ", code(words$ixx), ", Izz = ", code(words$izz)),
-      paste0(
-        "Ixx = ", code(words$ixx), ", Iyy = ", code(words$iyy), ", Izz = ", code(words$izz)
-      )
+      paste0("Ixx = ", code(words$ixx), ", Iyy = ", code(words$iyy), ", Izz = ", code(words$izz))
     )
   )
   centre <- ifelse(words$centre == "(0, 0, 0)", "", words$centre)

@@ -10,8 +10,8 @@
 #' @return A tibble of one row with the columns
 #'   `r describe_columns(c("stop_time_s", "stop_theta_rad", "terminal_omega_rad_per_s"))`
 #'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` NaN. The
-#'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists it;
-#'   where in the end nothing acts at all, it is the speed left.
+#'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists
+#'   it; where in the end nothing acts at all, it is the speed left.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
 #'   (see [choose_model()], model `axle_drag`).
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
@@ -51,7 +51,8 @@ stopping <- function(scene) {
 terminal_omega <- function(scene, call) {
   knots <- scene$loads$knots
   last <- knots$outside[2]
-  if (last == 0 && !any(c("viscous", "motor", "quadratic", "friction") %in% core_effects("axle", scene))) {
+  resists <- c("viscous", "motor", "quadratic", "friction") %in% core_effects("axle", scene)
+  if (last == 0 && !any(resists)) {
     end <- max(scene$start_s, knots$time_s)
     return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s)
   }

@@ -30,8 +30,8 @@ sweep_parameters <- list(
 #'   is the same to the last bit for any number.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
-#'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms beyond
-#'   knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
+#'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms
+#'   beyond knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double
 #'   precision; they are NaN.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
@@ -216,7 +216,7 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
   scene <- new_scene_axle(
     NULL, 1, NULL, c(0, 0, 1), sum_torques(loads$knots),
     new_resistance(
-      if (any(columns$viscous_n_m_s < 0)) min(columns$viscous_n_m_s) else max(columns$viscous_n_m_s),
+      (if (any(columns$viscous_n_m_s < 0)) min else max)(columns$viscous_n_m_s),
       quadratic * 1, friction * 1, friction * 1
     ),
     0, 0, start_s

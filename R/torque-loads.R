@@ -198,7 +198,9 @@ scale_torque <- function(law, factor, call) {
   }
   numbers <- unlist(unclass(law)[c("torque_n_m", "outside", "stall_torque_n_m", "x")])
   if (!all(is.finite(c(factor, numbers)))) {
-    abort_rotdyn("The torque multiplied by {format(factor)} is beyond double precision.", "value", call)
+    abort_rotdyn(
+      "The torque multiplied by {format(factor)} is beyond double precision.", "value", call
+    )
   }
   law
 }

@@ -301,7 +301,8 @@ torque_spring <- function(stiffness_n_m_per_rad, rest_rad = 0) {
   )
   rest <- check_number(rest_rad, "rest_rad", "rad", call)
   new_term(
-    "spring", c(k, rest), paste0("a spring, ", format_si(k), " N m/rad about ", format_si(rest), " rad")
+    "spring", c(k, rest),
+    paste0("a spring, ", format_si(k), " N m/rad about ", format_si(rest), " rad")
   )
 }
 
@@ -324,7 +325,9 @@ torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per
   }
   new_term(
     "gravity", c(largest, rest),
-    paste0("gravity, at most ", format_si(abs(largest)), " N m, hanging at ", format_si(rest), " rad")
+    paste0(
+      "gravity, at most ", format_si(abs(largest)), " N m, hanging at ", format_si(rest), " rad"
+    )
   )
 }
 

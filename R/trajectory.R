@@ -20,11 +20,11 @@
 #' @param max_steps Steps that an integrator may try in one run before it gives up, beyond one for
 #'   each row.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
-#'   The trajectory of a [scene_rotors()] or a [scene_clutch()] has columns of its own, listed there.
-#'   [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()] the
-#'   balance, [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()] stops
-#'   and starts, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the columns
-#'   stand. A scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
+#'   The trajectory of a [scene_rotors()] or a [scene_clutch()] has columns of its own, listed
+#'   there. [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()]
+#'   the balance, [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()]
+#'   stops and starts, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the
+#'   columns stand. A scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
 #' @section Warnings: `rotdyn_warning_breaks` when breaks of a torque function had to be looked for;
 #'   `rotdyn_warning_accuracy` when the error figure exceeds the accuracy asked for.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or

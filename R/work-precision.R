@@ -6,9 +6,9 @@
 #'
 #' **The reference** is a closed form where one fits, else the integrator at the least accuracy it
 #' promises, or what you give as `reference`. It is never the run itself: a model that nothing else
-#' can be compared with has the reference `"none"`, and its true error is NA. A reference has an error
-#' too, `reference_error`. A true error below three times that is not resolved: it is set to that
-#' value and marked `floor`.
+#' can be compared with has the reference `"none"`, and its true error is NA. A reference has an
+#' error too, `reference_error`. A true error below three times that is not resolved: it is set to
+#' that value and marked `floor`.
 #'
 #' **The cost** is processor time, which other work on the machine does not count into. A run is
 #' repeated until a batch takes `least_batch_s`; the first batch is thrown away. Everything counts
@@ -163,8 +163,8 @@ method_of <- function(model, error_kind, peer) {
 
 # ---- the truth ----------------------------------------------------------------------------------
 
-# list(name, accuracy, columns, sizes, error): the columns of the measures, the sizes of these, and the
-# relative error. Rows are doubles, so none is better than half a unit of the last place.
+# list(name, accuracy, columns, sizes, error): the columns of the measures, the sizes of these, and
+# the relative error. Rows are doubles, so none is better than half a unit of the last place.
 new_truth <- function(name, accuracy, columns, sizes, error) {
   list(
     name = name, accuracy = accuracy, columns = columns, sizes = sizes,
@@ -375,7 +375,7 @@ peer_report <- function(value, name, columns, rows) {
   right <- function(x) is.numeric(x) && length(x) == rows
   if (!is.list(value) || !all(vapply(columns, function(of) right(value[[of]]), logical(1)))) {
     abort_rotdyn(
-      "The peer {.val {name}} must return a list with {.field {columns}}, one number for each time.",
+      "The peer {.val {name}} must return a list with {.field {columns}}, a number for each time.",
       "peer",
       NULL
     )

@@ -94,7 +94,8 @@ static const char *not_integrated(const void *of, const rot_query *query) {
 
 /* ---- predicted times ------------------------------------------------------------------------- *
  *
- * Processor time of the core alone, 2.6 GHz, gcc -O2; bench/costs.R compares them with the clock. */
+ * Processor time of the core alone, 2.6 GHz, gcc -O2; bench/costs.R compares them with the
+ * clock. */
 
 static double between(size_t n, const double x[], double from, double to) {
   return n ? (double)(rot_lower_bound(n, x, to) - rot_upper_bound(n, x, from)) : 0.0;
@@ -187,9 +188,10 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
   return r;
 }
 
-/* Two runs of steps, counted in the finer one: a few at the start and at breaks; accuracy to a power
- * times what lasts, or the first decay times; after these, stability limits an explicit step to some
- * 5 decay times, and an implicit one grows. seconds: the rate, its power, decay times, steps after. */
+/* Two runs of steps, counted in the finer one: a few at the start and at breaks; accuracy to a
+ * power times what lasts, or the first decay times; after these, stability limits an explicit step
+ * to some 5 decay times, and an implicit one grows. seconds: the rate, its power, decay times,
+ * steps after. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
                            int implicit) {
   const rot_axle_scene *scene = of;

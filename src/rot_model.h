@@ -54,7 +54,8 @@ typedef struct rot_constraint {
   const rot_effect *effects;
   const rot_model *models;
   unsigned (*effects_of)(const void *scene);
-  /* NULL: nothing may be dropped. An error beyond `worst` is of no use to the caller: Inf will do. */
+  /* NULL: nothing may be dropped. An error beyond `worst` is of no use to the caller: Inf will
+   * do. */
   void (*drop)(const void *scene, const rot_model *model, unsigned effects, const rot_query *query,
                double worst, rot_drop *drop);
 } rot_constraint;

@@ -49,8 +49,8 @@ double rot_term_at(const rot_term *term, double t, double theta, double theta_lo
 /* Whether length and x make sense: nothing may be read outside x. */
 int rot_term_valid(const rot_term *term);
 
-/* Finite times where the term jumps or kinks, unsorted; returns how many. With `out` NULL: room that
- * is enough. */
+/* Finite times where the term jumps or kinks, unsorted; returns how many. With `out` NULL: room
+ * that is enough. */
 size_t rot_term_breaks(const rot_term *term, double out[]);
 
 #endif

@@ -222,8 +222,11 @@ search '(cr[a]n|cl[o]ud)\.r-project\.org|deb\.d[e]bian\.org|registry\.n[p]mjs' |
 
 search '^(<{7}|>{7}) ' | rule "no conflict left in the files"
 
-# Code: R, C, shell.
+# Code: R, C, shell. Tables may be wider: rows of test data, rows of tables and inline code in help.
 code_files='\.([Rch]|sh|in|win)$|^(configure|cleanup|\.ci/run)$'
+files "$code_files" | tr '\n' '\0' | LC_ALL=C.UTF-8 xargs -0 grep -nE '.{101}' /dev/null |
+  grep -vE '^(tests/core/[^:]*:[0-9]*: *\{|R/[^:]*:[0-9]*:#. *[|`])' | cut -c 1-160 |
+  rule "lines of code have at most 100 columns"
 files "$code_files" | tr '\n' '\0' | xargs -0 grep -nE "$(printf '\t')|[[:space:]]\$" /dev/null |
   rule "code has no tab and no blank at the end of a line"
 
