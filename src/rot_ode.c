@@ -181,7 +181,7 @@ static int has_kinks(const job *j) { return j->p->kinks || j->kinks->missed; }
 
 /* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
  * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
- * that are not short. In the last digits the distance is rounding, which no finer run makes less. */
+ * that are not short. In the last digits the distance is rounding: no finer run makes it less. */
 #define MARGIN 4.0
 static double part_of_distance(const job *coarse, const job *fine, double ratio,
                                double rounding_share) {

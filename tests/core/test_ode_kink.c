@@ -45,8 +45,8 @@ static double uniform(uint64_t *seed) {
 
 enum { ROWS = 101 };
 
-/* Returns the largest error over the estimate, and counts the calls. NaN where the truth is in doubt:
- * its event may be missed where the motion only just touches the kink. */
+/* The largest error over the estimate; counts the calls. NaN where the truth is in doubt: its event
+ * may be missed where the motion only just touches the kink. */
 static double one(const law *l, const double start[2], double accuracy, int backward,
                   size_t *calls) {
   double t[ROWS], y[2 * ROWS], truth[2 * ROWS], error[2], largest[2], unused[2];
