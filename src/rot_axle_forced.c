@@ -361,25 +361,6 @@ static void settle(rot_axle_state *state) {
   state->theta_error += ROT_EPS * fabs(state->theta_rad);
 }
 
-rot_axle_state rot_axle_forced_step(const rot_axle_scene *scene, const rot_axle_state *from,
-                                    double time_s) {
-  const double base_s = from->time_s, low_s = time_s < base_s ? time_s : base_s;
-  const rot_torque *knots = &scene->linear.torque;
-  const rot_torque_piece piece =
-      rot_torque_piece_at(knots, rot_torque_find(knots, base_s, time_s >= base_s));
-  rot_axle_state to = rot_axle_step(&scene->linear, from, &piece, time_s);
-  if (time_s == base_s) return to;
-  for (size_t i = 0; i < scene->n_terms; i++) {
-    forced_term f;
-    prepare(&f, scene, &scene->terms[i], base_s, low_s);
-    if (!f.term) continue;
-    const forced_span at = make_span(scene, base_s, time_s, f.degree >= 0 ? f.degree + 2 : 0);
-    add_part(&to, &f, &at);
-  }
-  settle(&to);
-  return to;
-}
-
 /* ---- the pieces ----------------------------------------------------------------------------- */
 
 /* From one break or knot to the next. */

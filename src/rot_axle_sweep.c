@@ -68,18 +68,17 @@ static inline double larger(double x, double y) { return x > y ? x : y; } /* fma
 typedef struct linear_frame {
   const rot_axle_sweep_rows *rows;
   const rot_axle_sweep_columns *out;
-  const rot_torque *torque;
   const rot_torque_piece *pieces; /* from the one that holds the start */
   double start_n_m;               /* just after the start */
-  int tame;                       /* all knots are */
+  int well_scaled;                /* all knots are */
 } linear_frame;
 
-static int tame(double x) { return rot_well_scaled(x, 1e40); }
+static int well_scaled(double x) { return rot_well_scaled(x, 1e40); }
 
 typedef rot_axle_sweep_block block;
 enum { BLOCK = ROT_AXLE_SWEEP_BLOCK };
 
-static void tame_way(const linear_frame *frame, block *x) {
+static void pass_pieces(const linear_frame *frame, block *x) {
   const rot_torque_piece *piece = frame->pieces;
   const int wide = rot_wide_ok();
   double start_n_m = frame->start_n_m, last = x->end_s[0];
@@ -121,8 +120,8 @@ static void put_row(const rot_axle_sweep_columns *out, size_t i, const block *x,
 }
 
 /* A turn inside the piece, as in rot_axle_sweep_pass.h, for any numbers. */
-static void careful_turn(block *x, size_t l, const rot_axle_params *p, const rot_axle_state *from,
-                         const rot_axle_state *to, const rot_torque_piece *piece) {
+static void step_turn(block *x, size_t l, const rot_axle_params *p, const rot_axle_state *from,
+                      const rot_axle_state *to, const rot_torque_piece *piece) {
   const double a = rot_torque_in_piece(piece, from->time_s);
   const double b = rot_torque_in_piece(piece, to->time_s), s = to->time_s - from->time_s;
   const double excess = a - p->viscous_n_m_s * from->omega_rad_per_s,
@@ -136,7 +135,7 @@ static void careful_turn(block *x, size_t l, const rot_axle_params *p, const rot
   note(x, l, turn.time_s, turn.omega_rad_per_s, turn.omega_error);
 }
 
-static rot_status careful_way(const linear_frame *frame, double I, block *x, size_t l) {
+static rot_status step_pieces(const linear_frame *frame, double I, block *x, size_t l) {
   const double end_s = x->end_s[l], scale = x->scale[l];
   const rot_axle_params p = {.inertia_kg_m2 = I,
                              .viscous_n_m_s = x->c[l],
@@ -152,7 +151,7 @@ static rot_status careful_way(const linear_frame *frame, double I, block *x, siz
     const rot_axle_state from = state;
     state = rot_axle_step(&p, &from, &piece, stop);
     if (!rot_axle_in_range(&state)) return ROT_ERANGE;
-    if (piece.start_n_m != piece.end_n_m) careful_turn(x, l, &p, &from, &state, &piece);
+    if (piece.start_n_m != piece.end_n_m) step_turn(x, l, &p, &from, &state, &piece);
     note(x, l, stop, state.omega_rad_per_s, state.omega_error);
     if (fabs(state.theta_rad) > x->theta_max[l]) x->theta_max[l] = fabs(state.theta_rad);
     if (end_s <= piece.end_s) break;
@@ -184,7 +183,7 @@ static void put_block(const linear_frame *frame, block *b, const size_t row[], s
   for (size_t l = filled; l < BLOCK; l++) { /* empty places end where they start */
     fill_place(b, l, 1.0, 0.0, 0.0, start_s, start_s, 0.0, 0.0);
   }
-  tame_way(frame, b);
+  pass_pieces(frame, b);
   for (size_t l = 0; l < filled; l++) put_row(frame->out, row[l], b, l, ROT_OK);
 }
 
@@ -201,11 +200,12 @@ static void linear_rows(const void *data, size_t first, size_t last) {
     const int possible = I > 0.0 && end_s >= start_s && isfinite(I) && isfinite(c) &&
                          isfinite(scale) && isfinite(w0) && isfinite(theta0) && isfinite(end_s);
     fill_place(&b, filled, I, c, scale, start_s, end_s, theta0, w0);
-    if (possible && frame->tame && c >= 0.0 && tame(I) && tame(c) && tame(scale) && tame(w0) &&
-        tame(theta0) && tame(end_s - start_s)) {
+    if (possible && frame->well_scaled && c >= 0.0 && well_scaled(I) && well_scaled(c) &&
+        well_scaled(scale) && well_scaled(w0) && well_scaled(theta0) &&
+        well_scaled(end_s - start_s)) {
       row[filled++] = i;
     } else {
-      put_row(frame->out, i, &b, filled, possible ? careful_way(frame, I, &b, filled) : ROT_EVALUE);
+      put_row(frame->out, i, &b, filled, possible ? step_pieces(frame, I, &b, filled) : ROT_EVALUE);
     }
     if (filled == BLOCK) {
       put_block(frame, &b, row, filled);
@@ -222,12 +222,13 @@ rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_
   rot_torque_piece *pieces = malloc(n * sizeof *pieces);
   rot_info_clear(info, NULL);
   if (!pieces) return info->status = ROT_ENOMEM;
-  linear_frame frame = {rows, out, torque, pieces, 0.0, 1};
+  linear_frame frame = {rows, out, pieces, 0.0, 1};
   for (size_t j = 0; j < n; j++) {
     pieces[j] = rot_torque_piece_at(torque, k + j);
-    frame.tame =
-        frame.tame && tame(pieces[j].start_n_m) && tame(pieces[j].end_n_m) &&
-        (pieces[j].start_n_m == pieces[j].end_n_m || tame(pieces[j].end_s - pieces[j].start_s));
+    frame.well_scaled = frame.well_scaled && well_scaled(pieces[j].start_n_m) &&
+                        well_scaled(pieces[j].end_n_m) &&
+                        (pieces[j].start_n_m == pieces[j].end_n_m ||
+                         well_scaled(pieces[j].end_s - pieces[j].start_s));
   }
   frame.start_n_m = rot_torque_in_piece(&pieces[0], rows->start_s);
   const rot_status status = sweep(linear_rows, &frame, rows->n, LINEAR_CHUNK, threads, hooks, info);

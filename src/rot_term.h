@@ -41,8 +41,6 @@ typedef struct rot_term {
   const double *x;
 } rot_term;
 
-static inline int rot_term_of_time(const rot_term *term) { return term->kind < ROT_TERM_CURVE; }
-
 /* Torque of the term, N m; after the jump at a jump. The angle is theta + theta_lo. */
 double rot_term_at(const rot_term *term, double t, double theta, double theta_lo, double omega);
 
