@@ -26,10 +26,9 @@ core_candidates <- function(constraint, scene, time_s, accuracy, law_s = 1e-6) {
   .Call(ffi_choice_table, constraint, scene, time_s, accuracy, law_s)
 }
 
-# list(model, dropped, on_trial, reason): the models to run, cheapest first, of which the first
-# `on_trial` are kept only if their run reaches the accuracy; `dropped` belongs to the last.
-# character() if none applies. With `model`, the id of one, that one: `reason` is NULL, or why it
-# does not apply.
+# list(model, dropped, applies, reason): the models to run, cheapest first, all but the last on
+# trial (and the last, where no other applies), and what each leaves out, as above; character() if
+# none applies. With `model`, the id of one, that one: whether it applies, and the reason if not.
 core_pick <- function(constraint, scene, time_s, accuracy, law_s = 1e-6, model = NULL) {
   .Call(ffi_choice_pick, constraint, scene, time_s, accuracy, law_s, model)
 }

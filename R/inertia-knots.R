@@ -22,15 +22,11 @@ inertia_knots <- function(time_s, moment_of_inertia_kg_m2) {
   time_s <- check_finite(time_s, "time_s", "s", call)
   moment <- check_finite(moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call)
   if (length(time_s) != length(moment) || length(time_s) < 2L) {
-    abort_rotdyn(
-      c(
-        "Every knot needs a time and a moment of inertia, and there must be two at least.",
-        x = "{.arg time_s} has length {length(time_s)}, {.arg moment_of_inertia_kg_m2} has length
-             {length(moment)}."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "Every knot needs a time and a moment of inertia, and there must be two at least.",
+      x = "{.arg time_s} has length {length(time_s)}, {.arg moment_of_inertia_kg_m2} has length
+           {length(moment)}."
+    ), "size", call)
   }
   if (is.unsorted(time_s)) {
     abort_rotdyn("{.arg time_s} must not go back in time.", "time", call)

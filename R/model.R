@@ -64,14 +64,11 @@ models <- function() {
   )
 }
 
-# A fit: list(record, scene: what it will solve, dropped: NULL or what was left out, reason: NULL or
-# why the model does not fit, result: NULL or that of a run on trial, error, cost_s).
-new_fit <- function(record, constraint, scene, dropped, reason, error, cost_s) {
+# How a model runs a scene: list(record, scene: what it will solve, dropped: NULL or what was left
+# out, reason: NULL or why it does not fit, result: NULL or that of a run on trial).
+new_fit <- function(record, constraint, scene, dropped, reason = NULL) {
   if (!is.null(dropped)) scene <- constraint$without(scene, dropped$effects)
-  list(
-    record = record, scene = scene, dropped = dropped, reason = reason, result = NULL,
-    error = error, cost_s = cost_s
-  )
+  list(record = record, scene = scene, dropped = dropped, reason = reason, result = NULL)
 }
 
 too_coarse <- function(error, accuracy) {
@@ -80,13 +77,12 @@ too_coarse <- function(error, accuracy) {
   }
 }
 
-# A model of R on a scene; where it does not take all effects, without them if `drop` allows and
-# that changes little enough.
-fit_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
-  effects <- constraint$effects_of(scene)
-  missing <- setdiff(effects, record$handles)
+# A row of candidates(): a model of R on a scene; where it does not take all effects, without them
+# if `drop` allows and that changes little enough.
+judge_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
+  missing <- setdiff(constraint$effects_of(scene), record$handles)
   error <- record$error(accuracy)
-  dropped <- reason <- NULL
+  dropped <- NULL
   if (length(missing)) {
     reason <- paste("it does not take", effects_in_words(missing, constraint))
     if (drop && record$error_kind == "bound" && !is.null(constraint$drop_bound)) {
@@ -100,31 +96,32 @@ fit_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
   } else {
     reason <- record$why_not(scene, time_s) %||% too_coarse(error, accuracy)
   }
-  cost <- record$cost(scene, length(time_s), accuracy)
-  new_fit(record, constraint, scene, dropped, reason, error, cost)
+  list(
+    model = record$id, applies = is.null(reason), error = error, error_kind = record$error_kind,
+    cost_s = record$cost(scene, length(time_s), accuracy),
+    reason = reason %||% (if (is.null(dropped)) NA_character_ else {
+      describe_dropped(dropped, constraint)
+    }),
+    dropped = list(dropped)
+  )
 }
 
-# All models of a scene, cheapest first. An effect is left out only where no closed form takes the
-# scene as it is.
+# All models of a scene, cheapest first, in the columns of core_candidates(). An effect is left out
+# only where no closed form takes the scene unchanged.
 candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
+  table <- if (constraint$core) core_candidates(constraint$id, scene, time_s, accuracy, law_s)
+  if (constraint$all_core) {
+    return(table)
+  }
   own <- Filter(function(record) is.null(record$core), constraint$models)
-  try_own <- function(drop) {
-    lapply(own, fit_model, constraint, scene, time_s, accuracy, drop, call)
+  judge <- function(drop) {
+    rows <- lapply(unname(own), judge_model, constraint, scene, time_s, accuracy, drop, call)
+    do.call(Map, c(c, rows))
   }
-  fits <- try_own(FALSE)
-  exact <- function(fit) is.null(fit$reason) && fit$record$error_kind == "bound"
-  if (constraint$core) {
-    table <- core_candidates(constraint$id, scene, time_s, accuracy, law_s)
-    fits <- c(fits, lapply(seq_along(table$model), function(i) {
-      new_fit(
-        constraint$models[[table$model[i]]], constraint, scene, table$dropped[[i]],
-        if (!table$applies[i]) table$reason[i], table$error[i], table$cost_s[i]
-      )
-    }))
-  } else if (!any(vapply(fits, exact, logical(1)))) {
-    fits <- try_own(TRUE)
-  }
-  unname(fits)[order(vapply(fits, function(fit) fit$cost_s, double(1)))]
+  rows <- judge(FALSE)
+  if (is.null(table) && !any(rows$applies & rows$error_kind == "bound")) rows <- judge(TRUE)
+  table <- if (is.null(table)) rows else Map(c, table, rows)
+  lapply(table, `[`, order(table$cost_s))
 }
 
 # A model on trial is run, and kept if its error is good enough.
@@ -144,27 +141,23 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
   if (!is.null(model)) {
     return(named_model(constraint, scene, time_s, accuracy, model, max_steps, call))
   }
-  if (constraint$all_core) {
-    pick <- core_pick(constraint$id, scene, time_s, accuracy)
-    n <- length(pick$model)
-    for (i in seq_len(n)) {
-      fit <- new_fit(
-        constraint$models[[pick$model[i]]], constraint, scene, if (i == n) pick$dropped, NULL, 0, 0
-      )
-      if (i <= pick$on_trial) fit <- try_model(fit, time_s, accuracy, max_steps, call)
-      if (is.null(fit$reason)) {
-        return(fit)
-      }
-    }
+  pick <- if (constraint$all_core) {
+    core_pick(constraint$id, scene, time_s, accuracy)
+  } else {
+    table <- candidates(constraint, scene, time_s, accuracy, call)
+    lapply(table[c("model", "dropped")], `[`, table$applies)
   }
-  fits <- candidates(constraint, scene, time_s, accuracy, call)
-  for (fit in fits) {
-    fit <- try_model(fit, time_s, accuracy, max_steps, call)
+  tried <- double()
+  for (i in seq_along(pick$model)) {
+    record <- constraint$models[[pick$model[i]]]
+    fit <- new_fit(record, constraint, scene, pick$dropped[[i]])
+    if (isTRUE(record$on_trial)) fit <- try_model(fit, time_s, accuracy, max_steps, call)
     if (is.null(fit$reason)) {
       return(fit)
     }
+    tried <- c(tried, fit$result$info$error)
   }
-  abort_no_model(fits, scene, time_s, accuracy, call)
+  abort_no_model(constraint, scene, time_s, accuracy, tried, call)
 }
 
 #' Choose a model for a scene
@@ -208,36 +201,29 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
   constraint <- constraint_of(scene)
   law <- scene[["loads"]]$law
   law_s <- if (is.null(law)) 0 else tryCatch(law_seconds(law, scene), error = function(e) 1e-6)
-  fits <- candidates(constraint, scene, time_s, accuracy, call, law_s)
-  fits <- lapply(fits, try_model, time_s, accuracy, 1e6, call)
-  applies <- vapply(fits, function(fit) is.null(fit$reason), logical(1))
-  if (!any(applies)) {
-    abort_no_model(fits, scene, time_s, accuracy, call)
+  table <- candidates(constraint, scene, time_s, accuracy, call, law_s)
+  records <- constraint$models[table$model]
+  tried <- double()
+  for (i in which(table$applies)) {
+    if (!isTRUE(records[[i]]$on_trial)) next
+    fit <- new_fit(records[[i]], constraint, scene, NULL)
+    fit <- try_model(fit, time_s, accuracy, 1e6, call)
+    table$error[i] <- fit$result$info$error
+    tried <- c(tried, table$error[i])
+    table$applies[i] <- is.null(fit$reason)
+    table$reason[i] <- fit$reason %||% NA
   }
-  chosen <- which(applies)[1]
-  id <- vapply(fits, function(fit) fit$record$id, character(1))
-  tibble::new_tibble(list(
-    model = id,
-    applies = applies,
-    error = vapply(fits, function(fit) {
-      if (is.null(fit$result)) fit$error else fit$result$info$error
-    }, double(1)),
-    error_kind = vapply(fits, function(fit) fit$record$error_kind, character(1)),
-    cost_s = vapply(fits, function(fit) fit$cost_s, double(1)),
-    chosen = seq_along(id) == chosen,
-    reason = vapply(seq_along(fits), function(i) {
-      fit <- fits[[i]]
-      if (!is.null(fit$reason)) {
-        fit$reason
-      } else if (!is.null(fit$dropped)) {
-        describe_dropped(fit$dropped, constraint)
-      } else if (i == chosen) {
-        fit$record$why
-      } else {
-        paste0("fits, but ", id[chosen], " is cheaper")
-      }
-    }, character(1))
-  ), nrow = length(id))
+  chosen <- match(TRUE, table$applies)
+  if (is.na(chosen)) {
+    abort_no_model(constraint, scene, time_s, accuracy, tried, call)
+  }
+  reason <- table$reason
+  reason[is.na(reason)] <- paste0("fits, but ", table$model[chosen], " is cheaper")
+  if (is.na(table$reason[chosen])) reason[chosen] <- records[[chosen]]$why
+  tibble::new_tibble(c(
+    table[c("model", "applies", "error", "error_kind", "cost_s")],
+    list(chosen = seq_along(reason) == chosen, reason = reason)
+  ), nrow = length(reason))
 }
 
 check_scene <- function(scene, call) {
@@ -248,68 +234,55 @@ check_scene <- function(scene, call) {
   abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
 }
 
-abort_no_model <- function(fits, scene, time_s, accuracy, call) {
-  constraint <- constraint_of(scene)
+# `tried`: errors of the models that were run on trial.
+abort_no_model <- function(constraint, scene, time_s, accuracy, tried, call) {
   effects <- constraint$effects_of(scene)
-  takes <- Filter(function(fit) all(effects %in% fit$record$handles), fits)
-  why_not <- lapply(takes, function(fit) fit$record$why_not(scene, time_s))
-  fits_now <- vapply(why_not, is.null, logical(1))
-  if (!any(fits_now)) {
-    abort_rotdyn(
-      c(
-        "No model can run this scene at these times.",
-        x = paste0(
-          "{.arg time_s} begins at {format(time_s[1])} s, ",
-          "the scene at {format(scene$start_s)} s."
-        ),
-        i = "{.field {takes[[1]]$record$id}}: {why_not[[1]]}."
+  takes <- Filter(function(record) all(effects %in% record$handles), constraint$models)
+  why_not <- lapply(takes, function(record) record$why_not(scene, time_s))
+  fits <- vapply(why_not, is.null, logical(1))
+  if (!any(fits)) {
+    abort_rotdyn(c(
+      "No model can run this scene at these times.",
+      x = paste0(
+        "{.arg time_s} begins at {format(time_s[1])} s, ",
+        "the scene at {format(scene$start_s)} s."
       ),
-      "time",
-      call
-    )
+      i = "{.field {takes[[1]]$id}}: {why_not[[1]]}."
+    ), "time", call)
   }
-  best <- min(vapply(takes[fits_now], function(fit) {
-    if (is.null(fit$result)) fit$error else fit$result$info$error
-  }, double(1)), na.rm = TRUE)
-  abort_rotdyn(
-    c(
-      "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
-      i = "The best that one promises is {format(best, digits = 2)}."
-    ),
-    "accuracy",
-    call
-  )
+  promised <- vapply(takes[fits], function(record) {
+    if (isTRUE(record$on_trial)) Inf else record$error(accuracy)
+  }, double(1))
+  best <- min(promised, tried)
+  abort_rotdyn(c(
+    "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
+    i = "The best that one promises is {format(best, digits = 2)}."
+  ), "accuracy", call)
 }
 
 named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, call) {
   ids <- names(constraint$models)
   if (!rlang::is_string(model) || !model %in% ids) {
-    abort_rotdyn(
-      c(
-        "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
-        x = "It is {describe_value(model)}."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
+      x = "It is {describe_value(model)}."
+    ), "model", call)
   }
   record <- constraint$models[[model]]
-  fit <- if (is.null(record$core)) {
-    fit_model(record, constraint, scene, time_s, accuracy, TRUE, call)
+  pick <- if (is.null(record$core)) {
+    judge_model(record, constraint, scene, time_s, accuracy, TRUE, call)
   } else {
-    pick <- core_pick(constraint$id, scene, time_s, accuracy, model = model)
-    new_fit(record, constraint, scene, pick$dropped, pick$reason, 0, 0)
+    core_pick(constraint$id, scene, time_s, accuracy, model = model)
   }
+  fit <- new_fit(
+    record, constraint, scene, pick$dropped[[1]], if (!isTRUE(pick$applies)) pick$reason
+  )
   fit <- try_model(fit, time_s, accuracy, max_steps, call)
   if (!is.null(fit$reason)) {
-    abort_rotdyn(
-      c(
-        "Model {.val {model}} does not fit: {fit$reason}.",
-        i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "Model {.val {model}} does not fit: {fit$reason}.",
+      i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
+    ), "model", call)
   }
   fit
 }

@@ -33,15 +33,11 @@ resistance <- function(viscous_n_m_s = 0, quadratic_n_m_s2 = 0, coulomb_n_m = 0,
   coulomb <- check_number(coulomb_n_m, "coulomb_n_m", "N*m", call, lower = 0)
   static <- check_number(static_n_m, "static_n_m", "N*m", call, lower = 0)
   if (static < coulomb) {
-    abort_rotdyn(
-      c(
-        "{.arg static_n_m} must be at least {.arg coulomb_n_m}.",
-        x = "They are {format(static)} and {format(coulomb)} N m.",
-        i = "A body that breaks loose would stop at once otherwise."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg static_n_m} must be at least {.arg coulomb_n_m}.",
+      x = "They are {format(static)} and {format(coulomb)} N m.",
+      i = "A body that breaks loose would stop at once otherwise."
+    ), "value", call)
   }
   new_resistance(viscous, quadratic, coulomb, static)
 }

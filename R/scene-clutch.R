@@ -82,16 +82,12 @@ one_inertia <- function(body, arg, call) {
 # Torque i + 1 holds from time i on.
 torque_steps_of <- function(torque, arg, call) {
   refuse <- function() {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be constant between jumps.",
-        x = "It is {describe_torque(torque)}.",
-        i = "A jump is two knots at one time, as in
-             {.code torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))}."
-      ),
-      "torque",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be constant between jumps.",
+      x = "It is {describe_torque(torque)}.",
+      i = "A jump is two knots at one time, as in
+           {.code torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))}."
+    ), "torque", call)
   }
   loads <- torque_loads(torque)
   if (length(loads$terms) || !is.null(loads$law) || loads$motor_n_m_s != 0) {

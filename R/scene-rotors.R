@@ -82,14 +82,10 @@ check_inertias <- function(bodies, arg, call) {
   }
   bad <- which(!(is.finite(inertia) & inertia > 0))
   if (length(bad)) {
-    abort_rotdyn(
-      c(
-        "Every body must have a moment of inertia about the axle, finite and greater than 0.",
-        x = "That of body {bad[1]} in {.arg {arg}} is {format(inertia[bad[1]])} kg m^2."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "Every body must have a moment of inertia about the axle, finite and greater than 0.",
+      x = "That of body {bad[1]} in {.arg {arg}} is {format(inertia[bad[1]])} kg m^2."
+    ), "value", call)
   }
   inertia
 }
@@ -100,8 +96,7 @@ check_each <- function(x, arg, unit, size, lower, call) {
   if (!length(x) %in% c(1L, size)) {
     abort_rotdyn(
       c("{.arg {arg}} must have length 1 or {size}.", x = "It has length {length(x)}."),
-      "size",
-      call
+      "size", call
     )
   }
   bad <- which(x < lower)

@@ -192,25 +192,17 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
 # has lost digits.
 check_turns <- function(inertia, call, computed = FALSE) {
   if (is.finite(inertia) && inertia > 0 && computed && inertia < .Machine$double.xmin) {
-    abort_rotdyn(
-      c(
-        "The moment of inertia is below what double precision resolves.",
-        x = "It is about {format(inertia)} kg m^2."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "The moment of inertia is below what double precision resolves.",
+      x = "It is about {format(inertia)} kg m^2."
+    ), "value", call)
   }
   if (!(is.finite(inertia) && inertia > 0)) {
-    abort_rotdyn(
-      c(
-        "The body must have a moment of inertia about its axle, finite and greater than 0.",
-        x = "It is {format(inertia)} kg m^2.",
-        i = "Without inertia there is no equation of motion: check mass, size and {.arg axis}."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "The body must have a moment of inertia about its axle, finite and greater than 0.",
+      x = "It is {format(inertia)} kg m^2.",
+      i = "Without inertia there is no equation of motion: check mass, size and {.arg axis}."
+    ), "value", call)
   }
 }
 

@@ -31,14 +31,10 @@ stopping <- function(scene) {
   )
   why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
   if (!is.null(why_not)) {
-    abort_rotdyn(
-      c(
-        "There is no closed form of when this scene stops: {why_not}.",
-        i = "{.fn trajectory} and {.fn motion_events} show it."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "There is no closed form of when this scene stops: {why_not}.",
+      i = "{.fn trajectory} and {.fn motion_events} show it."
+    ), "model", call)
   }
   x <- .Call(ffi_axle_stopping, scene)
   tibble::tibble(

@@ -55,8 +55,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   if (!is.data.frame(parameters)) {
     abort_rotdyn(
       c("{.arg parameters} must be a data frame.", x = "It is {describe_value(parameters)}."),
-      "type",
-      call
+      "type", call
     )
   }
   twice <- names(parameters)[duplicated(names(parameters))]
@@ -94,15 +93,11 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   failed <- which(result[[2]] != 0L & known)
   if (some_missing) out <- lapply(out, function(x) replace(x, !known, NA_real_))
   if (length(failed)) {
-    warn_rotdyn(
-      c(
-        "{length(failed)} row{?s} left the range of double precision.",
-        i = "{cli::qty(length(failed))}Row{?s}
-             {cli::cli_vec(format(failed, trim = TRUE), list('vec-trunc' = 6))} {?is/are} NaN."
-      ),
-      "range",
-      call
-    )
+    warn_rotdyn(c(
+      "{length(failed)} row{?s} left the range of double precision.",
+      i = "{cli::qty(length(failed))}Row{?s}
+           {cli::cli_vec(format(failed, trim = TRUE), list('vec-trunc' = 6))} {?is/are} NaN."
+    ), "range", call)
   }
   data <- tibble::as_tibble(parameters)
   data[sweep_columns] <- out
@@ -117,15 +112,11 @@ empty_sweep <- function() {
 sweep_inputs <- function(parameters, time_s, call) {
   n <- nrow(parameters)
   if (is.null(parameters[["moment_of_inertia_kg_m2"]])) {
-    abort_rotdyn(
-      c(
-        "{.arg parameters} must have a column {.field moment_of_inertia_kg_m2}.",
-        i = "Its columns are {.field {names(parameters)}}.",
-        i = "{.fn inertia_table} computes it for the standard shapes."
-      ),
-      "missing",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg parameters} must have a column {.field moment_of_inertia_kg_m2}.",
+      i = "Its columns are {.field {names(parameters)}}.",
+      i = "{.fn inertia_table} computes it for the standard shapes."
+    ), "missing", call)
   }
   columns <- lapply(names(sweep_parameters), function(name) {
     unit <- sweep_parameters[[name]][[1]]
@@ -143,25 +134,17 @@ sweep_inputs <- function(parameters, time_s, call) {
   if (is.null(columns$static_n_m)) columns$static_n_m <- columns$coulomb_n_m
   if (is.null(time_s)) time_s <- parameters[["time_s"]]
   if (is.null(time_s)) {
-    abort_rotdyn(
-      c(
-        "{.arg time_s} is missing: when does each row end?",
-        i = "Give one time, one for each row, or a column {.field time_s}."
-      ),
-      "missing",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} is missing: when does each row end?",
+      i = "Give one time, one for each row, or a column {.field time_s}."
+    ), "missing", call)
   }
   columns$time_s <- check_column(time_s, "time_s", "s", call)
   if (!length(columns$time_s) %in% c(1L, n)) {
-    abort_rotdyn(
-      c(
-        "{.arg time_s} must have one time, or one for each row.",
-        x = "It has {length(columns$time_s)}, and there are {n} rows."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} must have one time, or one for each row.",
+      x = "It has {length(columns$time_s)}, and there are {n} rows."
+    ), "size", call)
   }
   columns
 }
@@ -188,23 +171,18 @@ check_sweep_rows <- function(columns, known, start_s, call) {
     NA
   }
   if (!is.na(bad)) {
-    abort_rotdyn(
-      c(
-        "{.arg time_s} must not lie before {.arg start_s}.",
-        x = "Row {bad} ends at {format(rep_len(columns$time_s, length(known))[bad])} s, all begin
-             at {format(start_s)} s."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} must not lie before {.arg start_s}.",
+      x = "Row {bad} ends at {format(rep_len(columns$time_s, length(known))[bad])} s, all begin
+           at {format(start_s)} s."
+    ), "time", call)
   }
   slips <- columns$static_n_m < columns$coulomb_n_m
   bad <- if (any(slips, na.rm = TRUE)) first(rep_len(slips, length(known))) else NA
   if (!is.na(bad)) {
     abort_rotdyn(
       "{.arg static_n_m} must be at least {.arg coulomb_n_m}: it is less in row {bad}.",
-      "value",
-      call
+      "value", call
     )
   }
 }
@@ -243,18 +221,14 @@ sweep_model <- function(scene, columns, call) {
   scaled <- any(columns$torque_scale != 1) &&
     (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
   if (!any(takes) || scaled) {
-    abort_rotdyn(
-      c(
-        "There is no closed form for these rows ({scene_words(scene)}).",
-        i = if (scaled) {
-          "{.field torque_scale} scales knots only: scale the law itself, {.code 2 * law}."
-        } else {
-          "{.fn trajectory} integrates one scene at a time."
-        }
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "There is no closed form for these rows ({scene_words(scene)}).",
+      i = if (scaled) {
+        "{.field torque_scale} scales knots only: scale the law itself, {.code 2 * law}."
+      } else {
+        "{.fn trajectory} integrates one scene at a time."
+      }
+    ), "model", call)
   }
   fits$model[takes][1]
 }

@@ -35,9 +35,7 @@ law_breaks <- function(law, at, from, to, call) {
           "The function was sampled every ", format(spacing, digits = 2),
           " s: anything shorter is not seen. Give `torque_function(f, breaks_s = )`."
         )
-      ),
-      "breaks",
-      call
+      ), "breaks", call
     )
   }
   list(stops = sort(c(scan$breaks, scan$guards)), spacing_s = spacing)

@@ -25,14 +25,10 @@ scale_term <- function(term, factor) {
 check_window <- function(from_s, to_s, call) {
   window <- c(check_end(from_s, "from_s", call), check_end(to_s, "to_s", call))
   if (!(window[1] < window[2])) {
-    abort_rotdyn(
-      c(
-        "{.arg from_s} must lie before {.arg to_s}.",
-        x = "They are {format(window[1])} and {format(window[2])} s."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg from_s} must lie before {.arg to_s}.",
+      x = "They are {format(window[1])} and {format(window[2])} s."
+    ), "time", call)
   }
   window
 }
@@ -155,16 +151,12 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
   short <- which(!(abs((end - columns$start_s) - columns$duration_s) <= 1e-3 * columns$duration_s))
   if (length(short)) {
     i <- short[1]
-    abort_rotdyn(
-      c(
-        "A pulse of {format(columns$duration_s[i])} s at {format(columns$start_s[i])} s is shorter
-         than double precision resolves there.",
-        i = "Its impulse, {format(columns$duration_s[i] * columns$torque_n_m[i])} N m s, can be
-             given as a change of {.arg omega0_rad_per_s}; or let the scene start nearer to it."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "A pulse of {format(columns$duration_s[i])} s at {format(columns$start_s[i])} s is shorter
+       than double precision resolves there.",
+      i = "Its impulse, {format(columns$duration_s[i] * columns$torque_n_m[i])} N m s, can be
+           given as a change of {.arg omega0_rad_per_s}; or let the scene start nearer to it."
+    ), "time", call)
   }
   # Where the end is rounded the torque is scaled, so that the impulse is kept.
   lasts <- end - columns$start_s
@@ -187,14 +179,10 @@ torque_polynomial <- function(breaks_s, coefficients) {
   a <- if (is.null(shape)) matrix(x, nrow = 1L) else matrix(x, shape[1], shape[2])
   n <- length(breaks_s) - 1L
   if (nrow(a) != n || ncol(a) < 1L) {
-    abort_rotdyn(
-      c(
-        "{.arg coefficients} must have one row for each piece.",
-        x = "{.arg breaks_s} makes {n} piece{?s}, {.arg coefficients} has {nrow(a)} row{?s}."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg coefficients} must have one row for each piece.",
+      x = "{.arg breaks_s} makes {n} piece{?s}, {.arg coefficients} has {nrow(a)} row{?s}."
+    ), "size", call)
   }
   # Trailing zeros do not raise the degree.
   degree <- max(which(colSums(abs(a)) > 0), 1L)
@@ -260,15 +248,11 @@ torque_motor <- function(stall_torque_n_m, no_load_omega_rad_per_s) {
   fast <- check_number(no_load_omega_rad_per_s, "no_load_omega_rad_per_s", "rad/s", call)
   slope <- stall / fast
   if (!is.finite(slope) || slope < 0) {
-    abort_rotdyn(
-      c(
-        "A motor's torque must fall with its speed.",
-        x = "The stall torque is {format(stall)} N m, the no-load speed {format(fast)} rad/s.",
-        i = "Both must have the same sign, and the speed must not be 0."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "A motor's torque must fall with its speed.",
+      x = "The stall torque is {format(stall)} N m, the no-load speed {format(fast)} rad/s.",
+      i = "Both must have the same sign, and the speed must not be 0."
+    ), "value", call)
   }
   new_torque("rot_torque_motor", stall_torque_n_m = stall, no_load_omega_rad_per_s = fast)
 }
@@ -333,14 +317,10 @@ torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per
 
 check_lengths <- function(x, torque_n_m, call) {
   if (length(torque_n_m) != length(x)) {
-    abort_rotdyn(
-      c(
-        "{.arg torque_n_m} must have one number for each point.",
-        x = "There are {length(x)} points and {length(torque_n_m)} torques."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg torque_n_m} must have one number for each point.",
+      x = "There are {length(x)} points and {length(torque_n_m)} torques."
+    ), "size", call)
   }
 }
 
@@ -350,8 +330,7 @@ check_increasing <- function(x, arg, unit, call) {
   if (length(x) < least) {
     abort_rotdyn(
       c("{.arg {arg}} must have at least {least} element{?s}.", x = "It has {length(x)}."),
-      "size",
-      call
+      "size", call
     )
   }
   if (is.unsorted(x, strictly = TRUE)) {

@@ -90,15 +90,11 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
       info = info
     )
   } else if (n && !(info$error <= accuracy)) {
-    warn_rotdyn(
-      c(
-        "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
-         than the accuracy of {format(accuracy)} asked for.",
-        i = "{record$loses %||% \"Large terms of two signs cancel in this motion.\"}"
-      ),
-      "accuracy",
-      call
-    )
+    warn_rotdyn(c(
+      "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
+       than the accuracy of {format(accuracy)} asked for.",
+      i = "{record$loses %||% \"Large terms of two signs cancel in this motion.\"}"
+    ), "accuracy", call)
   }
   new_trajectory(columns, n * each, list(
     scene = scene,

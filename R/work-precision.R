@@ -97,14 +97,10 @@ check_peers <- function(peers, call) {
   named <- length(peers) == 0L || (!is.null(names(peers)) && all(nzchar(names(peers))) &&
     !anyDuplicated(names(peers)))
   if (!is.list(peers) || !named || !all(vapply(peers, is.function, logical(1)))) {
-    abort_rotdyn(
-      c(
-        "{.arg peers} must be a list of functions, each with a name of its own.",
-        x = "It is {describe_value(peers)}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg peers} must be a list of functions, each with a name of its own.",
+      x = "It is {describe_value(peers)}."
+    ), "type", call)
   }
 }
 
@@ -125,14 +121,10 @@ list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
     rlang::cnd_signal(e)
   })$model
   if (!is.null(models) && !(is.character(models) && all(models %in% known))) {
-    abort_rotdyn(
-      c(
-        "{.arg models} must be NULL or some of {.val {known}}.",
-        x = "It is {if (is.character(models)) cli::cli_vec(models) else describe_value(models)}."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg models} must be NULL or some of {.val {known}}.",
+      x = "It is {if (is.character(models)) cli::cli_vec(models) else describe_value(models)}."
+    ), "model", call)
   }
   each <- lapply(accuracies, function(accuracy) {
     fit <- models_that_fit(scene, time_s, accuracy)
@@ -208,14 +200,10 @@ find_references <- function(scene, time_s, reference, constraint, call) {
     }
   }
   if (length(found) == 0L) {
-    abort_rotdyn(
-      c(
-        "No model can serve as reference for this scene: every run failed.",
-        i = "{.fn trajectory} says why; {.arg reference} takes values of your own."
-      ),
-      "accuracy",
-      call
-    )
+    abort_rotdyn(c(
+      "No model can serve as reference for this scene: every run failed.",
+      i = "{.fn trajectory} says why; {.arg reference} takes values of your own."
+    ), "accuracy", call)
   }
   found
 }
@@ -250,14 +238,10 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
   }
   wanted <- c(columns, "error")
   if (!is.list(reference) || !all(wanted %in% names(reference))) {
-    abort_rotdyn(
-      c(
-        "{.arg reference} must be NULL, a {.cls rot_trajectory}, or a list with {.field {wanted}}.",
-        x = "It is {describe_value(reference)}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg reference} must be NULL, a {.cls rot_trajectory}, or a list with {.field {wanted}}.",
+      x = "It is {describe_value(reference)}."
+    ), "type", call)
   }
   values <- lapply(columns, function(name) {
     check_finite(reference[[name]], paste0("reference$", name), "1", call)
@@ -426,8 +410,7 @@ tell_warnings <- function(heard, failed, call) {
     lines <- paste0("{failed[", seq_along(failed), "]}") # their text is no template
     warn_rotdyn(
       c("{length(failed)} run{?s} failed and {?has/have} no row.", rlang::set_names(lines, "x")),
-      "failed",
-      call
+      "failed", call
     )
   }
 }
