@@ -176,14 +176,14 @@ static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
 
 /* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
  * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
- * that are not short. In the last digits the distance is rounding, which no finer run makes less. */
-#define MARGIN 4.0
+ * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is rounding, which no finer run makes less. */
 static double part_of_distance(const job *coarse, const job *fine, double ratio,
                                double rounding_share) {
   if (fine->p->kinks) return KINK_MARGIN;
   const double fell = coarse->found > 0.0 ? fine->found / coarse->found / ratio : 0.0;
   const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
-  return part < 0.5 ? fmin(1.0, MARGIN * part / (1.0 - part) + rounding_share) : 1.0;
+  const double margin = ratio < 3.0 || fine->method == ROT_METHOD_RADAU ? 4.0 : 2.5;
+  return part < 0.5 ? fmin(1.0, margin * part / (1.0 - part) + rounding_share) : 1.0;
 }
 
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
@@ -273,10 +273,10 @@ enum { MOST_RUNS = 4 };
 
 /* The tolerance of the run that chooses the steps, and into how many parts the next divides them:
  * three where the error of the first run is then still small against the motion. The factors are
- * what an error test may grow to in most motions, less MARGIN and the gain of the parts. */
+ * what an error test may grow to in most motions, less the margin and the gain of the parts. */
 static size_t first_parts(const rot_ode_params *p, double *tolerance) {
   const int three = p->accuracy <= 3e-7 && !p->kinks && p->method != ROT_METHOD_RADAU;
-  *tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, (three ? 500.0 : 10.0) * p->accuracy));
+  *tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, (three ? 256.0 : 10.0) * p->accuracy));
   return three ? 3 : 2;
 }
 
