@@ -11,6 +11,7 @@
 #include "rot_real.h"
 
 #define LEAST_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
+#define LEAST_FINE      1e-15 /* of a guided run: below, its error test would reject rounding */
 #define MOST_TOLERANCE  3e-3
 
 /* ---- one run over both sides ----------------------------------------------------------------- */
@@ -324,7 +325,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     fine.slope_rows = slope;
     fine.largest = largest;
     fine.budget = p->max_steps;
-    fine.tolerance = 8.0 * first / rot_ode_gain(fine.method, (double)parts);
+    fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     run_once(&fine, hooks, info);
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
     /* A step's rounding beside what its error test allows. */
