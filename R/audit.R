@@ -10,12 +10,12 @@
 #' \deqn{\Delta\left(\tfrac12 I \omega^2\right) = \int \tau\,\omega\,dt - Q, \quad
 #'   \Delta(I \omega) = \int (\tau + \tau_r)\,dt}{
 #'   change of I omega^2/2 = int tau omega dt - Q,  change of I omega = int (tau + tau_r) dt}
-#' with the heat Q and the torque \eqn{\tau_r}{tau_r} of the resistance. With several bodies the sums
-#' are over all of them; torques between them have no part in the angular momentum.
+#' with the heat Q and the torque \eqn{\tau_r}{tau_r} of the resistance. With several bodies the
+#' sums are over all of them; torques between them have no part in the angular momentum.
 #'
-#' The changes are taken from the rows as they are now: edit a value, and the audit says so. When rows
-#' were dropped, the balance runs over the rows that are left. Where [choose_model()] left an effect
-#' out, the balance is that of the motion without it.
+#' The changes are taken from the rows as they are now: edit a value, and the audit says so. When
+#' rows were dropped, the balance runs over the rows that are left. Where [choose_model()] left an
+#' effect out, the balance is that of the motion without it.
 #'
 #' @param x A `rot_trajectory`.
 #' @param ... Not used.
@@ -23,8 +23,8 @@
 #'   `r describe_columns(audit_columns)`
 #'   `terms` holds, for each balance, a tibble with the columns
 #'   `r describe_columns(c("term", "role", "value"))`
-#'   The verdict is NA where a balance cannot be drawn: no rows, rotors missing from them, or energies
-#'   beyond double precision.
+#'   The verdict is NA where a balance cannot be drawn: no rows, rotors missing from them, or
+#'   energies beyond double precision.
 #' @section Errors: `rotdyn_error_type` for what has no audit (a table that lost its columns is no
 #'   trajectory); `rotdyn_error_time` for a missing time.
 #' @examples
@@ -61,8 +61,8 @@ audit.rot_trajectory <- function(x, ...) {
   tibble::new_tibble(columns, nrow = length(balances), class = "rot_audit")
 }
 
-# One balance: change = supplied - dissipated, each numbers named in words. `about`: the point or axis
-# of a momentum.
+# One balance: change = supplied - dissipated, each numbers named in words. `about`: the point or
+# axis of a momentum.
 balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
   residual <- (sum(change) - sum(supplied)) + sum(dissipated)
   balanced <- abs(residual) <= rounding
@@ -82,7 +82,7 @@ balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
   )
 }
 
-# A balance that cannot be drawn: no rows, or rows missing.
+# A balance without the rows that it needs.
 no_balance <- function(name, about, unit) {
   balance(name, about, unit, NA_real_, NA_real_, NA_real_, NA_real_)
 }

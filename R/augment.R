@@ -5,14 +5,15 @@
 #' of the torque at each row. With several bodies, work, heat and impulse are those of all of them;
 #' the power is that of the torque on the body of the row.
 #'
-#' On an axle each is an integral of the computed motion between the rows by Gauss-Kronrod quadrature
-#' to some 1e-14 of the whole; none is a difference of others. Elsewhere they are closed forms.
+#' On an axle each is an integral of the computed motion between the rows by Gauss-Kronrod
+#' quadrature to some 1e-14 of the whole; none is a difference of others. Elsewhere they are closed
+#' forms.
 #'
 #' @param x A `rot_trajectory` whose rows are in the order of time.
 #' @param ... Not used.
 #' @return The trajectory with the columns `r describe_columns(augment_columns)`
-#'   With several rotors or a clutch, those of them that are known: power, work, heat and the impulse
-#'   of the torques. Without rows they are empty.
+#'   With several rotors or a clutch, those of them that are known: power, work, heat and the
+#'   impulse of the torques. Without rows they are empty.
 #' @section Errors: `rotdyn_error_time` if the rows are not in the order of time;
 #'   `rotdyn_error_range` where the motion could not be computed again.
 #' @examples

@@ -67,7 +67,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
       off <- sqrt(3) * off + 8 * .Machine$double.eps * max(abs(centre))
       # The formula of a shape is about its own axis, which was rotated.
       if (body$shape %in% shape_table()$shape && body$provenance == "formula") {
-        formula <- paste0(sub(turned_mark, "", formula, fixed = TRUE), turned_mark)
+        formula <- paste0(sub(rotated_mark, "", formula, fixed = TRUE), rotated_mark)
       }
     }
   }
@@ -75,16 +75,14 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   centre <- centre + at_m
   detail <- place_detail(body$detail, if (!is.null(rotation)) turn, at_m)
   detail$centre_error_m <- if (off > 0) off
-  if (!all(is.finite(centre))) {
-    abort_rotdyn("The position exceeds double precision.", "range", call)
-  }
+  if (!all(is.finite(centre))) abort_rotdyn("The position exceeds double precision.", "range", call)
   new_body(
     body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, formula,
     body$source, body$provenance, detail, error, body$error_kind, call
   )
 }
 
-turned_mark <- ", then turned"
+rotated_mark <- ", then rotated"
 
 # A bound of the rounding error of each coordinate of the centre, where known. It is ignored for the
 # body alone, but matters when the body is joined to others.
@@ -126,9 +124,7 @@ join_bodies <- function(..., name = "compound") {
   call <- rlang::current_env()
   parts <- flatten_bodies(list(...), call)
   name <- check_name(name, "name", call)
-  if (!length(parts)) {
-    abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)
-  }
+  if (!length(parts)) abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)
   combine_bodies(parts, rep(1, length(parts)), name, call)
 }
 
@@ -141,14 +137,12 @@ cut_body <- function(body, hole, ..., name = NULL) {
   check_body(hole, call, "hole")
   if (!is.null(name)) name <- check_name(name, "name", call)
   if (!(hole$mass_kg < body$mass_kg)) {
-    abort_rotdyn(
-      c(
-        "A hole must be lighter than the body.",
-        x = "{.arg hole} has {format_si(hole$mass_kg)} kg, {.arg body}
-             {format_si(body$mass_kg)} kg.",
-        i = "{.arg hole} is the material removed: give both the same density."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "A hole must be lighter than the body.",
+      x = "{.arg hole} has {format_si(hole$mass_kg)} kg, {.arg body}
+           {format_si(body$mass_kg)} kg.",
+      i = "{.arg hole} is the material removed: give both the same density."
+    ), "value", call)
   }
   check_hole_near(body, hole, call)
   left <- combine_bodies(
@@ -165,14 +159,12 @@ check_hole_near <- function(body, hole, call) {
   away <- hypot3(gap)
   rounding <- 8 * .Machine$double.eps * (max(abs(body$centre_m)) + max(abs(hole$centre_m)))
   if (isTRUE(hole$mass_kg > 0 && away > body$reach_m * (1 + 1e-12) + rounding)) {
-    abort_rotdyn(
-      c(
-        "A hole must be inside the body.",
-        x = "The centre of {.arg hole} is {format_si(away)} m from that of {.arg body}, which
-             reaches {format_si(body$reach_m)} m.",
-        i = "Both must be placed in one frame: {.fn place_body}."
-      ), "inertia", call
-    )
+    abort_rotdyn(c(
+      "A hole must be inside the body.",
+      x = "The centre of {.arg hole} is {format_si(away)} m from that of {.arg body}, which
+           reaches {format_si(body$reach_m)} m.",
+      i = "Both must be placed in one frame: {.fn place_body}."
+    ), "inertia", call)
   }
 }
 
@@ -187,7 +179,7 @@ flatten_bodies <- function(x, call) {
       hint <- if (is.matrix(x[[i]])) {
         "A tensor has no mass and no position: make a body of it with {.fn body_tensor}."
       } else {
-        "Make one with {.fn body_disk} or its sisters."
+        "Make one with {.fn body_disk} or another constructor."
       }
       check_class(x[[i]], "rot_body", paste0("..", i), hint, call)
     }

@@ -74,7 +74,7 @@ body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
                          seed = 1, name = "density") {
   call <- check_no_dots(...)
   check_supplied(c("f", "domain"), call)
-  remedy <- "Make one with {.fn domain_box} or its sisters."
+  remedy <- "Make one with {.fn domain_box} or another constructor."
   check_class(domain, "rot_domain", "domain", remedy, call)
   name <- check_name(name, "name", call)
   if (!is.null(mass_kg)) mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
@@ -100,17 +100,13 @@ density_method <- function(method, domain, call) {
   method <- check_choice(method, "method", c("auto", "quadrature", "monte_carlo"), call)
   mapped <- domain$kind != "inside"
   if (method == "quadrature" && !mapped) {
-    abort_rotdyn(
-      c(
-        "Quadrature needs a domain with a map.",
-        x = "{.fn domain_inside} has no map.",
-        i = "Use {.code method = \"monte_carlo\"}, or {.fn domain_map}."
-      ), "model", call
-    )
+    abort_rotdyn(c(
+      "Quadrature needs a domain with a map.",
+      x = "{.fn domain_inside} has no map.",
+      i = "Use {.code method = \"monte_carlo\"}, or {.fn domain_map}."
+    ), "model", call)
   }
-  if (method == "auto") {
-    return(if (mapped) "quadrature" else "monte_carlo")
-  }
+  if (method == "auto") return(if (mapped) "quadrature" else "monte_carlo")
   method
 }
 
@@ -144,15 +140,13 @@ warn_missed_accuracy <- function(found, run, method) {
   } else {
     "Increase {.arg max_evaluations}: eight times as many reduce the error to a quarter."
   }
-  warn_rotdyn(
-    c(
-      "The requested accuracy was not reached.",
-      x = "The error is about {format(reached, digits = 2)} after
-           {format(found$evaluations, big.mark = ',')} evaluations;
-           {format(run$accuracy)} was requested.",
-      i = remedy
-    ), "accuracy", run$call
-  )
+  warn_rotdyn(c(
+    "The requested accuracy was not reached.",
+    x = "The error is about {format(reached, digits = 2)} after
+         {format(found$evaluations, big.mark = ',')} evaluations;
+         {format(run$accuracy)} was requested.",
+    i = remedy
+  ), "accuracy", run$call)
 }
 
 density_body <- function(found, run, method, name) {
@@ -203,9 +197,7 @@ density_moments <- function(run, nodes, total, done) {
     hits <- hits + length(at$w)
     if (length(at$w)) {
       mass <- at$w * run$density(at$places)
-      if (!all(mass < Inf)) {
-        abort_rotdyn("The mass exceeds double precision.", "range", run$call)
-      }
+      if (!all(mass < Inf)) abort_rotdyn("The mass exceeds double precision.", "range", run$call)
       here <- points_moments(mass, at$x, at$y, at$z, run$call, run$domain$exponent, NULL)
       moments <- join_moments(moments, here)
     }
@@ -243,34 +235,30 @@ density_places <- function(run, at) {
 check_inside <- function(keep, at, call) {
   n <- length(at$x)
   if (!is.logical(keep) || length(keep) != n || anyNA(keep)) {
-    abort_rotdyn(
-      c(
-        "{.arg inside} must return TRUE or FALSE for each of the points it is given.",
-        x = if (is.logical(keep) && length(keep) == n) {
-          "It returned NA for {sum(is.na(keep))} of {n} point{?s}."
-        } else {
-          "For {n} point{?s} it returned {describe_value(keep)}."
-        },
-        i = if (n > 1 && length(keep) == 1L) {
-          "If it takes one point at a time, wrap it: {.code Vectorize(inside)}."
-        }
-      ), "density", call
-    )
+    abort_rotdyn(c(
+      "{.arg inside} must return TRUE or FALSE for each of the points it is given.",
+      x = if (is.logical(keep) && length(keep) == n) {
+        "It returned NA for {sum(is.na(keep))} of {n} point{?s}."
+      } else {
+        "For {n} point{?s} it returned {describe_value(keep)}."
+      },
+      i = if (n > 1 && length(keep) == 1L) {
+        "If it takes one point at a time, wrap it: {.code Vectorize(inside)}."
+      }
+    ), "density", call)
   }
   keep
 }
 
 abort_no_mass <- function(evaluations, hits, call) {
-  abort_rotdyn(
-    c(
-      "The body has no mass.",
-      x = if (hits) {
-        "The density is 0 at all {format(evaluations, big.mark = ',')} points."
-      } else {
-        "None of {format(evaluations, big.mark = ',')} points is inside."
-      }
-    ), "density", call
-  )
+  abort_rotdyn(c(
+    "The body has no mass.",
+    x = if (hits) {
+      "The density is 0 at all {format(evaluations, big.mark = ',')} points."
+    } else {
+      "None of {format(evaluations, big.mark = ',')} points is inside."
+    }
+  ), "density", call)
 }
 
 # The difference of two results: second moment relative to the trace (for a given mass, per mass),
@@ -387,9 +375,7 @@ largest_change <- function(changes) {
 
 # The expected change by two more nodes: a hundredth of the last change, if convergence is fast.
 expected_change <- function(changes) {
-  if (!length(changes)) {
-    return(c(second = Inf, mass = Inf, centre = Inf))
-  }
+  if (!length(changes)) return(c(second = Inf, mass = Inf, centre = Inf))
   ifelse(changes_quickly(changes), 0.01 * changes[[length(changes)]], largest_change(changes))
 }
 
@@ -398,9 +384,7 @@ expected_change <- function(changes) {
 density_errors <- function(changes, last) {
   share <- if (is.null(last)) 1 else 0.01
   left <- vapply(changes, function(x) {
-    if (!length(x)) {
-      return(c(second = Inf, mass = Inf, centre = Inf))
-    }
+    if (!length(x)) return(c(second = Inf, mass = Inf, centre = Inf))
     ifelse(changes_quickly(x), share * x[[length(x)]], largest_change(x))
   }, double(3))
   errors <- rowSums(left)
@@ -455,17 +439,13 @@ density_random <- function(run) {
 # mass; an infinite error if only one replicate has mass.
 jackknife <- function(parts, given_mass) {
   parts <- Filter(function(m) !is.null(m) && m[["mass"]] > 0, parts)
-  if (!length(parts)) {
-    return(NULL)
-  }
+  if (!length(parts)) return(NULL)
   whole <- Reduce(join_moments, parts)
   n <- replicates
   spread <- function(a) sqrt((n - 1) / n * rowSums(a^2))
   changes <- lapply(seq_along(parts), function(i) {
     rest <- Reduce(join_moments, parts[-i])
-    if (is.null(rest)) {
-      return(NULL)
-    }
+    if (is.null(rest)) return(NULL)
     pieces_change(per_replicate(rest, n - 1), per_replicate(whole, n), given_mass)
   })
   mean <- per_replicate(whole, n)
@@ -477,8 +457,7 @@ jackknife <- function(parts, given_mass) {
   changes <- c(changes, rep(list(empty), n - length(parts)))
   each <- spread(do.call(cbind, changes))
   list(
-    moments = mean,
-    errors = c(second = max(each[1:6]), mass = each[[7]], centre = max(each[8:10]))
+    moments = mean, errors = c(second = max(each[1:6]), mass = each[[7]], centre = max(each[8:10]))
   )
 }
 

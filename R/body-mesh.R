@@ -134,13 +134,11 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
     abort_rotdyn("One of {.arg mass_kg} and {.arg {density}} must be given.", "missing", call)
   }
   if (length(given) > 1L || !names(given) %in% wanted) {
-    abort_rotdyn(
-      c(
-        "Exactly one of {.arg mass_kg} and {.arg {density}} must be given with
-         {.code method = \"{method}\"}.",
-        x = "Given {?is/are} {.arg {names(given)}}."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "Exactly one of {.arg mass_kg} and {.arg {density}} must be given with
+       {.code method = \"{method}\"}.",
+      x = "Given {?is/are} {.arg {names(given)}}."
+    ), "value", call)
   }
   kind <- names(given)
   unit <- c(mass_kg = "kg", density_kg_m3 = "kg/m^3", areal_density_kg_m2 = "kg/m^2")[[kind]]
@@ -150,13 +148,11 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
 warn_of_millimetres <- function(of, call) {
   side <- max(of$hi - of$lo)
   if (side > 100) {
-    warn_rotdyn(
-      c(
-        "The mesh is {format(side, digits = 3)} m long.",
-        i = "Mesh files have no unit. For coordinates in millimetres, use
-             {.code length_unit = \"mm\"}; for metres, {.code length_unit = \"m\"}."
-      ), "unit", call
-    )
+    warn_rotdyn(c(
+      "The mesh is {format(side, digits = 3)} m long.",
+      i = "Mesh files have no unit. For coordinates in millimetres, use
+           {.code length_unit = \"mm\"}; for metres, {.code length_unit = \"m\"}."
+    ), "unit", call)
   }
 }
 
@@ -180,14 +176,12 @@ inspect_mesh <- function(read, weld_m, call) {
       ffi_mesh_check, read$vertices, read$faces, read$by_column, distance, progress_bar("mesh")
     )
     if (one$kind == "value") {
-      abort_rotdyn(
-        c(
-          "{.arg weld_m} must be at least 2^-52 of the largest coordinate, or 0.",
-          x = "It is {format(weld_m)}, and the largest coordinate
-               {format(largest * read$factor, digits = 3)} m.",
-          i = "0 merges only equal vertices."
-        ), "value", call
-      )
+      abort_rotdyn(c(
+        "{.arg weld_m} must be at least 2^-52 of the largest coordinate, or 0.",
+        x = "It is {format(weld_m)}, and the largest coordinate
+             {format(largest * read$factor, digits = 3)} m.",
+        i = "0 merges only equal vertices."
+      ), "value", call)
     }
     check_core_status(one$kind, call)
     one$distance <- if (isTRUE(one$counts[["merged_vertices"]] > 0)) max(distance, 0) else 0
@@ -204,9 +198,7 @@ inspect_mesh <- function(read, weld_m, call) {
 mesh_vertex_count <- function(read) dim(read$vertices)[1L + read$by_column]
 
 check_core_status <- function(kind, call) {
-  if (kind == "memory") {
-    abort_rotdyn("There is not enough memory for the mesh.", "memory", call)
-  }
+  if (kind == "memory") abort_rotdyn("There is not enough memory for the mesh.", "memory", call)
   if (!kind %in% c("none", "range")) {
     abort_rotdyn("The mesh cannot be computed: {kind}.", kind, call)
   }
@@ -298,9 +290,7 @@ check_mesh_fits <- function(check, found, method, call) {
   fatal <- mesh_conditions$fails == "any" |
     (method == "solid" & mesh_conditions$fails %in% c("solid", "flat"))
   bad <- which(fatal & check$verdict == "fails")
-  if (!length(bad)) {
-    return()
-  }
+  if (!length(bad)) return()
   faults <- vapply(bad, function(i) {
     n <- check$count[i]
     cli::format_inline(mesh_conditions$fault[i])
@@ -309,17 +299,15 @@ check_mesh_fits <- function(check, found, method, call) {
   only_solid <- !any(mesh_conditions$fails[bad] == "any")
   names(faults) <- rep("x", length(faults))
   names(remedies) <- rep("i", length(remedies))
-  abort_rotdyn(
-    c(
-      if (only_solid) "{.arg mesh} does not bound a solid." else "{.arg mesh} is damaged.",
-      gsub("([{}])", "\\1\\1", faults),
-      remedies,
-      i = if (only_solid) {
-        "Or use {.code method = \"shell\"}, {.code \"hull\"} or {.code \"box\"}.
-         {.fn check_mesh} lists all conditions."
-      }
-    ), "mesh", call, check = check
-  )
+  abort_rotdyn(c(
+    if (only_solid) "{.arg mesh} does not bound a solid." else "{.arg mesh} is damaged.",
+    gsub("([{}])", "\\1\\1", faults),
+    remedies,
+    i = if (only_solid) {
+      "Or use {.code method = \"shell\"}, {.code \"hull\"} or {.code \"box\"}.
+       {.fn check_mesh} lists all conditions."
+    }
+  ), "mesh", call, check = check)
 }
 
 # ---- the integrals ------------------------------------------------------------------------------
@@ -343,9 +331,7 @@ mesh_moments <- function(read, found, shell, call) {
 
 mesh_in_metres <- function(of, factor, power) {
   of$dimension <- power
-  if (factor == 1) {
-    return(of)
-  }
+  if (factor == 1) return(of)
   for (length in c("centre", "lo", "hi", "reach")) of[[length]] <- factor * of[[length]]
   of$reach <- of$reach * (1 + 2 * .Machine$double.eps)
   of$second <- factor * (factor * of$second)
@@ -375,20 +361,17 @@ mesh_hull <- function(read, found, call) {
     }
   )
   hull <- list(
-    vertices = points, faces = outward_faces(local, faces), by_column = FALSE,
-    factor = read$factor
+    vertices = points, faces = outward_faces(local, faces), by_column = FALSE, factor = read$factor
   )
   found$same <- NULL
   found$distance <- 0
   of <- mesh_moments(hull, found, FALSE, call)
   # Slivers may have either orientation, which has no effect, so the edges are not checked.
   if (!(of$closure <= 1e-9)) {
-    abort_rotdyn(
-      c(
-        "The convex hull of {.arg mesh} does not close.",
-        i = "Use {.code method = \"box\"} or {.code \"shell\"}."
-      ), "mesh", call
-    )
+    abort_rotdyn(c(
+      "The convex hull of {.arg mesh} does not close.",
+      i = "Use {.code method = \"box\"} or {.code \"shell\"}."
+    ), "mesh", call)
   }
   of$faces <- nrow(faces)
   of
@@ -440,9 +423,7 @@ mesh_box <- function(read, found, call) {
     area = 2 * (side[1] * side[2] + side[2] * side[3] + side[3] * side[1]), closure = 0,
     lo = lo, hi = hi
   )
-  if (!all(side > 0)) {
-    abort_rotdyn("The box of {.arg mesh} has no volume.", "mesh", call)
-  }
+  if (!all(side > 0)) abort_rotdyn("The box of {.arg mesh} has no volume.", "mesh", call)
   mesh_in_metres(of, read$factor, 3)
 }
 
@@ -453,13 +434,11 @@ mesh_body <- function(name, of, amount, read, found, check, method, call) {
   if (amount$kind != "mass_kg") error <- error + of$size_error
   trace <- sum(mass * of$second[1:3])
   if (!is.finite(mass + trace) || (amount$value > 0 && trace < .Machine$double.xmin)) {
-    abort_rotdyn(
-      c(
-        "The mass or the second moment exceeds double precision.",
-        x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
-        i = "Use other units of mass or length, as if they were kg and m."
-      ), "range", call
-    )
+    abort_rotdyn(c(
+      "The mass or the second moment exceeds double precision.",
+      x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
+      i = "Use other units of mass or length, as if they were kg and m."
+    ), "range", call)
   }
   side <- of$hi - of$lo
   new_body(

@@ -56,9 +56,7 @@ body_points <- function(data, ..., mass_kg = NULL, name = "points") {
   name <- check_name(name, "name", call)
   points <- read_points(data, mass_kg, call)
   bad <- .Call(ffi_points_bad, points$mass_kg, points$x_m, points$y_m, points$z_m)
-  if (bad[1] > 0) {
-    abort_point(points, bad[1], bad[2] + 1, call)
-  }
+  if (bad[1] > 0) abort_point(points, bad[1], bad[2] + 1, call)
   moments <- points_moments(points$mass_kg, points$x_m, points$y_m, points$z_m, call)
   check_moments_fit(moments, call)
   new_body(
@@ -92,19 +90,15 @@ read_points <- function(data, mass_kg, call) {
   } else if (is.matrix(data) && is.numeric(data)) {
     matrix_columns(data, call)
   } else {
-    abort_rotdyn(
-      c(
-        "{.arg data} must be a data frame with columns {.field mass_kg}, {.field x_m},
-         {.field y_m} and {.field z_m}, or a matrix of coordinates.",
-        x = "It is {describe_value(data)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg data} must be a data frame with columns {.field mass_kg}, {.field x_m},
+       {.field y_m} and {.field z_m}, or a matrix of coordinates.",
+      x = "It is {describe_value(data)}."
+    ), "type", call)
   }
   n <- nrow(data)
   check_places_named(columns, is.null(mass_kg), call)
-  if (n == 0L) {
-    abort_rotdyn("{.arg data} must have at least one point: it has none.", "size", call)
-  }
+  if (n == 0L) abort_rotdyn("{.arg data} must have at least one point: it has none.", "size", call)
   if (!is.null(mass_kg)) columns$mass_kg <- mass_kg
   points <- list(
     mass_kg = check_column(columns$mass_kg, "mass_kg", "kg", call),
@@ -130,16 +124,12 @@ read_points <- function(data, mass_kg, call) {
 
 matrix_columns <- function(data, call) {
   names <- colnames(data)
-  if (is.null(names) && ncol(data) %in% 2:3) {
-    names <- place_columns[seq_len(ncol(data))]
-  }
+  if (is.null(names) && ncol(data) %in% 2:3) names <- place_columns[seq_len(ncol(data))]
   if (is.null(names)) {
-    abort_rotdyn(
-      c(
-        "A matrix without column names must have two or three columns: x, y and z.",
-        x = "It has {ncol(data)}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "A matrix without column names must have two or three columns: x, y and z.",
+      x = "It has {ncol(data)}."
+    ), "size", call)
   }
   columns <- lapply(seq_len(ncol(data)), function(j) as.vector(data[, j]))
   short <- match(names, c("x", "y", "z"))
@@ -154,13 +144,11 @@ check_places_named <- function(columns, needs_mass, call) {
   if (any(grepl("^z($|[^[:alpha:]])", has, ignore.case = TRUE))) wanted <- c(wanted, "z_m")
   lacking <- setdiff(wanted, has)
   if (length(lacking)) {
-    abort_rotdyn(
-      c(
-        "{.arg data} has no {cli::qty(lacking)}column{?s} {.field {lacking}}.",
-        x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
-        i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg data} has no {cli::qty(lacking)}column{?s} {.field {lacking}}.",
+      x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
+      i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
+    ), "type", call)
   }
   if (!needs_mass && "mass_kg" %in% has) {
     abort_rotdyn(
@@ -173,13 +161,11 @@ abort_point <- function(points, row, column, call) {
   arg <- names(points)[column]
   x <- points[[column]]
   value <- if (length(x) == 1L) x else x[row]
-  abort_rotdyn(
-    c(
-      if (column == 1L) "Masses must be finite and at least 0." else "Coordinates must be finite.",
-      x = "{.field {arg}} is {format(value)} in row {format(row, big.mark = ',')}.",
-      i = if (isTRUE(value < 0) && is.finite(value)) "For a hole, use {.fn cut_body}."
-    ), "value", call
-  )
+  abort_rotdyn(c(
+    if (column == 1L) "Masses must be finite and at least 0." else "Coordinates must be finite.",
+    x = "{.field {arg}} is {format(value)} in row {format(row, big.mark = ',')}.",
+    i = if (isTRUE(value < 0) && is.finite(value)) "For a hole, use {.fn cut_body}."
+  ), "value", call)
 }
 
 # ---- moments ------------------------------------------------------------------------------------
@@ -200,9 +186,7 @@ points_moments <- function(mass, x, y, z, call, exponent = 0, progress = progres
 }
 
 join_moments <- function(a, b) {
-  if (is.null(a)) {
-    return(b)
-  }
+  if (is.null(a)) return(b)
   stats::setNames(.Call(ffi_points_join, as.double(a), as.double(b)), moment_names)
 }
 
@@ -219,13 +203,11 @@ moments_centre_error <- function(moments) {
 
 check_moments_fit <- function(moments, call) {
   if (!.Call(ffi_points_fit, as.double(moments))) {
-    abort_rotdyn(
-      c(
-        "The mass or the second moment exceeds double precision.",
-        x = "Mass {format(moments[['mass']], digits = 3)} kg, trace of the second moment
-             {format(moments_trace(moments), digits = 3)} kg m^2.",
-        i = "Use other units of mass or length, as if they were kg and m."
-      ), "range", call
-    )
+    abort_rotdyn(c(
+      "The mass or the second moment exceeds double precision.",
+      x = "Mass {format(moments[['mass']], digits = 3)} kg, trace of the second moment
+           {format(moments_trace(moments), digits = 3)} kg m^2.",
+      i = "Use other units of mass or length, as if they were kg and m."
+    ), "range", call)
   }
 }

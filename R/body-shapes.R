@@ -20,9 +20,7 @@ left_out <- formals(function(x) NULL)
 # only the usual case is handled here; densities and messages are elsewhere.
 new_shape_body <- function(shape, call) {
   of <- shape_cache[[shape]]
-  if (is.null(of)) {
-    of <- shape_parts(shape)
-  }
+  if (is.null(of)) of <- shape_parts(shape)
   density <- .subset2(of, "density")
   amount <- if ((is.null(density) || is.null(call[[density]])) && !is.symbol(call[["mass_kg"]])) {
     check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0)
@@ -38,9 +36,7 @@ new_shape_body <- function(shape, call) {
     size[i] <- check_number(call[[name]], name, units[i], call, size[i])
   }
   parts <- .Call(ffi_shapes_body, .subset2(of, "id"), amount, !is.null(names(amount)), size)
-  if (!is.list(parts)) {
-    abort_shape(parts, names, size, NULL, call)
-  }
+  if (!is.list(parts)) abort_shape(parts, names, size, NULL, call)
   attr(size, "names") <- names
   finish_body(shape, parts, size, of, amount, call)
 }
@@ -51,12 +47,10 @@ finish_body <- function(shape, parts, size, of, amount, call) {
   mass <- .subset2(parts, 1L)
   second <- .subset2(parts, 2L)
   if (!is.finite(mass) || !is.finite(sum(second))) {
-    abort_rotdyn(
-      c(
-        "The mass or the moments of this body exceed double precision.",
-        x = "Its mass is {format_si(mass)} kg."
-      ), "range", call
-    )
+    abort_rotdyn(c(
+      "The mass or the moments of this body exceed double precision.",
+      x = "Its mass is {format_si(mass)} kg."
+    ), "range", call)
   }
   detail <- if (is.null(names(amount))) list() else as.list(amount)
   centre <- .subset2(parts, 3L)
@@ -74,29 +68,23 @@ mass_or_density <- function(density, unit, call) {
   no_mass <- identical(call[["mass_kg"]], left_out[[1L]])
   given <- if (!is.null(density)) call[[density]]
   if (is.null(given)) {
-    if (no_mass) {
-      abort_mass_left_out(density, call)
-    }
+    if (no_mass) abort_mass_left_out(density, call)
     return(check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0))
   }
   if (!no_mass) {
-    abort_rotdyn(
-      c(
-        "Give {.arg mass_kg} or {.arg {density}}, not both.",
-        i = "With {.arg {density}}, the sizes must be named."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "Give {.arg mass_kg} or {.arg {density}}, not both.",
+      i = "With {.arg {density}}, the sizes must be named."
+    ), "value", call)
   }
   stats::setNames(check_number(given, density, unit, call, 0), density)
 }
 
 abort_mass_left_out <- function(density, call) {
-  abort_rotdyn(
-    c(
-      "{.arg mass_kg} is missing: it has no default.",
-      i = if (!is.null(density)) "Give it, or {.arg {density}} instead of it."
-    ), "missing", call
-  )
+  abort_rotdyn(c(
+    "{.arg mass_kg} is missing: it has no default.",
+    i = if (!is.null(density)) "Give it, or {.arg {density}} instead of it."
+  ), "missing", call)
 }
 
 # Properties of a shape, cached.
@@ -156,13 +144,11 @@ abort_shape <- function(fault, names, size, row, call) {
         }
       ), "value", call
     ),
-    abort_rotdyn(
-      c(
-        "{.arg {name}} must be at most twice {.arg {of}}.",
-        x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
-        i = "{.arg {of}} is that of the sphere, not of the cap's rim."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{.arg {name}} must be at most twice {.arg {of}}.",
+      x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
+      i = "{.arg {of}} is that of the sphere, not of the cap's rim."
+    ), "value", call)
   )
 }
 
@@ -518,9 +504,8 @@ body_capsule <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL)
 
 #' Bodies of standard shapes: solids with flat faces
 #'
-#' The mass is spread evenly over the volume. For any tetrahedron by its corners see
-#' [body_tetrahedron()]. The own axes are principal axes, but for a triangular prism: its product of
-#' inertia makes Ixy = -m h (2 p - b) / 36.
+#' Polyhedra of uniform density. For a tetrahedron given by its vertices see [body_tetrahedron()].
+#' The own axes are principal axes, except for the triangular prism: Ixy = -m h (2 p - b) / 36.
 #'
 #' `r describe_shapes("flat-faced solids")`
 #' `r formula_note`

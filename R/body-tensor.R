@@ -57,16 +57,12 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   d <- centre_m - point
   largest <- max(abs(tensor))
   scale <- sum(abs(diag(tensor)) / largest)
-  if (!is.null(rotation)) {
-    tensor <- .Call(ffi_inertia_rotate, tensor, rotation)
-  }
+  if (!is.null(rotation)) tensor <- .Call(ffi_inertia_rotate, tensor, rotation)
   if (any(d != 0)) {
     tensor <- check_in_range(.Call(ffi_inertia_shift, tensor, mass_kg, d, -1), call)
     tensor <- check_shifted(tensor, tensor + mass_kg * sum(d^2), mass_kg, d, call)
   }
-  tensor <- check_inertia_or_abort(
-    tensor, mass_kg, call, reach_m = reach_m, given_by_user = FALSE
-  )
+  tensor <- check_inertia_or_abort(tensor, mass_kg, call, reach_m = reach_m, given_by_user = FALSE)
   second <- .Call(ffi_inertia_second, tensor)
   # Relative to the largest entry, so that sums do not overflow.
   trace <- sum(diag(second) / largest)
@@ -106,9 +102,7 @@ as_tensor <- function(x, arg, call, products = "negative") {
     x <- as_si(x, "kg*m^2", arg, call)
     attributes(x) <- keep[lengths(keep) > 0]
   }
-  if (!is.numeric(x)) {
-    abort_tensor(x, arg, call)
-  }
+  if (!is.numeric(x)) abort_tensor(x, arg, call)
   names <- plain_entry_names(names(x))
   tensor <- if (is.matrix(x) && all(dim(x) == 3L)) {
     matrix(as.double(x), 3)
@@ -126,16 +120,14 @@ as_tensor <- function(x, arg, call, products = "negative") {
 }
 
 abort_tensor <- function(x, arg, call) {
-  abort_rotdyn(
-    c(
-      "{.arg {arg}} must be a 3 x 3 matrix, six numbers named {.val {inertia_entries}}, or three
-       principal moments.",
-      x = if (length(x) %in% c(3L, 6L) && length(names(x))) {
-        "Its names are {.val {names(x)}}."
-      } else {
-        "It is {describe_value(x)}."
-      }
-    ), if (is.numeric(x)) "size" else "type", call
-  )
+  abort_rotdyn(c(
+    "{.arg {arg}} must be a 3 x 3 matrix, six numbers named {.val {inertia_entries}}, or three
+     principal moments.",
+    x = if (length(x) %in% c(3L, 6L) && length(names(x))) {
+      "Its names are {.val {names(x)}}."
+    } else {
+      "It is {describe_value(x)}."
+    }
+  ), if (is.numeric(x)) "size" else "type", call)
 }
 

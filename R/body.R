@@ -49,7 +49,9 @@ mesh_words <- c(
 
 check_body <- function(body, call, arg = "body") {
   if (!inherits(body, "rot_body")) {
-    check_class(body, "rot_body", arg, "Make one with {.fn body_disk} or its sisters.", call)
+    check_class(
+      body, "rot_body", arg, "Make one with {.fn body_disk} or another constructor.", call
+    )
   }
   body
 }
@@ -76,9 +78,7 @@ print.rot_body <- function(x, ...) {
     print_field("centre", paste0("(", paste(format_si(centre), collapse = ", "), ") m"))
   }
   print_inertia(x)
-  if (!is.na(x$beta)) {
-    print_field("beta", paste0(format_si(x$beta), "  (I/(m r^2) when it rolls)"))
-  }
+  if (!is.na(x$beta)) print_field("beta", paste0(format_si(x$beta), "  (I/(m r^2) when it rolls)"))
   if (nzchar(x$formula)) print_field("formula", x$formula)
   from <- if (x$provenance == "mesh") {
     mesh_words[[x$detail$method]]
@@ -137,12 +137,8 @@ clear_noise <- function(x, noise) {
 }
 
 describe_body_error <- function(x) {
-  if (is.na(x$error)) {
-    return("accuracy unknown")
-  }
-  if (x$error == 0) {
-    return("exact")
-  }
+  if (is.na(x$error)) return("accuracy unknown")
+  if (x$error == 0) return("exact")
   paste0(
     "relative error ", if (x$error_kind == "bound") "at most " else "about ",
     format(x$error, digits = 2)

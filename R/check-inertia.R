@@ -98,9 +98,7 @@ check_inertia <- function(x, ..., mass_kg = NULL, size_m = NULL,
                           products = c("negative", "positive"), name = NULL) {
   call <- check_no_dots(...)
   check_supplied("x", call)
-  if (missing(products)) {
-    products <- "negative"
-  }
+  if (missing(products)) products <- "negative"
   check_string(products, "products", c("negative", "positive"), call)
   given <- as_tensors(x, products, call)
   n <- length(given$tensor)
@@ -119,9 +117,7 @@ check_inertia <- function(x, ..., mass_kg = NULL, size_m = NULL,
 inertia_repairs <- function(check) {
   call <- rlang::current_env()
   check_supplied("check", call)
-  check_class(
-    check, "rot_inertia_check", "check", "Make one with {.fn check_inertia}.", call
-  )
+  check_class(check, "rot_inertia_check", "check", "Make one with {.fn check_inertia}.", call)
   attr(check, "repairs")
 }
 
@@ -177,9 +173,7 @@ plain_entry_names <- function(names) {
 }
 
 tensor_from_vector <- function(x, names, sign, call) {
-  if (length(x) == 3L && is.null(names)) {
-    return(diag(as.double(x), 3L))
-  }
+  if (length(x) == 3L && is.null(names)) return(diag(as.double(x), 3L))
   if (!length(x) %in% c(3L, 6L)) {
     abort_rotdyn(
       c("{.arg x} must be a 3 x 3 matrix, six numbers or three.", x = "It has length {length(x)}."),
@@ -189,13 +183,11 @@ tensor_from_vector <- function(x, names, sign, call) {
   wanted <- inertia_entries[seq_along(x)]
   names <- plain_entry_names(names)
   if (!setequal(names, wanted)) {
-    abort_rotdyn(
-      c(
-        "The numbers of {.arg x} must be named {.val {wanted}}.",
-        x = if (length(names)) "They are named {.val {names}}." else "They have no names.",
-        i = "The order differs between formats and is not guessed."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "The numbers of {.arg x} must be named {.val {wanted}}.",
+      x = if (length(names)) "They are named {.val {names}}." else "They have no names.",
+      i = "The order differs between formats and is not guessed."
+    ), "value", call)
   }
   six_to_tensor(c(x[match(wanted, names)], 0, 0, 0)[1:6] * rep(c(1, sign), each = 3L))
 }
@@ -205,13 +197,11 @@ tensors_from_columns <- function(x, sign, call) {
   has <- inertia_entries %in% names(x)
   lacking <- if (any(has[4:6])) inertia_entries[!has] else inertia_entries[1:3][!has[1:3]]
   if (length(lacking)) {
-    abort_rotdyn(
-      c(
-        "{.arg x} must have the columns {.val {inertia_entries}}.",
-        x = "{.val {lacking}} {?is/are} missing.",
-        i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg x} must have the columns {.val {inertia_entries}}.",
+      x = "{.val {lacking}} {?is/are} missing.",
+      i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
+    ), "type", call)
   }
   columns <- lapply(inertia_entries[has], function(entry) {
     check_column(x[[entry]], entry, "kg*m^2", call)
@@ -232,24 +222,16 @@ tensor_to_six <- function(tensor) {
 
 # Masses or sizes: from the argument, or else from x; NA if unknown.
 known_numbers <- function(x, with_x, arg, unit, n, call) {
-  if (is.null(x)) {
-    x <- with_x
-  }
-  if (is.null(x)) {
-    return(rep_len(NA_real_, n))
-  }
+  if (is.null(x)) x <- with_x
+  if (is.null(x)) return(rep_len(NA_real_, n))
   x <- check_column(x, arg, unit, call)
   check_one_or_each(length(x), arg, n, call)
   rep_len(as.double(x), n)
 }
 
 known_names <- function(name, with_x, n, call) {
-  if (is.null(name)) {
-    name <- with_x
-  }
-  if (is.null(name)) {
-    return(rep_len(NA_character_, n))
-  }
+  if (is.null(name)) name <- with_x
+  if (is.null(name)) return(rep_len(NA_character_, n))
   if (!is.character(name)) {
     abort_rotdyn(c("{.arg name} must be text.", x = "It is {describe_value(name)}."), "type", call)
   }
@@ -259,12 +241,10 @@ known_names <- function(name, with_x, n, call) {
 
 check_one_or_each <- function(length, arg, n, call) {
   if (length != 1L && length != n) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must have length 1, or one element for each tensor.",
-        x = "It has length {length}, and there {cli::qty(n)}{?is/are} {n} tensor{?s}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must have length 1, or one element for each tensor.",
+      x = "It has length {length}, and there {cli::qty(n)}{?is/are} {n} tensor{?s}."
+    ), "size", call)
   }
 }
 
@@ -321,9 +301,7 @@ verdict_of <- function(margin) {
 judge_tensor <- function(tensor, mass_kg, size_m, sign = 1) {
   bad <- sum(!is.finite(tensor))
   rows <- list(
-    condition_row(
-      "finite", bad, 0, -bad, if (bad) "fails" else "holds", meaning_finite(tensor)
-    )
+    condition_row("finite", bad, 0, -bad, if (bad) "fails" else "holds", meaning_finite(tensor))
   )
   if (bad) {
     for (condition in c("symmetric", "positive semidefinite", "triangle inequality")) {
@@ -370,9 +348,7 @@ symmetric_part <- function(tensor) {
 
 meaning_finite <- function(tensor) {
   at <- which(!is.finite(tensor[entry_places]) | !is.finite(t(tensor)[entry_places]))
-  if (!length(at)) {
-    return("every entry is a number")
-  }
+  if (!length(at)) return("every entry is a number")
   values <- ifelse(
     is.finite(tensor[entry_places][at]), t(tensor)[entry_places][at], tensor[entry_places][at]
   )
@@ -505,9 +481,7 @@ format_number <- function(x, digits = 10) {
 
 #' @export
 print.rot_inertia_check <- function(x, ...) {
-  if (!all(check_columns %in% names(x))) {
-    return(NextMethod())
-  }
+  if (!all(check_columns %in% names(x))) return(NextMethod())
   rows <- unique(x$row)
   for (row in rows[seq_len(min(length(rows), 10L))]) {
     print_one_check(x[x$row == row, ])

@@ -4,12 +4,8 @@
 `%||%` <- function(x, y) if (is.null(x)) y else x
 
 describe_value <- function(x) {
-  if (is.null(x)) {
-    return("NULL")
-  }
-  if (is.function(x)) {
-    return("a function")
-  }
+  if (is.null(x)) return("NULL")
+  if (is.function(x)) return("a function")
   if (is.atomic(x) && length(x) == 1L && !is.object(x)) {
     return(if (is.character(x)) encodeString(x, quote = "\"") else format(x, digits = 7))
   }
@@ -37,17 +33,15 @@ abort_dots <- function(given, call, fn) {
   named <- rlang::have_name(given)
   said[named] <- paste(names(given)[named], "=", said[named])
   known <- setdiff(names(formals(fn)), "...")
-  abort_rotdyn(
-    c(
-      if (all(named)) {
-        "{length(said)} unknown argument{?s}."
-      } else {
-        "Arguments after the first ones must be given by name."
-      },
-      x = "Unknown: {.code {said}}.",
-      i = "The arguments are {.arg {known}}."
-    ), "argument", call
-  )
+  abort_rotdyn(c(
+    if (all(named)) {
+      "{length(said)} unknown argument{?s}."
+    } else {
+      "Arguments after the first ones must be given by name."
+    },
+    x = "Unknown: {.code {said}}.",
+    i = "The arguments are {.arg {known}}."
+  ), "argument", call)
 }
 
 # Required arguments, by name; `env` is the frame of the function.
@@ -69,9 +63,7 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
     x >= lower && x <= upper && !(open && x == lower)) {
     return(x)
   }
-  if (is.object(x)) {
-    x <- as_si(x, unit, arg, call)
-  }
+  if (is.object(x)) x <- as_si(x, unit, arg, call)
   if (!is_number(x) || length(x) != 1L || is.object(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must be one number{in_unit(unit)}.", x = "It is {describe_value(x)}."),
@@ -111,15 +103,9 @@ abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
 
 # A column of doubles; NA, also logical, is allowed.
 check_column <- function(x, arg, unit, call) {
-  if (is.object(x)) {
-    x <- as_si(x, unit, arg, call)
-  }
-  if (is.double(x) && !is.object(x)) {
-    return(x)
-  }
-  if ((is_number(x) && !is.object(x)) || (is.logical(x) && all(is.na(x)))) {
-    return(as.double(x))
-  }
+  if (is.object(x)) x <- as_si(x, unit, arg, call)
+  if (is.double(x) && !is.object(x)) return(x)
+  if ((is_number(x) && !is.object(x)) || (is.logical(x) && all(is.na(x)))) return(as.double(x))
   abort_rotdyn(
     c("{.arg {arg}} must be numbers{in_unit(unit)}.", x = "It is {describe_value(x)}."),
     "type", call
@@ -140,12 +126,10 @@ check_not_negative <- function(x, arg, unit, call, open = FALSE) {
 }
 
 abort_missing_column <- function(column, data, call) {
-  abort_rotdyn(
-    c(
-      "The table needs a column {.field {column}}.",
-      x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
-    ), "type", call
-  )
+  abort_rotdyn(c(
+    "The table needs a column {.field {column}}.",
+    x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
+  ), "type", call)
 }
 
 # Columns of length 1 or n; returns n.
@@ -154,21 +138,17 @@ check_recyclable <- function(columns, call) {
   others <- unique(sizes[sizes != 1L])
   if (length(others) > 1L) {
     text <- paste0("{.arg ", names(columns)[sizes != 1L], "} has ", sizes[sizes != 1L])
-    abort_rotdyn(
-      c(
-        "Arguments must have the same length, or length 1.",
-        stats::setNames(text, rep("x", length(text)))
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "Arguments must have the same length, or length 1.",
+      stats::setNames(text, rep("x", length(text)))
+    ), "size", call)
   }
   if (length(others)) others else 1L
 }
 
 # Finite doubles, for descriptions, where NA is not allowed.
 check_finite <- function(x, arg, unit, call, kind = "value") {
-  if (is.double(x) && is.null(attributes(x)) && all(is.finite(x))) {
-    return(x)
-  }
+  if (is.double(x) && is.null(attributes(x)) && all(is.finite(x))) return(x)
   x <- check_column(x, arg, unit, call)
   if (!all(is.finite(x))) {
     at <- which(!is.finite(x))[1]
@@ -182,13 +162,11 @@ check_finite <- function(x, arg, unit, call, kind = "value") {
 
 check_class <- function(x, class, arg, remedy, call) {
   if (!inherits(x, class)) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a {.cls {class}} object.",
-        x = "It is {describe_value(x)}.",
-        i = remedy
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a {.cls {class}} object.",
+      x = "It is {describe_value(x)}.",
+      i = remedy
+    ), "type", call)
   }
 }
 
@@ -199,20 +177,16 @@ check_times <- function(time_s, call) {
   if (is.double(time_s) && is.null(attributes(time_s)) &&
     (n == 0L || (is.finite(time_s[1L]) && is.finite(time_s[n])))) {
     back <- is.unsorted(time_s)
-    if (!is.na(back) && !back) {
-      return(time_s)
-    }
+    if (!is.na(back) && !back) return(time_s)
   }
   time_s <- check_finite(time_s, "time_s", "s", call, "time")
   if (is.unsorted(time_s)) {
     at <- which(diff(time_s) < 0)[1]
-    abort_rotdyn(
-      c(
-        "{.arg time_s} must not go back in time.",
-        x = "Element {at + 1} is {format(time_s[at + 1])} after {format(time_s[at])}.",
-        i = "Sort it, or ask {.fn predict} for times in any order."
-      ), "time", call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} must not go back in time.",
+      x = "Element {at + 1} is {format(time_s[at + 1])} after {format(time_s[at])}.",
+      i = "Sort it, or ask {.fn predict} for times in any order."
+    ), "time", call)
   }
   time_s
 }

@@ -24,9 +24,7 @@
 clutch_engagement <- function(inertia_1_kg_m2, inertia_2_kg_m2, capacity_n_m, omega1_rad_per_s,
                               omega2_rad_per_s = 0, ..., torque_1_n_m = 0, torque_2_n_m = 0) {
   call <- check_no_dots(...)
-  check_supplied(
-    c("inertia_1_kg_m2", "inertia_2_kg_m2", "capacity_n_m", "omega1_rad_per_s"), call
-  )
+  check_supplied(c("inertia_1_kg_m2", "inertia_2_kg_m2", "capacity_n_m", "omega1_rad_per_s"), call)
   columns <- check_columns_of(
     list(
       inertia_1_kg_m2 = inertia_1_kg_m2, inertia_2_kg_m2 = inertia_2_kg_m2,

@@ -31,7 +31,6 @@ energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s) {
   )
   fraction <- rotational_energy_fraction(columns$beta)
   tibble::new_tibble(
-    lapply(c(columns, values, list(rotational_energy_fraction = fraction)), rep_len, n),
-    nrow = n
+    lapply(c(columns, values, list(rotational_energy_fraction = fraction)), rep_len, n), nrow = n
   )
 }

@@ -70,13 +70,9 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
   efficiency <- check_each(efficiency, "efficiency", "1", n - 1L, 0, call)
   torque <- check_each(torque_n_m, "torque_n_m", "N*m", n, -Inf, call)
   viscous <- check_each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0, call)
-  if (any(ratios == 0)) {
-    abort_rotdyn("{.arg ratios} must not be 0.", "value", call)
-  }
+  if (any(ratios == 0)) abort_rotdyn("{.arg ratios} must not be 0.", "value", call)
   bad <- which(efficiency <= 0 | efficiency > 1)
-  if (length(bad)) {
-    abort_domain(efficiency[bad[1]], "efficiency", "1", call, 0, 1, TRUE)
-  }
+  if (length(bad)) abort_domain(efficiency[bad[1]], "efficiency", "1", call, 0, 1, TRUE)
   ratio <- cumprod(c(1, ratios))
   passed <- cumprod(c(1, efficiency))
   felt <- torque / ratio

@@ -31,9 +31,7 @@ repair_figures <- paste(
 repairs_of <- function(tensor, mass_kg, size_m, sign, judged) {
   failed <- judged$condition[judged$verdict == "fails"]
   small <- is_too_small(judged, size_m)
-  if (!length(failed) && !small || "finite" %in% failed) {
-    return(list())
-  }
+  if (!length(failed) && !small || "finite" %in% failed) return(list())
   now <- list(six = to_given(tensor_to_six(tensor), sign), mass_kg = mass_kg, size_m = size_m)
   candidates <- if (small) {
     too_small_candidates(now, judged)
@@ -60,9 +58,7 @@ to_given <- function(six, sign) {
 
 is_too_small <- function(judged, size_m) {
   at <- match("size", judged$condition)
-  if (is.na(at) || any(judged$verdict == "fails")) {
-    return(FALSE)
-  }
+  if (is.na(at) || any(judged$verdict == "fails")) return(FALSE)
   judged$value[at] > 0 && judged$value[at] < size_m / radius_too_small
 }
 
@@ -72,18 +68,14 @@ new_repair <- function(kind, size, entry, from, to) {
 }
 
 keep_legal <- function(candidates, now, sign) {
-  if (!length(candidates)) {
-    return(list())
-  }
+  if (!length(candidates)) return(list())
   sizes <- vapply(candidates, `[[`, 0, "size")
   candidates <- candidates[order(sizes)]
   sizes <- sort(sizes)
   smallest <- Inf
   kept <- list()
   for (i in seq_along(candidates)) {
-    if (sizes[i] > smallest + 1) {
-      break
-    }
+    if (sizes[i] > smallest + 1) break
     if (is_legal(apply_repair(now, candidates[[i]]), sign)) {
       kept <- c(kept, candidates[i])
       smallest <- min(smallest, sizes[i])
@@ -105,9 +97,7 @@ apply_repair <- function(now, repair) {
 is_legal <- function(now, sign) {
   six <- to_given(now$six, sign)
   largest <- max(abs(six))
-  if (!is.finite(largest)) {
-    return(FALSE)
-  }
+  if (!is.finite(largest)) return(FALSE)
   # The inequalities of the diagonal are necessary, and cheap.
   if (largest > 0) {
     diagonal <- six[1:3] / largest
@@ -130,9 +120,7 @@ digit_candidates <- function(now) {
     x <- now$six[i]
     digits <- printed_digits(x)
     step <- 10^(floor(log10(abs(x))) + 1 - digits)
-    if (digits < 2L || digits > 12L || !is.finite(step) || step == 0) {
-      next
-    }
+    if (digits < 2L || digits > 12L || !is.finite(step) || step == 0) next
     to <- signif(c(x - step, x + step), digits + 1L)
     found <- c(found, lapply(to, function(to) {
       new_repair("last digit", 1, inertia_entries[i], x, to)
@@ -144,9 +132,7 @@ digit_candidates <- function(now) {
 # Number of digits of the shortest decimal representation of x.
 printed_digits <- function(x) {
   for (digits in 1:16) {
-    if (as.numeric(sprintf("%.*e", digits - 1L, x)) == x) {
-      return(digits)
-    }
+    if (as.numeric(sprintf("%.*e", digits - 1L, x)) == x) return(digits)
   }
   17L
 }
@@ -225,9 +211,7 @@ unit_candidates <- function(now, judged) {
   at <- match("size", judged$condition)
   radius <- judged$value[at] / judged$limit[at] * sqrt(inertia_units)
   usual <- radius >= radius_usual[1L] & radius <= radius_usual[2L]
-  if (!any(usual)) {
-    usual <- radius <= 1 & radius == max(radius[radius <= 1], 0)
-  }
+  if (!any(usual)) usual <- radius <= 1 & radius == max(radius[radius <= 1], 0)
   present <- now$six != 0
   lapply(which(usual), function(i) {
     from <- now$six[present]
@@ -280,9 +264,7 @@ asymmetry_candidates <- function(tensor, now, sign) {
 }
 
 asymmetry_kind <- function(a, b) {
-  if (length(a) > 1L) {
-    return("triangle of the matrix")
-  }
+  if (length(a) > 1L) return("triangle of the matrix")
   places <- if (a * b > 0) log10(a / b) else NA
   if (a == -b) {
     "sign of a product"
@@ -339,16 +321,11 @@ repairs_in_words <- function(repairs, legal = FALSE) {
   goal <- if (legal) "would be usual" else "would make every condition hold"
   larger <- sum(sizes > min(sizes))
   more <- if (larger) paste0(" (inertia_repairs() lists ", larger, " larger)") else ""
-  if (length(words) == 1L) {
-    return(paste0(words, " ", goal, more))
-  }
+  if (length(words) == 1L) return(paste0(words, " ", goal, more))
   shown <- words[seq_len(min(length(words), 5L))]
-  if (length(words) > 5L) {
-    shown <- c(shown, paste(length(words) - 5L, "more"))
-  }
+  if (length(words) > 5L) shown <- c(shown, paste(length(words) - 5L, "more"))
   paste0(
-    "each of these ", goal, "; which is right is unknown: ", paste(shown, collapse = "; or "),
-    more
+    "each of these ", goal, "; which is right is unknown: ", paste(shown, collapse = "; or "), more
   )
 }
 

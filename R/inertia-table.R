@@ -37,16 +37,10 @@
 #' @export
 inertia_table <- function(objects = inertia_objects()) {
   call <- rlang::current_env()
-  if (inherits(objects, "rot_body")) {
-    objects <- list(objects)
-  }
-  if (!is.data.frame(objects)) {
-    return(inertia_of_bodies(objects, call))
-  }
+  if (inherits(objects, "rot_body")) objects <- list(objects)
+  if (!is.data.frame(objects)) return(inertia_of_bodies(objects, call))
   name <- intersect(c("object", "shape"), names(objects))[1]
-  if (is.na(name)) {
-    abort_missing_column("object", objects, call)
-  }
+  if (is.na(name)) abort_missing_column("object", objects, call)
   shapes <- shape_table()
   check_shape_names(objects[[name]], name, nrow(objects), call)
   id <- shape_ids(objects[[name]], shapes)
@@ -57,9 +51,7 @@ inertia_table <- function(objects = inertia_objects()) {
 
   # Known names have precedence over beta and the radius.
   values <- .Call(ffi_shapes_table, id, mass, beta, sizes)
-  if (!is.list(values)) {
-    abort_row(values, id, mass, beta, sizes, call)
-  }
+  if (!is.list(values)) abort_row(values, id, mass, beta, sizes, call)
   text <- id + 1L
   out <- as.list(objects)
   out[names(values)] <- values
@@ -77,12 +69,10 @@ inertia_table <- function(objects = inertia_objects()) {
 
 check_shape_names <- function(given, column, rows, call) {
   if (is.data.frame(given) || length(given) != rows) {
-    abort_rotdyn(
-      c(
-        "{.field {column}} must be a column of names, one for each row.",
-        x = "It is {describe_value(given)} for {rows} row{?s}."
-      ), if (is.data.frame(given)) "type" else "size", call
-    )
+    abort_rotdyn(c(
+      "{.field {column}} must be a column of names, one for each row.",
+      x = "It is {describe_value(given)} for {rows} row{?s}."
+    ), if (is.data.frame(given)) "type" else "size", call)
   }
 }
 
@@ -101,33 +91,25 @@ shape_ids <- function(given, shapes) {
 
 check_known <- function(given, id, beta, call) {
   unknown <- id == 0L
-  if (!any(unknown)) {
-    return(invisible())
-  }
+  if (!any(unknown)) return(invisible())
   unknown <- unique(as.character(given[unknown & is.na(beta) & !is.na(given)]))
   if (length(unknown)) {
-    abort_rotdyn(
-      c(
-        "Every object must be a standard shape or have a {.field beta}.",
-        x = "Neither: {.val {unknown}}.",
-        i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "Every object must be a standard shape or have a {.field beta}.",
+      x = "Neither: {.val {unknown}}.",
+      i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
+    ), "value", call)
   }
 }
 
 needed_column <- function(column, unit, objects, call) {
-  if (is.null(objects[[column]])) {
-    abort_missing_column(column, objects, call)
-  }
+  if (is.null(objects[[column]])) abort_missing_column(column, objects, call)
   values <- check_column(objects[[column]], column, unit, call)
   if (length(values) != nrow(objects)) {
-    abort_rotdyn(
-      c(
-        "{.arg {column}} must have one number for each row.",
-        x = "It has {length(values)} for {nrow(objects)} row{?s}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "{.arg {column}} must have one number for each row.",
+      x = "It has {length(values)} for {nrow(objects)} row{?s}."
+    ), "size", call)
   }
   values
 }
@@ -148,12 +130,8 @@ needed_sizes <- function(id, shapes, objects, call) {
 abort_row <- function(fault, id, mass, beta, sizes, call) {
   row <- fault[2]
   at <- function(x) x[if (length(x) == 1L) 1L else row]
-  if (fault[1] == 5) {
-    abort_domain(at(mass), "mass_kg", "kg", call, 0, Inf, FALSE, row = row)
-  }
-  if (fault[1] == 6) {
-    abort_domain(at(beta), "beta", "1", call, 0, Inf, FALSE, row = row)
-  }
+  if (fault[1] == 5) abort_domain(at(mass), "mass_kg", "kg", call, 0, Inf, FALSE, row = row)
+  if (fault[1] == 6) abort_domain(at(beta), "beta", "1", call, 0, Inf, FALSE, row = row)
   names <- if (id[row]) shape_table()$names[[id[row]]] else "radius_m"
   size <- vapply(match(names, size_table()$name), function(k) at(sizes[[k]]), double(1))
   abort_shape(fault, names, size, row, call)
@@ -184,12 +162,10 @@ inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1) {
 
 inertia_of_bodies <- function(bodies, call) {
   if (!is.list(bodies) || !all(vapply(bodies, inherits, logical(1), "rot_body"))) {
-    abort_rotdyn(
-      c(
-        "{.arg objects} must be a data frame, a {.cls rot_body}, or a list of those.",
-        x = "It is {describe_value(bodies)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg objects} must be a data frame, a {.cls rot_body}, or a list of those.",
+      x = "It is {describe_value(bodies)}."
+    ), "type", call)
   }
   pick <- function(f) vapply(bodies, f, numeric(1))
   given <- unique(unlist(lapply(bodies, function(b) names(b$size_m))))

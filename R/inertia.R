@@ -56,9 +56,7 @@ inertia_tensor <- function(body, about = "centre", ..., axes = "own",
     ffi_inertia_about, body$second_moment_kg_m2, body$mass_kg, body$centre_m - point, rotation
   )
   check_in_range(tensor, call)
-  if (products == "positive") {
-    tensor <- flip_products(tensor)
-  }
+  if (products == "positive") tensor <- flip_products(tensor)
   structure(
     tensor,
     point_m = point,
@@ -96,9 +94,7 @@ moment_through <- function(body, axis, through, call) {
 }
 
 check_in_range <- function(x, call) {
-  if (!all(is.finite(x))) {
-    abort_rotdyn("The inertia exceeds double precision.", "range", call)
-  }
+  if (!all(is.finite(x))) abort_rotdyn("The inertia exceeds double precision.", "range", call)
   x
 }
 
@@ -158,7 +154,7 @@ print.rot_inertia_tensor <- function(x, ...) {
   own <- identical(attr(x, "rotation"), diag(3))
   sign <- if (attr(x, "products") == "negative") "-" else "+"
   where <- paste0(
-    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "turned", " axes,"
+    "<inertia tensor> kg m^2, about ", about, ", ", if (own) "own" else "rotated", " axes,"
   )
   signs <- paste0("off-diagonal ", sign, "int x y dm")
   head <- paste(where, signs)
@@ -189,9 +185,7 @@ as.matrix.rot_inertia_tensor <- function(x, ...) {
 Ops.rot_inertia_tensor <- function(e1, e2) {
   bare <- function(x) if (inherits(x, "rot_inertia_tensor")) as.matrix(x) else x
   operation <- get(.Generic, mode = "function")
-  if (missing(e2)) {
-    return(operation(bare(e1)))
-  }
+  if (missing(e2)) return(operation(bare(e1)))
   value <- operation(bare(e1), bare(e2))
   both <- inherits(e1, "rot_inertia_tensor") && inherits(e2, "rot_inertia_tensor")
   if (both && .Generic %in% c("+", "-")) {
@@ -220,23 +214,19 @@ check_same_point <- function(e1, e2, operation, call) {
   p2 <- attr(e2, "point_m")
   verb <- if (operation == "+") "added" else "subtracted"
   if (!identical(p1, p2)) {
-    abort_rotdyn(
-      c(
-        "Inertia tensors about different points cannot be {verb}.",
-        x = "One is about ({paste(format_si(p1), collapse = ', ')}) m, the other about
-             ({paste(format_si(p2), collapse = ', ')}) m.",
-        i = "Take both about one point, {.code inertia_tensor(body, about = )}, or join the bodies:
-             {.fn join_bodies}."
-      ), "point", call
-    )
+    abort_rotdyn(c(
+      "Inertia tensors about different points cannot be {verb}.",
+      x = "One is about ({paste(format_si(p1), collapse = ', ')}) m, the other about
+           ({paste(format_si(p2), collapse = ', ')}) m.",
+      i = "Take both about one point, {.code inertia_tensor(body, about = )}, or join the bodies:
+           {.fn join_bodies}."
+    ), "point", call)
   }
   if (!isTRUE(all.equal(attr(e1, "rotation"), attr(e2, "rotation"), tolerance = 1e-12)) ||
     attr(e1, "products") != attr(e2, "products")) {
-    abort_rotdyn(
-      c(
-        "Inertia tensors in different axes, or of different sign conventions, cannot be {verb}.",
-        i = "Take both in the same {.arg axes} and with the same {.arg products}."
-      ), "point", call
-    )
+    abort_rotdyn(c(
+      "Inertia tensors in different axes, or of different sign conventions, cannot be {verb}.",
+      i = "Take both in the same {.arg axes} and with the same {.arg products}."
+    ), "point", call)
   }
 }

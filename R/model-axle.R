@@ -71,13 +71,16 @@ axle_forced <- axle_closed_form(
   equations = "I domega/dt = torque(t) - c omega, solved term by term",
   assumptions = "rigid body; resistance -c omega",
   limits = "polynomials to degree 16; the state must stay within double precision",
-  requires = "sums of constants, knots, polynomials, sinusoids, exponentials, motors; viscous resistance",
-  source = "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)"
+  requires =
+    "sums of constants, knots, polynomials, sinusoids, exponentials, motors; viscous resistance",
+  source =
+    "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)"
 )
 
 axle_drag <- axle_closed_form(
   "axle_drag",
-  equations = "I domega/dt = torque - c omega - q omega |omega| - tau_c sign(omega); sticks at rest",
+  equations =
+    "I domega/dt = torque - c omega - q omega |omega| - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; a torque that is constant between its steps",
   limits = "forward in time; c >= 0",
   requires = "constants, steps, pulses, a motor; viscous, quadratic and dry friction",
@@ -86,10 +89,12 @@ axle_drag <- axle_closed_form(
 
 axle_bands <- axle_closed_form(
   "axle_bands",
-  equations = "I domega/dt = torque(t) + curve(omega) - c omega - tau_c sign(omega); sticks at rest",
+  equations =
+    "I domega/dt = torque(t) + curve(omega) - c omega - tau_c sign(omega); sticks at rest",
   assumptions = "rigid body; torque piecewise linear in time and in omega",
   limits = "forward in time",
-  requires = "constants, knots, steps, pulses, motors, one torque_curve(); viscous and dry friction",
+  requires =
+    "constants, knots, steps, pulses, motors, one torque_curve(); viscous and dry friction",
   source = "Armstrong-Helouvry 1991, chapter 2 (dry friction)"
 )
 
@@ -111,7 +116,9 @@ axle_integrator <- function(id, method, ...) {
     },
     # The integrator carries the ledger with the state; other rows mean another run.
     ledger = function(scene, run, from_s, to_s) {
-      result <- integrate_axle(scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call, method)
+      result <- integrate_axle(
+        scene, c(from_s, to_s), run$accuracy, run$max_steps, run$call, method
+      )
       if (result$info$kind == "none") result$ledger else empty_axle_ledger(NA_real_)
     }
   )
@@ -139,8 +146,8 @@ axle_models <- list(
   axle_bands, axle_rk8pd, axle_radau
 )
 
-# A function of the fraction done, for the C code to call at most 20 times a second. The bar comes
-# into being a second after the first call, so that short work makes none and asks no clock.
+# A function of the fraction done, for C to call at most 20 times a second. The bar appears a second
+# after the first call: short runs make none.
 progress_bar <- function(name) {
   start <- NULL
   bar <- NULL

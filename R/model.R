@@ -3,9 +3,9 @@
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
 #   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
-#   adapts                  TRUE: its error depends on the accuracy asked
+#   adapts                  TRUE: its error follows the accuracy asked
 #   ran_as(info)            NULL, or the id of the model that a run ended with
-#   loses                   NULL, or what makes a large error, for the warning
+#   loses                   NULL, or the cause of large errors, for the warning
 # and, from the C core for the models that it knows, from the record itself for others:
 #   error_kind              "bound" (a closed form) or "estimate"
 #   handles                 the effects of a scene that it takes, by name
@@ -26,7 +26,9 @@ core_record <- function(record) {
   record$core <- TRUE
   record$error_kind <- known$error_kind[at]
   record$handles <- known$takes[[at]]
-  record$why_not <- function(scene, time_s) core_pick(id, scene, time_s, 1, model = record$id)$reason
+  record$why_not <- function(scene, time_s) {
+    core_pick(id, scene, time_s, 1, model = record$id)$reason
+  }
   record$why <- known$why[at]
   record$error <- function(accuracy) if (isTRUE(record$adapts)) max(accuracy, promise) else promise
   record$on_trial <- known$on_trial[at]
@@ -62,14 +64,11 @@ models <- function() {
   )
 }
 
-# A fit: list(record, scene: what it will solve, dropped: NULL or what was left out, reason: NULL or
-# why the model does not fit, result: NULL or that of a run on trial, error, cost_s).
-new_fit <- function(record, constraint, scene, dropped, reason, error, cost_s) {
+# How a model runs a scene: list(record, scene: what it will solve, dropped: NULL or what was left
+# out, reason: NULL or why it does not fit, result: NULL or that of a run on trial).
+new_fit <- function(record, constraint, scene, dropped, reason = NULL) {
   if (!is.null(dropped)) scene <- constraint$without(scene, dropped$effects)
-  list(
-    record = record, scene = scene, dropped = dropped, reason = reason, result = NULL,
-    error = error, cost_s = cost_s
-  )
+  list(record = record, scene = scene, dropped = dropped, reason = reason, result = NULL)
 }
 
 too_coarse <- function(error, accuracy) {
@@ -78,13 +77,12 @@ too_coarse <- function(error, accuracy) {
   }
 }
 
-# A model of R on a scene; where it does not take all effects, without them if `drop` allows and that
-# changes little enough.
-fit_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
-  effects <- constraint$effects_of(scene)
-  missing <- setdiff(effects, record$handles)
+# A row of candidates(): a model of R on a scene; where it does not take all effects, without them
+# if `drop` allows and that changes little enough.
+judge_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
+  missing <- setdiff(constraint$effects_of(scene), record$handles)
   error <- record$error(accuracy)
-  dropped <- reason <- NULL
+  dropped <- NULL
   if (length(missing)) {
     reason <- paste("it does not take", effects_in_words(missing, constraint))
     if (drop && record$error_kind == "bound" && !is.null(constraint$drop_bound)) {
@@ -98,31 +96,32 @@ fit_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
   } else {
     reason <- record$why_not(scene, time_s) %||% too_coarse(error, accuracy)
   }
-  cost <- record$cost(scene, length(time_s), accuracy)
-  new_fit(record, constraint, scene, dropped, reason, error, cost)
+  list(
+    model = record$id, applies = is.null(reason), error = error, error_kind = record$error_kind,
+    cost_s = record$cost(scene, length(time_s), accuracy),
+    reason = reason %||% (if (is.null(dropped)) NA_character_ else {
+      describe_dropped(dropped, constraint)
+    }),
+    dropped = list(dropped)
+  )
 }
 
-# All models of a scene, cheapest first. An effect is left out only where no closed form takes the
-# scene as it is.
+# All models of a scene, cheapest first, in the columns of core_candidates(). An effect is left out
+# only where no closed form takes the scene unchanged.
 candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
+  table <- if (constraint$core) core_candidates(constraint$id, scene, time_s, accuracy, law_s)
+  if (constraint$all_core) {
+    return(table)
+  }
   own <- Filter(function(record) is.null(record$core), constraint$models)
-  try_own <- function(drop) {
-    lapply(own, fit_model, constraint, scene, time_s, accuracy, drop, call)
+  judge <- function(drop) {
+    rows <- lapply(unname(own), judge_model, constraint, scene, time_s, accuracy, drop, call)
+    do.call(Map, c(c, rows))
   }
-  fits <- try_own(FALSE)
-  exact <- function(fit) is.null(fit$reason) && fit$record$error_kind == "bound"
-  if (constraint$core) {
-    table <- core_candidates(constraint$id, scene, time_s, accuracy, law_s)
-    fits <- c(fits, lapply(seq_along(table$model), function(i) {
-      new_fit(
-        constraint$models[[table$model[i]]], constraint, scene, table$dropped[[i]],
-        if (!table$applies[i]) table$reason[i], table$error[i], table$cost_s[i]
-      )
-    }))
-  } else if (!any(vapply(fits, exact, logical(1)))) {
-    fits <- try_own(TRUE)
-  }
-  unname(fits)[order(vapply(fits, function(fit) fit$cost_s, double(1)))]
+  rows <- judge(FALSE)
+  if (is.null(table) && !any(rows$applies & rows$error_kind == "bound")) rows <- judge(TRUE)
+  table <- if (is.null(table)) rows else Map(c, table, rows)
+  lapply(table, `[`, order(table$cost_s))
 }
 
 # A model on trial is run, and kept if its error is good enough.
@@ -142,27 +141,23 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
   if (!is.null(model)) {
     return(named_model(constraint, scene, time_s, accuracy, model, max_steps, call))
   }
-  if (constraint$all_core) {
-    pick <- core_pick(constraint$id, scene, time_s, accuracy)
-    n <- length(pick$model)
-    for (i in seq_len(n)) {
-      fit <- new_fit(
-        constraint$models[[pick$model[i]]], constraint, scene, if (i == n) pick$dropped, NULL, 0, 0
-      )
-      if (i <= pick$on_trial) fit <- try_model(fit, time_s, accuracy, max_steps, call)
-      if (is.null(fit$reason)) {
-        return(fit)
-      }
-    }
+  pick <- if (constraint$all_core) {
+    core_pick(constraint$id, scene, time_s, accuracy)
+  } else {
+    table <- candidates(constraint, scene, time_s, accuracy, call)
+    lapply(table[c("model", "dropped")], `[`, table$applies)
   }
-  fits <- candidates(constraint, scene, time_s, accuracy, call)
-  for (fit in fits) {
-    fit <- try_model(fit, time_s, accuracy, max_steps, call)
+  tried <- double()
+  for (i in seq_along(pick$model)) {
+    record <- constraint$models[[pick$model[i]]]
+    fit <- new_fit(record, constraint, scene, pick$dropped[[i]])
+    if (isTRUE(record$on_trial)) fit <- try_model(fit, time_s, accuracy, max_steps, call)
     if (is.null(fit$reason)) {
       return(fit)
     }
+    tried <- c(tried, fit$result$info$error)
   }
-  abort_no_model(fits, scene, time_s, accuracy, call)
+  abort_no_model(constraint, scene, time_s, accuracy, tried, call)
 }
 
 #' Choose a model for a scene
@@ -170,13 +165,13 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' The cheapest model, by predicted time, that takes the scene and reaches the accuracy.
 #' [trajectory()] makes the same choice; `choose_model()` shows the candidates and the reasons.
 #'
-#' An effect is left out only where no closed form takes the scene as it is, and only with a bound: a
-#' torque of at most D changes omega by at most `D/I min(T, I/c)` in a time T, and theta by T times
-#' that. The trajectory names what was left out, and its error includes the bound.
+#' An effect is ignored only where no closed form takes the scene unchanged, and only with a bound:
+#' a torque of at most D changes omega by at most `D/I min(T, I/c)` in a time T, and theta by T
+#' times that. The trajectory names the effect, and its error includes the bound.
 #'
 #' @param scene A scene, such as [scene_axle()].
 #' @param time_s Output times in s, finite and not decreasing: their number counts for the cost,
-#'   their span for what may be left out.
+#'   their span for the effects that may be ignored.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]; or an angle or
 #'   an angular velocity with units: see [trajectory()].
 #' @return A tibble with one row for each model of the scene's constraint, cheapest first:
@@ -189,7 +184,7 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' choose_model(scene, time_s = seq(0, 8, by = 0.1))
 #'
-#' # Drag so weak that it may be left out at 1e-6, but not at 1e-12:
+#' # Drag so weak that it is ignored at 1e-6, but not at 1e-12:
 #' ramp <- torque_knots(c(0, 8), c(0, 0.8))
 #' weak <- scene_axle(body_disk(2, 0.25), ramp, resistance(0.03, quadratic_n_m_s2 = 1e-12))
 #' choose_model(weak, time_s = 0:8, accuracy = 1e-6)
@@ -206,36 +201,29 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
   constraint <- constraint_of(scene)
   law <- scene[["loads"]]$law
   law_s <- if (is.null(law)) 0 else tryCatch(law_seconds(law, scene), error = function(e) 1e-6)
-  fits <- candidates(constraint, scene, time_s, accuracy, call, law_s)
-  fits <- lapply(fits, try_model, time_s, accuracy, 1e6, call)
-  applies <- vapply(fits, function(fit) is.null(fit$reason), logical(1))
-  if (!any(applies)) {
-    abort_no_model(fits, scene, time_s, accuracy, call)
+  table <- candidates(constraint, scene, time_s, accuracy, call, law_s)
+  records <- constraint$models[table$model]
+  tried <- double()
+  for (i in which(table$applies)) {
+    if (!isTRUE(records[[i]]$on_trial)) next
+    fit <- new_fit(records[[i]], constraint, scene, NULL)
+    fit <- try_model(fit, time_s, accuracy, 1e6, call)
+    table$error[i] <- fit$result$info$error
+    tried <- c(tried, table$error[i])
+    table$applies[i] <- is.null(fit$reason)
+    table$reason[i] <- fit$reason %||% NA
   }
-  chosen <- which(applies)[1]
-  id <- vapply(fits, function(fit) fit$record$id, character(1))
-  tibble::new_tibble(list(
-    model = id,
-    applies = applies,
-    error = vapply(fits, function(fit) {
-      if (is.null(fit$result)) fit$error else fit$result$info$error
-    }, double(1)),
-    error_kind = vapply(fits, function(fit) fit$record$error_kind, character(1)),
-    cost_s = vapply(fits, function(fit) fit$cost_s, double(1)),
-    chosen = seq_along(id) == chosen,
-    reason = vapply(seq_along(fits), function(i) {
-      fit <- fits[[i]]
-      if (!is.null(fit$reason)) {
-        fit$reason
-      } else if (!is.null(fit$dropped)) {
-        describe_dropped(fit$dropped, constraint)
-      } else if (i == chosen) {
-        fit$record$why
-      } else {
-        paste0("fits, but ", id[chosen], " is cheaper")
-      }
-    }, character(1))
-  ), nrow = length(id))
+  chosen <- match(TRUE, table$applies)
+  if (is.na(chosen)) {
+    abort_no_model(constraint, scene, time_s, accuracy, tried, call)
+  }
+  reason <- table$reason
+  reason[is.na(reason)] <- paste0("fits, but ", table$model[chosen], " is cheaper")
+  if (is.na(table$reason[chosen])) reason[chosen] <- records[[chosen]]$why
+  tibble::new_tibble(c(
+    table[c("model", "applies", "error", "error_kind", "cost_s")],
+    list(chosen = seq_along(reason) == chosen, reason = reason)
+  ), nrow = length(reason))
 }
 
 check_scene <- function(scene, call) {
@@ -246,65 +234,55 @@ check_scene <- function(scene, call) {
   abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
 }
 
-abort_no_model <- function(fits, scene, time_s, accuracy, call) {
-  constraint <- constraint_of(scene)
+# `tried`: errors of the models that were run on trial.
+abort_no_model <- function(constraint, scene, time_s, accuracy, tried, call) {
   effects <- constraint$effects_of(scene)
-  takes <- Filter(function(fit) all(effects %in% fit$record$handles), fits)
-  why_not <- lapply(takes, function(fit) fit$record$why_not(scene, time_s))
-  fits_now <- vapply(why_not, is.null, logical(1))
-  if (!any(fits_now)) {
-    abort_rotdyn(
-      c(
-        "No model can run this scene at these times.",
-        x = "{.arg time_s} begins at {format(time_s[1])} s, the scene at {format(scene$start_s)} s.",
-        i = "{.field {takes[[1]]$record$id}}: {why_not[[1]]}."
+  takes <- Filter(function(record) all(effects %in% record$handles), constraint$models)
+  why_not <- lapply(takes, function(record) record$why_not(scene, time_s))
+  fits <- vapply(why_not, is.null, logical(1))
+  if (!any(fits)) {
+    abort_rotdyn(c(
+      "No model can run this scene at these times.",
+      x = paste0(
+        "{.arg time_s} begins at {format(time_s[1])} s, ",
+        "the scene at {format(scene$start_s)} s."
       ),
-      "time",
-      call
-    )
+      i = "{.field {takes[[1]]$id}}: {why_not[[1]]}."
+    ), "time", call)
   }
-  best <- min(vapply(takes[fits_now], function(fit) {
-    if (is.null(fit$result)) fit$error else fit$result$info$error
-  }, double(1)), na.rm = TRUE)
-  abort_rotdyn(
-    c(
-      "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
-      i = "The best that one promises is {format(best, digits = 2)}."
-    ),
-    "accuracy",
-    call
-  )
+  promised <- vapply(takes[fits], function(record) {
+    if (isTRUE(record$on_trial)) Inf else record$error(accuracy)
+  }, double(1))
+  best <- min(promised, tried)
+  abort_rotdyn(c(
+    "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
+    i = "The best that one promises is {format(best, digits = 2)}."
+  ), "accuracy", call)
 }
 
 named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, call) {
   ids <- names(constraint$models)
   if (!rlang::is_string(model) || !model %in% ids) {
-    abort_rotdyn(
-      c(
-        "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
-        x = "It is {describe_value(model)}."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
+      x = "It is {describe_value(model)}."
+    ), "model", call)
   }
   record <- constraint$models[[model]]
-  fit <- if (is.null(record$core)) {
-    fit_model(record, constraint, scene, time_s, accuracy, TRUE, call)
+  pick <- if (is.null(record$core)) {
+    judge_model(record, constraint, scene, time_s, accuracy, TRUE, call)
   } else {
-    pick <- core_pick(constraint$id, scene, time_s, accuracy, model = model)
-    new_fit(record, constraint, scene, pick$dropped, pick$reason, 0, 0)
+    core_pick(constraint$id, scene, time_s, accuracy, model = model)
   }
+  fit <- new_fit(
+    record, constraint, scene, pick$dropped[[1]], if (!isTRUE(pick$applies)) pick$reason
+  )
   fit <- try_model(fit, time_s, accuracy, max_steps, call)
   if (!is.null(fit$reason)) {
-    abort_rotdyn(
-      c(
-        "Model {.val {model}} does not fit: {fit$reason}.",
-        i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "Model {.val {model}} does not fit: {fit$reason}.",
+      i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
+    ), "model", call)
   }
   fit
 }

@@ -127,9 +127,7 @@ body_drawing <- function(body) {
   at <- centre - zero
   pieces <- body_pieces(body, zero)
   marks <- data.frame(what = "centre of mass", x = at[1], y = at[2], z = at[3])
-  if (!far) {
-    marks <- rbind(marks, data.frame(what = "own origin", x = 0, y = 0, z = 0))
-  }
+  if (!far) marks <- rbind(marks, data.frame(what = "own origin", x = 0, y = 0, z = 0))
   marks$what <- factor(marks$what, levels = names(body_marks))
   directions <- attr(axes, "axes")
   lines <- rbind(
@@ -236,9 +234,7 @@ body_pieces <- function(body, zero, most = 2000L) {
   xyz <- c("x_m", "y_m", "z_m")
   pieces <- lapply(names(body$detail), function(name) {
     table <- body$detail[[name]]
-    if (!is.data.frame(table) || !all(xyz %in% names(table)) || !nrow(table)) {
-      return(empty)
-    }
+    if (!is.data.frame(table) || !all(xyz %in% names(table)) || !nrow(table)) return(empty)
     kept <- unique(round(seq(1, nrow(table), length.out = min(nrow(table), most))))
     mass <- if ("mass_kg" %in% names(table)) table$mass_kg[kept] else 0
     data.frame(

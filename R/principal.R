@@ -51,9 +51,7 @@ principal_axes <- function(body, ..., tolerance = NULL) {
 }
 
 find_principal <- function(body, tolerance, call) {
-  if (!inherits(body, "rot_body")) {
-    body <- body_of_tensor(body, call)
-  }
+  if (!inherits(body, "rot_body")) body <- body_of_tensor(body, call)
   # With an error of this size the class is undetermined.
   unknown <- is.null(tolerance) && isTRUE(body$error >= 0.5)
   tolerance <- if (is.null(tolerance)) {
@@ -94,9 +92,7 @@ symmetry_class <- function(body, ..., tolerance = NULL) {
 }
 
 name_symmetry <- function(second, equal, tolerance) {
-  if (second[1] <= 0) {
-    return("point")
-  }
+  if (second[1] <= 0) return("point")
   gone <- second <= tolerance * second[1]
   if (gone[2]) {
     "rod"

@@ -1,5 +1,5 @@
-# Integrals of several functions over panels of time: Gauss-Kronrod rules, panels halved where the two
-# rules differ.
+# Integrals of several functions over panels of time: Gauss-Kronrod rules, panels halved where the
+# two rules differ.
 
 # Nodes and weights on [-1, 1], 15 of Kronrod around 7 of Gauss (Piessens et al. 1983, QUADPACK).
 kronrod_node <- c(

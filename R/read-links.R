@@ -61,9 +61,7 @@ read_links <- function(file, ...) {
     robot = lapply(children(root, "link"), urdf_link, call = call),
     sdf_links(root, call)
   )
-  if (!length(links)) {
-    abort_rotdyn("{.arg file} describes no link.", "file", call)
-  }
+  if (!length(links)) abort_rotdyn("{.arg file} describes no link.", "file", call)
   check_unique(vapply(links, `[[`, "", "name"), call)
   links_table(links, call)
 }
@@ -72,13 +70,11 @@ read_links <- function(file, ...) {
 check_expanded <- function(root, call) {
   left <- xml2::xml_find_first(root, "//*[starts-with(name(), 'xacro:')]")
   if (!is.na(left)) {
-    abort_rotdyn(
-      c(
-        "{.arg file} must be a description without xacro.",
-        x = "It has {.code <{xml2::xml_name(left, xml2::xml_ns(root))}>}.",
-        i = xacro_remedy
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "{.arg file} must be a description without xacro.",
+      x = "It has {.code <{xml2::xml_name(left, xml2::xml_ns(root))}>}.",
+      i = xacro_remedy
+    ), "file", call)
   }
 }
 
@@ -105,34 +101,28 @@ description_root <- function(file, call) {
   name <- xml2::xml_name(root)
   # Without the prefix of a namespace.
   if (!sub("^.*:", "", name) %in% c("robot", "sdf", "gazebo")) {
-    abort_rotdyn(
-      c(
-        "{.arg file} must be a URDF or SDF description.",
-        x = "Its root is {.code <{name}>}, not {.code <robot>} or {.code <sdf>}."
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "{.arg file} must be a URDF or SDF description.",
+      x = "Its root is {.code <{name}>}, not {.code <robot>} or {.code <sdf>}."
+    ), "file", call)
   }
   root
 }
 
 parse_description <- function(file, call) {
   if (!is.character(file) || length(file) != 1L || is.na(file)) {
-    abort_rotdyn(
-      c(
-        "{.arg file} must be a path, XML text or an {.cls xml_document}.",
-        x = "It is {describe_value(file)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg file} must be a path, XML text or an {.cls xml_document}.",
+      x = "It is {describe_value(file)}."
+    ), "type", call)
   }
   if (!grepl("^[[:space:]\ufeff]*<", file)) {
     if (!file.exists(file) || dir.exists(file)) {
-      abort_rotdyn(
-        c(
-          "{.arg file} must be a file, or XML text.",
-          x = "There is no file {.file {file}}.",
-          i = if (grepl("^[a-z]+://", file)) "Download it first."
-        ), "file", call
-      )
+      abort_rotdyn(c(
+        "{.arg file} must be a file, or XML text.",
+        x = "There is no file {.file {file}}.",
+        i = if (grepl("^[a-z]+://", file)) "Download it first."
+      ), "file", call)
     }
   } else {
     # Text in R is UTF-8, regardless of its XML declaration.
@@ -164,12 +154,10 @@ child <- function(node, name) {
 only_child <- function(node, name, link, call) {
   found <- children(node, name)
   if (length(found) > 1L) {
-    abort_rotdyn(
-      c(
-        "Link {.val {link}} must have one {.code <{name}>}.",
-        x = "Its {.code <{xml2::xml_name(node)}>} has {length(found)}."
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "Link {.val {link}} must have one {.code <{name}>}.",
+      x = "Its {.code <{xml2::xml_name(node)}>} has {length(found)}."
+    ), "file", call)
   }
   if (length(found)) found[[1L]]
 }
@@ -181,25 +169,21 @@ numbers_of <- function(text, n, what, link, call) {
   bad <- is.na(values) & !is.nan(values)
   if (any(bad)) {
     word <- words[bad][1L]
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be {cli::qty(n)}{?a number/numbers}.",
-        x = "It is {.val {text}}.",
-        i = if (grepl("$", text, fixed = TRUE)) {
-          xacro_remedy
-        } else if (grepl("^[-+0-9.]*,[0-9]+$", word)) {
-          "Decimals are written with a point."
-        }
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be {cli::qty(n)}{?a number/numbers}.",
+      x = "It is {.val {text}}.",
+      i = if (grepl("$", text, fixed = TRUE)) {
+        xacro_remedy
+      } else if (grepl("^[-+0-9.]*,[0-9]+$", word)) {
+        "Decimals are written with a point."
+      }
+    ), "value", call)
   }
   if (length(values) != n) {
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be {n} number{?s}.",
-        x = "It has {length(values)}: {.val {text}}."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be {n} number{?s}.",
+      x = "It has {length(values)}: {.val {text}}."
+    ), "value", call)
   }
   values
 }
@@ -216,12 +200,10 @@ finite_numbers <- function(text, n, what, link, call) {
 
 # `why`: URDF requires it; SDF has defaults of 1, or uses the inertia of the shape.
 abort_lacking <- function(what, link, call, why = "The format requires it in {.code <inertial>}.") {
-  abort_rotdyn(
-    c(
-      "Link {.val {link}} has no {.code {what}}.",
-      i = paste(why, "A frame without mass has no {.code <inertial>}.")
-    ), "file", call
-  )
+  abort_rotdyn(c(
+    "Link {.val {link}} has no {.code {what}}.",
+    i = paste(why, "A frame without mass has no {.code <inertial>}.")
+  ), "file", call)
 }
 
 link_name <- function(node, number, call) {
@@ -268,18 +250,14 @@ urdf_link <- function(node, call) {
 urdf_number <- function(node, attribute, element, link, call) {
   text <- if (is.null(node)) NA_character_ else xml2::xml_attr(node, attribute)
   what <- paste0("<", element, " ", attribute, ">")
-  if (is.na(text)) {
-    abort_lacking(what, link, call)
-  }
+  if (is.na(text)) abort_lacking(what, link, call)
   unit <- c(xml2::xml_attr(node, "unit"), xml2::xml_attr(node, "units"))
   unit <- unit[!is.na(unit)]
   if (length(unit)) {
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be in kg and m.",
-        x = "Its unit is {.val {unit}}, and the format has no units."
-      ), "unit", call
-    )
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be in kg and m.",
+      x = "Its unit is {.val {unit}}, and the format has no units."
+    ), "unit", call)
   }
   numbers_of(text, 1L, what, link, call)
 }
@@ -288,9 +266,7 @@ urdf_pose <- function(node, where, link, call) {
   origin <- only_child(node, "origin", link, call)
   read <- function(attribute) {
     text <- if (is.null(origin)) NA_character_ else xml2::xml_attr(origin, attribute)
-    if (is.na(text)) {
-      return(c(0, 0, 0))
-    }
+    if (is.na(text)) return(c(0, 0, 0))
     finite_numbers(text, 3L, paste0("<origin ", attribute, "> in ", where), link, call)
   }
   list(at = read("xyz"), rpy = read("rpy"))
@@ -335,9 +311,7 @@ sdf_link <- function(node, number, scopes, call) {
     link$pose <- sdf_pose(inertial, "<inertial>", name, call)
     link$mass_kg <- sdf_number(inertial, "mass", NULL, name, call)
     inertia <- only_child(inertial, "inertia", name, call)
-    if (is.null(inertia)) {
-      abort_lacking("<inertia>", name, call, sdf_default)
-    }
+    if (is.null(inertia)) abort_lacking("<inertia>", name, call, sdf_default)
     # Missing products are 0.
     defaults <- list(NULL, NULL, NULL, 0, 0, 0)
     link$six <- mapply(
@@ -354,9 +328,7 @@ sdf_default <- "A simulator would use 1, or the shape's: write it in {.code <ine
 sdf_number <- function(node, element, default, link, call) {
   found <- only_child(node, element, link, call)
   if (is.null(found)) {
-    if (is.null(default)) {
-      abort_lacking(paste0("<", element, ">"), link, call, sdf_default)
-    }
+    if (is.null(default)) abort_lacking(paste0("<", element, ">"), link, call, sdf_default)
     return(default)
   }
   numbers_of(xml2::xml_text(found), 1L, paste0("<", element, ">"), link, call)
@@ -372,19 +344,15 @@ sdf_pose <- function(node, where, link, call) {
   frame <- xml2::xml_attr(pose, "relative_to")
   if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "", sub("^.*::", "", link))) {
     # For visual and collision elements the reach is then unknown.
-    if (where != "<inertial>") {
-      return(NULL)
-    }
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be roll, pitch and yaw in the link's own frame.",
-        x = if (format %in% c(NA, "euler_rpy")) {
-          "It is relative to {.val {frame}}."
-        } else {
-          "Its rotation is given as {.val {format}}."
-        }
-      ), "file", call
-    )
+    if (where != "<inertial>") return(NULL)
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be roll, pitch and yaw in the link's own frame.",
+      x = if (format %in% c(NA, "euler_rpy")) {
+        "It is relative to {.val {frame}}."
+      } else {
+        "Its rotation is given as {.val {format}}."
+      }
+    ), "file", call)
   }
   pose_numbers <- finite_numbers(xml2::xml_text(pose), 6L, what, link, call)
   degrees <- tolower(xml2::xml_attr(pose, "degrees")) %in% c("true", "1")
@@ -416,13 +384,9 @@ geometry_parts <- function(node, link, call, read_pose, read_solid) {
     geometry <- child(element, "geometry")
     shape <- if (!is.null(geometry)) xml2::xml_children(geometry)
     kind <- if (length(shape)) xml2::xml_name(shape[[1L]]) else "none"
-    if (!kind %in% c("box", "sphere", "cylinder", "capsule")) {
-      return(NULL)
-    }
+    if (!kind %in% c("box", "sphere", "cylinder", "capsule")) return(NULL)
     pose <- read_pose(element, paste0("<", xml2::xml_name(element), ">"), link, call)
-    if (is.null(pose)) {
-      return(NULL)
-    }
+    if (is.null(pose)) return(NULL)
     parts <- c(parts, list(c(pose, read_solid(shape[[1L]], kind, link, call))))
   }
   parts
@@ -451,9 +415,7 @@ part_reach <- function(part, centre) {
 }
 
 link_reach <- function(link) {
-  if (!length(link$parts) || is.null(link$pose)) {
-    return(NA_real_)
-  }
+  if (!length(link$parts) || is.null(link$pose)) return(NA_real_)
   reach <- max(vapply(link$parts, part_reach, 0, centre = link$pose$at))
   # A shape without extent is a placeholder.
   if (reach > 0 && is.finite(reach)) reach else NA_real_

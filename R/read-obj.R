@@ -41,15 +41,11 @@ obj_words <- function(lines) {
 # A weight or a colour may follow the three coordinates.
 obj_vertices <- function(lines) {
   words <- obj_words(lines)
-  if (any(lengths(words) < 3L)) {
-    stop("a vertex has fewer than three coordinates", call. = FALSE)
-  }
+  if (any(lengths(words) < 3L)) stop("a vertex has fewer than three coordinates", call. = FALSE)
   text <- unlist(lapply(words, `[`, 1:3))
   x <- suppressWarnings(as.numeric(text))
   bad <- is.na(x) & !grepl("^[-+]?nan", text, ignore.case = TRUE, useBytes = TRUE)
-  if (any(bad)) {
-    stop("a coordinate is not a number: ", encodeString(text[bad][1L]), call. = FALSE)
-  }
+  if (any(bad)) stop("a coordinate is not a number: ", encodeString(text[bad][1L]), call. = FALSE)
   matrix(x, 3L)
 }
 
@@ -57,9 +53,7 @@ obj_vertices <- function(lines) {
 obj_faces <- function(lines, before) {
   words <- obj_words(lines)
   sizes <- lengths(words)
-  if (any(sizes < 3L)) {
-    stop("a face has fewer than three corners", call. = FALSE)
-  }
+  if (any(sizes < 3L)) stop("a face has fewer than three corners", call. = FALSE)
   corner <- suppressWarnings(as.numeric(sub("/.*$", "", unlist(words), useBytes = TRUE)))
   before <- rep(before, sizes)
   back <- which(corner < 0)

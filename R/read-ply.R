@@ -130,9 +130,7 @@ ply_even_rows <- function(element, at, ply) {
   }
   first <- ply_row(element, at, ply)
   start <- at + (seq_len(n) - 1) * (first$end - at)
-  if (!isTRUE(start[n] + first$end - at <= length(ply$places))) {
-    return(NULL)
-  }
+  if (!isTRUE(start[n] + first$end - at <= length(ply$places))) return(NULL)
   for (k in which(element$is_list)) {
     off <- first$before[k] - at - element$length_size[k]
     if (!all(ply_length(ply, start + off, element$length_size[k]) %in% first$values[k])) {
@@ -199,9 +197,7 @@ ply_values <- function(element, name, ply) {
 }
 
 ply_numbers <- function(at, type, count, ply) {
-  if (ply$format == "ascii") {
-    return(ply$places[at])
-  }
+  if (ply$format == "ascii") return(ply$places[at])
   endian <- if (ply$format == "binary_little_endian") "little" else "big"
   what <- if (type %in% c("float", "double")) "double" else "integer"
   size <- unname(ply_sizes[type])

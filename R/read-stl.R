@@ -12,12 +12,8 @@ stl_is_binary <- function(path, call) {
   on.exit(close(con))
   head <- readBin(con, "raw", 84L)
   triangles <- sum(as.integer(head[81:84]) * 256^(0:3))
-  if (isTRUE(triangles == 0 && size == 84)) {
-    abort_mesh_file(path, "It has no triangles.", call)
-  }
-  if (isTRUE(size == 84 + 50 * triangles)) {
-    return(TRUE)
-  }
+  if (isTRUE(triangles == 0 && size == 84)) abort_mesh_file(path, "It has no triangles.", call)
+  if (isTRUE(size == 84 + 50 * triangles)) return(TRUE)
   if (!any(head == 0) && grepl("^[[:space:]]*solid", rawToChar(head), TRUE, useBytes = TRUE)) {
     return(FALSE)
   }
@@ -45,10 +41,7 @@ need_rgl <- function(call) {
 
 read_stl_binary <- function(path) {
   corners <- rgl::readSTL(path, ascii = FALSE, plot = FALSE)
-  structure(
-    list(vb = t(corners), it = matrix(seq_len(nrow(corners)), 3L)),
-    class = "mesh3d"
-  )
+  structure(list(vb = t(corners), it = matrix(seq_len(nrow(corners)), 3L)), class = "mesh3d")
 }
 
 # Three vertices for each facet; normals and other lines are skipped.
@@ -56,9 +49,7 @@ read_stl_text <- function(path) {
   lines <- readLines(path, warn = FALSE, skipNul = TRUE)
   lines <- lines[grepl("^[[:space:]]*(vertex|endloop)", lines, TRUE, useBytes = TRUE)]
   is_vertex <- grepl("^[[:space:]]*v", lines, TRUE, useBytes = TRUE)
-  if (!length(lines)) {
-    stop("it has no facets", call. = FALSE)
-  }
+  if (!length(lines)) stop("it has no facets", call. = FALSE)
   facets <- length(lines) %/% 4L
   if (!identical(is_vertex, rep(c(TRUE, TRUE, TRUE, FALSE), facets))) {
     stop("a facet does not have three vertices, or the file is truncated", call. = FALSE)
@@ -66,7 +57,6 @@ read_stl_text <- function(path) {
   numbers <- sub("^[[:space:]]*[[:alpha:]]+", "", lines[is_vertex], useBytes = TRUE)
   places <- scan(text = numbers, what = list(0, 0, 0), multi.line = FALSE, quiet = TRUE)
   structure(
-    list(vb = do.call(rbind, places), it = matrix(seq_len(3L * facets), 3L)),
-    class = "mesh3d"
+    list(vb = do.call(rbind, places), it = matrix(seq_len(3L * facets), 3L)), class = "mesh3d"
   )
 }

@@ -32,17 +32,13 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
                           gravity_m_per_s2 = 9.80665) {
   call <- rlang::current_env()
   if (!is.data.frame(objects)) {
-    abort_rotdyn(
-      c(
-        "{.arg objects} must be a data frame with a column {.field beta}.",
-        x = "It is {describe_value(objects)}.",
-        i = "For numbers use {.code rolling_table(data.frame(beta = ))}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg objects} must be a data frame with a column {.field beta}.",
+      x = "It is {describe_value(objects)}.",
+      i = "For numbers use {.code rolling_table(data.frame(beta = ))}."
+    ), "type", call)
   }
-  if (is.null(objects[["beta"]])) {
-    abort_missing_column("beta", objects, call)
-  }
+  if (is.null(objects[["beta"]])) abort_missing_column("beta", objects, call)
   given <- c(
     incline_angle_deg = !missing(incline_angle_deg), height_drop_m = !missing(height_drop_m),
     gravity_m_per_s2 = !missing(gravity_m_per_s2)
@@ -64,13 +60,11 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   n <- nrow(objects)
   long <- lengths(columns) != 1L & lengths(columns) != n
   if (any(long)) {
-    abort_rotdyn(
-      c(
-        "Arguments must have one number for each row of {.arg objects}, or one for all.",
-        x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
-             has {n} row{?s}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "Arguments must have one number for each row of {.arg objects}, or one for all.",
+      x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
+           has {n} row{?s}."
+    ), "size", call)
   }
   values <- .Call(
     ffi_rolling_table, columns[[1]], columns[[2]], columns[[3]], columns[[4]],
@@ -80,9 +74,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
 
   # New columns are last, or replace those of the same name.
   out <- as.list(objects)
-  if (inherits(objects[["beta"]], "units")) {
-    out$beta <- columns$beta
-  }
+  if (inherits(objects[["beta"]], "units")) out$beta <- columns$beta
   out[names(values)] <- values
   tibble::new_tibble(out, nrow = n, class = "rot_rolling_table")
 }
@@ -91,9 +83,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
 #' @export
 rolling_objects <- function() {
   tibble::new_tibble(list(
-    object = c(
-      "hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"
-    ),
+    object = c("hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"),
     beta = shape_beta(c("hoop", "disk", "sphere", "spherical_shell", "sliding_point"))
   ), nrow = 5L)
 }

@@ -1,6 +1,5 @@
-# The words about the standard shapes: formulas, origin, source. Their numbers, and which sizes they
-# have, are in src/rot_shapes_geometry.c and src/rot_shapes.c; a test evaluates every formula here
-# and compares it with those.
+# Text about the standard shapes: formulas, origin, source. Their sizes and moments are in
+# src/rot_shapes_geometry.c; a test evaluates every formula here and compares the results.
 #
 # m is the mass; a blank multiplies. Moments are about the centre of mass, along the own axes;
 # `axis` and `formula` belong to the moment reported by inertia_table().
@@ -263,7 +262,7 @@ shape_list <- list(
 
 shape_words_table <- as.data.frame(do.call(rbind, shape_list))
 
-# The standard shapes: the words above beside what C says of each. `id` is the shape's number there.
+# The standard shapes: the text above and the properties in C, in the order of C.
 shape_table <- function() {
   if (is.null(shape_cache$table)) {
     list <- .Call(ffi_shapes_list)
@@ -348,9 +347,7 @@ describe_shapes <- function(family) {
     ifelse(
       words$ixx == words$iyy,
       paste0("Ixx = Iyy = ", code(words$ixx), ", Izz = ", code(words$izz)),
-      paste0(
-        "Ixx = ", code(words$ixx), ", Iyy = ", code(words$iyy), ", Izz = ", code(words$izz)
-      )
+      paste0("Ixx = ", code(words$ixx), ", Iyy = ", code(words$iyy), ", Izz = ", code(words$izz))
     )
   )
   centre <- ifelse(words$centre == "(0, 0, 0)", "", words$centre)

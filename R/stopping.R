@@ -1,17 +1,17 @@
-#' When a body stops, and how fast it ends up
+#' Stopping time and terminal speed
 #'
 #' In closed form, where the torque is constant between its steps and the resistance is any of
 #' viscous, quadratic and dry friction: `I domega/dt = torque - c omega - q omega |omega| - tau_c
-#' sign(omega)`. With viscous resistance alone a body slows down for ever: its stopping time is Inf,
-#' though it turns through a finite angle. With dry friction it stops, and stays at rest while the
-#' torque is at most the static friction.
+#' sign(omega)`. With viscous resistance alone a body never stops: its stopping time is Inf, the
+#' angle finite. With dry friction it stops, and stays at rest while the torque is at most the
+#' static friction.
 #'
 #' @param scene A [scene_axle()].
 #' @return A tibble of one row with the columns
 #'   `r describe_columns(c("stop_time_s", "stop_theta_rad", "terminal_omega_rad_per_s"))`
 #'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` NaN. The
-#'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists it;
-#'   where in the end nothing acts at all, it is the speed left.
+#'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists
+#'   it; where in the end nothing acts at all, it is the speed left.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
 #'   (see [choose_model()], model `axle_drag`).
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
@@ -26,17 +26,15 @@
 stopping <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
-  check_class(scene, "rot_scene_axle", "scene", "Describe one with {.fn scene_axle}.", call)
+  check_class(
+    scene, axle_constraint()$scene_class, "scene", "Describe one with {.fn scene_axle}.", call
+  )
   why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
   if (!is.null(why_not)) {
-    abort_rotdyn(
-      c(
-        "There is no closed form of when this scene stops: {why_not}.",
-        i = "{.fn trajectory} and {.fn motion_events} show it."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "There is no closed form of when this scene stops: {why_not}.",
+      i = "{.fn trajectory} and {.fn motion_events} show it."
+    ), "model", call)
   }
   x <- .Call(ffi_axle_stopping, scene)
   tibble::tibble(
@@ -49,7 +47,8 @@ stopping <- function(scene) {
 terminal_omega <- function(scene, call) {
   knots <- scene$loads$knots
   last <- knots$outside[2]
-  if (last == 0 && !any(c("viscous", "motor", "quadratic", "friction") %in% core_effects("axle", scene))) {
+  resists <- c("viscous", "motor", "quadratic", "friction") %in% core_effects("axle", scene)
+  if (last == 0 && !any(resists)) {
     end <- max(scene$start_s, knots$time_s)
     return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s)
   }

@@ -1,11 +1,12 @@
-# Predicted time of every model on scenes of each kind, beside its measured one: how the coefficients
-# in src/rot_*_models.c hold. From the top of the repository, with the package installed:
+# Predicted time of every model on scenes of each kind, beside its measured one: how the
+# coefficients in src/rot_*_models.c hold. From the top of the repository, with the package
+# installed:
 #
 #   Rscript bench/costs.R
 #
-# One line for each model that applies: predicted, measured (processor time of trajectory(), less that
-# of a trajectory of as many rows that costs the core nothing), their ratio. Then, scene by scene, how
-# much slower than the fastest the model is that was predicted to be the cheapest.
+# One line for each model that applies: predicted, measured (processor time of trajectory(), less
+# that of a trajectory of as many rows that costs the core nothing), their ratio. Then, scene by
+# scene, how much slower than the fastest the model is that was predicted to be the cheapest.
 
 library(rotdyn)
 

@@ -166,10 +166,10 @@ SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, S
   return out;
 }
 
-/* list(model, dropped, on_trial, reason): see R/choice.R. `model` is NULL or the one asked for. */
+/* list(model, dropped, applies, reason): see R/choice.R. `model` is NULL or the one asked for. */
 SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s,
                      SEXP model) {
-  static const char *const names[] = {"model", "dropped", "on_trial", "reason", ""};
+  static const char *const names[] = {"model", "dropped", "applies", "reason", ""};
   question q;
   rot_candidate picked[ROT_MOST_MODELS];
   size_t n = 1;
@@ -181,16 +181,17 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
     if (!of) Rf_error("internal: no such model");
     rot_choice_judge(q.constraint, of, &q.scene, &q.query, picked);
   }
-  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), ids;
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), ids, dropped;
   SET_VECTOR_ELT(out, 0, ids = Rf_allocVector(STRSXP, (R_xlen_t)n));
-  for (size_t i = 0; i < n; i++) SET_STRING_ELT(ids, (R_xlen_t)i, Rf_mkChar(picked[i].model->id));
-  if (n) {
-    const rot_candidate *last = &picked[n - 1];
-    SET_VECTOR_ELT(out, 1, dropped_list(q.constraint, last));
-    SET_VECTOR_ELT(out, 2, Rf_ScalarReal((double)(n - !last->model->on_trial)));
-    if (!last->applies) {
-      SET_VECTOR_ELT(out, 3, Rf_ScalarString(reason_text(q.constraint, last)));
-    }
+  SET_VECTOR_ELT(out, 1, dropped = Rf_allocVector(VECSXP, (R_xlen_t)n));
+  for (size_t i = 0; i < n; i++) {
+    SET_STRING_ELT(ids, (R_xlen_t)i, Rf_mkChar(picked[i].model->id));
+    SET_VECTOR_ELT(dropped, (R_xlen_t)i, dropped_list(q.constraint, &picked[i]));
+  }
+  const int applies = n > 0 && picked[0].applies;
+  SET_VECTOR_ELT(out, 2, Rf_ScalarLogical(applies));
+  if (n > 0 && !applies) {
+    SET_VECTOR_ELT(out, 3, Rf_ScalarString(reason_text(q.constraint, picked)));
   }
   UNPROTECT(1);
   return out;

@@ -37,20 +37,6 @@ static const uint32_t *read_same(SEXP same, const rot_mesh *mesh) {
   return (const uint32_t *)(const void *)at;
 }
 
-enum { COUNTS = 21 };
-
-static const char *const count_names[COUNTS + 1] = {"vertices",        "faces",
-                                                    "bad_vertices",    "bad_faces",
-                                                    "merged_vertices", "edges",
-                                                    "open_edges",      "miswound",
-                                                    "crowded",         "touching",
-                                                    "degenerate",      "duplicate_faces",
-                                                    "unused",          "components",
-                                                    "zero_area",       "flipped",
-                                                    "cavities",        "inverted",
-                                                    "overlapping",     "flat",
-                                                    "unchecked_parts", ""};
-
 typedef struct findings {
   rot_mesh_entries entries;
   size_t merged;
@@ -58,32 +44,41 @@ typedef struct findings {
   rot_mesh_nesting nesting;
 } findings;
 
-static void write_counts(const rot_mesh *mesh, const findings *f, int looked, int nested,
-                         double to[COUNTS]) {
-  const double counts[COUNTS] = {(double)mesh->vertices,
-                                 (double)mesh->faces,
-                                 (double)f->entries.bad_vertices,
-                                 (double)f->entries.bad_faces,
-                                 (double)f->merged,
-                                 (double)f->edges.edges,
-                                 (double)f->edges.open_edges,
-                                 (double)f->edges.miswound_edges,
-                                 (double)f->edges.crowded_edges,
-                                 (double)f->edges.touching_edges,
-                                 (double)f->edges.degenerate_faces,
-                                 (double)f->edges.duplicate_faces,
-                                 (double)f->edges.unused_vertices,
-                                 (double)f->edges.components,
-                                 (double)f->nesting.zero_area_faces,
-                                 (double)f->nesting.flipped,
-                                 (double)f->nesting.cavities,
-                                 (double)f->nesting.inverted,
-                                 (double)(f->nesting.doubled + f->nesting.crossing),
-                                 (double)f->nesting.flat,
-                                 (double)f->nesting.unchecked};
-  for (int i = 0; i < COUNTS; i++) {
-    to[i] = i < 4 || (looked && i < 14) || nested ? counts[i] : NA_REAL;
-  }
+/* The counts: name, value, and the stage that determines it. */
+enum { ENTRIES, EDGES, NESTING };
+#define COUNT_LIST(X)                                                                              \
+  X("vertices", mesh->vertices, ENTRIES)                                                           \
+  X("faces", mesh->faces, ENTRIES)                                                                 \
+  X("bad_vertices", f->entries.bad_vertices, ENTRIES)                                              \
+  X("bad_faces", f->entries.bad_faces, ENTRIES)                                                    \
+  X("merged_vertices", f->merged, EDGES)                                                           \
+  X("edges", f->edges.edges, EDGES)                                                                \
+  X("open_edges", f->edges.open_edges, EDGES)                                                      \
+  X("miswound", f->edges.miswound_edges, EDGES)                                                    \
+  X("crowded", f->edges.crowded_edges, EDGES)                                                      \
+  X("touching", f->edges.touching_edges, EDGES)                                                    \
+  X("degenerate", f->edges.degenerate_faces, EDGES)                                                \
+  X("duplicate_faces", f->edges.duplicate_faces, EDGES)                                            \
+  X("unused", f->edges.unused_vertices, EDGES)                                                     \
+  X("components", f->edges.components, EDGES)                                                      \
+  X("zero_area", f->nesting.zero_area_faces, NESTING)                                              \
+  X("flipped", f->nesting.flipped, NESTING)                                                        \
+  X("cavities", f->nesting.cavities, NESTING)                                                      \
+  X("inverted", f->nesting.inverted, NESTING)                                                      \
+  X("overlapping", f->nesting.doubled + f->nesting.crossing, NESTING)                              \
+  X("flat", f->nesting.flat, NESTING)                                                              \
+  X("unchecked_parts", f->nesting.unchecked, NESTING)
+
+static const char *const count_names[] = {
+#define X(name, value, stage) name,
+    COUNT_LIST(X)
+#undef X
+        ""};
+
+static void write_counts(const rot_mesh *mesh, const findings *f, int reached, double to[]) {
+#define X(name, value, stage) *to++ = stage <= reached ? (double)(value) : NA_REAL;
+  COUNT_LIST(X)
+#undef X
 }
 
 /* kind of status (R makes the message), counts, the replacements or NULL, and the volumes of the
@@ -131,7 +126,7 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
     }
     UNPROTECT(1);
   }
-  write_counts(&mesh, &f, looked, nested, REAL(counts));
+  write_counts(&mesh, &f, nested ? NESTING : looked ? EDGES : ENTRIES, REAL(counts));
   SET_VECTOR_ELT(out, 0, Rf_mkString(rot_status_kind(status)));
   UNPROTECT(1);
   return out;

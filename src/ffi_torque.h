@@ -13,8 +13,8 @@ typedef struct ffi_torque {
   double torque_n_m;
 } ffi_torque;
 
-/* From list(call, environment, complain), which the caller keeps; the call's arguments are filled in
- * here. Protects one object. */
+/* From list(call, environment, complain), which the caller keeps; the call's arguments are filled
+ * in here. Protects one object. */
 ffi_torque ffi_torque_new(SEXP law, ffi_guard *guard);
 
 /* The law as a rot_torque_fn; ctx is an ffi_torque. */

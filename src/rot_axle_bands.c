@@ -181,10 +181,6 @@ static rot_axle_state leg_after(const leg *l, double s) {
   return leg_state(l, 0.0, s, torque_after(l, s));
 }
 
-typedef struct change {
-  double dtheta, omega, theta_error, omega_error;
-} change;
-
 /* Error of omega after s for an error x of the torque: x (s/I) phi1. */
 static double response(const leg *l, double x, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
@@ -196,9 +192,10 @@ static double response(const leg *l, double x, double s) {
 
 /* Adds what rot_axle_step() does not count: the roundings of its coefficients and, with
  * `inexact_s`, of s. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
-static change leg_change(const leg *l, const rot_axle_state *v, double s, double b, int inexact_s) {
+static rot_axle_change leg_change(const leg *l, const rot_axle_state *v, double s, double b,
+                                  int inexact_s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
-  change out;
+  rot_axle_change out;
   double off = l->band.torque_off;
   if (l->a != b && (l->push != 0.0 || inexact_s)) {
     off += 4.0 * ROT_EPS * (fabs(l->a) + fabs(b) + 2.0 * fabs(l->push));
@@ -490,12 +487,10 @@ static rot_status write_row(void *model, size_t i) {
   const int exact = base->time_lo == 0.0;
   const double b = in_band(l, rot_torque_in_piece(&rest->piece, t));
   const rot_axle_state v = exact ? leg_state(l, base->time_s, t, b) : leg_state(l, 0.0, s, b);
-  change row = leg_change(l, &v, s, b, !exact);
+  rot_axle_change row = leg_change(l, &v, s, b, !exact);
   if (s == 0.0) row.omega = base->omega;
-  const double theta = base->theta + (row.dtheta + base->theta_lo);
-  return rot_axle_rest_row(rest, i, theta, row.omega,
-                           rot_axle_scene_applied(rest->scene, t, theta, 0.0, row.omega),
-                           row.theta_error, row.omega_error);
+  return rot_axle_rest_row(rest, i, &row,
+                           rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, row.omega));
 }
 
 /* Error of the time of a stop, from that of omega: by the net torque or, where the torques balance
@@ -518,7 +513,7 @@ static rot_status finish_motion(bands_run *run) {
   const int exact = to->side == NOWHERE && l->to_end && base->time_lo == 0.0;
   const rot_axle_state v =
       exact ? leg_state(l, base->time_s, rest->piece.end_s, l->b) : leg_state(l, 0.0, s, b);
-  change end = leg_change(l, &v, s, b, !exact);
+  rot_axle_change end = leg_change(l, &v, s, b, !exact);
   double time = rest->piece.end_s, time_lo = 0.0, wanted = end.omega;
   if (to->side != NOWHERE) {
     wanted = to->side == ABOVE ? l->band.upper : l->band.lower;
@@ -534,9 +529,8 @@ static rot_status finish_motion(bands_run *run) {
     const double net = fabs(b - l->law.viscous_n_m_s * v.omega_rad_per_s);
     base->settle_s = settling_time(l, net, end.omega_error);
   }
-  if (isnan(end.omega)) wanted = end.omega;
-  return rot_axle_rest_move(rest, time, time_lo, end.dtheta, wanted, end.theta_error,
-                            end.omega_error);
+  if (!isnan(end.omega)) end.omega = wanted;
+  return rot_axle_rest_move(rest, time, time_lo, &end);
 }
 
 static rot_status next_piece(void *model, double *end_s) {

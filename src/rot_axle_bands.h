@@ -12,8 +12,6 @@
 
 /* A model (rot_axle_scene.h). ROT_EVALUE for quadratic resistance, changing inertia, any term but
  * one curve that acts all the time, and for times before the start. */
-rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],
-                          const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
-                          rot_info *info);
+rot_axle_run rot_axle_bands;
 
 #endif

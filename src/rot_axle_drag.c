@@ -32,16 +32,12 @@ typedef struct drag_run {
   double stop_s; /* after the base */
 } drag_run;
 
-typedef struct change {
-  double dtheta, omega, theta_error, omega_error;
-} change;
-
 /* From the base, with its errors carried along. */
-static change after(const drag_run *run, double t, double t_lo) {
+static rot_axle_change after(const drag_run *run, double t, double t_lo) {
   const rot_axle_base *base = &run->rest.base;
   const rot_drag_state to = rot_drag_at(&run->flow, t, t_lo);
   const int sign = base->heading;
-  change out;
+  rot_axle_change out;
   out.dtheta = sign * to.theta;
   out.omega = to.omega > 0.0 ? sign * to.omega : to.omega;
   out.omega_error = to.omega_error + base->omega_error * to.gain;
@@ -87,12 +83,11 @@ static rot_status write_row(void *model, size_t i) {
   if (run->held) return rot_axle_rest_held_row(rest, i);
   const double t = rest->time_s[i], motor = rest->scene->motor_n_m_s;
   double lo, s = rot_axle_rest_elapsed(rest, t, &lo);
-  const change to = after(run, s, lo);
-  const double theta = base->theta + (to.dtheta + base->theta_lo);
+  const rot_axle_change to = after(run, s, lo);
   const double applied = t == rest->piece.start_s
-                             ? rot_axle_scene_applied(rest->scene, t, theta, 0.0, to.omega)
+                             ? rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, to.omega)
                              : rest->piece.start_n_m - (motor != 0.0 ? motor * to.omega : 0.0);
-  return rot_axle_rest_row(rest, i, theta, to.omega, applied, to.theta_error, to.omega_error);
+  return rot_axle_rest_row(rest, i, &to, applied);
 }
 
 /* The base to the stop, or to the end of the piece. */
@@ -102,17 +97,17 @@ static rot_status move(drag_run *run) {
   const double end_s = rest->piece.end_s;
   double lo = 0.0, e, left = isfinite(end_s) ? rot_axle_rest_elapsed(rest, end_s, &lo) : end_s;
   if (!(run->stop_s < left)) {
-    const change to = after(run, left, lo);
-    return rot_axle_rest_move(rest, end_s, 0.0, to.dtheta, to.omega, to.theta_error,
-                              to.omega_error);
+    const rot_axle_change to = after(run, left, lo);
+    return rot_axle_rest_move(rest, end_s, 0.0, &to);
   }
-  change to = after(run, run->stop_s, 0.0);
+  rot_axle_change to = after(run, run->stop_s, 0.0);
   const double time = rot_two_sum(base->time_s, run->stop_s, &e), drive = fabs(run->law.drive_n_m);
   /* The time of the stop is good to 4 roundings, the speed lost meanwhile to as many. */
   to.omega_error += 4.0 * ROT_EPS * rot_muldiv(drive, run->stop_s, run->law.inertia_kg_m2, NULL);
   base->settle_s = rot_muldiv(to.omega_error, run->law.inertia_kg_m2, drive, NULL);
-  return rot_axle_rest_move(rest, time, e + base->time_lo, to.dtheta, 0.0,
-                            to.theta_error + to.omega_error * base->settle_s, to.omega_error);
+  to.theta_error += to.omega_error * base->settle_s;
+  to.omega = 0.0;
+  return rot_axle_rest_move(rest, time, e + base->time_lo, &to);
 }
 
 static rot_status next_piece(void *model, double *end_s) {

@@ -10,9 +10,7 @@
 
 /* A model (rot_axle_scene.h). ROT_EVALUE where a knot's piece is not constant, for anything but
  * knots, motor and resistance, for negative resistance, and for times before the start. */
-rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double time_s[],
-                         const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
-                         rot_info *info);
+rot_axle_run rot_axle_drag;
 
 /* When it comes to rest for good, and the angle there; Inf and NaN where it does not. A body at
  * rest from the start has stopped at the start. */

@@ -80,8 +80,8 @@ static double growth_bound(const rot_axle_scene *scene, double span) {
 }
 
 /* Largest |omega| by comparison: resistance only brakes; a torque D drives to D/I T or, against
- * viscous resistance c alone, to D/c; a spring or gravity returns no more than its energy. Where the
- * inertia shrinks, I omega is what the torque changes, and each decrease of I can multiply the
+ * viscous resistance c alone, to D/c; a spring or gravity returns no more than its energy. Where
+ * the inertia shrinks, I omega is what the torque changes, and each decrease of I can multiply the
  * energy of an oscillation by its ratio (parametric pumping). */
 static double largest_omega(const rot_axle_scene *scene, const rot_query *query) {
   const rot_axle_params *p = &scene->linear;

@@ -16,7 +16,7 @@
   X(CURVE, "curve", "a torque-speed curve", 0, 0)                                                  \
   X(SPRING, "spring", "a spring", 1, 0)                                                            \
   X(GRAVITY, "gravity", "gravity", 1, 0)                                                           \
-  X(FUNCTION, "function", "a torque that is an R function", 0, 0)                                  \
+  X(FUNCTION, "function", "a torque function", 0, 0)                                               \
   X(VISCOUS, "viscous", "viscous resistance", 1, 0)                                                \
   X(MOTOR, "motor", "a motor", 0, 0)                                                               \
   X(QUADRATIC, "quadratic", "quadratic drag", 1, 0)                                                \

@@ -48,8 +48,9 @@ typedef struct forced_span {
   double phi[ROT_PHI_HIGH + 1];
 } forced_span;
 
+/* What a term adds to omega and to theta, and the sums of absolute terms in it. */
 typedef struct forced_part {
-  double omega, theta, omega_size, theta_size, roundings;
+  double value[2], size[2], roundings;
 } forced_part;
 
 /* Product of n numbers over d1 d2, whatever their size. Where no partial result is near the ends
@@ -95,24 +96,20 @@ static double cross(double a, double b, double c, double d) {
 
 static forced_part wave_part(const forced_term *f, const forced_span *at) {
   const double *x = f->term->x, s = at->s, I = at->I;
-  double y_lo, y = rot_two_prod(x[1], s, &y_lo), value[2];
+  double y_lo, y = rot_two_prod(x[1], s, &y_lo);
   y_lo += x[1] * at->s_lo;
   const rot_divided_wave w = rot_divided_wave_at(at->z, at->z_lo, y, y_lo, f->ratio);
   forced_part part = {0};
   part.roundings = at->z < 0.0 ? WAVE_ROUNDINGS + 4.0 : WAVE_ROUNDINGS;
   /* The residual of the phase is rounded itself: it counts where it is many radians. */
   if (at->s_lo != 0.0) part.roundings += fabs(x[1] * at->s_lo) + fabs(y_lo);
-  for (int i = 0; i < 2; i++) value[i] = cross(f->cosine, w.re[i], f->sine, w.im[i]);
-  if (at->z < INFINITY) {
-    part.omega = quotient(3, (double[]){x[0], s, value[0]}, I, w.scale);
-    part.theta = quotient(4, (double[]){x[0], s, value[1], s}, I, w.scale);
-    part.omega_size = quotient(3, (double[]){x[0], s, w.size[0]}, I, w.scale);
-    part.theta_size = quotient(4, (double[]){x[0], s, w.size[1], s}, I, w.scale);
-  } else { /* s/(I z) = 1/c */
-    part.omega = quotient(2, (double[]){x[0], value[0]}, at->c, 1.0);
-    part.theta = quotient(3, (double[]){x[0], value[1], s}, at->c, 1.0);
-    part.omega_size = quotient(2, (double[]){x[0], w.size[0]}, at->c, 1.0);
-    part.theta_size = quotient(3, (double[]){x[0], w.size[1], s}, at->c, 1.0);
+  const int settled = !(at->z < INFINITY); /* s/(I z) = 1/c */
+  for (int i = 0; i < 2; i++) {
+    const double value = cross(f->cosine, w.re[i], f->sine, w.im[i]), size = w.size[i];
+    part.value[i] = settled ? quotient(2 + i, (double[]){x[0], value, s}, at->c, 1.0)
+                            : quotient(3 + i, (double[]){x[0], s, value, s}, I, w.scale);
+    part.size[i] = settled ? quotient(2 + i, (double[]){x[0], size, s}, at->c, 1.0)
+                           : quotient(3 + i, (double[]){x[0], s, size, s}, I, w.scale);
   }
   return part;
 }
@@ -156,18 +153,19 @@ static forced_part decay_at_once(const forced_term *f, const forced_span *at, ro
   forced_part part = {0};
   /* s/(I p) remains, with p the distance of the outer two of the nodes 0, -z and -y. */
   if (z.hi == INFINITY && y.hi == INFINITY) {
-    part.theta = grown(A, g, 1, (double[]){1.0 / rate}, c, 1.0);
+    part.value[1] = grown(A, g, 1, (double[]){1.0 / rate}, c, 1.0);
   } else if (z.hi == INFINITY) {
     const double apart = 1.0 - f->ratio;
     const rot_dd high = y.hi < 0.0 ? sum_of(g, rot_dd_neg(y)) : g;
-    part.omega = grown(A, sum_of(g, rot_dd_neg(y)), 0, NULL, c, apart);
-    part.theta = grown(A, high, 2, (double[]){s, phi_1(fabs(y.hi))}, c, y.hi < 0.0 ? apart : 1.0);
+    part.value[0] = grown(A, sum_of(g, rot_dd_neg(y)), 0, NULL, c, apart);
+    part.value[1] =
+        grown(A, high, 2, (double[]){s, phi_1(fabs(y.hi))}, c, y.hi < 0.0 ? apart : 1.0);
   } else {
     const double apart = 1.0 - 1.0 / f->ratio;
     const rot_dd high = z.hi < 0.0 ? sum_of(g, rot_dd_neg(z)) : g;
-    part.omega = grown(A, sum_of(g, rot_dd_neg(z)), 1, (double[]){1.0 / apart}, I, rate);
-    part.theta = grown(A, high, 3, (double[]){s, phi_1(fabs(z.hi)), z.hi < 0.0 ? 1.0 / apart : 1.0},
-                       I, rate);
+    part.value[0] = grown(A, sum_of(g, rot_dd_neg(z)), 1, (double[]){1.0 / apart}, I, rate);
+    part.value[1] = grown(
+        A, high, 3, (double[]){s, phi_1(fabs(z.hi)), z.hi < 0.0 ? 1.0 / apart : 1.0}, I, rate);
   }
   return part;
 }
@@ -188,7 +186,7 @@ static forced_part decay_part(const forced_term *f, const forced_span *at) {
     const double apart = fabs(gap.hi);
     rot_dd top = {0.0, 0.0};
     double p, q, r, scale;
-    part.omega = grown(A, sum_of(g, rot_dd_neg(less)), 2, (double[]){s, phi_1(apart)}, I, 1.0);
+    part.value[0] = grown(A, sum_of(g, rot_dd_neg(less)), 2, (double[]){s, phi_1(apart)}, I, 1.0);
     if (less.hi >= 0.0) { /* nodes 0, -less, -more */
       p = more.hi;
       q = less.hi;
@@ -205,11 +203,10 @@ static forced_part decay_part(const forced_term *f, const forced_span *at) {
       r = -more.hi;
     }
     const double value = rot_divided_decay(p, q, r, &scale);
-    part.theta = grown(A, sum_of(g, top), 3, (double[]){s, value, s}, I, scale);
+    part.value[1] = grown(A, sum_of(g, top), 3, (double[]){s, value, s}, I, scale);
   }
   part.roundings = DECAY_ROUNDINGS;
-  part.omega_size = fabs(part.omega);
-  part.theta_size = fabs(part.theta);
+  for (int i = 0; i < 2; i++) part.size[i] = fabs(part.value[i]);
   return part;
 }
 
@@ -304,20 +301,15 @@ static forced_part powers_part(const forced_term *f, const forced_span *at) {
   forced_part part = {0};
   part.roundings = POWER_ROUNDINGS;
   if (most == -1000000) return part;
-  double out[2], out_size[2];
   for (int i = 0; i < 2; i++) {
     const double x[] = {sum[i] + low[i], s, s}, y[] = {size[i], s, s};
     int ex, ey;
     const int count = (settled ? 1 : 2) + i;
     const double px = rot_product_split(count, x, settled ? at->c : I, &ex);
     const double py = rot_product_split(count, y, settled ? at->c : I, &ey);
-    out[i] = ldexp(px, ex + most);
-    out_size[i] = ldexp(py, ey + most);
+    part.value[i] = ldexp(px, ex + most);
+    part.size[i] = ldexp(py, ey + most);
   }
-  part.omega = out[0];
-  part.theta = out[1];
-  part.omega_size = out_size[0];
-  part.theta_size = out_size[1];
   return part;
 }
 
@@ -355,11 +347,11 @@ static void add_part(rot_axle_state *to, const forced_term *f, const forced_span
   const forced_part part = f->term->kind == ROT_TERM_SINUSOID      ? wave_part(f, at)
                            : f->term->kind == ROT_TERM_EXPONENTIAL ? decay_part(f, at)
                                                                    : powers_part(f, at);
-  rot_accumulate(&to->omega_rad_per_s, &to->omega_lo, part.omega);
-  rot_accumulate(&to->theta_rad, &to->theta_lo, part.theta);
-  const double roundings = part.roundings * ROT_EPS;
-  to->omega_error += roundings * fabs(part.omega_size);
-  to->theta_error += roundings * fabs(part.theta_size);
+  const double rounding = part.roundings * ROT_EPS;
+  rot_accumulate(&to->omega_rad_per_s, &to->omega_lo, part.value[0]);
+  rot_accumulate(&to->theta_rad, &to->theta_lo, part.value[1]);
+  to->omega_error += rounding * fabs(part.size[0]);
+  to->theta_error += rounding * fabs(part.size[1]);
 }
 
 static void settle(rot_axle_state *state) {
@@ -367,25 +359,6 @@ static void settle(rot_axle_state *state) {
   state->theta_rad = rot_two_sum(state->theta_rad, state->theta_lo, &state->theta_lo);
   state->omega_error += ROT_EPS * fabs(state->omega_rad_per_s);
   state->theta_error += ROT_EPS * fabs(state->theta_rad);
-}
-
-rot_axle_state rot_axle_forced_step(const rot_axle_scene *scene, const rot_axle_state *from,
-                                    double time_s) {
-  const double base_s = from->time_s, low_s = time_s < base_s ? time_s : base_s;
-  const rot_torque *knots = &scene->linear.torque;
-  const rot_torque_piece piece =
-      rot_torque_piece_at(knots, rot_torque_find(knots, base_s, time_s >= base_s));
-  rot_axle_state to = rot_axle_step(&scene->linear, from, &piece, time_s);
-  if (time_s == base_s) return to;
-  for (size_t i = 0; i < scene->n_terms; i++) {
-    forced_term f;
-    prepare(&f, scene, &scene->terms[i], base_s, low_s);
-    if (!f.term) continue;
-    const forced_span at = make_span(scene, base_s, time_s, f.degree >= 0 ? f.degree + 2 : 0);
-    add_part(&to, &f, &at);
-  }
-  settle(&to);
-  return to;
 }
 
 /* ---- the pieces ----------------------------------------------------------------------------- */

@@ -22,13 +22,6 @@ int rot_axle_forced_max_degree(void);
 int rot_axle_forced_fits(const rot_axle_scene *scene);
 
 /* A scene that does not fit is ROT_EVALUE. The errors in *info are bounds. */
-rot_status rot_axle_forced(const rot_axle_scene *scene, size_t n, const double time_s[],
-                           const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
-                           rot_info *info);
-
-/* One step, forward or backward, for those who march themselves: no break or knot lies strictly
- * between. The scene fits, and is not asked again. */
-rot_axle_state rot_axle_forced_step(const rot_axle_scene *scene, const rot_axle_state *from,
-                                    double time_s);
+rot_axle_run rot_axle_forced;
 
 #endif

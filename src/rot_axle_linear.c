@@ -53,7 +53,7 @@ rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s
 
 /* Well-scaled numbers are multiplied as they come, several rows at a time: 25 ns a row against 150
  * to 400. */
-static int tame(double x) { return rot_well_scaled(x, 1e60); }
+static int well_scaled(double x) { return rot_well_scaled(x, 1e60); }
 
 static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state *state) {
   if (!rot_axle_in_range(state)) return ROT_ERANGE;
@@ -69,7 +69,7 @@ static rot_status one_row(const row_run *run, size_t i) {
   return finish_row(run, i, &state);
 }
 
-static double tame_torque(const rot_torque_piece *piece, double t) {
+static double quick_torque(const rot_torque_piece *piece, double t) {
   const double a = piece->start_n_m, b = piece->end_n_m;
   if (a == b) return a;
   if (a * b < 0.0) return rot_torque_in_piece(piece, t);
@@ -77,8 +77,8 @@ static double tame_torque(const rot_torque_piece *piece, double t) {
 }
 
 /* c s/I for a row, with its residual; s with its own. One division. */
-static double tame_z(const rot_axle_params *p, double s, double s_lo, double *s_over_I,
-                     double *z_lo) {
+static double quick_z(const rot_axle_params *p, double s, double s_lo, double *s_over_I,
+                      double *z_lo) {
   const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
   double cs_lo, cs = rot_two_prod(c, s, &cs_lo);
   *s_over_I = s / I;
@@ -95,12 +95,12 @@ static void lane_rows(const row_run *run, const size_t row[ROT_LANES], double ba
   for (int l = 0; l < ROT_LANES; l++) {
     double s_lo;
     s[l] = rot_two_sum(run->time_s[row[l]], -base->time_s, &s_lo);
-    z[l] = tame_z(run->p, s[l], s_lo, &u[l], &z_lo[l]);
+    z[l] = quick_z(run->p, s[l], s_lo, &u[l], &z_lo[l]);
   }
   rot_phi_lanes phi;
   rot_phi_in_lanes(z, z_lo, &phi);
   for (int l = 0; l < ROT_LANES; l++) {
-    const double b = tame_torque(&run->piece, run->time_s[row[l]]);
+    const double b = quick_torque(&run->piece, run->time_s[row[l]]);
     const double va = u[l] * base_torque, vb = u[l] * b;
     const double p23 = phi.phi2[l] - phi.phi3[l];
     const double from_w0 = w0 * phi.phi0[l], driven = va * phi.g1[l] + vb * phi.phi2[l];
@@ -124,7 +124,7 @@ static void coasting_row(const row_run *run, size_t i) {
   const rot_axle_state *base = &run->base;
   const double w0 = base->omega_rad_per_s, rounding = rot_axle_rounding(run->p);
   double s_lo, s = rot_two_sum(run->time_s[i], -base->time_s, &s_lo), u, z_lo;
-  const double z = tame_z(run->p, s, s_lo, &u, &z_lo);
+  const double z = quick_z(run->p, s, s_lo, &u, &z_lo);
   const double gone =
       z < 0.5 ? -expm1(-z) : 1.0 - exp(-z); /* exp(-z) itself is small for large z */
   double phi0 = z < 0.5 ? 1.0 - gone : exp(-z);
@@ -144,9 +144,9 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
   const double I = run->p->inertia_kg_m2, c = run->p->viscous_n_m_s;
   const rot_axle_state *base = &run->base;
   const double t = run->time_s[i], w0 = base->omega_rad_per_s, rounding = rot_axle_rounding(run->p);
-  const double b = tame_torque(&run->piece, t);
+  const double b = quick_torque(&run->piece, t);
   double s_lo, s = rot_two_sum(t, -base->time_s, &s_lo), u, z_lo;
-  const double z = tame_z(run->p, s, s_lo, &u, &z_lo);
+  const double z = quick_z(run->p, s, s_lo, &u, &z_lo);
   double phi0 = exp(-z), settled = 1.0 - phi0;
   phi0 -= phi0 * z_lo;
   const double phi1 = settled / z, phi2 = (1.0 - phi1) / z;
@@ -197,7 +197,7 @@ static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good)
   }
   const double c = run->p->viscous_n_m_s, I = run->p->inertia_kg_m2;
   const int coasting = run->piece.start_n_m == 0.0 && run->piece.end_n_m == 0.0;
-  double base_torque = tame_torque(&run->piece, run->base.time_s);
+  double base_torque = quick_torque(&run->piece, run->base.time_s);
   lane_queue queue = {{0}, 0};
   const int on_grids = run->on_grids && run->forward;
   int even = on_grids;
@@ -214,7 +214,7 @@ static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good)
       flush_lanes(run, &queue, base_torque);
       const size_t done = grid_rows(run, i, end);
       even = done > 0;
-      base_torque = tame_torque(&run->piece, run->base.time_s);
+      base_torque = quick_torque(&run->piece, run->base.time_s);
       if (even) {
         i += done - 1;
         continue;
@@ -241,12 +241,13 @@ static void enter_piece(row_run *run) {
   run->piece = rot_torque_piece_at(&p->torque, run->index);
   const double end_s =
       run->forward ? fmin(piece->end_s, run->last_s[1]) : fmax(piece->start_s, run->last_s[0]);
-  run->in_lanes = tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) &&
-                  tame(run->base.omega_rad_per_s) && tame(run->base.theta_rad) &&
-                  tame(piece->start_n_m) && tame(piece->end_n_m) &&
-                  tame(end_s - run->base.time_s) &&
-                  (piece->start_n_m == piece->end_n_m || tame(piece->end_s - piece->start_s)) &&
-                  (run->forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
+  run->in_lanes =
+      well_scaled(p->inertia_kg_m2) && well_scaled(p->viscous_n_m_s) &&
+      well_scaled(run->base.omega_rad_per_s) && well_scaled(run->base.theta_rad) &&
+      well_scaled(piece->start_n_m) && well_scaled(piece->end_n_m) &&
+      well_scaled(end_s - run->base.time_s) &&
+      (piece->start_n_m == piece->end_n_m || well_scaled(piece->end_s - piece->start_s)) &&
+      (run->forward ? p->viscous_n_m_s >= 0.0 : p->viscous_n_m_s == 0.0);
   if (run->in_lanes && run->on_grids && run->forward) rot_axle_grid_enter(run->grid, p, piece);
 }
 

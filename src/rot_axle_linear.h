@@ -23,11 +23,7 @@ rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double
                                 rot_info *info);
 
 /* rot_axle_free() and rot_axle_linear_fast() as models of a scene that holds nothing else. */
-rot_status rot_axle_free_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
-                               const rot_axle_columns *out, rot_events *events,
-                               const rot_hooks *hooks, rot_info *info);
-rot_status rot_axle_linear_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
-                                 const rot_axle_columns *out, rot_events *events,
-                                 const rot_hooks *hooks, rot_info *info);
+rot_axle_run rot_axle_free_scene;
+rot_axle_run rot_axle_linear_scene;
 
 #endif

@@ -94,29 +94,22 @@ static const char *not_integrated(const void *of, const rot_query *query) {
 
 /* ---- predicted times ------------------------------------------------------------------------- *
  *
- * Processor time of the core alone, 2.6 GHz, gcc -O2; bench/costs.R compares them with the clock. */
-
-/* From the first to the last time of interest. */
-static double first_s(const rot_axle_scene *scene, const rot_query *query) {
-  const double start = scene->linear.start_s;
-  return query->n ? fmin(start, query->time_s[0]) : start;
-}
-
-static double last_s(const rot_axle_scene *scene, const rot_query *query) {
-  const double start = scene->linear.start_s;
-  return query->n ? fmax(start, query->time_s[query->n - 1]) : start;
-}
+ * Processor time of the core alone, 2.6 GHz, gcc -O2; bench/costs.R compares them with the
+ * clock. */
 
 static double between(size_t n, const double x[], double from, double to) {
   return n ? (double)(rot_lower_bound(n, x, to) - rot_upper_bound(n, x, from)) : 0.0;
 }
 
-/* Breaks between the first and the last time; the scene's own list holds the knots, too, where it
- * is complete. */
-static double count_breaks(const rot_axle_scene *scene, const rot_query *query) {
-  const double from = first_s(scene, query), to = last_s(scene, query);
-  if (!(to > from)) return 0.0;
+/* Breaks between the first and the last time, and the span of these; the scene's own list holds the
+ * knots, too, where it is complete. */
+static double count_breaks(const rot_axle_scene *scene, const rot_query *query, double *span_s) {
   const rot_torque *torque = &scene->linear.torque;
+  const double start = scene->linear.start_s;
+  const double from = query->n ? fmin(start, query->time_s[0]) : start;
+  const double to = query->n ? fmax(start, query->time_s[query->n - 1]) : start;
+  if (span_s) *span_s = to - from;
+  if (!(to > from)) return 0.0;
   return fmax(between(scene->n_breaks, scene->breaks_s, from, to),
               between(torque->n, torque->time_s, from, to) +
                   between(scene->n_inertia, scene->inertia_time_s, from, to));
@@ -127,7 +120,7 @@ static double closed_form_s(const rot_model *model, const void *of, const rot_qu
   const rot_axle_scene *scene = of;
   const double *s = model->seconds;
   return s[0] + (double)query->n * (s[1] + s[2] * (double)scene->n_terms) +
-         s[3] * count_breaks(scene, query);
+         s[3] * count_breaks(scene, query, NULL);
 }
 
 /* seconds[1] is for even times, seconds[2] for others; a look at three of them will do. */
@@ -136,7 +129,7 @@ static double linear_s(const rot_model *model, const void *of, const rot_query *
   const size_t n = query->n, half = (n - 1) / 2;
   const int even = n > 2 && fabs(t[2 * half] - t[half] - (t[half] - t[0])) <=
                                 1e-9 * (fabs(t[0]) + fabs(t[2 * half]));
-  return s[0] + (double)n * (even ? s[1] : s[2]) + s[3] * count_breaks(of, query);
+  return s[0] + (double)n * (even ? s[1] : s[2]) + s[3] * count_breaks(of, query, NULL);
 }
 
 /* seconds: of a run, of a row and a sinusoid or exponential in it, of a row's knots, of a break. */
@@ -149,7 +142,7 @@ static double forced_s(const rot_model *model, const void *of, const rot_query *
     row_s += powers ? s[1] * (0.6 + 0.5 * scene->terms[i].x[1]) : s[1];
   }
   if (scene->linear.torque.n || scene->linear.torque.after_n_m != 0.0) row_s += s[2];
-  return s[0] + (double)query->n * row_s + s[3] * count_breaks(scene, query);
+  return s[0] + (double)query->n * row_s + s[3] * count_breaks(scene, query, NULL);
 }
 
 /* How fast the motion changes: `swing_per_s` lasts, `decay_per_s` is what resistance damps. */
@@ -160,7 +153,8 @@ typedef struct rates {
 static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
   const double inertia = scene->linear.inertia_kg_m2;
   const rot_torque *torque = &scene->linear.torque;
-  rates r = {0.0, 0.0, last_s(scene, query) - first_s(scene, query), count_breaks(scene, query)};
+  rates r = {0.0, 0.0, 0.0, 0.0};
+  r.breaks = count_breaks(scene, query, &r.span_s);
   double falling = fmax(0.0, scene->linear.viscous_n_m_s), pull = 0.0;
   double drive = fmax(fabs(torque->before_n_m), fabs(torque->after_n_m));
   for (size_t i = 0; i < scene->n_terms; i++) {
@@ -170,7 +164,9 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
       drive += fabs(x[0]);
       r.swing_per_s = fmax(r.swing_per_s, fabs(x[1]));
       break;
-    case ROT_TERM_EXPONENTIAL: r.decay_per_s = fmax(r.decay_per_s, fabs(x[1])); break;
+    case ROT_TERM_EXPONENTIAL: /* ten decay times, then it is over */
+      r.swing_per_s = fmax(r.swing_per_s, fmin(fabs(x[1]), 10.0 / r.span_s));
+      break;
     case ROT_TERM_SPRING: pull += fabs(x[0]); break;
     case ROT_TERM_GRAVITY: pull += 4.0 * fabs(x[0]); break; /* twice the steps of a spring */
     case ROT_TERM_CURVE:
@@ -182,8 +178,8 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
     }
   }
   const double q = scene->quadratic_n_m_s2;
-  for (size_t i = 0; q > 0.0 && i < torque->n; i++)
-    drive = fmax(drive, fabs(torque->torque_n_m[i]));
+  const size_t knots = q > 0.0 ? torque->n : 0;
+  for (size_t i = 0; i < knots; i++) drive = fmax(drive, fabs(torque->torque_n_m[i]));
   falling += 2.0 * fmax(q * fabs(scene->linear.omega0_rad_per_s), sqrt(q * drive));
   r.swing_per_s = fmax(r.swing_per_s, sqrt(pull / inertia));
   /* Of a law nothing is known: some periods. */
@@ -192,15 +188,17 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
   return r;
 }
 
-/* Two runs of steps, counted in the finer one: a few at the start and at breaks; accuracy to a power
- * times what lasts, or the first decay times; after these, stability limits an explicit step to some
- * 5 decay times, and an implicit one grows. seconds: the rate, its power, decay times, steps after. */
+/* Two runs of steps, counted in the finer one: a few at the start and at breaks; accuracy to a
+ * power times what lasts, or the first decay times; after these, stability limits an explicit step
+ * to some 5 decay times, and an implicit one grows. seconds: the rate, its power, decay times,
+ * steps after. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
                            int implicit) {
   const rot_axle_scene *scene = of;
   const rates r = rates_of(scene, query);
   const double *s = model->seconds, n = (double)query->n, terms = (double)scene->n_terms;
-  const double decays = r.decay_per_s * r.span_s, swings = r.swing_per_s * r.span_s;
+  const double swings = r.swing_per_s * r.span_s;
+  const double decays = fmin(r.decay_per_s * r.span_s, 1e300); /* finite, to be compared */
   const double rate = s[0] * pow(fmax(query->accuracy, model->promise), s[1]);
   const double after = s[3] * fmax(0.0, implicit ? log10(decays) : decays - s[2]);
   const double steps = 8.0 + 2.0 * r.breaks + rate * fmax(swings, fmin(decays, s[2])) + after;
@@ -257,7 +255,7 @@ static const rot_model models[] = {
           closed_form_s, 1.8e-6, 0.42e-6, 0.0, 0.65e-6),
     {"axle_rk8pd",
      ALL,
-     ROT_ESTIMATE,
+     ROT_ADAPTIVE,
      1e-13,
      0,
      "it is integrated, with explicit steps: the motion is not stiff",
@@ -266,7 +264,7 @@ static const rot_model models[] = {
      {0.25, -1.0 / 8.5, 10.0, 0.39}},
     {"axle_radau",
      ALL,
-     ROT_ESTIMATE,
+     ROT_ADAPTIVE,
      1e-13,
      0,
      "it is integrated, with implicit steps: resistance acts much faster than the times asked for",

@@ -36,7 +36,7 @@ typedef struct swing {
   double rest, unit_s, swing_rate; /* unit of time; sqrt(k/I) per second */
   size_t n_waves;
   wave *waves;
-  int forward, tame;
+  int forward, well_scaled;
   size_t index;
   rot_torque_piece piece;
   base_state base;
@@ -44,7 +44,7 @@ typedef struct swing {
 
 /* ---- products ------------------------------------------------------------------------------- */
 
-static int tame(double x) { return rot_well_scaled(x, 1e60); }
+static int well_scaled(double x) { return rot_well_scaled(x, 1e60); }
 
 /* Product of n numbers times 2^e, divided by d. */
 static double product(int plain, int n, const double x[], double d, int e) {
@@ -73,7 +73,7 @@ static double net_pull(const swing *run, double a, rot_dd y, int *e, double *err
   const double k = run->of.stiffness;
   int ea = 0, ek = 0, ey = 0;
   *e = 0;
-  if (!run->tame) {
+  if (!run->well_scaled) {
     (void)frexp(a, &ea);
     const double mk = frexp(k, &ek), my = frexp(y.hi, &ey);
     *e = y.hi != 0.0 && (a == 0.0 || ek + ey > ea) ? ek + ey : ea;
@@ -96,7 +96,7 @@ static void short_step(const swing *run, const rot_oscillator_step *step, double
                        rot_dd y, step_sum *out) {
   const rot_torque_piece *piece = &run->piece;
   const double I = run->of.inertia, w0 = run->base.omega;
-  const int plain = run->tame && tame(s);
+  const int plain = run->well_scaled && well_scaled(s);
   int e;
   double pull_error, pull = net_pull(run, a, y, &e, &pull_error);
   const double rise =
@@ -235,7 +235,7 @@ static void far_answer(const swing *run, const wave *w, const rot_oscillator_ste
 static void wave_answer(const swing *run, const wave *w, const rot_oscillator_step *step, double t,
                         rot_axle_point *sum) {
   const double s = t - run->scene->linear.start_s, I = run->of.inertia;
-  const int plain = run->tame && tame(s);
+  const int plain = run->well_scaled && well_scaled(s);
   rot_complex y, v;
   double y_size, v_size;
   if (!rot_oscillator_wave(step, w->omega, &y, &v, &y_size, &v_size)) {
@@ -326,13 +326,14 @@ static const rot_term *the_spring(const rot_axle_scene *scene) {
   return spring;
 }
 
-static int all_tame(const rot_axle_scene *scene, const rot_term *spring) {
+static int all_well_scaled(const rot_axle_scene *scene, const rot_term *spring) {
   const rot_axle_params *p = &scene->linear;
-  int ok = tame(p->inertia_kg_m2) && tame(p->viscous_n_m_s) && tame(p->theta0_rad) &&
-           tame(p->omega0_rad_per_s) && tame(p->torque.before_n_m) && tame(p->torque.after_n_m) &&
-           tame(spring->x[0]) && tame(spring->x[1]);
-  for (size_t i = 0; ok && i < p->torque.n; i++) ok = tame(p->torque.torque_n_m[i]);
-  for (size_t i = 0; ok && i < scene->n_terms; i++) ok = tame(scene->terms[i].x[0]);
+  int ok = well_scaled(p->inertia_kg_m2) && well_scaled(p->viscous_n_m_s) &&
+           well_scaled(p->theta0_rad) && well_scaled(p->omega0_rad_per_s) &&
+           well_scaled(p->torque.before_n_m) && well_scaled(p->torque.after_n_m) &&
+           well_scaled(spring->x[0]) && well_scaled(spring->x[1]);
+  for (size_t i = 0; ok && i < p->torque.n; i++) ok = well_scaled(p->torque.torque_n_m[i]);
+  for (size_t i = 0; ok && i < scene->n_terms; i++) ok = well_scaled(scene->terms[i].x[0]);
   return ok;
 }
 
@@ -346,7 +347,7 @@ static rot_status begin(const rot_axle_scene *scene, swing *run) {
   run->rest = spring->x[1];
   run->unit_s = ldexp(1.0, run->of.exponent);
   run->swing_rate = run->of.omega0 / run->unit_s;
-  run->tame = all_tame(scene, spring);
+  run->well_scaled = all_well_scaled(scene, spring);
   if (scene->n_terms < 2) return ROT_OK;
   run->waves = malloc((scene->n_terms - 1) * sizeof *run->waves);
   if (!run->waves) return ROT_ENOMEM;

@@ -11,8 +11,6 @@
 /* One spring with k > 0, knots, any number of sinusoids, all the time; viscous resistance of any
  * sign and nothing else: ROT_EVALUE otherwise. ROT_ERANGE at once where c^2/(k I) is above 1e280.
  * The errors in *info are bounds. */
-rot_status rot_axle_oscillator(const rot_axle_scene *scene, size_t n, const double time_s[],
-                               const rot_axle_columns *out, rot_events *events,
-                               const rot_hooks *hooks, rot_info *info);
+rot_axle_run rot_axle_oscillator;
 
 #endif

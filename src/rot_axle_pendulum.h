@@ -16,9 +16,7 @@
 /* One gravity term with G != 0, all the time, and nothing else: ROT_EVALUE otherwise. theta counts
  * whole turns. ROT_ERANGE at once where |theta0 - rest| is above 1e15, or within 1e-130 of the top
  * but not at rest there. The errors in *info are bounds. */
-rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double time_s[],
-                             const rot_axle_columns *out, rot_events *events,
-                             const rot_hooks *hooks, rot_info *info);
+rot_axle_run rot_axle_pendulum;
 
 /* Period of the oscillation, or of a whole turn where it rotates, from any state of the motion;
  * theta counts from the rest angle. Inf on the separatrix and where it is balanced, the time of a

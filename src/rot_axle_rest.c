@@ -40,18 +40,20 @@ double rot_axle_rest_elapsed(const rot_axle_rest *rest, double t, double *lo) {
   return s;
 }
 
-rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, double theta, double omega,
-                             double applied, double theta_error, double omega_error) {
+rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, const rot_axle_change *by,
+                             double applied) {
   const rot_axle_scene *scene = rest->scene;
   const rot_axle_columns *out = rest->out;
+  const rot_axle_base *base = &rest->base;
+  const double theta = base->theta + (by->dtheta + base->theta_lo), omega = by->omega;
   if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
-  rot_axle_scene_row(scene, out, i, rest->time_s[i], theta, omega, applied, rest->base.stuck);
-  if (omega == 0.0 && !rest->base.stuck && scene->coulomb_n_m > 0.0) {
+  rot_axle_scene_row(scene, out, i, rest->time_s[i], theta, omega, applied, base->stuck);
+  if (omega == 0.0 && !base->stuck && scene->coulomb_n_m > 0.0) {
     /* It starts to move: friction acts already. */
     out->damping_torque_n_m[i] = -copysign(scene->coulomb_n_m, applied);
     out->net_torque_n_m[i] = applied + out->damping_torque_n_m[i];
   }
-  rot_note_row(rest->info, theta, omega, theta_error, omega_error);
+  rot_note_row(rest->info, theta, omega, by->theta_error, by->omega_error);
   return ROT_OK;
 }
 
@@ -60,9 +62,10 @@ rot_status rot_axle_rest_held_row(rot_axle_rest *rest, size_t i) {
   const double t = rest->time_s[i];
   double lo;
   const int near = rot_axle_rest_elapsed(rest, t, &lo) <= base->settle_s;
-  return rot_axle_rest_row(rest, i, base->theta, 0.0,
-                           rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, 0.0),
-                           base->theta_error, near ? base->omega_error : 0.0);
+  const rot_axle_change none = {-base->theta_lo, 0.0, base->theta_error,
+                                near ? base->omega_error : 0.0};
+  return rot_axle_rest_row(rest, i, &none,
+                           rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, 0.0));
 }
 
 void rot_axle_rest_hold(rot_axle_rest *rest, double end_s) {
@@ -75,19 +78,19 @@ void rot_axle_rest_hold(rot_axle_rest *rest, double end_s) {
   base->time_lo = 0.0;
 }
 
-rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo, double dtheta,
-                              double omega, double theta_error, double omega_error) {
+rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo,
+                              const rot_axle_change *by) {
   rot_axle_base *base = &rest->base;
   double lo;
   base->time_s = rot_two_sum(time_s, time_lo, &base->time_lo);
-  base->theta = rot_two_sum(base->theta, dtheta, &lo);
+  base->theta = rot_two_sum(base->theta, by->dtheta, &lo);
   base->theta = rot_two_sum(base->theta, lo + base->theta_lo, &base->theta_lo);
-  base->omega = omega;
-  base->theta_error = theta_error;
-  base->omega_error = omega_error;
-  if (omega != 0.0) base->heading = omega > 0.0 ? 1 : -1;
-  if (!(isfinite(base->theta) && isfinite(omega))) return ROT_ERANGE;
-  rot_note_state(rest->info, base->theta, omega);
+  base->omega = by->omega;
+  base->theta_error = by->theta_error;
+  base->omega_error = by->omega_error;
+  if (by->omega != 0.0) base->heading = by->omega > 0.0 ? 1 : -1;
+  if (!(isfinite(base->theta) && isfinite(by->omega))) return ROT_ERANGE;
+  rot_note_state(rest->info, base->theta, by->omega);
   return ROT_OK;
 }
 

@@ -38,14 +38,19 @@ int rot_axle_rest_enter(rot_axle_rest *rest);
 /* Time from the base to t, to twice the precision; not below 0. */
 double rot_axle_rest_elapsed(const rot_axle_rest *rest, double t, double *lo);
 
+/* A motion from the base: angle turned, omega after it, and the bounds there. */
+typedef struct rot_axle_change {
+  double dtheta, omega, theta_error, omega_error;
+} rot_axle_change;
+
 /* Row i: moving, or held. */
-rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, double theta, double omega,
-                             double applied, double theta_error, double omega_error);
+rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, const rot_axle_change *by,
+                             double applied);
 rot_status rot_axle_rest_held_row(rot_axle_rest *rest, size_t i);
 
-/* Move the base: by dtheta to `omega` at a time, with the errors there; or, held, to a time. */
-rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo, double dtheta,
-                              double omega, double theta_error, double omega_error);
+/* Move the base by a motion to a time; or, held, to a time. */
+rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo,
+                              const rot_axle_change *by);
 void rot_axle_rest_hold(rot_axle_rest *rest, double end_s);
 /* The base is at rest and `applied` acts: *leaves is 0 where it is held, else the direction. Logs
  * what happens. */

@@ -29,12 +29,13 @@ typedef struct rot_axle_scene {
 
 /* A model of the scene: rows at the times (finite, not decreasing), events in their order. On
  * failure the first info->rows_done rows are good. */
-typedef rot_status (*rot_axle_model)(const rot_axle_scene *scene, size_t n, const double time_s[],
-                                     const rot_axle_columns *out, rot_events *events,
-                                     const rot_hooks *hooks, rot_info *info);
+typedef rot_status rot_axle_run(const rot_axle_scene *scene, size_t n, const double time_s[],
+                                const rot_axle_columns *out, rot_events *events,
+                                const rot_hooks *hooks, rot_info *info);
+typedef rot_axle_run *rot_axle_model;
 
-/* All breaks of a scene, increasing: knots, terms, I(t), and the scene's own list of others. They go
- * to out[], which has room for rot_axle_scene_room(); returns how many there are. */
+/* All breaks of a scene, increasing: knots, terms, I(t), and the scene's own list of others. They
+ * go to out[], which has room for rot_axle_scene_room(); returns how many there are. */
 size_t rot_axle_scene_room(const rot_axle_scene *scene);
 size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]);
 

@@ -12,8 +12,6 @@
 /* Knots of I(t) > 0 (or none), knots of a torque that is constant between them, nothing else:
  * ROT_EVALUE otherwise. The state at the start belongs to the inertia after a jump there. The
  * errors in *info are bounds. */
-rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double time_s[],
-                           const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
-                           rot_info *info);
+rot_axle_run rot_axle_skater;
 
 #endif

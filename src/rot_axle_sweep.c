@@ -68,18 +68,17 @@ static inline double larger(double x, double y) { return x > y ? x : y; } /* fma
 typedef struct linear_frame {
   const rot_axle_sweep_rows *rows;
   const rot_axle_sweep_columns *out;
-  const rot_torque *torque;
   const rot_torque_piece *pieces; /* from the one that holds the start */
   double start_n_m;               /* just after the start */
-  int tame;                       /* all knots are */
+  int well_scaled;                /* all knots are */
 } linear_frame;
 
-static int tame(double x) { return rot_well_scaled(x, 1e40); }
+static int well_scaled(double x) { return rot_well_scaled(x, 1e40); }
 
 typedef rot_axle_sweep_block block;
 enum { BLOCK = ROT_AXLE_SWEEP_BLOCK };
 
-static void tame_way(const linear_frame *frame, block *x) {
+static void pass_pieces(const linear_frame *frame, block *x) {
   const rot_torque_piece *piece = frame->pieces;
   const int wide = rot_wide_ok();
   double start_n_m = frame->start_n_m, last = x->end_s[0];
@@ -95,37 +94,34 @@ static void tame_way(const linear_frame *frame, block *x) {
 
 /* ---- a row of any numbers ------------------------------------------------------------------ */
 
-typedef struct axle {
-  double I, c, time_s, theta, omega, theta_error;
-  double omega_max, omega_max_time_s, omega_min, theta_max, worst_error; /* on the way; of omega */
-} axle;
-
-static inline void note(axle *x, double time_s, double omega) {
-  if (omega > x->omega_max) {
-    x->omega_max = omega;
-    x->omega_max_time_s = time_s;
+static inline void note(block *x, size_t l, double time_s, double omega, double omega_error) {
+  if (omega > x->omega_max[l]) {
+    x->omega_max[l] = omega;
+    x->omega_max_time_s[l] = time_s;
   }
-  if (omega < x->omega_min) x->omega_min = omega;
+  if (omega < x->omega_min[l]) x->omega_min[l] = omega;
+  if (omega_error > x->worst_error[l]) x->worst_error[l] = omega_error;
 }
 
-static void put_row(const rot_axle_sweep_columns *out, size_t i, const axle *x, rot_status status) {
+static void put_row(const rot_axle_sweep_columns *out, size_t i, const block *x, size_t l,
+                    rot_status status) {
   const int good = status == ROT_OK;
-  const double speed = larger(x->omega_max, -x->omega_min);
-  const double of_theta = rot_relative_error(x->theta_error, x->theta_max),
-               of_omega = rot_relative_error(x->worst_error, speed);
-  out->theta_rad[i] = good ? x->theta : NAN;
-  out->omega_rad_per_s[i] = good ? x->omega : NAN;
-  out->omega_max[i] = good ? x->omega_max : NAN;
-  out->omega_max_time_s[i] = good ? x->omega_max_time_s : NAN;
-  out->omega_min[i] = good ? x->omega_min : NAN;
+  const double speed = larger(x->omega_max[l], -x->omega_min[l]);
+  const double of_theta = rot_relative_error(x->theta_error[l], x->theta_max[l]),
+               of_omega = rot_relative_error(x->worst_error[l], speed);
+  out->theta_rad[i] = good ? x->theta[l] : NAN;
+  out->omega_rad_per_s[i] = good ? x->omega[l] : NAN;
+  out->omega_max[i] = good ? x->omega_max[l] : NAN;
+  out->omega_max_time_s[i] = good ? x->omega_max_time_s[l] : NAN;
+  out->omega_min[i] = good ? x->omega_min[l] : NAN;
   out->speed_max[i] = good ? speed : NAN;
   out->error[i] = good ? larger(of_theta, of_omega) : NAN;
   out->status[i] = (int)status;
 }
 
 /* A turn inside the piece, as in rot_axle_sweep_pass.h, for any numbers. */
-static void careful_turn(axle *x, const rot_axle_params *p, const rot_axle_state *from,
-                         const rot_axle_state *to, const rot_torque_piece *piece) {
+static void step_turn(block *x, size_t l, const rot_axle_params *p, const rot_axle_state *from,
+                      const rot_axle_state *to, const rot_torque_piece *piece) {
   const double a = rot_torque_in_piece(piece, from->time_s);
   const double b = rot_torque_in_piece(piece, to->time_s), s = to->time_s - from->time_s;
   const double excess = a - p->viscous_n_m_s * from->omega_rad_per_s,
@@ -136,13 +132,16 @@ static void careful_turn(axle *x, const rot_axle_params *p, const rot_axle_state
   if (z != 0.0) at *= log1p(z) / z;
   if (!(at > 0.0 && at < s)) return;
   const rot_axle_state turn = rot_axle_step(p, from, piece, from->time_s + at);
-  note(x, turn.time_s, turn.omega_rad_per_s);
-  if (turn.omega_error > x->worst_error) x->worst_error = turn.omega_error;
+  note(x, l, turn.time_s, turn.omega_rad_per_s, turn.omega_error);
 }
 
-static rot_status careful_way(const linear_frame *frame, axle *x, double end_s, double scale) {
-  rot_axle_params p = {x->I,     x->c,     x->time_s,
-                       x->theta, x->omega, {0, NULL, NULL, 0, 0, NULL, NULL}};
+static rot_status step_pieces(const linear_frame *frame, double I, block *x, size_t l) {
+  const double end_s = x->end_s[l], scale = x->scale[l];
+  const rot_axle_params p = {.inertia_kg_m2 = I,
+                             .viscous_n_m_s = x->c[l],
+                             .start_s = x->time_s[l],
+                             .theta0_rad = x->theta[l],
+                             .omega0_rad_per_s = x->omega[l]};
   rot_axle_state state = rot_axle_start(&p);
   for (const rot_torque_piece *next = frame->pieces;; next++) {
     rot_torque_piece piece = *next;
@@ -152,87 +151,61 @@ static rot_status careful_way(const linear_frame *frame, axle *x, double end_s, 
     const rot_axle_state from = state;
     state = rot_axle_step(&p, &from, &piece, stop);
     if (!rot_axle_in_range(&state)) return ROT_ERANGE;
-    if (piece.start_n_m != piece.end_n_m) careful_turn(x, &p, &from, &state, &piece);
-    note(x, stop, state.omega_rad_per_s);
-    if (state.omega_error > x->worst_error) x->worst_error = state.omega_error;
-    if (fabs(state.theta_rad) > x->theta_max) x->theta_max = fabs(state.theta_rad);
+    if (piece.start_n_m != piece.end_n_m) step_turn(x, l, &p, &from, &state, &piece);
+    note(x, l, stop, state.omega_rad_per_s, state.omega_error);
+    if (fabs(state.theta_rad) > x->theta_max[l]) x->theta_max[l] = fabs(state.theta_rad);
     if (end_s <= piece.end_s) break;
   }
-  x->theta = state.theta_rad;
-  x->omega = state.omega_rad_per_s;
-  x->theta_error = state.theta_error;
+  x->theta[l] = state.theta_rad;
+  x->omega[l] = state.omega_rad_per_s;
+  x->theta_error[l] = state.theta_error;
   return ROT_OK;
 }
 
-static rot_status start_row(const linear_frame *frame, size_t i, axle *x, double *scale,
-                            double *end_s, int *fast) {
-  const rot_axle_sweep_rows *rows = frame->rows;
-  const double I = rot_at(rows->inertia_kg_m2, i), c = rot_at(rows->viscous_n_m_s, i),
-               w0 = rot_at(rows->omega0_rad_per_s, i), theta0 = rot_at(rows->theta0_rad, i),
-               start_s = rows->start_s;
-  const axle start = {I, c, start_s, theta0, w0, 0.0, w0, start_s, w0, fabs(theta0), 0.0};
-  *x = start;
-  *scale = rot_at(rows->torque_scale, i);
-  *end_s = rot_at(rows->time_s, i);
-  *fast = frame->tame && c >= 0.0 && tame(I) && tame(c) && tame(*scale) && tame(w0) &&
-          tame(theta0) && tame(*end_s - start_s);
-  return I > 0.0 && *end_s >= start_s && isfinite(I) && isfinite(c) && isfinite(*scale) &&
-                 isfinite(w0) && isfinite(theta0) && isfinite(*end_s)
-             ? ROT_OK
-             : ROT_EVALUE;
-}
-
-static void fill_place(block *b, size_t l, const axle *x, double scale, double end_s) {
-  b->c[l] = x->c;
-  b->inverse[l] = 1.0 / x->I;
-  b->lambda[l] = x->c / x->I;
+/* A row at its start. */
+static void fill_place(block *b, size_t l, double I, double c, double scale, double start_s,
+                       double end_s, double theta0, double w0) {
+  b->c[l] = c;
+  b->inverse[l] = 1.0 / I;
+  b->lambda[l] = c / I;
   b->scale[l] = scale;
   b->end_s[l] = end_s;
-  b->time_s[l] = b->omega_max_time_s[l] = x->time_s;
-  b->theta[l] = x->theta;
-  b->omega[l] = b->omega_max[l] = b->omega_min[l] = x->omega;
+  b->time_s[l] = b->omega_max_time_s[l] = start_s;
+  b->theta[l] = theta0;
+  b->omega[l] = b->omega_max[l] = b->omega_min[l] = w0;
   b->theta_error[l] = b->omega_error[l] = b->worst_error[l] = 0.0;
-  b->theta_max[l] = fabs(x->theta);
+  b->theta_max[l] = fabs(theta0);
 }
 
 static void put_block(const linear_frame *frame, block *b, const size_t row[], size_t filled) {
+  const double start_s = frame->rows->start_s;
   if (filled == 0) return;
   for (size_t l = filled; l < BLOCK; l++) { /* empty places end where they start */
-    const axle idle = {1.0, 0.0, frame->rows->start_s, 0, 0, 0, 0, 0, 0, 0, 0};
-    fill_place(b, l, &idle, 0.0, frame->rows->start_s);
+    fill_place(b, l, 1.0, 0.0, 0.0, start_s, start_s, 0.0, 0.0);
   }
-  tame_way(frame, b);
-  for (size_t l = 0; l < filled; l++) {
-    const axle x = {1.0,
-                    b->c[l],
-                    b->time_s[l],
-                    b->theta[l],
-                    b->omega[l],
-                    b->theta_error[l],
-                    b->omega_max[l],
-                    b->omega_max_time_s[l],
-                    b->omega_min[l],
-                    b->theta_max[l],
-                    b->worst_error[l]};
-    put_row(frame->out, row[l], &x, ROT_OK);
-  }
+  pass_pieces(frame, b);
+  for (size_t l = 0; l < filled; l++) put_row(frame->out, row[l], b, l, ROT_OK);
 }
 
 static void linear_rows(const void *data, size_t first, size_t last) {
   const linear_frame *frame = data;
+  const rot_axle_sweep_rows *rows = frame->rows;
+  const double start_s = rows->start_s;
   block b;
   size_t row[BLOCK], filled = 0;
   for (size_t i = first; i < last; i++) {
-    axle x;
-    double scale, end_s;
-    int fast;
-    rot_status status = start_row(frame, i, &x, &scale, &end_s, &fast);
-    if (status == ROT_OK && fast) {
-      fill_place(&b, filled, &x, scale, end_s);
+    const double I = rot_at(rows->inertia_kg_m2, i), c = rot_at(rows->viscous_n_m_s, i);
+    const double scale = rot_at(rows->torque_scale, i), end_s = rot_at(rows->time_s, i);
+    const double w0 = rot_at(rows->omega0_rad_per_s, i), theta0 = rot_at(rows->theta0_rad, i);
+    const int possible = I > 0.0 && end_s >= start_s && isfinite(I) && isfinite(c) &&
+                         isfinite(scale) && isfinite(w0) && isfinite(theta0) && isfinite(end_s);
+    fill_place(&b, filled, I, c, scale, start_s, end_s, theta0, w0);
+    if (possible && frame->well_scaled && c >= 0.0 && well_scaled(I) && well_scaled(c) &&
+        well_scaled(scale) && well_scaled(w0) && well_scaled(theta0) &&
+        well_scaled(end_s - start_s)) {
       row[filled++] = i;
     } else {
-      if (status == ROT_OK) status = careful_way(frame, &x, end_s, scale);
-      put_row(frame->out, i, &x, status);
+      put_row(frame->out, i, &b, filled, possible ? step_pieces(frame, I, &b, filled) : ROT_EVALUE);
     }
     if (filled == BLOCK) {
       put_block(frame, &b, row, filled);
@@ -249,12 +222,13 @@ rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_
   rot_torque_piece *pieces = malloc(n * sizeof *pieces);
   rot_info_clear(info, NULL);
   if (!pieces) return info->status = ROT_ENOMEM;
-  linear_frame frame = {rows, out, torque, pieces, 0.0, 1};
+  linear_frame frame = {rows, out, pieces, 0.0, 1};
   for (size_t j = 0; j < n; j++) {
     pieces[j] = rot_torque_piece_at(torque, k + j);
-    frame.tame =
-        frame.tame && tame(pieces[j].start_n_m) && tame(pieces[j].end_n_m) &&
-        (pieces[j].start_n_m == pieces[j].end_n_m || tame(pieces[j].end_s - pieces[j].start_s));
+    frame.well_scaled = frame.well_scaled && well_scaled(pieces[j].start_n_m) &&
+                        well_scaled(pieces[j].end_n_m) &&
+                        (pieces[j].start_n_m == pieces[j].end_n_m ||
+                         well_scaled(pieces[j].end_s - pieces[j].start_s));
   }
   frame.start_n_m = rot_torque_in_piece(&pieces[0], rows->start_s);
   const rot_status status = sweep(linear_rows, &frame, rows->n, LINEAR_CHUNK, threads, hooks, info);

@@ -47,7 +47,7 @@ static void judge(const rot_model *model, unsigned effects, const void *scene,
   out->drop.why_not = NULL;
   out->why_not = !out->untaken && model->why_not ? model->why_not(scene, query) : NULL;
   out->error = model->promise;
-  if (model->error_kind == ROT_ESTIMATE && query->accuracy > out->error) {
+  if (model->error_kind == ROT_ADAPTIVE && query->accuracy > out->error) {
     out->error = query->accuracy;
   }
   out->applies = !out->untaken && !out->why_not && out->error <= query->accuracy;

@@ -37,8 +37,8 @@ size_t rot_choice_candidates(const rot_constraint *constraint, const void *scene
 size_t rot_choice_pick(const rot_constraint *constraint, const void *scene, const rot_query *query,
                        rot_candidate out[ROT_MOST_MODELS]);
 
-/* Text of at most size - 1 characters. Effects: "a, b and c". Reason: why it does not apply, or what
- * was dropped; empty where it takes the scene unchanged. */
+/* Text of at most size - 1 characters. Effects: "a, b and c". Reason: why it does not apply, or
+ * what was dropped; empty where it takes the scene unchanged. */
 void rot_choice_effects(const rot_constraint *constraint, unsigned effects, size_t size,
                         char text[]);
 void rot_choice_reason(const rot_constraint *constraint, const rot_candidate *candidate,

@@ -31,8 +31,8 @@ typedef enum rot_motion_kind {
   ROT_MOTION_UNDETERMINED = -1 /* the three do not determine the motion: x[0] has what they do */
 } rot_motion_kind;
 
-/* `given` has the bits (1 << ROT_MOTION_THETA, ...) of the three values in x[0], finite or NaN. A NaN is
- * passed on to the other two. */
+/* `given` has the bits (1 << ROT_MOTION_THETA, ...) of the three values in x[0], finite or NaN. A
+ * NaN is passed on to the other two. */
 rot_motion_kind rot_motion_solve(unsigned given, double x[2][ROT_MOTION_SIZE]);
 
 /* A point at a distance from the axle. Tangential values have a sign; the angle is that of the

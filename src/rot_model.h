@@ -30,7 +30,8 @@ typedef struct rot_drop {
   const char *why_not;             /* the model's reason against the scene without them, or NULL */
 } rot_drop;
 
-typedef enum rot_error_kind { ROT_ESTIMATE, ROT_BOUND } rot_error_kind;
+/* An adaptive model's error is an estimate that follows the accuracy asked for. */
+typedef enum rot_error_kind { ROT_ESTIMATE, ROT_BOUND, ROT_ADAPTIVE } rot_error_kind;
 
 typedef struct rot_model {
   const char *id;
@@ -53,7 +54,8 @@ typedef struct rot_constraint {
   const rot_effect *effects;
   const rot_model *models;
   unsigned (*effects_of)(const void *scene);
-  /* NULL: nothing may be dropped. An error beyond `worst` is of no use to the caller: Inf will do. */
+  /* NULL: nothing may be dropped. An error beyond `worst` is of no use to the caller: Inf will
+   * do. */
   void (*drop)(const void *scene, const rot_model *model, unsigned effects, const rot_query *query,
                double worst, rot_drop *drop);
 } rot_constraint;

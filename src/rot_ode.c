@@ -30,6 +30,7 @@ typedef struct job {
   rot_ode_trace *trace;        /* of both sides */
   double *largest, *share;
   double *moved;
+  rot_ode_kinks *kinks;     /* see rot_ode_march */
   double found, unresolved; /* out: see rot_ode_march */
   int stiff;                /* in: look for it; out: found */
   int first_mode;
@@ -84,6 +85,7 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   run.y_rows = j->y_rows;
   run.slope_rows = j->slope_rows;
   run.watch_stiffness = j->stiff;
+  run.kinks = j->guide ? NULL : j->kinks;
   run.dense.dim = dim;
   run.dense.slopes = j->method == ROT_METHOD_RK8PD;
   run.form = calloc(dim, sizeof *run.form);
@@ -175,12 +177,16 @@ static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
  * curves; twice the distance and four times the test's figure missed one of 600, by 1.3. */
 #define KINK_MARGIN 2.0
 
+/* Kinks that no break marks. */
+static int has_kinks(const job *j) { return j->p->kinks || j->kinks->missed; }
+
 /* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
  * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
- * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is rounding, which no finer run makes less. */
+ * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is
+ * rounding: no finer run makes it less. */
 static double part_of_distance(const job *coarse, const job *fine, double ratio,
                                double rounding_share) {
-  if (fine->p->kinks) return KINK_MARGIN;
+  if (has_kinks(fine)) return KINK_MARGIN;
   const double fell = coarse->found > 0.0 ? fine->found / coarse->found / ratio : 0.0;
   const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
   const double margin = ratio < 3.0 || fine->method == ROT_METHOD_RADAU ? 4.0 : 2.5;
@@ -198,7 +204,7 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
   const double mend = smooth && fine->method == ROT_METHOD_RK8PD
                           ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0)
                           : 0.0;
-  const double resolve = (p->kinks ? 4.0 : 1.0) * fine->unresolved;
+  const double resolve = (has_kinks(fine) || fine->kinks->count ? 4.0 : 1.0) * fine->unresolved;
   double worst = *steps = 0.0;
   memset(error, 0, rot_ode_measures(p) * sizeof *error);
   for (int forward = 0; forward < 2; forward++) {
@@ -270,6 +276,25 @@ static rot_status choose_steps(job *coarse, double tolerance, const rot_hooks *h
   return info->status;
 }
 
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* *split as p, with the kinks added to its breaks; both in one array, the kinks' own. */
+static rot_status split_at_kinks(const rot_ode_params *p, rot_ode_kinks *kinks,
+                                 rot_ode_params *split) {
+  const size_t n = kinks->count + p->n_breaks;
+  double *time_s = realloc(kinks->time_s, (n ? n : 1) * sizeof *time_s);
+  if (!time_s) return ROT_ENOMEM;
+  kinks->time_s = time_s;
+  if (p->n_breaks) memcpy(time_s + kinks->count, p->breaks, p->n_breaks * sizeof *time_s);
+  qsort(time_s, n, sizeof *time_s, compare);
+  split->breaks = time_s;
+  split->n_breaks = n;
+  return ROT_OK;
+}
+
 enum { MOST_RUNS = 4 };
 
 /* The tolerance of the run that chooses the steps, and into how many parts the next divides them:
@@ -289,6 +314,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   double *scratch = calloc(4 * p->dim + 1, sizeof *scratch);
   double tolerance;
   size_t parts = first_parts(p, &tolerance);
+  rot_ode_kinks kinks = {0, 0, NULL, 0};
+  rot_ode_params split = *p;
   job coarse;
   memset(traces, 0, sizeof traces);
   memset(&coarse, 0, sizeof coarse);
@@ -305,14 +332,21 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   coarse.moved = scratch + 2 * p->dim;
   coarse.first_mode = p->mode ? *p->mode : 0;
   coarse.budget = p->max_steps / 2;
+  coarse.kinks = &kinks;
   if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
+  if (coarse.method == ROT_METHOD_RK8PD && kinks.count) {
+    const rot_status status = split_at_kinks(p, &kinks, &split);
+    if (status != ROT_OK) info->status = status;
+    coarse.p = &split;
+  }
   const rot_info failure = *info;
   if (scratch) memcpy(largest, scratch, rot_ode_measures(p) * sizeof *largest);
   if (info->status != ROT_OK) cut_traces(&coarse, &coarse.n);
 
   const int hopeless = info->status == ROT_EUNWIND || info->status == ROT_ENOMEM ||
                        (info->status != ROT_OK && coarse.trace[1].count == 0);
-  const int explicit = coarse.method == ROT_METHOD_RK8PD, stepwise = !explicit || p->kinks;
+  const int explicit = coarse.method == ROT_METHOD_RK8PD,
+            stepwise = !explicit || has_kinks(&coarse);
   const double first = coarse.tolerance;
   double last = INFINITY;
   if (stepwise) parts = 2;
@@ -351,6 +385,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   if (hopeless) info->rows_done = 0;
   sort_by_time(p->log);
   for (int k = 0; k < 6; k++) free(traces[k / 2][k % 2].data);
+  free(kinks.time_s);
   free(scratch);
   return info->status;
 }

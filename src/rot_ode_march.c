@@ -3,9 +3,11 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "rot_ode_event.h"
+#include "rot_ode_kink.h"
 #include "rot_ode_rest.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_step.h"
@@ -221,6 +223,35 @@ static void note_error(rot_ode_march *run, double error) {
   }
 }
 
+/* A smooth law fails the test of a step that it chose itself by less: there may be a kink. */
+#define KINK_RATIO 8.0
+enum { MOST_LOOKS = 6 };
+
+static rot_status look_for_kink(rot_ode_march *run, double h, double ratio) {
+  if (!run->kinks || run->method != ROT_METHOD_RK8PD || !(ratio > KINK_RATIO)) return ROT_OK;
+  if (run->phase != ROT_ODE_MOVING && run->phase != ROT_ODE_CUT) return ROT_OK;
+  run->looks = run->t == run->looked_t ? run->looks + 1 : 1;
+  run->looked_t = run->t;
+  if (run->looks <= MOST_LOOKS) return rot_ode_look_for_kink(run, h);
+  run->kinks->missed = 1;
+  return ROT_OK;
+}
+
+/* One end of the step over a kink is reached. */
+static rot_status note_kink(rot_ode_march *run) {
+  rot_ode_kinks *k = run->kinks;
+  if (k->count == k->room) {
+    const size_t room = k->room ? 2 * k->room : 16;
+    double *time_s = realloc(k->time_s, room * sizeof *time_s);
+    if (!time_s) return ROT_ENOMEM;
+    k->time_s = time_s;
+    k->room = room;
+  }
+  k->time_s[k->count++] = run->kink;
+  run->kink = run->t == run->over ? NAN : run->over;
+  return ROT_OK;
+}
+
 static int may_retry(rot_status status) { return status == ROT_ERHS || status == ROT_ESTEP; }
 
 /* One step towards `stop`, which no break comes before. */
@@ -235,7 +266,7 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   rot_status status = tried % STEPS_PER_POLL == 0 ? rot_poll(run->hooks, fraction) : ROT_OK;
   if (status == ROT_OK) status = rot_ode_know_slope(run);
   if (status != ROT_OK) return status;
-  step_plan plan = plan_step(run, stop);
+  step_plan plan = plan_step(run, isnan(run->kink) ? stop : run->kink);
   if (run->t + plan.h == run->t) {
     run->info->time_s = run->t;
     return ROT_ESTEP;
@@ -244,6 +275,13 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   if (status != ROT_OK && !may_retry(status)) return status;
   const double ratio = status == ROT_OK ? rot_ode_trial_ratio(run, plan.h) : NAN;
   if (!(ratio <= 1.0)) { /* NaN fails */
+    const int aimed = !isnan(run->kink);
+    const rot_status looked = aimed ? ROT_OK : look_for_kink(run, plan.h, ratio);
+    if (looked != ROT_OK) return looked;
+    if (!aimed && !isnan(run->kink)) {
+      run->info->rejected++;
+      return ROT_OK;
+    }
     const double less = isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, error_power(run))) : 0.1;
     return reject(run, plan.h, less, status == ROT_OK ? ROT_ESTEP : status);
   }
@@ -262,8 +300,9 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   judge_stiffness(run, plan.h);
   /* A step cut short by a target says nothing against the longer one. */
   if (fabs(wish) > fabs(run->h) || plan.as_wished) run->h = wish;
-  return rot_ode_accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : run->t + h,
-                        ratio * run->tolerance);
+  status = rot_ode_accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : run->t + h,
+                          ratio * run->tolerance);
+  return status == ROT_OK && run->t == run->kink ? note_kink(run) : status;
 }
 
 /* At an event: the log, and what follows. */
@@ -286,7 +325,7 @@ static rot_status drive(rot_ode_march *run, double stop) {
   while (run->t != stop && run->phase != ROT_ODE_ENDED) {
     rot_ode_passage what = ROT_ODE_SAME_SIDE;
     rot_status status;
-    const int was = run->p->turn ? *run->p->mode : 1;
+    const int was = run->p->turn ? *run->p->mode : 1, mode = run->p->mode ? *run->p->mode : 0;
     int new_stretch = 0;
     size_t which = SIZE_MAX;
     double at = 0.0;
@@ -303,8 +342,11 @@ static rot_status drive(rot_ode_march *run, double stop) {
       at = new_stretch ? 0.0 : rot_ode_event_value(run, which);
       if (!new_stretch) status = pass_event(run, which, &new_stretch);
     }
-    if (status == ROT_OK && new_stretch) {
+    if (status == ROT_OK && new_stretch) { /* the rows before it belong to the mode before it */
+      const int next = run->p->mode ? *run->p->mode : 0;
+      if (run->p->mode) *run->p->mode = mode;
       status = rot_ode_fill_rows(run, 1);
+      if (run->p->mode) *run->p->mode = next;
       if (status == ROT_OK) status = begin_stretch(run, was, which, at);
     }
     if (status != ROT_OK) return status;
@@ -335,7 +377,7 @@ static course set_out(rot_ode_march *run, double end, int forward) {
   run->slope_known = 0;
   run->guide_at = 0;
   run->grace = -w.outward;
-  run->stage_t = NAN;
+  run->stage_t = run->kink = run->looked_t = NAN;
   run->stiffness = 0.0;
   run->stiff_steps = run->calm_steps = 0;
   run->after = -INFINITY;

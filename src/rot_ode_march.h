@@ -21,6 +21,13 @@ static inline const double *rot_ode_node(const rot_ode_trace *m, size_t i) {
   return m->data + i * (2 + m->dim);
 }
 
+/* Times just before and just after the kinks of a run. */
+typedef struct rot_ode_kinks {
+  size_t count, room;
+  double *time_s;
+  int missed; /* there is one that was not found, or a jump */
+} rot_ode_kinks;
+
 /* The state of the march.
  *
  *   MOVING     -> a step -> MOVING, CUT
@@ -79,6 +86,10 @@ typedef struct rot_ode_march {
   size_t guide_at;      /* t lies from this node of it to the next */
   double limit;         /* no step is longer, after a rejection in a guided run */
   rot_ode_trace *trace; /* its own steps */
+  rot_ode_kinks *kinks; /* takes those that are found; NULL: none is looked for */
+  double kink, over;    /* just before and just after the next one; NaN: none is known */
+  double looked_t;      /* where one was looked for last, `looks` times */
+  int looks;
   rot_ode_watch *watch; /* the switch first, if there is one, then the events */
   size_t n_watch;
   double stage_t, *stage_y, *stage_f, stiffness; /* Hairer's test, see rot_ode_step.c */

@@ -55,8 +55,8 @@ static int row_between(rot_ode_march *run, double t, int held) {
   return 1;
 }
 
-/* A call of rhs within the interval, at the value of the polynomials, mends them: e of them makes an
- * error of h e in the slope, where the slope of e itself is 7 e/h. */
+/* A call of rhs within the interval, at the value of the polynomials, mends them: their error e
+ * makes one of h e in the slope, where the slope of e itself is 7 e/h. */
 static int mend(rot_ode_march *run) {
   rot_dense_form *form = run->form;
   if (!run->dense.slopes || form[0].mends == ROT_DENSE_MENDS) return 0;

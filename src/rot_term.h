@@ -41,16 +41,14 @@ typedef struct rot_term {
   const double *x;
 } rot_term;
 
-static inline int rot_term_of_time(const rot_term *term) { return term->kind < ROT_TERM_CURVE; }
-
 /* Torque of the term, N m; after the jump at a jump. The angle is theta + theta_lo. */
 double rot_term_at(const rot_term *term, double t, double theta, double theta_lo, double omega);
 
 /* Whether length and x make sense: nothing may be read outside x. */
 int rot_term_valid(const rot_term *term);
 
-/* Finite times where the term jumps or kinks, unsorted; returns how many. With `out` NULL: room that
- * is enough. */
+/* Finite times where the term jumps or kinks, unsorted; returns how many. With `out` NULL: room
+ * that is enough. */
 size_t rot_term_breaks(const rot_term *term, double out[]);
 
 #endif

@@ -26,7 +26,7 @@ rule() {
   fi
 }
 
-# Every file of the project: what git keeps or would keep, or all of them outside a clone.
+# Every file of the project: those that git tracks or would add, or all files outside a clone.
 if git rev-parse --is-inside-work-tree > /dev/null 2>&1; then
   git ls-files --cached --others --exclude-standard
 else
@@ -36,8 +36,8 @@ fi | sort -u | while read -r file; do test -f "$file" && echo "$file"; done > "$
 
 files() { grep -E "$1" "$work/files"; }
 
-# code FILE...: the C code as `file:line:text`, comments and strings taken out (but not the names
-# in #include "..."), so that a comment that mentions R is no offence.
+# code FILE...: the C code as `file:line:text`, without comments and strings (but with the names in
+# #include "..."), so that a comment may mention R.
 code() {
   test $# -gt 0 || return 0
   awk '
@@ -67,13 +67,13 @@ code() {
     }' "$@"
 }
 
-# R code without its comments (a # inside a string ends the line too: good enough for names).
+# R code without its comments (a # inside a string ends the line, too).
 r_code() { test $# -gt 0 && sed 's/#.*//' "$@"; }
 
-# A word by itself, for grep -E.
+# A whole word, for grep -E.
 word() { echo "(^|[^A-Za-z0-9_.])($1)([^A-Za-z0-9_]|\$)"; }
 
-# The shell splits these lists at blanks: no file of ours has one in its name.
+# The shell splits these lists at blanks: no file has one in its name.
 # shellcheck disable=SC2046
 {
   code $(files '^src/rot_[a-z0-9_]*\.[ch]$') > "$work/rot"
@@ -102,6 +102,47 @@ grep -E "$(word "($prints|$ends|rand|srand)[[:space:]]*\\(.*")" "$work/rot" |
 grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
   rule "src/ffi* and src/init.c use nothing of GSL's"
 
+# ---- the layers of the core ------------------------------------------------------------------
+
+# LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.
+# Layers of one level exclude each other. The first line that matches counts.
+layers='
+1 ground      status real dd pair wide search column gauss clock
+2 mathematics phi divided drag oscillator jacobi eigen expm dense radau
+3 engine      ode* events march torque term model
+4 body        inertia points shapes* density mesh* vertices
+4 axle        axle*
+4 shaft       shaft*
+4 clutch      clutch*
+4 rolling     rolling
+4 energy      energy
+4 kinematics  kinematics
+5 choice      choice
+'
+files '^src/rot_[a-z0-9_]*\.[ch]$' | sed 's|^src/rot_||; s|\.[ch]$||' | sort -u |
+  while read -r topic; do
+    set -f
+    echo "$layers" | while read -r level layer patterns; do
+      for pattern in $patterns; do
+        # shellcheck disable=SC2254
+        case $topic in $pattern) echo "$topic $level $layer"; exit ;; esac
+      done
+    done
+  done > "$work/layers"
+at='src/rot_\([a-z0-9_]*\)\.[ch]:[0-9]*'
+sed -n "s|^\\($at\\):.*# *include *\"rot_\\([a-z0-9_]*\\)\\.h\".*|\\1 \\2 \\3|p" "$work/rot" | awk '
+  NR == FNR { level[$1] = $2; layer[$1] = $3; next }
+  !($2 in level) || !($3 in level) { print $1 ": no layer names it, or rot_" $3 ".h"; next }
+  level[$3] > level[$2] || (level[$3] == level[$2] && layer[$3] != layer[$2]) {
+    print $1 ": " layer[$2] " includes rot_" $3 ".h of " layer[$3]
+  }' "$work/layers" - | rule "src/rot_* includes headers of its own layer and of lower ones"
+
+# ---- scenes ----------------------------------------------------------------------------------
+
+files '^R/.*\.R$' | grep -vE '^R/(constraints|constraint-[a-z-]*|scene[a-z-]*)\.R$' |
+  tr '\n' '\0' | xargs -0 grep -nE 'rot_scene_' /dev/null | grep -vE '^[^:]*:[0-9]*: *#' |
+  rule "R/ names a class of scenes only in its own files and in the list of constraints"
+
 # ---- files of one topic ----------------------------------------------------------------------
 
 files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
@@ -112,6 +153,34 @@ files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
   topic=${file#src/ffi_}
   test -f "src/rot_${topic%.c}.h" || echo "$file"
 done | rule "every src/ffi_X.c has its rot_X.h"
+
+# Files of R/ whose tests are in a file of another topic.
+elsewhere='
+augment ledger-axle
+constraint-axle model-axle
+constraint-clutch model-clutch
+constraint-rotors model-rotors
+integrate-axle model-axle
+'
+# tested TOPIC SEPARATOR PREFIX SUFFIX: is there a file of tests of TOPIC, or of a topic that it
+# continues (ode_step: ode)?
+tested() {
+  topic=$1
+  while ! grep -qx "$3$topic$4" "$work/files"; do
+    case $topic in *"$2"*) topic=${topic%"$2"*} ;; *) return 1 ;; esac
+  done
+}
+{
+  files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
+    topic=${file#src/rot_} topic=${topic%.c}
+    tested "$topic" _ tests/core/test_ .c || echo "$file"
+  done
+  files '^R/.*\.R$' | while read -r file; do
+    topic=${file#R/} topic=${topic%.R}
+    other=$(echo "$elsewhere" | sed -n "s/^$topic //p")
+    tested "${other:-$topic}" - tests/testthat/test- .R || echo "$file"
+  done
+} | rule "every rot_X.c and every file of R/ has a file of tests"
 
 # ---- registration ----------------------------------------------------------------------------
 
@@ -152,6 +221,14 @@ search '(cr[a]n|cl[o]ud)\.r-project\.org|deb\.d[e]bian\.org|registry\.n[p]mjs' |
   rule "no package registry's host name"
 
 search '^(<{7}|>{7}) ' | rule "no conflict left in the files"
+
+# Code: R, C, shell. Tables may be wider: rows of test data, rows of tables and inline code in help.
+code_files='\.([Rch]|sh|in|win)$|^(configure|cleanup|\.ci/run)$'
+files "$code_files" | tr '\n' '\0' | LC_ALL=C.UTF-8 xargs -0 grep -nE '.{101}' /dev/null |
+  grep -vE '^(tests/core/[^:]*:[0-9]*: *\{|R/[^:]*:[0-9]*:#. *[|`])' | cut -c 1-160 |
+  rule "lines of code have at most 100 columns"
+files "$code_files" | tr '\n' '\0' | xargs -0 grep -nE "$(printf '\t')|[[:space:]]\$" /dev/null |
+  rule "code has no tab and no blank at the end of a line"
 
 passed=$(grep -c passed "$work/verdicts")
 failed=$(grep -c failed "$work/verdicts")

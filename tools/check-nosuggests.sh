@@ -1,6 +1,6 @@
 #!/bin/sh
 # The package must install, load, compute and pass or skip its tests with the imported packages
-# alone. Two ways: R CMD check's own way, and the tests in a library that holds nothing else.
+# alone: in R CMD check with its own options, and in a library that contains nothing else.
 . "${0%/*}/common.sh"
 
 sh tools/setup.sh test || exit 1

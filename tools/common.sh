@@ -11,28 +11,28 @@ trap 'exit 1' HUP INT TERM
 
 cores=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)
 
-# We are called by make, and R calls make again: that one is no part of ours.
+# make calls these scripts; a make that R starts must not inherit its flags.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
-# Without a UTF-8 locale R escapes what is not ASCII, and the text tests see other text.
+# Without a UTF-8 locale R escapes other characters than ASCII, and snapshots differ.
 case ${LC_ALL:-${LC_CTYPE:-$LANG}} in
   *[Uu][Tt][Ff]8* | *[Uu][Tt][Ff]-8*) ;;
   *) LC_ALL=C.UTF-8; export LC_ALL ;;
 esac
 
-# The tests that look at the repository itself find it by this name.
+# Tests that read files of the repository find it by this name.
 ROTDYN_ROOT=$top
 export ROTDYN_ROOT
 
-# Reference data that may lie beside the repository. Tests that want it ask for this name, since
-# they also run far from here, in R CMD check's own folder.
+# Reference data beside the repository. Tests find it by this name, because R CMD check runs them in
+# a folder of its own.
 if test -z "$ROTDYN_SHARED" && test -d ../shared; then
   ROTDYN_SHARED=$(cd ../shared && pwd)
   export ROTDYN_SHARED
 fi
 
-# build_tarball FOLDER [--no-build-vignettes]: leaves its path in $tarball. Building from the
-# tarball keeps object files out of the working tree and tests what a user would get.
+# build_tarball FOLDER [--no-build-vignettes]: leaves its path in $tarball. Installing from the
+# tarball keeps object files out of the working tree and tests what users install.
 build_tarball() {
   folder=$1
   shift

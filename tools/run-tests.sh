@@ -76,34 +76,36 @@ if test $vignettes = yes; then
     vignettes=no
   fi
 else
-  verdict skip "vignettes: knitr, rmarkdown or pandoc is not here"
+  verdict skip "vignettes: knitr, rmarkdown or pandoc is not installed"
 fi
-# Without its vignettes, so that the checks below still have something to check.
+# Without vignettes, so that the checks below have a tarball.
 test -n "$tarball" || build_tarball "$work" --no-build-vignettes > "$work/build.out" 2>&1 ||
   { cat "$work/build.out"; verdict fail "R CMD build --no-build-vignettes"; }
 
 heading "R CMD check --as-cran"
-# Only what asks another host is switched off:
+# What asks another host is switched off:
 #   _R_CHECK_CRAN_INCOMING_REMOTE_          compares with CRAN's own package list, follows URLs
 #   _R_CHECK_SYSTEM_CLOCK_                  asks a time server whether our clock is right
 #   _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_   fetches the help topics of packages not installed here
 check_options="--as-cran --no-manual --no-vignettes"
 test $vignettes = yes || check_options="$check_options --ignore-vignettes"
 force=true
-# A suggested package that could not be had was announced by setup; it is no error of ours. But
-# with one absent, --as-cran asks CRAN who maintains it, and no switch keeps it from asking.
+# Setup has announced a suggested package that is not available; it is not an error. But --as-cran
+# then asks CRAN for its maintainer, and no option prevents that.
 # shellcheck disable=SC2046
 if test -n "$(Rscript tools/setup.R missing $(Rscript tools/setup.R suggests))"; then
-  verdict skip "--as-cran: a suggested package is not here, so the check is the plain one"
+  verdict skip "--as-cran: a suggested package is not installed, so the plain check runs"
   force=false
   check_options=${check_options#--as-cran }
 fi
 if test -n "$tarball"; then
   # NOT_CRAN: no test is left out. TESTTHAT_PARALLEL: several files of tests at a time.
+  # _R_SHLIB_STRIP_: the installed size is checked without the compiler's debug information.
   # shellcheck disable=SC2086
   (cd "$work" && env NOT_CRAN=true TESTTHAT_PARALLEL=true TESTTHAT_CPUS="$cores" \
-    MAKEFLAGS="-j$cores" _R_CHECK_CRAN_INCOMING_REMOTE_=false _R_CHECK_SYSTEM_CLOCK_=false \
-    _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_=false _R_CHECK_FORCE_SUGGESTS_=$force \
+    MAKEFLAGS="-j$cores" _R_SHLIB_STRIP_=true _R_CHECK_CRAN_INCOMING_REMOTE_=false \
+    _R_CHECK_SYSTEM_CLOCK_=false _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_=false \
+    _R_CHECK_FORCE_SUGGESTS_=$force \
     R CMD check $check_options "$tarball" < /dev/null > R-CMD-check.out 2>&1)
   Rscript tools/read-check.R "$work/rotdyn.Rcheck" > "$work/check.out" 2>&1
   counted check $?

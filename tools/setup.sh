@@ -1,17 +1,17 @@
 #!/bin/sh
-# Installs what a verb of the Makefile needs and this machine lacks, and nothing else.
+# Installs what a verb of the Makefile needs and this machine does not have.
 #
 #   tools/setup.sh demo|test|bench|document|valgrind|manual|format
 #
-# System packages come from apt-get where it is there and we are root; otherwise the command to
-# type is printed. R packages come as Debian's r-cran-* where R looks at Debian's library, and
-# from CRAN otherwise. What R has is asked of R, before and after. A need is either essential
-# (without it: exit 1) or optional (without it: a note, and what uses it is skipped later).
+# System packages come from apt-get, if it exists and the user is root; otherwise the script prints
+# the command to type. R packages come as Debian's r-cran-* where R uses Debian's library, and from
+# CRAN otherwise. R itself reports which packages it can load, before and after. A need is either
+# essential (without it: exit 1) or optional (without it: a note; later steps skip what uses it).
 
 cd "$(dirname "$0")/.." || exit 1
 group=$1
 
-# We are called by make; the makes that R calls are no part of ours.
+# make calls this script; a make that R starts must not inherit its flags.
 unset MAKEFLAGS MFLAGS MAKELEVEL
 
 have() { command -v "$1" > /dev/null 2>&1; }
@@ -46,13 +46,13 @@ has_scipy() {
   return 1
 }
 
-# apt's clang leaves the sanitizers' run-time in a package that has clang's number in its name.
+# The run-time of clang's sanitizers is in a package of its own, with clang's version in its name.
 clang_rt() {
   major=$(apt-cache depends clang 2> /dev/null | sed -n 's/.*Depends: clang-\([0-9]*\).*/\1/p')
   echo "libclang-rt-${major:-14}-dev"
 }
 
-# need essential|optional TEST WHAT DEBIAN FEDORA BREW ("-": nothing to install there)
+# need essential|optional TEST NAME DEBIAN FEDORA BREW ("-": no package)
 essential="" optional="" apt_list="" dnf_list="" brew_list=""
 need() {
   case $2 in
@@ -86,7 +86,7 @@ system_needs() {
     valgrind) need essential valgrind valgrind valgrind valgrind valgrind ;;
     format) need essential clang-format clang-format clang-format clang-tools-extra clang-format ;;
     manual)
-      # LaTeX is large: whoever wants the manual installs it knowingly.
+      # LaTeX is large, so the user installs it.
       if ! have pdflatex; then
         say "LaTeX is not installed. The manual needs it:"
         say "  Debian, Ubuntu   apt-get install texlive-latex-recommended \\"
@@ -106,7 +106,7 @@ apt_update() {
   apt-get update -qq -o DPkg::Lock::Timeout=300 < /dev/null || say "apt-get update failed"
 }
 
-# One name that apt does not know would stop them all, so only known ones are asked for.
+# apt-get installs nothing if it does not know one of the names, so unknown names are left out.
 apt_install() {
   apt_update
   known=""
@@ -168,7 +168,7 @@ if test -n "$apt_list" && test $can_apt = yes; then
   system_needs
 fi
 if test -n "$essential$optional"; then
-  test -z "$optional" || say "not here, so what uses them is skipped: ${optional#, }"
+  test -z "$optional" || say "not installed, so what uses them is skipped: ${optional#, }"
   test -z "$essential" || say "MISSING: ${essential#, }"
   say "they come with one of"
   test -z "$apt_list" || say "  apt-get install$apt_list"
@@ -177,14 +177,14 @@ if test -n "$essential$optional"; then
   test -z "$essential" || exit 1
 fi
 
-# Which R packages, essential and optional.
+# R packages, essential and optional.
 test $group = format && exit 0
 must=$(ask_r imports) || exit 1
 may=""
 case $group in
   demo) may="dplyr ggplot2" ;;
   test | bench) must="$must testthat"; may=$(ask_r suggests) ;;
-  # roxygen2 loads the package from its sources, and pkgbuild is what compiles them.
+  # roxygen2 loads the package from its sources; pkgbuild compiles them.
   document) must="$must roxygen2 pkgbuild" ;;
 esac
 
@@ -199,17 +199,17 @@ esac
   if test -n "$missing"; then
     from_cran $missing
     missing=$(ask_r missing $missing)
-    # install.packages() only warns. Its last words say why something is missing.
+    # install.packages() only warns: its last lines give the reason.
     if test -n "$missing"; then
       tail -n 30 "$log"
-      test -z "$extra" || say "they may want these first (Debian's names): $extra"
+      test -z "$extra" || say "they may need these first (Debian's names): $extra"
     fi
   fi
   status=0
   for name in $missing; do
     case " $(echo $must) " in
       *" $name "*) say "MISSING: the R package $name"; status=1 ;;
-      *) say "not to be had, so what uses it is skipped: the R package $name" ;;
+      *) say "not available, so what uses it is skipped: the R package $name" ;;
     esac
   done
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tests of the C core, with no R in sight.
+# Tests of the C core, without R.
 #
 #   tests/core/run.sh              every compiler and standard
 #   tests/core/run.sh --valgrind   one build, run under valgrind
@@ -33,8 +33,8 @@ pass() { passed=$((passed + 1)); }
 fail() { failed=$((failed + 1)); }
 skip() { skipped=$((skipped + 1)); echo "skip - $1"; }
 
-# GSL's warnings are not ours: its headers count as system headers. /usr/include is one already,
-# and naming it again can hide a compiler's own headers.
+# GSL's headers count as system headers, so that their warnings are silent. /usr/include is one
+# already, and naming it again can hide a compiler's own headers.
 if gsl_libs=$(pkg-config --libs gsl 2>/dev/null); then gsl_cflags=$(pkg-config --cflags gsl)
 elif gsl_libs=$(gsl-config --libs 2>/dev/null); then gsl_cflags=$(gsl-config --cflags)
 else gsl_libs="-lgsl -lgslcblas -lm" gsl_cflags=""
@@ -157,7 +157,7 @@ else
   compilers=""
   for cc in gcc clang; do
     if command -v $cc > /dev/null 2>&1; then compilers="$compilers $cc"
-    else skip "$cc is not here"; fi
+    else skip "$cc is not installed"; fi
   done
   first=${compilers# } first=${first%% *} last=${compilers##* } sanitizer=""
   test -n "$compilers" || fail

@@ -639,13 +639,6 @@ static void check_split(void) {
     ROT_CHECK(run(&scene, 1, &t, &info) == ROT_OK);
     ROT_CHECK_REL(theta, column[0][0], 1e-14);
     ROT_CHECK_REL(omega, column[1][0], 1e-14);
-    /* The step by itself, from break to break. */
-    rot_axle_state state = rot_axle_start(&scene.linear);
-    const double stops[] = {0.5, 1.0, 2.7};
-    for (int k = 0; k < 3; k++) state = rot_axle_forced_step(&scene, &state, stops[k]);
-    ROT_CHECK_ULP(state.theta_rad, column[0][0], 0);
-    ROT_CHECK_ULP(state.omega_rad_per_s, column[1][0], 0);
-    ROT_CHECK_REL(state.theta_error, info.measure[ROT_THETA].error, 1e-12);
   }
 }
 

@@ -39,7 +39,8 @@ static void check_columns(void) {
   ROT_CHECK_ULP(out.applied_torque_n_m[2], applied, 4);
 }
 
-/* Work of the motor's own torque: that of 3 N m less what its slope takes, two thirds of the heat. */
+/* Work of the motor's own torque: that of 3 N m less what its slope takes, two thirds of the
+ * heat. */
 static void check_ledger(void) {
   const rot_axle_scene scene = motor_scene(0.5, 0.25);
   rot_axle_ledger both, parted;

@@ -81,8 +81,8 @@ static const rot_model toy_models[] = {
     {"first", 1, ROT_BOUND, 1e-14, 0, "it is first", toy_why_not, toy_cost, {0}},
     {"second", 3, ROT_BOUND, 1e-14, 0, "it is second", toy_why_not, toy_cost, {1}},
     {"trial", 7, ROT_BOUND, 1e-15, 1, "tried", NULL, toy_cost, {2}},
-    {"steps", 7, ROT_ESTIMATE, 1e-12, 0, "stepped", NULL, toy_cost, {3}},
-    {"more", 7, ROT_ESTIMATE, 1e-12, 0, "stepped", NULL, toy_cost, {4}}};
+    {"steps", 7, ROT_ADAPTIVE, 1e-12, 0, "stepped", NULL, toy_cost, {3}},
+    {"more", 7, ROT_ADAPTIVE, 1e-12, 0, "stepped", NULL, toy_cost, {4}}};
 static const rot_constraint toys = {"toy",    toy_measures, 3,           5,
                                     toy_list, toy_models,   toy_effects, toy_drop};
 

@@ -391,7 +391,7 @@ test_that("a shape that was turned says that its formula is from before", {
   box <- body_box(2, 0.3, 0.2, 0.1)
   turn <- rotation_about("y", angle_deg = 90)
   once <- place_body(box, rotation = turn)
-  expect_equal(once$formula, paste0(box$formula, ", then turned"))
+  expect_equal(once$formula, paste0(box$formula, ", then rotated"))
   expect_equal(place_body(once, rotation = turn)$formula, once$formula)
   expect_equal(place_body(box, c(1, 2, 3), diag(3))$formula, box$formula)
   # What names no axis stays as it is.

@@ -54,7 +54,7 @@ test_that("print keeps to the console's width", {
     expect_lte(max(nchar(lines)), min(width, 98L))
     # Nothing is lost.
     words <- strsplit(trimws(lines), " +")
-    expect_true(all(c("turned", "frustum", "kg", "symmetry") %in% unlist(words)))
+    expect_true(all(c("rotated", "frustum", "kg", "symmetry") %in% unlist(words)))
   }
 })
 

@@ -1,6 +1,6 @@
 # Absolute bounds on what leaving effects out changes, and the scene without them.
 bound <- function(scene, effects, id, t) {
-  dropped <- core_pick("axle", scene, as.double(t), 1, model = id)$dropped
+  dropped <- core_pick("axle", scene, as.double(t), 1, model = id)$dropped[[1]]
   expect_setequal(dropped$effects, effects)
   c(as.list(dropped$errors), list(scene = axle_without(scene, effects)))
 }
@@ -107,7 +107,7 @@ test_that("nothing is dropped where static friction decides, nor without rows", 
   losses <- resistance(0, 1e-9, coulomb_n_m = 0.1, static_n_m = 1.5)
   sticky <- scene_axle(1, law, losses, omega0_rad_per_s = 9.5)
   pick <- core_pick("axle", sticky, as.double(0:5), 1, model = "axle_bands")
-  expect_null(pick$dropped)
+  expect_null(pick$dropped[[1]])
   expect_match(pick$reason, "does not take quadratic drag")
   fading <- scene_axle(1, torque_exponential(1, 2), resistance(0, 1e-9))
   expect_silent(trajectory(fading, numeric(), 0.1))

@@ -200,7 +200,10 @@ test_that("the cheapest model that fits is chosen, whatever the order of the lis
   expect_equal(models()$constraint[models()$model == "drop_free"], "drop")
   expect_error(trajectory(scene, 0:3, model = "axle_free"), class = "rotdyn_error_model")
   expect_error(trajectory(scene, 0:3, model = "drop_free"), class = "rotdyn_error_model")
-  expect_error(trajectory(scene_drop(9, speed_m_per_s = 1), 0:3, 1e-12), class = "rotdyn_error_accuracy")
+  expect_error(
+    trajectory(scene_drop(9, speed_m_per_s = 1), 0:3, 1e-12),
+    class = "rotdyn_error_accuracy"
+  )
 })
 
 test_that("an effect is left out with its bound where nothing exact takes the scene", {

@@ -23,7 +23,9 @@ test_that("equally small repairs are alternatives, and what is known rules some 
   arm <- six(1.11, 100.11, 1.01)
   repairs <- inertia_repairs(check_inertia(arm))
   expect_setequal(repairs$entry[repairs$size == 3], c("iyy", "izz"))
-  expect_match(at(check_inertia(arm), "triangle inequality")$suggestion, "which is right is unknown")
+  expect_match(
+    at(check_inertia(arm), "triangle inequality")$suggestion, "which is right is unknown"
+  )
   repairs <- inertia_repairs(check_inertia(arm, mass_kg = 1, size_m = 2))
   expect_equal(repairs$entry[repairs$size == min(repairs$size)], "iyy")
   expect_equal(repairs$to[1], 1.0011)

@@ -1,0 +1,25 @@
+test_that("the rules are exact for polynomials, up to degree 22 and 13", {
+  powers <- function(t) outer(t, 0:22, `^`)
+  exact <- function(from, to) (to^(1:23) - from^(1:23)) / 1:23
+  panels <- panel_integrals(powers, c(-1, 0.25), c(1, 2))
+  expect_equal(panels$value, rbind(exact(-1, 1), exact(0.25, 2)), tolerance = 1e-14)
+  expect_equal(panels$error[2, 1:14], rep(0, 14), tolerance = 1e-14)
+  # Of a constant the integral of |f| is the integral of f.
+  expect_equal(panels$size[, 1], c(2, 1.75), tolerance = 1e-15)
+})
+
+test_that("panels are halved until the error is below rounding, each integrand in its column", {
+  rates <- function(t) cbind(exp(t), cos(40 * t), sqrt(abs(t - 0.3)))
+  edges <- c(0, 0.1, 0.7, 2)
+  found <- integrate_panels(rates, edges[-4], edges[-1])
+  root <- function(t) sign(t - 0.3) * 2 / 3 * abs(t - 0.3)^1.5
+  exact <- cbind(diff(exp(edges)), diff(sin(40 * edges)) / 40, diff(root(edges)))
+  expect_equal(found$value, exact, tolerance = 1e-13)
+  expect_true(all(abs(found$value - exact) <= found$error + 1e-15 * found$size))
+})
+
+test_that("an integrand of two signs has the size of its absolute value", {
+  found <- integrate_panels(function(t) cbind(t), -1, 1)
+  expect_equal(c(found$value), 0, tolerance = 1e-16)
+  expect_equal(c(found$size), 1, tolerance = 0.02)
+})
