@@ -1,10 +1,10 @@
 #' A moment of inertia that changes in time
 #'
-#' Straight lines between knots, held outside; a repeated time is a jump. The skater who pulls her
-#' arms in: angular momentum is what the torque changes, `d(I omega)/dt = torque`, and the work that
-#' the arms do is in the [audit()]. In a [scene_axle()] it takes the place of the body.
+#' Piecewise linear between knots, constant outside; a repeated time is a jump. The torque changes
+#' the angular momentum, `d(I omega)/dt = torque`; the work of the change of inertia (a skater's
+#' arms) is in the [audit()]. In a [scene_axle()] it replaces the body.
 #'
-#' @param time_s Times of the knots, finite and not decreasing, two at least.
+#' @param time_s Times of the knots, finite and not decreasing, at least two.
 #' @param moment_of_inertia_kg_m2 Moment of inertia about the axle at each, finite and > 0.
 #' @return A `rot_inertia_knots`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,

@@ -3,9 +3,9 @@
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
 #   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
-#   adapts                  TRUE: its error depends on the accuracy asked
+#   adapts                  TRUE: its error follows the accuracy asked
 #   ran_as(info)            NULL, or the id of the model that a run ended with
-#   loses                   NULL, or what makes a large error, for the warning
+#   loses                   NULL, or the cause of large errors, for the warning
 # and, from the C core for the models that it knows, from the record itself for others:
 #   error_kind              "bound" (a closed form) or "estimate"
 #   handles                 the effects of a scene that it takes, by name
@@ -165,13 +165,13 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' The cheapest model, by predicted time, that takes the scene and reaches the accuracy.
 #' [trajectory()] makes the same choice; `choose_model()` shows the candidates and the reasons.
 #'
-#' An effect is left out only where no closed form takes the scene as it is, and only with a bound:
+#' An effect is ignored only where no closed form takes the scene unchanged, and only with a bound:
 #' a torque of at most D changes omega by at most `D/I min(T, I/c)` in a time T, and theta by T
-#' times that. The trajectory names what was left out, and its error includes the bound.
+#' times that. The trajectory names the effect, and its error includes the bound.
 #'
 #' @param scene A scene, such as [scene_axle()].
 #' @param time_s Output times in s, finite and not decreasing: their number counts for the cost,
-#'   their span for what may be left out.
+#'   their span for the effects that may be ignored.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]; or an angle or
 #'   an angular velocity with units: see [trajectory()].
 #' @return A tibble with one row for each model of the scene's constraint, cheapest first:
@@ -184,7 +184,7 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' choose_model(scene, time_s = seq(0, 8, by = 0.1))
 #'
-#' # Drag so weak that it may be left out at 1e-6, but not at 1e-12:
+#' # Drag so weak that it is ignored at 1e-6, but not at 1e-12:
 #' ramp <- torque_knots(c(0, 8), c(0, 0.8))
 #' weak <- scene_axle(body_disk(2, 0.25), ramp, resistance(0.03, quadratic_n_m_s2 = 1e-12))
 #' choose_model(weak, time_s = 0:8, accuracy = 1e-6)

@@ -1,5 +1,4 @@
-# The columns of `parameters` that are numbers of a scene, their units, and what they are where they
-# are not given.
+# The columns of `parameters` that are numbers of a scene: unit, default.
 sweep_parameters <- list(
   moment_of_inertia_kg_m2 = list("kg*m^2", NULL),
   viscous_n_m_s = list("N*m*s", 0),
@@ -13,21 +12,20 @@ sweep_parameters <- list(
 
 #' Many spin-ups, one row each
 #'
-#' One scene on a fixed axle for each row of `parameters`, all under the same torque law: where each
-#' ends, and its true extremes on the way, in one call of C. An extreme is found where
-#' `d(omega)/dt = 0`, not looked up among steps.
+#' One scene on a fixed axle for each row of `parameters`, all under the same torque law: the final
+#' state of each, and its extreme speeds, in one call of C. The extremes are those of the continuous
+#' motion, where `d(omega)/dt = 0`.
 #'
 #' @param parameters A data frame. These columns are numbers of the scene, row by row:
 #'   `moment_of_inertia_kg_m2` (needed, > 0), `viscous_n_m_s`, `quadratic_n_m_s2`, `coulomb_n_m` (0
 #'   where they are not given), `static_n_m` (`coulomb_n_m`), `torque_scale` (1: a factor on the
-#'   torque), `omega0_rad_per_s`, `theta0_rad` (0). All others are kept as they are.
+#'   torque), `omega0_rad_per_s`, `theta0_rad` (0). Others are kept unchanged.
 #' @param torque A torque law, as in [scene_axle()], but no R function: see [torque-terms].
 #' @param time_s When each row ends: one time, or one for each row, not before `start_s`; or NULL
 #'   for a column `time_s` of `parameters`.
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which all begin.
-#' @param threads Rows are shared among at most so many threads (no more than there are). The result
-#'   is the same to the last bit for any number.
+#' @param threads Most threads to use. The result does not depend on it, to the last bit.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms
@@ -37,7 +35,7 @@ sweep_parameters <- list(
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
 #'   `rotdyn_error_value` with the row, `rotdyn_error_time`; `rotdyn_error_model` for a law that no
 #'   closed form takes.
-#' @source As for [trajectory()]: [models()] says which equation is whose.
+#' @source As for [trajectory()]: see [models()].
 #' @examples
 #' designs <- data.frame(
 #'   name = c("light", "heavy", "oily"),
@@ -77,8 +75,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   }
   check_sweep_rows(columns, known, start_s, call)
   if (some_missing) {
-    # A row with something missing runs as one that can, with no more acting than in the others, and
-    # is blanked after.
+    # A row with a missing number runs with a harmless one, and is set to NA after.
     columns[] <- Map(function(x, name) {
       if (anyNA(x)) {
         replace(x, is.na(x), if (name %in% c("moment_of_inertia_kg_m2", "torque_scale")) 1 else 0)
@@ -135,7 +132,7 @@ sweep_inputs <- function(parameters, time_s, call) {
   if (is.null(time_s)) time_s <- parameters[["time_s"]]
   if (is.null(time_s)) {
     abort_rotdyn(c(
-      "{.arg time_s} is missing: when does each row end?",
+      "{.arg time_s} is missing: the end of each row.",
       i = "Give one time, one for each row, or a column {.field time_s}."
     ), "missing", call)
   }
@@ -190,7 +187,7 @@ check_sweep_rows <- function(columns, known, start_s, call) {
 run_sweep <- function(loads, columns, start_s, threads, call) {
   friction <- any(columns$static_n_m != 0)
   quadratic <- any(columns$quadratic_n_m_s2 != 0)
-  # What acts in any row decides for all.
+  # The effects of all rows together.
   scene <- new_scene_axle(
     NULL, 1, NULL, c(0, 0, 1), sum_torques(loads$knots),
     new_resistance(

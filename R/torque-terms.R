@@ -64,17 +64,16 @@ window_text <- function(from_s, to_s) {
 #' viscous resistance acts besides, sums of constants, knots, steps, pulses, polynomials, sinusoids,
 #' exponentials and linear motors are solved in closed form.
 #'
-#' * `torque_steps()`: `torque_n_m[i]` from `time_s[i]` on until the next; nothing before the first;
-#'   the last one stays.
-#' * `torque_pulse()`: `torque_n_m` for `duration_s` from `start_s` on, nothing else. Several pulses
-#'   add up.
+#' * `torque_steps()`: `torque_n_m[i]` from `time_s[i]` until the next; 0 before the first; the last
+#'   one stays.
+#' * `torque_pulse()`: `torque_n_m` for `duration_s` from `start_s` on. Several pulses add up.
 #' * `torque_polynomial()`: in piece `i`, from `breaks_s[i]` to `breaks_s[i + 1]`,
-#'   `sum_j coefficients[i, j + 1] (t - breaks_s[i])^j`; nothing outside.
+#'   `sum_j coefficients[i, j + 1] (t - breaks_s[i])^j`; 0 outside.
 #' * `torque_sinusoid()`: `amplitude_n_m cos(angular_frequency_rad_per_s t + phase_rad)`.
-#' * `torque_exponential()`: `torque_n_m exp(-decay_per_s (t - from_s))`, nothing before `from_s`.
+#' * `torque_exponential()`: `torque_n_m exp(-decay_per_s (t - from_s))`, 0 before `from_s`.
 #' * `torque_motor()`: `stall_torque_n_m (1 - omega / no_load_omega_rad_per_s)`, the straight
 #'   torque-speed line of a direct-current motor.
-#' * `torque_curve()`: straight lines between points of a measured torque-speed curve; held outside.
+#' * `torque_curve()`: linear between points of a measured torque-speed curve, constant outside.
 #' * `torque_spring()`: `-stiffness_n_m_per_rad (theta - rest_rad)`.
 #' * `torque_gravity()`: `-mass g distance sin(theta - rest_rad)`, the weight of a body whose centre
 #'   of mass hangs `distance_m` from the axle. ([scene_pendulum()] also sets the moment of inertia
@@ -84,7 +83,7 @@ window_text <- function(from_s, to_s) {
 #' @param torque_n_m Torque: one number for each step, pulse or point of the curve; for
 #'   `torque_exponential()` one number, at `from_s`.
 #' @param start_s,duration_s When each pulse begins, and how long it lasts (> 0). A pulse shorter
-#'   than the resolution of double precision at that time is an error: it would be lost.
+#'   than the resolution of double precision at that time is an error.
 #' @param breaks_s Ends of the pieces, finite and increasing: one more than there are pieces.
 #' @param coefficients A matrix with one row for each piece, N m s^-j in column j + 1; or a vector
 #'   for one piece.
@@ -147,7 +146,7 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
     abort_domain(columns$duration_s[bad[1]], "duration_s", "s", call, 0, Inf, TRUE)
   }
   end <- columns$start_s + columns$duration_s
-  # Its rounded duration is 0, or off by more than a thousandth.
+  # The rounded duration is 0, or wrong by more than a thousandth.
   short <- which(!(abs((end - columns$start_s) - columns$duration_s) <= 1e-3 * columns$duration_s))
   if (length(short)) {
     i <- short[1]
@@ -155,7 +154,7 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
       "A pulse of {format(columns$duration_s[i])} s at {format(columns$start_s[i])} s is shorter
        than double precision resolves there.",
       i = "Its impulse, {format(columns$duration_s[i] * columns$torque_n_m[i])} N m s, can be
-           given as a change of {.arg omega0_rad_per_s}; or let the scene start nearer to it."
+           given as a change of {.arg omega0_rad_per_s}; or start the scene closer to it."
     ), "time", call)
   }
   # Where the end is rounded the torque is scaled, so that the impulse is kept.
