@@ -138,11 +138,17 @@ double rot_dense_at(const rot_dense_form *form, double t, double *slope, double 
     value = value * (x - form->z[k]) + form->c[k];
   }
   if (share || slope_share) {
+    double before = 1.0, before_rise = 0.0;
     for (size_t k = 0; k < form->terms; k++) {
       if (k + form->share >= form->terms) {
-        last += fabs(form->c[k] * product);
-        last_rise += fabs(form->c[k] * product_rise);
+        /* The second mend has a zero half way, which says nothing of what is left there. */
+        const int half = form->mends > 1;
+        last += fabs(form->c[k] * (half ? 0.5 * before : product));
+        last_rise +=
+            fabs(form->c[k] * product_rise) + (half ? fabs(form->c[k] * before_rise) : 0.0);
       }
+      before = product;
+      before_rise = product_rise;
       product_rise = product_rise * (x - form->z[k]) + product;
       product *= x - form->z[k];
     }

@@ -11,6 +11,7 @@
 #include "rot_real.h"
 
 #define LEAST_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
+#define LEAST_FINE      1e-15 /* of a guided run: below, its error test would reject rounding */
 #define MOST_TOLERANCE  3e-3
 
 /* ---- one run over both sides ----------------------------------------------------------------- */
@@ -181,14 +182,15 @@ static int has_kinks(const job *j) { return j->p->kinks || j->kinks->missed; }
 
 /* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
  * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
- * that are not short. In the last digits the distance is rounding: no finer run makes it less. */
-#define MARGIN 4.0
+ * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is
+ * rounding: no finer run makes it less. */
 static double part_of_distance(const job *coarse, const job *fine, double ratio,
                                double rounding_share) {
   if (has_kinks(fine)) return KINK_MARGIN;
   const double fell = coarse->found > 0.0 ? fine->found / coarse->found / ratio : 0.0;
   const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
-  return part < 0.5 ? fmin(1.0, MARGIN * part / (1.0 - part) + rounding_share) : 1.0;
+  const double margin = ratio < 3.0 || fine->method == ROT_METHOD_RADAU ? 4.0 : 2.5;
+  return part < 0.5 ? fmin(1.0, margin * part / (1.0 - part) + rounding_share) : 1.0;
 }
 
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
@@ -297,10 +299,10 @@ enum { MOST_RUNS = 4 };
 
 /* The tolerance of the run that chooses the steps, and into how many parts the next divides them:
  * three where the error of the first run is then still small against the motion. The factors are
- * what an error test may grow to in most motions, less MARGIN and the gain of the parts. */
+ * what an error test may grow to in most motions, less the margin and the gain of the parts. */
 static size_t first_parts(const rot_ode_params *p, double *tolerance) {
   const int three = p->accuracy <= 3e-7 && !p->kinks && p->method != ROT_METHOD_RADAU;
-  *tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, (three ? 500.0 : 10.0) * p->accuracy));
+  *tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, (three ? 256.0 : 10.0) * p->accuracy));
   return three ? 3 : 2;
 }
 
@@ -343,7 +345,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
 
   const int hopeless = info->status == ROT_EUNWIND || info->status == ROT_ENOMEM ||
                        (info->status != ROT_OK && coarse.trace[1].count == 0);
-  const int explicit = coarse.method == ROT_METHOD_RK8PD, stepwise = !explicit || p->kinks;
+  const int explicit = coarse.method == ROT_METHOD_RK8PD,
+            stepwise = !explicit || has_kinks(&coarse);
   const double first = coarse.tolerance;
   double last = INFINITY;
   if (stepwise) parts = 2;
@@ -356,7 +359,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     fine.slope_rows = slope;
     fine.largest = largest;
     fine.budget = p->max_steps;
-    fine.tolerance = 8.0 * first / rot_ode_gain(fine.method, (double)parts);
+    fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     run_once(&fine, hooks, info);
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
     /* A step's rounding beside what its error test allows. */

@@ -28,7 +28,7 @@ void rot_ode_rows_at_start(rot_ode_march *run) {
 /* Share of the last node, or of the last mend, that a row may have, of the accuracy; and how often
  * it counts as an error: waves shorter than the steps show little of themselves in it. */
 #define MOST_SHARE  0.003
-#define SHARE_COUNT 10.0
+#define SHARE_COUNT 7.0
 
 /* A row from the polynomials; 0 if they are not good enough there. */
 static int row_between(rot_ode_march *run, double t, int held) {

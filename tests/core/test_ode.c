@@ -172,7 +172,7 @@ static void check_estimate(void) {
       highest = fmax(highest, result.error[0] / error);
       /* Steps in three parts where the accuracy asks for small ones, else in halves. */
       const int parts = accuracy < 3e-7 ? 3 : 2;
-      const double factor = parts == 3 ? 500.0 * 8.0 / 6561.0 : 10.0 / 32.0;
+      const double factor = parts == 3 ? 256.0 * 8.0 / 6561.0 : 10.0 / 32.0;
       ROT_CHECK_REL(result.info.tolerance, factor * accuracy, 1e-12);
       ROT_CHECK_EQ_INT(result.info.rhs_calls, seen_by.calls);
       /* Both runs: each one slope, then 13 calls a trial; one or two more for a row. */
