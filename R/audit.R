@@ -82,7 +82,7 @@ balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
   )
 }
 
-# A balance that cannot be drawn: no rows, or rows missing.
+# A balance without the rows that it needs.
 no_balance <- function(name, about, unit) {
   balance(name, about, unit, NA_real_, NA_real_, NA_real_, NA_real_)
 }

@@ -137,14 +137,12 @@ cut_body <- function(body, hole, ..., name = NULL) {
   check_body(hole, call, "hole")
   if (!is.null(name)) name <- check_name(name, "name", call)
   if (!(hole$mass_kg < body$mass_kg)) {
-    abort_rotdyn(
-      c(
-        "A hole must be lighter than the body.",
-        x = "{.arg hole} has {format_si(hole$mass_kg)} kg, {.arg body}
-             {format_si(body$mass_kg)} kg.",
-        i = "{.arg hole} is the material removed: give both the same density."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "A hole must be lighter than the body.",
+      x = "{.arg hole} has {format_si(hole$mass_kg)} kg, {.arg body}
+           {format_si(body$mass_kg)} kg.",
+      i = "{.arg hole} is the material removed: give both the same density."
+    ), "value", call)
   }
   check_hole_near(body, hole, call)
   left <- combine_bodies(
@@ -161,14 +159,12 @@ check_hole_near <- function(body, hole, call) {
   away <- hypot3(gap)
   rounding <- 8 * .Machine$double.eps * (max(abs(body$centre_m)) + max(abs(hole$centre_m)))
   if (isTRUE(hole$mass_kg > 0 && away > body$reach_m * (1 + 1e-12) + rounding)) {
-    abort_rotdyn(
-      c(
-        "A hole must be inside the body.",
-        x = "The centre of {.arg hole} is {format_si(away)} m from that of {.arg body}, which
-             reaches {format_si(body$reach_m)} m.",
-        i = "Both must be placed in one frame: {.fn place_body}."
-      ), "inertia", call
-    )
+    abort_rotdyn(c(
+      "A hole must be inside the body.",
+      x = "The centre of {.arg hole} is {format_si(away)} m from that of {.arg body}, which
+           reaches {format_si(body$reach_m)} m.",
+      i = "Both must be placed in one frame: {.fn place_body}."
+    ), "inertia", call)
   }
 }
 

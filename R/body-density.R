@@ -100,13 +100,11 @@ density_method <- function(method, domain, call) {
   method <- check_choice(method, "method", c("auto", "quadrature", "monte_carlo"), call)
   mapped <- domain$kind != "inside"
   if (method == "quadrature" && !mapped) {
-    abort_rotdyn(
-      c(
-        "Quadrature needs a domain with a map.",
-        x = "{.fn domain_inside} has no map.",
-        i = "Use {.code method = \"monte_carlo\"}, or {.fn domain_map}."
-      ), "model", call
-    )
+    abort_rotdyn(c(
+      "Quadrature needs a domain with a map.",
+      x = "{.fn domain_inside} has no map.",
+      i = "Use {.code method = \"monte_carlo\"}, or {.fn domain_map}."
+    ), "model", call)
   }
   if (method == "auto") return(if (mapped) "quadrature" else "monte_carlo")
   method
@@ -142,15 +140,13 @@ warn_missed_accuracy <- function(found, run, method) {
   } else {
     "Increase {.arg max_evaluations}: eight times as many reduce the error to a quarter."
   }
-  warn_rotdyn(
-    c(
-      "The requested accuracy was not reached.",
-      x = "The error is about {format(reached, digits = 2)} after
-           {format(found$evaluations, big.mark = ',')} evaluations;
-           {format(run$accuracy)} was requested.",
-      i = remedy
-    ), "accuracy", run$call
-  )
+  warn_rotdyn(c(
+    "The requested accuracy was not reached.",
+    x = "The error is about {format(reached, digits = 2)} after
+         {format(found$evaluations, big.mark = ',')} evaluations;
+         {format(run$accuracy)} was requested.",
+    i = remedy
+  ), "accuracy", run$call)
 }
 
 density_body <- function(found, run, method, name) {
@@ -239,34 +235,30 @@ density_places <- function(run, at) {
 check_inside <- function(keep, at, call) {
   n <- length(at$x)
   if (!is.logical(keep) || length(keep) != n || anyNA(keep)) {
-    abort_rotdyn(
-      c(
-        "{.arg inside} must return TRUE or FALSE for each of the points it is given.",
-        x = if (is.logical(keep) && length(keep) == n) {
-          "It returned NA for {sum(is.na(keep))} of {n} point{?s}."
-        } else {
-          "For {n} point{?s} it returned {describe_value(keep)}."
-        },
-        i = if (n > 1 && length(keep) == 1L) {
-          "If it takes one point at a time, wrap it: {.code Vectorize(inside)}."
-        }
-      ), "density", call
-    )
+    abort_rotdyn(c(
+      "{.arg inside} must return TRUE or FALSE for each of the points it is given.",
+      x = if (is.logical(keep) && length(keep) == n) {
+        "It returned NA for {sum(is.na(keep))} of {n} point{?s}."
+      } else {
+        "For {n} point{?s} it returned {describe_value(keep)}."
+      },
+      i = if (n > 1 && length(keep) == 1L) {
+        "If it takes one point at a time, wrap it: {.code Vectorize(inside)}."
+      }
+    ), "density", call)
   }
   keep
 }
 
 abort_no_mass <- function(evaluations, hits, call) {
-  abort_rotdyn(
-    c(
-      "The body has no mass.",
-      x = if (hits) {
-        "The density is 0 at all {format(evaluations, big.mark = ',')} points."
-      } else {
-        "None of {format(evaluations, big.mark = ',')} points is inside."
-      }
-    ), "density", call
-  )
+  abort_rotdyn(c(
+    "The body has no mass.",
+    x = if (hits) {
+      "The density is 0 at all {format(evaluations, big.mark = ',')} points."
+    } else {
+      "None of {format(evaluations, big.mark = ',')} points is inside."
+    }
+  ), "density", call)
 }
 
 # The difference of two results: second moment relative to the trace (for a given mass, per mass),

@@ -134,13 +134,11 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
     abort_rotdyn("One of {.arg mass_kg} and {.arg {density}} must be given.", "missing", call)
   }
   if (length(given) > 1L || !names(given) %in% wanted) {
-    abort_rotdyn(
-      c(
-        "Exactly one of {.arg mass_kg} and {.arg {density}} must be given with
-         {.code method = \"{method}\"}.",
-        x = "Given {?is/are} {.arg {names(given)}}."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "Exactly one of {.arg mass_kg} and {.arg {density}} must be given with
+       {.code method = \"{method}\"}.",
+      x = "Given {?is/are} {.arg {names(given)}}."
+    ), "value", call)
   }
   kind <- names(given)
   unit <- c(mass_kg = "kg", density_kg_m3 = "kg/m^3", areal_density_kg_m2 = "kg/m^2")[[kind]]
@@ -150,13 +148,11 @@ mesh_amount <- function(mass_kg, density_kg_m3, areal_density_kg_m2, method, cal
 warn_of_millimetres <- function(of, call) {
   side <- max(of$hi - of$lo)
   if (side > 100) {
-    warn_rotdyn(
-      c(
-        "The mesh is {format(side, digits = 3)} m long.",
-        i = "Mesh files have no unit. For coordinates in millimetres, use
-             {.code length_unit = \"mm\"}; for metres, {.code length_unit = \"m\"}."
-      ), "unit", call
-    )
+    warn_rotdyn(c(
+      "The mesh is {format(side, digits = 3)} m long.",
+      i = "Mesh files have no unit. For coordinates in millimetres, use
+           {.code length_unit = \"mm\"}; for metres, {.code length_unit = \"m\"}."
+    ), "unit", call)
   }
 }
 
@@ -180,14 +176,12 @@ inspect_mesh <- function(read, weld_m, call) {
       ffi_mesh_check, read$vertices, read$faces, read$by_column, distance, progress_bar("mesh")
     )
     if (one$kind == "value") {
-      abort_rotdyn(
-        c(
-          "{.arg weld_m} must be at least 2^-52 of the largest coordinate, or 0.",
-          x = "It is {format(weld_m)}, and the largest coordinate
-               {format(largest * read$factor, digits = 3)} m.",
-          i = "0 merges only equal vertices."
-        ), "value", call
-      )
+      abort_rotdyn(c(
+        "{.arg weld_m} must be at least 2^-52 of the largest coordinate, or 0.",
+        x = "It is {format(weld_m)}, and the largest coordinate
+             {format(largest * read$factor, digits = 3)} m.",
+        i = "0 merges only equal vertices."
+      ), "value", call)
     }
     check_core_status(one$kind, call)
     one$distance <- if (isTRUE(one$counts[["merged_vertices"]] > 0)) max(distance, 0) else 0
@@ -305,17 +299,15 @@ check_mesh_fits <- function(check, found, method, call) {
   only_solid <- !any(mesh_conditions$fails[bad] == "any")
   names(faults) <- rep("x", length(faults))
   names(remedies) <- rep("i", length(remedies))
-  abort_rotdyn(
-    c(
-      if (only_solid) "{.arg mesh} does not bound a solid." else "{.arg mesh} is damaged.",
-      gsub("([{}])", "\\1\\1", faults),
-      remedies,
-      i = if (only_solid) {
-        "Or use {.code method = \"shell\"}, {.code \"hull\"} or {.code \"box\"}.
-         {.fn check_mesh} lists all conditions."
-      }
-    ), "mesh", call, check = check
-  )
+  abort_rotdyn(c(
+    if (only_solid) "{.arg mesh} does not bound a solid." else "{.arg mesh} is damaged.",
+    gsub("([{}])", "\\1\\1", faults),
+    remedies,
+    i = if (only_solid) {
+      "Or use {.code method = \"shell\"}, {.code \"hull\"} or {.code \"box\"}.
+       {.fn check_mesh} lists all conditions."
+    }
+  ), "mesh", call, check = check)
 }
 
 # ---- the integrals ------------------------------------------------------------------------------
@@ -376,12 +368,10 @@ mesh_hull <- function(read, found, call) {
   of <- mesh_moments(hull, found, FALSE, call)
   # Slivers may have either orientation, which has no effect, so the edges are not checked.
   if (!(of$closure <= 1e-9)) {
-    abort_rotdyn(
-      c(
-        "The convex hull of {.arg mesh} does not close.",
-        i = "Use {.code method = \"box\"} or {.code \"shell\"}."
-      ), "mesh", call
-    )
+    abort_rotdyn(c(
+      "The convex hull of {.arg mesh} does not close.",
+      i = "Use {.code method = \"box\"} or {.code \"shell\"}."
+    ), "mesh", call)
   }
   of$faces <- nrow(faces)
   of
@@ -444,13 +434,11 @@ mesh_body <- function(name, of, amount, read, found, check, method, call) {
   if (amount$kind != "mass_kg") error <- error + of$size_error
   trace <- sum(mass * of$second[1:3])
   if (!is.finite(mass + trace) || (amount$value > 0 && trace < .Machine$double.xmin)) {
-    abort_rotdyn(
-      c(
-        "The mass or the second moment exceeds double precision.",
-        x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
-        i = "Use other units of mass or length, as if they were kg and m."
-      ), "range", call
-    )
+    abort_rotdyn(c(
+      "The mass or the second moment exceeds double precision.",
+      x = "Mass {format(mass)} kg, trace of the second moment {format(trace)} kg m^2.",
+      i = "Use other units of mass or length, as if they were kg and m."
+    ), "range", call)
   }
   side <- of$hi - of$lo
   new_body(

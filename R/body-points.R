@@ -90,13 +90,11 @@ read_points <- function(data, mass_kg, call) {
   } else if (is.matrix(data) && is.numeric(data)) {
     matrix_columns(data, call)
   } else {
-    abort_rotdyn(
-      c(
-        "{.arg data} must be a data frame with columns {.field mass_kg}, {.field x_m},
-         {.field y_m} and {.field z_m}, or a matrix of coordinates.",
-        x = "It is {describe_value(data)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg data} must be a data frame with columns {.field mass_kg}, {.field x_m},
+       {.field y_m} and {.field z_m}, or a matrix of coordinates.",
+      x = "It is {describe_value(data)}."
+    ), "type", call)
   }
   n <- nrow(data)
   check_places_named(columns, is.null(mass_kg), call)
@@ -128,12 +126,10 @@ matrix_columns <- function(data, call) {
   names <- colnames(data)
   if (is.null(names) && ncol(data) %in% 2:3) names <- place_columns[seq_len(ncol(data))]
   if (is.null(names)) {
-    abort_rotdyn(
-      c(
-        "A matrix without column names must have two or three columns: x, y and z.",
-        x = "It has {ncol(data)}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "A matrix without column names must have two or three columns: x, y and z.",
+      x = "It has {ncol(data)}."
+    ), "size", call)
   }
   columns <- lapply(seq_len(ncol(data)), function(j) as.vector(data[, j]))
   short <- match(names, c("x", "y", "z"))
@@ -148,13 +144,11 @@ check_places_named <- function(columns, needs_mass, call) {
   if (any(grepl("^z($|[^[:alpha:]])", has, ignore.case = TRUE))) wanted <- c(wanted, "z_m")
   lacking <- setdiff(wanted, has)
   if (length(lacking)) {
-    abort_rotdyn(
-      c(
-        "{.arg data} has no {cli::qty(lacking)}column{?s} {.field {lacking}}.",
-        x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
-        i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg data} has no {cli::qty(lacking)}column{?s} {.field {lacking}}.",
+      x = if (length(has)) "Its columns are {.field {has}}." else "It has no columns.",
+      i = if (identical(lacking, "mass_kg")) "Or give the masses as {.arg mass_kg}."
+    ), "type", call)
   }
   if (!needs_mass && "mass_kg" %in% has) {
     abort_rotdyn(
@@ -167,13 +161,11 @@ abort_point <- function(points, row, column, call) {
   arg <- names(points)[column]
   x <- points[[column]]
   value <- if (length(x) == 1L) x else x[row]
-  abort_rotdyn(
-    c(
-      if (column == 1L) "Masses must be finite and at least 0." else "Coordinates must be finite.",
-      x = "{.field {arg}} is {format(value)} in row {format(row, big.mark = ',')}.",
-      i = if (isTRUE(value < 0) && is.finite(value)) "For a hole, use {.fn cut_body}."
-    ), "value", call
-  )
+  abort_rotdyn(c(
+    if (column == 1L) "Masses must be finite and at least 0." else "Coordinates must be finite.",
+    x = "{.field {arg}} is {format(value)} in row {format(row, big.mark = ',')}.",
+    i = if (isTRUE(value < 0) && is.finite(value)) "For a hole, use {.fn cut_body}."
+  ), "value", call)
 }
 
 # ---- moments ------------------------------------------------------------------------------------
@@ -211,13 +203,11 @@ moments_centre_error <- function(moments) {
 
 check_moments_fit <- function(moments, call) {
   if (!.Call(ffi_points_fit, as.double(moments))) {
-    abort_rotdyn(
-      c(
-        "The mass or the second moment exceeds double precision.",
-        x = "Mass {format(moments[['mass']], digits = 3)} kg, trace of the second moment
-             {format(moments_trace(moments), digits = 3)} kg m^2.",
-        i = "Use other units of mass or length, as if they were kg and m."
-      ), "range", call
-    )
+    abort_rotdyn(c(
+      "The mass or the second moment exceeds double precision.",
+      x = "Mass {format(moments[['mass']], digits = 3)} kg, trace of the second moment
+           {format(moments_trace(moments), digits = 3)} kg m^2.",
+      i = "Use other units of mass or length, as if they were kg and m."
+    ), "range", call)
   }
 }

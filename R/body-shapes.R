@@ -47,12 +47,10 @@ finish_body <- function(shape, parts, size, of, amount, call) {
   mass <- .subset2(parts, 1L)
   second <- .subset2(parts, 2L)
   if (!is.finite(mass) || !is.finite(sum(second))) {
-    abort_rotdyn(
-      c(
-        "The mass or the moments of this body exceed double precision.",
-        x = "Its mass is {format_si(mass)} kg."
-      ), "range", call
-    )
+    abort_rotdyn(c(
+      "The mass or the moments of this body exceed double precision.",
+      x = "Its mass is {format_si(mass)} kg."
+    ), "range", call)
   }
   detail <- if (is.null(names(amount))) list() else as.list(amount)
   centre <- .subset2(parts, 3L)
@@ -74,23 +72,19 @@ mass_or_density <- function(density, unit, call) {
     return(check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0))
   }
   if (!no_mass) {
-    abort_rotdyn(
-      c(
-        "Give {.arg mass_kg} or {.arg {density}}, not both.",
-        i = "With {.arg {density}}, the sizes must be named."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "Give {.arg mass_kg} or {.arg {density}}, not both.",
+      i = "With {.arg {density}}, the sizes must be named."
+    ), "value", call)
   }
   stats::setNames(check_number(given, density, unit, call, 0), density)
 }
 
 abort_mass_left_out <- function(density, call) {
-  abort_rotdyn(
-    c(
-      "{.arg mass_kg} is missing: it has no default.",
-      i = if (!is.null(density)) "Give it, or {.arg {density}} instead of it."
-    ), "missing", call
-  )
+  abort_rotdyn(c(
+    "{.arg mass_kg} is missing: it has no default.",
+    i = if (!is.null(density)) "Give it, or {.arg {density}} instead of it."
+  ), "missing", call)
 }
 
 # Properties of a shape, cached.
@@ -150,13 +144,11 @@ abort_shape <- function(fault, names, size, row, call) {
         }
       ), "value", call
     ),
-    abort_rotdyn(
-      c(
-        "{.arg {name}} must be at most twice {.arg {of}}.",
-        x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
-        i = "{.arg {of}} is that of the sphere, not of the cap's rim."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{.arg {name}} must be at most twice {.arg {of}}.",
+      x = "It is {value} m{where}, and {.arg {of}} is {limit} m.",
+      i = "{.arg {of}} is that of the sphere, not of the cap's rim."
+    ), "value", call)
   )
 }
 

@@ -120,16 +120,14 @@ as_tensor <- function(x, arg, call, products = "negative") {
 }
 
 abort_tensor <- function(x, arg, call) {
-  abort_rotdyn(
-    c(
-      "{.arg {arg}} must be a 3 x 3 matrix, six numbers named {.val {inertia_entries}}, or three
-       principal moments.",
-      x = if (length(x) %in% c(3L, 6L) && length(names(x))) {
-        "Its names are {.val {names(x)}}."
-      } else {
-        "It is {describe_value(x)}."
-      }
-    ), if (is.numeric(x)) "size" else "type", call
-  )
+  abort_rotdyn(c(
+    "{.arg {arg}} must be a 3 x 3 matrix, six numbers named {.val {inertia_entries}}, or three
+     principal moments.",
+    x = if (length(x) %in% c(3L, 6L) && length(names(x))) {
+      "Its names are {.val {names(x)}}."
+    } else {
+      "It is {describe_value(x)}."
+    }
+  ), if (is.numeric(x)) "size" else "type", call)
 }
 

@@ -86,24 +86,20 @@ as_vertices <- function(x, dimension, call) {
   names <- c("x_m", "y_m", "z_m")[seq_len(dimension)]
   if (is.data.frame(x)) {
     if (!all(names %in% names(x))) {
-      abort_rotdyn(
-        c(
-          "{.arg vertices_m} needs the columns {.field {names}}.",
-          x = "Its columns are {.field {names(x)}}."
-        ), "type", call
-      )
+      abort_rotdyn(c(
+        "{.arg vertices_m} needs the columns {.field {names}}.",
+        x = "Its columns are {.field {names(x)}}."
+      ), "type", call)
     }
     columns <- lapply(names, function(name) check_corner_column(x[[name]], name, nrow(x), call))
     return(matrix(unlist(columns, use.names = FALSE), ncol = dimension))
   }
   if (!is.matrix(x) || ncol(x) != dimension) {
-    abort_rotdyn(
-      c(
-        "{.arg vertices_m} must be a matrix of {dimension} columns, or a data frame with the columns
-         {.field {names}}.",
-        x = "It is {describe_value(x)}."
-      ), if (is.matrix(x)) "size" else "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg vertices_m} must be a matrix of {dimension} columns, or a data frame with the columns
+       {.field {names}}.",
+      x = "It is {describe_value(x)}."
+    ), if (is.matrix(x)) "size" else "type", call)
   }
   matrix(check_finite(x, "vertices_m", "m", call), ncol = dimension)
 }

@@ -183,13 +183,11 @@ tensor_from_vector <- function(x, names, sign, call) {
   wanted <- inertia_entries[seq_along(x)]
   names <- plain_entry_names(names)
   if (!setequal(names, wanted)) {
-    abort_rotdyn(
-      c(
-        "The numbers of {.arg x} must be named {.val {wanted}}.",
-        x = if (length(names)) "They are named {.val {names}}." else "They have no names.",
-        i = "The order differs between formats and is not guessed."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "The numbers of {.arg x} must be named {.val {wanted}}.",
+      x = if (length(names)) "They are named {.val {names}}." else "They have no names.",
+      i = "The order differs between formats and is not guessed."
+    ), "value", call)
   }
   six_to_tensor(c(x[match(wanted, names)], 0, 0, 0)[1:6] * rep(c(1, sign), each = 3L))
 }
@@ -199,13 +197,11 @@ tensors_from_columns <- function(x, sign, call) {
   has <- inertia_entries %in% names(x)
   lacking <- if (any(has[4:6])) inertia_entries[!has] else inertia_entries[1:3][!has[1:3]]
   if (length(lacking)) {
-    abort_rotdyn(
-      c(
-        "{.arg x} must have the columns {.val {inertia_entries}}.",
-        x = "{.val {lacking}} {?is/are} missing.",
-        i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg x} must have the columns {.val {inertia_entries}}.",
+      x = "{.val {lacking}} {?is/are} missing.",
+      i = "Without all of {.val {inertia_entries[4:6]}} the products are 0."
+    ), "type", call)
   }
   columns <- lapply(inertia_entries[has], function(entry) {
     check_column(x[[entry]], entry, "kg*m^2", call)
@@ -245,12 +241,10 @@ known_names <- function(name, with_x, n, call) {
 
 check_one_or_each <- function(length, arg, n, call) {
   if (length != 1L && length != n) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must have length 1, or one element for each tensor.",
-        x = "It has length {length}, and there {cli::qty(n)}{?is/are} {n} tensor{?s}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must have length 1, or one element for each tensor.",
+      x = "It has length {length}, and there {cli::qty(n)}{?is/are} {n} tensor{?s}."
+    ), "size", call)
   }
 }
 

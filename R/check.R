@@ -33,17 +33,15 @@ abort_dots <- function(given, call, fn) {
   named <- rlang::have_name(given)
   said[named] <- paste(names(given)[named], "=", said[named])
   known <- setdiff(names(formals(fn)), "...")
-  abort_rotdyn(
-    c(
-      if (all(named)) {
-        "{length(said)} unknown argument{?s}."
-      } else {
-        "Arguments after the first ones must be given by name."
-      },
-      x = "Unknown: {.code {said}}.",
-      i = "The arguments are {.arg {known}}."
-    ), "argument", call
-  )
+  abort_rotdyn(c(
+    if (all(named)) {
+      "{length(said)} unknown argument{?s}."
+    } else {
+      "Arguments after the first ones must be given by name."
+    },
+    x = "Unknown: {.code {said}}.",
+    i = "The arguments are {.arg {known}}."
+  ), "argument", call)
 }
 
 # Required arguments, by name; `env` is the frame of the function.
@@ -128,12 +126,10 @@ check_not_negative <- function(x, arg, unit, call, open = FALSE) {
 }
 
 abort_missing_column <- function(column, data, call) {
-  abort_rotdyn(
-    c(
-      "The table needs a column {.field {column}}.",
-      x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
-    ), "type", call
-  )
+  abort_rotdyn(c(
+    "The table needs a column {.field {column}}.",
+    x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
+  ), "type", call)
 }
 
 # Columns of length 1 or n; returns n.
@@ -142,12 +138,10 @@ check_recyclable <- function(columns, call) {
   others <- unique(sizes[sizes != 1L])
   if (length(others) > 1L) {
     text <- paste0("{.arg ", names(columns)[sizes != 1L], "} has ", sizes[sizes != 1L])
-    abort_rotdyn(
-      c(
-        "Arguments must have the same length, or length 1.",
-        stats::setNames(text, rep("x", length(text)))
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "Arguments must have the same length, or length 1.",
+      stats::setNames(text, rep("x", length(text)))
+    ), "size", call)
   }
   if (length(others)) others else 1L
 }
@@ -168,13 +162,11 @@ check_finite <- function(x, arg, unit, call, kind = "value") {
 
 check_class <- function(x, class, arg, remedy, call) {
   if (!inherits(x, class)) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a {.cls {class}} object.",
-        x = "It is {describe_value(x)}.",
-        i = remedy
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a {.cls {class}} object.",
+      x = "It is {describe_value(x)}.",
+      i = remedy
+    ), "type", call)
   }
 }
 
@@ -190,13 +182,11 @@ check_times <- function(time_s, call) {
   time_s <- check_finite(time_s, "time_s", "s", call, "time")
   if (is.unsorted(time_s)) {
     at <- which(diff(time_s) < 0)[1]
-    abort_rotdyn(
-      c(
-        "{.arg time_s} must not go back in time.",
-        x = "Element {at + 1} is {format(time_s[at + 1])} after {format(time_s[at])}.",
-        i = "Sort it, or ask {.fn predict} for times in any order."
-      ), "time", call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} must not go back in time.",
+      x = "Element {at + 1} is {format(time_s[at + 1])} after {format(time_s[at])}.",
+      i = "Sort it, or ask {.fn predict} for times in any order."
+    ), "time", call)
   }
   time_s
 }

@@ -54,11 +54,9 @@ warn_quickly <- function(message, kind, call) {
 
 need_package <- function(package, why, call) {
   if (!requireNamespace(package, quietly = TRUE)) {
-    abort_rotdyn(
-      c(
-        "{why} needs the package {.pkg {package}}, which is not installed.",
-        i = "Install it with {.code install.packages(\"{package}\")}."
-      ), "package", call
-    )
+    abort_rotdyn(c(
+      "{why} needs the package {.pkg {package}}, which is not installed.",
+      i = "Install it with {.code install.packages(\"{package}\")}."
+    ), "package", call)
   }
 }

@@ -35,7 +35,7 @@ clutch_constraint <- function() {
   )
 }
 
-# Each body has the error of the measure, not both together.
+# The error of the measure holds for each body, not for both together.
 largest_distance <- function(got, want) apply(abs(got - want), 1, max)
 
 balance_clutch <- function(x, run, call) {

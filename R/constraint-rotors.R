@@ -77,7 +77,7 @@ balance_rotors <- function(x, run, call) {
       ),
       c("work of the torques" = ledger[["work_j"]]),
       c("heat of dampers and bearings" = ledger[["dissipated_j"]]),
-      # An error of omega goes with one of the same energy norm in the twists.
+      # The error of the twists has the energy norm of that of omega.
       ledger[["work_rounding_j"]] + ledger[["dissipated_rounding_j"]] +
         sum(inertia * abs(rate)) * error + sqrt(2 * sum(inertia)) * twist$root * error +
         twist$rounding + 4 * eps * (abs(ledger[["work_j"]]) + ledger[["dissipated_j"]])
@@ -93,8 +93,8 @@ balance_rotors <- function(x, run, call) {
   )
 }
 
-# From the shaft's torque: the difference of two angles would have lost the twist of a stiff shaft.
-# The rigid shaft has none.
+# From the torque of the shaft: the difference of two angles loses the twist of a stiff shaft. A
+# rigid shaft has none.
 elastic_energy <- function(scene, from, to, rigid) {
   k <- scene$stiffness_n_m_per_rad
   if (rigid || all(k == 0)) {

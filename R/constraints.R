@@ -1,5 +1,5 @@
-# The constraints: what a body may do, one record each. A constraint joins by a line in the list
-# below and by files of its own; every verb works on the record and knows no constraint by name.
+# The constraints, one record each. A new one needs a line in the list below and files of its own;
+# the verbs use the record and name no constraint.
 #
 # A record:
 #   id            name of the constraint, as models() shows it
@@ -13,10 +13,10 @@
 #                 most: list(effects, until_s, errors, error, each), see R/choice.R
 #                 (a constraint of the C core has these three from there)
 #   columns       columns of a result
-#   keys          those that hold the state: the class stands while they do
-#   more_columns(columns, scene, time_s)   NULL, or what completes the columns of a run
+#   keys          those that hold the state: the class is kept with them
+#   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
-#   measures      named list of measure(): what errors and accuracies refer to
+#   measures      named list of measure(), to which errors and accuracies refer
 #   summary(x, run)              columns that summary() puts first
 #   balances(x, run, call)       list of balance(), see R/audit.R
 #   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:

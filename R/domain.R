@@ -211,12 +211,10 @@ check_field_function <- function(f, arg, call) {
   check_function(f, arg, call)
   takes <- names(formals(args(f)))
   if (!"..." %in% takes && length(takes) < 3L) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a function of three vectors.",
-        x = "It takes {length(takes)} argument{?s}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a function of three vectors.",
+      x = "It takes {length(takes)} argument{?s}."
+    ), "type", call)
   }
 }
 
@@ -226,12 +224,10 @@ check_box <- function(lower, upper, args, unit, call) {
   half <- upper / 2 - lower / 2
   at <- which(!(half > 0))[1]
   if (!is.na(at)) {
-    abort_rotdyn(
-      c(
-        "{.arg {args[2]}} must be greater than {.arg {args[1]}}.",
-        x = "Component {at} is {format(upper[at])} against {format(lower[at])}."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{.arg {args[2]}} must be greater than {.arg {args[1]}}.",
+      x = "Component {at} is {format(upper[at])} against {format(lower[at])}."
+    ), "value", call)
   }
   list(middle = lower / 2 + upper / 2, half = half)
 }
@@ -240,13 +236,11 @@ check_radii <- function(inner_m, outer_m, call) {
   outer_m <- check_number(outer_m, "radius_m", "m", call, lower = 0, open = TRUE)
   inner_m <- check_number(inner_m, "inner_radius_m", "m", call, lower = 0)
   if (inner_m >= outer_m) {
-    abort_rotdyn(
-      c(
-        "{.arg inner_radius_m} must be less than {.arg radius_m}.",
-        x = "It is {format(inner_m)} m against {format(outer_m)} m.",
-        i = "For a thin shell with an areal density see {.fn shapes}."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{.arg inner_radius_m} must be less than {.arg radius_m}.",
+      x = "It is {format(inner_m)} m against {format(outer_m)} m.",
+      i = "For a thin shell with an areal density see {.fn shapes}."
+    ), "value", call)
   }
   c(inner_m, outer_m)
 }
@@ -261,12 +255,10 @@ check_turn <- function(angle_rad, call) {
   }
   turn <- (angle[2] - angle[1]) / (2 * pi)
   if (!(turn > 0 && turn <= 1 + 1e-12)) {
-    abort_rotdyn(
-      c(
-        "{.arg angle_rad} must increase, by at most a full turn.",
-        x = "It goes from {format(angle[1])} to {format(angle[2])} rad."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{.arg angle_rad} must increase, by at most a full turn.",
+      x = "It goes from {format(angle[1])} to {format(angle[2])} rad."
+    ), "value", call)
   }
   full <- turn >= 1 - 1e-12
   list(from = angle[1], to = if (full) angle[1] + 2 * pi else angle[2], full = full)
@@ -294,15 +286,13 @@ check_jacobian <- function(domain, call) {
   off <- abs(found - said) > 0.01 * pmax(found, said)
   if (sum(off) >= 3) {
     i <- which(off)[1]
-    abort_rotdyn(
-      c(
-        "{.arg jacobian} must be the absolute value of the determinant of the derivatives of
-         {.arg map}.",
-        x = "At ({paste(format(at[i, ], digits = 4), collapse = ', ')}) it is
-             {format(said[i], digits = 4)}; differences of {.arg map} give
-             {format(found[i], digits = 4)}."
-      ), "density", call
-    )
+    abort_rotdyn(c(
+      "{.arg jacobian} must be the absolute value of the determinant of the derivatives of
+       {.arg map}.",
+      x = "At ({paste(format(at[i, ], digits = 4), collapse = ', ')}) it is
+           {format(said[i], digits = 4)}; differences of {.arg map} give
+           {format(found[i], digits = 4)}."
+    ), "density", call)
   }
 }
 
@@ -312,25 +302,21 @@ map_places <- function(domain, u, v, w, call) {
   fine <- is.list(places) && length(places) == 3L &&
     all(vapply(places, function(x) is_number(x) && length(x) == length(u), NA))
   if (!fine) {
-    abort_rotdyn(
-      c(
-        "{.arg map} must return a matrix with columns x, y and z, a row for each of its arguments'
-         elements, or a list of three such vectors.",
-        x = "For {length(u)} point{?s} it returned {describe_value(places)}."
-      ), "density", call
-    )
+    abort_rotdyn(c(
+      "{.arg map} must return a matrix with columns x, y and z, a row for each of its arguments'
+       elements, or a list of three such vectors.",
+      x = "For {length(u)} point{?s} it returned {describe_value(places)}."
+    ), "density", call)
   }
   places <- lapply(unname(as.list(places)), as.double)
   at <- which(!(is.finite(places[[1]]) & is.finite(places[[2]]) & is.finite(places[[3]])))
   if (length(at)) {
     place <- vapply(places, function(x) format(x[at[1]], digits = 7), "")
-    abort_rotdyn(
-      c(
-        "{.arg map} must return finite coordinates.",
-        x = "At u = {format(u[at[1]], digits = 7)}, v = {format(v[at[1]], digits = 7)},
-             w = {format(w[at[1]], digits = 7)} it returned ({paste(place, collapse = ', ')})."
-      ), "density", call
-    )
+    abort_rotdyn(c(
+      "{.arg map} must return finite coordinates.",
+      x = "At u = {format(u[at[1]], digits = 7)}, v = {format(v[at[1]], digits = 7)},
+           w = {format(w[at[1]], digits = 7)} it returned ({paste(place, collapse = ', ')})."
+    ), "density", call)
   }
   places
 }
@@ -350,14 +336,12 @@ check_field <- function(x, arg, places, call, names = c("u", "v", "w")) {
     )
   }
   if (length(x) != n) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must return one value for each of the points it is given.",
-        x = "For {n} points it returned {length(x)} value{?s}.",
-        i = "If it takes one point at a time, wrap it: {.code Vectorize({arg})}.",
-        i = if (length(x) == 1L && arg == "f") "A density that is the same everywhere is a number."
-      ), "density", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must return one value for each of the points it is given.",
+      x = "For {n} points it returned {length(x)} value{?s}.",
+      i = "If it takes one point at a time, wrap it: {.code Vectorize({arg})}.",
+      i = if (length(x) == 1L && arg == "f") "A density that is the same everywhere is a number."
+    ), "density", call)
   }
   if (!(isTRUE(min(x) >= 0) && max(x) < Inf)) {
     at <- which(is.na(x) | x < 0 | x == Inf)[1]

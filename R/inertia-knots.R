@@ -1,10 +1,10 @@
 #' A moment of inertia that changes in time
 #'
-#' Straight lines between knots, held outside; a repeated time is a jump. The skater who pulls her
-#' arms in: angular momentum is what the torque changes, `d(I omega)/dt = torque`, and the work that
-#' the arms do is in the [audit()]. In a [scene_axle()] it takes the place of the body.
+#' Piecewise linear between knots, constant outside; a repeated time is a jump. The torque changes
+#' the angular momentum, `d(I omega)/dt = torque`; the work of the change of inertia (a skater's
+#' arms) is in the [audit()]. In a [scene_axle()] it replaces the body.
 #'
-#' @param time_s Times of the knots, finite and not decreasing, two at least.
+#' @param time_s Times of the knots, finite and not decreasing, at least two.
 #' @param moment_of_inertia_kg_m2 Moment of inertia about the axle at each, finite and > 0.
 #' @return A `rot_inertia_knots`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
@@ -22,15 +22,11 @@ inertia_knots <- function(time_s, moment_of_inertia_kg_m2) {
   time_s <- check_finite(time_s, "time_s", "s", call)
   moment <- check_finite(moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call)
   if (length(time_s) != length(moment) || length(time_s) < 2L) {
-    abort_rotdyn(
-      c(
-        "Every knot needs a time and a moment of inertia, and there must be two at least.",
-        x = "{.arg time_s} has length {length(time_s)}, {.arg moment_of_inertia_kg_m2} has length
-             {length(moment)}."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "Every knot needs a time and a moment of inertia, and there must be two at least.",
+      x = "{.arg time_s} has length {length(time_s)}, {.arg moment_of_inertia_kg_m2} has length
+           {length(moment)}."
+    ), "size", call)
   }
   if (is.unsorted(time_s)) {
     abort_rotdyn("{.arg time_s} must not go back in time.", "time", call)

@@ -69,12 +69,10 @@ inertia_table <- function(objects = inertia_objects()) {
 
 check_shape_names <- function(given, column, rows, call) {
   if (is.data.frame(given) || length(given) != rows) {
-    abort_rotdyn(
-      c(
-        "{.field {column}} must be a column of names, one for each row.",
-        x = "It is {describe_value(given)} for {rows} row{?s}."
-      ), if (is.data.frame(given)) "type" else "size", call
-    )
+    abort_rotdyn(c(
+      "{.field {column}} must be a column of names, one for each row.",
+      x = "It is {describe_value(given)} for {rows} row{?s}."
+    ), if (is.data.frame(given)) "type" else "size", call)
   }
 }
 
@@ -96,13 +94,11 @@ check_known <- function(given, id, beta, call) {
   if (!any(unknown)) return(invisible())
   unknown <- unique(as.character(given[unknown & is.na(beta) & !is.na(given)]))
   if (length(unknown)) {
-    abort_rotdyn(
-      c(
-        "Every object must be a standard shape or have a {.field beta}.",
-        x = "Neither: {.val {unknown}}.",
-        i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "Every object must be a standard shape or have a {.field beta}.",
+      x = "Neither: {.val {unknown}}.",
+      i = "{.fn shapes} lists the standard shapes; {.val {names(shape_aliases)}} are other names."
+    ), "value", call)
   }
 }
 
@@ -110,12 +106,10 @@ needed_column <- function(column, unit, objects, call) {
   if (is.null(objects[[column]])) abort_missing_column(column, objects, call)
   values <- check_column(objects[[column]], column, unit, call)
   if (length(values) != nrow(objects)) {
-    abort_rotdyn(
-      c(
-        "{.arg {column}} must have one number for each row.",
-        x = "It has {length(values)} for {nrow(objects)} row{?s}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "{.arg {column}} must have one number for each row.",
+      x = "It has {length(values)} for {nrow(objects)} row{?s}."
+    ), "size", call)
   }
   values
 }
@@ -168,12 +162,10 @@ inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1) {
 
 inertia_of_bodies <- function(bodies, call) {
   if (!is.list(bodies) || !all(vapply(bodies, inherits, logical(1), "rot_body"))) {
-    abort_rotdyn(
-      c(
-        "{.arg objects} must be a data frame, a {.cls rot_body}, or a list of those.",
-        x = "It is {describe_value(bodies)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg objects} must be a data frame, a {.cls rot_body}, or a list of those.",
+      x = "It is {describe_value(bodies)}."
+    ), "type", call)
   }
   pick <- function(f) vapply(bodies, f, numeric(1))
   given <- unique(unlist(lapply(bodies, function(b) names(b$size_m))))

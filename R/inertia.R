@@ -214,23 +214,19 @@ check_same_point <- function(e1, e2, operation, call) {
   p2 <- attr(e2, "point_m")
   verb <- if (operation == "+") "added" else "subtracted"
   if (!identical(p1, p2)) {
-    abort_rotdyn(
-      c(
-        "Inertia tensors about different points cannot be {verb}.",
-        x = "One is about ({paste(format_si(p1), collapse = ', ')}) m, the other about
-             ({paste(format_si(p2), collapse = ', ')}) m.",
-        i = "Take both about one point, {.code inertia_tensor(body, about = )}, or join the bodies:
-             {.fn join_bodies}."
-      ), "point", call
-    )
+    abort_rotdyn(c(
+      "Inertia tensors about different points cannot be {verb}.",
+      x = "One is about ({paste(format_si(p1), collapse = ', ')}) m, the other about
+           ({paste(format_si(p2), collapse = ', ')}) m.",
+      i = "Take both about one point, {.code inertia_tensor(body, about = )}, or join the bodies:
+           {.fn join_bodies}."
+    ), "point", call)
   }
   if (!isTRUE(all.equal(attr(e1, "rotation"), attr(e2, "rotation"), tolerance = 1e-12)) ||
     attr(e1, "products") != attr(e2, "products")) {
-    abort_rotdyn(
-      c(
-        "Inertia tensors in different axes, or of different sign conventions, cannot be {verb}.",
-        i = "Take both in the same {.arg axes} and with the same {.arg products}."
-      ), "point", call
-    )
+    abort_rotdyn(c(
+      "Inertia tensors in different axes, or of different sign conventions, cannot be {verb}.",
+      i = "Take both in the same {.arg axes} and with the same {.arg products}."
+    ), "point", call)
   }
 }

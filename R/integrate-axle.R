@@ -1,4 +1,4 @@
-# The run of an axle by an integrator: breaks and samples of an R function first.
+# The run of an axle by an integrator, after breaks and samples of an R function.
 
 integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   loads <- scene$loads
@@ -36,8 +36,8 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   }, accuracy)
 }
 
-# Where a jump of the inertia lies at an end of the integrator's ledger, it is counted by the side
-# that was integrated; in the balance of rows it belongs to what lies before it.
+# The integrator counts a jump of the inertia at an end of its ledger on the side that it
+# integrated; the balance of rows counts it before the row.
 add_end_jumps <- function(result, scene, time_s) {
   n <- length(time_s)
   if (is.null(scene$inertia) || n == 0L || result$info$kind != "none") {
@@ -62,9 +62,9 @@ add_end_jumps <- function(result, scene, time_s) {
   result
 }
 
-# The error of the samples added to that of the run. The bound takes a pendulum for upside down at
-# all times, 1e125 in 100 s: where it matters the growth is measured, by a constant torque
-# that stands out from the integration's own error. solve(push_n_m): the motion with it added.
+# The error of the samples added to that of the run. The bound assumes an inverted pendulum at all
+# times, a growth of 1e125 in 100 s: where it matters the growth is measured, by a constant torque
+# large enough to exceed the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
   disturb <- function(size, impulse, grow) {
     .Call(ffi_axle_disturbance, scene, time_s, c(size, impulse, grow))
@@ -81,7 +81,7 @@ add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
       grow <- max(1, c(apart("theta_rad"), apart("omega_rad_per_s")) / free)
     }
   } else if (!is.finite(grow)) {
-    grow <- 1 # nothing moves, or in no time
+    grow <- 1 # no motion, or no time
   }
   result$info <- widen_error(result$info, disturb(sampled$error, sampled$impulse, grow))
   result

@@ -47,12 +47,10 @@ angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_r
   )
   given <- !vapply(columns, is.null, logical(1))
   if (sum(given) != 3L) {
-    abort_rotdyn(
-      c(
-        "Three of {.arg {names(columns)}} must be given.",
-        x = if (any(given)) "Given: {.arg {names(columns)[given]}}." else "None is given."
-      ), if (sum(given) < 3L) "missing" else "size", call
-    )
+    abort_rotdyn(c(
+      "Three of {.arg {names(columns)}} must be given.",
+      x = if (any(given)) "Given: {.arg {names(columns)[given]}}." else "None is given."
+    ), if (sum(given) < 3L) "missing" else "size", call)
   }
   for (arg in names(columns)[given]) {
     columns[[arg]] <- check_finite_or_na(columns[[arg]], arg, motion_units[[arg]], call)
@@ -78,13 +76,11 @@ warn_no_motion <- function(none, many, call) {
   rows <- function(at) {
     cli::cli_vec(format(at, big.mark = ",", trim = TRUE), list("vec-trunc" = 6))
   }
-  warn_rotdyn(
-    c(
-      "Some rows do not have a unique solution; their missing values are NaN.",
-      x = if (length(none)) "The three values are inconsistent in row{?s} {rows(none)}.",
-      x = if (length(many)) "They do not determine the motion in row{?s} {rows(many)}."
-    ), "value", call
-  )
+  warn_rotdyn(c(
+    "Some rows do not have a unique solution; their missing values are NaN.",
+    x = if (length(none)) "The three values are inconsistent in row{?s} {rows(none)}.",
+    x = if (length(many)) "They do not determine the motion in row{?s} {rows(many)}."
+  ), "value", call)
 }
 
 check_finite_or_na <- function(x, arg, unit, call) {

@@ -48,8 +48,7 @@ jump_work <- function(scene, momentum, where) {
   )
 }
 
-# Times where omega passes a point of a torque-speed curve: next to the end of a panel no node would
-# see the kink.
+# Times where omega passes a point of a torque-speed curve: panels end at these kinks.
 curve_kinks <- function(scene, rows_at, edges) {
   curves <- Filter(function(term) term$kind == "curve", scene$loads$terms)
   points <- unlist(lapply(curves, function(term) term$x[1 + seq_len(term$x[1])]))
@@ -78,7 +77,7 @@ curve_kinks <- function(scene, rows_at, edges) {
   to
 }
 
-# Times where a torque or the inertia jumps or kinks; those of an R function are looked for.
+# Times where a torque or the inertia jumps or kinks.
 axle_breaks <- function(scene) {
   terms <- lapply(scene$loads$terms, function(term) term$breaks_s)
   sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
@@ -132,7 +131,7 @@ axle_ledger_by_quadrature <- function(run, from_s, to_s) {
     return(empty_axle_ledger(if (from_s < to_s) NA_real_ else 0))
   }
   value <- parts$value[1, ]
-  # What the motion's own error does: that of omega to the rates, linear in each.
+  # The effect of the motion's own error: that of omega on the rates, to first order.
   omega <- run$info$errors[["omega"]] / max(run$info$sizes[["omega"]], 1e-300)
   rounding <- parts$error[1, ] + (4e-15 + 3 * omega) * parts$size[1, ]
   heat <- c("viscous_j", "quadratic_j", "coulomb_j")

@@ -146,8 +146,8 @@ axle_models <- list(
   axle_bands, axle_rk8pd, axle_radau
 )
 
-# A function of the fraction done, for the C code to call at most 20 times a second. The bar comes
-# into being a second after the first call, so that short work makes none and asks no clock.
+# A function of the fraction done, for C to call at most 20 times a second. The bar appears a second
+# after the first call: short runs make none.
 progress_bar <- function(name) {
   start <- NULL
   bar <- NULL

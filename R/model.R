@@ -3,9 +3,9 @@
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
 #   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
-#   adapts                  TRUE: its error depends on the accuracy asked
+#   adapts                  TRUE: its error follows the accuracy asked
 #   ran_as(info)            NULL, or the id of the model that a run ended with
-#   loses                   NULL, or what makes a large error, for the warning
+#   loses                   NULL, or the cause of large errors, for the warning
 # and, from the C core for the models that it knows, from the record itself for others:
 #   error_kind              "bound" (a closed form) or "estimate"
 #   handles                 the effects of a scene that it takes, by name
@@ -169,13 +169,13 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' The cheapest model, by predicted time, that takes the scene and reaches the accuracy.
 #' [trajectory()] makes the same choice; `choose_model()` shows the candidates and the reasons.
 #'
-#' An effect is left out only where no closed form takes the scene as it is, and only with a bound:
+#' An effect is ignored only where no closed form takes the scene unchanged, and only with a bound:
 #' a torque of at most D changes omega by at most `D/I min(T, I/c)` in a time T, and theta by T
-#' times that. The trajectory names what was left out, and its error includes the bound.
+#' times that. The trajectory names the effect, and its error includes the bound.
 #'
 #' @param scene A scene, such as [scene_axle()].
 #' @param time_s Output times in s, finite and not decreasing: their number counts for the cost,
-#'   their span for what may be left out.
+#'   their span for the effects that may be ignored.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]; or an angle or
 #'   an angular velocity with units: see [trajectory()].
 #' @return A tibble with one row for each model of the scene's constraint, cheapest first:
@@ -188,7 +188,7 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' choose_model(scene, time_s = seq(0, 8, by = 0.1))
 #'
-#' # Drag so weak that it may be left out at 1e-6, but not at 1e-12:
+#' # Drag so weak that it is ignored at 1e-6, but not at 1e-12:
 #' ramp <- torque_knots(c(0, 8), c(0, 0.8))
 #' weak <- scene_axle(body_disk(2, 0.25), ramp, resistance(0.03, quadratic_n_m_s2 = 1e-12))
 #' choose_model(weak, time_s = 0:8, accuracy = 1e-6)
@@ -245,44 +245,32 @@ abort_no_model <- function(constraint, scene, time_s, accuracy, tried, call) {
   why_not <- lapply(takes, function(record) record$why_not(scene, time_s))
   fits <- vapply(why_not, is.null, logical(1))
   if (!any(fits)) {
-    abort_rotdyn(
-      c(
-        "No model can run this scene at these times.",
-        x = paste0(
-          "{.arg time_s} begins at {format(time_s[1])} s, ",
-          "the scene at {format(scene$start_s)} s."
-        ),
-        i = "{.field {takes[[1]]$id}}: {why_not[[1]]}."
+    abort_rotdyn(c(
+      "No model can run this scene at these times.",
+      x = paste0(
+        "{.arg time_s} begins at {format(time_s[1])} s, ",
+        "the scene at {format(scene$start_s)} s."
       ),
-      "time",
-      call
-    )
+      i = "{.field {takes[[1]]$id}}: {why_not[[1]]}."
+    ), "time", call)
   }
   promised <- vapply(takes[fits], function(record) {
     if (isTRUE(record$on_trial)) Inf else record$error(accuracy)
   }, double(1))
   best <- min(promised, tried)
-  abort_rotdyn(
-    c(
-      "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
-      i = "The best that one promises is {format(best, digits = 2)}."
-    ),
-    "accuracy",
-    call
-  )
+  abort_rotdyn(c(
+    "No model of this scene reaches a relative accuracy of {format(accuracy)}.",
+    i = "The best that one promises is {format(best, digits = 2)}."
+  ), "accuracy", call)
 }
 
 named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, call) {
   ids <- names(constraint$models)
   if (!rlang::is_string(model) || !model %in% ids) {
-    abort_rotdyn(
-      c(
-        "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
-        x = "It is {describe_value(model)}."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg model} must be NULL or one of {.or {.val {ids}}}.",
+      x = "It is {describe_value(model)}."
+    ), "model", call)
   }
   record <- constraint$models[[model]]
   pick <- if (is.null(record$core)) {
@@ -295,14 +283,10 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
   )
   fit <- try_model(fit, time_s, accuracy, max_steps, call)
   if (!is.null(fit$reason)) {
-    abort_rotdyn(
-      c(
-        "Model {.val {model}} does not fit: {fit$reason}.",
-        i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "Model {.val {model}} does not fit: {fit$reason}.",
+      i = "{.code model = NULL} picks one that does; {.fn choose_model} says why."
+    ), "model", call)
   }
   fit
 }

@@ -59,25 +59,21 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
   # NA gives NA; other values that are not finite overflowed.
   known <- !(is.na(columns$inertia_kg_m2) | is.na(columns$mass_kg) | is.na(columns$distance_m))
   if (any(known & !is.finite(value))) {
-    abort_rotdyn(
-      c(
-        "The inertia exceeds double precision.",
-        x = "In row {which(known & !is.finite(value))[1]} it is
-             {format(value[known & !is.finite(value)][1])}."
-      ), "range", call
-    )
+    abort_rotdyn(c(
+      "The inertia exceeds double precision.",
+      x = "In row {which(known & !is.finite(value))[1]} it is
+           {format(value[known & !is.finite(value)][1])}."
+    ), "range", call)
   }
   if (sign < 0) {
     below <- which(value < -rounding)
     if (length(below)) {
       i <- below[1]
-      abort_rotdyn(
-        c(
-          "{.arg inertia_kg_m2} must be at least m d^2, its value for a point mass.",
-          x = "In row {i} the moment about the centre would be {format(value[i], digits = 3)}
-               kg m^2."
-        ), "value", call
-      )
+      abort_rotdyn(c(
+        "{.arg inertia_kg_m2} must be at least m d^2, its value for a point mass.",
+        x = "In row {i} the moment about the centre would be {format(value[i], digits = 3)}
+             kg m^2."
+      ), "value", call)
     }
     value <- pmax(value, 0)
     warn_lost_digits(moved, value, call)
@@ -120,13 +116,11 @@ warn_lost_digits <- function(moved, left, call) {
     i <- lost[1]
     left <- rep_len(left, max(lost))[i]
     digits <- if (left > 0) max(0, floor(-log10(.Machine$double.eps * moved[i] / left))) else 0
-    warn_rotdyn(
-      c(
-        "Moving to the centre of mass cancels nearly all of the moment of inertia.",
-        x = "m d^2 is {format(moved[i], digits = 3)} kg m^2, the result
-             {format(left, digits = 3)}, of which about {digits} digit{?s} {?is/are} correct.",
-        i = "Give the tensor about the centre of mass, or a point near it."
-      ), "digits", call
-    )
+    warn_rotdyn(c(
+      "Moving to the centre of mass cancels nearly all of the moment of inertia.",
+      x = "m d^2 is {format(moved[i], digits = 3)} kg m^2, the result
+           {format(left, digits = 3)}, of which about {digits} digit{?s} {?is/are} correct.",
+      i = "Give the tensor about the centre of mass, or a point near it."
+    ), "digits", call)
   }
 }

@@ -2,8 +2,8 @@
 #'
 #' `autoplot()` of [work_precision()] draws the work-precision diagram: cost against true error,
 #' both logarithmic, a line for each model or peer through the accuracies asked for. A solid point
-#' is the true error, a ring at the same cost the error that the run reported: a ring above its
-#' point is an honest run. In the grey band the reference can tell no more.
+#' is the true error, a ring at the same cost the error that the run reported, which should not be
+#' below its point. In the grey band true errors are not resolved (below 3 x `reference_error`).
 #'
 #' @param object What [work_precision()] returned.
 #' @param ... Not used.
@@ -23,7 +23,7 @@ autoplot.rot_work_precision <- function(object, ...) {
   shown <- points[!points$floor, ]
   at_floor <- points[points$floor, ]
   said <- points[!is.na(points$error) & points$error > 0, ]
-  # With Okabe & Ito's other colours, for more lines than R/plot.R has.
+  # More colours of Okabe & Ito than in R/plot.R.
   colours <- rep_len(c(plot_colours, "#56B4E9", "#000000", "#999999"), nlevels(points$model))
   # Room at the right for the labels, of which the longest are "1e-9 to 1e-12".
   across <- padded(points$cost_s, 0.06, 0.22)
@@ -58,7 +58,7 @@ autoplot.rot_work_precision <- function(object, ...) {
     ) +
     ggplot2::labs(
       title = "What accuracy costs",
-      subtitle = "lower left is better; labels: accuracy asked for; grey: below what can be told",
+      subtitle = "lower left is better; labels: accuracy asked for; grey: not resolved",
       x = "processor time of one run", y = "relative error"
     ) +
     ggplot2::guides(
@@ -80,8 +80,8 @@ padded <- function(x, before, after) {
   10^(ends + span * c(-before, after) + (span - diff(ends)) * c(-0.5, 0.5))
 }
 
-# One label for each point; points that lie on one another (a closed form is as good at any
-# accuracy) share one: the range.
+# One label for each point; points at the same place (a closed form has one error at any
+# accuracy) share one, with the range.
 accuracy_labels <- function(points) {
   place <- paste(points$model, signif(log10(points$true_error), 2))
   labels <- do.call(rbind, lapply(split(points, factor(place, unique(place))), function(group) {
@@ -103,7 +103,7 @@ format_power <- function(x) {
   parse(text = ifelse(is.na(x), "NA", paste0("10^", round(log10(x)))))
 }
 
-# 2e-05 s is "20 us"; the micro sign does not survive every device.
+# 2e-05 s is "20 us": not every device has the micro sign.
 format_cost <- function(x) {
   unit <- ifelse(x < 0.999e-3, "us", ifelse(x < 0.999, "ms", "s"))
   scale <- c(us = 1e6, ms = 1e3, s = 1)[unit]

@@ -1,6 +1,6 @@
-# Pictures. ggplot2 is a suggestion; its generic is registered when it is there.
+# Plots. ggplot2 is suggested; the methods are registered when it is loaded.
 
-# A palette that survives colour blindness and a projector (Okabe & Ito 2008).
+# A palette for colour-blind readers and projectors (Okabe & Ito 2008).
 plot_colours <- c("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00")
 
 plot_theme <- function() {
@@ -47,7 +47,7 @@ autoplot.rot_trajectory <- function(object, ...) {
   colours <- stats::setNames(
     c(plot_colours[1], line_colours(lines)), c("", lines)
   )
-  # Dashed, "net" shows where it lies on one of the others.
+  # "net" is dashed: it may coincide with another line.
   types <- stats::setNames(ifelse(names(colours) == "net", "22", "solid"), names(colours))
   plot <- ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$line)) +
     ggplot2::geom_hline(yintercept = 0, colour = "grey80")
@@ -76,8 +76,8 @@ line_colours <- function(lines) {
   if (all(lines %in% names(named))) named[lines] else rep_len(plot_colours, length(lines))
 }
 
-# The columns of the panels one below the other: time_s, value, panel, line. Where rows have an
-# index, each value of it is a line. Values that are missing everywhere on a line make none.
+# The columns of the panels in long form: time_s, value, panel, line. Where rows have an index, each
+# value of it is a line.
 panel_lines <- function(object, constraint) {
   index <- constraint$index
   parts <- lapply(constraint$panels, function(panel) {

@@ -70,13 +70,11 @@ read_links <- function(file, ...) {
 check_expanded <- function(root, call) {
   left <- xml2::xml_find_first(root, "//*[starts-with(name(), 'xacro:')]")
   if (!is.na(left)) {
-    abort_rotdyn(
-      c(
-        "{.arg file} must be a description without xacro.",
-        x = "It has {.code <{xml2::xml_name(left, xml2::xml_ns(root))}>}.",
-        i = xacro_remedy
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "{.arg file} must be a description without xacro.",
+      x = "It has {.code <{xml2::xml_name(left, xml2::xml_ns(root))}>}.",
+      i = xacro_remedy
+    ), "file", call)
   }
 }
 
@@ -103,34 +101,28 @@ description_root <- function(file, call) {
   name <- xml2::xml_name(root)
   # Without the prefix of a namespace.
   if (!sub("^.*:", "", name) %in% c("robot", "sdf", "gazebo")) {
-    abort_rotdyn(
-      c(
-        "{.arg file} must be a URDF or SDF description.",
-        x = "Its root is {.code <{name}>}, not {.code <robot>} or {.code <sdf>}."
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "{.arg file} must be a URDF or SDF description.",
+      x = "Its root is {.code <{name}>}, not {.code <robot>} or {.code <sdf>}."
+    ), "file", call)
   }
   root
 }
 
 parse_description <- function(file, call) {
   if (!is.character(file) || length(file) != 1L || is.na(file)) {
-    abort_rotdyn(
-      c(
-        "{.arg file} must be a path, XML text or an {.cls xml_document}.",
-        x = "It is {describe_value(file)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg file} must be a path, XML text or an {.cls xml_document}.",
+      x = "It is {describe_value(file)}."
+    ), "type", call)
   }
   if (!grepl("^[[:space:]\ufeff]*<", file)) {
     if (!file.exists(file) || dir.exists(file)) {
-      abort_rotdyn(
-        c(
-          "{.arg file} must be a file, or XML text.",
-          x = "There is no file {.file {file}}.",
-          i = if (grepl("^[a-z]+://", file)) "Download it first."
-        ), "file", call
-      )
+      abort_rotdyn(c(
+        "{.arg file} must be a file, or XML text.",
+        x = "There is no file {.file {file}}.",
+        i = if (grepl("^[a-z]+://", file)) "Download it first."
+      ), "file", call)
     }
   } else {
     # Text in R is UTF-8, regardless of its XML declaration.
@@ -162,12 +154,10 @@ child <- function(node, name) {
 only_child <- function(node, name, link, call) {
   found <- children(node, name)
   if (length(found) > 1L) {
-    abort_rotdyn(
-      c(
-        "Link {.val {link}} must have one {.code <{name}>}.",
-        x = "Its {.code <{xml2::xml_name(node)}>} has {length(found)}."
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "Link {.val {link}} must have one {.code <{name}>}.",
+      x = "Its {.code <{xml2::xml_name(node)}>} has {length(found)}."
+    ), "file", call)
   }
   if (length(found)) found[[1L]]
 }
@@ -179,25 +169,21 @@ numbers_of <- function(text, n, what, link, call) {
   bad <- is.na(values) & !is.nan(values)
   if (any(bad)) {
     word <- words[bad][1L]
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be {cli::qty(n)}{?a number/numbers}.",
-        x = "It is {.val {text}}.",
-        i = if (grepl("$", text, fixed = TRUE)) {
-          xacro_remedy
-        } else if (grepl("^[-+0-9.]*,[0-9]+$", word)) {
-          "Decimals are written with a point."
-        }
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be {cli::qty(n)}{?a number/numbers}.",
+      x = "It is {.val {text}}.",
+      i = if (grepl("$", text, fixed = TRUE)) {
+        xacro_remedy
+      } else if (grepl("^[-+0-9.]*,[0-9]+$", word)) {
+        "Decimals are written with a point."
+      }
+    ), "value", call)
   }
   if (length(values) != n) {
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be {n} number{?s}.",
-        x = "It has {length(values)}: {.val {text}}."
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be {n} number{?s}.",
+      x = "It has {length(values)}: {.val {text}}."
+    ), "value", call)
   }
   values
 }
@@ -214,12 +200,10 @@ finite_numbers <- function(text, n, what, link, call) {
 
 # `why`: URDF requires it; SDF has defaults of 1, or uses the inertia of the shape.
 abort_lacking <- function(what, link, call, why = "The format requires it in {.code <inertial>}.") {
-  abort_rotdyn(
-    c(
-      "Link {.val {link}} has no {.code {what}}.",
-      i = paste(why, "A frame without mass has no {.code <inertial>}.")
-    ), "file", call
-  )
+  abort_rotdyn(c(
+    "Link {.val {link}} has no {.code {what}}.",
+    i = paste(why, "A frame without mass has no {.code <inertial>}.")
+  ), "file", call)
 }
 
 link_name <- function(node, number, call) {
@@ -270,12 +254,10 @@ urdf_number <- function(node, attribute, element, link, call) {
   unit <- c(xml2::xml_attr(node, "unit"), xml2::xml_attr(node, "units"))
   unit <- unit[!is.na(unit)]
   if (length(unit)) {
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be in kg and m.",
-        x = "Its unit is {.val {unit}}, and the format has no units."
-      ), "unit", call
-    )
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be in kg and m.",
+      x = "Its unit is {.val {unit}}, and the format has no units."
+    ), "unit", call)
   }
   numbers_of(text, 1L, what, link, call)
 }
@@ -363,16 +345,14 @@ sdf_pose <- function(node, where, link, call) {
   if (!format %in% c(NA, "euler_rpy") || !frame %in% c(NA, "", sub("^.*::", "", link))) {
     # For visual and collision elements the reach is then unknown.
     if (where != "<inertial>") return(NULL)
-    abort_rotdyn(
-      c(
-        "{what} of link {.val {link}} must be roll, pitch and yaw in the link's own frame.",
-        x = if (format %in% c(NA, "euler_rpy")) {
-          "It is relative to {.val {frame}}."
-        } else {
-          "Its rotation is given as {.val {format}}."
-        }
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "{what} of link {.val {link}} must be roll, pitch and yaw in the link's own frame.",
+      x = if (format %in% c(NA, "euler_rpy")) {
+        "It is relative to {.val {frame}}."
+      } else {
+        "Its rotation is given as {.val {format}}."
+      }
+    ), "file", call)
   }
   pose_numbers <- finite_numbers(xml2::xml_text(pose), 6L, what, link, call)
   degrees <- tolower(xml2::xml_attr(pose, "degrees")) %in% c("true", "1")

@@ -11,13 +11,11 @@ as_mesh <- function(mesh, length_unit, call) {
   } else if (is_pair(mesh)) {
     mesh_from_pair(mesh, length_unit, factor, call)
   } else {
-    abort_rotdyn(
-      c(
-        "{.arg mesh} must be a {.cls mesh3d} object, a list of {.field vertices} and {.field faces},
-         or the path of an STL, OBJ or PLY file.",
-        x = "It is {describe_value(mesh)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg mesh} must be a {.cls mesh3d} object, a list of {.field vertices} and {.field faces},
+       or the path of an STL, OBJ or PLY file.",
+      x = "It is {describe_value(mesh)}."
+    ), "type", call)
   }
   out$factor <- factor
   out
@@ -49,12 +47,10 @@ length_units <- c(
 
 metres_in <- function(length_unit, call) {
   if (!is.character(length_unit) || length(length_unit) != 1L || is.na(length_unit)) {
-    abort_rotdyn(
-      c(
-        "{.arg length_unit} must be one unit of length.",
-        x = "It is {describe_value(length_unit)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg length_unit} must be one unit of length.",
+      x = "It is {describe_value(length_unit)}."
+    ), "type", call)
   }
   known <- length_units[match(length_unit, names(length_units))]
   if (!is.na(known)) return(unname(known))
@@ -64,14 +60,12 @@ metres_in <- function(length_unit, call) {
       return(as.numeric(units::set_units(one, "m", mode = "standard")))
     }
   }
-  abort_rotdyn(
-    c(
-      "{.arg length_unit} must be a unit of length.",
-      x = "It is {.val {length_unit}}.",
-      i = "Known are {.val {names(length_units)}}, and with the package {.pkg units} all its units
-           of length."
-    ), "unit", call
-  )
+  abort_rotdyn(c(
+    "{.arg length_unit} must be a unit of length.",
+    x = "It is {.val {length_unit}}.",
+    i = "Known are {.val {names(length_units)}}, and with the package {.pkg units} all its units
+         of length."
+  ), "unit", call)
 }
 
 # ---- objects ------------------------------------------------------------------------------------
@@ -79,12 +73,10 @@ metres_in <- function(length_unit, call) {
 mesh_from_mesh3d <- function(mesh, arg, call) {
   vertices <- mesh$vb
   if (!is.matrix(vertices) || !is_number(vertices) || !nrow(vertices) %in% 3:4) {
-    abort_rotdyn(
-      c(
-        "The {.field vb} of a {.cls mesh3d} must be a numeric matrix of three or four rows.",
-        x = "It is {describe_matrix(vertices)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "The {.field vb} of a {.cls mesh3d} must be a numeric matrix of three or four rows.",
+      x = "It is {describe_matrix(vertices)}."
+    ), "type", call)
   }
   storage.mode(vertices) <- "double"
   if (nrow(vertices) == 4L && !isTRUE(all(vertices[4L, ] == 1))) {
@@ -106,12 +98,10 @@ split_quads <- function(quads) {
 
 mesh_from_pair <- function(mesh, length_unit, factor, call) {
   if (!is.null(names(mesh)) && !setequal(names(mesh), c("vertices", "faces"))) {
-    abort_rotdyn(
-      c(
-        "A list {.arg mesh} must have {.field vertices} and {.field faces}.",
-        x = "It has {.field {names(mesh)}}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "A list {.arg mesh} must have {.field vertices} and {.field faces}.",
+      x = "It has {.field {names(mesh)}}."
+    ), "type", call)
   }
   if (is.null(names(mesh))) names(mesh) <- c("vertices", "faces")
   faces <- mesh$faces
@@ -131,13 +121,11 @@ mesh_vertices <- function(x, length_unit, factor, call) {
     named <- Filter(function(names) all(names %in% names(x)), list(place_columns, c("x", "y", "z")))
     if (!length(named)) abort_missing_column(setdiff(place_columns, names(x))[1L], x, call)
     if (identical(named[[1L]], place_columns) && length_unit != "m") {
-      abort_rotdyn(
-        c(
-          "Columns {.field {place_columns}} are in metres.",
-          x = "{.arg length_unit} is {.val {length_unit}}.",
-          i = "Call them {.field x}, {.field y} and {.field z}."
-        ), "unit", call
-      )
+      abort_rotdyn(c(
+        "Columns {.field {place_columns}} are in metres.",
+        x = "{.arg length_unit} is {.val {length_unit}}.",
+        i = "Call them {.field x}, {.field y} and {.field z}."
+      ), "unit", call)
     }
     x <- lapply(named[[1L]], function(name) {
       own <- is.object(x[[name]])
@@ -151,13 +139,11 @@ mesh_vertices <- function(x, length_unit, factor, call) {
     dim(x) <- size
   }
   if (!is.matrix(x) || !is_number(x) || ncol(x) != 3L) {
-    abort_rotdyn(
-      c(
-        "{.code mesh$vertices} must be a numeric matrix of three columns, or a data frame of
-         {.field x_m}, {.field y_m} and {.field z_m}.",
-        x = "It is {describe_matrix(x)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.code mesh$vertices} must be a numeric matrix of three columns, or a data frame of
+       {.field x_m}, {.field y_m} and {.field z_m}.",
+      x = "It is {describe_matrix(x)}."
+    ), "type", call)
   }
   dimnames(x) <- NULL
   storage.mode(x) <- "double"
@@ -169,13 +155,11 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
   if (is.null(x)) return(if (by_column) matrix(0L, corners, 0L) else matrix(0L, 0L, corners))
   missing <- is.logical(x) && all(is.na(x))
   if (!is.matrix(x) || !(is_number(x) || missing) || dim(x)[2L - by_column] != corners) {
-    abort_rotdyn(
-      c(
-        "{.code {arg}} must be a matrix of vertex numbers with {corners}
-         {if (by_column) 'rows' else 'columns'}.",
-        x = "It is {describe_matrix(x)}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.code {arg}} must be a matrix of vertex numbers with {corners}
+       {if (by_column) 'rows' else 'columns'}.",
+      x = "It is {describe_matrix(x)}."
+    ), "type", call)
   }
   if (is.double(x)) x[!is.finite(x) | x != floor(x) | abs(x) > .Machine$integer.max] <- NA
   dimnames(x) <- NULL
@@ -194,13 +178,11 @@ mesh_from_file <- function(path, call) {
   }
   format <- tolower(sub("^.*[.]", "", basename(path)))
   if (!format %in% c("stl", "obj", "ply")) {
-    abort_rotdyn(
-      c(
-        "A mesh is read from an STL, OBJ or PLY file.",
-        x = "The extension of {.file {basename(path)}} must be one of
-             {.val {c('.stl', '.obj', '.ply')}}."
-      ), "file", call
-    )
+    abort_rotdyn(c(
+      "A mesh is read from an STL, OBJ or PLY file.",
+      x = "The extension of {.file {basename(path)}} must be one of
+           {.val {c('.stl', '.obj', '.ply')}}."
+    ), "file", call)
   }
   if (isTRUE(file.size(path) == 0)) abort_mesh_file(path, "It is empty.", call)
   binary <- format == "stl" && stl_is_binary(path, call)

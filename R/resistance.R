@@ -1,23 +1,23 @@
-#' Resistance to turning
+#' Resistance to rotation
 #'
-#' The torque that resists, as data. While the body turns it is
+#' The resisting torque as data. While the body rotates it is
 #'
 #' `-(viscous_n_m_s omega + quadratic_n_m_s2 omega |omega| + coulomb_n_m sign(omega))`.
 #'
-#' A body at rest stays at rest while the other torques are at most `static_n_m`; the friction then
-#' balances them. It breaks loose when they exceed it, not when they are equal to it.
+#' A body at rest stays at rest while the other torques are at most `static_n_m`, and breaks loose
+#' when they exceed it.
 #'
 #' @param viscous_n_m_s Viscous coefficient in N m s (N m per rad/s), one finite number. A negative
-#'   one drives: the torque then has the sign of omega, and the motion grows without bound.
+#'   one drives: the motion grows without bound.
 #' @param quadratic_n_m_s2 Quadratic drag in N m s^2 (N m per (rad/s)^2), >= 0.
 #' @param coulomb_n_m Sliding (Coulomb) friction in N m, >= 0.
 #' @param static_n_m Largest static friction in N m, at least the sliding friction.
 #' @return A `rot_resistance`.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for what is not
-#'   one finite number or is out of range; `rotdyn_error_unit`.
-#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.5, for what is
-#'   lost; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter 2, for dry
-#'   friction.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` unless each
+#'   is one finite number in range; `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.5
+#'   (dissipation); Armstrong-Helouvry, Control of Machines with Friction (1991), chapter 2 (dry
+#'   friction).
 #' @examples
 #' resistance(viscous_n_m_s = 0.03)
 #' resistance(quadratic_n_m_s2 = 1e-4, coulomb_n_m = 0.2, static_n_m = 0.3)
@@ -27,21 +27,17 @@ resistance <- function(viscous_n_m_s = 0, quadratic_n_m_s2 = 0, coulomb_n_m = 0,
   call <- environment()
   viscous <- check_number(viscous_n_m_s, "viscous_n_m_s", "N*m*s", call)
   if (nargs() == 1L && !missing(viscous_n_m_s)) {
-    return(new_resistance(viscous)) # half the time of a call that students make often
+    return(new_resistance(viscous)) # half the time of the usual call
   }
   quadratic <- check_number(quadratic_n_m_s2, "quadratic_n_m_s2", "N*m*s^2", call, lower = 0)
   coulomb <- check_number(coulomb_n_m, "coulomb_n_m", "N*m", call, lower = 0)
   static <- check_number(static_n_m, "static_n_m", "N*m", call, lower = 0)
   if (static < coulomb) {
-    abort_rotdyn(
-      c(
-        "{.arg static_n_m} must be at least {.arg coulomb_n_m}.",
-        x = "They are {format(static)} and {format(coulomb)} N m.",
-        i = "A body that breaks loose would stop at once otherwise."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg static_n_m} must be at least {.arg coulomb_n_m}.",
+      x = "They are {format(static)} and {format(coulomb)} N m.",
+      i = "A body that breaks loose would stop at once otherwise."
+    ), "value", call)
   }
   new_resistance(viscous, quadratic, coulomb, static)
 }

@@ -32,13 +32,11 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
                           gravity_m_per_s2 = 9.80665) {
   call <- rlang::current_env()
   if (!is.data.frame(objects)) {
-    abort_rotdyn(
-      c(
-        "{.arg objects} must be a data frame with a column {.field beta}.",
-        x = "It is {describe_value(objects)}.",
-        i = "For numbers use {.code rolling_table(data.frame(beta = ))}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg objects} must be a data frame with a column {.field beta}.",
+      x = "It is {describe_value(objects)}.",
+      i = "For numbers use {.code rolling_table(data.frame(beta = ))}."
+    ), "type", call)
   }
   if (is.null(objects[["beta"]])) abort_missing_column("beta", objects, call)
   given <- c(
@@ -62,13 +60,11 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   n <- nrow(objects)
   long <- lengths(columns) != 1L & lengths(columns) != n
   if (any(long)) {
-    abort_rotdyn(
-      c(
-        "Arguments must have one number for each row of {.arg objects}, or one for all.",
-        x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
-             has {n} row{?s}."
-      ), "size", call
-    )
+    abort_rotdyn(c(
+      "Arguments must have one number for each row of {.arg objects}, or one for all.",
+      x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
+           has {n} row{?s}."
+    ), "size", call)
   }
   values <- .Call(
     ffi_rolling_table, columns[[1]], columns[[2]], columns[[3]], columns[[4]],

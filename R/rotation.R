@@ -68,29 +68,25 @@ as_rotation <- function(rotation, arg, call) {
   size <- dim(rotation) %||% length(rotation)
   if (!is.numeric(rotation) || is.object(rotation) ||
     !(identical(size, c(3L, 3L)) || identical(size, 4L))) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
-        x = "It is {describe_value(rotation)}.",
-        i = "See {.fn rotation_about}."
-      ), "type", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
+      x = "It is {describe_value(rotation)}.",
+      i = "See {.fn rotation_about}."
+    ), "type", call)
   }
   if (!all(is.finite(rotation))) abort_rotdyn("{.arg {arg}} must be finite.", "value", call)
   if (length(rotation) == 4L) return(matrix_of_quaternion(as.double(rotation), arg, call))
   rotation <- matrix(as.double(rotation), 3)
   off <- max(abs(crossprod(rotation) - diag(3)))
   if (off > 1e-8 || det(rotation) < 0) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a rotation: orthogonal, with determinant +1.",
-        x = if (off > 1e-8) {
-          "R'R differs from 1 by {format(off, digits = 3)}."
-        } else {
-          "Its determinant is -1: a reflection."
-        }
-      ), "value", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a rotation: orthogonal, with determinant +1.",
+      x = if (off > 1e-8) {
+        "R'R differs from 1 by {format(off, digits = 3)}."
+      } else {
+        "Its determinant is -1: a reflection."
+      }
+    ), "value", call)
   }
   # One Newton step to the nearest orthogonal matrix, for numbers given with few digits.
   rotation %*% (3 * diag(3) - crossprod(rotation)) / 2

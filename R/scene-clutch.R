@@ -3,7 +3,7 @@
 #' `I1 omega1' = tau1(t) - T`, `I2 omega2' = tau2(t) + T`. While the clutch slips, its torque on
 #' body 2 is `T = capacity sign(omega1 - omega2)`; when the speeds meet it locks, if the torque that
 #' keeps them equal, `(I2 tau1 - I1 tau2)/(I1 + I2)`, is at most the static capacity, and stays
-#' locked as long as it is. Before `engage_s` it carries nothing.
+#' locked as long as it is. Before `engage_s` its torque is 0.
 #'
 #' [trajectory()] gives the closed form, with the exact times of locking and slipping (events
 #' `lock`, `slip`, and `reverse` where the slip passes through zero).
@@ -17,9 +17,9 @@
 #' @param omega1_rad_per_s,omega2_rad_per_s,theta1_rad,theta2_rad State at `start_s`.
 #' @param engage_s Time from which the clutch is pressed; -Inf, or any time up to `start_s`, for
 #'   always.
-#' @param start_s Time at which the state above holds. Times before it cannot be had: a locked
-#'   clutch has forgotten how it slipped.
-#' @return A `rot_scene_clutch`, which is a `rot_scene`. Its trajectory is a `rot_motion` with the
+#' @param start_s Time at which the state above holds. Earlier times are an error: the slip before
+#'   locking is undetermined.
+#' @return A `rot_scene_clutch`, which is a `rot_scene`. Its trajectory has the
 #'   columns `r describe_columns(clutch_columns)`
 #'   The error is a bound.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
@@ -82,16 +82,12 @@ one_inertia <- function(body, arg, call) {
 # Torque i + 1 holds from time i on.
 torque_steps_of <- function(torque, arg, call) {
   refuse <- function() {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be constant between jumps.",
-        x = "It is {describe_torque(torque)}.",
-        i = "A jump is two knots at one time, as in
-             {.code torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))}."
-      ),
-      "torque",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be constant between jumps.",
+      x = "It is {describe_torque(torque)}.",
+      i = "A jump is two knots at one time, as in
+           {.code torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))}."
+    ), "torque", call)
   }
   loads <- torque_loads(torque)
   if (length(loads$terms) || !is.null(loads$law) || loads$motor_n_m_s != 0) {

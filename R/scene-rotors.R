@@ -5,14 +5,14 @@
 #' `T_i = k_i (theta_i - theta_(i+1)) + c_i (omega_i - omega_(i+1))` is the torque of shaft `i` on
 #' rotor `i + 1`.
 #'
-#' [trajectory()] solves it exactly for any stiffness: the mean motion by itself, the twists in
-#' modes. Where the twists are too small to matter at the accuracy asked for, it takes the shaft as
-#' rigid, with a bound on what that leaves out.
+#' [trajectory()] solves it exactly for any stiffness: the mean motion separately, the twists in
+#' modes. Where the twists are below the accuracy asked, it takes the shaft as rigid, with a bound
+#' on the difference.
 #'
 #' @param bodies A list of `rot_body` (their Izz counts), or the moments of inertia as numbers in
 #'   kg m^2; each greater than 0.
 #' @param stiffness_n_m_per_rad Torsional stiffness of the shaft between neighbours: one number, or
-#'   one for each of the `n - 1` pieces; at least 0 (0: a piece that only damps, or nothing).
+#'   one for each of the `n - 1` pieces; at least 0 (0: a piece that only damps, or no piece).
 #' @param damping_n_m_s Damping of the shaft between neighbours in N m s, likewise, at least 0.
 #' @param ... Not used; names after it must be given in full.
 #' @param torque_n_m,viscous_n_m_s Constant torque on each rotor from outside, and viscous
@@ -20,11 +20,11 @@
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity of each rotor at `start_s`: one
 #'   number or `n`.
 #' @param start_s Time at which the state above holds.
-#' @return A `rot_scene_rotors`, which is a `rot_scene`. Its trajectory is a `rot_motion` with one
+#' @return A `rot_scene_rotors`, which is a `rot_scene`. Its trajectory has one
 #'   row for each time and rotor:
 #'   `r describe_columns(rotors_columns)`
-#'   The error is an estimate: roundings times what cannot be helped of the phase turned, and what
-#'   the momentum is off by. The rigid shaft's is a bound.
+#'   The error is an estimate: rounding times the accumulated phase, plus the momentum residual.
+#'   That of the rigid shaft is a bound.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
 #' @source Meirovitch, Fundamentals of Vibrations (2001), chapter 7.
@@ -78,18 +78,14 @@ check_inertias <- function(bodies, arg, call) {
     inertia <- check_finite(bodies, arg, "kg*m^2", call)
   }
   if (!length(inertia)) {
-    abort_rotdyn("{.arg {arg}} is empty: there is nothing to turn.", "size", call)
+    abort_rotdyn("{.arg {arg}} is empty.", "size", call)
   }
   bad <- which(!(is.finite(inertia) & inertia > 0))
   if (length(bad)) {
-    abort_rotdyn(
-      c(
-        "Every body must have a moment of inertia about the axle, finite and greater than 0.",
-        x = "That of body {bad[1]} in {.arg {arg}} is {format(inertia[bad[1]])} kg m^2."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "Every body must have a moment of inertia about the axle, finite and greater than 0.",
+      x = "That of body {bad[1]} in {.arg {arg}} is {format(inertia[bad[1]])} kg m^2."
+    ), "value", call)
   }
   inertia
 }
@@ -100,8 +96,7 @@ check_each <- function(x, arg, unit, size, lower, call) {
   if (!length(x) %in% c(1L, size)) {
     abort_rotdyn(
       c("{.arg {arg}} must have length 1 or {size}.", x = "It has length {length(x)}."),
-      "size",
-      call
+      "size", call
     )
   }
   bad <- which(x < lower)

@@ -4,10 +4,10 @@
 #' `d(theta)/dt = omega`, with `I` the moment of inertia about the axle.
 #'
 #' The axle goes through the body's centre of mass unless `through` says otherwise: where
-#' [place_body()] put a body, and at which of its points its own axes begin (the end of a
-#' [body_rod_end()], say), does not matter by itself. A message of class `rotdyn_message_axle` says
-#' so where the centre is not on the own axis in question and `through` is not given. No weight
-#' acts, wherever the axle is: [scene_pendulum()] and [torque_gravity()] have it.
+#' [place_body()] put a body, and the origin of its own axes (the end of a [body_rod_end()], say),
+#' do not matter. A message of class `rotdyn_message_axle` says so where `through` is not given and
+#' the centre is not on the own axis parallel to the axle. Weight does not act: see
+#' [scene_pendulum()] and [torque_gravity()].
 #'
 #' @param body A `rot_body` (see [body_disk()]), or one number: the moment of inertia about the axle
 #'   in kg m^2. It must be greater than 0. Or [inertia_knots()], where it changes in time.
@@ -16,15 +16,15 @@
 #' @param resistance A [resistance()], or NULL for none.
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity at `start_s`.
 #' @param ... Not used; names after it must be given in full.
-#' @param start_s Time at which the state above holds. Output times do not move it: what a scene
-#'   does cannot depend on when it is looked at. Times before it are reached backwards.
+#' @param start_s Time at which the state above holds. It does not depend on the output times;
+#'   earlier ones are reached backwards.
 #' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers
 #'   of any length but 0.
 #' @param through A point on the axle: `"centre"` (of mass), `"origin"` (of the body's own axes), or
-#'   three numbers in m in the own axes. Of no account where `body` is no `rot_body`.
+#'   three numbers in m in the own axes. Ignored unless `body` is a `rot_body`.
 #' @return A `rot_scene_axle`, which is a `rot_scene`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
-#'   no inertia to turn), `rotdyn_error_unit`.
+#'   no moment of inertia), `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @examples
 #' scene_axle(
@@ -55,7 +55,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
     inertia <- check_number(body, "body", "kg*m^2", call)
     body <- NULL
   } else if (inherits(body, "rot_inertia_knots")) {
-    inertia <- NULL # it depends on the start, below
+    inertia <- NULL # depends on the start, below
   } else {
     check_class(
       body, "rot_body", "body",
@@ -80,8 +80,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   )
 }
 
-# Where the own axis that is parallel to the axle misses the centre of mass, the user may have meant
-# that one.
+# The user may have meant the own axis parallel to the axle, where that misses the centre of mass.
 say_axle_in_centre <- function(body, axis) {
   centre <- as.double(.subset2(body, "centre_m"))
   off <- centre - sum(centre * axis) * axis
@@ -135,8 +134,8 @@ inertia_at <- function(knots, t) {
 #' A pendulum: a body that hangs from an axle
 #'
 #' Shortcut for a [scene_axle()] with [torque_gravity()]: the moment of inertia about the axle is
-#' that about the centre of mass plus `m d^2` (parallel axes). `theta` is measured from where it
-#' hangs straight down. Without resistance the motion is known in closed form at any amplitude.
+#' that about the centre of mass plus `m d^2` (parallel axes). `theta` is 0 where it hangs
+#' straight down. Without resistance the motion is known in closed form at any amplitude.
 #'
 #' @inheritParams scene_axle
 #' @inheritParams torque-terms
@@ -188,29 +187,20 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
   )
 }
 
-# Without inertia there is no equation of motion. One that was computed and came out below 2.2e-308
-# has lost digits.
+# A computed moment below 2.2e-308 has lost digits.
 check_turns <- function(inertia, call, computed = FALSE) {
   if (is.finite(inertia) && inertia > 0 && computed && inertia < .Machine$double.xmin) {
-    abort_rotdyn(
-      c(
-        "The moment of inertia is below what double precision resolves.",
-        x = "It is about {format(inertia)} kg m^2."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "The moment of inertia is below what double precision resolves.",
+      x = "It is about {format(inertia)} kg m^2."
+    ), "value", call)
   }
   if (!(is.finite(inertia) && inertia > 0)) {
-    abort_rotdyn(
-      c(
-        "The body must have a moment of inertia about its axle, finite and greater than 0.",
-        x = "It is {format(inertia)} kg m^2.",
-        i = "Without inertia there is no equation of motion: check mass, size and {.arg axis}."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "The body must have a moment of inertia about its axle, finite and greater than 0.",
+      x = "It is {format(inertia)} kg m^2.",
+      i = "Without inertia there is no equation of motion: check mass, size and {.arg axis}."
+    ), "value", call)
   }
 }
 

@@ -1,10 +1,10 @@
-#' When a body stops, and how fast it ends up
+#' Stopping time and terminal speed
 #'
 #' In closed form, where the torque is constant between its steps and the resistance is any of
 #' viscous, quadratic and dry friction: `I domega/dt = torque - c omega - q omega |omega| - tau_c
-#' sign(omega)`. With viscous resistance alone a body slows down for ever: its stopping time is Inf,
-#' though it turns through a finite angle. With dry friction it stops, and stays at rest while the
-#' torque is at most the static friction.
+#' sign(omega)`. With viscous resistance alone a body never stops: its stopping time is Inf, the
+#' angle finite. With dry friction it stops, and stays at rest while the torque is at most the
+#' static friction.
 #'
 #' @param scene A [scene_axle()].
 #' @return A tibble of one row with the columns
@@ -31,14 +31,10 @@ stopping <- function(scene) {
   )
   why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
   if (!is.null(why_not)) {
-    abort_rotdyn(
-      c(
-        "There is no closed form of when this scene stops: {why_not}.",
-        i = "{.fn trajectory} and {.fn motion_events} show it."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "There is no closed form of when this scene stops: {why_not}.",
+      i = "{.fn trajectory} and {.fn motion_events} show it."
+    ), "model", call)
   }
   x <- .Call(ffi_axle_stopping, scene)
   tibble::tibble(

@@ -1,5 +1,4 @@
-# The columns of `parameters` that are numbers of a scene, their units, and what they are where they
-# are not given.
+# The columns of `parameters` that are numbers of a scene: unit, default.
 sweep_parameters <- list(
   moment_of_inertia_kg_m2 = list("kg*m^2", NULL),
   viscous_n_m_s = list("N*m*s", 0),
@@ -13,21 +12,20 @@ sweep_parameters <- list(
 
 #' Many spin-ups, one row each
 #'
-#' One scene on a fixed axle for each row of `parameters`, all under the same torque law: where each
-#' ends, and its true extremes on the way, in one call of C. An extreme is found where
-#' `d(omega)/dt = 0`, not looked up among steps.
+#' One scene on a fixed axle for each row of `parameters`, all under the same torque law: the final
+#' state of each, and its extreme speeds, in one call of C. The extremes are those of the continuous
+#' motion, where `d(omega)/dt = 0`.
 #'
 #' @param parameters A data frame. These columns are numbers of the scene, row by row:
 #'   `moment_of_inertia_kg_m2` (needed, > 0), `viscous_n_m_s`, `quadratic_n_m_s2`, `coulomb_n_m` (0
 #'   where they are not given), `static_n_m` (`coulomb_n_m`), `torque_scale` (1: a factor on the
-#'   torque), `omega0_rad_per_s`, `theta0_rad` (0). All others are kept as they are.
+#'   torque), `omega0_rad_per_s`, `theta0_rad` (0). Others are kept unchanged.
 #' @param torque A torque law, as in [scene_axle()], but no R function: see [torque-terms].
 #' @param time_s When each row ends: one time, or one for each row, not before `start_s`; or NULL
 #'   for a column `time_s` of `parameters`.
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which all begin.
-#' @param threads Rows are shared among at most so many threads (no more than there are). The result
-#'   is the same to the last bit for any number.
+#' @param threads Most threads to use. The result does not depend on it, to the last bit.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms
@@ -37,7 +35,7 @@ sweep_parameters <- list(
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
 #'   `rotdyn_error_value` with the row, `rotdyn_error_time`; `rotdyn_error_model` for a law that no
 #'   closed form takes.
-#' @source As for [trajectory()]: [models()] says which equation is whose.
+#' @source As for [trajectory()]: see [models()].
 #' @examples
 #' designs <- data.frame(
 #'   name = c("light", "heavy", "oily"),
@@ -55,8 +53,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   if (!is.data.frame(parameters)) {
     abort_rotdyn(
       c("{.arg parameters} must be a data frame.", x = "It is {describe_value(parameters)}."),
-      "type",
-      call
+      "type", call
     )
   }
   twice <- names(parameters)[duplicated(names(parameters))]
@@ -78,8 +75,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   }
   check_sweep_rows(columns, known, start_s, call)
   if (some_missing) {
-    # A row with something missing runs as one that can, with no more acting than in the others, and
-    # is blanked after.
+    # A row with a missing number runs with a harmless one, and is set to NA after.
     columns[] <- Map(function(x, name) {
       if (anyNA(x)) {
         replace(x, is.na(x), if (name %in% c("moment_of_inertia_kg_m2", "torque_scale")) 1 else 0)
@@ -94,15 +90,11 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   failed <- which(result[[2]] != 0L & known)
   if (some_missing) out <- lapply(out, function(x) replace(x, !known, NA_real_))
   if (length(failed)) {
-    warn_rotdyn(
-      c(
-        "{length(failed)} row{?s} left the range of double precision.",
-        i = "{cli::qty(length(failed))}Row{?s}
-             {cli::cli_vec(format(failed, trim = TRUE), list('vec-trunc' = 6))} {?is/are} NaN."
-      ),
-      "range",
-      call
-    )
+    warn_rotdyn(c(
+      "{length(failed)} row{?s} left the range of double precision.",
+      i = "{cli::qty(length(failed))}Row{?s}
+           {cli::cli_vec(format(failed, trim = TRUE), list('vec-trunc' = 6))} {?is/are} NaN."
+    ), "range", call)
   }
   data <- tibble::as_tibble(parameters)
   data[sweep_columns] <- out
@@ -117,15 +109,11 @@ empty_sweep <- function() {
 sweep_inputs <- function(parameters, time_s, call) {
   n <- nrow(parameters)
   if (is.null(parameters[["moment_of_inertia_kg_m2"]])) {
-    abort_rotdyn(
-      c(
-        "{.arg parameters} must have a column {.field moment_of_inertia_kg_m2}.",
-        i = "Its columns are {.field {names(parameters)}}.",
-        i = "{.fn inertia_table} computes it for the standard shapes."
-      ),
-      "missing",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg parameters} must have a column {.field moment_of_inertia_kg_m2}.",
+      i = "Its columns are {.field {names(parameters)}}.",
+      i = "{.fn inertia_table} computes it for the standard shapes."
+    ), "missing", call)
   }
   columns <- lapply(names(sweep_parameters), function(name) {
     unit <- sweep_parameters[[name]][[1]]
@@ -143,25 +131,17 @@ sweep_inputs <- function(parameters, time_s, call) {
   if (is.null(columns$static_n_m)) columns$static_n_m <- columns$coulomb_n_m
   if (is.null(time_s)) time_s <- parameters[["time_s"]]
   if (is.null(time_s)) {
-    abort_rotdyn(
-      c(
-        "{.arg time_s} is missing: when does each row end?",
-        i = "Give one time, one for each row, or a column {.field time_s}."
-      ),
-      "missing",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} is missing: the end of each row.",
+      i = "Give one time, one for each row, or a column {.field time_s}."
+    ), "missing", call)
   }
   columns$time_s <- check_column(time_s, "time_s", "s", call)
   if (!length(columns$time_s) %in% c(1L, n)) {
-    abort_rotdyn(
-      c(
-        "{.arg time_s} must have one time, or one for each row.",
-        x = "It has {length(columns$time_s)}, and there are {n} rows."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} must have one time, or one for each row.",
+      x = "It has {length(columns$time_s)}, and there are {n} rows."
+    ), "size", call)
   }
   columns
 }
@@ -188,23 +168,18 @@ check_sweep_rows <- function(columns, known, start_s, call) {
     NA
   }
   if (!is.na(bad)) {
-    abort_rotdyn(
-      c(
-        "{.arg time_s} must not lie before {.arg start_s}.",
-        x = "Row {bad} ends at {format(rep_len(columns$time_s, length(known))[bad])} s, all begin
-             at {format(start_s)} s."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg time_s} must not lie before {.arg start_s}.",
+      x = "Row {bad} ends at {format(rep_len(columns$time_s, length(known))[bad])} s, all begin
+           at {format(start_s)} s."
+    ), "time", call)
   }
   slips <- columns$static_n_m < columns$coulomb_n_m
   bad <- if (any(slips, na.rm = TRUE)) first(rep_len(slips, length(known))) else NA
   if (!is.na(bad)) {
     abort_rotdyn(
       "{.arg static_n_m} must be at least {.arg coulomb_n_m}: it is less in row {bad}.",
-      "value",
-      call
+      "value", call
     )
   }
 }
@@ -212,7 +187,7 @@ check_sweep_rows <- function(columns, known, start_s, call) {
 run_sweep <- function(loads, columns, start_s, threads, call) {
   friction <- any(columns$static_n_m != 0)
   quadratic <- any(columns$quadratic_n_m_s2 != 0)
-  # What acts in any row decides for all.
+  # The effects of all rows together.
   scene <- new_scene_axle(
     NULL, 1, NULL, c(0, 0, 1), sum_torques(loads$knots),
     new_resistance(
@@ -243,18 +218,14 @@ sweep_model <- function(scene, columns, call) {
   scaled <- any(columns$torque_scale != 1) &&
     (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
   if (!any(takes) || scaled) {
-    abort_rotdyn(
-      c(
-        "There is no closed form for these rows ({scene_words(scene)}).",
-        i = if (scaled) {
-          "{.field torque_scale} scales knots only: scale the law itself, {.code 2 * law}."
-        } else {
-          "{.fn trajectory} integrates one scene at a time."
-        }
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "There is no closed form for these rows ({scene_words(scene)}).",
+      i = if (scaled) {
+        "{.field torque_scale} scales knots only: scale the law itself, {.code 2 * law}."
+      } else {
+        "{.fn trajectory} integrates one scene at a time."
+      }
+    ), "model", call)
   }
   fits$model[takes][1]
 }

@@ -124,14 +124,10 @@ Ops.rot_torque <- function(e1, e2) {
   call <- rlang::caller_env()
   is_law <- function(x) inherits(x, "rot_torque")
   unsupported <- function() {
-    abort_rotdyn(
-      c(
-        "{.code {(.Generic)}} is not defined for torque laws.",
-        i = "They add up, and a number multiplies them."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.code {(.Generic)}} is not defined for torque laws.",
+      i = "They add up, and a number multiplies them."
+    ), "type", call)
   }
   if (missing(e2)) {
     return(switch(.Generic, `+` = e1, `-` = scale_torque(e1, -1, call), unsupported()))
@@ -160,14 +156,10 @@ Ops.rot_torque <- function(e1, e2) {
 Summary.rot_torque <- function(..., na.rm = FALSE) {
   call <- rlang::caller_env()
   if (.Generic != "sum") {
-    abort_rotdyn(
-      c(
-        "{.fn {(.Generic)}} is not defined for torque laws.",
-        i = "They add up: {.fn sum}, or {.code +}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.fn {(.Generic)}} is not defined for torque laws.",
+      i = "They add up: {.fn sum}, or {.code +}."
+    ), "type", call)
   }
   do.call(sum_torques, lapply(list(...), as_torque, call = call))
 }

@@ -34,28 +34,20 @@ law_reader <- function(law, scene, call) {
 check_torques <- function(value, n, call) {
   number <- is.numeric(value) || (is.logical(value) && all(is.na(value)))
   if (!number || is.object(value) || length(value) != n) {
-    abort_rotdyn(
-      c(
-        "The torque function must return one number in N m for each time.",
-        x = "Called with {n} time{?s} it returned {describe_value(value)}.",
-        i = "{.code torque_function(f, vectorised = FALSE)} calls it with one time each."
-      ),
-      "torque",
-      call
-    )
+    abort_rotdyn(c(
+      "The torque function must return one number in N m for each time.",
+      x = "Called with {n} time{?s} it returned {describe_value(value)}.",
+      i = "{.code torque_function(f, vectorised = FALSE)} calls it with one time each."
+    ), "torque", call)
   }
   as.double(value)
 }
 
 abort_torque_value <- function(value, time_s, call) {
-  abort_rotdyn(
-    c(
-      "The torque function must return one number in N m.",
-      x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
-    ),
-    "torque",
-    call
-  )
+  abort_rotdyn(c(
+    "The torque function must return one number in N m.",
+    x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
+  ), "torque", call)
 }
 
 # Seconds of processor time that a call of the law takes: the median of five, after one that is not

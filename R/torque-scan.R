@@ -33,11 +33,9 @@ law_breaks <- function(law, at, from, to, call) {
         "The integrator stops there.",
         paste0(
           "The function was sampled every ", format(spacing, digits = 2),
-          " s: anything shorter is not seen. Give `torque_function(f, breaks_s = )`."
+          " s: anything shorter is not resolved. Give `torque_function(f, breaks_s = )`."
         )
-      ),
-      "breaks",
-      call
+      ), "breaks", call
     )
   }
   list(stops = sort(c(scan$breaks, scan$guards)), spacing_s = spacing)

@@ -25,14 +25,10 @@ scale_term <- function(term, factor) {
 check_window <- function(from_s, to_s, call) {
   window <- c(check_end(from_s, "from_s", call), check_end(to_s, "to_s", call))
   if (!(window[1] < window[2])) {
-    abort_rotdyn(
-      c(
-        "{.arg from_s} must lie before {.arg to_s}.",
-        x = "They are {format(window[1])} and {format(window[2])} s."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg from_s} must lie before {.arg to_s}.",
+      x = "They are {format(window[1])} and {format(window[2])} s."
+    ), "time", call)
   }
   window
 }
@@ -68,17 +64,16 @@ window_text <- function(from_s, to_s) {
 #' viscous resistance acts besides, sums of constants, knots, steps, pulses, polynomials, sinusoids,
 #' exponentials and linear motors are solved in closed form.
 #'
-#' * `torque_steps()`: `torque_n_m[i]` from `time_s[i]` on until the next; nothing before the first;
-#'   the last one stays.
-#' * `torque_pulse()`: `torque_n_m` for `duration_s` from `start_s` on, nothing else. Several pulses
-#'   add up.
+#' * `torque_steps()`: `torque_n_m[i]` from `time_s[i]` until the next; 0 before the first; the last
+#'   one stays.
+#' * `torque_pulse()`: `torque_n_m` for `duration_s` from `start_s` on. Several pulses add up.
 #' * `torque_polynomial()`: in piece `i`, from `breaks_s[i]` to `breaks_s[i + 1]`,
-#'   `sum_j coefficients[i, j + 1] (t - breaks_s[i])^j`; nothing outside.
+#'   `sum_j coefficients[i, j + 1] (t - breaks_s[i])^j`; 0 outside.
 #' * `torque_sinusoid()`: `amplitude_n_m cos(angular_frequency_rad_per_s t + phase_rad)`.
-#' * `torque_exponential()`: `torque_n_m exp(-decay_per_s (t - from_s))`, nothing before `from_s`.
+#' * `torque_exponential()`: `torque_n_m exp(-decay_per_s (t - from_s))`, 0 before `from_s`.
 #' * `torque_motor()`: `stall_torque_n_m (1 - omega / no_load_omega_rad_per_s)`, the straight
 #'   torque-speed line of a direct-current motor.
-#' * `torque_curve()`: straight lines between points of a measured torque-speed curve; held outside.
+#' * `torque_curve()`: linear between points of a measured torque-speed curve, constant outside.
 #' * `torque_spring()`: `-stiffness_n_m_per_rad (theta - rest_rad)`.
 #' * `torque_gravity()`: `-mass g distance sin(theta - rest_rad)`, the weight of a body whose centre
 #'   of mass hangs `distance_m` from the axle. ([scene_pendulum()] also sets the moment of inertia
@@ -88,7 +83,7 @@ window_text <- function(from_s, to_s) {
 #' @param torque_n_m Torque: one number for each step, pulse or point of the curve; for
 #'   `torque_exponential()` one number, at `from_s`.
 #' @param start_s,duration_s When each pulse begins, and how long it lasts (> 0). A pulse shorter
-#'   than the resolution of double precision at that time is an error: it would be lost.
+#'   than the resolution of double precision at that time is an error.
 #' @param breaks_s Ends of the pieces, finite and increasing: one more than there are pieces.
 #' @param coefficients A matrix with one row for each piece, N m s^-j in column j + 1; or a vector
 #'   for one piece.
@@ -151,20 +146,16 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
     abort_domain(columns$duration_s[bad[1]], "duration_s", "s", call, 0, Inf, TRUE)
   }
   end <- columns$start_s + columns$duration_s
-  # Its rounded duration is 0, or off by more than a thousandth.
+  # The rounded duration is 0, or wrong by more than a thousandth.
   short <- which(!(abs((end - columns$start_s) - columns$duration_s) <= 1e-3 * columns$duration_s))
   if (length(short)) {
     i <- short[1]
-    abort_rotdyn(
-      c(
-        "A pulse of {format(columns$duration_s[i])} s at {format(columns$start_s[i])} s is shorter
-         than double precision resolves there.",
-        i = "Its impulse, {format(columns$duration_s[i] * columns$torque_n_m[i])} N m s, can be
-             given as a change of {.arg omega0_rad_per_s}; or let the scene start nearer to it."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "A pulse of {format(columns$duration_s[i])} s at {format(columns$start_s[i])} s is shorter
+       than double precision resolves there.",
+      i = "Its impulse, {format(columns$duration_s[i] * columns$torque_n_m[i])} N m s, can be
+           given as a change of {.arg omega0_rad_per_s}; or start the scene closer to it."
+    ), "time", call)
   }
   # Where the end is rounded the torque is scaled, so that the impulse is kept.
   lasts <- end - columns$start_s
@@ -187,14 +178,10 @@ torque_polynomial <- function(breaks_s, coefficients) {
   a <- if (is.null(shape)) matrix(x, nrow = 1L) else matrix(x, shape[1], shape[2])
   n <- length(breaks_s) - 1L
   if (nrow(a) != n || ncol(a) < 1L) {
-    abort_rotdyn(
-      c(
-        "{.arg coefficients} must have one row for each piece.",
-        x = "{.arg breaks_s} makes {n} piece{?s}, {.arg coefficients} has {nrow(a)} row{?s}."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg coefficients} must have one row for each piece.",
+      x = "{.arg breaks_s} makes {n} piece{?s}, {.arg coefficients} has {nrow(a)} row{?s}."
+    ), "size", call)
   }
   # Trailing zeros do not raise the degree.
   degree <- max(which(colSums(abs(a)) > 0), 1L)
@@ -260,15 +247,11 @@ torque_motor <- function(stall_torque_n_m, no_load_omega_rad_per_s) {
   fast <- check_number(no_load_omega_rad_per_s, "no_load_omega_rad_per_s", "rad/s", call)
   slope <- stall / fast
   if (!is.finite(slope) || slope < 0) {
-    abort_rotdyn(
-      c(
-        "A motor's torque must fall with its speed.",
-        x = "The stall torque is {format(stall)} N m, the no-load speed {format(fast)} rad/s.",
-        i = "Both must have the same sign, and the speed must not be 0."
-      ),
-      "value",
-      call
-    )
+    abort_rotdyn(c(
+      "A motor's torque must fall with its speed.",
+      x = "The stall torque is {format(stall)} N m, the no-load speed {format(fast)} rad/s.",
+      i = "Both must have the same sign, and the speed must not be 0."
+    ), "value", call)
   }
   new_torque("rot_torque_motor", stall_torque_n_m = stall, no_load_omega_rad_per_s = fast)
 }
@@ -333,14 +316,10 @@ torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per
 
 check_lengths <- function(x, torque_n_m, call) {
   if (length(torque_n_m) != length(x)) {
-    abort_rotdyn(
-      c(
-        "{.arg torque_n_m} must have one number for each point.",
-        x = "There are {length(x)} points and {length(torque_n_m)} torques."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg torque_n_m} must have one number for each point.",
+      x = "There are {length(x)} points and {length(torque_n_m)} torques."
+    ), "size", call)
   }
 }
 
@@ -350,8 +329,7 @@ check_increasing <- function(x, arg, unit, call) {
   if (length(x) < least) {
     abort_rotdyn(
       c("{.arg {arg}} must have at least {least} element{?s}.", x = "It has {length(x)}."),
-      "size",
-      call
+      "size", call
     )
   }
   if (is.unsorted(x, strictly = TRUE)) {

@@ -93,37 +93,25 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
   torque_n_m <- check_finite(torque_n_m, "torque_n_m", "N*m", call)
   n <- length(time_s)
   if (length(torque_n_m) != n) {
-    abort_rotdyn(
-      c(
-        "Every knot needs a time and a torque.",
-        x = "{.arg time_s} has length {n}, {.arg torque_n_m} has length {length(torque_n_m)}."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "Every knot needs a time and a torque.",
+      x = "{.arg time_s} has length {n}, {.arg torque_n_m} has length {length(torque_n_m)}."
+    ), "size", call)
   }
   if (n < 2L) {
-    abort_rotdyn(
-      c(
-        "A piecewise-linear torque needs at least two knots.",
-        x = "There {?is/are} {n}.",
-        i = "The same torque at all times is {.fn torque_constant}."
-      ),
-      "size",
-      call
-    )
+    abort_rotdyn(c(
+      "A piecewise-linear torque needs at least two knots.",
+      x = "There {?is/are} {n}.",
+      i = "The same torque at all times is {.fn torque_constant}."
+    ), "size", call)
   }
   if (is.unsorted(time_s)) {
     at <- which(diff(time_s) < 0)[1]
-    abort_rotdyn(
-      c(
-        "Knots must not go back in time.",
-        x = "Knot {at + 1} is at {format(time_s[at + 1])} s, after one at {format(time_s[at])} s.",
-        i = "Two knots at the same time make a jump."
-      ),
-      "time",
-      call
-    )
+    abort_rotdyn(c(
+      "Knots must not go back in time.",
+      x = "Knot {at + 1} is at {format(time_s[at + 1])} s, after one at {format(time_s[at])} s.",
+      i = "Two knots at the same time make a jump."
+    ), "time", call)
   }
   if (!is.finite(time_s[n] - time_s[1])) {
     abort_rotdyn("The span of the knots is beyond double precision.", "value", call)
@@ -139,28 +127,20 @@ torque_function <- function(f, breaks_s = NULL, vectorised = FALSE) {
     check_supplied("f", call)
   }
   if (!is.function(f)) {
-    abort_rotdyn(
-      c(
-        "{.arg f} must be a function.",
-        x = "It is {describe_value(f)}.",
-        i = "A constant torque is {.fn torque_constant}, a tabulated one {.fn torque_knots}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg f} must be a function.",
+      x = "It is {describe_value(f)}.",
+      i = "A constant torque is {.fn torque_constant}, a tabulated one {.fn torque_knots}."
+    ), "type", call)
   }
   if (!is.null(breaks_s)) {
     breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
   }
   if (!isTRUE(vectorised) && !isFALSE(vectorised)) {
-    abort_rotdyn(
-      c(
-        "{.arg vectorised} must be TRUE or FALSE.",
-        x = "It is {describe_value(vectorised)}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg vectorised} must be TRUE or FALSE.",
+      x = "It is {describe_value(vectorised)}."
+    ), "type", call)
   }
   new_torque(
     "rot_torque_function",
@@ -176,15 +156,11 @@ count_arguments <- function(f, call) {
   if (n == 3L || (n <= 1L && length(arguments) > 0L)) {
     return(if (n == 3L) 3L else 1L)
   }
-  abort_rotdyn(
-    c(
-      "{.arg f} must be a function of {.code time_s}, or of
-       {.code time_s, theta_rad, omega_rad_per_s}.",
-      x = "It has {n} argument{?s} without a default."
-    ),
-    "torque",
-    call
-  )
+  abort_rotdyn(c(
+    "{.arg f} must be a function of {.code time_s}, or of
+     {.code time_s, theta_rad, omega_rad_per_s}.",
+    x = "It has {n} argument{?s} without a default."
+  ), "torque", call)
 }
 
 # The torque argument of a scene as a law.
@@ -198,15 +174,11 @@ as_torque <- function(x, call) {
   } else if (is.numeric(x)) {
     torque_constant(check_number(x, "torque", "N*m", call))
   } else {
-    abort_rotdyn(
-      c(
-        "{.arg torque} must be a torque law, a function, or one number in N m.",
-        x = "It is {describe_value(x)}.",
-        i = "See {.help rotdyn::torque}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg torque} must be a torque law, a function, or one number in N m.",
+      x = "It is {describe_value(x)}.",
+      i = "See {.help rotdyn::torque}."
+    ), "type", call)
   }
 }
 

@@ -1,37 +1,35 @@
 #' The motion of a scene
 #'
-#' Picks the cheapest model that fits the scene and reaches the accuracy (see [choose_model()]),
-#' computes the motion in C, and returns a tibble that knows its model, its error and its
-#' [audit()].
+#' Chooses the cheapest model that takes the scene and reaches the accuracy (see [choose_model()]),
+#' and computes the motion in C. The result carries its model, its error and its [audit()].
 #'
 #' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()].
 #' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]: of theta
-#'   relative to the largest |theta| on the way to the last row, and of omega likewise. Or a
-#'   physical one with units, such as `units::set_units(0.1, "degree")` or `units::set_units(1,
-#'   "rpm")`: the largest error wanted in the angle, or in the angular velocity.
-#' @param model NULL for the cheapest that will do, or the name of one of [models()].
+#'   relative to the largest |theta| up to the last row, and of omega likewise. Or with units, such
+#'   as `units::set_units(0.1, "degree")` or `units::set_units(1, "rpm")`: the largest error wanted
+#'   in the angle, or in the angular velocity.
+#' @param model NULL for the cheapest, or the name of one of [models()].
 #' @param ... Not used; names after it must be given in full.
-#' @param on_fail What to do when a run fails half way (a torque that is not finite, a step budget
-#'   used up): `"abort"` with an error that says where, or `"truncate"`: the good rows, with a
+#' @param on_fail If a run fails part-way (a torque that is not finite, a step budget used up):
+#'   `"abort"` with an error that says where, or `"truncate"`: the rows before the failure, with a
 #'   warning of class `rotdyn_warning_truncated`.
-#' @param max_steps Steps that an integrator may try in one run before it gives up, beyond one for
-#'   each row.
+#' @param max_steps Most steps that an integrator tries in one run, beyond one for each row.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
 #'   The trajectory of a [scene_rotors()] or a [scene_clutch()] has columns of its own, listed
 #'   there. [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()]
 #'   the balance, [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()]
-#'   stops and starts, `ggplot2::autoplot()` the picture. dplyr verbs keep the class while the
-#'   columns stand. A scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
-#' @section Warnings: `rotdyn_warning_breaks` when breaks of a torque function had to be looked for;
-#'   `rotdyn_warning_accuracy` when the error figure exceeds the accuracy asked for.
+#'   the events, `ggplot2::autoplot()` a plot. dplyr verbs keep the class with the key columns. A
+#'   scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
+#' @section Warnings: `rotdyn_warning_breaks` if breaks of a torque function were searched for;
+#'   `rotdyn_warning_accuracy` if the error figure exceeds the accuracy asked for.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or
 #'   not in order), `rotdyn_error_unit`; `rotdyn_error_model`, `rotdyn_error_accuracy` when nothing
 #'   fits; `rotdyn_error_torque`, `rotdyn_error_range`, `rotdyn_error_budget`, `rotdyn_error_step`
 #'   from a run: those carry `info`, with the time reached. An error, a condition, an interrupt or a
-#'   time limit raised in a torque function arrives as itself.
+#'   time limit raised in a torque function keeps its class.
 #' @source [models()] says for each model where its equations come from.
 #' @examples
 #' scene <- scene_axle(
@@ -90,21 +88,17 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
       info = info
     )
   } else if (n && !(info$error <= accuracy)) {
-    warn_rotdyn(
-      c(
-        "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
-         than the accuracy of {format(accuracy)} asked for.",
-        i = "{record$loses %||% \"Large terms of two signs cancel in this motion.\"}"
-      ),
-      "accuracy",
-      call
-    )
+    warn_rotdyn(c(
+      "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
+       than the accuracy of {format(accuracy)} asked for.",
+      i = "{record$loses %||% \"Large terms of two signs cancel in this motion.\"}"
+    ), "accuracy", call)
   }
   new_trajectory(columns, n * each, list(
     scene = scene,
     solved = fit$scene,
     dropped = fit$dropped,
-    # Integrators hand over to one another.
+    # One integrator may switch to the other.
     model = if (is.null(record$ran_as)) record$id else record$ran_as(info),
     accuracy = accuracy,
     error_kind = record$error_kind,
@@ -123,8 +117,7 @@ widen_error <- function(info, by) {
 }
 
 # The accuracy as a relative number. A physical one is that of the measure of its unit, divided by
-# the measure's size, which a run at 1e-3 gives; a tenth less, because that size may be off by as
-# much.
+# the measure's size, which a run at 1e-3 gives; a tenth less, a margin for the error of that size.
 relative_accuracy <- function(accuracy, scene, time_s, call) {
   if (!is.object(accuracy) || !inherits(accuracy, "units")) {
     return(check_accuracy(accuracy, call))
@@ -141,7 +134,7 @@ relative_accuracy <- function(accuracy, scene, time_s, call) {
     pilot$record$run(pilot$scene, time_s, 1e-3, 1e6 + length(time_s), call, FALSE))$info
   size <- info$sizes[[of]]
   if (info$kind != "none" || !(size > 0)) {
-    return(1e-9) # a run that fails will say why; a motion of size 0 has no error
+    return(1e-9) # a failing run reports why; a motion of size 0 has no error
   }
   min(1, 0.9 * wanted / size)
 }
@@ -181,8 +174,8 @@ new_trajectory <- function(columns, n, run) {
   columns
 }
 
-# After a change of rows or columns: the class stands while the key columns do, the ledger while the
-# rows do. The error figure of the run holds for any of its rows; the error of values that the run
+# After a change of rows or columns: the class is kept with the key columns, the ledger with the
+# rows. The error figure of the run holds for any of its rows; the error of values that the run
 # did not compute is unknown.
 reconstruct_trajectory <- function(data, template) {
   run <- trajectory_run(template)
@@ -204,7 +197,7 @@ reconstruct_trajectory <- function(data, template) {
   data
 }
 
-# Whether all rows stand in the run, found by time (its bits, no printed digits) and index.
+# Whether all rows are rows of the run, matched by the bits of time and by index.
 rows_of_run <- function(now, before, index) {
   identity <- function(x) {
     id <- match(x$time_s, before$time_s)
@@ -266,7 +259,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     if (is.finite(run$info$scan_spacing_s %||% NA)) {
       c("Sampled" = paste0(
         "the torque function every ", format(run$info$scan_spacing_s, digits = 2),
-        " s: anything shorter is not seen"
+        " s: anything shorter is not resolved"
       ))
     }
   )
@@ -289,11 +282,11 @@ describe_error <- function(run) {
   )
 }
 
-# ---- faces --------------------------------------------------------------------------------------
+# ---- verbs --------------------------------------------------------------------------------------
 
 #' One row about a trajectory
 #'
-#' The maxima are over the rows, as they stand.
+#' The maxima are over the rows as they are.
 #'
 #' @param object,x A `rot_trajectory`.
 #' @param ... Not used.
@@ -320,7 +313,7 @@ summary.rot_trajectory <- function(object, ...) {
   ), nrow = 1L)
 }
 
-# Of values that may be none.
+# NA where there are no values.
 largest <- function(values) if (length(values)) max(values) else NA_real_
 
 last <- function(values) if (length(values)) values[[length(values)]] else NA_real_
@@ -335,12 +328,12 @@ glance.rot_trajectory <- function(x, ...) {
 
 #' The motion at other times
 #'
-#' Runs the trajectory's own model again at the times asked for: no interpolation, the same
-#' accuracy. Where the error of the model depends on the times (an effect that was left out, a shaft
-#' taken as rigid), the model is chosen anew, as [trajectory()] does.
+#' Runs the trajectory's model again at these times, with the same accuracy and no interpolation.
+#' Where the error of the model depends on the times (an effect ignored, a shaft taken as rigid),
+#' the model is chosen again.
 #'
 #' @param object A `rot_trajectory`.
-#' @param time_s Times in s, in any order, inside the rows or outside. NA gives a row of NA.
+#' @param time_s Times in s, in any order, also outside the rows. NA gives a row of NA.
 #' @param ... Not used.
 #' @return A tibble with one row for each time (and rotor), in their order, and the columns of
 #'   [trajectory()].
@@ -387,12 +380,12 @@ predict.rot_trajectory <- function(object, time_s, ...) {
   out
 }
 
-#' What happened during a motion
+#' Events of a motion
 #'
-#' The events of a trajectory: where dry friction brought the body to rest (`stick`), where it broke
-#' loose (`slip`), where it passed through rest (`reverse`); for a clutch, where it locked (`lock`),
-#' slipped (`slip`), and where the slip passed through zero (`reverse`). Their times are exact for a
-#' closed form, and good to the accuracy asked for an integration.
+#' With dry friction: the body comes to rest (`stick`), breaks loose (`slip`), reverses without
+#' sticking (`reverse`). Of a clutch: it locks (`lock`), slips (`slip`), or the slip changes sign
+#' (`reverse`). The times of a closed form are exact, those of an integration have the accuracy
+#' asked.
 #'
 #' @param x A `rot_trajectory`.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
@@ -410,11 +403,11 @@ motion_events <- function(x) {
   )
 }
 
-#' Spin a body up: the teaching shortcut
+#' Spin a body up
 #'
 #' Builds a [scene_axle()] and computes its [trajectory()]. With no argument it is the standard
 #' example: a disk of 2 kg and 0.25 m, damped with 0.03 N m s, under a torque that rises to 0.8 N m
-#' in a second, holds for three, and falls to nothing in two.
+#' in 1 s, is constant for 3 s, falls to 0 in 2 s, and stays 0.
 #'
 #' @inheritParams scene_axle
 #' @inheritParams trajectory

@@ -12,13 +12,11 @@ as_si <- function(x, unit, arg, call) {
   if (!units::ud_are_convertible(units(x), unit)) abort_dimension(given, unit, arg, call)
   # The units package takes 1 Hz for 1 rad/s.
   if ((startsWith(unit, "rad/") || unit == "rpm") && grepl("Hz|hertz", given)) {
-    abort_rotdyn(
-      c(
-        "{.arg {arg}} must be a quantity in {plain_unit(unit)}.",
-        x = "Its unit, {given}, counts cycles: a cycle is 2 pi rad.",
-        i = "Give it in {.val rpm}, or {.code 2 * pi} times it in {.val rad/s}."
-      ), "unit", call
-    )
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a quantity in {plain_unit(unit)}.",
+      x = "Its unit, {given}, counts cycles: a cycle is 2 pi rad.",
+      i = "Give it in {.val rpm}, or {.code 2 * pi} times it in {.val rad/s}."
+    ), "unit", call)
   }
   as.numeric(units::set_units(x, unit, mode = "standard"))
 }

@@ -1,8 +1,8 @@
 #' What accuracy costs: models measured side by side
 #'
-#' Runs a scene with every model that fits it, at every accuracy, and measures: what the run cost,
-#' how far it is from the truth, and whether it said so. Peers, functions of your own, are measured
-#' in the same way.
+#' Runs a scene with every model that fits it, at every accuracy, and measures the cost, the true
+#' error, and whether the reported error covers it. Peers are functions of your own, measured in the
+#' same way.
 #'
 #' **The reference** is a closed form where one fits, else the integrator at the least accuracy it
 #' promises, or what you give as `reference`. It is never the run itself: a model that nothing else
@@ -10,9 +10,9 @@
 #' error too, `reference_error`. A true error below three times that is not resolved: it is set to
 #' that value and marked `floor`.
 #'
-#' **The cost** is processor time, which other work on the machine does not count into. A run is
-#' repeated until a batch takes `least_batch_s`; the first batch is thrown away. Everything counts
-#' that a call of [trajectory()] does. `rhs_calls` does not depend on the machine.
+#' **The cost** is processor time of whole calls of [trajectory()], without other work of the
+#' machine. A run is repeated until a batch takes `least_batch_s`; the first batch is discarded.
+#' `rhs_calls` does not depend on the machine.
 #'
 #' @inheritParams trajectory
 #' @param time_s Output times in s, at least one.
@@ -30,8 +30,8 @@
 #'   and accuracy, and the columns `r describe_columns(work_precision_columns)`
 #'   A model that does not promise an accuracy has no row for it. `covered` is NA where the error of
 #'   the reference decides, and for a peer that reports no error.
-#' @section Warnings: What a run warns of, once. `rotdyn_warning_failed` names the runs that failed:
-#'   they have no row.
+#' @section Warnings: Those of the runs, once each. `rotdyn_warning_failed` names the runs that
+#'   failed: they have no row.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_time`, `rotdyn_error_model` for an unknown model, `rotdyn_error_accuracy` if
 #'   nothing can serve as reference.
@@ -97,14 +97,10 @@ check_peers <- function(peers, call) {
   named <- length(peers) == 0L || (!is.null(names(peers)) && all(nzchar(names(peers))) &&
     !anyDuplicated(names(peers)))
   if (!is.list(peers) || !named || !all(vapply(peers, is.function, logical(1)))) {
-    abort_rotdyn(
-      c(
-        "{.arg peers} must be a list of functions, each with a name of its own.",
-        x = "It is {describe_value(peers)}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg peers} must be a list of functions, each with a name of its own.",
+      x = "It is {describe_value(peers)}."
+    ), "type", call)
   }
 }
 
@@ -125,14 +121,10 @@ list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
     rlang::cnd_signal(e)
   })$model
   if (!is.null(models) && !(is.character(models) && all(models %in% known))) {
-    abort_rotdyn(
-      c(
-        "{.arg models} must be NULL or some of {.val {known}}.",
-        x = "It is {if (is.character(models)) cli::cli_vec(models) else describe_value(models)}."
-      ),
-      "model",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg models} must be NULL or some of {.val {known}}.",
+      x = "It is {if (is.character(models)) cli::cli_vec(models) else describe_value(models)}."
+    ), "model", call)
   }
   each <- lapply(accuracies, function(accuracy) {
     fit <- models_that_fit(scene, time_s, accuracy)
@@ -184,8 +176,8 @@ truth_of_run <- function(motion, constraint) {
   )
 }
 
-# Up to two, so that no model is compared with itself: closed forms first, and among equals the one
-# that claims less error; then the cheapest integrator. At the least accuracy they reach.
+# Up to two, so that no model is compared with itself: closed forms first, then the cheapest
+# integrator, at the smallest accuracy that they reach.
 find_references <- function(scene, time_s, reference, constraint, call) {
   if (!is.null(reference)) {
     return(list(given_reference(scene, time_s, reference, constraint, call)))
@@ -208,14 +200,10 @@ find_references <- function(scene, time_s, reference, constraint, call) {
     }
   }
   if (length(found) == 0L) {
-    abort_rotdyn(
-      c(
-        "No model can serve as reference for this scene: every run failed.",
-        i = "{.fn trajectory} says why; {.arg reference} takes values of your own."
-      ),
-      "accuracy",
-      call
-    )
+    abort_rotdyn(c(
+      "No model can serve as reference for this scene: every run failed.",
+      i = "{.fn trajectory} says why; {.arg reference} takes values of your own."
+    ), "accuracy", call)
   }
   found
 }
@@ -250,14 +238,10 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
   }
   wanted <- c(columns, "error")
   if (!is.list(reference) || !all(wanted %in% names(reference))) {
-    abort_rotdyn(
-      c(
-        "{.arg reference} must be NULL, a {.cls rot_trajectory}, or a list with {.field {wanted}}.",
-        x = "It is {describe_value(reference)}."
-      ),
-      "type",
-      call
-    )
+    abort_rotdyn(c(
+      "{.arg reference} must be NULL, a {.cls rot_trajectory}, or a list with {.field {wanted}}.",
+      x = "It is {describe_value(reference)}."
+    ), "type", call)
   }
   values <- lapply(columns, function(name) {
     check_finite(reference[[name]], paste0("reference$", name), "1", call)
@@ -335,7 +319,7 @@ measure_one <- function(one, scene, time_s, constraint, peers, truth, least_batc
   )
 }
 
-# The true error lies within the reference's own of what was found; NA where that decides.
+# NA where the error of the reference decides.
 is_covered <- function(found, said, reference) {
   if (is.na(found) || is.na(said)) {
     NA
@@ -363,7 +347,7 @@ model_report <- function(motion, columns) {
   )
 }
 
-# An error of a peer's own is a failed run, not the end of the measurement.
+# An error in a peer is a failed run.
 try_peer <- function(go, name) {
   tryCatch(go(), error = function(e) {
     text <- conditionMessage(e)
@@ -389,7 +373,7 @@ peer_report <- function(value, name, columns, rows) {
 }
 
 # Processor time of one call of go(), a number for each batch. The batch grows until it takes long
-# enough for the clock; the first one of full size is thrown away.
+# enough for the clock; the first one of full size is discarded.
 measure_cost <- function(go, least_batch_s, batches) {
   repeats <- 1
   batch <- function() {
@@ -407,8 +391,8 @@ measure_cost <- function(go, least_batch_s, batches) {
 
 # ---- warnings -----------------------------------------------------------------------------------
 
-# The same run is made many times: what it warns of is kept, once, and told in the end; not that an
-# accuracy was missed, which the table says.
+# Runs are repeated: each warning is kept once, and given in the end, except that of a missed
+# accuracy, which the table shows.
 hear_warnings <- function(expr, heard) {
   withCallingHandlers(expr, rotdyn_warning = function(w) {
     if (!inherits(w, "rotdyn_warning_accuracy")) {
@@ -423,11 +407,10 @@ tell_warnings <- function(heard, failed, call) {
     warning(get(text, envir = heard))
   }
   if (length(failed)) {
-    lines <- paste0("{failed[", seq_along(failed), "]}") # their text is no template
+    lines <- paste0("{failed[", seq_along(failed), "]}") # the text is not glue
     warn_rotdyn(
       c("{length(failed)} run{?s} failed and {?has/have} no row.", rlang::set_names(lines, "x")),
-      "failed",
-      call
+      "failed", call
     )
   }
 }

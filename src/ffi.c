@@ -36,7 +36,7 @@ typedef struct poll_call {
   double fraction;
 } poll_call;
 
-static SEXP speak_to_r(void *data) {
+static SEXP poll_r(void *data) {
   const poll_call *poll = data;
   R_CheckUserInterrupt();
   if (!Rf_isNull(poll->progress)) {
@@ -47,14 +47,14 @@ static SEXP speak_to_r(void *data) {
   return R_NilValue;
 }
 
-/* The core asks often; R hears of it at most 20 times a second: polling R each time costs up to
- * 15 times the work in some front ends. */
+/* Polls R at most 20 times a second: in some front ends polling each time costs 15 times the
+ * work. */
 static rot_status poll(void *ctx, double fraction) {
   ffi_guard *guard = ctx;
   const double now = monotonic_s();
   if (now < guard->next_poll) return ROT_OK;
   poll_call data = {guard->progress, fraction};
-  rot_status status = ffi_guarded(guard, speak_to_r, &data, NULL);
+  rot_status status = ffi_guarded(guard, poll_r, &data, NULL);
   guard->next_poll = monotonic_s() + 0.05;
   return status;
 }

@@ -1,8 +1,8 @@
-/* What the glue shares: the unwind guard, polling, columns, and the declarations of the entries.
+/* Shared by the glue: the unwind guard, polling, columns, and the declarations of the entries.
  *
- * The glue parses arguments, allocates results, calls the core and translates what comes back. R
- * has checked every value before; the glue checks types and lengths only, so that a wrong .Call
- * is an R error and never a crash. */
+ * The glue reads arguments, allocates results, calls the core and translates its results. R checks
+ * the values before; the glue checks types and lengths only, so that a wrong .Call is an R error
+ * and never a crash. */
 #ifndef FFI_H
 #define FFI_H
 
@@ -16,15 +16,15 @@
 
 /* ---- the unwind guard ------------------------------------------------------------------------
  *
- * Whatever may jump (an R error, a condition, an interrupt, a time limit) runs inside
- * ffi_guarded() while the core is on the stack. A jump is caught, ROT_EUNWIND goes down through
- * the core, which frees what it holds, and ffi_guard_end() lets the jump go on as itself. */
+ * While the core is on the stack, calls that may jump (by an R error, a condition, an interrupt, a
+ * time limit) run inside ffi_guarded(). It catches the jump, the core returns ROT_EUNWIND and frees
+ * its memory, and ffi_guard_end() continues the jump. */
 typedef struct ffi_guard {
   SEXP token;
   jmp_buf landing;
   SEXP progress;    /* an R function of the fraction done, or NULL */
   double next_poll; /* monotonic seconds */
-  rot_hooks hooks;  /* hand &guard.hooks to the core */
+  rot_hooks hooks;  /* pass &guard.hooks to the core */
 } ffi_guard;
 
 /* Protects one object; ffi_guard_end() unprotects it. */

@@ -7,7 +7,7 @@
 #include "rot_axle_drop.h"
 #include "rot_choice.h"
 
-/* ---- what is asked --------------------------------------------------------------------------- */
+/* ---- questions ------------------------------------------------------------------------------- */
 
 typedef struct question {
   const rot_constraint *constraint;

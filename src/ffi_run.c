@@ -85,9 +85,13 @@ static SEXP finish(void *data) {
   return R_NilValue;
 }
 
-/* The allocations may jump too: under the guard, so that the events are freed before. */
+/* The allocations may jump too: under the guard where there are events to be freed before. */
 SEXP ffi_run_end(ffi_run *run, rot_status status) {
-  if (status != ROT_EUNWIND) status = ffi_guarded(&run->guard, finish, run, NULL);
+  if (status != ROT_EUNWIND && run->events.room) {
+    status = ffi_guarded(&run->guard, finish, run, NULL);
+  } else if (status != ROT_EUNWIND) {
+    finish(run);
+  }
   rot_events_free(&run->events);
   ffi_guard_end(&run->guard, status);
   UNPROTECT(1);

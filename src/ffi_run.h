@@ -1,4 +1,4 @@
-/* What the entries that run a motion share: list(columns, info, ledger, events) under the guard.
+/* Shared by the entries that run a motion: list(columns, info, ledger, events) under the guard.
  *
  *   ffi_run_begin(&run, progress);
  *   SEXP columns = ffi_run_columns(&run, names);
@@ -20,7 +20,7 @@ typedef struct ffi_run {
 } ffi_run;
 
 void ffi_run_begin(ffi_run *run, SEXP progress);
-/* The named list of columns, yet empty; `names` ends with "". */
+/* The named list of columns, to be filled; `names` ends with "". */
 SEXP ffi_run_columns(const ffi_run *run, const char *const names[]);
 /* Ends the guard. The report, and the events if there are any, are made under it. */
 SEXP ffi_run_end(ffi_run *run, rot_status status);

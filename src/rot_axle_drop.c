@@ -31,10 +31,10 @@ static double term_sum(const rot_axle_scene *scene, rot_term_kind kind,
 
 static double strength(const double *x) { return fabs(x[0]); }
 
-/* A spring of negative stiffness drives away from its rest. */
+/* A spring of negative stiffness drives the body away from its rest. */
 static double pushing(const double *x) { return fmax(0.0, -x[0]); }
 
-/* The steepest rise of a curve, 0 if it only falls. */
+/* The steepest rise of a curve; 0 if it never rises. */
 static double steepest_rise(const double *x) {
   const size_t n = (size_t)x[0];
   const double *speed = x + 1, *torque = speed + n;
@@ -45,7 +45,7 @@ static double steepest_rise(const double *x) {
   return most;
 }
 
-/* Largest |torque| of what does not depend on the motion, N m. */
+/* Largest |torque| of the terms that do not depend on the motion, N m. */
 static double largest_drive(const rot_axle_scene *scene, double last_s) {
   const rot_torque *torque = &scene->linear.torque;
   double knots = fmax(fabs(torque->before_n_m), fabs(torque->after_n_m)), terms = 0.0;
@@ -68,8 +68,8 @@ static double largest_drive(const rot_axle_scene *scene, double last_s) {
   return torque->call ? INFINITY : knots + terms;
 }
 
-/* How much a disturbance can grow: exp of the time by the rates at which torques that depend on the
- * motion can drive. */
+/* Largest growth of a disturbance: exp of the time by the growth rates of torques that depend on
+ * the motion. */
 static double growth_bound(const rot_axle_scene *scene, double span) {
   const double inertia = least_inertia(scene);
   const double driven = fmax(0.0, -scene->linear.viscous_n_m_s) / inertia;
@@ -108,7 +108,7 @@ static double largest_omega(const rot_axle_scene *scene, const rot_query *query)
 
 /* ---- bounds ---------------------------------------------------------------------------------- */
 
-/* Against resistance that grows with omega two motions come together, so resistance other than
+/* Resistance that grows with omega makes two motions converge, so resistance other than
  * viscous is left out here: |delta omega| <= size/I min(T, I/c), and no more than impulse/I. */
 void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, double size_n_m,
                           double impulse_n_m_s, double growth, double *theta, double *omega) {
@@ -200,7 +200,7 @@ static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduce
   if (!isfinite(sum)) return;
   rot_axle_disturbance(reduced, query, sum, INFINITY, NAN, &drop->bound[ROT_THETA],
                        &drop->bound[ROT_OMEGA]);
-  /* The motion is no faster than largest_omega(): a bound on the error from below spares a run. */
+  /* The motion is no faster than largest_omega(): a lower bound of the error can save a run. */
   if (drop->bound[ROT_OMEGA] > worst * largest_omega(reduced, query)) return;
   if (!motion_size(reduced, model, query, &theta, &omega)) return;
   drop->error =

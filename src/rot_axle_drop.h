@@ -1,7 +1,7 @@
-/* Bounds on what effects of an axle can change at most, so that they may be left out.
+/* Bounds on the change of the motion when effects of an axle are ignored.
  *
  * A torque of at most D changes omega by at most D/I min(T, I/c) in a time T, and theta by T times
- * that; more where a disturbance grows with the motion. */
+ * that; more where disturbances grow. */
 #ifndef ROT_AXLE_DROP_H
 #define ROT_AXLE_DROP_H
 
@@ -9,8 +9,8 @@
 #include "rot_model.h"
 
 /* The change due to a torque of at most size_n_m, of any course, whose integral is at most
- * impulse_n_m_s (INFINITY: unknown), up to the first and last of the times. `growth` is how much a
- * disturbance grows more than in free motion; NaN: a bound on that. */
+ * impulse_n_m_s (INFINITY: unknown), up to the first and last of the times. `growth` is the
+ * growth of a disturbance relative to free motion; NaN: a bound on it. */
 void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, double size_n_m,
                           double impulse_n_m_s, double growth, double *theta, double *omega);
 

@@ -1,5 +1,5 @@
 /* A motor's torque that falls with the speed resists like a viscous coefficient, and the closed
- * forms take both as one. These keep them apart; where there is no motor they change nothing. */
+ * forms take both as one. These functions separate them; without a motor they change nothing. */
 #ifndef ROT_AXLE_MOTOR_H
 #define ROT_AXLE_MOTOR_H
 

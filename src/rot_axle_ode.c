@@ -250,24 +250,26 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                  fabs(time_s[n - 1] - scene->linear.start_s))
                           : 0.0;
     const double noise[] = {scene->noise_n_m / m.reference * span, scene->noise_n_m / m.reference};
-    const rot_ode_params ode = {.dim = DIM,
-                                .controlled = 2,
-                                .rhs = axle_rhs,
-                                .ctx = &m,
-                                .n_breaks = m.n_breaks,
-                                .breaks = m.breaks,
-                                .start_s = scene->linear.start_s,
-                                .start = start,
-                                .accuracy = options->accuracy,
-                                .max_steps = options->max_steps,
-                                .method = options->method,
-                                .mode = &m.mode,
-                                .turn = m.turns ? &turn : NULL,
-                                .log = events,
-                                .at_break = m.inertia.n ? cross_inertia : NULL,
-                                .sloped = IMPULSE,
-                                .noise = noise,
-                                .kinks = has_kinks(scene)};
+    const rot_ode_params ode = {
+        .dim = DIM,
+        .controlled = 2,
+        .rhs = axle_rhs,
+        .ctx = &m,
+        .n_breaks = m.n_breaks,
+        .breaks = m.breaks,
+        .start_s = scene->linear.start_s,
+        .start = start,
+        /* Relative to theta, which may be half as large as theta less theta0. */
+        .accuracy = (scene->linear.theta0_rad == 0.0 ? 1.0 : 0.5) * options->accuracy,
+        .max_steps = options->max_steps,
+        .method = options->method,
+        .mode = &m.mode,
+        .turn = m.turns ? &turn : NULL,
+        .log = events,
+        .at_break = m.inertia.n ? cross_inertia : NULL,
+        .sloped = IMPULSE,
+        .noise = noise,
+        .kinks = has_kinks(scene)};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
     if (failure == ROT_ERHS) failure = ROT_ETORQUE;
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {

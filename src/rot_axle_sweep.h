@@ -1,5 +1,5 @@
 /* Many axles under one torque law, a row each: its final state, and its extreme speeds.
- * Rows are independent of each other and of the threads, which only share them out. */
+ * Rows depend neither on each other nor on the number of threads. */
 #ifndef ROT_AXLE_SWEEP_H
 #define ROT_AXLE_SWEEP_H
 
@@ -22,8 +22,8 @@ typedef struct rot_axle_sweep_friction {
 } rot_axle_sweep_friction;
 
 /* NaN in a row whose status is not ROT_OK. The largest and the smallest omega are those of the
- * whole way, with the first time of the largest; error: the larger bound of theta and omega, each
- * relative to the largest value on the way. */
+ * continuous motion, with the first time of the largest; error: the larger bound of theta and
+ * omega, each relative to its largest value. */
 #define ROT_AXLE_SWEEP_COLUMNS(X)                                                                  \
   X(double, theta_rad)                                                                             \
   X(double, omega_rad_per_s)                                                                       \
@@ -40,7 +40,7 @@ typedef struct rot_axle_sweep_columns {
   int *status; /* rot_status */
 } rot_axle_sweep_columns;
 
-/* Knots and viscous resistance, in closed form. At most so many threads; 0: as many as there are.
+/* Knots and viscous resistance, in closed form. At most `threads` threads; 0: all.
  * The status is ROT_OK even if single rows fail; info->rows_done counts rows that are done,
  * and *info has no measures. */
 rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_rows *rows,
@@ -57,7 +57,7 @@ rot_status rot_axle_sweep_scenes(rot_axle_model model, const rot_axle_scene *sce
                                  int threads, const rot_axle_sweep_columns *out,
                                  const rot_hooks *hooks, rot_info *info);
 
-/* How many threads there can be: 1 without OpenMP. */
+/* Most threads; 1 without OpenMP. */
 int rot_axle_sweep_threads(void);
 
 #endif

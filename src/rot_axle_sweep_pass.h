@@ -7,7 +7,7 @@
 #include "rot_real.h"
 #include "rot_torque.h"
 
-/* Axles side by side, on their way through the pieces of one torque law. */
+/* A block of axles in one piece of the torque law. */
 enum { ROT_AXLE_SWEEP_BLOCK = 32 };
 
 typedef struct rot_axle_sweep_block {
@@ -18,7 +18,7 @@ typedef struct rot_axle_sweep_block {
   double theta_error[ROT_AXLE_SWEEP_BLOCK], omega_error[ROT_AXLE_SWEEP_BLOCK];
   double omega_max[ROT_AXLE_SWEEP_BLOCK], omega_max_time_s[ROT_AXLE_SWEEP_BLOCK],
       omega_min[ROT_AXLE_SWEEP_BLOCK], theta_max[ROT_AXLE_SWEEP_BLOCK],
-      worst_error[ROT_AXLE_SWEEP_BLOCK]; /* on the way; of omega */
+      worst_error[ROT_AXLE_SWEEP_BLOCK]; /* of omega, so far */
 } rot_axle_sweep_block;
 
 /* phi0, phi1, g1, phi2, phi3 of -z for two steps. */
@@ -26,7 +26,7 @@ typedef struct weights {
   rot_pair start, reach, near, far, last;
 } weights;
 
-/* 0 <= z <= 1, in strands: what follows the last term is below 2^-54 of the first. */
+/* 0 <= z <= 1, in interleaved sums; the truncation error is below 2^-54 of the first term. */
 ROT_INLINE rot_pair phi3_below_1(rot_pair z) {
 #define C(x) ROT_BOTH(1 / x)
   const rot_pair zz = z * z, z4 = zz * zz, z8 = z4 * z4;
@@ -64,7 +64,7 @@ ROT_INLINE weights weights_above(rot_pair z) {
   return w;
 }
 
-/* Each by its own z: no row depends on its neighbour. */
+/* Each lane by its own z: no row depends on its neighbour. */
 ROT_INLINE weights weights_of(rot_pair z) {
   const rot_pair one = ROT_BOTH(1.0);
   const int above = rot_pair_count_more(z, one);
@@ -86,13 +86,13 @@ ROT_INLINE weights weights_of(rot_pair z) {
  * sums, the rounding of z and a torque inside the piece 16 + 3 z and 24. g1 + phi2 = phi1. A step
  * of no length changes nothing.
  *
- * Inside the piece omega turns where its acceleration is nothing, I A = excess at the start:
- * exp(c s/I) = 1 - (c/I) excess/slope. From c s/I = 1 on what is left there is torque/c. */
+ * Inside the piece omega has its extremum where I A = excess at the start vanishes:
+ * exp(c s/I) = 1 - (c/I) excess/slope. From c s/I = 1 on, omega there is torque/c. */
 ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, rot_pair stop,
                            rot_pair s, rot_pair a, rot_pair b, rot_pair w0, rot_pair excess) {
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0), c = rot_load(x->c + i);
   const rot_pair lambda = rot_load(x->lambda + i);
-  /* Lanes without a turn get numbers that harm nothing. */
+  /* Lanes without an extremum get harmless numbers. */
   const rot_pair rise = rot_pair_if_more(turns, none, b - a, one);
   const rot_pair straight = rot_pair_if_more(turns, none, none - excess, none) * s / rise;
   const rot_pair more = lambda * straight, tiny = ROT_BOTH(1e-290);
@@ -105,14 +105,14 @@ ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, ro
   const rot_pair most = rot_pair_max(rot_pair_abs(a), rot_pair_abs(b)), size = rot_pair_abs(w0);
   const weights w = weights_of(z);
   const rot_pair below = w0 * w.start + v * (a * w.near + torque * w.far);
-  /* one - tiny < 1: z >= 1 has settled. */
+  /* one - tiny < 1: z >= 1 is in the steady state. */
   const rot_pair last = ROT_BOTH(1.0 - ROT_EPS), each = one / rot_pair_if_more(z, last, c, one);
   const rot_pair omega = rot_pair_if_more(z, last, torque * each, below);
   const rot_pair unit = ROT_BOTH(ROT_EPS);
   const rot_pair error = rot_load(x->omega_error + i) +
                          rot_pair_if_more(z, last, ROT_BOTH(12.0) * unit * (most * each + size),
                                           ROT_BOTH(16.0) * unit * (size + v * most));
-  /* The end of the step was noted already; the turn is beyond it, whatever rounding says. */
+  /* The end of the step is already noted; the extremum lies beyond it, up to rounding. */
   const rot_pair top = rot_load(x->omega_max + i), when = rot_load(x->omega_max_time_s + i);
   const rot_pair beyond =
       rot_pair_if_more(excess, none, rot_pair_if_more(stop, when, none, inside), none);

@@ -1,4 +1,4 @@
-/* The choice of a model: which take a scene, what they promise, what they cost.
+/* The choice of a model: which models take a scene, their promised errors and predicted times.
  *
  * A model applies if it takes every effect of the scene, has no reason against it and reaches the
  * accuracy. Where no model with a proven bound does, a model may apply to the scene without some

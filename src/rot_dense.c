@@ -94,6 +94,40 @@ rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component)
   return form;
 }
 
+/* Near the extremes of the slope of x^2 (1 - x)^2. */
+static const double mend_at[ROT_DENSE_MENDS] = {0.2113, 0.7887};
+
+double rot_dense_mend_at(const rot_dense_form *form) {
+  return form->start + mend_at[form->mends] * form->width;
+}
+
+/* The product over the terms so far, and its slope. */
+static double product_at(const rot_dense_form *form, double x, double *rise) {
+  double product = 1.0;
+  *rise = 0.0;
+  for (size_t k = 0; k < form->terms; k++) {
+    *rise = *rise * (x - form->z[k]) + product;
+    product *= x - form->z[k];
+  }
+  return product;
+}
+
+void rot_dense_mend(rot_dense_form *form, double slope) {
+  const double x = mend_at[form->mends];
+  double now, rise;
+  if (form->mends > 0) { /* the new term leaves the slope at the mend before alone */
+    const double before = mend_at[form->mends - 1];
+    form->terms--;
+    const double product = product_at(form, before, &rise);
+    form->z[form->terms++] = before + product / rise;
+  }
+  rot_dense_at(form, form->start + x * form->width, &now, NULL, NULL);
+  product_at(form, x, &rise);
+  form->c[form->terms++] = (slope - now) * form->width / rise;
+  form->share = 1;
+  form->mends++;
+}
+
 double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *share,
                     double *slope_share) {
   const double x = (t - form->start) / form->width;
@@ -104,11 +138,17 @@ double rot_dense_at(const rot_dense_form *form, double t, double *slope, double 
     value = value * (x - form->z[k]) + form->c[k];
   }
   if (share || slope_share) {
+    double before = 1.0, before_rise = 0.0;
     for (size_t k = 0; k < form->terms; k++) {
       if (k + form->share >= form->terms) {
-        last += fabs(form->c[k] * product);
-        last_rise += fabs(form->c[k] * product_rise);
+        /* The second mend has a zero half way, which says nothing of what is left there. */
+        const int half = form->mends > 1;
+        last += fabs(form->c[k] * (half ? 0.5 * before : product));
+        last_rise +=
+            fabs(form->c[k] * product_rise) + (half ? fabs(form->c[k] * before_rise) : 0.0);
       }
+      before = product;
+      before_rise = product_rise;
       product_rise = product_rise * (x - form->z[k]) + product;
       product *= x - form->z[k];
     }

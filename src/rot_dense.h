@@ -19,7 +19,12 @@ typedef struct rot_dense {
 } rot_dense; /* begin with {dim, 0, 0, slopes, NULL} */
 
 /* Nodes of a polynomial: with slopes, and of values alone. */
-enum { ROT_DENSE_NODES = 8, ROT_DENSE_VALUES = 12, ROT_DENSE_TERMS = 2 * ROT_DENSE_NODES };
+enum {
+  ROT_DENSE_NODES = 8,
+  ROT_DENSE_VALUES = 12,
+  ROT_DENSE_MENDS = 2,
+  ROT_DENSE_TERMS = 2 * ROT_DENSE_NODES + ROT_DENSE_MENDS
+};
 
 /* ROT_OK or ROT_ENOMEM. Insert before node `at`, or add with at = count. */
 rot_status rot_dense_insert(rot_dense *d, size_t at, double t, const double y[], const double f[]);
@@ -33,12 +38,18 @@ static inline const double *rot_dense_node(const rot_dense *d, size_t i) {
 
 /* One component between nodes i and i + 1, in Newton's form. */
 typedef struct rot_dense_form {
-  size_t terms, share; /* share: of those, the last node's */
+  size_t terms, share; /* share: of those, the last node's, or the last mend */
+  size_t mends;
   double start, width, base;
   double z[ROT_DENSE_TERMS], c[ROT_DENSE_TERMS];
 } rot_dense_form;
 
 rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component);
+
+/* Where the next mend is to be made: where a term more has the steepest slope. */
+double rot_dense_mend_at(const rot_dense_form *form);
+/* One term more, so that the slope there is what is given. At most ROT_DENSE_MENDS. */
+void rot_dense_mend(rot_dense_form *form, double slope);
 
 /* The value at t, its slope, and what the last node's share of each is (any may be NULL). */
 double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *share,

@@ -1,6 +1,6 @@
 /* Rows of a motion, outward from its start: backward in time first, then forward, one piece of time
- * after the other. The march knows times, rows, polls and the report of the run; what moves, and
- * how, the model knows. */
+ * after the other. The march handles times, rows, polls and the report of the run; the model
+ * computes the motion. */
 #ifndef ROT_MARCH_H
 #define ROT_MARCH_H
 

@@ -1,4 +1,4 @@
-/* What a constraint says of its effects and models, for the choice among them (rot_choice.h). */
+/* Effects and models of a constraint, for the choice among them (rot_choice.h). */
 #ifndef ROT_MODEL_H
 #define ROT_MODEL_H
 
@@ -13,7 +13,7 @@ typedef struct rot_effect {
   unsigned implies; /* effects that need no words beside this one */
 } rot_effect;
 
-/* What is asked: rows at n times (not decreasing), an error, the time of a call of the law. */
+/* The question: rows at n times (not decreasing), an error, the time of a call of the law. */
 typedef struct rot_query {
   size_t n;
   const double *time_s;
@@ -21,7 +21,7 @@ typedef struct rot_query {
   double law_s; /* used where the scene has a law that only the caller can evaluate */
 } rot_query;
 
-/* What leaving effects out changes at most, up to until_s. Inf: no bound. */
+/* Largest change when effects are ignored, up to until_s. Inf: no bound. */
 typedef struct rot_drop {
   double until_s;
   double bound[ROT_MOST_MEASURES]; /* absolute, of each measure */

@@ -11,6 +11,7 @@
 #include "rot_real.h"
 
 #define LEAST_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
+#define LEAST_FINE      1e-15 /* of a guided run: below, its error test would reject rounding */
 #define MOST_TOLERANCE  3e-3
 
 /* ---- one run over both sides ----------------------------------------------------------------- */
@@ -25,10 +26,12 @@ typedef struct job {
   size_t budget;
   double *y_rows, *slope_rows; /* NULL: none */
   const rot_ode_trace *guide;  /* of both sides, or NULL */
+  size_t parts;                /* of its steps */
   rot_ode_trace *trace;        /* of both sides */
   double *largest, *share;
   double *moved;
-  double worst, unresolved; /* out: see rot_ode_march */
+  rot_ode_kinks *kinks;     /* see rot_ode_march */
+  double found, unresolved; /* out: see rot_ode_march */
   int stiff;                /* in: look for it; out: found */
   int first_mode;
 } job;
@@ -42,6 +45,7 @@ static rot_status run_sides(rot_ode_march *run, job *j) {
     run->done = 0;
     run->forward = forward;
     run->guide = guide;
+    run->parts = j->parts;
     run->trace = &j->trace[forward];
     run->trace->dim = j->p->dim;
     run->trace->count = 0;
@@ -81,6 +85,7 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   run.y_rows = j->y_rows;
   run.slope_rows = j->slope_rows;
   run.watch_stiffness = j->stiff;
+  run.kinks = j->guide ? NULL : j->kinks;
   run.dense.dim = dim;
   run.dense.slopes = j->method == ROT_METHOD_RK8PD;
   run.form = calloc(dim, sizeof *run.form);
@@ -105,7 +110,7 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
     run.system = (gsl_odeiv2_system){rot_ode_slope_at, NULL, dim, &run};
     info->status = run_sides(&run, j);
   }
-  j->worst = run.worst;
+  j->found = run.found;
   j->unresolved = sqrt(run.unresolved);
   j->stiff = run.phase == ROT_ODE_STIFF;
   if (run.rk) gsl_odeiv2_step_free(run.rk);
@@ -172,25 +177,35 @@ static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
  * curves; twice the distance and four times the test's figure missed one of 600, by 1.3. */
 #define KINK_MARGIN 2.0
 
-/* The fine run's error is its distance from the coarse one over 2^8 - 1, or more where its own
- * error tests fell by less than 2^8; that part is mended in the rows. Four times it, for steps that
- * are not short. In the last digits the distance is rounding, which no halving makes less. */
-#define MARGIN 4.0
-static double part_of_distance(const job *coarse, const job *fine, double rounding_share) {
-  if (fine->p->kinks) return KINK_MARGIN;
-  const double fell = coarse->worst > 0.0 ? fine->worst / coarse->worst : 0.0;
-  const double order = fine->method == ROT_METHOD_RADAU ? 1.0 / 63.0 : 1.0 / 255.0;
-  return fmin(1.0, MARGIN * fmax(order, fell) + rounding_share);
+/* Kinks that no break marks. */
+static int has_kinks(const job *j) { return j->p->kinks || j->kinks->missed; }
+
+/* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
+ * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
+ * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is
+ * rounding: no finer run makes it less. */
+static double part_of_distance(const job *coarse, const job *fine, double ratio,
+                               double rounding_share) {
+  if (has_kinks(fine)) return KINK_MARGIN;
+  const double fell = coarse->found > 0.0 ? fine->found / coarse->found / ratio : 0.0;
+  const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
+  const double margin = ratio < 3.0 || fine->method == ROT_METHOD_RADAU ? 4.0 : 2.5;
+  return part < 0.5 ? fmin(1.0, margin * part / (1.0 - part) + rounding_share) : 1.0;
 }
 
+/* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
+ * would lessen. */
 static double estimate(const job *coarse, const job *fine, const rot_info *info,
-                       double rounding_share, double change[], double error[]) {
+                       double rounding_share, double change[], double error[], double *steps) {
   const rot_ode_params *p = fine->p;
-  const double part = part_of_distance(coarse, fine, rounding_share);
+  const double ratio = (double)fine->parts / (double)coarse->parts;
+  const double part = part_of_distance(coarse, fine, ratio, rounding_share);
   const int smooth = !p->turn && p->n_events == 0;
-  const double mend = smooth && fine->method == ROT_METHOD_RK8PD ? 1.0 / 255.0 : 0.0;
-  const double resolve = (p->kinks ? 4.0 : 1.0) * fine->unresolved;
-  double worst = 0.0;
+  const double mend = smooth && fine->method == ROT_METHOD_RK8PD
+                          ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0)
+                          : 0.0;
+  const double resolve = (has_kinks(fine) || fine->kinks->count ? 4.0 : 1.0) * fine->unresolved;
+  double worst = *steps = 0.0;
   memset(error, 0, rot_ode_measures(p) * sizeof *error);
   for (int forward = 0; forward < 2; forward++) {
     const size_t first = forward ? fine->before : 0;
@@ -203,9 +218,12 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
   }
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     const double size = fine->largest[m];
-    error[m] = part * error[m] + fine->share[m] + fine->moved[m] + resolve * size +
-               4.0 * ROT_EPS * sqrt(1.0 + (double)info->steps) * size;
-    if (m < rot_ode_steering(p) && size > 0.0) worst = fmax(worst, error[m] / size);
+    const double roundings = 4.0 * ROT_EPS * sqrt(1.0 + (double)info->steps) * size;
+    const double lessened = fmax(0.0, part - rounding_share) * error[m] + resolve * size;
+    error[m] = part * error[m] + fine->share[m] + fine->moved[m] + resolve * size + roundings;
+    if (m >= rot_ode_steering(p) || size == 0.0) continue;
+    *steps = fmax(*steps, lessened / size);
+    worst = fmax(worst, error[m] / size);
   }
   return worst;
 }
@@ -258,15 +276,46 @@ static rot_status choose_steps(job *coarse, double tolerance, const rot_hooks *h
   return info->status;
 }
 
-enum { MOST_HALVINGS = 4 };
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* *split as p, with the kinks added to its breaks; both in one array, the kinks' own. */
+static rot_status split_at_kinks(const rot_ode_params *p, rot_ode_kinks *kinks,
+                                 rot_ode_params *split) {
+  const size_t n = kinks->count + p->n_breaks;
+  double *time_s = realloc(kinks->time_s, (n ? n : 1) * sizeof *time_s);
+  if (!time_s) return ROT_ENOMEM;
+  kinks->time_s = time_s;
+  if (p->n_breaks) memcpy(time_s + kinks->count, p->breaks, p->n_breaks * sizeof *time_s);
+  qsort(time_s, n, sizeof *time_s, compare);
+  split->breaks = time_s;
+  split->n_breaks = n;
+  return ROT_OK;
+}
+
+enum { MOST_RUNS = 4 };
+
+/* The tolerance of the run that chooses the steps, and into how many parts the next divides them:
+ * three where the error of the first run is then still small against the motion. The factors are
+ * what an error test may grow to in most motions, less the margin and the gain of the parts. */
+static size_t first_parts(const rot_ode_params *p, double *tolerance) {
+  const int three = p->accuracy <= 3e-7 && !p->kinks && p->method != ROT_METHOD_RADAU;
+  *tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, (three ? 256.0 : 10.0) * p->accuracy));
+  return three ? 3 : 2;
+}
 
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double slope[], double error[], double largest[], const rot_hooks *hooks,
                        rot_info *info) {
   gsl_set_error_handler_off(); /* process-wide, and aborts by default: at every entry */
-  rot_ode_trace traces[2][2];
+  rot_ode_trace traces[3][2];  /* of the run that chose the steps, and of the last two */
   double *scratch = calloc(4 * p->dim + 1, sizeof *scratch);
-  double tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, 10.0 * p->accuracy));
+  double tolerance;
+  size_t parts = first_parts(p, &tolerance);
+  rot_ode_kinks kinks = {0, 0, NULL, 0};
+  rot_ode_params split = *p;
   job coarse;
   memset(traces, 0, sizeof traces);
   memset(&coarse, 0, sizeof coarse);
@@ -277,41 +326,57 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   coarse.n = n;
   while (coarse.before < n && time_s[coarse.before] < p->start_s) coarse.before++;
   coarse.trace = traces[0];
+  coarse.parts = 1;
   coarse.largest = scratch;
   coarse.share = scratch + p->dim;
   coarse.moved = scratch + 2 * p->dim;
   coarse.first_mode = p->mode ? *p->mode : 0;
   coarse.budget = p->max_steps / 2;
+  coarse.kinks = &kinks;
   if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
+  if (coarse.method == ROT_METHOD_RK8PD && kinks.count) {
+    const rot_status status = split_at_kinks(p, &kinks, &split);
+    if (status != ROT_OK) info->status = status;
+    coarse.p = &split;
+  }
   const rot_info failure = *info;
   if (scratch) memcpy(largest, scratch, rot_ode_measures(p) * sizeof *largest);
   if (info->status != ROT_OK) cut_traces(&coarse, &coarse.n);
 
   const int hopeless = info->status == ROT_EUNWIND || info->status == ROT_ENOMEM ||
                        (info->status != ROT_OK && coarse.trace[1].count == 0);
+  const int explicit = coarse.method == ROT_METHOD_RK8PD,
+            stepwise = !explicit || has_kinks(&coarse);
+  const double first = coarse.tolerance;
   double last = INFINITY;
-  for (int k = 0; k < MOST_HALVINGS && n && !hopeless; k++) {
+  if (stepwise) parts = 2;
+  for (int k = 0; k < MOST_RUNS && n && !hopeless; k++) {
     job fine = coarse;
-    fine.guide = coarse.trace;
-    fine.trace = traces[(k + 1) % 2];
+    fine.guide = traces[0];
+    fine.parts = parts;
+    fine.trace = traces[1 + k % 2];
     fine.y_rows = y;
     fine.slope_rows = slope;
     fine.largest = largest;
     fine.budget = p->max_steps;
-    fine.tolerance = coarse.tolerance / (coarse.method == ROT_METHOD_RADAU ? 8.0 : 32.0);
+    fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     run_once(&fine, hooks, info);
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
     /* A step's rounding beside what its error test allows. */
-    const double share = 4e-15 / tolerance;
-    const double worst = estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error);
+    const double share = 4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
+    double steps;
+    const double worst = estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error, &steps);
     if (info->status != ROT_OK || worst <= p->accuracy || share > 0.3 || worst > 0.5 * last ||
-        info->steps > p->max_steps / 2) {
+        steps < 0.5 * worst) {
       break;
     }
     last = worst;
-    tolerance /= 256.0;
-    fine.guide = NULL;
-    coarse = fine;
+    const double ratio = pow(1.0 + 2.0 * steps / p->accuracy, 1.0 / 8.0);
+    const double more = stepwise ? 2.0 : fmin(4.0, ratio);
+    const size_t next = (size_t)fmax(ceil(more * (double)parts), (double)parts + 1.0);
+    if (info->steps * next > p->max_steps * parts) break;
+    parts = next;
+    if (stepwise) coarse = fine;
   }
   if (failure.status != ROT_OK && info->status == ROT_OK) {
     info->status = failure.status;
@@ -319,7 +384,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   }
   if (hopeless) info->rows_done = 0;
   sort_by_time(p->log);
-  for (int k = 0; k < 4; k++) free(traces[k / 2][k % 2].data);
+  for (int k = 0; k < 6; k++) free(traces[k / 2][k % 2].data);
+  free(kinks.time_s);
   free(scratch);
   return info->status;
 }

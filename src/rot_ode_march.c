@@ -3,9 +3,11 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "rot_ode_event.h"
+#include "rot_ode_kink.h"
 #include "rot_ode_rest.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_step.h"
@@ -105,9 +107,13 @@ static rot_status begin_stretch(rot_ode_march *run, int was, size_t fired, doubl
 
 /* ---- the march ------------------------------------------------------------------------------- */
 
-/* Where the guided run steps to next: halves of the steps of its guide. Nearer than a third of a
- * half step it goes for the one after, so that after a zero, which no two runs meet at the same
- * time, it falls in with the guide again. */
+double rot_ode_gain(rot_method method, double parts) {
+  return pow(parts, method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0);
+}
+
+/* The end of the next step of a guided run: equal parts of the steps of its guide. Nearer than a
+ * third of a part it goes for the one after, so that after an event, which no two runs meet at the
+ * same time, it falls in with the guide again. */
 static double guided_aim(rot_ode_march *run, double stop) {
   const rot_ode_trace *m = run->guide;
   while (run->guide_at + 2 < m->count &&
@@ -116,9 +122,11 @@ static double guided_aim(rot_ode_march *run, double stop) {
     run->guide_at++;
   }
   for (size_t k = run->guide_at; k + 1 < m->count; k++) {
-    const double a = rot_ode_node(m, k)[0], b = rot_ode_node(m, k + 1)[0], mid = 0.5 * (a + b);
-    const double least = 0.3 * fabs(mid - a), way = run->forward ? 1.0 : -1.0;
-    const double aim = way * (mid - run->t) > least ? mid : b;
+    const double a = rot_ode_node(m, k)[0], b = rot_ode_node(m, k + 1)[0];
+    const double part = (b - a) / (double)run->parts, least = 0.3 * fabs(part);
+    const double way = run->forward ? 1.0 : -1.0;
+    const double done = floor((run->t - a) / part + 0.3) + 1.0;
+    const double aim = done < (double)run->parts ? a + fmax(1.0, done) * part : b;
     if (way * (aim - run->t) <= 0.0) continue;
     if (way * (stop - aim) <= 0.0) return stop;
     if (way * (aim - run->t) > least) return aim;
@@ -197,21 +205,51 @@ static rot_status reject(rot_ode_march *run, double h, double factor, rot_status
   return why;
 }
 
-/* Half the step should divide the error that the test sees by 2^8 (2^6: Radau). Where it does not,
- * something is too quick for these steps, or has a kink, and the test's figure itself must stand
- * for the error. */
+/* A part of a step should have the error of the whole less rot_ode_gain(). Where it does not,
+ * the motion is too quick for these steps, or has a kink, and the error that the test found counts
+ * in full. */
 static void note_error(rot_ode_march *run, double error) {
-  run->worst = fmax(run->worst, error);
+  run->found += error;
   if (!run->guide || run->guide_at + 1 >= run->guide->count) return;
   double before = rot_ode_node(run->guide, run->guide_at + 1)[1];
   if (run->guide_at + 2 < run->guide->count) { /* after a zero the guide is some way off */
     before = fmax(before, rot_ode_node(run->guide, run->guide_at + 2)[1]);
   }
-  if (error > before / (run->method == ROT_METHOD_RADAU ? 8.0 : 32.0) && error > 16.0 * ROT_EPS) {
+  const double want = before / rot_ode_gain(run->method, (double)run->parts);
+  if (error > 8.0 * want && error > 16.0 * ROT_EPS) {
     /* Radau's test is that of order 5, its result of order 9. */
     const double missed = run->method == ROT_METHOD_RADAU ? pow(error, 1.5) : error;
     run->unresolved += missed * missed;
   }
+}
+
+/* A smooth law fails the test of a step that it chose itself by less: there may be a kink. */
+#define KINK_RATIO 8.0
+enum { MOST_LOOKS = 6 };
+
+static rot_status look_for_kink(rot_ode_march *run, double h, double ratio) {
+  if (!run->kinks || run->method != ROT_METHOD_RK8PD || !(ratio > KINK_RATIO)) return ROT_OK;
+  if (run->phase != ROT_ODE_MOVING && run->phase != ROT_ODE_CUT) return ROT_OK;
+  run->looks = run->t == run->looked_t ? run->looks + 1 : 1;
+  run->looked_t = run->t;
+  if (run->looks <= MOST_LOOKS) return rot_ode_look_for_kink(run, h);
+  run->kinks->missed = 1;
+  return ROT_OK;
+}
+
+/* One end of the step over a kink is reached. */
+static rot_status note_kink(rot_ode_march *run) {
+  rot_ode_kinks *k = run->kinks;
+  if (k->count == k->room) {
+    const size_t room = k->room ? 2 * k->room : 16;
+    double *time_s = realloc(k->time_s, room * sizeof *time_s);
+    if (!time_s) return ROT_ENOMEM;
+    k->time_s = time_s;
+    k->room = room;
+  }
+  k->time_s[k->count++] = run->kink;
+  run->kink = run->t == run->over ? NAN : run->over;
+  return ROT_OK;
 }
 
 static int may_retry(rot_status status) { return status == ROT_ERHS || status == ROT_ESTEP; }
@@ -228,7 +266,7 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   rot_status status = tried % STEPS_PER_POLL == 0 ? rot_poll(run->hooks, fraction) : ROT_OK;
   if (status == ROT_OK) status = rot_ode_know_slope(run);
   if (status != ROT_OK) return status;
-  step_plan plan = plan_step(run, stop);
+  step_plan plan = plan_step(run, isnan(run->kink) ? stop : run->kink);
   if (run->t + plan.h == run->t) {
     run->info->time_s = run->t;
     return ROT_ESTEP;
@@ -237,6 +275,13 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   if (status != ROT_OK && !may_retry(status)) return status;
   const double ratio = status == ROT_OK ? rot_ode_trial_ratio(run, plan.h) : NAN;
   if (!(ratio <= 1.0)) { /* NaN fails */
+    const int aimed = !isnan(run->kink);
+    const rot_status looked = aimed ? ROT_OK : look_for_kink(run, plan.h, ratio);
+    if (looked != ROT_OK) return looked;
+    if (!aimed && !isnan(run->kink)) {
+      run->info->rejected++;
+      return ROT_OK;
+    }
     const double less = isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, error_power(run))) : 0.1;
     return reject(run, plan.h, less, status == ROT_OK ? ROT_ESTEP : status);
   }
@@ -255,8 +300,9 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   judge_stiffness(run, plan.h);
   /* A step cut short by a target says nothing against the longer one. */
   if (fabs(wish) > fabs(run->h) || plan.as_wished) run->h = wish;
-  return rot_ode_accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : run->t + h,
-                        ratio * run->tolerance);
+  status = rot_ode_accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : run->t + h,
+                          ratio * run->tolerance);
+  return status == ROT_OK && run->t == run->kink ? note_kink(run) : status;
 }
 
 /* At an event: the log, and what follows. */
@@ -279,7 +325,7 @@ static rot_status drive(rot_ode_march *run, double stop) {
   while (run->t != stop && run->phase != ROT_ODE_ENDED) {
     rot_ode_passage what = ROT_ODE_SAME_SIDE;
     rot_status status;
-    const int was = run->p->turn ? *run->p->mode : 1;
+    const int was = run->p->turn ? *run->p->mode : 1, mode = run->p->mode ? *run->p->mode : 0;
     int new_stretch = 0;
     size_t which = SIZE_MAX;
     double at = 0.0;
@@ -296,8 +342,11 @@ static rot_status drive(rot_ode_march *run, double stop) {
       at = new_stretch ? 0.0 : rot_ode_event_value(run, which);
       if (!new_stretch) status = pass_event(run, which, &new_stretch);
     }
-    if (status == ROT_OK && new_stretch) {
+    if (status == ROT_OK && new_stretch) { /* the rows before it belong to the mode before it */
+      const int next = run->p->mode ? *run->p->mode : 0;
+      if (run->p->mode) *run->p->mode = mode;
       status = rot_ode_fill_rows(run, 1);
+      if (run->p->mode) *run->p->mode = next;
       if (status == ROT_OK) status = begin_stretch(run, was, which, at);
     }
     if (status != ROT_OK) return status;
@@ -328,7 +377,7 @@ static course set_out(rot_ode_march *run, double end, int forward) {
   run->slope_known = 0;
   run->guide_at = 0;
   run->grace = -w.outward;
-  run->stage_t = NAN;
+  run->stage_t = run->kink = run->looked_t = NAN;
   run->stiffness = 0.0;
   run->stiff_steps = run->calm_steps = 0;
   run->after = -INFINITY;

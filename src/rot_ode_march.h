@@ -21,6 +21,13 @@ static inline const double *rot_ode_node(const rot_ode_trace *m, size_t i) {
   return m->data + i * (2 + m->dim);
 }
 
+/* Times just before and just after the kinks of a run. */
+typedef struct rot_ode_kinks {
+  size_t count, room;
+  double *time_s;
+  int missed; /* there is one that was not found, or a jump */
+} rot_ode_kinks;
+
 /* The state of the march.
  *
  *   MOVING     -> a step -> MOVING, CUT
@@ -72,13 +79,18 @@ typedef struct rot_ode_march {
   double *y, *trial, *trial_error, *slope, *trial_slope, *allowed, *work, *change; /* dim each */
   double *largest;            /* the caller's: size of each measure so far */
   double *moved;              /* by the projection, summed, each measure */
-  double worst;               /* error that the test found in a step, largest so far */
+  double found;               /* errors that the test found in the steps, their sum */
   double unresolved;          /* of steps where halving did not help, the sum of squares */
-  const rot_ode_trace *guide; /* steps to be halved; NULL: the error test rules */
-  size_t guide_at;            /* t lies from this node of it to the next */
-  double limit;               /* no step is longer, after a rejection in a guided run */
-  rot_ode_trace *trace;       /* its own steps */
-  rot_ode_watch *watch;       /* the switch first, if there is one, then the events */
+  const rot_ode_trace *guide; /* steps to be divided into `parts`; NULL: the error test rules */
+  size_t parts;
+  size_t guide_at;      /* t lies from this node of it to the next */
+  double limit;         /* no step is longer, after a rejection in a guided run */
+  rot_ode_trace *trace; /* its own steps */
+  rot_ode_kinks *kinks; /* takes those that are found; NULL: none is looked for */
+  double kink, over;    /* just before and just after the next one; NaN: none is known */
+  double looked_t;      /* where one was looked for last, `looks` times */
+  int looks;
+  rot_ode_watch *watch; /* the switch first, if there is one, then the events */
   size_t n_watch;
   double stage_t, *stage_y, *stage_f, stiffness; /* Hairer's test, see rot_ode_step.c */
   int watch_stiffness, stiff_steps, calm_steps;
@@ -89,6 +101,9 @@ typedef struct rot_ode_march {
   double *y_rows, *slope_rows, *share; /* y_rows NULL: no rows are wanted of this run */
   size_t first, total, done;
 } rot_ode_march;
+
+/* By what the error of a step falls if the step is divided into so many. */
+double rot_ode_gain(rot_method method, double parts);
 
 /* From the start to `end`, all breaks on the way. */
 rot_status rot_ode_march_to(rot_ode_march *run, double end, int forward);

@@ -1,5 +1,6 @@
 #include "rot_ode_rows.h"
 
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -24,8 +25,10 @@ void rot_ode_rows_at_start(rot_ode_march *run) {
   }
 }
 
-/* The last node's share is what it mended, some ten times what is left. */
-#define MOST_SHARE 0.03
+/* Share of the last node, or of the last mend, that a row may have, of the accuracy; and how often
+ * it counts as an error: waves shorter than the steps show little of themselves in it. */
+#define MOST_SHARE  0.003
+#define SHARE_COUNT 7.0
 
 /* A row from the polynomials; 0 if they are not good enough there. */
 static int row_between(rot_ode_march *run, double t, int held) {
@@ -39,16 +42,30 @@ static int row_between(rot_ode_march *run, double t, int held) {
       const size_t stride = 1 + 2 * p->dim;
       double size = 0.0;
       for (size_t k = 0; k < run->dense.count; k++) size = fmax(size, fabs(a[k * stride]));
-      if (rise_share <= MOST_SHARE * p->accuracy * size) slope = rise;
+      if (rise_share <= SHARE_COUNT * MOST_SHARE * p->accuracy * size) slope = rise;
     }
   }
   for (size_t m = 0; m < rot_ode_steering(p) && !held; m++) {
     const double share = rot_ode_rate(rot_ode_group_of(p, m), run->change);
     if (!(share <= MOST_SHARE * p->accuracy * run->largest[m])) return 0;
-    run->share[m] = fmax(run->share[m], share);
+    run->share[m] = fmax(run->share[m], SHARE_COUNT * share);
   }
   if (p->project) p->project(t, run->work, p->ctx);
   row_is(run, run->work, slope);
+  return 1;
+}
+
+/* A call of rhs within the interval, at the value of the polynomials, mends them: their error e
+ * makes one of h e in the slope, where the slope of e itself is 7 e/h. */
+static int mend(rot_ode_march *run) {
+  rot_dense_form *form = run->form;
+  if (!run->dense.slopes || form[0].mends == ROT_DENSE_MENDS) return 0;
+  const double t = rot_dense_mend_at(&form[0]);
+  for (size_t i = 0; i < run->p->dim; i++) {
+    run->work[i] = rot_dense_at(&form[i], t, NULL, NULL, NULL);
+  }
+  if (rot_ode_slope_at(t, run->work, run->change, run) != GSL_SUCCESS) return 0;
+  for (size_t i = 0; i < run->p->dim; i++) rot_dense_mend(&form[i], run->change[i]);
   return 1;
 }
 
@@ -80,7 +97,7 @@ static int in_transient(const rot_ode_march *run, const double *node, double t) 
   }
   for (size_t m = 0; m < rot_ode_steering(run->p); m++) {
     const double missed = rot_ode_rate(rot_ode_group_of(run->p, m), run->change);
-    if (!(missed <= MOST_SHARE * run->p->accuracy * run->largest[m])) return 1;
+    if (!(missed <= SHARE_COUNT * MOST_SHARE * run->p->accuracy * run->largest[m])) return 1;
   }
   return 0;
 }
@@ -111,7 +128,10 @@ rot_status rot_ode_fill_rows(rot_ode_march *run, int whole_stretch) {
       formed = i;
     }
     const int enough = held || run->form[0].terms >= 4 * (d->slopes ? 2 : 1);
-    if (enough && !in_transient(run, node, t) && row_between(run, t, held)) continue;
+    int filled = enough && !in_transient(run, node, t) && row_between(run, t, held);
+    while (enough && !filled && mend(run)) filled = row_between(run, t, held);
+    if (run->status != ROT_OK && run->status != ROT_ERHS) return run->status;
+    if (filled) continue;
     size_t rows = 1;
     while (run->done + rows < run->total && rows < 3) {
       const double next = run->time_s[run->forward ? row_now(run) + rows : row_now(run) - rows];

@@ -1,4 +1,4 @@
-/* Status codes, the report of a run, and the hooks a caller may hang on a long one. */
+/* Status codes, the report of a run, and polling hooks. */
 #ifndef ROT_STATUS_H
 #define ROT_STATUS_H
 
@@ -79,8 +79,8 @@ static inline double rot_relative_error(double error, double largest) {
   return error > 0.0 ? (largest > 0.0 ? error / largest : 1.0) : (error == 0.0 ? 0.0 : error);
 }
 
-/* The error figure: the worst relative error of n measures. The values on the way count, so a row
- * at rest is not an infinite error, and no row's error depends on the other rows. NaN stays. */
+/* The error figure: the worst relative error of n measures. Sizes are those of the whole motion, so
+ * a row at rest has no infinite error, and no row's error depends on other rows. NaN stays. */
 double rot_error_figure(size_t n, const double error[], const double largest[]);
 double rot_info_error(const rot_info *info);
 
@@ -91,7 +91,7 @@ static inline void rot_note_value(rot_measure *measure, double value) {
   if (!(size <= measure->largest)) measure->largest = size;
 }
 
-/* Note a state on the way, and a row with its errors. NaN stays. */
+/* Note a state, and a row with its errors. NaN stays. */
 static inline void rot_note_state(rot_info *info, double theta, double omega) {
   rot_note_value(&info->measure[ROT_THETA], theta);
   rot_note_value(&info->measure[ROT_OMEGA], omega);
@@ -106,7 +106,7 @@ static inline void rot_note_row(rot_info *info, double theta, double omega, doub
     info->measure[ROT_OMEGA].error = omega_error;
 }
 
-/* poll() is called now and then from a long run; anything but ROT_OK stops it. */
+/* poll() is called often from a long run; any status but ROT_OK stops it. */
 typedef struct rot_hooks {
   rot_status (*poll)(void *ctx, double fraction);
   void *ctx;

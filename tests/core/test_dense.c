@@ -55,6 +55,37 @@ static void check_share(void) {
   rot_dense_free(&d);
 }
 
+/* A slope within the interval, then another: each mends most of the error that is left. */
+static void check_mends(void) {
+  rot_dense d = {1, 0, 0, 1, NULL};
+  for (int i = 0; i < 4; i++) {
+    const double t = 0.5 * i, y = sin(t), f = cos(t);
+    ROT_CHECK_EQ_INT(rot_dense_insert(&d, d.count, t, &y, &f), ROT_OK);
+  }
+  for (size_t i = 0; i + 1 < d.count; i++) {
+    rot_dense_form form = rot_dense_between(&d, i, 0);
+    double before = INFINITY;
+    for (int k = 0; k <= ROT_DENSE_MENDS; k++) {
+      double worst = 0.0, most = 0.0;
+      for (int j = 0; j <= 20; j++) {
+        const double t = form.start + form.width * j / 20.0;
+        double share;
+        worst = fmax(worst, fabs(rot_dense_at(&form, t, NULL, &share, NULL) - sin(t)));
+        most = fmax(most, share);
+      }
+      ROT_CHECK(worst <= 0.3 * before && worst <= most);
+      before = worst;
+      if (k == ROT_DENSE_MENDS) continue;
+      const double at = rot_dense_mend_at(&form);
+      double slope;
+      rot_dense_mend(&form, cos(at));
+      rot_dense_at(&form, at, &slope, NULL, NULL);
+      ROT_CHECK_ULP(slope, cos(at), 64);
+    }
+  }
+  rot_dense_free(&d);
+}
+
 /* Steps that grow fivefold: a straight line stays one, to rounding. */
 static void check_growing_steps(void) {
   rot_dense d = nodes(7, 1, 1, 5.0);
@@ -86,6 +117,7 @@ static void check_list(void) {
 int main(void) {
   check_polynomials();
   check_share();
+  check_mends();
   check_growing_steps();
   check_list();
   return rot_test_report("dense");

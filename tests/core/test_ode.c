@@ -134,7 +134,7 @@ static void check_order(void) {
   for (int k = 0; k < 2; k++) {
     probe seen_by = quiet(1.0);
     const double start[] = {1.0, 0.0}, t = 40.0;
-    const rot_ode_params p = problem(2, pendulum, &seen_by, start, k == 0 ? 1e-8 : 1e-11);
+    const rot_ode_params p = problem(2, pendulum, &seen_by, start, k == 0 ? 1e-9 : 1e-12);
     run(&p, 1, &t, NULL);
     ROT_CHECK_EQ_INT(result.status, ROT_OK);
     steps[k] = (double)result.info.steps;
@@ -170,10 +170,14 @@ static void check_estimate(void) {
       ROT_CHECK(result.error[0] <= accuracy * result.largest[0]);
       lowest = fmin(lowest, result.error[0] / error);
       highest = fmax(highest, result.error[0] / error);
-      ROT_CHECK_REL(result.info.tolerance, 10.0 * accuracy / 32.0, 1e-12);
+      /* Steps in three parts where the accuracy asks for small ones, else in halves. */
+      const int parts = accuracy < 3e-7 ? 3 : 2;
+      const double factor = parts == 3 ? 256.0 * 8.0 / 6561.0 : 10.0 / 32.0;
+      ROT_CHECK_REL(result.info.tolerance, factor * accuracy, 1e-12);
       ROT_CHECK_EQ_INT(result.info.rhs_calls, seen_by.calls);
-      /* Both runs: each one slope, then 13 calls a trial; so are further nodes for the rows. */
-      ROT_CHECK_EQ_INT((seen_by.calls - 2) % 13, 0);
+      /* Both runs: each one slope, then 13 calls a trial; one or two more for a row. */
+      const long trials = (long)result.info.steps * (parts + 1) / parts;
+      ROT_CHECK(seen_by.calls >= 2 + 13 * trials && seen_by.calls <= 10 + 15 * trials);
     }
   }
   printf("estimate over true error: %.3f to %.3f\n", lowest, highest);

@@ -208,7 +208,8 @@ static void check_tumbling(void) {
   }
 }
 
-/* A projection that moves what the integration did not err: its moves are the error reported. */
+/* A projection that moves what the integration did not err: its moves are the error reported (less
+ * that of the row itself, which comes on top). */
 static void tamper(double t, double y[], void *ctx) {
   (void)t;
   ((body *)ctx)->projections++;
@@ -223,7 +224,7 @@ static void check_projection_counts(void) {
   rot_info info;
   p.project = tamper;
   ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, &t, y, NULL, error, largest, NULL, &info), ROT_OK);
-  ROT_CHECK(y[4] > 2.0 && error[1] >= 0.99 * fabs(y[4] - 2.0));
+  ROT_CHECK(y[4] > 2.0 && error[1] >= 0.97 * fabs(y[4] - 2.0));
 }
 
 /* The same motion twice: the same to the last bit. */

@@ -89,7 +89,7 @@ test_that("a trajectory warns of what was found and stops there", {
     class = "rotdyn_warning_breaks"
   )
   expect_match(conditionMessage(warning), "found 2, at 50.0, 50.2 s", fixed = TRUE)
-  expect_match(conditionMessage(warning), "sampled every 0.2 s: anything shorter is not seen")
+  expect_match(conditionMessage(warning), "sampled every 0.2 s: anything shorter is not resolved")
   expect_equal(motion$omega_rad_per_s[101], 4 * (50.2 - 50) / 0.0625, tolerance = 1e-12)
   # A function that takes vectors is sampled every 12 ms.
   short <- torque_function(function(t) ifelse(t >= 50 & t < 50.02, 40, 0), vectorised = TRUE)

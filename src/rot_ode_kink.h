@@ -1,0 +1,14 @@
+/* Kinks of the right-hand side in the state, which no break marks, found where the error test of
+ * rk8pd fails by far. */
+#ifndef ROT_ODE_KINK_H
+#define ROT_ODE_KINK_H
+
+#include "rot_ode_march.h"
+
+/* The step over h from run->t was rejected; run->trial and run->trial_slope are its result. Where
+ * there is a kink within it, run->kink and run->over are times just before and just after it, so
+ * near that a step from one to the other errs by less than the accuracy, and so far apart that the
+ * kink of any other run lies between them, too. */
+rot_status rot_ode_look_for_kink(rot_ode_march *run, double h);
+
+#endif
