@@ -39,9 +39,7 @@ audit <- function(x, ...) {
 
 #' @export
 audit.default <- function(x, ...) {
-  check_class(
-    x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::caller_env()
-  )
+  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::caller_env())
 }
 
 #' @export
@@ -92,9 +90,7 @@ kinetic_change <- function(inertia, from, to) sum(0.5 * inertia * (to - from) * 
 
 #' @export
 print.rot_audit <- function(x, ...) {
-  if (!all(audit_columns %in% names(x))) {
-    return(NextMethod())
-  }
+  if (!all(audit_columns %in% names(x))) return(NextMethod())
   line <- function(text, value, unit, digits = 15) {
     cat(sprintf("  %-38s %22s %s\n", text, format(value, digits = digits), unit))
   }

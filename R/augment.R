@@ -46,7 +46,5 @@ check_rows <- function(x, call, columns) {
   for (name in columns) {
     check_column(x[[name]], name, "1", call)
   }
-  if (anyNA(x$time_s)) {
-    abort_rotdyn("{.field time_s} must not be missing.", "time", call)
-  }
+  if (anyNA(x$time_s)) abort_rotdyn("{.field time_s} must not be missing.", "time", call)
 }

@@ -283,9 +283,7 @@ clutch_columns <- c(
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"
 )
-engagement_columns <- c(
-  "lock_time_s", "common_omega_rad_per_s", "heat_j", "locked_torque_n_m"
-)
+engagement_columns <- c("lock_time_s", "common_omega_rad_per_s", "heat_j", "locked_torque_n_m")
 gear_columns <- c(
   "shaft", "ratio_to_first", "moment_of_inertia_kg_m2", "reflected_inertia_kg_m2",
   "reflected_viscous_n_m_s", "reflected_torque_n_m"

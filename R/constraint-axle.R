@@ -88,9 +88,7 @@ balance_axle <- function(x, run, call) {
   eps <- .Machine$double.eps
   errors <- run$info$errors
   omega_error <- errors[["omega"]] + eps * abs(omega)
-  sizes <- abs(c(
-    kinetic, flow("work_j"), flow("dissipated_j"), flow("inertia_work_j")
-  ))
+  sizes <- abs(c(kinetic, flow("work_j"), flow("dissipated_j"), flow("inertia_work_j")))
   list(
     balance(
       "energy", NA_character_, "J",
@@ -121,15 +119,11 @@ balance_axle <- function(x, run, call) {
 }
 
 augment_axle <- function(x, run, edges, call) {
-  if (is.null(x[["applied_torque_n_m"]])) {
-    abort_missing_column("applied_torque_n_m", x, call)
-  }
+  if (is.null(x[["applied_torque_n_m"]])) abort_missing_column("applied_torque_n_m", x, call)
   parts <- NULL
   if (length(edges) > 1L) {
     parts <- integrate_axle_flows(run, edges, call)
-    if (is.null(parts)) {
-      return(NULL)
-    }
+    if (is.null(parts)) return(NULL)
   }
   since_first <- function(flow) {
     c(0, if (!is.null(parts)) cumsum(unname(parts$value[, flow])))[seq_along(edges)]

@@ -43,9 +43,7 @@ balance_rotors <- function(x, run, call) {
   scene <- run$scene
   inertia <- scene$moment_of_inertia_kg_m2
   n <- length(inertia)
-  if (nrow(x) == 0L) {
-    return(none)
-  }
+  if (nrow(x) == 0L) return(none)
   span <- range(x$time_s)
   state <- function(time) {
     rows <- which(x$time_s == time)
@@ -57,9 +55,7 @@ balance_rotors <- function(x, run, call) {
   }
   from <- state(span[1])
   to <- state(span[2])
-  if (is.null(from) || is.null(to)) {
-    return(none)
-  }
+  if (is.null(from) || is.null(to)) return(none)
   record <- record_of(run)
   ledger <- record$ledger(scene, run, span[1], span[2])
   eps <- .Machine$double.eps
@@ -97,9 +93,7 @@ balance_rotors <- function(x, run, call) {
 # rigid shaft has none.
 elastic_energy <- function(scene, from, to, rigid) {
   k <- scene$stiffness_n_m_per_rad
-  if (rigid || all(k == 0)) {
-    return(list(change = 0, root = 0, rounding = 0))
-  }
+  if (rigid || all(k == 0)) return(list(change = 0, root = 0, rounding = 0))
   damped <- function(state) scene$damping_n_m_s * -diff(state$omega)
   spring <- function(state) (state$shaft - damped(state))[k > 0]
   size <- function(state) {

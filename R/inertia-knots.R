@@ -28,17 +28,13 @@ inertia_knots <- function(time_s, moment_of_inertia_kg_m2) {
            {length(moment)}."
     ), "size", call)
   }
-  if (is.unsorted(time_s)) {
-    abort_rotdyn("{.arg time_s} must not go back in time.", "time", call)
-  }
+  if (is.unsorted(time_s)) abort_rotdyn("{.arg time_s} must not go back in time.", "time", call)
   if (!is.finite(time_s[length(time_s)] - time_s[1])) {
     abort_rotdyn("The span of the knots is beyond double precision.", "value", call)
   }
   bad <- which(!(moment > 0))
   if (length(bad)) {
-    abort_domain(
-      moment[bad[1]], "moment_of_inertia_kg_m2", "kg*m^2", call, 0, Inf, TRUE
-    )
+    abort_domain(moment[bad[1]], "moment_of_inertia_kg_m2", "kg*m^2", call, 0, Inf, TRUE)
   }
   x <- list(time_s = time_s, moment_of_inertia_kg_m2 = moment)
   class(x) <- "rot_inertia_knots"

@@ -7,9 +7,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     span <- range(scene$start_s, time_s)
     reader <- law_reader(loads$law, scene, call)
     scan <- law_breaks(loads$law, reader$at, span[1], span[2], call)
-    if (loads$law$arguments == 1L) {
-      sampled <- sample_torque(reader, span, scan$stops, accuracy)
-    }
+    if (loads$law$arguments == 1L) sampled <- sample_torque(reader, span, scan$stops, accuracy)
     if (is.null(sampled)) law <- reader$own
     loads$terms <- c(loads$terms, list(sampled$term)[!is.null(sampled)])
     stops <- scan$stops
@@ -27,9 +25,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
     result$info$scan_spacing_s <- scan$spacing_s
   }
-  if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") {
-    return(result)
-  }
+  if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") return(result)
   add_sampling(result, sampled, scene, time_s, function(push_n_m) {
     loads$knots <- add_knots(list(loads$knots, torque_constant(push_n_m)))
     solve(loads, seq(min(scene$start_s, time_s), max(scene$start_s, time_s), length.out = 65L))
@@ -40,9 +36,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
 # integrated; the balance of rows counts it before the row.
 add_end_jumps <- function(result, scene, time_s) {
   n <- length(time_s)
-  if (is.null(scene$inertia) || n == 0L || result$info$kind != "none") {
-    return(result)
-  }
+  if (is.null(scene$inertia) || n == 0L || result$info$kind != "none") return(result)
   start <- scene$start_s
   from <- time_s[1]
   to <- time_s[n]

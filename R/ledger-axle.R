@@ -52,16 +52,12 @@ jump_work <- function(scene, momentum, where) {
 curve_kinks <- function(scene, rows_at, edges) {
   curves <- Filter(function(term) term$kind == "curve", scene$loads$terms)
   points <- unlist(lapply(curves, function(term) term$x[1 + seq_len(term$x[1])]))
-  if (length(points) == 0L || length(edges) < 2L) {
-    return(double())
-  }
+  if (length(points) == 0L || length(edges) < 2L) return(double())
   n <- length(edges) - 1L
   t <- sort(unique(c(edges, outer(diff(edges), seq_len(15L) / 16) + edges[seq_len(n)])))
   above <- outer(rows_at(t)$omega_rad_per_s, points, `>`)
   at <- which(diff(above) != 0, arr.ind = TRUE)
-  if (nrow(at) == 0L) {
-    return(double())
-  }
+  if (nrow(at) == 0L) return(double())
   from <- t[at[, 1]]
   to <- t[at[, 1] + 1L]
   point <- points[at[, 2]]
@@ -127,9 +123,7 @@ integrate_axle_flows <- function(run, edges, call) {
 # The ledger from one time to another, as C makes it.
 axle_ledger_by_quadrature <- function(run, from_s, to_s) {
   parts <- if (from_s < to_s) integrate_axle_flows(run, c(from_s, to_s), run$call)
-  if (is.null(parts)) {
-    return(empty_axle_ledger(if (from_s < to_s) NA_real_ else 0))
-  }
+  if (is.null(parts)) return(empty_axle_ledger(if (from_s < to_s) NA_real_ else 0))
   value <- parts$value[1, ]
   # The effect of the motion's own error: that of omega on the rates, to first order.
   omega <- run$info$errors[["omega"]] / max(run$info$sizes[["omega"]], 1e-300)

@@ -155,9 +155,7 @@ progress_bar <- function(name) {
   function(fraction) {
     if (is.null(bar)) {
       if (is.null(start)) start <<- proc.time()[[3L]]
-      if (proc.time()[[3L]] - start < 1) {
-        return()
-      }
+      if (proc.time()[[3L]] - start < 1) return()
       bar <<- cli::cli_progress_bar(name, total = 1, .envir = owner)
     }
     cli::cli_progress_update(set = fraction, id = bar, .envir = owner)

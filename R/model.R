@@ -18,9 +18,7 @@
 core_record <- function(record) {
   known <- core_models()
   at <- match(record$id, known$model)
-  if (is.na(at)) {
-    return(record)
-  }
+  if (is.na(at)) return(record)
   promise <- known$error[at]
   id <- known$constraint[at]
   record$core <- TRUE
@@ -110,9 +108,7 @@ judge_model <- function(record, constraint, scene, time_s, accuracy, drop, call)
 # only where no closed form takes the scene unchanged.
 candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
   table <- if (constraint$core) core_candidates(constraint$id, scene, time_s, accuracy, law_s)
-  if (constraint$all_core) {
-    return(table)
-  }
+  if (constraint$all_core) return(table)
   own <- Filter(function(record) is.null(record$core), constraint$models)
   judge <- function(drop) {
     rows <- lapply(unname(own), judge_model, constraint, scene, time_s, accuracy, drop, call)
@@ -152,13 +148,9 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
     record <- constraint$models[[pick$model[i]]]
     fit <- new_fit(record, constraint, scene, pick$dropped[[i]])
     trial <- record$on_trial
-    if (is.null(trial) || !trial) {
-      return(fit)
-    }
+    if (is.null(trial) || !trial) return(fit)
     fit <- try_model(fit, time_s, accuracy, max_steps, call)
-    if (is.null(fit$reason)) {
-      return(fit)
-    }
+    if (is.null(fit$reason)) return(fit)
     tried <- c(tried, fit$result$info$error)
   }
   abort_no_model(constraint, scene, time_s, accuracy, tried, call)
@@ -195,9 +187,7 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' @export
 choose_model <- function(scene, time_s, accuracy = 1e-9) {
   call <- rlang::current_env()
-  if (missing(scene) || missing(time_s)) {
-    check_supplied(c("scene", "time_s"), call)
-  }
+  if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
@@ -218,9 +208,7 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
     table$reason[i] <- fit$reason %||% NA
   }
   chosen <- match(TRUE, table$applies)
-  if (is.na(chosen)) {
-    abort_no_model(constraint, scene, time_s, accuracy, tried, call)
-  }
+  if (is.na(chosen)) abort_no_model(constraint, scene, time_s, accuracy, tried, call)
   reason <- table$reason
   reason[is.na(reason)] <- paste0("fits, but ", table$model[chosen], " is cheaper")
   if (is.na(table$reason[chosen])) reason[chosen] <- records[[chosen]]$why
@@ -231,9 +219,7 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
 }
 
 check_scene <- function(scene, call) {
-  if (inherits(scene, "rot_scene") && !is.null(constraint_of(scene))) {
-    return()
-  }
+  if (inherits(scene, "rot_scene") && !is.null(constraint_of(scene))) return()
   check_class(scene, "rot_scene", "scene", "Describe one with {.fn scene_axle}.", call)
   abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
 }

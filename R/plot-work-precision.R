@@ -50,9 +50,7 @@ autoplot.rot_work_precision <- function(object, ...) {
       breaks = c("true", "true, at most", "reported"), name = "error"
     ) +
     ggplot2::scale_colour_manual(values = colours, name = NULL) +
-    ggplot2::scale_x_log10(
-      labels = format_cost, limits = across, expand = c(0, 0)
-    ) +
+    ggplot2::scale_x_log10(labels = format_cost, limits = across, expand = c(0, 0)) +
     ggplot2::scale_y_log10(
       labels = format_power, breaks = 10^seq(-18, 3, by = 3), limits = up, expand = c(0, 0)
     ) +

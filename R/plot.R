@@ -44,9 +44,7 @@ autoplot.rot_trajectory <- function(object, ...) {
   constraint <- constraint_of(run$scene)
   long <- panel_lines(object, constraint)
   lines <- setdiff(levels(long$line), "")
-  colours <- stats::setNames(
-    c(plot_colours[1], line_colours(lines)), c("", lines)
-  )
+  colours <- stats::setNames(c(plot_colours[1], line_colours(lines)), c("", lines))
   # "net" is dashed: it may coincide with another line.
   types <- stats::setNames(ifelse(names(colours) == "net", "22", "solid"), names(colours))
   plot <- ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$line)) +
@@ -110,9 +108,7 @@ autoplot.rot_rolling_table <- function(object, ...) {
   order <- label[order(speed)]
   long <- data.frame(
     label = factor(rep(label, 2), levels = order),
-    share = c(
-      object[["translational_energy_fraction"]], object[["rotational_energy_fraction"]]
-    ),
+    share = c(object[["translational_energy_fraction"]], object[["rotational_energy_fraction"]]),
     motion = factor(
       rep(c("translation", "rotation"), each = length(label)),
       levels = c("rotation", "translation")

@@ -41,9 +41,7 @@ panel_integrals <- function(rates, from, to) {
   value <- shape(value)
   size <- shape(size)
   difference <- shape(difference)
-  error <- ifelse(
-    size > 0, size * pmin(1, (200 * difference / pmax(size, 1e-300))^1.5), difference
-  )
+  error <- ifelse(size > 0, size * pmin(1, (200 * difference / pmax(size, 1e-300))^1.5), difference)
   list(value = value, size = size, error = error)
 }
 

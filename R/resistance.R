@@ -52,9 +52,7 @@ new_resistance <- function(viscous_n_m_s, quadratic_n_m_s2 = 0, coulomb_n_m = 0,
 }
 
 as_resistance <- function(x, call) {
-  if (is.null(x)) {
-    return(new_resistance(0))
-  }
+  if (is.null(x)) return(new_resistance(0))
   if (!inherits(x, "rot_resistance")) {
     check_class(
       x, "rot_resistance", "resistance",

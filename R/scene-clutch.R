@@ -43,9 +43,7 @@ scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m 
   inertia <- c(one_inertia(body_1, "body_1", call), one_inertia(body_2, "body_2", call))
   capacity <- check_number(capacity_n_m, "capacity_n_m", "N*m", call, lower = 0)
   static <- check_number(static_capacity_n_m, "static_capacity_n_m", "N*m", call, lower = capacity)
-  if (!identical(engage_s, -Inf)) {
-    engage_s <- check_number(engage_s, "engage_s", "s", call)
-  }
+  if (!identical(engage_s, -Inf)) engage_s <- check_number(engage_s, "engage_s", "s", call)
   torques <- list(as_torque(torque_1, call), as_torque(torque_2, call))
   scene <- list(
     moment_of_inertia_kg_m2 = inertia,
@@ -90,20 +88,14 @@ torque_steps_of <- function(torque, arg, call) {
     ), "torque", call)
   }
   loads <- torque_loads(torque)
-  if (length(loads$terms) || !is.null(loads$law) || loads$motor_n_m_s != 0) {
-    refuse()
-  }
+  if (length(loads$terms) || !is.null(loads$law) || loads$motor_n_m_s != 0) refuse()
   time <- loads$knots$time_s
   value <- loads$knots$torque_n_m
   n <- length(time)
   outside <- loads$knots$outside
-  if (n == 0L) {
-    return(list(time_s = double(), torque_n_m = outside[1]))
-  }
+  if (n == 0L) return(list(time_s = double(), torque_n_m = outside[1]))
   apart <- which(diff(time) > 0)
-  if (any(value[apart] != value[apart + 1L])) {
-    refuse()
-  }
+  if (any(value[apart] != value[apart + 1L])) refuse()
   list(time_s = time[c(apart, n)], torque_n_m = c(outside[1], value[apart], outside[2]))
 }
 

@@ -77,9 +77,7 @@ check_inertias <- function(bodies, arg, call) {
   } else {
     inertia <- check_finite(bodies, arg, "kg*m^2", call)
   }
-  if (!length(inertia)) {
-    abort_rotdyn("{.arg {arg}} is empty.", "size", call)
-  }
+  if (!length(inertia)) abort_rotdyn("{.arg {arg}} is empty.", "size", call)
   bad <- which(!(is.finite(inertia) & inertia > 0))
   if (length(bad)) {
     abort_rotdyn(c(
@@ -100,9 +98,7 @@ check_each <- function(x, arg, unit, size, lower, call) {
     )
   }
   bad <- which(x < lower)
-  if (length(bad)) {
-    abort_domain(x[bad[1]], arg, unit, call, lower, Inf, FALSE)
-  }
+  if (length(bad)) abort_domain(x[bad[1]], arg, unit, call, lower, Inf, FALSE)
   rep_len(x, size)
 }
 
@@ -110,9 +106,7 @@ check_each <- function(x, arg, unit, size, lower, call) {
 print.rot_scene_rotors <- function(x, ...) {
   list_of <- function(values) {
     values <- unique(values)
-    if (!length(values)) {
-      return("none")
-    }
+    if (!length(values)) return("none")
     shown <- format_si(values[seq_len(min(6L, length(values)))])
     paste0(paste(shown, collapse = ", "), if (length(values) > 6L) ", ...")
   }
@@ -151,7 +145,6 @@ shaft_modes <- function(scene) {
   check_class(scene, "rot_scene_rotors", "scene", "Describe one with {.fn scene_rotors}.", call)
   frequencies <- .Call(ffi_rotors_frequencies, scene)
   tibble::new_tibble(
-    list(mode = seq_along(frequencies), natural_rad_per_s = frequencies),
-    nrow = length(frequencies)
+    list(mode = seq_along(frequencies), natural_rad_per_s = frequencies), nrow = length(frequencies)
   )
 }

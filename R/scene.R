@@ -39,9 +39,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
                        omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1),
                        through = "centre") {
   call <- environment()
-  if (missing(body)) {
-    check_supplied("body", call)
-  }
+  if (missing(body)) check_supplied("body", call)
   check_no_dots(...)
   if (inherits(body, "rot_body")) {
     if (!missing(axis)) axis <- unit_axis(as_axis(axis, call), call)
@@ -86,9 +84,7 @@ say_axle_in_centre <- function(body, axis) {
   off <- centre - sum(centre * axis) * axis
   size <- sqrt(sum(diag(body$second_moment_kg_m2)) / body$mass_kg)
   if (!is.finite(size)) size <- 0
-  if (max(abs(off)) <= 16 * .Machine$double.eps * (size + max(abs(centre)))) {
-    return(invisible())
-  }
+  if (max(abs(off)) <= 16 * .Machine$double.eps * (size + max(abs(centre)))) return(invisible())
   cli::cli_inform(
     c(
       "The axle is taken through the centre of mass, {format_si(sqrt(sum(off^2)))} m from the

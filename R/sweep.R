@@ -70,9 +70,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   columns <- sweep_inputs(parameters, time_s, call)
   known <- rep(TRUE, n)
   some_missing <- any(vapply(columns, anyNA, logical(1)))
-  if (some_missing) {
-    known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), known)
-  }
+  if (some_missing) known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), known)
   check_sweep_rows(columns, known, start_s, call)
   if (some_missing) {
     # A row with a missing number runs with a harmless one, and is set to NA after.
@@ -118,9 +116,7 @@ sweep_inputs <- function(parameters, time_s, call) {
   columns <- lapply(names(sweep_parameters), function(name) {
     unit <- sweep_parameters[[name]][[1]]
     given <- parameters[[name]]
-    if (is.null(given)) {
-      return(sweep_parameters[[name]][[2]])
-    }
+    if (is.null(given)) return(sweep_parameters[[name]][[2]])
     given <- check_column(given, name, unit, call)
     if (length(given) != n) {
       abort_rotdyn("Column {.field {name}} must have one number in each row.", "size", call)
@@ -152,9 +148,7 @@ check_sweep_rows <- function(columns, known, start_s, call) {
     x <- columns[[name]]
     least <- if (name %in% c("quadratic_n_m_s2", "coulomb_n_m", "static_n_m")) 0 else -Inf
     open <- name == "moment_of_inertia_kg_m2"
-    if (length(x) == 0L || (all(is.finite(x)) && min(x) >= least && !(open && min(x) <= 0))) {
-      next
-    }
+    if (length(x) == 0L || (all(is.finite(x)) && min(x) >= least && !(open && min(x) <= 0))) next
     bad <- first(rep_len(!is.finite(x) | x < least | (open & x <= 0), length(known)))
     if (!is.na(bad)) {
       value <- rep_len(x, length(known))[bad]

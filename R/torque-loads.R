@@ -30,18 +30,12 @@ new_knots <- function(time_s, torque_n_m, outside) {
 # The sum is piecewise linear between the knots of all laws. Values before and after each knot are
 # added separately, so that jumps stay jumps.
 add_knots <- function(laws) {
-  if (length(laws) == 0L) {
-    return(new_knots(double(), double(), c(0, 0)))
-  }
-  if (length(laws) == 1L) {
-    return(laws[[1]])
-  }
+  if (length(laws) == 0L) return(new_knots(double(), double(), c(0, 0)))
+  if (length(laws) == 1L) return(laws[[1]])
   times <- sort(unique(unlist(lapply(laws, function(law) law$time_s))))
   total <- exact_total(lapply(laws, knot_sides, times))
   outside <- exact_total(lapply(laws, function(law) law$outside))
-  if (length(times) == 0L) {
-    return(new_knots(double(), double(), outside))
-  }
+  if (length(times) == 0L) return(new_knots(double(), double(), outside))
   n <- length(times)
   # A value held outside needs no knot; where the torque ends, its last value is kept.
   before <- c(FALSE, rep(TRUE, n - 1L))
@@ -69,9 +63,7 @@ knot_sides <- function(law, times) {
   t <- law$time_s
   tau <- law$torque_n_m
   n <- length(t)
-  if (n == 0L) {
-    return(matrix(law$outside[1], length(times), 2L))
-  }
+  if (n == 0L) return(matrix(law$outside[1], length(times), 2L))
   first <- findInterval(times, t, left.open = TRUE) + 1L # the first knot at or after
   last <- findInterval(times, t) # the last knot at or before
   line <- function(i) { # between knots i and i + 1
@@ -90,9 +82,7 @@ knot_sides <- function(law, times) {
 
 # The sum of several R functions is one; it needs the state if one of them does.
 add_functions <- function(laws) {
-  if (length(laws) < 2L) {
-    return(if (length(laws)) laws[[1]])
-  }
+  if (length(laws) < 2L) return(if (length(laws)) laws[[1]])
   of_state <- vapply(laws, function(law) law$arguments == 3L, logical(1))
   parts <- lapply(laws, function(law) law$f)
   f <- if (any(of_state)) {

@@ -66,9 +66,7 @@ law_seconds <- function(law, scene) {
 # the integral of the error in N m s. NULL where the law is not finite or the pieces do not
 # converge: then the integrator calls it.
 sample_torque <- function(reader, span, breaks_s, accuracy) {
-  if (!(span[2] > span[1])) {
-    return(NULL)
-  }
+  if (!(span[2] > span[1])) return(NULL)
   edges <- c(span[1], breaks_s[breaks_s > span[1] & breaks_s < span[2]], span[2])
   from <- edges[-length(edges)]
   to <- edges[-1]
@@ -78,9 +76,7 @@ sample_torque <- function(reader, span, breaks_s, accuracy) {
   while (length(from)) {
     samples <- samples + (sample_degree + 1L) * length(from)
     fit <- if (samples <= most_samples) fit_pieces(reader$at, from, to)
-    if (is.null(fit)) {
-      return(NULL)
-    }
+    if (is.null(fit)) return(NULL)
     largest <- max(largest, fit$height)
     wanted <- largest * max(1e-3 * accuracy, 2e-14) # below, many laws have noise of their own
     good <- fit$tail <= wanted | to - from <= 1e-10 * diff(span)
@@ -91,9 +87,7 @@ sample_torque <- function(reader, span, breaks_s, accuracy) {
   }
   fit <- do.call(Map, c(rbind, done))
   error <- max(fit$tail)
-  if (error > largest * max(accuracy, 1e-13)) {
-    return(NULL) # a jump that is no break
-  }
+  if (error > largest * max(accuracy, 1e-13)) return(NULL) # a jump that is no break
   order <- order(fit$from)
   ends <- c(fit$from[order], span[2])
   list(
@@ -115,9 +109,7 @@ fit_pieces <- function(at, from, to) {
   odd <- 2 * rev(seq_len(n)) - 1 # the times of a piece increase
   half <- (to - from) / 2
   y <- matrix(at(as.vector(outer(half, cospi(odd / (2 * n))) + (from + half))), length(from))
-  if (!all(is.finite(y))) {
-    return(NULL)
-  }
+  if (!all(is.finite(y))) return(NULL)
   # Whole turns are taken off as integers: else the rounding of 32 half turns is the largest error.
   a <- (2 / n) * y %*% cospi((outer(odd, 0:sample_degree) %% (4 * n)) / (2 * n))
   a[, 1] <- a[, 1] / 2

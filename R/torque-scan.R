@@ -69,13 +69,9 @@ bisect_jump <- function(f, a, b, ya, yb) {
   height <- abs(yb - ya)
   repeat {
     m <- a + (b - a) / 2
-    if (m <= a || m >= b) {
-      return(b)
-    }
+    if (m <= a || m >= b) return(b)
     ym <- f(m)
-    if (!is.finite(ym)) {
-      return(NA_real_)
-    }
+    if (!is.finite(ym)) return(NA_real_)
     if (abs(ym - ya) > abs(yb - ym)) {
       b <- m
       yb <- ym
@@ -83,9 +79,7 @@ bisect_jump <- function(f, a, b, ya, yb) {
       a <- m
       ya <- ym
     }
-    if (abs(yb - ya) < height / 4) {
-      return(NA_real_)
-    }
+    if (abs(yb - ya) < height / 4) return(NA_real_)
   }
 }
 
@@ -110,9 +104,7 @@ zoom_kink <- function(f, t, y) {
     seen <- f(new)
     y <- c(y[1], seen[1], y[2], seen[2], y[3])
     bend <- abs(y[1:3] - 2 * y[2:4] + y[3:5])
-    if (!all(is.finite(bend))) {
-      return(NA_real_)
-    }
+    if (!all(is.finite(bend))) return(NA_real_)
     i <- which.max(bend)
     if (k == halvings - 6L) first <- bend[i]
     t <- t[i + 0:2]

@@ -34,9 +34,7 @@ check_window <- function(from_s, to_s, call) {
 }
 
 check_end <- function(x, arg, call) {
-  if (is.object(x)) {
-    x <- as_si(x, "s", arg, call)
-  }
+  if (is.object(x)) x <- as_si(x, "s", arg, call)
   if (!is_number(x) || is.object(x) || length(x) != 1L || is.na(x)) {
     abort_rotdyn(
       c("{.arg {arg}} must be one time in s.", x = "It is {describe_value(x)}."), "type", call
@@ -142,9 +140,7 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
   n <- check_recyclable(columns, call)
   columns <- lapply(columns, rep_len, n)
   bad <- which(!(columns$duration_s > 0))
-  if (length(bad)) {
-    abort_domain(columns$duration_s[bad[1]], "duration_s", "s", call, 0, Inf, TRUE)
-  }
+  if (length(bad)) abort_domain(columns$duration_s[bad[1]], "duration_s", "s", call, 0, Inf, TRUE)
   end <- columns$start_s + columns$duration_s
   # The rounded duration is 0, or wrong by more than a thousandth.
   short <- which(!(abs((end - columns$start_s) - columns$duration_s) <= 1e-3 * columns$duration_s))
@@ -303,9 +299,7 @@ torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per
   if (!is.finite(largest)) {
     abort_rotdyn("The weight's torque is beyond double precision.", "value", call)
   }
-  if (largest == 0) {
-    return(new_knots(double(), double(), c(0, 0)))
-  }
+  if (largest == 0) return(new_knots(double(), double(), c(0, 0)))
   new_term(
     "gravity", c(largest, rest),
     paste0(
@@ -338,9 +332,7 @@ check_increasing <- function(x, arg, unit, call) {
       c(
         "{.arg {arg}} must increase.",
         x = "Element {at + 1} is {format(x[at + 1])} after {format(x[at])}."
-      ),
-      if (unit == "s") "time" else "value",
-      call
+      ), if (unit == "s") "time" else "value", call
     )
   }
   x

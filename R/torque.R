@@ -57,9 +57,7 @@ NULL
 #' @export
 torque_constant <- function(torque_n_m) {
   call <- rlang::current_env()
-  if (missing(torque_n_m)) {
-    check_supplied("torque_n_m", call)
-  }
+  if (missing(torque_n_m)) check_supplied("torque_n_m", call)
   torque_n_m <- check_number(torque_n_m, "torque_n_m", "N*m", call)
   new_knots(double(), double(), c(torque_n_m, torque_n_m))
 }
@@ -68,9 +66,7 @@ torque_constant <- function(torque_n_m) {
 #' @export
 torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
   call <- environment()
-  if (missing(time_s)) {
-    check_supplied("time_s", call)
-  }
+  if (missing(time_s)) check_supplied("time_s", call)
   check_no_dots(...)
   if (missing(outside)) {
     outside <- "zero"
@@ -79,16 +75,12 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
   }
   if (is.object(time_s) && is.data.frame(time_s) && missing(torque_n_m)) {
     for (column in c("torque_n_m", "time_s")) {
-      if (is.null(time_s[[column]])) {
-        abort_missing_column(column, time_s, call)
-      }
+      if (is.null(time_s[[column]])) abort_missing_column(column, time_s, call)
     }
     torque_n_m <- time_s[["torque_n_m"]]
     time_s <- time_s[["time_s"]]
   }
-  if (missing(torque_n_m)) {
-    check_supplied("torque_n_m", call)
-  }
+  if (missing(torque_n_m)) check_supplied("torque_n_m", call)
   time_s <- check_finite(time_s, "time_s", "s", call)
   torque_n_m <- check_finite(torque_n_m, "torque_n_m", "N*m", call)
   n <- length(time_s)
@@ -123,9 +115,7 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
 #' @export
 torque_function <- function(f, breaks_s = NULL, vectorised = FALSE) {
   call <- rlang::current_env()
-  if (missing(f)) {
-    check_supplied("f", call)
-  }
+  if (missing(f)) check_supplied("f", call)
   if (!is.function(f)) {
     abort_rotdyn(c(
       "{.arg f} must be a function.",
@@ -133,9 +123,7 @@ torque_function <- function(f, breaks_s = NULL, vectorised = FALSE) {
       i = "A constant torque is {.fn torque_constant}, a tabulated one {.fn torque_knots}."
     ), "type", call)
   }
-  if (!is.null(breaks_s)) {
-    breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
-  }
+  if (!is.null(breaks_s)) breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
   if (!isTRUE(vectorised) && !isFALSE(vectorised)) {
     abort_rotdyn(c(
       "{.arg vectorised} must be TRUE or FALSE.",
@@ -153,9 +141,7 @@ count_arguments <- function(f, call) {
   arguments <- formals(args(f))
   required <- setdiff(names(arguments)[vapply(arguments, rlang::is_missing, logical(1))], "...")
   n <- length(required)
-  if (n == 3L || (n <= 1L && length(arguments) > 0L)) {
-    return(if (n == 3L) 3L else 1L)
-  }
+  if (n == 3L || (n <= 1L && length(arguments) > 0L)) return(if (n == 3L) 3L else 1L)
   abort_rotdyn(c(
     "{.arg f} must be a function of {.code time_s}, or of
      {.code time_s, theta_rad, omega_rad_per_s}.",
@@ -193,9 +179,7 @@ describe_torque <- function(torque) {
     laws <- vapply(torque$laws, describe_torque, character(1))
     return(paste(laws, collapse = "\n              + "))
   }
-  if (inherits(torque, "rot_torque_term")) {
-    return(torque$text)
-  }
+  if (inherits(torque, "rot_torque_term")) return(torque$text)
   if (inherits(torque, "rot_torque_motor")) {
     return(paste0(
       "a motor, ", format_si(torque$stall_torque_n_m), " N m at rest, nothing at ",
@@ -215,9 +199,7 @@ describe_torque <- function(torque) {
     ))
   }
   n <- length(torque$time_s)
-  if (n == 0L) {
-    return(paste("constant,", format_si(torque$outside[1]), "N m"))
-  }
+  if (n == 0L) return(paste("constant,", format_si(torque$outside[1]), "N m"))
   jumps <- sum(diff(torque$time_s) == 0)
   outside <- if (all(torque$outside == 0)) "zero" else "held"
   paste0(

@@ -45,9 +45,7 @@
 trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
                        on_fail = c("abort", "truncate"), max_steps = 1e6) {
   call <- environment()
-  if (missing(scene) || missing(time_s)) {
-    check_supplied(c("scene", "time_s"), call)
-  }
+  if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
@@ -74,9 +72,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   info <- result$info
   n <- length(time_s)
   each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
-  if (!is.null(constraint$more_columns)) {
-    columns <- constraint$more_columns(columns, scene, time_s)
-  }
+  if (!is.null(constraint$more_columns)) columns <- constraint$more_columns(columns, scene, time_s)
   if (!is.null(fit$dropped)) info <- widen_error(info, fit$dropped$errors)
   if (info$kind != "none") {
     failed_run(info, n, on_fail, call)
@@ -119,9 +115,7 @@ widen_error <- function(info, by) {
 # The accuracy as a relative number. A physical one is that of the measure of its unit, divided by
 # the measure's size, which a run at 1e-3 gives; a tenth less, a margin for the error of that size.
 relative_accuracy <- function(accuracy, scene, time_s, call) {
-  if (!is.object(accuracy) || !inherits(accuracy, "units")) {
-    return(check_accuracy(accuracy, call))
-  }
+  if (!is.object(accuracy) || !inherits(accuracy, "units")) return(check_accuracy(accuracy, call))
   need_package("units", "An accuracy with units", call)
   measures <- constraint_of(scene)$measures
   fits <- vapply(measures, function(m) {
@@ -273,9 +267,7 @@ describe_events <- function(events) {
 }
 
 describe_error <- function(run) {
-  if (is.na(run$info$error)) {
-    return("unknown: the values are not those of the run")
-  }
+  if (is.na(run$info$error)) return("unknown: the values are not those of the run")
   paste0(
     if (run$error_kind == "bound") "at most " else "about ",
     format(run$info$error, digits = 2), " (", run$error_kind, ")"
@@ -344,9 +336,7 @@ glance.rot_trajectory <- function(x, ...) {
 #' @export
 predict.rot_trajectory <- function(object, time_s, ...) {
   call <- rlang::current_env()
-  if (missing(time_s)) {
-    check_supplied("time_s", call)
-  }
+  if (missing(time_s)) check_supplied("time_s", call)
   check_no_dots(...)
   run <- trajectory_run(object)
   scene <- run$scene
@@ -371,9 +361,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
   ))
   from <- rep(NA_integer_, length(time_s))
   from[sorted] <- seq_along(sorted)
-  if (is.null(constraint$index)) {
-    return(rows[from, ])
-  }
+  if (is.null(constraint$index)) return(rows[from, ])
   each <- constraint$copies(scene)
   out <- rows[as.vector(outer(seq_len(each) - each, each * from, `+`)), ]
   out[[constraint$index]] <- rep.int(seq_len(each), length(time_s))
@@ -398,9 +386,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 motion_events <- function(x) {
   check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::current_env())
   events <- trajectory_run(x)$events
-  tibble::tibble(
-    time_s = as.double(events$time_s), event = as.character(events$event)
-  )
+  tibble::tibble(time_s = as.double(events$time_s), event = as.character(events$event))
 }
 
 #' Spin a body up

@@ -49,9 +49,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   check_no_dots(...)
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
-  if (length(time_s) == 0L) {
-    abort_rotdyn("{.arg time_s} must have one time at least.", "size", call)
-  }
+  if (length(time_s) == 0L) abort_rotdyn("{.arg time_s} must have one time at least.", "size", call)
   constraint <- constraint_of(scene)
   accuracies <- check_finite(accuracies, "accuracies", "1", call)
   for (accuracy in accuracies) {
@@ -63,9 +61,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   contestants <- list_contestants(scene, time_s, models, accuracies, peers, call)
 
   heard <- new.env()
-  references <- hear_warnings(
-    find_references(scene, time_s, reference, constraint, call), heard
-  )
+  references <- hear_warnings(find_references(scene, time_s, reference, constraint, call), heard)
   n <- nrow(contestants)
   rows <- vector("list", n)
   failed <- character()
@@ -179,9 +175,7 @@ truth_of_run <- function(motion, constraint) {
 # Up to two, so that no model is compared with itself: closed forms first, then the cheapest
 # integrator, at the smallest accuracy that they reach.
 find_references <- function(scene, time_s, reference, constraint, call) {
-  if (!is.null(reference)) {
-    return(list(given_reference(scene, time_s, reference, constraint, call)))
-  }
+  if (!is.null(reference)) return(list(given_reference(scene, time_s, reference, constraint, call)))
   found <- list()
   for (kind in c("bound", "estimate")) {
     for (accuracy in 10^-(15:6)) {
@@ -193,9 +187,7 @@ find_references <- function(scene, time_s, reference, constraint, call) {
         )
         if (is.null(motion)) next
         found[[length(found) + 1L]] <- truth_of_run(motion, constraint)
-        if (length(found) == 2L) {
-          return(found)
-        }
+        if (length(found) == 2L) return(found)
       }
     }
   }
@@ -212,9 +204,7 @@ find_references <- function(scene, time_s, reference, constraint, call) {
 # adapts to the accuracy is another run at a tenth of it.
 reference_for <- function(references, one, constraint) {
   for (truth in references) {
-    if (!identical(truth$name, one$model)) {
-      return(truth)
-    }
+    if (!identical(truth$name, one$model)) return(truth)
     if (isTRUE(constraint$models[[one$model]]$adapts) && truth$accuracy < 0.1 * one$accuracy) {
       return(truth)
     }
@@ -263,9 +253,7 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
 # Largest distance of a measure relative to its largest value on the way.
 distance_to <- function(columns, truth, name, measure) {
   got <- do.call(cbind, columns[measure$columns])
-  if (anyNA(got)) {
-    return(NA_real_)
-  }
+  if (anyNA(got)) return(NA_real_)
   difference <- max(measure$distance(got, do.call(cbind, truth$columns[measure$columns])))
   size <- truth$sizes[[name]]
   if (difference == 0) 0 else if (size > 0) difference / size else 1
@@ -360,8 +348,7 @@ peer_report <- function(value, name, columns, rows) {
   if (!is.list(value) || !all(vapply(columns, function(of) right(value[[of]]), logical(1)))) {
     abort_rotdyn(
       "The peer {.val {name}} must return a list with {.field {columns}}, a number for each time.",
-      "peer",
-      NULL
+      "peer", NULL
     )
   }
   number <- function(field) if (is.null(value[[field]])) NA_real_ else as.double(value[[field]])
@@ -395,9 +382,7 @@ measure_cost <- function(go, least_batch_s, batches) {
 # accuracy, which the table shows.
 hear_warnings <- function(expr, heard) {
   withCallingHandlers(expr, rotdyn_warning = function(w) {
-    if (!inherits(w, "rotdyn_warning_accuracy")) {
-      assign(conditionMessage(w), w, envir = heard)
-    }
+    if (!inherits(w, "rotdyn_warning_accuracy")) assign(conditionMessage(w), w, envir = heard)
     rlang::cnd_muffle(w)
   })
 }
@@ -455,9 +440,7 @@ describe_references <- function(x) {
 tbl_sum.rot_work_precision <- function(x, ...) {
   how <- attr(x, "measured", exact = TRUE)
   size <- c("Work and precision" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)))
-  if (is.null(how)) {
-    return(size)
-  }
+  if (is.null(how)) return(size)
   c(
     size,
     "Reference" = describe_references(x),
