@@ -216,7 +216,7 @@ static void note_error(rot_ode_march *run, double error) {
     before = fmax(before, rot_ode_node(run->guide, run->guide_at + 2)[1]);
   }
   const double want = before / rot_ode_gain(run->method, (double)run->parts);
-  if (error > 8.0 * want && error > 16.0 * ROT_EPS) {
+  if (error > 4.0 * want && error > 16.0 * ROT_EPS) {
     /* Radau's test is that of order 5, its result of order 9. */
     const double missed = run->method == ROT_METHOD_RADAU ? pow(error, 1.5) : error;
     run->unresolved += missed * missed;
