@@ -17,8 +17,8 @@ axle_constraint <- function() {
     },
     keys = c("time_s", "theta_rad", "omega_rad_per_s"),
     measures = list(
-      theta = measure("rad", "theta_rad", "angle"),
-      omega = measure("rad/s", "omega_rad_per_s", "angular velocity")
+      theta = measure("rad", "theta_rad"),
+      omega = measure("rad/s", "omega_rad_per_s")
     ),
     summary = function(x, run) {
       list(

@@ -10,9 +10,9 @@ clutch_constraint <- function() {
       "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s", "heat_j"
     ),
     measures = list(
-      theta = measure("rad", c("theta_1_rad", "theta_2_rad"), "angle", largest_distance),
+      theta = measure("rad", c("theta_1_rad", "theta_2_rad"), largest_distance),
       omega = measure(
-        "rad/s", c("omega_1_rad_per_s", "omega_2_rad_per_s"), "angular velocity", largest_distance
+        "rad/s", c("omega_1_rad_per_s", "omega_2_rad_per_s"), largest_distance
       )
     ),
     summary = function(x, run) {

@@ -10,8 +10,8 @@ rotors_constraint <- function() {
     index = "rotor",
     copies = function(scene) length(scene$moment_of_inertia_kg_m2),
     measures = list(
-      theta = measure("rad", "theta_rad", "angle"),
-      omega = measure("rad/s", "omega_rad_per_s", "angular velocity")
+      theta = measure("rad", "theta_rad"),
+      omega = measure("rad/s", "omega_rad_per_s")
     ),
     summary = function(x, run) {
       whole <- function(column) {

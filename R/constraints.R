@@ -55,9 +55,8 @@ all_constraints <- function() {
 
 # A named quantity with a unit and a norm: the columns that hold it, which are taken together by the
 # 2-norm; distance(got, want), two matrices of these columns, where another one is meant.
-measure <- function(unit, columns, label,
-                    distance = function(got, want) sqrt(rowSums((got - want)^2))) {
-  list(unit = unit, columns = columns, label = label, distance = distance)
+measure <- function(unit, columns, distance = function(got, want) sqrt(rowSums((got - want)^2))) {
+  list(unit = unit, columns = columns, distance = distance)
 }
 
 # One panel of the picture: its label, and its columns with the names of their lines ("" for a line

@@ -154,8 +154,8 @@ drop_constraint <- function() {
     columns = c("time_s", "height_m", "fall_speed_m_per_s", "drag_force_n"),
     keys = c("time_s", "height_m", "fall_speed_m_per_s"),
     measures = list(
-      height = rotdyn:::measure("m", "height_m", "height"),
-      speed = rotdyn:::measure("m/s", "fall_speed_m_per_s", "speed")
+      height = rotdyn:::measure("m", "height_m"),
+      speed = rotdyn:::measure("m/s", "fall_speed_m_per_s")
     ),
     summary = function(x, run) {
       list(max_fall_speed_m_per_s = rotdyn:::largest(x$fall_speed_m_per_s))
@@ -304,6 +304,17 @@ test_that("it is measured beside its other models, and drawn", {
   expect_silent(built <- ggplot2::ggplot_build(plot))
   expect_equal(levels(plot$data$panel), c("height (m)", "speed (m/s)"))
   expect_equal(plot$labels$title, "A body dropped in air")
+})
+
+test_that("the columns of a run are those that its constraint lists", {
+  scenes <- list(
+    scene_axle(1, 2), scene_rotors(c(1, 2), 9), scene_clutch(1, 2, 3), scene_drop(9)
+  )
+  for (scene in scenes) {
+    constraint <- rotdyn:::constraint_of(scene)
+    expect_equal(names(trajectory(scene, c(0, 1))), constraint$columns)
+    expect_true(all(constraint$keys %in% constraint$columns))
+  }
 })
 
 test_that("a scene that no constraint has is an error", {
