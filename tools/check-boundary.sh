@@ -156,7 +156,6 @@ done | rule "every src/ffi_X.c has its rot_X.h"
 
 # Files of R/ whose tests are in a file of another topic.
 elsewhere='
-augment ledger-axle
 constraint-axle model-axle
 constraint-clutch model-clutch
 constraint-rotors model-rotors
