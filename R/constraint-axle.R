@@ -8,12 +8,13 @@ axle_constraint <- function() {
     },
     models = axle_models,
     without = axle_without,
+    acting = axle_acting,
     columns = trajectory_columns,
     more_columns = function(columns, scene, time_s) {
       if (!is.null(.subset2(scene, "inertia"))) {
         columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
       }
-      columns
+      geared_columns(columns, scene)
     },
     keys = c("time_s", "theta_rad", "omega_rad_per_s"),
     measures = list(
@@ -51,6 +52,15 @@ axle_without <- function(scene, effects) {
   scene
 }
 
+# The torques of the whole scene in the states of a motion that left effects out.
+axle_acting <- function(columns, scene, time_s) {
+  torques <- .Call(
+    ffi_axle_torques, scene, time_s, columns$theta_rad, columns$omega_rad_per_s
+  )
+  columns[names(torques)] <- torques
+  columns
+}
+
 balance_axle <- function(x, run, call) {
   n <- nrow(x)
   if (n == 0L) {
@@ -69,6 +79,9 @@ balance_axle <- function(x, run, call) {
       ledger[flows] <- -ledger[flows]
     }
   }
+  theta <- x$theta_rad[c(1L, n)]
+  gears <- geared_flows(scene, theta[2] - theta[1], t[2] - t[1])[1, ]
+  ledger[names(gears)] <- ledger[names(gears)] + gears
   flow <- function(name) ledger[[name]]
   inertia <- if (is.null(scene$inertia)) {
     rep(scene$moment_of_inertia_kg_m2, 2L)
@@ -76,7 +89,6 @@ balance_axle <- function(x, run, call) {
     inertia_at(scene$inertia, t)
   }
   omega <- x$omega_rad_per_s[c(1L, n)]
-  theta <- x$theta_rad[c(1L, n)]
   viscous <- scene$resistance$viscous_n_m_s
   linear <- scene$resistance$quadratic_n_m_s2 == 0 && scene$resistance$static_n_m == 0
   damping <- if (linear) -viscous * (theta[2] - theta[1]) else flow("damping_impulse_n_m_s")
@@ -97,10 +109,12 @@ balance_axle <- function(x, run, call) {
         "work of the torque" = flow("work_j"),
         "work of what changes the inertia" = flow("inertia_work_j")
       ),
-      c(
-        "heat of viscous resistance" = flow("viscous_j"),
-        "heat of quadratic drag" = flow("quadratic_j"),
-        "heat of dry friction" = flow("coulomb_j")
+      stats::setNames(
+        c(flow("viscous_j"), flow("quadratic_j"), flow("coulomb_j")),
+        c(
+          "heat of viscous resistance", "heat of quadratic drag",
+          if (is.null(scene$gears)) "heat of dry friction" else "loss of the gears"
+        )
       ),
       flow("work_rounding_j") + flow("dissipated_rounding_j") +
         sum(inertia * abs(omega) * omega_error) + 2 * eps * sum(sizes) +
@@ -122,8 +136,13 @@ augment_axle <- function(x, run, edges, call) {
   if (is.null(x[["applied_torque_n_m"]])) abort_missing_column("applied_torque_n_m", x, call)
   parts <- NULL
   if (length(edges) > 1L) {
-    parts <- integrate_axle_flows(run, edges, call)
+    parts <- integrate_axle_flows(run, edges, call, run$scene)
     if (is.null(parts)) return(NULL)
+  }
+  if (!is.null(parts)) {
+    gears <- geared_flows(run$scene, diff(x$theta_rad[match(edges, x$time_s)]), diff(edges))
+    flows <- intersect(colnames(parts$value), colnames(gears))
+    parts$value[, flows] <- parts$value[, flows] + gears[, flows]
   }
   since_first <- function(flow) {
     c(0, if (!is.null(parts)) cumsum(unname(parts$value[, flow])))[seq_along(edges)]

@@ -12,6 +12,8 @@
 #   drop_bound(scene, effects, record, time_s, call)   NULL, or what leaving them out changes at
 #                 most: list(effects, until_s, errors, error, each), see R/choice.R
 #                 (a constraint of the C core has these three from there)
+#   acting(columns, scene, time_s)   NULL, or the columns of a motion without some effects, with the
+#                 torques that act in the whole scene
 #   columns       columns of a result
 #   keys          those that hold the state: the class is kept with them
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run

@@ -36,9 +36,12 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
 #' `scene_gears()` makes a [scene_axle()] of the first shaft with their sums.
 #'
 #' **Efficiency.** A stage transmits the share `efficiency` of its input power, in the direction of
-#' the power flow. With the first shaft rotating in the positive sense, a driving torque
-#' (`tau_i/N_i > 0`) acts on it as `eta tau_i/N_i`, a load as `tau_i/(N_i eta)`, with `eta` the
-#' product of the efficiencies between. Inertia and viscous torques are reflected without losses.
+#' the power flow: with `eta` the product of the efficiencies between, a torque that drives acts on
+#' the first shaft as `eta tau_i/N_i`, one that loads as `tau_i/(N_i eta)`. In the sense of rotation
+#' a torque with `tau_i/N_i > 0` drives, the others load; backwards it is the other way round.
+#' `reflected_torque_n_m` is for the positive sense. The loss resists either rotation, so it acts
+#' like dry friction that differs between the two senses, and a train whose torques it exceeds stays
+#' at rest. Inertia and viscous torques are reflected without losses.
 #'
 #' @param bodies A list of `rot_body` (their Izz counts), or moments of inertia in kg m^2, one for
 #'   each shaft; greater than 0.
@@ -86,6 +89,56 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
   ), nrow = n)
 }
 
+# The loss of the gears of a train, as torques at the first shaft: `applied_n_m` is the sum without
+# loss, which resists with forward_n_m while the shaft turns forward, with backward_n_m while it
+# turns backward. With F applied, that is the torque F + (backward - forward)/2 and dry friction of
+# (forward + backward)/2.
+gear_loss <- function(train, torque, efficiency) {
+  felt <- torque / train$ratio_to_first
+  share <- cumprod(c(1, rep_len(efficiency, length(felt) - 1L)))
+  driving <- abs(felt) * (1 - share)
+  loading <- abs(felt) * ((1 - share) / share)
+  list(
+    applied_n_m = sum(felt),
+    forward_n_m = sum(ifelse(felt > 0, driving, loading)),
+    backward_n_m = sum(ifelse(felt > 0, loading, driving))
+  )
+}
+
+# What a scene's gears take from its torque so that dry friction can stand for the rest: applied
+# without loss, less the torque that is solved.
+gear_shift <- function(scene) {
+  gears <- .subset2(scene, "gears")
+  if (is.null(gears)) 0 else (gears$forward_n_m - gears$backward_n_m) / 2
+}
+
+# Columns of the solved torques: the loss belongs to the resistance.
+geared_columns <- function(columns, scene) {
+  shift <- gear_shift(scene)
+  if (shift == 0) return(columns)
+  columns$applied_torque_n_m <- scene$gears$applied_n_m + 0 * columns$applied_torque_n_m
+  columns$damping_torque_n_m <- columns$damping_torque_n_m - shift
+  still <- columns$net_torque_n_m == 0
+  columns$damping_torque_n_m[still] <- -columns$applied_torque_n_m[still]
+  columns
+}
+
+# What that adds to the flows of the solved torques, a column each.
+geared_flows <- function(scene, turned_rad, span_s) {
+  shift <- gear_shift(scene)
+  cbind(
+    work_j = shift * turned_rad, coulomb_j = shift * turned_rad, dissipated_j = shift * turned_rad,
+    impulse_n_m_s = shift * span_s, damping_impulse_n_m_s = -shift * span_s
+  )
+}
+
+describe_gears <- function(gears) {
+  paste0(
+    "loss of ", format_si(gears$forward_n_m), " N m forward, ", format_si(gears$backward_n_m),
+    " N m backward"
+  )
+}
+
 #' @rdname gear_train
 #' @inheritParams scene_axle
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity of the first shaft at `start_s`.
@@ -96,12 +149,22 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, vis
   call <- check_no_dots(...)
   check_supplied(c("bodies", "ratios"), call)
   train <- train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
-  scene_axle(
-    sum(train$reflected_inertia_kg_m2),
-    sum(train$reflected_torque_n_m),
-    resistance(viscous_n_m_s = sum(train$reflected_viscous_n_m_s)),
-    theta0_rad,
-    omega0_rad_per_s,
-    start_s = start_s
+  n <- nrow(train)
+  loss <- gear_loss(
+    train, check_each(torque_n_m, "torque_n_m", "N*m", n, -Inf, call),
+    check_each(efficiency, "efficiency", "1", n - 1L, 0, call)
   )
+  dry <- (loss$forward_n_m + loss$backward_n_m) / 2
+  inertia <- sum(train$reflected_inertia_kg_m2)
+  check_turns(inertia, call, computed = TRUE)
+  scene <- new_scene_axle(
+    NULL, inertia, NULL, c(0, 0, 1),
+    as_torque(loss$applied_n_m + (loss$backward_n_m - loss$forward_n_m) / 2, call),
+    new_resistance(sum(train$reflected_viscous_n_m_s), 0, dry, dry),
+    check_number(theta0_rad, "theta0_rad", "rad", call),
+    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
+    check_number(start_s, "start_s", "s", call)
+  )
+  if (dry > 0) scene$gears <- loss
+  scene
 }

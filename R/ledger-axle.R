@@ -80,15 +80,16 @@ axle_breaks <- function(scene) {
 }
 
 # Integrals between consecutive edges, with panels that end at breaks and events: list(value, size,
-# error), a row for each interval; NULL where the motion could not be computed again.
-integrate_axle_flows <- function(run, edges, call) {
-  scene <- run$solved
+# error), a row for each interval; NULL where the motion could not be computed again. `scene`: that
+# of the torques, where the motion left effects out the solved or the whole one.
+integrate_axle_flows <- function(run, edges, call, scene = run$solved) {
   record <- record_of(run)
   failed <- FALSE
+  whole <- !is.null(run$dropped) && !identical(scene, run$solved)
   rows_at <- function(t) {
-    result <- record$run(scene, t, run$accuracy, 1e6 + length(t), call, TRUE)
+    result <- record$run(run$solved, t, run$accuracy, 1e6 + length(t), call, TRUE)
     failed <<- failed || result$info$kind != "none"
-    result$columns
+    if (whole) axle_acting(result$columns, scene, t) else result$columns
   }
   breaks <- axle_breaks(scene)
   inner <- c(breaks, scene$start_s, run$events$time_s)

@@ -208,11 +208,18 @@ print.rot_scene_axle <- function(x, ...) {
   } else {
     describe_inertia_knots(x$inertia)
   }
+  torque <- x$torque
+  shown <- x$resistance
+  if (!is.null(x$gears)) { # dry friction stands for their loss
+    torque <- torque_constant(x$gears$applied_n_m)
+    shown[c("coulomb_n_m", "static_n_m")] <- 0
+  }
   cat(
     "<rot_scene> ", body, " on a fixed axle\n",
     "  inertia     ", inertia, "\n",
-    "  torque      ", describe_torque(x$torque), "\n",
-    "  resistance  ", describe_resistance(x$resistance), "\n",
+    "  torque      ", describe_torque(torque), "\n",
+    "  resistance  ", describe_resistance(shown), "\n",
+    if (!is.null(x$gears)) c("  gears       ", describe_gears(x$gears), "\n"),
     "  start       theta ", format_si(x$theta0_rad), " rad, omega ",
     format_si(x$omega0_rad_per_s), " rad/s at ", format_si(x$start_s), " s\n",
     sep = ""

@@ -72,8 +72,11 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   info <- result$info
   n <- length(time_s)
   each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
+  if (!is.null(fit$dropped)) {
+    info <- widen_error(info, fit$dropped$errors)
+    if (!is.null(constraint$acting)) columns <- constraint$acting(columns, scene, time_s)
+  }
   if (!is.null(constraint$more_columns)) columns <- constraint$more_columns(columns, scene, time_s)
-  if (!is.null(fit$dropped)) info <- widen_error(info, fit$dropped$errors)
   if (info$kind != "none") {
     failed_run(info, n, on_fail, call)
     n <- info$rows_done

@@ -99,6 +99,23 @@ SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
   return ffi_run_end(&run, status);
 }
 
+/* list(applied_torque_n_m, damping_torque_n_m, net_torque_n_m) in the states of these rows. */
+SEXP ffi_axle_torques(SEXP list, SEXP time_s, SEXP theta_rad, SEXP omega_rad_per_s) {
+  static const char *const names[] = {"applied_torque_n_m", "damping_torque_n_m", "net_torque_n_m",
+                                      ""};
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  const R_xlen_t n = XLENGTH(time_s);
+  const double *t = ffi_reals(time_s, "time_s", -1);
+  const double *theta = ffi_reals(theta_rad, "theta_rad", n);
+  const double *omega = ffi_reals(omega_rad_per_s, "omega_rad_per_s", n);
+  double *column[3];
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  for (R_xlen_t i = 0; i < 3; i++) column[i] = ffi_new_double(out, i, n);
+  rot_axle_scene_torques(&scene, (size_t)n, t, theta, omega, column[0], column[1], column[2]);
+  UNPROTECT(1);
+  return out;
+}
+
 static const char *const ledger_names[] = {ROT_AXLE_LEDGER(FFI_NAME)};
 
 /* Of "axle_free" and "axle_linear". */

@@ -63,6 +63,28 @@ double rot_axle_scene_resistance(const rot_axle_scene *scene, double omega) {
   return torque;
 }
 
+int rot_axle_scene_sticks(const rot_axle_scene *scene, double omega, double applied) {
+  return omega == 0.0 && scene->static_n_m > 0.0 && fabs(applied) <= scene->static_n_m;
+}
+
+void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double time_s[],
+                            const double theta_rad[], const double omega_rad_per_s[],
+                            double applied_n_m[], double damping_n_m[], double net_n_m[]) {
+  for (size_t i = 0; i < n; i++) {
+    const double omega = omega_rad_per_s[i];
+    const double applied = rot_axle_scene_applied(scene, time_s[i], theta_rad[i], 0.0, omega);
+    double damping = rot_axle_scene_resistance(scene, omega);
+    if (rot_axle_scene_sticks(scene, omega, applied)) {
+      damping = 0.0 - applied;
+    } else if (omega == 0.0 && applied != 0.0) {
+      damping -= copysign(scene->coulomb_n_m, applied); /* it breaks loose */
+    }
+    applied_n_m[i] = applied;
+    damping_n_m[i] = damping;
+    net_n_m[i] = applied + damping;
+  }
+}
+
 void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out, size_t i,
                         double t, double theta, double omega, double applied, int stuck) {
   const double resistance = stuck ? 0.0 - applied : rot_axle_scene_resistance(scene, omega);

@@ -50,4 +50,13 @@ double rot_axle_scene_resistance(const rot_axle_scene *scene, double omega);
 void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out, size_t i,
                         double t, double theta, double omega, double applied, int stuck);
 
+/* Whether dry friction holds it at rest against the torque applied. */
+int rot_axle_scene_sticks(const rot_axle_scene *scene, double omega, double applied);
+
+/* The torques that act in n states, the call left out. At rest, friction holds the body or opposes
+ * its breaking loose. */
+void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double time_s[],
+                            const double theta_rad[], const double omega_rad_per_s[],
+                            double applied_n_m[], double damping_n_m[], double net_n_m[]);
+
 #endif

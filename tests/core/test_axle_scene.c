@@ -59,8 +59,28 @@ static void check_row(void) {
   ROT_CHECK(row[3] == 2.0 && row[4] == 0.0); /* held */
 }
 
+/* The same torques for given states; at rest friction holds, or opposes breaking loose. */
+static void check_torques(void) {
+  const rot_axle_scene scene = {
+      .linear = {.inertia_kg_m2 = 2.0, .torque = {.before_n_m = 5.0, .after_n_m = 5.0}},
+      .viscous_n_m_s = 0.5,
+      .quadratic_n_m_s2 = 2.0,
+      .coulomb_n_m = 3.0,
+      .static_n_m = 4.0};
+  const double zero[] = {0.0, 0.0}, omega[] = {-2.0, 0.0};
+  double applied[2], damping[2], net[2];
+  rot_axle_scene_torques(&scene, 2, zero, zero, omega, applied, damping, net);
+  ROT_CHECK(applied[0] == 5.0 && damping[0] == 12.0 && net[0] == 17.0);
+  ROT_CHECK(applied[1] == 5.0 && damping[1] == -3.0 && net[1] == 2.0);
+  rot_axle_scene held = scene;
+  held.static_n_m = 5.0;
+  rot_axle_scene_torques(&held, 2, zero, zero, omega, applied, damping, net);
+  ROT_CHECK(damping[1] == -5.0 && net[1] == 0.0);
+}
+
 int main(void) {
   check_breaks();
   check_row();
+  check_torques();
   return rot_test_report("axle_scene");
 }

@@ -123,3 +123,48 @@ test_that("predict() beyond the rows does not lean on a bound that ends with the
   expect_equal(predict(m, 1e6)$theta_rad, far$theta_rad, tolerance = 1e-6)
   expect_equal(predict(m, 4), tibble::as_tibble(m)[5, ])
 })
+
+test_that("what is left out of the motion acts in the columns of torque", {
+  # -1 * 1 * 9.80665 sin(1), by hand
+  still <- trajectory(scene_pendulum(1, 1, resistance(0.5), theta0_rad = 1), 0)
+  expect_equal(still$net_torque_n_m, -9.80665 * sin(1), tolerance = 1e-15)
+  expect_equal(still$applied_torque_n_m, -9.80665 * sin(1), tolerance = 1e-15)
+  moving <- trajectory(
+    scene_axle(2, torque_spring(3, 0.5), resistance(0.5, 0.25, 1), omega0_rad_per_s = -2), 0
+  )
+  expect_equal(moving$applied_torque_n_m, 1.5)
+  expect_equal(moving$damping_torque_n_m, 0.5 * 2 + 0.25 * 4 + 1)
+  expect_equal(moving$net_torque_n_m, 4.5)
+  # At rest friction holds it, or opposes its breaking loose.
+  at_rest <- function(...) {
+    trajectory(scene_axle(1, torque_spring(3, 0.5), resistance(quadratic_n_m_s2 = 1, ...)), 0)
+  }
+  expect_equal(at_rest(coulomb_n_m = 2)$damping_torque_n_m, -1.5)
+  expect_equal(at_rest(coulomb_n_m = 1)$net_torque_n_m, 0.5)
+})
+
+test_that("the error figure holds for every column of a motion without some effects", {
+  ramp <- torque_knots(c(0, 8), c(0.1, 0.8))
+  scenes <- list(
+    scene_axle(0.5, ramp, resistance(0.03, quadratic_n_m_s2 = 1e-9)),
+    scene_axle(0.5, ramp + torque_spring(1e-8, 20), resistance(0.03, quadratic_n_m_s2 = 1e-9)),
+    scene_axle(0.5, torque_sinusoid(1, 3) + torque_gravity(1e-9, 1), resistance(0.1, 1e-9)),
+    scene_axle(0.5, torque_sinusoid(1, 3), resistance(0.03, coulomb_n_m = 1e-9))
+  )
+  for (scene in scenes) {
+    coarse <- trajectory(scene, seq(0, 8, 0.5), accuracy = 1e-4)
+    fine <- trajectory(scene, seq(0, 8, 0.5), accuracy = 1e-12)
+    expect_false(is.null(run_of(coarse)$dropped))
+    ledger <- augment(coarse)
+    want <- augment(fine)
+    for (name in setdiff(names(coarse), "time_s")) {
+      off <- max(abs(coarse[[name]] - fine[[name]])) / max(abs(fine[[name]]))
+      expect_lte(off, 4 * run_of(coarse)$info$error)
+    }
+    for (name in c("work_j", "dissipated_viscous_j", "dissipated_quadratic_j",
+                   "dissipated_coulomb_j")) {
+      size <- max(abs(want[[name]]))
+      if (size > 0) expect_lte(max(abs(ledger[[name]] - want[[name]])) / size, 1e-4)
+    }
+  }
+})

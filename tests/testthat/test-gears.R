@@ -29,3 +29,56 @@ test_that("the scene of a train is its first shaft", {
   motion <- trajectory(scene, 1.5)
   expect_equal(motion$omega_rad_per_s, 60 - 57 * exp(-1), tolerance = 1e-14)
 })
+
+# By hand: forward 0.8 N m load over the efficiency, backward it drives. 0.72/0.03 = 24 rad/s^2.
+test_that("the loss takes from the side that drives, and the audit has it", {
+  back <- trajectory(
+    scene_gears(c(0.01, 0.5), 5, efficiency = 0.9, torque_n_m = c(0, -4)), c(0, 1, 2)
+  )
+  expect_equal(back$omega_rad_per_s, c(0, -24, -48), tolerance = 1e-14)
+  expect_equal(back$applied_torque_n_m, rep(-0.8, 3))
+  expect_equal(back$net_torque_n_m, rep(-0.72, 3))
+  a <- audit(back)
+  expect_equal(a$verdict, c("balanced", "balanced"))
+  expect_equal(a$supplied[1], 38.4, tolerance = 1e-13)
+  terms <- a$terms[[1]]
+  expect_equal(terms$value[terms$term == "loss of the gears"], 3.84, tolerance = 1e-13)
+  ledger <- augment(back)
+  expect_equal(ledger$work_j, c(0, 9.6, 38.4), tolerance = 1e-13)
+  expect_equal(ledger$dissipated_j, c(0, 0.96, 3.84), tolerance = 1e-13)
+})
+
+test_that("no train creates energy, whichever way it turns", {
+  set.seed(4)
+  for (i in 1:40) {
+    n <- sample(2:4, 1)
+    torque <- round(rnorm(n), 2) * 3
+    scene <- scene_gears(
+      runif(n, 0.01, 1), ratios = sample(c(-5, -2, 0.5, 2, 7), n - 1L, TRUE),
+      efficiency = runif(n - 1L, 0.4, 1), torque_n_m = torque, viscous_n_m_s = runif(n, 0, 0.1),
+      omega0_rad_per_s = rnorm(1, sd = 3), start_s = 1
+    )
+    x <- trajectory(scene, c(1, 1.1, 1.7, 3, 9))
+    expect_equal(audit(x)$verdict, c("balanced", "balanced"))
+    # What the torques outside do is their sum times the angle; the loss takes from it.
+    work <- scene$gears$applied_n_m * (x$theta_rad[5] - x$theta_rad[1])
+    expect_equal(augment(x)$work_j[5], work, tolerance = 1e-12)
+    expect_true(all(diff(augment(x)$dissipated_coulomb_j) >= -1e-12))
+    integrated <- trajectory(scene, c(1, 1.1, 1.7, 3, 9), model = "axle_rk8pd")
+    expect_equal(integrated$omega_rad_per_s, x$omega_rad_per_s, tolerance = 1e-8)
+    expect_equal(audit(integrated)$verdict, c("balanced", "balanced"))
+  }
+})
+
+test_that("a train whose loss exceeds its torques stays at rest, and one without loss has none", {
+  locked <- scene_gears(
+    c(0.01, 0.5, 0.2), c(50, -20), efficiency = 0.5, torque_n_m = c(1, -4, 3000)
+  )
+  x <- trajectory(locked, 0:3)
+  expect_equal(x$omega_rad_per_s, rep(0, 4))
+  expect_equal(x$applied_torque_n_m, rep(1 - 0.08 - 3, 4))
+  expect_equal(x$net_torque_n_m, rep(0, 4))
+  expect_output(print(locked), "gears +loss of")
+  expect_null(scene_gears(c(1, 2), 3, torque_n_m = 1)$gears)
+  expect_equal(run_of(trajectory(scene_gears(c(1, 2), 3, torque_n_m = 1), 1))$model, "axle_linear")
+})
