@@ -19,7 +19,8 @@
 #'
 #' @param x A `rot_trajectory`.
 #' @param ... Not used.
-#' @return A `rot_audit`: a tibble with a row for each balance and the columns
+#' @return A `rot_audit`: a tibble with a row for each balance. `print(x, digits = 4)` shows its
+#'   terms with so many significant digits, `ggplot2::autoplot()` draws them as bars. The columns:
 #'   `r describe_columns(audit_columns)`
 #'   `terms` holds, for each balance, a tibble with the columns
 #'   `r describe_columns(c("term", "role", "value"))`
@@ -89,10 +90,16 @@ no_balance <- function(name, about, unit) {
 kinetic_change <- function(inertia, from, to) sum(0.5 * inertia * (to - from) * (to + from))
 
 #' @export
-print.rot_audit <- function(x, ...) {
-  if (!all(audit_columns %in% names(x))) return(NextMethod())
-  line <- function(text, value, unit, digits = 15) {
-    cat(sprintf("  %-38s %22s %s\n", text, format(value, digits = digits), unit))
+print.rot_audit <- function(x, ..., digits = 4) {
+  call <- rlang::current_env()
+  digits <- check_number(digits, "digits", "1", call, lower = 1, upper = 22)
+  if (!all(audit_columns %in% names(x))) {
+    print(drop_class(x, "rot_audit"), ...)
+    return(invisible(x))
+  }
+  line <- function(text, value, unit) {
+    cat(sprintf("  %-38s %*s %s\n", text, as.integer(digits) + 8L,
+                format(value, digits = digits), unit))
   }
   verdict <- if (all(x$verdict %in% "balanced")) "balanced" else
     if ("unbalanced" %in% x$verdict) "unbalanced" else NA

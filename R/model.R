@@ -10,7 +10,7 @@
 #   error_kind              "bound" (a closed form) or "estimate"
 #   handles                 the effects of a scene that it takes, by name
 #   why_not(scene, time_s)  NULL if it takes them as they are here, else the reason in words
-#   why                     what makes it fit, in words
+#   why                     what makes it fit, in words (57 characters fit on a line)
 #   error(accuracy)         promised relative error
 #   on_trial                TRUE: only a run tells its error; it is kept if that is good enough
 #   cost(scene, rows, accuracy)  predicted time in s
@@ -170,7 +170,9 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #'   their span for the effects that may be ignored.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]; or an angle or
 #'   an angular velocity with units: see [trajectory()].
-#' @return A tibble with one row for each model of the scene's constraint, cheapest first:
+#' @return A tibble (class `rot_model_choice`) with one row for each model of the scene's
+#'   constraint, cheapest first. It prints the chosen model with its reason, then the other models
+#'   that apply, then the rest. The columns:
 #'   `r describe_columns(c("model", "applies", "error", "error_kind", "cost_s", "chosen", "reason"))`
 #'   `cost_s` is a prediction.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_value`;
@@ -215,7 +217,65 @@ choose_model <- function(scene, time_s, accuracy = 1e-9) {
   tibble::new_tibble(c(
     table[c("model", "applies", "error", "error_kind", "cost_s")],
     list(chosen = seq_along(reason) == chosen, reason = reason)
-  ), nrow = length(reason))
+  ), nrow = length(reason), class = "rot_model_choice")
+}
+
+#' @export
+print.rot_model_choice <- function(x, ...) {
+  columns <- c("model", "applies", "error", "error_kind", "cost_s", "chosen", "reason")
+  # Unless rows or columns were removed.
+  if (!all(columns %in% names(x)) || sum(x$chosen %in% TRUE) != 1L) {
+    print(drop_class(x, "rot_model_choice"), ...)
+    return(invisible(x))
+  }
+  chosen <- which(x$chosen)
+  rest <- which(!x$applies)
+  others <- setdiff(which(x$applies), chosen)
+  error <- paste(ifelse(x$error_kind == "bound", "error at most", "error about"),
+                 format_si(x$error, 2))
+  cost <- format_seconds(x$cost_s)
+  cat("<rot_model_choice> ", x$model[chosen], "\n", sep = "")
+  print_field("why", x$reason[chosen])
+  print_field("error", sub("error ", "", error[chosen]))
+  print_field("cost", paste(cost[chosen], "predicted, the least of those that apply"))
+  if (length(others)) {
+    cat("also apply:\n")
+    names <- format(x$model[others])
+    reason <- ifelse(grepl(" is cheaper$", x$reason[others]), "", paste0("  ", x$reason[others]))
+    line <- paste0(
+      "  ", names, "  ", format(paste0(error[others], ",")), " cost ", format(cost[others]), reason
+    )
+    cat(strwrap_each(line, nchar(names[1]) + 4L), sep = "\n")
+  }
+  if (length(rest)) {
+    cat("do not apply:\n")
+    names <- format(x$model[rest])
+    cat(strwrap_each(paste0("  ", names, "  ", x$reason[rest]), nchar(names[1]) + 4L), sep = "\n")
+  }
+  invisible(x)
+}
+
+# Lines wrapped to the console's width, with the blanks of their columns.
+strwrap_each <- function(lines, indent) {
+  room <- max(print_width() - indent, 30L)
+  unlist(lapply(lines, function(line) {
+    if (nchar(line) <= print_width()) return(trimws(line, "right"))
+    text <- strwrap(substring(line, indent + 1L), room + 1L)
+    paste0(c(substr(line, 1L, indent), rep(strrep(" ", indent), length(text) - 1L)), text)
+  }))
+}
+
+drop_class <- function(x, class) {
+  class(x) <- setdiff(class(x), class)
+  x
+}
+
+# Times with two digits, in the unit that suits each.
+format_seconds <- function(x) {
+  unit <- c(s = 1, ms = 1e-3, us = 1e-6, ns = 1e-9)
+  at <- vapply(x, function(one) which(c(one >= unit[1:3], TRUE))[1], 1L)
+  at[is.na(x)] <- 1L
+  paste(format_si(signif(x / unit[at], 2)), names(unit)[at])
 }
 
 check_scene <- function(scene, call) {

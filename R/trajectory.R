@@ -104,7 +104,8 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     info = info,
     ledger = result$ledger,
     events = result$events,
-    max_steps = max_steps
+    max_steps = max_steps,
+    asked = asked
   ))
 }
 
@@ -248,6 +249,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
   c(
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
+    "Why" = describe_why(run),
     "Error" = describe_error(run),
     if (!is.null(run$dropped)) {
       c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
@@ -260,6 +262,10 @@ tbl_sum.rot_trajectory <- function(x, ...) {
       ))
     }
   )
+}
+
+describe_why <- function(run) {
+  if (isTRUE(run$asked)) "named in the call" else record_of(run)$why
 }
 
 describe_events <- function(events) {

@@ -221,9 +221,10 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
 
 #define ALL ((1u << ROT_AXLE_EFFECTS) - 1u)
 
-#define CLOSED ": the solution is known in closed form"
+#define CLOSED ": closed form"
 
-/* A closed form; the last four numbers are its cost. */
+/* The reasons fit on one line of 80 characters in the head of a trajectory.
+ * A closed form; the last four numbers are its cost. */
 #define EXACT(id, takes, promise, why, why_not, cost_s, a, b, c, d)                                \
   {                                                                                                \
     id, (unsigned)(takes), ROT_BOUND, promise, 0, why, why_not, cost_s, { a, b, c, d }             \
@@ -235,30 +236,30 @@ static const rot_model models[] = {
     /* Some twenty roundings of the terms added (measured: four). Terms of two signs that cancel
      * lose more: the run's own bound says how much. */
     EXACT("axle_linear", ROT_AXLE_LINEAR_TAKES, 2.5e-15,
-          "the torque is piecewise linear in time, and the resistance viscous or none" CLOSED, NULL,
+          "piecewise-linear torque, viscous resistance" CLOSED, NULL,
           linear_s, 0.8e-6, 1.7e-9, 28e-9, 0.25e-6),
     EXACT("axle_skater", ROT_AXLE_SKATER_TAKES, 4e-15,
           "angular momentum changes by the torque alone" CLOSED, NULL, closed_form_s, 1.0e-6,
           0.1e-6, 0.0, 0.25e-6),
     EXACT("axle_drag", ROT_AXLE_DRAG_TAKES, 2e-14,
-          "the torque is constant between its steps" CLOSED, not_drag, closed_form_s, 1.1e-6,
+          "torque constant between its steps" CLOSED, not_drag, closed_form_s, 1.1e-6,
           0.29e-6, 0.0, 0.8e-6),
     EXACT("axle_forced", ROT_AXLE_FORCED_TAKES, 1e-14,
-          "the torque is a sum of laws in time, and the resistance viscous or none" CLOSED,
+          "torques given over time, viscous resistance" CLOSED,
           not_forced, forced_s, 1.0e-6, 0.17e-6, 0.24e-6, 0.55e-6),
     EXACT("axle_oscillator", ROT_AXLE_OSCILLATOR_TAKES, 1e-14, "the equation is linear" CLOSED,
           not_oscillator, closed_form_s, 1.2e-6, 0.1e-6, 0.14e-6, 0.21e-6),
     EXACT("axle_pendulum", ROT_AXLE_PENDULUM_TAKES, 1e-14, "gravity alone acts" CLOSED,
           not_pendulum, closed_form_s, 2.4e-6, 0.23e-6, 0.0, 0.0),
     EXACT("axle_bands", ROT_AXLE_BANDS_TAKES, 1e-13,
-          "torque and resistance are straight lines between known speeds" CLOSED, not_bands,
+          "straight lines between known speeds" CLOSED, not_bands,
           closed_form_s, 1.8e-6, 0.42e-6, 0.0, 0.65e-6),
     {"axle_rk8pd",
      ALL,
      ROT_ADAPTIVE,
      1e-13,
      0,
-     "it is integrated, with explicit steps: the motion is not stiff",
+     "integrated, explicit steps: the motion is not stiff",
      not_integrated,
      rk8pd_s,
      {0.25, -1.0 / 8.5, 10.0, 0.39}},
@@ -267,7 +268,7 @@ static const rot_model models[] = {
      ROT_ADAPTIVE,
      1e-13,
      0,
-     "it is integrated, with implicit steps: resistance acts much faster than the times asked for",
+     "integrated, implicit steps: stiff, fast resistance",
      not_integrated,
      radau_s,
      {0.24, -1.0 / 9.0, 6.0, 2.0}},

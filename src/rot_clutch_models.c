@@ -37,7 +37,7 @@ static const rot_model models[] = {
      ROT_BOUND,
      4e-15,
      0,
-     "all torques are constant between events: a closed form is known",
+     "all torques are constant between events: closed form",
      not_exact,
      cost_s,
      {0.9e-6, 65e-9, 0.13e-6, 0.0}},

@@ -131,3 +131,11 @@ test_that("rows that are no longer numbers are refused by name", {
   expect_error(augment(m[, 1:3]), class = "rotdyn_error_type")
   expect_equal(audited(edited("time_s", 0:3))$verdict, "balanced") # integers
 })
+
+test_that("an audit prints four digits, or as many as asked", {
+  wheel <- audit(spin_up())
+  expect_match(capture.output(print(wheel))[3], "work of the torque +55.12 J")
+  expect_match(capture.output(print(wheel, digits = 8))[3], "work of the torque +55.117706 J")
+  expect_error(print(wheel, digits = 0), class = "rotdyn_error_value")
+  expect_output(print(wheel["balance"]), "A tibble")
+})

@@ -70,3 +70,26 @@ test_that("a model by name", {
   expect_error(trajectory(scene, 0:8, model = 2), class = "rotdyn_error_model")
   expect_error(choose_model("scene", 0:8), class = "rotdyn_error_type")
 })
+
+test_that("a choice prints the chosen model and its reason first, costs with a unit", {
+  choice <- choose_model(article_scene(), 0:8)
+  text <- capture.output(print(choice))
+  expect_equal(text[1], "<rot_model_choice> axle_linear")
+  expect_match(text[2], "why +piecewise-linear torque, viscous resistance: closed form")
+  expect_match(text[4], "cost +[0-9.]+ (us|ns) predicted")
+  heads <- match(c("also apply:", "do not apply:"), text)
+  expect_true(all(diff(c(4, heads)) > 0))
+  of <- function(lines) sub("^  ([a-z0-9_]+) .*", "\\1", grep("^  axle_", lines, value = TRUE))
+  expect_equal(of(text[heads[1]:heads[2]]), choice$model[choice$applies & !choice$chosen])
+  expect_equal(of(text[heads[2]:length(text)]), choice$model[!choice$applies])
+  expect_true(all(nchar(text) <= 80))
+  # Without its columns it is a tibble.
+  expect_output(print(choice[c("model", "cost_s")]), "A tibble")
+})
+
+test_that("seconds are shown in the unit that suits them", {
+  expect_equal(
+    rotdyn:::format_seconds(c(1.234, 0.0567, 2.51e-6, 8.2e-7, 0)),
+    c("1.2 s", "57 ms", "2.5 us", "820 ns", "0 ns")
+  )
+})

@@ -85,11 +85,11 @@ test_that("the error figure holds for any of the rows; of changed values it is u
   expect_equal(run_of(motion[1:2, ])$info$error, run_of(motion)$info$error)
   motion$omega_rad_per_s[3] <- 1
   expect_true(is.na(run_of(motion)$info$error))
-  expect_match(format(motion)[3], "unknown")
+  expect_match(format(motion)[4], "unknown")
 })
 
 test_that("the header says model and error", {
-  expect_snapshot(cat(format(spin_up(time_s = 0:2))[1:3], sep = "\n"))
+  expect_snapshot(cat(format(spin_up(time_s = 0:2))[1:4], sep = "\n"))
 })
 
 test_that("a row at rest is no infinite error; large terms that cancel are a warning", {
@@ -121,4 +121,12 @@ test_that("an accuracy in degrees or rpm is one of the angle or of the speed", {
     trajectory(scene, t, accuracy = units::set_units(1, "kg", mode = "standard")),
     class = "rotdyn_error_unit"
   )
+})
+
+test_that("the head says why the model was chosen, in one line", {
+  why <- function(motion) grep("Why", format(motion), value = TRUE)
+  expect_match(why(spin_up(time_s = 0:2)), "piecewise-linear torque, viscous resistance")
+  expect_match(why(trajectory(article_scene(), 0:2, model = "axle_rk8pd")), "named in the call")
+  # 23 characters stand before the reason.
+  expect_true(all(nchar(rotdyn:::core_models()$why) <= 57))
 })
