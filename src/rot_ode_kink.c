@@ -115,7 +115,7 @@ static rot_status close_in(path *w, double h) {
     if (status != ROT_OK || isnan(s)) return status;
     last = t;
     t = w->t + s * w->h;
-    if (fabs(t - last) < 250.0 * fabs(apart)) break;
+    if (fabs(t - last) < 1000.0 * fabs(apart)) break;
     status = step_to(w, at, t - margin - at);
     if (status != ROT_OK || !(rot_ode_trial_ratio(run, w->h) <= 1.0)) return status;
     memcpy(w->y[0], w->y[1], dim * sizeof *w->y[0]);

@@ -111,6 +111,10 @@ double rot_ode_gain(rot_method method, double parts) {
   return pow(parts, method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0);
 }
 
+/* A step so much shorter than the one before is not divided: it passes a kink, and ends where its
+ * error is a small part of the accuracy. */
+#define SLIVER 1e-3
+
 /* The end of the next step of a guided run: equal parts of the steps of its guide. Nearer than a
  * third of a part it goes for the one after, so that after an event, which no two runs meet at the
  * same time, it falls in with the guide again. */
@@ -123,10 +127,12 @@ static double guided_aim(rot_ode_march *run, double stop) {
   }
   for (size_t k = run->guide_at; k + 1 < m->count; k++) {
     const double a = rot_ode_node(m, k)[0], b = rot_ode_node(m, k + 1)[0];
-    const double part = (b - a) / (double)run->parts, least = 0.3 * fabs(part);
+    const int whole = k > 0 && fabs(b - a) < SLIVER * fabs(a - rot_ode_node(m, k - 1)[0]);
+    const double parts = whole ? 1.0 : (double)run->parts;
+    const double part = (b - a) / parts, least = 0.3 * fabs(part);
     const double way = run->forward ? 1.0 : -1.0;
     const double done = floor((run->t - a) / part + 0.3) + 1.0;
-    const double aim = done < (double)run->parts ? a + fmax(1.0, done) * part : b;
+    const double aim = done < parts ? a + fmax(1.0, done) * part : b;
     if (way * (aim - run->t) <= 0.0) continue;
     if (way * (stop - aim) <= 0.0) return stop;
     if (way * (aim - run->t) > least) return aim;
