@@ -386,7 +386,8 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #'
 #' @param x A `rot_trajectory`.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
-#'   Models without events give none.
+#'   A motion that starts at rest, held or free, has no event at the start. Models without events
+#'   give none.
 #' @section Errors: `rotdyn_error_type`.
 #' @examples
 #' wheel <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)

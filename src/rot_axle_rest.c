@@ -101,12 +101,12 @@ rot_status rot_axle_rest_decide(rot_axle_rest *rest, double applied, int *leaves
   base->stuck = fabs(applied) <= most;
   *leaves = base->stuck ? 0 : applied > 0.0 ? 1 : -1;
   if (base->stuck) {
-    if (was_stuck || !(most > 0.0)) return ROT_OK;
+    if (was_stuck || !(most > 0.0) || heading == 0) return ROT_OK; /* 0: at rest from the start */
     return rot_events_add(rest->events, base->time_s, ROT_EVENT_STICK);
   }
   base->settle_s = 0.0;
   base->heading = *leaves;
-  if (most > 0.0 && (was_stuck || heading == 0)) {
+  if (most > 0.0 && was_stuck) {
     return rot_events_add(rest->events, base->time_s, ROT_EVENT_SLIP);
   }
   if (heading == 0 || *leaves == heading) return ROT_OK;

@@ -90,7 +90,13 @@ static inline const double *read_case(const double *x, friction_case *c) {
   }
   c->events = (size_t)*x++;
   c->event = x;
-  return x + 2 * c->events;
+  x += 2 * c->events;
+  /* The table counts how a start from rest goes on; for the models that is no event. */
+  if (c->events && c->event[0] <= c->scene.linear.start_s + 1e-14) {
+    c->event += 2;
+    c->events--;
+  }
+  return x;
 }
 
 /* The true errors are below the bounds, the bounds below 1e-12 of the motion, the events the same.

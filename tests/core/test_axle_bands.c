@@ -117,10 +117,10 @@ static void check_ramp(void) {
   /* integral of (u + 3)(u - 1)/2 from -3 to 1 */
   ROT_CHECK_REL(r.theta[5], -16.0 / 3.0, 1e-15);
   ROT_CHECK_REL(r.theta[7], -16.0 / 3.0 + 2.0 / 3.0, 1e-15);
-  const double at[] = {-3.0, 1.0, 2.0};
-  const rot_event kind[] = {ROT_EVENT_SLIP, ROT_EVENT_STICK, ROT_EVENT_SLIP};
-  ROT_CHECK_EQ_INT(r.events.count, 3);
-  for (size_t i = 0; i < 3 && i < r.events.count; i++) {
+  const double at[] = {1.0, 2.0};
+  const rot_event kind[] = {ROT_EVENT_STICK, ROT_EVENT_SLIP};
+  ROT_CHECK_EQ_INT(r.events.count, 2);
+  for (size_t i = 0; i < 2 && i < r.events.count; i++) {
     ROT_CHECK_EQ_INT(r.events.event[i], kind[i]);
     ROT_CHECK(fabs(r.events.time_s[i] - at[i]) <= 1e-15);
   }
@@ -132,7 +132,7 @@ static void check_ramp(void) {
   s.coulomb_n_m = s.static_n_m = 0.1;
   with_knots(&s, 3, three, up);
   go(&s, 3, rows);
-  ROT_CHECK(r.status == ROT_OK && r.events.count == 1 && r.omega[2] == 0.0 && r.theta[2] == 0.0);
+  ROT_CHECK(r.status == ROT_OK && r.events.count == 0 && r.omega[2] == 0.0 && r.theta[2] == 0.0);
   /* It slows down, touches rest where the torque equals the sliding friction, and is held there:
    * omega' = t - 1 from 1/2. The torque never exceeds the static friction. */
   const double touch_t[] = {0.0, 2.0}, touch[] = {0.0, 2.0}, held[] = {0.5, 1.5, 3.0};
@@ -270,8 +270,8 @@ static void check_hold_on_curve(void) {
     const double u = t[i] - 3.0;
     ROT_CHECK(fabs(r.omega[i] - (0.5 * (1.0 - exp(-u)) - u)) <= 1e-15);
   }
-  ROT_CHECK_EQ_INT(r.events.count, 2);
-  ROT_CHECK_ULP(r.events.time_s[1], 3.0, 1);
+  ROT_CHECK_EQ_INT(r.events.count, 1);
+  ROT_CHECK_ULP(r.events.time_s[0], 3.0, 1);
 }
 
 /* ---- what is refused ------------------------------------------------------------------------ */

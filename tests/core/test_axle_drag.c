@@ -54,9 +54,9 @@ static void check_at_rest(void) {
   ROT_CHECK(r.applied[2] == 3.0 && r.damping[2] == -1.0 && r.net[2] == 2.0);
   ROT_CHECK(r.damping[3] == -1.0 && r.net[3] == 2.0);
   ROT_CHECK(r.net[6] == 0.0 && r.damping[6] == 0.0);
-  const double at[] = {0.0, 2.0, 11.0};
-  const rot_event kind[] = {ROT_EVENT_STICK, ROT_EVENT_SLIP, ROT_EVENT_STICK};
-  expect_events(3, at, kind);
+  const double at[] = {2.0, 11.0}; /* held from the start on: no event */
+  const rot_event kind[] = {ROT_EVENT_SLIP, ROT_EVENT_STICK};
+  expect_events(2, at, kind);
   ROT_CHECK(r.info.measure[ROT_OMEGA].largest == 3.0);
   double stop, angle;
   ROT_CHECK_EQ_INT(rot_axle_drag_stop(&s, &stop, &angle), ROT_OK);
@@ -67,7 +67,7 @@ static void check_at_rest(void) {
   go(&s, 1, late);
   ROT_CHECK(r.omega[0] == 0.0);
   ROT_CHECK_ULP(r.theta[0], 13.5, 2);
-  expect_events(3, at, kind);
+  expect_events(2, at, kind);
 }
 
 /* Equal to the static friction: held. The next double: not. */
@@ -81,8 +81,7 @@ static void check_equality(void) {
     s.linear.torque.before_n_m = s.linear.torque.after_n_m = sign * nextafter(most, 1.0);
     go(&s, 2, t);
     ROT_CHECK_ULP(r.omega[1], sign * 2.0 * (nextafter(most, 1.0) - most), 0);
-    ROT_CHECK_EQ_INT(r.events.count, 1);
-    ROT_CHECK_EQ_INT(r.events.event[0], ROT_EVENT_SLIP);
+    ROT_CHECK_EQ_INT(r.events.count, 0);
   }
   /* Sliding to rest against a torque as large as the static friction: it stays. */
   s.linear.omega0_rad_per_s = 0.6;
@@ -150,7 +149,7 @@ static void check_knots(void) {
     ROT_CHECK_ULP(r.omega[i], a.omega[i], 2);
     ROT_CHECK_ULP(r.theta[i], a.theta[i], 2);
   }
-  ROT_CHECK_EQ_INT(r.events.count, 1); /* slip at 0; the stop at 4 s is beyond the rows */
+  ROT_CHECK_EQ_INT(r.events.count, 0); /* the stop at 4 s is beyond the rows */
   /* 1e15 N m for 2^-50 s around 1 s, on a body at rest: 0.888 rad/s, and friction does nothing. */
   const double width = 0x1p-50, pulse_t[] = {1.0, 1.0 + width}, pulse[] = {1e15, 1e15};
   rot_axle_scene hit = rubbing(1.0, 0.0, 0.1, 0.1);

@@ -628,3 +628,19 @@ test_that("the same call gives the same bits, wherever its columns come to lie",
   })
   for (run in runs[-1]) expect_identical(run, runs[[1]])
 })
+
+test_that("a start from rest is no event, whichever model runs", {
+  brake <- resistance(coulomb_n_m = 2)
+  events <- function(torque, model) {
+    as.list(motion_events(trajectory(scene_axle(1, torque, brake), 0:10, model = model)))
+  }
+  for (model in c("axle_drag", "axle_rk8pd")) {
+    none <- list(time_s = numeric(), event = character())
+    expect_identical(events(torque_constant(1), model), none)
+    expect_identical(events(torque_constant(3), model), none)
+  }
+  for (model in list(NULL, "axle_rk8pd")) {
+    later <- events(torque_knots(c(0, 10), c(0, 10)), model)
+    expect_equal(later, list(time_s = 2, event = "slip"))
+  }
+})
