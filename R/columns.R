@@ -15,6 +15,7 @@ column_list <- list(
   c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy of the rows"),
   c("final_theta_rad", "rad", "angle at the end"),
   c("model", "", "name of the model, as in `models()`"),
+  c("run", "", "name of the run"),
   c("accuracy", "1", "relative accuracy asked for"),
   c("error", "1", "relative error of the state: see `error_kind`"),
   c("error_kind", "", "\"bound\" or \"estimate\""),

@@ -4,7 +4,7 @@ axle_constraint <- function() {
     id = "axle",
     scene_class = "rot_scene_axle",
     title = function(run) {
-      paste("A", gsub("_", " ", run$scene$body$shape %||% "body"), "on a fixed axle")
+      paste(sentence(with_article(run$scene$body$shape %||% "body")), "on a fixed axle")
     },
     models = axle_models,
     without = axle_without,
@@ -35,6 +35,11 @@ axle_constraint <- function() {
     panels = list(
       panel("angle (rad)", c(theta_rad = "")),
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      panel("moment of inertia (kg m^2)", c(moment_of_inertia_kg_m2 = "")),
+      panel(
+        "angular momentum (kg m^2/s)", c(angular_momentum_kg_m2_per_s = ""),
+        only_with = "moment_of_inertia_kg_m2"
+      ),
       panel("torque (N m)", c(
         applied_torque_n_m = "applied", damping_torque_n_m = "damping", net_torque_n_m = "net"
       )),

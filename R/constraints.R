@@ -62,5 +62,7 @@ measure <- function(unit, columns, distance = function(got, want) sqrt(rowSums((
 }
 
 # One panel of the picture: its label, and its columns with the names of their lines ("" for a line
-# that needs none).
-panel <- function(label, columns) list(label = label, columns = columns)
+# that needs none). It is drawn where the table has one of them, and the column `only_with`.
+panel <- function(label, columns, only_with = NULL) {
+  list(label = label, columns = columns, only_with = only_with)
+}

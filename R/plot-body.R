@@ -18,7 +18,7 @@
 #' the body, coordinates are relative to the centre of mass, which the caption states.
 #'
 #' @param object A `rot_body`.
-#' @param ... Not used.
+#' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot.
 #' @section Errors: `rotdyn_error_package` without ggplot2.
 #' @seealso [principal_axes()], whose moments and class are in the subtitle.
@@ -28,8 +28,8 @@
 #' dumbbell <- join_bodies(rod, place_body(ball, c(0.6, 0, 0)), place_body(ball, c(-0.6, 0, 0)))
 #' ggplot2::autoplot(place_body(dumbbell, c(0.5, 0, 0), rotation_about("z", angle_deg = 30)))
 #' @exportS3Method ggplot2::autoplot
-autoplot.rot_body <- function(object, ...) {
-  need_package("ggplot2", "A plot", rlang::current_env())
+autoplot.rot_body <- function(object, ..., base_size = 13) {
+  check_plot(base_size, ...)
   drawn <- body_drawing(object)
   colours <- stats::setNames(plot_colours[1:3], levels(drawn$axes$axis))
   ggplot2::ggplot(mapping = ggplot2::aes(.data$across, .data$up)) +
@@ -82,9 +82,10 @@ autoplot.rot_body <- function(object, ...) {
     ) +
     ggplot2::labs(
       title = body_title(object), subtitle = body_subtitle(object), caption = drawn$caption,
-      x = NULL, y = NULL
+      x = NULL, y = NULL,
+      alt = paste(body_title(object), body_subtitle(object), sep = ". ")
     ) +
-    plot_theme() +
+    plot_theme(base_size) +
     ggplot2::theme(
       aspect.ratio = 1,
       legend.box = "vertical",

@@ -6,15 +6,18 @@
 #' below its point. In the grey band true errors are not resolved (below 3 x `reference_error`).
 #'
 #' @param object What [work_precision()] returned.
-#' @param ... Not used.
-#' @return A ggplot.
+#' @inheritParams autoplot.rot_trajectory
+#' @return A ggplot, with alternative text.
+#' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
+#'   `rotdyn_error_type`, `rotdyn_error_value`.
+#' @seealso [work_precision()].
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' measured <- work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
 #' ggplot2::autoplot(measured)
 #' @exportS3Method ggplot2::autoplot
-autoplot.rot_work_precision <- function(object, ...) {
-  need_package("ggplot2", "A plot", rlang::current_env())
+autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
+  check_plot(base_size, ...)
   points <- as.data.frame(object)
   points <- points[order(match(points$model, unique(points$model)), -points$accuracy), ]
   points$model <- factor(points$model, levels = unique(points$model))
@@ -23,8 +26,7 @@ autoplot.rot_work_precision <- function(object, ...) {
   shown <- points[!points$floor, ]
   at_floor <- points[points$floor, ]
   said <- points[!is.na(points$error) & points$error > 0, ]
-  # More colours of Okabe & Ito than in R/plot.R.
-  colours <- rep_len(c(plot_colours, "#56B4E9", "#000000", "#999999"), nlevels(points$model))
+  colours <- rep_len(c(plot_colours, "#999999"), nlevels(points$model))
   # Room at the right for the labels, of which the longest are "1e-9 to 1e-12".
   across <- padded(points$cost_s, 0.06, 0.22)
   up <- padded(c(points$true_error, said$error), 0.08, 0.06)
@@ -44,7 +46,7 @@ autoplot.rot_work_precision <- function(object, ...) {
     ) +
     ggplot2::geom_point(data = shown, ggplot2::aes(shape = "true"), size = 3) +
     ggplot2::geom_point(data = at_floor, ggplot2::aes(shape = "true, at most"), size = 3) +
-    accuracy_labels(points) +
+    accuracy_labels(points, base_size) +
     ggplot2::scale_shape_manual(
       values = c(true = 16, "true, at most" = 6, reported = 1),
       breaks = c("true", "true, at most", "reported"), name = "error"
@@ -55,19 +57,29 @@ autoplot.rot_work_precision <- function(object, ...) {
       labels = format_power, breaks = 10^seq(-18, 3, by = 3), limits = up, expand = c(0, 0)
     ) +
     ggplot2::labs(
-      title = "What accuracy costs",
-      subtitle = "lower left is better; labels: accuracy asked for; grey: not resolved",
-      x = "processor time of one run", y = "relative error"
+      title = wrap_title("What accuracy costs", base_size),
+      subtitle = wrap_subtitle(
+        "lower left is better; labels: accuracy asked for; grey: not resolved", base_size
+      ),
+      x = "processor time of one run", y = "relative error",
+      alt = paste0("Cost against true error, both logarithmic. ", paste(vapply(
+        split(points, points$model, drop = TRUE), function(one) {
+          paste0(
+            one$model[1], ": ", paste(format_cost(range(one$cost_s)), collapse = " to "), ", error ",
+            paste(format_si(signif(range(one$true_error), 2)), collapse = " to ")
+          )
+        }, ""
+      ), collapse = "; "), ".")
     ) +
     ggplot2::guides(
-      colour = ggplot2::guide_legend(order = 1, override.aes = list(shape = NA)),
+      colour = ggplot2::guide_legend(
+        order = 1, override.aes = list(shape = NA),
+        ncol = legend_columns(levels(points$model), base_size)
+      ),
       shape = ggplot2::guide_legend(order = 2, override.aes = list(size = 3))
     ) +
-    plot_theme() +
-    ggplot2::theme(
-      legend.box = "vertical", legend.spacing.y = ggplot2::unit(2, "pt"),
-      plot.margin = ggplot2::margin(6, 18, 6, 6)
-    )
+    plot_theme(base_size) +
+    ggplot2::theme(legend.box = "vertical", plot.margin = ggplot2::margin(6, 18, 6, 6))
 }
 
 # Limits on a logarithmic axis, wider than the values by shares of their range; half a decade at
@@ -80,7 +92,7 @@ padded <- function(x, before, after) {
 
 # One label for each point; points at the same place (a closed form has one error at any
 # accuracy) share one, with the range.
-accuracy_labels <- function(points) {
+accuracy_labels <- function(points, base_size) {
   place <- paste(points$model, signif(log10(points$true_error), 2))
   labels <- do.call(rbind, lapply(split(points, factor(place, unique(place))), function(group) {
     asked <- range(group$accuracy)
@@ -89,8 +101,8 @@ accuracy_labels <- function(points) {
     group
   }))
   ggplot2::geom_text(
-    data = labels, ggplot2::aes(label = .data$label), hjust = 0, vjust = -0.4, size = 3.4,
-    show.legend = FALSE
+    data = labels, ggplot2::aes(label = .data$label), hjust = 0, vjust = -0.4,
+    size = 0.85 * text_size(base_size), show.legend = FALSE, check_overlap = TRUE
   )
 }
 

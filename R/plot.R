@@ -1,142 +1,160 @@
-# Plots. ggplot2 is suggested; the methods are registered when it is loaded.
+# What all pictures share. ggplot2 is suggested; the methods are registered when it is loaded.
 
-# A palette for colour-blind readers and projectors (Okabe & Ito 2008).
-plot_colours <- c("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00")
+# A palette for colour-blind readers and projectors (Okabe and Ito 2008), without its yellow, which
+# is too pale for lines on white.
+plot_colours <- c("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 
-plot_theme <- function() {
-  ggplot2::theme_minimal(base_size = 13) +
+# n colours; beyond seven, plot_types() distinguishes them.
+line_colours <- function(n) rep_len(plot_colours, n)
+
+plot_types <- function(n) {
+  rep_len(rep(c("solid", "42", "13", "4213"), each = length(plot_colours)), n)
+}
+
+# The checks of every picture. The dots must be empty; returns the caller's frame.
+check_plot <- function(base_size, ...) {
+  call <- parent.frame()
+  if (...length()) {
+    abort_dots(as.list(substitute(list(...)))[-1L], call, rlang::caller_fn())
+  }
+  need_package("ggplot2", "A plot", call)
+  check_number(base_size, "base_size", "1", call, lower = 4, upper = 96)
+  call
+}
+
+# Margins grow less than the letters, so that panels have room where the letters are large.
+plot_theme <- function(base_size = 13) {
+  gap <- 3 + 0.15 * base_size
+  text <- function(...) ggplot2::element_text(..., lineheight = 0.95)
+  ggplot2::theme_minimal(base_size = base_size) +
     ggplot2::theme(
       panel.grid.minor = ggplot2::element_blank(),
       plot.title.position = "plot",
-      plot.title = ggplot2::element_text(face = "bold"),
-      plot.subtitle = ggplot2::element_text(colour = "grey35"),
-      strip.text = ggplot2::element_text(hjust = 0, face = "bold"),
+      plot.title = text(face = "bold", size = ggplot2::rel(1.1), margin = ggplot2::margin(b = gap)),
+      plot.subtitle = text(
+        colour = "grey35", size = ggplot2::rel(0.8), margin = ggplot2::margin(b = gap)
+      ),
+      plot.caption = text(hjust = 0, size = ggplot2::rel(0.7), colour = "grey35"),
+      plot.caption.position = "plot",
+      axis.title = text(size = ggplot2::rel(0.8)),
+      axis.text = text(size = ggplot2::rel(0.72)),
+      strip.text = text(
+        hjust = 0, face = "bold", size = ggplot2::rel(0.75),
+        margin = ggplot2::margin(gap / 2, 0, gap / 2, 0)
+      ),
       legend.position = "bottom",
       legend.margin = ggplot2::margin(0, 0, 0, 0),
-      legend.key.width = ggplot2::unit(24, "pt")
+      legend.box.spacing = ggplot2::unit(gap, "pt"),
+      legend.spacing.y = ggplot2::unit(0, "pt"),
+      legend.text = text(size = ggplot2::rel(0.75)),
+      legend.title = text(size = ggplot2::rel(0.75)),
+      legend.key.height = ggplot2::unit(1.05 * base_size, "pt"),
+      legend.key.width = ggplot2::unit(1.6 * base_size, "pt"),
+      panel.spacing.y = ggplot2::unit(gap, "pt"),
+      panel.spacing.x = ggplot2::unit(gap + 0.6 * base_size, "pt"),
+      plot.margin = ggplot2::margin(6, 0.7 * base_size, 4, 6)
     )
 }
 
-#' Plot a trajectory or a rolling table
-#'
-#' `autoplot()` of a trajectory draws the state, the torques and the energies of its scene over
-#' time, with its events as dashed lines: of an axle, angle, angular velocity, the three torques and
-#' the kinetic energy; of rotors, the angular velocity of each and the torque of each piece of
-#' shaft; of a clutch, both angular velocities, the torque of the clutch and the heat. Of a rolling
-#' table it draws the final speed of each object and how its energy is divided.
-#'
-#' @param object A `rot_trajectory`, or what [rolling_table()] returned.
-#' @param ... Not used.
-#' @return A ggplot.
-#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
-#' ggplot2::autoplot(spin_up())
-#' ggplot2::autoplot(rolling_table())
-#' scene <- scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
-#' ggplot2::autoplot(trajectory(scene, time_s = seq(0, 2, by = 0.02)))
-#' @name autoplot.rotdyn
-NULL
+# The size of geom_text() for letters as large as those of the axes.
+text_size <- function(base_size) 0.72 * base_size / (72.27 / 25.4)
 
-#' @rdname autoplot.rotdyn
-#' @exportS3Method ggplot2::autoplot
-autoplot.rot_trajectory <- function(object, ...) {
-  need_package("ggplot2", "A plot", rlang::current_env())
-  run <- trajectory_run(object)
-  constraint <- constraint_of(run$scene)
-  long <- panel_lines(object, constraint)
-  lines <- setdiff(levels(long$line), "")
-  colours <- stats::setNames(c(plot_colours[1], line_colours(lines)), c("", lines))
-  # "net" is dashed: it may coincide with another line.
-  types <- stats::setNames(ifelse(names(colours) == "net", "22", "solid"), names(colours))
-  plot <- ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$line)) +
-    ggplot2::geom_hline(yintercept = 0, colour = "grey80")
-  if (length(run$events$time_s)) {
-    plot <- plot + ggplot2::geom_vline(
-      xintercept = run$events$time_s, colour = "grey55", linetype = "22"
-    )
+# Labels of an axis that would overlap are left out.
+plot_axis <- function() ggplot2::guide_axis(check.overlap = TRUE)
+
+# Few round values within the limits: fewer where the letters are large.
+plot_breaks <- function(base_size, most = 5) {
+  n <- max(2, round(most * 13 / max(base_size, 13)))
+  function(limits) {
+    at <- pretty(limits, n)
+    at[at >= limits[1] & at <= limits[2]]
   }
-  plot +
-    ggplot2::geom_line(ggplot2::aes(linetype = .data$line), linewidth = 0.8) +
-    ggplot2::facet_wrap(
-      "panel", scales = "free_y", ncol = if (length(constraint$panels) > 3L) 2 else 1
-    ) +
-    ggplot2::scale_colour_manual(values = colours, breaks = lines, name = NULL) +
-    ggplot2::scale_linetype_manual(values = types, breaks = lines, name = NULL) +
-    ggplot2::labs(
-      title = constraint$title(run),
-      subtitle = paste0("model ", run$model, ", relative error ", describe_error(run)),
-      x = "time (s)", y = NULL
-    ) +
-    plot_theme()
 }
 
-line_colours <- function(lines) {
-  named <- c(applied = plot_colours[5], damping = plot_colours[2], net = plot_colours[3])
-  if (all(lines %in% names(named))) named[lines] else rep_len(plot_colours, length(lines))
+# The width of text in points: a letter is about 0.55 of its size, a bold one 0.58.
+text_width <- function(text, size, bold = FALSE) {
+  max(nchar(text), 0L) * size * if (bold) 0.58 else 0.55
 }
 
-# The columns of the panels in long form: time_s, value, panel, line. Where rows have an index, each
-# value of it is a line.
-panel_lines <- function(object, constraint) {
-  index <- constraint$index
-  parts <- lapply(constraint$panels, function(panel) {
-    columns <- panel$columns[names(panel$columns) %in% names(object)]
-    lapply(names(columns), function(name) {
-      value <- object[[name]]
-      line <- if (is.null(index)) columns[[name]] else paste(index, object[[index]])
-      part <- data.frame(
-        time_s = object$time_s, value = value, panel = rep(panel$label, length(value)), line = line
-      )
-      part[!is.na(value), ]
-    })
-  })
-  long <- do.call(rbind, unlist(parts, recursive = FALSE))
-  for (name in c("panel", "line")) long[[name]] <- factor(long[[name]], unique(long[[name]]))
-  long
+# Lines of text that fit a width, by default that of a picture of 7 inches.
+wrap_text <- function(text, size, width_in = 6.7, bold = FALSE) {
+  room <- max(floor(width_in * 72 / text_width("x", size, bold)), 10)
+  paste(unlist(lapply(text, strwrap, room + 1)), collapse = "\n")
 }
 
-#' @rdname autoplot.rotdyn
-#' @exportS3Method ggplot2::autoplot
-autoplot.rot_rolling_table <- function(object, ...) {
-  need_package("ggplot2", "A plot", rlang::current_env())
-  label <- if ("object" %in% names(object)) {
-    gsub("_", " ", as.character(object[["object"]]))
-  } else {
-    paste("beta =", format(object[["beta"]], digits = 3, trim = TRUE))
+# The label of a panel: its unit stays whole.
+wrap_label <- function(label, size, width_in) {
+  if (text_width(label, size, TRUE) <= width_in * 72) return(label)
+  unit <- sub("^.*(\\([^(]*\\))$", "\\1", label)
+  name <- trimws(substr(label, 1L, nchar(label) - if (unit == label) 0L else nchar(unit)))
+  paste(c(wrap_text(name, size, width_in, TRUE), if (unit != label) unit), collapse = "\n")
+}
+
+wrap_title <- function(text, base_size) wrap_text(text, 1.1 * base_size, bold = TRUE)
+
+wrap_subtitle <- function(text, base_size) {
+  if (length(text)) wrap_text(text, 0.8 * base_size)
+}
+
+# "an annulus", "a half disk"; "a uniform rod", "an hour".
+with_article <- function(name) {
+  name <- gsub("_", " ", name)
+  vowel <- grepl("^([aeio]|u(?!ni|s[aei]))", name, ignore.case = TRUE, perl = TRUE)
+  paste(ifelse(vowel, "an", "a"), name)
+}
+
+sentence <- function(text) {
+  substr(text, 1, 1) <- toupper(substr(text, 1, 1))
+  text
+}
+
+# Units that a picture may show, by the SI unit: the factor to each.
+plot_units <- list(
+  rad = c(degree = 180 / pi, turn = 0.5 / pi, rad = 1),
+  "rad/s" = c(rpm = 30 / pi, "degree/s" = 180 / pi, "turn/s" = 0.5 / pi, "rad/s" = 1),
+  s = c(ms = 1e3, min = 1 / 60, h = 1 / 3600, s = 1),
+  J = c(mJ = 1e3, kJ = 1e-3, "W h" = 1 / 3600, J = 1),
+  "N m" = c("mN m" = 1e3, "kN m" = 1e-3, "N m" = 1)
+)
+
+# The units asked for, by the SI unit that each replaces.
+check_plot_units <- function(units, call) {
+  if (is.null(units)) return(character())
+  known <- unlist(lapply(plot_units, names), use.names = FALSE)
+  if (!is.character(units) || anyNA(units)) {
+    abort_rotdyn(c(
+      "{.arg units} must be NULL or names of units.", x = "It is {describe_value(units)}."
+    ), "type", call)
   }
-  label <- make.unique(label, sep = " ")
-  speed <- object[["final_speed_m_per_s"]]
-  order <- label[order(speed)]
-  long <- data.frame(
-    label = factor(rep(label, 2), levels = order),
-    share = c(object[["translational_energy_fraction"]], object[["rotational_energy_fraction"]]),
-    motion = factor(
-      rep(c("translation", "rotation"), each = length(label)),
-      levels = c("rotation", "translation")
-    )
+  bad <- setdiff(units, known)
+  if (length(bad)) {
+    abort_rotdyn(c(
+      "{.arg units} must be among {.or {.val {known}}}.", x = "It has {.val {bad}}."
+    ), "unit", call)
+  }
+  of <- rep(names(plot_units), lengths(plot_units))[match(units, known)]
+  if (anyDuplicated(of)) {
+    twice <- units[of == of[duplicated(of)][1]]
+    abort_rotdyn("{.arg units} has two units of one quantity: {.val {twice}}.", "unit", call)
+  }
+  stats::setNames(units, of)
+}
+
+# list(label, factor) of a panel whose label ends in a unit: "angle (rad)".
+in_plot_unit <- function(label, units) {
+  si <- sub("^.*\\((.*)\\)$", "\\1", label)
+  if (!si %in% names(units)) return(list(label = label, factor = 1))
+  unit <- units[[si]]
+  list(
+    label = paste0(sub("\\([^(]*\\)$", "", label), "(", unit, ")"),
+    factor = plot_units[[si]][[unit]]
   )
-  speeds <- data.frame(
-    label = factor(label, levels = order),
-    text = paste(formatC(speed, digits = 3, format = "f"), "m/s")
-  )
-  ggplot2::ggplot(long, ggplot2::aes(.data$share, .data$label)) +
-    ggplot2::geom_col(ggplot2::aes(fill = .data$motion), width = 0.7) +
-    ggplot2::geom_text(
-      data = speeds, ggplot2::aes(x = 1.02, y = .data$label, label = .data$text),
-      hjust = 0, size = 4, colour = "grey25"
-    ) +
-    ggplot2::scale_x_continuous(
-      limits = c(0, 1.25), breaks = seq(0, 1, by = 0.25),
-      labels = c("0", "25 %", "50 %", "75 %", "100 %"), expand = c(0, 0)
-    ) +
-    ggplot2::scale_fill_manual(
-      values = c(rotation = plot_colours[2], translation = plot_colours[1]),
-      breaks = c("translation", "rotation"), name = NULL
-    ) +
-    ggplot2::labs(
-      title = "What rolls faster puts less into rotation",
-      subtitle = "share of the kinetic energy, and the speed at the bottom",
-      x = NULL, y = NULL
-    ) +
-    plot_theme() +
-    ggplot2::theme(panel.grid.major.y = ggplot2::element_blank())
+}
+
+# "3, 1.5 to 7": the range of values in words.
+range_in_words <- function(x, digits = 3) {
+  x <- x[is.finite(x)]
+  if (!length(x)) return("no values")
+  ends <- format_si(signif(range(x), digits))
+  if (ends[1] == ends[2]) ends[1] else paste(ends[1], "to", ends[2])
 }

@@ -1,32 +1,54 @@
-test_that("a trajectory and a rolling table draw without a warning", {
-  skip_if_not_installed("ggplot2")
-  for (object in list(spin_up(), rolling_table(), rolling_table(data.frame(beta = c(1, 1))))) {
-    expect_silent(built <- ggplot2::ggplot_build(ggplot2::autoplot(object)))
-    expect_gt(nrow(built$data[[1]]), 0)
+# The rolling table is in test-plot-rolling.R, trajectories in test-plot-trajectory.R.
+skip_if_not_installed("ggplot2")
+
+test_that("articles are right", {
+  words <- c("annulus", "disk", "elliptic_plate", "half disk", "octahedron", "uniform rod", "urn")
+  expect_equal(
+    rotdyn:::with_article(words),
+    c("an annulus", "a disk", "an elliptic plate", "a half disk", "an octahedron", "a uniform rod",
+      "an urn")
+  )
+})
+
+test_that("unknown arguments and letters of no size are refused by every picture", {
+  objects <- list(
+    spin_up(time_s = 0:2), rolling_table(), body_disk(2, 0.25),
+    compare_runs(spin_up(time_s = 0:2))
+  )
+  for (object in objects) {
+    expect_error(
+      ggplot2::autoplot(object, colour = "red"), "colour", class = "rotdyn_error_argument"
+    )
+    expect_error(ggplot2::autoplot(object, base_size = 0), class = "rotdyn_error_value")
+    expect_error(ggplot2::autoplot(object, base_size = "big"), class = "rotdyn_error_type")
+    theme <- ggplot2::autoplot(object, base_size = 24)$theme
+    expect_equal(theme$text$size, 24)
+    expect_gt(nchar(ggplot2::autoplot(object)$labels$alt), 30)
   }
 })
 
-test_that("the plot shows the numbers of the table", {
-  skip_if_not_installed("ggplot2")
-  motion <- spin_up(time_s = 0:8)
-  drawn <- ggplot2::autoplot(motion)$data
-  theta <- drawn[drawn$panel == "angle (rad)", ]
-  expect_equal(theta$value, motion$theta_rad)
-  damping <- drawn[drawn$line == "damping", ]
-  expect_equal(damping$value, motion$damping_torque_n_m)
+test_that("seven lines have seven colours, more have other types", {
+  expect_equal(anyDuplicated(rotdyn:::line_colours(7)), 0)
+  expect_false("#F0E442" %in% rotdyn:::line_colours(7)) # yellow on white
+  pairs <- paste(rotdyn:::line_colours(20), rotdyn:::plot_types(20))
+  expect_equal(anyDuplicated(pairs), 0)
 })
-test_that("rotors and a clutch draw without a warning, and show their numbers", {
-  skip_if_not_installed("ggplot2")
-  time <- seq(0, 2, by = 0.1)
-  rotors <- trajectory(scene_rotors(c(1, 2, 1), 50, torque_n_m = c(1, 0, 0)), time, 1e-9)
-  clutch <- trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), time, 1e-9)
-  for (motion in list(rotors, clutch)) {
-    expect_silent(built <- ggplot2::ggplot_build(ggplot2::autoplot(motion)))
-    expect_gt(nrow(built$data[[1]]), 0)
-  }
-  drawn <- ggplot2::autoplot(clutch)$data
-  expect_equal(drawn$value[drawn$panel == "heat (J)"], clutch$heat_j)
-  drawn <- ggplot2::autoplot(rotors)$data
-  expect_equal(sum(drawn$line == "rotor 3"), length(time))
-  expect_equal(sum(drawn$line == "rotor 1"), 2 * length(time))
+
+test_that("factors of units are those of their definitions", {
+  factors <- rotdyn:::plot_units
+  expect_equal(90, pi / 2 * factors$rad[["degree"]])
+  expect_equal(1, 2 * pi * factors$rad[["turn"]])
+  expect_equal(60, 2 * pi * factors[["rad/s"]][["rpm"]])
+  expect_equal(360, 2 * pi * factors[["rad/s"]][["degree/s"]])
+  expect_equal(2, 7200 * factors$s[["h"]])
+  expect_equal(1, 3600 * factors$J[["W h"]])
+})
+
+test_that("text is wrapped to a width, a unit stays whole", {
+  lines <- strsplit(rotdyn:::wrap_text(strrep("word ", 40), 24), "\n")[[1]]
+  expect_true(all(nchar(lines) * 24 * 0.5 <= 7 * 72))
+  expect_equal(rotdyn:::wrap_label("angle (rad)", 10, 3), "angle (rad)")
+  expect_equal(
+    rotdyn:::wrap_label("angular momentum (kg m^2/s)", 18, 2.5), "angular momentum\n(kg m^2/s)"
+  )
 })

@@ -1,0 +1,153 @@
+skip_if_not_installed("ggplot2")
+
+layer_of <- function(plot, geom) {
+  ggplot2::ggplot_build(plot)$data[[
+    which(vapply(plot$layers, function(one) inherits(one$geom, geom), NA))[1]
+  ]]
+}
+
+test_that("the plot shows the numbers of the table", {
+  motion <- spin_up(time_s = 0:8)
+  expect_silent(built <- ggplot2::ggplot_build(ggplot2::autoplot(motion)))
+  drawn <- ggplot2::autoplot(motion)$data
+  theta <- drawn[drawn$panel == "angle (rad)", ]
+  expect_equal(theta$value, motion$theta_rad)
+  damping <- drawn[drawn$line == "damping", ]
+  expect_equal(damping$value, motion$damping_torque_n_m)
+})
+
+test_that("rotors and a clutch draw without a warning, and show their numbers", {
+  time <- seq(0, 2, by = 0.1)
+  rotors <- trajectory(scene_rotors(c(1, 2, 1), 50, torque_n_m = c(1, 0, 0)), time, 1e-9)
+  clutch <- trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), time, 1e-9)
+  for (motion in list(rotors, clutch)) {
+    expect_silent(built <- ggplot2::ggplot_build(ggplot2::autoplot(motion)))
+    expect_gt(nrow(built$data[[1]]), 0)
+  }
+  drawn <- ggplot2::autoplot(clutch)$data
+  expect_equal(drawn$value[drawn$panel == "heat (J)"], clutch$heat_j)
+  drawn <- ggplot2::autoplot(rotors)$data
+  # The third rotor has no shaft behind it.
+  expect_equal(sum(drawn$line == "rotor 3"), length(time))
+  expect_equal(sum(drawn$line == "rotor 1"), 2 * length(time))
+})
+
+test_that("six rotors have six colours", {
+  motion <- trajectory(scene_rotors(rep(1, 6), 50, torque_n_m = c(1, 0, 0, 0, 0, 0)), 0:5)
+  expect_length(unique(layer_of(ggplot2::autoplot(motion), "GeomLine")$colour), 6)
+})
+
+test_that("units are converted, also of time, and unknown ones are refused", {
+  motion <- spin_up(time_s = c(0, 4, 8))
+  drawn <- ggplot2::autoplot(motion, units = c("degree", "rpm", "ms"))
+  of <- function(panel) drawn$data[drawn$data$panel == panel, ]
+  expect_equal(of("angle (degree)")$value, motion$theta_rad * 180 / pi)
+  expect_equal(of("angular velocity (rpm)")$value, motion$omega_rad_per_s * 60 / (2 * pi))
+  expect_equal(of("angle (degree)")$time_s, c(0, 4000, 8000))
+  expect_equal(drawn$labels$x, "time (ms)")
+  expect_error(ggplot2::autoplot(motion, units = "rmp"), class = "rotdyn_error_unit")
+  expect_error(ggplot2::autoplot(motion, units = c("rpm", "turn/s")), class = "rotdyn_error_unit")
+  expect_error(ggplot2::autoplot(motion, units = 1), class = "rotdyn_error_type")
+})
+
+test_that("panels are chosen by name or by column, in order", {
+  motion <- spin_up(time_s = 0:8)
+  panels <- function(...) levels(ggplot2::autoplot(motion, ...)$data$panel)
+  expect_equal(panels(panels = c("torque", "angle")), c("torque (N m)", "angle (rad)"))
+  expect_equal(panels(panels = "angular"), "angular velocity (rad/s)")
+  expect_equal(panels(panels = "angular_momentum_kg_m2_per_s"), "angular momentum (kg m^2/s)")
+  motion$square <- motion$time_s^2
+  expect_equal(panels(panels = "square"), "square")
+  for (bad in list("speed", "a", "")) { # "a" begins two names
+    expect_error(panels(panels = bad), class = "rotdyn_error_value")
+  }
+  expect_error(panels(panels = 1), class = "rotdyn_error_type")
+})
+
+test_that("what is zero is left out, and a net torque that is another one", {
+  drawn <- function(...) ggplot2::autoplot(trajectory(scene_axle(2, ...), 0:3))$data
+  free <- drawn(omega0_rad_per_s = 2)
+  expect_false("torque (N m)" %in% free$panel)
+  driven <- drawn(3)
+  expect_setequal(as.character(driven$line), c(" ", "applied"))
+  coasting <- drawn(resistance = resistance(0.1), omega0_rad_per_s = 2)
+  expect_setequal(as.character(coasting$line), c(" ", "damping"))
+  # At rest nothing is left but the first panel; a panel asked for is drawn all the same.
+  expect_equal(levels(drawn()$panel), "angle (rad)")
+  still <- ggplot2::autoplot(trajectory(scene_axle(2), 0:3), panels = "torque")
+  expect_equal(levels(still$data$panel), "torque (N m)")
+  expect_silent(ggplot2::ggplot_build(still))
+})
+
+test_that("a skater's I and L are shown", {
+  scene <- scene_axle(inertia_knots(c(1, 2), c(5, 2)), omega0_rad_per_s = 2)
+  motion <- trajectory(scene, seq(0, 3, by = 0.5))
+  drawn <- ggplot2::autoplot(motion)$data
+  expect_equal(
+    drawn$value[drawn$panel == "moment of inertia (kg m^2)"], c(5, 5, 5, 3.5, 2, 2, 2)
+  )
+  expect_equal(drawn$value[drawn$panel == "angular momentum (kg m^2/s)"], rep(10, 7))
+  expect_false("angular momentum (kg m^2/s)" %in% ggplot2::autoplot(spin_up())$data$panel)
+})
+
+test_that("events are marked at their times, on the line", {
+  # I omega0/tau = 2 * 10/0.5 = 40 s.
+  wheel <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
+  motion <- trajectory(wheel, 0:60)
+  plot <- ggplot2::autoplot(motion, panels = "angular velocity", units = "min")
+  expect_equal(unique(layer_of(plot, "GeomVline")$xintercept), 40 / 60)
+  mark <- layer_of(plot, "GeomPoint")
+  expect_equal(c(mark$x, mark$y), c(40 / 60, 0))
+  expect_match(plot$labels$alt, "stick at 0.6667 min")
+  # Rows that end before it show none.
+  expect_no_match(ggplot2::autoplot(motion[motion$time_s < 30, ])$labels$alt, "Events")
+})
+
+test_that("several runs are lines of their own: by name, by column, and bound together", {
+  wheel <- function(c) scene_axle(body_annulus(2, 0.25, 0.2), 0.8, resistance(viscous_n_m_s = c))
+  time <- seq(0, 10, by = 0.5)
+  free <- trajectory(wheel(0), time)
+  damped <- trajectory(wheel(0.03), time)
+  runs <- compare_runs(free = free, damped = damped)
+  expect_s3_class(runs, "rot_runs")
+  expect_equal(levels(runs$run), c("free", "damped"))
+  expect_equal(runs$omega_rad_per_s, c(free$omega_rad_per_s, damped$omega_rad_per_s))
+  expect_equal(compare_runs(list(free = free, damped = damped)), runs)
+  expect_equal(levels(compare_runs(free, damped)$run), c("run 1", "run 2"))
+  plot <- ggplot2::autoplot(runs, panels = "angular velocity")
+  expect_match(plot$labels$title, "^An annulus")
+  lines <- layer_of(plot, "GeomLine")
+  expect_length(unique(lines$group), 2)
+  expect_length(unique(lines$colour), 2)
+  # No line goes back in time: a wedge would.
+  expect_true(all(tapply(lines$x, lines$group, function(x) all(diff(x) > 0))))
+  if (requireNamespace("dplyr", quietly = TRUE)) {
+    bound <- dplyr::bind_rows(a = free, b = damped, .id = "case")
+    for (plot in list(
+      ggplot2::autoplot(bound), ggplot2::autoplot(bound, by = "case"),
+      ggplot2::autoplot(dplyr::bind_rows(free, damped))
+    )) {
+      lines <- layer_of(plot, "GeomLine")
+      expect_true(all(tapply(lines$x, list(lines$group, lines$PANEL), function(x) {
+        all(diff(x) > 0)
+      }), na.rm = TRUE))
+    }
+    expect_equal(levels(ggplot2::autoplot(bound)$data$run), c("a", "b"))
+    expect_error(ggplot2::autoplot(bound, by = "colour"), class = "rotdyn_error_value")
+  }
+})
+
+test_that("runs of other kinds, and what is no trajectory, are refused", {
+  wheel <- spin_up(time_s = 0:2)
+  clutch <- trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), 0:2)
+  expect_error(compare_runs(wheel, clutch), class = "rotdyn_error_value")
+  expect_error(compare_runs(a = wheel, a = wheel), class = "rotdyn_error_value")
+  expect_error(compare_runs(a = wheel, b = 3), class = "rotdyn_error_type")
+  expect_error(compare_runs(), class = "rotdyn_error_missing")
+})
+
+test_that("a motion without rows, and one of one row, draw", {
+  motion <- spin_up(time_s = 0:2)
+  expect_silent(ggplot2::ggplot_build(ggplot2::autoplot(motion[1, ])))
+  expect_error(ggplot2::autoplot(motion[0, ]), class = "rotdyn_error_value")
+})
