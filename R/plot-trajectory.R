@@ -245,7 +245,7 @@ key_colours <- function(keys) {
   stats::setNames(c(of, plot_colours[1]), c(lines, no_name))
 }
 
-# Of one run, types repeat as the colours do not suffice; of several, each line has its own. "net" is
+# Of one run, types change where the colours repeat; of several, each line has its own. "net" is
 # dashed: it may coincide with another line.
 key_types <- function(keys, several) {
   lines <- setdiff(keys, no_name)

@@ -65,8 +65,8 @@ autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
       alt = paste0("Cost against true error, both logarithmic. ", paste(vapply(
         split(points, points$model, drop = TRUE), function(one) {
           paste0(
-            one$model[1], ": ", paste(format_cost(range(one$cost_s)), collapse = " to "), ", error ",
-            paste(format_si(signif(range(one$true_error), 2)), collapse = " to ")
+            one$model[1], ": ", paste(format_cost(range(one$cost_s)), collapse = " to "),
+            ", error ", paste(format_si(signif(range(one$true_error), 2)), collapse = " to ")
           )
         }, ""
       ), collapse = "; "), ".")
