@@ -171,16 +171,18 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
     mass_kg, distance_m,
     gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
   )
-  inertia <- about_centre + mass_kg * distance_m^2
-  check_turns(inertia, call, computed = TRUE)
-  new_scene_axle(
-    body, inertia, NULL, axis,
+  inertia <- .Call(ffi_sum_product, about_centre, c(mass_kg, distance_m, distance_m))
+  check_turns(inertia[1], call, computed = TRUE)
+  scene <- new_scene_axle(
+    body, inertia[1], NULL, axis,
     if (torque_is_zero(torque)) gravity else sum_torques(gravity, torque),
     as_resistance(resistance, call),
     check_number(theta0_rad, "theta0_rad", "rad", call),
     check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
     check_number(start_s, "start_s", "s", call)
   )
+  scene$inertia_lo <- inertia[2]
+  scene
 }
 
 # A computed moment below 2.2e-308 has lost digits.

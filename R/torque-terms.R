@@ -17,6 +17,9 @@ scale_term <- function(term, factor) {
     1L
   )
   term$x[at] <- factor * x[at]
+  if (term$kind == "gravity") {
+    term$x[c(1, 3)] <- .Call(ffi_sum_product, factor * x[3], c(factor, x[1]))
+  }
   term$text <- paste0(format_si(factor), " x (", term$text, ")")
   term
 }
@@ -295,15 +298,15 @@ torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per
   d <- check_number(distance_m, "distance_m", "m", call, lower = 0)
   g <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
   rest <- check_number(rest_rad, "rest_rad", "rad", call)
-  largest <- m * d * g
-  if (!is.finite(largest)) {
+  largest <- .Call(ffi_sum_product, 0, c(m, d, g)) # over a long time its rounding counts
+  if (!is.finite(largest[1])) {
     abort_rotdyn("The weight's torque is beyond double precision.", "value", call)
   }
-  if (largest == 0) return(new_knots(double(), double(), c(0, 0)))
+  if (largest[1] == 0) return(new_knots(double(), double(), c(0, 0)))
   new_term(
-    "gravity", c(largest, rest),
+    "gravity", c(largest[1], rest, largest[2]),
     paste0(
-      "gravity, at most ", format_si(abs(largest)), " N m, hanging at ", format_si(rest), " rad"
+      "gravity, at most ", format_si(abs(largest[1])), " N m, hanging at ", format_si(rest), " rad"
     )
   )
 }

@@ -44,6 +44,9 @@ rot_axle_scene ffi_axle_scene(SEXP list, SEXP breaks_s) {
   scene.static_n_m = ffi_number_of(resistance, "static_n_m");
   scene.motor_n_m_s = ffi_number_of(loads, "motor_n_m_s");
   scene.linear.inertia_kg_m2 = ffi_number_of(list, "moment_of_inertia_kg_m2");
+  if (!Rf_isNull(ffi_element(list, "inertia_lo"))) {
+    scene.inertia_lo = ffi_number_of(list, "inertia_lo");
+  }
   scene.linear.viscous_n_m_s = scene.viscous_n_m_s + scene.motor_n_m_s;
   scene.linear.start_s = ffi_number_of(list, "start_s");
   scene.linear.theta0_rad = ffi_number_of(list, "theta0_rad");

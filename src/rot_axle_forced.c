@@ -385,7 +385,7 @@ static rot_axle_state move(const forced_run *run, double time_s) {
 }
 
 static rot_axle_point point_of(const rot_axle_state *x) {
-  return (rot_axle_point){x->theta_rad, x->omega_rad_per_s, x->theta_error, x->omega_error};
+  return (rot_axle_point){x->theta_rad, x->omega_rad_per_s, x->theta_error, x->omega_error, 0.0};
 }
 
 static void state_at(const void *model, double time_s, rot_axle_point *state) {

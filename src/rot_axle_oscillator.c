@@ -260,7 +260,7 @@ static void all_waves(const swing *run, const rot_oscillator_step *step, double 
                       rot_axle_point *sum) {
   const double start = run->scene->linear.start_s;
   rot_oscillator_step from_start;
-  *sum = (rot_axle_point){0.0, 0.0, 0.0, 0.0};
+  *sum = (rot_axle_point){0.0, 0.0, 0.0, 0.0, 0.0};
   if (run->n_waves == 0) return;
   if (run->base.time_s != start) {
     rot_oscillator_at(&run->of, rot_dd_sum2(t, -start), &from_start);

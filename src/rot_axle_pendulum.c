@@ -82,13 +82,19 @@ static void half_angle(pendulum *out, double theta, double rest, double gravity)
   out->half_turns = n + hangs_up;
 }
 
-static void rates(pendulum *out, double inertia, double gravity, double omega) {
+/* A number near 1, and the power of two that it lacks. */
+static rot_dd split(rot_dd x, int *exponent) {
+  (void)frexp(x.hi, exponent);
+  return rot_dd_ldexp(x, -*exponent);
+}
+
+static void rates(pendulum *out, rot_dd inertia, rot_dd gravity, double omega) {
   int ei, eg, eo = 0;
-  const double mi = frexp(inertia, &ei), mg = frexp(fabs(gravity), &eg), mo = frexp(omega, &eo);
+  const rot_dd mi = split(inertia, &ei), mg = split(rot_dd_abs(gravity), &eg);
+  const double mo = frexp(omega, &eo);
   const int e = eg - ei, half = (e >= 0 ? e : e - 1) / 2;
   out->exponent = -half;
-  out->w0 =
-      rot_dd_sqrt(rot_dd_ldexp(rot_dd_div((rot_dd){mg, 0.0}, (rot_dd){mi, 0.0}), e - 2 * half));
+  out->w0 = rot_dd_sqrt(rot_dd_ldexp(rot_dd_div(mg, mi), e - 2 * half));
   out->speed = rot_dd_div((rot_dd){mo, 0.0}, out->w0);
   out->speed_exponent = eo - 1 - half;
 }
@@ -160,9 +166,9 @@ static void begin_separatrix(pendulum *p, double error) {
   p->m1_loss = exact ? 0.0 : error;
 }
 
-static void begin(pendulum *p, double inertia, double gravity, double theta, double rest,
+static void begin(pendulum *p, rot_dd inertia, rot_dd gravity, double theta, double rest,
                   double omega) {
-  half_angle(p, theta, rest, gravity);
+  half_angle(p, theta, rest, gravity.hi);
   rates(p, inertia, gravity, omega);
   modulus(p);
   const int e = p->k_exponent > 0 ? p->k_exponent : 0;
@@ -275,7 +281,7 @@ static void state_at(const void *model, double t, rot_axle_point *state) {
   const double rest = p->scene->terms[0].x[1];
   pose at_t;
   if (p->manner == STILL || t == at->start_s) {
-    *state = (rot_axle_point){at->theta0_rad, at->omega0_rad_per_s, 0.0, 0.0};
+    *state = (rot_axle_point){at->theta0_rad, at->omega0_rad_per_s, 0.0, 0.0, 0.0};
     return;
   }
   const rot_dd u = run_of_u(p, rot_dd_sum2(t, -at->start_s));
@@ -287,7 +293,9 @@ static void state_at(const void *model, double t, rot_axle_point *state) {
     separatrix_pose(p, u, &at_t);
   }
   const rot_dd whole = rot_dd_mul(pi, rot_dd_add1(at_t.half_turns, p->half_turns));
-  state->theta_rad = rot_dd_add1(rot_dd_add1(whole, rest), 2.0 * at_t.half_phi).hi;
+  const rot_dd theta = rot_dd_add1(rot_dd_add1(whole, rest), 2.0 * at_t.half_phi);
+  state->theta_rad = theta.hi;
+  state->theta_lo = theta.lo;
   state->omega_rad_per_s = at_t.omega;
   state->theta_error = 2.0 * (at_t.half_phi_error + 2.0 * ROT_EPS * fabs(at_t.half_phi)) +
                        ROT_EPS * fabs(state->theta_rad) +
@@ -318,9 +326,11 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
   rot_info_clear(info, rot_turning);
   if (!fits(scene)) return info->status = ROT_EVALUE;
   const rot_axle_params *p = &scene->linear;
-  const double gravity = scene->terms[0].x[0], rest = scene->terms[0].x[1];
+  const double *x = scene->terms[0].x, rest = x[1];
+  const rot_dd gravity = {x[0], scene->terms[0].length > 2 ? x[2] : 0.0};
+  const rot_dd inertia = {p->inertia_kg_m2, scene->inertia_lo};
   if (!(fabs(p->theta0_rad - rest) <= farthest)) return info->status = ROT_ERANGE;
-  begin(&run, p->inertia_kg_m2, gravity, p->theta0_rad, rest, p->omega0_rad_per_s);
+  begin(&run, inertia, gravity, p->theta0_rad, rest, p->omega0_rad_per_s);
   if (run.manner == TOO_NEAR) return info->status = ROT_ERANGE;
   return rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);
 }
@@ -329,7 +339,8 @@ double rot_pendulum_period(double inertia_kg_m2, double gravity_n_m, double thet
                            double omega_rad_per_s) {
   pendulum p = {0};
   if (!(fabs(theta_rad) <= farthest) || gravity_n_m == 0.0) return NAN;
-  begin(&p, inertia_kg_m2, gravity_n_m, theta_rad, 0.0, omega_rad_per_s);
+  const rot_dd inertia = {inertia_kg_m2, 0.0}, gravity = {gravity_n_m, 0.0};
+  begin(&p, inertia, gravity, theta_rad, 0.0, omega_rad_per_s);
   if (p.manner == STILL && p.sine.hi == 0.0) { /* the limit of small swings */
     return ldexp(0x1.921fb54442d18p+2 / p.w0.hi, p.exponent);
   }

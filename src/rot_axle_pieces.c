@@ -45,12 +45,12 @@ static rot_status next_piece(void *data, double *end_s) {
 static rot_status write_row(void *data, size_t i) {
   const run *r = data;
   const double t = r->time_s[i];
-  rot_axle_point state;
+  rot_axle_point state = {0.0, 0.0, 0.0, 0.0, 0.0};
   r->pieces->state_at(r->model, t, &state);
   const double theta = state.theta_rad, omega = state.omega_rad_per_s;
   if (!is_finite(&state)) return ROT_ERANGE;
   rot_axle_scene_row(r->scene, r->out, i, t, theta, omega,
-                     rot_axle_scene_applied(r->scene, t, theta, 0.0, omega), 0);
+                     rot_axle_scene_applied(r->scene, t, theta, state.theta_lo, omega), 0);
   rot_note_row(r->info, theta, omega, state.theta_error, state.omega_error);
   return ROT_OK;
 }

@@ -8,6 +8,7 @@
 typedef struct rot_axle_point {
   double theta_rad, omega_rad_per_s;
   double theta_error, omega_error; /* bounds */
+  double theta_lo;                 /* what theta lacks, or 0: for the torque after many turns */
 } rot_axle_point;
 
 typedef struct rot_axle_pieces {

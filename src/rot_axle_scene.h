@@ -15,6 +15,7 @@ typedef struct rot_axle_scene {
   /* The linear part: inertia at the start, state at the start, knots (or a call). Its viscous_n_m_s
    * is the sum of the next two, for rot_axle_step(). */
   rot_axle_params linear;
+  double inertia_lo;    /* what its inertia lacks, where it is computed: for long times */
   double viscous_n_m_s; /* of the resistance, any sign */
   double motor_n_m_s;   /* how steeply a motor's torque falls with omega: stall / no-load speed */
   double quadratic_n_m_s2, coulomb_n_m, static_n_m; /* >= 0, static >= coulomb */

@@ -2,6 +2,8 @@
 
 #include <stddef.h>
 
+#include "rot_dd.h"
+
 double rot_muldiv(double a, double b, double c, double *lo) {
   int ea = 0, eb = 0, ec = 0; /* frexp() of NaN and Inf may leave them alone */
   double ma = frexp(a, &ea), mb = frexp(b, &eb), mc = frexp(c, &ec), p_lo;
@@ -29,6 +31,23 @@ double rot_product(int n, const double x[], double d) {
   int exponent;
   double p = rot_product_split(n, x, d, &exponent);
   return ldexp(p, exponent);
+}
+
+double rot_sum_product(double first, int n, const double x[], double *lo) {
+  int exponent = 0, e = 0, top = 0;
+  rot_dd p = {1.0, 0.0};
+  for (int i = 0; i < n; i++, e = 0) {
+    p = rot_dd_mul1(p, frexp(x[i], &e)); /* at least 2^-n, or 0 */
+    exponent += e;
+  }
+  const double begin = frexp(first, &e);
+  (void)frexp(p.hi, &top);
+  top += exponent;
+  if (p.hi == 0.0 || (first != 0.0 && e > top)) top = e;
+  const rot_dd sum = rot_dd_add1(rot_dd_ldexp(p, exponent - top), ldexp(begin, e - top));
+  const double all = ldexp(sum.hi, top);
+  *lo = isfinite(all) && isfinite(sum.lo) ? ldexp(sum.lo, top) : 0.0;
+  return all;
 }
 
 /* Reduces to r in [-45, 45] degrees, exactly, then to radians x + *x_lo, with pi/180 to 106 bits.

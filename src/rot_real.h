@@ -39,6 +39,10 @@ double rot_muldiv(double a, double b, double c, double *lo);
 double rot_product(int n, const double x[], double d);
 double rot_product_split(int n, const double x[], double d, int *exponent);
 
+/* first + x[0] x[1] ... x[n - 1], with its rest in *lo: a relative error of some n 1e-32. Without
+ * intermediate overflow; *lo is 0 where the sum is not finite. */
+double rot_sum_product(double first, int n, const double x[], double *lo);
+
 /* Products of a few such numbers stay far from overflow and underflow. */
 static inline int rot_well_scaled(double x, double largest) {
   x = fabs(x);

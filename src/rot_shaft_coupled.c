@@ -77,9 +77,10 @@ static double system_error(const rot_shaft_modes *s, double t, const double p[],
              (growth * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
 }
 
-rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, double t, double state[],
-                          double p[], double r[]) {
+rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, rot_dd time,
+                          double state[], double p[], double r[]) {
   double *start = y->work; /* free once the exponential is done */
+  const double t = time.hi;
   if (t == 0.0) {
     y->step = 1.0;
     for (size_t i = 0; i < y->size; i++) state[i] = system_start(s, i, 1.0, 1.0);
@@ -88,6 +89,10 @@ rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, double
     if (status != ROT_OK) return status;
     for (size_t i = 0; i < y->size; i++) start[i] = system_start(s, i, y->unit, t);
     rot_expm_apply(y->size, y->e, start, state);
+    if (time.lo != 0.0) { /* a step of it more, to first order */
+      rot_expm_apply(y->size, y->a, state, start);
+      for (size_t i = 0; i < y->size; i++) state[i] += time.lo / t * start[i];
+    }
   }
   rot_shaft_coupled_read(s, y, state, p, r);
   return ROT_OK;

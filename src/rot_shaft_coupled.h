@@ -2,6 +2,7 @@
 #ifndef ROT_SHAFT_COUPLED_H
 #define ROT_SHAFT_COUPLED_H
 
+#include "rot_dd.h"
 #include "rot_shaft_modes.h"
 
 /* State (p or q/T in n places, r in n places, the torque as one number) after a step h obeys
@@ -25,7 +26,7 @@ void rot_shaft_coupled_read(const rot_shaft_modes *s, const rot_shaft_stepper *y
                             const double state[], double p[], double r[]);
 
 /* The state at t after the start by one exponential; p and r too. */
-rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, double t, double state[],
+rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, rot_dd t, double state[],
                           double p[], double r[]);
 
 /* Errors of the modes at t, `extra` times as many again for steps in between. */

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "rot_dd.h"
+#include "rot_divided.h"
 #include "rot_gauss.h"
 #include "rot_phi.h"
 #include "rot_real.h"
@@ -13,8 +14,9 @@ typedef struct impulse {
   double fall, stay, drop;
 } impulse;
 
-static impulse impulse_at(double sigma, double sigma_lo, double b, double t) {
+static impulse impulse_at(double sigma, double sigma_lo, double b, rot_dd time) {
   impulse x;
+  const double t = time.hi;
   const double mu = sqrt(fabs(b - sigma)) * sqrt(b + sigma);
   if (b <= sigma) {
     /* The phase mu t to twice the precision. */
@@ -25,11 +27,12 @@ static impulse impulse_at(double sigma, double sigma_lo, double b, double t) {
       rot_dd one = {1.0, 0.0}, square = rot_dd_mul((rot_dd){-ratio, 0.0}, (rot_dd){ratio, 0.0});
       nu = rot_dd_mul(w, rot_dd_sqrt(rot_dd_add(one, square)));
     }
-    const rot_dd phase = rot_dd_mul(nu, (rot_dd){t, 0.0});
-    const double e = exp(-b * t), sine = sin(phase.hi), cosine = cos(phase.hi);
-    const double lo = isfinite(phase.lo) ? phase.lo : 0.0;
-    x.fall = e * (mu * fabs(t) > 0.0 ? (sine + cosine * lo) / mu : t);
-    x.stay = e * (cosine - sine * lo);
+    const rot_dd phase = rot_dd_mul(nu, time);
+    const double e = exp(-b * t), lo = isfinite(phase.lo) ? phase.lo : 0.0;
+    double sine, cosine;
+    rot_sin_cos(phase.hi, lo, &sine, &cosine);
+    x.fall = e * (mu * fabs(t) > 0.0 ? sine / mu : t);
+    x.stay = e * cosine;
     x.drop = x.stay - b * x.fall;
     return x;
   }
@@ -51,7 +54,7 @@ static double turned_by_force(double sigma, double b, double t, const impulse *x
     double sum = 0.0;
     for (int i = 0; i < 12; i++) {
       const rot_gauss_node at = rot_gauss(i);
-      sum += at.weight * impulse_at(sigma, 0.0, b, at.x * t).fall;
+      sum += at.weight * impulse_at(sigma, 0.0, b, (rot_dd){at.x * t, 0.0}).fall;
     }
     return sum * t;
   }
@@ -66,9 +69,9 @@ static double turned_by_force(double sigma, double b, double t, const impulse *x
 }
 
 /* p and r after t, from their values at the start. */
-static void move_mode(double sigma, double sigma_lo, double damp, double force, double t, double *p,
-                      double *r) {
-  const double p0 = *p, r0 = *r;
+static void move_mode(double sigma, double sigma_lo, double damp, double force, rot_dd time,
+                      double *p, double *r) {
+  const double p0 = *p, r0 = *r, t = time.hi;
   if (sigma == 0.0) {
     double phi[3];
     rot_phi(damp * t, 0.0, 2, phi);
@@ -77,7 +80,7 @@ static void move_mode(double sigma, double sigma_lo, double damp, double force, 
     return;
   }
   const double b = 0.5 * damp;
-  const impulse x = impulse_at(sigma, sigma_lo, b, t);
+  const impulse x = impulse_at(sigma, sigma_lo, b, time);
   const double turned = force == 0.0 ? 0.0 : force * turned_by_force(sigma, b, t, &x);
   *r = r0 * x.drop + (force - sigma * p0) * x.fall;
   *p = p0 * (x.stay + b * x.fall) + sigma * (r0 * x.fall + turned);
@@ -94,11 +97,10 @@ double rot_shaft_mode_error(const rot_shaft_modes *s, size_t m, double t) {
   }
   const double driven = force * fmin(T, 2.0 / sigma);
   if (t < 0.0) return (start + leak + driven) * exp(2.0 * b * T) * (1.0 + (sigma + b) * T);
-  /* sigma is known to twice the precision, or else to a rounding; b, to a rounding, moves nu by
-   * b^2/nu of it, and exp(-b t) by b t. */
+  /* b, to a rounding, moves nu by b^2/nu of it, and exp(-b t) by b t. */
   double phase = 1.0;
   if (b < sigma) {
-    const double known = isnan(s->sigma_lo[m]) ? 1.0 : 64.0 * ROT_EPS;
+    const double known = s->sigma_off[m] / ROT_EPS;
     phase += (known * sigma + b + b * (b / sigma)) * T * exp(-b * T);
   }
   return leak + (start + driven) * (1.0 + phase);
@@ -108,12 +110,12 @@ double rot_shaft_roundings(const rot_shaft_modes *s) {
   return fmin(4.0 + 2.0 * (double)s->n, 24.0);
 }
 
-void rot_shaft_decoupled_at(const rot_shaft_modes *s, double t, double p[], double r[],
+void rot_shaft_decoupled_at(const rot_shaft_modes *s, rot_dd t, double p[], double r[],
                             double error[]) {
   for (size_t m = 0; m < s->n; m++) {
     p[m] = s->p0[m];
     r[m] = s->r0[m];
     move_mode(s->sigma[m], s->sigma_lo[m], s->damp[m], s->force[m], t, &p[m], &r[m]);
-    error[m] = ROT_EPS * rot_shaft_roundings(s) * rot_shaft_mode_error(s, m, t);
+    error[m] = ROT_EPS * rot_shaft_roundings(s) * rot_shaft_mode_error(s, m, t.hi);
   }
 }

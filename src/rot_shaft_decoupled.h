@@ -2,10 +2,11 @@
 #ifndef ROT_SHAFT_DECOUPLED_H
 #define ROT_SHAFT_DECOUPLED_H
 
+#include "rot_dd.h"
 #include "rot_shaft_modes.h"
 
 /* p and r of all modes at t after the start, and their errors; n places each. */
-void rot_shaft_decoupled_at(const rot_shaft_modes *s, double t, double p[], double r[],
+void rot_shaft_decoupled_at(const rot_shaft_modes *s, rot_dd t, double p[], double r[],
                             double error[]);
 
 /* Size of the error of (p, r) in units of roundoff: the leak, and the phase turned, while it

@@ -86,7 +86,7 @@ static rot_status find_heat(const rot_shaft_modes *s, double from, double span, 
 }
 
 /* p and r (or q) of the modes at a time. */
-static rot_status modes_at(const rot_shaft_modes *s, double t, double p[], double r[],
+static rot_status modes_at(const rot_shaft_modes *s, rot_dd t, double p[], double r[],
                            double error[]) {
   if (s->decoupled) {
     rot_shaft_decoupled_at(s, t, p, r, error);
@@ -97,21 +97,22 @@ static rot_status modes_at(const rot_shaft_modes *s, double t, double p[], doubl
   if (!memory) return ROT_ENOMEM;
   rot_shaft_stepper one = rot_shaft_stepper_in(s->n, memory);
   const rot_status status = rot_shaft_jump(s, &one, t, memory + room, p, r);
-  if (status == ROT_OK) rot_shaft_coupled_errors(s, t, 0.0, p, r, error);
+  if (status == ROT_OK) rot_shaft_coupled_errors(s, t.hi, 0.0, p, r, error);
   free(memory);
   return status;
 }
 
-static rot_status balance_of_modes(const rot_shaft_params *p, double from, double to,
+static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_dd finish,
                                    rot_shaft_ledger *ledger) {
   rot_shaft_modes s;
+  const double from = begin.hi, to = finish.hi;
   const size_t n = p->n;
   double *memory = calloc(6 * n, sizeof *memory);
   rot_status status = memory ? rot_shaft_modes_build(&s, p) : ROT_ENOMEM;
   if (!memory) return status;
   double *p0 = memory, *r0 = p0 + n, *p1 = r0 + n, *r1 = p1 + n, *e0 = r1 + n, *e1 = e0 + n;
-  if (status == ROT_OK) status = modes_at(&s, from, p0, r0, e0);
-  if (status == ROT_OK) status = modes_at(&s, to, p1, r1, e1);
+  if (status == ROT_OK) status = modes_at(&s, begin, p0, r0, e0);
+  if (status == ROT_OK) status = modes_at(&s, finish, p1, r1, e1);
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
     const double tau = p->torque_n_m[i], twist = angle_of(&s, p1, i) - angle_of(&s, p0, i);
     double error = 8.0 * ROT_EPS * (fabs(p0[0]) + fabs(p1[0]));
@@ -170,7 +171,7 @@ static rot_status balance_of_lump(const rot_shaft_params *p, double from, double
 
 rot_status rot_shaft_balance(const rot_shaft_params *p, int rigid, double from_s, double to_s,
                              rot_shaft_ledger *ledger) {
-  const double from = from_s - p->start_s, to = to_s - p->start_s;
+  const rot_dd from = rot_dd_sum2(from_s, -p->start_s), to = rot_dd_sum2(to_s, -p->start_s);
   *ledger = (rot_shaft_ledger){0.0, 0.0, 0.0, 0.0};
-  return rigid ? balance_of_lump(p, from, to, ledger) : balance_of_modes(p, from, to, ledger);
+  return rigid ? balance_of_lump(p, from.hi, to.hi, ledger) : balance_of_modes(p, from, to, ledger);
 }

@@ -131,9 +131,10 @@ static rot_status even_stretch(const modal_run *run, size_t i, size_t count, siz
 static rot_status coupled_rows(void *model, size_t i, size_t last, size_t *end) {
   modal_run *run = model;
   const rot_shaft_modes *s = run->s;
-  const double t = run->time_s[i] - s->p->start_s;
+  const rot_dd time = rot_dd_sum2(run->time_s[i], -s->p->start_s);
+  const double t = time.hi;
   *end = i;
-  rot_status status = rot_shaft_jump(s, &run->one, t, run->state, run->p, run->r);
+  rot_status status = rot_shaft_jump(s, &run->one, time, run->state, run->p, run->r);
   if (status != ROT_OK) return status;
   run->info->steps++;
   rot_shaft_coupled_errors(s, t, 0.0, run->p, run->r, run->error);
@@ -160,9 +161,9 @@ static rot_status decoupled_rows(void *model, size_t i, size_t last, size_t *end
   const modal_run *run = model;
   rot_status status = ROT_OK;
   for (*end = i; *end < last && *end < i + 256; ++*end) {
-    const double t = run->time_s[*end] - run->s->p->start_s;
+    const rot_dd t = rot_dd_sum2(run->time_s[*end], -run->s->p->start_s);
     rot_shaft_decoupled_at(run->s, t, run->p, run->r, run->error);
-    status = write_row(run, *end, t);
+    status = write_row(run, *end, t.hi);
     if (status != ROT_OK) break;
   }
   return status;

@@ -9,25 +9,31 @@
 #include "rot_real.h"
 
 static int allocate(rot_shaft_modes *s, size_t n) {
-  double *next = s->memory = calloc(n * (4 * n + 9), sizeof *next);
+  double *next = s->memory = calloc(n * (4 * n + 10), sizeof *next);
   if (!next) return 0;
-  double **small[] = {&s->leak, &s->force_leak, &s->sigma_lo, &s->share, &s->sigma,
-                      &s->damp, &s->p0,         &s->r0,       &s->force};
+  double **small[] = {&s->leak,  &s->force_leak, &s->sigma_lo, &s->sigma_off, &s->share,
+                      &s->sigma, &s->damp,       &s->p0,       &s->r0,        &s->force};
   double **large[] = {&s->shape, &s->twist, &s->lever, &s->coupling};
-  for (int i = 0; i < 9; i++, next += n) *small[i] = next;
+  for (int i = 0; i < 10; i++, next += n) *small[i] = next;
   for (int i = 0; i < 4; i++, next += n * n) *large[i] = next;
   return 1;
 }
 
-/* Weighted by inertia, from the first one on: rotors that agree have exactly their own mean. */
+/* Weighted by inertia, from the first one on: rotors that agree have exactly their own mean. To
+ * twice the precision, since a mean that cancels is the rate of all angles. */
 static double mean_of(const rot_shaft_modes *s, const double x[]) {
-  double sum = 0.0, lo = 0.0;
+  const double *J = s->p->inertia_kg_m2;
+  double largest = 0.0;
+  int e = 0;
+  for (size_t i = 0; i < s->n; i++) largest = fmax(largest, J[i]);
+  (void)frexp(largest, &e);
+  rot_dd sum = {0.0, 0.0}, all = {ldexp(J[0], -e), 0.0};
   for (size_t i = 1; i < s->n; i++) {
-    double e, d = rot_two_prod(s->share[i], x[i] - x[0], &e);
-    rot_accumulate(&sum, &lo, d);
-    lo += e;
+    const double mass = ldexp(J[i], -e);
+    sum = rot_dd_add(sum, rot_dd_mul1(rot_dd_sum2(x[i], -x[0]), mass));
+    all = rot_dd_add1(all, mass);
   }
-  return x[0] + (sum + lo);
+  return rot_dd_add1(rot_dd_div(sum, all), x[0]).hi;
 }
 
 /* The twists: singular vectors of sqrt(k) B J^-1/2, whose small singular values keep their digits
@@ -109,64 +115,123 @@ static void find_shapes(rot_shaft_modes *s) {
 
 /* ---- phases of the modes --------------------------------------------------------------------- */
 
+/* The shape of a twist in numbers near 1, so that no square leaves the range. */
+typedef struct scaled_shape {
+  int of_k, of_J, of_twist;
+  const double *twist; /* column m */
+  size_t stride;
+} scaled_shape;
+
+static rot_dd scaled_mass(const rot_shaft_modes *s, const scaled_shape *x, size_t i) {
+  return (rot_dd){ldexp(s->p->inertia_kg_m2[i], -x->of_J), 0.0};
+}
+
+static rot_dd scaled_twist(const scaled_shape *x, size_t i) {
+  return (rot_dd){ldexp(x->twist[i * x->stride], -x->of_twist), 0.0};
+}
+
+/* The torque of piece i of the shaft. */
+static rot_dd scaled_torque(const rot_shaft_modes *s, const scaled_shape *x, size_t i) {
+  return rot_dd_mul1(scaled_twist(x, i), ldexp(s->p->stiffness_n_m_per_rad[i], -x->of_k));
+}
+
+/* The last rotor of a group joined by springs. */
+static size_t group_end(const rot_shaft_modes *s, size_t first) {
+  while (first + 1 < s->n && s->p->stiffness_n_m_per_rad[first] > 0.0) first++;
+  return first;
+}
+
+/* The angle of the last rotor of a group whose momentum is 0. */
+static rot_dd last_angle(const rot_shaft_modes *s, const scaled_shape *x, size_t first,
+                         size_t last) {
+  rot_dd theta = {0.0, 0.0}, momentum = {0.0, 0.0}, inertia = {0.0, 0.0};
+  for (size_t i = last + 1; i-- > first;) {
+    if (i < last) theta = rot_dd_add(theta, scaled_twist(x, i));
+    inertia = rot_dd_add(inertia, scaled_mass(s, x, i));
+    momentum = rot_dd_add(momentum, rot_dd_mul(scaled_mass(s, x, i), theta));
+  }
+  return rot_dd_div(momentum, rot_dd_neg(inertia));
+}
+
+/* Sums over all rotors: elastic and kinetic energy, and, for sigma^2 = square, the square of what
+ * the equation of motion lacks over the inertia. */
+static void energies(const rot_shaft_modes *s, const scaled_shape *x, rot_dd square,
+                     rot_dd *elastic, rot_dd *kinetic, double *lacking) {
+  const rot_dd zero = {0.0, 0.0};
+  *elastic = *kinetic = zero;
+  *lacking = 0.0;
+  for (size_t first = 0, last = 0; first < s->n; first = ++last) {
+    last = group_end(s, first);
+    rot_dd theta = last_angle(s, x, first, last);
+    for (size_t i = last + 1; i-- > first;) {
+      if (i < last) {
+        const rot_dd twist = scaled_twist(x, i);
+        theta = rot_dd_add(theta, twist);
+        *elastic = rot_dd_add(*elastic, rot_dd_mul(scaled_torque(s, x, i), twist));
+      }
+      const rot_dd swing = rot_dd_mul(scaled_mass(s, x, i), theta);
+      const rot_dd out = i < last ? scaled_torque(s, x, i) : zero;
+      const rot_dd in = i > first ? scaled_torque(s, x, i - 1) : zero;
+      const double off = rot_dd_sub(rot_dd_sub(out, in), rot_dd_mul(square, swing)).hi;
+      *kinetic = rot_dd_add(*kinetic, rot_dd_mul(swing, theta));
+      *lacking += off / scaled_mass(s, x, i).hi * off;
+    }
+  }
+}
+
+/* The least |sigma_l^2 - sigma_m^2| over sigma_m^2 of a mode that moves the same pieces. */
+static double nearest_mode(const rot_shaft_modes *s, size_t m) {
+  double least = 1.0; /* the rigid-body modes */
+  for (size_t l = 1 + s->floppy; l < s->n; l++) {
+    int meet = 0;
+    for (size_t j = 0; j + 1 < s->n; j++) {
+      meet |= s->twist[j * s->n + l] != 0.0 && s->twist[j * s->n + m] != 0.0;
+    }
+    const double ratio = s->sigma[l] / s->sigma[m];
+    if (l != m && meet) least = fmin(least, fabs(ratio - 1.0) * (ratio + 1.0));
+  }
+  return least;
+}
+
 /* Elastic over kinetic energy of a shape given by its twists, sigma^2 = sum k twist^2 /
  * sum J theta^2 with no net momentum in any group: an error of the shape counts squared, so this
  * has twice its digits. At a phase of 1e5 (k = 1e10 for 1 s) it takes the error of omega from
- * 4e-12 to 1e-16. */
-static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m) {
+ * 4e-12 to 1e-16. *off: its relative error, from what the equation of motion lacks, r: sigma^2 is
+ * off by at most r^2 over the distance of the next one, and by r (Parlett 1998, sections 4.5 and
+ * 11.7). */
+static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m, double *off) {
   const size_t n = s->n;
-  const double *k = s->p->stiffness_n_m_per_rad, *J = s->p->inertia_kg_m2;
-  /* By powers of two near 1, so that no square leaves the range. */
-  int of_k = 0, of_J = 0, of_twist = 0;
-  double most_k = 0.0, most_J = 0.0, most = 0.0;
-  for (size_t i = 0; i < n; i++) most_J = fmax(most_J, J[i]);
+  scaled_shape x = {0, 0, 0, s->twist + m, n};
+  double most_k = 0.0, most_J = 0.0, most = 0.0, lacking;
+  for (size_t i = 0; i < n; i++) most_J = fmax(most_J, s->p->inertia_kg_m2[i]);
   for (size_t j = 0; j + 1 < n; j++) {
-    most_k = fmax(most_k, k[j]);
+    most_k = fmax(most_k, s->p->stiffness_n_m_per_rad[j]);
     most = fmax(most, fabs(s->twist[j * n + m]));
   }
-  frexp(most_k, &of_k);
-  frexp(most_J, &of_J);
-  frexp(most, &of_twist);
-  of_J += (of_k - of_J) % 2; /* an even power between them, for the root */
-  rot_dd elastic = {0.0, 0.0}, kinetic = {0.0, 0.0};
-  for (size_t first = 0, last = 0; first < n; first = ++last) {
-    while (last + 1 < n && k[last] > 0.0) last++;
-    rot_dd theta = {0.0, 0.0}, momentum = {0.0, 0.0}, inertia = {0.0, 0.0}, energy = {0.0, 0.0};
-    for (size_t i = last + 1; i-- > first;) {
-      const rot_dd mass = {ldexp(J[i], -of_J), 0.0};
-      if (i < last) {
-        const rot_dd twist = {ldexp(s->twist[i * n + m], -of_twist), 0.0};
-        const rot_dd spring = {ldexp(k[i], -of_k), 0.0};
-        theta = rot_dd_add(theta, twist);
-        elastic = rot_dd_add(elastic, rot_dd_mul(spring, rot_dd_mul(twist, twist)));
-      }
-      inertia = rot_dd_add(inertia, mass);
-      momentum = rot_dd_add(momentum, rot_dd_mul(mass, theta));
-    }
-    const rot_dd mean = rot_dd_div(momentum, (rot_dd){-inertia.hi, -inertia.lo});
-    theta = mean;
-    for (size_t i = last + 1; i-- > first;) {
-      if (i < last) {
-        theta = rot_dd_add(theta, (rot_dd){ldexp(s->twist[i * n + m], -of_twist), 0.0});
-      }
-      const rot_dd mass = {ldexp(J[i], -of_J), 0.0};
-      energy = rot_dd_add(energy, rot_dd_mul(mass, rot_dd_mul(theta, theta)));
-    }
-    kinetic = rot_dd_add(kinetic, energy);
-  }
-  const rot_dd sigma = rot_dd_sqrt(rot_dd_div(elastic, kinetic));
-  return rot_dd_ldexp(sigma, (of_k - of_J) / 2);
+  (void)frexp(most_k, &x.of_k);
+  (void)frexp(most_J, &x.of_J);
+  (void)frexp(most, &x.of_twist);
+  x.of_J += (x.of_k - x.of_J) % 2; /* an even power between them, for the root */
+  rot_dd elastic, kinetic;
+  energies(s, &x, (rot_dd){0.0, 0.0}, &elastic, &kinetic, &lacking);
+  const rot_dd square = rot_dd_div(elastic, kinetic);
+  energies(s, &x, square, &elastic, &kinetic, &lacking);
+  const double r = sqrt(lacking / kinetic.hi) / square.hi;
+  *off = 0.5 * fmin(r, r * (r / nearest_mode(s, m))) + 64.0 * ROT_EPS * ROT_EPS;
+  return rot_dd_ldexp(rot_dd_sqrt(square), (x.of_k - x.of_J) / 2);
 }
 
 /* Keeps those that agree with the singular value: all, unless something underflowed. */
 static void sharpen(rot_shaft_modes *s) {
   for (size_t m = 1 + s->floppy; m < s->n; m++) {
-    const rot_dd sigma = sharp_sigma(s, m);
-    if (fabs(sigma.hi - s->sigma[m]) <= 1e-12 * s->sigma[m] && isfinite(sigma.lo)) {
+    const rot_dd sigma = sharp_sigma(s, m, &s->sigma_off[m]);
+    if (fabs(sigma.hi - s->sigma[m]) <= 1e-12 * s->sigma[m] && isfinite(sigma.lo) &&
+        s->sigma_off[m] < ROT_EPS) {
       s->sigma[m] = sigma.hi;
       s->sigma_lo[m] = sigma.lo;
     } else {
       s->sigma_lo[m] = NAN;
+      s->sigma_off[m] = ROT_EPS;
     }
   }
 }
@@ -293,7 +358,9 @@ static void find_start(rot_shaft_modes *s) {
     s->theta_spread = fmax(s->theta_spread, theta);
     s->omega_spread = fmax(s->omega_spread, omega);
   }
-  for (size_t i = 0; i < n; i++) s->alpha += p->torque_n_m[i] / s->inertia;
+  double torque = 0.0, lo = 0.0;
+  for (size_t i = 0; i < n; i++) rot_accumulate(&torque, &lo, p->torque_n_m[i]);
+  s->alpha = (torque + lo) / s->inertia;
   s->r0[0] = s->omega0;
   s->force[0] = s->alpha;
   for (size_t m = 1; m <= s->floppy; m++) start_floppy(s, m);

@@ -19,7 +19,8 @@ typedef struct rot_shaft_modes {
   double norm;                       /* of the twists' matrix, 1/s */
   double *memory;
   double *leak, *force_leak; /* n: sizes whose roundings p0 and r0, and force, carry */
-  double *sigma_lo;          /* n: what sigma lacks, to 1e-30 */
+  double *sigma_lo;          /* n: what sigma lacks */
+  double *sigma_off;         /* n: relative error of both together, some 1e-30 */
   double *share;             /* J_i / sum J */
   double *sigma, *damp;      /* n: frequency; diagonal damping */
   double *p0, *r0, *force;   /* n: state at the start, modal torque; r0[0] = omega0 */

@@ -92,8 +92,8 @@ int rot_term_valid(const rot_term *term) {
     return term->length > 2 && is_count(x[0]) && is_count(x[1]) &&
            length == 3.0 + x[0] + x[0] * x[1];
   case ROT_TERM_CURVE: return term->length > 1 && is_count(x[0]) && length == 1.0 + 2.0 * x[0];
-  case ROT_TERM_SPRING:
-  case ROT_TERM_GRAVITY: return term->length == 2;
+  case ROT_TERM_SPRING: return term->length == 2;
+  case ROT_TERM_GRAVITY: return term->length == 2 || term->length == 3;
   case ROT_TERM_KINDS: break;
   }
   return 0;

@@ -14,7 +14,7 @@
  *   chebyshev    the same layout; in piece i sum_j a_ij T_j, with the piece mapped to [-1, 1]
  *   curve        piecewise linear in omega: n, n speeds (increasing), n torques; constant outside
  *   spring       -x[0] (theta - x[1])
- *   gravity      -x[0] sin(theta - x[1]) */
+ *   gravity      -x[0] sin(theta - x[1]); x[2], or 0: what the product x[0] lacks */
 #define ROT_TERM_LIST(X)                                                                           \
   X(ROT_TERM_SINUSOID, "sinusoid")                                                                 \
   X(ROT_TERM_EXPONENTIAL, "exponential")                                                           \

@@ -97,6 +97,18 @@ static void test_table(void) {
   }
 }
 
+/* Products that are no doubles, to twice the precision (mpmath, 60 digits): m g d of 0.3, 9.80665
+ * and 0.7 on 1 kg m^2, after 4e7 rad of phase. */
+static void test_long_products(void) {
+  const double x[3] = {2.0593964999999996, 0.0, 4.1826153651669544e-17}, t = 1e8;
+  const rot_term term = {ROT_TERM_GRAVITY, -INFINITY, INFINITY, 3, x};
+  const rot_axle_scene scene = {
+      .linear = {1.0, 0.0, 0.0, 1.0, 0.0, {0}}, .n_terms = 1, .terms = &term};
+  rot_info info;
+  ROT_CHECK_EQ_INT(rot_axle_pendulum(&scene, 1, &t, &columns, NULL, NULL, &info), ROT_OK);
+  check_row(&info, 0.78305838919908771639, -0.83297031596623563464, 3e-14);
+}
+
 static double energy(const row *r, double theta, double omega) {
   const double s = sin(0.5 * (theta - r->rest));
   return 0.5 * r->inertia * omega * omega + 2.0 * r->gravity * s * s;
@@ -205,6 +217,7 @@ static void test_refusals(void) {
 
 int main(void) {
   test_table();
+  test_long_products();
   test_metamorphic();
   test_period();
   test_at_rest();

@@ -247,6 +247,21 @@ static void check_degree_ends(void) {
   ROT_CHECK(isnan(rot_sin_deg(INFINITY)) && isnan(rot_cos_deg(-INFINITY)));
 }
 
+/* mpmath, 60 digits: 0.3 * 0.7 * 9.80665 of these doubles, and 0.1 more. */
+static void check_sum_product(void) {
+  const double x[] = {0.3, 0.7, 9.80665}, large[] = {1e300, 1e300, 1e-300}, zero[] = {0.0, 5.0};
+  double lo, hi = rot_sum_product(0.0, 3, x, &lo);
+  ROT_CHECK(hi == 2.0593964999999996 && fabs(lo - 4.1826153651669544e-17) < 1e-31);
+  hi = rot_sum_product(0.1, 3, x, &lo);
+  ROT_CHECK(hi == 2.1593964999999997 && fabs(lo + 4.1440573195217196e-17) < 1e-31);
+  hi = rot_sum_product(0.0, 3, large, &lo);
+  ROT_CHECK(fabs(hi / 1e300 - 1.0) < 4.0 * ROT_EPS && isfinite(lo));
+  ROT_CHECK(rot_sum_product(3.0, 2, zero, &lo) == 3.0 && lo == 0.0);
+  ROT_CHECK(rot_sum_product(0.0, 2, zero, &lo) == 0.0 && lo == 0.0);
+  ROT_CHECK(isinf(rot_sum_product(0.0, 2, large, &lo)) && lo == 0.0);
+  ROT_CHECK(isnan(rot_sum_product(NAN, 2, zero, &lo)));
+}
+
 int main(void) {
   check_two_sum();
   check_two_prod();
@@ -257,6 +272,7 @@ int main(void) {
   check_product();
   check_product_range();
   check_product_ends();
+  check_sum_product();
   check_exact_degrees();
   check_degrees();
   check_degree_symmetries();

@@ -644,3 +644,29 @@ test_that("a start from rest is no event, whichever model runs", {
     expect_equal(later, list(time_s = 2, event = "slip"))
   }
 })
+
+# References: mpmath, 60 digits, of the doubles given.
+test_that("a pendulum keeps the digits of products of its numbers over a long time", {
+  covered <- function(x, theta, omega) {
+    info <- run_of(x)$info
+    expect_lte(abs(x$theta_rad - theta), info$errors[["theta"]])
+    expect_lte(abs(x$omega_rad_per_s - omega), info$errors[["omega"]])
+    expect_lte(info$error, 1e-14)
+  }
+  law <- torque_gravity(0.3, 0.7)
+  covered(trajectory(scene_axle(1, law, theta0_rad = 1), 1e8),
+          0.78305838919908771639, -0.83297031596623563464)
+  covered(trajectory(scene_axle(1, 0.9 * law, theta0_rad = 1), 1e8),
+          0.44457558252534121018, 1.1591905583260390456)
+  covered(trajectory(scene_pendulum(0.3, 0.7, theta0_rad = 1), 1e8),
+          0.97233509366284915466, 0.80398030638076660787)
+})
+
+test_that("the torque of gravity keeps its digits after many turns", {
+  scene <- scene_axle(1, torque_gravity(0.3, 0.7), omega0_rad_per_s = 50)
+  x <- trajectory(scene, 1e7)
+  # By energy: omega^2/2 - G cos(theta) is kept, so |sin| follows from omega.
+  g <- 0.3 * 0.7 * 9.80665
+  cosine <- 1 + (x$omega_rad_per_s - 50) * (x$omega_rad_per_s + 50) / (2 * g)
+  expect_equal(abs(x$applied_torque_n_m), g * sqrt(1 - cosine^2), tolerance = 1e-9)
+})

@@ -107,3 +107,38 @@ test_that("the class stands while the keys do", {
   expect_false(inherits(tibble::as_tibble(motion), "rot_trajectory"))
   expect_match(names(tibble::tbl_sum(motion))[1], "rotdyn trajectory")
 })
+
+# The twist of two rotors of 1 and 2 kg m^2 turns at sqrt(75): theirs is the exact cosine (mpmath).
+test_that("a start that is not 0 rounds no phase away", {
+  scene <- scene_rotors(c(1, 2), 50, omega0_rad_per_s = c(1, -0.5), start_s = 0.1)
+  x <- trajectory(scene, 1e5)
+  expect_equal(x$omega_rad_per_s, 0.85745157918235499526 * c(1, -0.5), tolerance = 1e-14)
+  expect_lte(run_of(x)$info$error, 1e-13)
+  # The same with dampers that couple the modes: to what is stated of the phase.
+  shift <- function(start) {
+    scene <- scene_rotors(c(1, 2, 0.3), c(50, 4e3), c(1e-7, 0), viscous_n_m_s = c(0, 1e-6, 0),
+                          omega0_rad_per_s = c(1, -0.5, 0), start_s = start)
+    suppressWarnings(trajectory(scene, start + 4096)) # the angle stays near 0
+  }
+  far <- shift(2^20)
+  near <- shift(0)
+  expect_lte(max(abs(far$omega_rad_per_s - near$omega_rad_per_s)), 1e-13)
+  # 4096 s after 0.1 s: the difference of the doubles, at twice the rate of the fast mode.
+  odd <- trajectory(scene_rotors(c(1, 2), 50, omega0_rad_per_s = c(1, -0.5), start_s = 1 / 3),
+                    1e5 + 1 / 3)
+  phase <- (1e5 + 1 / 3) - 1e5 - 1 / 3 # what rounding took from the time
+  even <- trajectory(scene_rotors(c(1, 2), 50, omega0_rad_per_s = c(1, -0.5)), 1e5)
+  moved <- even$omega_rad_per_s + phase * c(-1, 0.5) * 50 *
+    (even$theta_rad[1] - even$theta_rad[2])
+  expect_equal(odd$omega_rad_per_s, moved, tolerance = 1e-13)
+})
+
+test_that("a phase of 1e9 and the mean of a shaft that is nearly at rest keep their digits", {
+  # Two rotors, undamped: omega_1 - omega_2 is A cos(nu t + phi). The period by two precisions.
+  J <- c(1.1905868685113814, 0.27111185837787166)
+  scene <- scene_rotors(J, 2^26, omega0_rad_per_s = c(0.27111185837787166, -1.1905868685113814))
+  x <- suppressWarnings(trajectory(scene, 2^16))
+  # No momentum: the mean stays.
+  expect_lte(abs(sum(J * x$omega_rad_per_s)), 1e-15)
+  expect_lte(abs(sum(J * x$theta_rad)), 1e-11)
+})
