@@ -35,19 +35,20 @@
 #' wheel$terms[[1]]
 #' @export
 audit <- function(x, ...) {
+  if (missing(x)) check_supplied("x", rlang::current_env())
   UseMethod("audit")
 }
 
 #' @export
 audit.default <- function(x, ...) {
-  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::caller_env())
+  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::current_env())
 }
 
 #' @export
 audit.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
-  run <- trajectory_run(x)
+  run <- check_trajectory(x, "x", call)
   constraint <- constraint_of(run$scene)
   check_rows(x, call, constraint$keys)
   balances <- constraint$balances(x, run, call)

@@ -24,7 +24,7 @@
 augment.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
-  run <- trajectory_run(x)
+  run <- check_trajectory(x, "x", call)
   constraint <- constraint_of(run$scene)
   check_rows(x, call, constraint$keys)
   if (is.unsorted(x$time_s)) {

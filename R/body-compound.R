@@ -172,7 +172,7 @@ flatten_bodies <- function(x, call) {
   parts <- list()
   for (i in seq_along(x)) {
     if (inherits(x[[i]], "rot_body")) {
-      parts <- c(parts, list(x[[i]]))
+      parts <- c(parts, list(check_body(x[[i]], call, paste0("..", i))))
     } else if (is.list(x[[i]]) && !is.object(x[[i]])) {
       parts <- c(parts, flatten_bodies(x[[i]], call))
     } else {

@@ -76,6 +76,7 @@ body_density <- function(f, domain, ..., mass_kg = NULL, accuracy = 1e-10,
   check_supplied(c("f", "domain"), call)
   remedy <- "Make one with {.fn domain_box} or another constructor."
   check_class(domain, "rot_domain", "domain", remedy, call)
+  check_form(domain, domain_form, "domain", "domain", call)
   name <- check_name(name, "name", call)
   if (!is.null(mass_kg)) mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   method <- density_method(method, domain, call)

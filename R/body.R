@@ -53,7 +53,7 @@ check_body <- function(body, call, arg = "body") {
       body, "rot_body", arg, "Make one with {.fn body_disk} or another constructor.", call
     )
   }
-  body
+  check_form(body, body_form, arg, "body", call)
 }
 
 # I_n = n' I n about the unit vector n in the body's own axes, through a point.
@@ -67,6 +67,7 @@ moment_about_axis <- function(body, axis, point = centre) {
 
 #' @export
 print.rot_body <- function(x, ...) {
+  check_body(x, rlang::current_env(), "x")
   cat("<rot_body> ", x$shape, "\n", sep = "")
   size <- if (length(x$size_m)) {
     paste0(", ", paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", "))

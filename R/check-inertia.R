@@ -128,6 +128,7 @@ as_tensors <- function(x, products, call) {
   sign <- if (products == "positive") -1 else 1
   given <- list(sign = sign)
   if (inherits(x, "rot_body")) {
+    check_body(x, call, "x")
     given$sign <- 1
     given$tensor <- list(unname(x$inertia_kg_m2))
     given$mass_kg <- x$mass_kg

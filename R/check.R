@@ -128,7 +128,13 @@ check_not_negative <- function(x, arg, unit, call, open = FALSE) {
 abort_missing_column <- function(column, data, call) {
   abort_rotdyn(c(
     "The table needs a column {.field {column}}.",
-    x = if (length(data)) "Its columns are {.field {names(data)}}." else "It has no columns."
+    x = if (!length(data)) {
+      "It has no columns."
+    } else if (length(names(data))) {
+      "Its columns are {.field {names(data)}}."
+    } else {
+      "Its columns have no names."
+    }
   ), "type", call)
 }
 
@@ -204,6 +210,19 @@ check_accuracy <- function(accuracy, call) {
   check_number(accuracy, "accuracy", "1", call, lower = 0, upper = 1, open = TRUE)
 }
 
+# Text that R can compare and convert: not marked as bytes, and valid in its encoding.
+is_readable_text <- function(x) {
+  all(Encoding(x) != "bytes") && all(validEnc(x))
+}
+
+abort_unreadable <- function(x, arg, call) {
+  abort_rotdyn(c(
+    "{.arg {arg}} must be text in a known encoding.",
+    x = "It is {describe_value(x)}.",
+    i = "{.fn iconv} or {.fn Encoding} gives it one."
+  ), "type", call)
+}
+
 # A name: one string.
 check_name <- function(x, arg, call) {
   if (!is.character(x) || is.object(x) || length(x) != 1L || is.na(x)) {
@@ -221,7 +240,8 @@ check_choice <- function(x, arg, choices, call) {
 }
 
 check_string <- function(x, arg, choices, call) {
-  if (!is.character(x) || length(x) != 1L || is.na(x) || !x %in% choices) {
+  if (!is.character(x) || length(x) != 1L || is.na(x) || !is_readable_text(x) ||
+    !x %in% choices) {
     abort_rotdyn(
       c("{.arg {arg}} must be one of {.or {.val {choices}}}.", x = "It is {describe_value(x)}."),
       "value", call

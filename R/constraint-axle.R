@@ -3,6 +3,16 @@ axle_constraint <- function() {
   list(
     id = "axle",
     scene_class = "rot_scene_axle",
+    form = list(
+      body = list(.one_of = list(body_form, inertia_knots_form), .optional = TRUE),
+      moment_of_inertia_kg_m2 = "number",
+      inertia = c(inertia_knots_form, .optional = TRUE), axis = "numbers:3", torque = torque_form,
+      loads = loads_form, resistance = resistance_form, theta0_rad = "number",
+      omega0_rad_per_s = "number", start_s = "number", inertia_lo = "number?",
+      gears = list(
+        .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number"
+      )
+    ),
     title = function(run) {
       paste(sentence(with_article(run$scene$body$shape %||% "body")), "on a fixed axle")
     },

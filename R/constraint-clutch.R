@@ -3,6 +3,13 @@ clutch_constraint <- function() {
   list(
     id = "clutch",
     scene_class = "rot_scene_clutch",
+    form = list(
+      moment_of_inertia_kg_m2 = "numbers:2", capacity_n_m = "number",
+      static_capacity_n_m = "number", torque = list(.each = torque_form),
+      steps = list(.each = list(time_s = "sorted", torque_n_m = "numbers")),
+      omega0_rad_per_s = "numbers:2", theta0_rad = "numbers:2", engage_s = "limit",
+      start_s = "number"
+    ),
     title = function(run) "Two bodies and a clutch",
     models = clutch_models,
     columns = clutch_columns,

@@ -3,6 +3,15 @@ rotors_constraint <- function() {
   list(
     id = "rotors",
     scene_class = "rot_scene_rotors",
+    form = list(
+      moment_of_inertia_kg_m2 = "numbers",
+      stiffness_n_m_per_rad = "numbers=moment_of_inertia_kg_m2-1",
+      damping_n_m_s = "numbers=moment_of_inertia_kg_m2-1",
+      viscous_n_m_s = "numbers=moment_of_inertia_kg_m2",
+      torque_n_m = "numbers=moment_of_inertia_kg_m2",
+      theta0_rad = "numbers=moment_of_inertia_kg_m2",
+      omega0_rad_per_s = "numbers=moment_of_inertia_kg_m2", start_s = "number"
+    ),
     title = function(run) "Rotors on one shaft",
     models = rotors_models,
     columns = rotors_columns,

@@ -4,6 +4,7 @@
 # A record:
 #   id            name of the constraint, as models() shows it
 #   scene_class   class of its scenes
+#   form          of its scenes, see R/form.R; NULL: not checked
 #   title(run)    title of the picture
 #   models        records of models, see R/model.R
 #   effects       what a scene may contain: words by name. Names belong to the constraint.

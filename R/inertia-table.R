@@ -39,7 +39,7 @@ inertia_table <- function(objects = inertia_objects()) {
   call <- rlang::current_env()
   if (inherits(objects, "rot_body")) objects <- list(objects)
   if (!is.data.frame(objects)) return(inertia_of_bodies(objects, call))
-  name <- intersect(c("object", "shape"), names(objects))[1]
+  name <- c(intersect(c("object", "shape"), names(objects)), NA)[1]
   if (is.na(name)) abort_missing_column("object", objects, call)
   shapes <- shape_table()
   check_shape_names(objects[[name]], name, nrow(objects), call)
@@ -167,6 +167,7 @@ inertia_of_bodies <- function(bodies, call) {
       x = "It is {describe_value(bodies)}."
     ), "type", call)
   }
+  for (body in bodies) check_body(body, call, "objects")
   pick <- function(f) vapply(bodies, f, numeric(1))
   given <- unique(unlist(lapply(bodies, function(b) names(b$size_m))))
   known <- intersect(size_table()$name, c("radius_m", "length_m", given))

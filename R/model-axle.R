@@ -146,18 +146,3 @@ axle_models <- list(
   axle_bands, axle_rk8pd, axle_radau
 )
 
-# A function of the fraction done, for C to call at most 20 times a second. The bar appears a second
-# after the first call: short runs make none.
-progress_bar <- function(name) {
-  start <- NULL
-  bar <- NULL
-  owner <- parent.frame()
-  function(fraction) {
-    if (is.null(bar)) {
-      if (is.null(start)) start <<- proc.time()[[3L]]
-      if (proc.time()[[3L]] - start < 1) return()
-      bar <<- cli::cli_progress_bar(name, total = 1, .envir = owner)
-    }
-    cli::cli_progress_update(set = fraction, id = bar, .envir = owner)
-  }
-}

@@ -29,7 +29,7 @@ rotors_rigid <- list(
   source = "energy norm of the difference; Meirovitch 2001, section 7.5",
   run = function(scene, time_s, accuracy, max_steps, call, asked) run_rotors_as(0, scene, time_s),
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_rotors_ledger, scene, 1, c(from_s, to_s))
+    .Call(ffi_rotors_ledger, scene, 1, c(from_s, to_s), progress_bar("ledger"))
   }
 )
 
@@ -48,7 +48,7 @@ rotors_modal <- list(
     run_rotors_as(if (share_exponentials(accuracy)) 2 else 1, scene, time_s)
   },
   ledger = function(scene, run, from_s, to_s) {
-    .Call(ffi_rotors_ledger, scene, 0, c(from_s, to_s))
+    .Call(ffi_rotors_ledger, scene, 0, c(from_s, to_s), progress_bar("ledger"))
   }
 )
 

@@ -279,7 +279,13 @@ format_seconds <- function(x) {
 }
 
 check_scene <- function(scene, call) {
-  if (inherits(scene, "rot_scene") && !is.null(constraint_of(scene))) return()
+  constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)
+  if (!is.null(constraint)) {
+    form <- constraint$form
+    fault <- if (!is.null(form)) .Call(ffi_form_fault, scene, form)
+    if (is.null(fault)) return()
+    abort_form(fault, "scene", "scene", call)
+  }
   check_class(scene, "rot_scene", "scene", "Describe one with {.fn scene_axle}.", call)
   abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
 }

@@ -118,7 +118,7 @@ body_drawing <- function(body) {
   axes <- principal_axes(body)
   centre <- as.double(body$centre_m)
   semi <- if (body$mass_kg > 0) {
-    sqrt(5 * pmax(axes$second_moment_kg_m2, 0) / body$mass_kg)
+    sqrt(5 * (pmax(axes$second_moment_kg_m2, 0) / body$mass_kg))
   } else {
     c(0, 0, 0)
   }
@@ -210,10 +210,11 @@ project_lines <- function(lines) {
 body_outline <- function(directions, semi, at, n = 181L) {
   names(at) <- rownames(directions) <- c("x", "y", "z")
   angle <- 2 * pi * seq(0, 1, length.out = n)
+  largest <- max(semi, .Machine$double.xmin) # squares of the sizes may leave the range
   in_panels(function(across, up) {
-    seen <- directions[c(across, up), ] %*% diag(semi)
+    seen <- directions[c(across, up), ] %*% diag(semi / largest)
     shadow <- svd(seen, nv = 0)
-    edge <- shadow$u %*% (shadow$d * rbind(cos(angle), sin(angle)))
+    edge <- largest * (shadow$u %*% (shadow$d * rbind(cos(angle), sin(angle))))
     data.frame(across = at[[across]] + edge[1, ], up = at[[up]] + edge[2, ])
   })
 }

@@ -39,7 +39,7 @@
 autoplot.rot_trajectory <- function(object, ..., units = NULL, panels = NULL, by = NULL,
                                     base_size = 13) {
   call <- check_plot(base_size, ...)
-  run <- trajectory_run(object)
+  run <- check_trajectory(object, "object", rlang::current_env())
   parts <- split_runs(object, run, by, call)
   plot_runs(parts, units, panels, base_size, call)
 }

@@ -51,7 +51,7 @@ principal_axes <- function(body, ..., tolerance = NULL) {
 }
 
 find_principal <- function(body, tolerance, call) {
-  if (!inherits(body, "rot_body")) body <- body_of_tensor(body, call)
+  body <- if (inherits(body, "rot_body")) check_body(body, call) else body_of_tensor(body, call)
   # With an error of this size the class is undetermined.
   unknown <- is.null(tolerance) && isTRUE(body$error >= 0.5)
   tolerance <- if (is.null(tolerance)) {

@@ -116,6 +116,7 @@ parse_description <- function(file, call) {
       x = "It is {describe_value(file)}."
     ), "type", call)
   }
+  if (!is_readable_text(file)) abort_unreadable(file, "file", call)
   if (!grepl("^[[:space:]\ufeff]*<", file)) {
     if (!file.exists(file) || dir.exists(file)) {
       abort_rotdyn(c(
@@ -124,15 +125,22 @@ parse_description <- function(file, call) {
         i = if (grepl("^[a-z]+://", file)) "Download it first."
       ), "file", call)
     }
+    # As bytes: the parser leaves a file that it opened open after an error.
+    text <- tryCatch(
+      suppressWarnings(readBin(file, "raw", file.size(file))),
+      error = function(e) abort_rotdyn("{.file {file}} cannot be read.", "file", call)
+    )
+    encoding <- ""
   } else {
     # Text in R is UTF-8, regardless of its XML declaration.
-    file <- charToRaw(enc2utf8(sub("^[[:space:]\ufeff]+", "", file)))
+    text <- charToRaw(enc2utf8(sub("^[[:space:]\ufeff]+", "", file)))
+    encoding <- "UTF-8"
   }
   tryCatch(
     # Older files have undeclared prefixes, of which the parser warns.
-    suppressWarnings(xml2::read_xml(file, encoding = if (is.raw(file)) "UTF-8" else "")),
+    suppressWarnings(xml2::read_xml(text, encoding = encoding)),
     error = function(e) {
-      reason <- gsub("\\s+", " ", conditionMessage(e))
+      reason <- gsub("\\s+", " ", encodeString(conditionMessage(e)))
       abort_rotdyn(
         c("{.arg file} must be well-formed XML.", x = "The parser reports: {reason}"), "file", call
       )

@@ -170,6 +170,7 @@ mesh_indices <- function(x, corners, by_column, arg, call) {
 # ---- files --------------------------------------------------------------------------------------
 
 mesh_from_file <- function(path, call) {
+  if (length(path) == 1L && !is_readable_text(path)) abort_unreadable(path, "mesh", call)
   if (length(path) != 1L || is.na(path) || !file.exists(path) || dir.exists(path)) {
     abort_rotdyn(
       c("{.arg mesh} must be the path of one file.", x = "There is no file {.file {path}}."),
@@ -194,7 +195,7 @@ mesh_from_file <- function(path, call) {
       ply = read_ply(path)
     ),
     error = function(e) {
-      reason <- conditionMessage(e)
+      reason <- encodeString(conditionMessage(e))
       abort_mesh_file(path, "The reader reports: {reason}.", call)
     }
   )

@@ -59,6 +59,9 @@ ply_header <- function(bytes) {
     if (word[1L] == "format") {
       format <- word[2L]
     } else if (word[1L] == "element") {
+      if (word[2L] %in% names(elements)) {
+        stop("it has two elements of one name: ", word[2L], call. = FALSE)
+      }
       elements[[word[2L]]] <- list(count = suppressWarnings(as.numeric(word[3L])))
     } else if (word[1L] == "property") {
       last <- length(elements)
@@ -78,6 +81,9 @@ ply_property <- function(element, word) {
   types <- ifelse(types %in% names(ply_types), ply_types[types], types)
   if (!types[2L] %in% names(ply_sizes) || is_list && !types[1L] %in% names(ply_sizes)) {
     stop("a property has an unknown type: ", paste(word, collapse = " "), call. = FALSE)
+  }
+  if (word[length(word)] %in% element$name) {
+    stop("an element has two properties of one name: ", word[length(word)], call. = FALSE)
   }
   element$name <- c(element$name, word[length(word)])
   element$type <- c(element$type, unname(types[2L]))

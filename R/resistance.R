@@ -59,7 +59,7 @@ as_resistance <- function(x, call) {
       "Write {.code resistance(viscous_n_m_s = )}.", call
     )
   }
-  x
+  check_form(x, resistance_form, "resistance", "resistance", call)
 }
 
 describe_resistance <- function(x) {
@@ -78,6 +78,7 @@ describe_resistance <- function(x) {
 
 #' @export
 print.rot_resistance <- function(x, ...) {
+  check_form(x, resistance_form, "x", "resistance", rlang::current_env())
   cat("<rot_resistance> ", describe_resistance(x), "\n", sep = "")
   invisible(x)
 }

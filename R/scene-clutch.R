@@ -101,6 +101,7 @@ torque_steps_of <- function(torque, arg, call) {
 
 #' @export
 print.rot_scene_clutch <- function(x, ...) {
+  check_scene(x, rlang::current_env())
   engaged <- if (x$engage_s <= x$start_s) "engaged" else paste("engages at", x$engage_s, "s")
   cat(
     "<rot_scene> two bodies and a clutch\n",

@@ -67,13 +67,13 @@ check_inertias <- function(bodies, arg, call) {
     inertia <- vapply(seq_along(bodies), function(i) {
       body <- bodies[[i]]
       if (inherits(body, "rot_body")) {
-        moment_about_axis(body, c(0, 0, 1))
+        moment_about_axis(check_body(body, call, paste0(arg, "[[", i, "]]")), c(0, 0, 1))
       } else {
         check_number(body, paste0(arg, "[[", i, "]]"), "kg*m^2", call)
       }
     }, double(1))
   } else if (inherits(bodies, "rot_body")) {
-    inertia <- moment_about_axis(bodies, c(0, 0, 1))
+    inertia <- moment_about_axis(check_body(bodies, call, arg), c(0, 0, 1))
   } else {
     inertia <- check_finite(bodies, arg, "kg*m^2", call)
   }
@@ -104,6 +104,7 @@ check_each <- function(x, arg, unit, size, lower, call) {
 
 #' @export
 print.rot_scene_rotors <- function(x, ...) {
+  check_scene(x, rlang::current_env())
   list_of <- function(values) {
     values <- unique(values)
     if (!length(values)) return("none")
@@ -134,7 +135,8 @@ print.rot_scene_rotors <- function(x, ...) {
 #' @param scene A [scene_rotors()].
 #' @return A tibble with one row for each mode:
 #'   `r describe_columns(c("mode", "natural_rad_per_s"))`
-#' @section Errors: `rotdyn_error_type`.
+#'   Frequencies beyond double precision are NA.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_memory`.
 #' @source Meirovitch, Fundamentals of Vibrations (2001), chapter 7.
 #' @examples
 #' shaft_modes(scene_rotors(c(1, 2, 1), stiffness_n_m_per_rad = 500))
@@ -143,7 +145,13 @@ shaft_modes <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
   check_class(scene, "rot_scene_rotors", "scene", "Describe one with {.fn scene_rotors}.", call)
-  frequencies <- .Call(ffi_rotors_frequencies, scene)
+  check_scene(scene, call)
+  result <- .Call(ffi_rotors_frequencies, scene, progress_bar("modes"))
+  frequencies <- result$frequencies
+  # Beyond double precision they are NA.
+  if (!result$info$kind %in% c("none", "range")) {
+    abort_rotdyn("The modes were not computed: {result$info$text}.", result$info$kind, call)
+  }
   tibble::new_tibble(
     list(mode = seq_along(frequencies), natural_rad_per_s = frequencies), nrow = length(frequencies)
   )

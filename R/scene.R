@@ -41,9 +41,20 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   call <- environment()
   if (missing(body)) check_supplied("body", call)
   check_no_dots(...)
+  describe_axle(
+    body, torque, resistance, theta0_rad, omega0_rad_per_s, start_s,
+    if (!missing(axis)) axis, if (!missing(through)) through, call
+  )
+}
+
+# scene_axle(), for other functions too: `call` is the user's. NULL for `axis` and `through`: not
+# given.
+describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s, start_s, axis,
+                          through, call) {
+  axis <- if (is.null(axis)) c(0, 0, 1) else unit_axis(as_axis(axis, call), call)
   if (inherits(body, "rot_body")) {
-    if (!missing(axis)) axis <- unit_axis(as_axis(axis, call), call)
-    if (missing(through)) {
+    check_body(body, call)
+    if (is.null(through)) {
       inertia <- moment_about_axis(body, axis)
       if (any(.subset2(body, "centre_m") != 0)) say_axle_in_centre(body, axis)
     } else {
@@ -53,6 +64,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
     inertia <- check_number(body, "body", "kg*m^2", call)
     body <- NULL
   } else if (inherits(body, "rot_inertia_knots")) {
+    check_form(body, inertia_knots_form, "body", "change of inertia", call)
     inertia <- NULL # depends on the start, below
   } else {
     check_class(
@@ -60,7 +72,7 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
       "Make one with {.fn body_disk}, or give the moment of inertia as one number in kg m^2.", call
     )
   }
-  if (!missing(start_s)) start_s <- check_number(start_s, "start_s", "s", call)
+  start_s <- check_number(start_s, "start_s", "s", call)
   changing <- NULL
   if (is.null(inertia)) {
     changing <- body
@@ -69,10 +81,8 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   check_turns(inertia, call, computed = !is.null(body))
   torque <- as_torque(torque, call)
   resistance <- as_resistance(resistance, call)
-  if (!missing(theta0_rad)) theta0_rad <- check_number(theta0_rad, "theta0_rad", "rad", call)
-  if (!missing(omega0_rad_per_s)) {
-    omega0_rad_per_s <- check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
-  }
+  theta0_rad <- check_number(theta0_rad, "theta0_rad", "rad", call)
+  omega0_rad_per_s <- check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
   new_scene_axle(
     body, inertia, changing, axis, torque, resistance, theta0_rad, omega0_rad_per_s, start_s
   )
@@ -153,10 +163,11 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
   check_supplied(c("body", "distance_m"), call)
   check_no_dots(...)
   distance_m <- check_number(distance_m, "distance_m", "m", call, lower = 0)
+  axis <- unit_axis(as_axis(axis, call), call)
   torque <- as_torque(torque, call)
   if (inherits(body, "rot_body")) {
-    mass_kg <- body$mass_kg
-    about_centre <- moment_about_axis(body, unit_axis(as_axis(axis, call), call))
+    mass_kg <- check_body(body, call)$mass_kg
+    about_centre <- moment_about_axis(body, axis)
   } else {
     if (!is.numeric(body)) {
       check_class(
@@ -167,10 +178,8 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
     about_centre <- 0
     body <- NULL
   }
-  gravity <- torque_gravity(
-    mass_kg, distance_m,
-    gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
-  )
+  gravity_m_per_s2 <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
+  gravity <- gravity_law(mass_kg, distance_m, gravity_m_per_s2, 0, call)
   inertia <- .Call(ffi_sum_product, about_centre, c(mass_kg, distance_m, distance_m))
   check_turns(inertia[1], call, computed = TRUE)
   scene <- new_scene_axle(
@@ -204,6 +213,7 @@ check_turns <- function(inertia, call, computed = FALSE) {
 
 #' @export
 print.rot_scene_axle <- function(x, ...) {
+  check_scene(x, rlang::current_env())
   body <- if (inherits(x$body, "rot_body")) x$body$shape else "a body"
   inertia <- if (is.null(x$inertia)) {
     paste(format_si(x$moment_of_inertia_kg_m2), "kg m^2 about the axle")

@@ -29,6 +29,7 @@ stopping <- function(scene) {
   check_class(
     scene, axle_constraint()$scene_class, "scene", "Describe one with {.fn scene_axle}.", call
   )
+  check_scene(scene, call)
   why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
   if (!is.null(why_not)) {
     abort_rotdyn(c(

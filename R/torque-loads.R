@@ -112,7 +112,11 @@ add_functions <- function(laws) {
 #' @export
 Ops.rot_torque <- function(e1, e2) {
   call <- rlang::caller_env()
-  is_law <- function(x) inherits(x, "rot_torque")
+  is_law <- function(x) {
+    law <- inherits(x, "rot_torque")
+    if (law) check_form(x, torque_form, "law", "torque law", call)
+    law
+  }
   unsupported <- function() {
     abort_rotdyn(c(
       "{.code {(.Generic)}} is not defined for torque laws.",
@@ -120,6 +124,7 @@ Ops.rot_torque <- function(e1, e2) {
     ), "type", call)
   }
   if (missing(e2)) {
+    e1 <- as_torque(e1, call)
     return(switch(.Generic, `+` = e1, `-` = scale_torque(e1, -1, call), unsupported()))
   }
   if (.Generic %in% c("+", "-")) {

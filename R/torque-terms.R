@@ -297,7 +297,10 @@ torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per
   m <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   d <- check_number(distance_m, "distance_m", "m", call, lower = 0)
   g <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
-  rest <- check_number(rest_rad, "rest_rad", "rad", call)
+  gravity_law(m, d, g, check_number(rest_rad, "rest_rad", "rad", call), call)
+}
+
+gravity_law <- function(m, d, g, rest, call) {
   largest <- .Call(ffi_sum_product, 0, c(m, d, g)) # over a long time its rounding counts
   if (!is.finite(largest[1])) {
     abort_rotdyn("The weight's torque is beyond double precision.", "value", call)

@@ -116,6 +116,10 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
 torque_function <- function(f, breaks_s = NULL, vectorised = FALSE) {
   call <- rlang::current_env()
   if (missing(f)) check_supplied("f", call)
+  new_torque_function(f, breaks_s, vectorised, call)
+}
+
+new_torque_function <- function(f, breaks_s, vectorised, call) {
   if (!is.function(f)) {
     abort_rotdyn(c(
       "{.arg f} must be a function.",
@@ -152,11 +156,11 @@ count_arguments <- function(f, call) {
 # The torque argument of a scene as a law.
 as_torque <- function(x, call) {
   if (inherits(x, "rot_torque")) {
-    x
+    check_form(x, torque_form, "torque", "torque law", call)
   } else if (is.null(x)) {
     torque_constant(0)
   } else if (is.function(x)) {
-    torque_function(x)
+    new_torque_function(x, NULL, FALSE, call)
   } else if (is.numeric(x)) {
     torque_constant(check_number(x, "torque", "N*m", call))
   } else {
@@ -213,6 +217,7 @@ describe_torque <- function(torque) {
 
 #' @export
 print.rot_torque <- function(x, ...) {
+  check_form(x, torque_form, "x", "torque law", rlang::current_env())
   cat("<rot_torque> ", describe_torque(x), "\n", sep = "")
   invisible(x)
 }

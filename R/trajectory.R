@@ -47,16 +47,21 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   call <- environment()
   if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
-  check_scene(scene, call)
-  time_s <- check_times(time_s, call)
-  check_span(scene, time_s, call)
-  if (!missing(accuracy)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   if (!missing(max_steps)) max_steps <- check_number(max_steps, "max_steps", "1", call, lower = 1)
   on_fail <- if (missing(on_fail)) {
     "abort"
   } else {
     check_string(on_fail, "on_fail", c("abort", "truncate"), call)
   }
+  compute_trajectory(scene, time_s, accuracy, model, on_fail, max_steps, call)
+}
+
+# trajectory(), for other functions too: `call` is the user's.
+compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_steps, call) {
+  check_scene(scene, call)
+  time_s <- check_times(time_s, call)
+  check_span(scene, time_s, call)
+  if (!identical(accuracy, 1e-9)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   fit <- pick_model(scene, time_s, accuracy, model, max_steps, call)
   run_trajectory(fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model))
 }
@@ -178,7 +183,7 @@ new_trajectory <- function(columns, n, run) {
 reconstruct_trajectory <- function(data, template) {
   run <- trajectory_run(template)
   tibble_class <- c("tbl_df", "tbl", "data.frame")
-  constraint <- if (!is.null(run)) constraint_of(run$scene)
+  constraint <- if (is.list(run) && is.object(run$scene)) constraint_of(run$scene)
   if (is.null(constraint) || !all(constraint$keys %in% names(data))) {
     attr(data, "run") <- NULL
     class(data) <- tibble_class
@@ -245,7 +250,7 @@ as_tibble.rot_trajectory <- function(x, ...) {
 #' @importFrom tibble tbl_sum
 #' @export
 tbl_sum.rot_trajectory <- function(x, ...) {
-  run <- trajectory_run(x)
+  run <- check_trajectory(x, "x", rlang::current_env())
   c(
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
@@ -300,7 +305,7 @@ describe_error <- function(run) {
 #' summary(spin_up())
 #' @export
 summary.rot_trajectory <- function(object, ...) {
-  run <- trajectory_run(object)
+  run <- check_trajectory(object, "object", rlang::current_env())
   tibble::new_tibble(c(
     constraint_of(run$scene)$summary(object, run),
     list(
@@ -347,7 +352,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
   call <- rlang::current_env()
   if (missing(time_s)) check_supplied("time_s", call)
   check_no_dots(...)
-  run <- trajectory_run(object)
+  run <- check_trajectory(object, "object", call)
   scene <- run$scene
   constraint <- constraint_of(scene)
   time_s <- check_column(time_s, "time_s", "s", call)
@@ -394,8 +399,9 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' motion_events(trajectory(wheel, time_s = 0:60))
 #' @export
 motion_events <- function(x) {
+  check_supplied("x", rlang::current_env())
   check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::current_env())
-  events <- trajectory_run(x)$events
+  events <- check_trajectory(x, "x", rlang::current_env())$events
   tibble::tibble(time_s = as.double(events$time_s), event = as.character(events$event))
 }
 
@@ -419,7 +425,11 @@ spin_up <- function(body = body_disk(2, 0.25),
                     torque = torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)),
                     viscous_n_m_s = 0.03, time_s = seq.int(0, 8, length.out = 1000), ...,
                     theta0_rad = 0, omega0_rad_per_s = 0, accuracy = 1e-9, model = NULL) {
+  call <- environment()
   check_no_dots(...)
-  scene <- scene_axle(body, torque, resistance(viscous_n_m_s), theta0_rad, omega0_rad_per_s)
-  trajectory(scene, time_s, accuracy, model)
+  viscous <- check_number(viscous_n_m_s, "viscous_n_m_s", "N*m*s", call)
+  scene <- describe_axle(
+    body, torque, new_resistance(viscous), theta0_rad, omega0_rad_per_s, 0, NULL, NULL, call
+  )
+  compute_trajectory(scene, time_s, accuracy, model, "abort", 1e6, call)
 }

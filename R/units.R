@@ -3,13 +3,23 @@
 as_si <- function(x, unit, arg, call) {
   if (!is.object(x)) return(x)
   if (inherits(x, "difftime")) {
-    if (unit != "s") abort_dimension(attr(x, "units"), unit, arg, call)
+    given <- attr(x, "units")
+    known <- c("secs", "mins", "hours", "days", "weeks")
+    if (!is.numeric(unclass(x)) || !isTRUE(given %in% known)) {
+      abort_quantity(x, arg, call)
+    }
+    if (unit != "s") abort_dimension(given, unit, arg, call)
     return(as.numeric(x, units = "secs"))
   }
   if (!inherits(x, "units")) return(x)
   need_package("units", "An argument with units", call)
-  given <- units::deparse_unit(x)
-  if (!units::ud_are_convertible(units(x), unit)) abort_dimension(given, unit, arg, call)
+  forged <- function(e) abort_quantity(x, arg, call)
+  # Without its class the number underneath is one, or the object is no quantity.
+  if (!is.numeric(unclass(x)) || !inherits(attr(x, "units"), "symbolic_units")) forged()
+  given <- tryCatch(units::deparse_unit(x), error = forged)
+  if (!tryCatch(units::ud_are_convertible(units(x), unit), error = forged)) {
+    abort_dimension(given, unit, arg, call)
+  }
   # The units package takes 1 Hz for 1 rad/s.
   if ((startsWith(unit, "rad/") || unit == "rpm") && grepl("Hz|hertz", given)) {
     abort_rotdyn(c(
@@ -18,7 +28,16 @@ as_si <- function(x, unit, arg, call) {
       i = "Give it in {.val rpm}, or {.code 2 * pi} times it in {.val rad/s}."
     ), "unit", call)
   }
-  as.numeric(units::set_units(x, unit, mode = "standard"))
+  tryCatch(as.numeric(units::set_units(x, unit, mode = "standard")), error = forged)
+}
+
+# An object of class units or difftime that has no number or no unit.
+abort_quantity <- function(x, arg, call) {
+  abort_rotdyn(c(
+    "{.arg {arg}} is no quantity with a unit.",
+    x = "It is {describe_value(x)} without a number or without a unit.",
+    i = "Make it again, or give the plain number in SI units."
+  ), "type", call)
 }
 
 abort_dimension <- function(given, unit, arg, call) {

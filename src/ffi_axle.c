@@ -21,6 +21,14 @@ static rot_torque knots_of(SEXP knots) {
   return torque;
 }
 
+int ffi_term_fits(SEXP list) {
+  SEXP kind = ffi_element(list, "kind"), x = ffi_element(list, "x");
+  if (TYPEOF(kind) != STRSXP || XLENGTH(kind) != 1 || TYPEOF(x) != REALSXP) return 0;
+  const rot_term term = {rot_term_named(CHAR(STRING_ELT(kind, 0))), 0.0, 0.0, (size_t)XLENGTH(x),
+                         REAL_RO(x)};
+  return rot_term_valid(&term);
+}
+
 static rot_term term_of(SEXP list) {
   SEXP x = ffi_element(list, "x");
   rot_term term;
@@ -154,7 +162,9 @@ SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP co
   rot_axle_scene scene = ffi_axle_scene(list, breaks_s);
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
   if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
-  const rot_axle_ode_options options = {c[0], (size_t)c[1], (rot_method)(int)c[2]};
+  /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
+  const double steps = c[1] < 1e15 ? c[1] : 1e15;
+  const rot_axle_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
   scene.noise_n_m = c[3];
   rot_axle_ledger ledger;
 #define X(name) ledger.name = NA_REAL;

@@ -12,5 +12,7 @@
 rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
 rot_shaft_params ffi_shaft_scene(SEXP scene);
 rot_clutch_params ffi_clutch_scene(SEXP scene);
+/* Whether the list is a term of a torque law that the core may read. */
+int ffi_term_fits(SEXP list);
 
 #endif

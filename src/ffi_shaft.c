@@ -42,24 +42,34 @@ SEXP ffi_rotors_run(SEXP list, SEXP time_s, SEXP how, SEXP progress) {
 }
 
 /* From span[0] to span[1]; NA where it failed. */
-SEXP ffi_rotors_ledger(SEXP list, SEXP rigid, SEXP span) {
+SEXP ffi_rotors_ledger(SEXP list, SEXP rigid, SEXP span, SEXP progress) {
   static const char *const names[] = {ROT_SHAFT_LEDGER(FFI_NAME)};
   const rot_shaft_params p = ffi_shaft_scene(list);
   const double *x = ffi_reals(span, "span", 2);
   rot_shaft_ledger ledger = {0.0, 0.0, 0.0, 0.0};
-  const rot_status status =
-      rot_shaft_balance(&p, ffi_real(rigid, "rigid") != 0.0, x[0], x[1], &ledger);
+  const int as_rigid = ffi_real(rigid, "rigid") != 0.0;
+  ffi_guard guard;
+  ffi_guard_begin(&guard, progress);
+  const rot_status status = rot_shaft_balance(&p, as_rigid, x[0], x[1], &guard.hooks, &ledger);
+  ffi_guard_end(&guard, status);
   const double values[] = {ROT_SHAFT_LEDGER(FFI_VALUE)};
   return ffi_named(FFI_LENGTH(values), names, status == ROT_OK ? values : NULL);
 }
 
-/* The angular frequencies of the undamped shaft; NA where they are out of range. */
-SEXP ffi_rotors_frequencies(SEXP list) {
+/* list(frequencies, info): the angular frequencies of the undamped shaft, NA where it failed. */
+SEXP ffi_rotors_frequencies(SEXP list, SEXP progress) {
+  static const char *const names[] = {"frequencies", "info", ""};
   const rot_shaft_params p = ffi_shaft_scene(list);
-  SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)p.n));
-  if (rot_shaft_frequencies(&p, REAL(out)) != ROT_OK) {
-    for (size_t i = 0; i < p.n; i++) REAL(out)[i] = NA_REAL;
-  }
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), frequencies;
+  SET_VECTOR_ELT(out, 0, frequencies = Rf_allocVector(REALSXP, (R_xlen_t)p.n));
+  rot_info info;
+  ffi_guard guard;
+  rot_info_clear(&info, NULL);
+  ffi_guard_begin(&guard, progress);
+  info.status = rot_shaft_frequencies(&p, REAL(frequencies), &guard.hooks);
+  ffi_guard_end(&guard, info.status);
+  for (size_t i = 0; i < p.n && info.status != ROT_OK; i++) REAL(frequencies)[i] = NA_REAL;
+  SET_VECTOR_ELT(out, 1, ffi_info(&info));
   UNPROTECT(1);
   return out;
 }

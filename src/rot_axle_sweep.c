@@ -9,12 +9,29 @@
 
 #ifdef _OPENMP
 #include <omp.h>
+#ifndef _WIN32
+#include <unistd.h>
+#endif
 #endif
 
 /* Rows between two polls: some milliseconds. */
 enum { LINEAR_CHUNK = 65536, SCENE_CHUNK = 512, PARTS = 32 }; /* a thread takes part by part */
 
 /* ---- sharing out ---------------------------------------------------------------------------- */
+
+#if defined(_OPENMP) && !defined(_WIN32)
+/* The process that started threads first. In a child forked from it the threads do not exist, and
+ * OpenMP of GCC waits for them for good. */
+static long threads_of = 0;
+
+static int may_use_threads(void) {
+  const long here = (long)getpid();
+  if (threads_of == 0) threads_of = here;
+  return threads_of == here;
+}
+#else
+static int may_use_threads(void) { return 1; }
+#endif
 
 int rot_axle_sweep_threads(void) {
 #ifdef _OPENMP
@@ -51,6 +68,7 @@ static rot_status sweep(row_worker work, const void *frame, size_t n, size_t chu
                         const rot_hooks *hooks, rot_info *info) {
   const int most = rot_axle_sweep_threads();
   if (threads < 1 || threads > most) threads = most;
+  if (threads > 1 && !may_use_threads()) threads = 1;
   rot_info_clear(info, NULL);
   for (size_t first = 0; first < n && info->status == ROT_OK;) {
     const size_t last = n - first < chunk ? n : first + chunk;

@@ -9,6 +9,13 @@
 /* Matrices of 64 rows, graded over 1e-30, took at most 11 sweeps. */
 enum { MOST_SWEEPS = 60 };
 
+/* A row of rotations of so many columns takes more than 20 us; fewer are not worth a poll. */
+enum { LARGE = 64 };
+
+static rot_status poll_if_large(size_t n, const rot_hooks *hooks) {
+  return n < LARGE ? ROT_OK : rot_poll(hooks, 0.0);
+}
+
 /* Scales by a power of two to near 1, so that no square leaves the range. Returns the exponent, or
  * NOT_FINITE. */
 enum { NOT_FINITE = -100000 };
@@ -110,22 +117,29 @@ static double rayleigh(size_t n, const double a[], const double vectors[], size_
   return (top + top_lo) / (below + below_lo);
 }
 
-rot_status rot_eigen_symmetric(size_t n, double a[], double values[], double vectors[]) {
+rot_status rot_eigen_symmetric(size_t n, double a[], double values[], double vectors[],
+                               const rot_hooks *hooks) {
   const int exponent = scale_to_one(n * n, a);
+  rot_status status = ROT_OK;
   int turned = 1;
   if (exponent == NOT_FINITE) return ROT_EVALUE;
   double *copy = malloc((n ? n * n : 1) * sizeof *copy);
   if (!copy) return ROT_ENOMEM;
   for (size_t i = 0; i < n * n; i++) copy[i] = a[i];
   set_identity(n, vectors);
-  for (int sweep = 0; turned && sweep < MOST_SWEEPS; sweep++) {
+  for (int sweep = 0; turned && sweep < MOST_SWEEPS && status == ROT_OK; sweep++) {
     turned = 0;
-    for (size_t p = 0; p + 1 < n; p++) {
+    for (size_t p = 0; p + 1 < n && status == ROT_OK; p++) {
       for (size_t q = p + 1; q < n; q++) turned |= rotate_pair(n, a, vectors, p, q);
+      status = poll_if_large(n, hooks);
     }
   }
-  for (size_t j = 0; j < n; j++) values[j] = ldexp(rayleigh(n, copy, vectors, j), exponent);
+  for (size_t j = 0; j < n && status == ROT_OK; j++) {
+    values[j] = ldexp(rayleigh(n, copy, vectors, j), exponent);
+    status = poll_if_large(n, hooks);
+  }
   free(copy);
+  if (status != ROT_OK) return status;
   sort_ascending(n, values, vectors);
   return turned ? ROT_ESTEP : ROT_OK;
 }
@@ -168,9 +182,11 @@ static void reflect(size_t rows, size_t cols, double g[], size_t k) {
 
 /* G P = Q R, each time with the largest column and row exchanged to the front: row-wise and
  * column-wise stable (Cox & Higham 1998). R is left in the upper triangle of g. */
-static void triangularize(size_t rows, size_t cols, double g[], size_t place[]) {
+static rot_status triangularize(size_t rows, size_t cols, double g[], size_t place[],
+                                const rot_hooks *hooks) {
+  rot_status status = ROT_OK;
   for (size_t j = 0; j < cols; j++) place[j] = j;
-  for (size_t k = 0; k < cols; k++) {
+  for (size_t k = 0; k < cols && status == ROT_OK; k++) {
     size_t column = k, row = k;
     double most = -1.0;
     for (size_t j = k; j < cols; j++) {
@@ -189,7 +205,9 @@ static void triangularize(size_t rows, size_t cols, double g[], size_t place[]) 
     }
     swap_rows(cols, g, k, row);
     reflect(rows, cols, g, k);
+    status = poll_if_large(cols, hooks);
   }
+  return status;
 }
 
 static int rotate_columns(size_t n, double a[], size_t p, size_t q) {
@@ -202,32 +220,40 @@ static int rotate_columns(size_t n, double a[], size_t p, size_t q) {
 }
 
 /* Makes the columns orthonormal; their lengths go to sigma. */
-static int orthogonalize(size_t n, double a[], double sigma[]) {
+static rot_status orthogonalize(size_t n, double a[], double sigma[], const rot_hooks *hooks) {
+  rot_status status = ROT_OK;
   int turned = 1;
   for (int sweep = 0; turned && sweep < MOST_SWEEPS; sweep++) {
     turned = 0;
     for (size_t p = 0; p + 1 < n; p++) {
       for (size_t q = p + 1; q < n; q++) turned |= rotate_columns(n, a, p, q);
+      status = poll_if_large(n, hooks);
+      if (status != ROT_OK) return status;
     }
   }
   for (size_t j = 0; j < n; j++) {
     sigma[j] = sqrt(dot(n, n, a + j, a + j));
     for (size_t i = 0; i < n && sigma[j] > 0.0; i++) a[i * n + j] /= sigma[j];
   }
-  return !turned;
+  return turned ? ROT_ESTEP : ROT_OK;
 }
 
 /* R' W = Z Sigma gives G P = Q W Sigma Z': the right singular vectors are the rows of P Z. */
-rot_status rot_eigen_singular(size_t rows, size_t cols, double g[], double sigma[], double u[]) {
+rot_status rot_eigen_singular(size_t rows, size_t cols, double g[], double sigma[], double u[],
+                              const rot_hooks *hooks) {
   const int exponent = scale_to_one(rows * cols, g);
   if (exponent == NOT_FINITE || rows < cols) return ROT_EVALUE;
   size_t *place = malloc((cols ? cols : 1) * sizeof *place);
   if (!place) return ROT_ENOMEM;
-  triangularize(rows, cols, g, place);
+  rot_status status = triangularize(rows, cols, g, place, hooks);
+  if (status != ROT_OK) {
+    free(place);
+    return status;
+  }
   for (size_t i = 0; i < cols; i++) {
     for (size_t j = 0; j < cols; j++) u[i * cols + j] = j <= i ? g[j * cols + i] : 0.0;
   }
-  const int done = orthogonalize(cols, u, sigma);
+  status = orthogonalize(cols, u, sigma, hooks);
   for (size_t i = 0; i < cols * cols; i++) g[i] = u[i];
   for (size_t i = 0; i < cols; i++) {
     for (size_t j = 0; j < cols; j++) u[place[i] * cols + j] = g[i * cols + j];
@@ -235,5 +261,5 @@ rot_status rot_eigen_singular(size_t rows, size_t cols, double g[], double sigma
   for (size_t j = 0; j < cols; j++) sigma[j] = ldexp(sigma[j], exponent);
   sort_ascending(cols, sigma, u);
   free(place);
-  return done ? ROT_OK : ROT_ESTEP;
+  return status;
 }

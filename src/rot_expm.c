@@ -3,8 +3,17 @@
 #include <math.h>
 #include <string.h>
 
-void rot_expm_multiply(size_t n, const double a[], const double b[], double c[]) {
-  for (size_t i = 0; i < n; i++) {
+/* A product of this size takes 2 ms; smaller ones are not worth a poll. */
+enum { LARGE = 128 };
+
+static rot_status poll_if_large(size_t n, const rot_hooks *hooks) {
+  return n < LARGE ? ROT_OK : rot_poll(hooks, 0.0);
+}
+
+rot_status rot_expm_multiply(size_t n, const double a[], const double b[], double c[],
+                             const rot_hooks *hooks) {
+  rot_status status = ROT_OK;
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
     double *row = c + i * n;
     for (size_t j = 0; j < n; j++) row[j] = 0.0;
     for (size_t k = 0; k < n; k++) {
@@ -12,7 +21,9 @@ void rot_expm_multiply(size_t n, const double a[], const double b[], double c[])
       if (x == 0.0) continue; /* blocks of zeros remain exactly zero */
       for (size_t j = 0; j < n; j++) row[j] += x * b[k * n + j];
     }
+    status = poll_if_large(n, hooks);
   }
+  return status;
 }
 
 void rot_expm_apply(size_t n, const double a[], const double x[], double y[]) {
@@ -36,8 +47,9 @@ static double norm_of(size_t n, const double a[]) {
 
 /* Solves a x = b for n right-hand sides, with partial pivoting; both are overwritten, b by x. The
  * denominator of a Pade approximant is well conditioned. */
-static void solve(size_t n, double a[], double b[]) {
-  for (size_t k = 0; k < n; k++) {
+static rot_status solve(size_t n, double a[], double b[], const rot_hooks *hooks) {
+  rot_status status = ROT_OK;
+  for (size_t k = 0; k < n && status == ROT_OK; k++) {
     size_t pivot = k;
     for (size_t i = k + 1; i < n; i++) {
       if (fabs(a[i * n + k]) > fabs(a[pivot * n + k])) pivot = i;
@@ -56,14 +68,17 @@ static void solve(size_t n, double a[], double b[]) {
       for (size_t j = k + 1; j < n; j++) a[i * n + j] -= m * a[k * n + j];
       for (size_t j = 0; j < n; j++) b[i * n + j] -= m * b[k * n + j];
     }
+    status = poll_if_large(n, hooks);
   }
-  for (size_t k = n; k-- > 0;) {
+  for (size_t k = n; k-- > 0 && status == ROT_OK;) {
     for (size_t j = 0; j < n; j++) {
       double sum = b[k * n + j];
       for (size_t i = k + 1; i < n; i++) sum -= a[k * n + i] * b[i * n + j];
       b[k * n + j] = sum / a[k * n + k];
     }
+    status = poll_if_large(n, hooks);
   }
+  return status;
 }
 
 static void add_scaled(size_t size, double to[], double factor, const double x[]) {
@@ -94,21 +109,22 @@ static const struct {
 enum { HIGHEST = 4 };
 
 /* exp(a) = (v - u)^-1 (v + u), u odd and v even in a. Work: 6 n^2. */
-static void approximate(size_t n, const double a[], int which, double e[], double work[]) {
+static rot_status approximate(size_t n, const double a[], int which, double e[], double work[],
+                              const rot_hooks *hooks) {
   const size_t size = n * n;
   const double *b = pade[which].b;
   const int degree = pade[which].degree;
   double *power = work, *next = work + size, *a2 = work + 2 * size, *u = work + 3 * size,
          *v = work + 4 * size, *odd = work + 5 * size;
-  rot_expm_multiply(n, a, a, a2);
+  rot_status status = rot_expm_multiply(n, a, a, a2, hooks);
   memset(odd, 0, size * sizeof *odd);
   memset(v, 0, size * sizeof *v);
   memcpy(power, a2, size * sizeof *power);
-  for (int k = 2; k < degree; k += 2) {
+  for (int k = 2; k < degree && status == ROT_OK; k += 2) {
     add_scaled(size, v, b[k], power);
     add_scaled(size, odd, b[k + 1], power);
     if (k + 2 < degree) {
-      rot_expm_multiply(n, power, a2, next);
+      status = rot_expm_multiply(n, power, a2, next, hooks);
       double *keep = power;
       power = next;
       next = keep;
@@ -116,15 +132,16 @@ static void approximate(size_t n, const double a[], int which, double e[], doubl
   }
   add_identity(n, v, b[0]);
   add_identity(n, odd, b[1]);
-  rot_expm_multiply(n, a, odd, u);
+  if (status == ROT_OK) status = rot_expm_multiply(n, a, odd, u, hooks);
+  if (status != ROT_OK) return status;
   for (size_t i = 0; i < size; i++) {
     e[i] = v[i] + u[i];
     v[i] -= u[i];
   }
-  solve(n, v, e);
+  return solve(n, v, e, hooks);
 }
 
-rot_status rot_expm(size_t n, const double a[], double e[], double work[]) {
+rot_status rot_expm(size_t n, const double a[], double e[], double work[], const rot_hooks *hooks) {
   const size_t size = n * n;
   const double norm = norm_of(n, a);
   double *scaled = work + 6 * size;
@@ -133,10 +150,11 @@ rot_status rot_expm(size_t n, const double a[], double e[], double work[]) {
   while (which < HIGHEST && norm > pade[which].norm) which++;
   if (norm > pade[which].norm) squarings = (int)ceil(log2(norm / pade[which].norm));
   for (size_t i = 0; i < size; i++) scaled[i] = ldexp(a[i], -squarings);
-  approximate(n, scaled, which, e, work);
-  for (; squarings > 0; squarings--) {
-    rot_expm_multiply(n, e, e, work);
+  rot_status status = approximate(n, scaled, which, e, work, hooks);
+  for (; squarings > 0 && status == ROT_OK; squarings--) {
+    status = rot_expm_multiply(n, e, e, work, hooks);
     memcpy(e, work, size * sizeof *e);
   }
+  if (status != ROT_OK) return status;
   return isfinite(norm_of(n, e)) ? ROT_OK : ROT_ERANGE;
 }

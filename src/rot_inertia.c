@@ -164,7 +164,7 @@ static void settle_equal_axes(const double second[3], double axes[9]) {
 rot_status rot_inertia_principal(const double c[], double tolerance, rot_principal *out) {
   double m[9], values[3], vectors[9], e1[3], e2[3], e3[3];
   to_matrix(c, m);
-  const rot_status status = rot_eigen_symmetric(3, m, values, vectors);
+  const rot_status status = rot_eigen_symmetric(3, m, values, vectors, NULL);
   if (status != ROT_OK) return status;
   for (int k = 0; k < 3; k++) {
     out->second[k] = values[2 - k];

@@ -45,7 +45,7 @@ rot_status rot_shaft_set_step(const rot_shaft_modes *s, rot_shaft_stepper *y, do
     for (size_t b = 0; b < n; b++) velocity[n + b] = -s->coupling[m * n + b] * h;
     velocity[2 * n] = system_force(s, m) * h / y->unit;
   }
-  return rot_expm(size, y->a, y->e, y->work);
+  return rot_expm(size, y->a, y->e, y->work, s->hooks);
 }
 
 void rot_shaft_coupled_read(const rot_shaft_modes *s, const rot_shaft_stepper *y,

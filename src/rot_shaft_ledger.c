@@ -20,17 +20,22 @@ static double angle_of(const rot_shaft_modes *s, const double p[], size_t i) {
   return sum;
 }
 
-static void add_transformed(size_t n, double w[], const double weight, const double e[],
-                            const double q[], double work[]) {
+/* As rot_expm_multiply() polls. */
+enum { LARGE = 128 };
+
+static rot_status add_transformed(size_t n, double w[], const double weight, const double e[],
+                                  const double q[], double work[], const rot_hooks *hooks) {
   /* w += weight e' q e */
-  rot_expm_multiply(n, q, e, work);
-  for (size_t i = 0; i < n; i++) {
+  rot_status status = rot_expm_multiply(n, q, e, work, hooks);
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
     for (size_t k = 0; k < n; k++) {
       const double x = weight * e[k * n + i];
       if (x == 0.0) continue;
       for (size_t j = 0; j < n; j++) w[i * n + j] += x * work[k * n + j];
     }
+    if (n >= LARGE) status = rot_poll(hooks, 0.0);
   }
+  return status;
 }
 
 /* Heat = x0' W x0 with W = int exp(A't) Q exp(A t) dt: by quadrature over a short time, then by
@@ -56,15 +61,17 @@ static rot_status find_heat(const rot_shaft_modes *s, double from, double span, 
     /* The last place holds step.unit then; here it shall hold 1. */
     for (size_t k = 0; k < size; k++) step.e[k * size + 2 * n] *= step.unit;
     step.e[square - 1] = 1.0;
-    add_transformed(size, w, at.weight * h, step.e, q, sum);
+    if (status == ROT_OK) {
+      status = add_transformed(size, w, at.weight * h, step.e, q, sum, s->hooks);
+    }
   }
   if (status == ROT_OK) status = rot_shaft_set_step(s, &step, h);
   for (size_t k = 0; k < size; k++) step.e[k * size + 2 * n] *= step.unit;
   step.e[square - 1] = 1.0;
   for (int i = 0; i < doublings && status == ROT_OK; i++) {
     memcpy(sum, w, square * sizeof *w);
-    add_transformed(size, w, 1.0, step.e, sum, sum + square);
-    rot_expm_multiply(size, step.e, step.e, sum);
+    status = add_transformed(size, w, 1.0, step.e, sum, sum + square, s->hooks);
+    if (status == ROT_OK) status = rot_expm_multiply(size, step.e, step.e, sum, s->hooks);
     memcpy(step.e, sum, square * sizeof *sum);
   }
   for (size_t m = 0; m < n; m++) {
@@ -103,12 +110,12 @@ static rot_status modes_at(const rot_shaft_modes *s, rot_dd t, double p[], doubl
 }
 
 static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_dd finish,
-                                   rot_shaft_ledger *ledger) {
+                                   const rot_hooks *hooks, rot_shaft_ledger *ledger) {
   rot_shaft_modes s;
   const double from = begin.hi, to = finish.hi;
   const size_t n = p->n;
   double *memory = calloc(6 * n, sizeof *memory);
-  rot_status status = memory ? rot_shaft_modes_build(&s, p) : ROT_ENOMEM;
+  rot_status status = memory ? rot_shaft_modes_build(&s, p, hooks) : ROT_ENOMEM;
   if (!memory) return status;
   double *p0 = memory, *r0 = p0 + n, *p1 = r0 + n, *r1 = p1 + n, *e0 = r1 + n, *e1 = e0 + n;
   if (status == ROT_OK) status = modes_at(&s, begin, p0, r0, e0);
@@ -170,8 +177,9 @@ static rot_status balance_of_lump(const rot_shaft_params *p, double from, double
 }
 
 rot_status rot_shaft_balance(const rot_shaft_params *p, int rigid, double from_s, double to_s,
-                             rot_shaft_ledger *ledger) {
+                             const rot_hooks *hooks, rot_shaft_ledger *ledger) {
   const rot_dd from = rot_dd_sum2(from_s, -p->start_s), to = rot_dd_sum2(to_s, -p->start_s);
   *ledger = (rot_shaft_ledger){0.0, 0.0, 0.0, 0.0};
-  return rigid ? balance_of_lump(p, from.hi, to.hi, ledger) : balance_of_modes(p, from, to, ledger);
+  return rigid ? balance_of_lump(p, from.hi, to.hi, ledger)
+               : balance_of_modes(p, from, to, hooks, ledger);
 }

@@ -19,6 +19,6 @@ typedef struct rot_shaft_ledger {
 
 /* `rigid`: of the rigid shaft. from_s <= to_s. */
 rot_status rot_shaft_balance(const rot_shaft_params *p, int rigid, double from_s, double to_s,
-                             rot_shaft_ledger *ledger);
+                             const rot_hooks *hooks, rot_shaft_ledger *ledger);
 
 #endif

@@ -175,7 +175,7 @@ rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const 
   static const rot_march decoupled = {.write_rows = decoupled_rows};
   rot_shaft_modes s;
   rot_shaft_note_start(p, info);
-  info->status = rot_shaft_modes_build(&s, p);
+  info->status = rot_shaft_modes_build(&s, p, hooks);
   if (info->status == ROT_OK) {
     const size_t room = s.decoupled ? 0 : rot_shaft_coupled_room(p->n);
     double *memory = malloc((2 * room + 5 * p->n + 1) * sizeof *memory), *x = memory;
@@ -200,9 +200,10 @@ rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const 
   return info->status;
 }
 
-rot_status rot_shaft_frequencies(const rot_shaft_params *p, double sigma[]) {
+rot_status rot_shaft_frequencies(const rot_shaft_params *p, double sigma[],
+                                 const rot_hooks *hooks) {
   rot_shaft_modes s;
-  const rot_status status = rot_shaft_modes_build(&s, p);
+  const rot_status status = rot_shaft_modes_build(&s, p, hooks);
   if (status == ROT_OK) memcpy(sigma, s.sigma, p->n * sizeof *sigma);
   rot_shaft_modes_free(&s);
   return status;

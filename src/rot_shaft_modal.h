@@ -13,6 +13,6 @@ rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const 
 
 /* Angular frequencies sqrt(eigenvalue) of the undamped shaft in rad/s, ascending, n of them: 0 for
  * the mean motion and for each spring that is missing. */
-rot_status rot_shaft_frequencies(const rot_shaft_params *p, double sigma[]);
+rot_status rot_shaft_frequencies(const rot_shaft_params *p, double sigma[], const rot_hooks *hooks);
 
 #endif

@@ -19,6 +19,13 @@ static int allocate(rot_shaft_modes *s, size_t n) {
   return 1;
 }
 
+/* A step of the loops below takes 4 us with so many rotors; fewer are not worth a poll. */
+enum { LARGE = 64 };
+
+static rot_status poll_if_large(const rot_shaft_modes *s) {
+  return s->n < LARGE ? ROT_OK : rot_poll(s->hooks, 0.0);
+}
+
 /* Weighted by inertia, from the first one on: rotors that agree have exactly their own mean. To
  * twice the precision, since a mean that cancels is the rate of all angles. */
 static double mean_of(const rot_shaft_modes *s, const double x[]) {
@@ -52,7 +59,7 @@ static rot_status find_twists(rot_shaft_modes *s) {
     g[(j + 1) * springs + column] = -sqrt(k[j]) / sqrt(J[j + 1]);
     column++;
   }
-  rot_status status = rot_eigen_singular(n, springs, g, s->sigma + 1 + s->floppy, u);
+  rot_status status = rot_eigen_singular(n, springs, g, s->sigma + 1 + s->floppy, u, s->hooks);
   for (size_t j = 0, row = 0; status == ROT_OK && j + 1 < n; j++) {
     if (k[j] == 0.0) continue;
     for (size_t m = 0; m < springs; m++) {
@@ -67,7 +74,7 @@ static rot_status find_twists(rot_shaft_modes *s) {
 /* Shapes of the twists in rotors first .. last, joined by springs: each rotor from the twists to
  * its right and left, with the shares of inertia beyond. No difference of large numbers, and no
  * net momentum. */
-static void shape_group(rot_shaft_modes *s, size_t first, size_t last) {
+static rot_status shape_group(rot_shaft_modes *s, size_t first, size_t last) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad;
   double all = 0.0, left = 0.0;
@@ -82,7 +89,10 @@ static void shape_group(rot_shaft_modes *s, size_t first, size_t last) {
       for (size_t i = first; i <= j; i++) s->shape[i * n + m] += twist * (right / all);
       for (size_t i = j + 1; i <= last; i++) s->shape[i * n + m] -= twist * (left / all);
     }
+    const rot_status status = poll_if_large(s);
+    if (status != ROT_OK) return status;
   }
+  return ROT_OK;
 }
 
 /* Mode f moves the groups before group f against group f. */
@@ -97,12 +107,13 @@ static void shape_floppy(rot_shaft_modes *s, size_t f, size_t first, size_t last
   }
 }
 
-static void find_shapes(rot_shaft_modes *s) {
+static rot_status find_shapes(rot_shaft_modes *s) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad;
   for (size_t first = 0, last = 0, group = 0; first < n; first = ++last, group++) {
     while (last + 1 < n && k[last] > 0.0) last++;
-    shape_group(s, first, last);
+    const rot_status status = shape_group(s, first, last);
+    if (status != ROT_OK) return status;
     if (group > 0) shape_floppy(s, group, first, last);
   }
   for (size_t i = 0; i < n; i++) s->shape[i * n] = 1.0;
@@ -111,6 +122,7 @@ static void find_shapes(rot_shaft_modes *s) {
       s->twist[j * n + m] = s->shape[j * n + m] - s->shape[(j + 1) * n + m];
     }
   }
+  return ROT_OK;
 }
 
 /* ---- phases of the modes --------------------------------------------------------------------- */
@@ -222,7 +234,7 @@ static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m, double *off) {
 }
 
 /* Keeps those that agree with the singular value: all, unless something underflowed. */
-static void sharpen(rot_shaft_modes *s) {
+static rot_status sharpen(rot_shaft_modes *s) {
   for (size_t m = 1 + s->floppy; m < s->n; m++) {
     const rot_dd sigma = sharp_sigma(s, m, &s->sigma_off[m]);
     if (fabs(sigma.hi - s->sigma[m]) <= 1e-12 * s->sigma[m] && isfinite(sigma.lo) &&
@@ -233,7 +245,10 @@ static void sharpen(rot_shaft_modes *s) {
       s->sigma_lo[m] = NAN;
       s->sigma_off[m] = ROT_EPS;
     }
+    const rot_status status = poll_if_large(s);
+    if (status != ROT_OK) return status;
   }
+  return ROT_OK;
 }
 
 /* x_i = ratio y_i for all i, to rounding; the ratio is 0 for no damping. */
@@ -251,7 +266,7 @@ static int proportional(size_t n, const double x[], const double y[], double *ra
 }
 
 /* Column 0 of twist is zero, so torques between the rotors do not act on the mean, exactly. */
-static void find_damping(rot_shaft_modes *s) {
+static rot_status find_damping(rot_shaft_modes *s) {
   const size_t n = s->n;
   const double *c = s->p->damping_n_m_s, *d = s->p->viscous_n_m_s, *J = s->p->inertia_kg_m2;
   double of_springs, of_rotors;
@@ -273,6 +288,8 @@ static void find_damping(rot_shaft_modes *s) {
     }
     s->damp[a] = s->coupling[a * n + a];
     if (springs) s->damp[a] = of_springs * s->sigma[a] * s->sigma[a] + of_rotors;
+    const rot_status status = poll_if_large(s);
+    if (status != ROT_OK) return status;
   }
   s->decay = 0.0;
   for (size_t i = 0; i < n; i++) s->decay += d[i] / s->inertia;
@@ -281,6 +298,7 @@ static void find_damping(rot_shaft_modes *s) {
     for (size_t b = 0; b < n; b++) sum += fabs(s->coupling[a * n + b]);
     if (sum > s->norm) s->norm = sum;
   }
+  return ROT_OK;
 }
 
 static void start_floppy(rot_shaft_modes *s, size_t m) {
@@ -367,22 +385,23 @@ static void find_start(rot_shaft_modes *s) {
   for (size_t m = 1 + s->floppy; m < n; m++) start_twist(s, m);
 }
 
-rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p) {
+rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p,
+                                 const rot_hooks *hooks) {
   memset(s, 0, sizeof *s);
   s->p = p;
   s->n = p->n;
+  s->hooks = hooks;
   if (!allocate(s, p->n)) return ROT_ENOMEM;
   for (size_t i = 0; i < p->n; i++) s->inertia += p->inertia_kg_m2[i];
   for (size_t i = 0; i < p->n; i++) s->share[i] = p->inertia_kg_m2[i] / s->inertia;
   for (size_t j = 0; j + 1 < p->n; j++) s->floppy += p->stiffness_n_m_per_rad[j] == 0.0;
   s->root_inertia = sqrt(s->inertia);
   rot_status status = find_twists(s);
-  if (status != ROT_OK) return status;
-  find_shapes(s);
-  sharpen(s);
-  find_damping(s);
-  find_start(s);
-  return ROT_OK;
+  if (status == ROT_OK) status = find_shapes(s);
+  if (status == ROT_OK) status = sharpen(s);
+  if (status == ROT_OK) status = find_damping(s);
+  if (status == ROT_OK) find_start(s);
+  return status;
 }
 
 void rot_shaft_modes_free(rot_shaft_modes *s) { free(s->memory); }

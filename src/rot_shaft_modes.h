@@ -9,6 +9,7 @@
  * p = sigma q (q itself where sigma = 0) and r = q'. */
 typedef struct rot_shaft_modes {
   const rot_shaft_params *p;
+  const rot_hooks *hooks; /* or NULL; polled by all that takes long with many rotors */
   size_t n, floppy;
   double inertia, root_inertia;      /* all together, and its square root */
   double theta0, omega0;             /* means at the start, weighted by inertia */
@@ -31,7 +32,8 @@ typedef struct rot_shaft_modes {
 } rot_shaft_modes;
 
 /* rot_shaft_modes_free() afterwards, also where this failed. */
-rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p);
+rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p,
+                                 const rot_hooks *hooks);
 void rot_shaft_modes_free(rot_shaft_modes *s);
 
 #endif

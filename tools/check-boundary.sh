@@ -5,8 +5,8 @@
 
 cd "$(dirname "$0")/.." || exit 1
 
-# ffi_X.c without a rot_X.h to call: ffi_run.c serves the other glue files (as ffi.c does).
-exempt="src/ffi_run.c"
+# ffi_X.c without a rot_X.h to call: they serve the other glue files (as ffi.c does), or R alone.
+exempt="src/ffi_run.c src/ffi_form.c"
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/rotdyn-boundary.XXXXXX") || exit 1
 trap 'rm -rf "$work"' 0

@@ -24,7 +24,7 @@ static void check_shared_table(void) {
   if (!file) return;
   while (shared_row(file, 9, x)) {
     double a[9] = {x[0], x[1], x[2], x[1], x[3], x[4], x[2], x[4], x[5]};
-    ROT_CHECK_EQ_INT(rot_eigen_symmetric(3, a, values, vectors), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_eigen_symmetric(3, a, values, vectors, NULL), ROT_OK);
     for (int i = 0; i < 3; i++) {
       ROT_CHECK_REL(values[i], x[6 + i], 1e-15);
       worst = fmax(worst, rot_test_rel(values[i], x[6 + i]));
@@ -49,7 +49,7 @@ static void check_random(void) {
       }
     }
     for (size_t i = 0; i < n * n; i++) copy[i] = a[i];
-    ROT_CHECK_EQ_INT(rot_eigen_symmetric(n, a, values, vectors), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_eigen_symmetric(n, a, values, vectors, NULL), ROT_OK);
     double off = 0.0, skew = 0.0;
     for (size_t j = 0; j < n; j++) {
       if (j > 0) ROT_CHECK(values[j] >= values[j - 1]);
@@ -70,10 +70,10 @@ static void check_random(void) {
 
 static void check_bad_values(void) {
   double a[4] = {1.0, NAN, NAN, 2.0}, values[2], vectors[4], g[2] = {INFINITY, 1.0};
-  ROT_CHECK_EQ_INT(rot_eigen_symmetric(2, a, values, vectors), ROT_EVALUE);
-  ROT_CHECK_EQ_INT(rot_eigen_singular(2, 1, g, values, vectors), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_eigen_symmetric(2, a, values, vectors, NULL), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_eigen_singular(2, 1, g, values, vectors, NULL), ROT_EVALUE);
   double zero[4] = {0.0, 0.0, 0.0, 0.0};
-  ROT_CHECK_EQ_INT(rot_eigen_symmetric(2, zero, values, vectors), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_eigen_symmetric(2, zero, values, vectors, NULL), ROT_OK);
   ROT_CHECK(values[0] == 0.0 && values[1] == 0.0);
 }
 
@@ -123,7 +123,7 @@ static void check_graded(void) {
       g[j * cols + j] = sqrt(graded[c].k[j]) / sqrt(graded[c].J[j]);
       g[(j + 1) * cols + j] = -sqrt(graded[c].k[j]) / sqrt(graded[c].J[j + 1]);
     }
-    ROT_CHECK_EQ_INT(rot_eigen_singular(n, cols, g, sigma, u), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_eigen_singular(n, cols, g, sigma, u, NULL), ROT_OK);
     for (size_t j = 0; j < cols; j++) {
       ROT_CHECK_REL(sigma[j], graded[c].sigma[j], 2e-15);
       worst = fmax(worst, rot_test_rel(sigma[j], graded[c].sigma[j]));
@@ -138,7 +138,7 @@ static void check_vectors(void) {
   static double g[ROWS * COLS], copy[ROWS * COLS], u[COLS * COLS];
   double sigma[COLS];
   for (int i = 0; i < ROWS * COLS; i++) copy[i] = g[i] = uniform() - 0.3;
-  ROT_CHECK_EQ_INT(rot_eigen_singular(ROWS, COLS, g, sigma, u), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_eigen_singular(ROWS, COLS, g, sigma, u, NULL), ROT_OK);
   for (int j = 0; j < COLS; j++) {
     double length = 0.0, product = 0.0;
     for (int i = 0; i < ROWS; i++) {

@@ -323,7 +323,7 @@ static void check_heat(const shaft_case *x) {
   const rot_shaft_params p = params_of(x);
   rot_shaft_ledger ledger;
   if (x->t < 0.0) return;
-  ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, x->t, &ledger), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, x->t, NULL, &ledger), ROT_OK);
   double work = 0.0;
   for (size_t i = 0; i < x->n; i++) work += x->tau[i] * (x->theta[i] - x->theta0[i]);
   ROT_CHECK(fabs(ledger.dissipated_j - x->heat) <= ledger.dissipated_rounding_j + 1e-30);
@@ -403,7 +403,7 @@ static void check_frequencies(void) {
   double J[MOST], k[MOST], zero[MOST] = {0.0}, sigma[MOST];
   for (int i = 0; i < MOST; i++) J[i] = 0.5, k[i] = 200.0;
   const rot_shaft_params p = {MOST, J, k, zero, zero, zero, zero, zero, 0.0};
-  ROT_CHECK_EQ_INT(rot_shaft_frequencies(&p, sigma), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_frequencies(&p, sigma, NULL), ROT_OK);
   ROT_CHECK(sigma[0] == 0.0);
   for (int m = 1; m < MOST; m++) {
     ROT_CHECK_REL(sigma[m], 40.0 * sin(m * 3.14159265358979323846 / (2.0 * MOST)), 4e-15);
@@ -413,7 +413,7 @@ static void check_frequencies(void) {
   for (int i = 0; i < 3; i++) {
     double pair[2] = {2.0 * scale[i], 3.0 * scale[i]}, spring = 7.0 * scale[i];
     const rot_shaft_params two = {2, pair, &spring, zero, zero, zero, zero, zero, 0.0};
-    ROT_CHECK_EQ_INT(rot_shaft_frequencies(&two, sigma), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_frequencies(&two, sigma, NULL), ROT_OK);
     ROT_CHECK_REL(sigma[1], sqrt(7.0 * 5.0 / 6.0), 1e-15);
   }
 }
@@ -435,7 +435,7 @@ static void check_balances(void) {
   rot_info info;
   rot_shaft_ledger ledger;
   ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 1, ROWS, time, &out, NULL, &info), ROT_OK);
-  ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, time[ROWS - 1], &ledger), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, time[ROWS - 1], NULL, &ledger), ROT_OK);
   double momentum = 0.0, energy = 0.0, size = 0.0;
   const double *last = omega + (ROWS - 1) * N, *turned = theta + (ROWS - 1) * N;
   for (int i = 0; i < N; i++) {
@@ -523,7 +523,7 @@ static void check_rigid(void) {
     if (i / 2 % 2 == 0) ROT_CHECK(bound.measure[ROT_OMEGA].error <= 30.0 * omega_off);
     rot_shaft_ledger ledger;
     double work = 0.0, energy = 0.0;
-    ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 1, 0.0, time[ROWS - 1], &ledger), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 1, 0.0, time[ROWS - 1], NULL, &ledger), ROT_OK);
     const double w0 = y[0], w1 = y[ROWS * 3 - 1];
     energy = 0.5 * 3.5 * (w1 - w0) * (w1 + w0);
     work = 3.0 * x[ROWS * 3 - 1] - 3.0 * x[0];

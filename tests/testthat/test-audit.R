@@ -139,3 +139,10 @@ test_that("an audit prints four digits, or as many as asked", {
   expect_error(print(wheel, digits = 0), class = "rotdyn_error_value")
   expect_output(print(wheel["balance"]), "A tibble")
 })
+
+test_that("energies beyond double precision give a verdict of NA, soon", {
+  motion <- spin_up(torque = torque_exponential(1, 2), omega0_rad_per_s = 1e200, time_s = c(0, 8))
+  seconds <- system.time(verdict <- audit(motion)$verdict[1])[["elapsed"]]
+  expect_identical(verdict, NA_character_)
+  expect_lt(seconds, 10)
+})

@@ -219,3 +219,7 @@ test_that("a rod's end stays across the rod, however the rod was turned", {
   expect_equal(table$moment_of_inertia_kg_m2, c(4, 4, 4), tolerance = 1e-14)
   expect_equal(table$izz_kg_m2[1:2], c(1, 0))
 })
+
+test_that("a table without names is an error that says so", {
+  expect_error(inertia_table(setNames(data.frame(1, 2), NULL)), class = "rotdyn_error_type")
+})

@@ -670,3 +670,9 @@ test_that("the torque of gravity keeps its digits after many turns", {
   cosine <- 1 + (x$omega_rad_per_s - 50) * (x$omega_rad_per_s + 50) / (2 * g)
   expect_equal(abs(x$applied_torque_n_m), g * sqrt(1 - cosine^2), tolerance = 1e-9)
 })
+
+test_that("a step budget beyond integers is no budget of 0", {
+  law <- torque_function(function(time_s, theta_rad, omega_rad_per_s) -theta_rad, numeric())
+  motion <- trajectory(scene_axle(1, law, theta0_rad = 1), c(0, 5), max_steps = 1e20)
+  expect_equal(motion$theta_rad[2], cos(5), tolerance = 1e-8)
+})

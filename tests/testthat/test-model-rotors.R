@@ -142,3 +142,22 @@ test_that("a phase of 1e9 and the mean of a shaft that is nearly at rest keep th
   expect_lte(abs(sum(J * x$omega_rad_per_s)), 1e-15)
   expect_lte(abs(sum(J * x$theta_rad)), 1e-11)
 })
+
+test_that("many rotors can be interrupted, their modes and audit too", {
+  n <- 400
+  limited <- function(expr) {
+    setTimeLimit(elapsed = 0.3, transient = TRUE)
+    on.exit(setTimeLimit(elapsed = Inf))
+    seconds <- system.time(try(expr, silent = TRUE))[["elapsed"]]
+    expect_lt(seconds, 1.5)
+  }
+  set.seed(1)
+  scene <- scene_rotors(
+    1 + runif(n), 100 * (1 + runif(n - 1)), damping_n_m_s = runif(n - 1), viscous_n_m_s = runif(n),
+    omega0_rad_per_s = runif(n)
+  )
+  limited(shaft_modes(scene))
+  limited(trajectory(scene, 0:3))
+  run <- list(scene = scene)
+  limited(.Call(rotdyn:::ffi_rotors_ledger, scene, 0, c(0, 3), NULL))
+})

@@ -175,3 +175,8 @@ test_that("a point has no axes in its picture, and a long name is broken", {
   expect_gt(length(lines), 1)
   expect_lte(max(nchar(lines)), 70)
 })
+
+test_that("a body near the end of double precision is drawn", {
+  skip_if_not_installed("ggplot2")
+  expect_s3_class(ggplot2::autoplot(body_hoop(1e8, 1e150)), "ggplot")
+})

@@ -23,3 +23,19 @@ test_that("an integrand of two signs has the size of its absolute value", {
   expect_equal(c(found$value), 0, tolerance = 1e-16)
   expect_equal(c(found$size), 1, tolerance = 0.02)
 })
+
+test_that("what is not finite, or never converges, ends by a budget", {
+  evaluated <- 0
+  rates <- function(f) function(t) {
+    evaluated <<- evaluated + length(t)
+    cbind(f(t))
+  }
+  out <- rotdyn:::integrate_panels(rates(function(t) rep(NaN, length(t))), 0, 1)
+  expect_true(is.nan(out$value))
+  expect_equal(evaluated, 15)
+  set.seed(1)
+  evaluated <- 0
+  out <- rotdyn:::integrate_panels(rates(function(t) stats::runif(length(t))), 0, 1)
+  expect_lt(evaluated, 15 * 2.1e5)
+  expect_lt(abs(out$value - 0.5), out$error)
+})

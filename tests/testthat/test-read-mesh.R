@@ -143,3 +143,9 @@ test_that("the real meshes have their mass properties, and the bad ones are refu
     expect_lte(body$error, 1e-12)
   }
 })
+
+test_that("a path that R cannot translate is refused", {
+  path <- "a\xff.obj"
+  Encoding(path) <- "bytes"
+  expect_error(check_mesh(path), class = "rotdyn_error_type")
+})

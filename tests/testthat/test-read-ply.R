@@ -113,3 +113,11 @@ test_that("a damaged PLY is refused", {
   writeLines(as_text("3 0 1 7"), path)
   expect_error(body_mesh(path, mass_kg = 1), class = "rotdyn_error_mesh")
 })
+
+test_that("names that occur twice are an error of the file", {
+  header <- c("ply", "format ascii 1.0", "element vertex 1", "property float x")
+  for (more in list(c("property float x"), c("property float y", "element vertex 2"))) {
+    path <- withr::local_tempfile(lines = c(header, more, "end_header", "0"), fileext = ".ply")
+    expect_error(body_mesh(path, mass_kg = 1), "of one name", class = "rotdyn_error_file")
+  }
+})

@@ -32,3 +32,13 @@ test_that("a sum of laws that is constant between jumps will do", {
   one <- scene_clutch(1, 1, 1, torque_1 = torque_constant(1) + torque_pulse(1, 1, 2))
   expect_equal(unname(one$steps[[1]]), list(c(1, 2), c(1, 3, 1)))
 })
+
+test_that("numbers near the end of double precision end in an error of ours or a motion", {
+  for (omega in c(1e300, 1e-300)) {
+    got <- tryCatch(
+      trajectory(scene_clutch(1e300, 1e300, 1e300, omega1_rad_per_s = omega), c(0, 1)),
+      error = identity
+    )
+    expect_true(inherits(got, c("rot_trajectory", "rotdyn_error")))
+  }
+})

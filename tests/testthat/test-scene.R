@@ -43,3 +43,9 @@ test_that("an axle goes through the centre, or the point that is asked for", {
   expect_error(scene_axle(rod, through = "end"), class = "rotdyn_error_value")
   expect_error(scene_axle(rod, through = 1), class = "rotdyn_error_size")
 })
+
+test_that("an axis is checked where it has no effect, too", {
+  expect_error(scene_axle(1, axis = "nonsense"), class = "rotdyn_error_value")
+  expect_error(scene_axle(1, axis = c(0, 0, 0)), class = "rotdyn_error_value")
+  expect_error(scene_pendulum(1, 1, axis = "nonsense"), class = "rotdyn_error_value")
+})

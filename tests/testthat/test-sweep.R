@@ -156,3 +156,16 @@ test_that("a warning names several rows", {
     class = "rotdyn_warning_range"
   )
 })
+
+test_that("a child forked after threads were used does not wait for them", {
+  skip_on_os("windows")
+  rows <- data.frame(moment_of_inertia_kg_m2 = rep(1, 2e5))
+  run <- function(...) {
+    spin_up_table(rows, torque_constant(1), time_s = 1, threads = 2)$final_omega_rad_per_s[1]
+  }
+  expect_equal(run(), 1)
+  child <- parallel::mcparallel(run())
+  done <- parallel::mccollect(child, wait = FALSE, timeout = 60)
+  if (is.null(done)) tools::pskill(child$pid, 9)
+  expect_equal(done[[1]], 1)
+})

@@ -34,3 +34,16 @@ test_that("hertz is not taken for rad/s", {
   law <- torque_sinusoid(1, units::set_units(60, "rpm"))
   expect_equal(law$x[2], 2 * pi)
 })
+
+test_that("a forged quantity is refused", {
+  skip_if_not_installed("units")
+  forged <- list(
+    structure(1, class = "units"), structure(1, class = "units", units = "m"),
+    structure(1, class = "difftime"), structure("a", class = "difftime", units = "secs"),
+    structure("a", class = "units", units = units(units::set_units(1, "m")))
+  )
+  for (x in forged) {
+    expect_error(rad_from_deg(x), class = "rotdyn_error")
+    expect_error(trajectory(scene_axle(1), x), class = "rotdyn_error")
+  }
+})

@@ -1,0 +1,115 @@
+# What an object consists of. A form is a word, or a list of forms by the names of the parts. C
+# checks it (src/ffi_form.c) in two microseconds, at the start of every verb that takes an object:
+# one that was edited, forged or kept from another version is reported there and nowhere else.
+#
+# Words: number, numbers (finite), limit, limits (may be infinite), values (any), sorted (finite,
+# not decreasing), count, text, texts, flag, flags, function, list, term (that the core may read).
+# After a word: ":3" three of them, "=time_s" as many as the part of that name has, "=time_s-1" one
+# less, "?" or NULL.
+# In a list: .class of the object, .is (a word that it fits), .each (of its elements), .one_of
+# (forms), .optional (may be NULL).
+
+knots_form <- list(
+  .class = "rot_torque_knots", time_s = "sorted", torque_n_m = "numbers=time_s",
+  outside = "numbers:2"
+)
+
+term_form <- list(
+  .class = "rot_torque_term", .is = "term", from_s = "limit", to_s = "limit", breaks_s = "numbers",
+  text = "text"
+)
+
+law_form <- list(
+  .class = "rot_torque_function", f = "function", breaks_s = "numbers?", arguments = "count",
+  vectorised = "flag"
+)
+
+motor_form <- list(
+  .class = "rot_torque_motor", stall_torque_n_m = "number", no_load_omega_rad_per_s = "number"
+)
+
+single_torque <- list(.one_of = list(knots_form, term_form, law_form, motor_form))
+
+torque_form <- list(.one_of = list(
+  knots_form, term_form, law_form, motor_form,
+  list(.class = "rot_torque_sum", laws = list(.each = single_torque))
+))
+
+loads_form <- list(
+  knots = knots_form, motor_n_m_s = "number", terms = list(.each = term_form),
+  law = c(law_form, .optional = TRUE)
+)
+
+resistance_form <- list(
+  .class = "rot_resistance", viscous_n_m_s = "number", quadratic_n_m_s2 = "number",
+  coulomb_n_m = "number", static_n_m = "number"
+)
+
+inertia_knots_form <- list(
+  .class = "rot_inertia_knots", time_s = "sorted", moment_of_inertia_kg_m2 = "numbers=time_s"
+)
+
+body_form <- list(
+  .class = "rot_body", shape = "text", mass_kg = "number", size_m = "numbers",
+  centre_m = "numbers:3", second_moment_kg_m2 = "numbers:9", inertia_kg_m2 = "numbers:9",
+  point = "text", axes = "text", reach_m = "values:1", beta = "values:1", formula = "text",
+  source = "text", provenance = "text", detail = "list", error = "values:1", error_kind = "text"
+)
+
+domain_form <- list(
+  .class = "rot_domain", kind = "text", size_m = "numbers", centre_m = "numbers:3",
+  chart = "numbers:10", periodic = "flags:3", parameter = "numbers?", map = "function?",
+  jacobian = "function?", inside = "function?"
+)
+
+# A trajectory's attribute; its scenes have their own form.
+run_form <- list(
+  model = "text", accuracy = "number", error_kind = "text", ledger = "values?",
+  max_steps = "number", scene = "list", solved = "list",
+  info = list(
+    kind = "text", error = "values:1", time_s = "values:1", errors = "values",
+    sizes = "values=errors"
+  ),
+  events = list(.optional = TRUE, time_s = "numbers", event = "texts=time_s")
+)
+
+# `what`: the object in words.
+check_form <- function(x, form, arg, what, call) {
+  fault <- .Call(ffi_form_fault, x, form)
+  if (!is.null(fault)) abort_form(fault, arg, what, call)
+  x
+}
+
+abort_form <- function(part, arg, what, call) {
+  abort_rotdyn(c(
+    "{.arg {arg}} is no {what} of this version of rotdyn.",
+    x = if (nzchar(part)) "Its part {.field {part}} is missing or damaged." else
+      "Its parts are missing or damaged.",
+    i = "Make it again: its parts must not be edited, nor kept from another version."
+  ), "type", call)
+}
+
+# The run of a trajectory, for the verbs.
+check_trajectory <- function(x, arg, call) {
+  run <- check_form(trajectory_run(x), run_form, arg, "trajectory", call)
+  for (part in c("scene", "solved")) {
+    if (is.null(fault_of_scene(run[[part]]))) next
+    abort_form(part, arg, "trajectory", call)
+  }
+  constraint <- constraint_of(run$scene)
+  known <- names(constraint$measures)
+  if (!run$model %in% names(constraint$models)) abort_form("model", arg, "trajectory", call)
+  if (!all(known %in% names(run$info$errors) & known %in% names(run$info$sizes))) {
+    abort_form("info$errors", arg, "trajectory", call)
+  }
+  lost <- setdiff(constraint$keys, names(x))
+  if (length(lost)) abort_form(lost[1], arg, "trajectory", call)
+  run
+}
+
+# NULL, or the path of a part of a scene that does not fit its constraint.
+fault_of_scene <- function(scene) {
+  constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)
+  if (is.null(constraint)) return("")
+  if (is.null(constraint$form)) NULL else .Call(ffi_form_fault, scene, constraint$form)
+}

@@ -1,0 +1,27 @@
+# Progress bars. A display may fail (cli formats no estimate beyond 2^31 years); the run goes on
+# without it.
+
+# A function of the fraction done, for C to call at most 20 times a second. The bar appears a second
+# after the first call, and with a fraction from which the time left can be estimated: short runs
+# make none. It ends with the frame that called progress_bar(); a later run in that frame begins a
+# new one.
+progress_bar <- function(name) {
+  start <- NULL
+  bar <- NULL
+  failed <- FALSE
+  owner <- parent.frame()
+  function(fraction) {
+    if (failed || !isTRUE(fraction >= 1e-6 && fraction <= 1)) return()
+    now <- proc.time()[[3L]]
+    if (is.null(start)) start <<- now
+    if (now - start < 1) return()
+    tryCatch(
+      {
+        if (is.null(bar)) bar <<- cli::cli_progress_bar(name, total = 1, .envir = owner)
+        # At 1 the bar would end, and a second phase of the run would find none.
+        cli::cli_progress_update(set = min(fraction, 0.999), id = bar, .envir = owner)
+      },
+      error = function(e) failed <<- TRUE
+    )
+  }
+}

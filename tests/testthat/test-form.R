@@ -1,0 +1,96 @@
+with_class <- function(...) structure(list(), class = c(...))
+
+test_that("forged objects are refused at the door of every verb", {
+  axle <- with_class("rot_scene_axle", "rot_scene")
+  shaft <- with_class("rot_scene_rotors", "rot_scene")
+  clutch <- with_class("rot_scene_clutch", "rot_scene")
+  for (scene in list(axle, shaft, clutch)) {
+    expect_error(trajectory(scene, 0:1), "no scene of this version", class = "rotdyn_error_type")
+    expect_error(choose_model(scene, 0:1), class = "rotdyn_error_type")
+    expect_error(work_precision(scene, 0:1), class = "rotdyn_error_type")
+    expect_error(print(scene), class = "rotdyn_error_type")
+  }
+  expect_error(stopping(axle), class = "rotdyn_error_type")
+  expect_error(shaft_modes(shaft), class = "rotdyn_error_type")
+  body <- with_class("rot_body")
+  expect_error(print(body), "no body of this version", class = "rotdyn_error_type")
+  expect_error(moment_of_inertia(body, "z"), class = "rotdyn_error_type")
+  expect_error(principal_axes(body), class = "rotdyn_error_type")
+  expect_error(inertia_tensor(body), class = "rotdyn_error_type")
+  expect_error(check_inertia(body), class = "rotdyn_error_type")
+  expect_error(inertia_table(list(body)), class = "rotdyn_error_type")
+  expect_error(join_bodies(body, body_disk(1, 1)), class = "rotdyn_error_type")
+  expect_error(place_body(body, c(0, 0, 0)), class = "rotdyn_error_type")
+  expect_error(scene_axle(body), class = "rotdyn_error_type")
+  expect_error(scene_pendulum(body, 1), class = "rotdyn_error_type")
+  expect_error(scene_rotors(list(1, body), 1), class = "rotdyn_error_type")
+  expect_error(scene_axle(with_class("rot_inertia_knots")), class = "rotdyn_error_type")
+  expect_error(scene_axle(1, with_class("rot_torque")), class = "rotdyn_error_type")
+  expect_error(with_class("rot_torque") + 1, class = "rotdyn_error_type")
+  expect_error(scene_axle(1, 1, with_class("rot_resistance")), class = "rotdyn_error_type")
+  expect_error(
+    body_density(function(x, y, z) 1, with_class("rot_domain")), class = "rotdyn_error_type"
+  )
+})
+
+test_that("a damaged part is named, at any depth", {
+  scene <- scene_axle(1, torque_sinusoid(1, 2) + 3, resistance(1))
+  cut <- scene
+  cut$resistance$viscous_n_m_s <- "1"
+  expect_error(trajectory(cut, 0:1), "resistance$viscous_n_m_s", fixed = TRUE)
+  cut <- scene
+  cut$loads$terms[[1]]$x <- 1 # the core would read two more
+  expect_error(trajectory(cut, 0:1), "loads$terms", fixed = TRUE)
+  cut <- scene
+  cut$start_s <- NULL
+  expect_error(trajectory(cut, 0:1), "start_s")
+  cut <- scene_rotors(c(1, 2), 5)
+  cut$viscous_n_m_s <- 1
+  expect_error(trajectory(cut, 0:1), "viscous_n_m_s")
+  knots <- torque_knots(0:1, 0:1)
+  knots$time_s <- c(1, 0)
+  expect_error(scene_axle(1, knots), class = "rotdyn_error_type")
+})
+
+test_that("a damaged trajectory is refused by every verb", {
+  motion <- spin_up(time_s = 0:2)
+  verbs <- list(
+    audit, augment, glance, summary, motion_events, function(x) predict(x, 1), format,
+    if (requireNamespace("ggplot2", quietly = TRUE)) ggplot2::autoplot
+  )
+  damage <- list(
+    function(run) NULL, function(run) 1,
+    function(run) { run$scene <- NULL; run },
+    function(run) { run$solved$loads <- 1; run },
+    function(run) { run$model <- "none"; run },
+    function(run) { run$info$errors <- NULL; run }
+  )
+  for (spoil in damage) {
+    bad <- motion
+    attr(bad, "run") <- spoil(attr(bad, "run"))
+    for (verb in Filter(Negate(is.null), verbs)) {
+      expect_error(verb(bad), "no trajectory of this version", class = "rotdyn_error_type")
+    }
+  }
+})
+
+test_that("every scene, body and law that the package makes has its form", {
+  fault <- function(x, form) .Call(rotdyn:::ffi_form_fault, x, form)
+  laws <- list(
+    torque_constant(1), torque_knots(0:1, 0:1), torque_function(function(t) t),
+    torque_gravity(1, 1), torque_motor(1, 1), torque_curve(0:1, 1:0), torque_pulse(0, 1, 1),
+    torque_steps(0:1, 0:1),
+    torque_exponential(1, 1), torque_polynomial(0:1, 1), torque_spring(1), torque_sinusoid(1, 1)
+  )
+  for (law in c(laws, list(Reduce(`+`, laws[-6])))) {
+    expect_null(fault(law, rotdyn:::torque_form))
+    expect_null(fault(scene_axle(1, law), rotdyn:::axle_constraint()$form))
+  }
+  for (shape in shapes()$shape) {
+    make <- get0(paste0("body_", shape), asNamespace("rotdyn"))
+    if (is.null(make)) next # a point that slides has a row in tables, and no body
+    numbers <- rep(1, sum(names(formals(make)) != "..."))
+    body <- tryCatch(do.call(make, as.list(numbers)), rotdyn_error = function(e) NULL)
+    if (!is.null(body)) expect_null(fault(body, rotdyn:::body_form))
+  }
+})
