@@ -75,6 +75,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   centre <- centre + at_m
   detail <- place_detail(body$detail, if (!is.null(rotation)) turn, at_m)
   detail$centre_error_m <- if (off > 0) off
+  detail$frame <- placed_frame(body$detail$frame, if (!is.null(rotation)) turn, at_m)
   if (!all(is.finite(centre))) abort_rotdyn("The position exceeds double precision.", "range", call)
   new_body(
     body$shape, body$mass_kg, second, centre, body$size_m, body$reach_m, beta, formula,
@@ -219,7 +220,7 @@ combine_bodies <- function(parts, sign, name, call) {
       shape = vapply(parts, function(b) b$shape, character(1)),
       mass_kg = sign * mass,
       x_m = centres[1, ], y_m = centres[2, ], z_m = centres[3, ]
-    ), centre_error_m = joined_centre_error(mass, off, away, sum)),
+    ), centre_error_m = joined_centre_error(mass, off, away, sum), bodies = parts, signs = sign),
     error = error,
     error_kind = if (all(kinds == "bound")) "bound" else "estimate",
     call = call

@@ -477,7 +477,9 @@ mesh_detail <- function(of, read, found, check, method) {
     weld_m = found$distance * read$factor,
     reader = read$reader,
     defects = stats::setNames(check$count[failed], mesh_conditions$key[failed]),
-    check = check
+    check = check,
+    # For its picture; no copy is made.
+    mesh = c(read[c("vertices", "faces", "by_column", "factor")], found["same"])
   )
 }
 

@@ -76,7 +76,8 @@ new_vertices_body <- function(shape, vertices, parts, amount, formula, source, c
   # Of the first vertex and the offset from it.
   body$detail$centre_error_m <- .Machine$double.eps * (max(abs(body$centre_m)) + body$reach_m)
   body$detail <- c(
-    body$detail, list(corners = nrow(vertices)), stats::setNames(list(parts[[7]]), measure)
+    body$detail, list(corners = nrow(vertices)), stats::setNames(list(parts[[7]]), measure),
+    list(vertices_m = vertices)
   )
   body
 }

@@ -1,12 +1,15 @@
-# The plot of a body: the solid ellipsoid of the same mass and second moments, projected along x, y
-# and z. The projection of the ellipsoid x' M^-1 x = 1 has the block of M in that plane as its
-# matrix, also where M is singular (plates and rods). For a uniform solid ellipsoid C = (m/5) M.
+# The plot of a body along x, y and z: its true outline, and over it the solid ellipsoid of the
+# same mass and second moments. Projected, the ellipsoid x' M^-1 x = 1 has the block of M in that
+# plane as its matrix, also where M is singular (plates and rods). For a uniform solid ellipsoid C
+# = (m/5) M.
 
 #' Plot a body
 #'
-#' Draws the *equivalent ellipsoid*, the uniform solid ellipsoid with the same mass, centre and
-#' second moments, with its principal axes, projected along the three own axes, at one scale. The
-#' rotation of a rigid body depends only on this ellipsoid.
+#' Draws a body projected along the three own axes, at one scale: its true outline (of shapes,
+#' polygons and meshes, placed, joined and cut; holes dashed), over it the *equivalent ellipsoid*,
+#' the uniform solid ellipsoid with the same mass, centre and second moments, with its principal
+#' axes. The rotation of a rigid body depends only on this ellipsoid. A body of a tensor, of points
+#' or of a density has the ellipsoid alone.
 #'
 #' The semi-axes are \eqn{a_k = \sqrt{5 c_k/m}}{a_k = sqrt(5 c_k/m)} with the second moments
 #' \eqn{c_k} along the principal axes. The longest semi-axis belongs to the smallest moment of
@@ -19,8 +22,9 @@
 #'
 #' @param object A `rot_body`.
 #' @inheritParams autoplot.rot_trajectory
-#' @return A ggplot.
-#' @section Errors: `rotdyn_error_package` without ggplot2.
+#' @return A ggplot, with alternative text.
+#' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
+#'   `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [principal_axes()], whose moments and class are in the subtitle.
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' rod <- body_rod(mass_kg = 0.5, length_m = 1)
@@ -31,12 +35,32 @@
 autoplot.rot_body <- function(object, ..., base_size = 13) {
   check_plot(base_size, ...)
   drawn <- body_drawing(object)
+  # Two rows of panels with the keys beside them, or one row above them where letters are large.
+  wide <- base_size > 16
+  axis_label <- function(axis) paste("axis", if (wide) substr(axis, 1L, 1L) else axis)
+  rows <- function(labels) if (wide) legend_columns(labels, base_size) else 1L
+  panel_in <- if (wide) 2.2 - 0.03 * base_size else 2.4 - 0.04 * base_size
   colours <- stats::setNames(plot_colours[1:3], levels(drawn$axes$axis))
   ggplot2::ggplot(mapping = ggplot2::aes(.data$across, .data$up)) +
     ggplot2::geom_blank(data = drawn$frame) +
-    ggplot2::geom_polygon(data = drawn$outline, fill = "grey70", alpha = 0.35) +
-    # The outline as a path, too: a polygon without area is invisible.
-    ggplot2::geom_path(data = drawn$outline, colour = "grey30", linewidth = 0.8) +
+    # A mesh: its triangles, with a rim of their own colour, or their seams would show.
+    ggplot2::geom_polygon(
+      ggplot2::aes(group = .data$group), drawn$solids$mesh, fill = "grey88", colour = "grey88",
+      linewidth = 0.2
+    ) +
+    # A polygon without area is visible by its border alone.
+    ggplot2::geom_polygon(
+      ggplot2::aes(group = .data$group, linetype = .data$what), drawn$solids$fill,
+      fill = ifelse(drawn$solids$fill$hole, "white", "grey88"), colour = "grey25", linewidth = 0.6,
+      key_glyph = "path"
+    ) +
+    ggplot2::geom_path(
+      ggplot2::aes(linetype = .data$what), drawn$outline, colour = "grey40", linewidth = 0.7
+    ) +
+    ggplot2::geom_path(
+      ggplot2::aes(group = .data$group, linetype = .data$what), drawn$solids$line,
+      colour = "grey25", linewidth = 0.6
+    ) +
     ggplot2::geom_segment(
       ggplot2::aes(xend = .data$across_end, yend = .data$up_end, colour = .data$axis),
       drawn$axes[drawn$axes$part == "direction", ], linetype = "22", linewidth = 0.8
@@ -61,8 +85,11 @@ autoplot.rot_body <- function(object, ..., base_size = 13) {
       size = 3, colour = "grey10"
     ) +
     ggplot2::facet_wrap(
-      "panel", nrow = 1, scales = "free",
-      labeller = ggplot2::as_labeller(function(panel) paste0(panel, " (", drawn$unit$name, ")"))
+      "panel", ncol = if (wide) 3 else 2, scales = "free",
+      labeller = ggplot2::as_labeller(function(panel) {
+        label <- paste0(panel, " (", drawn$unit$name, ")")
+        vapply(label, wrap_label, "", size = 0.75 * base_size, width_in = panel_in)
+      })
     ) +
     ggplot2::scale_x_continuous(
       expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label,
@@ -73,43 +100,72 @@ autoplot.rot_body <- function(object, ..., base_size = 13) {
     ) +
     # No colour scale for a point, which has no axes.
     (if (nrow(drawn$axes)) {
-      ggplot2::scale_colour_manual(values = colours, name = "principal axis")
+      ggplot2::scale_colour_manual(
+        values = colours, labels = axis_label, name = NULL
+      )
     }) +
     ggplot2::scale_shape_manual(values = body_marks, name = NULL) +
+    ggplot2::scale_linetype_manual(
+      values = body_lines, breaks = names(body_lines), name = NULL
+    ) +
     ggplot2::guides(
-      colour = ggplot2::guide_legend(order = 1, override.aes = list(linewidth = 1.3)),
-      shape = ggplot2::guide_legend(order = 2, override.aes = list(size = 3, alpha = 1))
+      linetype = ggplot2::guide_legend(
+        order = 1, ncol = rows(names(body_lines)),
+        override.aes = list(fill = NA, colour = "grey25", linewidth = 0.6)
+      ),
+      colour = ggplot2::guide_legend(
+        order = 2, ncol = rows(axis_label(levels(drawn$axes$axis))),
+        override.aes = list(linewidth = 1.3)
+      ),
+      shape = ggplot2::guide_legend(
+        order = 3, ncol = rows(names(body_marks)[1:3]), override.aes = list(size = 3, alpha = 1)
+      )
     ) +
     ggplot2::labs(
-      title = body_title(object), subtitle = body_subtitle(object), caption = drawn$caption,
-      x = NULL, y = NULL,
-      alt = paste(body_title(object), body_subtitle(object), sep = ". ")
+      title = wrap_title(body_title(object), base_size),
+      subtitle = wrap_subtitle(strsplit(body_subtitle(object, wide), "\n")[[1]], base_size),
+      caption = if (!is.null(drawn$caption)) wrap_text(drawn$caption, 0.7 * base_size),
+      x = NULL, y = NULL, alt = body_alt(object, drawn)
     ) +
     plot_theme(base_size) +
     ggplot2::theme(
       aspect.ratio = 1,
+      legend.position = if (wide) "bottom" else "right",
       legend.box = "vertical",
-      legend.spacing.y = ggplot2::unit(0, "pt"),
-      panel.spacing = ggplot2::unit(14, "pt"),
-      plot.margin = ggplot2::margin(8, 14, 4, 8)
+      legend.box.just = if (wide) "center" else "left",
+      legend.key.width = ggplot2::unit(1.3 * base_size, "pt"),
+      panel.spacing.x = ggplot2::unit(0.5 * base_size, "pt")
     )
 }
 
 body_marks <- c("centre of mass" = 16, "own origin" = 3, part = 21, "cut out" = 4, point = 20)
 
-body_title <- function(body) {
-  name <- gsub("_", " ", body$shape)
-  substr(name, 1, 1) <- toupper(substr(name, 1, 1))
-  paste(strwrap(paste0(name, ": equivalent ellipsoid and principal axes"), 70), collapse = "\n")
+body_lines <- c(outline = "solid", hole = "22", ellipsoid = "62")
+
+body_title <- function(body) sentence(gsub("_", " ", body$shape))
+
+# What is drawn, and how far it reaches along each own axis.
+body_alt <- function(body, drawn) {
+  shown <- rbind(drawn$solids$fill, drawn$solids$line, drawn$solids$mesh)
+  of <- if (nrow(shown)) "outline" else "equivalent ellipsoid"
+  if (!nrow(shown)) shown <- drawn$outline
+  panel <- as.integer(shown$panel)
+  reach <- list(x = shown$across[panel == 1L], y = shown$up[panel == 1L], z = shown$up[panel == 2L])
+  paste0(
+    body_title(body), ", ", gsub("\n", "; ", body_subtitle(body)),
+    ". Projections along the three own axes; the ", of, " spans ",
+    paste0(vapply(reach, range_in_words, ""), " m along ", names(reach), collapse = ", "), "."
+  )
 }
 
-body_subtitle <- function(body) {
+body_subtitle <- function(body, short = FALSE) {
   axes <- principal_axes(body)
   moments <- clear_noise(axes$principal_moment_kg_m2, body_noise(body))
   moments <- vapply(moments, format, character(1), digits = 4)
   paste0(
-    format_si(body$mass_kg), " kg; I1, I2, I3 = ", paste(moments, collapse = ", "), " kg m^2\n",
-    describe_symmetry(axes)
+    format_si(body$mass_kg), if (short) " kg; I = " else " kg; I1, I2, I3 = ",
+    paste(moments, collapse = ", "), " kg m^2\n",
+    if (short) attr(axes, "symmetry") else describe_symmetry(axes)
   )
 }
 
@@ -126,7 +182,10 @@ body_drawing <- function(body) {
   # The origin of the plot: the own origin or the centre.
   zero <- if (far) centre else c(0, 0, 0)
   at <- centre - zero
+  solids <- body_shadows(body, zero)
   pieces <- body_pieces(body, zero)
+  # Parts that are drawn need no mark.
+  if (nrow(solids$fill) + nrow(solids$line)) pieces <- pieces[pieces$what == "point", ]
   marks <- data.frame(what = "centre of mass", x = at[1], y = at[2], z = at[3])
   if (!far) marks <- rbind(marks, data.frame(what = "own origin", x = 0, y = 0, z = 0))
   marks$what <- factor(marks$what, levels = names(body_marks))
@@ -143,12 +202,13 @@ body_drawing <- function(body) {
   few <- nrow(pieces) <= 30L
   pieces <- project(pieces)
   frame <- panel_frame(list(
-    outline, marks, pieces, lines,
+    outline, marks, pieces, lines, solids$fill, solids$line, solids$mesh,
     data.frame(panel = lines$panel, across = lines$across_end, up = lines$up_end)
   ))
   span <- diff(frame$across[1:2])
   list(
-    outline = outline, axes = lines, marks = marks, pieces = pieces, few = few, frame = frame,
+    outline = outline, solids = solids, axes = lines, marks = marks, pieces = pieces, few = few,
+    frame = frame,
     breaks = even_breaks(span), unit = panel_unit(span),
     caption = if (far) {
       paste0("measured from the centre of mass, at (", paste(format_si(centre), collapse = ", "),
@@ -158,9 +218,9 @@ body_drawing <- function(body) {
 }
 
 body_panels <- list(
-  list(label = "across x, up y", across = "x", up = "y"),
-  list(label = "across x, up z", across = "x", up = "z"),
-  list(label = "across y, up z", across = "y", up = "z")
+  list(label = "y over x", across = "x", up = "y"),
+  list(label = "z over x", across = "x", up = "z"),
+  list(label = "z over y", across = "y", up = "z")
 )
 
 # One step for all panels and both directions, so that the grid is square.
@@ -205,18 +265,30 @@ project_lines <- function(lines) {
   })
 }
 
-# The outline of the projection. The columns of B are the projected semi-axes, M = B B'; the left
-# singular vectors and values of B also give a flat projection as a line of the right length.
-body_outline <- function(directions, semi, at, n = 181L) {
-  names(at) <- rownames(directions) <- c("x", "y", "z")
-  angle <- 2 * pi * seq(0, 1, length.out = n)
-  largest <- max(semi, .Machine$double.xmin) # squares of the sizes may leave the range
+# The outline of the projected ellipsoid.
+body_outline <- function(directions, semi, at) {
   in_panels(function(across, up) {
-    seen <- directions[c(across, up), ] %*% diag(semi / largest)
-    shadow <- svd(seen, nv = 0)
-    edge <- largest * (shadow$u %*% (shadow$d * rbind(cos(angle), sin(angle))))
-    data.frame(across = at[[across]] + edge[1, ], up = at[[up]] + edge[2, ])
+    ball <- list(centre = at, axes = directions %*% diag(semi))
+    edge <- ball_shadow(ball, panel_plane(across, up))
+    data.frame(across = edge[, 1], up = edge[, 2], what = body_line("ellipsoid", 1L))
   })
+}
+
+panel_plane <- function(across, up) diag(3)[, match(c(across, up), c("x", "y", "z"))]
+
+body_line <- function(what, n) factor(rep_len(what, n), levels = names(body_lines))
+
+# The true outline in all panels.
+body_shadows <- function(body, zero) {
+  solids <- lapply(body_solids(body), move_solid, diag(3), -zero)
+  of <- function(which) {
+    in_panels(function(across, up) {
+      one <- project_solids(solids, panel_plane(across, up))[[which]]
+      one$what <- body_line(ifelse(one$hole, "hole", "outline"), nrow(one))
+      one
+    })
+  }
+  list(fill = of("fill"), line = of("line"), mesh = of("mesh"))
 }
 
 axis_lines <- function(directions, reach, at, axes, part) {
