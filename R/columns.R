@@ -152,7 +152,16 @@ column_list <- list(
   c("theta_2_rad", "rad", "angle of body 2"),
   c("omega_2_rad_per_s", "rad/s", "angular velocity of body 2"),
   c("clutch_torque_n_m", "N m", "torque of the clutch on body 2; opposite on body 1"),
-  c("heat_j", "J", "heat of slip since the start"),
+  c("heat_j", "J", "heat since the start: of a clutch, or of a rotor's resistance and brake"),
+  c(
+    "coupling_heat_j", "J",
+    "heat of the coupling behind the rotor since the start; NA for the last"
+  ),
+  c(
+    "coupling_torque_n_m", "N m",
+    "torque of the coupling behind the rotor, on the next one before the ratio; NA for the last"
+  ),
+  c("where", "", "where it happens: \"rotor 1\", \"coupling 1\", ..."),
   c("locked", "", "whether the clutch is locked"),
   c("lock_time_s", "s", "time until the clutch locks; Inf if it never does"),
   c("common_omega_rad_per_s", "rad/s", "angular velocity of both bodies when it locks"),
@@ -280,6 +289,11 @@ rotors_columns <- c(
 clutch_columns <- c(
   "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s",
   "clutch_torque_n_m", "heat_j", "locked"
+)
+drive_columns <- c(
+  "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
+  "rotational_kinetic_energy_j", "applied_torque_n_m", "damping_torque_n_m",
+  "coupling_torque_n_m", "locked", "heat_j", "coupling_heat_j"
 )
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"

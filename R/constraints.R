@@ -26,7 +26,7 @@
 #                 for each row); NULL where the motion could not be computed again
 #   panels        list of panel(): the picture
 constraint_list <- function() {
-  list(axle_constraint(), rotors_constraint(), clutch_constraint())
+  list(axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint())
 }
 
 registry <- new.env(parent = emptyenv())

@@ -3,7 +3,8 @@
 #' Chooses the cheapest model that takes the scene and reaches the accuracy (see [choose_model()]),
 #' and computes the motion in C. The result carries its model, its error and its [audit()].
 #'
-#' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()].
+#' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()],
+#'   [scene_drive()].
 #' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.
@@ -18,11 +19,11 @@
 #'   warning of class `rotdyn_warning_truncated`.
 #' @param max_steps Most steps that an integrator tries in one run, beyond one for each row.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
-#'   The trajectory of a [scene_rotors()] or a [scene_clutch()] has columns of its own, listed
-#'   there. [summary()] and [generics::glance()] give one row, `predict()` other times, [audit()]
-#'   the balance, [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()]
-#'   the events, `ggplot2::autoplot()` a plot. dplyr verbs keep the class with the key columns. A
-#'   scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
+#'   The trajectory of a [scene_rotors()], [scene_clutch()] or [scene_drive()] has columns of its
+#'   own, listed there. [summary()] and [generics::glance()] give one row, `predict()` other times,
+#'   [audit()] the balance, [augment()][augment.rot_trajectory] work and heat row by row,
+#'   [motion_events()] the events, `ggplot2::autoplot()` a plot. dplyr verbs keep the class with the
+#'   key columns. A scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
 #' @section Warnings: `rotdyn_warning_breaks` if breaks of a torque function were searched for;
 #'   `rotdyn_warning_accuracy` if the error figure exceeds the accuracy asked for.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or
@@ -391,8 +392,8 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #'
 #' @param x A `rot_trajectory`.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
-#'   A motion that starts at rest, held or free, has no event at the start. Models without events
-#'   give none.
+#'   and, of a [scene_drive()], `where`: the rotor or coupling. A motion that starts at rest, held
+#'   or free, has no event at the start. Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
 #' @examples
 #' wheel <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
@@ -402,7 +403,9 @@ motion_events <- function(x) {
   check_supplied("x", rlang::current_env())
   check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::current_env())
   events <- check_trajectory(x, "x", rlang::current_env())$events
-  tibble::tibble(time_s = as.double(events$time_s), event = as.character(events$event))
+  out <- list(time_s = as.double(events$time_s), event = as.character(events$event))
+  if (!is.null(events$where)) out$where <- events$where
+  tibble::new_tibble(out, nrow = length(out$time_s))
 }
 
 #' Spin a body up

@@ -15,6 +15,7 @@ typedef struct question {
     rot_axle_scene axle;
     rot_shaft_params rotors;
     rot_clutch_params clutch;
+    rot_drive_scene drive;
   } scene;
   rot_query query;
 } question;
@@ -40,6 +41,8 @@ static void read_question(SEXP id, SEXP scene, SEXP time_s, SEXP accuracy, SEXP 
     q->scene.rotors = ffi_shaft_scene(scene);
   } else if (!strcmp(q->constraint->id, "clutch")) {
     q->scene.clutch = ffi_clutch_scene(scene);
+  } else if (!strcmp(q->constraint->id, "drive")) {
+    q->scene.drive = ffi_drive_scene(scene);
   } else {
     q->scene.axle = ffi_axle_scene(scene, R_NilValue);
     const int law = !Rf_isNull(ffi_element(ffi_element(scene, "loads"), "law"));

@@ -6,6 +6,7 @@
 #include "ffi.h"
 #include "rot_axle_scene.h"
 #include "rot_clutch.h"
+#include "rot_drive.h"
 #include "rot_shaft.h"
 
 /* With all its breaks, and with those in `breaks_s` (NULL: no others). */
@@ -14,5 +15,7 @@ rot_shaft_params ffi_shaft_scene(SEXP scene);
 rot_clutch_params ffi_clutch_scene(SEXP scene);
 /* Whether the list is a term of a torque law that the core may read. */
 int ffi_term_fits(SEXP list);
+/* Its R functions are only marked, not called. */
+rot_drive_scene ffi_drive_scene(SEXP scene);
 
 #endif

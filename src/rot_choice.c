@@ -7,6 +7,7 @@
 
 #include "rot_axle_models.h"
 #include "rot_clutch_models.h"
+#include "rot_drive_models.h"
 #include "rot_shaft_models.h"
 
 /* Every constraint, a line each. */
@@ -14,6 +15,7 @@ static const rot_constraint *const constraints[] = {
     &rot_axle_constraint,
     &rot_shaft_constraint,
     &rot_clutch_constraint,
+    &rot_drive_constraint,
 };
 
 const rot_constraint *const *rot_choice_constraints(size_t *n) {

@@ -117,7 +117,8 @@ layers='
 4 rolling     rolling
 4 energy      energy
 4 kinematics  kinematics
-5 choice      choice
+5 drive       drive*
+6 choice      choice
 '
 files '^src/rot_[a-z0-9_]*\.[ch]$' | sed 's|^src/rot_||; s|\.[ch]$||' | sort -u |
   while read -r topic; do
@@ -158,6 +159,7 @@ done | rule "every src/ffi_X.c has its rot_X.h"
 elsewhere='
 constraint-axle model-axle
 constraint-clutch model-clutch
+constraint-drive model-drive
 constraint-rotors model-rotors
 integrate-axle model-axle
 '

@@ -1,0 +1,143 @@
+# A drive: rotors in a chain. Rows in long form: by time, then rotor.
+drive_constraint <- function() {
+  list(
+    id = "drive",
+    scene_class = "rot_scene_drive",
+    title = function(run) "A drive",
+    models = drive_models,
+    columns = drive_columns,
+    keys = c(
+      "time_s", "rotor", "theta_rad", "omega_rad_per_s", "coupling_torque_n_m", "heat_j",
+      "coupling_heat_j"
+    ),
+    index = "rotor",
+    copies = function(scene) length(scene$rotors),
+    measures = list(
+      theta = measure("rad", "theta_rad"),
+      omega = measure("rad/s", "omega_rad_per_s")
+    ),
+    summary = function(x, run) {
+      whole <- function(column) {
+        if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
+      }
+      heat <- vapply(c("heat_j", "coupling_heat_j"), function(column) {
+        sum(x[[column]][x$time_s == last(x$time_s)], na.rm = TRUE)
+      }, double(1))
+      list(
+        moment_of_inertia_kg_m2 = sum(run$scene$moment_of_inertia_kg_m2),
+        max_angular_velocity_rad_per_s = largest(x[["omega_rad_per_s"]]),
+        max_rotational_kinetic_energy_j = largest(whole("rotational_kinetic_energy_j")),
+        final_theta_rad = last(x[["theta_rad"]]),
+        heat_j = if (nrow(x)) sum(heat) else NA_real_
+      )
+    },
+    balances = balance_drive,
+    augment = augment_drive,
+    panels = list(
+      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      panel("torque of the coupling behind it (N m)", c(coupling_torque_n_m = "")),
+      panel("heat of resistance and brake (J)", c(heat_j = "")),
+      panel("heat of the coupling behind it (J)", c(coupling_heat_j = ""))
+    )
+  )
+}
+
+# From the rows of the first and the last time.
+balance_drive <- function(x, run, call) {
+  none <- list(
+    no_balance("energy", NA_character_, "J"),
+    no_balance("angular_momentum", "the axis", "kg m^2/s")
+  )
+  scene <- run$scene
+  inertia <- scene$moment_of_inertia_kg_m2
+  n <- length(inertia)
+  if (nrow(x) == 0L) return(none)
+  span <- range(x$time_s)
+  ends <- lapply(span, function(time) {
+    rows <- which(x$time_s == time)
+    rows[match(seq_len(n), x$rotor[rows])]
+  })
+  if (anyNA(unlist(ends))) return(none)
+  sums <- drive_sums(scene, c(run, call = call), span)
+  if (is.null(sums)) return(none)
+  at <- function(column) lapply(ends, function(rows) x[[column]][rows])
+  flow <- function(name) diff(sums[[name]])
+  omega <- at("omega_rad_per_s")
+  theta <- at("theta_rad")
+  heat <- at("heat_j")
+  coupling <- at("coupling_heat_j")
+  kind <- vapply(scene$couplings, function(coupling) coupling$kind, double(1))
+  behind <- function(which) sum((coupling[[2]] - coupling[[1]])[-n][which])
+  eps <- .Machine$double.eps
+  error <- run$info$errors[["omega"]] + eps * max(abs(unlist(omega)))
+  twist <- drive_elastic(scene, omega, at("coupling_torque_n_m"), sums$errors[4], error)
+  momentum <- sum(inertia * (omega[[2]] - omega[[1]]))
+  flows <- abs(c(unlist(sums[c("work_j", "resistance_j", "brake_j", "damper_j", "clutch_j")])))
+  impulses <- vapply(
+    c("torque_impulse_n_m_s", "resistance_impulse_n_m_s", "housing_impulse_n_m_s"), flow, double(1)
+  )
+  list(
+    balance(
+      "energy", NA_character_, "J",
+      c(
+        "change of kinetic energy" = kinetic_change(inertia, omega[[1]], omega[[2]]),
+        "change of elastic energy" = twist$change
+      ),
+      c("work of the torques" = flow("work_j")),
+      c(
+        "heat of resistance and brakes" = sum(heat[[2]] - heat[[1]]),
+        "heat of dampers" = behind(kind == 0), "heat of clutches" = behind(kind == 1)
+      ),
+      sums$errors[1] + sums$errors[2] + twist$rounding +
+        sum(inertia * (abs(omega[[1]]) + abs(omega[[2]]))) * error + 8 * eps * sum(flows)
+    ),
+    balance(
+      "angular_momentum", "the axis", "kg m^2/s",
+      c("change of angular momentum" = momentum),
+      c(
+        "impulse of the torques" = impulses[[1]],
+        "impulse of the gear housings" = impulses[[3]]
+      ),
+      c("impulse of resistance and brakes" = -impulses[[2]]),
+      sums$errors[3] + 2 * sum(inertia) * error +
+        4 * eps * (n * sum(inertia * abs(omega[[2]])) + sum(abs(impulses)))
+    )
+  )
+}
+
+# From the torques of the shafts: the difference of two angles loses the twist of a stiff shaft.
+drive_elastic <- function(scene, omega, torque, twist_error, omega_error) {
+  out <- c(change = 0, rounding = 0)
+  for (i in seq_along(scene$couplings)) {
+    coupling <- scene$couplings[[i]]
+    k <- coupling$stiffness_n_m_per_rad
+    if (coupling$kind != 0 || k == 0) next
+    c <- coupling$damping_n_m_s
+    damped <- vapply(omega, function(w) c * (w[i] - coupling$ratio * w[i + 1L]), double(1))
+    size <- vapply(omega, function(w) c * (abs(w[i]) + abs(coupling$ratio * w[i + 1L])), double(1))
+    total <- c(torque[[1]][i], torque[[2]][i])
+    spring <- total - damped
+    off <- k * twist_error + c * (1 + abs(coupling$ratio)) * omega_error +
+      4 * .Machine$double.eps * (abs(total) + size)
+    out <- out + c(0.5 * (spring[2] - spring[1]) * (spring[2] + spring[1]) / k,
+                   sum(abs(spring) * off) / k + sum(off^2) / k)
+  }
+  as.list(out)
+}
+
+augment_drive <- function(x, run, edges, call) {
+  sums <- if (length(edges)) drive_sums(run$scene, c(run, call = call), edges)
+  if (is.null(sums) && length(edges)) return(NULL)
+  since_first <- function(names) {
+    if (!length(edges)) return(double())
+    total <- Reduce(`+`, sums[names])
+    total - total[1]
+  }
+  list(
+    power_w = x[["applied_torque_n_m"]] * x$omega_rad_per_s,
+    work_j = since_first("work_j"),
+    dissipated_j = since_first(c("resistance_j", "brake_j", "damper_j", "clutch_j")),
+    torque_impulse_n_m_s = since_first("torque_impulse_n_m_s"),
+    damping_impulse_n_m_s = since_first("resistance_impulse_n_m_s")
+  )
+}

@@ -1,0 +1,101 @@
+# Models of a drive.
+
+# The R functions of a scene as the core calls them: list(law, stops) or NULL for each rotor, brake
+# and coupling. NULL where there are none.
+drive_calls <- function(scene, span, call) {
+  spacing <- double()
+  one <- function(part) {
+    law <- part$loads$law
+    if (is.null(law)) return(NULL)
+    reader <- law_reader(law, part, call)
+    scan <- law_breaks(law, reader$at, span[1], span[2], call)
+    spacing <<- c(spacing, scan$spacing_s)
+    list(law = reader$own, stops = scan$stops)
+  }
+  calls <- list(
+    rotors = lapply(scene$rotors, one),
+    brakes = lapply(scene$rotors, function(rotor) one(rotor$brake)),
+    couplings = lapply(scene$couplings, function(coupling) one(coupling$grip))
+  )
+  if (all(vapply(unlist(calls, recursive = FALSE), is.null, NA))) return(NULL)
+  spacing <- spacing[is.finite(spacing)]
+  list(calls = calls, spacing_s = if (length(spacing)) max(spacing))
+}
+
+integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
+  called <- drive_calls(scene, range(scene$start_s, time_s), call)
+  result <- .Call(
+    ffi_drive_integrate, scene, called$calls, time_s, c(accuracy, max_steps, method),
+    progress_bar("integrating")
+  )
+  n <- length(scene$rotors)
+  result$columns <- c(
+    list(time_s = rep(time_s, each = n), rotor = rep.int(seq_len(n), length(time_s))),
+    result$columns
+  )
+  if (!is.null(result$events)) result$events$where <- places_in_words(result$ledger$places)
+  result$ledger <- c(list(time_s = time_s), result$ledger[names(result$ledger) != "places"])
+  result$info$scan_spacing_s <- called$spacing_s
+  result
+}
+
+places_in_words <- function(place) paste(ifelse(place > 0, "rotor", "coupling"), abs(place))
+
+drive_integrator <- function(id, method, ...) {
+  list(
+    id = id,
+    equations = "J omega' = torque + resistance + ratio T(before) - T(behind); stick and slip",
+    assumptions = "rigid rotors; torques finite, and smooth between their breaks",
+    requires = "any torque, any resistance",
+    ...,
+    adapts = TRUE,
+    ran_as = function(info) {
+      if (info$method %in% c("rk8pd", "radau")) paste0("drive_", info$method) else id
+    },
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      integrate_drive(scene, time_s, accuracy, max_steps, call, if (asked) method else 0)
+    },
+    ledger = function(scene, run, from_s, to_s) {
+      sums <- drive_sums(scene, run, c(from_s, to_s))
+      if (is.null(sums)) return(c(work_j = NA_real_, dissipated_j = NA_real_))
+      flow <- function(name) diff(sums[[name]])
+      c(
+        work_j = flow("work_j"),
+        dissipated_j = flow("resistance_j") + flow("brake_j") + flow("damper_j") + flow("clutch_j")
+      )
+    }
+  )
+}
+
+# The ledger since the start at these times (increasing): that of the run, or of another run. NULL
+# where that failed.
+drive_sums <- function(scene, run, time_s) {
+  known <- run$ledger
+  at <- match(time_s, known$time_s)
+  if (is.null(known) || anyNA(at)) {
+    constraint <- constraint_of(scene)
+    result <- constraint$models[[run$model]]$run(
+      scene, time_s, run$accuracy, run$max_steps + length(time_s), run$call, TRUE
+    )
+    if (result$info$kind != "none") return(NULL)
+    known <- result$ledger
+    at <- seq_along(time_s)
+  }
+  each <- !names(known) %in% "errors"
+  known[each] <- lapply(known[each], `[`, at)
+  known
+}
+
+drive_rk8pd <- drive_integrator(
+  "drive_rk8pd", 1,
+  limits = "not stiff: a step is at most about 6 times the shortest decay",
+  source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library"
+)
+
+drive_radau <- drive_integrator(
+  "drive_radau", 2,
+  limits = "each step solves a system of equations: expensive for a motion that is not stiff",
+  source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
+)
+
+drive_models <- list(drive_rk8pd, drive_radau)

@@ -1,0 +1,357 @@
+#' Couplings and brakes of a drive
+#'
+#' How a rotor of a [scene_drive()] turns the next one, or is held. `ratio` is
+#' `omega_i/omega_(i+1)`, negative for gears that turn opposite ways.
+#'
+#' * `coupling_shaft()`: a spring and a damper, behind a gear where `ratio` is not 1:
+#'   `T = k (theta_i - ratio theta_(i+1)) + c (omega_i - ratio omega_(i+1))`.
+#' * `coupling_clutch()`: dry friction. While it slips, `T = capacity sign(slip)` with
+#'   `slip = omega_i - ratio omega_(i+1)`; at no slip it locks while the torque that keeps it so is
+#'   at most `static_ratio capacity`.
+#' * `coupling_gear()`: rigid, without backlash: `omega_i = ratio omega_(i+1)`.
+#' * `brake()`: a clutch to ground.
+#'
+#' `T` acts on rotor `i + 1` times `ratio`, on rotor `i` as `-T`; the housing takes the rest.
+#'
+#' @param stiffness_n_m_per_rad,damping_n_m_s Stiffness and damping of the shaft at rotor `i`, at
+#'   least 0.
+#' @param ratio One number, not 0.
+#' @param capacity_n_m Torque of the slipping clutch or brake: one number in N m, at least 0, or a
+#'   torque law of the normal force in time; `torque_curve()` and functions of three arguments are
+#'   called with the slip speed (0 where it sticks) as omega, with the angle of rotor `i` as theta.
+#'   Below 0 it counts as 0.
+#' @param static_ratio Largest torque at no slip over `capacity_n_m` at no slip, at least 1.
+#' @param from_s,to_s It acts from `from_s` on and before `to_s`.
+#' @param ... Not used; names after it must be given in full.
+#' @return A `rot_coupling`, or a `rot_brake`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`.
+#' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), chapter 16; Armstrong-Helouvry,
+#'   Control of Machines with Friction (1991), chapter 2.
+#' @examples
+#' coupling_shaft(800, 0.05, ratio = 5)
+#' coupling_clutch(torque_knots(c(0, 1), c(0, 30), outside = "hold"), static_ratio = 1.2)
+#' coupling_gear(-3)
+#' brake(12, from_s = 2, to_s = 3.5)
+#' @name couplings
+NULL
+
+#' @rdname couplings
+#' @export
+coupling_shaft <- function(stiffness_n_m_per_rad, damping_n_m_s = 0, ratio = 1) {
+  call <- rlang::current_env()
+  check_supplied("stiffness_n_m_per_rad", call)
+  new_coupling(
+    0, check_ratio(ratio, call),
+    check_number(stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", call, lower = 0),
+    check_number(damping_n_m_s, "damping_n_m_s", "N*m*s", call, lower = 0), NULL
+  )
+}
+
+#' @rdname couplings
+#' @export
+coupling_clutch <- function(capacity_n_m, ..., static_ratio = 1, ratio = 1, from_s = -Inf,
+                            to_s = Inf) {
+  call <- rlang::current_env()
+  check_supplied("capacity_n_m", call)
+  check_no_dots(...)
+  grip <- new_grip(capacity_n_m, static_ratio, from_s, to_s, call)
+  new_coupling(1, check_ratio(ratio, call), 0, 0, grip)
+}
+
+#' @rdname couplings
+#' @export
+coupling_gear <- function(ratio) {
+  call <- rlang::current_env()
+  check_supplied("ratio", call)
+  new_coupling(2, check_ratio(ratio, call), 0, 0, NULL)
+}
+
+#' @rdname couplings
+#' @export
+brake <- function(capacity_n_m, ..., static_ratio = 1, from_s = -Inf, to_s = Inf) {
+  call <- rlang::current_env()
+  check_supplied("capacity_n_m", call)
+  check_no_dots(...)
+  grip <- new_grip(capacity_n_m, static_ratio, from_s, to_s, call)
+  class(grip) <- "rot_brake"
+  grip
+}
+
+check_ratio <- function(ratio, call) {
+  ratio <- check_number(ratio, "ratio", "1", call)
+  if (ratio == 0) abort_rotdyn("{.arg ratio} must not be 0.", "value", call)
+  ratio
+}
+
+# kind: 0 a shaft, 1 a clutch, 2 a gear (src/rot_drive.h).
+new_coupling <- function(kind, ratio, stiffness, damping, grip) {
+  coupling <- list(
+    kind = kind, ratio = ratio, stiffness_n_m_per_rad = stiffness, damping_n_m_s = damping,
+    grip = grip
+  )
+  class(coupling) <- "rot_coupling"
+  coupling
+}
+
+# The capacity is read as the loads of a body on an axle.
+new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
+  if (is.numeric(capacity)) {
+    capacity <- check_number(capacity, "capacity_n_m", "N*m", call, lower = 0)
+  }
+  law <- as_torque(capacity, call)
+  if (inherits(law, "rot_torque_knots") && any(c(law$torque_n_m, law$outside) < 0)) {
+    abort_rotdyn(c(
+      "{.arg capacity_n_m} must be at least 0 N m at all knots.",
+      x = "It falls to {format(min(law$torque_n_m, law$outside))} N m."
+    ), "value", call)
+  }
+  window <- c(check_switch_time(from_s, "from_s", call), check_switch_time(to_s, "to_s", call))
+  if (window[1] > window[2]) {
+    abort_rotdyn(c(
+      "{.arg to_s} must not be before {.arg from_s}.",
+      x = "They are {format(window[2])} and {format(window[1])} s."
+    ), "value", call)
+  }
+  c(
+    list(capacity = law),
+    loads_on_axle(law, NULL, 1, 0, 0, 0),
+    list(
+      static_ratio = check_number(static_ratio, "static_ratio", "1", call, lower = 1),
+      from_s = window[1], to_s = window[2]
+    )
+  )
+}
+
+check_switch_time <- function(x, arg, call) {
+  if (identical(x, -Inf) || identical(x, Inf)) x else check_number(x, arg, "s", call)
+}
+
+# As src/ffi_axle.c reads what acts on a body on an axle.
+loads_on_axle <- function(torque, resistance, inertia, theta0, omega0, start_s) {
+  list(
+    moment_of_inertia_kg_m2 = inertia, inertia = NULL, loads = torque_loads(torque),
+    resistance = resistance %||% new_resistance(0), theta0_rad = theta0, omega0_rad_per_s = omega0,
+    start_s = start_s
+  )
+}
+
+#' A drive: rotors, gears, elastic shafts, clutches and brakes
+#'
+#' Rotors in a chain, neighbours coupled by an elastic shaft, a friction clutch or a rigid gear (see
+#' [couplings]), each under torque laws, resistance and a brake of its own:
+#' `J_i omega_i' = tau_i + resistance_i + ratio_(i-1) T_(i-1) - T_i`.
+#'
+#' Clutches, brakes and dry friction stick and slip with exact events: [motion_events()] says when
+#' and where. The motion is integrated.
+#'
+#' @param bodies A list of `rot_body` (their Izz counts), or moments of inertia in kg m^2; each
+#'   greater than 0.
+#' @param couplings A list of `n - 1` [couplings], in the order of the rotors, or one for all.
+#' @param ... Not used; names after it must be given in full.
+#' @param torque,resistance,brake What acts on each rotor: a list of `n`, with NULL for none. A
+#'   torque is a law (see [torque] and [torque-terms]), a function, or a number in N m; then a
+#'   [resistance()], a [brake()]. NULL for none at all; a single rotor needs no list.
+#' @param theta0_rad,omega0_rad_per_s Angle and angular velocity at `start_s`: `n` numbers, or that
+#'   of the first rotor, with which the others turn at the ratios. Gears are rigid: rates that
+#'   contradict their ratio are an error.
+#' @param start_s Time at which the state above holds. Times before it are reached backwards where
+#'   nothing sticks or slips.
+#' @return A `rot_scene_drive`, which is a `rot_scene`. Its trajectory has one row for each time and
+#'   rotor:
+#'   `r describe_columns(drive_columns)`
+#'   The error is an estimate, relative to the largest angle and the largest rate of all rotors.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   `rotdyn_error_unit`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), sections 1.4 and 2.4
+#'   (constraints); Armstrong-Helouvry, Control of Machines with Friction (1991), chapter 2; Ahuja,
+#'   Magnanti and Orlin, Network Flows (1993), section 6.5 (which contacts at rest hold).
+#' @examples
+#' # A motor that drives a load through a gear and an elastic shaft.
+#' geared <- scene_drive(
+#'   c(0.002, 0.5), coupling_shaft(4000, 0.4, ratio = 10),
+#'   torque = list(torque_sinusoid(2, 5), NULL),
+#'   resistance = list(NULL, resistance(0.05, coulomb_n_m = 4))
+#' )
+#' trajectory(geared, time_s = seq(0, 2, by = 0.5))
+#' # A clutch that is closed in 0.5 s, under a motor that weakens with speed.
+#' start <- scene_drive(
+#'   c(0.4, 2), coupling_clutch(torque_knots(c(0, 0.5), c(0, 60), outside = "hold")),
+#'   torque = list(torque_motor(40, 200), -5), omega0_rad_per_s = c(150, 0)
+#' )
+#' motion_events(trajectory(start, time_s = 0:5))
+#' @export
+scene_drive <- function(bodies, couplings = list(), ..., torque = NULL, resistance = NULL,
+                        brake = NULL, theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
+  call <- rlang::current_env()
+  check_supplied("bodies", call)
+  check_no_dots(...)
+  inertia <- check_inertias(bodies, "bodies", call)
+  n <- length(inertia)
+  couplings <- check_couplings(couplings, n, call)
+  ratio <- cumprod(c(1, vapply(couplings, function(coupling) coupling$ratio, double(1))))
+  if (!all(is.finite(ratio) & ratio != 0)) {
+    abort_rotdyn("The product of the ratios is beyond double precision.", "value", call)
+  }
+  start_s <- check_number(start_s, "start_s", "s", call)
+  theta <- through_ratios(theta0_rad, "theta0_rad", "rad", ratio, call)
+  omega <- through_ratios(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", ratio, call)
+  check_geared_rates(omega, couplings, call)
+  torques <- lapply(one_each(torque, "torque", n, call), as_torque, call)
+  resistances <- lapply(one_each(resistance, "resistance", n, call), as_resistance, call)
+  brakes <- lapply(one_each(brake, "brake", n, call), as_brake, call)
+  rotors <- lapply(seq_len(n), function(i) {
+    c(
+      loads_on_axle(torques[[i]], resistances[[i]], inertia[i], theta[i], omega[i], start_s),
+      list(brake = brakes[[i]])
+    )
+  })
+  scene <- list(
+    bodies = if (is.list(bodies)) bodies, moment_of_inertia_kg_m2 = inertia, torque = torques,
+    resistance = resistances, rotors = rotors, couplings = couplings, ratio_to_first = ratio,
+    theta0_rad = theta, omega0_rad_per_s = omega, start_s = start_s
+  )
+  class(scene) <- c("rot_scene_drive", "rot_scene")
+  scene
+}
+
+check_couplings <- function(couplings, n, call) {
+  if (inherits(couplings, "rot_coupling")) couplings <- rep(list(couplings), n - 1L)
+  if (!is.list(couplings) || is.object(couplings)) {
+    abort_rotdyn(c(
+      "{.arg couplings} must be a list of couplings.",
+      x = "It is {describe_value(couplings)}.",
+      i = "See {.help rotdyn::couplings}."
+    ), "type", call)
+  }
+  if (length(couplings) != n - 1L) {
+    abort_rotdyn(c(
+      "{.arg couplings} must have one coupling less than there are rotors.",
+      x = "{.arg bodies} has length {n}, {.arg couplings} length {length(couplings)}."
+    ), "size", call)
+  }
+  for (i in seq_along(couplings)) {
+    check_class(
+      couplings[[i]], "rot_coupling", paste0("couplings[[", i, "]]"),
+      "Make one with {.fn coupling_shaft}, {.fn coupling_clutch} or {.fn coupling_gear}.", call
+    )
+  }
+  unname(couplings)
+}
+
+# n numbers, or the first, which the others follow.
+through_ratios <- function(x, arg, unit, ratio, call) {
+  x <- check_finite(x, arg, unit, call)
+  n <- length(ratio)
+  if (length(x) == 1L) return(x / ratio)
+  if (length(x) != n) {
+    abort_rotdyn(
+      c("{.arg {arg}} must have length 1 or {n}.", x = "It has length {length(x)}."), "size", call
+    )
+  }
+  x
+}
+
+check_geared_rates <- function(omega, couplings, call) {
+  for (i in seq_along(couplings)) {
+    if (couplings[[i]]$kind != 2) next
+    ratio <- couplings[[i]]$ratio
+    off <- abs(omega[i] - ratio * omega[i + 1L])
+    if (off > 1e-12 * abs(omega[i])) {
+      abort_rotdyn(c(
+        "{.arg omega0_rad_per_s} must agree with the gears.",
+        x = "Rotor {i} turns at {format(omega[i])} rad/s, rotor {i + 1} at
+             {format(omega[i + 1])} rad/s; the ratio is {format(ratio)}.",
+        i = "One number is the rate of the first rotor: the others follow."
+      ), "value", call)
+    }
+  }
+}
+
+# A list of n, from NULL, from a list, or from what acts on a single rotor.
+one_each <- function(x, arg, n, call) {
+  if (is.null(x)) return(rep(list(NULL), n))
+  if (!is.list(x) || is.object(x)) {
+    if (n == 1L) return(list(x))
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a list with one entry for each rotor.",
+      x = "It is {describe_value(x)}.",
+      i = "What acts on the first of two rotors alone: {.code list({arg}, NULL)}."
+    ), "type", call)
+  }
+  if (length(x) != n) {
+    abort_rotdyn(c(
+      "{.arg {arg}} must have one entry for each of the {n} rotors.",
+      x = "It has {length(x)}."
+    ), "size", call)
+  }
+  unname(x)
+}
+
+as_brake <- function(x, call) {
+  if (!is.null(x)) {
+    check_class(x, "rot_brake", "brake", "Make one with {.fn brake}.", call)
+    class(x) <- NULL
+  }
+  x
+}
+
+describe_grip <- function(x) {
+  paste0(
+    sub("^constant, ", "", describe_torque(x$capacity)),
+    if (x$static_ratio > 1) paste0(", ", format_si(x$static_ratio), " times that at rest"),
+    if (is.finite(x$from_s)) paste0(", from ", format_si(x$from_s), " s"),
+    if (is.finite(x$to_s)) paste0(", until ", format_si(x$to_s), " s")
+  )
+}
+
+describe_coupling <- function(x) {
+  ratio <- paste("ratio", format_si(x$ratio))
+  if (x$kind == 2) return(paste("gear,", ratio))
+  what <- if (x$kind == 1) {
+    paste("clutch,", describe_grip(x$grip))
+  } else {
+    paste0(
+      "shaft, ", format_si(x$stiffness_n_m_per_rad), " N m/rad",
+      if (x$damping_n_m_s != 0) paste0(", ", format_si(x$damping_n_m_s), " N m s")
+    )
+  }
+  if (x$ratio == 1) what else paste0(what, ", ", ratio)
+}
+
+#' @export
+print.rot_coupling <- function(x, ...) {
+  cat("<rot_coupling> ", describe_coupling(x), "\n", sep = "")
+  invisible(x)
+}
+
+#' @export
+print.rot_brake <- function(x, ...) {
+  cat("<rot_brake> ", describe_grip(x), "\n", sep = "")
+  invisible(x)
+}
+
+#' @export
+print.rot_scene_drive <- function(x, ...) {
+  n <- length(x$rotors)
+  cat("<rot_scene> a drive of ", n, if (n == 1L) " rotor" else " rotors", " from ",
+      format_si(x$start_s), " s\n", sep = "")
+  for (i in seq_len(min(n, 8L))) {
+    rotor <- x$rotors[[i]]
+    cat(
+      "  rotor ", i, "  ", format_si(rotor$moment_of_inertia_kg_m2), " kg m^2, theta ",
+      format_si(rotor$theta0_rad), " rad, omega ", format_si(rotor$omega0_rad_per_s), " rad/s\n",
+      if (!torque_is_zero(x$torque[[i]])) {
+        c("    torque      ", describe_torque(x$torque[[i]]), "\n")
+      },
+      if (describe_resistance(x$resistance[[i]]) != "none") {
+        c("    resistance  ", describe_resistance(x$resistance[[i]]), "\n")
+      },
+      if (!is.null(rotor$brake)) c("    brake       ", describe_grip(rotor$brake), "\n"),
+      if (i < n) c("  ", describe_coupling(x$couplings[[i]]), "\n"),
+      sep = ""
+    )
+  }
+  if (n > 8L) cat("  ...\n")
+  invisible(x)
+}

@@ -1,0 +1,352 @@
+# Events and rows of the two drives: exponentials of the matrices of each stretch, torques and
+# capacities as components of the state, events by bisection, in 34 digits (mpmath).
+geared_drive <- function() {
+  scene_drive(
+    c(0.1, 2, 2), list(coupling_gear(10), coupling_shaft(1e4, 5)),
+    torque = list(torque_sinusoid(5, 12.5, -pi / 2), NULL, NULL),
+    resistance = list(NULL, NULL, resistance(0.5, coulomb_n_m = 30, static_n_m = 40))
+  )
+}
+
+clutch_drive <- function() {
+  scene_drive(
+    c(0.4, 2),
+    coupling_clutch(
+      torque_knots(c(0, 0.25, 0.75, 3, 3.5, 6), c(0, 0, 60, 60, 25, 25), outside = "hold"),
+      static_ratio = 1.2
+    ),
+    torque = list(torque_motor(40, 200), torque_knots(c(0, 2, 4, 6), c(0, 0, -60, -60))),
+    resistance = list(NULL, resistance(0.1, coulomb_n_m = 5, static_n_m = 6)),
+    omega0_rad_per_s = c(100, 0)
+  )
+}
+
+figures <- function(motion) attr(motion, "run")$info
+
+# Largest difference of a measure, relative to its size.
+apart <- function(motion, measure, want) {
+  column <- c(theta = "theta_rad", omega = "omega_rad_per_s")[[measure]]
+  max(abs(motion[[column]] - want)) / figures(motion)$sizes[[measure]]
+}
+
+test_that("a driven geared inertia with an elastic shaft sticks and slips as it must", {
+  theta_1 <- c(
+    0, 0.30092502400167525731, -0.009030333340384870369, 0.26257916044872790489,
+    -0.021738983256737857078, 0.23848200204729225377, -0.033584029037207921898,
+    0.21745439352401082838, -0.042944394101025930862
+  )
+  omega_1 <- c(
+    0, 1.6051063037831263496, -1.9662202841983185995, 1.8872159922062640907,
+    -1.9927286665148730471, 1.9104818024354837191, -1.9959475731671196893,
+    1.9263279455353453054, -1.9970424560371434132
+  )
+  theta_3 <- c(
+    0, 0.027137654438558076897, 0.00029256760738437181854, 0.025320090085771474397,
+    -0.001321681708840549864, 0.022940000790965954183, -0.0024943674732208901857,
+    0.020765558015440562358, -0.0033332987102930431891
+  )
+  omega_3 <- c(
+    0, 0.090154171287948265129, -0.13441504246188550948, 0.17361014523995315535,
+    -0.18916881861981561102, 0.20733551201756176874, -0.21972856201613514042,
+    0.23524321568862713127, -0.2480702526980504367
+  )
+  events <- c(
+    0.088071995248678629707, 0.30368587970939837808, 0.35260240116480134082,
+    0.56841484560433863694, 0.60777609578413135354, 0.82171616031061812878,
+    0.8581717985312616392, 1.0736118136033621733, 1.1108541690759558434, 1.3248879149282604632,
+    1.3610613635573950516, 1.5763846333681073079, 1.6134445055372349763, 1.8275817619947780534,
+    1.8638020957048985701
+  )
+  torque_2 <- c(29.900261911546310187, -12.267044344018320307)
+  for (model in c("drive_rk8pd", "drive_radau")) {
+    for (accuracy in c(1e-6, 1e-9, 1e-12)) {
+      motion <- trajectory(geared_drive(), seq(0, 2, by = 0.25), accuracy, model)
+      bound <- max(accuracy, 1e-11)
+      expect_equal(attr(motion, "run")$model, model)
+      expect_lt(apart(motion, "theta", as.vector(rbind(theta_1, theta_1 / 10, theta_3))), bound)
+      expect_lt(apart(motion, "omega", as.vector(rbind(omega_1, omega_1 / 10, omega_3))), bound)
+      expect_lte(apart(motion, "theta", as.vector(rbind(theta_1, theta_1 / 10, theta_3))),
+                 figures(motion)$error)
+      happened <- motion_events(motion)
+      expect_equal(happened$event, c("slip", rep(c("stick", "slip"), 7)))
+      expect_equal(happened$where, rep("rotor 3", 15))
+      expect_lt(max(abs(happened$time_s - events)), 10 * bound)
+      expect_equal(motion$coupling_torque_n_m[c(5, 8)], torque_2, tolerance = 100 * bound)
+      expect_true(all(audit(motion)$verdict == "balanced"))
+    }
+  }
+})
+
+test_that("a clutch between a motor and a load sticks and slips as it must", {
+  theta_1 <- c(
+    0, 55.002722817309940525, 102.80783483783099435, 129.60646989544624562,
+    145.19058106446292287, 162.77055867996127651, 181.29709545825430836, 199.24920917032297306,
+    219.38164491078397297, 243.35577226541205585, 270.32181205747231231, 299.61795559868582119,
+    330.72878576437749938
+  )
+  omega_1 <- c(
+    100, 113.12363859134502974, 73.596082581084502823, 35.196765052276877192,
+    33.115327870225223026, 36.646997334954595488, 36.935346904334633174, 35.742256458472481627,
+    44.42603858824198167, 51.188974910927940232, 56.455955014897812, 60.557883244291057561,
+    63.752468161445218465
+  )
+  theta_2 <- c(
+    0, 0.089767149167895239912, 3.3655166826891992098, 13.197292271917185587,
+    28.350968985668801636, 45.930946601167155274, 64.45748337946018712, 82.348244007533198182,
+    97.207867497607806199, 107.06928679617243534, 111.74920919039653956, 111.58182027510398693,
+    107.60499386453543702
+  )
+  omega_2 <- c(
+    0, 1.295511642541605238, 13.00672416586554004, 26.265135386404140721,
+    33.115327870225223026, 36.646997334954595488, 36.935346904334633174, 33.85921559089654646,
+    24.991234416392816059, 14.498163451464584602, 4.264167331753379391, -4.2878628925953405373,
+    -11.589021572066913041
+  )
+  for (model in c("drive_rk8pd", "drive_radau")) {
+    for (accuracy in c(1e-6, 1e-9, 1e-12)) {
+      motion <- trajectory(clutch_drive(), seq(0, 6, by = 0.5), accuracy, model)
+      expect_lt(apart(motion, "theta", as.vector(rbind(theta_1, theta_2))), accuracy)
+      expect_lt(apart(motion, "omega", as.vector(rbind(omega_1, omega_2))), accuracy)
+      happened <- motion_events(motion)
+      expect_equal(happened$event, c("slip", "lock", "slip", "reverse"))
+      expect_equal(happened$where, c("rotor 2", "coupling 1", "coupling 1", "rotor 2"))
+      expect_equal(
+        happened$time_s,
+        c(0.3, 1.5969678397703648864, 3.4274956887864074522, 5.2120799340226695119),
+        tolerance = 10 * accuracy
+      )
+      expect_true(all(audit(motion)$verdict == "balanced"))
+      # Before and after the locked stretch; at a break the rows are after it.
+      expect_equal(motion$locked[seq(1, 26, by = 2)], seq(0, 6, by = 0.5) %in% c(2, 2.5, 3))
+    }
+  }
+})
+
+test_that("constant torques: lock, slip and stick where a hand finds them", {
+  # As scene_clutch(2, 3, 12, omega1_rad_per_s = 10): 10 rad/s go at 12 (1/2 + 1/3) in 1 s.
+  motion <- trajectory(
+    scene_drive(c(2, 3), coupling_clutch(12), omega0_rad_per_s = c(10, 0)), c(0, 0.5, 1, 2),
+    model = "drive_rk8pd"
+  )
+  expect_named(motion, drive_columns)
+  expect_equal(motion$omega_rad_per_s, c(10, 0, 7, 2, 4, 4, 4, 4), tolerance = 1e-14)
+  expect_equal(motion$coupling_heat_j[c(1, 3, 5, 7)], c(0, 45, 60, 60), tolerance = 1e-14)
+  expect_equal(motion$coupling_torque_n_m, c(12, NA, 12, NA, 12, NA, 0, NA), tolerance = 1e-14)
+  expect_equal(motion_events(motion)$time_s, 1, tolerance = 1e-14)
+  # Locked, 3/5 of the ramp 30 (t - 2) reaches 1.25 * 12 at 2 + 5/6.
+  ramp <- scene_drive(
+    c(2, 3), coupling_clutch(12, static_ratio = 1.25),
+    torque = list(torque_knots(c(0, 2, 4), c(0, 0, 60), outside = "hold"), NULL),
+    omega0_rad_per_s = c(10, 0)
+  )
+  happened <- motion_events(trajectory(ramp, 0:6))
+  expect_equal(happened$event, c("lock", "slip"))
+  expect_equal(happened$time_s, c(1, 2 + 5 / 6), tolerance = 1e-14)
+  # A brake of 3 N m from 1 to 4 s on 2 kg m^2 under 1 N m: 2.5 rad/s at 1 s, at rest 2.5 s later.
+  braked <- trajectory(
+    scene_drive(2, brake = brake(3, from_s = 1, to_s = 4), torque = 1, omega0_rad_per_s = 2),
+    0:6, model = "drive_rk8pd"
+  )
+  expect_equal(braked$omega_rad_per_s, c(2, 2.5, 1.5, 0.5, 0, 0.5, 1), tolerance = 1e-14)
+  expect_equal(braked$heat_j, c(0, 0, 6, 9, 9.375, 9.375, 9.375), tolerance = 1e-14)
+  expect_equal(motion_events(braked)$event, c("stick", "slip"))
+  expect_equal(motion_events(braked)$time_s, c(3.5, 4), tolerance = 1e-14)
+})
+
+test_that("a gear reflects inertia by the square of its ratio, and its housing takes the rest", {
+  for (ratio in c(5, -5, 0.2)) {
+    inertia <- 0.1 + 0.5 / ratio^2
+    torque <- 2 - 4 / ratio
+    motion <- trajectory(
+      scene_drive(c(0.1, 0.5), coupling_gear(ratio), torque = list(2, -4)), c(0, 3),
+      model = "drive_rk8pd"
+    )
+    omega <- 3 * torque / inertia
+    expect_equal(motion$omega_rad_per_s[3:4], c(omega, omega / ratio), tolerance = 1e-14)
+    expect_equal(motion$theta_rad[3], 1.5 * omega, tolerance = 1e-14)
+    # Rotor 1 alone: J omega' = 2 - T.
+    expect_equal(motion$coupling_torque_n_m[1], 2 - 0.1 * omega / 3, tolerance = 1e-13)
+    expect_true(all(audit(motion)$verdict == "balanced"))
+  }
+})
+
+test_that("a gear in an elastic shaft is a softer shaft, at a reflected inertia", {
+  # J2/N^2 on the first shaft, k the same: omega^2 = k (1/J1 + N^2/J2).
+  ratio <- -3
+  frequency <- sqrt(50 * (1 / 0.4 + ratio^2 / 6))
+  t <- seq(0, 2, length.out = 9)
+  motion <- trajectory(
+    scene_drive(c(0.4, 6), coupling_shaft(50, ratio = ratio), omega0_rad_per_s = c(2, 0)), t,
+    1e-11, "drive_rk8pd"
+  )
+  twist <- motion$theta_rad[motion$rotor == 1] - ratio * motion$theta_rad[motion$rotor == 2]
+  expect_equal(twist, 2 * sin(frequency * t) / frequency, tolerance = 1e-9)
+  expect_true(all(audit(motion)$verdict == "balanced"))
+})
+
+test_that("contacts that share a load hold together, and let go together", {
+  # Three bodies at rest, brakes of 4, 3 and 2 N m, clutches of 100: they hold 9 N m on any of them.
+  held <- function(clutch) {
+    scene_drive(
+      c(1, 1, 1), list(coupling_clutch(clutch), coupling_clutch(100)),
+      torque = list(torque_knots(c(0, 20), c(0, 20), outside = "hold"), NULL, NULL),
+      brake = list(brake(4), brake(3), brake(2))
+    )
+  }
+  together <- trajectory(held(100), c(0, 5, 8, 10))
+  expect_equal(motion_events(together)$time_s, rep(9, 3), tolerance = 1e-12)
+  expect_equal(together$omega_rad_per_s[10:12], rep(1 / 6, 3), tolerance = 1e-9)
+  # At 5 and 8 N m the contacts carry the load, none beyond what it holds.
+  expect_true(all(abs(together$damping_torque_n_m) <= rep(c(4, 3, 2), 4) + 1e-12))
+  expect_equal(
+    tapply(together$damping_torque_n_m, together$time_s, sum)[["8"]], -8, tolerance = 1e-13
+  )
+  # A clutch of 1.5 N m passes no more: the first body breaks loose at 5.5 N m, alone.
+  alone <- trajectory(held(1.5), c(0, 6, 10))
+  expect_equal(motion_events(alone)$time_s, c(5.5, 5.5), tolerance = 1e-12)
+  expect_setequal(motion_events(alone)$where, c("rotor 1", "coupling 1"))
+  expect_equal(alone$omega_rad_per_s[7:9], c(4.5^2 / 2, 0, 0), tolerance = 1e-9)
+})
+
+test_that("R functions are torques and capacities", {
+  # I omega' = -c omega by a function, against the exponential.
+  law <- function(time_s, theta_rad, omega_rad_per_s) -0.5 * omega_rad_per_s
+  motion <- trajectory(
+    scene_drive(
+      c(1, 3), coupling_gear(2), torque = list(torque_function(law, breaks_s = numeric()), NULL),
+      omega0_rad_per_s = 4
+    ), c(0, 1, 3), 1e-10
+  )
+  expect_equal(
+    motion$omega_rad_per_s[motion$rotor == 1], 4 * exp(-0.5 / 1.75 * c(0, 1, 3)), tolerance = 1e-10
+  )
+  # A capacity that grows as t: slip 10 - (1/2 + 1/3) 6 t^2 ends at sqrt(2).
+  clutch <- scene_drive(
+    c(2, 3), coupling_clutch(torque_function(function(time_s) 12 * time_s, breaks_s = numeric())),
+    omega0_rad_per_s = c(10, 0)
+  )
+  expect_equal(motion_events(trajectory(clutch, 0:3))$time_s, sqrt(2), tolerance = 1e-10)
+  # A capacity that falls with the slip speed: w' = -(10 - w/4) (1/2 + 1/3) from 10 to 0.
+  falling <- scene_drive(
+    c(2, 3), coupling_clutch(torque_curve(c(0, 40), c(10, 0))), omega0_rad_per_s = c(10, 0)
+  )
+  rate <- 0.25 * (1 / 2 + 1 / 3)
+  expect_equal(
+    motion_events(trajectory(falling, 0:3))$time_s, log(40 / 30) / rate, tolerance = 1e-9
+  )
+  # An error of the function's own keeps its class.
+  broken <- scene_drive(
+    c(1, 3), coupling_gear(2), torque = list(function(time_s) stop("mine"), NULL)
+  )
+  expect_error(trajectory(broken, 0:1), "mine")
+})
+
+test_that("quadratic and viscous drag act on any rotor", {
+  # The second rotor carries the drag: q omega^2 = q (omega_1/2)^2, through the gear.
+  motion <- trajectory(
+    scene_drive(
+      c(1, 4), coupling_gear(2), resistance = list(NULL, resistance(quadratic_n_m_s2 = 0.8)),
+      omega0_rad_per_s = 10
+    ), c(0, 1, 4), 1e-10
+  )
+  # omega_1' = -(0.8/8) omega_1^2/2
+  expect_equal(
+    motion$omega_rad_per_s[motion$rotor == 1], 10 / (1 + 0.5 * c(0, 1, 4)), tolerance = 1e-10
+  )
+  back <- trajectory(
+    scene_drive(c(1, 4), coupling_gear(2),
+                resistance = list(NULL, resistance(quadratic_n_m_s2 = 0.8)),
+                torque = list(-3, NULL), omega0_rad_per_s = 10), c(0, 2, 8), 1e-10
+  )
+  expect_true(all(audit(back)$verdict == "balanced"))
+  # 2 omega' = -3 - 0.1 omega |omega|: a tangent up to rest, then its hyperbolic twin.
+  rate <- sqrt(3 * 0.1) / 2
+  stop_s <- atan(10 * sqrt(0.1 / 3)) / rate
+  expect_equal(
+    back$omega_rad_per_s[back$rotor == 1][2:3],
+    sqrt(30) * c(tan(rate * (stop_s - 2)), -tanh(rate * (8 - stop_s))), tolerance = 1e-10
+  )
+})
+
+test_that("times before the start are reached backwards where nothing sticks", {
+  scene <- scene_drive(
+    c(1, 2), coupling_shaft(30, 0.2), torque = list(torque_sinusoid(1, 3), NULL),
+    omega0_rad_per_s = c(1, -1), start_s = 1
+  )
+  there <- trajectory(scene, c(0, 1, 2), 1e-11)
+  again <- scene_drive(
+    c(1, 2), coupling_shaft(30, 0.2), torque = list(torque_sinusoid(1, 3), NULL),
+    theta0_rad = there$theta_rad[1:2], omega0_rad_per_s = there$omega_rad_per_s[1:2]
+  )
+  expect_equal(trajectory(again, 2, 1e-11)$omega_rad_per_s, there$omega_rad_per_s[5:6],
+               tolerance = 1e-9)
+  expect_error(
+    trajectory(scene_drive(c(1, 2), coupling_clutch(3), omega0_rad_per_s = c(1, 0)), -1),
+    class = "rotdyn_error_time"
+  )
+})
+
+test_that("every verb works on a drive", {
+  motion <- trajectory(clutch_drive(), seq(0, 6, by = 0.5))
+  one <- summary(motion)
+  expect_equal(one$moment_of_inertia_kg_m2, 2.4)
+  expect_equal(
+    one$heat_j, sum(motion$heat_j[25:26], motion$coupling_heat_j[25:26], na.rm = TRUE)
+  )
+  expect_equal(generics::glance(motion), one)
+  more <- generics::augment(motion)
+  expect_equal(more$power_w, more$applied_torque_n_m * more$omega_rad_per_s)
+  kinetic <- tapply(more$rotational_kinetic_energy_j, more$time_s, sum)
+  at <- more$rotor == 1
+  expect_equal(
+    as.vector(kinetic - kinetic[1]), more$work_j[at] - more$dissipated_j[at], tolerance = 1e-10
+  )
+  expect_equal(
+    more$dissipated_j[at], as.vector(tapply(
+      rowSums(cbind(more$heat_j, more$coupling_heat_j), na.rm = TRUE), more$time_s, sum
+    )), tolerance = 1e-12
+  )
+  there <- predict(motion, time_s = c(2, 0.5, NA))
+  expect_equal(there$omega_rad_per_s[1:4], motion$omega_rad_per_s[c(9, 10, 3, 4)],
+               tolerance = 1e-9)
+  expect_equal(there$rotor, rep(1:2, 3))
+  part <- motion[motion$time_s >= 1 & motion$time_s <= 5, ]
+  expect_true(all(audit(part)$verdict == "balanced"))
+  wrong <- motion
+  wrong$heat_j[nrow(wrong)] <- wrong$heat_j[nrow(wrong)] * 1.001
+  expect_equal(audit(wrong)$verdict[1], "unbalanced")
+  wrong <- motion
+  wrong$omega_rad_per_s[nrow(wrong)] <- wrong$omega_rad_per_s[nrow(wrong)] * 1.001
+  expect_equal(audit(wrong)$verdict, rep("unbalanced", 2))
+  expect_true(is.na(audit(motion[0, ])$verdict[1]))
+  expect_true(any(choose_model(clutch_drive(), 0:6)$chosen))
+  expect_named(motion_events(motion), c("time_s", "event", "where"))
+  none <- trajectory(clutch_drive(), double())
+  expect_equal(nrow(none), 0L)
+  expect_equal(nrow(generics::augment(none)), 0L)
+})
+
+test_that("a drive is drawn and measured", {
+  skip_if_not_installed("ggplot2")
+  motion <- trajectory(geared_drive(), seq(0, 1, by = 0.05))
+  expect_s3_class(ggplot2::autoplot(motion), "ggplot")
+  cost <- work_precision(
+    clutch_drive(), 0:3, accuracies = c(1e-4, 1e-8), least_batch_s = 1e-3, batches = 1
+  )
+  expect_true(all(cost$covered, na.rm = TRUE))
+  expect_gt(nrow(cost), 2L)
+})
+
+test_that("a run that fails keeps its good rows", {
+  scene <- scene_drive(
+    c(1, 2), coupling_clutch(3), omega0_rad_per_s = c(5, 0),
+    torque = list(torque_function(function(time_s, theta_rad, omega_rad_per_s) {
+      if (time_s > 2.5) NaN else 1
+    }, breaks_s = numeric()), NULL)
+  )
+  expect_error(trajectory(scene, 0:4), class = "rotdyn_error_torque")
+  expect_warning(
+    part <- trajectory(scene, 0:4, on_fail = "truncate"), class = "rotdyn_warning_truncated"
+  )
+  expect_equal(part$time_s, rep(0:2, each = 2))
+})

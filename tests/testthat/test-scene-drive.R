@@ -1,0 +1,58 @@
+test_that("one number goes through the ratios", {
+  scene <- scene_drive(
+    c(1, 2, 3), list(coupling_shaft(10, ratio = 4), coupling_gear(-0.5)),
+    theta0_rad = 8, omega0_rad_per_s = 12
+  )
+  expect_equal(scene$theta0_rad, c(8, 2, -4))
+  expect_equal(scene$omega0_rad_per_s, c(12, 3, -6))
+  expect_s3_class(scene, "rot_scene")
+  expect_equal(
+    scene_drive(list(body_disk(2, 1), 3), coupling_gear(2))$moment_of_inertia_kg_m2, c(1, 3)
+  )
+})
+
+test_that("what is no drive is refused, in the user's own call", {
+  refuses <- function(code, class) {
+    condition <- expect_error(code, class = paste0("rotdyn_error_", class))
+    expect_match(rlang::expr_deparse(condition$call)[1], "^(scene_drive|coupling_|brake)")
+  }
+  refuses(scene_drive(c(1, 2)), "size")
+  refuses(scene_drive(c(1, 2), list(1)), "type")
+  refuses(scene_drive(c(1, 2), "gear"), "type")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), torque = 3), "type")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), torque = list(3)), "size")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), torque = list("3", NULL)), "type")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), resistance = list(3, NULL)), "type")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), brake = list(3, NULL)), "type")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), omega0_rad_per_s = c(1, 1)), "value")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), theta0_rad = 1:3), "size")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), 5), "argument")
+  refuses(scene_drive(c(1, 0), coupling_gear(2)), "value")
+  refuses(coupling_gear(0), "value")
+  refuses(coupling_gear(NA_real_), "value")
+  refuses(coupling_shaft(-1), "value")
+  refuses(coupling_shaft(), "missing")
+  refuses(coupling_clutch(-1), "value")
+  refuses(coupling_clutch(torque_knots(0:1, c(1, -1))), "value")
+  refuses(coupling_clutch(1, static_ratio = 0.9), "value")
+  refuses(brake(1, from_s = 2, to_s = 1), "value")
+  refuses(brake(1, from_s = NaN), "value")
+  refuses(brake("1"), "type")
+})
+
+test_that("a drive prints its rotors and couplings", {
+  scene <- scene_drive(
+    c(0.1, 2), coupling_clutch(12, static_ratio = 1.5, ratio = 3, from_s = 1),
+    torque = list(torque_motor(5, 100), NULL), resistance = list(NULL, resistance(0.3)),
+    brake = list(NULL, brake(4, to_s = 9))
+  )
+  shown <- capture.output(print(scene))
+  expect_match(shown, "a drive of 2 rotors", all = FALSE)
+  expect_match(shown, "clutch, 12 N m, 1.5 times that at rest, from 1 s, ratio 3", all = FALSE)
+  expect_match(shown, "brake +4 N m, until 9 s", all = FALSE)
+  expect_match(shown, "a motor, 5 N m at rest", all = FALSE)
+  expect_match(shown, "viscous, 0.3 N m s", all = FALSE)
+  expect_output(print(coupling_gear(-2)), "gear, ratio -2")
+  expect_output(print(coupling_shaft(5, 0.1)), "shaft, 5 N m/rad, 0.1 N m s")
+  expect_output(print(brake(3)), "3 N m")
+})
