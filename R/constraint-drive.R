@@ -3,6 +3,19 @@ drive_constraint <- function() {
   list(
     id = "drive",
     scene_class = "rot_scene_drive",
+    form = list(
+      moment_of_inertia_kg_m2 = "numbers", torque = list(.each = torque_form),
+      resistance = list(.each = resistance_form),
+      rotors = list(.is = "list=moment_of_inertia_kg_m2", .each = list(
+        moment_of_inertia_kg_m2 = "number", loads = loads_form, resistance = resistance_form,
+        theta0_rad = "number", omega0_rad_per_s = "number", start_s = "number",
+        brake = c(brake_form, .optional = TRUE)
+      )),
+      couplings = list(.is = "list=moment_of_inertia_kg_m2-1", .each = coupling_form),
+      ratio_to_first = "numbers=moment_of_inertia_kg_m2",
+      theta0_rad = "numbers=moment_of_inertia_kg_m2",
+      omega0_rad_per_s = "numbers=moment_of_inertia_kg_m2", start_s = "number"
+    ),
     title = function(run) "A drive",
     models = drive_models,
     columns = drive_columns,
@@ -61,7 +74,7 @@ balance_drive <- function(x, run, call) {
   sums <- drive_sums(scene, c(run, call = call), span)
   if (is.null(sums)) return(none)
   at <- function(column) lapply(ends, function(rows) x[[column]][rows])
-  flow <- function(name) diff(sums[[name]])
+  flow <- function(name) sums[2, name] - sums[1, name]
   omega <- at("omega_rad_per_s")
   theta <- at("theta_rad")
   heat <- at("heat_j")
@@ -70,9 +83,9 @@ balance_drive <- function(x, run, call) {
   behind <- function(which) sum((coupling[[2]] - coupling[[1]])[-n][which])
   eps <- .Machine$double.eps
   error <- run$info$errors[["omega"]] + eps * max(abs(unlist(omega)))
-  twist <- drive_elastic(scene, omega, at("coupling_torque_n_m"), sums$errors[4], error)
+  twist <- drive_elastic(scene, omega, at("coupling_torque_n_m"), sums[1, "twist_error_rad"], error)
   momentum <- sum(inertia * (omega[[2]] - omega[[1]]))
-  flows <- abs(c(unlist(sums[c("work_j", "resistance_j", "brake_j", "damper_j", "clutch_j")])))
+  flows <- abs(sums[, c("work_j", "resistance_j", "brake_j", "damper_j", "clutch_j")])
   impulses <- vapply(
     c("torque_impulse_n_m_s", "resistance_impulse_n_m_s", "housing_impulse_n_m_s"), flow, double(1)
   )
@@ -88,7 +101,7 @@ balance_drive <- function(x, run, call) {
         "heat of resistance and brakes" = sum(heat[[2]] - heat[[1]]),
         "heat of dampers" = behind(kind == 0), "heat of clutches" = behind(kind == 1)
       ),
-      sums$errors[1] + sums$errors[2] + twist$rounding +
+      sums[1, "work_error_j"] + sums[1, "heat_error_j"] + twist$rounding +
         sum(inertia * (abs(omega[[1]]) + abs(omega[[2]]))) * error + 8 * eps * sum(flows)
     ),
     balance(
@@ -99,7 +112,7 @@ balance_drive <- function(x, run, call) {
         "impulse of the gear housings" = impulses[[3]]
       ),
       c("impulse of resistance and brakes" = -impulses[[2]]),
-      sums$errors[3] + 2 * sum(inertia) * error +
+      sums[1, "impulse_error_n_m_s"] + 2 * sum(inertia) * error +
         4 * eps * (n * sum(inertia * abs(omega[[2]])) + sum(abs(impulses)))
     )
   )
@@ -130,7 +143,7 @@ augment_drive <- function(x, run, edges, call) {
   if (is.null(sums) && length(edges)) return(NULL)
   since_first <- function(names) {
     if (!length(edges)) return(double())
-    total <- Reduce(`+`, sums[names])
+    total <- rowSums(sums[, names, drop = FALSE])
     total - total[1]
   }
   list(

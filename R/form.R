@@ -62,6 +62,19 @@ domain_form <- list(
   jacobian = "function?", inside = "function?"
 )
 
+grip_parts <- list(
+  capacity = torque_form, moment_of_inertia_kg_m2 = "number", loads = loads_form,
+  resistance = resistance_form, theta0_rad = "number", omega0_rad_per_s = "number",
+  start_s = "number", static_ratio = "number", from_s = "limit", to_s = "limit"
+)
+
+brake_form <- c(list(.class = "rot_brake"), grip_parts)
+
+coupling_form <- list(
+  .class = "rot_coupling", kind = "number", ratio = "number", stiffness_n_m_per_rad = "number",
+  damping_n_m_s = "number", grip = c(grip_parts, .optional = TRUE)
+)
+
 # A trajectory's attribute; its scenes have their own form.
 run_form <- list(
   model = "text", accuracy = "number", error_kind = "text", ledger = "values?",

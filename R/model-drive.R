@@ -34,7 +34,12 @@ integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
     result$columns
   )
   if (!is.null(result$events)) result$events$where <- places_in_words(result$ledger$places)
-  result$ledger <- c(list(time_s = time_s), result$ledger[names(result$ledger) != "places"])
+  sums <- result$ledger
+  errors <- rep(sums$errors, each = length(time_s))
+  dim(errors) <- c(length(time_s), 4L)
+  colnames(errors) <- c("work_error_j", "heat_error_j", "impulse_error_n_m_s", "twist_error_rad")
+  sums <- sums[!names(sums) %in% c("errors", "places")]
+  result$ledger <- cbind(do.call(cbind, c(list(time_s = time_s), sums)), errors)
   result$info$scan_spacing_s <- called$spacing_s
   result
 }
@@ -58,7 +63,7 @@ drive_integrator <- function(id, method, ...) {
     ledger = function(scene, run, from_s, to_s) {
       sums <- drive_sums(scene, run, c(from_s, to_s))
       if (is.null(sums)) return(c(work_j = NA_real_, dissipated_j = NA_real_))
-      flow <- function(name) diff(sums[[name]])
+      flow <- function(name) sums[[2, name]] - sums[[1, name]]
       c(
         work_j = flow("work_j"),
         dissipated_j = flow("resistance_j") + flow("brake_j") + flow("damper_j") + flow("clutch_j")
@@ -67,23 +72,16 @@ drive_integrator <- function(id, method, ...) {
   )
 }
 
-# The ledger since the start at these times (increasing): that of the run, or of another run. NULL
-# where that failed.
+# The ledger since the start at these times (increasing), a row each: that of the run, or of another
+# run. NULL where that failed.
 drive_sums <- function(scene, run, time_s) {
   known <- run$ledger
-  at <- match(time_s, known$time_s)
-  if (is.null(known) || anyNA(at)) {
-    constraint <- constraint_of(scene)
-    result <- constraint$models[[run$model]]$run(
-      scene, time_s, run$accuracy, run$max_steps + length(time_s), run$call, TRUE
-    )
-    if (result$info$kind != "none") return(NULL)
-    known <- result$ledger
-    at <- seq_along(time_s)
-  }
-  each <- !names(known) %in% "errors"
-  known[each] <- lapply(known[each], `[`, at)
-  known
+  at <- if (is.null(known)) NA else match(time_s, known[, "time_s"])
+  if (!anyNA(at)) return(known[at, , drop = FALSE])
+  result <- record_of(run)$run(
+    scene, time_s, run$accuracy, run$max_steps + length(time_s), run$call, TRUE
+  )
+  if (result$info$kind == "none") result$ledger
 }
 
 drive_rk8pd <- drive_integrator(

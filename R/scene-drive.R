@@ -235,6 +235,7 @@ check_couplings <- function(couplings, n, call) {
       couplings[[i]], "rot_coupling", paste0("couplings[[", i, "]]"),
       "Make one with {.fn coupling_shaft}, {.fn coupling_clutch} or {.fn coupling_gear}.", call
     )
+    check_form(couplings[[i]], coupling_form, paste0("couplings[[", i, "]]"), "coupling", call)
   }
   unname(couplings)
 }
@@ -291,7 +292,7 @@ one_each <- function(x, arg, n, call) {
 as_brake <- function(x, call) {
   if (!is.null(x)) {
     check_class(x, "rot_brake", "brake", "Make one with {.fn brake}.", call)
-    class(x) <- NULL
+    check_form(x, brake_form, "brake", "brake", call)
   }
   x
 }
@@ -321,12 +322,14 @@ describe_coupling <- function(x) {
 
 #' @export
 print.rot_coupling <- function(x, ...) {
+  check_form(x, coupling_form, "x", "coupling", rlang::current_env())
   cat("<rot_coupling> ", describe_coupling(x), "\n", sep = "")
   invisible(x)
 }
 
 #' @export
 print.rot_brake <- function(x, ...) {
+  check_form(x, brake_form, "x", "brake", rlang::current_env())
   cat("<rot_brake> ", describe_grip(x), "\n", sep = "")
   invisible(x)
 }

@@ -76,8 +76,10 @@ static rot_drive_scene read_scene(SEXP list, calls *c) {
     if (i + 1 == n) break;
     SEXP joint = VECTOR_ELT(couplings, i);
     const double kind = ffi_number_of(joint, "kind");
-    if (!(kind >= 0.0 && kind <= 2.0)) Rf_error("internal: `kind`");
-    coupling[i] = (rot_drive_coupling){(rot_drive_kind)(int)kind, ffi_number_of(joint, "ratio"),
+    coupling[i] = (rot_drive_coupling){kind > 1.5   ? ROT_DRIVE_GEAR
+                                       : kind > 0.5 ? ROT_DRIVE_CLUTCH
+                                                    : ROT_DRIVE_SHAFT,
+                                       ffi_number_of(joint, "ratio"),
                                        ffi_number_of(joint, "stiffness_n_m_per_rad"),
                                        ffi_number_of(joint, "damping_n_m_s"),
                                        grip_of(ffi_element(joint, "grip"), c, "couplings", i)};
@@ -117,7 +119,9 @@ SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP
   static const char *const sum_names[] = {ROT_DRIVE_LEDGER(SUM_NAME) "errors", "places", ""};
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
   if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
-  const rot_drive_ode_options options = {c[0], (size_t)c[1], (rot_method)(int)c[2]};
+  /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
+  const double steps = c[1] < 1e15 ? c[1] : 1e15;
+  const rot_drive_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
   ffi_run run;
   calls laws = {called, &run.guard, 0};
   const rot_drive_scene scene = read_scene(list, &laws);
