@@ -33,7 +33,10 @@ integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
     list(time_s = rep(time_s, each = n), rotor = rep.int(seq_len(n), length(time_s))),
     result$columns
   )
-  if (!is.null(result$events)) result$events$where <- places_in_words(result$ledger$places)
+  result$events <- list(
+    time_s = as.double(result$events$time_s), event = as.character(result$events$event),
+    where = places_in_words(result$ledger$places)
+  )
   sums <- result$ledger
   errors <- rep(sums$errors, each = length(time_s))
   dim(errors) <- c(length(time_s), 4L)
@@ -44,7 +47,9 @@ integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
   result
 }
 
-places_in_words <- function(place) paste(ifelse(place > 0, "rotor", "coupling"), abs(place))
+places_in_words <- function(place) {
+  paste(ifelse(place > 0, "rotor", "coupling"), abs(place), recycle0 = TRUE)
+}
 
 drive_integrator <- function(id, method, ...) {
   list(

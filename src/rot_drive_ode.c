@@ -160,8 +160,19 @@ static void note_noise(motion *m) {
   m->noise[0] = m->noise[2] = m->noise[1] * m->span_s;
 }
 
+/* Bodies that stick together reach rest together: the event of one of them leaves the rounding of
+ * their rates in the others. */
+static void round_to_rest(const motion *m, double y[]) {
+  for (size_t k = 0; k < m->s.n_contacts; k++) {
+    double *speed = &y[m->s.contact[k].state];
+    const int beyond = *speed * (double)modes_of(m, m->mode)[k] < 0.0;
+    if (fabs(*speed) <= (beyond ? 1e-10 : 64.0 * ROT_EPS) * m->most[1]) *speed = 0.0;
+  }
+}
+
 static rot_status settle_in(motion *m, double t, double y[], int breaks) {
   const size_t k = m->s.n_contacts;
+  round_to_rest(m, y);
   memcpy(m->before, modes_of(m, m->mode), k);
   memcpy(m->now, m->before, k);
   rot_status status = rot_drive_settle(&m->s, side_after(m, t), y, m->now, breaks, ahead(m, t));
@@ -197,7 +208,7 @@ static rot_ode_then at_limit(double t, double y[], int *mode, int forward, void 
 /* Quadratic drag has a kink at rest. */
 static rot_ode_then at_kink(double t, double y[], int *mode, int forward, void *ctx) {
   const motion *m = ctx;
-  (void)t, (void)y, (void)mode, (void)forward;
+  if (forward && m->s.n_contacts) return settle_at(t, y, mode, ctx, 0);
   if (m->events && m->events->count) m->events->count--;
   return ROT_ODE_NEW_STRETCH;
 }

@@ -208,6 +208,38 @@ test_that("contacts that share a load hold together, and let go together", {
   expect_equal(alone$omega_rad_per_s[7:9], c(4.5^2 / 2, 0, 0), tolerance = 1e-9)
 })
 
+test_that("bodies that are locked reach rest together, however their friction is divided", {
+  # Two locked bodies with resistance on both are one body with the sum.
+  torque <- torque_sinusoid(3, 4, 0.5) + torque_sinusoid(1, 9)
+  one <- scene_axle(
+    3, torque, resistance(0.02, quadratic_n_m_s2 = 0.01, coulomb_n_m = 0.3, static_n_m = 0.5),
+    omega0_rad_per_s = 1
+  )
+  two <- function(first, second, ratio = 1) {
+    scene_drive(
+      c(1, 2 * ratio^2), coupling_clutch(1e3, ratio = ratio), torque = list(torque, NULL),
+      resistance = list(first, second), omega0_rad_per_s = 1
+    )
+  }
+  t <- seq(0, 30, by = 0.5)
+  want <- trajectory(one, t, 1e-12, "axle_rk8pd")
+  halves <- list(
+    two(resistance(0.02, 0.01), resistance(0, 0, 0.3, 0.5)),
+    two(resistance(0.02, 0, 0.1, 0.2), resistance(0, 0.01, 0.2, 0.3)),
+    two(resistance(0, 0, 0.3, 0.5), resistance(0.02 * 9, 0.01 * 27), 3)
+  )
+  for (scene in halves) {
+    motion <- trajectory(scene, t, 1e-9)
+    at <- motion$rotor == 1
+    expect_equal(motion$omega_rad_per_s[at], want$omega_rad_per_s, tolerance = 1e-8)
+    expect_equal(motion$theta_rad[at], want$theta_rad, tolerance = 1e-8)
+    expect_equal(
+      unique(motion_events(motion)$time_s), motion_events(want)$time_s, tolerance = 1e-9
+    )
+    expect_true(all(audit(motion)$verdict == "balanced"))
+  }
+})
+
 test_that("R functions are torques and capacities", {
   # I omega' = -c omega by a function, against the exponential.
   law <- function(time_s, theta_rad, omega_rad_per_s) -0.5 * omega_rad_per_s
@@ -321,6 +353,10 @@ test_that("every verb works on a drive", {
   expect_true(is.na(audit(motion[0, ])$verdict[1]))
   expect_true(any(choose_model(clutch_drive(), 0:6)$chosen))
   expect_named(motion_events(motion), c("time_s", "event", "where"))
+  quiet <- trajectory(scene_drive(c(1, 2), coupling_gear(2)), 0:1)
+  expect_identical(
+    motion_events(quiet), tibble::tibble(time_s = double(), event = character(), where = character())
+  )
   none <- trajectory(clutch_drive(), double())
   expect_equal(nrow(none), 0L)
   expect_equal(nrow(generics::augment(none)), 0L)
