@@ -2,7 +2,7 @@
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format
-.PHONY: check-valgrind check-nosuggests check-manual check-coverage
+.PHONY: check-valgrind check-nosuggests check-manual check-coverage check-fuzz check-interrupt
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
@@ -45,6 +45,12 @@ check-nosuggests: ## check and tests with the imported packages alone
 
 check-coverage: ## do the reported errors cover the true ones: 1000 random scenes for each model
 	@sh tools/check-coverage.sh
+
+check-fuzz: ## random calls of every function and damaged files: MINUTES=30 SEED=
+	@sh tools/check-fuzz.sh $(or $(MINUTES),30) $(SEED)
+
+check-interrupt: ## Ctrl-C stops every long call within a second
+	@sh tools/check-interrupt.sh
 
 check-manual: ## the PDF manual, where LaTeX is installed
 	@sh tools/check-manual.sh

@@ -94,7 +94,7 @@ body_of_tensor <- function(x, call) {
 # A 3 x 3 matrix of doubles with negative products, not yet checked.
 as_tensor <- function(x, arg, call, products = "negative") {
   if (inherits(x, "rot_inertia_tensor")) {
-    products <- attr(x, "products")
+    products <- attr(check_inertia_tensor(x, arg, call), "products")
     x <- as.matrix(x)
   }
   if (is.object(x)) {

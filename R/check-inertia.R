@@ -146,6 +146,7 @@ as_tensors <- function(x, products, call) {
     return(given)
   }
   if (inherits(x, "rot_inertia_tensor")) {
+    check_inertia_tensor(x, "x", call)
     given$sign <- sign <- if (attr(x, "products") == "positive") -1 else 1
     x <- as.matrix(x)
   }

@@ -75,6 +75,11 @@ coupling_form <- list(
   damping_n_m_s = "number", grip = c(grip_parts, .optional = TRUE)
 )
 
+# The attributes of a matrix.
+inertia_tensor_form <- list(
+  about = "text", point_m = "numbers:3", rotation = "numbers:9", products = "text"
+)
+
 # A trajectory's attribute; its scenes have their own form.
 run_form <- list(
   model = "text", accuracy = "number", error_kind = "text", ledger = "values?",
@@ -100,6 +105,13 @@ abort_form <- function(part, arg, what, call) {
       "Its parts are missing or damaged.",
     i = "Make it again: its parts must not be edited, nor kept from another version."
   ), "type", call)
+}
+
+check_inertia_tensor <- function(x, arg, call) {
+  fits <- is.double(x) && identical(dim(x), c(3L, 3L))
+  fault <- if (fits) .Call(ffi_form_fault, attributes(x), inertia_tensor_form) else ""
+  if (!is.null(fault)) abort_form(fault, arg, "inertia tensor", call)
+  x
 }
 
 # The run of a trajectory, for the verbs.

@@ -146,6 +146,7 @@ as_axes <- function(axes, body, call) {
 
 #' @export
 print.rot_inertia_tensor <- function(x, ...) {
+  check_inertia_tensor(x, "x", rlang::current_env())
   about <- switch(attr(x, "about"),
     centre = "the centre of mass",
     origin = "the origin of the own axes",
@@ -185,6 +186,9 @@ as.matrix.rot_inertia_tensor <- function(x, ...) {
 Ops.rot_inertia_tensor <- function(e1, e2) {
   bare <- function(x) if (inherits(x, "rot_inertia_tensor")) as.matrix(x) else x
   operation <- get(.Generic, mode = "function")
+  for (x in if (missing(e2)) list(e1) else list(e1, e2)) {
+    if (inherits(x, "rot_inertia_tensor")) check_inertia_tensor(x, "tensor", rlang::caller_env())
+  }
   if (missing(e2)) return(operation(bare(e1)))
   value <- operation(bare(e1), bare(e2))
   both <- inherits(e1, "rot_inertia_tensor") && inherits(e2, "rot_inertia_tensor")

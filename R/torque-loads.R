@@ -112,11 +112,7 @@ add_functions <- function(laws) {
 #' @export
 Ops.rot_torque <- function(e1, e2) {
   call <- rlang::caller_env()
-  is_law <- function(x) {
-    law <- inherits(x, "rot_torque")
-    if (law) check_form(x, torque_form, "law", "torque law", call)
-    law
-  }
+  is_law <- function(x) inherits(x, "rot_torque")
   unsupported <- function() {
     abort_rotdyn(c(
       "{.code {(.Generic)}} is not defined for torque laws.",
@@ -133,10 +129,11 @@ Ops.rot_torque <- function(e1, e2) {
     return(sum_torques(e1, if (.Generic == "-") scale_torque(e2, -1, call) else e2))
   }
   if (.Generic == "*" && !(is_law(e1) && is_law(e2))) {
-    law <- if (is_law(e1)) e1 else e2
+    law <- as_torque(if (is_law(e1)) e1 else e2, call)
     return(scale_torque(law, check_number(if (is_law(e1)) e2 else e1, "factor", "1", call), call))
   }
   if (.Generic == "/" && is_law(e1) && !is_law(e2)) {
+    e1 <- as_torque(e1, call)
     factor <- 1 / check_number(e2, "divisor", "1", call)
     if (!is.finite(factor)) {
       abort_rotdyn("A torque law cannot be divided by {format(e2)}.", "value", call)

@@ -173,7 +173,8 @@ torque_polynomial <- function(breaks_s, coefficients) {
   check_supplied(c("breaks_s", "coefficients"), call)
   breaks_s <- check_increasing(breaks_s, "breaks_s", "s", call)
   shape <- dim(coefficients)
-  x <- check_finite(as.vector(coefficients), "coefficients", "1", call)
+  if (is.atomic(coefficients)) coefficients <- as.vector(coefficients)
+  x <- check_finite(coefficients, "coefficients", "1", call)
   a <- if (is.null(shape)) matrix(x, nrow = 1L) else matrix(x, shape[1], shape[2])
   n <- length(breaks_s) - 1L
   if (nrow(a) != n || ncol(a) < 1L) {

@@ -22,10 +22,11 @@ new_torque <- function(class, ...) {
 #'   takes vectors of equal length and returns one number for each element: then it is called once
 #'   wherever many values are wanted. Its jumps and kinks in time belong in `breaks_s`, because an
 #'   integrator steps over a short pulse without a warning. Where they are not given, [trajectory()]
-#'   scans the function at `r scan_points` times (`r scan_points_state` where it depends on angle and
-#'   rate, `r scan_points_vectorised` if it is vectorised), at the angle and rate where the scene
-#'   starts, bisects what it finds, stops there, and warns (class `rotdyn_warning_breaks`). A pulse shorter than the spacing of the scan may be missed:
-#'   only `breaks_s` is sure. `breaks_s = numeric()` says that there are none.
+#'   scans the function at `r scan_points` times (`r scan_points_state` where it depends on the
+#'   angle and rate, `r scan_points_vectorised` if it is vectorised), at the angle and rate of the
+#'   start, bisects what it finds, stops there, and warns (class `rotdyn_warning_breaks`). A pulse
+#'   shorter than the spacing of the scan may be missed: only `breaks_s` is sure.
+#'   `breaks_s = numeric()` says that there are none.
 #'
 #' A function of time alone is sampled some 30 to 300 times, one of angle and rate is called at each
 #' evaluation of the integrator. The calls of the scan are counted in `rhs_calls`.

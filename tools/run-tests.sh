@@ -117,6 +117,13 @@ else
   verdict fail "R CMD check: there is no tarball"
 fi
 
+if test -d "$work/rotdyn.Rcheck/rotdyn"; then
+  heading "fuzz"
+  # The calls of one seed; make check-fuzz has others.
+  R_LIBS="$work/rotdyn.Rcheck:$R_LIBS" Rscript tools/fuzz.R calls 300 7 > "$work/fuzz.out" 2>&1
+  counted fuzz $?
+fi
+
 heading "C core"
 wait $core
 counted core $?

@@ -33,6 +33,17 @@ test_that("forged objects are refused at the door of every verb", {
   )
 })
 
+test_that("a forged inertia tensor is refused", {
+  forged <- structure(diag(3), class = "rot_inertia_tensor")
+  expect_error(principal_axes(forged), class = "rotdyn_error_type")
+  expect_error(check_inertia(forged), class = "rotdyn_error_type")
+  expect_error(body_tensor(1, forged), class = "rotdyn_error_type")
+  expect_error(print(forged), class = "rotdyn_error_type")
+  expect_error(2 * forged, class = "rotdyn_error_type")
+  expect_error(-2 * with_class("rot_torque"), class = "rotdyn_error_type")
+  expect_error(torque_polynomial(0:1, sin), class = "rotdyn_error_type")
+})
+
 test_that("a damaged part is named, at any depth", {
   scene <- scene_axle(1, torque_sinusoid(1, 2) + 3, resistance(1))
   cut <- scene

@@ -1,0 +1,198 @@
+# Calls that take long, by name; run by tools/check-interrupt.sh. The parent starts each in a child
+# (Rscript tools/interrupt.R NAME), which marks its start in a file and its end in another.
+
+suppressPackageStartupMessages(library(rotdyn))
+
+rotors <- function(n) {
+  set.seed(1)
+  scene_rotors(
+    1 + stats::runif(n), 100 * (1 + stats::runif(n - 1L)), damping_n_m_s = stats::runif(n - 1L),
+    viscous_n_m_s = stats::runif(n), omega0_rad_per_s = stats::runif(n)
+  )
+}
+
+# A grid of squares, two triangles each, bent to a closed sheet.
+sheet <- function(n) {
+  at <- expand.grid(i = seq_len(n) - 1, j = seq_len(n) - 1)
+  number <- function(i, j) as.integer((i %% n) + n * (j %% n) + 1L)
+  u <- 2 * pi * at$i / n
+  v <- 2 * pi * at$j / n
+  list(
+    vertices = cbind((2 + cos(v)) * cos(u), (2 + cos(v)) * sin(u), sin(v)),
+    faces = rbind(
+      cbind(number(at$i, at$j), number(at$i + 1, at$j), number(at$i + 1, at$j + 1)),
+      cbind(number(at$i, at$j), number(at$i + 1, at$j + 1), number(at$i, at$j + 1))
+    )
+  )
+}
+
+# Each makes its data first and returns the long call.
+long_calls <- list(
+  shaft_modes = function() {
+    scene <- rotors(900L)
+    function() shaft_modes(scene)
+  },
+  rotors_modal = function() {
+    scene <- rotors(600L)
+    function() trajectory(scene, 0:3)
+  },
+  rotors_audit = function() {
+    scene <- rotors(400L)
+    run <- attr(trajectory(rotors(3L), 0:1, model = "rotors_modal"), "run")
+    record <- asNamespace("rotdyn")$record_of(run)
+    function() record$ledger(scene, run, 0, 3)
+  },
+  rotors_rows = function() {
+    scene <- rotors(60L)
+    function() trajectory(scene, sort(stats::runif(1e5)), accuracy = 1e-12)
+  },
+  integrator = function() {
+    scene <- scene_axle(1, torque_sinusoid(1, 3) + torque_gravity(1, 1), theta0_rad = 1)
+    function() trajectory(scene, c(0, 1e6), max_steps = 1e9)
+  },
+  integrator_function = function() {
+    law <- torque_function(function(time_s, theta_rad, omega_rad_per_s) -theta_rad, numeric())
+    function() trajectory(scene_axle(1, law, theta0_rad = 1), c(0, 1e6), max_steps = 1e9)
+  },
+  integrator_stiff = function() {
+    law <- torque_function(
+      function(time_s, theta_rad, omega_rad_per_s) 1e6 * (sin(50 * time_s) - omega_rad_per_s),
+      numeric()
+    )
+    function() trajectory(scene_axle(1, law), c(0, 1e5), model = "axle_radau", max_steps = 1e9)
+  },
+  scan = function() {
+    law <- function(time_s) {
+      for (i in 1:1e5) NULL
+      sin(time_s)
+    }
+    function() trajectory(scene_axle(1, law), c(0, 1e5))
+  },
+  closed_form = function() {
+    scene <- scene_axle(1, torque_gravity(1, 1), theta0_rad = 1)
+    time_s <- seq(0, 1e3, length.out = 3e7)
+    function() trajectory(scene, time_s)
+  },
+  closed_form_events = function() {
+    scene <- scene_axle(1, torque_sinusoid(5, 2), resistance(0.1, 0.01, 1))
+    function() trajectory(scene, c(0, 1e7), max_steps = 1e9)
+  },
+  audit_axle = function() {
+    motion <- trajectory(scene_axle(1, torque_gravity(1, 1), theta0_rad = 1), c(0, 1e6))
+    function() audit(motion)
+  },
+  augment_axle = function() {
+    scene <- scene_axle(1, torque_gravity(1, 1), theta0_rad = 1)
+    motion <- trajectory(scene, seq(0, 1e4, length.out = 3e5))
+    function() augment(motion)
+  },
+  sweep = function() {
+    rows <- data.frame(moment_of_inertia_kg_m2 = stats::runif(1e7, 1, 2))
+    law <- torque_sinusoid(1, 2)
+    function() spin_up_table(rows, law, time_s = 10)
+  },
+  rolling_table = function() {
+    objects <- data.frame(beta = stats::runif(3e7))
+    function() for (i in 1:20) rolling_table(objects, incline_angle_deg = stats::runif(3e7, 0, 80))
+  },
+  mesh = function() {
+    mesh <- sheet(2000L)
+    function() for (i in 1:5) body_mesh(mesh, mass_kg = 1)
+  },
+  check_mesh = function() {
+    mesh <- sheet(2000L)
+    function() for (i in 1:5) check_mesh(mesh)
+  },
+  density_quadrature = function() {
+    f <- function(x, y, z) abs(sin(40 * x) * sin(40 * y) * sin(40 * z))
+    box <- domain_box(c(0, 0, 0), c(1, 1, 1))
+    function() for (i in 1:20) body_density(f, box)
+  },
+  density_points = function() {
+    f <- function(x, y, z) 1 + x^2
+    function() body_density(f, domain_ball(1), method = "monte_carlo", max_evaluations = 1e9)
+  },
+  points = function() {
+    n <- 1e7
+    data <- data.frame(
+      mass_kg = stats::runif(n), x_m = stats::runif(n), y_m = stats::runif(n), z_m = stats::runif(n)
+    )
+    function() for (i in 1:20) body_points(data)
+  },
+  polygon = function() {
+    angle <- seq(0, 2 * pi, length.out = 3e5)[-1]
+    vertices <- cbind(cos(angle), sin(angle))
+    function() for (i in 1:100) body_polygon(vertices, mass_kg = 1)
+  },
+  work_precision = function() {
+    scene <- scene_axle(1, torque_sinusoid(1, 3) + torque_gravity(1, 1), theta0_rad = 1)
+    function() work_precision(scene, 0:200, least_batch_s = 10)
+  }
+)
+
+arguments <- commandArgs(trailingOnly = TRUE)
+
+if (length(arguments) == 3L) {
+  run <- long_calls[[arguments[1]]]()
+  writeLines(as.character(Sys.getpid()), arguments[2])
+  verdict <- tryCatch(
+    {
+      run()
+      "ended"
+    },
+    interrupt = function(e) "interrupted",
+    error = function(e) paste("error:", conditionMessage(e))
+  )
+  writeLines(c(verdict, format(as.numeric(Sys.time()), digits = 17)), arguments[3])
+  quit(save = "no")
+}
+
+script <- sub("^--file=", "", grep("^--file=", commandArgs(FALSE), value = TRUE))
+wanted <- if (length(arguments)) arguments else names(long_calls)
+passed <- failed <- skipped <- 0L
+wait_for <- function(path, seconds) {
+  end <- Sys.time() + seconds
+  while (!file.exists(path) || file.size(path) == 0) {
+    if (Sys.time() > end) return(FALSE)
+    Sys.sleep(0.01)
+  }
+  Sys.sleep(0.02)
+  TRUE
+}
+for (name in wanted) {
+  started <- tempfile()
+  stopped <- tempfile()
+  system2(
+    file.path(R.home("bin"), "Rscript"), c(shQuote(script), name, started, stopped),
+    wait = FALSE, stdout = FALSE, stderr = FALSE
+  )
+  if (!wait_for(started, 120)) {
+    cat("not ok -", name, "did not start\n")
+    failed <- failed + 1L
+    next
+  }
+  pid <- as.integer(readLines(started))
+  Sys.sleep(1)
+  sent <- as.numeric(Sys.time())
+  tools::pskill(pid, tools::SIGINT)
+  if (!wait_for(stopped, 20)) {
+    tools::pskill(pid, tools::SIGKILL)
+    cat("not ok -", name, "did not stop in 20 s\n")
+    failed <- failed + 1L
+    next
+  }
+  verdict <- readLines(stopped)
+  took <- suppressWarnings(as.numeric(verdict[2])) - sent
+  if (verdict[1] == "interrupted" && took <= 1) {
+    cat(sprintf("ok - %s stopped after %.2f s\n", name, took))
+    passed <- passed + 1L
+  } else if (verdict[1] == "ended" && took <= 0) {
+    cat("skip -", name, "ended before\n")
+    skipped <- skipped + 1L
+  } else {
+    cat(sprintf("not ok - %s: %s after %.2f s\n", name, verdict[1], took))
+    failed <- failed + 1L
+  }
+}
+cat("interrupt: ", passed, " passed, ", failed, " failed, ", skipped, " skipped\n", sep = "")
+quit(status = failed > 0)
