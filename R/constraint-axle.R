@@ -40,6 +40,7 @@ axle_constraint <- function() {
         final_theta_rad = last(x[["theta_rad"]])
       )
     },
+    drawing = draw_axle,
     balances = balance_axle,
     augment = augment_axle,
     panels = list(

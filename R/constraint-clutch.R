@@ -30,6 +30,11 @@ clutch_constraint <- function() {
         lock_time_s = c(run$events$time_s[run$events$event == "lock"], NA_real_)[1]
       )
     },
+    drawing = function(scene) {
+      draw_chain(
+        scene, scene$moment_of_inertia_kg_m2, list(kind = "clutch", ratio = 1), clutch_label = "T"
+      )
+    },
     balances = balance_clutch,
     augment = augment_clutch,
     panels = list(

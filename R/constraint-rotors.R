@@ -34,6 +34,12 @@ rotors_constraint <- function() {
         final_theta_rad = last(x[["theta_rad"]])
       )
     },
+    drawing = function(scene) {
+      n <- length(scene$moment_of_inertia_kg_m2) - 1L
+      draw_chain(
+        scene, scene$moment_of_inertia_kg_m2, list(kind = rep("spring", n), ratio = rep(1, n))
+      )
+    },
     balances = balance_rotors,
     augment = augment_rotors,
     panels = list(

@@ -24,7 +24,8 @@
 #   balances(x, run, call)       list of balance(), see R/audit.R
 #   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:
 #                 for each row); NULL where the motion could not be computed again
-#   panels        list of panel(): the picture
+#   panels        list of panel(): the picture of a motion
+#   drawing(scene)               NULL, or the drawing of a scene, see R/draw.R
 constraint_list <- function() {
   list(axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint())
 }

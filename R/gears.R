@@ -50,7 +50,8 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
 #' @param efficiency Of each stage, in (0, 1]: one number or `n - 1`.
 #' @param torque_n_m,viscous_n_m_s Torque and viscous coefficient (at least 0) on each shaft: one
 #'   number or `n`.
-#' @return `gear_train()`: a tibble with one row for each shaft:
+#' @return `gear_train()`: a tibble (class `rot_gear_train`, which `ggplot2::autoplot()` draws) with
+#'   one row for each shaft:
 #'   `r describe_columns(gear_columns)`
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf
 #'   included), `rotdyn_error_unit`.
@@ -86,7 +87,7 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
     reflected_inertia_kg_m2 = inertia / ratio / ratio,
     reflected_viscous_n_m_s = viscous / ratio / ratio,
     reflected_torque_n_m = ifelse(felt > 0, felt * passed, felt / passed)
-  ), nrow = n)
+  ), nrow = n, torque_n_m = torque, class = "rot_gear_train")
 }
 
 # The loss of the gears of a train, as torques at the first shaft: `applied_n_m` is the sum without
@@ -166,5 +167,6 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, vis
     check_number(start_s, "start_s", "s", call)
   )
   if (dry > 0) scene$gears <- loss
+  scene$train <- train # for the drawing
   scene
 }

@@ -58,7 +58,8 @@ describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s
       inertia <- moment_about_axis(body, axis)
       if (any(.subset2(body, "centre_m") != 0)) say_axle_in_centre(body, axis)
     } else {
-      inertia <- moment_about_axis(body, axis, as_point(through, body, "through", call))
+      through <- as_point(through, body, "through", call)
+      inertia <- moment_about_axis(body, axis, through)
     }
   } else if (is.numeric(body)) {
     inertia <- check_number(body, "body", "kg*m^2", call)
@@ -83,9 +84,12 @@ describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s
   resistance <- as_resistance(resistance, call)
   theta0_rad <- check_number(theta0_rad, "theta0_rad", "rad", call)
   omega0_rad_per_s <- check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
-  new_scene_axle(
+  scene <- new_scene_axle(
     body, inertia, changing, axis, torque, resistance, theta0_rad, omega0_rad_per_s, start_s
   )
+  # For the drawing.
+  if (is.double(through)) scene$through <- as.double(through)
+  scene
 }
 
 # The user may have meant the own axis parallel to the axle, where that misses the centre of mass.
@@ -191,6 +195,10 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
     check_number(start_s, "start_s", "s", call)
   )
   scene$inertia_lo <- inertia[2]
+  # For the drawing.
+  scene$hang <- list(
+    mass_kg = mass_kg, distance_m = distance_m, gravity_m_per_s2 = gravity_m_per_s2
+  )
   scene
 }
 

@@ -1,0 +1,314 @@
+# A body on a fixed axle, seen along it: a wheel with torque, brake, spring and start; a pendulum; a
+# skater. Gear trains are in R/plot-gears.R.
+draw_axle <- function(scene) {
+  if (!is.null(scene$train)) return(draw_train(scene$train, scene))
+  if (!is.null(scene$inertia)) return(draw_skater(scene))
+  kinds <- vapply(scene$loads$terms, function(term) term$kind, "")
+  if ("gravity" %in% kinds) return(draw_pendulum(scene))
+  look <- axle_outline(scene)
+  d <- new_drawing()
+  for (one in look$marks) d$add(one)
+  d$key(quantity("I", "moment of inertia", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
+  d$keys(size_quantities(scene$body))
+  if (!is.null(look$radius)) {
+    tip <- look$unit * look$radius * c(cos(-0.6), sin(-0.6))
+    d$add(mark("line", rbind(c(0, 0), tip), "body"))
+    d$say(look$symbol, 0.62 * tip[1] + 0.07, 0.62 * tip[2] + 0.1)
+  }
+  d$add(mark("fill", draw_circle(0, 0, 0.06), "shaft"))
+  rim <- look$reach
+  draw_start(d, scene, rim)
+  draw_torque(d, torque_without(scene$torque, c("gravity", "spring")), rim + 0.16)
+  spring <- Filter(function(term) term$kind == "spring", scene$loads$terms)
+  for (term in spring) draw_torsion_spring(d, term)
+  draw_resistance(d, scene$resistance, rim)
+  d$done(c(-1.5, 1.5, -1.5, 1.5), look$note)
+}
+
+# A drawing in the making.
+new_drawing <- function() {
+  marks <- list()
+  labels <- label_at(character(), double(), double())
+  quantities <- NULL
+  list(
+    add = function(...) marks <<- c(marks, list(...)),
+    say = function(...) labels <<- rbind(labels, label_at(...)),
+    key = function(one) quantities <<- rbind(quantities, one),
+    keys = function(all) quantities <<- rbind(quantities, all),
+    done = function(limits, note = NULL) {
+      list(marks = marks, labels = labels, quantities = quantities, limits = limits, note = note)
+    }
+  )
+}
+
+# The outline of the scene's body along its axle, turned by the start: marks, reach (in the drawing),
+# unit (length of a metre), radius and its symbol for a round body.
+axle_outline <- function(scene, radius = 1) {
+  body <- scene$body
+  solids <- if (inherits(body, "rot_body")) body_solids(body)
+  wheel <- list(
+    marks = list(mark("fill", draw_circle(0, 0, radius), "body")), reach = radius, unit = NA,
+    note = "not to scale"
+  )
+  if (!length(solids)) return(wheel)
+  plane <- across_axle(scene$axis, scene$theta0_rad)
+  at <- scene$through %||% as.double(body$centre_m)
+  flat <- project_solids(lapply(solids, move_solid, diag(3), -at), plane)
+  all <- do.call(rbind, flat)
+  reach <- max(sqrt(all$across^2 + all$up^2))
+  if (!is.finite(reach) || reach == 0) return(wheel)
+  marks <- outline_marks(flat, radius / reach)
+  letters <- size_letters(body)
+  round <- letters[letters$word %in% c("radius", "outer radius"), ]
+  fits <- nrow(round) && isTRUE(all.equal(round$value[1], reach, tolerance = 1e-6))
+  list(
+    marks = marks, reach = radius, unit = radius / reach, note = "the body to scale",
+    radius = if (fits) round$value[1], symbol = if (fits) round$letter[1]
+  )
+}
+
+# Shadows as marks, with lengths multiplied by `unit`.
+outline_marks <- function(flat, unit, at = c(0, 0)) {
+  of <- function(table, type, style) {
+    lapply(split(table, table$group), function(one) {
+      xy <- cbind(at[1] + unit * one$across, at[2] + unit * one$up)
+      mark(type, xy, if (isTRUE(one$hole[1])) "hole" else style)
+    })
+  }
+  # The triangles of a mesh would be many marks: its convex outline stands for them.
+  mesh <- flat$mesh
+  if (nrow(mesh)) mesh <- mesh[grDevices::chull(mesh$across, mesh$up), ]
+  if (nrow(mesh)) mesh$group <- 0
+  line <- if (nrow(mesh)) flat$line[flat$line$group < 1e7, ] else flat$line
+  unname(c(of(mesh, "fill", "body"), of(flat$fill, "fill", "body"), of(line, "line", "body")))
+}
+
+# Two unit vectors across the axle, turned by theta about it: right-handed with the axle.
+across_axle <- function(axis, theta) {
+  axis <- axis / sqrt(sum(axis^2))
+  start <- diag(3)[, if (abs(axis[3]) > 0.9) 1L else 3L]
+  first <- start - sum(start * axis) * axis
+  first <- first / sqrt(sum(first^2))
+  second <- c(
+    axis[2] * first[3] - axis[3] * first[2], axis[3] * first[1] - axis[1] * first[3],
+    axis[1] * first[2] - axis[2] * first[1]
+  )
+  plane <- cbind(first, second)
+  plane %*% rbind(c(cos(theta), sin(theta)), c(-sin(theta), cos(theta)))
+}
+
+# Letter, word and value of each size of a catalogue body, as in its formulas.
+size_letters <- function(body) {
+  none <- data.frame(letter = character(), word = character(), value = double())
+  if (!inherits(body, "rot_body") || !length(body$size_m)) return(none)
+  row <- match(body$shape, shape_words_table$shape)
+  if (is.na(row)) return(none)
+  parts <- strsplit(strsplit(shape_words_table$sizes[row], ", ")[[1]], " = ")
+  if (length(parts) != length(body$size_m)) return(none)
+  data.frame(
+    # l looks like the I of the moment of inertia.
+    letter = sub("^l$", "L", vapply(parts, `[`, "", 1L)),
+    word = gsub("_", " ", sub("_m$", "", vapply(parts, `[`, "", 2L))),
+    value = unname(body$size_m)
+  )
+}
+
+size_quantities <- function(body, most = 3L) {
+  if (!inherits(body, "rot_body")) return(NULL)
+  sizes <- utils::head(size_letters(body), most)
+  rbind(
+    quantity("m", "mass", value_text(body$mass_kg, "kg")),
+    if (nrow(sizes)) {
+      do.call(rbind, Map(function(letter, word, value) {
+        quantity(letter, word, value_text(value, if (word == "sides") "" else "m"))
+      }, sizes$letter, sizes$word, sizes$value))
+    }
+  )
+}
+
+draw_start <- function(d, scene, rim) {
+  if (scene$theta0_rad != 0) {
+    theta <- scene$theta0_rad
+    end <- (rim + 0.08) * c(cos(theta), sin(theta))
+    d$add(mark("line", rbind(c(0, 0), c(rim + 0.08, 0)), "dashed"))
+    d$add(mark("line", rbind(c(0, 0), end), "dashed"))
+    shown <- (theta * 180 / pi) %% (360 * sign(theta))
+    d$add(mark("line", draw_arc(0, 0, 0.42, 0, shown), "speed"))
+    middle <- shown / 2 * pi / 180
+    d$say("theta[0]", 0.62 * cos(middle), 0.62 * sin(middle))
+    d$key(quantity("theta[0]", "angle at start", value_text(theta, "rad"), "speed"))
+  }
+  if (scene$omega0_rad_per_s != 0) {
+    d$add(turn_arrow(0, 0, rim + 0.16, 20, 50, scene$omega0_rad_per_s, "speed"))
+    d$say("omega[0]", (rim + 0.36) * cos(pi / 4), (rim + 0.36) * sin(pi / 4))
+    d$key(quantity("omega[0]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed"))
+  }
+}
+
+draw_torque <- function(d, torque, radius, from = 110) {
+  if (is.null(torque) || torque_is_zero(torque)) return(invisible())
+  d$add(turn_arrow(0, 0, radius, from, 50, torque_sign(torque), "torque"))
+  middle <- (from + 25) * pi / 180
+  d$say("tau", (radius + 0.2) * cos(middle), (radius + 0.2) * sin(middle))
+  d$key(quantity("tau", "torque", torque_text(torque), "torque"))
+}
+
+# The law without terms of some kinds, which are drawn otherwise; NULL if nothing is left.
+torque_without <- function(torque, kinds) {
+  laws <- if (inherits(torque, "rot_torque_sum")) torque$laws else list(torque)
+  laws <- Filter(function(law) {
+    !(inherits(law, "rot_torque_term") && law$kind %in% kinds) && !torque_is_zero(law)
+  }, laws)
+  if (length(laws) > 1L) do.call(sum_torques, laws) else if (length(laws)) laws[[1]]
+}
+
+draw_torsion_spring <- function(d, term) {
+  turn <- seq(0, 5 * pi, length.out = 200L)
+  radius <- 0.1 + 0.45 * turn / max(turn)
+  d$add(mark("line", cbind(radius * cos(turn), radius * sin(turn)), "spring"))
+  end <- utils::tail(cbind(radius * cos(turn), radius * sin(turn)), 1L)
+  d$add(mark("fill", draw_box(end[1], end[2], 0.1, 0.1), "fixed"))
+  d$say("k", end[1] - 0.02, end[2] - 0.2)
+  rest <- term$x[2]
+  d$key(quantity(
+    "k", "spring", paste0(
+      value_text(term$x[1], "N m/rad"), if (rest != 0) paste0(", at rest at ", format_si(rest), " rad")
+    ), "spring"
+  ))
+}
+
+# A brake shoe under the rim for dry friction; the bearing's letters at the axle.
+draw_resistance <- function(d, resistance, rim, at = c(0, 0)) {
+  if (resistance$static_n_m != 0) {
+    d$add(mark("fill", draw_box(at[1], at[2] - rim - 0.09, 0.5, 0.16), "fixed"))
+    d$add(mark("arrow", rbind(
+      c(at[1], at[2] - rim - 0.42), c(at[1], at[2] - rim - 0.19)
+    ), "resistance"))
+    d$say("tau[f]", at[1] + 0.2, at[2] - rim - 0.34)
+    more <- if (resistance$static_n_m > resistance$coulomb_n_m) {
+      paste0(", ", format_si(signif(resistance$static_n_m, 4)), " at rest")
+    }
+    d$key(quantity(
+      "tau[f]", "dry friction", paste0(value_text(resistance$coulomb_n_m, "N m"), more), "resistance"
+    ))
+  }
+  if (resistance$viscous_n_m_s != 0) {
+    d$say("c", at[1] - 0.16, at[2] - 0.14)
+    d$key(quantity("c", "viscous", value_text(resistance$viscous_n_m_s, "N m s"), "resistance"))
+  }
+  if (resistance$quadratic_n_m_s2 != 0) {
+    d$say("q", at[1] - 0.16, at[2] + 0.16)
+    d$key(quantity(
+      "q", "quadratic drag", value_text(resistance$quadratic_n_m_s2, "N m s^2"), "resistance"
+    ))
+  }
+}
+
+# Where the body hangs is known, how it is turned about its centre is not: its longest side points
+# to the axle.
+draw_pendulum <- function(scene) {
+  hang <- scene$hang
+  term <- Find(function(term) term$kind == "gravity", scene$loads$terms)
+  rest <- term$x[2]
+  swing <- scene$theta0_rad - rest
+  body <- scene$body
+  d <- new_drawing()
+  solids <- if (inherits(body, "rot_body")) body_solids(body)
+  flat <- if (length(solids)) {
+    centre <- as.double(body$centre_m)
+    solids <- lapply(solids, move_solid, diag(3), -centre)
+    plane <- across_axle(scene$axis, 0)
+    own <- eigen(t(plane) %*% body$second_moment_kg_m2 %*% plane, symmetric = TRUE)$vectors
+    # The first own direction down, then turned by the angle of the start.
+    down <- cbind(own[, 1], c(-own[2, 1], own[1, 1])) %*% rbind(c(0, -1), c(1, 0))
+    turn <- rbind(c(cos(swing), sin(swing)), c(-sin(swing), cos(swing)))
+    project_solids(solids, plane %*% down %*% turn)
+  }
+  distance <- if (is.null(hang)) 1 else hang$distance_m
+  all <- if (!is.null(flat)) do.call(rbind, flat)
+  size <- if (is.null(all)) 0 else max(sqrt(all$across^2 + all$up^2))
+  unit <- 1.2 / max(distance + size, .Machine$double.xmin)
+  to <- function(angle) c(sin(angle), -cos(angle))
+  at <- unit * distance * to(swing)
+  for (one in if (!is.null(flat)) outline_marks(flat, unit, at)) d$add(one)
+  d$add(mark("line", rbind(c(0, 0), 1.3 * to(0)), "dashed"))
+  d$add(mark("line", rbind(c(0, 0), at), "body"))
+  d$add(mark("fill", draw_circle(at[1], at[2], if (is.null(flat)) 0.09 else 0.035), "shaft"))
+  d$add(mark("fill", draw_circle(0, 0, 0.05), "fixed"))
+  d$add(mark("arrow", rbind(at, at - c(0, 0.42)), "weight"))
+  if (is.null(hang)) {
+    d$say("m*g*d", at[1] + 0.26, at[2] - 0.34)
+    d$key(quantity("m*g*d", "weight times distance", value_text(term$x[1], "N m"), "weight"))
+  } else {
+    d$say("m*g", at[1] + 0.2, at[2] - 0.34)
+    away <- 0.14 * if (swing < 0) -1 else 1
+    d$say("d", 0.5 * at[1] + away * cos(swing), 0.5 * at[2] + away * sin(swing))
+    d$key(quantity("m*g", "weight", value_text(hang$mass_kg * hang$gravity_m_per_s2, "N"), "weight"))
+    d$key(quantity("m", "mass", value_text(hang$mass_kg, "kg")))
+    d$key(quantity("d", "axle to centre", value_text(hang$distance_m, "m")))
+  }
+  d$key(quantity("I", "moment of inertia", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
+  sizes <- size_letters(body)
+  if (nrow(sizes)) {
+    d$keys(size_quantities(body, 2L)[-1, ])
+  }
+  if (swing != 0) {
+    shown <- (swing * 180 / pi) %% (360 * sign(swing))
+    d$add(mark("line", draw_arc(0, 0, 0.36, -90, -90 + shown), "speed"))
+    middle <- swing / 2
+    d$say("theta[0]", 0.54 * sin(middle), -0.54 * cos(middle))
+    d$key(quantity("theta[0]", "angle at start", value_text(scene$theta0_rad, "rad"), "speed"))
+  }
+  if (scene$omega0_rad_per_s != 0) {
+    d$add(turn_arrow(0, 0, 1.32, -90 + swing * 180 / pi + 8, 30, scene$omega0_rad_per_s, "speed"))
+    d$say("omega[0]", 1.46 * sin(swing + 0.4), -1.46 * cos(swing + 0.4))
+    d$key(quantity("omega[0]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed"))
+  }
+  driven <- torque_without(scene$torque, c("gravity", "spring"))
+  draw_torque(d, driven, 0.6, from = 60)
+  for (term in Filter(function(term) term$kind == "spring", scene$loads$terms)) {
+    draw_torsion_spring(d, term)
+  }
+  draw_resistance(d, scene$resistance, 0.12)
+  top <- max(0.4, at[2] + unit * size, if (cos(swing) < 0.2) 1.4, if (!is.null(driven)) 0.85)
+  out <- d$done(c(-1.35, 1.35, -1.55, top + 0.1))
+  out$title <- if (inherits(body, "rot_body")) {
+    paste(sentence(with_article(body$shape)), "as a pendulum")
+  } else {
+    "A pendulum"
+  }
+  if (is.null(flat)) out$note <- "not to scale" else out$note <- "the body to scale"
+  out
+}
+
+# Arms with masses at the radius of gyration, before and after.
+draw_skater <- function(scene) {
+  knots <- scene$inertia
+  moments <- knots$moment_of_inertia_kg_m2
+  n <- length(moments)
+  arm <- sqrt(moments / max(moments))
+  d <- new_drawing()
+  balls <- function(r, style) {
+    for (side in c(-1, 1)) d$add(mark("fill", draw_circle(side * r, 0, 0.11), style))
+  }
+  d$add(mark("line", rbind(c(-max(arm), 0), c(max(arm), 0)), "body"))
+  balls(arm[n], "hole")
+  balls(arm[1], "body")
+  d$add(mark("fill", draw_circle(0, 0, 0.14), "shaft"))
+  if (arm[n] != arm[1]) {
+    step <- sign(arm[n] - arm[1])
+    for (side in c(-1, 1)) {
+      ends <- side * c(arm[1] + 0.02 * step, arm[n] - 0.12 * step)
+      d$add(mark("arrow", cbind(ends, 0.24), "body"))
+    }
+  }
+  d$say("I", arm[1], -0.3)
+  d$key(quantity("I", "moment of inertia", paste(
+    paste(format_si(signif(moments[c(1, n)], 4)), collapse = " to "), "kg m^2,",
+    paste(format_si(signif(knots$time_s[c(1, n)], 4)), collapse = " to "), "s"
+  )))
+  draw_start(d, scene, 1.1)
+  draw_torque(d, torque_without(scene$torque, character()), 1.26)
+  draw_resistance(d, scene$resistance, 0.2)
+  d$done(c(-1.5, 1.5, -1.5, 1.5), "masses at the radius of gyration, dashed at the end")
+}
