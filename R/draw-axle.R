@@ -41,8 +41,8 @@ new_drawing <- function() {
   )
 }
 
-# The outline of the scene's body along its axle, turned by the start: marks, reach (in the drawing),
-# unit (length of a metre), radius and its symbol for a round body.
+# The outline of the scene's body along its axle, turned by the start: marks, reach (in the
+# drawing), unit (length of a metre), radius and its symbol for a round body.
 axle_outline <- function(scene, radius = 1) {
   body <- scene$body
   solids <- if (inherits(body, "rot_body")) body_solids(body)
@@ -126,6 +126,10 @@ size_quantities <- function(body, most = 3L) {
   )
 }
 
+start_rate <- function(scene) {
+  quantity("omega[0]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed")
+}
+
 draw_start <- function(d, scene, rim) {
   if (scene$theta0_rad != 0) {
     theta <- scene$theta0_rad
@@ -141,7 +145,7 @@ draw_start <- function(d, scene, rim) {
   if (scene$omega0_rad_per_s != 0) {
     d$add(turn_arrow(0, 0, rim + 0.16, 20, 50, scene$omega0_rad_per_s, "speed"))
     d$say("omega[0]", (rim + 0.36) * cos(pi / 4), (rim + 0.36) * sin(pi / 4))
-    d$key(quantity("omega[0]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed"))
+    d$key(start_rate(scene))
   }
 }
 
@@ -172,7 +176,8 @@ draw_torsion_spring <- function(d, term) {
   rest <- term$x[2]
   d$key(quantity(
     "k", "spring", paste0(
-      value_text(term$x[1], "N m/rad"), if (rest != 0) paste0(", at rest at ", format_si(rest), " rad")
+      value_text(term$x[1], "N m/rad"),
+      if (rest != 0) paste0(", at rest at ", format_si(rest), " rad")
     ), "spring"
   ))
 }
@@ -189,7 +194,8 @@ draw_resistance <- function(d, resistance, rim, at = c(0, 0)) {
       paste0(", ", format_si(signif(resistance$static_n_m, 4)), " at rest")
     }
     d$key(quantity(
-      "tau[f]", "dry friction", paste0(value_text(resistance$coulomb_n_m, "N m"), more), "resistance"
+      "tau[f]", "dry friction", paste0(value_text(resistance$coulomb_n_m, "N m"), more),
+      "resistance"
     ))
   }
   if (resistance$viscous_n_m_s != 0) {
@@ -243,7 +249,8 @@ draw_pendulum <- function(scene) {
     d$say("m*g", at[1] + 0.2, at[2] - 0.34)
     away <- 0.14 * if (swing < 0) -1 else 1
     d$say("d", 0.5 * at[1] + away * cos(swing), 0.5 * at[2] + away * sin(swing))
-    d$key(quantity("m*g", "weight", value_text(hang$mass_kg * hang$gravity_m_per_s2, "N"), "weight"))
+    weight <- hang$mass_kg * hang$gravity_m_per_s2
+    d$key(quantity("m*g", "weight", value_text(weight, "N"), "weight"))
     d$key(quantity("m", "mass", value_text(hang$mass_kg, "kg")))
     d$key(quantity("d", "axle to centre", value_text(hang$distance_m, "m")))
   }
@@ -262,7 +269,7 @@ draw_pendulum <- function(scene) {
   if (scene$omega0_rad_per_s != 0) {
     d$add(turn_arrow(0, 0, 1.32, -90 + swing * 180 / pi + 8, 30, scene$omega0_rad_per_s, "speed"))
     d$say("omega[0]", 1.46 * sin(swing + 0.4), -1.46 * cos(swing + 0.4))
-    d$key(quantity("omega[0]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed"))
+    d$key(start_rate(scene))
   }
   driven <- torque_without(scene$torque, c("gravity", "spring"))
   draw_torque(d, driven, 0.6, from = 60)

@@ -34,7 +34,8 @@ draw_fills <- c(body = "grey88", hole = "white", shaft = "grey60", fixed = "grey
 #' along the axle and to scale; rotors are drawn from the side, not to scale. Arrows of torques and
 #' angular velocities have the sense of their sign, counter-clockwise for positive ones.
 #'
-#' @param object A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()], ...
+#' @param object A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()],
+#'   [scene_gears()], ...
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
@@ -105,7 +106,9 @@ draw <- function(drawing, title, base_size) {
     ggplot2::labs(
       title = wrap_title(title, base_size), x = NULL, y = NULL,
       caption = if (!is.null(drawing$note)) wrap_text(drawing$note, 0.7 * base_size),
-      alt = paste0("Drawing. ", title, ". ", paste(trimws(paste(key$name, key$value)), collapse = "; "), ".")
+      alt = paste0(
+        "Drawing. ", title, ". ", paste(trimws(paste(key$name, key$value)), collapse = "; "), "."
+      )
     ) +
     plot_theme(base_size) +
     ggplot2::theme(
@@ -256,7 +259,9 @@ default_drawing <- function(scene) {
 couplings_of <- function(scene) {
   n <- length(scene$moment_of_inertia_kg_m2) - 1L
   given <- scene[["couplings"]]
-  if (!is.list(given) || length(given) != n) return(list(kind = rep("spring", n), ratio = rep(1, n)))
+  if (!is.list(given) || length(given) != n) {
+    return(list(kind = rep("spring", n), ratio = rep(1, n)))
+  }
   field <- function(one, name, default) {
     x <- one[[name]]
     if (is.numeric(x) && length(x) == 1L && is.finite(x)) x else default
