@@ -138,7 +138,7 @@ as_tensors <- function(x, products, call) {
     return(given)
   }
   if (is.data.frame(x)) {
-    names(x) <- tolower(names(x))
+    names(x) <- lower_case(names(x))
     given$tensor <- tensors_from_columns(x, sign, call)
     given$mass_kg <- x[["mass_kg"]]
     given$size_m <- x[["size_m"]]
@@ -170,7 +170,7 @@ as_tensors <- function(x, products, call) {
 
 # The names x, y, z (of a diagonal) stand for ixx, iyy, izz.
 plain_entry_names <- function(names) {
-  names <- sub("_kg_m2$", "", tolower(names))
+  names <- sub("_kg_m2$", "", lower_case(names))
   if (setequal(names, c("x", "y", "z"))) paste0("i", names, names) else names
 }
 

@@ -215,6 +215,11 @@ is_readable_text <- function(x) {
   all(Encoding(x) != "bytes") && all(validEnc(x))
 }
 
+# In every locale: the small letter of I is another one in Turkish.
+lower_case <- function(x) {
+  chartr("ABCDEFGHIJKLMNOPQRSTUVWXYZ", "abcdefghijklmnopqrstuvwxyz", x)
+}
+
 abort_unreadable <- function(x, arg, call) {
   abort_rotdyn(c(
     "{.arg {arg}} must be text in a known encoding.",

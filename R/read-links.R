@@ -172,7 +172,9 @@ only_child <- function(node, name, link, call) {
 
 numbers_of <- function(text, n, what, link, call) {
   words <- strsplit(trimws(text), "[[:space:]]+")[[1L]]
-  values <- suppressWarnings(as.numeric(words))
+  # R in a Turkish locale does not know "inf".
+  plain <- sub("^([-+]?)[iI][nN][fF]([iI][nN][iI][tT][yY])?$", "\\1Inf", words)
+  values <- suppressWarnings(as.numeric(plain))
   # as.numeric() reads NA as missing without a warning.
   bad <- is.na(values) & !is.nan(values)
   if (any(bad)) {
@@ -363,7 +365,7 @@ sdf_pose <- function(node, where, link, call) {
     ), "file", call)
   }
   pose_numbers <- finite_numbers(xml2::xml_text(pose), 6L, what, link, call)
-  degrees <- tolower(xml2::xml_attr(pose, "degrees")) %in% c("true", "1")
+  degrees <- lower_case(xml2::xml_attr(pose, "degrees")) %in% c("true", "1")
   rpy <- pose_numbers[4:6]
   list(at = pose_numbers[1:3], rpy = if (degrees) rpy * pi / 180 else rpy)
 }

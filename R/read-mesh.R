@@ -177,7 +177,7 @@ mesh_from_file <- function(path, call) {
       "file", call
     )
   }
-  format <- tolower(sub("^.*[.]", "", basename(path)))
+  format <- lower_case(sub("^.*[.]", "", basename(path)))
   if (!format %in% c("stl", "obj", "ply")) {
     abort_rotdyn(c(
       "A mesh is read from an STL, OBJ or PLY file.",

@@ -100,10 +100,12 @@ if test -n "$(Rscript tools/setup.R missing $(Rscript tools/setup.R suggests))";
 fi
 if test -n "$tarball"; then
   # NOT_CRAN: no test is left out. TESTTHAT_PARALLEL: several files of tests at a time.
+  # _R_CHECK_LENGTH_1_LOGIC2_: && and || of vectors are errors, as in R 4.3.
   # _R_SHLIB_STRIP_: the installed size is checked without the compiler's debug information.
   # shellcheck disable=SC2086
   (cd "$work" && env NOT_CRAN=true TESTTHAT_PARALLEL=true TESTTHAT_CPUS="$cores" \
     MAKEFLAGS="-j$cores" _R_SHLIB_STRIP_=true R_STRIP_SHARED_LIB="strip -S" \
+    _R_CHECK_LENGTH_1_LOGIC2_=true _R_CHECK_LENGTH_1_CONDITION_=true \
     _R_CHECK_CRAN_INCOMING_REMOTE_=false _R_CHECK_SYSTEM_CLOCK_=false \
     _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_=false _R_CHECK_FORCE_SUGGESTS_=$force \
     R CMD check $check_options "$tarball" < /dev/null > R-CMD-check.out 2>&1)
@@ -118,6 +120,27 @@ else
 fi
 
 if test -d "$work/rotdyn.Rcheck/rotdyn"; then
+  heading "another locale, one thread"
+  # In Turkish the small letter of I is not i. Without the locale the rest is still checked.
+  locale=$LC_ALL
+  case $(locale -a 2> /dev/null) in
+    *tr_TR.utf8*) locale=tr_TR.UTF-8 ;;
+    *) verdict skip "the locale tr_TR.UTF-8 is not installed" ;;
+  esac
+  cp -R tests "$work/tests"
+  for topic in check columns read-links read-ply shapes sweep units; do
+    if env LC_ALL="$locale" OMP_THREAD_LIMIT=1 NOT_CRAN=true \
+      R_LIBS="$work/rotdyn.Rcheck:$R_LIBS" Rscript -e "library(testthat); library(rotdyn)
+        test_file('$work/tests/testthat/test-$topic.R', package = 'rotdyn',
+          load_package = 'installed', reporter = 'check', stop_on_failure = TRUE)" \
+      > "$work/locale.out" 2>&1; then
+      verdict pass "test-$topic.R under $locale"
+    else
+      cat "$work/locale.out"
+      verdict fail "test-$topic.R under $locale"
+    fi
+  done
+
   heading "fuzz"
   # The calls of one seed; make check-fuzz has others.
   R_LIBS="$work/rotdyn.Rcheck:$R_LIBS" Rscript tools/fuzz.R calls 300 7 > "$work/fuzz.out" 2>&1

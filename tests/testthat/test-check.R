@@ -48,3 +48,15 @@ test_that("an argument that was left out is named", {
     expect_match(conditionMessage(error), "is missing")
   }
 })
+
+test_that("letters are made small alike in every locale", {
+  mixed <- c("IXX", "Stl", NA, "\u0130")
+  expect_identical(rotdyn:::lower_case(mixed), c("ixx", "stl", NA, "\u0130"))
+  old <- Sys.getlocale("LC_CTYPE")
+  on.exit(suppressWarnings(Sys.setlocale("LC_CTYPE", old)))
+  # Where this locale is not installed the present one stays.
+  suppressWarnings(Sys.setlocale("LC_CTYPE", "tr_TR.UTF-8"))
+  expect_identical(rotdyn:::lower_case("IXX"), "ixx")
+  named <- c(IXX = 1, IYY = 1, IZZ = 1, IXY = 0, IXZ = 0, IYZ = 0)
+  expect_false("fails" %in% check_inertia(named)$verdict)
+})
