@@ -65,7 +65,7 @@ audit.rot_trajectory <- function(x, ...) {
 # axis of a momentum.
 balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
   residual <- (sum(change) - sum(supplied)) + sum(dissipated)
-  balanced <- abs(residual) <= rounding
+  balanced <- if (is.finite(residual) && is.finite(rounding)) abs(residual) <= rounding else NA
   parts <- c(supplied, dissipated, change)
   list(
     balance = name, about = about, unit = unit,

@@ -14,6 +14,8 @@
 #'   `r describe_columns(engagement_columns)`
 #'   If the clutch never locks, time and heat are infinite and the common speed is NA. NA in a row
 #'   gives NA.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
 #' @seealso [scene_clutch()] for the motion itself.
@@ -42,5 +44,8 @@ clutch_engagement <- function(inertia_1_kg_m2, inertia_2_kg_m2, capacity_n_m, om
   }
   check_not_negative(columns$capacity_n_m, "capacity_n_m", "N*m", call)
   values <- do.call(.Call, c(list(ffi_clutch_engagement), unname(columns)))
+  locks <- list(lock_time_s = ifelse(is.finite(values$lock_time_s), 1, Inf)) # else it has no heat
+  columns$capacity_n_m <- 1 # may be infinite
+  warn_beyond(values, c(columns, locks), n, call)
   tibble::new_tibble(lapply(values, rep_len, n), nrow = n)
 }

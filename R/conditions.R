@@ -44,6 +44,22 @@ warn_rotdyn <- function(message, kind, call, ..., .envir = parent.frame()) {
   )
 }
 
+# Says which results are beyond double precision though the numbers of their row are finite.
+# `values` and `given`: named columns, recycled to n rows.
+warn_beyond <- function(values, given, n, call) {
+  beyond <- Filter(function(x) any(is.infinite(x)), values)
+  if (!length(beyond)) return(invisible())
+  finite <- rep(TRUE, n)
+  for (x in given) finite <- finite & !is.infinite(x)
+  rows <- lapply(beyond, function(x) which(is.infinite(x) & finite))
+  rows <- rows[lengths(rows) > 0L]
+  if (!length(rows)) return(invisible())
+  warn_rotdyn(c(
+    "{.field {names(rows)}} exceed{?s/} double precision.",
+    x = "{cli::qty(length(rows))}{?It is/They are} Inf in row {min(unlist(rows))}."
+  ), "range", call)
+}
+
 # As warn_rotdyn(), but of plain text, in 0.1 ms: cli's markup takes 15.
 warn_quickly <- function(message, kind, call) {
   bullets <- c("", rep(paste0(cli::symbol$info, " "), length(message) - 1L))

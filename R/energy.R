@@ -8,6 +8,8 @@
 #' @return A tibble with one row for each body: the four arguments, then
 #'   `r describe_columns(energy_columns)`
 #'   NA in a row gives NA in the values that depend on it. Products have at most four roundings.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
 #' @source Koenig's theorem: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002),
@@ -29,6 +31,7 @@ energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s) {
   values <- .Call(
     ffi_energy_partition, columns$mass_kg, columns$radius_m, columns$beta, columns$speed_m_per_s
   )
+  warn_beyond(values, columns, n, call)
   fraction <- rotational_energy_fraction(columns$beta)
   tibble::new_tibble(
     lapply(c(columns, values, list(rotational_energy_fraction = fraction)), rep_len, n), nrow = n

@@ -25,7 +25,10 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
     abort_rotdyn(c("{.arg ratio} must not be 0.", x = "It is in row {zero[1]}."), "value", call)
   }
   # Two divisions: the square of a ratio may overflow where the result does not.
-  rep_len(inertia, n) / ratio / ratio
+  reflected <- rep_len(inertia, n) / ratio / ratio
+  given <- list(inertia, ratio)
+  warn_beyond(list(reflected_inertia_kg_m2 = reflected), given, n, call)
+  reflected
 }
 
 #' A rigid gear train
@@ -80,14 +83,16 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
   ratio <- cumprod(c(1, ratios))
   passed <- cumprod(c(1, efficiency))
   felt <- torque / ratio
-  tibble::new_tibble(list(
+  train <- list(
     shaft = seq_len(n),
     ratio_to_first = ratio,
     moment_of_inertia_kg_m2 = inertia,
     reflected_inertia_kg_m2 = inertia / ratio / ratio,
     reflected_viscous_n_m_s = viscous / ratio / ratio,
     reflected_torque_n_m = ifelse(felt > 0, felt * passed, felt / passed)
-  ), nrow = n, torque_n_m = torque, class = "rot_gear_train")
+  )
+  warn_beyond(train[-1], list(), n, call)
+  tibble::new_tibble(train, nrow = n, torque_n_m = torque, class = "rot_gear_train")
 }
 
 # The loss of the gears of a train, as torques at the first shaft: `applied_n_m` is the sum without

@@ -23,6 +23,8 @@
 #'   no other moments (NA). NA in a row's mass or sizes gives NA in that row's results.
 #'   Each moment has at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in ratios of up
 #'   to 1e300 and any mass.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_type` for a missing column or a wrong type, `rotdyn_error_size`
 #'   for a column that is a matrix, `rotdyn_error_value` for a negative mass or length, sizes that
 #'   are inconsistent, or an unknown shape without `beta`, with the row; `rotdyn_error_unit`.
@@ -52,6 +54,7 @@ inertia_table <- function(objects = inertia_objects()) {
   # Known names have precedence over beta and the radius.
   values <- .Call(ffi_shapes_table, id, mass, beta, sizes)
   if (!is.list(values)) abort_row(values, id, mass, beta, sizes, call)
+  warn_beyond(values, c(list(mass, beta), Filter(length, sizes)), nrow(objects), call)
   text <- id + 1L
   out <- as.list(objects)
   out[names(values)] <- values

@@ -21,6 +21,8 @@
 #'   inconsistent or do not determine the motion, the missing ones are NaN and `root` is NA, with
 #'   one warning (class `rotdyn_warning_value`) that names the rows. The error is at most 0.51 ulp,
 #'   with any cancellation and at any scale.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_missing` or `rotdyn_error_size` if not three are given,
 #'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for infinite numbers,
 #'   `rotdyn_error_unit`.
@@ -62,6 +64,7 @@ angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_r
   values$row <- as.integer(values$row)
   values$root <- as.integer(values$root)
   values$root[kind <= 0] <- NA_integer_
+  warn_beyond(values[names(columns)], list(), length(kind), call)
   warn_no_motion(values$row[kind == 0], values$row[kind < 0], call)
   tibble::new_tibble(values[motion_columns], nrow = length(kind))
 }
@@ -108,6 +111,8 @@ check_finite_or_na <- function(x, arg, unit, call) {
 #' @param radius_m Distance from the axle in m, at least 0.
 #' @return `point_motion()`: a tibble of the arguments, then `r describe_columns(point_columns)`
 #'   The others: doubles. NA gives NA. Error: at most 3 ulp (2 ulp for the angle).
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
 #'   `rotdyn_error_value` for infinite numbers or a negative radius, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.9.
@@ -127,6 +132,7 @@ point_motion <- function(omega_rad_per_s, alpha_rad_per_s2, radius_m) {
   )
   n <- check_recyclable(columns, call)
   values <- .Call(ffi_point_motion, columns[[1]], columns[[2]], columns[[3]])
+  warn_beyond(values, columns, n, call)
   tibble::new_tibble(lapply(c(columns, values), rep_len, n), nrow = n)
 }
 
@@ -160,11 +166,13 @@ centripetal_acceleration <- function(omega_rad_per_s, radius_m) {
 one_point_column <- function(columns, wanted, call = parent.frame()) {
   check_supplied(names(formals(sys.function(-1L))), call)
   columns <- check_point_columns(columns, call)
-  check_recyclable(columns, call)
-  .Call(
+  n <- check_recyclable(columns, call)
+  values <- .Call(
     ffi_point_motion, columns$omega_rad_per_s %||% 0, columns$alpha_rad_per_s2 %||% 0,
     columns$radius_m
-  )[[wanted]]
+  )[wanted]
+  warn_beyond(values, columns, n, call)
+  values[[1]]
 }
 
 check_point_columns <- function(columns, call) {
@@ -184,6 +192,8 @@ check_point_columns <- function(columns, call) {
 #' @param angle_deg,angle_rad,turns Angles in degrees, radians, full turns.
 #' @param omega_rpm,omega_rad_per_s Angular velocities in turns per minute, rad/s.
 #' @return Doubles. NA stays NA; infinite values are unchanged.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_unit`.
 #' @examples
 #' rad_per_s_from_rpm(c(33 + 1 / 3, 45, 78))

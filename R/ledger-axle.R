@@ -79,6 +79,42 @@ axle_breaks <- function(scene) {
   sort(unique(c(scene$loads$knots$time_s, unlist(terms), scene$inertia$time_s)))
 }
 
+# The shortest time in which the rates change, s; Inf if they do not.
+shortest_time <- function(scene, sizes) {
+  inertia <- min(scene$moment_of_inertia_kg_m2, scene$inertia$moment_of_inertia_kg_m2)
+  resistance <- scene$resistance
+  falls <- abs(resistance$viscous_n_m_s) + abs(scene$loads$motor_n_m_s) +
+    2 * resistance$quadratic_n_m_s2 * sizes[["omega"]]
+  of_term <- function(term) {
+    x <- abs(term$x)
+    switch(term$kind,
+      sinusoid = , exponential = x[2],
+      spring = sqrt(x[1] / inertia),
+      gravity = 2 * sqrt(x[1] / inertia),
+      curve = {
+        n <- x[1]
+        max(abs(diff(term$x[1 + n + seq_len(n)]) / diff(term$x[1 + seq_len(n)])), 0) / inertia
+      },
+      0
+    )
+  }
+  1 / max(falls / inertia, vapply(scene$loads$terms, of_term, double(1)))
+}
+
+# Times that double their distance from where the motion is disturbed: a panel much longer than the
+# shortest time would miss what fades after it. `anchors`: breaks, events and the start, increasing.
+graded_times <- function(anchors, start_s, shortest_s, from_s, to_s) {
+  if (!is.finite(shortest_s)) return(double())
+  anchors <- c(min(from_s, anchors[1]), anchors, max(to_s, anchors[length(anchors)]))
+  begin <- anchors[-length(anchors)]
+  end <- anchors[-1]
+  long <- end - begin > 50 * shortest_s & end > from_s & begin < to_s
+  unlist(Map(function(begin, end) {
+    away <- shortest_s * 2^seq.int(-1, floor(log2((end - begin) / shortest_s)))
+    if (end <= start_s) end - away else begin + away
+  }, begin[long], end[long]))
+}
+
 # Integrals between consecutive edges, with panels that end at breaks and events: list(value, size,
 # error), a row for each interval; NULL where the motion could not be computed again. `scene`: that
 # of the torques, where the motion left effects out the solved or the whole one.
@@ -93,6 +129,11 @@ integrate_axle_flows <- function(run, edges, call, scene = run$solved) {
   }
   breaks <- axle_breaks(scene)
   inner <- c(breaks, scene$start_s, run$events$time_s)
+  n_edges <- length(edges)
+  inner <- c(inner, graded_times(
+    sort(unique(inner)), scene$start_s, shortest_time(scene, run$info$sizes), edges[1],
+    edges[n_edges]
+  ))
   inner <- inner[inner > edges[1] & inner < edges[length(edges)]]
   all <- sort(unique(c(edges, inner)))
   if (record$error_kind == "bound") all <- sort(unique(c(all, curve_kinks(scene, rows_at, all))))
@@ -100,7 +141,7 @@ integrate_axle_flows <- function(run, edges, call, scene = run$solved) {
     function(t) axle_flow_rates(scene, rows_at, t), all[-length(all)], all[-1]
   )
   owner <- findInterval(all[-length(all)], edges)
-  sums <- lapply(panels, function(x) {
+  sums <- lapply(panels[c("value", "size", "error")], function(x) {
     x <- rowsum(x, factor(owner, levels = seq_len(length(edges) - 1L)))
     colnames(x) <- axle_flows
     x
@@ -118,6 +159,7 @@ integrate_axle_flows <- function(run, edges, call, scene = run$solved) {
       sums$size[at] <- sums$size[at] + jumps$size[i]
     }
   }
+  sums$spent <- panels$spent
   if (!failed) sums
 }
 
@@ -128,6 +170,8 @@ axle_ledger_by_quadrature <- function(run, from_s, to_s) {
   value <- parts$value[1, ]
   # The effect of the motion's own error: that of omega on the rates, to first order.
   omega <- run$info$errors[["omega"]] / max(run$info$sizes[["omega"]], 1e-300)
+  # Of a motion that the panels do not resolve there is no verdict.
+  if (parts$spent) parts$error[] <- NA
   rounding <- parts$error[1, ] + (4e-15 + 3 * omega) * parts$size[1, ]
   heat <- c("viscous_j", "quadratic_j", "coulomb_j")
   impulses <- c("impulse_n_m_s", "damping_impulse_n_m_s")

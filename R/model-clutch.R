@@ -8,7 +8,9 @@ clutch_exact <- list(
   requires = "constant or stepped torques",
   source = "closed form between exact events; Shigley 2004, chapter 16",
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
-    .Call(ffi_clutch_run, scene, time_s, progress_bar("clutch"))
+    result <- .Call(ffi_clutch_run, scene, time_s, progress_bar("clutch"))
+    result$info <- void_error(result$info, result$columns)
+    result
   },
   ledger = function(scene, run, from_s, to_s) {
     .Call(ffi_clutch_ledger, scene, c(from_s, to_s))

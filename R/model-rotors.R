@@ -17,7 +17,7 @@ run_rotors_as <- function(how, scene, time_s) {
     rotational_kinetic_energy_j = 0.5 * momentum * omega,
     shaft_torque_n_m = result$columns$shaft_torque_n_m
   )
-  list(columns = columns, info = result$info)
+  list(columns = columns, info = void_error(result$info, columns))
 }
 
 rotors_rigid <- list(

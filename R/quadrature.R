@@ -43,7 +43,13 @@ panel_integrals <- function(rates, from, to) {
   difference <- shape(difference)
   error <- ifelse(size > 0, size * pmin(1, (200 * difference / pmax(size, 1e-300))^1.5), difference)
   storage.mode(error) <- "double" # also where all are missing
-  list(value = value, size = size, error = error)
+  # The times of the nodes are rounded: that counts by how much the integrand varies.
+  late <- .Machine$double.eps * pmax(abs(from), abs(to))
+  vary <- apply(f, 2, function(y) {
+    y <- matrix(y, n)
+    rowSums(abs(y[, -1, drop = FALSE] - y[, -length(x), drop = FALSE]))
+  })
+  list(value = value, size = size, error = error, noise = shape(vary) * late)
 }
 
 # Panels evaluated beyond four for each at the start: some seconds, and 300 MB at a time.
@@ -51,12 +57,14 @@ most_panels <- 2e5
 panels_at_once <- 5e4
 
 # The same over panels halved until the error is below rounding, 24 halvings are done, or the budget
-# is used up: then the error says so. A panel whose integral is not finite is not halved.
+# is used up (`spent`): then the error says so. A panel whose integral is not finite is not halved.
+# The error includes that of the times.
 integrate_panels <- function(rates, from, to) {
   left <- most_panels + 4 * length(from)
   n <- length(from)
   owner <- seq_len(n)
   total <- NULL
+  spent <- FALSE
   for (halving in 0:24) {
     panels <- panel_integrals(rates, from, to)
     if (is.null(total)) {
@@ -69,7 +77,10 @@ integrate_panels <- function(rates, from, to) {
       rowSums(panels$error > allowed | is.na(panels$error)) == 0 |
       (to - from) < 4 * .Machine$double.eps * pmax(abs(from), abs(to))
     more <- 2 * sum(!good)
-    if (more > left || (more > panels_at_once && more > 4 * n)) good[] <- TRUE
+    if (more > left || (more > panels_at_once && more > 4 * n)) {
+      spent <- TRUE
+      good[] <- TRUE
+    }
     add <- function(sum, x) {
       part <- rowsum(x[good, , drop = FALSE], owner[good])
       at <- as.integer(rownames(part))
@@ -79,7 +90,7 @@ integrate_panels <- function(rates, from, to) {
     if (any(good)) {
       value <- add(value, panels$value)
       size <- add(size, panels$size)
-      error <- add(error, panels$error)
+      error <- add(error, panels$error + panels$noise)
     }
     if (all(good)) break
     middle <- (from + (to - from) / 2)[!good]
@@ -87,5 +98,5 @@ integrate_panels <- function(rates, from, to) {
     to <- c(middle, to[!good])
     from <- c(from[!good], middle)
   }
-  list(value = value, size = size, error = error)
+  list(value = value, size = size, error = error, spent = spent)
 }

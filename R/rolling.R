@@ -20,6 +20,8 @@
 #'   NA in a row gives NA in the values that depend on it. At most four roundings each (5e-16).
 #'
 #'   `rolling_objects()`: a tibble with `object` and `beta` of five objects.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_type` (no `beta`, or not numbers), `rotdyn_error_size`,
 #'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
@@ -71,6 +73,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
     progress_bar("rolling")
   )
   check_place(values, columns, call)
+  warn_fast(values, columns, n, call)
 
   # New columns are last, or replace those of the same name.
   out <- as.list(objects)
@@ -105,6 +108,8 @@ rolling_objects <- function() {
 #' @inheritParams rolling_table
 #' @return Doubles, with NA where an argument is NA. Largest error: 2 ulp (3 ulp for the friction
 #'   coefficient).
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
 #'   the first value outside its domain, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
@@ -154,10 +159,18 @@ rolling_units <- c(
 by_row <- function(which, columns, call = parent.frame()) {
   if (eval(quote(missing(beta)), call)) check_supplied("beta", call)
   columns <- check_columns_of(columns, rolling_units[names(columns)], call)
-  check_recyclable(columns, call)
+  n <- check_recyclable(columns, call)
   values <- .Call(ffi_rolling_value, which, columns)
   check_place(values, columns, call)
+  if (which == 2L) warn_fast(list(final_speed_m_per_s = values[[1]]), columns, n, call)
   values[[1]]
+}
+
+# The speed alone can overflow, and not below g h = 1e300.
+warn_fast <- function(values, columns, n, call) {
+  most <- function(x) max(x, 0, na.rm = TRUE)
+  if (most(columns$height_drop_m) < 1e300 / max(1, most(columns$gravity_m_per_s2))) return()
+  warn_beyond(values["final_speed_m_per_s"], columns, n, call)
 }
 
 # In place of a list, C returns c(column, row, lowest, highest) of the first value out of its

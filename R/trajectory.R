@@ -93,10 +93,13 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
       info = info
     )
   } else if (n && !(info$error <= accuracy)) {
+    beyond <- if (is.infinite(info$error)) beyond_doubles(columns)
+    why <- record$loses %||% "Large terms of two signs cancel in this motion."
     warn_rotdyn(c(
       "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
        than the accuracy of {format(accuracy)} asked for.",
-      i = "{record$loses %||% \"Large terms of two signs cancel in this motion.\"}"
+      i = if (!length(beyond)) "{why}",
+      x = if (length(beyond)) "Beyond double precision: {.field {beyond}}."
     ), "accuracy", call)
   }
   new_trajectory(columns, n * each, list(
@@ -115,9 +118,21 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   ))
 }
 
+# Columns with values beyond double precision.
+beyond_doubles <- function(columns) {
+  names(Filter(function(x) is.double(x) && any(is.infinite(x)), columns))
+}
+
+# The report of a run with such columns has no finite error.
+void_error <- function(info, columns) {
+  if (info$kind == "none" && length(beyond_doubles(columns))) info$error <- Inf
+  info
+}
+
 # `by`: named numbers, added to the errors of the measures.
 widen_error <- function(info, by) {
   info$errors <- info$errors + unlist(by)[names(info$errors)]
+  if (is.infinite(info$error)) return(info)
   info$error <- .Call(ffi_error_figure, info$errors, info$sizes)
   info
 }

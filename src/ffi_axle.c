@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "ffi_run.h"
@@ -96,6 +97,32 @@ static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
   return out;
 }
 
+/* Numbers so small that no column can leave the range of doubles where the state does not. */
+static int is_plain(const rot_axle_scene *scene, const rot_info *info) {
+  const rot_torque *torque = &scene->linear.torque;
+  const double most = 1e75;
+  int ok = fabs(scene->linear.inertia_kg_m2) < most && fabs(scene->viscous_n_m_s) < most &&
+           fabs(scene->motor_n_m_s) < most && scene->quadratic_n_m_s2 < most &&
+           scene->static_n_m < most && fabs(torque->before_n_m) < most &&
+           fabs(torque->after_n_m) < most;
+  for (size_t i = 0; i < info->n_measures; i++) ok &= info->measure[i].largest < most;
+  for (size_t i = 0; i < torque->n; i++) ok &= fabs(torque->torque_n_m[i]) < most;
+  for (size_t i = 0; i < scene->n_inertia; i++) ok &= scene->inertia_kg_m2[i] < most;
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    for (size_t k = 0; k < scene->terms[i].length; k++) ok &= fabs(scene->terms[i].x[k]) < most;
+  }
+  return ok;
+}
+
+/* A run with a column beyond double precision has no error figure, though its state may have. */
+static void check_columns(const rot_axle_scene *scene, const rot_axle_columns *out, ffi_run *run) {
+  if (is_plain(scene, &run->info)) return;
+#define X(type, name)                                                                              \
+  for (size_t i = 0; i < run->info.rows_done; i++) run->beyond |= !isfinite(out->name[i]);
+  ROT_AXLE_COLUMNS(X)
+#undef X
+}
+
 /* A closed form by its id in models(). */
 SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
   const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
@@ -107,6 +134,7 @@ SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
   ffi_run_begin(&run, progress);
   const rot_axle_columns out = new_columns(&run, time_s);
   const rot_status status = model(&scene, n, t, &out, &run.events, &run.guard.hooks, &run.info);
+  check_columns(&scene, &out, &run);
   return ffi_run_end(&run, status);
 }
 
@@ -185,6 +213,7 @@ SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP co
                                                &run.events, &ledger, &run.guard.hooks, &run.info);
   const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
   memcpy(REAL(sums), values, sizeof values);
+  check_columns(&scene, &out, &run);
   SEXP result = ffi_run_end(&run, status);
   if (!Rf_isNull(law)) UNPROTECT(1);
   return result;

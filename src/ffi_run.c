@@ -59,6 +59,7 @@ SEXP ffi_error_figure(SEXP errors, SEXP sizes) {
 void ffi_run_begin(ffi_run *run, SEXP progress) {
   static const char *const names[] = {"columns", "info", "ledger", "events", ""};
   run->out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  run->beyond = 0;
   run->events = (rot_events){0, 0, NULL, NULL};
   ffi_guard_begin(&run->guard, progress);
 }
@@ -73,7 +74,9 @@ static SEXP finish(void *data) {
   static const char *const names[] = {"time_s", "event", ""};
   const ffi_run *run = data;
   const R_xlen_t n = (R_xlen_t)run->events.count;
-  SET_VECTOR_ELT(run->out, FFI_INFO, ffi_info(&run->info));
+  SEXP info = ffi_info(&run->info);
+  SET_VECTOR_ELT(run->out, FFI_INFO, info);
+  if (run->beyond) SET_VECTOR_ELT(info, 7, Rf_ScalarReal(R_PosInf));
   if (n == 0) return R_NilValue;
   SEXP list = Rf_mkNamed(VECSXP, (const char **)names), event;
   SET_VECTOR_ELT(run->out, FFI_EVENTS, list);

@@ -17,6 +17,7 @@ typedef struct ffi_run {
   SEXP out; /* protected */
   rot_info info;
   rot_events events; /* freed by ffi_run_end() */
+  int beyond;        /* a column is not finite: the run has no error figure */
 } ffi_run;
 
 void ffi_run_begin(ffi_run *run, SEXP progress);

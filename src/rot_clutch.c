@@ -299,6 +299,43 @@ rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_
 
 /* ---- one engagement -------------------------------------------------------------------------- */
 
+/* The same where a product may leave the range of doubles: powers of two apart, sums halved. */
+static rot_clutch_engagement engage_wide(const double inertia[2], const double share[2],
+                                         double capacity, const double torque[2],
+                                         const double omega[2]) {
+  const double half_slip = 0.5 * omega[0] - 0.5 * omega[1], size = fabs(half_slip);
+  const double half_sum = 0.5 * inertia[0] + 0.5 * inertia[1];
+  const double reduced = fmin(inertia[0], inertia[1]) * fmax(share[0], share[1]);
+  rot_clutch_engagement x;
+  x.locked_torque_n_m = locked_torque(inertia, torque[0], torque[1]);
+  x.omega_rad_per_s = rot_product(3, (double[]){0.5, inertia[0], omega[0]}, half_sum) +
+                      rot_product(3, (double[]){0.5, inertia[1], omega[1]}, half_sum);
+  if (half_slip == 0.0) x.omega_rad_per_s = omega[0];
+  if (isinf(capacity) || half_slip == 0.0) {
+    x.lock_s = 0.0;
+    x.heat_j = rot_product(4, (double[]){2.0, reduced, size, size}, 1.0);
+    return x;
+  }
+  /* What brakes the slip, halved. */
+  const double half = 0.5 * capacity - 0.5 * sign(half_slip) * x.locked_torque_n_m;
+  if (!(half > 0.0)) {
+    x.lock_s = isnan(half) ? (double)NAN : (double)INFINITY;
+    x.omega_rad_per_s = NAN;
+    x.heat_j = 0.5 * capacity * size * x.lock_s;
+    return x;
+  }
+  x.lock_s = rot_product(2, (double[]){size, reduced}, half);
+  int of_sum = 0;
+  const double sum = frexp(half_sum, &of_sum);
+  for (int i = 0; i < 2; i++) {
+    int e;
+    const double p = rot_product_split(4, (double[]){0.5, torque[i], size, reduced}, half, &e);
+    x.omega_rad_per_s += ldexp(p / sum, e - of_sum);
+  }
+  x.heat_j = rot_product(4, (double[]){capacity, reduced, size, size}, half);
+  return x;
+}
+
 rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, double capacity_n_m,
                                         double torque_1, double torque_2, double omega_1,
                                         double omega_2) {
@@ -306,6 +343,18 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
   double share[2];
   rot_clutch_engagement x;
   find_shares(inertia, share);
+  const double numbers[] = {inertia_1, inertia_2, capacity_n_m, torque_1,
+                            torque_2,  omega_1,   omega_2};
+  int finite = 1, well_scaled = 1;
+  for (int i = 0; i < 7; i++) {
+    const int unlimited = i == 2 && isinf(numbers[i]);
+    finite &= isfinite(numbers[i]) || unlimited;
+    well_scaled &= rot_well_scaled(numbers[i], 1e60) || unlimited;
+  }
+  if (finite && !well_scaled) {
+    return engage_wide(inertia, share, capacity_n_m, (double[]){torque_1, torque_2},
+                       (double[]){omega_1, omega_2});
+  }
   const double mean = slip == 0.0 ? omega_1 : share[0] * omega_1 + share[1] * omega_2;
   x.locked_torque_n_m = locked_torque(inertia, torque_1, torque_2);
   if (isinf(capacity_n_m) || slip == 0.0) {

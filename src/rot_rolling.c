@@ -13,12 +13,22 @@ static inline double rotational_fraction(double beta, double share) {
   return isinf(beta) ? 1.0 : beta * share;
 }
 
-/* 2 g h may overflow or underflow where the speed does not. */
+/* 2 g h/(1 + beta) may overflow or underflow where the speed does not: its power of two is kept
+ * apart. */
 static double wide_final_speed(double beta, double height_m, double gravity) {
-  return sqrt(2.0 * height_m) * (sqrt(gravity) / sqrt(1.0 + beta));
+  if (!(isfinite(beta) && isfinite(height_m) && isfinite(gravity))) {
+    return sqrt(2.0 * height_m) * (sqrt(gravity) / sqrt(1.0 + beta));
+  }
+  int e;
+  const double p = rot_product_split(2, (double[]){height_m, gravity}, 1.0 + beta, &e);
+  const int odd = (e + 1) & 1;
+  return ldexp(sqrt(ldexp(p, odd)), (e + 1 - odd) / 2);
 }
 
 static int wide(double twice_g_h) { return !(twice_g_h > 1e-290 && twice_g_h < 1e290); }
+
+/* Its square may have lost digits: beta is large. */
+static int lost(double twice_g_h, double speed) { return speed < 1e-145 && twice_g_h > 0.0; }
 
 double rot_rolling_acceleration(double beta, double angle_deg, double gravity) {
   return gravity * rot_sin_deg(angle_deg) / (1.0 + beta);
@@ -26,8 +36,9 @@ double rot_rolling_acceleration(double beta, double angle_deg, double gravity) {
 
 double rot_rolling_final_speed(double beta, double height_m, double gravity) {
   const double twice_g_h = 2.0 * gravity * height_m;
-  return wide(twice_g_h) ? wide_final_speed(beta, height_m, gravity)
-                         : sqrt(twice_g_h * (1.0 / (1.0 + beta)));
+  const double speed = sqrt(twice_g_h * (1.0 / (1.0 + beta)));
+  return wide(twice_g_h) || lost(twice_g_h, speed) ? wide_final_speed(beta, height_m, gravity)
+                                                   : speed;
 }
 
 double rot_rolling_rotational_fraction(double beta) {
@@ -90,8 +101,10 @@ static void one_block(const block *terms, size_t first, size_t rows, const rot_r
   for (i = 0; i < rows; i++) {
     if (rotational[i] != rotational[i]) rotational[i] = rotational_fraction(beta[i], 0.0);
   }
-  for (i = 0; terms->any_wide && i < rows; i++) {
-    if (wide(terms->twice_g_h[i])) {
+  int any_lost = terms->any_wide;
+  for (i = 0; i < rows; i++) any_lost |= speed[i] < 1e-145;
+  for (i = 0; any_lost && i < rows; i++) {
+    if (wide(terms->twice_g_h[i]) || lost(terms->twice_g_h[i], speed[i])) {
       speed[i] = wide_final_speed(beta[i], rot_at(in->height_m, first + i),
                                   rot_at(in->gravity, first + i));
     }

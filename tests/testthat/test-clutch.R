@@ -27,3 +27,25 @@ test_that("the table agrees with the motion", {
   expect_equal(motion$heat_j, row$heat_j, tolerance = 1e-14)
   expect_equal(motion$omega_1_rad_per_s, row$common_omega_rad_per_s - 1 / 2, tolerance = 1e-14)
 })
+
+test_that("an engagement beyond plain products is found, or said", {
+  # Reduced inertia 1e-300: 1/2 1e-300 (1e300)^2 J, in 1e-300 1e300/1e300 s; 1e-300 rad/s remain.
+  x <- clutch_engagement(1e-300, 1e300, 1e300, 1e300)
+  expect_equal(x$heat_j, 5e299, tolerance = 1e-14)
+  expect_equal(x$lock_time_s, 1e-300, tolerance = 1e-14)
+  expect_equal(x$common_omega_rad_per_s, 1e-300, tolerance = 1e-14)
+  # The same engagement in other units: inertia 2^k, rate 2^m, torque 2^(k + 2 m).
+  engage <- function(k, m) {
+    x <- clutch_engagement(3 * 2^k, 5 * 2^k, 7 * 2^(k + 2 * m), 4 * 2^m, -2^m,
+                           torque_1_n_m = 2^(k + 2 * m), torque_2_n_m = -3 * 2^(k + 2 * m))
+    c(x$lock_time_s * 2^m, x$common_omega_rad_per_s / 2^m, x$heat_j / 2^(k + 2 * m),
+      x$locked_torque_n_m / 2^(k + 2 * m))
+  }
+  plain <- engage(0, 0)
+  for (k in c(-900, -500, 400)) expect_equal(engage(k, 250), plain, tolerance = 1e-14)
+  # By hand: torque 7 against 1 (5) + 3 (3) over 8; slip 5.
+  expect_equal(plain[4], (5 * 1 + 3 * 3) / 8)
+  expect_equal(plain[1], 5 / ((7 - 14 / 8) * (1 / 3 + 1 / 5)))
+  expect_warning(clutch_engagement(1e308, 1e308, 1e308, 1e308), class = "rotdyn_warning_range")
+  expect_silent(clutch_engagement(1, 1, 1, 1, torque_1_n_m = 1e300)) # never locks
+})

@@ -34,3 +34,10 @@ test_that("textbook: stopping a 40 kg solid cylinder that rolls at 6 m/s takes 1
   # University Physics 1, section 11.1 (OpenStax).
   expect_equal(energy_partition(40, 0.2, 0.5, 6)$total_kinetic_energy_j, 1080)
 })
+
+test_that("an energy that is a double is found; what is beyond is said", {
+  x <- suppressWarnings(energy_partition(1e300, 1, 1e-300, 1e10))
+  expect_equal(x$rotational_kinetic_energy_j, 5e19, tolerance = 1e-14)
+  expect_warning(energy_partition(1e200, 1e200, 0.5, 1e200), class = "rotdyn_warning_range")
+  expect_silent(energy_partition(NA, 1, 1, 1))
+})

@@ -223,3 +223,9 @@ test_that("a rod's end stays across the rod, however the rod was turned", {
 test_that("a table without names is an error that says so", {
   expect_error(inertia_table(setNames(data.frame(1, 2), NULL)), class = "rotdyn_error_type")
 })
+
+test_that("moments beyond double precision are said", {
+  heavy <- data.frame(object = "disk", mass_kg = 1e300, radius_m = c(1, 1e10))
+  expect_warning(x <- inertia_table(heavy), "row 2", class = "rotdyn_warning_range")
+  expect_equal(x$moment_of_inertia_kg_m2, c(5e299, Inf))
+})

@@ -191,3 +191,14 @@ test_that("a wheel that slows by 5 rpm a second (BYU Physics 121)", {
   )
   expect_equal(rpm_from_rad_per_s(after$omega_rad_per_s[1]), computed("byu_1000"), tolerance = 1e-9)
 })
+
+test_that("what exceeds double precision is said", {
+  expect_warning(x <- point_motion(1e200, 1, 1), class = "rotdyn_warning_range")
+  expect_equal(x$centripetal_acceleration_m_per_s2, Inf)
+  expect_warning(centripetal_acceleration(c(1, 1e200), 1), "row 2", class = "rotdyn_warning_range")
+  expect_silent(point_motion(1e160, 1e308, 1e-200))
+  expect_warning(
+    angular_motion(omega0_rad_per_s = 1e308, alpha_rad_per_s2 = 1e308, time_s = 10),
+    class = "rotdyn_warning_range"
+  )
+})

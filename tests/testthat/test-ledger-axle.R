@@ -91,3 +91,55 @@ test_that("a kink of a torque-speed curve next to a row is seen", {
   g <- augment(m)
   expect_equal(g$torque_impulse_n_m_s[3], 1 + (1 - exp(-3)) / 3, tolerance = 1e-14)
 })
+
+# By hand: the impulse J = 0.5 passes; with I = 1, c = 10, rate 2 the heat is c int omega^2 with
+# omega = (exp(-2 t) - exp(-10 t))/8: 10/64 (1/4 - 2/12 + 1/20) = 1/48.
+test_that("a transient in a long span is not missed", {
+  x <- trajectory(scene_axle(1, torque_exponential(1, 2), resistance(10)), c(0, 1e5))
+  a <- audited(x)
+  expect_equal(a$work_j, 1 / 48, tolerance = 1e-12)
+  expect_equal(a$dissipated_j, 1 / 48, tolerance = 1e-12)
+  expect_equal(a$verdict, "balanced")
+  expect_equal(augment(x)$work_j, c(0, 1 / 48), tolerance = 1e-12)
+  # The work of the pulse is taken from a short span, where nothing can be missed.
+  scene <- scene_axle(1, torque_steps(c(0, 1, 2), c(0, 5, 0)), resistance(0.1, 0.01))
+  short <- audited(trajectory(scene, c(0, 2)))
+  long <- audited(trajectory(scene, c(0, 1e5)))
+  expect_equal(long$work_j, short$work_j, tolerance = 1e-12)
+  expect_equal(long$dissipated_j, long$work_j, tolerance = 1e-9)
+  expect_equal(long$verdict, "balanced")
+})
+
+test_that("transients are found wherever they begin, in whichever model", {
+  pulse <- function(at) torque_steps(c(0, at, at + 1), c(0, 5, 0))
+  scenes <- list(
+    scene_axle(2, pulse(7e4), resistance(3, 0.1), omega0_rad_per_s = 4),
+    scene_axle(2, pulse(7e4), resistance(3, 0.1, 0.2), omega0_rad_per_s = 4),
+    scene_axle(2, pulse(7e4) + torque_exponential(2, 30, from_s = 9e4), resistance(3)),
+    scene_axle(2, pulse(7e4) + torque_spring(1e-3, 0.5), resistance(30), omega0_rad_per_s = 4),
+    scene_axle(2, pulse(7e4) + torque_motor(2, 50), resistance(3, 0.5)),
+    scene_axle(2, pulse(7e4), resistance(3), omega0_rad_per_s = 4, start_s = 5e4)
+  )
+  for (scene in scenes) {
+    times <- c(max(scene$start_s, 0), 6.9e4, 8e4, 1e5)
+    x <- trajectory(scene, times[c(1, 4)])
+    expect_equal(audited(x)$verdict, "balanced")
+    expect_equal(
+      augment(x)$dissipated_j[2], augment(trajectory(scene, times))$dissipated_j[4],
+      tolerance = 1e-9
+    )
+    expect_gt(augment(x)$dissipated_j[2], 0.1)
+  }
+})
+
+test_that("an audit has a budget, and what is not finite is no verdict", {
+  fast <- suppressWarnings(
+    spin_up(torque = torque_exponential(1, 2), omega0_rad_per_s = 1e200, time_s = c(0, 8))
+  )
+  took <- system.time(a <- audit(fast))[[3]]
+  expect_equal(a$verdict[1], NA_character_)
+  expect_lt(took, 5)
+  # 5e7 periods: more panels than there may be.
+  long <- trajectory(scene_axle(1, torque_sinusoid(1, 3), resistance(0.1)), c(0, 1e8))
+  expect_equal(audit(long)$verdict, c(NA_character_, NA))
+})

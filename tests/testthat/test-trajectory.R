@@ -130,3 +130,22 @@ test_that("the head says why the model was chosen, in one line", {
   # 23 characters stand before the reason.
   expect_true(all(nchar(rotdyn:::core_models()$why) <= 57))
 })
+
+test_that("a column beyond double precision has no finite error figure", {
+  beyond <- list(
+    scene_axle(1, omega0_rad_per_s = 1e200),
+    scene_axle(1e200, 1e308),
+    scene_axle(1, torque_spring(1e200), theta0_rad = 1e150),
+    scene_axle(1e300, torque_motor(1e300, 1e-5), omega0_rad_per_s = 1e100),
+    scene_axle(1, function(time_s) 1e200, omega0_rad_per_s = 1e100),
+    scene_axle(inertia_knots(0:1, c(1e200, 1e-100)), omega0_rad_per_s = 1e-10),
+    scene_rotors(c(1, 1e200), 1, omega0_rad_per_s = 1e200),
+    scene_clutch(1, 1, 1e300, omega1_rad_per_s = 1e300)
+  )
+  for (scene in beyond) {
+    expect_warning(x <- trajectory(scene, 0:1), "Beyond double", class = "rotdyn_warning_accuracy")
+    expect_equal(summary(x)$error, Inf)
+    expect_equal(audit(x)$verdict[1], NA_character_)
+  }
+  expect_silent(trajectory(scene_axle(1, 1, omega0_rad_per_s = 1e100), 0:1))
+})
