@@ -82,10 +82,11 @@ print.rot_body <- function(x, ...) {
   if (!is.na(x$beta)) print_field("beta", paste0(format_si(x$beta), "  (I/(m r^2) when it rolls)"))
   if (nzchar(x$formula)) print_field("formula", x$formula)
   from <- if (x$provenance == "mesh") {
-    mesh_words[[x$detail$method]]
+    mesh_words[paste(x$detail$method, collapse = " ")]
   } else {
-    provenance_words[[x$provenance]]
+    provenance_words[x$provenance]
   }
+  if (is.na(from)) from <- "unknown"
   print_field("from", paste0(from, ", ", describe_body_error(x)))
   invisible(x)
 }

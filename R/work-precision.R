@@ -24,8 +24,8 @@
 #'   number for each time, and may add `rhs_calls`, `steps` and `error` (relative, its own figure).
 #' @param reference NULL; or a `rot_trajectory` of the same times; or a list with the same columns
 #'   and their relative `error`.
-#' @param least_batch_s Least processor time of a batch in s.
-#' @param batches Batches that count.
+#' @param least_batch_s Least processor time of a batch in s, at most 3600.
+#' @param batches Batches that count, at most 10000.
 #' @return A `rot_work_precision`, with an `autoplot()`: a tibble with a row for each model or peer
 #'   and accuracy, and the columns `r describe_columns(work_precision_columns)`
 #'   A model that does not promise an accuracy has no row for it. `covered` is NA where the error of
@@ -56,8 +56,8 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
     check_number(accuracy, "accuracies", "1", call, lower = 0, upper = 1, open = TRUE)
   }
   check_peers(peers, call)
-  least_batch_s <- check_number(least_batch_s, "least_batch_s", "s", call, lower = 0)
-  batches <- floor(check_number(batches, "batches", "1", call, lower = 1))
+  least_batch_s <- check_number(least_batch_s, "least_batch_s", "s", call, lower = 0, upper = 3600)
+  batches <- floor(check_number(batches, "batches", "1", call, lower = 1, upper = 1e4))
   contestants <- list_contestants(scene, time_s, models, accuracies, peers, call)
 
   heard <- new.env()

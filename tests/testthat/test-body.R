@@ -83,3 +83,11 @@ test_that("print says what of a mesh the body is", {
   expect_match(from("box"), "from      box of a mesh, relative error", fixed = TRUE)
   expect_match(from("shell"), "from      faces of a mesh, exact integrals", fixed = TRUE)
 })
+
+test_that("a body of unknown origin is printed", {
+  body <- body_disk(1, 1)
+  body$provenance <- "elsewhere"
+  expect_output(print(body), "from +unknown")
+  body$provenance <- "mesh"
+  expect_output(print(body), "from +unknown")
+})

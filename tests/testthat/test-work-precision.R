@@ -227,3 +227,8 @@ test_that("an error of the choice shows the user's call", {
   e <- expect_error(work_precision(scene, -1), class = "rotdyn_error_time")
   expect_equal(as.character(conditionCall(e)[[1]]), "work_precision")
 })
+
+test_that("more batches than anybody waits for are refused", {
+  expect_error(work_precision(scene_axle(1), 1, batches = 1e16), class = "rotdyn_error_value")
+  expect_error(work_precision(scene_axle(1), 1, least_batch_s = 1e9), class = "rotdyn_error_value")
+})
