@@ -43,8 +43,8 @@ autoplot.rot_rolling_table <- function(object, ..., base_size = 13) {
       hjust = 0, size = text_size(base_size), colour = "grey25"
     ) +
     ggplot2::scale_x_continuous(
-      limits = c(0, reach), breaks = seq(0, 1, by = 0.25),
-      labels = c("0", "25 %", "50 %", "75 %", "100 %"), expand = c(0, 0),
+      limits = c(0, reach), breaks = seq(0, 1, by = if (base_size > 16) 0.5 else 0.25),
+      labels = function(share) ifelse(share == 0, "0", paste(100 * share, "%")), expand = c(0, 0),
       guide = plot_axis()
     ) +
     ggplot2::scale_fill_manual(

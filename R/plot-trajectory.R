@@ -295,17 +295,12 @@ choose_panels <- function(constraint, panels, columns, call) {
   })
 }
 
-# "angular momentum (kg m^2/s)" of the column's name, by the dictionary's unit.
+# "angular momentum (kg m^2/s)" of the column's name, by the unit in it.
 column_label <- function(name) {
-  known <- match(name, vapply(column_list, `[`, "", 1L))
-  if (is.na(known)) return(gsub("_", " ", name))
-  unit <- column_list[[known]][2]
-  suffix <- c(
-    "rad/s" = "rad_per_s", "kg m^2/s" = "kg_m2_per_s", "kg m^2" = "kg_m2", "N m" = "n_m",
-    "N m s" = "n_m_s", J = "j", W = "w", s = "s", rad = "rad", "m/s" = "m_per_s"
-  )
-  words <- if (unit %in% names(suffix)) sub(paste0("_", suffix[[unit]], "$"), "", name) else name
-  paste0(gsub("_", " ", words), if (nzchar(unit)) paste0(" (", unit, ")"))
+  suffix <- Find(function(one) endsWith(name, paste0("_", one)), names(name_units))
+  if (is.null(suffix)) return(gsub("_", " ", name))
+  words <- substr(name, 1L, nchar(name) - nchar(suffix) - 1L)
+  paste0(gsub("_", " ", words), " (", name_units[[suffix]], ")")
 }
 
 # The columns of the panels in long form: time_s, value, panel, line, run. Where rows have an index,

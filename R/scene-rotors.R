@@ -133,7 +133,8 @@ print.rot_scene_rotors <- function(x, ...) {
 #' without stiffness, has the frequency 0.
 #'
 #' @param scene A [scene_rotors()].
-#' @return A tibble with one row for each mode:
+#' @return A tibble (class `rot_shaft_modes`; `ggplot2::autoplot()` draws the shapes) with one row
+#'   for each mode:
 #'   `r describe_columns(c("mode", "natural_rad_per_s"))`
 #'   Frequencies beyond double precision are NA.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_memory`.
@@ -153,6 +154,9 @@ shaft_modes <- function(scene) {
     abort_rotdyn("The modes were not computed: {result$info$text}.", result$info$kind, call)
   }
   tibble::new_tibble(
-    list(mode = seq_along(frequencies), natural_rad_per_s = frequencies), nrow = length(frequencies)
+    list(mode = seq_along(frequencies), natural_rad_per_s = frequencies),
+    nrow = length(frequencies),
+    shaft = unclass(scene)[c("moment_of_inertia_kg_m2", "stiffness_n_m_per_rad")],
+    class = "rot_shaft_modes"
   )
 }

@@ -26,7 +26,8 @@ sweep_parameters <- list(
 #' @param ... Not used; names after it must be given in full.
 #' @param start_s Time at which all begin.
 #' @param threads Most threads to use. The result does not depend on it, to the last bit.
-#' @return `parameters` as a tibble, with the columns
+#' @return `parameters` as a tibble (class `rot_spin_up_table`, with an `autoplot()`), with the
+#'   columns
 #'   `r describe_columns(sweep_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms
 #'   beyond knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
@@ -96,6 +97,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   }
   data <- tibble::as_tibble(parameters)
   data[sweep_columns] <- out
+  class(data) <- unique(c("rot_spin_up_table", class(data)))
   data
 }
 

@@ -1,0 +1,36 @@
+skip_if_not_installed("ggplot2")
+
+bars <- function(a) ggplot2::autoplot(a)$data
+
+test_that("bars have the terms' lengths and meet where the motion balances", {
+  # A wheel that coasts: I = 2, 10 rad/s, friction of 0.5 N m for 4 s: omega = 9.
+  wheel <- scene_axle(2, 1, resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
+  drawn <- bars(audit(trajectory(wheel, c(0, 4))))
+  energy <- drawn[drawn$panel == "energy (J)", ]
+  # Turned 10 * 4 + 0.25 * 16/2 = 42 rad: work 42 J, heat 21 J, change 21 J.
+  expect_equal(energy$role, c("supplied", "dissipated", "change"))
+  expect_equal(energy$from, c(0, 42, 0))
+  expect_equal(energy$to, c(42, 21, 21))
+  expect_equal(energy$value_text, c("42 J", "21 J", "21 J"))
+  momentum <- drawn[drawn$panel != "energy (J)", ]
+  expect_equal(last <- momentum$to[momentum$role == "change"], 2)
+  expect_equal(momentum$to[momentum$role == "dissipated"], last)
+})
+
+test_that("terms of zero are left out, several changes follow each other", {
+  drawn <- bars(audit(trajectory(scene_axle(2, 3), c(0, 4))))
+  expect_false(any(grepl("heat", drawn$term)))
+  shaft <- bars(audit(trajectory(scene_rotors(c(1, 2), 8, torque_n_m = 3), c(0, 1))))
+  energy <- shaft[shaft$panel == "energy (J)", ]
+  change <- energy[energy$role == "change", ]
+  expect_equal(change$from[2], change$to[1])
+  expect_equal(change$to[2], energy$to[1])
+})
+
+test_that("it draws without a warning in letters of any size; without values it says so", {
+  a <- audit(spin_up())
+  for (size in c(13, 24)) expect_silent(ggplot2::ggplotGrob(ggplot2::autoplot(a, base_size = size)))
+  expect_match(ggplot2::autoplot(a)$labels$alt, "work of the torque 55.12 J")
+  expect_error(ggplot2::autoplot(audit(spin_up()[0, ])), class = "rotdyn_error_value")
+  expect_error(ggplot2::autoplot(a["balance"]), class = "rotdyn_error_type")
+})
