@@ -76,11 +76,13 @@ autoplot.rot_torque <- function(object, ..., time_s = NULL, omega_rad_per_s = NU
           if (of_state) "drawn at theta = 0 and omega = 0"), base_size
       ),
       x = if (alone) sub("over ", "", labels[[used]]), y = "torque (N m)",
-      alt = paste0("Torque law: ", words, ". ", paste(vapply(split(lines, lines$panel), function(x) {
-        paste0(
-          x$panel[1], " from ", range_in_words(x$at), ": ", range_in_words(x$value), " N m"
-        )
-      }, ""), collapse = "; "), ".")
+      alt = paste0(
+        "Torque law: ", words, ". ", paste(vapply(split(lines, lines$panel), function(x) {
+          paste0(
+            x$panel[1], " from ", range_in_words(x$at), ": ", range_in_words(x$value), " N m"
+          )
+        }, ""), collapse = "; "), "."
+      )
     ) +
     plot_theme(base_size) +
     (if (alone) ggplot2::theme(strip.text = ggplot2::element_blank()))
