@@ -17,7 +17,7 @@ drive_constraint <- function() {
       omega0_rad_per_s = "numbers=moment_of_inertia_kg_m2", start_s = "number"
     ),
     title = function(run) "A drive",
-    models = drive_models,
+    models = list(drive_axle, drive_clutch, drive_modal, drive_rk8pd, drive_radau),
     columns = drive_columns,
     keys = c(
       "time_s", "rotor", "theta_rad", "omega_rad_per_s", "coupling_torque_n_m", "heat_j",

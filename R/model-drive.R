@@ -65,16 +65,16 @@ drive_integrator <- function(id, method, ...) {
     run = function(scene, time_s, accuracy, max_steps, call, asked) {
       integrate_drive(scene, time_s, accuracy, max_steps, call, if (asked) method else 0)
     },
-    ledger = function(scene, run, from_s, to_s) {
-      sums <- drive_sums(scene, run, c(from_s, to_s))
-      if (is.null(sums)) return(c(work_j = NA_real_, dissipated_j = NA_real_))
-      flow <- function(name) sums[[2, name]] - sums[[1, name]]
-      c(
-        work_j = flow("work_j"),
-        dissipated_j = flow("resistance_j") + flow("brake_j") + flow("damper_j") + flow("clutch_j")
-      )
-    }
+    ledger = drive_ledger
   )
+}
+
+drive_ledger <- function(scene, run, from_s, to_s) {
+  sums <- drive_sums(scene, run, c(from_s, to_s))
+  if (is.null(sums)) return(c(work_j = NA_real_, dissipated_j = NA_real_))
+  flow <- sums[2, ] - sums[1, ]
+  heat <- c("resistance_j", "brake_j", "damper_j", "clutch_j")
+  c(flow["work_j"], dissipated_j = sum(flow[heat]))
 }
 
 # The ledger since the start at these times (increasing), a row each: that of the run, or of another
@@ -83,7 +83,9 @@ drive_sums <- function(scene, run, time_s) {
   known <- run$ledger
   at <- if (is.null(known)) NA else match(time_s, known[, "time_s"])
   if (!anyNA(at)) return(known[at, , drop = FALSE])
-  result <- record_of(run)$run(
+  record <- record_of(run)
+  if (!is.null(record$sums)) return(record$sums(scene, run, time_s))
+  result <- record$run(
     scene, time_s, run$accuracy, run$max_steps + length(time_s), run$call, TRUE
   )
   if (result$info$kind == "none") result$ledger
@@ -101,4 +103,3 @@ drive_radau <- drive_integrator(
   source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
 )
 
-drive_models <- list(drive_rk8pd, drive_radau)

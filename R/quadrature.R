@@ -58,8 +58,9 @@ panels_at_once <- 5e4
 
 # The same over panels halved until the error is below rounding, 24 halvings are done, or the budget
 # is used up (`spent`): then the error says so. A panel whose integral is not finite is not halved.
-# The error includes that of the times.
-integrate_panels <- function(rates, from, to) {
+# The error includes that of the times. `least`: the size of what the integrands are added to, below
+# whose rounding nothing is halved.
+integrate_panels <- function(rates, from, to, least = 0) {
   left <- most_panels + 4 * length(from)
   n <- length(from)
   owner <- seq_len(n)
@@ -68,7 +69,7 @@ integrate_panels <- function(rates, from, to) {
   for (halving in 0:24) {
     panels <- panel_integrals(rates, from, to)
     if (is.null(total)) {
-      total <- colSums(panels$size)
+      total <- pmax(colSums(panels$size), least)
       value <- size <- error <- matrix(0, n, length(total))
     }
     allowed <- 1e-15 * rep(total, each = length(from))

@@ -106,13 +106,7 @@ new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
       x = "It falls to {format(min(law$torque_n_m, law$outside))} N m."
     ), "value", call)
   }
-  window <- c(check_switch_time(from_s, "from_s", call), check_switch_time(to_s, "to_s", call))
-  if (window[1] > window[2]) {
-    abort_rotdyn(c(
-      "{.arg to_s} must not be before {.arg from_s}.",
-      x = "They are {format(window[2])} and {format(window[1])} s."
-    ), "value", call)
-  }
+  window <- check_window(from_s, to_s, call)
   c(
     list(capacity = law),
     loads_on_axle(law, NULL, 1, 0, 0, 0),
@@ -121,10 +115,6 @@ new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
       from_s = window[1], to_s = window[2]
     )
   )
-}
-
-check_switch_time <- function(x, arg, call) {
-  if (identical(x, -Inf) || identical(x, Inf)) x else check_number(x, arg, "s", call)
 }
 
 # As src/ffi_axle.c reads what acts on a body on an axle.
@@ -143,7 +133,9 @@ loads_on_axle <- function(torque, resistance, inertia, theta0, omega0, start_s) 
 #' `J_i omega_i' = tau_i + resistance_i + ratio_(i-1) T_(i-1) - T_i`.
 #'
 #' Clutches, brakes and dry friction stick and slip with exact events: [motion_events()] says when
-#' and where. The motion is integrated.
+#' and where. There are closed forms for constant torques on shafts and gears, for torques of time
+#' on gears alone (both with viscous resistance), and for stepped torques and one constant clutch.
+#' The rest is integrated.
 #'
 #' @param bodies A list of `rot_body` (their Izz counts), or moments of inertia in kg m^2; each
 #'   greater than 0.

@@ -35,8 +35,8 @@ test_that("what is no drive is refused, in the user's own call", {
   refuses(coupling_clutch(-1), "value")
   refuses(coupling_clutch(torque_knots(0:1, c(1, -1))), "value")
   refuses(coupling_clutch(1, static_ratio = 0.9), "value")
-  refuses(brake(1, from_s = 2, to_s = 1), "value")
-  refuses(brake(1, from_s = NaN), "value")
+  refuses(brake(1, from_s = 2, to_s = 1), "time")
+  refuses(brake(1, from_s = NaN), "type")
   refuses(brake("1"), "type")
 })
 
