@@ -143,7 +143,8 @@ new_torque_function <- function(f, breaks_s, vectorised, call) {
 
 # 1: f(time_s). 3: f(time_s, theta_rad, omega_rad_per_s). Arguments with a default are f's own.
 count_arguments <- function(f, call) {
-  arguments <- formals(args(f))
+  shape <- args(f) # NULL for `if` and its like
+  arguments <- if (!is.null(shape)) formals(shape)
   required <- setdiff(names(arguments)[vapply(arguments, rlang::is_missing, logical(1))], "...")
   n <- length(required)
   if (n == 3L || (n <= 1L && length(arguments) > 0L)) return(if (n == 3L) 3L else 1L)

@@ -470,8 +470,8 @@ attempt <- function(label, expr, shown) {
     }
   )
   setTimeLimit(elapsed = Inf)
-  # By processor time, so that a busy machine is no hang; a call that waits for good is stopped by the
-  # parent.
+  # By processor time, so that a busy machine is no hang; the parent stops a call that waits for
+  # good.
   seconds <- sum(proc.time()[1:2]) - sum(start[1:2])
   if (seconds > limit_s + grace_s) {
     note(simpleError(sprintf("it stopped after %.1f s", seconds)), "slow: ")

@@ -70,3 +70,7 @@ test_that("knots from a data frame", {
   expect_error(torque_knots(data.frame(time_s = 1:2)), class = "rotdyn_error_type")
   expect_error(torque_knots(1:2), class = "rotdyn_error_missing")
 })
+
+test_that("a function without a list of arguments is refused without a warning", {
+  expect_silent(expect_error(torque_function(`if`), class = "rotdyn_error_torque"))
+})
