@@ -156,14 +156,23 @@ torque_pulse <- function(start_s, duration_s, torque_n_m) {
            given as a change of {.arg omega0_rad_per_s}; or start the scene closer to it."
     ), "time", call)
   }
-  # Where the end is rounded the torque is scaled, so that the impulse is kept.
-  lasts <- end - columns$start_s
-  rounded <- abs(lasts - columns$duration_s) > 4 * .Machine$double.eps * columns$duration_s
-  torque <- columns$torque_n_m * ifelse(rounded, columns$duration_s / lasts, 1)
   pulses <- lapply(seq_len(n), function(i) {
-    new_knots(c(columns$start_s[i], end[i]), rep(torque[i], 2L), c(0, 0))
+    one_pulse(columns$start_s[i], columns$duration_s[i], end[i], columns$torque_n_m[i])
   })
   add_knots(pulses)
+}
+
+# Where the end is rounded, the last unit of it in time carries what that takes from the impulse or
+# adds to it: before, the torque is as given, and after it the impulse.
+one_pulse <- function(start, duration, end, torque) {
+  of_duration <- end - start
+  lost <- (start - (end - of_duration)) + (duration - of_duration) # Knuth's two-sum
+  if (abs(lost) <= 4 * .Machine$double.eps * duration) {
+    return(new_knots(c(start, end), rep(torque, 2L), c(0, 0)))
+  }
+  before <- end - 2^(floor(log2(abs(end))) - 52)
+  last <- torque * (1 + lost / (end - before))
+  new_knots(c(start, before, before, end), rep(c(torque, last), each = 2L), c(0, 0))
 }
 
 #' @rdname torque-terms

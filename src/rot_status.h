@@ -74,9 +74,11 @@ void rot_info_clear(rot_info *info, const char *const names[]);
 /* The measures alone: named, and cleared. */
 void rot_info_measures(rot_info *info, const char *const names[]);
 
-/* Error relative to the largest value: 1 where that is 0, 0 where there is no error; NaN stays. */
+/* Error relative to the largest value: 1 where that is 0, 0 where there is no error, or none above
+ * what is left of underflow in a motion at rest; NaN stays. */
 static inline double rot_relative_error(double error, double largest) {
-  return error > 0.0 ? (largest > 0.0 ? error / largest : 1.0) : (error == 0.0 ? 0.0 : error);
+  if (largest > 0.0) return error > 0.0 ? error / largest : error;
+  return error > 1e-300 ? 1.0 : error >= 0.0 ? 0.0 : error;
 }
 
 /* The error figure: the worst relative error of n measures. Sizes are those of the whole motion, so

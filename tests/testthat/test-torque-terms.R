@@ -101,3 +101,24 @@ test_that("a law is not divided by nothing", {
   expect_error(torque_constant(1) / 0, class = "rotdyn_error_value")
   expect_error(torque_motor(1, 2) / 1e-320, class = "rotdyn_error_value")
 })
+
+# A row inside the pulse is that of the constant torque: 10 t, whatever its end is rounded to.
+test_that("rows inside a pulse have the torque given, and after it the impulse", {
+  inside <- trajectory(scene_axle(1, torque_pulse(1000.1, 0.1, 10), start_s = 1000.1), 1000.15)
+  expect_equal(inside$applied_torque_n_m, 10, tolerance = 0)
+  expect_equal(inside$omega_rad_per_s, 10 * (1000.15 - 1000.1), tolerance = 4e-15)
+  for (duration in c(1e-9, 0.1, 1 / 3)) {
+    x <- trajectory(
+      scene_axle(1, torque_pulse(1000.1, duration, 10), start_s = 1000.1),
+      1000.1 + c(duration / 2, 1)
+    )
+    half <- (1000.1 + duration / 2) - 1000.1
+    expect_equal(x$applied_torque_n_m, c(10, 0))
+    expect_equal(x$omega_rad_per_s, 10 * c(half, duration), tolerance = 4e-15)
+  }
+  before <- trajectory(
+    scene_axle(1, torque_pulse(-1000.1, 0.3, c(10, -4)), start_s = -1000.1), c(-1000, 0)
+  )
+  expect_equal(before$omega_rad_per_s[2], 6 * 0.3, tolerance = 4e-15)
+  expect_equal(before$applied_torque_n_m[1], 6)
+})

@@ -149,3 +149,40 @@ test_that("a column beyond double precision has no finite error figure", {
   }
   expect_silent(trajectory(scene_axle(1, 1, omega0_rad_per_s = 1e100), 0:1))
 })
+
+test_that("the largest values are those on the way, not those of the rows", {
+  # The row is at the end of a period, where omega = 2 sin(10 t)/4 passes through zero.
+  quiet <- expect_silent(trajectory(scene_axle(1, torque_sinusoid(5, 10)), 2 * pi * 100))
+  expect_lte(summary(quiet)$error, 1e-11)
+  swing <- expect_silent(trajectory(scene_axle(2, torque_spring(8), theta0_rad = 1), pi / 4 * 101))
+  expect_lte(summary(swing)$error, 1e-12)
+  still <- expect_silent(trajectory(scene_axle(2, torque_spring(8)), c(0, 10)))
+  expect_lte(summary(still)$error, 1e-12)
+  still <- expect_silent(trajectory(scene_axle(2, torque_spring(8, 0.3), theta0_rad = 0.3), 10))
+  expect_lte(summary(still)$error, 1e-12)
+})
+
+test_that("the head says what the uncertainty of the body does to the motion", {
+  set.seed(1)
+  body <- body_density(
+    function(x, y, z) 1 + x^2, domain_box(c(-1, -1, -1), c(1, 1, 1)), method = "monte_carlo",
+    max_evaluations = 1000, accuracy = 0.5
+  )
+  on_axle <- function(...) scene_axle(body, ..., through = "centre")
+  x <- trajectory(on_axle(1), c(0, 5))
+  effect <- run_of(x)$body
+  # theta = t^2/(2 I): a change of I by e changes the angle by e/(1 + e) of itself.
+  expect_equal(effect$effect, effect$inertia / (1 + effect$inertia), tolerance = 1e-9)
+  expect_gte(effect$inertia, body$error)
+  expect_match(tibble::tbl_sum(x)[["Body"]], "changes the motion by about")
+  expect_match(tibble::tbl_sum(x)[["Error"]], "bound")
+  expect_null(run_of(trajectory(scene_axle(body_disk(2, 0.25), 1), 1))$body)
+  expect_null(run_of(trajectory(scene_axle(0.3, 1), 1))$body)
+  # Over many swings it grows with the phase.
+  spring <- function(to) run_of(trajectory(on_axle(torque_spring(1e-4), NULL, 1), to))$body
+  expect_gt(spring(4000)$effect, spring(40)$effect)
+  expect_false(is.null(run_of(trajectory(scene_rotors(list(body, body), 10, torque_n_m = c(1, 0)),
+                                         0:3))$body))
+  expect_false(is.null(run_of(trajectory(scene_clutch(body, 3, 1, omega1_rad_per_s = 4),
+                                         0:3))$body))
+})
