@@ -44,6 +44,11 @@ drive_constraint <- function() {
         heat_j = if (nrow(x)) sum(heat) else NA_real_
       )
     },
+    drawing = function(scene) {
+      of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
+      kind <- c("spring", "clutch", "gear")[of("kind") + 1]
+      draw_chain(scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of("ratio")))
+    },
     balances = balance_drive,
     augment = augment_drive,
     panels = list(

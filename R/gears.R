@@ -36,7 +36,8 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
 #' Shafts 1, 2, ..., n, each geared to the next with `ratio = omega_i/omega_(i+1)`. `gear_train()`
 #' gives the contribution of each shaft at the first: with `N_i = omega_1/omega_i`, the product of
 #' the ratios before it, inertia `J_i/N_i^2`, viscous coefficient `d_i/N_i^2`, torque `tau_i/N_i`.
-#' `scene_gears()` makes a [scene_axle()] of the first shaft with their sums.
+#' `scene_gears()` makes a [scene_axle()] of the first shaft with their sums. Torque laws, friction,
+#' elastic shafts, clutches, and the motion of each shaft: see [scene_drive()].
 #'
 #' **Efficiency.** A stage transmits the share `efficiency` of its input power, in the direction of
 #' the power flow: with `eta` the product of the efficiencies between, a torque that drives acts on
@@ -142,6 +143,19 @@ describe_gears <- function(gears) {
   paste0(
     "loss of ", format_si(gears$forward_n_m), " N m forward, ", format_si(gears$backward_n_m),
     " N m backward"
+  )
+}
+
+# A line for each shaft of a scene's train.
+describe_shafts <- function(train) {
+  shown <- seq_len(min(8L, length(train$shaft)))
+  c(
+    paste0(
+      "  ", format(paste("shaft", train$shaft[shown]), width = 11L), " ",
+      format_si(train$moment_of_inertia_kg_m2[shown]), " kg m^2, ratio to the first ",
+      format_si(train$ratio_to_first[shown]), "\n", recycle0 = TRUE
+    ),
+    if (length(train$shaft) > 8L) "  ...\n"
   )
 }
 

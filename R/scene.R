@@ -235,7 +235,8 @@ print.rot_scene_axle <- function(x, ...) {
     shown[c("coulomb_n_m", "static_n_m")] <- 0
   }
   cat(
-    "<rot_scene> ", body, " on a fixed axle\n",
+    "<rot_scene> ", if (is.null(x$train)) paste(body, "on a fixed axle") else "a gear train", "\n",
+    describe_shafts(x$train),
     "  inertia     ", inertia, "\n",
     "  torque      ", describe_torque(torque), "\n",
     "  resistance  ", describe_resistance(shown), "\n",

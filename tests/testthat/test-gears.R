@@ -82,3 +82,13 @@ test_that("a train whose loss exceeds its torques stays at rest, and one without
   expect_null(scene_gears(c(1, 2), 3, torque_n_m = 1)$gears)
   expect_equal(run_of(trajectory(scene_gears(c(1, 2), 3, torque_n_m = 1), 1))$model, "axle_linear")
 })
+
+test_that("a gear train prints its shafts with their ratios", {
+  shown <- capture.output(print(scene_gears(c(0.01, 0.5, 2), ratios = c(5, -2), torque_n_m = 1)))
+  expect_equal(shown[1], "<rot_scene> a gear train")
+  expect_match(shown[2], "^  shaft 1     0.01 kg m\\^2, ratio to the first 1$")
+  expect_match(shown[3], "^  shaft 2     0.5 kg m\\^2, ratio to the first 5$")
+  expect_match(shown[4], "^  shaft 3     2 kg m\\^2, ratio to the first -10$")
+  expect_match(shown, "inertia     0.05 kg m\\^2 about the axle", all = FALSE)
+  expect_equal(capture.output(print(scene_axle(1)))[1], "<rot_scene> a body on a fixed axle")
+})

@@ -367,6 +367,8 @@ test_that("a drive is drawn and measured", {
   skip_if_not_installed("ggplot2")
   motion <- trajectory(geared_drive(), seq(0, 1, by = 0.05))
   expect_s3_class(ggplot2::autoplot(motion), "ggplot")
+  expect_s3_class(ggplot2::autoplot(geared_drive()), "ggplot")
+  expect_s3_class(ggplot2::autoplot(clutch_drive()), "ggplot")
   cost <- work_precision(
     clutch_drive(), 0:3, accuracies = c(1e-4, 1e-8), least_batch_s = 1e-3, batches = 1
   )
