@@ -223,6 +223,7 @@ drive_integrals <- function(scene, u, solve, time_s, call) {
   seen <- drive_actions(scene, u, all, solve(scene, all, call))$omega
   inertia <- scene$moment_of_inertia_kg_m2
   least <- c(max(seen^2 %*% inertia), max(abs(seen) %*% inertia))[c(1, 2, 2, 2, rep(1, width - 4L))]
+  least[!is.finite(least)] <- 0
   panels <- integrate_panels(rates, all[-length(all)], all[-1], least)
   total <- rbind(0, apply(panels$value, 2, cumsum))
   dim(total) <- c(length(all), width)

@@ -236,7 +236,10 @@ check_couplings <- function(couplings, n, call) {
 through_ratios <- function(x, arg, unit, ratio, call) {
   x <- check_finite(x, arg, unit, call)
   n <- length(ratio)
-  if (length(x) == 1L) return(x / ratio)
+  if (length(x) == 1L) {
+    if (all(is.finite(x / ratio))) return(x / ratio)
+    abort_rotdyn("{.arg {arg}} over the ratios is beyond double precision.", "value", call)
+  }
   if (length(x) != n) {
     abort_rotdyn(
       c("{.arg {arg}} must have length 1 or {n}.", x = "It has length {length(x)}."), "size", call
@@ -250,7 +253,7 @@ check_geared_rates <- function(omega, couplings, call) {
     if (couplings[[i]]$kind != 2) next
     ratio <- couplings[[i]]$ratio
     off <- abs(omega[i] - ratio * omega[i + 1L])
-    if (off > 1e-12 * abs(omega[i])) {
+    if (!(off <= 1e-12 * abs(omega[i]))) {
       abort_rotdyn(c(
         "{.arg omega0_rad_per_s} must agree with the gears.",
         x = "Rotor {i} turns at {format(omega[i])} rad/s, rotor {i + 1} at

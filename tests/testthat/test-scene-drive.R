@@ -28,6 +28,8 @@ test_that("what is no drive is refused, in the user's own call", {
   refuses(scene_drive(c(1, 2), coupling_gear(2), theta0_rad = 1:3), "size")
   refuses(scene_drive(c(1, 2), coupling_gear(2), 5), "argument")
   refuses(scene_drive(c(1, 0), coupling_gear(2)), "value")
+  refuses(scene_drive(c(1, 2), coupling_gear(1e-200), omega0_rad_per_s = 1e200), "value")
+  refuses(scene_drive(c(1, 2), coupling_gear(1e200), omega0_rad_per_s = c(1, 1e200)), "value")
   refuses(coupling_gear(0), "value")
   refuses(coupling_gear(NA_real_), "value")
   refuses(coupling_shaft(-1), "value")
