@@ -70,6 +70,7 @@ integrate_panels <- function(rates, from, to, least = 0) {
     panels <- panel_integrals(rates, from, to)
     if (is.null(total)) {
       total <- pmax(colSums(panels$size), least)
+      total[is.na(total)] <- Inf # not finite: no halving helps
       value <- size <- error <- matrix(0, n, length(total))
     }
     allowed <- 1e-15 * rep(total, each = length(from))

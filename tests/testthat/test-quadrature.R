@@ -39,3 +39,11 @@ test_that("what is not finite, or never converges, ends by a budget", {
   expect_lt(evaluated, 15 * 2.1e5)
   expect_lt(abs(out$value - 0.5), out$error)
 })
+
+test_that("an integrand that is no number in one panel leaves the others alone", {
+  rates <- function(t) cbind(ifelse(t < 1, NaN, t), t)
+  parts <- rotdyn:::integrate_panels(rates, c(0, 1), c(1, 2))
+  expect_true(is.nan(parts$value[1, 1]))
+  expect_equal(parts$value[2, ], c(1.5, 1.5), tolerance = 1e-15)
+  expect_equal(parts$value[1, 2], 0.5, tolerance = 1e-15)
+})
