@@ -30,7 +30,8 @@ typedef struct job {
   rot_ode_trace *trace;        /* of both sides */
   double *largest, *share;
   double *moved;
-  rot_ode_kinks *kinks;     /* see rot_ode_march */
+  rot_ode_kinks *kinks; /* see rot_ode_march */
+  rot_ode_walls *walls;
   double found, unresolved; /* out: see rot_ode_march */
   int stiff;                /* in: look for it; out: found */
   int first_mode;
@@ -65,7 +66,7 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   const size_t dim = p->dim;
   rot_ode_march run;
   memset(&run, 0, sizeof run);
-  double *scratch = calloc(10 * dim, sizeof *scratch);
+  double *scratch = calloc(13 * dim, sizeof *scratch);
   const size_t calls = info->rhs_calls;
   rot_info_clear(info, NULL);
   info->rhs_calls = calls;
@@ -86,11 +87,13 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   run.slope_rows = j->slope_rows;
   run.watch_stiffness = j->stiff;
   run.kinks = j->guide ? NULL : j->kinks;
+  run.walls = j->walls;
+  run.slides = NO_WALL;
   run.dense.dim = dim;
   run.dense.slopes = j->method == ROT_METHOD_RK8PD;
   run.form = calloc(dim, sizeof *run.form);
-  run.n_watch = (p->turn != NULL) + p->n_events;
-  run.watch = calloc(run.n_watch + 1, sizeof *run.watch);
+  run.n_watch = (p->turn != NULL) + p->n_events + j->walls->count;
+  run.watch = calloc(run.n_watch + ROT_ODE_MOST_WALLS, sizeof *run.watch);
   memset(j->share, 0, dim * sizeof *j->share);
   memset(j->moved, 0, dim * sizeof *j->moved);
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
@@ -104,8 +107,9 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   }
   info->status = scratch && run.form && run.watch && (run.rk || run.radau) ? ROT_OK : ROT_ENOMEM;
   if (info->status == ROT_OK) {
-    double **part[] = {&run.y,       &run.trial, &run.trial_error, &run.slope,   &run.trial_slope,
-                       &run.allowed, &run.work,  &run.change,      &run.stage_y, &run.stage_f};
+    double **part[] = {&run.y,       &run.trial,  &run.trial_error, &run.slope,   &run.trial_slope,
+                       &run.allowed, &run.work,   &run.change,      &run.stage_y, &run.stage_f,
+                       &run.kept,    &run.beside, &run.beyond};
     for (size_t k = 0; k < sizeof part / sizeof *part; k++) *part[k] = scratch + k * dim;
     run.system = (gsl_odeiv2_system){rot_ode_slope_at, NULL, dim, &run};
     info->status = run_sides(&run, j);
@@ -176,6 +180,8 @@ static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
  * even err alike: their distance missed the error by up to 6 in a tenth of 60 motions on torque
  * curves; twice the distance and four times the test's figure missed one of 600, by 1.3. */
 #define KINK_MARGIN 2.0
+/* Steps that end on a wall are no equal parts of each other. */
+#define WALL_MARGIN 10.0
 
 /* Kinks that no break marks. */
 static int has_kinks(const job *j) { return j->p->kinks || j->kinks->missed; }
@@ -190,7 +196,8 @@ static double part_of_distance(const job *coarse, const job *fine, double ratio,
   const double fell = coarse->found > 0.0 ? fine->found / coarse->found / ratio : 0.0;
   const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
   const double margin = ratio < 3.0 || fine->method == ROT_METHOD_RADAU ? 4.0 : 2.5;
-  return part < 0.5 ? fmin(1.0, margin * part / (1.0 - part) + rounding_share) : 1.0;
+  const double walls = fine->walls->count ? WALL_MARGIN : 1.0;
+  return part < 0.5 ? fmin(1.0, walls * margin * part / (1.0 - part) + rounding_share) : 1.0;
 }
 
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
@@ -204,7 +211,8 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
   const double mend = smooth && fine->method == ROT_METHOD_RK8PD
                           ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0)
                           : 0.0;
-  const double resolve = (has_kinks(fine) || fine->kinks->count ? 4.0 : 1.0) * fine->unresolved;
+  /* Most steps whose error does not fall meet a kink that was not found; fewer where one was. */
+  const double resolve = (fine->walls->count ? 1.5 : 3.0) * fine->unresolved;
   double worst = *steps = 0.0;
   memset(error, 0, rot_ode_measures(p) * sizeof *error);
   for (int forward = 0; forward < 2; forward++) {
@@ -315,6 +323,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   double tolerance;
   size_t parts = first_parts(p, &tolerance);
   rot_ode_kinks kinks = {0, 0, NULL, 0};
+  rot_ode_walls walls;
   rot_ode_params split = *p;
   job coarse;
   memset(traces, 0, sizeof traces);
@@ -333,6 +342,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   coarse.first_mode = p->mode ? *p->mode : 0;
   coarse.budget = p->max_steps / 2;
   coarse.kinks = &kinks;
+  walls.count = 0;
+  coarse.walls = &walls;
   if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
   if (coarse.method == ROT_METHOD_RK8PD && kinks.count) {
     const rot_status status = split_at_kinks(p, &kinks, &split);
@@ -349,7 +360,11 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
             stepwise = !explicit || has_kinks(&coarse);
   const double first = coarse.tolerance;
   double last = INFINITY;
-  if (stepwise) parts = 2;
+  if (stepwise) {
+    parts = 2;
+  } else if (walls.count) {
+    parts++; /* for WALL_MARGIN */
+  }
   for (int k = 0; k < MOST_RUNS && n && !hopeless; k++) {
     job fine = coarse;
     fine.guide = traces[0];

@@ -4,37 +4,62 @@
 #include <stdint.h>
 
 #include "rot_ode_step.h"
+#include "rot_ode_wall.h"
 #include "rot_real.h"
 
-/* The switch counts as the first event. */
-static rot_ode_event event_of(const rot_ode_march *run, size_t which) {
+/* An event function, or a component less a level. */
+typedef struct look {
+  rot_ode_event event;
+  double level;
+  int slides; /* the function is rot_ode_hold_of_slide() */
+  int kink;   /* need not be met exactly */
+} look;
+
+size_t rot_ode_wall_of(const rot_ode_march *run, size_t which) {
+  const size_t first = run->n_watch - run->walls->count;
+  return which >= first && which < run->n_watch ? which - first : NO_WALL;
+}
+
+/* The switch counts as the first event, walls as the last. */
+static look look_at(const rot_ode_march *run, size_t which) {
   const rot_ode_switch *turn = run->p->turn;
+  const size_t wall = rot_ode_wall_of(run, which);
+  look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL}, 0.0, 0, 0};
   if (turn && which == 0) {
-    const rot_ode_event zero = {NULL, turn->watched, 0, ROT_EVENT_REVERSE, NULL};
-    return zero;
+    l.event.component = turn->watched;
+  } else if (wall != NO_WALL) {
+    l.event.component = run->walls->wall[wall].component;
+    l.level = rot_ode_wall_level(run, wall);
+    l.slides = run->side[wall] == 0;
+    l.kink = run->walls->wall[wall].below == run->walls->wall[wall].above;
+  } else {
+    l.event = run->p->events[which - (turn != NULL)];
   }
-  return run->p->events[which - (turn != NULL)];
+  return l;
 }
 
 static int is_switch(const rot_ode_march *run, size_t which) { return run->p->turn && which == 0; }
 
-static double value_at(const rot_ode_march *run, const rot_ode_event *e, double t,
-                       const double y[]) {
-  return e->g ? e->g(t, y, run->p->ctx) : y[e->component];
+static double value_at(rot_ode_march *run, const look *l, double t, const double y[]) {
+  if (l->slides) return rot_ode_hold_of_slide(run, t, y);
+  if (l->event.g) return l->event.g(t, y, run->p->ctx);
+  return l->event.component < run->p->dim ? y[l->event.component] - l->level : t - l->level;
 }
 
-double rot_ode_event_value(const rot_ode_march *run, size_t which) {
-  const rot_ode_event e = event_of(run, which);
-  return value_at(run, &e, run->t, run->y);
+static int is_function(const look *l) { return l->event.g || l->slides; }
+
+double rot_ode_event_value(rot_ode_march *run, size_t which) {
+  const look l = look_at(run, which);
+  return value_at(run, &l, run->t, run->y);
 }
 
 /* Its slope along the motion; of a function by a difference over 1e-7 of h. */
-static double rise_at(rot_ode_march *run, const rot_ode_event *e, double t, const double y[],
+static double rise_at(rot_ode_march *run, const look *l, double t, const double y[],
                       const double slope[], double h) {
-  if (!e->g) return slope[e->component];
+  if (!is_function(l)) return slope[l->event.component];
   const double d = 1e-7 * h;
   for (size_t i = 0; i < run->p->dim; i++) run->change[i] = y[i] + d * slope[i];
-  return (value_at(run, e, t + d, run->change) - value_at(run, e, t, y)) / d;
+  return (value_at(run, l, t + d, run->change) - value_at(run, l, t, y)) / d;
 }
 
 static int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
@@ -42,9 +67,17 @@ static int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
 void rot_ode_arm(rot_ode_march *run, size_t fired, double at) {
   const double way = run->forward ? 1.0 : -1.0;
   for (size_t k = 0; k < run->n_watch; k++) {
-    const rot_ode_event e = event_of(run, k);
+    const look l = look_at(run, k);
     rot_ode_watch *w = &run->watch[k];
-    w->value = value_at(run, &e, run->t, run->y);
+    const size_t wall = rot_ode_wall_of(run, k);
+    w->value = value_at(run, &l, run->t, run->y);
+    if (wall != NO_WALL) { /* a slide lasts while its function is positive */
+      const int time = l.event.component == run->p->dim;
+      w->fresh = !time && !l.slides && (k == fired || w->value == 0.0);
+      if (w->fresh) w->value = 0.0;
+      w->side = time ? 0 : l.slides ? 1 : run->side[wall];
+      continue;
+    }
     if (is_switch(run, k)) {
       w->side = *run->p->mode;
       w->fresh = run->phase == ROT_ODE_LEAVING || run->phase == ROT_ODE_UNDECIDED;
@@ -53,7 +86,7 @@ void rot_ode_arm(rot_ode_march *run, size_t fired, double at) {
     if (k == fired && w->value == at) w->value = 0.0;
     w->side = sign_of(w->value);
     if (w->side == 0) {
-      w->side = sign_of(way * rise_at(run, &e, run->t, run->y, run->slope, run->h));
+      w->side = sign_of(way * rise_at(run, &l, run->t, run->y, run->slope, run->h));
     }
     w->fresh = w->value == 0.0 && w->side != 0;
   }
@@ -63,6 +96,10 @@ void rot_ode_watch_on(rot_ode_march *run, size_t passed) {
   for (size_t k = 0; k < run->n_watch; k++) {
     rot_ode_watch *w = &run->watch[k];
     w->value = rot_ode_event_value(run, k);
+    if (rot_ode_wall_of(run, k) != NO_WALL && k != passed) {
+      w->fresh = 0;
+      continue;
+    }
     w->fresh = k == passed;
     if (k == passed) {
       w->value = 0.0;
@@ -78,7 +115,7 @@ void rot_ode_watch_on(rot_ode_march *run, size_t passed) {
 /* Times its side, x from 0 to 1: of a component its cubic, else the function of the state's. */
 typedef struct sight {
   rot_ode_march *run;
-  rot_ode_event event;
+  look at;
   double side, h, w[4]; /* w: value and h times slope, at both ends */
 } sight;
 
@@ -88,35 +125,54 @@ static double cubic(const double w[4], double x) {
 }
 
 static void aim(sight *s, const rot_ode_watch *at, double h) {
-  const rot_ode_march *run = s->run;
-  const size_t i = s->event.component;
+  rot_ode_march *run = s->run;
+  const size_t i = s->at.event.component;
   s->h = h;
   s->w[0] = at->fresh ? 0.0 : s->side * at->value;
-  s->w[2] = s->side * value_at(run, &s->event, run->t + h, run->trial);
-  if (s->event.g) return;
+  s->w[2] = s->side * value_at(run, &s->at, run->t + h, run->trial);
+  if (is_function(&s->at)) return;
   s->w[1] = s->side * run->slope[i] * h;
   s->w[3] = s->side * run->trial_slope[i] * h;
 }
 
 static double seen(const sight *s, double x) {
-  const rot_ode_march *run = s->run;
-  if (!s->event.g) return cubic(s->w, x);
+  rot_ode_march *run = s->run;
+  if (!is_function(&s->at)) return cubic(s->w, x);
   for (size_t i = 0; i < run->p->dim; i++) {
     const double w[4] = {run->y[i], s->h * run->slope[i], run->trial[i],
                          s->h * run->trial_slope[i]};
     run->change[i] = cubic(w, x);
   }
-  return s->side * value_at(run, &s->event, run->t + x * s->h, run->change);
+  return s->side * value_at(run, &s->at, run->t + x * s->h, run->change);
 }
 
 static rot_status attempt_part(sight *s, double h, double *w, double *rise) {
   rot_ode_march *run = s->run;
   const rot_status status = rot_ode_attempt(run, run->t, h, run->y, run->slope);
   if (status != ROT_OK) return status;
-  *w = s->side * value_at(run, &s->event, run->t + h, run->trial);
-  *rise = s->side * rise_at(run, &s->event, run->t + h, run->trial, run->trial_slope, h);
+  *w = s->side * value_at(run, &s->at, run->t + h, run->trial);
+  *rise = s->side * rise_at(run, &s->at, run->t + h, run->trial, run->trial_slope, h);
   return ROT_OK;
 }
+
+/* The zero of the cubic over the step x that was just taken, near its end. */
+static double zero_near(sight *s, double x) {
+  const rot_ode_watch unseen = {s->w[0] * s->side, 0, s->w[0] == 0.0};
+  sight near = *s;
+  double at = 1.0;
+  aim(&near, &unseen, x);
+  for (int k = 0; k < 4; k++) {
+    const double u = 1.0 - at, *w = near.w;
+    const double rise =
+        6.0 * at * u * (w[2] - w[0]) + u * (1.0 - 3.0 * at) * w[1] + at * (3.0 * at - 2.0) * w[3];
+    at -= cubic(w, at) / rise;
+  }
+  return at * x;
+}
+
+/* A kink is passed so much of the accuracy and of the step off: a stage at the end of the step sees
+ * as much of the wrong side. */
+#define KINK_RESOLVED 1e-3
 
 /* Positive at the start and not so after hi: re-step to the zero by Newton, kept between. *hi
  * becomes that step, trial the state there. */
@@ -136,7 +192,9 @@ static rot_status find_zero(sight *s, double *hi) {
     double v, rise;
     const rot_status status = attempt_part(s, x, &v, &rise);
     if (status != ROT_OK) return status;
-    const double next = x - v / rise, resolved = 2.0 * ROT_EPS * fmax(fabs(run->t), fabs(x));
+    const double next = is_function(&s->at) ? x - v / rise : zero_near(s, x);
+    double resolved = 2.0 * ROT_EPS * fmax(fabs(run->t), fabs(x));
+    if (s->at.kink) resolved = fmax(resolved, KINK_RESOLVED * run->p->accuracy * fabs(*hi));
     if (v > 0.0) {
       lo = x;
     } else {
@@ -146,8 +204,14 @@ static rot_status find_zero(sight *s, double *hi) {
     const int inside = (next - lo) * (next - high) < 0.0; /* NaN is not */
     x = inside ? next : lo + 0.5 * (high - lo);
   }
+  if (s->at.slides) { /* on, so far that the slope leaves the wall; it is lost only as the square */
+    double v, rise;
+    x += copysign(fmax(1e-8 * fabs(*hi), 8.0 * ROT_EPS * fabs(run->t)), *hi);
+    const rot_status status = attempt_part(s, x, &v, &rise);
+    if (status != ROT_OK) return status;
+  }
   *hi = x;
-  if (!s->event.g) run->trial[s->event.component] = 0.0;
+  if (!is_function(&s->at) && !s->at.kink) run->trial[s->at.event.component] = s->at.level;
   return ROT_OK;
 }
 
@@ -166,7 +230,12 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
       best = fmax(0.0, seen(s, x));
     }
     if (best == 0.0) { /* touched zero and went back */
+      const size_t wall = rot_ode_wall_of(s->run, which);
       s->run->watch[which].side = -s->run->watch[which].side;
+      if (wall == NO_WALL) return ROT_OK;
+      s->run->side[wall] = -s->run->side[wall];
+      s->run->slope_known = 0;
+      *what = ROT_ODE_TRY_SHORTER;
       return ROT_OK;
     }
   }
@@ -182,9 +251,9 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
 
 static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_passage *what) {
   rot_ode_watch *at = &run->watch[which];
-  sight s = {run, event_of(run, which), at->side, *h, {0.0}};
-  const int upward = run->forward ? s.event.direction : -s.event.direction;
-  const int fires = s.event.direction == 0 || upward == -at->side;
+  sight s = {run, look_at(run, which), at->side, *h, {0.0}};
+  const int upward = run->forward ? s.at.event.direction : -s.at.event.direction;
+  const int fires = s.at.event.direction == 0 || upward == -at->side;
   if (at->side == 0) return ROT_OK;
   aim(&s, at, *h);
   const double end = s.w[2];

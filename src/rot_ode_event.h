@@ -24,6 +24,9 @@ rot_status rot_ode_look_for_events(rot_ode_march *run, double *h, rot_ode_passag
  * goes on through it. */
 void rot_ode_watch_on(rot_ode_march *run, size_t passed);
 
-double rot_ode_event_value(const rot_ode_march *run, size_t which);
+double rot_ode_event_value(rot_ode_march *run, size_t which);
+
+/* The wall that is watched as `which`, or NO_WALL. */
+size_t rot_ode_wall_of(const rot_ode_march *run, size_t which);
 
 #endif

@@ -11,4 +11,7 @@
  * kink of any other run lies between them, too. */
 rot_status rot_ode_look_for_kink(rot_ode_march *run, double h);
 
+/* The same for walls alone (rot_ode_wall.h), of a step that need not have been rejected. */
+rot_status rot_ode_look_for_wall(rot_ode_march *run, double h);
+
 #endif

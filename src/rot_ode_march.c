@@ -11,6 +11,7 @@
 #include "rot_ode_rest.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_step.h"
+#include "rot_ode_wall.h"
 #include "rot_real.h"
 
 enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and more */
@@ -214,32 +215,41 @@ static rot_status reject(rot_ode_march *run, double h, double factor, rot_status
 /* A part of a step should have the error of the whole less rot_ode_gain(). Where it does not,
  * the motion is too quick for these steps, or has a kink, and the error that the test found counts
  * in full. */
-static void note_error(rot_ode_march *run, double error) {
-  run->found += error;
-  if (!run->guide || run->guide_at + 1 >= run->guide->count) return;
+static int is_unresolved(const rot_ode_march *run, double error) {
+  if (!run->guide || run->guide_at + 1 >= run->guide->count) return 0;
   double before = rot_ode_node(run->guide, run->guide_at + 1)[1];
   if (run->guide_at + 2 < run->guide->count) { /* after a zero the guide is some way off */
     before = fmax(before, rot_ode_node(run->guide, run->guide_at + 2)[1]);
   }
   const double want = before / rot_ode_gain(run->method, (double)run->parts);
-  if (error > 4.0 * want && error > 16.0 * ROT_EPS) {
-    /* Radau's test is that of order 5, its result of order 9. */
-    const double missed = run->method == ROT_METHOD_RADAU ? pow(error, 1.5) : error;
-    run->unresolved += missed * missed;
-  }
+  return error > 4.0 * want && error > 64.0 * ROT_EPS;
+}
+
+static void note_error(rot_ode_march *run, double error) {
+  run->found += error;
+  if (!is_unresolved(run, error)) return;
+  /* Radau's test is that of order 5, its result of order 9. */
+  const double missed = run->method == ROT_METHOD_RADAU ? pow(error, 1.2) : error;
+  run->unresolved += missed * missed;
 }
 
 /* A smooth law fails the test of a step that it chose itself by less: there may be a kink. */
 #define KINK_RATIO 8.0
 enum { MOST_LOOKS = 6 };
 
-static rot_status look_for_kink(rot_ode_march *run, double h, double ratio) {
-  if (!run->kinks || run->method != ROT_METHOD_RK8PD || !(ratio > KINK_RATIO)) return ROT_OK;
+static rot_status look_for_kink(rot_ode_march *run, double h, double ratio, rot_status tried) {
+  const int diverged = tried == ROT_ESTEP;
+  if (!run->kinks || !(ratio > KINK_RATIO || diverged) || run->slides != NO_WALL) return ROT_OK;
   if (run->phase != ROT_ODE_MOVING && run->phase != ROT_ODE_CUT) return ROT_OK;
   run->looks = run->t == run->looked_t ? run->looks + 1 : 1;
   run->looked_t = run->t;
+  if (diverged && run->looks <= MOST_LOOKS) { /* Newton's iteration: along the tangent */
+    for (size_t i = 0; i < run->p->dim; i++) run->trial[i] = run->y[i] + h * run->slope[i];
+    const int code = rot_ode_slope_at(run->t + h, run->trial, run->trial_slope, run);
+    if (code != GSL_SUCCESS) return run->status == ROT_ERHS ? ROT_OK : run->status;
+  }
   if (run->looks <= MOST_LOOKS) return rot_ode_look_for_kink(run, h);
-  run->kinks->missed = 1;
+  run->kinks->missed = run->kinks->missed || !diverged;
   return ROT_OK;
 }
 
@@ -258,7 +268,30 @@ static rot_status note_kink(rot_ode_march *run) {
   return ROT_OK;
 }
 
+/* *ratio becomes that of a step that was cut at a wall. */
+static rot_status look_for_events(rot_ode_march *run, double *h, rot_ode_passage *what,
+                                  size_t *which, double *ratio) {
+  const double whole = *h;
+  const rot_status status = rot_ode_look_for_events(run, h, what, which);
+  if (status == ROT_OK && run->walls->count && *h != whole) *ratio = rot_ode_trial_ratio(run, *h);
+  return status;
+}
+
 static int may_retry(rot_status status) { return status == ROT_ERHS || status == ROT_ESTEP; }
+
+/* The rows so far lie on unknown sides of walls that were added since: filled without them. */
+static rot_status close_rows(rot_ode_march *run, size_t added) {
+  run->walls->count -= added;
+  run->n_watch -= added;
+  rot_status status = rot_ode_fill_rows(run, 1);
+  run->walls->count += added;
+  run->n_watch += added;
+  run->dense.count = 0;
+  run->stretch_t = run->t;
+  run->slope_known = 0;
+  if (status == ROT_OK) status = rot_ode_know_slope(run);
+  return status == ROT_OK ? rot_ode_add_node(run) : status;
+}
 
 /* One step towards `stop`, which no break comes before. */
 static rot_status take_step(rot_ode_march *run, double stop, double fraction, rot_ode_passage *what,
@@ -279,30 +312,53 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   }
   status = rot_ode_attempt(run, run->t, plan.h, run->y, run->slope);
   if (status != ROT_OK && !may_retry(status)) return status;
-  const double ratio = status == ROT_OK ? rot_ode_trial_ratio(run, plan.h) : NAN;
+  double ratio = status == ROT_OK ? rot_ode_trial_ratio(run, plan.h) : NAN;
+  double h = plan.h;
+  /* Beyond a wall the step is no step of the motion, and its error none: up to the wall. */
+  const int early = status == ROT_OK && ratio > 1.0 && !isnan(rot_ode_wall_ahead(run, h));
+  if (early) {
+    run->info->rejected++;
+    status = look_for_events(run, &h, what, which, &ratio);
+    if (status != ROT_OK && !may_retry(status)) return status;
+    if (status == ROT_OK && *what == ROT_ODE_TRY_SHORTER && !run->slope_known) return ROT_OK;
+    if (status != ROT_OK || *what == ROT_ODE_TRY_SHORTER || !(ratio <= 1.0)) {
+      *what = ROT_ODE_TRY_SHORTER;
+      return reject(run, h, 0.5, status == ROT_OK ? ROT_ESTEP : status);
+    }
+  }
   if (!(ratio <= 1.0)) { /* NaN fails */
     const int aimed = !isnan(run->kink);
-    const rot_status looked = aimed ? ROT_OK : look_for_kink(run, plan.h, ratio);
+    const size_t walls = run->walls->count;
+    const rot_status looked = aimed ? ROT_OK : look_for_kink(run, plan.h, ratio, status);
     if (looked != ROT_OK) return looked;
-    if (!aimed && !isnan(run->kink)) {
+    if (!aimed && (!isnan(run->kink) || run->walls->count != walls)) {
       run->info->rejected++;
       return ROT_OK;
     }
     const double less = isfinite(ratio) ? fmax(0.1, 0.9 * pow(ratio, error_power(run))) : 0.1;
     return reject(run, plan.h, less, status == ROT_OK ? ROT_ESTEP : status);
   }
-  double h = plan.h;
-  status = rot_ode_look_for_events(run, &h, what, which);
+  if (!early) status = look_for_events(run, &h, what, which, &ratio);
   if (may_retry(status)) return reject(run, plan.h, 0.5, status);
   if (status != ROT_OK) return status;
   if (*what == ROT_ODE_TRY_SHORTER) {
     return run->slope_known ? reject(run, plan.h, 0.1, ROT_ESTEP) : ROT_OK;
   }
+  if (is_unresolved(run, ratio * run->tolerance) && run->slides == NO_WALL && isnan(run->kink)) {
+    const size_t walls = run->walls->count;
+    const rot_status looked = rot_ode_look_for_wall(run, h);
+    if (looked != ROT_OK) return looked;
+    if (run->walls->count != walls) {
+      run->info->rejected++;
+      *what = ROT_ODE_TRY_SHORTER;
+      return close_rows(run, run->walls->count - walls);
+    }
+  }
   note_error(run, ratio * run->tolerance);
   run->limit = INFINITY;
   run->phase = *what == ROT_ODE_CUT_SHORT ? ROT_ODE_CUT : ROT_ODE_MOVING;
   const double grow = ratio > 0.0 ? 0.9 * pow(ratio, error_power(run)) : 5.0;
-  const double wish = plan.h * fmin(5.0, fmax(0.5, grow));
+  const double wish = (early ? h : plan.h) * fmin(5.0, fmax(0.5, grow));
   judge_stiffness(run, plan.h);
   /* A step cut short by a target says nothing against the longer one. */
   if (fabs(wish) > fabs(run->h) || plan.as_wished) run->h = wish;
@@ -325,6 +381,26 @@ static rot_status pass_event(rot_ode_march *run, size_t which, int *new_stretch)
   return status;
 }
 
+/* A wall is met to rounding, or a little beyond: what has its zero there is passed with it. */
+static rot_status pass_events_beside(rot_ode_march *run) {
+  const rot_ode_switch *turn = run->p->turn;
+  for (size_t k = 0; k < run->n_watch - run->walls->count; k++) {
+    const double value = rot_ode_event_value(run, k);
+    int new_stretch;
+    if (run->watch[k].side == 0 || run->watch[k].side * value >= 0.0) continue;
+    if (turn && k == 0) {
+      run->y[turn->watched] = 0.0;
+      continue;
+    }
+    const rot_ode_event *e = &run->p->events[k - (turn != NULL)];
+    const int upward = run->forward ? e->direction : -e->direction;
+    if (e->direction != 0 && upward == run->watch[k].side) continue;
+    const rot_status status = pass_event(run, k, &new_stretch);
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
+}
+
 /* Integrate to a time with no break in between. */
 static rot_status drive(rot_ode_march *run, double stop) {
   const double whole = run->end - run->p->start_s;
@@ -333,26 +409,37 @@ static rot_status drive(rot_ode_march *run, double stop) {
     rot_status status;
     const int was = run->p->turn ? *run->p->mode : 1, mode = run->p->mode ? *run->p->mode : 0;
     int new_stretch = 0;
-    size_t which = SIZE_MAX;
+    size_t which = SIZE_MAX, crossed = NO_WALL;
     double at = 0.0;
+    const double until = rot_ode_next_stop(run, stop);
     if (run->phase == ROT_ODE_HELD) {
-      status = rot_ode_hold(run, stop, &new_stretch);
+      status = rot_ode_hold(run, until, &new_stretch);
     } else {
-      status = take_step(run, stop, fabs((run->t - run->p->start_s) / whole), &what, &which);
+      status = take_step(run, until, fabs((run->t - run->p->start_s) / whole), &what, &which);
       if (run->phase == ROT_ODE_STIFF) return ROT_ESTEP;
     }
     if (status != ROT_OK) return status;
+    if (what == ROT_ODE_AT_ZERO && rot_ode_wall_of(run, which) != NO_WALL) {
+      status = pass_events_beside(run);
+      if (status != ROT_OK) return status;
+    }
     if (run->n_watch && what != ROT_ODE_TRY_SHORTER) rot_ode_watch_on(run, which);
     if (what == ROT_ODE_AT_ZERO) {
-      new_stretch = run->p->turn && which == 0;
+      const size_t wall = rot_ode_wall_of(run, which);
+      new_stretch = (run->p->turn && which == 0) || wall != NO_WALL;
       at = new_stretch ? 0.0 : rot_ode_event_value(run, which);
       if (!new_stretch) status = pass_event(run, which, &new_stretch);
+      if (wall != NO_WALL) crossed = wall;
     }
+    const int timed = run->walls->count > 0 && rot_ode_at_time_wall(run);
+    new_stretch |= timed;
     if (status == ROT_OK && new_stretch) { /* the rows before it belong to the mode before it */
       const int next = run->p->mode ? *run->p->mode : 0;
       if (run->p->mode) *run->p->mode = mode;
       status = rot_ode_fill_rows(run, 1);
       if (run->p->mode) *run->p->mode = next;
+      if (timed) rot_ode_pass_time(run);
+      if (status == ROT_OK && crossed != NO_WALL) status = rot_ode_pass_wall(run, crossed);
       if (status == ROT_OK) status = begin_stretch(run, was, which, at);
     }
     if (status != ROT_OK) return status;
@@ -392,6 +479,7 @@ static course set_out(rot_ode_march *run, double end, int forward) {
   const int on_break = forward ? w.k > 0 && p->breaks[w.k - 1] == run->t
                                : w.k < p->n_breaks && p->breaks[w.k] == run->t;
   if (on_break) *w.near = nextafter(run->t, w.outward);
+  run->slides = NO_WALL;
   return w;
 }
 
@@ -413,6 +501,7 @@ static void cross_break(rot_ode_march *run, course *w, double stop) {
 rot_status rot_ode_march_to(rot_ode_march *run, double end, int forward) {
   course w = set_out(run, end, forward);
   rot_status status = rot_ode_trace_end(run, 0.0);
+  if (status == ROT_OK) status = rot_ode_choose_sides(run);
   int was = 2;
   while (status == ROT_OK && run->t != end && run->phase != ROT_ODE_ENDED) {
     const double at_break = next_break(run, &w);

@@ -28,6 +28,20 @@ typedef struct rot_ode_kinks {
   int missed; /* there is one that was not found, or a jump */
 } rot_ode_kinks;
 
+/* Where the right-hand side jumps or kinks: see rot_ode_wall.h. */
+enum { ROT_ODE_MOST_WALLS = 32 };
+#define NO_WALL ((size_t)-1)
+
+typedef struct rot_ode_wall {
+  size_t component; /* dim: time */
+  double below, above;
+} rot_ode_wall;
+
+typedef struct rot_ode_walls {
+  size_t count;
+  rot_ode_wall wall[ROT_ODE_MOST_WALLS];
+} rot_ode_walls;
+
 /* The state of the march.
  *
  *   MOVING     -> a step -> MOVING, CUT
@@ -77,11 +91,15 @@ typedef struct rot_ode_march {
   double grace;      /* held up to here whatever drives */
   rot_status status; /* of the last rhs call */
   double *y, *trial, *trial_error, *slope, *trial_slope, *allowed, *work, *change; /* dim each */
-  double *largest;            /* the caller's: size of each measure so far */
-  double *moved;              /* by the projection, summed, each measure */
-  double found;               /* errors that the test found in the steps, their sum */
-  double unresolved;          /* of steps where halving did not help, the sum of squares */
-  const rot_ode_trace *guide; /* steps to be divided into `parts`; NULL: the error test rules */
+  rot_ode_walls *walls;                                                            /* of all runs */
+  int side[ROT_ODE_MOST_WALLS];   /* of each wall; 0: slides along it */
+  size_t slides;                  /* the wall that it slides along, or NO_WALL */
+  double *kept, *beside, *beyond; /* dim each: a state on its sides; slopes on both sides */
+  double *largest;                /* the caller's: size of each measure so far */
+  double *moved;                  /* by the projection, summed, each measure */
+  double found;                   /* errors that the test found in the steps, their sum */
+  double unresolved;              /* of steps where halving did not help, the sum of squares */
+  const rot_ode_trace *guide;     /* steps to be divided into `parts`; NULL: the error test rules */
   size_t parts;
   size_t guide_at;      /* t lies from this node of it to the next */
   double limit;         /* no step is longer, after a rejection in a guided run */
@@ -90,7 +108,7 @@ typedef struct rot_ode_march {
   double kink, over;    /* just before and just after the next one; NaN: none is known */
   double looked_t;      /* where one was looked for last, `looks` times */
   int looks;
-  rot_ode_watch *watch; /* the switch first, if there is one, then the events */
+  rot_ode_watch *watch; /* the switch first, if there is one, then the events, then the walls */
   size_t n_watch;
   double stage_t, *stage_y, *stage_f, stiffness; /* Hairer's test, see rot_ode_step.c */
   int watch_stiffness, stiff_steps, calm_steps;

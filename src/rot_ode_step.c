@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "rot_ode_rows.h"
+#include "rot_ode_wall.h"
 #include "rot_real.h"
 
 /* Below, doubles have no 16 digits left that an error test could ask for. */
@@ -40,7 +41,13 @@ static void note_stiffness(rot_ode_march *run, double t, const double y[], const
 
 int rot_ode_slope_at(double t, const double y[], double dydt[], void *ctx) {
   rot_ode_march *run = ctx;
+  if (run->slides != NO_WALL) return rot_ode_sliding_slope(run, t, y, dydt);
   t = t < run->after ? run->after : t > run->before ? run->before : t;
+  if (run->walls->count) {
+    memcpy(run->kept, y, run->p->dim * sizeof *y);
+    rot_ode_keep_sides(run, &t, run->kept);
+    y = run->kept;
+  }
   run->info->rhs_calls++;
   run->status = run->p->rhs(t, y, dydt, run->p->ctx);
   for (size_t i = 0; i < run->p->controlled && run->status == ROT_OK; i++) {

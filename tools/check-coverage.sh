@@ -1,7 +1,8 @@
 #!/bin/sh
-# Do the reported errors cover the true ones? Random scenes for each model of the axle, judged in
-# quadruple precision (bench/coverage/). Needs gcc and libquadmath.
-#   check-coverage.sh [SCENES]
+# Do the reported errors cover the true ones? Random scenes for each model of the axle, and random R
+# functions as torque laws for the installed package, judged in quadruple precision
+# (bench/coverage/). Needs gcc and libquadmath. Without SEED another one is drawn each time.
+#   check-coverage.sh [SCENES [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
 build=$(mktemp -d)
@@ -9,4 +10,10 @@ trap 'rm -rf "$build"' EXIT
 ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc $(gsl-config --cflags) \
   bench/coverage/coverage.c bench/coverage/truth.c src/rot_*.c \
   $(gsl-config --libs) -lquadmath -lm -o "$build/coverage"
-"$build/coverage" "${1:-1000}"
+${CC:-gcc} -std=gnu11 -O2 bench/coverage/laws.c -lquadmath -lm -o "$build/laws"
+seed=${2:-$(date +%s)}
+echo "seed $seed"
+bad=0
+"$build/coverage" "${1:-1000}" "$seed" || bad=1
+Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad=1
+exit $bad

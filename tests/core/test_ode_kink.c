@@ -115,7 +115,7 @@ static void check_cover(void) {
     printf("accuracy 1e-%02d: %d of %d missed, %d in doubt, error at most %.2g of the estimate, "
            "%zu calls each\n",
            a, missed, cases, doubtful, worst, calls / (size_t)cases);
-    ROT_CHECK(missed <= (a == 3 ? 20 : a == 6 ? 10 : 5) && doubtful <= 5);
+    ROT_CHECK(missed <= (a <= 6 ? 3 : 1) && doubtful <= 5);
   }
 }
 
