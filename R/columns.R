@@ -38,6 +38,9 @@ column_list <- list(
   c("terminal_omega_rad_per_s", "rad/s", "limit of omega under the last torque"),
   c("final_omega_1_rad_per_s", "rad/s", "angular velocity of body 1 at the end"),
   c("final_omega_2_rad_per_s", "rad/s", "angular velocity of body 2 at the end"),
+  c("period_s", "s", "time after which the motion repeats, or of a cycle"),
+  c("amplitude_rad", "rad", "largest angle from the rest angle"),
+  c("amplitude_ratio", "1", "amplitude after a cycle over that before"),
   c("power_w", "W", "power of the applied torque"),
   c("event", "", "event: \"stick\", \"slip\", \"reverse\", ..."),
   c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque since the first row"),
@@ -179,7 +182,7 @@ column_list <- list(
   c("suggestion", "", "smallest repairs that make every condition hold"),
   c("repair", "1", "number of the repair, the smallest first"),
   c("size", "1", "size of the repair: see the help of `check_inertia()`"),
-  c("kind", "", "error that the repair corrects"),
+  c("kind", "", "kind: of a motion, of the error that a repair corrects"),
   c("entry", "", "the number that changes"),
   c("from", "", "old value"),
   c("to", "", "new value"),
@@ -246,6 +249,7 @@ audit_columns <- c(
   "balance", "about", "unit", "change", "supplied", "dissipated", "residual", "rounding",
   "verdict"
 )
+period_columns <- c("period_s", "kind", "amplitude_rad", "amplitude_ratio")
 clutch_summary_columns <- c(
   "final_omega_1_rad_per_s", "final_omega_2_rad_per_s", "heat_j", "lock_time_s"
 )

@@ -9,6 +9,7 @@
 #include "rot_axle_models.h"
 #include "rot_axle_motor.h"
 #include "rot_axle_ode.h"
+#include "rot_axle_period.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
 
@@ -179,6 +180,25 @@ SEXP ffi_axle_stopping(SEXP list) {
   double x[] = {NA_REAL, NA_REAL, rot_axle_drag_terminal(&scene)};
   if (rot_axle_drag_stop(&scene, &x[0], &x[1]) != ROT_OK) x[0] = x[1] = NA_REAL;
   return ffi_numbers(3, x);
+}
+
+/* list(kind, period_s, amplitude_rad, ratio) */
+SEXP ffi_axle_period(SEXP list) {
+  static const char *const kinds[] = {
+#define X(code, name) name,
+      ROT_PERIOD_LIST(X)
+#undef X
+  };
+  static const char *const names[] = {"kind", "period_s", "amplitude_rad", "ratio", ""};
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  const rot_period period = rot_axle_period(&scene);
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  SET_VECTOR_ELT(out, 0, Rf_mkString(kinds[period.kind]));
+  SET_VECTOR_ELT(out, 1, Rf_ScalarReal(period.period_s));
+  SET_VECTOR_ELT(out, 2, Rf_ScalarReal(period.amplitude_rad));
+  SET_VECTOR_ELT(out, 3, Rf_ScalarReal(period.ratio));
+  UNPROTECT(1);
+  return out;
 }
 
 /* ---- integrated ------------------------------------------------------------------------------ */

@@ -317,6 +317,16 @@ static int fits(const rot_axle_scene *scene) {
 
 static const double farthest = 1e15; /* rad: whole turns are counted exactly */
 
+static rot_status begin_scene(pendulum *run, const rot_axle_scene *scene) {
+  const rot_axle_params *p = &scene->linear;
+  const double *x = scene->terms[0].x, rest = x[1];
+  const rot_dd gravity = {x[0], scene->terms[0].length > 2 ? x[2] : 0.0};
+  const rot_dd inertia = {p->inertia_kg_m2, scene->inertia_lo};
+  if (!(fabs(p->theta0_rad - rest) <= farthest)) return ROT_ERANGE;
+  begin(run, inertia, gravity, p->theta0_rad, rest, p->omega0_rad_per_s);
+  return run->manner == TOO_NEAR ? ROT_ERANGE : ROT_OK;
+}
+
 rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double time_s[],
                              const rot_axle_columns *out, rot_events *events,
                              const rot_hooks *hooks, rot_info *info) {
@@ -325,28 +335,47 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
   (void)events; /* there are none */
   rot_info_clear(info, rot_turning);
   if (!fits(scene)) return info->status = ROT_EVALUE;
-  const rot_axle_params *p = &scene->linear;
-  const double *x = scene->terms[0].x, rest = x[1];
-  const rot_dd gravity = {x[0], scene->terms[0].length > 2 ? x[2] : 0.0};
-  const rot_dd inertia = {p->inertia_kg_m2, scene->inertia_lo};
-  if (!(fabs(p->theta0_rad - rest) <= farthest)) return info->status = ROT_ERANGE;
-  begin(&run, inertia, gravity, p->theta0_rad, rest, p->omega0_rad_per_s);
-  if (run.manner == TOO_NEAR) return info->status = ROT_ERANGE;
+  info->status = begin_scene(&run, scene);
+  if (info->status != ROT_OK) return info->status;
   return rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);
+}
+
+/* The period of a motion that has begun, and its amplitude: Inf and pi on the separatrix and where
+ * it is balanced, NaN where it rotates or cannot be resolved. */
+static double period_of(const pendulum *p, double *amplitude) {
+  *amplitude = 0.0;
+  if (p->manner == STILL && p->sine.hi == 0.0) { /* the limit of small swings */
+    return ldexp(0x1.921fb54442d18p+2 / p->w0.hi, p->exponent);
+  }
+  if (p->manner == TO_AND_FRO) {
+    *amplitude = 2.0 * atan2(p->size, p->jacobi.g[0]);
+    return ldexp(4.0 * p->jacobi.k.hi / p->w0.hi, p->exponent);
+  }
+  *amplitude = NAN;
+  if (p->manner == ALL_ROUND) {
+    return ldexp(2.0 * p->jacobi.k.hi / p->rate.hi, p->exponent - p->k_exponent);
+  }
+  if (p->manner == TOO_NEAR) return NAN;
+  *amplitude = 0x1.921fb54442d18p+1;
+  return INFINITY;
 }
 
 double rot_pendulum_period(double inertia_kg_m2, double gravity_n_m, double theta_rad,
                            double omega_rad_per_s) {
   pendulum p = {0};
+  double amplitude;
   if (!(fabs(theta_rad) <= farthest) || gravity_n_m == 0.0) return NAN;
   const rot_dd inertia = {inertia_kg_m2, 0.0}, gravity = {gravity_n_m, 0.0};
   begin(&p, inertia, gravity, theta_rad, 0.0, omega_rad_per_s);
-  if (p.manner == STILL && p.sine.hi == 0.0) { /* the limit of small swings */
-    return ldexp(0x1.921fb54442d18p+2 / p.w0.hi, p.exponent);
-  }
-  if (p.manner == TO_AND_FRO) return ldexp(4.0 * p.jacobi.k.hi / p.w0.hi, p.exponent);
-  if (p.manner == ALL_ROUND) {
-    return ldexp(2.0 * p.jacobi.k.hi / p.rate.hi, p.exponent - p.k_exponent);
-  }
-  return p.manner == TOO_NEAR ? NAN : INFINITY;
+  return period_of(&p, &amplitude);
+}
+
+rot_status rot_axle_pendulum_period(const rot_axle_scene *scene, double *period_s,
+                                    double *amplitude_rad) {
+  pendulum p = {0};
+  *period_s = *amplitude_rad = NAN;
+  if (!fits(scene)) return ROT_EVALUE;
+  const rot_status status = begin_scene(&p, scene);
+  if (status == ROT_OK) *period_s = period_of(&p, amplitude_rad);
+  return status;
 }

@@ -24,4 +24,9 @@ rot_axle_run rot_axle_pendulum;
 double rot_pendulum_period(double inertia_kg_m2, double gravity_n_m, double theta_rad,
                            double omega_rad_per_s);
 
+/* The same of a scene that the model takes (else ROT_EVALUE), and its amplitude: pi on the
+ * separatrix, NaN where it rotates. ROT_ERANGE too near the top to be resolved. */
+rot_status rot_axle_pendulum_period(const rot_axle_scene *scene, double *period_s,
+                                    double *amplitude_rad);
+
 #endif

@@ -1,0 +1,56 @@
+#' The period of a motion
+#'
+#' In closed form: a pendulum at any amplitude and in rotation, an oscillator with a spring, a wheel
+#' that turns freely.
+#'
+#' \deqn{T = 4 \sqrt{I / (m g d)} \, K(\sin^2(A / 2))}{T = 4 sqrt(I/(m g d)) K(sin^2(A/2))}
+#' for a pendulum of amplitude A, with the complete elliptic integral K. An oscillator
+#' `I theta'' = -c theta' - k theta` has the cycle `2 pi / sqrt(k/I - (c/(2 I))^2)`, the time between
+#' two passages of the rest angle in the same sense; with damping the motion itself has no period, and each cycle
+#' multiplies the amplitude by `amplitude_ratio`.
+#'
+#' @param scene A [scene_axle()] or [scene_pendulum()].
+#' @return A tibble of one row with the columns
+#'   `r describe_columns(period_columns)`
+#'   `kind` is `"oscillation"`; `"rotation"` (the period is the time of a turn); `"rest"` (it hangs
+#'   still: the period of a small swing); `"separatrix"` (it tends to the top, or is balanced there:
+#'   Inf); `"damped"` (the time of a cycle; NaN where no cycle is like another: a damped pendulum,
+#'   drag, dry friction); `"overdamped"` and `"none"` (NaN: nothing swings). `amplitude_rad` is NaN
+#'   where there is none.
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where no closed form tells (a driven
+#'   motion, gravity with a spring): `when(scene, theta_rad = 0)` gives the passages.
+#' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), sections 11 and 25. The integral by the
+#'   arithmetic-geometric mean to twice the precision, so that it holds beside the separatrix, too.
+#' @seealso [when()], [stopping()], [motion_events()].
+#' @concept period
+#' @concept frequency
+#' @examples
+#' # A metre stick about its end: small swings, and let go from horizontal.
+#' stick <- function(angle) scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = angle)
+#' period(stick(0))
+#' period(stick(pi / 2))
+#' # A torsion pendulum in oil.
+#' period(scene_axle(0.02, torque_spring(0.5), resistance(0.01), theta0_rad = 0.3))
+#' @export
+period <- function(scene) {
+  call <- rlang::current_env()
+  check_supplied("scene", call)
+  check_class(
+    scene, axle_constraint()$scene_class, "scene",
+    "Describe one with {.fn scene_pendulum} or {.fn scene_axle}.", call
+  )
+  check_scene(scene, call)
+  x <- .Call(ffi_axle_period, scene)
+  if (!is.null(scene$loads$law)) x$kind <- "unknown"
+  if (x$kind == "unknown") {
+    abort_rotdyn(c(
+      "There is no closed form of the period of this motion.",
+      x = "On it act: {paste(core_effects('axle', scene), collapse = ', ')}.",
+      i = "{.code when(scene, theta_rad = 0, until_s = ...)} gives the times of its passages."
+    ), "model", call)
+  }
+  tibble::tibble(
+    period_s = x$period_s, kind = x$kind, amplitude_rad = x$amplitude_rad,
+    amplitude_ratio = x$ratio
+  )
+}
