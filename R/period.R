@@ -6,8 +6,8 @@
 #' \deqn{T = 4 \sqrt{I / (m g d)} \, K(\sin^2(A / 2))}{T = 4 sqrt(I/(m g d)) K(sin^2(A/2))}
 #' for a pendulum of amplitude A, with the complete elliptic integral K. An oscillator
 #' `I theta'' = -c theta' - k theta` has the cycle `2 pi / sqrt(k/I - (c/(2 I))^2)`, the time between
-#' two passages of the rest angle in the same sense; with damping the motion itself has no period, and each cycle
-#' multiplies the amplitude by `amplitude_ratio`.
+#' two passages of the rest angle in the same sense. With damping the motion itself has no period:
+#' each cycle multiplies the amplitude by `amplitude_ratio`.
 #'
 #' @param scene A [scene_axle()] or [scene_pendulum()].
 #' @return A tibble of one row with the columns
