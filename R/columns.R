@@ -42,6 +42,7 @@ column_list <- list(
   c("amplitude_rad", "rad", "largest angle from the rest angle"),
   c("amplitude_ratio", "1", "amplitude after a cycle over that before"),
   c("power_w", "W", "power of the applied torque"),
+  c("direction", "", "\"up\", \"down\", or \"reached\""),
   c("event", "", "event: \"stick\", \"slip\", \"reverse\", ..."),
   c("torque_impulse_n_m_s", "N m s", "time integral of the applied torque since the first row"),
   c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),

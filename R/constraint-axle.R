@@ -31,6 +31,17 @@ axle_constraint <- function() {
       theta = measure("rad", "theta_rad"),
       omega = measure("rad/s", "omega_rad_per_s")
     ),
+    slopes = function(columns, scene) {
+      omega <- columns$omega_rad_per_s
+      net <- columns$net_torque_n_m
+      c(
+        list(theta_rad = omega, angular_momentum_kg_m2_per_s = net),
+        if (is.null(.subset2(scene, "inertia"))) {
+          list(omega_rad_per_s = net, rotational_kinetic_energy_j = net * omega)
+        }
+      )
+    },
+    pace = axle_pace,
     summary = function(x, run) {
       list(
         moment_of_inertia_kg_m2 = run$scene$moment_of_inertia_kg_m2,
@@ -56,6 +67,24 @@ axle_constraint <- function() {
       )),
       panel("kinetic energy (J)", c(rotational_kinetic_energy_j = ""))
     )
+  )
+}
+
+# A torque that goes around with the angle swings as fast as the body turns.
+axle_pace <- function(scene, sizes) {
+  inertia <- min(scene$moment_of_inertia_kg_m2, scene$inertia$moment_of_inertia_kg_m2)
+  swing <- vapply(scene$loads$terms, function(term) {
+    x <- abs(term$x)
+    switch(term$kind,
+      sinusoid = x[2],
+      spring = sqrt(x[1] / inertia),
+      gravity = max(2 * sqrt(x[1] / inertia), sizes[["omega"]]),
+      0
+    )
+  }, double(1))
+  list(
+    breaks_s = sort(unique(c(axle_breaks(scene), scene$loads$law$breaks_s))),
+    fades_s = shortest_time(scene, sizes), swing_rad_per_s = max(0, swing)
   )
 }
 

@@ -20,6 +20,9 @@
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
 #   measures      named list of measure(), to which errors and accuracies refer
+#   slopes(columns, scene)       NULL, or list: by column, what has the sign of its slope in time
+#   pace(scene, sizes)           NULL, or list(breaks_s, fades_s, swing_rad_per_s): times of kinks,
+#                 the shortest time in which a transient fades (Inf: none), the fastest swing
 #   summary(x, run)              columns that summary() puts first
 #   balances(x, run, call)       list of balance(), see R/audit.R
 #   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:

@@ -1,0 +1,199 @@
+# The times at which a motion passes a value, and its extremes. They are bracketed between the times
+# of a grid and refined by runs of the model at the bracketed times; no row is interpolated.
+
+# ---- the motion at any time ---------------------------------------------------------------------
+
+# A function of times, in any order: the columns of the motion there, of one body where the rows
+# have an index (`body`).
+motion_reader <- function(run, body, call) {
+  record <- record_of(run)
+  constraint <- constraint_of(run$scene)
+  function(time_s) {
+    order <- order(time_s)
+    times <- time_s[order]
+    result <- record$run(
+      run$solved, times, run$accuracy, run$max_steps + length(times), call, TRUE
+    )
+    if (result$info$kind != "none") failed_run(result$info, length(times), "abort", call)
+    columns <- result$columns
+    if (!is.null(run$dropped) && !is.null(constraint$acting)) {
+      columns <- constraint$acting(columns, run$scene, times)
+    }
+    if (!is.null(constraint$more_columns)) {
+      columns <- constraint$more_columns(columns, run$scene, times)
+    }
+    rows <- order(order)
+    if (!is.null(constraint$index)) {
+      each <- constraint$copies(run$scene)
+      rows <- (rows - 1L) * each + body
+    }
+    lapply(columns, `[`, rows)
+  }
+}
+
+# ---- the grid -----------------------------------------------------------------------------------
+
+# Times so dense that between two of them a quantity has one extreme at most: breaks and events,
+# times that double their distance from these, and 16 for each cycle of the fastest swing. NULL
+# where the cycles are too many.
+search_times <- function(run, from_s, to_s) {
+  pace <- pace_of(run$scene, run$info$sizes)
+  cycles <- pace$swing_rad_per_s * (to_s - from_s) / (2 * pi)
+  if (!is.finite(cycles) || cycles > 1e4) return(NULL)
+  marks <- sort(unique(c(pace$breaks_s, run$events$time_s, run$scene$start_s)))
+  inside <- function(t) t[t > from_s & t < to_s]
+  fades <- graded_times(marks, run$scene$start_s, pace$fades_s, from_s, to_s)
+  ends <- unique(c(from_s, inside(marks), to_s))
+  # Pieces of their own: an eighth, and closer to their ends.
+  parts <- c(2^-(12:4), seq_len(15) / 16, 1 - 2^-(4:12))
+  n <- length(ends)
+  pieces <- if (n <= 2000L) outer(diff(ends), parts) + ends[-n]
+  intervals <- 129 + ceiling(16 * cycles)
+  even <- from_s + (to_s - from_s) * (seq_len(intervals - 1) / intervals)
+  sort(unique(c(from_s, inside(c(marks, fades, pieces, even)), to_s)))
+}
+
+# Of constraints that do not say: list(breaks_s, fades_s, swing_rad_per_s), see R/constraints.R.
+pace_of <- function(scene, sizes) {
+  pace <- constraint_of(scene)$pace
+  if (is.null(pace)) return(list(breaks_s = double(), fades_s = Inf, swing_rad_per_s = 0))
+  pace(scene, sizes)
+}
+
+# ---- zeros --------------------------------------------------------------------------------------
+
+# A zero of f in each bracket, f(from) f(to) < 0, to 2 roundings of the time, all brackets at once.
+# Chandrupatla, Adv. Eng. Software 28 (1997) 145: inverse quadratic steps, halvings where they fail.
+zeros_between <- function(f, from, to, f_from, f_to) {
+  n <- length(from)
+  zero <- double(n)
+  x1 <- to
+  x2 <- x3 <- from
+  f1 <- f_to
+  f2 <- f3 <- f_from
+  part <- rep(0.5, n)
+  open <- seq_len(n)
+  for (step in seq_len(300L)) {
+    if (!length(open)) break
+    x <- x1 + part * (x2 - x1)
+    fx <- f(x)
+    same <- sign(fx) == sign(f1)
+    x3 <- ifelse(same, x1, x2)
+    f3 <- ifelse(same, f1, f2)
+    x2 <- ifelse(same, x2, x1)
+    f2 <- ifelse(same, f2, f1)
+    x1 <- x
+    f1 <- fx
+    best <- ifelse(abs(f1) < abs(f2), x1, x2)
+    least <- (.Machine$double.eps * abs(best) + 1e-300) / abs(x2 - x1)
+    done <- !(least < 0.5) | f1 == 0 | is.nan(f1)
+    zero[open[done]] <- ifelse(f1 == 0, x1, best)[done]
+    xi <- (x1 - x2) / (x3 - x2)
+    phi <- (f1 - f2) / (f3 - f2)
+    part <- f1 / (f2 - f1) * f3 / (f2 - f3) +
+      (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
+    smooth <- phi^2 < xi & (1 - phi)^2 < 1 - xi & is.finite(part)
+    part <- ifelse(smooth & !is.na(smooth), part, 0.5)
+    part <- pmin(pmax(part, least), 1 - least)
+    keep <- !done
+    open <- open[keep]
+    x1 <- x1[keep]
+    x2 <- x2[keep]
+    x3 <- x3[keep]
+    f1 <- f1[keep]
+    f2 <- f2[keep]
+    f3 <- f3[keep]
+    part <- part[keep]
+  }
+  zero[open] <- x1
+  zero
+}
+
+# ---- extremes and passages ----------------------------------------------------------------------
+
+# A column at the times of the grid and at its extremes between them: list(time_s, value, extreme).
+search_column <- function(read, slopes, column, time_s) {
+  columns <- read(time_s)
+  value <- columns[[column]]
+  slope <- if (!is.null(slopes)) slopes(columns)[[column]]
+  at <- if (is.null(slope)) {
+    extremes_by_values(read, column, time_s, value)
+  } else {
+    turns <- which(slope[-1] * slope[-length(slope)] < 0)
+    zeros_between(
+      function(t) slopes(read(t))[[column]], time_s[turns], time_s[turns + 1L], slope[turns],
+      slope[turns + 1L]
+    )
+  }
+  flat <- if (is.null(slope)) logical(length(time_s)) else slope == 0
+  all <- c(time_s, at)
+  order <- order(all)
+  list(
+    time_s = all[order], value = c(value, if (length(at)) read(at)[[column]])[order],
+    extreme = c(flat, rep(TRUE, length(at)))[order]
+  )
+}
+
+# Where the slope is unknown: the middle of three closes in on the extreme, to the root of the
+# precision in time.
+extremes_by_values <- function(read, column, time_s, value) {
+  n <- length(time_s)
+  if (n < 3L) return(double())
+  i <- 1L + which(diff(sign(diff(value))) != 0 & diff(value)[-1] != 0)
+  if (!length(i)) return(double())
+  from <- time_s[i - 1L]
+  to <- time_s[i + 1L]
+  top <- sign(value[i] - value[i - 1L])
+  for (zoom in 1:14) {
+    parts <- outer(to - from, seq_len(7L) / 8) + from
+    values <- matrix(read(as.vector(parts))[[column]], nrow = length(i)) * top
+    best <- max.col(values, ties.method = "first")
+    width <- (to - from) / 8
+    at <- parts[cbind(seq_along(i), best)]
+    from <- at - width
+    to <- at + width
+  }
+  at
+}
+
+# The times at which the column is `value`: list(time_s, direction). `close`: the relative error of
+# the column; an extreme or an end closer to the value, relative to the distances around, touches it:
+# what fades away keeps its passages. Where it stays at the value, the first time.
+passages <- function(read, slopes, column, value, time_s, close) {
+  found <- search_column(read, slopes, column, time_s)
+  off <- found$value - value
+  near <- close * around(abs(off), 16L) +
+    4 * .Machine$double.eps * pmax(abs(found$value), abs(value))
+  n <- length(off)
+  end <- seq_len(n) %in% c(1L, n)
+  off[(found$extreme | end) & abs(off) <= near] <- 0
+  here <- which(off == 0 & c(TRUE, off[-n] != 0))
+  between <- which(off[-1] * off[-n] < 0)
+  zeros <- zeros_between(
+    function(t) read(t)[[column]] - value, found$time_s[between], found$time_s[between + 1L],
+    off[between], off[between + 1L]
+  )
+  # Before and after a time of the grid, where it is not the value.
+  before <- vapply(here, function(i) last(c(0, sign(off[seq_len(i)][off[seq_len(i)] != 0]))), 0)
+  after <- sign(off[pmin(here + 1L, n)])
+  direction <- function(from, to) {
+    ifelse(from < 0 & to > 0, "up", ifelse(from > 0 & to < 0, "down", "reached"))
+  }
+  order <- order(c(found$time_s[here], zeros))
+  list(
+    time_s = c(found$time_s[here], zeros)[order],
+    direction = c(
+      direction(before, after), ifelse(off[between] < 0, "up", "down")
+    )[order]
+  )
+}
+
+# The largest of each element and those up to `reach` places from it.
+around <- function(x, reach) {
+  n <- length(x)
+  out <- x
+  for (away in seq_len(min(reach, n - 1L))) {
+    out <- pmax(out, c(x[-seq_len(away)], rep(0, away)), c(rep(0, away), x[seq_len(n - away)]))
+  }
+  out
+}
