@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rot_ode_growth.h"
 #include "rot_ode_march.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_step.h"
@@ -32,6 +33,7 @@ typedef struct job {
   double *moved;
   rot_ode_kinks *kinks; /* see rot_ode_march */
   rot_ode_walls *walls;
+  rot_ode_growth *growth;   /* NULL: not followed */
   double found, unresolved; /* out: see rot_ode_march */
   int stiff;                /* in: look for it; out: found */
   int first_mode;
@@ -88,6 +90,7 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   run.watch_stiffness = j->stiff;
   run.kinks = j->guide ? NULL : j->kinks;
   run.walls = j->walls;
+  run.growth = j->guide ? NULL : j->growth;
   run.slides = NO_WALL;
   run.dense.dim = dim;
   run.dense.slopes = j->method == ROT_METHOD_RK8PD;
@@ -200,13 +203,18 @@ static double part_of_distance(const job *coarse, const job *fine, double ratio,
   return part < 0.5 ? fmin(1.0, walls * margin * part / (1.0 - part) + rounding_share) : 1.0;
 }
 
+/* Two runs so far apart, of their size, have lost each other: their distance tells its own size and
+ * no more. */
+#define LOST 0.03
+
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
- * would lessen. */
+ * would lessen; *lost: see above. */
 static double estimate(const job *coarse, const job *fine, const rot_info *info,
-                       double rounding_share, double change[], double error[], double *steps) {
+                       double rounding_share, double change[], double error[], double *steps,
+                       int *lost) {
   const rot_ode_params *p = fine->p;
   const double ratio = (double)fine->parts / (double)coarse->parts;
-  const double part = part_of_distance(coarse, fine, ratio, rounding_share);
+  double part = part_of_distance(coarse, fine, ratio, rounding_share);
   const int smooth = !p->turn && p->n_events == 0;
   const double mend = smooth && fine->method == ROT_METHOD_RK8PD
                           ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0)
@@ -224,9 +232,20 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
                   fine->time_s, mend, fine->y_rows, change, error);
     }
   }
+  *lost = 0;
+  for (size_t m = 0; m < rot_ode_steering(p); m++) {
+    const double apart = error[m] / fine->largest[m];
+    *lost = *lost || (apart > LOST && apart > 300.0 * p->accuracy);
+  }
+  if (*lost) part = 1.0;
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     const double size = fine->largest[m];
-    const double roundings = 4.0 * ROT_EPS * sqrt(1.0 + (double)info->steps) * size;
+    double roundings = 4.0 * ROT_EPS * sqrt(1.0 + (double)info->steps) * size;
+    if (fine->growth && m < rot_ode_steering(p)) {
+      const double grown = fine->growth->worst[m];
+      /* Where it grows by ten decades, the motions of two runs grow differently. */
+      roundings = fmax(roundings, (grown > 1e-6 * size ? 10.0 : 3.0) * grown);
+    }
     const double lessened = fmax(0.0, part - rounding_share) * error[m] + resolve * size;
     error[m] = part * error[m] + fine->share[m] + fine->moved[m] + resolve * size + roundings;
     if (m >= rot_ode_steering(p) || size == 0.0) continue;
@@ -344,6 +363,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   coarse.kinks = &kinks;
   walls.count = 0;
   coarse.walls = &walls;
+  coarse.growth = rot_ode_growth_alloc(p);
   if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
   if (coarse.method == ROT_METHOD_RK8PD && kinks.count) {
     const rot_status status = split_at_kinks(p, &kinks, &split);
@@ -380,18 +400,20 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     /* A step's rounding beside what its error test allows. */
     const double share = 4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
     double steps;
-    const double worst = estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error, &steps);
+    int lost;
+    const double worst =
+        estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error, &steps, &lost);
     if (info->status != ROT_OK || worst <= p->accuracy || share > 0.3 || worst > 0.5 * last ||
         steps < 0.5 * worst) {
       break;
     }
-    last = worst;
+    last = lost ? INFINITY : worst;
     const double ratio = pow(1.0 + 2.0 * steps / p->accuracy, 1.0 / 8.0);
     const double more = stepwise ? 2.0 : fmin(4.0, ratio);
     const size_t next = (size_t)fmax(ceil(more * (double)parts), (double)parts + 1.0);
     if (info->steps * next > p->max_steps * parts) break;
     parts = next;
-    if (stepwise) coarse = fine;
+    if (stepwise || lost) coarse = fine;
   }
   if (failure.status != ROT_OK && info->status == ROT_OK) {
     info->status = failure.status;
@@ -400,6 +422,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   if (hopeless) info->rows_done = 0;
   sort_by_time(p->log);
   for (int k = 0; k < 6; k++) free(traces[k / 2][k % 2].data);
+  rot_ode_growth_free(coarse.growth);
   free(kinks.time_s);
   free(scratch);
   return info->status;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "rot_ode_event.h"
+#include "rot_ode_growth.h"
 #include "rot_ode_kink.h"
 #include "rot_ode_rest.h"
 #include "rot_ode_rows.h"
@@ -14,6 +15,7 @@
 #include "rot_ode_wall.h"
 #include "rot_real.h"
 
+enum { PARTS = 3 };          /* into which a finer run divides a step */
 enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and more */
 
 /* ---- stretches ------------------------------------------------------------------------------- */
@@ -97,6 +99,7 @@ static rot_status resolve_transient(rot_ode_march *run) {
 
 static rot_status begin_stretch(rot_ode_march *run, int was, size_t fired, double at) {
   rot_status status = choose_mode(run, was);
+  rot_ode_growth_new_stretch(run->growth);
   if (status == ROT_OK) status = rot_ode_know_slope(run);
   if (status == ROT_OK) rot_ode_arm(run, fired, at);
   if (status == ROT_OK) status = resolve_transient(run);
@@ -362,8 +365,12 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   judge_stiffness(run, plan.h);
   /* A step cut short by a target says nothing against the longer one. */
   if (fabs(wish) > fabs(run->h) || plan.as_wished) run->h = wish;
+  const double from = run->t;
   status = rot_ode_accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : run->t + h,
                           ratio * run->tolerance);
+  if (status == ROT_OK && run->growth) {
+    status = rot_ode_growth_step(run, run->t - from, run->trial, PARTS);
+  }
   return status == ROT_OK && run->t == run->kink ? note_kink(run) : status;
 }
 
@@ -413,6 +420,7 @@ static rot_status drive(rot_ode_march *run, double stop) {
     double at = 0.0;
     const double until = rot_ode_next_stop(run, stop);
     if (run->phase == ROT_ODE_HELD) {
+      rot_ode_growth_hold(run->growth, run->p->turn->watched);
       status = rot_ode_hold(run, until, &new_stretch);
     } else {
       status = take_step(run, until, fabs((run->t - run->p->start_s) / whole), &what, &which);
@@ -480,6 +488,7 @@ static course set_out(rot_ode_march *run, double end, int forward) {
                                : w.k < p->n_breaks && p->breaks[w.k] == run->t;
   if (on_break) *w.near = nextafter(run->t, w.outward);
   run->slides = NO_WALL;
+  rot_ode_growth_set_out(run->growth);
   return w;
 }
 

@@ -42,6 +42,8 @@ typedef struct rot_ode_walls {
   rot_ode_wall wall[ROT_ODE_MOST_WALLS];
 } rot_ode_walls;
 
+typedef struct rot_ode_growth rot_ode_growth;
+
 /* The state of the march.
  *
  *   MOVING     -> a step -> MOVING, CUT
@@ -101,12 +103,13 @@ typedef struct rot_ode_march {
   double unresolved;              /* of steps where halving did not help, the sum of squares */
   const rot_ode_trace *guide;     /* steps to be divided into `parts`; NULL: the error test rules */
   size_t parts;
-  size_t guide_at;      /* t lies from this node of it to the next */
-  double limit;         /* no step is longer, after a rejection in a guided run */
-  rot_ode_trace *trace; /* its own steps */
-  rot_ode_kinks *kinks; /* takes those that are found; NULL: none is looked for */
-  double kink, over;    /* just before and just after the next one; NaN: none is known */
-  double looked_t;      /* where one was looked for last, `looks` times */
+  size_t guide_at;        /* t lies from this node of it to the next */
+  double limit;           /* no step is longer, after a rejection in a guided run */
+  rot_ode_trace *trace;   /* its own steps */
+  rot_ode_growth *growth; /* of its rounding; NULL: not followed */
+  rot_ode_kinks *kinks;   /* takes those that are found; NULL: none is looked for */
+  double kink, over;      /* just before and just after the next one; NaN: none is known */
+  double looked_t;        /* where one was looked for last, `looks` times */
   int looks;
   rot_ode_watch *watch; /* the switch first, if there is one, then the events, then the walls */
   size_t n_watch;

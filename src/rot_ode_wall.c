@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "rot_ode_event.h"
+#include "rot_ode_growth.h"
 #include "rot_ode_step.h"
 
 static int is_time(const rot_ode_march *run, size_t wall) {
@@ -69,6 +70,7 @@ static void settle(rot_ode_march *run, size_t wall, int side) {
   run->side[wall] = side;
   run->slides = side ? run->slides == wall ? NO_WALL : run->slides : wall;
   run->slope_known = 0;
+  if (side == 0) rot_ode_growth_hold(run->growth, w->component);
   if (w->below == w->above) return;
   if (side) {
     run->y[w->component] = side > 0 ? w->above : w->below;

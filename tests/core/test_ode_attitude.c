@@ -198,9 +198,9 @@ static void check_tumbling(void) {
            "%.1e, L in space %.1e, length %.1e\n",
            6 + 2 * (k / 2), k % 2 ? " projected" : "", b.calls, worst, error[0], momentum, error[1],
            lost, in_space, length);
-    ROT_CHECK(worst <= error[0] + held && momentum <= error[1] + held);
-    ROT_CHECK(worst <= accuracy + held && momentum <= 4.1 * accuracy + held);
-    ROT_CHECK(error[0] <= accuracy + held && error[1] <= 4.1 * accuracy + held);
+    ROT_CHECK(worst <= error[0] && momentum <= error[1]);
+    ROT_CHECK(worst <= accuracy + held && momentum <= 4.1 * (accuracy + held));
+    ROT_CHECK(error[0] <= accuracy + 2.0 * held && error[1] <= 4.1 * (accuracy + 2.0 * held));
     ROT_CHECK(lost <= 10.0 * accuracy && in_space <= 20.0 * accuracy);
     if (k % 2) {
       ROT_CHECK(b.projections > 0 && length <= 8.0 * ROT_EPS);
