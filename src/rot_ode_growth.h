@@ -1,6 +1,6 @@
-/* What becomes of rounding on the way: two runs of one program share it, so that their distance does
- * not show it. The variational equation of the run that chooses the steps carries a covariance of
- * one rounding a step (of each step that divides it). */
+/* What becomes of rounding on the way: two runs of one program share it, so that their distance
+ * does not show it. The variational equation of the run that chooses the steps carries a covariance
+ * of one rounding a step (of each step that divides it). */
 #ifndef ROT_ODE_GROWTH_H
 #define ROT_ODE_GROWTH_H
 
