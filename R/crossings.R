@@ -157,8 +157,8 @@ extremes_by_values <- function(read, column, time_s, value) {
 }
 
 # The times at which the column is `value`: list(time_s, direction). `close`: the relative error of
-# the column; an extreme or an end closer to the value, relative to the distances around, touches it:
-# what fades away keeps its passages. Where it stays at the value, the first time.
+# the column; an extreme or an end closer to the value, relative to the distances around, touches
+# it: what fades away keeps its passages. Where it stays at the value, the first time.
 passages <- function(read, slopes, column, value, time_s, close) {
   found <- search_column(read, slopes, column, time_s)
   off <- found$value - value

@@ -9,7 +9,10 @@
 #' @param scene A [scene_axle()].
 #' @return A tibble of one row with the columns
 #'   `r describe_columns(c("stop_time_s", "stop_theta_rad", "terminal_omega_rad_per_s"))`
-#'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` NaN. The
+#'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` the
+#'   angle that it tends to: \eqn{\theta_0 + I \omega_0 / c}{theta0 + I omega0/c} with viscous
+#'   resistance, \eqn{\theta_0 + (I/q) \ln(1 + q \omega_0 / c)}{theta0 + I/q log(1 + q omega0/c)}
+#'   with quadratic drag, too; infinite with quadratic drag alone; NaN where a speed is left. The
 #'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists
 #'   it; where in the end nothing acts at all, it is the speed left.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
@@ -20,6 +23,8 @@
 #' # A flywheel that coasts down: J = 2.5 kg m^2, dry, viscous and quadratic losses.
 #' losses <- resistance(0.004, 2e-5, coulomb_n_m = 0.05)
 #' stopping(scene_axle(2.5, resistance = losses, omega0_rad_per_s = 150))
+#' # Viscous losses alone: no time, but an angle, I omega/c = 2.5 * 150/0.004 rad.
+#' stopping(scene_axle(2.5, resistance = resistance(0.004), omega0_rad_per_s = 150))
 #' # A fan: terminal speed where the drag balances the torque, sqrt(0.8/2e-3) = 20 rad/s.
 #' stopping(scene_axle(0.1, 0.8, resistance(quadratic_n_m_s2 = 2e-3)))
 #' @export

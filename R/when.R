@@ -15,9 +15,9 @@
 #'   integrator).
 #' @param accuracy That of [trajectory()], for a scene.
 #' @return A tibble with `time_s`, `direction` (`"up"`, `"down"`; `"reached"` where the value is
-#'   there at the start, is only touched, or stays) and the other columns of the motion at that time.
-#'   The first occurrence is one row, of NA if there is none; all of them may be no row. Where the
-#'   motion stays at the value (a wheel at rest) the time is the first one.
+#'   there at the start, is only touched, or stays) and the other columns of the motion at that
+#'   time. The first occurrence is one row, of NA if there is none; all of them may be no row.
+#'   Where the motion stays at the value (a wheel at rest) the time is the first one.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_unit`;
 #'   `rotdyn_error_time` for a span of more than 10000 cycles; those of [trajectory()].
 #' @source Chandrupatla, Advances in Engineering Software 28 (1997) 145, for the zeros.

@@ -157,6 +157,9 @@ rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, doubl
     for (size_t i = 0; i < events.count; i++) {
       if (events.event[i] == ROT_EVENT_STICK) *time_s = events.time_s[i];
     }
+  } else if (status == ROT_OK) {
+    const rot_axle_base *base = &run.rest.base;
+    *theta_rad = base->theta + base->heading * rot_drag_reach(&run.law, fabs(base->omega));
   }
   rot_events_free(&events);
   return status;

@@ -12,8 +12,9 @@
  * knots, motor and resistance, for negative resistance, and for times before the start. */
 rot_axle_run rot_axle_drag;
 
-/* When it comes to rest for good, and the angle there; Inf and NaN where it does not. A body at
- * rest from the start has stopped at the start. */
+/* When it comes to rest for good, and the angle there. A body at rest from the start has stopped at
+ * the start. Inf where it does not, with the angle that it tends to: finite with viscous
+ * resistance, infinite with quadratic drag alone, NaN where a speed is left. */
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad);
 
 /* Where omega tends to under the last knot's torque; +-Inf where nothing resists, 0 where friction

@@ -1,6 +1,7 @@
 #include "rot_drag.h"
 
 #include <limits.h>
+#include <stddef.h>
 
 #include "rot_real.h"
 
@@ -244,4 +245,15 @@ double rot_drag_terminal(const rot_drag_law *law) {
   if (!(law->drive_n_m > 0.0)) return 0.0;
   const rot_drag flow = rot_drag_from(law, 0.0, INFINITY);
   return scaled(flow.rest, flow.omega_exp);
+}
+
+double rot_drag_reach(const rot_drag_law *law, double omega0) {
+  const double I = law->inertia_kg_m2, c = law->viscous_n_m_s, q = law->quadratic_n_m_s2;
+  if (law->drive_n_m != 0.0) return NAN;
+  if (omega0 == 0.0) return 0.0;
+  if (c == 0.0) return INFINITY;
+  const double x = q == 0.0 ? 0.0 : rot_muldiv(q, omega0, c, NULL);
+  if (x <= 1.0) return rot_muldiv(I, omega0, c, NULL) * (x == 0.0 ? 1.0 : log1p(x) / x);
+  const double log_x = isfinite(x) ? log1p(x) : log(q) + log(omega0) - log(c);
+  return rot_muldiv(I, log_x, q, NULL);
 }

@@ -37,5 +37,9 @@ rot_drag_state rot_drag_at(const rot_drag *flow, double t, double t_lo);
 double rot_drag_stop(const rot_drag *flow);
 /* Where omega tends to: 0 where a <= 0, Inf where nothing resists. */
 double rot_drag_terminal(const rot_drag_law *law);
+/* The angle turned from omega0 >= 0 on where omega tends to 0 and never reaches it (no drive):
+ * I/q log(1 + q omega0/c) with the quadratic coefficient q, I omega0/c without it, Inf without c;
+ * NaN with a drive. 4 ulp. */
+double rot_drag_reach(const rot_drag_law *law, double omega0);
 
 #endif

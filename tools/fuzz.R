@@ -396,6 +396,8 @@ verbs <- list(
   run = function(x) trajectory(x, times(), max_steps = 1e4),
   choose = function(x) choose_model(x, times()),
   stops = function(x) stopping(x),
+  period = function(x) period(x),
+  when = function(x) when(x, theta_rad = 1, until_s = 1),
   modes = function(x) shaft_modes(x),
   add = function(x) x + x,
   scale = function(x) -2 * x / 3,
@@ -413,7 +415,7 @@ verbs_for <- function(x) {
       "format", "summary", "audit", "augment", "glance", "predict", "events", "rows", "edited",
       "autoplot"
     ),
-    scene = c("run", "choose", "stops", "modes"),
+    scene = c("run", "choose", "stops", "modes", "period", "when"),
     torque = c("add", "scale", "scene"),
     body = c("tensor", "axes", "moved", "joined", "check", "autoplot"),
     if (is.data.frame(x)) "format"

@@ -94,6 +94,28 @@ static void check_terminal(void) {
   ROT_CHECK_ULP(rot_drag_terminal(&faint), 1.0, 1);
 }
 
+/* The angle of a coast-down that never ends, mpmath at 50 digits: I, c, q, omega0, I w/c or
+ * I/q log(1 + q w/c). */
+static void check_reach(void) {
+  static const double x[][5] = {
+      {2.5, 0.004, 0.0, 150.0, 93749.999999999998048},
+      {2.5, 0.004, 2e-05, 150.0, 69951.973491927833329},
+      {1.2, 1e-12, 0.0003, 200.0, 99270.441596740718783},
+      {0.7, 3.0, 1e-18, 0.1, 0.023333333333333333148},
+      {0.001, 100000.0, 2.0, 0.001, 9.9999999000000017497e-12},
+      {1e+200, 1e-50, 1e+100, 1e+100, 5.7564627324851139445e+102},
+      {3.0, 1e-300, 1e+200, 1e+200, 4.8354286952874960825e-197},
+      {1e-300, 1e-300, 1e-300, 1.0, 0.69314718055994530942},
+  };
+  for (size_t i = 0; i < sizeof x / sizeof *x; i++) {
+    const rot_drag_law law = {0.0, 0.0, x[i][1], x[i][2], x[i][0]};
+    ROT_CHECK_REL(rot_drag_reach(&law, x[i][3]), x[i][4], 1e-15);
+  }
+  const rot_drag_law quadratic = {0.0, 0.0, 0.0, 2.0, 3.0}, driven = {1.0, 0.0, 1.0, 0.0, 1.0};
+  ROT_CHECK(isinf(rot_drag_reach(&quadratic, 1.0)) && rot_drag_reach(&quadratic, 0.0) == 0.0);
+  ROT_CHECK(isnan(rot_drag_reach(&driven, 1.0)));
+}
+
 /* Nothing is lost at the ends: no time, no drag, NaN. */
 static void check_ends(void) {
   const rot_drag still = flow_of(1.0, 1.0, 1.0, 0.5, 0.0);
@@ -125,6 +147,7 @@ int main(void) {
   check_inertia();
   check_derivatives();
   check_terminal();
+  check_reach();
   check_ends();
   return rot_test_report("drag");
 }

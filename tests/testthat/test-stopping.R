@@ -27,6 +27,7 @@ test_that("terminal speeds", {
 test_that("what never stops, what has stopped, and what cannot be told", {
   viscous <- stopping(scene_axle(1, resistance = resistance(0.1), omega0_rad_per_s = 3))
   expect_equal(viscous$stop_time_s, Inf)
+  expect_equal(viscous$stop_theta_rad, 30, tolerance = 1e-15)
   held <- stopping(scene_axle(1, 0.2, resistance(coulomb_n_m = 0.2), theta0_rad = 4, start_s = 7))
   expect_equal(held$stop_time_s, 7)
   expect_equal(held$stop_theta_rad, 4)
@@ -48,4 +49,23 @@ test_that("the terminal speed is that under the torque that acts for good", {
   expect_equal(terminal(1, 0.25, stiction), 0)
   expect_equal(terminal(1, 0.25, stiction, omega0_rad_per_s = -1), 0)
   expect_equal(terminal(1, 0.25, stiction, omega0_rad_per_s = 1), Inf)
+})
+
+# mpmath, 50 digits: theta0 + I omega0/c, and I/q log(1 + q omega0/c).
+test_that("a viscous coast-down tends to an angle", {
+  tends <- function(...) stopping(scene_axle(...))$stop_theta_rad
+  expect_equal(tends(0.0625, 0, resistance(0.03), omega0_rad_per_s = 30), 62.5, tolerance = 1e-15)
+  expect_equal(tends(2.5, 0, resistance(0.004, 2e-5), omega0_rad_per_s = 150),
+    69951.973491927833329, tolerance = 1e-15)
+  expect_equal(tends(2.5, 0, resistance(0.004, 2e-5), omega0_rad_per_s = -150, theta0_rad = 1),
+    -69950.973491927833329, tolerance = 1e-15)
+  for (c in 10^seq(-12, 12, 3)) {
+    expect_lte(abs(tends(1, 0, resistance(c), omega0_rad_per_s = 0.7) / (0.7 / c) - 1), 1e-15)
+  }
+  # Any impulse ends at its share of the angle, J/c, whenever it acts.
+  pulse <- torque_pulse(start_s = 2, duration_s = 3, torque_n_m = 1)
+  expect_equal(tends(1, pulse, resistance(0.5)), 3 / 0.5, tolerance = 1e-14)
+  expect_equal(tends(1, 0, resistance(0, 1), omega0_rad_per_s = -2), -Inf)
+  expect_equal(tends(1, 1, resistance(1)), NaN)
+  expect_equal(tends(1, theta0_rad = 3), 3)
 })

@@ -1,5 +1,5 @@
-# Passage times at 40 digits (mpmath): (K(m) - F(asin(sin(theta/2)/k), m))/w0 of a pendulum let go at
-# theta0, I = 0.7, m g d = 3.1; the zeros of exp(-g t)(cos w t + g/w sin w t), or of two
+# Passage times at 40 digits (mpmath): (K(m) - F(asin(sin(theta/2)/k), m))/w0 of a pendulum let go
+# at theta0, I = 0.7, m g d = 3.1; the zeros of exp(-g t)(cos w t + g/w sin w t), or of two
 # exponentials, of an oscillator with I = 2, k = 8 that starts at 1 rad.
 passed <- data.frame(
   theta0 = c(1e-09, 1e-09, 1e-09, 0.3, 0.3, 0.3, 2.0, 2.0, 2.0, 2.0, 3.1, 3.1, 3.1, 3.1415926535,
