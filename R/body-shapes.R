@@ -16,6 +16,8 @@ shape_aliases <- c(
 # The value of a missing argument without a default in its frame.
 left_out <- formals(function(x) NULL)
 
+many_bodies <- "{.fn inertia_table} takes many bodies: a data frame with a row for each."
+
 # A body of a shape, from the arguments of its constructor, whose frame is `call`. Called often:
 # only the usual case is handled here; densities and messages are elsewhere.
 new_shape_body <- function(shape, call) {
@@ -23,7 +25,7 @@ new_shape_body <- function(shape, call) {
   if (is.null(of)) of <- shape_parts(shape)
   density <- .subset2(of, "density")
   amount <- if ((is.null(density) || is.null(call[[density]])) && !is.symbol(call[["mass_kg"]])) {
-    check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0)
+    check_number(call[["mass_kg"]], "mass_kg", "kg", call, 0, remedy = many_bodies)
   } else {
     mass_or_density(density, .subset2(of, "density_unit"), call)
   }
@@ -33,7 +35,7 @@ new_shape_body <- function(shape, call) {
   for (i in seq_along(names)) {
     name <- names[i]
     if (is.symbol(call[[name]])) check_supplied(name, call)
-    size[i] <- check_number(call[[name]], name, units[i], call, size[i])
+    size[i] <- check_number(call[[name]], name, units[i], call, size[i], remedy = many_bodies)
   }
   parts <- .Call(ffi_shapes_body, .subset2(of, "id"), amount, !is.null(names(amount)), size)
   if (!is.list(parts)) abort_shape(parts, names, size, NULL, call)
@@ -194,8 +196,8 @@ NULL
 
 #' @rdname body_shapes
 #' @export
-body_point <- function(mass_kg, radius_m = 0) {
-  new_shape_body("point", environment())
+body_point <- function(mass_kg, radius_m = 0, ...) {
+  new_shape_body("point", check_no_dots(...))
 }
 
 #' @rdname body_shapes
@@ -374,8 +376,8 @@ body_torus_shell <- function(mass_kg, ring_radius_m, tube_radius_m, ...,
 
 #' @rdname body_shells
 #' @export
-body_ellipsoid_shell <- function(mass_kg, semi_x_m, semi_y_m, semi_z_m) {
-  new_shape_body("ellipsoid_shell", environment())
+body_ellipsoid_shell <- function(mass_kg, semi_x_m, semi_y_m, semi_z_m, ...) {
+  new_shape_body("ellipsoid_shell", check_no_dots(...))
 }
 
 #' @rdname body_shells

@@ -33,6 +33,7 @@ abort_dots <- function(given, call, fn) {
   named <- rlang::have_name(given)
   said[named] <- paste(names(given)[named], "=", said[named])
   known <- setdiff(names(formals(fn)), "...")
+  near <- near_names(names(given)[named], known)
   abort_rotdyn(c(
     if (all(named)) {
       "{length(said)} unknown argument{?s}."
@@ -40,15 +41,26 @@ abort_dots <- function(given, call, fn) {
       "Arguments after the first ones must be given by name."
     },
     x = "Unknown: {.code {said}}.",
+    i = if (length(near)) "Did you mean {.arg {near}}?",
+    unit_hints(names(given)[named], angles = !any(endsWith(near, "_deg"))),
     i = "The arguments are {.arg {known}}."
   ), "argument", call)
 }
 
-# Required arguments, by name; `env` is the frame of the function.
+# Required arguments, by name; `env` is the frame of the function. An unknown argument is named
+# first: it may be what was meant by the missing one.
 check_supplied <- function(names, env) {
   for (name in names) {
     if (eval(call("missing", as.name(name)), env)) {
-      abort_rotdyn("{.arg {name}} is missing: it has no default.", "missing", env)
+      if (exists("...", env, inherits = FALSE) && eval(quote(...length()), env)) {
+        given <- as.list(eval(quote(substitute(list(...))), env))[-1L]
+        frame <- which(vapply(sys.frames(), identical, NA, env))
+        abort_dots(given, env, sys.function(frame[length(frame)]))
+      }
+      abort_rotdyn(c(
+        "{.arg {name}} is missing: it has no default.",
+        i = if (name == "axis") "Give {.or {.val {c('x', 'y', 'z')}}}, or three numbers."
+      ), "missing", env)
     }
   }
 }
@@ -58,7 +70,8 @@ is_number <- function(x) {
 }
 
 # One finite number, from `lower` (excluded if `open`) to `upper`.
-check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = FALSE) {
+check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = FALSE,
+                         remedy = NULL) {
   if (is.double(x) && length(x) == 1L && is.null(attributes(x)) && is.finite(x) &&
     x >= lower && x <= upper && !(open && x == lower)) {
     return(x)
@@ -66,7 +79,11 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
   if (is.object(x)) x <- as_si(x, unit, arg, call)
   if (!is_number(x) || length(x) != 1L || is.object(x)) {
     abort_rotdyn(
-      c("{.arg {arg}} must be one number{in_unit(unit)}.", x = "It is {describe_value(x)}."),
+      c(
+        "{.arg {arg}} must be one number{in_unit(unit)}.",
+        x = "It is {describe_value(x)}.",
+        i = if (is_number(x) && length(x) > 1L) remedy
+      ),
       if (is_number(x) && !is.object(x)) "size" else "type", call
     )
   }
@@ -86,7 +103,8 @@ in_unit <- function(unit) {
 
 abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
   of_unit <- if (unit == "1") "" else paste0(" ", plain_unit(unit))
-  domain <- if (!is.finite(lower) && !is.finite(upper)) {
+  inside <- is.na(x) || (x >= lower && x <= upper && !(open && x == lower))
+  domain <- if ((!is.finite(lower) && !is.finite(upper)) || (inside && is.infinite(x))) {
     "finite"
   } else if (!is.finite(upper)) {
     paste0(if (open) "greater than " else "at least ", format(lower), of_unit)

@@ -2,7 +2,7 @@
 # ROT_STATUS_LIST in src/rot_status.h.
 error_kinds <- c(
   missing = "a required argument is missing",
-  argument = "an unknown argument, or one without its name",
+  argument = "an unknown argument or column, or an argument without its name",
   type = "an object of the wrong type",
   size = "incompatible lengths",
   value = "a number outside its domain",

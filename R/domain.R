@@ -47,8 +47,8 @@ NULL
 
 #' @rdname domains
 #' @export
-domain_box <- function(lower_m, upper_m) {
-  call <- rlang::current_env()
+domain_box <- function(lower_m, upper_m, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("lower_m", "upper_m"), call)
   box <- check_box(lower_m, upper_m, c("lower_m", "upper_m"), "m", call)
   new_domain(
@@ -135,8 +135,8 @@ domain_map <- function(map, jacobian, lower, upper, ..., periodic = c(FALSE, FAL
 
 #' @rdname domains
 #' @export
-domain_inside <- function(inside, lower_m, upper_m) {
-  call <- rlang::current_env()
+domain_inside <- function(inside, lower_m, upper_m, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("inside", "lower_m", "upper_m"), call)
   check_field_function(inside, "inside", call)
   box <- check_box(lower_m, upper_m, c("lower_m", "upper_m"), "m", call)

@@ -5,6 +5,7 @@
 #'
 #' @param mass_kg,radius_m,beta,speed_m_per_s Mass (at least 0), radius (greater than 0), `beta` (at
 #'   least 0) and speed: columns of length 1 or n.
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble with one row for each body: the four arguments, then
 #'   `r describe_columns(energy_columns)`
 #'   NA in a row gives NA in the values that depend on it. Products have at most four roundings.
@@ -17,8 +18,8 @@
 #' @examples
 #' energy_partition(mass_kg = 1, radius_m = 0.1, beta = c(1, 0.5, 0.4), speed_m_per_s = 3)
 #' @export
-energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s) {
-  call <- rlang::current_env()
+energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("mass_kg", "radius_m", "beta", "speed_m_per_s"), call)
   columns <- check_columns_of(
     list(mass_kg = mass_kg, radius_m = radius_m, beta = beta, speed_m_per_s = speed_m_per_s),

@@ -6,6 +6,7 @@
 #' @param moment_of_inertia_kg_m2 Moment of inertia on the output shaft, at least 0.
 #' @param ratio `omega_in/omega_out`, not 0; negative for gears that turn opposite ways. For a belt
 #'   it is `radius_out/radius_in`.
+#' @param ... Not used: an unknown argument is an error.
 #' @return Numbers in kg m^2, one for each row (arguments have length 1 or n). NA gives NA.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
@@ -13,8 +14,8 @@
 #' @examples
 #' reflected_inertia(0.5, ratio = c(1, 5, 10))
 #' @export
-reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
-  call <- rlang::current_env()
+reflected_inertia <- function(moment_of_inertia_kg_m2, ratio, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("moment_of_inertia_kg_m2", "ratio"), call)
   inertia <- check_column(moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call)
   ratio <- check_column(ratio, "ratio", "1", call)
@@ -49,11 +50,12 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio) {
 #'
 #' @param bodies A list of `rot_body` (their Izz counts), or moments of inertia in kg m^2, one for
 #'   each shaft; greater than 0.
-#' @param ratios One for each stage (`n - 1`), or one for all; not 0.
+#' @param ratios One for each stage (`n - 1`), or one for all; not 0. For a single shaft:
+#'   `numeric()`.
 #' @param ... Not used; names after it must be given in full.
 #' @param efficiency Of each stage, in (0, 1]: one number or `n - 1`.
-#' @param torque_n_m,viscous_n_m_s Torque and viscous coefficient (at least 0) on each shaft: one
-#'   number or `n`.
+#' @param torque_n_m Torque on each shaft: `n` numbers, or 0.
+#' @param viscous_n_m_s Viscous coefficient on each shaft, at least 0: one number or `n`.
 #' @return `gear_train()`: a tibble (class `rot_gear_train`, which `ggplot2::autoplot()` draws) with
 #'   one row for each shaft:
 #'   `r describe_columns(gear_columns)`
@@ -74,9 +76,9 @@ gear_train <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, visc
 train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call) {
   inertia <- check_inertias(bodies, "bodies", call)
   n <- length(inertia)
-  ratios <- check_each(ratios, "ratios", "1", n - 1L, -Inf, call)
+  ratios <- check_between(ratios, "ratios", "1", n - 1L, -Inf, call)
   efficiency <- check_each(efficiency, "efficiency", "1", n - 1L, 0, call)
-  torque <- check_each(torque_n_m, "torque_n_m", "N*m", n, -Inf, call)
+  torque <- check_torque_each(torque_n_m, "torque_n_m", n, call)
   viscous <- check_each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0, call)
   if (any(ratios == 0)) abort_rotdyn("{.arg ratios} must not be 0.", "value", call)
   bad <- which(efficiency <= 0 | efficiency > 1)
@@ -171,7 +173,7 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, vis
   train <- train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
   n <- nrow(train)
   loss <- gear_loss(
-    train, check_each(torque_n_m, "torque_n_m", "N*m", n, -Inf, call),
+    train, check_torque_each(torque_n_m, "torque_n_m", n, call),
     check_each(efficiency, "efficiency", "1", n - 1L, 0, call)
   )
   dry <- (loss$forward_n_m + loss$backward_n_m) / 2

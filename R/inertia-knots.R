@@ -6,6 +6,7 @@
 #'
 #' @param time_s Times of the knots, finite and not decreasing, at least two.
 #' @param moment_of_inertia_kg_m2 Moment of inertia about the axle at each, finite and > 0.
+#' @param ... Not used: an unknown argument is an error.
 #' @return A `rot_inertia_knots`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_time`, `rotdyn_error_unit`.
@@ -16,8 +17,8 @@
 #' scene <- scene_axle(skater, omega0_rad_per_s = 2)
 #' trajectory(scene, time_s = 0:3)
 #' @export
-inertia_knots <- function(time_s, moment_of_inertia_kg_m2) {
-  call <- rlang::current_env()
+inertia_knots <- function(time_s, moment_of_inertia_kg_m2, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("time_s", "moment_of_inertia_kg_m2"), call)
   time_s <- check_finite(time_s, "time_s", "s", call)
   moment <- check_finite(moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call)

@@ -16,6 +16,7 @@
 #'     about the new `z` axis, while `formula` is unchanged.
 #' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
 #'   sizes are simple parts of these: inner radii are half of `radius_m`.
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble: the columns of `objects` (of the default: last), then
 #'   `r describe_columns(inertia_columns)`
 #'   The first moment is about `axis`, with its `formula`; the other three are about the centre of
@@ -37,8 +38,8 @@
 #' ))
 #' inertia_table(body_disk(2, 0.25))
 #' @export
-inertia_table <- function(objects = inertia_objects()) {
-  call <- rlang::current_env()
+inertia_table <- function(objects = inertia_objects(), ...) {
+  call <- check_no_dots(...)
   if (inherits(objects, "rot_body")) objects <- list(objects)
   if (!is.data.frame(objects)) return(inertia_of_bodies(objects, call))
   name <- c(intersect(c("object", "shape"), names(objects)), NA)[1]
@@ -142,8 +143,8 @@ abort_row <- function(fault, id, mass, beta, sizes, call) {
 
 #' @rdname inertia_table
 #' @export
-inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1) {
-  call <- rlang::current_env()
+inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1, ...) {
+  call <- check_no_dots(...)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   r <- check_number(radius_m, "radius_m", "m", call, lower = 0)
   l <- check_number(length_m, "length_m", "m", call, lower = 0)

@@ -69,16 +69,16 @@ inertia_tensor <- function(body, about = "centre", ..., axes = "own",
 
 #' @rdname inertia_tensor
 #' @export
-moment_of_inertia <- function(body, axis, through = "centre") {
-  call <- rlang::current_env()
+moment_of_inertia <- function(body, axis, through = "centre", ...) {
+  call <- check_no_dots(...)
   check_supplied(c("body", "axis"), call)
   moment_through(body, axis, through, call)
 }
 
 #' @rdname inertia_tensor
 #' @export
-radius_of_gyration <- function(body, axis, through = "centre") {
-  call <- rlang::current_env()
+radius_of_gyration <- function(body, axis, through = "centre", ...) {
+  call <- check_no_dots(...)
   check_supplied(c("body", "axis"), call)
   sqrt(moment_through(body, axis, through, call) / body$mass_kg)
 }

@@ -16,6 +16,7 @@
 #' @param omega0_rad_per_s,omega_rad_per_s Angular velocity at the start and at the end, in rad/s.
 #' @param alpha_rad_per_s2 Angular acceleration in rad/s^2.
 #' @param time_s Time since the start in s.
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble: `r describe_columns(motion_columns)`
 #'   One row for each motion. NA in a row gives NA in the missing values. Where the three values are
 #'   inconsistent or do not determine the motion, the missing ones are NaN and `root` is NA, with
@@ -38,8 +39,9 @@
 #' # A decelerated body passes 1 rad twice.
 #' angular_motion(theta_rad = 1, omega0_rad_per_s = 3, alpha_rad_per_s2 = -2)
 #' @export
-angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_rad_per_s2, time_s) {
-  call <- rlang::current_env()
+angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_rad_per_s2, time_s,
+                           ...) {
+  call <- check_no_dots(...)
   columns <- list(
     theta_rad = if (!missing(theta_rad)) theta_rad,
     omega0_rad_per_s = if (!missing(omega0_rad_per_s)) omega0_rad_per_s,
@@ -109,6 +111,7 @@ check_finite_or_na <- function(x, arg, unit, call) {
 #' @param omega_rad_per_s Angular velocity in rad/s.
 #' @param alpha_rad_per_s2 Angular acceleration in rad/s^2.
 #' @param radius_m Distance from the axle in m, at least 0.
+#' @param ... Not used: an unknown argument is an error.
 #' @return `point_motion()`: a tibble of the arguments, then `r describe_columns(point_columns)`
 #'   The others: doubles. NA gives NA. Error: at most 3 ulp (2 ulp for the angle).
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
@@ -121,9 +124,9 @@ check_finite_or_na <- function(x, arg, unit, call) {
 #' # A centrifuge in units of g:
 #' centripetal_acceleration(rad_per_s_from_rpm(7000), radius_m = 0.1) / 9.80665
 #' @export
-point_motion <- function(omega_rad_per_s, alpha_rad_per_s2, radius_m) {
-  call <- rlang::current_env()
-  check_supplied(names(formals()), call)
+point_motion <- function(omega_rad_per_s, alpha_rad_per_s2, radius_m, ...) {
+  call <- check_no_dots(...)
+  check_supplied(setdiff(names(formals()), "..."), call)
   columns <- check_point_columns(
     list(
       omega_rad_per_s = omega_rad_per_s, alpha_rad_per_s2 = alpha_rad_per_s2, radius_m = radius_m
@@ -138,7 +141,8 @@ point_motion <- function(omega_rad_per_s, alpha_rad_per_s2, radius_m) {
 
 #' @rdname point_motion
 #' @export
-tangential_speed <- function(omega_rad_per_s, radius_m) {
+tangential_speed <- function(omega_rad_per_s, radius_m, ...) {
+  check_no_dots(...)
   one_point_column(
     list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m), "tangential_speed_m_per_s"
   )
@@ -146,7 +150,8 @@ tangential_speed <- function(omega_rad_per_s, radius_m) {
 
 #' @rdname point_motion
 #' @export
-tangential_acceleration <- function(alpha_rad_per_s2, radius_m) {
+tangential_acceleration <- function(alpha_rad_per_s2, radius_m, ...) {
+  check_no_dots(...)
   one_point_column(
     list(alpha_rad_per_s2 = alpha_rad_per_s2, radius_m = radius_m),
     "tangential_acceleration_m_per_s2"
@@ -155,7 +160,8 @@ tangential_acceleration <- function(alpha_rad_per_s2, radius_m) {
 
 #' @rdname point_motion
 #' @export
-centripetal_acceleration <- function(omega_rad_per_s, radius_m) {
+centripetal_acceleration <- function(omega_rad_per_s, radius_m, ...) {
+  check_no_dots(...)
   one_point_column(
     list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m),
     "centripetal_acceleration_m_per_s2"
@@ -164,7 +170,7 @@ centripetal_acceleration <- function(omega_rad_per_s, radius_m) {
 
 # The other quantity does not affect the column wanted.
 one_point_column <- function(columns, wanted, call = parent.frame()) {
-  check_supplied(names(formals(sys.function(-1L))), call)
+  check_supplied(setdiff(names(formals(sys.function(-1L))), "..."), call)
   columns <- check_point_columns(columns, call)
   n <- check_recyclable(columns, call)
   values <- .Call(

@@ -170,6 +170,7 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #'   their span for the effects that may be ignored.
 #' @param accuracy Largest relative error wanted in the state, one number in (0, 1]; or an angle or
 #'   an angular velocity with units: see [trajectory()].
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble (class `rot_model_choice`) with one row for each model of the scene's
 #'   constraint, cheapest first. It prints the chosen model with its reason, then the other models
 #'   that apply, then the rest. The columns:
@@ -187,8 +188,8 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #' weak <- scene_axle(body_disk(2, 0.25), ramp, resistance(0.03, quadratic_n_m_s2 = 1e-12))
 #' choose_model(weak, time_s = 0:8, accuracy = 1e-6)
 #' @export
-choose_model <- function(scene, time_s, accuracy = 1e-9) {
-  call <- rlang::current_env()
+choose_model <- function(scene, time_s, accuracy = 1e-9, ...) {
+  call <- check_no_dots(...)
   if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_scene(scene, call)
   time_s <- check_times(time_s, call)

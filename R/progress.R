@@ -12,6 +12,8 @@ progress_bar <- function(name) {
   owner <- parent.frame()
   function(fraction) {
     if (failed || !isTRUE(fraction >= 1e-6 && fraction <= 1)) return()
+    # A rendered page would keep each state of the bar as a message.
+    if (isTRUE(getOption("knitr.in.progress"))) return()
     now <- proc.time()[[3L]]
     if (is.null(start)) start <<- now
     if (now - start < 1) return()

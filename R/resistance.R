@@ -12,6 +12,7 @@
 #' @param quadratic_n_m_s2 Quadratic drag in N m s^2 (N m per (rad/s)^2), >= 0.
 #' @param coulomb_n_m Sliding (Coulomb) friction in N m, >= 0.
 #' @param static_n_m Largest static friction in N m, at least the sliding friction.
+#' @param ... Not used: an unknown argument is an error.
 #' @return A `rot_resistance`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` unless each
 #'   is one finite number in range; `rotdyn_error_unit`.
@@ -23,8 +24,8 @@
 #' resistance(quadratic_n_m_s2 = 1e-4, coulomb_n_m = 0.2, static_n_m = 0.3)
 #' @export
 resistance <- function(viscous_n_m_s = 0, quadratic_n_m_s2 = 0, coulomb_n_m = 0,
-                       static_n_m = coulomb_n_m) {
-  call <- environment()
+                       static_n_m = coulomb_n_m, ...) {
+  call <- check_no_dots(...)
   viscous <- check_number(viscous_n_m_s, "viscous_n_m_s", "N*m*s", call)
   if (nargs() == 1L && !missing(viscous_n_m_s)) {
     return(new_resistance(viscous)) # half the time of the usual call

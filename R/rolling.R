@@ -15,6 +15,7 @@
 #'   row. The sine is that of the exact angle in degrees: `sin(30 degrees)` is 0.5.
 #' @param height_drop_m Height lost from rest in m, at least 0: one number, or one for each row.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
+#' @param ... Not used: an unknown argument is an error.
 #' @return `rolling_table()`: a tibble (class `rot_rolling_table`, with an `autoplot()`) of the
 #'   columns of `objects`, then `r describe_columns(rolling_columns)`
 #'   NA in a row gives NA in the values that depend on it. At most four roundings each (5e-16).
@@ -31,8 +32,8 @@
 #' rolling_table(data.frame(beta = c(0.4, 0.4), incline_angle_deg = c(10, 80)))
 #' @export
 rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, height_drop_m = 1,
-                          gravity_m_per_s2 = 9.80665) {
-  call <- rlang::current_env()
+                          gravity_m_per_s2 = 9.80665, ...) {
+  call <- check_no_dots(...)
   if (!is.data.frame(objects)) {
     abort_rotdyn(c(
       "{.arg objects} must be a data frame with a column {.field beta}.",
@@ -52,6 +53,10 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
       "column", call
     )
   }
+  check_near_columns(
+    objects, names(rolling_units), unique(c(names(given)[given], names(objects))),
+    column_table$name, call
+  )
   columns <- list(
     beta = objects[["beta"]],
     incline_angle_deg = objects[["incline_angle_deg"]] %||% incline_angle_deg,
@@ -121,7 +126,8 @@ NULL
 
 #' @rdname rolling_functions
 #' @export
-rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665) {
+rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665, ...) {
+  check_no_dots(...)
   by_row(1L, list(
     beta = beta, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
   ))
@@ -129,25 +135,29 @@ rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 
 
 #' @rdname rolling_functions
 #' @export
-rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665) {
+rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665, ...) {
+  check_no_dots(...)
   by_row(2L, list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2))
 }
 
 #' @rdname rolling_functions
 #' @export
-rotational_energy_fraction <- function(beta) {
+rotational_energy_fraction <- function(beta, ...) {
+  check_no_dots(...)
   by_row(3L, list(beta = beta))
 }
 
 #' @rdname rolling_functions
 #' @export
-translational_energy_fraction <- function(beta) {
+translational_energy_fraction <- function(beta, ...) {
+  check_no_dots(...)
   by_row(4L, list(beta = beta))
 }
 
 #' @rdname rolling_functions
 #' @export
-rolling_friction_coefficient <- function(beta, incline_angle_deg = 20) {
+rolling_friction_coefficient <- function(beta, incline_angle_deg = 20, ...) {
+  check_no_dots(...)
   by_row(5L, list(beta = beta, incline_angle_deg = incline_angle_deg))
 }
 

@@ -7,6 +7,7 @@
 #'   R = 1 + sin(phi) [n x] + (1 - cos(phi)) [n x]^2}
 #'
 #' @param axis Direction of the axis: `"x"`, `"y"`, `"z"`, or three numbers of any length but 0.
+#' @param ... Not used: the angle is given by name, so that its unit is stated.
 #' @param angle_rad,angle_deg The angle, right-handed about the axis: one of the two. Quarter turns
 #'   in degrees are exact.
 #' @return A 3 x 3 matrix, orthogonal to two roundings.
@@ -16,8 +17,8 @@
 #' @examples
 #' rotation_about("z", angle_deg = 90)
 #' @export
-rotation_about <- function(axis, angle_rad = NULL, angle_deg = NULL) {
-  call <- rlang::current_env()
+rotation_about <- function(axis, ..., angle_rad = NULL, angle_deg = NULL) {
+  call <- check_no_dots(...)
   check_supplied("axis", call)
   if (is.null(angle_rad) == is.null(angle_deg)) {
     abort_rotdyn(

@@ -38,8 +38,8 @@ NULL
 
 #' @rdname couplings
 #' @export
-coupling_shaft <- function(stiffness_n_m_per_rad, damping_n_m_s = 0, ratio = 1) {
-  call <- rlang::current_env()
+coupling_shaft <- function(stiffness_n_m_per_rad, damping_n_m_s = 0, ratio = 1, ...) {
+  call <- check_no_dots(...)
   check_supplied("stiffness_n_m_per_rad", call)
   new_coupling(
     0, check_ratio(ratio, call),
@@ -61,8 +61,8 @@ coupling_clutch <- function(capacity_n_m, ..., static_ratio = 1, ratio = 1, from
 
 #' @rdname couplings
 #' @export
-coupling_gear <- function(ratio) {
-  call <- rlang::current_env()
+coupling_gear <- function(ratio, ...) {
+  call <- check_no_dots(...)
   check_supplied("ratio", call)
   new_coupling(2, check_ratio(ratio, call), 0, 0, NULL)
 }

@@ -15,8 +15,9 @@
 #'   one for each of the `n - 1` pieces; at least 0 (0: a piece that only damps, or no piece).
 #' @param damping_n_m_s Damping of the shaft between neighbours in N m s, likewise, at least 0.
 #' @param ... Not used; names after it must be given in full.
-#' @param torque_n_m,viscous_n_m_s Constant torque on each rotor from outside, and viscous
-#'   coefficient of its bearing (at least 0): one number or `n`. One torque acts on every rotor.
+#' @param torque_n_m Constant torque on each rotor from outside: `n` numbers, or 0.
+#' @param viscous_n_m_s Viscous coefficient of the bearing of each rotor, at least 0: one number or
+#'   `n`.
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity of each rotor at `start_s`: one
 #'   number or `n`.
 #' @param start_s Time at which the state above holds.
@@ -48,11 +49,12 @@ scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., 
   scene <- list(
     bodies = if (is.list(bodies)) bodies,
     moment_of_inertia_kg_m2 = inertia,
-    stiffness_n_m_per_rad = each(stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", n - 1L,
-                                 0),
+    stiffness_n_m_per_rad = check_between(
+      stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", n - 1L, 0, call
+    ),
     damping_n_m_s = each(damping_n_m_s, "damping_n_m_s", "N*m*s", n - 1L, 0),
     viscous_n_m_s = each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0),
-    torque_n_m = each(torque_n_m, "torque_n_m", "N*m", n),
+    torque_n_m = check_torque_each(torque_n_m, "torque_n_m", n, call),
     theta0_rad = each(theta0_rad, "theta0_rad", "rad", n),
     omega0_rad_per_s = each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n),
     start_s = check_number(start_s, "start_s", "s", call)
@@ -93,8 +95,10 @@ check_each <- function(x, arg, unit, size, lower, call) {
   x <- check_finite(x, arg, unit, call)
   if (!length(x) %in% c(1L, size)) {
     abort_rotdyn(
-      c("{.arg {arg}} must have length 1 or {size}.", x = "It has length {length(x)}."),
-      "size", call
+      c(
+        "{.arg {arg}} must have length {paste(unique(c(1L, max(1L, size))), collapse = ' or ')}.",
+        x = "It has length {length(x)}."
+      ), "size", call
     )
   }
   bad <- which(x < lower)
@@ -102,11 +106,39 @@ check_each <- function(x, arg, unit, size, lower, call) {
   rep_len(x, size)
 }
 
+# What lies between neighbours: `size` numbers, or one for all; none for a single body.
+check_between <- function(x, arg, unit, size, lower, call) {
+  if (size == 0L && length(x)) {
+    abort_rotdyn(c(
+      "{.arg bodies} must have two entries or more where {.arg {arg}} is given.",
+      x = "It has one.",
+      i = "For two: {.code bodies = c(1, 2)}. For one alone: {.code {arg} = numeric()}."
+    ), "size", call)
+  }
+  check_each(x, arg, unit, size, lower, call)
+}
+
+# One torque for each body. A single number is ambiguous: on the first, or on each.
+check_torque_each <- function(x, arg, size, call) {
+  x <- check_finite(x, arg, "N*m", call)
+  if (size > 1L && length(x) == 1L && x != 0) {
+    first <- c(x, rep(0, min(size, 4L) - 1L))
+    code <- paste0("c(", paste(format_si(first), collapse = ", "), if (size > 4L) ", ...", ")")
+    abort_rotdyn(c(
+      "{.arg {arg}} must have a torque for each of the {size} bodies.",
+      x = "It is one number, {format_si(x)} N m.",
+      i = "On the first alone: {.code {arg} = {code}}."
+    ), "size", call)
+  }
+  check_each(x, arg, "N*m", size, -Inf, call)
+}
+
 #' @export
 print.rot_scene_rotors <- function(x, ...) {
   check_scene(x, rlang::current_env())
   list_of <- function(values) {
-    values <- unique(values)
+    # One value where all are equal, else each in its place.
+    if (length(unique(values)) == 1L) values <- values[1]
     if (!length(values)) return("none")
     shown <- format_si(values[seq_len(min(6L, length(values)))])
     paste0(paste(shown, collapse = ", "), if (length(values) > 6L) ", ...")
@@ -133,6 +165,7 @@ print.rot_scene_rotors <- function(x, ...) {
 #' without stiffness, has the frequency 0.
 #'
 #' @param scene A [scene_rotors()].
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble (class `rot_shaft_modes`; `ggplot2::autoplot()` draws the shapes) with one row
 #'   for each mode:
 #'   `r describe_columns(c("mode", "natural_rad_per_s"))`
@@ -142,8 +175,8 @@ print.rot_scene_rotors <- function(x, ...) {
 #' @examples
 #' shaft_modes(scene_rotors(c(1, 2, 1), stiffness_n_m_per_rad = 500))
 #' @export
-shaft_modes <- function(scene) {
-  call <- rlang::current_env()
+shaft_modes <- function(scene, ...) {
+  call <- check_no_dots(...)
   check_supplied("scene", call)
   check_class(scene, "rot_scene_rotors", "scene", "Describe one with {.fn scene_rotors}.", call)
   check_scene(scene, call)

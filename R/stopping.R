@@ -7,6 +7,7 @@
 #' static friction.
 #'
 #' @param scene A [scene_axle()].
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble of one row with the columns
 #'   `r describe_columns(c("stop_time_s", "stop_theta_rad", "terminal_omega_rad_per_s"))`
 #'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` the
@@ -28,8 +29,8 @@
 #' # A fan: terminal speed where the drag balances the torque, sqrt(0.8/2e-3) = 20 rad/s.
 #' stopping(scene_axle(0.1, 0.8, resistance(quadratic_n_m_s2 = 2e-3)))
 #' @export
-stopping <- function(scene) {
-  call <- rlang::current_env()
+stopping <- function(scene, ...) {
+  call <- check_no_dots(...)
   check_supplied("scene", call)
   check_class(
     scene, axle_constraint()$scene_class, "scene", "Describe one with {.fn scene_axle}.", call

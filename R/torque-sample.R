@@ -62,8 +62,8 @@ law_seconds <- function(law, scene) {
   stats::median(vapply(0:5, timed, double(1))[-1])
 }
 
-# list(term, error, impulse): the law as Chebyshev pieces over `span`, their largest error in N m,
-# the integral of the error in N m s. NULL where the law is not finite or the pieces do not
+# list(term, error, largest, impulse): the law as Chebyshev pieces over `span`, their largest error
+# and value in N m, the integral of the error in N m s. NULL where the law is not finite or the pieces do not
 # converge: then the integrator calls it.
 sample_torque <- function(reader, span, breaks_s, accuracy) {
   if (!(span[2] > span[1])) return(NULL)
@@ -97,6 +97,7 @@ sample_torque <- function(reader, span, breaks_s, accuracy) {
       "samples", breaks_s = ends
     ),
     error = error + 4e-15 * largest,
+    largest = largest,
     impulse = sum((fit$tail + 4e-15 * fit$height)[order] * diff(ends))
   )
 }

@@ -115,8 +115,8 @@ NULL
 
 #' @rdname torque-terms
 #' @export
-torque_steps <- function(time_s, torque_n_m) {
-  call <- rlang::current_env()
+torque_steps <- function(time_s, torque_n_m, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("time_s", "torque_n_m"), call)
   time_s <- check_increasing(time_s, "time_s", "s", call)
   torque_n_m <- check_finite(torque_n_m, "torque_n_m", "N*m", call)
@@ -132,8 +132,8 @@ torque_steps <- function(time_s, torque_n_m) {
 
 #' @rdname torque-terms
 #' @export
-torque_pulse <- function(start_s, duration_s, torque_n_m) {
-  call <- rlang::current_env()
+torque_pulse <- function(start_s, duration_s, torque_n_m, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("start_s", "duration_s", "torque_n_m"), call)
   columns <- list(
     start_s = check_finite(start_s, "start_s", "s", call),
@@ -177,8 +177,8 @@ one_pulse <- function(start, duration, end, torque) {
 
 #' @rdname torque-terms
 #' @export
-torque_polynomial <- function(breaks_s, coefficients) {
-  call <- rlang::current_env()
+torque_polynomial <- function(breaks_s, coefficients, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("breaks_s", "coefficients"), call)
   breaks_s <- check_increasing(breaks_s, "breaks_s", "s", call)
   shape <- dim(coefficients)
@@ -249,8 +249,8 @@ torque_exponential <- function(torque_n_m, decay_per_s, ..., from_s = 0, to_s = 
 
 #' @rdname torque-terms
 #' @export
-torque_motor <- function(stall_torque_n_m, no_load_omega_rad_per_s) {
-  call <- rlang::current_env()
+torque_motor <- function(stall_torque_n_m, no_load_omega_rad_per_s, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("stall_torque_n_m", "no_load_omega_rad_per_s"), call)
   stall <- check_number(stall_torque_n_m, "stall_torque_n_m", "N*m", call)
   fast <- check_number(no_load_omega_rad_per_s, "no_load_omega_rad_per_s", "rad/s", call)
@@ -267,8 +267,8 @@ torque_motor <- function(stall_torque_n_m, no_load_omega_rad_per_s) {
 
 #' @rdname torque-terms
 #' @export
-torque_curve <- function(omega_rad_per_s, torque_n_m) {
-  call <- rlang::current_env()
+torque_curve <- function(omega_rad_per_s, torque_n_m, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("omega_rad_per_s", "torque_n_m"), call)
   omega <- check_increasing(omega_rad_per_s, "omega_rad_per_s", "rad/s", call)
   torque_n_m <- check_finite(torque_n_m, "torque_n_m", "N*m", call)
@@ -285,8 +285,8 @@ torque_curve <- function(omega_rad_per_s, torque_n_m) {
 
 #' @rdname torque-terms
 #' @export
-torque_spring <- function(stiffness_n_m_per_rad, rest_rad = 0) {
-  call <- rlang::current_env()
+torque_spring <- function(stiffness_n_m_per_rad, rest_rad = 0, ...) {
+  call <- check_no_dots(...)
   check_supplied("stiffness_n_m_per_rad", call)
   k <- check_number(
     stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", call, lower = 0, open = TRUE

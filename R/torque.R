@@ -56,8 +56,8 @@ NULL
 
 #' @rdname torque
 #' @export
-torque_constant <- function(torque_n_m) {
-  call <- rlang::current_env()
+torque_constant <- function(torque_n_m, ...) {
+  call <- check_no_dots(...)
   if (missing(torque_n_m)) check_supplied("torque_n_m", call)
   torque_n_m <- check_number(torque_n_m, "torque_n_m", "N*m", call)
   new_knots(double(), double(), c(torque_n_m, torque_n_m))
@@ -114,8 +114,8 @@ torque_knots <- function(time_s, torque_n_m, ..., outside = c("zero", "hold")) {
 
 #' @rdname torque
 #' @export
-torque_function <- function(f, breaks_s = NULL, vectorised = FALSE) {
-  call <- rlang::current_env()
+torque_function <- function(f, breaks_s = NULL, vectorised = FALSE, ...) {
+  call <- check_no_dots(...)
   if (missing(f)) check_supplied("f", call)
   new_torque_function(f, breaks_s, vectorised, call)
 }

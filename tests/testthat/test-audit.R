@@ -66,7 +66,7 @@ test_that("rows that are one or none; what is no trajectory", {
 
 test_that("a row for each balance, its terms nested", {
   for (motion in list(
-    spin_up(time_s = 0:3), trajectory(scene_rotors(c(1, 2), 50, torque_n_m = 3), 0:3),
+    spin_up(time_s = 0:3), trajectory(scene_rotors(c(1, 2), 50, torque_n_m = c(3, 3)), 0:3),
     trajectory(scene_clutch(1, 2, 3, omega1_rad_per_s = 9), 0:3)
   )) {
     a <- audit(motion)
@@ -87,7 +87,7 @@ test_that("an audit prints its balances", {
   # Round numbers: I = 2, tau = 3.
   expect_snapshot({
     audit(trajectory(scene_axle(2, 3), c(0, 4)))
-    audit(trajectory(scene_rotors(c(1, 2), 8, torque_n_m = 3), c(0, 1)))
+    audit(trajectory(scene_rotors(c(1, 2), 8, torque_n_m = c(3, 3)), c(0, 1)))
     audit(trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 2)))
   })
 })

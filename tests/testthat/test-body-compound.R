@@ -196,7 +196,7 @@ test_that("the error of a whole is made of the parts' errors", {
   expect_equal(cut_body(two, one)$error, (1e-6 * 3 + 1e-3) / 2, tolerance = 1e-9)
   # Turning costs roundings, a place costs none.
   expect_identical(place_body(two, c(1, 2, 3))$error, two$error)
-  expect_gt(place_body(body_disk(1, 1), rotation = rotation_about("x", 1))$error,
+  expect_gt(place_body(body_disk(1, 1), rotation = rotation_about("x", angle_rad = 1))$error,
             body_disk(1, 1)$error)
 })
 
@@ -314,7 +314,7 @@ test_that("far away, the error says what rounding of the places costs", {
     turn <- rotation_about("z", angle_deg = 180)
     disks <- join_bodies(place_body(half, p), place_body(half, p, turn))
     cones <- join_bodies(place_body(low, p), place_body(place_body(high, c(0, 0, 0.5)), p))
-    back <- place_body(cones, rotation = rotation_about(rnorm(3), 1))
+    back <- place_body(cones, rotation = rotation_about(rnorm(3), angle_rad = 1))
     nested <- join_bodies(disks, place_body(disk, p))
     expect_lte(off_by(disks, disk), disks$error)
     expect_lte(off_by(cones, cone), cones$error)
@@ -344,14 +344,14 @@ test_that("far away, the error says what rounding of the places costs", {
 })
 
 test_that("what is left of a rod is no matter for a message", {
-  turn <- rotation_about(c(1, 2, 3), 1)
+  turn <- rotation_about(c(1, 2, 3), angle_rad = 1)
   rod <- place_body(body_rod(2, 1), c(3, 1, 2), turn)
   hole <- place_body(place_body(body_rod(1, 0.5), c(0.25, 0, 0)), c(3, 1, 2), turn)
   expect_silent(left <- cut_body(rod, hole))
   # Whether rounding falls on one side or the other: many of them.
   set.seed(3)
   for (i in 1:20) {
-    turn <- rotation_about(rnorm(3), runif(1, -3, 3))
+    turn <- rotation_about(rnorm(3), angle_rad = runif(1, -3, 3))
     expect_silent(left <- cut_body(
       place_body(body_rod(2, 1), rotation = turn),
       place_body(place_body(body_rod(1, 0.5), c(0.25, 0, 0)), rotation = turn)

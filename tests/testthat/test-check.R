@@ -60,3 +60,17 @@ test_that("letters are made small alike in every locale", {
   named <- c(IXX = 1, IYY = 1, IZZ = 1, IXY = 0, IXZ = 0, IYZ = 0)
   expect_false("fails" %in% check_inertia(named)$verdict)
 })
+
+test_that("an infinite number is said to be infinite", {
+  e <- expect_error(body_disk(2, Inf), class = "rotdyn_error_value")
+  expect_match(conditionMessage(e), "finite")
+  expect_no_match(conditionMessage(e), "at least")
+  expect_match(conditionMessage(expect_error(body_disk(2, -Inf))), "at least 0 m")
+  expect_match(conditionMessage(expect_error(body_disk(2, -1))), "at least 0 m")
+})
+
+test_that("a vector where one number is needed points to the table of bodies", {
+  e <- expect_error(body_disk(c(1, 2), 0.1), class = "rotdyn_error_size")
+  expect_match(conditionMessage(e), "inertia_table")
+  expect_match(conditionMessage(expect_error(body_disk(1, c(0.1, 0.2)))), "inertia_table")
+})

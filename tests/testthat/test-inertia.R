@@ -263,7 +263,8 @@ test_that("errors and range checks name the function that was called", {
   expect_equal(called(symmetry_class(diag(c(1, 1, 3)))), "symmetry_class")
   expect_equal(called(symmetry_class(d, tolerance = 2)), "symmetry_class")
   expect_equal(called(inertia_tensor(d) + inertia_tensor(d, c(1, 0, 0))), "+")
-  expect_equal(called(inertia_tensor(d) - inertia_tensor(d, axes = rotation_about("x", 1))), "-")
+  tilted <- rotation_about("x", angle_rad = 1)
+  expect_equal(called(inertia_tensor(d) - inertia_tensor(d, axes = tilted)), "-")
 })
 
 test_that("print shows no roundings off the diagonal of a turned tensor", {
@@ -273,4 +274,9 @@ test_that("print shows no roundings off the diagonal of a turned tensor", {
   expect_gt(max(abs(as.matrix(tensor)[upper.tri(tensor)])), 0)
   shown <- capture.output(print(tensor))
   expect_false(any(grepl("e-", shown, fixed = TRUE)))
+})
+
+test_that("a missing axis is asked for with its choices", {
+  e <- expect_error(moment_of_inertia(body_disk(1, 2)), class = "rotdyn_error_missing")
+  expect_match(cli::ansi_strip(conditionMessage(e)), '"x", "y", or "z"', fixed = TRUE)
 })

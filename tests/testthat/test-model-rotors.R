@@ -88,8 +88,8 @@ test_that("an audit balances, and finds an edited row", {
     expect_equal(audited(motion)$verdict, "unbalanced")
     expect_true(is.na(attr(motion, "run")$info$error))
   }
-  rigid <- motion_of(scene_rotors(c(1, 2), 1e12, viscous_n_m_s = c(0.3, 0), torque_n_m = 2), time,
-                     1e-3)
+  stiff <- scene_rotors(c(1, 2), 1e12, viscous_n_m_s = c(0.3, 0), torque_n_m = c(2, 2))
+  rigid <- motion_of(stiff, time, 1e-3)
   expect_equal(attr(rigid, "run")$model, "rotors_rigid")
   expect_gt(audited(rigid)$dissipated_j, 1)
   expect_equal(audited(rigid)$verdict, "balanced")

@@ -36,7 +36,8 @@ test_that("a tensor moves by m (d'd 1 - d d'), and back", {
 
 test_that("from one point to another the way leads through the centre", {
   # From the point at (1, 0, 0) to the one at (0, 1, 0) by way of the centre.
-  body <- place_body(body_tensor(2, c(0.5, 0.6, 0.7)), c(0, 0, 0), rotation_about("x", 1))
+  tilt <- rotation_about("x", angle_rad = 1)
+  body <- place_body(body_tensor(2, c(0.5, 0.6, 0.7)), c(0, 0, 0), tilt)
   first <- as.matrix(inertia_tensor(body, c(1, 0, 0)))
   centre <- parallel_axis(first, 2, c(1, 0, 0), direction = "to_centre")
   expect_equal(

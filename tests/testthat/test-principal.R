@@ -159,7 +159,8 @@ test_that("a body whose error is as large as itself has no class", {
 test_that("no principal moment of a body is negative, however it was turned", {
   set.seed(9)
   least <- vapply(1:200, function(i) {
-    rod <- place_body(body_rod(2, 1), rotation = rotation_about(rnorm(3), runif(1, -3, 3)))
+    turn <- rotation_about(rnorm(3), angle_rad = runif(1, -3, 3))
+    rod <- place_body(body_rod(2, 1), rotation = turn)
     pair <- join_bodies(place_body(body_point(1), rnorm(3)), place_body(body_point(2), rnorm(3)))
     expect_equal(symmetry_class(pair), "rod")
     both <- rbind(principal_axes(rod), principal_axes(pair))

@@ -20,3 +20,12 @@ test_that("a display that fails is given up", {
   expect_silent(for (fraction in c(0.1, 0.2)) progress(fraction))
   expect_true(state$failed)
 })
+
+test_that("a page that is rendered has no bar", {
+  old <- options(cli.progress_show_after = 0, knitr.in.progress = TRUE)
+  on.exit(options(old))
+  progress <- rotdyn:::progress_bar("testing")
+  environment(progress)$start <- proc.time()[[3]] - 10
+  expect_no_message(for (fraction in c(0.1, 0.2)) progress(fraction))
+  expect_null(environment(progress)$bar)
+})

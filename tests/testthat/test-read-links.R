@@ -37,8 +37,8 @@ test_that("bodies are in the link's own frame: R = Rz Ry Rx, I = R I R'", {
     origin = '<origin xyz="1 -2 0.5" rpy="0.3 -0.5 0.7"/>'
   )
   body <- read_links(text)$body[[1]]
-  turn <- rotation_about("z", rpy[3]) %*% rotation_about("y", rpy[2]) %*%
-    rotation_about("x", rpy[1])
+  turn <- rotation_about("z", angle_rad = rpy[3]) %*% rotation_about("y", angle_rad = rpy[2]) %*%
+    rotation_about("x", angle_rad = rpy[1])
   expect_equal(unname(body$inertia_kg_m2), turn %*% tensor %*% t(turn), tolerance = 1e-14)
   expect_equal(as.double(body$centre_m), c(1, -2, 0.5))
   # A rod along x, turned: along (cos yaw cos pitch, sin yaw cos pitch, -sin pitch).
@@ -61,7 +61,8 @@ test_that("the reach is that of the farthest drawn point", {
       )
     ))$reach_m
   }
-  turn <- rotation_about("z", 1.1) %*% rotation_about("y", -0.3) %*% rotation_about("x", 0.4)
+  turn <- rotation_about("z", angle_rad = 1.1) %*% rotation_about("y", angle_rad = -0.3) %*%
+    rotation_about("x", angle_rad = 0.4)
   farthest <- function(points) {
     from <- turn %*% points + c(-0.2, 0.1, 0.3) - c(0.1, 0.2, -0.1)
     sqrt(max(colSums(from^2)))

@@ -41,3 +41,14 @@ test_that("a scene of rotors prints itself", {
     "3 rotors on one shaft.*1, 2, 4 kg m\\^2.*800, 1200 N m/rad"
   )
 })
+
+test_that("a shaft to nowhere, and a torque that stands for several, are refused", {
+  expect_error(scene_rotors(20, 60), class = "rotdyn_error_size")
+  expect_error(scene_rotors(c(1, 2), 60, torque_n_m = 2), class = "rotdyn_error_size")
+})
+
+test_that("the print has each torque in its place", {
+  shown <- capture.output(print(scene_rotors(c(1, 2, 3), 100, torque_n_m = c(0, 1, 0))))
+  expect_match(shown, "torque     0, 1, 0 N m", fixed = TRUE, all = FALSE)
+  expect_match(shown, "stiffness  100 N m/rad", fixed = TRUE, all = FALSE)
+})

@@ -128,3 +128,20 @@ test_that("the samples' error is not blown up where gravity only might drive awa
     max(abs(m$theta_rad - truth$theta_rad)) / max(abs(truth$theta_rad)), run_of(m)$info$error
   )
 })
+
+test_that("a zero of a sampled law on a row is a zero", {
+  for (f in list(function(t) 0.8 * t, function(t) sin(t), function(t) 0.3 * t * (2 - t))) {
+    motion <- suppressWarnings(trajectory(scene_axle(0.0625, f), 0:2))
+    zero <- f(0:2) == 0
+    expect_true(zero[1])
+    expect_identical(motion$applied_torque_n_m[zero], 0 * (0:2)[zero])
+    expect_identical(motion$net_torque_n_m[zero], 0 * (0:2)[zero])
+    expect_equal(motion$applied_torque_n_m, f(0:2), tolerance = 1e-14)
+  }
+  # At rest under dry friction, which bears it.
+  held <- suppressWarnings(
+    trajectory(scene_axle(1, function(t) 0.1 * t, resistance(coulomb_n_m = 1)), 0:2)
+  )
+  expect_identical(held$applied_torque_n_m[1], 0)
+  expect_identical(held$net_torque_n_m, c(0, 0, 0))
+})

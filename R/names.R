@@ -1,0 +1,92 @@
+# Names that users mistype: the nearest known ones, and hints for other units.
+
+# For each of `given` the most similar of `known`, where one is as similar as `least`.
+near_names <- function(given, known, least = 0.5) {
+  near <- lapply(given, function(name) {
+    score <- vapply(known, function(k) name_likeness(name, k), double(1))
+    known[which.max(score)][max(score, 0) >= least]
+  })
+  unique(as.character(unlist(near)))
+}
+
+# Words that say a unit: names are compared without them first.
+unit_words <- c(
+  "deg", "degree", "degrees", "rad", "rpm", "turns", "rev", "hz", "per", "s", "s2", "m", "mm", "cm",
+  "kg", "kg2", "m2", "m3", "n", "nm", "j", "g"
+)
+
+# From 0 (nothing in common) to 1 (equal). The words of a name (`theta0`, `viscous`) count, its unit
+# hardly; within a word a prefix (`visc`) counts as much as the word, else the share of its letters
+# that need no edit.
+name_likeness <- function(a, b) {
+  if (identical(lower_case(a), lower_case(b))) return(1)
+  wa <- name_words(a)
+  wb <- name_words(b)
+  if (!length(wa) || !length(wb)) return(0)
+  pairs <- vapply(wa, function(x) max(vapply(wb, word_likeness, double(1), x)), double(1))
+  back <- vapply(wb, function(x) max(vapply(wa, word_likeness, double(1), x)), double(1))
+  # The order of the words of a name decides between equals.
+  0.98 * (0.7 * mean(pairs) + 0.3 * mean(back)) + 0.01 * (word_likeness(wa[1], wb[1]))
+}
+
+name_words <- function(name) {
+  words <- strsplit(gsub("[0-9]+", "", lower_case(name)), "[^a-z]+")[[1]]
+  words <- words[nzchar(words)]
+  bare <- setdiff(words, unit_words)
+  if (length(bare)) bare else words
+}
+
+word_synonyms <- c(
+  diameter = "radius", d = "radius", r = "radius", angle = "theta", speed = "omega",
+  velocity = "omega", w = "omega", time = "time", times = "time", t = "time",
+  mass = "mass", weight = "mass", friction = "coulomb", drag = "quadratic", damping = "viscous",
+  height = "height", h = "height", slope = "incline", inertia = "moment", moi = "moment",
+  torques = "torque", tau = "torque", rate = "omega"
+)
+
+word_likeness <- function(a, b) {
+  if (a == b) return(1)
+  if (min(nchar(a), nchar(b)) >= 3L && (startsWith(a, b) || startsWith(b, a))) return(0.95)
+  known <- word_synonyms[c(a, b)]
+  if (identical(unname(known[1]), b) || identical(unname(known[2]), a)) return(0.8)
+  edits <- 1 - utils::adist(a, b)[1] / max(nchar(a), nchar(b))
+  if (edits >= 0.6) edits else 0
+}
+
+# A column of numbers that no function reads, and that is nearly a known one which is not given: the
+# user's own columns are kept, so it would be ignored in silence. `given`: known ones, as columns or
+# as arguments.
+check_near_columns <- function(data, known, given, kept, call) {
+  for (name in setdiff(names(data), c(known, kept))) {
+    if (!is_number(data[[name]])) next
+    near <- setdiff(near_names(name, known, 0.6), given)
+    if (length(near)) {
+      abort_rotdyn(c(
+        "The table has an unknown column {.field {name}}.",
+        x = "It would be ignored. Did you mean {.field {near}}?",
+        unit_hints(name, angles = !endsWith(near, "_deg")),
+        i = "For another quantity, take a name that is less similar."
+      ), "argument", call)
+    }
+  }
+}
+
+# What converts a quantity whose name has another unit, or is a diameter.
+unit_hints <- function(names, angles = TRUE) {
+  words <- unlist(strsplit(lower_case(names), "[^a-z]+"))
+  hints <- c(
+    if (angles && any(c("deg", "degree", "degrees") %in% words)) {
+      "Angles are in rad: {.fn rad_from_deg} converts degrees."
+    },
+    if ("rpm" %in% words) "Speeds are in rad/s: {.fn rad_per_s_from_rpm} converts rpm.",
+    if (any(c("turn", "turns", "rev", "revs", "revolutions") %in% words)) {
+      "Angles are in rad: {.fn rad_from_turns} converts turns."
+    },
+    if ("hz" %in% words) "Rates are in rad/s: 2 pi times the frequency in Hz.",
+    if (any(c("diameter", "d") %in% words)) "A radius is half the diameter.",
+    if (any(c("cm", "mm", "g", "ft", "lb", "inch") %in% words)) {
+      "Quantities are in SI units, or {.pkg units} objects: {.code units::set_units(25, \"cm\")}."
+    }
+  )
+  if (length(hints)) stats::setNames(hints, rep("i", length(hints)))
+}

@@ -1,0 +1,60 @@
+test_that("the nearest known name is found, and none where nothing is similar", {
+  axle <- c("body", "torque", "resistance", "theta0_rad", "omega0_rad_per_s", "start_s")
+  near <- function(x, known) rotdyn:::near_names(x, known)
+  expect_equal(near("Torque", axle), "torque")
+  expect_equal(near("omega_deg", axle), "omega0_rad_per_s")
+  expect_equal(near("theta0_deg", axle), "theta0_rad")
+  expect_equal(near("speed_rpm", axle), "omega0_rad_per_s")
+  expect_equal(near("times", c("scene", "time_s", "accuracy")), "time_s")
+  expect_equal(near("diameter", c("mass_kg", "radius_m")), "radius_m")
+  for (x in c("colour", "name", "price", "id")) expect_length(near(x, axle), 0L)
+})
+
+test_that("unknown arguments are named with the nearest known one and the unit", {
+  said <- function(expr) {
+    e <- expect_error(expr, class = "rotdyn_error_argument")
+    gsub("[[:space:]]+", " ", cli::ansi_strip(conditionMessage(e)))
+  }
+  scene <- scene_axle(1, 1)
+  times <- said(trajectory(scene, times = 0:3))
+  expect_match(times, "times = 0:3", fixed = TRUE)
+  expect_match(times, "Did you mean `time_s`", fixed = TRUE)
+  expect_match(said(scene_axle(1, theta_deg = 3)), "theta0_rad.*rad_from_deg")
+  expect_match(said(scene_axle(1, omega_rpm = 3)), "omega0_rad_per_s.*rad_per_s_from_rpm")
+  expect_match(said(body_disk(2, diameter_m = 3)), "`radius_m`.*half the diameter")
+  rolling <- said(rolling_table(angle_deg = 30))
+  expect_match(rolling, "incline_angle_deg")
+  expect_no_match(rolling, "rad_from_deg")
+  expect_match(said(resistance(viscosity = 1)), "viscous_n_m_s")
+  expect_match(said(energy_partition(1, 1, 1, 1, colour = 2)), "colour = 2")
+})
+
+test_that("every function of several arguments names unknown ones", {
+  takes <- function(f) {
+    names <- names(formals(f))
+    length(names) < 2L || "..." %in% names
+  }
+  names <- setdiff(getNamespaceExports("rotdyn"), c("augment", "glance"))
+  functions <- mget(names, asNamespace("rotdyn"), mode = "function")
+  expect_equal(names(Filter(Negate(takes), functions)), character())
+})
+
+test_that("a column that is nearly a known one is no silent extra", {
+  said <- function(expr) {
+    e <- expect_error(expr, class = "rotdyn_error_argument")
+    gsub("[[:space:]]+", " ", cli::ansi_strip(conditionMessage(e)))
+  }
+  wheel <- data.frame(moment_of_inertia_kg_m2 = c(0.05, 0.2))
+  run <- function(...) spin_up_table(cbind(wheel, ...), torque_constant(1), time_s = 1)
+  expect_match(said(run(viscous = 0.03)), "viscous. .*viscous_n_m_s")
+  expect_match(said(run(omega0_rpm = 30)), "omega0_rad_per_s.*rpm")
+  expect_match(said(rolling_table(data.frame(beta = 1, angle_deg = 10))), "incline_angle_deg")
+  # Text, other quantities, results of the package, and names whose known one is given.
+  expect_s3_class(run(name = "a", viscous = "none", price = 3, ixx_kg_m2 = 1), "rot_spin_up_table")
+  expect_s3_class(run(viscous_n_m_s = 0.1, viscous_error = 0.01), "rot_spin_up_table")
+  expect_s3_class(spin_up_table(run(), torque_constant(1), time_s = 1), "rot_spin_up_table")
+  expect_s3_class(
+    rolling_table(data.frame(beta = 1, angle = 10), incline_angle_deg = 5), "rot_rolling_table"
+  )
+  expect_s3_class(rolling_table(rolling_table()), "rot_rolling_table")
+})
