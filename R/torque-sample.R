@@ -63,8 +63,8 @@ law_seconds <- function(law, scene) {
 }
 
 # list(term, error, largest, impulse): the law as Chebyshev pieces over `span`, their largest error
-# and value in N m, the integral of the error in N m s. NULL where the law is not finite or the pieces do not
-# converge: then the integrator calls it.
+# and value in N m, the integral of the error in N m s. NULL where the law is not finite or the
+# pieces do not converge: then the integrator calls it.
 sample_torque <- function(reader, span, breaks_s, accuracy) {
   if (!(span[2] > span[1])) return(NULL)
   edges <- c(span[1], breaks_s[breaks_s > span[1] & breaks_s < span[2]], span[2])
