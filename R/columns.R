@@ -10,9 +10,11 @@ column_list <- list(
   c("angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum about the axle, I omega"),
   c("rotational_kinetic_energy_j", "J", "I omega^2 / 2"),
   c("moment_of_inertia_kg_m2", "kg m^2", "moment of inertia about the axis in use"),
-  c("max_angular_velocity_rad_per_s", "rad/s", "largest omega of the rows (with its sign)"),
-  c("max_angular_momentum_kg_m2_per_s", "kg m^2/s", "largest angular momentum of the rows"),
-  c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy of the rows"),
+  c("max_angular_velocity_rad_per_s", "rad/s", "largest omega (with its sign)"),
+  c("max_angular_velocity_time_s", "s", "the first time at which omega is largest"),
+  c("max_angular_momentum_kg_m2_per_s", "kg m^2/s", "largest angular momentum"),
+  c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy"),
+  c("max_rotational_kinetic_energy_time_s", "s", "the first time at which it is largest"),
   c("final_theta_rad", "rad", "angle at the end"),
   c("model", "", "name of the model, as in `models()`"),
   c("run", "", "name of the run"),
@@ -234,9 +236,10 @@ trajectory_columns <- c(
   "net_torque_n_m", "angular_momentum_kg_m2_per_s", "rotational_kinetic_energy_j"
 )
 summary_columns <- c(
-  "moment_of_inertia_kg_m2", "max_angular_velocity_rad_per_s", "max_angular_momentum_kg_m2_per_s",
-  "max_rotational_kinetic_energy_j", "final_theta_rad", "model", "accuracy", "error", "error_kind",
-  "steps", "rhs_calls"
+  "moment_of_inertia_kg_m2", "max_angular_velocity_rad_per_s", "max_angular_velocity_time_s",
+  "max_angular_momentum_kg_m2_per_s", "max_rotational_kinetic_energy_j",
+  "max_rotational_kinetic_energy_time_s", "final_theta_rad", "model", "accuracy", "error",
+  "error_kind", "steps", "rhs_calls"
 )
 sweep_columns <- c(
   "final_theta_rad", "final_omega_rad_per_s", "max_omega_rad_per_s", "max_omega_time_s",

@@ -43,11 +43,19 @@ axle_constraint <- function() {
     },
     pace = axle_pace,
     summary = function(x, run) {
+      names <- c(
+        "omega_rad_per_s", "angular_momentum_kg_m2_per_s", "rotational_kinetic_energy_j"
+      )
+      most <- largest_values(x, run, names, NULL)
+      value <- function(name) most$value[[name]] %||% NA_real_
+      time <- function(name) most$time_s[[name]] %||% NA_real_
       list(
         moment_of_inertia_kg_m2 = run$scene$moment_of_inertia_kg_m2,
-        max_angular_velocity_rad_per_s = largest(x[["omega_rad_per_s"]]),
-        max_angular_momentum_kg_m2_per_s = largest(x[["angular_momentum_kg_m2_per_s"]]),
-        max_rotational_kinetic_energy_j = largest(x[["rotational_kinetic_energy_j"]]),
+        max_angular_velocity_rad_per_s = value("omega_rad_per_s"),
+        max_angular_velocity_time_s = time("omega_rad_per_s"),
+        max_angular_momentum_kg_m2_per_s = value("angular_momentum_kg_m2_per_s"),
+        max_rotational_kinetic_energy_j = value("rotational_kinetic_energy_j"),
+        max_rotational_kinetic_energy_time_s = time("rotational_kinetic_energy_j"),
         final_theta_rad = last(x[["theta_rad"]])
       )
     },

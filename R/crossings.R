@@ -134,6 +134,40 @@ search_column <- function(read, slopes, column, time_s) {
   )
 }
 
+# The largest value of each column within the span of the rows, and the first time there:
+# list(value, time_s), named. Of values that the run did not compute, and where the model does not
+# run again, those of the rows.
+largest_values <- function(x, run, columns, call) {
+  rows <- unclass(x)[intersect(columns, names(x))]
+  found <- list(time_s = x$time_s, columns = rows)
+  if (nrow(x) && is.finite(run$info$error)) {
+    again <- tryCatch(
+      search_extremes(run, columns, range(x$time_s), call), rotdyn_error = function(e) NULL
+    )
+    found <- again %||% found
+  }
+  at <- lapply(found$columns, function(value) {
+    top <- suppressWarnings(max(value))
+    which(value >= top - 4 * .Machine$double.eps * abs(top))[1]
+  })
+  list(
+    value = Map(function(value, i) value[i], found$columns, at),
+    time_s = lapply(at, function(i) found$time_s[i])
+  )
+}
+
+# list(time_s, columns): the columns at the times of the grid and at the extremes of any of them.
+search_extremes <- function(run, columns, span, call) {
+  grid <- if (span[1] == span[2]) span[1] else search_times(run, span[1], span[2])
+  if (is.null(grid)) return(NULL)
+  constraint <- constraint_of(run$scene)
+  read <- motion_reader(run, 1L, call)
+  slopes <- if (!is.null(constraint$slopes)) function(x) constraint$slopes(x, run$scene)
+  found <- lapply(columns, function(column) search_column(read, slopes, column, grid)$time_s)
+  time_s <- sort(unique(unlist(found)))
+  list(time_s = time_s, columns = read(time_s)[columns])
+}
+
 # Where the slope is unknown: the middle of three closes in on the extreme, to the root of the
 # precision in time.
 extremes_by_values <- function(read, column, time_s, value) {

@@ -382,14 +382,16 @@ describe_error <- function(run) {
 
 #' One row about a trajectory
 #'
-#' The maxima are over the rows as they are.
+#' On an axle the maxima are those of the motion from the first row to the last, between the rows,
+#' too: the model runs again where it turns. Of edited rows, and of several bodies, they are over
+#' the rows as they are.
 #'
 #' @param object,x A `rot_trajectory`.
 #' @param ... Not used.
 #' @return A tibble of one row. On an axle, the columns `r describe_columns(summary_columns)`
 #'   With several rotors the largest values are those of the whole shaft; a clutch has
 #'   `r describe_columns(clutch_summary_columns)`
-#'   instead of the first five.
+#'   instead of those before `model`.
 #' @section Errors: none: the largest and the last of no rows are NA.
 #' @examples
 #' summary(spin_up())
