@@ -85,6 +85,28 @@ SEXP ffi_point_motion(SEXP omega, SEXP alpha, SEXP radius) {
   return out;
 }
 
+/* Three numbers each, finite. */
+SEXP ffi_moment(SEXP factor, SEXP position, SEXP about, SEXP vector) {
+  double out[3];
+  rot_moment(ffi_real(factor, "factor"), ffi_reals(position, "position", 3),
+             ffi_reals(about, "about", 3), ffi_reals(vector, "vector", 3), out);
+  return ffi_numbers(3, out);
+}
+
+SEXP ffi_lever(SEXP factor, SEXP radius, SEXP size, SEXP angle_deg) {
+  R_xlen_t n = 1;
+  const rot_column m = ffi_column(factor, "factor", &n), r = ffi_column(radius, "radius", &n);
+  const rot_column f = ffi_column(size, "size", &n), a = ffi_column(angle_deg, "angle_deg", &n);
+  SEXP out = PROTECT(ffi_new_column(n));
+  double *to = REAL(out);
+  for (R_xlen_t i = 0; i < n; i++) {
+    const size_t at = (size_t)i;
+    to[i] = rot_lever(rot_at(m, at), rot_at(r, at), rot_at(f, at), rot_at(a, at));
+  }
+  UNPROTECT(1);
+  return out;
+}
+
 /* `unit` counts from 0 in the order of ROT_ANGLE_UNIT_LIST. */
 SEXP ffi_convert_angle(SEXP x, SEXP unit) {
   const double u = ffi_real(unit, "unit");

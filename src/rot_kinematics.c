@@ -296,3 +296,28 @@ double rot_convert_angle(double x, rot_angle_unit unit) {
   const double hi = rot_two_prod(m, factor[unit].hi, &lo);
   return isfinite(x) ? ldexp(hi + (lo + m * factor[unit].lo), e) : x;
 }
+
+/* ---- moments -------------------------------------------------------------------------------- */
+
+void rot_moment(double mass, const double position[3], const double about[3],
+                const double vector[3], double out[3]) {
+  wide r[3], f[3];
+  for (int i = 0; i < 3; i++) {
+    r[i] = plus(wide_of(position[i]), minus(wide_of(about[i])));
+    f[i] = times(wide_of(mass), wide_of(vector[i]));
+  }
+  for (int i = 0; i < 3; i++) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    out[i] = narrow(plus(times(r[j], f[k]), minus(times(r[k], f[j]))));
+  }
+}
+
+double rot_lever(double mass, double radius, double size, double angle_deg) {
+  const double x[] = {mass, radius, size, rot_sin_deg(angle_deg)};
+  wide product = wide_of(x[0]);
+  for (int i = 0; i < 4; i++) {
+    if (!isfinite(x[i])) return mass * radius * size * x[3];
+    if (i) product = times(product, wide_of(x[i]));
+  }
+  return narrow(product);
+}

@@ -44,6 +44,13 @@ double rot_centripetal_acceleration(double omega, double radius);
 double rot_total_acceleration(double omega, double alpha, double radius);
 double rot_acceleration_angle(double omega, double alpha);
 
+/* mass (position - about) x vector: the torque of a force for mass 1, else an angular momentum. One
+ * rounding where the components do not cancel to less than 1e-15 of their terms. */
+void rot_moment(double mass, const double position[3], const double about[3],
+                const double vector[3], double out[3]);
+/* mass radius size sin(angle): the same by the angle from the radius to the vector. */
+double rot_lever(double mass, double radius, double size, double angle_deg);
+
 /* Factors: name, high and low part (mpmath, 50 digits). */
 #define ROT_ANGLE_UNIT_LIST(X)                                                                     \
   X(ROT_RAD_FROM_DEG, 0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62)        /* pi/180 */             \

@@ -428,6 +428,26 @@ static void check_units(void) {
   ROT_CHECK(rot_convert_angle(60.0, ROT_RAD_PER_S_FROM_RPM) == 6.28318530717958647693);
 }
 
+/* By hand; a cancellation, mpmath at 50 digits; no overflow on the way. */
+static void check_moments(void) {
+  const double zero[3] = {0.0, 0.0, 0.0}, r[3] = {1.0, 2.0, 3.0}, f[3] = {4.0, 5.0, 6.0};
+  double out[3];
+  rot_moment(2.0, r, zero, f, out);
+  ROT_CHECK(out[0] == -6.0 && out[1] == 12.0 && out[2] == -6.0);
+  const double about[3] = {1.0, 2.0, 2.0};
+  rot_moment(1.0, r, about, f, out);
+  ROT_CHECK(out[0] == -5.0 && out[1] == 4.0 && out[2] == 0.0);
+  const double along[3] = {0.1, 0.3, 0.0}, nearly[3] = {1.0, 3.0, 0.0};
+  rot_moment(1.0, along, zero, nearly, out); /* 3 fl(0.1) - fl(0.3) */
+  ROT_CHECK_REL(out[2], 2.775557561562891351e-17, 1e-15);
+  const double far[3] = {1e300, 0.0, 0.0}, faint[3] = {0.0, 1e-300, 0.0};
+  rot_moment(3.0, far, zero, faint, out);
+  ROT_CHECK_ULP(out[2], 3.0, 1);
+  ROT_CHECK_ULP(rot_lever(1.0, 0.25, 40.0, 30.0), 5.0, 0);
+  ROT_CHECK_ULP(rot_lever(1e-200, 1e200, 1e200, -90.0), -1e200, 1);
+  ROT_CHECK(rot_lever(2.0, 3.0, 4.0, 180.0) == 0.0 && isnan(rot_lever(1.0, NAN, 1.0, 1.0)));
+}
+
 int main(void) {
   check_known();
   check_exact_motions();
@@ -438,5 +458,6 @@ int main(void) {
   check_nan();
   check_point();
   check_units();
+  check_moments();
   return rot_test_report("kinematics");
 }
