@@ -39,10 +39,7 @@ static rot_status held_segment(rot_ode_march *run, double h, double drive[], dou
     const double at = k + 1 < HELD_POINTS ? run->t + held_at[k] * h : run->t + h;
     const rot_status status = rot_ode_held_slope(run, at, &drive[k], &grip[k]);
     if (status != ROT_OK) return status;
-    if (grip[k] > 0.0) {
-      *loose = k;
-      return ROT_OK;
-    }
+    if (grip[k] > 0.0 && *loose == HELD_POINTS) *loose = k;
     for (size_t i = run->p->controlled; i < dim; i++) {
       run->trial[i] += h * (kronrod[k] / 2940.0) * run->trial_slope[i];
     }
@@ -54,11 +51,12 @@ static rot_status held_segment(rot_ode_march *run, double h, double drive[], dou
   return ROT_OK;
 }
 
-/* A peak between three points that may reach over zero: *at is its place if it does. */
-static rot_status peak_between(rot_ode_march *run, double h, const double grip[], int *before,
-                               double *at) {
+/* A peak between three points before `loose` that may reach over zero: *at is its place if it
+ * does. */
+static rot_status peak_between(rot_ode_march *run, double h, int loose, const double grip[],
+                               int *before, double *at) {
   *before = -1;
-  for (int k = 1; k + 1 < HELD_POINTS; k++) {
+  for (int k = 1; k + 1 < HELD_POINTS && k < loose; k++) {
     if (grip[k] < grip[k - 1] || grip[k] < grip[k + 1]) continue;
     const double left = held_at[k] - held_at[k - 1], right = held_at[k + 1] - held_at[k];
     const double up = (grip[k] - grip[k - 1]) / left, down = (grip[k + 1] - grip[k]) / right;
@@ -116,19 +114,23 @@ rot_status rot_ode_hold(rot_ode_march *run, double stop, int *broke_loose) {
     }
     rot_status status = rot_poll(run->hooks, 0.0);
     if (status != ROT_OK) return status;
-    if (fabs(stop - end) <= 1e-6 * fabs(h) || (run->forward ? end > stop : end < stop)) end = stop;
+    if (fabs(stop - end) <= 1e-6 * fabs(h) || (run->forward ? end > stop : end < stop) ||
+        end == run->t) {
+      end = stop;
+    }
     const double width = end - run->t;
     status = held_segment(run, width, drive, grip, &loose, &apart);
     if (status != ROT_OK) return status;
     const double size = fmax(run->p->turn->holds, fabs(drive[0]));
-    const int too_long = loose == HELD_POINTS && apart > 1e-7 * size &&
-                         fabs(width) > 1e-5 * fabs(whole) && run->t + 0.5 * width != run->t;
+    /* Points too far apart may pass over a stretch in which it breaks loose. */
+    const int too_long =
+        apart > 1e-7 * size && fabs(width) > 1e-5 * fabs(whole) && run->t + 0.5 * width != run->t;
     if (too_long) {
       run->info->rejected++;
       h = 0.5 * width;
       continue;
     }
-    if (loose == HELD_POINTS) status = peak_between(run, width, grip, &before, &at);
+    if (loose > 0) status = peak_between(run, width, loose, grip, &before, &at);
     if (status != ROT_OK) return status;
     if (loose < HELD_POINTS || before >= 0) {
       /* The pieces before are done when the segment ends at the place itself. */

@@ -676,3 +676,21 @@ test_that("a step budget beyond integers is no budget of 0", {
   motion <- trajectory(scene_axle(1, law, theta0_rad = 1), c(0, 5), max_steps = 1e20)
   expect_equal(motion$theta_rad[2], cos(5), tolerance = 1e-8)
 })
+
+test_that("a held body breaks loose at the first chance, not at a later one", {
+  torque <- torque_sinusoid(5.571808, 4.475096, phase_rad = 2.414795)
+  scene <- scene_axle(
+    2.590008, torque, resistance(viscous_n_m_s = 0.05169305, coulomb_n_m = 5.211664),
+    omega0_rad_per_s = 2.344284
+  )
+  # The torque reaches the friction from below, backward, before its trough at a phase of 3 pi.
+  loose <- (3 * pi - acos(5.211664 / 5.571808) - 2.414795) / 4.475096
+  for (accuracy in c(1e-4, 1e-8, 1e-11)) {
+    for (model in c("axle_rk8pd", "axle_radau")) {
+      events <- motion_events(trajectory(scene, c(0, 5, 10, 20), accuracy, model))
+      expect_identical(events$event[1:3], c("stick", "slip", "stick"))
+      expect_equal(events$time_s[2], loose, tolerance = 1e-13)
+      expect_identical(nrow(events), 55L) # each half wave of the torque
+    }
+  }
+})
