@@ -65,6 +65,32 @@ moment_about_axis <- function(body, axis, point = centre) {
   )
 }
 
+# Where the axle that a body names passes: the end of a rod_end, the axis of a point, wherever they
+# are placed. The centre of mass of all other bodies.
+named_point <- function(body) {
+  if (!nzchar(axis_shape(body))) return(as.double(.subset2(body, "centre_m")))
+  .subset2(.subset2(body, "detail"), "frame")$at_m %||% c(0, 0, 0)
+}
+
+# The moment of inertia that scenes take: about that axle, along `axis`.
+named_moment <- function(body, axis) {
+  moment_about_axis(body, axis, named_point(body))
+}
+
+# For prints: where an axle passes. `through` as in scene_axle(), NULL for the named axle.
+describe_point <- function(body, through) {
+  if (is.null(through)) through <- axis_shape(body)
+  if (is.numeric(through)) {
+    return(paste0("through (", paste(format_si(as.double(through)), collapse = ", "), ") m"))
+  }
+  switch(through,
+    origin = "through the origin of the own axes",
+    rod_end = "through the rod's end",
+    point = paste(format_si(body$size_m[["radius_m"]]), "m from the point"),
+    "through the centre of mass"
+  )
+}
+
 #' @export
 print.rot_body <- function(x, ...) {
   check_body(x, rlang::current_env(), "x")
@@ -80,7 +106,13 @@ print.rot_body <- function(x, ...) {
   }
   print_inertia(x)
   if (!is.na(x$beta)) print_field("beta", paste0(format_si(x$beta), "  (I/(m r^2) when it rolls)"))
-  if (nzchar(x$formula)) print_field("formula", x$formula)
+  # The moment about the centre stands above: that of the formula may be about another axis.
+  formula <- x$formula
+  if (nzchar(axis_shape(x))) {
+    value <- paste0(" = ", format_si(moment_of_shape(x)), " kg m^2  (")
+    formula <- sub("  (", value, formula, fixed = TRUE)
+  }
+  if (nzchar(formula)) print_field("formula", formula)
   from <- if (x$provenance == "mesh") {
     mesh_words[paste(x$detail$method, collapse = " ")]
   } else {

@@ -266,8 +266,8 @@ energy_columns <- c(
   "rotational_kinetic_energy_j", "total_kinetic_energy_j", "rotational_energy_fraction"
 )
 inertia_columns <- c(
-  "moment_of_inertia_kg_m2", "ixx_kg_m2", "iyy_kg_m2", "izz_kg_m2", "beta",
-  "radius_of_gyration_m", "axis", "formula"
+  "moment_of_inertia_kg_m2", "axis", "ixx_kg_m2", "iyy_kg_m2", "izz_kg_m2", "beta",
+  "radius_of_gyration_m", "formula"
 )
 shape_columns <- c(
   "shape", "family", "constructor", "dimension", "sizes", "ixx_formula", "iyy_formula",

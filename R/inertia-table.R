@@ -19,9 +19,10 @@
 #' @param ... Not used: an unknown argument is an error.
 #' @return A tibble: the columns of `objects` (of the default: last), then
 #'   `r describe_columns(inertia_columns)`
-#'   The first moment is about `axis`, with its `formula`; the other three are about the centre of
-#'   mass, along the own axes. `beta` is NA for bodies that do not roll; a row with only `beta` has
-#'   no other moments (NA). NA in a row's mass or sizes gives NA in that row's results.
+#'   The first moment is about `axis`, with its `formula`, and is that of [moment_of_inertia()] and of
+#'   scenes; the other three are about the centre of mass, along the own axes. `beta` is NA for
+#'   bodies that do not roll; a row with only `beta` has no other moments (NA). NA in a row's mass
+#'   or sizes gives NA in that row's results.
 #'   Each moment has at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in ratios of up
 #'   to 1e300 and any mass.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
@@ -190,12 +191,12 @@ inertia_of_bodies <- function(bodies, call) {
     sizes,
     list(
       moment_of_inertia_kg_m2 = about,
+      axis = c("z, through the centre of mass", shape_table()$axis)[id + 1L],
       ixx_kg_m2 = moment(1),
       iyy_kg_m2 = moment(2),
       izz_kg_m2 = izz,
       beta = pick(function(b) b$beta),
       radius_of_gyration_m = sqrt(about / mass),
-      axis = c("own z axis", shape_table()$axis)[id + 1L],
       formula = vapply(bodies, function(b) b$formula, character(1))
     )
   ), nrow = length(bodies))

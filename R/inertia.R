@@ -17,7 +17,9 @@
 #'
 #' @param body A `rot_body`.
 #' @param about,through The point: `"centre"` (of mass), `"origin"` (of the body's own axes), or
-#'   three numbers in m in the own axes.
+#'   three numbers in m in the own axes. `through = NULL` is the axle that the body names: the end
+#'   of a [body_rod_end()], the axis of a [body_point()], the centre of mass of any other body. That
+#'   is the moment of [inertia_table()], [scene_axle()] and the other scenes.
 #' @param ... Not used; names after it must be given in full.
 #' @param axes The axes the components refer to: `"own"`, `"principal"`, or a rotation matrix whose
 #'   columns are the new axes in the own ones (or its quaternion, scalar first).
@@ -69,7 +71,7 @@ inertia_tensor <- function(body, about = "centre", ..., axes = "own",
 
 #' @rdname inertia_tensor
 #' @export
-moment_of_inertia <- function(body, axis, through = "centre", ...) {
+moment_of_inertia <- function(body, axis, through = NULL, ...) {
   call <- check_no_dots(...)
   check_supplied(c("body", "axis"), call)
   moment_through(body, axis, through, call)
@@ -77,7 +79,7 @@ moment_of_inertia <- function(body, axis, through = "centre", ...) {
 
 #' @rdname inertia_tensor
 #' @export
-radius_of_gyration <- function(body, axis, through = "centre", ...) {
+radius_of_gyration <- function(body, axis, through = NULL, ...) {
   call <- check_no_dots(...)
   check_supplied(c("body", "axis"), call)
   sqrt(moment_through(body, axis, through, call) / body$mass_kg)
@@ -86,10 +88,8 @@ radius_of_gyration <- function(body, axis, through = "centre", ...) {
 moment_through <- function(body, axis, through, call) {
   check_body(body, call)
   axis <- unit_axis(as_axis(axis, call), call)
-  moment <- .Call(
-    ffi_inertia_axis, body$mass_kg, body$centre_m, body$second_moment_kg_m2, axis,
-    as_point(through, body, "through", call)
-  )
+  point <- if (is.null(through)) named_point(body) else as_point(through, body, "through", call)
+  moment <- moment_about_axis(body, axis, point)
   check_in_range(moment, call)
 }
 

@@ -69,13 +69,13 @@ check_inertias <- function(bodies, arg, call) {
     inertia <- vapply(seq_along(bodies), function(i) {
       body <- bodies[[i]]
       if (inherits(body, "rot_body")) {
-        moment_about_axis(check_body(body, call, paste0(arg, "[[", i, "]]")), c(0, 0, 1))
+        named_moment(check_body(body, call, paste0(arg, "[[", i, "]]")), c(0, 0, 1))
       } else {
         check_number(body, paste0(arg, "[[", i, "]]"), "kg*m^2", call)
       }
     }, double(1))
   } else if (inherits(bodies, "rot_body")) {
-    inertia <- moment_about_axis(check_body(bodies, call, arg), c(0, 0, 1))
+    inertia <- named_moment(check_body(bodies, call, arg), c(0, 0, 1))
   } else {
     inertia <- check_finite(bodies, arg, "kg*m^2", call)
   }
@@ -146,7 +146,7 @@ print.rot_scene_rotors <- function(x, ...) {
   n <- length(x$moment_of_inertia_kg_m2)
   cat(
     "<rot_scene> ", n, if (n == 1L) " rotor" else " rotors", " on one shaft\n",
-    "  inertia    ", list_of(x$moment_of_inertia_kg_m2), " kg m^2\n",
+    "  inertia    ", list_of(x$moment_of_inertia_kg_m2), " kg m^2 about the shaft\n",
     "  stiffness  ", list_of(x$stiffness_n_m_per_rad), " N m/rad between neighbours\n",
     "  damping    ", list_of(x$damping_n_m_s), " N m s between neighbours, ",
     list_of(x$viscous_n_m_s), " N m s outside\n",

@@ -3,11 +3,11 @@
 #' The scene that [trajectory()] computes: `d(I omega)/dt = torque + resistance`,
 #' `d(theta)/dt = omega`, with `I` the moment of inertia about the axle.
 #'
-#' The axle goes through the body's centre of mass unless `through` says otherwise: where
-#' [place_body()] put a body, and the origin of its own axes (the end of a [body_rod_end()], say),
-#' do not matter. A message of class `rotdyn_message_axle` says so where `through` is not given and
-#' the centre is not on the own axis parallel to the axle. Weight does not act: see
-#' [scene_pendulum()] and [torque_gravity()].
+#' The axle is the one that the body names, unless `through` says otherwise: through the end of a
+#' [body_rod_end()], at `radius_m` from a [body_point()], through the centre of mass of any other
+#' body. Where [place_body()] put a body does not matter. A message of class `rotdyn_message_axle`
+#' says so where `through` is not given and the centre is not on the own axis parallel to the axle.
+#' Weight does not act: see [scene_pendulum()] and [torque_gravity()].
 #'
 #' @param body A `rot_body` (see [body_disk()]), or one number: the moment of inertia about the axle
 #'   in kg m^2. It must be greater than 0. Or [inertia_knots()], where it changes in time.
@@ -20,8 +20,9 @@
 #'   earlier ones are reached backwards.
 #' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers
 #'   of any length but 0.
-#' @param through A point on the axle: `"centre"` (of mass), `"origin"` (of the body's own axes), or
-#'   three numbers in m in the own axes. Ignored unless `body` is a `rot_body`.
+#' @param through A point on the axle: NULL for the axle that the body names, `"centre"` (of mass),
+#'   `"origin"` (of the body's own axes), or three numbers in m in the own axes. Ignored unless
+#'   `body` is a `rot_body`.
 #' @return A `rot_scene_axle`, which is a `rot_scene`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
 #'   no moment of inertia), `rotdyn_error_unit`.
@@ -33,11 +34,11 @@
 #'   resistance(viscous_n_m_s = 0.03)
 #' )
 #' # A rod that turns about its end.
-#' scene_axle(body_rod_end(mass_kg = 1.5, length_m = 2), 0.8, through = "origin")
+#' scene_axle(body_rod_end(mass_kg = 1.5, length_m = 2), 0.8)
 #' @export
 scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
                        omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1),
-                       through = "centre") {
+                       through = NULL) {
   call <- environment()
   if (missing(body)) check_supplied("body", call)
   check_no_dots(...)
@@ -54,11 +55,17 @@ describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s
   axis <- if (is.null(axis)) c(0, 0, 1) else unit_axis(as_axis(axis, call), call)
   if (inherits(body, "rot_body")) {
     check_body(body, call)
+    point <- if (!is.null(through)) as_point(through, body, "through", call)
+    about <- describe_point(body, if (is.character(through)) through else point)
     if (is.null(through)) {
-      inertia <- moment_about_axis(body, axis)
-      if (any(.subset2(body, "centre_m") != 0)) say_axle_in_centre(body, axis)
+      inertia <- named_moment(body, axis)
+      if (nzchar(axis_shape(body))) {
+        through <- named_point(body)
+      } else if (any(.subset2(body, "centre_m") != 0)) {
+        say_axle_in_centre(body, axis)
+      }
     } else {
-      through <- as_point(through, body, "through", call)
+      through <- point
       inertia <- moment_about_axis(body, axis, through)
     }
   } else if (is.numeric(body)) {
@@ -74,6 +81,7 @@ describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s
     )
   }
   start_s <- check_number(start_s, "start_s", "s", call)
+  if (is.null(body) || is.null(inertia)) about <- NULL
   changing <- NULL
   if (is.null(inertia)) {
     changing <- body
@@ -89,6 +97,7 @@ describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s
   )
   # For the drawing.
   if (is.double(through)) scene$through <- as.double(through)
+  scene$about <- about # for the print
   scene
 }
 
@@ -149,39 +158,44 @@ inertia_at <- function(knots, t) {
 #'
 #' @inheritParams scene_axle
 #' @inheritParams torque-terms
-#' @param body A `rot_body`, or one number: the mass of a point in kg.
-#' @param distance_m Distance of the centre of mass from the axle, >= 0.
+#' @param body A `rot_body`; a point mass is [body_point()].
+#' @param distance_m Distance of the centre of mass from the axle, >= 0. NULL for the axle that the
+#'   body names: the end of a [body_rod_end()], the axis of a [body_point()] at its `radius_m`.
 #' @param torque Any other torque law, or NULL.
 #' @return A `rot_scene_axle`.
 #' @section Errors: those of [scene_axle()].
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), section 11.
 #' @examples
 #' # A metre stick about its end, let go from horizontal.
-#' pendulum <- scene_pendulum(body_rod(0.1, 1), distance_m = 0.5, theta0_rad = pi / 2)
+#' pendulum <- scene_pendulum(body_rod_end(0.1, 1), theta0_rad = pi / 2)
 #' trajectory(pendulum, time_s = seq(0, 2, by = 0.5))
 #' @export
-scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
+scene_pendulum <- function(body, distance_m = NULL, resistance = NULL, theta0_rad = 0,
                            omega0_rad_per_s = 0, ..., torque = NULL, start_s = 0,
                            axis = c(0, 0, 1), gravity_m_per_s2 = 9.80665) {
   call <- rlang::current_env()
-  check_supplied(c("body", "distance_m"), call)
   check_no_dots(...)
-  distance_m <- check_number(distance_m, "distance_m", "m", call, lower = 0)
-  axis <- unit_axis(as_axis(axis, call), call)
-  torque <- as_torque(torque, call)
-  if (inherits(body, "rot_body")) {
-    mass_kg <- check_body(body, call)$mass_kg
-    about_centre <- moment_about_axis(body, axis)
-  } else {
-    if (!is.numeric(body)) {
-      check_class(
-        body, "rot_body", "body", "Make one with {.fn body_rod}, or give a mass in kg.", call
+  check_supplied("body", call)
+  check_class(
+    body, "rot_body", "body",
+    if (is.numeric(body)) {
+      paste0(
+        "A point mass in kg is {.code body_point(", format_si(body[1]), ")}. In other scenes a ",
+        "number is a moment of inertia; a pendulum needs a mass."
       )
-    }
-    mass_kg <- check_number(body, "body", "kg", call, lower = 0)
-    about_centre <- 0
-    body <- NULL
+    } else {
+      "Make one with {.fn body_rod} or {.fn body_point}."
+    }, call
+  )
+  mass_kg <- check_body(body, call)$mass_kg
+  axis <- unit_axis(as_axis(axis, call), call)
+  distance_m <- if (is.null(distance_m)) {
+    named_distance(body, axis, call)
+  } else {
+    check_number(distance_m, "distance_m", "m", call, lower = 0)
   }
+  torque <- as_torque(torque, call)
+  about_centre <- moment_about_axis(body, axis)
   gravity_m_per_s2 <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
   gravity <- gravity_law(mass_kg, distance_m, gravity_m_per_s2, 0, call)
   inertia <- .Call(ffi_sum_product, about_centre, c(mass_kg, distance_m, distance_m))
@@ -199,7 +213,24 @@ scene_pendulum <- function(body, distance_m, resistance = NULL, theta0_rad = 0,
   scene$hang <- list(
     mass_kg = mass_kg, distance_m = distance_m, gravity_m_per_s2 = gravity_m_per_s2
   )
+  scene$about <- paste(format_si(distance_m), "m from the centre of mass")
   scene
+}
+
+# From the axle that the body names to its centre of mass.
+named_distance <- function(body, axis, call) {
+  off <- as.double(body$centre_m) - named_point(body)
+  off <- off - sum(off * axis) * axis
+  distance <- max(abs(off))
+  if (distance > 0) distance <- distance * sqrt(sum((off / distance)^2))
+  if (!nzchar(axis_shape(body)) || distance == 0) {
+    abort_rotdyn(c(
+      "{.arg distance_m} is missing: the axle passes through no point that this body names.",
+      i = "Give the distance of the centre of mass from the axle.",
+      i = "{.fn body_rod_end}, and {.fn body_point} with a {.arg radius_m}, name their axle."
+    ), "missing", call)
+  }
+  distance
 }
 
 # A computed moment below 2.2e-308 has lost digits.
@@ -224,7 +255,11 @@ print.rot_scene_axle <- function(x, ...) {
   check_scene(x, rlang::current_env())
   body <- if (inherits(x$body, "rot_body")) x$body$shape else "a body"
   inertia <- if (is.null(x$inertia)) {
-    paste(format_si(x$moment_of_inertia_kg_m2), "kg m^2 about the axle")
+    paste0(
+      format_si(x$moment_of_inertia_kg_m2), " kg m^2 about ",
+      if (is.null(x$train)) "the axle" else "the first shaft",
+      if (is.character(x$about)) paste0(", ", x$about)
+    )
   } else {
     describe_inertia_knots(x$inertia)
   }

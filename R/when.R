@@ -28,7 +28,7 @@
 #' when(spin_up(), omega_rad_per_s = 10)
 #' when(spin_up(), omega_rad_per_s = 10, occurrence = "all")
 #' # The passages and the turning points of a damped pendulum.
-#' swing <- scene_pendulum(1, 0.8, resistance(0.1), theta0_rad = 2)
+#' swing <- scene_pendulum(body_point(1), 0.8, resistance(0.1), theta0_rad = 2)
 #' when(swing, theta_rad = 0, occurrence = "all", until_s = 6)
 #' when(swing, omega_rad_per_s = 0, occurrence = "all", until_s = 6)
 #' @export

@@ -183,7 +183,11 @@ test_that("the own origin: what lies off the centre says so", {
   expect_true(all(body_point(2)$inertia_kg_m2 == 0))
   rod <- body_rod_end(2, 3)
   expect_equal(moment_of_inertia(rod, "z", through = "origin"), 6)
-  expect_equal(moment_of_inertia(rod, "z"), 1.5)
+  expect_equal(moment_of_inertia(rod, "z", through = "centre"), 1.5)
+  # The axle that the body names.
+  expect_equal(moment_of_inertia(rod, "z"), 6)
+  expect_equal(moment_of_inertia(body_point(2, 3), "z"), 18)
+  expect_equal(radius_of_gyration(body_point(2, 3), "z"), 3)
 })
 
 test_that("sizes that do not fit together are refused, with the remedy", {

@@ -126,7 +126,7 @@ test_that("predict() beyond the rows does not lean on a bound that ends with the
 
 test_that("what is left out of the motion acts in the columns of torque", {
   # -1 * 1 * 9.80665 sin(1), by hand
-  still <- trajectory(scene_pendulum(1, 1, resistance(0.5), theta0_rad = 1), 0)
+  still <- trajectory(scene_pendulum(body_point(1), 1, resistance(0.5), theta0_rad = 1), 0)
   expect_equal(still$net_torque_n_m, -9.80665 * sin(1), tolerance = 1e-15)
   expect_equal(still$applied_torque_n_m, -9.80665 * sin(1), tolerance = 1e-15)
   moving <- trajectory(

@@ -55,7 +55,7 @@ test_that("errors of shortcuts show the shortcut that the user called", {
   expect_equal(call_of(scene_gears(1:2, 2, theta0_rad = "a")), "scene_gears")
   expect_equal(call_of(suppressWarnings(scene_gears(c(1e308, 1e308), 0.1))), "scene_gears")
   expect_equal(call_of(scene_axle(1, function() 1)), "scene_axle")
-  expect_equal(call_of(scene_pendulum(1e200, 1e200)), "scene_pendulum")
+  expect_equal(call_of(scene_pendulum(body_point(1e200), 1e200)), "scene_pendulum")
   verb <- function() audit(1)
   expect_equal(call_of(verb()), "audit")
   expect_equal(call_of(audit()), "audit")

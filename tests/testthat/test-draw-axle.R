@@ -47,7 +47,7 @@ test_that("a pendulum hangs at its angle, with its weight and its distance to sc
 })
 
 test_that("a law drawn otherwise is not a torque arrow", {
-  pendulum <- scene_pendulum(1, 1, theta0_rad = 1)
+  pendulum <- scene_pendulum(body_point(1), 1, theta0_rad = 1)
   expect_false("tau" %in% drawing(pendulum)$quantities$symbol)
   sprung <- scene_axle(1, torque_spring(3) + torque_constant(2))
   key <- drawing(sprung)$quantities

@@ -91,7 +91,7 @@ test_that("a gear train prints its shafts with their ratios", {
   expect_match(shown[2], "^  shaft 1     0.01 kg m\\^2, ratio to the first 1$")
   expect_match(shown[3], "^  shaft 2     0.5 kg m\\^2, ratio to the first 5$")
   expect_match(shown[4], "^  shaft 3     2 kg m\\^2, ratio to the first -10$")
-  expect_match(shown, "inertia     0.05 kg m\\^2 about the axle", all = FALSE)
+  expect_match(shown, "inertia     0.05 kg m\\^2 about the first shaft", all = FALSE)
   expect_equal(capture.output(print(scene_axle(1)))[1], "<rot_scene> a body on a fixed axle")
 })
 

@@ -658,7 +658,7 @@ test_that("a pendulum keeps the digits of products of its numbers over a long ti
           0.78305838919908771639, -0.83297031596623563464)
   covered(trajectory(scene_axle(1, 0.9 * law, theta0_rad = 1), 1e8),
           0.44457558252534121018, 1.1591905583260390456)
-  covered(trajectory(scene_pendulum(0.3, 0.7, theta0_rad = 1), 1e8),
+  covered(trajectory(scene_pendulum(body_point(0.3), 0.7, theta0_rad = 1), 1e8),
           0.97233509366284915466, 0.80398030638076660787)
 })
 

@@ -1,6 +1,6 @@
 # 4 sqrt(I/(m g d)) K(sin^2(A/2)), mpmath at 40 digits.
 test_that("a pendulum at any amplitude, beside the separatrix, and beyond it", {
-  metre <- function(...) scene_pendulum(1, 1, ..., gravity_m_per_s2 = 1)
+  metre <- function(...) scene_pendulum(body_point(1), 1, ..., gravity_m_per_s2 = 1)
   got <- period(metre(theta0_rad = 1))
   expect_equal(got$period_s, 6.6999756643704527127, tolerance = 1e-15)
   expect_equal(got$kind, "oscillation")

@@ -22,7 +22,8 @@ test_that("a scene prints itself", {
 
 test_that("an axle goes through the centre, or the point that is asked for", {
   rod <- body_rod_end(2, 3)
-  expect_message(centre <- scene_axle(rod), class = "rotdyn_message_axle")
+  moved <- place_body(body_rod(2, 3), c(1.5, 0, 0))
+  expect_message(centre <- scene_axle(moved), class = "rotdyn_message_axle")
   expect_equal(centre$moment_of_inertia_kg_m2, 2 * 3^2 / 12)
   expect_no_message(end <- scene_axle(rod, through = "origin"))
   expect_equal(end$moment_of_inertia_kg_m2, 2 * 3^2 / 3)
@@ -47,5 +48,46 @@ test_that("an axle goes through the centre, or the point that is asked for", {
 test_that("an axis is checked where it has no effect, too", {
   expect_error(scene_axle(1, axis = "nonsense"), class = "rotdyn_error_value")
   expect_error(scene_axle(1, axis = c(0, 0, 0)), class = "rotdyn_error_value")
-  expect_error(scene_pendulum(1, 1, axis = "nonsense"), class = "rotdyn_error_value")
+  expect_error(scene_pendulum(body_point(1), 1, axis = "nonsense"), class = "rotdyn_error_value")
+})
+
+test_that("scenes take the axle that the body names, and print where it passes", {
+  rod <- body_rod_end(1.5, 2)
+  shown <- function(x) paste(capture.output(print(x)), collapse = "\n")
+  expect_no_message(scene <- scene_axle(rod, 1))
+  expect_equal(scene$moment_of_inertia_kg_m2, 2)
+  expect_match(shown(scene), "2 kg m^2 about the axle, through the rod's end", fixed = TRUE)
+  expect_match(shown(scene_axle(rod, 1, through = "centre")), "through the centre of mass")
+  expect_match(shown(scene_axle(rod, 1, through = c(0, 1, 0))), "through (0, 1, 0) m", fixed = TRUE)
+  expect_match(shown(scene_axle(body_point(2, 0.5))), "0.5 m from the point")
+  # Wherever the rod was put: about its end, and a rod along z has no moment about z.
+  placed <- place_body(rod, c(3, -4, 5), rotation_about("z", angle_deg = 30))
+  expect_equal(scene_axle(placed)$moment_of_inertia_kg_m2, 2)
+  upright <- place_body(rod, c(3, -4, 5), rotation_about("y", angle_deg = 90))
+  expect_equal(scene_axle(upright, axis = "x")$moment_of_inertia_kg_m2, 2)
+  # One moment wherever a body stands for it.
+  expect_equal(inertia_table(rod)$moment_of_inertia_kg_m2, 2)
+  expect_match(inertia_table(rod)$axis, "through one end")
+  expect_equal(moment_of_inertia(rod, "z"), 2)
+  expect_match(shown(rod), "m l^2 / 3 = 2 kg m^2", fixed = TRUE)
+  expect_match(shown(body_point(2, 0.5)), "m r^2 = 0.5 kg m^2", fixed = TRUE)
+  expect_equal(gear_train(list(rod, rod), 2)$moment_of_inertia_kg_m2, c(2, 2))
+  expect_equal(scene_rotors(list(rod, rod), 2)$moment_of_inertia_kg_m2, c(2, 2))
+  expect_equal(scene_clutch(rod, 1, 2)$moment_of_inertia_kg_m2, c(2, 1))
+})
+
+test_that("a pendulum hangs from the axle that the body names", {
+  expect_equal(scene_pendulum(body_rod_end(1.5, 2))$moment_of_inertia_kg_m2, 2)
+  expect_equal(scene_pendulum(body_rod_end(1.5, 2))$hang$distance_m, 1)
+  expect_equal(scene_pendulum(body_point(2, 0.5))$moment_of_inertia_kg_m2, 0.5)
+  placed <- place_body(body_rod_end(1.5, 2), c(3, -4, 5), rotation_about("z", angle_deg = 30))
+  expect_equal(scene_pendulum(placed)$hang$distance_m, 1, tolerance = 1e-15)
+  # Along the axle the distance does not count.
+  expect_error(scene_pendulum(body_rod_end(1.5, 2), axis = "x"), class = "rotdyn_error_missing")
+  expect_error(scene_pendulum(body_disk(1, 1)), "distance_m", class = "rotdyn_error_missing")
+  expect_equal(scene_pendulum(body_rod_end(1.5, 2), 0.5)$moment_of_inertia_kg_m2, 0.5 + 1.5 / 4)
+})
+
+test_that("a bare number stands for a moment of inertia, in no scene for a mass", {
+  expect_error(scene_pendulum(2, 1), "body_point\\(2\\)", class = "rotdyn_error_type")
 })

@@ -110,8 +110,9 @@ test_that("conditions of the law's own arrive as themselves", {
 
 test_that("the samples' error is not blown up where gravity only might drive away", {
   law <- torque_function(function(time_s) 0.1 * sin(time_s), breaks_s = numeric())
-  hanging <- scene_pendulum(1, 1, torque = law, theta0_rad = 0.3)
-  same <- scene_pendulum(1, 1, torque = torque_sinusoid(0.1, 1, -pi / 2), theta0_rad = 0.3)
+  hanging <- scene_pendulum(body_point(1), 1, torque = law, theta0_rad = 0.3)
+  law <- torque_sinusoid(0.1, 1, -pi / 2)
+  same <- scene_pendulum(body_point(1), 1, torque = law, theta0_rad = 0.3)
   t <- seq(0, 100, by = 5)
   expect_silent(m <- trajectory(hanging, t))
   truth <- trajectory(same, t, 1e-12)
@@ -120,9 +121,9 @@ test_that("the samples' error is not blown up where gravity only might drive awa
   expect_lte(run_of(m)$info$error, 1e-9)
   # Upside down it does drive away: exp(sqrt(g) 4) = 2.7e5 times.
   law <- torque_function(function(time_s) 1e-6 * exp(-time_s), breaks_s = numeric())
-  up <- scene_pendulum(1, 1, torque = law, theta0_rad = pi)
+  up <- scene_pendulum(body_point(1), 1, torque = law, theta0_rad = pi)
   m <- suppressWarnings(trajectory(up, c(0, 4), 1e-6))
-  up <- scene_pendulum(1, 1, torque = torque_exponential(1e-6, 1), theta0_rad = pi)
+  up <- scene_pendulum(body_point(1), 1, torque = torque_exponential(1e-6, 1), theta0_rad = pi)
   truth <- suppressWarnings(trajectory(up, c(0, 4), 1e-9))
   expect_lte(
     max(abs(m$theta_rad - truth$theta_rad)) / max(abs(truth$theta_rad)), run_of(m)$info$error
