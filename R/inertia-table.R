@@ -19,8 +19,8 @@
 #' @param ... Not used: an unknown argument is an error.
 #' @return A tibble: the columns of `objects` (of the default: last), then
 #'   `r describe_columns(inertia_columns)`
-#'   The first moment is about `axis`, with its `formula`, and is that of [moment_of_inertia()] and of
-#'   scenes; the other three are about the centre of mass, along the own axes. `beta` is NA for
+#'   The first moment is about `axis`, with its `formula`, and is that of [moment_of_inertia()] and
+#'   of scenes; the other three are about the centre of mass, along the own axes. `beta` is NA for
 #'   bodies that do not roll; a row with only `beta` has no other moments (NA). NA in a row's mass
 #'   or sizes gives NA in that row's results.
 #'   Each moment has at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in ratios of up
