@@ -16,6 +16,7 @@
 #' @param speed_m_per_s Speed in m/s.
 #' @param position_m,velocity_m_per_s Position and velocity: three numbers.
 #' @param about_m The point about which the moment is taken: three numbers.
+#' @param ... Not used: an unknown argument is an error.
 #' @return Numbers in N m, or in kg m^2/s; of the vectors, three of them named x, y, z. NA and NaN
 #'   are kept in columns.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
@@ -37,24 +38,24 @@
 #' angular_momentum_of_point(5.97e24, 30290, 1.471e11)
 #' angular_momentum_vector(0.16, velocity_m_per_s = c(20, 0, 0), position_m = c(-1, -0.3, 0))
 #' @export
-torque_of_force <- function(force_n, radius_m, angle_deg = 90) {
-  call <- rlang::current_env()
+torque_of_force <- function(force_n, radius_m, angle_deg = 90, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("force_n", "radius_m"), call)
   lever_column(list(force_n = force_n, radius_m = radius_m, angle_deg = angle_deg), 1, call)
 }
 
 #' @rdname torque_of_force
 #' @export
-torque_vector <- function(force_n, position_m, about_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+torque_vector <- function(force_n, position_m, about_m = c(0, 0, 0), ...) {
+  call <- check_no_dots(...)
   check_supplied(c("force_n", "position_m"), call)
   moment_vector(1, check_vector(force_n, "force_n", "N", call), position_m, about_m, call)
 }
 
 #' @rdname torque_of_force
 #' @export
-angular_momentum_of_point <- function(mass_kg, speed_m_per_s, radius_m, angle_deg = 90) {
-  call <- rlang::current_env()
+angular_momentum_of_point <- function(mass_kg, speed_m_per_s, radius_m, angle_deg = 90, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("mass_kg", "speed_m_per_s", "radius_m"), call)
   mass_kg <- check_column(mass_kg, "mass_kg", "kg", call)
   check_not_negative(mass_kg, "mass_kg", "kg", call)
@@ -64,8 +65,9 @@ angular_momentum_of_point <- function(mass_kg, speed_m_per_s, radius_m, angle_de
 
 #' @rdname torque_of_force
 #' @export
-angular_momentum_vector <- function(mass_kg, velocity_m_per_s, position_m, about_m = c(0, 0, 0)) {
-  call <- rlang::current_env()
+angular_momentum_vector <- function(mass_kg, velocity_m_per_s, position_m, about_m = c(0, 0, 0),
+                                    ...) {
+  call <- check_no_dots(...)
   check_supplied(c("mass_kg", "velocity_m_per_s", "position_m"), call)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   velocity <- check_vector(velocity_m_per_s, "velocity_m_per_s", "m/s", call)
