@@ -26,7 +26,9 @@ new_torque <- function(class, ...) {
 #'   angle and rate, `r scan_points_vectorised` if it is vectorised), at the angle and rate of the
 #'   start, bisects what it finds, stops there, and warns (class `rotdyn_warning_breaks`). A pulse
 #'   shorter than the spacing of the scan may be missed: only `breaks_s` is sure.
-#'   `breaks_s = numeric()` says that there are none.
+#'   `breaks_s = numeric()` says that there are none. Jumps and kinks at a value of the angle or of
+#'   the rate need no word: the integrator finds the value and ends its steps on it, so that
+#'   `-0.5 * sign(omega_rad_per_s)` stops a body and holds it.
 #'
 #' A function of time alone is sampled some 30 to 300 times, one of angle and rate is called at each
 #' evaluation of the integrator. The calls of the scan are counted in `rhs_calls`.
