@@ -28,6 +28,10 @@
 #'   energies beyond double precision.
 #' @section Errors: `rotdyn_error_type` for what has no audit (a table that lost its columns is no
 #'   trajectory); `rotdyn_error_time` for a missing time.
+#' @seealso [augment.rot_trajectory()] for the same terms row by row, [summary.rot_trajectory()],
+#'   [trajectory()].
+#' @concept energy balance
+#' @concept conservation
 #' @examples
 #' wheel <- audit(spin_up())
 #' wheel

@@ -16,6 +16,9 @@
 #'   impulse of the torques. Without rows they are empty.
 #' @section Errors: `rotdyn_error_time` if the rows are not in the order of time;
 #'   `rotdyn_error_range` where the motion could not be computed again.
+#' @seealso [audit()] for the totals, [trajectory()].
+#' @concept work
+#' @concept heat
 #' @examples
 #' augment(spin_up(time_s = 0:8))[, c("time_s", "power_w", "work_j", "dissipated_j")]
 #' @aliases augment

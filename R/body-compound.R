@@ -32,6 +32,9 @@
 #'   the remaining inertia is not physical. (A hole that protrudes slightly is not detected.)
 #'   `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
+#' @seealso [inertia_tensor()], [parallel_axis()] for numbers, [rotation_about()], [body_shapes].
+#' @concept composite body
+#' @concept parallel axis theorem
 #' @examples
 #' # A dumbbell: a rod along x with a ball at each end.
 #' rod <- body_rod(mass_kg = 0.5, length_m = 1)

@@ -60,8 +60,7 @@
 #'   within rounding), `volume_error`, `defects` (the counts that fail) and the whole `check`.
 #'
 #'   `check_mesh()`: a tibble of class `rot_mesh_check`, one row for each condition:
-#'   `r describe_columns(c("condition", "count", "verdict", "meaning"))`
-#'   `verdict` is "holds", "fails", "note" (legal) or "not checked".
+#'   `r describe_columns(c("condition", "count", "verdict", "meaning"), check_verdict)`
 #' @section Errors: `rotdyn_error_mesh` for a mesh that does not bound a solid (the message counts
 #'   the defects, and the condition's `check` is the result of `check_mesh()`), for coordinates that
 #'   are not finite, invalid vertex numbers, and no faces. `rotdyn_error_missing` and
@@ -518,3 +517,8 @@ print.rot_mesh_check <- function(x, ...) {
   }
   invisible(x)
 }
+
+# For the help page: the dictionary has the word of an audit.
+check_verdict <- c(
+  verdict = "\"holds\", \"fails\", \"note\" (legal, of interest) or \"not checked\""
+)

@@ -187,6 +187,10 @@ abort_shape <- function(fault, names, size, row, call) {
 #'   Johnston, Vector Mechanics for Engineers, inside cover; Meriam and Kraige, Engineering
 #'   Mechanics: Dynamics, tables D/3 and D/4. [shapes()] has the source of each formula.
 #' @seealso [scene_axle()] puts a body on an axle; [inertia_table()] compares shapes.
+#' @concept moment of inertia
+#' @concept ring
+#' @concept hoop
+#' @concept rod
 #' @examples
 #' body_hoop(mass_kg = 2, radius_m = 0.25)
 #' body_rod(mass_kg = 1.5, length_m = 2)$inertia_kg_m2
@@ -246,6 +250,12 @@ body_half_hoop <- function(mass_kg, radius_m, ..., linear_density_kg_m = NULL) {
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
 #' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
+#' @concept disc
+#' @concept disk
+#' @concept ring
+#' @concept annulus
+#' @concept wheel
+#' @concept flywheel
 #' @examples
 #' body_disk(mass_kg = 2, radius_m = 0.25)
 #' body_annulus(outer_radius_m = 0.3, inner_radius_m = 0.1, areal_density_kg_m2 = 20)
@@ -409,6 +419,10 @@ body_box_shell <- function(mass_kg, length_m, width_m, height_m, ..., areal_dens
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
 #' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
+#' @concept cylinder
+#' @concept sphere
+#' @concept flywheel
+#' @concept disc
 #' @examples
 #' body_sphere(mass_kg = 1, radius_m = 0.1)
 #' body_cylinder(radius_m = 0.05, length_m = 0.3, density_kg_m3 = 7850)

@@ -29,6 +29,9 @@
 #'   where the moved tensor exceeds double precision.
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60, for the
 #'   conditions.
+#' @seealso [check_inertia()] finds what is wrong with a tensor, [inertia_tensor()],
+#'   [principal_axes()].
+#' @concept inertia tensor
 #' @examples
 #' body_tensor(2, c(ixx = 0.05, iyy = 0.06, izz = 0.07, ixy = 0.01, ixz = 0, iyz = 0))
 #' try(body_tensor(2, diag(c(0.05, 0.06, 0.7))))

@@ -50,7 +50,7 @@ column_list <- list(
   c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),
   c(
     "verdict", "",
-    "\"balanced\" if an audit's residuals are explained, else \"unbalanced\"; checks: \"holds\"..."
+    "of an audit \"balanced\" where the residuals are explained, of a check \"holds\"; else see there"
   ),
   c("balance", "", "the quantity that is balanced: energy, angular_momentum, ..."),
   c("about", "", "the point or axis of a momentum; NA for an energy"),
@@ -70,7 +70,7 @@ column_list <- list(
   c("source", "", "source of the equations"),
   c("applies", "", "whether the model fits the scene and reaches the accuracy"),
   c("reason", "", "the reason"),
-  c("chosen", "", "TRUE for the cheapest model that applies"),
+  c("chosen", "", "TRUE for the model with the least predicted time of those that apply"),
   c("principal_moment_kg_m2", "kg m^2", "principal moment of inertia"),
   c("second_moment_kg_m2", "kg m^2", "second moment along the principal axis"),
   c("x", "1", "x component of the unit vector along the axis, in the own axes"),
@@ -210,6 +210,9 @@ names(column_table) <- c("name", "unit", "meaning")
 #' All columns returned by the functions of the package, with unit and meaning.
 #'
 #' @return A tibble with the columns `r describe_columns(c("name", "unit", "meaning"))`
+#' @seealso [trajectory()], [inertia_table()], [rolling_table()].
+#' @concept units
+#' @concept columns
 #' @examples
 #' rotdyn_columns()
 #' @export
@@ -217,9 +220,10 @@ rotdyn_columns <- function() {
   tibble::as_tibble(column_table)
 }
 
-# For the help pages: an itemized list of columns.
-describe_columns <- function(names) {
+# For the help pages: an itemized list of columns. `meanings`: those of this page, by name.
+describe_columns <- function(names, meanings = NULL) {
   rows <- column_table[match(names, column_table$name), ]
+  rows$meaning[match(names(meanings), rows$name)] <- meanings
   unit <- ifelse(rows$unit %in% c("", "1"), "", paste0(" (", rows$unit, ")"))
   paste0(
     "\\itemize{\n",

@@ -15,6 +15,8 @@
 #'   `rotdyn_error_unit`.
 #' @source Koenig's theorem: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002),
 #'   section 1.2.
+#' @seealso [rolling_table()], [rotational_energy_fraction()], [augment.rot_trajectory()].
+#' @concept kinetic energy
 #' @examples
 #' energy_partition(mass_kg = 1, radius_m = 0.1, beta = c(1, 0.5, 0.4), speed_m_per_s = 3)
 #' @export

@@ -11,6 +11,8 @@
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), section 16-7.
+#' @seealso [gear_train()], [scene_gears()].
+#' @concept gear
 #' @examples
 #' reflected_inertia(0.5, ratio = c(1, 5, 10))
 #' @export
@@ -62,6 +64,10 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio, ...) {
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf
 #'   included), `rotdyn_error_unit`.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), sections 13-13 and 16-7.
+#' @seealso [scene_drive()] for torque laws and elastic shafts, [reflected_inertia()],
+#'   [autoplot.rot_gear_train()].
+#' @concept gear
+#' @concept transmission
 #' @examples
 #' gear_train(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque_n_m = c(2, -4))
 #' scene <- scene_gears(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque_n_m = c(2, -4))

@@ -12,6 +12,9 @@
 #'   `rotdyn_error_time`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.1: without
 #'   torque I omega stays.
+#' @seealso [scene_axle()], which takes it as a body; [moment_of_inertia()].
+#' @concept skater
+#' @concept changing moment of inertia
 #' @examples
 #' skater <- inertia_knots(time_s = c(1, 2), moment_of_inertia_kg_m2 = c(5, 2))
 #' scene <- scene_axle(skater, omega0_rad_per_s = 2)

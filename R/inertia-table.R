@@ -31,6 +31,13 @@
 #'   for a column that is a matrix, `rotdyn_error_value` for a negative mass or length, sizes that
 #'   are inconsistent, or an unknown shape without `beta`, with the row; `rotdyn_error_unit`.
 #' @source As in [body_shapes] and [shapes()].
+#' @seealso [shapes()] for the formulas, [moment_of_inertia()] for any axis, [body_shapes],
+#'   [rolling_table()].
+#' @concept moment
+#' @concept moment of inertia
+#' @concept disc
+#' @concept ring
+#' @concept hoop
 #' @examples
 #' inertia_table()
 #' inertia_table(data.frame(object = c("disk", "rod"), mass_kg = 2, radius_m = 0.3, length_m = 1.2))

@@ -39,6 +39,8 @@
 #'   `rotdyn_error_point` for a sum of tensors about different points or in different axes.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), sections 5.3 and 5.4.
 #' @seealso [principal_axes()], [parallel_axis()] for numbers without a body, [join_bodies()].
+#' @concept moment
+#' @concept parallel axis theorem
 #' @examples
 #' rod <- body_rod(mass_kg = 1.5, length_m = 2)
 #' moment_of_inertia(rod, axis = "z")

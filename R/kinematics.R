@@ -119,6 +119,9 @@ check_finite_or_na <- function(x, arg, unit, call) {
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
 #'   `rotdyn_error_value` for infinite numbers or a negative radius, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.9.
+#' @seealso [angular_motion()], [torque_of_force()] and [angular_momentum_of_point()].
+#' @concept centripetal
+#' @concept tangential
 #' @examples
 #' point_motion(omega_rad_per_s = 6, alpha_rad_per_s2 = -2.5, radius_m = c(0.1, 0.2, 0.3))
 #' # A centrifuge in units of g:
@@ -201,6 +204,10 @@ check_point_columns <- function(columns, call) {
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_unit`.
+#' @seealso [rotation_about()], [angular_motion()]. `units` objects are accepted wherever a unit
+#'   is in the name of an argument.
+#' @concept degrees
+#' @concept rpm
 #' @examples
 #' rad_per_s_from_rpm(c(33 + 1 / 3, 45, 78))
 #' turns_from_rad(rad_from_deg(540))

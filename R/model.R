@@ -158,7 +158,7 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 
 #' Choose a model for a scene
 #'
-#' The cheapest model, by predicted time, that takes the scene and reaches the accuracy.
+#' The model with the least predicted time of those that take the scene and reach the accuracy.
 #' [trajectory()] makes the same choice; `choose_model()` shows the candidates and the reasons.
 #'
 #' An effect is ignored only where no closed form takes the scene unchanged, and only with a bound:
@@ -172,13 +172,15 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
 #'   an angular velocity with units: see [trajectory()].
 #' @param ... Not used: an unknown argument is an error.
 #' @return A tibble (class `rot_model_choice`) with one row for each model of the scene's
-#'   constraint, cheapest first. It prints the chosen model with its reason, then the other models
-#'   that apply, then the rest. The columns:
+#'   constraint, in the order of predicted time. It prints the chosen model with its reason, then
+#'   the other models that apply, then the rest. The columns:
 #'   `r describe_columns(c("model", "applies", "error", "error_kind", "cost_s", "chosen", "reason"))`
 #'   `cost_s` is a prediction.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_value`;
 #'   `rotdyn_error_accuracy` if no model reaches the accuracy.
 #' @source [models()] says for each model where its equations come from.
+#' @seealso [models()] lists all, [work_precision()] measures what is predicted here,
+#'   [trajectory()].
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' choose_model(scene, time_s = seq(0, 8, by = 0.1))

@@ -26,6 +26,9 @@
 #'   or distance; a moment about the centre that would be negative), `rotdyn_error_inertia` (a
 #'   tensor that is not physical), `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), equation 5.21.
+#' @seealso [inertia_tensor()] and [moment_of_inertia()] for bodies, [join_bodies()].
+#' @concept Steiner
+#' @concept moment
 #' @examples
 #' # A rod of 1.5 kg and 2 m: from its centre to its end, and back.
 #' parallel_axis(0.5, mass_kg = 1.5, distance_m = 1)

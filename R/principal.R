@@ -39,6 +39,8 @@
 #'   `rotdyn_error_unit`; `rotdyn_error_inertia` for a tensor that is not physical, or not finite.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.4;
 #'   Demmel and Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204, for the rotations.
+#' @seealso [inertia_tensor()], [check_inertia()], [autoplot.rot_body()].
+#' @concept principal moment
 #' @examples
 #' principal_axes(body_disk(mass_kg = 2, radius_m = 0.25))
 #' symmetry_class(body_sphere(1, 0.1))

@@ -1,8 +1,9 @@
 #' Resistance to rotation
 #'
-#' The resisting torque as data. While the body rotates it is
-#'
-#' `-(viscous_n_m_s omega + quadratic_n_m_s2 omega |omega| + coulomb_n_m sign(omega))`.
+#' The torque that resists rotation, as data: viscous drag `c`, quadratic drag `q`, sliding friction
+#' `f`. While the body rotates it is
+#' \deqn{\tau_r = -(c\,\omega + q\,\omega|\omega| + f\,\mathrm{sign}\,\omega)}{
+#'   -(c omega + q omega |omega| + f sign(omega)).}
 #'
 #' A body at rest stays at rest while the other torques are at most `static_n_m`, and breaks loose
 #' when they exceed it.
@@ -19,9 +20,18 @@
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.5
 #'   (dissipation); Armstrong-Helouvry, Control of Machines with Friction (1991), chapter 2 (dry
 #'   friction).
+#' @seealso [scene_axle()] takes it, [stopping()] and [when()] for the coast-down, [brake()] for
+#'   a brake with an on-time, [clutch_engagement()].
+#' @concept brake
+#' @concept friction
+#' @concept drag
+#' @concept damping
 #' @examples
 #' resistance(viscous_n_m_s = 0.03)
 #' resistance(quadratic_n_m_s2 = 1e-4, coulomb_n_m = 0.2, static_n_m = 0.3)
+#' # How long does a brake of 0.5 N m take to stop a flywheel?
+#' flywheel <- body_disk(20, 0.3)
+#' stopping(scene_axle(flywheel, NULL, resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 30))
 #' @export
 resistance <- function(viscous_n_m_s = 0, quadratic_n_m_s2 = 0, coulomb_n_m = 0,
                        static_n_m = coulomb_n_m, ...) {

@@ -118,6 +118,9 @@ rolling_objects <- function() {
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
 #'   the first value outside its domain, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
+#' @seealso [rolling_table()] for all of them, [energy_partition()].
+#' @concept incline
+#' @concept rolling
 #' @examples
 #' rolling_acceleration(beta = c(1, 0.5, 0.4), incline_angle_deg = 20)
 #' rolling_friction_coefficient(beta = 1, incline_angle_deg = 60)

@@ -32,6 +32,8 @@
 #' Every error of the package has the class `rotdyn_error` and one of
 #' `r paste0("\\code{rotdyn_error_", names(error_kinds), "} (", error_kinds, ")", collapse = ", ")`.
 #'
+#' @seealso [scene_axle()] and [trajectory()] to begin with, [inertia_table()], [rolling_table()],
+#'   [models()], [rotdyn_columns()].
 #' @keywords internal
 #' @useDynLib rotdyn, .registration = TRUE
 #' @importFrom generics glance augment

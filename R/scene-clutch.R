@@ -25,6 +25,10 @@
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`; `rotdyn_error_torque` for a torque that is not constant between jumps.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), chapter 16 (energy of clutches).
+#' @seealso [clutch_engagement()] for numbers, [scene_drive()] for any torque law,
+#'   [trajectory()].
+#' @concept brake
+#' @concept clutch
 #' @examples
 #' scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
 #' scene_clutch(

@@ -28,6 +28,10 @@
 #'   `rotdyn_error_unit`.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), chapter 16; Armstrong-Helouvry,
 #'   Control of Machines with Friction (1991), chapter 2.
+#' @seealso [scene_drive()], [scene_rotors()], [scene_clutch()], [gear_train()].
+#' @concept brake
+#' @concept clutch
+#' @concept gear
 #' @examples
 #' coupling_shaft(800, 0.05, ratio = 5)
 #' coupling_clutch(torque_knots(c(0, 1), c(0, 30), outside = "hold"), static_ratio = 1.2)
@@ -158,6 +162,10 @@ loads_on_axle <- function(torque, resistance, inertia, theta0, omega0, start_s) 
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), sections 1.4 and 2.4
 #'   (constraints); Armstrong-Helouvry, Control of Machines with Friction (1991), chapter 2; Ahuja,
 #'   Magnanti and Orlin, Network Flows (1993), section 6.5 (which contacts at rest hold).
+#' @seealso [couplings], [scene_rotors()], [scene_gears()], [scene_clutch()], [motion_events()].
+#' @concept drive train
+#' @concept brake
+#' @concept gear
 #' @examples
 #' # A motor that drives a load through a gear and an elastic shaft.
 #' geared <- scene_drive(

@@ -29,6 +29,10 @@
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
 #' @source Meirovitch, Fundamentals of Vibrations (2001), chapter 7.
+#' @seealso [shaft_modes()], [scene_drive()], [trajectory()].
+#' @concept torsion
+#' @concept shaft
+#' @concept flywheel
 #' @examples
 #' scene_rotors(c(1, 2), stiffness_n_m_per_rad = 1000, omega0_rad_per_s = c(1, 0.5))
 #' scene_rotors(
@@ -172,6 +176,10 @@ print.rot_scene_rotors <- function(x, ...) {
 #'   Frequencies beyond double precision are NA.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_memory`.
 #' @source Meirovitch, Fundamentals of Vibrations (2001), chapter 7.
+#' @seealso [scene_rotors()], [autoplot.rot_shaft_modes()], [period()].
+#' @concept frequency
+#' @concept period
+#' @concept vibration
 #' @examples
 #' shaft_modes(scene_rotors(c(1, 2, 1), stiffness_n_m_per_rad = 500))
 #' @export

@@ -1,7 +1,8 @@
 #' A body on a fixed axle
 #'
-#' The scene that [trajectory()] computes: `d(I omega)/dt = torque + resistance`,
-#' `d(theta)/dt = omega`, with `I` the moment of inertia about the axle.
+#' The scene that [trajectory()] computes, with `I` the moment of inertia about the axle:
+#' \deqn{\frac{d(I\omega)}{dt} = \tau + \tau_r,\quad \frac{d\theta}{dt} = \omega}{
+#'   d(I omega)/dt = torque + resistance,  d(theta)/dt = omega}
 #'
 #' The axle is the one that the body names, unless `through` says otherwise: through the end of a
 #' [body_rod_end()], at `radius_m` from a [body_point()], through the centre of mass of any other
@@ -27,6 +28,12 @@
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
 #'   no moment of inertia), `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
+#' @seealso [trajectory()] for the motion, [torque] and [torque-terms], [resistance()],
+#'   [stopping()], [scene_pendulum()], [autoplot.rot_scene()].
+#' @concept flywheel
+#' @concept wheel
+#' @concept disc
+#' @concept fixed axis
 #' @examples
 #' scene_axle(
 #'   body_disk(mass_kg = 2, radius_m = 0.25),
@@ -153,7 +160,10 @@ inertia_at <- function(knots, t) {
 #' A pendulum: a body that hangs from an axle
 #'
 #' Shortcut for a [scene_axle()] with [torque_gravity()]: the moment of inertia about the axle is
-#' that about the centre of mass plus `m d^2` (parallel axes). `theta` is 0 where it hangs
+#' that about the centre of mass plus `m d^2` (parallel axes).
+#' \deqn{(I_g + m d^2)\,\ddot\theta = -m g d \sin\theta + \tau + \tau_r}{
+#'   (I_g + m d^2) theta'' = -m g d sin(theta) + torque + resistance}
+#' `theta` is 0 where it hangs
 #' straight down. Without resistance the motion is known in closed form at any amplitude.
 #'
 #' @inheritParams scene_axle
@@ -165,6 +175,11 @@ inertia_at <- function(knots, t) {
 #' @return A `rot_scene_axle`.
 #' @section Errors: those of [scene_axle()].
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), section 11.
+#' @seealso [period()] at any amplitude, [when()] for passages, [torque_gravity()],
+#'   [scene_axle()].
+#' @concept pendulum
+#' @concept period
+#' @concept swing
 #' @examples
 #' # A metre stick about its end, let go from horizontal.
 #' pendulum <- scene_pendulum(body_rod_end(0.1, 1), theta0_rad = pi / 2)

@@ -20,6 +20,10 @@
 #'   (see [choose_model()], model `axle_drag`).
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
+#' @seealso [when()], [motion_events()], [resistance()].
+#' @concept brake
+#' @concept coast-down
+#' @concept terminal speed
 #' @examples
 #' # A flywheel that coasts down: J = 2.5 kg m^2, dry, viscous and quadratic losses.
 #' losses <- resistance(0.004, 2e-5, coulomb_n_m = 0.05)

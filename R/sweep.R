@@ -37,6 +37,9 @@ sweep_parameters <- list(
 #'   `rotdyn_error_value` with the row, `rotdyn_error_time`; `rotdyn_error_model` for a law that no
 #'   closed form takes.
 #' @source As for [trajectory()]: see [models()].
+#' @seealso [spin_up()], [inertia_table()], [autoplot.rot_spin_up_table()].
+#' @concept flywheel
+#' @concept design
 #' @examples
 #' designs <- data.frame(
 #'   name = c("light", "heavy", "oily"),

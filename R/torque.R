@@ -48,6 +48,9 @@ new_torque <- function(class, ...) {
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
 #'   not finite numbers of one length, `rotdyn_error_time` for knots that go back in time,
 #'   `rotdyn_error_unit`. What `f` returns is checked when it is called: `rotdyn_error_torque`.
+#' @seealso [torque-terms] for motors, springs, gravity and sinusoids; [scene_axle()],
+#'   [torque_of_force()], [autoplot.rot_torque()].
+#' @concept moment of force
 #' @examples
 #' torque_knots(time_s = c(0, 1, 4, 6, 8), torque_n_m = c(0, 0.8, 0.8, 0, 0))
 #' torque_knots(c(50, 50.02), c(40, 40)) # a pulse, nothing before and after

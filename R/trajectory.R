@@ -32,6 +32,10 @@
 #'   from a run: those carry `info`, with the time reached. An error, a condition, an interrupt or a
 #'   time limit raised in a torque function keeps its class.
 #' @source [models()] says for each model where its equations come from.
+#' @seealso [choose_model()], [audit()], [predict.rot_trajectory()], [motion_events()], [when()],
+#'   [compare_runs()], [autoplot.rot_trajectory()].
+#' @concept simulation
+#' @concept motion
 #' @examples
 #' scene <- scene_axle(
 #'   body_disk(mass_kg = 2, radius_m = 0.25),
@@ -393,6 +397,8 @@ describe_error <- function(run) {
 #'   `r describe_columns(clutch_summary_columns)`
 #'   instead of those before `model`.
 #' @section Errors: none: the largest and the last of no rows are NA.
+#' @seealso [audit()], [motion_events()], [predict.rot_trajectory()].
+#' @concept maximum
 #' @examples
 #' summary(spin_up())
 #' @export
@@ -437,6 +443,7 @@ glance.rot_trajectory <- function(x, ...) {
 #'   [trajectory()].
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time` for infinite times, and those of
 #'   [trajectory()].
+#' @seealso [trajectory()], [when()].
 #' @examples
 #' predict(spin_up(), time_s = c(7.5, NA, 1 / 3))
 #' @export
@@ -486,6 +493,9 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #'   and, of a [scene_drive()], `where`: the rotor or coupling. A motion that starts at rest, held
 #'   or free, has no event at the start. Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
+#' @seealso [when()] for the time of an angle or a rate, [stopping()], [period()].
+#' @concept event
+#' @concept stick and slip
 #' @examples
 #' wheel <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
 #' motion_events(trajectory(wheel, time_s = 0:60))
@@ -511,6 +521,10 @@ motion_events <- function(x) {
 #' @return A `rot_trajectory`, as [trajectory()] gives.
 #' @section Errors: those of [scene_axle()] and [trajectory()].
 #' @source As for [trajectory()].
+#' @seealso [scene_axle()] and [trajectory()], of which it is a shortcut; [spin_up_table()] for
+#'   many.
+#' @concept flywheel
+#' @concept wheel
 #' @examples
 #' spin_up()
 #' spin_up(body_sphere(5, 0.1), torque_constant(0.2), time_s = 0:10)
