@@ -50,7 +50,7 @@ column_list <- list(
   c("damping_impulse_n_m_s", "N m s", "time integral of the damping torque since the first row"),
   c(
     "verdict", "",
-    "of an audit \"balanced\" where the residuals are explained, of a check \"holds\"; else see there"
+    "of an audit \"balanced\" where the residuals are explained, of a check \"holds\"; ..."
   ),
   c("balance", "", "the quantity that is balanced: energy, angular_momentum, ..."),
   c("about", "", "the point or axis of a momentum; NA for an energy"),
