@@ -19,13 +19,13 @@ core: ## the tests of the C core alone
 	@sh tests/core/run.sh
 
 snapshots: ## write the text snapshots anew; read the diff before you commit it
-	@sh tools/install.sh
+	@sh tools/install.sh --no-build-vignettes
 	-@cd tests && NOT_CRAN=true Rscript testthat.R
 	@Rscript -e 'testthat::snapshot_accept(path = "tests/testthat")'
 
 bench: ## speed and error beside other tools
 	@sh tools/setup.sh bench
-	@sh tools/install.sh
+	@sh tools/install.sh --no-build-vignettes
 	@Rscript bench/run.R
 
 document: ## make NAMESPACE and man/ from the comments in R/

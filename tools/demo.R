@@ -148,7 +148,7 @@ row("moment of inertia of a wheel, m R^2/2", sprintf("%.4f e-3 kg m^2", 1000 * d
 row("difference", sprintf(
   "%.2f %%, %.1f of its uncertainty", 100 * (inertia / disk - 1), abs(inertia - disk) / u_inertia
 ))
-cat("  What this does and does not show: vignette(\"rolling\", package = \"rotdyn\").\n")
+cat("  What this does and does not show: vignette(\"measured-cart\", package = \"rotdyn\").\n")
 
 # The raw runs, where they lie beside the repository.
 shared <- Sys.getenv("ROTDYN_SHARED", "../shared")
@@ -181,4 +181,13 @@ if (have_ggplot2) {
   picture("demo-output/body.png", ggplot2::autoplot(leaning))
 } else {
   cat("none: the package ggplot2 is not installed\n")
+}
+
+# ---- lessons ------------------------------------------------------------------------------------
+
+heading("Lessons")
+if (nzchar(system.file("doc", "first-motion.html", package = "rotdyn"))) {
+  cat("vignette(\"first-motion\", package = \"rotdyn\") opens lesson 1 in R.\n")
+} else {
+  cat("not installed: they need knitr, rmarkdown and pandoc\n")
 }

@@ -73,6 +73,7 @@ system_needs() {
     need essential has_gsl "GNU GSL" libgsl-dev gsl-devel gsl
   esac
   case $group in
+    demo) need optional pandoc pandoc pandoc pandoc pandoc ;;
     test)
       need optional pandoc pandoc pandoc pandoc pandoc
       need optional qpdf qpdf qpdf qpdf qpdf
@@ -182,7 +183,7 @@ test $group = format && exit 0
 must=$(ask_r imports) || exit 1
 may=""
 case $group in
-  demo) may="dplyr ggplot2" ;;
+  demo) may="dplyr ggplot2 knitr rmarkdown" ;;
   test | bench) must="$must testthat"; may=$(ask_r suggests) ;;
   # roxygen2 loads the package from its sources; pkgbuild compiles them.
   document) must="$must roxygen2 pkgbuild" ;;

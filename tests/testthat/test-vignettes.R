@@ -1,0 +1,106 @@
+# Every vignette runs from what its reader sees: visible chunks alone, in a fresh session. Lessons
+# have their parts.
+
+vignette_files <- function() {
+  root <- Sys.getenv("ROTDYN_ROOT", file.path("..", ".."))
+  folder <- file.path(root, "vignettes")
+  if (!dir.exists(folder)) folder <- system.file("doc", package = "rotdyn")
+  files <- list.files(folder, "[.]Rmd$", full.names = TRUE)
+  if (!length(files)) skip("no vignettes")
+  files
+}
+
+title_of <- function(lines) sub('^title: "(.*)"$', "\\1", grep("^title: ", lines, value = TRUE)[1])
+
+# The chunks of R that a reader sees. What is shown but not run, or meant to fail, is marked.
+visible_chunks <- function(lines) {
+  starts <- grep("^```\\{r", lines)
+  chunks <- lapply(starts, function(start) {
+    end <- start + which(lines[-seq_len(start)] == "```")[1]
+    head <- lines[start]
+    list(
+      code = lines[seq_len(end - start - 1) + start],
+      shown = !grepl("include *= *FALSE|echo *= *FALSE", head),
+      run = !grepl("eval *= *FALSE", head), error = grepl("error *= *TRUE", head)
+    )
+  })
+  Filter(function(chunk) chunk$shown && chunk$run, chunks)
+}
+
+run_visible <- function(lines) {
+  script <- unlist(lapply(visible_chunks(lines), function(chunk) {
+    if (chunk$error) c("try({", chunk$code, "}, silent = TRUE)") else chunk$code
+  }))
+  folder <- tempfile("vignette")
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  file <- file.path(folder, "visible.R")
+  writeLines(c("pdf(NULL)", script), file)
+  libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
+  output <- suppressWarnings(system2(
+    file.path(R.home("bin"), "Rscript"), c("--vanilla", shQuote(file)), stdout = TRUE,
+    stderr = TRUE,
+    env = c(paste0("R_LIBS=", shQuote(libraries)), "R_TESTS=", "LC_ALL=C.UTF-8")
+  ))
+  list(status = attr(output, "status") %||% 0L, output = output)
+}
+
+test_that("the visible code of every vignette runs in a fresh session", {
+  skip_on_cran()
+  for (need in c("ggplot2", "dplyr", "deSolve", "xml2", "units")) skip_if_not_installed(need)
+  for (file in vignette_files()) {
+    ran <- run_visible(readLines(file, encoding = "UTF-8"))
+    expect_identical(
+      as.integer(ran$status), 0L,
+      info = paste(c(basename(file), tail(ran$output, 5)), collapse = "\n")
+    )
+  }
+})
+
+test_that("a hidden object is found", {
+  skip_on_cran()
+  hidden <- c("```{r, include = FALSE}", "colours <- 1", "```", "```{r}", "colours + 1", "```")
+  expect_false(run_visible(hidden)$status == 0)
+  expect_true(run_visible(sub(", include = FALSE", "", hidden))$status == 0)
+})
+
+lessons <- function() {
+  all <- lapply(vignette_files(), readLines, encoding = "UTF-8")
+  names(all) <- basename(vignette_files())
+  Filter(function(lines) grepl("^Lesson", title_of(lines)), all)
+}
+
+test_that("lesson 1 is there", {
+  expect_match(title_of(lessons()[["first-motion.Rmd"]]), "^Lesson 1:")
+})
+
+test_that("each lesson has its parts", {
+  for (name in names(lessons())) {
+    lines <- lessons()[[name]]
+    has <- function(pattern) any(grepl(pattern, lines))
+    expect_true(has("^## Objectives$"), info = name)
+    expect_true(has("\\*\\*Before:\\*\\*"), info = name)
+    expect_true(has("\\*\\*Time:\\*\\* [0-9]+ minutes"), info = name)
+    expect_true(has("^## Predict"), info = name)
+    expect_true(has("^## (A c|C)ommon misconception"), info = name)
+    expect_true(has("^## Exercise"), info = name)
+    expect_gt(sum(lines == "<details>"), 0)
+    expect_identical(sum(lines == "<details>"), sum(lines == "</details>"), info = name)
+    expect_identical(
+      sum(lines == "<details>"), sum(lines == "<summary>Answer</summary>"), info = name
+    )
+    seen <- unlist(lapply(visible_chunks(lines), `[[`, "code"))
+    expect_true(any(grepl("^```\\{r drawing", lines)), info = name)
+    expect_true(any(grepl("autoplot\\(", seen)), info = name)
+  }
+})
+
+test_that("lessons mask no function or constant of base R", {
+  for (name in names(lessons())) {
+    seen <- unlist(lapply(visible_chunks(lessons()[[name]]), `[[`, "code"))
+    assigned <- "^ *([A-Za-z_.0-9]+) <- .*"
+    made <- sub(assigned, "\\1", grep(assigned, seen, value = TRUE))
+    base <- c("I", "T", "F", "c", "t", "q", "df", "sd")
+    expect_identical(intersect(made, base), character(), info = name)
+  }
+})
