@@ -82,6 +82,7 @@ add_end_jumps <- function(result, scene, time_s) {
 # times, a growth of 1e125 in 100 s: where it matters the growth is measured, by a constant torque
 # large enough to exceed the integration's own error. solve(push_n_m): the motion with it added.
 add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
+  if (all(result$info$sizes == 0)) return(result) # at rest throughout, held
   disturb <- function(size, impulse, grow) {
     .Call(ffi_axle_disturbance, scene, time_s, c(size, impulse, grow))
   }

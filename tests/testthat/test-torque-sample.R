@@ -146,3 +146,10 @@ test_that("a zero of a sampled law on a row is a zero", {
   expect_identical(held$applied_torque_n_m[1], 0)
   expect_identical(held$net_torque_n_m, c(0, 0, 0))
 })
+
+test_that("a body that friction holds throughout has no error", {
+  scene <- scene_axle(1, function(t) 0.1 * t, resistance(coulomb_n_m = 1))
+  expect_no_warning(motion <- trajectory(scene, 0:2))
+  expect_identical(motion$omega_rad_per_s, c(0, 0, 0))
+  expect_identical(attr(motion, "run")$info$error, 0)
+})
