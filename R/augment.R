@@ -12,7 +12,9 @@
 #' @param x A `rot_trajectory` whose rows are in the order of time.
 #' @param ... Not used.
 #' @return The trajectory with the columns `r describe_columns(augment_columns)`
-#'   With several rotors or a clutch, those of them that are known: power, work, heat and the
+#'   With springs or gravity on an axle also `potential_energy_j`: `k (theta - rest)^2/2`, and
+#'   `m g d (1 - cos(theta - rest))` above the rest angle; the work includes theirs. With several
+#'   rotors or a clutch, those of them that are known: power, work, heat and the
 #'   impulse of the torques. Without rows they are empty.
 #' @section Errors: `rotdyn_error_time` if the rows are not in the order of time;
 #'   `rotdyn_error_range` where the motion could not be computed again.

@@ -40,6 +40,7 @@ column_list <- list(
   c("terminal_omega_rad_per_s", "rad/s", "limit of omega under the last torque"),
   c("final_omega_1_rad_per_s", "rad/s", "angular velocity of body 1 at the end"),
   c("final_omega_2_rad_per_s", "rad/s", "angular velocity of body 2 at the end"),
+  c("potential_energy_j", "J", "energy stored in springs and height, 0 at the rest angle"),
   c("period_s", "s", "time after which the motion repeats, or of a cycle"),
   c("amplitude_rad", "rad", "largest angle from the rest angle"),
   c("amplitude_ratio", "1", "amplitude after a cycle over that before"),

@@ -42,6 +42,7 @@ axle_constraint <- function() {
       )
     },
     pace = axle_pace,
+    more_events = axle_swing_events,
     summary = function(x, run) {
       names <- c(
         "omega_rad_per_s", "angular_momentum_kg_m2_per_s", "rotational_kinetic_energy_j"
@@ -205,12 +206,14 @@ augment_axle <- function(x, run, edges, call) {
     dissipated_quadratic_j = since_first("quadratic_j"),
     dissipated_coulomb_j = since_first("coulomb_j")
   )
+  potential <- axle_potential(run$scene, x$theta_rad[match(edges, x$time_s)])
   c(
     list(
       power_w = x$applied_torque_n_m * x$omega_rad_per_s, work_j = since_first("work_j"),
       dissipated_j = heat[[1]] + heat[[2]] + heat[[3]]
     ),
     heat,
+    if (!is.null(potential)) list(potential_energy_j = potential),
     list(
       inertia_work_j = since_first("inertia_work_j"),
       torque_impulse_n_m_s = since_first("impulse_n_m_s"),

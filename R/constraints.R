@@ -23,6 +23,7 @@
 #   slopes(columns, scene)       NULL, or list: by column, what has the sign of its slope in time
 #   pace(scene, sizes)           NULL, or list(breaks_s, fades_s, swing_rad_per_s): times of kinks,
 #                 the shortest time in which a transient fades (Inf: none), the fastest swing
+#   more_events(x, run, call)    NULL, or events that motion_events() looks for: list(time_s, event)
 #   summary(x, run)              columns that summary() puts first
 #   balances(x, run, call)       list of balance(), see R/audit.R
 #   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:

@@ -1,0 +1,39 @@
+test_that("a pendulum turns and passes on time, and rotates", {
+  scene <- scene_pendulum(1, 0.5, theta0_rad = 2)
+  cycle <- period(scene)$period_s
+  events <- motion_events(trajectory(scene, seq(0, 1.1 * cycle, length.out = 5)))
+  expect_equal(events$event, c("passage", "turn", "passage", "turn"))
+  expect_equal(events$time_s, cycle * 1:4 / 4, tolerance = 1e-14)
+  round <- scene_pendulum(1, 0.5, omega0_rad_per_s = -20)
+  turn <- period(round)$period_s
+  events <- motion_events(trajectory(round, c(0, 3.5 * turn)))
+  expect_equal(events$event, rep("passage", 3))
+  expect_equal(events$time_s, turn * 1:3, tolerance = 1e-14)
+  # Gravity that pulls up.
+  up <- scene_pendulum(1, 0.5, theta0_rad = 3, gravity_m_per_s2 = -9.80665)
+  expect_equal(motion_events(trajectory(up, c(0, 1)))$time_s[1], period(up)$period_s / 4,
+    tolerance = 1e-14)
+})
+
+test_that("an oscillator with dry friction: each event once", {
+  scene <- scene_axle(1, torque_spring(4), resistance(coulomb_n_m = 0.4), theta0_rad = 1)
+  events <- motion_events(trajectory(scene, seq(0, 10, 0.5)))
+  # It loses 0.2 rad in each half cycle, and stops within 0.1 rad of the rest angle.
+  reversals <- events$time_s[events$event %in% c("turn", "reverse", "stick")]
+  expect_equal(reversals[1:4], pi / 2 * 1:4, tolerance = 1e-8)
+  expect_false(anyDuplicated(round(events$time_s, 6)) > 0)
+  expect_equal(nrow(motion_events(spin_up())), 0)
+})
+
+test_that("potential and kinetic energy add up", {
+  scene <- scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = 2, omega0_rad_per_s = 1)
+  full <- augment(trajectory(scene, seq(0, 3, 0.25)))
+  energy <- full$rotational_kinetic_energy_j + full$potential_energy_j
+  # m g d (1 - cos 2) + I/2, I = m l^2/3: by hand.
+  expect_equal(energy, rep(0.1 * 9.80665 * 0.5 * (1 - cos(2)) + 0.1 / 6, 13), tolerance = 1e-14)
+  expect_equal(full$work_j, full$potential_energy_j[1] - full$potential_energy_j,
+    tolerance = 1e-12)
+  spring <- scene_axle(2, torque_spring(8, rest_rad = 0.5), theta0_rad = 1)
+  expect_equal(augment(trajectory(spring, 0))$potential_energy_j, 1)
+  expect_null(augment(spin_up())[["potential_energy_j"]])
+})
