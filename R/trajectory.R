@@ -501,7 +501,6 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' wheel <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
 #' motion_events(trajectory(wheel, time_s = 0:60))
 #' motion_events(trajectory(scene_pendulum(body_point(1), 0.5, theta0_rad = 1), time_s = 0:3))
-#' @seealso [when()] for any other value, [period()].
 #' @concept turning point
 #' @export
 motion_events <- function(x) {
