@@ -168,6 +168,17 @@ column_list <- list(
     "coupling_torque_n_m", "N m",
     "torque of the coupling behind the rotor, on the next one before the ratio; NA for the last"
   ),
+  c("x_m", "m", "x in the own axes; of a motion, the path down the slope"),
+  c("v_m_per_s", "m/s", "velocity of the centre of mass, positive down the slope"),
+  c("slip_speed_m_per_s", "m/s", "v - R omega: speed of the contact over the slope"),
+  c("friction_force_n", "N", "friction on the body, positive down the slope"),
+  c("potential_energy_j", "J", "energy in gravity, 0 at x = 0"),
+  c("slip_heat_j", "J", "heat of friction since the start"),
+  c("rolling_heat_j", "J", "heat of rolling resistance since the start"),
+  c("rolling", "", "whether the contact grips"),
+  c("roll_time_s", "s", "first time at which slip ends and rolling begins; NA if none"),
+  c("final_x_m", "m", "path at the end"),
+  c("final_v_m_per_s", "m/s", "velocity at the end"),
   c("where", "", "where it happens: \"rotor 1\", \"coupling 1\", ..."),
   c("locked", "", "whether the clutch is locked"),
   c("lock_time_s", "s", "time until the clutch locks; Inf if it never does"),
@@ -191,7 +202,6 @@ column_list <- list(
   c("from", "", "old value"),
   c("to", "", "new value"),
   c("link", "", "name of the link"),
-  c("x_m", "m", "x in the own axes"),
   c("y_m", "m", "y in the own axes"),
   c("z_m", "m", "z in the own axes"),
   c("centre_x_m", "m", "x of the centre of mass"),
@@ -307,6 +317,11 @@ drive_columns <- c(
   "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
   "rotational_kinetic_energy_j", "applied_torque_n_m", "damping_torque_n_m",
   "coupling_torque_n_m", "locked", "heat_j", "coupling_heat_j"
+)
+incline_columns <- c(
+  "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "slip_speed_m_per_s",
+  "friction_force_n", "translational_kinetic_energy_j", "rotational_kinetic_energy_j",
+  "potential_energy_j", "slip_heat_j", "rolling_heat_j", "rolling"
 )
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"

@@ -31,7 +31,10 @@
 #   panels        list of panel(): the picture of a motion
 #   drawing(scene)               NULL, or the drawing of a scene, see R/draw.R
 constraint_list <- function() {
-  list(axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint())
+  list(
+    axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint(),
+    incline_constraint()
+  )
 }
 
 registry <- new.env(parent = emptyenv())

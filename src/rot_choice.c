@@ -8,6 +8,7 @@
 #include "rot_axle_models.h"
 #include "rot_clutch_models.h"
 #include "rot_drive_models.h"
+#include "rot_incline_models.h"
 #include "rot_shaft_models.h"
 
 /* Every constraint, a line each. */
@@ -16,6 +17,7 @@ static const rot_constraint *const constraints[] = {
     &rot_shaft_constraint,
     &rot_clutch_constraint,
     &rot_drive_constraint,
+    &rot_incline_constraint,
 };
 
 const rot_constraint *const *rot_choice_constraints(size_t *n) {

@@ -11,7 +11,8 @@
   X(ROT_EVENT_STICK, "stick")     /* comes to rest and is held there */                            \
   X(ROT_EVENT_SLIP, "slip")       /* breaks loose from rest */                                     \
   X(ROT_EVENT_REVERSE, "reverse") /* passes through rest */                                        \
-  X(ROT_EVENT_LOCK, "lock")       /* a clutch locks */
+  X(ROT_EVENT_LOCK, "lock")       /* a clutch locks */                                             \
+  X(ROT_EVENT_ROLL, "roll")       /* slip of a contact ends, rolling begins */
 
 typedef enum rot_event {
 #define X(code, name) code,

@@ -115,6 +115,9 @@ layers='
 4 shaft       shaft*
 4 clutch      clutch*
 4 rolling     rolling
+4 incline     incline*
+4 impact      impact*
+4 statics     statics*
 4 energy      energy
 4 kinematics  kinematics
 5 drive       drive*
@@ -160,6 +163,7 @@ elsewhere='
 constraint-axle model-axle
 constraint-clutch model-clutch
 constraint-drive model-drive
+constraint-incline model-incline
 constraint-rotors model-rotors
 integrate-axle model-axle
 '

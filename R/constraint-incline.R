@@ -1,0 +1,135 @@
+# A body on an incline.
+incline_constraint <- function() {
+  list(
+    id = "incline",
+    scene_class = "rot_scene_incline",
+    form = list(
+      body = body_form, mass_kg = "number", radius_m = "number",
+      moment_of_inertia_kg_m2 = "number", incline_angle_deg = "number",
+      static_friction = "limit", kinetic_friction = "limit", rolling_arm_m = "number",
+      x0_m = "number", v0_m_per_s = "number", theta0_rad = "number", omega0_rad_per_s = "number",
+      gravity_m_per_s2 = "number", start_s = "number"
+    ),
+    title = function(run) {
+      paste("A body on an incline of", format_si(run$scene$incline_angle_deg), "degrees")
+    },
+    models = incline_models,
+    columns = incline_columns,
+    keys = c(
+      "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "slip_heat_j", "rolling_heat_j"
+    ),
+    measures = list(
+      x = measure("m", "x_m"), v = measure("m/s", "v_m_per_s"),
+      theta = measure("rad", "theta_rad"), omega = measure("rad/s", "omega_rad_per_s")
+    ),
+    summary = function(x, run) {
+      first <- function(event) {
+        c(run$events$time_s[run$events$event == event], NA_real_)[1]
+      }
+      list(
+        final_x_m = last(x[["x_m"]]),
+        final_v_m_per_s = last(x[["v_m_per_s"]]),
+        final_omega_rad_per_s = last(x[["omega_rad_per_s"]]),
+        slip_heat_j = last(x[["slip_heat_j"]]),
+        rolling_heat_j = last(x[["rolling_heat_j"]]),
+        roll_time_s = first("roll")
+      )
+    },
+    drawing = draw_incline,
+    balances = balance_incline,
+    augment = augment_incline,
+    panels = list(
+      panel("velocity (m/s)", c(v_m_per_s = "centre", slip_speed_m_per_s = "slip")),
+      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      panel("friction (N)", c(friction_force_n = "")),
+      panel("heat (J)", c(slip_heat_j = "friction", rolling_heat_j = "rolling resistance"))
+    )
+  )
+}
+
+balance_incline <- function(x, run, call) {
+  centre <- "the centre of mass"
+  rows <- c(which.min(x$time_s), which.max(x$time_s))
+  scene <- run$scene
+  ledger <- if (nrow(x)) {
+    record_of(run)$ledger(scene, run, x$time_s[rows[1]], x$time_s[rows[2]])
+  }
+  if (is.null(ledger) || anyNA(ledger)) {
+    return(list(
+      no_balance("energy", NA_character_, "J"),
+      no_balance("momentum_along_slope", NA_character_, "kg m/s"),
+      no_balance("angular_momentum", centre, "kg m^2/s")
+    ))
+  }
+  m <- scene$mass_kg
+  inertia <- scene$moment_of_inertia_kg_m2
+  ends <- function(column) x[[column]][rows]
+  v <- ends("v_m_per_s")
+  omega <- ends("omega_rad_per_s")
+  heats <- c(
+    "heat of friction" = diff(ends("slip_heat_j")),
+    "heat of rolling resistance" = diff(ends("rolling_heat_j"))
+  )
+  eps <- .Machine$double.eps
+  errors <- run$info$errors
+  v_error <- errors[["v"]] + eps * max(abs(v))
+  omega_error <- errors[["omega"]] + eps * max(abs(omega))
+  normal <- m * scene$gravity_m_per_s2
+  # A path that is off by x counts in the heat by what friction does along it.
+  sizes <- errors[["x"]] + scene$radius_m * errors[["theta"]]
+  mu <- c(scene$kinetic_friction, scene$rolling_arm_m / scene$radius_m)
+  heat_error <- sum(ifelse(heats == 0, 0, pmin(mu, 1e300) * normal * 4 * sizes))
+  list(
+    balance(
+      "energy", NA_character_, "J",
+      c(
+        "change of translational energy" = kinetic_change(m, v[1], v[2]),
+        "change of rotational energy" = kinetic_change(inertia, omega[1], omega[2])
+      ),
+      c("work of gravity" = ledger[["work_j"]]),
+      heats,
+      ledger[["work_rounding_j"]] + m * sum(abs(v)) * v_error +
+        inertia * sum(abs(omega)) * omega_error + heat_error +
+        16 * eps * sum(abs(ends("slip_heat_j")), abs(ends("rolling_heat_j")))
+    ),
+    balance(
+      "momentum_along_slope", NA_character_, "kg m/s",
+      c("change of momentum" = m * diff(v)),
+      c(
+        "impulse of gravity" = ledger[["gravity_impulse_n_s"]],
+        "impulse of friction" = ledger[["friction_impulse_n_s"]]
+      ),
+      double(),
+      2 * m * v_error + ledger[["impulse_rounding_n_s"]]
+    ),
+    balance(
+      "angular_momentum", centre, "kg m^2/s",
+      c("change of angular momentum" = inertia * diff(omega)),
+      c("impulse of friction" = ledger[["friction_impulse_n_m_s"]]),
+      c("impulse of rolling resistance" = ledger[["resistance_impulse_n_m_s"]]),
+      2 * inertia * omega_error + scene$radius_m * ledger[["impulse_rounding_n_s"]]
+    )
+  )
+}
+
+augment_incline <- function(x, run, edges, call) {
+  scene <- run$scene
+  weight <- scene$mass_kg * scene$gravity_m_per_s2 *
+    .Call(ffi_inertia_sine, scene$incline_angle_deg)
+  ledger <- vapply(edges, function(edge) {
+    record_of(run)$ledger(scene, run, edges[1], edge)[
+      c("work_j", "friction_impulse_n_m_s", "resistance_impulse_n_m_s")
+    ]
+  }, double(3))
+  if (anyNA(ledger)) return(NULL)
+  ledger <- matrix(ledger, nrow = 3)
+  first <- match(edges, x$time_s)
+  heat <- x$slip_heat_j + x$rolling_heat_j
+  list(
+    power_w = weight * x$v_m_per_s,
+    work_j = ledger[1, ],
+    dissipated_j = heat[first] - heat[first[1]],
+    torque_impulse_n_m_s = ledger[2, ],
+    damping_impulse_n_m_s = -ledger[3, ]
+  )
+}

@@ -1,0 +1,47 @@
+# A body on its incline: the slope to its angle, the body and its arrows not to scale.
+draw_incline <- function(scene) {
+  d <- new_drawing()
+  slope <- scene$incline_angle_deg * pi / 180
+  along <- c(cos(slope), -sin(slope))
+  out <- c(sin(slope), cos(slope))
+  r <- 0.32
+  centre <- -0.3 * along + r * out
+  ends <- rbind(-1.25 * along, 1.25 * along)
+  low <- min(ends[, 2]) - 0.08
+  ground <- rbind(ends, c(ends[2, 1], low), c(ends[1, 1], low))
+  d$add(mark("fill", ground, "fixed"))
+  d$add(mark("fill", draw_circle(centre[1], centre[2], r), "body"))
+  d$add(mark("line", rbind(centre, centre + r * out), "body"))
+  weight <- scene$mass_kg * scene$gravity_m_per_s2
+  d$keys(size_quantities(scene$body))
+  d$key(quantity("alpha", "incline", value_text(scene$incline_angle_deg, "degrees")))
+  corner <- if (slope >= 0) ends[2, ] else ends[1, ]
+  d$say("alpha", corner[1] - sign(slope + (slope == 0)) * 0.5, corner[2] + 0.06)
+  if (weight > 0) {
+    tip <- centre - c(0, 0.75)
+    d$add(mark("arrow", rbind(centre, tip), "weight"))
+    d$say("m*g", tip[1] + 0.14, tip[2] + 0.1)
+    d$key(quantity("m*g", "weight", value_text(weight, "N"), "weight"))
+  }
+  if (scene$v0_m_per_s != 0) {
+    from <- centre + (r + 0.12) * out
+    tip <- from + 0.5 * sign(scene$v0_m_per_s) * along
+    d$add(mark("arrow", rbind(from, tip), "speed"))
+    d$say("v[0]", tip[1], tip[2] + 0.14)
+  }
+  d$key(quantity("v[0]", "velocity at start", value_text(scene$v0_m_per_s, "m/s"), "speed"))
+  if (scene$omega0_rad_per_s != 0) {
+    ends_deg <- 90 - sign(scene$omega0_rad_per_s) * c(-50, 50)
+    d$add(mark("arrow", draw_arc(centre[1], centre[2], 0.6 * r, ends_deg[1], ends_deg[2]), "speed"))
+    d$say("omega[0]", centre[1] - 0.5, centre[2] + 0.3)
+  }
+  d$key(start_rate(scene))
+  d$key(quantity("mu[s]", "static friction", format_si(scene$static_friction), "resistance"))
+  d$key(quantity("mu[k]", "kinetic friction", format_si(scene$kinetic_friction), "resistance"))
+  if (scene$rolling_arm_m > 0) {
+    d$key(quantity(
+      "b", "arm of rolling resistance", value_text(scene$rolling_arm_m, "m"), "resistance"
+    ))
+  }
+  d$done(c(-1.5, 1.5, -1.5, 1.5), "not to scale")
+}

@@ -1,0 +1,173 @@
+#' A body on an incline
+#'
+#' A round body on a plane slope that rolls, slides or rests. With down the slope positive,
+#' \deqn{m \dot v = m g \sin\alpha - F,\quad I \dot\omega = F R - T}{
+#'   m v' = m g sin(alpha) - F,  I omega' = F R - T}
+#' and the normal force `N = m g cos(alpha)`. While the contact slips, with the slip speed
+#' `u = v - R omega`, the friction is `F = mu_k N sign(u)`; while it grips, `F` is what keeps
+#' `u = 0`, as long as that is at most `mu_s N`. The rolling resistance is `T = b N sign(omega)`,
+#' and at rest what holds the body, up to `b N`.
+#'
+#' [trajectory()] gives the closed form with the exact times of its events: `roll` (slip ends),
+#' `slip` (the grip is lost), `reverse` (the velocity passes zero), `stick` (the body comes to rest
+#' and stays). A force that exceeds what friction holds by less than rounding is held: at its
+#' [critical angle][rolling_critical_angle()] a body rolls. Launched uphill, with back-spin or
+#' over-spin, are signs of the start.
+#'
+#' @param body A `rot_body` that is round about its own z axis, such as [body_sphere()],
+#'   [body_disk()] or [body_hoop()].
+#' @param incline_angle_deg Angle of the slope in degrees, -90 to 90. Its sine and cosine are those
+#'   of the exact angle in degrees.
+#' @param ... Not used; names after it must be given in full.
+#' @param static_friction Coefficient of static friction, at least 0. Inf: the contact never slips.
+#' @param kinetic_friction Coefficient of kinetic friction, 0 to `static_friction`. Inf where the
+#'   start rolls.
+#' @param rolling_arm_m Arm b of the rolling resistance in m, at least 0: the normal force acts
+#'   that far ahead of the centre.
+#' @param radius_m Radius on which the body rolls, in m; NULL for that of the body.
+#' @param v0_m_per_s,omega0_rad_per_s Velocity down the slope and angular velocity at `start_s`;
+#'   `omega0_rad_per_s = NULL` for a start that rolls, `v0/radius`.
+#' @param x0_m,theta0_rad Place along the slope and angle at `start_s`.
+#' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
+#' @param start_s Time at which the state above holds. Earlier times are an error: the slip before
+#'   rolling is undetermined.
+#' @return A `rot_scene_incline`, which is a `rot_scene`. Its trajectory has the columns
+#'   `r describe_columns(incline_columns)`
+#'   The error is a bound.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
+#'   Inf where a number must be finite, and a body without moment of inertia),
+#'   `rotdyn_error_unit`, `rotdyn_error_missing`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4; Halliday,
+#'   Resnick and Walker, Fundamentals of Physics, section 11-2 (rolling with slip).
+#' @seealso [rolling_table()] for pure rolling, [rolling_friction_coefficient()].
+#' @examples
+#' ball <- body_sphere(6, 0.11)
+#' # A bowling ball slides, then rolls:
+#' lane <- scene_incline(ball, 0, static_friction = 0.19, v0_m_per_s = 8.1, omega0_rad_per_s = 0)
+#' motion <- trajectory(lane, time_s = 0:3)
+#' motion_events(motion)
+#' audit(motion)
+#' # Too little friction to roll on 60 degrees:
+#' scene_incline(body_hoop(1, 0.3), 60, static_friction = 0.5, kinetic_friction = 0.4)
+#' @export
+scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
+                          kinetic_friction = static_friction, rolling_arm_m = 0, radius_m = NULL,
+                          v0_m_per_s = 0, omega0_rad_per_s = NULL, x0_m = 0, theta0_rad = 0,
+                          gravity_m_per_s2 = 9.80665, start_s = 0) {
+  call <- rlang::current_env()
+  check_supplied(c("body", "incline_angle_deg"), call)
+  check_no_dots(...)
+  check_body(body, call)
+  inertia <- one_inertia(body, "body", call)
+  radius <- if (is.null(radius_m)) {
+    rolling_radius(body, inertia, call)
+  } else {
+    check_number(radius_m, "radius_m", "m", call, lower = 0, open = TRUE)
+  }
+  beta <- inertia / body$mass_kg / radius / radius
+  if (!is.finite(beta) || beta <= 0) {
+    abort_rotdyn(c(
+      "The body must have a finite {.field I/(m r^2)} greater than 0.",
+      x = "It is {format(beta)}.",
+      i = "{.fn rolling_table} takes the limits 0 and Inf."
+    ), "value", call)
+  }
+  static <- check_friction(static_friction, "static_friction", call)
+  kinetic <- check_friction(kinetic_friction, "kinetic_friction", call, static)
+  v0 <- check_number(v0_m_per_s, "v0_m_per_s", "m/s", call)
+  omega0 <- if (is.null(omega0_rad_per_s)) {
+    v0 / radius
+  } else {
+    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
+  }
+  angle <- check_number(incline_angle_deg, "incline_angle_deg", "degree", call, -90, 90)
+  scene <- list(
+    body = body, mass_kg = as.double(body$mass_kg), radius_m = radius,
+    moment_of_inertia_kg_m2 = inertia, incline_angle_deg = angle,
+    static_friction = static, kinetic_friction = kinetic,
+    rolling_arm_m = check_number(rolling_arm_m, "rolling_arm_m", "m", call, lower = 0),
+    x0_m = check_number(x0_m, "x0_m", "m", call), v0_m_per_s = v0,
+    theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call), omega0_rad_per_s = omega0,
+    gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0),
+    start_s = check_number(start_s, "start_s", "s", call)
+  )
+  if (is.infinite(kinetic) && abs(v0 - radius * omega0) > 8 * .Machine$double.eps * abs(v0)) {
+    rolls <- (v0 + beta * radius * omega0) / (1 + beta)
+    abort_rotdyn(c(
+      "An infinite {.arg kinetic_friction} ends the slip of the start at once.",
+      x = "The slip is {format(v0 - radius * omega0)} m/s.",
+      i = "The rolling speed after it is {format(rolls, digits = 7)} m/s: give it as
+           {.arg v0_m_per_s}, without {.arg omega0_rad_per_s}; or a finite friction."
+    ), "value", call)
+  }
+  class(scene) <- c("rot_scene_incline", "rot_scene")
+  scene
+}
+
+# Inf is allowed, unlike in check_number().
+check_friction <- function(x, arg, call, upper = Inf) {
+  if (identical(x, Inf) && upper == Inf) return(Inf)
+  check_number(x, arg, "1", call, lower = 0, upper = upper)
+}
+
+# The radius of a body whose beta is known: its own size where that gives beta, else from beta.
+rolling_radius <- function(body, inertia, call) {
+  beta <- body$beta
+  if (is.na(beta) || beta <= 0) {
+    abort_rotdyn(c(
+      "{.arg radius_m} is missing: the body has no radius of its own on which it rolls.",
+      x = "It is a {.val {body$shape}}."
+    ), "missing", call)
+  }
+  sizes <- unname(body$size_m[names(body$size_m) %in% c("radius_m", "outer_radius_m")])
+  from_beta <- sqrt(inertia / body$mass_kg / beta)
+  own <- sizes[abs(sizes - from_beta) <= 1e-9 * from_beta]
+  if (length(own)) own[1] else from_beta
+}
+
+#' @export
+print.rot_scene_incline <- function(x, ...) {
+  check_scene(x, rlang::current_env())
+  beta <- x$moment_of_inertia_kg_m2 / x$mass_kg / x$radius_m^2
+  cat(
+    "<rot_scene> a body on an incline\n",
+    "  body      ", x$body$shape, ", ", format_si(x$mass_kg), " kg, radius ",
+    format_si(x$radius_m), " m, I/(m r^2) ", format_si(beta), "\n",
+    "  incline   ", format_si(x$incline_angle_deg), " degrees, gravity ",
+    format_si(x$gravity_m_per_s2), " m/s^2\n",
+    "  friction  ", format_si(x$static_friction), " static, ", format_si(x$kinetic_friction),
+    " kinetic; rolling needs ",
+    format(rolling_friction_coefficient(beta, x$incline_angle_deg), digits = 4), "\n",
+    if (x$rolling_arm_m > 0) paste0("  arm       ", format_si(x$rolling_arm_m), " m\n"),
+    "  start     v ", format_si(x$v0_m_per_s), " m/s, omega ", format_si(x$omega0_rad_per_s),
+    " rad/s at ", format_si(x$start_s), " s\n",
+    sep = ""
+  )
+  invisible(x)
+}
+
+#' The steepest angle for rolling
+#'
+#' The angle of an incline up to which a body that starts from rest rolls without slipping:
+#' `tan(angle) = mu_s (1 + beta)/beta`. The reverse of [rolling_friction_coefficient()].
+#'
+#' @param beta `I/(m r^2)`, at least 0; 0 gives 90 degrees, Inf the angle at which a block slides.
+#' @param static_friction Coefficient of static friction, at least 0; Inf gives 90 degrees. Each
+#'   argument has length 1 or n.
+#' @return Degrees, with NA where an argument is NA.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
+#'   the first value below 0, `rotdyn_error_unit`, `rotdyn_error_missing`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
+#' @examples
+#' rolling_critical_angle(beta = c(hoop = 1, disk = 0.5, sphere = 0.4), static_friction = 0.5)
+#' @export
+rolling_critical_angle <- function(beta, static_friction) {
+  call <- rlang::current_env()
+  check_supplied(c("beta", "static_friction"), call)
+  columns <- check_columns_of(
+    list(beta = beta, static_friction = static_friction), c("1", "1"), call
+  )
+  check_recyclable(columns, call)
+  for (name in names(columns)) check_not_negative(columns[[name]], name, "1", call)
+  .Call(ffi_incline_critical, columns$beta, columns$static_friction)
+}

@@ -1,0 +1,80 @@
+/* A round body on an incline that rolls, slides or rests. Down the slope is positive:
+ *
+ *   m v' = m g sin(angle) - F,   I omega' = F R - T,
+ *
+ * F is the friction of the contact: mu_kinetic N sign(v - R omega) while it slides, what keeps
+ * v = R omega while it rolls, as long as that is at most mu_static N. T is the rolling resistance:
+ * arm N sign(omega) while the body turns, what keeps omega = 0 as long as that is at most arm N.
+ * N = m g cos(angle). All rates are constant between events, whose times are exact. */
+#ifndef ROT_INCLINE_H
+#define ROT_INCLINE_H
+
+#include <stddef.h>
+
+#include "rot_events.h"
+#include "rot_status.h"
+
+typedef struct rot_incline_params {
+  double mass_kg, radius_m, inertia_kg_m2; /* > 0 */
+  double angle_deg;                        /* -90 to 90 */
+  double gravity_m_per_s2;                 /* >= 0 */
+  double mu_kinetic, mu_static;            /* 0 <= mu_kinetic <= mu_static, Inf: no slip */
+  double arm_m;                            /* of the rolling resistance, >= 0 */
+  double x0_m, v0_m_per_s, theta0_rad, omega0_rad_per_s, start_s;
+} rot_incline_params;
+
+/* Measures of its errors; the list of names ends with NULL. */
+enum { ROT_INCLINE_X, ROT_INCLINE_V, ROT_INCLINE_THETA, ROT_INCLINE_OMEGA };
+extern const char *const rot_incline_measures[];
+
+#define ROT_INCLINE_COLUMNS(X)                                                                     \
+  X(double, x_m)                                                                                   \
+  X(double, v_m_per_s)                                                                             \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, slip_speed_m_per_s)                                                                    \
+  X(double, friction_force_n) /* on the body, positive down the slope */                           \
+  X(double, translational_kinetic_energy_j)                                                        \
+  X(double, rotational_kinetic_energy_j)                                                           \
+  X(double, potential_energy_j) /* 0 at x = 0 */                                                   \
+  X(double, slip_heat_j)        /* since the start */                                              \
+  X(double, rolling_heat_j)                                                                        \
+  X(int, rolling)
+
+typedef struct rot_incline_columns {
+#define X(type, name) type *name;
+  ROT_INCLINE_COLUMNS(X)
+#undef X
+} rot_incline_columns;
+
+/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE). mu_kinetic is finite
+ * unless the start rolls. A slip at the start within its rounding is none. Events: roll, slip,
+ * stick, reverse (the velocity passes zero). The errors in *info are bounds, unless a force is
+ * within a rounding of what friction holds; such a force is held. */
+rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double time_s[],
+                           const rot_incline_columns *out, rot_events *events,
+                           const rot_hooks *hooks, rot_info *info);
+
+#define ROT_INCLINE_LEDGER(X)                                                                      \
+  X(work_j) /* of gravity */                                                                       \
+  X(work_rounding_j)                                                                               \
+  X(gravity_impulse_n_s) /* along the slope */                                                     \
+  X(friction_impulse_n_s)                                                                          \
+  X(friction_impulse_n_m_s) /* about the centre of mass */                                         \
+  X(resistance_impulse_n_m_s)                                                                      \
+  X(impulse_rounding_n_s)
+
+typedef struct rot_incline_ledger {
+#define X(name) double name;
+  ROT_INCLINE_LEDGER(X)
+#undef X
+} rot_incline_ledger;
+
+/* Work and impulses between two times, not before start_s. */
+rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double to_s,
+                             rot_incline_ledger *ledger);
+
+/* The steepest angle in degrees at which a body of this beta = I/(m R^2) rolls from rest. */
+double rot_incline_critical_deg(double beta, double mu_static);
+
+#endif

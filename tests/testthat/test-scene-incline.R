@@ -1,0 +1,55 @@
+test_that("the radius is that of the body", {
+  expect_equal(scene_incline(body_sphere(6, 0.11), 0)$radius_m, 0.11)
+  expect_equal(scene_incline(body_disk(2, 0.25), 0)$radius_m, 0.25)
+  expect_error(scene_incline(body_rod(1, 2), 0), class = "rotdyn_error_missing")
+  # A yo-yo on its shaft: beta is 50.
+  wheel <- scene_incline(body_disk(2, 0.25), 90, radius_m = 0.025)
+  expect_equal(wheel$moment_of_inertia_kg_m2 / 2 / 0.025^2, 50)
+})
+
+test_that("a start without omega rolls", {
+  scene <- scene_incline(body_hoop(1, 0.3), 10, v0_m_per_s = 0.9)
+  expect_equal(scene$omega0_rad_per_s, 3)
+  motion <- trajectory(scene, 0:2)
+  expect_true(all(motion$rolling))
+  expect_identical(nrow(motion_events(motion)), 0L)
+})
+
+test_that("bad scenes are refused by the user's call", {
+  ball <- body_sphere(1, 0.1)
+  bad <- function(...) scene_incline(ball, ...)
+  expect_error(scene_incline(), class = "rotdyn_error_missing")
+  expect_error(scene_incline(2, 10), class = "rotdyn_error_type")
+  for (angle in list(91, -91, NA_real_, NaN, Inf)) {
+    expect_error(bad(angle), class = "rotdyn_error_value")
+  }
+  expect_error(bad("steep"), class = "rotdyn_error_type")
+  expect_error(bad(10, static_friction = -0.1), class = "rotdyn_error_value")
+  expect_error(bad(10, static_friction = NaN), class = "rotdyn_error_value")
+  expect_error(bad(10, static_friction = 0.1, kinetic_friction = 0.2), class = "rotdyn_error_value")
+  expect_error(bad(10, static_friction = 0.1, kinetic_friction = Inf), class = "rotdyn_error_value")
+  expect_error(bad(10, rolling_arm_m = -1), class = "rotdyn_error_value")
+  expect_error(bad(10, gravity_m_per_s2 = -9.8), class = "rotdyn_error_value")
+  expect_error(bad(10, radius_m = 0), class = "rotdyn_error_value")
+  expect_error(bad(10, friction = 1), class = "rotdyn_error_argument")
+  # (2 + 0.4 x 0)/1.4 = 1.428571
+  expect_error(bad(10, v0_m_per_s = 2, omega0_rad_per_s = 0), "1.428571",
+    class = "rotdyn_error_value")
+})
+
+test_that("the print tells the scene", {
+  expect_output(print(scene_incline(body_hoop(1, 0.3), 60)), "rolling needs 0.866")
+})
+
+test_that("the critical angle is the reverse of the friction needed", {
+  # 45 degrees: mu (1 + beta)/beta = 1; University Physics 10-11: 60 degrees and 0.866 for a hoop.
+  expect_ulps(rolling_critical_angle(1, 0.5), 45, 1)
+  expect_equal(rolling_critical_angle(c(1, 0.5), c(0.8660254037844386, 0.5773502691896257)),
+    c(60, 60), tolerance = 1e-14)
+  expect_identical(rolling_critical_angle(c(0, 0.4), c(0.1, Inf)), c(90, 90))
+  expect_ulps(rolling_critical_angle(Inf, 1), 45, 1)
+  expect_identical(rolling_critical_angle(NA, 1), NA_real_)
+  expect_error(rolling_critical_angle(-1, 1), class = "rotdyn_error_value")
+  expect_error(rolling_critical_angle(1), class = "rotdyn_error_missing")
+  expect_error(rolling_critical_angle("a", 1), class = "rotdyn_error_type")
+})
