@@ -179,6 +179,16 @@ column_list <- list(
   c("roll_time_s", "s", "first time at which slip ends and rolling begins; NA if none"),
   c("final_x_m", "m", "path at the end"),
   c("final_v_m_per_s", "m/s", "velocity at the end"),
+  c("vx_m_per_s", "m/s", "velocity along the floor, after"),
+  c("vy_m_per_s", "m/s", "velocity away from the floor, after"),
+  c("normal_impulse_n_s", "N s", "impulse of the floor along its normal"),
+  c("friction_impulse_n_s", "N s", "impulse of friction along the floor"),
+  c("normal_loss_j", "J", "energy lost by the restitution"),
+  c("friction_loss_j", "J", "energy lost by friction"),
+  c("grips", "", "whether the contact does not slip when it ends"),
+  c("particle_v_m_per_s", "m/s", "velocity of the particle, after"),
+  c("impulse_n_s", "N s", "impulse on the body"),
+  c("hinge_impulse_n_s", "N s", "impulse of the hinge on the body, along that of the particle"),
   c("where", "", "where it happens: \"rotor 1\", \"coupling 1\", ..."),
   c("locked", "", "whether the clutch is locked"),
   c("lock_time_s", "s", "time until the clutch locks; Inf if it never does"),
@@ -322,6 +332,13 @@ incline_columns <- c(
   "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "slip_speed_m_per_s",
   "friction_force_n", "translational_kinetic_energy_j", "rotational_kinetic_energy_j",
   "potential_energy_j", "slip_heat_j", "rolling_heat_j", "rolling"
+)
+bounce_columns <- c(
+  "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s", "normal_impulse_n_s", "friction_impulse_n_s",
+  "normal_loss_j", "friction_loss_j", "grips"
+)
+hinged_columns <- c(
+  "omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s", "hinge_impulse_n_s", "normal_loss_j"
 )
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"

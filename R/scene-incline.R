@@ -1,6 +1,7 @@
 #' A body on an incline
 #'
-#' A round body on a plane slope that rolls, slides or rests. With down the slope positive,
+#' A round body on a plane slope that rolls, slides or rests. With down the slope positive, and
+#' omega positive where it rolls that way,
 #' \deqn{m \dot v = m g \sin\alpha - F,\quad I \dot\omega = F R - T}{
 #'   m v' = m g sin(alpha) - F,  I omega' = F R - T}
 #' and the normal force `N = m g cos(alpha)`. While the contact slips, with the slip speed

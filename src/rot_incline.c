@@ -8,9 +8,9 @@
 const char *const rot_incline_measures[] = {"x", "v", "theta", "omega", NULL};
 
 /* The centre has the velocity v, the rim w = R omega. Their mean M = (v + beta w)/(1 + beta) does
- * not feel the friction, nor the error of the time when rolling begins; the slip u = v - w ends there:
- * while it rolls, v = w = M. v and w are carried, too: M and u lose the digits of the smaller one.
- * Paths are those since the start, forces those on 1 kg. */
+ * not feel the friction, nor the error of the time when rolling begins; the slip u = v - w ends
+ * there: while it rolls, v = w = M. v and w are carried, too: M and u lose the digits of the
+ * smaller one. Paths are those since the start, forces those on 1 kg. */
 typedef struct incline {
   const rot_incline_params *p;
   double beta, own, spin;              /* shares: beta/(1 + beta), 1/(1 + beta) */

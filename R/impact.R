@@ -1,0 +1,129 @@
+#' Collisions: a bouncing ball, a hinged body
+#'
+#' Velocities after a collision that takes no time, with the impulses and the energy lost, in closed
+#' form. `ball_bounce()`: a spinning ball on a floor, with restitution and friction.
+#' `hinged_hit()`: a particle strikes a body on a hinge. `centre_of_percussion()`: where a blow
+#' gives the hinge no impulse.
+#'
+#' A ball that meets the floor with the velocity `vy < 0` and the slip `u = vx - R omega` gets the
+#' impulses
+#' \deqn{J_n = -(1 + e) m v_y,\quad J_t = -\min\left(\mu J_n, \frac{\beta}{1+\beta} m |u|\right)
+#'   \mathrm{sign}(u)}{J_n = -(1 + e) m vy,  J_t = -min(mu J_n, beta/(1 + beta) m |u|) sign(u)}
+#' with the second where the contact grips. A particle gives a hinged body, at the distance d,
+#' \deqn{J = \frac{(1 + e)(v - \omega d)}{1/m + d^2/I_p},\quad
+#'   J_{hinge} = J\left(\frac{M a d}{I_p} - 1\right)}{
+#'   J = (1 + e) (v - omega d)/(1/m + d^2/I_p),  J_hinge = J (M a d/I_p - 1)}
+#' with the distance a of its centre of mass. Losses are products of one sign: a collision never
+#' gains energy. Bodies that do not approach keep their motion.
+#'
+#' @param body A `rot_body` that is round about its own z axis, such as [body_sphere()]. For
+#'   `hinged_hit()` and `centre_of_percussion()`: a `rot_body`, hinged with the axis along its own z.
+#' @param vx_m_per_s,vy_m_per_s Velocity before, x along the floor and y up.
+#' @param omega_rad_per_s Angular velocity before; of the ball positive where it rolls towards +x,
+#'   of a hinged body where the point struck moves along the particle's positive velocity.
+#' @param restitution Coefficient of restitution, 0 to 1.
+#' @param friction Coefficient of friction, at least 0; Inf: the contact grips.
+#' @param centre_m Distance of the body's centre of mass from the hinge, at least 0.
+#' @param distance_m Distance of the point struck from the hinge; negative beyond the hinge.
+#' @param particle_mass_kg Mass of the particle, greater than 0.
+#' @param particle_v_m_per_s Its velocity, across the line from the hinge to the point struck. It
+#'   meets the body where it is faster than that point; else nothing changes.
+#' @return `ball_bounce()`, `hinged_hit()`: a tibble with a row for each element of the arguments,
+#'   which have length 1 or n; NA in a row gives NA. The columns are
+#'   `r describe_columns(bounce_columns)`
+#'   and `r describe_columns(setdiff(hinged_columns, bounce_columns))`
+#'   `centre_of_percussion()`: distances in m from the hinge; Inf for a hinge at the centre of mass.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
+#'   the first value outside its domain, `rotdyn_error_unit`, `rotdyn_error_missing`.
+#' @source Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapters 4 and 8.
+#' @examples
+#' ball_bounce(
+#'   body_sphere(0.06, 0.033), vx_m_per_s = 20, vy_m_per_s = -5, omega_rad_per_s = c(-300, 0),
+#'   restitution = 0.75, friction = 0.5
+#' )
+#' stick <- body_rod(2, 1.2)
+#' hinged_hit(stick, 0.6, distance_m = 1.2, particle_mass_kg = 0.05, particle_v_m_per_s = 30)
+#' centre_of_percussion(stick, 0.6) # 2/3 of the length
+#' @name impact
+NULL
+
+#' @rdname impact
+#' @export
+ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, restitution = 1,
+                        friction = 0) {
+  call <- rlang::current_env()
+  check_supplied(c("body", "vx_m_per_s", "vy_m_per_s"), call)
+  check_body(body, call)
+  inertia <- one_inertia(body, "body", call)
+  radius <- rolling_radius(body, inertia, call)
+  columns <- impact_columns(list(
+    vx_m_per_s = vx_m_per_s, vy_m_per_s = vy_m_per_s, omega_rad_per_s = omega_rad_per_s,
+    restitution = restitution, friction = friction
+  ), call)
+  beta <- inertia / body$mass_kg / radius / radius
+  out <- .Call(ffi_impact_bounce, unname(c(list(body$mass_kg, radius, beta), columns)))
+  out$grips <- as.logical(out$grips)
+  tibble::new_tibble(out, nrow = length(out[[1]]))
+}
+
+#' @rdname impact
+#' @export
+hinged_hit <- function(body, centre_m, distance_m, particle_mass_kg, particle_v_m_per_s,
+                       restitution = 0, omega_rad_per_s = 0) {
+  call <- rlang::current_env()
+  check_supplied(
+    c("body", "centre_m", "distance_m", "particle_mass_kg", "particle_v_m_per_s"), call
+  )
+  check_body(body, call)
+  columns <- impact_columns(list(
+    centre_m = centre_m, distance_m = distance_m, omega_rad_per_s = omega_rad_per_s,
+    particle_mass_kg = particle_mass_kg, particle_v_m_per_s = particle_v_m_per_s,
+    restitution = restitution
+  ), call)
+  inertia <- hinged_inertia(body, columns$centre_m, call)
+  out <- .Call(ffi_impact_hinged, unname(c(list(inertia, body$mass_kg), columns)))
+  tibble::new_tibble(out, nrow = length(out[[1]]))
+}
+
+#' @rdname impact
+#' @export
+centre_of_percussion <- function(body, centre_m) {
+  call <- rlang::current_env()
+  check_supplied(c("body", "centre_m"), call)
+  check_body(body, call)
+  centre <- impact_columns(list(centre_m = centre_m), call)$centre_m
+  hinged_inertia(body, centre, call) / (body$mass_kg * centre)
+}
+
+# The moment about a hinge at that distance from the centre of mass.
+hinged_inertia <- function(body, centre_m, call) {
+  one_inertia(body, "body", call) + body$mass_kg * centre_m^2
+}
+
+impact_units <- c(
+  vx_m_per_s = "m/s", vy_m_per_s = "m/s", omega_rad_per_s = "rad/s", restitution = "1",
+  friction = "1", centre_m = "m", distance_m = "m", particle_mass_kg = "kg",
+  particle_v_m_per_s = "m/s"
+)
+
+# Columns in SI, each value in its domain.
+impact_columns <- function(columns, call) {
+  columns <- check_columns_of(columns, impact_units[names(columns)], call)
+  check_recyclable(columns, call)
+  for (name in names(columns)) {
+    x <- columns[[name]]
+    lower <- if (name %in% c("restitution", "friction", "centre_m", "particle_mass_kg")) 0 else -Inf
+    upper <- if (name == "restitution") 1 else Inf
+    open <- name == "particle_mass_kg"
+    bad <- x < lower | x > upper | (open & x == lower) |
+      (is.infinite(x) & name != "friction")
+    if (any(bad, na.rm = TRUE)) {
+      at <- which(bad)[1]
+      abort_domain(
+        x[at], name, impact_units[[name]], call, lower, upper, open,
+        row = if (length(x) > 1L) at
+      )
+    }
+  }
+  columns
+}
