@@ -64,7 +64,8 @@ test_that("a name that carries a unit carries the unit of the dictionary", {
   columns <- rotdyn_columns()
   suffix <- c(
     "_s" = "s", "_rad" = "rad", "_rad_per_s" = "rad/s", "_n_m" = "N m", "_j" = "J", "_kg" = "kg",
-    "_deg" = "degree", "_m_per_s2" = "m/s^2", "_kg_m2" = "kg m^2", "_kg_m2_per_s" = "kg m^2/s"
+    "_deg" = "degree", "_m_per_s2" = "m/s^2", "_kg_m2" = "kg m^2", "_kg_m2_per_s" = "kg m^2/s",
+    "_n_s" = "N s"
   )
   for (end in names(suffix)) {
     hit <- columns[endsWith(columns$name, end), ]
