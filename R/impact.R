@@ -28,13 +28,15 @@
 #' @param particle_mass_kg Mass of the particle, greater than 0.
 #' @param particle_v_m_per_s Its velocity, across the line from the hinge to the point struck. It
 #'   meets the body where it is faster than that point; else nothing changes.
+#' @param ... Not used: an unknown argument is an error.
 #' @return `ball_bounce()`, `hinged_hit()`: a tibble with a row for each element of the arguments,
 #'   which have length 1 or n; NA in a row gives NA. The columns are
 #'   `r describe_columns(bounce_columns)`
 #'   and `r describe_columns(setdiff(hinged_columns, bounce_columns))`
 #'   `centre_of_percussion()`: distances in m from the hinge; Inf for a hinge at the centre of mass.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
-#'   the first value outside its domain, `rotdyn_error_unit`, `rotdyn_error_missing`.
+#'   the first value outside its domain, `rotdyn_error_unit`, `rotdyn_error_missing`,
+#'   `rotdyn_error_argument`.
 #' @source Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapters 4 and 8.
 #' @examples
 #' ball_bounce(
@@ -50,8 +52,8 @@ NULL
 #' @rdname impact
 #' @export
 ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, restitution = 1,
-                        friction = 0) {
-  call <- rlang::current_env()
+                        friction = 0, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("body", "vx_m_per_s", "vy_m_per_s"), call)
   check_body(body, call)
   inertia <- one_inertia(body, "body", call)
@@ -69,8 +71,8 @@ ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, resti
 #' @rdname impact
 #' @export
 hinged_hit <- function(body, centre_m, distance_m, particle_mass_kg, particle_v_m_per_s,
-                       restitution = 0, omega_rad_per_s = 0) {
-  call <- rlang::current_env()
+                       restitution = 0, omega_rad_per_s = 0, ...) {
+  call <- check_no_dots(...)
   check_supplied(
     c("body", "centre_m", "distance_m", "particle_mass_kg", "particle_v_m_per_s"), call
   )
@@ -87,8 +89,8 @@ hinged_hit <- function(body, centre_m, distance_m, particle_mass_kg, particle_v_
 
 #' @rdname impact
 #' @export
-centre_of_percussion <- function(body, centre_m) {
-  call <- rlang::current_env()
+centre_of_percussion <- function(body, centre_m, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("body", "centre_m"), call)
   check_body(body, call)
   centre <- impact_columns(list(centre_m = centre_m), call)$centre_m

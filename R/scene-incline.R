@@ -37,7 +37,7 @@
 #'   The error is a bound.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
 #'   Inf where a number must be finite, and a body without moment of inertia),
-#'   `rotdyn_error_unit`, `rotdyn_error_missing`.
+#'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4; Halliday,
 #'   Resnick and Walker, Fundamentals of Physics, section 11-2 (rolling with slip).
 #' @seealso [rolling_table()] for pure rolling, [rolling_friction_coefficient()].
@@ -155,15 +155,16 @@ print.rot_scene_incline <- function(x, ...) {
 #' @param beta `I/(m r^2)`, at least 0; 0 gives 90 degrees, Inf the angle at which a block slides.
 #' @param static_friction Coefficient of static friction, at least 0; Inf gives 90 degrees. Each
 #'   argument has length 1 or n.
+#' @param ... Not used: an unknown argument is an error.
 #' @return Degrees, with NA where an argument is NA.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
-#'   the first value below 0, `rotdyn_error_unit`, `rotdyn_error_missing`.
+#'   the first value below 0, `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
 #' @examples
 #' rolling_critical_angle(beta = c(hoop = 1, disk = 0.5, sphere = 0.4), static_friction = 0.5)
 #' @export
-rolling_critical_angle <- function(beta, static_friction) {
-  call <- rlang::current_env()
+rolling_critical_angle <- function(beta, static_friction, ...) {
+  call <- check_no_dots(...)
   check_supplied(c("beta", "static_friction"), call)
   columns <- check_columns_of(
     list(beta = beta, static_friction = static_friction), c("1", "1"), call

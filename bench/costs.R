@@ -18,6 +18,9 @@ cost_scenes <- function() {
   oil <- resistance(0.03)
   list(
     "constant torque" = scene_axle(0.5, 1),
+    "slip to roll" = scene_incline(
+      body_sphere(6, 0.11), 0, static_friction = 0.19, v0_m_per_s = 8.1, omega0_rad_per_s = 0
+    ),
     "knots" = scene_axle(0.0625, knots, oil),
     "401 knots" = scene_axle(0.0625, many, oil),
     "a skater" = scene_axle(inertia_knots(0:4, c(5, 3, 2, 1, 1)), steps, omega0_rad_per_s = 1),

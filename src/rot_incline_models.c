@@ -34,7 +34,7 @@ static const rot_model models[] = {
      "all forces are constant between events: closed form",
      not_exact,
      cost_s,
-     {1.0e-6, 70e-9, 0.0, 0.0}},
+     {0.6e-6, 60e-9, 0.0, 0.0}},
 };
 
 const rot_constraint rot_incline_constraint = {"incline",

@@ -117,7 +117,6 @@ layers='
 4 rolling     rolling
 4 incline     incline*
 4 impact      impact*
-4 statics     statics*
 4 energy      energy
 4 kinematics  kinematics
 5 drive       drive*

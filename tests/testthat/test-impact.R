@@ -55,5 +55,6 @@ test_that("arguments are columns; bad ones name the row", {
   expect_error(ball_bounce(ball, 1), class = "rotdyn_error_missing")
   expect_error(hinged_hit(ball, 1, 1, 0, 1), class = "rotdyn_error_value")
   expect_error(hinged_hit(ball, -1, 1, 1, 1), class = "rotdyn_error_value")
+  expect_error(ball_bounce(ball, 1, -1, mu = 1), class = "rotdyn_error_argument")
   expect_error(centre_of_percussion(2, 1), class = "rotdyn_error_type")
 })
