@@ -38,6 +38,9 @@
 #'   the first value outside its domain, `rotdyn_error_unit`, `rotdyn_error_missing`,
 #'   `rotdyn_error_argument`.
 #' @source Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapters 4 and 8.
+#' @seealso [scene_incline()] for a ball that slides and rolls, [scene_clutch()], [torque_pulse()].
+#' @concept collision
+#' @concept impulse
 #' @examples
 #' ball_bounce(
 #'   body_sphere(0.06, 0.033), vx_m_per_s = 20, vy_m_per_s = -5, omega_rad_per_s = c(-300, 0),

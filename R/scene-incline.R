@@ -160,6 +160,8 @@ print.rot_scene_incline <- function(x, ...) {
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
 #'   the first value below 0, `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
+#' @seealso [rolling_friction_coefficient()], [scene_incline()].
+#' @concept incline
 #' @examples
 #' rolling_critical_angle(beta = c(hoop = 1, disk = 0.5, sphere = 0.4), static_friction = 0.5)
 #' @export
