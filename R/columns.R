@@ -40,7 +40,10 @@ column_list <- list(
   c("terminal_omega_rad_per_s", "rad/s", "limit of omega under the last torque"),
   c("final_omega_1_rad_per_s", "rad/s", "angular velocity of body 1 at the end"),
   c("final_omega_2_rad_per_s", "rad/s", "angular velocity of body 2 at the end"),
-  c("potential_energy_j", "J", "energy stored in springs and height, 0 at the rest angle"),
+  c(
+    "potential_energy_j", "J",
+    "energy stored in springs and height, 0 at the rest angle; on an incline 0 at x = 0"
+  ),
   c("period_s", "s", "time after which the motion repeats, or of a cycle"),
   c("amplitude_rad", "rad", "largest angle from the rest angle"),
   c("amplitude_ratio", "1", "amplitude after a cycle over that before"),
@@ -172,7 +175,6 @@ column_list <- list(
   c("v_m_per_s", "m/s", "velocity of the centre of mass, positive down the slope"),
   c("slip_speed_m_per_s", "m/s", "v - R omega: speed of the contact over the slope"),
   c("friction_force_n", "N", "friction on the body, positive down the slope"),
-  c("potential_energy_j", "J", "energy in gravity, 0 at x = 0"),
   c("slip_heat_j", "J", "heat of friction since the start"),
   c("rolling_heat_j", "J", "heat of rolling resistance since the start"),
   c("rolling", "", "whether the contact grips"),
