@@ -24,7 +24,8 @@
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
-#'   `rotdyn_error_type`, `rotdyn_error_value`.
+#'   `rotdyn_error_type`, `rotdyn_error_value`; `rotdyn_error_range` for sizes below 1e-280 or above
+#'   1e280 of the unit drawn.
 #' @seealso [principal_axes()], whose moments and class are in the subtitle.
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' rod <- body_rod(mass_kg = 0.5, length_m = 1)
@@ -35,6 +36,10 @@
 autoplot.rot_body <- function(object, ..., base_size = 13) {
   check_plot(base_size, ...)
   drawn <- body_drawing(object)
+  check_drawable(rbind(
+    drawn$frame[c("across", "up")], drawn$outline[c("across", "up")],
+    drawn$solids$fill[c("across", "up")], drawn$solids$line[c("across", "up")]
+  ))
   # Two rows of panels with the keys beside them, or one row above them where letters are large.
   wide <- base_size > 16
   axis_label <- function(axis) paste("axis", if (wide) substr(axis, 1L, 1L) else axis)
@@ -338,4 +343,15 @@ panel_frame <- function(tables) {
     )
   })
   do.call(rbind, corners)
+}
+
+# The axes of a plot need sizes well inside the doubles.
+check_drawable <- function(frame, call = rlang::caller_env()) {
+  size <- max(diff(range(frame$across)), diff(range(frame$up)))
+  if (is.finite(size) && (size == 0 || (size > 1e-280 && size < 1e280))) return(invisible())
+  abort_rotdyn(c(
+    "The body is too small or too large to be drawn.",
+    x = "Its size is {format(size, digits = 3)} of the unit drawn.",
+    i = "Draw it with other lengths: the shape is the same."
+  ), "range", call)
 }

@@ -181,3 +181,8 @@ test_that("a body near the end of double precision is drawn", {
   skip_if_not_installed("ggplot2")
   expect_s3_class(ggplot2::autoplot(body_hoop(1e8, 1e150)), "ggplot")
 })
+
+test_that("a body near the ends of the doubles is not drawn", {
+  skip_if_not_installed("ggplot2")
+  expect_error(ggplot2::autoplot(body_hoop(1, 1e-310)), class = "rotdyn_error_range")
+})
