@@ -13,11 +13,8 @@
 
 /* Every constraint, a line each. */
 static const rot_constraint *const constraints[] = {
-    &rot_axle_constraint,
-    &rot_shaft_constraint,
-    &rot_clutch_constraint,
-    &rot_drive_constraint,
-    &rot_incline_constraint,
+    &rot_axle_constraint,  &rot_shaft_constraint,   &rot_clutch_constraint,
+    &rot_drive_constraint, &rot_incline_constraint,
 };
 
 const rot_constraint *const *rot_choice_constraints(size_t *n) {

@@ -236,7 +236,7 @@ static void check_scenes(void) {
   rot_info info;
   rot_axle_sweep_friction friction = {column(&quadratic, 0), column(&coulomb, 0),
                                       column(&sticks, 0)};
-  rot_axle_scene scene = {{0}, 0.0, 0.125, 0, 0, 0, 0, NULL, 0, NULL, NULL, 0, NULL, 0.0};
+  rot_axle_scene scene = {.motor_n_m_s = 0.125};
   rot_axle_columns row;
   double one[7][1];
   scene.linear.torque = torque;

@@ -239,7 +239,9 @@ test_that("what cannot be read is an error that names the link", {
 test_that("a damaged file is closed again", {
   skip_if_not_installed("xml2")
   skip_if_not(dir.exists("/proc/self/fd"))
-  path <- withr::local_tempfile(lines = "<robot><link", fileext = ".urdf")
+  path <- tempfile(fileext = ".urdf")
+  on.exit(unlink(path))
+  writeLines("<robot><link", path)
   before <- length(list.files("/proc/self/fd"))
   for (i in 1:20) expect_error(read_links(path), class = "rotdyn_error_file")
   expect_lt(length(list.files("/proc/self/fd")), before + 5)

@@ -117,7 +117,8 @@ test_that("a damaged PLY is refused", {
 test_that("names that occur twice are an error of the file", {
   header <- c("ply", "format ascii 1.0", "element vertex 1", "property float x")
   for (more in list(c("property float x"), c("property float y", "element vertex 2"))) {
-    path <- withr::local_tempfile(lines = c(header, more, "end_header", "0"), fileext = ".ply")
+    path <- tempfile(fileext = ".ply")
+    writeLines(c(header, more, "end_header", "0"), path)
     expect_error(body_mesh(path, mass_kg = 1), "of one name", class = "rotdyn_error_file")
   }
 })
