@@ -356,7 +356,7 @@ static double after_1s(rot_incline_params p, int which) {
   rot_info info;
   table rows;
   ROT_CHECK(run(&p, 1, &t, &rows, NULL, &info) == ROT_OK);
-  return rows.c[which][0];
+  return which == 11 ? (double)rows.rolling[0] : rows.c[which][0];
 }
 
 static void limits(void) {
