@@ -5,9 +5,10 @@
  * the breaks and the events, a step budget, rows between the steps (rot_dense.h), and an error
  * estimate by a second run.
  *
- * A coarse run chooses the steps; a fine run takes the halves of each, and is the result. At order
- * 8 the difference of the two is 255 times the error of the fine one. The tolerance is no estimate:
- * it was off by 0.28 to 2600 in 60 scenes. tests/core/coverage_ode.c measures the estimate. */
+ * A coarse run chooses the steps; a fine run divides each by two to four, and is the result. At
+ * order 8 the difference of the two is 255 to 65535 times the error of the fine one. The tolerance
+ * is no estimate: it was off by 0.28 to 2600 in 60 scenes. tests/core/coverage_ode.c measures the
+ * estimate. */
 #ifndef ROT_ODE_H
 #define ROT_ODE_H
 

@@ -101,8 +101,11 @@ rot_status rot_ode_growth_step(rot_ode_march *run, double h, const double before
     g->map[i] = h * mean;
   }
   g->known = 1;
-  double *e = g->derivative0; /* not needed any more */
-  if (rot_expm(n, g->map, e, g->work, NULL) != ROT_OK) return ROT_OK;
+  double *e = g->derivative0;                            /* not needed any more */
+  if (rot_expm(n, g->map, e, g->work, NULL) != ROT_OK) { /* beyond the doubles in one step */
+    for (size_t m = 0; m < rot_ode_steering(p); m++) g->worst[m] = INFINITY;
+    return ROT_OK;
+  }
   /* e spread e': the work space has room for two more matrices. */
   double *left = g->work, *turned = g->work + n * n;
   rot_expm_multiply(n, e, g->spread, left, NULL);

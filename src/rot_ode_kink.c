@@ -22,13 +22,19 @@ typedef struct path {
   double *sample;                /* GAPS + 1 times dim */
 } path;
 
-static rot_status slope_at(const path *w, double s, double dydt[]) {
+/* The path's state at s, and its time. */
+static double state_at(const path *w, double s, double y[]) {
   for (size_t k = 0; k < w->run->p->dim; k++) {
     const double up = w->y[1][k] - w->y[0][k];
     const double bend = (1.0 - s) * (w->h * w->slope[0][k] - up) - s * (w->h * w->slope[1][k] - up);
-    w->state[k] = w->y[0][k] + s * (up + (1.0 - s) * bend);
+    y[k] = w->y[0][k] + s * (up + (1.0 - s) * bend);
   }
-  rot_ode_slope_at(w->t + s * w->h, w->state, dydt, w->run);
+  return w->t + s * w->h;
+}
+
+static rot_status slope_at(const path *w, double s, double dydt[]) {
+  const double t = state_at(w, s, w->state);
+  rot_ode_slope_at(t, w->state, dydt, w->run);
   return w->run->status;
 }
 
@@ -112,16 +118,6 @@ static rot_status find(const path *w, double *s) {
 }
 
 /* ---- walls ----------------------------------------------------------------------------------- */
-
-/* The path's state at s, and its time. */
-static double state_at(const path *w, double s, double y[]) {
-  for (size_t k = 0; k < w->run->p->dim; k++) {
-    const double up = w->y[1][k] - w->y[0][k];
-    const double bend = (1.0 - s) * (w->h * w->slope[0][k] - up) - s * (w->h * w->slope[1][k] - up);
-    y[k] = w->y[0][k] + s * (up + (1.0 - s) * bend);
-  }
-  return w->t + s * w->h;
-}
 
 /* Component k of the slope at w->state, with coordinate i (dim: time) put to x. */
 static rot_status slope_with(const path *w, double t, size_t i, double x, size_t k, double *f) {

@@ -318,7 +318,7 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   double ratio = status == ROT_OK ? rot_ode_trial_ratio(run, plan.h) : NAN;
   double h = plan.h;
   /* Beyond a wall the step is no step of the motion, and its error none: up to the wall. */
-  const int early = status == ROT_OK && ratio > 1.0 && !isnan(rot_ode_wall_ahead(run, h));
+  const int early = status == ROT_OK && ratio > 1.0 && rot_ode_passes_wall(run);
   if (early) {
     run->info->rejected++;
     status = look_for_events(run, &h, what, which, &ratio);

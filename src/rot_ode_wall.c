@@ -142,31 +142,16 @@ rot_status rot_ode_add_wall(rot_ode_march *run, size_t component, double below, 
 
 /* ---- on the way ------------------------------------------------------------------------------ */
 
-double rot_ode_wall_ahead(const rot_ode_march *run, double h) {
+int rot_ode_passes_wall(const rot_ode_march *run) {
   const size_t first = run->n_watch - run->walls->count;
-  double part = NAN;
   for (size_t k = 0; k < run->walls->count; k++) {
-    const size_t c = run->walls->wall[k].component;
     const int side = run->side[k];
     if (is_time(run, k) || side == 0 || run->watch[first + k].fresh) continue;
+    const size_t c = run->walls->wall[k].component;
     const double level = rot_ode_wall_level(run, k);
-    const double a = side * (run->y[c] - level), b = side * (run->trial[c] - level);
-    const double p = side * h * run->slope[c], q = side * h * run->trial_slope[c];
-    double lo = 0.0, hi = 1.0;
-    if (!(a > 0.0) || !(b <= 0.0)) continue;
-    for (int j = 0; j < 30; j++) {
-      const double x = 0.5 * (lo + hi), u = 1.0 - x;
-      const double here =
-          u * u * ((1.0 + 2.0 * x) * a + x * p) + x * x * ((3.0 - 2.0 * x) * b - u * q);
-      if (here > 0.0) {
-        lo = x;
-      } else {
-        hi = x;
-      }
-    }
-    if (!(hi >= part)) part = hi;
+    if (side * (run->y[c] - level) > 0.0 && side * (run->trial[c] - level) <= 0.0) return 1;
   }
-  return part;
+  return 0;
 }
 
 double rot_ode_next_stop(const rot_ode_march *run, double stop) {

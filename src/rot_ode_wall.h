@@ -29,8 +29,8 @@ double rot_ode_wall_level(const rot_ode_march *run, size_t wall);
 /* run->y lies on the wall: the side that the motion goes on, or that it slides. */
 rot_status rot_ode_pass_wall(rot_ode_march *run, size_t wall);
 
-/* The part of the trial step before the first wall that it passes; NaN if it passes none. */
-double rot_ode_wall_ahead(const rot_ode_march *run, double h);
+/* Whether the trial step ends beyond a wall that run->y lies before. */
+int rot_ode_passes_wall(const rot_ode_march *run);
 
 /* The first time wall before `stop`, or stop. */
 double rot_ode_next_stop(const rot_ode_march *run, double stop);
