@@ -216,6 +216,18 @@ column_list <- list(
   c("link", "", "name of the link"),
   c("y_m", "m", "y in the own axes"),
   c("z_m", "m", "z in the own axes"),
+  c("qw", "1", "attitude as a unit quaternion, body to space: its scalar part"),
+  c("qx", "1", "its x component"),
+  c("qy", "1", "its y component"),
+  c("qz", "1", "its z component"),
+  c("r11", "1", "element of the rotation matrix, row 1, column 1; r12, ..., r33 likewise"),
+  c("rx_rad", "rad", "x of the rotation vector; ry_rad and rz_rad likewise"),
+  c("px", "1", "x of the modified Rodrigues parameters; py and pz likewise"),
+  c("angle_rad", "rad", "angle of the rotation"),
+  c("angle_1_rad", "rad", "first angle of the sequence"),
+  c("angle_2_rad", "rad", "second angle of the sequence"),
+  c("angle_3_rad", "rad", "third angle of the sequence"),
+  c("gimbal_lock", "", "TRUE where the first and the third angle are not unique"),
   c("centre_x_m", "m", "x of the centre of mass"),
   c("centre_y_m", "m", "y of the centre of mass"),
   c("centre_z_m", "m", "z of the centre of mass"),
@@ -342,6 +354,7 @@ bounce_columns <- c(
 hinged_columns <- c(
   "omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s", "hinge_impulse_n_s", "normal_loss_j"
 )
+quaternion_columns <- c("qw", "qx", "qy", "qz")
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"
 )

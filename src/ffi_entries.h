@@ -1,4 +1,8 @@
 /* Every routine that R may call, with its number of arguments. Listed once, here. */
+X(ffi_attitude_from, 3)
+X(ffi_attitude_pair, 2)
+X(ffi_attitude_to, 3)
+X(ffi_attitude_turn, 2)
 X(ffi_axle_disturbance, 3)
 X(ffi_axle_run, 4)
 X(ffi_axle_ledger, 4)
