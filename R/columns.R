@@ -159,8 +159,8 @@ column_list <- list(
   c("natural_rad_per_s", "rad/s", "angular frequency without damping"),
   c("theta_1_rad", "rad", "angle of body 1"),
   c("omega_1_rad_per_s", "rad/s", "angular velocity of body 1"),
-  c("theta_2_rad", "rad", "angle of body 2"),
-  c("omega_2_rad_per_s", "rad/s", "angular velocity of body 2"),
+  c("theta_2_rad", "rad", "angle of body 2; of shaft 2 of a gear train (3, 4, ... likewise)"),
+  c("omega_2_rad_per_s", "rad/s", "its angular velocity"),
   c("clutch_torque_n_m", "N m", "torque of the clutch on body 2; opposite on body 1"),
   c("heat_j", "J", "heat since the start: of a clutch, or of a rotor's resistance and brake"),
   c(

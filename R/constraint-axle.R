@@ -11,6 +11,10 @@ axle_constraint <- function() {
       omega0_rad_per_s = "number", start_s = "number", inertia_lo = "number?",
       gears = list(
         .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number"
+      ),
+      train = list(
+        .optional = TRUE, ratio_to_first = "numbers",
+        moment_of_inertia_kg_m2 = "numbers=ratio_to_first"
       )
     ),
     title = function(run) {
@@ -24,8 +28,10 @@ axle_constraint <- function() {
       if (!is.null(.subset2(scene, "inertia"))) {
         columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
       }
-      geared_columns(columns, scene)
+      if (is.null(.subset2(scene, "train"))) return(columns)
+      shaft_columns(geared_columns(columns, scene), scene)
     },
+    more_names = shaft_names,
     keys = c("time_s", "theta_rad", "omega_rad_per_s"),
     measures = list(
       theta = measure("rad", "theta_rad"),
@@ -36,6 +42,7 @@ axle_constraint <- function() {
       net <- columns$net_torque_n_m
       c(
         list(theta_rad = omega, angular_momentum_kg_m2_per_s = net),
+        shaft_slopes(omega, net, scene),
         if (is.null(.subset2(scene, "inertia"))) {
           list(omega_rad_per_s = net, rotational_kinetic_energy_j = net * omega)
         }

@@ -138,6 +138,30 @@ geared_columns <- function(columns, scene) {
   columns
 }
 
+# Of a motion of the first shaft: angle and rate of the others, theta/N and omega/N.
+shaft_columns <- function(columns, scene) {
+  ratio <- scene$train$ratio_to_first[-1]
+  names <- shaft_names(scene)
+  of <- function(column) lapply(ratio, function(one) column / one)
+  columns[names] <- c(of(columns$theta_rad), of(columns$omega_rad_per_s))
+  columns
+}
+
+shaft_names <- function(scene) {
+  others <- seq_along(.subset2(scene, "train")$ratio_to_first)[-1]
+  c(
+    sprintf("theta_%d_rad", others), sprintf("omega_%d_rad_per_s", others)
+  )
+}
+
+# Of omega and the net torque: what has the sign of the slope of each of these columns.
+shaft_slopes <- function(omega, net, scene) {
+  if (is.null(.subset2(scene, "train"))) return(NULL)
+  ratio <- scene$train$ratio_to_first[-1]
+  slopes <- c(lapply(sign(ratio), `*`, omega), lapply(sign(ratio), `*`, net))
+  stats::setNames(slopes, shaft_names(scene))
+}
+
 # What that adds to the flows of the solved torques, a column each.
 geared_flows <- function(scene, turned_rad, span_s) {
   shift <- gear_shift(scene)
@@ -170,7 +194,9 @@ describe_shafts <- function(train) {
 #' @rdname gear_train
 #' @inheritParams scene_axle
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity of the first shaft at `start_s`.
-#' @return `scene_gears()`: a `rot_scene_axle` of the first shaft.
+#' @return `scene_gears()`: a `rot_scene_axle` of the first shaft. Its motion has a column for the
+#'   angle and one for the angular velocity of each other shaft: `theta_2_rad`, `omega_2_rad_per_s`,
+#'   ...; all angles are 0 where that of the first is.
 #' @export
 scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, viscous_n_m_s = 0,
                         theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {

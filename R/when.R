@@ -120,7 +120,9 @@ asked_value <- function(scene, dots, call) {
     }
     body <- as.integer(check_number(dots[[index]] %||% 1, index, "1", call, 1, most))
   }
-  unit <- column_table$unit[match(columns, column_table$name)]
+  # Those of shaft 3, 4, ... are listed as those of 2.
+  listed <- sub("^(theta|omega)_[0-9]+_", "\\1_2_", columns)
+  unit <- column_table$unit[match(listed, column_table$name)]
   unit <- if (is.na(unit) || !nzchar(unit)) "1" else gsub(" ", "*", unit, fixed = TRUE)
   list(column = columns, value = check_number(dots[[columns]], columns, unit, call), body = body)
 }
@@ -129,7 +131,10 @@ asked_value <- function(scene, dots, call) {
 check_column_of_run <- function(column, x, run, call) {
   constraint <- constraint_of(run$scene)
   fit <- vapply(unclass(x), is.double, NA)
-  known <- intersect(names(x)[fit], c(constraint$columns, "moment_of_inertia_kg_m2"))
+  known <- intersect(names(x)[fit], c(
+    constraint$columns, "moment_of_inertia_kg_m2",
+    if (!is.null(constraint$more_names)) constraint$more_names(run$scene)
+  ))
   known <- setdiff(known, c("time_s", constraint$index))
   if (column %in% known) return(invisible())
   abort_rotdyn(c(

@@ -106,3 +106,23 @@ test_that("a ratio that nothing uses, and a torque that stands for several, are 
   expect_match(conditionMessage(e), "length 1.", fixed = TRUE)
   expect_no_match(conditionMessage(e), "or")
 })
+
+test_that("every shaft of a train has its angle and rate", {
+  scene <- scene_gears(
+    c(0.01, 0.5, 2), ratios = c(5, -2), torque_n_m = c(2, 0, 0), theta0_rad = 1
+  )
+  x <- trajectory(scene, 0:3)
+  # By hand: alpha = 2/(0.01 + 0.5/25 + 2/100) = 40, N = 5 and -10.
+  expect_equal(x$omega_2_rad_per_s, 40 * 0:3 / 5, tolerance = 1e-15)
+  expect_equal(x$omega_3_rad_per_s, -40 * 0:3 / 10, tolerance = 1e-15)
+  expect_equal(x$theta_3_rad, -(1 + 20 * (0:3)^2) / 10, tolerance = 1e-15)
+  expect_equal(predict(x, 0.5)$theta_2_rad, (1 + 20 * 0.25) / 5, tolerance = 1e-15)
+  # omega_3 = -4 t
+  got <- when(scene, omega_3_rad_per_s = units::set_units(-60 / pi, "rpm"))
+  expect_equal(got$time_s, 0.5, tolerance = 1e-14)
+  expect_equal(got$direction, "down")
+  expect_error(when(scene, omega_4_rad_per_s = 1), class = "rotdyn_error_value")
+  expect_null(trajectory(scene_axle(1), 0:1)[["omega_2_rad_per_s"]])
+  scene$train$ratio_to_first <- NULL
+  expect_error(trajectory(scene, 1), class = "rotdyn_error_type")
+})

@@ -95,6 +95,29 @@ test_that("each lesson has its parts", {
   }
 })
 
+test_that("lessons are numbered, listed for instructors, and lead to pages that exist", {
+  numbers <- vapply(lessons(), function(lines) {
+    as.integer(sub("^Lesson ([0-9]+):.*", "\\1", title_of(lines)))
+  }, integer(1))
+  expect_identical(sort(unname(numbers)), seq_along(numbers))
+  files <- vignette_files()
+  pages <- sub("[.]Rmd$", "", basename(files))
+  text <- lapply(files, readLines, encoding = "UTF-8")
+  listed <- grep("^\\|", text[[match("instructors", pages)]], value = TRUE)
+  for (page in sub("[.]Rmd$", "", names(lessons()))) {
+    expect_true(any(grepl(paste0("`", page, "`"), listed, fixed = TRUE)), info = page)
+  }
+  links <- unlist(regmatches(unlist(text), gregexpr("vignette\\(\"[a-z-]+\"", unlist(text))))
+  expect_identical(setdiff(sub(".*\"([a-z-]+)\".*", "\\1", links), pages), character())
+})
+
+test_that("what the first lessons said wrongly", {
+  text <- unlist(lapply(vignette_files(), readLines, encoding = "UTF-8"))
+  text <- paste(text, collapse = " ")
+  expect_no_match(text, "three models")
+  expect_no_match(text, "[Oo]nly the angle of an incline")
+})
+
 test_that("lessons mask no function or constant of base R", {
   for (name in names(lessons())) {
     seen <- unlist(lapply(visible_chunks(lessons()[[name]]), `[[`, "code"))
