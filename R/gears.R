@@ -129,6 +129,7 @@ gear_shift <- function(scene) {
 
 # Columns of the solved torques: the loss belongs to the resistance.
 geared_columns <- function(columns, scene) {
+  if (is.null(.subset2(scene, "gears"))) return(columns)
   shift <- gear_shift(scene)
   if (shift == 0) return(columns)
   columns$applied_torque_n_m <- scene$gears$applied_n_m + 0 * columns$applied_torque_n_m

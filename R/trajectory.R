@@ -76,8 +76,10 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   record <- fit$record
   constraint <- constraint_of(scene)
   # One step for each row at least, so that many rows are not a failure.
-  result <- fit$result %||%
-    record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
+  result <- fit$result
+  if (is.null(result)) {
+    result <- record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
+  }
   columns <- result$columns
   info <- result$info
   n <- length(time_s)
@@ -140,7 +142,8 @@ void_error <- function(info, columns) {
 # Whether the largest values of the rows may be far below those on the way: the integrators know
 # theirs, a closed form has those of the rows.
 suspicious <- function(info, record, accuracy) {
-  is.finite(info$error) && !isTRUE(record$adapts) && info$error > min(accuracy, 1e-13)
+  error <- info$error
+  (error > 1e-13 || error > accuracy) && is.finite(error) && !isTRUE(record$adapts)
 }
 
 # The error figure with the largest values at more times, unevenly spaced so that no period of the
@@ -160,6 +163,7 @@ measure_on_the_way <- function(info, fit, time_s, accuracy, max_steps, call) {
 # most, with its moment changed by its error.
 body_effect <- function(fit, time_s, accuracy, max_steps, call) {
   off <- inertia_errors(fit$scene)
+  if (is.null(off)) return(NULL)
   known <- !is.finite(off) | off <= 1e-14
   if (all(known) || !length(time_s)) return(NULL)
   rows <- unique(round(seq(1, length(time_s), length.out = min(65, length(time_s)))))
@@ -187,16 +191,14 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
   )
 }
 
-# The relative error of each moment of inertia of a scene: that of the body's second moments is
-# relative to their sum; numbers have none.
+# The relative error of each moment of inertia of a scene, NULL where all are known to rounding: that
+# of the body's second moments is relative to their sum; numbers have none.
 inertia_errors <- function(scene) {
   bodies <- .subset2(scene, "bodies")
   inertia <- .subset2(scene, "moment_of_inertia_kg_m2")
   if (is.null(bodies)) { # every call passes here
     body <- .subset2(scene, "body")
-    if (is.null(body) || !isTRUE(.subset2(unclass(body), "error") > 1e-14)) {
-      return(double(length(inertia)))
-    }
+    if (is.null(body) || !isTRUE(.subset2(body, "error") > 1e-14)) return(NULL)
     bodies <- list(body)
   }
   vapply(seq_along(inertia), function(i) {

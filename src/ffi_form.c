@@ -88,6 +88,16 @@ static int put_before(const char *name, fault *at) {
   return 0;
 }
 
+/* The part called `name`. Names are cached strings, so equal ones are at one address; ffi_element()
+ * compares letters, for a name in another encoding. */
+static SEXP part_of(SEXP x, SEXP names_of_x, SEXP name) {
+  const R_xlen_t n = TYPEOF(names_of_x) == STRSXP ? XLENGTH(names_of_x) : 0;
+  for (R_xlen_t i = 0; i < n; i++) {
+    if (STRING_ELT(names_of_x, i) == name) return VECTOR_ELT(x, i);
+  }
+  return ffi_element(x, CHAR(name));
+}
+
 /* A form is a word or a list of forms by the names of the parts; names with a dot say more. Where x
  * does not fit, *at has the path. */
 static int fits(SEXP x, SEXP form, SEXP parent, fault *at) {
@@ -96,11 +106,14 @@ static int fits(SEXP x, SEXP form, SEXP parent, fault *at) {
   if (TYPEOF(form) != VECSXP || TYPEOF(names) != STRSXP) Rf_error("internal: `form`");
   if (Rf_isNull(x)) return !Rf_isNull(ffi_element(form, ".optional"));
   if (TYPEOF(x) != VECSXP) return 0;
+  const SEXP names_of_x = Rf_getAttrib(x, R_NamesSymbol);
   for (R_xlen_t i = 0; i < XLENGTH(form); i++) {
     const char *name = CHAR(STRING_ELT(names, i));
     const SEXP part = VECTOR_ELT(form, i);
     if (name[0] != '.') {
-      if (!fits(ffi_element(x, name), part, x, at)) return put_before(name, at);
+      if (!fits(part_of(x, names_of_x, STRING_ELT(names, i)), part, x, at)) {
+        return put_before(name, at);
+      }
     } else if (!strcmp(name, ".is")) {
       if (!fits_word(x, ffi_text(part, "word"), parent)) return 0;
     } else if (!strcmp(name, ".class")) {
