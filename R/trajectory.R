@@ -191,7 +191,7 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
   )
 }
 
-# The relative error of each moment of inertia of a scene, NULL where all are known to rounding: that
+# The relative error of each moment of inertia of a scene; NULL where all are known to rounding. That
 # of the body's second moments is relative to their sum; numbers have none.
 inertia_errors <- function(scene) {
   bodies <- .subset2(scene, "bodies")
