@@ -191,8 +191,8 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
   )
 }
 
-# The relative error of each moment of inertia of a scene; NULL where all are known to rounding. That
-# of the body's second moments is relative to their sum; numbers have none.
+# The relative error of each moment of inertia of a scene, NULL where all are known to rounding. A
+# body's is relative to the sum of its second moments; numbers have none.
 inertia_errors <- function(scene) {
   bodies <- .subset2(scene, "bodies")
   inertia <- .subset2(scene, "moment_of_inertia_kg_m2")
