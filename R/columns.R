@@ -179,6 +179,13 @@ column_list <- list(
   c("rolling_heat_j", "J", "heat of rolling resistance since the start"),
   c("rolling", "", "whether the contact grips"),
   c("roll_time_s", "s", "first time at which slip ends and rolling begins; NA if none"),
+  c("drag_force_n", "N", "air drag on the body, positive down the slope"),
+  c("applied_force_n", "N", "force on the body besides gravity, friction and drag"),
+  c("drag_heat_j", "J", "heat of air drag since the start"),
+  c("max_v_m_per_s", "m/s", "largest velocity (with its sign)"),
+  c("max_v_time_s", "s", "the first time at which the velocity is largest"),
+  c("highest_x_m", "m", "path where the body is highest up the slope: the least x"),
+  c("highest_x_time_s", "s", "the first time at which it is there"),
   c("final_x_m", "m", "path at the end"),
   c("final_v_m_per_s", "m/s", "velocity at the end"),
   c("vx_m_per_s", "m/s", "velocity along the floor, after"),
@@ -345,8 +352,9 @@ drive_columns <- c(
 incline_columns <- c(
   "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "slip_speed_m_per_s",
   "friction_force_n", "translational_kinetic_energy_j", "rotational_kinetic_energy_j",
-  "potential_energy_j", "slip_heat_j", "rolling_heat_j", "rolling"
+  "potential_energy_j", "slip_heat_j", "rolling_heat_j", "rolling", "event"
 )
+incline_force_columns <- c("drag_force_n", "applied_force_n", "drag_heat_j")
 bounce_columns <- c(
   "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s", "normal_impulse_n_s", "friction_impulse_n_s",
   "normal_loss_j", "friction_loss_j", "grips"

@@ -134,10 +134,10 @@ search_column <- function(read, slopes, column, time_s) {
   )
 }
 
-# The largest value of each column within the span of the rows, and the first time there:
-# list(value, time_s), named. Of values that the run did not compute, and where the model does not
-# run again, those of the rows.
-largest_values <- function(x, run, columns, call) {
+# The largest value of each column (the least of those in `least`) within the span of the rows, and
+# the first time there: list(value, time_s), named. Of values that the run did not compute, and
+# where the model does not run again, those of the rows.
+largest_values <- function(x, run, columns, call, least = character()) {
   rows <- unclass(x)[intersect(columns, names(x))]
   found <- list(time_s = x$time_s, columns = rows)
   if (nrow(x) && is.finite(run$info$error)) {
@@ -146,10 +146,11 @@ largest_values <- function(x, run, columns, call) {
     )
     found <- again %||% found
   }
-  at <- lapply(found$columns, function(value) {
+  at <- Map(function(value, name) {
+    if (name %in% least) value <- -value
     top <- suppressWarnings(max(value))
     which(value >= top - 4 * .Machine$double.eps * abs(top))[1]
-  })
+  }, found$columns, names(found$columns))
   list(
     value = Map(function(value, i) value[i], found$columns, at),
     time_s = lapply(at, function(i) found$time_s[i])

@@ -17,4 +17,114 @@ incline_exact <- list(
   }
 )
 
-incline_models <- list(incline_exact)
+# ---- integrated ---------------------------------------------------------------------------------
+
+integrate_incline <- function(scene, time_s, accuracy, max_steps, call, method) {
+  force <- scene$force
+  called <- if (!is.null(force)) {
+    f <- force$f
+    # C fills in the arguments; an error of the function's own shows the call f(...).
+    own <- list(
+      as.call(c(quote(f), rep(list(NULL), force$arguments))),
+      list2env(list(f = f), parent = baseenv()),
+      function(value, time_s) abort_force_value(value, time_s, call)
+    )
+    list(law = own, stops = force$breaks_s)
+  }
+  result <- .Call(
+    ffi_incline_integrate, scene, called, time_s, c(accuracy, max_steps, method),
+    progress_bar("integrating")
+  )
+  sums <- result$ledger
+  if (has_outer_force(scene)) {
+    result$columns[incline_force_columns] <- sums[incline_force_columns]
+  }
+  errors <- sums$errors
+  sums <- sums[setdiff(names(sums), c("errors", "drag_force_n", "applied_force_n"))]
+  result$ledger <- cbind(
+    do.call(cbind, c(
+      list(time_s = time_s), sums, list(path_m = result$columns$x_m - scene$x0_m)
+    )),
+    heat_error_j = rep(errors[1], length(time_s)), work_error_j = rep(errors[2], length(time_s)),
+    impulse_error_n_s = rep(errors[3], length(time_s))
+  )
+  result$info <- void_error(result$info, result$columns)
+  result
+}
+
+has_outer_force <- function(scene) {
+  scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0 || !is.null(scene$force)
+}
+
+abort_force_value <- function(value, time_s, call) {
+  abort_rotdyn(c(
+    "The function {.arg force_n} must return one number in N.",
+    x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
+  ), "torque", call)
+}
+
+# Work and impulses between two times, from the run's own sums where it has these times.
+integrated_incline_ledger <- function(scene, run, from_s, to_s) {
+  known <- run$ledger
+  if (is.null(known) || !all(c(from_s, to_s) %in% known[, "time_s"])) {
+    again <- record_of(run)$run(
+      scene, c(from_s, to_s), run$accuracy, run$max_steps + 2, run$call, TRUE
+    )
+    if (again$info$kind != "none") return(NULL)
+    known <- again$ledger
+  }
+  ends <- known[match(c(from_s, to_s), known[, "time_s"]), , drop = FALSE]
+  flow <- ends[2, ] - ends[1, ]
+  pull <- scene$mass_kg * scene$gravity_m_per_s2 *
+    .Call(ffi_inertia_sine, scene$incline_angle_deg)
+  eps <- .Machine$double.eps
+  c(
+    flow[c(
+      "applied_work_j", "drag_heat_j", "friction_impulse_n_s", "drag_impulse_n_s",
+      "applied_impulse_n_s", "resistance_impulse_n_m_s"
+    )],
+    work_j = pull * flow[["path_m"]],
+    work_rounding_j = ends[2, "work_error_j"][[1]] +
+      2 * abs(pull) * (run$info$errors[["x"]] + 4 * eps * max(abs(ends[, "path_m"]))),
+    gravity_impulse_n_s = pull * (to_s - from_s),
+    friction_impulse_n_m_s = -scene$radius_m * flow[["friction_impulse_n_s"]],
+    heat_error_j = ends[2, "heat_error_j"][[1]],
+    impulse_rounding_n_s = ends[2, "impulse_error_n_s"][[1]] +
+      16 * eps * abs(pull) * max(abs(c(from_s, to_s)))
+  )
+}
+
+incline_integrator <- function(id, method, ...) {
+  list(
+    id = id,
+    equations = paste(
+      "m v' = m g sin - F - drag + force, I omega' = F R - T;",
+      "Coulomb friction F, rolling resistance T"
+    ),
+    assumptions = "rigid round body on a plane; centre of mass on its axis; events in C",
+    requires = "a body on an incline; any drag, any force along the slope",
+    ...,
+    adapts = TRUE,
+    ran_as = function(info) {
+      if (info$method %in% c("rk8pd", "radau")) paste0("incline_", info$method) else id
+    },
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      integrate_incline(scene, time_s, accuracy, max_steps, call, if (asked) method else 0)
+    },
+    ledger = integrated_incline_ledger
+  )
+}
+
+incline_rk8pd <- incline_integrator(
+  "incline_rk8pd", 1,
+  limits = "not before the start; not stiff: a step is at most about 6 times the shortest decay",
+  source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library"
+)
+
+incline_radau <- incline_integrator(
+  "incline_radau", 2,
+  limits = "not before the start; each step solves a system of equations",
+  source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
+)
+
+incline_models <- list(incline_exact, incline_rk8pd, incline_radau)

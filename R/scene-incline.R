@@ -25,6 +25,11 @@
 #'   start rolls.
 #' @param rolling_arm_m Arm b of the rolling resistance in m, at least 0: the normal force acts
 #'   that far ahead of the centre.
+#' @param drag_n_s_per_m,drag_n_s2_per_m2 Air drag on the centre of mass, `(c1 + c2 |v|) v` against
+#'   the velocity: c1 in N s/m and c2 in N s^2/m^2, at least 0. The motion is then integrated.
+#' @param force_n NULL, or an R function that gives a force along the slope on the centre of mass,
+#'   in N, positive down: of `time_s`, or of `time_s, x_m, v_m_per_s`, one number each.
+#' @param force_breaks_s Times where `force_n` may jump or kink.
 #' @param radius_m Radius on which the body rolls, in m; NULL for that of the body.
 #' @param v0_m_per_s,omega0_rad_per_s Velocity down the slope and angular velocity at `start_s`;
 #'   `omega0_rad_per_s = NULL` for a start that rolls, `v0/radius`.
@@ -34,7 +39,9 @@
 #'   rolling is undetermined.
 #' @return A `rot_scene_incline`, which is a `rot_scene`. Its trajectory has the columns
 #'   `r describe_columns(incline_columns)`
-#'   The error is a bound.
+#'   With air drag or a force also `r describe_columns(incline_force_columns)`
+#'   The error of the closed form is a bound. [summary()] has the largest velocities and the highest
+#'   place between the rows, too; [when()] finds the time of any value.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
 #'   Inf where a number must be finite, and a body without moment of inertia),
 #'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
@@ -48,13 +55,16 @@
 #' motion <- trajectory(lane, time_s = 0:3)
 #' motion_events(motion)
 #' audit(motion)
+#' # The highest point of a body launched uphill:
+#' when(scene_incline(ball, 10, v0_m_per_s = -3), v_m_per_s = 0)
 #' # Too little friction to roll on 60 degrees:
 #' scene_incline(body_hoop(1, 0.3), 60, static_friction = 0.5, kinetic_friction = 0.4)
 #' @export
 scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
                           kinetic_friction = static_friction, rolling_arm_m = 0, radius_m = NULL,
                           v0_m_per_s = 0, omega0_rad_per_s = NULL, x0_m = 0, theta0_rad = 0,
-                          gravity_m_per_s2 = 9.80665, start_s = 0) {
+                          drag_n_s_per_m = 0, drag_n_s2_per_m2 = 0, force_n = NULL,
+                          force_breaks_s = NULL, gravity_m_per_s2 = 9.80665, start_s = 0) {
   call <- rlang::current_env()
   check_supplied(c("body", "incline_angle_deg"), call)
   check_no_dots(...)
@@ -89,6 +99,11 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
     rolling_arm_m = check_number(rolling_arm_m, "rolling_arm_m", "m", call, lower = 0),
     x0_m = check_number(x0_m, "x0_m", "m", call), v0_m_per_s = v0,
     theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call), omega0_rad_per_s = omega0,
+    drag_n_s_per_m = check_number(drag_n_s_per_m, "drag_n_s_per_m", "N*s/m", call, lower = 0),
+    drag_n_s2_per_m2 = check_number(
+      drag_n_s2_per_m2, "drag_n_s2_per_m2", "N*s^2/m^2", call, lower = 0
+    ),
+    force = slope_force(force_n, force_breaks_s, call),
     gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0),
     start_s = check_number(start_s, "start_s", "s", call)
   )
@@ -103,6 +118,39 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
   }
   class(scene) <- c("rot_scene_incline", "rot_scene")
   scene
+}
+
+# NULL, or list(f, breaks_s, arguments).
+slope_force <- function(f, breaks_s, call) {
+  if (is.null(f)) {
+    if (!is.null(breaks_s)) {
+      abort_rotdyn("{.arg force_breaks_s} needs a {.arg force_n}.", "value", call)
+    }
+    return(NULL)
+  }
+  if (!is.function(f)) {
+    abort_rotdyn(c(
+      "{.arg force_n} must be NULL or a function of {.code time_s}, or of
+       {.code time_s, x_m, v_m_per_s}.",
+      x = "It is {describe_value(f)}."
+    ), "type", call)
+  }
+  shape <- formals(args(f))
+  required <- setdiff(names(shape)[vapply(shape, rlang::is_missing, NA)], "...")
+  if (!length(shape) || !length(required) %in% c(0:1, 3L)) {
+    abort_rotdyn(c(
+      "{.arg force_n} must be a function of {.code time_s}, or of
+       {.code time_s, x_m, v_m_per_s}.",
+      x = "It has {length(required)} argument{?s} without a default."
+    ), "type", call)
+  }
+  arguments <- if (length(required) == 3L) 3L else 1L
+  breaks_s <- if (is.null(breaks_s)) {
+    double()
+  } else {
+    sort(unique(check_finite(breaks_s, "force_breaks_s", "s", call)))
+  }
+  list(f = f, breaks_s = breaks_s, arguments = arguments)
 }
 
 # Inf is allowed, unlike in check_number().
@@ -140,6 +188,13 @@ print.rot_scene_incline <- function(x, ...) {
     " kinetic; rolling needs ",
     format(rolling_friction_coefficient(beta, x$incline_angle_deg), digits = 4), "\n",
     if (x$rolling_arm_m > 0) paste0("  arm       ", format_si(x$rolling_arm_m), " m\n"),
+    if (x$drag_n_s_per_m > 0 || x$drag_n_s2_per_m2 > 0) {
+      paste0(
+        "  air drag  ", format_si(x$drag_n_s_per_m), " N s/m, ", format_si(x$drag_n_s2_per_m2),
+        " N s^2/m^2\n"
+      )
+    },
+    if (!is.null(x$force)) "  force     an R function\n",
     "  start     v ", format_si(x$v0_m_per_s), " m/s, omega ", format_si(x$omega0_rad_per_s),
     " rad/s at ", format_si(x$start_s), " s\n",
     sep = ""

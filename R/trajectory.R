@@ -72,13 +72,22 @@ compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_step
 }
 
 # `scene` is what the user described; `fit$scene` is what is solved.
-run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, call, asked) {
+# `event_rows`: whether rows at the times of events are added, where the constraint has them.
+run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, call, asked,
+                           event_rows = TRUE) {
   record <- fit$record
   constraint <- constraint_of(scene)
   # One step for each row at least, so that many rows are not a failure.
   result <- fit$result
   if (is.null(result)) {
     result <- record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
+  }
+  if (!is.null(constraint$event_rows)) {
+    run <- function(time_s) {
+      record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
+    }
+    result <- add_event_rows(result, time_s, run, event_rows)
+    time_s <- result$columns$time_s
   }
   columns <- result$columns
   info <- result$info
@@ -126,6 +135,27 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     asked = asked,
     body = if (info$kind == "none") body_effect(fit, time_s, accuracy, max_steps, call)
   ))
+}
+
+# The result with rows at the times of its events, from the first row to the last, and the column
+# `event`: NA where there is none. A row that was asked for at such a time takes the event.
+add_event_rows <- function(result, time_s, run, add) {
+  events <- result$events
+  at <- as.double(events$time_s)
+  if (add && result$info$kind == "none" && length(time_s) > 1L) {
+    new <- setdiff(at[at > time_s[1] & at < time_s[length(time_s)]], time_s)
+    if (length(new)) {
+      with <- run(sort(c(time_s, new)))
+      if (with$info$kind == "none") result <- with
+      result$events <- events
+    }
+  }
+  times <- sort(unique(at))
+  words <- vapply(
+    split(as.character(events$event), match(at, times)), paste, "", collapse = ", "
+  )
+  result$columns$event <- unname(words)[match(result$columns$time_s, times)]
+  result
 }
 
 # Columns with values beyond double precision.
@@ -479,7 +509,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
     abort_rotdyn("Model {.val {run$model}} cannot do that: {why_not}.", "time", call)
   }
   rows <- tibble::as_tibble(run_trajectory(
-    fit, scene, times, run$accuracy, "abort", run$max_steps, call, TRUE
+    fit, scene, times, run$accuracy, "abort", run$max_steps, call, TRUE, event_rows = FALSE
   ))
   from <- rep(NA_integer_, length(time_s))
   from[sorted] <- seq_along(sorted)

@@ -164,12 +164,19 @@ measure_columns <- function(constraint) {
   unique(unlist(lapply(constraint$measures, `[[`, "columns"), use.names = FALSE))
 }
 
-truth_of_run <- function(motion, constraint) {
+truth_of_run <- function(motion, constraint, time_s) {
   run <- trajectory_run(motion)
   new_truth(
-    run$model, run$accuracy, unclass(motion)[measure_columns(constraint)], run$info$sizes,
-    run$info$error
+    run$model, run$accuracy, columns_at(motion, measure_columns(constraint), constraint, time_s),
+    run$info$sizes, run$info$error
   )
+}
+
+# Columns of a trajectory without the rows that its events added.
+columns_at <- function(motion, columns, constraint, time_s) {
+  rows <- unclass(motion)[columns]
+  if (is.null(constraint$event_rows)) return(rows)
+  lapply(rows, `[`, match(time_s, motion$time_s))
 }
 
 # Up to two, so that no model is compared with itself: closed forms first, then the cheapest
@@ -186,7 +193,7 @@ find_references <- function(scene, time_s, reference, constraint, call) {
           trajectory(scene, time_s, accuracy, model), rotdyn_error = function(e) NULL
         )
         if (is.null(motion)) next
-        found[[length(found) + 1L]] <- truth_of_run(motion, constraint)
+        found[[length(found) + 1L]] <- truth_of_run(motion, constraint, time_s)
         if (length(found) == 2L) return(found)
       }
     }
@@ -216,10 +223,12 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
   columns <- measure_columns(constraint)
   if (inherits(reference, "rot_trajectory")) {
     each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
-    if (!identical(as.double(reference$time_s), rep(time_s, each = each))) {
+    times <- as.double(reference$time_s)
+    if (!is.null(constraint$event_rows)) times <- times[match(time_s, times)]
+    if (!identical(times, rep(time_s, each = each))) {
       abort_rotdyn("The {.arg reference} must have the same times.", "size", call)
     }
-    truth <- truth_of_run(reference, constraint)
+    truth <- truth_of_run(reference, constraint, time_s)
     if (!is.finite(truth$error)) {
       abort_rotdyn("The error of the {.arg reference} is not known.", "value", call)
     }
@@ -272,7 +281,7 @@ measure_one <- function(one, scene, time_s, constraint, peers, truth, least_batc
   } else {
     model <- one$model
     go <- function() trajectory(scene, time_s, accuracy, model)
-    said <- model_report(go(), columns)
+    said <- model_report(go(), columns, constraint, time_s)
   }
   measures <- constraint$measures
   raw <- rep(NA_real_, length(measures))
@@ -320,14 +329,14 @@ is_covered <- function(found, said, reference) {
   }
 }
 
-model_report <- function(motion, columns) {
+model_report <- function(motion, columns, constraint, time_s) {
   info <- trajectory_run(motion)$info
   balance <- audit(motion)
   energy <- balance[balance$balance == "energy", ]
   sizes <- abs(c(energy$change, energy$supplied, energy$dissipated, energy$terms[[1]]$value))
   residual <- abs(energy$residual)
   list(
-    columns = unclass(motion)[columns], error = info$error,
+    columns = columns_at(motion, columns, constraint, time_s), error = info$error,
     rhs_calls = as.double(info$rhs_calls), steps = as.double(info$steps),
     rejected = as.double(info$rejected),
     energy_residual = if (length(residual) == 0L) NA_real_ else

@@ -16,7 +16,7 @@ typedef struct question {
     rot_shaft_params rotors;
     rot_clutch_params clutch;
     rot_drive_scene drive;
-    rot_incline_params incline;
+    rot_incline_scene incline;
   } scene;
   rot_query query;
 } question;

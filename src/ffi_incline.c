@@ -1,8 +1,15 @@
 #include "ffi_run.h"
 #include "ffi_scenes.h"
+#include "ffi_torque.h"
 
-rot_incline_params ffi_incline_scene(SEXP list) {
-  return (rot_incline_params){
+/* Stands for the force of a scene that is only looked at. */
+static rot_status no_call(double t, double x, double v, double *force, void *ctx) {
+  (void)t, (void)x, (void)v, (void)force, (void)ctx;
+  return ROT_ERHS;
+}
+
+rot_incline_scene ffi_incline_scene(SEXP list) {
+  const rot_incline_params slope = {
       .mass_kg = ffi_number_of(list, "mass_kg"),
       .radius_m = ffi_number_of(list, "radius_m"),
       .inertia_kg_m2 = ffi_number_of(list, "moment_of_inertia_kg_m2"),
@@ -17,11 +24,17 @@ rot_incline_params ffi_incline_scene(SEXP list) {
       .omega0_rad_per_s = ffi_number_of(list, "omega0_rad_per_s"),
       .start_s = ffi_number_of(list, "start_s"),
   };
+  return (rot_incline_scene){
+      .slope = slope,
+      .drag_n_s_per_m = ffi_number_of(list, "drag_n_s_per_m"),
+      .drag_n_s2_per_m2 = ffi_number_of(list, "drag_n_s2_per_m2"),
+      .force = Rf_isNull(ffi_element(list, "force")) ? NULL : no_call,
+  };
 }
 
 SEXP ffi_incline_run(SEXP list, SEXP time_s, SEXP progress) {
   static const char *const names[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME) ""};
-  const rot_incline_params p = ffi_incline_scene(list);
+  const rot_incline_params p = ffi_incline_scene(list).slope;
   const double *t = ffi_reals(time_s, "time_s", -1);
   const R_xlen_t rows = XLENGTH(time_s);
   rot_incline_columns out;
@@ -36,10 +49,58 @@ SEXP ffi_incline_run(SEXP list, SEXP time_s, SEXP progress) {
   return ffi_run_end(&run, status);
 }
 
+#define SUM_NEW(name)  sums.name = ffi_new_double(ledger, at++, rows);
+#define SUM_NAME(name) #name,
+
+/* `called` is NULL or list(law, stops): the force, as ffi_torque.h reads a law, and its breaks.
+ * `control` is c(accuracy, max_steps, method). The ledger has a value for each row; its `errors`
+ * are those of heat, work and impulse. */
+SEXP ffi_incline_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
+  static const char *const names[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME) ""};
+  static const char *const sum_names[] = {ROT_INCLINE_SUMS(SUM_NAME) "errors", ""};
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
+  const double steps = c[1] < 1e15 ? c[1] : 1e15; /* the conversion of 1e20 is undefined */
+  const rot_incline_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
+  rot_incline_scene scene = ffi_incline_scene(list);
+  const R_xlen_t rows = XLENGTH(time_s);
+  rot_incline_columns out;
+  rot_incline_sums sums;
+  R_xlen_t at = 1;
+  ffi_run run;
+  ffi_torque law;
+  const int calls = !Rf_isNull(called);
+  if (calls) {
+    SEXP stops = ffi_element(called, "stops");
+    law = ffi_torque_new(ffi_element(called, "law"), &run.guard);
+    scene.force = ffi_torque_call;
+    scene.ctx = &law;
+    scene.breaks_s = ffi_reals(stops, "stops", -1);
+    scene.n_breaks = (size_t)XLENGTH(stops);
+  }
+  ffi_run_begin(&run, progress);
+  SEXP columns = ffi_run_columns(&run, names);
+  SET_VECTOR_ELT(columns, 0, time_s);
+  ROT_INCLINE_COLUMNS(FFI_COLUMN_NEW)
+  SEXP ledger = Rf_mkNamed(VECSXP, (const char **)sum_names);
+  SET_VECTOR_ELT(run.out, FFI_LEDGER, ledger);
+  at = 0;
+  ROT_INCLINE_SUMS(SUM_NEW)
+  double *errors = ffi_new_double(ledger, at, 3);
+  const rot_status status = rot_incline_integrate(&scene, &options, (size_t)rows, t, &out, &sums,
+                                                  &run.events, &run.guard.hooks, &run.info);
+  errors[0] = sums.heat_error_j;
+  errors[1] = sums.work_error_j;
+  errors[2] = sums.impulse_error_n_s;
+  SEXP result = ffi_run_end(&run, status);
+  UNPROTECT(calls);
+  return result;
+}
+
 /* From span[0] to span[1]; NA where it failed. */
 SEXP ffi_incline_ledger(SEXP list, SEXP span) {
   static const char *const names[] = {ROT_INCLINE_LEDGER(FFI_NAME)};
-  const rot_incline_params p = ffi_incline_scene(list);
+  const rot_incline_params p = ffi_incline_scene(list).slope;
   const double *x = ffi_reals(span, "span", 2);
   rot_incline_ledger ledger;
   const rot_status status = rot_incline_flows(&p, x[0], x[1], &ledger);

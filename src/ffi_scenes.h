@@ -7,14 +7,14 @@
 #include "rot_axle_scene.h"
 #include "rot_clutch.h"
 #include "rot_drive.h"
-#include "rot_incline.h"
+#include "rot_incline_ode.h"
 #include "rot_shaft.h"
 
 /* With all its breaks, and with those in `breaks_s` (NULL: no others). */
 rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
 rot_shaft_params ffi_shaft_scene(SEXP scene);
 rot_clutch_params ffi_clutch_scene(SEXP scene);
-rot_incline_params ffi_incline_scene(SEXP scene);
+rot_incline_scene ffi_incline_scene(SEXP scene);
 /* Whether the list is a term of a torque law that the core may read. */
 int ffi_term_fits(SEXP list);
 /* Its R functions are only marked, not called. */

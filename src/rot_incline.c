@@ -37,6 +37,15 @@ static double of_normal(double coefficient, double normal) {
   return normal > 0.0 ? coefficient * normal : 0.0;
 }
 
+/* The rounding of the products, and that of the angle, by which the tangent changes by
+ * angle/(sin cos) as much: at its critical angle the body rolls. */
+double rot_incline_holds(double angle_deg) {
+  const double sine = rot_sin_deg(angle_deg), cosine = rot_cos_deg(angle_deg);
+  const double holds = 1.0 + 16.0 * ROT_EPS;
+  if (sine * cosine == 0.0) return holds;
+  return holds + 2.0 * ROT_EPS * fabs(angle_deg * 0.017453292519943295 / sine) / cosine;
+}
+
 static void begin(incline *c, const rot_incline_params *p) {
   const double sine = rot_sin_deg(p->angle_deg), cosine = rot_cos_deg(p->angle_deg);
   const double normal = p->gravity_m_per_s2 * cosine, v0 = p->v0_m_per_s;
@@ -50,12 +59,7 @@ static void begin(incline *c, const rot_incline_params *p) {
   c->slides = of_normal(p->mu_kinetic, normal);
   c->grips = of_normal(p->mu_static, normal);
   c->resists = of_normal(p->arm_m / p->radius_m, normal);
-  /* The rounding of the products, and that of the angle, by which the tangent changes by
-   * angle/(sin cos) as much: at its critical angle the body rolls. */
-  c->holds = 1.0 + 16.0 * ROT_EPS;
-  if (sine * cosine != 0.0) {
-    c->holds += 2.0 * ROT_EPS * fabs(p->angle_deg * 0.017453292519943295 / sine) / cosine;
-  }
+  c->holds = rot_incline_holds(p->angle_deg);
   c->time_s = p->start_s;
   c->v = v0;
   c->w = w0;

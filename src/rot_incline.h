@@ -74,6 +74,9 @@ typedef struct rot_incline_ledger {
 rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double to_s,
                              rot_incline_ledger *ledger);
 
+/* How much larger than what friction holds a force may be and is held: the rounding of both. */
+double rot_incline_holds(double angle_deg);
+
 /* The steepest angle in degrees at which a body of this beta = I/(m R^2) rolls from rest. */
 double rot_incline_critical_deg(double beta, double mu_static);
 

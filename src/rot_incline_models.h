@@ -4,7 +4,7 @@
 
 #include "rot_model.h"
 
-/* Its scene is a rot_incline_params. */
+/* Its scene is a rot_incline_scene. */
 extern const rot_constraint rot_incline_constraint;
 
 #endif

@@ -8,6 +8,11 @@ test_that("a bowling ball slides, then rolls", {
   )
   motion <- trajectory(lane, c(0, 1, 1.2429031765, 3))
   expect_named(motion, incline_columns)
+  # The event has a row of its own, between those asked for.
+  expect_equal(motion$event, c(NA, NA, "roll", NA, NA))
+  expect_equal(motion$x_m[3], 8.629299196, tolerance = 1e-9)
+  expect_identical(motion$slip_speed_m_per_s[3], 0)
+  motion <- motion[is.na(motion$event), ]
   expect_equal(8.1 - motion$v_m_per_s[2], 1.862, tolerance = 1e-14)
   expect_equal(motion$omega_rad_per_s[2], 42.31818182, tolerance = 1e-9)
   expect_equal(motion_events(motion)$event, "roll")
@@ -44,10 +49,11 @@ test_that("the sphere of Drake's test, and rows of University Physics", {
   up <- scene_incline(
     body_spherical_shell(1, 0.1), 30, v0_m_per_s = -7, gravity_m_per_s2 = 9.8
   )
-  motion <- trajectory(up, c(0, 2.380952380952381, 5))
+  motion <- trajectory(up, c(0, 5))
   expect_equal(motion_events(motion)$time_s, 2.380952381, tolerance = 1e-9)
-  expect_equal(motion_events(motion)$event, "reverse")
+  expect_equal(motion$event, c(NA, "reverse", NA))
   expect_equal(motion$x_m[2], -8.333333333, tolerance = 1e-9)
+  expect_equal(summary(motion)$highest_x_m, -8.333333333, tolerance = 1e-9)
 })
 
 test_that("the table of slip to roll, as a user would call it", {
@@ -62,6 +68,7 @@ test_that("the table of slip to roll, as a user would call it", {
     )
     rolls <- is.finite(r$t_roll) && r$mu >= r$mu_needed_to_keep_rolling
     motion <- trajectory(scene, if (rolls) r$t_roll * c(1, 1.001) else 100)
+    motion <- motion[match(if (rolls) r$t_roll * c(1, 1.001) else 100, motion$time_s), ]
     events <- motion_events(motion)
     expect_identical("roll" %in% events$event, rolls)
     if (!rolls) next
@@ -84,8 +91,9 @@ test_that("an uphill launch with back-spin: rows do not depend on each other", {
     omega0_rad_per_s = 30, rolling_arm_m = 0.005
   )
   time <- seq(0, 8, by = 0.25)
-  motion <- trajectory(up, time)
-  expect_equal(motion_events(motion)$event, c("roll", "reverse"))
+  whole <- trajectory(up, time)
+  expect_equal(motion_events(whole)$event, c("roll", "reverse"))
+  motion <- whole[match(time, whole$time_s), ]
   expect_identical(trajectory(up, time[20])$x_m, motion$x_m[20])
   expect_identical(predict(motion, time[c(9, 3)])$v_m_per_s, motion$v_m_per_s[c(9, 3)])
   expect_lte(run_of(motion)$info$error, 1e-13)
@@ -107,6 +115,8 @@ test_that("audits balance, friction stays in its cone, in random scenes", {
     )
     motion <- trajectory(scene, seq(-1, 4, length.out = 41))
     expect_true(all(audit(motion)$verdict == "balanced"))
+    events <- motion_events(motion)
+    expect_true(all(events$time_s[events$time_s <= 4] %in% motion$time_s[!is.na(motion$event)]))
     normal <- scene$mass_kg * 9.80665 * cos(scene$incline_angle_deg * pi / 180)
     expect_lte(max(abs(motion$friction_force_n)), mu * normal * (1 + 1e-13))
     expect_true(all(motion$friction_force_n * motion$slip_speed_m_per_s <= 0))
@@ -128,7 +138,7 @@ test_that("before the start, and no rows", {
 
 test_that("every verb knows the incline", {
   scene <- scene_incline(ball(), 10, static_friction = 0.2, rolling_arm_m = 1e-3)
-  expect_equal(choose_model(scene, 0:3)$model, "incline_exact")
+  expect_equal(choose_model(scene, 0:3)$model[1], "incline_exact")
   motion <- trajectory(scene, 0:3)
   known <- rotdyn_columns()$name
   for (table in list(motion, summary(motion), augment(motion), work_precision(scene, 0:3))) {
@@ -138,4 +148,109 @@ test_that("every verb knows the incline", {
   expect_error(trajectory(scene, 0:3, accuracy = 1e-16), class = "rotdyn_error_accuracy")
   skip_if_not_installed("ggplot2")
   expect_s3_class(ggplot2::autoplot(motion), "ggplot")
+})
+
+test_that("rows of events: one for each, none twice, and every verb keeps them", {
+  up <- scene_incline(
+    ball(), 20, static_friction = 0.3, kinetic_friction = 0.2, v0_m_per_s = -3,
+    omega0_rad_per_s = 20
+  )
+  motion <- trajectory(up, seq(0, 3, by = 0.5))
+  at <- motion_events(motion)$time_s
+  expect_identical(motion$time_s, sort(c(seq(0, 3, by = 0.5), at)))
+  expect_identical(motion$event[motion$time_s %in% at], c("roll", "reverse"))
+  # Asked for, it is there as often as it was asked for; outside the rows it is not.
+  expect_identical(trajectory(up, c(0, at[1], at[1], 3))$time_s, c(0, at[1], at[1], at[2], 3))
+  expect_identical(nrow(trajectory(up, c(1, 3))), 2L)
+  expect_identical(trajectory(up, at[1])$event, "roll")
+  # Other rows do not change.
+  expect_identical(motion[motion$time_s == 2, "x_m"], trajectory(up, 2)[1, "x_m"])
+  rest <- motion[is.na(motion$event), ]
+  expect_s3_class(rest, "rot_trajectory")
+  expect_true(all(audit(rest)$verdict == "balanced"))
+  expect_identical(nrow(augment(motion)), nrow(motion))
+  there <- predict(motion, rev(c(0.1, at)))
+  expect_identical(there$event, c("reverse", "roll", NA))
+  expect_identical(there$time_s, rev(c(0.1, at)))
+  # Two events at one time are one row: over-spin that stops and turns back.
+  measured <- work_precision(up, seq(0, 3, by = 0.5), accuracies = 1e-9, least_batch_s = 1e-3)
+  expect_setequal(measured$model, c("incline_exact", "incline_rk8pd", "incline_radau"))
+  expect_true(all(measured$true_error <= 1e-9))
+  expect_true(all(measured$covered %in% c(TRUE, NA)))
+})
+
+test_that("when() and the summary find what lies between the rows", {
+  # v = -3 + g sin t/1.4 (rolling): up to 0.857 s, then down.
+  up <- scene_incline(ball(), 30, v0_m_per_s = -3, gravity_m_per_s2 = 9.8)
+  a <- 9.8 * 0.5 / 1.4
+  motion <- trajectory(up, c(0, 5))
+  expect_equal(when(motion, v_m_per_s = 0)$time_s, 3 / a, tolerance = 1e-14)
+  expect_equal(when(up, x_m = 0, occurrence = "all", until_s = 9)$time_s, c(0, 6 / a),
+    tolerance = 1e-13)
+  expect_equal(when(up, x_m = -1)$time_s, (3 - sqrt(9 - 2 * a)) / a, tolerance = 1e-13)
+  s <- summary(motion)
+  expect_equal(c(s$highest_x_m, s$highest_x_time_s), c(-4.5 / a, 3 / a), tolerance = 1e-13)
+  expect_equal(c(s$max_v_m_per_s, s$max_v_time_s), c(-3 + 5 * a, 5), tolerance = 1e-14)
+  # Back-spin: omega is largest at the start, v at the end of the slip.
+  lane <- scene_incline(ball(), 0, static_friction = 0.2, omega0_rad_per_s = 40)
+  s <- summary(trajectory(lane, c(0, 5)))
+  expect_equal(s$max_angular_velocity_rad_per_s, 40)
+  expect_equal(s$max_v_m_per_s, 0.4 / 1.4 * 0.11 * 40, tolerance = 1e-14)
+  expect_identical(when(lane, x_m = -1)$time_s, NA_real_)
+})
+
+test_that("air drag: the closed form of rolling with quadratic drag", {
+  # M v' = m g sin - c v^2, M = 1.4 m: v = vt tanh(c vt t/M), x = M/c log cosh(...)
+  scene <- scene_incline(ball(), 30, drag_n_s2_per_m2 = 0.5, gravity_m_per_s2 = 9.8)
+  motion <- trajectory(scene, 0:8, accuracy = 1e-11)
+  expect_identical(run_of(motion)$model, "incline_rk8pd")
+  top <- sqrt(6 * 9.8 * 0.5 / 0.5)
+  s <- 0.5 * top * (0:8) / 8.4
+  expect_equal(motion$v_m_per_s, top * tanh(s), tolerance = 1e-11)
+  expect_equal(motion$x_m, 8.4 / 0.5 * log(cosh(s)), tolerance = 1e-11)
+  expect_equal(motion$drag_force_n, -0.5 * motion$v_m_per_s^2, tolerance = 1e-14)
+  expect_true(all(audit(motion)$verdict == "balanced"))
+  expect_equal(when(scene, v_m_per_s = 5)$time_s, 8.4 / 0.5 / top * atanh(5 / top),
+    tolerance = 1e-8)
+  ledger <- augment(motion)
+  expect_equal(ledger$dissipated_j, motion$drag_heat_j)
+  expect_setequal(setdiff(names(ledger), rotdyn_columns()$name), character())
+  # A rate that is wrong shows.
+  motion$v_m_per_s[9] <- motion$v_m_per_s[9] * (1 + 1e-6)
+  expect_equal(audit(motion)$verdict[1:2], c("unbalanced", "unbalanced"))
+})
+
+test_that("a force of one's own: it breaks the rest, then the grip", {
+  # On a level floor: rolls from F = m g b/R, slips from (beta F/m + g b/R)/(1 + beta) = mu_s g.
+  push <- scene_incline(
+    ball(), 0, static_friction = 0.3, kinetic_friction = 0.2, rolling_arm_m = 0.0022,
+    force_n = function(time_s) 20 * time_s, gravity_m_per_s2 = 10
+  )
+  motion <- trajectory(push, 0:5)
+  expect_equal(motion_events(motion)$event, c("roll", "slip"))
+  expect_equal(motion_events(motion)$time_s, c(6 * 0.2 / 20, 6 * (3 * 1.4 - 0.2) / 0.4 / 20),
+    tolerance = 1e-10)
+  expect_true(all(audit(motion)$verdict == "balanced"))
+  expect_equal(motion$applied_force_n, 20 * motion$time_s, tolerance = 1e-14)
+  # Of the state: a spring, m' x'' = -k x with 1.4 times the mass.
+  spring <- scene_incline(
+    ball(), 0, v0_m_per_s = 1, force_n = function(time_s, x_m, v_m_per_s) -8.4 * 4 * x_m
+  )
+  swing <- trajectory(spring, seq(0, 6, by = 0.5), accuracy = 1e-10)
+  asked <- is.na(swing$event)
+  expect_equal(swing$x_m[asked], sin(2 * swing$time_s[asked]) / 2, tolerance = 1e-9)
+  expect_equal(motion_events(swing)$time_s, pi / 4 + pi / 2 * 0:3, tolerance = 1e-9)
+  expect_error(
+    trajectory(scene_incline(ball(), 0, force_n = function(time_s) "a"), 0:1), "one number in N",
+    class = "rotdyn_error_torque"
+  )
+  expect_error(
+    trajectory(scene_incline(ball(), 0, force_n = function(time_s) NaN), 0:1),
+    class = "rotdyn_error_rhs"
+  )
+  expect_error(scene_incline(ball(), 0, force_n = 3), class = "rotdyn_error_type")
+  expect_error(scene_incline(ball(), 0, force_n = function(a, b) 1), class = "rotdyn_error_type")
+  expect_error(scene_incline(ball(), 0, force_breaks_s = 3), class = "rotdyn_error_value")
+  expect_error(scene_incline(ball(), 0, drag_n_s_per_m = -1), class = "rotdyn_error_value")
+  expect_output(print(push), "an R function")
 })
