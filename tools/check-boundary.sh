@@ -116,6 +116,7 @@ layers='
 4 clutch      clutch*
 4 rolling     rolling
 4 incline     incline*
+4 free        free*
 4 impact      impact*
 4 energy      energy
 4 kinematics  kinematics

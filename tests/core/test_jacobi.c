@@ -156,7 +156,38 @@ static void test_identities(void) {
   }
 }
 
+/* mpmath, 30 digits: x, y, z, p, R_J. */
+static void check_carlson_rj(void) {
+  static const double values[][5] = {
+      {1.0, 0.5, 0.25, 2.0, 1.0731604225317309099},
+      {0.9, 1.0, 1.0, 1.1, 0.97358409069854902719},
+      {1e-06, 2e-06, 1.0, 1.0, 19.238072376879173048},
+      {0.0, 0.3, 1.0, 1.7, 2.3310746699381848029},
+      {1e-12, 2e-12, 1.0, 1.5e-12, 1019510728342.3997832},
+      {0.0, 1e-20, 1.0, 1.0, 70.23643587318104246},
+      {0.2, 0.7, 1.0, 0.4, 2.9320298172935480726},
+      {0.0, 1e-08, 1.0, 5e-09, 471238884.07161401594},
+  };
+  /* m1, p, the mean of sn^2/(1 + (p - 1) sn^2) by Legendre's integrals. */
+  static const double means[][3] = {
+      {0.5, 2.0, 0.3133354430994469358},     {0.5, 1.0, 0.54305341895553637463},
+      {1e-06, 1.5, 0.59670347699940517321},  {0.999, 1.25, 0.42234110513632906739},
+      {1e-12, 1e-12, 65781662461.509914539}, {1.0, 1.5, 0.36700683814454793454},
+      {0.3, 0.2, 1.8897953839463367585},
+  };
+  for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+    const double *v = values[i];
+    ROT_CHECK_REL(rot_carlson_rj(v[0], v[1], v[2], v[3]), v[4], 8.0 * ROT_EPS);
+  }
+  for (size_t i = 0; i < sizeof means / sizeof *means; i++) {
+    const rot_dd m1 = {means[i][0], 0.0}, p = {means[i][1], 0.0};
+    ROT_CHECK_ULP(rot_jacobi_mean(m1, p).hi, means[i][2], 1);
+  }
+  ROT_CHECK(rot_jacobi_mean((rot_dd){0.0, 0.0}, (rot_dd){4.0, 0.0}).hi == 0.25);
+}
+
 int main(void) {
+  check_carlson_rj();
   test_table();
   test_shared();
   test_limits();
