@@ -69,8 +69,8 @@ static void turn_by_quarters(int quarters, double *c, double *s) {
 }
 
 /* Half of the angle chi about the reference axis z and half of the angle theta from L to it, for L
- * with (l_x, l_y) = rho (sin chi, cos chi). chi is an offset and an angle between -pi/2 and pi/2, so
- * that it is continuous: the offset is that of the component that does not change its sign. */
+ * with (l_x, l_y) = rho (sin chi, cos chi). chi is an offset and an angle between -pi/2 and pi/2,
+ * so that it is continuous: the offset is that of the component that keeps its sign. */
 static void angles_of(const rot_free_motion *m, const double l[3], double *cos_theta,
                       double *sin_theta, double *cos_chi, double *sin_chi) {
   const int x = (m->r + 1) % 3, y = (m->r + 2) % 3, lead = m->lead;
@@ -97,8 +97,8 @@ typedef struct constants {
 } constants;
 
 /* psi' = L/I_lead - g sn^2/(1 + nu sn^2), of the axes that are not the reference axis. That is the
- * axis of the smaller largest component of L, so that L is at least 45 degrees from it, and nu <= 1.
- * Written with L/I of the reference axis, two large terms would cancel in a thin rod. */
+ * axis of the smaller largest component of L, so that L is at least 45 degrees from it, and
+ * nu <= 1. Written with L/I of the reference axis, two large terms would cancel in a thin rod. */
 static void begin_psi(const constants *k, rot_dd away, rot_free_motion *out) {
   const rot_dd one = {1.0, 0.0};
   const int by_o = k->largest_o.hi <= k->largest_c.hi;

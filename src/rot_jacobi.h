@@ -25,11 +25,12 @@ double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u);
 /* Carlson's R_F of x, y, z >= 0, at most one of them 0. */
 double rot_carlson_rf(double x, double y, double z);
 
-/* Carlson's R_J of x, y, z >= 0, at most one of them 0, and p > 0 with (p - x)(p - y)(p - z) >= 0. */
+/* Carlson's R_J of x, y, z >= 0, at most one of them 0, and p > 0 with
+ * (p - x)(p - y)(p - z) >= 0. */
 double rot_carlson_rj(double x, double y, double z, double p);
 
-/* The mean over K of sn^2/(1 + (p - 1) sn^2), p > 0, to 2^-90; 1/p at m1 = 0. Its integral from 0 to
- * u is sn^3/3 R_J(cn^2, dn^2, 1, 1 + (p - 1) sn^2). */
+/* The mean over K of sn^2/(1 + (p - 1) sn^2), p > 0, to 2^-90; 1/p at m1 = 0. Its integral from 0
+ * to u is sn^3/3 R_J(cn^2, dn^2, 1, 1 + (p - 1) sn^2). */
 rot_dd rot_jacobi_mean(rot_dd m1, rot_dd p);
 
 /* The argument |u| <= K at which the functions have these values, cn >= 0: sn R_F(cn^2, dn^2, 1). A

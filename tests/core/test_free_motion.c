@@ -101,11 +101,10 @@ static void check_against_integration(void) {
   uint64_t seed = 1;
   double worst = 0.0;
   for (int i = 0; i < 60; i++) {
-    double moment[3], omega[3], sum = 0.0;
+    double moment[3], omega[3];
     for (int k = 0; k < 3; k++) {
       moment[k] = i % 3 == 1 && k ? moment[0] * (1.0 + 1e-9 * draw(&seed)) : 0.2 + draw(&seed);
       omega[k] = 2.0 * draw(&seed) - 1.0;
-      sum += moment[k];
     }
     if (i % 4 == 0) moment[2] = moment[0] + moment[1]; /* a plate */
     if (i % 5 == 0) omega[i % 3] = 0.0;
@@ -131,7 +130,7 @@ static void check_against_integration(void) {
   printf("against integration: %.2e rad\n", worst);
 }
 
-/* ---- by hand ---------------------------------------------------------------------------------- */
+/* ---- by hand --------------------------------------------------------------------------------- */
 
 static void check_steady(void) {
   const double ball[3] = {2.0, 2.0, 2.0}, any[3] = {1.0, 2.0, 3.0}, w[3] = {0.3, -0.4, 1.2};
@@ -213,7 +212,7 @@ static void check_separatrix(void) {
   }
 }
 
-/* ---- invariances ------------------------------------------------------------------------------ */
+/* ---- invariances ----------------------------------------------------------------------------- */
 
 /* Moments and rates times a power of two: the same attitude at the scaled time, to the last bit. */
 static void check_scaling(void) {
