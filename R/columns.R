@@ -241,6 +241,52 @@ column_list <- list(
   c("reach_m", "m", "distance from the centre of mass to the farthest point; NA if unknown"),
   c("body", "", "the body, or NULL"),
   c("fault", "", "the condition that fails; NA if none"),
+  c("load", "", "name of the load"),
+  c("support", "", "name of the support"),
+  c("fx_n", "N", "force along x"),
+  c("fy_n", "N", "force along y"),
+  c("fz_n", "N", "force along z"),
+  c("torque_n_m", "N m", "couple, counter-clockwise; of a resultant, its torque about the point"),
+  c("torque_x_n_m", "N m", "x component of the couple or torque"),
+  c("torque_y_n_m", "N m", "its y component"),
+  c("torque_z_n_m", "N m", "its z component"),
+  c("torque_about_n_m", "N m", "torque about the point, counter-clockwise"),
+  c("torque_about_x_n_m", "N m", "x component of the torque about the point"),
+  c("torque_about_y_n_m", "N m", "its y component"),
+  c("torque_about_z_n_m", "N m", "its z component"),
+  c("lever_arm_m", "m", "distance of the force's line of action from the point; NA without force"),
+  c("force_n", "N", "size of the force"),
+  c("axis_x_m", "m", "x of the central axis where it is nearest to the point of reference"),
+  c("axis_y_m", "m", "its y"),
+  c("axis_z_m", "m", "its z"),
+  c("couple_n_m", "N m", "the couple along the central axis, positive along the force"),
+  c("pitch_m", "m", "couple/force of the wrench"),
+  c("force_error_n", "N", "bound of the force's error, for half an ulp of each number given"),
+  c("torque_error_n_m", "N m", "the same of the torque"),
+  c("normal_n", "N", "push along the normal; pull of a cable or rod"),
+  c("friction_n", "N", "friction of the support"),
+  c("friction_needed", "1", "friction over push: the least coefficient that holds"),
+  c("sliding_margin", "1", "1 - friction needed/coefficient: 0 where it slides"),
+  c("tipping_margin_n", "N", "least push of a surface or pull of a cable: 0 where it tips"),
+  c("determined", "", "whether equilibrium determines the reaction"),
+  c("error_n", "N", "error of the forces: a bound for half an ulp of each number given"),
+  c("error_n_m", "N m", "the same of the couples"),
+  c("state", "", "of a support: \"holds\", \"lifts\", \"slack\" or \"slides\""),
+  c("unknowns", "1", "number of unknown reactions"),
+  c("rank", "1", "number of independent equations"),
+  c("redundant", "1", "unknowns - rank"),
+  c("free_motions", "1", "number of independent motions that no support prevents"),
+  c("condition_number", "1", "largest over smallest singular value that is not 0"),
+  c("motion", "", "the motion that begins or is free; NA if none"),
+  c("residual_force_n", "N", "sum of all forces"),
+  c("residual_torque_n_m", "N m", "sum of all torques about the first support"),
+  c("component", "", "the reaction: along an axis, normal or tension"),
+  c("lowest", "", "the least value with which the body can rest, in the same unit"),
+  c("highest", "", "the largest"),
+  c("lowest_factor", "1", "least factor on the load with which the body can rest"),
+  c("highest_factor", "1", "the largest"),
+  c("below", "", "verdict below the least factor"),
+  c("above", "", "verdict above the largest"),
   c("check", "", "result of check_inertia(); NULL without inertia")
 )
 
@@ -371,3 +417,19 @@ gear_columns <- c(
   "shaft", "ratio_to_first", "moment_of_inertia_kg_m2", "reflected_inertia_kg_m2",
   "reflected_viscous_n_m_s", "reflected_torque_n_m"
 )
+resultant_columns <- c(
+  "force_n", "axis_x_m", "axis_y_m", "axis_z_m", "couple_n_m", "pitch_m", "force_error_n",
+  "torque_error_n_m"
+)
+equilibrium_columns <- c(
+  "support", "kind", "force_n", "normal_n", "friction_n", "friction_needed", "sliding_margin",
+  "determined", "error_n", "error_n_m", "state"
+)
+equilibrium_summary_columns <- c(
+  "verdict", "unknowns", "rank", "redundant", "free_motions", "condition_number",
+  "tipping_margin_n", "sliding_margin", "motion", "residual_force_n", "residual_torque_n_m"
+)
+reaction_columns <- c(
+  "support", "component", "value", "unit", "determined", "lowest", "highest", "error"
+)
+load_factor_columns <- c("load", "lowest_factor", "highest_factor", "below", "above")

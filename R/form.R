@@ -91,6 +91,29 @@ run_form <- list(
   events = list(.optional = TRUE, time_s = "numbers", event = "texts=time_s")
 )
 
+support_form <- list(
+  .class = "rot_support", kind = "text", name = "text", at_m = "numbers", normal = "numbers",
+  to_m = "numbers", friction = "limit", slides = "flag"
+)
+
+# The attribute of a static equilibrium.
+rest_form <- list(
+  reaction = "numbers", error = "values=reaction", determined = "flags=reaction",
+  lowest = "values=reaction", highest = "values=reaction", sigma = "numbers",
+  about_m = "numbers:3", velocity = "numbers:3", omega = "numbers:3", equations = "count",
+  rank = "count", driven = "flag", rests = "flag", sticks = "flag", projected = "flag",
+  residual_force = "values:1", residual_torque = "values:1", outline = "list", name = "text",
+  structure = list(
+    loads = "list", supports = list(.each = support_form), owner = "numbers=component",
+    component = "texts", problem = list(
+      plane = "number", at = "numbers", from = "numbers=at", to = "numbers=at",
+      is_couple = "numbers", one_sided = "numbers=is_couple", first = "numbers",
+      normal = "numbers", friction = "limits", load_at = "numbers", load_force = "numbers=load_at",
+      load_couple = "numbers=load_at", rank_tolerance = "number"
+    )
+  )
+)
+
 # `what`: the object in words.
 check_form <- function(x, form, arg, what, call) {
   fault <- .Call(ffi_form_fault, x, form)

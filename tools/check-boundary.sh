@@ -108,7 +108,7 @@ grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
 # Layers of one level exclude each other. The first line that matches counts.
 layers='
 1 ground      status real dd pair wide search column gauss clock
-2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau
+2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex
 3 engine      ode* events march torque term model
 4 body        inertia points shapes* density mesh* vertices
 4 axle        axle*
@@ -118,6 +118,7 @@ layers='
 4 incline     incline*
 4 free        free*
 4 impact      impact*
+4 statics     statics
 4 energy      energy
 4 kinematics  kinematics
 5 drive       drive*

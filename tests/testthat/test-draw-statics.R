@@ -1,0 +1,59 @@
+skip_if_not_installed("ggplot2")
+
+crane <- function() {
+  static_equilibrium(
+    forces(
+      load_weight(100, c(2, 0), name = "jib"), load_force(c(0, -5000), c(4, 0), name = "load")
+    ),
+    list(foot = support_pin(c(0, 0)), cable = support_cable(c(3, 0), to_m = c(0, 3)))
+  )
+}
+drawing_of <- function(x) draw_statics(attr(x, "rest"))
+arrows <- function(drawing) {
+  ends <- Filter(function(one) one$type == "arrow", drawing$marks)
+  t(vapply(ends, function(one) one$points[nrow(one$points), ] - one$points[1, ], numeric(2)))
+}
+
+test_that("every force has an arrow along it, and a key", {
+  drawing <- drawing_of(crane())
+  expect_equal(drawing$quantities$symbol, c("F[1]", "F[2]", "R[1]", "R[2]"))
+  expect_equal(drawing$quantities$name, c("jib", "load", "foot", "cable"))
+  expect_equal(drawing$quantities$value[1:2], c("980.7 N down", "5000 N down"))
+  way <- arrows(drawing)
+  unit <- way / sqrt(rowSums(way^2))
+  expect_equal(unit[1, ], c(0, -1))
+  # The cable pulls up and to the left at 45 degrees; larger forces have longer arrows.
+  expect_equal(unit[4, ], c(-1, 1) / sqrt(2))
+  expect_equal(order(rowSums(way^2)), c(1L, 2L, 3L, 4L))
+})
+
+test_that("couples turn as their sign, space is oblique, and all is drawn without a warning", {
+  clamped <- function(couple) {
+    static_equilibrium(load_couple(couple, c(1, 0)), support_fixed(c(0, 0), name = "wall"))
+  }
+  ends <- function(x) {
+    turn <- Filter(function(one) one$type == "arrow", drawing_of(x)$marks)[[1]]$points
+    turn[2, 2] - turn[1, 2]
+  }
+  expect_gt(ends(clamped(3)) * -ends(clamped(-3)), 0)
+  expect_equal(drawing_of(clamped(3))$quantities$value, c("3 N m", "-3 N m"))
+  door <- static_equilibrium(
+    load_weight(25, c(0.4, 0, 1)),
+    list(bottom = support_pin(c(0, 0, 0.2)), top = support_pin(c(0, 0, 1.8))),
+    outline_m = cbind(c(0, 0.8, 0.8, 0, 0), 0, c(0, 0, 2, 2, 0)), name = "door"
+  )
+  expect_match(drawing_of(door)$note, "minimum norm")
+  hinged <- static_equilibrium(
+    load_force(c(0, 0, -60), c(0.5, 1, 0)),
+    list(support_hinge(c(0, 0, 0), c(1, 0, 0)), support_rod(c(0, 1, 0), c(0, 0, 1)))
+  )
+  one <- static_equilibrium(load_weight(1, c(0, 0)), support_surface(c(0, 0), friction = 1))
+  none <- static_equilibrium(forces(), support_pin(c(1, 1)))
+  for (x in list(crane(), clamped(3), door, hinged, one, none)) {
+    plot <- ggplot2::autoplot(x)
+    expect_silent(ggplot2::ggplotGrob(plot))
+    expect_match(plot$labels$alt, "^Drawing[.]")
+  }
+  expect_match(ggplot2::autoplot(door)$labels$title, "Door: rests")
+  expect_error(ggplot2::autoplot(door, size = 2), class = "rotdyn_error_argument")
+})

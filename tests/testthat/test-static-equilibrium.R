@@ -1,0 +1,299 @@
+g <- 9.80665
+reaction <- function(x, support) unlist(x[x$support == support, c("fx_n", "fy_n")])
+
+beam <- function() {
+  static_equilibrium(
+    forces(load_weight(20, c(2, 0), name = "beam"), load_weight(50, c(1, 0), name = "box")),
+    list(left = support_pin(c(0, 0)), right = support_roller(c(4, 0)))
+  )
+}
+
+# A ladder of 5 m at an angle, with a man on it at a share of its length.
+ladder <- function(friction, share = 0.8, wall = 0, man = 70) {
+  top <- 5 * c(cospi(1 / 3), sinpi(1 / 3))
+  static_equilibrium(
+    forces(load_weight(12, top / 2, name = "ladder"), load_weight(man, share * top, name = "man")),
+    list(
+      floor = support_surface(c(0, 0), friction = friction),
+      wall = support_surface(top, normal = c(-1, 0), friction = wall)
+    )
+  )
+}
+
+block <- function(push, friction, height = 1.5) {
+  static_equilibrium(
+    forces(load_weight(10, c(0.5, 1)), push = load_force(c(push, 0), c(0, height))),
+    list(
+      left = support_surface(c(0, 0), friction = friction),
+      right = support_surface(c(1, 0), friction = friction)
+    )
+  )
+}
+
+test_that("lever, see-saw, beam: by hand", {
+  # 800 N at 0.3 m are lifted by 200 N at 1.2 m; the fulcrum bears both.
+  lever <- static_equilibrium(
+    forces(load_force(c(0, -800), c(-0.3, 0)), load_force(c(0, -200), c(1.2, 0))),
+    support_pin(c(0, 0), name = "fulcrum")
+  )
+  expect_equal(reaction(lever, "fulcrum"), c(fx_n = 0, fy_n = 1000))
+  expect_equal(summary(lever)$verdict, "rests")
+  expect_equal(summary(lever)$free_motions, 1)
+  # 30 kg at 2 m against 40 kg at 1.5 m; 41 kg turn it down on the right.
+  seesaw <- function(mass) {
+    static_equilibrium(
+      forces(load_weight(30, c(-2, 0)), boy = load_weight(mass, c(1.5, 0))), support_pin(c(0, 0))
+    )
+  }
+  expect_equal(reaction(seesaw(40), "pin")[["fy_n"]], 70 * g)
+  expect_equal(summary(seesaw(41))$verdict, "moves")
+  expect_equal(summary(seesaw(41))$motion, "rotation about (0, 0) m, clockwise")
+  expect_match(summary(seesaw(39))$motion, "counter-clockwise")
+  expect_equal(unlist(load_factors(seesaw(40))[2, 2:3]), c(1, 1), ignore_attr = TRUE)
+  # Torques about the left end: 4 R = 2 20 g + 1 50 g.
+  expect_equal(reaction(beam(), "right")[["fy_n"]], 22.5 * g, tolerance = 1e-15)
+  expect_equal(reaction(beam(), "left")[["fy_n"]], 47.5 * g, tolerance = 1e-15)
+  expect_equal(beam()$normal_n, c(NA, 22.5 * g))
+})
+
+test_that("a ladder: the friction that it needs", {
+  # About the foot: N_wall 5 sin 60 = 12 g 2.5 cos 60 + 70 g 4 cos 60.
+  wall <- (12 * 2.5 + 70 * 4) * g * 0.5 / (5 * sqrt(0.75))
+  held <- ladder(0.5)
+  expect_equal(held$normal_n, c(82 * g, wall), tolerance = 1e-14)
+  expect_equal(held$friction_n[1], wall, tolerance = 1e-14)
+  expect_equal(held$friction_needed[1], wall / (82 * g), tolerance = 1e-14)
+  expect_equal(held$sliding_margin[1], 1 - wall / (82 * g) / 0.5, tolerance = 1e-13)
+  expect_equal(summary(held)$tipping_margin_n, wall, tolerance = 1e-14)
+  expect_equal(reaction(held, "floor"), c(fx_n = wall, fy_n = 82 * g), tolerance = 1e-14)
+  needed <- held$friction_needed[1]
+  expect_equal(summary(ladder(needed * (1 + 1e-12)))$verdict, "rests")
+  slipping <- ladder(needed * (1 - 1e-9))
+  expect_equal(summary(slipping)$verdict, "slides")
+  expect_equal(slipping$state, c("slides", "holds"))
+  # It turns about the point where the two normals meet: above the foot, beside the top.
+  expect_equal(summary(slipping)$motion, "rotation about (0, 4.33) m, clockwise")
+  # With friction 0.4 the man stands where his torque is 0.4 82 g 5 sin 60 - 12 g 1.25.
+  share <- (0.4 * 82 * 5 * sqrt(0.75) - 12 * 1.25) / (70 * 2.5)
+  expect_equal(summary(ladder(0.4, share - 1e-9))$verdict, "rests")
+  expect_equal(summary(ladder(0.4, share + 1e-9))$verdict, "slides")
+})
+
+test_that("a ladder with friction at the wall, too, is redundant: ranges by hand", {
+  both <- ladder(0.5, wall = 0.2)
+  expect_equal(summary(both)$redundant, 1)
+  expect_false(any(both$determined))
+  ends <- reactions(both)
+  # The wall's push is least with the wall's full friction: N (5 s + 0.2 5 c) = M.
+  m <- (12 * 2.5 + 70 * 4) * g * 0.5
+  c5 <- 2.5
+  s5 <- 5 * sqrt(0.75)
+  least <- m / (s5 + 0.2 * c5)
+  # It is largest where the floor's grip is used up or the wall's friction points down.
+  # f = N, floor's push P = 82 g - F, N s + F c = M; with N = 0.5 P: F = (M - N s)/c.
+  most <- (0.5 * (82 * g * c5 - m)) / (c5 - 0.5 * s5)
+  most <- min(most, m / (s5 - 0.2 * c5))
+  wall <- ends[ends$support == "wall" & ends$component == "fx_n", ]
+  expect_equal(c(-wall$highest, -wall$lowest), c(least, most), tolerance = 1e-9)
+  # The reactions given are inside, and of least norm among those that hold.
+  expect_true(all(ends$value >= ends$lowest - ends$error & ends$value <= ends$highest + ends$error))
+})
+
+test_that("a block that is pushed tips or slides, whichever comes first", {
+  # It tips about its right edge beyond W/2/1.5, slides beyond mu W.
+  weight <- 10 * g
+  expect_equal(summary(block(weight / 3 - 1e-6, 0.5))$verdict, "rests")
+  tips <- block(weight / 3 + 1e-6, 0.5)
+  expect_equal(summary(tips)$verdict, "tips")
+  expect_equal(summary(tips)$motion, "rotation about (1, 0) m, clockwise")
+  expect_equal(summary(block(0.2 * weight - 1e-6, 0.2))$verdict, "rests")
+  expect_equal(summary(block(0.2 * weight + 1e-6, 0.2))$verdict, "slides")
+  limits <- load_factors(block(10, 0.5))
+  push <- limits[limits$load == "push", ]
+  expect_equal(push$highest_factor, weight / 30, tolerance = 1e-10)
+  expect_equal(push$lowest_factor, -weight / 30, tolerance = 1e-10)
+  expect_equal(c(push$below, push$above), c("tips", "tips"))
+  low <- load_factors(block(10, 0.2))
+  expect_equal(low$highest_factor[2], 0.02 * weight, tolerance = 1e-10)
+  expect_equal(low$above[2], "slides")
+  # Each grip may be anything; both pushes are determined.
+  ends <- reactions(block(10, 0.5))
+  expect_equal(ends$determined, c(FALSE, TRUE, FALSE, TRUE))
+  expect_equal(ends$value[c(2, 4)], c(weight / 2 - 15, weight / 2 + 15))
+})
+
+test_that("a door on two hinges: sideways determined, upright not", {
+  door <- static_equilibrium(
+    load_weight(25, c(0.4, 0, 1)),
+    list(bottom = support_pin(c(0, 0, 0.2)), top = support_pin(c(0, 0, 1.8)))
+  )
+  # About the bottom: F 1.6 = 25 g 0.4.
+  expect_equal(door$fx_n, c(1, -1) * 25 * g / 4, tolerance = 1e-15)
+  expect_equal(door$fz_n, rep(12.5 * g, 2), tolerance = 1e-15)
+  ends <- reactions(door)
+  expect_equal(ends$determined, rep(c(TRUE, TRUE, FALSE), 2))
+  expect_equal(ends$highest[3], Inf)
+  s <- summary(door)
+  expect_equal(c(s$redundant, s$free_motions), c(1, 1))
+  expect_match(s$motion, "rotation about the axis through (0, 0, 0.2) m along (0, 0, 1)",
+               fixed = TRUE)
+  # One hinge that slides: all is determined.
+  one <- static_equilibrium(
+    load_weight(25, c(0.4, 0, 1)),
+    list(bottom = support_pin(c(0, 0, 0.2)), top = support_roller(c(0, 0, 1.8), c(1, 0, 0)),
+         side = support_roller(c(0, 0, 1.8), c(0, 1, 0)))
+  )
+  expect_equal(summary(one)$redundant, 0)
+  expect_equal(one$fz_n[1], 25 * g)
+})
+
+test_that("a crane with a cable, which does not push", {
+  crane <- function(load) {
+    static_equilibrium(
+      forces(
+        load_weight(100, c(2, 0), name = "jib"), load_force(c(0, -load), c(4, 0), name = "load")
+      ),
+      list(foot = support_pin(c(0, 0)), cable = support_cable(c(3, 0), to_m = c(0, 3)))
+    )
+  }
+  # About the foot: T 3/sqrt(2) = 200 g + 4 load.
+  up <- crane(5000)
+  expect_equal(up$normal_n[2], (200 * g + 20000) * sqrt(2) / 3, tolerance = 1e-14)
+  expect_equal(up$fx_n, c(1, -1) * up$normal_n[2] / sqrt(2), tolerance = 1e-14)
+  lifted <- crane(-500)
+  expect_equal(lifted$state, c("holds", "slack"))
+  expect_equal(summary(lifted)$verdict, "tips")
+  expect_equal(load_factors(up)$lowest_factor[2], -200 * g / 20000, tolerance = 1e-10)
+})
+
+test_that("one unknown for each motion: fixed ends, hinges, rods", {
+  wall <- static_equilibrium(
+    forces(load_line(c(0, 300), c(0, 0), c(3, 0)), load_couple(50, c(2, 0))),
+    support_fixed(c(0, 0), name = "wall")
+  )
+  expect_equal(c(wall$fy_n, wall$torque_n_m), c(450, 900 - 50))
+  # A shelf on a hinge along x and a rod: 6 unknowns.
+  shelf <- static_equilibrium(
+    load_force(c(0, 0, -60), c(0.5, 1, 0)),
+    list(hinge = support_hinge(c(0, 0, 0), c(1, 0, 0)), rod = support_rod(c(0, 1, 0), c(0, 0, 1)))
+  )
+  expect_equal(summary(shelf)$redundant, 0)
+  # About the hinge's axis: T/sqrt(2) 1 = 60.
+  expect_equal(shelf$normal_n[2], 60 * sqrt(2))
+  expect_equal(unlist(shelf[1, c("fx_n", "fy_n", "fz_n")]), c(0, 60, 0), ignore_attr = TRUE)
+  # The couple about y bears the load's 0.5 m along x.
+  expect_equal(
+    unlist(shelf[1, c("torque_x_n_m", "torque_y_n_m", "torque_z_n_m")]), c(0, -30, 0),
+    ignore_attr = TRUE
+  )
+})
+
+test_that("forces and torques of loads and supports add up to nothing, about any point", {
+  set.seed(11)
+  for (i in 1:60) {
+    plane <- i %% 2 == 0
+    n <- if (plane) 2L else 3L
+    point <- function() round(rnorm(n), 2)
+    loads <- forces(lapply(1:3, function(j) load_force(rnorm(n), point())))
+    supports <- if (plane) {
+      list(support_pin(point()), support_rod(point(), point()))
+    } else {
+      c(list(support_pin(point())), lapply(1:3, function(j) support_rod(point(), point())))
+    }
+    x <- static_equilibrium(loads, supports)
+    all <- forces(loads, as.data.frame(x)[setdiff(names(loads), "load")])
+    sum <- resultant(all, rnorm(n))
+    size <- max(x$force_n)
+    expect_lte(sum$force_n, 1e-14 * size)
+    torque <- unlist(sum[grep("^torque_(|._)n_m", names(sum))])
+    expect_lte(max(abs(torque)), 1e-13 * size)
+    expect_lte(summary(x)$residual_force_n, 1e-15 * size)
+  }
+})
+
+test_that("the error covers half an ulp of each number, and grows near to a mechanism", {
+  # Three rods of which the third misses the common point by 1e-6: a condition of 1e6.
+  near <- function(shift, load = 1) {
+    static_equilibrium(
+      load_force(c(0, -load), c(0.3, 0)),
+      list(support_rod(c(0, 0), c(1, 1)), support_rod(c(2, 0), c(1, 1)),
+           support_rod(c(1, 0), c(1 + shift, 1)))
+    )
+  }
+  good <- near(0.5)
+  bad <- near(1e-6)
+  expect_lt(max(good$error_n), 3e-14)
+  expect_gt(min(bad$error_n), 1e-11)
+  expect_lt(max(bad$error_n / bad$force_n), 1e-8)
+  expect_gt(summary(bad)$condition_number, 1e5)
+  # A change of the last digit moves the reactions by no more than the error.
+  moved <- near(1e-6 * (1 + 2^-52), 1 + 2^-52)
+  expect_true(all(abs(moved$normal_n - bad$normal_n) <= 2 * bad$error_n))
+  expect_equal(summary(near(0))$verdict, "moves")
+  expect_equal(summary(near(1e-14))$free_motions, 1)
+})
+
+test_that("legs that only push: a corner lifts, or the table tips", {
+  legs <- lapply(list(c(0, 0, 0), c(1, 0, 0), c(0, 1, 0), c(1, 1, 0)), support_surface)
+  table <- function(x, y) static_equilibrium(load_weight(10, c(x, y, 1)), legs)
+  even <- table(0.5, 0.5)
+  expect_equal(even$normal_n, rep(2.5 * g, 4))
+  expect_equal(summary(even)$redundant, 1)
+  # Near a corner the minimum norm without conditions pulls at the opposite leg.
+  corner <- table(0.9, 0.9)
+  expect_equal(corner$normal_n, c(0, 1, 1, 8) * g, tolerance = 1e-9)
+  expect_equal(summary(corner)$verdict, "rests")
+  expect_output(print(corner), "minimum norm among those that only push")
+  outside <- table(1.1, 0.5)
+  expect_equal(summary(outside)$verdict, "tips")
+  expect_match(summary(outside)$motion, "along (0, 1, 0)", fixed = TRUE)
+})
+
+test_that("no supports, no loads", {
+  free <- static_equilibrium(load_force(c(1, 0), c(0, 0)), list())
+  expect_equal(summary(free)$verdict, "moves")
+  expect_equal(summary(free)$motion, "translation along (1, 0)")
+  expect_equal(nrow(free), 0)
+  idle <- static_equilibrium(forces(), support_pin(c(1, 1)))
+  expect_equal(idle$force_n, 0)
+  expect_equal(summary(idle)$verdict, "rests")
+  expect_equal(nrow(load_factors(idle)), 0)
+})
+
+test_that("extreme units change no bit", {
+  x <- function(length, force) {
+    static_equilibrium(
+      load_force(c(0, -8) * force, c(1, 0) * length),
+      list(support_pin(c(0, 0)), support_roller(c(4, 0) * length))
+    )$fy_n / force
+  }
+  for (length in 2^c(-990, 0, 990)) for (force in 2^c(-1000, 0, 1000)) {
+    expect_identical(x(length, force), c(6, 2))
+  }
+})
+
+test_that("prints, columns and damaged results", {
+  expect_output(print(beam()), "determinate: 3 unknowns, 3 equations")
+  expect_output(print(ladder(0.5)), "friction left 12.7 %", fixed = TRUE)
+  expect_output(print(ladder(0.3)), "slides: more friction is needed")
+  known <- rotdyn_columns()$name
+  for (table in list(
+    beam(), summary(beam()), reactions(beam()), load_factors(beam()), resultant(load_couple(1)),
+    force_torques(load_force(c(1, 2, 3), c(1, 2, 3))), resultant(load_couple(c(1, 2, 3)))
+  )) expect_identical(setdiff(names(table), known), character())
+  expect_identical(glance(beam()), summary(beam()))
+  forged <- beam()
+  rest <- attr(forged, "rest")
+  rest$structure$problem$at <- rest$structure$problem$at + 1
+  attr(forged, "rest") <- rest
+  expect_error(summary(forged), class = "rotdyn_error_type")
+  expect_error(reactions(1), class = "rotdyn_error_type")
+  expect_error(load_factors(), class = "rotdyn_error_missing")
+  expect_error(static_equilibrium(load_couple(1)), class = "rotdyn_error_missing")
+  expect_error(
+    static_equilibrium(load_couple(1), list(), rank_tolerance = 0), class = "rotdyn_error_value"
+  )
+  expect_error(
+    static_equilibrium(load_couple(1), list(), outline_m = 1), class = "rotdyn_error_type"
+  )
+})
