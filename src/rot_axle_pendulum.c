@@ -4,6 +4,7 @@
 
 #include "rot_axle_effects.h"
 #include "rot_axle_pieces.h"
+#include "rot_dd_trig.h"
 #include "rot_jacobi.h"
 
 typedef enum manner { STILL, TO_AND_FRO, SEPARATRIX, ALL_ROUND, TOO_NEAR } manner;
@@ -35,28 +36,6 @@ typedef struct pendulum {
 
 /* ---- the start ------------------------------------------------------------------------------ */
 
-/* x = n pi/2 + r, |r| <= pi/4 (a little more where n is rounded), pi/2 to 212 bits. */
-static double quarter_turns(rot_dd x, rot_dd *r) {
-  static const double part[] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
-                                -0x1.f1976b7ed8fbcp-110, 0x1.4cf98e804177dp-164};
-  const double n = nearbyint(x.hi * 0x1.45f306dc9c883p-1);
-  rot_dd sum = x;
-  for (int i = 0; i < 4; i++) sum = rot_dd_sub(sum, rot_dd_mul2(n, part[i]));
-  *r = sum;
-  return n;
-}
-
-/* Taylor's series, |r| < 0.8. */
-static rot_dd sine_of(rot_dd r) {
-  const rot_dd r2 = rot_dd_neg(rot_dd_mul(r, r));
-  rot_dd term = r, sum = r;
-  for (int j = 1; j < 15; j++) {
-    term = rot_dd_div(rot_dd_mul(term, r2), (rot_dd){2.0 * j * (2.0 * j + 1.0), 0.0});
-    sum = rot_dd_add(sum, term);
-  }
-  return sum;
-}
-
 static rot_dd square(rot_dd x) { return rot_dd_mul(x, x); }
 
 /* Sine and cosine of phi/2. The angle is reduced to the nearest hanging position before anything is
@@ -64,8 +43,8 @@ static rot_dd square(rot_dd x) { return rot_dd_mul(x, x); }
 static void half_angle(pendulum *out, double theta, double rest, double gravity) {
   const int hangs_up = gravity < 0.0;
   rot_dd r;
-  double n = quarter_turns(rot_dd_ldexp(rot_dd_sum2(theta, -rest), -1), &r) - hangs_up;
-  const rot_dd s = sine_of(r);
+  double n = rot_dd_quarter_turns(rot_dd_ldexp(rot_dd_sum2(theta, -rest), -1), &r) - hangs_up;
+  const rot_dd s = rot_dd_sine(r);
   const rot_dd c = rot_dd_sqrt(rot_dd_sub((rot_dd){1.0, 0.0}, square(s)));
   if (fmod(n, 2.0) == 0.0) {
     out->sine = s;
@@ -122,26 +101,14 @@ static rot_dd distance(const pendulum *p, int e, double *error) {
   return rot_dd_mul(rot_dd_sub(c, v), rot_dd_add(c, v));
 }
 
-/* |u| at the start from its sn >= 0, cn >= 0, dn; near K from the distance to it, so that a start
- * next to the top keeps its digits: sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn. */
-static void begin_argument(pendulum *p, double sn, double cn, double dn) {
-  const double u = rot_jacobi_argument(sn, cn, dn), root = p->jacobi.g[0];
-  p->start = (rot_dd){u, 0.0};
-  p->start_error = 8.0 * ROT_EPS * u;
-  if (u > 0.5 * p->jacobi.k.hi) {
-    const double w = rot_jacobi_argument(cn / dn, root * (sn / dn), root / dn);
-    p->start = rot_dd_add1(p->jacobi.k, -w);
-    p->start_error = 8.0 * ROT_EPS * w;
-  }
-}
-
 static void begin_swing(pendulum *p, rot_dd m1) {
   const rot_dd s = rot_dd_ldexp(p->sine, -p->k_exponent);
   const rot_dd v = rot_dd_ldexp(p->speed, p->speed_exponent - p->k_exponent);
   p->manner = TO_AND_FRO;
   rot_jacobi_begin(m1, &p->jacobi);
   p->rate = p->w0;
-  begin_argument(p, fabs(s.hi / p->k.hi), fabs(v.hi / p->k.hi), p->cosine.hi);
+  p->start = rot_jacobi_argument(&p->jacobi, fabs(s.hi / p->k.hi), fabs(v.hi / p->k.hi),
+                                 p->cosine.hi, &p->start_error);
   if (v.hi < 0.0) { /* moving back: u is as far beyond K */
     p->start = rot_dd_sub(rot_dd_ldexp(p->jacobi.k, 1), p->start);
   }
@@ -153,8 +120,8 @@ static void begin_turning(pendulum *p, rot_dd over) {
   p->manner = ALL_ROUND;
   rot_jacobi_begin(rot_dd_div(over, square(p->k)), &p->jacobi);
   p->rate = rot_dd_mul(p->k, p->w0); /* its exponent is in run_of_u() */
-  begin_argument(p, fabs(p->sine.hi), p->cosine.hi, v.hi / p->k.hi);
-  if (p->sine.hi < 0.0) p->start = rot_dd_neg(p->start);
+  p->start =
+      rot_jacobi_argument(&p->jacobi, p->sine.hi, p->cosine.hi, v.hi / p->k.hi, &p->start_error);
 }
 
 static void begin_separatrix(pendulum *p, double error) {

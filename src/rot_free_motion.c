@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "rot_attitude.h"
+#include "rot_dd_trig.h"
 
 static const rot_dd none = {0.0, 0.0};
 static const double pi = 0x1.921fb54442d18p+1;
@@ -149,25 +150,6 @@ static double swing_of_psi(const rot_free_motion *m, double u, double sn, double
   return by / (1.0 + nu) * (turn + (x - y));
 }
 
-/* u at the start, between -K and K since cn >= 0; near K from the distance to it. */
-static void begin_argument(double sn, double cn, double dn, rot_free_motion *out) {
-  const double size = hypot(sn, cn), u = rot_jacobi_argument(fabs(sn), cn, dn);
-  const double root = out->jacobi.g[0];
-  sn /= size;
-  cn /= size;
-  out->start = (rot_dd){u, 0.0};
-  out->start_error = 8.0 * ROT_EPS * u;
-  if (out->jacobi.m1 == 0.0) {
-    out->start.hi = asinh(fabs(sn) / cn);
-    out->start_error = 8.0 * ROT_EPS * (1.0 + out->start.hi);
-  } else if (u > 0.5 * out->jacobi.k.hi) {
-    const double w = rot_jacobi_argument(cn / dn, root * (fabs(sn) / dn), root / dn);
-    out->start = rot_dd_add1(out->jacobi.k, -w);
-    out->start_error = 8.0 * ROT_EPS * w;
-  }
-  if (sn < 0.0) out->start = rot_dd_neg(out->start);
-}
-
 static double root_of(rot_dd x) { return rot_dd_sqrt(x).hi; }
 
 static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
@@ -184,7 +166,8 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   const int by_o = k->largest_o.hi <= k->largest_c.hi, lead = by_o ? c : o;
   begin_psi(k, lead == 0 ? difference(moment[1], moment[0]) : difference(moment[1], moment[2]),
             out);
-  begin_argument(w[1] / out->amplitude[1], w[o] / out->amplitude[o], w[c] / out->amplitude[c], out);
+  out->start = rot_jacobi_argument(&out->jacobi, w[1] / out->amplitude[1], w[o] / out->amplitude[o],
+                                   w[c] / out->amplitude[c], &out->start_error);
   /* the turns of chi: with o in the lead it goes round */
   const int is_x = lead == (out->r + 1) % 3;
   out->quarter =
@@ -287,17 +270,6 @@ double rot_free_half_period(const rot_free_motion *m) {
 
 /* ---- the motion ------------------------------------------------------------------------------ */
 
-/* Less the nearest multiple of 4 pi. */
-static rot_dd whole_turns_less(rot_dd x) {
-  static const rot_dd period = {0x1.921fb54442d18p+3, 0x1.1a62633145c07p-51};
-  for (int i = 0; i < 2; i++) {
-    const double n = nearbyint(x.hi / period.hi);
-    if (n == 0.0) break;
-    x = rot_dd_sub(x, rot_dd_mul1(period, n));
-  }
-  return x;
-}
-
 /* Sorted axes to those of the body, rates to rad/s. */
 static void leave_sorted(const rot_free_motion *m, const double w[3], const double v[3],
                          rot_free_state *out) {
@@ -313,7 +285,7 @@ static double angle_error(const rot_free_motion *m, rot_dd t, double psi) {
 }
 
 static void steady_at(const rot_free_motion *m, rot_dd t, rot_free_state *out) {
-  const rot_dd turned = rot_dd_mul(m->psi, t), psi = whole_turns_less(turned);
+  const rot_dd turned = rot_dd_mul(m->psi, t), psi = rot_dd_less_double_turns(turned);
   double v[3], w[3];
   for (int i = 0; i < 3; i++) {
     v[i] = sin(0.5 * psi.hi) * m->axis[i];
@@ -380,7 +352,7 @@ static void tumbling_at(const rot_free_motion *m, rot_dd t, rot_free_state *out)
   turn_by_quarters(m->quarter + 2 * m->turns * (int)whole, &cc, &sc);
   double rounding;
   const double swing = swing_of_psi(m, r.hi, sn, cn, dn, &rounding);
-  const double psi = whole_turns_less(turned).hi + (swing - m->swing0);
+  const double psi = rot_dd_less_double_turns(turned).hi + (swing - m->swing0);
   to_z(cos(0.5 * psi), sin(0.5 * psi), ct, st, cc, sc, q);
   rot_attitude_times(m->first, q, q);
   (void)rot_attitude_unit(q);

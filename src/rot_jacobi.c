@@ -176,8 +176,29 @@ rot_dd rot_jacobi_mean(rot_dd m1, rot_dd p) {
   return rot_dd_ldexp(rot_dd_div(sum, p), -1);
 }
 
-double rot_jacobi_argument(double sn, double cn, double dn) {
+/* sn R_F(cn^2, dn^2, 1), sn >= 0 */
+static double argument(double sn, double cn, double dn) {
   const double size = hypot(sn, cn);
   const double s = sn / size, c = cn / size;
   return s * rot_carlson_rf(c * c, dn * dn, 1.0);
+}
+
+rot_dd rot_jacobi_argument(const rot_jacobi *jacobi, double sn, double cn, double dn,
+                           double *error) {
+  const double s = fabs(sn), k1 = jacobi->g[0];
+  rot_dd u = {0.0, 0.0};
+  if (jacobi->m1 == 0.0) {
+    u.hi = asinh(s / cn);
+    *error = 8.0 * ROT_EPS * (1.0 + u.hi);
+  } else {
+    u.hi = argument(s, cn, dn);
+    *error = 8.0 * ROT_EPS * u.hi;
+    if (u.hi >
+        0.5 * jacobi->k.hi) { /* sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn */
+      const double w = argument(cn / dn, k1 * (s / dn), k1 / dn);
+      u = rot_dd_add1(jacobi->k, -w);
+      *error = 8.0 * ROT_EPS * w;
+    }
+  }
+  return sn < 0.0 ? rot_dd_neg(u) : u;
 }

@@ -33,8 +33,10 @@ double rot_carlson_rj(double x, double y, double z, double p);
  * to u is sn^3/3 R_J(cn^2, dn^2, 1, 1 + (p - 1) sn^2). */
 rot_dd rot_jacobi_mean(rot_dd m1, rot_dd p);
 
-/* The argument |u| <= K at which the functions have these values, cn >= 0: sn R_F(cn^2, dn^2, 1). A
- * common factor of sn and cn has no effect. */
-double rot_jacobi_argument(double sn, double cn, double dn);
+/* The argument |u| <= K at which the functions have these values, cn >= 0; near K from the distance
+ * to it, so that cn keeps its digits. A common factor of sn and cn has no effect. *error: of u, for
+ * values to some roundings. */
+rot_dd rot_jacobi_argument(const rot_jacobi *jacobi, double sn, double cn, double dn,
+                           double *error);
 
 #endif

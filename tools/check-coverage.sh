@@ -11,9 +11,12 @@ ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc $(gsl-config 
   bench/coverage/coverage.c bench/coverage/truth.c src/rot_*.c \
   $(gsl-config --libs) -lquadmath -lm -o "$build/coverage"
 ${CC:-gcc} -std=gnu11 -O2 bench/coverage/laws.c -lquadmath -lm -o "$build/laws"
+${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Isrc $(gsl-config --cflags) bench/coverage/top.c \
+  src/rot_*.c $(gsl-config --libs) -lquadmath -lm -o "$build/top"
 seed=${2:-$(date +%s)}
 echo "seed $seed"
 bad=0
 "$build/coverage" "${1:-1000}" "$seed" || bad=1
+"$build/top" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad=1
 exit $bad
