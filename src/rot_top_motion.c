@@ -223,9 +223,9 @@ static rot_dd complete_ratio(rot_dd m1) {
   return rot_dd_sub(one, sum);
 }
 
-/* The mean of 1/(1 - (1 - p) sn^2). Where p is small, the means of rot_jacobi_mean() cancel; there
- * it is that of Heuman's lambda function (DLMF 19.9.8, 22.16.32; Byrd & Friedman 413.01), of an angle
- * whose sine is x = sqrt(p/m1): 1 + pi/(2 K) sqrt(n/(p (n - m))) (1 - Lambda0), n = 1 - p. */
+/* The mean of 1/(1 - n sn^2), n = 1 - p. Where p is small, the sum of rot_jacobi_mean() cancels;
+ * there it is 1 + pi/(2 K) sqrt(n/(p (n - m))) (1 - Lambda0), with Heuman's function of the angle
+ * whose sine is x = sqrt(p/m1) (Abramowitz & Stegun 17.7.14). */
 static rot_dd mean_of_peaks(const rot_jacobi *jacobi, rot_dd m1, rot_dd p) {
   enum { TERMS = 13 };
   static const rot_dd half_pi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
@@ -256,7 +256,7 @@ static rot_dd mean_of_peaks(const rot_jacobi *jacobi, rot_dd m1, rot_dd p) {
 }
 
 /* An angle of rate even + g/(1 + part sn^2), whole = 1 + part. Where part is large, next to the
- * lower pole, the integral is an arc tangent and another of the third kind (DLMF 19.7.9). */
+ * lower pole, the integral is an arc tangent and another of the third kind (DLMF 19.7(iii)). */
 static void begin_angle(const setup *s, const rot_jacobi *jacobi, rot_dd even, rot_dd g,
                         rot_dd part, rot_dd whole, rot_top_angle *out) {
   rot_dd rate = none;

@@ -63,8 +63,8 @@ typedef struct rot_top_motion {
 } rot_top_motion;
 
 /* ROT_EVALUE: moments that are not positive (I1) or negative (I3) or not finite, I3 > 2 I1, other
- * numbers not finite, an attitude of length 0. ROT_ERANGE: gravity that differs from the spin by
- * more than 1e60 where squares would leave the doubles. `given`: relative error of the constants. */
+ * numbers not finite, an attitude of length 0. ROT_ERANGE: G/I1 below 1e-60 of the squares of the
+ * rates. `given`: relative error of the constants. */
 rot_status rot_top_begin(double transverse_kg_m2, double axial_kg_m2, double weight_n_m,
                          const rot_top_start *start, double given, rot_top_motion *out);
 
