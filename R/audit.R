@@ -55,7 +55,10 @@ audit.rot_trajectory <- function(x, ...) {
   run <- check_trajectory(x, "x", call)
   constraint <- constraint_of(run$scene)
   check_rows(x, call, constraint$keys)
-  balances <- constraint$balances(x, run, call)
+  new_audit(constraint$balances(x, run, call))
+}
+
+new_audit <- function(balances) {
   column <- function(name) {
     unlist(lapply(balances, `[[`, name), use.names = FALSE)
   }

@@ -190,13 +190,39 @@ column_list <- list(
   c("final_v_m_per_s", "m/s", "velocity at the end"),
   c("vx_m_per_s", "m/s", "velocity along the floor, after"),
   c("vy_m_per_s", "m/s", "velocity away from the floor, after"),
-  c("normal_impulse_n_s", "N s", "impulse of the floor along its normal"),
-  c("friction_impulse_n_s", "N s", "impulse of friction along the floor"),
+  c("normal_impulse_n_s", "N s", "impulse of the contact along its normal"),
+  c("friction_impulse_n_s", "N s", "impulse of friction, on a floor along it"),
   c("normal_loss_j", "J", "energy lost by the restitution"),
   c("friction_loss_j", "J", "energy lost by friction"),
   c("grips", "", "whether the contact does not slip when it ends"),
   c("particle_v_m_per_s", "m/s", "velocity of the particle, after"),
   c("impulse_n_s", "N s", "impulse on the body"),
+  c("vx_1_m_per_s", "m/s", "velocity of the centre of mass of body 1, after, along x"),
+  c("vy_1_m_per_s", "m/s", "the same along y"),
+  c("vz_1_m_per_s", "m/s", "the same along z"),
+  c("omega_x_1_rad_per_s", "rad/s", "angular velocity of body 1, after, along x"),
+  c("omega_y_1_rad_per_s", "rad/s", "the same along y"),
+  c("omega_z_1_rad_per_s", "rad/s", "the same along z"),
+  c("vx_2_m_per_s", "m/s", "velocity of the centre of mass of body 2, after, along x"),
+  c("vy_2_m_per_s", "m/s", "the same along y"),
+  c("vz_2_m_per_s", "m/s", "the same along z"),
+  c("omega_x_2_rad_per_s", "rad/s", "angular velocity of body 2, after, along x"),
+  c("omega_y_2_rad_per_s", "rad/s", "the same along y"),
+  c("omega_z_2_rad_per_s", "rad/s", "the same along z"),
+  c("impulse_x_n_s", "N s", "impulse on body 1, along x; the opposite on body 2"),
+  c("impulse_y_n_s", "N s", "the same along y"),
+  c("impulse_z_n_s", "N s", "the same along z"),
+  c("creates_energy", "", "TRUE where the coefficient ends with more energy than there was"),
+  c("angular_impulse_n_m_s", "N m s", "angular impulse; of disks that lock, on disk 1"),
+  c("angular_impulse_error_n_m_s", "N m s", "bound of its error, or estimate for an R function"),
+  c("omega_change_rad_per_s", "rad/s", "change of the angular velocity of a free body"),
+  c("from_s", "s", "start of the span"),
+  c("to_s", "s", "end of the span"),
+  c("before", "", "value before, in the unit of the row"),
+  c("after", "", "value after, in the unit of the row"),
+  c("quantity", "", "momentum_x, angular_momentum, energy, ..."),
+  c("conserved", "", "whether the quantity keeps its value; NA where this depends on the motion"),
+  c("why", "", "the reason"),
   c("hinge_impulse_n_s", "N s", "impulse of the hinge on the body, along that of the particle"),
   c("where", "", "where it happens: \"rotor 1\", \"coupling 1\", ..."),
   c("locked", "", "whether the clutch is locked"),
@@ -409,6 +435,26 @@ hinged_columns <- c(
   "omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s", "hinge_impulse_n_s", "normal_loss_j"
 )
 quaternion_columns <- c("qw", "qx", "qy", "qz")
+collide_columns <- c(
+  "vx_1_m_per_s", "vy_1_m_per_s", "vz_1_m_per_s", "omega_x_1_rad_per_s", "omega_y_1_rad_per_s",
+  "omega_z_1_rad_per_s", "vx_2_m_per_s", "vy_2_m_per_s", "vz_2_m_per_s", "omega_x_2_rad_per_s",
+  "omega_y_2_rad_per_s", "omega_z_2_rad_per_s", "impulse_x_n_s", "impulse_y_n_s",
+  "impulse_z_n_s", "normal_impulse_n_s", "friction_impulse_n_s", "normal_loss_j",
+  "friction_loss_j", "grips", "creates_energy"
+)
+lock_columns <- c("common_omega_rad_per_s", "angular_impulse_n_m_s", "friction_loss_j")
+rims_columns <- c(
+  "omega_1_rad_per_s", "omega_2_rad_per_s", "impulse_n_s", "friction_loss_j", "locked"
+)
+ledger_columns <- c(
+  "balance", "about", "unit", "before", "after", "change", "supplied", "dissipated", "residual",
+  "rounding", "verdict"
+)
+conserved_columns <- c("quantity", "about", "conserved", "why")
+impulse_columns <- c(
+  "from_s", "to_s", "angular_impulse_n_m_s", "angular_impulse_error_n_m_s",
+  "omega_change_rad_per_s"
+)
 principal_columns <- c(
   "axis", "principal_moment_kg_m2", "second_moment_kg_m2", "x", "y", "z", "unique"
 )

@@ -2,7 +2,7 @@
 
 #include "ffi_run.h"
 
-enum { MOST_COLUMNS = 8 };
+enum { MOST_COLUMNS = 9 };
 
 /* The columns of a list, and the rows that they make. */
 static R_xlen_t columns_of(SEXP list, int n, rot_column in[]) {
@@ -13,28 +13,28 @@ static R_xlen_t columns_of(SEXP list, int n, rot_column in[]) {
 }
 
 /* Row i; 0 where a value is missing. */
-static int row_of(const rot_column in[], size_t i, double x[MOST_COLUMNS]) {
+static int row_of(const rot_column in[], int n, size_t i, double x[MOST_COLUMNS]) {
   int known = 1;
-  for (int j = 0; j < MOST_COLUMNS; j++) {
+  for (int j = 0; j < n; j++) {
     x[j] = rot_at(in[j], i);
     known &= !ISNAN(x[j]);
   }
   return known;
 }
 
-/* Columns: mass, radius, beta, vx, vy, omega, restitution, friction. */
+/* Columns: mass, radius, beta, vx, vy, omega, restitution, friction, tangential. */
 SEXP ffi_impact_bounce(SEXP list) {
   static const char *const names[] = {
       "vx_m_per_s",           "vy_m_per_s",    "omega_rad_per_s", "normal_impulse_n_s",
       "friction_impulse_n_s", "normal_loss_j", "friction_loss_j", "grips"};
   rot_column in[MOST_COLUMNS];
   double *c[8], x[MOST_COLUMNS];
-  const R_xlen_t n = columns_of(list, MOST_COLUMNS, in);
+  const R_xlen_t n = columns_of(list, 9, in);
   SEXP out = ffi_columns(8, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {
     rot_bounce row = {NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, 0};
-    const int known = row_of(in, i, x);
-    const rot_bounce_input input = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+    const int known = row_of(in, 9, i, x);
+    const rot_bounce_input input = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]};
     if (known) row = rot_impact_bounce(&input);
     c[0][i] = row.vx;
     c[1][i] = row.vy;
@@ -55,11 +55,11 @@ SEXP ffi_impact_hinged(SEXP list) {
                                       "hinge_impulse_n_s", "normal_loss_j"};
   rot_column in[MOST_COLUMNS];
   double *c[5], x[MOST_COLUMNS];
-  const R_xlen_t n = columns_of(list, MOST_COLUMNS, in);
+  const R_xlen_t n = columns_of(list, 8, in);
   SEXP out = ffi_columns(5, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {
     rot_hinged row = {NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL};
-    const int known = row_of(in, i, x);
+    const int known = row_of(in, 8, i, x);
     const rot_hinged_input input = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
     if (known) row = rot_impact_hinged(&input);
     c[0][i] = row.omega;
@@ -67,6 +67,29 @@ SEXP ffi_impact_hinged(SEXP list) {
     c[2][i] = row.impulse;
     c[3][i] = row.hinge_impulse;
     c[4][i] = row.loss;
+  }
+  UNPROTECT(1);
+  return out;
+}
+
+/* Columns: two inertias, two radii, two speeds, restitution, the largest impulse. */
+SEXP ffi_impact_rims(SEXP list) {
+  static const char *const names[] = {"omega_1_rad_per_s", "omega_2_rad_per_s", "impulse_n_s",
+                                      "friction_loss_j", "locked"};
+  rot_column in[MOST_COLUMNS];
+  double *c[5], x[MOST_COLUMNS];
+  const R_xlen_t n = columns_of(list, 8, in);
+  SEXP out = ffi_columns(5, names, n, c);
+  for (size_t i = 0; i < (size_t)n; i++) {
+    rot_rims row = {{NA_REAL, NA_REAL}, NA_REAL, NA_REAL, 0};
+    const int known = row_of(in, 8, i, x);
+    const rot_rims_input input = {{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}, x[6], x[7]};
+    if (known) row = rot_impact_rims(&input);
+    c[0][i] = row.omega[0];
+    c[1][i] = row.omega[1];
+    c[2][i] = row.impulse;
+    c[3][i] = row.loss;
+    c[4][i] = known ? row.locked : NA_REAL;
   }
   UNPROTECT(1);
   return out;

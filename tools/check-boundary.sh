@@ -119,6 +119,7 @@ layers='
 4 free        free*
 4 impact      impact*
 4 statics     statics
+4 collide     collide*
 4 energy      energy
 4 kinematics  kinematics
 5 drive       drive*

@@ -39,6 +39,70 @@ test_that("the centre of percussion", {
   expect_lte(abs(hit$hinge_impulse_n_s), 1e-15 * hit$impulse_n_s)
 })
 
+test_that("tangential restitution: the superball, and what friction allows of it", {
+  ball <- body_sphere(1, 0.1)
+  # Garwin: without spin vx falls to 3/7 and omega becomes 10/7 vx/r; nothing is lost.
+  hit <- ball_bounce(ball, 7, -2, 0, 1, Inf, 1)
+  expect_equal(hit$vx_m_per_s, 3, tolerance = 1e-15)
+  expect_equal(hit$omega_rad_per_s, 100, tolerance = 1e-15)
+  expect_identical(hit$friction_loss_j, 0)
+  # The second bounce undoes the first: v = 3 - 4/7 (3 - 10), omega = 100 + 4/7 (3 - 10)/0.04.
+  again <- ball_bounce(ball, hit$vx_m_per_s, -2, hit$omega_rad_per_s, 1, Inf, 1)
+  expect_equal(again$vx_m_per_s, 7, tolerance = 1e-14)
+  expect_lte(abs(again$omega_rad_per_s), 1e-13)
+  # Friction gives at most 0.5 * 4 N s: enough for 2/7 * 6.3, too little for 1.5 of it.
+  slides <- ball_bounce(ball, 6.3, -2, 0, 1, 0.5, c(0, 0.5))
+  expect_equal(slides$friction_impulse_n_s, c(-1.8, -2), tolerance = 1e-15)
+  expect_identical(slides$grips, c(TRUE, FALSE))
+  expect_error(ball_bounce(ball, 1, -1, tangential_restitution = 1.5), class = "rotdyn_error_value")
+})
+
+test_that("a particle that sticks to a hinged rod, and one that bounces", {
+  # L is conserved about the hinge: m v d = (I + m d^2) omega, here 0.2 * 5 * 1 = (2/3 + 0.2) omega.
+  stick <- hinged_hit(body_rod(2, 1), 0.5, 1, 0.2, 5)
+  expect_equal(stick$omega_rad_per_s, 1 / (2 / 3 + 0.2), tolerance = 1e-15)
+  expect_equal(stick$particle_v_m_per_s, stick$omega_rad_per_s, tolerance = 1e-15)
+  # Pivot reaction J (M a d/I - 1) = J (3/2 - 1).
+  expect_equal(stick$hinge_impulse_n_s, stick$impulse_n_s / 2, tolerance = 1e-15)
+  elastic <- hinged_hit(body_rod(2, 1), 0.5, 1, 0.2, 5, restitution = 1)
+  expect_equal(elastic$omega_rad_per_s, 2 / (2 / 3 + 0.2), tolerance = 1e-15)
+  expect_identical(elastic$normal_loss_j, 0)
+  late <- hinged_hit(body_rod(2, 1), 0.5, 1, 0.2, 5, omega_rad_per_s = 6)
+  expect_identical(late$impulse_n_s, 0)
+})
+
+test_that("disks that lock and rims that meet (University Physics 11.3)", {
+  rpm <- pi / 30
+  # UP11-30, UP11-31: 600 rpm couples to three times the inertia at rest.
+  lock <- disks_lock(1, 3, 600 * rpm, 0)
+  expect_equal(lock$common_omega_rad_per_s / rpm, 150, tolerance = 1e-14)
+  expect_equal(lock$friction_loss_j / (0.5 * (600 * rpm)^2), 0.75, tolerance = 1e-14)
+  expect_equal(lock$angular_impulse_n_m_s, -450 * rpm, tolerance = 1e-14)
+  # UP11-42: equal cylinders at +600 and -900 rpm.
+  both <- disks_lock(2, 2, 600 * rpm, -900 * rpm)
+  expect_equal(both$common_omega_rad_per_s / rpm, -150, tolerance = 1e-14)
+  # The same as a clutch of infinite capacity.
+  clutch <- clutch_engagement(1, 3, Inf, 600 * rpm, 0)
+  expect_equal(lock$friction_loss_j, clutch$heat_j, tolerance = 1e-14)
+  # Gears: 0.01 and 0.16 kg m^2, radii 0.1 and 0.2 m: slip 6 m/s, J = 6/(1 + 1/4).
+  mesh <- rims_meet(body_disk(2, 0.1), body_disk(8, 0.2), 0.1, 0.2, 60, 0)
+  expect_equal(mesh$impulse_n_s, -4.8, tolerance = 1e-14)
+  expect_equal(mesh$omega_1_rad_per_s, 12, tolerance = 1e-14)
+  expect_equal(mesh$omega_2_rad_per_s, -6, tolerance = 1e-14)
+  ring <- rims_meet(1, 1, 0.1, -0.3, 10, 0)
+  expect_equal(0.1 * ring$omega_1_rad_per_s, 0.3 * ring$omega_2_rad_per_s, tolerance = 1e-14)
+  slips <- rims_meet(1, 1, 0.1, 0.1, 100, 0, largest_impulse_n_s = c(1, NA))
+  expect_identical(slips$locked, c(FALSE, NA))
+  expect_equal(slips$omega_1_rad_per_s[1], 99.9, tolerance = 1e-14)
+  for (hit in list(lock, mesh)) {
+    expect_setequal(setdiff(names(hit), rotdyn_columns()$name), character())
+  }
+  expect_error(rims_meet(1, 1, 0, 0.1, 1, 0), class = "rotdyn_error_value")
+  expect_error(rims_meet(1, 1, 0.1, 0, 1, 0), class = "rotdyn_error_value")
+  expect_error(disks_lock(1, -1, 1, 0), class = "rotdyn_error_value")
+  expect_error(disks_lock(1, 1, 1), class = "rotdyn_error_missing")
+})
+
 test_that("arguments are columns; bad ones name the row", {
   ball <- body_sphere(1, 0.1)
   hit <- ball_bounce(ball, c(1, NA, 2), -1, 0, 0.5, 0.1)
