@@ -1,9 +1,11 @@
 #' Engagement of a clutch
 #'
 #' Two bodies with different speeds, constant torques, and a clutch of constant capacity engaged at
-#' time 0: time until it locks, common speed, and heat of slip. An infinite capacity is the
-#' instantaneous engagement, which dissipates `(1/2) I1 I2/(I1 + I2) (omega1 - omega2)^2` for any
-#' clutch.
+#' time 0: time until it locks, common speed, and heat of slip. Without torques
+#' \deqn{\omega = \frac{I_1 \omega_1 + I_2 \omega_2}{I_1 + I_2}, \qquad
+#'   Q = \frac{1}{2} \frac{I_1 I_2}{I_1 + I_2} (\omega_1 - \omega_2)^2}{
+#'   omega = (I1 omega1 + I2 omega2)/(I1 + I2),  Q = (1/2) I1 I2/(I1 + I2) (omega1 - omega2)^2}
+#' for any clutch. An infinite capacity is the instantaneous engagement.
 #'
 #' @param inertia_1_kg_m2,inertia_2_kg_m2 Moments of inertia, greater than 0.
 #' @param capacity_n_m Torque of the slipping clutch, at least 0; Inf for instantaneous engagement.

@@ -1,7 +1,9 @@
 #' Translational and rotational kinetic energy of a rolling body
 #'
-#' For a body that rolls with a given speed of its centre: `m v^2/2` and `beta m v^2/2`, with
-#' `beta = I/(m r^2)`.
+#' For a body that rolls with a given speed of its centre:
+#' \deqn{K_{trans} = \frac{m v^2}{2}, \qquad K_{rot} = \beta\,\frac{m v^2}{2}, \qquad
+#'   \beta = \frac{I}{m r^2}}{
+#'   K_trans = m v^2/2,  K_rot = beta m v^2/2,  beta = I/(m r^2)}
 #'
 #' @param mass_kg,radius_m,beta,speed_m_per_s Mass (at least 0), radius (greater than 0), `beta` (at
 #'   least 0) and speed: columns of length 1 or n.

@@ -38,7 +38,10 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio, ...) {
 #'
 #' Shafts 1, 2, ..., n, each geared to the next with `ratio = omega_i/omega_(i+1)`. `gear_train()`
 #' gives the contribution of each shaft at the first: with `N_i = omega_1/omega_i`, the product of
-#' the ratios before it, inertia `J_i/N_i^2`, viscous coefficient `d_i/N_i^2`, torque `tau_i/N_i`.
+#' the ratios before it, inertia `J_i/N_i^2`, viscous coefficient `d_i/N_i^2`, torque `tau_i/N_i`:
+#' \deqn{\sum_i \frac{J_i}{N_i^2}\, \dot\omega_1 =
+#'   \sum_i \Bigl(\frac{\tau_i}{N_i} - \frac{d_i}{N_i^2}\, \omega_1\Bigr)}{
+#'   sum(J_i/N_i^2) omega_1' = sum(tau_i/N_i - d_i/N_i^2 omega_1)}
 #' `scene_gears()` makes a [scene_axle()] of the first shaft with their sums. Torque laws, friction,
 #' elastic shafts, clutches, and the motion of each shaft: see [scene_drive()].
 #'

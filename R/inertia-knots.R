@@ -1,8 +1,10 @@
 #' A moment of inertia that changes in time
 #'
 #' Piecewise linear between knots, constant outside; a repeated time is a jump. The torque changes
-#' the angular momentum, `d(I omega)/dt = torque`; the work of the change of inertia (a skater's
-#' arms) is in the [audit()]. In a [scene_axle()] it replaces the body.
+#' the angular momentum:
+#' \deqn{\frac{d(I\omega)}{dt} = \tau}{d(I omega)/dt = torque}
+#' The work of the change of inertia (a skater's arms) is in the [audit()]. In a [scene_axle()] it
+#' replaces the body.
 #'
 #' @param time_s Times of the knots, finite and not decreasing, at least two.
 #' @param moment_of_inertia_kg_m2 Moment of inertia about the axle at each, finite and > 0.

@@ -1,9 +1,10 @@
 #' Two bodies and a clutch
 #'
-#' `I1 omega1' = tau1(t) - T`, `I2 omega2' = tau2(t) + T`. While the clutch slips, its torque on
-#' body 2 is `T = capacity sign(omega1 - omega2)`; when the speeds meet it locks, if the torque that
-#' keeps them equal, `(I2 tau1 - I1 tau2)/(I1 + I2)`, is at most the static capacity, and stays
-#' locked as long as it is. Before `engage_s` its torque is 0.
+#' \deqn{I_1 \dot\omega_1 = \tau_1(t) - T, \qquad I_2 \dot\omega_2 = \tau_2(t) + T}{
+#'   I1 omega1' = tau1(t) - T,  I2 omega2' = tau2(t) + T}
+#' While the clutch slips, its torque on body 2 is `T = capacity sign(omega1 - omega2)`; when the
+#' speeds meet it locks, if the torque that keeps them equal, `(I2 tau1 - I1 tau2)/(I1 + I2)`, is at
+#' most the static capacity, and stays locked as long as it is. Before `engage_s` its torque is 0.
 #'
 #' [trajectory()] gives the closed form, with the exact times of locking and slipping (events
 #' `lock`, `slip`, and `reverse` where the slip passes through zero).

@@ -134,7 +134,9 @@ loads_on_axle <- function(torque, resistance, inertia, theta0, omega0, start_s) 
 #'
 #' Rotors in a chain, neighbours coupled by an elastic shaft, a friction clutch or a rigid gear (see
 #' [couplings]), each under torque laws, resistance and a brake of its own:
-#' `J_i omega_i' = tau_i + resistance_i + ratio_(i-1) T_(i-1) - T_i`.
+#' \deqn{J_i \dot\omega_i = \tau_i + \tau_{r,i} + N_{i-1} T_{i-1} - T_i}{
+#'   J_i omega_i' = tau_i + resistance_i + ratio_(i-1) T_(i-1) - T_i}
+#' with the ratio `N_i` and the torque `T_i` of the coupling behind rotor `i`.
 #'
 #' Clutches, brakes and dry friction stick and slip with exact events: [motion_events()] says when
 #' and where. There are closed forms for constant torques on shafts and gears, for torques of time

@@ -1,9 +1,11 @@
 #' Several rotors on one shaft
 #'
 #' Rotors in a line, with a piece of elastic shaft between neighbours:
-#' `J_i theta_i'' = tau_i - d_i omega_i + T_(i-1) - T_i`, where
-#' `T_i = k_i (theta_i - theta_(i+1)) + c_i (omega_i - omega_(i+1))` is the torque of shaft `i` on
-#' rotor `i + 1`.
+#' \deqn{J_i \ddot\theta_i = \tau_i - d_i \omega_i + T_{i-1} - T_i, \qquad
+#'   T_i = k_i (\theta_i - \theta_{i+1}) + c_i (\omega_i - \omega_{i+1})}{
+#'   J_i theta_i'' = tau_i - d_i omega_i + T_(i-1) - T_i,
+#'   T_i = k_i (theta_i - theta_(i+1)) + c_i (omega_i - omega_(i+1))}
+#' with the torque `T_i` of shaft `i` on rotor `i + 1`.
 #'
 #' [trajectory()] solves it exactly for any stiffness: the mean motion separately, the twists in
 #' modes. Where the twists are below the accuracy asked, it takes the shaft as rigid, with a bound

@@ -1,8 +1,10 @@
 #' Stopping time and terminal speed
 #'
 #' In closed form, where the torque is constant between its steps and the resistance is any of
-#' viscous, quadratic and dry friction: `I domega/dt = torque - c omega - q omega |omega| - tau_c
-#' sign(omega)`. With viscous resistance alone a body never stops: its stopping time is Inf, the
+#' viscous, quadratic and dry friction:
+#' \deqn{I \dot\omega = \tau - c\,\omega - q\,\omega|\omega| - \tau_c\,\mathrm{sign}\,\omega}{
+#'   I omega' = torque - c omega - q omega |omega| - tau_c sign(omega)}
+#' With viscous resistance alone a body never stops: its stopping time is Inf, the
 #' angle finite. With dry friction it stops, and stays at rest while the torque is at most the
 #' static friction.
 #'
