@@ -1,17 +1,18 @@
 #' Audit a trajectory
 #'
 #' The balances of a motion from its first row to its last, a row each: the change of a quantity
-#' against what supplied it, less what dissipated it. Energy: the change of kinetic (and elastic)
-#' energy against the work of the torques (and of what changes the inertia) less the heat. Angular
-#' momentum: its change against the impulse of the torques less that of the resistance. Work, heat
-#' and impulses are computed separately (in closed form, or with the integration), never as what is
-#' missing, so a residual means something; each comes with what rounding and the stated error could
-#' explain, and a verdict.
-#' \deqn{\Delta\left(\tfrac12 I \omega^2\right) = \int \tau\,\omega\,dt - Q, \quad
+#' against what supplied it, less what dissipated it. Energy: the change of kinetic energy, and of
+#' what springs, height and elastic shafts store, against the work of the other torques (and of what
+#' changes the inertia) less the heat. Angular momentum: its change against the impulse of the
+#' torques less that of the resistance. Work, heat and impulses are computed separately (in closed
+#' form, or with the integration), never as what is missing, so a residual means something; each
+#' comes with what rounding and the stated error could explain, and a verdict.
+#' \deqn{\Delta\left(\tfrac12 I \omega^2 + U\right) = \int \tau\,\omega\,dt - Q, \quad
 #'   \Delta(I \omega) = \int (\tau + \tau_r)\,dt}{
-#'   change of I omega^2/2 = int tau omega dt - Q,  change of I omega = int (tau + tau_r) dt}
-#' with the heat Q and the torque \eqn{\tau_r}{tau_r} of the resistance. With several bodies the
-#' sums are over all of them; torques between them have no part in the angular momentum.
+#'   change of I omega^2/2 + U = int tau omega dt - Q,  change of I omega = int (tau + tau_r) dt}
+#' with the potential energy U, the heat Q and the torque \eqn{\tau_r}{tau_r} of the resistance.
+#' With several bodies the sums are over all of them; torques between them have no part in the
+#' angular momentum.
 #'
 #' The changes are taken from the rows as they are now: edit a value, and the audit says so. When
 #' rows were dropped, the balance runs over the rows that are left. Where [choose_model()] left an

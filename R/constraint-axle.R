@@ -12,6 +12,7 @@ axle_constraint <- function() {
       gears = list(
         .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number"
       ),
+      rope = list(.optional = TRUE, mass_kg = "numbers:2", radius_m = "number"),
       train = list(
         .optional = TRUE, ratio_to_first = "numbers",
         moment_of_inertia_kg_m2 = "numbers=ratio_to_first"
@@ -87,7 +88,14 @@ axle_constraint <- function() {
 }
 
 # A torque that goes around with the angle swings as fast as the body turns.
-axle_pace <- function(scene, sizes) {
+axle_pace <- function(scene, sizes, model) {
+  list(
+    breaks_s = sort(unique(c(axle_breaks(scene), scene$loads$law$breaks_s))),
+    fades_s = shortest_time(scene, sizes), swing_rad_per_s = fastest_swing(scene, sizes)
+  )
+}
+
+fastest_swing <- function(scene, sizes) {
   inertia <- min(scene$moment_of_inertia_kg_m2, scene$inertia$moment_of_inertia_kg_m2)
   swing <- vapply(scene$loads$terms, function(term) {
     x <- abs(term$x)
@@ -98,10 +106,7 @@ axle_pace <- function(scene, sizes) {
       0
     )
   }, double(1))
-  list(
-    breaks_s = sort(unique(c(axle_breaks(scene), scene$loads$law$breaks_s))),
-    fades_s = shortest_time(scene, sizes), swing_rad_per_s = max(0, swing)
-  )
+  max(0, swing)
 }
 
 # The scene without some effects.
@@ -161,13 +166,20 @@ balance_axle <- function(x, run, call) {
   eps <- .Machine$double.eps
   errors <- run$info$errors
   omega_error <- errors[["omega"]] + eps * abs(omega)
+  stored <- potential_change(scene, theta, errors[["theta"]] + eps * abs(theta))
+  # What springs and gravity do is the change of their energy: the rest is the work of the others.
+  work <- flow("work_j")
+  if (!is.null(stored)) work <- if (potential_only(scene)) 0 else work + stored$change_j
   sizes <- abs(c(kinetic, flow("work_j"), flow("dissipated_j"), flow("inertia_work_j")))
   list(
     balance(
       "energy", NA_character_, "J",
-      c("change of kinetic energy" = kinetic),
       c(
-        "work of the torque" = flow("work_j"),
+        "change of kinetic energy" = kinetic,
+        if (!is.null(stored)) c("change of potential energy" = stored$change_j)
+      ),
+      c(
+        "work of the torque" = work,
         "work of what changes the inertia" = flow("inertia_work_j")
       ),
       stats::setNames(
@@ -177,7 +189,7 @@ balance_axle <- function(x, run, call) {
           if (is.null(scene$gears)) "heat of dry friction" else "loss of the gears"
         )
       ),
-      flow("work_rounding_j") + flow("dissipated_rounding_j") +
+      flow("work_rounding_j") + flow("dissipated_rounding_j") + (stored$rounding_j %||% 0) +
         sum(inertia * abs(omega) * omega_error) + 2 * eps * sum(sizes) +
         if (is.null(scene$inertia)) 0 else 2 * eps * sum(inertia * omega^2)
     ),

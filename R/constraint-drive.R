@@ -29,6 +29,7 @@ drive_constraint <- function() {
       theta = measure("rad", "theta_rad"),
       omega = measure("rad/s", "omega_rad_per_s")
     ),
+    pace = drive_pace,
     summary = function(x, run) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
@@ -57,6 +58,26 @@ drive_constraint <- function() {
       panel("heat of resistance and brake (J)", c(heat_j = "")),
       panel("heat of the coupling behind it (J)", c(coupling_heat_j = ""))
     )
+  )
+}
+
+drive_pace <- function(scene, sizes, model) {
+  of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
+  inertia <- scene$moment_of_inertia_kg_m2
+  grips <- c(
+    lapply(scene$couplings, `[[`, "grip"), lapply(scene$rotors, function(rotor) rotor$brake)
+  )
+  loaded <- c(scene$rotors, Filter(Negate(is.null), grips))
+  marks <- unlist(lapply(loaded, function(one) {
+    c(axle_breaks(one), one$loads$law$breaks_s, one$from_s, one$to_s)
+  }))
+  rate <- function(k) largest_rate(k, of("ratio"), inertia)
+  fades <- vapply(scene$rotors, function(rotor) 1 / shortest_time(rotor, sizes), double(1))
+  swings <- vapply(loaded, fastest_swing, double(1), sizes)
+  list(
+    breaks_s = sort(unique(marks[is.finite(marks)])),
+    fades_s = 1 / (max(fades) + rate(of("damping_n_m_s"))),
+    swing_rad_per_s = max(swings, sqrt(rate(of("stiffness_n_m_per_rad")))), drifts = TRUE
   )
 }
 

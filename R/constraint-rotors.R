@@ -22,6 +22,7 @@ rotors_constraint <- function() {
       theta = measure("rad", "theta_rad"),
       omega = measure("rad/s", "omega_rad_per_s")
     ),
+    pace = rotors_pace,
     summary = function(x, run) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
@@ -47,6 +48,34 @@ rotors_constraint <- function() {
       panel("torque of the shaft behind it (N m)", c(shaft_torque_n_m = ""))
     )
   )
+}
+
+# A rigid shaft has no twists.
+rotors_pace <- function(scene, sizes, model) {
+  inertia <- scene$moment_of_inertia_kg_m2
+  rigid <- model == "rotors_rigid"
+  ratio <- rep(1, length(inertia) - 1L)
+  fades <- if (rigid) {
+    sum(scene$viscous_n_m_s) / sum(inertia)
+  } else {
+    largest_rate(scene$damping_n_m_s, ratio, inertia) + max(scene$viscous_n_m_s / inertia)
+  }
+  list(
+    breaks_s = double(), fades_s = 1 / fades,
+    swing_rad_per_s = if (rigid) 0 else
+      sqrt(largest_rate(scene$stiffness_n_m_per_rad, ratio, inertia)),
+    drifts = any(scene$torque_n_m != 0) || sum(inertia * scene$omega0_rad_per_s) != 0
+  )
+}
+
+# A bound on the largest eigenvalue of J^-1/2 K J^-1/2 (Gershgorin), with K of springs or dampers
+# between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold rotors
+# together only lessen it.
+largest_rate <- function(k, ratio, inertia) {
+  n <- length(inertia)
+  if (n < 2L) return(0)
+  across <- k * abs(ratio) / sqrt(inertia[-n]) / sqrt(inertia[-1])
+  max(c(k / inertia[-n] + across, 0) + c(0, k * ratio^2 / inertia[-1] + across))
 }
 
 # From the rows of the first and the last time.

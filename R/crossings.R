@@ -37,7 +37,7 @@ motion_reader <- function(run, body, call) {
 # times that double their distance from these, and 16 for each cycle of the fastest swing. NULL
 # where the cycles are too many.
 search_times <- function(run, from_s, to_s) {
-  pace <- pace_of(run$scene, run$info$sizes)
+  pace <- pace_of(run)
   cycles <- pace$swing_rad_per_s * (to_s - from_s) / (2 * pi)
   if (!is.finite(cycles) || cycles > 1e4) return(NULL)
   marks <- sort(unique(c(pace$breaks_s, run$events$time_s, run$scene$start_s)))
@@ -53,11 +53,11 @@ search_times <- function(run, from_s, to_s) {
   sort(unique(c(from_s, inside(c(marks, fades, pieces, even)), to_s)))
 }
 
-# Of constraints that do not say: list(breaks_s, fades_s, swing_rad_per_s), see R/constraints.R.
-pace_of <- function(scene, sizes) {
-  pace <- constraint_of(scene)$pace
+# As R/constraints.R says; of constraints that do not say, nothing that hurries.
+pace_of <- function(run) {
+  pace <- constraint_of(run$scene)$pace
   if (is.null(pace)) return(list(breaks_s = double(), fades_s = Inf, swing_rad_per_s = 0))
-  pace(scene, sizes)
+  pace(run$scene, run$info$sizes, run$model)
 }
 
 # ---- zeros --------------------------------------------------------------------------------------

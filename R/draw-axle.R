@@ -3,6 +3,7 @@
 draw_axle <- function(scene) {
   if (!is.null(scene$train)) return(draw_train(scene$train, scene))
   if (!is.null(scene$inertia)) return(draw_skater(scene))
+  if (!is.null(.subset2(scene, "rope"))) return(draw_hanging(scene))
   kinds <- vapply(scene$loads$terms, function(term) term$kind, "")
   if ("gravity" %in% kinds) return(draw_pendulum(scene))
   look <- axle_outline(scene)
@@ -23,6 +24,39 @@ draw_axle <- function(scene) {
   for (term in spring) draw_torsion_spring(d, term)
   draw_resistance(d, scene$resistance, rim)
   d$done(c(-1.5, 1.5, -1.5, 1.5), look$note)
+}
+
+# A pulley with one or two masses. Positive is where the first goes down: on the left.
+draw_hanging <- function(scene) {
+  rope <- scene$rope
+  look <- axle_outline(scene, 0.6)
+  drawn <- if (is.na(look$unit)) 0.6 else min(max(look$unit * rope$radius_m, 0.15), 0.9)
+  d <- new_drawing()
+  for (one in look$marks) d$add(one)
+  if (drawn < 0.95 * look$reach) d$add(mark("line", draw_circle(0, 0, drawn), "spring"))
+  d$add(mark("fill", draw_circle(0, 0, 0.05), "shaft"))
+  both <- rope$mass_kg[2] > 0
+  # The cube of the side shows the mass.
+  side <- 0.42 * (rope$mass_kg / max(rope$mass_kg))^(1 / 3)
+  for (i in seq_len(1L + both)) {
+    x <- c(-1, 1)[i] * drawn
+    half <- max(side[i], 0.12) / 2
+    d$add(mark("line", rbind(c(x, 0), c(x, -1)), "spring"))
+    d$add(mark("fill", draw_box(x, -1 - half, 2 * half, 2 * half), "body"))
+    d$add(mark("arrow", rbind(c(x, -1 - half), c(x, -1.3 - half)), "weight"))
+    d$say(paste0("m[", i, "]*g"), x + c(-1, 1)[i] * 0.24, -1.26 - half)
+    name <- if (!both) "hanging mass" else c("mass, down is positive", "other mass")[i]
+    d$key(quantity(paste0("m[", i, "]"), name, value_text(rope$mass_kg[i], "kg")))
+  }
+  d$key(quantity("r[1]", "radius of the rope", value_text(rope$radius_m, "m")))
+  d$key(quantity("I", "inertia of all", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
+  if (inherits(scene$body, "rot_body")) d$keys(size_quantities(scene$body, 1L))
+  draw_start(d, scene, look$reach)
+  draw_resistance(d, scene$resistance, look$reach)
+  out <- d$done(c(-1.5, 1.5, -1.75, 1.25), if (is.na(look$unit)) "not to scale" else
+    "the pulley to scale")
+  out$title <- if (both) "Two masses on a pulley" else "A mass on a pulley"
+  out
 }
 
 # A drawing in the making.

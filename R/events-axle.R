@@ -41,16 +41,49 @@ rest_angle <- function(term) {
   term$x[2] + if (term$kind == "gravity" && term$x[1] < 0) pi else 0
 }
 
+# The terms whose torque has a potential energy; none where one of them does not act at all times.
+axle_conservative <- function(scene) {
+  terms <- Filter(function(term) term$kind %in% c("spring", "gravity"), scene$loads$terms)
+  always <- vapply(terms, function(term) term$from_s == -Inf && term$to_s == Inf, NA)
+  if (all(always)) terms else list()
+}
+
 # The energy stored in springs and in the height, J; 0 at the rest angle. NULL where none acts at
 # all times.
 axle_potential <- function(scene, theta_rad) {
-  terms <- Filter(function(term) {
-    term$kind %in% c("spring", "gravity") && term$from_s == -Inf && term$to_s == Inf
-  }, scene$loads$terms)
+  terms <- axle_conservative(scene)
   if (!length(terms)) return(NULL)
   Reduce(`+`, lapply(terms, function(term) {
     away <- theta_rad - rest_angle(term)
     if (term$kind == "spring") return(0.5 * term$x[1] * away^2)
     2 * abs(term$x[1]) * sin(away / 2)^2
   }))
+}
+
+# Its change between two angles, each with an error: list(change_j, rounding_j), or NULL. A product
+# keeps the digits of a small change of a large energy.
+potential_change <- function(scene, theta_rad, error_rad) {
+  terms <- axle_conservative(scene)
+  if (!length(terms)) return(NULL)
+  each <- vapply(terms, function(term) {
+    k <- abs(term$x[1])
+    away <- theta_rad - rest_angle(term)
+    spring <- term$kind == "spring"
+    change <- if (spring) {
+      0.5 * term$x[1] * (theta_rad[2] - theta_rad[1]) * (away[1] + away[2])
+    } else {
+      2 * k * sin((away[1] + away[2]) / 2) * sin((theta_rad[2] - theta_rad[1]) / 2)
+    }
+    slope <- k * if (spring) abs(away) else abs(sin(away))
+    error <- error_rad + .Machine$double.eps * abs(rest_angle(term))
+    c(change, sum(slope * error) + k * sum(error^2) + 8 * .Machine$double.eps * abs(change))
+  }, double(2))
+  list(change_j = sum(each[1, ]), rounding_j = sum(each[2, ]))
+}
+
+# Whether no other torque acts but resistance.
+potential_only <- function(scene) {
+  loads <- scene$loads
+  length(axle_conservative(scene)) == length(loads$terms) && is.null(loads$law) &&
+    loads$motor_n_m_s == 0 && torque_is_zero(loads$knots)
 }

@@ -29,6 +29,12 @@
 #' stick <- function(angle) scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = angle)
 #' period(stick(0))
 #' period(stick(pi / 2))
+#' # A damped pendulum has no period, but cycles: from one turning point to the next but one.
+#' oiled <- scene_pendulum(body_point(1), 0.8, resistance(0.3), theta0_rad = 2)
+#' period(oiled)$kind
+#' turns <- when(oiled, omega_rad_per_s = 0, occurrence = "all", until_s = 12)
+#' diff(turns$time_s, lag = 2)
+#' turns$theta_rad
 #' # A torsion pendulum in oil.
 #' period(scene_axle(0.02, torque_spring(0.5), resistance(0.01), theta0_rad = 0.3))
 #' @export

@@ -64,10 +64,13 @@ scene_hanging_mass <- function(body, mass_kg, radius_m, resistance = NULL, theta
   if (!is.finite(weight)) {
     abort_rotdyn("The torque of the weight exceeds double precision.", "value", call)
   }
-  new_scene_axle(
+  scene <- new_scene_axle(
     body, inertia[1], NULL, axis, torque_constant(weight), as_resistance(resistance, call),
     check_number(theta0_rad, "theta0_rad", "rad", call),
     check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
     check_number(start_s, "start_s", "s", call)
   )
+  # For the drawing.
+  scene$rope <- list(mass_kg = c(mass_kg, counter_mass_kg), radius_m = radius_m)
+  scene
 }

@@ -10,8 +10,8 @@
 #'   one, `rotor = 2`. Values may have units.
 #' @param occurrence `"first"` or `"all"`.
 #' @param until_s Where the search ends. Needed for all occurrences in a scene; without it the first
-#'   is searched in spans that grow until the motion must have shown it: 1000 cycles of what swings,
-#'   a million million times the slowest of the motion's times else (1000 times that for an
+#'   is searched in spans that grow until the motion must have shown it: 1000 cycles of what swings
+#'   alone, a million million times the slowest of the motion's times else (1000 times that for an
 #'   integrator).
 #' @param accuracy That of [trajectory()], for a scene.
 #' @return A tibble with `time_s`, `direction` (`"up"`, `"down"`; `"reached"` where the value is
@@ -77,14 +77,16 @@ when_in_scene <- function(scene, asked, first, until_s, accuracy, call) {
       "{.arg until_s} is needed for all occurrences.", i = "A motion has no end of its own."
     ), "type", call)
   }
-  run <- run_to(start, start)
-  pace <- pace_of(scene, run$info$sizes)
+  # Its sizes alone count: the error of a motion without a span does not.
+  run <- suppressWarnings(run_to(start, start), classes = "rotdyn_warning_accuracy")
+  pace <- pace_of(run)
   marks <- pace$breaks_s[pace$breaks_s > start] - start
   swing <- if (pace$swing_rad_per_s > 0) 2 * pi / pace$swing_rad_per_s
   times <- c(swing, marks, pace$fades_s, if (is.null(swing)) 1)
   times <- times[is.finite(times) & times > 0]
-  closed <- record_of(run)$error_kind == "bound"
-  most <- if (!is.null(swing)) 1e3 * swing + 10 * max(times) else
+  closed <- !isTRUE(record_of(run)$adapts)
+  swings <- !is.null(swing) && !isTRUE(pace$drifts)
+  most <- if (swings) 1e3 * swing + 10 * max(times) else
     if (closed) 1e12 * max(times) else 1e3 * max(times)
   from <- start
   reach <- min(times)

@@ -60,3 +60,18 @@ test_that("a skater's masses are at the radius of gyration", {
   centres <- vapply(ends, function(one) mean(range(one$points[, 1])), 1)
   expect_equal(sort(centres), c(-0.5, 0.5)) # sqrt(1/4)
 })
+
+test_that("masses hang from their pulley at the radius of the rope", {
+  look <- drawing(scene_hanging_mass(body_disk(2, 0.2), 0.5, 0.1, counter_mass_kg = 4))
+  lines <- Filter(function(one) one$type == "line" && nrow(one$points) == 2, look$marks)
+  ropes <- vapply(lines, function(one) one$points[1, 1], 0)
+  # Half of the radius of the body, which is drawn at 0.6; the first mass is on the left.
+  expect_true(all(c(-0.3, 0.3) %in% round(ropes, 12)))
+  boxes <- Filter(function(one) nrow(one$points) == 4, fills(look))
+  width <- vapply(boxes, function(one) diff(range(one$points[, 1])), 0)
+  expect_equal(width[2] / width[1], 2)
+  expect_true(all(c("m[1]", "m[2]", "r[1]") %in% look$quantities$symbol))
+  alone <- drawing(scene_hanging_mass(0, 1.1, 0.05))
+  expect_false("m[2]" %in% alone$quantities$symbol)
+  expect_equal(alone$title, "A mass on a pulley")
+})

@@ -37,3 +37,35 @@ test_that("potential and kinetic energy add up", {
   expect_equal(augment(trajectory(spring, 0))$potential_energy_j, 1)
   expect_null(augment(spin_up())[["potential_energy_j"]])
 })
+
+test_that("an audit has the potential energy as a change", {
+  energy <- function(scene, time_s) {
+    a <- audit(trajectory(scene, time_s))
+    expect_equal(a$verdict, rep("balanced", nrow(a)))
+    terms <- a$terms[[1]]
+    stats::setNames(terms$value, terms$term)
+  }
+  # mpmath: at K(sin^2 1) sqrt(I/(m g d)) the pendulum let go at 2 rad passes the lowest point; all
+  # of m g d (1 - cos 2) is kinetic.
+  scene <- scene_pendulum(body_point(1), 0.5, theta0_rad = 2)
+  got <- energy(scene, c(0, period(scene)$period_s / 4))
+  fallen <- 9.80665 * 0.5 * (1 - cos(2))
+  expect_equal(got[["change of potential energy"]], -fallen, tolerance = 1e-14)
+  expect_equal(got[["change of kinetic energy"]], fallen, tolerance = 1e-14)
+  expect_identical(got[["work of the torque"]], 0)
+  # A spring wound up by a constant torque of 3 N m, without resistance: back at the start after
+  # a cycle, twice the static angle at half of it. By hand.
+  wound <- scene_axle(2, torque_spring(8) + 3)
+  got <- energy(wound, c(0, pi / 2))
+  expect_equal(got[["change of potential energy"]], 0.5 * 8 * 0.75^2, tolerance = 1e-14)
+  expect_equal(got[["work of the torque"]], 3 * 0.75, tolerance = 1e-14)
+  expect_equal(got[["change of kinetic energy"]], 0, tolerance = 1e-13)
+  # An edited row shows.
+  x <- trajectory(scene, c(0, 0.2, 0.4))
+  x$theta_rad[3] <- x$theta_rad[3] * (1 + 1e-9)
+  expect_equal(audit(x)$verdict[1], "unbalanced")
+  # A small change of a large energy, and a body that went round many times.
+  up <- scene_axle(1, torque_gravity(1, 1e6), theta0_rad = 3.1, omega0_rad_per_s = 5e3)
+  energy(up, c(0, 1e-7))
+  energy(up, c(0, 10))
+})

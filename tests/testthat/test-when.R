@@ -105,3 +105,28 @@ test_that("errors", {
   expect_error(when(scene_rotors(c(1, 1), 1), theta_rad = 3, rotor = 3),
     class = "rotdyn_error_value")
 })
+
+test_that("passages of a shaft that swings fast, and drifts", {
+  # omega_2 = 1 - cos(50 t): 1 is passed twice in each cycle.
+  shaft <- scene_rotors(c(1, 1), 1250, omega0_rad_per_s = c(2, 0))
+  got <- when(shaft, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 10)
+  expect_equal(got$time_s, (2 * (1:159) - 1) * pi / 100, tolerance = 1e-14)
+  drive <- scene_drive(c(1, 1), coupling_shaft(1250), omega0_rad_per_s = c(2, 0))
+  got <- when(drive, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 10)
+  expect_equal(got$time_s, (2 * (1:159) - 1) * pi / 100, tolerance = 1e-14)
+  expect_no_warning(first <- when(shaft, omega_rad_per_s = 1, rotor = 2))
+  expect_equal(first$time_s, pi / 100, tolerance = 1e-14)
+  # omega_2 = t - sin(50 t)/50: far more than 1000 cycles until it is 150.
+  driven <- scene_rotors(c(1, 1), 1250, torque_n_m = c(2, 0))
+  t <- 150
+  for (i in 1:60) t <- t - (t - sin(50 * t) / 50 - 150) / (1 - cos(50 * t) + 0.1)
+  expect_equal(when(driven, omega_rad_per_s = 150, rotor = 2)$time_s, t, tolerance = 1e-12)
+  # Behind a gear the same spring swings faster: k (1/J1 + N^2/J2).
+  geared <- scene_drive(
+    c(1, 1), coupling_shaft(100, ratio = 7), omega0_rad_per_s = c(7, -1)
+  )
+  swing <- sqrt(100 * 50)
+  # The mean motion is that of J1 + J2/49 at the first; twist rate 7 - 7 (-1) = 14 at the start.
+  got <- when(geared, coupling_torque_n_m = 0, rotor = 1, occurrence = "all", until_s = 20)
+  expect_equal(got$time_s, (0:floor(20 * swing / pi)) * pi / swing, tolerance = 1e-12)
+})
