@@ -19,6 +19,7 @@ axle_constraint <- function() {
       )
     ),
     title = function(run) {
+      if (!is.null(.subset2(run$scene, "train"))) return("A gear train")
       paste(sentence(with_article(run$scene$body$shape %||% "body")), "on a fixed axle")
     },
     models = axle_models,

@@ -32,7 +32,7 @@ clutch_constraint <- function() {
     },
     drawing = function(scene) {
       draw_chain(
-        scene, scene$moment_of_inertia_kg_m2, list(kind = "clutch", ratio = 1), clutch_label = "T"
+        scene, scene$moment_of_inertia_kg_m2, list(kind = "clutch", ratio = 1), clutch_labels = "T"
       )
     },
     balances = balance_clutch,

@@ -48,16 +48,45 @@ drive_constraint <- function() {
     drawing = function(scene) {
       of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
       kind <- c("spring", "clutch", "gear")[of("kind") + 1]
-      draw_chain(scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of("ratio")))
+      draw_chain(
+        scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of("ratio")),
+        drive_quantities(scene, kind), sprintf("T[%d]", seq_along(kind)),
+        vapply(scene$rotors, function(rotor) !is.null(rotor$brake), NA)
+      )
     },
     balances = balance_drive,
     augment = augment_drive,
     panels = list(
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
-      panel("torque of the coupling behind it (N m)", c(coupling_torque_n_m = "")),
-      panel("heat of resistance and brake (J)", c(heat_j = "")),
-      panel("heat of the coupling behind it (J)", c(coupling_heat_j = ""))
+      panel("coupling torque (N m)", c(coupling_torque_n_m = "")),
+      panel("heat of the rotor (J)", c(heat_j = "")),
+      panel("coupling heat (J)", c(coupling_heat_j = ""))
     )
+  )
+}
+
+# What couples the rotors and holds them, for the drawing.
+drive_quantities <- function(scene, kind) {
+  of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
+  shafts <- kind == "spring"
+  gears <- of("ratio") != 1
+  each <- function(which, symbol, name, text) {
+    do.call(rbind, lapply(which, function(i) {
+      quantity(sprintf("%s[%d]", symbol, i), name, text(i), "resistance")
+    }))
+  }
+  brakes <- which(vapply(scene$rotors, function(rotor) !is.null(rotor$brake), NA))
+  rbind(
+    if (any(shafts)) {
+      quantity(
+        "k[i]", "stiffness", value_text(of("stiffness_n_m_per_rad")[shafts], "N m/rad"), "spring"
+      )
+    },
+    each(which(kind == "clutch"), "T", "clutch", function(i) {
+      torque_text(scene$couplings[[i]]$grip$capacity)
+    }),
+    each(brakes, "B", "brake", function(i) torque_text(scene$rotors[[i]]$brake$capacity)),
+    if (any(gears)) quantity("", "ratio", value_text(of("ratio")[gears], ""))
   )
 }
 
@@ -100,7 +129,7 @@ balance_drive <- function(x, run, call) {
   sums <- drive_sums(scene, c(run, call = call), span)
   if (is.null(sums)) return(none)
   at <- function(column) lapply(ends, function(rows) x[[column]][rows])
-  flow <- function(name) sums[2, name] - sums[1, name]
+  flow <- function(name) sums[[2, name]] - sums[[1, name]]
   omega <- at("omega_rad_per_s")
   theta <- at("theta_rad")
   heat <- at("heat_j")

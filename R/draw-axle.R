@@ -18,11 +18,13 @@ draw_axle <- function(scene) {
   }
   d$add(mark("fill", draw_circle(0, 0, 0.06), "shaft"))
   rim <- look$reach
-  draw_start(d, scene, rim)
-  draw_torque(d, torque_without(scene$torque, c("gravity", "spring")), rim + 0.16)
   spring <- Filter(function(term) term$kind == "spring", scene$loads$terms)
+  # The letters of the bearing and of the angle stand outside of a spring.
+  coiled <- length(spring) > 0L
+  draw_start(d, scene, rim, if (coiled) 0.7 else 0.42)
+  draw_torque(d, torque_without(scene$torque, c("gravity", "spring")), rim + 0.16)
   for (term in spring) draw_torsion_spring(d, term)
-  draw_resistance(d, scene$resistance, rim)
+  draw_resistance(d, scene$resistance, rim, away = if (coiled) c(0.3, 0.74) else c(0.16, 0.15))
   d$done(c(-1.5, 1.5, -1.5, 1.5), look$note)
 }
 
@@ -44,13 +46,14 @@ draw_hanging <- function(scene) {
     d$add(mark("line", rbind(c(x, 0), c(x, -1)), "spring"))
     d$add(mark("fill", draw_box(x, -1 - half, 2 * half, 2 * half), "body"))
     d$add(mark("arrow", rbind(c(x, -1 - half), c(x, -1.3 - half)), "weight"))
-    d$say(paste0("m[", i, "]*g"), x + c(-1, 1)[i] * 0.24, -1.26 - half)
+    d$say(paste0("m[", i, "]"), x + c(-1, 1)[i] * (half + 0.18), -1 - half)
     name <- if (!both) "hanging mass" else c("mass, down is positive", "other mass")[i]
     d$key(quantity(paste0("m[", i, "]"), name, value_text(rope$mass_kg[i], "kg")))
   }
   d$key(quantity("r[1]", "radius of the rope", value_text(rope$radius_m, "m")))
   d$key(quantity("I", "inertia of all", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
-  if (inherits(scene$body, "rot_body")) d$keys(size_quantities(scene$body, 1L))
+  at_rim <- isTRUE(all.equal(look$radius, rope$radius_m))
+  if (inherits(scene$body, "rot_body")) d$keys(size_quantities(scene$body, if (at_rim) 0L else 1L))
   draw_start(d, scene, look$reach)
   draw_resistance(d, scene$resistance, look$reach)
   out <- d$done(c(-1.5, 1.5, -1.75, 1.25), if (is.na(look$unit)) "not to scale" else
@@ -164,16 +167,18 @@ start_rate <- function(scene) {
   quantity("omega[0]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed")
 }
 
-draw_start <- function(d, scene, rim) {
+draw_start <- function(d, scene, rim, arc = 0.42) {
   if (scene$theta0_rad != 0) {
     theta <- scene$theta0_rad
     end <- (rim + 0.08) * c(cos(theta), sin(theta))
     d$add(mark("line", rbind(c(0, 0), c(rim + 0.08, 0)), "dashed"))
     d$add(mark("line", rbind(c(0, 0), end), "dashed"))
     shown <- (theta * 180 / pi) %% (360 * sign(theta))
-    d$add(mark("line", draw_arc(0, 0, 0.42, 0, shown), "speed"))
+    d$add(mark("line", draw_arc(0, 0, arc, 0, shown), "speed"))
     middle <- shown / 2 * pi / 180
-    d$say("theta[0]", 0.62 * cos(middle), 0.62 * sin(middle))
+    # There is no room between the rays of a small angle.
+    out <- if (abs(shown) < 25) rim + 0.26 else arc + 0.2
+    d$say("theta[0]", out * cos(middle), out * sin(middle))
     d$key(quantity("theta[0]", "angle at start", value_text(theta, "rad"), "speed"))
   }
   if (scene$omega0_rad_per_s != 0) {
@@ -216,8 +221,9 @@ draw_torsion_spring <- function(d, term) {
   ))
 }
 
-# A brake shoe under the rim for dry friction; the bearing's letters at the axle.
-draw_resistance <- function(d, resistance, rim, at = c(0, 0)) {
+# A brake shoe under the rim for dry friction; the bearing's letters at the axle, `away` from it on
+# the left (on the right where it is negative).
+draw_resistance <- function(d, resistance, rim, at = c(0, 0), away = c(0.16, 0.15)) {
   if (resistance$static_n_m != 0) {
     d$add(mark("fill", draw_box(at[1], at[2] - rim - 0.09, 0.5, 0.16), "fixed"))
     d$add(mark("arrow", rbind(
@@ -233,11 +239,11 @@ draw_resistance <- function(d, resistance, rim, at = c(0, 0)) {
     ))
   }
   if (resistance$viscous_n_m_s != 0) {
-    d$say("c", at[1] - 0.16, at[2] - 0.14)
+    d$say("c", at[1] - away[1], at[2] - away[2])
     d$key(quantity("c", "viscous", value_text(resistance$viscous_n_m_s, "N m s"), "resistance"))
   }
   if (resistance$quadratic_n_m_s2 != 0) {
-    d$say("q", at[1] - 0.16, at[2] + 0.16)
+    d$say("q", at[1] - away[1], at[2] + away[2])
     d$key(quantity(
       "q", "quadratic drag", value_text(resistance$quadratic_n_m_s2, "N m s^2"), "resistance"
     ))
@@ -276,12 +282,13 @@ draw_pendulum <- function(scene) {
   d$add(mark("fill", draw_circle(at[1], at[2], if (is.null(flat)) 0.09 else 0.035), "shaft"))
   d$add(mark("fill", draw_circle(0, 0, 0.05), "fixed"))
   d$add(mark("arrow", rbind(at, at - c(0, 0.42)), "weight"))
+  side <- if (swing < 0) -1 else 1
   if (is.null(hang)) {
-    d$say("m*g*d", at[1] + 0.26, at[2] - 0.34)
+    d$say("m*g*d", at[1] + 0.4, at[2] - 0.3)
     d$key(quantity("m*g*d", "weight times distance", value_text(term$x[1], "N m"), "weight"))
   } else {
-    d$say("m*g", at[1] + 0.2, at[2] - 0.34)
-    away <- 0.14 * if (swing < 0) -1 else 1
+    d$say("m*g", at[1] + 0.3 * side, at[2] - 0.36)
+    away <- 0.14 * side
     d$say("d", 0.5 * at[1] + away * cos(swing), 0.5 * at[2] + away * sin(swing))
     weight <- hang$mass_kg * hang$gravity_m_per_s2
     d$key(quantity("m*g", "weight", value_text(weight, "N"), "weight"))
@@ -310,7 +317,7 @@ draw_pendulum <- function(scene) {
   for (term in Filter(function(term) term$kind == "spring", scene$loads$terms)) {
     draw_torsion_spring(d, term)
   }
-  draw_resistance(d, scene$resistance, 0.12)
+  draw_resistance(d, scene$resistance, 0.12, away = c(0.18 * side, -0.16))
   top <- max(0.4, at[2] + unit * size, if (cos(swing) < 0.2) 1.4, if (!is.null(driven)) 0.85)
   out <- d$done(c(-1.35, 1.35, -1.55, top + 0.1))
   out$title <- if (inherits(body, "rot_body")) {

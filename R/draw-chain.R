@@ -1,6 +1,8 @@
 # Rotors in a line, from the side: rotors on one shaft, two bodies and a clutch, and the chains of
-# scenes without a drawing of their own. `couplings`: kind and ratio of each.
-draw_chain <- function(scene, inertia, couplings, clutch_label = NULL) {
+# scenes without a drawing of their own. `couplings`: kind and ratio of each. `more`: quantities
+# besides those of chain_quantities(); `clutch_labels`, and which rotors have brakes.
+draw_chain <- function(scene, inertia, couplings, more = NULL, clutch_labels = NULL,
+                       brakes = logical(length(inertia))) {
   n <- length(inertia)
   # Heights and not areas: a rotor of a 16th of the inertia has half the height.
   height <- pmax(0.75 * (inertia / max(inertia))^0.25, 0.18)
@@ -38,10 +40,10 @@ draw_chain <- function(scene, inertia, couplings, clutch_label = NULL) {
         mark("fill", draw_box(middle - 0.09, y[i], 0.1, 0.7), "shaft"),
         mark("fill", draw_box(middle + 0.09, y[i], 0.1, 0.7), "shaft")
       )
-      if (!is.null(clutch_label)) say(clutch_label, middle, y[i] + 0.52)
+      if (!is.null(clutch_labels)) say(clutch_labels[i], middle, y[i] + 0.52)
     } else if (stiff[i] > 0) {
       add(mark("line", draw_spring(from, to, y[i], 0.1), "spring"))
-      if (few) say(name("k", i), middle, y[i] + 0.3)
+      if (few) say(name("k", i), middle, y[i] + 0.3 + 0.02 * n)
     } else {
       add(mark("line", rbind(c(from, y[i]), c(to, y[i])), "dashed"))
     }
@@ -62,6 +64,14 @@ draw_chain <- function(scene, inertia, couplings, clutch_label = NULL) {
       add(turn_arrow(x[i], y[i] + height[i] + 0.05, 0.28, 20, 140, push, "torque"))
       if (few) say(name("tau", i), x[i], y[i] + height[i] + 0.52)
     }
+    if (brakes[i]) {
+      under <- y[i] - height[i]
+      add(
+        mark("fill", draw_box(x[i], under - 0.07, 0.3, 0.12), "fixed"),
+        mark("arrow", rbind(c(x[i], under - 0.36), c(x[i], under - 0.14)), "resistance")
+      )
+      if (few) say(name("B", i), x[i] + 0.26, under - 0.28)
+    }
     rate <- if (is.numeric(omega)) rep_len(omega, n)[i] else 0
     if (rate != 0) {
       add(turn_arrow(x[i], y[i] - height[i] - 0.05, 0.28, 200, 140, rate, "speed"))
@@ -69,7 +79,7 @@ draw_chain <- function(scene, inertia, couplings, clutch_label = NULL) {
     }
   }
   list(
-    marks = marks, labels = labels, quantities = chain_quantities(scene, inertia),
+    marks = marks, labels = labels, quantities = rbind(chain_quantities(scene, inertia), more),
     limits = c(
       -0.5, max(x) + 0.5, min(y - height) - 0.75, max(y + height) + 0.75
     ),

@@ -20,7 +20,7 @@ draw_incline <- function(scene) {
   if (weight > 0) {
     tip <- centre - c(0, 0.75)
     d$add(mark("arrow", rbind(centre, tip), "weight"))
-    d$say("m*g", tip[1] + 0.14, tip[2] + 0.1)
+    d$say("m*g", tip[1] - 0.24, tip[2] + 0.1)
     d$key(quantity("m*g", "weight", value_text(weight, "N"), "weight"))
   }
   if (scene$v0_m_per_s != 0) {

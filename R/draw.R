@@ -67,6 +67,8 @@ draw <- function(drawing, title, base_size) {
   key <- drawing$quantities
   key$id <- paste0("q", seq_len(nrow(key)))
   key_size <- 0.75 * base_size
+  # "m*g*d" has three letters.
+  wide <- 1.1 * (1 + max(1, lengths(strsplit(key$symbol, "*", fixed = TRUE))))
   text <- key_text(key, key_size, if (beside) 2.4 else 6.3)
   # Many quantities in large letters get smaller ones.
   high <- sum(nchar(gsub("[^\n]", "", text)) + 1.4) * 1.2 * key_size
@@ -117,7 +119,7 @@ draw <- function(drawing, title, base_size) {
       legend.position = if (beside) "right" else "bottom",
       legend.text = ggplot2::element_text(size = key_size, lineheight = 0.95),
       legend.spacing.y = ggplot2::unit(0.3 * key_size, "pt"),
-      legend.key.width = ggplot2::unit(2.2 * key_size, "pt"),
+      legend.key.width = ggplot2::unit(wide * key_size, "pt"),
       legend.key.height = ggplot2::unit(1.6 * key_size, "pt")
     )
 }

@@ -97,8 +97,8 @@ autoplot.rot_body <- function(object, ..., base_size = 13) {
       })
     ) +
     ggplot2::scale_x_continuous(
-      expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label,
-      guide = ggplot2::guide_axis(check.overlap = TRUE)
+      expand = c(0, 0), breaks = function(limits) ends_of(drawn$breaks(limits), base_size),
+      labels = drawn$unit$label, guide = ggplot2::guide_axis(check.overlap = TRUE)
     ) +
     ggplot2::scale_y_continuous(
       expand = c(0, 0), breaks = drawn$breaks, labels = drawn$unit$label
@@ -233,6 +233,9 @@ even_breaks <- function(span) {
   step <- diff(pretty(c(0, span), n = 3))[1]
   function(limits) step * seq(ceiling(limits[1] / step), floor(limits[2] / step))
 }
+
+# The first and the last where letters are large.
+ends_of <- function(breaks, base_size) if (base_size > 18) unique(range(breaks)) else breaks
 
 # Units from micrometres to kilometres by name, others as powers of 1000 m.
 panel_unit <- function(span) {

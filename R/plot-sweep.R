@@ -99,7 +99,11 @@ autoplot.rot_spin_up_table <- function(object, ..., x = NULL, colour = NULL, pan
         wrap_text(column_label(colour), 0.75 * base_size, 2.4)
       },
       guide = if (length(keys)) {
-        ggplot2::guide_legend(ncol = legend_columns(c(keys, "legend"), base_size))
+        ggplot2::guide_legend(
+          ncol = legend_columns(keys, base_size), title.position = if (legends_fit(
+            list(column_label(colour), keys), base_size
+          )) "left" else "top"
+        )
       } else {
         "none"
       }

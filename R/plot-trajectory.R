@@ -228,6 +228,8 @@ plot_runs <- function(parts, units, panels, base_size, call) {
       subtitle = wrap_subtitle(runs_subtitle(parts), base_size),
       x = time$label, y = NULL, alt = runs_alt(parts, constraint, long, time$label, events)
     ) +
+    # A mark at the largest value is drawn whole.
+    ggplot2::coord_cartesian(clip = "off") +
     plot_theme(base_size) +
     ggplot2::theme(
       legend.box = if (legends_fit(list(shown, if (several) lines, levels(events$marks$event)),
@@ -263,8 +265,9 @@ legend_columns <- function(labels, base_size) {
 # Whether legends beside each other fit 7 inches.
 legends_fit <- function(labels, base_size) {
   all <- unlist(labels)
-  text_width(strrep("x", sum(nchar(all))), 0.75 * base_size) + 2.6 * base_size * length(all) <
-    6.8 * 72
+  drawn <- sum(lengths(labels) > 0L)
+  text_width(strrep("x", sum(nchar(all))), 0.75 * base_size) +
+    base_size * (2.6 * length(all) + 2 * (drawn - 1)) < 6.8 * 72
 }
 
 # The panels to draw; a column without a panel gets its own.

@@ -98,7 +98,8 @@ wrap_subtitle <- function(text, base_size) {
 
 # "an annulus", "a half disk"; "a uniform rod", "an hour".
 with_article <- function(name) {
-  name <- gsub("_", " ", name)
+  # Its axle is at the end; a scene says so.
+  name <- gsub("_", " ", sub("^rod_end$", "rod", name))
   vowel <- grepl("^([aeio]|u(?!ni|s[aei]))", name, ignore.case = TRUE, perl = TRUE)
   paste(ifelse(vowel, "an", "a"), name)
 }

@@ -35,3 +35,17 @@ test_that("a clutch is two plates, a gear two wheels in the ratio of their radii
 test_that("many rotors have no letters", {
   expect_equal(nrow(chain(scene_rotors(1:20, 500))$labels), 0)
 })
+
+test_that("a drive shows its clutches and brakes", {
+  drive <- scene_drive(
+    list(0.02, 1, 0.5), list(coupling_clutch(12), coupling_shaft(800)),
+    brake = list(NULL, NULL, brake(4, from_s = 2))
+  )
+  look <- rotdyn:::drive_constraint()$drawing(drive)
+  key <- look$quantities
+  expect_equal(key$value[match(c("T[1]", "B[3]", "k[i]"), key$symbol)],
+    c("12 N m", "4 N m", "800 N m/rad"))
+  expect_true(all(c("T[1]", "B[3]", "k[2]") %in% look$labels$symbol))
+  terms <- audit(trajectory(drive, c(0, 0.1)))$terms[[1]]$term
+  expect_true("work of the torques" %in% terms)
+})
