@@ -96,7 +96,7 @@ slopes_incline <- function(columns, scene) {
 }
 
 # Without gravity and drag the motion has no time of its own.
-pace_incline <- function(scene, sizes) {
+pace_incline <- function(scene, sizes, model) {
   m <- scene$mass_kg
   speed <- max(sizes[["v"]], scene$radius_m * sizes[["omega"]])
   drag <- (scene$drag_n_s_per_m + scene$drag_n_s2_per_m2 * speed) / m

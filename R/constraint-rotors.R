@@ -69,8 +69,8 @@ rotors_pace <- function(scene, sizes, model) {
 }
 
 # A bound on the largest eigenvalue of J^-1/2 K J^-1/2 (Gershgorin), with K of springs or dampers
-# between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold rotors
-# together only lessen it.
+# between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold
+# rotors together only lessen it.
 largest_rate <- function(k, ratio, inertia) {
   n <- length(inertia)
   if (n < 2L) return(0)

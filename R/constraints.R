@@ -25,8 +25,8 @@
 #   measures      named list of measure(), to which errors and accuracies refer
 #   slopes(columns, scene)       NULL, or list: by column, what has the sign of its slope in time
 #   pace(scene, sizes, model)    NULL, or list(breaks_s, fades_s, swing_rad_per_s, drifts): times of
-#                 kinks, the shortest time in which a transient fades (Inf: none), the fastest swing,
-#                 whether the motion goes on beyond its swings
+#                 kinks, the shortest time in which a transient fades (Inf: none), the fastest
+#                 swing, whether the motion goes on beyond its swings
 #   more_events(x, run, call)    NULL, or events that motion_events() looks for: list(time_s, event)
 #   summary(x, run)              columns that summary() puts first
 #   balances(x, run, call)       list of balance(), see R/audit.R

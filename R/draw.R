@@ -30,10 +30,10 @@ draw_fills <- c(body = "grey88", hole = "white", shaft = "grey60", fixed = "grey
 #'
 #' `autoplot()` of a scene draws what it describes, with its quantities: a body on its axle, with
 #' torque, brake, spring and start; a pendulum with its weight; rotors on a shaft; two bodies and a
-#' clutch; a gear train; masses on a pulley. Bodies on an axle and pendulums have the true outline of
-#' their body, seen along the axle and to scale; rotors are drawn from the side, not to scale. Arrows
-#' of torques and angular velocities have the sense of their sign, counter-clockwise for positive
-#' ones.
+#' clutch; a gear train; masses on a pulley. Bodies on an axle and pendulums have the true outline
+#' of their body, seen along the axle and to scale; rotors are drawn from the side, not to scale.
+#' Arrows of torques and angular velocities have the sense of their sign, counter-clockwise for
+#' positive ones.
 #'
 #' @param object A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()],
 #'   [scene_gears()], ...
