@@ -187,6 +187,14 @@ column_list <- list(
   c("highest_x_m", "m", "path where the body is highest up the slope: the least x"),
   c("highest_x_time_s", "s", "the first time at which it is there"),
   c("final_x_m", "m", "path at the end"),
+  c("lane", "", "number of the body in the race, from 1"),
+  c("finished", "", "whether the body has arrived"),
+  c("place", "", "place in the race, from 1; NA where the body does not arrive"),
+  c("finish_time_s", "s", "time of the arrival; Inf where there is none"),
+  c("friction_needed", "1", "friction coefficient that rolling (or rest) needs"),
+  c("static_friction", "1", "coefficient of static friction"),
+  c("critical_angle_deg", "degree", "steepest angle at which it rolls"),
+  c("motion", "", "what the body does: \"rolls\", \"slides\", \"rests\""),
   c("final_v_m_per_s", "m/s", "velocity at the end"),
   c("vx_m_per_s", "m/s", "velocity along the floor, after"),
   c("vy_m_per_s", "m/s", "velocity away from the floor, after"),
@@ -427,6 +435,21 @@ incline_columns <- c(
   "potential_energy_j", "slip_heat_j", "rolling_heat_j", "rolling", "event"
 )
 incline_force_columns <- c("drag_force_n", "applied_force_n", "drag_heat_j")
+incline_table_columns <- c(
+  "final_x_m", "final_v_m_per_s", "final_theta_rad", "final_omega_rad_per_s", "slip_heat_j",
+  "rolling_heat_j", "roll_time_s", "rolling", "error"
+)
+friction_columns <- c(
+  "friction_needed", "static_friction", "critical_angle_deg", "motion", "acceleration_m_per_s2",
+  "alpha_rad_per_s2"
+)
+race_columns <- c(
+  "lane", "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "finished"
+)
+race_summary_columns <- c(
+  "place", "acceleration_m_per_s2", "finish_time_s", "final_speed_m_per_s", "friction_needed",
+  "motion"
+)
 bounce_columns <- c(
   "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s", "normal_impulse_n_s", "friction_impulse_n_s",
   "normal_loss_j", "friction_loss_j", "grips"

@@ -1,19 +1,19 @@
-#' Plot a table of spin-ups
+#' Plot a table of spin-ups, of inclines
 #'
-#' The results of [spin_up_table()] over one of its parameters, a panel each; a second parameter
-#' distinguishes lines by colour.
+#' The results of [spin_up_table()] or [incline_table()] over one of its parameters, a panel each; a
+#' second parameter distinguishes lines by colour.
 #'
-#' @param object What [spin_up_table()] returned.
+#' @param object What [spin_up_table()] or [incline_table()] returned.
 #' @inheritParams autoplot.rot_trajectory
 #' @param x NULL, or the column across: by default the number that varies most.
 #' @param colour NULL, or the column that distinguishes lines: by default another one that varies,
 #'   with at most seven values. `FALSE` for none.
-#' @param panels NULL for final and largest angular velocity and final angle, or other columns of
-#'   results.
+#' @param panels NULL for the final state (of a spin-up also the largest angular velocity, of an
+#'   incline when it began to roll and the heat of the slip), or other columns of results.
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
 #'   `rotdyn_error_type`, `rotdyn_error_value` for unknown columns.
-#' @seealso [spin_up_table()].
+#' @seealso [spin_up_table()], [incline_table()].
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' designs <- expand.grid(
 #'   moment_of_inertia_kg_m2 = seq(0.05, 0.5, by = 0.05), viscous_n_m_s = c(0, 0.03, 0.3)
@@ -23,9 +23,40 @@
 autoplot.rot_spin_up_table <- function(object, ..., x = NULL, colour = NULL, panels = NULL,
                                        base_size = 13) {
   call <- check_plot(base_size, ...)
+  panels <- panels %||% intersect(
+    c(
+      "final_omega_rad_per_s",
+      # The largest speed is often the final one.
+      if (!identical(abs(object[["final_omega_rad_per_s"]]), object[["max_abs_omega_rad_per_s"]])) {
+        "max_abs_omega_rad_per_s"
+      },
+      "final_theta_rad"
+    ), names(object)
+  )
+  plot_table(object, sweep_columns, panels, x, colour, "spin-ups", base_size, call)
+}
+
+#' @rdname autoplot.rot_spin_up_table
+#' @exportS3Method ggplot2::autoplot
+autoplot.rot_incline_table <- function(object, ..., x = NULL, colour = NULL, panels = NULL,
+                                       base_size = 13) {
+  call <- check_plot(base_size, ...)
+  panels <- panels %||% intersect(
+    c(
+      "final_v_m_per_s",
+      if (any(is.finite(object[["roll_time_s"]]))) "roll_time_s",
+      if (any(object[["slip_heat_j"]] > 0, na.rm = TRUE)) "slip_heat_j",
+      "final_x_m"
+    ), names(object)
+  )
+  plot_table(object, incline_table_columns, panels, x, colour, "inclines", base_size, call)
+}
+
+# The results of rows over one of their parameters. `what`: the rows in words.
+plot_table <- function(object, results, panels, x, colour, what, base_size, call) {
   if (!nrow(object)) abort_rotdyn("There are no rows to draw.", "value", call)
   data <- as.list(object)
-  given <- setdiff(names(data), sweep_columns)
+  given <- setdiff(names(data), results)
   distinct <- vapply(data[given], function(values) length(unique(values)), 1L)
   numbers <- vapply(data[given], is_number, NA)
   vary <- distinct > 1L
@@ -43,16 +74,6 @@ autoplot.rot_spin_up_table <- function(object, ..., x = NULL, colour = NULL, pan
   } else {
     check_sweep_name(colour, "colour", names(data), call)
   }
-  panels <- panels %||% intersect(
-    c(
-      "final_omega_rad_per_s",
-      # The largest speed is often the final one.
-      if (!identical(abs(data[["final_omega_rad_per_s"]]), data[["max_abs_omega_rad_per_s"]])) {
-        "max_abs_omega_rad_per_s"
-      },
-      "final_theta_rad"
-    ), names(data)
-  )
   for (name in panels) check_sweep_name(name, "panels", names(data), call)
   across <- if (is.null(x)) seq_len(nrow(object)) else data[[x]]
   by_number <- is_number(across)
@@ -109,10 +130,10 @@ autoplot.rot_spin_up_table <- function(object, ..., x = NULL, colour = NULL, pan
       }
     ) +
     ggplot2::labs(
-      title = wrap_title(paste(format(nrow(object), big.mark = ","), "spin-ups"), base_size),
+      title = wrap_title(paste(format(nrow(object), big.mark = ","), what), base_size),
       x = label, y = NULL,
       alt = paste0(
-        nrow(object), " spin-ups over ", label, if (!is.null(colour)) {
+        nrow(object), " ", what, " over ", label, if (!is.null(colour)) {
           paste0(", coloured by ", column_label(colour))
         }, ". ", paste(vapply(split(long, long$panel), function(one) {
           paste0(one$panel[1], ": ", range_in_words(one$value))

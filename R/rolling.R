@@ -10,7 +10,8 @@
 #'
 #' @param objects A data frame with a column `beta` (at least 0; Inf takes the limit). Its other
 #'   columns are kept. Columns `incline_angle_deg`, `height_drop_m` or `gravity_m_per_s2` replace
-#'   the arguments.
+#'   the arguments. Or one body such as [body_sphere()], a list of bodies, or the names of shapes
+#'   whose `beta` does not depend on their size (see [shapes()]).
 #' @param incline_angle_deg Angle of the incline in degrees, -90 to 90: one number, or one for each
 #'   row. The sine is that of the exact angle in degrees: `sin(30 degrees)` is 0.5.
 #' @param height_drop_m Height lost from rest in m, at least 0: one number, or one for each row.
@@ -30,18 +31,13 @@
 #' @examples
 #' rolling_table()
 #' rolling_table(data.frame(beta = c(0.4, 0.4), incline_angle_deg = c(10, 80)))
+#' rolling_table(c("hoop", "sphere"))
+#' rolling_table(list(ball = body_sphere(0.2, 0.05), pipe = body_thick_tube(2, 0.05, 0.04, 1)))
 #' @export
 rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, height_drop_m = 1,
                           gravity_m_per_s2 = 9.80665, ...) {
   call <- check_no_dots(...)
-  if (!is.data.frame(objects)) {
-    abort_rotdyn(c(
-      "{.arg objects} must be a data frame with a column {.field beta}.",
-      x = "It is {describe_value(objects)}.",
-      i = "For numbers use {.code rolling_table(data.frame(beta = ))}."
-    ), "type", call)
-  }
-  if (is.null(objects[["beta"]])) abort_missing_column("beta", objects, call)
+  objects <- rolling_bodies(objects, "objects", call)
   given <- c(
     incline_angle_deg = !missing(incline_angle_deg), height_drop_m = !missing(height_drop_m),
     gravity_m_per_s2 = !missing(gravity_m_per_s2)
@@ -85,6 +81,67 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   if (inherits(objects[["beta"]], "units")) out$beta <- columns$beta
   out[names(values)] <- values
   tibble::new_tibble(out, nrow = n, class = "rot_rolling_table")
+}
+
+# What rolls, as a data frame with the column beta: of bodies also object, mass_kg, radius_m.
+rolling_bodies <- function(objects, arg, call) {
+  if (is.data.frame(objects)) {
+    if (is.null(objects[["beta"]])) abort_missing_column("beta", objects, call)
+    return(objects)
+  }
+  if (inherits(objects, "rot_body")) objects <- list(objects)
+  if (is.character(objects) && length(objects)) return(rolling_shapes(objects, arg, call))
+  if (is.list(objects) && length(objects) && !is.object(objects)) {
+    return(rolling_round_bodies(objects, arg, call))
+  }
+  abort_rotdyn(c(
+    "{.arg {arg}} must be a data frame with a column {.field beta}, bodies, or names of shapes.",
+    x = "It is {describe_value(objects)}.",
+    i = "For numbers use {.code data.frame(beta = )}."
+  ), "type", call)
+}
+
+rolling_shapes <- function(names, arg, call) {
+  table <- shape_table()
+  id <- shape_ids(names, table)
+  # A formula without a letter does not depend on the sizes.
+  fixed <- table$shape[nzchar(table$beta) & !grepl("[A-Za-z]", table$beta)]
+  known <- id > 0L & table$shape[pmax(id, 1L)] %in% fixed
+  if (!all(known)) {
+    abort_rotdyn(c(
+      "{.arg {arg}} must name shapes whose {.field beta} does not depend on their size.",
+      x = "These are not: {.val {unique(names[!known])}}.",
+      i = "Such shapes are {.val {fixed}}. Others are bodies with sizes: {.fn body_hollow_sphere}."
+    ), "value", call)
+  }
+  tibble::new_tibble(
+    list(object = names, beta = shape_beta(table$shape[id])), nrow = length(names)
+  )
+}
+
+rolling_round_bodies <- function(bodies, arg, call) {
+  given <- names(bodies) %||% rep("", length(bodies))
+  each <- lapply(seq_along(bodies), function(i) {
+    body <- bodies[[i]]
+    if (!inherits(body, "rot_body")) {
+      abort_rotdyn(c(
+        "The elements of {.arg {arg}} must be bodies.",
+        x = "Element {i} is {describe_value(body)}.",
+        i = "A body is what {.fn body_sphere} and the other constructors return."
+      ), "type", call)
+    }
+    inertia <- one_inertia(body, paste0(arg, "[[", i, "]]"), call)
+    radius <- rolling_radius(body, inertia, call)
+    list(
+      object = if (is.na(given[i]) || given[i] == "") body$shape else given[i], beta = body$beta,
+      mass_kg = body$mass_kg, radius_m = radius
+    )
+  })
+  column <- function(name) vapply(each, function(one) one[[name]], each[[1]][[name]])
+  tibble::new_tibble(list(
+    object = column("object"), beta = column("beta"), mass_kg = column("mass_kg"),
+    radius_m = column("radius_m")
+  ), nrow = length(each))
 }
 
 #' @rdname rolling_table

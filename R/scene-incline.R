@@ -202,6 +202,64 @@ print.rot_scene_incline <- function(x, ...) {
   invisible(x)
 }
 
+#' The friction that a scene needs to roll
+#'
+#' What a body on an incline needs to roll from rest without slipping, and what it does with the
+#' friction that it has: `mu = (beta tan(angle) + b/R)/(1 + beta)`, with the arm b of the rolling
+#' resistance.
+#'
+#' @param scene A [scene_incline()]. Its start does not count; a force and air drag of its own are
+#'   not taken.
+#' @param ... Not used: an unknown argument is an error.
+#' @return A tibble of one row:
+#'   `r describe_columns(friction_columns)`
+#'   The acceleration is that of the motion it makes. The critical angle is NA where it rolls at no
+#'   angle.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_missing`, `rotdyn_error_argument`;
+#'   `rotdyn_error_value` for a scene with air drag or a force.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
+#' @seealso [rolling_friction_coefficient()] and [rolling_critical_angle()] for numbers,
+#'   [scene_incline()].
+#' @concept incline
+#' @examples
+#' # University Physics, example 11.1: a hoop on 60 degrees needs 0.866.
+#' friction_needed(scene_incline(body_hoop(1, 0.3), 60, static_friction = 0.5))
+#' @export
+friction_needed <- function(scene, ...) {
+  call <- check_no_dots(...)
+  check_supplied("scene", call)
+  check_scene(scene, call)
+  if (!inherits(scene, "rot_scene_incline")) {
+    abort_rotdyn("{.arg scene} must be a {.fn scene_incline}.", "type", call)
+  }
+  if (has_outer_force(scene)) {
+    abort_rotdyn(c(
+      "What air drag or a force of its own needs changes on the way.",
+      i = "The events {.val slip} of {.fn trajectory} say where the grip is lost."
+    ), "value", call)
+  }
+  beta <- scene$moment_of_inertia_kg_m2 / scene$mass_kg / scene$radius_m^2
+  start <- .Call(ffi_incline_starts, c(list(beta = beta, length_m = 1), scene[c(
+    "radius_m", "incline_angle_deg", "gravity_m_per_s2", "static_friction", "kinetic_friction",
+    "rolling_arm_m"
+  )]), progress_bar("incline"))
+  grips <- scene$static_friction * (1 + beta) - scene$rolling_arm_m / scene$radius_m
+  critical <- if (scene$rolling_arm_m == 0) {
+    .Call(ffi_incline_critical, beta, scene$static_friction)
+  } else if (grips >= 0) {
+    atan(grips / beta) * 180 / pi
+  } else {
+    NA_real_
+  }
+  tibble::new_tibble(list(
+    friction_needed = start$friction_needed, static_friction = scene$static_friction,
+    critical_angle_deg = critical,
+    motion = if (start$slips) "slides" else if (start$rests) "rests" else "rolls",
+    acceleration_m_per_s2 = start$acceleration_m_per_s2,
+    alpha_rad_per_s2 = start$angular_acceleration_rad_per_s2
+  ), nrow = 1L)
+}
+
 #' The steepest angle for rolling
 #'
 #' The angle of an incline up to which a body that starts from rest rolls without slipping:

@@ -6,6 +6,7 @@
 #include "rot_axle_bands.h"
 #include "rot_axle_models.h"
 #include "rot_axle_sweep.h"
+#include "rot_share.h"
 
 /* Rows of a scene by the closed form `id`. `list` has named columns, each of one value or one for
  * each row, that replace the scene's numbers; the viscous coefficient of "axle_linear" includes the
@@ -53,4 +54,4 @@ SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progres
   return result;
 }
 
-SEXP ffi_axle_sweep_threads(void) { return Rf_ScalarInteger(rot_axle_sweep_threads()); }
+SEXP ffi_axle_sweep_threads(void) { return Rf_ScalarInteger(rot_share_threads()); }

@@ -5,79 +5,11 @@
 
 #include "rot_real.h"
 #include "rot_axle_sweep_pass.h"
+#include "rot_share.h"
 #include "rot_wide.h"
 
-#ifdef _OPENMP
-#include <omp.h>
-#ifndef _WIN32
-#include <unistd.h>
-#endif
-#endif
-
 /* Rows between two polls: some milliseconds. */
-enum { LINEAR_CHUNK = 65536, SCENE_CHUNK = 512, PARTS = 32 }; /* a thread takes part by part */
-
-/* ---- sharing out ---------------------------------------------------------------------------- */
-
-#if defined(_OPENMP) && !defined(_WIN32)
-/* The process that started threads first. In a child forked from it the threads do not exist, and
- * OpenMP of GCC waits for them for good. */
-static long threads_of = 0;
-
-static int may_use_threads(void) {
-  const long here = (long)getpid();
-  if (threads_of == 0) threads_of = here;
-  return threads_of == here;
-}
-#else
-static int may_use_threads(void) { return 1; }
-#endif
-
-int rot_axle_sweep_threads(void) {
-#ifdef _OPENMP
-  const int most = omp_get_max_threads(), limit = omp_get_thread_limit();
-  return most < limit ? most : limit;
-#else
-  return 1;
-#endif
-}
-
-/* Rows first .. last-1 in the given frame. */
-typedef void (*row_worker)(const void *frame, size_t first, size_t last);
-
-static void share_out(row_worker work, const void *frame, size_t first, size_t last, size_t part,
-                      int threads) {
-#ifdef _OPENMP
-  if (threads > 1) {
-    const int parts = (int)((last - first + part - 1) / part);
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int i = 0; i < parts; i++) {
-      const size_t from = first + (size_t)i * part;
-      work(frame, from, last - from < part ? last : from + part);
-    }
-    return;
-  }
-#endif
-  (void)part;
-  (void)threads;
-  work(frame, first, last);
-}
-
-/* Only this thread polls: the hooks may speak to R. */
-static rot_status sweep(row_worker work, const void *frame, size_t n, size_t chunk, int threads,
-                        const rot_hooks *hooks, rot_info *info) {
-  const int most = rot_axle_sweep_threads();
-  if (threads < 1 || threads > most) threads = most;
-  if (threads > 1 && !may_use_threads()) threads = 1;
-  rot_info_clear(info, NULL);
-  for (size_t first = 0; first < n && info->status == ROT_OK;) {
-    const size_t last = n - first < chunk ? n : first + chunk;
-    share_out(work, frame, first, last, chunk / PARTS, threads);
-    info->rows_done = first = last;
-    info->status = rot_poll(hooks, (double)last / (double)n);
-  }
-  return info->status;
-}
+enum { LINEAR_CHUNK = 65536, SCENE_CHUNK = 512 };
 
 static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
 
@@ -249,7 +181,8 @@ rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_
                          well_scaled(pieces[j].end_s - pieces[j].start_s));
   }
   frame.start_n_m = rot_torque_in_piece(&pieces[0], rows->start_s);
-  const rot_status status = sweep(linear_rows, &frame, rows->n, LINEAR_CHUNK, threads, hooks, info);
+  const rot_status status =
+      rot_share_rows(linear_rows, &frame, rows->n, LINEAR_CHUNK, threads, hooks, info);
   free(pieces);
   return status;
 }
@@ -325,5 +258,5 @@ rot_status rot_axle_sweep_scenes(rot_axle_model model, const rot_axle_scene *sce
                                  int threads, const rot_axle_sweep_columns *out,
                                  const rot_hooks *hooks, rot_info *info) {
   const scene_frame frame = {model, scene, rows, friction, out, true_maximum};
-  return sweep(scene_rows, &frame, rows->n, SCENE_CHUNK, threads, hooks, info);
+  return rot_share_rows(scene_rows, &frame, rows->n, SCENE_CHUNK, threads, hooks, info);
 }

@@ -57,7 +57,4 @@ rot_status rot_axle_sweep_scenes(rot_axle_model model, const rot_axle_scene *sce
                                  int threads, const rot_axle_sweep_columns *out,
                                  const rot_hooks *hooks, rot_info *info);
 
-/* Most threads; 1 without OpenMP. */
-int rot_axle_sweep_threads(void);
-
 #endif

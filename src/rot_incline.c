@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_incline_rest.h"
 #include "rot_march.h"
 #include "rot_real.h"
 
@@ -39,15 +40,19 @@ static double of_normal(double coefficient, double normal) {
 
 /* The rounding of the products, and that of the angle, by which the tangent changes by
  * angle/(sin cos) as much: at its critical angle the body rolls. */
-double rot_incline_holds(double angle_deg) {
-  const double sine = rot_sin_deg(angle_deg), cosine = rot_cos_deg(angle_deg);
+static double holds_at(double angle_deg, double sine, double cosine) {
   const double holds = 1.0 + 16.0 * ROT_EPS;
   if (sine * cosine == 0.0) return holds;
   return holds + 2.0 * ROT_EPS * fabs(angle_deg * 0.017453292519943295 / sine) / cosine;
 }
 
+double rot_incline_holds(double angle_deg) {
+  return holds_at(angle_deg, rot_sin_deg(angle_deg), rot_cos_deg(angle_deg));
+}
+
 static void begin(incline *c, const rot_incline_params *p) {
-  const double sine = rot_sin_deg(p->angle_deg), cosine = rot_cos_deg(p->angle_deg);
+  double sine, cosine;
+  rot_sin_cos_deg(p->angle_deg, &sine, &cosine);
   const double normal = p->gravity_m_per_s2 * cosine, v0 = p->v0_m_per_s;
   const double w0 = p->radius_m * p->omega0_rad_per_s;
   *c = (incline){0};
@@ -59,7 +64,7 @@ static void begin(incline *c, const rot_incline_params *p) {
   c->slides = of_normal(p->mu_kinetic, normal);
   c->grips = of_normal(p->mu_static, normal);
   c->resists = of_normal(p->arm_m / p->radius_m, normal);
-  c->holds = rot_incline_holds(p->angle_deg);
+  c->holds = holds_at(p->angle_deg, sine, cosine);
   c->time_s = p->start_s;
   c->v = v0;
   c->w = w0;
@@ -88,15 +93,10 @@ static double needed(const incline *c, double torque) {
 
 /* From rest: what moves first. */
 static void leave_rest(incline *c) {
-  const int way = sign(c->pull);
-  const double pull = fabs(c->pull);
-  if (pull <= c->grips * c->holds && pull <= c->resists * c->holds) return;
-  if (pull > c->resists * c->holds && fabs(needed(c, way * c->resists)) <= c->grips * c->holds) {
-    c->spin_way = way;
-    return;
-  }
-  c->slip_way = way;
-  if (c->slides > c->resists) c->spin_way = way;
+  const rot_incline_ways to =
+      rot_incline_leave_rest(c->pull, c->grips, c->slides, c->resists, c->holds, c->own, c->spin);
+  c->slip_way = to.slip;
+  c->spin_way = to.spin;
 }
 
 /* The signs of what begins to move now. */
@@ -396,6 +396,60 @@ rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double t
   const state start = state_of(&run.at);
   note_state(&run.at, &start, info, 0);
   return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+}
+
+/* ---- one time alone -------------------------------------------------------------------------- */
+
+static void note_sizes(const incline *c, double most[4]) {
+  const state at = state_of(c);
+  most[0] = fmax(most[0], fabs(at.x));
+  most[1] = fmax(most[1], fabs(at.v));
+  most[2] = fmax(most[2], fabs(at.theta));
+  most[3] = fmax(most[3], fabs(at.omega));
+}
+
+static int in_domain(const rot_incline_params *p, double time_s) {
+  const double numbers[] = {p->mass_kg, p->radius_m,   p->inertia_kg_m2,    p->gravity_m_per_s2,
+                            p->arm_m,   p->v0_m_per_s, p->omega0_rad_per_s, time_s};
+  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+    if (!isfinite(numbers[i])) return 0;
+  }
+  const double slip = fabs(p->v0_m_per_s - p->radius_m * p->omega0_rad_per_s);
+  return p->mass_kg > 0.0 && p->radius_m > 0.0 && p->inertia_kg_m2 > 0.0 && p->arm_m >= 0.0 &&
+         p->gravity_m_per_s2 >= 0.0 && fabs(p->angle_deg) <= 90.0 && p->mu_kinetic >= 0.0 &&
+         p->mu_static >= p->mu_kinetic && time_s >= p->start_s &&
+         (isfinite(p->mu_kinetic) || slip <= 8.0 * ROT_EPS * fabs(p->v0_m_per_s));
+}
+
+rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end) {
+  incline c;
+  double most[4] = {0.0};
+  if (!in_domain(p, time_s)) return ROT_EVALUE;
+  begin(&c, p);
+  enter(&c);
+  note_sizes(&c, most);
+  *end = (rot_incline_end){.roll_s = NAN};
+  while (c.end_s <= time_s) {
+    const int slips = c.slip_way != 0;
+    const double at = c.end_s;
+    const rot_status status = cross(&c, NULL);
+    if (status != ROT_OK) return status;
+    if (slips && c.slip_way == 0 && !rests(&c) && isnan(end->roll_s)) end->roll_s = at;
+    note_sizes(&c, most);
+  }
+  c = after(&c, time_s);
+  note_sizes(&c, most);
+  const state at = state_of(&c);
+  rot_info info;
+  rot_info_measures(&info, rot_incline_measures);
+  note_state(&c, &at, &info, time_s > p->start_s);
+  *end = (rot_incline_end){at.x,           at.v,        at.theta, at.omega,       c.slip_heat,
+                           c.rolling_heat, end->roll_s, 0.0,      c.slip_way == 0};
+  for (int i = 0; i < 4; i++) {
+    end->error = fmax(end->error, rot_relative_error(info.measure[i].error, most[i]));
+  }
+  const int finite = isfinite(at.x) && isfinite(at.v) && isfinite(at.theta) && isfinite(at.omega);
+  return finite ? ROT_OK : ROT_ERANGE;
 }
 
 /* ---- work and impulses ----------------------------------------------------------------------- */

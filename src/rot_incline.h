@@ -55,6 +55,16 @@ rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double t
                            const rot_incline_columns *out, rot_events *events,
                            const rot_hooks *hooks, rot_info *info);
 
+/* The state at one time alone, not before the start, its heat, and when slip first ended (NaN: it
+ * did not). error: the largest bound, each relative to the largest value at the start, the events
+ * and the end. ROT_EVALUE where a number is outside its domain. */
+typedef struct rot_incline_end {
+  double x_m, v_m_per_s, theta_rad, omega_rad_per_s, slip_heat_j, rolling_heat_j, roll_s, error;
+  int rolling;
+} rot_incline_end;
+
+rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end);
+
 #define ROT_INCLINE_LEDGER(X)                                                                      \
   X(work_j) /* of gravity */                                                                       \
   X(work_rounding_j)                                                                               \

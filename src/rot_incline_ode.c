@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "rot_incline_rest.h"
 #include "rot_ode.h"
 #include "rot_real.h"
 
@@ -27,11 +28,8 @@ enum {
   DIM
 };
 
-/* How the body moves: the sign of its slip, 0 where the contact grips; the sign of omega, 0 where
- * the rolling resistance holds it. Without a resistance, spin is 0 and holds nothing. */
-typedef struct ways {
-  int slip, spin;
-} ways;
+/* Without a resistance, spin is 0 and holds nothing. */
+typedef rot_incline_ways ways;
 
 /* What an event changed, for a row at its time. */
 typedef struct change {
@@ -141,13 +139,11 @@ typedef enum cause { BEGINS, SLIP_ENDS, SPIN_ENDS, GRIP_ENDS, JUMPS } cause;
 /* From rest: what moves first. `lost`: the pull has reached what holds the body. */
 static ways leave_rest(const motion *m, double pull, int lost) {
   const int way = sign(pull);
-  const double most = m->grips < m->resists ? m->grips : m->resists;
   ways at = {0, 0};
-  if (way == 0 || (!lost && fabs(pull) <= most * m->holds)) return at;
-  const int rolls = lost ? m->resists <= m->grips
-                         : fabs(pull) > m->resists * m->holds &&
-                               fabs(needed(m, pull, way * m->resists)) <= m->grips * m->holds;
-  if (rolls) {
+  if (!lost) {
+    return rot_incline_leave_rest(pull, m->grips, m->slides, m->resists, m->holds, m->own, m->spin);
+  }
+  if (m->resists <= m->grips) {
     at.spin = way;
   } else {
     at.slip = way;

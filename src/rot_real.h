@@ -52,5 +52,6 @@ static inline int rot_well_scaled(double x, double largest) {
 /* sin and cos of an angle in degrees: the reduction is exact, so sin(30) = 0.5 and cos(90) = 0. */
 double rot_sin_deg(double deg);
 double rot_cos_deg(double deg);
+void rot_sin_cos_deg(double deg, double *sine, double *cosine);
 
 #endif

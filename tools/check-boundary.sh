@@ -107,7 +107,7 @@ grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
 # LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.
 # Layers of one level exclude each other. The first line that matches counts.
 layers='
-1 ground      status real dd dd_trig pair wide search column gauss clock
+1 ground      status real dd dd_trig pair wide search column gauss clock share
 2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex
 3 engine      ode* events march torque term model
 4 body        inertia points shapes* density mesh* vertices

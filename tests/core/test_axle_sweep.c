@@ -7,6 +7,7 @@
 
 #include "rot_pair.h"
 #include "rot_real.h"
+#include "rot_share.h"
 #include "rot_test.h"
 
 enum { MOST = 140000 };
@@ -210,7 +211,7 @@ static void check_many(void) {
   ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 3, &out, NULL, &info) == ROT_OK);
   ROT_CHECK(!memcmp(first[0], omega, sizeof first[0]));
   ROT_CHECK(!memcmp(first[1], max_time, sizeof first[1]));
-  ROT_CHECK(rot_axle_sweep_threads() >= 1);
+  ROT_CHECK(rot_share_threads() >= 1);
 }
 
 /* ---- by a model ----------------------------------------------------------------------------- */

@@ -92,7 +92,7 @@ test_that("bad input is an error that names the row", {
   expect_error(rolling_table(gravity_m_per_s2 = -1), class = "rotdyn_error_value")
   expect_error(rolling_table(incline_angle_deg = 1:3), class = "rotdyn_error_size")
   expect_error(rolling_table(data.frame(x = 1)), class = "rotdyn_error_type")
-  expect_error(rolling_table("hoop"), class = "rotdyn_error_type")
+  expect_error(rolling_table(TRUE), class = "rotdyn_error_type")
   expect_error(rolling_acceleration(1:2, 1:3), class = "rotdyn_error_size")
   expect_error(rolling_acceleration("a"), class = "rotdyn_error_type")
 })
@@ -132,4 +132,22 @@ test_that("a speed that is a double is found, whatever its square is", {
     expect_equal(rolling_final_speed(0, 1.7e308, 1.7e308), Inf), class = "rotdyn_warning_range"
   )
   expect_silent(expect_equal(rolling_final_speed(0, Inf, 1), Inf)) # the limit
+})
+
+test_that("bodies and names of shapes roll, too", {
+  names <- rolling_table(c("hoop", "disk", "solid_sphere"), 20, 1)
+  expect_identical(names$beta, c(1, 0.5, 0.4))
+  expect_identical(names$object, c("hoop", "disk", "solid_sphere"))
+  pipe <- body_thick_tube(2, 0.05, 0.04, 1)
+  both <- rolling_table(list(ball = body_sphere(0.2, 0.05), pipe), 20, 1)
+  expect_identical(both$object, c("ball", "thick_tube"))
+  # (1 + (0.04/0.05)^2)/2
+  expect_equal(both$beta, c(0.4, 0.82), tolerance = 1e-15)
+  expect_equal(both$radius_m, c(0.05, 0.05), tolerance = 1e-15)
+  expect_equal(both$final_speed_m_per_s, sqrt(2 * 9.80665 / (1 + both$beta)), tolerance = 1e-15)
+  expect_identical(rolling_table(body_hoop(1, 1))$beta, 1)
+  expect_error(rolling_table("box"), class = "rotdyn_error_value")
+  expect_error(rolling_table("hollow_sphere"), "does not depend", class = "rotdyn_error_value")
+  expect_error(rolling_table(list(2)), "Element 1", class = "rotdyn_error_type")
+  expect_error(rolling_table(body_rod(1, 1)), class = "rotdyn_error_missing")
 })

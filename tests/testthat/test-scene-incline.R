@@ -53,3 +53,48 @@ test_that("the critical angle is the reverse of the friction needed", {
   expect_error(rolling_critical_angle(1), class = "rotdyn_error_missing")
   expect_error(rolling_critical_angle("a", 1), class = "rotdyn_error_type")
 })
+
+test_that("the friction that a scene needs, and what it does without it", {
+  # University Physics, example 11.1: a hoop on 60 degrees needs 0.87; with 0.5 it slides:
+  # a = g (sin 60 - 0.5 cos 60), alpha = 0.5 g cos 60/R
+  hoop <- friction_needed(scene_incline(
+    body_hoop(1, 0.3), 60, static_friction = 0.5, gravity_m_per_s2 = 9.8
+  ))
+  expect_equal(hoop$friction_needed, sqrt(3) / 2, tolerance = 1e-15)
+  expect_identical(hoop$motion, "slides")
+  expect_equal(hoop$critical_angle_deg, 45, tolerance = 1e-15)
+  expect_equal(hoop$acceleration_m_per_s2, 9.8 * (sqrt(3) / 2 - 0.25), tolerance = 1e-15)
+  expect_equal(hoop$alpha_rad_per_s2, 0.5 * 9.8 * 0.5 / 0.3, tolerance = 1e-15)
+  # A body exactly at its critical angle rolls, a little beyond it slides.
+  for (mu in c(0.1, 0.3, 0.7, 2)) {
+    angle <- rolling_critical_angle(0.4, mu)
+    at <- function(angle) {
+      friction_needed(scene_incline(body_sphere(1, 0.1), angle, static_friction = mu))$motion
+    }
+    expect_identical(
+      c(at(angle), at(-angle), at(angle * (1 + 1e-13))), c("rolls", "rolls", "slides")
+    )
+  }
+  # With an arm b: (beta tan + b/R)/(1 + beta), and the angle where that is mu.
+  arm <- scene_incline(body_sphere(1, 0.1), 20, static_friction = 0.3, rolling_arm_m = 0.005)
+  needs <- friction_needed(arm)
+  expect_equal(needs$friction_needed, (0.4 * tan(pi / 9) + 0.05) / 1.4, tolerance = 1e-14)
+  expect_equal(needs$critical_angle_deg, atan((0.3 * 1.4 - 0.05) / 0.4) * 180 / pi,
+    tolerance = 1e-14)
+  at <- function(angle) {
+    friction_needed(scene_incline(
+      body_sphere(1, 0.1), angle, static_friction = 0.3, rolling_arm_m = 0.005
+    ))$motion
+  }
+  critical <- needs$critical_angle_deg
+  expect_identical(at(critical * (1 - 1e-12)), "rolls")
+  expect_identical(at(critical * (1 + 1e-12)), "slides")
+  expect_identical(at(2), "rests") # tan 2 degrees = 0.035 is less than b/R
+  expect_identical(friction_needed(scene_incline(body_hoop(1, 1), 0))$motion, "rests")
+  expect_identical(friction_needed(scene_incline(body_hoop(1, 1), 90))$friction_needed, Inf)
+  expect_setequal(setdiff(names(hoop), rotdyn_columns()$name), character())
+  expect_error(friction_needed(), class = "rotdyn_error_missing")
+  expect_error(friction_needed(scene_axle(1)), class = "rotdyn_error_type")
+  expect_error(friction_needed(scene_incline(body_hoop(1, 1), 9, drag_n_s_per_m = 1)),
+    class = "rotdyn_error_value")
+})

@@ -1,0 +1,45 @@
+#include "rot_incline_table.h"
+
+#include "ffi_run.h"
+
+/* Columns of `rows_in`, each of one value or one for each row: list(columns, status, info); the
+ * status of a good row is 0. */
+SEXP ffi_incline_table(SEXP rows_in, SEXP threads, SEXP progress) {
+  static const char *const names[] = {ROT_INCLINE_TABLE_COLUMNS(FFI_COLUMN_NAME) ""};
+  static const char *const parts[] = {"columns", "status", "info", ""};
+  const double most = ffi_real(threads, "threads");
+  if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
+  R_xlen_t rows = 1, at = 0;
+#define IN(name) ffi_column(ffi_element(rows_in, #name), #name, &rows)
+  rot_incline_rows in = {0,
+                         IN(beta),
+                         IN(radius_m),
+                         IN(mass_kg),
+                         IN(incline_angle_deg),
+                         IN(gravity_m_per_s2),
+                         IN(static_friction),
+                         IN(kinetic_friction),
+                         IN(rolling_arm_m),
+                         IN(v0_m_per_s),
+                         IN(omega0_rad_per_s),
+                         IN(time_s)};
+#undef IN
+  in.n = (size_t)rows;
+  SEXP result = PROTECT(Rf_mkNamed(VECSXP, (const char **)parts)), columns, status;
+  SET_VECTOR_ELT(result, 0, columns = Rf_mkNamed(VECSXP, (const char **)names));
+  SET_VECTOR_ELT(result, 1, status = Rf_allocVector(INTSXP, rows));
+  rot_incline_table_columns out;
+  ROT_INCLINE_TABLE_COLUMNS(FFI_COLUMN_NEW)
+  out.status = INTEGER(status);
+  rot_info info;
+  ffi_guard guard;
+  ffi_guard_begin(&guard, progress);
+  ffi_guard_end(&guard, rot_incline_table(&in, (int)most, &out, &guard.hooks, &info));
+  for (R_xlen_t i = 0; i < rows; i++) {
+    if (ISNAN(out.roll_time_s[i])) out.roll_time_s[i] = NA_REAL;
+    if (out.status[i] != ROT_OK) out.rolling[i] = NA_LOGICAL;
+  }
+  SET_VECTOR_ELT(result, 2, ffi_info(&info));
+  UNPROTECT(1);
+  return result;
+}
