@@ -191,10 +191,9 @@ column_list <- list(
   c("finished", "", "whether the body has arrived"),
   c("place", "", "place in the race, from 1; NA where the body does not arrive"),
   c("finish_time_s", "s", "time of the arrival; Inf where there is none"),
-  c("friction_needed", "1", "friction coefficient that rolling (or rest) needs"),
   c("static_friction", "1", "coefficient of static friction"),
   c("critical_angle_deg", "degree", "steepest angle at which it rolls"),
-  c("motion", "", "what the body does: \"rolls\", \"slides\", \"rests\""),
+  c("from_rest", "", "what the body does from rest: \"rolls\", \"slides\", \"rests\""),
   c("final_v_m_per_s", "m/s", "velocity at the end"),
   c("vx_m_per_s", "m/s", "velocity along the floor, after"),
   c("vy_m_per_s", "m/s", "velocity away from the floor, after"),
@@ -440,7 +439,7 @@ incline_table_columns <- c(
   "rolling_heat_j", "roll_time_s", "rolling", "error"
 )
 friction_columns <- c(
-  "friction_needed", "static_friction", "critical_angle_deg", "motion", "acceleration_m_per_s2",
+  "friction_needed", "static_friction", "critical_angle_deg", "from_rest", "acceleration_m_per_s2",
   "alpha_rad_per_s2"
 )
 race_columns <- c(
@@ -448,7 +447,7 @@ race_columns <- c(
 )
 race_summary_columns <- c(
   "place", "acceleration_m_per_s2", "finish_time_s", "final_speed_m_per_s", "friction_needed",
-  "motion"
+  "from_rest"
 )
 bounce_columns <- c(
   "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s", "normal_impulse_n_s", "friction_impulse_n_s",

@@ -163,7 +163,7 @@ summary.rot_race <- function(object, ...) {
         NA_real_
       ),
       friction_needed = starts$friction_needed,
-      motion = ifelse(starts$rests, "rests", ifelse(slides, "slides", "rolls"))
+      from_rest = ifelse(starts$rests, "rests", ifelse(slides, "slides", "rolls"))
     )
   )
   tibble::new_tibble(

@@ -254,7 +254,7 @@ friction_needed <- function(scene, ...) {
   tibble::new_tibble(list(
     friction_needed = start$friction_needed, static_friction = scene$static_friction,
     critical_angle_deg = critical,
-    motion = if (start$slips) "slides" else if (start$rests) "rests" else "rolls",
+    from_rest = if (start$slips) "slides" else if (start$rests) "rests" else "rolls",
     acceleration_m_per_s2 = start$acceleration_m_per_s2,
     alpha_rad_per_s2 = start$angular_acceleration_rad_per_s2
   ), nrow = 1L)

@@ -8,7 +8,7 @@ test_that("the race of the article: the order depends on beta alone", {
   # t = sqrt(2 L (1 + beta)/(g sin))
   expect_equal(order$finish_time_s, sqrt(4 * (1 + order$beta) / 4.9), tolerance = 1e-15)
   expect_equal(order$final_speed_m_per_s, sqrt(4 * 4.9 / (1 + order$beta)), tolerance = 1e-15)
-  expect_identical(order$motion, rep(c("slides", "rolls"), c(1, 4)))
+  expect_identical(order$from_rest, rep(c("slides", "rolls"), c(1, 4)))
   expect_equal(order$friction_needed, rolling_friction_coefficient(order$beta, 30),
     tolerance = 1e-15)
   expect_output(print(race), "point mass sliding after 0.9035")
@@ -39,7 +39,7 @@ test_that("a row for each body and time, and each is what its scene does", {
     expect_identical(mine$finished, mine$time_s >= finish)
   }
   # The hoop needs 0.23, so it slides.
-  expect_setequal(summary(race)$motion, c("slides", "rolls"))
+  expect_setequal(summary(race)$from_rest, c("slides", "rolls"))
   known <- rotdyn_columns()$name
   expect_setequal(setdiff(c(names(race), names(summary(race))), c(known, "object")), character())
 })
@@ -49,7 +49,7 @@ test_that("limits: nothing moves, no body, no time", {
   expect_identical(summary(up)$place, NA_integer_)
   expect_identical(summary(up)$finish_time_s, Inf)
   still <- roll_race(data.frame(beta = 0.4), 1, rolling_arm_m = 0.01)
-  expect_identical(summary(still)$motion, "rests")
+  expect_identical(summary(still)$from_rest, "rests")
   expect_true(all(still$x_m == 0))
   expect_identical(nrow(roll_race(time_s = double())), 0L)
   expect_identical(nrow(roll_race(data.frame(beta = double()))), 0L)
@@ -57,7 +57,7 @@ test_that("limits: nothing moves, no body, no time", {
   missing <- roll_race(data.frame(beta = c(NA, 1)), time_s = 1)
   expect_identical(is.na(missing$x_m), c(TRUE, FALSE))
   near <- roll_race("hoop", 89.9999999999, static_friction = 0.5)
-  expect_identical(summary(near)$motion, "slides")
+  expect_identical(summary(near)$from_rest, "slides")
 })
 
 test_that("columns replace arguments", {

@@ -61,7 +61,7 @@ test_that("the friction that a scene needs, and what it does without it", {
     body_hoop(1, 0.3), 60, static_friction = 0.5, gravity_m_per_s2 = 9.8
   ))
   expect_equal(hoop$friction_needed, sqrt(3) / 2, tolerance = 1e-15)
-  expect_identical(hoop$motion, "slides")
+  expect_identical(hoop$from_rest, "slides")
   expect_equal(hoop$critical_angle_deg, 45, tolerance = 1e-15)
   expect_equal(hoop$acceleration_m_per_s2, 9.8 * (sqrt(3) / 2 - 0.25), tolerance = 1e-15)
   expect_equal(hoop$alpha_rad_per_s2, 0.5 * 9.8 * 0.5 / 0.3, tolerance = 1e-15)
@@ -69,7 +69,7 @@ test_that("the friction that a scene needs, and what it does without it", {
   for (mu in c(0.1, 0.3, 0.7, 2)) {
     angle <- rolling_critical_angle(0.4, mu)
     at <- function(angle) {
-      friction_needed(scene_incline(body_sphere(1, 0.1), angle, static_friction = mu))$motion
+      friction_needed(scene_incline(body_sphere(1, 0.1), angle, static_friction = mu))$from_rest
     }
     expect_identical(
       c(at(angle), at(-angle), at(angle * (1 + 1e-13))), c("rolls", "rolls", "slides")
@@ -84,13 +84,13 @@ test_that("the friction that a scene needs, and what it does without it", {
   at <- function(angle) {
     friction_needed(scene_incline(
       body_sphere(1, 0.1), angle, static_friction = 0.3, rolling_arm_m = 0.005
-    ))$motion
+    ))$from_rest
   }
   critical <- needs$critical_angle_deg
   expect_identical(at(critical * (1 - 1e-12)), "rolls")
   expect_identical(at(critical * (1 + 1e-12)), "slides")
   expect_identical(at(2), "rests") # tan 2 degrees = 0.035 is less than b/R
-  expect_identical(friction_needed(scene_incline(body_hoop(1, 1), 0))$motion, "rests")
+  expect_identical(friction_needed(scene_incline(body_hoop(1, 1), 0))$from_rest, "rests")
   expect_identical(friction_needed(scene_incline(body_hoop(1, 1), 90))$friction_needed, Inf)
   expect_setequal(setdiff(names(hoop), rotdyn_columns()$name), character())
   expect_error(friction_needed(), class = "rotdyn_error_missing")
