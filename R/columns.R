@@ -203,6 +203,16 @@ column_list <- list(
   c("friction_loss_j", "J", "energy lost by friction"),
   c("grips", "", "whether the contact does not slip when it ends"),
   c("particle_v_m_per_s", "m/s", "velocity of the particle, after"),
+  c("gravity_torque_n_m", "N m", "torque of gravity about the fixed point, m g l sin(angle)"),
+  c("spin_angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum of the spin, I3 omega3"),
+  c("precession_rad_per_s", "rad/s", "rate of precession by the fast-top formula"),
+  c("precession_period_s", "s", "time of a turn of the axis at that rate"),
+  c("formula_error", "1", "what that formula lacks of the slow steady rate, relative to it"),
+  c("slow_precession_rad_per_s", "rad/s", "rate of slow steady precession, exact"),
+  c("fast_precession_rad_per_s", "rad/s", "rate of fast steady precession, exact"),
+  c("nutation_period_s", "s", "released at rest: time between two rests of the axis"),
+  c("lowest_angle_deg", "degree", "released at rest: angle from the upward vertical, turned back"),
+  c("mean_precession_rad_per_s", "rad/s", "released at rest: mean rate of precession"),
   c("impulse_n_s", "N s", "impulse on the body"),
   c("vx_1_m_per_s", "m/s", "velocity of the centre of mass of body 1, after, along x"),
   c("vy_1_m_per_s", "m/s", "the same along y"),
@@ -455,6 +465,14 @@ bounce_columns <- c(
 )
 hinged_columns <- c(
   "omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s", "hinge_impulse_n_s", "normal_loss_j"
+)
+precession_columns <- c(
+  "gravity_torque_n_m", "spin_angular_momentum_kg_m2_per_s", "precession_rad_per_s",
+  "precession_period_s", "formula_error"
+)
+nutation_columns <- c(
+  "slow_precession_rad_per_s", "fast_precession_rad_per_s", "nutation_period_s",
+  "lowest_angle_deg", "mean_precession_rad_per_s"
 )
 quaternion_columns <- c("qw", "qx", "qy", "qz")
 collide_columns <- c(

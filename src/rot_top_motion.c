@@ -587,12 +587,17 @@ rot_top_nutation rot_top_nutates(const rot_top_motion *m) {
 
 void rot_top_steady(double i1, double i3, double weight, double cosine, double omega3, double *slow,
                     double *fast) {
-  const double l = i3 * omega3;
-  const rot_dd disc = rot_dd_sub(rot_dd_mul2(l, l),
-                                 rot_dd_mul(rot_dd_mul2(4.0 * i1, weight), (rot_dd){cosine, 0.0}));
+  int e1, e3, eg, ec, ew;
+  const double m1 = frexp(i1, &e1), m3 = frexp(i3, &e3), mg = frexp(weight, &eg);
+  const double mc = frexp(cosine, &ec), mw = frexp(omega3, &ew);
+  const int e_product = e1 + eg + ec + 2, half = (e_product >= 0 ? e_product + 1 : e_product) / 2;
+  const int e = e3 + ew > half || cosine == 0.0 || weight == 0.0 ? e3 + ew : half;
+  const rot_dd spin = rot_dd_ldexp(rot_dd_mul2(m3, mw), e3 + ew - e);
+  const rot_dd product = rot_dd_ldexp(rot_dd_mul1(rot_dd_mul2(m1, mg), mc), e_product - 2 * e);
+  const rot_dd disc = rot_dd_sub(square(spin), product);
   *slow = *fast = NAN;
   if (!(disc.hi >= 0.0)) return;
-  const double part = l + copysign(rot_dd_sqrt(disc).hi, l);
-  if (part != 0.0) *slow = 2.0 * weight / part;
-  if (cosine != 0.0) *fast = part / (2.0 * i1 * cosine);
+  const double part = rot_dd_add1(spin, copysign(root(disc).hi, spin.hi)).hi;
+  if (part != 0.0) *slow = ldexp(2.0 * mg / part, eg - e);
+  if (cosine != 0.0) *fast = ldexp(part / (2.0 * m1 * mc), e - e1 - ec);
 }

@@ -123,7 +123,7 @@ layers='
 4 energy      energy
 4 kinematics  kinematics
 5 drive       drive*
-5 top         top*
+5 top         top* precession
 6 choice      choice
 '
 files '^src/rot_[a-z0-9_]*\.[ch]$' | sed 's|^src/rot_||; s|\.[ch]$||' | sort -u |

@@ -1,0 +1,162 @@
+#' Precession of gyroscopes and tops
+#'
+#' A body that spins about its axis of symmetry, with a point of that axis held: gravity makes the
+#' axis precess about the vertical. `precession_table()` gives the fast-top formula and its error,
+#' the exact rates of steady precession, and the nutation of a top that is released.
+#'
+#' \deqn{\tau = m g l \sin\theta,\quad L = I_3 \omega_3,\quad
+#'   \Omega = \frac{m g l}{I_3 \omega_3},\quad
+#'   I_1 \cos\theta\, \Omega^2 - I_3 \omega_3 \Omega + m g l = 0}{
+#'   tau = m g l sin(theta),  L = I3 omega3,  Omega = m g l/(I3 omega3),
+#'   I1 cos(theta) Omega^2 - I3 omega3 Omega + m g l = 0}
+#'
+#' The third equation is the formula of a fast top, the last one is exact for steady precession.
+#' With the axis horizontal both agree. Else the formula lacks at most
+#' `e = 4 I1 m g l cos(theta)/(I3 omega3)^2` of the slow rate, relative to it. A top that is held at
+#' its angle and released does not precess steadily: its axis falls, precesses faster, and rises
+#' again (nutation).
+#'
+#' @param tops A data frame with the columns `mass_kg`, `lever_arm_m` (from the fixed point to the
+#'   centre of mass, along the axis; negative: the centre of mass is on the other side),
+#'   `moment_of_inertia_kg_m2` (about the axis, I3), `spin_rad_per_s` (component of the angular
+#'   velocity along the axis, omega3; not 0). Its other columns are kept. `axis_angle_deg`,
+#'   `transverse_moment_kg_m2` or `gravity_m_per_s2` as columns replace the arguments.
+#' @param axis_angle_deg Angle of the axis from the upward vertical in degrees, 0 to 180: one
+#'   number, or one for each row.
+#' @param transverse_moment_kg_m2 Moment of inertia about a line through the fixed point across the
+#'   axis, I1: at least half of I3. NA where it is not known.
+#' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
+#' @param moment_of_inertia_kg_m2,mass_kg,lever_arm_m For `sleeping_top_spin()`: as the columns.
+#' @param ... Not used: an unknown argument is an error.
+#' @return `precession_table()`: a tibble of the columns of `tops`, then
+#'   `r describe_columns(precession_columns)`
+#'   and, if a transverse moment is given, `r describe_columns(nutation_columns)`
+#'   Rates have the sign of the spin where `lever_arm_m` is positive: counterclockwise seen from
+#'   above. The slow and the fast rate are NaN where there is no steady precession at this angle,
+#'   the fast one also where the axis is horizontal. Without a transverse moment `formula_error` is
+#'   known for a horizontal axis only, and NaN elsewhere. NA gives NA in what depends on it. Errors are a few roundings; those of the nutation are below 1e-14 unless the top is within 1e-8
+#'   of sleeping.
+#'
+#'   `sleeping_top_spin()`: the least spin in rad/s at which the top stands upright in stable
+#'   equilibrium, `2 sqrt(I1 m g l)/I3`; 0 where the centre of mass hangs below the point.
+#' @section Errors: `rotdyn_error_type` (a column is missing, or no numbers), `rotdyn_error_size`,
+#'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`,
+#'   `rotdyn_error_argument`.
+#' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.7.
+#' @seealso [trajectory()] for motions in time, [attitude] for the attitude of bodies.
+#' @concept gyroscope
+#' @concept precession
+#' @concept nutation
+#' @concept top
+#' @examples
+#' cases <- read.csv(system.file("extdata", "gyroscope_cases.csv", package = "rotdyn"))
+#' precession_table(cases)
+#' # A top at 30 degrees: what the formula lacks, and how deep the axis falls when released.
+#' top <- data.frame(
+#'   mass_kg = 0.5, lever_arm_m = 0.08, moment_of_inertia_kg_m2 = 0.002, spin_rad_per_s = 60
+#' )
+#' precession_table(top, axis_angle_deg = 30, transverse_moment_kg_m2 = 0.0042)
+#' sleeping_top_spin(0.002, 0.0042, mass_kg = 0.5, lever_arm_m = 0.08)
+#' @export
+precession_table <- function(tops, axis_angle_deg = 90, transverse_moment_kg_m2 = NA_real_,
+                             gravity_m_per_s2 = 9.80665, ...) {
+  call <- check_no_dots(...)
+  check_supplied("tops", call)
+  if (!is.data.frame(tops)) {
+    abort_rotdyn(c(
+      "{.arg tops} must be a data frame with a column {.field spin_rad_per_s}.",
+      x = "It is {describe_value(tops)}."
+    ), "type", call)
+  }
+  needed <- c("mass_kg", "lever_arm_m", "moment_of_inertia_kg_m2", "spin_rad_per_s")
+  for (name in needed) if (is.null(tops[[name]])) abort_missing_column(name, tops, call)
+  columns <- c(
+    as.list(tops)[needed],
+    list(
+      transverse_moment_kg_m2 = tops[["transverse_moment_kg_m2"]] %||% transverse_moment_kg_m2,
+      axis_angle_deg = tops[["axis_angle_deg"]] %||% axis_angle_deg,
+      gravity_m_per_s2 = tops[["gravity_m_per_s2"]] %||% gravity_m_per_s2
+    )
+  )
+  check_near_columns(
+    tops, names(precession_units), names(tops), column_table$name, call
+  )
+  columns <- check_columns_of(columns, precession_units, call)
+  n <- nrow(tops)
+  long <- lengths(columns) != 1L & lengths(columns) != n
+  if (any(long)) {
+    abort_rotdyn(c(
+      "Arguments must have one number for each row of {.arg tops}, or one for all.",
+      x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
+           has {n} row{?s}."
+    ), "size", call)
+  }
+  check_top_columns(columns, call)
+  out <- as.list(tops)
+  values <- .Call(ffi_precession, unname(lapply(columns, rep_len, n)))
+  known <- any(!is.na(columns$transverse_moment_kg_m2))
+  shown <- c(precession_columns, if (known) nutation_columns)
+  out[shown] <- values[shown]
+  tibble::new_tibble(out, nrow = n)
+}
+
+precession_units <- c(
+  mass_kg = "kg", lever_arm_m = "m", moment_of_inertia_kg_m2 = "kg*m^2", spin_rad_per_s = "rad/s",
+  transverse_moment_kg_m2 = "kg*m^2", axis_angle_deg = "degree", gravity_m_per_s2 = "m/s^2"
+)
+
+# Columns of tops, with the row of the first value outside its domain.
+check_top_columns <- function(columns, call) {
+  for (name in names(columns)) {
+    bad <- which(is.infinite(columns[[name]]))
+    if (length(bad)) {
+      abort_domain(columns[[name]][bad[1]], name, precession_units[[name]], call, -Inf, Inf, FALSE,
+                   row = bad[1])
+    }
+  }
+  for (name in intersect(c("mass_kg", "gravity_m_per_s2"), names(columns))) {
+    check_not_negative(columns[[name]], name, precession_units[[name]], call)
+  }
+  for (name in intersect(c("moment_of_inertia_kg_m2", "transverse_moment_kg_m2"), names(columns))) {
+    check_not_negative(columns[[name]], name, "kg*m^2", call, open = TRUE)
+  }
+  angle <- columns$axis_angle_deg
+  bad <- which(angle < 0 | angle > 180)
+  if (length(bad)) {
+    abort_domain(angle[bad[1]], "axis_angle_deg", "degree", call, 0, 180, FALSE, row = bad[1])
+  }
+  bad <- which(columns$spin_rad_per_s == 0)
+  if (length(bad)) {
+    abort_rotdyn(c(
+      "{.arg spin_rad_per_s} must not be 0.",
+      x = "It is 0 in row {bad[1]}.",
+      i = "A body that does not spin falls: see {.fn scene_pendulum}."
+    ), "value", call)
+  }
+  bad <- which(columns$transverse_moment_kg_m2 < columns$moment_of_inertia_kg_m2 / 2 * (1 - 1e-9))
+  if (length(bad)) {
+    abort_rotdyn(c(
+      "{.arg transverse_moment_kg_m2} must be at least half of {.arg moment_of_inertia_kg_m2}.",
+      x = "In row {bad[1]} it is less: no body has such moments."
+    ), "value", call)
+  }
+}
+
+#' @rdname precession_table
+#' @export
+sleeping_top_spin <- function(moment_of_inertia_kg_m2, transverse_moment_kg_m2, mass_kg,
+                              lever_arm_m, gravity_m_per_s2 = 9.80665, ...) {
+  call <- check_no_dots(...)
+  check_supplied(
+    c("moment_of_inertia_kg_m2", "transverse_moment_kg_m2", "mass_kg", "lever_arm_m"), call
+  )
+  columns <- list(
+    moment_of_inertia_kg_m2 = moment_of_inertia_kg_m2,
+    transverse_moment_kg_m2 = transverse_moment_kg_m2, mass_kg = mass_kg,
+    lever_arm_m = lever_arm_m, gravity_m_per_s2 = gravity_m_per_s2
+  )
+  columns <- check_columns_of(columns, precession_units[names(columns)], call)
+  check_recyclable(columns, call)
+  check_top_columns(columns, call)
+  .Call(ffi_precession_sleeps, unname(columns))
+}
