@@ -37,9 +37,20 @@ draw_statics <- function(rest) {
   rows <- support_rows(rest)
   system <- system_of(s$loads)
   at <- rbind(t(system$at), do.call(rbind, lapply(s$supports, function(one) c(one$at_m, 0)[1:3])))
-  couples <- apply(system$force == 0, 2L, all)
   outline <- rest$outline$points
   if (!is.null(outline) && plane) outline <- cbind(outline, 0 * outline[, 1])
+  # In units of the largest coordinate, so that nothing overflows; anchors may be far away.
+  size <- max(abs(c(at, outline)), 0, na.rm = TRUE)
+  if (!(size > 1e-300)) size <- 1
+  at <- at / size
+  outline <- if (!is.null(outline)) outline / size
+  supports <- lapply(s$supports, function(one) {
+    one$at_m <- one$at_m / size
+    one$to_m <- pmin(pmax(one$to_m / size, -1e9), 1e9)
+    one$normal <- one$normal / max(abs(one$normal), 1e-300)
+    one
+  })
+  couples <- apply(system$force == 0, 2L, all)
   # A couple without a place does not stretch the drawing.
   used <- rbind(at[!c(couples, rep(FALSE, length(s$supports))), , drop = FALSE], outline)
   if (!nrow(used)) used <- rbind(at, 0)
@@ -47,7 +58,7 @@ draw_statics <- function(rest) {
   seen <- flat[stats::complete.cases(flat), , drop = FALSE]
   low <- apply(seen, 2L, min)
   extent <- max(apply(seen, 2L, max) - low)
-  if (!(extent > 0)) extent <- 1
+  if (!(extent > 1e-300)) extent <- 1
   # The drawing is 2 wide or high.
   place <- function(points) {
     p <- flatten_points(points, plane)
@@ -55,7 +66,7 @@ draw_statics <- function(rest) {
   }
   d <- new_drawing()
   for (one in outline_of(place, used, outline)) d$add(one)
-  for (one in s$supports) for (mark in support_marks(one, place, plane)) d$add(mark)
+  for (one in supports) for (mark in support_marks(one, place, plane)) d$add(mark)
   columns <- function(names) vapply(names, function(name) rows[[name]], numeric(nrow(at) - ncol(
     system$at)))
   reaction <- matrix(columns(force_columns(plane)), ncol = 3L - plane)

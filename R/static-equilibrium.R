@@ -398,7 +398,7 @@ contacts_of <- function(rest, force) {
       -Inf
     if (push < -slack) {
       out$state[i] <- "lifts"
-    } else if (grip > one$friction * push + (1 + one$friction) * slack) {
+    } else if (one$friction < Inf && grip > one$friction * push + (1 + one$friction) * slack) {
       out$state[i] <- "slides"
     }
   }

@@ -732,6 +732,51 @@ static rot_status push_only(const equations *eq, const rot_structure *s, rot_dd 
   return ROT_OK;
 }
 
+/* The same without the supports that bear nothing, to the last digits. Couples and contacts with
+ * friction are left as they are. */
+static rot_status polish(const equations *eq, const rot_structure *s, rot_dd x[], double error[]) {
+  const size_t k = eq->k;
+  size_t n = 0;
+  for (size_t j = 0; j < k; j++)
+    if (s->reaction[j].is_couple || s->contacts) return ROT_OK;
+  rot_reaction *reaction = malloc((k + 1) * sizeof *reaction);
+  rot_dd *y = calloc(k + 1, sizeof *y);
+  double *plain = calloc(2 * k + 2, sizeof *plain), *off = plain ? plain + k + 1 : NULL;
+  int *determined = calloc(k + 1, sizeof *determined);
+  rot_status status = reaction && y && plain && determined ? ROT_OK : ROT_ENOMEM;
+  for (size_t j = 0; j < k && status == ROT_OK; j++)
+    if (!s->reaction[j].one_sided || x[j].hi > error[j]) reaction[n++] = s->reaction[j];
+  if (status == ROT_OK) {
+    rot_structure less = *s;
+    less.reaction = reaction;
+    less.reactions = n;
+    equations own;
+    status = set_up(&own, &less);
+    if (status == ROT_OK) {
+      minimum_norm(&own, y);
+      errors_of(&own, y, off, determined);
+      int same = own.unit.force == eq->unit.force;
+      for (size_t j = 0, i = 0; j < k; j++) {
+        const int bears = !s->reaction[j].one_sided || x[j].hi > error[j];
+        plain[j] = bears ? y[i++].hi : 0.0;
+        same = same && fabs(plain[j] - x[j].hi) <= error[j];
+      }
+      for (size_t j = 0, i = 0; j < k && same; j++) {
+        const int bears = !s->reaction[j].one_sided || x[j].hi > error[j];
+        x[j] = (rot_dd){plain[j], 0.0};
+        error[j] = bears ? off[i] : error[j];
+        i += (size_t)bears;
+      }
+    }
+    free_equations(&own);
+  }
+  free(reaction);
+  free(y);
+  free(plain);
+  free(determined);
+  return status;
+}
+
 /* ---- the whole ------------------------------------------------------------------------------- */
 
 /* Force along the direction: the units. */
@@ -819,7 +864,8 @@ static rot_status solve_in_units(const equations *eq, const rot_structure *s, ro
   const rot_status status = judge(eq, s, plain, error, rest);
   if (status != ROT_OK || !rest->rests || !violates(s, plain, error)) return status;
   rest->projected = 1;
-  const rot_status pushed = push_only(eq, s, x, error);
+  rot_status pushed = push_only(eq, s, x, error);
+  if (pushed == ROT_OK) pushed = polish(eq, s, x, error);
   for (size_t j = 0; j < eq->k; j++) plain[j] = x[j].hi;
   return pushed;
 }

@@ -241,7 +241,8 @@ test_that("legs that only push: a corner lifts, or the table tips", {
   expect_equal(summary(even)$redundant, 1)
   # Near a corner the minimum norm without conditions pulls at the opposite leg.
   corner <- table(0.9, 0.9)
-  expect_equal(corner$normal_n, c(0, 1, 1, 8) * g, tolerance = 1e-9)
+  expect_equal(corner$normal_n, c(0, 1, 1, 8) * g, tolerance = 1e-14)
+  expect_identical(corner$normal_n[1], 0)
   expect_equal(summary(corner)$verdict, "rests")
   expect_output(print(corner), "minimum norm among those that only push")
   outside <- table(1.1, 0.5)
