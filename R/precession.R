@@ -34,8 +34,9 @@
 #'   Rates have the sign of the spin where `lever_arm_m` is positive: counterclockwise seen from
 #'   above. The slow and the fast rate are NaN where there is no steady precession at this angle,
 #'   the fast one also where the axis is horizontal. Without a transverse moment `formula_error` is
-#'   known for a horizontal axis only, and NaN elsewhere. NA gives NA in what depends on it. Errors are a few roundings; those of the nutation are below 1e-14 unless the top is within 1e-8
-#'   of sleeping.
+#'   known for a horizontal axis only, and NaN elsewhere. NA gives NA in what depends on it. Errors
+#'   are a few roundings; those of the nutation are below 1e-14 unless the top is within 1e-8 of
+#'   sleeping.
 #'
 #'   `sleeping_top_spin()`: the least spin in rad/s at which the top stands upright in stable
 #'   equilibrium, `2 sqrt(I1 m g l)/I3`; 0 where the centre of mass hangs below the point.
