@@ -2,10 +2,11 @@
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format
-.PHONY: check-valgrind check-nosuggests check-manual check-coverage check-fuzz check-interrupt
+.PHONY: check-valgrind check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
+.PHONY: check-interrupt
 
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
 
 demo: ## install what is missing and the package, run the main job, pictures in demo-output/
 	@sh tools/setup.sh demo
@@ -43,8 +44,11 @@ check-valgrind: ## C core and C boundary under valgrind
 check-nosuggests: ## check and tests with the imported packages alone
 	@sh tools/check-nosuggests.sh
 
-check-coverage: ## do the reported errors cover the true ones: 1000 random scenes for each model
-	@sh tools/check-coverage.sh
+check-coverage: ## do the reported errors cover the true ones: SCENES=1000 of each class, SEED=
+	@sh tools/check-coverage.sh $(or $(SCENES),1000) $(SEED)
+
+check-fuzz-sanitized: ## the same under gcc's address and undefined behaviour sanitizers
+	@SANITIZED=yes sh tools/check-fuzz.sh $(or $(MINUTES),10) $(SEED)
 
 check-fuzz: ## random calls of every function and damaged files: MINUTES=30 SEED=
 	@sh tools/check-fuzz.sh $(or $(MINUTES),30) $(SEED)

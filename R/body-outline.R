@@ -110,7 +110,11 @@ drawn_out <- function(flat, length) {
   hull_of(flat, top)
 }
 
-corners_of <- function(radius, sides) ring(radius, to = 2 * pi * (sides - 1) / sides, n = sides)
+# More than 720 sides are drawn as 720.
+corners_of <- function(radius, sides) {
+  n <- min(sides, 720)
+  ring(radius, to = 2 * pi * (n - 1) / n, n = n)
+}
 
 triangle_of <- function(base, height, apex) {
   cbind(c(0, base, apex), c(0, 0, height), 0)

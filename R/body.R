@@ -86,7 +86,7 @@ describe_point <- function(body, through) {
   switch(through,
     origin = "through the origin of the own axes",
     rod_end = "through the rod's end",
-    point = paste(format_si(body$size_m[["radius_m"]]), "m from the point"),
+    point = paste(format_si(unname(body$size_m["radius_m"])), "m from the point"),
     "through the centre of mass"
   )
 }

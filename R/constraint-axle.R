@@ -9,6 +9,7 @@ axle_constraint <- function() {
       inertia = c(inertia_knots_form, .optional = TRUE), axis = "numbers:3", torque = torque_form,
       loads = loads_form, resistance = resistance_form, theta0_rad = "number",
       omega0_rad_per_s = "number", start_s = "number", inertia_lo = "number?",
+      rounding = "numbers:2?",
       gears = list(
         .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number"
       ),
@@ -25,6 +26,7 @@ axle_constraint <- function() {
     models = axle_models,
     without = axle_without,
     acting = axle_acting,
+    rounding = axle_rounding,
     columns = trajectory_columns,
     more_columns = function(columns, scene, time_s) {
       if (!is.null(.subset2(scene, "inertia"))) {
@@ -240,4 +242,24 @@ augment_axle <- function(x, run, edges, call) {
       damping_impulse_n_m_s = since_first("damping_impulse_n_m_s")
     )
   )
+}
+
+# The rounding of a scene's own coefficients, as a torque E in N m (and in N m s, times omega).
+# Resistance that does not fall with the speed brings two motions together: E changes omega by at
+# most E min(t/I, 1/c), backwards in time by E (exp(c t/I) - 1)/c.
+axle_rounding <- function(scene, time_s, sizes) {
+  off <- .subset2(scene, "rounding")
+  if (is.null(off) || sizes[["omega"]] == 0) return(NULL) # at rest, held or without a torque
+  off <- off[1] + off[2] * sizes[["omega"]]
+  inertia <- scene$moment_of_inertia_kg_m2
+  viscous <- scene$resistance$viscous_n_m_s
+  span <- max(abs(time_s - scene$start_s), 0)
+  back <- max(scene$start_s - time_s, 0)
+  lag <- if (viscous > 0 && back > 0) {
+    max(span / inertia, expm1(viscous * back / inertia) / viscous)
+  } else {
+    min(span / inertia, if (viscous > 0) 1 / viscous)
+  }
+  most <- if (back > 0) lag else min(span / inertia / 2, lag)
+  list(theta = off * span * most, omega = off * lag)
 }

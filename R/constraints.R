@@ -15,6 +15,8 @@
 #                 (a constraint of the C core has these three from there)
 #   acting(columns, scene, time_s)   NULL, or the columns of a motion without some effects, with the
 #                 torques that act in the whole scene
+#   rounding(scene, time_s, sizes)   NULL, or what the rounding of the scene's own coefficients
+#                 changes at most: NULL, or list: by measure
 #   columns       columns of a result
 #   keys          those that hold the state: the class is kept with them
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run

@@ -130,6 +130,23 @@ gear_shift <- function(scene) {
   if (is.null(gears)) 0 else (gears$forward_n_m - gears$backward_n_m) / 2
 }
 
+# The rounding of a train's sums, as a torque and as a viscous coefficient, by a count of roundings:
+# shaft i has a ratio of i - 2 products, and a share that the gears pass on of as many.
+gear_rounding <- function(train, loss, efficiency, viscous) {
+  n <- length(train$shaft)
+  stage <- seq_len(n) - 1
+  felt <- abs(attr(train, "torque_n_m") / train$ratio_to_first)
+  share <- cumprod(c(1, rep_len(efficiency, n - 1L)))
+  lost <- felt * (1 - share) + felt * ((1 - share) / share)
+  both <- loss$forward_n_m + loss$backward_n_m
+  torque <- sum(stage * felt) + n * sum(felt) +
+    sum(pmax(stage - 1, 0) * felt * (1 + 1 / share)) + sum((stage + 3) * lost) + (n + 1) * both
+  # A sum of moments of inertia that is off counts as a torque that is.
+  net <- abs(loss$applied_n_m) + max(loss$forward_n_m, loss$backward_n_m)
+  most <- 2 * (n - 1) + n - 1
+  .Machine$double.eps / 2 * c(torque + most * net, 2 * most * viscous)
+}
+
 # Columns of the solved torques: the loss belongs to the resistance.
 geared_columns <- function(columns, scene) {
   if (is.null(.subset2(scene, "gears"))) return(columns)
@@ -223,6 +240,7 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, vis
     check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
     check_number(start_s, "start_s", "s", call)
   )
+  scene$rounding <- gear_rounding(train, loss, efficiency, scene$resistance$viscous_n_m_s)
   if (dry > 0) scene$gears <- loss
   scene$train <- train # for the drawing
   scene

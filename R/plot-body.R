@@ -34,12 +34,7 @@
 #' ggplot2::autoplot(place_body(dumbbell, c(0.5, 0, 0), rotation_about("z", angle_deg = 30)))
 #' @exportS3Method ggplot2::autoplot
 autoplot.rot_body <- function(object, ..., base_size = 13) {
-  check_plot(base_size, ...)
-  drawn <- body_drawing(object)
-  check_drawable(rbind(
-    drawn$frame[c("across", "up")], drawn$outline[c("across", "up")],
-    drawn$solids$fill[c("across", "up")], drawn$solids$line[c("across", "up")]
-  ))
+  drawn <- body_drawing(object, check_plot(base_size, ...))
   # Two rows of panels with the keys beside them, or one row above them where letters are large.
   wide <- base_size > 16
   axis_label <- function(axis) paste("axis", if (wide) substr(axis, 1L, 1L) else axis)
@@ -175,7 +170,7 @@ body_subtitle <- function(body, short = FALSE) {
 }
 
 # The contents of the plot as data frames with `panel`, `across` and `up`.
-body_drawing <- function(body) {
+body_drawing <- function(body, call) {
   axes <- principal_axes(body)
   centre <- as.double(body$centre_m)
   semi <- if (body$mass_kg > 0) {
@@ -210,6 +205,7 @@ body_drawing <- function(body) {
     outline, marks, pieces, lines, solids$fill, solids$line, solids$mesh,
     data.frame(panel = lines$panel, across = lines$across_end, up = lines$up_end)
   ))
+  check_drawable(frame, call)
   span <- diff(frame$across[1:2])
   list(
     outline = outline, solids = solids, axes = lines, marks = marks, pieces = pieces, few = few,
@@ -349,7 +345,7 @@ panel_frame <- function(tables) {
 }
 
 # The axes of a plot need sizes well inside the doubles.
-check_drawable <- function(frame, call = rlang::caller_env()) {
+check_drawable <- function(frame, call) {
   size <- max(diff(range(frame$across)), diff(range(frame$up)))
   if (is.finite(size) && (size == 0 || (size > 1e-280 && size < 1e280))) return(invisible())
   abort_rotdyn(c(

@@ -100,6 +100,10 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   if (info$kind == "none" && n && suspicious(info, record, accuracy)) {
     info <- measure_on_the_way(info, fit, time_s, accuracy, max_steps, call)
   }
+  if (!is.null(constraint$rounding) && info$kind == "none") {
+    by <- constraint$rounding(scene, time_s, info$sizes)
+    if (!is.null(by)) info <- widen_error(info, by)
+  }
   if (!is.null(constraint$more_columns)) columns <- constraint$more_columns(columns, scene, time_s)
   if (info$kind != "none") {
     failed_run(info, n, on_fail, call)

@@ -103,7 +103,10 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
     if (weld >= 0.0) {
       SEXP same = Rf_allocVector(INTSXP, (R_xlen_t)mesh.vertices);
       SET_VECTOR_ELT(out, 2, same);
-      status = rot_mesh_weld(&mesh, weld, (uint32_t *)(void *)INTEGER(same), &f.merged);
+      uint32_t *first = (uint32_t *)(void *)INTEGER(same);
+      ffi_guard_begin(&guard, progress);
+      status = rot_mesh_weld(&mesh, weld, &guard.hooks, first, &f.merged);
+      ffi_guard_end(&guard, status);
       mesh.same = (const uint32_t *)(const void *)INTEGER_RO(same);
     }
     if (status == ROT_OK) {

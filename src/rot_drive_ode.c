@@ -425,18 +425,30 @@ static void note_errors(const motion *m, size_t n_groups, const double error[], 
 
 /* ---- the run --------------------------------------------------------------------------------- */
 
+/* A contact that breaks loose does so without an acceleration where its static capacity is that of
+ * sliding: its mode knows the way, the slope is rounding. */
+static int way_of_slip(int mode, size_t component, void *ctx) {
+  const motion *m = ctx;
+  for (size_t k = 0; k < m->s.n_contacts; k++) {
+    const signed char way = modes_of(m, mode)[k];
+    if (m->s.contact[k].state == component) return way == ROT_DRIVE_OPEN ? 0 : way;
+  }
+  return 0;
+}
+
 static size_t list_events(const motion *m, rot_ode_event event[]) {
   const rot_drive_system *s = &m->s;
   size_t n = 0;
   for (size_t k = 0; k < s->n_contacts; k++) {
-    event[n++] = (rot_ode_event){NULL, s->contact[k].state, 0, ROT_EVENT_REVERSE, at_zero};
+    event[n++] =
+        (rot_ode_event){NULL, s->contact[k].state, 0, ROT_EVENT_REVERSE, at_zero, way_of_slip};
   }
   for (size_t u = 0; u < s->m; u++) {
     if (s->unit[u].quadratic && s->unit[u].ground == SIZE_MAX) {
-      event[n++] = (rot_ode_event){NULL, s->m + u, 0, ROT_EVENT_REVERSE, at_kink};
+      event[n++] = (rot_ode_event){NULL, s->m + u, 0, ROT_EVENT_REVERSE, at_kink, NULL};
     }
   }
-  if (s->n_contacts) event[n++] = (rot_ode_event){margin_at, 0, -1, ROT_EVENT_SLIP, at_limit};
+  if (s->n_contacts) event[n++] = (rot_ode_event){margin_at, 0, -1, ROT_EVENT_SLIP, at_limit, NULL};
   return n;
 }
 

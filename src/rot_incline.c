@@ -244,10 +244,15 @@ static void end_slip(incline *c, const incline *from) {
   }
 }
 
+/* At the rounded time, w (M, too, where it rolls) is not exactly 0. While it slips, M keeps its
+ * value. */
 static void end_spin(incline *c) {
   c->spin_way = 0;
+  c->w_error += fabs(c->w);
   c->w = 0.0;
-  c->mean = c->slip_way == 0 ? 0.0 : c->spin * c->slip;
+  if (c->slip_way != 0) return;
+  c->mean_error += fabs(c->mean);
+  c->mean = 0.0;
 }
 
 /* An error of `late` in the time of an event changes later speeds by the change of their rates. */

@@ -52,12 +52,18 @@ static int corners_of(const rot_mesh *mesh, size_t face, uint32_t v[3]) {
   return v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
 }
 
+static rot_status poll_at(const rot_hooks *hooks, size_t i, size_t n) {
+  return i % POLL_STEP == 0 ? rot_poll(hooks, (double)i / (double)n) : ROT_OK;
+}
+
 /* bucket[v + 1] is first a count, then the start of v's bucket, and after filling its end. */
-static void fill_buckets(const work *w, rot_mesh_edges *out) {
+static rot_status fill_buckets(const work *w, const rot_hooks *hooks, rot_mesh_edges *out) {
   const rot_mesh *mesh = w->mesh;
+  rot_status status;
   uint32_t v[3];
   memset(w->bucket, 0, (mesh->vertices + 2) * sizeof *w->bucket);
   for (size_t i = 0; i < mesh->faces; i++) {
+    if ((status = poll_at(hooks, i, mesh->faces)) != ROT_OK) return status;
     w->parent[i] = (uint32_t)i;
     w->crowd[i] = 0;
     if (!corners_of(mesh, i, v)) {
@@ -72,6 +78,7 @@ static void fill_buckets(const work *w, rot_mesh_edges *out) {
   }
   for (size_t i = 2; i < mesh->vertices + 2; i++) w->bucket[i] += w->bucket[i - 1];
   for (size_t i = 0; i < mesh->faces; i++) {
+    if ((status = poll_at(hooks, i, mesh->faces)) != ROT_OK) return status;
     if (w->parent[i] == ROT_NO_COMPONENT || !corners_of(mesh, i, v)) continue;
     for (int k = 0; k < 3; k++) {
       const uint32_t from = v[k], to = v[(k + 1) % 3], low = from < to ? from : to;
@@ -80,6 +87,7 @@ static void fill_buckets(const work *w, rot_mesh_edges *out) {
       one->face_down = (uint32_t)(2 * i) + (from > to);
     }
   }
+  return ROT_OK;
 }
 
 static void judge_edge(const tally *edge, rot_mesh_edges *out) {
@@ -147,18 +155,46 @@ static triple sorted_corners(const rot_mesh *mesh, size_t face) {
   return t;
 }
 
-static int by_corners(const void *a, const void *b) {
-  const triple *s = a, *t = b;
+static int same_corners(const triple *s, const triple *t) {
+  return s->v[0] == t->v[0] && s->v[1] == t->v[1] && s->v[2] == t->v[2];
+}
+
+static size_t hash_of(const triple *t) {
+  uint64_t h = 0;
   for (int k = 0; k < 3; k++) {
-    if (s->v[k] != t->v[k]) return s->v[k] < t->v[k] ? -1 : 1;
+    h = (h ^ t->v[k]) * 0x9e3779b97f4a7c15U;
+    h ^= h >> 29;
   }
-  return 0;
+  return (size_t)h;
+}
+
+/* How many triples equal one before them. Open addressing: a slot holds a triple, from 1, or 0. */
+static rot_status count_repeated(size_t n, const triple list[], const rot_hooks *hooks,
+                                 size_t *repeated) {
+  size_t slots = 16;
+  while (slots / 2 < n) slots *= 2;
+  uint32_t *slot = rot_mesh_alloc(slots, sizeof *slot);
+  if (!slot) return ROT_ENOMEM;
+  memset(slot, 0, slots * sizeof *slot);
+  rot_status status = ROT_OK;
+  for (size_t i = 0; i < n && (status = poll_at(hooks, i, n)) == ROT_OK; i++) {
+    size_t s = hash_of(&list[i]) & (slots - 1);
+    while (slot[s] && !same_corners(&list[slot[s] - 1], &list[i])) s = (s + 1) & (slots - 1);
+    if (slot[s]) {
+      ++*repeated;
+    } else {
+      slot[s] = (uint32_t)i + 1;
+    }
+  }
+  free(slot);
+  return status;
 }
 
 /* Two faces with the same corners share three edges: either a third face is on one of them, or the
  * two are a component of two faces. So few faces need to be compared. `sizes` has an element for
  * each component. */
-static rot_status count_duplicates(const work *w, const uint32_t component[], uint32_t sizes[],
+static rot_status count_duplicates(const work *w, const rot_hooks *hooks,
+                                   const uint32_t component[], uint32_t sizes[],
                                    rot_mesh_edges *out) {
   size_t candidates = 0, n = 0;
   memset(sizes, 0, out->components * sizeof *sizes);
@@ -178,10 +214,9 @@ static rot_status count_duplicates(const work *w, const uint32_t component[], ui
       list[n++] = sorted_corners(w->mesh, i);
     }
   }
-  qsort(list, n, sizeof *list, by_corners);
-  for (size_t i = 1; i < n; i++) out->duplicate_faces += by_corners(&list[i - 1], &list[i]) == 0;
+  const rot_status status = count_repeated(n, list, hooks, &out->duplicate_faces);
   free(list);
-  return ROT_OK;
+  return status;
 }
 
 /* The tallies are reused: `bucket` marks the vertices that faces use. */
@@ -199,19 +234,17 @@ static void count_unused(const work *w, rot_mesh_edges *out) {
 static rot_status check(const work *w, const rot_hooks *hooks, uint32_t component[],
                         rot_mesh_edges *out) {
   const size_t vertices = w->mesh->vertices;
-  fill_buckets(w, out);
+  rot_status status = fill_buckets(w, hooks, out);
+  if (status != ROT_OK) return status;
   for (size_t i = 0; i < vertices; i++) w->tallies[i].bucket = 0;
   for (size_t v = 0; v < vertices; v++) {
-    if (v % POLL_STEP == 0) {
-      rot_status status = rot_poll(hooks, (double)v / (double)vertices);
-      if (status != ROT_OK) return status;
-    }
+    if ((status = poll_at(hooks, v, vertices)) != ROT_OK) return status;
     count_bucket(w, (uint32_t)v, out);
   }
   number_components(w, component, out);
   count_unused(w, out);
   /* The parents are reused: there are no more components than faces. */
-  return count_duplicates(w, component, w->parent, out);
+  return count_duplicates(w, hooks, component, w->parent, out);
 }
 
 rot_status rot_mesh_check_edges(const rot_mesh *mesh, const rot_hooks *hooks, uint32_t component[],

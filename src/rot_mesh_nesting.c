@@ -20,6 +20,8 @@ typedef struct work {
   part *parts;
   uint32_t *face;    /* ordered by component */
   uint32_t *meeting; /* faces of one component that overlap another's box */
+  const rot_hooks *hooks;
+  rot_status *stopped; /* what a poll in the midst of the work returned */
 } work;
 
 /* Points tried for each component; the first few are outside the work budget. */
@@ -62,6 +64,14 @@ static double normal_of(const double a[3], const double b[3], const double c[3],
   return cross(u, v, n);
 }
 
+enum { POLL_STEP = 1 << 15 };
+
+/* Whether the work is to end; asked with each step of a long loop. */
+static int ends_at(const work *w, size_t step) {
+  if (*w->stopped == ROT_OK && step % POLL_STEP == 0) *w->stopped = rot_poll(w->hooks, 0.0);
+  return *w->stopped != ROT_OK;
+}
+
 /* ---- volumes and boxes ---------------------------------------------------------------------- */
 
 static void add_to_part(const work *w, size_t face, rot_mesh_nesting *out) {
@@ -98,10 +108,12 @@ static void gather_parts(const work *w, rot_mesh_nesting *out) {
     from += count;
   }
   for (size_t i = 0; i < faces; i++) {
+    if (ends_at(w, i)) return;
     if (w->component[i] == ROT_NO_COMPONENT) continue;
     w->face[w->parts[w->component[i]].end++] = (uint32_t)i;
   }
   for (size_t i = 0; i < faces; i++) {
+    if (ends_at(w, i)) return;
     if (w->component[i] != ROT_NO_COMPONENT) add_to_part(w, i, out);
   }
   for (size_t i = 0; i < w->components; i++) {
@@ -151,7 +163,9 @@ static int in_box(const part *of, const double p[3]) {
 static double count_turns(const work *w, const part *of, const double p[3], double *looks) {
   const double pi = 3.14159265358979323846;
   double angle = 0.0;
-  for (size_t i = of->begin; i < of->end; i++) angle += half_angle(w, w->face[i], p);
+  for (size_t i = of->begin; i < of->end && !ends_at(w, i); i++) {
+    angle += half_angle(w, w->face[i], p);
+  }
   *looks += 16.0 * (double)(of->end - of->begin);
   const double turns = angle / (2.0 * pi), whole = nearbyint(turns);
   return fabs(turns - whole) < 1e-6 ? whole : HUGE_VAL;
@@ -287,7 +301,7 @@ static int sheets_cross(const sheet *a, const sheet *b) {
 
 static size_t gather_meeting(const work *w, const part *of, const part *other, sheet *one) {
   size_t n = 0;
-  for (size_t i = of->begin; i < of->end; i++) {
+  for (size_t i = of->begin; i < of->end && !ends_at(w, i); i++) {
     see_sheet(w, w->face[i], one);
     if (boxes_meet(one->lo, one->hi, other->lo, other->hi)) w->meeting[n++] = w->face[i];
   }
@@ -299,12 +313,14 @@ static int parts_cross(const work *w, const part *a, const part *b, double *look
   const size_t n = gather_meeting(w, b, a, &other);
   *looks += (double)(b->end - b->begin);
   for (size_t i = a->begin; i < a->end && n; i++) {
+    if (ends_at(w, i)) return 0;
     see_sheet(w, w->face[i], &one);
     *looks += 1.0;
     if (!boxes_meet(one.lo, one.hi, b->lo, b->hi)) continue;
     *looks += 4.0 * (double)n;
     if (*looks > most_looks) return 0;
     for (size_t j = 0; j < n; j++) {
+      if (ends_at(w, j)) return 0;
       see_sheet(w, w->meeting[j], &other);
       if (sheets_cross(&one, &other)) return 1;
     }
@@ -312,20 +328,18 @@ static int parts_cross(const work *w, const part *a, const part *b, double *look
   return 0;
 }
 
-static rot_status find_crossings(const work *w, const rot_hooks *hooks) {
+static rot_status find_crossings(const work *w) {
   double looks = 0.0;
   for (size_t i = 1; i < w->components && looks <= most_looks; i++) {
     part *a = &w->parts[i];
-    if (i % 64 == 0) {
-      rot_status status = rot_poll(hooks, 0.0);
-      if (status != ROT_OK) return status;
-    }
     for (size_t j = 0; j < i && looks <= most_looks; j++) {
       part *b = &w->parts[j];
+      if (ends_at(w, j)) return *w->stopped;
       looks += 1.0;
       if (a->flat || b->flat || (a->crosses && b->crosses)) continue;
       if (!boxes_meet(a->lo, a->hi, b->lo, b->hi)) continue;
       if (parts_cross(w, a, b, &looks)) a->crosses = b->crosses = 1;
+      if (*w->stopped != ROT_OK) return *w->stopped;
     }
   }
   return ROT_OK;
@@ -333,7 +347,7 @@ static rot_status find_crossings(const work *w, const rot_hooks *hooks) {
 
 /* ---- nesting -------------------------------------------------------------------------------- */
 
-static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_mesh_nesting *out) {
+static rot_status judge_parts(const work *w, rot_mesh_nesting *out) {
   double total = 0.0, looks = 0.0;
   for (size_t i = 0; i < w->components; i++) total += w->parts[i].volume;
   out->flipped = total < 0.0;
@@ -342,7 +356,7 @@ static rot_status judge_parts(const work *w, const rot_hooks *hooks, rot_mesh_ne
     const double volume = sign * w->parts[i].volume;
     double around;
     if (i % 64 == 0) {
-      rot_status status = rot_poll(hooks, (double)i / (double)w->components);
+      rot_status status = rot_poll(w->hooks, (double)i / (double)w->components);
       if (status != ROT_OK) return status;
     }
     if (w->parts[i].flat) {
@@ -372,7 +386,8 @@ rot_status rot_mesh_check_nesting(const rot_mesh *mesh, const uint32_t component
                                   rot_mesh_nesting *out) {
   rot_mesh_tamed tame;
   *out = (rot_mesh_nesting){0};
-  work w = {&tame.mesh, component, components, NULL, NULL, NULL};
+  rot_status stopped = ROT_OK;
+  work w = {&tame.mesh, component, components, NULL, NULL, NULL, hooks, &stopped};
   rot_status status = rot_mesh_tame(mesh, &tame);
   if (status == ROT_OK) {
     w.parts = rot_mesh_alloc(components, sizeof *w.parts);
@@ -386,8 +401,9 @@ rot_status rot_mesh_check_nesting(const rot_mesh *mesh, const uint32_t component
       volume[i] = w.parts[i].volume;
       for (int k = 0; k < 3; k++) volume[i] = ldexp(volume[i], tame.exponent);
     }
-    status = find_crossings(&w, hooks);
-    if (status == ROT_OK) status = judge_parts(&w, hooks, out);
+    status = stopped == ROT_OK ? find_crossings(&w) : stopped;
+    if (status == ROT_OK) status = judge_parts(&w, out);
+    if (status == ROT_OK) status = stopped;
   }
   free(w.parts);
   free(w.face);

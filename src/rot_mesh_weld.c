@@ -53,9 +53,16 @@ static int within(const double a[3], const double b[3], double tolerance) {
          fabs(a[2] - b[2]) <= tolerance;
 }
 
-static void weld_exactly(const rot_mesh *mesh, table *t, uint32_t same[], size_t *merged) {
+enum { POLL_STEP = 1 << 16 };
+
+static rot_status weld_exactly(const rot_mesh *mesh, table *t, const rot_hooks *hooks,
+                               uint32_t same[], size_t *merged) {
   for (size_t i = 0; i < mesh->vertices; i++) {
     double at[3], other[3];
+    if (i % POLL_STEP == 0) {
+      const rot_status status = rot_poll(hooks, (double)i / (double)mesh->vertices);
+      if (status != ROT_OK) return status;
+    }
     place(mesh, i, at);
     size_t s = hash3(at) & t->mask;
     for (; t->slot[s]; s = (s + 1) & t->mask) {
@@ -66,16 +73,21 @@ static void weld_exactly(const rot_mesh *mesh, table *t, uint32_t same[], size_t
     same[i] = t->slot[s] - 1;
     *merged += same[i] != i;
   }
+  return ROT_OK;
 }
 
 /* Cubes of twice the tolerance: every vertex within the tolerance is in one of the cubes of the
  * eight points at -+ tolerance. A cube may hold several kept vertices, so the whole run of slots is
  * searched. */
-static void weld_nearly(const rot_mesh *mesh, double tolerance, table *t, uint32_t same[],
-                        size_t *merged) {
+static rot_status weld_nearly(const rot_mesh *mesh, double tolerance, table *t,
+                              const rot_hooks *hooks, uint32_t same[], size_t *merged) {
   for (size_t i = 0; i < mesh->vertices; i++) {
     double at[3], other[3], cube[3], its[3];
     size_t found = i;
+    if (i % POLL_STEP == 0) {
+      const rot_status status = rot_poll(hooks, (double)i / (double)mesh->vertices);
+      if (status != ROT_OK) return status;
+    }
     place(mesh, i, at);
     for (unsigned corner = 0; corner < 8; corner++) {
       for (int k = 0; k < 3; k++) {
@@ -97,9 +109,11 @@ static void weld_nearly(const rot_mesh *mesh, double tolerance, table *t, uint32
     while (t->slot[s]) s = (s + 1) & t->mask;
     t->slot[s] = (uint32_t)i + 1;
   }
+  return ROT_OK;
 }
 
-rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged) {
+rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, const rot_hooks *hooks,
+                         uint32_t same[], size_t *merged) {
   table t = {NULL, 0};
   *merged = 0;
   if (!(tolerance >= 0.0 && isfinite(tolerance)) || mesh->vertices > INT32_MAX) return ROT_EVALUE;
@@ -112,11 +126,8 @@ rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, uint32_t same[]
   }
   rot_status status = open_table(&t, mesh->vertices);
   if (status != ROT_OK) return status;
-  if (tolerance > 0.0) {
-    weld_nearly(mesh, tolerance, &t, same, merged);
-  } else {
-    weld_exactly(mesh, &t, same, merged);
-  }
+  status = tolerance > 0.0 ? weld_nearly(mesh, tolerance, &t, hooks, same, merged)
+                           : weld_exactly(mesh, &t, hooks, same, merged);
   free(t.slot);
-  return ROT_OK;
+  return status;
 }

@@ -9,6 +9,7 @@
  * `tolerance` of it in each coordinate. *merged counts the vertices replaced. All coordinates are
  * finite; mesh->same is ignored. ROT_EVALUE for a tolerance below 2^-52 of the largest coordinate
  * or not finite, or for more than 2^31 - 1 vertices. */
-rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, uint32_t same[], size_t *merged);
+rot_status rot_mesh_weld(const rot_mesh *mesh, double tolerance, const rot_hooks *hooks,
+                         uint32_t same[], size_t *merged);
 
 #endif

@@ -47,6 +47,9 @@ typedef struct rot_ode_event {
   int direction;  /* 1: rising in time; -1: falling; 0: both */
   rot_event name; /* in the log */
   rot_ode_then (*then)(double t, double y[], int *mode, int forward, void *ctx); /* NULL: go on */
+  /* The side of zero to which a stretch forward leaves that begins there in this mode; NULL, or 0:
+   * by the slope. */
+  int (*side)(int mode, size_t component, void *ctx);
 } rot_ode_event;
 
 /* A right-hand side with a kink or jump where y[watched] = 0. It is integrated with the sign fixed

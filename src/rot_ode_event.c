@@ -24,7 +24,7 @@ size_t rot_ode_wall_of(const rot_ode_march *run, size_t which) {
 static look look_at(const rot_ode_march *run, size_t which) {
   const rot_ode_switch *turn = run->p->turn;
   const size_t wall = rot_ode_wall_of(run, which);
-  look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL}, 0.0, 0, 0};
+  look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL, NULL}, 0.0, 0, 0};
   if (turn && which == 0) {
     l.event.component = turn->watched;
   } else if (wall != NO_WALL) {
@@ -85,6 +85,9 @@ void rot_ode_arm(rot_ode_march *run, size_t fired, double at) {
     }
     if (k == fired && w->value == at) w->value = 0.0;
     w->side = sign_of(w->value);
+    if (w->side == 0 && l.event.side && run->forward) {
+      w->side = l.event.side(*run->p->mode, l.event.component, run->p->ctx);
+    }
     if (w->side == 0) {
       w->side = sign_of(way * rise_at(run, &l, run->t, run->y, run->slope, run->h));
     }
@@ -228,6 +231,20 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
   if (!is_switch(s->run, which)) {
     for (x = best > 0.0 ? x : 1.0 / 32.0; best == 0.0 && x > 1e-9; x *= best > 0.0 ? 1.0 : 0.5) {
       best = fmax(0.0, seen(s, x));
+    }
+    if (best ==
+        0.0) { /* the cubic may miss a short way out of a long step: ask the method itself */
+      for (x = 0.25; x > 1e-4; x *= 0.25) {
+        const rot_status status = attempt_part(s, x * *h, &v, &rise);
+        if (status != ROT_OK) return status;
+        if (v > 0.0) {
+          *h *= x;
+          *what = ROT_ODE_CUT_SHORT;
+          return ROT_OK;
+        }
+      }
+      const rot_status status = attempt_part(s, *h, &v, &rise);
+      if (status != ROT_OK) return status;
     }
     if (best == 0.0) { /* touched zero and went back */
       const size_t wall = rot_ode_wall_of(s->run, which);

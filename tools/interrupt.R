@@ -99,6 +99,27 @@ long_calls <- list(
     mesh <- sheet(2000L)
     function() for (i in 1:5) body_mesh(mesh, mass_kg = 1)
   },
+  mesh_weld = function() {
+    mesh <- sheet(2000L)
+    function() for (i in 1:5) body_mesh(mesh, mass_kg = 1, weld_m = 1e-9)
+  },
+  # Two sheets through each other: all pairs of faces.
+  mesh_crossing = function() {
+    mesh <- sheet(700L)
+    other <- mesh
+    other$vertices[, 1] <- other$vertices[, 1] + 1e-5
+    both <- list(
+      vertices = rbind(mesh$vertices, other$vertices),
+      faces = rbind(mesh$faces, other$faces + nrow(mesh$vertices))
+    )
+    function() for (i in 1:20) check_mesh(both)
+  },
+  # All faces twice.
+  mesh_duplicates = function() {
+    mesh <- sheet(1500L)
+    mesh$faces <- rbind(mesh$faces, mesh$faces)
+    function() for (i in 1:10) check_mesh(mesh)
+  },
   check_mesh = function() {
     mesh <- sheet(2000L)
     function() for (i in 1:5) check_mesh(mesh)

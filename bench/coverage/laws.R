@@ -139,6 +139,7 @@ judge <- function(x, t, truth, accuracy, model) {
 
 if (!interactive() && length(args)) {
   bad <- FALSE
+  judged <- silent <- 0
   wanted <- if (length(args) > 3L) args[-(1:3)] else names(classes)
   for (name in wanted) {
     laws <- lapply(seq_len(scenes), function(i) classes[[name]](base_law()))
@@ -151,6 +152,8 @@ if (!interactive() && length(args)) {
       }, laws, rows, truth, accuracy)
       n <- sum(!is.na(found[1, ]))
       worst <- order(-found[3, ])[1:3]
+      judged <- judged + n
+      silent <- silent + sum(found[2, ], na.rm = TRUE)
       cat(sprintf(
         "%-10s %-10s %4d scenes, covered %5.1f %%, silent %d, calls %.0f; worst %s\n", name,
         if (is.null(model)) "chosen" else model, n, 100 * mean(found[1, ], na.rm = TRUE),
@@ -160,5 +163,6 @@ if (!interactive() && length(args)) {
       bad <- bad || mean(found[1, ], na.rm = TRUE) < 0.95 || any(found[2, ] == 1, na.rm = TRUE)
     }
   }
+  cat(sprintf("scenes: %d judged, %d silent; seed %d\n", judged, silent, seed))
   quit(status = as.integer(bad))
 }

@@ -120,7 +120,7 @@ static int checked(rot_mesh_moments *m) {
   double volume[1];
   rot_mesh welded = mesh;
   welded.same = same;
-  return rot_mesh_weld(&mesh, 0.0, same, &merged) != ROT_OK ||
+  return rot_mesh_weld(&mesh, 0.0, NULL, same, &merged) != ROT_OK ||
          rot_mesh_check_edges(&welded, NULL, component, &edges) != ROT_OK || edges.open_edges ||
          edges.components != 1 ||
          rot_mesh_check_nesting(&welded, component, 1, NULL, volume, &nesting) != ROT_OK ||

@@ -210,7 +210,49 @@ static void test_voxels(void) {
   shape_free(&s);
 }
 
+/* A poll is asked for often enough, and each of them can end the work. */
+typedef struct patience {
+  long polls, last;
+} patience;
+
+static rot_status count_polls(void *ctx, double fraction) {
+  patience *p = ctx;
+  (void)fraction;
+  return p->polls++ < p->last ? ROT_OK : ROT_EUNWIND;
+}
+
+static void test_stops(void) {
+  /* Two tori through each other: each face of one is tested with each of the other. */
+  shape s = shape_room(2 * 120 * 80, 4 * 120 * 80);
+  add_torus(&s, 120, 80, 2.0, 0.75);
+  const size_t from = s.vertices;
+  add_torus(&s, 120, 80, 2.0, 0.75);
+  for (size_t i = from; i < s.vertices; i++) s.xyz[3 * i] += 0.5;
+  uint32_t *parts = malloc(s.faces * sizeof *parts);
+  if (!parts) abort();
+  rot_mesh_edges e;
+  rot_mesh_nesting found;
+  double size[2];
+  ROT_CHECK_EQ_INT(rot_mesh_check_edges(shape_mesh(&s), NULL, parts, &e), ROT_OK);
+  ROT_CHECK_EQ_INT(e.components, 2);
+  patience endless = {0, 1000000000L};
+  const rot_hooks hooks = {count_polls, &endless};
+  ROT_CHECK_EQ_INT(rot_mesh_check_nesting(shape_mesh(&s), parts, 2, &hooks, size, &found), ROT_OK);
+  ROT_CHECK_EQ_INT(found.crossing, 2);
+  ROT_CHECK(endless.polls > 5);
+  for (long last = 0; last < endless.polls; last++) {
+    patience short_of = {0, last};
+    const rot_hooks ends = {count_polls, &short_of};
+    ROT_CHECK_EQ_INT(rot_mesh_check_nesting(shape_mesh(&s), parts, 2, &ends, size, &found),
+                     ROT_EUNWIND);
+    ROT_CHECK_EQ_INT(short_of.polls, last + 1);
+  }
+  free(parts);
+  shape_free(&s);
+}
+
 int main(void) {
+  test_stops();
   test_voxels();
   test_crossing_bars();
   test_same_place();

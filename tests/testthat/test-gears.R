@@ -126,3 +126,23 @@ test_that("every shaft of a train has its angle and rate", {
   scene$train$ratio_to_first <- NULL
   expect_error(trajectory(scene, 1), class = "rotdyn_error_type")
 })
+
+# By hand in 40 digits (mpmath): backward, -6.3 N m and 7.1/1.6/0.71 N m nearly cancel.
+test_that("the error of a train covers the rounding of its sums", {
+  scene <- scene_gears(
+    c(0.66, 0.07), 1.6, efficiency = 0.71, torque_n_m = c(-6.3, 7.1), omega0_rad_per_s = 0.2
+  )
+  motion <- trajectory(scene, c(0.5, 2))
+  errors <- attr(motion, "run")$info$errors
+  expect_lte(
+    max(abs(motion$theta_rad - c(-0.003209704445708827266, -0.1348414898182801409))),
+    errors[["theta"]]
+  )
+  expect_lte(
+    max(abs(motion$omega_rad_per_s - c(-0.03319666952397363122, -0.1423123776394547870))),
+    errors[["omega"]]
+  )
+  expect_lt(attr(motion, "run")$info$error, 1e-12)
+  still <- trajectory(scene_gears(c(1, 2), 3, efficiency = 0.5, torque_n_m = c(1, -3)), 0:1)
+  expect_equal(attr(still, "run")$info$error, 0)
+})

@@ -389,3 +389,31 @@ test_that("a run that fails keeps its good rows", {
   )
   expect_equal(part$time_s, rep(0:2, each = 2))
 })
+
+# In quadruple precision, by extrapolated midpoint steps and a search for the modes that fit.
+test_that("what breaks loose without an acceleration is caught again, whatever the accuracy", {
+  scene <- scene_drive(
+    c(0.60443311974904901, 1.2017364799756416, 0.12172819401953867),
+    list(coupling_gear(1), coupling_shaft(9.0543870135328586, ratio = -1.1004760971758514)),
+    torque = list(
+      NULL,
+      torque_constant(0.82192812978397534) +
+        torque_sinusoid(1.0210005863516791, 2.1673578116754482, 1.2704658647999167),
+      -1.1925762278901675
+    ),
+    resistance = list(
+      resistance(0.010748775331828754, coulomb_n_m = 4.8880839230268833),
+      resistance(0.30743865486772309), resistance(0.051096648710286602)
+    ),
+    theta0_rad = c(0.47863700799643993, -0.0094552924856543541, 0.40556392492726445),
+    omega0_rad_per_s = c(1.2804273012559861, 1.2804273012559861, -1.3599364606896416)
+  )
+  for (accuracy in c(3e-4, 1e-4, 1e-6, 1e-9)) {
+    motion <- trajectory(scene, c(0, 1.1410921271262), accuracy)
+    events <- motion_events(motion)
+    expect_equal(events$event, c("stick", "slip", "stick"))
+    expect_equal(
+      events$time_s, c(0.658709368085, 0.953573236424, 1.00637078805), tolerance = 10 * accuracy
+    )
+  }
+})

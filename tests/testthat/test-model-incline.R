@@ -254,3 +254,26 @@ test_that("a force of one's own: it breaks the rest, then the grip", {
   expect_error(scene_incline(ball(), 0, drag_n_s_per_m = -1), class = "rotdyn_error_value")
   expect_output(print(push), "an R function")
 })
+
+# Back-spin that ends before the slip does, with a rolling resistance: stretch by stretch in 40
+# digits (mpmath).
+test_that("a spin that passes zero while the contact slips leaves the rolling speed as it is", {
+  body <- body_tensor(0.83769493094649672, c(1, 1, 0.21784961436059055))
+  scene <- scene_incline(
+    body, 2.1507984504569322, static_friction = 0.67263728453644123,
+    kinetic_friction = 0.51877622380519928, rolling_arm_m = 0.0023515890459974119,
+    radius_m = 0.72119125486703872, v0_m_per_s = -3.96146692196867,
+    omega0_rad_per_s = 7.4924068910292352, x0_m = 0.89758620457723737,
+    gravity_m_per_s2 = 9.8066499999999994, start_s = 15.655715756812809
+  )
+  at_s <- c(16.618295519926249, 17.520685559928712, 19.773966183516492)
+  motion <- trajectory(scene, at_s)
+  v <- c(-0.60564107254111315423, -0.36500694786575777178, 0.19817598346788472454)
+  omega <- c(-0.83977872506617014707, -0.50611671370453832894, 0.27478977612453318537)
+  errors <- attr(motion, "run")$info$errors
+  motion <- motion[match(at_s, motion$time_s), ]
+  expect_lte(max(abs(motion$v_m_per_s - v)), errors[["v"]])
+  expect_lte(max(abs(motion$omega_rad_per_s - omega)), errors[["omega"]])
+  # The spin's end moved the rolling speed by 9.5e-15.
+  expect_lte(max(abs(motion$v_m_per_s - v)), 5e-15)
+})

@@ -186,3 +186,20 @@ test_that("a body near the ends of the doubles is not drawn", {
   skip_if_not_installed("ggplot2")
   expect_error(ggplot2::autoplot(body_hoop(1, 1e-310)), class = "rotdyn_error_range")
 })
+
+test_that("sizes at the ends of the doubles and many sides end in a picture or an error", {
+  skip_if_not_installed("ggplot2")
+  refused <- function(body) {
+    expect_no_warning(
+      expect_error(ggplot2::autoplot(body), class = "rotdyn_error_range")
+    )
+  }
+  refused(body_disk(1, 4e-324))
+  refused(body_polygon_plate(1.44, 4.94e-324, 5))
+  refused(body_disk(0, 1.7976931348623157e308))
+  many <- ggplot2::ggplot_build(ggplot2::autoplot(body_polygon_prism(4.3, 4.8, 2^53, 2)))
+  expect_s3_class(many$plot, "ggplot")
+  plate <- ggplot2::ggplot_build(ggplot2::autoplot(body_polygon_plate(1, 1, 1e9)))
+  round <- layer(plate$plot, "GeomPolygon")
+  expect_lte(nrow(round), 3 * 720)
+})
