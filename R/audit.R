@@ -56,7 +56,7 @@ audit.rot_trajectory <- function(x, ...) {
   run <- check_trajectory(x, "x", call)
   constraint <- constraint_of(run$scene)
   check_rows(x, call, constraint$keys)
-  new_audit(constraint$balances(x, run, call))
+  new_audit(mark_conserved(constraint$balances(x, run, call), keeps_of(run$solved)))
 }
 
 new_audit <- function(balances) {
@@ -79,6 +79,7 @@ balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
     balance = name, about = about, unit = unit,
     change = sum(change), supplied = sum(supplied), dissipated = sum(dissipated),
     residual = residual, rounding = rounding,
+    conserved = NA,
     verdict = if (is.na(balanced)) NA_character_ else if (balanced) "balanced" else "unbalanced",
     terms = tibble::new_tibble(list(
       term = names(parts) %||% rep(NA_character_, length(parts)),
@@ -116,7 +117,8 @@ print.rot_audit <- function(x, ..., digits = 4) {
   for (i in seq_len(nrow(x))) {
     unit <- x$unit[i]
     about <- if (!is.na(x$about[i])) paste(" about", x$about[i])
-    cat(gsub("_", " ", x$balance[i]), about, "\n", sep = "")
+    kept <- if (isTRUE(x$conserved[i])) ": conserved"
+    cat(gsub("_", " ", x$balance[i]), about, kept, "\n", sep = "")
     terms <- x$terms[[i]]
     for (role in c("supplied", "dissipated", "change")) {
       part <- terms[terms$role == role, ]

@@ -48,7 +48,7 @@
 #' @source Stronge, Impact Mechanics (2000), chapters 4 and 8; Keller, J. Appl. Mech. 53 (1986) 1;
 #'   Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapter 8.
 #' @seealso [collision_ledger()], [ball_bounce()] and [hinged_hit()] for bodies on a floor and on a
-#'   hinge.
+#'   hinge, [conserved()].
 #' @concept collision
 #' @concept restitution
 #' @examples

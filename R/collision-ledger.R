@@ -64,7 +64,7 @@ dplyr_reconstruct.rot_collision <- function(data, template) {
 #'   `print()` shows it with the parts of the energy, `ggplot2::autoplot()` draws these.
 #' @section Errors: `rotdyn_error_type` for what is no collision (rows that were filtered, sorted or
 #'   joined are a plain tibble); `rotdyn_error_value`, `rotdyn_error_size`, `rotdyn_error_argument`.
-#' @seealso [audit()], [autoplot.rot_ledger()].
+#' @seealso [conserved()] for what is conserved and why, [audit()], [autoplot.rot_ledger()].
 #' @concept energy balance
 #' @concept conservation
 #' @examples
@@ -238,8 +238,31 @@ draw_ledger <- function(x, collision, i, about, call) {
     "energy", NA_character_, "J", stats::setNames(column(3), parts), double(), losses,
     32 * eps * (sum(column(1), column(2), abs(losses)) + impulse * sum(speed + reach * turn))
   )
+  # What comes from outside, by component: an impulse of 0 is none.
+  from_outside <- function(part, k) {
+    names(outside)[vapply(outside, function(o) !o[[part]][k] %in% 0, NA)]
+  }
+  statements <- lapply(balances, function(b) {
+    if (b$balance == "energy") {
+      return(keeps_unless(b$balance, b$about, list(
+        "the restitution takes energy" = !losses[[1]] %in% 0,
+        "friction takes energy" = !losses[[2]] %in% 0
+      ), "nothing is lost to restitution or friction"))
+    }
+    axis <- sub("^.*_", "", b$balance)
+    turns <- startsWith(b$balance, "angular")
+    by <- from_outside(if (turns) "l" else "p", match(axis, c("x", "y", "z")))
+    what <- if (turns) "an angular impulse about" else "an impulse along"
+    keeps(b$balance, b$about, !length(by), if (length(by)) {
+      paste(paste(by, collapse = " and "), if (length(by) > 1L) "give" else "gives", what, axis)
+    } else if (length(outside)) {
+      paste("what comes from outside gives no", sub("^an ", "", what), axis)
+    } else {
+      "all impulses act between the bodies"
+    })
+  })
   list(
-    balances = balances, before = c(before, sum(column(1))), after = c(after, sum(column(2))),
+    balances = mark_conserved(balances, statements), keeps = statements, before = c(before, sum(column(1))), after = c(after, sum(column(2))),
     energies = tibble::tibble(
       term = c(parts, names(losses)), before = c(column(1), 0, 0), after = c(column(2), losses)
     )

@@ -386,7 +386,7 @@ augment_columns <- c(
 )
 audit_columns <- c(
   "balance", "about", "unit", "change", "supplied", "dissipated", "residual", "rounding",
-  "verdict"
+  "conserved", "verdict"
 )
 period_columns <- c("period_s", "kind", "amplitude_rad", "amplitude_ratio")
 clutch_summary_columns <- c(

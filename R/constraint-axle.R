@@ -73,6 +73,7 @@ axle_constraint <- function() {
     },
     drawing = draw_axle,
     balances = balance_axle,
+    conserved = conserved_axle,
     augment = augment_axle,
     panels = list(
       panel("angle (rad)", c(theta_rad = "")),
@@ -128,6 +129,35 @@ axle_acting <- function(columns, scene, time_s) {
   )
   columns[names(torques)] <- torques
   columns
+}
+
+# Springs and gravity keep the energy, kinetic and potential, unless they act for a time only.
+conserved_axle <- function(scene) {
+  loads <- scene$loads
+  stores <- vapply(loads$terms, function(term) {
+    term$kind %in% c("spring", "gravity") && term$from_s == -Inf && term$to_s == Inf
+  }, NA)
+  gears <- scene$gears
+  lossy <- !is.null(gears) && (gears$forward_n_m != 0 || gears$backward_n_m != 0)
+  applied <- loads
+  applied$terms <- loads$terms[!stores]
+  resistance <- resists(scene$resistance)
+  list(
+    keeps_unless("energy", NA_character_, list(
+      "the torque works" = loads_act(applied), "the resistance dissipates" = resistance,
+      "the gears dissipate" = lossy,
+      "what changes the moment of inertia works" = !is.null(scene$inertia)
+    ), if (any(stores)) {
+      "springs and gravity give back what they take: kinetic plus potential energy stays"
+    } else {
+      "nothing works and nothing dissipates"
+    }),
+    keeps_unless("angular_momentum", "the axle", list(
+      "a torque acts about the axle" = loads_act(applied),
+      "springs or gravity act about the axle" = any(stores),
+      "the resistance acts about the axle" = resistance, "the gears take a torque" = lossy
+    ), "no torque acts about the axle")
+  )
 }
 
 balance_axle <- function(x, run, call) {

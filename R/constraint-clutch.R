@@ -36,6 +36,7 @@ clutch_constraint <- function() {
       )
     },
     balances = balance_clutch,
+    conserved = conserved_clutch,
     augment = augment_clutch,
     panels = list(
       panel("angular velocity (rad/s)", c(
@@ -111,5 +112,19 @@ augment_clutch <- function(x, run, edges, call) {
     torque_impulse_n_m_s = vapply(edges, function(edge) {
       sum(vapply(scene$steps, function(s) steps_impulse(s, edges[1], edge)[1], double(1)))
     }, double(1))
+  )
+}
+
+# The clutch acts between the bodies, and dissipates while it slips.
+conserved_clutch <- function(scene) {
+  driven <- any(vapply(scene$steps, function(steps) any(steps[[2]] != 0), NA))
+  causes <- list("a torque acts on a body" = driven)
+  slips <- scene$capacity_n_m > 0 && diff(scene$omega0_rad_per_s) != 0
+  list(
+    keeps_unless(
+      "energy", NA_character_, c(causes, list("the clutch slips: heat" = slips)),
+      "the clutch does not slip"
+    ),
+    keeps_unless("angular_momentum", "the axle", causes, "the clutch acts between the bodies")
   )
 }

@@ -55,6 +55,7 @@ drive_constraint <- function() {
       )
     },
     balances = balance_drive,
+    conserved = conserved_drive,
     augment = augment_drive,
     panels = list(
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
@@ -207,5 +208,29 @@ augment_drive <- function(x, run, edges, call) {
     dissipated_j = since_first(c("resistance_j", "brake_j", "damper_j", "clutch_j")),
     torque_impulse_n_m_s = since_first("torque_impulse_n_m_s"),
     damping_impulse_n_m_s = since_first("resistance_impulse_n_m_s")
+  )
+}
+
+# Torques, resistance and brakes act from outside, and so do the housings of gears. A clutch may
+# slip unless all that is joined turns together.
+conserved_drive <- function(scene) {
+  rotors <- scene$rotors
+  any_of <- function(parts, f) any(vapply(parts, f, NA))
+  causes <- list(
+    "a torque acts on a rotor" = any_of(rotors, function(rotor) loads_act(rotor$loads)),
+    "a resistance acts on a rotor" = any_of(rotors, function(rotor) resists(rotor$resistance)),
+    "a brake acts on a rotor" = any_of(rotors, function(rotor) !is.null(rotor$brake))
+  )
+  couplings <- scene$couplings
+  kind <- vapply(couplings, function(coupling) coupling$kind, double(1))
+  list(
+    keeps_unless("energy", NA_character_, c(causes, list(
+      "a shaft is damped" = any_of(couplings, function(coupling) coupling$damping_n_m_s != 0),
+      "a clutch may slip: heat" = any(kind == 1)
+    )), "the shafts give back what they take: kinetic plus elastic energy stays"),
+    keeps_unless("angular_momentum", "the axis", c(causes, list(
+      "the housings of the gears take a torque" =
+        any_of(couplings, function(coupling) coupling$ratio != 1)
+    )), "all torques act between the rotors")
   )
 }

@@ -56,6 +56,7 @@ incline_constraint <- function() {
     },
     drawing = draw_incline,
     balances = balance_incline,
+    conserved = conserved_incline,
     augment = augment_incline,
     panels = list(
       panel("velocity (m/s)", c(v_m_per_s = "centre", slip_speed_m_per_s = "slip")),
@@ -211,5 +212,49 @@ augment_incline <- function(x, run, edges, call) {
     dissipated_j = heat[first] - heat[first[1]] + ledger[5, ],
     torque_impulse_n_m_s = ledger[2, ],
     damping_impulse_n_m_s = -ledger[3, ]
+  )
+}
+
+# Friction dissipates where the contact slips: from the start on, or where the grip does not suffice.
+conserved_incline <- function(scene) {
+  acts <- scene$gravity_m_per_s2 != 0
+  level <- !acts || scene$incline_angle_deg == 0
+  slope <- abs(.Call(ffi_inertia_sine, scene$incline_angle_deg))
+  across <- .Call(ffi_inertia_sine, 90 - abs(scene$incline_angle_deg))
+  beta <- scene$moment_of_inertia_kg_m2 / scene$mass_kg / scene$radius_m^2
+  grips <- scene$v0_m_per_s == scene$radius_m * scene$omega0_rad_per_s &&
+    slope * beta / (1 + beta) <= scene$static_friction * across
+  smooth <- !acts || scene$static_friction == 0
+  arm <- acts && scene$rolling_arm_m != 0
+  pushed <- list(
+    "air drag acts" = scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0,
+    "a force acts along the slope" = !is.null(scene$force)
+  )
+  slips <- acts && !grips && scene$kinetic_friction != 0
+  gravity <- list("gravity acts along the slope" = !level)
+  rolls <- list("the rolling resistance acts" = arm)
+  list(
+    keeps_unless(
+      "energy", NA_character_,
+      c(list("the contact slips: heat" = slips, "the rolling resistance dissipates" = arm), pushed),
+      if (smooth) "no friction acts: kinetic plus potential energy stays" else
+        "the contact grips, so friction does no work: kinetic plus potential energy stays"
+    ),
+    keeps_unless(
+      "momentum_along_slope", NA_character_,
+      c(gravity, list("friction acts along the slope" = slips), rolls, pushed),
+      "no force acts along the slope"
+    ),
+    keeps_unless(
+      "angular_momentum", "the centre of mass",
+      c(list("friction acts at the rim" = slips || (!level && !smooth) || (grips && any(
+        unlist(pushed)
+      ))), rolls),
+      "no torque acts about the centre of mass"
+    ),
+    keeps_unless(
+      "angular_momentum", "a point of the slope", c(gravity, rolls, pushed),
+      "friction acts along a line through it, gravity and the normal force cancel"
+    )
   )
 }

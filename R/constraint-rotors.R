@@ -42,6 +42,7 @@ rotors_constraint <- function() {
       )
     },
     balances = balance_rotors,
+    conserved = conserved_rotors,
     augment = augment_rotors,
     panels = list(
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
@@ -165,5 +166,23 @@ augment_rotors <- function(x, run, edges, call) {
     work_j = ledger[1, ],
     dissipated_j = ledger[2, ],
     torque_impulse_n_m_s = sum(scene$torque_n_m) * (edges - edges[1])
+  )
+}
+
+# Shafts twist and give back; they act between the rotors.
+conserved_rotors <- function(scene) {
+  causes <- list(
+    "a torque acts on a rotor" = any(scene$torque_n_m != 0),
+    "the viscous resistance acts on a rotor" = any(scene$viscous_n_m_s != 0)
+  )
+  list(
+    keeps_unless(
+      "energy", NA_character_,
+      c(causes, list("the shafts are damped" = any(scene$damping_n_m_s != 0))),
+      "the shafts give back what they take: kinetic plus elastic energy stays"
+    ),
+    keeps_unless(
+      "angular_momentum", "the shaft", causes, "all torques act between the rotors"
+    )
   )
 }
