@@ -262,7 +262,8 @@ draw_ledger <- function(x, collision, i, about, call) {
     })
   })
   list(
-    balances = mark_conserved(balances, statements), keeps = statements, before = c(before, sum(column(1))), after = c(after, sum(column(2))),
+    balances = mark_conserved(balances, statements), keeps = statements,
+    before = c(before, sum(column(1))), after = c(after, sum(column(2))),
     energies = tibble::tibble(
       term = c(parts, names(losses)), before = c(column(1), 0, 0), after = c(column(2), losses)
     )

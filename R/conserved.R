@@ -71,8 +71,8 @@ conserved.rot_collision <- function(x, row = 1, about = NULL, ...) {
   keeps_table(draw_ledger(x, collision, floor(row), about, call)$keeps)
 }
 
-# One statement of a constraint: the quantity and the point, as its balances name them; whether it is
-# conserved; the reason in words.
+# One statement of a constraint: the quantity and the point, as its balances name them; whether it
+# is conserved; the reason in words.
 keeps <- function(quantity, about, conserved, why) {
   list(quantity = quantity, about = about, conserved = conserved, why = why)
 }

@@ -215,7 +215,7 @@ augment_incline <- function(x, run, edges, call) {
   )
 }
 
-# Friction dissipates where the contact slips: from the start on, or where the grip does not suffice.
+# Friction dissipates where the contact slips: from the start, or where the grip does not suffice.
 conserved_incline <- function(scene) {
   acts <- scene$gravity_m_per_s2 != 0
   level <- !acts || scene$incline_angle_deg == 0

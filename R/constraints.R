@@ -32,8 +32,8 @@
 #   more_events(x, run, call)    NULL, or events that motion_events() looks for: list(time_s, event)
 #   summary(x, run)              columns that summary() puts first
 #   balances(x, run, call)       list of balance(), see R/audit.R
-#   conserved(scene)             NULL, or list of keeps(), see R/conserved.R: what is conserved and why,
-#                 by the names and points of the balances
+#   conserved(scene)             NULL, or list of keeps(), see R/conserved.R: what is conserved and
+#                 why, by the names and points of the balances
 #   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:
 #                 for each row); NULL where the motion could not be computed again
 #   panels        list of panel(): the picture of a motion
