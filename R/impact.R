@@ -44,7 +44,7 @@
 #'   `rotdyn_error_argument`.
 #' @source Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapters 4 and 8; Garwin, Am.
 #'   J. Phys. 37 (1969) 88, for the superball.
-#' @seealso [collide()] for two free bodies, [disks_lock()], [scene_incline()]
+#' @seealso [collide()] for two free bodies, [disks_lock()], [angular_impulse()], [scene_incline()]
 #'   for a ball that slides and rolls.
 #' @concept collision
 #' @concept impulse
