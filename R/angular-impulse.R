@@ -22,12 +22,12 @@
 #'   estimate. NA in a row gives NA. A span that ends before it begins has the negative impulse of
 #'   the span turned round.
 #' @section Errors: `rotdyn_error_torque` for a law that depends on the motion (motors, springs,
-#'   gravity, functions of the state: their impulse is a term of [audit()]), and for an integral that
-#'   is not finite; `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   gravity, functions of the state: their impulse is a term of [audit()]), and for an integral
+#'   that is not finite; `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`. A function with breaks
 #'   that are not given warns, as in [torque_function()].
-#' @source OpenStax, College Physics (2012), section 10.5; Halliday, Resnick and Walker, Fundamentals
-#'   of Physics, section 11-7.
+#' @source OpenStax, College Physics (2012), section 10.5; Halliday, Resnick and Walker,
+#'   Fundamentals of Physics, section 11-7.
 #' @seealso [audit()] for the impulses along a motion, [hinged_hit()], [collide()].
 #' @concept impulse
 #' @concept change of angular momentum
