@@ -277,6 +277,24 @@ column_list <- list(
   c("angle_1_rad", "rad", "first angle of the sequence"),
   c("angle_2_rad", "rad", "second angle of the sequence"),
   c("angle_3_rad", "rad", "third angle of the sequence"),
+  c("omega_x_rad_per_s", "rad/s", "angular velocity, component along the own x axis"),
+  c("omega_y_rad_per_s", "rad/s", "angular velocity, component along the own y axis"),
+  c("omega_z_rad_per_s", "rad/s", "angular velocity, component along the own z axis"),
+  c("omega_space_x_rad_per_s", "rad/s", "the same along x of space"),
+  c("omega_space_y_rad_per_s", "rad/s", "the same along y of space"),
+  c("omega_space_z_rad_per_s", "rad/s", "the same along z of space"),
+  c("angular_momentum_x_kg_m2_per_s", "kg m^2/s", "angular momentum along x of space"),
+  c("angular_momentum_y_kg_m2_per_s", "kg m^2/s", "angular momentum along y of space"),
+  c("angular_momentum_z_kg_m2_per_s", "kg m^2/s", "angular momentum along z of space"),
+  c("torque_impulse_x_n_m_s", "N m s", "impulse of the torque along x of space"),
+  c("torque_impulse_y_n_m_s", "N m s", "impulse of the torque along y of space"),
+  c("torque_impulse_z_n_m_s", "N m s", "impulse of the torque along z of space"),
+  c("damping_impulse_x_n_m_s", "N m s", "impulse of the damping along x of space"),
+  c("damping_impulse_y_n_m_s", "N m s", "impulse of the damping along y of space"),
+  c("damping_impulse_z_n_m_s", "N m s", "impulse of the damping along z of space"),
+  c("flip_time_s", "s", "time between two flips: 2 K/lambda; Inf for a steady spin"),
+  c("attitude_error", "1", "true error of the attitude, an angle in rad"),
+  c("angular_momentum_error", "1", "true error of the angular momentum, relative to the largest"),
   c("gimbal_lock", "", "TRUE where the first and the third angle are not unique"),
   c("centre_x_m", "m", "x of the centre of mass"),
   c("centre_y_m", "m", "y of the centre of mass"),
@@ -473,6 +491,12 @@ precession_columns <- c(
 nutation_columns <- c(
   "slow_precession_rad_per_s", "fast_precession_rad_per_s", "nutation_period_s",
   "lowest_angle_deg", "mean_precession_rad_per_s"
+)
+free_columns <- c(
+  "time_s", "qw", "qx", "qy", "qz", "omega_x_rad_per_s", "omega_y_rad_per_s", "omega_z_rad_per_s",
+  "omega_space_x_rad_per_s", "omega_space_y_rad_per_s", "omega_space_z_rad_per_s",
+  "angular_momentum_x_kg_m2_per_s", "angular_momentum_y_kg_m2_per_s",
+  "angular_momentum_z_kg_m2_per_s", "rotational_kinetic_energy_j"
 )
 quaternion_columns <- c("qw", "qx", "qy", "qz")
 collide_columns <- c(

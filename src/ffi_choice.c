@@ -17,6 +17,7 @@ typedef struct question {
     rot_clutch_params clutch;
     rot_drive_scene drive;
     rot_incline_scene incline;
+    rot_free_params free;
   } scene;
   rot_query query;
 } question;
@@ -46,6 +47,8 @@ static void read_question(SEXP id, SEXP scene, SEXP time_s, SEXP accuracy, SEXP 
     q->scene.drive = ffi_drive_scene(scene);
   } else if (!strcmp(q->constraint->id, "incline")) {
     q->scene.incline = ffi_incline_scene(scene);
+  } else if (!strcmp(q->constraint->id, "free")) {
+    q->scene.free = ffi_free_scene(scene);
   } else {
     q->scene.axle = ffi_axle_scene(scene, R_NilValue);
     const int law = !Rf_isNull(ffi_element(ffi_element(scene, "loads"), "law"));

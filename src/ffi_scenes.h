@@ -7,6 +7,7 @@
 #include "rot_axle_scene.h"
 #include "rot_clutch.h"
 #include "rot_drive.h"
+#include "rot_free.h"
 #include "rot_incline_ode.h"
 #include "rot_shaft.h"
 
@@ -15,6 +16,8 @@ rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
 rot_shaft_params ffi_shaft_scene(SEXP scene);
 rot_clutch_params ffi_clutch_scene(SEXP scene);
 rot_incline_scene ffi_incline_scene(SEXP scene);
+/* Its R function is only marked, not called. */
+rot_free_params ffi_free_scene(SEXP scene);
 /* Whether the list is a term of a torque law that the core may read. */
 int ffi_term_fits(SEXP list);
 /* Its R functions are only marked, not called. */

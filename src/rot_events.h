@@ -12,7 +12,8 @@
   X(ROT_EVENT_SLIP, "slip")       /* breaks loose from rest */                                     \
   X(ROT_EVENT_REVERSE, "reverse") /* passes through rest */                                        \
   X(ROT_EVENT_LOCK, "lock")       /* a clutch locks */                                             \
-  X(ROT_EVENT_ROLL, "roll")       /* slip of a contact ends, rolling begins */
+  X(ROT_EVENT_ROLL, "roll")       /* slip of a contact ends, rolling begins */                     \
+  X(ROT_EVENT_FLIP, "flip")       /* the middle axis of a tumbling body turns over */
 
 typedef enum rot_event {
 #define X(code, name) code,

@@ -1,0 +1,185 @@
+# A body that nothing holds.
+free_constraint <- function() {
+  list(
+    id = "free",
+    scene_class = "rot_scene_free",
+    form = list(
+      body = c(body_form, .optional = TRUE), moment_of_inertia_kg_m2 = "numbers:3",
+      axes = "numbers:4", moment_error = "number", omega0_rad_per_s = "numbers:3",
+      attitude0 = "numbers:4", torque_n_m = "numbers:3",
+      knots = list(
+        .optional = TRUE, time_s = "sorted", x_n_m = "numbers=time_s", y_n_m = "numbers=time_s",
+        z_n_m = "numbers=time_s"
+      ),
+      law = list(.optional = TRUE, f = "function", arguments = "count"),
+      in_space = "number", breaks_s = "sorted", damping_per_s = "number", start_s = "number"
+    ),
+    title = function(run) "A free body",
+    models = free_models,
+    columns = free_columns,
+    keys = c("time_s", quaternion_columns, free_rates("")),
+    measures = list(
+      attitude = measure("rad", quaternion_columns, attitude_distance),
+      omega = measure("rad/s", free_rates("")),
+      angular_momentum = measure("kg m^2/s", free_momenta)
+    ),
+    pace = function(scene, sizes) {
+      list(
+        breaks_s = scene$breaks_s,
+        fades_s = if (scene$damping_per_s > 0) 1 / scene$damping_per_s else Inf,
+        swing_rad_per_s = 2 * sizes[["omega"]]
+      )
+    },
+    summary = function(x, run) {
+      size <- function(columns) {
+        if (all(columns %in% names(x))) {
+          largest(sqrt(rowSums(do.call(cbind, unclass(x)[columns])^2)))
+        } else {
+          NA_real_
+        }
+      }
+      list(
+        max_angular_velocity_rad_per_s = size(free_rates("")),
+        max_angular_momentum_kg_m2_per_s = size(free_momenta),
+        max_rotational_kinetic_energy_j = largest(x[["rotational_kinetic_energy_j"]]),
+        flip_time_s = scene_flip_time(run$scene)
+      )
+    },
+    drawing = draw_free,
+    balances = balance_free,
+    augment = augment_free,
+    panels = list(
+      panel("angular velocity in the body (rad/s)",
+            stats::setNames(c("x", "y", "z"), free_rates(""))),
+      panel("angular velocity in space (rad/s)",
+            stats::setNames(c("x", "y", "z"), free_rates("space_"))),
+      panel("attitude as a quaternion", stats::setNames(c("w", "x", "y", "z"), quaternion_columns)),
+      panel("rotational energy (J)", c(rotational_kinetic_energy_j = ""))
+    )
+  )
+}
+
+free_rates <- function(of) paste0("omega_", of, c("x", "y", "z"), "_rad_per_s")
+
+free_momenta <- paste0("angular_momentum_", c("x", "y", "z"), "_kg_m2_per_s")
+
+# The angle between attitudes; 1 from no attitude at all, the size of each.
+attitude_distance <- function(got, want) {
+  columns <- c(asplit(unname(got), 2), asplit(unname(want), 2))
+  angle <- .Call(ffi_attitude_pair, 3, lapply(columns, as.double))[[1]]
+  ifelse(rowSums(want^2) == 0, 1, angle)
+}
+
+# The inertia tensor in the body's own axes.
+free_tensor <- function(scene) {
+  moments <- scene$moment_of_inertia_kg_m2
+  if (scene$axes[1] == 1) return(diag(moments))
+  axes <- matrix_of_quaternion(scene$axes, "axes", NULL)
+  axes %*% (moments * t(axes))
+}
+
+# A half period of the motion as it starts, without torque.
+scene_flip_time <- function(scene) {
+  omega <- scene$omega0_rad_per_s
+  if (scene$axes[1] != 1) {
+    omega <- unlist(.Call(ffi_attitude_turn, as.list(c(scene$axes, omega)), 0), use.names = FALSE)
+  }
+  .Call(ffi_free_flips, as.list(scene$moment_of_inertia_kg_m2), as.list(omega))
+}
+
+balance_free <- function(x, run, call) {
+  about <- "the centre of mass"
+  momenta <- paste0("angular_momentum_", c("x", "y", "z"))
+  rows <- c(which.min(x$time_s), which.max(x$time_s))
+  scene <- run$scene
+  run$call <- call
+  ledger <- if (nrow(x)) {
+    record_of(run)$ledger(scene, run, x$time_s[rows[1]], x$time_s[rows[2]])
+  }
+  if (is.null(ledger) || anyNA(ledger)) {
+    return(c(
+      list(no_balance("energy", NA_character_, "J")),
+      lapply(momenta, no_balance, about, "kg m^2/s"),
+      list(no_balance("quaternion_norm", NA_character_, "1"))
+    ))
+  }
+  ends <- function(columns) do.call(cbind, unclass(x)[columns])[rows, , drop = FALSE]
+  omega <- ends(free_rates(""))
+  q <- ends(quaternion_columns)
+  body <- omega %*% free_tensor(scene)
+  # The turned vectors of a quaternion that is not of unit length show.
+  space <- do.call(cbind, .Call(
+    ffi_attitude_turn, lapply(c(asplit(q, 2), asplit(body, 2)), as.double), 1
+  ))
+  eps <- .Machine$double.eps
+  errors <- run$info$errors
+  size <- max(sqrt(rowSums(body^2)))
+  heat <- ledger[["heat_j"]]
+  work <- ledger[["work_j"]]
+  energy_error <- 2 * size * (errors[["omega"]] + 8 * eps * max(sqrt(rowSums(omega^2)))) +
+    8 * eps * (abs(heat) + abs(work)) + ledger[["energy_rounding_j"]]
+  momentum_error <- 2 * errors[["angular_momentum"]] + 32 * eps * size +
+    ledger[["impulse_rounding_n_m_s"]]
+  change <- unname(space[2, ] - space[1, ])
+  impulse <- ledger[free_impulses("torque")]
+  damping <- ledger[free_impulses("damping")]
+  c(
+    list(balance(
+      "energy", NA_character_, "J",
+      c("change of rotational energy" = 0.5 * sum((omega[2, ] - omega[1, ]) * colSums(body))),
+      c("work of the torque" = work), c("heat of the damping" = heat), energy_error
+    )),
+    lapply(1:3, function(k) {
+      balance(
+        momenta[k], about, "kg m^2/s", c("change of angular momentum" = change[[k]]),
+        c("impulse of the torque" = impulse[[k]]), c("impulse of the damping" = -damping[[k]]),
+        momentum_error
+      )
+    }),
+    list(balance(
+      "quaternion_norm", NA_character_, "1",
+      c("change of the norm" = sum((q[2, ] - q[1, ]) * (q[2, ] + q[1, ])) / 2),
+      double(), double(), 8 * eps
+    ))
+  )
+}
+
+augment_free <- function(x, run, edges, call) {
+  flows <- c("work_j", "heat_j", free_impulses("torque"), free_impulses("damping"))
+  names <- c("work_j", "dissipated_j", free_impulses("torque"), free_impulses("damping"))
+  none <- stats::setNames(rep(list(double()), length(names)), names)
+  if (!length(edges)) return(c(list(power_w = double()), none))
+  run$call <- call
+  scene <- run$scene
+  sums <- if (is.null(record_of(run)$adapts)) {
+    t(vapply(edges, function(edge) {
+      record_of(run)$ledger(scene, run, edges[1], edge)[flows]
+    }, double(length(flows))))
+  } else {
+    all <- free_sums(scene, run, edges)
+    if (is.null(all)) return(NULL)
+    sweep(all[, flows, drop = FALSE], 2, all[1, flows])
+  }
+  power <- rowSums(free_torque_at(scene, x) * do.call(cbind, unclass(x)[
+    free_rates(if (scene$in_space == 1) "space_" else "")
+  ]))
+  c(list(power_w = power), stats::setNames(lapply(seq_along(flows), function(k) sums[, k]), names))
+}
+
+# The torque at each row, in its axes: a matrix of three columns.
+free_torque_at <- function(scene, x) {
+  n <- nrow(x)
+  out <- matrix(scene$torque_n_m, n, 3, byrow = TRUE)
+  if (!is.null(scene$knots)) {
+    for (k in 1:3) {
+      y <- stats::approx(scene$knots$time_s, scene$knots[[k + 1L]], x$time_s)$y
+      out[, k] <- out[, k] + ifelse(is.na(y), 0, y)
+    }
+  }
+  if (!is.null(scene$law) && n) {
+    f <- free_law(scene$law, NULL)
+    state <- do.call(cbind, unclass(x)[c("time_s", free_rates(""), quaternion_columns)])
+    out <- out + t(apply(state, 1, f))
+  }
+  out
+}

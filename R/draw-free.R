@@ -1,0 +1,59 @@
+# A free body: the ellipsoid of its second moments, with its principal axes, its angular velocity
+# and angular momentum. Seen from 30 degrees beside x, towards y, and 25 degrees above: y points to
+# the right, z up, x towards the reader.
+draw_free <- function(scene) {
+  d <- new_drawing()
+  beside <- pi / 6
+  above <- 25 * pi / 180
+  view <- rbind(
+    c(-sin(beside), cos(beside), 0),
+    c(-cos(beside) * sin(above), -sin(beside) * sin(above), cos(above))
+  )
+  moments <- scene$moment_of_inertia_kg_m2
+  turn <- matrix_of_quaternion(scene$attitude0, "attitude0", NULL)
+  principal <- turn
+  if (scene$axes[1] != 1) principal <- turn %*% matrix_of_quaternion(scene$axes, "axes", NULL)
+  semi <- sqrt(pmax(sum(moments) / 2 - moments, 1e-4 * max(moments)))
+  semi <- 0.8 * semi / max(semi)
+  flat <- view %*% principal %*% (semi^2 * t(principal)) %*% t(view)
+  root <- eigen(flat, symmetric = TRUE)
+  around <- seq(0, 2 * pi, length.out = 181)
+  outline <- t(root$vectors %*% (sqrt(pmax(root$values, 1e-6)) * rbind(cos(around), sin(around))))
+  d$add(mark("fill", outline, "body"))
+  for (k in 1:3) {
+    # Arrows point along positive axes more often than not: the names stand at the other ends.
+    tip <- -as.vector(view %*% principal[, k]) * (semi[k] + 0.15)
+    d$add(mark("line", rbind(-tip, tip), "resistance"))
+    away <- tip + 0.12 * tip / max(sqrt(sum(tip^2)), 1e-3)
+    d$say(paste0("I[", k, "]"), away[1], away[2])
+  }
+  for (k in 1:3) {
+    value <- value_text(moments[k], "kg m^2")
+    d$key(quantity(paste0("I[", k, "]"), "principal moment", value, "resistance"))
+  }
+  arrow <- function(v, symbol, name, value, style, long, aside) {
+    size <- sqrt(sum(v^2))
+    if (size > 0) {
+      tip <- as.vector(view %*% (turn %*% v)) * long / size
+      d$add(mark("arrow", rbind(c(0, 0), tip), style))
+      # Beside the tip: two arrows may have one direction.
+      at <- tip + aside * c(-tip[2], tip[1]) / max(sqrt(sum(tip^2)), 1e-3)
+      d$say(symbol, at[1], at[2])
+    }
+    d$key(quantity(symbol, name, value, style))
+  }
+  omega <- scene$omega0_rad_per_s
+  momentum <- as.vector(free_tensor(scene) %*% omega)
+  size <- function(v, unit) value_text(signif(sqrt(sum(v^2)), 4), unit)
+  arrow(omega, "omega", "angular velocity", size(omega, "rad/s"), "speed", 1.35, 0.12)
+  arrow(momentum, "L", "angular momentum", size(momentum, "kg m^2/s"), "weight", 1.1, -0.12)
+  torque <- scene$torque_n_m
+  if (any(torque != 0)) {
+    if (scene$in_space == 1) torque <- as.vector(t(turn) %*% torque)
+    arrow(torque, "tau", "torque", size(torque, "N m"), "torque", 1.2, 0.12)
+  }
+  if (scene$damping_per_s != 0) {
+    d$key(quantity("gamma", "damping", value_text(scene$damping_per_s, "1/s"), "resistance"))
+  }
+  d$done(c(-1.5, 1.5, -1.5, 1.5), "the ellipsoid of the second moments; not to scale")
+}

@@ -1,0 +1,113 @@
+# The models of a free body.
+
+free_exact <- list(
+  id = "free_exact",
+  equations = "L' = L x omega - damping L (body axes), q' = q (0, omega)/2",
+  assumptions = "rigid body; damping in proportion to the angular momentum",
+  limits = "beyond 1e15 rad no digit of the attitude is left",
+  requires = "no torque",
+  source = "Landau and Lifshitz, Mechanics, section 37; elliptic functions of DLMF 19 and 22",
+  run = function(scene, time_s, accuracy, max_steps, call, asked) {
+    result <- .Call(ffi_free_exact, scene, time_s, progress_bar("tumbling"))
+    result$info <- void_error(result$info, result$columns)
+    result
+  },
+  ledger = function(scene, run, from_s, to_s) {
+    flow <- .Call(ffi_free_flows, scene, c(from_s, to_s))
+    eps <- .Machine$double.eps
+    c(
+      flow,
+      energy_rounding_j = 8 * eps * abs(flow[["heat_j"]]),
+      impulse_rounding_n_m_s = 8 * eps * max(abs(flow[free_impulses("damping")]))
+    )
+  }
+)
+
+free_impulses <- function(of) paste0(of, "_impulse_", c("x", "y", "z"), "_n_m_s")
+
+# ---- integrated ---------------------------------------------------------------------------------
+
+# What C calls: f(c(time_s, omega, attitude)), which returns three numbers.
+free_law <- function(law, call) {
+  if (is.null(law)) return(NULL)
+  f <- law$f
+  arguments <- law$arguments
+  function(x) {
+    value <- if (arguments == 1L) f(x[1]) else f(x[1], x[2:4], x[5:8])
+    if (!is.numeric(value) || is.object(value) || length(value) != 3L) {
+      abort_rotdyn(c(
+        "The function {.arg torque_n_m} must return three numbers in N m.",
+        x = "At {format(x[1], digits = 17)} s it returned {describe_value(value)}."
+      ), "torque", call)
+    }
+    as.double(value)
+  }
+}
+
+integrate_free <- function(scene, time_s, accuracy, max_steps, call, method) {
+  result <- .Call(
+    ffi_free_integrate, scene, free_law(scene$law, call), time_s, c(accuracy, max_steps, method),
+    progress_bar("integrating")
+  )
+  sums <- result$ledger
+  errors <- sums$errors
+  sums$errors <- NULL
+  n <- length(time_s)
+  result$ledger <- cbind(
+    do.call(cbind, c(list(time_s = time_s), sums)),
+    energy_rounding_j = rep(errors[1] + errors[2], n),
+    impulse_rounding_n_m_s = rep(max(errors[3:5]) + max(errors[6:8]), n)
+  )
+  result$info <- void_error(result$info, result$columns)
+  result
+}
+
+# Between two times, from the run's own sums where it has these times. NULL where that failed.
+integrated_free_ledger <- function(scene, run, from_s, to_s) {
+  known <- free_sums(scene, run, c(from_s, to_s))
+  if (is.null(known)) return(NULL)
+  known[2, -1] - known[1, -1] * !endsWith(colnames(known)[-1], "_rounding_j") *
+    !startsWith(colnames(known)[-1], "impulse_rounding")
+}
+
+free_sums <- function(scene, run, time_s) {
+  known <- run$ledger
+  at <- if (is.null(known)) NA else match(time_s, known[, "time_s"])
+  if (!anyNA(at)) return(known[at, , drop = FALSE])
+  again <- record_of(run)$run(
+    scene, time_s, run$accuracy, run$max_steps + length(time_s), run$call, TRUE
+  )
+  if (again$info$kind == "none") again$ledger
+}
+
+free_integrator <- function(id, method, ...) {
+  list(
+    id = id,
+    equations = "L' = L x omega + torque - damping L (body axes), q' = q (0, omega)/2",
+    assumptions = "rigid body; torques finite, and smooth between their breaks",
+    requires = "moments of inertia greater than 0",
+    ...,
+    adapts = TRUE,
+    ran_as = function(info) {
+      if (info$method %in% c("rk8pd", "radau")) paste0("free_", info$method) else id
+    },
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      integrate_free(scene, time_s, accuracy, max_steps, call, if (asked) method else 0)
+    },
+    ledger = integrated_free_ledger
+  )
+}
+
+free_rk8pd <- free_integrator(
+  "free_rk8pd", 1,
+  limits = "not stiff: a step is at most about 6 times the shortest decay",
+  source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library"
+)
+
+free_radau <- free_integrator(
+  "free_radau", 2,
+  limits = "each step solves a system of equations: expensive for a motion that is not stiff",
+  source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
+)
+
+free_models <- list(free_exact, free_rk8pd, free_radau)

@@ -1,0 +1,233 @@
+#' A body that nothing holds
+#'
+#' A rigid body that turns about its centre of mass: thrown, in orbit, or in free fall. In the
+#' body's axes
+#' \deqn{\dot L = L \times \omega + \tau - \gamma L,\quad L = I\omega,\quad
+#'   \dot q = \tfrac12 q\,(0, \omega).}{
+#'   L' = L x omega + torque - damping L,  L = I omega,  q' = q (0, omega)/2.}
+#' Without torque the motion is exact for any moments of inertia and at any time (`free_exact`):
+#' the attitude is good to some 1e-15 rad after 1e12 rad. With a torque it is integrated.
+#'
+#' A body that spins about its middle axis turns over again and again (the intermediate axis
+#' theorem; Dzhanibekov's wing nut, the tennis racket): [flip_time()] says how often. The events
+#' `flip` are the times at which the component of the angular momentum along the middle axis passes
+#' zero, where without torque that axis would come within 45 degrees of the angular momentum; the
+#' closed form lists none in a span with more than 10000 of them.
+#'
+#' @param body A `rot_body`, a 3 x 3 inertia tensor about the centre of mass, or three principal
+#'   moments of inertia in kg m^2, about the body's axes x, y and z.
+#' @param omega0_rad_per_s Three components of the angular velocity at `start_s`, in body axes.
+#' @param ... Not used; names after it must be given in full.
+#' @param attitude0 Attitude at `start_s`, body to space: NULL (the axes coincide), a row of
+#'   [attitude_from()], a 3 x 3 rotation matrix, or a quaternion `c(qw, qx, qy, qz)` of unit length.
+#' @param torque_n_m Torque about the centre of mass: NULL, three numbers, a data frame with the
+#'   columns `time_s`, `x_n_m`, `y_n_m`, `z_n_m` (linear between its times, 0 before and after), or
+#'   a function of `time_s`, or of `time_s`, `omega_rad_per_s` (body axes) and `attitude`
+#'   (quaternion, scalar first), that returns three numbers.
+#' @param torque_axes Axes of the components: `"body"` or `"space"`.
+#' @param damping_per_s The torque `-damping L`, which makes L fade as `exp(-damping t)`.
+#' @param breaks_s Times at which a torque function jumps or has a kink.
+#' @param start_s Time at which the state above holds; earlier times are reached backwards.
+#' @return A `rot_scene_free`, which is a `rot_scene`. Its trajectory has the columns
+#'   `r describe_columns(free_columns)`
+#'   The quaternion is continuous: it does not jump to -q. [audit()] balances the energy, each
+#'   component of the angular momentum in space, and the norm of the quaternion.
+#' @section Warnings: `rotdyn_warning_inertia`: three moments that no body has, since one exceeds
+#'   the sum of the others. `rotdyn_warning_normalised`: an attitude not of unit length.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
+#'   Inf, and a spin about an axis without moment of inertia), `rotdyn_error_unit`,
+#'   `rotdyn_error_missing`, `rotdyn_error_argument`, `rotdyn_error_inertia`.
+#' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), section 37; Ashbaugh, Chicone and
+#'   Cushman, J. Dyn. Diff. Eq. 3 (1991) 67, for the flips.
+#' @seealso [attitude], [flip_time()], [spin_stability()], [principal_axes()].
+#' @concept Dzhanibekov
+#' @concept tumbling
+#' @examples
+#' # A wing nut spun about its middle axis, a little off:
+#' nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
+#' motion <- trajectory(nut, time_s = 0:20)
+#' motion
+#' motion_events(motion)
+#' audit(motion)
+#' # A block with thrusters, in the axes of the body:
+#' block <- scene_free(body_box(10, 0.4, 0.6, 1), c(0, 0, 0.2), torque_n_m = c(0.01, 0, 0))
+#' trajectory(block, time_s = c(0, 30, 60))
+#' @export
+scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m = NULL,
+                       torque_axes = c("body", "space"), damping_per_s = 0, breaks_s = NULL,
+                       start_s = 0) {
+  call <- check_no_dots(...)
+  check_supplied(c("body", "omega0_rad_per_s"), call)
+  inertia <- free_inertia(body, call)
+  omega0 <- check_finite(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
+  if (length(omega0) != 3L) abort_size_of(omega0, "omega0_rad_per_s", 3L, call)
+  axes <- if (missing(torque_axes)) {
+    "body"
+  } else {
+    check_string(torque_axes, "torque_axes", c("body", "space"), call)
+  }
+  torque <- free_torque(torque_n_m, breaks_s, call)
+  scene <- c(
+    inertia,
+    list(omega0_rad_per_s = omega0, attitude0 = start_attitude(attitude0, call)),
+    torque,
+    list(
+      in_space = as.double(axes == "space"),
+      damping_per_s = check_number(damping_per_s, "damping_per_s", "1/s", call),
+      start_s = check_number(start_s, "start_s", "s", call)
+    )
+  )
+  check_spin(scene, call)
+  class(scene) <- c("rot_scene_free", "rot_scene")
+  scene
+}
+
+# list(body, bodies, moment_of_inertia_kg_m2, axes, moment_error): principal moments, and the
+# attitude of their axes in the body. A diagonal tensor keeps its axes and its numbers.
+free_inertia <- function(body, call) {
+  if (is.numeric(body) && !is.object(body) && is.null(dim(body))) {
+    moments <- check_finite(body, "body", "kg*m^2", call)
+    if (length(moments) != 3L) abort_size_of(moments, "body", 3L, call)
+    check_not_negative(moments, "body", "kg*m^2", call)
+    if (any(moments > (0.5 + 1e-12) * sum(moments))) {
+      warn_rotdyn(c(
+        "No body has these moments of inertia: one exceeds the sum of the other two.",
+        x = "They are {format(moments, digits = 7)} kg m^2.",
+        i = "Euler's equations are solved with them all the same."
+      ), "inertia", call)
+    }
+    return(new_free_inertia(NULL, moments))
+  }
+  tensor <- if (is.numeric(body)) body
+  of <- if (inherits(body, "rot_body")) check_body(body, call) else body_of_tensor(body, call)
+  if (is.null(tensor)) {
+    second <- matrix(of$second_moment_kg_m2, 3)
+    tensor <- diag(c(second[2, 2] + second[3, 3], second[1, 1] + second[3, 3],
+                     second[1, 1] + second[2, 2])) - (second - diag(diag(second)))
+  }
+  keep <- if (inherits(body, "rot_body")) of
+  if (all(tensor[row(tensor) != col(tensor)] == 0)) {
+    return(new_free_inertia(keep, as.double(diag(tensor))))
+  }
+  principal <- find_principal(body, NULL, call)
+  axes <- .Call(ffi_attitude_from, 1, as.list(as.double(t(attr(principal, "axes")))), NULL)
+  new_free_inertia(
+    keep, principal$principal_moment_kg_m2, unlist(axes[1:4], use.names = FALSE), 2e-15
+  )
+}
+
+new_free_inertia <- function(body, moments, axes = c(1, 0, 0, 0), error = 0) {
+  list(
+    body = body, bodies = if (!is.null(body)) list(body, body, body),
+    moment_of_inertia_kg_m2 = as.double(moments), axes = axes, moment_error = error
+  )
+}
+
+start_attitude <- function(attitude, call) {
+  if (is.null(attitude)) return(c(1, 0, 0, 0))
+  if (is.list(attitude) || (is.numeric(attitude) && !is.null(names(attitude)))) {
+    q <- as_attitude(attitude, "attitude0", call)
+    if (length(q[[1]]) != 1L) {
+      abort_rotdyn(c(
+        "{.arg attitude0} must be one attitude.", x = "It has {length(q[[1]])} rows."
+      ), "size", call)
+    }
+    q <- unlist(q, use.names = FALSE)
+    if (anyNA(q)) abort_rotdyn("{.arg attitude0} must not be missing.", "value", call)
+    return(q)
+  }
+  matrix <- as_rotation(attitude, "attitude0", call)
+  if (length(attitude) == 4L) {
+    q <- .Call(ffi_attitude_from, 0, as.list(as.double(attitude)), NULL)
+  } else {
+    q <- .Call(ffi_attitude_from, 1, as.list(as.double(t(matrix))), NULL)
+  }
+  unlist(q[1:4], use.names = FALSE)
+}
+
+# list(torque_n_m, knots, law, breaks_s)
+free_torque <- function(torque, breaks_s, call) {
+  out <- list(torque_n_m = c(0, 0, 0), knots = NULL, law = NULL, breaks_s = double())
+  if (!is.null(breaks_s)) {
+    out$breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
+  }
+  if (is.function(torque)) {
+    arguments <- length(formals(args(torque)))
+    if (!arguments %in% c(1L, 3L)) {
+      abort_rotdyn(c(
+        "The function {.arg torque_n_m} must have one argument, the time, or three.",
+        x = "It has {arguments}.",
+        i = "{.code function(time_s, omega_rad_per_s, attitude)}"
+      ), "type", call)
+    }
+    out["law"] <- list(list(f = torque, arguments = arguments))
+  } else if (is.list(torque)) {
+    names <- c("time_s", "x_n_m", "y_n_m", "z_n_m")
+    missing <- setdiff(names, names(torque))
+    if (length(missing)) abort_missing_column(missing[1], torque, call)
+    knots <- lapply(names, function(name) {
+      check_finite(torque[[name]], name, if (name == "time_s") "s" else "N*m", call)
+    })
+    names(knots) <- names
+    if (any(lengths(knots) != length(knots$time_s)) || any(diff(knots$time_s) <= 0)) {
+      abort_rotdyn(
+        "The times of {.arg torque_n_m} must increase, with a torque each.", "time", call
+      )
+    }
+    if (length(knots$time_s) < 2L) {
+      abort_rotdyn("{.arg torque_n_m} needs two times at least.", "size", call)
+    }
+    out["knots"] <- list(knots)
+    out$breaks_s <- sort(unique(c(out$breaks_s, knots$time_s)))
+  } else if (!is.null(torque)) {
+    out$torque_n_m <- check_finite(torque, "torque_n_m", "N*m", call)
+    if (length(out$torque_n_m) != 3L) abort_size_of(out$torque_n_m, "torque_n_m", 3L, call)
+  }
+  out
+}
+
+# An axis without moment of inertia: no spin about it, and no torque.
+check_spin <- function(scene, call) {
+  moments <- scene$moment_of_inertia_kg_m2
+  if (all(moments == 0)) {
+    abort_rotdyn("The body has no moment of inertia: it has no motion of its own.", "value", call)
+  }
+  if (all(moments > 0)) return(invisible())
+  omega <- if (scene$axes[1] == 1) scene$omega0_rad_per_s else {
+    unlist(.Call(ffi_attitude_turn, as.list(c(scene$axes, scene$omega0_rad_per_s)), 0))
+  }
+  along <- abs(omega[moments == 0])
+  if (any(along > 0) || any(scene$torque_n_m != 0) || !is.null(scene$knots) ||
+    !is.null(scene$law)) {
+    abort_rotdyn(c(
+      "The body has an axis without moment of inertia: it can neither spin about it nor bear a
+       torque.",
+      x = "Its moments are {format(moments, digits = 7)} kg m^2.",
+      i = "A thin cylinder has a small moment there."
+    ), "value", call)
+  }
+}
+
+#' @export
+print.rot_scene_free <- function(x, ...) {
+  check_scene(x, rlang::current_env())
+  numbers <- function(v) paste(format_si(v), collapse = ", ")
+  torque <- if (!is.null(x$law)) {
+    "an R function"
+  } else if (!is.null(x$knots)) {
+    paste(length(x$knots$time_s), "knots")
+  } else {
+    paste(numbers(x$torque_n_m), "N m")
+  }
+  cat(
+    "<rot_scene> a free body\n",
+    "  body      ", if (!is.null(x$body)) paste0(x$body$shape, ", "), "principal moments ",
+    numbers(x$moment_of_inertia_kg_m2), " kg m^2\n",
+    "  torque    ", torque, " (", if (x$in_space == 1) "space" else "body", " axes)\n",
+    if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
+    "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
+    numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",
+    sep = ""
+  )
+  invisible(x)
+}

@@ -1,0 +1,156 @@
+#include "ffi_run.h"
+#include "ffi_scenes.h"
+#include "rot_free_exact.h"
+#include "rot_free_ode.h"
+
+#include <string.h>
+
+/* ---- scenes ---------------------------------------------------------------------------------- */
+
+/* Stands for the law of a scene, which is not called here. */
+static rot_status no_call(double t, const double omega[3], const double q[4], double torque[3],
+                          void *ctx) {
+  (void)t, (void)omega, (void)q, (void)torque, (void)ctx;
+  return ROT_ETORQUE;
+}
+
+rot_free_params ffi_free_scene(SEXP list) {
+  rot_free_params p;
+  memset(&p, 0, sizeof p);
+  SEXP knots = ffi_element(list, "knots"), breaks = ffi_element(list, "breaks_s");
+  memcpy(p.moment_kg_m2, ffi_numbers_of(list, "moment_of_inertia_kg_m2", 3), 3 * sizeof(double));
+  memcpy(p.axes, ffi_numbers_of(list, "axes", 4), 4 * sizeof(double));
+  memcpy(p.omega0_rad_per_s, ffi_numbers_of(list, "omega0_rad_per_s", 3), 3 * sizeof(double));
+  memcpy(p.q0, ffi_numbers_of(list, "attitude0", 4), 4 * sizeof(double));
+  memcpy(p.torque, ffi_numbers_of(list, "torque_n_m", 3), 3 * sizeof(double));
+  p.turned = p.axes[0] != 1.0;
+  p.given = ffi_number_of(list, "moment_error");
+  p.start_s = ffi_number_of(list, "start_s");
+  p.damping_per_s = ffi_number_of(list, "damping_per_s");
+  p.in_space = ffi_number_of(list, "in_space") != 0.0;
+  if (!Rf_isNull(knots)) {
+    static const char *const names[] = {"x_n_m", "y_n_m", "z_n_m"};
+    SEXP time_s = ffi_element(knots, "time_s");
+    p.knot_s = ffi_reals(time_s, "time_s", -1);
+    for (int k = 0; k < 3; k++) p.knot_torque[k] = ffi_numbers_of(knots, names[k], XLENGTH(time_s));
+    p.n_knots = (size_t)XLENGTH(time_s);
+  }
+  p.breaks_s = ffi_reals(breaks, "breaks_s", -1);
+  p.n_breaks = (size_t)XLENGTH(breaks);
+  if (!Rf_isNull(ffi_element(list, "law"))) p.law = no_call;
+  return p;
+}
+
+/* ---- closed form ----------------------------------------------------------------------------- */
+
+SEXP ffi_free_exact(SEXP list, SEXP time_s, SEXP progress) {
+  static const char *const names[] = {"time_s", ROT_FREE_COLUMNS(FFI_COLUMN_NAME) ""};
+  const rot_free_params p = ffi_free_scene(list);
+  const double *t = ffi_reals(time_s, "time_s", -1);
+  const R_xlen_t rows = XLENGTH(time_s);
+  rot_free_columns out;
+  R_xlen_t at = 1;
+  ffi_run run;
+  ffi_run_begin(&run, progress);
+  SEXP columns = ffi_run_columns(&run, names);
+  SET_VECTOR_ELT(columns, 0, time_s);
+  ROT_FREE_COLUMNS(FFI_COLUMN_NEW)
+  const rot_status status =
+      rot_free_exact(&p, (size_t)rows, t, &out, &run.events, &run.guard.hooks, &run.info);
+  return ffi_run_end(&run, status);
+}
+
+/* The ledger from span[0] to span[1]. */
+SEXP ffi_free_flows(SEXP list, SEXP span) {
+  static const char *const names[] = {ROT_FREE_LEDGER(FFI_NAME)};
+  const rot_free_params p = ffi_free_scene(list);
+  const double *x = ffi_reals(span, "span", 2);
+  double flow[ROT_FREE_FLOWS];
+  rot_free_flows(&p, x[0], x[1], flow);
+  return ffi_named(ROT_FREE_FLOWS, names, flow);
+}
+
+/* By row: six columns, principal moments and rates. NA where there is no motion of such numbers. */
+SEXP ffi_free_flips(SEXP moments, SEXP rates) {
+  rot_column moment[3], rate[3];
+  R_xlen_t n = 1;
+  if (TYPEOF(moments) != VECSXP || XLENGTH(moments) != 3 || TYPEOF(rates) != VECSXP ||
+      XLENGTH(rates) != 3) {
+    Rf_error("internal: no columns");
+  }
+  for (int k = 0; k < 3; k++) {
+    moment[k] = ffi_column(VECTOR_ELT(moments, k), "moment", &n);
+    rate[k] = ffi_column(VECTOR_ELT(rates, k), "rate", &n);
+  }
+  SEXP out = PROTECT(ffi_new_column(n));
+  for (size_t i = 0; i < (size_t)n; i++) {
+    double m[3], w[3], time_s;
+    for (int k = 0; k < 3; k++) {
+      m[k] = rot_at(moment[k], i);
+      w[k] = rot_at(rate[k], i);
+    }
+    REAL(out)[i] = rot_free_flip_time(m, w, &time_s) == ROT_OK ? time_s : NA_REAL;
+  }
+  UNPROTECT(1);
+  return out;
+}
+
+/* ---- integrated ------------------------------------------------------------------------------ */
+
+typedef struct called {
+  ffi_guard *guard;
+  SEXP call; /* f(x) with x = c(time_s, omega, attitude); returns three numbers */
+  double x[8], torque[3];
+} called;
+
+static SEXP call_law(void *data) {
+  called *law = data;
+  SEXP x = PROTECT(Rf_allocVector(REALSXP, 8));
+  memcpy(REAL(x), law->x, sizeof law->x);
+  SEXP call = PROTECT(Rf_lang2(law->call, x)), value = PROTECT(Rf_eval(call, R_GlobalEnv));
+  memcpy(law->torque, ffi_reals(value, "torque", 3), sizeof law->torque);
+  UNPROTECT(3);
+  return R_NilValue;
+}
+
+static rot_status by_law(double t, const double omega[3], const double q[4], double torque[3],
+                         void *ctx) {
+  called *law = ctx;
+  law->x[0] = t;
+  memcpy(law->x + 1, omega, 3 * sizeof(double));
+  memcpy(law->x + 4, q, 4 * sizeof(double));
+  const rot_status status = ffi_guarded(law->guard, call_law, law, NULL);
+  memcpy(torque, law->torque, sizeof law->torque);
+  return status;
+}
+
+/* `control` is c(accuracy, max_steps, method). The ledger has a value for each row, and `errors`,
+ * one for each of its columns. */
+SEXP ffi_free_integrate(SEXP list, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
+  static const char *const names[] = {"time_s", ROT_FREE_COLUMNS(FFI_COLUMN_NAME) ""};
+  static const char *const flows[] = {ROT_FREE_LEDGER(FFI_NAME) "errors", ""};
+  rot_free_params p = ffi_free_scene(list);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
+  const double steps = c[1] < 1e15 ? c[1] : 1e15;
+  const rot_free_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
+  const R_xlen_t rows = XLENGTH(time_s);
+  rot_free_columns out;
+  double *flow[ROT_FREE_FLOWS];
+  R_xlen_t at = 1;
+  ffi_run run;
+  called fn = {&run.guard, law, {0.0}, {0.0}};
+  p.law = Rf_isNull(law) ? NULL : by_law;
+  p.ctx = &fn;
+  ffi_run_begin(&run, progress);
+  SEXP columns = ffi_run_columns(&run, names);
+  SET_VECTOR_ELT(columns, 0, time_s);
+  ROT_FREE_COLUMNS(FFI_COLUMN_NEW)
+  SEXP ledger = Rf_mkNamed(VECSXP, (const char **)flows);
+  SET_VECTOR_ELT(run.out, FFI_LEDGER, ledger);
+  for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k] = ffi_new_double(ledger, k, rows);
+  double *errors = ffi_new_double(ledger, ROT_FREE_FLOWS, ROT_FREE_FLOWS);
+  const rot_status status = rot_free_integrate(&p, &options, (size_t)rows, t, &out, flow, errors,
+                                               &run.events, &run.guard.hooks, &run.info);
+  return ffi_run_end(&run, status);
+}

@@ -1,0 +1,88 @@
+#include "rot_free_models.h"
+
+#include <math.h>
+
+#include "rot_free_exact.h"
+#include "rot_free_ode.h"
+
+enum { TORQUE = 1, LAW = 2, DAMPING = 4 };
+
+static const rot_effect effects[] = {
+    {"torque", "a torque", 0, 0}, {"law", "a torque function", 0, 0}, {"damping", "damping", 0, 0}};
+
+static unsigned effects_of(const void *of) {
+  const rot_free_params *p = of;
+  const int constant = p->torque[0] != 0.0 || p->torque[1] != 0.0 || p->torque[2] != 0.0;
+  return (constant || p->n_knots ? TORQUE : 0u) | (p->law ? LAW : 0u) |
+         (p->damping_per_s != 0.0 ? DAMPING : 0u);
+}
+
+static const char *not_exact(const void *scene, const rot_query *query) {
+  (void)query;
+  return rot_free_not_exact(scene);
+}
+
+static const char *not_integrated(const void *scene, const rot_query *query) {
+  (void)query;
+  return rot_free_not_integrated(scene);
+}
+
+/* seconds: of a run, of a row. */
+static double exact_s(const rot_model *model, const void *scene, const rot_query *query) {
+  (void)scene;
+  return model->seconds[0] + (double)query->n * model->seconds[1];
+}
+
+/* Steps follow the angle that it turns; damping that fades within the span is worth some more.
+ * seconds: steps a rad at accuracy 1, the power of the accuracy, of a step, of a row. */
+static double integrated_s(const rot_model *model, const void *of, const rot_query *query) {
+  const rot_free_params *p = of;
+  const double *s = model->seconds, rows = (double)query->n;
+  const double from = query->n ? fmin(p->start_s, query->time_s[0]) : p->start_s;
+  const double to = query->n ? fmax(p->start_s, query->time_s[query->n - 1]) : p->start_s;
+  double rate = 0.0;
+  for (int i = 0; i < 3; i++) rate = hypot(rate, p->omega0_rad_per_s[i]);
+  const double turns = (rate + fabs(p->damping_per_s)) * (to - from);
+  const double steps = 10.0 + 3.0 * (double)p->n_breaks +
+                       s[0] * pow(fmax(query->accuracy, model->promise), s[1]) * fmin(turns, 1e300);
+  return 10e-6 + steps * (s[2] + 20.0 * (p->law ? query->law_s : 0.0)) + rows * s[3];
+}
+
+static const rot_model models[] = {
+    {"free_exact",
+     DAMPING,
+     ROT_BOUND,
+     1e-14,
+     0,
+     "no torque: closed form by elliptic functions",
+     not_exact,
+     exact_s,
+     {6e-6, 0.8e-6, 0.0, 0.0}},
+    {"free_rk8pd",
+     TORQUE | LAW | DAMPING,
+     ROT_ADAPTIVE,
+     1e-13,
+     0,
+     "integrated, with explicit steps: it is not stiff",
+     not_integrated,
+     integrated_s,
+     {0.2, -1.0 / 8.5, 2.5e-6, 1.5e-6}},
+    {"free_radau",
+     TORQUE | LAW | DAMPING,
+     ROT_ADAPTIVE,
+     1e-13,
+     0,
+     "integrated, with implicit steps: it is stiff",
+     not_integrated,
+     integrated_s,
+     {0.2, -1.0 / 9.0, 60e-6, 1.5e-6}},
+};
+
+const rot_constraint rot_free_constraint = {"free",
+                                            rot_free_measures,
+                                            sizeof effects / sizeof *effects,
+                                            sizeof models / sizeof *models,
+                                            effects,
+                                            models,
+                                            effects_of,
+                                            NULL};

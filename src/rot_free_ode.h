@@ -1,0 +1,26 @@
+/* A free body integrated, with any torque: the quaternion since the start and the angular momentum
+ * in principal axes (rot_ode.h). */
+#ifndef ROT_FREE_ODE_H
+#define ROT_FREE_ODE_H
+
+#include "rot_free.h"
+
+typedef struct rot_free_ode_options {
+  double accuracy;
+  size_t max_steps;
+  rot_method method; /* ROT_METHOD_NONE: explicit, unless that is stiff */
+} rot_free_ode_options;
+
+/* NULL, or why it cannot be integrated. */
+const char *rot_free_not_integrated(const rot_free_params *p);
+
+/* Times do not decrease, before start_s as well. flow[k][i] is ROT_FREE_LEDGER k from the start to
+ * row i, flow_error[k] its estimated error. Events: flip, where at that
+ * time rot_free_flips().
+ * Errors are estimates. */
+rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
+                              size_t n, const double time_s[], const rot_free_columns *out,
+                              double *const flow[ROT_FREE_FLOWS], double flow_error[ROT_FREE_FLOWS],
+                              rot_events *events, const rot_hooks *hooks, rot_info *info);
+
+#endif

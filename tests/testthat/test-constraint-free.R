@@ -1,0 +1,101 @@
+nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
+driven <- scene_free(
+  c(1, 2, 3), c(0.3, 0.2, 1), damping_per_s = 0.01, torque_n_m = c(0.01, 0, 0.02),
+  attitude0 = attitude_from(c(1, 0.2, 0.3), "rotation_vector")
+)
+
+test_that("every verb takes a free body", {
+  for (scene in list(nut, driven)) {
+    motion <- trajectory(scene, 0:20)
+    choice <- choose_model(scene, 0:20)
+    expect_identical(choice$model[choice$chosen], trajectory_run(motion)$model)
+    expect_identical(nrow(summary(motion)), 1L)
+    expect_identical(glance(motion), summary(motion))
+    again <- predict(motion, c(3.5, NA, 0))
+    expect_identical(is.na(again$qw), c(FALSE, TRUE, FALSE))
+    expect_lt(attitude_difference(again[3, ], motion[1, ]), 1e-15)
+    expect_true(all(motion_events(motion)$event == "flip"))
+    first <- when(motion, omega_y_rad_per_s = 0)
+    expect_lt(abs(predict(motion, first$time_s)$omega_y_rad_per_s), 1e-8)
+    expect_identical(nrow(motion[3:5, ]), 3L)
+    expect_s3_class(motion[3:5, ], "rot_trajectory")
+  }
+})
+
+test_that("the audit balances energy, each component of L in space, and the norm", {
+  for (motion in list(trajectory(nut, -3:20), trajectory(driven, -3:20),
+                      trajectory(scene_free(c(1, 2, 3), c(0.1, 1, 0), damping_per_s = 0.2), 0:9))) {
+    report <- audit(motion)
+    expect_identical(
+      report$balance,
+      c("energy", paste0("angular_momentum_", c("x", "y", "z")), "quaternion_norm")
+    )
+    expect_true(all(report$verdict == "balanced"))
+    expect_true(all(report$rounding < 1e-8))
+    edited <- motion
+    edited$omega_x_rad_per_s[nrow(edited)] <- edited$omega_x_rad_per_s[nrow(edited)] + 1e-6
+    expect_identical(audit(edited)$verdict[1], "unbalanced")
+    turned <- motion
+    turned$qx[1] <- turned$qx[1] + 1e-6
+    expect_true("unbalanced" %in% audit(turned)$verdict)
+  }
+  expect_true(all(is.na(audit(trajectory(nut, double()))$verdict)))
+})
+
+test_that("damping: heat and impulse in closed form, and integrated", {
+  scene <- scene_free(c(1, 2, 3), c(0.3, 1, 0.2), damping_per_s = 0.2)
+  exact <- trajectory(scene, 0:10)
+  expect_identical(trajectory_run(exact)$model, "free_exact")
+  steps <- trajectory(scene, 0:10, model = "free_rk8pd", accuracy = 1e-11)
+  expect_lt(max(attitude_difference(exact, steps)), 1e-10)
+  a <- augment(exact)
+  b <- augment(steps)
+  expect_equal(a$dissipated_j, b$dissipated_j, tolerance = 1e-9)
+  # T fades as exp(-2 gamma t).
+  energy <- exact$rotational_kinetic_energy_j
+  expect_equal(energy, energy[1] * exp(-0.4 * (0:10)), tolerance = 1e-14)
+  expect_equal(a$dissipated_j, energy[1] - energy, tolerance = 1e-13)
+  expect_equal(a$damping_impulse_y_n_m_s, b$damping_impulse_y_n_m_s, tolerance = 1e-9)
+  expect_equal(
+    exact$angular_momentum_x_kg_m2_per_s, 0.3 * exp(-0.2 * (0:10)), tolerance = 1e-13
+  )
+})
+
+test_that("power is that of the torque, in any axes", {
+  motion <- augment(trajectory(driven, seq(0, 5, 0.01)))
+  work <- sum(diff(motion$time_s) * (motion$power_w[-1] + motion$power_w[-501]) / 2)
+  expect_equal(motion$work_j[501], work, tolerance = 1e-5)
+  knots <- data.frame(time_s = c(0, 1, 2), x_n_m = 0, y_n_m = c(0, 1, 0), z_n_m = 0)
+  push <- scene_free(
+    c(1, 2, 3), c(0.3, 0.2, 1), torque_n_m = knots, torque_axes = "space", breaks_s = 3
+  )
+  motion <- augment(trajectory(push, seq(0, 4, 0.005)))
+  expect_equal(motion$torque_impulse_y_n_m_s[801], 1, tolerance = 1e-9)
+  expect_lt(abs(motion$torque_impulse_x_n_m_s[801]), 1e-12)
+  work <- sum(diff(motion$time_s) * (motion$power_w[-1] + motion$power_w[-801]) / 2)
+  expect_equal(motion$work_j[801], work, tolerance = 1e-4)
+})
+
+test_that("work_precision() measures the attitude by its angle", {
+  table <- work_precision(driven, 0:3, accuracies = c(1e-4, 1e-8), models = "free_rk8pd",
+                          batches = 1, least_batch_s = 1e-3)
+  expect_true(all(c("attitude_error", "omega_error", "angular_momentum_error") %in% names(table)))
+  expect_true(all(table$attitude_error <= table$accuracy))
+  expect_false(any(table$covered %in% FALSE))
+})
+
+test_that("motions and scenes are drawn", {
+  skip_if_not_installed("ggplot2")
+  expect_s3_class(ggplot2::autoplot(trajectory(nut, seq(0, 20, 0.1))), "ggplot")
+  expect_s3_class(ggplot2::autoplot(audit(trajectory(nut, 0:3))), "ggplot")
+})
+
+test_that("an uncertain body says what that does to the attitude", {
+  rough <- body_density(
+    function(x, y, z) ifelse(x^2 + y^2 + z^2 < 0.01, 1500, 1000), domain_box(-c(0.1, 0.2, 0.3), c(0.1, 0.2, 0.3)),
+    method = "monte_carlo", max_evaluations = 2e4
+  )
+  expect_gt(rough$error, 1e-14)
+  motion <- trajectory(scene_free(rough, c(0.1, 2, 0.1)), 0:3)
+  expect_gt(trajectory_run(motion)$body$effect, 0)
+})

@@ -1,0 +1,132 @@
+shared_csv <- function(...) {
+  root <- Sys.getenv("ROTDYN_SHARED")
+  path <- file.path(root, ...)
+  if (!nzchar(root) || !file.exists(path)) skip("no shared reference data")
+  path
+}
+
+test_that("the exact model holds the 110-digit values to 4e-15 rad", {
+  table <- utils::read.csv(shared_csv("refs", "free_rigid_body.csv"))
+  worst <- covered <- 0
+  for (i in seq_len(nrow(table))) {
+    row <- table[i, ]
+    # Moments that no body has are in the table, too.
+    scene <- suppressWarnings(
+      scene_free(c(row$I1, row$I2, row$I3), c(row$w1, row$w2, row$w3)), "rotdyn_warning_inertia"
+    )
+    motion <- trajectory(scene, row$t, model = "free_exact")
+    want <- list(qw = row$q0, qx = row$q1, qy = row$q2, qz = row$q3)
+    off <- attitude_difference(motion, want)
+    worst <- max(worst, off)
+    covered <- covered + (off <= trajectory_run(motion)$info$errors[["attitude"]])
+    want <- c(row$w1_t, row$w2_t, row$w3_t)
+    apart <- unlist(unclass(motion)[free_rates("")]) - want
+    expect_lt(sqrt(sum(apart^2)), 1e-15 * sqrt(sum(want^2)))
+  }
+  expect_identical(covered, 175)
+  expect_lt(worst, 4e-15)
+})
+
+test_that("NASA's tumbling brick", {
+  table <- utils::read.csv(
+    shared_csv("cases", "nesc_atmos02_brick_torquefree", "Atmos_02_sim_01.csv")
+  )
+  deg <- pi / 180
+  brick <- scene_free(c(0.00189422, 0.006211019, 0.007194665), c(10, 20, 30) * deg)
+  motion <- trajectory(brick, table$time)
+  for (k in 1:3) {
+    want <- table[[paste0("bodyAngularRateWrtEi_deg_s_", c("Roll", "Pitch", "Yaw")[k])]]
+    expect_lt(max(abs(motion[[free_rates("")[k]]] / deg - want)), 1e-8)
+  }
+  # Yaw, pitch and roll are against a frame that turns with the Earth, about north at the equator.
+  angles <- utils::read.csv(
+    shared_csv("cases", "nesc_atmos02_brick_torquefree", "Atmos_02_sim_04.csv")
+  )
+  earth <- attitude_from(
+    data.frame(rx_rad = 7.292115e-5 * motion$time_s, ry_rad = 0, rz_rad = 0), "rotation_vector"
+  )
+  seen <- attitude_compose(attitude_inverse(earth), motion)
+  want <- attitude_from(
+    data.frame(
+      angle_1_rad = angles$eulerAngle_deg_Yaw * deg,
+      angle_2_rad = angles$eulerAngle_deg_Pitch * deg,
+      angle_3_rad = angles$eulerAngle_deg_Roll * deg
+    ),
+    "euler", sequence = "intrinsic zyx"
+  )
+  expect_lt(max(attitude_difference(seen, want)) / deg, 2e-4)
+})
+
+test_that("the rigid body of the test set DETEST, B5", {
+  # mpmath, 20 digits: sn, cn, dn (t | m = 0.51) at 1, 10, 20.
+  y <- rbind(
+    c(0.80220075305636086038, 0.59705439601078856953, 0.81963511114145289907),
+    c(0.87789882041975277037, -0.47884617687270583056, 0.77906339097910344877),
+    c(-0.93965707987292039619, -0.34211777540007490653, 0.74141265961999530078)
+  )
+  root <- sqrt(1.53)
+  motion <- trajectory(scene_free(c(1, 2, 3), c(root, 0, 1)), c(1, 10, 20))
+  expect_equal(motion$omega_x_rad_per_s, root * y[, 2], tolerance = 4e-15)
+  expect_equal(motion$omega_y_rad_per_s, root * y[, 1], tolerance = 4e-15)
+  expect_equal(motion$omega_z_rad_per_s, y[, 3], tolerance = 4e-15)
+})
+
+test_that("symmetric bodies: Kane's closed form, and both senses of precession", {
+  table <- utils::read.csv(shared_csv("cases", "symmetric_torquefree_kane_eth", "kane_values.csv"))
+  motion <- trajectory(scene_free(c(0.04, 0.04, 0.02), c(2, 3, 4)), table$t)
+  want <- list(qw = table$e0, qx = table$e1, qy = table$e2, qz = table$e3)
+  expect_lt(max(attitude_difference(motion, want)), 2e-12) # printed from an integration
+  expect_equal(motion$omega_x_rad_per_s, table$wx, tolerance = 1e-12)
+  # I = (3, 3, 9), L = (0, 5, 7): -14/9 rad/s; I = (3, 9, 9), L = (7, 0, 5): +14/9.
+  t <- c(0.3, 2, 11)
+  disk <- suppressWarnings(scene_free(c(3, 3, 9), c(0, 5 / 3, 7 / 9)), "rotdyn_warning_inertia")
+  short <- trajectory(disk, t)
+  expect_equal(3 * short$omega_x_rad_per_s, 5 * sin(-14 / 9 * t), tolerance = 1e-13)
+  tall <- trajectory(scene_free(c(3, 9, 9), c(7 / 3, 0, 5 / 9)), t)
+  expect_equal(9 * tall$omega_y_rad_per_s, 5 * sin(14 / 9 * t), tolerance = 1e-13)
+  # Equal moments about the axes of the spin: constant.
+  flat <- trajectory(scene_free(c(2, 3, 3), c(0, 4 / 3, 5 / 3)), t)
+  expect_identical(flat$omega_y_rad_per_s, rep(4 / 3, 3))
+  # Orekit: against constant spin 5e-6 rad at 0.1 s, 5e-4 at 1 s.
+  sat <- trajectory(scene_free(c(3, 4, 5) / 8, c(0.05, 0, 0.04)), c(0.1, 1))
+  spin <- attitude_from(cbind(0.05 * c(0.1, 1), 0, 0.04 * c(0.1, 1)), "rotation_vector")
+  expect_equal(attitude_difference(sat, spin), c(5e-6, 5e-4), tolerance = 1e-3)
+})
+
+test_that("a torque that a function returns", {
+  steady <- scene_free(c(1, 2, 2.5), c(0.1, 0, 0.3), torque_n_m = c(0.02, 0, 0.01))
+  same <- scene_free(c(1, 2, 2.5), c(0.1, 0, 0.3), torque_n_m = function(t) c(0.02, 0, 0.01))
+  t <- c(0, 3, 7)
+  a <- trajectory(steady, t, accuracy = 1e-11)
+  b <- trajectory(same, t, accuracy = 1e-11)
+  expect_identical(trajectory_run(a)$model, "free_rk8pd")
+  expect_lt(max(attitude_difference(a, b)), 1e-10)
+  # Against the spin: the torque -c omega of the body's own rates.
+  drag <- scene_free(
+    c(2, 2, 2), c(0, 0, 3), torque_n_m = function(time_s, omega_rad_per_s, attitude) {
+      stopifnot(abs(sum(attitude^2) - 1) < 1e-12)
+      -0.5 * omega_rad_per_s
+    }
+  )
+  slow <- trajectory(drag, c(0, 4))
+  expect_equal(slow$omega_z_rad_per_s[2], 3 * exp(-1), tolerance = 1e-9)
+  bad <- scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = function(t) "much")
+  expect_error(trajectory(bad, 0:1), class = "rotdyn_error_torque")
+  stops <- scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = function(t) stop("enough"))
+  expect_error(trajectory(stops, 0:1), "enough")
+  expect_error(trajectory(bad, 0:1, model = "free_exact"), class = "rotdyn_error_model")
+})
+
+test_that("torques in space axes turn with the body", {
+  # About the axis of the spin of a symmetric body, space and body axes agree.
+  at <- attitude_from(c(0.4, 0, 0), "rotation_vector")
+  axis <- unlist(attitude_turn(at, c(0, 0, 1)))
+  space <- scene_free(
+    c(2, 2, 3), c(0, 0, 1), attitude0 = at, torque_n_m = 0.3 * axis, torque_axes = "space"
+  )
+  body <- scene_free(c(2, 2, 3), c(0, 0, 1), attitude0 = at, torque_n_m = c(0, 0, 0.3))
+  a <- trajectory(space, 0:5)
+  b <- trajectory(body, 0:5)
+  expect_lt(max(attitude_difference(a, b)), 1e-8)
+  expect_equal(a$omega_z_rad_per_s, 1 + 0.1 * (0:5), tolerance = 1e-9)
+})

@@ -1,0 +1,80 @@
+test_that("a scene says what it is, and its parts are checked", {
+  scene <- scene_free(c(1, 2, 3), c(0.1, 0.2, 0.3))
+  expect_s3_class(scene, "rot_scene")
+  expect_output(print(scene), "principal moments 1, 2, 3 kg m^2", fixed = TRUE)
+  expect_error(scene_free(c(1, 2), c(0, 0, 1)), class = "rotdyn_error_size")
+  expect_error(scene_free(c(1, 2, 3), c(0, 1)), class = "rotdyn_error_size")
+  expect_error(scene_free(c(1, 2, 3), c(0, NA, 1)), class = "rotdyn_error_value")
+  expect_warning(scene_free(c(1, 1, 3), c(0, 0, 1)), class = "rotdyn_warning_inertia")
+  expect_error(scene_free(c(-1, 1, 3), c(0, 0, 1)), class = "rotdyn_error_value")
+  expect_error(scene_free(c(0, 0, 0), c(0, 0, 1)), class = "rotdyn_error_value")
+  expect_error(scene_free(c(1, 2, 3)), class = "rotdyn_error_missing")
+  expect_error(scene_free(c(1, 2, 3), c(0, 0, 1), omega = 1), class = "rotdyn_error_argument")
+  expect_error(
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque_axes = "sky"), class = "rotdyn_error_value"
+  )
+  expect_error(
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = 1), class = "rotdyn_error_size"
+  )
+  expect_error(
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = function() 1), class = "rotdyn_error_type"
+  )
+  expect_error(
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = data.frame(time_s = 0:1)),
+    class = "rotdyn_error_type"
+  )
+  knots <- data.frame(time_s = c(0, 0), x_n_m = 0, y_n_m = 0, z_n_m = 1)
+  expect_error(scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = knots), class = "rotdyn_error_time")
+})
+
+test_that("a rod has no spin about itself, and turns steadily across it", {
+  rod <- body_rod(0.3, 2)
+  expect_error(scene_free(c(0, 1, 1), c(0.1, 1, 0)), class = "rotdyn_error_value")
+  expect_error(
+    scene_free(c(0, 1, 1), c(0, 1, 0), torque_n_m = c(0, 1, 0)), class = "rotdyn_error_value"
+  )
+  moments <- diag(scene_free(rod, c(0, 0, 0))$moment_of_inertia_kg_m2)
+  across <- as.double(diag(moments) > 0)
+  motion <- trajectory(scene_free(rod, across * c(0.3, 0.4, 0.5)), c(0, 2))
+  rate <- sqrt(sum((across * c(0.3, 0.4, 0.5))^2))
+  expect_equal(motion$qw, c(1, cos(rate)), tolerance = 1e-15)
+})
+
+test_that("the attitude at the start may have any form", {
+  turn <- rotation_about(c(1, 2, 3), angle_rad = 0.7)
+  q <- attitude_from(turn, "matrix")
+  scenes <- lapply(list(turn, q, unlist(q), unname(unlist(q))), function(attitude) {
+    scene_free(c(1, 2, 3), c(0.1, 0.2, 0.3), attitude0 = attitude)
+  })
+  for (scene in scenes[-1]) expect_equal(scene$attitude0, scenes[[1]]$attitude0, tolerance = 1e-15)
+  expect_warning(
+    scene_free(c(1, 2, 3), c(0, 0, 1), attitude0 = c(qw = 1, qx = 1, qy = 0, qz = 0)),
+    class = "rotdyn_warning_normalised"
+  )
+  expect_error(
+    scene_free(c(1, 2, 3), c(0, 0, 1), attitude0 = attitude_to(q, "matrix")),
+    class = "rotdyn_error_type"
+  )
+})
+
+test_that("a body turned in its own axes moves as the same body", {
+  turn <- rotation_about(c(1, -2, 0.5), angle_rad = 1.1)
+  moments <- c(1, 2, 2.7)
+  omega <- c(0.3, 1.2, -0.4)
+  own <- turn %*% diag(moments) %*% t(turn)
+  times <- c(-3, 0, 1, 25)
+  plain <- trajectory(scene_free(moments, omega), times)
+  turned <- trajectory(
+    scene_free((own + t(own)) / 2, as.vector(turn %*% omega), attitude0 = t(turn)), times
+  )
+  expect_equal(
+    turned$angular_momentum_y_kg_m2_per_s, plain$angular_momentum_y_kg_m2_per_s, tolerance = 1e-13
+  )
+  expect_equal(
+    turned$omega_space_z_rad_per_s, plain$omega_space_z_rad_per_s, tolerance = 1e-12
+  )
+  # own axes to space: the principal axes there, after the turn
+  back <- attitude_compose(turned, attitude_from(turn, "matrix"))
+  expect_lt(max(attitude_difference(back, plain)), 1e-12)
+  expect_gt(trajectory_run(turned)$info$errors[["attitude"]], max(attitude_difference(back, plain)))
+})
