@@ -23,7 +23,7 @@ free_constraint <- function() {
       omega = measure("rad/s", free_rates("")),
       angular_momentum = measure("kg m^2/s", free_momenta)
     ),
-    pace = function(scene, sizes) {
+    pace = function(scene, sizes, model) {
       list(
         breaks_s = scene$breaks_s,
         fades_s = if (scene$damping_per_s > 0) 1 / scene$damping_per_s else Inf,

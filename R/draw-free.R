@@ -45,8 +45,8 @@ draw_free <- function(scene) {
   omega <- scene$omega0_rad_per_s
   momentum <- as.vector(free_tensor(scene) %*% omega)
   size <- function(v, unit) value_text(signif(sqrt(sum(v^2)), 4), unit)
-  arrow(omega, "omega", "angular velocity", size(omega, "rad/s"), "speed", 1.35, 0.12)
-  arrow(momentum, "L", "angular momentum", size(momentum, "kg m^2/s"), "weight", 1.1, -0.12)
+  arrow(omega, "omega", "angular velocity", size(omega, "rad/s"), "speed", 1.35, -0.12)
+  arrow(momentum, "L", "angular momentum", size(momentum, "kg m^2/s"), "weight", 1.1, 0.12)
   torque <- scene$torque_n_m
   if (any(torque != 0)) {
     if (scene$in_space == 1) torque <- as.vector(t(turn) %*% torque)

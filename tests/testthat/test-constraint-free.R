@@ -92,7 +92,8 @@ test_that("motions and scenes are drawn", {
 
 test_that("an uncertain body says what that does to the attitude", {
   rough <- body_density(
-    function(x, y, z) ifelse(x^2 + y^2 + z^2 < 0.01, 1500, 1000), domain_box(-c(0.1, 0.2, 0.3), c(0.1, 0.2, 0.3)),
+    function(x, y, z) ifelse(x^2 + y^2 + z^2 < 0.01, 1500, 1000),
+    domain_box(-c(0.1, 0.2, 0.3), c(0.1, 0.2, 0.3)),
     method = "monte_carlo", max_evaluations = 2e4
   )
   expect_gt(rough$error, 1e-14)
