@@ -47,6 +47,7 @@ free_constraint <- function() {
     },
     drawing = draw_free,
     balances = balance_free,
+    conserved = conserved_free,
     augment = augment_free,
     panels = list(
       panel("angular velocity in the body (rad/s)",
@@ -141,6 +142,29 @@ balance_free <- function(x, run, call) {
       c("change of the norm" = sum((q[2, ] - q[1, ]) * (q[2, ] + q[1, ])) / 2),
       double(), double(), 8 * eps
     ))
+  )
+}
+
+# A torque in space axes leaves the components of L alone that it has none along.
+conserved_free <- function(scene) {
+  open <- !is.null(scene$law)
+  along <- vapply(1:3, function(k) {
+    scene$torque_n_m[k] != 0 || any(scene$knots[[k + 1L]] != 0)
+  }, NA)
+  acts <- open || any(along)
+  damped <- list("the damping acts" = scene$damping_per_s != 0)
+  c(
+    list(keeps_unless(
+      "energy", NA_character_, c(list("the torque works" = acts), damped),
+      "no torque acts: the energy of rotation stays"
+    )),
+    lapply(1:3, function(k) {
+      keeps_unless(
+        paste0("angular_momentum_", c("x", "y", "z")[k]), "the centre of mass",
+        c(list("a torque acts" = open || (if (scene$in_space == 1) along[k] else acts)), damped),
+        "no torque acts along it"
+      )
+    })
   )
 }
 

@@ -76,6 +76,19 @@ test_that("power is that of the torque, in any axes", {
   expect_equal(motion$work_j[801], work, tolerance = 1e-4)
 })
 
+test_that("what is conserved follows from what acts", {
+  expect_identical(conserved(nut)$conserved, rep(TRUE, 4))
+  expect_identical(conserved(driven)$conserved, rep(FALSE, 4))
+  lift <- scene_free(c(1, 2, 3), c(0, 1, 0), torque_n_m = c(0, 0, 2), torque_axes = "space")
+  expect_identical(conserved(lift)$conserved, c(FALSE, TRUE, TRUE, FALSE))
+  report <- audit(trajectory(lift, 0:3))
+  expect_identical(report$conserved, c(FALSE, TRUE, TRUE, FALSE, NA))
+  expect_true(all(report$verdict == "balanced"))
+  expect_identical(
+    conserved(scene_free(c(1, 2, 3), c(0, 1, 0), damping_per_s = 1))$conserved, rep(FALSE, 4)
+  )
+})
+
 test_that("work_precision() measures the attitude by its angle", {
   table <- work_precision(driven, 0:3, accuracies = c(1e-4, 1e-8), models = "free_rk8pd",
                           batches = 1, least_batch_s = 1e-3)
