@@ -54,6 +54,10 @@ check_body <- function(body, call, arg = "body") {
     )
   }
   check_form(body, body_form, arg, "body", call)
+  # Their own moment is computed from the size.
+  size <- switch(axis_shape(body), point = "radius_m", rod_end = "length_m")
+  if (!is.null(size) && !size %in% names(body$size_m)) abort_form("size_m", arg, "body", call)
+  body
 }
 
 # I_n = n' I n about the unit vector n in the body's own axes, through a point.
@@ -86,7 +90,7 @@ describe_point <- function(body, through) {
   switch(through,
     origin = "through the origin of the own axes",
     rod_end = "through the rod's end",
-    point = paste(format_si(unname(body$size_m["radius_m"])), "m from the point"),
+    point = paste(format_si(body$size_m[["radius_m"]]), "m from the point"),
     "through the centre of mass"
   )
 }

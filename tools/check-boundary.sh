@@ -102,6 +102,24 @@ grep -E "$(word "($prints|$ends|rand|srand)[[:space:]]*\\(.*")" "$work/rot" |
 grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
   rule "src/ffi* and src/init.c use nothing of GSL's"
 
+# Entry points of R that "Writing R Extensions" (4.5, "API index") lists: R hides the others one by
+# one. Of the accessors in capitals, those that it does not list are named.
+api='R_(CallMethodDef|CheckUserInterrupt|ContinueUnwind|DimNamesSymbol|FINITE|GlobalEnv)
+R_(MakeUnwindCont|NaN|NO_REMAP|NamesSymbol|NilValue|PosInf|UnwindProtect)
+Rf_(Scalar(Integer|Logical|Real|String)|alloc(Matrix|Vector)|as(Integer|Logical|Real)|duplicate)
+Rf_(error|eval|getAttrib|inherits|is(Function|Matrix|Null|Object)|lang[23]|length)
+Rf_(mk(Char|Named|String)|ncols|nrows|setAttrib|xlength)'
+hidden='ATTRIB|BODY|CLOENV|DATAPTR|ENCLOS|ENVFLAGS|EXTPTR_(PROT|PTR|TAG)|FORMALS|FRAME|HASHTAB'
+hidden="$hidden|IS_S4_OBJECT|LEVELS|NAMED|OBJECT|PR(CODE|ENV|VALUE)|STDVEC_DATAPTR|STRING_PTR"
+hidden="$hidden|SETLENGTH|SETLEVELS|SET_(ATTRIB|BODY|CLOENV|ENCLOS|ENVFLAGS|FORMALS|FRAME)"
+hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGTH|VECTOR_PTR"
+{
+  grep -oE '^[^:]*:[0-9]*|(^|[^A-Za-z0-9_])(R_[A-Z][A-Za-z_]*|Rf_[A-Za-z0-9]+)' "$work/ffi" |
+    sed 's/^[^A-Za-z]//' | awk '/:/ { at = $0; next } { print at ": " $0 }' |
+    grep -vxE "[^ ]* ($(echo "$api" | paste -sd'|' -))"
+  grep -E "(^|[^A-Za-z0-9_.])($hidden)[[:space:]]*\\(" "$work/ffi"
+} | rule "the glue uses entry points of R's documented API alone"
+
 # ---- the layers of the core ------------------------------------------------------------------
 
 # LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.

@@ -33,3 +33,16 @@ test_that("summaries of rotors are those of the whole shaft", {
   expect_equal(row$max_angular_momentum_kg_m2_per_s, 9, tolerance = 1e-13)
   expect_equal(row$max_rotational_kinetic_energy_j, 13.5, tolerance = 1e-13)
 })
+
+test_that("what is no trajectory is refused", {
+  motion <- spin_up(time_s = 0:1)
+  for (x in list(1, NULL, "a", sin, list(), mean, quote(x), body_disk(1, 1), scene_axle(1))) {
+    expect_error(augment(x), "no applicable method")
+    expect_error(glance(x), "no applicable method")
+  }
+  for (x in list(list(), sin, 1, list(time_s = 1))) {
+    forged <- structure(x, class = class(motion))
+    expect_error(augment(forged), class = "rotdyn_error_type")
+    expect_error(glance(forged), class = "rotdyn_error_type")
+  }
+})

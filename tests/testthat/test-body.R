@@ -91,3 +91,11 @@ test_that("a body of unknown origin is printed", {
   body$provenance <- "mesh"
   expect_output(print(body), "from +unknown")
 })
+
+test_that("a point or a rod whose size has lost its name is refused", {
+  for (body in list(body_point(4.16), body_rod_end(1, 2))) {
+    body$size_m <- unname(body$size_m)
+    expect_error(print(body), class = "rotdyn_error_type")
+    expect_error(scene_axle(body), class = "rotdyn_error_type")
+  }
+})
