@@ -105,8 +105,9 @@ fastest_swing <- function(scene, sizes) {
     x <- abs(term$x)
     switch(term$kind,
       sinusoid = x[2],
-      spring = sqrt(x[1] / inertia),
-      gravity = max(2 * sqrt(x[1] / inertia), sizes[["omega"]]),
+      # A quotient of roots: that of the numbers may underflow.
+      spring = sqrt(x[1]) / sqrt(inertia),
+      gravity = max(2 * sqrt(x[1]) / sqrt(inertia), sizes[["omega"]]),
       0
     )
   }, double(1))

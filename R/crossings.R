@@ -119,7 +119,7 @@ search_column <- function(read, slopes, column, time_s) {
   at <- if (is.null(slope)) {
     extremes_by_values(read, column, time_s, value)
   } else {
-    turns <- which(slope[-1] * slope[-length(slope)] < 0)
+    turns <- which(changes_sign(slope))
     zeros_between(
       function(t) slopes(read(t))[[column]], time_s[turns], time_s[turns + 1L], slope[turns],
       slope[turns + 1L]
@@ -191,6 +191,12 @@ extremes_by_values <- function(read, column, time_s, value) {
   at
 }
 
+# Between which elements the sign changes. A product of small numbers would be 0.
+changes_sign <- function(x) {
+  sign <- sign(x)
+  sign[-1] * sign[-length(sign)] < 0
+}
+
 # The times at which the column is `value`: list(time_s, direction). `close`: the relative error of
 # the column; an extreme or an end closer to the value, relative to the distances around, touches
 # it: what fades away keeps its passages. Where it stays at the value, the first time.
@@ -203,7 +209,7 @@ passages <- function(read, slopes, column, value, time_s, close) {
   end <- seq_len(n) %in% c(1L, n)
   off[(found$extreme | end) & abs(off) <= near] <- 0
   here <- which(off == 0 & c(TRUE, off[-n] != 0))
-  between <- which(off[-1] * off[-n] < 0)
+  between <- which(changes_sign(off))
   zeros <- zeros_between(
     function(t) read(t)[[column]] - value, found$time_s[between], found$time_s[between + 1L],
     off[between], off[between + 1L]

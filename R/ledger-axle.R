@@ -89,8 +89,8 @@ shortest_time <- function(scene, sizes) {
     x <- abs(term$x)
     switch(term$kind,
       sinusoid = , exponential = x[2],
-      spring = sqrt(x[1] / inertia),
-      gravity = 2 * sqrt(x[1] / inertia),
+      spring = sqrt(x[1]) / sqrt(inertia),
+      gravity = 2 * sqrt(x[1]) / sqrt(inertia),
       curve = {
         n <- x[1]
         max(abs(diff(term$x[1 + n + seq_len(n)]) / diff(term$x[1 + seq_len(n)])), 0) / inertia

@@ -78,7 +78,15 @@ when_in_scene <- function(scene, asked, first, until_s, accuracy, call) {
     ), "type", call)
   }
   # Its sizes alone count: the error of a motion without a span does not.
-  run <- suppressWarnings(run_to(start, start), classes = "rotdyn_warning_accuracy")
+  heard <- NULL
+  quietly <- function(expr) {
+    heard <<- NULL
+    withCallingHandlers(expr, rotdyn_warning_accuracy = function(w) {
+      heard <<- w
+      invokeRestart("muffleWarning")
+    })
+  }
+  run <- quietly(run_to(start, start))
   pace <- pace_of(run)
   marks <- pace$breaks_s[pace$breaks_s > start] - start
   swing <- if (pace$swing_rad_per_s > 0) 2 * pi / pace$swing_rad_per_s
@@ -92,12 +100,13 @@ when_in_scene <- function(scene, asked, first, until_s, accuracy, call) {
   reach <- min(times)
   repeat {
     to <- start + min(reach, most)
-    run <- run_to(from, to)
+    run <- quietly(run_to(from, to))
     found <- search_run(run, asked, c(from, to), call)
     if (length(found$time_s) || reach >= most) break
     if (closed) from <- to
     reach <- 4 * reach
   }
+  if (!is.null(heard)) warning(heard)
   answer_when(found, run, asked, TRUE, call)
 }
 

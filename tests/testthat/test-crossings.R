@@ -23,3 +23,57 @@ test_that("a passage, a touch, a stay", {
   expect_equal(got$time_s, pi * c(0.5, 1.5, 2.5), tolerance = 1e-15)
   expect_equal(got$direction, c("down", "up", "down"))
 })
+
+# passages.csv: 40 digits by tools/passages.py. Amplitudes from 1e-300 rad to the last double below
+# pi, both sides of the separatrix, dampings from none to 1e12 times the critical one, stops under
+# every resistance.
+references <- function() {
+  x <- utils::read.csv(test_path("passages.csv"), colClasses = "character")
+  x[-1] <- lapply(x[-1], as.double)
+  split(x, x$kind)
+}
+
+expect_digits <- function(got, want, row) {
+  error <- max(abs(ifelse(got == want, 0, got / want - 1)))
+  expect_true(isTRUE(error <= 1e-14), info = paste(c(error, unlist(row)), collapse = " "))
+}
+
+test_that("pendulums of any amplitude: passages and periods to 1e-14", {
+  for (row in split(references()$pendulum, seq_len(nrow(references()$pendulum)))) {
+    scene <- scene_axle(
+      row$inertia, torque_gravity(1, row$k, gravity_m_per_s2 = 1), theta0_rad = row$theta0,
+      omega0_rad_per_s = row$omega0
+    )
+    got <- expect_no_warning(when(scene, theta_rad = row$value))
+    expect_digits(c(got$time_s, period(scene)$period_s), c(row$time_s, row$second), row)
+  }
+})
+
+test_that("oscillators of any damping: passages and cycles to 1e-14", {
+  for (row in split(references()$oscillator, seq_len(nrow(references()$oscillator)))) {
+    scene <- scene_axle(
+      row$inertia, torque_spring(row$k), resistance(row$c), theta0_rad = row$theta0,
+      omega0_rad_per_s = row$omega0
+    )
+    got <- if (row$value == 1) when(scene, theta_rad = 0) else
+      when(scene, theta_rad = 0, occurrence = "all", until_s = 1.001 * row$time_s)
+    cycle <- period(scene)$period_s
+    if (is.nan(cycle)) cycle <- Inf # overdamped
+    expect_equal(nrow(got), row$value)
+    expect_digits(c(got$time_s[row$value], cycle), c(row$time_s, row$second), row)
+  }
+})
+
+test_that("stopping times and angles to 1e-14", {
+  for (row in split(references()$stop, seq_len(nrow(references()$stop)))) {
+    got <- stopping(scene_axle(
+      row$inertia, resistance = resistance(row$c, row$q, row$f), omega0_rad_per_s = row$omega0
+    ))
+    expect_digits(c(got$stop_time_s, got$stop_theta_rad), c(row$time_s, row$second), row)
+  }
+})
+
+test_that("a change of sign is seen between the smallest numbers", {
+  expect_equal(rotdyn:::changes_sign(c(1e-300, -1e-300, 0, 5e-324, -5e-324)),
+    c(TRUE, FALSE, FALSE, TRUE))
+})
