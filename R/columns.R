@@ -203,6 +203,34 @@ column_list <- list(
   c("friction_loss_j", "J", "energy lost by friction"),
   c("grips", "", "whether the contact does not slip when it ends"),
   c("particle_v_m_per_s", "m/s", "velocity of the particle, after"),
+  c("east_m", "m", "way to the east"),
+  c("north_m", "m", "way to the north"),
+  c("up_m", "m", "way up"),
+  c("east_m_per_s", "m/s", "velocity to the east, over the ground"),
+  c("north_m_per_s", "m/s", "velocity to the north, over the ground"),
+  c("up_m_per_s", "m/s", "velocity upward"),
+  c("deflection_east_m", "m", "what the rotation adds to the way to the east, exact"),
+  c("deflection_north_m", "m", "the same to the north"),
+  c("deflection_up_m", "m", "the same upward"),
+  c("first_order_east_m", "m", "deflection to the east, to the first order in the rotation"),
+  c("first_order_north_m", "m", "the same to the north"),
+  c("first_order_up_m", "m", "the same upward"),
+  c("first_order_error_m", "m", "what the first order lacks at most, as a length"),
+  c("fall_time_s", "s", "time of the fall"),
+  c("first_order_error", "1", "what the first order lacks at most, relative to it"),
+  c("swing_period_s", "s", "period of the swing"),
+  c("plane_rate_rad_per_s", "rad/s", "rate at which the plane of the swing turns, from above"),
+  c("plane_turn_s", "s", "time of a whole turn of that plane"),
+  c("ellipse_rate_rad_per_s", "rad/s", "what an elliptic swing adds to that rate"),
+  c("centrifugal_x_m_per_s2", "m/s^2", "centrifugal acceleration, -omega x (omega x r)"),
+  c("centrifugal_y_m_per_s2", "m/s^2", "the same along y"),
+  c("centrifugal_z_m_per_s2", "m/s^2", "the same along z"),
+  c("coriolis_x_m_per_s2", "m/s^2", "Coriolis acceleration, -2 omega x v"),
+  c("coriolis_y_m_per_s2", "m/s^2", "the same along y"),
+  c("coriolis_z_m_per_s2", "m/s^2", "the same along z"),
+  c("euler_x_m_per_s2", "m/s^2", "Euler acceleration, -alpha x r"),
+  c("euler_y_m_per_s2", "m/s^2", "the same along y"),
+  c("euler_z_m_per_s2", "m/s^2", "the same along z"),
   c("gravity_torque_n_m", "N m", "torque of gravity about the fixed point, m g l sin(angle)"),
   c("spin_angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum of the spin, I3 omega3"),
   c("precession_rad_per_s", "rad/s", "rate of precession by the fast-top formula"),
@@ -497,6 +525,24 @@ free_columns <- c(
   "omega_space_x_rad_per_s", "omega_space_y_rad_per_s", "omega_space_z_rad_per_s",
   "angular_momentum_x_kg_m2_per_s", "angular_momentum_y_kg_m2_per_s",
   "angular_momentum_z_kg_m2_per_s", "rotational_kinetic_energy_j"
+)
+projectile_columns <- c(
+  "east_m", "north_m", "up_m", "east_m_per_s", "north_m_per_s", "up_m_per_s", "deflection_east_m",
+  "deflection_north_m", "deflection_up_m", "first_order_east_m", "first_order_north_m",
+  "first_order_up_m", "first_order_error_m"
+)
+drop_columns <- c(
+  "fall_time_s", "deflection_east_m", "deflection_north_m", "first_order_east_m",
+  "first_order_error"
+)
+foucault_columns <- c(
+  "east_m", "north_m", "east_m_per_s", "north_m_per_s", "plane_rate_rad_per_s", "swing_period_s",
+  "plane_turn_s", "ellipse_rate_rad_per_s"
+)
+frame_term_columns <- c(
+  "centrifugal_x_m_per_s2", "centrifugal_y_m_per_s2", "centrifugal_z_m_per_s2",
+  "coriolis_x_m_per_s2", "coriolis_y_m_per_s2", "coriolis_z_m_per_s2", "euler_x_m_per_s2",
+  "euler_y_m_per_s2", "euler_z_m_per_s2"
 )
 quaternion_columns <- c("qw", "qx", "qy", "qz")
 collide_columns <- c(

@@ -138,6 +138,7 @@ layers='
 4 impact      impact*
 4 statics     statics
 4 collide     collide*
+4 frame       frame
 4 energy      energy
 4 kinematics  kinematics
 5 drive       drive*
