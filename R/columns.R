@@ -376,6 +376,8 @@ column_list <- list(
   c("highest_factor", "1", "the largest"),
   c("below", "", "verdict below the least factor"),
   c("above", "", "verdict above the largest"),
+  c("path_m", "m", "length of the path since the start"),
+  c("least_normal_n", "N", "least push of the track"),
   c("check", "", "result of check_inertia(); NULL without inertia")
 )
 
@@ -589,3 +591,22 @@ reaction_columns <- c(
   "support", "component", "value", "unit", "determined", "lowest", "highest", "error"
 )
 load_factor_columns <- c("load", "lowest_factor", "highest_factor", "below", "above")
+curve_columns <- c(
+  "time_s", "x_m", "y_m", "path_m", "v_m_per_s", "omega_rad_per_s", "normal_n",
+  "friction_force_n", "friction_needed", "event"
+)
+curve_summary_columns <- c(
+  "event", "time_s", "x_m", "y_m", "path_m", "v_m_per_s", "least_normal_n", "friction_needed",
+  "error", "error_kind"
+)
+curve_meanings <- c(
+  x_m = "x of the centre", y_m = "its y, up", v_m_per_s = "speed of the centre",
+  omega_rad_per_s = "angular velocity v/r; NA for a number instead of a body",
+  normal_n = "push of the track on the body",
+  friction_force_n = "friction on the body, along the path", time_s = "time since the start",
+  event = "how the motion ends", error = "relative error of the time"
+)
+curve_meant <- setdiff(
+  names(curve_meanings), c("omega_rad_per_s", "normal_n", "friction_force_n")
+)
+curve_shown <- setdiff(names(curve_meanings), "error")

@@ -114,6 +114,16 @@ rest_form <- list(
   )
 )
 
+curve_form <- list(
+  .class = "rot_curve", x = "function", y = "function", dx = "function", dy = "function",
+  ddx = "function", ddy = "function", kind = "text", knots = "sorted"
+)
+
+curve_run_form <- list(
+  last = "list", least_normal = "values:1", needed = "values:1", error = "values:1",
+  shape = "values"
+)
+
 # `what`: the object in words.
 check_form <- function(x, form, arg, what, call) {
   fault <- .Call(ffi_form_fault, x, form)

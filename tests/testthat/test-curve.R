@@ -1,0 +1,191 @@
+arrival <- function(...) summary(roll_on_curve(...))
+g <- 9.80665
+
+test_that("descent times of the shared table, to a few ulp", {
+  rows <- utils::read.csv(shared("refs", "curve_descent_time.csv"))
+  curves <- list("0.5*(x-2)^2" = function(x) 0.5 * (x - 2)^2, "cos(x)" = function(x) cos(x))
+  expect_setequal(rows$y_of_x, names(curves))
+  for (i in seq_len(nrow(rows))) {
+    row <- rows[i, ]
+    got <- arrival(
+      curves[[row$y_of_x]], row$x0, row$x1, body = row$beta, gravity_m_per_s2 = row$g
+    )
+    expect_ulps(got$time_s, row$time, 3)
+    expect_equal(got$event, "arrives")
+    expect_gte(got$error, abs(got$time_s / row$time - 1))
+  }
+})
+
+test_that("times of other curves, by 50-digit quadrature", {
+  # Far up, fast and slow starts, a turn, leftward.
+  expect_ulps(arrival(function(x) exp(-x), 0, 5)$time_s, 1.8610896791115425349, 3)
+  expect_ulps(
+    arrival(function(x) 1000 + cos(x), 0.5, 2.5, body = 0.5)$time_s, 1.2124328892262876371, 3
+  )
+  expect_ulps(arrival(cos, 0, 3, body = 1, v0_m_per_s = 0.75)$time_s, 1.6324886566047339371, 3)
+  expect_ulps(
+    arrival(function(x) -x^2 / 4 - x / 8, 0, 1, body = 0, v0_m_per_s = 2^-20)$time_s,
+    1.0805152378365426463, 4
+  )
+  turn <- arrival(function(x) x^4 / 4 - x, 0, 2)
+  expect_ulps(turn$time_s, 1.2855086787106383861, 4)
+  expect_equal(c(turn$x_m, turn$v_m_per_s), c(4^(1 / 3), 0), tolerance = 1e-15)
+  expect_ulps(
+    arrival(function(x) x^2 + x^3 / 8, 1, 0, body = 2 / 3)$time_s, 0.78014254768709769022, 3
+  )
+})
+
+test_that("a cycloid takes the same time from anywhere, and less than a line", {
+  # pi sqrt(a/g) to the lowest point, for a sliding body.
+  for (start in c(0, 1, 2, 3)) {
+    expect_equal(
+      arrival(curve_cycloid(0.5), start, pi, body = 0)$time_s, pi * sqrt(0.5 / g),
+      tolerance = 1e-14
+    )
+  }
+  line <- arrival(function(x) -2 * x / pi, 0, pi, body = 0)
+  # Length and drop: t = s sqrt(2/(g h)).
+  expect_equal(line$time_s, sqrt(pi^2 + 4) * sqrt(2 / (2 * g)), tolerance = 1e-14)
+  expect_lt(arrival(curve_cycloid(1), 0, pi, body = 0)$time_s, line$time_s)
+  full <- arrival(curve_cycloid(1), 0, 2 * pi, body = 0.4)
+  expect_equal(full$event, "turns")
+  expect_equal(full$time_s, 2 * pi * sqrt(1.4 / g), tolerance = 1e-14)
+  expect_equal(full$path_m, 8, tolerance = 1e-14)
+})
+
+test_that("a plane is the incline's closed form, with its friction", {
+  slope <- tan(25 * pi / 180)
+  motion <- roll_on_curve(function(x) -slope * x, 0, 2, body_sphere(3, 0.1), rows = 3)
+  s <- motion$path_m
+  a <- rolling_acceleration(0.4, 25)
+  expect_equal(motion$time_s, sqrt(2 * s / a), tolerance = 1e-14)
+  expect_equal(motion$v_m_per_s, sqrt(2 * a * s), tolerance = 1e-14)
+  expect_equal(motion$omega_rad_per_s, motion$v_m_per_s / 0.1)
+  expect_equal(motion$friction_needed, rep(rolling_friction_coefficient(0.4, 25), 3))
+  # Uphill along the path: against the motion.
+  expect_equal(motion$friction_force_n, rep(-3 * g * sin(25 * pi / 180) * 2 / 7, 3))
+  expect_equal(motion$normal_n, rep(3 * g * cos(25 * pi / 180), 3))
+})
+
+test_that("loops: the least height, and where a lower start leaves", {
+  expect_equal(loop_start_height(c(0, 2 / 5, 1), 0.48), c(2.5, 2.7, 3) * 0.48)
+  through <- function(height) {
+    arrival(
+      curve_circle(0.48), 0, 2 * pi, body = 2 / 5, v0_m_per_s = sqrt(2 * g * height / 1.4)
+    )
+  }
+  expect_equal(through(2.7 * 0.48 * (1 + 1e-9))$event, "arrives")
+  low <- through(2.7 * 0.48 * (1 - 1e-6))
+  expect_equal(low$event, "leaves")
+  for (height in c(0.6, 1, 1.25)) {
+    end <- through(height)
+    expect_equal(end$event, "leaves")
+    # The angle from the lowest point of the place where it leaves.
+    expect_equal(
+      acos(1 - end$y_m / 0.48) * 180 / pi, loop_leaving_angle(2 / 5, 0.48, height),
+      tolerance = 1e-10
+    )
+  }
+  back <- through(0.4)
+  expect_equal(back$event, "turns")
+  expect_equal(back$y_m, 0.4)
+  expect_true(is.nan(loop_leaving_angle(2 / 5, 0.48, 0.4)))
+  expect_equal(loop_leaving_angle(2 / 5, 1, c(2.7, 5, NA)), c(180, 180, NA))
+})
+
+test_that("a ball leaves a hill where cos = 2/(3 + beta)", {
+  expect_equal(cos(hill_leaving_angle(c(0, 2 / 5)) * pi / 180), c(2 / 3, 10 / 17))
+  for (beta in c(0, 2 / 5, 1)) {
+    # From the angle a: 2 cos a = (3 + beta) cos b.
+    end <- arrival(curve_path(sin, cos), 0.1, 1.5, body = beta)
+    expect_equal(end$event, "leaves")
+    expect_equal(end$y_m, 2 * cos(0.1) / (3 + beta), tolerance = 1e-12)
+    expect_equal(end$least_normal_n, 0, tolerance = 1e-10)
+  }
+  # It slips before: mu (g cos - v^2) = beta/(1 + beta) g sin.
+  end <- arrival(curve_path(sin, cos), 0.1, 1.5, body = 2 / 5, friction = 0.3)
+  expect_equal(end$event, "slips")
+  cosine <- end$y_m
+  v2 <- 2 * (cos(0.1) - cosine) / 1.4
+  expect_equal(0.3 * (cosine - v2), 2 / 7 * sqrt(1 - cosine^2), tolerance = 1e-10)
+  expect_equal(end$friction_needed, 0.3, tolerance = 1e-9)
+})
+
+test_that("contact and friction are never violated on the way", {
+  set.seed(31)
+  seen <- character()
+  for (i in 1:150) {
+    k <- rnorm(3)
+    curve <- function(x) k[1] * sin(x) + k[2] * cos(2 * x) / 4 + k[3] * x
+    friction <- sample(c(0.1, 0.3, 1, Inf), 1)
+    way <- sample(c(-1, 1), 1) * 4
+    motion <- tryCatch(
+      roll_on_curve(
+        curve, 0, way, body = sample(c(0, 0.4, 1), 1), v0_m_per_s = sample(c(0, 2), 1),
+        friction = friction, rows = 41
+      ),
+      rotdyn_error_value = function(e) NULL
+    )
+    if (is.null(motion)) next
+    seen <- c(seen, summary(motion)$event)
+    size <- max(abs(motion$normal_n))
+    expect_gte(min(motion$normal_n), -1e-12 * size)
+    expect_lte(max(motion$friction_needed), friction * (1 + 1e-9))
+    expect_false(is.unsorted(motion$time_s, strictly = TRUE))
+    # Energy: m v^2 (1 + beta)/2 + m g y, from row to row, in the rate of the path.
+    rate <- diff(motion$path_m) / diff(motion$time_s)
+    pace <- pmax(motion$v_m_per_s[-1], motion$v_m_per_s[-nrow(motion)])
+    expect_lte(max(rate / pace), 1.05)
+  }
+  expect_setequal(unique(seen), c("arrives", "turns", "leaves", "slips"))
+})
+
+test_that("tables, derivatives given, paths", {
+  x <- seq(0, 3, length.out = 200)
+  table <- arrival(curve_table(x, 0.5 * (x - 2)^2), 0.1, 2)
+  exact <- arrival(function(x) 0.5 * (x - 2)^2, 0.1, 2)
+  expect_equal(table$time_s, exact$time_s, tolerance = 1e-4)
+  expect_lt(table$error, 1e-12)
+  given <- curve_function(
+    function(x) ifelse(x < 9, 0.5 * (x - 2)^2, 0), function(x) x - 2, function(x) 1 + 0 * x
+  )
+  expect_equal(arrival(given, 0.1, 2)$time_s, exact$time_s, tolerance = 1e-15)
+  path <- curve_path(function(u) u^2, function(u) 0.5 * (u^2 - 2)^2)
+  expect_equal(arrival(path, sqrt(0.1), sqrt(2))$time_s, exact$time_s, tolerance = 1e-14)
+  expect_output(print(path), "<curve> path")
+})
+
+test_that("errors of curves", {
+  expect_error(roll_on_curve(cos, 0, 3), class = "rotdyn_error_value") # level at the start
+  expect_error(roll_on_curve(cos, -1, 3), class = "rotdyn_error_value") # uphill
+  expect_error(roll_on_curve(cos, 1, 1), class = "rotdyn_error_value")
+  expect_error(roll_on_curve(function(x) abs(x - 1), 0, 3), class = "rotdyn_error_type")
+  expect_error(roll_on_curve(function(x) 1 / (x - 2)^2, 1, 3), class = "rotdyn_error_value")
+  expect_error(roll_on_curve(1, 0, 3), class = "rotdyn_error_type")
+  expect_error(roll_on_curve(cos), class = "rotdyn_error_missing")
+  expect_error(roll_on_curve(cos, 1, 2, friction = -1), class = "rotdyn_error_value")
+  expect_error(roll_on_curve(function(x) -x, 0, 1, friction = 0.1), class = "rotdyn_error_value")
+  # A crest that is sharper than the ball.
+  expect_error(
+    roll_on_curve(function(x) exp(-x^2 / 0.01), 1e-3, 1, body_sphere(1, 0.1)),
+    class = "rotdyn_error_value"
+  )
+  expect_error(curve_table(c(0, 2, 1), 1:3), class = "rotdyn_error_value")
+  expect_error(curve_table(1:2, 1:2), class = "rotdyn_error_size")
+  expect_error(
+    roll_on_curve(curve_table(0:3, c(3, 2, 1, 0)), -1, 2), class = "rotdyn_error_value"
+  )
+  expect_error(curve_circle(0), class = "rotdyn_error_value")
+  expect_error(curve_path(cos, sin, list(1)), class = "rotdyn_error_type")
+  expect_error(loop_start_height(-1, 1), class = "rotdyn_error_value")
+  expect_error(loop_leaving_angle(0.4, 1:2, 1:3), class = "rotdyn_error_size")
+  forged <- roll_on_curve(cos, 1, 2)
+  attr(forged, "run") <- NULL
+  expect_error(summary(forged), class = "rotdyn_error_type")
+})
+
+test_that("columns are in the dictionary", {
+  known <- rotdyn_columns()$name
+  motion <- roll_on_curve(cos, 1, 2)
+  expect_identical(setdiff(c(names(motion), names(summary(motion))), known), character())
+})
