@@ -137,7 +137,7 @@ draw_force <- function(d, point, force, share, symbol, style, plane, ends) {
   to <- from + tip
   d$add(mark("arrow", rbind(from, to), style))
   outer <- if (ends) from else to
-  side <- 0.13 * c(-way[2], way[1])
+  side <- 0.17 * c(-way[2], way[1])
   if (side[1] < 0 || (side[1] == 0 && side[2] < 0)) side <- -side
   d$say(symbol, outer[1] + side[1], outer[2] + side[2])
 }

@@ -28,7 +28,9 @@ autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
   said <- points[!is.na(points$error) & points$error > 0, ]
   colours <- rep_len(c(plot_colours, "#999999"), nlevels(points$model))
   # Room at the right for the labels, of which the longest are "1e-9 to 1e-12".
-  across <- padded(points$cost_s, 0.06, 0.22)
+  label <- text_width("  1e-9 to 1e-12", 0.75 * base_size)
+  across <- padded(points$cost_s, 0.06, 1.1 * label / (6.2 * 72 - label))
+  errors <- c("true", "true, at most", "reported")
   up <- padded(c(points$true_error, said$error), 0.08, 0.06)
   ggplot2::ggplot(points, ggplot2::aes(.data$cost_s, .data$true_error, colour = .data$model)) +
     ggplot2::annotate(
@@ -49,7 +51,7 @@ autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
     accuracy_labels(points, base_size) +
     ggplot2::scale_shape_manual(
       values = c(true = 16, "true, at most" = 6, reported = 1),
-      breaks = c("true", "true, at most", "reported"), name = "error"
+      breaks = errors, name = "error"
     ) +
     ggplot2::scale_colour_manual(values = colours, name = NULL) +
     ggplot2::scale_x_log10(labels = format_cost, limits = across, expand = c(0, 0)) +
@@ -76,7 +78,10 @@ autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
         order = 1, override.aes = list(shape = NA),
         ncol = legend_columns(levels(points$model), base_size)
       ),
-      shape = ggplot2::guide_legend(order = 2, override.aes = list(size = 3))
+      shape = ggplot2::guide_legend(
+        order = 2, override.aes = list(size = 3), title.position =
+          if (legends_fit(list("error", errors), base_size)) "left" else "top"
+      )
     ) +
     plot_theme(base_size) +
     ggplot2::theme(legend.box = "vertical", plot.margin = ggplot2::margin(6, 18, 6, 6))
