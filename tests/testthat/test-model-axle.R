@@ -694,3 +694,24 @@ test_that("a held body breaks loose at the first chance, not at a later one", {
     }
   }
 })
+
+# By extrapolated midpoint steps in quadruple precision; two starts that differ by 1e-16 are apart by
+# 1e-2 after 200 s.
+test_that("the error of a chaotic pendulum is that of the growth, and it is said", {
+  scene <- scene_axle(
+    1, torque_gravity(1, 1, gravity_m_per_s2 = 1) + torque_sinusoid(1.5, 2 / 3), resistance(0.5),
+    theta0_rad = 0.2
+  )
+  time_s <- c(50, 100, 150, 200)
+  theta <- c(
+    -28.27830237669608655, -45.94647587703181014, -47.15344007121573714, -54.92523489351971654
+  )
+  for (accuracy in c(1e-6, 1e-9, 1e-12)) {
+    for (n in 1:4) {
+      motion <- suppressWarnings(trajectory(scene, time_s[1:n], accuracy))
+      error <- attr(motion, "run")$info$errors[["theta"]]
+      expect_lte(max(abs(motion$theta_rad - theta[1:n])), 3 * error)
+    }
+  }
+  expect_warning(trajectory(scene, 200, 1e-12), class = "rotdyn_warning_accuracy")
+})

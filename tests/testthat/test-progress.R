@@ -29,3 +29,28 @@ test_that("a page that is rendered has no bar", {
   expect_no_message(for (fraction in c(0.1, 0.2)) progress(fraction))
   expect_null(environment(progress)$bar)
 })
+
+# With a bar from the first call on: a NaN fraction, a time left beyond 2^31 years, two phases.
+test_that("runs end with their own errors and rows, not with the display's", {
+  old <- options(cli.progress_show_after = 0, cli.dynamic = FALSE)
+  on.exit(options(old))
+  at_once <- function(expr) suppressMessages(expr)
+  set.seed(1)
+  noise <- scene_axle(1, function(t) rnorm(1), resistance(0.1))
+  rows <- at_once(suppressWarnings(
+    trajectory(noise, c(0, 5), max_steps = 500, on_fail = "truncate")
+  ))
+  expect_equal(rows$time_s[1], 0)
+  swing <- scene_axle(1, torque_sinusoid(1, 3) + torque_gravity(1, 1), theta0_rad = 1)
+  expect_error(
+    at_once(trajectory(swing, c(0, 1e22), max_steps = 1e4)), class = "rotdyn_error_budget"
+  )
+  pulse <- torque_function(function(time_s, theta_rad, omega_rad_per_s) {
+    exp(-((time_s - 62.86) / 2.75)^2) + 0 * omega_rad_per_s
+  }, numeric())
+  # The whole pulse: 2.75 sqrt(pi)
+  expect_equal(
+    at_once(trajectory(scene_axle(1, pulse), 100))$omega_rad_per_s, 2.75 * sqrt(pi),
+    tolerance = 1e-9
+  )
+})
