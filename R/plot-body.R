@@ -34,7 +34,8 @@
 #' ggplot2::autoplot(place_body(dumbbell, c(0.5, 0, 0), rotation_about("z", angle_deg = 30)))
 #' @exportS3Method ggplot2::autoplot
 autoplot.rot_body <- function(object, ..., base_size = 13) {
-  drawn <- body_drawing(object, check_plot(base_size, ...))
+  call <- check_plot(base_size, ...)
+  drawn <- body_drawing(object, call)
   # Two rows of panels with the keys beside them, or one row above them where letters are large.
   wide <- base_size > 16
   axis_label <- function(axis) paste("axis", if (wide) substr(axis, 1L, 1L) else axis)

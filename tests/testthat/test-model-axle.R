@@ -695,8 +695,8 @@ test_that("a held body breaks loose at the first chance, not at a later one", {
   }
 })
 
-# By extrapolated midpoint steps in quadruple precision; two starts that differ by 1e-16 are apart by
-# 1e-2 after 200 s.
+# By extrapolated midpoint steps in quadruple precision. Starts that differ by 1e-16 are
+# 1e-2 apart after 200 s.
 test_that("the error of a chaotic pendulum is that of the growth, and it is said", {
   scene <- scene_axle(
     1, torque_gravity(1, 1, gravity_m_per_s2 = 1) + torque_sinusoid(1.5, 2 / 3), resistance(0.5),

@@ -7,7 +7,9 @@ test_that("margins are drawn for each tensor, with what fails in words", {
   p <- ggplot2::autoplot(check)
   expect_s3_class(ggplot2::ggplot_build(p)$plot, "ggplot")
   # By hand: c_min/I_max = (I1 + I2 - I3)/I_max: 0.5/2.5 of the arm, -1/3 of the lid.
-  of <- function(name) p$data$reach[p$data$tensor == name & p$data$condition == "triangle inequality"]
+  of <- function(name) {
+    p$data$reach[p$data$tensor == name & p$data$condition == "triangle inequality"]
+  }
   expect_equal(c(of("arm"), of("lid")), c(0.2, -1 / 3))
   expect_match(p$labels$alt, "arm: none; lid: triangle inequality", fixed = TRUE)
   one <- ggplot2::autoplot(check_inertia(body_disk(1, 1)), base_size = 20)
