@@ -81,6 +81,7 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
   law <- check_choice(coefficient, "coefficient", laws, call)
   normal <- as_vectors(normal, "normal", "1", call)
   numbers <- impact_columns(list(restitution = restitution, friction = friction), call)
+  radius <- function(body) if (inherits(body, "rot_body")) ball_radius(body)
   party <- function(body, i, v, omega, arm, attitude) {
     name <- function(text) sprintf(text, i)
     masses <- colliding_bodies(body, name("body_%d"), call)
@@ -130,13 +131,16 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
   columns <- out[[1]]
   columns$grips <- as.logical(columns$grips)
   columns$creates_energy <- columns$normal_loss_j + columns$friction_loss_j < 0
-  parties <- list("body 1" = collide_party(first, 1L))
-  if (!is.null(second)) parties[["body 2"]] <- collide_party(second, 2L)
+  parties <- list("body 1" = collide_party(first, 1L, radius(body_1)))
+  if (!is.null(second)) parties[["body 2"]] <- collide_party(second, 2L, radius(body_2))
   impulse <- c("impulse_x_n_s", "impulse_y_n_s", "impulse_z_n_s")
   outside <- if (is.null(second)) {
     list("the obstacle" = list(point_m = matrix(0, 1, 3), impulse = impulse))
   }
-  new_collision(columns, n, parties, outside, list("the contact" = matrix(0, 1, 3)))
+  new_collision(
+    columns, n, parties, outside, list("the contact" = matrix(0, 1, 3)),
+    normal = normal / sqrt(rowSums(normal^2))
+  )
 }
 
 # Mass and second moment, a row each for one body or for n of them.
@@ -189,15 +193,18 @@ check_normals <- function(normal, call) {
 
 round_shapes <- c("sphere", "hollow_sphere", "spherical_shell")
 
+ball_radius <- function(body) {
+  sizes <- body$size_m
+  if (all(body$second_moment_kg_m2 == 0)) return(0)
+  if (body$shape %in% round_shapes) {
+    unname(sizes[names(sizes) %in% c("radius_m", "outer_radius_m")][1])
+  }
+}
+
 # NULL: a sphere has its radius along the normal, a point mass nothing.
 contact_arm <- function(arm, body, normal, sign, arg, call) {
   if (!is.null(arm)) return(as_vectors(arm, arg, "m", call))
-  radius <- if (inherits(body, "rot_body")) {
-    sizes <- body$size_m
-    if (all(body$second_moment_kg_m2 == 0)) 0 else if (body$shape %in% round_shapes) {
-      sizes[names(sizes) %in% c("radius_m", "outer_radius_m")][1]
-    }
-  }
+  radius <- if (inherits(body, "rot_body")) ball_radius(body)
   if (is.null(radius) || is.na(radius)) {
     abort_rotdyn(c(
       "{.arg {arg}} is missing: a sphere or a point mass needs none, any other body does.",
@@ -243,10 +250,11 @@ check_no_second <- function(given, call) {
 }
 
 # With the origin at the point of contact.
-collide_party <- function(party, i) {
+collide_party <- function(party, i, radius) {
   list(
     mass_kg = party$mass_kg, second_moment_kg_m2 = party$second_moment_kg_m2,
-    attitude = party$attitude, centre_m = -party$arm_m, v = party$v, omega = party$omega,
+    attitude = party$attitude, centre_m = -party$arm_m, radius_m = radius, v = party$v,
+    omega = party$omega,
     after_v = sprintf(c("vx_%d_m_per_s", "vy_%d_m_per_s", "vz_%d_m_per_s"), i),
     after_omega = sprintf(
       c("omega_x_%d_rad_per_s", "omega_y_%d_rad_per_s", "omega_z_%d_rad_per_s"), i

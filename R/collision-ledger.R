@@ -4,12 +4,14 @@
 #            ("": 0, with a minus: its negative), or numbers
 #   outside  by name: point_m, and impulse (names of columns or numbers) of what is not in `parties`
 #   about    points by name; the first is the usual one
+#   normal, contact, and radius_m of a party: for drawings, or NULL
 # Each has one row, or one for each collision. What changes rows leaves a plain tibble.
-new_collision <- function(columns, n, parties, outside, about) {
+new_collision <- function(columns, n, parties, outside, about, normal = NULL, contact = NULL) {
   tibble::new_tibble(
     columns, nrow = n, class = "rot_collision",
     collision = list(
-      parties = parties, outside = outside, about = about, rows = as.double(n),
+      parties = parties, outside = outside, about = about, normal = normal, contact = contact,
+      rows = as.double(n),
       columns = names(columns)
     )
   )

@@ -89,12 +89,15 @@ rims_meet <- function(disk_1, disk_2, radius_1_m, radius_2_m, omega_1_rad_per_s,
   second <- cbind(columns$radius_1_m + columns$radius_2_m, 0, 0)
   new_collision(
     out, length(out[[1]]),
-    disk_parties(inertia, columns[3:4], second, c("omega_1_rad_per_s", "omega_2_rad_per_s")),
+    disk_parties(
+      inertia, columns[3:4], second, c("omega_1_rad_per_s", "omega_2_rad_per_s"), columns[1:2]
+    ),
     list(
       "axle 1" = list(point_m = cbind(0, 0, 0), impulse = c("", "-impulse_n_s", "")),
       "axle 2" = list(point_m = second, impulse = c("", "impulse_n_s", ""))
     ),
-    list("axle 1" = cbind(0, 0, 0), "axle 2" = second)
+    list("axle 1" = cbind(0, 0, 0), "axle 2" = second),
+    contact = cbind(columns$radius_1_m, 0, 0)
   )
 }
 
@@ -110,9 +113,10 @@ rims <- function(inertia, radius, omega, contact) {
 }
 
 # Disks on fixed axles: their masses do not move.
-disk_parties <- function(inertia, omega, second, after) {
+disk_parties <- function(inertia, omega, second, after, radius = list(NULL, NULL)) {
   party <- function(i, centre) {
     list(
+      radius_m = radius[[i]],
       mass_kg = 0, second_moment_kg_m2 = planar_second(inertia[i]), attitude = planar_attitude,
       centre_m = centre, v = cbind(0, 0, 0), omega = cbind(0, 0, omega[[i]]),
       after_v = c("", "", ""), after_omega = c("", "", after[i])

@@ -78,7 +78,7 @@ ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, resti
   out$grips <- as.logical(out$grips)
   ball <- list(
     mass_kg = body$mass_kg, second_moment_kg_m2 = planar_second(inertia),
-    attitude = planar_attitude, centre_m = cbind(0, radius, 0),
+    attitude = planar_attitude, centre_m = cbind(0, radius, 0), radius_m = radius,
     v = cbind(columns$vx_m_per_s, columns$vy_m_per_s, 0),
     omega = cbind(0, 0, -columns$omega_rad_per_s), after_v = c("vx_m_per_s", "vy_m_per_s", ""),
     after_omega = c("", "", "-omega_rad_per_s")
@@ -88,7 +88,8 @@ ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, resti
   )
   new_collision(
     out, length(out[[1]]), list("the ball" = ball), list("the floor" = floor),
-    list("the contact" = cbind(0, 0, 0), "the centre" = cbind(0, radius, 0))
+    list("the contact" = cbind(0, 0, 0), "the centre" = cbind(0, radius, 0)),
+    normal = cbind(0, 1, 0)
   )
 }
 
@@ -136,7 +137,7 @@ hinged_hit <- function(body, centre_m, distance_m, particle_mass_kg, particle_v_
     list(
       "the hinge" = cbind(0, 0, 0), "the contact" = cbind(columns$distance_m, 0, 0),
       "the centre" = cbind(a, 0, 0)
-    )
+    ), contact = cbind(columns$distance_m, 0, 0)
   )
 }
 

@@ -40,6 +40,7 @@ autoplot.rot_ledger <- function(object, ..., base_size = 13) {
   )
   drawn$text <- paste0(format_si(signif(drawn$value, 3)), " J")
   drawn$text[abs(drawn$value) < 0.06 * sum(shown$before)] <- ""
+  drawn$ink <- ifelse(colours[as.character(drawn$term)] %in% plot_colours[1:2], "white", "black")
   verdict <- ledger_verdict(object$verdict)
   said <- function(values) {
     paste0(shown$term, " ", format_si(signif(values, 4)), " J")[values != 0]
@@ -47,9 +48,10 @@ autoplot.rot_ledger <- function(object, ..., base_size = 13) {
   ggplot2::ggplot(drawn, ggplot2::aes(x = .data$when, y = .data$value, fill = .data$term)) +
     ggplot2::geom_col(width = 0.6, colour = "white", linewidth = 0.4) +
     ggplot2::geom_text(
-      ggplot2::aes(label = .data$text), position = ggplot2::position_stack(vjust = 0.5),
-      size = text_size(base_size), colour = "black"
+      ggplot2::aes(label = .data$text, colour = .data$ink),
+      position = ggplot2::position_stack(vjust = 0.5), size = text_size(base_size)
     ) +
+    ggplot2::scale_colour_identity() +
     ggplot2::geom_hline(yintercept = 0, colour = "grey60") +
     ggplot2::scale_fill_manual(values = colours, name = NULL) +
     ggplot2::scale_y_continuous(breaks = plot_breaks(base_size)) +
