@@ -48,7 +48,7 @@ autoplot.rot_ledger <- function(object, ..., base_size = 13) {
   ggplot2::ggplot(drawn, ggplot2::aes(x = .data$when, y = .data$value, fill = .data$term)) +
     ggplot2::geom_col(width = 0.6, colour = "white", linewidth = 0.4) +
     ggplot2::geom_text(
-      ggplot2::aes(label = .data$text, colour = .data$ink),
+      ggplot2::aes(label = .data$text, colour = .data$ink, group = .data$term),
       position = ggplot2::position_stack(vjust = 0.5), size = text_size(base_size)
     ) +
     ggplot2::scale_colour_identity() +

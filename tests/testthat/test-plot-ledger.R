@@ -8,6 +8,15 @@ test_that("the energy bars have the heights of the energies", {
   tops <- tapply(bars$ymax, as.integer(bars$x), max)
   expect_equal(unname(tops[1]), ledger$before[4], tolerance = 1e-14)
   expect_equal(unname(tops[2]), ledger$before[4], tolerance = 1e-12)
+  # Each number stands in the middle of its bar.
+  text <- built$data[[2]]
+  text <- text[text$label != "", ]
+  expect_gt(nrow(text), 3)
+  for (i in seq_len(nrow(text))) {
+    middle <- bars$x == text$x[i] & abs((bars$ymin + bars$ymax) / 2 - text$y[i]) < 1e-9
+    size <- (bars$ymax - bars$ymin)[middle]
+    expect_true(any(abs(size / as.numeric(sub(" J", "", text$label[i])) - 1) < 0.01))
+  }
   expect_match(plot$labels$title, "balanced")
   expect_match(plot$labels$alt, "lost to friction 5.839 J")
   expect_error(ggplot2::autoplot(ledger, colour = 1), class = "rotdyn_error_argument")
