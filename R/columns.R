@@ -320,6 +320,9 @@ column_list <- list(
   c("damping_impulse_x_n_m_s", "N m s", "impulse of the damping along x of space"),
   c("damping_impulse_y_n_m_s", "N m s", "impulse of the damping along y of space"),
   c("damping_impulse_z_n_m_s", "N m s", "impulse of the damping along z of space"),
+  c("stability", "", "of a spin about the axis: \"stable\", \"unstable\" or \"neutral\""),
+  c("growth_per_omega", "1", "growth rate of a disturbance over the spin; 0: none"),
+  c("wobble_per_omega", "1", "angular frequency of the wobble over the spin; 0: none"),
   c("flip_time_s", "s", "time between two flips: 2 K/lambda; Inf for a steady spin"),
   c("attitude_error", "1", "true error of the attitude, an angle in rad"),
   c("angular_momentum_error", "1", "true error of the angular momentum, relative to the largest"),
@@ -545,6 +548,10 @@ frame_term_columns <- c(
   "centrifugal_x_m_per_s2", "centrifugal_y_m_per_s2", "centrifugal_z_m_per_s2",
   "coriolis_x_m_per_s2", "coriolis_y_m_per_s2", "coriolis_z_m_per_s2", "euler_x_m_per_s2",
   "euler_y_m_per_s2", "euler_z_m_per_s2"
+)
+stability_columns <- c(
+  "axis", "principal_moment_kg_m2", "x", "y", "z", "stability", "growth_per_omega",
+  "wobble_per_omega"
 )
 quaternion_columns <- c("qw", "qx", "qy", "qz")
 collide_columns <- c(
