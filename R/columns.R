@@ -380,6 +380,15 @@ column_list <- list(
   c("below", "", "verdict below the least factor"),
   c("above", "", "verdict above the largest"),
   c("path_m", "m", "length of the path since the start"),
+  c("tension_n", "N", "tension of the string"),
+  c("tension_1_n", "N", "tension on the side of the first mass"),
+  c("tension_2_n", "N", "tension on the side of the second mass"),
+  c("tip_acceleration_m_per_s2", "m/s^2", "size of the acceleration of the tip"),
+  c("tip_fall_m_per_s2", "m/s^2", "acceleration of the tip, down: it may be above g"),
+  c("hinge_along_n", "N", "force of the hinge on the rod, along the rod towards its tip"),
+  c("hinge_across_n", "N", "force of the hinge across the rod, against the fall"),
+  c("bending_moment_n_m", "N m", "largest bending moment in the rod"),
+  c("break_at_m", "m", "its place, from the hinge"),
   c("least_normal_n", "N", "least push of the track"),
   c("check", "", "result of check_inertia(); NULL without inertia")
 )
@@ -617,3 +626,27 @@ curve_meant <- setdiff(
   names(curve_meanings), c("omega_rad_per_s", "normal_n", "friction_force_n")
 )
 curve_shown <- setdiff(names(curve_meanings), "error")
+spool_columns <- c(
+  "acceleration_m_per_s2", "alpha_rad_per_s2", "friction_force_n", "normal_n", "friction_needed",
+  "critical_angle_deg", "motion"
+)
+spool_meanings <- c(
+  acceleration_m_per_s2 = "of the centre, positive towards the pull",
+  alpha_rad_per_s2 = "angular acceleration, positive as it rolls towards the pull",
+  friction_force_n = "friction on the spool, positive towards the pull",
+  normal_n = "push of the floor",
+  critical_angle_deg = "angle of the pull at which the spool stays",
+  motion = "\"rolls towards the pull\", \"rolls away\", \"stays\", \"slips\" or \"lifts\""
+)
+yo_yo_columns <- c("acceleration_m_per_s2", "alpha_rad_per_s2", "tension_n")
+yo_yo_meanings <- c(acceleration_m_per_s2 = "of the centre, down")
+atwood_columns <- c("acceleration_m_per_s2", "tension_1_n", "tension_2_n", "motion")
+atwood_meanings <- c(
+  acceleration_m_per_s2 = "of the first mass, down",
+  motion = "\"1 goes down\", \"2 goes down\" or \"stays\""
+)
+falling_rod_columns <- c(
+  "omega_rad_per_s", "alpha_rad_per_s2", "tip_acceleration_m_per_s2", "tip_fall_m_per_s2",
+  "hinge_along_n", "hinge_across_n", "bending_moment_n_m", "break_at_m"
+)
+falling_rod_meanings <- c(omega_rad_per_s = "angular velocity of the fall")

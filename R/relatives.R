@@ -1,0 +1,219 @@
+#' Relatives of rolling: spool, yo-yo, Atwood's machine, falling rod
+#'
+#' Closed forms for columns of numbers.
+#'
+#' `spool_pull()`: a spool on a level floor is pulled by a string that leaves its inner radius r from
+#' below, at an angle alpha over the floor. It rolls towards the pull where cos(alpha) > r/R and
+#' away from it beyond this *critical angle*, at which the line of the string meets the contact.
+#' \deqn{a = \frac{T (\cos\alpha - r/R)}{m (1 + \beta)},\quad
+#'   f = -T\, \frac{\beta \cos\alpha + r/R}{1 + \beta},\quad N = m g - T \sin\alpha}{
+#'   a = T (cos(alpha) - r/R)/(m (1 + beta)),  f = -T (beta cos(alpha) + r/R)/(1 + beta),
+#'   N = m g - T sin(alpha)}
+#' Where f needs more than the friction, it slips, with f = -mu N.
+#'
+#' `yo_yo()`: it falls with a = g/(1 + beta (R/r)^2), on a string that is wound at the radius r.
+#'
+#' `atwood_machine()`: two masses on a pulley whose bearing resists with a torque tau,
+#' \deqn{a = \frac{(m_1 - m_2) g \mp \tau/r}{m_1 + m_2 + I/r^2},\quad T_1 = m_1 (g - a),\quad
+#'   T_2 = m_2 (g + a)}{a = ((m1 - m2) g -+ tau/r)/(m1 + m2 + I/r^2),  T1 = m1 (g - a),
+#'   T2 = m2 (g + a)}
+#' from rest; it stays at rest while the weights' difference is not above tau/r.
+#'
+#' `falling_rod()`: a uniform rod, or a chimney, falls about its lower end from rest at
+#' `start_angle_deg` from the vertical.
+#' \deqn{\omega^2 = \frac{3 g}{l} (\cos\theta_0 - \cos\theta),\quad
+#'   \dot\omega = \frac{3 g}{2 l} \sin\theta,\quad
+#'   M(x) = \frac{m g \sin\theta}{4 l^2}\, x (l - x)^2}{
+#'   omega^2 = (3 g/l) (cos(theta0) - cos(theta)),  alpha = 3 g sin(theta)/(2 l),
+#'   M(x) = m g sin(theta) x (l - x)^2/(4 l^2)}
+#' The bending moment M is largest at a third of the length from the lower end: there a chimney
+#' breaks, the upper part lagging behind. The tip falls faster than g where the rod is flat enough.
+#'
+#' @param force_n The pull of the string, at least 0.
+#' @param angle_deg Angle of the string over the floor, 0 to 90 degrees; of a rod, from the
+#'   vertical, from `start_angle_deg` to 180 degrees.
+#' @param mass_kg,mass_1_kg,mass_2_kg Masses, greater than 0.
+#' @param radius_m Outer radius of a spool or yo-yo, radius of a pulley; > 0.
+#' @param inner_radius_m Radius of the string, > 0; of a spool below `radius_m`.
+#' @param beta I/(m R^2), at least 0.
+#' @param friction Coefficient of friction, at least 0; Inf: does not slip.
+#' @param moment_of_inertia_kg_m2 Of the pulley, at least 0.
+#' @param bearing_torque_n_m Torque of dry friction in the bearing, at least 0.
+#' @param length_m Length of the rod, > 0.
+#' @param start_angle_deg Where it starts from rest, 0 to 180 degrees.
+#' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
+#' @param ... Not used: an unknown argument is an error.
+#' @return A tibble with a row for each element of the arguments, which have length 1 or n; NA in a
+#'   row gives NA.
+#'   `spool_pull()`: `r describe_columns(spool_columns, spool_meanings)`
+#'   `yo_yo()`: `r describe_columns(yo_yo_columns, yo_yo_meanings)`
+#'   `atwood_machine()`: `r describe_columns(atwood_columns, atwood_meanings)`
+#'   `falling_rod()`: `r describe_columns(falling_rod_columns, falling_rod_meanings)`
+#' @section Errors: `rotdyn_error_value` with the row of the first value outside its domain,
+#'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_unit`, `rotdyn_error_missing`,
+#'   `rotdyn_error_argument`.
+#' @source Kleppner and Kolenkow, An Introduction to Mechanics, 2nd ed. (2014), chapter 7; Varieschi
+#'   and Kamiya, Am. J. Phys. 71 (2003) 1025, for the chimney.
+#' @seealso [scene_hanging_mass()] for the motion of a pulley under any resistance;
+#'   [scene_pendulum()] for a rod that swings; [scene_incline()].
+#' @concept spool
+#' @concept yo-yo
+#' @concept Atwood machine
+#' @concept chimney
+#' @examples
+#' # Forward, at the critical angle of 60 degrees, backward.
+#' spool_pull(5, c(0, 60, 80), mass_kg = 2, radius_m = 0.1, inner_radius_m = 0.05)
+#' yo_yo(0.05, radius_m = 0.03, inner_radius_m = 0.004)
+#' atwood_machine(1.1, 1, radius_m = 0.05, moment_of_inertia_kg_m2 = 1e-3,
+#'                bearing_torque_n_m = c(0, 0.02, 0.1))
+#' falling_rod(20, mass_kg = 1000, angle_deg = c(10, 35, 60, 90))
+#' @name relatives
+NULL
+
+#' @rdname relatives
+#' @export
+spool_pull <- function(force_n, angle_deg, mass_kg, radius_m, inner_radius_m, beta = 0.5,
+                       friction = Inf, ..., gravity_m_per_s2 = 9.80665) {
+  call <- check_no_dots(...)
+  check_supplied(c("force_n", "angle_deg", "mass_kg", "radius_m", "inner_radius_m"), call)
+  x <- relative_columns(list(
+    force_n = force_n, angle_deg = angle_deg, mass_kg = mass_kg, radius_m = radius_m,
+    inner_radius_m = inner_radius_m, beta = beta, friction = friction,
+    gravity_m_per_s2 = gravity_m_per_s2
+  ), call, angle = 90)
+  wide <- which(x$inner_radius_m >= x$radius_m)
+  if (length(wide)) {
+    abort_rotdyn(c(
+      "{.arg inner_radius_m} must be below {.arg radius_m}.", x = "It is not in row {wide[1]}."
+    ), "value", call)
+  }
+  share <- x$inner_radius_m / x$radius_m
+  cosine <- cos_of(x$angle_deg)
+  normal <- x$mass_kg * x$gravity_m_per_s2 - x$force_n * sin_of(x$angle_deg)
+  rolling <- -x$force_n * (x$beta * cosine + share) / (1 + x$beta)
+  needed <- ifelse(rolling == 0, 0, ifelse(normal > 0, -rolling / normal, Inf))
+  lifts <- normal < 0
+  slips <- !lifts & needed > x$friction
+  limit <- -pmin(x$friction, .Machine$double.xmax) * pmax(normal, 0)
+  force <- ifelse(lifts, 0, ifelse(slips, limit, rolling))
+  moment <- x$beta * x$mass_kg * x$radius_m^2
+  turn <- -(force * x$radius_m + x$force_n * x$inner_radius_m)
+  rolls <- x$force_n * (cosine - share) / (x$mass_kg * (1 + x$beta))
+  free <- lifts | slips
+  tibble::new_tibble(list(
+    acceleration_m_per_s2 = ifelse(free, (x$force_n * cosine + force) / x$mass_kg, rolls),
+    alpha_rad_per_s2 = ifelse(free, turn / moment, rolls / x$radius_m),
+    friction_force_n = force, normal_n = ifelse(lifts, 0, normal), friction_needed = needed,
+    critical_angle_deg = acos(share) * 180 / pi,
+    motion = ifelse(
+      lifts, "lifts", ifelse(slips, "slips", ifelse(
+        rolls > 0, "rolls towards the pull", ifelse(rolls < 0, "rolls away", "stays")
+      ))
+    )
+  ), nrow = length(normal))
+}
+
+#' @rdname relatives
+#' @export
+yo_yo <- function(mass_kg, radius_m, inner_radius_m, beta = 0.5, ...,
+                  gravity_m_per_s2 = 9.80665) {
+  call <- check_no_dots(...)
+  check_supplied(c("mass_kg", "radius_m", "inner_radius_m"), call)
+  x <- relative_columns(list(
+    mass_kg = mass_kg, radius_m = radius_m, inner_radius_m = inner_radius_m, beta = beta,
+    gravity_m_per_s2 = gravity_m_per_s2
+  ), call)
+  inertia <- x$beta * (x$radius_m / x$inner_radius_m)^2
+  a <- x$gravity_m_per_s2 / (1 + inertia)
+  tibble::new_tibble(list(
+    acceleration_m_per_s2 = a, alpha_rad_per_s2 = a / x$inner_radius_m,
+    # m (g - a) would cancel where the yo-yo falls almost freely.
+    tension_n = x$mass_kg * x$gravity_m_per_s2 / (1 + 1 / inertia)
+  ), nrow = length(a))
+}
+
+#' @rdname relatives
+#' @export
+atwood_machine <- function(mass_1_kg, mass_2_kg, radius_m, moment_of_inertia_kg_m2 = 0,
+                           bearing_torque_n_m = 0, ..., gravity_m_per_s2 = 9.80665) {
+  call <- check_no_dots(...)
+  check_supplied(c("mass_1_kg", "mass_2_kg", "radius_m"), call)
+  x <- relative_columns(list(
+    mass_1_kg = mass_1_kg, mass_2_kg = mass_2_kg, radius_m = radius_m,
+    moment_of_inertia_kg_m2 = moment_of_inertia_kg_m2, bearing_torque_n_m = bearing_torque_n_m,
+    gravity_m_per_s2 = gravity_m_per_s2
+  ), call)
+  pull <- (x$mass_1_kg - x$mass_2_kg) * x$gravity_m_per_s2
+  held <- x$bearing_torque_n_m / x$radius_m
+  net <- ifelse(abs(pull) <= held, 0, pull - sign(pull) * held)
+  a <- net / (x$mass_1_kg + x$mass_2_kg + x$moment_of_inertia_kg_m2 / x$radius_m^2)
+  tibble::new_tibble(list(
+    acceleration_m_per_s2 = a, tension_1_n = x$mass_1_kg * (x$gravity_m_per_s2 - a),
+    tension_2_n = x$mass_2_kg * (x$gravity_m_per_s2 + a),
+    motion = ifelse(net > 0, "1 goes down", ifelse(net < 0, "2 goes down", "stays"))
+  ), nrow = length(a))
+}
+
+#' @rdname relatives
+#' @export
+falling_rod <- function(length_m, mass_kg, angle_deg, start_angle_deg = 0, ...,
+                        gravity_m_per_s2 = 9.80665) {
+  call <- check_no_dots(...)
+  check_supplied(c("length_m", "mass_kg", "angle_deg"), call)
+  x <- relative_columns(list(
+    length_m = length_m, mass_kg = mass_kg, angle_deg = angle_deg,
+    start_angle_deg = start_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
+  ), call, angle = 180)
+  back <- which(x$angle_deg < x$start_angle_deg)
+  if (length(back)) {
+    abort_rotdyn(c(
+      "{.arg angle_deg} must not be below {.arg start_angle_deg}: the rod falls.",
+      x = "It is in row {back[1]}."
+    ), "value", call)
+  }
+  g <- x$gravity_m_per_s2
+  weight <- x$mass_kg * g
+  sine <- sin_of(x$angle_deg)
+  cosine <- cos_of(x$angle_deg)
+  # cos(a) - cos(b) as a product, which does not cancel.
+  drop <- 2 * sin_of((x$angle_deg + x$start_angle_deg) / 2) *
+    sin_of((x$angle_deg - x$start_angle_deg) / 2)
+  tibble::new_tibble(list(
+    omega_rad_per_s = sqrt(3 * g / x$length_m * drop),
+    alpha_rad_per_s2 = 1.5 * g / x$length_m * sine,
+    tip_acceleration_m_per_s2 = g * sqrt((1.5 * sine)^2 + (3 * drop)^2),
+    tip_fall_m_per_s2 = g * (1.5 * sine^2 + 3 * drop * cosine),
+    hinge_along_n = weight * (cosine - 1.5 * drop), hinge_across_n = weight * sine / 4,
+    bending_moment_n_m = weight * x$length_m * sine / 27, break_at_m = x$length_m / 3 + 0 * sine
+  ), nrow = length(sine))
+}
+
+sin_of <- function(angle_deg) .Call(ffi_lever, 1, 1, 1, as.double(angle_deg))
+cos_of <- function(angle_deg) sin_of(90 - angle_deg)
+
+relative_units <- c(
+  force_n = "N", angle_deg = "degree", start_angle_deg = "degree", mass_kg = "kg",
+  mass_1_kg = "kg", mass_2_kg = "kg", radius_m = "m", inner_radius_m = "m", beta = "1",
+  friction = "1", gravity_m_per_s2 = "m/s^2", moment_of_inertia_kg_m2 = "kg*m^2",
+  bearing_torque_n_m = "N*m", length_m = "m"
+)
+
+# Columns in SI, all of one length, each in its domain.
+relative_columns <- function(columns, call, angle = 0) {
+  columns <- check_columns_of(columns, relative_units[names(columns)], call)
+  n <- check_recyclable(columns, call)
+  for (name in names(columns)) {
+    x <- columns[[name]]
+    open <- grepl("mass|radius|length", name)
+    upper <- if (grepl("angle", name)) angle else Inf
+    bad <- x < 0 | x > upper | (open & x == 0) | (is.infinite(x) & name != "friction")
+    if (any(bad, na.rm = TRUE)) {
+      at <- which(bad)[1]
+      abort_domain(
+        x[at], name, relative_units[[name]], call, 0, upper, open, row = if (length(x) > 1L) at
+      )
+    }
+    columns[[name]] <- rep_len(x, n)
+  }
+  columns
+}
