@@ -145,6 +145,48 @@ long_calls <- list(
     vertices <- cbind(cos(angle), sin(angle))
     function() for (i in 1:100) body_polygon(vertices, mass_kg = 1)
   },
+  drive_integrator = function() {
+    scene <- scene_drive(
+      c(1, 2), coupling_shaft(100), torque = list(torque_sinusoid(3, 2), NULL),
+      resistance = list(resistance(0, 0, 1), NULL)
+    )
+    function() trajectory(scene, c(0, 1e6), max_steps = 1e9)
+  },
+  drive_audit = function() {
+    scene <- scene_drive(c(1, 2), coupling_shaft(1e4, 0.1), omega0_rad_per_s = c(1, 0))
+    motion <- trajectory(scene, c(0, 1e4))
+    function() for (i in 1:50) audit(motion)
+  },
+  incline_rows = function() {
+    scene <- scene_incline(body_disk(1, 0.1), 10)
+    time_s <- seq(0, 1e3, length.out = 3e7)
+    function() trajectory(scene, time_s)
+  },
+  incline_table = function() {
+    rows <- data.frame(incline_angle_deg = stats::runif(3e6, 1, 80), beta = 0.5, radius_m = 1)
+    function() for (i in 1:20) incline_table(rows, time_s = 3)
+  },
+  free_integrator = function() {
+    body <- body_box(1, 0.1, 0.2, 0.3)
+    scene <- scene_free(body, c(1, 2, 3), torque_n_m = function(time_s) c(sin(time_s), 0, 0))
+    function() trajectory(scene, c(0, 1e5), max_steps = 1e9)
+  },
+  free_rows = function() {
+    scene <- scene_free(body_box(1, 0.1, 0.2, 0.3), c(1, 2, 3))
+    time_s <- seq(0, 1e3, length.out = 1e7)
+    function() trajectory(scene, time_s)
+  },
+  ball_bounce = function() {
+    v <- stats::runif(1e7)
+    function() for (i in 1:50) ball_bounce(body_sphere(1, 0.1), v, -1, 3, 0.5, friction = 0.3)
+  },
+  collide = function() {
+    v <- cbind(stats::runif(3e5), 0, 0)
+    ball <- body_sphere(1, 0.1)
+    function() {
+      for (i in 1:200) collide(ball, ball, velocity_1_m_per_s = v, normal = c(1, 0, 0))
+    }
+  },
   work_precision = function() {
     scene <- scene_axle(1, torque_sinusoid(1, 3) + torque_gravity(1, 1), theta0_rad = 1)
     function() work_precision(scene, 0:200, least_batch_s = 10)
