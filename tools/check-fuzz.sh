@@ -32,6 +32,6 @@ MAKEVARS
 fi
 {
   build_tarball "$work" --no-build-vignettes &&
-    LD_PRELOAD=$preload install_into "$work/library"
+    (LD_PRELOAD=$preload; export LD_PRELOAD; install_into "$work/library")
 } > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 LD_PRELOAD=$preload R_LIBS="$work/library:$R_LIBS" Rscript tools/fuzz.R "$@"
