@@ -127,3 +127,31 @@ test_that("lessons mask no function or constant of base R", {
     expect_identical(intersect(made, taken), character(), info = name)
   }
 })
+
+# Where a suggested package is missing, its chunks are not run, but inline code is.
+test_that("pages can be made without the suggested packages", {
+  skip_on_cran()
+  skip_if_not_installed("knitr")
+  script <- tempfile(fileext = ".R")
+  on.exit(unlink(script))
+  writeLines(c(
+    "has <- base::requireNamespace",
+    "unlockBinding('requireNamespace', baseenv())",
+    "gone <- c('ggplot2', 'dplyr', 'deSolve', 'xml2', 'units')",
+    "assign('requireNamespace', function(package, ...) {",
+    "  !package %in% gone && has(package, ...)", "}, baseenv())",
+    paste0("setwd('", tempdir(), "')"),
+    "for (file in commandArgs(TRUE)) {", "  knitr::opts_chunk$restore()",
+    "  knitr::knit(file, tempfile(), quiet = TRUE, envir = new.env())", "}"
+  ), script)
+  libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
+  output <- suppressWarnings(system2(
+    file.path(R.home("bin"), "Rscript"),
+    c("--vanilla", shQuote(script), shQuote(normalizePath(vignette_files()))),
+    stdout = TRUE, stderr = TRUE,
+    env = c(paste0("R_LIBS=", shQuote(libraries)), "R_TESTS=", "LC_ALL=C.UTF-8")
+  ))
+  expect_identical(
+    attr(output, "status") %||% 0L, 0L, info = paste(tail(output, 5), collapse = "\n")
+  )
+})
