@@ -253,7 +253,14 @@ draw_ledger <- function(x, collision, i, about, call) {
     }
     axis <- sub("^.*_", "", b$balance)
     turns <- startsWith(b$balance, "angular")
-    by <- from_outside(if (turns) "l" else "p", match(axis, c("x", "y", "z")))
+    part <- if (turns) "l" else "p"
+    k <- match(axis, c("x", "y", "z"))
+    by <- from_outside(part, k)
+    if (length(by) > 1L && sum(vapply(outside, function(o) o[[part]][k], double(1))) %in% 0) {
+      return(keeps(
+        b$balance, b$about, TRUE, paste("the impulses of", paste(by, collapse = " and "), "cancel")
+      ))
+    }
     what <- if (turns) "an angular impulse about" else "an impulse along"
     keeps(b$balance, b$about, !length(by), if (length(by)) {
       paste(paste(by, collapse = " and "), if (length(by) > 1L) "give" else "gives", what, axis)

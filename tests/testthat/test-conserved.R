@@ -111,6 +111,10 @@ test_that("a collision, about each point", {
   hit <- hinged_hit(rod, 0.5, c(at, 0.9), 0.2, 5)
   expect_identical(kept(hit, "angular_momentum_z", "the hinge", row = 2), TRUE)
   expect_identical(kept(hit, "momentum_y", row = 2), FALSE)
+  # Two axles push in opposite directions, and turn.
+  mesh <- conserved(rims_meet(0.01, 0.16, 0.1, 0.2, 60, 0))
+  expect_identical(mesh$conserved, c(TRUE, FALSE, FALSE))
+  expect_match(mesh$why[1], "cancel")
   balls <- collide(
     body_sphere(1, 0.1), body_sphere(1, 0.1), velocity_1_m_per_s = c(1, 0.5, 0),
     normal = c(-1, 0, 0), friction = 0.3
