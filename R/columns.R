@@ -326,6 +326,13 @@ column_list <- list(
   c("flip_time_s", "s", "time between two flips: 2 K/lambda; Inf for a steady spin"),
   c("attitude_error", "1", "true error of the attitude, an angle in rad"),
   c("angular_momentum_error", "1", "true error of the angular momentum, relative to the largest"),
+  c("final_qw", "1", "attitude at the end as a quaternion: its scalar part"),
+  c("final_qx", "1", "its x component"),
+  c("final_qy", "1", "its y component"),
+  c("final_qz", "1", "its z component"),
+  c("final_omega_x_rad_per_s", "rad/s", "angular velocity at the end along the own x axis"),
+  c("final_omega_y_rad_per_s", "rad/s", "angular velocity at the end along the own y axis"),
+  c("final_omega_z_rad_per_s", "rad/s", "angular velocity at the end along the own z axis"),
   c("gimbal_lock", "", "TRUE where the first and the third angle are not unique"),
   c("centre_x_m", "m", "x of the centre of mass"),
   c("centre_y_m", "m", "y of the centre of mass"),
@@ -557,6 +564,10 @@ frame_term_columns <- c(
   "centrifugal_x_m_per_s2", "centrifugal_y_m_per_s2", "centrifugal_z_m_per_s2",
   "coriolis_x_m_per_s2", "coriolis_y_m_per_s2", "coriolis_z_m_per_s2", "euler_x_m_per_s2",
   "euler_y_m_per_s2", "euler_z_m_per_s2"
+)
+tumbling_columns <- c(
+  "final_qw", "final_qx", "final_qy", "final_qz", "final_omega_x_rad_per_s",
+  "final_omega_y_rad_per_s", "final_omega_z_rad_per_s", "error"
 )
 stability_columns <- c(
   "axis", "principal_moment_kg_m2", "x", "y", "z", "stability", "growth_per_omega",

@@ -1,0 +1,50 @@
+draw_bodies <- function(n) {
+  r <- matrix(((1:(7 * n)) * 0.6180339887498949) %% 1, n)
+  data.frame(
+    ixx_kg_m2 = 1 + r[, 1], iyy_kg_m2 = 1 + r[, 2], izz_kg_m2 = 1 + r[, 3],
+    omega_x_rad_per_s = r[, 4] - 0.5, omega_y_rad_per_s = r[, 5] - 0.5,
+    omega_z_rad_per_s = r[, 6] - 0.5, name = seq_len(n)
+  )
+}
+
+test_that("each row is the motion of its scene", {
+  bodies <- draw_bodies(40)
+  times <- 10^(1:40 / 4) * (-1)^(1:40)
+  out <- tumbling_table(bodies, times)
+  expect_identical(out$name, 1:40)
+  for (i in c(1, 17, 40)) {
+    row <- bodies[i, ]
+    motion <- trajectory(
+      scene_free(unlist(row[1:3], use.names = FALSE), unlist(row[4:6], use.names = FALSE)), times[i]
+    )
+    got <- list(qw = out$final_qw[i], qx = out$final_qx[i], qy = out$final_qy[i],
+                qz = out$final_qz[i])
+    expect_lt(attitude_difference(got, motion), 1e-15)
+    expect_identical(out$final_omega_y_rad_per_s[i], motion$omega_y_rad_per_s)
+    expect_lt(out$error[i], 2e-14)
+  }
+  turned <- cbind(bodies, attitude_from(c(0.3, 0.2, -1), "rotation_vector"))
+  expect_equal(
+    tumbling_table(turned, times)$final_omega_x_rad_per_s, out$final_omega_x_rad_per_s
+  )
+})
+
+test_that("threads change no bit", {
+  bodies <- draw_bodies(20000)
+  expect_identical(tumbling_table(bodies, 1e4, threads = 2), tumbling_table(bodies, 1e4))
+})
+
+test_that("rows without a motion are NA, bad tables are errors", {
+  bodies <- draw_bodies(4)
+  bodies$ixx_kg_m2[1] <- NA
+  bodies$iyy_kg_m2[2] <- -1
+  bodies$omega_x_rad_per_s[3] <- Inf
+  out <- tumbling_table(bodies, 1)
+  expect_identical(is.na(out$final_qw), c(TRUE, TRUE, TRUE, FALSE))
+  expect_identical(is.na(out$error), c(TRUE, TRUE, TRUE, FALSE))
+  expect_error(tumbling_table(bodies[-1], 1), class = "rotdyn_error_type")
+  expect_error(tumbling_table(bodies, 1:3), class = "rotdyn_error_size")
+  expect_error(tumbling_table(1, 1), class = "rotdyn_error_type")
+  expect_error(tumbling_table(bodies), class = "rotdyn_error_missing")
+  expect_identical(nrow(tumbling_table(bodies[0, ], 1)), 0L)
+})
