@@ -46,6 +46,7 @@ typedef struct motion {
   double holds; /* a force this much larger than what friction holds is held */
   int mode;
   double most;       /* largest speed met */
+  double beyond;     /* rounding of the speeds, ample */
   rot_status failed; /* in an event function: rhs reports it */
   rot_events *events;
   size_t n_changes, room;
@@ -202,9 +203,17 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
   const ways from = ways_of(m->mode);
   ways at = from;
   forces f;
+  const rot_status status = pull_at(m, t, y[TRAVEL], y[SPEED], &f);
+  if (status != ROT_OK) return status;
   if (why == SLIP_ENDS) {
-    y[SPEED] = y[RIM] = held(m, from) ? 0.0 : m->spin * y[SPEED] + m->own * y[RIM];
     at.slip = 0;
+    /* Where the contact does not grip, the slip passes zero and both speeds go on. */
+    const double need = fabs(needed(m, f.pull, at.spin * m->resists));
+    if (held(m, from)) {
+      y[SPEED] = y[RIM] = 0.0;
+    } else if (need <= m->grips * m->holds) {
+      y[SPEED] = y[RIM] = m->spin * y[SPEED] + m->own * y[RIM];
+    }
     if (m->resists > 0.0 && fabs(y[SPEED]) <= small(m)) {
       y[SPEED] = y[RIM] = 0.0;
       at.spin = 0;
@@ -214,8 +223,6 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
     if (at.slip == 0) y[SPEED] = 0.0;
     at.spin = 0;
   }
-  const rot_status status = pull_at(m, t, y[TRAVEL], y[SPEED], &f);
-  if (status != ROT_OK) return status;
   at = find_ways(m, at, f.pull, y, why == GRIP_ENDS);
   m->mode = mode_of(at);
   y[MODE] = (double)m->mode;
@@ -261,22 +268,37 @@ static rot_ode_then at_turn(double t, double y[], int *mode, int forward, void *
   return m->scene->drag_n_s2_per_m2 != 0.0 ? ROT_ODE_NEW_STRETCH : ROT_ODE_GO_ON;
 }
 
-/* Signed by its way, also where it begins at zero. */
+/* A speed that begins at zero has the sign of its way there. */
+static double signed_speed(double speed, int way) { return speed == 0.0 ? way * DBL_MIN : speed; }
+
 static double slip_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
   const int slip = ways_of(m->mode).slip;
   (void)t;
-  if (slip == 0) return 1.0;
-  const double u = y[SPEED] - y[RIM];
-  return u == 0.0 ? slip * DBL_MIN : u;
+  return slip == 0 ? 1.0 : signed_speed(y[SPEED] - y[RIM], slip);
 }
 
 static double spin_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
   const int spin = ways_of(m->mode).spin;
   (void)t;
-  if (m->resists == 0.0 || spin == 0) return 1.0;
-  return y[RIM] == 0.0 ? spin * DBL_MIN : y[RIM];
+  return m->resists == 0.0 || spin == 0 ? 1.0 : signed_speed(y[RIM], spin);
+}
+
+/* A step that ends within a rounding of the zero hides it from the next one (one of 3000 random
+ * scenes): the event is met, too, where the speed has the other sign by more than rounding. */
+static double slip_turned(double t, const double y[], void *ctx) {
+  const motion *m = ctx;
+  const int slip = ways_of(m->mode).slip;
+  (void)t;
+  return slip == 0 ? 1.0 : slip * (y[SPEED] - y[RIM]) + m->beyond;
+}
+
+static double spin_turned(double t, const double y[], void *ctx) {
+  const motion *m = ctx;
+  const int spin = ways_of(m->mode).spin;
+  (void)t;
+  return m->resists == 0.0 || spin == 0 ? 1.0 : spin * y[RIM] + m->beyond;
 }
 
 /* Against a resistance, v is zero together with omega where it rolls, with the slip where omega is
@@ -346,6 +368,7 @@ static void begin(motion *m, const rot_incline_scene *scene, double span_s, doub
   y[SPEED] = v0;
   y[RIM] = rolls ? v0 : w0;
   m->most = fmax(fabs(v0), fabs(w0));
+  m->beyond = 1e-13 * (m->most + (fabs(m->gravity) + m->slides) * span_s);
   m->mode = mode_of((ways){rolls ? 0 : sign(v0 - w0), m->resists > 0.0 ? sign(y[RIM]) : 0});
 }
 
@@ -426,6 +449,10 @@ static rot_status fill_rows(const motion *m, size_t n, const double time_s[], co
   return ROT_OK;
 }
 
+/* Of few and long implicit steps the distance of two runs says too little: 92 of 100 random scenes
+ * were covered; with this part of the accuracy asked 98 are (bench/coverage/incline.c). */
+#define RADAU_LEAST 1e-3
+
 /* A path is large where it is, or was on the way; `offset` is where it began. */
 static void note_path(rot_measure *measure, double offset, double error, double largest, size_t n,
                       const double rows[]) {
@@ -434,8 +461,9 @@ static void note_path(rot_measure *measure, double offset, double error, double 
   measure->error = error + 4.0 * ROT_EPS * measure->largest;
 }
 
-static void note_errors(const motion *m, const rot_incline_columns *out, const double error[],
-                        const double largest[], rot_incline_sums *sums, rot_info *info) {
+static void note_errors(const motion *m, double accuracy, const rot_incline_columns *out,
+                        const double error[], const double largest[], rot_incline_sums *sums,
+                        rot_info *info) {
   const rot_incline_params *p = m->p;
   const double r = p->radius_m;
   const size_t n = info->rows_done;
@@ -447,6 +475,9 @@ static void note_errors(const motion *m, const rot_incline_columns *out, const d
   info->measure[ROT_INCLINE_V].largest = largest[SPEED];
   info->measure[ROT_INCLINE_OMEGA].error = error[RIM] / r;
   info->measure[ROT_INCLINE_OMEGA].largest = largest[RIM] / r;
+  for (size_t k = 0; info->method == ROT_METHOD_RADAU && k < info->n_measures; k++) {
+    info->measure[k].error += RADAU_LEAST * accuracy * info->measure[k].largest;
+  }
   sums->heat_error_j = 2.0 * (error[SLIP_HEAT] + error[ROLLING_HEAT] + error[DRAG_HEAT]);
   sums->work_error_j = 2.0 * error[WORK];
   sums->impulse_error_n_s =
@@ -475,6 +506,8 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
     note_noise(&m, f.pull);
     const rot_ode_event event[] = {{slip_at, 0, 0, ROT_EVENT_ROLL, at_slip_zero},
                                    {spin_at, 0, 0, ROT_EVENT_STICK, at_spin_zero},
+                                   {slip_turned, 0, -1, ROT_EVENT_ROLL, at_slip_zero},
+                                   {spin_turned, 0, -1, ROT_EVENT_STICK, at_spin_zero},
                                    {turn_at, 0, 0, ROT_EVENT_REVERSE, at_turn},
                                    {margin_at, 0, -1, ROT_EVENT_SLIP, at_limit}};
     const int offset = p->x0_m != 0.0 || p->theta0_rad != 0.0;
@@ -503,7 +536,7 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
       const rot_status rows = fill_rows(&m, n, time_s, y, out, sums, info);
       if (rows != ROT_OK) failure = rows;
     }
-    note_errors(&m, out, error, largest, sums, info);
+    note_errors(&m, options->accuracy, out, error, largest, sums, info);
   }
   free(m.changes);
   free(y);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Do the reported errors cover the true ones? Random scenes for each model of the axle, of the heavy
-# top and of free bodies, and for the installed package random R functions as torque laws and
+# Do the reported errors cover the true ones? Random scenes for each model of the axle, of the
+# incline, of the heavy top and of free bodies, and for the installed package random R functions as torque laws and
 # random gears, drives, rotors, inclines, dry friction, long spans and short pulses, judged in
 # quadruple precision (bench/coverage/). Needs gcc and libquadmath. Without SEED another one is
 # drawn each time. 1000 scenes of each class are 24,500 in all: each part ends with the number of
@@ -16,7 +16,7 @@ ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc $(gsl-config 
 for program in laws chains; do
   ${CC:-gcc} -std=gnu11 -O2 bench/coverage/$program.c -lquadmath -lm -o "$build/$program"
 done
-for program in top free; do
+for program in top free incline; do
   ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Isrc $(gsl-config --cflags) \
     bench/coverage/$program.c src/rot_*.c $(gsl-config --libs) -lquadmath -lm -o "$build/$program"
 done
@@ -24,6 +24,7 @@ seed=${2:-$(date +%s)}
 echo "seed $seed"
 bad=0
 "$build/coverage" "${1:-1000}" "$seed" || bad=1
+"$build/incline" "${1:-1000}" "$seed" || bad=1
 "$build/top" "${1:-1000}" "$seed" || bad=1
 "$build/free" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad=1
