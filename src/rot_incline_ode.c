@@ -504,12 +504,12 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
   if (failure == ROT_OK) failure = pull_at(&m, p->start_s, 0.0, start[SPEED], &f);
   if (failure == ROT_OK) {
     note_noise(&m, f.pull);
-    const rot_ode_event event[] = {{slip_at, 0, 0, ROT_EVENT_ROLL, at_slip_zero},
-                                   {spin_at, 0, 0, ROT_EVENT_STICK, at_spin_zero},
-                                   {slip_turned, 0, -1, ROT_EVENT_ROLL, at_slip_zero},
-                                   {spin_turned, 0, -1, ROT_EVENT_STICK, at_spin_zero},
-                                   {turn_at, 0, 0, ROT_EVENT_REVERSE, at_turn},
-                                   {margin_at, 0, -1, ROT_EVENT_SLIP, at_limit}};
+    const rot_ode_event event[] = {{slip_at, 0, 0, ROT_EVENT_ROLL, at_slip_zero, NULL},
+                                   {spin_at, 0, 0, ROT_EVENT_STICK, at_spin_zero, NULL},
+                                   {slip_turned, 0, -1, ROT_EVENT_ROLL, at_slip_zero, NULL},
+                                   {spin_turned, 0, -1, ROT_EVENT_STICK, at_spin_zero, NULL},
+                                   {turn_at, 0, 0, ROT_EVENT_REVERSE, at_turn, NULL},
+                                   {margin_at, 0, -1, ROT_EVENT_SLIP, at_limit, NULL}};
     const int offset = p->x0_m != 0.0 || p->theta0_rad != 0.0;
     const rot_ode_params ode = {.dim = DIM,
                                 .controlled = STATE,
