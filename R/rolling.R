@@ -114,9 +114,8 @@ rolling_shapes <- function(names, arg, call) {
       i = "Such shapes are {.val {fixed}}. Others are bodies with sizes: {.fn body_hollow_sphere}."
     ), "value", call)
   }
-  tibble::new_tibble(
-    list(object = names, beta = shape_beta(table$shape[id])), nrow = length(names)
-  )
+  beta <- vapply(table$beta[id], function(text) eval(str2lang(text), baseenv()), double(1))
+  tibble::new_tibble(list(object = names, beta = unname(beta)), nrow = length(names))
 }
 
 rolling_round_bodies <- function(bodies, arg, call) {

@@ -277,3 +277,118 @@ test_that("a spin that passes zero while the contact slips leaves the rolling sp
   # The spin's end moved the rolling speed by 9.5e-15.
   expect_lte(max(abs(motion$v_m_per_s - v)), 5e-15)
 })
+
+# The published numbers of ../shared/cases, called as a user would, with their own inputs.
+case_rows <- function(path) {
+  table <- utils::read.csv(shared(path), colClasses = "character")
+  rownames(table) <- table[[1]]
+  table
+}
+case_input <- function(text) {
+  parts <- regmatches(text, gregexpr('"[A-Za-z_0-9]+": *[-0-9.eE+]+', text))[[1]]
+  values <- as.numeric(sub('.*: *', "", parts))
+  stats::setNames(as.list(values), sub('^"([A-Za-z_0-9]+)".*', "\\1", parts))
+}
+
+test_that("the cases of slip to roll, each against its published or computed value", {
+  rows <- case_rows("cases/rolling_slip_transition/cases.csv")
+  x <- case_input(rows["bowl1", "inputs"])
+  lane <- scene_incline(
+    body_sphere(6, x$r), 0, static_friction = x$mu, v0_m_per_s = x$v0, omega0_rad_per_s = 0,
+    gravity_m_per_s2 = x$g
+  )
+  motion <- trajectory(lane, c(0, 1, 3))
+  roll <- which(motion$event == "roll")
+  cue <- function(h_over_r) {
+    struck <- scene_incline(
+      body_sphere(1, 0.03), 0, static_friction = 0.2, v0_m_per_s = 1,
+      omega0_rad_per_s = 2.5 * h_over_r / 0.03
+    )
+    trajectory(struck, 30)$v_m_per_s - 9 / 7
+  }
+  drake <- case_input(rows["drake_v", "inputs"])
+  ball <- trajectory(scene_incline(
+    body_sphere(case_input(rows["drake_f", "inputs"])$m, 0.05), drake$theta_deg,
+    static_friction = 1, kinetic_friction = 0.5, gravity_m_per_s2 = drake$g
+  ), drake$t)
+  got <- c(
+    bowl1 = 8.1 - motion$v_m_per_s[2], bowl2 = motion$omega_rad_per_s[2],
+    bowl3 = motion$time_s[roll], bowl4 = motion$x_m[roll], bowl5 = motion$v_m_per_s[roll],
+    bgu = stats::uniroot(cue, c(0.5, 1), tol = 1e-12)$root, drake_v = ball$v_m_per_s,
+    drake_f = abs(ball$friction_force_n)
+  )
+  expect_setequal(names(got), rows$id)
+  for (id in names(got)) {
+    expect_equal(got[[id]], as.numeric(rows[id, "computed"]), tolerance = 2e-9)
+    if (nzchar(rows[id, "published"])) {
+      expect_lte(abs(got[[id]] - as.numeric(rows[id, "published"])), as.numeric(rows[id, "tol"]))
+    }
+  }
+})
+
+test_that("the rows of University Physics and College Physics about rolling", {
+  rows <- case_rows("cases/openstax_rotation/cases.csv")
+  input <- function(id) case_input(rows[id, "inputs"])
+  of_beta <- function(beta) body_disk(1, 0.1 * sqrt(2 * beta))
+  scene <- function(x, ...) {
+    scene_incline(of_beta(x$beta), x$theta_deg, radius_m = 0.1, gravity_m_per_s2 = x$g, ...)
+  }
+  marble <- trajectory(scene(input("UP11-04")), c(1, input("UP11-05")$t))
+  stops <- input("UP11-09")
+  cylinder <- scene_incline(body_cylinder(stops$m, 0.3, 1), 0, v0_m_per_s = stops$v)
+  moving <- trajectory(cylinder, 1)
+  up <- input("UP11-13")
+  top <- when(scene(up, v0_m_per_s = -up$v), v_m_per_s = 0)
+  # On a truck that accelerates by a, the force on the cylinder is -m a in the truck's frame.
+  bed <- scene_incline(of_beta(input("UP11-16")$beta), 0, radius_m = 0.1,
+    force_n = function(time_s) -1.7)
+  truck <- trajectory(bed, 4)
+  got <- c(
+    "UP11-01" = friction_needed(scene_incline(body_hoop(1, 1), input("UP11-01")$theta_deg))$
+      friction_needed,
+    "UP11-02" = rolling_friction_coefficient(input("UP11-02")$beta, input("UP11-02")$theta_deg),
+    "UP11-04" = marble$v_m_per_s[1], "UP11-05" = marble$x_m[2],
+    "UP11-09" = -(moving$translational_kinetic_energy_j + moving$rotational_kinetic_energy_j),
+    # The hoop's speed at 1 m lifts the hollow sphere to (1 + beta)/2.
+    "UP11-11" = (rolling_final_speed(1, 1) / rolling_final_speed(input("UP11-11")$beta, 1))^2,
+    "UP11-13" = -top$x_m, "UP11-14" = top$time_s,
+    "UP11-16" = 1.7 * 16 / 2 / -truck$x_m,
+    "CP10-08" = rolling_table("cylinder", 30, input("CP10-08")$h, input("CP10-08")$g)$
+      final_speed_m_per_s
+  )
+  expect_setequal(names(got), rows$id[grepl("^rolling", rows$domain)])
+  for (id in names(got)) {
+    expect_equal(got[[id]], as.numeric(rows[id, "computed"]), tolerance = 1e-9)
+    expect_lte(abs(got[[id]] - as.numeric(rows[id, "published"])),
+      1.0001 * as.numeric(rows[id, "tol_abs"]))
+  }
+})
+
+test_that("friction and contact hold along every trajectory, closed form and integrated", {
+  set.seed(131)
+  for (i in 1:40) {
+    mu <- stats::runif(1, 0, 0.8)
+    forced <- i %% 2 == 0
+    push <- stats::rnorm(1, 0, 4)
+    scene <- scene_incline(
+      body_sphere(2, 0.2), stats::runif(1, -70, 70), static_friction = mu,
+      kinetic_friction = mu * stats::runif(1, 0.5, 1), rolling_arm_m = sample(c(0, 0.01), 1),
+      v0_m_per_s = stats::rnorm(1, 0, 3), omega0_rad_per_s = stats::rnorm(1, 0, 15),
+      drag_n_s_per_m = if (forced) 0.4 else 0,
+      force_n = if (forced) function(time_s) push * sin(2 * time_s)
+    )
+    motion <- trajectory(scene, seq(0, 4, length.out = 81))
+    expect_true(all(audit(motion)$verdict == "balanced"))
+    normal <- 2 * 9.80665 * cos(scene$incline_angle_deg * pi / 180)
+    expect_gte(normal, 0)
+    friction <- motion$friction_force_n
+    slip <- motion$slip_speed_m_per_s
+    rolls <- motion$rolling
+    expect_lte(max(abs(friction[rolls]), 0), mu * normal * (1 + 1e-9))
+    sliding <- !rolls & slip != 0
+    expect_equal(friction[sliding], -scene$kinetic_friction * normal * sign(slip[sliding]),
+      tolerance = 1e-12)
+    expect_true(all(slip[rolls] == 0))
+    expect_true(all(diff(motion$slip_heat_j) >= 0 & diff(motion$rolling_heat_j) >= 0))
+  }
+})

@@ -138,6 +138,7 @@ test_that("bodies and names of shapes roll, too", {
   names <- rolling_table(c("hoop", "disk", "solid_sphere"), 20, 1)
   expect_identical(names$beta, c(1, 0.5, 0.4))
   expect_identical(names$object, c("hoop", "disk", "solid_sphere"))
+  expect_identical(rolling_table(c("cylinder", "tube", "spherical_shell"))$beta, c(0.5, 1, 2 / 3))
   pipe <- body_thick_tube(2, 0.05, 0.04, 1)
   both <- rolling_table(list(ball = body_sphere(0.2, 0.05), pipe), 20, 1)
   expect_identical(both$object, c("ball", "thick_tube"))
