@@ -5,11 +5,14 @@
 
 enum { MOST = ROT_SIMPLEX_ROWS, MOST_STEPS = 5000, BLAND_AFTER = 300 };
 
-static const double small = 1e-11; /* pivots and reduced costs below it count as 0 */
+/* Pivots and reduced costs below it count as 0. Generated columns come close to each other as the
+ * square root of it, and the inverse of a basis with two such loses as many digits. */
+static const double small = 1e-11, small_generated = 1e-9;
 
 typedef struct tableau {
   size_t basis[MOST]; /* a column, or lp->capacity + i: artificial column i */
   double sign[MOST], inverse[MOST][MOST], x[MOST];
+  double rhs[MOST]; /* moved by 1e-10: steps that do not progress could cycle */
 } tableau;
 
 static double dot(size_t m, const double a[], const double b[]) {
@@ -58,7 +61,7 @@ static int invert(const rot_simplex *lp, tableau *t) {
   }
   for (size_t i = 0; i < m; i++) {
     memcpy(t->inverse[i], a[i] + m, m * sizeof *a[i]);
-    t->x[i] = dot(m, t->inverse[i], lp->rhs);
+    t->x[i] = dot(m, t->inverse[i], t->rhs);
     if (t->x[i] < 0.0) t->x[i] = 0.0; /* rounding: the ratio test keeps x >= 0 */
   }
   return 1;
@@ -76,7 +79,8 @@ static double reduced(const rot_simplex *lp, size_t j, int phase) {
 /* The column that enters, lp->n for none. */
 static size_t entering(rot_simplex *lp, int phase, int step) {
   size_t best = lp->n;
-  double least = -small;
+  const double enough = lp->price ? -small_generated : -small;
+  double least = enough;
   for (size_t j = 0; j < lp->n; j++) {
     const double d = reduced(lp, j, phase);
     if (!(d < least)) continue;
@@ -87,28 +91,31 @@ static size_t entering(rot_simplex *lp, int phase, int step) {
   if (best < lp->n || !lp->price || lp->n == lp->capacity) return best;
   if (!lp->price(lp->ctx, lp->dual, phase, lp->column + lp->n * lp->m, lp->cost + lp->n))
     return best;
-  if (reduced(lp, lp->n, phase) < -small) return lp->n++;
+  if (reduced(lp, lp->n, phase) < enough) return lp->n++;
   return lp->n;
 }
 
-/* The row that leaves, m for none. In phase 2 an artificial column leaves at once: it stays 0. */
-static size_t leaving(const rot_simplex *lp, const tableau *t, const double u[], int phase) {
-  size_t best = lp->m;
+/* How far the entering column may grow until row i is 0; Inf for no limit. In phase 2 an artificial
+ * column leaves at once: it stays 0. */
+static double ratio_of(const rot_simplex *lp, const tableau *t, const double u[], int phase,
+                       size_t i) {
+  if (phase == 2 && t->basis[i] >= lp->capacity && fabs(u[i]) > small) return 0.0;
+  return u[i] > small ? t->x[i] / u[i] : INFINITY;
+}
+
+/* The row that leaves, m for none. Among ties within rounding the largest pivot or, where steps may
+ * cycle, the first column. */
+static size_t leaving(const rot_simplex *lp, const tableau *t, const double u[], int phase,
+                      int step) {
   double least = INFINITY;
+  size_t best = lp->m;
+  for (size_t i = 0; i < lp->m; i++) least = fmin(least, ratio_of(lp, t, u, phase, i));
+  if (!(least < INFINITY)) return best;
   for (size_t i = 0; i < lp->m; i++) {
-    const int artificial = t->basis[i] >= lp->capacity;
-    double ratio;
-    if (phase == 2 && artificial && fabs(u[i]) > small)
-      ratio = 0.0;
-    else if (u[i] > small)
-      ratio = t->x[i] / u[i];
-    else
-      continue;
-    const int tie = best < lp->m && ratio <= least && t->basis[i] > t->basis[best];
-    if (ratio < least || tie) {
+    if (!(ratio_of(lp, t, u, phase, i) <= least + 1e-13)) continue;
+    if (best == lp->m ||
+        (step > BLAND_AFTER ? t->basis[i] < t->basis[best] : fabs(u[i]) > fabs(u[best])))
       best = i;
-      least = ratio;
-    }
   }
   return best;
 }
@@ -122,13 +129,13 @@ static rot_simplex_result run_phase(rot_simplex *lp, tableau *t, int phase) {
     for (size_t j = 0; j < m; j++) lp->dual[j] = 0.0;
     for (size_t i = 0; i < m; i++) {
       const double cost = basis_cost(lp, t, i, phase);
-      lp->value += cost * t->x[i];
+      lp->value += cost * dot(m, t->inverse[i], lp->rhs);
       for (size_t j = 0; j < m; j++) lp->dual[j] += cost * t->inverse[i][j];
     }
     const size_t in = entering(lp, phase, step);
     if (in == lp->n) return ROT_SIMPLEX_OPTIMAL;
     for (size_t i = 0; i < m; i++) u[i] = dot(m, t->inverse[i], lp->column + in * m);
-    const size_t out = leaving(lp, t, u, phase);
+    const size_t out = leaving(lp, t, u, phase, step);
     if (out == m) return ROT_SIMPLEX_UNBOUNDED;
     t->basis[out] = in;
   }
@@ -138,10 +145,12 @@ static rot_simplex_result run_phase(rot_simplex *lp, tableau *t, int phase) {
 rot_simplex_result rot_simplex_solve(rot_simplex *lp) {
   tableau t;
   double largest = 0.0;
+  for (size_t i = 0; i < lp->m; i++) largest = fmax(largest, fabs(lp->rhs[i]));
   for (size_t i = 0; i < lp->m; i++) {
+    const double turn = 0.6180339887498949 * (double)(i + 1);
+    t.rhs[i] = lp->rhs[i] + 1e-10 * (largest > 0.0 ? largest : 1.0) * (turn - floor(turn) + 0.5);
     t.basis[i] = lp->capacity + i;
-    t.sign[i] = lp->rhs[i] < 0.0 ? -1.0 : 1.0;
-    largest = fmax(largest, fabs(lp->rhs[i]));
+    t.sign[i] = t.rhs[i] < 0.0 ? -1.0 : 1.0;
   }
   rot_simplex_result result = run_phase(lp, &t, 1);
   if (result == ROT_SIMPLEX_STOPPED) return result;

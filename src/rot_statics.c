@@ -520,7 +520,7 @@ static rot_status start_program(program *p, const equations *eq, const rot_struc
     p->lp.price = price_cone;
     p->lp.ctx = p;
   }
-  p->lp.tolerance = fmax(1e-11, 64.0 * ROT_EPS * condition_of(eq));
+  p->lp.tolerance = fmax(cones ? 1e-8 : 1e-11, 64.0 * ROT_EPS * condition_of(eq));
   for (size_t i = 0; i < eq->m; i++) p->lp.rhs[i] = -eq->load[i].hi;
   for (size_t j = 0, c; j < eq->k; j++) {
     double column[6];
@@ -900,6 +900,17 @@ static void note_residual(const equations *eq, const double plain[], rot_dd x[],
   rest->residual_torque = ldexp(ldexp(norm3(torque), eq->unit.force), eq->unit.length);
 }
 
+/* Projections that have not converged leave the ranges: then the error is to their far ends. */
+static void widen(size_t k, const double x[], double error[], const int determined[],
+                  const double lowest[], const double highest[]) {
+  int outside = 0;
+  for (size_t j = 0; j < k; j++)
+    outside |= fmax(lowest[j] - x[j], x[j] - highest[j]) > error[j] + 1e-9 * fabs(x[j]);
+  for (size_t j = 0; outside && j < k; j++)
+    if (!determined[j])
+      error[j] = fmax(error[j], fmax(fabs(x[j] - lowest[j]), fabs(highest[j] - x[j])));
+}
+
 rot_status rot_statics_solve(const rot_structure *s, double x[], double error[], int determined[],
                              double lowest[], double highest[], rot_rest *rest) {
   equations eq;
@@ -923,6 +934,7 @@ rot_status rot_statics_solve(const rot_structure *s, double x[], double error[],
       x[j] = in_newton(&eq, s, j, plain[j]);
       error[j] = in_newton(&eq, s, j, error[j]);
     }
+    if (status == ROT_OK && rest->projected) widen(eq.k, x, error, determined, lowest, highest);
   }
   free(precise);
   free(cost);

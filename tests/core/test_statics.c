@@ -237,6 +237,87 @@ static void error_near_a_mechanism(void) {
   }
 }
 
+static double uniform(double low, double high) {
+  return low + (high - low) * (double)rand() / (double)RAND_MAX;
+}
+
+/* Velocity of a point in the motion that begins. */
+static void velocity_at(const rot_rest *rest, const double at[3], double v[3]) {
+  for (int i = 0; i < 3; i++) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    v[i] = rest->velocity[i] + rest->omega[j] * (at[k] - rest->about[k]) -
+           rest->omega[k] * (at[j] - rest->about[j]);
+  }
+}
+
+/* Random contacts: what rests has reactions that only push, within friction, inside their ranges;
+ * what does not begins a motion that the loads drive, into no support. */
+static void random_contacts(void) {
+  int seen[2] = {0, 0}, converged = 0, total = 0;
+  srand(7);
+  for (int trial = 0; trial < 600; trial++) {
+    const int plane = trial % 2, size = plane ? 2 : 3, n = 1 + rand() % 8;
+    rot_reaction r[24];
+    rot_contact contact[8];
+    static double x[24], error[24], low[24], high[24];
+    static int determined[24];
+    for (int c = 0; c < n; c++) {
+      rot_contact *one = &contact[c];
+      double at[3] = {uniform(-1, 1), uniform(-1, 1), plane ? 0.0 : uniform(-0.1, 0.1)};
+      double normal[3] = {uniform(-0.7, 0.7), uniform(-0.7, 0.7), 1.0};
+      if (plane) normal[1] = 1.0, normal[2] = 0.0;
+      const double length =
+          sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+      one->first = (size_t)(c * size);
+      one->friction = rand() % 4 ? uniform(0.05, 1.0) : INFINITY;
+      for (int i = 0; i < 3; i++) one->normal[i] = normal[i] / length;
+      for (int i = 0; i < size; i++) {
+        const rot_reaction force = {
+            {at[0], at[1], at[2]}, {0, 0, 0}, {i == 0, i == 1, i == 2}, 0, 0};
+        r[c * size + i] = force;
+      }
+    }
+    const double at[3] = {uniform(-0.7, 0.7), uniform(-0.7, 0.7), 0.0};
+    double force[3] = {uniform(-0.3, 0.3), uniform(-0.3, 0.3), -1.0}, couple[3] = {0};
+    if (plane) force[1] = -1.0, force[2] = 0.0;
+    const rot_structure s = {plane, (size_t)(n * size), (size_t)n, 1, r, contact, at, force, couple,
+                             1e-12};
+    rot_rest rest;
+    ROT_CHECK_EQ_INT(rot_statics_solve(&s, x, error, determined, low, high, &rest), ROT_OK);
+    seen[rest.rests]++;
+    double v[3];
+    velocity_at(&rest, at, v);
+    if (!rest.rests) ROT_CHECK(v[0] * force[0] + v[1] * force[1] + v[2] * force[2] > 0.0);
+    for (int c = 0; c < n; c++) {
+      const rot_contact *one = &contact[c];
+      double push = 0.0, across = 0.0, away = 0.0, slack = 1e-9;
+      for (int i = 0; i < size; i++) {
+        push += x[c * size + i] * one->normal[i];
+        slack += error[c * size + i];
+      }
+      for (int i = 0; i < size; i++)
+        across = hypot(across, x[c * size + i] - push * one->normal[i]);
+      velocity_at(&rest, r[c * size].at, v);
+      for (int i = 0; i < 3; i++) away += v[i] * one->normal[i];
+      if (!rest.rests) {
+        ROT_CHECK(away >= -1e-9);
+        continue;
+      }
+      ROT_CHECK(push >= -slack);
+      if (one->friction < 2.0) ROT_CHECK(across <= one->friction * push + 3.0 * slack);
+      for (int i = c * size; i < (c + 1) * size; i++) {
+        ROT_CHECK(x[i] >= low[i] - error[i] - 1e-7 && x[i] <= high[i] + error[i] + 1e-7);
+        converged += error[i] < 1e-9;
+        total++;
+      }
+    }
+    if (rest.rests) ROT_CHECK(rest.residual_force <= 1e-12 && rest.residual_torque <= 1e-12);
+  }
+  ROT_CHECK(seen[0] > 100 && seen[1] > 100);
+  printf("statics: %d of %d reactions to 1e-9\n", converged, total);
+  ROT_CHECK(converged > 0.95 * total);
+}
+
 /* A force, a couple, a wrench: known by hand. (0, 0, 3) at (2, 0, 0) with a couple (0, 0, 6). */
 static void central_axis(void) {
   const double at[3] = {2, 0, 0}, force[3] = {0, 0, 3}, couple[3] = {0, 0, 6};
@@ -270,6 +351,7 @@ int main(void) {
   circular_cone();
   plane_friction();
   error_near_a_mechanism();
+  random_contacts();
   central_axis();
   return rot_test_report("statics");
 }

@@ -250,6 +250,20 @@ test_that("legs that only push: a corner lifts, or the table tips", {
   expect_match(summary(outside)$motion, "along (0, 1, 0)", fixed = TRUE)
 })
 
+test_that("many rough feet in space", {
+  feet <- lapply(1:12, function(i) support_surface(c(cos(i), sin(i), 0), friction = 0.3))
+  x <- static_equilibrium(
+    forces(weight = load_weight(5, c(0, 0, 0.5)), pull = load_force(c(8, 3, 0), c(0, 0, 0))), feet
+  )
+  expect_equal(summary(x)$verdict, "rests")
+  expect_equal(sum(x$fz_n), 5 * g)
+  expect_equal(c(sum(x$fx_n), sum(x$fy_n)), c(-8, -3))
+  # Circular friction, all feet together: 0.3 5 g against sqrt(73).
+  limits <- load_factors(x)
+  expect_equal(limits$highest_factor[2], 1.5 * g / sqrt(73), tolerance = 1e-7)
+  expect_equal(limits$above[2], "slides")
+})
+
 test_that("no supports, no loads", {
   free <- static_equilibrium(load_force(c(1, 0), c(0, 0)), list())
   expect_equal(summary(free)$verdict, "moves")
