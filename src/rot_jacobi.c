@@ -17,7 +17,7 @@ void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
   /* At 2^-56 the last a suffices for the functions; one more mean gives K to 2^-113. */
   for (int known = 0; !known && out->n < 22;) {
     known = fabs(a.hi - g.hi) < 0x1p-56 * a.hi;
-    const rot_dd mean = rot_dd_ldexp(rot_dd_add(a, g), -1);
+    const rot_dd mean = rot_dd_half(rot_dd_add(a, g));
     g = rot_dd_sqrt(rot_dd_mul(a, g));
     a = mean;
     if (known) break;
@@ -29,7 +29,7 @@ void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
 }
 
 double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u) {
-  const rot_dd period = rot_dd_ldexp(jacobi->k, 1);
+  const rot_dd period = rot_dd_add(jacobi->k, jacobi->k);
   double turns = 0.0;
   /* Twice: the first quotient is rounded and may leave more than K. */
   for (int i = 0; i < 2; i++) {
@@ -166,14 +166,14 @@ rot_dd rot_jacobi_mean(rot_dd m1, rot_dd p) {
   rot_dd a = one, g = rot_dd_sqrt(m1), r = rot_dd_sqrt(p), q = one, sum = one;
   for (int i = 0; i < 30; i++) {
     const rot_dd square = rot_dd_mul(r, r), ag = rot_dd_mul(a, g), both = rot_dd_add(square, ag);
-    q = rot_dd_ldexp(rot_dd_div(rot_dd_mul(q, rot_dd_sub(square, ag)), both), -1);
+    q = rot_dd_half(rot_dd_div(rot_dd_mul(q, rot_dd_sub(square, ag)), both));
     sum = rot_dd_add(sum, q);
     if (fabs(q.hi) < 0x1p-104 * fabs(sum.hi) && fabs(a.hi - g.hi) < 0x1p-40 * a.hi) break;
-    r = rot_dd_div(both, rot_dd_ldexp(r, 1));
-    a = rot_dd_ldexp(rot_dd_add(a, g), -1);
+    r = rot_dd_half(rot_dd_div(both, r));
+    a = rot_dd_half(rot_dd_add(a, g));
     g = rot_dd_sqrt(ag);
   }
-  return rot_dd_ldexp(rot_dd_div(sum, p), -1);
+  return rot_dd_half(rot_dd_div(sum, p));
 }
 
 /* sn R_F(cn^2, dn^2, 1), sn >= 0 */
