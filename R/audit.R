@@ -18,7 +18,10 @@
 #' rows were dropped, the balance runs over the rows that are left. Where [choose_model()] left an
 #' effect out, the balance is that of the motion without it.
 #'
-#' @param x A `rot_trajectory`.
+#' `conserved` is the answer of [conserved()]: a quantity that is said to stay, and changes or is
+#' dissipated by more than rounding and the stated error explain, is unbalanced.
+#'
+#' @param x A `rot_trajectory`; or a collision, with `row` and `about` as in [collision_ledger()].
 #' @param ... Not used.
 #' @return A `rot_audit`: a tibble with a row for each balance. `print(x, digits = 4)` shows its
 #'   terms with so many significant digits, `ggplot2::autoplot()` draws them as bars. The columns:

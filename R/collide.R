@@ -81,6 +81,7 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
   law <- check_choice(coefficient, "coefficient", laws, call)
   normal <- as_vectors(normal, "normal", "1", call)
   numbers <- impact_columns(list(restitution = restitution, friction = friction), call)
+  numbers <- lapply(numbers, as.double)
   radius <- function(body) if (inherits(body, "rot_body")) ball_radius(body)
   party <- function(body, i, v, omega, arm, attitude) {
     name <- function(text) sprintf(text, i)

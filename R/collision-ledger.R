@@ -109,12 +109,10 @@ audit.rot_collision <- function(x, row = 1, about = NULL, ...) {
 
 check_collision <- function(x, call) {
   collision <- attr(x, "collision")
-  if (!inherits(x, "rot_collision") || is.null(collision)) {
-    check_class(
-      structure(list(), class = setdiff(class(x), "rot_collision")), "rot_collision", "x",
-      "{.fn collide} gives one; rows that were filtered or sorted are a plain tibble.", call
-    )
-  }
+  check_class(
+    x, "rot_collision", "x",
+    "{.fn collide} gives one; rows that were filtered or sorted are a plain tibble.", call
+  )
   check_form(collision, collision_form, "x", "collision", call)
   if (nrow(x) != collision$rows || !all(collision$columns %in% names(x))) {
     abort_form("rows", "x", "collision", call)

@@ -156,6 +156,8 @@ test_that("bad input is the package's own error", {
   expect_error(
     hit(body_1 = body_rod(1, 1), arm_1_m = c(0.1, 0.1, 0)), class = "rotdyn_error_value"
   )
+  expect_identical(hit(friction = matrix(c(0.1, 0.2), 1))$grips, c(TRUE, TRUE))
+  expect_error(collision_ledger(factor("a")), class = "rotdyn_error_type")
   expect_error(collide(ball), class = "rotdyn_error_missing")
   expect_warning(
     beyond <- hit(

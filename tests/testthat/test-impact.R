@@ -2,8 +2,8 @@ test_that("the table of bounces, as a user would call it", {
   table <- utils::read.csv(shared("refs/ball_bounce.csv"), colClasses = "character")
   for (i in seq_len(nrow(table))) {
     r <- lapply(table[i, ], as.numeric)
-    ball <- if (r$beta == 0.4) body_sphere(r$m, r$R) else if (r$beta == 0.5) body_disk(r$m, r$R)
-    if (is.null(ball)) next
+    ball <- if (r$beta == 0.4) body_sphere(r$m, r$R) else if (r$beta == 0.5) body_disk(r$m, r$R) else
+      body_spherical_shell(r$m, r$R)
     hit <- ball_bounce(ball, r$vx, r$vy, r$omega, r$e, r$mu)
     size <- abs(r$vx) + r$R * abs(r$omega)
     expect_identical(hit$grips, r$grip == 1)
@@ -11,6 +11,16 @@ test_that("the table of bounces, as a user would call it", {
     expect_ulps(hit$vy_m_per_s, r$vy1, 1)
     expect_lte(abs(hit$omega_rad_per_s - r$omega1), 4e-15 * size / r$R)
     expect_equal(-hit$normal_loss_j - hit$friction_loss_j, r$dE, tolerance = 1e-14)
+    # The same by the collision of a free body with a plane.
+    same <- collide(
+      ball, velocity_1_m_per_s = c(r$vx, r$vy, 0), omega_1_rad_per_s = c(0, 0, -r$omega),
+      normal = c(0, 1, 0), arm_1_m = c(0, -r$R, 0), restitution = r$e, friction = r$mu
+    )
+    expect_lte(abs(same$vx_1_m_per_s - r$vx1), 1e-15 * size)
+    expect_lte(abs(same$vy_1_m_per_s - r$vy1), 1e-15 * abs(r$vy))
+    expect_lte(abs(same$omega_z_1_rad_per_s + r$omega1), 4e-15 * size / r$R)
+    expect_identical(same$grips, r$grip == 1)
+    expect_true(all(collision_ledger(hit)$verdict == "balanced"))
   }
 })
 
