@@ -2,8 +2,9 @@ test_that("the table of bounces, as a user would call it", {
   table <- utils::read.csv(shared("refs/ball_bounce.csv"), colClasses = "character")
   for (i in seq_len(nrow(table))) {
     r <- lapply(table[i, ], as.numeric)
-    ball <- if (r$beta == 0.4) body_sphere(r$m, r$R) else if (r$beta == 0.5) body_disk(r$m, r$R) else
-      body_spherical_shell(r$m, r$R)
+    shape <- if (r$beta == 0.4) body_sphere else if (r$beta == 0.5) body_disk else
+      body_spherical_shell
+    ball <- shape(r$m, r$R)
     hit <- ball_bounce(ball, r$vx, r$vy, r$omega, r$e, r$mu)
     size <- abs(r$vx) + r$R * abs(r$omega)
     expect_identical(hit$grips, r$grip == 1)
