@@ -231,6 +231,7 @@ column_list <- list(
   c("euler_x_m_per_s2", "m/s^2", "Euler acceleration, -alpha x r"),
   c("euler_y_m_per_s2", "m/s^2", "the same along y"),
   c("euler_z_m_per_s2", "m/s^2", "the same along z"),
+  c("inclination_rad", "rad", "angle from upward to the line from the point to the centre of mass"),
   c("gravity_torque_n_m", "N m", "torque of gravity about the fixed point, m g l sin(angle)"),
   c("spin_angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum of the spin, I3 omega3"),
   c("precession_rad_per_s", "rad/s", "rate of precession by the fast-top formula"),
@@ -547,6 +548,7 @@ free_columns <- c(
   "angular_momentum_x_kg_m2_per_s", "angular_momentum_y_kg_m2_per_s",
   "angular_momentum_z_kg_m2_per_s", "rotational_kinetic_energy_j"
 )
+pivot_columns <- c(free_columns, "potential_energy_j", "inclination_rad")
 projectile_columns <- c(
   "east_m", "north_m", "up_m", "east_m_per_s", "north_m_per_s", "up_m_per_s", "deflection_east_m",
   "deflection_north_m", "deflection_up_m", "first_order_east_m", "first_order_north_m",

@@ -41,7 +41,7 @@
 constraint_list <- function() {
   list(
     axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint(),
-    incline_constraint(), free_constraint()
+    incline_constraint(), free_constraint(), pivot_constraint()
   )
 }
 

@@ -47,7 +47,7 @@ static void read_question(SEXP id, SEXP scene, SEXP time_s, SEXP accuracy, SEXP 
     q->scene.drive = ffi_drive_scene(scene);
   } else if (!strcmp(q->constraint->id, "incline")) {
     q->scene.incline = ffi_incline_scene(scene);
-  } else if (!strcmp(q->constraint->id, "free")) {
+  } else if (!strcmp(q->constraint->id, "free") || !strcmp(q->constraint->id, "pivot")) {
     q->scene.free = ffi_free_scene(scene);
   } else {
     q->scene.axle = ffi_axle_scene(scene, R_NilValue);

@@ -18,11 +18,13 @@ rot_free_params ffi_free_scene(SEXP list) {
   rot_free_params p;
   memset(&p, 0, sizeof p);
   SEXP knots = ffi_element(list, "knots"), breaks = ffi_element(list, "breaks_s");
+  SEXP lever = ffi_element(list, "lever_n_m"); /* a body with a fixed point has one */
   memcpy(p.moment_kg_m2, ffi_numbers_of(list, "moment_of_inertia_kg_m2", 3), 3 * sizeof(double));
   memcpy(p.axes, ffi_numbers_of(list, "axes", 4), 4 * sizeof(double));
   memcpy(p.omega0_rad_per_s, ffi_numbers_of(list, "omega0_rad_per_s", 3), 3 * sizeof(double));
   memcpy(p.q0, ffi_numbers_of(list, "attitude0", 4), 4 * sizeof(double));
   memcpy(p.torque, ffi_numbers_of(list, "torque_n_m", 3), 3 * sizeof(double));
+  if (!Rf_isNull(lever)) memcpy(p.lever_n_m, ffi_reals(lever, "lever_n_m", 3), 3 * sizeof(double));
   p.turned = p.axes[0] != 1.0;
   p.given = ffi_number_of(list, "moment_error");
   p.start_s = ffi_number_of(list, "start_s");

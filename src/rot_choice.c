@@ -10,12 +10,13 @@
 #include "rot_drive_models.h"
 #include "rot_free_models.h"
 #include "rot_incline_models.h"
+#include "rot_pivot_models.h"
 #include "rot_shaft_models.h"
 
 /* Every constraint, a line each. */
 static const rot_constraint *const constraints[] = {
-    &rot_axle_constraint,  &rot_shaft_constraint,   &rot_clutch_constraint,
-    &rot_drive_constraint, &rot_incline_constraint, &rot_free_constraint,
+    &rot_axle_constraint,    &rot_shaft_constraint, &rot_clutch_constraint, &rot_drive_constraint,
+    &rot_incline_constraint, &rot_free_constraint,  &rot_pivot_constraint,
 };
 
 const rot_constraint *const *rot_choice_constraints(size_t *n) {

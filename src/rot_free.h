@@ -25,6 +25,9 @@ typedef struct rot_free_params {
   double q0[4];               /* own axes to space, of unit length */
   double start_s;
   double damping_per_s;
+  /* Of a body with a fixed point, about which the moments are: its weight times the centre of mass
+   * from there, in principal axes. Gravity's torque is z x lever, z upward. Else 0. */
+  double lever_n_m[3];
   int in_space;     /* axes of the torque; else the own ones */
   double torque[3]; /* N m, constant */
   size_t n_knots;   /* and one that is linear between times, 0 before and after; 0: none */

@@ -17,25 +17,25 @@ static unsigned effects_of(const void *of) {
          (p->damping_per_s != 0.0 ? DAMPING : 0u);
 }
 
-static const char *not_exact(const void *scene, const rot_query *query) {
+const char *rot_free_refuses_exact(const void *scene, const rot_query *query) {
   (void)query;
   return rot_free_not_exact(scene);
 }
 
-static const char *not_integrated(const void *scene, const rot_query *query) {
+const char *rot_free_refuses_ode(const void *scene, const rot_query *query) {
   (void)query;
   return rot_free_not_integrated(scene);
 }
 
 /* seconds: of a run, of a row. */
-static double exact_s(const rot_model *model, const void *scene, const rot_query *query) {
+double rot_free_exact_s(const rot_model *model, const void *scene, const rot_query *query) {
   (void)scene;
   return model->seconds[0] + (double)query->n * model->seconds[1];
 }
 
 /* Steps follow the angle that it turns; damping that fades within the span is worth some more.
  * seconds: steps a rad at accuracy 1, the power of the accuracy, of a step, of a row. */
-static double integrated_s(const rot_model *model, const void *of, const rot_query *query) {
+double rot_free_integrated_s(const rot_model *model, const void *of, const rot_query *query) {
   const rot_free_params *p = of;
   const double *s = model->seconds, rows = (double)query->n;
   const double from = query->n ? fmin(p->start_s, query->time_s[0]) : p->start_s;
@@ -55,8 +55,8 @@ static const rot_model models[] = {
      1e-14,
      0,
      "no torque: closed form by elliptic functions",
-     not_exact,
-     exact_s,
+     rot_free_refuses_exact,
+     rot_free_exact_s,
      {6e-6, 0.8e-6, 0.0, 0.0}},
     {"free_rk8pd",
      TORQUE | LAW | DAMPING,
@@ -64,8 +64,8 @@ static const rot_model models[] = {
      1e-13,
      0,
      "integrated, with explicit steps: it is not stiff",
-     not_integrated,
-     integrated_s,
+     rot_free_refuses_ode,
+     rot_free_integrated_s,
      {0.2, -1.0 / 8.5, 2.5e-6, 1.5e-6}},
     {"free_radau",
      TORQUE | LAW | DAMPING,
@@ -73,8 +73,8 @@ static const rot_model models[] = {
      1e-13,
      0,
      "integrated, with implicit steps: it is stiff",
-     not_integrated,
-     integrated_s,
+     rot_free_refuses_ode,
+     rot_free_integrated_s,
      {0.2, -1.0 / 9.0, 60e-6, 1.5e-6}},
 };
 

@@ -38,6 +38,21 @@ static void add_knots(const rot_free_params *p, double t, double torque[3]) {
   }
 }
 
+static int has_weight(const rot_free_params *p) {
+  return p->lever_n_m[0] != 0.0 || p->lever_n_m[1] != 0.0 || p->lever_n_m[2] != 0.0;
+}
+
+static void add_weight(const rot_free_params *p, const double q[4], double torque[3]) {
+  static const double up[3] = {0.0, 0.0, 1.0};
+  const double *g = p->lever_n_m;
+  double z[3];
+  if (!has_weight(p)) return;
+  rot_attitude_to_body(q, up, z);
+  torque[0] += z[1] * g[2] - z[2] * g[1];
+  torque[1] += z[2] * g[0] - z[0] * g[2];
+  torque[2] += z[0] * g[1] - z[1] * g[0];
+}
+
 /* In principal axes, at an attitude q of these. */
 static rot_status torque_at(const motion *m, double t, const double omega[3], const double q[4],
                             double out[3]) {
@@ -63,6 +78,7 @@ static rot_status torque_at(const motion *m, double t, const double omega[3], co
   } else {
     for (int k = 0; k < 3; k++) out[k] = torque[k];
   }
+  add_weight(p, q, out);
   return ROT_OK;
 }
 
@@ -187,24 +203,26 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
   const rot_ode_event flip = {.component = (size_t)(MOMENTUM + (m.middle < 0 ? 0 : m.middle)),
                               .name = ROT_EVENT_FLIP,
                               .then = at_zero};
-  const rot_ode_params ode = {.dim = DIM,
-                              .controlled = STATE,
-                              .n_groups = 2,
-                              .groups = groups,
-                              .rhs = rhs,
-                              .ctx = &m,
-                              .n_breaks = p->n_breaks,
-                              .breaks = p->breaks_s,
-                              .start_s = p->start_s,
-                              .start = start,
-                              .accuracy = options->accuracy,
-                              .max_steps = options->max_steps,
-                              .method = options->method,
-                              .n_events = m.middle >= 0,
-                              .events = &flip,
-                              .log = events,
-                              .project = renormalise,
-                              .kinks = p->law != NULL};
+  const rot_ode_params ode = {
+      .dim = DIM,
+      .controlled = STATE,
+      .n_groups = 2,
+      .groups = groups,
+      .rhs = rhs,
+      .ctx = &m,
+      .n_breaks = p->n_breaks,
+      .breaks = p->breaks_s,
+      .start_s = p->start_s,
+      .start = start,
+      /* L in space errs by both: that of L in the body, and that of the attitude. */
+      .accuracy = 0.5 * options->accuracy,
+      .max_steps = options->max_steps,
+      .method = options->method,
+      .n_events = m.middle >= 0 && !has_weight(p),
+      .events = &flip,
+      .log = events,
+      .project = renormalise,
+      .kinks = p->law != NULL};
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
   if (!y) return info->status = ROT_ENOMEM;
   rot_status status = rot_ode_run(&ode, n, time_s, y, NULL, error, largest, hooks, info);

@@ -142,7 +142,7 @@ layers='
 4 energy      energy
 4 kinematics  kinematics
 5 drive       drive*
-5 top         top* precession
+5 top         top* precession pivot*
 6 choice      choice
 '
 files '^src/rot_[a-z0-9_]*\.[ch]$' | sed 's|^src/rot_||; s|\.[ch]$||' | sort -u |
@@ -186,6 +186,7 @@ constraint-axle model-axle
 constraint-clutch model-clutch
 constraint-drive model-drive
 constraint-incline model-incline
+constraint-pivot scene-pivot
 constraint-rotors model-rotors
 integrate-axle model-axle
 '

@@ -1,0 +1,90 @@
+# The models of a body with a fixed point.
+
+# Gravity's impulses are integrals along the motion; its work is what the height gives.
+pivot_ledger <- function(scene, run, from_s, to_s) {
+  names <- c("work_j", "heat_j", free_impulses("torque"), free_impulses("damping"))
+  flow <- stats::setNames(double(8), names)
+  errors <- c(energy_rounding_j = 0, impulse_rounding_n_m_s = 0)
+  if (!(from_s < to_s)) return(c(flow, errors))
+  ends <- pivot_height_torque(scene, run, c(from_s, to_s))
+  flow[["work_j"]] <- ends[1, "energy"] - ends[2, "energy"]
+  rates <- function(t) pivot_height_torque(scene, run, t)[, c("x", "y"), drop = FALSE]
+  turn <- 2 * max(run$info$sizes[["omega"]], 1e-300)
+  panels <- min(max(1, ceiling((to_s - from_s) * turn)), 20000)
+  edges <- seq(from_s, to_s, length.out = panels + 1)
+  parts <- panel_integrals(rates, edges[-length(edges)], edges[-1])
+  flow[free_impulses("torque")[1:2]] <- colSums(parts$value)
+  size <- sqrt(sum(scene$lever_n_m^2))
+  eps <- .Machine$double.eps
+  off <- run$info$errors[["attitude"]]
+  errors[["energy_rounding_j"]] <- size * (2 * off + 16 * eps)
+  errors[["impulse_rounding_n_m_s"]] <- sum(parts$error) + size * (to_s - from_s) * (off + 16 * eps)
+  c(flow, errors)
+}
+
+# A matrix with a row for each time: potential energy, gravity's torque along x and y of space.
+pivot_height_torque <- function(scene, run, time_s) {
+  order <- order(time_s)
+  sorted <- time_s[order]
+  result <- record_of(run)$run(scene, sorted, run$accuracy, 1e6, run$call, TRUE)
+  out <- matrix(NA_real_, length(time_s), 3, dimnames = list(NULL, c("energy", "x", "y")))
+  out[order, ] <- lever_in_space(scene, result$columns)[, c("z", "x", "y")]
+  # r x F with F = (0, 0, -m g)
+  cbind(energy = out[, "energy"], x = -out[, "y"], y = out[, "x"])
+}
+
+# The lever of the weight in space, a row for each row of the columns, N m.
+lever_in_space <- function(scene, columns) {
+  own <- scene$lever_n_m
+  if (scene$axes[1] != 1) {
+    own <- unlist(.Call(ffi_attitude_turn, as.list(c(scene$axes, own)), 1), use.names = FALSE)
+  }
+  q <- lapply(unclass(columns)[quaternion_columns], as.double)
+  out <- do.call(cbind, .Call(ffi_attitude_turn, unname(c(q, as.list(own))), 1))
+  dimnames(out) <- list(NULL, c("x", "y", "z"))
+  out
+}
+
+pivot_top <- list(
+  id = "pivot_top",
+  equations = "L' = L x omega + r x m g (body axes), q' = q (0, omega)/2, two moments equal",
+  assumptions = "rigid body; the centre of mass on the axis of symmetry; no friction at the point",
+  limits = "beyond 1e15 rad no digit of the attitude is left",
+  requires = "a symmetric top, gravity, and nothing else",
+  source = "Goldstein 2002, section 5.7; elliptic functions of DLMF 19 and 22",
+  run = function(scene, time_s, accuracy, max_steps, call, asked) {
+    result <- .Call(ffi_pivot_top, scene, time_s, progress_bar("spinning"))
+    result$info <- void_error(result$info, result$columns)
+    result
+  },
+  ledger = pivot_ledger
+)
+
+# A record with some fields of its own.
+model_like <- function(record, ...) {
+  own <- list(...)
+  record[names(own)] <- own
+  record
+}
+
+pivot_free <- model_like(
+  free_exact,
+  id = "pivot_free",
+  requires = "held at its centre of mass (or no gravity), no torque"
+)
+
+pivot_rk8pd <- model_like(
+  free_rk8pd,
+  id = "pivot_rk8pd",
+  equations = "L' = L x omega + r x m g + torque - damping L (body axes), q' = q (0, omega)/2",
+  ran_as = function(info) {
+    if (info$method %in% c("rk8pd", "radau")) paste0("pivot_", info$method) else "pivot_rk8pd"
+  }
+)
+
+pivot_radau <- model_like(
+  free_radau,
+  id = "pivot_radau", equations = pivot_rk8pd$equations, ran_as = pivot_rk8pd$ran_as
+)
+
+pivot_models <- list(pivot_top, pivot_free, pivot_rk8pd, pivot_radau)

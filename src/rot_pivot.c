@@ -1,0 +1,132 @@
+#include "rot_pivot.h"
+
+#include <math.h>
+
+#include "rot_attitude.h"
+#include "rot_march.h"
+#include "rot_top_motion.h"
+
+/* Moments across the axis are the same within their rounding. */
+#define ALIKE (16.0 * ROT_EPS)
+
+/* The axis along which the lever lies, of a symmetric top; -1. */
+static int top_axis(const rot_free_params *p) {
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double a = p->moment_kg_m2[i], b = p->moment_kg_m2[j], *g = p->lever_n_m;
+    const double most = fabs(g[k]) * (p->turned ? 8.0 * ROT_EPS : 0.0);
+    if (fabs(g[i]) <= most && fabs(g[j]) <= most && g[k] != 0.0 && fabs(a - b) <= ALIKE * a) {
+      return k;
+    }
+  }
+  return -1;
+}
+
+const char *rot_pivot_not_top(const rot_free_params *p) {
+  if (top_axis(p) < 0) return "it is no symmetric top";
+  return NULL;
+}
+
+typedef struct run {
+  const rot_free_params *p;
+  rot_top_motion motion;
+  int axis;       /* of symmetry; the top's axes 1, 2, 3 are axis + 1, axis + 2, axis (modulo 3) */
+  double turn[4]; /* v_principal = turn v_top turn* */
+  const double *time_s;
+  const rot_free_columns *out;
+  rot_info *info;
+} run;
+
+static rot_status begin(const rot_free_params *p, run *r) {
+  static const double turns[3][4] = {
+      {0.5, 0.5, 0.5, 0.5}, {0.5, -0.5, -0.5, -0.5}, {1.0, 0.0, 0.0, 0.0}};
+  const int k = top_axis(p);
+  double omega[3], q[4];
+  rot_top_start start;
+  if (k < 0) return ROT_EVALUE;
+  r->p = p;
+  r->axis = k;
+  for (int i = 0; i < 4; i++) r->turn[i] = turns[k][i];
+  rot_free_principal(p, omega, q);
+  for (int i = 0; i < 3; i++) start.omega[i] = (rot_dd){omega[(k + 1 + i) % 3], 0.0};
+  /* q turn, exactly: halves of sums, in twice the precision */
+  const double *t = r->turn;
+  const int at[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+  const double sign[4][4] = {
+      {1.0, -1.0, -1.0, -1.0}, {1.0, 1.0, -1.0, 1.0}, {1.0, 1.0, 1.0, -1.0}, {1.0, -1.0, 1.0, 1.0}};
+  for (int i = 0; i < 4; i++) {
+    rot_dd sum = {0.0, 0.0};
+    for (int j = 0; j < 4; j++) {
+      /* component i: q_j times the component at[i][j] of the turn, or the reverse */
+      sum = rot_dd_add1(sum, sign[i][j] * t[j] * q[at[i][j]]);
+    }
+    start.q[i] = sum;
+  }
+  const double a = p->moment_kg_m2[(k + 1) % 3], b = p->moment_kg_m2[(k + 2) % 3];
+  const double given = fmax(p->given, fabs(a - b) / a);
+  return rot_top_begin(a, p->moment_kg_m2[k], p->lever_n_m[k], &start,
+                       p->turned ? fmax(given, 4.0 * ROT_EPS) : given, &r->motion);
+}
+
+static rot_status write_row(void *model, size_t i) {
+  const run *r = model;
+  const rot_dd t = rot_dd_sum2(r->time_s[i], -r->p->start_s);
+  const double back[4] = {r->turn[0], -r->turn[1], -r->turn[2], -r->turn[3]};
+  double q[4], omega[3];
+  rot_top_state at;
+  rot_top_at(&r->motion, t, &at);
+  rot_attitude_times(at.q, back, q);
+  (void)rot_attitude_unit(q);
+  for (int k = 0; k < 3; k++) omega[(r->axis + 1 + k) % 3] = at.omega[k];
+  rot_free_note(r->p, omega, at.q_error + 4.0 * ROT_EPS, at.omega_error, r->info);
+  return rot_free_write(r->p, omega, q, i, r->out);
+}
+
+/* The times at which lambda t + start is a multiple of K. */
+static rot_status log_turns(const run *r, size_t n, const double time_s[], rot_events *events) {
+  const rot_top_motion *m = &r->motion;
+  if (!n || m->weightless || m->steady || m->jacobi.m1 == 0.0) return ROT_OK;
+  const double from = fmin(time_s[0], r->p->start_s), to = fmax(time_s[n - 1], r->p->start_s);
+  const double rate = ldexp(m->lambda.hi, m->exponent), k = m->jacobi.k.hi;
+  const double first = floor((rate * (from - r->p->start_s) + m->start.hi) / k);
+  const double last = ceil((rate * (to - r->p->start_s) + m->start.hi) / k);
+  if (!(last - first <= ROT_FREE_MOST_FLIPS)) return ROT_OK;
+  for (double j = first; j <= last; j++) {
+    const rot_dd u = rot_dd_sub(rot_dd_mul1(m->jacobi.k, j), m->start);
+    const rot_dd s = rot_dd_ldexp(rot_dd_div(u, m->lambda), -m->exponent);
+    const double t = rot_dd_add1(s, r->p->start_s).hi;
+    const int high = (fmod(j, 2.0) != 0.0) != m->hangs; /* sn = 1: u is largest */
+    if (!(t >= from && t <= to)) continue;
+    const rot_status status =
+        rot_events_add(events, t, high ? ROT_EVENT_HIGHEST : ROT_EVENT_LOWEST);
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
+}
+
+rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s[],
+                         const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,
+                         rot_info *info) {
+  static const rot_march march = {NULL, NULL, NULL, write_row, NULL};
+  run r = {.time_s = time_s, .out = out, .info = info};
+  double omega[3], q[4];
+  rot_info_clear(info, rot_free_measures);
+  info->status = begin(p, &r);
+  if (info->status != ROT_OK) return info->status;
+  rot_free_principal(p, omega, q);
+  rot_free_note(p, omega, 0.0, 0.0, info);
+  const rot_status status = rot_march_rows(&march, &r, p->start_s, n, time_s, hooks, info);
+  return status == ROT_OK ? info->status = log_turns(&r, n, time_s, events) : status;
+}
+
+rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]) {
+  run r;
+  const rot_status status = begin(p, &r);
+  if (status != ROT_OK) return status;
+  const rot_top_nutation n = rot_top_nutates(&r.motion);
+  out[0] = n.period_s;
+  out[1] = n.lowest_cosine;
+  out[2] = n.highest_cosine;
+  out[3] = n.precession_rad;
+  return ROT_OK;
+}

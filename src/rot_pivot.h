@@ -1,0 +1,21 @@
+/* A body with a fixed point under gravity. Its scene is a rot_free_params with a lever, its moments
+ * about that point. This is the heavy symmetric top in closed form; the rest is integrated
+ * (rot_free_ode.h). */
+#ifndef ROT_PIVOT_H
+#define ROT_PIVOT_H
+
+#include "rot_free.h"
+
+/* NULL, or why it is no symmetric top: the lever is not along a principal axis, or the moments
+ * across it differ. */
+const char *rot_pivot_not_top(const rot_free_params *p);
+
+/* Rows as rot_free_exact() writes them. Events: the turning points of the nutation, up to 10000. */
+rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s[],
+                         const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,
+                         rot_info *info);
+
+/* Of its nutation: c(period s, lowest and highest cosine, precession in a period). */
+rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]);
+
+#endif

@@ -1,0 +1,72 @@
+#include "rot_pivot_models.h"
+
+#include "rot_free_models.h"
+#include "rot_pivot.h"
+
+enum { WEIGHT = 1, TORQUE = 2, LAW = 4, DAMPING = 8 };
+
+static const rot_effect effects[] = {{"weight", "gravity", 0, 0},
+                                     {"torque", "a torque", 0, 0},
+                                     {"law", "a torque function", 0, 0},
+                                     {"damping", "damping", 0, 0}};
+
+static unsigned effects_of(const void *of) {
+  const rot_free_params *p = of;
+  const double *t = p->torque, *g = p->lever_n_m;
+  return (g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0 ? WEIGHT : 0u) |
+         (t[0] != 0.0 || t[1] != 0.0 || t[2] != 0.0 || p->n_knots ? TORQUE : 0u) |
+         (p->law ? LAW : 0u) | (p->damping_per_s != 0.0 ? DAMPING : 0u);
+}
+
+static const char *refuses_top(const void *scene, const rot_query *query) {
+  (void)query;
+  return rot_pivot_not_top(scene);
+}
+
+static const rot_model models[] = {
+    {"pivot_top",
+     WEIGHT,
+     ROT_BOUND,
+     1e-14,
+     0,
+     "a heavy symmetric top: closed form by elliptic functions",
+     refuses_top,
+     rot_free_exact_s,
+     {8e-6, 1e-6, 0.0, 0.0}},
+    {"pivot_free",
+     DAMPING,
+     ROT_BOUND,
+     1e-14,
+     0,
+     "held at its centre of mass, no torque: closed form by elliptic functions",
+     rot_free_refuses_exact,
+     rot_free_exact_s,
+     {6e-6, 0.8e-6, 0.0, 0.0}},
+    {"pivot_rk8pd",
+     WEIGHT | TORQUE | LAW | DAMPING,
+     ROT_ADAPTIVE,
+     1e-13,
+     0,
+     "integrated, with explicit steps: it is not stiff",
+     rot_free_refuses_ode,
+     rot_free_integrated_s,
+     {0.2, -1.0 / 8.5, 2.5e-6, 1.5e-6}},
+    {"pivot_radau",
+     WEIGHT | TORQUE | LAW | DAMPING,
+     ROT_ADAPTIVE,
+     1e-13,
+     0,
+     "integrated, with implicit steps: it is stiff",
+     rot_free_refuses_ode,
+     rot_free_integrated_s,
+     {0.2, -1.0 / 9.0, 60e-6, 1.5e-6}},
+};
+
+const rot_constraint rot_pivot_constraint = {"pivot",
+                                             rot_free_measures,
+                                             sizeof effects / sizeof *effects,
+                                             sizeof models / sizeof *models,
+                                             effects,
+                                             models,
+                                             effects_of,
+                                             NULL};

@@ -1,0 +1,139 @@
+top <- function(theta_rad = pi / 6, omega3 = 60, ...) {
+  scene_pivot(
+    c(0.0042, 0.0042, 0.002), c(0, 0, omega3), mass_kg = 0.5, centre_m = c(0, 0, 0.08),
+    attitude0 = attitude_from(c(1, 0, 0, theta_rad), "axis_angle"), ...
+  )
+}
+
+test_that("heavy tops agree with 40-digit values", {
+  x <- utils::read.csv(shared("refs", "heavy_top.csv"))
+  for (i in seq_len(nrow(x))) {
+    e <- x[i, ]
+    across <- e$dphi0 * sin(e$theta0)
+    scene <- scene_pivot(
+      c(e$I1, e$I1, e$I3),
+      c(
+        e$dtheta0 * cos(e$psi0) + across * sin(e$psi0),
+        across * cos(e$psi0) - e$dtheta0 * sin(e$psi0), e$omega3
+      ),
+      mass_kg = e$Mgl, centre_m = c(0, 0, 1), gravity_m_per_s2 = 1,
+      attitude0 = attitude_from(
+        c(e$phi0, e$theta0, e$psi0), "euler", sequence = "intrinsic zxz"
+      )
+    )
+    motion <- trajectory(scene, e$t)
+    want <- stats::setNames(unlist(e[c("q0", "q1", "q2", "q3")]), c("qw", "qx", "qy", "qz"))
+    expect_lte(attitude_difference(motion, want), 2e-15)
+    expect_equal(run_of(motion)$model, "pivot_top")
+    expect_lte(attitude_difference(motion, want), summary(motion)$error)
+    got <- unlist(unclass(motion)[paste0("omega_", c("x", "y", "z"), "_rad_per_s")])
+    want <- unlist(e[c("w1", "w2", "w3")])
+    expect_lte(max(abs(got - want)), 2e-15 * sqrt(sum(want^2)))
+  }
+})
+
+test_that("the closed form and the integrator agree, along any axis and hanging", {
+  t <- seq(-1, 2, length.out = 13)
+  moments <- c(0.0042, 0.0042, 0.002)
+  for (axis in 1:3) {
+    for (lever in c(0.08, -0.08)) {
+      order <- (seq(axis, axis + 2) %% 3) + 1 # the third one is `axis`
+      m <- w <- r <- double(3)
+      m[order] <- moments
+      w[order] <- c(1, -2, 40)
+      r[order] <- c(0, 0, lever)
+      scene <- scene_pivot(
+        m, w, mass_kg = 0.5, centre_m = r, attitude0 = c(0.5, 0.5, -0.1, 0.7)
+      )
+      exact <- trajectory(scene, t)
+      expect_identical(run_of(exact)$model, "pivot_top")
+      other <- trajectory(scene, t, accuracy = 1e-11, model = "pivot_rk8pd")
+      expect_lte(max(attitude_difference(exact, other)), 1e-9)
+      expect_equal(
+        exact$rotational_kinetic_energy_j + exact$potential_energy_j,
+        rep(exact$rotational_kinetic_energy_j[1] + exact$potential_energy_j[1], 13),
+        tolerance = 1e-13
+      )
+      expect_true(all(audit(exact)$verdict == "balanced"))
+      expect_true(all(audit(other)$verdict == "balanced"))
+    }
+  }
+})
+
+test_that("a stick that hangs from its end swings as the pendulum on an axle", {
+  stick <- body_rod_end(mass_kg = 0.1, length_m = 1)
+  flat <- trajectory(scene_pendulum(stick, theta0_rad = 1), seq(0, 3, by = 0.5))
+  # From the direction of the stick in its body to 1 rad from straight down.
+  along <- stick$centre_m / sqrt(sum(stick$centre_m^2))
+  swing <- 1
+  down <- c(sin(swing), 0, -cos(swing))
+  turn <- rotation_about(
+    c(along[2] * down[3] - along[3] * down[2], along[3] * down[1] - along[1] * down[3],
+      along[1] * down[2] - along[2] * down[1]),
+    angle_rad = acos(sum(along * down))
+  )
+  scene <- scene_pivot(stick, c(0, 0, 0), attitude0 = turn)
+  motion <- trajectory(scene, seq(0, 3, by = 0.5))
+  expect_equal(
+    motion$potential_energy_j, -0.1 * 9.80665 * 0.5 * cos(flat$theta_rad), tolerance = 1e-13
+  )
+})
+
+test_that("events, nutation and what is conserved", {
+  scene <- top()
+  motion <- trajectory(scene, seq(0, 2, by = 0.25))
+  events <- motion_events(motion)
+  expect_true(all(events$event == rep(c("highest", "lowest"), length.out = nrow(events))))
+  expect_equal(
+    unique(round(diff(events$time_s), 12)), round(summary(motion)$nutation_period_s / 2, 12)
+  )
+  table <- precession_table(
+    data.frame(
+      mass_kg = 0.5, lever_arm_m = 0.08, moment_of_inertia_kg_m2 = 0.002, spin_rad_per_s = 60
+    ),
+    axis_angle_deg = 30, transverse_moment_kg_m2 = 0.0042
+  )
+  expect_equal(summary(motion)$nutation_period_s, table$nutation_period_s, tolerance = 1e-13)
+  expect_equal(
+    summary(motion)$mean_precession_rad_per_s, table$mean_precession_rad_per_s, tolerance = 1e-13
+  )
+  kept <- conserved(scene)
+  expect_identical(kept$conserved, c(TRUE, FALSE, FALSE, TRUE))
+  expect_false(conserved(top(damping_per_s = 0.1))$conserved[1])
+})
+
+test_that("torques, damping and bodies that are no tops are integrated", {
+  t <- c(0, 0.5, 1)
+  damped <- trajectory(top(damping_per_s = 0.2), t)
+  expect_match(run_of(damped)$model, "pivot_rk8pd")
+  expect_true(all(audit(damped)$verdict == "balanced"))
+  pushed <- trajectory(top(torque_n_m = c(0, 0, 0.01)), t)
+  # Along the axis of symmetry only the torque acts: I3 omega3' = torque.
+  expect_equal(pushed$omega_z_rad_per_s, 60 + 0.01 / 0.002 * t, tolerance = 1e-9)
+  box <- scene_pivot(body_box(1, 0.1, 0.2, 0.3), c(1, 2, 3), pivot_m = c(0.05, 0.1, 0.15))
+  motion <- trajectory(box, t)
+  expect_match(run_of(motion)$model, "pivot_rk8pd")
+  expect_true(all(audit(motion)$verdict == "balanced"))
+  # Held at its centre of mass it is a free body.
+  held <- trajectory(scene_pivot(body_box(1, 0.1, 0.2, 0.3), c(1, 2, 3)), t)
+  free <- trajectory(scene_free(body_box(1, 0.1, 0.2, 0.3), c(1, 2, 3)), t)
+  expect_identical(run_of(held)$model, "pivot_free")
+  expect_equal(held$qz, free$qz, tolerance = 1e-14)
+  skip_if_not_installed("ggplot2")
+  expect_s3_class(ggplot2::autoplot(box), "ggplot")
+  expect_s3_class(ggplot2::autoplot(motion), "ggplot")
+})
+
+test_that("bad input is refused with its class, and the print says what is held", {
+  expect_error(scene_pivot(c(1, 1, 1), c(0, 0, 1)), class = "rotdyn_error_missing")
+  expect_error(scene_pivot(), class = "rotdyn_error_missing")
+  expect_error(top(gravity_m_per_s2 = -1), class = "rotdyn_error_value")
+  expect_error(top(torque = 1), class = "rotdyn_error_argument")
+  expect_error(
+    scene_pivot(body_box(1, 1, 1, 1), c(0, 0, 1), mass_kg = 1), class = "rotdyn_error_value"
+  )
+  expect_error(
+    scene_pivot(body_box(1, 1, 1, 1), c(0, 0, 1), pivot_m = 1), class = "rotdyn_error_size"
+  )
+  expect_output(print(top()), "0.5 kg at 0, 0, 0.08 m from the point", fixed = TRUE)
+})
