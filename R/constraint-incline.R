@@ -62,6 +62,9 @@ incline_constraint <- function() {
       panel("velocity (m/s)", c(v_m_per_s = "centre", slip_speed_m_per_s = "slip")),
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
       panel("friction (N)", c(friction_force_n = "")),
+      panel("energy (J)", c(
+        translational_kinetic_energy_j = "translation", rotational_kinetic_energy_j = "rotation"
+      )),
       panel("heat (J)", c(slip_heat_j = "friction", rolling_heat_j = "rolling resistance"))
     )
   )
