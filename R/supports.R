@@ -107,6 +107,9 @@ support_rod <- function(at_m, to_m, ..., name = "rod") {
 
 #' @export
 print.rot_support <- function(x, ...) {
+  call <- rlang::current_env()
+  check_form(x, support_form, "x", "support", call)
+  if (!support_is_whole(x)) abort_form("kind", "x", "support", call)
   point <- function(p) paste0("(", paste(format_si(p), collapse = ", "), ") m")
   cat("<support> ", x$name, ": ", x$kind, " at ", point(x$at_m), sep = "")
   if (length(x$to_m)) cat(" to ", point(x$to_m), sep = "")

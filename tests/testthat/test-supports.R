@@ -46,4 +46,7 @@ test_that("errors of supports", {
   broken <- support_pin(c(0, 0))
   broken$kind <- "cable"
   expect_error(static_equilibrium(load, broken), class = "rotdyn_error_type")
+  expect_error(print(broken), class = "rotdyn_error_type")
+  broken$kind <- NULL
+  expect_error(print(broken), class = "rotdyn_error_type")
 })
