@@ -205,7 +205,9 @@ form_columns <- function(data, form, order, call) {
     if (length(data) != length(wanted)) abort_size_of(data, "data", length(wanted), call)
     data <- matrix(data, 1L)
   }
-  if (ncol(data) != length(wanted)) abort_size_of(data[1, ], "data", length(wanted), call)
+  if (length(dim(data)) != 2L || ncol(data) != length(wanted)) {
+    abort_size_of(seq_len(prod(dim(data)[-1])), "data", length(wanted), call)
+  }
   columns <- lapply(seq_along(wanted), function(k) check_column(data[, k], "data", "1", call))
   if (form != "quaternion") return(columns)
   if (is.null(order)) {

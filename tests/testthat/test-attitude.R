@@ -114,6 +114,7 @@ test_that("rows, missing values and bad rows", {
   mirror <- diag(c(1, 1, -1))
   expect_error(attitude_from(mirror, "matrix"), "reflection", class = "rotdyn_error_value")
   expect_error(attitude_from(1:2, "rodrigues"), class = "rotdyn_error_size")
+  expect_error(attitude_from(array(1, c(2, 2, 2)), "rodrigues"), class = "rotdyn_error_size")
   expect_identical(nrow(attitude_to(table[0, ], "matrix")), 0L)
 })
 
