@@ -11,7 +11,7 @@ if (!file.exists("bench/run.R")) stop("run this from the top of the repository")
 library(rotdyn)
 for (file in c(
   "precise", "paired", "peers", "report", "rolling", "spin-up", "sweep", "function-torque",
-  "laws", "calls", "shapes", "mesh"
+  "laws", "calls", "shapes", "mesh", "inclines"
 )) {
   source(file.path("bench", paste0(file, ".R")))
 }
@@ -24,7 +24,8 @@ comparisons <- list(
   "laws" = run_laws,
   "calls" = run_calls,
   "shapes" = run_shapes,
-  "mesh" = run_mesh
+  "mesh" = run_mesh,
+  "inclines" = run_inclines
 )
 
 args <- commandArgs(trailingOnly = TRUE)
