@@ -38,7 +38,7 @@ static const rot_model models[] = {
      ROT_BOUND,
      1e-14,
      0,
-     "held at its centre of mass, no torque: closed form by elliptic functions",
+     "no torque: closed form by elliptic functions",
      rot_free_refuses_exact,
      rot_free_exact_s,
      {6e-6, 0.8e-6, 0.0, 0.0}},
