@@ -63,9 +63,9 @@ incline_constraint <- function() {
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
       panel("friction (N)", c(friction_force_n = "")),
       panel("energy (J)", c(
-        translational_kinetic_energy_j = "translation", rotational_kinetic_energy_j = "rotation"
-      )),
-      panel("heat (J)", c(slip_heat_j = "friction", rolling_heat_j = "rolling resistance"))
+        translational_kinetic_energy_j = "translation", rotational_kinetic_energy_j = "rotation",
+        slip_heat_j = "heat of slip", rolling_heat_j = "heat of rolling"
+      ))
     )
   )
 }
