@@ -179,7 +179,7 @@ euler_sequence <- function(form, sequence, call) {
       i = "Such as {.val intrinsic zyx} for yaw, pitch and roll, or {.val intrinsic zxz}."
     ), "missing", call)
   }
-  said <- if (rlang::is_string(sequence)) tolower(sequence) else ""
+  said <- if (rlang::is_string(sequence)) lower_case(sequence) else ""
   parts <- regmatches(said, regexec("^(intrinsic|extrinsic)[ _]([xyz])([xyz])([xyz])$", said))[[1]]
   axes <- match(parts[3:5], c("x", "y", "z"))
   if (anyNA(axes) || any(diff(axes) == 0)) {
