@@ -85,7 +85,7 @@ scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m
 # list(body, bodies, moment_of_inertia_kg_m2, axes, moment_error): principal moments, and the
 # attitude of their axes in the body. A diagonal tensor keeps its axes and its numbers.
 free_inertia <- function(body, call) {
-  if (is.numeric(body) && !is.object(body) && is.null(dim(body))) {
+  if (is.numeric(body) && is.null(dim(body))) {
     moments <- check_finite(body, "body", "kg*m^2", call)
     if (length(moments) != 3L) abort_size_of(moments, "body", 3L, call)
     check_not_negative(moments, "body", "kg*m^2", call)
@@ -98,7 +98,7 @@ free_inertia <- function(body, call) {
     }
     return(new_free_inertia(NULL, moments))
   }
-  tensor <- if (is.numeric(body)) body
+  tensor <- if (is.numeric(body) && !is.object(body)) body
   of <- if (inherits(body, "rot_body")) check_body(body, call) else body_of_tensor(body, call)
   if (is.null(tensor)) {
     second <- matrix(of$second_moment_kg_m2, 3)

@@ -78,3 +78,16 @@ test_that("a body turned in its own axes moves as the same body", {
   expect_lt(max(attitude_difference(back, plain)), 1e-12)
   expect_gt(trajectory_run(turned)$info$errors[["attitude"]], max(attitude_difference(back, plain)))
 })
+
+test_that("moments and tensors with units, and six numbers, are read or refused", {
+  expect_error(scene_free(1:6 + 0, c(0, 0, 1)), class = "rotdyn_error_size")
+  skip_if_not_installed("units")
+  moments <- units::set_units(c(1, 2, 2.5), "kg*m^2")
+  expect_identical(
+    scene_free(moments, c(0, 0, 1))$moment_of_inertia_kg_m2, c(1, 2, 2.5)
+  )
+  expect_error(
+    scene_free(units::set_units(1:6 + 0, "kg*m^2"), c(0, 0, 1)), class = "rotdyn_error_size"
+  )
+  expect_error(spin_stability(units::set_units(1:6 + 0, "kg*m^2")), class = "rotdyn_error")
+})
