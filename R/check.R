@@ -170,6 +170,33 @@ check_recyclable <- function(columns, call) {
   if (length(others)) others else 1L
 }
 
+# Columns beside the n rows of a table, which is the argument `arg`.
+check_rows_fit <- function(columns, n, arg, call) {
+  long <- lengths(columns) != 1L & lengths(columns) != n
+  if (!any(long)) return(invisible())
+  abort_rotdyn(c(
+    "Arguments must have one number for each row of {.arg {arg}}, or one for all.",
+    x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
+         has {n} row{?s}."
+  ), "size", call)
+}
+
+# A table of parameters, a scene in each row.
+check_parameters <- function(parameters, call) {
+  if (!is.data.frame(parameters)) {
+    abort_rotdyn(
+      c("{.arg parameters} must be a data frame.", x = "It is {describe_value(parameters)}."),
+      "type", call
+    )
+  }
+  twice <- names(parameters)[duplicated(names(parameters))]
+  if (length(twice)) {
+    abort_rotdyn(
+      "{.arg parameters} has more than one column {.field {unique(twice)}}.", "value", call
+    )
+  }
+}
+
 # Finite doubles, for descriptions, where NA is not allowed.
 check_finite <- function(x, arg, unit, call, kind = "value") {
   if (is.double(x) && is.null(attributes(x)) && all(is.finite(x))) return(x)

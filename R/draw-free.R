@@ -3,12 +3,7 @@
 # the right, z up, x towards the reader.
 draw_free <- function(scene) {
   d <- new_drawing()
-  beside <- pi / 6
-  above <- 25 * pi / 180
-  view <- rbind(
-    c(-sin(beside), cos(beside), 0),
-    c(-cos(beside) * sin(above), -sin(beside) * sin(above), cos(above))
-  )
+  view <- view_of_space()
   moments <- scene$moment_of_inertia_kg_m2
   turn <- matrix_of_quaternion(scene$attitude0, "attitude0", NULL)
   principal <- turn
@@ -56,4 +51,14 @@ draw_free <- function(scene) {
     d$key(quantity("gamma", "damping", value_text(scene$damping_per_s, "1/s"), "resistance"))
   }
   d$done(c(-1.5, 1.5, -1.5, 1.5), "the ellipsoid of the second moments; not to scale")
+}
+
+# What turns a vector of space into the two components of the picture.
+view_of_space <- function() {
+  beside <- pi / 6
+  above <- 25 * pi / 180
+  rbind(
+    c(-sin(beside), cos(beside), 0),
+    c(-cos(beside) * sin(above), -sin(beside) * sin(above), cos(above))
+  )
 }

@@ -2,12 +2,7 @@
 # velocity, seen as draw_free() sees a free body.
 draw_pivot <- function(scene) {
   d <- new_drawing()
-  beside <- pi / 6
-  above <- 25 * pi / 180
-  view <- rbind(
-    c(-sin(beside), cos(beside), 0),
-    c(-cos(beside) * sin(above), -sin(beside) * sin(above), cos(above))
-  )
+  view <- view_of_space()
   turn <- matrix_of_quaternion(scene$attitude0, "attitude0", NULL)
   centre <- as.vector(turn %*% scene$centre_m)
   long <- sqrt(sum(centre^2))

@@ -51,18 +51,7 @@ incline_table <- function(parameters, time_s = NULL, ..., threads = 1) {
   call <- rlang::current_env()
   check_supplied("parameters", call)
   check_no_dots(...)
-  if (!is.data.frame(parameters)) {
-    abort_rotdyn(
-      c("{.arg parameters} must be a data frame.", x = "It is {describe_value(parameters)}."),
-      "type", call
-    )
-  }
-  twice <- names(parameters)[duplicated(names(parameters))]
-  if (length(twice)) {
-    abort_rotdyn(
-      "{.arg parameters} has more than one column {.field {unique(twice)}}.", "value", call
-    )
-  }
+  check_parameters(parameters, call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
   threads <- min(threads, .Call(ffi_axle_sweep_threads))
   known <- names(incline_parameters)

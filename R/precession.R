@@ -84,14 +84,7 @@ precession_table <- function(tops, axis_angle_deg = 90, transverse_moment_kg_m2 
   )
   columns <- check_columns_of(columns, precession_units, call)
   n <- nrow(tops)
-  long <- lengths(columns) != 1L & lengths(columns) != n
-  if (any(long)) {
-    abort_rotdyn(c(
-      "Arguments must have one number for each row of {.arg tops}, or one for all.",
-      x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
-           has {n} row{?s}."
-    ), "size", call)
-  }
+  check_rows_fit(columns, n, "tops", call)
   check_top_columns(columns, call)
   out <- as.list(tops)
   values <- .Call(ffi_precession, unname(lapply(columns, rep_len, n)))

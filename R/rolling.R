@@ -61,14 +61,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   )
   columns <- check_columns_of(columns, rolling_units, call)
   n <- nrow(objects)
-  long <- lengths(columns) != 1L & lengths(columns) != n
-  if (any(long)) {
-    abort_rotdyn(c(
-      "Arguments must have one number for each row of {.arg objects}, or one for all.",
-      x = "{.arg {names(columns)[long]}} {?has/have} length {lengths(columns)[long]}, the table
-           has {n} row{?s}."
-    ), "size", call)
-  }
+  check_rows_fit(columns, n, "objects", call)
   values <- .Call(
     ffi_rolling_table, columns[[1]], columns[[2]], columns[[3]], columns[[4]],
     progress_bar("rolling")

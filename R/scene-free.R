@@ -212,22 +212,26 @@ check_spin <- function(scene, call) {
 print.rot_scene_free <- function(x, ...) {
   check_scene(x, rlang::current_env())
   numbers <- function(v) paste(format_si(v), collapse = ", ")
-  torque <- if (!is.null(x$law)) {
-    "an R function"
-  } else if (!is.null(x$knots)) {
-    paste(length(x$knots$time_s), "knots")
-  } else {
-    paste(numbers(x$torque_n_m), "N m")
-  }
   cat(
     "<rot_scene> a free body\n",
     "  body      ", if (!is.null(x$body)) paste0(x$body$shape, ", "), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2\n",
-    "  torque    ", torque, " (", if (x$in_space == 1) "space" else "body", " axes)\n",
+    "  torque    ", describe_free_torque(x), "\n",
     if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
     "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
     numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",
     sep = ""
   )
   invisible(x)
+}
+
+describe_free_torque <- function(scene) {
+  torque <- if (!is.null(scene$law)) {
+    "an R function"
+  } else if (!is.null(scene$knots)) {
+    paste(length(scene$knots$time_s), "knots")
+  } else {
+    paste(paste(format_si(scene$torque_n_m), collapse = ", "), "N m")
+  }
+  paste0(torque, " (", if (scene$in_space == 1) "space" else "body", " axes)")
 }

@@ -134,20 +134,12 @@ print.rot_scene_pivot <- function(x, ...) {
   check_scene(x, rlang::current_env())
   numbers <- function(v) paste(format_si(v), collapse = ", ")
   acts <- !is.null(x$law) || !is.null(x$knots) || any(x$torque_n_m != 0)
-  torque <- if (!is.null(x$law)) {
-    "an R function"
-  } else if (!is.null(x$knots)) {
-    paste(length(x$knots$time_s), "knots")
-  } else {
-    paste(numbers(x$torque_n_m), "N m")
-  }
   cat(
     "<rot_scene> a body with a fixed point\n",
     "  body      ", if (!is.null(x$body)) paste0(x$body$shape, ", "), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2 about the point\n",
     "  gravity   ", format_si(x$mass_kg), " kg at ", numbers(x$centre_m), " m from the point\n",
-    if (acts) paste0("  torque    ", torque, " (", if (x$in_space == 1) "space" else "body",
-                     " axes)\n"),
+    if (acts) paste0("  torque    ", describe_free_torque(x), "\n"),
     if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
     "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
     numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",

@@ -54,18 +54,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   call <- rlang::current_env()
   check_supplied("parameters", call)
   check_no_dots(...)
-  if (!is.data.frame(parameters)) {
-    abort_rotdyn(
-      c("{.arg parameters} must be a data frame.", x = "It is {describe_value(parameters)}."),
-      "type", call
-    )
-  }
-  twice <- names(parameters)[duplicated(names(parameters))]
-  if (length(twice)) {
-    abort_rotdyn(
-      "{.arg parameters} has more than one column {.field {unique(twice)}}.", "value", call
-    )
-  }
+  check_parameters(parameters, call)
   n <- nrow(parameters)
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))

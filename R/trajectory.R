@@ -4,7 +4,7 @@
 #' and computes the motion in C. The result carries its model, its error and its [audit()].
 #'
 #' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()],
-#'   [scene_drive()].
+#'   [scene_drive()], [scene_incline()], [scene_free()], [scene_pivot()].
 #' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.
@@ -116,7 +116,11 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     )
   } else if (n && !(info$error <= accuracy)) {
     beyond <- if (is.infinite(info$error)) beyond_doubles(columns)
-    why <- record$loses %||% "Large terms of two signs cancel in this motion."
+    why <- record$loses %||% if (isTRUE(record$adapts)) {
+      "Shorter steps do not lessen it: ask for less accuracy, or for a shorter time."
+    } else {
+      "Large terms of two signs cancel in this motion."
+    }
     warn_rotdyn(c(
       "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
        than the accuracy of {format(accuracy)} asked for.",

@@ -118,6 +118,22 @@ rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n) {
   return column;
 }
 
+R_xlen_t ffi_columns_of(SEXP list, int n, rot_column in[]) {
+  R_xlen_t rows = 1;
+  if (TYPEOF(list) != VECSXP || XLENGTH(list) != n) Rf_error("internal: `columns`");
+  for (int j = 0; j < n; j++) in[j] = ffi_column(VECTOR_ELT(list, j), "columns", &rows);
+  return rows;
+}
+
+int ffi_row_of(const rot_column in[], int n, R_xlen_t i, double x[]) {
+  int known = 1;
+  for (int j = 0; j < n; j++) {
+    x[j] = rot_at(in[j], (size_t)i);
+    known &= !ISNAN(x[j]);
+  }
+  return known;
+}
+
 /* A first touch costs a page fault, half the time of a large table (1e7 rolling rows: 0.15 of 0.28
  * s). Ask for huge pages in the part of a large column that they can cover. */
 SEXP ffi_new_column(R_xlen_t rows) {

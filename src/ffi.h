@@ -43,6 +43,9 @@ double ffi_number_of(SEXP list, const char *name);
 const double *ffi_numbers_of(SEXP list, const char *name, R_xlen_t length);
 /* A column of length 1 or *n; *n grows from 1 to the first length that is not. */
 rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n);
+/* The n columns of a list, and the rows that they make. Row i; 0 where a value is missing. */
+R_xlen_t ffi_columns_of(SEXP list, int n, rot_column in[]);
+int ffi_row_of(const rot_column in[], int n, R_xlen_t i, double x[]);
 SEXP ffi_new_column(R_xlen_t rows);
 /* A list of `n` real columns with `rows` rows, named; protects one object. */
 SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *columns[]);

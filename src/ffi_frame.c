@@ -4,23 +4,6 @@
 
 enum { MOST_COLUMNS = 12 };
 
-static R_xlen_t columns_of(SEXP list, int n, rot_column in[]) {
-  R_xlen_t rows = 1;
-  if (TYPEOF(list) != VECSXP || XLENGTH(list) != n) Rf_error("internal: `columns`");
-  for (int j = 0; j < n; j++) in[j] = ffi_column(VECTOR_ELT(list, j), "columns", &rows);
-  return rows;
-}
-
-/* Row i; 0 where a value is missing. */
-static int row_of(const rot_column in[], int n, R_xlen_t i, double x[]) {
-  int known = 1;
-  for (int j = 0; j < n; j++) {
-    x[j] = rot_at(in[j], (size_t)i);
-    known &= !ISNAN(x[j]);
-  }
-  return known;
-}
-
 /* Columns: time, latitude, velocity east, north, up, gravity, rate of rotation. */
 SEXP ffi_frame_projectile(SEXP list) {
   static const char *const names[] = {"east_m",
@@ -38,10 +21,10 @@ SEXP ffi_frame_projectile(SEXP list) {
                                       "first_order_error_m"};
   rot_column in[7];
   double *column[13], x[7];
-  const R_xlen_t n = columns_of(list, 7, in);
+  const R_xlen_t n = ffi_columns_of(list, 7, in);
   SEXP out = ffi_columns(13, names, n, column);
   for (R_xlen_t i = 0; i < n; i++) {
-    const int known = row_of(in, 7, i, x);
+    const int known = ffi_row_of(in, 7, i, x);
     const rot_projectile_input input = {x[6], x[1], x[5], {x[2], x[3], x[4]}, x[0]};
     const rot_projectile row = rot_frame_projectile(&input);
     for (int k = 0; k < 3; k++) {
@@ -60,10 +43,10 @@ SEXP ffi_frame_projectile(SEXP list) {
 SEXP ffi_frame_fall_time(SEXP list) {
   rot_column in[4];
   double x[4];
-  const R_xlen_t n = columns_of(list, 4, in);
+  const R_xlen_t n = ffi_columns_of(list, 4, in);
   SEXP out = PROTECT(Rf_allocVector(REALSXP, n));
   for (R_xlen_t i = 0; i < n; i++) {
-    const int known = row_of(in, 4, i, x);
+    const int known = ffi_row_of(in, 4, i, x);
     REAL(out)[i] = known ? rot_frame_fall_time(x[0], x[1], x[2], x[3]) : NA_REAL;
   }
   UNPROTECT(1);
@@ -76,11 +59,11 @@ SEXP ffi_frame_foucault(SEXP list) {
                                       "plane_rate_rad_per_s"};
   rot_column in[9];
   double *column[5], x[9];
-  const R_xlen_t n = columns_of(list, 9, in);
+  const R_xlen_t n = ffi_columns_of(list, 9, in);
   SEXP out = ffi_columns(5, names, n, column);
   for (R_xlen_t i = 0; i < n; i++) {
     double r[2], v[2], rate;
-    const int known = row_of(in, 9, i, x);
+    const int known = ffi_row_of(in, 9, i, x);
     rot_frame_foucault(x[0], x[1], x[2], x[3], x + 4, x + 6, x[8], r, v, &rate);
     for (int k = 0; k < 2; k++) {
       column[k][i] = known ? r[k] : NA_REAL;
@@ -116,13 +99,13 @@ SEXP ffi_frame_carry(SEXP list, SEXP axis, SEXP enters) {
                                       "euler_z_m_per_s2"};
   rot_column in[MOST_COLUMNS];
   double *column[18], x[MOST_COLUMNS];
-  const R_xlen_t n = columns_of(list, MOST_COLUMNS, in);
+  const R_xlen_t n = ffi_columns_of(list, MOST_COLUMNS, in);
   const double *unit = ffi_reals(axis, "axis", 3);
   const int enter = Rf_asLogical(enters) == TRUE;
   SEXP out = ffi_columns(18, names, n, column);
   for (R_xlen_t i = 0; i < n; i++) {
     double y[18];
-    (void)row_of(in, MOST_COLUMNS, i, x);
+    (void)ffi_row_of(in, MOST_COLUMNS, i, x);
     const rot_frame frame = {{unit[0], unit[1], unit[2]}, x[9], x[10], x[11]};
     if (enter) {
       rot_frame_enter(&frame, x, x + 3, x + 6, y, y + 3, y + 6);

@@ -45,7 +45,7 @@ rot_free_params ffi_free_scene(SEXP list) {
 
 /* ---- closed form ----------------------------------------------------------------------------- */
 
-SEXP ffi_free_exact(SEXP list, SEXP time_s, SEXP progress) {
+SEXP ffi_free_rows(SEXP list, SEXP time_s, SEXP progress, ffi_free_form *form) {
   static const char *const names[] = {"time_s", ROT_FREE_COLUMNS(FFI_COLUMN_NAME) ""};
   const rot_free_params p = ffi_free_scene(list);
   const double *t = ffi_reals(time_s, "time_s", -1);
@@ -58,8 +58,12 @@ SEXP ffi_free_exact(SEXP list, SEXP time_s, SEXP progress) {
   SET_VECTOR_ELT(columns, 0, time_s);
   ROT_FREE_COLUMNS(FFI_COLUMN_NEW)
   const rot_status status =
-      rot_free_exact(&p, (size_t)rows, t, &out, &run.events, &run.guard.hooks, &run.info);
+      form(&p, (size_t)rows, t, &out, &run.events, &run.guard.hooks, &run.info);
   return ffi_run_end(&run, status);
+}
+
+SEXP ffi_free_exact(SEXP list, SEXP time_s, SEXP progress) {
+  return ffi_free_rows(list, time_s, progress, rot_free_exact);
 }
 
 /* The ledger from span[0] to span[1]. */

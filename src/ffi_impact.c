@@ -4,24 +4,6 @@
 
 enum { MOST_COLUMNS = 9 };
 
-/* The columns of a list, and the rows that they make. */
-static R_xlen_t columns_of(SEXP list, int n, rot_column in[]) {
-  R_xlen_t rows = 1;
-  if (TYPEOF(list) != VECSXP || XLENGTH(list) != n) Rf_error("internal: `columns`");
-  for (int j = 0; j < n; j++) in[j] = ffi_column(VECTOR_ELT(list, j), "columns", &rows);
-  return rows;
-}
-
-/* Row i; 0 where a value is missing. */
-static int row_of(const rot_column in[], int n, size_t i, double x[MOST_COLUMNS]) {
-  int known = 1;
-  for (int j = 0; j < n; j++) {
-    x[j] = rot_at(in[j], i);
-    known &= !ISNAN(x[j]);
-  }
-  return known;
-}
-
 /* Columns: mass, radius, beta, vx, vy, omega, restitution, friction, tangential. */
 SEXP ffi_impact_bounce(SEXP list) {
   static const char *const names[] = {
@@ -29,11 +11,11 @@ SEXP ffi_impact_bounce(SEXP list) {
       "friction_impulse_n_s", "normal_loss_j", "friction_loss_j", "grips"};
   rot_column in[MOST_COLUMNS];
   double *c[8], x[MOST_COLUMNS];
-  const R_xlen_t n = columns_of(list, 9, in);
+  const R_xlen_t n = ffi_columns_of(list, 9, in);
   SEXP out = ffi_columns(8, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {
     rot_bounce row = {NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, 0};
-    const int known = row_of(in, 9, i, x);
+    const int known = ffi_row_of(in, 9, (R_xlen_t)i, x);
     const rot_bounce_input input = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]};
     if (known) row = rot_impact_bounce(&input);
     c[0][i] = row.vx;
@@ -55,11 +37,11 @@ SEXP ffi_impact_hinged(SEXP list) {
                                       "hinge_impulse_n_s", "normal_loss_j"};
   rot_column in[MOST_COLUMNS];
   double *c[5], x[MOST_COLUMNS];
-  const R_xlen_t n = columns_of(list, 8, in);
+  const R_xlen_t n = ffi_columns_of(list, 8, in);
   SEXP out = ffi_columns(5, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {
     rot_hinged row = {NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL};
-    const int known = row_of(in, 8, i, x);
+    const int known = ffi_row_of(in, 8, (R_xlen_t)i, x);
     const rot_hinged_input input = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
     if (known) row = rot_impact_hinged(&input);
     c[0][i] = row.omega;
@@ -78,11 +60,11 @@ SEXP ffi_impact_rims(SEXP list) {
                                       "friction_loss_j", "locked"};
   rot_column in[MOST_COLUMNS];
   double *c[5], x[MOST_COLUMNS];
-  const R_xlen_t n = columns_of(list, 8, in);
+  const R_xlen_t n = ffi_columns_of(list, 8, in);
   SEXP out = ffi_columns(5, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {
     rot_rims row = {{NA_REAL, NA_REAL}, NA_REAL, NA_REAL, 0};
-    const int known = row_of(in, 8, i, x);
+    const int known = ffi_row_of(in, 8, (R_xlen_t)i, x);
     const rot_rims_input input = {{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}, x[6], x[7]};
     if (known) row = rot_impact_rims(&input);
     c[0][i] = row.omega[0];

@@ -19,9 +19,7 @@ SEXP ffi_precession(SEXP list) {
                                       "mean_precession_rad_per_s"};
   rot_column in[INPUTS];
   double *column[OUTPUTS];
-  R_xlen_t n = 1;
-  if (TYPEOF(list) != VECSXP || XLENGTH(list) != INPUTS) Rf_error("internal: `columns`");
-  for (int j = 0; j < INPUTS; j++) in[j] = ffi_column(VECTOR_ELT(list, j), "columns", &n);
+  const R_xlen_t n = ffi_columns_of(list, INPUTS, in);
   SEXP out = ffi_columns(OUTPUTS, names, n, column);
   for (size_t i = 0; i < (size_t)n; i++) {
     double x[INPUTS];
@@ -45,13 +43,11 @@ SEXP ffi_precession(SEXP list) {
 /* Axial moment, transverse moment, mass, lever arm, gravity. */
 SEXP ffi_precession_sleeps(SEXP list) {
   rot_column in[5];
-  R_xlen_t n = 1;
-  if (TYPEOF(list) != VECSXP || XLENGTH(list) != 5) Rf_error("internal: `columns`");
-  for (int j = 0; j < 5; j++) in[j] = ffi_column(VECTOR_ELT(list, j), "columns", &n);
+  const R_xlen_t n = ffi_columns_of(list, 5, in);
   SEXP out = PROTECT(Rf_allocVector(REALSXP, n));
   for (R_xlen_t i = 0; i < n; i++) {
     double x[5];
-    for (int j = 0; j < 5; j++) x[j] = rot_at(in[j], (size_t)i);
+    (void)ffi_row_of(in, 5, i, x);
     REAL(out)[i] = rot_precession_sleeps(x[0], x[1], x[2], x[3], x[4]);
   }
   UNPROTECT(1);

@@ -18,6 +18,11 @@ rot_clutch_params ffi_clutch_scene(SEXP scene);
 rot_incline_scene ffi_incline_scene(SEXP scene);
 /* Its R function is only marked, not called. */
 rot_free_params ffi_free_scene(SEXP scene);
+/* A run by a closed form of such scenes. */
+typedef rot_status ffi_free_form(const rot_free_params *p, size_t n, const double time_s[],
+                                 const rot_free_columns *out, rot_events *events,
+                                 const rot_hooks *hooks, rot_info *info);
+SEXP ffi_free_rows(SEXP scene, SEXP time_s, SEXP progress, ffi_free_form *form);
 /* Whether the list is a term of a torque law that the core may read. */
 int ffi_term_fits(SEXP list);
 /* Its R functions are only marked, not called. */
