@@ -10,7 +10,7 @@
 #' A symmetric top (two equal moments, the centre of mass on the axis of the third) is exact at any
 #' time (`pivot_top`): its attitude is good to some 1e-15 rad, through the poles, asleep, hanging.
 #' So is a body that is held at its centre of mass. Everything else is integrated. Events of the
-#' closed form: the axis of the top is `highest` or `lowest`.
+#' closed form: the centre of mass is `highest` or `lowest`.
 #'
 #' @param body A `rot_body`; or three principal moments of inertia in kg m^2 about the fixed point,
 #'   along the body's axes: then `mass_kg` and `centre_m` say where gravity acts.

@@ -14,7 +14,7 @@
   X(ROT_EVENT_LOCK, "lock")       /* a clutch locks */                                             \
   X(ROT_EVENT_ROLL, "roll")       /* slip of a contact ends, rolling begins */                     \
   X(ROT_EVENT_FLIP, "flip")       /* the middle axis of a tumbling body turns over */              \
-  X(ROT_EVENT_HIGHEST, "highest") /* the axis of a top turns back, highest */                      \
+  X(ROT_EVENT_HIGHEST, "highest") /* the centre of mass of a top turns back, highest */            \
   X(ROT_EVENT_LOWEST, "lowest")   /* or lowest */
 
 typedef enum rot_event {

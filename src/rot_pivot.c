@@ -95,7 +95,7 @@ static rot_status log_turns(const run *r, size_t n, const double time_s[], rot_e
     const rot_dd u = rot_dd_sub(rot_dd_mul1(m->jacobi.k, j), m->start);
     const rot_dd s = rot_dd_ldexp(rot_dd_div(u, m->lambda), -m->exponent);
     const double t = rot_dd_add1(s, r->p->start_s).hi;
-    const int high = (fmod(j, 2.0) != 0.0) != m->hangs; /* sn = 1: u is largest */
+    const int high = fmod(j, 2.0) != 0.0; /* sn = 1: the centre of mass is highest */
     if (!(t >= from && t <= to)) continue;
     const rot_status status =
         rot_events_add(events, t, high ? ROT_EVENT_HIGHEST : ROT_EVENT_LOWEST);

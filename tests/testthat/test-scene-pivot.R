@@ -102,6 +102,22 @@ test_that("events, nutation and what is conserved", {
   expect_false(conserved(top(damping_per_s = 0.1))$conserved[1])
 })
 
+test_that("highest and lowest are those of the centre of mass, on either side of the point", {
+  for (lever in c(0.08, -0.08)) {
+    scene <- scene_pivot(
+      c(0.0042, 0.0042, 0.002), c(0.5, 0, 60), mass_kg = 0.5, centre_m = c(0, 0, lever),
+      attitude0 = attitude_from(c(1, 0, 0, 1), "axis_angle")
+    )
+    motion <- trajectory(scene, seq(0, 1, by = 0.01))
+    events <- motion_events(motion)
+    at <- predict(motion, events$time_s)$inclination_rad
+    expect_equal(
+      at, ifelse(events$event == "highest", min(at), max(at)), tolerance = 1e-12
+    )
+    expect_lte(max(motion$inclination_rad), max(at) + 1e-12)
+  }
+})
+
 test_that("torques, damping and bodies that are no tops are integrated", {
   t <- c(0, 0.5, 1)
   damped <- trajectory(top(damping_per_s = 0.2), t)
