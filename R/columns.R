@@ -398,6 +398,8 @@ column_list <- list(
   c("bending_moment_n_m", "N m", "largest bending moment in the rod"),
   c("break_at_m", "m", "its place, from the hinge"),
   c("least_normal_n", "N", "least push of the track"),
+  c("pulses", "1", "running number of pulses"),
+  c("segment", "", "number of the run, from 1: segments share nothing but the instrument"),
   c("check", "", "result of check_inertia(); NULL without inertia")
 )
 

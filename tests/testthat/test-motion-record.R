@@ -1,0 +1,238 @@
+info_of <- function(x) attr(x, "record")
+
+test_that("columns by name, by expression, and by their headings, in any unit", {
+  d <- data.frame(t = 0:10 / 10, a = 0:10, check.names = FALSE)
+  want <- 0:10 * pi / 180
+  got <- list(
+    motion_record(d, time_s = "t", theta_deg = "a"),
+    motion_record(d, time_s = t, theta_deg = a),
+    motion_record(d, time_s = d$t, theta_rad = a * pi / 180),
+    motion_record(stats::setNames(d, c("Time (s)", "Angle (deg)"))),
+    motion_record(stats::setNames(d, c("t (s)", "Angle (deg)")),
+      time_s = "t (s)", theta_rad = "Angle (deg)"),
+    motion_record(data.frame(time_s = d$t, theta_deg = d$a)),
+    motion_record(transform(d, t = 1000 * t), time_s = t / 1000, theta_turns = a / 360),
+    motion_record(stats::setNames(transform(d, t = 1000 * t), c("t (ms)", "b")),
+      time_s = "t (ms)", counts = b, counts_per_turn = 360)
+  )
+  for (x in got) {
+    expect_s3_class(x, "rot_record")
+    expect_equal(x$time_s, d$t)
+    expect_equal(x$theta_rad, want)
+    expect_identical(x$segment, rep(1L, 11))
+  }
+  rate <- motion_record(d, time_s = t, omega_rpm = a)
+  expect_equal(rate$omega_rad_per_s, 0:10 * 2 * pi / 60)
+  rate <- motion_record(d, time_s = t, omega_deg_per_s = a)
+  expect_equal(rate$omega_rad_per_s, want)
+  expect_error(motion_record(stats::setNames(d, c("t", "w (rad/s)")), time_s = t,
+    theta_rad = "w (rad/s)"), class = "rotdyn_error_unit")
+  expect_error(motion_record(stats::setNames(d, c("t", "w (rad)")), time_s = t,
+    theta_deg = "w (rad)"), class = "rotdyn_error_unit")
+})
+
+test_that("units objects, difftimes and date-times", {
+  d <- data.frame(t = 0:10, a = 0:10)
+  d$t <- as.difftime(d$t, units = "mins")
+  expect_equal(motion_record(d, time_s = t, theta_rad = a)$time_s, 60 * 0:10)
+  d$t <- as.POSIXct("2024-01-01 10:00:00", tz = "UTC") + 0:10 / 4
+  expect_equal(motion_record(d, time_s = t, theta_rad = a)$time_s, 0:10 / 4, tolerance = 1e-6)
+  skip_if_not_installed("units")
+  d$t <- units::set_units(1000 * 0:10, "ms")
+  d$a <- units::set_units(0:10, "degree")
+  x <- motion_record(d, time_s = t, theta_rad = a)
+  expect_equal(x$time_s, 0:10)
+  expect_equal(x$theta_rad, 0:10 * pi / 180)
+  d$a <- units::set_units(0:10, "degree/s")
+  expect_equal(motion_record(d, time_s = t, omega_rad_per_s = a)$omega_rad_per_s, 0:10 * pi / 180)
+  expect_error(motion_record(d, time_s = t, theta_rad = a), class = "rotdyn_error_unit")
+})
+
+test_that("pulses: one number is the pulses a turn, a column their running number", {
+  d <- data.frame(t = c(0, 0.1, 0.3, 0.6), k = c(0, 2, 4, 6))
+  one <- motion_record(d, time_s = t, pulses = 4)
+  expect_equal(one$pulses, 0:3)
+  expect_equal(info_of(one)$pulses_per_turn, 4)
+  column <- motion_record(d, time_s = t, pulses = k, pulses_per_turn = 3)
+  expect_equal(column$pulses, d$k)
+  expect_equal(info_of(column)$pulses_per_turn, 3)
+  expect_equal(info_of(motion_record(d, time_s = t, pulses = k))$pulses_per_turn, 1)
+})
+
+test_that("wrapped angles are unwrapped against the predicted angle; more is refused", {
+  t <- 0:100 / 10
+  for (rate in c(3, -3)) {
+    a <- (rate * t + 0.4 * t^2 * sign(rate))
+    low <- (a + pi) %% (2 * pi) - pi
+    x <- motion_record(data.frame(t, low), time_s = t, theta_rad = low)
+    expect_equal(x$theta_rad - x$theta_rad[1], a - a[1], tolerance = 1e-12)
+    expect_match(info_of(x)$assumed, "unwrapped", all = FALSE)
+    x <- motion_record(data.frame(t, d = 180 / pi * (a %% (2 * pi))), time_s = t, theta_deg = d)
+    expect_equal(x$theta_rad - x$theta_rad[1], a - a[1], tolerance = 1e-12)
+  }
+  # From rest to 50 rad/s: steps of up to 5 rad.
+  a <- 2.5 * t^2
+  w <- a %% (2 * pi)
+  expect_error(motion_record(data.frame(t, w), time_s = t, theta_rad = w),
+    class = "rotdyn_error_value")
+  x <- motion_record(data.frame(t, w, v = 5 * t), time_s = t, theta_rad = w, omega_rad_per_s = v)
+  expect_equal(x$theta_rad, a, tolerance = 1e-12)
+  # A running angle is kept as it is.
+  x <- motion_record(data.frame(t, a), time_s = t, theta_rad = a)
+  expect_identical(x$theta_rad, a)
+})
+
+test_that("rows: missing, copied, equal times, times that go back", {
+  d <- data.frame(
+    t = c(0, 1, 1, NA, 2, 3, 3, 4, 5, 0, 1, 2), a = c(1, 2, 2, 9, NA, 3, 7, 8, 9, 4, 5, 6)
+  )
+  long <- rbind(d, data.frame(t = 3:120, a = 7:124))
+  x <- motion_record(long, time_s = t, theta_rad = a / 100)
+  expect_equal(info_of(x)$dropped$row, c(3, 4, 5))
+  expect_equal(info_of(x)$dropped$why, c("copy of the row before", "no time", "no value"))
+  expect_equal(info_of(x)$breaks$segment, c(2, 3))
+  expect_match(info_of(x)$breaks$why, "pause|goes back")
+  expect_equal(x$segment, rep(1:3, c(3, 3, 121)))
+  # Equal times in a tenth of the rows: a coarse clock.
+  d <- data.frame(t = c(rep(1:10, each = 2), 11:90), a = c(1:20, 21:100))
+  x <- motion_record(d, time_s = t, theta_rad = a)
+  expect_equal(x$theta_rad[1:11], c(seq(1.5, 19.5, 2), 21))
+  expect_equal(max(x$segment), 1)
+  expect_equal(nrow(info_of(x)$dropped), 10)
+  # Runs by a column, rows in any order of runs.
+  d <- data.frame(t = c(0, 0, 1, 1, 2), a = 1:5, run = c("b", "a", "b", "a", "b"))
+  x <- motion_record(d, time_s = t, theta_rad = a, segment = run)
+  expect_equal(x$theta_rad, c(1, 3, 5, 2, 4))
+  expect_equal(x$segment, c(1, 1, 1, 2, 2))
+})
+
+test_that("resolution: encoders, floors, few digits, none", {
+  set.seed(1)
+  t <- 0:400 / 50
+  a <- 3 * sin(t) + 0.2 * t
+  quantum <- 2 * pi / 2400
+  x <- motion_record(data.frame(t, a = quantum * round(a / quantum)), time_s = t, theta_rad = a)
+  expect_equal(2 * pi / info_of(x)$resolution[["theta_rad"]], 2400, tolerance = 1e-9)
+  x <- motion_record(data.frame(t, a = round(a, 3)), time_s = t, theta_rad = a)
+  expect_equal(info_of(x)$resolution[["theta_rad"]], 1e-3, tolerance = 1e-9)
+  x <- motion_record(data.frame(t, a), time_s = t, theta_rad = a)
+  expect_true(is.na(info_of(x)$resolution[["theta_rad"]]))
+  n <- floor(a / quantum)
+  x <- motion_record(data.frame(t, n), time_s = t, counts = n, counts_per_turn = 2400, floor = TRUE)
+  expect_lte(max(abs(x$theta_rad - a)), quantum / 2 * (1 + 1e-12))
+  expect_equal(info_of(x)$resolution[["theta_rad"]], quantum)
+  expect_error(motion_record(data.frame(t, n), time_s = t, counts = n),
+    class = "rotdyn_error_missing")
+  # Half of it at rest.
+  x <- motion_record(
+    data.frame(t, a = c(rep(0, 200), round(a[1:201], 2))), time_s = t, theta_rad = a
+  )
+  expect_equal(info_of(x)$resolution[["theta_rad"]], 1e-2, tolerance = 1e-9)
+})
+
+test_that("rates about three axes: one by name, the principal one, and its refusal", {
+  t <- 0:200 / 100
+  w <- 5 * exp(-t)
+  d <- data.frame(t, gx = 0.1 * w, gy = -0.98 * w, gz = 0.05 * w)
+  x <- motion_record(d, time_s = t, omega_rad_per_s = c("gx", "gy", "gz"), axis = "gy")
+  expect_equal(x$omega_rad_per_s, d$gy)
+  p <- motion_record(d, time_s = t, omega_rad_per_s = cbind(gx, gy, gz), axis = "principal")
+  expect_equal(abs(p$omega_rad_per_s), w * sqrt(0.1^2 + 0.98^2 + 0.05^2))
+  expect_lt(info_of(p)$axis$across, 1e-12)
+  expect_error(motion_record(d, time_s = t, omega_rad_per_s = c("gx", "gy", "gz")),
+    class = "rotdyn_error_missing")
+  expect_error(
+    motion_record(d, time_s = t, omega_rad_per_s = c("gx", "gy", "gz"), axis = "gx"),
+    class = "rotdyn_error_value"
+  )
+  # Precession: two axes with an eighth of the mean square across.
+  d$gx <- sqrt(1 / 7) * w * sin(40 * t) * sqrt(2)
+  d$gy <- w
+  d$gz <- 0
+  expect_error(
+    motion_record(d, time_s = t, omega_rad_per_s = c("gx", "gy", "gz"), axis = "principal"),
+    class = "rotdyn_error_value"
+  )
+})
+
+test_that("marks: centre fitted, given, tracked; a line is refused", {
+  t <- 0:60 / 30
+  a <- 2.5 + 4 * t + t^2
+  d <- data.frame(
+    t, x = 0.03 + 0.2 * cos(a), y = -0.4 + 0.2 * sin(a), cx = 0.03 + 0 * t, cy = -0.4, nx = t
+  )
+  fitted <- motion_record(d, time_s = t, x_m = x, y_m = y)
+  given <- motion_record(d, time_s = t, x_m = x, y_m = y, centre_m = c(0.03, -0.4))
+  tracked <- motion_record(d, time_s = t, x_m = x, y_m = y, centre_m = c("cx", "cy"))
+  for (got in list(fitted, given, tracked)) {
+    expect_equal(diff(got$theta_rad), diff(a), tolerance = 1e-10)
+  }
+  centre <- info_of(fitted)$centre
+  expect_equal(c(centre$x_m, centre$y_m, centre$radius_m), c(0.03, -0.4, 0.2), tolerance = 1e-12)
+  expect_error(motion_record(d, time_s = t, x_m = t, y_m = nx), class = "rotdyn_error_value")
+  expect_error(motion_record(d, time_s = t, x_m = x), class = "rotdyn_error_missing")
+  # With noise the fit's own standard errors hold: 200 fits, the centre within 1.96 of them.
+  set.seed(5)
+  inside <- replicate(200, {
+    fit <- fit_circle(d$x + stats::rnorm(61, 0, 1e-3), d$y + stats::rnorm(61, 0, 1e-3))
+    abs(c(fit$x_m - 0.03, fit$y_m + 0.4, fit$radius_m - 0.2)) < 2 * fit$u_m
+  })
+  expect_gt(mean(inside), 0.92)
+  expect_lt(mean(inside), 0.98)
+})
+
+test_that("what was read and assumed is printed", {
+  d <- data.frame(t = c(0:40 / 10, NA), a = c(round(30 * sin(0:40 / 10)), 1))
+  text <- cli::ansi_strip(paste(tibble::tbl_sum(motion_record(d, time_s = t, theta_deg = a)),
+    collapse = "\n"))
+  for (word in c("degree", "spacing 0.1 s", "360 counts a turn", "no time: 1")) {
+    expect_match(text, word, fixed = TRUE)
+  }
+})
+
+test_that("the class survives verbs on rows and columns, and goes with what it needs", {
+  d <- data.frame(t = 0:10, a = 1:11)
+  x <- motion_record(d, time_s = t, theta_rad = a)
+  expect_s3_class(x[3:5, ], "rot_record")
+  expect_false(inherits(x["time_s"], "rot_record"))
+  y <- x
+  y$note <- "a"
+  expect_s3_class(y, "rot_record")
+  y$segment <- NULL
+  expect_false(inherits(y, "rot_record"))
+  expect_null(attr(y, "record"))
+  expect_false(inherits(tibble::as_tibble(x), "rot_record"))
+  skip_if_not_installed("dplyr")
+  expect_s3_class(dplyr::mutate(dplyr::filter(x, time_s > 3), b = 1), "rot_record")
+  expect_false(inherits(dplyr::select(x, time_s), "rot_record"))
+  expect_equal(info_of(dplyr::filter(x, time_s > 3)), info_of(x))
+})
+
+test_that("errors are the package's own", {
+  d <- data.frame(t = 0:10, a = 1:11, text = letters[1:11], a2 = 1)
+  expect_error(motion_record(1), class = "rotdyn_error_type")
+  expect_error(motion_record(d), class = "rotdyn_error_missing")
+  expect_error(motion_record(d, time_s = t), class = "rotdyn_error_missing")
+  expect_error(motion_record(d, theta_rad = a), class = "rotdyn_error_missing")
+  expect_error(motion_record(d, time_s = "u", theta_rad = a), class = "rotdyn_error_argument")
+  expect_error(motion_record(d, time_s = t, theta_rad = b), class = "rotdyn_error_argument")
+  expect_error(motion_record(d, time_s = t, theta_rad = text), class = "rotdyn_error_type")
+  expect_error(motion_record(d, time_s = t, theta_rad = "text"), class = "rotdyn_error_type")
+  expect_error(motion_record(d, time_s = t, theta_rad = 1:3), class = "rotdyn_error_size")
+  expect_error(motion_record(d, time_s = t, theta_rad = a, theta_deg = a),
+    class = "rotdyn_error_argument")
+  expect_error(motion_record(d, time_s = t, theta_rad = a / 0), class = "rotdyn_error_value")
+  expect_error(motion_record(d[1, ], time_s = t, theta_rad = a), class = "rotdyn_error_size")
+  expect_error(motion_record(d, time_s = t, omega = a, unknown = 3),
+    class = "rotdyn_error_argument")
+})
+
+test_that("the records of real instruments", {
+  read <- function(name) utils::read.csv(shared("data", "measured", name), check.names = FALSE)
+  pendulum <- motion_record(read("pend00-run02.csv"))
+  expect_equal(2 * pi / info_of(pendulum)$resolution[["theta_rad"]], 2400, tolerance = 1e-6)
+  wheel <- read("ngimu_wheelchair_coastdown_right.csv")
+  x <- motion_record(wheel, axis = "y")
+  expect_equal(x$omega_rad_per_s, wheel[["Gyroscope Y (deg/s)"]] * pi / 180)
+  expect_error(motion_record(wheel, axis = "x"), class = "rotdyn_error_value")
+})
