@@ -23,21 +23,21 @@ record_arguments <- list(
 #' `"Angle (deg)"` or `omega [rpm]`. Without any of these arguments, columns are recognised by their
 #' headings.
 #'
-#' An **angle** whose values stay within one turn and jump by more than half a turn is wrapped: it is
-#' unwrapped against the angle predicted from the last two samples (or from the rate, where it was
+#' An **angle** whose values stay within one turn and jump by more than half a turn is wrapped. It
+#' is unwrapped against the angle predicted from the last two samples (or from the rate, where it was
 #' measured). More than half a turn between two samples cannot be resolved and is an error.
 #'
 #' **Positions** of a mark become an angle about a centre:
 #' \deqn{\theta = \mathrm{atan2}(y - y_c, x - x_c)}{theta = atan2(y - yc, x - xc)}
 #' with the centre given, tracked, or fitted as that of a circle (least squares of the distances).
 #'
-#' **Rates about three axes** need an `axis`: one by name, or `"principal"`, the direction of most of
-#' the mean square rate, with the sign of its largest component positive. It is an error where more
+#' **Rates about three axes** need an `axis`: one by name, or `"principal"`, the direction of most
+#' of the mean square rate, with the sign of its largest component positive. It is an error where more
 #' than a tenth of the mean square is across that direction: the motion is no rotation about a fixed
 #' axis.
 #'
 #' **Times** that go back begin a new segment. Equal times with different values are taken for a
-#' pause and begin a new segment, too; where they are more than 1 in 50 rows, the clock is coarse and
+#' pause and begin a new segment, too. Where they are more than 1 in 50 rows, the clock is coarse:
 #' they become one row, the mean. Exact copies of a row, rows without a time and rows without any
 #' value are dropped.
 #'
@@ -146,7 +146,7 @@ check_flag <- function(x, arg, call) {
   x
 }
 
-# ---- arguments ------------------------------------------------------------------------------------
+# ---- arguments -----------------------------------------------------------------------------------
 
 # The column that an argument names: its value, heading and the factor to SI; or NULL.
 record_argument <- function(quo, arg, data, call) {
@@ -295,7 +295,7 @@ recognise_columns <- function(data, call) {
   columns
 }
 
-# ---- the record -----------------------------------------------------------------------------------
+# ---- the record ----------------------------------------------------------------------------------
 
 # From columns in SI (as record_argument() returns them) to the record. `why_breaks`: reasons by row
 # that a reader knows, such as a pause; `notes`: what a reader assumed.
@@ -558,7 +558,7 @@ choose_axis <- function(column, axis, call) {
   )
 }
 
-# ---- angles ---------------------------------------------------------------------------------------
+# ---- angles --------------------------------------------------------------------------------------
 
 # Unwraps a theta within one turn; an angle that leaves one turn is a running angle already.
 unwrap_record <- function(columns, segment, axis, call) {
@@ -572,8 +572,8 @@ unwrap_record <- function(columns, segment, axis, call) {
   list(theta = theta, assumed = "the angle is wrapped to one turn: unwrapped")
 }
 
-# Against the predicted angle theta + omega h. `omega`: measured rates, or NULL. A step beyond half a
-# turn is only resolved by a measured rate.
+# Against the predicted angle theta + omega h. `omega`: measured rates, or NULL. A step beyond half
+# a turn is only resolved by a measured rate.
 unwrap_angle <- function(time, theta, segment, omega, call) {
   known <- which(!is.na(theta))
   turn <- 2 * pi
@@ -627,7 +627,8 @@ angle_of_mark <- function(columns, segment, centre_m, keep, marks, call) {
           "They cover {format(fit$arc_rad, digits = 2)} rad of it: too little to fit its centre."
         } else {
           "Their distances from the best circle scatter by
-           {format(fit$scatter_m, digits = 2)} m, its radius is {format(fit$radius_m, digits = 3)} m."
+           {format(fit$scatter_m, digits = 2)} m, its radius is
+           {format(fit$radius_m, digits = 3)} m."
         },
         i = "Give {.arg centre_m}, or the rows of the rotation alone."
       ), "value", call)
@@ -726,7 +727,7 @@ find_resolution <- function(x, segment) {
   NA_real_
 }
 
-# ---- the class ------------------------------------------------------------------------------------
+# ---- the class -----------------------------------------------------------------------------------
 
 record_measured <- c("theta_rad", "omega_rad_per_s", "pulses", "x_m", "y_m")
 
