@@ -40,7 +40,7 @@ autoplot.rot_ledger <- function(object, ..., base_size = 13) {
   )
   drawn$text <- paste0(format_si(signif(drawn$value, 3)), " J")
   drawn$text[abs(drawn$value) < 0.06 * sum(shown$before)] <- ""
-  drawn$ink <- ifelse(colours[as.character(drawn$term)] %in% plot_colours[1:2], "white", "black")
+  drawn$ink <- ifelse(colours[as.character(drawn$term)] %in% plot_colours[1:2], "white", plot_ink)
   verdict <- ledger_verdict(object$verdict)
   said <- function(values) {
     paste0(shown$term, " ", format_si(signif(values, 4)), " J")[values != 0]

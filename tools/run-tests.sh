@@ -101,11 +101,9 @@ fi
 if test -n "$tarball"; then
   # NOT_CRAN: no test is left out. TESTTHAT_PARALLEL: several files of tests at a time.
   # _R_CHECK_LENGTH_1_LOGIC2_: && and || of vectors are errors, as in R 4.3.
-  # _R_SHLIB_STRIP_: the installed size is checked without the compiler's debug information.
   # shellcheck disable=SC2086
   (cd "$work" && env NOT_CRAN=true TESTTHAT_PARALLEL=true TESTTHAT_CPUS="$cores" \
-    MAKEFLAGS="-j$cores" _R_SHLIB_STRIP_=true R_STRIP_SHARED_LIB="strip -S" \
-    _R_CHECK_LENGTH_1_LOGIC2_=true _R_CHECK_LENGTH_1_CONDITION_=true \
+    MAKEFLAGS="-j$cores" _R_CHECK_LENGTH_1_LOGIC2_=true _R_CHECK_LENGTH_1_CONDITION_=true \
     _R_CHECK_CRAN_INCOMING_REMOTE_=false _R_CHECK_SYSTEM_CLOCK_=false \
     _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_=false _R_CHECK_FORCE_SUGGESTS_=$force \
     R CMD check $check_options "$tarball" < /dev/null > R-CMD-check.out 2>&1)
