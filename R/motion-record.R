@@ -24,7 +24,7 @@ record_arguments <- list(
 #' headings.
 #'
 #' An **angle** whose values stay within one turn and jump by more than half a turn is wrapped. It
-#' is unwrapped against the angle predicted from the last two samples (or from the rate, where it was
+#' is unwrapped against the angle predicted from the last two samples (or from the rate, if it was
 #' measured). More than half a turn between two samples cannot be resolved and is an error.
 #'
 #' **Positions** of a mark become an angle about a centre:
@@ -32,7 +32,7 @@ record_arguments <- list(
 #' with the centre given, tracked, or fitted as that of a circle (least squares of the distances).
 #'
 #' **Rates about three axes** need an `axis`: one by name, or `"principal"`, the direction of most
-#' of the mean square rate, with the sign of its largest component positive. It is an error where more
+#' of the mean square rate, with the sign of its largest component positive. It is an error if more
 #' than a tenth of the mean square is across that direction: the motion is no rotation about a fixed
 #' axis.
 #'

@@ -75,7 +75,7 @@ describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s
       through <- point
       inertia <- moment_about_axis(body, axis, through)
     }
-  } else if (is.numeric(body)) {
+  } else if (is.numeric(body) || inherits(body, "rot_measured")) {
     inertia <- check_number(body, "body", "kg*m^2", call)
     body <- NULL
   } else if (inherits(body, "rot_inertia_knots")) {

@@ -2,6 +2,7 @@
 # `unit` (in the notation of the units package).
 as_si <- function(x, unit, arg, call) {
   if (!is.object(x)) return(x)
+  if (inherits(x, "rot_measured")) return(check_measured(x, arg, call)$value)
   if (inherits(x, "difftime")) {
     given <- attr(x, "units")
     known <- c("secs", "mins", "hours", "days", "weeks")

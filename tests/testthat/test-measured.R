@@ -1,0 +1,79 @@
+test_that("readings: mean, s/sqrt(n), n - 1", {
+  x <- measured(c(5.007, 4.994, 5.005, 4.990, 4.999))
+  # JCGM 100, table H.2.
+  expect_equal(x$value, 4.9990, tolerance = 1e-12)
+  expect_equal(round(x$u, 4), 0.0032)
+  expect_equal(x$dof, 4)
+})
+
+test_that("arithmetic carries what is in common", {
+  m <- measured(1.55, 0.005)
+  r <- measured(0.336, 0.001)
+  expect_equal((m - m)$u, 0)
+  expect_equal((m / m)$u, 0)
+  expect_equal((m + m)$u, 0.01)
+  expect_equal((m * m)$u, (m^2)$u)
+  i <- m * r^2
+  expect_equal(i$u / i$value, sqrt((0.005 / 1.55)^2 + (2 * 0.001 / 0.336)^2), tolerance = 1e-12)
+  expect_equal((i / r^2)$u, 0.005, tolerance = 1e-12)
+  expect_equal(sqrt(m^2)$u, 0.005, tolerance = 1e-12)
+  expect_equal(exp(log(m))$u, 0.005, tolerance = 1e-12)
+  expect_equal((sin(m)^2 + cos(m)^2)$u, 0, tolerance = 1e-15)
+  expect_equal((-m)$parts$u, -0.005)
+  expect_equal((2^m)$u, 2^1.55 * log(2) * 0.005, tolerance = 1e-12)
+  r12 <- correlation_of(mass = m, hoop = i)
+  expect_equal(r12["mass", "hoop"], (0.005 / 1.55) / (i$u / i$value), tolerance = 1e-12)
+  expect_equal(unname(diag(r12)), c(1, 1))
+  expect_equal(unname(correlation_of(m, r)[1, 2]), 0)
+})
+
+test_that("effective degrees of freedom of Welch and Satterthwaite", {
+  # JCGM 100, G.4.1: relative uncertainties .25, .57, .82 % with 9, 4, 14 give 1.03 % and 19.
+  y <- measured(1, 0.0025, 9) * measured(1, 0.0057, 4) * measured(1, 0.0082, 14)
+  expect_equal(round(100 * y$u, 2), 1.03)
+  expect_equal(round(y$dof, 1), 19.0)
+  expect_equal((measured(1, 0.1) + 3)$dof, Inf)
+})
+
+test_that("the concise form", {
+  shown <- function(v, u) format(measured(v, u))
+  expect_equal(shown(127.7322, 0.0711), "127.732(71)")
+  expect_equal(shown(14.91114, 0.00112), "14.9111(11)")
+  expect_equal(shown(12.3, 1.5), "12.3(1.5)")
+  expect_equal(shown(-3.14159, 0.0996), "-3.14(10)")
+  expect_equal(shown(250, 30), "250(30)")
+  expect_equal(shown(0, 0.1), "0.00(10)")
+  expect_equal(shown(5e-7, 1e-8), "5.00(10)e-7")
+  expect_equal(shown(2, 0), "2")
+})
+
+test_that("objects of the errors package keep their identity", {
+  skip_if_not_installed("errors")
+  x <- errors::set_errors(2, 0.1)
+  expect_equal(measured(x)$u, 0.1)
+  expect_equal((measured(x) - measured(x))$u, 0)
+  expect_equal((measured(x) - measured(errors::set_errors(2, 0.1)))$u, 0.1 * sqrt(2))
+})
+
+test_that("a measured number is a number wherever one is taken", {
+  expect_equal(body_disk(measured(2, 0.1), 0.25)$mass_kg, 2)
+  scene <- scene_axle(measured(0.05, 0.001), omega0_rad_per_s = 1)
+  expect_equal(scene$moment_of_inertia_kg_m2, 0.05)
+  expect_equal(as.double(measured(3, 1)), 3)
+})
+
+test_that("errors are the package's own", {
+  expect_error(measured(), class = "rotdyn_error_missing")
+  expect_error(measured(1), class = "rotdyn_error_missing")
+  expect_error(measured("a", 1), class = "rotdyn_error_type")
+  expect_error(measured(1, -1), class = "rotdyn_error_value")
+  expect_error(measured(NA, 1), class = "rotdyn_error")
+  expect_error(measured(1, 1, 0), class = "rotdyn_error_value")
+  expect_error(measured(1, 1, sigma = 1), class = "rotdyn_error_argument")
+  expect_error(measured(1, 0.1) / 0, class = "rotdyn_error_value")
+  expect_error(measured(1, 0.1) %% 2, class = "rotdyn_error_type")
+  expect_error(gamma(measured(1, 0.1)), class = "rotdyn_error_type")
+  forged <- measured(1, 0.1)
+  forged$parts <- 3
+  expect_error(body_disk(forged, 1), class = "rotdyn_error_type")
+})
