@@ -98,26 +98,9 @@ static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
   return out;
 }
 
-/* Numbers so small that no column can leave the range of doubles where the state does not. */
-static int is_plain(const rot_axle_scene *scene, const rot_info *info) {
-  const rot_torque *torque = &scene->linear.torque;
-  const double most = 1e75;
-  int ok = fabs(scene->linear.inertia_kg_m2) < most && fabs(scene->viscous_n_m_s) < most &&
-           fabs(scene->motor_n_m_s) < most && scene->quadratic_n_m_s2 < most &&
-           scene->static_n_m < most && fabs(torque->before_n_m) < most &&
-           fabs(torque->after_n_m) < most;
-  for (size_t i = 0; i < info->n_measures; i++) ok &= info->measure[i].largest < most;
-  for (size_t i = 0; i < torque->n; i++) ok &= fabs(torque->torque_n_m[i]) < most;
-  for (size_t i = 0; i < scene->n_inertia; i++) ok &= scene->inertia_kg_m2[i] < most;
-  for (size_t i = 0; i < scene->n_terms; i++) {
-    for (size_t k = 0; k < scene->terms[i].length; k++) ok &= fabs(scene->terms[i].x[k]) < most;
-  }
-  return ok;
-}
-
 /* A run with a column beyond double precision has no error figure, though its state may have. */
 static void check_columns(const rot_axle_scene *scene, const rot_axle_columns *out, ffi_run *run) {
-  if (is_plain(scene, &run->info)) return;
+  if (rot_axle_scene_plain(scene, &run->info)) return;
 #define X(type, name)                                                                              \
   for (size_t i = 0; i < run->info.rows_done; i++) run->beyond |= !isfinite(out->name[i]);
   ROT_AXLE_COLUMNS(X)

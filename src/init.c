@@ -2,6 +2,8 @@
 #include <R_ext/Visibility.h>
 
 #include "ffi.h"
+#include "rot_api.h"
+#include "rot_gsl.h"
 
 static const R_CallMethodDef entries[] = {
 #define X(name, n) {#name, (DL_FUNC)&name, n},
@@ -13,4 +15,6 @@ void attribute_visible R_init_rotdyn(DllInfo *dll) {
   R_registerRoutines(dll, NULL, entries, NULL, NULL);
   R_useDynamicSymbols(dll, FALSE);
   R_forceSymbols(dll, TRUE);
+  R_RegisterCCallable("rotdyn", "rotdyn_get_api", (DL_FUNC)(void (*)(void))rotdyn_get_api);
+  rot_gsl_begin();
 }

@@ -144,8 +144,7 @@ static double effect_torque(const rot_axle_scene *scene, unsigned effect, double
   }
 }
 
-/* The scene without effects; its terms are in `terms`, room for all of them. */
-static rot_axle_scene without(const rot_axle_scene *scene, unsigned effects, rot_term terms[]) {
+rot_axle_scene rot_axle_without(const rot_axle_scene *scene, unsigned effects, rot_term terms[]) {
   rot_axle_scene out = *scene;
   if (effects & ROT_AXLE_VISCOUS) {
     out.viscous_n_m_s = 0.0;
@@ -225,7 +224,7 @@ void rot_axle_drop(const void *of, const rot_model *model, unsigned effects, con
     free(terms);
     return;
   }
-  const rot_axle_scene reduced = without(scene, effects, terms);
+  const rot_axle_scene reduced = rot_axle_without(scene, effects, terms);
   drop->why_not = model->why_not ? model->why_not(&reduced, query) : NULL;
   /* Backward, what brakes drives: no bound is tried. Nor where static friction decides: whether a
    * body at rest sticks can depend on the last digit. */

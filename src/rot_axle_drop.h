@@ -14,6 +14,9 @@
 void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, double size_n_m,
                           double impulse_n_m_s, double growth, double *theta, double *omega);
 
+/* The scene without effects; its terms go to terms[], which has room for all of them. */
+rot_axle_scene rot_axle_without(const rot_axle_scene *scene, unsigned effects, rot_term terms[]);
+
 /* rot_constraint.drop of the axle. */
 void rot_axle_drop(const void *scene, const rot_model *model, unsigned effects,
                    const rot_query *query, double worst, rot_drop *drop);

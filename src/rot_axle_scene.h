@@ -60,4 +60,7 @@ void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double 
                             const double theta_rad[], const double omega_rad_per_s[],
                             double applied_n_m[], double damping_n_m[], double net_n_m[]);
 
+/* Numbers so small that no column can leave the range of doubles where the state does not. */
+int rot_axle_scene_plain(const rot_axle_scene *scene, const rot_info *info);
+
 #endif

@@ -1,6 +1,5 @@
 #include "rot_density.h"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
@@ -112,7 +111,6 @@ static double weight_at(size_t n, double t) {
 rot_status rot_rule_gauss(size_t n, double t[], double w[]) {
   const size_t order = n > SINGLE_NODES ? PANEL_NODES : n, panels = n / order;
   const int known = order <= TABLE_NODES || order % 32 == 0;
-  gsl_set_error_handler_off();
   gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(order);
   if (!table) return ROT_ENOMEM;
   const double half = 1.0 / (double)panels;
@@ -176,7 +174,6 @@ rot_status rot_density_strata(const rot_domain *domain, size_t side, unsigned lo
                               double y[], double z[], double w[]) {
   const chart c = chart_of(domain);
   const double width = 2.0 / (double)side, weight = width * width * width;
-  gsl_set_error_handler_off();
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
   if (!rng) return ROT_ENOMEM;
   const size_t end = from + count;

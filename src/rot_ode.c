@@ -1,6 +1,5 @@
 #include "rot_ode.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -336,8 +335,7 @@ static size_t first_parts(const rot_ode_params *p, double *tolerance) {
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double slope[], double error[], double largest[], const rot_hooks *hooks,
                        rot_info *info) {
-  gsl_set_error_handler_off(); /* process-wide, and aborts by default: at every entry */
-  rot_ode_trace traces[3][2];  /* of the run that chose the steps, and of the last two */
+  rot_ode_trace traces[3][2]; /* of the run that chose the steps, and of the last two */
   double *scratch = calloc(4 * p->dim + 1, sizeof *scratch);
   double tolerance;
   size_t parts = first_parts(p, &tolerance);

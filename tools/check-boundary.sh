@@ -105,6 +105,7 @@ grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
 # Entry points of R that "Writing R Extensions" (4.5, "API index") lists: R hides the others one by
 # one. Of the accessors in capitals, those that it does not list are named.
 api='R_(CallMethodDef|CheckUserInterrupt|ContinueUnwind|DimNamesSymbol|FINITE|GlobalEnv)
+R_RegisterCCallable
 R_(MakeUnwindCont|NaN|NO_REMAP|NamesSymbol|NilValue|PosInf|UnwindProtect)
 Rf_(Scalar(Integer|Logical|Real|String)|alloc(Matrix|Vector)|as(Integer|Logical|Real)|duplicate)
 Rf_(error|eval|getAttrib|inherits|is(Function|Matrix|Null|Object)|lang[23]|length)
@@ -125,7 +126,7 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 # LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.
 # Layers of one level exclude each other. The first line that matches counts.
 layers='
-1 ground      status real dd dd_trig pair wide search column gauss clock share
+1 ground      status real dd dd_trig pair wide search column gauss clock share gsl
 2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex
 3 engine      ode* events march torque term model
 4 body        inertia points shapes* density mesh* vertices
@@ -144,6 +145,7 @@ layers='
 5 drive       drive*
 5 top         top* precession pivot*
 6 choice      choice
+7 interface   api
 '
 files '^src/rot_[a-z0-9_]*\.[ch]$' | sed 's|^src/rot_||; s|\.[ch]$||' | sort -u |
   while read -r topic; do

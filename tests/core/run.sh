@@ -79,8 +79,8 @@ build() {
       build {} "$dir" "$@" $contract $warnings -Werror $gsl_cflags &&
     for name in $names; do echo "$name"; done |
     xargs -P "$jobs" -I{} sh -c 'name=$1; dir=$2; libs=$3; shift 3
-      "$@" "$dir/$name.o" "$dir"/rot_*.o $libs -lm -o "$dir/$name" >> "$dir/$name.log" 2>&1' \
-      link {} "$dir" "$gsl_libs" "$@"
+      "$@" "$dir/$name.o" "$dir"/rot_*.o $libs -o "$dir/$name" >> "$dir/$name.log" 2>&1' \
+      link {} "$dir" "$gsl_libs -lm -lpthread" "$@"
   status=$?
   cat "$dir"/*.log > "$dir/log"
   return $status
@@ -144,13 +144,29 @@ warn() {
   fi
 }
 
+# header COMPILER STANDARD: the C interface alone, as a client includes it.
+header() {
+  case $2 in *++*) file="$work/header.cc" ;; *) file="$work/header.c" ;; esac
+  printf '#include "rotdyn.h"\nrotdyn_axle rotdyn_axle_here = ROTDYN_INIT(rotdyn_axle);\n' > "$file"
+  if "$1" -std="$2" -fsyntax-only -Iinst/include -Wall -Wextra -Wpedantic -Wconversion -Wshadow \
+    -Werror "$file" > "$work/log" 2>&1; then
+    echo "ok - inst/include/rotdyn.h: $1 $2"
+    pass
+  else
+    echo "not ok - inst/include/rotdyn.h: $1 $2"
+    sed 's/^/  /' "$work/log"
+    fail
+  fi
+}
+
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
 if test "$1" = --valgrind; then
   dir="$work/valgrind"
   if build "$dir" ${CC:-cc} -std=c99 -O1 -g; then
-    run "$dir" valgrind -q --leak-check=full --show-leak-kinds=definite,indirect \
-      --errors-for-leak-kinds=definite,indirect --error-exitcode=99
+    run "$dir" env ROT_TEST_SLOW=yes valgrind -q --leak-check=full \
+      --show-leak-kinds=definite,indirect --errors-for-leak-kinds=definite,indirect \
+      --error-exitcode=99
   else
     cat "$dir/log"
     fail
@@ -181,6 +197,12 @@ else
       else
         warn $cc "$std"
       fi
+    done
+    for std in $known; do header $cc "$std"; done
+    case $cc in gcc) cxx=g++ ;; *) cxx=$cc++ ;; esac
+    for std in c++11 c++20; do
+      if ! command -v $cxx > /dev/null 2>&1; then skip "$cxx is not installed"; break; fi
+      header $cxx $std
     done
     ! accepts $cc -fsanitize=address,undefined || sanitizer=$cc
   done
