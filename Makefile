@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format
 .PHONY: check-valgrind check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-interrupt
+.PHONY: check-interrupt library examples
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -34,9 +34,15 @@ document: ## make NAMESPACE and man/ from the comments in R/
 	@Rscript -e 'roxygen2::roxygenise(load_code = roxygen2::load_source)'
 	@./cleanup
 
+library: ## the core as a library of C, with its header: PREFIX= where
+	@sh tools/library.sh $(PREFIX)
+
+examples: ## the programs of inst/examples, compared with R
+	@sh tools/examples.sh
+
 format: ## lay out the C sources by .clang-format
 	@sh tools/setup.sh format
-	@clang-format -i src/*.[ch] tests/core/*.[ch]
+	@clang-format -i src/*.[ch] tests/core/*.[ch] inst/include/*.h
 
 check-valgrind: ## C core and C boundary under valgrind
 	@sh tools/check-valgrind.sh

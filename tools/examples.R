@@ -1,0 +1,51 @@
+# Rscript tools/examples.R NAME FILE: compares what a program of inst/examples printed with what R
+# computes, bit by bit. Says which numbers differ; status 1 if any does.
+suppressMessages(library(rotdyn))
+arguments <- commandArgs(TRUE)
+printed <- utils::read.csv(arguments[2])
+
+knots <- torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0))
+rolling <- function() {
+  table <- rolling_table(rolling_objects())
+  c(table[c("beta", "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction")],
+    list(friction = rolling_friction_coefficient(table$beta)))
+}
+expected <- switch(
+  arguments[1],
+  "c" = , "c-static" = rolling(),
+  cpp = trajectory(
+    scene_axle(body_disk(2, 0.25), knots, resistance(0.03)), (0:800) / 100
+  )[c("time_s", "theta_rad", "omega_rad_per_s", "rotational_kinetic_energy_j")],
+  fortran = inertia_table(data.frame(
+    shape = c("rod", "rod_end", "hoop", "disk", "sphere", "spherical_shell", "cylinder"),
+    mass_kg = 1.5, radius_m = 0.3, length_m = 0.3
+  ))[c("shape", "moment_of_inertia_kg_m2", "ixx_kg_m2", "iyy_kg_m2", "izz_kg_m2")],
+  rust = spin_up_table(
+    data.frame(moment_of_inertia_kg_m2 = 0.0625 * (1:20), viscous_n_m_s = 0.03), knots, 8
+  )[c("moment_of_inertia_kg_m2", "final_theta_rad", "final_omega_rad_per_s",
+      "max_omega_rad_per_s")],
+  python = trajectory(
+    scene_axle(1, torque_gravity(1, 1), theta0_rad = 3), 10 * (0:100) / 100
+  )[c("time_s", "theta_rad", "omega_rad_per_s")],
+  julia = {
+    speed <- rolling_final_speed(rolling_objects()$beta)
+    table <- energy_partition(1, 0.1, rolling_objects()$beta, speed)
+    names(table) <- sub("_kinetic_", "_", names(table))
+    table[c("beta", "speed_m_per_s", "omega_rad_per_s", "translational_energy_j",
+            "rotational_energy_j", "total_energy_j")]
+  }
+)
+if (!identical(names(printed), names(expected)) || nrow(printed) != length(expected[[1]])) {
+  cat("other columns or rows:", names(printed), "\n")
+  quit(status = 1)
+}
+differ <- FALSE
+for (name in names(printed)) {
+  at <- which(!(printed[[name]] == expected[[name]] |
+                  (is.na(printed[[name]]) & is.na(expected[[name]]))))
+  if (!length(at)) next
+  differ <- TRUE
+  cat(sprintf("%s, row %d: printed %.17g, R has %.17g\n", name, at[1],
+              as.double(printed[[name]][at[1]]), as.double(expected[[name]][at[1]])))
+}
+quit(status = if (differ) 1L else 0L)
