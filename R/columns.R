@@ -400,7 +400,58 @@ column_list <- list(
   c("least_normal_n", "N", "least push of the track"),
   c("pulses", "1", "running number of pulses"),
   c("segment", "", "number of the run, from 1: segments share nothing but the instrument"),
-  c("check", "", "result of check_inertia(); NULL without inertia")
+  c("check", "", "result of check_inertia(); NULL without inertia"),
+  c("theta_se_rad", "rad", "its standard error"),
+  c("theta_low_rad", "rad", "lower end of its interval"),
+  c("theta_high_rad", "rad", "upper end of its interval"),
+  c("omega_se_rad_per_s", "rad/s", "its standard error"),
+  c("omega_low_rad_per_s", "rad/s", "lower end of its interval"),
+  c("omega_high_rad_per_s", "rad/s", "upper end of its interval"),
+  c("alpha_se_rad_per_s2", "rad/s^2", "its standard error"),
+  c("alpha_low_rad_per_s2", "rad/s^2", "lower end of its interval"),
+  c("alpha_high_rad_per_s2", "rad/s^2", "upper end of its interval"),
+  c("net_torque_se_n_m", "N m", "its standard error"),
+  c("net_torque_low_n_m", "N m", "lower end of its interval"),
+  c("net_torque_high_n_m", "N m", "upper end of its interval"),
+  c("applied_torque_se_n_m", "N m", "its standard error"),
+  c("applied_torque_low_n_m", "N m", "lower end of its interval"),
+  c("applied_torque_high_n_m", "N m", "upper end of its interval"),
+  c("power_se_w", "W", "its standard error"),
+  c("power_low_w", "W", "lower end of its interval"),
+  c("power_high_w", "W", "upper end of its interval"),
+  c("rotational_kinetic_energy_se_j", "J", "its standard error"),
+  c("rotational_kinetic_energy_low_j", "J", "lower end of its interval, at least 0"),
+  c("rotational_kinetic_energy_high_j", "J", "upper end of its interval"),
+  c(
+    "flag", "",
+    "\"\", \"outlier\" (left out), \"break\" (beside one), \"gap\" (beside one), \"no sample\""
+  ),
+  c("theta_sample_rad", "rad", "measured angle"),
+  c("theta_residual", "1", "leave-one-out residual of the angle over its standard deviation"),
+  c("omega_sample_rad_per_s", "rad/s", "measured angular velocity"),
+  c("omega_residual", "1", "leave-one-out residual of the rate over its standard deviation"),
+  c("samples", "1", "samples in use"),
+  c("outliers", "1", "samples left out"),
+  c("breaks", "1", "breaks found or given"),
+  c("order", "1", "order of the process"),
+  c("log10_smoothness", "1", "log10 of q h^(2p-1)/sigma^2, with the mean spacing h"),
+  c(
+    "smoothness", "",
+    "\"within range\", \"polynomial\" (one fits), \"joins the samples\" (too few of them)"
+  ),
+  c("theta_scatter_rad", "rad", "standard deviation of a measured angle"),
+  c("omega_scatter_rad_per_s", "rad/s", "standard deviation of a measured rate"),
+  c("degrees", "1", "degrees of freedom"),
+  c("level", "1", "coverage of the intervals"),
+  c("energy_loss_j", "J", "kinetic energy at the beginning less that at the end"),
+  c("energy_loss_se_j", "J", "its standard error"),
+  c("energy_loss_low_j", "J", "lower end of its interval"),
+  c("energy_loss_high_j", "J", "upper end of its interval"),
+  c("time_se_s", "s", "standard error of the time"),
+  c("omega_jump_rad_per_s", "rad/s", "omega behind the break less that before it"),
+  c("omega_jump_se_rad_per_s", "rad/s", "its standard error"),
+  c("alpha_jump_rad_per_s2", "rad/s^2", "angular acceleration behind the break less that before"),
+  c("alpha_jump_se_rad_per_s2", "rad/s^2", "its standard error")
 )
 
 column_table <- as.data.frame(do.call(rbind, column_list))
@@ -436,6 +487,27 @@ describe_columns <- function(names, meanings = NULL) {
   )
 }
 
+with_errors <- function(stems, units) {
+  unlist(Map(function(stem, unit) {
+    paste0(stem, c("", "_se", "_low", "_high"), "_", unit)
+  }, stems, units), use.names = FALSE)
+}
+estimate_columns <- c(
+  "time_s", with_errors(c("theta", "omega", "alpha"), c("rad", "rad_per_s", "rad_per_s2")),
+  "segment", "flag"
+)
+estimate_torque_columns <- with_errors(
+  c("net_torque", "applied_torque", "power", "rotational_kinetic_energy"), c("n_m", "n_m", "w", "j")
+)
+estimate_glance_columns <- c(
+  "samples", "outliers", "breaks", "order", "log10_smoothness", "smoothness", "theta_scatter_rad",
+  "omega_scatter_rad_per_s", "degrees", "level"
+)
+energy_loss_columns <- c("from_s", "to_s", with_errors("energy_loss", "j"))
+estimate_event_columns <- c(
+  "time_s", "time_se_s", "event", "omega_jump_rad_per_s", "omega_jump_se_rad_per_s",
+  "alpha_jump_rad_per_s2", "alpha_jump_se_rad_per_s2", "segment"
+)
 trajectory_columns <- c(
   "time_s", "theta_rad", "omega_rad_per_s", "applied_torque_n_m", "damping_torque_n_m",
   "net_torque_n_m", "angular_momentum_kg_m2_per_s", "rotational_kinetic_energy_j"

@@ -536,8 +536,12 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' passes its rest angle (`passage`): found in spans of up to 10000 cycles. The times of a closed
 #' form are exact, those of an integration have the accuracy asked.
 #'
-#' @param x A `rot_trajectory`.
+#' Of a measured motion, the breaks that [estimate_motion()] found or was given: an `impact`, where
+#' omega jumps; a `switch`, where its derivative jumps; a `stop`, behind which the body rests.
+#'
+#' @param x A `rot_trajectory`, or what [estimate_motion()] returned.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
+#'   of an estimate, `r describe_columns(estimate_event_columns)`
 #'   and, of a [scene_drive()], `where`: the rotor or coupling. A motion that starts at rest, held
 #'   or free, has no event at the start. Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
@@ -552,7 +556,19 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' @export
 motion_events <- function(x) {
   check_supplied("x", rlang::current_env())
-  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::current_env())
+  UseMethod("motion_events")
+}
+
+#' @export
+motion_events.default <- function(x) {
+  check_class(
+    x, "rot_trajectory", "x", "{.fn trajectory} and {.fn estimate_motion} give some.",
+    rlang::current_env()
+  )
+}
+
+#' @export
+motion_events.rot_trajectory <- function(x) {
   run <- check_trajectory(x, "x", rlang::current_env())
   events <- run$events
   out <- list(time_s = as.double(events$time_s), event = as.character(events$event))

@@ -1,5 +1,7 @@
 #include "rot_smooth.h"
 
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,9 +21,9 @@ static const double equal_gap = 1e-9;
 static const double binomial[P][P] = {
     {1, 1, 1, 1, 1}, {0, 1, 2, 3, 4}, {0, 0, 1, 3, 6}, {0, 0, 0, 1, 4}, {0, 0, 0, 0, 1}};
 
-/* ---- small matrices, by rows, `stride` apart -------------------------------------------------- */
+/* ---- small matrices, by rows, `stride` apart ------------------------------------------------- */
 
-/* Upper triangle R with R'R = M'M, in the first rows of m. Householder, one column after another. */
+/* Upper triangle R with R'R = M'M, in the first rows of m. Householder, column by column. */
 static void triangle(double *m, int rows, int columns, int stride) {
   for (int c = 0; c < columns && c < rows; c++) {
     double square = 0.0;
@@ -42,7 +44,7 @@ static void triangle(double *m, int rows, int columns, int stride) {
   }
 }
 
-/* ---- the process ------------------------------------------------------------------------------ */
+/* ---- the process ----------------------------------------------------------------------------- */
 
 /* The factor of Q(1)/lambda, and the transition over the last gap. */
 typedef struct process {
@@ -92,7 +94,7 @@ static void advance(const process *of, const double *x, double *to) {
   }
 }
 
-/* ---- the start -------------------------------------------------------------------------------- */
+/* ---- the start ------------------------------------------------------------------------------- */
 
 static int has(const rot_smooth_nodes *nodes, int channel, size_t k) {
   return nodes->y[channel] != NULL && !isnan(nodes->y[channel][k]);
@@ -178,7 +180,7 @@ static void start(const rot_smooth_nodes *nodes, int p, size_t k, double *mean, 
   if (angles == 0) mean[0] = 0.0, sd[0] = pinned;
 }
 
-/* ---- the filter ------------------------------------------------------------------------------- */
+/* ---- the filter ------------------------------------------------------------------------------ */
 
 typedef struct state {
   double x[P], s[PP]; /* mean; factor, upper triangle by rows of p */
@@ -406,7 +408,7 @@ void rot_smooth_store_free(rot_smooth_store *store) {
   store->x = NULL;
 }
 
-/* ---- backward --------------------------------------------------------------------------------- */
+/* ---- backward -------------------------------------------------------------------------------- */
 
 /* The state at node k given that at k + 1: mean xf + G (x+ - onward), factor of what is left. */
 typedef struct backward {
@@ -643,30 +645,46 @@ void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
 }
 
 rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
-                           const rot_smooth_store *store, double sigma, size_t n_draws,
-                           const double *normals, double *draws) {
+                           const rot_smooth_store *store, double sigma, size_t n_at,
+                           const size_t at[], size_t n_draws, unsigned long seed,
+                           const rot_hooks *hooks, double *draws) {
   const int p = model->order;
-  const size_t block = nodes->n * (size_t)p;
+  const size_t each = (size_t)p;
   process of;
+  rot_status status = ROT_OK;
+  gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+  double *now = malloc((n_draws * each + 1) * sizeof *now);
+  if (!rng || !now)
+    status = ROT_ENOMEM;
+  else
+    gsl_rng_set(rng, seed);
   process_begin(&of, model);
-  for (size_t k = nodes->n; k-- > 0;) {
+  for (size_t k = nodes->n, i = n_at; status == ROT_OK && i > 0 && k-- > 0;) {
     backward back;
     back.apart = 1;
     if (k + 1 < nodes->n) step_back(&of, nodes, store, k, &back);
-    const double *xf = store->x + k * (size_t)p;
-    const double *factor = back.apart ? store->s + k * (size_t)(p * p) : back.left;
+    const double *xf = store->x + k * each;
+    const double *factor = back.apart ? store->s + k * each * each : back.left;
     for (size_t d = 0; d < n_draws; d++) {
-      const double *z = normals + d * block + k * (size_t)p;
-      double *to = draws + d * block + k * (size_t)p;
-      for (int i = 0; i < p; i++) {
-        double sum = 0.0;
-        for (int r = 0; r <= i; r++) sum += factor[r * p + i] * z[r];
-        sum = xf[i] + sigma * sum;
+      double *x = now + d * each, z[P], to[P];
+      for (int r = 0; r < p; r++) z[r] = sigma * gsl_ran_gaussian_ziggurat(rng, 1.0);
+      for (int c = 0; c < p; c++) {
+        double sum = xf[c];
+        for (int r = 0; r <= c; r++) sum += factor[r * p + c] * z[r];
         if (!back.apart)
-          for (int j = 0; j < p; j++) sum += back.gain[i * p + j] * (to[p + j] - back.onward[j]);
-        to[i] = sum;
+          for (int j = 0; j < p; j++) sum += back.gain[c * p + j] * (x[j] - back.onward[j]);
+        to[c] = sum;
       }
+      memcpy(x, to, each * sizeof *x);
     }
+    if (at[i - 1] == k) {
+      i--;
+      for (size_t d = 0; d < n_draws; d++)
+        memcpy(draws + (d * n_at + i) * each, now + d * each, each * sizeof *now);
+    }
+    if (k % 64 == 0) status = rot_poll(hooks, 1.0 - (double)k / (double)nodes->n);
   }
-  return ROT_OK;
+  gsl_rng_free(rng);
+  free(now);
+  return status;
 }

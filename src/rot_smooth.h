@@ -87,9 +87,11 @@ void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
                        double *residual[ROT_SMOOTH_CHANNELS]);
 
 /* Draws of the states given all samples, backward from the last node (Fruehwirth-Schnatter 1994):
- * `normals` and `draws` have n_draws x order numbers of each node, a draw after the other. */
+ * those at n_at nodes (increasing), into draws[(d n_at + i) order + state], with the seed's normal
+ * numbers. */
 rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
-                           const rot_smooth_store *store, double sigma, size_t n_draws,
-                           const double *normals, double *draws);
+                           const rot_smooth_store *store, double sigma, size_t n_at,
+                           const size_t at[], size_t n_draws, unsigned long seed,
+                           const rot_hooks *hooks, double *draws);
 
 #endif

@@ -12,7 +12,7 @@ static const double highest = 6.0, width = 0.02;
 enum { GRID = 13 };
 static const double golden = 0.6180339887498949;
 
-/* ---- records as nodes ------------------------------------------------------------------------- */
+/* ---- records as nodes ------------------------------------------------------------------------ */
 
 rot_status rot_smooth_grid_new(rot_smooth_grid *grid, const rot_smooth_record *record,
                                size_t most_breaks, size_t others) {
@@ -115,7 +115,7 @@ void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record
   }
 }
 
-/* ---- likelihood ------------------------------------------------------------------------------- */
+/* ---- likelihood ------------------------------------------------------------------------------ */
 
 double rot_smooth_floor(const rot_smooth_grid *grid, const rot_smooth_record *record,
                         double ratio) {

@@ -142,6 +142,7 @@ layers='
 4 frame       frame
 4 energy      energy
 4 kinematics  kinematics
+4 smooth      smooth*
 5 drive       drive*
 5 top         top* precession pivot*
 6 choice      choice

@@ -1,0 +1,506 @@
+#' Angular velocity, acceleration and torque from measurements
+#'
+#' From samples of an angle, of an angular velocity, or of both: angle, angular velocity and angular
+#' acceleration at each sample, and with an inertia the net torque, power and kinetic energy, each
+#' with a standard error and an interval. Impacts, switched torques and stops are found, and so are
+#' samples that do not belong to the motion.
+#'
+#' The motion is an integrated Wiener process of order p: its derivative of order p - 1 changes at
+#' random,
+#' \deqn{\mathrm{d}\,\theta^{(p-1)} = \sqrt{q}\,\mathrm{d}W,\qquad y_i = \theta(t_i) + e_i,}{
+#'   d theta^(p-1) = sqrt(q) dW,  y_i = theta(t_i) + e_i,}
+#' with unknown q and unknown scatter of the samples. A square-root Kalman filter and smoother give
+#' the best estimate and its covariance; q and p (3 or 4; to 5 for rates alone) are those under
+#' which each sample is best predicted from those before it. Intervals use quantiles of Student's t
+#' with the samples less what the smoother uses up.
+#'
+#' **Breaks.** At a break the rate jumps (an impact) or the acceleration does (a switched torque, a
+#' stop). Where a shock would explain the record better than chance (a score test above 25), its
+#' time and kind are those of the largest likelihood. [motion_events()] lists them. Estimates beside
+#' a break are less certain than their intervals: those rows are flagged.
+#'
+#' **Outliers.** A sample that is 4.5 standard deviations from what all others predict is left out,
+#' unless a break explains it better.
+#'
+#' **Counters.** Where the angle has a resolution D (a counter, an encoder, few digits), the scatter
+#' is at least `D/sqrt(12)`. Where fewer than 0.3 steps of D lie between samples, the times at which
+#' the count changes are used.
+#'
+#' **What residuals do not show** (type B, to be given): the scale and bias of a gyroscope, the rate
+#' and jitter of a clock. They are added to every standard error.
+#'
+#' @param record What [motion_record()] returns, or a data frame that it takes without arguments:
+#'   with columns `time_s` and `theta_rad`, `omega_rad_per_s` or both.
+#' @param inertia Moment of inertia in kg m^2, also [measured()] with its uncertainty, or a body:
+#'   about its axle. NULL for none.
+#' @param resistance A [resistance()], for the torque that is applied besides it. It needs an
+#'   inertia.
+#' @param breaks `"find"`, `"none"`, or the times of known breaks in s, with names `impact` (omega
+#'   jumps) or `switch` (its derivative jumps) where that is known.
+#' @param ... Not used: an unknown argument is an error.
+#' @param outliers `"find"` or `"none"`.
+#' @param order The order p of the process, 3, 4 or 5, or NULL: chosen.
+#' @param level Coverage of the intervals.
+#' @param rest_s Two times in s between which the body is at rest: the mean rate measured there is
+#'   the gyroscope's bias. It is subtracted, and its error counts.
+#' @param rate_scale_u,rate_bias_u_rad_per_s Standard uncertainties of the scale factor of measured
+#'   rates (relative; 0.01 to 0.03 for phones) and of their bias. They count where no angle is
+#'   measured.
+#' @param clock_u,clock_jitter_s Standard uncertainties of the rate of the clock (relative) and of
+#'   single times.
+#' @param turns `"seen"`: an angle that turns by more than pi between samples is refused, since its
+#'   turns are not resolved. `"counted"`: an instrument counted them.
+#' @return A tibble of class `rot_estimate`, a row for each row of the record:
+#'   `r describe_columns(estimate_columns)`
+#'   With an inertia also `r describe_columns(estimate_torque_columns)`
+#'   Each quantity has its standard error (`_se_`) and the ends of its interval (`_low_`, `_high_`).
+#'   Of rates alone, the angle is that turned since the first row of the segment. `predict()` gives
+#'   the same at any time, `augment()` adds the samples and their residuals, `glance()` is a row
+#'   about the fit, `ggplot2::autoplot()` draws it.
+#' @section Errors: those of [motion_record()]; `rotdyn_error_size` for fewer than 12 samples (below
+#'   30 a warning: intervals cover 89 to 93 % of a nominal 95 %), `rotdyn_error_type`,
+#'   `rotdyn_error_time` for breaks outside the record, `rotdyn_error_value` for a motion that turns
+#'   by more than pi between samples.
+#' @source Park and Kailath, IEEE Trans. Automat. Contr. 40, 727 (1995), for the smoother; de Jong
+#'   and Penzer, J. Amer. Statist. Assoc. 93, 796 (1998), for the tests.
+#' @seealso [motion_events()], [energy_loss()], [predict.rot_estimate()], [motion_record()].
+#' @concept measurement
+#' @concept angular acceleration
+#' @concept derivative
+#' @concept smoothing
+#' @concept Kalman filter
+#' @examples
+#' # A wheel under a torque that stops at 4 s, filmed.
+#' wheel <- scene_axle(
+#'   body_disk(2, 0.25), torque_steps(c(0, 4), c(0.4, 0)), resistance(viscous_n_m_s = 0.02)
+#' )
+#' film <- trajectory(wheel, seq(0, 8, by = 1 / 30))[, c("time_s", "theta_rad")]
+#' set.seed(1)
+#' film$theta_rad <- film$theta_rad + stats::rnorm(nrow(film), sd = 0.005)
+#' motion <- estimate_motion(film, inertia = body_disk(2, 0.25))
+#' motion
+#' motion_events(motion)
+#' predict(motion, time_s = c(1, 3.95))[, c("omega_rad_per_s", "omega_se_rad_per_s")]
+#' @export
+estimate_motion <- function(record, inertia = NULL, resistance = NULL, breaks = "find", ...,
+                            outliers = "find", order = NULL, level = 0.95, rest_s = NULL,
+                            rate_scale_u = 0, rate_bias_u_rad_per_s = 0, clock_u = 0,
+                            clock_jitter_s = 0, turns = "seen") {
+  call <- check_no_dots(...)
+  check_supplied("record", call)
+  record <- as_record(record, call)
+  asked <- list(
+    inertia = estimate_inertia(inertia, call),
+    level = check_number(level, "level", "1", call, lower = 0.5, upper = 0.9999),
+    scale_u = check_number(rate_scale_u, "rate_scale_u", "1", call, lower = 0, upper = 1),
+    bias_u = check_number(rate_bias_u_rad_per_s, "rate_bias_u_rad_per_s", "rad/s", call, lower = 0),
+    clock_u = check_number(clock_u, "clock_u", "1", call, lower = 0, upper = 1)
+  )
+  jitter <- check_number(clock_jitter_s, "clock_jitter_s", "s", call, lower = 0)
+  if (!is.null(resistance)) {
+    resistance <- as_resistance(resistance, call)
+    if (is.null(asked$inertia)) {
+      abort_rotdyn("{.arg resistance} needs an {.arg inertia}.", "missing", call)
+    }
+    asked["resistance"] <- list(resistance)
+  }
+  find_outliers <- check_word(outliers, "outliers", c("find", "none"), call) == "find"
+  check_word(turns, "turns", c("seen", "counted"), call)
+  data <- estimate_data(record, call)
+  if (!is.null(rest_s)) data <- subtract_bias(data, rest_s, call)
+  orders <- c(3, if (data$rates_only) 5 else 4)
+  if (!is.null(order)) {
+    orders <- rep(check_number(order, "order", "1", call, lower = 3, upper = 5), 2)
+    if (orders[1] != round(orders[1])) {
+      abort_rotdyn("{.arg order} must be 3, 4 or 5.", "value", call)
+    }
+  }
+  known <- known_breaks(breaks, record, call)
+  fit <- fit_estimate(
+    data, known, orders, identical(breaks, "find"), find_outliers, jitter, asked, call
+  )
+  if (turns == "seen") check_aliasing(fit, record, call)
+  new_estimate(fit, call)
+}
+
+# A record, or what motion_record() takes.
+as_record <- function(x, call) {
+  if (inherits(x, "rot_record")) return(x)
+  if (!is.data.frame(x)) {
+    abort_rotdyn(c(
+      "{.arg record} must be a record or a data frame.",
+      x = "It is {describe_value(x)}.", i = "{.fn motion_record} makes records."
+    ), "type", call)
+  }
+  rlang::try_fetch(motion_record(x), rotdyn_error = function(e) {
+    e$call <- rlang::error_call(call)
+    rlang::cnd_signal(e)
+  })
+}
+
+check_word <- function(x, arg, choices, call) {
+  if (rlang::is_string(x) && x %in% choices) return(x)
+  abort_rotdyn(
+    c("{.arg {arg}} must be {.or {.val {choices}}}.", x = "It is {describe_value(x)}."),
+    if (is.character(x)) "value" else "type", call
+  )
+}
+
+# NULL, or value and standard uncertainty in kg m^2.
+estimate_inertia <- function(inertia, call) {
+  if (is.null(inertia)) return(NULL)
+  if (inherits(inertia, "rot_body")) {
+    check_body(inertia, call)
+    return(c(value = named_moment(inertia, c(0, 0, 1)), u = 0))
+  }
+  if (inherits(inertia, "rot_measured")) {
+    value <- check_number(inertia$value, "inertia", "kg*m^2", call, lower = 0, open = TRUE)
+    return(c(value = value, u = as.double(inertia$u)))
+  }
+  value <- check_number(inertia, "inertia", "kg*m^2", call, lower = 0, open = TRUE)
+  c(value = value, u = 0)
+}
+
+# The columns of a record as the core takes them, and what the fit needs to know of it.
+estimate_data <- function(record, call) {
+  about <- attr(record, "record")
+  columns <- names(record)
+  theta <- if ("theta_rad" %in% columns) as.double(record$theta_rad)
+  omega <- if ("omega_rad_per_s" %in% columns) as.double(record$omega_rad_per_s)
+  resolution <- about$resolution
+  step <- c(resolution["theta_rad"], resolution["omega_rad_per_s"])
+  if (is.null(theta) && is.null(omega) && "pulses" %in% columns) {
+    theta <- as.double(record$pulses) * (2 * pi / (about$pulses_per_turn %||% 1))
+    step[1] <- NA
+  }
+  if (is.null(theta) && is.null(omega)) {
+    abort_rotdyn(c(
+      "{.arg record} has no angle and no angular velocity.",
+      i = "Positions of a mark need a centre: {.code motion_record(centre_m = )}."
+    ), "missing", call)
+  }
+  if (!any(!is.na(omega))) omega <- NULL
+  if (!any(!is.na(theta))) theta <- NULL
+  n <- nrow(record)
+  samples <- sum(!is.na(theta)) + sum(!is.na(omega))
+  if (samples < 12) {
+    abort_rotdyn(c(
+      "An estimate needs at least 12 samples.", x = "The record has {samples}.",
+      i = "For so few, fit a law: {.fn fit_coast_down}, or {.fn stats::lm}."
+    ), "size", call)
+  }
+  if (samples < 30) {
+    warn_rotdyn(c(
+      "The record has {samples} samples: intervals of 95 % cover 89 to 93 %.",
+      i = "From 30 on they hold."
+    ), "size", call)
+  }
+  time <- as.double(record$time_s)
+  segment <- as.integer(record$segment %||% rep(1L, n))
+  if (is.unsorted(segment) || any(diff(time)[diff(segment) == 0L] < 0)) {
+    abort_rotdyn("The rows of {.arg record} must be in the order of time.", "time", call)
+  }
+  step <- unname(step)
+  step[is.na(step)] <- 0
+  step <- c(real_step(theta, segment, step[1]), step[2])
+  list(
+    core = list(
+      time_s = time, theta = theta, omega = omega,
+      w_theta = if (!is.null(theta)) rep(1, n), w_omega = if (!is.null(omega)) rep(1, n),
+      segment = segment, floor = step / sqrt(12)
+    ),
+    time_s = time, segment = segment, theta = theta, omega = omega, step = step,
+    rates_only = is.null(theta), bias_u = 0, source = about$source
+  )
+}
+
+# The resolution of an angle whose samples it limits. Times in a round number of tenths, say, give
+# exact synthetic angles a step, too: those follow a smooth curve within far less than the step
+# while they move by many of them.
+real_step <- function(theta, segment, step) {
+  if (is.null(theta) || step == 0) return(0)
+  known <- !is.na(theta)
+  x <- theta[known]
+  third <- diff(x, differences = 3)[diff(segment[known], 3) == 0]
+  moves <- abs(diff(x))
+  if (length(third) < 5 || stats::median(moves) < 3 * step) return(step)
+  # White noise of s.d. D/sqrt(12) has third differences of s.d. sqrt(20) times that.
+  if (stats::median(abs(third)) < 0.05 * step) 0 else step
+}
+
+subtract_bias <- function(data, rest_s, call) {
+  rest_s <- check_column(rest_s, "rest_s", "s", call)
+  if (length(rest_s) != 2L || anyNA(rest_s) || rest_s[1] >= rest_s[2]) {
+    abort_rotdyn("{.arg rest_s} must be two times in s, the earlier first.", "value", call)
+  }
+  at <- which(data$time_s >= rest_s[1] & data$time_s <= rest_s[2] & !is.na(data$omega))
+  if (length(at) < 5L) {
+    abort_rotdyn(c(
+      "{.arg rest_s} must hold at least five samples of the rate.", x = "It holds {length(at)}."
+    ), "value", call)
+  }
+  at_rest <- data$omega[at]
+  bias <- mean(at_rest)
+  data$omega <- data$core$omega <- data$core$omega - bias
+  # Noise of a gyroscope drifts: the error of the mean from blocks of a tenth.
+  block <- ceiling(seq_along(at_rest) / (length(at_rest) / min(10, length(at_rest))))
+  means <- vapply(split(at_rest, block), mean, 0)
+  data$bias_u <- stats::sd(means) / sqrt(length(means))
+  data$bias <- bias
+  data
+}
+
+no_breaks <- list(time_s = double(), segment = double(), first = double())
+
+known_breaks <- function(breaks, record, call) {
+  if (rlang::is_string(breaks) && breaks %in% c("find", "none")) return(no_breaks)
+  if (is.character(breaks)) {
+    abort_rotdyn(c(
+      "{.arg breaks} must be {.val find}, {.val none}, or times in s.",
+      x = "It is {describe_value(breaks)}."
+    ), "value", call)
+  }
+  said <- names(breaks) %||% rep("", length(breaks))
+  unknown <- setdiff(said, c("", "impact", "switch", "stop"))
+  if (length(unknown)) {
+    abort_rotdyn(c(
+      "Names of {.arg breaks} must be {.or {.val {c('impact', 'switch', 'stop')}}}.",
+      x = "There is {.val {unknown[1]}}."
+    ), "value", call)
+  }
+  time <- check_column(breaks, "breaks", "s", call)
+  if (!length(time)) return(no_breaks)
+  if (anyNA(time)) abort_rotdyn("{.arg breaks} must not be missing.", "time", call)
+  starts <- tapply(record$time_s, record$segment, min)
+  ends <- tapply(record$time_s, record$segment, max)
+  segment <- vapply(time, function(t) which(t > starts & t < ends)[1], 1L)
+  if (anyNA(segment)) {
+    abort_rotdyn(c(
+      "{.arg breaks} must lie within the record.",
+      x = "{format(time[is.na(segment)][1])} s does not."
+    ), "time", call)
+  }
+  order <- order(segment, time)
+  first <- c(impact = 1, switch = 2, stop = 2)[said]
+  list(
+    time_s = as.double(time)[order],
+    segment = as.double(names(starts)[segment])[order],
+    first = unname(ifelse(is.na(first), 0, first))[order]
+  )
+}
+
+# ---- the fit -------------------------------------------------------------------------------------
+
+fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, call) {
+  most <- if (find) min(100, length(data$time_s) %/% 10) else 0
+  progress <- progress_bar("samples")
+  run <- function(core, breaks, most = 0, outliers = FALSE, orders. = orders) {
+    out <- .Call(ffi_smooth_fit, core, breaks, c(orders., most, outliers), progress)
+    if (is.character(out)) {
+      abort_rotdyn("The smoothness of the record could not be estimated.", out, call)
+    }
+    out
+  }
+  core <- data$core
+  # Known times of unknown kind: the likelihood decides, one after the other.
+  for (i in which(breaks$first == 0)) {
+    value <- vapply(1:2, function(first) {
+      tried <- breaks
+      tried$first[i] <- first
+      tried$first[tried$first == 0] <- 1
+      out <- run(core, tried, orders. = rep(orders[1], 2))
+      out$fit[5] + log(length(core$time_s)) * out$fit[8]
+    }, 0)
+    breaks$first[i] <- which.min(value)
+  }
+  found <- run(core, breaks, most, outliers)
+  breaks <- found[c("time_s", "segment", "first")]
+  n <- length(core$time_s)
+  left <- matrix(found$left_out, n)
+  leave <- function(core) {
+    if (!is.null(core$theta)) core$w_theta[left[, 1]] <- Inf
+    if (!is.null(core$omega)) core$w_omega[left[, 2]] <- Inf
+    core
+  }
+  core <- leave(core)
+  if (jitter > 0) {
+    # Two passes: the rate turns an error of the time into one of the angle.
+    for (pass in 1:2) {
+      rows <- .Call(ffi_smooth_rows, core, breaks, found$fit[1:4], no_times)$samples
+      sigma <- found$fit[4]
+      share <- function(y, slope) {
+        w <- sqrt(sigma^2 + (slope * jitter)^2) / sigma
+        ifelse(is.finite(y), w, 1)
+      }
+      core <- data$core
+      if (!is.null(core$theta)) core$w_theta <- share(core$theta, rows$omega)
+      core <- leave(core)
+      found <- run(core, breaks)
+    }
+  }
+  list(
+    core = core, breaks = breaks, fit = found$fit[1:4], objective = found$fit[5],
+    end = found$fit[6], samples = found$fit[7], left_out = left, data = data, asked = asked
+  )
+}
+
+no_times <- list(time_s = double(), segment = NULL)
+
+# Angles that turn by more than half a turn between neighbouring samples.
+check_aliasing <- function(fit, record, call) {
+  data <- fit$data
+  if (is.null(data$theta) || !is.null(data$omega)) return(invisible())
+  said <- attr(record, "record")$columns
+  counted <- said$column %in% c("theta_rad", "pulses") & grepl("count|turn|^1$", said$unit)
+  if (any(counted) || is.null(record[["theta_rad"]])) return(invisible())
+  rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, no_times)$samples
+  h <- diff(data$time_s)
+  h[diff(data$segment) != 0L] <- Inf
+  usual <- stats::median(h[is.finite(h)])
+  turned <- pmin(abs(rows$omega[-1]), abs(rows$omega[-length(rows$omega)])) * h
+  at <- which(turned > pi & h <= 1.5 * usual)
+  if (!length(at)) return(invisible())
+  abort_rotdyn(c(
+    "The body turns by more than half a turn between two samples.",
+    x = "At {format(data$time_s[at[1]], digits = 4)} s by about
+         {format(turned[at[1]], digits = 3)} rad.",
+    i = "A film cannot tell its turns and its sense: sample faster, or measure the rate, too.",
+    i = "If the instrument counted the turns, say {.code turns = \"counted\"}."
+  ), "value", call)
+}
+
+# ---- the table -----------------------------------------------------------------------------------
+
+new_estimate <- function(fit, call) {
+  rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, no_times)
+  fit$degrees <- max(fit$samples - rows$used, 1)
+  fit$residual <- matrix(rows$residual, length(fit$data$time_s))
+  fit$events <- estimate_events(fit)
+  out <- estimate_rows(fit, rows$samples, fit$data$time_s, fit$data$segment)
+  out$flag <- estimate_flags(fit)
+  tibble::new_tibble(
+    out, nrow = length(fit$data$time_s), class = "rot_estimate", estimate = fit
+  )
+}
+
+# Columns at times, with what the residuals do not show.
+estimate_rows <- function(fit, rows, time_s, segment) {
+  data <- fit$data
+  asked <- fit$asked
+  first <- match(segment, data$segment)
+  v <- rows[c("v00", "v01", "v02", "v11", "v12", "v22")]
+  add <- function(v, g0, g1, g2) {
+    list(
+      v00 = v$v00 + g0^2, v01 = v$v01 + g0 * g1, v02 = v$v02 + g0 * g2, v11 = v$v11 + g1^2,
+      v12 = v$v12 + g1 * g2, v22 = v$v22 + g2^2
+    )
+  }
+  if (data$rates_only) {
+    bias <- sqrt(asked$bias_u^2 + data$bias_u^2)
+    v <- add(v, asked$scale_u * rows$theta, asked$scale_u * rows$omega, asked$scale_u * rows$alpha)
+    v <- add(v, bias * (time_s - data$time_s[first]), bias, 0)
+  }
+  v <- add(v, 0, asked$clock_u * rows$omega, 2 * asked$clock_u * rows$alpha)
+  t <- stats::qt((1 + asked$level) / 2, fit$degrees)
+  out <- list(time_s = time_s)
+  put <- function(out, stem, unit, value, variance, low = -Inf) {
+    se <- sqrt(pmax(variance, 0))
+    name <- function(what) paste0(stem, what, "_", unit)
+    out[[name("")]] <- value
+    out[[name("_se")]] <- se
+    out[[name("_low")]] <- pmax(value - t * se, low)
+    out[[name("_high")]] <- value + t * se
+    out
+  }
+  out <- put(out, "theta", "rad", rows$theta, v$v00)
+  out <- put(out, "omega", "rad_per_s", rows$omega, v$v11)
+  out <- put(out, "alpha", "rad_per_s2", rows$alpha, v$v22)
+  if (!is.null(asked$inertia)) {
+    inertia <- asked$inertia[["value"]]
+    u <- asked$inertia[["u"]]
+    out <- put(
+      out, "net_torque", "n_m", inertia * rows$alpha, inertia^2 * v$v22 + (u * rows$alpha)^2
+    )
+    # The applied torque tau = I alpha + d(omega), and its slope d'(omega).
+    drag <- estimate_drag(asked$resistance, rows$omega)
+    tau <- inertia * rows$alpha + drag$torque
+    tau_v <- inertia^2 * v$v22 + 2 * inertia * drag$slope * v$v12 + drag$slope^2 * v$v11 +
+      (u * rows$alpha)^2
+    if (!is.null(asked$resistance)) out <- put(out, "applied_torque", "n_m", tau, tau_v)
+    # Product of two normal numbers, to all orders.
+    both <- inertia * v$v12 + drag$slope * v$v11
+    power_v <- tau^2 * v$v11 + rows$omega^2 * tau_v + 2 * tau * rows$omega * both +
+      tau_v * v$v11 + both^2
+    out <- put(out, "power", "w", tau * rows$omega, power_v)
+    energy_v <- inertia^2 * (rows$omega^2 * v$v11 + v$v11^2 / 2) + (u * rows$omega^2 / 2)^2
+    out <- put(
+      out, "rotational_kinetic_energy", "j", inertia * rows$omega^2 / 2, energy_v, low = 0
+    )
+  }
+  out$segment <- segment
+  out
+}
+
+# Torque of the resistance against omega, and its derivative.
+estimate_drag <- function(resistance, omega) {
+  if (is.null(resistance)) return(list(torque = 0 * omega, slope = 0 * omega))
+  list(
+    torque = resistance$viscous_n_m_s * omega +
+      resistance$quadratic_n_m_s2 * omega * abs(omega) + resistance$coulomb_n_m * sign(omega),
+    slope = resistance$viscous_n_m_s + 2 * resistance$quadratic_n_m_s2 * abs(omega)
+  )
+}
+
+estimate_flags <- function(fit) {
+  time <- fit$data$time_s
+  segment <- fit$data$segment
+  n <- length(time)
+  flag <- rep("", n)
+  say <- function(flag, rows, word) {
+    rows <- unique(rows[rows >= 1 & rows <= n])
+    flag[rows] <- ifelse(flag[rows] == "", word, paste(flag[rows], word, sep = ", "))
+    flag
+  }
+  samples <- cbind(
+    if (!is.null(fit$data$theta)) !is.na(fit$data$theta),
+    if (!is.null(fit$data$omega)) !is.na(fit$data$omega)
+  )
+  flag <- say(flag, which(rowSums(fit$left_out) > 0), "outlier")
+  flag <- say(flag, which(rowSums(samples) == 0), "no sample")
+  h <- diff(time)
+  inside <- diff(segment) == 0L
+  usual <- stats::median(h[inside])
+  for (i in seq_along(fit$breaks$time_s)) {
+    near <- segment == fit$breaks$segment[i] & abs(time - fit$breaks$time_s[i]) <= usual
+    flag <- say(flag, which(near), "break")
+  }
+  gaps <- which(inside & h > 5 * usual)
+  say(flag, c(gaps, gaps + 1L), "gap")
+}
+
+# The breaks: kind, time, jumps with standard errors.
+estimate_events <- function(fit) {
+  n <- length(fit$breaks$time_s)
+  jumps <- if (n) .Call(ffi_smooth_breaks, fit$core, fit$breaks, fit$fit)
+  jumps <- lapply(jumps, function(x) replace(x, is.nan(x), NA_real_))
+  column <- function(name) if (n) jumps[[name]] else double()
+  root <- function(name) sqrt(pmax(column(name), 0))
+  t <- stats::qt(0.995, fit$degrees)
+  # At rest behind the break, and for good: a stop.
+  rests <- if (n) {
+    abs(jumps$omega_after) <= t * sqrt(jumps$after_v11) &
+      abs(jumps$alpha_after) <= t * sqrt(jumps$after_v22)
+  } else {
+    logical()
+  }
+  first <- as.double(fit$breaks$first)
+  event <- ifelse(first == 1, "impact", ifelse(rests, "stop", "switch"))
+  clean <- function(x) replace(x, first == 2, 0)
+  tibble::new_tibble(list(
+    time_s = as.double(fit$breaks$time_s), time_se_s = column("time_error_s"), event = event,
+    omega_jump_rad_per_s = clean(column("omega_jump")),
+    omega_jump_se_rad_per_s = clean(root("v11")),
+    alpha_jump_rad_per_s2 = column("alpha_jump"), alpha_jump_se_rad_per_s2 = root("v22"),
+    segment = as.integer(fit$breaks$segment)
+  ), nrow = n)
+}

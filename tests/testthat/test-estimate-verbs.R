@@ -1,0 +1,89 @@
+coasting <- function(sd = 1e-3, seed = 1, n = 300) {
+  wheel <- scene_axle(0.05, resistance = resistance(viscous_n_m_s = 0.01), omega0_rad_per_s = 20)
+  film <- trajectory(wheel, seq(0, 6, length.out = n))
+  set.seed(seed)
+  data.frame(time_s = film$time_s, theta_rad = film$theta_rad + stats::rnorm(n, sd = sd))
+}
+rate <- function(time) 20 * exp(-time / 5)
+
+test_that("predict() gives the rows at their times, and the motion between and beyond them", {
+  motion <- estimate_motion(coasting(), inertia = 0.05, breaks = "none")
+  again <- predict(motion, motion$time_s)
+  for (name in names(again)) expect_equal(again[[name]], motion[[name]], tolerance = 1e-7)
+  between <- predict(motion, c(3.123, NA, 0.005))
+  expect_equal(between$time_s, c(3.123, NA, 0.005))
+  expect_true(all(
+    abs(between$omega_rad_per_s - rate(between$time_s)) < 4 * between$omega_se_rad_per_s,
+    na.rm = TRUE
+  ))
+  beyond <- predict(motion, c(6, 6.5, 7, 13))
+  expect_true(all(diff(beyond$omega_se_rad_per_s[1:3]) > 0))
+  expect_true(is.na(beyond$omega_rad_per_s[4]))
+  expect_equal(nrow(predict(motion, double())), 0)
+  expect_error(predict(motion, Inf), class = "rotdyn_error_time")
+})
+
+test_that("the energy lost has the error that many records show", {
+  truth <- 0.05 * (rate(1)^2 - rate(4)^2) / 2
+  got <- vapply(1:30, function(seed) {
+    motion <- estimate_motion(coasting(0.01, seed), inertia = 0.05, breaks = "none")
+    loss <- energy_loss(motion, 1, 4)
+    c(loss$energy_loss_j, loss$energy_loss_se_j)
+  }, double(2))
+  z <- (got[1, ] - truth) / got[2, ]
+  expect_lt(abs(mean(z)), 0.8)
+  expect_gt(stats::sd(z), 0.6)
+  expect_lt(stats::sd(z), 1.4)
+})
+
+test_that("energy_loss() has a sign, a seed and its own errors", {
+  motion <- estimate_motion(coasting(), inertia = 0.05, breaks = "none")
+  there <- energy_loss(motion, 1, 4)
+  back <- energy_loss(motion, 4, 1)
+  expect_equal(back$energy_loss_j, -there$energy_loss_j)
+  expect_identical(energy_loss(motion, 1, 4), there)
+  expect_equal(energy_loss(motion, c(1, NA), 4)$energy_loss_j, c(there$energy_loss_j, NA))
+  expect_error(
+    energy_loss(estimate_motion(coasting(), breaks = "none"), 1, 4),
+    class = "rotdyn_error_missing"
+  )
+  # The inertia's own uncertainty is a common factor.
+  sure <- energy_loss(motion, 1, 4)
+  unsure <- energy_loss(
+    estimate_motion(coasting(), inertia = measured(0.05, 0.005), breaks = "none"), 1, 4
+  )
+  expect_equal(
+    unsure$energy_loss_se_j, sqrt(sure$energy_loss_se_j^2 + (0.1 * sure$energy_loss_j)^2)
+  )
+})
+
+test_that("augment() adds samples and leave-one-out residuals of s.d. 1", {
+  motion <- estimate_motion(coasting(n = 1000), breaks = "none")
+  all <- augment(motion)
+  expect_equal(all$theta_sample_rad, coasting(n = 1000)$theta_rad)
+  expect_equal(stats::sd(all$theta_residual), 1, tolerance = 0.1)
+  expect_s3_class(all, "rot_estimate")
+  expect_false(inherits(motion[1:3, ], "rot_estimate"))
+  about <- glance(motion)
+  expect_equal(about$samples, 1000)
+  expect_equal(about$theta_scatter_rad, 1e-3, tolerance = 0.1)
+  expect_setequal(
+    setdiff(c(names(all), names(about), names(motion_events(motion))), rotdyn_columns()$name),
+    character()
+  )
+})
+
+test_that("print says what was found", {
+  motion <- estimate_motion(coasting(), breaks = c(switch = 3))
+  expect_match(paste(capture.output(print(motion)), collapse = " "), "switch at 3 s")
+  expect_equal(motion_events(motion)$time_s, 3)
+  expect_true(all(c("break", "") %in% motion$flag))
+})
+
+test_that("a forged estimate is refused", {
+  motion <- estimate_motion(coasting(), breaks = "none")
+  fit <- attr(motion, "estimate")
+  fit$core$theta <- "a"
+  attr(motion, "estimate") <- fit
+  expect_error(predict(motion, 1), class = "rotdyn_error")
+})
