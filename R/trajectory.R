@@ -151,19 +151,31 @@ add_event_rows <- function(result, time_s, run, add) {
   events <- result$events
   at <- as.double(events$time_s)
   if (add && result$info$kind == "none" && length(time_s) > 1L) {
-    new <- setdiff(at[at > time_s[1] & at < time_s[length(time_s)]], time_s)
+    new <- at[at > time_s[1] & at < time_s[length(time_s)] & !at %in% time_s]
     if (length(new)) {
-      with <- run(sort(c(time_s, new)))
+      with <- run(merge_times(time_s, new))
       if (with$info$kind == "none") result <- with
       result$events <- events
     }
   }
-  times <- sort(unique(at))
-  words <- vapply(
-    split(as.character(events$event), match(at, times)), paste, "", collapse = ", "
-  )
-  result$columns$event <- unname(words)[match(result$columns$time_s, times)]
+  words <- as.character(events$event)
+  if (anyDuplicated(at)) {
+    words <- vapply(split(words, match(at, unique(at))), paste, "", collapse = ", ")
+    at <- unique(at)
+  }
+  result$columns$event <- unname(words)[match(result$columns$time_s, at)]
   result
+}
+
+# Times in order, and others in order between them, each once. sort() alone takes 25 us of a
+# trajectory's 200.
+merge_times <- function(times, new) {
+  if (anyDuplicated(new)) new <- unique(new)
+  at <- findInterval(new, times) + seq_along(new)
+  merged <- double(length(times) + length(new))
+  merged[at] <- new
+  merged[-at] <- times
+  merged
 }
 
 # Columns with values beyond double precision.
@@ -173,7 +185,11 @@ beyond_doubles <- function(columns) {
 
 # The report of a run with such columns has no finite error.
 void_error <- function(info, columns) {
-  if (info$kind == "none" && length(beyond_doubles(columns))) info$error <- Inf
+  if (info$kind != "none") return(info)
+  # Sums are quick, and finite where all values are.
+  total <- 0
+  for (x in columns) if (is.double(x)) total <- total + sum(x)
+  if (!is.finite(total) && length(beyond_doubles(columns))) info$error <- Inf
   info
 }
 

@@ -1,5 +1,6 @@
 # Bodies on inclines: slip to roll by the closed form, by the package's own rk8pd with its events,
-# and by deSolve with a root and an event; many inclines in one call; a race against dplyr.
+# by GSL's rk8pd with Brent's root finder, and by deSolve with a root and an event; many inclines in
+# one call; a race against dplyr.
 
 slip_lane <- function() {
   rotdyn::scene_incline(
@@ -60,10 +61,21 @@ run_slip <- function(rounds) {
     names(got) <- names(truth)
     contender(name, run, slip_error(got, truth), rhs_calls = count)
   }
+  other <- function(name, run) {
+    rows <- solve_child(run)
+    shown <- names(rows) != "rhs_calls"
+    error <- slip_error(rows[shown], truth[names(rows)[shown]])
+    contender(name, run, error, rhs_calls = rows$rhs_calls)
+  }
+  core <- compile_program("slip-core", Sys.glob("src/rot_*.c"))
+  gsl <- compile_program("slip-gsl")
   paired("inclines", "slip to roll, 301 rows", c(
     list(
       judged("rotdyn, trajectory(), closed form", ours("incline_exact", 1e-9)),
-      judged("rotdyn, steps of GSL rk8pd with events, 1e-9", ours("incline_rk8pd", 1e-9))
+      judged("rotdyn, steps of GSL rk8pd with events, 1e-9", ours("incline_rk8pd", 1e-9)),
+      other("rotdyn, C core without R, closed form", child(core, "exact", time)),
+      other("GSL rk8pd in C with Brent's roots, 1e-9", child(gsl, "1e-9", time)),
+      other("GSL rk8pd in C with Brent's roots, 1e-12", child(gsl, "1e-12", time))
     ),
     if (has_package("deSolve")) {
       list(
