@@ -21,7 +21,7 @@ record_arguments <- list(
 #' A column is given by its name in quotes, as a bare name, or as an expression of columns. An
 #' object of the units package is converted, and so is a column whose heading has a unit, such as
 #' `"Angle (deg)"` or `omega [rpm]`. Without any of these arguments, columns are recognised by their
-#' headings.
+#' headings; of an angle and a rate the angle is read, unless their names are those of a record.
 #'
 #' An **angle** whose values stay within one turn and jump by more than half a turn is wrapped. It
 #' is unwrapped against the angle predicted from the last two samples (or from the rate, if it was
@@ -32,9 +32,9 @@ record_arguments <- list(
 #' with the centre given, tracked, or fitted as that of a circle (least squares of the distances).
 #'
 #' **Rates about three axes** need an `axis`: one by name, or `"principal"`, the direction of most
-#' of the mean square rate, with the sign of its largest component positive. It is an error if more
-#' than a tenth of the mean square is across that direction: the motion is no rotation about a fixed
-#' axis.
+#' of the mean square rate, with the sign of its largest component positive. The latter is an error
+#' if more than a tenth of the mean square is across that direction: the motion is no rotation about
+#' a fixed axis.
 #'
 #' **Times** that go back begin a new segment. Equal times with different values are taken for a
 #' pause and begin a new segment, too. Where they are more than 1 in 50 rows, the clock is coarse:
@@ -66,8 +66,8 @@ record_arguments <- list(
 #'   (those that were measured; a missing value is NA). Its attribute `record` is a list: `source`,
 #'   `columns` (the original headings and units), `resolution` (by column, NA where none was found),
 #'   `dropped` (rows of `data` and why), `breaks` (where segments begin, and why), `assumed`,
-#'   `pulses_per_turn`, `spacing_s` and, where they apply, `centre` and `axis`. dplyr's verbs on rows
-#'   keep the class; without `time_s`, `segment` or any measured column it is a plain tibble.
+#'   `pulses_per_turn`, `spacing_s` and, where they apply, `centre` and `axis`. dplyr's verbs on
+#'   rows keep the class; without `time_s`, `segment` or any measured column it is a plain tibble.
 #' @section Errors: `rotdyn_error_missing` (no times, no measured column), `rotdyn_error_argument`,
 #'   `rotdyn_error_type`, `rotdyn_error_size` (fewer than two rows), `rotdyn_error_unit`,
 #'   `rotdyn_error_value` (infinite numbers, turns that are not resolved, rates about several axes).
@@ -278,7 +278,11 @@ recognise_columns <- function(data, call) {
       i = "Name the one: {.code motion_record(data, time_s = ..., theta_rad = ...)}."
     ), "missing", call)
   }
-  if (length(angle)) columns$theta_rad <- take(angle, "theta_rad")
+  # A rate beside an angle was computed from it, as a rule: it is read where it is named.
+  if (length(angle)) {
+    columns$theta_rad <- take(angle, "theta_rad")
+    rate <- integer()
+  }
   if (length(rate) == 1L) columns$omega_rad_per_s <- take(rate, "omega_rad_per_s")
   if (length(rate) > 1L) {
     columns$omega_rad_per_s <-
@@ -541,12 +545,13 @@ choose_axis <- function(column, axis, call) {
   } else {
     0
   }
-  if (across > 0.1) {
+  if (across > 0.1 && axis == "principal") {
     abort_rotdyn(c(
-      "The motion is no rotation about the axis {.val {axis}}.",
-      x = "{format(100 * across, digits = 2)} % of the mean square rate is about other axes.",
+      "The motion is no rotation about one axis.",
+      x = "{format(100 * across, digits = 2)} % of the mean square rate is across the principal
+           axis.",
       i = "Mean squares by column: {format(100 * diag(square) / total, digits = 2)} %.",
-      i = "To use one column in spite of that, give it alone: {.code omega_rad_per_s =}."
+      i = "{.arg axis} takes one of the axes in spite of that: {.or {.val {part}}}."
     ), "value", call)
   }
   list(

@@ -1,0 +1,35 @@
+test_that("Capstone: runs side by side, decimal commas, a mark at the start, empty cells", {
+  t <- 0:29 / 20
+  a <- 0.3 + 2 * t
+  heads <- paste(rep(c("Time (s)", "Angle (rad)", "Angular Velocity (rad/s)"), 2), "Run",
+    rep(c("#1", "#2"), each = 3))
+  rows <- vapply(1:30, function(i) {
+    second <- if (i <= 12) c(t[i], -a[i], -2) else c("", "", "")
+    # The velocity begins later: it is a difference.
+    paste(c(t[i], a[i], if (i > 1) 2 else "", second), collapse = "\t")
+  }, "")
+  lines <- c(paste(heads, collapse = "\t"), gsub(".", ",", rows, fixed = TRUE))
+  for (r in list(
+    read_motion(text_file(lines, ext = ".txt", bom = TRUE)),
+    read_motion(text_file(gsub("\t", ";", lines), bom = TRUE)),
+    read_pasco(text_file(lines, encoding = "UTF-16LE", bom = TRUE))
+  )) {
+    expect_equal(r$segment, rep(1:2, c(30, 12)))
+    expect_equal(r$theta_rad, c(a, -a[1:12]))
+    expect_match(attr(r, "record")$assumed, "not used", all = FALSE)
+    expect_match(attr(r, "record")$source, "PASCO")
+  }
+  expect_equal(nrow(read_pasco(text_file(lines), run = "Run #2")), 12)
+})
+
+test_that("sensors with different rates: empty cells between", {
+  t <- 0:59 / 60
+  a <- ifelse(0:59 %% 3 == 0, 4 * t, NA)
+  lines <- c(
+    "Time (s) Run #1,Angle (deg) Run #1,Force (N) Run #1",
+    gsub("NA", "", paste(t, a, 1.5, sep = ","))
+  )
+  r <- read_motion(text_file(lines))
+  expect_equal(r$theta_rad, a[!is.na(a)] * pi / 180)
+  expect_equal(nrow(attr(r, "record")$dropped), 40)
+})

@@ -1,0 +1,58 @@
+samples <- function(n) data.frame(t = 0:(n - 1) / 20, a = 0.5 + 2 * 0:(n - 1) / 20, v = 2)
+
+test_that("CSV of Graphical Analysis and Logger Pro: runs side by side, of unequal length", {
+  one <- samples(30)
+  two <- samples(20)
+  two$a <- two$a + 1
+  for (label in list(c("Run 1: ", "Run 2: "), c("Data Set 1:", "Data Set 2:"))) {
+    heads <- paste0(
+      rep(label, each = 3), c("Time (s)", "Angle (rad)", "Velocity (rad/s)")
+    )
+    rows <- vapply(1:30, function(i) {
+      paste(c(one$t[i], one$a[i], one$v[i], if (i <= 20) c(two$t[i], two$a[i], two$v[i]) else
+        c("", "", "")), collapse = ",")
+    }, "")
+    r <- read_motion(text_file(c(paste(heads, collapse = ","), rows)))
+    expect_equal(r$segment, rep(1:2, c(30, 20)))
+    expect_equal(r$theta_rad, c(one$a, two$a))
+    expect_false("omega_rad_per_s" %in% names(r))
+    expect_match(attr(r, "record")$source, "Vernier")
+  }
+  expect_equal(nrow(read_vernier(text_file(c(paste(heads, collapse = ","), rows)), run = 2)), 20)
+  lines <- c("Latest: Time (s),Latest: Angle (deg)", paste(one$t, one$a, sep = ","))
+  r <- read_motion(text_file(lines))
+  expect_equal(r$theta_rad, one$a * pi / 180)
+})
+
+test_that("text of Logger Pro: names, short names, units on lines of their own", {
+  one <- samples(30)
+  lines <- c(
+    "Vernier Format 2", "wheel.cmbl 5/5/2019 9:37:43 .", "Latest", "Time\tAngle", "t\tA", "s\tdeg",
+    paste(one$t, one$a, sep = "\t")
+  )
+  r <- read_motion(text_file(lines, ext = ".txt"))
+  expect_equal(r$theta_rad, one$a * pi / 180)
+  expect_equal(r$time_s, one$t)
+})
+
+test_that("projects: .cmbl is XML, .gambl a tar archive with it", {
+  skip_if_not_installed("xml2")
+  runs <- list("Run 1" = samples(30), Latest = samples(20))
+  runs[[1]]$a[5] <- NA
+  lines <- sub("^NA$", "Z1 1:", vernier_xml(runs))
+  lines <- gsub("\nNA\n", "\nZ1 1:\n", lines, fixed = TRUE)
+  r <- read_motion(text_file(lines, ext = ".cmbl"))
+  expect_equal(r$segment, rep(1:2, c(29, 20)))
+  expect_equal(r$theta_rad, c(runs[[1]]$a[-5], runs[[2]]$a))
+  folder <- tempfile("g")
+  dir.create(file.path(folder, "vstudm"), recursive = TRUE)
+  writeLines(lines, file.path(folder, "vstudm", "data.udm"))
+  writeLines("{}", file.path(folder, "vstudm", "manifest.json"))
+  old <- setwd(folder)
+  on.exit(setwd(old))
+  utils::tar("x.gambl", "vstudm", tar = "internal")
+  g <- read_motion(file.path(folder, "x.gambl"))
+  expect_equal(g$theta_rad, r$theta_rad)
+  expect_equal(nrow(read_vernier(file.path(folder, "x.gambl"), run = "Latest")), 20)
+  expect_error(read_vernier(file.path(folder, "x.gambl"), run = "x"), class = "rotdyn_error_value")
+})
