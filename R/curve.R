@@ -557,11 +557,27 @@ curve_integrals <- function(run, end, u, call) {
   time <- cumsum(unlist(lapply(parts, `[[`, "time")))
   path <- cumsum(unlist(lapply(parts, `[[`, "path")))
   error <- sum(vapply(parts, function(part) sum(part$error[, 1]), 0))
+  if (slow_end) error <- error + slow_rounding(run, end, u, span, call)
   row <- match(u, at)
   list(
     time = ifelse(u == run$from, 0, time[row]), path = ifelse(u == run$from, 0, path[row]),
     error = error
   )
+}
+
+# Where the body becomes slow, the rounding of v^2, which is a difference there, moves the end of
+# the motion, and so does that of the place where it turns: by du, the times of the rows by ds/v.
+slow_rounding <- function(run, end, u, span, call) {
+  eps <- .Machine$double.eps
+  at <- curve_values(run$curve, c(u, end$u), call)
+  n <- length(u)
+  fall <- abs(run$start$y - at$y[n + 1L])
+  slope <- max(abs(at$dy[n + 1L]), fall / abs(span))
+  rounding <- eps * (run$v0^2 + run$c2 * fall)
+  turns <- if (end$event == "turns") 2 * eps * max(abs(end$u), abs(run$from)) else 0
+  v <- sqrt(pmax(square_speed(run, u, at$y[seq_len(n)]), 0))
+  moved <- (rounding / (run$c2 * slope) + turns) * at$speed[seq_len(n)] / v
+  max(0, moved[v > 0 & u != end$u])
 }
 
 new_curve_motion <- function(run, end, u, call) {

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Do the reported errors cover the true ones? Random scenes for each model of the axle, of the
 # incline, of the heavy top and of free bodies, and for the installed package random R functions as
-# torque laws and random gears, drives, rotors, inclines, dry friction, long spans and short pulses,
-# judged in quadruple precision (bench/coverage/). Needs gcc and libquadmath. Without SEED another
-# one is drawn each time. 1000 scenes of each class are 28,500 in all: each part ends with the
-# number of its own.
+# torque laws, random curves, and random gears, drives, rotors, inclines, dry friction, long spans
+# and short pulses, judged in quadruple precision (bench/coverage/). Needs gcc and libquadmath.
+# Without SEED another one is drawn each time. 1000 scenes of each class are 29,500 in all: each
+# part ends with the number of its own.
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
@@ -13,7 +13,7 @@ trap 'rm -rf "$build"' EXIT
 ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc $(gsl-config --cflags) \
   bench/coverage/coverage.c bench/coverage/truth.c src/rot_*.c \
   $(gsl-config --libs) -lquadmath -lm -o "$build/coverage"
-for program in laws chains; do
+for program in laws chains curves; do
   ${CC:-gcc} -std=gnu11 -O2 bench/coverage/$program.c -lquadmath -lm -o "$build/$program"
 done
 for program in top free incline; do
@@ -28,5 +28,6 @@ bad=0
 "$build/top" "${1:-1000}" "$seed" || bad=1
 "$build/free" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad=1
+Rscript bench/coverage/curves.R "$build/curves" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/scenes.R "$build/chains" "${1:-1000}" "$seed" || bad=1
 exit $bad
