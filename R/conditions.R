@@ -12,6 +12,7 @@ error_kinds <- c(
   point = "inertia tensors about different points, or in different axes",
   mesh = "a mesh that is open, inconsistently oriented or damaged",
   density = "a density that is below 0 or not finite",
+  scene = "a text that is no scene, or a scene without a text",
   file = "a file that cannot be read, or has another format",
   torque = "a torque law that gives no finite number",
   rhs = "an equation of motion that gives no finite number",

@@ -72,6 +72,7 @@ axle_constraint <- function() {
       )
     },
     drawing = draw_axle,
+    texts = axle_texts(),
     balances = balance_axle,
     conserved = conserved_axle,
     augment = augment_axle,
@@ -88,6 +89,51 @@ axle_constraint <- function() {
       )),
       panel("kinetic energy (J)", c(rotational_kinetic_energy_j = ""))
     )
+  )
+}
+
+# A scene on an axle as text, by the function that made it.
+axle_texts <- function() {
+  start <- c("theta0_rad", "omega0_rad_per_s", "start_s")
+  law <- function(torque) if (!torque_is_zero(torque)) torque
+  resisted <- function(x) if (resists(x$resistance)) list(resistance = x$resistance)
+  axis <- function(x) if (!identical(x$axis, c(0, 0, 1))) list(axis = x$axis)
+  special <- function(x) !is.null(.subset2(x, "given"))
+  plain <- function(x) {
+    if (special(x)) return(NULL)
+    c(
+      list(
+        body = x$inertia %||% x$body %||% x$moment_of_inertia_kg_m2, torque = law(x$torque)
+      ),
+      resisted(x), unclass(x)[start], axis(x)
+    )
+  }
+  list(
+    scene_axle = text_form(plain, scene_axle),
+    scene_axle = text_form(function(x) {
+      if (!is.null(x$through)) c(plain(x), list(through = x$through))
+    }, scene_axle),
+    scene_pendulum = text_form(function(x) {
+      if (is.null(x$hang)) return(NULL)
+      c(
+        list(body = x$body), x$hang[c("distance_m", "gravity_m_per_s2")],
+        list(torque = law(x$given$torque)), resisted(x), unclass(x)[start], axis(x)
+      )
+    }, scene_pendulum),
+    scene_hanging_mass = text_form(function(x) {
+      if (is.null(x$rope)) return(NULL)
+      c(
+        list(
+          body = x$body %||% x$given$body, mass_kg = x$rope$mass_kg[1],
+          counter_mass_kg = x$rope$mass_kg[2], radius_m = x$rope$radius_m,
+          gravity_m_per_s2 = x$given$gravity_m_per_s2
+        ),
+        resisted(x), unclass(x)[start], axis(x)
+      )
+    }, scene_hanging_mass),
+    scene_gears = text_form(function(x) {
+      if (!is.null(x$train)) c(x$given, unclass(x)[start])
+    }, scene_gears)
   )
 }
 

@@ -30,6 +30,7 @@ clutch_constraint <- function() {
         lock_time_s = c(run$events$time_s[run$events$event == "lock"], NA_real_)[1]
       )
     },
+    texts = clutch_texts(),
     drawing = function(scene) {
       draw_chain(
         scene, scene$moment_of_inertia_kg_m2, list(kind = "clutch", ratio = 1), clutch_labels = "T"
@@ -127,4 +128,18 @@ conserved_clutch <- function(scene) {
     ),
     keeps_unless("angular_momentum", "the axle", causes, "the clutch acts between the bodies")
   )
+}
+
+clutch_texts <- function() {
+  list(scene_clutch = text_form(function(x) {
+    law <- function(i) if (!torque_is_zero(x$torque[[i]])) x$torque[[i]]
+    list(
+      body_1 = x$bodies[[1]], body_2 = x$bodies[[2]], capacity_n_m = x$capacity_n_m,
+      static_capacity_n_m = if (x$static_capacity_n_m != x$capacity_n_m) x$static_capacity_n_m,
+      torque_1 = law(1), torque_2 = law(2), omega1_rad_per_s = x$omega0_rad_per_s[1],
+      omega2_rad_per_s = x$omega0_rad_per_s[2], theta1_rad = x$theta0_rad[1],
+      theta2_rad = x$theta0_rad[2], engage_s = if (x$engage_s != -Inf) x$engage_s,
+      start_s = x$start_s
+    )
+  }, scene_clutch))
 }

@@ -45,6 +45,7 @@ drive_constraint <- function() {
         heat_j = if (nrow(x)) sum(heat) else NA_real_
       )
     },
+    texts = drive_texts(),
     drawing = function(scene) {
       of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
       kind <- c("spring", "clutch", "gear")[of("kind") + 1]
@@ -232,5 +233,34 @@ conserved_drive <- function(scene) {
       "the housings of the gears take a torque" =
         any_of(couplings, function(coupling) coupling$ratio != 1)
     )), "all torques act between the rotors")
+  )
+}
+
+drive_texts <- function() {
+  some <- function(x, none) if (!all(vapply(x, none, NA))) x
+  list(scene_drive = text_form(function(x) {
+    brakes <- lapply(x$rotors, function(rotor) rotor$brake)
+    # The rates of the others follow through the ratios.
+    first <- function(values) {
+      if (identical(values, values[1] / x$ratio_to_first)) values[1] else values
+    }
+    list(
+      bodies = x$bodies %||% x$moment_of_inertia_kg_m2,
+      couplings = if (length(x$couplings)) x$couplings,
+      torque = some(x$torque, torque_is_zero),
+      resistance = some(x$resistance, Negate(resists)), brake = some(brakes, is.null),
+      theta0_rad = first(x$theta0_rad), omega0_rad_per_s = first(x$omega0_rad_per_s),
+      start_s = x$start_s
+    )
+  }, read_drive))
+}
+
+# An array of numbers is a list of constant torques.
+read_drive <- function(bodies, couplings = list(), torque = NULL, resistance = NULL, brake = NULL,
+                       theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
+  if (is.double(torque)) torque <- as.list(torque)
+  scene_drive(
+    bodies, couplings, torque = torque, resistance = resistance, brake = brake,
+    theta0_rad = theta0_rad, omega0_rad_per_s = omega0_rad_per_s, start_s = start_s
   )
 }

@@ -45,6 +45,7 @@ free_constraint <- function() {
         flip_time_s = scene_flip_time(run$scene)
       )
     },
+    texts = free_texts(),
     drawing = draw_free,
     balances = balance_free,
     conserved = conserved_free,
@@ -206,4 +207,45 @@ free_torque_at <- function(scene, x) {
     out <- out + t(apply(state, 1, f))
   }
   out
+}
+
+free_texts <- function() {
+  list(scene_free = text_form(free_arguments, read_free))
+}
+
+# Those of scene_free(), of a scene with its fields.
+free_arguments <- function(x) {
+  upright <- identical(x$attitude0, c(1, 0, 0, 0))
+  torque <- if (!is.null(x$law)) x$law$f else x$knots %||% if (any(x$torque_n_m != 0)) x$torque_n_m
+  list(
+    body = free_body_text(x), omega0_rad_per_s = x$omega0_rad_per_s,
+    attitude0 = if (!upright) x$attitude0, torque_n_m = torque,
+    torque_axes = if (x$in_space == 1) "space", damping_per_s = x$damping_per_s,
+    breaks_s = if (length(x$breaks_s)) x$breaks_s, start_s = x$start_s
+  )
+}
+
+# The body, its moments about its own axes, or those about principal axes in another attitude.
+free_body_text <- function(x) {
+  if (!is.null(x$body)) return(x$body)
+  if (x$moment_error == 0) return(x$moment_of_inertia_kg_m2)
+  new_principal(x$moment_of_inertia_kg_m2, x$axes)
+}
+
+read_free <- function(body, omega0_rad_per_s, attitude0 = NULL, torque_n_m = NULL,
+                      torque_axes = "body", damping_per_s = 0, breaks_s = NULL, start_s = 0) {
+  keep_attitude(scene_free(
+    body, omega0_rad_per_s, attitude0 = attitude0, torque_n_m = torque_n_m,
+    torque_axes = torque_axes, damping_per_s = damping_per_s, breaks_s = breaks_s,
+    start_s = start_s
+  ), attitude0)
+}
+
+# A unit quaternion keeps its bits.
+keep_attitude <- function(scene, attitude) {
+  if (is.double(attitude) && length(attitude) == 4L &&
+    max(abs(attitude - scene$attitude0)) <= 4 * .Machine$double.eps) {
+    scene$attitude0 <- as.double(attitude)
+  }
+  scene
 }

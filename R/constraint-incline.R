@@ -54,6 +54,7 @@ incline_constraint <- function() {
         roll_time_s = first("roll")
       )
     },
+    texts = incline_texts(),
     drawing = draw_incline,
     balances = balance_incline,
     conserved = conserved_incline,
@@ -260,4 +261,20 @@ conserved_incline <- function(scene) {
       "friction acts along a line through it, gravity and the normal force cancel"
     )
   )
+}
+
+incline_texts <- function() {
+  list(scene_incline = text_form(function(x) {
+    infinite <- x$static_friction == Inf
+    list(
+      body = x$body, incline_angle_deg = x$incline_angle_deg,
+      static_friction = if (!infinite) x$static_friction,
+      kinetic_friction = if (x$kinetic_friction != x$static_friction) x$kinetic_friction,
+      rolling_arm_m = x$rolling_arm_m, radius_m = x$radius_m, v0_m_per_s = x$v0_m_per_s,
+      omega0_rad_per_s = x$omega0_rad_per_s, x0_m = x$x0_m, theta0_rad = x$theta0_rad,
+      drag_n_s_per_m = x$drag_n_s_per_m, drag_n_s2_per_m2 = x$drag_n_s2_per_m2,
+      force_n = x$force$f, force_breaks_s = if (length(x$force$breaks_s)) x$force$breaks_s,
+      gravity_m_per_s2 = x$gravity_m_per_s2, start_s = x$start_s
+    )
+  }, scene_incline))
 }

@@ -38,6 +38,7 @@ pivot_constraint <- function() {
         nutation_period_s = nutation[1], mean_precession_rad_per_s = nutation[4] / nutation[1]
       ))
     },
+    texts = pivot_texts(),
     drawing = draw_pivot,
     balances = balance_pivot,
     conserved = conserved_pivot,
@@ -92,4 +93,26 @@ augment_pivot <- function(x, run, edges, call) {
   # Gravity's power is -d(potential energy)/dt.
   out$power_w <- out$power_w - (lever[, "y"] * rates[, 1] - lever[, "x"] * rates[, 2])
   out
+}
+
+pivot_texts <- function() {
+  list(scene_pivot = text_form(function(x) {
+    of_body <- !is.null(x$body)
+    c(free_arguments(x), list(
+      pivot_m = if (of_body) x$pivot_m, mass_kg = if (!of_body) x$mass_kg,
+      centre_m = if (!of_body) x$centre_m, gravity_m_per_s2 = x$gravity_m_per_s2
+    ))
+  }, read_pivot))
+}
+
+read_pivot <- function(body, omega0_rad_per_s, pivot_m = c(0, 0, 0), mass_kg = NULL,
+                       centre_m = NULL, attitude0 = NULL, gravity_m_per_s2 = 9.80665,
+                       torque_n_m = NULL, torque_axes = "body", damping_per_s = 0,
+                       breaks_s = NULL, start_s = 0) {
+  keep_attitude(scene_pivot(
+    body, omega0_rad_per_s, pivot_m = pivot_m, mass_kg = mass_kg, centre_m = centre_m,
+    attitude0 = attitude0, gravity_m_per_s2 = gravity_m_per_s2, torque_n_m = torque_n_m,
+    torque_axes = torque_axes, damping_per_s = damping_per_s, breaks_s = breaks_s,
+    start_s = start_s
+  ), attitude0)
 }

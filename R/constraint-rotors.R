@@ -41,6 +41,16 @@ rotors_constraint <- function() {
         scene, scene$moment_of_inertia_kg_m2, list(kind = rep("spring", n), ratio = rep(1, n))
       )
     },
+    texts = list(scene_rotors = text_form(function(x) {
+      zero <- function(x) if (any(x != 0)) x
+      list(
+        bodies = x$bodies %||% x$moment_of_inertia_kg_m2,
+        stiffness_n_m_per_rad = x$stiffness_n_m_per_rad,
+        damping_n_m_s = zero(x$damping_n_m_s), torque_n_m = zero(x$torque_n_m),
+        viscous_n_m_s = zero(x$viscous_n_m_s), theta0_rad = zero(x$theta0_rad),
+        omega0_rad_per_s = zero(x$omega0_rad_per_s), start_s = x$start_s
+      )
+    }, scene_rotors)),
     balances = balance_rotors,
     conserved = conserved_rotors,
     augment = augment_rotors,

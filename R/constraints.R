@@ -37,6 +37,7 @@
 #   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:
 #                 for each row); NULL where the motion could not be computed again
 #   panels        list of panel(): the picture of a motion
+#   texts         forms by constructor: how a scene is written and read, see R/scene-text.R
 #   drawing(scene)               NULL, or the drawing of a scene, see R/draw.R
 constraint_list <- function() {
   list(

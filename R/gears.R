@@ -243,5 +243,14 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, vis
   scene$rounding <- gear_rounding(train, loss, efficiency, scene$resistance$viscous_n_m_s)
   if (dry > 0) scene$gears <- loss
   scene$train <- train # for the drawing
+  # For the text.
+  scene$given <- list(
+    bodies = plain_bodies(bodies, train$moment_of_inertia_kg_m2) %||%
+      train$moment_of_inertia_kg_m2,
+    ratios = check_between(ratios, "ratios", "1", n - 1L, -Inf, call),
+    efficiency = check_each(efficiency, "efficiency", "1", n - 1L, 0, call),
+    torque_n_m = check_torque_each(torque_n_m, "torque_n_m", n, call),
+    viscous_n_m_s = check_each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0, call)
+  )
   scene
 }

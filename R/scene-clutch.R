@@ -51,7 +51,7 @@ scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m 
   if (!identical(engage_s, -Inf)) engage_s <- check_number(engage_s, "engage_s", "s", call)
   torques <- list(as_torque(torque_1, call), as_torque(torque_2, call))
   scene <- list(
-    bodies = list(body_1, body_2),
+    bodies = plain_bodies(list(body_1, body_2), inertia) %||% as.list(inertia),
     moment_of_inertia_kg_m2 = inertia,
     capacity_n_m = capacity,
     static_capacity_n_m = static,

@@ -209,7 +209,7 @@ scene_drive <- function(bodies, couplings = list(), ..., torque = NULL, resistan
     )
   })
   scene <- list(
-    bodies = if (is.list(bodies)) bodies, moment_of_inertia_kg_m2 = inertia, torque = torques,
+    bodies = plain_bodies(bodies, inertia), moment_of_inertia_kg_m2 = inertia, torque = torques,
     resistance = resistances, rotors = rotors, couplings = couplings, ratio_to_first = ratio,
     theta0_rad = theta, omega0_rad_per_s = omega, start_s = start_s
   )

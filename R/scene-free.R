@@ -85,6 +85,9 @@ scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m
 # list(body, bodies, moment_of_inertia_kg_m2, axes, moment_error): principal moments, and the
 # attitude of their axes in the body. A diagonal tensor keeps its axes and its numbers.
 free_inertia <- function(body, call) {
+  if (inherits(body, "rot_principal")) {
+    return(new_free_inertia(NULL, body$moment_of_inertia_kg_m2, body$axes, 2e-15))
+  }
   if (is.numeric(body) && is.null(dim(body))) {
     moments <- check_finite(body, "body", "kg*m^2", call)
     if (length(moments) != 3L) abort_size_of(moments, "body", 3L, call)
@@ -115,6 +118,27 @@ free_inertia <- function(body, call) {
     keep, principal$principal_moment_kg_m2, unlist(axes[1:4], use.names = FALSE), 2e-15
   )
 }
+
+# Principal moments of a body given as a tensor, and the attitude of their axes: for texts.
+new_principal <- function(moments, axes) {
+  x <- list(moment_of_inertia_kg_m2 = moments, axes = axes)
+  class(x) <- "rot_principal"
+  x
+}
+
+read_principal <- function(moment_of_inertia_kg_m2, axes) {
+  call <- rlang::current_env()
+  check_supplied(c("moment_of_inertia_kg_m2", "axes"), call)
+  moments <- check_finite(moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call)
+  if (length(moments) != 3L) abort_size_of(moments, "moment_of_inertia_kg_m2", 3L, call)
+  check_inertia_or_abort(diag(moments), NULL, call, given_by_user = FALSE)
+  turn <- start_attitude(axes, call)
+  if (max(abs(turn - axes)) > 4 * .Machine$double.eps) axes <- turn
+  new_principal(moments, as.double(axes))
+}
+
+#' @export
+text_node.rot_principal <- function(x, where, call) list(principal_moments = unclass(x))
 
 new_free_inertia <- function(body, moments, axes = c(1, 0, 0, 0), error = 0) {
   list(

@@ -72,5 +72,6 @@ scene_hanging_mass <- function(body, mass_kg, radius_m, resistance = NULL, theta
   )
   # For the drawing.
   scene$rope <- list(mass_kg = c(mass_kg, counter_mass_kg), radius_m = radius_m)
+  scene$given <- list(body = own, gravity_m_per_s2 = gravity_m_per_s2) # for the text
   scene
 }

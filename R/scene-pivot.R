@@ -68,7 +68,7 @@ scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_
   scene <- c(
     held$inertia,
     list(
-      mass_kg = held$mass_kg, centre_m = held$centre_m,
+      mass_kg = held$mass_kg, centre_m = held$centre_m, pivot_m = held$pivot_m,
       # Of principal axes, as the moments are.
       lever_n_m = turn_to(held$inertia$axes, lever),
       gravity_m_per_s2 = gravity, omega0_rad_per_s = omega0,
@@ -113,7 +113,7 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
       free_inertia(tensor, call)
     }
     inertia["body"] <- list(body)
-    return(list(inertia = inertia, mass_kg = body$mass_kg, centre_m = centre))
+    return(list(inertia = inertia, mass_kg = body$mass_kg, centre_m = centre, pivot_m = pivot))
   }
   if (is.null(mass_kg) || is.null(centre_m)) {
     abort_rotdyn(c(

@@ -53,7 +53,7 @@ scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., 
     check_each(x, arg, unit, size, lower, call)
   }
   scene <- list(
-    bodies = if (is.list(bodies)) bodies,
+    bodies = plain_bodies(bodies, inertia),
     moment_of_inertia_kg_m2 = inertia,
     stiffness_n_m_per_rad = check_between(
       stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", n - 1L, 0, call
@@ -94,6 +94,15 @@ check_inertias <- function(bodies, arg, call) {
     ), "value", call)
   }
   inertia
+}
+
+# The bodies given, each a `rot_body` or its moment of inertia; NULL where there are moments alone.
+plain_bodies <- function(bodies, inertia) {
+  if (inherits(bodies, "rot_body")) return(list(bodies))
+  if (!is.list(bodies) || !any(vapply(bodies, inherits, NA, "rot_body"))) return(NULL)
+  unname(Map(function(body, moment) {
+    if (inherits(body, "rot_body")) body else moment
+  }, bodies, inertia))
 }
 
 # One number, or `size` of them.

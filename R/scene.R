@@ -228,6 +228,7 @@ scene_pendulum <- function(body, distance_m = NULL, resistance = NULL, theta0_ra
   scene$hang <- list(
     mass_kg = mass_kg, distance_m = distance_m, gravity_m_per_s2 = gravity_m_per_s2
   )
+  scene$given <- list(torque = torque) # for the text
   scene$about <- paste(format_si(distance_m), "m from the centre of mass")
   scene
 }

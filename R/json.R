@@ -1,0 +1,131 @@
+# JSON: our own text, which is the same for the same values, and the reader of a package.
+#
+# Values: NULL, numbers, one string or several, TRUE and FALSE; a list with names is an object, one
+# without is an array, and so is a vector, unless it has length 1; a matrix is an array of its rows.
+
+# `indent` blanks for each level; 0 for the canonical text: keys sorted by bytes, no blanks.
+json_text <- function(x, indent = 0L) {
+  enc2utf8(if (indent) json_lines(x, indent, 0L) else json_canonical(x))
+}
+
+json_canonical <- function(x) {
+  if (!is.list(x)) return(json_atoms(x))
+  if (is.null(names(x))) {
+    return(paste0("[", paste(vapply(x, json_canonical, ""), collapse = ","), "]"))
+  }
+  if (!length(x)) return("{}")
+  x <- x[order(names(x), method = "radix")]
+  keys <- json_string(names(x))
+  paste0("{", paste0(keys, ":", vapply(x, json_canonical, ""), collapse = ","), "}")
+}
+
+# What has no list in it stands on one line.
+json_lines <- function(x, indent, level) {
+  if (!is.list(x)) return(json_atoms(x, ", "))
+  if (!length(x)) return(json_canonical(x))
+  parts <- vapply(x, json_lines, "", indent, level + 1L)
+  if (!is.null(names(x))) parts <- paste0(json_string(names(x)), ": ", parts)
+  ends <- if (is.null(names(x))) c("[", "]") else c("{", "}")
+  flat <- !any(vapply(x, is.list, NA)) && sum(nchar(parts) + 2L) + level * indent < 90L
+  if (flat && level > 0L) return(paste0(ends[1], paste(parts, collapse = ", "), ends[2]))
+  pad <- function(n) strrep(" ", n * indent)
+  paste0(
+    ends[1], "\n", paste0(pad(level + 1L), parts, collapse = ",\n"), "\n", pad(level), ends[2]
+  )
+}
+
+json_atoms <- function(x, comma = ",") {
+  if (is.null(x)) return("null")
+  array <- function(parts) paste0("[", paste(parts, collapse = comma), "]")
+  each <- json_each(x)
+  if (is.matrix(x)) return(array(apply(matrix(each, nrow(x)), 1, array)))
+  if (length(each) == 1L) each else array(each)
+}
+
+json_each <- function(x) {
+  if (is.character(x)) return(json_string(x))
+  if (is.logical(x)) return(c("false", "true")[x + 1L])
+  number <- .Call(ffi_text_numbers, as.double(x))
+  special <- !is.finite(x)
+  number[special] <- paste0("\"", number[special], "\"")
+  number
+}
+
+json_escapes <- c("\\" = "\\\\", "\"" = "\\\"", "\n" = "\\n", "\r" = "\\r", "\t" = "\\t")
+
+json_string <- function(x) {
+  x <- enc2utf8(x)
+  for (at in names(json_escapes)) x <- gsub(at, json_escapes[[at]], x, fixed = TRUE)
+  if (any(grepl("[\001-\037]", x))) {
+    for (code in 1:31) x <- gsub(intToUtf8(code), sprintf("\\u%04x", code), x, fixed = TRUE)
+  }
+  paste0("\"", x, "\"")
+}
+
+# The values of a text. Faults are errors of the class `kind`; `what` the text is of.
+read_json <- function(text, what, kind, call) {
+  need_package("yyjsonr", paste("Reading", what), call)
+  damaged <- function(why) {
+    abort_rotdyn(c("The text is no {what}.", x = "{why}"), kind, call)
+  }
+  if (!isTRUE(validUTF8(text))) damaged("It is not valid UTF-8.")
+  # The reader calls itself for each level, and cuts strings at a zero.
+  outside <- gsub("\"(?:[^\"\\\\]|\\\\.)*+\"", "", text, perl = TRUE)
+  open <- utf8ToInt(gsub("[^][{}]", "", outside))
+  if (length(open) && max(cumsum(ifelse(open %in% utf8ToInt("[{"), 1L, -1L))) > 100L) {
+    damaged("It has more than 100 levels.")
+  }
+  if (grepl("\\u0000", text, fixed = TRUE)) damaged("A string in it has the character 0.")
+  why <- NULL
+  # It prints where it failed.
+  utils::capture.output(x <- tryCatch(
+    yyjsonr::read_json_str(text, opts = yyjsonr::opts_read_json(
+      obj_of_arrs_to_df = FALSE, arr_of_objs_to_df = FALSE, arr_of_arrs_to_matrix = FALSE,
+      length1_array_asis = TRUE, str_specials = "string", num_specials = "string",
+      int64 = "double"
+    )),
+    error = function(e) why <<- sub("^Error parsing JSON ", "", trimws(conditionMessage(e)))
+  ))
+  if (!is.null(why)) damaged(why)
+  x <- plain_json(x)
+  twice <- repeated_key(x)
+  if (length(twice)) damaged(paste0("\"", twice[1], "\" is in it twice."))
+  x
+}
+
+# Numbers are doubles; "Inf", "-Inf" and "NaN" among numbers are numbers; rows of one length are a
+# matrix.
+plain_json <- function(x) {
+  if (is.null(x)) return(NULL)
+  if (is.integer(x) || is.double(x)) return(as.double(x))
+  if (!is.list(x)) return(as.vector(unclass(x)))
+  x <- lapply(x, plain_json)
+  if (!is.null(names(x)) || !length(x)) return(x)
+  one <- lengths(x) == 1L
+  number <- vapply(x, is.double, NA)
+  special <- vapply(x, is_special_number, NA)
+  if (all(one & (number | special)) && any(number)) return(vapply(x, as.double, double(1)))
+  if (all(number) && length(unique(lengths(x))) == 1L && length(x[[1]]) > 1L) {
+    return(do.call(rbind, x))
+  }
+  x
+}
+
+special_numbers <- c("Inf", "-Inf", "NaN")
+
+is_special_number <- function(x) is.character(x) && length(x) > 0L && all(x %in% special_numbers)
+
+repeated_key <- function(x) {
+  if (!is.list(x)) return(NULL)
+  c(names(x)[duplicated(names(x))], unlist(lapply(x, repeated_key)))
+}
+
+# XXH128 of the bytes of a text.
+hash_text <- function(text) hash_bytes(charToRaw(enc2utf8(text)))
+
+hash_bytes <- function(bytes) {
+  file <- tempfile("rotdyn-hash-")
+  on.exit(unlink(file))
+  writeBin(bytes, file)
+  rlang::hash_file(file)
+}

@@ -1,0 +1,12 @@
+/* Numbers as text that strtod() reads back bit for bit. */
+#ifndef ROT_TEXT_H
+#define ROT_TEXT_H
+
+#define ROT_TEXT_SIZE 32 /* enough for any double, with the end */
+
+/* The shortest of 15, 16 and 17 significant digits that come back the same (17 always do), as JSON
+ * has numbers: a decimal point in every locale, -0.0 with its point, since readers take -0 as an
+ * integer. "Inf", "-Inf", "NaN" for what JSON has no number for. Returns the length. */
+int rot_text_number(double x, char text[ROT_TEXT_SIZE]);
+
+#endif
