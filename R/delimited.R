@@ -286,7 +286,9 @@ table_columns <- function(table, heads, file, call) {
   if (is.na(heads$factor[time])) {
     if (any(abs(columns$time_s$value) > 1e8, na.rm = TRUE)) {
       abort_file(
-        paste0("The unit of \"", table$headings[time], "\" is unknown: the numbers are no seconds."),
+        paste0(
+          "The unit of \"", table$headings[time], "\" is unknown: the numbers are no seconds."
+        ),
         file, call, "Give it in {.code headings = }, for instance as {.val time (ns)}."
       )
     }

@@ -118,6 +118,11 @@ zoom_kink <- function(f, t, y) {
     t <- t[i + 0:2]
     y <- y[i + 0:2]
   }
+  # A jump among steep changes stands out here alone: six halvings leave all of it.
+  if (bend[i] > first / 4) {
+    jump <- bisect_jump(f, t[1], t[3], y[1], y[3])
+    if (!is.na(jump)) return(jump)
+  }
   # Six halvings leave 2^-6 of it at a kink, 2^-12 of a smooth bend; below 1e-14 is rounding.
   if (bend[i] > max(first * 2^-9, 1e-14 * abs(y))) cross_curves(f, t, y) else NA_real_
 }

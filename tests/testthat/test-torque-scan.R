@@ -11,6 +11,13 @@ test_that("jumps are found to the last bit", {
   expect_equal(scan(pulse), c(5, 5.025), tolerance = 1e-15)
 })
 
+test_that("a jump among steep changes is found to the last bit", {
+  at <- 1.9822911920024682
+  law <- function(t) 9 * cos(4.75 * t + 2.2) + if (t >= at) 2.1 else 0
+  expect_identical(scan(law, 0, 13.24, 513L), at)
+  expect_identical(scan(function(t) -law(t), 0, 13.24, 513L), at)
+})
+
 test_that("kinks are found", {
   expect_equal(scan(function(t) abs(t - pi)), pi, tolerance = 1e-14)
   knots <- approxfun(c(0, 1, 4, 6, 10), c(0, 0.8, 0.8, 0, 0))
