@@ -49,6 +49,11 @@ integrate_free <- function(scene, time_s, accuracy, max_steps, call, method) {
     ffi_free_integrate, scene, free_law(scene$law, call), time_s, c(accuracy, max_steps, method),
     progress_bar("integrating")
   )
+  with_free_sums(result, time_s)
+}
+
+# The result of a run by steps, with its sums as a matrix.
+with_free_sums <- function(result, time_s) {
   sums <- result$ledger
   errors <- sums$errors
   sums$errors <- NULL
@@ -110,4 +115,72 @@ free_radau <- free_integrator(
   source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
 )
 
-free_models <- list(free_exact, free_rk8pd, free_radau)
+# ---- steps of fixed length ----------------------------------------------------------------------
+
+step_free <- function(scene, time_s, step_s, max_steps, call, method) {
+  if (is.null(step_s)) {
+    span <- if (length(time_s)) max(abs(range(time_s) - scene$start_s)) else 0
+    step_s <- .Call(ffi_free_step, scene, method, span)
+  }
+  result <- .Call(
+    ffi_free_step_through, scene, free_law(scene$law, call), time_s, c(step_s, max_steps, method),
+    progress_bar("stepping")
+  )
+  result <- with_free_sums(result, time_s)
+  result$info$step_s <- step_s
+  result
+}
+
+# `method`: as in src/rot_status.h.
+free_stepper <- function(id, method, ...) {
+  list(
+    id = id,
+    equations = free_rk8pd$equations,
+    ...,
+    adapts = FALSE,
+    loses = "Its steps are of fixed length: {.arg step_s} makes them shorter.",
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      step_free(scene, time_s, NULL, max_steps, call, method)
+    },
+    run_with_step = function(scene, time_s, step_s, max_steps, call) {
+      step_free(scene, time_s, step_s, max_steps, call, method)
+    },
+    ledger = integrated_free_ledger
+  )
+}
+
+free_euler <- free_stepper(
+  "free_euler", 3,
+  assumptions = "rigid body; a step goes on along the slopes at its start",
+  limits = "order 1; angular momentum and energy grow without bound",
+  requires = "to be named; moments of inertia greater than 0",
+  source = "Hairer, Norsett and Wanner 1993, section I.7"
+)
+
+free_semi_implicit <- free_stepper(
+  "free_semi_implicit", 4,
+  assumptions = "rigid body; a step changes L in space axes, then turns the body by the new rate",
+  limits = "order 1; without torque the angular momentum stays, the energy drifts",
+  requires = "to be named; moments of inertia greater than 0",
+  source = "Hairer, Lubich and Wanner 2006, section I.1"
+)
+
+free_rk4 <- free_stepper(
+  "free_rk4", 5,
+  assumptions = "rigid body; torques smooth between their breaks",
+  limits = "order 4; the energy drifts in proportion to time",
+  requires = "to be named; moments of inertia greater than 0",
+  source = "Hairer, Norsett and Wanner 1993, section II.1"
+)
+
+free_split <- free_stepper(
+  "free_split", 6,
+  assumptions = "rigid body; a step is composed of exact turns and of kicks by gravity",
+  limits = "order 6; the energy stays within a bound, the phase drifts in proportion to time",
+  requires = "to be named; no torque but gravity, no damping, moments greater than 0",
+  source = "McLachlan 1995; Kahan and Li 1997; Hairer, Lubich and Wanner 2006, section VII.5"
+)
+
+free_models <- list(
+  free_exact, free_rk8pd, free_radau, free_euler, free_semi_implicit, free_rk4, free_split
+)

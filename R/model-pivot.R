@@ -87,4 +87,11 @@ pivot_radau <- model_like(
   id = "pivot_radau", equations = pivot_rk8pd$equations, ran_as = pivot_rk8pd$ran_as
 )
 
-pivot_models <- list(pivot_top, pivot_free, pivot_rk8pd, pivot_radau)
+pivot_steppers <- lapply(
+  list(free_euler, free_semi_implicit, free_rk4, free_split),
+  function(record) {
+    model_like(record, id = sub("^free", "pivot", record$id), equations = pivot_rk8pd$equations)
+  }
+)
+
+pivot_models <- c(list(pivot_top, pivot_free, pivot_rk8pd, pivot_radau), pivot_steppers)

@@ -3,7 +3,9 @@
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
 #   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
-#   adapts                  TRUE: its error follows the accuracy asked
+#   adapts                  TRUE: its error follows the accuracy asked; FALSE: it goes by steps that
+#                           do not; NULL: no steps
+#   run_with_step(scene, time_s, step_s, max_steps, call)  NULL, or run() by steps of this length
 #   ran_as(info)            NULL, or the id of the model that a run ended with
 #   loses                   NULL, or the cause of large errors, for the warning
 # and, from the C core for the models that it knows, from the record itself for others:
@@ -346,7 +348,18 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
   fit
 }
 
-record_of <- function(run) constraint_of(run$scene)$models[[run$model]]
+record_of <- function(run) {
+  record <- constraint_of(run$scene)$models[[run$model]]
+  if (is.null(run$step_s)) record else with_step(record, run$step_s)
+}
+
+# A model whose steps have the length that the user asked for.
+with_step <- function(record, step_s) {
+  record$run <- function(scene, time_s, accuracy, max_steps, call, asked) {
+    record$run_with_step(scene, time_s, step_s, max_steps, call)
+  }
+  record
+}
 
 # A torque that changes in time is a torque, too: said once.
 effects_in_words <- function(effects, constraint) {

@@ -18,6 +18,13 @@
 #'   `"abort"` with an error that says where, or `"truncate"`: the rows before the failure, with a
 #'   warning of class `rotdyn_warning_truncated`.
 #' @param max_steps Most steps that an integrator tries in one run, beyond one for each row.
+#' @param step_s Length of the steps in s, for models whose steps are of fixed length
+#'   (`free_euler`, `free_semi_implicit`, `free_rk4`, `free_split`; `pivot_` likewise), which run
+#'   only where `model` names them. NULL: of the time \eqn{2\pi/\nu}{2 pi/nu} the 64th part, of
+#'   `_split` the 32nd, with \eqn{\nu = |\omega_0| + \sqrt{\tau/I} + \gamma}{nu = |omega0| +
+#'   sqrt(tau/I) + damping}, the largest torque and the least moment. They have no accuracy of their
+#'   own: `accuracy = 1` asks for none, and the error of each run is measured by a second one with
+#'   half the step.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
 #'   The trajectory of a [scene_rotors()], [scene_clutch()] or [scene_drive()] has columns of its
 #'   own, listed there. [summary()] and [generics::glance()] give one row, `predict()` other times,
@@ -48,7 +55,7 @@
 #' predict(motion, time_s = c(5.25, 1.75))
 #' @export
 trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
-                       on_fail = c("abort", "truncate"), max_steps = 1e6) {
+                       on_fail = c("abort", "truncate"), max_steps = 1e6, step_s = NULL) {
   call <- environment()
   if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
@@ -58,17 +65,32 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   } else {
     check_string(on_fail, "on_fail", c("abort", "truncate"), call)
   }
-  compute_trajectory(scene, time_s, accuracy, model, on_fail, max_steps, call)
+  if (!is.null(step_s)) step_s <- check_number(step_s, "step_s", "s", call, lower = 0, open = TRUE)
+  compute_trajectory(scene, time_s, accuracy, model, on_fail, max_steps, call, step_s)
 }
 
 # trajectory(), for other functions too: `call` is the user's.
-compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_steps, call) {
+compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_steps, call,
+                               step_s = NULL) {
   check_scene(scene, call)
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
   if (!identical(accuracy, 1e-9)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   fit <- pick_model(scene, time_s, accuracy, model, max_steps, call)
+  if (!is.null(step_s)) {
+    if (is.null(fit$record$run_with_step)) abort_no_steps(constraint_of(scene), fit$record$id, call)
+    fit$record <- with_step(fit$record, step_s)
+    fit$step_s <- step_s
+  }
   run_trajectory(fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model))
+}
+
+abort_no_steps <- function(constraint, model, call) {
+  ids <- names(Filter(function(record) !is.null(record$run_with_step), constraint$models))
+  abort_rotdyn(c(
+    "{.arg step_s} is for models whose steps are of fixed length: {.field {model}} is none.",
+    i = if (length(ids)) "Of this scene these are {.val {ids}}." else "This scene has none."
+  ), "model", call)
 }
 
 # `scene` is what the user described; `fit$scene` is what is solved.
@@ -124,7 +146,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     warn_rotdyn(c(
       "The {record$error_kind} of the relative error is {format(info$error, digits = 2)}, more
        than the accuracy of {format(accuracy)} asked for.",
-      i = if (!length(beyond)) "{why}",
+      i = if (!length(beyond)) why,
       x = if (length(beyond)) "Beyond double precision: {.field {beyond}}."
     ), "accuracy", call)
   }
@@ -138,6 +160,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     error_kind = record$error_kind,
     info = info,
     ledger = result$ledger,
+    step_s = fit$step_s,
     events = result$events,
     max_steps = max_steps,
     asked = asked,
@@ -197,7 +220,7 @@ void_error <- function(info, columns) {
 # theirs, a closed form has those of the rows.
 suspicious <- function(info, record, accuracy) {
   error <- info$error
-  (error > 1e-13 || error > accuracy) && is.finite(error) && !isTRUE(record$adapts)
+  (error > 1e-13 || error > accuracy) && is.finite(error) && is.null(record$adapts)
 }
 
 # The error figure with the largest values at more times, unevenly spaced so that no period of the
@@ -405,6 +428,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
     "Why" = describe_why(run),
     "Error" = describe_error(run),
+    if (!is.null(run$info$step_s)) c("Steps" = paste(format_si(run$info$step_s), "s each")),
     if (!is.null(run$body)) c("Body" = describe_body_effect(run$body)),
     if (!is.null(run$dropped)) {
       c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))

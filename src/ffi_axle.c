@@ -192,7 +192,7 @@ SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP co
                         SEXP progress) {
   rot_axle_scene scene = ffi_axle_scene(list, breaks_s);
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
-  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
+  if (!(c[2] >= 0.0 && c[2] <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
   /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
   const double steps = c[1] < 1e15 ? c[1] : 1e15;
   const rot_axle_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};

@@ -141,7 +141,7 @@ SEXP ffi_choice_models(void) {
       SET_STRING_ELT(c[1], row, Rf_mkChar(list[i]->id));
       REAL(c[2])[row] = model->promise;
       SET_STRING_ELT(c[3], row, Rf_mkChar(kind_text(model)));
-      LOGICAL(c[4])[row] = model->on_trial;
+      LOGICAL(c[4])[row] = model->use == ROT_ON_TRIAL;
       SET_STRING_ELT(c[5], row, Rf_mkChar(model->why));
       SET_VECTOR_ELT(c[6], row, effect_names(list[i], model->takes));
     }

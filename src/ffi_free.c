@@ -2,6 +2,7 @@
 #include "ffi_scenes.h"
 #include "rot_free_exact.h"
 #include "rot_free_ode.h"
+#include "rot_free_steps.h"
 
 #include <string.h>
 
@@ -130,16 +131,17 @@ static rot_status by_law(double t, const double omega[3], const double q[4], dou
   return status;
 }
 
-/* `control` is c(accuracy, max_steps, method). The ledger has a value for each row, and `errors`,
- * one for each of its columns. */
-SEXP ffi_free_integrate(SEXP list, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
+/* The rows of a run by steps, from what it asks for. */
+typedef rot_status run_steps(const rot_free_params *p, const double control[3], size_t n,
+                             const double time_s[], const rot_free_columns *out,
+                             double *const flow[], double flow_error[], ffi_run *run);
+
+static SEXP rows_by_steps(SEXP list, SEXP law, SEXP time_s, SEXP control, SEXP progress,
+                          run_steps *steps) {
   static const char *const names[] = {"time_s", ROT_FREE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const flows[] = {ROT_FREE_LEDGER(FFI_NAME) "errors", ""};
   rot_free_params p = ffi_free_scene(list);
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
-  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
-  const double steps = c[1] < 1e15 ? c[1] : 1e15;
-  const rot_free_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
   const R_xlen_t rows = XLENGTH(time_s);
   rot_free_columns out;
   double *flow[ROT_FREE_FLOWS];
@@ -156,7 +158,47 @@ SEXP ffi_free_integrate(SEXP list, SEXP law, SEXP time_s, SEXP control, SEXP pro
   SET_VECTOR_ELT(run.out, FFI_LEDGER, ledger);
   for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k] = ffi_new_double(ledger, k, rows);
   double *errors = ffi_new_double(ledger, ROT_FREE_FLOWS, ROT_FREE_FLOWS);
-  const rot_status status = rot_free_integrate(&p, &options, (size_t)rows, t, &out, flow, errors,
-                                               &run.events, &run.guard.hooks, &run.info);
-  return ffi_run_end(&run, status);
+  return ffi_run_end(&run, steps(&p, c, (size_t)rows, t, &out, flow, errors, &run));
+}
+
+static size_t budget_of(double max_steps) { return (size_t)(max_steps < 1e15 ? max_steps : 1e15); }
+
+static rot_status adaptive(const rot_free_params *p, const double control[3], size_t n,
+                           const double time_s[], const rot_free_columns *out, double *const flow[],
+                           double flow_error[], ffi_run *run) {
+  const rot_free_ode_options options = {control[0], budget_of(control[1]),
+                                        (rot_method)(int)control[2]};
+  return rot_free_integrate(p, &options, n, time_s, out, flow, flow_error, &run->events,
+                            &run->guard.hooks, &run->info);
+}
+
+static rot_status fixed(const rot_free_params *p, const double control[3], size_t n,
+                        const double time_s[], const rot_free_columns *out, double *const flow[],
+                        double flow_error[], ffi_run *run) {
+  const rot_free_step_options options = {(rot_method)(int)control[2], control[0],
+                                         budget_of(control[1])};
+  return rot_free_step_through(p, &options, n, time_s, out, flow, flow_error, &run->guard.hooks,
+                               &run->info);
+}
+
+/* `control` is c(accuracy, max_steps, method). The ledger has a value for each row, and `errors`,
+ * one for each of its columns. */
+SEXP ffi_free_integrate(SEXP list, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
+  const double method = ffi_reals(control, "control", 3)[2];
+  if (!(method >= 0.0 && method <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
+  return rows_by_steps(list, law, time_s, control, progress, adaptive);
+}
+
+/* By steps of fixed length: `control` is c(step_s, max_steps, method). */
+SEXP ffi_free_step_through(SEXP list, SEXP law, SEXP time_s, SEXP control, SEXP progress) {
+  const double method = ffi_reals(control, "control", 3)[2];
+  if (!(method > ROT_METHOD_RADAU && method < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
+  return rows_by_steps(list, law, time_s, control, progress, fixed);
+}
+
+/* The length of steps where none is asked. */
+SEXP ffi_free_step(SEXP list, SEXP method, SEXP span_s) {
+  const rot_free_params p = ffi_free_scene(list);
+  const int of = (int)ffi_real(method, "method");
+  return Rf_ScalarReal(rot_free_default_step(&p, (rot_method)of, ffi_real(span_s, "span_s")));
 }

@@ -59,7 +59,7 @@ SEXP ffi_incline_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SE
   static const char *const names[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const sum_names[] = {ROT_INCLINE_SUMS(SUM_NAME) "errors", ""};
   const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
-  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
+  if (!(c[2] >= 0.0 && c[2] <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
   const double steps = c[1] < 1e15 ? c[1] : 1e15; /* the conversion of 1e20 is undefined */
   const rot_incline_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
   rot_incline_scene scene = ffi_incline_scene(list);

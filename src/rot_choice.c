@@ -53,7 +53,8 @@ static void judge(const rot_model *model, unsigned effects, const void *scene,
   if (model->error_kind == ROT_ADAPTIVE && query->accuracy > out->error) {
     out->error = query->accuracy;
   }
-  out->applies = !out->untaken && !out->why_not && out->error <= query->accuracy;
+  out->applies = !out->untaken && !out->why_not &&
+                 (out->error <= query->accuracy || model->use == ROT_BY_NAME);
   out->cost_s = model->cost_s(model, scene, query);
 }
 
@@ -93,7 +94,12 @@ static int judge_all(const rot_constraint *constraint, const void *scene, const 
   int bounded = 0;
   for (size_t i = 0; i < constraint->n_models; i++) {
     judge(&constraint->models[i], effects, scene, query, &out[i]);
-    bounded |= out[i].applies && out[i].model->error_kind == ROT_BOUND && !out[i].model->on_trial;
+    if (out[i].applies && out[i].model->use == ROT_BY_NAME) {
+      out[i].applies = 0;
+      out[i].why_not = "it runs only where it is named";
+    }
+    bounded |= out[i].applies && out[i].model->error_kind == ROT_BOUND &&
+               out[i].model->use != ROT_ON_TRIAL;
   }
   return bounded;
 }
@@ -137,7 +143,7 @@ size_t rot_choice_pick(const rot_constraint *constraint, const void *scene, cons
     }
     if (!c->applies) continue;
     out[picked++] = *c;
-    if (!c->model->on_trial) break;
+    if (c->model->use != ROT_ON_TRIAL) break;
   }
   return picked;
 }

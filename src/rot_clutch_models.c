@@ -36,7 +36,7 @@ static const rot_model models[] = {
      TORQUE | CLUTCH,
      ROT_BOUND,
      4e-15,
-     0,
+     ROT_FREELY,
      "all torques are constant between events: closed form",
      not_exact,
      cost_s,

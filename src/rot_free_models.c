@@ -4,6 +4,7 @@
 
 #include "rot_free_exact.h"
 #include "rot_free_ode.h"
+#include "rot_free_steps.h"
 
 enum { TORQUE = 1, LAW = 2, DAMPING = 4 };
 
@@ -48,12 +49,24 @@ double rot_free_integrated_s(const rot_model *model, const void *of, const rot_q
   return 10e-6 + steps * (s[2] + 20.0 * (p->law ? query->law_s : 0.0)) + rows * s[3];
 }
 
+/* Three runs' worth of steps. seconds: of a step. */
+double rot_free_steps_s(const rot_model *model, const void *of, const rot_query *query) {
+  const rot_free_params *p = of;
+  const double from = query->n ? fmin(p->start_s, query->time_s[0]) : p->start_s;
+  const double to = query->n ? fmax(p->start_s, query->time_s[query->n - 1]) : p->start_s;
+  const rot_method method =
+      model->takes & ~1u ? ROT_METHOD_RK4 : ROT_METHOD_SPLIT; /* which has half as many steps */
+  const double steps = 3.0 * ((to - from) / rot_free_default_step(p, method, to - from));
+  const double calls = p->law ? 4.0 * query->law_s : 0.0;
+  return 10e-6 + fmin(steps, 1e300) * (model->seconds[0] + calls) + (double)query->n * 1e-6;
+}
+
 static const rot_model models[] = {
     {"free_exact",
      DAMPING,
      ROT_BOUND,
      1e-14,
-     0,
+     ROT_FREELY,
      "no torque: closed form by elliptic functions",
      rot_free_refuses_exact,
      rot_free_exact_s,
@@ -62,7 +75,7 @@ static const rot_model models[] = {
      TORQUE | LAW | DAMPING,
      ROT_ADAPTIVE,
      1e-13,
-     0,
+     ROT_FREELY,
      "integrated, with explicit steps: it is not stiff",
      rot_free_refuses_ode,
      rot_free_integrated_s,
@@ -71,11 +84,47 @@ static const rot_model models[] = {
      TORQUE | LAW | DAMPING,
      ROT_ADAPTIVE,
      1e-13,
-     0,
+     ROT_FREELY,
      "integrated, with implicit steps: it is stiff",
      rot_free_refuses_ode,
      rot_free_integrated_s,
      {0.2, -1.0 / 9.0, 60e-6, 1.5e-6}},
+    {"free_euler",
+     TORQUE | LAW | DAMPING,
+     ROT_ESTIMATE,
+     1.0,
+     ROT_BY_NAME,
+     "steps of fixed length, explicit Euler: order 1",
+     rot_free_refuses_ode,
+     rot_free_steps_s,
+     {0.1e-6, 0.0, 0.0, 0.0}},
+    {"free_semi_implicit",
+     TORQUE | LAW | DAMPING,
+     ROT_ESTIMATE,
+     1.0,
+     ROT_BY_NAME,
+     "steps of fixed length, semi-implicit Euler: order 1",
+     rot_free_refuses_ode,
+     rot_free_steps_s,
+     {0.3e-6, 0.0, 0.0, 0.0}},
+    {"free_rk4",
+     TORQUE | LAW | DAMPING,
+     ROT_ESTIMATE,
+     1.0,
+     ROT_BY_NAME,
+     "steps of fixed length, Runge-Kutta: order 4",
+     rot_free_refuses_ode,
+     rot_free_steps_s,
+     {0.4e-6, 0.0, 0.0, 0.0}},
+    {"free_split",
+     0,
+     ROT_ESTIMATE,
+     1.0,
+     ROT_BY_NAME,
+     "steps that keep the energy within a bound: order 6",
+     rot_free_refuses_ode,
+     rot_free_steps_s,
+     {1.5e-6, 0.0, 0.0, 0.0}},
 };
 
 const rot_constraint rot_free_constraint = {"free",

@@ -11,6 +11,8 @@ extern const rot_constraint rot_free_constraint;
  * numbers that they take from the model. */
 double rot_free_exact_s(const rot_model *model, const void *scene, const rot_query *query);
 double rot_free_integrated_s(const rot_model *model, const void *scene, const rot_query *query);
+/* And by steps of fixed length. */
+double rot_free_steps_s(const rot_model *model, const void *scene, const rot_query *query);
 
 /* Why the closed form, or the integrators, do not take it: NULL where they do. */
 const char *rot_free_refuses_exact(const void *scene, const rot_query *query);

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "rot_attitude.h"
+#include "rot_free_torque.h"
 #include "rot_ode.h"
 #include "rot_real.h"
-#include "rot_search.h"
 
 /* The state: q since the start, in the principal axes there; L in principal axes. */
 enum { MOMENTUM = 4, STATE = 7, DIM = STATE + ROT_FREE_FLOWS };
@@ -22,64 +22,6 @@ typedef struct motion {
 const char *rot_free_not_integrated(const rot_free_params *p) {
   const double *m = p->moment_kg_m2;
   return m[0] > 0.0 && m[1] > 0.0 && m[2] > 0.0 ? NULL : "the body has an axis without moment";
-}
-
-/* ---- the torque ------------------------------------------------------------------------------ */
-
-static void add_knots(const rot_free_params *p, double t, double torque[3]) {
-  if (!p->n_knots || t < p->knot_s[0] || t > p->knot_s[p->n_knots - 1]) return;
-  size_t i = rot_upper_bound(p->n_knots, p->knot_s, t);
-  if (i == p->n_knots) i--;
-  if (i == 0) return;
-  const double from = p->knot_s[i - 1], part = (t - from) / (p->knot_s[i] - from);
-  for (int k = 0; k < 3; k++) {
-    const double a = p->knot_torque[k][i - 1], b = p->knot_torque[k][i];
-    torque[k] += a + (b - a) * part;
-  }
-}
-
-static int has_weight(const rot_free_params *p) {
-  return p->lever_n_m[0] != 0.0 || p->lever_n_m[1] != 0.0 || p->lever_n_m[2] != 0.0;
-}
-
-static void add_weight(const rot_free_params *p, const double q[4], double torque[3]) {
-  static const double up[3] = {0.0, 0.0, 1.0};
-  const double *g = p->lever_n_m;
-  double z[3];
-  if (!has_weight(p)) return;
-  rot_attitude_to_body(q, up, z);
-  torque[0] += z[1] * g[2] - z[2] * g[1];
-  torque[1] += z[2] * g[0] - z[0] * g[2];
-  torque[2] += z[0] * g[1] - z[1] * g[0];
-}
-
-/* In principal axes, at an attitude q of these. */
-static rot_status torque_at(const motion *m, double t, const double omega[3], const double q[4],
-                            double out[3]) {
-  const rot_free_params *p = m->p;
-  double torque[3] = {p->torque[0], p->torque[1], p->torque[2]};
-  add_knots(p, t, torque);
-  if (p->law) {
-    double own_q[4] = {q[0], q[1], q[2], q[3]}, own[3] = {omega[0], omega[1], omega[2]}, more[3];
-    if (p->turned) {
-      const double back[4] = {p->axes[0], -p->axes[1], -p->axes[2], -p->axes[3]};
-      rot_attitude_times(q, back, own_q);
-      rot_attitude_to_space(p->axes, omega, own);
-    }
-    (void)rot_attitude_unit(own_q); /* the law may look at q: within a step its length is not 1 */
-    const rot_status status = p->law(t, own, own_q, more, p->ctx);
-    if (status != ROT_OK) return status;
-    for (int k = 0; k < 3; k++) torque[k] += more[k];
-  }
-  if (p->in_space) {
-    rot_attitude_to_body(q, torque, out);
-  } else if (p->turned) {
-    rot_attitude_to_body(p->axes, torque, out);
-  } else {
-    for (int k = 0; k < 3; k++) out[k] = torque[k];
-  }
-  add_weight(p, q, out);
-  return ROT_OK;
 }
 
 /* ---- the right-hand side --------------------------------------------------------------------- */
@@ -98,7 +40,7 @@ static rot_status rhs(double t, const double y[], double f[], void *ctx) {
   double q[4], w[3], torque[3], space[3];
   attitude_of(m, y, q);
   omega_of(m, y, w);
-  const rot_status status = torque_at(m, t, w, q, torque);
+  const rot_status status = rot_free_torque(m->p, t, w, q, 1, torque);
   if (status != ROT_OK) return status;
   f[0] = 0.5 * (-y[1] * w[0] - y[2] * w[1] - y[3] * w[2]);
   f[1] = 0.5 * (y[0] * w[0] + y[2] * w[2] - y[3] * w[1]);
@@ -218,7 +160,7 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
       .accuracy = 0.5 * options->accuracy,
       .max_steps = options->max_steps,
       .method = options->method,
-      .n_events = m.middle >= 0 && !has_weight(p),
+      .n_events = m.middle >= 0 && !rot_free_has_weight(p),
       .events = &flip,
       .log = events,
       .project = renormalise,

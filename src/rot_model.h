@@ -33,12 +33,16 @@ typedef struct rot_drop {
 /* An adaptive model's error is an estimate that follows the accuracy asked for. */
 typedef enum rot_error_kind { ROT_ESTIMATE, ROT_BOUND, ROT_ADAPTIVE } rot_error_kind;
 
+/* How the choice takes it. On trial: only a run tells its error; it is kept if that is good enough.
+ * By name: never, unless the user names it; its promise is not asked then. */
+typedef enum rot_model_use { ROT_FREELY, ROT_ON_TRIAL, ROT_BY_NAME } rot_model_use;
+
 typedef struct rot_model {
   const char *id;
   unsigned takes; /* mask of effects */
   rot_error_kind error_kind;
   double promise; /* smallest relative error */
-  int on_trial;   /* only a run tells its error: run it, keep it if that is good enough */
+  rot_model_use use;
   const char *why;
   /* NULL: it takes each scene with these effects. Else a reason against this one, or NULL. */
   const char *(*why_not)(const void *scene, const rot_query *query);

@@ -30,7 +30,12 @@ const char *rot_status_kind(rot_status status);
 #define ROT_METHOD_LIST(X)                                                                         \
   X(ROT_METHOD_NONE, "none")                                                                       \
   X(ROT_METHOD_RK8PD, "rk8pd") /* Prince & Dormand, order 8 */                                     \
-  X(ROT_METHOD_RADAU, "radau") /* Radau IIA, order 9, for stiff motions */
+  X(ROT_METHOD_RADAU, "radau") /* Radau IIA, order 9, for stiff motions */                         \
+  /* of steps of fixed length: */                                                                  \
+  X(ROT_METHOD_EULER, "euler")                                                                     \
+  X(ROT_METHOD_SEMI_IMPLICIT, "semi_implicit")                                                     \
+  X(ROT_METHOD_RK4, "rk4")                                                                         \
+  X(ROT_METHOD_SPLIT, "split")
 
 typedef enum rot_method {
 #define X(code, name) code,

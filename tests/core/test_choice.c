@@ -314,7 +314,7 @@ static void check_shaft_and_clutch(void) {
   rot_candidate picked[ROT_MOST_MODELS];
   rot_query q = query(2, before, 1e-9);
   ROT_CHECK_EQ_INT(rot_choice_pick(&rot_shaft_constraint, &p, &q, picked), 2);
-  ROT_CHECK(picked[0].model->on_trial && !picked[1].model->on_trial);
+  ROT_CHECK(picked[0].model->use == ROT_ON_TRIAL && picked[1].model->use == ROT_FREELY);
   p.damping_n_m_s = ones; /* backward and damped: no bound */
   ROT_CHECK_EQ_INT(rot_choice_pick(&rot_shaft_constraint, &p, &q, picked), 1);
   q.time_s = t;

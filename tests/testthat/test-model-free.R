@@ -130,3 +130,43 @@ test_that("torques in space axes turn with the body", {
   expect_lt(max(attitude_difference(a, b)), 1e-8)
   expect_equal(a$omega_z_rad_per_s, 1 + 0.1 * (0:5), tolerance = 1e-9)
 })
+
+test_that("steps of fixed length run where they are named, and say what they are worth", {
+  scene <- scene_free(c(1, 2, 3), c(0.3, 2, 0.4))
+  t <- seq(-2, 10, by = 0.5)
+  choice <- choose_model(scene, t, accuracy = 1)
+  steppers <- c("free_euler", "free_semi_implicit", "free_rk4", "free_split")
+  expect_false(any(choice$applies[choice$model %in% steppers]))
+  expect_match(choice$reason[choice$model == "free_rk4"], "only where it is named")
+  exact <- trajectory(scene, t)
+  for (id in steppers) {
+    motion <- trajectory(scene, t, model = id, accuracy = 1, step_s = 0.004)
+    run <- trajectory_run(motion)
+    expect_identical(c(run$model, run$info$method), c(id, sub("^free_", "", id)))
+    off <- max(attitude_difference(motion, exact))
+    expect_lte(off, 1.1 * run$info$errors[["attitude"]])
+    expect_match(tibble::tbl_sum(motion)[["Steps"]], "0.004 s")
+    # The same steps, asked later.
+    expect_identical(predict(motion, 3.5)$qx, motion$qx[motion$time_s == 3.5])
+    expect_identical(audit(motion)$balance[1], "energy")
+  }
+  # Where no step is asked: 1/64 of a turn at the rate of the start.
+  motion <- trajectory(scene, t, model = "free_rk4", accuracy = 1e-3)
+  expect_equal(trajectory_run(motion)$info$step_s, 2 * pi / sqrt(0.09 + 4 + 0.16) / 64)
+  expect_equal(augment(motion)$dissipated_j, rep(0, length(t)))
+  expect_warning(trajectory(scene, t, model = "free_rk4"), class = "rotdyn_warning_accuracy")
+  expect_error(trajectory(scene, t, step_s = 0.1), class = "rotdyn_error_model")
+  expect_error(
+    trajectory(scene, t, model = "free_rk4", step_s = 0), class = "rotdyn_error_value"
+  )
+  pushed <- scene_free(c(1, 2, 3), c(0.3, 2, 0.4), torque_n_m = function(t) c(sin(t), 0, 0.1))
+  expect_error(trajectory(pushed, t, model = "free_split"), class = "rotdyn_error_model")
+  motion <- trajectory(pushed, t, model = "free_rk4", accuracy = 1, step_s = 0.01)
+  want <- trajectory(pushed, t, accuracy = 1e-11)
+  expect_lt(max(attitude_difference(motion, want)), 1e-7)
+  expect_identical(audit(motion)$verdict, rep("balanced", 5))
+  expect_error(
+    trajectory(scene, 1e5, model = "free_rk4", accuracy = 1, max_steps = 100),
+    class = "rotdyn_error_budget"
+  )
+})

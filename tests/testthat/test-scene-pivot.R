@@ -153,3 +153,26 @@ test_that("bad input is refused with its class, and the print says what is held"
   )
   expect_output(print(top()), "0.5 kg at 0, 0, 0.08 m from the point", fixed = TRUE)
 })
+
+test_that("the splitting keeps the energy of an asymmetric top for thousands of turns", {
+  top <- scene_pivot(
+    c(1, 1.4, 2.2), c(0.3, 0.2, 2), mass_kg = 1, centre_m = c(0.2, 0, 1), gravity_m_per_s2 = 1
+  )
+  t <- c(0, 5, 10, 15, 2990, 2995, 3000)
+  off <- function(motion) {
+    energy <- motion$rotational_kinetic_energy_j + motion$potential_energy_j
+    max(abs(energy - energy[1]))
+  }
+  long <- trajectory(top, t, model = "pivot_split", accuracy = 1e-2)
+  expect_lt(off(long), 1e-10)
+  lz <- long$angular_momentum_z_kg_m2_per_s
+  expect_lt(max(abs(lz - lz[1])), 1e-12)
+  rk4 <- trajectory(top, t, model = "pivot_rk4", accuracy = 1)
+  expect_gt(off(rk4), 1e4 * off(long))
+  fine <- trajectory(top, t, model = "pivot_split", accuracy = 1e-4, step_s = 0.02)
+  expect_lte(
+    max(attitude_difference(long, fine)),
+    1.1 * trajectory_run(long)$info$errors[["attitude"]]
+  )
+  expect_identical(audit(long)$verdict, rep("balanced", 5))
+})

@@ -1,0 +1,16 @@
+/* The torques on a body that turns about a point, for the models that go by steps. */
+#ifndef ROT_FREE_TORQUE_H
+#define ROT_FREE_TORQUE_H
+
+#include "rot_free.h"
+
+int rot_free_has_weight(const rot_free_params *p);
+
+/* Adds that of gravity, in principal axes. */
+void rot_free_add_weight(const rot_free_params *p, const double q[4], double torque[3]);
+
+/* In principal axes, at an attitude q of these; with that of gravity, or without. */
+rot_status rot_free_torque(const rot_free_params *p, double t, const double omega[3],
+                           const double q[4], int weight, double out[3]);
+
+#endif
