@@ -127,7 +127,7 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 # Layers of one level exclude each other. The first line that matches counts.
 layers='
 1 ground      status real text dd dd_trig pair wide search column gauss clock share gsl
-2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex
+2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex whiten
 3 engine      ode* events march torque term model
 4 body        inertia points shapes* density mesh* vertices
 4 axle        axle*
@@ -143,6 +143,7 @@ layers='
 4 energy      energy
 4 kinematics  kinematics
 4 smooth      smooth*
+4 coast       coast*
 5 drive       drive*
 5 top         top* precession pivot*
 6 choice      choice

@@ -1,0 +1,207 @@
+# From the runs to the fit: losses pooled over runs, bounds, intervals, words.
+
+new_coast_fit <- function(runs, losses, load, inertia, runout, level, call) {
+  shared <- c(losses, if (length(load$unknown)) "load")
+  pooled <- pool_runs(runs, shared, load)
+  fit <- list(
+    runs = runs, losses = losses, load = load, inertia = inertia, runout = runout, level = level,
+    pooled = pooled
+  )
+  fit$limits <- stats::qt((1 + level) / 2, pooled$dof)
+  rows <- coast_rows(fit)
+  tibble::new_tibble(rows, nrow = length(rows$loss), class = "rot_coast_fit", fit = fit)
+}
+
+# Weighted by the inverse of each run's covariance, with a variance between the runs where they
+# differ by more than their errors say. The unknown of a load: by its multiplier over the reference
+# of the first run.
+pool_runs <- function(runs, shared, load) {
+  values <- lapply(runs, function(run) run$p[shared])
+  spreads <- lapply(runs, function(run) run$covariance[shared, shared, drop = FALSE])
+  if (length(load$unknown)) {
+    for (i in seq_along(runs)) {
+      unit <- runs[[i]]$problem$load[1] / runs[[1]]$problem$load[1]
+      values[[i]]["load"] <- values[[i]]["load"] * unit
+      spreads[[i]]["load", ] <- spreads[[i]]["load", ] * unit
+      spreads[[i]][, "load"] <- spreads[[i]][, "load"] * unit
+    }
+  }
+  dof <- vapply(runs, function(run) run$dof, 0)
+  if (length(runs) == 1L) {
+    run <- runs[[1]]
+    best <- run$best[shared]
+    return(list(
+      value = values[[1]], covariance = spreads[[1]], best = best, dof = rep(dof, length(shared)),
+      held = shared %in% names(which(run$held)),
+      best_covariance = run$best_covariance[shared, shared, drop = FALSE],
+      between = stats::setNames(numeric(length(shared)), shared), birge = NA_real_, p = NA_real_
+    ))
+  }
+  joint <- weigh(values, spreads)
+  k <- length(shared)
+  excess <- sum(vapply(seq_along(runs), function(i) {
+    d <- values[[i]] - joint$value
+    sum(d * scaled_solve(spreads[[i]], d))
+  }, 0))
+  free <- k * (length(runs) - 1)
+  between <- vapply(shared, function(name) {
+    x <- vapply(values, `[[`, 0, name)
+    w <- 1 / vapply(spreads, function(s) s[name, name], 0)
+    q <- sum(w * (x - sum(w * x) / sum(w))^2)
+    max(0, (q - (length(x) - 1)) / (sum(w) - sum(w^2) / sum(w)))
+  }, 0)
+  # A difference that chance explains adds nothing.
+  p <- stats::pchisq(excess, free, lower.tail = FALSE)
+  if (p > 0.05) between[] <- 0
+  final <- weigh(values, lapply(spreads, function(s) s + diag(between, k)))
+  within <- weigh(values, spreads)$covariance
+  inside <- pmin(diag(within) / diag(final$covariance), 1)
+  total_dof <- sum(dof)
+  free_dof <- 1 / (inside^2 / total_dof + (1 - inside)^2 / (length(runs) - 1))
+  held <- hold_at_zero(final$value, final$covariance, names(final$value) %in% coast_losses)
+  list(
+    value = final$value, covariance = final$covariance, best = held$value,
+    best_covariance = held$covariance, held = held$held, dof = free_dof, between = between,
+    birge = sqrt(excess / free), p = p
+  )
+}
+
+# solve() of a covariance matrix whose rows have different units.
+scaled_solve <- function(a, b = diag(nrow(a))) {
+  s <- sqrt(diag(a))
+  inner <- solve(a / outer(s, s), b / s, tol = 1e-15)
+  inner / s
+}
+
+weigh <- function(values, spreads) {
+  weights <- lapply(spreads, scaled_solve)
+  total <- Reduce(`+`, weights)
+  covariance <- scaled_solve((total + t(total)) / 2)
+  value <- covariance %*% Reduce(`+`, Map(`%*%`, weights, values))
+  names <- names(values[[1]])
+  dimnames(covariance) <- list(names, names)
+  list(value = stats::setNames(as.vector(value), names), covariance = covariance)
+}
+
+# The nearest point, by the covariance, with no loss below 0: those held, and the others given them.
+hold_at_zero <- function(value, covariance, bounded) {
+  index <- which(bounded)
+  best <- NULL
+  for (set in seq_len(2^length(index)) - 1L) {
+    held <- index[bitwAnd(set, 2^(seq_along(index) - 1L)) > 0]
+    moved <- value
+    cost <- 0
+    spread <- covariance
+    if (length(held)) {
+      c_held <- covariance[held, held, drop = FALSE]
+      y <- scaled_solve(c_held, value[held])
+      moved <- value - as.vector(covariance[, held, drop = FALSE] %*% y)
+      moved[held] <- 0
+      cost <- sum(y * value[held])
+      spread <- covariance - covariance[, held, drop = FALSE] %*%
+        scaled_solve(c_held, covariance[held, , drop = FALSE])
+      spread[held, ] <- spread[, held] <- 0
+    }
+    if (all(moved[index] >= 0) && (is.null(best) || cost < best$cost)) {
+      best <- list(
+        value = moved, covariance = spread, held = seq_along(value) %in% held, cost = cost
+      )
+    }
+  }
+  best
+}
+
+# ---- rows ----------------------------------------------------------------------------------------
+
+# What the load's multiplier says: name, unit, value and its derivative by the multiplier.
+load_unknown <- function(fit) {
+  load <- fit$load
+  if (!length(load$unknown)) return(NULL)
+  p <- fit$pooled$value[["load"]]
+  ratios <- fit$runs[[1]]$problem$load
+  r <- load$radius_m
+  switch(load$unknown,
+    inertia = {
+      # T/I is m g r/I: the reference inertia from it.
+      reference <- load$mass_kg * load$gravity_m_per_s2 * r / abs(ratios[1])
+      list(name = "inertia", unit = "kg m^2", value = reference / p, slope = -reference / p^2)
+    },
+    mass = {
+      reference <- abs(ratios[1]) * fit$inertia$value / (load$gravity_m_per_s2 * r)
+      list(name = "mass", unit = "kg", value = reference * p, slope = reference)
+    },
+    gravity = {
+      reference <- abs(ratios[1]) * fit$inertia$value / (load$mass_kg * r)
+      list(name = "gravity", unit = "m/s^2", value = reference * p, slope = reference)
+    }
+  )
+}
+
+# The losses in the units shown: value, unbounded value, covariance of the latter, u by the inertia.
+shown_losses <- function(fit) {
+  pooled <- fit$pooled
+  losses <- fit$losses
+  at <- match(losses, names(pooled$value))
+  out <- list(
+    best = pooled$best[losses], value = pooled$value[losses],
+    covariance = pooled$covariance[at, at, drop = FALSE], dof = pooled$dof[at], held = pooled$held[at],
+    unit = coast_units$rate[losses], u_inertia = NULL
+  )
+  unknown <- load_unknown(fit)
+  if (identical(unknown$name, "inertia")) {
+    # tau = a I with I = I_ref/p: the two estimates are correlated.
+    all <- c(at, match("load", names(pooled$value)))
+    jacobian <- cbind(diag(unknown$value, length(at)), out$value * unknown$slope)
+    out$covariance <- jacobian %*% pooled$covariance[all, all] %*% t(jacobian)
+    out$best <- out$best * unknown$value
+    out$value <- out$value * unknown$value
+    out$unit <- coast_units$torque[losses]
+  } else if (!is.null(fit$inertia)) {
+    i <- fit$inertia$value
+    out$best <- out$best * i
+    out$value <- out$value * i
+    out$covariance <- out$covariance * i^2
+    out$unit <- coast_units$torque[losses]
+    out$u_inertia <- out$best * fit$inertia$u / i
+  }
+  out
+}
+
+coast_rows <- function(fit) {
+  x <- shown_losses(fit)
+  se <- sqrt(diag(x$covariance))
+  half <- stats::qt((1 + fit$level) / 2, x$dof) * se
+  # Where another loss is held at 0 the value may lie outside: the interval reaches to it.
+  lower <- pmin(pmax(0, x$value - half), x$best)
+  upper <- pmax(0, x$value + half, x$best)
+  rows <- list(
+    loss = fit$losses, value = unname(x$best), standard_error = unname(se), lower = unname(lower),
+    upper = unname(upper), status = coast_status(x, lower), unit = unname(x$unit)
+  )
+  if (!is.null(x$u_inertia)) rows$u_inertia <- unname(x$u_inertia)
+  unknown <- load_unknown(fit)
+  if (is.null(unknown)) return(rows)
+  at <- match("load", names(fit$pooled$value))
+  se <- abs(unknown$slope) * sqrt(fit$pooled$covariance[at, at])
+  half <- stats::qt((1 + fit$level) / 2, fit$pooled$dof[at]) * se
+  extra <- list(
+    unknown$name, unknown$value, se, unknown$value - half, unknown$value + half, "fitted",
+    unknown$unit
+  )
+  if (!is.null(x$u_inertia)) extra <- c(extra, NA_real_)
+  Map(c, rows, extra)
+}
+
+coast_status <- function(x, lower) {
+  k <- length(x$value)
+  status <- ifelse(lower > 0, "acts", "at most")
+  if (k < 2L) return(status)
+  correlation <- stats::cov2cor(x$covariance)
+  for (i in which(lower <= 0)) {
+    with <- which(abs(correlation[i, ]) > 0.99 & lower <= 0 & seq_len(k) != i)
+    if (length(with)) {
+      status[i] <- paste("not separable from", paste(names(x$value)[with], collapse = " and "))
+    }
+  }
+  status
+}
