@@ -7,8 +7,8 @@
 #' \deqn{s_j = p_j \int \omega^{j+1} dt \big/ \tfrac12 (\omega_0^2 - \omega_1^2)}{
 #'   s_j = p_j int omega^(j+1) dt / ((omega0^2 - omega1^2)/2)}
 #' with p the losses over the inertia. The shares of the values sum to 1. Their errors come from the
-#' covariance of the fit; intervals are cut to 0 and 1. Where a torque acts as well, the energy is what
-#' the losses took.
+#' covariance of the fit; intervals are cut to 0 and 1. Where a torque acts as well, the energy is
+#' what the losses took.
 #'
 #' @param fit A [fit_coast_down()].
 #' @param ... Not used: an unknown argument is an error.
@@ -34,11 +34,12 @@ loss_budget <- function(fit, ..., run = 1) {
   share <- of$energy / total
   # d share = (d energy - share d total)/total
   d_share <- (of$d_energy - outer(share, of$d_total)) / total
-  se <- sqrt(pmax(0, rowSums((d_share %*% at$covariance) * d_share)))
+  se <- band(d_share, at)
   half <- stats::qt((1 + fit$level) / 2, fit$runs[[i]]$dof) * se
   inertia <- coast_inertia(fit)
   out <- list(
-    loss = fit$losses, share = share, standard_error = se, lower = pmin(pmax(0, share - half), share),
+    loss = fit$losses, share = share, standard_error = se,
+    lower = pmin(pmax(0, share - half), share),
     upper = pmin(1, pmax(0, share + half))
   )
   if (is.na(inertia)) out$energy_over_inertia <- of$energy else out$energy_j <- of$energy * inertia
@@ -119,8 +120,8 @@ gauss_rule <- function() {
 
 #' The retarding torque by speed
 #'
-#' The sum of the losses at an angular velocity, with its band. It is known well where the record has
-#' samples, also where the single losses are not.
+#' The sum of the losses at an angular velocity, with its band. It is known well where the record
+#' has samples, also where the single losses are not.
 #'
 #' @inheritParams loss_budget
 #' @param omega_rad_per_s Speeds, >= 0; NULL for 25 over the range of the record.
@@ -146,13 +147,14 @@ retarding_torque <- function(fit, omega_rad_per_s = NULL, ...) {
   x <- shown_losses(fit)
   powers <- outer(omega_rad_per_s, match(fit$losses, coast_losses) - 1, `^`)
   value <- as.vector(powers %*% x$best)
-  se <- band(powers, x$covariance)
+  se <- band(powers, x)
   half <- stats::qt((1 + fit$level) / 2, min(x$dof)) * se
   out <- list(
     omega_rad_per_s = omega_rad_per_s, value = value, standard_error = se, lower = value - half,
     upper = value + half
   )
-  names(out)[2] <- if (is.na(coast_inertia(fit))) "deceleration_rad_per_s2" else "retarding_torque_n_m"
+  names(out)[2] <-
+    if (is.na(coast_inertia(fit))) "deceleration_rad_per_s2" else "retarding_torque_n_m"
   tibble::new_tibble(out, nrow = length(value))
 }
 
@@ -166,10 +168,10 @@ speed_range <- function(fit) {
 
 #' The seven laws compared
 #'
-#' Each combination of Coulomb, viscous and quadratic losses is fitted with the noise that the law with
-#' all three leaves, and compared by Akaike's criterion for small samples (AICc). It is advice: a law
-#' that another one beats by less than 4 is not excluded, and intervals that follow from the selected law
-#' alone are too short. [fit_coast_down()] takes them from all losses.
+#' Each combination of Coulomb, viscous and quadratic losses is fitted with the noise that the law
+#' with all three leaves, and compared by Akaike's criterion for small samples (AICc). It is advice:
+#' a law that another one beats by less than 4 is not excluded, and intervals that follow from the
+#' selected law alone are too short. [fit_coast_down()] takes them from all losses.
 #'
 #' @inheritParams loss_budget
 #' @return A tibble with a row for each law, the best first, and the columns
@@ -205,7 +207,8 @@ compare_laws <- function(fit, ...) {
       problem$noise <- unname(whole[[i]]$numbers[c("tau_s", "white")])
       out <- .Call(ffi_coast_fit, problem, 0)
       n <- length(problem$time_s)
-      c(n * log(out$bounded_numbers[1] / n), n, out$numbers[10] - length(losses), out$bounded_numbers[2])
+      squares <- out$bounded_numbers[1]
+      c(n * log(squares / n), n, out$numbers[10] - length(losses), out$bounded_numbers[2])
     }, numeric(4))
     # The losses are shared; each run has its start and its sigma.
     k <- sum(parts[3, ]) + length(losses) + ncol(parts)
@@ -225,8 +228,8 @@ compare_laws <- function(fit, ...) {
 #' Tests of a fit's residuals
 #'
 #' What would make the losses or their errors wrong: correlated residuals (the errors allow for
-#' them), a correlation time at its cap or a loss clearly below 0 (the law is incomplete), an error of
-#' the sensor that repeats every turn, runs that differ.
+#' them), a correlation time at its cap or a loss clearly below 0 (the law is incomplete), an error
+#' of the sensor that repeats every turn, runs that differ.
 #'
 #' @inheritParams loss_budget
 #' @return A tibble with a row for each test and run, and the columns
@@ -248,7 +251,6 @@ residual_tests <- function(fit, ...) {
       run = run$name,
       test = c("correlation", "wrong law", "runout"),
       statistic = c(x[["gain"]], x[["tau_s"]], x[["runout_f"]]),
-      # Half of the chance that chi-squared with two degrees of freedom gives: a share is at its end.
       p_value = c(
         if (x[["gain"]] > 0) stats::pchisq(x[["gain"]], 2, lower.tail = FALSE) else NA_real_,
         NA_real_, p

@@ -13,12 +13,12 @@ coast_units <- list(
 
 #' Losses from a coast-down
 #'
-#' Fits the motion of a body that coasts down to measured angles, rates or pulses. With the moment of
-#' inertia `I` about the axle
+#' Fits the motion of a body that coasts down to measured angles, rates or pulses. With the moment
+#' of inertia `I` about the axle
 #' \deqn{I \dot\omega = -(\tau_c + c\,|\omega| + q\,\omega^2)\,\mathrm{sign}\,\omega + \tau}{
 #'   I omega' = -(tau_c + c |omega| + q omega^2) sign(omega) + torque}
-#' Without an inertia a record shows the losses over `I`: `tau_c/I` in rad/s^2, `c/I` in 1/s, `q/I` in
-#' 1/rad.
+#' Without an inertia a record shows the losses over `I`: `tau_c/I` in rad/s^2, `c/I` in 1/s, `q/I`
+#' in 1/rad.
 #'
 #' The exact solution and its exact derivatives are fitted by least squares (Gauss-Newton steps in a
 #' trust region). The noise of the residuals is white, or white and an Ornstein-Uhlenbeck process,
@@ -26,17 +26,17 @@ coast_units <- list(
 #' those of the noise found. A correlation time is at most a tenth of the run: longer waves of the
 #' residuals are no noise but a law that does not fit, and the print says so.
 #'
-#' **Intervals** are those of the fit with every loss asked for, without bounds, cut at 0; the value is
-#' the best one with no loss below 0. So the interval of a loss that is 0 begins at 0, and its value is
-#' often 0. `status` says in words what the record shows:
+#' **Intervals** are those of the fit with every loss asked for, without bounds, cut at 0; the value
+#'   is the best one with no loss below 0. So the interval of a loss that is 0 begins at 0, and its
+#'   value is often 0. `status` says in words what the record shows:
 #' * *acts*: the interval excludes 0;
 #' * *at most*: it includes 0, and `upper` is the limit;
-#' * *not separable from* another loss: the two are correlated by more than 0.99, and the intervals of
-#'   both include 0.
+#' * *not separable from* another loss: the two are correlated by more than 0.99, and the intervals
+#'   of both include 0.
 #'
 #' Several runs, and the segments of a record, share the losses and have their own start and noise.
-#' Where the runs differ by more than their errors, a variance between runs is added (DerSimonian and
-#' Laird, for each loss), and `glance()` gives the Birge ratio.
+#' Where the runs differ by more than their errors, a variance between runs is added (DerSimonian
+#' and Laird, for each loss), and `glance()` gives the Birge ratio.
 #'
 #' @param records A [motion_record()], a data frame with `time_s` and one of `theta_rad`,
 #'   `omega_rad_per_s` or `pulses`, or a list of them. Each segment is a run. Of several quantities
@@ -53,9 +53,10 @@ coast_units <- list(
 #' @param level Level of the intervals.
 #' @return A tibble of class `rot_coast_fit` with a row for each loss and the columns
 #'   `r describe_columns(c("loss", "value", "standard_error", "lower", "upper", "status", "unit", "u_inertia"), c(value = "the loss"))`
-#'   in 1/s units without an inertia, in N m units with one (then with `u_inertia`). `glance()` gives
-#'   one row, `augment()` the samples with the fitted motion, `predict()` the motion at any time and
-#'   [as_scene()] the scene. Where the inertia, the mass or gravity was fitted, it is a row, too.
+#'   in 1/s units without an inertia, in N m units with one
+#'   (then with `u_inertia`). `glance()` gives one row, `augment()` the samples with the fitted
+#'   motion, `predict()` the motion at any time and [as_scene()] the scene. Where the inertia, the
+#'   mass or gravity was fitted, it is a row, too.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value` (a body at rest, one that speeds up),
 #'   `rotdyn_error_size` (fewer samples than 3 more than what is fitted), `rotdyn_error_argument`
 #'   (a torque without an inertia), `rotdyn_error_range` (no fit).
@@ -229,7 +230,9 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
   fitted <- stats::setNames(numeric(11), coast_parameters)
   fitted[c("omega0", losses)] <- 1
   if (run$kind != 1L) fitted["theta0"] <- 1
-  if (load$kind == "weight") fitted[c("load", "release")] <- c(length(load$unknown), is.na(load$until_s))
+  if (load$kind == "weight") {
+    fitted[c("load", "release")] <- c(length(load$unknown), is.na(load$until_s))
+  }
   if (runout == "fit") fitted[coast_waves] <- 1
   n <- length(run$time_s)
   if (n < sum(fitted) + 3L) {
@@ -267,6 +270,7 @@ unpack_run <- function(out, problem) {
   list(
     problem = problem,
     p = stats::setNames(out$p, coast_parameters), covariance = square(out$covariance),
+    factor = matrix(out$factor, 11, byrow = TRUE, dimnames = list(coast_parameters, NULL)),
     best = stats::setNames(out$bounded, coast_parameters),
     best_covariance = square(out$bounded_covariance),
     best_sigma = out$bounded_numbers[2],

@@ -27,7 +27,9 @@ check_run <- function(run, fit, call) {
 # Of run i, with the losses of all runs: its start follows them as its own fit says.
 run_parameters <- function(fit, i) {
   run <- fit$runs[[i]]
-  if (length(fit$runs) == 1L) return(list(p = run$best, covariance = run$covariance))
+  if (length(fit$runs) == 1L) {
+    return(list(p = run$best, covariance = run$covariance, factor = run$factor))
+  }
   pooled <- fit$pooled
   shared <- names(pooled$value)
   unit <- if ("load" %in% shared) run$problem$load[1] / fit$runs[[1]]$problem$load[1] else 1
@@ -81,8 +83,11 @@ motion_rows <- function(fit, i, p, time_s) {
   )
 }
 
-band <- function(derivative, covariance) {
-  sqrt(pmax(0, rowSums((derivative %*% covariance) * derivative)))
+# Standard errors of sums of parameters; through the factor they keep their digits where the
+# parameters are nearly dependent.
+band <- function(derivative, spread) {
+  if (!is.null(spread$factor)) return(sqrt(rowSums((derivative %*% spread$factor)^2)))
+  sqrt(pmax(0, rowSums((derivative %*% spread$covariance) * derivative)))
 }
 
 #' The fitted motion at any time
@@ -131,7 +136,7 @@ predict.rot_coast_fit <- function(object, time_s = NULL, ..., run = 1, level = N
   for (name in names(names)) {
     # Rates show no angle: theta is counted from the first sample.
     value <- rows[[name]][back]
-    se <- band(rows[[paste0("d_", name)]], at$covariance)[back]
+    se <- band(rows[[paste0("d_", name)]], at)[back]
     stem <- names[[name]]
     out[[stem]] <- value
     out[[paste0(stem, "_se")]] <- se
@@ -142,7 +147,7 @@ predict.rot_coast_fit <- function(object, time_s = NULL, ..., run = 1, level = N
 }
 
 #' @rdname predict.rot_coast_fit
-#' @exportS3Method generics::augment
+#' @export
 augment.rot_coast_fit <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
@@ -183,7 +188,7 @@ run_residual <- function(run, p, rows) {
 }
 
 #' @rdname predict.rot_coast_fit
-#' @exportS3Method generics::glance
+#' @export
 glance.rot_coast_fit <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
@@ -223,8 +228,8 @@ runout_p <- function(run) {
 #' @param x A [fit_coast_down()].
 #' @param ... Not used: an unknown argument is an error.
 #' @param run Number or name of the run whose start the scene has.
-#' @return A [scene_axle()]. Without an inertia its moment is 1 kg m^2, and the losses are those over
-#'   the inertia. It begins at the run's first sample; where a weight was unwound, at its end.
+#' @return A [scene_axle()]. Without an inertia its moment is 1 kg m^2, and the losses are those
+#'   over the inertia. It begins at the run's first sample; where a weight was unwound, at its end.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [fit_coast_down()].
 #' @examples

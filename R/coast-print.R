@@ -9,8 +9,8 @@ law_faults <- function(fit) {
   c(
     if (any(capped)) {
       paste(
-        "The law is incomplete: the residuals are correlated over a tenth of the run or more, which",
-        "is no noise."
+        "The law is incomplete: the residuals are correlated over a tenth of the run or more,",
+        "which is no noise."
       )
     },
     if (length(below)) {
@@ -79,10 +79,15 @@ coast_words <- function(x, fit) {
   runs <- length(fit$runs)
   rows <- unclass(x)
   known <- seq_along(rows$loss)
+  free <- shown_losses(fit)$value
   value <- vapply(known, function(i) {
-    # A loss held at 0 has its limit, not a value with an error.
-    if (rows$status[i] == "at most") {
+    # A loss that may be 0 has its limit; one that follows from a bound has no error of its own.
+    if (rows$upper[i] == 0) {
+      "0"
+    } else if (i <= length(fit$losses) && rows$status[i] != "acts") {
       paste("at most", format(rows$upper[i], digits = 2))
+    } else if (i <= length(fit$losses) && abs(free[i] - rows$value[i]) > rows$standard_error[i]) {
+      format(rows$value[i], digits = 3)
     } else {
       with_error(rows$value[i], rows$standard_error[i])
     }

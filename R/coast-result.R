@@ -31,7 +31,8 @@ pool_runs <- function(runs, shared, load) {
     run <- runs[[1]]
     best <- run$best[shared]
     return(list(
-      value = values[[1]], covariance = spreads[[1]], best = best, dof = rep(dof, length(shared)),
+      value = values[[1]], covariance = spreads[[1]], factor = run$factor[shared, , drop = FALSE],
+      best = best, dof = rep(dof, length(shared)),
       held = shared %in% names(which(run$held)),
       best_covariance = run$best_covariance[shared, shared, drop = FALSE],
       between = stats::setNames(numeric(length(shared)), shared), birge = NA_real_, p = NA_real_
@@ -60,7 +61,7 @@ pool_runs <- function(runs, shared, load) {
   free_dof <- 1 / (inside^2 / total_dof + (1 - inside)^2 / (length(runs) - 1))
   held <- hold_at_zero(final$value, final$covariance, names(final$value) %in% coast_losses)
   list(
-    value = final$value, covariance = final$covariance, best = held$value,
+    value = final$value, covariance = final$covariance, factor = NULL, best = held$value,
     best_covariance = held$covariance, held = held$held, dof = free_dof, between = between,
     birge = sqrt(excess / free), p = p
   )
@@ -144,7 +145,8 @@ shown_losses <- function(fit) {
   at <- match(losses, names(pooled$value))
   out <- list(
     best = pooled$best[losses], value = pooled$value[losses],
-    covariance = pooled$covariance[at, at, drop = FALSE], dof = pooled$dof[at], held = pooled$held[at],
+    covariance = pooled$covariance[at, at, drop = FALSE], dof = pooled$dof[at],
+    factor = pooled$factor[at, , drop = FALSE], held = pooled$held[at],
     unit = coast_units$rate[losses], u_inertia = NULL
   )
   unknown <- load_unknown(fit)
@@ -153,6 +155,7 @@ shown_losses <- function(fit) {
     all <- c(at, match("load", names(pooled$value)))
     jacobian <- cbind(diag(unknown$value, length(at)), out$value * unknown$slope)
     out$covariance <- jacobian %*% pooled$covariance[all, all] %*% t(jacobian)
+    if (!is.null(out$factor)) out$factor <- jacobian %*% pooled$factor[all, ]
     out$best <- out$best * unknown$value
     out$value <- out$value * unknown$value
     out$unit <- coast_units$torque[losses]
@@ -161,6 +164,7 @@ shown_losses <- function(fit) {
     out$best <- out$best * i
     out$value <- out$value * i
     out$covariance <- out$covariance * i^2
+    if (!is.null(out$factor)) out$factor <- out$factor * i
     out$unit <- coast_units$torque[losses]
     out$u_inertia <- out$best * fit$inertia$u / i
   }

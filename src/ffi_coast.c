@@ -33,7 +33,7 @@ SEXP ffi_coast_rows(SEXP list, SEXP parameters, SEXP start, SEXP times) {
 SEXP ffi_coast_fit(SEXP list, SEXP search) {
   static const char *const names[] = {
       "p",        "covariance", "numbers", "bounded", "bounded_covariance", "bounded_numbers",
-      "at_bound", "residual", ""};
+      "at_bound", "residual",   "factor",  ""};
   rot_coast_record record;
   SEXP times = ffi_element(list, "time_s");
   const R_xlen_t n = XLENGTH(times);
@@ -89,6 +89,7 @@ SEXP ffi_coast_fit(SEXP list, SEXP search) {
                               {ALL * ALL, bounded.covariance[0]},
                               {4, other},
                               {3, held},
-                              {searches && status == ROT_OK ? (int)n : 0, residual}};
-  return ffi_vectors(8, names, parts);
+                              {searches && status == ROT_OK ? (int)n : 0, residual},
+                              {ALL * ALL, fit.factor[0]}};
+  return ffi_vectors(9, names, parts);
 }

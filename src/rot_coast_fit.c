@@ -225,11 +225,17 @@ static rot_status invert(const gsl_matrix *jacobian, double sigma, const work *w
   }
   fit->condition = sqrt(norm * inverse_norm);
   memset(fit->covariance, 0, sizeof fit->covariance);
+  memset(fit->factor, 0, sizeof fit->factor);
   for (size_t i = 0; i < m; i++) {
-    for (size_t j = 0; j < m; j++) {
+    for (size_t j = i; j < m; j++) {
+      fit->factor[w->column[i]][j] = sigma * inverse[i][j] / length[i];
+    }
+    for (size_t j = 0; j <= i; j++) {
+      const double *a = fit->factor[w->column[i]], *b = fit->factor[w->column[j]];
       double sum = 0.0;
-      for (size_t k = i > j ? i : j; k < m; k++) sum += inverse[i][k] * inverse[j][k];
-      fit->covariance[w->column[i]][w->column[j]] = sigma * sigma * sum / (length[i] * length[j]);
+      for (size_t k = i; k < m; k++) sum += a[k] * b[k];
+      fit->covariance[w->column[i]][w->column[j]] = sum;
+      fit->covariance[w->column[j]][w->column[i]] = sum;
     }
   }
   return ROT_OK;
@@ -299,7 +305,6 @@ rot_status rot_coast_solve(const rot_coast_record *record, const int fitted[ROT_
   work w;
   rot_status status = work_begin(&w, record, fitted, fit->p, &fit->reml.noise);
   if (status != ROT_OK) return status;
-  gsl_set_error_handler_off();
   fit->free = w.columns;
   if (record->n <= w.columns || w.columns == 0) {
     status = ROT_EVALUE;
@@ -406,7 +411,7 @@ rot_status rot_coast_fit_noise(const rot_coast_record *record, const int fitted[
     memcpy(w.p, fit->p, sizeof w.p);
     status = linearise(&w);
     /* Residuals of rounding have no noise to tell. */
-    if (status != ROT_OK || fit->sigma <= rounding) break;
+    if (status != ROT_OK || fit->sigma <= 4.0 * rounding) break;
     const rot_reml last = fit->reml;
     status = rot_whiten_reml(n, record->t, w.columns, w.j, w.r, cap, threshold,
                              last.noise.tau_s > 0.0 ? &last.noise : NULL, hooks, &fit->reml);

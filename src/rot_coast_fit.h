@@ -28,6 +28,9 @@ typedef struct rot_coast_record {
 typedef struct rot_coast_fit {
   double p[ROT_COAST_ALL];                         /* in: the start; out: the estimate */
   double covariance[ROT_COAST_ALL][ROT_COAST_ALL]; /* 0 where a parameter is not fitted */
+  /* The covariance is this times its transpose. The error of a sum of nearly dependent parameters
+   * keeps its digits in it. */
+  double factor[ROT_COAST_ALL][ROT_COAST_ALL];
   rot_reml reml;
   double squares; /* sum of squares of the whitened residuals */
   double sigma;   /* s.d. of a residual: rad, rad/s, or s for pulses */

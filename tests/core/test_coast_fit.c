@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "rot_coast_fit.h"
+#include "rot_gsl.h"
 #include "rot_test.h"
 
 enum { P = ROT_COAST_PARAMETERS, ALL = ROT_COAST_ALL, MOST = 400 };
@@ -175,6 +176,7 @@ static void check_weight(void) {
 }
 
 int main(void) {
+  rot_gsl_begin();
   check_exact();
   check_errors();
   check_bounds();

@@ -1,0 +1,76 @@
+#' Plot a coast-down fit
+#'
+#' Three panels: the fitted angular velocity with its band (with the measured rates, where rates
+#' were measured), the residuals, and the retarding torque by speed with its band.
+#'
+#' @param object A [fit_coast_down()].
+#' @inheritParams autoplot.rot_trajectory
+#' @param run Number or name of the run of the first two panels.
+#' @return A ggplot, with alternative text.
+#' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
+#'   `rotdyn_error_type`, `rotdyn_error_value`.
+#' @seealso [fit_coast_down()].
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' set.seed(1)
+#' time_s <- 0:80 / 10
+#' samples <- data.frame(time_s, omega_rad_per_s = 21 * exp(-0.1 * time_s) - 1 + rnorm(81, 0, 0.02))
+#' ggplot2::autoplot(fit_coast_down(samples, losses = c("coulomb", "viscous")))
+#' @exportS3Method ggplot2::autoplot
+autoplot.rot_coast_fit <- function(object, ..., run = 1, base_size = 13) {
+  call <- check_plot(base_size, ...)
+  fit <- coast_fit(object, "object", call)
+  i <- check_run(run, fit, call)
+  at <- fit$runs[[i]]
+  torque <- retarding_torque(object)
+  unit <- c("rad", "rad/s", "s")[at$kind + 1L]
+  panels <- c(
+    "angular velocity (rad/s), by time (s)",
+    paste0("residual (", unit, "), by time (s)"),
+    paste(
+      if (is.na(coast_inertia(fit))) "deceleration (rad/s^2)," else "retarding torque (N m),",
+      "by angular velocity (rad/s)"
+    )
+  )
+  samples <- augment.rot_coast_fit(object)
+  samples <- samples[samples$run == at$name, ]
+  grid <- seq(at$time_s[1], at$time_s[length(at$time_s)], length.out = 201)
+  motion <- predict.rot_coast_fit(object, grid, run = i)
+  line <- data.frame(
+    x = c(grid, torque$omega_rad_per_s), y = c(motion$omega_rad_per_s, torque[[2]]),
+    lower = c(motion$omega_rad_per_s_lower, torque$lower),
+    upper = c(motion$omega_rad_per_s_upper, torque$upper),
+    panel = factor(panels[rep(c(1, 3), c(201, nrow(torque)))], panels)
+  )
+  points <- data.frame(x = samples$time_s, y = samples$residual, panel = factor(panels[2], panels))
+  if (at$kind == 1L) {
+    points <- rbind(
+      points,
+      data.frame(x = samples$time_s, y = samples$measured, panel = factor(panels[1], panels))
+    )
+  }
+  zero <- data.frame(y = 0, panel = factor(panels[2], panels))
+  colour <- plot_colours[1]
+  rows <- unclass(object)
+  said <- paste(rows$loss, rows$status, collapse = ", ")
+  ggplot2::ggplot(line, ggplot2::aes(.data$x, .data$y)) +
+    ggplot2::geom_hline(
+      ggplot2::aes(yintercept = .data$y), zero, colour = "grey60", linewidth = 0.02 * base_size
+    ) +
+    ggplot2::geom_point(data = points, colour = "grey45", size = 0.05 * base_size) +
+    ggplot2::geom_ribbon(
+      ggplot2::aes(ymin = .data$lower, ymax = .data$upper), fill = colour, alpha = 0.25
+    ) +
+    ggplot2::geom_line(colour = colour, linewidth = 0.05 * base_size) +
+    ggplot2::facet_wrap(~panel, ncol = 1, scales = "free") +
+    ggplot2::scale_y_continuous(breaks = plot_breaks(base_size, 4)) +
+    ggplot2::labs(
+      title = wrap_title("Coast-down: the motion fitted, and what it leaves over", base_size),
+      subtitle = wrap_subtitle(said, base_size), x = NULL, y = NULL,
+      alt = paste0(
+        "The fitted angular velocity falls from ", format_si(signif(motion$omega_rad_per_s[1], 3)),
+        " to ", format_si(signif(motion$omega_rad_per_s[201], 3)), " rad/s; residuals of ",
+        format(at$numbers[["sigma"]], digits = 2), " ", unit, "; losses: ", said, "."
+      )
+    ) +
+    plot_theme(base_size)
+}

@@ -1,0 +1,325 @@
+# A disk of 0.0625 kg m^2 from 20 rad/s on, sampled n times until `end`.
+coasting <- function(n = 400, end = 8, coulomb = 0.075, viscous = 0.00625, quadratic = 2.5e-4,
+                     omega0 = 20) {
+  scene <- scene_axle(
+    0.0625, NULL, resistance(viscous, quadratic, coulomb), omega0_rad_per_s = omega0
+  )
+  trajectory(scene, seq(0, end, length.out = n))
+}
+noisy <- function(motion, sigma, column = "theta_rad", seed = 1) {
+  set.seed(seed)
+  noise <- stats::rnorm(nrow(motion), 0, sigma)
+  out <- data.frame(time_s = motion$time_s, y = motion[[column]] + noise)
+  names(out)[2] <- column
+  out
+}
+truth <- c(1.2, 0.1, 0.004)
+
+test_that("exact data come back exact, with an error of rounding, from angles and rates", {
+  for (end in c(8, 14)) { # it stops at 10.7 s
+    motion <- coasting(end = end)
+    for (column in c("theta_rad", "omega_rad_per_s")) {
+      fit <- fit_coast_down(noisy(motion, 0, column))
+      expect_identical(fit$loss, c("coulomb", "viscous", "quadratic"))
+      expect_equal(fit$value, truth, tolerance = 1e-11)
+      expect_lt(max(fit$standard_error / truth), 1e-10)
+      expect_identical(fit$status, rep("acts", 3))
+      expect_identical(fit$unit, c("rad/s^2", "1/s", "1/rad"))
+    }
+  }
+})
+
+test_that("the scene of a fit has the fitted motion, to 1e-14", {
+  for (end in c(4, 8, 14)) {
+    fit <- fit_coast_down(noisy(coasting(end = end), 0.005), inertia = 0.0625)
+    motion <- trajectory(as_scene(fit), seq(0, end, length.out = 300))
+    curve <- predict(fit, motion$time_s)
+    expect_lt(max(abs(curve$theta_rad - motion$theta_rad)), 1e-14 * max(motion$theta_rad))
+    expect_lt(max(abs(curve$omega_rad_per_s - motion$omega_rad_per_s)), 1e-14 * 20)
+    moving <- motion$omega_rad_per_s > 0
+    alpha <- motion$net_torque_n_m / 0.0625
+    expect_equal(curve$alpha_rad_per_s2[moving], alpha[moving], tolerance = 1e-11)
+  }
+})
+
+test_that("with an inertia losses are torques, and its uncertainty is apart", {
+  samples <- noisy(coasting(), 0.005)
+  per_inertia <- fit_coast_down(samples)
+  fit <- fit_coast_down(samples, inertia = measured(0.0625, 0.00125))
+  expect_equal(fit$value, per_inertia$value * 0.0625, tolerance = 1e-12)
+  expect_equal(fit$standard_error, per_inertia$standard_error * 0.0625, tolerance = 1e-12)
+  expect_equal(fit$u_inertia, fit$value * 0.02, tolerance = 1e-12)
+  expect_identical(fit$unit, c("N m", "N m s", "N m s^2"))
+  expect_false("u_inertia" %in% names(per_inertia))
+})
+
+test_that("bands are the derivatives of the motion times the covariance", {
+  fit <- fit_coast_down(noisy(coasting(), 0.005))
+  run <- attr(fit, "fit")$runs[[1]]
+  at <- c(0, 2.5, 7.7)
+  free <- c("theta0", "omega0", "coulomb", "viscous", "quadratic")
+  # Central differences of the fitted motion by each parameter.
+  slope <- vapply(free, function(name) {
+    step <- 1e-5 * max(abs(run$p[[name]]), 0.1)
+    moved <- lapply(c(-1, 1), function(side) {
+      p <- run$p
+      p[name] <- p[[name]] + side * step
+      unlist(.Call(rotdyn:::ffi_coast_rows, run$problem, unname(p[1:7]), 0, at)[1:2])
+    })
+    (moved[[2]] - moved[[1]]) / (2 * step)
+  }, numeric(6))
+  want <- sqrt(rowSums((slope %*% run$covariance[free, free]) * slope))
+  got <- predict(fit, at)
+  expect_equal(got$theta_rad_se, unname(want[1:3]), tolerance = 1e-6)
+  expect_equal(got$omega_rad_per_s_se, unname(want[4:6]), tolerance = 1e-6)
+  # alpha = -(a + b omega + k omega^2): its band by differences of predict()'s own speeds.
+  steps <- c(-1e-4, 1e-4)
+  near <- predict(fit, 2.5 + steps)
+  expect_equal(got$alpha_rad_per_s2[2], diff(near$omega_rad_per_s) / 2e-4, tolerance = 1e-7)
+})
+
+test_that("negative omega is the mirror image; times may begin anywhere", {
+  samples <- noisy(coasting(), 0.005)
+  fit <- fit_coast_down(samples)
+  mirrored <- transform(samples, theta_rad = -theta_rad, time_s = time_s - 1000)
+  other <- fit_coast_down(mirrored)
+  expect_equal(other$value, fit$value, tolerance = 1e-7)
+  expect_equal(other$standard_error, fit$standard_error, tolerance = 1e-5)
+})
+
+test_that("pulses are fitted by their times", {
+  motion <- coasting(end = 9)
+  angles <- seq(0, max(motion$theta_rad), by = pi)
+  scene <- attr(motion, "run")$scene
+  times <- vapply(angles, function(x) when(motion, theta_rad = x)$time_s[1], 0)
+  set.seed(4)
+  pulses <- data.frame(t = times + stats::rnorm(length(times), 0, 2e-4))
+  fit <- fit_coast_down(motion_record(pulses, time_s = t, pulses = 2))
+  expect_lt(max(abs(fit$value - truth) / fit$standard_error), 3.5)
+  expect_lt(max(fit$standard_error / truth), 0.05)
+  expect_identical(glance(fit)$sigma_unit, "s")
+})
+
+test_that("a loss that is 0 has a limit, and no negative value", {
+  found <- vapply(1:12, function(seed) {
+    fit <- fit_coast_down(noisy(coasting(quadratic = 0), 0.005, seed = seed))
+    expect_true(all(fit$value >= 0 & fit$lower >= 0 & fit$upper >= fit$value))
+    fit$status[3] != "acts"
+  }, NA)
+  expect_gte(sum(found), 10)
+  # All of them: a body that keeps its speed.
+  set.seed(2)
+  samples <- data.frame(time_s = 0:100 / 10, theta_rad = 0:100 / 2 + stats::rnorm(101, 0, 0.001))
+  fit <- fit_coast_down(samples)
+  expect_false(any(fit$status == "acts"))
+  expect_match(fit$status[1], "not separable from viscous and quadratic")
+  expect_lt(retarding_torque(fit, 5)$upper, 1e-3)
+})
+
+test_that("correlated noise is found, and the errors allow for it", {
+  set.seed(5)
+  motion <- coasting()
+  noise <- as.vector(stats::filter(stats::rnorm(500), 0.9, "recursive"))[101:500] * 0.005
+  samples <- data.frame(time_s = motion$time_s, theta_rad = motion$theta_rad + noise)
+  fit <- fit_coast_down(samples)
+  white <- fit_coast_down(samples, noise = "white")
+  # tau = dt/-log(0.9), 0.19 s; the standard errors grow by sqrt((1 + r)/(1 - r)), 4.4.
+  expect_gt(glance(fit)$correlation_time_s, 0.08)
+  expect_lt(glance(fit)$correlation_time_s, 0.5)
+  expect_gt(fit$standard_error[1] / white$standard_error[1], 2.5)
+  expect_lt(fit$standard_error[1] / white$standard_error[1], 7)
+  expect_lt(max(abs(fit$value - truth) / fit$standard_error), 3)
+})
+
+test_that("the wheelchair: figures of the record, and the law is incomplete", {
+  file <- shared("data", "measured", "ngimu_wheelchair_coastdown_right.csv")
+  rows <- utils::read.csv(file, check.names = FALSE)
+  rows <- rows[rows[[1]] >= 9 & rows[[1]] <= 28.5, ]
+  record <- motion_record(
+    data.frame(t = rows[[1]], w = rows[[3]]), time_s = t, omega_deg_per_s = w
+  )
+  one <- fit_coast_down(record, losses = "coulomb")
+  expect_equal(one$value, 0.2144, tolerance = 0.001)
+  expect_true(one$standard_error > 0.001 && one$standard_error < 0.003)
+  white <- fit_coast_down(record, losses = "coulomb", noise = "white")
+  expect_lt(white$standard_error, 0.0004)
+  two <- fit_coast_down(record, losses = c("coulomb", "quadratic"))
+  expect_equal(two$value, c(0.196, 8.2e-4), tolerance = 0.02)
+  expect_equal(two$standard_error, c(0.009, 3.8e-4), tolerance = 0.05)
+  three <- fit_coast_down(record)
+  expect_output(print(three), "The law is incomplete: without a bound the viscous loss")
+  expect_false(glance(three)$complete)
+})
+
+test_that("shares of the energy sum to 1, and are those of the ledger", {
+  fit <- fit_coast_down(noisy(coasting(end = 12), 0.005), inertia = 0.0625)
+  budget <- loss_budget(fit)
+  expect_equal(sum(budget$share), 1, tolerance = 1e-13)
+  expect_true(all(budget$lower <= budget$share & budget$share <= budget$upper))
+  ledger <- augment(trajectory(as_scene(fit), c(0, 12)))[2, ]
+  want <- c(
+    ledger$dissipated_coulomb_j, ledger$dissipated_viscous_j, ledger$dissipated_quadratic_j
+  )
+  expect_equal(budget$energy_j, want, tolerance = 1e-9)
+  # Part of the way, against the same.
+  fit <- fit_coast_down(noisy(coasting(end = 3), 0.005))
+  scene <- as_scene(fit)
+  ledger <- augment(trajectory(scene, c(0, 3)))[2, ]
+  got <- loss_budget(fit)$energy_over_inertia[2]
+  expect_equal(got, ledger$dissipated_viscous_j, tolerance = 1e-9)
+})
+
+test_that("a short record does not separate the losses, and still has their sum", {
+  motion <- coasting(n = 200, end = 1.5)
+  fit <- fit_coast_down(noisy(motion, 0.005, seed = 3))
+  expect_output(print(fit), "This record does not separate")
+  middle <- mean(range(motion$omega_rad_per_s))
+  sum <- retarding_torque(fit, middle)
+  expect_lt(sum$standard_error / sum$deceleration_rad_per_s2, 0.01)
+  expect_lt(abs(sum$deceleration_rad_per_s2 - sum(truth * middle^(0:2))), 4 * sum$standard_error)
+})
+
+test_that("runs share the losses; runs that differ have a variance between them", {
+  runs <- lapply(1:4, function(i) {
+    noisy(coasting(omega0 = 14 + 2 * i), 0.005, seed = i)
+  })
+  fit <- fit_coast_down(runs)
+  one <- fit_coast_down(runs[[4]])
+  expect_lt(max(fit$standard_error / one$standard_error), 0.8)
+  expect_lt(max(abs(fit$value - truth) / fit$standard_error), 3.5)
+  expect_equal(glance(fit)$runs, 4L)
+  expect_lt(glance(fit)$birge_ratio, 2)
+  # The segments of a record are runs.
+  record <- motion_record(
+    do.call(rbind, Map(cbind, runs, run = 1:4)), time_s = time_s, theta_rad = theta_rad,
+    segment = run
+  )
+  expect_equal(fit_coast_down(record)$value, fit$value, tolerance = 1e-10)
+  differ <- lapply(1:4, function(i) {
+    noisy(coasting(coulomb = 0.0625 * (1.2 + 0.05 * c(-1, 1, 1.5, -1.5)[i])), 0.005, seed = i)
+  })
+  fit <- fit_coast_down(differ)
+  expect_gt(glance(fit)$birge_ratio, 3)
+  expect_gt(fit$standard_error[1], 0.02)
+  expect_output(print(fit), "a variance between\\s+runs")
+  curve <- predict(fit, run = 3)
+  expect_lt(max(abs(curve$theta_rad - differ[[3]]$theta_rad)), 0.5)
+})
+
+test_that("a weight that unwinds gives the inertia, the mass or gravity", {
+  # I = 0.02, m r^2 = 0.5 * 0.03^2; released at 4 s.
+  inertia <- 0.02
+  losses <- resistance(0.0004, 0, 0.01)
+  up <- scene_hanging_mass(inertia, 0.5, 0.03, resistance = losses)
+  up <- trajectory(up, seq(0, 4, by = 0.02))
+  last <- up[nrow(up), ]
+  down <- scene_axle(
+    inertia, NULL, losses, theta0_rad = last$theta_rad, omega0_rad_per_s = last$omega_rad_per_s,
+    start_s = 4
+  )
+  down <- trajectory(down, seq(4.02, 16, by = 0.02))
+  samples <- data.frame(
+    time_s = c(up$time_s, down$time_s), theta_rad = c(up$theta_rad, down$theta_rad)
+  )
+  set.seed(6)
+  samples$theta_rad <- samples$theta_rad + stats::rnorm(nrow(samples), 0, 0.005)
+  two <- c("coulomb", "viscous")
+  fit <- fit_coast_down(samples, losses = two, torque = falling_weight(0.5, 0.03))
+  expect_identical(fit$loss, c(two, "inertia"))
+  want <- c(0.01, 0.0004, inertia)
+  expect_lt(max(abs(fit$value - want) / fit$standard_error), 4)
+  expect_lt(max(fit$standard_error / want), 0.02)
+  for (unknown in c("mass", "gravity")) {
+    weight <- if (unknown == "mass") {
+      falling_weight(NA, 0.03)
+    } else {
+      falling_weight(0.5, 0.03, gravity_m_per_s2 = NA, until_s = 4)
+    }
+    fit <- fit_coast_down(samples, inertia, two, torque = weight)
+    expect_identical(fit$loss[3], unknown)
+    want <- if (unknown == "mass") 0.5 else 9.80665
+    expect_lt(abs(fit$value[3] - want) / fit$standard_error[3], 4)
+    expect_lt(fit$standard_error[3] / want, 0.01)
+  }
+  scene <- as_scene(fit)
+  expect_equal(scene$start_s, 4)
+  expect_equal(trajectory(scene, 10)$theta_rad, predict(fit, 10)$theta_rad, tolerance = 1e-12)
+})
+
+test_that("a known torque acts as well", {
+  scene <- scene_axle(0.0625, -0.02, resistance(0.00625, 0, 0.075), omega0_rad_per_s = 20)
+  motion <- trajectory(scene, seq(0, 8, length.out = 300))
+  fit <- fit_coast_down(
+    noisy(motion, 0), inertia = 0.0625, losses = c("coulomb", "viscous"), torque = -0.02
+  )
+  expect_equal(fit$value, c(0.075, 0.00625), tolerance = 1e-9)
+  expect_equal(
+    trajectory(as_scene(fit), 5)$theta_rad, trajectory(scene, 5)$theta_rad, tolerance = 1e-9
+  )
+})
+
+test_that("the sensor's runout is found and fitted", {
+  motion <- coasting(n = 600)
+  samples <- noisy(motion, 0.005)
+  samples$theta_rad <- samples$theta_rad + 0.02 * cos(motion$theta_rad - 1)
+  fit <- fit_coast_down(samples)
+  expect_output(print(fit), "repeat every turn")
+  fitted <- fit_coast_down(samples, runout = "fit")
+  expect_lt(max(abs(fitted$value - truth) / fitted$standard_error), 3.5)
+  expect_lt(max(fitted$standard_error / fit$standard_error), 0.8)
+  expect_equal(stats::sd(augment(fitted)$residual), 0.005, tolerance = 0.1)
+})
+
+test_that("the seven laws are compared", {
+  laws <- compare_laws(fit_coast_down(noisy(coasting(quadratic = 0), 0.005)))
+  expect_identical(nrow(laws), 7L)
+  expect_match(laws$law[1], "coulomb + viscous", fixed = TRUE)
+  expect_equal(laws$aicc_difference[1], 0)
+  expect_gt(laws$aicc_difference[laws$law == "viscous"], 100)
+  expect_setequal(laws$parameters, 3:5)
+})
+
+test_that("what is no coast-down is refused, in words", {
+  grows <- data.frame(time_s = 0:50, theta_rad = (0:50)^2)
+  expect_error(fit_coast_down(grows), "its speed grows", class = "rotdyn_error_value")
+  rest <- data.frame(time_s = 0:50, theta_rad = 0)
+  expect_error(fit_coast_down(rest), "at rest", class = "rotdyn_error_value")
+  rest$theta_rad <- NULL
+  rest$omega_rad_per_s <- 0
+  expect_error(fit_coast_down(rest), "at rest", class = "rotdyn_error_value")
+  samples <- noisy(coasting(), 0.005)
+  expect_error(fit_coast_down(samples[1:7, ]), class = "rotdyn_error_size")
+  expect_error(fit_coast_down(samples, torque = 1), class = "rotdyn_error_argument")
+  expect_error(fit_coast_down(samples, losses = "friction"), class = "rotdyn_error_value")
+  expect_error(fit_coast_down(samples, losses = 3), class = "rotdyn_error_type")
+  expect_error(fit_coast_down(samples, inertia = -1), class = "rotdyn_error_value")
+  expect_error(fit_coast_down(), class = "rotdyn_error_missing")
+  expect_error(fit_coast_down(3), class = "rotdyn_error_type")
+  expect_error(fit_coast_down(samples, runout = "x"), class = "rotdyn_error_value")
+  expect_error(
+    fit_coast_down(samples, torque = falling_weight(NA, 0.1)), class = "rotdyn_error_argument"
+  )
+  fit <- fit_coast_down(samples)
+  expect_error(predict(fit, -1), class = "rotdyn_error_time")
+  expect_error(predict(fit, run = 2), class = "rotdyn_error_value")
+  expect_error(loss_budget(3), class = "rotdyn_error_type")
+  expect_error(as_scene(3), class = "rotdyn_error_type")
+})
+
+test_that("what a fit says", {
+  expect_snapshot(print(fit_coast_down(noisy(coasting(), 0.005), measured(0.0625, 0.001))))
+  expect_snapshot(print(fit_coast_down(noisy(coasting(n = 200, end = 1.5), 0.005, seed = 3))))
+  expect_snapshot(print(fit_coast_down(noisy(coasting(quadratic = 0), 0.005, seed = 3))))
+  expect_snapshot(print(falling_weight(NA, 0.1)))
+})
+
+test_that("its columns are those of the dictionary, and it has a picture", {
+  fit <- fit_coast_down(noisy(coasting(), 0.005), inertia = 0.0625)
+  known <- rotdyn_columns()$name
+  for (table in list(fit, loss_budget(fit), retarding_torque(fit), compare_laws(fit),
+                     residual_tests(fit))) {
+    expect_setequal(setdiff(names(table), known), character())
+  }
+  skip_if_not_installed("ggplot2")
+  expect_s3_class(ggplot2::autoplot(fit), "ggplot")
+})
