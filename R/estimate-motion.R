@@ -375,7 +375,7 @@ new_estimate <- function(fit, call) {
   rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, no_times)
   fit$degrees <- max(fit$samples - rows$used, 1)
   fit$residual <- matrix(rows$residual, length(fit$data$time_s))
-  fit$events <- estimate_events(fit)
+  fit$events <- estimate_events(fit, rows$samples)
   out <- estimate_rows(fit, rows$samples, fit$data$time_s, fit$data$segment)
   out$flag <- estimate_flags(fit)
   tibble::new_tibble(
@@ -478,21 +478,32 @@ estimate_flags <- function(fit) {
   say(flag, c(gaps, gaps + 1L), "gap")
 }
 
+# Is the body at rest behind a break, and was it not before? Over 25 rows or to the next break; a
+# time that is off by a part of a spacing leaves them some rate.
+rests_behind <- function(fit, rows, i, alpha_jump) {
+  here <- which(fit$data$segment == fit$breaks$segment[i])
+  time <- fit$data$time_s[here]
+  at <- fit$breaks$time_s[i]
+  spacing <- stats::median(diff(time))
+  next_s <- min(c(fit$breaks$time_s[-seq_len(i)][fit$breaks$segment[-seq_len(i)] ==
+    fit$breaks$segment[i]], Inf))
+  behind <- utils::head(here[time > at & time < next_s], 27)[-(1:2)]
+  before <- utils::tail(here[time < at], 12)
+  still <- function(rows_at) {
+    t <- stats::qt(0.995, fit$degrees)
+    abs(rows$omega[rows_at]) <= pmax(t * sqrt(rows$v11[rows_at]), abs(alpha_jump) * spacing)
+  }
+  length(behind) > 2L && mean(still(behind)) > 0.9 && length(before) > 0L && !still(before[1])
+}
+
 # The breaks: kind, time, jumps with standard errors.
-estimate_events <- function(fit) {
+estimate_events <- function(fit, rows) {
   n <- length(fit$breaks$time_s)
   jumps <- if (n) .Call(ffi_smooth_breaks, fit$core, fit$breaks, fit$fit)
   jumps <- lapply(jumps, function(x) replace(x, is.nan(x), NA_real_))
   column <- function(name) if (n) jumps[[name]] else double()
   root <- function(name) sqrt(pmax(column(name), 0))
-  t <- stats::qt(0.995, fit$degrees)
-  # At rest behind the break, and for good: a stop.
-  rests <- if (n) {
-    abs(jumps$omega_after) <= t * sqrt(jumps$after_v11) &
-      abs(jumps$alpha_after) <= t * sqrt(jumps$after_v22)
-  } else {
-    logical()
-  }
+  rests <- vapply(seq_len(n), function(i) rests_behind(fit, rows, i, jumps$alpha_jump[i]), NA)
   first <- as.double(fit$breaks$first)
   event <- ifelse(first == 1, "impact", ifelse(rests, "stop", "switch"))
   clean <- function(x) replace(x, first == 2, 0)

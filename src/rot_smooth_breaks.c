@@ -132,6 +132,28 @@ static double window_time(window *w, double a, double b, int first, double *leas
   return at;
 }
 
+static int is_kept(const rot_smooth_record *record, size_t i) {
+  for (int c = 0; c < CHANNELS; c++)
+    if (record->y[c] && !isnan(record->y[c][i]) && !(record->w[c] && record->w[c][i] >= HUGE_VAL))
+      return 1;
+  return 0;
+}
+
+/* The time at which FROM_END samples lie between a break and what comes before it (side -1) or
+ * behind it (1): the end of the part or another break. */
+static double nearest(const window *w, int side) {
+  const size_t n = w->part.n;
+  const int more = side < 0 ? w->at > 0 : w->at + 1 < w->n;
+  const double other = more ? w->breaks[side < 0 ? w->at - 1 : w->at + 1].time_s : 0.0;
+  int seen = 0;
+  for (size_t j = 0; j < n; j++) {
+    const size_t i = side < 0 ? j : n - 1 - j;
+    if (more && (w->part.time_s[i] - other) * side > 0.0) continue;
+    if (is_kept(&w->part, i) && ++seen == FROM_END) return w->part.time_s[i];
+  }
+  return side < 0 ? HUGE_VAL : -HUGE_VAL;
+}
+
 /* Time and level of one break by likelihood at the fit's smoothness, in the interval of `before`
  * samples before it to `after` behind it. `gain`: by how much -2 log L with its penalty falls. */
 static rot_status place(const rot_smooth_record *record, double unit_s, const rot_smooth_fit *fit,
@@ -146,8 +168,8 @@ static rot_status place(const rot_smooth_record *record, double unit_s, const ro
     while (k + 1 < w.part.n && w.part.time_s[k] < breaks[which].time_s) k++;
     a = w.part.time_s[k > (size_t)before ? k - (size_t)before : 0];
     b = w.part.time_s[k + (size_t)after < w.part.n ? k + (size_t)after : w.part.n - 1];
-    if (w.at > 0) a = fmax(a, w.breaks[w.at - 1].time_s + unit_s);
-    if (w.at + 1 < w.n) b = fmin(b, w.breaks[w.at + 1].time_s - unit_s);
+    a = fmax(a, nearest(&w, -1));
+    b = fmin(b, nearest(&w, 1));
     const double without = window_try(&w, NAN, 0);
     for (int first = 1; first <= 2 && a < b; first++) {
       double value;
@@ -223,6 +245,10 @@ typedef struct finding {
   rot_smooth_fit fit;
 } finding;
 
+static int segment_of(const finding *of, size_t i) {
+  return of->record->segment ? of->record->segment[i] : 0;
+}
+
 static rot_status look(finding *of) {
   const size_t n = of->record->n;
   const double variance = of->fit.sigma * of->fit.sigma;
@@ -230,20 +256,21 @@ static rot_status look(finding *of) {
   rot_smooth_grid_fill(&of->grid, of->record, of->fit.ratio, of->n_breaks, of->breaks, NULL);
   rot_smooth_filter(&of->grid.nodes, &of->fit.model, 0, of->grid.nodes.n, &of->store, 1, &sums);
   rot_smooth_scores(&of->grid.nodes, &of->fit.model, &of->store, of->shock, of->residual);
+  size_t since = 0;
   for (size_t i = 0; i < n; i++) {
     const size_t k = of->grid.sample[i];
+    since = i > 0 && segment_of(of, i) == segment_of(of, i - 1) ? since + 1 : 0;
+    /* At the ends a shock cannot be told from a sample that is off. */
+    const int inside =
+        since >= FROM_END && i + FROM_END < n && segment_of(of, i + FROM_END) == segment_of(of, i);
     of->worst[i] = 0.0;
-    of->shock[i] = of->shock[k] / variance; /* sample[i] >= i: in place */
+    of->shock[i] = inside ? of->shock[k] / variance : 0.0; /* sample[i] >= i: in place */
     for (int c = 0; c < CHANNELS; c++) {
       const double e = of->residual[c][k];
       if (e * e / variance > of->worst[i]) of->worst[i] = e * e / variance;
     }
   }
   return rot_poll(of->hooks, 0.0);
-}
-
-static int segment_of(const finding *of, size_t i) {
-  return of->record->segment ? of->record->segment[i] : 0;
 }
 
 /* Leaves out samples: local maxima beyond the limit and above the shocks beside them. */
@@ -272,12 +299,10 @@ static size_t leave_out(finding *of) {
 /* The sample with the largest shock where a break may be, or n. */
 static size_t most_shocked(const finding *of) {
   const size_t n = of->record->n;
-  size_t best = n, b = 0, since = 0;
+  size_t best = n, b = 0;
   double most = shock_level;
   for (size_t i = 0; i < n; i++) {
-    since = i > 0 && segment_of(of, i) == segment_of(of, i - 1) ? since + 1 : 0;
-    if (!(of->shock[i] > most) || of->tried[i] || since < FROM_END) continue;
-    if (i + FROM_END >= n || segment_of(of, i + FROM_END) != segment_of(of, i)) continue;
+    if (!(of->shock[i] > most) || of->tried[i]) continue;
     int free_of = 1;
     for (b = 0; b < of->n_breaks && free_of; b++) {
       if (of->breaks[b].segment != segment_of(of, i)) continue;
@@ -304,6 +329,36 @@ static void insert(finding *of, double time_s, int segment, size_t *at) {
   of->breaks[i].first = 1;
   of->n_breaks++;
   *at = i;
+}
+
+/* Does leaving out one sample beside a break explain the record as well as the break, of which -2
+ * log L with its penalty is lower by `gain`? If so, it is left out. */
+static rot_status rather_sample(finding *of, size_t k, size_t at, double gain, int *is) {
+  const size_t n = of->record->n, low = k > FROM_END ? k - FROM_END : 0;
+  size_t worst = n;
+  *is = 0;
+  for (size_t i = low; i < n && i <= k + FROM_END; i++)
+    if (segment_of(of, i) == segment_of(of, k) && of->worst[i] > outlier &&
+        (worst == n || of->worst[i] > of->worst[worst]))
+      worst = i;
+  if (worst == n) return ROT_OK;
+  window w;
+  const rot_status status =
+      window_open(&w, of->record, of->grid.unit_s, &of->fit, of->n_breaks, of->breaks, at);
+  if (status == ROT_OK) {
+    double kept[CHANNELS] = {1.0, 1.0};
+    const double with = window_try(&w, NAN, 0);
+    for (int c = 0; c < CHANNELS; c++)
+      if (of->record->y[c]) {
+        kept[c] = of->record->w[c][worst];
+        of->record->w[c][worst] = HUGE_VAL;
+      }
+    *is = with - window_try(&w, NAN, 0) - log((double)n) >= gain;
+    for (int c = 0; c < CHANNELS && !*is; c++)
+      if (of->record->y[c]) of->record->w[c][worst] = kept[c];
+  }
+  window_close(&w);
+  return status;
 }
 
 static void take_out(finding *of, size_t at) {
@@ -339,6 +394,16 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
     insert(of, of->record->time_s[k], segment_of(of, k), &at);
     status =
         place(of->record, of->grid.unit_s, &of->fit, of->n_breaks, of->breaks, at, 3, 2, &gain);
+    if (status == ROT_OK && of->how->outliers) {
+      int sample;
+      status = rather_sample(of, k, at, gain, &sample);
+      if (sample) {
+        take_out(of, at);
+        ++*changes;
+        if (status == ROT_OK) status = refit(of, 0);
+        continue;
+      }
+    }
     if (status == ROT_OK && gain > 0.0) status = refit(of, 0);
     /* Smoothness was chosen with the break inside: place it again. */
     if (status == ROT_OK && gain > 0.0)
@@ -352,6 +417,109 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
       of->fit = kept;
       of->tried[k] = 1;
     }
+  }
+  return status;
+}
+
+/* -2 log L of the whole record with log n for every state that is forgotten and sample left out
+ * beside a break, at the fit's smoothness. */
+static double total(finding *of, const rot_smooth_break *breaks, size_t n_breaks, long left) {
+  rot_smooth_sums sums;
+  double sigma;
+  rot_smooth_grid_fill(&of->grid, of->record, of->fit.ratio, n_breaks, breaks, NULL);
+  const double value =
+      rot_smooth_objective(&of->grid.nodes, &of->fit.model,
+                           rot_smooth_floor(&of->grid, of->record, of->fit.ratio), &sigma, &sums);
+  return value + log((double)of->record->n) * ((double)sums.fresh + (double)left);
+}
+
+static rot_status place_in(finding *of, rot_smooth_break *breaks, size_t n, size_t which) {
+  double gain;
+  return place(of->record, of->grid.unit_s, &of->fit, n, breaks, which, 3, 3, &gain);
+}
+
+static double toggle(finding *of, size_t i, double w) {
+  double kept = 1.0;
+  for (int c = 0; c < CHANNELS; c++)
+    if (of->record->y[c]) {
+      kept = of->record->w[c][i];
+      of->record->w[c][i] = w;
+    }
+  return kept;
+}
+
+/* Breaks that may be better than those of the finding. */
+typedef struct better {
+  rot_smooth_break *breaks;
+  size_t n, sample; /* left out, or taken back; the record's n: none */
+  double value;
+} better;
+
+/* Each sample beside break j of the list `from`, left out or taken back, with the break placed
+ * again: the best goes into `best` if it is better. */
+static rot_status beside(finding *of, const rot_smooth_break *from, size_t m, size_t j,
+                         rot_smooth_break *trial, better *best) {
+  enum { BESIDE = 3 };
+  const size_t n = of->record->n;
+  rot_status status = ROT_OK;
+  size_t k = 0;
+  while (k < n && (segment_of(of, k) < from[j].segment || (segment_of(of, k) == from[j].segment &&
+                                                           of->record->time_s[k] < from[j].time_s)))
+    k++;
+  for (size_t i = k > BESIDE ? k - BESIDE : 0; i < k + BESIDE && i < n && status == ROT_OK; i++) {
+    if (segment_of(of, i) != from[j].segment) continue;
+    const int is_left = !is_kept(of->record, i);
+    const double w = toggle(of, i, is_left ? 1.0 : HUGE_VAL);
+    memcpy(trial, from, m * sizeof *trial);
+    status = place_in(of, trial, m, j);
+    const double value = total(of, trial, m, is_left ? -1 : 1);
+    if (value < best->value) {
+      best->value = value;
+      best->sample = i;
+      best->n = m;
+      memcpy(best->breaks, trial, m * sizeof *trial);
+    }
+    toggle(of, i, w);
+  }
+  return status;
+}
+
+/* A sample that is off beside a break attracts more breaks. Tries each break away, and each sample
+ * beside one left out or taken back, with the breaks around placed again; takes what is better.
+ * `room` holds three lists of breaks. */
+static rot_status polish(finding *of, rot_smooth_break *room, size_t most, size_t *changes) {
+  const size_t n = of->record->n;
+  const double near_s = 12.0 * of->grid.unit_s;
+  rot_smooth_break *without = room, *trial = room + most;
+  rot_status status = ROT_OK;
+  for (size_t b = 0; b < of->n_breaks && status == ROT_OK; b++) {
+    better best = {room + 2 * most, 0, n, total(of, of->breaks, of->n_breaks, 0)};
+    const double now = best.value;
+    const size_t m = of->n_breaks - 1;
+    memcpy(without, of->breaks, b * sizeof *without);
+    memcpy(without + b, of->breaks + b + 1, (m - b) * sizeof *without);
+    for (size_t j = 0; j < m && status == ROT_OK; j++)
+      if (without[j].segment == of->breaks[b].segment &&
+          fabs(without[j].time_s - of->breaks[b].time_s) < near_s) {
+        status = place_in(of, without, m, j);
+        if (status == ROT_OK && of->how->outliers) status = beside(of, without, m, j, trial, &best);
+      }
+    const double value = total(of, without, m, 0);
+    if (value < best.value) {
+      best.value = value;
+      best.sample = n;
+      best.n = m;
+      memcpy(best.breaks, without, m * sizeof *without);
+    }
+    if (status == ROT_OK && of->how->outliers)
+      status = beside(of, of->breaks, of->n_breaks, b, trial, &best);
+    if (!(best.value < now) || status != ROT_OK) continue;
+    const size_t fewer = of->n_breaks - best.n;
+    memcpy(of->breaks, best.breaks, best.n * sizeof *best.breaks);
+    of->n_breaks = best.n;
+    if (best.sample < n) toggle(of, best.sample, is_kept(of->record, best.sample) ? HUGE_VAL : 1.0);
+    ++*changes;
+    if (fewer > 0) b = (size_t)-1;
   }
   return status;
 }
@@ -373,28 +541,30 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
   if (status == ROT_OK && (how->breaks || how->outliers)) {
     double *memory = calloc((2 + CHANNELS) * nodes, sizeof *memory);
     status = rot_smooth_store_new(&of.store, nodes, ROT_SMOOTH_MOST);
+    rot_smooth_break *trial = calloc(3 * room + 1, sizeof *trial);
     of.tried = calloc(record->n + 1, 1);
-    if (!memory || !of.tried) status = ROT_ENOMEM;
+    if (!memory || !of.tried || !trial) status = ROT_ENOMEM;
     of.shock = memory;
     if (status == ROT_OK) {
       of.worst = memory + nodes;
       for (int c = 0; c < CHANNELS; c++) of.residual[c] = memory + (size_t)(2 + c) * nodes;
     }
     for (int pass = 0; pass < 4 && status == ROT_OK; pass++) {
-      size_t changes = 0;
+      size_t changes = 0, polished = 0;
+      const int order = of.fit.model.order;
       status = settle(&of, given, &changes);
       if (status != ROT_OK || changes == 0) break;
-      const int order = of.fit.model.order;
       status = refit(&of, 1);
-      if (of.fit.model.order == order) break;
+      if (status == ROT_OK && how->breaks) status = polish(&of, trial, room, &polished);
+      if (status == ROT_OK && polished > 0) status = refit(&of, 1);
+      if (of.fit.model.order == order && polished == 0) break;
     }
-    for (size_t i = 0; how->breaks && i < of.n_breaks && status == ROT_OK; i++) {
-      double gain;
-      status = place(record, of.grid.unit_s, &of.fit, of.n_breaks, of.breaks, i, 2, 2, &gain);
-    }
+    for (size_t i = 0; how->breaks && i < of.n_breaks && status == ROT_OK; i++)
+      status = place_in(&of, of.breaks, of.n_breaks, i);
     if (status == ROT_OK && of.n_breaks > given) status = refit(&of, 0);
     free(memory);
     free(of.tried);
+    free(trial);
     rot_smooth_store_free(&of.store);
   }
   rot_smooth_grid_free(&of.grid);
