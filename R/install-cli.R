@@ -1,0 +1,85 @@
+#' The command line
+#'
+#' Writes a command, `rotdyn`, that runs this package from a shell, with this R and these libraries.
+#' `rotdyn help` lists its verbs: motions of scenes, the choice of a model, audits, rolling,
+#' inertia, records. `vignette("command-line")` shows them.
+#'
+#' Data goes to standard output, words to standard error. Neither the user's nor the site's profile
+#' is read. Exit status: 0 done; 1 done, and the answer is no; 2 wrong usage; 3 unreadable or
+#' impossible input; 4 no model reaches the accuracy; 70 a fault of this package; 130 interrupted;
+#' 141 the reader of the output left.
+#'
+#' @param dir A folder, better one on the PATH. It is made where it does not exist.
+#' @param ... Not used: an unknown argument is an error.
+#' @param overwrite TRUE to replace a file that `install_cli()` did not write.
+#' @return The path of the command, invisibly.
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_file` where the command cannot be written, or
+#'   another file of its name is there.
+#' @seealso [write_scene()] and [read_scene()] for scenes as files, [trajectory()], [choose_model()],
+#'   [rolling_table()].
+#' @concept shell
+#' @concept terminal
+#' @examples
+#' command <- install_cli(tempfile("bin"))
+#' \donttest{
+#' system2(command, c("roll", "--beta", "0.4", "--angle-deg", "20", "--height-m", "1"))
+#' }
+#' @export
+install_cli <- function(dir = "~/.local/bin", ..., overwrite = FALSE) {
+  call <- check_no_dots(...)
+  if (!rlang::is_string(dir) || !nzchar(dir)) {
+    abort_rotdyn(c(
+      "{.arg dir} must be the name of a folder.", x = "It is {describe_value(dir)}."
+    ), "type", call)
+  }
+  if (!isTRUE(overwrite) && !isFALSE(overwrite)) {
+    abort_rotdyn(c(
+      "{.arg overwrite} must be TRUE or FALSE.", x = "It is {describe_value(overwrite)}."
+    ), "type", call)
+  }
+  windows <- .Platform$OS.type == "windows"
+  path <- file.path(path.expand(dir), if (windows) "rotdyn.cmd" else "rotdyn")
+  if (file.exists(path) && !overwrite &&
+      !any(grepl(cli_mark, readLines(path, warn = FALSE), fixed = TRUE))) {
+    abort_rotdyn(c(
+      "{.file {path}} is another file.", i = "{.code overwrite = TRUE} replaces it."
+    ), "file", call)
+  }
+  written <- tryCatch({
+    suppressWarnings(dir.create(dirname(path), FALSE, TRUE))
+    suppressWarnings(writeLines(cli_launcher(windows), path))
+    Sys.chmod(path, "0755", FALSE)
+  }, error = identity)
+  if (inherits(written, "error") || !file.exists(path)) {
+    abort_rotdyn("{.file {path}} cannot be written.", "file", call)
+  }
+  invisible(path)
+}
+
+cli_mark <- "written by rotdyn::install_cli()"
+
+cli_call <- 'tryCatch(rotdyn:::cli_main(),interrupt=function(e)quit("no",130L))'
+
+cli_flags <- "--no-echo --no-save --no-restore --no-site-file --no-init-file"
+
+# What starts R, with the libraries of this session.
+cli_launcher <- function(windows) {
+  libraries <- paste(normalizePath(.libPaths(), mustWork = FALSE), collapse = .Platform$path.sep)
+  R <- file.path(R.home("bin"), "R")
+  if (windows) {
+    return(c(
+      paste("@rem rotdyn on the command line,", cli_mark), paste0("@set R_LIBS=", libraries),
+      "@set R_DEFAULT_PACKAGES=NULL", "@set LANGUAGE=en",
+      paste0("@\"", R, "\" ", cli_flags, " -e \"", gsub("\"", "'", cli_call), "\" --args %*")
+    ))
+  }
+  c(
+    "#!/bin/sh", paste("# rotdyn on the command line,", cli_mark),
+    paste0("R_LIBS=", shQuote(libraries), " R_DEFAULT_PACKAGES=NULL LANGUAGE=en"),
+    "export R_LIBS R_DEFAULT_PACKAGES LANGUAGE",
+    # No complaint of R's about a locale that is not installed.
+    "test \"$(LC_ALL=C.UTF-8 locale charmap 2> /dev/null)\" != UTF-8 || LC_ALL=C.UTF-8",
+    "test -z \"$LC_ALL\" || export LC_ALL",
+    paste("exec", shQuote(R), cli_flags, "-e", shQuote(cli_call), "--args \"$@\"")
+  )
+}

@@ -1,0 +1,343 @@
+# A folder of inputs, in which each test runs.
+in_folder <- function(code) {
+  folder <- tempfile("cli")
+  dir.create(folder)
+  old <- setwd(folder)
+  on.exit({
+    setwd(old)
+    unlink(folder, recursive = TRUE)
+  })
+  wheel_json()
+  writeLines(c(
+    gsub("\n", "", paste(readLines("wheel.json"), collapse = "")),
+    '{"scene_axle": {"body": 0.5, "omega0_rad_per_s": 3, "resistance": {"coulomb_n_m": 0.2}}}'
+  ), "two.jsonl")
+  writeLines('{"scene_axle": {"bdy": 1}}', "bad.json")
+  writeLines('{"body_disk": {"mass_kg": 2, "radius_m": 0.25}}', "body.json")
+  writeLines("time_s,torque_n_m\n0,0\n1,0.8\n4,0.8\n6,0\n8,0", "torque.csv")
+  writeLines("beta,incline_angle_deg\n0.4,10\n0.5,30", "balls.csv")
+  writeLines("ixx,iyy,izz\n1,2,3\n1,2,9", "tensors.csv")
+  writeLines(c(
+    "ixx_kg_m2,iyy_kg_m2,izz_kg_m2,omega_x_rad_per_s,omega_y_rad_per_s,omega_z_rad_per_s",
+    "1,2,2.5,0.01,1,0"
+  ), "debris.csv")
+  for (file in c("arm.urdf", "gyroscope_cases.csv", "rolling_cases.csv")) {
+    file.copy(system.file("extdata", file, package = "rotdyn"), file)
+  }
+  file.create("empty")
+  dir.create("folder")
+  force(code)
+}
+
+test_that("each verb prints what it printed: tables", {
+  skip_if_not_installed("yyjsonr")
+  in_folder(expect_snapshot({
+    cli_golden("roll")
+    cli_golden("roll", "--beta=0.4", "--angle-deg", "20", "--height-m", "1", "--format", "json")
+    cli_golden("roll", "rolling_cases.csv", "--format", "text")
+    cli_golden("roll", "balls.csv", "--format", "jsonl")
+    cli_golden("race", "--objects", "hoop,disk,sphere", "--angle-deg", "10")
+    cli_golden("inertia", "disk", "--mass-kg", "2", "--radius-m", "0.25")
+    cli_golden("check-inertia", "tensors.csv", "--format", "text")
+    cli_golden("tumble", "debris.csv", "--time-s", "10", "--format", "text")
+    cli_golden("precess", "gyroscope_cases.csv")
+  }))
+})
+
+test_that("each verb prints what it printed: motions", {
+  skip_if_not_installed("yyjsonr")
+  in_folder(expect_snapshot({
+    cli_golden("trajectory", "wheel.json", "--times", "0:8:4", "--format", "text")
+    cli_golden("trajectory", "two.jsonl", "--times", "0,8", "--format", "jsonl")
+    cli_golden("choose", "wheel.json", "--times", "0:8:1", "--format", "text")
+    cli_golden("audit", "wheel.json", "--times", "0:8:1", "--format", "text")
+    cli_golden("audit", "two.jsonl", "--times", "0:8:1")
+  }))
+})
+
+test_that("each verb prints what it printed: lists and words", {
+  expect_snapshot({
+    cli_golden("help")
+    cli_golden("help", "trajectory")
+    cli_golden("completion", "bash")
+  })
+  expect_identical(cli("version")$out, paste0(
+    "rotdyn ", utils::packageVersion("rotdyn"), ", R ", getRversion()
+  ))
+  for (verb in c("shapes", "models", "columns")) {
+    said <- cli(verb, "--format", "jsonl")
+    expect_identical(said$status, 0L)
+    expect_true(all(grepl("^[{].*[}]$", said$out)))
+  }
+  expect_length(cli("shapes", "--format", "jsonl")$out, nrow(shapes()))
+  expect_length(cli("models")$out, nrow(models()) + 1L)
+})
+
+test_that("work-precision measures", {
+  skip_if_not_installed("yyjsonr")
+  in_folder({
+    said <- cli("work-precision", "wheel.json", "--times", "0:8:1", "--accuracies", "1e-3",
+                "--least-batch-s", "0.001")
+  })
+  expect_identical(said$status, 0L)
+  expect_match(said$out[1], "^model,method,accuracy,")
+  expect_true(any(grepl("^axle_linear,", said$out)))
+})
+
+test_that("faults and statuses are what they were", {
+  skip_if_not_installed("yyjsonr")
+  in_folder(expect_snapshot({
+    cli_golden()
+    cli_golden("rol")
+    cli_golden("roll", "--bta", "1")
+    cli_golden("roll", "--beta")
+    cli_golden("roll", "--beta", "0.4x")
+    cli_golden("roll", "--beta", "1", "--beta", "2")
+    cli_golden("roll", "--quiet=1")
+    cli_golden("roll", "a", "b")
+    cli_golden("roll", "--beta", "-1")
+    cli_golden("roll", "--beta", "-1", "--format", "json")
+    cli_golden("roll", "nothing.csv")
+    cli_golden("roll", "empty")
+    cli_golden("roll", "folder")
+    cli_golden("roll", "-")
+    cli_golden("roll", "--out", "folder/no/file.csv")
+    cli_golden("trajectory", "wheel.json")
+    cli_golden("trajectory", "--times", "0:8:1")
+    cli_golden("trajectory", "wheel.json", "--times", "0:8")
+    cli_golden("trajectory", "bad.json", "--times", "0:8:1")
+    cli_golden("trajectory", "body.json", "--times", "0:8:1")
+    cli_golden("trajectory", "wheel.json", "--times", "0:8:1", "--model", "axle_fre")
+    cli_golden("trajectory", "wheel.json", "--times", "0:8:1", "--model", "axle_free")
+    cli_golden("trajectory", "wheel.json", "--times", "0:8:1", "--shape", "disk")
+    cli_golden("choose", "wheel.json", "--times", "0:8:1", "--accuracy", "1e-17")
+    cli_golden("inertia", "disc", "--mass-kg", "1")
+    cli_golden("inertia", "disk", "--mass-kg", "1")
+    cli_golden("inertia", "disk", "--mass-kg", "1", "--radius-m", "1", "--edge-m", "2")
+    cli_golden("completion", "fish")
+  }))
+})
+
+test_that("a robot with a link that cannot exist is a no", {
+  skip_if_not_installed("xml2")
+  in_folder({
+    said <- cli("check-inertia", "arm.urdf")
+    both <- cli("check-inertia", "tensors.csv", "arm.urdf")
+  })
+  expect_identical(said$status, 1L)
+  expect_match(said$out, "^arm.urdf,forearm,fails,\"triangle inequality", all = FALSE)
+  expect_identical(both$status, 1L)
+  expect_length(both$out, 1L + 2L + length(said$out) - 1L)
+})
+
+test_that("the numbers are R's, to the last bit", {
+  skip_if_not_installed("yyjsonr")
+  in_folder({
+    said <- cli("trajectory", "wheel.json", "--times", "0:8:0.01")
+    options <- cli("trajectory", "--shape", "disk", "--mass-kg", "2", "--radius-m", "0.25",
+                   "--torque-file", "torque.csv", "--viscous-n-m-s", "0.03", "--times", "0:8:0.01")
+    piped <- cli("trajectory", "-", "--times", "0:8:0.01", input = readLines("wheel.json"))
+  })
+  expect_identical(options$out, said$out)
+  expect_identical(piped$out, said$out)
+  read <- utils::read.csv(text = said$out)
+  motion <- trajectory(article_scene(), seq(0, 8, by = 0.01))
+  expect_identical(names(read), names(motion))
+  for (name in names(read)) expect_true(all(read[[name]] == motion[[name]]))
+  five <- utils::read.csv(text = cli("roll")$out)
+  expect_equal(five, as.data.frame(rolling_table()), tolerance = 0, ignore_attr = TRUE)
+})
+
+test_that("options are taken in both forms, and words are words", {
+  one <- cli("roll", "--beta=0.4")$out
+  expect_identical(cli("roll", "--beta", "0.4")$out, one)
+  expect_identical(cli("roll", "--beta", "4e-1")$out, one)
+  expect_identical(cli("roll", "--incline-angle-deg", "20", "--beta", "+.4")$out, one)
+  expect_identical(cli("roll", "--beta", "0.4", "--angle-deg", "-5")$status, 0L)
+  expect_identical(cli("roll", "--", "--beta")$status, 3L) # a file of that name
+  expect_identical(cli("--version")$out, cli("version")$out)
+  expect_identical(cli("roll", "-h")$out, cli("help", "roll")$out)
+  expect_identical(cli("roll", "-", input = c("beta", "0.4"))$out, one)
+  # A file from elsewhere.
+  expect_identical(cli("roll", "-", input = c("\ufeffbeta\r", "0.4\r"))$out, one)
+})
+
+test_that("formats: a terminal reads text, a pipe csv", {
+  expect_identical(cli("roll", terminal = TRUE)$out, cli("roll", "--format", "text")$out)
+  expect_identical(cli("roll")$out, cli("roll", "--format", "csv")$out)
+  table <- list(
+    x = c(1, NA, NaN, Inf, -0.1), word = c("a,b", NA, "q\"q", "", "line\nline"),
+    yes = c(TRUE, NA, FALSE, TRUE, TRUE)
+  )
+  expect_identical(rotdyn:::cli_csv(table), c(
+    "x,word,yes", "1,\"a,b\",true", ",,", "NaN,\"q\"\"q\",false", "Inf,\"\",true",
+    "-0.1,\"line\nline\",true"
+  ))
+  expect_identical(rotdyn:::cli_json_rows(table), c(
+    '{"x":1,"word":"a,b","yes":true}', '{"x":null,"word":null,"yes":null}',
+    '{"x":"NaN","word":"q\\"q","yes":false}', '{"x":"Inf","word":"","yes":true}',
+    '{"x":-0.1,"word":"line\\nline","yes":true}'
+  ))
+  expect_identical(rotdyn:::cli_json(list(x = double())), "[]")
+  expect_identical(rotdyn:::cli_csv(list(x = double())), "x")
+})
+
+test_that("--out writes the data, --quiet keeps the words", {
+  skip_if_not_installed("yyjsonr")
+  in_folder({
+    said <- cli("trajectory", "wheel.json", "--times", "0:8:4", "--out", "rows.csv")
+    expect_length(said$out, 0L)
+    expect_match(said$err, "axle_linear, error at most")
+    expect_identical(readLines("rows.csv"), cli("trajectory", "wheel.json", "--times", "0:8:4")$out)
+    expect_length(cli("trajectory", "wheel.json", "--times", "0:8:4", "--quiet")$err, 0L)
+  })
+})
+
+test_that("times", {
+  times <- function(text) rotdyn:::cli_times(text, function(what) stop(what))
+  expect_identical(times("0:1:0.1"), 0 + 0:10 * 0.1)
+  expect_identical(times("0,1e-3,2:3:0.5"), c(0, 1e-3, 2, 2.5, 3))
+  expect_identical(times("-1"), -1)
+  for (bad in c("", "0:1", "0:1:0", "0:1:-1", "a", "0:1:0.1:2", "0:Inf:1", "0:1e9:1", "1;2")) {
+    expect_error(times(bad))
+  }
+})
+
+test_that("an internal fault is status 70, an unread pipe 141, an interrupt 130", {
+  broken <- function(e) {
+    list(rotdyn:::cli_verb("broken", "", c(0, 0), "it fails", list(), function(...) stop(e)))
+  }
+  said <- cli("broken", verbs = broken("no such thing"))
+  expect_identical(said$status, 70L)
+  expect_match(said$err, "internal fault: no such thing")
+  expect_identical(
+    cli("broken", "--format", "json", verbs = broken("x"))$err,
+    '{"error":"fault","message":"x","status":70}'
+  )
+  expect_identical(cli("broken", verbs = broken("ignoring SIGPIPE signal"))$status, 141L)
+  stopped <- structure(class = c("interrupt", "condition"), list(message = "", call = NULL))
+  said <- cli("broken", verbs = broken(stopped))
+  expect_identical(said[c("status", "err")], list(status = 130L, err = "rotdyn: interrupted"))
+})
+
+test_that("an error figure beyond the accuracy is status 4, with the rows", {
+  warns <- list(rotdyn:::cli_verb("coarse", "", c(0, 0), "x", list(), function(...) {
+    rotdyn:::warn_rotdyn("The bound is too large.", "accuracy", NULL)
+    list(table = list(x = 1))
+  }))
+  expect_identical(cli("coarse", verbs = warns), list(
+    status = 4L, out = c("x", "1"), err = "rotdyn: warning: The bound is too large."
+  ))
+})
+
+test_that("every verb has help, and its examples parse", {
+  verbs <- rotdyn:::cli_verbs()
+  for (verb in verbs) {
+    expect_identical(cli(verb$name, "--help")$out, cli("help", verb$name)$out)
+    names <- vapply(c(verb$options, rotdyn:::cli_common()), `[[`, "", "name")
+    expect_false(anyDuplicated(names) > 0)
+    for (example in verb$example) {
+      if (!startsWith(example, "rotdyn ")) next
+      words <- strsplit(sub(" >.*", "", example), " ")[[1]]
+      expect_identical(words[2], verb$name)
+      expect_no_error(rotdyn:::cli_parse(words[-(1:2)], verb))
+    }
+  }
+})
+
+# Random command lines: words, options and files that are right, wrong and odd.
+random_lines <- function(n, seed) {
+  set.seed(seed)
+  verbs <- rotdyn:::cli_verbs()
+  verbs <- Filter(function(verb) verb$name != "work-precision", verbs)
+  odd <- c("", "-", "--", "-x", "--=", "--beta=", "0,4", "1e400", "NaN", "NA", "-1", "\u00e9",
+           "a b", "'", "\"", "\\", "{}", "*", "%s", "`x`", "{x}", "\xff\xfe")
+  values <- c(odd, "0.4", "2", "1,2,3", "0:8:1", "0,1", "hoop,disk", "disk", "sphere", "1e-6",
+              "csv", "json", "text", "axle_linear", "bash", "roll")
+  files <- c("wheel.json", "two.jsonl", "bad.json", "body.json", "torque.csv", "balls.csv",
+             "tensors.csv", "debris.csv", "arm.urdf", "empty", "folder", "none", "-")
+  lapply(seq_len(n), function(i) {
+    verb <- verbs[[sample(length(verbs), 1)]]
+    options <- setdiff(vapply(c(verb$options, rotdyn:::cli_common()), `[[`, "", "name"), "out")
+    parts <- replicate(sample(0:4, 1), simplify = FALSE, {
+      option <- paste0("--", sample(options, 1))
+      switch(sample(5, 1), sample(files, 1), sample(odd, 1), option,
+             c(option, sample(values, 1)), paste0(option, "=", sample(values, 1)))
+    })
+    c(if (runif(1) < 0.95) verb$name else sample(odd, 1), unlist(parts),
+      if ("times" %in% verb$needs && runif(1) < 0.7) c("--times", "0:8:2"))
+  })
+}
+
+test_that("random command lines end with a status and words, never in a fault of ours", {
+  skip_if_not_installed("yyjsonr")
+  n <- as.integer(Sys.getenv("ROTDYN_CLI_LINES", "200"))
+  statuses <- integer()
+  in_folder(for (line in random_lines(n, 20261122)) {
+    said <- cli(line, input = "x")
+    statuses <- c(statuses, said$status)
+    bad <- !said$status %in% 0:4 ||
+      !all(grepl("^(rotdyn: |  |[{])", said$err, useBytes = TRUE)) ||
+      (said$status %in% 2:3 && !length(said$err))
+    if (bad) {
+      fail(paste(c("rotdyn", encodeString(line, quote = "'"), "->", said$status, said$err),
+                 collapse = " "))
+    }
+  })
+  expect_true(all(c(0L, 2L, 3L) %in% statuses))
+})
+
+# ---- as a process -------------------------------------------------------------------------------
+
+# Runs a line of sh in which `rotdyn` is the command of the installed package.
+in_shell <- function(line, folder, env = character()) {
+  rotdyn <- system.file("exec", "rotdyn", package = "rotdyn")
+  env <- c(
+    env, paste0("R_LIBS=", shQuote(paste(.libPaths(), collapse = ":"))),
+    paste0("ROTDYN_R=", shQuote(file.path(R.home("bin"), "R"))), "R_TESTS="
+  )
+  script <- c(paste0("cd ", shQuote(folder)), paste0("export ", paste(env, collapse = " ")),
+              paste0("rotdyn() { ", shQuote(rotdyn), " \"$@\"; }"), line)
+  file <- tempfile(fileext = ".sh")
+  on.exit(unlink(file))
+  writeLines(script, file)
+  suppressWarnings(system2("sh", file, stdout = TRUE, stderr = TRUE))
+}
+
+test_that("the command in a shell: pipes, profiles, locales, interrupts", {
+  skip_on_cran()
+  skip_on_os("windows")
+  folder <- tempfile("shell")
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  wheel_json(folder)
+  writeLines(c('cat("NOISE\n")', "options(OutDec = ',')"), file.path(folder, ".Rprofile"))
+  five <- rotdyn:::cli_csv(as.list(rolling_table()))
+  expect_identical(in_shell("rotdyn roll; echo $?", folder), c(five, "0"))
+  expect_identical(
+    in_shell("rotdyn roll", folder, c("LC_ALL=de_DE.UTF-8", "R_PROFILE_USER=.Rprofile")), five
+  )
+  expect_identical(in_shell("rotdyn roll 2>&1 >/dev/null", folder), character())
+  expect_identical(
+    in_shell("printf 'beta\\n0.4\\n' | rotdyn roll - | tail -n 1 | cut -d, -f1", folder), "0.4"
+  )
+  expect_identical(
+    in_shell("rotdyn roll - < /dev/null; echo $?", folder),
+    c("rotdyn: standard input: it is empty", "3")
+  )
+  # The reader leaves: no words of R's, status 141.
+  said <- in_shell(paste(
+    "{ rotdyn trajectory --moment-of-inertia-kg-m2 1 --times 0:1:0.00001 --quiet; echo $? >&2; } |",
+    "head -n 1"
+  ), folder)
+  expect_identical(sort(said), sort(c(
+    "141", paste(names(trajectory(scene_axle(1), 0)), collapse = ",")
+  )))
+  skip_if(Sys.which("timeout") == "", "there is no timeout")
+  command <- shQuote(system.file("exec", "rotdyn", package = "rotdyn"))
+  said <- in_shell(paste(
+    "timeout --preserve-status -s INT 2 ", command,
+    "work-precision --moment-of-inertia-kg-m2 1 --times 0,1 --least-batch-s 60; echo $?"
+  ), folder)
+  expect_identical(said, c("rotdyn: interrupted", "130"))
+})
