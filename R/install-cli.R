@@ -15,8 +15,8 @@
 #' @return The path of the command, invisibly.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_file` where the command cannot be written, or
 #'   another file of its name is there.
-#' @seealso [write_scene()] and [read_scene()] for scenes as files, [trajectory()], [choose_model()],
-#'   [rolling_table()].
+#' @seealso [write_scene()] and [read_scene()] for scenes as files, [trajectory()],
+#'   [choose_model()], [rolling_table()].
 #' @concept shell
 #' @concept terminal
 #' @examples
