@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format
 .PHONY: check-valgrind check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-interrupt library examples
+.PHONY: check-interrupt check-measurement library examples
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -49,6 +49,9 @@ check-valgrind: ## C core and C boundary under valgrind
 
 check-nosuggests: ## check and tests with the imported packages alone
 	@sh tools/check-nosuggests.sh
+
+check-measurement: ## do the error bars of measured motions hold the truth: RECORDS=500, SEED=
+	@sh tools/check-measurement.sh $(or $(RECORDS),500) $(SEED)
 
 check-coverage: ## do the reported errors cover the true ones: SCENES=1000 of each class, SEED=
 	@sh tools/check-coverage.sh $(or $(SCENES),1000) $(SEED)

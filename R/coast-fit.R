@@ -275,9 +275,24 @@ unpack_run <- function(out, problem) {
     best_covariance = square(out$bounded_covariance),
     best_sigma = out$bounded_numbers[2],
     held = stats::setNames(out$at_bound > 0, coast_losses),
-    numbers = numbers, residual = out$residual,
-    dof = length(problem$time_s) - numbers[["free"]]
+    numbers = numbers, residual = out$residual, dof = coast_dof(problem$time_s, numbers)
   )
+}
+
+# Degrees of freedom. Of the slow part of the noise a run of length T has as many independent
+# samples as its mean would show, T/(2 tau) (Bayley and Hammersley, J. R. Stat. Soc. B 8, 184, 1946);
+# the two parts are weighed by their power at low frequency. With n - p instead the intervals cover
+# 1 to 2 % less (bench/measurement/coast.R, AR(1) 0.9 and half slow noise).
+coast_dof <- function(time_s, numbers) {
+  n <- length(time_s)
+  tau <- numbers[["tau_s"]]
+  if (tau > 0) {
+    span <- time_s[n] - time_s[1]
+    slow <- (1 - numbers[["white"]]) * 2 * tau
+    share <- slow / (slow + numbers[["white"]] * span / (n - 1))
+    n <- 1 / (share^2 * 2 * tau / span + (1 - share)^2 / n)
+  }
+  max(n - numbers[["free"]], 2)
 }
 
 # Mean speeds in blocks of the run, with their standard errors as far as neighbours tell.

@@ -217,7 +217,8 @@ runout_p <- function(run) {
   x <- run$numbers
   if (is.na(x[["runout_f"]])) return(NA_real_)
   stats::pf(
-    x[["runout_f"]], x[["runout_columns"]], run$dof - x[["runout_columns"]], lower.tail = FALSE
+    x[["runout_f"]], x[["runout_columns"]],
+    length(run$time_s) - x[["free"]] - x[["runout_columns"]], lower.tail = FALSE
   )
 }
 
