@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "rot_attitude.h"
 #include "rot_free_torque.h"
@@ -16,8 +17,16 @@ typedef struct motion {
   double q0[4]; /* of the principal axes at the start */
   double omega0[3];
   int middle;
-  rot_events flips; /* of all runs, those that count */
+  rot_events flips; /* of all marches, those that count */
 } motion;
+
+/* One run at an accuracy. */
+typedef struct run {
+  rot_info info;
+  rot_events events;
+  double *y, error[DIM], largest[DIM];
+  double measure[3]; /* errors of the measures */
+} run;
 
 const char *rot_free_not_integrated(const rot_free_params *p) {
   const double *m = p->moment_kg_m2;
@@ -90,7 +99,6 @@ static int compare(const void *x, const void *y) {
 
 static void keep_flips(motion *m, rot_events *events) {
   size_t kept = 0;
-  if (!events) return;
   if (m->flips.count) qsort(m->flips.time_s, m->flips.count, sizeof(double), compare);
   for (size_t i = 0; i < events->count; i++) {
     const double t = events->time_s[i];
@@ -99,6 +107,7 @@ static void keep_flips(motion *m, rot_events *events) {
     }
   }
   events->count = kept;
+  rot_events_free(&m->flips);
 }
 
 static rot_status fill_rows(const motion *m, size_t n, const double y[],
@@ -121,28 +130,41 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[],
 }
 
 /* Errors of the two groups as those of the measures; L in space has that of the attitude, too. */
-static void note_errors(const motion *m, const double error[], const double largest[],
-                        rot_info *info) {
+static void measure_errors(const motion *m, run *r) {
   const double *moment = m->p->moment_kg_m2;
   const double least = fmin(moment[0], fmin(moment[1], moment[2]));
-  rot_info_measures(info, rot_free_measures);
-  info->measure[ROT_FREE_ATTITUDE] = (rot_measure){error[0] + 8.0 * ROT_EPS, 1.0, 1.0, 1.0};
-  info->measure[ROT_FREE_MOMENTUM].error = error[1] + largest[1] * (error[0] + 16.0 * ROT_EPS);
-  info->measure[ROT_FREE_MOMENTUM].largest = largest[1];
-  info->measure[ROT_FREE_OMEGA].error = error[1] / least;
+  r->measure[ROT_FREE_ATTITUDE] = r->error[0];
+  r->measure[ROT_FREE_OMEGA] = r->error[1] / least;
+  r->measure[ROT_FREE_MOMENTUM] = r->error[1] + r->largest[1] * r->error[0];
 }
 
-rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
-                              size_t n, const double time_s[], const rot_free_columns *out,
-                              double *const flow[ROT_FREE_FLOWS], double flow_error[ROT_FREE_FLOWS],
-                              rot_events *events, const rot_hooks *hooks, rot_info *info) {
+static double omega_size(const motion *m, const double y[]) {
+  double w[3];
+  omega_of(m, y, w);
+  return hypot(hypot(w[0], w[1]), w[2]);
+}
+
+static void note_errors(const motion *m, const run *r, rot_info *info) {
+  const double start = hypot(hypot(m->omega0[0], m->omega0[1]), m->omega0[2]);
+  rot_info_measures(info, rot_free_measures);
+  for (int k = 0; k < 3; k++) info->measure[k].error = r->measure[k];
+  info->measure[ROT_FREE_ATTITUDE] =
+      (rot_measure){r->measure[ROT_FREE_ATTITUDE] + 8.0 * ROT_EPS, 1.0, 1.0, 1.0};
+  info->measure[ROT_FREE_MOMENTUM].error += 16.0 * ROT_EPS * r->largest[1];
+  info->measure[ROT_FREE_MOMENTUM].largest = r->largest[1];
+  rot_note_value(&info->measure[ROT_FREE_OMEGA], start);
+  for (size_t i = 0; i < info->rows_done; i++) {
+    rot_note_value(&info->measure[ROT_FREE_OMEGA], omega_size(m, r->y + i * DIM));
+  }
+}
+
+static rot_status run_at(motion *m, const rot_free_ode_options *options, double accuracy, size_t n,
+                         const double time_s[], const rot_hooks *hooks, run *out) {
   static const rot_ode_group groups[] = {{0, 4, ROT_ODE_QUATERNION}, {4, 3, ROT_ODE_VECTOR}};
-  motion m = {.p = p, .middle = middle_of(p->moment_kg_m2)};
-  double start[DIM] = {1.0}, error[DIM] = {0.0}, largest[DIM] = {0.0};
-  rot_info_clear(info, rot_free_measures);
-  rot_free_principal(p, m.omega0, m.q0);
-  for (int k = 0; k < 3; k++) start[MOMENTUM + k] = p->moment_kg_m2[k] * m.omega0[k];
-  const rot_ode_event flip = {.component = (size_t)(MOMENTUM + (m.middle < 0 ? 0 : m.middle)),
+  const rot_free_params *p = m->p;
+  double start[DIM] = {1.0};
+  for (int k = 0; k < 3; k++) start[MOMENTUM + k] = p->moment_kg_m2[k] * m->omega0[k];
+  const rot_ode_event flip = {.component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
                               .name = ROT_EVENT_FLIP,
                               .then = at_zero};
   const rot_ode_params ode = {
@@ -151,39 +173,136 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
       .n_groups = 2,
       .groups = groups,
       .rhs = rhs,
-      .ctx = &m,
+      .ctx = m,
       .n_breaks = p->n_breaks,
       .breaks = p->breaks_s,
       .start_s = p->start_s,
       .start = start,
       /* L in space errs by both: that of L in the body, and that of the attitude. */
-      .accuracy = 0.5 * options->accuracy,
+      .accuracy = 0.5 * accuracy,
       .max_steps = options->max_steps,
       .method = options->method,
-      .n_events = m.middle >= 0 && !rot_free_has_weight(p),
+      .n_events = m->middle >= 0 && !rot_free_has_weight(p),
       .events = &flip,
-      .log = events,
+      .log = &out->events,
       .project = renormalise,
       .kinks = p->law != NULL};
-  double *y = malloc((n ? n : 1) * DIM * sizeof *y);
+  memset(out->error, 0, sizeof out->error);
+  memset(out->largest, 0, sizeof out->largest);
+  const rot_status status =
+      rot_ode_run(&ode, n, time_s, out->y, NULL, out->error, out->largest, hooks, &out->info);
+  keep_flips(m, &out->events);
+  measure_errors(m, out);
+  return status;
+}
+
+/* How far the rows of two runs are apart: in the measures, and in what the torques did. */
+static void differences(const motion *m, const run *a, const run *b, double measure[3],
+                        double flow[ROT_FREE_FLOWS]) {
+  memset(measure, 0, 3 * sizeof *measure);
+  memset(flow, 0, ROT_FREE_FLOWS * sizeof *flow);
+  for (size_t i = 0; i < a->info.rows_done; i++) {
+    const double *x = a->y + i * DIM, *z = b->y + i * DIM;
+    double lx[3], lz[3], apart = 0.0, rate = 0.0;
+    rot_attitude_to_space(x, x + MOMENTUM, lx);
+    rot_attitude_to_space(z, z + MOMENTUM, lz);
+    for (int k = 0; k < 3; k++) {
+      apart = hypot(apart, lx[k] - lz[k]);
+      rate = hypot(rate, (x[MOMENTUM + k] - z[MOMENTUM + k]) / m->p->moment_kg_m2[k]);
+    }
+    measure[ROT_FREE_ATTITUDE] = fmax(measure[ROT_FREE_ATTITUDE], rot_attitude_angle(x, z));
+    measure[ROT_FREE_OMEGA] = fmax(measure[ROT_FREE_OMEGA], rate);
+    measure[ROT_FREE_MOMENTUM] = fmax(measure[ROT_FREE_MOMENTUM], apart);
+    for (int k = 0; k < ROT_FREE_FLOWS; k++) {
+      flow[k] = fmax(flow[k], fabs(x[STATE + k] - z[STATE + k]));
+    }
+  }
+}
+
+/* The errors of a run by its distance from a finer one, which errs by some of that itself. The bar
+ * of a run alone is a margin on the safe side. Two runs of a torque function may err alike where
+ * it has kinks. */
+static void judge(const motion *m, run *a, const run *finer) {
+  const double rounding = 2.0 * ROT_EPS * sqrt(1.0 + (double)a->info.steps);
+  const double most = m->p->law ? 0.9 : 0.5;
+  const double *moment = m->p->moment_kg_m2;
+  const double least = fmin(moment[0], fmin(moment[1], moment[2]));
+  const double size[3] = {1.0, a->largest[1] / least, a->largest[1]};
+  double apart[3], flow[ROT_FREE_FLOWS];
+  differences(m, a, finer, apart, flow);
+  for (int k = 0; k < 3; k++) {
+    a->measure[k] = 1.02 * apart[k] + fmin(finer->measure[k], most * apart[k]) + rounding * size[k];
+  }
+  for (int k = 0; k < ROT_FREE_FLOWS; k++) {
+    a->error[2 + k] =
+        flow[k] + fmin(finer->error[2 + k], most * flow[k]) + rounding * a->largest[2 + k];
+  }
+}
+
+static double figure_of(const motion *m, run *r) {
+  rot_info info = {.rows_done = r->info.rows_done};
+  note_errors(m, r, &info);
+  return rot_info_error(&info);
+}
+
+static void swap(run *a, run *b) {
+  const run one = *a;
+  *a = *b;
+  *b = one;
+}
+
+/* A run and a finer one, which takes its place while it errs too much. A hundredth of the accuracy
+ * is worth 1.7 times the steps; where breaks and rows force more steps than the accuracy does, the
+ * finer run needs less yet, or the two are the same. */
+static rot_status run_twice(motion *m, const rot_free_ode_options *options, size_t n,
+                            const double time_s[], const rot_hooks *hooks, run *result,
+                            run *finer) {
+  double accuracy = options->accuracy;
+  rot_status status = run_at(m, options, accuracy, n, time_s, hooks, result);
+  size_t calls = result->info.rhs_calls;
+  while (status == ROT_OK && n && accuracy > 0.02 * ROT_ODE_BEST_ACCURACY) {
+    accuracy = fmax(0.01 * accuracy, 0.01 * ROT_ODE_BEST_ACCURACY);
+    const rot_status second = run_at(m, options, accuracy, n, time_s, hooks, finer);
+    calls += finer->info.rhs_calls;
+    if (second == ROT_EUNWIND || second == ROT_ENOMEM) status = second;
+    if (second != ROT_OK) break; /* too many steps: the first one's own bar stays */
+    if ((double)finer->info.steps < 1.25 * (double)result->info.steps) continue;
+    judge(m, result, finer);
+    if (figure_of(m, result) <= options->accuracy) break;
+    if (accuracy < 0.1 * ROT_ODE_BEST_ACCURACY) break;
+    swap(result, finer);
+  }
+  result->info.rhs_calls = calls;
+  return status;
+}
+
+rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
+                              size_t n, const double time_s[], const rot_free_columns *out,
+                              double *const flow[ROT_FREE_FLOWS], double flow_error[ROT_FREE_FLOWS],
+                              rot_events *events, const rot_hooks *hooks, rot_info *info) {
+  motion m = {.p = p, .middle = middle_of(p->moment_kg_m2)};
+  const size_t room = (n ? n : 1) * DIM;
+  double *y = malloc(2 * room * sizeof *y);
+  run result = {.y = y}, finer = {.y = y + room};
+  rot_info_clear(info, rot_free_measures);
   if (!y) return info->status = ROT_ENOMEM;
-  rot_status status = rot_ode_run(&ode, n, time_s, y, NULL, error, largest, hooks, info);
+  rot_free_principal(p, m.omega0, m.q0);
+  rot_status status = run_twice(&m, options, n, time_s, hooks, &result, &finer);
+  *info = result.info;
   if (status == ROT_ERHS && p->law) status = ROT_ETORQUE;
   if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
-    const rot_status rows = fill_rows(&m, n, y, out, flow, info);
+    const rot_status rows = fill_rows(&m, n, result.y, out, flow, info);
     if (rows != ROT_OK) status = rows;
   }
-  note_errors(&m, error, largest, info);
-  for (int k = 0; k < ROT_FREE_FLOWS; k++) flow_error[k] = 2.0 * error[2 + k];
-  rot_note_value(&info->measure[ROT_FREE_OMEGA],
-                 hypot(hypot(m.omega0[0], m.omega0[1]), m.omega0[2]));
-  for (size_t i = 0; i < info->rows_done && i < n; i++) {
-    double w[3];
-    omega_of(&m, y + i * DIM, w);
-    rot_note_value(&info->measure[ROT_FREE_OMEGA], hypot(hypot(w[0], w[1]), w[2]));
+  note_errors(&m, &result, info);
+  for (int k = 0; k < ROT_FREE_FLOWS; k++) flow_error[k] = 2.0 * result.error[2 + k];
+  for (size_t i = 0; events && i < result.events.count && status != ROT_ENOMEM; i++) {
+    const rot_status added =
+        rot_events_add(events, result.events.time_s[i], result.events.event[i]);
+    if (added != ROT_OK) status = added;
   }
-  keep_flips(&m, events);
-  rot_events_free(&m.flips);
+  rot_events_free(&result.events);
+  rot_events_free(&finer.events);
   free(y);
   return info->status = status;
 }
