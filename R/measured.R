@@ -84,6 +84,9 @@ no_parts <- function() {
 }
 
 new_measured <- function(value, u, dof, name, id = new_identity()) {
+  value <- as.double(value)
+  u <- as.double(u)
+  dof <- as.double(dof)
   parts <- no_parts()
   if (u > 0) parts <- data.frame(id = id, name = name, u = u, dof = dof, group = id)
   structure(
