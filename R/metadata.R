@@ -1,5 +1,5 @@
-# Metadata: what the package knows of itself (models, effects, shapes, columns), read from there, and
-# the tables of inst/metadata.
+# Metadata: what the package knows of itself (models, effects, shapes, columns), and the tables of
+# inst/metadata.
 
 #' Metadata: units, constants, models and what they assume
 #'
@@ -59,7 +59,7 @@ check_metadata <- function(x = metadata(), ...) {
       x = "It is {describe_value(x)}."
     ), "type", call)
   }
-  faults <- check_rows(x, all_tables())
+  faults <- schema_faults(x, all_tables())
   if (nrow(faults)) {
     shown <- utils::head(faults, 5L)
     lines <- sprintf(

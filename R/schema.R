@@ -1,4 +1,4 @@
-# The tables of metadata and records, described once: R checks rows by it (check_rows()), and the
+# The tables of metadata and records, described once: R checks rows by it (schema_faults()), and the
 # tables of a database are made from it (table_sql()).
 #
 # A table: name in R, columns, key, other unique columns, rules of several columns. A column: type
@@ -244,7 +244,7 @@ all_tables <- function() c(metadata_tables(), record_tables())
 
 # The faults of some tables by name: a tibble of table, row (NA: all), fault. `tables`: all that the
 # rows may refer to.
-check_rows <- function(x, tables) {
+schema_faults <- function(x, tables) {
   faults <- list()
   report <- function(table, rows, fault) {
     if (length(rows)) faults[[length(faults) + 1L]] <<- list(
