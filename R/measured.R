@@ -226,6 +226,10 @@ print.rot_measured <- function(x, ...) {
 # 127.732(71): the digits in brackets are those of the uncertainty, in the last places shown.
 format_concise <- function(value, u, digits = 2) {
   if (!is.finite(u) || u <= 0) return(format(value, digits = 10))
+  # Sixteen digits of the value are all there are; below 1e-290 powers of ten are no doubles.
+  if (u < 1e-14 * abs(value) || u < 1e-290 || max(u, abs(value)) > 1e290) {
+    return(paste(format(value, digits = 15), "+-", format(u, digits = digits)))
+  }
   place <- floor(log10(u)) - digits + 1
   # 0.0996 with two digits is 0.10.
   if (round(u / 10^place) >= 10^digits) place <- place + 1

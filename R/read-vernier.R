@@ -7,6 +7,7 @@ read_vernier <- function(file, ..., run = NULL) {
 }
 
 vernier_record <- function(file, bytes, call, run = NULL) {
+  force(bytes) # the checks of the file come first
   source <- paste0(basename(file), " (Vernier)")
   if (is_tar(bytes)) {
     parts <- tar_files(bytes, file, call)

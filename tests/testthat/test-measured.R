@@ -77,3 +77,9 @@ test_that("errors are the package's own", {
   forged$parts <- 3
   expect_error(body_disk(forged, 1), class = "rotdyn_error_type")
 })
+
+test_that("uncertainties beyond the digits of a double are shown as they are", {
+  expect_identical(format(measured(1, 1e-320)), "1 +- 1e-320")
+  expect_identical(format(measured(1e308, 1e-300)), "1e+308 +- 1e-300")
+  expect_identical(format(measured(0.1, 1e300)), "0.1 +- 1e+300")
+})
