@@ -74,8 +74,8 @@ broken_motion <- function(class, time) {
     before <- axle(loss = loss, omega0_rad_per_s = 10, time_s = c(time[time < at], at))
     k <- nrow(before)
     after <- axle(
-      loss = loss, theta0_rad = before$theta_rad[k], omega0_rad_per_s = before$omega_rad_per_s[k] + 6,
-      time_s = time[time >= at] - at
+      loss = loss, theta0_rad = before$theta_rad[k],
+      omega0_rad_per_s = before$omega_rad_per_s[k] + 6, time_s = time[time >= at] - at
     )
     list(
       theta = c(before$theta_rad[-k], after$theta_rad),
