@@ -281,8 +281,8 @@ unpack_run <- function(out, problem) {
 
 # Degrees of freedom. Of the slow part of the noise a run of length T has as many independent
 # samples as its mean would show, T/(2 tau) (Bayley and Hammersley, J. R. Stat. Soc. B 8, 184,
-# 1946); the two parts are weighed by their power at low frequency. With n - p instead the intervals cover
-# 1 to 2 % less (bench/measurement/coast.R, AR(1) 0.9 and half slow noise).
+# 1946); the two parts are weighed by their power at low frequency. With n - p instead the intervals
+# cover 1 to 2 % less (bench/measurement/coast.R, AR(1) 0.9 and half slow noise).
 coast_dof <- function(time_s, numbers) {
   n <- length(time_s)
   tau <- numbers[["tau_s"]]
