@@ -206,7 +206,7 @@ estimate_data <- function(record, call) {
   list(
     core = list(
       time_s = time, theta = theta, omega = omega,
-      w_theta = if (!is.null(theta)) rep(1, n), w_omega = if (!is.null(omega)) rep(1, n),
+      w_theta = if (!is.null(theta)) repeat_weights(theta, segment, step[1]), w_omega = if (!is.null(omega)) rep(1, n),
       segment = segment, floor = step / sqrt(12)
     ),
     time_s = time, segment = segment, theta = theta, omega = omega, step = step,
@@ -226,6 +226,18 @@ real_step <- function(theta, segment, step) {
   if (length(third) < 5 || stats::median(moves) < 3 * step) return(step)
   # White noise of s.d. D/sqrt(12) has third differences of s.d. sqrt(20) times that.
   if (stats::median(abs(third)) < 0.05 * step) 0 else step
+}
+
+# Relative s.d. of samples: 1, and more where a counter repeats its count. The error of a count is
+# the same in all of them: a run of L counts says as much as 4, not as L.
+repeat_weights <- function(theta, segment, step) {
+  w <- rep(1, length(theta))
+  if (step == 0) return(w)
+  known <- which(!is.na(theta))
+  same <- diff(segment[known]) == 0L & abs(diff(theta[known])) < step / 2
+  run <- cumsum(c(TRUE, !same))
+  w[known] <- sqrt(pmax(tabulate(run)[run] / 4, 1))
+  w
 }
 
 subtract_bias <- function(data, rest_s, call) {
@@ -301,7 +313,8 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
     }
     out
   }
-  core <- data$core
+  edges <- if (is_coarse(data)) edges_of(data)
+  core <- if (is.null(edges)) data$core else edges$core
   # Known times of unknown kind: the likelihood decides, one after the other.
   for (i in which(breaks$first == 0)) {
     value <- vapply(1:2, function(first) {
@@ -313,35 +326,147 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
     }, 0)
     breaks$first[i] <- which.min(value)
   }
-  found <- run(core, breaks, most, outliers)
-  breaks <- found[c("time_s", "segment", "first")]
-  n <- length(core$time_s)
-  left <- matrix(found$left_out, n)
-  leave <- function(core) {
-    if (!is.null(core$theta)) core$w_theta[left[, 1]] <- Inf
-    if (!is.null(core$omega)) core$w_omega[left[, 2]] <- Inf
-    core
-  }
-  core <- leave(core)
-  if (jitter > 0) {
-    # Two passes: the rate turns an error of the time into one of the angle.
+  if (!is.null(edges)) {
+    # Two passes: the rate says how well an edge is placed in its interval.
     for (pass in 1:2) {
-      rows <- .Call(ffi_smooth_rows, core, breaks, found$fit[1:4], no_times)$samples
-      sigma <- found$fit[4]
-      share <- function(y, slope) {
-        w <- sqrt(sigma^2 + (slope * jitter)^2) / sigma
-        ifelse(is.finite(y), w, 1)
-      }
-      core <- data$core
-      if (!is.null(core$theta)) core$w_theta <- share(core$theta, rows$omega)
-      core <- leave(core)
-      found <- run(core, breaks)
+      out <- run(core, breaks)
+      core <- weigh_edges(edges, smooth_at(core, breaks, out$fit)$omega)
     }
+  }
+  found <- run(core, breaks, most, outliers)
+  if (outliers && (sum(found$left_out) > 0.03 * found$fit[7] || is_heavy(core, found))) {
+    found <- run(heavy_tails(core, found, run), breaks, most, outliers)
+  }
+  breaks <- found[c("time_s", "segment", "first")]
+  left <- matrix(found$left_out, length(core$time_s))
+  if (jitter > 0 && !is.null(core$theta)) {
+    # The rate turns an error of the time into one of the angle. What scatter remains besides that
+    # is known after some passes.
+    first <- core$w_theta
+    for (pass in 1:20) {
+      sigma <- found$fit[4]
+      rows <- smooth_at(leave_out(core, left), breaks, found$fit)
+      core$w_theta <- sqrt(first^2 + (rows$omega * jitter / sigma)^2)
+      found <- run(leave_out(core, left), breaks)
+      if (abs(log(found$fit[4] / sigma)) < 0.01) break
+    }
+  }
+  core <- leave_out(core, left)
+  if (!is.null(edges)) {
+    left_rows <- matrix(FALSE, length(data$time_s), 2)
+    left_rows[edges$row[left[, 1]], 1] <- TRUE
+    left <- left_rows
   }
   list(
     core = core, breaks = breaks, fit = found$fit[1:4], objective = found$fit[5],
-    end = found$fit[6], samples = found$fit[7], left_out = left, data = data, asked = asked
+    end = found$fit[6], samples = found$fit[7], left_out = left, data = data, asked = asked,
+    edges = !is.null(edges)
   )
+}
+
+leave_out <- function(core, left) {
+  if (!is.null(core$theta)) core$w_theta[left[, 1]] <- Inf
+  if (!is.null(core$omega)) core$w_omega[left[, 2]] <- Inf
+  core
+}
+
+# The smoothed columns at the samples.
+smooth_at <- function(core, breaks, fit) {
+  .Call(ffi_smooth_rows, core, breaks, fit[1:4], no_times)$samples
+}
+
+# Outliers that inflate the scatter hide: most residuals are small for it, some are large.
+is_heavy <- function(core, found) {
+  core <- leave_out(core, matrix(found$left_out, length(core$time_s)))
+  fit <- found$fit[1:4]
+  e <- .Call(ffi_smooth_rows, core, found[c("time_s", "segment", "first")], fit, no_times)$residual
+  e <- abs(e[!is.na(e)])
+  stats::median(e) < 0.5 && mean(e > 3) > 0.02
+}
+
+# Many outliers hide each other: weights of Student's t with 4 degrees of freedom first; what is
+# beyond 4.5 s.d. under them is left out.
+heavy_tails <- function(core, found, run) {
+  breaks <- found[c("time_s", "segment", "first")]
+  channels <- c(theta = "w_theta", omega = "w_omega")
+  channels <- channels[!vapply(core[channels], is.null, NA)]
+  first <- core[channels]
+  for (round in 1:6) {
+    fit <- run(core, breaks)$fit
+    rows <- smooth_at(core, breaks, fit)
+    h <- diff(core$time_s)[diff(core$segment) == 0L]
+    square <- list(
+      w_theta = function() (core$theta - rows$theta)^2 + rows$v00,
+      w_omega = function() ((core$omega - rows$omega)^2 + rows$v11) * (mean(h) / fit[3])^2
+    )
+    for (w in channels) {
+      e <- square[[w]]() / fit[4]^2
+      core[[w]] <- first[[w]] * ifelse(is.na(e), 1, sqrt((4 + e) / 5))
+      if (round == 6) {
+        core[[w]] <- ifelse(!is.na(e) & e > 4.5^2 * first[[w]]^2, Inf, first[[w]])
+      }
+    }
+  }
+  core
+}
+
+# ---- counters -----------------------------------------------------------------------------------
+
+# Does the angle change by less than 0.3 of its resolution between samples, on average?
+is_coarse <- function(data) {
+  if (data$rates_only || !is.null(data$omega) || data$step[1] == 0) return(FALSE)
+  moves <- abs(diff(data$theta))[diff(data$segment) == 0L]
+  mean(moves, na.rm = TRUE) < 0.3 * data$step[1]
+}
+
+# The changes of the count as a record: the angle between two counts, in the middle of the interval.
+# Where the count stays for long, and at the ends, the count itself.
+edges_of <- function(data) {
+  step <- data$step[1]
+  n <- length(data$theta)
+  known <- which(!is.na(data$theta))
+  a <- known[-length(known)]
+  b <- known[-1]
+  moved <- abs(data$theta[b] - data$theta[a]) > step / 2
+  changes <- which(data$segment[a] == data$segment[b] & moved)
+  a <- a[changes]
+  b <- b[changes]
+  if (length(a) < 8L) return(NULL)
+  out <- data.frame(
+    time = (data$time_s[a] + data$time_s[b]) / 2, theta = (data$theta[a] + data$theta[b]) / 2,
+    segment = data$segment[a], interval = data$time_s[b] - data$time_s[a], row = b
+  )
+  # Runs of one count: from an edge to the next, or to an end.
+  usual <- stats::median(diff(out$time))
+  bounds <- sort(unique(c(known[1], b, known[length(known)])))
+  for (k in seq_len(length(bounds) - 1L)) {
+    run <- known[known >= bounds[k] & known < bounds[k + 1L]]
+    end <- k == 1L || k == length(bounds) - 1L
+    if (!length(run) || (!end && diff(range(data$time_s[run])) < 5 * usual)) next
+    share <- c(if (k == 1L) 0.01, 1 / 4, 1 / 2, 3 / 4, if (end) 1)
+    pick <- unique(run[ceiling(length(run) * share)])
+    out <- rbind(out, data.frame(
+      time = data$time_s[pick], theta = data$theta[pick], segment = data$segment[pick],
+      interval = NA_real_, row = pick
+    ))
+  }
+  out <- out[order(out$segment, out$time), ]
+  w <- rep(1, nrow(out))
+  list(
+    core = list(
+      time_s = out$time, theta = out$theta, omega = NULL, w_theta = w, w_omega = NULL,
+      segment = as.integer(out$segment), floor = data$core$floor
+    ),
+    interval = out$interval, row = out$row, step = step
+  )
+}
+
+# An edge lies anywhere in its interval: s.d. |omega| dt/sqrt(12), at most that of a count.
+weigh_edges <- function(edges, omega) {
+  core <- edges$core
+  w <- pmin(abs(omega) * edges$interval / edges$step, 1)
+  core$w_theta <- ifelse(is.na(w), 1, pmax(w, 0.02))
+  core
 }
 
 no_times <- list(time_s = double(), segment = NULL)
@@ -353,7 +478,8 @@ check_aliasing <- function(fit, record, call) {
   said <- attr(record, "record")$columns
   counted <- said$column %in% c("theta_rad", "pulses") & grepl("count|turn|^1$", said$unit)
   if (any(counted) || is.null(record[["theta_rad"]])) return(invisible())
-  rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, no_times)$samples
+  if (fit$edges) return(invisible())
+  rows <- smooth_at(fit$core, fit$breaks, fit$fit)
   h <- diff(data$time_s)
   h[diff(data$segment) != 0L] <- Inf
   usual <- stats::median(h[is.finite(h)])
@@ -372,11 +498,13 @@ check_aliasing <- function(fit, record, call) {
 # ---- the table -----------------------------------------------------------------------------------
 
 new_estimate <- function(fit, call) {
-  rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, no_times)
+  times <- if (fit$edges) fit$data[c("time_s", "segment")] else no_times
+  rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, times)
   fit$degrees <- max(fit$samples - rows$used, 1)
-  fit$residual <- matrix(rows$residual, length(fit$data$time_s))
-  fit$events <- estimate_events(fit, rows$samples)
-  out <- estimate_rows(fit, rows$samples, fit$data$time_s, fit$data$segment)
+  fit$residual <- if (fit$edges) NA_real_ else rows$residual
+  at <- if (fit$edges) rows$others else rows$samples
+  fit$events <- estimate_events(fit, at)
+  out <- estimate_rows(fit, at, fit$data$time_s, fit$data$segment)
   out$flag <- estimate_flags(fit)
   tibble::new_tibble(
     out, nrow = length(fit$data$time_s), class = "rot_estimate", estimate = fit

@@ -125,3 +125,17 @@ found_breaks <- function(record, spacing_s = 0.02) {
     found = rmse(motion), given = rmse(given), events = motion_events(motion)
   )
 }
+
+# ---- gyroscopes ---------------------------------------------------------------------------------
+
+# 10 s of rates at 100 Hz with noise of 0.05 or 0.005 rad/s.
+rate_record <- function(class, sigma = sample(c(0.05, 0.005), 1)) {
+  time <- seq(0, seconds[[class]], by = 0.01)
+  truth <- true_motion(class, time)
+  list(
+    class = class, truth = truth,
+    data = data.frame(
+      time_s = time, omega_rad_per_s = truth$omega + stats::rnorm(length(time), sd = sigma)
+    )
+  )
+}

@@ -97,3 +97,189 @@ test_that("rates give rate and acceleration, and the angle turned", {
     motion$omega_se_rad_per_s^2 + (0.02 * motion$omega_rad_per_s)^2
   )
 })
+
+# ---- breaks --------------------------------------------------------------------------------------
+
+# omega jumps at `at`, then keeps its rate.
+struck <- function(seed, at = 2.013, jump = 6, n = 201, sd = 1e-3) {
+  time <- seq(0, 4, length.out = n)
+  noisy(time, 2 * time + pmax(time - at, 0) * jump, sd, seed)
+}
+
+test_that("an impact is found, with its time and jump", {
+  events <- do.call(rbind, lapply(1:8, function(seed) motion_events(estimate_motion(struck(seed)))))
+  expect_equal(events$event, rep("impact", 8))
+  expect_lt(max(abs(events$time_s - 2.013)), 0.003)
+  expect_lt(max(abs((events$time_s - 2.013) / events$time_se_s)), 4)
+  expect_lt(max(abs((events$omega_jump_rad_per_s - 6) / events$omega_jump_se_rad_per_s)), 4)
+  negative <- motion_events(estimate_motion(struck(1, jump = -9)))
+  expect_equal(negative$omega_jump_rad_per_s, -9, tolerance = 0.01)
+})
+
+test_that("an outlier beside an impact is left out, and no break of its own", {
+  for (off in -2:3) {
+    record <- struck(11)
+    record$theta_rad[101 + off] <- record$theta_rad[101 + off] + 0.03
+    motion <- estimate_motion(record)
+    expect_equal(motion_events(motion)$time_s, 2.013, tolerance = 0.005)
+    expect_match(motion$flag[101 + off], "outlier")
+  }
+})
+
+test_that("a switched torque and a stop are told apart", {
+  time <- seq(0, 6, by = 0.02)
+  switched <- noisy(time, 3 * time + pmax(time - 3.004, 0)^2 * 4, 1e-3, 2)
+  events <- motion_events(estimate_motion(switched))
+  expect_equal(events$event, "switch")
+  expect_equal(events$time_s, 3.004, tolerance = 0.003)
+  expect_equal(events$alpha_jump_rad_per_s2, 8, tolerance = 0.1)
+  expect_equal(events$omega_jump_rad_per_s, 0)
+  stopped <- noisy(time, -2.5 * pmin(time, 4)^2 + 20 * pmin(time, 4), 1e-3, 3)
+  events <- motion_events(estimate_motion(stopped))
+  expect_equal(events$event, "stop")
+  expect_equal(events$time_s, 4, tolerance = 0.005)
+  # Backwards as well.
+  stopped$theta_rad <- -stopped$theta_rad
+  expect_equal(motion_events(estimate_motion(stopped))$event, "stop")
+})
+
+test_that("smooth motions have no breaks", {
+  time <- seq(0, 8, by = 0.02)
+  n <- vapply(1:10, function(seed) {
+    nrow(motion_events(estimate_motion(noisy(time, 2 * sin(2.5 * time), 1e-3, seed))))
+  }, 1L)
+  expect_equal(sum(n), 0)
+})
+
+test_that("known breaks are used as they are, alone or with nothing between them", {
+  record <- struck(4)
+  motion <- estimate_motion(record, breaks = c(impact = 2.013))
+  expect_equal(motion_events(motion)$event, "impact")
+  expect_equal(motion_events(motion)$time_s, 2.013)
+  off <- motion$omega_rad_per_s - ifelse(motion$time_s < 2.013, 2, 8)
+  expect_lt(sqrt(mean(off^2)), 3e-3)
+  # The kind is decided where it is not said.
+  expect_equal(motion_events(estimate_motion(record, breaks = 2.013))$event, "impact")
+  twice <- estimate_motion(record, breaks = c(2.0131, 2.0139))
+  expect_equal(nrow(motion_events(twice)), 2)
+  expect_true(all(is.finite(twice$omega_rad_per_s)))
+  expect_true(all(is.finite(twice$omega_se_rad_per_s)))
+  expect_error(estimate_motion(record, breaks = 7), class = "rotdyn_error_time")
+  expect_error(estimate_motion(record, breaks = "fnd"), class = "rotdyn_error_value")
+  expect_error(estimate_motion(record, breaks = c(bang = 1)), class = "rotdyn_error_value")
+})
+
+# ---- traps ---------------------------------------------------------------------------------------
+
+test_that("a body at rest for half the record of a counter keeps honest errors", {
+  step <- 2 * pi / 600
+  time <- seq(0, 8, by = 0.02)
+  truth <- pmax(time - 4, 0)^2 * 1.5
+  counts <- floor(truth / step + 0.3) + 0.5 - 0.3
+  record <- motion_record(
+    data.frame(t = time, c = floor(truth / step + 0.3)), time_s = "t", counts = "c",
+    counts_per_turn = 600
+  )
+  motion <- estimate_motion(record)
+  expect_gte(glance(motion)$theta_scatter_rad, step / sqrt(12) * 0.999)
+  omega <- pmax(time - 4, 0) * 3
+  inside <- omega >= motion$omega_low_rad_per_s & omega <= motion$omega_high_rad_per_s
+  expect_gt(mean(inside), 0.9)
+  expect_true(all(is.finite(motion$alpha_se_rad_per_s2)))
+})
+
+test_that("a slow counter is read by the times of its edges", {
+  step <- 2 * pi / 36
+  time <- seq(0, 10, length.out = 1000)
+  truth <- 2 * sin(2.2 * time)
+  record <- data.frame(time_s = time, theta_rad = step * (floor(truth / step) + 0.5))
+  motion <- estimate_motion(record)
+  omega <- 4.4 * cos(2.2 * time)
+  expect_lt(sqrt(mean((motion$omega_rad_per_s - omega)^2)), 0.09)
+  expect_gt(mean(abs(motion$omega_rad_per_s - omega) < 2 * motion$omega_se_rad_per_s), 0.9)
+  expect_equal(nrow(augment(motion)), 1000)
+})
+
+test_that("gaps widen the errors and are flagged; segments share the scatter and nothing else", {
+  time <- seq(0, 10, by = 0.02)
+  record <- noisy(time, 3 * sin(time), 2e-3, 6)
+  gap <- record[time < 4 | time > 4.5, ]
+  motion <- estimate_motion(gap)
+  expect_equal(sum(grepl("gap", motion$flag)), 2)
+  inside <- predict(motion, c(3, 4.25))
+  expect_gt(inside$omega_se_rad_per_s[2], inside$omega_se_rad_per_s[1])
+  expect_lt(abs(inside$omega_rad_per_s[2] - 3 * cos(4.25)), 4 * inside$omega_se_rad_per_s[2])
+  record$segment <- rep(1:2, c(250, 251))
+  record$theta_rad[251:501] <- record$theta_rad[251:501] + 100
+  both <- estimate_motion(record)
+  expect_equal(both$omega_rad_per_s[c(100, 400)], 3 * cos(time[c(100, 400)]), tolerance = 0.02)
+  expect_true(is.na(predict(both, 4.99)$omega_rad_per_s))
+})
+
+test_that("a range of 1e8 times the noise is no trouble", {
+  time <- seq(0, 10, by = 0.02)
+  record <- noisy(time, 1e5 * time + 1e3 * sin(time), 1e-3, 7)
+  motion <- estimate_motion(record, turns = "counted")
+  off <- (motion$omega_rad_per_s - 1e5 - 1e3 * cos(time)) / motion$omega_se_rad_per_s
+  expect_lt(sqrt(mean(off^2)), 2)
+})
+
+test_that("smoothness at the ends of its range is said", {
+  time <- seq(0, 10, by = 0.05)
+  line <- estimate_motion(noisy(time, 3 * time, 0.01, 8))
+  expect_equal(glance(line)$smoothness, "polynomial")
+  expect_match(paste(capture.output(print(line)), collapse = " "), "polynomial of the time")
+  wild <- estimate_motion(noisy(time, 0.2 * sin(15 * time), 1e-6, 9))
+  expect_match(glance(wild)$smoothness, "joins")
+})
+
+test_that("type B of a gyroscope and of a clock is added, and a bias is measured at rest", {
+  time <- seq(0, 20, by = 0.01)
+  set.seed(10)
+  rates <- ifelse(time < 5, 0, 2 * sin(time - 5))
+  record <- data.frame(
+    time_s = time, omega_rad_per_s = rates + 0.03 + stats::rnorm(length(time), sd = 0.01)
+  )
+  motion <- estimate_motion(record, rest_s = c(0, 5))
+  expect_lt(abs(motion$omega_rad_per_s[200]), 0.01)
+  plain <- estimate_motion(record)
+  # The bias's error turns the angle more and more.
+  added <- sqrt(motion$theta_se_rad[2001]^2 - plain$theta_se_rad[2001]^2) / 20
+  expect_gt(added, 0.01 / sqrt(500) / 4)
+  expect_lt(added, 0.01 / sqrt(500) * 4)
+  slow <- estimate_motion(record, clock_u = 0.01)
+  expect_equal(
+    slow$alpha_se_rad_per_s2^2,
+    plain$alpha_se_rad_per_s2^2 + (0.02 * plain$alpha_rad_per_s2)^2
+  )
+  expect_error(estimate_motion(record, rest_s = 3), class = "rotdyn_error_value")
+})
+
+test_that("an angle and a rate together are better than each, with the bands of both", {
+  time <- seq(0, 8, by = 0.02)
+  set.seed(12)
+  record <- data.frame(
+    time_s = time, theta_rad = 3 * sin(time) + stats::rnorm(401, sd = 0.02),
+    omega_rad_per_s = 3 * cos(time) + stats::rnorm(401, sd = 0.05)
+  )
+  both <- estimate_motion(record)
+  angle <- estimate_motion(record[, 1:2])
+  rate <- estimate_motion(record[, c(1, 3)])
+  expect_lt(mean(both$omega_se_rad_per_s), mean(angle$omega_se_rad_per_s))
+  expect_lt(mean(both$omega_se_rad_per_s), mean(rate$omega_se_rad_per_s) * 1.01)
+  about <- glance(both)
+  expect_equal(about$theta_scatter_rad, 0.02, tolerance = 0.15)
+  expect_equal(about$omega_scatter_rad_per_s, 0.05, tolerance = 0.15)
+  expect_gt(mean(abs(both$omega_rad_per_s - 3 * cos(time)) < 2 * both$omega_se_rad_per_s), 0.8)
+})
+
+test_that("jitter of the clock widens the scatter where the body is fast", {
+  time <- seq(0, 8, by = 0.02)
+  set.seed(13)
+  late <- time + stats::rnorm(401, sd = 1e-3)
+  record <- data.frame(time_s = time, theta_rad = 20 * late - late^2 + stats::rnorm(401, sd = 5e-3))
+  motion <- estimate_motion(record, clock_jitter_s = 1e-3)
+  omega <- 20 - 2 * time
+  expect_gt(mean(abs(motion$omega_rad_per_s - omega) < 2.1 * motion$omega_se_rad_per_s), 0.8)
+  expect_lt(abs(log(glance(motion)$theta_scatter_rad / 5e-3)), 0.3)
+})
