@@ -206,7 +206,8 @@ estimate_data <- function(record, call) {
   list(
     core = list(
       time_s = time, theta = theta, omega = omega,
-      w_theta = if (!is.null(theta)) repeat_weights(theta, segment, step[1]), w_omega = if (!is.null(omega)) rep(1, n),
+      w_theta = if (!is.null(theta)) repeat_weights(theta, segment, step[1]),
+      w_omega = if (!is.null(omega)) rep(1, n),
       segment = segment, floor = step / sqrt(12)
     ),
     time_s = time, segment = segment, theta = theta, omega = omega, step = step,

@@ -1,0 +1,35 @@
+skip_if_not_installed("ggplot2")
+
+struck_motion <- function(inertia = NULL) {
+  time <- seq(0, 4, by = 0.02)
+  set.seed(1)
+  record <- data.frame(
+    time_s = time, theta_rad = 2 * time + pmax(time - 2.013, 0) * 6 + stats::rnorm(201, sd = 1e-3)
+  )
+  record$theta_rad[50] <- record$theta_rad[50] + 0.1
+  estimate_motion(record, inertia = inertia)
+}
+
+test_that("the picture has four panels with bands, breaks, samples and crosses", {
+  plot <- ggplot2::autoplot(struck_motion())
+  built <- ggplot2::ggplot_build(plot)
+  expect_equal(nrow(built$layout$layout), 4)
+  expect_match(plot$labels$alt, "impact at 2.013 s")
+  expect_match(plot$labels$subtitle, "1 sample left out")
+  geoms <- vapply(plot$layers, function(layer) class(layer$geom)[1], "")
+  expect_true(all(c("GeomRibbon", "GeomLine", "GeomVline", "GeomPoint") %in% geoms))
+  crosses <- built$data[[6]]
+  expect_equal(crosses$x, c(0.98, 0.98))
+  # No line across the break.
+  line <- built$data[[5]]
+  expect_equal(length(unique(line$group)), 2)
+})
+
+test_that("units and a torque are drawn where asked for", {
+  plot <- ggplot2::autoplot(struck_motion(0.2), units = c("degree", "rpm"))
+  levels <- levels(plot$data$panel)
+  expect_match(levels[1], "degree")
+  expect_match(levels[2], "rpm")
+  expect_match(levels[3], "net torque")
+  expect_error(ggplot2::autoplot(struck_motion(), unit = "rpm"), class = "rotdyn_error_argument")
+})
