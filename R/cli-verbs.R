@@ -35,6 +35,10 @@ cli_read_text <- function(path, state) {
 # A table of comma-separated values, with names in its first line.
 cli_read_table <- function(path, state) {
   lines <- cli_read_text(path, state)
+  cli_table(lines)
+}
+
+cli_table <- function(lines) {
   table <- tryCatch(
     utils::read.csv(
       text = lines, stringsAsFactors = FALSE, check.names = FALSE, strip.white = TRUE,
@@ -409,7 +413,7 @@ cli_run_check_inertia <- function(words, options, state) {
         fault = links$fault, suggestion = links$suggestion
       ))
     }
-    check <- check_inertia(cli_read_table(path, state))
+    check <- check_inertia(cli_table(lines))
     rows <- split(seq_len(nrow(check)), check$row)
     one <- function(of) unname(vapply(rows, of, ""))
     list(

@@ -130,6 +130,13 @@ test_that("a robot with a link that cannot exist is a no", {
   expect_length(both$out, 1L + 2L + length(said$out) - 1L)
 })
 
+test_that("tensors come from standard input, too", {
+  said <- cli("check-inertia", "-", input = c("ixx,iyy,izz", "1,2,9"))
+  expect_identical(said$status, 1L)
+  expect_match(said$out[2], "^-,row 1,fails,")
+  expect_identical(cli("check-inertia", "-", "-", input = "x")$status, 2L)
+})
+
 test_that("the numbers are R's, to the last bit", {
   skip_if_not_installed("yyjsonr")
   in_folder({

@@ -47,7 +47,9 @@ run_visible <- function(lines) {
 
 test_that("the visible code of every vignette runs in a fresh session", {
   skip_on_cran()
-  for (need in c("ggplot2", "dplyr", "deSolve", "xml2", "units")) skip_if_not_installed(need)
+  for (need in c("ggplot2", "dplyr", "deSolve", "xml2", "units", "yyjsonr")) {
+    skip_if_not_installed(need)
+  }
   for (file in vignette_files()) {
     ran <- run_visible(readLines(file, encoding = "UTF-8"))
     expect_identical(
@@ -137,7 +139,7 @@ test_that("pages can be made without the suggested packages", {
   writeLines(c(
     "has <- base::requireNamespace",
     "unlockBinding('requireNamespace', baseenv())",
-    "gone <- c('ggplot2', 'dplyr', 'deSolve', 'xml2', 'units')",
+    "gone <- c('ggplot2', 'dplyr', 'deSolve', 'xml2', 'units', 'yyjsonr')",
     "assign('requireNamespace', function(package, ...) {",
     "  !package %in% gone && has(package, ...)", "}, baseenv())",
     paste0("setwd('", tempdir(), "')"),
