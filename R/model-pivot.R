@@ -60,6 +60,45 @@ pivot_top <- list(
   ledger = pivot_ledger
 )
 
+# ---- approximate --------------------------------------------------------------------------------
+
+# `rows(scene, time_s, bar)`: by C; `leaves_out`: said at the head of each trajectory.
+pivot_approximation <- function(id, rows, leaves_out, ...) {
+  list(
+    id = id,
+    ...,
+    limits = "its error grows with time; not near the vertical",
+    requires = "a symmetric top that spins, gravity, and nothing else",
+    leaves_out = leaves_out,
+    loses = "The bound on what this model leaves out grows with time: {.code model = NULL} picks
+             one that is good enough.",
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      result <- rows(scene, time_s, progress_bar("spinning"))
+      result$info <- void_error(result$info, result$columns)
+      result
+    },
+    ledger = pivot_ledger
+  )
+}
+
+pivot_precession <- pivot_approximation(
+  "pivot_precession",
+  function(scene, time_s, bar) .Call(ffi_pivot_precession, scene, time_s, bar),
+  "nutation, and what the precession adds to the angular momentum",
+  equations = "theta' = 0, phi' = torque/(I3 omega3), psi' = omega3 - phi' cos(theta)",
+  assumptions = "fast spin: the angular momentum is that of the spin",
+  source = "Goldstein 2002, section 5.7 (fast top)"
+)
+
+pivot_nutation <- pivot_approximation(
+  "pivot_nutation",
+  function(scene, time_s, bar) .Call(ffi_pivot_small_nutation, scene, time_s, bar),
+  "the square of the change of the inclination",
+  equations = "u'' = (f'(u0) + f''(u0) (u - u0))/2, u = cos(theta), u'^2 = f(u); phi', psi' linear",
+  assumptions = "small nutation",
+  source = "Goldstein 2002, section 5.7; Whittaker 1937, section 71"
+)
+
 # A record with some fields of its own.
 model_like <- function(record, ...) {
   own <- list(...)
@@ -94,4 +133,7 @@ pivot_steppers <- lapply(
   }
 )
 
-pivot_models <- c(list(pivot_top, pivot_free, pivot_rk8pd, pivot_radau), pivot_steppers)
+pivot_models <- c(
+  list(pivot_top, pivot_precession, pivot_nutation, pivot_free, pivot_rk8pd, pivot_radau),
+  pivot_steppers
+)

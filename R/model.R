@@ -8,6 +8,7 @@
 #   run_with_step(scene, time_s, step_s, max_steps, call)  NULL, or run() by steps of this length
 #   ran_as(info)            NULL, or the id of the model that a run ended with
 #   loses                   NULL, or the cause of large errors, for the warning
+#   leaves_out              NULL, or what an approximation leaves out, for the head of a trajectory
 # and, from the C core for the models that it knows, from the record itself for others:
 #   error_kind              "bound" (a closed form) or "estimate"
 #   handles                 the effects of a scene that it takes, by name

@@ -12,6 +12,11 @@
 #' So is a body that is held at its centre of mass. Everything else is integrated. Events of the
 #' closed form: the centre of mass is `highest` or `lowest`.
 #'
+#' Two short cuts of the fast top have a bound, and are taken where it is within the accuracy asked:
+#' `pivot_precession`, the gyroscope that goes round at torque over angular momentum, and
+#' `pivot_nutation`, small nutation to first order. The head of the trajectory says what is left
+#' out.
+#'
 #' @param body A `rot_body`; or three principal moments of inertia in kg m^2 about the fixed point,
 #'   along the body's axes: then `mass_kg` and `centre_m` say where gravity acts.
 #' @inheritParams scene_free

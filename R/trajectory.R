@@ -430,6 +430,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     "Error" = describe_error(run),
     if (!is.null(run$info$step_s)) c("Steps" = paste(format_si(run$info$step_s), "s each")),
     if (!is.null(run$body)) c("Body" = describe_body_effect(run$body)),
+    if (!is.null(record_of(run)$leaves_out)) c("Left out" = record_of(run)$leaves_out),
     if (!is.null(run$dropped)) {
       c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
     },

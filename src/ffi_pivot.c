@@ -1,8 +1,17 @@
 #include "ffi_scenes.h"
 #include "rot_pivot.h"
+#include "rot_pivot_approx.h"
 
 SEXP ffi_pivot_top(SEXP list, SEXP time_s, SEXP progress) {
   return ffi_free_rows(list, time_s, progress, rot_pivot_top);
+}
+
+SEXP ffi_pivot_precession(SEXP list, SEXP time_s, SEXP progress) {
+  return ffi_free_rows(list, time_s, progress, rot_pivot_precession);
+}
+
+SEXP ffi_pivot_small_nutation(SEXP list, SEXP time_s, SEXP progress) {
+  return ffi_free_rows(list, time_s, progress, rot_pivot_small_nutation);
 }
 
 /* c(period s, lowest and highest cosine, precession in a period); NULL: no symmetric top. */

@@ -279,7 +279,8 @@ const rot_constraint rot_axle_constraint = {"axle",
                                             effects,
                                             models,
                                             effects_of,
-                                            rot_axle_drop};
+                                            rot_axle_drop,
+                                            NULL};
 
 rot_axle_model rot_axle_closed_form(const char *id) {
   static const struct {

@@ -41,8 +41,8 @@ const rot_model *rot_choice_model(const rot_constraint *constraint, const char *
 /* ---- one model ------------------------------------------------------------------------------- */
 
 /* Without dropping anything. A comparison with a NaN accuracy is false: nothing reaches it. */
-static void judge(const rot_model *model, unsigned effects, const void *scene,
-                  const rot_query *query, rot_candidate *out) {
+static void judge(const rot_constraint *constraint, const rot_model *model, unsigned effects,
+                  const void *scene, const rot_query *query, rot_candidate *out) {
   out->model = model;
   out->untaken = effects & ~model->takes;
   out->dropped = 0;
@@ -52,6 +52,9 @@ static void judge(const rot_model *model, unsigned effects, const void *scene,
   out->error = model->promise;
   if (model->error_kind == ROT_ADAPTIVE && query->accuracy > out->error) {
     out->error = query->accuracy;
+  }
+  if (constraint->bound && !out->untaken && !out->why_not && out->error <= query->accuracy) {
+    out->error = fmax(out->error, constraint->bound(model, scene, query));
   }
   out->applies = !out->untaken && !out->why_not &&
                  (out->error <= query->accuracy || model->use == ROT_BY_NAME);
@@ -81,7 +84,7 @@ static void try_without(const rot_constraint *constraint, const void *scene, con
 
 void rot_choice_judge(const rot_constraint *constraint, const rot_model *model, const void *scene,
                       const rot_query *query, rot_candidate *out) {
-  judge(model, constraint->effects_of(scene), scene, query, out);
+  judge(constraint, model, constraint->effects_of(scene), scene, query, out);
   if (may_drop(constraint, out)) try_without(constraint, scene, query, INFINITY, out);
 }
 
@@ -93,7 +96,7 @@ static int judge_all(const rot_constraint *constraint, const void *scene, const 
   const unsigned effects = constraint->effects_of(scene);
   int bounded = 0;
   for (size_t i = 0; i < constraint->n_models; i++) {
-    judge(&constraint->models[i], effects, scene, query, &out[i]);
+    judge(constraint, &constraint->models[i], effects, scene, query, &out[i]);
     if (out[i].applies && out[i].model->use == ROT_BY_NAME) {
       out[i].applies = 0;
       out[i].why_not = "it runs only where it is named";

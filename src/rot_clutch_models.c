@@ -50,4 +50,5 @@ const rot_constraint rot_clutch_constraint = {"clutch",
                                               effects,
                                               models,
                                               effects_of,
+                                              NULL,
                                               NULL};

@@ -153,4 +153,5 @@ const rot_constraint rot_drive_constraint = {"drive",
                                              effects,
                                              models,
                                              effects_of,
+                                             NULL,
                                              NULL};

@@ -134,4 +134,5 @@ const rot_constraint rot_free_constraint = {"free",
                                             effects,
                                             models,
                                             effects_of,
+                                            NULL,
                                             NULL};

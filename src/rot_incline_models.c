@@ -98,4 +98,5 @@ const rot_constraint rot_incline_constraint = {"incline",
                                                effects,
                                                models,
                                                effects_of,
+                                               NULL,
                                                NULL};

@@ -62,6 +62,9 @@ typedef struct rot_constraint {
    * do. */
   void (*drop)(const void *scene, const rot_model *model, unsigned effects, const rot_query *query,
                double worst, rot_drop *drop);
+  /* NULL, or the bound on a model's error in this scene: of models that leave out what no effect
+   * names. 0 for the others, Inf where there is none. */
+  double (*bound)(const rot_model *model, const void *scene, const rot_query *query);
 } rot_constraint;
 
 #endif

@@ -9,8 +9,10 @@
 /* Moments across the axis are the same within their rounding. */
 #define ALIKE (16.0 * ROT_EPS)
 
-/* The axis along which the lever lies, of a symmetric top; -1. */
-static int top_axis(const rot_free_params *p) {
+const double rot_pivot_turns[3][4] = {
+    {0.5, 0.5, 0.5, 0.5}, {0.5, -0.5, -0.5, -0.5}, {1.0, 0.0, 0.0, 0.0}};
+
+int rot_pivot_axis(const rot_free_params *p) {
   for (int k = 0; k < 3; k++) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const double a = p->moment_kg_m2[i], b = p->moment_kg_m2[j], *g = p->lever_n_m;
@@ -23,7 +25,7 @@ static int top_axis(const rot_free_params *p) {
 }
 
 const char *rot_pivot_not_top(const rot_free_params *p) {
-  if (top_axis(p) < 0) return "it is no symmetric top";
+  if (rot_pivot_axis(p) < 0) return "it is no symmetric top";
   return NULL;
 }
 
@@ -38,15 +40,13 @@ typedef struct run {
 } run;
 
 static rot_status begin(const rot_free_params *p, run *r) {
-  static const double turns[3][4] = {
-      {0.5, 0.5, 0.5, 0.5}, {0.5, -0.5, -0.5, -0.5}, {1.0, 0.0, 0.0, 0.0}};
-  const int k = top_axis(p);
+  const int k = rot_pivot_axis(p);
   double omega[3], q[4];
   rot_top_start start;
   if (k < 0) return ROT_EVALUE;
   r->p = p;
   r->axis = k;
-  for (int i = 0; i < 4; i++) r->turn[i] = turns[k][i];
+  for (int i = 0; i < 4; i++) r->turn[i] = rot_pivot_turns[k][i];
   rot_free_principal(p, omega, q);
   for (int i = 0; i < 3; i++) start.omega[i] = (rot_dd){omega[(k + 1 + i) % 3], 0.0};
   /* q turn, exactly: halves of sums, in twice the precision */

@@ -10,6 +10,12 @@
  * across it differ. */
 const char *rot_pivot_not_top(const rot_free_params *p);
 
+/* The axis of symmetry, along which the lever lies; -1: no symmetric top. */
+int rot_pivot_axis(const rot_free_params *p);
+/* Of each such axis k, the turn of the top's axes 1, 2, 3, which are k + 1, k + 2, k (modulo 3), to
+ * the principal ones: v_principal = turn v_top turn*. */
+extern const double rot_pivot_turns[3][4];
+
 /* Rows as rot_free_exact() writes them. Events: the turning points of the nutation, up to 10000. */
 rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s[],
                          const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,

@@ -1,7 +1,11 @@
 #include "rot_pivot_models.h"
 
+#include <math.h>
+#include <string.h>
+
 #include "rot_free_models.h"
 #include "rot_pivot.h"
+#include "rot_pivot_approx.h"
 
 enum { WEIGHT = 1, TORQUE = 2, LAW = 4, DAMPING = 8 };
 
@@ -23,6 +27,23 @@ static const char *refuses_top(const void *scene, const rot_query *query) {
   return rot_pivot_not_top(scene);
 }
 
+static const char *refuses_approx(const void *scene, const rot_query *query) {
+  (void)query;
+  return rot_pivot_not_spinning(scene);
+}
+
+static double bound_of(const rot_model *model, const void *scene, const rot_query *query) {
+  const rot_free_params *p = scene;
+  double t = 0.0;
+  if (model->why_not != refuses_approx) return 0.0;
+  if (query->n) {
+    const double from = query->time_s[0], to = query->time_s[query->n - 1];
+    t = fmax(fabs(from - p->start_s), fabs(to - p->start_s));
+  }
+  return strcmp(model->id, "pivot_precession") ? rot_pivot_nutation_bound(p, t)
+                                               : rot_pivot_precession_bound(p, t);
+}
+
 static const rot_model models[] = {
     {"pivot_top",
      WEIGHT,
@@ -33,6 +54,24 @@ static const rot_model models[] = {
      refuses_top,
      rot_free_exact_s,
      {8e-6, 1e-6, 0.0, 0.0}},
+    {"pivot_precession",
+     WEIGHT,
+     ROT_BOUND,
+     1e-7,
+     ROT_FREELY,
+     "a fast top: it goes round at torque/L, nutation left out",
+     refuses_approx,
+     rot_free_exact_s,
+     {7e-6, 0.4e-6, 0.0, 0.0}},
+    {"pivot_nutation",
+     WEIGHT,
+     ROT_BOUND,
+     1e-7,
+     ROT_FREELY,
+     "a fast top: small nutation, to first order",
+     refuses_approx,
+     rot_free_exact_s,
+     {7e-6, 0.5e-6, 0.0, 0.0}},
     {"pivot_free",
      DAMPING,
      ROT_BOUND,
@@ -105,4 +144,5 @@ const rot_constraint rot_pivot_constraint = {"pivot",
                                              effects,
                                              models,
                                              effects_of,
-                                             NULL};
+                                             NULL,
+                                             bound_of};

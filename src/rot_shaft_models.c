@@ -94,4 +94,5 @@ const rot_constraint rot_shaft_constraint = {"rotors",
                                              effects,
                                              models,
                                              effects_of,
+                                             NULL,
                                              NULL};

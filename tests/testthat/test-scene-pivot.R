@@ -176,3 +176,37 @@ test_that("the splitting keeps the energy of an asymmetric top for thousands of 
   )
   expect_identical(audit(long)$verdict, rep("balanced", 5))
 })
+
+test_that("the gyroscope's short cuts are taken within their bounds, and said", {
+  tilted <- attitude_from(c(1, 0, 0, 1.1), "axis_angle")
+  wheel <- scene_pivot(
+    c(0.7, 0.7, 1), c(0, 0, 100), mass_kg = 1, centre_m = c(0, 0, 2), gravity_m_per_s2 = 1,
+    attitude0 = tilted
+  )
+  t <- seq(0, 5, by = 0.05)
+  exact <- trajectory(wheel, t)
+  expect_identical(trajectory_run(exact)$model, "pivot_top")
+  rough <- trajectory(wheel, t, accuracy = 1e-2)
+  run <- trajectory_run(rough)
+  expect_identical(run$model, "pivot_precession")
+  expect_identical(run$error_kind, "bound")
+  expect_match(tibble::tbl_sum(rough)[["Left out"]], "nutation")
+  expect_lte(max(attitude_difference(rough, exact)), run$info$errors[["attitude"]])
+  expect_lte(run$info$error, 1e-2)
+  choice <- choose_model(wheel, t, accuracy = 1e-2)
+  expect_equal(choice$error[choice$chosen], run$info$error, tolerance = 1e-6)
+  strict <- choose_model(wheel, t, accuracy = 1e-6)
+  expect_match(strict$reason[strict$model == "pivot_precession"], "exceeds the accuracy asked")
+  # For a moment nutation to first order is good to 1e-6, and precession alone is not.
+  expect_identical(
+    trajectory_run(trajectory(wheel, seq(0, 1e-3, by = 1e-5), accuracy = 1e-5))$model,
+    "pivot_nutation"
+  )
+  expect_warning(predict(rough, 1e4), class = "rotdyn_warning_accuracy")
+  expect_identical(audit(rough)$verdict, rep("balanced", 5))
+  swing <- trajectory(wheel, t, model = "pivot_nutation", accuracy = 1e-2)
+  off <- max(attitude_difference(swing, exact))
+  expect_lte(off, trajectory_run(swing)$info$errors[["attitude"]])
+  still <- scene_pivot(c(0.7, 0.7, 1), c(0, 0, 0), mass_kg = 1, centre_m = c(0, 0, 2))
+  expect_error(trajectory(still, t, model = "pivot_precession"), class = "rotdyn_error_model")
+})
