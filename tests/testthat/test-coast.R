@@ -151,6 +151,30 @@ test_that("the wheelchair: figures of the record, and the law is incomplete", {
   expect_false(glance(three)$complete)
 })
 
+test_that("a straight line is rejected for the roller, which is driven", {
+  rows <- utils::read.csv(
+    shared("data", "measured", "phyphox_roller_spinup_z_acc.csv"), check.names = FALSE
+  )
+  rows <- data.frame(time_s = rows[[1]], omega_rad_per_s = rows[[4]])
+  expect_error(fit_coast_down(rows), "its speed grows", class = "rotdyn_error_value")
+  # A constant torque and constant friction: a straight line of omega(t).
+  line <- fit_coast_down(rows, inertia = 1, losses = "coulomb", torque = 5)
+  expect_match(residual_tests(line)$finding[2], "incomplete")
+  expect_output(print(line), "The law is incomplete")
+})
+
+test_that("readings of an encoder at rest count once", {
+  motion <- coasting(end = 30) # it stops at 10.7 s
+  step <- 2 * pi / 2400
+  samples <- data.frame(
+    time_s = motion$time_s, theta_rad = step * floor(motion$theta_rad / step) + step / 2
+  )
+  fit <- fit_coast_down(samples)
+  expect_lt(nrow(augment(fit)), 160)
+  expect_lt(max(abs(fit$value - truth) / truth), 0.01)
+  expect_equal(glance(fit)$sigma, step / sqrt(12), tolerance = 0.2)
+})
+
 test_that("shares of the energy sum to 1, and are those of the ledger", {
   fit <- fit_coast_down(noisy(coasting(end = 12), 0.005), inertia = 0.0625)
   budget <- loss_budget(fit)
