@@ -260,8 +260,8 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
     threshold = if (noise == "find") 2 else Inf
   )
   out <- .Call(ffi_coast_fit, problem, 1)
-  status <- out$numbers[1]
-  if (status != 0) {
+  shown <- c(out$p, out$covariance, out$bounded, out$bounded_covariance)
+  if (out$numbers[1] != 0 || !all(is.finite(shown))) {
     abort_rotdyn(c(
       "No coast-down fits run {run$name}.",
       i = "Leave out the rows in which the body is pushed, held or braked."

@@ -47,7 +47,7 @@ with_error <- function(value, se) {
 coast_pairs <- function(fit) {
   if (length(fit$losses) < 2L) return(NULL)
   x <- shown_losses(fit)
-  r <- stats::cov2cor(x$covariance)
+  r <- correlations(x$covariance)
   lower <- coast_rows(fit)$lower
   pairs <- which(upper.tri(r) & abs(r) > 0.99, arr.ind = TRUE)
   keep <- lower[pairs[, 1]] <= 0 | lower[pairs[, 2]] <= 0

@@ -49,7 +49,9 @@ pool_runs <- function(runs, shared, load) {
     x <- vapply(values, `[[`, 0, name)
     w <- 1 / vapply(spreads, function(s) s[name, name], 0)
     q <- sum(w * (x - sum(w * x) / sum(w))^2)
-    max(0, (q - (length(x) - 1)) / (sum(w) - sum(w^2) / sum(w)))
+    # sum(w) - sum(w^2)/sum(w) without the difference.
+    cross <- outer(w, w / sum(w))
+    max(0, (q - (length(x) - 1)) / sum(cross[upper.tri(cross) | lower.tri(cross)]))
   }, 0)
   # A difference that chance explains adds nothing.
   p <- stats::pchisq(excess, free, lower.tail = FALSE)
@@ -67,10 +69,14 @@ pool_runs <- function(runs, shared, load) {
   )
 }
 
-# solve() of a covariance matrix whose rows have different units.
+# solve() of a covariance matrix whose rows have different units. Correlations of 1 to rounding
+# leave directions without information: they count as 1e-14 of the largest.
 scaled_solve <- function(a, b = diag(nrow(a))) {
   s <- sqrt(diag(a))
-  inner <- solve(a / outer(s, s), b / s, tol = 1e-15)
+  s[s == 0] <- 1
+  parts <- eigen(t(t(a / s) / s), symmetric = TRUE)
+  least <- 1e-14 * max(parts$values)
+  inner <- parts$vectors %*% (crossprod(parts$vectors, b / s) / pmax(parts$values, least))
   inner / s
 }
 
@@ -200,7 +206,7 @@ coast_status <- function(x, lower) {
   k <- length(x$value)
   status <- ifelse(lower > 0, "acts", "at most")
   if (k < 2L) return(status)
-  correlation <- stats::cov2cor(x$covariance)
+  correlation <- correlations(x$covariance)
   for (i in which(lower <= 0)) {
     with <- which(abs(correlation[i, ]) > 0.99 & lower <= 0 & seq_len(k) != i)
     if (length(with)) {
@@ -208,4 +214,11 @@ coast_status <- function(x, lower) {
     }
   }
   status
+}
+
+# 0 where a variance is 0, as that of data without any noise may be.
+correlations <- function(covariance) {
+  s <- sqrt(diag(covariance))
+  s[!(s > 0)] <- 1
+  t(t(covariance / s) / s)
 }
