@@ -3,7 +3,7 @@
 #   Rscript bench/coast.R
 #
 # A line for each: median processor time in ms, and the ratio. nls() starts at the true parameters,
-# which is its best; lsoda returns the angles at the samples. The derivatives are its own differences.
+# which is its best. Its derivatives are differences of what lsoda returns.
 
 library(rotdyn)
 
