@@ -105,10 +105,11 @@ pool_periods <- function(time_s, swings = 1, group = NULL, ..., type_b_s = 0.03)
   } else {
     NA_real_
   }
+  dof <- if (length(y) > 1L) length(y) - 1 else max(sum(count[good]) - 1, 1)
   error <- if (shared > 0 || all(inside > 0)) 1 / sqrt(sum(weight)) else 0
   structure(
     list(
-      period_s = new_measured(pooled, error, max(length(y) - 1, 1), "period"), between_s = shared,
+      period_s = new_measured(pooled, error, dof, "period"), between_s = shared,
       birge_ratio = birge,
       groups = tibble::tibble(
         group = who, readings = count, period_s = mean, u_s = u, ratio = ratio, status = status
