@@ -129,8 +129,10 @@ estimate_subtitle <- function(fit, factor, label) {
     if (NROW(events)) {
       shown <- utils::head(seq_len(nrow(events)), 3)
       paste0(
-        paste0(events$event[shown], " at ", format_si(signif(events$time_s[shown] * factor, 4)), " ",
-               unit, collapse = ", "),
+        paste0(
+          events$event[shown], " at ", format_si(signif(events$time_s[shown] * factor, 4)), " ",
+          unit, collapse = ", "
+        ),
         if (nrow(events) > 3L) ", ..."
       )
     },

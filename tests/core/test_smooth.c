@@ -4,6 +4,8 @@
 
 #include <stdlib.h>
 
+#include "rot_smooth_breaks.h"
+
 #include "rot_test.h"
 
 enum { P = ROT_SMOOTH_MOST };
@@ -139,16 +141,22 @@ static void exact_smoother(const rot_smooth_nodes *nodes, const rot_smooth_model
         inverse[r][c] /= row[r][r];
       }
     }
+    quad half[P][P], inner[P][P]; /* 1 + T C+ T' */
+    for (int a = 0; a < p; a++)
+      for (int d = 0; d < p; d++) {
+        half[a][d] = 0;
+        for (int c = 0; after && c < p; c++) half[a][d] += row[a][p + c] * after[c * p + d];
+      }
+    for (int a = 0; a < p; a++)
+      for (int b = 0; b < p; b++) {
+        inner[a][b] = a == b;
+        for (int d = 0; d < p; d++) inner[a][b] += half[a][d] * row[b][p + d];
+      }
     for (int i = 0; i < p; i++)
       for (int j = 0; j < p; j++) {
         quad sum = 0;
         for (int a = 0; a < p; a++)
-          for (int b = 0; b < p; b++) {
-            quad inner = a == b;
-            for (int c = 0; after && c < p; c++)
-              for (int d = 0; d < p; d++) inner += row[a][p + c] * after[c * p + d] * row[b][p + d];
-            sum += inverse[i][a] * inner * inverse[j][b];
-          }
+          for (int b = 0; b < p; b++) sum += inverse[i][a] * inner[a][b] * inverse[j][b];
         cov[i * p + j] = sum;
       }
   }
@@ -211,9 +219,274 @@ static void quadruple_precision(void) {
 }
 #endif
 
+/* ---- one record, several ways ---------------------------------------------------------------- */
+
+enum { N = 120 };
+
+typedef struct series {
+  double gap[N + 1], y[N + 1], w[N + 1];
+  signed char first[N + 1];
+  rot_smooth_nodes nodes;
+} series;
+
+static void make_series(series *of, int uneven) {
+  double t = 0.0;
+  for (int k = 0; k < N; k++) {
+    of->gap[k] = k == 0 ? 0.0 : uneven ? 0.3 + 1.4 * uniform() : 1.0;
+    t += of->gap[k];
+    of->y[k] = 40.0 * sin(0.07 * t) + normal();
+    of->w[k] = uneven ? 0.5 + uniform() : 1.0;
+    of->first[k] = ROT_SMOOTH_FLOWS;
+  }
+  of->first[0] = ROT_SMOOTH_STARTS;
+  const rot_smooth_nodes nodes = {N, of->gap, {of->y, NULL}, {of->w, NULL}, of->first};
+  of->nodes = nodes;
+}
+
+/* A leave-one-out residual is that of a smoother without the sample. */
+static void leave_one_out(void) {
+  static series all, without;
+  static double mean[N * P], cov[N * 6], residual[N], shock[N];
+  make_series(&all, 1);
+  const rot_smooth_model model = {4, 1e-5};
+  rot_smooth_store store;
+  rot_smooth_sums sums;
+  double *to[2] = {residual, NULL};
+  ROT_CHECK(rot_smooth_store_new(&store, N, 4) == ROT_OK);
+  rot_smooth_filter(&all.nodes, &model, 0, N, &store, 1, &sums);
+  rot_smooth_scores(&all.nodes, &model, &store, shock, to);
+  for (int i = 5; i < N; i += 23) {
+    without = all;
+    without.nodes.y[0] = without.y;
+    without.y[i] = NAN;
+    rot_smooth_filter(&without.nodes, &model, 0, N, &store, 1, &sums);
+    rot_smooth_smooth(&without.nodes, &model, &store, mean, cov);
+    ROT_CHECK_REL(residual[i], (all.y[i] - mean[4 * i]) / sqrt(cov[6 * i] + all.w[i] * all.w[i]),
+                  1e-6);
+  }
+  rot_smooth_store_free(&store);
+}
+
+static double squares(const rot_smooth_nodes *nodes, const rot_smooth_model *model) {
+  static double mean[(N + 1) * P];
+  rot_smooth_store store;
+  rot_smooth_sums sums;
+  double sum = 0.0;
+  ROT_CHECK(rot_smooth_store_new(&store, nodes->n, model->order) == ROT_OK);
+  rot_smooth_filter(nodes, model, 0, nodes->n, &store, 1, &sums);
+  for (size_t k = 0; k < nodes->n; k++)
+    if (store.f[0][k] > 0.0) sum += store.v[0][k] * store.v[0][k] / store.f[0][k];
+  rot_smooth_smooth(nodes, model, &store, mean, NULL);
+  rot_smooth_store_free(&store);
+  return sum;
+}
+
+/* The score of a shock is the fall of the sum of squares where the states from 1 on begin anew. */
+static void score_of_shock(void) {
+  static series all, broken;
+  static double shock[N];
+  make_series(&all, 1);
+  for (int k = 60; k < N; k++) all.y[k] += 0.8 * (k - 60);
+  for (int p = 3; p <= 4; p++) {
+    const rot_smooth_model model = {p, 1e-4};
+    rot_smooth_store store;
+    rot_smooth_sums sums;
+    ROT_CHECK(rot_smooth_store_new(&store, N, p) == ROT_OK);
+    rot_smooth_filter(&all.nodes, &model, 0, N, &store, 1, &sums);
+    rot_smooth_scores(&all.nodes, &model, &store, shock, NULL);
+    rot_smooth_store_free(&store);
+    for (int at = 20; at <= 100; at += 20) {
+      broken = all;
+      for (int k = N; k > at; k--) {
+        broken.gap[k] = all.gap[k - 1];
+        broken.y[k] = all.y[k - 1];
+        broken.w[k] = all.w[k - 1];
+        broken.first[k] = all.first[k - 1];
+      }
+      /* A node without a sample at the time of sample `at`, then a break with that sample. */
+      broken.y[at] = NAN;
+      broken.gap[at + 1] = 0.0;
+      broken.first[at + 1] = 1;
+      const rot_smooth_nodes nodes = {
+          N + 1, broken.gap, {broken.y, NULL}, {broken.w, NULL}, broken.first};
+      ROT_CHECK_REL(squares(&all.nodes, &model) - squares(&nodes, &model), shock[at], 1e-5);
+    }
+  }
+}
+
+/* The gain that is kept once it converged gives the same likelihood. */
+static void kept_gain(void) {
+  enum { MANY = 4000 };
+  static double gap[MANY], y[MANY];
+  static signed char first[MANY];
+  for (int k = 0; k < MANY; k++) {
+    gap[k] = 1.0;
+    first[k] = k ? ROT_SMOOTH_FLOWS : ROT_SMOOTH_STARTS;
+    y[k] = k % 997 == 996 ? NAN : 300.0 * sin(0.01 * k) + normal();
+  }
+  const rot_smooth_nodes nodes = {MANY, gap, {y, NULL}, {NULL, NULL}, first};
+  for (int p = 3; p <= 4; p++)
+    for (int e = -10; e <= 2; e += 3) {
+      const rot_smooth_model model = {p, pow(10.0, e)};
+      rot_smooth_store store;
+      rot_smooth_sums stepped, kept;
+      ROT_CHECK(rot_smooth_store_new(&store, MANY, p) == ROT_OK);
+      rot_smooth_filter(&nodes, &model, 0, MANY, &store, 1, &stepped);
+      rot_smooth_filter(&nodes, &model, 0, MANY, NULL, 0, &kept);
+      ROT_CHECK_REL(kept.square, stepped.square, 1e-8);
+      ROT_CHECK_REL(kept.log_f, stepped.log_f, 1e-8);
+      ROT_CHECK_EQ_INT((long long)kept.counted, (long long)stepped.counted);
+      rot_smooth_store_free(&store);
+    }
+}
+
+/* Draws have the means and variances of the smoother, and the covariance of two times. */
+static void draws(void) {
+  enum { DRAWS = 4000 };
+  static series all;
+  static double mean[N * P], cov[N * 6], x[DRAWS * 2 * 4];
+  make_series(&all, 0);
+  const rot_smooth_model model = {4, 1e-5};
+  const size_t at[2] = {30, 33};
+  rot_smooth_store store;
+  rot_smooth_sums sums;
+  double m[2] = {0.0, 0.0}, v[3] = {0.0, 0.0, 0.0};
+  ROT_CHECK(rot_smooth_store_new(&store, N, 4) == ROT_OK);
+  rot_smooth_filter(&all.nodes, &model, 0, N, &store, 1, &sums);
+  rot_smooth_smooth(&all.nodes, &model, &store, mean, cov);
+  ROT_CHECK(rot_smooth_draw(&all.nodes, &model, &store, 1.0, 2, at, DRAWS, 7, NULL, x) == ROT_OK);
+  for (int d = 0; d < DRAWS; d++) {
+    const double a = x[8 * d + 1] - mean[4 * 30 + 1], b = x[8 * d + 5] - mean[4 * 33 + 1];
+    m[0] += a / DRAWS;
+    m[1] += b / DRAWS;
+    v[0] += a * a / DRAWS;
+    v[1] += b * b / DRAWS;
+    v[2] += a * b / DRAWS;
+  }
+  const double sd0 = sqrt(cov[6 * 30 + 3]), sd1 = sqrt(cov[6 * 33 + 3]);
+  ROT_CHECK(fabs(m[0]) < 5.0 * sd0 / sqrt(DRAWS));
+  ROT_CHECK_REL(sqrt(v[0]), sd0, 0.06);
+  ROT_CHECK_REL(sqrt(v[1]), sd1, 0.06);
+  ROT_CHECK(v[2] / (sd0 * sd1) > 0.3); /* neighbours: their errors go together */
+  rot_smooth_store_free(&store);
+}
+
+/* ---- records --------------------------------------------------------------------------------- */
+
+typedef struct samples {
+  double time[500], theta[500], w[500];
+  rot_smooth_record record;
+} samples;
+
+static void make_samples(samples *of, size_t n) {
+  memset(&of->record, 0, sizeof of->record);
+  of->record.n = n;
+  of->record.time_s = of->time;
+  of->record.y[0] = of->theta;
+  of->record.w[0] = of->w;
+  for (size_t i = 0; i < n; i++) {
+    of->time[i] = 0.02 * (double)i;
+    of->w[i] = 1.0;
+  }
+}
+
+/* An impact between two samples and a sample that is off: found, with time, jump and scatter. */
+static void impact_and_outlier(void) {
+  static samples of;
+  make_samples(&of, 400);
+  for (int i = 0; i < 400; i++) {
+    const double t = of.time[i];
+    of.theta[i] = 5.0 * t + (t > 4.013 ? 6.0 * (t - 4.013) : 0.0) + 1e-3 * normal();
+  }
+  of.theta[90] += 0.02;
+  of.theta[202] -= 0.02;
+  const rot_smooth_finding how = {1, 1, 3, 4, 10};
+  rot_smooth_break breaks[10];
+  rot_smooth_fit fit;
+  size_t n = 0;
+  double error;
+  ROT_CHECK(rot_smooth_find(&of.record, &how, breaks, &n, NULL, &fit) == ROT_OK);
+  ROT_CHECK_EQ_INT((long long)n, 1);
+  ROT_CHECK(fabs(breaks[0].time_s - 4.013) < 1e-3);
+  ROT_CHECK_EQ_INT(breaks[0].first, 1);
+  ROT_CHECK(isinf(of.w[90]) && isinf(of.w[202]));
+  ROT_CHECK_REL(fit.sigma, 1e-3, 0.15);
+  ROT_CHECK(rot_smooth_time_error(&of.record, &fit, n, breaks, 0, &error) == ROT_OK);
+  ROT_CHECK(error > 2e-5 && error < 1e-3);
+}
+
+/* A line without noise: a polynomial, with sigma at the rounding of the samples. */
+static void exact_line(void) {
+  static samples of;
+  make_samples(&of, 100);
+  for (int i = 0; i < 100; i++) of.theta[i] = 3.0 - 7.0 * of.time[i];
+  const rot_smooth_finding how = {1, 1, 3, 4, 10};
+  rot_smooth_break breaks[10];
+  rot_smooth_fit fit;
+  size_t n = 0;
+  ROT_CHECK(rot_smooth_find(&of.record, &how, breaks, &n, NULL, &fit) == ROT_OK);
+  ROT_CHECK_EQ_INT((long long)n, 0);
+  ROT_CHECK_EQ_INT(fit.end, ROT_SMOOTH_POLYNOMIAL);
+  ROT_CHECK(fit.sigma < 1e-13);
+}
+
+/* Random nodes of every kind: variances are finite and not negative, covariances within them. */
+static void random_nodes(void) {
+  const char *asked = getenv("ROT_SMOOTH_RECORDS"), *from = getenv("ROT_SMOOTH_SEED");
+  const long records = asked ? strtol(asked, NULL, 10) : 2000;
+  static double gap[N], y[N], z[N], v[N], w[N], mean[N * P], cov[N * 6];
+  static signed char first[N];
+  if (from) seed = 20221u + (uint64_t)strtoul(from, NULL, 10) * 2654435761u;
+  for (long i = 0; i < records; i++) {
+    const int p = 2 + (int)(4.0 * uniform());
+    const size_t n = 1 + (size_t)(uniform() * uniform() * N);
+    const double range = pow(10.0, 8.0 * uniform()), few = uniform() < 0.2 ? 0.7 : 0.05;
+    for (size_t k = 0; k < n; k++) {
+      gap[k] = k ? pow(10.0, uniform() < 0.05 ? 3.0 * uniform() : uniform() - 0.7) : 0.0;
+      if (uniform() < 0.02) gap[k] = 0.0;
+      first[k] = ROT_SMOOTH_FLOWS;
+      y[k] = uniform() < few ? NAN : range * sin(0.3 * (double)k) + normal();
+      z[k] = uniform() < few ? NAN : 0.3 * range * cos(0.3 * (double)k) + normal();
+      v[k] = pow(10.0, 2.0 * uniform() - 1.0);
+      w[k] = pow(10.0, 2.0 * uniform() - 1.0);
+      if (k > 0 && uniform() < 0.03) {
+        gap[k] = 0.0;
+        first[k] = (signed char)(p > 2 && uniform() < 0.5 ? 2 : 1);
+      }
+    }
+    first[0] = ROT_SMOOTH_STARTS;
+    const int kind = (int)(3.0 * uniform());
+    const rot_smooth_nodes nodes = {
+        n, gap, {kind == 1 ? NULL : y, kind == 0 ? NULL : z}, {v, w}, first};
+    const rot_smooth_model model = {p, pow(10.0, 20.0 * uniform() - 14.0)};
+    rot_smooth_store store;
+    rot_smooth_sums sums;
+    if (rot_smooth_store_new(&store, n, p) != ROT_OK) return;
+    rot_smooth_filter(&nodes, &model, 0, n, &store, 1, &sums);
+    rot_smooth_smooth(&nodes, &model, &store, mean, cov);
+    int fine = isfinite(sums.log_f) && isfinite(sums.square);
+    for (size_t k = 0; k < n; k++) {
+      const double *c = cov + 6 * k;
+      fine = fine && isfinite(mean[k * (size_t)p]) && isfinite(mean[k * (size_t)p + 1]);
+      fine = fine && c[0] >= 0.0 && c[3] >= 0.0 && c[5] >= 0.0;
+      fine = fine && c[1] * c[1] <= c[0] * c[3] * (1.0 + 1e-9);
+      fine = fine && c[4] * c[4] <= c[3] * c[5] * (1.0 + 1e-9);
+    }
+    ROT_CHECK(fine);
+    rot_smooth_store_free(&store);
+  }
+}
+
 int main(void) {
 #ifdef __SIZEOF_FLOAT128__
   quadruple_precision();
 #endif
+  leave_one_out();
+  score_of_shock();
+  kept_gain();
+  draws();
+  impact_and_outlier();
+  exact_line();
+  random_nodes();
   return rot_test_report("smooth");
 }
