@@ -231,6 +231,11 @@ column_list <- list(
   c("euler_x_m_per_s2", "m/s^2", "Euler acceleration, -alpha x r"),
   c("euler_y_m_per_s2", "m/s^2", "the same along y"),
   c("euler_z_m_per_s2", "m/s^2", "the same along z"),
+  c("axis_x", "1", "component along x of space of the unit vector along the axis"),
+  c("axis_y", "1", "the same along y"),
+  c("axis_z", "1", "the same along z, upward"),
+  c("axis_inclination_rad", "rad", "angle from upward to the axis"),
+  c("axis_azimuth_rad", "rad", "angle of the axis about the vertical, from x, counterclockwise"),
   c("inclination_rad", "rad", "angle from upward to the line from the point to the centre of mass"),
   c("gravity_torque_n_m", "N m", "torque of gravity about the fixed point, m g l sin(angle)"),
   c("spin_angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum of the spin, I3 omega3"),
@@ -684,6 +689,9 @@ tumbling_columns <- c(
 stability_columns <- c(
   "axis", "principal_moment_kg_m2", "x", "y", "z", "stability", "growth_per_omega",
   "wobble_per_omega"
+)
+axis_path_columns <- c(
+  "axis_x", "axis_y", "axis_z", "axis_inclination_rad", "axis_azimuth_rad"
 )
 quaternion_columns <- c("qw", "qx", "qy", "qz")
 collide_columns <- c(

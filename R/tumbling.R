@@ -121,6 +121,7 @@ spin_stability <- function(body, ...) {
 #' @param n Number of points, at least 2, evenly spaced in time.
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_trajectory` over one period, twice [flip_time()]; over one turn for a steady spin.
+#'   [autoplot()][autoplot.rot_polhode] draws it on the ellipsoid.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value` (a torque or damping; the separatrix,
 #'   which has no period), `rotdyn_error_argument`, `rotdyn_error_missing`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.6.
@@ -129,6 +130,7 @@ spin_stability <- function(body, ...) {
 #' nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
 #' path <- polhode(nut)
 #' plot(path$omega_x_rad_per_s, path$omega_y_rad_per_s, type = "l", asp = 1)
+#' if (requireNamespace("ggplot2", quietly = TRUE)) ggplot2::autoplot(path)
 #' @export
 polhode <- function(scene, n = 201, ...) {
   call <- check_no_dots(...)
@@ -158,5 +160,7 @@ polhode <- function(scene, n = 201, ...) {
   }
   if (is.infinite(period)) period <- 0
   times <- scene$start_s + period * seq(0, 1, length.out = floor(n))
-  compute_trajectory(scene, times, 1e-9, "free_exact", "abort", 1e6, call)
+  out <- compute_trajectory(scene, times, 1e-9, "free_exact", "abort", 1e6, call)
+  class(out) <- c("rot_polhode", class(out))
+  out
 }
