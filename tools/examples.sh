@@ -103,8 +103,41 @@ warn="-Wall -Wextra -Wpedantic -Werror"
 }
 
 if test $compare = no; then
-  skip "linkingto: needs R"
+  skip "linkingto, two copies of the core: need R"
 else
+  # The static library inside R, where the package has the core, too.
+  cat > "$work/copy.c" <<'C'
+#include <rotdyn.h>
+void copy(const double *time_s, double *omega) {
+  rotdyn_axle axle = ROTDYN_INIT(rotdyn_axle);
+  rotdyn_axle_columns out = ROTDYN_INIT(rotdyn_axle_columns);
+  axle.inertia_kg_m2 = 0.5;
+  axle.omega0_rad_per_s = 3.0;
+  axle.quadratic_n_m_s2 = 0.25;
+  axle.viscous_n_m_s = 0.1;
+  out.omega_rad_per_s = omega;
+  (void)rotdyn_axle_rows(&axle, 1, time_s, (const rotdyn_options *)0, &out, (rotdyn_info *)0);
+}
+C
+  cat > "$work/copy.R" <<'R'
+library(rotdyn)
+ours <- function() {
+  scene <- scene_axle(0.5, NULL, resistance(0.1, 0.25), omega0_rad_per_s = 3)
+  trajectory(scene, 8)$omega_rad_per_s
+}
+before <- ours()
+dyn.load(paste0("copy", .Platform$dynlib.ext))
+theirs <- .C("copy", 8, 0)[[2]]
+stopifnot(identical(before, theirs), identical(before, ours()))
+R
+  if (cd "$work" && PKG_CPPFLAGS="-I$library/include" PKG_LIBS="$library/lib/librotdyn.a $libs" \
+    R CMD SHLIB copy.c && Rscript copy.R) > "$work/copy.out" 2>&1; then
+    pass "two copies of the core in one process"
+  else
+    cat "$work/copy.out"
+    fail "two copies of the core in one process"
+  fi
+
   (cd "$work" && R CMD build "$top/$here/linkingto" > check.out 2>&1 &&
     _R_CHECK_CRAN_INCOMING_=false R CMD check --no-manual rotdynclient_*.tar.gz >> check.out 2>&1)
   if grep -q '^Status: OK' "$work/check.out"; then
