@@ -455,9 +455,29 @@ cli_list_verbs <- function() {
   list(
     plain("shapes", "the standard shapes, with their formulas", function() shapes()),
     plain("models", "every model, with its equations and limits", function() models()),
-    plain("columns", "the columns of all tables: unit, meaning", function() column_table),
+    plain("columns", "the columns of all tables: unit, meaning", rotdyn_columns),
     cli_verb(
-      "version", "", c(0, 0), "versions of this package, of its C interface and of R", list(),
+      "metadata", "[TABLE]", c(0, 1),
+      "tables of units, constants, conventions, models, assumptions, cases", list(),
+      function(words, options, state) {
+        known <- metadata()
+        if (!length(words)) {
+          return(list(table = list(
+            table = names(known), rows = unname(vapply(known, nrow, 1L))
+          )))
+        }
+        if (!words %in% names(known)) {
+          near <- near_names(words, names(known))
+          abort_usage(
+            "unknown table `", words, "`",
+            if (length(near)) paste0("; did you mean `", near[1], "`?"), verb = "metadata"
+          )
+        }
+        list(table = known[[words]])
+      }, example = c("rotdyn metadata", "rotdyn metadata units --format text")
+    ),
+    cli_verb(
+      "version", "", c(0, 0), "versions of this package and of R", list(),
       function(words, options, state) {
         list(lines = paste0(
           "rotdyn ", utils::packageVersion("rotdyn"), ", R ", getRversion()

@@ -17,6 +17,7 @@
 #include "rot_energy.h"
 #include "rot_gsl.h"
 #include "rot_inertia.h"
+#include "rot_precession.h"
 #include "rot_rolling.h"
 #include "rot_search.h"
 #include "rot_shapes.h"
@@ -140,6 +141,37 @@ int rotdyn_rolling_energies(double mass_kg, double radius_m, double beta, double
   if (!out || mass_kg < 0.0 || beta < 0.0 || radius_m <= 0.0) return ROTDYN_EARGUMENT;
   rot_energy_partition(1, &in, &to);
   return give(&e, sizeof e, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+}
+
+int rotdyn_precession_rates(const rotdyn_top *top, rotdyn_top_rates *out) {
+  rotdyn_top t;
+  rotdyn_top_rates r = {0};
+  if (!out || !take(top, sizeof t, &t)) return ROTDYN_EARGUMENT;
+  const int known = t.transverse_kg_m2 != 0.0;
+  if (t.mass_kg < 0.0 || t.gravity_m_per_s2 < 0.0 || t.axial_kg_m2 <= 0.0 ||
+      t.spin_rad_per_s == 0.0 || t.axis_angle_deg < 0.0 || t.axis_angle_deg > 180.0 ||
+      (known && t.transverse_kg_m2 < t.axial_kg_m2 / 2.0 * (1.0 - 1e-9))) {
+    return ROTDYN_EARGUMENT;
+  }
+  const rot_precession_input in = {t.mass_kg,
+                                   t.lever_arm_m,
+                                   t.axial_kg_m2,
+                                   t.spin_rad_per_s,
+                                   known ? t.transverse_kg_m2 : NAN,
+                                   t.axis_angle_deg,
+                                   t.gravity_m_per_s2};
+  const rot_precession p = rot_precession_of(&in);
+  r.torque_n_m = p.torque_n_m;
+  r.momentum_kg_m2_per_s = p.momentum_kg_m2_per_s;
+  r.precession_rad_per_s = p.rate_rad_per_s;
+  r.period_s = p.period_s;
+  r.slow_rad_per_s = p.slow_rad_per_s;
+  r.fast_rad_per_s = p.fast_rad_per_s;
+  r.formula_error = p.error;
+  r.nutation_period_s = p.nutation_s;
+  r.lowest_angle_deg = p.lowest_deg;
+  r.mean_precession_rad_per_s = p.mean_rad_per_s;
+  return give(&r, sizeof r, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
 }
 
 int rotdyn_shape_at(size_t i, rotdyn_shape *out) {

@@ -13,6 +13,10 @@ rolling <- function() {
 expected <- switch(
   arguments[1],
   "c" = , "c-static" = rolling(),
+  "c-precession" = precession_table(utils::read.csv(
+    system.file("extdata", "gyroscope_cases.csv", package = "rotdyn")
+  ))[c("mass_kg", "gravity_torque_n_m", "spin_angular_momentum_kg_m2_per_s",
+       "precession_rad_per_s", "precession_period_s")],
   cpp = trajectory(
     scene_axle(body_disk(2, 0.25), knots, resistance(0.03)), (0:800) / 100
   )[c("time_s", "theta_rad", "omega_rad_per_s", "rotational_kinetic_energy_j")],

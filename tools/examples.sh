@@ -69,6 +69,8 @@ warn="-Wall -Wextra -Wpedantic -Werror"
 {
   built c ${CC:-cc} -std=c99 $warn $use $here/c/rolling.c -lrotdyn -o "$work/rolling" &&
     check c "$work/rolling"
+  built c-precession ${CC:-cc} -std=c99 $warn $use $here/c/precession.c -lrotdyn \
+    -o "$work/precession" && check c-precession "$work/precession"
   # The static library, with the same program.
   libs=$(sed -n 's/^Libs.private: //p' "$library/lib/pkgconfig/rotdyn.pc")
   built c-static ${CC:-cc} -std=c99 -I"$library/include" $here/c/rolling.c \

@@ -65,7 +65,7 @@ if test "$(uname)" = Darwin; then
 else
   shared=librotdyn.so.$major link=librotdyn.so
   echo '{ global: rotdyn_*; local: *; };' > "$work/names"
-  only="-shared -Wl,-soname,$shared -Wl,--version-script,$work/names"
+  only="-shared -Wl,-soname,$shared -Wl,--version-script,$work/names -Wl,--no-undefined"
 fi
 # shellcheck disable=SC2086
 $CC $only $flags "$work"/rot_*.o $gsl_libs -lm -o "$work/$shared" || fail "the link"

@@ -221,6 +221,27 @@ typedef struct rotdyn_energies {
   double inertia_kg_m2, omega_rad_per_s, translational_j, rotational_j, total_j;
 } rotdyn_energies;
 
+/* A top or gyroscope whose axis precesses about the vertical through its fixed point. */
+typedef struct rotdyn_top {
+  size_t size;
+  double mass_kg, lever_arm_m; /* from the fixed point to the centre of mass, along the axis */
+  double axial_kg_m2;          /* > 0, about the axis, I3 */
+  double spin_rad_per_s;       /* along the axis, not 0 */
+  double axis_angle_deg;       /* from the upward vertical, 0 to 180 */
+  double gravity_m_per_s2;
+  double transverse_kg_m2; /* about a line across the axis, I1 >= I3/2; 0: unknown */
+} rotdyn_top;
+
+typedef struct rotdyn_top_rates {
+  size_t size;
+  double torque_n_m, momentum_kg_m2_per_s;    /* of gravity; of the spin */
+  double precession_rad_per_s, period_s;      /* the formula m g l/(I3 omega3) */
+  double slow_rad_per_s, fast_rad_per_s;      /* of steady precession; NaN: none, or unknown */
+  double formula_error;                       /* relative to the slow one; NaN: unknown */
+  double nutation_period_s, lowest_angle_deg; /* released from rest; NaN where I1 is unknown */
+  double mean_precession_rad_per_s;
+} rotdyn_top_rates;
+
 typedef struct rotdyn_model {
   size_t size;
   const char *model, *constraint, *why;
@@ -239,6 +260,7 @@ typedef struct rotdyn_model {
  * rolling_rotational_fraction, rolling_translational_fraction   of the kinetic energy
  * rolling_friction      the least coefficient for which it rolls: tan|angle| beta/(1 + beta)
  * rolling_energies      of a body that rolls at a speed (Koenig's theorem)
+ * precession_rates      of a top or gyroscope
  *
  * shape_at              shape i of the catalogue, from 0; ROTDYN_EEND after the last
  * shape_moments         of the shape of that name; sizes in the order of rotdyn_shape.size_name;
@@ -261,6 +283,7 @@ typedef struct rotdyn_model {
   X(double, rolling_friction, (double beta, double angle_deg))                                     \
   X(int, rolling_energies,                                                                         \
     (double mass_kg, double radius_m, double beta, double speed_m_per_s, rotdyn_energies *out))    \
+  X(int, precession_rates, (const rotdyn_top *top, rotdyn_top_rates *out))                         \
   X(int, shape_at, (size_t i, rotdyn_shape * out))                                                 \
   X(int, shape_moments,                                                                            \
     (const char *shape, double mass_kg, size_t n_sizes, const double *sizes, rotdyn_moments *out)) \

@@ -127,6 +127,36 @@ static void check_shapes(void) {
   ROT_CHECK_EQ_INT(rotdyn_shape_moments("disk", 2.0, 1, NULL, &m), ROTDYN_EARGUMENT);
 }
 
+/* The article's fast rotor: m g l = 0.392266 N m, L = 1 kg m^2/s. */
+static void check_tops(void) {
+  rotdyn_top top = ROTDYN_INIT(rotdyn_top);
+  rotdyn_top_rates r = ROTDYN_INIT(rotdyn_top_rates);
+  top.mass_kg = 0.5;
+  top.lever_arm_m = 0.08;
+  top.axial_kg_m2 = 0.002;
+  top.spin_rad_per_s = 500.0;
+  top.axis_angle_deg = 90.0;
+  top.gravity_m_per_s2 = 9.80665;
+  ROT_CHECK_EQ_INT(rotdyn_precession_rates(&top, &r), ROTDYN_OK);
+  ROT_CHECK_REL(r.torque_n_m, 0.392266, 4e-16);
+  ROT_CHECK_ULP(r.momentum_kg_m2_per_s, 1.0, 0);
+  ROT_CHECK_REL(r.precession_rad_per_s, 0.392266, 4e-16);
+  ROT_CHECK_REL(r.period_s, 16.017664817189322, 4e-16); /* 2 pi/0.392266 */
+  ROT_CHECK(r.formula_error == 0.0 && isnan(r.fast_rad_per_s) && isnan(r.nutation_period_s));
+  /* Steady: the slow and the fast rate have the sum L/(I1 cos) and the product m g l/(I1 cos). */
+  top.axis_angle_deg = 60.0;
+  top.transverse_kg_m2 = 0.0042;
+  ROT_CHECK_EQ_INT(rotdyn_precession_rates(&top, &r), ROTDYN_OK);
+  ROT_CHECK_REL(r.slow_rad_per_s + r.fast_rad_per_s, 1.0 / (0.0042 * 0.5), 2e-15);
+  ROT_CHECK_REL(r.slow_rad_per_s * r.fast_rad_per_s, 0.392266 / (0.0042 * 0.5), 2e-15);
+  ROT_CHECK(r.lowest_angle_deg > 60.0 && r.nutation_period_s > 0.0);
+  top.transverse_kg_m2 = 0.0005;
+  ROT_CHECK_EQ_INT(rotdyn_precession_rates(&top, &r), ROTDYN_EARGUMENT);
+  top.transverse_kg_m2 = top.spin_rad_per_s = 0.0;
+  ROT_CHECK_EQ_INT(rotdyn_precession_rates(&top, &r), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_precession_rates(NULL, &r), ROTDYN_EARGUMENT);
+}
+
 static void check_models(void) {
   rotdyn_model m = ROTDYN_INIT(rotdyn_model);
   size_t n = 0, axle = 0;
@@ -605,6 +635,7 @@ int main(void) {
   check_table();
   check_rolling();
   check_shapes();
+  check_tops();
   check_models();
   check_spin_up();
   check_closed_forms();

@@ -73,6 +73,19 @@ test_that("each verb prints what it printed: lists and words", {
   expect_length(cli("models")$out, nrow(models()) + 1L)
 })
 
+test_that("metadata prints every table, with NA as nothing", {
+  known <- metadata()
+  all <- utils::read.csv(text = cli("metadata")$out)
+  expect_identical(all$table, names(known))
+  for (name in names(known)) {
+    read <- utils::read.csv(text = cli("metadata", name)$out, colClasses = "character")
+    expect_identical(dim(read), dim(known[[name]][!vapply(known[[name]], is.list, NA)]))
+  }
+  said <- cli("metadata", "unit")
+  expect_identical(said$status, 2L)
+  expect_match(said$err[1], "did you mean `units`?", fixed = TRUE)
+})
+
 test_that("work-precision measures", {
   skip_if_not_installed("yyjsonr")
   in_folder({
