@@ -1,4 +1,4 @@
-/* Gyroscopes with a horizontal axis: ./precession [mass_kg lever_m axial_kg_m2 spin_rad_per_s]... */
+/* Gyroscopes with a horizontal axis: ./precession [mass_kg lever_m axial_kg_m2 spin]... */
 #include <rotdyn.h>
 #include <stdio.h>
 #include <stdlib.h>
