@@ -93,7 +93,7 @@ fit_coast_down <- function(records, inertia = NULL, losses = c("coulomb", "visco
   runs <- lapply(seq_along(samples), function(i) {
     fit_run(samples[[i]], i, losses, load, inertia, runout, noise, call)
   })
-  new_coast_fit(runs, losses, load, inertia, runout, level, call)
+  new_coast_fit(runs, losses, load, inertia, runout, noise, level, call)
 }
 
 check_losses <- function(losses, call) {

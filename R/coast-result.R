@@ -1,11 +1,11 @@
 # From the runs to the fit: losses pooled over runs, bounds, intervals, words.
 
-new_coast_fit <- function(runs, losses, load, inertia, runout, level, call) {
+new_coast_fit <- function(runs, losses, load, inertia, runout, noise, level, call) {
   shared <- c(losses, if (length(load$unknown)) "load")
   pooled <- pool_runs(runs, shared, load)
   fit <- list(
-    runs = runs, losses = losses, load = load, inertia = inertia, runout = runout, level = level,
-    pooled = pooled
+    runs = runs, losses = losses, load = load, inertia = inertia, runout = runout, noise = noise,
+    level = level, pooled = pooled
   )
   fit$limits <- stats::qt((1 + level) / 2, pooled$dof)
   rows <- coast_rows(fit)
