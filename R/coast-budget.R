@@ -257,7 +257,11 @@ residual_tests <- function(fit, ...) {
       ),
       finding = c(
         if (x[["tau_s"]] > 0) "correlated: the errors allow for it" else "white",
-        if (has_long_waves(run)) "incomplete: waves longer than a tenth of the run" else "none found",
+        if (has_long_waves(run)) {
+          "incomplete: waves longer than a tenth of the run"
+        } else {
+          "none found"
+        },
         if (is.na(p)) "not tested" else if (p < 0.01) "repeats every turn" else "none found"
       )
     )
