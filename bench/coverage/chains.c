@@ -269,12 +269,15 @@ static int consistent(const chain *s, const int zero[], int n, quad t, const qua
   return 1;
 }
 
-/* Sets the modes for a state; `loose` is a contact that just broke loose, or -1. */
+/* Sets the modes for a state; `loose` is a contact that just broke loose, or -1. With static above
+ * sliding friction more than one set may be consistent: that in which most stick, then that in
+ * which those stick that did, for their forces change continuously. */
 static int choose_modes(chain *s, quad t, const quad y[], const quad size[], int loose) {
-  int zero[CONTACTS], n = 0;
+  int zero[CONTACTS], stuck[CONTACTS], n = 0;
   for (int k = 0; k < s->n_contacts; k++) {
     contact *c = &s->k[k];
     if (c->mode == 2) continue;
+    stuck[n] = c->mode == 0;
     const quad slip = slip_of(c, y);
     if (fabsq(slip) <= least_slip(c, size, 1e-22Q)) {
       zero[n++] = k;
@@ -288,7 +291,7 @@ static int choose_modes(chain *s, quad t, const quad y[], const quad size[], int
     int sticks = 0, left = try, allowed = 1;
     for (int i = 0; i < n; i++, left /= 3) {
       s->k[zero[i]].mode = left % 3 - 1;
-      sticks += s->k[zero[i]].mode == 0;
+      if (s->k[zero[i]].mode == 0) sticks += CONTACTS + 1 + stuck[i];
       if (zero[i] == loose && s->k[zero[i]].mode == 0) allowed = 0;
     }
     if (allowed && sticks > best && consistent(s, zero, n, t, y)) {

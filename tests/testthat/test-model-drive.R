@@ -417,3 +417,19 @@ test_that("what breaks loose without an acceleration is caught again, whatever t
     )
   }
 })
+
+# At rest the shaft is slack: rotor 2 slips while the torque exceeds 0.2 N m, by 0.2 %, twice a
+# period, and the steps of a motion at rest are long.
+test_that("no stretch of slip is passed over, whatever the accuracy", {
+  scene <- scene_drive(
+    c(1, 0.25), coupling_shaft(5), torque = list(NULL, torque_sinusoid(0.2004, 9.36, -1.5)),
+    resistance = list(resistance(coulomb_n_m = 5), resistance(coulomb_n_m = 0.2))
+  )
+  for (accuracy in c(1e-3, 1e-6, 1e-9, 1e-12)) {
+    events <- motion_events(suppressWarnings(
+      trajectory(scene, c(0, 30), accuracy), classes = "rotdyn_warning_accuracy"
+    ))
+    expect_equal(sum(events$event == "slip"), floor((30 * 9.36 - 1.5) / pi + 0.5))
+    expect_equal(events$time_s[1], (1.5 - acos(0.2 / 0.2004)) / 9.36, tolerance = 1e-12)
+  }
+})
