@@ -348,7 +348,8 @@ damaged_file <- function(links = FALSE) {
 
 # ---- calls --------------------------------------------------------------------------------------
 
-exports <- sort(getNamespaceExports("rotdyn"))
+# install_cli() would write into the home of who runs this.
+exports <- setdiff(sort(getNamespaceExports("rotdyn")), "install_cli")
 
 draw_call <- function() {
   of <- one_of(exports)
