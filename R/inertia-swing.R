@@ -186,10 +186,11 @@ filar_inertia <- function(swing, mass_kg, length_m, height_m, upper, lower, ampl
     ), "value", call)
   }
   solve <- function(omega_square, mass_kg, wire, upper, lower, gravity_m_per_s2) {
-    filar_solve(
+    # Wires that are too short within their uncertainty give NaN, which the budget reports.
+    suppressWarnings(filar_solve(
       2 * pi / sqrt(omega_square), mass_kg, square(wire, upper, lower), upper, lower,
       motion$amplitude, gravity_m_per_s2
-    )
+    ))
   }
   out <- inertia_result(motion, stats::setNames(inputs, c(
     "mass_kg", "wire", "upper", "lower", "gravity_m_per_s2"
@@ -213,8 +214,9 @@ filar_period <- function(inertia, mass, square, upper, lower, amplitude, gravity
     h2 <- square - 4 * upper * lower * s2
     # h'^2 = (R r sin(theta)/h)^2 with sin^2(theta) = 4 s2 (1 - s2).
     rise <- (upper * lower)^2 * 4 * s2 * (1 - s2) / h2
+    # Below 0 there is no period: 0 sends the search back.
     sum <- sum + sqrt(
-      (inertia + mass * rise) * (sqrt(h2) + top) /
+      pmax(inertia + mass * rise, 0) * (sqrt(h2) + top) /
         (2 * mass * gravity * upper * lower * (1 - s2))
     )
   }
@@ -254,6 +256,7 @@ swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
   notes <- character()
   if (inherits(swing, "rot_record")) swing <- fit_swing(swing, law)
   if (inherits(swing, "rot_swing_fit")) {
+    check_swing_fit(swing, "swing", call)
     if (swing$restoring != law) {
       abort_rotdyn(c(
         "{.arg swing} was fitted with another restoring torque.",
@@ -297,9 +300,18 @@ inertia_result <- function(motion, inputs, method, f, call, labels = NULL) {
   )
 }
 
+inertia_measured_form <- list(
+  method = "text", amplitude_rad = "number", notes = "texts",
+  contributions = list(input = "texts", contribution = "values=input", share = "values=input")
+)
+
 #' @rdname inertia_swing
 #' @export
 print.rot_inertia_measured <- function(x, ...) {
+  call <- rlang::current_env()
+  check_measured(x, "x", call)
+  check_form(unclass(x), inertia_measured_form, "x", "measured moment of inertia", call)
+  if (!is.null(x$centre)) check_measured(x$centre, "x", call)
   cat("I = ", format.rot_measured(x), " kg m^2  (", x$method, ", amplitude ",
     format_si(x$amplitude_rad, 3), " rad)\n", sep = "")
   if (!is.null(x$centre)) {

@@ -206,17 +206,21 @@ shares_matrix <- function(given) {
 
 #' @rdname measured
 #' @export
-as.double.rot_measured <- function(x, ...) x$value
+as.double.rot_measured <- function(x, ...) check_measured(x, "x", rlang::current_env())$value
 
 #' @rdname measured
 #' @export
 format.rot_measured <- function(x, digits = 2, ...) {
+  call <- rlang::current_env()
+  check_measured(x, "x", call)
+  digits <- floor(check_number(digits, "digits", "1", call, lower = 1, upper = 15))
   format_concise(x$value, x$u, digits)
 }
 
 #' @rdname measured
 #' @export
 print.rot_measured <- function(x, ...) {
+  check_measured(x, "x", rlang::current_env())
   cat(x$name, " = ", format(x), if (is.finite(x$dof) && x$u > 0) {
     paste0("  (", format(x$dof, digits = 3), " degrees of freedom)")
   }, "\n", sep = "")
@@ -231,6 +235,10 @@ format_concise <- function(value, u, digits = 2) {
     return(paste(format(value, digits = 15), "+-", format(u, digits = digits)))
   }
   place <- floor(log10(u)) - digits + 1
+  # Beyond the exponents of double precision, or with more digits than a number has.
+  if (abs(place) > 290 || !isTRUE(abs(value) < 1e290) || abs(value) > 1e15 * u) {
+    return(paste(format(value, digits = 15), "+-", format(u, digits = digits)))
+  }
   # 0.0996 with two digits is 0.10.
   if (round(u / 10^place) >= 10^digits) place <- place + 1
   top <- if (value == 0) place else max(floor(log10(abs(value))), place)
@@ -255,6 +263,7 @@ format_concise <- function(value, u, digits = 2) {
 Ops.rot_measured <- function(e1, e2) {
   call <- rlang::current_env()
   if (missing(e2)) {
+    check_measured(e1, "e1", call)
     if (!.Generic %in% c("+", "-")) abort_operator(.Generic, call)
     sign <- if (.Generic == "-") -1 else 1
     parts <- e1$parts
@@ -290,7 +299,7 @@ Ops.rot_measured <- function(e1, e2) {
 #' @export
 Math.rot_measured <- function(x, ...) {
   call <- rlang::current_env()
-  v <- x$value
+  v <- check_measured(x, "x", call)$value
   slope <- switch(.Generic,
     sqrt = 0.5 / sqrt(v), exp = exp(v), log = 1 / v, sin = cos(v), cos = -sin(v),
     tan = 1 / cos(v)^2, asin = 1 / sqrt(1 - v^2), acos = -1 / sqrt(1 - v^2), atan = 1 / (1 + v^2),

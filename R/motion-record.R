@@ -101,6 +101,7 @@ motion_record <- function(data, time_s = NULL, theta_rad = NULL, omega_rad_per_s
       c("{.arg data} must be a data frame.", x = "It is {describe_value(data)}."), "type", call
     )
   }
+  if (!is_readable_text(names(data))) abort_unreadable(names(data), "names(data)", call)
   given <- rlang::enquos(
     time_s = time_s, theta_rad = theta_rad, theta_deg = theta_deg, theta_turns = theta_turns,
     counts = counts, omega_rad_per_s = omega_rad_per_s, omega_deg_per_s = omega_deg_per_s,
@@ -161,6 +162,7 @@ record_argument <- function(quo, arg, data, call) {
   heading <- rlang::as_label(quo)
   if (is.character(value) && !is.object(value) && length(value) <= 3L &&
     !identical(length(value), nrow(data))) {
+    if (!is_readable_text(value)) abort_unreadable(value, arg, call)
     unknown <- setdiff(value, names(data))
     if (length(unknown)) {
       near <- near_names(unknown, names(data))
@@ -776,9 +778,11 @@ as_tibble.rot_record <- function(x, ...) {
 }
 
 record_form <- list(
-  source = "text", columns = "list", resolution = "values", rows_read = "number",
-  dropped = "list", breaks = "list", assumed = "texts", spacing_s = "values:1",
-  pulses_per_turn = "number?", centre = "values?", axis = "values?"
+  source = "text", columns = list(column = "texts", heading = "texts=column", unit = "texts=column"),
+  resolution = "values", dropped = list(why = "texts"), breaks = list(why = "texts"),
+  assumed = "texts", spacing_s = "values:1", pulses_per_turn = "number?",
+  centre = list(.optional = TRUE, kind = "text"),
+  axis = list(.optional = TRUE, name = "text", direction = "numbers", across = "number")
 )
 
 # A record as an argument, with at least one of the columns `needs`: times in order within each
@@ -823,7 +827,10 @@ record_info <- function(x) attr(x, "record", exact = TRUE)
 tbl_sum.rot_record <- function(x, ...) {
   info <- record_info(x)
   size <- c("A rotdyn record" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)))
-  if (!is.list(info)) return(size)
+  if (!is.null(.Call(ffi_form_fault, info, record_form)) || is.null(names(info$resolution)) ||
+    !all(c("time_s", "segment") %in% names(x))) {
+    return(c(size, "Note" = "what was read and assumed is lost"))
+  }
   c(size, describe_record(x, info))
 }
 
@@ -883,10 +890,12 @@ describe_record <- function(x, info) {
 }
 
 describe_centre <- function(centre) {
-  if (centre$kind == "tracked") return("tracked")
+  if (centre$kind == "tracked" || !is_number(centre$x_m) || !is_number(centre$y_m)) {
+    return(centre$kind)
+  }
   paste0(
     centre$kind, ": (", format(centre$x_m, digits = 4), ", ", format(centre$y_m, digits = 4), ") m",
-    if (centre$kind == "fitted") {
+    if (centre$kind == "fitted" && is_number(centre$radius_m) && is_number(centre$scatter_m)) {
       paste0(
         ", radius ", format(centre$radius_m, digits = 4), " m, distances scatter by ",
         format(centre$scatter_m, digits = 2), " m"

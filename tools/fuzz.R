@@ -139,7 +139,9 @@ strange <- list(
   structure(list(), class = "rot_inertia_knots"), structure(diag(3), class = "rot_inertia_tensor"),
   forged_table("rot_trajectory"), forged_table("rot_audit"), forged_table("rot_rolling_table"),
   forged_table("rot_inertia_check"), forged_table("rot_work_precision"),
-  structure(list(), class = "mesh3d"), methods::new("fuzz_s4", x = 1),
+  forged_table("rot_record"), structure(list(value = 1), class = "rot_measured"),
+  structure(list(), class = "rot_swing_fit"), structure(list(), class = "mesh3d"),
+  methods::new("fuzz_s4", x = 1),
   1:3 / 7,
   seq(0, 1, length.out = 1e5), rep(NA_real_, 1e4), as.list(1:20), stats::ts(1:3),
   numeric_version("1")
@@ -174,11 +176,15 @@ evil <- function() {
 # ---- objects that were made, whole and damaged --------------------------------------------------
 
 pool <- new.env()
-kinds <- c("body", "scene", "torque", "resistance", "motion", "domain", "other")
+kinds <- c(
+  "body", "scene", "torque", "resistance", "motion", "domain", "record", "measured", "swing",
+  "other"
+)
 kind_of <- function(x) {
   known <- c(
     rot_body = "body", rot_scene = "scene", rot_torque = "torque", rot_resistance = "resistance",
-    rot_trajectory = "motion", rot_domain = "domain"
+    rot_trajectory = "motion", rot_domain = "domain", rot_record = "record",
+    rot_measured = "measured", rot_swing_fit = "swing"
   )
   c(known[inherits(x, names(known), which = TRUE) > 0], "other")[[1]]
 }
@@ -198,6 +204,13 @@ keep(scene_clutch(1, 2, 3, omega1_rad_per_s = 4))
 keep(torque_sinusoid(1, 2))
 keep(resistance(0.1, 0.1, 0.1))
 keep(domain_ball(1))
+keep(measured(2, 0.1))
+keep(measured(c(1, 1.1, 0.9)))
+swinging <- trajectory(scene_axle(1, torque_gravity(1, 1), theta0_rad = 1), seq(0, 9, by = 0.1))
+keep(motion_record(swinging, time_s = time_s, theta_rad = theta_rad))
+keep(motion_record(swinging, time_s = time_s, omega_rad_per_s = omega_rad_per_s))
+keep(motion_record(data.frame(t = cumsum(1:9 / 10)), time_s = t, pulses = 2))
+keep(fit_swing(pool$record[[1]]))
 for (scene in get("scene", pool)) keep(trajectory(scene, 0:3))
 keep(rolling_table())
 keep(check_inertia(body_disk(1, 1)))
@@ -252,9 +265,20 @@ few <- function(n = sample.int(4L, 1L)) round(stats::runif(n, 0.1, 5), 2)
 times <- function() one_of(list(0:3, c(0, 0.5, 2), 1, numeric(), c(-1, 0, 1), c(0, 100), 5))
 plausible <- function(name, of) {
   if (name %in% c("scene")) return(pooled("scene"))
+  if (startsWith(of, "read_") && !of %in% c("read_links") && name == "file") {
+    return(damaged_record_file())
+  }
+  if (of == "motion_record" && name %in% names(motion_arguments)) return(motion_arguments[[name]])
+  if (of == "uncertainty_budget" && name == "f") return(function(...) sum(..., 1))
+  if (of == "uncertainty_budget" && name == "draws") return(100)
   of_motion <- of %in% c("audit", "augment", "glance", "motion_events")
   if (of_motion && name %in% c("object", "x", "motion")) return(pooled("motion"))
   switch(name,
+    record = , records = pooled("record"),
+    swing = one_of(list(2, pooled("measured"), pooled("swing"), pooled("record"))),
+    restoring = one_of(list("gravity", "spring")), losses = one_of(list("viscous", "coulomb")),
+    frame_rate_hz = 30, angle_unit = "deg", headings = c("time_s", "theta_rad"), run = 1,
+    sheet = NULL, mark = NULL, centre = NULL, quantity = "rate", correlation = diag(1),
     body = , body_1 = , body_2 = one_of(list(pooled("body"), pooled("body"), 1)),
     bodies = one_of(list(c(1, 2, 3), list(pooled("body"), 2), c(0.5, 1))),
     torque = , torque_1 = , torque_2 =
@@ -346,6 +370,46 @@ damaged_file <- function(links = FALSE) {
   path
 }
 
+# Files of instruments, from the tests' own writers: a few changes of bytes, separators or rows.
+tests <- sub("^--file=", "", grep("^--file=", commandArgs(FALSE), value = TRUE))
+tests <- file.path(dirname(tests), "..", "tests", "testthat", "helper-files.R")
+record_files <- local({
+  source(tests, local = TRUE)
+  lapply(dialect_files(), function(file) {
+    list(name = basename(file), bytes = readBin(file, "raw", 1e6))
+  })
+})
+
+damaged_record_file <- function() {
+  file <- one_of(record_files)
+  bytes <- file$bytes
+  for (i in seq_len(sample(0:3, 1L))) {
+    n <- length(bytes)
+    if (n < 2L) break
+    at <- sample.int(n, 1L)
+    bytes <- switch(sample.int(6L, 1L),
+      replace(bytes, sample.int(n, min(n, 5L)), as.raw(sample(0:255, min(n, 5L), TRUE))),
+      bytes[seq_len(at)],
+      bytes[-sample.int(n, max(1L, n %/% 50L))],
+      {
+        marks <- charToRaw(one_of(c(",;", ".,", ";\t", "\n ", "\"x", ",.", "E,")))
+        replace(bytes, which(bytes == marks[1]), marks[2])
+      },
+      append(bytes, bytes[seq(at, sample.int(n, 1L))], at),
+      as.raw(rbind(as.integer(bytes), 0L))
+    )
+  }
+  path <- file.path(scratch, file$name)
+  writeBin(bytes, path)
+  path
+}
+motion_arguments <- list(
+  data = data.frame(time_s = 0:9, theta_rad = cumsum(1:10), x_m = cos(0:9), y_m = sin(0:9)),
+  time_s = "time_s", theta_rad = "theta_rad", theta_deg = NULL, theta_turns = NULL, counts = NULL,
+  omega_rad_per_s = NULL, omega_deg_per_s = NULL, omega_rpm = NULL, pulses = NULL, x_m = NULL,
+  y_m = NULL, counts_per_turn = 100, segment = NULL, source = "a table"
+)
+
 # ---- calls --------------------------------------------------------------------------------------
 
 # install_cli() would write into the home of who runs this.
@@ -407,7 +471,9 @@ verbs <- list(
   axes = function(x) principal_axes(x),
   moved = function(x) place_body(x, c(1, 0, 0)),
   joined = function(x) join_bodies(x, body_disk(1, 1)),
-  check = function(x) check_inertia(x)
+  check = function(x) check_inertia(x),
+  product = function(x) quietly(print(sqrt(abs(x * 2 - x / 3)))),
+  swings = function(x) quietly(print(fit_swing(x)))
 )
 verbs_for <- function(x) {
   common <- c("print", "saved")
@@ -418,6 +484,8 @@ verbs_for <- function(x) {
     ),
     scene = c("run", "choose", "stops", "modes", "period", "when"),
     torque = c("add", "scale", "scene"),
+    record = c("rows", "swings"),
+    measured = "product",
     body = c("tensor", "axes", "moved", "joined", "check", "autoplot"),
     if (is.data.frame(x)) "format"
   ))
