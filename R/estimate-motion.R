@@ -634,7 +634,8 @@ estimate_events <- function(fit, rows) {
   root <- function(name) sqrt(pmax(column(name), 0))
   rests <- vapply(seq_len(n), function(i) rests_behind(fit, rows, i, jumps$alpha_jump[i]), NA)
   first <- as.double(fit$breaks$first)
-  event <- ifelse(first == 1, "impact", ifelse(rests, "stop", "switch"))
+  event <- rep("impact", n)
+  event[first == 2] <- ifelse(rests[first == 2], "stop", "switch")
   clean <- function(x) replace(x, first == 2, 0)
   tibble::new_tibble(list(
     time_s = as.double(fit$breaks$time_s), time_se_s = column("time_error_s"), event = event,

@@ -314,6 +314,9 @@ static size_t coast(const rot_smooth_nodes *nodes, process *of, const steady *ke
       sums->square += square[c] / kept->f[c];
       sums->log_f += (double)(k - begin) * log(kept->f[c]);
       sums->counted += k - begin;
+      sums->order_square += square[c] / kept->f[c];
+      sums->order_log_f += (double)(k - begin) * log(kept->f[c]);
+      sums->order_counted += k - begin;
       sums->samples += k - begin;
     }
   return k;
@@ -324,7 +327,8 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
   const int p = model->order;
   process of;
   state at;
-  size_t seen = ROT_SMOOTH_SKIPPED; /* of this segment; a filter that goes on counts them all */
+  /* Samples of this segment, and behind its last break; a filter that goes on counts them all. */
+  size_t seen = ROT_SMOOTH_SKIPPED, behind = ROT_SMOOTH_BEHIND;
   steady kept = {0, NAN, {0.0, 0.0}, {{0.0}}, {0.0, 0.0}, {0, 0}};
   process_begin(&of, model);
   memset(&at, 0, sizeof at);
@@ -340,10 +344,11 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
     else {
       const double log_variance = forget(nodes, p, k, first, &at);
       if (first == ROT_SMOOTH_STARTS)
-        seen = 0;
+        seen = 0, behind = ROT_SMOOTH_BEHIND;
       else {
         sums->fresh += (size_t)(p - first);
         sums->log_f -= log_variance;
+        behind = 0;
       }
     }
     int repeats =
@@ -364,7 +369,13 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
           sums->log_f += log(f);
           sums->square += v * v / f;
           sums->counted++;
+          if (behind >= ROT_SMOOTH_BEHIND) {
+            sums->order_log_f += log(f);
+            sums->order_square += v * v / f;
+            sums->order_counted++;
+          }
         }
+        behind++;
         repeats = repeats && !(fabs(w - kept.w[c]) > 0.0) && same(f, kept.f[c]);
         for (int j = 0; j < p; j++) repeats = repeats && same(gain[j], kept.k[c][j]);
         kept.f[c] = f;
@@ -380,7 +391,7 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
     }
     if (stores) store_node(store, p, k, &at);
     kept.repeats = repeats && any ? kept.repeats + 1 : 0;
-    if (!stores && kept.repeats >= 2 && seen >= ROT_SMOOTH_SKIPPED) {
+    if (!stores && kept.repeats >= 2 && seen >= ROT_SMOOTH_SKIPPED && behind >= ROT_SMOOTH_BEHIND) {
       k = coast(nodes, &of, &kept, k + 1, to, &at, sums) - 1;
       kept.repeats = 0;
     }

@@ -20,7 +20,10 @@
 
 enum { ROT_SMOOTH_LEAST = 2, ROT_SMOOTH_MOST = 5 }; /* orders */
 enum { ROT_SMOOTH_ANGLE, ROT_SMOOTH_RATE, ROT_SMOOTH_CHANNELS };
-enum { ROT_SMOOTH_SKIPPED = 6 }; /* samples of a segment that the likelihood leaves out */
+enum {
+  ROT_SMOOTH_SKIPPED = 6, /* first samples of a segment: the likelihood leaves them out */
+  ROT_SMOOTH_BEHIND = 4   /* first samples behind a break: left out where orders are compared */
+};
 
 /* How the state reaches a node. A break is a node at the time of the one before it, where the
  * states from `first` on are forgotten: 1 where omega jumps, 2 where its derivative does. */
@@ -56,6 +59,10 @@ typedef struct rot_smooth_sums {
   double log_f, square; /* log F and v^2/F */
   size_t counted, samples;
   size_t fresh; /* states that breaks forget */
+  /* The same without the first samples behind each break. What a diffuse state adds to log F
+   * depends on its unit, so that orders with breaks are comparable here alone. */
+  double order_log_f, order_square;
+  size_t order_counted;
 } rot_smooth_sums;
 
 /* Nodes from..to - 1; a filter that does not start at node 0 goes on from the store's node

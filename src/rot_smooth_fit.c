@@ -142,6 +142,13 @@ double rot_smooth_objective(const rot_smooth_nodes *nodes, const rot_smooth_mode
   return left * 2.0 * log(*sigma) + sums->log_f + sums->square / (*sigma * *sigma);
 }
 
+/* The same of the samples by which orders are compared. */
+static double order_objective(const rot_smooth_sums *sums, double floor) {
+  const double n = (double)sums->order_counted;
+  const double variance = fmax(n > 0.0 ? sums->order_square / n : 0.0, floor * floor);
+  return n * log(variance) + sums->order_log_f + sums->order_square / variance;
+}
+
 /* What a search at one order and ratio looks at. */
 typedef struct search {
   const rot_smooth_grid *grid;
@@ -211,11 +218,29 @@ static void search_lambda(search *of, int order, double near) {
 
 static rot_status search_orders(search *of, int first_order, int last_order,
                                 const rot_smooth_fit *near) {
+  rot_smooth_fit best;
+  double least = HUGE_VAL;
   of->best.objective = HUGE_VAL;
   of->status = ROT_OK;
-  for (int order = first_order; order <= last_order; order++)
+  best = of->best;
+  for (int order = first_order; order <= last_order; order++) {
+    double value = 0.0;
+    of->best.objective = HUGE_VAL;
     search_lambda(of, order, near && near->model.order == order ? log10(near->model.lambda) : NAN);
-  if (of->status == ROT_OK && !(of->best.objective < HUGE_VAL)) return ROT_ERANGE;
+    if (of->status != ROT_OK || !(of->best.objective < HUGE_VAL)) continue;
+    if (first_order < last_order) {
+      rot_smooth_sums sums;
+      double sigma;
+      (void)rot_smooth_objective(&of->grid->nodes, &of->best.model, of->floor, &sigma, &sums);
+      value = order_objective(&sums, of->floor);
+    }
+    if (value < least) {
+      least = value;
+      best = of->best;
+    }
+  }
+  of->best = best;
+  if (of->status == ROT_OK && !(best.objective < HUGE_VAL)) return ROT_ERANGE;
   return of->status;
 }
 

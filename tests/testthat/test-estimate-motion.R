@@ -169,6 +169,20 @@ test_that("known breaks are used as they are, alone or with nothing between them
   expect_error(estimate_motion(record, breaks = c(bang = 1)), class = "rotdyn_error_value")
 })
 
+test_that("the order is chosen by what is smooth between breaks", {
+  # A cord that pulls from 1 s to 4 s: exponentials between, for which order 4 is right.
+  time <- seq(0, 8, by = 1 / 30)
+  omega <- 20 * (1 - exp(-0.32 * pmax(pmin(time, 4) - 1, 0))) * exp(-0.32 * pmax(time - 4, 0))
+  u <- pmax(pmin(time, 4) - 1, 0)
+  last <- 20 * (1 - exp(-0.96))
+  theta <- 20 * u - 20 * (1 - exp(-0.32 * u)) / 0.32 +
+    last * (1 - exp(-0.32 * pmax(time - 4, 0))) / 0.32
+  motion <- estimate_motion(noisy(time, theta, 0.0025, 22))
+  expect_equal(nrow(motion_events(motion)), 2)
+  expect_equal(glance(motion)$order, 4)
+  expect_lt(sqrt(mean((motion$omega_rad_per_s - omega)^2)), 0.02)
+})
+
 # ---- traps ---------------------------------------------------------------------------------------
 
 test_that("a body at rest for half the record of a counter keeps honest errors", {
