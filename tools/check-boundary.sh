@@ -97,6 +97,9 @@ ends='exit|_exit|_Exit|quick_exit|abort|assert'
 grep -E "$(word "($prints|$ends|rand|srand)[[:space:]]*\\(.*")" "$work/rot" |
   rule "src/rot_* does not print, end the process or draw from C's random numbers"
 
+grep -E "gsl_set_error_handler" "$work/rot" | grep -v '^src/rot_gsl\.c:' |
+  rule "GSL's error handler is set in src/rot_gsl.c alone"
+
 # ---- the glue knows nothing of GSL -----------------------------------------------------------
 
 grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
