@@ -12,6 +12,11 @@ text_node.rot_body <- function(x, where, call) {
 }
 
 body_readers <- function() {
+  if (is.null(registry_texts$bodies)) registry_texts$bodies <- list_body_readers()
+  registry_texts$bodies
+}
+
+list_body_readers <- function() {
   shapes <- paste0("body_", shape_table()$shape)
   shapes <- intersect(shapes, getNamespaceExports("rotdyn"))
   c(

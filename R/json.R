@@ -14,7 +14,7 @@ json_canonical <- function(x) {
     return(paste0("[", paste(vapply(x, json_canonical, ""), collapse = ","), "]"))
   }
   if (!length(x)) return("{}")
-  x <- x[order(names(x), method = "radix")]
+  if (length(x) > 1L) x <- x[order(names(x), method = "radix")]
   keys <- json_string(names(x))
   paste0("{", paste0(keys, ":", vapply(x, json_canonical, ""), collapse = ","), "}")
 }
@@ -47,7 +47,7 @@ json_each <- function(x) {
   if (is.logical(x)) return(c("false", "true")[x + 1L])
   number <- .Call(ffi_text_numbers, as.double(x))
   special <- !is.finite(x)
-  number[special] <- paste0("\"", number[special], "\"")
+  if (any(special)) number[special] <- paste0("\"", number[special], "\"")
   number
 }
 
@@ -55,6 +55,7 @@ json_escapes <- c("\\" = "\\\\", "\"" = "\\\"", "\n" = "\\n", "\r" = "\\r", "\t"
 
 json_string <- function(x) {
   x <- enc2utf8(x)
+  if (!any(grepl("[\\\\\"\001-\037]", x))) return(paste0("\"", x, "\""))
   for (at in names(json_escapes)) x <- gsub(at, json_escapes[[at]], x, fixed = TRUE)
   if (any(grepl("[\001-\037]", x))) {
     for (code in 1:31) x <- gsub(intToUtf8(code), sprintf("\\u%04x", code), x, fixed = TRUE)

@@ -219,12 +219,9 @@ record_tables <- function() {
       verdict = text(check = one_of("balanced", "unbalanced", "not audited")),
       row_count = whole(check = at_least(0)), times = text(check = json_like),
       column_names = name_text, result_hash = text(check = of_length(32)),
+      errors = text(check = json_like),
       recorded_utc = text(check = time_like), repeats = key_of("runs", null = TRUE),
       note = text(null = TRUE)
-    )),
-    run_errors = db_table("rot_run_error", c("run", "measure"), list(
-      run = key_of("runs"), measure = name_text, size = real(check = at_least(0)),
-      error = real(null = TRUE, check = at_least(0))
     )),
     run_values = db_table("rot_run_value", c("run", "quantity", "place"), list(
       run = key_of("runs"), quantity = key_of("quantities"), place = whole(check = at_least(1)),

@@ -1,0 +1,330 @@
+# A run as rows of the database, and back.
+
+# A name for a run: the time, so that names sort by it, the process, and random digits that leave
+# the session's own random numbers alone.
+new_run_name <- function() {
+  registry_texts$runs <- (registry_texts$runs %||% 0) + 1
+  seed <- paste(
+    format(Sys.time(), "%Y-%m-%d %H:%M:%OS6", tz = "UTC"), Sys.getpid(), registry_texts$runs,
+    tempdir(), Sys.info()[["nodename"]], proc.time()[[1]]
+  )
+  digits <- rlang::hash(seed)
+  at <- list(c(1, 8), c(9, 12), c(13, 16), c(17, 20), c(21, 32))
+  paste(vapply(at, function(ends) substr(digits, ends[1], ends[2]), ""), collapse = "-")
+}
+
+# The software of this session.
+own_software <- function() {
+  if (is.null(registry_texts$software)) {
+    library <- getLoadedDLLs()[["rotdyn"]][["path"]]
+    parts <- list(
+      rotdyn_version = own_version(),
+      library_hash = tryCatch(rlang::hash_file(library), error = function(e) strrep("0", 32L)),
+      r_version = paste(R.version$major, R.version$minor, sep = "."), platform = R.version$platform
+    )
+    registry_texts$software <- c(list(software = rlang::hash(parts)), parts)
+  }
+  registry_texts$software
+}
+
+# The columns of a motion that its constraint computes; others are the user's own.
+computed_columns <- function(motion, run) {
+  constraint <- constraint_of(run$scene)
+  known <- c(
+    constraint$columns, constraint$keys, constraint$index,
+    if (!is.null(constraint$more_names)) constraint$more_names(run$scene), more_computed
+  )
+  intersect(names(motion), known)
+}
+
+more_computed <- c("event", "moment_of_inertia_kg_m2", "potential_energy_j", "inclination_rad")
+
+# The hash of columns, by name, type and bits; the same on machines of either byte order.
+hash_columns <- function(motion, columns) {
+  parts <- lapply(sort(columns, method = "radix"), function(name) {
+    x <- motion[[name]]
+    bytes <- if (is.character(x)) {
+      charToRaw(enc2utf8(paste(ifelse(is.na(x), "\001", x), collapse = "\002")))
+    } else if (is.double(x)) {
+      writeBin(as.vector(x), raw(), endian = "little")
+    } else {
+      writeBin(as.integer(x), raw(), endian = "little")
+    }
+    c(charToRaw(paste0(name, "\003", typeof(x), "\003")), bytes)
+  })
+  hash_bytes(unlist(parts))
+}
+
+# Times as text: a grid where it gives the same doubles.
+times_text <- function(time_s) {
+  n <- length(time_s)
+  if (n > 2L) {
+    step <- (time_s[n] - time_s[1]) / (n - 1)
+    for (by in unique(c(step, signif(step, 15), time_s[2] - time_s[1]))) {
+      if (identical(grid_times(time_s[1], by, n), time_s)) {
+        return(json_canonical(list(from = time_s[1], step = by, n = n)))
+      }
+    }
+  }
+  json_canonical(list(at = I(time_s)))
+}
+
+grid_times <- function(from, step, n) from + (seq_len(n) - 1) * step
+
+read_times <- function(text, call) {
+  x <- read_json(text, "times", "record", call)
+  damaged <- function() abort_rotdyn("The times of this run are damaged.", "record", call)
+  if (setequal(names(x), c("from", "step", "n"))) {
+    if (!all(lengths(x) == 1L) || !all(vapply(x, is.double, NA)) || !(x$n >= 0 && x$n < 2^31)) {
+      damaged()
+    }
+    return(grid_times(x$from, x$step, x$n))
+  }
+  if (!identical(names(x), "at") || !(is.double(x$at) || !length(x$at))) damaged()
+  as.double(x$at)
+}
+
+# Rows to keep of each column: first, quarters, last, where it is largest.
+kept_rows <- function(x, rows) {
+  n <- length(x)
+  if (rows == "all" || n <= 6L) return(seq_len(n))
+  quarters <- c(1, 1 + (n - 1) %/% 4, 1 + (n - 1) %/% 2, n - (n - 1) %/% 4, n)
+  largest <- which.max(abs(x))
+  if (length(largest) && !largest %in% quarters) c(quarters, largest) else quarters
+}
+
+special_of <- function(x) {
+  out <- rep(NA_character_, length(x))
+  out[is.infinite(x)] <- ifelse(x[is.infinite(x)] > 0, "Inf", "-Inf")
+  out[is.nan(x)] <- "NaN"
+  out[is.na(x) & !is.nan(x)] <- "NA"
+  out[!is.na(x) & x == 0 & 1 / x < 0] <- "-0"
+  out
+}
+
+value_of <- function(value, special) {
+  known <- c("NA" = NA_real_, "NaN" = NaN, "Inf" = Inf, "-Inf" = -Inf, "-0" = -0)
+  at <- !is.na(special)
+  value[at] <- known[special[at]]
+  as.double(value)
+}
+
+write_record <- function(db, motion, note, rows, repeats, call) {
+  run <- check_trajectory(motion, "motion", call)
+  scene <- scene_text(run$scene, call)
+  columns <- computed_columns(motion, run)
+  numbers <- columns[vapply(columns, function(name) is.numeric(motion[[name]]), NA)]
+  numbers <- intersect(numbers, column_names())
+  kept <- lapply(numbers, function(name) kept_rows(motion[[name]], rows))
+  value <- Map(function(name, at) as.double(motion[[name]])[at], numbers, kept)
+  value <- unlist(value, FALSE, FALSE)
+  special <- special_of(value)
+  verdict <- tryCatch(
+    suppressWarnings(audit(motion)$verdict), rotdyn_error = function(e) "not audited"
+  )
+  verdict <- if (any(verdict == "unbalanced")) {
+    "unbalanced"
+  } else if (length(verdict) && all(verdict == "balanced")) {
+    "balanced"
+  } else {
+    "not audited"
+  }
+  software <- own_software()
+  name <- new_run_name()
+  hash <- hash_text(scene)
+  info <- run$info
+  if (db$version$rotdyn_version != own_version()) refresh_metadata(db, call)
+  in_transaction(db, call, {
+    add_if_new(db, "scenes", list(
+      scene = hash, constraint_kind = constraint_of(run$scene)$id, scene_format = scene_format,
+      json = scene
+    ))
+    if (!db$version$known) add_if_new(db, "software", software)
+    append_rows(db, "runs", list(
+      run = name, scene = hash, software = software$software, model = run$model,
+      model_asked = as.integer(isTRUE(run$asked)), accuracy = run$accuracy,
+      max_steps = run$max_steps, error = finite_or_na(info$error), error_kind = run$error_kind,
+      verdict = verdict, row_count = nrow(motion), times = times_text(unique(motion$time_s)),
+      column_names = paste(columns, collapse = " "), result_hash = hash_columns(motion, columns),
+      errors = errors_text(info),
+      recorded_utc = utc_now(), repeats = repeats, note = note %||% NA_character_
+    ))
+    append_rows(db, "run_values", list(
+      run = rep(name, length(value)), quantity = rep(numbers, lengths(kept)),
+      place = unlist(kept), value = ifelse(is.na(special), value, NA), special = special
+    ))
+  })
+  name
+}
+
+# By measure: its largest value and its error.
+errors_text <- function(info) {
+  pairs <- Map(c, as.double(info$sizes[names(info$errors)]), as.double(info$errors))
+  json_canonical(stats::setNames(pairs, names(info$errors)))
+}
+
+read_errors <- function(text, call) {
+  x <- read_json(text, "errors of a run", "record", call)
+  fits <- vapply(x, function(pair) is.double(pair) && length(pair) == 2L, NA)
+  if (!all(fits)) abort_rotdyn("The errors of this run are damaged.", "record", call)
+  number <- function(i) vapply(x, `[`, double(1), i, USE.NAMES = FALSE)
+  tibble::tibble(measure = names(x) %||% character(), size = number(1L), error = number(2L))
+}
+
+finite_or_na <- function(x) ifelse(is.finite(x), x, NA_real_)
+
+column_names <- function() metadata()$quantities$quantity
+
+add_if_new <- function(db, name, row) {
+  table <- all_table_list()[[name]]
+  sql <- paste0(
+    "INSERT INTO ", table$sql, " (", paste(names(row), collapse = ", "), ") VALUES (",
+    paste(rep("?", length(row)), collapse = ", "), ") ON CONFLICT DO NOTHING"
+  )
+  DBI::dbExecute(db$con, placeholders(sql, db$dialect), params = unname(row))
+}
+
+list_sql <- "SELECT r.run AS run, r.recorded_utc AS recorded_utc,
+  s.constraint_kind AS constraint_kind, r.model AS model, r.accuracy AS accuracy,
+  r.error AS error, r.error_kind AS error_kind,
+  r.verdict AS verdict, r.row_count AS row_count, v.rotdyn_version AS rotdyn_version,
+  r.scene AS scene_hash, r.repeats AS repeats, r.note AS note
+FROM rot_run r JOIN rot_scene s ON s.scene = r.scene
+  JOIN rot_software v ON v.software = r.software"
+
+run_list <- function(rows) {
+  for (name in c("accuracy", "error", "row_count")) rows[[name]] <- as.double(rows[[name]])
+  for (name in setdiff(names(rows), c("accuracy", "error", "row_count"))) {
+    rows[[name]] <- as.character(rows[[name]])
+  }
+  tibble::as_tibble(rows)
+}
+
+# The full name of a run, from its beginning.
+find_run <- function(db, run, call) {
+  if (!rlang::is_string(run) || !grepl("^[0-9a-f-]{1,36}$", run)) {
+    abort_rotdyn(c(
+      "{.arg run} must be the name of a run.", x = "It is {describe_value(run)}.",
+      i = "{.fn list_runs} lists them."
+    ), if (rlang::is_string(run)) "record" else "type", call)
+  }
+  found <- query(
+    db, "SELECT run FROM rot_run WHERE run LIKE ? ORDER BY run LIMIT 3", list(paste0(run, "%")),
+    call
+  )$run
+  if (length(found) != 1L) {
+    abort_rotdyn(c(
+      if (length(found)) "Several runs begin with {.val {run}}." else
+        "There is no run {.val {run}}.",
+      i = "{.fn list_runs} lists them."
+    ), "record", call)
+  }
+  found
+}
+
+read_record <- function(db, run, call) {
+  name <- find_run(db, run, call)
+  one <- function(sql) query(db, sql, list(name), call)
+  listed <- run_list(one(paste(list_sql, "WHERE r.run = ?")))
+  more <- one(
+    "SELECT r.model_asked AS model_asked, r.max_steps AS max_steps, r.times AS times,
+      r.column_names AS column_names, r.result_hash AS result_hash,
+      r.errors AS errors, s.json AS json,
+      v.software AS software, v.library_hash AS library_hash, v.r_version AS r_version,
+      v.platform AS platform
+    FROM rot_run r JOIN rot_scene s ON s.scene = r.scene
+      JOIN rot_software v ON v.software = r.software WHERE r.run = ?"
+  )
+  values <- one(
+    "SELECT quantity, place, value, special FROM rot_run_value WHERE run = ?
+    ORDER BY quantity, place"
+  )
+  scene <- withCallingHandlers(
+    scene_of_text(more$json, call),
+    rotdyn_message = function(m) rlang::cnd_muffle(m),
+    rotdyn_warning = function(w) rlang::cnd_muffle(w)
+  )
+  if (!inherits(scene, "rot_scene")) {
+    abort_rotdyn("The text of this run is no scene.", "record", call)
+  }
+  c(as.list(listed), list(
+    scene_text = more$json, scene = scene, times_s = read_times(more$times, call),
+    model_asked = more$model_asked == 1, max_steps = as.double(more$max_steps),
+    columns = strsplit(more$column_names, " ", fixed = TRUE)[[1]], result_hash = more$result_hash,
+    errors = read_errors(more$errors, call),
+    values = tibble::tibble(
+      quantity = as.character(values$quantity), row = as.double(values$place),
+      value = value_of(as.double(values$value), as.character(values$special))
+    ),
+    software = c(
+      list(rotdyn_version = listed$rotdyn_version),
+      as.list(more)[c("software", "library_hash", "r_version", "platform")]
+    )
+  ))
+}
+
+# The record and a new motion: verdict and where they differ most.
+compare_record <- function(old, motion) {
+  run <- trajectory_run(motion)
+  present <- all(old$columns %in% names(motion)) && nrow(motion) == old$row_count
+  same <- present && identical(hash_columns(motion, old$columns), old$result_hash)
+  where <- compare_values(old, motion, run)
+  verdict <- if (same) {
+    "identical"
+  } else if (present && all(where$difference <= where$allowed)) {
+    "within errors"
+  } else {
+    "differs"
+  }
+  result <- list(
+    verdict = verdict, where = where, run = old$run, model = c(then = old$model, now = run$model),
+    versions = c(then = old$rotdyn_version, now = own_version()), motion = motion
+  )
+  class(result) <- "rot_rerun"
+  result
+}
+
+# What the errors allow of a column: those of its measure, else those of all, relative to its size.
+compare_values <- function(old, motion, run) {
+  measures <- constraint_of(run$scene)$measures
+  owner <- unlist(lapply(names(measures), function(name) {
+    stats::setNames(rep(name, length(measures[[name]]$columns)), measures[[name]]$columns)
+  }))
+  then_error <- stats::setNames(old$errors$error, old$errors$measure)
+  eps <- .Machine$double.eps
+  worst <- max(old$error, run$info$error, 0, na.rm = TRUE)
+  rows <- lapply(unique(old$values$quantity), function(name) {
+    kept <- old$values[old$values$quantity == name, ]
+    now <- if (name %in% names(motion)) as.double(motion[[name]])[kept$row] else NA_real_
+    now <- rep_len(now, nrow(kept))
+    then <- kept$value
+    difference <- abs(now - then)
+    both <- (is.na(now) & is.na(then) & is.nan(now) == is.nan(then)) | (now == then) %in% TRUE
+    difference[both] <- 0
+    difference[is.na(difference)] <- Inf
+    size <- max(abs(c(then, now))[is.finite(c(then, now))], 0)
+    of <- owner[name]
+    allowed <- if (name %in% c("time_s", constraint_of(run$scene)$index)) {
+      0
+    } else if (!is.na(of)) {
+      sum(then_error[of], run$info$errors[of], na.rm = TRUE) + 2 * eps * size
+    } else {
+      # Energies and torques are of second order in the state.
+      4 * worst * size + 4 * eps * size
+    }
+    at <- which.max(difference)
+    list(
+      quantity = name, row = kept$row[at], time_s = motion$time_s[kept$row[at]] %||% NA_real_,
+      then = then[at], now = now[at], difference = difference[at], allowed = allowed
+    )
+  })
+  where <- do.call(rbind, lapply(rows, tibble::as_tibble))
+  if (is.null(where)) {
+    where <- tibble::tibble(
+      quantity = character(), row = double(), time_s = double(), then = double(), now = double(),
+      difference = double(), allowed = double()
+    )
+  }
+  excess <- where$difference / pmax(where$allowed, .Machine$double.xmin)
+  where[order(excess, decreasing = TRUE), ]
+}

@@ -1,0 +1,255 @@
+# Records of motions in a database: the recipe (scene, times, model, accuracy), the versions, and
+# the fingerprint of the result. Text from a database is read by read_scene(), and never evaluated.
+
+records_format <- 1L
+
+#' Records of motions in a database
+#'
+#' A record of a trajectory is what it takes to compute it again, years later and elsewhere: the
+#' scene as text, the times, the model, the accuracy, the versions; and the fingerprint of the
+#' result: its error figures, its audit, a hash of its columns, and the values of some rows.
+#'
+#' `con` is the name of a file, which becomes an SQLite database, or a DBI connection to SQLite,
+#' PostgreSQL (package RPostgres) or DuckDB. `records_create()` makes the tables, with keys, fills
+#' in [metadata()], and makes views with the names and the columns of the article's ten tables.
+#' Where the tables exist it adds what is new in this version and changes nothing.
+#'
+#' `record_run()` writes one run in one transaction: an interruption leaves all of it or nothing. The
+#' rows that are kept are the first, the last, those at the quarters, and those with the largest
+#' values; with `rows = "all"` every row is. NA, NaN, Inf and -0 are kept as such.
+#'
+#' `rerun()` computes a record anew from the database alone. The verdict is `"identical"` if the hash
+#' of the columns is the same; `"within errors"` if the values kept differ by no more than the two
+#' error figures allow; otherwise `"differs"`. Other versions of the package, of the compiler or of
+#' the processor may change last bits: `"within errors"` is what to expect of them.
+#'
+#' `records_check()` looks at keys, checks and references in R, at the hashes of the scenes, and
+#' whether every run has its values; and at what SQLite says of its file.
+#'
+#' `metadata_sql()` writes tables, rows and views as a script, for those without R.
+#'
+#' @param con A DBI connection, or the name of an SQLite file.
+#' @param motion The result of [trajectory()].
+#' @param run Name of a run: 36 characters, as `record_run()` returned them, or their beginning, if
+#'   it is that of no other run.
+#' @param ... Not used: an unknown argument is an error.
+#' @param note Any text, or NULL.
+#' @param rows `"some"` or `"all"`: which rows to keep.
+#' @param record For `rerun()`: whether to record the new run, too (it says what it repeats).
+#' @param file Name of a file, or NULL.
+#' @param dialect `"sqlite"`, `"postgresql"` or `"duckdb"`.
+#' @return
+#' * `records_create()`: the names of the tables and views that were made, invisibly.
+#' * `record_run()`: the name of the run.
+#' * `list_runs()`: a tibble with a row for each run, the oldest first.
+#' * `read_run()`: a list: the columns of `list_runs()`, `scene_text`, `scene`, `times_s`,
+#'   `model_asked`, `max_steps`, `columns`, `result_hash`, `errors` (a tibble: measure, size, error), `values` (a
+#'   tibble: quantity, row, value) and `software` (a list).
+#' * `rerun()`: a list of class `rot_rerun`: `verdict`, `where` (a tibble with a row for each
+#'   quantity: the row where it differs most, the two values, and what the errors allow; the worst
+#'   first), `run`, `model`, `versions` and `motion`, the new trajectory.
+#' * `records_check()`: a tibble: check, holds, detail.
+#' * `metadata_sql()`: the script, invisibly if it is written to a file.
+#' @section Errors: `rotdyn_error_database` (a driver that is not known, no tables of records, a
+#'   newer format, what the database says), `rotdyn_error_record` (no such run, a model that exists
+#'   no more), `rotdyn_error_scene`, `rotdyn_error_type`, `rotdyn_error_package`: \pkg{DBI} is
+#'   needed, \pkg{RSQLite} for files, \pkg{yyjsonr} to read scenes. RPostgreSQL is refused: it
+#'   rounds numbers to 15 digits.
+#' @source <https://www.sqlite.org/stricttables.html>, <https://www.sqlite.org/foreignkeys.html>.
+#' @seealso [write_scene()], [metadata()], [trajectory()].
+#' @concept lab book
+#' @concept reproducibility
+#' @examplesIf all(vapply(c("DBI", "RSQLite", "yyjsonr"), requireNamespace, NA, quietly = TRUE))
+#' lab <- tempfile(fileext = ".sqlite")
+#' records_create(lab)
+#' wheel <- scene_axle(body_disk(2, 0.25), 0.8, resistance(viscous_n_m_s = 0.03))
+#' run <- record_run(lab, trajectory(wheel, seq(0, 8, by = 0.1)), note = "bearing 3")
+#' list_runs(lab)
+#' rerun(lab, run)
+#' unlink(lab)
+#' @export
+records_create <- function(con, ...) {
+  call <- check_no_dots(...)
+  check_supplied("con", call)
+  db <- open_records(con, call, made = FALSE)
+  on.exit(db$close())
+  found <- db$version
+  if (!is.null(found)) {
+    check_format(found, call)
+    if (found$rotdyn_version != own_version()) refresh_metadata(db, call)
+    return(invisible(character()))
+  }
+  sql <- schema_sql(db$dialect)
+  in_transaction(db, call, {
+    for (statement in sql) DBI::dbExecute(db$con, statement)
+    add_metadata(db)
+    append_rows(db, "format", list(
+      format = records_format, rotdyn_version = own_version(), created_utc = utc_now()
+    ))
+  })
+  invisible(c(vapply(all_tables(), `[[`, "", "sql", USE.NAMES = FALSE), names(view_sql)))
+}
+
+#' @rdname records_create
+#' @export
+record_run <- function(con, motion, ..., note = NULL, rows = "some") {
+  call <- check_no_dots(...)
+  check_supplied(c("con", "motion"), call)
+  check_class(motion, "rot_trajectory", "motion", "Compute one with {.fn trajectory}.", call)
+  if (!is.null(note)) note <- check_name(note, "note", call)
+  rows <- check_string(rows, "rows", c("some", "all"), call)
+  db <- open_records(con, call)
+  on.exit(db$close())
+  write_record(db, motion, note, rows, NA_character_, call)
+}
+
+#' @rdname records_create
+#' @export
+list_runs <- function(con, ...) {
+  call <- check_no_dots(...)
+  check_supplied("con", call)
+  db <- open_records(con, call)
+  on.exit(db$close())
+  run_list(query(db, paste(list_sql, "ORDER BY r.recorded_utc, r.run"), call = call))
+}
+
+#' @rdname records_create
+#' @export
+read_run <- function(con, run, ...) {
+  call <- check_no_dots(...)
+  check_supplied(c("con", "run"), call)
+  db <- open_records(con, call)
+  on.exit(db$close())
+  read_record(db, run, call)
+}
+
+#' @rdname records_create
+#' @export
+rerun <- function(con, run, ..., record = FALSE) {
+  call <- check_no_dots(...)
+  check_supplied(c("con", "run"), call)
+  record <- check_flag(record, "record", call)
+  db <- open_records(con, call)
+  on.exit(db$close())
+  old <- read_record(db, run, call)
+  known <- names(constraint_of(old$scene)$models)
+  if (old$model_asked && !old$model %in% known) {
+    abort_rotdyn(c(
+      "The model of this run exists no more.",
+      x = "It is {.val {old$model}}; {.val {known}} {?is/are} known to rotdyn {own_version()}.",
+      i = "{.fn read_run} gives the scene, for another model."
+    ), "record", call)
+  }
+  motion <- withCallingHandlers(
+    compute_trajectory(
+      old$scene, old$times_s, old$accuracy, if (old$model_asked) old$model, "abort",
+      old$max_steps, call
+    ),
+    rotdyn_warning_accuracy = function(w) rlang::cnd_muffle(w)
+  )
+  result <- compare_record(old, motion)
+  if (record) result$new_run <- write_record(db, motion, NULL, "some", old$run, call)
+  result
+}
+
+#' @rdname records_create
+#' @export
+records_check <- function(con, ...) {
+  call <- check_no_dots(...)
+  check_supplied("con", call)
+  db <- open_records(con, call)
+  on.exit(db$close())
+  checks <- list()
+  say <- function(check, holds, detail = "") {
+    checks[[length(checks) + 1L]] <<- list(check = check, holds = holds, detail = detail)
+  }
+  tables <- all_tables()
+  data <- lapply(tables, function(table) {
+    columns <- paste(names(table$columns), collapse = ", ")
+    plain_rows(query(db, paste("SELECT", columns, "FROM", table$sql), call = call), table)
+  })
+  faults <- schema_faults(data, tables)
+  first <- function(x) if (length(x)) x[1] else ""
+  say(
+    "keys, checks and references", nrow(faults) == 0L,
+    first(sprintf("%s, row %s: %s", faults$table, faults$row, faults$fault))
+  )
+  hashes <- vapply(data$scenes$json, hash_text, "", USE.NAMES = FALSE)
+  wrong <- data$scenes$scene[hashes != data$scenes$scene]
+  say("hashes of the scenes", !length(wrong), first(wrong))
+  without <- setdiff(data$runs$run[data$runs$row_count > 0], data$run_values$run)
+  say("every run has its values", !length(without), first(without))
+  own <- metadata()
+  missing <- unlist(lapply(names(own), function(name) {
+    key <- tables[[name]]$key
+    lost <- setdiff(do.call(paste, own[[name]][key]), do.call(paste, data[[name]][key]))
+    if (length(lost)) paste(name, lost)
+  }))
+  say("metadata of this version", !length(missing), first(missing))
+  if (db$dialect == "sqlite") {
+    whole <- query(db, "PRAGMA integrity_check", call = call)[[1]]
+    sound <- identical(whole, "ok")
+    say("integrity of the file", sound, if (sound) "" else whole[1])
+    broken <- query(db, "PRAGMA foreign_key_check", call = call)
+    say("references of the file", nrow(broken) == 0L, first(as.character(broken[[1]])))
+  }
+  do.call(rbind, lapply(checks, tibble::as_tibble))
+}
+
+#' @rdname records_create
+#' @export
+metadata_sql <- function(file = NULL, dialect = c("sqlite", "postgresql", "duckdb"), ...) {
+  call <- check_no_dots(...)
+  dialect <- if (missing(dialect)) "sqlite" else {
+    check_string(dialect, "dialect", c("sqlite", "postgresql", "duckdb"), call)
+  }
+  known <- metadata()
+  tables <- metadata_tables()
+  rows <- unlist(lapply(names(known), function(name) insert_sql(known[[name]], tables[[name]]$sql)))
+  format <- sprintf(
+    "INSERT INTO rot_format VALUES (%d, '%s', '%s')", records_format, own_version(), utc_now()
+  )
+  script <- paste0(
+    "-- Metadata and empty tables of records, rotdyn ", own_version(), ", for ", dialect, ".\n",
+    if (dialect == "sqlite") "PRAGMA foreign_keys = ON;\n", "BEGIN;\n",
+    paste0(c(schema_sql(dialect), rows, format), ";\n", collapse = ""), "COMMIT;\n"
+  )
+  if (is.null(file)) return(script)
+  path <- check_file_name(file, call)
+  writeBin(charToRaw(enc2utf8(script)), path)
+  invisible(script)
+}
+
+# One statement for each row, with all digits.
+insert_sql <- function(rows, table) {
+  values <- vapply(rows, function(x) {
+    written <- if (is.character(x)) {
+      paste0("'", gsub("'", "''", enc2utf8(x), fixed = TRUE), "'")
+    } else {
+      .Call(ffi_text_numbers, as.double(x))
+    }
+    ifelse(is.na(x), "NULL", written)
+  }, character(nrow(rows)))
+  values <- matrix(values, nrow(rows))
+  paste0(
+    "INSERT INTO ", table, " (", paste(names(rows), collapse = ", "), ") VALUES (",
+    apply(values, 1, paste, collapse = ", "), ")"
+  )
+}
+
+#' @export
+print.rot_rerun <- function(x, ...) {
+  cat("<rot_rerun> ", x$verdict, "\n", sep = "")
+  cat("  run      ", x$run, "\n", sep = "")
+  cat("  model    ", paste(unique(x$model), collapse = " then, now "), "\n", sep = "")
+  cat("  rotdyn   ", paste(unique(x$versions), collapse = " then, now "), "\n", sep = "")
+  worst <- x$where[1L, ]
+  if (x$verdict != "identical" && nrow(x$where)) {
+    cat(
+      "  most     ", worst$quantity, " in row ", worst$row, ": ", format(worst$then, digits = 17),
+      " then, ", format(worst$now, digits = 17), " now; allowed ",
+      format(worst$allowed, digits = 2), "\n", sep = ""
+    )
+  }
+  invisible(x)
+}

@@ -1,0 +1,302 @@
+need <- function() {
+  for (package in c("DBI", "RSQLite", "yyjsonr")) skip_if_not_installed(package)
+}
+
+new_lab <- function() {
+  lab <- tempfile(fileext = ".sqlite")
+  records_create(lab)
+  lab
+}
+
+wheel <- function() {
+  scene_axle(
+    body_disk(2, 0.25), torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)),
+    resistance(viscous_n_m_s = 0.03)
+  )
+}
+
+asked <- function(lab, sql, ...) {
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+  on.exit(DBI::dbDisconnect(con))
+  DBI::dbExecute(con, "PRAGMA foreign_keys = ON")
+  if (grepl("^SELECT", sql)) DBI::dbGetQuery(con, sql, ...) else DBI::dbExecute(con, sql, ...)
+}
+
+test_that("a run is recorded, listed, read and computed again", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  expect_identical(records_create(lab), character())
+  motion <- trajectory(wheel(), seq(0, 8, by = 0.01))
+  run <- record_run(lab, motion, note = "bearing 3 \u2014 it's \"new\"")
+  expect_match(run, "^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$")
+  listed <- list_runs(lab)
+  expect_identical(listed$run, run)
+  expect_identical(listed$note, "bearing 3 \u2014 it's \"new\"")
+  expect_identical(listed$row_count, 801)
+  expect_identical(listed$scene_hash, scene_hash(wheel()))
+  expect_identical(listed$verdict, "balanced")
+  record <- read_run(lab, substr(run, 1, 8))
+  expect_identical(record$scene, wheel())
+  expect_identical(record$times_s, motion$time_s)
+  expect_identical(record$error, attr(motion, "run")$info$error)
+  at <- record$values[record$values$quantity == "omega_rad_per_s", ]
+  expect_identical(at$value, motion$omega_rad_per_s[at$row])
+  again <- rerun(lab, run)
+  expect_identical(again$verdict, "identical")
+  expect_true(all(again$where$difference == 0))
+  expect_output(print(again), "identical")
+  second <- rerun(lab, run, record = TRUE)$new_run
+  expect_identical(list_runs(lab)$repeats, c(NA, run)[match(list_runs(lab)$run, c(run, second))])
+  expect_true(all(records_check(lab)$holds))
+})
+
+test_that("what was tampered with is found: where most, and by how much", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  run <- record_run(lab, trajectory(wheel(), seq(0, 8, by = 0.5)))
+  hash <- strrep("0", 32)
+  asked(lab, "UPDATE rot_run SET result_hash = ?", params = list(hash))
+  expect_identical(rerun(lab, run)$verdict, "within errors")
+  asked(
+    lab, "UPDATE rot_run_value SET value = value + 1e-6 WHERE quantity = 'omega_rad_per_s' AND
+      place = (SELECT MAX(place) FROM rot_run_value)"
+  )
+  again <- rerun(lab, run)
+  expect_identical(again$verdict, "differs")
+  expect_identical(again$where$quantity[1], "omega_rad_per_s")
+  expect_identical(again$where$row[1], 17)
+  expect_equal(again$where$difference[1], 1e-6, tolerance = 1e-6)
+  expect_output(print(again), "omega_rad_per_s in row 17")
+  # Another scene under the hash of the first.
+  asked(lab, "UPDATE rot_scene SET json = replace(json, '0.03', '0.04')")
+  expect_identical(rerun(lab, run)$verdict, "differs")
+  checked <- records_check(lab)
+  expect_false(checked$holds[checked$check == "hashes of the scenes"])
+})
+
+test_that("scenes of every constraint come back identical in a new session", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  tilt <- attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
+  scenes <- list(
+    wheel(), scene_rotors(c(1, 2), 1000, omega0_rad_per_s = c(1, .5)),
+    scene_clutch(2, 3, 12, omega1_rad_per_s = 10),
+    scene_drive(
+      c(1, 2), list(coupling_clutch(2)), omega0_rad_per_s = c(3, 0), brake = list(NULL, brake(1))
+    ),
+    scene_incline(body_sphere(1, .1), 30, static_friction = .1),
+    scene_free(body_box(1, .1, .2, .3), c(1, 2, 3)),
+    scene_pivot(
+      c(.0042, .0042, .002), c(0, 0, 60), mass_kg = .5, centre_m = c(0, 0, .08), attitude0 = tilt
+    ),
+    scene_pendulum(body_rod_end(.1, 1), theta0_rad = 1),
+    scene_gears(c(1, 2), 3, torque_n_m = c(1, 0))
+  )
+  for (scene in scenes) record_run(lab, trajectory(scene, c(0, sort(exp(-1:-9)), 2)))
+  code <- sprintf(
+    "library(rotdyn, lib.loc = '%s'); for (run in list_runs('%s')$run)
+      cat(rerun('%s', run)$verdict, '\n')",
+    dirname(system.file(package = "rotdyn")), lab, lab
+  )
+  script <- tempfile(fileext = ".R")
+  writeLines(code, script)
+  r <- file.path(R.home("bin"), "Rscript")
+  out <- system2(r, shQuote(script), stdout = TRUE, stderr = FALSE)
+  expect_identical(trimws(out), rep("identical", length(scenes)))
+  expect_true(all(records_check(lab)$holds))
+})
+
+test_that("NA, NaN, Inf and -0 are kept", {
+  x <- c(1, NA, NaN, Inf, -Inf, -0, 0)
+  special <- special_of(x)
+  expect_identical(special, c(NA, "NA", "NaN", "Inf", "-Inf", "-0", NA))
+  stored <- ifelse(is.na(special), x, NA)
+  back <- value_of(stored, special)
+  expect_identical(is.nan(back), is.nan(x))
+  expect_identical(1 / back[6:7], c(-Inf, Inf))
+  expect_identical(back[c(1, 4, 5)], x[c(1, 4, 5)])
+})
+
+test_that("times are a grid where that gives the same doubles", {
+  skip_if_not_installed("yyjsonr")
+  for (x in list(
+    seq(0, 8, by = 0.01), seq(0, 1, length.out = 7), c(0, 0.1, 1), 3, double(), c(1, 0.5, 0),
+    sort(exp(1:20)), c(0, 0.1, 0.2, 0.3), 1e9 + 0:5 / 3
+  )) {
+    expect_identical(read_times(times_text(x), NULL), x)
+  }
+  expect_match(times_text(seq(0, 8, by = 0.01)), "step")
+  expect_error(read_times("{\"from\":0,\"step\":1}", NULL), class = "rotdyn_error_record")
+  expect_error(read_times("{\"at\":\"system('id')\"}", NULL), class = "rotdyn_error_record")
+})
+
+test_that("the user's own columns and a choice of columns do no harm", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  motion <- trajectory(wheel(), 0:8)
+  motion$mine <- letters[1:9]
+  run <- record_run(lab, motion)
+  expect_false("mine" %in% read_run(lab, run)$columns)
+  expect_identical(rerun(lab, run)$verdict, "identical")
+  fewer <- motion[c("time_s", "theta_rad", "omega_rad_per_s")]
+  expect_identical(rerun(lab, record_run(lab, fewer))$verdict, "identical")
+  asked_model <- trajectory(wheel(), 0:8, model = "axle_rk8pd", accuracy = 1e-7)
+  run <- record_run(lab, asked_model, rows = "all")
+  expect_true(read_run(lab, run)$model_asked)
+  expect_identical(rerun(lab, run)$verdict, "identical")
+  kept <- read_run(lab, run)$values
+  expect_identical(kept$value[kept$quantity == "theta_rad"], asked_model$theta_rad)
+})
+
+test_that("the article's tables are views, and its closing query runs unchanged", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  closing <- "SELECT
+    relation_name,
+    equation_text,
+    interpretation
+FROM physical_relations
+ORDER BY relation_id;"
+  expect_identical(nrow(asked(lab, closing)), 13L)
+  rows <- c(
+    constants = 5, rolling_body_cases = 5, moment_of_inertia_shapes = 6, torque_time_profile = 10,
+    gyroscope_cases = 3, physical_relations = 13, model_metadata = 6, source_notes = 8,
+    model_assumptions = 6, simulation_runs = 4
+  )
+  expect_identical(sum(rows), 66)
+  id <- c(
+    "constant_id", "body_id", "shape_id", "point_id", "case_id", "relation_id", "model_id",
+    "source_id", "assumption_id", "run_id"
+  )
+  for (i in seq_along(rows)) {
+    found <- asked(lab, paste("SELECT * FROM", names(rows)[i], "ORDER BY 1"))
+    expect_identical(names(found)[1], id[i])
+    expect_gte(nrow(found), rows[[i]])
+    if (id[i] != "case_id") expect_identical(found[[1]][seq_len(rows[[i]])], seq_len(rows[[i]]))
+  }
+  rolling <- asked(lab, "SELECT * FROM rolling_body_cases ORDER BY body_id")
+  expect_identical(rolling$beta, c(1, 0.5, 0.4, 2 / 3, 0))
+  expect_match(rolling$notes[4], "0.6666667, is 2/3", fixed = TRUE)
+  expect_identical(unique(rolling$incline_angle_deg), 20)
+  expect_identical(
+    asked(lab, "SELECT * FROM torque_time_profile ORDER BY point_id")$applied_torque_n_m,
+    c(0, 0.4, 0.8, 0.8, 0.8, 0.8, 0.4, 0, 0, 0)
+  )
+  tops <- asked(lab, "SELECT * FROM gyroscope_cases WHERE case_id = 'slow_heavy_rotor'")
+  expect_identical(unlist(tops[2:5], use.names = FALSE), c(2, 0.12, 0.02, 120))
+  constants <- asked(lab, "SELECT * FROM constants WHERE constant_id <= 5 ORDER BY constant_id")
+  expect_identical(constants$unit[3:5], c("kg m^2 s^-2", "kg m^2 s^-2", "kg m^2 s^-3"))
+  expect_identical(constants$value, c(9.80665, 1, 1, 1, 1))
+})
+
+test_that("SQLite refuses what breaks a key, with or without this package", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  expect_error(asked(lab, "DELETE FROM rot_unit WHERE unit = 'm'"), "FOREIGN KEY")
+  expect_error(asked(lab, "UPDATE rot_constant SET value = 'much'"), "REAL")
+  expect_error(asked(lab, "UPDATE rot_constant SET standard_uncertainty = 1"), "CHECK")
+})
+
+test_that("what is no database of records is refused", {
+  need()
+  expect_error(list_runs(tempfile()), "no file", class = "rotdyn_error_database")
+  empty <- tempfile(fileext = ".sqlite")
+  con <- DBI::dbConnect(RSQLite::SQLite(), empty)
+  on.exit({
+    DBI::dbDisconnect(con)
+    unlink(c(empty, lab))
+  })
+  expect_error(list_runs(con), "no tables", class = "rotdyn_error_database")
+  expect_error(list_runs(3), class = "rotdyn_error_type")
+  lab <- new_lab()
+  expect_error(read_run(lab, "abc"), "no run", class = "rotdyn_error_record")
+  expect_error(read_run(lab, "x' OR 1"), class = "rotdyn_error_record")
+  expect_error(record_run(lab, 3), class = "rotdyn_error_type")
+  old <- structure(list(), class = "PostgreSQLConnection")
+  expect_error(records_create(old), "15 digits", class = "rotdyn_error_database")
+  # A model that exists no more, and a newer format.
+  run <- record_run(lab, trajectory(wheel(), 0:2, model = "axle_linear"))
+  asked(lab, "INSERT INTO rot_model SELECT 'axle_epicycles', constraint_kind, equations,
+    assumptions, limits, requires, error, error_kind, source, cited FROM rot_model
+    WHERE model = 'axle_linear'")
+  asked(lab, "UPDATE rot_run SET model = 'axle_epicycles'")
+  expect_error(rerun(lab, run), "axle_epicycles", class = "rotdyn_error_record")
+  expect_identical(read_run(lab, run)$model, "axle_epicycles")
+  asked(lab, "UPDATE rot_format SET format = 2")
+  expect_error(list_runs(lab), "newer format", class = "rotdyn_error_database")
+  expect_error(records_create(lab), "newer format", class = "rotdyn_error_database")
+})
+
+test_that("an open transaction and an interruption leave nothing of a run", {
+  need()
+  lab <- new_lab()
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+  on.exit({
+    DBI::dbDisconnect(con)
+    unlink(lab)
+  })
+  motion <- trajectory(wheel(), 0:8)
+  db <- open_records(con, NULL)
+  expect_error(
+    in_transaction(db, NULL, {
+      append_rows(db, "software", c(own_software()))
+      stop("pulled the plug")
+    }), "pulled the plug", class = "rotdyn_error_database"
+  )
+  expect_identical(nrow(DBI::dbGetQuery(con, "SELECT * FROM rot_software")), 0L)
+  run <- record_run(con, motion)
+  expect_identical(list_runs(con)$run, run)
+  expect_true(DBI::dbIsValid(con))
+})
+
+test_that("metadata of another version are completed", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  asked(lab, "DELETE FROM rot_model_assumption WHERE model = 'axle_free'")
+  asked(lab, "DELETE FROM rot_model_effect WHERE model = 'axle_linear'")
+  checked <- records_check(lab)
+  expect_false(checked$holds[checked$check == "metadata of this version"])
+  asked(lab, "UPDATE rot_format SET rotdyn_version = '0.0.1'")
+  expect_identical(records_create(lab), character())
+  expect_true(all(records_check(lab)$holds))
+})
+
+test_that("the script makes the same tables and rows", {
+  need()
+  script <- metadata_sql()
+  expect_match(metadata_sql(dialect = "postgresql"), "DOUBLE PRECISION")
+  expect_error(metadata_sql(dialect = "oracle"), class = "rotdyn_error_value")
+  file <- tempfile(fileext = ".sql")
+  expect_identical(metadata_sql(file), script)
+  expect_identical(paste(readLines(file, encoding = "UTF-8"), collapse = "\n"), trimws(script))
+  con <- DBI::dbConnect(RSQLite::SQLite(), ":memory:")
+  on.exit({
+    DBI::dbDisconnect(con)
+    unlink(file)
+  })
+  for (statement in strsplit(script, ";\n", fixed = TRUE)[[1]]) DBI::dbExecute(con, statement)
+  known <- metadata()
+  tables <- metadata_tables()
+  for (name in names(known)) {
+    rows <- DBI::dbGetQuery(con, paste("SELECT * FROM", tables[[name]]$sql))
+    expect_equal(as.list(rows), lapply(as.list(known[[name]]), unname), tolerance = 0)
+  }
+  run <- record_run(con, trajectory(wheel(), 0:8))
+  expect_identical(rerun(con, run)$verdict, "identical")
+})
+
+test_that("without the packages the error says what is missing", {
+  for (package in c("DBI", "RSQLite", "yyjsonr")) {
+    expect_error(
+      need_package(paste0(package, "NotThere"), "Recording runs", NULL), "install",
+      class = "rotdyn_error_package"
+    )
+  }
+})
