@@ -8,7 +8,7 @@ cli_verb <- function(name, usage, words, help, options, run, needs = NULL, examp
 }
 
 cli_verbs <- function() {
-  c(cli_motion_verbs(), cli_table_verbs(), cli_list_verbs())
+  c(cli_motion_verbs(), cli_table_verbs(), cli_record_verbs(), cli_list_verbs())
 }
 
 # ---- input --------------------------------------------------------------------------------------
@@ -210,7 +210,9 @@ cli_motion_verbs <- function() {
     cli_verb(
       "trajectory", "[SCENE...]", c(0, Inf),
       c("the motion of scenes", "A scene is a file of JSON, `-`, or an axle by options."),
-      c(list(times, accuracy, model), axle), cli_run_trajectory, "times",
+      c(list(times, accuracy, model), axle, list(
+        cli_option("record", "text", "a database (SQLite file) that records the runs, too")
+      )), cli_run_trajectory, "times",
       c("rotdyn trajectory wheel.json --times 0:8:0.01 > wheel.csv",
         "rotdyn trajectory --shape disk --mass-kg 2 --radius-m 0.25 --torque-n-m 0.8 --times 0:8:1")
     ),
@@ -258,6 +260,7 @@ cli_run_trajectory <- function(words, options, state) {
       run$model, ", error ", if (run$error_kind == "bound") "at most " else "about ",
       format(run$info$error, digits = 2)
     )
+    if (!is.null(options$record)) message("recorded as ", cli_record(options$record, motion))
     list(table = motion)
   })
 }
@@ -444,6 +447,98 @@ cli_run_precess <- function(words, options, state) {
   ))
 }
 
+# ---- records ------------------------------------------------------------------------------------
+
+cli_record_verbs <- function() {
+  motion <- Filter(function(option) {
+    option$name != "record"
+  }, cli_motion_verbs()[[1]]$options)
+  list(
+    cli_verb(
+      "record", "DB [SCENE...]", c(1, Inf),
+      c("computes scenes and records recipe and fingerprint in a database",
+        "DB is an SQLite file, made where there is none."),
+      c(motion, list(
+        cli_option("note", "text", "any text"),
+        cli_option("rows", "text", "which rows to keep", "some", c("some", "all"))
+      )), cli_run_record, "times", "rotdyn record lab.sqlite wheel.json --times 0:8:0.01"
+    ),
+    cli_verb(
+      "runs", "DB [RUN]", c(1, 2), c("the runs of a database; the values kept of one run",
+                                     "With --check exit status 1 if the database is not sound."),
+      list(cli_option("check", "flag", "keys, references, hashes of the database"),
+           cli_option("scene", "flag", "the scene of the run, as text")),
+      cli_run_runs, NULL, c("rotdyn runs lab.sqlite", "rotdyn runs lab.sqlite 3f2a --scene")
+    ),
+    cli_verb(
+      "rerun", "DB [RUN...]", c(1, Inf),
+      c("computes runs again from the database alone, and compares; without names all",
+        "Exit status 1 if any differs by more than the errors allow."),
+      list(cli_option("record", "flag", "records the new runs, too")), cli_run_rerun, NULL,
+      "rotdyn rerun lab.sqlite"
+    )
+  )
+}
+
+cli_record <- function(db, motion, note = NULL, rows = "some") {
+  if (!file.exists(db)) records_create(db)
+  record_run(db, motion, note = note, rows = rows)
+}
+
+cli_database <- function(path, state) {
+  state$file <- path
+  if (dir.exists(path)) abort_input("this is a folder, not a database")
+  if (!file.exists(path)) abort_input("there is no such file")
+  path
+}
+
+cli_run_record <- function(words, options, state) {
+  model <- cli_model(options, "record")
+  db <- words[1]
+  if (dir.exists(db)) cli_database(db, state)
+  cli_each_scene(cli_scenes(words[-1L], options, state, "record"), state, function(scene) {
+    motion <- trajectory(scene, options$times, options$accuracy, model)
+    run <- cli_record(db, motion, options$note, options$rows)
+    known <- list_runs(db)
+    list(table = known[known$run == run, ])
+  })
+}
+
+cli_run_runs <- function(words, options, state) {
+  db <- cli_database(words[1], state)
+  if (isTRUE(options$check)) {
+    found <- records_check(db)
+    return(list(table = found, answer = all(found$holds)))
+  }
+  if (length(words) == 1L) {
+    if (isTRUE(options$scene)) abort_usage("`--scene` needs the name of a run", verb = "runs")
+    return(list(table = list_runs(db)))
+  }
+  run <- read_run(db, words[2])
+  if (isTRUE(options$scene)) {
+    return(list(lines = strsplit(write_scene(run$scene), "\n", fixed = TRUE)[[1]]))
+  }
+  list(table = run$values)
+}
+
+cli_run_rerun <- function(words, options, state) {
+  db <- cli_database(words[1], state)
+  runs <- if (length(words) > 1L) words[-1L] else list_runs(db)$run
+  again <- lapply(runs, function(run) {
+    result <- rerun(db, run, record = isTRUE(options$record))
+    most <- if (nrow(result$where)) result$where[1, ]
+    list(
+      run = result$run, verdict = result$verdict, model = result$model[["now"]],
+      quantity = most$quantity %||% NA_character_, row = as.double(most$row %||% NA),
+      then = most$then %||% NA_real_, now = most$now %||% NA_real_,
+      allowed = most$allowed %||% NA_real_, new_run = result$new_run %||% NA_character_
+    )
+  })
+  if (!length(again)) abort_input("it has no run")
+  table <- cli_bind(again)
+  list(table = table, answer = !any(table$verdict == "differs"))
+}
+
 # ---- lists --------------------------------------------------------------------------------------
 
 cli_list_verbs <- function() {
@@ -458,8 +553,15 @@ cli_list_verbs <- function() {
     plain("columns", "the columns of all tables: unit, meaning", rotdyn_columns),
     cli_verb(
       "metadata", "[TABLE]", c(0, 1),
-      "tables of units, constants, conventions, models, assumptions, cases", list(),
+      "tables of units, constants, conventions, models, assumptions, cases",
+      list(cli_option(
+        "sql", "text", "all tables as a script for", NULL, c("sqlite", "postgresql", "duckdb")
+      )),
       function(words, options, state) {
+        if (!is.null(options$sql)) {
+          if (length(words)) abort_usage("`--sql` writes all tables", verb = "metadata")
+          return(list(lines = strsplit(metadata_sql(dialect = options$sql), "\n", TRUE)[[1]]))
+        }
         known <- metadata()
         if (!length(words)) {
           return(list(table = list(
@@ -474,7 +576,9 @@ cli_list_verbs <- function() {
           )
         }
         list(table = known[[words]])
-      }, example = c("rotdyn metadata", "rotdyn metadata units --format text")
+      },
+      example = c("rotdyn metadata units --format text",
+                  "rotdyn metadata --sql sqlite | sqlite3 lab.sqlite")
     ),
     cli_verb(
       "version", "", c(0, 0), "versions of this package and of R", list(),

@@ -97,6 +97,62 @@ test_that("work-precision measures", {
   expect_true(any(grepl("^axle_linear,", said$out)))
 })
 
+test_that("runs are recorded, listed and computed again", {
+  for (need in c("yyjsonr", "DBI", "RSQLite")) skip_if_not_installed(need)
+  in_folder({
+    made <- cli("record", "lab.sqlite", "wheel.json", "two.jsonl", "--times", "0:8:2",
+                "--note", "bearing 3")
+    expect_identical(made$status, 0L)
+    runs <- utils::read.csv(text = made$out)
+    expect_identical(runs$scene, c("wheel.json", "two.jsonl:1", "two.jsonl:2"))
+    expect_identical(runs$model, c("axle_linear", "axle_linear", "axle_drag"))
+    said <- cli("trajectory", "wheel.json", "--times", "0,4", "--record", "lab.sqlite")
+    expect_match(said$err[2], "^rotdyn: recorded as [0-9a-f-]{36}$")
+    listed <- utils::read.csv(text = cli("runs", "lab.sqlite")$out)
+    expect_true(all(runs$run %in% listed$run) && nrow(listed) == 4L)
+    kept <- utils::read.csv(text = cli("runs", "lab.sqlite", runs$run[1])$out)
+    expect_true(all(c("quantity", "row", "value") %in% names(kept)))
+    scene <- cli("runs", "lab.sqlite", runs$run[1], "--scene")
+    expect_identical(scene_hash(read_scene(paste(scene$out, collapse = "\n"))),
+                     scene_hash(article_scene()))
+    again <- cli("rerun", "lab.sqlite")
+    expect_identical(again$status, 0L)
+    expect_identical(utils::read.csv(text = again$out)$verdict, rep("identical", 4L))
+    expect_identical(cli("runs", "lab.sqlite", "--check")$status, 0L)
+    # A value that somebody changed, and the hash: no longer within the errors.
+    con <- DBI::dbConnect(RSQLite::SQLite(), "lab.sqlite")
+    DBI::dbExecute(con, paste0(
+      "UPDATE rot_run_value SET value = value * 1.001 WHERE run = '", runs$run[1],
+      "' AND quantity = 'omega_rad_per_s'"
+    ))
+    DBI::dbExecute(con, paste0(
+      "UPDATE rot_run SET result_hash = '", strrep("0", 32), "' WHERE run = '", runs$run[1], "'"
+    ))
+    DBI::dbDisconnect(con)
+    again <- cli("rerun", "lab.sqlite", runs$run[1])
+    expect_identical(again$status, 1L)
+    expect_match(again$out[2], ",differs,axle_linear,omega_rad_per_s,")
+    for (line in list(c("runs", "none.sqlite"), c("rerun", "none.sqlite"), c("runs", "empty"),
+                      c("runs", "folder"), c("runs", "wheel.json"), c("runs", "lab.sqlite", "zzz"),
+                      c("rerun", "lab.sqlite", "ffff"),
+                      c("record", "folder", "wheel.json", "--times", "0,1"))) {
+      said <- cli(line)
+      expect_identical(said$status, 3L, info = paste(line, collapse = " "))
+      expect_match(said$err[1], "^rotdyn: ")
+    }
+    expect_false(file.exists("none.sqlite"))
+    expect_identical(cli("runs", "lab.sqlite", "--scene")$status, 2L)
+  })
+})
+
+test_that("metadata as a script", {
+  script <- cli("metadata", "--sql", "postgresql")
+  expect_identical(script$status, 0L)
+  expect_match(script$out, "^CREATE TABLE rot_unit", all = FALSE)
+  expect_identical(cli("metadata", "units", "--sql", "sqlite")$status, 2L)
+  expect_identical(cli("metadata", "--sql", "oracle")$status, 2L)
+})
+
 test_that("faults and statuses are what they were", {
   skip_if_not_installed("yyjsonr")
   in_folder(expect_snapshot({
@@ -344,6 +400,13 @@ test_that("the command in a shell: pipes, profiles, locales, interrupts", {
   expect_identical(
     in_shell("rotdyn roll - < /dev/null; echo $?", folder),
     c("rotdyn: standard input: it is empty", "3")
+  )
+  # R itself takes none of these.
+  expect_identical(
+    in_shell(
+      "for o in -e --args -g --vanilla -f; do rotdyn $o 1 2> /dev/null; echo $?; done", folder
+    ),
+    rep("2", 5)
   )
   # The reader leaves: no words of R's, status 141.
   said <- in_shell(paste(
