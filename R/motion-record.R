@@ -576,14 +576,18 @@ unwrap_record <- function(columns, segment, axis, call) {
     (range[1] >= -1e-6 || (range[1] >= -pi * (1 + 1e-6) && range[2] <= pi * (1 + 1e-6)))
   if (!wrapped) return(list(theta = theta))
   theta <- unwrap_angle(columns$time_s, theta, segment, columns$omega_rad_per_s, call)
-  list(theta = theta, assumed = "the angle is wrapped to one turn: unwrapped")
+  list(
+    theta = theta$theta, assumed = c("the angle is wrapped to one turn: unwrapped", theta$doubt)
+  )
 }
 
 # Against the predicted angle theta + omega h. `omega`: measured rates, or NULL. A step beyond half
-# a turn is only resolved by a measured rate.
+# a turn is only resolved by a measured rate. `doubt`: how often the angle is beyond a quarter turn
+# of the predicted one.
 unwrap_angle <- function(time, theta, segment, omega, call) {
   known <- which(!is.na(theta))
   turn <- 2 * pi
+  doubtful <- 0L
   for (s in unique(segment[known])) {
     rows <- known[segment[known] == s]
     if (length(rows) < 2L) next
@@ -597,6 +601,7 @@ unwrap_angle <- function(time, theta, segment, omega, call) {
       if (seen) speed <- (rate[i] + rate[i - 1L]) / 2
       expected <- x[i - 1L] + speed * h
       x[i] <- x[i] - turn * round((x[i] - expected) / turn)
+      if (i > 2L || seen) doubtful <- doubtful + (abs(x[i] - expected) > pi / 2)
       if (!seen) {
         if (abs(x[i] - x[i - 1L]) > pi) abort_aliased(t[i], call)
         speed <- (x[i] - x[i - 1L]) / h
@@ -604,7 +609,12 @@ unwrap_angle <- function(time, theta, segment, omega, call) {
     }
     theta[rows] <- x
   }
-  theta
+  list(theta = theta, doubt = if (doubtful) {
+    paste(
+      "in", doubtful, "steps the angle is more than a quarter turn from the predicted one: turns may",
+      "be miscounted"
+    )
+  })
 }
 
 abort_aliased <- function(time, call) {
@@ -618,7 +628,6 @@ abort_aliased <- function(time, call) {
 angle_of_mark <- function(columns, segment, centre_m, keep, marks, call) {
   x <- columns$x_m
   y <- columns$y_m
-  assumed <- character()
   if (identical(centre_m, "fit")) {
     fit <- fit_circle(x, y)
     loose <- is.null(fit) || fit$scatter_m > 0.05 * fit$radius_m || fit$arc_rad < 0.5
@@ -661,10 +670,8 @@ angle_of_mark <- function(columns, segment, centre_m, keep, marks, call) {
     centre <- list(kind = "given", x_m = cx, y_m = cy)
   }
   theta <- atan2(y - cy, x - cx)
-  list(
-    theta = unwrap_angle(columns$time_s, theta, segment, columns$omega_rad_per_s, call),
-    centre = centre, assumed = assumed
-  )
+  theta <- unwrap_angle(columns$time_s, theta, segment, columns$omega_rad_per_s, call)
+  list(theta = theta$theta, centre = centre, assumed = theta$doubt)
 }
 
 # The circle of least squares: Taubin's algebraic fit, then Gauss-Newton on the distances.
@@ -778,7 +785,8 @@ as_tibble.rot_record <- function(x, ...) {
 }
 
 record_form <- list(
-  source = "text", columns = list(column = "texts", heading = "texts=column", unit = "texts=column"),
+  source = "text",
+  columns = list(column = "texts", heading = "texts=column", unit = "texts=column"),
   resolution = "values", dropped = list(why = "texts"), breaks = list(why = "texts"),
   assumed = "texts", spacing_s = "values:1", pulses_per_turn = "number?",
   centre = list(.optional = TRUE, kind = "text"),

@@ -50,8 +50,8 @@
 #'
 #' # A metre stick hung at five holes, one of them misread.
 #' d <- c(0.1, 0.2, 0.3, 0.4, 0.45, 0.5)
-#' T <- 2 * pi * sqrt((1 / 12 + d^2) / (9.81 * d)) * (1 + c(2, -1, 60, -2, 1, 1) / 1000)
-#' fit_pivots(T, d)
+#' times <- 2 * pi * sqrt((1 / 12 + d^2) / (9.81 * d)) * (1 + c(2, -1, 60, -2, 1, 1) / 1000)
+#' fit_pivots(times, d)
 #' @export
 pool_periods <- function(time_s, swings = 1, group = NULL, ..., type_b_s = 0.03) {
   call <- check_no_dots(...)

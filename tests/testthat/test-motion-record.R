@@ -237,3 +237,11 @@ test_that("the records of real instruments", {
   expect_error(motion_record(precessing, axis = "principal"), class = "rotdyn_error_value")
   expect_gt(info_of(motion_record(precessing, axis = "z"))$axis$across, 0.1)
 })
+
+test_that("an angle far from the predicted one is said", {
+  t <- 0:60 / 30
+  a <- 1.2 * sin(4 * t) + ifelse(t > 1, 2.4, 0) + 2
+  w <- (a + 1.2) %% (2 * pi)
+  x <- motion_record(data.frame(t, w = ifelse(t < 0.1, 6.2, w)), time_s = t, theta_rad = w)
+  expect_match(info_of(x)$assumed, "quarter turn", all = FALSE)
+})
