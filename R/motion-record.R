@@ -611,8 +611,8 @@ unwrap_angle <- function(time, theta, segment, omega, call) {
   }
   list(theta = theta, doubt = if (doubtful) {
     paste(
-      "in", doubtful, "steps the angle is more than a quarter turn from the predicted one: turns may",
-      "be miscounted"
+      "in", doubtful, "steps the angle is more than a quarter turn from the predicted one: turns",
+      "may be miscounted"
     )
   })
 }
