@@ -35,8 +35,8 @@ coast_units <- list(
 #'   of both include 0.
 #'
 #' Several runs, and the segments of a record, share the losses and have their own start and noise.
-#' Where the runs differ by more than their errors, a variance between runs is added (DerSimonian
-#' and Laird, for each loss), and `glance()` gives the Birge ratio.
+#' Where the runs differ by more than their errors, a variance between runs is added (for each loss,
+#' by REML), and `glance()` gives the Birge ratio.
 #'
 #' @param records A [motion_record()], a data frame with `time_s` and one of `theta_rad`,
 #'   `omega_rad_per_s` or `pulses`, or a list of them. Each segment is a run. Of several quantities
@@ -60,8 +60,7 @@ coast_units <- list(
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value` (a body at rest, one that speeds up),
 #'   `rotdyn_error_size` (fewer samples than 3 more than what is fitted), `rotdyn_error_argument`
 #'   (a torque without an inertia), `rotdyn_error_range` (no fit).
-#' @source Riccati's equation for the motion; Harville, J. Am. Stat. Assoc. 72, 320 (1977) for REML;
-#'   DerSimonian and Laird, Control. Clin. Trials 7, 177 (1986).
+#' @source Riccati's equation for the motion; Harville, J. Am. Stat. Assoc. 72, 320 (1977) for REML.
 #' @seealso [loss_budget()], [retarding_torque()], [compare_laws()], [motion_record()].
 #' @concept coast-down
 #' @concept friction

@@ -45,22 +45,13 @@ pool_runs <- function(runs, shared, load) {
     sum(d * scaled_solve(spreads[[i]], d))
   }, 0))
   free <- k * (length(runs) - 1)
-  between <- vapply(shared, function(name) {
-    x <- vapply(values, `[[`, 0, name)
-    w <- 1 / vapply(spreads, function(s) s[name, name], 0)
-    q <- sum(w * (x - sum(w * x) / sum(w))^2)
-    # sum(w) - sum(w^2)/sum(w) without the difference.
-    cross <- outer(w, w / sum(w))
-    max(0, (q - (length(x) - 1)) / sum(cross[upper.tri(cross) | lower.tri(cross)]))
-  }, 0)
-  # A difference that chance explains adds nothing.
   p <- stats::pchisq(excess, free, lower.tail = FALSE)
-  if (p > 0.05) between[] <- 0
+  # A difference that chance explains adds nothing.
+  between <- stats::setNames(numeric(k), shared)
+  if (p < 0.05) between[] <- between_variances(values, spreads)
   final <- weigh(values, lapply(spreads, function(s) s + diag(between, k)))
-  within <- weigh(values, spreads)$covariance
-  inside <- pmin(diag(within) / diag(final$covariance), 1)
-  total_dof <- sum(dof)
-  free_dof <- 1 / (inside^2 / total_dof + (1 - inside)^2 / (length(runs) - 1))
+  # Few runs do not show which of the losses differs: all intervals have the runs' degrees of freedom.
+  free_dof <- rep(if (any(between > 0)) length(runs) - 1 else sum(dof), k)
   held <- hold_at_zero(final$value, final$covariance, names(final$value) %in% coast_losses)
   list(
     value = final$value, covariance = final$covariance, factor = NULL, best = held$value,
@@ -116,6 +107,40 @@ hold_at_zero <- function(value, covariance, bounded) {
     }
   }
   best
+}
+
+# Variances between the runs, one for each loss, by REML: (log|V_r| + |sum V_r^-1| + residuals) with
+# V_r = C_r + diag(variances). Run by run the losses are so correlated that each one's own scatter does
+# not tell which of them differs.
+between_variances <- function(values, spreads) {
+  k <- length(values[[1]])
+  scale <- rowMeans(vapply(spreads, diag, numeric(k)))
+  if (k > 1L) scale <- unname(scale) else scale <- mean(unlist(spreads))
+  deviance <- function(x) {
+    v <- lapply(spreads, function(s) s + diag(scale * 10^x, k))
+    joint <- weigh(values, v)
+    sum(vapply(seq_along(v), function(i) {
+      d <- values[[i]] - joint$value
+      log_det(v[[i]], scale) + sum(d * scaled_solve(v[[i]], d))
+    }, 0)) - log_det(joint$covariance, scale)
+  }
+  best <- NULL
+  # One loss that differs, at a time.
+  for (start in seq_len(k)) {
+    x <- rep(-4, k)
+    x[start] <- 1
+    found <- stats::nlminb(
+      x, deviance, lower = -5, upper = 8, control = list(iter.max = 30, rel.tol = 1e-5)
+    )
+    if (is.null(best) || found$objective < best$objective) best <- found
+  }
+  ifelse(best$par < -3, 0, scale * 10^best$par)
+}
+
+log_det <- function(covariance, scale) {
+  s <- sqrt(scale)
+  values <- eigen(t(t(covariance / s) / s), symmetric = TRUE, only.values = TRUE)$values
+  sum(log(pmax(values, 1e-14 * max(values))))
 }
 
 # ---- rows ----------------------------------------------------------------------------------------
