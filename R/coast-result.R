@@ -50,7 +50,7 @@ pool_runs <- function(runs, shared, load) {
   between <- stats::setNames(numeric(k), shared)
   if (p < 0.05) between[] <- between_variances(values, spreads)
   final <- weigh(values, lapply(spreads, function(s) s + diag(between, k)))
-  # Few runs do not show which of the losses differs: all intervals have the runs' degrees of freedom.
+  # Few runs do not show which of the losses differs: all have the degrees of freedom of the runs.
   free_dof <- rep(if (any(between > 0)) length(runs) - 1 else sum(dof), k)
   held <- hold_at_zero(final$value, final$covariance, names(final$value) %in% coast_losses)
   list(
@@ -110,8 +110,8 @@ hold_at_zero <- function(value, covariance, bounded) {
 }
 
 # Variances between the runs, one for each loss, by REML: (log|V_r| + |sum V_r^-1| + residuals) with
-# V_r = C_r + diag(variances). Run by run the losses are so correlated that each one's own scatter does
-# not tell which of them differs.
+# V_r = C_r + diag(variances). In a run the losses are so correlated that each one's own scatter
+# does not show which of them differs.
 between_variances <- function(values, spreads) {
   k <- length(values[[1]])
   scale <- rowMeans(vapply(spreads, diag, numeric(k)))
