@@ -3,7 +3,8 @@
  * by Gauss-Legendre quadrature of its rate. That truth is itself compared with an integration of
  * Euler's equations (extrapolated midpoint steps) where the time is short.
  *
- *   free [scenes] [seed] */
+ *   free [scenes] [seed]
+ *   free truth I1 I2 I3 w1 w2 w3 t ...    prints t and the true quaternion, a line each */
 #include <math.h>
 #include <quadmath.h>
 #include <stdint.h>
@@ -358,7 +359,30 @@ static void draw(int kind, rot_free_params *p) {
   (void)rot_attitude_unit(p->q0);
 }
 
+static int print_truth(int argc, char **argv) {
+  double m[3], w[3];
+  truth s;
+  if (argc < 9) return 2;
+  for (int i = 0; i < 3; i++) {
+    m[i] = atof(argv[2 + i]);
+    w[i] = atof(argv[5 + i]);
+  }
+  begin_truth(m, w, &s);
+  for (int i = 8; i < argc; i++) {
+    quad omega[3], q[4];
+    true_state(&s, atof(argv[i]), omega, q);
+    printf("%.17g", atof(argv[i]));
+    for (int k = 0; k < 4; k++) printf(" %.20g", (double)q[k]);
+    printf("\n");
+  }
+  return 0;
+}
+
 int main(int argc, char **argv) {
+  if (argc > 1 && !strcmp(argv[1], "truth")) {
+    find_nodes();
+    return print_truth(argc, argv);
+  }
   const int scenes = argc > 1 ? atoi(argv[1]) : 1000;
   state = 0x9e3779b97f4a7c15u ^ (argc > 2 ? strtoull(argv[2], NULL, 10) : 1u);
   for (int i = 0; i < 20; i++) (void)uniform(0.0, 1.0);
