@@ -32,6 +32,10 @@ decode_bytes <- function(bytes, file, call) {
 decode_wide <- function(bytes, encoding, marked, file, call) {
   if (marked) bytes <- bytes[-(1:2)]
   if (length(bytes) %% 2L) bytes <- bytes[-length(bytes)]
+  # A character of code 0 would end the text.
+  if (any(colSums(matrix(as.integer(bytes), 2L)) == 0)) {
+    abort_file("It has characters of code 0: it is no text.", file, call)
+  }
   text <- iconv(list(bytes), encoding, "UTF-8")
   if (is.na(text)) abort_file("Its encoding is unknown.", file, call)
   text

@@ -14,7 +14,7 @@
 #' \eqn{\delta = a/\omega_0^2}{delta = a/omega0^2}.
 #'
 #' **Free swings** are those in which no peak is higher than the one before and the period of small
-#' swings is within 5 % of the median. To the longest such stretch the exact motion is fitted,
+#' swings is that of the higher ones, to 1.5 % (more where it scatters, at most 5 %). To the longest such stretch the exact motion is fitted,
 #' \deqn{\ddot\theta = -\omega_0^2 \sin\theta - 2 \gamma \dot\theta - a\,\mathrm{sgn}\,\dot\theta}{
 #'   theta'' = -omega0^2 sin(theta) - 2 gamma theta' - a sgn(theta')}
 #' (theta instead of sin(theta) for a spring), with an offset of the sensor. The residuals of real
@@ -262,8 +262,9 @@ local_peak <- function(time, y, rows, half) {
 
 # ---- free swings --------------------------------------------------------------------------------
 
-# No peak higher than the one before by more than 2 %, the period of small swings within 5 % of the
-# median of those that decay, the amplitude at least a twentieth of the largest.
+# No peak higher than the one before by more than 2 %, the amplitude at least a twentieth of the
+# largest, the period of small swings that of the higher ones: to 1.5 %, or to 5 times its scatter
+# and at most 5 %.
 choose_free <- function(swings, restoring) {
   swings$period0_s <- swings$period_s * small_swing_ratio(swings$amplitude_rad, restoring)
   decays <- swings$sound & is.finite(swings$amplitude_rad) & swings$amplitude_rad < pi &
@@ -272,9 +273,13 @@ choose_free <- function(swings, restoring) {
   free <- decays & high
   free[is.na(free)] <- FALSE
   if (any(free)) {
-    # The higher half: where the centre is off, low swings suffer first.
-    middle <- stats::median(swings$period0_s[free])
-    free <- free & abs(swings$period0_s / middle - 1) < 0.05
+    # Where the centre is off or a brake acts, low swings suffer first: the higher half says what the
+    # period is, and its scatter from swing to swing what belongs to it.
+    tops <- free & swings$amplitude_rad >= stats::median(swings$amplitude_rad[free])
+    middle <- stats::median(swings$period0_s[tops])
+    noise <- if (sum(tops) > 3L) stats::mad(diff(swings$period0_s[tops])) / middle else 0.01
+    window <- min(max(0.015, 5 * noise), 0.05)
+    free <- free & abs(swings$period0_s / middle - 1) < window
   }
   swings$used <- free
   swings

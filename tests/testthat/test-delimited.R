@@ -65,4 +65,6 @@ test_that("encodings", {
   expect_equal(decode_bytes(c(as.raw(c(0xef, 0xbb, 0xbf)), charToRaw("a")), "x", call), "a")
   expect_error(decode_bytes(as.raw(c(65, 0, 66, 67, 68, 69)), "x", call),
     class = "rotdyn_error_file")
+  expect_error(decode_bytes(as.raw(c(0xff, 0xfe, 65, 0, 0, 0, 66, 0)), "x", call),
+    class = "rotdyn_error_file")
 })
