@@ -207,14 +207,14 @@ coast_samples <- function(records, call) {
     measured <- intersect(c("pulses", "theta_rad", "omega_rad_per_s"), names(record))[1]
     value <- as.double(record[[measured]])
     if (measured == "pulses") value <- 2 * pi * value / (record_info(record)$pulses_per_turn %||% 1)
-    kind <- match(measured, c("theta_rad", "omega_rad_per_s", "pulses")) - 1L
+    kind <- match(measured, c("theta_rad", "omega_rad_per_s", "pulses")) - 1
     name <- names(records)[i]
     name <- if (is.null(name) || is.na(name) || !nzchar(name)) as.character(i) else name
     segments <- split(seq_along(value), record$segment)
     for (k in seq_along(segments)) {
       rows <- segments[[k]]
       rows <- rows[!is.na(value[rows])]
-      if (kind != 2L) rows <- rows[without_rest(value[rows])]
+      if (kind != 2) rows <- rows[without_rest(value[rows])]
       out[[length(out) + 1L]] <- list(
         kind = kind, time_s = as.double(record$time_s)[rows], value = value[rows],
         name = if (length(segments) > 1L) paste0(name, ".", k) else name
@@ -237,7 +237,7 @@ without_rest <- function(value) {
 fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
   fitted <- stats::setNames(numeric(11), coast_parameters)
   fitted[c("omega0", losses)] <- 1
-  if (run$kind != 1L) fitted["theta0"] <- 1
+  if (run$kind != 1) fitted["theta0"] <- 1
   if (load$kind == "weight") {
     fitted[c("load", "release")] <- c(length(load$unknown), is.na(load$until_s))
   }
@@ -254,7 +254,7 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
   check_moves(run, speeds, load, call)
   first <- run_start(run, speeds, load, inertia)
   problem <- list(
-    kind = as.double(run$kind), time_s = run$time_s, value = run$value, fitted = unname(fitted),
+    kind = run$kind, time_s = run$time_s, value = run$value, fitted = unname(fitted),
     start = first$start, load = first$load, noise = c(0, 1),
     threshold = if (noise == "find") 2 else Inf
   )
@@ -315,15 +315,15 @@ run_speeds <- function(run) {
     t <- run$time_s[rows]
     y <- run$value[rows]
     middle <- sum(t) / length(t)
-    if (run$kind == 1L) return(c(sum(y) / length(y), length(y), middle))
+    if (run$kind == 1) return(c(sum(y) / length(y), length(y), middle))
     spread <- sum((t - middle)^2) # the slope of the angles by regression
     c(sum((t - middle) * y) / spread, spread, middle)
   }
   found <- vapply(seq_len(blocks), of_block, numeric(3))
   scatter <- 0
-  if (run$kind == 1L) {
+  if (run$kind == 1) {
     scatter <- stats::mad(diff(run$value)) / sqrt(2)
-  } else if (run$kind == 0L && n > 3L) {
+  } else if (run$kind == 0 && n > 3L) {
     gap <- diff(run$time_s)
     even <- abs(diff(gap)) <= 0.1 * gap[-1]
     if (any(even)) scatter <- stats::mad(diff(run$value, differences = 2L)[even]) / sqrt(6)
@@ -333,7 +333,7 @@ run_speeds <- function(run) {
 
 check_turns_at_all <- function(run, call) {
   value <- run$value
-  if (!length(value) || any(value != value[1]) || (run$kind == 1L && value[1] != 0)) {
+  if (!length(value) || any(value != value[1]) || (run$kind == 1 && value[1] != 0)) {
     return(invisible())
   }
   abort_rotdyn(c(
@@ -370,7 +370,7 @@ run_start <- function(run, speeds, load, inertia) {
   start["load"] <- 1
   # Beyond the record: nothing is released.
   start["release"] <- run$time_s[n] + 1
-  if (run$kind == 1L) {
+  if (run$kind == 1) {
     slope <- .lm.fit(cbind(1, t[part]), run$value[part])$coefficients
     start["omega0"] <- slope[1]
     change <- slope[2]
@@ -385,7 +385,7 @@ run_start <- function(run, speeds, load, inertia) {
     # Half of what would stop it within the record: pulses need a body that turns.
     stops <- 0.5 * abs(start[["omega0"]]) / max(t[n], .Machine$double.xmin)
     start["coulomb"] <- max(0, -change * turns)
-    if (run$kind == 2L) start["coulomb"] <- min(start["coulomb"], stops)
+    if (run$kind == 2) start["coulomb"] <- min(start["coulomb"], stops)
   } else if (load$kind == "torque") {
     ratios <- c(load$torque_n_m / inertia$value, 0, 0)
     start["coulomb"] <- max(0, ratios[1] - change)
@@ -402,7 +402,7 @@ run_start <- function(run, speeds, load, inertia) {
 weight_start <- function(run, speeds, load, inertia) {
   t <- run$time_s
   n <- length(t)
-  if (run$kind == 1L) {
+  if (run$kind == 1) {
     omega <- run$value
     at <- t
   } else {

@@ -2,11 +2,49 @@
 
 coast_fit <- function(x, arg, call) {
   check_class(x, "rot_coast_fit", arg, "Make one with {.fn fit_coast_down}.", call)
-  fit <- attr(x, "fit", exact = TRUE)
-  if (!is.list(fit) || !all(c("runs", "losses", "pooled", "level") %in% names(fit))) {
-    abort_form("fit", arg, "coast-down fit", call)
-  }
-  fit
+  check_form(attr(x, "fit", exact = TRUE), coast_form, arg, "coast-down fit", call)
+}
+
+coast_form <- list(
+  runs = list(.each = list(
+    kind = "number", time_s = "sorted", value = "numbers=time_s", name = "text", p = "numbers:11",
+    covariance = "numbers:121", best = "numbers:11", best_covariance = "numbers:121",
+    numbers = "values:15", residual = "numbers=time_s", dof = "number",
+    problem = list(
+      kind = "number", time_s = "sorted", value = "numbers=time_s", fitted = "numbers:11",
+      start = "numbers:11", load = "numbers:3", noise = "numbers:2", threshold = "limit"
+    )
+  )),
+  losses = "texts", load = list(kind = "text"), runout = "text", noise = "text", level = "number",
+  pooled = list(value = "numbers", covariance = "numbers", best = "numbers", dof = "numbers")
+)
+
+# Without a row or a column of it, it is a table and no fit.
+reconstruct_fit <- function(data, template) {
+  whole <- identical(names(data), names(template)) && nrow(data) == nrow(template)
+  if (whole) return(data)
+  attr(data, "fit") <- NULL
+  class(data) <- setdiff(class(data), "rot_coast_fit")
+  data
+}
+
+#' @export
+`[.rot_coast_fit` <- function(x, ...) {
+  out <- NextMethod()
+  if (is.data.frame(out)) reconstruct_fit(out, x) else out
+}
+
+#' @exportS3Method dplyr::dplyr_reconstruct
+dplyr_reconstruct.rot_coast_fit <- function(data, template) {
+  out <- NextMethod()
+  reconstruct_fit(out, template)
+}
+
+#' @export
+as_tibble.rot_coast_fit <- function(x, ...) {
+  attr(x, "fit") <- NULL
+  class(x) <- setdiff(class(x), "rot_coast_fit")
+  tibble::as_tibble(x, ...)
 }
 
 check_run <- function(run, fit, call) {
@@ -178,13 +216,13 @@ run_wave <- function(run, p, theta) {
 # In the units measured: of pulses the angle.
 run_fitted <- function(run, p, rows) {
   wave <- run_wave(run, p, rows$theta)
-  if (run$kind == 1L) rows$omega * (1 + wave$slope) else rows$theta + wave$add
+  if (run$kind == 1) rows$omega * (1 + wave$slope) else rows$theta + wave$add
 }
 
 # Data minus fit: of pulses in seconds.
 run_residual <- function(run, p, rows) {
   residual <- run$value - run_fitted(run, p, rows)
-  if (run$kind == 2L) -residual / rows$omega else residual
+  if (run$kind == 2) -residual / rows$omega else residual
 }
 
 #' @rdname predict.rot_coast_fit
@@ -199,7 +237,7 @@ glance.rot_coast_fit <- function(x, ...) {
   tibble::tibble(
     runs = length(fit$runs), samples = sum(samples), dof = min(fit$pooled$dof),
     sigma = sqrt(sum(number("sigma")^2 * samples) / sum(samples)),
-    sigma_unit = c("rad", "rad/s", "s")[first$kind + 1L],
+    sigma_unit = c("rad", "rad/s", "s")[first$kind + 1],
     correlation_time_s = max(number("tau_s")), white_share = min(number("white")),
     durbin_watson = min(vapply(fit$runs, function(run) durbin_watson(run$residual), 0)),
     condition_number = max(number("condition")),

@@ -77,11 +77,11 @@ print.rot_coast_fit <- function(x, ...) {
 coast_words <- function(x, fit) {
   first <- fit$runs[[1]]
   samples <- sum(vapply(fit$runs, function(run) length(run$time_s), 0L))
-  kind <- c("angles", "rates", "pulses")[first$kind + 1L]
+  kind <- c("angles", "rates", "pulses")[first$kind + 1]
   range <- speed_range(fit)
   spans <- vapply(fit$runs, function(run) diff(range(run$time_s)), 0)
   runs <- length(fit$runs)
-  rows <- unclass(x)
+  rows <- coast_rows(fit)
   known <- seq_along(rows$loss)
   free <- shown_losses(fit)$value
   value <- vapply(known, function(i) {
@@ -130,7 +130,7 @@ coast_words <- function(x, fit) {
       )
     },
     paste0(
-      label("noise"), format(sigma, digits = 3), " ", c("rad", "rad/s", "s")[first$kind + 1L],
+      label("noise"), format(sigma, digits = 3), " ", c("rad", "rad/s", "s")[first$kind + 1],
       if (any(tau > 0)) {
         paste0(
           ", ", if (slow < 0.95) paste0(round(100 * slow), " % of its variance "),

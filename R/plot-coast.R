@@ -22,7 +22,7 @@ autoplot.rot_coast_fit <- function(object, ..., run = 1, base_size = 13) {
   i <- check_run(run, fit, call)
   at <- fit$runs[[i]]
   torque <- retarding_torque(object)
-  unit <- c("rad", "rad/s", "s")[at$kind + 1L]
+  unit <- c("rad", "rad/s", "s")[at$kind + 1]
   panels <- c(
     "angular velocity (rad/s), by time (s)",
     paste0("residual (", unit, "), by time (s)"),
@@ -42,7 +42,7 @@ autoplot.rot_coast_fit <- function(object, ..., run = 1, base_size = 13) {
     panel = factor(panels[rep(c(1, 3), c(201, nrow(torque)))], panels)
   )
   points <- data.frame(x = samples$time_s, y = samples$residual, panel = factor(panels[2], panels))
-  if (at$kind == 1L) {
+  if (at$kind == 1) {
     points <- rbind(
       points,
       data.frame(x = samples$time_s, y = samples$measured, panel = factor(panels[1], panels))

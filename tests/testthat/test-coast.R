@@ -337,6 +337,21 @@ test_that("what a fit says", {
   expect_snapshot(print(falling_weight(NA, 0.1)))
 })
 
+test_that("a part of a fit is a table, and a damaged one is refused", {
+  fit <- fit_coast_down(noisy(coasting(), 0.005))
+  expect_s3_class(fit[3:1, ], "rot_coast_fit")
+  for (part in list(fit[1, ], fit[c("loss", "value")], tibble::as_tibble(fit))) {
+    expect_false(inherits(part, "rot_coast_fit"))
+    expect_s3_class(part, "tbl_df")
+    expect_null(attr(part, "fit"))
+  }
+  damaged <- fit
+  attr(damaged, "fit")$runs[[1]]$p <- "x"
+  for (f in list(print, loss_budget, predict, augment, glance, as_scene, compare_laws)) {
+    expect_error(f(damaged), "no coast-down fit", class = "rotdyn_error_type")
+  }
+})
+
 test_that("its columns are those of the dictionary, and it has a picture", {
   fit <- fit_coast_down(noisy(coasting(), 0.005), inertia = 0.0625)
   known <- rotdyn_columns()$name
