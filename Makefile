@@ -2,7 +2,7 @@
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format
-.PHONY: check-valgrind check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
+.PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: check-interrupt check-measurement library examples
 
 help: ## this list
@@ -46,6 +46,9 @@ format: ## lay out the C sources by .clang-format
 
 check-valgrind: ## C core and C boundary under valgrind
 	@sh tools/check-valgrind.sh
+
+check-databases: ## tables, rows and wrong rows in SQLite, PostgreSQL and DuckDB
+	@sh tools/check-databases.sh
 
 check-nosuggests: ## check and tests with the imported packages alone
 	@sh tools/check-nosuggests.sh

@@ -18,38 +18,42 @@ real <- function(...) column("real", ...)
 # The name of a row of another table.
 key_of <- function(table, null = FALSE) text(null = null, refers = table)
 
-# A check: `sql(name)`, and `holds(x)` of values that are not missing.
+# A check: `sql(name)`, `holds(x)` of values that are not missing, and a value that breaks it.
 one_of <- function(...) {
   values <- c(...)
   quoted <- if (is.character(values)) paste0("'", values, "'") else values
   list(
     sql = function(name) paste0(name, " IN (", paste(quoted, collapse = ", "), ")"),
-    holds = function(x) x %in% values
+    holds = function(x) x %in% values, wrong = if (is.character(values)) "none" else 7
   )
 }
 
 between <- function(from, to) {
   list(
     sql = function(name) paste(name, "BETWEEN", from, "AND", to),
-    holds = function(x) x >= from & x <= to
+    holds = function(x) x >= from & x <= to, wrong = to + 1
   )
 }
 
 at_least <- function(from) {
-  list(sql = function(name) paste(name, ">=", from), holds = function(x) x >= from)
+  list(
+    sql = function(name) paste(name, ">=", from), holds = function(x) x >= from, wrong = from - 1
+  )
 }
 
 above <- function(from) {
-  list(sql = function(name) paste(name, ">", from), holds = function(x) x > from)
+  list(sql = function(name) paste(name, ">", from), holds = function(x) x > from, wrong = from)
 }
 
 some_text <- list(
-  sql = function(name) paste0("length(", name, ") > 0"), holds = function(x) nchar(x) > 0L
+  sql = function(name) paste0("length(", name, ") > 0"), holds = function(x) nchar(x) > 0L,
+  wrong = ""
 )
 
 of_length <- function(n) {
   list(
-    sql = function(name) paste0("length(", name, ") = ", n), holds = function(x) nchar(x) == n
+    sql = function(name) paste0("length(", name, ") = ", n), holds = function(x) nchar(x) == n,
+    wrong = "short"
   )
 }
 
@@ -59,7 +63,7 @@ like <- function(...) {
   regex <- utils::glob2rx(gsub("%", "*", gsub("_", "?", patterns)))
   list(
     sql = function(name) paste0(name, " LIKE '", patterns, "'", collapse = " OR "),
-    holds = function(x) Reduce(`|`, lapply(regex, grepl, x))
+    holds = function(x) Reduce(`|`, lapply(regex, grepl, x)), wrong = "zz"
   )
 }
 
@@ -68,8 +72,8 @@ time_like <- like("____-__-__T__:__:__Z")
 flag_check <- one_of(0, 1)
 name_text <- text(check = some_text)
 
-# A rule of several columns: SQL, and the same in R of the table's columns.
-rule <- function(sql, holds) list(sql = sql, holds = holds)
+# A rule of several columns: SQL, the same in R of the table's columns, and values that break it.
+rule <- function(sql, holds, wrong) list(sql = sql, holds = holds, wrong = wrong)
 
 db_table <- function(sql, key, columns, unique = list(), rules = list()) {
   list(sql = sql, key = key, columns = columns, unique = unique, rules = rules)
@@ -102,7 +106,8 @@ metadata_tables <- function() {
       note = text(null = TRUE)
     ), unique = list("place"), rules = list(rule(
       "exact = 0 OR standard_uncertainty = 0",
-      function(x) x$exact == 0 | x$standard_uncertainty == 0
+      function(x) x$exact == 0 | x$standard_uncertainty == 0,
+      list(exact = 1L, standard_uncertainty = 1)
     ))),
     conventions = db_table("rot_convention", "convention", list(
       convention = name_text,
@@ -155,11 +160,13 @@ metadata_tables <- function() {
     ), unique = list("place"), rules = list(
       rule(
         "enforced <> 'refused' OR (counterexample IS NOT NULL AND names IS NOT NULL)",
-        function(x) x$enforced != "refused" | (!is.na(x$counterexample) & !is.na(x$names))
+        function(x) x$enforced != "refused" | (!is.na(x$counterexample) & !is.na(x$names)),
+        list(enforced = "refused", counterexample = NA)
       ),
       rule(
         "enforced <> 'dropped' OR effect IS NOT NULL",
-        function(x) x$enforced != "dropped" | !is.na(x$effect)
+        function(x) x$enforced != "dropped" | !is.na(x$effect),
+        list(enforced = "dropped", effect = NA)
       ),
       refers_to("effects", c("constraint_kind", "effect"))
     )),
@@ -196,7 +203,8 @@ refers_to <- function(table, columns) list(refers = table, columns = columns)
 
 record_tables <- function() {
   list(
-    format = db_table("rot_format", "format", list(
+    # An integer key would be SQLite's row number, and NULL the next one.
+    format = db_table("rot_format", "rotdyn_version", list(
       format = whole(check = at_least(1)), rotdyn_version = name_text,
       created_utc = text(check = time_like)
     )),
@@ -213,7 +221,7 @@ record_tables <- function() {
       model = key_of("models"), model_asked = whole(check = flag_check),
       accuracy = real(check = rule_of("accuracy > 0 AND accuracy <= 1", function(x) {
         x > 0 & x <= 1
-      })),
+      }, 2)),
       max_steps = real(check = at_least(1)), error = real(null = TRUE, check = at_least(0)),
       error_kind = text(check = one_of("bound", "estimate")),
       verdict = text(check = one_of("balanced", "unbalanced", "not audited")),
@@ -228,12 +236,15 @@ record_tables <- function() {
       value = real(null = TRUE),
       special = text(null = TRUE, check = one_of("NA", "NaN", "Inf", "-Inf", "-0"))
     ), rules = list(rule(
-      "(value IS NULL) = (special IS NOT NULL)", function(x) is.na(x$value) == !is.na(x$special)
+      "(value IS NULL) = (special IS NOT NULL)", function(x) is.na(x$value) == !is.na(x$special),
+      list(value = NA, special = NA)
     )))
   )
 }
 
-rule_of <- function(sql, holds) list(sql = function(name) sql, holds = holds)
+rule_of <- function(sql, holds, wrong) {
+  list(sql = function(name) sql, holds = holds, wrong = wrong)
+}
 
 all_tables <- function() c(metadata_tables(), record_tables())
 
