@@ -12,8 +12,9 @@ cli <- function(..., input = NULL, terminal = FALSE, verbs = rotdyn:::cli_verbs(
 }
 
 # The same as the lines of a golden test.
-cli_golden <- function(...) {
+cli_golden <- function(..., masked = character()) {
   said <- cli(...)
+  for (pattern in names(masked)) said$out <- gsub(pattern, masked[[pattern]], said$out)
   writeLines(c(paste("status", said$status), said$out, if (length(said$err)) {
     c("--- err", said$err)
   }))

@@ -86,3 +86,71 @@ test_that("a client of a newer header names the function that is missing", {
   expect_match(said[1], "^rotdyn [0-9.]+ lacks rolling_acceleration\\(\\): install a newer rotdyn$")
   expect_identical(said[2], "10")
 })
+
+# Scenes of one to three laws, resistance of every kind, a changing inertia in some.
+random_axle <- function() {
+  one <- function(...) list(...)[[sample.int(...length(), 1L)]]
+  laws <- list(
+    torque_constant(stats::rnorm(1)), torque_knots(sort(stats::runif(4, 0, 8)), stats::rnorm(4)),
+    torque_sinusoid(stats::rnorm(1), stats::runif(1, 0.1, 5)),
+    torque_exponential(stats::rnorm(1), stats::runif(1, 0.1, 2)),
+    torque_spring(stats::runif(1, 0.1, 9)), torque_motor(stats::runif(1, 0.5, 2), 10),
+    torque_gravity(stats::runif(1, 0.1, 2), stats::runif(1, 0.1, 1)),
+    torque_curve(c(-10, 0, 3, 10), c(1, 1, 0.5, -1))
+  )
+  law <- Reduce(`+`, laws[sample.int(8L, sample(0:2, 1))])
+  drag <- resistance(
+    one(0, stats::runif(1)), one(0, 0, stats::runif(1), 1e-12), one(0, 0, stats::runif(1))
+  )
+  body <- if (stats::runif(1) < 0.15) {
+    inertia_knots(c(0, 2, 5), stats::runif(3, 0.5, 2))
+  } else {
+    10^stats::runif(1, -2, 2)
+  }
+  scene_axle(body, law, drag, one(0, stats::rnorm(1)), one(0, 3), start_s = one(0, 1))
+}
+
+test_that("C chooses R's model and computes R's bits and its error, for random axles", {
+  skip_without_compiler()
+  folder <- tempfile("shim")
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  file.copy(test_path("axle_rows.c"), folder)
+  log <- suppressWarnings(system2(
+    file.path(R.home("bin"), "R"), c("CMD", "SHLIB", shQuote(file.path(folder, "axle_rows.c"))),
+    stdout = TRUE, stderr = TRUE, env = paste0("PKG_CPPFLAGS=-I", shQuote(dirname(header)))
+  ))
+  if (!is.null(attr(log, "status"))) stop(paste(log, collapse = "\n"))
+  library <- dyn.load(file.path(folder, paste0("axle_rows", .Platform$dynlib.ext)))
+  on.exit(dyn.unload(library[["path"]]), add = TRUE, after = FALSE)
+  .C("begin", PACKAGE = "axle_rows")
+  set.seed(16)
+  models <- replicate(150, {
+    scene <- random_axle()
+    time_s <- sort(stats::runif(sample(c(1, 7, 40), 1), scene$start_s, 9))
+    accuracy <- sample(c(1e-12, 1e-9, 1e-6), 1)
+    motion <- suppressWarnings(trajectory(scene, time_s, accuracy))
+    loads <- scene$loads
+    of_terms <- function(name, empty) c(unlist(lapply(loads$terms, `[[`, name)), empty)
+    from_c <- .C("axle_rows",
+      as.double(c(
+        unlist(scene[c("moment_of_inertia_kg_m2", "start_s", "theta0_rad", "omega0_rad_per_s")]),
+        unlist(scene$resistance), loads$motor_n_m_s, loads$knots$outside, accuracy
+      )),
+      length(loads$knots$time_s), c(loads$knots$time_s, 0), c(loads$knots$torque_n_m, 0),
+      length(loads$terms), of_terms("kind", ""),
+      as.integer(c(vapply(loads$terms, function(term) length(term$x), 1L), 0L)),
+      of_terms("x", 0), of_terms("from_s", 0), of_terms("to_s", 0),
+      length(scene$inertia$time_s), c(scene$inertia$time_s, 0),
+      c(scene$inertia$moment_of_inertia_kg_m2, 0), length(time_s), time_s,
+      columns = double(7 * length(time_s)), error = 0, status = 0L, model = strrep(" ", 100),
+      NAOK = TRUE, PACKAGE = "axle_rows"
+    )
+    run <- run_of(motion)
+    expect_identical(from_c[c("status", "model", "error")],
+                     list(status = 0L, model = run$model, error = run$info$error))
+    expect_identical(from_c$columns, unlist(motion[2:8], use.names = FALSE))
+    run$model
+  })
+  expect_gt(length(unique(models)), 5L)
+})

@@ -145,6 +145,25 @@ test_that("runs are recorded, listed and computed again", {
   })
 })
 
+test_that("each verb prints what it printed: records and measurements", {
+  for (need in c("yyjsonr", "DBI", "RSQLite")) skip_if_not_installed(need)
+  # Names of runs, times of the clock, versions, seconds.
+  mask <- c(
+    "[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f-]{22}" = "RUN", "20[0-9-]{8}T[0-9:]{8}Z" = "WHEN",
+    ",0[.][0-9]+[.][0-9]+," = ",VERSION,"
+  )
+  in_folder(expect_snapshot({
+    cli_golden("record", "lab.sqlite", "wheel.json", "--times", "0:8:2", masked = mask)
+    cli_golden("runs", "lab.sqlite", masked = mask)
+    cli_golden("runs", "lab.sqlite", "--check")
+    cli_golden("rerun", "lab.sqlite", masked = mask)
+    cli_golden("runs", "none.sqlite")
+    cli_golden("metadata", "constants", "--format", "jsonl")
+    cli_golden("work-precision", "wheel.json", "--times", "0:8:1", "--accuracies", "1e-6",
+               "--least-batch-s", "0.001", masked = c("^([^,]*,[^,]*,[^,]*),.*" = "\\1"))
+  }))
+})
+
 test_that("metadata as a script", {
   script <- cli("metadata", "--sql", "postgresql")
   expect_identical(script$status, 0L)
