@@ -543,7 +543,13 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
     status = rot_smooth_store_new(&of.store, nodes, ROT_SMOOTH_MOST);
     rot_smooth_break *trial = calloc(3 * room + 1, sizeof *trial);
     of.tried = calloc(record->n + 1, 1);
-    if (!memory || !of.tried || !trial) status = ROT_ENOMEM;
+    const size_t size = record->n * sizeof(double);
+    double *weights = malloc(CHANNELS * size + 1);
+    rot_smooth_break *list = calloc(given + 1, sizeof *list);
+    if (!memory || !of.tried || !trial || !weights || !list) status = ROT_ENOMEM;
+    for (int c = 0; c < CHANNELS && status == ROT_OK; c++)
+      if (record->y[c]) memcpy(weights + (size_t)c * record->n, record->w[c], size);
+    if (status == ROT_OK) memcpy(list, of.breaks, given * sizeof *list);
     of.shock = memory;
     if (status == ROT_OK) {
       of.worst = memory + nodes;
@@ -562,6 +568,16 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
     for (size_t i = 0; how->breaks && i < of.n_breaks && status == ROT_OK; i++)
       status = place_in(&of, of.breaks, of.n_breaks, i);
     if (status == ROT_OK && of.n_breaks > given) status = refit(&of, 0);
+    /* Samples that are joined have no scatter beside which one would be off. */
+    if (status == ROT_OK && of.fit.end == ROT_SMOOTH_JOINS) {
+      for (int c = 0; c < CHANNELS; c++)
+        if (record->y[c]) memcpy(record->w[c], weights + (size_t)c * record->n, size);
+      of.n_breaks = given;
+      memcpy(of.breaks, list, given * sizeof *list);
+      status = refit(&of, 1);
+    }
+    free(weights);
+    free(list);
     free(memory);
     free(of.tried);
     free(trial);
