@@ -34,7 +34,9 @@ for (uneven in c(FALSE, TRUE)) {
   say(paste(name, "without breaks"), least_ms(function() {
     estimate_motion(record, breaks = "none")
   }), 25, "ms")
-  say(paste(name, "with breaks looked for"), least_ms(function() estimate_motion(record)), 250, "ms")
+  say(paste(name, "with breaks looked for"), least_ms(function() {
+    estimate_motion(record)
+  }), 250, "ms")
 }
 for (class in names(break_times)) {
   time <- seq(0, break_seconds[[class]], length.out = 1000)

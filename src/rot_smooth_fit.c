@@ -7,8 +7,8 @@
 
 enum { CHANNELS = ROT_SMOOTH_CHANNELS, ANGLE = ROT_SMOOTH_ANGLE, RATE = ROT_SMOOTH_RATE };
 
-/* Order 3 must predict better than 4 by this in -2 log L. On 60 random spin-ups the error of alpha is
- * smaller by 6 % than without it, of pendulums by 3 %, of stops larger by 0.4 %. */
+/* Order 3 must predict better than 4 by this in -2 log L. On 60 random spin-ups the error of alpha
+ * is smaller by 6 % than without it, of pendulums by 3 %, of stops larger by 0.4 %. */
 static const double reluctance = 8.0;
 
 /* The range of log10 lambda, its grid, and the width at which the search ends. */
