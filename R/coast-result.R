@@ -114,8 +114,7 @@ hold_at_zero <- function(value, covariance, bounded) {
 # does not show which of them differs.
 between_variances <- function(values, spreads) {
   k <- length(values[[1]])
-  scale <- rowMeans(vapply(spreads, diag, numeric(k)))
-  if (k > 1L) scale <- unname(scale) else scale <- mean(unlist(spreads))
+  scale <- rowMeans(matrix(unlist(lapply(spreads, diag)), k))
   deviance <- function(x) {
     v <- lapply(spreads, function(s) s + diag(scale * 10^x, k))
     joint <- weigh(values, v)

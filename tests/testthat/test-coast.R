@@ -226,6 +226,7 @@ test_that("runs share the losses; runs that differ have a variance between them"
   expect_gt(glance(fit)$birge_ratio, 3)
   expect_gt(fit$standard_error[1], 0.02)
   expect_output(print(fit), "a variance between\\s+runs")
+  expect_gt(glance(fit_coast_down(differ, losses = "coulomb"))$birge_ratio, 3)
   curve <- predict(fit, run = 3)
   expect_lt(max(abs(curve$theta_rad - differ[[3]]$theta_rad)), 0.5)
 })
