@@ -14,7 +14,8 @@
 #' \eqn{\delta = a/\omega_0^2}{delta = a/omega0^2}.
 #'
 #' **Free swings** are those in which no peak is higher than the one before and the period of small
-#' swings is that of the higher ones, to 1.5 % (more where it scatters, at most 5 %). To the longest such stretch the exact motion is fitted,
+#' swings is that of the higher ones, to 1.5 % (more where it scatters, at most 5 %). To the longest
+#' such stretch the exact motion is fitted,
 #' \deqn{\ddot\theta = -\omega_0^2 \sin\theta - 2 \gamma \dot\theta - a\,\mathrm{sgn}\,\dot\theta}{
 #'   theta'' = -omega0^2 sin(theta) - 2 gamma theta' - a sgn(theta')}
 #' (theta instead of sin(theta) for a spring), with an offset of the sensor. The residuals of real
@@ -273,8 +274,8 @@ choose_free <- function(swings, restoring) {
   free <- decays & high
   free[is.na(free)] <- FALSE
   if (any(free)) {
-    # Where the centre is off or a brake acts, low swings suffer first: the higher half says what the
-    # period is, and its scatter from swing to swing what belongs to it.
+    # Where the centre is off or a brake acts, low swings suffer first: the higher half says what
+    # the period is, and its scatter from swing to swing what belongs to it.
     tops <- free & swings$amplitude_rad >= stats::median(swings$amplitude_rad[free])
     middle <- stats::median(swings$period0_s[tops])
     noise <- if (sum(tops) > 3L) stats::mad(diff(swings$period0_s[tops])) / middle else 0.01

@@ -110,3 +110,29 @@ test_that("damaged files give a record or an error of the package", {
   }
   expect_equal(bad, character())
 })
+
+test_that("no damage of single cells shifts a column", {
+  set.seed(5)
+  d <- spin_samples(100)
+  lines <- phyphox_lines(d)
+  whole <- read_motion(text_file(lines), axis = "z")
+  for (round in 1:40) {
+    bad <- lines
+    for (row in sample(2:101, 4)) {
+      commas <- gregexpr(",", bad[row], fixed = TRUE)[[1]]
+      at <- sample(commas, 1)
+      bad[row] <- switch(sample(4, 1),
+        paste0(substr(bad[row], 1, at - 1), substring(bad[row], at + 1)),
+        paste0(substr(bad[row], 1, at), ",", substring(bad[row], at + 1)),
+        sub("[^,]+,", "", bad[row]),
+        sub(",[^,]+", ",", bad[row])
+      )
+    }
+    got <- read_motion(text_file(bad), axis = "z")
+    digits <- function(x) format(x, digits = 15)
+    pairs <- function(x) paste(digits(x$time_s), digits(x$omega_rad_per_s))
+    seen <- is.finite(got$omega_rad_per_s)
+    expect_true(all(pairs(got[seen, ]) %in% pairs(whole)))
+    expect_gte(nrow(got) + nrow(attr(got, "record")$dropped), 100)
+  }
+})
