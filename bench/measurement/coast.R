@@ -2,9 +2,10 @@
 #
 #   Rscript bench/measurement/coast.R [records] [seed]
 #
-# A line for each design (and one to compare, where that is instructive): the share of intervals at 95 % that hold the true loss (Coulomb, viscous,
-# quadratic), the bounds asked for, and the verdict. White noise: .92 to .98; correlated: .89 to
-# .98. With fewer than 500 records the bounds are wider by two standard errors of the share.
+# A line for each design: the share of intervals at 95 % that hold the true loss (Coulomb, viscous,
+# quadratic), the bounds asked for, and the verdict. For some a line to compare. White noise: .92 to
+# .98; correlated: .89 to .98. With fewer than 500 records the bounds are wider by two standard
+# errors of the share.
 
 library(rotdyn)
 arguments <- commandArgs(TRUE)
@@ -121,7 +122,8 @@ for (d in designs) {
   ))
   if (selects || slow) {
     cat(sprintf(
-      "       %s %s\n", if (slow) "errors of white noise cover" else "the law selected by BIC covers",
+      "       %s %s\n",
+      if (slow) "errors of white noise cover" else "the law selected by BIC covers",
       paste(sprintf("%.3f", colMeans(selected)), collapse = " ")
     ))
   }
