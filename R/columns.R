@@ -231,6 +231,17 @@ column_list <- list(
   c("euler_x_m_per_s2", "m/s^2", "Euler acceleration, -alpha x r"),
   c("euler_y_m_per_s2", "m/s^2", "the same along y"),
   c("euler_z_m_per_s2", "m/s^2", "the same along z"),
+  c("contact_x_m", "m", "x of the point of contact"),
+  c("contact_y_m", "m", "y of the point of contact"),
+  c("lean_rad", "rad", "angle of a disk from upright"),
+  c("least_speed_m_per_s", "m/s", "least stable speed of straight upright rolling"),
+  c("least_spin_rad_per_s", "rad/s", "angular velocity at that speed"),
+  c("circle_x_m", "m", "centre of the circle on which the ball runs"),
+  c("circle_y_m", "m", "the same along y"),
+  c("circle_radius_m", "m", "its radius"),
+  c("circle_period_s", "s", "time of a turn on it"),
+  c("kinetic_energy_j", "J", "kinetic energy"),
+  c("energy_residual_j", "J", "change of the kinetic energy less the work: rounding"),
   c("axis_x", "1", "component along x of space of the unit vector along the axis"),
   c("axis_y", "1", "the same along y"),
   c("axis_z", "1", "the same along z, upward"),
@@ -689,6 +700,30 @@ tumbling_columns <- c(
 stability_columns <- c(
   "axis", "principal_moment_kg_m2", "x", "y", "z", "stability", "growth_per_omega",
   "wobble_per_omega"
+)
+roll_disk_columns <- c(
+  "time_s", "x_m", "y_m", "z_m", "contact_x_m", "contact_y_m", "qw", "qx", "qy", "qz",
+  "omega_space_x_rad_per_s", "omega_space_y_rad_per_s", "omega_space_z_rad_per_s", "lean_rad",
+  "kinetic_energy_j", "potential_energy_j", "normal_n", "friction_needed"
+)
+roll_disk_meanings <- c(
+  x_m = "x of the centre, from below its start", y_m = "y of the centre",
+  z_m = "height of the centre over the floor",
+  qw = "attitude, the disk's axis being the body's z: scalar part of the quaternion",
+  normal_n = "push of the floor; below 0 the disk would lift off",
+  friction_needed = "coefficient of friction without which it slips"
+)
+disk_speed_columns <- c("least_speed_m_per_s", "least_spin_rad_per_s")
+turntable_columns <- c(
+  "time_s", "x_m", "y_m", "vx_m_per_s", "vy_m_per_s", "omega_x_rad_per_s", "omega_y_rad_per_s",
+  "omega_z_rad_per_s", "circle_x_m", "circle_y_m", "circle_radius_m", "circle_period_s",
+  "kinetic_energy_j", "work_j", "energy_residual_j"
+)
+turntable_meanings <- c(
+  x_m = "x of the centre, from the table's axis", y_m = "y of the centre",
+  vx_m_per_s = "its velocity over the ground", vy_m_per_s = "the same along y",
+  omega_x_rad_per_s = "angular velocity of the ball, axes of the ground",
+  work_j = "work of the friction on the ball since the start"
 )
 axis_path_columns <- c(
   "axis_x", "axis_y", "axis_z", "axis_inclination_rad", "axis_azimuth_rad"

@@ -136,7 +136,7 @@ layers='
 4 axle        axle*
 4 shaft       shaft*
 4 clutch      clutch*
-4 rolling     rolling
+4 rolling     rolling*
 4 incline     incline*
 4 free        free*
 4 impact      impact*
