@@ -9,7 +9,8 @@
 #' \deqn{T_0 = T \,\mathrm{AGM}(1, \cos(A/2)) \sqrt{1 - \zeta^2}}{T0 = T AGM(1, cos(A/2))
 #'   sqrt(1 - zeta^2)}
 #' for a pendulum; a spring has no correction for A. The error is below \eqn{\zeta^2 A^2}{zeta^2
-#' A^2} of \eqn{T_0^2}{T0^2}. From the peaks follow viscous and Coulomb damping by half swings,
+#' A^2} of \eqn{T_0^2}{T0^2}. From the peaks follow, for small swings, viscous and Coulomb damping
+#' by half swings,
 #' \eqn{A_{j+1} = \rho A_j - \delta (1 + \rho)}{A[j+1] = rho A[j] - delta (1 + rho)} with
 #' \eqn{\delta = a/\omega_0^2}{delta = a/omega0^2}.
 #'

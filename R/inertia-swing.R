@@ -268,7 +268,6 @@ swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
     omega <- swing$omega0_rad_per_s %||% (2 * pi / swing$period_s)
     amplitude <- sqrt(mean(used$amplitude_rad^2))
     square <- omega^2
-    named <- "omega^2"
     correct <- restoring == "filar"
   } else {
     period <- as_measured(swing, "swing", "s", call, 0, open = TRUE)

@@ -16,10 +16,12 @@
 #' @param dof Degrees of freedom of `u`, above 0; Inf where it is not from readings.
 #' @param name Name in budgets; by default the expression given.
 #' @param x,e1,e2 Measured numbers.
-#' @param ... For `print()` and `as.double()`: not used. For `correlation_of()`: measured numbers.
+#' @param ... For `print()` and `as.double()`: not used. For `correlation_of()` and `c()`: measured
+#'   numbers.
 #' @param digits For `format()`: digits of the uncertainty.
 #' @return `measured()`: an object of class `rot_measured`, a list with `value`, `u`, `dof`, `name`
-#'   and `parts`, the independent contributions by identity. `as.double()` gives the value.
+#'   and `parts`, the independent contributions by identity. `as.double()` gives the value, `c()`
+#'   the values of several, with their names.
 #'
 #'   `correlation_of()`: the matrix of correlations of measured numbers, from what they have in
 #'   common; 0 for one without uncertainty.
@@ -207,6 +209,16 @@ shares_matrix <- function(given) {
 #' @rdname measured
 #' @export
 as.double.rot_measured <- function(x, ...) check_measured(x, "x", rlang::current_env())$value
+
+#' @rdname measured
+#' @export
+c.rot_measured <- function(...) {
+  call <- rlang::current_env()
+  values <- lapply(list(...), function(x) {
+    if (inherits(x, "rot_measured")) check_measured(x, "...", call)$value else x
+  })
+  unlist(values)
+}
 
 #' @rdname measured
 #' @export

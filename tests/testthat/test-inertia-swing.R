@@ -99,6 +99,8 @@ test_that("the result is a scene's inertia and an entry of a tensor", {
   expect_equal(scene_axle(got)$moment_of_inertia_kg_m2, got$value)
   body <- body_tensor(10, c(as.double(got), as.double(got), 0.2))
   expect_equal(inertia_tensor(body)[1, 1], got$value)
+  body <- body_tensor(10, c(ixx = got, iyy = got, izz = measured(0.2, 0.01)))
+  expect_equal(diag(inertia_tensor(body)), c(got$value, got$value, 0.2), ignore_attr = TRUE)
   expect_output(print(got), "torsion")
   expect_output(print(inertia_compound_pendulum(2, measured(1, 0.01), 0.3)), "centre of mass")
 })
