@@ -87,3 +87,18 @@ test_that("a forged estimate is refused", {
   attr(motion, "estimate") <- fit
   expect_error(predict(motion, 1), class = "rotdyn_error")
 })
+
+test_that("segments that overlap in time need a number", {
+  one <- coasting(n = 60)
+  two <- coasting(seed = 2, n = 60)
+  both <- motion_record(
+    rbind(cbind(one, run = 1), cbind(two, run = 2)), time_s = "time_s", theta_rad = "theta_rad",
+    segment = "run"
+  )
+  motion <- estimate_motion(both)
+  expect_error(predict(motion, 2), class = "rotdyn_error_value")
+  each <- predict(motion, c(2, 2), segment = 1:2)
+  expect_equal(each$segment, 1:2)
+  expect_lt(max(abs(each$omega_rad_per_s - rate(2)) / each$omega_se_rad_per_s), 4)
+  expect_error(predict(motion, 2, segment = 3), class = "rotdyn_error_value")
+})
