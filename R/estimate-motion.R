@@ -14,10 +14,10 @@
 #' which each sample is best predicted from those before it. Intervals use quantiles of Student's t
 #' with the samples less what the smoother uses up.
 #'
-#' Measured with `make check-measurement`, a nominal 95 % of omega is 95 % for spin-ups and stops, 98 %
-#' for coast-downs and 98 to 99 % for pendulums, whose motion is smoother than its amplitude lets
-#' the process expect; of alpha 96 to 99.7 %; of omega in the first and last 3 % of a record, 88 to
-#' 97 %.
+#' Measured with `make check-measurement`, a nominal 95 % of omega is 95 % for spin-ups and stops,
+#' 98 % for coast-downs and 98 to 99 % for pendulums, whose motion is smoother than its amplitude
+#' lets the process expect; of alpha 96 to 99.7 %; of omega in the first and last 3 % of a record,
+#' 88 to 97 %.
 #'
 #' **Breaks.** At a break the rate jumps (an impact) or the acceleration does (a switched torque, a
 #' stop). Where a shock would explain the record better than chance (a score test above 25), its
