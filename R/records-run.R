@@ -1,16 +1,20 @@
 # A run as rows of the database, and back.
 
-# A name for a run: the time, so that names sort by it, the process, and random digits that leave
-# the session's own random numbers alone.
+# A name for a run: the time in ms and a count of this session, so that names sort as they were
+# made, and digits of a hash, which leave the session's own random numbers alone.
 new_run_name <- function() {
-  registry_texts$runs <- (registry_texts$runs %||% 0) + 1
+  count <- (registry_texts$runs %||% 0) + 1
+  registry_texts$runs <- count
+  time_ms <- floor(as.double(Sys.time()) * 1000)
   seed <- paste(
-    format(Sys.time(), "%Y-%m-%d %H:%M:%OS6", tz = "UTC"), Sys.getpid(), registry_texts$runs,
-    tempdir(), Sys.info()[["nodename"]], proc.time()[[1]]
+    time_ms, Sys.getpid(), count, tempdir(), Sys.info()[["nodename"]], proc.time()[[1]]
   )
   digits <- rlang::hash(seed)
-  at <- list(c(1, 8), c(9, 12), c(13, 16), c(17, 20), c(21, 32))
-  paste(vapply(at, function(ends) substr(digits, ends[1], ends[2]), ""), collapse = "-")
+  sprintf(
+    "%07x%s-%s-%04x-%s-%s", time_ms %/% 2^20, substr(sprintf("%05x", time_ms %% 2^20), 1L, 1L),
+    substr(sprintf("%05x", time_ms %% 2^20), 2L, 5L), count %% 65536, substr(digits, 1L, 4L),
+    substr(digits, 5L, 16L)
+  )
 }
 
 # The software of this session.

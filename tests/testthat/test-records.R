@@ -133,6 +133,17 @@ test_that("times are a grid where that gives the same doubles", {
   expect_error(read_times("{\"at\":\"system('id')\"}", NULL), class = "rotdyn_error_record")
 })
 
+test_that("names of runs sort as they were made", {
+  names <- vapply(1:500, function(i) new_run_name(), "")
+  expect_true(all(grepl("^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$", names)))
+  expect_false(is.unsorted(names))
+  set.seed(1)
+  first <- runif(1)
+  set.seed(1)
+  new_run_name()
+  expect_identical(runif(1), first)
+})
+
 test_that("the user's own columns and a choice of columns do no harm", {
   need()
   lab <- new_lab()

@@ -47,7 +47,7 @@ run_visible <- function(lines) {
 
 test_that("the visible code of every vignette runs in a fresh session", {
   skip_on_cran()
-  for (need in c("ggplot2", "dplyr", "deSolve", "xml2", "units", "yyjsonr")) {
+  for (need in c("ggplot2", "dplyr", "deSolve", "xml2", "units", "yyjsonr", "DBI", "RSQLite")) {
     skip_if_not_installed(need)
   }
   for (file in vignette_files()) {
