@@ -243,6 +243,31 @@ test_that("the numbers are R's, to the last bit", {
   expect_equal(five, as.data.frame(rolling_table()), tolerance = 0, ignore_attr = TRUE)
 })
 
+test_that("scenes of every constraint are taken, alone and together", {
+  skip_if_not_installed("yyjsonr")
+  scenes <- list(
+    rotors = scene_rotors(c(1, 2), stiffness_n_m_per_rad = 1000, omega0_rad_per_s = c(1, 0.5)),
+    clutch = scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10),
+    drive = scene_drive(c(0.4, 2), coupling_shaft(400, 0.1), torque = list(5, -5)),
+    incline = scene_incline(body_sphere(6, 0.11), 10, static_friction = 0.2),
+    free = scene_free(body_box(1, 0.1, 0.2, 0.3), c(0.1, 5, 0.1)),
+    pendulum = scene_pendulum(body_point(1, 1), 1, theta0_rad = 1)
+  )
+  in_folder({
+    for (name in names(scenes)) {
+      write_scene(scenes[[name]], name)
+      for (verb in c("trajectory", "choose", "audit")) {
+        said <- cli(verb, name, "--times", "0:2:1")
+        expect_identical(said$status, 0L, info = paste(verb, name))
+      }
+    }
+    rows <- utils::read.csv(text = cli("trajectory", names(scenes), "--times", "0,1")$out)
+  })
+  expect_identical(unique(rows$scene), names(scenes))
+  # What a motion does not have is NA in its rows.
+  expect_identical(is.na(rows$qw), rows$scene != "free")
+})
+
 test_that("options are taken in both forms, and words are words", {
   one <- cli("roll", "--beta=0.4")$out
   expect_identical(cli("roll", "--beta", "0.4")$out, one)
