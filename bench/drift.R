@@ -98,10 +98,11 @@ if (requireNamespace("ggplot2", quietly = TRUE)) {
       values = c(exact = "#1f6feb", split = "#2da44e", rk4 = "#cf222e")
     ) +
     ggplot2::labs(
-      x = "periods", y = "largest relative change of the energy so far", colour = NULL
+      x = "periods", y = "largest |dE/E| so far", colour = NULL
     ) +
     ggplot2::theme_minimal(base_size = 11) +
-    ggplot2::theme(legend.position = "top", panel.spacing.x = ggplot2::unit(1.5, "lines"))
+    ggplot2::theme(legend.position = "top", panel.spacing.x = ggplot2::unit(1.5, "lines"),
+                   plot.margin = ggplot2::margin(6, 18, 6, 6))
   ggplot2::ggsave(file, plot, width = 9, height = 3.6, dpi = 130, bg = "white")
   cat("picture:", file, "\n")
 }
