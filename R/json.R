@@ -65,7 +65,7 @@ json_string <- function(x) {
 
 # The values of a text. Faults are errors of the class `kind`; `what` the text is of.
 read_json <- function(text, what, kind, call) {
-  need_package("yyjsonr", paste("Reading", what), call)
+  need_package("yyjsonr", "Reading JSON", call)
   damaged <- function(why) {
     abort_rotdyn(c("The text is no {what}.", x = "{why}"), kind, call)
   }

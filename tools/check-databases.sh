@@ -1,7 +1,8 @@
 #!/bin/sh
 # Tables, metadata, a run, and at least one wrong row for each constraint in SQLite (STRICT tables),
 # PostgreSQL (a server of its own, on a socket in a scratch folder) and DuckDB (its npm package),
-# and in R by check_metadata(). What is not installed is named and skipped.
+# and in R by check_metadata(). 300 random scenes computed again, and 50 kills while recording. What
+# is not installed is named and skipped.
 . "${0%/*}/common.sh"
 
 passed=0 failed=0 skipped=0
@@ -41,6 +42,9 @@ fi
 
 Rscript tools/databases.R "$work" $socket
 tally $? "R, SQLite${socket:+, PostgreSQL}"
+
+Rscript tools/records.R "$work"
+tally $? "300 scenes computed again from the database alone; 50 kills"
 
 if command -v node > /dev/null && command -v npm > /dev/null &&
   (cd "$work" && npm install --no-audit --no-fund @duckdb/node-api > npm.log 2>&1); then
