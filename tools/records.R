@@ -65,7 +65,10 @@ makers <- list(
     )
   },
   free = function() {
-    scene_free(body_box(size(), size(), 1, 2), stats::rnorm(3), torque_n_m = pick(NULL, stats::rnorm(3) / 10))
+    scene_free(
+      body_box(size(), size(), 1, 2), stats::rnorm(3),
+      torque_n_m = pick(NULL, stats::rnorm(3) / 10)
+    )
   },
   pivot = function() {
     scene_pivot(
