@@ -91,7 +91,7 @@ static void draw(int kind, scene *s) {
     p->law = law;
     p->ctx = s;
   }
-  s->rate = rate + sqrt(2.0 * size) + 0.5 * size * fmin(s->span, 6.0) + s->frequency;
+  s->rate = rate + sqrt(2.0 * size) + size * fmin(s->span, 8.0) + s->frequency;
 }
 
 /* ---- the truth ------------------------------------------------------------------------------- */
