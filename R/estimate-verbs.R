@@ -5,7 +5,7 @@ estimate_form <- list(
     w_omega = "values?", floor = "numbers:2"
   ),
   breaks = list(time_s = "numbers", segment = "numbers=time_s", first = "numbers=time_s"),
-  fit = "numbers:4", degrees = "number", samples = "number", end = "number",
+  fit = "numbers:4", degrees = "number", process = "number", samples = "number", end = "number",
   left_out = "flags", residual = "values",
   asked = list(
     inertia = "values?", level = "number", scale_u = "number", bias_u = "number",
@@ -61,7 +61,7 @@ predict.rot_estimate <- function(object, time_s, ..., segment = NULL) {
   known <- which(!is.na(at))
   order <- known[order(at[known], time_s[known])]
   times <- list(time_s = as.double(time_s[order]), segment = as.integer(at[order]))
-  rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, times)$others
+  rows <- fitted_rows(fit, times)$others
   out <- estimate_rows(fit, rows, times$time_s, times$segment)
   from <- rep(NA_integer_, length(time_s))
   from[order] <- seq_along(order)

@@ -100,7 +100,7 @@ for (class in names(break_times)) {
     set.seed(seed)
     found <- lapply(seq_len(tries), function(i) found_breaks(broken_record(class, outliers)))
     off <- do.call(cbind, lapply(found, `[[`, "off"))
-    root <- function(name) sqrt(mean(vapply(found, `[[`, 0, name)^2))
+    ratio <- vapply(found, function(x) x$found / x$given, 0)
     name <- paste0(class, if (outliers > 0) ", outliers")
     verdict(paste(name, "found, of 100"), 100 * mean(colSums(is.na(off)) == 0), 98)
     verdict(
@@ -108,7 +108,7 @@ for (class in names(break_times)) {
       max(apply(off, 1, stats::median, na.rm = TRUE)), 0, limits[[class]]["time"]
     )
     verdict(
-      paste(name, "error of omega over that with the time given"), root("found") / root("given"), 0,
+      paste(name, "error of omega over that with the time given"), exp(mean(log(ratio))), 0,
       limits[[class]]["error"]
     )
     most <- if (class == "impact" && outliers > 0) 20 else 3

@@ -183,6 +183,24 @@ test_that("the order is chosen by what is smooth between breaks", {
   expect_lt(sqrt(mean((motion$omega_rad_per_s - omega)^2)), 0.02)
 })
 
+test_that("bands of an oscillation are narrowed by what blocks left out tell, others are not", {
+  time <- seq(0, 10, length.out = 1500)
+  share <- function(theta, sd) {
+    vapply(1:5, function(seed) {
+      attr(estimate_motion(noisy(time, theta, sd, seed), breaks = "none"), "estimate")$process
+    }, 0)
+  }
+  swings <- share(2 * sin(3 * time), 2e-3)
+  expect_lt(mean(swings), 0.8)
+  expect_gte(min(swings), 0.3)
+  expect_equal(share(3 * time^2, 0.01), rep(1, 5))
+  motion <- estimate_motion(noisy(time, 2 * sin(3 * time), 2e-3, 6), breaks = "none")
+  off <- (motion$omega_rad_per_s - 6 * cos(3 * time)) / motion$omega_se_rad_per_s
+  expect_lt(sqrt(mean(off^2)), 1.15)
+  again <- predict(motion, time)
+  expect_equal(again$omega_se_rad_per_s, motion$omega_se_rad_per_s, tolerance = 1e-6)
+})
+
 # ---- traps ---------------------------------------------------------------------------------------
 
 test_that("a body at rest for half the record of a counter keeps honest errors", {
