@@ -412,6 +412,9 @@ motion_arguments <- list(
 
 # ---- calls --------------------------------------------------------------------------------------
 
+# Some write a file of any name that they are given.
+setwd(tempdir())
+
 # install_cli() would write into the home of who runs this.
 exports <- setdiff(sort(getNamespaceExports("rotdyn")), "install_cli")
 
