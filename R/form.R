@@ -88,7 +88,10 @@ run_form <- list(
     kind = "text", error = "values:1", time_s = "values:1", errors = "values",
     sizes = "values=errors"
   ),
-  events = list(.optional = TRUE, time_s = "numbers", event = "texts=time_s")
+  events = list(.optional = TRUE, time_s = "numbers", event = "texts=time_s"),
+  dropped = list(
+    .optional = TRUE, effects = "texts", until_s = "limit", errors = "values", each = "values"
+  )
 )
 
 support_form <- list(

@@ -105,3 +105,9 @@ test_that("every scene, body and law that the package makes has its form", {
     if (!is.null(body)) expect_null(fault(body, rotdyn:::body_form))
   }
 })
+
+test_that("what was dropped is looked at before it is printed", {
+  motion <- trajectory(scene_axle(1, resistance(0.1), omega0_rad_per_s = 1), 0:2)
+  attr(motion, "run")$dropped <- "nothing"
+  expect_error(print(motion), "dropped", class = "rotdyn_error_type")
+})
