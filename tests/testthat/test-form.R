@@ -107,7 +107,7 @@ test_that("every scene, body and law that the package makes has its form", {
 })
 
 test_that("what was dropped is looked at before it is printed", {
-  motion <- trajectory(scene_axle(1, resistance(0.1), omega0_rad_per_s = 1), 0:2)
+  motion <- trajectory(scene_axle(1, resistance = resistance(0.1), omega0_rad_per_s = 1), 0:2)
   attr(motion, "run")$dropped <- "nothing"
   expect_error(print(motion), "dropped", class = "rotdyn_error_type")
 })
