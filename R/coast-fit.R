@@ -371,11 +371,11 @@ run_start <- function(run, speeds, load, inertia) {
   # Beyond the record: nothing is released.
   start["release"] <- run$time_s[n] + 1
   if (run$kind == 1) {
-    slope <- .lm.fit(cbind(1, t[part]), run$value[part])$coefficients
+    slope <- stats::.lm.fit(cbind(1, t[part]), run$value[part])$coefficients
     start["omega0"] <- slope[1]
     change <- slope[2]
   } else {
-    slope <- .lm.fit(cbind(1, t[part], t[part]^2), run$value[part])$coefficients
+    slope <- stats::.lm.fit(cbind(1, t[part], t[part]^2), run$value[part])$coefficients
     start[c("theta0", "omega0")] <- slope[1:2]
     change <- 2 * slope[3]
   }
@@ -415,7 +415,7 @@ weight_start <- function(run, speeds, load, inertia) {
   peak <- if (is.na(load$until_s)) at[which.max(turns * omega)] else load$until_s
   line <- function(rows) {
     if (sum(rows) < 2L) return(c(0, 0))
-    .lm.fit(cbind(1, at[rows] - t[1]), omega[rows])$coefficients
+    stats::.lm.fit(cbind(1, at[rows] - t[1]), omega[rows])$coefficients
   }
   before <- line(at <= peak)
   after <- line(at > peak & turns * omega > 0.05 * max(turns * omega))

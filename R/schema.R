@@ -14,7 +14,7 @@ check_dots_empty <- function(...) if (...length()) stop("unused arguments")
 
 text <- function(...) column("text", ...)
 whole <- function(...) column("integer", ...)
-real <- function(...) column("real", ...)
+decimal <- function(...) column("real", ...)
 # The name of a row of another table.
 key_of <- function(table, null = FALSE) text(null = null, refers = table)
 
@@ -93,16 +93,17 @@ metadata_tables <- function() {
       unit = name_text, place = whole(null = TRUE, check = at_least(1)), name = name_text,
       in_base = name_text, kilogram = whole(check = between(-4, 4)),
       metre = whole(check = between(-8, 8)), second = whole(check = between(-8, 8)),
-      angle = whole(check = between(-4, 4)), si_factor = real(check = above(0)),
+      angle = whole(check = between(-4, 4)), si_factor = decimal(check = above(0)),
       note = text(null = TRUE)
     ), unique = list("name")),
     quantities = db_table("rot_quantity", "quantity", list(
       quantity = name_text, unit = key_of("units", null = TRUE), meaning = name_text
     )),
     constants = db_table("rot_constant", "constant", list(
-      constant = name_text, place = whole(check = at_least(1)), symbol = name_text, value = real(),
+      constant = name_text, place = whole(check = at_least(1)), symbol = name_text,
+      value = decimal(),
       unit = key_of("units"), exact = whole(check = flag_check),
-      standard_uncertainty = real(check = at_least(0)), source = key_of("sources"),
+      standard_uncertainty = decimal(check = at_least(0)), source = key_of("sources"),
       note = text(null = TRUE)
     ), unique = list("place"), rules = list(rule(
       "exact = 0 OR standard_uncertainty = 0",
@@ -132,7 +133,7 @@ metadata_tables <- function() {
     models = db_table("rot_model", "model", list(
       model = name_text, constraint_kind = key_of("constraints"), equations = name_text,
       assumptions = name_text, limits = name_text, requires = name_text,
-      error = real(check = above(0)), error_kind = text(check = one_of("bound", "estimate")),
+      error = decimal(check = above(0)), error_kind = text(check = one_of("bound", "estimate")),
       source = key_of("sources"), cited = name_text
     )),
     model_effects = db_table("rot_model_effect", c("model", "effect"), list(
@@ -190,9 +191,9 @@ metadata_tables <- function() {
       scene = text(null = TRUE, check = json_like), note = text(null = TRUE)
     ), unique = list("place")),
     case_values = db_table("rot_case_value", c("model_case", "quantity", "at_s", "role"), list(
-      model_case = key_of("cases"), quantity = key_of("quantities"), at_s = real(),
-      role = text(check = one_of("given", "published")), value = real(),
-      tolerance = real(check = at_least(0)), place = whole(null = TRUE, check = at_least(1)),
+      model_case = key_of("cases"), quantity = key_of("quantities"), at_s = decimal(),
+      role = text(check = one_of("given", "published")), value = decimal(),
+      tolerance = decimal(check = at_least(0)), place = whole(null = TRUE, check = at_least(1)),
       note = text(null = TRUE)
     ))
   )
@@ -219,10 +220,10 @@ record_tables <- function() {
     runs = db_table("rot_run", "run", list(
       run = text(check = of_length(36)), scene = key_of("scenes"), software = key_of("software"),
       model = key_of("models"), model_asked = whole(check = flag_check),
-      accuracy = real(check = rule_of("accuracy > 0 AND accuracy <= 1", function(x) {
+      accuracy = decimal(check = rule_of("accuracy > 0 AND accuracy <= 1", function(x) {
         x > 0 & x <= 1
       }, 2)),
-      max_steps = real(check = at_least(1)), error = real(null = TRUE, check = at_least(0)),
+      max_steps = decimal(check = at_least(1)), error = decimal(null = TRUE, check = at_least(0)),
       error_kind = text(check = one_of("bound", "estimate")),
       verdict = text(check = one_of("balanced", "unbalanced", "not audited")),
       row_count = whole(check = at_least(0)), times = text(check = json_like),
@@ -233,7 +234,7 @@ record_tables <- function() {
     )),
     run_values = db_table("rot_run_value", c("run", "quantity", "place"), list(
       run = key_of("runs"), quantity = key_of("quantities"), place = whole(check = at_least(1)),
-      value = real(null = TRUE),
+      value = decimal(null = TRUE),
       special = text(null = TRUE, check = one_of("NA", "NaN", "Inf", "-Inf", "-0"))
     ), rules = list(rule(
       "(value IS NULL) = (special IS NOT NULL)", function(x) is.na(x$value) == !is.na(x$special),
@@ -310,7 +311,7 @@ check_table_rows <- function(rows, table, x, tables, report) {
   if (!typed) return()
   joined <- function(columns, rows) do.call(paste, c(lapply(columns, function(name) {
     values <- rows[[name]]
-    if (is.double(values)) sprintf("%.17g", values) else as.character(values)
+    if (is.decimal(values)) sprintf("%.17g", values) else as.character(values)
   }), sep = "\r"))
   for (columns in c(list(table$key), table$unique)) {
     present <- stats::complete.cases(rows[columns])
