@@ -311,7 +311,7 @@ check_table_rows <- function(rows, table, x, tables, report) {
   if (!typed) return()
   joined <- function(columns, rows) do.call(paste, c(lapply(columns, function(name) {
     values <- rows[[name]]
-    if (is.decimal(values)) sprintf("%.17g", values) else as.character(values)
+    if (is.double(values)) sprintf("%.17g", values) else as.character(values)
   }), sep = "\r"))
   for (columns in c(list(table$key), table$unique)) {
     present <- stats::complete.cases(rows[columns])

@@ -282,11 +282,13 @@ test_that("metadata of another version are completed", {
 test_that("the script makes the same tables and rows", {
   need()
   script <- metadata_sql()
+  undated <- function(x) gsub("[0-9-]+T[0-9:]+Z", "a time", x)
   expect_match(metadata_sql(dialect = "postgresql"), "DOUBLE PRECISION")
   expect_error(metadata_sql(dialect = "oracle"), class = "rotdyn_error_value")
   file <- tempfile(fileext = ".sql")
-  expect_identical(metadata_sql(file), script)
-  expect_identical(paste(readLines(file, encoding = "UTF-8"), collapse = "\n"), trimws(script))
+  expect_identical(undated(metadata_sql(file)), undated(script))
+  written <- paste(readLines(file, encoding = "UTF-8"), collapse = "\n")
+  expect_identical(undated(written), undated(trimws(script)))
   con <- DBI::dbConnect(RSQLite::SQLite(), ":memory:")
   on.exit({
     DBI::dbDisconnect(con)
