@@ -135,7 +135,7 @@ read_delimited <- function(text, file, call) {
   if (length(lines) < 2L) abort_file("It has fewer than two lines.", file, call)
   dialect <- find_dialect(lines)
   if (dialect$score < 2) {
-    abort_file("No separator makes a table of numbers of it.", file, call)
+    abort_file("It is not a table of numbers, whatever the separator.", file, call)
   }
   cells <- split_cells(lines, dialect$separator)
   size <- lengths(cells)
