@@ -87,6 +87,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
 
 # The body of a tensor without a mass.
 body_of_tensor <- function(x, call) {
+  if (inherits(x, "rot_measured")) x <- as.double(x)
   tensor <- check_inertia_or_abort(as_tensor(x, "body", call), NULL, call)
   new_body(
     "tensor", NA_real_, .Call(ffi_inertia_second, tensor),

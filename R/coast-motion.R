@@ -276,7 +276,10 @@ runout_p <- function(run) {
 #' scene <- as_scene(fit_coast_down(samples, inertia = 0.02, losses = "coulomb"))
 #' stopping(scene)
 #' @export
-as_scene <- function(x, ...) UseMethod("as_scene")
+as_scene <- function(x, ...) {
+  if (missing(x)) check_supplied("x", rlang::current_env())
+  UseMethod("as_scene")
+}
 
 #' @export
 as_scene.default <- function(x, ...) {

@@ -351,7 +351,8 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
 
 record_of <- function(run) {
   record <- constraint_of(run$scene)$models[[run$model]]
-  if (is.null(run$step_s)) record else with_step(record, run$step_s)
+  if (is.null(run$step_s) || is.null(record$run_with_step)) return(record)
+  with_step(record, run$step_s)
 }
 
 # A model whose steps have the length that the user asked for.

@@ -107,6 +107,7 @@ rolling_disk_speed <- function(radius_m, axial = 0.5, transverse = axial / 2, ..
                                gravity_m_per_s2 = 9.80665) {
   call <- check_no_dots(...)
   check_supplied("radius_m", call)
+  if (missing(transverse) && !is.numeric(axial)) transverse <- 1 # the check names `axial`
   x <- check_columns_of(list(
     radius_m = radius_m, axial = axial, transverse = transverse,
     gravity_m_per_s2 = gravity_m_per_s2
