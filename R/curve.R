@@ -191,7 +191,7 @@ summary.rot_curve_motion <- function(object, ...) {
 
 #' @export
 print.rot_curve <- function(x, ...) {
-  cat("<curve> ", if (is.character(x$kind)) x$kind[1], "\n", sep = "")
+  cat("<curve> ", if (is.list(x) && is.character(x$kind)) x$kind[1], "\n", sep = "")
   invisible(x)
 }
 

@@ -109,7 +109,11 @@ runs_record <- function(tables, run, source, file, call) {
   }
   tables <- tables[turns]
   if (!is.null(run)) {
-    at <- if (is_number(run)) match(run, seq_along(tables)) else match(run, names(tables))
+    at <- if (is_number(run)) {
+      match(run, seq_along(tables))
+    } else if (is.character(run)) {
+      match(run, names(tables))
+    }
     if (anyNA(at) || !length(at)) {
       abort_rotdyn(c(
         "{.arg run} must be among {.val {names(tables)}}, or their numbers.",
