@@ -221,15 +221,7 @@ join_headings <- function(head, width) {
 # file. Of an angle and a rate, the angle is used: instruments compute the rate from it.
 record_from_table <- function(table, call, file, source, axis = NULL, notes = character(),
                               breaks = NULL, headings = NULL, segment = NULL, ...) {
-  if (!is.null(headings)) {
-    if (!is.character(headings) || length(headings) != length(table$columns) || anyNA(headings)) {
-      abort_rotdyn(c(
-        "{.arg headings} must be text, one for each of the {length(table$columns)} columns.",
-        x = "It is {describe_value(headings)}."
-      ), "size", call)
-    }
-    table$headings <- headings
-  }
+  table <- name_columns(table, headings, call)
   if (!length(table$headings)) {
     abort_file(
       "It has no headings.", file, call,
@@ -360,4 +352,17 @@ table_columns <- function(table, heads, file, call) {
     columns$y_m <- take(y, "y_m")
   }
   list(columns = columns, notes = notes)
+}
+
+# The headings that the user gives in place of those of the file.
+name_columns <- function(table, headings, call) {
+  if (is.null(headings)) return(table)
+  if (!is.character(headings) || length(headings) != length(table$columns) || anyNA(headings)) {
+    abort_rotdyn(c(
+      "{.arg headings} must be text, one for each of the {length(table$columns)} columns.",
+      x = "It is {describe_value(headings)}."
+    ), "size", call)
+  }
+  table$headings <- headings
+  table
 }

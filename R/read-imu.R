@@ -15,15 +15,7 @@ imu_record <- function(file, bytes, call, axis = "principal", headings = NULL, r
   table <- read_delimited(decode_bytes(bytes, file, call), file, call)
   notes <- character()
   if (!is.null(quantity)) quantity <- check_string(quantity, "quantity", c("rate", "other"), call)
-  if (!is.null(headings)) {
-    if (!is.character(headings) || length(headings) != length(table$columns) || anyNA(headings)) {
-      abort_rotdyn(c(
-        "{.arg headings} must be text, one for each of the {length(table$columns)} columns.",
-        x = "It is {describe_value(headings)}."
-      ), "size", call)
-    }
-    table$headings <- headings
-  }
+  table <- name_columns(table, headings, call)
   # Sensor Logger has the same headings, z before x and without units, for every sensor.
   heads <- table$headings
   parts <- c("x", "y", "z")

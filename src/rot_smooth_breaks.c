@@ -260,7 +260,7 @@ static rot_status look(finding *of) {
   for (size_t i = 0; i < n; i++) {
     const size_t k = of->grid.sample[i];
     since = i > 0 && segment_of(of, i) == segment_of(of, i - 1) ? since + 1 : 0;
-    /* At the ends a shock cannot be told from a sample that is off. */
+    /* At the ends a shock and an outlier have the same residuals. */
     const int inside =
         since >= FROM_END && i + FROM_END < n && segment_of(of, i + FROM_END) == segment_of(of, i);
     of->worst[i] = 0.0;

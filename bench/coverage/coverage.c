@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random.h"
 #include "rot_axle_linear.h"
 #include "rot_axle_bands.h"
 #include "rot_axle_drag.h"
@@ -18,19 +19,6 @@
 #include "truth.h"
 
 enum { ROWS = 16, KNOTS = 12, TERMS = 4, BREAKS = 64 };
-
-static uint64_t state;
-
-static double uniform(double lo, double hi) {
-  state ^= state << 13;
-  state ^= state >> 7;
-  state ^= state << 17;
-  return lo + (hi - lo) * (double)(state >> 11) * 0x1p-53;
-}
-
-static double power(double lo, double hi) { return pow(10.0, uniform(lo, hi)); }
-static int chance(double p) { return uniform(0.0, 1.0) < p; }
-static double either(double x) { return chance(0.5) ? x : -x; }
 
 /* A scene with room for all that it may hold. */
 typedef struct sample {

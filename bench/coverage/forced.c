@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random.h"
 #include "rot_attitude.h"
 #include "rot_free_ode.h"
 
@@ -22,17 +23,6 @@ static const char *const kind_names[KINDS] = {
     "constant torque, body axes", "constant torque, space axes", "knots, body axes",
     "knots, space axes",          "constant torque, damped",     "asymmetric top",
     "top, torque and damping",    "function of time and omega"};
-
-static uint64_t state;
-
-static double uniform(double lo, double hi) {
-  state ^= state << 13;
-  state ^= state >> 7;
-  state ^= state << 17;
-  return lo + (hi - lo) * (double)(state >> 11) * 0x1p-53;
-}
-
-static double power(double lo, double hi) { return pow(10.0, uniform(lo, hi)); }
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
 

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random.h"
 #include "rot_attitude.h"
 #include "rot_free_exact.h"
 
@@ -28,18 +29,6 @@ static const char *const kind_names[KINDS] = {"generic",
                                               "plate",
                                               "near the middle axis",
                                               "damped"};
-
-static uint64_t state;
-
-static double uniform(double lo, double hi) {
-  state ^= state << 13;
-  state ^= state >> 7;
-  state ^= state << 17;
-  return lo + (hi - lo) * (double)(state >> 11) * 0x1p-53;
-}
-
-static double power(double lo, double hi) { return pow(10.0, uniform(lo, hi)); }
-static double either(double x) { return uniform(0.0, 1.0) < 0.5 ? x : -x; }
 
 /* ---- the truth ------------------------------------------------------------------------------- */
 

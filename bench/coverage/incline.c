@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random.h"
 #include "rot_incline_ode.h"
 #include "rot_incline_table.h"
 
@@ -17,19 +18,6 @@ typedef __float128 quad;
 enum { ROWS = 8 };
 
 /* ---- random scenes --------------------------------------------------------------------------- */
-
-static uint64_t state;
-
-static double uniform(double lo, double hi) {
-  state ^= state << 13;
-  state ^= state >> 7;
-  state ^= state << 17;
-  return lo + (hi - lo) * (double)(state >> 11) * 0x1p-53;
-}
-
-static double power(double lo, double hi) { return pow(10.0, uniform(lo, hi)); }
-static int chance(double p) { return uniform(0.0, 1.0) < p; }
-static double either(double x) { return chance(0.5) ? x : -x; }
 
 /* A force size sin(rate t). */
 typedef struct wave {
