@@ -112,18 +112,9 @@ test_that("errors of loads", {
 
 # Rows of the textbook in the domains of torque: the row's inputs in its own units, and the
 # published answer within its digits.
-openstax <- function() {
-  rows <- utils::read.csv(shared("cases", "openstax_rotation", "cases.csv"))
-  function(id, value) {
-    row <- rows[rows$id == id, ]
-    expect_equal(nrow(row), 1)
-    expect_lte(abs(value - row$published), row$tol_abs)
-    expect_lte(abs(value - row$computed), abs(row$computed) * 1e-6)
-  }
-}
-
 test_that("textbook: torques and what they do", {
-  is <- openstax()
+  rows <- published("openstax_rotation")
+  is <- function(id, got) expect_published(got, rows[[id]])
   vector <- force_torques(load_force(c(5, -2, 1), c(-2, 4, 0)))
   is("UP10-40", vector$torque_about_z_n_m)
   is("UP10-41", vector$torque_about_x_n_m)

@@ -279,20 +279,9 @@ test_that("a spin that passes zero while the contact slips leaves the rolling sp
 })
 
 # The published numbers of ../shared/cases, called as a user would, with their own inputs.
-case_rows <- function(path) {
-  table <- utils::read.csv(shared(path), colClasses = "character")
-  rownames(table) <- table[[1]]
-  table
-}
-case_input <- function(text) {
-  parts <- regmatches(text, gregexpr('"[A-Za-z_0-9]+": *[-0-9.eE+]+', text))[[1]]
-  values <- as.numeric(sub('.*: *', "", parts))
-  stats::setNames(as.list(values), sub('^"([A-Za-z_0-9]+)".*', "\\1", parts))
-}
-
 test_that("the cases of slip to roll, each against its published or computed value", {
-  rows <- case_rows("cases/rolling_slip_transition/cases.csv")
-  x <- case_input(rows["bowl1", "inputs"])
+  rows <- published("rolling_slip_transition")
+  x <- inputs_of(rows[["bowl1"]])
   lane <- scene_incline(
     body_sphere(6, x$r), 0, static_friction = x$mu, v0_m_per_s = x$v0, omega0_rad_per_s = 0,
     gravity_m_per_s2 = x$g
@@ -306,9 +295,9 @@ test_that("the cases of slip to roll, each against its published or computed val
     )
     trajectory(struck, 30)$v_m_per_s - 9 / 7
   }
-  drake <- case_input(rows["drake_v", "inputs"])
+  drake <- inputs_of(rows[["drake_v"]])
   ball <- trajectory(scene_incline(
-    body_sphere(case_input(rows["drake_f", "inputs"])$m, 0.05), drake$theta_deg,
+    body_sphere(inputs_of(rows[["drake_f"]])$m, 0.05), drake$theta_deg,
     static_friction = 1, kinetic_friction = 0.5, gravity_m_per_s2 = drake$g
   ), drake$t)
   got <- c(
@@ -317,18 +306,18 @@ test_that("the cases of slip to roll, each against its published or computed val
     bgu = stats::uniroot(cue, c(0.5, 1), tol = 1e-12)$root, drake_v = ball$v_m_per_s,
     drake_f = abs(ball$friction_force_n)
   )
-  expect_setequal(names(got), rows$id)
+  expect_setequal(names(got), names(rows))
   for (id in names(got)) {
-    expect_equal(got[[id]], as.numeric(rows[id, "computed"]), tolerance = 2e-9)
-    if (nzchar(rows[id, "published"])) {
-      expect_lte(abs(got[[id]] - as.numeric(rows[id, "published"])), as.numeric(rows[id, "tol"]))
+    expect_equal(got[[id]], as.numeric(rows[[id]]$computed), tolerance = 2e-9)
+    if (nzchar(rows[[id]]$published)) {
+      expect_lte(abs(got[[id]] - as.numeric(rows[[id]]$published)), as.numeric(rows[[id]]$tol))
     }
   }
 })
 
 test_that("the rows of University Physics and College Physics about rolling", {
-  rows <- case_rows("cases/openstax_rotation/cases.csv")
-  input <- function(id) case_input(rows[id, "inputs"])
+  rows <- published("openstax_rotation")
+  input <- function(id) inputs_of(rows[[id]])
   of_beta <- function(beta) body_disk(1, 0.1 * sqrt(2 * beta))
   scene <- function(x, ...) {
     scene_incline(of_beta(x$beta), x$theta_deg, radius_m = 0.1, gravity_m_per_s2 = x$g, ...)
@@ -356,12 +345,8 @@ test_that("the rows of University Physics and College Physics about rolling", {
     "CP10-08" = rolling_table("cylinder", 30, input("CP10-08")$h, input("CP10-08")$g)$
       final_speed_m_per_s
   )
-  expect_setequal(names(got), rows$id[grepl("^rolling", rows$domain)])
-  for (id in names(got)) {
-    expect_equal(got[[id]], as.numeric(rows[id, "computed"]), tolerance = 1e-9)
-    expect_lte(abs(got[[id]] - as.numeric(rows[id, "published"])),
-      1.0001 * as.numeric(rows[id, "tol_abs"]))
-  }
+  expect_setequal(names(got), names(Filter(function(row) grepl("^rolling", row$domain), rows)))
+  for (id in names(got)) expect_published(got[[id]], rows[[id]])
 })
 
 test_that("friction and contact hold along every trajectory, closed form and integrated", {

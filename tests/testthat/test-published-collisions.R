@@ -1,24 +1,6 @@
 # Published answers on impulse, collision and the conservation of angular momentum, as a user would
 # ask for them: the inputs of the row in its own units, the answer within its digits.
 
-published <- function(file) {
-  table <- utils::read.csv(shared("cases", file, "cases.csv"), colClasses = "character")
-  split(table, table$id)
-}
-
-# {"m": 1, "r": [1, 2]} as a list.
-inputs_of <- function(row) {
-  text <- gsub("}", ")", gsub("{", "list(", row$inputs, fixed = TRUE), fixed = TRUE)
-  text <- gsub("]", ")", gsub("[", "c(", text, fixed = TRUE), fixed = TRUE)
-  eval(parse(text = gsub("\":", "\" =", text, fixed = TRUE)), baseenv())
-}
-
-# Within the digits of the answer; to 1e-9 of the value computed independently.
-expect_published <- function(got, row) {
-  expect_lte(abs(got - as.numeric(row$published)), as.numeric(row$tol_abs), label = row$id)
-  expect_equal(got, as.numeric(row$computed), tolerance = 1e-8, label = row$id)
-}
-
 rpm <- pi / 30
 rev_s <- 2 * pi
 

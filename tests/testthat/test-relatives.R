@@ -118,13 +118,8 @@ test_that("a falling rod: rates, hinge, tip, and where a chimney breaks", {
 })
 
 test_that("textbook: rods and cords", {
-  rows <- utils::read.csv(shared("cases", "openstax_rotation", "cases.csv"))
-  is <- function(id, value) {
-    row <- rows[rows$id == id, ]
-    expect_equal(nrow(row), 1)
-    expect_lte(abs(value - row$published), row$tol_abs)
-    expect_lte(abs(value - row$computed), abs(row$computed) * 1e-6)
-  }
+  rows <- published("openstax_rotation")
+  is <- function(id, got) expect_published(got, rows[[id]])
   flat <- falling_rod(1, 1, 90, start_angle_deg = 90, gravity_m_per_s2 = 9.8)
   is("UP10-50", flat$tip_fall_m_per_s2)
   hinged <- falling_rod(2, 1, 90, start_angle_deg = 30, gravity_m_per_s2 = 9.8)
