@@ -12,7 +12,8 @@
 #' @param threads Most threads to use. The result does not depend on it, to the last bit.
 #' @return `parameters` as a tibble, with the columns
 #'   `r describe_columns(tumbling_columns)`
-#'   `error` is a bound on the angle of the attitude's error, in rad. A row with NA has NA in these,
+#'   `error` is a bound on the angle of the attitude's error, in rad; within it the row is that of
+#'   [trajectory()], whose last bits may differ. A row with NA has NA in these,
 #'   and so has one without a motion: a negative or infinite number, a spin about an axis without
 #'   moment of inertia.
 #' @section Errors: `rotdyn_error_type` (also for a column that is missing), `rotdyn_error_size`,
@@ -57,7 +58,7 @@ tumbling_table <- function(parameters, time_s, ..., threads = 1) {
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
   threads <- min(threads, .Call(ffi_axle_sweep_threads))
   out <- .Call(ffi_free_table, columns, threads, progress_bar("tumbling"))
-  out <- lapply(out, function(x) replace(x, is.nan(x), NA_real_))
+  out <- lapply(out, function(x) if (anyNA(x)) replace(x, is.nan(x), NA_real_) else x)
   data <- tibble::as_tibble(parameters)
   data[tumbling_columns] <- out
   data

@@ -212,7 +212,7 @@ static rot_status begin_sorted(const double w[3], rot_free_motion *out) {
   k.m1 = rot_dd_div(rot_dd_mul(d31, rot_dd_abs(from)), dcmy);
   k.m = rot_dd_div(rot_dd_mul(dom, x), dcmy);
   if (fmax(fabs(w[0]), fabs(w[2])) < tiny || (k.m1.hi > 0.0 && k.m1.hi < 1e-285)) return ROT_ERANGE;
-  if (k.m1.hi >= 1.0) k.m1 = (rot_dd){1.0, 0.0};
+  if (k.m1.hi - 1.0 + k.m1.lo > 0.0) k.m1 = (rot_dd){1.0, 0.0};
   out->m1_loss = from.hi != 0.0 ? loss / fabs(from.hi) + 16.0 * ROT_DD_EPS
                  : exact        ? 0.0
                                 : loss * d31.hi / dcmy.hi;

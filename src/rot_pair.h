@@ -15,7 +15,9 @@
 #include <emmintrin.h>
 #endif
 
-#ifdef ROT_WIDE
+#ifdef ROT_WIDE_FMA
+#define ROT_TARGET __attribute__((target("avx2,fma")))
+#elif defined(ROT_WIDE)
 #define ROT_TARGET __attribute__((target("avx2")))
 #else
 #define ROT_TARGET

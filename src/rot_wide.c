@@ -11,3 +11,11 @@ int rot_wide_ok(void) {
   return 0;
 #endif
 }
+
+int rot_wide_fma_ok(void) {
+#ifdef ROT_WIDE_CAN
+  return rot_wide_ok() && __builtin_cpu_supports("fma") != 0;
+#else
+  return 0;
+#endif
+}

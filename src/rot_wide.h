@@ -14,6 +14,8 @@ enum { ROT_WIDE_PAIR = 4 };
 
 /* Whether kernels for registers of four may be called. */
 int rot_wide_ok(void);
+/* The same for kernels that also call fused multiply-adds (ROT_WIDE_FMA). */
+int rot_wide_fma_ok(void);
 /* For tests: 0 forbids them, 1 allows them where they can run. */
 void rot_wide_allow(int allowed);
 
