@@ -110,7 +110,8 @@ graded_times <- function(anchors, start_s, shortest_s, from_s, to_s) {
   end <- anchors[-1]
   long <- end - begin > 50 * shortest_s & end > from_s & begin < to_s
   unlist(Map(function(begin, end) {
-    away <- shortest_s * 2^seq.int(-1, floor(log2((end - begin) / shortest_s)))
+    first <- max(shortest_s, (end - begin) * 2^-1000) # 2^1024 is no double
+    away <- first * 2^seq.int(-1, floor(log2((end - begin) / first)))
     if (end <= start_s) end - away else begin + away
   }, begin[long], end[long]))
 }

@@ -20,6 +20,7 @@ open_records <- function(con, call, made = TRUE) {
   own <- rlang::is_string(con)
   if (own) {
     need_package("RSQLite", "A file of records", call)
+    con <- check_file_name(con, call, "con")
     if (made && !file.exists(con)) {
       abort_rotdyn(c(
         "There is no file {.file {con}}.", i = "{.fn records_create} makes one."

@@ -81,12 +81,13 @@ scene_hash <- function(scene, ...) {
   hash_text(scene_text(scene, call))
 }
 
-check_file_name <- function(file, call) {
+check_file_name <- function(file, call, arg = "file") {
   if (!rlang::is_string(file) || !nzchar(file)) {
     abort_rotdyn(c(
-      "{.arg file} must be the name of a file.", x = "It is {describe_value(file)}."
+      "{.arg {arg}} must be the name of a file.", x = "It is {describe_value(file)}."
     ), "type", call)
   }
+  if (!is_readable_text(file)) abort_unreadable(file, arg, call)
   path.expand(file)
 }
 

@@ -130,3 +130,11 @@ test_that("passages of a shaft that swings fast, and drifts", {
   got <- when(geared, coupling_torque_n_m = 0, rotor = 1, occurrence = "all", until_s = 20)
   expect_equal(got$time_s, (0:floor(20 * swing / pi)) * pi / swing, tolerance = 1e-12)
 })
+
+test_that("a motion that fades within the least of times", {
+  # 1e-310 kg m^2: it stands after some 1e-310 s.
+  scene <- scene_axle(1e-310, torque_constant(1), resistance(0.1, 0.1, 0.1, 0.1))
+  late <- when(scene, theta_rad = 1, until_s = 1)$time_s
+  # Then omega is where 1 = 0.1 (1 + w + w^2).
+  expect_equal(late, 1 / ((sqrt(37) - 1) / 2), tolerance = 1e-12)
+})
