@@ -316,7 +316,7 @@ test_that("without the packages the error says what is missing", {
 
 test_that("names of files that are no text", {
   for (need in c("DBI", "RSQLite")) skip_if_not_installed(need)
-  bytes <- "a\\xff"
+  bytes <- "a\xff"
   Encoding(bytes) <- "bytes"
   expect_error(records_check(bytes), class = "rotdyn_error_type")
   expect_error(records_create(bytes), class = "rotdyn_error_type")
