@@ -29,8 +29,8 @@
 #' unless a break explains it better.
 #'
 #' **Counters.** Where the angle has a resolution D (a counter, an encoder, few digits), the scatter
-#' is at least `D/sqrt(12)`. Where fewer than 0.3 steps of D lie between samples, the times at which
-#' the count changes are used.
+#' is at least `D/sqrt(12)`. Where a count repeats four times or more, the times at which it changes
+#' are used instead of the counts.
 #'
 #' **What residuals do not show** (type B, to be given): the scale and bias of a gyroscope, the rate
 #' and jitter of a clock. They are added to every standard error.
@@ -320,7 +320,7 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
     }
     out
   }
-  edges <- if (is_coarse(data)) edges_of(data)
+  edges <- edges_of(data)
   core <- if (is.null(edges)) data$core else edges$core
   # Known times of unknown kind: the likelihood decides, one after the other.
   for (i in which(breaks$first == 0)) {
@@ -367,7 +367,7 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
   list(
     core = core, breaks = breaks, fit = found$fit[1:4], objective = found$fit[5],
     end = found$fit[6], samples = found$fit[7], left_out = left, data = data, asked = asked,
-    edges = !is.null(edges)
+    edges = !is.null(edges), rows = ifelse(is.na(edges$interval), edges$row, NA)
   )
 }
 
@@ -419,52 +419,85 @@ heavy_tails <- function(core, found, run) {
 
 # ---- counters -----------------------------------------------------------------------------------
 
-# Does the angle change by less than 0.3 of its resolution between samples, on average?
-is_coarse <- function(data) {
-  if (data$rates_only || !is.null(data$omega) || data$step[1] == 0) return(FALSE)
-  moves <- abs(diff(data$theta))[diff(data$segment) == 0L]
-  mean(moves, na.rm = TRUE) < 0.3 * data$step[1]
-}
+# Runs of at least so many equal counts are slow: less than 0.3 steps of the counter between
+# samples. There the times at which the count changes tell more than the counts.
+slow_run <- 4L
 
-# The changes of the count as a record: the angle between two counts, in the middle of the interval.
-# Where the count stays for long, and at the ends, the count itself.
+# A record in which slow runs are replaced by their edges: the angle between two counts, in the
+# middle of the interval. Counts stay where a run has no edge on a side, or lasts; that in the
+# middle stays where the angle turns back. NULL where nothing is slow, and where noise makes the
+# count flicker.
 edges_of <- function(data) {
   step <- data$step[1]
-  n <- length(data$theta)
+  if (data$rates_only || !is.null(data$omega) || step == 0) return(NULL)
   known <- which(!is.na(data$theta))
-  a <- known[-length(known)]
-  b <- known[-1]
-  moved <- abs(data$theta[b] - data$theta[a]) > step / 2
-  changes <- which(data$segment[a] == data$segment[b] & moved)
-  a <- a[changes]
-  b <- b[changes]
-  if (length(a) < 8L) return(NULL)
-  out <- data.frame(
-    time = (data$time_s[a] + data$time_s[b]) / 2, theta = (data$theta[a] + data$theta[b]) / 2,
-    segment = data$segment[a], interval = data$time_s[b] - data$time_s[a], row = b
-  )
-  # Runs of one count: from an edge to the next, or to an end.
-  usual <- stats::median(diff(out$time))
-  bounds <- sort(unique(c(known[1], b, known[length(known)])))
-  for (k in seq_len(length(bounds) - 1L)) {
-    run <- known[known >= bounds[k] & known < bounds[k + 1L]]
-    end <- k == 1L || k == length(bounds) - 1L
-    if (!length(run) || (!end && diff(range(data$time_s[run])) < 5 * usual)) next
-    share <- c(if (k == 1L) 0.01, 1 / 4, 1 / 2, 3 / 4, if (end) 1)
-    pick <- unique(run[ceiling(length(run) * share)])
-    out <- rbind(out, data.frame(
-      time = data$time_s[pick], theta = data$theta[pick], segment = data$segment[pick],
-      interval = NA_real_, row = pick
-    ))
+  runs <- counter_runs(data$theta[known] / step, data$segment[known])
+  if (is.null(runs)) return(NULL)
+  time <- data$time_s[known]
+  part <- function(rows, interval, weight) {
+    data.frame(
+      time = time[rows], theta = data$theta[known][rows], segment = data$segment[known][rows],
+      interval = rep_len(interval, length(rows)), weight = rep_len(weight, length(rows)),
+      row = known[rows]
+    )
   }
+  a <- runs$last[runs$edge]
+  edges <- part(a + 1L, time[a + 1L] - time[a], 1)
+  edges$time <- (time[a] + time[a + 1L]) / 2
+  edges$theta <- (data$theta[known][a] + data$theta[known][a + 1L]) / 2
+  lasts <- time[runs$last] - time[runs$first]
+  bounded <- runs$slow & runs$edge & runs$edge_before &
+    lasts < 5 * stats::median(lasts[runs$slow])
+  # Beside an edge the count is off by half a step: for as long as the run on its other side.
+  n <- length(runs$size)
+  off <- function(is_edge, beside) {
+    ifelse(runs$slow & is_edge, pmin(beside, runs$size %/% 2L), 0L)
+  }
+  from <- runs$first + off(runs$edge_before, c(0L, runs$size[-n]))
+  to <- runs$last - off(runs$edge, c(runs$size[-1], 0L))
+  run <- rep(seq_len(n), runs$size)
+  rows <- seq_along(known)
+  keep <- !bounded[run] & rows >= from[run] & rows <= to[run]
+  # Likelihoods leave out the first six samples of a segment: they must have the weight of samples.
+  thin <- runs$starts & runs$slow & runs$size < length(known) / 8
+  keep <- keep & (!thin[run] | (rows - runs$first[run]) %% pmax(runs$size[run] %/% 4L, 1L) == 0L)
+  weight <- ifelse(thin, 1, sqrt(pmax((to - from + 1L) / 4, 1)))
+  middle <- ((runs$first + runs$last) %/% 2L)[bounded & runs$turns]
+  out <- rbind(edges, part(rows[keep], NA_real_, weight[run[keep]]), part(middle, NA_real_, 1))
+  if (nrow(out) < 12L || (nrow(edges) < 8L && all(runs$slow))) return(NULL)
   out <- out[order(out$segment, out$time), ]
-  w <- rep(1, nrow(out))
   list(
     core = list(
-      time_s = out$time, theta = out$theta, omega = NULL, w_theta = w, w_omega = NULL,
-      segment = as.integer(out$segment), floor = data$core$floor
+      time_s = out$time, theta = out$theta, omega = NULL, w_theta = out$weight,
+      w_omega = NULL, segment = as.integer(out$segment), floor = data$core$floor
     ),
     interval = out$interval, row = out$row, step = step
+  )
+}
+
+# Runs of equal counts: first and last sample, size, whether a run starts a segment, is slow, turns
+# back (the count goes where it came from), and whether there is an edge behind and before it.
+counter_runs <- function(count, segment) {
+  jump <- diff(count)
+  apart <- diff(segment) != 0L
+  last <- c(which(abs(jump) > 0.5 | apart), length(count))
+  n <- length(last)
+  first <- c(1L, last[-n] + 1L)
+  size <- last - first + 1L
+  slow <- size >= slow_run
+  if (sum(slow) < 2L) return(NULL)
+  behind <- jump[last] # NA at the end
+  behind[apart[last]] <- NA
+  before <- c(NA, behind[-n])
+  by_one <- function(x) !is.na(x) & abs(x) < 1.5
+  turns <- by_one(before) & by_one(behind) & before * behind < 0
+  # A few samples off by a step, and back: noise or an outlier, no edges.
+  blip <- turns & !slow
+  edge <- by_one(behind) & (slow | c(slow[-1], FALSE)) & !(blip | c(blip[-1], FALSE))
+  if (sum(blip) > max(1, 0.1 * sum(edge)) + 0.02 * length(count)) return(NULL)
+  list(
+    first = first, last = last, size = size, starts = is.na(before), slow = slow, turns = turns,
+    edge = edge, edge_before = c(FALSE, edge[-n])
   )
 }
 
@@ -472,7 +505,7 @@ edges_of <- function(data) {
 weigh_edges <- function(edges, omega) {
   core <- edges$core
   w <- pmin(abs(omega) * edges$interval / edges$step, 1)
-  core$w_theta <- ifelse(is.na(w), 1, pmax(w, 0.02))
+  core$w_theta <- ifelse(is.na(w), core$w_theta, pmax(w, 0.02))
   core
 }
 
@@ -485,8 +518,8 @@ check_aliasing <- function(fit, record, call) {
   said <- attr(record, "record")$columns
   counted <- said$column %in% c("theta_rad", "pulses") & grepl("count|turn|^1$", said$unit)
   if (any(counted) || is.null(record[["theta_rad"]])) return(invisible())
-  if (fit$edges) return(invisible())
-  rows <- smooth_at(fit$core, fit$breaks, fit$fit)
+  times <- data[c("time_s", "segment")]
+  rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, times)$others
   h <- diff(data$time_s)
   h[diff(data$segment) != 0L] <- Inf
   usual <- stats::median(h[is.finite(h)])
@@ -509,7 +542,13 @@ new_estimate <- function(fit, call) {
   fit$process <- process_share(fit)
   rows <- fitted_rows(fit, times)
   fit$degrees <- max(fit$samples - rows$used, 1)
-  fit$residual <- if (fit$edges) NA_real_ else rows$residual
+  fit$residual <- rows$residual
+  if (fit$edges) {
+    # Of samples; an edge belongs to none.
+    fit$residual <- rep(NA_real_, 2 * length(fit$data$time_s))
+    own <- !is.na(fit$rows)
+    fit$residual[fit$rows[own]] <- rows$residual[seq_along(fit$rows)][own]
+  }
   at <- if (fit$edges) rows$others else rows$samples
   fit$events <- estimate_events(fit, at)
   out <- estimate_rows(fit, at, fit$data$time_s, fit$data$segment)
@@ -544,7 +583,9 @@ fitted_rows <- function(fit, times) {
 process_share <- function(fit) {
   core <- fit$core
   n <- length(core$time_s)
-  if (is.null(core$theta) || !is.null(core$omega) || fit$edges) return(1)
+  if (is.null(core$theta) || !is.null(core$omega)) return(1)
+  # A counter that is slow most of the time.
+  if (fit$edges && mean(is.na(fit$rows)) > 0.5) return(1)
   size <- max(3, round(6 * fit$fit[2]^(-0.5 / fit$fit[1])))
   if (n < 30 * size) return(1)
   block <- (seq_len(n) - 1) %/% size

@@ -232,6 +232,24 @@ test_that("a slow counter is read by the times of its edges", {
   expect_equal(nrow(augment(motion)), 1000)
 })
 
+test_that("a counter is read by its edges where it is slow, by its counts elsewhere", {
+  # From rest to 8 rad/s: the first count lasts 64 samples, the last ones half a sample.
+  step <- 2 * pi / 96
+  time <- seq(0, 6, length.out = 1500)
+  omega <- 8 * (1 - (1 + time) * exp(-time))
+  truth <- 8 * (time - 2 + (2 + time) * exp(-time))
+  record <- data.frame(time_s = time, theta_rad = step * round(truth / step + 0.2))
+  record$theta_rad[c(700, 1100)] <- record$theta_rad[c(700, 1100)] + 1
+  motion <- estimate_motion(record)
+  off <- motion$omega_rad_per_s - omega
+  # By counts alone 0.0068 rad/s.
+  expect_lt(sqrt(mean(off[time > 0.5]^2)), 0.005)
+  expect_gt(mean(abs(off) < 2 * motion$omega_se_rad_per_s), 0.89)
+  expect_equal(which(motion$flag == "outlier"), c(700L, 1100L))
+  expect_false(anyNA(augment(motion)$theta_residual))
+  expect_equal(nrow(motion_events(motion)), 0)
+})
+
 test_that("gaps widen the errors and are flagged; segments share the scatter and nothing else", {
   time <- seq(0, 10, by = 0.02)
   record <- noisy(time, 3 * sin(time), 2e-3, 6)
