@@ -56,10 +56,13 @@ audit.default <- function(x, ...) {
 audit.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
-  run <- check_trajectory(x, "x", call)
+  new_audit(balances_of(x, check_trajectory(x, "x", call), call))
+}
+
+balances_of <- function(x, run, call) {
   constraint <- constraint_of(run$scene)
   check_rows(x, call, constraint$keys)
-  new_audit(mark_conserved(constraint$balances(x, run, call), keeps_of(run$solved)))
+  mark_conserved(constraint$balances(x, run, call), keeps_of(run$solved))
 }
 
 new_audit <- function(balances) {

@@ -5,23 +5,14 @@
 
 # `indent` blanks for each level; 0 for the canonical text: keys sorted by bytes, no blanks.
 json_text <- function(x, indent = 0L) {
-  enc2utf8(if (indent) json_lines(x, indent, 0L) else json_canonical(x))
+  if (indent) json_lines(x, indent, 0L) else json_canonical(x)
 }
 
-json_canonical <- function(x) {
-  if (!is.list(x)) return(json_atoms(x))
-  if (is.null(names(x))) {
-    return(paste0("[", paste(vapply(x, json_canonical, ""), collapse = ","), "]"))
-  }
-  if (!length(x)) return("{}")
-  if (length(x) > 1L) x <- x[order(names(x), method = "radix")]
-  keys <- json_string(names(x))
-  paste0("{", paste0(keys, ":", vapply(x, json_canonical, ""), collapse = ","), "}")
-}
+json_canonical <- function(x) .Call(ffi_text_json, x, ",")
 
 # What has no list in it stands on one line.
 json_lines <- function(x, indent, level) {
-  if (!is.list(x)) return(json_atoms(x, ", "))
+  if (!is.list(x)) return(.Call(ffi_text_json, x, ", "))
   if (!length(x)) return(json_canonical(x))
   parts <- vapply(x, json_lines, "", indent, level + 1L)
   if (!is.null(names(x))) parts <- paste0(json_string(names(x)), ": ", parts)
@@ -34,34 +25,7 @@ json_lines <- function(x, indent, level) {
   )
 }
 
-json_atoms <- function(x, comma = ",") {
-  if (is.null(x)) return("null")
-  array <- function(parts) paste0("[", paste(parts, collapse = comma), "]")
-  each <- json_each(x)
-  if (is.matrix(x)) return(array(apply(matrix(each, nrow(x)), 1, array)))
-  if (length(each) == 1L) each else array(each)
-}
-
-json_each <- function(x) {
-  if (is.character(x)) return(json_string(x))
-  if (is.logical(x)) return(c("false", "true")[x + 1L])
-  number <- .Call(ffi_text_numbers, as.double(x))
-  special <- !is.finite(x)
-  if (any(special)) number[special] <- paste0("\"", number[special], "\"")
-  number
-}
-
-json_escapes <- c("\\" = "\\\\", "\"" = "\\\"", "\n" = "\\n", "\r" = "\\r", "\t" = "\\t")
-
-json_string <- function(x) {
-  x <- enc2utf8(x)
-  if (!any(grepl("[\\\\\"\001-\037]", x))) return(paste0("\"", x, "\""))
-  for (at in names(json_escapes)) x <- gsub(at, json_escapes[[at]], x, fixed = TRUE)
-  if (any(grepl("[\001-\037]", x))) {
-    for (code in 1:31) x <- gsub(intToUtf8(code), sprintf("\\u%04x", code), x, fixed = TRUE)
-  }
-  paste0("\"", x, "\"")
-}
+json_string <- function(x) .Call(ffi_text_strings, x)
 
 # The values of a text. Faults are errors of the class `kind`; `what` the text is of.
 read_json <- function(text, what, kind, call) {
@@ -122,11 +86,4 @@ repeated_key <- function(x) {
 }
 
 # XXH128 of the bytes of a text.
-hash_text <- function(text) hash_bytes(charToRaw(enc2utf8(text)))
-
-hash_bytes <- function(bytes) {
-  file <- tempfile("rotdyn-hash-")
-  on.exit(unlink(file))
-  writeBin(bytes, file)
-  rlang::hash_file(file)
-}
+hash_text <- function(text) .Call(ffi_hash, list(charToRaw(enc2utf8(text))))

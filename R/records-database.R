@@ -14,8 +14,9 @@ dialects <- c(
   SQLiteConnection = "sqlite", PqConnection = "postgresql", duckdb_connection = "duckdb"
 )
 
-# list(con, dialect, close()). `made`: the tables must exist.
-open_records <- function(con, call, made = TRUE) {
+# list(con, dialect, version, close()). `made`: the tables must exist. `scene`: see
+# records_version().
+open_records <- function(con, call, made = TRUE, scene = "") {
   need_package("DBI", "Recording runs", call)
   own <- rlang::is_string(con)
   if (own) {
@@ -28,16 +29,18 @@ open_records <- function(con, call, made = TRUE) {
     }
     path <- con
     con <- tryCatch(
-      DBI::dbConnect(RSQLite::SQLite(), path), error = function(e) abort_database(e, call)
+      DBI::dbConnect(RSQLite::SQLite(), path, loadable.extensions = FALSE),
+      error = function(e) abort_database(e, call)
     )
   }
   db <- list(
     con = con, dialect = dialect_of(con, call),
     close = if (own) function() DBI::dbDisconnect(con) else function() NULL
   )
-  rlang::try_fetch(
+  tryCatch(
     {
-      db$version <- records_version(db)
+      if (own) set_references(db, call)
+      db$version <- records_version(db, scene)
       prepare_connection(db, call)
       if (made) check_format(db$version, call)
     },
@@ -71,14 +74,24 @@ dialect_of <- function(con, call) {
 # SQLite keeps references only where each connection says so, and not within a transaction.
 prepare_connection <- function(db, call) {
   if (db$dialect != "sqlite" || isTRUE(db$version$kept == 1)) return(invisible())
-  DBI::dbExecute(db$con, "PRAGMA busy_timeout = 10000")
-  DBI::dbExecute(db$con, "PRAGMA foreign_keys = ON")
+  set_references(db, call)
   if (query(db, "PRAGMA foreign_keys", call = call)[[1]] != 1) {
     abort_rotdyn(c(
       "SQLite does not check references on this connection.",
       i = "A transaction is open: commit it first."
     ), "database", call)
   }
+}
+
+# A second writer waits for 10 s.
+set_references <- function(db, call) {
+  tryCatch(
+    {
+      RSQLite::sqliteSetBusyHandler(db$con, 10000L)
+      DBI::dbExecute(db$con, "PRAGMA foreign_keys = ON")
+    },
+    error = function(e) abort_database(e, call)
+  )
 }
 
 abort_database <- function(e, call) {
@@ -118,14 +131,15 @@ in_transaction <- function(db, call, code) {
   )
 }
 
-# NULL without the tables; else list(format, rotdyn_version, known: whether it has this software,
-# kept: whether SQLite keeps references). One query: each costs half a millisecond.
-records_version <- function(db) {
+# NULL without the tables; else list(format, rotdyn_version, has_software: this one, has_scene: the
+# one of the hash `scene`, kept: whether SQLite keeps references). One query: each takes 0.3 ms.
+records_version <- function(db, scene) {
   kept <- if (db$dialect == "sqlite") "(SELECT foreign_keys FROM pragma_foreign_keys)" else "1"
   rows <- tryCatch(
     DBI::dbGetQuery(db$con, paste0(
       "SELECT format, rotdyn_version, ", kept, " AS kept, (SELECT COUNT(*) FROM rot_software ",
-      "WHERE software = '", own_software()$software, "') AS known FROM rot_format"
+      "WHERE software = '", own_software()$software, "') AS software, ",
+      "(SELECT COUNT(*) FROM rot_scene WHERE scene = '", scene, "') AS scene FROM rot_format"
     )),
     error = function(e) NULL
   )
@@ -133,7 +147,8 @@ records_version <- function(db) {
   number <- function(x) as.double(if (inherits(x, "integer64")) big_integers(x) else x)
   list(
     format = max(number(rows$format)), rotdyn_version = rows$rotdyn_version[1],
-    known = number(rows$known)[1] > 0, kept = number(rows$kept)[1]
+    has_software = number(rows$software)[1] > 0, has_scene = number(rows$scene)[1] > 0,
+    kept = number(rows$kept)[1]
   )
 }
 
@@ -201,15 +216,25 @@ append_rows <- function(db, name, rows) {
     )
   }
   if (db$dialect == "sqlite" || length(rows[[1]]) == 1L) {
-    sql <- paste0(
-      "INSERT INTO ", table$sql, " (", paste(names(rows), collapse = ", "), ") VALUES (",
-      paste(rep("?", length(rows)), collapse = ", "), ")"
-    )
-    DBI::dbExecute(db$con, placeholders(sql, db$dialect), params = unname(as.list(rows)))
+    DBI::dbExecute(db$con, insert_with(name, db$dialect), params = unname(as.list(rows)))
   } else {
     DBI::dbAppendTable(db$con, table$sql, as.data.frame(rows))
   }
   invisible()
+}
+
+# The statement that adds a row of a table, its values as parameters.
+insert_with <- function(name, dialect) {
+  kept <- paste("insert", name, dialect)
+  if (is.null(registry_texts[[kept]])) {
+    table <- all_table_list()[[name]]
+    columns <- names(table$columns)
+    registry_texts[[kept]] <- placeholders(paste0(
+      "INSERT INTO ", table$sql, " (", paste(columns, collapse = ", "), ") VALUES (",
+      paste(rep("?", length(columns)), collapse = ", "), ")"
+    ), dialect)
+  }
+  registry_texts[[kept]]
 }
 
 all_table_list <- function() {

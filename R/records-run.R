@@ -6,10 +6,10 @@ new_run_name <- function() {
   count <- (registry_texts$runs %||% 0) + 1
   registry_texts$runs <- count
   time_ms <- floor(as.double(Sys.time()) * 1000)
-  seed <- paste(
-    time_ms, Sys.getpid(), count, tempdir(), Sys.info()[["nodename"]], proc.time()[[1]]
+  if (is.null(registry_texts$machine)) registry_texts$machine <- Sys.info()[["nodename"]]
+  digits <- rlang::hash(
+    list(time_ms, Sys.getpid(), count, tempdir(), registry_texts$machine, proc.time()[[1]])
   )
-  digits <- rlang::hash(seed)
   sprintf(
     "%07x%s-%s-%04x-%s-%s", time_ms %/% 2^20, substr(sprintf("%05x", time_ms %% 2^20), 1L, 1L),
     substr(sprintf("%05x", time_ms %% 2^20), 2L, 5L), count %% 65536, substr(digits, 1L, 4L),
@@ -45,18 +45,16 @@ more_computed <- c("event", "moment_of_inertia_kg_m2", "potential_energy_j", "in
 
 # The hash of columns, by name, type and bits; the same on machines of either byte order.
 hash_columns <- function(motion, columns) {
+  values <- unclass(motion)
   parts <- lapply(sort(columns, method = "radix"), function(name) {
-    x <- motion[[name]]
-    bytes <- if (is.character(x)) {
-      charToRaw(enc2utf8(paste(ifelse(is.na(x), "\001", x), collapse = "\002")))
-    } else if (is.double(x)) {
-      writeBin(as.vector(x), raw(), endian = "little")
-    } else {
-      writeBin(as.integer(x), raw(), endian = "little")
+    x <- values[[name]]
+    head <- charToRaw(paste0(name, "\003", typeof(x), "\003"))
+    if (is.character(x)) {
+      x <- charToRaw(enc2utf8(paste(ifelse(is.na(x), "\001", x), collapse = "\002")))
     }
-    c(charToRaw(paste0(name, "\003", typeof(x), "\003")), bytes)
+    list(head, x)
   })
-  hash_bytes(unlist(parts))
+  .Call(ffi_hash, unlist(parts, FALSE))
 }
 
 # Times as text: a grid where it gives the same doubles.
@@ -113,52 +111,61 @@ value_of <- function(value, special) {
   as.double(value)
 }
 
-write_record <- function(db, motion, note, rows, repeats, call) {
-  run <- check_trajectory(motion, "motion", call)
-  scene <- scene_text(run$scene, call)
+# Text and hash of the scene of a motion.
+text_of_motion <- function(motion, call) {
+  text <- scene_text(check_trajectory(motion, "motion", call)$scene, call)
+  list(text = text, hash = hash_text(text))
+}
+
+write_record <- function(db, motion, scene, note, rows, repeats, call) {
+  run <- trajectory_run(motion)
+  verdict <- tryCatch(
+    suppressWarnings(verdict_of_motion(motion, run, call)),
+    rotdyn_error = function(e) "not audited"
+  )
   columns <- computed_columns(motion, run)
-  numbers <- columns[vapply(columns, function(name) is.numeric(motion[[name]]), NA)]
-  numbers <- intersect(numbers, column_names())
-  kept <- lapply(numbers, function(name) kept_rows(motion[[name]], rows))
-  value <- Map(function(name, at) as.double(motion[[name]])[at], numbers, kept)
+  values <- unclass(motion)
+  row_count <- nrow(motion)
+  numbers <- intersect(columns[vapply(values[columns], is.numeric, NA)], column_names())
+  kept <- lapply(values[numbers], kept_rows, rows)
+  value <- Map(function(x, at) as.double(x)[at], values[numbers], kept)
   value <- unlist(value, FALSE, FALSE)
   special <- special_of(value)
-  verdict <- tryCatch(
-    suppressWarnings(audit(motion)$verdict), rotdyn_error = function(e) "not audited"
-  )
-  verdict <- if (any(verdict == "unbalanced")) {
-    "unbalanced"
-  } else if (length(verdict) && all(verdict == "balanced")) {
-    "balanced"
-  } else {
-    "not audited"
-  }
   software <- own_software()
   name <- new_run_name()
-  hash <- hash_text(scene)
   info <- run$info
   if (db$version$rotdyn_version != own_version()) refresh_metadata(db, call)
   in_transaction(db, call, {
-    add_if_new(db, "scenes", list(
-      scene = hash, constraint_kind = constraint_of(run$scene)$id, scene_format = scene_format,
-      json = scene
-    ))
-    if (!db$version$known) add_if_new(db, "software", software)
+    if (!db$version$has_scene) {
+      add_if_new(db, "scenes", list(
+        scene = scene$hash, constraint_kind = constraint_of(run$scene)$id,
+        scene_format = scene_format, json = scene$text
+      ))
+    }
+    if (!db$version$has_software) add_if_new(db, "software", software)
     append_rows(db, "runs", list(
-      run = name, scene = hash, software = software$software, model = run$model,
+      run = name, scene = scene$hash, software = software$software, model = run$model,
       model_asked = as.integer(isTRUE(run$asked)), accuracy = run$accuracy,
       max_steps = run$max_steps, error = finite_or_na(info$error), error_kind = run$error_kind,
-      verdict = verdict, row_count = nrow(motion), times = times_text(unique(motion$time_s)),
+      verdict = verdict, row_count = row_count, times = times_text(unique(values$time_s)),
       column_names = paste(columns, collapse = " "), result_hash = hash_columns(motion, columns),
-      errors = errors_text(info),
-      recorded_utc = utc_now(), repeats = repeats, note = note %||% NA_character_
+      errors = errors_text(info), recorded_utc = utc_now(), repeats = repeats,
+      note = note %||% NA_character_
     ))
     append_rows(db, "run_values", list(
       run = rep(name, length(value)), quantity = rep(numbers, lengths(kept)),
-      place = unlist(kept), value = ifelse(is.na(special), value, NA), special = special
+      place = unlist(kept, FALSE, FALSE), value = ifelse(is.na(special), value, NA),
+      special = special
     ))
   })
   name
+}
+
+# Of all balances that can be drawn.
+verdict_of_motion <- function(motion, run, call) {
+  verdict <- vapply(balances_of(motion, run, call), `[[`, "", "verdict")
+  if ("unbalanced" %in% verdict) return("unbalanced")
+  if (length(verdict) && all(verdict %in% "balanced")) "balanced" else "not audited"
 }
 
 # By measure: its largest value and its error.
@@ -179,13 +186,11 @@ finite_or_na <- function(x) ifelse(is.finite(x), x, NA_real_)
 
 column_names <- function() metadata()$quantities$quantity
 
+# Another session may have added it meanwhile.
 add_if_new <- function(db, name, row) {
-  table <- all_table_list()[[name]]
-  sql <- paste0(
-    "INSERT INTO ", table$sql, " (", paste(names(row), collapse = ", "), ") VALUES (",
-    paste(rep("?", length(row)), collapse = ", "), ") ON CONFLICT DO NOTHING"
-  )
-  DBI::dbExecute(db$con, placeholders(sql, db$dialect), params = unname(row))
+  columns <- names(all_table_list()[[name]]$columns)
+  sql <- paste(insert_with(name, db$dialect), "ON CONFLICT DO NOTHING")
+  DBI::dbExecute(db$con, sql, params = unname(row[columns]))
 }
 
 list_sql <- "SELECT r.run AS run, r.recorded_utc AS recorded_utc,

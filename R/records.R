@@ -98,9 +98,10 @@ record_run <- function(con, motion, ..., note = NULL, rows = "some") {
   check_class(motion, "rot_trajectory", "motion", "Compute one with {.fn trajectory}.", call)
   if (!is.null(note)) note <- check_name(note, "note", call)
   rows <- check_string(rows, "rows", c("some", "all"), call)
-  db <- open_records(con, call)
+  scene <- text_of_motion(motion, call)
+  db <- open_records(con, call, scene = scene$hash)
   on.exit(db$close())
-  write_record(db, motion, note, rows, NA_character_, call)
+  write_record(db, motion, scene, note, rows, NA_character_, call)
 }
 
 #' @rdname records_create
@@ -148,7 +149,10 @@ rerun <- function(con, run, ..., record = FALSE) {
     rotdyn_warning_accuracy = function(w) rlang::cnd_muffle(w)
   )
   result <- compare_record(old, motion)
-  if (record) result$new_run <- write_record(db, motion, NULL, "some", old$run, call)
+  if (record) {
+    scene <- text_of_motion(motion, call)
+    result$new_run <- write_record(db, motion, scene, NULL, "some", old$run, call)
+  }
   result
 }
 

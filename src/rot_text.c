@@ -25,3 +25,24 @@ int rot_text_number(double x, char text[ROT_TEXT_SIZE]) {
   }
   return (int)strlen(text);
 }
+
+size_t rot_text_string(const char *string, char *text) {
+  static const char escapes[] = "\"\"\\\\\nn\rr\tt"; /* a character and its name, in turn */
+  char *at = text;
+  *at++ = '"';
+  for (; *string != '\0'; string++) {
+    const char *escape = escapes;
+    while (*escape != '\0' && *escape != *string) escape += 2;
+    if (*escape != '\0') {
+      *at++ = '\\';
+      *at++ = escape[1];
+    } else if ((unsigned char)*string < 0x20) {
+      at += snprintf(at, 7, "\\u%04x", (unsigned)*string);
+    } else {
+      *at++ = *string;
+    }
+  }
+  *at++ = '"';
+  *at = '\0';
+  return (size_t)(at - text);
+}

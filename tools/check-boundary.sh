@@ -107,12 +107,12 @@ grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
 
 # Entry points of R that "Writing R Extensions" (4.5, "API index") lists: R hides the others one by
 # one. Of the accessors in capitals, those that it does not list are named.
-api='R_(CallMethodDef|CheckUserInterrupt|ContinueUnwind|DimNamesSymbol|FINITE|GlobalEnv)
+api='R_(CallMethodDef|CheckStack|CheckUserInterrupt|ContinueUnwind|DimNamesSymbol|FINITE|GlobalEnv)
 R_RegisterCCallable
 R_(MakeUnwindCont|NaN|NO_REMAP|NamesSymbol|NilValue|PosInf|UnwindProtect)
 Rf_(Scalar(Integer|Logical|Real|String)|alloc(Matrix|Vector)|as(Integer|Logical|Real)|duplicate)
 Rf_(error|eval|getAttrib|inherits|is(Function|Matrix|Null|Object)|lang[23]|length)
-Rf_(mk(Char|Named|String)|ncols|nrows|setAttrib|xlength)'
+Rf_(mk(Char|CharLenCE|Named|String)|ncols|nrows|setAttrib|translateCharUTF8|xlength)'
 hidden='ATTRIB|BODY|CLOENV|DATAPTR|ENCLOS|ENVFLAGS|EXTPTR_(PROT|PTR|TAG)|FORMALS|FRAME|HASHTAB'
 hidden="$hidden|IS_S4_OBJECT|LEVELS|NAMED|OBJECT|PR(CODE|ENV|VALUE)|STDVEC_DATAPTR|STRING_PTR"
 hidden="$hidden|SETLENGTH|SETLEVELS|SET_(ATTRIB|BODY|CLOENV|ENCLOS|ENVFLAGS|FORMALS|FRAME)"
@@ -129,7 +129,7 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 # LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.
 # Layers of one level exclude each other. The first line that matches counts.
 layers='
-1 ground      status real text dd dd_trig pair pair_dd wide search column gauss clock share gsl
+1 ground      status real text hash dd dd_trig pair pair_dd wide search column gauss clock share gsl
 2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex whiten
 3 engine      ode* events march torque term model
 4 body        inertia points shapes* density mesh* vertices

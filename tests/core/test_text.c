@@ -62,8 +62,24 @@ static void decimal_comma(void) {
   setlocale(LC_NUMERIC, "C");
 }
 
+static void strings(void) {
+  static const struct {
+    const char *string, *want;
+  } cases[] = {{"", "\"\""},
+               {"plain", "\"plain\""},
+               {"\"\\\n\r\t", "\"\\\"\\\\\\n\\r\\t\""},
+               {"\001\037/\177", "\"\\u0001\\u001f/\177\""},
+               {"\303\251", "\"\303\251\""}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char text[64];
+    ROT_CHECK(rot_text_string(cases[i].string, text) == strlen(cases[i].want));
+    ROT_CHECK(strcmp(text, cases[i].want) == 0);
+  }
+}
+
 int main(void) {
   known();
+  strings();
   there_and_back();
   decimal_comma();
   return rot_test_report("text");

@@ -7,6 +7,7 @@ test_that("r F sin(phi) and r x F", {
   # A couple has the same moment about any point.
   couple <- function(p) torque_vector(c(0, 3, 0), c(2, 0, 0), p) + torque_vector(c(0, -3, 0), p, p)
   expect_equal(couple(c(0, 0, 0))[["z"]], 6)
+  skip_if_not_installed("units")
   expect_identical(torque_of_force(units::set_units(1, "kN"), units::set_units(5, "cm")), 50)
 })
 

@@ -40,8 +40,8 @@ test_that("files that are missing, empty, folders, or of another format", {
   expect_error(read_motion(3), class = "rotdyn_error_type")
   expect_error(read_motion(), class = "rotdyn_error_missing")
   for (bytes in list(raw(), as.raw(1:100), as.raw(c(0x50, 0x4b, 3, 4, 1, 2)),
-    as.raw(c(0xd0, 0xcf, 0x11, 0xe0, 1)), charToRaw("<?xml version='1.0'?><a>"),
-    charToRaw("hello"), charToRaw("a {b} c\n{stop('x')},1\n"))) {
+    charToRaw("<?xml version='1.0'?><a>"), charToRaw("hello"),
+    charToRaw("a {b} c\n{stop('x')},1\n"))) {
     file <- tempfile()
     writeBin(bytes, file)
     expect_error(read_motion(file), class = "rotdyn_error_file")
@@ -49,6 +49,9 @@ test_that("files that are missing, empty, folders, or of another format", {
   file <- text_file(phyphox_lines(spin_samples()))
   expect_error(read_motion(file, run = 3), class = "rotdyn_error_argument")
   expect_error(read_phyphox(file, axes = 3), class = "rotdyn_error_argument")
+  skip_if_not_installed("readxl")
+  writeBin(as.raw(c(0xd0, 0xcf, 0x11, 0xe0, 1)), file)
+  expect_error(read_motion(file), class = "rotdyn_error_file")
 })
 
 test_that("a heading that is code is text", {
