@@ -356,6 +356,15 @@ column_list <- list(
   c("damping_impulse_x_n_m_s", "N m s", "impulse of the damping along x of space"),
   c("damping_impulse_y_n_m_s", "N m s", "impulse of the damping along y of space"),
   c("damping_impulse_z_n_m_s", "N m s", "impulse of the damping along z of space"),
+  c(
+    "rotor_1_omega_rad_per_s", "rad/s",
+    "angular velocity of rotor 1 relative to the body (2, 3, ... likewise)"
+  ),
+  c(
+    "rotor_1_angular_momentum_kg_m2_per_s", "kg m^2/s",
+    "its angular momentum about its axis, J (W + a omega)"
+  ),
+  c("motor_work_j", "J", "work of the motors of rotors"),
   c("stability", "", "of a spin about the axis: \"stable\", \"unstable\" or \"neutral\""),
   c("growth_per_omega", "1", "growth rate of a disturbance over the spin; 0: none"),
   c("wobble_per_omega", "1", "angular frequency of the wobble over the spin; 0: none"),
@@ -674,6 +683,7 @@ free_columns <- c(
   "angular_momentum_x_kg_m2_per_s", "angular_momentum_y_kg_m2_per_s",
   "angular_momentum_z_kg_m2_per_s", "rotational_kinetic_energy_j"
 )
+rotor_columns <- c("rotor_1_omega_rad_per_s", "rotor_1_angular_momentum_kg_m2_per_s")
 pivot_columns <- c(free_columns, "potential_energy_j", "inclination_rad")
 projectile_columns <- c(
   "east_m", "north_m", "up_m", "east_m_per_s", "north_m_per_s", "up_m_per_s", "deflection_east_m",

@@ -12,11 +12,13 @@ free_constraint <- function() {
         z_n_m = "numbers=time_s"
       ),
       law = list(.optional = TRUE, f = "function", arguments = "count"),
-      in_space = "number", breaks_s = "sorted", damping_per_s = "number", start_s = "number"
+      in_space = "number", breaks_s = "sorted", damping_per_s = "number", start_s = "number",
+      rotors = list(.optional = TRUE, .each = rotor_form)
     ),
     title = function(run) "A free body",
     models = free_models,
     columns = free_columns,
+    more_names = rotor_names,
     keys = c("time_s", quaternion_columns, free_rates("")),
     measures = list(
       attitude = measure("rad", quaternion_columns, attitude_distance),
@@ -27,7 +29,7 @@ free_constraint <- function() {
       list(
         breaks_s = scene$breaks_s,
         fades_s = if (scene$damping_per_s > 0) 1 / scene$damping_per_s else Inf,
-        swing_rad_per_s = 2 * sizes[["omega"]]
+        swing_rad_per_s = 2 * sizes[["omega"]] + rotor_pace(scene)
       )
     },
     summary = function(x, run) {
@@ -42,7 +44,7 @@ free_constraint <- function() {
         max_angular_velocity_rad_per_s = size(free_rates("")),
         max_angular_momentum_kg_m2_per_s = size(free_momenta),
         max_rotational_kinetic_energy_j = largest(x[["rotational_kinetic_energy_j"]]),
-        flip_time_s = scene_flip_time(run$scene)
+        flip_time_s = if (is.null(run$scene$rotors)) scene_flip_time(run$scene) else NA_real_
       )
     },
     texts = free_texts(),
@@ -56,7 +58,9 @@ free_constraint <- function() {
       panel("angular velocity in space (rad/s)",
             stats::setNames(c("x", "y", "z"), free_rates("space_"))),
       panel("attitude as a quaternion", stats::setNames(c("w", "x", "y", "z"), quaternion_columns)),
-      panel("rotational energy (J)", c(rotational_kinetic_energy_j = ""))
+      panel("rotational energy (J)", c(rotational_kinetic_energy_j = "")),
+      panel("rotors, relative to the body (rad/s)",
+            stats::setNames(paste("rotor", 1:16), sprintf("rotor_%d_omega_rad_per_s", 1:16)))
     )
   )
 }
@@ -98,7 +102,7 @@ balance_free <- function(x, run, call) {
   ledger <- if (nrow(x)) {
     record_of(run)$ledger(scene, run, x$time_s[rows[1]], x$time_s[rows[2]])
   }
-  if (is.null(ledger) || anyNA(ledger)) {
+  if (is.null(ledger) || anyNA(ledger) || !all(rotor_names(scene) %in% names(x))) {
     return(c(
       list(no_balance("energy", NA_character_, "J")),
       lapply(momenta, no_balance, about, "kg m^2/s"),
@@ -109,6 +113,10 @@ balance_free <- function(x, run, call) {
   omega <- ends(free_rates(""))
   q <- ends(quaternion_columns)
   body <- omega %*% free_tensor(scene)
+  change_of_energy <- 0.5 * sum((omega[2, ] - omega[1, ]) * colSums(body))
+  spins <- rotor_balance(scene, ends, omega)
+  body <- body + spins$momentum
+  change_of_energy <- change_of_energy + spins$change
   # The turned vectors of a quaternion that is not of unit length show.
   space <- do.call(cbind, .Call(
     ffi_attitude_turn, lapply(c(asplit(q, 2), asplit(body, 2)), as.double), 1
@@ -118,9 +126,11 @@ balance_free <- function(x, run, call) {
   size <- max(sqrt(rowSums(body^2)))
   heat <- ledger[["heat_j"]]
   work <- ledger[["work_j"]]
+  motors <- if (!is.null(scene$rotors)) ledger[["motor_work_j"]]
   energy_error <- 2 * size * (errors[["omega"]] + 8 * eps * max(sqrt(rowSums(omega^2)))) +
-    8 * eps * (abs(heat) + abs(work)) + ledger[["energy_rounding_j"]]
-  momentum_error <- 2 * errors[["angular_momentum"]] + 32 * eps * size +
+    8 * eps * sum(abs(c(heat, work, motors))) + ledger[["energy_rounding_j"]] +
+    spins$speed * (2 * errors[["angular_momentum"]] + 16 * eps * spins$size)
+  momentum_error <- 2 * errors[["angular_momentum"]] + 32 * eps * (size + spins$size) +
     ledger[["impulse_rounding_n_m_s"]]
   change <- unname(space[2, ] - space[1, ])
   impulse <- ledger[free_impulses("torque")]
@@ -128,8 +138,9 @@ balance_free <- function(x, run, call) {
   c(
     list(balance(
       "energy", NA_character_, "J",
-      c("change of rotational energy" = 0.5 * sum((omega[2, ] - omega[1, ]) * colSums(body))),
-      c("work of the torque" = work), c("heat of the damping" = heat), energy_error
+      c("change of rotational energy" = change_of_energy),
+      c("work of the torque" = work, "work of the motors" = motors),
+      c("heat of the damping" = heat), energy_error
     )),
     lapply(1:3, function(k) {
       balance(
@@ -146,6 +157,23 @@ balance_free <- function(x, run, call) {
   )
 }
 
+# What rotors add at two rows to L in body axes, and to the change of the energy without its
+# cancellation; sums of their sizes.
+rotor_balance <- function(scene, ends, omega) {
+  out <- list(momentum = 0, change = 0, size = 0, speed = 0)
+  for (k in seq_along(scene$rotors)) {
+    one <- scene$rotors[[k]]
+    speed <- as.vector(ends(sprintf("rotor_%d_omega_rad_per_s", k)))
+    along <- as.vector(omega %*% one$axis)
+    out$momentum <- out$momentum + one$inertia_kg_m2 * outer(speed, one$axis)
+    out$change <- out$change + one$inertia_kg_m2 *
+      (diff(speed) * (mean(along) + mean(speed)) + mean(speed) * diff(along))
+    out$size <- out$size + one$inertia_kg_m2 * max(abs(speed))
+    out$speed <- out$speed + max(abs(speed)) + max(abs(along))
+  }
+  out
+}
+
 # A torque in space axes leaves the components of L alone that it has none along.
 conserved_free <- function(scene) {
   open <- !is.null(scene$law)
@@ -154,9 +182,10 @@ conserved_free <- function(scene) {
   }, NA)
   acts <- open || any(along)
   damped <- list("the damping acts" = scene$damping_per_s != 0)
+  motors <- list("the motors of the rotors work" = has_motors(scene))
   c(
     list(keeps_unless(
-      "energy", NA_character_, c(list("the torque works" = acts), damped),
+      "energy", NA_character_, c(list("the torque works" = acts), damped, motors),
       "no torque acts: the energy of rotation stays"
     )),
     lapply(1:3, function(k) {
@@ -172,6 +201,10 @@ conserved_free <- function(scene) {
 augment_free <- function(x, run, edges, call) {
   flows <- c("work_j", "heat_j", free_impulses("torque"), free_impulses("damping"))
   names <- c("work_j", "dissipated_j", free_impulses("torque"), free_impulses("damping"))
+  if (!is.null(run$scene$rotors)) {
+    flows <- c(flows, "motor_work_j")
+    names <- c(names, "motor_work_j")
+  }
   none <- stats::setNames(rep(list(double()), length(names)), names)
   if (!length(edges)) return(c(list(power_w = double()), none))
   run$call <- call
@@ -221,7 +254,7 @@ free_arguments <- function(x) {
     body = free_body_text(x), omega0_rad_per_s = x$omega0_rad_per_s,
     attitude0 = if (!upright) x$attitude0, torque_n_m = torque,
     torque_axes = if (x$in_space == 1) "space", damping_per_s = x$damping_per_s,
-    breaks_s = if (length(x$breaks_s)) x$breaks_s, start_s = x$start_s
+    rotors = x$rotors, breaks_s = if (length(x$breaks_s)) x$breaks_s, start_s = x$start_s
   )
 }
 
@@ -233,11 +266,12 @@ free_body_text <- function(x) {
 }
 
 read_free <- function(body, omega0_rad_per_s, attitude0 = NULL, torque_n_m = NULL,
-                      torque_axes = "body", damping_per_s = 0, breaks_s = NULL, start_s = 0) {
+                      torque_axes = "body", damping_per_s = 0, rotors = NULL, breaks_s = NULL,
+                      start_s = 0) {
   keep_attitude(scene_free(
     body, omega0_rad_per_s, attitude0 = attitude0, torque_n_m = torque_n_m,
-    torque_axes = torque_axes, damping_per_s = damping_per_s, breaks_s = breaks_s,
-    start_s = start_s
+    torque_axes = torque_axes, damping_per_s = damping_per_s, rotors = rotors,
+    breaks_s = breaks_s, start_s = start_s
   ), attitude0)
 }
 

@@ -1,6 +1,6 @@
 # A free body: the ellipsoid of its second moments, with its principal axes, its angular velocity
-# and angular momentum. Seen from 30 degrees beside x, towards y, and 25 degrees above: y points to
-# the right, z up, x towards the reader.
+# and angular momentum, and the wheels of its rotors. Seen from 30 degrees beside x, towards y, and
+# 25 degrees above: y points to the right, z up, x towards the reader.
 draw_free <- function(scene) {
   d <- new_drawing()
   view <- view_of_space()
@@ -38,10 +38,11 @@ draw_free <- function(scene) {
     d$key(quantity(symbol, name, value, style))
   }
   omega <- scene$omega0_rad_per_s
-  momentum <- as.vector(free_tensor(scene) %*% omega)
+  momentum <- as.vector(free_tensor(scene) %*% omega) + rotor_momentum(scene)
   size <- function(v, unit) value_text(signif(sqrt(sum(v^2)), 4), unit)
   arrow(omega, "omega", "angular velocity", size(omega, "rad/s"), "speed", 1.35, -0.12)
   arrow(momentum, "L", "angular momentum", size(momentum, "kg m^2/s"), "weight", 1.1, 0.12)
+  draw_rotors(d, scene, view %*% turn)
   torque <- scene$torque_n_m
   if (any(torque != 0)) {
     if (scene$in_space == 1) torque <- as.vector(t(turn) %*% torque)
@@ -51,6 +52,27 @@ draw_free <- function(scene) {
     d$key(quantity("gamma", "damping", value_text(scene$damping_per_s, "1/s"), "resistance"))
   }
   d$done(c(-1.5, 1.5, -1.5, 1.5), "the ellipsoid of the second moments; not to scale")
+}
+
+# Wheels on their axes, each with the arrow of its spin.
+draw_rotors <- function(d, scene, view) {
+  around <- seq(0, 2 * pi, length.out = 61)
+  for (k in seq_along(scene$rotors)) {
+    one <- scene$rotors[[k]]
+    basis <- qr.Q(qr(cbind(one$axis, diag(3))))[, 2:3]
+    spin <- sign(one$omega_rad_per_s)
+    out <- if (spin < 0) -one$axis else one$axis
+    rim <- 0.4 * out + 0.22 * basis %*% rbind(cos(around), sin(around))
+    d$add(mark("line", t(view %*% rim), "spring"))
+    tip <- 0.75 * as.vector(view %*% out)
+    d$add(mark(if (spin == 0) "line" else "arrow", rbind(c(0, 0), tip), "spring"))
+    symbol <- if (length(scene$rotors) > 1) paste0("W[", k, "]") else "W"
+    aside <- c(-tip[2], tip[1]) / max(sqrt(sum(tip^2)), 1e-3)
+    d$say(symbol, 1.12 * tip[1] - 0.1 * aside[1], 1.12 * tip[2] - 0.1 * aside[2])
+    d$key(quantity(
+      symbol, "rotor", value_text(one$omega_rad_per_s, "rad/s"), "spring"
+    ))
+  }
 }
 
 # What turns a vector of space into the two components of the picture.

@@ -70,6 +70,13 @@ grip_parts <- list(
 
 brake_form <- c(list(.class = "rot_brake"), grip_parts)
 
+rotor_form <- list(
+  .class = "rot_rotor", axis = "numbers:3", inertia_kg_m2 = "number", omega_rad_per_s = "number",
+  driven = "number", torque_n_m = "number",
+  knots = list(.optional = TRUE, time_s = "sorted", torque_n_m = "numbers=time_s"),
+  law = list(.optional = TRUE, f = "function", arguments = "count"), breaks_s = "sorted"
+)
+
 coupling_form <- list(
   .class = "rot_coupling", kind = "number", ratio = "number", stiffness_n_m_per_rad = "number",
   damping_n_m_s = "number", grip = c(grip_parts, .optional = TRUE)

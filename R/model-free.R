@@ -25,6 +25,28 @@ free_exact <- list(
 
 free_impulses <- function(of) paste0(of, "_impulse_", c("x", "y", "z"), "_n_m_s")
 
+free_gyrostat <- list(
+  id = "free_gyrostat",
+  equations = "L' = L x omega, L = I omega + sum J W a (body axes), q' = q (0, omega)/2",
+  assumptions = "rigid body; symmetric rotors, driven at constant speeds or free of friction",
+  limits = "beyond 1e15 rad no digit of the attitude is left",
+  requires = "rotors along an axis with equal moments across it, no torque, no damping",
+  source = "Hughes 1986, Spacecraft Attitude Dynamics, section 6.3",
+  run = function(scene, time_s, accuracy, max_steps, call, asked) {
+    result <- .Call(ffi_free_gyrostat, scene, time_s, progress_bar("tumbling"))
+    result$info <- void_error(result$info, result$columns)
+    result
+  },
+  # omega along the rotors is constant: no motor works.
+  ledger = function(scene, run, from_s, to_s) {
+    names <- c(
+      "work_j", "heat_j", free_impulses("torque"), free_impulses("damping"), "motor_work_j",
+      "energy_rounding_j", "impulse_rounding_n_m_s"
+    )
+    stats::setNames(double(length(names)), names)
+  }
+)
+
 # ---- integrated ---------------------------------------------------------------------------------
 
 # What C calls: f(c(time_s, omega, attitude)), which returns three numbers.
@@ -44,9 +66,13 @@ free_law <- function(law, call) {
   }
 }
 
+free_laws <- function(scene, call) {
+  list(free_law(scene$law, call), motor_laws(scene$rotors, call))
+}
+
 integrate_free <- function(scene, time_s, accuracy, max_steps, call, method) {
   result <- .Call(
-    ffi_free_integrate, scene, free_law(scene$law, call), time_s, c(accuracy, max_steps, method),
+    ffi_free_integrate, scene, free_laws(scene, call), time_s, c(accuracy, max_steps, method),
     progress_bar("integrating")
   )
   with_free_sums(result, time_s)
@@ -60,7 +86,7 @@ with_free_sums <- function(result, time_s) {
   n <- length(time_s)
   result$ledger <- cbind(
     do.call(cbind, c(list(time_s = time_s), sums)),
-    energy_rounding_j = rep(errors[1] + errors[2], n),
+    energy_rounding_j = rep(errors[1] + errors[2] + errors[9], n),
     impulse_rounding_n_m_s = rep(max(errors[3:5]) + max(errors[6:8]), n)
   )
   result$info <- void_error(result$info, result$columns)
@@ -123,7 +149,7 @@ step_free <- function(scene, time_s, step_s, max_steps, call, method) {
     step_s <- .Call(ffi_free_step, scene, method, span)
   }
   result <- .Call(
-    ffi_free_step_through, scene, free_law(scene$law, call), time_s, c(step_s, max_steps, method),
+    ffi_free_step_through, scene, free_laws(scene, call), time_s, c(step_s, max_steps, method),
     progress_bar("stepping")
   )
   result <- with_free_sums(result, time_s)
@@ -182,5 +208,6 @@ free_split <- free_stepper(
 )
 
 free_models <- list(
-  free_exact, free_rk8pd, free_radau, free_euler, free_semi_implicit, free_rk4, free_split
+  free_exact, free_gyrostat, free_rk8pd, free_radau, free_euler, free_semi_implicit, free_rk4,
+  free_split
 )

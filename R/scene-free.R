@@ -2,17 +2,28 @@
 #'
 #' A rigid body that turns about its centre of mass: thrown, in orbit, or in free fall. In the
 #' body's axes
-#' \deqn{\dot L = L \times \omega + \tau - \gamma L,\quad L = I\omega,\quad
-#'   \dot q = \tfrac12 q\,(0, \omega).}{
-#'   L' = L x omega + torque - damping L,  L = I omega,  q' = q (0, omega)/2.}
+#' \deqn{\dot L = L \times \omega + \tau - \gamma L,\quad
+#'   L = I\omega + \sum_k J_k W_k a_k,\quad \dot q = \tfrac12 q\,(0, \omega).}{
+#'   L' = L x omega + torque - damping L,  L = I omega + sum of J W a,  q' = q (0, omega)/2.}
+#' The sum is over the rotors that the body carries, none by default: moment of inertia J about the
+#' axis a, angular velocity W relative to the body.
 #' Without torque the motion is exact for any moments of inertia and at any time (`free_exact`):
 #' the attitude is good to some 1e-15 rad after 1e12 rad. With a torque it is integrated.
+#'
+#' A body with rotors driven at a constant speed is a gyrostat. It is exact (`free_gyrostat`) where
+#' two moments are equal and the rotors lie along the axis of the third; in a ball they may lie
+#' along any axes. Every other scene with rotors is integrated. A motor's torque on a reaction wheel
+#' turns the body the other way; only outer torques change the angular momentum of all. Rotors that
+#' spin along the middle axis make the spin about it stable, if they spin fast enough: with
+#' \eqn{h = \sum J W}{h = sum of J W} and the spin \eqn{\Omega}{Omega} about axis k, where
+#' \eqn{(I_k - I_i)\Omega + h}{(I_k - I_i) Omega + h} and
+#' \eqn{(I_k - I_j)\Omega + h}{(I_k - I_j) Omega + h} have one sign.
 #'
 #' A body that spins about its middle axis turns over again and again (the intermediate axis
 #' theorem; Dzhanibekov's wing nut, the tennis racket): [flip_time()] says how often. The events
 #' `flip` are the times at which the component of the angular momentum along the middle axis passes
 #' zero, where without torque that axis would come within 45 degrees of the angular momentum; the
-#' closed form lists none in a span with more than 10000 of them.
+#' closed form lists none in a span with more than 10000 of them, nor does a body with rotors.
 #'
 #' @param body A `rot_body`, a 3 x 3 inertia tensor about the centre of mass, or three principal
 #'   moments of inertia in kg m^2, about the body's axes x, y and z.
@@ -26,20 +37,30 @@
 #'   (quaternion, scalar first), that returns three numbers.
 #' @param torque_axes Axes of the components: `"body"` or `"space"`.
 #' @param damping_per_s The torque `-damping L`, which makes L fade as `exp(-damping t)`.
+#' @param rotors NULL, a [rotor()], a list of them, or a data frame with a row for each rotor and
+#'   the columns `axis_x`, `axis_y`, `axis_z`, `inertia_kg_m2`, `omega_rad_per_s`, as the arguments
+#'   of [rotor()]; `torque_n_m`, too, which is NA of a driven rotor. At most 16. `body` includes
+#'   them, locked.
 #' @param breaks_s Times at which a torque function jumps or has a kink.
 #' @param start_s Time at which the state above holds; earlier times are reached backwards.
 #' @return A `rot_scene_free`, which is a `rot_scene`. Its trajectory has the columns
 #'   `r describe_columns(free_columns)`
 #'   The quaternion is continuous: it does not jump to -q. [audit()] balances the energy, each
-#'   component of the angular momentum in space, and the norm of the quaternion.
+#'   component of the angular momentum in space, and the norm of the quaternion. Angular momentum
+#'   and energy include the rotors. With rotors there are, for each,
+#'   `r describe_columns(rotor_columns)`
+#'   and [augment()] has `motor_work_j`. The error of the momenta of rotors counts as that of the
+#'   angular momentum.
 #' @section Warnings: `rotdyn_warning_inertia`: three moments that no body has, since one exceeds
-#'   the sum of the others. `rotdyn_warning_normalised`: an attitude not of unit length.
+#'   the sum of the others; driven rotors with more moment than the body with them.
+#'   `rotdyn_warning_normalised`: an attitude not of unit length.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
 #'   Inf, and a spin about an axis without moment of inertia), `rotdyn_error_unit`,
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`, `rotdyn_error_inertia`.
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), section 37; Ashbaugh, Chicone and
-#'   Cushman, J. Dyn. Diff. Eq. 3 (1991) 67, for the flips.
-#' @seealso [attitude], [flip_time()], [spin_stability()], [principal_axes()].
+#'   Cushman, J. Dyn. Diff. Eq. 3 (1991) 67, for the flips; Hughes, Spacecraft Attitude Dynamics
+#'   (1986), chapter 6, for rotors.
+#' @seealso [rotor()], [attitude], [flip_time()], [spin_stability()], [principal_axes()].
 #' @concept Dzhanibekov
 #' @concept tumbling
 #' @examples
@@ -52,10 +73,21 @@
 #' # A block with thrusters, in the axes of the body:
 #' block <- scene_free(body_box(10, 0.4, 0.6, 1), c(0, 0, 0.2), torque_n_m = c(0.01, 0, 0))
 #' trajectory(block, time_s = c(0, 30, 60))
+#' # A rotor along the middle axis keeps the nut from turning over:
+#' steady <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01), rotors = rotor(c(0, 1, 0), 0.05, 120))
+#' range(trajectory(steady, time_s = seq(0, 20, by = 0.1))$omega_y_rad_per_s)
+#' # A reaction wheel of 0.01 kg m^2, spun up to w and stopped again, turns a body of 2 kg m^2:
+#' pulse <- data.frame(time_s = c(0, 4.9, 5.1, 10), torque_n_m = c(0.02, 0.02, -0.02, -0.02))
+#' slew <- trajectory(
+#'   scene_free(c(4, 5, 2), c(0, 0, 0), rotors = rotor(c(0, 0, 1), 0.01, 0, pulse)),
+#'   time_s = c(0, 5, 10)
+#' )
+#' slew[c("time_s", "qw", "qz", "omega_z_rad_per_s", "rotor_1_omega_rad_per_s")]
+#' audit(slew)
 #' @export
 scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m = NULL,
-                       torque_axes = c("body", "space"), damping_per_s = 0, breaks_s = NULL,
-                       start_s = 0) {
+                       torque_axes = c("body", "space"), damping_per_s = 0, rotors = NULL,
+                       breaks_s = NULL, start_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("body", "omega0_rad_per_s"), call)
   inertia <- free_inertia(body, call)
@@ -67,6 +99,9 @@ scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m
     check_string(torque_axes, "torque_axes", c("body", "space"), call)
   }
   torque <- free_torque(torque_n_m, breaks_s, call)
+  rotors <- rotors_of(rotors, call)
+  of_rotors <- unlist(lapply(rotors, function(one) one$breaks_s))
+  if (length(of_rotors)) torque$breaks_s <- sort(unique(c(torque$breaks_s, of_rotors)))
   scene <- c(
     inertia,
     list(omega0_rad_per_s = omega0, attitude0 = start_attitude(attitude0, call)),
@@ -74,10 +109,12 @@ scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m
     list(
       in_space = as.double(axes == "space"),
       damping_per_s = check_number(damping_per_s, "damping_per_s", "1/s", call),
+      rotors = rotors,
       start_s = check_number(start_s, "start_s", "s", call)
     )
   )
   check_spin(scene, call)
+  check_rotors(scene, call)
   class(scene) <- c("rot_scene_free", "rot_scene")
   scene
 }
@@ -176,38 +213,46 @@ free_torque <- function(torque, breaks_s, call) {
     out$breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
   }
   if (is.function(torque)) {
-    arguments <- length(formals(args(torque)))
-    if (!arguments %in% c(1L, 3L)) {
-      abort_rotdyn(c(
-        "The function {.arg torque_n_m} must have one argument, the time, or three.",
-        x = "It has {arguments}.",
-        i = "{.code function(time_s, omega_rad_per_s, attitude)}"
-      ), "type", call)
-    }
-    out["law"] <- list(list(f = torque, arguments = arguments))
+    out["law"] <- list(list(f = torque, arguments = torque_arguments(torque, call)))
   } else if (is.list(torque)) {
-    names <- c("time_s", "x_n_m", "y_n_m", "z_n_m")
-    missing <- setdiff(names, names(torque))
-    if (length(missing)) abort_missing_column(missing[1], torque, call)
-    knots <- lapply(names, function(name) {
-      check_finite(torque[[name]], name, if (name == "time_s") "s" else "N*m", call)
-    })
-    names(knots) <- names
-    if (any(lengths(knots) != length(knots$time_s)) || any(diff(knots$time_s) <= 0)) {
-      abort_rotdyn(
-        "The times of {.arg torque_n_m} must increase, with a torque each.", "time", call
-      )
-    }
-    if (length(knots$time_s) < 2L) {
-      abort_rotdyn("{.arg torque_n_m} needs two times at least.", "size", call)
-    }
-    out["knots"] <- list(knots)
-    out$breaks_s <- sort(unique(c(out$breaks_s, knots$time_s)))
+    out["knots"] <- list(torque_table(torque, c("x_n_m", "y_n_m", "z_n_m"), call))
+    out$breaks_s <- sort(unique(c(out$breaks_s, out$knots$time_s)))
   } else if (!is.null(torque)) {
     out$torque_n_m <- check_finite(torque, "torque_n_m", "N*m", call)
     if (length(out$torque_n_m) != 3L) abort_size_of(out$torque_n_m, "torque_n_m", 3L, call)
   }
   out
+}
+
+# How many arguments a torque function has.
+torque_arguments <- function(torque, call) {
+  arguments <- length(formals(args(torque)))
+  if (arguments %in% c(1L, 3L)) return(arguments)
+  abort_rotdyn(c(
+    "The function {.arg torque_n_m} must have one argument, the time, or three.",
+    x = "It has {arguments}.",
+    i = "{.code function(time_s, omega_rad_per_s, attitude)}"
+  ), "type", call)
+}
+
+# Knots: the times and these columns of torques.
+torque_table <- function(torque, columns, call) {
+  names <- c("time_s", columns)
+  missing <- setdiff(names, names(torque))
+  if (length(missing)) abort_missing_column(missing[1], torque, call)
+  knots <- lapply(names, function(name) {
+    check_finite(torque[[name]], name, if (name == "time_s") "s" else "N*m", call)
+  })
+  names(knots) <- names
+  if (any(lengths(knots) != length(knots$time_s)) || any(diff(knots$time_s) <= 0)) {
+    abort_rotdyn(
+      "The times of {.arg torque_n_m} must increase, with a torque each.", "time", call
+    )
+  }
+  if (length(knots$time_s) < 2L) {
+    abort_rotdyn("{.arg torque_n_m} needs two times at least.", "size", call)
+  }
+  knots
 }
 
 # An axis without moment of inertia: no spin about it, and no torque.
@@ -242,6 +287,7 @@ print.rot_scene_free <- function(x, ...) {
     numbers(x$moment_of_inertia_kg_m2), " kg m^2\n",
     "  torque    ", describe_free_torque(x), "\n",
     if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
+    vapply(x$rotors, function(one) paste0("  rotor     ", describe_rotor(one), "\n"), ""),
     "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
     numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",
     sep = ""

@@ -14,7 +14,8 @@ law_readers <- function() {
 coupling_readers <- function() {
   list(
     coupling_shaft = coupling_shaft, coupling_clutch = coupling_clutch,
-    coupling_gear = coupling_gear, brake = brake, principal_moments = read_principal
+    coupling_gear = coupling_gear, brake = brake, principal_moments = read_principal,
+    rotor = read_rotor
   )
 }
 

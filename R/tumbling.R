@@ -117,7 +117,7 @@ spin_stability <- function(body, ...) {
 #' polhode, a closed curve on the ellipsoid of constant energy) and in space (the herpolhode, which
 #' lies in a plane across the angular momentum and does not close).
 #'
-#' @param scene A [scene_free()] without torque and damping.
+#' @param scene A [scene_free()] without torque, damping and rotors.
 #' @param n Number of points, at least 2, evenly spaced in time.
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_trajectory` over one period, twice [flip_time()]; over one turn for a steady spin.
@@ -139,7 +139,7 @@ polhode <- function(scene, n = 201, ...) {
   constraint <- constraint_of(scene)
   if (constraint$id != "free" || length(constraint$effects_of(scene))) {
     abort_rotdyn(
-      "{.arg scene} must be a {.fn scene_free} without torque and damping.", "value", call
+      "{.arg scene} must be a {.fn scene_free} without torque, damping and rotors.", "value", call
     )
   }
   n <- check_number(n, "n", "1", call, lower = 2)

@@ -132,7 +132,7 @@ asked_value <- function(scene, dots, call) {
     body <- as.integer(check_number(dots[[index]] %||% 1, index, "1", call, 1, most))
   }
   # Those of shaft 3, 4, ... are listed as those of 2.
-  listed <- sub("^(theta|omega)_[0-9]+_", "\\1_2_", columns)
+  listed <- sub("^rotor_[0-9]+_", "rotor_1_", sub("^(theta|omega)_[0-9]+_", "\\1_2_", columns))
   unit <- column_table$unit[match(listed, column_table$name)]
   unit <- if (is.na(unit) || !nzchar(unit)) "1" else gsub(" ", "*", unit, fixed = TRUE)
   list(column = columns, value = check_number(dots[[columns]], columns, unit, call), body = body)

@@ -3,7 +3,8 @@
  *   L' = L x omega + torque - damping L   in the body's axes,   L = I omega,
  *   q' = q (0, omega)/2.
  *
- * The core works in the principal axes; the caller's own axes may be others. */
+ * With rotors, L = I omega + the sum of moment omega_rotor axis, where I has the rotors locked: see
+ * rot_free_rotors.h. The core works in the principal axes; the caller's own axes may be others. */
 #ifndef ROT_FREE_H
 #define ROT_FREE_H
 
@@ -15,6 +16,22 @@
 /* A torque that only the caller can evaluate: time, omega in own axes, attitude, torque. */
 typedef rot_status (*rot_free_law)(double t, const double omega[3], const double q[4],
                                    double torque[3], void *ctx);
+
+/* Torques of motors that only the caller can evaluate: one for each rotor, about its axis. */
+typedef rot_status (*rot_free_motors)(double t, const double omega[3], const double q[4],
+                                      double torque[], void *ctx);
+
+enum { ROT_FREE_MOST_ROTORS = 16 };
+
+/* A rotor that is symmetric about its axis, on which its centre of mass lies. */
+typedef struct rot_free_rotor {
+  double axis[3];                       /* own axes, of unit length */
+  double moment_kg_m2, omega_rad_per_s; /* about the axis; relative to the body, at the start */
+  int driven;                           /* at that speed; else the torque of its motor: */
+  double torque;                        /* N m, on the rotor; the body has the opposite one */
+  size_t n_knots; /* and one that is linear between times, 0 before and after; 0: none */
+  const double *knot_s, *knot_torque;
+} rot_free_rotor;
 
 typedef struct rot_free_params {
   double moment_kg_m2[3];     /* principal, >= 0 */
@@ -35,7 +52,11 @@ typedef struct rot_free_params {
   const double *knot_torque[3];
   rot_free_law law; /* and one of the caller's; may be NULL */
   void *ctx;
-  size_t n_breaks; /* times at which it may jump or kink, increasing */
+  size_t n_rotors; /* at most ROT_FREE_MOST_ROTORS */
+  const rot_free_rotor *rotors;
+  rot_free_motors motors; /* of those that are not driven; may be NULL */
+  void *motors_ctx;
+  size_t n_breaks; /* times at which a torque may jump or kink, increasing */
   const double *breaks_s;
 } rot_free_params;
 
@@ -63,10 +84,12 @@ typedef struct rot_free_columns {
 #define X(type, name) type *name;
   ROT_FREE_COLUMNS(X)
 #undef X
-} rot_free_columns;
+  double *const *rotor_omega;    /* of each rotor: relative to the body */
+  double *const *rotor_momentum; /* about its axis, in space */
+} rot_free_columns;              /* the last two: not looked at without rotors */
 
 /* From the start to a time: work of the torque, heat of the damping, and what both do to L in space
- * axes. */
+ * axes; work of the motors of rotors. */
 #define ROT_FREE_LEDGER(X)                                                                         \
   X(work_j)                                                                                        \
   X(heat_j)                                                                                        \
@@ -75,9 +98,10 @@ typedef struct rot_free_columns {
   X(torque_impulse_z_n_m_s)                                                                        \
   X(damping_impulse_x_n_m_s)                                                                       \
   X(damping_impulse_y_n_m_s)                                                                       \
-  X(damping_impulse_z_n_m_s)
+  X(damping_impulse_z_n_m_s)                                                                       \
+  X(motor_work_j)
 
-enum { ROT_FREE_FLOWS = 8, ROT_FREE_MOST_FLIPS = 10000 };
+enum { ROT_FREE_FLOWS = 9, ROT_FREE_MOTOR_WORK = 8, ROT_FREE_MOST_FLIPS = 10000 };
 
 /* Rates in principal axes, attitude of these. */
 void rot_free_principal(const rot_free_params *p, double omega[3], double q[4]);

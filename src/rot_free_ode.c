@@ -5,16 +5,20 @@
 #include <string.h>
 
 #include "rot_attitude.h"
+#include "rot_free_rotors.h"
 #include "rot_free_torque.h"
 #include "rot_ode.h"
 #include "rot_real.h"
 
-/* The state: q since the start, in the principal axes there; L in principal axes. */
-enum { MOMENTUM = 4, STATE = 7, DIM = STATE + ROT_FREE_FLOWS };
+/* The state: q since the start, in the principal axes there; L in principal axes; momenta of the
+ * rotors that have one of their own. Then what the torques did, without rotors all but the last. */
+enum { MOMENTUM = 4, ROTORS = 7, MOST = ROTORS + ROT_FREE_MOST_ROTORS + ROT_FREE_FLOWS };
 
 typedef struct motion {
   const rot_free_params *p;
-  double q0[4]; /* of the principal axes at the start */
+  rot_free_rotors rotors;
+  size_t state, flows, dim, groups; /* components and groups of the state, flows, all */
+  double q0[4];                     /* of the principal axes at the start */
   double omega0[3];
   int middle;
   rot_events flips; /* of all marches, those that count */
@@ -24,13 +28,13 @@ typedef struct motion {
 typedef struct run {
   rot_info info;
   rot_events events;
-  double *y, error[DIM], largest[DIM];
+  double *y, error[MOST], largest[MOST];
   double measure[3]; /* errors of the measures */
 } run;
 
 const char *rot_free_not_integrated(const rot_free_params *p) {
-  const double *m = p->moment_kg_m2;
-  return m[0] > 0.0 && m[1] > 0.0 && m[2] > 0.0 ? NULL : "the body has an axis without moment";
+  rot_free_rotors rotors;
+  return rot_free_rotors_begin(p, &rotors);
 }
 
 /* ---- the right-hand side --------------------------------------------------------------------- */
@@ -40,7 +44,7 @@ static void attitude_of(const motion *m, const double y[], double q[4]) {
 }
 
 static void omega_of(const motion *m, const double y[], double omega[3]) {
-  for (int k = 0; k < 3; k++) omega[k] = y[MOMENTUM + k] / m->p->moment_kg_m2[k];
+  rot_free_rotors_omega(&m->rotors, y + MOMENTUM, y + ROTORS, omega);
 }
 
 static rot_status rhs(double t, const double y[], double f[], void *ctx) {
@@ -58,13 +62,16 @@ static rot_status rhs(double t, const double y[], double f[], void *ctx) {
   f[4] = l[1] * w[2] - l[2] * w[1] + torque[0] - damping * l[0];
   f[5] = l[2] * w[0] - l[0] * w[2] + torque[1] - damping * l[1];
   f[6] = l[0] * w[1] - l[1] * w[0] + torque[2] - damping * l[2];
-  f[STATE] = torque[0] * w[0] + torque[1] * w[1] + torque[2] * w[2];
-  f[STATE + 1] = damping * (l[0] * w[0] + l[1] * w[1] + l[2] * w[2]);
+  double *flow = f + m->state;
+  flow[0] = torque[0] * w[0] + torque[1] * w[1] + torque[2] * w[2];
+  flow[1] = damping * (l[0] * w[0] + l[1] * w[1] + l[2] * w[2]);
   rot_attitude_to_space(q, torque, space);
-  for (int k = 0; k < 3; k++) f[STATE + 2 + k] = space[k];
+  for (int k = 0; k < 3; k++) flow[2 + k] = space[k];
   rot_attitude_to_space(q, l, space);
-  for (int k = 0; k < 3; k++) f[STATE + 5 + k] = -damping * space[k];
-  return ROT_OK;
+  for (int k = 0; k < 3; k++) flow[5 + k] = -damping * space[k];
+  if (!m->rotors.n) return ROT_OK;
+  return rot_free_rotors_slopes(&m->rotors, t, w, q, y + ROTORS, f + ROTORS,
+                                &flow[ROT_FREE_MOTOR_WORK]);
 }
 
 static void renormalise(double t, double y[], void *ctx) {
@@ -114,13 +121,18 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[],
                             const rot_free_columns *out, double *const flow[], rot_info *info) {
   const size_t reached = info->rows_done;
   for (size_t i = 0; i < n && i < reached; i++) {
-    const double *row = y + i * DIM;
+    const double *row = y + i * m->dim;
     double q[4], w[3];
     attitude_of(m, row, q);
     (void)rot_attitude_unit(q);
     omega_of(m, row, w);
-    for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k][i] = row[STATE + k];
-    const rot_status status = rot_free_write(m->p, w, q, i, out);
+    flow[ROT_FREE_MOTOR_WORK][i] = 0.0;
+    for (size_t k = 0; k < m->flows; k++) flow[k][i] = row[m->state + k];
+    rot_status status = rot_free_write(m->p, w, q, i, out);
+    if (status == ROT_OK && m->rotors.n) {
+      flow[ROT_FREE_MOTOR_WORK][i] += rot_free_rotors_driven_work(&m->rotors, w);
+      status = rot_free_rotors_write(&m->rotors, w, q, row + ROTORS, i, out);
+    }
     if (status != ROT_OK) {
       info->rows_done = i;
       return status;
@@ -129,13 +141,14 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[],
   return ROT_OK;
 }
 
-/* Errors of the two groups as those of the measures; L in space has that of the attitude, too. */
+/* Errors of the groups as those of the measures; L in space has that of the attitude, too. The
+ * momenta of rotors count as angular momentum. */
 static void measure_errors(const motion *m, run *r) {
-  const double *moment = m->p->moment_kg_m2;
-  const double least = fmin(moment[0], fmin(moment[1], moment[2]));
+  const double least = m->rotors.least;
+  const double own = m->groups > 2 ? sqrt((double)m->rotors.n_states) * r->error[2] : 0.0;
   r->measure[ROT_FREE_ATTITUDE] = r->error[0];
-  r->measure[ROT_FREE_OMEGA] = r->error[1] / least;
-  r->measure[ROT_FREE_MOMENTUM] = r->error[1] + r->largest[1] * r->error[0];
+  r->measure[ROT_FREE_OMEGA] = (r->error[1] + own) / least;
+  r->measure[ROT_FREE_MOMENTUM] = fmax(r->error[1] + r->largest[1] * r->error[0], own);
 }
 
 static double omega_size(const motion *m, const double y[]) {
@@ -144,33 +157,42 @@ static double omega_size(const motion *m, const double y[]) {
   return hypot(hypot(w[0], w[1]), w[2]);
 }
 
+/* The largest momentum: of all, or of the rotors where these cancel that of the body. */
+static double momentum_size(const motion *m, const run *r) {
+  return fmax(r->largest[1], fmax(m->rotors.size, m->groups > 2 ? r->largest[2] : 0.0));
+}
+
 static void note_errors(const motion *m, const run *r, rot_info *info) {
   const double start = hypot(hypot(m->omega0[0], m->omega0[1]), m->omega0[2]);
   rot_info_measures(info, rot_free_measures);
   for (int k = 0; k < 3; k++) info->measure[k].error = r->measure[k];
   info->measure[ROT_FREE_ATTITUDE] =
       (rot_measure){r->measure[ROT_FREE_ATTITUDE] + 8.0 * ROT_EPS, 1.0, 1.0, 1.0};
-  info->measure[ROT_FREE_MOMENTUM].error += 16.0 * ROT_EPS * r->largest[1];
-  info->measure[ROT_FREE_MOMENTUM].largest = r->largest[1];
+  const double momentum = momentum_size(m, r);
+  info->measure[ROT_FREE_MOMENTUM].error += 16.0 * ROT_EPS * momentum;
+  info->measure[ROT_FREE_MOMENTUM].largest = momentum;
   rot_note_value(&info->measure[ROT_FREE_OMEGA], start);
   for (size_t i = 0; i < info->rows_done; i++) {
-    rot_note_value(&info->measure[ROT_FREE_OMEGA], omega_size(m, r->y + i * DIM));
+    rot_note_value(&info->measure[ROT_FREE_OMEGA], omega_size(m, r->y + i * m->dim));
   }
 }
 
 static rot_status run_at(motion *m, const rot_free_ode_options *options, double accuracy, size_t n,
                          const double time_s[], const rot_hooks *hooks, run *out) {
-  static const rot_ode_group groups[] = {{0, 4, ROT_ODE_QUATERNION}, {4, 3, ROT_ODE_VECTOR}};
+  const rot_ode_group groups[] = {{0, 4, ROT_ODE_QUATERNION},
+                                  {4, 3, ROT_ODE_VECTOR},
+                                  {ROTORS, m->rotors.n_states, ROT_ODE_VECTOR}};
   const rot_free_params *p = m->p;
-  double start[DIM] = {1.0};
-  for (int k = 0; k < 3; k++) start[MOMENTUM + k] = p->moment_kg_m2[k] * m->omega0[k];
+  double start[MOST] = {1.0};
+  for (int k = 0; k < 3; k++) start[MOMENTUM + k] = m->rotors.momentum0[k];
+  for (size_t k = 0; k < m->rotors.n_states; k++) start[ROTORS + k] = m->rotors.start[k];
   const rot_ode_event flip = {.component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
                               .name = ROT_EVENT_FLIP,
                               .then = at_zero};
   const rot_ode_params ode = {
-      .dim = DIM,
-      .controlled = STATE,
-      .n_groups = 2,
+      .dim = m->dim,
+      .controlled = m->state,
+      .n_groups = m->groups,
       .groups = groups,
       .rhs = rhs,
       .ctx = m,
@@ -182,11 +204,11 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .accuracy = 0.5 * accuracy,
       .max_steps = options->max_steps,
       .method = options->method,
-      .n_events = m->middle >= 0 && !rot_free_has_weight(p),
+      .n_events = m->middle >= 0 && !rot_free_has_weight(p) && !m->rotors.n,
       .events = &flip,
       .log = &out->events,
       .project = renormalise,
-      .kinks = p->law != NULL};
+      .kinks = p->law != NULL || p->motors != NULL};
   memset(out->error, 0, sizeof out->error);
   memset(out->largest, 0, sizeof out->largest);
   const rot_status status =
@@ -196,25 +218,36 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
   return status;
 }
 
+static double rates_apart(const motion *m, const double x[], const double z[]) {
+  double a[3], b[3];
+  omega_of(m, x, a);
+  omega_of(m, z, b);
+  return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
 /* How far the rows of two runs are apart: in the measures, and in what the torques did. */
 static void differences(const motion *m, const run *a, const run *b, double measure[3],
                         double flow[ROT_FREE_FLOWS]) {
   memset(measure, 0, 3 * sizeof *measure);
   memset(flow, 0, ROT_FREE_FLOWS * sizeof *flow);
   for (size_t i = 0; i < a->info.rows_done; i++) {
-    const double *x = a->y + i * DIM, *z = b->y + i * DIM;
-    double lx[3], lz[3], apart = 0.0, rate = 0.0;
+    const double *x = a->y + i * m->dim, *z = b->y + i * m->dim;
+    double lx[3], lz[3], apart = 0.0, rate = 0.0, own = 0.0;
     rot_attitude_to_space(x, x + MOMENTUM, lx);
     rot_attitude_to_space(z, z + MOMENTUM, lz);
     for (int k = 0; k < 3; k++) {
       apart = hypot(apart, lx[k] - lz[k]);
       rate = hypot(rate, (x[MOMENTUM + k] - z[MOMENTUM + k]) / m->p->moment_kg_m2[k]);
     }
+    if (m->rotors.n) rate = rates_apart(m, x, z);
+    for (size_t k = 0; k < m->rotors.n_states; k++) {
+      own = hypot(own, x[ROTORS + k] - z[ROTORS + k]);
+    }
     measure[ROT_FREE_ATTITUDE] = fmax(measure[ROT_FREE_ATTITUDE], rot_attitude_angle(x, z));
     measure[ROT_FREE_OMEGA] = fmax(measure[ROT_FREE_OMEGA], rate);
-    measure[ROT_FREE_MOMENTUM] = fmax(measure[ROT_FREE_MOMENTUM], apart);
-    for (int k = 0; k < ROT_FREE_FLOWS; k++) {
-      flow[k] = fmax(flow[k], fabs(x[STATE + k] - z[STATE + k]));
+    measure[ROT_FREE_MOMENTUM] = fmax(measure[ROT_FREE_MOMENTUM], fmax(apart, own));
+    for (size_t k = 0; k < m->flows; k++) {
+      flow[k] = fmax(flow[k], fabs(x[m->state + k] - z[m->state + k]));
     }
   }
 }
@@ -224,18 +257,17 @@ static void differences(const motion *m, const run *a, const run *b, double meas
  * it has kinks. */
 static void judge(const motion *m, run *a, const run *finer) {
   const double rounding = 2.0 * ROT_EPS * sqrt(1.0 + (double)a->info.steps);
-  const double most = m->p->law ? 0.9 : 0.5;
-  const double *moment = m->p->moment_kg_m2;
-  const double least = fmin(moment[0], fmin(moment[1], moment[2]));
-  const double size[3] = {1.0, a->largest[1] / least, a->largest[1]};
+  const double most = m->p->law || m->p->motors ? 0.9 : 0.5, least = m->rotors.least;
+  const double momentum = a->largest[1] + m->rotors.size + (m->groups > 2 ? a->largest[2] : 0.0);
+  const double size[3] = {1.0, momentum / least, momentum};
   double apart[3], flow[ROT_FREE_FLOWS];
   differences(m, a, finer, apart, flow);
   for (int k = 0; k < 3; k++) {
     a->measure[k] = 1.02 * apart[k] + fmin(finer->measure[k], most * apart[k]) + rounding * size[k];
   }
-  for (int k = 0; k < ROT_FREE_FLOWS; k++) {
-    a->error[2 + k] =
-        flow[k] + fmin(finer->error[2 + k], most * flow[k]) + rounding * a->largest[2 + k];
+  for (size_t k = 0; k < m->flows; k++) {
+    const size_t at = m->groups + k;
+    a->error[at] = flow[k] + fmin(finer->error[at], most * flow[k]) + rounding * a->largest[at];
   }
 }
 
@@ -281,21 +313,31 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
                               double *const flow[ROT_FREE_FLOWS], double flow_error[ROT_FREE_FLOWS],
                               rot_events *events, const rot_hooks *hooks, rot_info *info) {
   motion m = {.p = p, .middle = middle_of(p->moment_kg_m2)};
-  const size_t room = (n ? n : 1) * DIM;
+  rot_info_clear(info, rot_free_measures);
+  if (rot_free_rotors_begin(p, &m.rotors)) return info->status = ROT_EVALUE;
+  m.state = ROTORS + m.rotors.n_states;
+  m.flows = m.rotors.n ? ROT_FREE_FLOWS : ROT_FREE_FLOWS - 1;
+  m.dim = m.state + m.flows;
+  m.groups = m.rotors.n_states ? 3 : 2;
+  const size_t room = (n ? n : 1) * m.dim;
   double *y = malloc(2 * room * sizeof *y);
   run result = {.y = y}, finer = {.y = y + room};
-  rot_info_clear(info, rot_free_measures);
   if (!y) return info->status = ROT_ENOMEM;
   rot_free_principal(p, m.omega0, m.q0);
   rot_status status = run_twice(&m, options, n, time_s, hooks, &result, &finer);
   *info = result.info;
-  if (status == ROT_ERHS && p->law) status = ROT_ETORQUE;
+  if (status == ROT_ERHS && (p->law || p->motors)) status = ROT_ETORQUE;
   if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
     const rot_status rows = fill_rows(&m, n, result.y, out, flow, info);
     if (rows != ROT_OK) status = rows;
   }
   note_errors(&m, &result, info);
-  for (int k = 0; k < ROT_FREE_FLOWS; k++) flow_error[k] = 2.0 * result.error[2 + k];
+  flow_error[ROT_FREE_MOTOR_WORK] = 0.0;
+  for (size_t k = 0; k < m.flows; k++) flow_error[k] = 2.0 * result.error[m.groups + k];
+  for (int k = 0; k < 3; k++) {
+    flow_error[ROT_FREE_MOTOR_WORK] +=
+        2.0 * fabs(m.rotors.driven[k]) * info->measure[ROT_FREE_OMEGA].error;
+  }
   for (size_t i = 0; events && i < result.events.count && status != ROT_ENOMEM; i++) {
     const rot_status added =
         rot_events_add(events, result.events.time_s[i], result.events.event[i]);

@@ -5,18 +5,24 @@
 #include <string.h>
 
 #include "rot_attitude.h"
+#include "rot_free_rotors.h"
 #include "rot_free_torque.h"
 #include "rot_real.h"
 
 #define PI 3.14159265358979323846
 
-/* The state: q of the principal axes, L in these, and what the torques did since the start (without
- * gravity's work, which the height tells). */
-enum { MOMENTUM = 4, STATE = 7, DIM = STATE + ROT_FREE_FLOWS };
+/* The state: q of the principal axes, L in these, what the torques did since the start (without
+ * gravity's work, which the height tells), and the momenta of the rotors that have one of their
+ * own. */
+enum { MOMENTUM = 4, STATE = 7, ROTORS = STATE + ROT_FREE_FLOWS };
+enum { MOST = ROTORS + ROT_FREE_MOST_ROTORS };
 enum { WORK = STATE, HEAT, TORQUE_IMPULSE, DAMPING_IMPULSE = TORQUE_IMPULSE + 3 };
+enum { MOTOR_WORK = STATE + ROT_FREE_MOTOR_WORK };
 
 typedef struct stepper {
   const rot_free_params *p;
+  rot_free_rotors rotors;
+  size_t dim;
   rot_method method;
   int a, b, c;             /* axes of the splitting */
   double per_a, gap[2];    /* 1/Ia, 1/Ib - 1/Ia, 1/Ic - 1/Ia */
@@ -28,7 +34,7 @@ typedef struct stepper {
 /* ---- slopes ---------------------------------------------------------------------------------- */
 
 static void omega_of(const stepper *s, const double y[], double omega[3]) {
-  for (int k = 0; k < 3; k++) omega[k] = y[MOMENTUM + k] / s->p->moment_kg_m2[k];
+  rot_free_rotors_omega(&s->rotors, y + MOMENTUM, y + ROTORS, omega);
 }
 
 /* The torque with gravity's, and without; both in body axes. */
@@ -40,6 +46,13 @@ static rot_status torques(stepper *s, double t, const double omega[3], const dou
   for (int k = 0; k < 3; k++) all[k] = own[k];
   if (status == ROT_OK && rot_free_has_weight(s->p)) rot_free_add_weight(s->p, q, all);
   return status;
+}
+
+/* Of the rotors' momenta, and the power of their motors. */
+static rot_status motors(stepper *s, double t, const double omega[3], const double q[4],
+                         const double y[], double f[]) {
+  const double at = fmin(fmax(t, s->earliest), s->latest);
+  return rot_free_rotors_slopes(&s->rotors, at, omega, q, y + ROTORS, f + ROTORS, &f[MOTOR_WORK]);
 }
 
 static rot_status slopes(stepper *s, double t, const double y[], double f[]) {
@@ -61,29 +74,30 @@ static rot_status slopes(stepper *s, double t, const double y[], double f[]) {
   rot_attitude_to_space(unit, all, f + TORQUE_IMPULSE);
   rot_attitude_to_space(unit, l, f + DAMPING_IMPULSE);
   for (int k = 0; k < 3; k++) f[DAMPING_IMPULSE + k] *= -damping;
-  return ROT_OK;
+  f[MOTOR_WORK] = 0.0;
+  return s->rotors.n ? motors(s, t, w, unit, y, f) : ROT_OK;
 }
 
 /* ---- steps ----------------------------------------------------------------------------------- */
 
 static rot_status euler(stepper *s, double t, double h, double y[]) {
-  double f[DIM];
+  double f[MOST];
   const rot_status status = slopes(s, t, y, f);
-  for (int k = 0; status == ROT_OK && k < DIM; k++) y[k] += h * f[k];
+  for (size_t k = 0; status == ROT_OK && k < s->dim; k++) y[k] += h * f[k];
   (void)rot_attitude_unit(y);
   return status;
 }
 
 static rot_status rk4(stepper *s, double t, double h, double y[]) {
   static const double node[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
-  double f[DIM] = {0.0}, at[DIM], sum[DIM] = {0.0};
+  double f[MOST] = {0.0}, at[MOST], sum[MOST] = {0.0};
   for (int stage = 0; stage < 4; stage++) {
-    for (int k = 0; k < DIM; k++) at[k] = y[k] + h * node[stage] * f[k];
+    for (size_t k = 0; k < s->dim; k++) at[k] = y[k] + h * node[stage] * f[k];
     const rot_status status = slopes(s, t + h * node[stage], at, f);
     if (status != ROT_OK) return status;
-    for (int k = 0; k < DIM; k++) sum[k] += weight[stage] * f[k];
+    for (size_t k = 0; k < s->dim; k++) sum[k] += weight[stage] * f[k];
   }
-  for (int k = 0; k < DIM; k++) y[k] += h / 6.0 * sum[k];
+  for (size_t k = 0; k < s->dim; k++) y[k] += h / 6.0 * sum[k];
   (void)rot_attitude_unit(y);
   return ROT_OK;
 }
@@ -109,6 +123,13 @@ static rot_status semi_implicit(stepper *s, double t, double h, double y[]) {
     y[TORQUE_IMPULSE + k] += h * torque[k];
     y[DAMPING_IMPULSE + k] -= h * damping * l[k];
     l[k] = s->l0[k] + y[TORQUE_IMPULSE + k] + y[DAMPING_IMPULSE + k];
+  }
+  if (s->rotors.n) {
+    double f[MOST];
+    const rot_status of_motors = motors(s, t, w, y, y, f);
+    if (of_motors != ROT_OK) return of_motors;
+    for (size_t k = 0; k < s->rotors.n_states; k++) y[ROTORS + k] += h * f[ROTORS + k];
+    y[MOTOR_WORK] += h * f[MOTOR_WORK];
   }
   rot_attitude_to_body(y, l, y + MOMENTUM);
   omega_of(s, y, w);
@@ -192,10 +213,10 @@ int rot_free_step_order(rot_method method) {
 
 typedef struct run {
   stepper s;
-  double start[DIM], step_s;
+  double start[MOST], step_s;
   size_t n, max_steps, rows_done;
   const double *time_s;
-  double *y; /* n rows of DIM */
+  double *y; /* n rows of s.dim */
   const rot_hooks *hooks;
   double largest_omega, largest_momentum, failed_s;
   double from, to; /* of the progress: in parts of the whole */
@@ -212,22 +233,26 @@ static void note_size(run *r, const double y[]) {
   omega_of(&r->s, y, w);
   r->largest_omega = fmax(r->largest_omega, hypot(hypot(w[0], w[1]), w[2]));
   r->largest_momentum = fmax(r->largest_momentum, hypot(hypot(y[4], y[5]), y[6]));
+  r->largest_momentum = fmax(r->largest_momentum, r->s.rotors.size);
+  for (size_t k = 0; k < r->s.rotors.n_states; k++) {
+    r->largest_momentum = fmax(r->largest_momentum, fabs(y[ROTORS + k]));
+  }
 }
 
-static int finite_state(const double y[]) {
+static int finite_state(const run *r, const double y[]) {
   double sum = 0.0;
-  for (int k = 0; k < DIM; k++) sum += y[k];
+  for (size_t k = 0; k < r->s.dim; k++) sum += y[k];
   return isfinite(sum);
 }
 
 /* A row from the end of a step. */
 static rot_status write_at(run *r, double t, const double y[], size_t i) {
-  double *row = r->y + i * DIM;
+  double *row = r->y + i * r->s.dim;
   rot_status status = ROT_OK;
-  memcpy(row, y, DIM * sizeof *row);
+  memcpy(row, y, r->s.dim * sizeof *row);
   if (r->time_s[i] != t) status = one_step(&r->s, t, r->time_s[i] - t, row);
   row[WORK] += r->s.potential - potential_of(r->s.p, row);
-  if (status == ROT_OK && !finite_state(row)) status = ROT_ERANGE;
+  if (status == ROT_OK && !finite_state(r, row)) status = ROT_ERANGE;
   if (status != ROT_OK) r->failed_s = r->time_s[i];
   return status;
 }
@@ -236,7 +261,7 @@ static rot_status write_at(run *r, double t, const double y[], size_t i) {
 static rot_status go(run *r, int forward, size_t first, size_t end) {
   const rot_free_params *p = r->s.p;
   const double sign = forward ? 1.0 : -1.0;
-  double y[DIM], t = p->start_s, budget = (double)r->max_steps;
+  double y[MOST], t = p->start_s, budget = (double)r->max_steps;
   size_t row = first;
   memcpy(y, r->start, sizeof y);
   while (row != end) {
@@ -267,7 +292,7 @@ static rot_status go(run *r, int forward, size_t first, size_t end) {
         return ROT_EBUDGET;
       }
       rot_status status = one_step(&r->s, t, next - t, y);
-      if (status == ROT_OK && !finite_state(y)) status = ROT_ERANGE;
+      if (status == ROT_OK && !finite_state(r, y)) status = ROT_ERANGE;
       r->s.steps++;
       if (status == ROT_OK && r->s.steps % 4096 == 0) {
         const double done = (double)r->rows_done / (double)r->n;
@@ -319,7 +344,9 @@ static void choose_axes(stepper *s) {
 }
 
 double rot_free_default_step(const rot_free_params *p, rot_method method, double span_s) {
-  const double *m = p->moment_kg_m2, least = fmin(m[0], fmin(m[1], m[2]));
+  const double *m = p->moment_kg_m2;
+  double least = fmin(m[0], fmin(m[1], m[2]));
+  rot_free_rotors rotors;
   const double *g = p->lever_n_m, *torque = p->torque;
   double most = hypot(hypot(g[0], g[1]), g[2]) + hypot(hypot(torque[0], torque[1]), torque[2]);
   double rate = fabs(p->damping_per_s), knots = 0.0, omega = 0.0;
@@ -330,6 +357,11 @@ double rot_free_default_step(const rot_free_params *p, rot_method method, double
   }
   for (int k = 0; k < 3; k++) omega = hypot(omega, p->omega0_rad_per_s[k]);
   most += knots;
+  if (p->n_rotors && !rot_free_rotors_begin(p, &rotors)) {
+    for (size_t i = 0; i < p->n_rotors; i++) most += fabs(p->rotors[i].torque);
+    rate += rotors.size / rotors.least;
+    least = rotors.least;
+  }
   rate += omega + (most > 0.0 ? sqrt(most) / sqrt(least) : 0.0);
   const double whole = method == ROT_METHOD_SPLIT ? 32.0 : 64.0;
   if (rate > 0.0) return 2.0 * PI / rate / whole;
@@ -338,34 +370,46 @@ double rot_free_default_step(const rot_free_params *p, rot_method method, double
 
 /* The errors of the rows of `r` by those of half its step. */
 static void note_errors(const run *r, const run *half, double flow_error[], rot_info *info) {
+  const rot_free_rotors *rotors = &r->s.rotors;
   const double *m = r->s.p->moment_kg_m2, powers = ldexp(1.0, rot_free_step_order(r->s.method));
   const double factor = powers / (powers - 1.0);
   const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half->s.steps);
   double angle = 0.0, omega = 0.0, momentum = 0.0;
   for (int f = 0; f < ROT_FREE_FLOWS; f++) flow_error[f] = 0.0;
   for (size_t i = 0; i < r->rows_done; i++) {
-    const double *x = r->y + i * DIM, *y = half->y + i * DIM;
-    double by_omega = 0.0, by_momentum = 0.0, in_x[3], in_y[3];
+    const double *x = r->y + i * r->s.dim, *y = half->y + i * r->s.dim;
+    double by_omega = 0.0, by_momentum = 0.0, by_rotors = 0.0, in_x[3], in_y[3], wx[3], wy[3];
     const int both = i < half->rows_done;
     if (!both) angle = omega = momentum = INFINITY;
     if (!both) break;
     angle = fmax(angle, factor * rot_attitude_angle(x, y));
     rot_attitude_to_space(x, x + MOMENTUM, in_x);
     rot_attitude_to_space(y, y + MOMENTUM, in_y);
+    omega_of(&r->s, x, wx);
+    omega_of(&r->s, y, wy);
     for (int k = 0; k < 3; k++) {
-      by_omega = hypot(by_omega, (x[MOMENTUM + k] - y[MOMENTUM + k]) / m[k]);
+      by_omega =
+          hypot(by_omega, rotors->n ? wx[k] - wy[k] : (x[MOMENTUM + k] - y[MOMENTUM + k]) / m[k]);
       by_momentum = hypot(by_momentum, in_x[k] - in_y[k]);
     }
+    for (size_t k = 0; k < rotors->n_states; k++) {
+      by_rotors = hypot(by_rotors, x[ROTORS + k] - y[ROTORS + k]);
+    }
     omega = fmax(omega, factor * by_omega);
-    momentum = fmax(momentum, factor * by_momentum);
+    momentum = fmax(momentum, factor * fmax(by_momentum, by_rotors));
     for (int f = 0; f < ROT_FREE_FLOWS; f++) {
       flow_error[f] = fmax(flow_error[f], factor * fabs(x[STATE + f] - y[STATE + f]));
     }
   }
   rot_info_measures(info, rot_free_measures);
   info->measure[ROT_FREE_ATTITUDE] = (rot_measure){fmin(angle + rounding, PI), 1.0, 1.0, 1.0};
-  info->measure[ROT_FREE_OMEGA].error = omega + rounding * r->largest_omega;
+  info->measure[ROT_FREE_OMEGA].error =
+      omega + rounding * (r->largest_omega + rotors->size / rotors->least);
   info->measure[ROT_FREE_MOMENTUM].error = momentum + rounding * r->largest_momentum;
+  for (int k = 0; k < 3; k++) {
+    flow_error[ROT_FREE_MOTOR_WORK] +=
+        2.0 * fabs(rotors->driven[k]) * info->measure[ROT_FREE_OMEGA].error;
+  }
   rot_note_value(&info->measure[ROT_FREE_OMEGA], r->largest_omega);
   rot_note_value(&info->measure[ROT_FREE_MOMENTUM], r->largest_momentum);
 }
@@ -375,12 +419,15 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
                                  double *const flow[ROT_FREE_FLOWS],
                                  double flow_error[ROT_FREE_FLOWS], const rot_hooks *hooks,
                                  rot_info *info) {
-  const size_t room = n ? n * DIM : DIM;
+  rot_free_rotors rotors;
   rot_info_clear(info, rot_free_measures);
-  if (!(options->step_s > 0.0) || !isfinite(options->step_s)) return info->status = ROT_EVALUE;
+  if (!(options->step_s > 0.0) || !isfinite(options->step_s) || rot_free_rotors_begin(p, &rotors)) {
+    return info->status = ROT_EVALUE;
+  }
+  const size_t dim = ROTORS + rotors.n_states, room = n ? n * dim : dim;
   double *y = malloc(2 * room * sizeof *y), omega[3];
   if (!y) return info->status = ROT_ENOMEM;
-  run r = {.s = {.p = p, .method = options->method},
+  run r = {.s = {.p = p, .rotors = rotors, .dim = dim, .method = options->method},
            .step_s = options->step_s,
            .n = n,
            .max_steps = options->max_steps,
@@ -390,7 +437,8 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
            .to = 1.0 / 3.0};
   choose_axes(&r.s);
   rot_free_principal(p, omega, r.start);
-  for (int k = 0; k < 3; k++) r.start[MOMENTUM + k] = p->moment_kg_m2[k] * omega[k];
+  for (int k = 0; k < 3; k++) r.start[MOMENTUM + k] = rotors.momentum0[k];
+  for (size_t k = 0; k < rotors.n_states; k++) r.start[ROTORS + k] = rotors.start[k];
   r.s.potential = potential_of(p, r.start);
   rot_attitude_to_space(r.start, r.start + MOMENTUM, r.s.l0);
   run half = r;
@@ -401,7 +449,7 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
   half.to = 1.0;
   info->method = options->method;
   info->status = march(&r);
-  if (info->status == ROT_ERHS && p->law) info->status = ROT_ETORQUE;
+  if (info->status == ROT_ERHS && (p->law || p->motors)) info->status = ROT_ETORQUE;
   if (info->status != ROT_EUNWIND) {
     const rot_status second = march(&half);
     if (second == ROT_EUNWIND) info->status = second;
@@ -412,10 +460,14 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
   info->rows_done = r.rows_done;
   note_errors(&r, &half, flow_error, info);
   for (size_t i = 0; i < r.rows_done && info->status != ROT_EUNWIND; i++) {
-    const double *row = y + i * DIM;
+    const double *row = y + i * dim;
     omega_of(&r.s, row, omega);
     for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k][i] = row[STATE + k];
-    const rot_status status = rot_free_write(p, omega, row, i, out);
+    rot_status status = rot_free_write(p, omega, row, i, out);
+    if (status == ROT_OK && rotors.n) {
+      flow[ROT_FREE_MOTOR_WORK][i] += rot_free_rotors_driven_work(&rotors, omega);
+      status = rot_free_rotors_write(&rotors, omega, row, row + ROTORS, i, out);
+    }
     if (status != ROT_OK) {
       info->rows_done = i;
       info->status = status;

@@ -1,0 +1,238 @@
+#' A rotor in a free body
+#'
+#' A wheel on bearings in a body, for [scene_free()]: it is symmetric about its axis, its centre of
+#' mass lies on that axis, and the axis is fixed in the body. It is driven at a constant speed
+#' relative to the body (a gyrostat, a dual-spin satellite), or a motor turns it with a torque (a
+#' reaction wheel), and the bearing has no friction.
+#'
+#' With the moment J about its axis a, and the speed W relative to the body, the rotor has the
+#' angular momentum \eqn{J (W + a\cdot\omega)}{J (W + a.omega)} about the axis, of which
+#' \eqn{J W a} is beside that of the body with the rotor locked. A driven rotor keeps W, and its
+#' motor has whatever torque that takes. Any other has
+#' \deqn{J (\dot W + a\cdot\dot\omega) = u,}{J (W' + a.omega') = u,}
+#' with the torque u of its motor on the rotor. The body has the torque -u.
+#'
+#' @param axis Direction of the axis in the body's axes: three numbers of any length, or `"x"`,
+#'   `"y"`, `"z"`. The rotor turns about it by the right-hand rule.
+#' @param inertia_kg_m2 Its moment of inertia J about the axis, more than 0. The body of
+#'   [scene_free()] includes the rotor, locked: its mass and all its moments.
+#' @param omega_rad_per_s Its angular velocity W at the start, relative to the body.
+#' @param torque_n_m NULL: driven at that speed. Else the torque u of its motor on the rotor about
+#'   the axis: a number (0: it turns freely), a data frame with the columns `time_s` and
+#'   `torque_n_m` (linear between its times, 0 before and after), or a function of `time_s`, or of
+#'   `time_s`, `omega_rad_per_s` (of the body, in its axes) and `attitude` (quaternion, scalar
+#'   first), that returns one number.
+#' @param ... Not used; names after it must be given in full.
+#' @param breaks_s Times at which a torque function jumps or has a kink.
+#' @return A `rot_rotor`.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
+#'   Inf, and an axis that is not three numbers, or of length 0), `rotdyn_error_unit`,
+#'   `rotdyn_error_missing`, `rotdyn_error_time`, `rotdyn_error_argument`.
+#' @source Hughes, Spacecraft Attitude Dynamics (1986), sections 3.4 and 6.2.
+#' @seealso [scene_free()].
+#' @concept gyrostat
+#' @concept reaction wheel
+#' @concept momentum wheel
+#' @concept dual-spin satellite
+#' @examples
+#' rotor(c(0, 0, 1), 0.02, 300)
+#' # A reaction wheel, turned by a motor for 5 s:
+#' wheel <- rotor(c(0, 0, 1), 0.01, 0, data.frame(time_s = c(0, 5), torque_n_m = 0.02))
+#' body <- scene_free(c(4, 5, 2), c(0, 0, 0), rotors = wheel)
+#' motion <- trajectory(body, time_s = 0:6)
+#' motion[c("time_s", "omega_z_rad_per_s", "rotor_1_omega_rad_per_s")]
+#' audit(motion)
+#' @export
+rotor <- function(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m = NULL, ..., breaks_s = NULL) {
+  call <- check_no_dots(...)
+  check_supplied(c("axis", "inertia_kg_m2", "omega_rad_per_s"), call)
+  new_rotor(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m, breaks_s, call)
+}
+
+new_rotor <- function(axis, inertia_kg_m2, omega_rad_per_s, torque, breaks_s, call) {
+  moment <- check_number(inertia_kg_m2, "inertia_kg_m2", "kg*m^2", call, lower = 0)
+  if (moment == 0) {
+    abort_rotdyn("{.arg inertia_kg_m2} of a rotor must be more than 0.", "value", call)
+  }
+  x <- c(
+    list(
+      axis = unit_axis(as_axis(axis, call), call), inertia_kg_m2 = moment,
+      omega_rad_per_s = check_number(omega_rad_per_s, "omega_rad_per_s", "rad/s", call),
+      driven = as.double(is.null(torque))
+    ),
+    motor_torque(torque, breaks_s, call)
+  )
+  class(x) <- "rot_rotor"
+  x
+}
+
+# list(torque_n_m, knots, law, breaks_s)
+motor_torque <- function(torque, breaks_s, call) {
+  out <- list(torque_n_m = 0, knots = NULL, law = NULL, breaks_s = double())
+  if (!is.null(breaks_s)) {
+    out$breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
+  }
+  if (is.function(torque)) {
+    out["law"] <- list(list(f = torque, arguments = torque_arguments(torque, call)))
+  } else if (is.list(torque)) {
+    out["knots"] <- list(torque_table(torque, "torque_n_m", call))
+    out$breaks_s <- sort(unique(c(out$breaks_s, out$knots$time_s)))
+  } else if (!is.null(torque)) {
+    out$torque_n_m <- check_number(torque, "torque_n_m", "N*m", call)
+  }
+  out
+}
+
+# Rotors as an argument: NULL, a rotor, a list of them, or a data frame with a row for each.
+rotors_of <- function(rotors, call) {
+  if (is.null(rotors)) return(NULL)
+  if (inherits(rotors, "rot_rotor")) rotors <- list(rotors)
+  if (is.data.frame(rotors)) rotors <- rotors_of_table(rotors, call)
+  if (!is.list(rotors) || !all(vapply(rotors, inherits, NA, "rot_rotor"))) {
+    abort_rotdyn(c(
+      "{.arg rotors} must be made of {.fn rotor}: one, or a list of them.",
+      x = "It is {describe_value(rotors)}.",
+      i = "A data frame has the columns {.field {rotor_table_columns}}."
+    ), "type", call)
+  }
+  if (length(rotors) > 16L) {
+    abort_rotdyn(c("A body has at most 16 rotors.", x = "It has {length(rotors)}."), "size", call)
+  }
+  for (i in seq_along(rotors)) {
+    check_form(rotors[[i]], rotor_form, paste0("rotors[[", i, "]]"), "rotor", call)
+  }
+  if (length(rotors)) unname(rotors)
+}
+
+rotor_table_columns <- c("axis_x", "axis_y", "axis_z", "inertia_kg_m2", "omega_rad_per_s")
+
+# With the column torque_n_m, where a rotor that is driven has NA, or without it.
+rotors_of_table <- function(table, call) {
+  missing <- setdiff(rotor_table_columns, names(table))
+  if (length(missing)) abort_missing_column(missing[1], table, call)
+  torque <- table[["torque_n_m"]] %||% rep(NA_real_, nrow(table))
+  lapply(seq_len(nrow(table)), function(i) {
+    axis <- vapply(rotor_table_columns[1:3], function(name) as.double(table[[name]][i]), 0)
+    new_rotor(
+      unname(axis), table$inertia_kg_m2[i], table$omega_rad_per_s[i],
+      if (!is.na(torque[i])) torque[i], NULL, call
+    )
+  })
+}
+
+# The body with its rotors locked has more moment about each axis than the rotors have.
+check_rotors <- function(scene, call) {
+  rotors <- scene$rotors
+  if (is.null(rotors)) return(invisible())
+  if (any(scene$moment_of_inertia_kg_m2 == 0)) {
+    abort_rotdyn("A body with rotors must have a moment about each axis.", "value", call)
+  }
+  tensor <- free_tensor(scene)
+  for (one in rotors) tensor <- tensor - one$inertia_kg_m2 * outer(one$axis, one$axis)
+  least <- min(eigen(tensor, symmetric = TRUE, only.values = TRUE)$values)
+  if (least > 1e-12 * max(scene$moment_of_inertia_kg_m2)) return(invisible())
+  message <- c(
+    "The rotors have more moment of inertia than the body with them.",
+    x = "Without them its least moment is {format(least, digits = 7)} kg m^2.",
+    i = "{.arg body} includes the rotors, locked: their mass and their moments."
+  )
+  if (any(vapply(rotors, function(one) one$driven == 0, NA))) {
+    abort_rotdyn(message, "value", call)
+  }
+  warn_rotdyn(c(message, i = "The equations are solved all the same."), "inertia", call)
+}
+
+# What C calls for the torques of all motors: f(c(time_s, omega, attitude)).
+motor_laws <- function(rotors, call) {
+  with_law <- which(vapply(rotors, function(one) !is.null(one$law), NA))
+  if (!length(with_law)) return(NULL)
+  laws <- lapply(rotors, function(one) one$law)
+  function(x) {
+    out <- double(length(laws))
+    for (i in with_law) {
+      law <- laws[[i]]
+      value <- if (law$arguments == 1L) law$f(x[1]) else law$f(x[1], x[2:4], x[5:8])
+      if (!is.numeric(value) || is.object(value) || length(value) != 1L) {
+        abort_rotdyn(c(
+          "The function {.arg torque_n_m} of rotor {i} must return one number in N m.",
+          x = "At {format(x[1], digits = 17)} s it returned {describe_value(value)}."
+        ), "torque", call)
+      }
+      out[i] <- value
+    }
+    out
+  }
+}
+
+# Speeds and momenta, of each.
+rotor_names <- function(scene) {
+  each <- seq_along(.subset2(scene, "rotors"))
+  as.vector(rbind(
+    sprintf("rotor_%d_omega_rad_per_s", each),
+    sprintf("rotor_%d_angular_momentum_kg_m2_per_s", each)
+  ))
+}
+
+has_motors <- function(scene) {
+  works <- function(one) {
+    one$driven == 1 || one$torque_n_m != 0 || !is.null(one$knots) || !is.null(one$law)
+  }
+  any(vapply(scene$rotors, works, NA))
+}
+
+# Rates with which rotors turn the body, beyond those of a body without.
+rotor_pace <- function(scene) {
+  sizes <- vapply(scene$rotors, function(one) abs(one$inertia_kg_m2 * one$omega_rad_per_s), 0)
+  2 * sum(sizes) / max(min(scene$moment_of_inertia_kg_m2), 1e-300)
+}
+
+# Their sum of J W a at the start, in body axes.
+rotor_momentum <- function(scene) {
+  sum <- c(0, 0, 0)
+  for (one in scene$rotors) sum <- sum + one$inertia_kg_m2 * one$omega_rad_per_s * one$axis
+  sum
+}
+
+describe_rotor <- function(x) {
+  drive <- if (x$driven == 1) {
+    "driven"
+  } else if (!is.null(x$law)) {
+    "motor by an R function"
+  } else if (!is.null(x$knots)) {
+    paste("motor by", length(x$knots$time_s), "knots")
+  } else if (x$torque_n_m == 0) {
+    "free"
+  } else {
+    paste("motor", format_si(x$torque_n_m), "N m")
+  }
+  paste0(
+    format_si(x$inertia_kg_m2), " kg m^2 about (", paste(format_si(x$axis), collapse = ", "),
+    "), ", format_si(x$omega_rad_per_s), " rad/s, ", drive
+  )
+}
+
+#' @export
+print.rot_rotor <- function(x, ...) {
+  check_form(x, rotor_form, "x", "rotor", rlang::current_env())
+  cat("<rot_rotor> ", describe_rotor(x), "\n", sep = "")
+  invisible(x)
+}
+
+#' @export
+text_node.rot_rotor <- function(x, where, call) {
+  if (!is.null(x$law)) abort_function_text(paste0(where, "$torque_n_m"), NULL, call)
+  node_or_abort(x, list(rotor = text_form(rotor_arguments, read_rotor)), where, call)
+}
+
+rotor_arguments <- function(x) {
+  own <- setdiff(x$breaks_s, x$knots$time_s)
+  list(
+    axis = x$axis, inertia_kg_m2 = x$inertia_kg_m2, omega_rad_per_s = x$omega_rad_per_s,
+    torque_n_m = if (x$driven == 0) x$knots %||% x$torque_n_m,
+    breaks_s = if (length(own)) own
+  )
+}
+
+read_rotor <- function(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m = NULL, breaks_s = NULL) {
+  rotor(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m, breaks_s = breaks_s)
+}
