@@ -2,7 +2,8 @@
  *
  *   space-gsl TOLERANCE I1 I2 I3 w1 w2 w3 t ...
  *
- * A line for each time: t, the quaternion, CPU seconds, right-hand sides. */
+ * A line for each time: t, the quaternion, the angular velocity along the body's axes, CPU seconds,
+ * right-hand sides. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <stdio.h>
@@ -40,8 +41,9 @@ int main(int argc, char **argv) {
   const clock_t start = clock();
   for (int i = 8; i < argc; i++) {
     if (gsl_odeiv2_driver_apply(driver, &t, atof(argv[i]), y) != GSL_SUCCESS) return 1;
-    printf("%.17g %.17g %.17g %.17g %.17g %.6g %ld\n", t, y[0], y[1], y[2], y[3],
-           (double)(clock() - start) / CLOCKS_PER_SEC, calls);
+    printf("%.17g", t);
+    for (int k = 0; k < 7; k++) printf(" %.17g", y[k]);
+    printf(" %.6g %ld\n", (double)(clock() - start) / CLOCKS_PER_SEC, calls);
   }
   gsl_odeiv2_driver_free(driver);
   return 0;
