@@ -22,6 +22,7 @@ test_that("a display that fails is given up", {
 })
 
 test_that("a page that is rendered has no bar", {
+  skip_if_not_installed("knitr")
   old <- options(cli.progress_show_after = 0, knitr.in.progress = TRUE)
   on.exit(options(old))
   progress <- rotdyn:::progress_bar("testing")
