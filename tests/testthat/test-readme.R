@@ -1,0 +1,35 @@
+# The README stands beside the package's sources.
+readme <- function() {
+  path <- file.path(Sys.getenv("ROTDYN_ROOT", "no such folder"), "README.md")
+  if (!file.exists(path)) skip("no README")
+  readLines(path, encoding = "UTF-8")
+}
+
+# Lines of the chunks of R that name the package, or follow one that does.
+readme_chunks <- function() {
+  lines <- readme()
+  open <- which(lines == "```r")
+  close <- vapply(open, function(i) i + which(lines[-seq_len(i)] == "```")[1], 1)
+  chunks <- Map(function(from, to) lines[(from + 1L):(to - 1L)], open, close)
+  Filter(function(chunk) !any(grepl("install.packages", chunk)), chunks)
+}
+
+test_that("the examples of the README print what it shows", {
+  skip_if_not(l10n_info()[["UTF-8"]])
+  old <- options(width = 100, cli.unicode = TRUE)
+  on.exit(options(old))
+  env <- new.env(parent = globalenv())
+  for (chunk in readme_chunks()) {
+    shown <- sub("^#> ?", "", grep("^#>", chunk, value = TRUE))
+    printed <- utils::capture.output(for (step in parse(text = chunk, encoding = "UTF-8")) {
+      value <- withVisible(eval(step, env))
+      if (value$visible) print(value$value)
+    })
+    # What the last digits round to is a machine's own; the lines about rows left out, pillar's.
+    plain <- function(x) {
+      x <- x[!grepl("more rows", x)]
+      gsub("\\s+", " ", gsub("[0-9.]+e-1[0-9]|[0-9.]+e-0?9", "#", trimws(x)))
+    }
+    expect_identical(plain(printed), plain(shown), label = chunk[1])
+  }
+})
