@@ -203,7 +203,7 @@ free_split <- free_stepper(
   "free_split", 6,
   assumptions = "rigid body; a step is composed of exact turns and of kicks by gravity",
   limits = "order 6; the energy stays within a bound, the phase drifts in proportion to time",
-  requires = "to be named; no torque but gravity, no damping, moments greater than 0",
+  requires = "to be named; no torque but gravity, no motors, no damping, moments greater than 0",
   source = "McLachlan 1995; Kahan and Li 1997; Hairer, Lubich and Wanner 2006, section VII.5"
 )
 

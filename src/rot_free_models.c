@@ -1,6 +1,7 @@
 #include "rot_free_models.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "rot_free_exact.h"
 #include "rot_free_gyrostat.h"
@@ -47,6 +48,11 @@ const char *rot_free_refuses_ode(const void *scene, const rot_query *query) {
   return rot_free_not_integrated(scene);
 }
 
+const char *rot_free_refuses_split(const void *scene, const rot_query *query) {
+  const char *why = rot_free_refuses_ode(scene, query);
+  return why ? why : rot_free_not_split(scene);
+}
+
 /* seconds: of a run, of a row. */
 double rot_free_exact_s(const rot_model *model, const void *scene, const rot_query *query) {
   (void)scene;
@@ -76,8 +82,8 @@ double rot_free_steps_s(const rot_model *model, const void *of, const rot_query 
   const rot_free_params *p = of;
   const double from = query->n ? fmin(p->start_s, query->time_s[0]) : p->start_s;
   const double to = query->n ? fmax(p->start_s, query->time_s[query->n - 1]) : p->start_s;
-  const rot_method method =
-      model->takes & ~1u ? ROT_METHOD_RK4 : ROT_METHOD_SPLIT; /* which has half as many steps */
+  const rot_method method = /* the splitting has half as many steps */
+      strstr(model->id, "split") ? ROT_METHOD_SPLIT : ROT_METHOD_RK4;
   const double steps = 3.0 * ((to - from) / rot_free_default_step(p, method, to - from));
   const double calls = p->law || p->motors ? 4.0 * query->law_s : 0.0;
   return 10e-6 + fmin(steps, 1e300) * (model->seconds[0] + calls) + (double)query->n * 1e-6;
@@ -103,7 +109,7 @@ static const rot_model models[] = {
      rot_free_exact_s,
      {6e-6, 0.4e-6, 0.0, 0.0}},
     ROT_FREE_INTEGRATED("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS),
-    ROT_FREE_STEPS("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS, 0),
+    ROT_FREE_STEPS("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS, ROTORS),
 };
 
 const rot_constraint rot_free_constraint = {"free",

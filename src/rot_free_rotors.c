@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "rot_attitude.h"
+#include "rot_real.h"
 #include "rot_search.h"
 
 static double dot(const double a[3], const double b[3]) {
@@ -89,6 +90,23 @@ void rot_free_rotors_omega(const rot_free_rotors *r, const double l[3], const do
     for (int i = 0; i < 3; i++) own[i] -= s[r->state[k]] * r->axis[k][i];
   }
   for (int i = 0; i < 3; i++) omega[i] = dot(r->inverse[i], own);
+}
+
+int rot_free_rotors_constant(const rot_free_rotors *r, double m[3], double h[3]) {
+  int fits = 1;
+  for (int i = 0; i < 3; i++) {
+    m[i] = 1.0 / r->inverse[i][i];
+    h[i] = r->driven[i];
+    for (int j = 0; j < 3; j++) {
+      const double size = sqrt(r->inverse[i][i] * r->inverse[j][j]);
+      fits &= i == j || fabs(r->inverse[i][j]) <= 32.0 * ROT_EPS * size;
+    }
+  }
+  for (size_t k = 0; k < r->n; k++) {
+    if (r->p->rotors[k].driven) continue;
+    for (int i = 0; i < 3; i++) h[i] += r->start[r->state[k]] * r->axis[k][i];
+  }
+  return fits;
 }
 
 void rot_free_rotors_speeds(const rot_free_rotors *r, const double omega[3], const double s[],

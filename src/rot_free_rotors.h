@@ -34,6 +34,10 @@ const char *rot_free_rotors_begin(const rot_free_params *p, rot_free_rotors *out
 void rot_free_rotors_omega(const rot_free_rotors *r, const double l[3], const double s[],
                            double omega[3]);
 
+/* Where no motor has a torque: omega = (L - h)/m with these constants, if the rotors that are not
+ * driven lie along principal axes. Else 0 is returned. */
+int rot_free_rotors_constant(const rot_free_rotors *r, double m[3], double h[3]);
+
 /* W of each rotor. */
 void rot_free_rotors_speeds(const rot_free_rotors *r, const double omega[3], const double s[],
                             double speed[]);

@@ -26,6 +26,7 @@ typedef struct stepper {
   rot_method method;
   int a, b, c;             /* axes of the splitting */
   double per_a, gap[2];    /* 1/Ia, 1/Ib - 1/Ia, 1/Ic - 1/Ia */
+  double against[3];       /* h/I of the rotors */
   double earliest, latest; /* at which torques are evaluated: within the breaks */
   double potential, l0[3]; /* at the start: of gravity; L in space */
   size_t steps, calls;
@@ -169,14 +170,27 @@ static void turn_about(int axis, double gap, double h, double y[]) {
   l[j] = c * lj - d * li;
 }
 
+/* The flow of -c.L for a time: a turn of the body by -c, in which L in space stays. */
+static void turn_against(const stepper *s, double h, double y[]) {
+  double turn[3], back[4] = {1.0, 0.0, 0.0, 0.0};
+  for (int k = 0; k < 3; k++) turn[k] = -h * s->against[k];
+  turn_by(turn, y);
+  turn_by(turn, back);
+  rot_attitude_to_body(back, y + MOMENTUM, y + MOMENTUM);
+}
+
 /* Second order, and its own reverse. */
 static void free_flow(const stepper *s, double h, double y[]) {
   const double *l = y + MOMENTUM;
   double turn[3];
   turn_about(s->b, s->gap[0], 0.5 * h, y);
-  turn_about(s->c, s->gap[1], h, y);
+  turn_about(s->c, s->gap[1], s->rotors.n ? 0.5 * h : h, y);
   for (int k = 0; k < 3; k++) turn[k] = h * s->per_a * l[k];
   turn_by(turn, y);
+  if (s->rotors.n) {
+    turn_against(s, h, y);
+    turn_about(s->c, s->gap[1], 0.5 * h, y);
+  }
   turn_about(s->b, s->gap[0], 0.5 * h, y);
 }
 
@@ -203,6 +217,15 @@ static rot_status one_step(stepper *s, double t, double h, double y[]) {
   case ROT_METHOD_RK4: return rk4(s, t, h, y);
   default: return split(s, t, h, y);
   }
+}
+
+const char *rot_free_not_split(const rot_free_params *p) {
+  rot_free_rotors r;
+  double m[3], h[3];
+  if (!p->n_rotors || rot_free_rotors_begin(p, &r) || rot_free_rotors_constant(&r, m, h)) {
+    return NULL;
+  }
+  return "free rotors are not along the principal axes";
 }
 
 int rot_free_step_order(rot_method method) {
@@ -326,7 +349,13 @@ static rot_status march(run *r) {
 
 /* The axes of the splitting: a in the middle, b beside it. */
 static void choose_axes(stepper *s) {
-  const double *m = s->p->moment_kg_m2;
+  const rot_free_rotors *r = &s->rotors;
+  double m[3], h[3];
+  memcpy(m, s->p->moment_kg_m2, sizeof m);
+  if (r->n) {
+    rot_free_rotors_constant(r, m, h);
+    for (int k = 0; k < 3; k++) s->against[k] = h[k] / m[k];
+  }
   int low = 0, high = 0;
   for (int k = 1; k < 3; k++) {
     if (m[k] < m[low]) low = k;

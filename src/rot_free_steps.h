@@ -10,7 +10,8 @@
  * The splitting takes T = |L|^2/(2 Ia) + L_b^2 (1/Ib - 1/Ia)/2 + L_c^2 (1/Ic - 1/Ia)/2, with a the
  * middle axis: each part turns the body by constant rates, and gravity's kick changes L alone. The
  * pieces are composed to order 6. L along the vertical and |q| stay to rounding, the energy
- * within a bound that does not grow.
+ * within a bound that does not grow. Rotors with a constant momentum h add -h.(L/I), which turns
+ * the body by a constant rate.
  *
  * References: Hairer, Lubich & Wanner 2006, sections VII.5 and V.3; Kahan & Li, Math. Comp. 66
  * (1997) 1089 (s9odr6a); McLachlan, SIAM J. Sci. Comput. 16 (1995) 151. */
@@ -24,6 +25,9 @@ typedef struct rot_free_step_options {
   double step_s;     /* > 0 */
   size_t max_steps;
 } rot_free_step_options;
+
+/* NULL, or why the splitting does not take these rotors. */
+const char *rot_free_not_split(const rot_free_params *p);
 
 /* The order of a method. */
 int rot_free_step_order(rot_method method);

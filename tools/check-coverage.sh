@@ -1,7 +1,7 @@
 #!/bin/sh
 # Do the reported errors cover the true ones? Random scenes for each model of the axle, of the
-# incline, of the heavy top and of free bodies, and for the installed package random R functions as
-# torque laws, random curves, and random gears, drives, rotors, inclines, dry friction, long spans
+# incline, of the heavy top and of free bodies with rotors or without, and for the installed package
+# random R functions as torque laws, random curves, and random gears, drives, rotors, inclines, dry friction, long spans
 # and short pulses, judged in quadruple precision (bench/coverage/). Needs gcc and libquadmath.
 # Without SEED another one is drawn each time. 1000 scenes of each class are 30,000 in all: each
 # part ends with the number of its own.
@@ -16,7 +16,7 @@ ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc $(gsl-config 
 for program in laws chains curves; do
   ${CC:-gcc} -std=gnu11 -O2 bench/coverage/$program.c -lquadmath -lm -o "$build/$program"
 done
-for program in top free forced incline; do
+for program in top free forced gyrostat incline; do
   ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Isrc $(gsl-config --cflags) \
     bench/coverage/$program.c src/rot_*.c $(gsl-config --libs) -lquadmath -lm -o "$build/$program"
 done
@@ -28,6 +28,7 @@ bad=0
 "$build/top" "${1:-1000}" "$seed" || bad=1
 "$build/free" "${1:-1000}" "$seed" || bad=1
 "$build/forced" "$((${1:-1000} / 2))" "$seed" || bad=1
+"$build/gyrostat" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad=1
 Rscript bench/coverage/curves.R "$build/curves" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/scenes.R "$build/chains" "${1:-1000}" "$seed" || bad=1

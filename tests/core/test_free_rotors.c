@@ -261,6 +261,50 @@ static void check_orders(void) {
   }
 }
 
+/* The splitting: order 6 by the distance from 8 times as many steps, a driven rotor and one free of
+ * friction; the energy without the rotors' own stays within a bound. */
+static void check_split(void) {
+  static rows r, fine;
+  const double end = 5.0, t[4] = {50.0, 100.0, 1000.0, 2000.0};
+  double off[2][2], drift[2];
+  rot_free_rotor rotor[3];
+  rot_info info;
+  rot_free_params p = three(rotor);
+  p.torque[0] = p.torque[1] = p.torque[2] = 0.0;
+  rotor[1].driven = 1;
+  rotor[2].torque = 0.0;
+  ROT_CHECK(rot_free_not_split(&p) == NULL);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-13, 1, &end, &fine, &info), ROT_OK);
+  const double energy = fine.rotational_kinetic_energy_j[0] - flows[ROT_FREE_MOTOR_WORK][0];
+  const double q[4] = {fine.qw[0], fine.qx[0], fine.qy[0], fine.qz[0]};
+  const double w[3] = {fine.omega_x_rad_per_s[0], fine.omega_y_rad_per_s[0],
+                       fine.omega_z_rad_per_s[0]};
+  for (int half = 0; half < 2; half++) {
+    const double step = ldexp(0.125, -half);
+    ROT_CHECK_EQ_INT(stepped(&p, ROT_METHOD_SPLIT, step, 1, &end, &r, &info), ROT_OK);
+    off[half][0] = angle_off(&r, 0, q);
+    off[half][1] = rate_off(&r, 0, w);
+    ROT_CHECK(off[half][0] <= 1.5 * info.measure[0].error);
+  }
+  for (int of = 0; of < 2; of++) {
+    const double order = log2(off[0][of] / off[1][of]);
+    printf("rotors, split: %.1e off, order %.2f\n", off[1][of], order);
+    ROT_CHECK(fabs(order - 6.0) < 0.4);
+  }
+  ROT_CHECK_EQ_INT(stepped(&p, ROT_METHOD_SPLIT, 0.25, 4, t, &r, &info), ROT_OK);
+  for (int late = 0; late < 2; late++) {
+    drift[late] = 0.0;
+    for (int i = 2 * late; i < 2 * late + 2; i++) {
+      const double change = r.rotational_kinetic_energy_j[i] - flows[ROT_FREE_MOTOR_WORK][i];
+      drift[late] = fmax(drift[late], fabs(change - energy));
+    }
+  }
+  printf("rotors, split: energy off by %.1e early, %.1e late\n", drift[0], drift[1]);
+  ROT_CHECK(drift[1] < 1e-4 && drift[1] < 20.0 * drift[0] + 1e-12);
+  rotor[1].driven = 0; /* along no principal axis */
+  ROT_CHECK(rot_free_not_split(&p) != NULL);
+}
+
 /* Which scenes have no motion; and a rotor without speed that is driven changes nothing. */
 static void check_limits(void) {
   static rows r, x;
@@ -291,6 +335,7 @@ int main(void) {
   check_slew();
   check_balance();
   check_orders();
+  check_split();
   check_limits();
   return rot_test_report("free_rotors");
 }

@@ -155,6 +155,27 @@ test_that("energy and momentum balance with torques, damping and motors", {
   expect_true(all(is.na(audit(motion[names(motion) != "rotor_1_omega_rad_per_s"])$verdict)))
 })
 
+test_that("the splitting takes rotors of constant momentum", {
+  rotors <- list(rotor(c(2, 1, 2) / 3, 0.1, 12), rotor(c(0, 0, 1), 0.05, -3, 0))
+  scene <- scene_free(c(1, 2, 2.5), c(1, 0.5, -0.3), rotors = rotors)
+  t <- c(0, 2, 5)
+  split <- suppressWarnings(trajectory(scene, t, model = "free_split"))
+  exact <- trajectory(scene, t, accuracy = 1e-12)
+  said <- trajectory_run(split)$info$errors[["attitude"]]
+  expect_lt(said, 1e-3)
+  expect_lt(max(attitude_difference(split, exact)), 2 * said)
+  expect_identical(unique(audit(split)$verdict), "balanced")
+  motors <- scene_free(
+    c(1, 2, 2.5), c(1, 0.5, -0.3), rotors = rotor(c(2, 1, 2) / 3, 0.05, -3, 0)
+  )
+  expect_error(trajectory(motors, t, model = "free_split"), class = "rotdyn_error")
+  # Two equal moments, but the rotor across their axis: no closed form.
+  across <- scene_free(c(2, 2, 1), c(0.3, -0.2, 1.1), rotors = rotor("x", 0.1, 20))
+  choice <- choose_model(across, 0:2)
+  expect_identical(choice$model[choice$chosen], "free_rk8pd")
+  expect_match(choice$reason[choice$model == "free_gyrostat"], "not along an axis")
+})
+
 test_that("every verb takes a body with rotors", {
   wheel <- rotor(c(0, 1, 1), 0.05, -3, data.frame(time_s = c(0, 2, 3), torque_n_m = c(0, 1, 0)))
   other <- rotor(c(1, 0, 0), 0.1, 9)
@@ -254,6 +275,7 @@ test_that("bad rotors are refused", {
   )
   expect_error(scene_free(c(1, 2, 2.5), c(0, 0, 1), rotors = 3), class = "rotdyn_error_type")
   one <- rotor(c(1, 0, 0), 0.01, 1)
+  expect_identical(rotor("x", 0.01, 1), one)
   expect_error(
     scene_free(c(1, 2, 2.5), c(0, 0, 1), rotors = rep(list(one), 17)), class = "rotdyn_error_size"
   )
