@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-interrupt check-measurement library examples
+.PHONY: check-interrupt check-measurement check-scenes library examples
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -49,6 +49,9 @@ check-valgrind: ## C core and C boundary under valgrind
 
 check-databases: ## tables, rows and wrong rows in SQLite, PostgreSQL and DuckDB
 	@sh tools/check-databases.sh
+
+check-scenes: ## every scene and body that the tests make, as text and back
+	@sh tools/check-scenes.sh
 
 check-nosuggests: ## check and tests with the imported packages alone
 	@sh tools/check-nosuggests.sh

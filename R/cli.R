@@ -254,7 +254,7 @@ cli_times <- function(text, wrong) {
 
 cli_dispatch <- function(arguments, out, state, input, terminal, verbs) {
   names(verbs) <- vapply(verbs, `[[`, "", "name")
-  arguments <- enc2native(arguments)
+  arguments <- enc2native(as.character(arguments))
   if (!length(arguments)) abort_usage("there is no verb")
   if (arguments[1] %in% c("--help", "-h")) arguments[1] <- "help"
   if (arguments[1] == "--version") arguments[1] <- "version"

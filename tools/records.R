@@ -67,7 +67,10 @@ makers <- list(
   free = function() {
     scene_free(
       body_box(size(), size(), 1, 2), stats::rnorm(3),
-      torque_n_m = pick(NULL, stats::rnorm(3) / 10)
+      torque_n_m = pick(NULL, stats::rnorm(3) / 10),
+      rotors = pick(NULL, rotor("z", 0.01, 100 * stats::rnorm(1)), list(
+        rotor(stats::rnorm(3), 0.01, stats::rnorm(1), 0.01), rotor("x", 0.01, size())
+      ))
     )
   },
   pivot = function() {
@@ -94,6 +97,7 @@ for (i in seq_len(scenes)) {
   }
   record_run(con, motion)
 }
+stopifnot(setequal(list_runs(con)$constraint_kind, metadata()$constraints$constraint_kind))
 DBI::dbDisconnect(con)
 cat(scenes, "scenes recorded,", left_out, "without a motion left out\n")
 again <- file.path(folder, "again.R")

@@ -11,9 +11,10 @@ cli <- function(..., input = NULL, terminal = FALSE, verbs = rotdyn:::cli_verbs(
   list(status = status, out = out, err = err)
 }
 
-# The same as the lines of a golden test.
-cli_golden <- function(..., masked = character()) {
+# The same as the lines of a golden test; `first` so many of standard output.
+cli_golden <- function(..., masked = character(), first = Inf) {
   said <- cli(...)
+  said$out <- utils::head(said$out, first)
   for (pattern in names(masked)) said$out <- gsub(pattern, masked[[pattern]], said$out)
   writeLines(c(paste("status", said$status), said$out, if (length(said$err)) {
     c("--- err", said$err)

@@ -60,6 +60,10 @@ test_that("each verb prints what it printed: lists and words", {
     cli_golden("help")
     cli_golden("help", "trajectory")
     cli_golden("completion", "bash")
+    cli_golden("shapes", first = 4)
+    cli_golden("models", "--format", "json", first = 3)
+    cli_golden("columns", first = 4)
+    cli_golden("version", masked = c("[0-9][0-9.]+" = "VERSION"))
   })
   expect_identical(cli("version")$out, paste0(
     "rotdyn ", utils::packageVersion("rotdyn"), ", R ", getRversion()
@@ -162,6 +166,15 @@ test_that("each verb prints what it printed: records and measurements", {
     cli_golden("work-precision", "wheel.json", "--times", "0:8:1", "--accuracies", "1e-6",
                "--least-batch-s", "0.001", masked = c("^([^,]*,[^,]*,[^,]*),.*" = "\\1"))
   }))
+})
+
+test_that("every verb has a golden test", {
+  lines <- readLines(test_path("_snaps", "cli.md"), encoding = "UTF-8")
+  called <- regmatches(lines, regexpr("(?<=cli_golden\\(\")[a-z-]+(?=\")", lines, perl = TRUE))
+  expect_setequal(vapply(rotdyn:::cli_verbs(), `[[`, "", "name"), setdiff(called, "rol"))
+  # Statuses 70, 130 and 141 have tests of their own.
+  status <- unique(regmatches(lines, regexpr("(?<=^      status )[0-9]+$", lines, perl = TRUE)))
+  expect_setequal(status, c("0", "1", "2", "3", "4"))
 })
 
 test_that("metadata as a script", {
@@ -391,7 +404,9 @@ random_lines <- function(n, seed) {
 
 test_that("random command lines end with a status and words, never in a fault of ours", {
   skip_if_not_installed("yyjsonr")
-  n <- as.integer(Sys.getenv("ROTDYN_CLI_LINES", "200"))
+  n <- as.integer(Sys.getenv(
+    "ROTDYN_CLI_LINES", if (identical(Sys.getenv("NOT_CRAN"), "true")) "1000" else "100"
+  ))
   statuses <- integer()
   in_folder(for (line in random_lines(n, 20261122)) {
     said <- cli(line, input = "x")

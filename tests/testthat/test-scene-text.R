@@ -60,6 +60,13 @@ scenes_of_all <- function() {
       place_body(body_box(1, .1, .2, .3), rotation = rotation_about(c(1, 2, 3), angle_rad = .7)),
       c(1, 2, 3), torque_n_m = c(1, 2, 3)
     ),
+    scene_free(c(1, 1, 2.5), c(.1, 2, .3), rotors = rotor(c(0, 0, 1), 0.02, 300)),
+    scene_free(
+      body_box(10, .1, .2, .3), c(1, 2, 3), damping_per_s = .1, rotors = list(
+        rotor(c(1, 2, 3), 1e-4, 1 / 3, 0), rotor("y", 2e-4, -20, 0.01),
+        rotor("z", 1e-4, 0, data.frame(time_s = c(0, 1 / 3), torque_n_m = c(0.1, 0.2)))
+      )
+    ),
     scene_pivot(
       c(.0042, .0042, .002), c(0, 0, 60), mass_kg = .5, centre_m = c(0, 0, .08), attitude0 = tilt
     ),
@@ -172,6 +179,10 @@ test_that("R functions are refused by the name of the part", {
   refused(scene_axle(1, torque_constant(1) + f), "torque[[2]]")
   refused(scene_incline(body_disk(1, .1), 10, force_n = f), "force_n")
   refused(scene_free(c(1, 2, 2.5), c(1, 0, 0), torque_n_m = function(t) c(0, 0, 0)), "torque_n_m")
+  refused(
+    scene_free(c(1, 2, 2.5), c(1, 0, 0), rotors = list(rotor("x", 0.1, 1), rotor("z", 0.1, 1, f))),
+    "rotors[[2]]$torque_n_m"
+  )
   refused(
     scene_drive(c(1, 2), list(coupling_clutch(f))), "couplings[[1]]$capacity_n_m"
   )

@@ -62,4 +62,35 @@ for (i in 1:2) {
 }
 stopifnot(audit(spin_up())$verdict == "balanced")
 stopifnot(audit(spin_up(time_s = 0:8, model = "axle_rk8pd"))$verdict == "balanced")
+
+# Texts and hashes: odd strings and numbers, damaged texts; runs recorded and computed again.
+odd <- list(
+  b = c("a\"\\\n\001", NA, "\u00e9", ""), a = c(-0, NaN, Inf, 5e-324, NA), m = matrix(1:6, 2),
+  n = NULL, l = list(), e = stats::setNames(list(), character()), t = c(TRUE, NA),
+  z = strrep("x", 1e5)
+)
+json <- rotdyn:::json_canonical
+stopifnot(identical(json(odd), json(odd[rev(names(odd))])))
+for (n in c(0:20, 127:130, 159:162, 239:242, 1023:1026)) rotdyn:::hash_text(strrep("x", n))
+if (requireNamespace("yyjsonr", quietly = TRUE)) {
+  set.seed(10)
+  text <- write_scene(scene_axle(body_disk(2, 0.25), torque_knots(0:2, c(0, 1, 0))), indent = 0)
+  damaged <- vapply(1:100, function(i) {
+    letters <- strsplit(text, "")[[1]]
+    at <- sample(length(letters), 2)
+    letters[at] <- sample(c("{", "}", "[", "\"", ",", "-", "1", "e"), 2)
+    back <- tryCatch(
+      read_scene(paste0("{", substring(paste(letters, collapse = ""), 2))),
+      rotdyn_error_scene = function(e) NULL
+    )
+    is.null(back) || inherits(back, "rot_scene")
+  }, NA)
+  stopifnot(damaged)
+  if (requireNamespace("RSQLite", quietly = TRUE)) {
+    lab <- tempfile(fileext = ".sqlite")
+    records_create(lab)
+    for (i in 1:5) record_run(lab, spin_up())
+    stopifnot(rerun(lab, list_runs(lab)$run[1])$verdict == "identical", records_check(lab)$holds)
+  }
+}
 cat("boundary: done\n")
