@@ -80,3 +80,12 @@ need_package <- function(package, why, call) {
     ), "package", call)
   }
 }
+
+# Loaded without a window; the option is then restored.
+need_rgl <- function(why, call) {
+  if (!isNamespaceLoaded("rgl")) {
+    old <- options(rgl.useNULL = TRUE)
+    on.exit(options(old))
+  }
+  need_package("rgl", why, call)
+}

@@ -49,6 +49,7 @@ free_constraint <- function() {
     },
     texts = free_texts(),
     drawing = draw_free,
+    solid = free_solid,
     balances = balance_free,
     conserved = conserved_free,
     augment = augment_free,

@@ -40,6 +40,7 @@ pivot_constraint <- function() {
     },
     texts = pivot_texts(),
     drawing = draw_pivot,
+    solid = pivot_solid,
     balances = balance_pivot,
     conserved = conserved_pivot,
     augment = augment_pivot,

@@ -187,7 +187,7 @@ mesh_from_file <- function(path, call) {
   }
   if (isTRUE(file.size(path) == 0)) abort_mesh_file(path, "It is empty.", call)
   binary <- format == "stl" && stl_is_binary(path, call)
-  if (binary) need_rgl(call)
+  if (binary) need_rgl("A binary STL file", call)
   read <- tryCatch(
     switch(format,
       stl = if (binary) read_stl_binary(path) else read_stl_text(path),

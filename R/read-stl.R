@@ -30,15 +30,6 @@ stl_is_binary <- function(path, call) {
   )
 }
 
-# Loaded without a window; the option is then restored.
-need_rgl <- function(call) {
-  if (!isNamespaceLoaded("rgl")) {
-    old <- options(rgl.useNULL = TRUE)
-    on.exit(options(old))
-  }
-  need_package("rgl", "A binary STL file", call)
-}
-
 read_stl_binary <- function(path) {
   corners <- rgl::readSTL(path, ascii = FALSE, plot = FALSE)
   structure(list(vb = t(corners), it = matrix(seq_len(nrow(corners)), 3L)), class = "mesh3d")

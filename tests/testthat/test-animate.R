@@ -1,0 +1,142 @@
+nut <- function(...) trajectory(scene_free(c(1, 2, 3), c(0.01, 4, 0.01)), ...)
+
+spinning_top <- function(...) {
+  scene_pivot(
+    place_body(body_disk(2, 0.15), c(0, 0, 0.15)), c(0, 0, 60),
+    attitude0 = attitude_from(c(1, 0, 0, pi / 3), "axis_angle"), ...
+  )
+}
+
+test_that("frames are those of the model, evenly spaced", {
+  motion <- nut(time_s = c(1, 3, 5))
+  scene <- attr(motion, "run")$scene
+  film <- new_film(motion, free_solid(scene), 0.25, NULL)
+  expect_equal(film$time_s, seq(1, 5, by = 0.25))
+  want <- predict(motion, 3.25)
+  turn <- matrix(unlist(attitude_to(want[quaternion_columns], "matrix")), 3, byrow = TRUE)
+  expect_identical(frame_turn(film, 10), turn)
+  expect_equal(film$path[10, ], as.vector(turn %*% film$solid$tip))
+  # L stays where it is; omega does not.
+  expect_equal(film$arrows$L[1, ], film$arrows$L[17, ], tolerance = 1e-13)
+  expect_gt(max(abs(film$arrows$omega[1, ] - film$arrows$omega[8, ])), 0.01)
+  points <- turned_points(film, film$solid$points)
+  expect_equal(points[9 * 8 + 1:8, ], film$solid$points %*% t(turn))
+})
+
+test_that("the solid has the body's moments of inertia", {
+  # Of a box of 2 kg, 0.3 x 0.2 x 0.1 m: its half edges.
+  moments <- 2 / 12 * c(0.2^2 + 0.1^2, 0.3^2 + 0.1^2, 0.3^2 + 0.2^2)
+  box <- solid_of_inertia(moments, diag(3), 2)
+  expect_equal(box$semi, c(0.15, 0.1, 0.05))
+  expect_equal(apply(abs(box$points), 2, max), box$semi)
+  expect_length(box$faces, 6)
+  # Of a cylinder of 2 kg, 0.4 m along y, radius 0.1 m.
+  moments <- 2 * c(0.1^2 / 4 + 0.4^2 / 12, 0.1^2 / 2, 0.1^2 / 4 + 0.4^2 / 12)
+  cylinder <- solid_of_inertia(moments, diag(3), 2)
+  expect_equal(cylinder$semi, c(0.1, 0.2, 0.1))
+  # A turned box, and one of a rod, a plate, a ball and a point.
+  turn <- rotation_about(c(1, 2, 3), angle_rad = 0.7)
+  expect_equal(
+    solid_of_inertia(c(1, 2, 2.5), turn)$points,
+    solid_of_inertia(c(1, 2, 2.5), diag(3))$points %*% t(turn)
+  )
+  for (one in list(c(1, 1, 0), c(1, 2, 3), c(1, 1, 1), c(0, 0, 0))) {
+    expect_true(all(solid_of_inertia(one, diag(3))$semi > 0))
+  }
+})
+
+test_that("sides have corners in one plane, in order, and outward normals can be told", {
+  for (solid in list(unit_box(), unit_cylinder(1), unit_cylinder(3))) {
+    seen <- integer()
+    for (at in solid$faces) {
+      side <- solid$points[at, ]
+      flat <- svd(sweep(side, 2, colMeans(side)))$d
+      expect_lt(flat[3], 1e-12)
+      seen <- c(seen, at)
+    }
+    expect_setequal(seen, seq_len(nrow(solid$points)))
+    expect_identical(length(solid$fill), length(solid$faces))
+  }
+})
+
+test_that("of a fixed point, the body hangs where its centre of mass is", {
+  solid <- pivot_solid(spinning_top())
+  expect_equal(colMeans(solid$points), c(0, 0, 0.15))
+  # A disk without thickness: radius 0.15 m, as thick as it has to be to have a side.
+  expect_equal(range(solid$points[, 1]), c(-0.15, 0.15), tolerance = 1e-3)
+  expect_lt(diff(range(solid$points[, 3])), 0.016)
+  expect_gt(solid$tip[3], 0.15)
+  expect_equal(unname(solid$rod[2, ]), c(0, 0, min(solid$points[, 3])))
+  # The fixed point inside the body: there is no rod to be seen.
+  expect_null(pivot_solid(scene_pivot(
+    place_body(body_sphere(2, 0.15), c(0, 0, 0.1)), c(0, 0, 6)
+  ))$rod)
+  point <- pivot_solid(scene_pivot(diag(c(0.02, 0.02, 0)), c(1, 0, 0), mass_kg = 2,
+                                   centre_m = c(0, 0, 0.1)))
+  expect_equal(colMeans(point$points), c(0, 0, 0.1))
+  expect_gt(diff(range(point$points[, 1])), 0)
+  light <- pivot_solid(scene_pivot(c(1, 2, 2.5), c(1, 0, 0), mass_kg = 0, centre_m = c(0, 0, 0)))
+  expect_equal(colMeans(light$points), c(0, 0, 0))
+})
+
+test_that("GIF files have the frames and the delay asked for", {
+  skip_if_not(capabilities("cairo"), "no bitmap device")
+  path <- tempfile(fileext = ".gif")
+  on.exit(unlink(path))
+  shown <- withVisible(
+    animate_motion(nut(time_s = c(0, 1)), path, frames_per_s = 10, width_px = 80)
+  )
+  expect_false(shown$visible)
+  expect_identical(shown$value, path)
+  bytes <- readBin(path, "raw", file.size(path))
+  count <- function(wanted) {
+    length(gregexpr(paste(wanted, collapse = ""), paste(bytes, collapse = ""))[[1]])
+  }
+  # The control block of a frame: 10 hundredths of a second.
+  expect_identical(count(as.raw(c(0x21, 0xf9, 4, 4, 10, 0, 0, 0, 0x2c))), 11L)
+  expect_identical(as.integer(bytes[7:10]), c(80L, 0L, 80L, 0L))
+  animate_motion(nut(time_s = c(0, 1)), path, frames_per_s = 10, slow_motion = 2, width_px = 80)
+  bytes <- readBin(path, "raw", file.size(path))
+  expect_identical(count(as.raw(c(0x21, 0xf9, 4, 4, 10, 0, 0, 0, 0x2c))), 21L)
+  top <- trajectory(spinning_top(), c(0, 0.2))
+  animate_motion(top, path, frames_per_s = 5, slow_motion = 5, width_px = 80)
+  bytes <- readBin(path, "raw", file.size(path))
+  expect_identical(count(as.raw(c(0x21, 0xf9, 4, 4, 20, 0, 0, 0, 0x2c))), 6L)
+  # The open device stays the one it was.
+  expect_false("bmp" %in% names(grDevices::dev.list()))
+})
+
+test_that("the interactive page has a scene and a player", {
+  withr_null()
+  skip_if_not_installed("rgl")
+  skip_if_not_installed("htmltools")
+  page <- animate_motion(nut(time_s = c(0, 1)), frames_per_s = 5)
+  expect_s3_class(page[[1]], "rglWebGL")
+  expect_s3_class(page[[2]], "rglPlayer")
+  expect_length(page[[2]]$x$actions, 3) # the body and two arrows
+  expect_identical(page[[2]]$x$stop, 1)
+  top <- animate_motion(trajectory(spinning_top(), c(0, 0.2)), frames_per_s = 5, slow_motion = 5)
+  expect_length(top[[2]]$x$actions, 4) # and the rod
+})
+
+test_that("bad arguments are errors", {
+  motion <- nut(time_s = c(0, 1))
+  error <- function(code, kind) expect_error(code, class = paste0("rotdyn_error_", kind))
+  error(animate_motion(), "missing")
+  error(animate_motion(1), "type")
+  error(animate_motion(spin_up(time_s = 0:8), "a.gif"), "type")
+  error(animate_motion(motion, "a.mp4"), "value")
+  error(animate_motion(motion, 1), "type")
+  error(animate_motion(motion, "a.gif", 25), "argument")
+  error(animate_motion(motion, "a.gif", frames_per_s = 51), "value")
+  error(animate_motion(motion, "a.gif", slow_motion = 0), "value")
+  error(animate_motion(motion, "a.gif", width_px = 10), "value")
+  error(animate_motion(motion, "a.gif", slow_motion = 1e4), "value")
+  error(animate_motion(motion, "a.gif", slow_motion = 1e-4), "value")
+  error(animate_motion(nut(time_s = 1), "a.gif"), "time")
+  error(animate_motion(motion[0, ], "a.gif"), "time")
+  skip_if_not(capabilities("cairo"), "no bitmap device")
+  error(
+    animate_motion(motion, file.path(tempfile(), "a.gif"), frames_per_s = 2, width_px = 64), "file"
+  )
+})
