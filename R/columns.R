@@ -23,6 +23,7 @@ column_list <- list(
   c("error_kind", "", "\"bound\" or \"estimate\""),
   c("steps", "1", "accepted steps; pieces of the torque for a closed form"),
   c("rejected", "1", "steps tried and rejected"),
+  c("step_s", "s", "length of a step, where it is fixed"),
   c("rhs_calls", "1", "calls of the right-hand side, or of an R torque function sampled first"),
   c("work_j", "J", "work of the applied torque since the first row"),
   c("dissipated_j", "J", "energy dissipated by the resistance, computed separately"),

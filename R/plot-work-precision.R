@@ -19,7 +19,10 @@
 autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
   check_plot(base_size, ...)
   points <- as.data.frame(object)
-  points <- points[order(match(points$model, unique(points$model)), -points$accuracy), ]
+  fixed <- is.na(points$accuracy)
+  asked <- ifelse(fixed, points[["step_s"]] %||% NA_real_, points$accuracy)
+  points$asked <- ifelse(fixed, paste(format_asked(asked), "s"), format_asked(asked))
+  points <- points[order(match(points$model, unique(points$model)), -asked), ]
   points$model <- factor(points$model, levels = unique(points$model))
   points <- points[is.finite(points$true_error) & points$cost_s > 0, ]
   limit <- 3 * max(points$reference_error)
@@ -61,7 +64,10 @@ autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
     ggplot2::labs(
       title = wrap_title("What accuracy costs", base_size),
       subtitle = wrap_subtitle(
-        "lower left is better; labels: accuracy asked for; grey: not resolved", base_size
+        paste0(
+          "lower left is better; labels: accuracy asked for", if (any(fixed)) " or step",
+          "; grey: not resolved"
+        ), base_size
       ),
       x = "processor time of one run", y = "relative error",
       alt = paste0("Cost against true error, both logarithmic. ", paste(vapply(
@@ -100,9 +106,9 @@ padded <- function(x, before, after) {
 accuracy_labels <- function(points, base_size) {
   place <- paste(points$model, signif(log10(points$true_error), 2))
   labels <- do.call(rbind, lapply(split(points, factor(place, unique(place))), function(group) {
-    asked <- range(group$accuracy)
+    asked <- unique(group$asked[c(1L, nrow(group))]) # the rows of a model go down
     group <- group[which.max(group$cost_s), ]
-    group$label <- paste0("  ", paste(unique(format_asked(rev(asked))), collapse = " to "))
+    group$label <- paste0("  ", paste(asked, collapse = " to "))
     group
   }))
   ggplot2::geom_text(

@@ -85,10 +85,14 @@ compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_step
   run_trajectory(fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model))
 }
 
-abort_no_steps <- function(constraint, model, call) {
-  ids <- names(Filter(function(record) !is.null(record$run_with_step), constraint$models))
+fixed_step_models <- function(constraint) {
+  names(Filter(function(record) !is.null(record$run_with_step), constraint$models))
+}
+
+abort_no_steps <- function(constraint, model, call, arg = "step_s") {
+  ids <- fixed_step_models(constraint)
   abort_rotdyn(c(
-    "{.arg step_s} is for models whose steps are of fixed length: {.field {model}} is none.",
+    "{.arg {arg}} is for models whose steps are of fixed length: {.field {model}} {?is/are} none.",
     i = if (length(ids)) "Of this scene these are {.val {ids}}." else "This scene has none."
   ), "model", call)
 }

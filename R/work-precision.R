@@ -17,6 +17,9 @@
 #' @inheritParams trajectory
 #' @param time_s Output times in s, at least one.
 #' @param models Names of [models()], or NULL for every one that fits.
+#' @param steps_s Lengths of steps in s, for models whose steps are of fixed length: those in
+#'   `models`, or, where that is NULL, all that the scene has. Each length is a run. NULL: the models
+#'   named in `models` run once, with the step that [trajectory()] takes.
 #' @param accuracies Accuracies to ask for, numbers in (0, 1].
 #' @param ... Not used; names after it must be given in full.
 #' @param peers A named list of functions of `scene`, `time_s` and `accuracy`. Each returns a list
@@ -28,7 +31,8 @@
 #' @param batches Batches that count, at most 10000.
 #' @return A `rot_work_precision`, with an `autoplot()`: a tibble with a row for each model or peer
 #'   and accuracy, and the columns `r describe_columns(work_precision_columns)`
-#'   A model that does not promise an accuracy has no row for it. `covered` is NA where the error of
+#'   and `step_s` where steps of fixed length take part; their `accuracy` is NA. A model that does
+#'   not promise an accuracy has no row for it. `covered` is NA where the error of
 #'   the reference decides, and for a peer that reports no error.
 #' @section Warnings: Those of the runs, once each. `rotdyn_warning_failed` names the runs that
 #'   failed: they have no row.
@@ -41,9 +45,15 @@
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
+#' # Steps of fixed length beside the closed form: Euler, semi-implicit Euler, Runge-Kutta.
+#' block <- scene_free(c(1, 2, 3), c(0.1, 2, 0.1))
+#' work_precision(
+#'   block, 0:5, accuracies = 1e-9, steps_s = c(0.01, 0.001), least_batch_s = 0.002, batches = 1
+#' )
 #' @export
 work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6, 9, 12), ...,
-                           peers = list(), reference = NULL, least_batch_s = 0.02, batches = 5) {
+                           steps_s = NULL, peers = list(), reference = NULL, least_batch_s = 0.02,
+                           batches = 5) {
   call <- rlang::current_env()
   check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
@@ -58,7 +68,11 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   check_peers(peers, call)
   least_batch_s <- check_number(least_batch_s, "least_batch_s", "s", call, lower = 0, upper = 3600)
   batches <- floor(check_number(batches, "batches", "1", call, lower = 1, upper = 1e4))
-  contestants <- list_contestants(scene, time_s, models, accuracies, peers, call)
+  steps_s <- check_steps(steps_s, constraint, models, call)
+  contestants <- rbind(
+    list_contestants(scene, time_s, models, accuracies, peers, call),
+    list_steppers(constraint, models, steps_s)
+  )
 
   heard <- new.env()
   references <- hear_warnings(find_references(scene, time_s, reference, constraint, call), heard)
@@ -78,7 +92,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
       ),
       rotdyn_error = function(e) {
         why <- strsplit(cli::ansi_strip(conditionMessage(e)), "\n", fixed = TRUE)[[1]][1]
-        failed <<- c(failed, paste0(one$model, " at ", format(one$accuracy), ": ", why))
+        failed <<- c(failed, paste0(one$model, " at ", asked_of(one), ": ", why))
         NULL
       }
     )
@@ -100,6 +114,17 @@ check_peers <- function(peers, call) {
   }
 }
 
+check_steps <- function(steps_s, constraint, models, call) {
+  if (is.null(steps_s)) return(NULL)
+  steps_s <- check_finite(steps_s, "steps_s", "s", call)
+  for (step in steps_s) check_number(step, "steps_s", "s", call, lower = 0, open = TRUE)
+  by_steps <- fixed_step_models(constraint)
+  if (!length(if (is.null(models)) by_steps else intersect(models, by_steps))) {
+    abort_no_steps(constraint, models %||% names(constraint$models), call, "steps_s")
+  }
+  steps_s
+}
+
 # ---- who takes part -----------------------------------------------------------------------------
 
 # Models that fit at an accuracy, cheapest first, as a choice has them; none if nothing reaches it.
@@ -110,7 +135,27 @@ models_that_fit <- function(scene, time_s, accuracy) {
   if (is.null(choice)) choice else choice[choice$applies, ]
 }
 
-# A row for each contestant and accuracy: model, error_kind, accuracy, peer.
+# A row for each model of fixed steps and each length; NA: that of trajectory().
+list_steppers <- function(constraint, models, steps_s) {
+  by_steps <- fixed_step_models(constraint)
+  if (is.null(models) && is.null(steps_s)) by_steps <- character()
+  if (!is.null(models)) by_steps <- intersect(models, by_steps)
+  steps_s <- steps_s %||% NA_real_
+  data.frame(
+    model = rep(by_steps, each = length(steps_s)),
+    error_kind = rep("estimate", length(by_steps) * length(steps_s)),
+    accuracy = rep(NA_real_, length(by_steps) * length(steps_s)),
+    step_s = rep(steps_s, length(by_steps)),
+    peer = logical(length(by_steps) * length(steps_s))
+  )
+}
+
+# What was asked of a contestant, in words.
+asked_of <- function(one) {
+  if (!is.na(one$accuracy)) format(one$accuracy) else paste(format(one$step_s), "s a step")
+}
+
+# A row for each contestant and accuracy: model, error_kind, accuracy, step_s (none), peer.
 list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
   known <- tryCatch(choose_model(scene, time_s, 1), rotdyn_error = function(e) {
     e$call <- rlang::error_call(call)
@@ -125,15 +170,17 @@ list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
   each <- lapply(accuracies, function(accuracy) {
     fit <- models_that_fit(scene, time_s, accuracy)
     wanted <- if (is.null(models)) fit$model else intersect(models, fit$model)
+    many <- length(wanted) + length(peers)
     data.frame(
       model = c(wanted, names(peers)),
       error_kind = c(fit$error_kind[match(wanted, fit$model)], rep(NA_character_, length(peers))),
-      accuracy = rep(accuracy, length(wanted) + length(peers)),
+      accuracy = rep(accuracy, many), step_s = rep(NA_real_, many),
       peer = rep(c(FALSE, TRUE), c(length(wanted), length(peers)))
     )
   })
   all <- do.call(rbind, c(each, list(data.frame(
-    model = character(), error_kind = character(), accuracy = double(), peer = logical()
+    model = character(), error_kind = character(), accuracy = double(), step_s = double(),
+    peer = logical()
   ))))
   order <- unique(all$model[order(all$peer)])
   all[order(match(all$model, order)), ]
@@ -280,7 +327,13 @@ measure_one <- function(one, scene, time_s, constraint, peers, truth, least_batc
     said <- peer_report(try_peer(go, one$model), one$model, columns, rows)
   } else {
     model <- one$model
-    go <- function() trajectory(scene, time_s, accuracy, model)
+    step <- if (!is.na(one$step_s)) one$step_s
+    go <- if (is.na(accuracy)) {
+      # 1: a warning that steps miss an accuracy would cost more than they do.
+      function() trajectory(scene, time_s, 1, model, step_s = step)
+    } else {
+      function() trajectory(scene, time_s, accuracy, model)
+    }
     said <- model_report(go(), columns, constraint, time_s)
   }
   measures <- constraint$measures
@@ -296,7 +349,7 @@ measure_one <- function(one, scene, time_s, constraint, peers, truth, least_batc
   cost <- measure_cost(go, least_batch_s, batches)
   c(
     list(model = one$model, method = method_of(one$model, one$error_kind, one$peer),
-         accuracy = accuracy),
+         accuracy = accuracy, step_s = said$step_s %||% NA_real_),
     as.list(error),
     list(
       true_error = max(error),
@@ -338,7 +391,7 @@ model_report <- function(motion, columns, constraint, time_s) {
   list(
     columns = columns_at(motion, columns, constraint, time_s), error = info$error,
     rhs_calls = as.double(info$rhs_calls), steps = as.double(info$steps),
-    rejected = as.double(info$rejected),
+    rejected = as.double(info$rejected), step_s = info$step_s,
     energy_residual = if (length(residual) == 0L) NA_real_ else
       if (residual %in% 0) 0 else residual / max(sizes)
   )
@@ -418,7 +471,9 @@ new_work_precision <- function(rows, constraint, scene, time_s, least_batch_s, b
     covered = logical(), reference = character()
   )
   names <- c(
-    "model", "method", "accuracy", paste0(names(constraint$measures), "_error"),
+    "model", "method", "accuracy",
+    if (any(!is.na(vapply(rows, `[[`, double(1), "step_s")))) "step_s",
+    paste0(names(constraint$measures), "_error"),
     setdiff(work_precision_columns, c("model", "method", "accuracy", "theta_error", "omega_error"))
   )
   columns <- lapply(names, function(name) {

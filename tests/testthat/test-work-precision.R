@@ -197,7 +197,36 @@ test_that("cost is processor time of one call", {
   expect_lt(measured$cost_s[3], 0.01)
 })
 
+test_that("steps of fixed length, each length a run: their errors fall as their orders say", {
+  block <- scene_free(c(1, 2, 3), c(0.1, 2, 0.1))
+  run <- function(...) {
+    work_precision(block, 0:5, accuracies = 1e-9, least_batch_s = 1e-4, batches = 1, ...)
+  }
+  steps <- c(0.02, 0.01)
+  measured <- run(steps_s = steps)
+  fixed <- measured[is.na(measured$accuracy), ]
+  expect_setequal(fixed$model, c("free_euler", "free_semi_implicit", "free_rk4", "free_split"))
+  expect_equal(fixed$step_s, rep(steps, 4))
+  expect_true(all(is.na(measured$step_s[!is.na(measured$accuracy)])))
+  expect_true(all(fixed$reference == "free_exact"))
+  order <- function(model) log2(Reduce(`/`, fixed$true_error[fixed$model == model]))
+  expect_equal(order("free_euler"), 1, tolerance = 0.1)
+  expect_equal(order("free_semi_implicit"), 1, tolerance = 0.1)
+  expect_equal(order("free_rk4"), 4, tolerance = 0.1)
+  # Only those named; without lengths the step that trajectory() takes.
+  named <- run(models = c("free_exact", "free_rk4"))
+  expect_equal(named$model, c("free_exact", "free_rk4"))
+  alone <- suppressWarnings(trajectory(block, 0:5, model = "free_rk4"), "rotdyn_warning_accuracy")
+  expect_equal(named$step_s[2], run_of(alone)$info$step_s)
+  skip_if_not_installed("ggplot2")
+  plot <- ggplot2::autoplot(measured)
+  labels <- ggplot2::layer_data(plot, length(plot$layers))$label
+  expect_true("  2e-2 s to 1e-2 s" %in% labels)
+})
+
 test_that("bad arguments", {
+  expect_error(measure(steps_s = 0.1), class = "rotdyn_error_model")
+  expect_error(measure(steps_s = 0), class = "rotdyn_error_value")
   expect_error(work_precision(), class = "rotdyn_error_missing")
   expect_error(work_precision(1, 0:8), class = "rotdyn_error_type")
   expect_error(measure(time_s = double()), class = "rotdyn_error_size")
