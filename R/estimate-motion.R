@@ -20,8 +20,9 @@
 #' coast-downs and pendulums; of alpha 95 to 99 %; of omega in the first and last 3 % of a record,
 #' 88 to 97 %.
 #'
-#' **Breaks.** At a break the rate jumps (an impact) or the acceleration does (a switched torque, a
-#' stop). Where a shock would explain the record better than chance (a score test above 25), its
+#' **Breaks.** At a break the rate jumps (an impact), the acceleration does (a switched torque, a
+#' stop), or its derivative (a torque that begins or ceases to change steadily: a ramp; at order 4
+#' alone). Where a shock would explain the record better than chance (a score test above 25), its
 #' time and kind are those of the largest likelihood. [motion_events()] lists them. Estimates beside
 #' a break are less certain than their intervals: those rows are flagged.
 #'
@@ -42,7 +43,8 @@
 #' @param resistance A [resistance()], for the torque that is applied besides it. It needs an
 #'   inertia.
 #' @param breaks `"find"`, `"none"`, or the times of known breaks in s, with names `impact` (omega
-#'   jumps) or `switch` (its derivative jumps) where that is known.
+#'   jumps), `switch` (its derivative jumps) or `ramp` (the derivative of that does) where that is
+#'   known.
 #' @param ... Not used: an unknown argument is an error.
 #' @param outliers `"find"` or `"none"`.
 #' @param order The order p of the process, 3, 4 or 5, or NULL: chosen.
@@ -280,10 +282,11 @@ known_breaks <- function(breaks, record, call) {
     ), "value", call)
   }
   said <- names(breaks) %||% rep("", length(breaks))
-  unknown <- setdiff(said, c("", "impact", "switch", "stop"))
+  kinds <- c("impact", "switch", "stop", "ramp")
+  unknown <- setdiff(said, c("", kinds))
   if (length(unknown)) {
     abort_rotdyn(c(
-      "Names of {.arg breaks} must be {.or {.val {c('impact', 'switch', 'stop')}}}.",
+      "Names of {.arg breaks} must be {.or {.val {kinds}}}.",
       x = "There is {.val {unknown[1]}}."
     ), "value", call)
   }
@@ -300,7 +303,7 @@ known_breaks <- function(breaks, record, call) {
     ), "time", call)
   }
   order <- order(segment, time)
-  first <- c(impact = 1, switch = 2, stop = 2)[said]
+  first <- c(impact = 1, switch = 2, stop = 2, ramp = 3)[said]
   list(
     time_s = as.double(time)[order],
     segment = as.double(names(starts)[segment])[order],
@@ -540,6 +543,7 @@ check_aliasing <- function(fit, record, call) {
 new_estimate <- function(fit, call) {
   times <- if (fit$edges) fit$data[c("time_s", "segment")] else no_times
   fit$process <- process_share(fit)
+  fit$ramp_se_s <- ramp_errors(fit)
   rows <- fitted_rows(fit, times)
   fit$degrees <- max(fit$samples - rows$used, 1)
   fit$residual <- rows$residual
@@ -562,6 +566,7 @@ new_estimate <- function(fit, call) {
 # and of the process, lambda dP/d(lambda); `process` says how much of the latter there is.
 fitted_rows <- function(fit, times) {
   rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, times)
+  rows <- add_ramp_errors(rows, fit, times)
   if (fit$process == 1) return(rows)
   step <- 0.05
   more <- .Call(
@@ -571,6 +576,34 @@ fitted_rows <- function(fit, times) {
     for (v in c("v00", "v01", "v02", "v11", "v12", "v22")) {
       slope <- (more[[part]][[v]] - rows[[part]][[v]]) / step
       rows[[part]][[v]] <- rows[[part]][[v]] - (1 - fit$process) * slope
+    }
+  }
+  rows
+}
+
+# The standard error of the time of each ramp, 0 for other breaks: those hardly move the motion.
+ramp_errors <- function(fit) {
+  ramp <- fit$breaks$first == 3
+  if (!any(ramp)) return(double(length(ramp)))
+  se <- .Call(ffi_smooth_breaks, fit$core, fit$breaks, fit$fit)$time_error_s
+  ifelse(ramp & is.finite(se), se, 0)
+}
+
+# What the rows change by when a ramp is moved by its standard error, added to their variances.
+add_ramp_errors <- function(rows, fit, times) {
+  for (i in which(fit$ramp_se_s > 0)) {
+    moved <- fit$breaks
+    moved$time_s[i] <- moved$time_s[i] + fit$ramp_se_s[i]
+    if (is.unsorted(order(moved$segment, moved$time_s))) next
+    other <- .Call(ffi_smooth_rows, fit$core, moved, fit$fit, times)
+    for (part in c("samples", "others")) {
+      d <- lapply(c("theta", "omega", "alpha"), function(x) other[[part]][[x]] - rows[[part]][[x]])
+      for (j in 1:3) {
+        for (k in j:3) {
+          v <- paste0("v", j - 1, k - 1)
+          rows[[part]][[v]] <- rows[[part]][[v]] + d[[j]] * d[[k]]
+        }
+      }
     }
   }
   rows
@@ -739,12 +772,14 @@ estimate_events <- function(fit, rows) {
   first <- as.double(fit$breaks$first)
   event <- rep("impact", n)
   event[first == 2] <- ifelse(rests[first == 2], "stop", "switch")
-  clean <- function(x) replace(x, first == 2, 0)
+  event[first == 3] <- "ramp"
+  clean <- function(x, from = 2) replace(x, first >= from, 0)
   tibble::new_tibble(list(
     time_s = as.double(fit$breaks$time_s), time_se_s = column("time_error_s"), event = event,
     omega_jump_rad_per_s = clean(column("omega_jump")),
     omega_jump_se_rad_per_s = clean(root("v11")),
-    alpha_jump_rad_per_s2 = column("alpha_jump"), alpha_jump_se_rad_per_s2 = root("v22"),
+    alpha_jump_rad_per_s2 = clean(column("alpha_jump"), 3),
+    alpha_jump_se_rad_per_s2 = clean(root("v22"), 3),
     segment = as.integer(fit$breaks$segment)
   ), nrow = n)
 }

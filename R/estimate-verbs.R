@@ -5,7 +5,8 @@ estimate_form <- list(
     w_omega = "values?", floor = "numbers:2"
   ),
   breaks = list(time_s = "numbers", segment = "numbers=time_s", first = "numbers=time_s"),
-  fit = "numbers:4", degrees = "number", process = "number", samples = "number", end = "number",
+  fit = "numbers:4", degrees = "number", process = "number", ramp_se_s = "numbers",
+  samples = "number", end = "number",
   left_out = "flags", residual = "values",
   asked = list(
     inertia = "values?", level = "number", scale_u = "number", bias_u = "number",
@@ -23,7 +24,8 @@ check_estimate <- function(x, arg, call) {
     length(fit$data$time_s) > 0L && is.integer(fit$data$segment) &&
     length(fit$data$segment) == length(fit$data$time_s) &&
     all(lengths(fit$core[c("theta", "omega", "w_theta", "w_omega")]) %in% c(0L, n)) &&
-    fit$fit[1] %in% 2:5 && all(fit$breaks$first %in% 1:2) && !is.unsorted(fit$core$segment)
+    length(fit$ramp_se_s) == length(fit$breaks$time_s) && fit$fit[1] %in% 2:5 &&
+    all(fit$breaks$first %in% 1:3) && !is.unsorted(fit$core$segment)
   if (!ok) abort_form("parts", arg, "estimate", call)
   fit
 }

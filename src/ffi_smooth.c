@@ -47,7 +47,7 @@ static rot_smooth_break *read_breaks(SEXP list, size_t room, size_t *n) {
   const double *first = ffi_numbers_of(list, "first", (R_xlen_t)*n);
   rot_smooth_break *out = (rot_smooth_break *)R_alloc(*n + room + 1, sizeof *out);
   for (size_t i = 0; i < *n; i++) {
-    if (!(first[i] >= 1.0 && first[i] <= 2.0)) Rf_error("internal: `first`");
+    if (!(first[i] >= 1.0 && first[i] <= 3.0)) Rf_error("internal: `first`");
     out[i].time_s = time_s[i];
     out[i].segment = (int)segment[i];
     out[i].first = (int)first[i];
@@ -162,7 +162,7 @@ SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
     double *covariance = mean + nodes * p;
     double *residual[CHANNELS] = {covariance + 6 * nodes, covariance + 7 * nodes};
     rot_smooth_smooth(&of.grid.nodes, &of.fit.model, &of.store, mean, covariance);
-    rot_smooth_scores(&of.grid.nodes, &of.fit.model, &of.store, NULL, residual);
+    rot_smooth_scores(&of.grid.nodes, &of.fit.model, &of.store, NULL, NULL, residual);
     for (int part = 0; part < 2; part++)
       for (R_xlen_t i = 0; i < (part ? m : n); i++) {
         const size_t k = part ? of.grid.other[i] : of.grid.sample[i];

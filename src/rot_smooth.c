@@ -346,7 +346,7 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
       if (first == ROT_SMOOTH_STARTS)
         seen = 0, behind = ROT_SMOOTH_BEHIND;
       else {
-        sums->fresh += (size_t)(p - first);
+        sums->fresh += first < p ? (size_t)(p - first) : 0;
         sums->log_f -= log_variance;
         behind = 0;
       }
@@ -571,6 +571,7 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
           jumps[i].mean[c] = after.x[c] - at.x[c];
           jumps[i].after[c] = after.x[c];
         }
+        jumps[i].variance_3 = p > 3 ? product(m, 2 * p, p, 3, 3) : NAN;
         for (int c = 0; c < 3; c++) {
           const int known = pair[c][1] < p;
           jumps[i].covariance[c] = known ? product(m, 2 * p, p, pair[c][0], pair[c][1]) : NAN;
@@ -581,15 +582,16 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
   }
 }
 
-/* r' N^-1 r of the states from 1 on: Cholesky in units of the diagonal. NaN where N is singular. */
-static double shock_of(const double *r, const double *n, int p) {
+/* r' N^-1 r of the states from `first` on: Cholesky in units of the diagonal. NaN where N is
+ * singular. */
+static double shock_of(const double *r, const double *n, int p, int first) {
   double l[PP], z[P], sum = 0.0;
-  const int m = p - 1;
+  const int m = p - first;
   for (int i = 0; i < m; i++) {
-    const double unit = sqrt(n[(i + 1) * p + i + 1]);
-    double rest = r[i + 1] / unit;
+    const double unit = sqrt(n[(i + first) * p + i + first]);
+    double rest = r[i + first] / unit;
     for (int j = 0; j <= i; j++) {
-      double entry = n[(i + 1) * p + j + 1] / (unit * sqrt(n[(j + 1) * p + j + 1]));
+      double entry = n[(i + first) * p + j + first] / (unit * sqrt(n[(j + first) * p + j + first]));
       for (int k = 0; k < j; k++) entry -= l[i * p + k] * l[j * p + k];
       if (i == j && !(entry > 1e-13)) return NAN;
       l[i * p + j] = i == j ? sqrt(entry) : entry / l[j * p + j];
@@ -602,7 +604,7 @@ static double shock_of(const double *r, const double *n, int p) {
 }
 
 void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
-                       const rot_smooth_store *store, double *shock,
+                       const rot_smooth_store *store, double *shock, double *kink,
                        double *residual[ROT_SMOOTH_CHANNELS]) {
   const int p = model->order;
   process of;
@@ -651,7 +653,8 @@ void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
       n[c * p + c] += d - 2.0 * along[c];
       if (residual && residual[c]) residual[c][k] = u / sqrt(d);
     }
-    if (shock) shock[k] = shock_of(r, n, p);
+    if (shock) shock[k] = shock_of(r, n, p, 1);
+    if (kink) kink[k] = p > 3 ? shock_of(r, n, p, 3) : NAN;
   }
 }
 

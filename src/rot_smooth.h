@@ -26,7 +26,8 @@ enum {
 };
 
 /* How the state reaches a node. A break is a node at the time of the one before it, where the
- * states from `first` on are forgotten: 1 where omega jumps, 2 where its derivative does. */
+ * states from `first` on are forgotten: 1 where omega jumps, 2 where its derivative does, 3 where
+ * the derivative of that does. */
 enum { ROT_SMOOTH_FLOWS = -1, ROT_SMOOTH_STARTS = 0 };
 
 /* Nodes in the order of time: samples, breaks, other times. Node 0 starts. */
@@ -77,20 +78,20 @@ void rot_smooth_smooth(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
                        const rot_smooth_store *store, double *mean, double *covariance);
 
 /* The jump of the states over a break at node k (mean[order], covariance[3] of states 1 and 2: 11,
- * 12, 22), from a smoother run back to it; NaN where k is none. */
+ * 12, 22; variance of state 3), from a smoother run back to it; NaN where k is none. */
 typedef struct rot_smooth_jump {
   size_t node;
-  double mean[ROT_SMOOTH_MOST], covariance[3];
+  double mean[ROT_SMOOTH_MOST], covariance[3], variance_3;
   double after[ROT_SMOOTH_MOST], after_covariance[3]; /* the state on the far side */
 } rot_smooth_jump;
 void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                       const rot_smooth_store *store, size_t n, rot_smooth_jump jumps[]);
 
 /* Scores: for each node the test chi^2 (times sigma^2) of a shock that reaches it in the states
- * from 1 on, and the leave-one-out residual u/sqrt(D) (times sigma) of each channel, NaN where
- * there is no sample. Any may be NULL. */
+ * from 1 on and of one in those from 3 on (NaN below order 4), and the leave-one-out residual
+ * u/sqrt(D) (times sigma) of each channel, NaN where there is no sample. Any may be NULL. */
 void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
-                       const rot_smooth_store *store, double *shock,
+                       const rot_smooth_store *store, double *shock, double *kink,
                        double *residual[ROT_SMOOTH_CHANNELS]);
 
 /* Draws of the states given all samples, backward from the last node (Fruehwirth-Schnatter 1994):

@@ -9,6 +9,11 @@ enum { CHANNELS = ROT_SMOOTH_CHANNELS };
 /* A sample is left out beyond 4.5 leave-one-out s.d. A shock of a state that is not there exceeds
  * 11 to 22 once in 100 records of 200 to 5000 samples; those that were there gave 48 to 366. */
 static const double outlier = 4.5 * 4.5, shock_level = 25.0;
+/* A kink of the acceleration is one state: where there is none, the largest score is 5 to 16. With
+ * the kink and the smoothness found anew, those of torque ramps have 38 to 95, others up to 28 (350
+ * coast-downs). */
+static const double kink_level = 10.0, kink_shows = 30.0;
+enum { IMPACT = 1, SWITCH = 2, KINK = 3 }; /* the first state that is forgotten */
 enum { FROM_END = 4, APART = 5, NEIGHBOURS = 2, POINTS = 20, ROUNDS = 400 };
 static const double golden = 0.6180339887498949;
 
@@ -24,12 +29,15 @@ typedef struct window {
   size_t first; /* sample of the record */
 } window;
 
+/* The smoother forgets over some lambda^(-1/(2p)) samples. */
+static double memory_of(const rot_smooth_fit *fit) {
+  return pow(fit->model.lambda, -0.5 / fit->model.order);
+}
+
 static rot_status window_open(window *w, const rot_smooth_record *record, double unit_s,
                               const rot_smooth_fit *fit, size_t n_breaks,
                               const rot_smooth_break *breaks, size_t which) {
-  /* The smoother forgets over some lambda^(-1/(2p)) samples. */
-  const double memory = pow(fit->model.lambda, -0.5 / fit->model.order);
-  const size_t reach = (size_t)fmin(100.0 + 10.0 * memory, (double)record->n);
+  const size_t reach = (size_t)fmin(100.0 + 10.0 * memory_of(fit), (double)record->n);
   const rot_smooth_break *of = breaks + which;
   size_t low = 0, high = record->n, centre;
   if (record->segment) {
@@ -155,7 +163,8 @@ static double nearest(const window *w, int side) {
 }
 
 /* Time and level of one break by likelihood at the fit's smoothness, in the interval of `before`
- * samples before it to `after` behind it. `gain`: by how much -2 log L with its penalty falls. */
+ * samples before it to `after` behind it; a kink stays one. `gain`: by how much -2 log L with its
+ * penalty falls. */
 static rot_status place(const rot_smooth_record *record, double unit_s, const rot_smooth_fit *fit,
                         size_t n_breaks, rot_smooth_break *breaks, size_t which, int before,
                         int after, double *gain) {
@@ -171,7 +180,8 @@ static rot_status place(const rot_smooth_record *record, double unit_s, const ro
     a = fmax(a, nearest(&w, -1));
     b = fmin(b, nearest(&w, 1));
     const double without = window_try(&w, NAN, 0);
-    for (int first = 1; first <= 2 && a < b; first++) {
+    const int kink = breaks[which].first == KINK;
+    for (int first = kink ? KINK : IMPACT; first <= (kink ? KINK : SWITCH) && a < b; first++) {
       double value;
       const double time_s = window_time(&w, a, b, first, &value);
       value += penalty * (fit->model.order - first);
@@ -201,15 +211,15 @@ rot_status rot_smooth_time_error(const rot_smooth_record *record, const rot_smoo
     status = window_open(&w, record, unit_s, fit, n_breaks, breaks, which);
     if (status == ROT_OK) {
       const double t = breaks[which].time_s, at = window_try(&w, t, breaks[which].first);
+      const double most = 5.0 * unit_s * (breaks[which].first == KINK ? memory_of(fit) : 1.0);
       double sum = 0.0;
       for (int side = -1; side <= 1; side += 2) {
         double low = 0.0, high = 1e-4 * unit_s;
-        while (high < 5.0 * unit_s &&
-               !(window_try(&w, t + side * high, breaks[which].first) > at + 1.0)) {
+        while (high < most && !(window_try(&w, t + side * high, breaks[which].first) > at + 1.0)) {
           low = high;
           high *= 2.0;
         }
-        if (!(high < 5.0 * unit_s)) {
+        if (!(high < most)) {
           sum = NAN;
           break;
         }
@@ -237,9 +247,9 @@ typedef struct finding {
   const rot_hooks *hooks;
   rot_smooth_grid grid;
   rot_smooth_store store;
-  double *shock, *residual[CHANNELS]; /* of each node */
-  double *worst;                      /* of each sample: the largest squared residual */
-  unsigned char *tried;               /* no break here */
+  double *shock, *kink, *residual[CHANNELS]; /* of each node */
+  double *worst;                             /* of each sample: the largest squared residual */
+  unsigned char *tried, *no_kink;            /* no break here */
   rot_smooth_break *breaks;
   size_t n_breaks;
   rot_smooth_fit fit;
@@ -255,7 +265,7 @@ static rot_status look(finding *of) {
   rot_smooth_sums sums;
   rot_smooth_grid_fill(&of->grid, of->record, of->fit.ratio, of->n_breaks, of->breaks, NULL);
   rot_smooth_filter(&of->grid.nodes, &of->fit.model, 0, of->grid.nodes.n, &of->store, 1, &sums);
-  rot_smooth_scores(&of->grid.nodes, &of->fit.model, &of->store, of->shock, of->residual);
+  rot_smooth_scores(&of->grid.nodes, &of->fit.model, &of->store, of->shock, of->kink, of->residual);
   size_t since = 0;
   for (size_t i = 0; i < n; i++) {
     const size_t k = of->grid.sample[i];
@@ -265,6 +275,7 @@ static rot_status look(finding *of) {
         since >= FROM_END && i + FROM_END < n && segment_of(of, i + FROM_END) == segment_of(of, i);
     of->worst[i] = 0.0;
     of->shock[i] = inside ? of->shock[k] / variance : 0.0; /* sample[i] >= i: in place */
+    of->kink[i] = inside ? of->kink[k] / variance : 0.0;
     for (int c = 0; c < CHANNELS; c++) {
       const double e = of->residual[c][k];
       if (e * e / variance > of->worst[i]) of->worst[i] = e * e / variance;
@@ -296,28 +307,31 @@ static size_t leave_out(finding *of) {
   return left;
 }
 
-/* The sample with the largest shock where a break may be, or n. */
-static size_t most_shocked(const finding *of) {
+/* The sample with the largest score above `level` where a break may be, `apart` samples from others
+ * and `inside` samples within its segment, or n. */
+static size_t highest(const finding *of, const double *score, double level, size_t apart,
+                      size_t inside, const unsigned char *tried) {
   const size_t n = of->record->n;
   size_t best = n, b = 0;
-  double most = shock_level;
+  double most = level;
   for (size_t i = 0; i < n; i++) {
-    if (!(of->shock[i] > most) || of->tried[i]) continue;
-    int free_of = 1;
+    if (!(score[i] > most) || tried[i]) continue;
+    int free_of =
+        i >= inside && i + inside < n && segment_of(of, i - inside) == segment_of(of, i + inside);
     for (b = 0; b < of->n_breaks && free_of; b++) {
       if (of->breaks[b].segment != segment_of(of, i)) continue;
-      const size_t low = i >= APART ? i - APART : 0, high = i + APART < n ? i + APART : n - 1;
+      const size_t low = i >= apart ? i - apart : 0, high = i + apart < n ? i + apart : n - 1;
       const double t = of->breaks[b].time_s;
       free_of = t < of->record->time_s[low] || t > of->record->time_s[high];
     }
     if (!free_of) continue;
-    most = of->shock[i];
+    most = score[i];
     best = i;
   }
   return best;
 }
 
-static void insert(finding *of, double time_s, int segment, size_t *at) {
+static void insert(finding *of, double time_s, int segment, int first, size_t *at) {
   size_t i = of->n_breaks;
   while (i > 0 && (of->breaks[i - 1].segment > segment ||
                    (of->breaks[i - 1].segment == segment && of->breaks[i - 1].time_s > time_s))) {
@@ -326,7 +340,7 @@ static void insert(finding *of, double time_s, int segment, size_t *at) {
   }
   of->breaks[i].time_s = time_s;
   of->breaks[i].segment = segment;
-  of->breaks[i].first = 1;
+  of->breaks[i].first = first;
   of->n_breaks++;
   *at = i;
 }
@@ -374,6 +388,77 @@ static rot_status refit(finding *of, int all) {
                            all ? NULL : &near, of->hooks, &of->fit);
 }
 
+/* The square of the jump at a kink over its variance. */
+static double kink_score(finding *of, size_t at) {
+  rot_smooth_sums sums;
+  rot_smooth_jump jump;
+  memset(&jump, 0, sizeof jump);
+  rot_smooth_grid_fill(&of->grid, of->record, of->fit.ratio, of->n_breaks, of->breaks, NULL);
+  rot_smooth_filter(&of->grid.nodes, &of->fit.model, 0, of->grid.nodes.n, &of->store, 1, &sums);
+  jump.node = of->grid.at_break[at];
+  rot_smooth_jumps(&of->grid.nodes, &of->fit.model, &of->store, 1, &jump);
+  return jump.mean[KINK] * jump.mean[KINK] / (jump.variance_3 * of->fit.sigma * of->fit.sigma);
+}
+
+/* Puts a kink at sample k. Smoothness is found anew with it, since kinks are what the process was
+ * rough for. */
+static rot_status put_kink(finding *of, size_t k, size_t *at, double *score) {
+  const int reach = 2 + (int)fmin(memory_of(&of->fit), (double)of->record->n);
+  rot_status status = ROT_OK;
+  double gain;
+  insert(of, of->record->time_s[k], segment_of(of, k), KINK, at);
+  for (int turn = 0; turn < 2 && status == ROT_OK; turn++) {
+    status = place(of->record, of->grid.unit_s, &of->fit, of->n_breaks, of->breaks, *at, reach,
+                   reach, &gain);
+    if (status == ROT_OK) status = refit(of, 0);
+    *score = status == ROT_OK ? kink_score(of, *at) : 0.0;
+    if (!(*score > 0.5 * kink_shows)) break;
+  }
+  return status;
+}
+
+static size_t next_kink(const finding *of) {
+  const size_t apart = APART + 2 * (size_t)fmin(memory_of(&of->fit), (double)of->record->n);
+  return highest(of, of->kink, kink_level, apart, apart, of->no_kink);
+}
+
+/* Kinks of the acceleration, where a torque begins or ceases to change steadily: one that shows by
+ * itself, or two of which each shows beside the other. `spare`: room for more breaks. */
+static rot_status add_kink(finding *of, size_t spare, size_t *changes, int *more) {
+  const size_t n = of->record->n, k = next_kink(of);
+  const size_t memory = (size_t)fmin(memory_of(&of->fit), (double)n);
+  const rot_smooth_fit kept = of->fit;
+  size_t at, next = n;
+  double score;
+  *more = k < n;
+  if (k == n) return ROT_OK;
+  rot_status status = put_kink(of, k, &at, &score);
+  if (status == ROT_OK && score <= kink_shows && score > 0.5 * kink_shows && spare > 1) {
+    status = look(of);
+    next = next_kink(of);
+    if (status == ROT_OK && next < n) {
+      size_t second;
+      double other;
+      status = put_kink(of, next, &second, &other);
+      if (second <= at) at++;
+      if (status == ROT_OK) score = fmin(kink_score(of, at), other);
+      if (!(score > kink_shows)) {
+        take_out(of, second);
+        if (second < at) at--;
+      }
+    }
+  }
+  if (status == ROT_OK && score > kink_shows) {
+    memset(of->no_kink, 0, n); /* beside a smoother motion the others show more */
+    ++*changes;
+    return status;
+  }
+  take_out(of, at);
+  of->fit = kept;
+  for (size_t i = k > memory ? k - memory : 0; i < n && i <= k + memory; i++) of->no_kink[i] = 1;
+  return status;
+}
+
 /* Samples, then breaks, at this order. */
 static rot_status settle(finding *of, size_t given, size_t *changes) {
   rot_status status = ROT_OK;
@@ -386,12 +471,18 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
       continue;
     }
     if (!of->how->breaks || of->n_breaks - given >= of->how->most_breaks) return ROT_OK;
-    const size_t k = most_shocked(of);
-    if (k == of->record->n) return ROT_OK;
+    const size_t k = highest(of, of->shock, shock_level, APART, 0, of->tried);
+    /* What a kink explains nearly as well is tried as one first. */
+    if (k == of->record->n || of->shock[k] - of->kink[k] < 0.5 * shock_level) {
+      int more;
+      status = add_kink(of, of->how->most_breaks - (of->n_breaks - given), changes, &more);
+      if (more) continue;
+      if (k == of->record->n) return status;
+    }
     size_t at;
     double gain;
     const rot_smooth_fit kept = of->fit;
-    insert(of, of->record->time_s[k], segment_of(of, k), &at);
+    insert(of, of->record->time_s[k], segment_of(of, k), IMPACT, &at);
     status =
         place(of->record, of->grid.unit_s, &of->fit, of->n_breaks, of->breaks, at, 3, 2, &gain);
     if (status == ROT_OK && of->how->outliers) {
@@ -415,7 +506,9 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
     } else {
       take_out(of, at);
       of->fit = kept;
-      of->tried[k] = 1;
+      /* The places beside it were tried with it. */
+      of->tried[k] = of->tried[k + 1] = 1;
+      if (k > 0) of->tried[k - 1] = 1;
     }
   }
   return status;
@@ -431,6 +524,13 @@ static double total(finding *of, const rot_smooth_break *breaks, size_t n_breaks
       rot_smooth_objective(&of->grid.nodes, &of->fit.model,
                            rot_smooth_floor(&of->grid, of->record, of->fit.ratio), &sigma, &sums);
   return value + log((double)of->record->n) * ((double)sums.fresh + (double)left);
+}
+
+/* Below order 4 there is no state that a kink forgets. */
+static void drop_kinks(finding *of) {
+  if (of->fit.model.order > KINK) return;
+  for (size_t b = of->n_breaks; b-- > 0;)
+    if (of->breaks[b].first == KINK) take_out(of, b);
 }
 
 static rot_status place_in(finding *of, rot_smooth_break *breaks, size_t n, size_t which) {
@@ -493,6 +593,7 @@ static rot_status polish(finding *of, rot_smooth_break *room, size_t most, size_
   rot_smooth_break *without = room, *trial = room + most;
   rot_status status = ROT_OK;
   for (size_t b = 0; b < of->n_breaks && status == ROT_OK; b++) {
+    if (of->breaks[b].first == KINK) continue;
     better best = {room + 2 * most, 0, n, total(of, of->breaks, of->n_breaks, 0)};
     const double now = best.value;
     const size_t m = of->n_breaks - 1;
@@ -539,10 +640,11 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
   rot_status status = rot_smooth_grid_new(&of.grid, record, room, 0);
   if (status == ROT_OK) status = refit(&of, 1);
   if (status == ROT_OK && (how->breaks || how->outliers)) {
-    double *memory = calloc((2 + CHANNELS) * nodes, sizeof *memory);
+    double *memory = calloc((3 + CHANNELS) * nodes, sizeof *memory);
     status = rot_smooth_store_new(&of.store, nodes, ROT_SMOOTH_MOST);
     rot_smooth_break *trial = calloc(3 * room + 1, sizeof *trial);
-    of.tried = calloc(record->n + 1, 1);
+    of.tried = calloc(2 * record->n + 2, 1);
+    if (of.tried) of.no_kink = of.tried + record->n + 1;
     const size_t size = record->n * sizeof(double);
     double *weights = malloc(CHANNELS * size + 1);
     rot_smooth_break *list = calloc(given + 1, sizeof *list);
@@ -553,7 +655,8 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
     of.shock = memory;
     if (status == ROT_OK) {
       of.worst = memory + nodes;
-      for (int c = 0; c < CHANNELS; c++) of.residual[c] = memory + (size_t)(2 + c) * nodes;
+      of.kink = memory + 2 * nodes;
+      for (int c = 0; c < CHANNELS; c++) of.residual[c] = memory + (size_t)(3 + c) * nodes;
     }
     for (int pass = 0; pass < 4 && status == ROT_OK; pass++) {
       size_t changes = 0, polished = 0;
@@ -561,12 +664,14 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
       status = settle(&of, given, &changes);
       if (status != ROT_OK || changes == 0) break;
       status = refit(&of, 1);
+      drop_kinks(&of);
       if (status == ROT_OK && how->breaks) status = polish(&of, trial, room, &polished);
       if (status == ROT_OK && polished > 0) status = refit(&of, 1);
+      drop_kinks(&of);
       if (of.fit.model.order == order && polished == 0) break;
     }
     for (size_t i = 0; how->breaks && i < of.n_breaks && status == ROT_OK; i++)
-      status = place_in(&of, of.breaks, of.n_breaks, i);
+      if (of.breaks[i].first != KINK) status = place_in(&of, of.breaks, of.n_breaks, i);
     if (status == ROT_OK && of.n_breaks > given) status = refit(&of, 0);
     /* Samples that are joined have no scatter beside which one would be off. */
     if (status == ROT_OK && of.fit.end == ROT_SMOOTH_JOINS) {

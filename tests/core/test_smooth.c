@@ -254,7 +254,7 @@ static void leave_one_out(void) {
   double *to[2] = {residual, NULL};
   ROT_CHECK(rot_smooth_store_new(&store, N, 4) == ROT_OK);
   rot_smooth_filter(&all.nodes, &model, 0, N, &store, 1, &sums);
-  rot_smooth_scores(&all.nodes, &model, &store, shock, to);
+  rot_smooth_scores(&all.nodes, &model, &store, shock, NULL, to);
   for (int i = 5; i < N; i += 23) {
     without = all;
     without.nodes.y[0] = without.y;
@@ -281,10 +281,11 @@ static double squares(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
   return sum;
 }
 
-/* The score of a shock is the fall of the sum of squares where the states from 1 on begin anew. */
+/* The score of a shock is the fall of the sum of squares where the states from 1 on begin anew,
+ * that of a kink where those from 3 on do. */
 static void score_of_shock(void) {
   static series all, broken;
-  static double shock[N];
+  static double shock[N], kink[N];
   make_series(&all, 1);
   for (int k = 60; k < N; k++) all.y[k] += 0.8 * (k - 60);
   for (int p = 3; p <= 4; p++) {
@@ -293,7 +294,7 @@ static void score_of_shock(void) {
     rot_smooth_sums sums;
     ROT_CHECK(rot_smooth_store_new(&store, N, p) == ROT_OK);
     rot_smooth_filter(&all.nodes, &model, 0, N, &store, 1, &sums);
-    rot_smooth_scores(&all.nodes, &model, &store, shock, NULL);
+    rot_smooth_scores(&all.nodes, &model, &store, shock, kink, NULL);
     rot_smooth_store_free(&store);
     for (int at = 20; at <= 100; at += 20) {
       broken = all;
@@ -310,6 +311,13 @@ static void score_of_shock(void) {
       const rot_smooth_nodes nodes = {
           N + 1, broken.gap, {broken.y, NULL}, {broken.w, NULL}, broken.first};
       ROT_CHECK_REL(squares(&all.nodes, &model) - squares(&nodes, &model), shock[at], 1e-5);
+      if (p < 4) {
+        ROT_CHECK(isnan(kink[at]));
+        continue;
+      }
+      broken.first[at + 1] = 3;
+      const double fall = squares(&all.nodes, &model) - squares(&nodes, &model);
+      ROT_CHECK(fabs(fall - kink[at]) <= 1e-5 * fmax(kink[at], 1.0));
     }
   }
 }

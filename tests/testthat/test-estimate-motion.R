@@ -143,6 +143,32 @@ test_that("a switched torque and a stop are told apart", {
   expect_equal(motion_events(estimate_motion(stopped))$event, "stop")
 })
 
+test_that("the ends of a torque ramp are found, and the motion between is smoother for it", {
+  # alpha grows at 6 rad/s^3 from 2 s to 5 s, else it is constant.
+  time <- seq(0, 8, by = 0.01)
+  alpha <- 6 * pmax(pmin(time, 5) - 2, 0)
+  theta <- pmax(time - 2, 0)^3 - pmax(time - 5, 0)^3
+  estimates <- function(...) {
+    lapply(1:8, function(seed) estimate_motion(noisy(time, theta, 2e-3, seed), ...))
+  }
+  ramps <- estimates()
+  for (motion in ramps) {
+    events <- motion_events(motion)
+    expect_equal(events$event, c("ramp", "ramp"))
+    expect_lt(max(abs(events$time_s - c(2, 5)) / events$time_se_s), 4)
+    expect_equal(events$omega_jump_rad_per_s, c(0, 0))
+    expect_equal(events$alpha_jump_rad_per_s2, c(0, 0))
+  }
+  rms <- function(motion) sqrt(mean((motion$alpha_rad_per_s2 - alpha)^2))
+  expect_lt(mean(vapply(ramps, rms, 0)), 0.7 * mean(vapply(estimates(breaks = "none"), rms, 0)))
+  inside <- vapply(ramps, function(x) {
+    mean(abs(x$alpha_rad_per_s2 - alpha) < 2 * x$alpha_se_rad_per_s2)
+  }, 0)
+  expect_gt(mean(inside), 0.9)
+  known <- estimate_motion(noisy(time, theta, 2e-3, 1), breaks = c(ramp = 2, ramp = 5))
+  expect_equal(motion_events(known)$event, c("ramp", "ramp"))
+})
+
 test_that("smooth motions have no breaks", {
   time <- seq(0, 8, by = 0.02)
   n <- vapply(1:10, function(seed) {
