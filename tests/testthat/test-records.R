@@ -269,6 +269,32 @@ test_that("an open transaction and an interruption leave nothing of a run", {
   expect_true(DBI::dbIsValid(con))
 })
 
+test_that("two sessions record at once", {
+  need()
+  lab <- new_lab()
+  files <- tempfile(c("write", "begun", "ended"))
+  on.exit(unlink(c(lab, files)))
+  writeLines(sprintf(
+    "library(rotdyn, lib.loc = '%s')
+    motion <- trajectory(scene_axle(1, 1), 0:9)
+    invisible(file.create('%s'))
+    for (i in 1:20) record_run('%s', motion)
+    invisible(file.create('%s'))",
+    dirname(system.file(package = "rotdyn")), files[2], lab, files[3]
+  ), files[1])
+  system2(file.path(R.home("bin"), "Rscript"), shQuote(files[1]), wait = FALSE)
+  wait_for <- function(file) {
+    for (i in 1:600) if (file.exists(file)) break else Sys.sleep(0.1)
+  }
+  wait_for(files[2])
+  motion <- trajectory(scene_axle(2, 1), 0:9)
+  for (i in 1:20) record_run(lab, motion)
+  wait_for(files[3])
+  expect_identical(nrow(list_runs(lab)), 40L)
+  expect_length(unique(list_runs(lab)$scene_hash), 2)
+  expect_true(all(records_check(lab)$holds))
+})
+
 test_that("metadata of another version are completed", {
   need()
   lab <- new_lab()
