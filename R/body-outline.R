@@ -123,7 +123,8 @@ triangle_of <- function(base, height, apex) {
 cap_of <- function(s) {
   z <- s[2] * (1 - cos(seq(0, pi / 2, length.out = 46L)))
   z <- sort(unique(c(z, if (s[2] > s[1]) s[2] - s[1])))
-  turned(sqrt(pmax(s[1]^2 - (z + s[1] - s[2])^2, 0)), z)
+  below <- s[2] - z # (2 R - below) below is R^2 - (R - below)^2, and R^2 may be beyond the doubles
+  turned(sqrt(2 * below) * sqrt(pmax(s[1] - below / 2, 0)), z)
 }
 
 dome_of <- function(s) {

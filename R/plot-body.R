@@ -175,7 +175,8 @@ body_drawing <- function(body, call) {
   axes <- principal_axes(body)
   centre <- as.double(body$centre_m)
   semi <- if (body$mass_kg > 0) {
-    sqrt(5 * (pmax(axes$second_moment_kg_m2, 0) / body$mass_kg))
+    # The roots first: the quotient may be beyond the doubles.
+    sqrt(5) * sqrt(pmax(axes$second_moment_kg_m2, 0)) / sqrt(body$mass_kg)
   } else {
     c(0, 0, 0)
   }

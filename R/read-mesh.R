@@ -52,6 +52,7 @@ metres_in <- function(length_unit, call) {
       x = "It is {describe_value(length_unit)}."
     ), "type", call)
   }
+  if (!is_readable_text(length_unit)) abort_unreadable(length_unit, "length_unit", call)
   known <- length_units[match(length_unit, names(length_units))]
   if (!is.na(known)) return(unname(known))
   if (requireNamespace("units", quietly = TRUE)) {

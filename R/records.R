@@ -219,8 +219,7 @@ metadata_sql <- function(file = NULL, dialect = c("sqlite", "postgresql", "duckd
     paste0(c(schema_sql(dialect), rows, format), ";\n", collapse = ""), "COMMIT;\n"
   )
   if (is.null(file)) return(script)
-  path <- check_file_name(file, call)
-  writeBin(charToRaw(enc2utf8(script)), path)
+  write_file(script, check_file_name(file, call), call)
   invisible(script)
 }
 

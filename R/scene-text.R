@@ -53,15 +53,7 @@ write_scene <- function(scene, file = NULL, ..., indent = 2) {
   indent <- check_number(indent, "indent", "1", call, 0, 8)
   text <- json_text(scene_node(scene, call), as.integer(indent))
   if (is.null(file)) return(text)
-  path <- check_file_name(file, call)
-  written <- tryCatch(
-    suppressWarnings(writeBin(charToRaw(paste0(text, "\n")), path)), error = identity
-  )
-  if (inherits(written, "error")) {
-    abort_rotdyn(
-      c("The file {.file {path}} cannot be written.", x = conditionMessage(written)), "file", call
-    )
-  }
+  write_file(paste0(text, "\n"), check_file_name(file, call), call)
   invisible(text)
 }
 
@@ -79,16 +71,6 @@ scene_hash <- function(scene, ...) {
   call <- check_no_dots(...)
   check_supplied("scene", call)
   hash_text(scene_text(scene, call))
-}
-
-check_file_name <- function(file, call, arg = "file") {
-  if (!rlang::is_string(file) || !nzchar(file)) {
-    abort_rotdyn(c(
-      "{.arg {arg}} must be the name of a file.", x = "It is {describe_value(file)}."
-    ), "type", call)
-  }
-  if (!is_readable_text(file)) abort_unreadable(file, arg, call)
-  path.expand(file)
 }
 
 # The text of a file, of a connection, or `file` itself.
