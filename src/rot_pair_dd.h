@@ -26,11 +26,19 @@ ROT_INLINE rot_pair_dd rot_pair_dd_sum2(rot_pair a, rot_pair b) {
   return (rot_pair_dd){s, (a - (s - bb)) + (b - bb)};
 }
 
-/* Without fma() by Dekker's product of halves: both parts are exact, so the bits are the same. */
+/* Where fma() is a call, by Dekker's product of halves: both parts are exact, so the bits are the
+ * same. */
 ROT_INLINE rot_pair_dd rot_pair_dd_mul2(rot_pair a, rot_pair b) {
   const rot_pair p = a * b;
 #ifdef ROT_WIDE_FMA
   return (rot_pair_dd){p, _mm256_fmsub_pd(a, b, p)};
+#elif defined(__FP_FAST_FMA) || defined(FP_FAST_FMA)
+  double x[ROT_PAIR], y[ROT_PAIR], lo[ROT_PAIR];
+  rot_store(x, a);
+  rot_store(y, b);
+  rot_store(lo, p);
+  for (int i = 0; i < ROT_PAIR; i++) lo[i] = fma(x[i], y[i], -lo[i]);
+  return (rot_pair_dd){p, rot_load(lo)};
 #else
   const rot_pair split = ROT_BOTH(0x1p27 + 1.0), ta = split * a, tb = split * b;
   const rot_pair ah = ta - (ta - a), bh = tb - (tb - b), al = a - ah, bl = b - bh;
