@@ -5,22 +5,25 @@
 #   tip       the point of the body whose path is shown
 #   rod       NULL, or 2 x 3: a line from the origin to where it enters the body
 #   held      TRUE: the origin is a fixed point, with the vertical through it
+# or, where its drawing() shows the angle, by moved(scene, row): the scene as it is in a row of its
+# motion, which is drawn without names and numbers.
 
 #' Animate a motion
 #'
-#' A body that turns in space, as a moving picture: an animated GIF, for slides, or an interactive
-#' WebGL page that the mouse turns. The body is shown as the homogeneous box with its moments of
-#' inertia, or as the cylinder where two of them are equal; the sides have colours, so that turns
-#' show. Arrows are the angular velocity and the angular momentum; a thin line is the path of a
-#' point of the body.
+#' A body that moves, as a moving picture: an animated GIF, for slides, or, of a body that turns in
+#' space, an interactive WebGL page that the mouse turns. A body on an axle and a pendulum are shown
+#' as [autoplot()][autoplot.rot_scene] draws their scene. A body in space is shown as the
+#' homogeneous box with its moments of inertia, or as the cylinder where two of them are equal; the
+#' sides have colours, so that turns show. Arrows are the angular velocity and the angular momentum;
+#' a thin line is the path of a point of the body.
 #'
 #' The frames are evenly spaced in time, and each is computed by the model of the motion, as
 #' [predict()][predict.rot_trajectory] does: none is interpolated.
 #'
-#' @param motion What [trajectory()] returned for a [scene_free()] or a [scene_pivot()]. It is shown
-#'   from its first row to its last.
+#' @param motion What [trajectory()] returned for a [scene_free()], a [scene_pivot()], or a body on
+#'   an axle: [scene_axle()], [scene_pendulum()]. It is shown from its first row to its last.
 #' @param file A file to write, ending in `.gif`. NULL gives the interactive page, by the package
-#'   rgl.
+#'   rgl, of a body that turns in space.
 #' @param ... Not used; names after it must be given in full.
 #' @param frames_per_s Frames in a second of the film, 1 to 50. In a GIF the time of a frame is a
 #'   whole number of hundredths of a second.
@@ -49,12 +52,14 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
   call <- check_no_dots(...)
   check_supplied("motion", call)
   run <- check_trajectory(motion, "motion", call)
-  solid <- constraint_of(run$scene)$solid
-  if (is.null(solid)) {
+  constraint <- constraint_of(run$scene)
+  in_space <- !is.null(constraint$solid)
+  if (!in_space && (is.null(constraint$moved) || is.null(file))) {
+    where <- if (is.null(file)) "in space" else "in space, or on an axle"
     abort_rotdyn(c(
-      "{.arg motion} must be one of a body that turns in space.",
+      "{.arg motion} must be one of a body that turns {where}.",
       x = "It is of a {.cls {class(run$scene)[1]}}.",
-      i = "{.fn scene_free} and {.fn scene_pivot} describe such bodies."
+      i = if (!is.null(constraint$moved)) "With a {.arg file} it becomes a GIF."
     ), "type", call)
   }
   rate <- check_number(frames_per_s, "frames_per_s", "Hz", call, lower = 1, upper = 50)
@@ -69,11 +74,18 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
     delay_cs <- round(100 / rate)
     frame_s <- delay_cs / 100
   }
-  film <- new_film(motion, solid(run$scene), frame_s / slow, call)
+  time_s <- film_times(motion, frame_s / slow, call)
+  rows <- stats::predict(motion, time_s)
+  film <- if (in_space) {
+    space_film(rows, constraint$solid(run$scene))
+  } else {
+    plane_film(rows, run$scene, constraint)
+  }
+  film$time_s <- time_s
   film$slow <- slow
   if (is.null(file)) return(film_widget(film, frame_s, width))
-  draw <- function(i) draw_frame(film, i)
-  write_gif(file, length(film$time_s), draw, width, width, delay_cs, call)
+  draw <- if (in_space) draw_frame else draw_plane_frame
+  write_gif(file, length(time_s), function(i) draw(film, i), width, width, delay_cs, call)
   invisible(file)
 }
 
@@ -194,7 +206,7 @@ pivot_solid <- function(scene) {
 
 most_frames <- 2000
 
-new_film <- function(motion, solid, step_s, call) {
+film_times <- function(motion, step_s, call) {
   known <- motion$time_s[is.finite(motion$time_s)]
   ends <- if (length(known)) range(known) else c(0, 0)
   if (!(diff(ends) > 0)) {
@@ -213,13 +225,16 @@ new_film <- function(motion, solid, step_s, call) {
       }
     ), "value", call)
   }
-  time_s <- ends[1] + step_s * (seq_len(n) - 1)
-  rows <- stats::predict(motion, time_s)
+  ends[1] + step_s * (seq_len(n) - 1)
+}
+
+space_film <- function(rows, solid) {
+  n <- nrow(rows)
   columns <- function(names) unname(do.call(cbind, unclass(rows)[names]))
   turned <- attitude_to(rows[quaternion_columns], "matrix")
   arrows <- list(omega = columns(free_rates("space_")), L = columns(free_momenta))
   film <- list(
-    time_s = time_s, solid = solid, turn = array(t(as.matrix(turned)), c(3, 3, n)),
+    solid = solid, turn = array(t(as.matrix(turned)), c(3, 3, n)),
     radius = sqrt(max(rowSums(rbind(solid$points, solid$tip)^2)))
   )
   # The longest of each arrow ends beyond the body.
@@ -297,6 +312,10 @@ draw_frame <- function(film, i) {
   for (name in names(film$arrows)) arrow(name, FALSE)
   draw_path(!in_front)
   if (solid$held) graphics::points(0, 0, pch = 16, cex = 1.1)
+  graphics::text(-room, 0.97 * room, expression(omega), col = arrow_colours[["omega"]],
+                 adj = c(0, 1), cex = 1.3)
+  graphics::text(-0.88 * room, 0.97 * room, "L", col = arrow_colours[["L"]], adj = c(0, 1),
+                 cex = 1.3)
   film_text(film, i, room)
 }
 
@@ -329,10 +348,47 @@ film_text <- function(film, i, room) {
     paste(format(signif(1 / film$slow, 3)), "times as fast")
   }
   if (length(speed)) graphics::text(room, -0.97 * room, speed, adj = c(1, 0))
-  graphics::text(-room, 0.97 * room, expression(omega), col = arrow_colours[["omega"]],
-                 adj = c(0, 1), cex = 1.3)
-  graphics::text(-0.88 * room, 0.97 * room, "L", col = arrow_colours[["L"]], adj = c(0, 1),
-                 cex = 1.3)
+}
+
+# ---- in the plane -------------------------------------------------------------------------------
+
+plane_film <- function(rows, scene, constraint) {
+  drawings <- lapply(seq_len(nrow(rows)), function(i) {
+    constraint$drawing(constraint$moved(scene, lapply(rows, `[[`, i)))
+  })
+  limits <- vapply(drawings, function(one) as.double(one$limits), double(4))
+  list(
+    marks = lapply(drawings, `[[`, "marks"),
+    limits = c(min(limits[1, ]), max(limits[2, ]), min(limits[3, ]), max(limits[4, ]))
+  )
+}
+
+# The marks as draw_mark() (R/draw.R) draws them; a frame of ggplot2 would take ten times as long.
+draw_plane_frame <- function(film, i) {
+  box <- film$limits
+  middle <- c(mean(box[1:2]), mean(box[3:4]))
+  room <- max(diff(box[1:2]), diff(box[3:4])) / 2
+  old <- graphics::par(mar = c(0, 0, 0, 0), bg = "white")
+  on.exit(graphics::par(old))
+  graphics::plot.new()
+  graphics::plot.window(c(-room, room), c(-room, room), asp = 1)
+  for (one in film$marks[[i]]) {
+    points <- sweep(one$points, 2, middle)
+    dashed <- one$style %in% c("dashed", "hole")
+    if (one$type == "fill") {
+      graphics::polygon(points, col = draw_fills[[one$style]], border = "grey25",
+                        lty = if (dashed) 2 else 1)
+      next
+    }
+    colour <- if (dashed) "grey50" else draw_colours[[one$style]]
+    graphics::lines(points, col = colour, lty = if (dashed) 2 else 1, lwd = 2)
+    n <- nrow(points)
+    if (one$type == "arrow" && sum((points[n, ] - points[n - 1L, ])^2) > 1e-6 * room^2) {
+      graphics::arrows(points[n - 1L, 1], points[n - 1L, 2], points[n, 1], points[n, 2],
+                       length = 0.11, angle = 20, lwd = 2, col = colour)
+    }
+  }
+  film_text(film, i, room)
 }
 
 # ---- the page -----------------------------------------------------------------------------------

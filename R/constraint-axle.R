@@ -72,6 +72,11 @@ axle_constraint <- function() {
       )
     },
     drawing = draw_axle,
+    moved = function(scene, row) {
+      scene$theta0_rad <- row$theta_rad
+      scene$omega0_rad_per_s <- row$omega_rad_per_s
+      scene
+    },
     texts = axle_texts(),
     balances = balance_axle,
     conserved = conserved_axle,

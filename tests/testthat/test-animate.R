@@ -10,8 +10,9 @@ spinning_top <- function(...) {
 test_that("frames are those of the model, evenly spaced", {
   motion <- nut(time_s = c(1, 3, 5))
   scene <- attr(motion, "run")$scene
-  film <- new_film(motion, free_solid(scene), 0.25, NULL)
-  expect_equal(film$time_s, seq(1, 5, by = 0.25))
+  times <- film_times(motion, 0.25, NULL)
+  expect_equal(times, seq(1, 5, by = 0.25))
+  film <- space_film(predict(motion, times), free_solid(scene))
   want <- predict(motion, 3.25)
   turn <- matrix(unlist(attitude_to(want[quaternion_columns], "matrix")), 3, byrow = TRUE)
   expect_identical(frame_turn(film, 10), turn)
@@ -106,6 +107,27 @@ test_that("GIF files have the frames and the delay asked for", {
   expect_false("bmp" %in% names(grDevices::dev.list()))
 })
 
+test_that("a body on an axle is drawn at its angle", {
+  motion <- trajectory(scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = pi / 3), c(0, 2))
+  scene <- attr(motion, "run")$scene
+  rows <- predict(motion, c(0, 0.3, 0.9))
+  film <- plane_film(rows, scene, constraint_of(scene))
+  expect_length(film$marks, 3)
+  # The rod is the longest line of the body, from the axle down.
+  angle <- vapply(film$marks, function(marks) {
+    lines <- Filter(function(one) one$type == "line" && one$style == "body", marks)
+    ends <- vapply(lines, function(one) one$points[nrow(one$points), ], c(0, 0))
+    low <- ends[, which.max(colSums(ends^2))]
+    atan2(low[1], -low[2])
+  }, 0)
+  expect_equal(angle, rows$theta_rad, tolerance = 1e-12)
+  skip_if_not(capabilities("cairo"), "no bitmap device")
+  path <- tempfile(fileext = ".gif")
+  on.exit(unlink(path))
+  animate_motion(motion, path, frames_per_s = 5, width_px = 80)
+  expect_gt(file.size(path), 1000)
+})
+
 test_that("the interactive page has a scene and a player", {
   withr_null()
   skip_if_not_installed("rgl")
@@ -124,7 +146,8 @@ test_that("bad arguments are errors", {
   error <- function(code, kind) expect_error(code, class = paste0("rotdyn_error_", kind))
   error(animate_motion(), "missing")
   error(animate_motion(1), "type")
-  error(animate_motion(spin_up(time_s = 0:8), "a.gif"), "type")
+  error(animate_motion(spin_up(time_s = 0:8)), "type")
+  error(animate_motion(trajectory(scene_rotors(c(1, 2), 5), 0:8), "a.gif"), "type")
   error(animate_motion(motion, "a.mp4"), "value")
   error(animate_motion(motion, 1), "type")
   error(animate_motion(motion, "a.gif", 25), "argument")
