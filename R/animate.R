@@ -90,14 +90,14 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
 }
 
 check_gif_name <- function(file, call) {
-  file <- check_name(file, "file", call)
+  path <- check_file_name(file, call)
   if (!grepl("\\.gif$", file, ignore.case = TRUE)) {
     abort_rotdyn(c(
       "{.arg file} must end in {.file .gif}.", x = "It is {.file {file}}.",
       i = "Without {.arg file} there is an interactive page."
     ), "value", call)
   }
-  path.expand(file)
+  path
 }
 
 # A homogeneous box, or a cylinder where two moments are equal, with these principal moments along

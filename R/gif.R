@@ -2,10 +2,15 @@
 # packed in C.
 
 # The pictures that draw(i) makes, i from 1 to n, with delay_cs hundredths of a second between them.
-write_gif <- function(file, n, draw, width_px, height_px, delay_cs, call) {
+write_gif <- function(path, n, draw, width_px, height_px, delay_cs, call) {
+  # Before the pictures: they may take a minute.
+  out <- tryCatch(
+    suppressWarnings(file(path, "wb")), error = function(e) abort_unwritten(path, e, call)
+  )
+  on.exit(close(out))
   folder <- tempfile("frames")
   dir.create(folder)
-  on.exit(unlink(folder, recursive = TRUE))
+  on.exit(unlink(folder, recursive = TRUE), add = TRUE)
   pattern <- file.path(folder, "%05d.bmp")
   picture_device(pattern, width_px, height_px, call)
   device <- grDevices::dev.cur()
@@ -13,21 +18,16 @@ write_gif <- function(file, n, draw, width_px, height_px, delay_cs, call) {
   on.exit(shut(), add = TRUE, after = FALSE)
   for (i in seq_len(n)) draw(i)
   shut()
-  out <- tryCatch(file(file, "wb"), error = identity, warning = identity)
-  if (inherits(out, "condition")) {
-    abort_rotdyn(c("The file {.file {file}} cannot be written.", x = conditionMessage(out)), "file",
-                 call)
+  put <- function(bytes) {
+    tryCatch(writeBin(bytes, out), error = function(e) abort_unwritten(path, e, call))
   }
-  on.exit(close(out), add = TRUE)
   # Without a palette for all; it begins again after the last picture.
-  writeBin(c(
+  put(c(
     charToRaw("GIF89a"), gif_short(width_px), gif_short(height_px), as.raw(c(0x70, 0, 0)),
     as.raw(c(0x21, 0xff, 11)), charToRaw("NETSCAPE2.0"), as.raw(c(3, 1, 0, 0, 0))
-  ), out)
-  for (i in seq_len(n)) {
-    writeBin(gif_picture(read_bmp(sprintf(pattern, i)), delay_cs), out)
-  }
-  writeBin(as.raw(0x3b), out)
+  ))
+  for (i in seq_len(n)) put(gif_picture(read_bmp(sprintf(pattern, i)), delay_cs))
+  put(as.raw(0x3b))
 }
 
 picture_device <- function(pattern, width_px, height_px, call) {

@@ -159,7 +159,10 @@ test_that("bad arguments are errors", {
   error(animate_motion(nut(time_s = 1), "a.gif"), "time")
   error(animate_motion(motion[0, ], "a.gif"), "time")
   skip_if_not(capabilities("cairo"), "no bitmap device")
-  error(
-    animate_motion(motion, file.path(tempfile(), "a.gif"), frames_per_s = 2, width_px = 64), "file"
-  )
+  for (name in c(file.path(tempfile(), "a.gif"), paste0(strrep("long ", 2000), ".gif"))) {
+    expect_no_warning(
+      error(animate_motion(motion, name, frames_per_s = 2, width_px = 64), "file")
+    )
+  }
+  expect_null(grDevices::dev.list())
 })
