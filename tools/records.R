@@ -110,8 +110,8 @@ r <- file.path(R.home("bin"), "Rscript")
 failed <- system2(r, again) != 0L
 cat(if (failed) "not ok -" else "ok -", "computed again in a new session\n")
 
-# A process that records as fast as it can, killed within a second of its first records, behind which
-# R has compiled what they call.
+# A process that records as fast as it can, killed within a second of its first records: R has
+# compiled by then what they call.
 writeLines(sprintf("library(rotdyn)
 con <- DBI::dbConnect(RSQLite::SQLite(), '%s')
 motion <- trajectory(scene_axle(body_disk(2, 0.25), 0.8), 0:99)
