@@ -22,8 +22,8 @@
 #' (theta instead of sin(theta) for a spring), with an offset of the sensor. The residuals of real
 #' records are correlated: their correlation time is estimated by restricted likelihood (REML), and
 #' the standard errors are those for that noise. Where the motion does not fit, to a tenth of its
-#' amplitude, or there is less than one and a half swings, the mean of the free swings is returned
-#' with the error of their scatter.
+#' amplitude, or there is less than one and a half swings, the median of the free swings (weighted by
+#' the square of their amplitudes) is returned with the error of their scatter.
 #'
 #' @param record A [motion_record()] with an angle or a rate.
 #' @param restoring `"gravity"` for a pendulum, `"spring"` for a torsion pendulum.
@@ -569,7 +569,8 @@ new_swing_fit <- function(swings, fit, damping, kind, restoring) {
     n <- length(t0)
     zeta <- max(damping$decay_per_s$value, 0) * stats::median(t0) / (2 * pi)
     shrink <- sqrt(1 - min(zeta, 0.5)^2)
-    mean <- sum(weight * t0)
+    # The median: swings that a brake slows, or that are driven, are off to one side.
+    mean <- weighted_median(t0, weight)
     off <- t0 - mean
     r1 <- if (n > 3L) min(max(sum(off[-1] * off[-n]) / sum(off^2), 0.5), 0.99) else 0.5
     independent <- max(n * (1 - r1) / (1 + r1), 1)
@@ -577,7 +578,7 @@ new_swing_fit <- function(swings, fit, damping, kind, restoring) {
     u <- if (n > 2L) scatter / sqrt(independent) else max(scatter, 0.02 * mean)
     period <- new_measured(mean * shrink, u, max(independent - 1, 1), "period")
     notes <- c(notes, paste(
-      "the mean of the swings: no free motion fits (driven, braked, or another law); the error is",
+      "the median of the swings: no free motion fits (driven, braked, or another law); the error is",
       "that of their scatter"
     ))
   } else {
@@ -635,6 +636,13 @@ new_swing_fit <- function(swings, fit, damping, kind, restoring) {
     )),
     class = "rot_swing_fit"
   )
+}
+
+weighted_median <- function(x, weight) {
+  order <- order(x)
+  below <- cumsum(weight[order]) - weight[order] / 2
+  if (length(x) < 2L) return(x)
+  stats::approx(below, x[order], sum(weight) / 2, rule = 2, ties = "ordered")$y
 }
 
 # Two numbers with a covariance, as combinations of independent parts.

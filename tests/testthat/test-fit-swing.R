@@ -111,7 +111,7 @@ test_that("the bicycle wheel: published 14.9109 and 4.39626 rad/s, with larger e
 test_that("an encoder's pendulum, driven, free and braked; a filmed one", {
   for (name in c("pend00-run02.csv", "pend00-run05.csv")) {
     fit <- fit_swing(read_motion(shared("data", "measured", name)))
-    expect_lt(abs(fit$period_s$value - 0.611), 0.004)
+    expect_lt(abs(fit$period_s$value - 0.611), 0.003)
     expect_equal(fit$from, "swings")
     # The period itself is up to .665 s.
     expect_gt(max(fit$swings$period_s[fit$swings$used]), 0.66)
