@@ -545,6 +545,7 @@ new_estimate <- function(fit, call) {
   fit$process <- process_share(fit)
   fit$ramp_se_s <- ramp_errors(fit)
   rows <- fitted_rows(fit, times)
+  fit$ends <- rows$ends
   fit$degrees <- max(fit$samples - rows$used, 1)
   fit$residual <- rows$residual
   if (fit$edges) {
@@ -563,22 +564,55 @@ new_estimate <- function(fit, call) {
 }
 
 # The smoothed columns at the samples and at times. The covariance is that of the samples' scatter
-# and of the process, lambda dP/d(lambda); `process` says how much of the latter there is.
+# and of the process, lambda dP/d(lambda); `process` says how much of the latter there is, `ends`
+# how much more at the ends.
 fitted_rows <- function(fit, times) {
   rows <- .Call(ffi_smooth_rows, fit$core, fit$breaks, fit$fit, times)
+  if (is.null(fit$ends)) fit$ends <- rough_ends(fit, rows$rough)
+  rows$ends <- fit$ends
+  first <- rows
   rows <- add_ramp_errors(rows, fit, times)
-  if (fit$process == 1) return(rows)
+  if (fit$process == 1 && !length(fit$ends$time_s)) return(rows)
   step <- 0.05
   more <- .Call(
     ffi_smooth_rows, fit$core, fit$breaks, fit$fit * c(1, exp(step), 1, 1), times
   )
   for (part in c("samples", "others")) {
+    at <- if (part == "samples") fit$core else times
+    share <- fit$process - 1
+    for (i in seq_along(fit$ends$time_s)) {
+      far <- (at$time_s - fit$ends$time_s[i]) / fit$ends$reach_s[i]
+      here <- is.null(at$segment) | at$segment == fit$ends$segment[i]
+      share <- share + ifelse(here, fit$ends$excess[i] * exp(-far^2), 0)
+    }
     for (v in c("v00", "v01", "v02", "v11", "v12", "v22")) {
-      slope <- (more[[part]][[v]] - rows[[part]][[v]]) / step
-      rows[[part]][[v]] <- rows[[part]][[v]] - (1 - fit$process) * slope
+      slope <- (more[[part]][[v]] - first[[part]][[v]]) / step
+      rows[[part]][[v]] <- rows[[part]][[v]] + share * slope
     }
   }
   rows
+}
+
+# Ends of segments where the motion is rougher than the process expects: an exponential is, where it
+# is steep. The scores of shocks in the last state are 1 on average; what their mean over four times
+# the smoother's memory exceeds 1 by. Without it bands of alpha hold 75 % at ends of coast-downs.
+rough_ends <- function(fit, rough) {
+  core <- fit$core
+  segment <- core$segment %||% rep(1L, length(core$time_s))
+  h <- mean(diff(core$time_s)[diff(segment) == 0L])
+  memory <- fit$fit[2]^(-0.5 / fit$fit[1]) * h
+  out <- list(time_s = double(), segment = double(), excess = double(), reach_s = double())
+  for (s in unique(segment)) {
+    time <- core$time_s[segment == s]
+    for (end in unique(range(time))) {
+      near <- segment == s & abs(core$time_s - end) <= 4 * memory
+      struck <- any(fit$breaks$segment == s & abs(fit$breaks$time_s - end) <= 4 * memory)
+      excess <- min(mean(rough[near], na.rm = TRUE), 10) - 1
+      if (struck || !is.finite(excess) || excess <= 0) next
+      out <- Map(c, out, c(end, s, excess, 2 * memory))
+    }
+  }
+  out
 }
 
 # The standard error of the time of each ramp, 0 for other breaks: those hardly move the motion.

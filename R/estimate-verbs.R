@@ -6,6 +6,10 @@ estimate_form <- list(
   ),
   breaks = list(time_s = "numbers", segment = "numbers=time_s", first = "numbers=time_s"),
   fit = "numbers:4", degrees = "number", process = "number", ramp_se_s = "numbers",
+  ends = list(
+    time_s = "numbers", segment = "numbers=time_s", excess = "numbers=time_s",
+    reach_s = "numbers=time_s"
+  ),
   samples = "number", end = "number",
   left_out = "flags", residual = "values",
   asked = list(

@@ -22,8 +22,8 @@
 #' (theta instead of sin(theta) for a spring), with an offset of the sensor. The residuals of real
 #' records are correlated: their correlation time is estimated by restricted likelihood (REML), and
 #' the standard errors are those for that noise. Where the motion does not fit, to a tenth of its
-#' amplitude, or there is less than one and a half swings, the median of the free swings (weighted by
-#' the square of their amplitudes) is returned with the error of their scatter.
+#' amplitude, or there is less than one and a half swings, the median of the free swings (weighted
+#' by the square of their amplitudes) is returned with the error of their scatter.
 #'
 #' @param record A [motion_record()] with an angle or a rate.
 #' @param restoring `"gravity"` for a pendulum, `"spring"` for a torsion pendulum.
@@ -578,8 +578,8 @@ new_swing_fit <- function(swings, fit, damping, kind, restoring) {
     u <- if (n > 2L) scatter / sqrt(independent) else max(scatter, 0.02 * mean)
     period <- new_measured(mean * shrink, u, max(independent - 1, 1), "period")
     notes <- c(notes, paste(
-      "the median of the swings: no free motion fits (driven, braked, or another law); the error is",
-      "that of their scatter"
+      "the median of the swings: no free motion fits (driven, braked, or another law); the error",
+      "is that of their scatter"
     ))
   } else {
     p <- fit$p

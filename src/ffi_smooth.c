@@ -137,12 +137,13 @@ static void smoothed_free(smoothed *of) {
 }
 
 /* At the samples and the other times: angle, rate, acceleration, their covariances; at the samples
- * the leave-one-out residuals in units of sigma, and the share P/w^2 of degrees of freedom. */
+ * the leave-one-out residuals in units of sigma and the scores of shocks in the last state; the
+ * share P/w^2 of degrees of freedom. */
 SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
   enum { COLUMNS = 9 };
   static const char *const names[] = {"theta", "omega", "alpha", "v00", "v01",
                                       "v02",   "v11",   "v12",   "v22"};
-  static const char *const parts[] = {"samples", "others", "residual", "used", ""};
+  static const char *const parts[] = {"samples", "others", "residual", "used", "rough", ""};
   smoothed of;
   double *column[2][COLUMNS];
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)parts));
@@ -151,18 +152,20 @@ SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
   SET_VECTOR_ELT(out, 0, ffi_columns(COLUMNS, names, n, column[0]));
   SET_VECTOR_ELT(out, 1, ffi_columns(COLUMNS, names, m, column[1]));
   SET_VECTOR_ELT(out, 2, Rf_allocVector(REALSXP, CHANNELS * n));
+  SET_VECTOR_ELT(out, 4, Rf_allocVector(REALSXP, n));
   double used = 0.0;
   /* Nothing that may jump is called once the core has memory. */
   const size_t most = (size_t)(n + m + 2 * XLENGTH(ffi_element(breaks, "time_s")));
-  double *mean = (double *)R_alloc(most * (ROT_SMOOTH_MOST + 6 + CHANNELS) + 1, sizeof *mean);
+  double *mean = (double *)R_alloc(most * (ROT_SMOOTH_MOST + 7 + CHANNELS) + 1, sizeof *mean);
   rot_status status = smoothed_new(list, breaks, fit, times, &of);
   if (status == ROT_OK) {
     const size_t nodes = of.grid.nodes.n, p = (size_t)of.fit.model.order;
     const double h = of.grid.unit_s, sigma = of.fit.sigma, unit[3] = {1.0, 1.0 / h, 2.0 / (h * h)};
     double *covariance = mean + nodes * p;
     double *residual[CHANNELS] = {covariance + 6 * nodes, covariance + 7 * nodes};
+    double *last = covariance + 8 * nodes;
     rot_smooth_smooth(&of.grid.nodes, &of.fit.model, &of.store, mean, covariance);
-    rot_smooth_scores(&of.grid.nodes, &of.fit.model, &of.store, NULL, NULL, residual);
+    rot_smooth_scores(&of.grid.nodes, &of.fit.model, &of.store, NULL, last, residual);
     for (int part = 0; part < 2; part++)
       for (R_xlen_t i = 0; i < (part ? m : n); i++) {
         const size_t k = part ? of.grid.other[i] : of.grid.sample[i];
@@ -173,6 +176,7 @@ SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
             column[part][at][i] =
                 sigma * sigma * covariance[6 * k + (size_t)at - 3] * unit[a] * unit[b];
         }
+        if (part == 0) REAL(VECTOR_ELT(out, 4))[i] = last[k] / (sigma * sigma);
         for (int c = 0; part == 0 && c < CHANNELS; c++) {
           REAL(VECTOR_ELT(out, 2))[c * n + i] = residual[c][k] / sigma;
           if (of.grid.nodes.y[c] && !ISNAN(of.grid.nodes.y[c][k])) {

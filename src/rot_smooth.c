@@ -604,7 +604,7 @@ static double shock_of(const double *r, const double *n, int p, int first) {
 }
 
 void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
-                       const rot_smooth_store *store, double *shock, double *kink,
+                       const rot_smooth_store *store, double *shock, double *last,
                        double *residual[ROT_SMOOTH_CHANNELS]) {
   const int p = model->order;
   process of;
@@ -654,7 +654,7 @@ void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
       if (residual && residual[c]) residual[c][k] = u / sqrt(d);
     }
     if (shock) shock[k] = shock_of(r, n, p, 1);
-    if (kink) kink[k] = p > 3 ? shock_of(r, n, p, 3) : NAN;
+    if (last) last[k] = shock_of(r, n, p, p - 1);
   }
 }
 

@@ -88,10 +88,10 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
                       const rot_smooth_store *store, size_t n, rot_smooth_jump jumps[]);
 
 /* Scores: for each node the test chi^2 (times sigma^2) of a shock that reaches it in the states
- * from 1 on and of one in those from 3 on (NaN below order 4), and the leave-one-out residual
- * u/sqrt(D) (times sigma) of each channel, NaN where there is no sample. Any may be NULL. */
+ * from 1 on and of one in the last state alone, and the leave-one-out residual u/sqrt(D) (times
+ * sigma) of each channel, NaN where there is no sample. Any may be NULL. */
 void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
-                       const rot_smooth_store *store, double *shock, double *kink,
+                       const rot_smooth_store *store, double *shock, double *last,
                        double *residual[ROT_SMOOTH_CHANNELS]);
 
 /* Draws of the states given all samples, backward from the last node (Fruehwirth-Schnatter 1994):

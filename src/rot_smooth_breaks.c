@@ -275,7 +275,7 @@ static rot_status look(finding *of) {
         since >= FROM_END && i + FROM_END < n && segment_of(of, i + FROM_END) == segment_of(of, i);
     of->worst[i] = 0.0;
     of->shock[i] = inside ? of->shock[k] / variance : 0.0; /* sample[i] >= i: in place */
-    of->kink[i] = inside ? of->kink[k] / variance : 0.0;
+    of->kink[i] = inside && of->fit.model.order == KINK + 1 ? of->kink[k] / variance : 0.0;
     for (int c = 0; c < CHANNELS; c++) {
       const double e = of->residual[c][k];
       if (e * e / variance > of->worst[i]) of->worst[i] = e * e / variance;

@@ -282,7 +282,7 @@ static double squares(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
 }
 
 /* The score of a shock is the fall of the sum of squares where the states from 1 on begin anew,
- * that of a kink where those from 3 on do. */
+ * that of a kink where the last state does. */
 static void score_of_shock(void) {
   static series all, broken;
   static double shock[N], kink[N];
@@ -311,11 +311,7 @@ static void score_of_shock(void) {
       const rot_smooth_nodes nodes = {
           N + 1, broken.gap, {broken.y, NULL}, {broken.w, NULL}, broken.first};
       ROT_CHECK_REL(squares(&all.nodes, &model) - squares(&nodes, &model), shock[at], 1e-5);
-      if (p < 4) {
-        ROT_CHECK(isnan(kink[at]));
-        continue;
-      }
-      broken.first[at + 1] = 3;
+      broken.first[at + 1] = (signed char)(p - 1);
       const double fall = squares(&all.nodes, &model) - squares(&nodes, &model);
       ROT_CHECK(fabs(fall - kink[at]) <= 1e-5 * fmax(kink[at], 1.0));
     }

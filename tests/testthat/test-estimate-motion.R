@@ -209,6 +209,22 @@ test_that("the order is chosen by what is smooth between breaks", {
   expect_lt(sqrt(mean((motion$omega_rad_per_s - omega)^2)), 0.02)
 })
 
+test_that("bands are wider at an end where the motion is rougher than elsewhere", {
+  # An exponential: all its derivatives are largest at the start.
+  time <- seq(0, 12, length.out = 800)
+  theta <- 30 * (1 - exp(-time / 3))
+  alpha <- -30 / 9 * exp(-time / 3)
+  first <- time < 0.36
+  inside <- vapply(1:20, function(seed) {
+    motion <- estimate_motion(noisy(time, theta, 3e-3, seed), breaks = "none")
+    mean((abs(motion$alpha_rad_per_s2 - alpha) < 2 * motion$alpha_se_rad_per_s2)[first])
+  }, 0)
+  # .73 without.
+  expect_gt(mean(inside), 0.85)
+  steady <- estimate_motion(noisy(time, 0.3 * time^2, 3e-3, 1))
+  expect_lt(max(0, attr(steady, "estimate")$ends$excess), 3)
+})
+
 test_that("bands of an oscillation are narrowed by what blocks left out tell, others are not", {
   time <- seq(0, 10, length.out = 1500)
   share <- function(theta, sd) {
