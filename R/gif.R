@@ -12,21 +12,34 @@ write_gif <- function(path, n, draw, width_px, height_px, delay_cs, call) {
   dir.create(folder)
   on.exit(unlink(folder, recursive = TRUE), add = TRUE)
   pattern <- file.path(folder, "%05d.bmp")
+  before <- grDevices::dev.cur()
   picture_device(pattern, width_px, height_px, call)
   device <- grDevices::dev.cur()
-  shut <- function() if (device %in% grDevices::dev.list()) grDevices::dev.off(device)
+  shut <- function() {
+    if (device %in% grDevices::dev.list()) grDevices::dev.off(device)
+    if (before %in% grDevices::dev.list()) grDevices::dev.set(before)
+  }
   on.exit(shut(), add = TRUE, after = FALSE)
-  for (i in seq_len(n)) draw(i)
-  shut()
   put <- function(bytes) {
     tryCatch(writeBin(bytes, out), error = function(e) abort_unwritten(path, e, call))
+  }
+  put_picture <- function(i) {
+    picture <- sprintf(pattern, i)
+    put(gif_picture(read_bmp(picture), delay_cs))
+    unlink(picture)
   }
   # Without a palette for all; it begins again after the last picture.
   put(c(
     charToRaw("GIF89a"), gif_short(width_px), gif_short(height_px), as.raw(c(0x70, 0, 0)),
     as.raw(c(0x21, 0xff, 11)), charToRaw("NETSCAPE2.0"), as.raw(c(3, 1, 0, 0, 0))
   ))
-  for (i in seq_len(n)) put(gif_picture(read_bmp(sprintf(pattern, i)), delay_cs))
+  # The file of a picture is complete when the next one has begun.
+  for (i in seq_len(n)) {
+    draw(i)
+    if (i > 1L) put_picture(i - 1L)
+  }
+  shut()
+  put_picture(n)
   put(as.raw(0x3b))
 }
 

@@ -40,7 +40,7 @@
 #'   time limit raised in a torque function keeps its class.
 #' @source [models()] says for each model where its equations come from.
 #' @seealso [choose_model()], [audit()], [predict.rot_trajectory()], [motion_events()], [when()],
-#'   [compare_runs()], [autoplot.rot_trajectory()].
+#'   [compare_runs()], [autoplot.rot_trajectory()], [animate_motion()].
 #' @concept simulation
 #' @concept motion
 #' @examples

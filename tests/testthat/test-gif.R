@@ -82,7 +82,14 @@ test_that("pictures come back, pixel by pixel", {
     graphics::rect(10 * i, 20, 10 * i + 10, 30, col = "#FF0000", border = NA)
     graphics::rect(0, 0, 50, 10, col = "#0040A0", border = NA)
   }
+  grDevices::pdf(NULL)
+  mine <- grDevices::dev.cur()
+  grDevices::pdf(NULL)
+  other <- grDevices::dev.cur()
+  on.exit(for (one in c(mine, other)) grDevices::dev.off(one), add = TRUE)
+  grDevices::dev.set(mine)
   write_gif(path, 3, draw, 50, 40, 7, NULL)
+  expect_identical(grDevices::dev.cur(), mine) # of those that were open
   pictures <- read_gif(path)
   expect_length(pictures, 3)
   for (i in 1:3) {
