@@ -22,8 +22,8 @@
 #'
 #' @param motion What [trajectory()] returned for a [scene_free()], a [scene_pivot()], or a body on
 #'   an axle: [scene_axle()], [scene_pendulum()]. It is shown from its first row to its last.
-#' @param file A file to write, ending in `.gif`. NULL gives the interactive page, by the package
-#'   rgl, of a body that turns in space.
+#' @param file A file to write, ending in `.gif`, by the package gifski. NULL gives the interactive
+#'   page, by the package rgl, of a body that turns in space.
 #' @param ... Not used; names after it must be given in full.
 #' @param frames_per_s Frames in a second of the film, 1 to 50. In a GIF the time of a frame is a
 #'   whole number of hundredths of a second.
@@ -34,7 +34,7 @@
 #'   Markdown show, and `htmltools::save_html()` stores.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value` (also for more than 2000 frames),
 #'   `rotdyn_error_time` for a motion of fewer than two times, `rotdyn_error_file`,
-#'   `rotdyn_error_package` without rgl, or without a bitmap device; `rotdyn_error_unit`,
+#'   `rotdyn_error_package` without gifski or rgl; `rotdyn_error_unit`,
 #'   `rotdyn_error_argument`, and those of [predict()][predict.rot_trajectory].
 #' @seealso [axis_path()], [polhode()], [autoplot.rot_trajectory()], [roll_race()] for frames of a
 #'   race.
@@ -43,8 +43,10 @@
 #' @concept webgl
 #' @examples
 #' nut <- trajectory(scene_free(c(1, 2, 3), c(0.01, 4, 0.01)), time_s = c(0, 12))
-#' file <- animate_motion(nut, tempfile(fileext = ".gif"), frames_per_s = 5, width_px = 160)
-#' file.size(file)
+#' if (requireNamespace("gifski", quietly = TRUE)) {
+#'   file <- animate_motion(nut, tempfile(fileext = ".gif"), frames_per_s = 5, width_px = 160)
+#'   file.size(file)
+#' }
 #' if (interactive() && requireNamespace("rgl", quietly = TRUE)) animate_motion(nut)
 #' @export
 animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_motion = 1,
@@ -71,8 +73,7 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
     frame_s <- 1 / rate
   } else {
     file <- check_gif_name(file, call)
-    delay_cs <- round(100 / rate)
-    frame_s <- delay_cs / 100
+    frame_s <- round(100 / rate) / 100
   }
   time_s <- film_times(motion, frame_s / slow, call)
   rows <- stats::predict(motion, time_s)
@@ -85,15 +86,35 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
   film$slow <- slow
   if (is.null(file)) return(film_widget(film, frame_s, width))
   draw <- if (in_space) draw_frame else draw_plane_frame
-  write_gif(file, length(time_s), function(i) draw(film, i), width, width, delay_cs, call)
+  write_gif(file, length(time_s), function(i) draw(film, i), width, frame_s, call)
   invisible(file)
+}
+
+# The pictures that draw(i) makes, i from 1 to n, each for delay_s.
+write_gif <- function(file, n, draw, width_px, delay_s, call) {
+  need_package("gifski", "A GIF", call)
+  folder <- tempfile("frames")
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  grDevices::png(file.path(folder, "%05d.png"), width_px, width_px)
+  device <- grDevices::dev.cur()
+  shut <- function() if (device %in% grDevices::dev.list()) grDevices::dev.off(device)
+  on.exit(shut(), add = TRUE, after = FALSE)
+  for (i in seq_len(n)) draw(i)
+  shut()
+  pictures <- list.files(folder, full.names = TRUE)
+  written <- tryCatch(
+    gifski::gifski(pictures, file, width_px, width_px, delay_s, progress = FALSE),
+    error = identity
+  )
+  if (inherits(written, "error")) abort_unwritten(file, written, call)
 }
 
 check_gif_name <- function(file, call) {
   path <- check_file_name(file, call)
-  if (!grepl("\\.gif$", file, ignore.case = TRUE)) {
+  if (!grepl("\\.gif$", path, ignore.case = TRUE)) {
     abort_rotdyn(c(
-      "{.arg file} must end in {.file .gif}.", x = "It is {.file {file}}.",
+      "{.arg file} must end in {.file .gif}.", x = "It is {.file {path}}.",
       i = "Without {.arg file} there is an interactive page."
     ), "value", call)
   }

@@ -7,7 +7,8 @@ check_file_name <- function(file, call, arg = "file") {
     ), "type", call)
   }
   if (!is_readable_text(file)) abort_unreadable(file, arg, call)
-  suppressWarnings(path.expand(file)) # of a name too long for it: what opens it will say so
+  # It cuts a name that is too long for it.
+  if (startsWith(file, "~") && nchar(file, "bytes") < 1000L) path.expand(file) else file
 }
 
 # Text as it is, in UTF-8.
