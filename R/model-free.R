@@ -30,20 +30,26 @@ free_gyrostat <- list(
   equations = "L' = L x omega, L = I omega + sum J W a (body axes), q' = q (0, omega)/2",
   assumptions = "rigid body; symmetric rotors, driven at constant speeds or free of friction",
   limits = "beyond 1e15 rad no digit of the attitude is left",
-  requires = "rotors along an axis with equal moments across it, no torque, no damping",
-  source = "Hughes 1986, Spacecraft Attitude Dynamics, section 6.3",
+  requires = "rotors along a principal axis, no torque, no damping",
+  source = "Hughes 1986, Spacecraft Attitude Dynamics, chapter 6; elliptic functions of DLMF 19, 22",
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     result <- .Call(ffi_free_gyrostat, scene, time_s, progress_bar("tumbling"))
     result$info <- void_error(result$info, result$columns)
     result
   },
-  # omega along the rotors is constant: no motor works.
   ledger = function(scene, run, from_s, to_s) {
     names <- c(
       "work_j", "heat_j", free_impulses("torque"), free_impulses("damping"), "motor_work_j",
       "energy_rounding_j", "impulse_rounding_n_m_s"
     )
-    stats::setNames(double(length(names)), names)
+    out <- stats::setNames(double(length(names)), names)
+    driven <- driven_momentum(scene)
+    ends <- .Call(ffi_free_gyrostat, scene, c(from_s, to_s), NULL)
+    rates <- do.call(cbind, ends$columns[free_rates("")])
+    # The torque on a driven rotor is J a omega', its power that times W.
+    out[["motor_work_j"]] <- sum(driven * (rates[2, ] - rates[1, ]))
+    out[["energy_rounding_j"]] <- 2 * sum(abs(driven)) * ends$info$errors[["omega"]]
+    out
   }
 )
 

@@ -187,10 +187,14 @@ rotor_pace <- function(scene) {
 }
 
 # Their sum of J W a at the start, in body axes.
-rotor_momentum <- function(scene) {
+rotor_momentum <- function(scene, rotors = scene$rotors) {
   sum <- c(0, 0, 0)
-  for (one in scene$rotors) sum <- sum + one$inertia_kg_m2 * one$omega_rad_per_s * one$axis
+  for (one in rotors) sum <- sum + one$inertia_kg_m2 * one$omega_rad_per_s * one$axis
   sum
+}
+
+driven_momentum <- function(scene) {
+  rotor_momentum(scene, Filter(function(one) one$driven == 1, scene$rotors))
 }
 
 describe_rotor <- function(x) {

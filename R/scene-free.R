@@ -11,8 +11,8 @@
 #' the attitude is good to some 1e-15 rad after 1e12 rad. With a torque it is integrated.
 #'
 #' A body with rotors driven at a constant speed is a gyrostat. It is exact (`free_gyrostat`) where
-#' two moments are equal and the rotors lie along the axis of the third; in a ball they may lie
-#' along any axes. Every other scene with rotors is integrated. A motor's torque on a reaction wheel
+#' the rotors lie along one of the principal axes, unless the motion is next to a separatrix; in a
+#' ball they may lie along any axes. Every other scene with rotors is integrated. A motor's torque on a reaction wheel
 #' turns the body the other way; only outer torques change the angular momentum of all. Rotors that
 #' spin along the middle axis make the spin about it stable, if they spin fast enough: with
 #' \eqn{h = \sum J W}{h = sum of J W} and the spin \eqn{\Omega}{Omega} about axis k, where

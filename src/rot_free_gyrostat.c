@@ -5,6 +5,7 @@
 
 #include "rot_attitude.h"
 #include "rot_dd_trig.h"
+#include "rot_free_gyrostat_motion.h"
 #include "rot_free_rotors.h"
 #include "rot_march.h"
 
@@ -23,6 +24,9 @@ typedef struct gyrostat {
   double along, across[3], ahead[3]; /* of omega at the start: a's part, the rest, a x the rest */
   double size;                       /* |omega| of the rest */
   double given, direction_error;
+  int general; /* moments across that differ: */
+  int order[3];
+  rot_gyrostat_motion motion; /* in the axes order[0], order[1], order[2] */
   const double *time_s;
   const rot_free_columns *out;
   rot_info *info;
@@ -30,47 +34,63 @@ typedef struct gyrostat {
 
 static double length(const double x[3]) { return hypot(hypot(x[0], x[1]), x[2]); }
 
-/* The axis k that all momenta of rotors are along, with equal moments across; 3: any of a ball.
- * Numbers that are not exact are equal, or along it, to their rounding. */
-static int axis_of(const rot_free_rotors *r, double given) {
-  const rot_free_params *p = r->p;
-  const double *m = p->moment_kg_m2;
-  int along[3], states = 0;
-  double off[3] = {0.0};
+/* How far the momenta of rotors are off each axis: 0 where they are along it to the rounding of
+ * numbers that are not exact, and so are all that have a momentum of their own. */
+static void off_axes(const rot_free_rotors *r, double given, double off[3]) {
+  for (int i = 0; i < 3; i++) off[i] = 0.0;
   for (size_t k = 0; k < r->n; k++) {
-    const rot_free_rotor *rotor = &p->rotors[k];
+    const rot_free_rotor *rotor = &r->p->rotors[k];
     const double spin = fabs(rotor->moment_kg_m2 * rotor->omega_rad_per_s);
-    states |= !rotor->driven;
     for (int i = 0; i < 3; i++) {
-      const double a = r->axis[k][(i + 1) % 3], b = r->axis[k][(i + 2) % 3];
-      const double side = fmax(fabs(a), fabs(b));
+      const double side = fmax(fabs(r->axis[k][(i + 1) % 3]), fabs(r->axis[k][(i + 2) % 3]));
       if (side > 8.0 * given) off[i] += rotor->driven ? spin * side : INFINITY;
     }
   }
-  const double equal = 8.0 * given;
-  int ball = !states;
+}
+
+/* The axis k that all momenta of rotors are along, with equal moments across; 3: any of a ball. */
+static int axis_of(const rot_free_rotors *r, double given) {
+  const double *m = r->p->moment_kg_m2;
+  double off[3];
+  int found = -1, ball = r->n_states == 0;
+  off_axes(r, given, off);
   for (int i = 0; i < 3; i++) {
     const double a = m[(i + 1) % 3], b = m[(i + 2) % 3];
-    const int even = fabs(a - b) <= equal * fmax(a, b);
-    along[i] = even && off[i] == 0.0;
+    const int even = fabs(a - b) <= 8.0 * given * fmax(a, b);
+    if (even && off[i] == 0.0) found = i;
     ball &= even;
   }
-  if (along[2]) return 2;
-  return along[0] ? 0 : along[1] ? 1 : ball ? 3 : -1;
+  return found < 0 && ball ? 3 : found;
 }
 
 static double given_of(const rot_free_params *p) {
   return p->turned ? fmax(p->given, 4.0 * ROT_EPS) : p->given;
 }
 
-const char *rot_free_not_gyrostat(const rot_free_params *p) {
-  rot_free_rotors r;
-  if (!p->n_rotors) return "it carries no rotor";
-  const char *why = rot_free_rotors_begin(p, &r);
-  if (why) return why;
-  return axis_of(&r, given_of(p)) < 0
-             ? "the rotors are not along an axis with equal moments across it"
-             : NULL;
+/* A body of any moments, which are exact, with rotors along a principal axis. */
+static rot_status begin_general(const rot_free_params *p, const rot_free_rotors *r, int scale,
+                                gyrostat *g) {
+  double off[3], omega[3];
+  rot_dd moment[3], h = none;
+  if (given_of(p) != 0.0) return ROT_EVALUE;
+  off_axes(r, 0.0, off);
+  const int axis = off[2] == 0.0 ? 2 : off[1] == 0.0 ? 1 : off[0] == 0.0 ? 0 : -1;
+  if (axis < 0) return ROT_EVALUE;
+  for (int i = 0; i < 3; i++) {
+    g->order[i] = (axis + 1 + i) % 3;
+    moment[i] = (rot_dd){ldexp(p->moment_kg_m2[g->order[i]], -scale), 0.0};
+    omega[i] = ldexp(r->omega0[g->order[i]], -g->exponent);
+  }
+  for (size_t k = 0; k < r->n; k++) {
+    const double own = ldexp(p->rotors[k].moment_kg_m2, -scale), a = r->axis[k][axis];
+    const double speed = ldexp(p->rotors[k].omega_rad_per_s, -g->exponent);
+    h = rot_dd_add(h, rot_dd_mul1(rot_dd_mul2(own, speed), a));
+    if (p->rotors[k].driven) continue;
+    moment[2] = rot_dd_add1(moment[2], -own);
+    h = rot_dd_add(h, rot_dd_mul2(own, omega[2]));
+  }
+  g->general = 1;
+  return rot_gyrostat_begin(moment, omega, h, &g->motion);
 }
 
 /* Of moments in parts of a power of two, and rates near 1 at most. */
@@ -118,11 +138,11 @@ static void begin_scaled(gyrostat *g, int axis, const double m[3], const double 
 static rot_status begin(const rot_free_params *p, gyrostat *g) {
   double w[3], m[3], spin[ROT_FREE_MOST_ROTORS], speed[ROT_FREE_MOST_ROTORS], most = 0.0;
   int scale;
+  memset(g, 0, sizeof *g);
   g->p = p;
   g->given = given_of(p);
   if (!p->n_rotors || rot_free_rotors_begin(p, &g->rotors)) return ROT_EVALUE;
   const int axis = axis_of(&g->rotors, g->given);
-  if (axis < 0) return ROT_EVALUE;
   rot_free_principal(p, w, g->q0);
   (void)frexp(fmax(p->moment_kg_m2[0], fmax(p->moment_kg_m2[1], p->moment_kg_m2[2])), &scale);
   for (int i = 0; i < 3; i++) {
@@ -137,6 +157,7 @@ static rot_status begin(const rot_free_params *p, gyrostat *g) {
   for (size_t k = 0; k < p->n_rotors; k++) {
     speed[k] = ldexp(p->rotors[k].omega_rad_per_s, -g->exponent);
   }
+  if (axis < 0) return begin_general(p, &g->rotors, scale, g);
   double scaled[3];
   for (int i = 0; i < 3; i++) scaled[i] = ldexp(w[i], -g->exponent);
   begin_scaled(g, axis, m, scaled, spin, speed);
@@ -148,6 +169,19 @@ static rot_status begin(const rot_free_params *p, gyrostat *g) {
   }
   g->size = length(g->across);
   return ROT_OK;
+}
+
+const char *rot_free_not_gyrostat(const rot_free_params *p) {
+  rot_free_rotors r;
+  gyrostat g;
+  if (!p->n_rotors) return "it carries no rotor";
+  const char *why = rot_free_rotors_begin(p, &r);
+  if (why) return why;
+  switch (begin(p, &g)) {
+  case ROT_OK: return NULL;
+  case ROT_ERANGE: return "too near a separatrix, or both ends of the axis are passed";
+  default: return "the rotors are not along a principal axis";
+  }
 }
 
 /* The angle and its half's cosine and sine. */
@@ -178,11 +212,29 @@ static void note(const gyrostat *g, const double w[3], double angle_error, doubl
       fmax(momentum->error, most * omega_error + size * (angle_error + 8.0 * ROT_EPS));
 }
 
+static rot_status write_general(const gyrostat *g, rot_dd t, size_t i) {
+  double turn[4], own[4], rate[3], w[3], q[4], angle_error, omega_error;
+  if (!(fabs(t.hi) * g->motion.size < 1e250)) return ROT_ERANGE;
+  rot_gyrostat_at(&g->motion, t, turn, rate, &angle_error, &omega_error);
+  own[0] = turn[0];
+  for (int k = 0; k < 3; k++) {
+    own[1 + g->order[k]] = turn[1 + k];
+    w[g->order[k]] = ldexp(rate[k], g->exponent);
+  }
+  rot_attitude_times(g->q0, own, q);
+  (void)rot_attitude_unit(q);
+  note(g, w, angle_error + 8.0 * ROT_EPS, ldexp(omega_error, g->exponent));
+  const rot_status status = rot_free_write(g->p, w, q, i, g->out);
+  if (status != ROT_OK) return status;
+  return rot_free_rotors_write(&g->rotors, w, q, g->rotors.start, i, g->out);
+}
+
 static rot_status write_row(void *model, size_t i) {
   const gyrostat *g = model;
   const rot_dd t = rot_dd_ldexp(rot_dd_sum2(g->time_s[i], -g->p->start_s), g->exponent);
   const double rate = g->turn_size + g->spin_size;
   double q[4], w[3], c, s, d, e;
+  if (g->general) return write_general(g, t, i);
   if (!(fabs(t.hi) * rate < 1e250)) return ROT_ERANGE;
   (void)half_of(g->turn, t, &c, &s);
   const double angle = half_of(g->spin, t, &d, &e);
@@ -212,13 +264,12 @@ rot_status rot_free_gyrostat(const rot_free_params *p, size_t n, const double ti
   static const rot_march march = {NULL, NULL, NULL, write_row, NULL};
   gyrostat g;
   (void)events;
-  memset(&g, 0, sizeof g);
-  g.time_s = time_s;
-  g.out = out;
-  g.info = info;
   rot_info_clear(info, rot_free_measures);
   info->status = begin(p, &g);
   if (info->status != ROT_OK) return info->status;
+  g.time_s = time_s;
+  g.out = out;
+  g.info = info;
   note(&g, g.rotors.omega0, 0.0, 0.0);
   return rot_march_rows(&march, &g, p->start_s, n, time_s, hooks, info);
 }

@@ -1,6 +1,7 @@
 /* A free body with rotors, in closed form: no torque, no damping, motors that keep a constant speed
- * or do nothing, and one axis a of the body along which all momenta of the rotors are, with equal
- * moments A across it (of a ball any axis). With L of all,
+ * or do nothing, and one principal axis a of the body along which all momenta of the rotors are (of
+ * a ball any axis). Where the moments across it differ: rot_free_gyrostat_motion.h. Where they are
+ * equal, both A, with L of all,
  *
  *   omega = L/A - c a,   c = L_a/A - omega_a,   omega_a constant:
  *

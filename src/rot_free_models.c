@@ -104,10 +104,10 @@ static const rot_model models[] = {
      ROT_BOUND,
      1e-14,
      ROT_FREELY,
-     "rotors along an axis of symmetry: closed form",
+     "rotors along a principal axis: closed form",
      refuses_gyrostat,
      rot_free_exact_s,
-     {6e-6, 0.4e-6, 0.0, 0.0}},
+     {30e-6, 0.8e-6, 0.0, 0.0}},
     ROT_FREE_INTEGRATED("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS),
     ROT_FREE_STEPS("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS, ROTORS),
 };

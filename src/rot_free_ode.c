@@ -258,7 +258,7 @@ static void differences(const motion *m, const run *a, const run *b, double meas
 static void judge(const motion *m, run *a, const run *finer) {
   const double rounding = 2.0 * ROT_EPS * sqrt(1.0 + (double)a->info.steps);
   const double most = m->p->law || m->p->motors ? 0.9 : 0.5, least = m->rotors.least;
-  const double momentum = a->largest[1] + m->rotors.size + (m->groups > 2 ? a->largest[2] : 0.0);
+  const double momentum = hypot(a->largest[1], m->groups > 2 ? a->largest[2] : 0.0);
   const double size[3] = {1.0, momentum / least, momentum};
   double apart[3], flow[ROT_FREE_FLOWS];
   differences(m, a, finer, apart, flow);

@@ -42,9 +42,10 @@ static int invert_tensor(const rot_free_params *p, rot_free_rotors *out) {
     }
   }
   if (!invert(m, out->inverse)) return 0;
-  for (int i = 0; i < 9; i++) {
-    norm = hypot(norm, out->inverse[i / 3][i % 3]);
-    out->inverse[i / 3][i % 3] = ldexp(out->inverse[i / 3][i % 3], -scale);
+  for (int i = 0; i < 3; i++) { /* the norm by rows is no less than 1 over the least moment */
+    double *row = out->inverse[i];
+    norm = fmax(norm, fabs(row[0]) + fabs(row[1]) + fabs(row[2]));
+    for (int j = 0; j < 3; j++) row[j] = ldexp(row[j], -scale);
   }
   out->least = ldexp(1.0 / norm, scale);
   return 1;

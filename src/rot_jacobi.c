@@ -117,11 +117,15 @@ double rot_carlson_rf(double x, double y, double z) {
          sqrt(mean);
 }
 
-/* R_C(1, 1 + e), e >= 0. */
+/* R_C(1, 1 + e), e > -1. */
 static double carlson_rc(double e) {
   if (e > 0.01) {
     const double root = sqrt(e);
     return atan(root) / root;
+  }
+  if (e < -0.01) {
+    const double root = sqrt(-e);
+    return atanh(root) / root;
   }
   double sum = 0.0;
   for (int k = 8; k >= 0; k--) sum = 1.0 / (2.0 * k + 1.0) - e * sum;

@@ -25,8 +25,7 @@ double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u);
 /* Carlson's R_F of x, y, z >= 0, at most one of them 0. */
 double rot_carlson_rf(double x, double y, double z);
 
-/* Carlson's R_J of x, y, z >= 0, at most one of them 0, and p > 0 with
- * (p - x)(p - y)(p - z) >= 0. */
+/* Carlson's R_J of x, y, z >= 0, at most one of them 0, and p > 0. */
 double rot_carlson_rj(double x, double y, double z, double p);
 
 /* The mean over K of sn^2/(1 + (p - 1) sn^2), p > 0, to 2^-90; 1/p at m1 = 0. Its integral from 0

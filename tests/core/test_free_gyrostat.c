@@ -1,4 +1,6 @@
-/* The gyrostat in closed form: against Taylor series at 40 digits (mpmath), and integration. */
+/* Gyrostats in closed form: against Taylor series at 40 digits (mpmath), and integration. */
+#include <stdlib.h>
+
 #include "rot_attitude.h"
 #include "rot_free_gyrostat.h"
 #include "rot_free_ode.h"
@@ -157,6 +159,57 @@ static void check_integrated(void) {
   }
 }
 
+/* Three moments: all cases of the turning points, against integration; steady spins; both signs of
+ * the rotor's axis say the same. */
+static void check_three_moments(void) {
+  static rows x, y;
+  static const double t[5] = {-4.0, -0.5, 0.25, 3.0, 12.0};
+  double closest = 0.0;
+  srand(7);
+  for (int kind = 0; kind < 120; kind++) {
+    double random[8];
+    for (int i = 0; i < 8; i++) random[i] = (double)rand() / RAND_MAX;
+    const int axis = kind % 3;
+    rot_free_params p = scene(0.3 + random[0], 0.3 + random[1], 0.3 + random[2],
+                              4.0 * random[3] - 2.0, 4.0 * random[4] - 2.0, 4.0 * random[5] - 2.0);
+    rot_free_rotor rotor =
+        rotor_of(0, 0, 0, 0.05 + 0.1 * random[6], 40.0 * random[7] - 20.0, kind % 4 < 2);
+    rot_info by_form, by_steps;
+    rotor.axis[axis] = kind % 2 ? 1.0 : -1.0;
+    if (kind % 5 == 0) p.omega0_rad_per_s[(axis + 1) % 3] = 0.0; /* starts at a turning point */
+    if (kind % 10 == 5) p.omega0_rad_per_s[(axis + 2) % 3] *= 1e-8;
+    p.n_rotors = 1;
+    p.rotors = &rotor;
+    if (rot_free_not_gyrostat(&p)) continue;
+    ROT_CHECK_EQ_INT(exact(&p, 5, t, &x, &by_form), ROT_OK);
+    ROT_CHECK_EQ_INT(integrated(&p, 5, t, &y, &by_steps), ROT_OK);
+    for (size_t i = 0; i < 5; i++) {
+      const double off = angle_between(&x, &y, i);
+      ROT_CHECK(off <=
+                by_form.measure[0].error + 2.0 * by_steps.measure[0].error); /* an estimate */
+      ROT_CHECK(fabs(x.omega_x_rad_per_s[i] - y.omega_x_rad_per_s[i]) <=
+                by_form.measure[1].error + 2.0 * by_steps.measure[1].error);
+      ROT_CHECK(fabs(x.omega_z_rad_per_s[i] - y.omega_z_rad_per_s[i]) <=
+                by_form.measure[1].error + 2.0 * by_steps.measure[1].error);
+      ROT_CHECK(fabs(x.speed[0][i] - y.speed[0][i]) <= 1e-10);
+      closest = fmax(closest, off);
+    }
+    ROT_CHECK(by_form.measure[0].error <= 1e-11);
+  }
+  printf("three moments: %.1e rad from the steps at most\n", closest);
+  ROT_CHECK(closest < 1e-11);
+  /* A spin about the middle axis with the rotor on it is steady: 2^40 rad. */
+  rot_free_rotor rotor = rotor_of(0, 1, 0, 0.125, 16, 1);
+  rot_free_params p = scene(1.0, 2.0, 3.0, 0.0, 1.0, 0.0);
+  rot_info info;
+  const double late = 0x1p40;
+  p.n_rotors = 1;
+  p.rotors = &rotor;
+  ROT_CHECK_EQ_INT(exact(&p, 1, &late, &x, &info), ROT_OK);
+  ROT_CHECK(fabs(x.qw[0] - cos(0x1p39)) <= 1e-15 && fabs(x.qy[0] - sin(0x1p39)) <= 1e-15);
+  ROT_CHECK(x.omega_y_rad_per_s[0] == 1.0 && info.measure[0].error <= 5e-15);
+}
+
 /* Where there is none: the scene is refused. */
 static void check_refused(void) {
   static rows r;
@@ -168,13 +221,15 @@ static void check_refused(void) {
   p.n_rotors = 1;
   p.rotors = &rotor;
   ROT_CHECK(rot_free_not_gyrostat(&p) == NULL);
-  p.moment_kg_m2[0] = 2.0 + 0x1p-51;
-  ROT_CHECK(rot_free_not_gyrostat(&p) != NULL);
+  p.moment_kg_m2[0] = 2.0 + 0x1p-51; /* three moments */
+  ROT_CHECK(rot_free_not_gyrostat(&p) == NULL);
   p.moment_kg_m2[0] = 2.0;
   rotor.axis[0] = 1e-17;
   ROT_CHECK(rot_free_not_gyrostat(&p) != NULL);
   ROT_CHECK_EQ_INT(exact(&p, 1, &t, &r, &info), ROT_EVALUE);
-  rotor.axis[0] = 1.0, rotor.axis[2] = 0.0;
+  rotor.axis[0] = 1.0, rotor.axis[2] = 0.0; /* across the axis of symmetry: a principal axis */
+  ROT_CHECK(rot_free_not_gyrostat(&p) == NULL);
+  rotor.axis[0] = 0.6, rotor.axis[2] = 0.8;
   ROT_CHECK(rot_free_not_gyrostat(&p) != NULL);
   p.moment_kg_m2[2] = 2.0; /* a ball: any axis */
   ROT_CHECK(rot_free_not_gyrostat(&p) == NULL);
@@ -204,6 +259,7 @@ static void check_long(void) {
 int main(void) {
   check_reference();
   check_integrated();
+  check_three_moments();
   check_refused();
   check_long();
   return rot_test_report("free_gyrostat");
