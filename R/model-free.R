@@ -31,7 +31,7 @@ free_gyrostat <- list(
   assumptions = "rigid body; symmetric rotors, driven at constant speeds or free of friction",
   limits = "beyond 1e15 rad no digit of the attitude is left",
   requires = "rotors along a principal axis, no torque, no damping",
-  source = "Hughes 1986, Spacecraft Attitude Dynamics, chapter 6; elliptic functions of DLMF 19, 22",
+  source = "Hughes 1986, Spacecraft Attitude Dynamics, chapter 6; functions of DLMF 19 and 22",
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     result <- .Call(ffi_free_gyrostat, scene, time_s, progress_bar("tumbling"))
     result$info <- void_error(result$info, result$columns)

@@ -12,12 +12,12 @@
 #'
 #' A body with rotors driven at a constant speed is a gyrostat. It is exact (`free_gyrostat`) where
 #' the rotors lie along one of the principal axes, unless the motion is next to a separatrix; in a
-#' ball they may lie along any axes. Every other scene with rotors is integrated. A motor's torque on a reaction wheel
-#' turns the body the other way; only outer torques change the angular momentum of all. Rotors that
-#' spin along the middle axis make the spin about it stable, if they spin fast enough: with
-#' \eqn{h = \sum J W}{h = sum of J W} and the spin \eqn{\Omega}{Omega} about axis k, where
-#' \eqn{(I_k - I_i)\Omega + h}{(I_k - I_i) Omega + h} and
-#' \eqn{(I_k - I_j)\Omega + h}{(I_k - I_j) Omega + h} have one sign.
+#' ball they may lie along any axes. Every other scene with rotors is integrated. A motor's torque
+#' on a reaction wheel turns the body the other way; only outer torques change the angular momentum
+#' of all. Rotors that spin along the middle axis make the spin about it stable, if they spin fast
+#' enough: with \eqn{h = \sum J W}{h = sum of J W} and the spin \eqn{\Omega}{Omega} about axis k,
+#' where \eqn{(I_k - I_i)\Omega + h}{(I_k - I_i) Omega + h} and \eqn{(I_k - I_j)\Omega + h}{(I_k -
+#' I_j) Omega + h} have one sign.
 #'
 #' A body that spins about its middle axis turns over again and again (the intermediate axis
 #' theorem; Dzhanibekov's wing nut, the tennis racket): [flip_time()] says how often. The events
