@@ -52,7 +52,9 @@ loss_energies <- function(fit, i, p) {
   from <- run$time_s[1]
   to <- run$time_s[length(run$time_s)]
   release <- p[["release"]]
-  ends <- c(from, if (any(run$problem$load != 0) && release > from && release < to) release, to)
+  loaded <- any(run$problem$load != 0) || length(run$problem$step_s) > 0L
+  changes <- c(run$problem$step_s, if (loaded) release)
+  ends <- c(from, sort(changes[changes > from & changes < to]), to)
   ends[length(ends)] <- coast_end(fit, i, p, from, to)
   ends <- ends[c(TRUE, diff(ends) > 0)]
   rule <- gauss_rule()
@@ -76,7 +78,7 @@ loss_energies <- function(fit, i, p) {
     energy[loss] <- p[[loss]] * whole
     d_energy <- rbind(d_energy, slope)
   }
-  if (any(run$problem$load != 0)) {
+  if (loaded) {
     return(list(
       energy = energy, d_energy = d_energy, total = sum(energy), d_total = colSums(d_energy)
     ))

@@ -44,8 +44,9 @@ coast_units <- list(
 #' @param inertia Moment of inertia about the axle in kg m^2: a number, [measured()], or NULL. Its
 #'   uncertainty is a common factor of all torques and is given apart, in `u_inertia`.
 #' @param losses The losses that may act.
-#' @param torque A constant torque in N m that acts as well (positive towards positive angles): a
-#'   number, which needs an `inertia`; or [falling_weight()].
+#' @param torque A torque that acts as well (positive towards positive angles) and needs an
+#'   `inertia`: a constant one in N m, or a [torque law][torque_steps()] of time that is constant
+#'   between its knots; or [falling_weight()].
 #' @param runout `"test"` tests whether the sensor's error repeats every turn (first and second
 #'   harmonic); `"fit"` fits it, `"none"` does neither.
 #' @param ... Not used: an unknown argument is an error.
@@ -59,7 +60,8 @@ coast_units <- list(
 #'   mass or gravity was fitted, it is a row, too.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value` (a body at rest, one that speeds up),
 #'   `rotdyn_error_size` (fewer samples than 3 more than what is fitted), `rotdyn_error_argument`
-#'   (a torque without an inertia), `rotdyn_error_range` (no fit).
+#'   (a torque without an inertia), `rotdyn_error_torque` (one that is not constant between jumps),
+#'   `rotdyn_error_range` (no fit).
 #' @source Riccati's equation for the motion; Harville, J. Am. Stat. Assoc. 72, 320 (1977) for REML.
 #' @seealso [loss_budget()], [retarding_torque()], [compare_laws()], [motion_record()].
 #' @concept coast-down
@@ -178,15 +180,21 @@ as_coast_load <- function(torque, inertia, call) {
     return(c(list(kind = "weight", unknown = unknown), unclass(torque)))
   }
   if (is.null(torque)) torque <- 0
-  torque <- check_number(torque, "torque", "N*m", call)
-  if (torque == 0) return(list(kind = "none"))
+  if (inherits(torque, "rot_torque")) {
+    law <- as_torque(torque, call)
+    pieces <- torque_steps_of(law, "torque", call)
+  } else {
+    law <- check_number(torque, "torque", "N*m", call)
+    pieces <- list(time_s = double(), torque_n_m = law)
+  }
+  if (all(pieces$torque_n_m == 0)) return(list(kind = "none"))
   if (is.null(inertia)) {
     abort_rotdyn(c(
       "A {.arg torque} needs the {.arg inertia}: the record shows their ratio.",
       i = "Give {.arg inertia}, or the torque of a {.fn falling_weight}."
     ), "argument", call)
   }
-  list(kind = "torque", torque_n_m = torque)
+  list(kind = "torque", law = law, pieces = pieces)
 }
 
 # ---- samples -------------------------------------------------------------------------------------
@@ -256,7 +264,9 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
   problem <- list(
     kind = run$kind, time_s = run$time_s, value = run$value, fitted = unname(fitted),
     start = first$start, load = first$load, noise = c(0, 1),
-    threshold = if (noise == "find") 2 else Inf
+    threshold = if (noise == "find") 2 else Inf,
+    step_s = as.double(load$pieces$time_s),
+    step_ratio = as.double(load$pieces$torque_n_m[-1] / (inertia$value %||% 1))
   )
   out <- .Call(ffi_coast_fit, problem, 1)
   shown <- c(out$p, out$covariance, out$bounded, out$bounded_covariance)
@@ -387,8 +397,10 @@ run_start <- function(run, speeds, load, inertia) {
     start["coulomb"] <- max(0, -change * turns)
     if (run$kind == 2) start["coulomb"] <- min(start["coulomb"], stops)
   } else if (load$kind == "torque") {
-    ratios <- c(load$torque_n_m / inertia$value, 0, 0)
-    start["coulomb"] <- max(0, ratios[1] - change)
+    pieces <- load$pieces
+    ratios <- c(pieces$torque_n_m[1] / inertia$value, 0, 0)
+    now <- pieces$torque_n_m[findInterval(run$time_s[1], pieces$time_s) + 1L] / inertia$value
+    start["coulomb"] <- max(0, now - change)
   } else {
     weight <- weight_start(run, speeds, load, inertia)
     ratios <- weight$ratios

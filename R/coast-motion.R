@@ -12,7 +12,8 @@ coast_form <- list(
     numbers = "values:15", residual = "numbers=time_s", dof = "number",
     problem = list(
       kind = "number", time_s = "sorted", value = "numbers=time_s", fitted = "numbers:11",
-      start = "numbers:11", load = "numbers:3", noise = "numbers:2", threshold = "limit"
+      start = "numbers:11", load = "numbers:3", noise = "numbers:2", threshold = "limit",
+      step_s = "numbers", step_ratio = "numbers=step_s"
     )
   )),
   losses = "texts", load = list(kind = "text"), runout = "text", noise = "text", level = "number",
@@ -97,10 +98,13 @@ motion_rows <- function(fit, i, p, time_s) {
   derivative <- function(x) cbind(matrix(x, n, 7, byrow = TRUE), matrix(0, n, 4))
   d_theta <- derivative(out$d_theta)
   d_omega <- derivative(out$d_omega)
-  acts <- any(load != 0) & time_s <= p[["release"]]
+  acts <- (any(load != 0) | length(run$problem$step_s) > 0) & time_s <= p[["release"]]
   sum <- 1 + load[2] * (if (load[3] > 0) p[["load"]] else 1)
   share <- ifelse(acts, 1 / sum, 1)
-  drive <- ifelse(acts, load[1] * p[["load"]] / sum, 0)
+  # A sample at the time of a step has the torque before it.
+  step <- findInterval(time_s, run$problem$step_s, left.open = TRUE)
+  torque <- c(load[1], run$problem$step_ratio)[step + 1L]
+  drive <- ifelse(acts, torque * p[["load"]] / sum, 0)
   side <- sign(out$omega)
   u <- abs(out$omega)
   rests <- u == 0 & abs(drive) <= share * p[["coulomb"]]
@@ -110,9 +114,9 @@ motion_rows <- function(fit, i, p, time_s) {
   d_alpha <- -share * (p[["viscous"]] + 2 * p[["quadratic"]] * u) * d_omega
   d_alpha[, 3:5] <- d_alpha[, 3:5] - side * share * cbind(1, u, u^2)
   if (load[3] > 0) {
-    d_alpha[, 6] <- d_alpha[, 6] + ifelse(acts, (load[1] + side * load[2] * law) / sum^2, 0)
+    d_alpha[, 6] <- d_alpha[, 6] + ifelse(acts, (torque + side * load[2] * law) / sum^2, 0)
   } else {
-    d_alpha[, 6] <- d_alpha[, 6] + ifelse(acts, load[1] / sum, 0)
+    d_alpha[, 6] <- d_alpha[, 6] + ifelse(acts, torque / sum, 0)
   }
   d_alpha[rests, ] <- 0
   list(
@@ -308,7 +312,7 @@ as_scene.rot_coast_fit <- function(x, ..., run = 1) {
   inertia <- coast_inertia(fit)
   if (is.na(inertia)) inertia <- 1
   scene_axle(
-    inertia, if (fit$load$kind == "torque") fit$load$torque_n_m,
+    inertia, if (fit$load$kind == "torque") fit$load$law,
     resistance(
       viscous_n_m_s = p[["viscous"]] * inertia, quadratic_n_m_s2 = p[["quadratic"]] * inertia,
       coulomb_n_m = p[["coulomb"]] * inertia

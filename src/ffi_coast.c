@@ -9,7 +9,13 @@ enum { P = ROT_COAST_PARAMETERS, ALL = ROT_COAST_ALL };
 
 static rot_coast_load read_load(SEXP list) {
   const double *x = ffi_numbers_of(list, "load", 3);
-  return (rot_coast_load){x[0], x[1], x[2] > 0.0};
+  const R_xlen_t n = XLENGTH(ffi_element(list, "step_s"));
+  return (rot_coast_load){x[0],
+                          x[1],
+                          x[2] > 0.0,
+                          (size_t)n,
+                          ffi_numbers_of(list, "step_s", n),
+                          ffi_numbers_of(list, "step_ratio", n)};
 }
 
 /* theta, omega and their derivatives, a row of P numbers for each time. */

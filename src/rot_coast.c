@@ -14,6 +14,7 @@ enum { P = ROT_COAST_PARAMETERS, MOST_STEPS = 4000 };
 typedef struct coast {
   const rot_coast_load *load;
   const double *p;
+  double torque;                         /* T/I now */
   double drive, d_drive, share, d_share; /* T/(I + J), I/(I + J), by the multiplier */
   double side, a, b, k, D;               /* D = b^2/4 - a k */
   long steps;
@@ -54,7 +55,7 @@ static double stop_after(const coast *c, double u) {
 
 /* T/(I + J) and I/(I + J); nothing acts after the release. */
 static void take_load(coast *c, int acts) {
-  const double p = c->p[ROT_COAST_LOAD], j = c->load->added_ratio, tau = c->load->torque_ratio;
+  const double p = c->p[ROT_COAST_LOAD], j = c->load->added_ratio, tau = c->torque;
   const double sum = 1.0 + j * (c->load->scales ? p : 1.0);
   c->drive = acts ? tau * p / sum : 0.0;
   c->share = acts ? 1.0 / sum : 1.0;
@@ -221,6 +222,14 @@ static void release(coast *c, double span) {
   c->s[ROT_COAST_RELEASE] += before - (c->rests ? 0.0 : slope_of(c));
 }
 
+/* The torque changes: omega' jumps, at a time that is no parameter. */
+static void change_torque(coast *c, double torque, double span) {
+  const double omega = c->rests ? 0.0 : c->side * c->u;
+  c->torque = torque;
+  take_load(c, 1);
+  begin(c, omega, omega < 0.0 || (!(omega > 0.0) && c->drive < 0.0) ? -1.0 : 1.0, span);
+}
+
 rot_status rot_coast_rows(const rot_coast_load *load, const double p[ROT_COAST_PARAMETERS],
                           double start_s, size_t n, const double t[], double theta[],
                           double omega[], double d_theta[], double d_omega[]) {
@@ -228,10 +237,14 @@ rot_status rot_coast_rows(const rot_coast_load *load, const double p[ROT_COAST_P
   if (n == 0) return ROT_OK;
   memset(&c, 0, sizeof c);
   const double end = t[n - 1], until = p[ROT_COAST_RELEASE];
-  const int loaded = load->torque_ratio != 0.0 || load->added_ratio != 0.0;
+  const int loaded = load->torque_ratio != 0.0 || load->added_ratio != 0.0 || load->steps > 0;
+  size_t step = 0;
   int acts = loaded && until > start_s;
   c.load = load;
   c.p = p;
+  c.torque = load->torque_ratio;
+  for (; step < load->steps && load->step_s[step] <= start_s; step++)
+    c.torque = load->step_ratio[step];
   c.wanted = d_theta != NULL || d_omega != NULL;
   c.t = start_s;
   c.theta = p[ROT_COAST_THETA];
@@ -242,6 +255,11 @@ rot_status rot_coast_rows(const rot_coast_load *load, const double p[ROT_COAST_P
   begin(&c, omega0, side, end - start_s);
   for (size_t i = 0; i < n; i++) {
     rot_status status = ROT_OK;
+    for (; acts && step < load->steps && load->step_s[step] < fmin(t[i], until); step++) {
+      status = go(&c, load->step_s[step]);
+      if (status != ROT_OK) return status;
+      change_torque(&c, load->step_ratio[step], end - load->step_s[step]);
+    }
     if (acts && t[i] > until) {
       status = go(&c, until);
       release(&c, end - until);

@@ -3,8 +3,9 @@
  *   omega' = -(a + b |omega| + k omega^2) sign(omega),  a = tau_c/I, b = c/I, k = q/I,
  *
  * where a torque may act until a time: omega' gains T/(I + J) and the losses count I/(I + J), with
- * J an inertia added while it acts (the mass that unwinds from a drum). Losses of any sign, as a
- * fit without bounds meets them. Where none is negative the motion is that of rot_drag.
+ * J an inertia added while it acts (the mass that unwinds from a drum). The torque may change in
+ * steps at given times. Losses of any sign, as a fit without bounds meets them. Where none is
+ * negative the motion is that of rot_drag.
  *
  * The sensitivities follow from sample to sample by the integrals of the flow's own derivatives
  * (numerics-measurement M5), in the variable tanh(s t)/s, where they are rational. */
@@ -27,10 +28,13 @@ enum {
 };
 
 /* T/I and J/I where the multiplier p[ROT_COAST_LOAD] is 1. `scales`: J/I is multiplied, too (the
- * unknown is 1/I or the mass), not T/I alone (gravity). No torque: 0, 0. */
+ * unknown is 1/I or the mass), not T/I alone (gravity). No torque: 0, 0. Behind each step_s
+ * (increasing) T/I is that of the step. */
 typedef struct rot_coast_load {
   double torque_ratio, added_ratio;
   int scales;
+  size_t steps;
+  const double *step_s, *step_ratio;
 } rot_coast_load;
 
 /* theta, omega and, where they are not NULL, their derivatives: n rows of ROT_COAST_PARAMETERS

@@ -7,7 +7,7 @@
 
 enum { P = ROT_COAST_PARAMETERS, ROWS = 12 };
 
-static const rot_coast_load none = {0.0, 0.0, 0};
+static const rot_coast_load none = {0.0, 0.0, 0, 0, NULL, NULL};
 
 static double uniform(uint64_t *state) {
   *state = *state * 6364136223846793005u + 1442695040888963407u;
@@ -106,7 +106,11 @@ static void check_load(void) {
   double worst = 0.0;
   for (int trial = 0; trial < 3000; trial++) {
     const rot_coast_load load = {4.0 * uniform(&seed) - (trial % 4 == 3 ? 4.0 : 0.0),
-                                 trial % 3 ? uniform(&seed) : 0.0, trial % 2};
+                                 trial % 3 ? uniform(&seed) : 0.0,
+                                 trial % 2,
+                                 0,
+                                 NULL,
+                                 NULL};
     double p[P] = {0}, t[ROWS];
     p[ROT_COAST_OMEGA] = trial % 5 ? 3.0 * uniform(&seed) + 0.1 : 0.0;
     p[ROT_COAST_COULOMB] = 0.8 * uniform(&seed);
@@ -186,7 +190,7 @@ static void check_coulomb(void) {
 /* A weight: (I + m r^2) omega' = m g r - tau_c until 2 s, then I omega' = -tau_c. With T/I = 3,
  * J/I = 0.5, tau_c/I = 0.6: omega' = 2.4/1.5 = 1.6, then -0.6. */
 static void check_weight(void) {
-  const rot_coast_load load = {3.0, 0.5, 1};
+  const rot_coast_load load = {3.0, 0.5, 1, 0, NULL, NULL};
   const double t[3] = {0.0, 2.0, 4.0};
   double p[P] = {0}, theta[3], omega[3];
   p[ROT_COAST_COULOMB] = 0.6;
@@ -195,6 +199,37 @@ static void check_weight(void) {
   ROT_CHECK(rot_coast_rows(&load, p, 0.0, 3, t, theta, omega, NULL, NULL) == ROT_OK);
   ROT_CHECK(fabs(omega[1] - 3.2) < 1e-15 && fabs(theta[1] - 3.2) < 1e-15);
   ROT_CHECK(fabs(omega[2] - 2.0) < 1e-15 && fabs(theta[2] - 8.4) < 1e-14);
+}
+
+/* tau_c/I = 0.6 and T/I = 3 until 2 s, -1 until 7 s, then 0: omega' = 2.4, then -1.6 to the turn at
+ * 5 s, then -0.4, then 0.6 to the stop 4/3 s later. */
+static void check_steps(void) {
+  const double step_s[3] = {0.0, 2.0, 7.0}, step_ratio[3] = {3.0, -1.0, 0.0};
+  const rot_coast_load load = {0.0, 0.0, 0, 3, step_s, step_ratio};
+  const double t[5] = {0.0, 2.0, 5.0, 7.0, 20.0};
+  const double by_hand[5][2] = {
+      {0.0, 0.0}, {4.8, 4.8}, {12.0, 0.0}, {11.2, -0.8}, {11.2 - 0.64 / 1.2, 0.0}};
+  double p[P] = {0}, theta[5], omega[5];
+  p[ROT_COAST_COULOMB] = 0.6;
+  p[ROT_COAST_LOAD] = 1.0;
+  p[ROT_COAST_RELEASE] = 21.0;
+  ROT_CHECK(rot_coast_rows(&load, p, 0.0, 5, t, theta, omega, NULL, NULL) == ROT_OK);
+  for (int i = 0; i < 5; i++) {
+    ROT_CHECK(fabs(theta[i] - by_hand[i][0]) < 2e-14);
+    ROT_CHECK(fabs(omega[i] - by_hand[i][1]) < 2e-14);
+  }
+  uint64_t seed = 11;
+  for (int trial = 0; trial < 1000; trial++) {
+    double q[P] = {0}, times[ROWS];
+    q[ROT_COAST_OMEGA] = 3.0 * uniform(&seed) + 0.1;
+    q[ROT_COAST_COULOMB] = 0.8 * uniform(&seed);
+    q[ROT_COAST_VISCOUS] = 0.2 * uniform(&seed);
+    q[ROT_COAST_QUADRATIC] = 0.02 * uniform(&seed);
+    q[ROT_COAST_LOAD] = 1.0;
+    q[ROT_COAST_RELEASE] = 30.0;
+    make_times(&seed, 20.0, times);
+    ROT_CHECK(worst_difference(&load, q, times) <= 1e-7);
+  }
 }
 
 /* Losses that drive without bound are no motion; nothing at all is one. */
@@ -213,6 +248,7 @@ static void check_ends(void) {
 int main(void) {
   check_coulomb();
   check_weight();
+  check_steps();
   check_rows();
   check_ways();
   check_derivatives();

@@ -26,7 +26,7 @@ typedef struct sample {
 /* A record of n samples over `end` seconds. */
 static void make(sample *s, rot_coast_kind kind, size_t n, double end, const double p[P],
                  double sigma, uint64_t *seed) {
-  const rot_coast_load none = {0.0, 0.0, 0};
+  const rot_coast_load none = {0.0, 0.0, 0, 0, NULL, NULL};
   double theta[MOST], omega[MOST];
   static const int all[ALL] = {1, 1, 1, 1, 1};
   for (size_t i = 0; i < n; i++) s->t[i] = end * (double)i / (double)(n - 1);
@@ -131,7 +131,7 @@ static void check_runout(void) {
     sample s;
     const int uneven = trial % 2;
     make(&s, ROT_COAST_ANGLES, 300, 6.0, p, 0.01, &seed);
-    const rot_coast_load none = {0.0, 0.0, 0};
+    const rot_coast_load none = {0.0, 0.0, 0, 0, NULL, NULL};
     double theta[MOST], omega[MOST], residual[MOST];
     rot_coast_rows(&none, p, 0.0, 300, s.t, theta, omega, NULL, NULL);
     for (int i = 0; i < 300 && uneven; i++) s.y[i] += 0.02 * cos(theta[i] - 0.7);
@@ -155,7 +155,8 @@ static void check_runout(void) {
 /* A weight that unwinds from a drum: I from the fit, where m g r is known. */
 static void check_weight(void) {
   uint64_t seed = 17;
-  const rot_coast_load load = {2.0, 0.1, 1}; /* of an inertia guessed 1.3 times too large */
+  const rot_coast_load load = {2.0, 0.1,  1,
+                               0,   NULL, NULL}; /* of an inertia guessed 1.3 times too large */
   const double p[P] = {0.0, 0.0, 0.3, 0.02, 0.002, 1.3, 5.0};
   double theta[MOST], omega[MOST];
   sample s;

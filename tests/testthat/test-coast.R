@@ -283,6 +283,29 @@ test_that("a known torque acts as well", {
   )
 })
 
+test_that("a torque in known steps acts as well: driven, braked, free", {
+  torque <- torque_steps(c(0, 3, 5), c(0.2, -0.05, 0))
+  scene <- scene_axle(0.0625, torque, resistance(0.00625, 2.5e-4, 0.075), omega0_rad_per_s = 2)
+  motion <- trajectory(scene, seq(0, 10, length.out = 500))
+  fit <- fit_coast_down(noisy(motion, 0), inertia = 0.0625, torque = torque)
+  expect_equal(fit$value, c(0.075, 0.00625, 2.5e-4), tolerance = 1e-7)
+  again <- trajectory(as_scene(fit), c(2, 4, 9))
+  there <- predict(fit, c(2, 4, 9))
+  expect_equal(there$theta_rad, again$theta_rad, tolerance = 1e-9)
+  expect_equal(there$alpha_rad_per_s2, again$net_torque_n_m / 0.0625, tolerance = 1e-6)
+  budget <- loss_budget(fit)
+  expect_equal(sum(budget$share), 1)
+  lost <- augment(trajectory(scene, c(0, 10)))[2, ]
+  expect_equal(budget$energy_j[1], lost$dissipated_coulomb_j, tolerance = 1e-6)
+  for (law in list(torque_knots(c(0, 4), c(0, 1)), torque_function(function(t, ...) t))) {
+    expect_error(
+      fit_coast_down(noisy(motion, 0), inertia = 0.0625, torque = law),
+      class = "rotdyn_error_torque"
+    )
+  }
+  expect_error(fit_coast_down(noisy(motion, 0), torque = torque), class = "rotdyn_error_argument")
+})
+
 test_that("the sensor's runout is found and fitted", {
   motion <- coasting(n = 600)
   samples <- noisy(motion, 0.005)
