@@ -16,9 +16,9 @@
 #'
 #' Where the motion is smoother than the process expects (an oscillation), blocks of samples that
 #' are left out and interpolated tell so, and the bands are narrowed. Measured with
-#' `make check-measurement`, a nominal 95 % of omega is 95 % for spin-ups, 96 % for stops, 98 % for
-#' coast-downs and pendulums; of alpha 95 to 99 %; of omega in the first and last 3 % of a record,
-#' 88 to 97 %.
+#' `make check-measurement`, a nominal 95 % of omega is 96 % for spin-ups and stops, 98 % for
+#' coast-downs and pendulums; of alpha 97 to 99 %; in the first and last 3 % of a record 92 to 97 %
+#' of omega and 89 to 98 % of alpha.
 #'
 #' **Breaks.** At a break the rate jumps (an impact), the acceleration does (a switched torque, a
 #' stop), or its derivative (a torque that begins or ceases to change steadily: a ramp; at order 4
