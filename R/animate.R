@@ -93,6 +93,7 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
 # The pictures that draw(i) makes, i from 1 to n, each for delay_s.
 write_gif <- function(file, n, draw, width_px, delay_s, call) {
   need_package("gifski", "A GIF", call)
+  write_file("", file, call) # gifski 1.32 waits for good where it cannot write
   folder <- tempfile("frames")
   dir.create(folder)
   on.exit(unlink(folder, recursive = TRUE))
@@ -103,11 +104,7 @@ write_gif <- function(file, n, draw, width_px, delay_s, call) {
   for (i in seq_len(n)) draw(i)
   shut()
   pictures <- list.files(folder, full.names = TRUE)
-  written <- tryCatch(
-    gifski::gifski(pictures, file, width_px, width_px, delay_s, progress = FALSE),
-    error = identity
-  )
-  if (inherits(written, "error")) abort_unwritten(file, written, call)
+  gifski::gifski(pictures, file, width_px, width_px, delay_s, progress = FALSE)
 }
 
 check_gif_name <- function(file, call) {
