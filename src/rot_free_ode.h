@@ -1,6 +1,7 @@
-/* A free body integrated, with any torque and rotors: the quaternion since the start and the angular
- * momentum in principal axes, and the momenta of rotors (rot_ode.h). The error is the distance from a second run at a hundredth of the
- * accuracy: bench/coverage/forced.c says how near it is to the truth. */
+/* A free body integrated, with any torque and rotors: the quaternion since the start, the angular
+ * momentum in principal axes, and the momenta of rotors (rot_ode.h). The error is the distance from
+ * a second run at a hundredth of the accuracy: bench/coverage/forced.c and gyrostat.c say how near
+ * it is to the truth. */
 #ifndef ROT_FREE_ODE_H
 #define ROT_FREE_ODE_H
 
