@@ -284,8 +284,7 @@ static void judge_setup(const given *in, const rates *found, rot_gyrostat_motion
     for (int i = 0; i < 7; i++) {
       *all[i] = rot_dd_mul(*all[i], rot_dd_sum2(1.0, signs[k][i] * 0x1p-76));
     }
-    if (find_rates(&near, &other, &r) != ROT_OK || other.low != g->low || other.high != g->high ||
-        other.negative != g->negative) {
+    if (find_rates(&near, &other, &r) != ROT_OK || other.low != g->low || other.high != g->high) {
       g->lambda_error = g->psi_error = g->m1_error = INFINITY;
       return;
     }

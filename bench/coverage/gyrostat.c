@@ -532,8 +532,8 @@ static long check_gyrostats(int scenes) {
     printf("  %-28s attitude off by %.1e rad, bound %.1e at most; the closest %.2g\n",
            kind_names[k], worst[k], said[k], least[k]);
   }
-  printf("gyrostat: %d scenes, %ld rows, %ld not covered; the truth is good to %.0e\n", scenes,
-         rows, missed, doubts);
+  printf("gyrostat: %d scenes, %ld refused, %ld rows, %ld not covered; the truth is good to %.0e\n",
+         scenes, refused, rows, missed, doubts);
   return missed;
 }
 
