@@ -122,7 +122,7 @@ abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
 # A column of doubles; NA, also logical, is allowed.
 check_column <- function(x, arg, unit, call) {
   if (is.object(x)) x <- as_si(x, unit, arg, call)
-  if (is.double(x) && !is.object(x)) return(x)
+  if (is.double(x) && !is.object(x)) return(if (is.null(dim(x))) x else as.vector(x))
   if ((is_number(x) && !is.object(x)) || (is.logical(x) && all(is.na(x)))) return(as.double(x))
   abort_rotdyn(
     c("{.arg {arg}} must be numbers{in_unit(unit)}.", x = "It is {describe_value(x)}."),

@@ -30,7 +30,9 @@ open_records <- function(con, call, made = TRUE, scene = "") {
     path <- con
     # RSQLite itself would switch off the waiting for the disk.
     con <- tryCatch(
-      DBI::dbConnect(RSQLite::SQLite(), path, loadable.extensions = FALSE, synchronous = NULL),
+      suppressWarnings(DBI::dbConnect(
+        RSQLite::SQLite(), path, loadable.extensions = FALSE, synchronous = NULL
+      )),
       error = function(e) abort_database(e, call)
     )
   }

@@ -192,8 +192,8 @@ keep <- function(x) {
   if (utils::object.size(x) > 2e6) return()
   kind <- kind_of(x)
   have <- pool[[kind]]
-  if (length(have) < 12L) pool[[kind]] <- c(have, list(x)) else
-    pool[[kind]][[sample.int(12L, 1L)]] <- list(x)[[1]]
+  if (length(have) < 24L) pool[[kind]] <- c(have, list(x)) else
+    pool[[kind]][[sample.int(24L, 1L)]] <- list(x)[[1]]
 }
 for (kind in kinds) assign(kind, list(), envir = pool)
 keep(body_disk(2, 0.25))
@@ -201,6 +201,11 @@ keep(scene_axle(1, 1, resistance(0.1)))
 keep(scene_axle(1, torque_gravity(1, 1), theta0_rad = 1))
 keep(scene_rotors(c(1, 2, 1), 5, 0.1, omega0_rad_per_s = c(1, 0, 0)))
 keep(scene_clutch(1, 2, 3, omega1_rad_per_s = 4))
+keep(scene_incline(body_sphere(1, 0.1), 20, static_friction = 0.1, v0_m_per_s = -1))
+keep(scene_drive(c(1, 2), coupling_shaft(5), omega0_rad_per_s = c(1, 0)))
+keep(scene_free(c(1, 2, 3), c(0.1, 2, 0.1)))
+keep(scene_free(c(1, 2, 3), c(0.1, 2, 0.1), rotors = rotor("z", 0.1, 5), torque_n_m = c(0, 1, 0)))
+keep(scene_pivot(place_body(body_disk(2, 0.2), c(0, 0, 0.2)), c(1, 0, 60)))
 keep(torque_sinusoid(1, 2))
 keep(resistance(0.1, 0.1, 0.1))
 keep(domain_ball(1))

@@ -49,6 +49,12 @@ test_that("an argument that was left out is named", {
   }
 })
 
+test_that("arrays are plain numbers", {
+  expect_no_warning(earth <- foucault_pendulum(array(1, 1), array(45, 1), 10))
+  expect_identical(earth, foucault_pendulum(1, 45, 10))
+  expect_null(dim(rotdyn:::check_column(matrix(1:4 / 2, 2), "x", "m", NULL)))
+})
+
 test_that("letters are made small alike in every locale", {
   mixed <- c("IXX", "Stl", NA, "\u0130")
   expect_identical(rotdyn:::lower_case(mixed), c("ixx", "stl", NA, "\u0130"))

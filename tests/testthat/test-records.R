@@ -350,4 +350,7 @@ test_that("names of files that are no text", {
   expect_error(records_check(bytes), class = "rotdyn_error_type")
   expect_error(records_create(bytes), class = "rotdyn_error_type")
   expect_error(records_check(""), class = "rotdyn_error_type")
+  long <- strrep("a", 2e5)
+  expect_error(expect_no_warning(records_create(long)), class = "rotdyn_error_database")
+  expect_error(expect_no_warning(records_check(long)), class = "rotdyn_error_database")
 })
