@@ -76,6 +76,7 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
     frame_s <- round(100 / rate) / 100
   }
   time_s <- film_times(motion, frame_s / slow, call)
+  if (!is.null(file)) need_package("gifski", "A GIF", call)
   rows <- stats::predict(motion, time_s)
   film <- if (in_space) {
     space_film(rows, constraint$solid(run$scene))
@@ -92,14 +93,17 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
 
 # The pictures that draw(i) makes, i from 1 to n, each for delay_s.
 write_gif <- function(file, n, draw, width_px, delay_s, call) {
-  need_package("gifski", "A GIF", call)
   write_file("", file, call) # gifski 1.32 waits for good where it cannot write
   folder <- tempfile("frames")
   dir.create(folder)
   on.exit(unlink(folder, recursive = TRUE))
+  before <- grDevices::dev.cur()
   grDevices::png(file.path(folder, "%05d.png"), width_px, width_px)
   device <- grDevices::dev.cur()
-  shut <- function() if (device %in% grDevices::dev.list()) grDevices::dev.off(device)
+  shut <- function() {
+    if (device %in% grDevices::dev.list()) grDevices::dev.off(device)
+    if (before %in% grDevices::dev.list()) grDevices::dev.set(before)
+  }
   on.exit(shut(), add = TRUE, after = FALSE)
   for (i in seq_len(n)) draw(i)
   shut()

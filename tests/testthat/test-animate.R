@@ -168,4 +168,15 @@ test_that("bad arguments are errors", {
     )
   }
   expect_null(grDevices::dev.list())
+  # Of two open devices, the one that was in use stays so.
+  grDevices::pdf(NULL)
+  mine <- grDevices::dev.cur()
+  grDevices::pdf(NULL)
+  other <- grDevices::dev.cur()
+  on.exit(for (one in c(mine, other)) grDevices::dev.off(one))
+  grDevices::dev.set(mine)
+  path <- tempfile(fileext = ".gif")
+  on.exit(unlink(path), add = TRUE)
+  animate_motion(motion, path, frames_per_s = 2, width_px = 64)
+  expect_identical(grDevices::dev.cur(), mine)
 })
