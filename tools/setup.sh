@@ -135,7 +135,6 @@ from_cran() {
   for name in "$@"; do
     case $name in
       units) extra="$extra libudunits2-dev" ;;
-      gifski) extra="$extra cargo" ;;
       rgl) extra="$extra libfreetype6-dev libgl1-mesa-dev libglu1-mesa-dev libpng-dev" ;;
       xml2) extra="$extra libxml2-dev pkg-config" ;;
       roxygen2) extra="$extra libxml2-dev libuv1-dev pkg-config" ;;
