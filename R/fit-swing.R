@@ -112,6 +112,13 @@ swings_of <- function(data, kind, restoring, losses, call) {
   }
   swings <- do.call(rbind, lapply(parts, `[[`, "swings"))
   swings <- choose_free(swings, restoring)
+  if (!any(swings$sound, na.rm = TRUE)) {
+    abort_rotdyn(c(
+      "The record has no whole swing with samples at its passages and peaks.",
+      x = "Of {nrow(swings)} swing{?s}, all have a gap at a passage, or a peak without a sample.",
+      i = "Swings need some ten samples each."
+    ), "size", call)
+  }
   best <- longest_stretch(swings)
   # A part of a swing before the first passage and after the last belongs to the stretch.
   own <- range(data$time[data$segment == best$segment])

@@ -153,3 +153,12 @@ test_that("errors are the package's own", {
   r$theta_rad <- r$time_s^2
   expect_error(fit_swing(r), class = "rotdyn_error_size")
 })
+
+test_that("swings of which no one has its passages and peaks sampled", {
+  # A passage lies within 0.7 of half a swing between two samples: 2.2 a period are too few.
+  time <- seq(0, 30, by = 1 / 2.2)
+  sparse <- motion_record(
+    data.frame(time_s = time, theta_rad = 0.3 * cos(2 * pi * time + 0.4)), "time_s", "theta_rad"
+  )
+  expect_error(expect_no_warning(fit_swing(sparse)), class = "rotdyn_error_size")
+})
