@@ -186,6 +186,12 @@ as_record_column <- function(value, heading, arg, n, call) {
   role <- record_arguments[[arg]]
   if (is.data.frame(value) || is.matrix(value)) {
     value <- as.list(as.data.frame(value))
+    if (!length(value)) {
+      abort_rotdyn(c(
+        "{.arg {arg}} must have a number for each row of {.arg data}.",
+        x = "It is a table without columns."
+      ), "size", call)
+    }
     parts <- Map(as_record_column, value, names(value), arg, n, list(call))
     return(list(
       value = vapply(parts, function(p) as.double(p$value), numeric(n)), heading = names(value),

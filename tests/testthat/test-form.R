@@ -111,3 +111,20 @@ test_that("what was dropped is looked at before it is printed", {
   attr(motion, "run")$dropped <- "nothing"
   expect_error(print(motion), "dropped", class = "rotdyn_error_type")
 })
+
+test_that("a trajectory of which any part was replaced prints, or is refused", {
+  motion <- trajectory(scene_axle(1, torque_function(function(time_s) 1)), 0:2)
+  run <- attr(motion, "run")
+  for (part in c(names(run), "body", "step_s")) {
+    forged <- motion
+    attr(forged, "run")[[part]] <- 7
+    printed <- tryCatch(utils::capture.output(print(forged)), rotdyn_error = identity)
+    expect_true(is.character(printed) || inherits(printed, "rotdyn_error_type"), label = part)
+  }
+  for (part in c(names(run$info), "step_s")) {
+    forged <- motion
+    attr(forged, "run")$info[[part]] <- list()
+    printed <- tryCatch(utils::capture.output(print(forged)), rotdyn_error = identity)
+    expect_true(is.character(printed) || inherits(printed, "rotdyn_error_type"), label = part)
+  }
+})

@@ -245,3 +245,10 @@ test_that("an angle far from the predicted one is said", {
   x <- motion_record(data.frame(t, w = ifelse(t < 0.1, 6.2, w)), time_s = t, theta_rad = w)
   expect_match(info_of(x)$assumed, "quarter turn", all = FALSE)
 })
+
+test_that("a table without columns is no column", {
+  data <- data.frame(t = 0:9, theta = 0:9)
+  for (none in list(data.frame(), matrix(0, 10, 0))) {
+    expect_error(motion_record(data, !!none, theta), class = "rotdyn_error_size")
+  }
+})
