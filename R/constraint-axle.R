@@ -100,7 +100,7 @@ axle_constraint <- function() {
 # A scene on an axle as text, by the function that made it.
 axle_texts <- function() {
   start <- c("theta0_rad", "omega0_rad_per_s", "start_s")
-  law <- function(torque) if (!torque_is_zero(torque)) torque
+  law <- function(torque) if (!torque_is_none(torque)) torque
   resisted <- function(x) if (resists(x$resistance)) list(resistance = x$resistance)
   axis <- function(x) if (!identical(x$axis, c(0, 0, 1))) list(axis = x$axis)
   special <- function(x) !is.null(.subset2(x, "given"))

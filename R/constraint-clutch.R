@@ -132,7 +132,7 @@ conserved_clutch <- function(scene) {
 
 clutch_texts <- function() {
   list(scene_clutch = text_form(function(x) {
-    law <- function(i) if (!torque_is_zero(x$torque[[i]])) x$torque[[i]]
+    law <- function(i) if (!torque_is_none(x$torque[[i]])) x$torque[[i]]
     list(
       body_1 = x$bodies[[1]], body_2 = x$bodies[[2]], capacity_n_m = x$capacity_n_m,
       static_capacity_n_m = if (x$static_capacity_n_m != x$capacity_n_m) x$static_capacity_n_m,

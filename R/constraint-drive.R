@@ -247,7 +247,7 @@ drive_texts <- function() {
     list(
       bodies = x$bodies %||% x$moment_of_inertia_kg_m2,
       couplings = if (length(x$couplings)) x$couplings,
-      torque = some(x$torque, torque_is_zero),
+      torque = some(x$torque, torque_is_none),
       resistance = some(x$resistance, Negate(resists)), brake = some(brakes, is.null),
       theta0_rad = first(x$theta0_rad), omega0_rad_per_s = first(x$omega0_rad_per_s),
       start_s = x$start_s

@@ -472,7 +472,10 @@ link_row <- function(link, call) {
     verdict = worst_verdict(check$verdict),
     fault = if (length(failed)) link_fault(check) else NA_character_,
     suggestion = c(given, NA_character_)[1L],
-    body = if (!length(setdiff(failed, "size"))) link_body(link, reach, call),
+    # A tensor that the geometry is too small for: a body whose reach is unknown.
+    body = if (!length(setdiff(failed, "size"))) {
+      link_body(link, if ("size" %in% failed) NA_real_ else reach, call)
+    },
     check = check
   )
 }

@@ -184,6 +184,11 @@ torque_is_zero <- function(torque) {
     all(.subset2(torque, "outside") == 0) && all(.subset2(torque, "torque_n_m") == 0)
 }
 
+# What no law at all is, too.
+torque_is_none <- function(torque) {
+  torque_is_zero(torque) && !length(.subset2(torque, "time_s"))
+}
+
 # The law in one line.
 describe_torque <- function(torque) {
   if (inherits(torque, "rot_torque_sum")) {

@@ -91,6 +91,10 @@ test_that("a tensor too large for what is drawn fails, and still is a body", {
   expect_match(links$fault, "^size")
   expect_match(links$suggestion, "unit (kg mm^2)", fixed = TRUE)
   expect_s3_class(links$body[[1]], "rot_body")
+  expect_equal(links$reach_m, 0.1)
+  # Its numbers are those of a body: it has a text.
+  expect_equal(links$body[[1]]$reach_m, NA_real_)
+  expect_no_error(write_scene(links$body[[1]]))
 })
 
 test_that("masses and tensors that are no number are faults, not errors", {

@@ -18,6 +18,12 @@ scenes_of_all <- function() {
     scene_axle(body_box(1, .1, .2, .3), through = "centre"),
     scene_axle(inertia_knots(c(0, 1), c(2, 1)), torque_steps(c(0, 2), c(1, 2)), start_s = -1),
     scene_axle(1, terms),
+    scene_axle(0.5, torque_knots(0:1, c(0, 0))),
+    scene_axle(0.5, torque_knots(0:1, c(-0, 0), outside = "hold"), start_s = -1),
+    scene_pendulum(body_point(2, .7), torque = torque_steps(0:1, c(0, 0))),
+    scene_hanging_mass(0.1, 3, .2),
+    scene_clutch(2, 3, 12, torque_1 = torque_knots(0:1, c(0, 0)), omega1_rad_per_s = 1),
+    scene_drive(c(1, 2), coupling_gear(3), torque = list(torque_knots(0:1, c(0, 0)), NULL)),
     scene_axle(
       2, 3 * torque_knots(c(0, 1), c(1, 2), outside = "hold"), resistance(coulomb_n_m = .1)
     ),
