@@ -48,6 +48,7 @@ abort_file <- function(why, file, call, remedy = NULL) {
 
 read_bytes <- function(file, call) {
   check_name(file, "file", call)
+  if (!is_readable_text(file)) abort_unreadable(file, "file", call)
   if (!file.exists(file) || dir.exists(file)) {
     abort_rotdyn("There is no file {.file {file}}.", "file", call)
   }

@@ -68,3 +68,9 @@ test_that("encodings", {
   expect_error(decode_bytes(as.raw(c(0xff, 0xfe, 65, 0, 0, 0, 66, 0)), "x", call),
     class = "rotdyn_error_file")
 })
+
+test_that("a name of bytes is no name of a file", {
+  bytes <- "a\xff"
+  Encoding(bytes) <- "bytes"
+  expect_error(read_motion(bytes), class = "rotdyn_error_type")
+})
