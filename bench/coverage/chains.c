@@ -26,7 +26,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef __float128 quad;
+#include "midpoint.h"
 
 enum {
   ROTORS = 6,
@@ -34,7 +34,6 @@ enum {
   ROWS = 64,
   CONTACTS = 2 * ROTORS,
   SIZE = 4 * ROTORS + 2,
-  LEVELS = 10,
   MOST_STEPS = 20000
 };
 
@@ -194,7 +193,8 @@ static quad slip_of(const contact *k, const quad y[]) {
 
 /* ---- steps ----------------------------------------------------------------------------------- */
 
-static void slope(const chain *s, quad t, const quad y[], quad f[]) {
+static void slope(const void *system, quad t, const quad y[], quad f[]) {
+  const chain *s = system;
   quad rate[ROTORS], carried[CONTACTS];
   accelerations(s, t, y, rate, carried);
   for (int u = 0; u < s->m; u++) {
@@ -204,43 +204,8 @@ static void slope(const chain *s, quad t, const quad y[], quad f[]) {
 }
 
 static double step(const chain *s, quad t, const quad y[], quad h, const quad size[], quad out[]) {
-  static quad table[LEVELS][2 * ROTORS];
-  const int n = 2 * s->m;
-  double error = INFINITY;
-  for (int k = 0; k < LEVELS && !(k > 3 && error < 1e-25); k++) {
-    const int parts = 2 * (k + 1);
-    const quad d = h / parts;
-    quad a[2 * ROTORS], b[2 * ROTORS], f[2 * ROTORS];
-    slope(s, t, y, f);
-    for (int i = 0; i < n; i++) {
-      a[i] = y[i];
-      b[i] = a[i] + d * f[i];
-    }
-    for (int j = 1; j < parts; j++) {
-      slope(s, t + j * d, b, f);
-      for (int i = 0; i < n; i++) {
-        const quad next = a[i] + 2 * d * f[i];
-        a[i] = b[i];
-        b[i] = next;
-      }
-    }
-    slope(s, t + h, b, f);
-    error = k ? 0 : INFINITY;
-    for (int i = 0; i < n; i++) {
-      quad carry = (a[i] + b[i] + d * f[i]) / 2;
-      for (int j = 1; j <= k; j++) {
-        const int m = 2 * (k - j + 1);
-        const quad old = table[j - 1][i];
-        table[j - 1][i] = carry;
-        carry += (carry - old) / ((quad)(parts * parts) / (m * m) - 1);
-      }
-      table[k][i] = out[i] = carry;
-      if (k && size[i] > 0) {
-        error = fmax(error, (double)(fabsq(carry - table[k - 1][i]) / size[i]));
-      }
-    }
-  }
-  return error;
+  const midpoint rule = {slope, 2 * s->m, 10, 1e-25};
+  return midpoint_step(&rule, s, t, h, y, size, out);
 }
 
 /* ---- contacts -------------------------------------------------------------------------------- */

@@ -12,11 +12,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "attitude.h"
+#include "midpoint.h"
 #include "random.h"
 #include "rot_attitude.h"
 #include "rot_free_ode.h"
-
-typedef __float128 quad;
 
 enum { KINDS = 8, ROWS = 12, DIM = 7, LEVELS = 8 };
 static const char *const kind_names[KINDS] = {
@@ -86,22 +86,18 @@ static void draw(int kind, scene *s) {
 
 /* ---- the truth ------------------------------------------------------------------------------- */
 
-static void turn(const quad q[4], const quad v[3], int back, quad out[3]) {
-  const quad s = back ? -1 : 1, x = s * q[1], y = s * q[2], z = s * q[3];
-  const quad c[3] = {y * v[2] - z * v[1] + q[0] * v[0], z * v[0] - x * v[2] + q[0] * v[1],
-                     x * v[1] - y * v[0] + q[0] * v[2]};
-  out[0] = v[0] + 2 * (y * c[2] - z * c[1]);
-  out[1] = v[1] + 2 * (z * c[0] - x * c[2]);
-  out[2] = v[2] + 2 * (x * c[1] - y * c[0]);
-}
+typedef struct stretch {
+  const scene *s;
+  int piece; /* between which knots; -1: none */
+} stretch;
 
-/* `piece`: between which knots; -1: none. y: q, of any length near 1, and L in the body. */
-static void slopes(const scene *s, int piece, quad t, const quad y[DIM], quad f[DIM]) {
+/* y: q, of any length near 1, and L in the body. */
+static void slopes(const void *system, quad t, const quad y[DIM], quad f[DIM]) {
+  const scene *s = ((const stretch *)system)->s;
+  const int piece = ((const stretch *)system)->piece;
   const rot_free_params *p = &s->p;
   const quad *l = y + 4, g = p->damping_per_s;
-  const quad norm = sqrtq(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3]);
-  quad w[3], q[4], torque[3], own[3];
-  for (int i = 0; i < 4; i++) q[i] = y[i] / norm;
+  quad w[3], torque[3], own[3];
   for (int i = 0; i < 3; i++) {
     w[i] = l[i] / p->moment_kg_m2[i];
     torque[i] = p->torque[i];
@@ -112,53 +108,25 @@ static void slopes(const scene *s, int piece, quad t, const quad y[DIM], quad f[
     if (p->law) torque[i] += s->wave[i] * sinq(s->frequency * t + i) - s->drag * w[i];
   }
   if (p->in_space) {
-    turn(q, torque, 1, own);
+    turn(y, torque, 1, own);
   } else {
     for (int i = 0; i < 3; i++) own[i] = torque[i];
   }
   const quad up[3] = {0, 0, 1};
   quad z[3];
-  turn(q, up, 1, z);
+  turn(y, up, 1, z);
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const quad weight = z[j] * p->lever_n_m[k] - z[k] * p->lever_n_m[j];
     f[4 + i] = l[j] * w[k] - l[k] * w[j] + own[i] + weight - g * l[i];
   }
-  f[0] = (-y[1] * w[0] - y[2] * w[1] - y[3] * w[2]) / 2;
-  f[1] = (y[0] * w[0] + y[2] * w[2] - y[3] * w[1]) / 2;
-  f[2] = (y[0] * w[1] + y[3] * w[0] - y[1] * w[2]) / 2;
-  f[3] = (y[0] * w[2] + y[1] * w[1] - y[2] * w[0]) / 2;
+  attitude_slopes(y, w, f);
 }
 
 static void step(const scene *s, int piece, quad t, quad h, quad y[DIM]) {
-  quad table[LEVELS][DIM], f[DIM];
-  for (int k = 0; k < LEVELS; k++) {
-    const int n = 2 * (k + 1);
-    const quad part = h / n;
-    quad before[DIM], now[DIM];
-    slopes(s, piece, t, y, f);
-    for (int c = 0; c < DIM; c++) {
-      before[c] = y[c];
-      now[c] = y[c] + part * f[c];
-    }
-    for (int i = 1; i < n; i++) {
-      slopes(s, piece, t + i * part, now, f);
-      for (int c = 0; c < DIM; c++) {
-        const quad next = before[c] + 2 * part * f[c];
-        before[c] = now[c];
-        now[c] = next;
-      }
-    }
-    slopes(s, piece, t + h, now, f);
-    for (int c = 0; c < DIM; c++) table[k][c] = (now[c] + before[c] + part * f[c]) / 2;
-    for (int j = k - 1; j >= 0; j--) {
-      const quad ratio = (quad)(k + 1) / (j + 1);
-      for (int c = 0; c < DIM; c++) {
-        table[j][c] = table[j + 1][c] + (table[j + 1][c] - table[j][c]) / (ratio * ratio - 1);
-      }
-    }
-  }
-  for (int c = 0; c < DIM; c++) y[c] = table[0][c];
+  static const midpoint rule = {slopes, DIM, LEVELS, 0.0};
+  const stretch now = {s, piece};
+  midpoint_step(&rule, &now, t, h, y, NULL, y);
 }
 
 /* On to a time, with stops at the knots. */
@@ -183,14 +151,6 @@ static void begin(const scene *s, quad y[DIM]) {
   for (int i = 0; i < 4; i++) norm += (quad)s->p.q0[i] * s->p.q0[i];
   for (int i = 0; i < 4; i++) y[i] = s->p.q0[i] / sqrtq(norm);
   for (int i = 0; i < 3; i++) y[4 + i] = (quad)s->p.moment_kg_m2[i] * s->p.omega0_rad_per_s[i];
-}
-
-static double angle_between(const quad p[4], const quad q[4]) {
-  const quad d[4] = {p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3],
-                     p[0] * q[1] - p[1] * q[0] - p[2] * q[3] + p[3] * q[2],
-                     p[0] * q[2] - p[2] * q[0] - p[3] * q[1] + p[1] * q[3],
-                     p[0] * q[3] - p[3] * q[0] - p[1] * q[2] + p[2] * q[1]};
-  return (double)(2 * atan2q(sqrtq(d[1] * d[1] + d[2] * d[2] + d[3] * d[3]), fabsq(d[0])));
 }
 
 static int by_size(const void *x, const void *y) {

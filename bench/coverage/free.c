@@ -12,12 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "attitude.h"
+#include "midpoint.h"
 #include "random.h"
 #include "rot_attitude.h"
 #include "rot_free_exact.h"
 #include "rot_free_table.h"
-
-typedef __float128 quad;
 
 enum { KINDS = 10, NODES = 20, MOST_PANELS = 400 };
 static const char *const kind_names[KINDS] = {"generic",
@@ -193,14 +193,6 @@ static void begin_truth(const double moment[3], const double omega[3], truth *s)
   }
 }
 
-static void times(const quad p[4], const quad q[4], quad out[4]) {
-  const quad w = p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3];
-  const quad x = p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2];
-  const quad y = p[0] * q[2] + p[2] * q[0] + p[3] * q[1] - p[1] * q[3];
-  const quad z = p[0] * q[3] + p[3] * q[0] + p[1] * q[2] - p[2] * q[1];
-  out[0] = w, out[1] = x, out[2] = y, out[3] = z;
-}
-
 /* Takes L to the z axis, in the axes (x, y, z = r). */
 static void to_z(const truth *s, const quad l[3], quad q[4]) {
   const int r = reference(s), x = (r + 1) % 3, y = (r + 2) % 3;
@@ -248,62 +240,22 @@ static void true_state(const truth *s, quad t, quad omega[3], quad q[4]) {
 
 /* ---- the truth of the truth: midpoint steps, extrapolated ------------------------------------ */
 
-static void rates(const quad m[3], const quad y[7], quad f[7]) {
-  const quad *q = y, *w = y + 4;
-  f[0] = (-q[1] * w[0] - q[2] * w[1] - q[3] * w[2]) / 2;
-  f[1] = (q[0] * w[0] + q[2] * w[2] - q[3] * w[1]) / 2;
-  f[2] = (q[0] * w[1] + q[3] * w[0] - q[1] * w[2]) / 2;
-  f[3] = (q[0] * w[2] + q[1] * w[1] - q[2] * w[0]) / 2;
+static void rates(const void *moments, quad t, const quad y[7], quad f[7]) {
+  const quad *m = moments, *w = y + 4;
+  (void)t;
+  attitude_slopes(y, w, f);
   f[4] = (m[1] - m[2]) / m[0] * w[1] * w[2];
   f[5] = (m[2] - m[0]) / m[1] * w[2] * w[0];
   f[6] = (m[0] - m[1]) / m[2] * w[0] * w[1];
 }
 
-static void step(const quad m[3], quad h, quad y[7]) {
-  enum { LEVELS = 10 };
-  quad table[LEVELS][7], f[7];
-  for (int k = 0; k < LEVELS; k++) {
-    const int n = 2 * (k + 1);
-    const quad part = h / n;
-    quad before[7], now[7];
-    rates(m, y, f);
-    for (int c = 0; c < 7; c++) {
-      before[c] = y[c];
-      now[c] = y[c] + part * f[c];
-    }
-    for (int i = 1; i < n; i++) {
-      rates(m, now, f);
-      for (int c = 0; c < 7; c++) {
-        const quad next = before[c] + 2 * part * f[c];
-        before[c] = now[c];
-        now[c] = next;
-      }
-    }
-    rates(m, now, f);
-    for (int c = 0; c < 7; c++) table[k][c] = (now[c] + before[c] + part * f[c]) / 2;
-    for (int j = k - 1; j >= 0; j--) {
-      const quad ratio = (quad)(k + 1) / (j + 1);
-      for (int c = 0; c < 7; c++) {
-        table[j][c] = table[j + 1][c] + (table[j + 1][c] - table[j][c]) / (ratio * ratio - 1);
-      }
-    }
-  }
-  for (int c = 0; c < 7; c++) y[c] = table[0][c];
-}
-
-static double angle_between(const quad p[4], const quad q[4]) {
-  quad d[4];
-  const quad back[4] = {p[0], -p[1], -p[2], -p[3]};
-  times(back, q, d);
-  return (double)(2 * atan2q(sqrtq(d[1] * d[1] + d[2] * d[2] + d[3] * d[3]), fabsq(d[0])));
-}
-
 /* How far the two ways to the truth are apart after some rad. */
 static double doubt(const truth *s, const double moment[3], const double omega[3]) {
+  static const midpoint rule = {rates, 7, 10, 0.0};
   const quad h = 0.1Q / fmaxq(s->size, s->steady ? 0 : 4 * s->lambda);
   quad m[3], y[7] = {1, 0, 0, 0, omega[0], omega[1], omega[2]}, w[3], q[4];
   for (int i = 0; i < 3; i++) m[i] = moment[i];
-  for (int k = 0; k < 80; k++) step(m, h, y);
+  for (int k = 0; k < 80; k++) midpoint_step(&rule, m, k * h, h, y, NULL, y);
   true_state(s, 80 * h, w, q);
   return angle_between(y, q);
 }

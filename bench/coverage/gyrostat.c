@@ -15,12 +15,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "attitude.h"
+#include "midpoint.h"
 #include "random.h"
 #include "rot_attitude.h"
 #include "rot_free_gyrostat.h"
 #include "rot_free_ode.h"
-
-typedef __float128 quad;
 
 enum {
   KINDS = 14,
@@ -65,25 +65,6 @@ typedef struct scene {
 
 /* ---- the truth ------------------------------------------------------------------------------- */
 
-static void times(const quad p[4], const quad q[4], quad out[4]) {
-  const quad w = p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3];
-  const quad x = p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2];
-  const quad y = p[0] * q[2] + p[2] * q[0] + p[3] * q[1] - p[1] * q[3];
-  const quad z = p[0] * q[3] + p[3] * q[0] + p[1] * q[2] - p[2] * q[1];
-  out[0] = w, out[1] = x, out[2] = y, out[3] = z;
-}
-
-/* q v q* over |q|^2; back: q* v q. */
-static void turn(const quad q[4], const quad v[3], int back, quad out[3]) {
-  const quad s = back ? -1 : 1, norm = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-  const quad x = s * q[1], y = s * q[2], z = s * q[3];
-  const quad c[3] = {y * v[2] - z * v[1] + q[0] * v[0], z * v[0] - x * v[2] + q[0] * v[1],
-                     x * v[1] - y * v[0] + q[0] * v[2]};
-  out[0] = v[0] + 2 * (y * c[2] - z * c[1]) / norm;
-  out[1] = v[1] + 2 * (z * c[0] - x * c[2]) / norm;
-  out[2] = v[2] + 2 * (x * c[1] - y * c[0]) / norm;
-}
-
 /* Gauss: the rates of L = I omega + sum of J W a with J (W + a omega) = s where not driven. */
 static void rates_of(const scene *s, const quad y[DIM], quad w[3], quad speed[MOST]) {
   const rot_free_params *p = &s->p;
@@ -116,8 +97,14 @@ static void rates_of(const scene *s, const quad y[DIM], quad w[3], quad speed[MO
   }
 }
 
-/* `piece`: between which knots; -1: none. */
-static void slopes(const scene *s, int piece, quad t, const quad y[DIM], quad f[DIM]) {
+typedef struct stretch {
+  const scene *s;
+  int piece; /* between which knots; -1: none */
+} stretch;
+
+static void slopes(const void *system, quad t, const quad y[DIM], quad f[DIM]) {
+  const scene *s = ((const stretch *)system)->s;
+  const int piece = ((const stretch *)system)->piece;
   const rot_free_params *p = &s->p;
   const quad *l = y + 4, *q = y;
   quad w[3], speed[MOST], own[3], torque[3] = {p->torque[0], p->torque[1], p->torque[2]};
@@ -127,10 +114,7 @@ static void slopes(const scene *s, int piece, quad t, const quad y[DIM], quad f[
   } else {
     memcpy(own, torque, sizeof own);
   }
-  f[0] = (-q[1] * w[0] - q[2] * w[1] - q[3] * w[2]) / 2;
-  f[1] = (q[0] * w[0] + q[2] * w[2] - q[3] * w[1]) / 2;
-  f[2] = (q[0] * w[1] + q[3] * w[0] - q[1] * w[2]) / 2;
-  f[3] = (q[0] * w[2] + q[1] * w[1] - q[2] * w[0]) / 2;
+  attitude_slopes(q, w, f);
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     f[4 + i] = l[j] * w[k] - l[k] * w[j] + own[i] - p->damping_per_s * l[i];
@@ -150,34 +134,9 @@ static void slopes(const scene *s, int piece, quad t, const quad y[DIM], quad f[
 }
 
 static void step(const scene *s, int piece, quad t, quad h, quad y[DIM]) {
-  quad table[LEVELS][DIM], f[DIM];
-  for (int k = 0; k < LEVELS; k++) {
-    const int n = 2 * (k + 1);
-    const quad part = h / n;
-    quad before[DIM], now[DIM];
-    slopes(s, piece, t, y, f);
-    for (int c = 0; c < DIM; c++) {
-      before[c] = y[c];
-      now[c] = y[c] + part * f[c];
-    }
-    for (int i = 1; i < n; i++) {
-      slopes(s, piece, t + i * part, now, f);
-      for (int c = 0; c < DIM; c++) {
-        const quad next = before[c] + 2 * part * f[c];
-        before[c] = now[c];
-        now[c] = next;
-      }
-    }
-    slopes(s, piece, t + h, now, f);
-    for (int c = 0; c < DIM; c++) table[k][c] = (now[c] + before[c] + part * f[c]) / 2;
-    for (int j = k - 1; j >= 0; j--) {
-      const quad ratio = (quad)(k + 1) / (j + 1);
-      for (int c = 0; c < DIM; c++) {
-        table[j][c] = table[j + 1][c] + (table[j + 1][c] - table[j][c]) / (ratio * ratio - 1);
-      }
-    }
-  }
-  for (int c = 0; c < DIM; c++) y[c] = table[0][c];
+  static const midpoint rule = {slopes, DIM, LEVELS, 0.0};
+  const stretch now = {s, piece};
+  midpoint_step(&rule, &now, t, h, y, NULL, y);
 }
 
 /* To a time of either sign, with stops at the knots. */
@@ -257,10 +216,11 @@ static quad ahead(const quad y[DIM], const quad l0[3], const quad way[3]) {
 
 /* The first return of L to its start, within 400 rad. */
 static void find_period(const scene *s, quad longest, period *out) {
+  const stretch free_of_knots = {s, -1};
   quad y[DIM], f[DIM], l0[3], t = 0, size = 0, speed = 0;
   memset(out, 0, sizeof *out);
   begin(s, y);
-  slopes(s, -1, 0, y, f);
+  slopes(&free_of_knots, 0, y, f);
   for (int i = 0; i < 3; i++) {
     l0[i] = y[4 + i];
     size += l0[i] * l0[i];
@@ -281,7 +241,7 @@ static void find_period(const scene *s, quad longest, period *out) {
       for (int k = 0; k < 60; k++) { /* Newton's method */
         memcpy(z, y, sizeof z);
         step(s, -1, t, h, z);
-        slopes(s, -1, t + h, z, f);
+        slopes(&free_of_knots, t + h, z, f);
         const quad by = ahead(z, l0, way) / (f[4] * way[0] + f[5] * way[1] + f[6] * way[2]);
         h -= by;
         if (fabsq(by) < 1e-33Q * (t + h)) break;
@@ -315,14 +275,6 @@ static void by_periods(const scene *s, const period *p, quad t, quad longest, qu
   const quad angle = fmodq(n * p->angle, 4 * M_PIq), sine = sinq(angle / 2);
   const quad q[4] = {cosq(angle / 2), sine * p->axis[0], sine * p->axis[1], sine * p->axis[2]};
   times(q, y, y);
-}
-
-static double angle_between(const quad p[4], const quad q[4]) {
-  const quad d[4] = {p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3],
-                     p[0] * q[1] - p[1] * q[0] - p[2] * q[3] + p[3] * q[2],
-                     p[0] * q[2] - p[2] * q[0] - p[3] * q[1] + p[1] * q[3],
-                     p[0] * q[3] - p[3] * q[0] - p[1] * q[2] + p[2] * q[1]};
-  return (double)(2 * atan2q(sqrtq(d[1] * d[1] + d[2] * d[2] + d[3] * d[3]), fabsq(d[0])));
 }
 
 /* ---- results --------------------------------------------------------------------------------- */

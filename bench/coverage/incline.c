@@ -9,11 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "midpoint.h"
 #include "random.h"
 #include "rot_incline_ode.h"
 #include "rot_incline_table.h"
-
-typedef __float128 quad;
 
 enum { ROWS = 8 };
 
@@ -113,7 +112,8 @@ static quad grip_of(const body *b, quad pull) {
   return (pull + b->spin * b->resists / b->beta) / (1 + 1 / b->beta);
 }
 
-static void slope(const body *b, quad t, const quad y[4], quad f[4]) {
+static void slope(const void *system, quad t, const quad y[4], quad f[4]) {
+  const body *b = system;
   const quad pull = pull_at(b, t, y[2]);
   f[0] = y[2];
   f[1] = y[3];
@@ -127,43 +127,11 @@ static void slope(const body *b, quad t, const quad y[4], quad f[4]) {
   }
 }
 
-enum { LEVELS = 11 };
-
+/* Its error, of numbers below 1 absolute. */
 static double step(const body *b, quad h, quad out[4]) {
-  quad table[LEVELS][4];
-  double error = INFINITY;
-  for (int k = 0; k < LEVELS; k++) {
-    const int n = 2 * (k + 1);
-    const quad d = h / n;
-    quad a[4], c[4], f[4];
-    memcpy(a, b->y, sizeof a);
-    slope(b, b->t, a, f);
-    for (int i = 0; i < 4; i++) c[i] = a[i] + d * f[i];
-    for (int j = 1; j < n; j++) {
-      slope(b, b->t + j * d, c, f);
-      for (int i = 0; i < 4; i++) {
-        const quad next = a[i] + 2 * d * f[i];
-        a[i] = c[i];
-        c[i] = next;
-      }
-    }
-    slope(b, b->t + h, c, f);
-    error = 0.0;
-    for (int i = 0; i < 4; i++) {
-      quad carry = (a[i] + c[i] + d * f[i]) / 2;
-      for (int j = 1; j <= k; j++) {
-        const int l = 2 * (k - j + 1);
-        const quad ratio = (quad)(n * n) / (l * l), old = table[j - 1][i];
-        table[j - 1][i] = carry;
-        carry = carry + (carry - old) / (ratio - 1);
-      }
-      table[k][i] = carry;
-      if (k > 0) error = fmax(error, (double)fabsq(carry - table[k - 1][i]));
-      out[i] = carry;
-    }
-    if (k > 1 && error < 1e-30) break;
-  }
-  return error;
+  static const midpoint rule = {slope, 4, 11, 1e-30};
+  static const quad size[4] = {1, 1, 1, 1};
+  return midpoint_step(&rule, b, b->t, h, b->y, size, out);
 }
 
 /* Whether the state is no longer one of the stretch. */

@@ -10,16 +10,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef __float128 quad;
+#include "midpoint.h"
 
-enum { PARAMETERS = 20, MOST_ROWS = 400, MOST_STEPS = 5000, LEVELS = 12 };
+enum { PARAMETERS = 20, MOST_ROWS = 400, MOST_STEPS = 5000 };
 
 typedef struct law {
   double x[PARAMETERS];
   int above_theta, above_omega, after; /* the side of each surface */
 } law;
 
-static void slope(const law *l, quad t, const quad y[2], quad f[2]) {
+static void slope(const void *system, quad t, const quad y[2], quad f[2]) {
+  const law *l = system;
   const double *x = l->x;
   quad torque = -x[3] * sinq(y[0]) - x[4] * y[1] + x[5] * cosq(x[6] * t + x[7]);
   if (l->above_theta) torque += x[9] * (y[0] - x[8]) + x[10];
@@ -33,40 +34,11 @@ static void slope(const law *l, quad t, const quad y[2], quad f[2]) {
   f[1] = torque / x[0];
 }
 
-/* One step of length h; its error, absolute. */
+/* One step of length h; its error, of numbers below 1 absolute. */
 static double step(const law *l, quad t, const quad y[2], quad h, quad out[2]) {
-  quad table[LEVELS][2];
-  double error = INFINITY;
-  for (int k = 0; k < LEVELS && !(k > 3 && error < 1e-29); k++) {
-    const int n = 2 * (k + 1);
-    const quad d = h / n;
-    quad a[2] = {y[0], y[1]}, b[2], f[2];
-    slope(l, t, a, f);
-    for (int i = 0; i < 2; i++) b[i] = a[i] + d * f[i];
-    for (int j = 1; j < n; j++) {
-      slope(l, t + j * d, b, f);
-      for (int i = 0; i < 2; i++) {
-        const quad next = a[i] + 2 * d * f[i];
-        a[i] = b[i];
-        b[i] = next;
-      }
-    }
-    slope(l, t + h, b, f);
-    error = 0;
-    for (int i = 0; i < 2; i++) {
-      quad carry = (a[i] + b[i] + d * f[i]) / 2, old = 0;
-      for (int j = 1; j <= k; j++) {
-        const int m = 2 * (k - j + 1);
-        old = table[j - 1][i];
-        table[j - 1][i] = carry;
-        carry += (carry - old) / ((quad)(n * n) / (m * m) - 1);
-      }
-      table[k][i] = out[i] = carry;
-      error =
-          fmax(error, k ? (double)(fabsq(carry - table[k - 1][i]) / fmaxq(1, fabsq(carry))) : 1.0);
-    }
-  }
-  return error;
+  static const midpoint rule = {slope, 2, 12, 1e-29};
+  static const quad size[2] = {1, 1};
+  return midpoint_step(&rule, l, t, h, y, size, out);
 }
 
 /* How far the state lies beyond the surface, outward from its present side. */

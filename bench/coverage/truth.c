@@ -75,7 +75,8 @@ static quad inertia(const mode *m, quad t) {
 }
 
 /* y = theta, angular momentum. */
-static void slope(const mode *m, quad t, const quad y[2], quad f[2]) {
+static void slope(const void *system, quad t, const quad y[2], quad f[2]) {
+  const mode *m = system;
   const rot_axle_scene *s = m->scene;
   const quad omega = y[1] / inertia(m, t);
   f[0] = omega;
@@ -83,53 +84,11 @@ static void slope(const mode *m, quad t, const quad y[2], quad f[2]) {
          (quad)(m->sign * s->quadratic_n_m_s2) * omega * omega - (quad)(m->sign * s->coulomb_n_m);
 }
 
-enum { LEVELS = 12 };
-
 /* One step of length h; the error relative to `scale`. */
 static double step(const mode *m, quad t, const quad y[2], quad h, const quad scale[2],
                    quad out[2]) {
-  quad table[LEVELS][2];
-  double error = INFINITY;
-  for (int k = 0; k < LEVELS; k++) {
-    const int n = 2 * (k + 1);
-    const quad d = h / n;
-    quad a[2] = {y[0], y[1]}, b[2], f[2];
-    slope(m, t, a, f);
-    for (int i = 0; i < 2; i++) b[i] = a[i] + d * f[i];
-    for (int j = 1; j < n; j++) {
-      slope(m, t + j * d, b, f);
-      for (int i = 0; i < 2; i++) {
-        const quad next = a[i] + 2 * d * f[i];
-        a[i] = b[i];
-        b[i] = next;
-      }
-    }
-    slope(m, t + h, b, f);
-    quad row[2];
-    for (int i = 0; i < 2; i++) row[i] = (a[i] + b[i] + d * f[i]) / 2;
-    for (int i = 0; i < 2; i++) {
-      quad carry = row[i];
-      for (int j = 1; j <= k; j++) {
-        const int l = 2 * (k - j + 1);
-        const quad ratio = (quad)(n * n) / (l * l);
-        const quad old = table[j - 1][i];
-        table[j - 1][i] = carry;
-        carry = carry + (carry - old) / (ratio - 1);
-      }
-      table[k][i] = carry;
-    }
-    if (k > 0) {
-      error = 0;
-      for (int i = 0; i < 2; i++) {
-        const quad size = fmaxq(scale[i], fmaxq(fabsq(y[i]), fabsq(table[k][i])));
-        const double e = size > 0 ? (double)(fabsq(table[k][i] - table[k - 1][i]) / size) : 0.0;
-        error = e > error ? e : error;
-      }
-    }
-    for (int i = 0; i < 2; i++) out[i] = table[k][i];
-    if (k > 3 && error < 1e-29) break;
-  }
-  return error;
+  static const midpoint rule = {slope, 2, 12, 1e-29};
+  return midpoint_step(&rule, m, t, h, y, scale, out);
 }
 
 typedef struct walk {

@@ -4,9 +4,8 @@
 #ifndef TRUTH_H
 #define TRUTH_H
 
+#include "midpoint.h"
 #include "rot_axle_scene.h"
-
-typedef __float128 quad;
 
 /* theta and omega at times (not decreasing, from start_s on); the largest |theta| and |omega| that
  * occurred at the steps. Returns 0, or 1 without convergence. */
