@@ -5,23 +5,26 @@
 #   tip       the point of the body whose path is shown
 #   rod       NULL, or 2 x 3: a line from the origin to where it enters the body
 #   held      TRUE: the origin is a fixed point, with the vertical through it
-# or, where its drawing() shows the angle, by moved(scene, row): the scene as it is in a row of its
-# motion, which is drawn without names and numbers.
+# or, where it moves in a plane, by frames(scene, rows): for each time of the rows of its motion
+# list(marks, limits), as in a drawing (R/draw.R), and perhaps `says`, a word on the state.
 
 #' Animate a motion
 #'
 #' A body that moves, as a moving picture: an animated GIF, for slides, or, of a body that turns in
-#' space, an interactive WebGL page that the mouse turns. A body on an axle and a pendulum are shown
-#' as [autoplot()][autoplot.rot_scene] draws their scene. A body in space is shown as the
+#' space, an interactive WebGL page that the mouse turns. A body in space is shown as the
 #' homogeneous box with its moments of inertia, or as the cylinder where two of them are equal; the
 #' sides have colours, so that turns show. Arrows are the angular velocity and the angular momentum;
 #' a thin line is the path of a point of the body.
 #'
+#' Other motions are shown as [autoplot()][autoplot.rot_scene] draws their scene. A body on an
+#' incline is to scale, with arrows of its velocity and of the friction on it; where the path is
+#' longer than 14 radii, the picture follows the body past marks a radius apart. Rotors in a line,
+#' seen from the side, have a stripe, blue, that comes to the front once a turn.
+#'
 #' The frames are evenly spaced in time, and each is computed by the model of the motion, as
 #' [predict()][predict.rot_trajectory] does: none is interpolated.
 #'
-#' @param motion What [trajectory()] returned for a [scene_free()], a [scene_pivot()], or a body on
-#'   an axle: [scene_axle()], [scene_pendulum()]. It is shown from its first row to its last.
+#' @param motion What [trajectory()] returned. It is shown from its first row to its last.
 #' @param file A file to write, ending in `.gif`, by the package gifski. NULL gives the interactive
 #'   page, by the package rgl, of a body that turns in space.
 #' @param ... Not used; names after it must be given in full.
@@ -56,12 +59,17 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
   run <- check_trajectory(motion, "motion", call)
   constraint <- constraint_of(run$scene)
   in_space <- !is.null(constraint$solid)
-  if (!in_space && (is.null(constraint$moved) || is.null(file))) {
-    where <- if (is.null(file)) "in space" else "in space, or on an axle"
+  if (!in_space && is.null(constraint$frames)) {
     abort_rotdyn(c(
-      "{.arg motion} must be one of a body that turns {where}.",
-      x = "It is of a {.cls {class(run$scene)[1]}}.",
-      i = if (!is.null(constraint$moved)) "With a {.arg file} it becomes a GIF."
+      "{.arg motion} must be one of a scene that has moving pictures.",
+      x = "It is of a {.cls {class(run$scene)[1]}}."
+    ), "type", call)
+  }
+  if (!in_space && is.null(file)) {
+    abort_rotdyn(c(
+      "The interactive page shows bodies that turn in space.",
+      x = "{.arg motion} is of a {.cls {class(run$scene)[1]}}.",
+      i = "With a {.arg file} it becomes a GIF."
     ), "type", call)
   }
   rate <- check_number(frames_per_s, "frames_per_s", "Hz", call, lower = 1, upper = 50)
@@ -81,7 +89,7 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
   film <- if (in_space) {
     space_film(rows, constraint$solid(run$scene))
   } else {
-    plane_film(rows, run$scene, constraint)
+    plane_film(constraint$frames(run$scene, rows))
   }
   film$time_s <- time_s
   film$slow <- slow
@@ -374,13 +382,11 @@ film_text <- function(film, i, room) {
 
 # ---- in the plane -------------------------------------------------------------------------------
 
-plane_film <- function(rows, scene, constraint) {
-  drawings <- lapply(seq_len(nrow(rows)), function(i) {
-    constraint$drawing(constraint$moved(scene, lapply(rows, `[[`, i)))
-  })
-  limits <- vapply(drawings, function(one) as.double(one$limits), double(4))
+plane_film <- function(frames) {
+  limits <- vapply(frames, function(one) as.double(one$limits), double(4))
   list(
-    marks = lapply(drawings, `[[`, "marks"),
+    marks = lapply(frames, `[[`, "marks"),
+    says = vapply(frames, function(one) one$says %||% "", ""),
     limits = c(min(limits[1, ]), max(limits[2, ]), min(limits[3, ]), max(limits[4, ]))
   )
 }
@@ -410,6 +416,7 @@ draw_plane_frame <- function(film, i) {
                        length = 0.11, angle = 20, lwd = 2, col = colour)
     }
   }
+  graphics::text(-room, 0.97 * room, film$says[i], adj = c(0, 1))
   film_text(film, i, room)
 }
 

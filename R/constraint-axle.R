@@ -72,11 +72,7 @@ axle_constraint <- function() {
       )
     },
     drawing = draw_axle,
-    moved = function(scene, row) {
-      scene$theta0_rad <- row$theta_rad
-      scene$omega0_rad_per_s <- row$omega_rad_per_s
-      scene
-    },
+    frames = axle_frames,
     texts = axle_texts(),
     balances = balance_axle,
     conserved = conserved_axle,

@@ -31,9 +31,11 @@ clutch_constraint <- function() {
       )
     },
     texts = clutch_texts(),
-    drawing = function(scene) {
-      draw_chain(
-        scene, scene$moment_of_inertia_kg_m2, list(kind = "clutch", ratio = 1), clutch_labels = "T"
+    drawing = draw_clutch,
+    frames = function(scene, rows) {
+      chain_frames(
+        scene, rbind(rows$theta_1_rad, rows$theta_2_rad),
+        rbind(rows$omega_1_rad_per_s, rows$omega_2_rad_per_s), draw_clutch
       )
     },
     balances = balance_clutch,
@@ -46,6 +48,13 @@ clutch_constraint <- function() {
       panel("torque of the clutch (N m)", c(clutch_torque_n_m = "clutch")),
       panel("heat (J)", c(heat_j = "clutch"))
     )
+  )
+}
+
+draw_clutch <- function(scene, theta = NULL) {
+  draw_chain(
+    scene, scene$moment_of_inertia_kg_m2, list(kind = "clutch", ratio = 1), clutch_labels = "T",
+    theta = theta
   )
 }
 

@@ -46,15 +46,8 @@ drive_constraint <- function() {
       )
     },
     texts = drive_texts(),
-    drawing = function(scene) {
-      of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
-      kind <- c("spring", "clutch", "gear")[of("kind") + 1]
-      draw_chain(
-        scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of("ratio")),
-        drive_quantities(scene, kind), sprintf("T[%d]", seq_along(kind)),
-        vapply(scene$rotors, function(rotor) !is.null(rotor$brake), NA)
-      )
-    },
+    drawing = draw_drive,
+    frames = chain_frames_long(draw_drive),
     balances = balance_drive,
     conserved = conserved_drive,
     augment = augment_drive,
@@ -64,6 +57,16 @@ drive_constraint <- function() {
       panel("heat of the rotor (J)", c(heat_j = "")),
       panel("coupling heat (J)", c(coupling_heat_j = ""))
     )
+  )
+}
+
+draw_drive <- function(scene, theta = NULL) {
+  of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
+  kind <- c("spring", "clutch", "gear")[of("kind") + 1]
+  draw_chain(
+    scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of("ratio")),
+    drive_quantities(scene, kind), sprintf("T[%d]", seq_along(kind)),
+    vapply(scene$rotors, function(rotor) !is.null(rotor$brake), NA), theta
   )
 }
 

@@ -56,6 +56,7 @@ incline_constraint <- function() {
     },
     texts = incline_texts(),
     drawing = draw_incline,
+    frames = incline_frames,
     balances = balance_incline,
     conserved = conserved_incline,
     augment = augment_incline,

@@ -35,12 +35,8 @@ rotors_constraint <- function() {
         final_theta_rad = last(x[["theta_rad"]])
       )
     },
-    drawing = function(scene) {
-      n <- length(scene$moment_of_inertia_kg_m2) - 1L
-      draw_chain(
-        scene, scene$moment_of_inertia_kg_m2, list(kind = rep("spring", n), ratio = rep(1, n))
-      )
-    },
+    drawing = draw_shaft_rotors,
+    frames = chain_frames_long(draw_shaft_rotors),
     texts = list(scene_rotors = text_form(function(x) {
       zero <- function(x) if (any(x != 0)) x
       list(
@@ -58,6 +54,14 @@ rotors_constraint <- function() {
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
       panel("torque of the shaft behind it (N m)", c(shaft_torque_n_m = ""))
     )
+  )
+}
+
+draw_shaft_rotors <- function(scene, theta = NULL) {
+  n <- length(scene$moment_of_inertia_kg_m2) - 1L
+  draw_chain(
+    scene, scene$moment_of_inertia_kg_m2, list(kind = rep("spring", n), ratio = rep(1, n)),
+    theta = theta
   )
 }
 

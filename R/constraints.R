@@ -39,7 +39,7 @@
 #   panels        list of panel(): the picture of a motion
 #   texts         forms by constructor: how a scene is written and read, see R/scene-text.R
 #   drawing(scene)               NULL, or the drawing of a scene, see R/draw.R
-#   solid(scene), moved(scene, row)   NULL, or what animate_motion() shows, see R/animate.R
+#   solid(scene), frames(scene, rows)   NULL, or what animate_motion() shows, see R/animate.R
 constraint_list <- function() {
   list(
     axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint(),

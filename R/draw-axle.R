@@ -1,6 +1,7 @@
 # A body on a fixed axle, seen along it: a wheel with torque, brake, spring and start; a pendulum; a
 # skater. Gear trains are in R/plot-gears.R.
-draw_axle <- function(scene) {
+# `ray`: where the radius of a wheel is drawn.
+draw_axle <- function(scene, ray = -0.6) {
   if (!is.null(scene$train)) return(draw_train(scene$train, scene))
   if (!is.null(scene$inertia)) return(draw_skater(scene))
   if (!is.null(.subset2(scene, "rope"))) return(draw_hanging(scene))
@@ -12,7 +13,7 @@ draw_axle <- function(scene) {
   d$key(quantity("I", "moment of inertia", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
   d$keys(size_quantities(scene$body))
   if (!is.null(look$radius)) {
-    tip <- look$unit * look$radius * c(cos(-0.6), sin(-0.6))
+    tip <- look$unit * look$radius * c(cos(ray), sin(ray))
     d$add(mark("line", rbind(c(0, 0), tip), "body"))
     d$say(look$symbol, 0.62 * tip[1] + 0.07, 0.62 * tip[2] + 0.1)
   }
@@ -28,8 +29,9 @@ draw_axle <- function(scene) {
   d$done(c(-1.5, 1.5, -1.5, 1.5), look$note)
 }
 
-# A pulley with one or two masses. Positive is where the first goes down: on the left.
-draw_hanging <- function(scene) {
+# A pulley with one or two masses. Positive is where the first goes down: on the left. `down`: in
+# motion, how far it has.
+draw_hanging <- function(scene, down = NULL) {
   rope <- scene$rope
   look <- axle_outline(scene, 0.6)
   drawn <- if (is.na(look$unit)) 0.6 else min(max(look$unit * rope$radius_m, 0.15), 0.9)
@@ -42,11 +44,12 @@ draw_hanging <- function(scene) {
   side <- 0.42 * (rope$mass_kg / max(rope$mass_kg))^(1 / 3)
   for (i in seq_len(1L + both)) {
     x <- c(-1, 1)[i] * drawn
+    y <- -1 + c(-1, 1)[i] * (down %||% 0)
     half <- max(side[i], 0.12) / 2
-    d$add(mark("line", rbind(c(x, 0), c(x, -1)), "spring"))
-    d$add(mark("fill", draw_box(x, -1 - half, 2 * half, 2 * half), "body"))
-    d$add(mark("arrow", rbind(c(x, -1 - half), c(x, -1.3 - half)), "weight"))
-    d$say(paste0("m[", i, "]"), x + c(-1, 1)[i] * (half + 0.18), -1 - half)
+    d$add(mark("line", rbind(c(x, 0), c(x, y)), "spring"))
+    d$add(mark("fill", draw_box(x, y - half, 2 * half, 2 * half), "body"))
+    d$add(mark("arrow", rbind(c(x, y - half), c(x, y - 0.3 - half)), "weight"))
+    d$say(paste0("m[", i, "]"), x + c(-1, 1)[i] * (half + 0.18), y - half)
     name <- if (!both) "hanging mass" else c("mass, down is positive", "other mass")[i]
     d$key(quantity(paste0("m[", i, "]"), name, value_text(rope$mass_kg[i], "kg")))
   }
@@ -54,7 +57,11 @@ draw_hanging <- function(scene) {
   d$key(quantity("I", "inertia of all", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
   at_rim <- isTRUE(all.equal(look$radius, rope$radius_m))
   if (inherits(scene$body, "rot_body")) d$keys(size_quantities(scene$body, if (at_rim) 0L else 1L))
-  draw_start(d, scene, look$reach)
+  if (is.null(down)) {
+    draw_start(d, scene, look$reach)
+  } else {
+    d$add(spoke(0, 0, look$reach, scene$theta0_rad))
+  }
   draw_resistance(d, scene$resistance, look$reach)
   out <- d$done(c(-1.5, 1.5, -1.75, 1.25), if (is.na(look$unit)) "not to scale" else
     "the pulley to scale")
@@ -359,4 +366,68 @@ draw_skater <- function(scene) {
   draw_torque(d, torque_without(scene$torque, character()), 1.26)
   draw_resistance(d, scene$resistance, 0.2)
   d$done(c(-1.5, 1.5, -1.5, 1.5), "masses at the radius of gyration, dashed at the end")
+}
+
+# ---- in motion ----------------------------------------------------------------------------------
+
+axle_frames <- function(scene, rows) {
+  theta <- rows$theta_rad
+  frame <- if (!is.null(scene$train)) {
+    train_frame(scene$train)
+  } else if (!is.null(scene$inertia)) {
+    skater_frame(scene, rows$moment_of_inertia_kg_m2)
+  } else if (!is.null(.subset2(scene, "rope"))) {
+    hanging_frame(scene, theta)
+  } else {
+    function(i, theta) {
+      scene$theta0_rad <- theta
+      scene$omega0_rad_per_s <- rows$omega_rad_per_s[i]
+      draw_axle(scene, theta)
+    }
+  }
+  lapply(seq_along(theta), function(i) frame(i, theta[i]))
+}
+
+spoke <- function(x, y, radius, theta, style = "body") {
+  mark("line", rbind(c(x, y), c(x, y) + radius * c(cos(theta), sin(theta))), style)
+}
+
+# Each wheel of a shaft has a spoke.
+train_frame <- function(train) {
+  drawing <- draw_train(train)
+  still <- Filter(function(one) one$type != "arrow", drawing$marks)
+  function(i, theta) {
+    spokes <- lapply(seq_len(nrow(train)), function(k) {
+      spoke(k - 1, 0, drawing$reach[k], theta / train$ratio_to_first[k])
+    })
+    list(marks = c(still, spokes), limits = drawing$limits)
+  }
+}
+
+skater_frame <- function(scene, moments) {
+  arm <- sqrt(moments / max(scene$inertia$moment_of_inertia_kg_m2))
+  function(i, theta) {
+    out <- arm[i] * c(cos(theta), sin(theta))
+    list(
+      marks = list(
+        mark("line", rbind(-out, out), "body"),
+        mark("fill", draw_circle(-out[1], -out[2], 0.11), "body"),
+        mark("fill", draw_circle(out[1], out[2], 0.11), "body"),
+        mark("fill", draw_circle(0, 0, 0.14), "shaft")
+      ),
+      limits = c(-1.5, 1.5, -1.5, 1.5)
+    )
+  }
+}
+
+# The masses move by 0.8 of the drawing in all.
+hanging_frame <- function(scene, theta) {
+  span <- diff(range(theta))
+  down <- if (span > 0) 0.8 * (theta - mean(range(theta))) / span else 0 * theta
+  function(i, theta) {
+    scene$theta0_rad <- theta
+    out <- draw_hanging(scene, down[i])
+    out$limits[3] <- -2.1
+    out
+  }
 }

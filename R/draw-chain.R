@@ -1,8 +1,9 @@
 # Rotors in a line, from the side: rotors on one shaft, two bodies and a clutch, and the chains of
 # scenes without a drawing of their own. `couplings`: kind and ratio of each. `more`: quantities
-# besides those of chain_quantities(); `clutch_labels`, and which rotors have brakes.
+# besides those of chain_quantities(); `clutch_labels`, and which rotors have brakes. `theta`: in
+# motion, the angles.
 draw_chain <- function(scene, inertia, couplings, more = NULL, clutch_labels = NULL,
-                       brakes = logical(length(inertia))) {
+                       brakes = logical(length(inertia)), theta = NULL) {
   n <- length(inertia)
   # Heights and not areas: a rotor of a 16th of the inertia has half the height.
   height <- pmax(0.75 * (inertia / max(inertia))^0.25, 0.18)
@@ -59,6 +60,7 @@ draw_chain <- function(scene, inertia, couplings, more = NULL, clutch_labels = N
   for (i in seq_len(n)) {
     add(mark("fill", draw_box(x[i], y[i], 0.4, 2 * height[i]), "body"))
     if (few) say(name("I", i), x[i], y[i])
+    if (!is.null(theta)) marks <- c(marks, rotor_stripes(x[i], y[i], height[i], theta[i]))
     push <- acts(i)
     if (push != 0) {
       add(turn_arrow(x[i], y[i] + height[i] + 0.05, 0.28, 20, 140, push, "torque"))
@@ -85,6 +87,32 @@ draw_chain <- function(scene, inertia, couplings, more = NULL, clutch_labels = N
     ),
     note = "from the side, not to scale"
   )
+}
+
+# Four stripes on the rim, where they are on this side: at the top at first, then to the front.
+rotor_stripes <- function(x, y, height, theta) {
+  at <- theta + pi / 2 * (3:0)
+  style <- rep(c("body", "speed"), c(3L, 1L))
+  front <- which(sin(at) >= -1e-9)
+  lapply(front, function(k) {
+    mark("line", cbind(x + c(-0.2, 0.2), y + height * cos(at[k])), style[k])
+  })
+}
+
+# drawn(scene, theta) for each time of a motion: theta and omega have a column for each.
+chain_frames <- function(scene, theta, omega, drawn) {
+  lapply(seq_len(ncol(theta)), function(i) {
+    scene$omega0_rad_per_s <- omega[, i]
+    drawn(scene, theta[, i])
+  })
+}
+
+# Of rows by time, then rotor.
+chain_frames_long <- function(drawn) {
+  function(scene, rows) {
+    by_rotor <- function(column) matrix(column, nrow = length(scene$moment_of_inertia_kg_m2))
+    chain_frames(scene, by_rotor(rows$theta_rad), by_rotor(rows$omega_rad_per_s), drawn)
+  }
 }
 
 torque_sign <- function(law) {

@@ -45,3 +45,48 @@ draw_incline <- function(scene) {
   }
   d$done(c(-1.5, 1.5, -1.5, 1.5), "not to scale")
 }
+
+# In motion, to scale: a window over the whole path, or one that follows the body along it. Units
+# are those of its half width.
+incline_frames <- function(scene, rows) {
+  r <- scene$radius_m
+  x <- rows$x_m
+  slope <- scene$incline_angle_deg * pi / 180
+  along <- c(cos(slope), -sin(slope))
+  out <- c(sin(slope), cos(slope))
+  follows <- diff(range(x)) > 14 * r
+  half <- if (follows) 6 * r else max(3 * r, 0.7 * diff(range(x)) + 1.5 * r)
+  origin <- if (follows) x else rep(mean(range(x)), length(x))
+  share <- function(column) column / max(abs(column), .Machine$double.xmin)
+  speed <- share(rows$v_m_per_s)
+  friction <- share(rows$friction_force_n)
+  touches <- scene$gravity_m_per_s2 > 0
+  size <- r / half
+  lapply(seq_along(x), function(i) {
+    at <- function(s) (s - origin[i]) / half * along
+    ends <- rbind(-2.2 * along, 2.2 * along)
+    # Marks on the ground, a radius apart, each fifth one longer.
+    first <- ceiling((origin[i] - 1.5 * half) / r)
+    numbers <- seq(first, floor((origin[i] + 1.5 * half) / r))
+    ticks <- lapply(numbers, function(k) {
+      long <- if (k %% 5 == 0) 0.08 else 0.04
+      mark("line", rbind(at(k * r), at(k * r) - long * out), "body")
+    })
+    centre <- at(x[i]) + size * out
+    contact <- at(x[i])
+    says <- if (!touches) "" else if (rows$rolling[i]) "rolls" else "slips"
+    list(
+      marks = c(
+        list(mark("fill", rbind(ends, ends[2:1, ] - rep(2.5 * out, each = 2)), "fixed")),
+        ticks,
+        list(
+          mark("fill", draw_circle(centre[1], centre[2], size), "body"),
+          spoke(centre[1], centre[2], size, pi / 2 - slope - rows$theta_rad[i]),
+          mark("arrow", rbind(centre, centre + 0.3 * speed[i] * along), "speed"),
+          mark("arrow", rbind(contact, contact + 0.3 * friction[i] * along), "resistance")
+        )
+      ),
+      limits = c(-1, 1, -1, 1), says = says
+    )
+  })
+}

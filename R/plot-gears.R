@@ -86,6 +86,7 @@ draw_train <- function(train, scene = NULL) {
     ),
     "radii of each stage to scale"
   )
+  out$reach <- reach
   if (!is.null(scene)) out$title <- paste("A gear train of", n, "shafts")
   out
 }

@@ -114,7 +114,7 @@ test_that("a body on an axle is drawn at its angle", {
   motion <- trajectory(scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = pi / 3), c(0, 2))
   scene <- attr(motion, "run")$scene
   rows <- predict(motion, c(0, 0.3, 0.9))
-  film <- plane_film(rows, scene, constraint_of(scene))
+  film <- plane_film(constraint_of(scene)$frames(scene, rows))
   expect_length(film$marks, 3)
   # The rod is the longest line of the body, from the axle down.
   angle <- vapply(film$marks, function(marks) {
@@ -128,6 +128,111 @@ test_that("a body on an axle is drawn at its angle", {
   path <- tempfile(fileext = ".gif")
   on.exit(unlink(path))
   animate_motion(motion, path, frames_per_s = 5, width_px = 80)
+  expect_gt(file.size(path), 1000)
+})
+
+test_that("other motions in a plane are drawn at their angles", {
+  frames_of <- function(scene, time_s) {
+    motion <- trajectory(scene, c(0, max(time_s)))
+    run <- attr(motion, "run")
+    rows <- predict(motion, time_s)
+    list(rows = rows, frames = constraint_of(run$scene)$frames(run$scene, rows))
+  }
+  lines_of <- function(frame, style) {
+    keep <- Filter(function(one) one$type == "line" && one$style == style, frame$marks)
+    lapply(keep, `[[`, "points")
+  }
+  spokes <- function(frame) {
+    lines <- lines_of(frame, "body")
+    vapply(lines, function(p) atan2(p[2, 2] - p[1, 2], p[2, 1] - p[1, 1]), 0)
+  }
+  same_turn <- function(got, want) expect_equal(sin((got - want) / 2), 0 * want, tolerance = 1e-9)
+  t <- c(0, 0.2, 0.5)
+  # Wheels of a train turn by theta/ratio: 5, then -3.
+  train <- frames_of(scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4)), t)
+  theta <- train$rows$theta_rad
+  for (i in 2:3) same_turn(spokes(train$frames[[i]]), theta[i] * c(1, 1 / 5, -1 / 15))
+  # The masses of Atwood's machine move by equal lengths, the heavy one down.
+  atwood <- frames_of(scene_hanging_mass(body_disk(2, 0.1), 2, 0.1, counter_mass_kg = 1), t)
+  ends <- vapply(atwood$frames, function(one) {
+    vapply(lines_of(one, "spring"), function(p) p[2, 2], 0)
+  }, c(0, 0))
+  expect_equal(colSums(ends), rep(-2, 3))
+  expect_equal(diff(ends[1, ]) / diff(atwood$rows$theta_rad), rep(diff(ends[1, 1:2]) /
+    diff(atwood$rows$theta_rad[1:2]), 2))
+  expect_lt(ends[1, 3], ends[1, 1])
+  same_turn(spokes(atwood$frames[[3]]), atwood$rows$theta_rad[3])
+  # The stripe is at the top at first, and comes down in front by 1 - cos theta.
+  shaft <- frames_of(scene_rotors(c(1, 2), 500, omega0_rad_per_s = c(3, 3)), t)
+  for (i in 1:3) {
+    y <- vapply(lines_of(shaft$frames[[i]], "speed"), function(p) p[1, 2], 0)
+    expect_equal(y / y[2], c(0.5^0.25, 1))
+    expect_equal(y[2], 0.75 * cos(3 * t[i]))
+  }
+  pair <- frames_of(scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 4), t)
+  y <- vapply(lines_of(pair$frames[[3]], "speed"), function(p) p[1, 2], 0)
+  expect_equal(y[1], 0.75 * (2 / 3)^0.25 * cos(pair$rows$theta_1_rad[3]))
+  drive <- frames_of(scene_drive(c(1, 2), coupling_shaft(50), omega0_rad_per_s = c(2, 2)), t)
+  y <- vapply(lines_of(drive$frames[[3]], "speed"), function(p) p[1, 2], 0)
+  expect_equal(y, 0.75 * c(0.5^0.25, 1) * cos(1))
+  # The arms of a skater are at the radius of gyration.
+  arms <- inertia_knots(c(0, 1), c(4, 1))
+  skater <- frames_of(scene_axle(arms, omega0_rad_per_s = 2), c(0, 1))
+  reach <- vapply(skater$frames, function(one) {
+    sqrt(sum(lines_of(one, "body")[[1]][2, ]^2))
+  }, 0)
+  expect_equal(reach, c(1, 0.5))
+})
+
+test_that("a body on an incline is drawn to scale, where it is and as it is turned", {
+  frames_of <- function(scene, time_s) {
+    motion <- trajectory(scene, c(0, max(time_s)))
+    rows <- predict(motion, time_s)
+    list(rows = rows, frames = incline_frames(attr(motion, "run")$scene, rows))
+  }
+  of <- function(frame, type, style) {
+    Filter(function(one) one$type == type && one$style == style, frame$marks)
+  }
+  circle <- function(frame) of(frame, "fill", "body")[[1]]$points
+  # A ball that slips at first: 20 cm wide, 30 degrees.
+  ball <- frames_of(
+    scene_incline(body_sphere(1, 0.1), 30, static_friction = 0.1), c(0, 0.3, 0.6)
+  )
+  centre <- vapply(ball$frames, function(one) colMeans(circle(one)[-1, ]), c(0, 0))
+  size <- diff(range(circle(ball$frames[[1]])[, 1])) / 2
+  # One scale for lengths: the centre moves x/r radii, down the slope.
+  gone <- diff(ball$rows$x_m) / 0.1 * size
+  expect_equal(diff(t(centre)), cbind(gone * cos(pi / 6), -gone * sin(pi / 6)))
+  for (i in 1:3) {
+    ray <- utils::tail(of(ball$frames[[i]], "line", "body"), 1)[[1]]$points
+    turned <- pi / 3 - atan2(diff(ray[, 2]), diff(ray[, 1]))
+    expect_equal(sin((turned - ball$rows$theta_rad[i]) / 2), 0, tolerance = 1e-9)
+  }
+  expect_identical(vapply(ball$frames, `[[`, "", "says"), rep("slips", 3))
+  # Friction acts up the slope, the ball moves down.
+  arrow <- function(style) diff(of(ball$frames[[3]], "arrow", style)[[1]]$points)
+  expect_lt(arrow("resistance")[1], 0)
+  expect_gt(arrow("speed")[1], 0)
+  # A long path: the ball stays in the middle, the marks go by.
+  far <- frames_of(
+    scene_incline(body_sphere(6, 0.11), 0, static_friction = 0.2, v0_m_per_s = 5), c(0, 0.5, 1.5)
+  )
+  centre <- vapply(far$frames, function(one) colMeans(circle(one)[-1, ]), c(0, 0))
+  expect_equal(centre[1, ], rep(centre[1, 1], 3))
+  expect_identical(far$frames[[3]]$says, "rolls")
+  ticks <- vapply(utils::head(of(far$frames[[2]], "line", "body"), -1), function(one) {
+    one$points[1, 1]
+  }, 0)
+  expect_equal(diff(ticks), rep(1 / 6, length(ticks) - 1))
+  stations <- ticks * 6 + far$rows$x_m[2] / 0.11
+  expect_equal(stations, round(stations))
+  skip_if_not_installed("gifski")
+  path <- tempfile(fileext = ".gif")
+  on.exit(unlink(path))
+  animate_motion(
+    trajectory(scene_incline(body_sphere(1, 0.1), 30, static_friction = 0.1), c(0, 0.6)), path,
+    frames_per_s = 5, width_px = 80
+  )
   expect_gt(file.size(path), 1000)
 })
 
@@ -149,8 +254,7 @@ test_that("bad arguments are errors", {
   error <- function(code, kind) expect_error(code, class = paste0("rotdyn_error_", kind))
   error(animate_motion(), "missing")
   error(animate_motion(1), "type")
-  error(animate_motion(spin_up(time_s = 0:8)), "type")
-  error(animate_motion(trajectory(scene_rotors(c(1, 2), 5), 0:8), "a.gif"), "type")
+  error(animate_motion(spin_up(time_s = 0:8)), "type") # a page of what moves in a plane
   error(animate_motion(motion, "a.mp4"), "value")
   error(animate_motion(motion, 1), "type")
   error(animate_motion(motion, "a.gif", 25), "argument")

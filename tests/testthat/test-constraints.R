@@ -300,7 +300,11 @@ test_that("it is measured beside its other models, and drawn", {
   expect_equal(unique(measured$reference[measured$model == "drop_rk4"]), "drop_exact")
   expect_true(all(measured$covered[measured$model == "drop_rk4"]))
   skip_if_not_installed("ggplot2")
-  plot <- ggplot2::autoplot(trajectory(scene_drop(100), seq(0, 6, by = 0.5)))
+  falls <- trajectory(scene_drop(100), seq(0, 6, by = 0.5))
+  expect_error(
+    animate_motion(falls, "a.gif"), "moving pictures.*rot_scene_drop", class = "rotdyn_error_type"
+  )
+  plot <- ggplot2::autoplot(falls)
   expect_silent(built <- ggplot2::ggplot_build(plot))
   expect_equal(levels(plot$data$panel), c("height (m)", "speed (m/s)"))
   expect_equal(plot$labels$title, "A body dropped in air")
