@@ -202,7 +202,11 @@ choose_model <- function(scene, time_s, accuracy = 1e-9, ...) {
   accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   constraint <- constraint_of(scene)
   law <- scene[["loads"]]$law
-  law_s <- if (is.null(law)) 0 else tryCatch(law_seconds(law, scene), error = function(e) 1e-6)
+  law_s <- if (is.null(law)) {
+    0
+  } else {
+    tryCatch(law_seconds(law, scene), error = function(e) if (is_time_limit(e)) stop(e) else 1e-6)
+  }
   table <- candidates(constraint, scene, time_s, accuracy, call, law_s)
   records <- constraint$models[table$model]
   tried <- double()

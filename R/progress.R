@@ -23,7 +23,14 @@ progress_bar <- function(name) {
         # At 1 the bar would end, and a second phase of the run would find none.
         cli::cli_progress_update(set = min(fraction, 0.999), id = bar, .envir = owner)
       },
-      error = function(e) failed <<- TRUE
+      error = function(e) if (is_time_limit(e)) stop(e) else failed <<- TRUE
     )
   }
+}
+
+# An error of setTimeLimit(), which has no class of its own. It is raised once: who catches it goes
+# on without a limit.
+is_time_limit <- function(error) {
+  conditionMessage(error) %in%
+    gettext("reached elapsed time limit", "reached CPU time limit", domain = "R")
 }

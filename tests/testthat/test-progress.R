@@ -21,6 +21,20 @@ test_that("a display that fails is given up", {
   expect_true(state$failed)
 })
 
+test_that("a time limit that ends within the display ends the run", {
+  progress <- rotdyn:::progress_bar("testing")
+  state <- environment(progress)
+  state$start <- proc.time()[[3]] - 10
+  rm("bar", envir = state)
+  makeActiveBinding("bar", function() {
+    setTimeLimit(elapsed = 0.05, transient = TRUE)
+    repeat NULL
+  }, state)
+  expect_error(progress(0.1), gettext("reached elapsed time limit", domain = "R"), fixed = TRUE)
+  setTimeLimit(elapsed = Inf)
+  expect_false(state$failed)
+})
+
 test_that("a page that is rendered has no bar", {
   skip_if_not_installed("knitr")
   old <- options(cli.progress_show_after = 0, knitr.in.progress = TRUE)
