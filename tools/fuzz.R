@@ -512,7 +512,11 @@ condition_text <- function(e) {
 # What is not the package's own. Generics of other packages say that they have no method.
 is_foreign <- function(e) {
   if (inherits(e, c("rotdyn_error", "rotdyn_warning", "user_error", "user_warning"))) return(FALSE)
-  !grepl("no applicable method for '(glance|augment|autoplot|predict)'", condition_text(e))
+  # A generic of another package that has no method for the class.
+  !grepl(
+    "no applicable method for '(glance|augment|autoplot|predict)'|not supported by autoplot",
+    condition_text(e)
+  )
 }
 
 attempt <- function(label, expr, shown) {
