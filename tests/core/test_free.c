@@ -2,6 +2,7 @@
  * by hand, in principal axes and in others; damping; torques; flips; the ledger. */
 #include <stdlib.h>
 
+#include "free_rows.h"
 #include "rot_attitude.h"
 #include "rot_choice.h"
 #include "rot_free_exact.h"
@@ -10,42 +11,9 @@
 #include "rot_free_ode.h"
 #include "rot_test.h"
 
-enum { ROWS = 64 };
-
-typedef struct rows {
-#define X(type, name) type name[ROWS];
-  ROT_FREE_COLUMNS(X)
-#undef X
-} rows;
-
-static rot_free_columns columns_of(rows *r) {
-  rot_free_columns out;
-#define X(type, name) out.name = r->name;
-  ROT_FREE_COLUMNS(X)
-#undef X
-  return out;
-}
-
-static rot_free_params scene(double a, double b, double c, double x, double y, double z) {
-  rot_free_params p;
-  memset(&p, 0, sizeof p);
-  p.moment_kg_m2[0] = a, p.moment_kg_m2[1] = b, p.moment_kg_m2[2] = c;
-  p.omega0_rad_per_s[0] = x, p.omega0_rad_per_s[1] = y, p.omega0_rad_per_s[2] = z;
-  p.axes[0] = p.q0[0] = 1.0;
-  return p;
-}
-
-static void quaternion(const rows *r, size_t i, double q[4]) {
-  q[0] = r->qw[i], q[1] = r->qx[i], q[2] = r->qy[i], q[3] = r->qz[i];
-}
-
 static double off(const rows *x, const rows *y, size_t n) {
-  double worst = 0.0, p[4], q[4];
-  for (size_t i = 0; i < n; i++) {
-    quaternion(x, i, p);
-    quaternion(y, i, q);
-    worst = fmax(worst, rot_attitude_angle(p, q));
-  }
+  double worst = 0.0;
+  for (size_t i = 0; i < n; i++) worst = fmax(worst, angle_between(x, y, i));
   return worst;
 }
 
@@ -63,17 +31,6 @@ static rot_status exact(const rot_free_params *p, size_t n, const double t[], ro
                         rot_events *events, rot_info *info) {
   const rot_free_columns out = columns_of(r);
   return rot_free_exact(p, n, t, &out, events, NULL, info);
-}
-
-static double flows[ROT_FREE_FLOWS][ROWS], flow_error[ROT_FREE_FLOWS];
-
-static rot_status integrated(const rot_free_params *p, double accuracy, rot_method method, size_t n,
-                             const double t[], rows *r, rot_events *events, rot_info *info) {
-  const rot_free_columns out = columns_of(r);
-  double *flow[ROT_FREE_FLOWS];
-  const rot_free_ode_options options = {accuracy, 1000000, method};
-  for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k] = flows[k];
-  return rot_free_integrate(p, &options, n, t, &out, flow, flow_error, events, NULL, info);
 }
 
 /* Undamped and damped, forwards and backwards, in principal axes and in others. */
@@ -135,9 +92,9 @@ static void check_torque_on_a_ball(void) {
       const double omega = 0.5 + 0.4 * t[i], angle = 0.5 * t[i] + 0.2 * t[i] * t[i];
       ROT_CHECK(fabs(r.omega_z_rad_per_s[i] - omega) <= 1e-12);
       const double turn[4] = {cos(0.5 * angle), 0.0, 0.0, sin(0.5 * angle)};
-      double want[4], got[4];
+      double want[4], got[NUMBERS];
       rot_attitude_times(p.q0, turn, want);
-      quaternion(&r, (size_t)i, got);
+      row_of(&r, (size_t)i, got);
       ROT_CHECK(rot_attitude_angle(want, got) <= 1e-11);
       ROT_CHECK(fabs(flows[0][i] - (omega * omega - 0.25)) <= 1e-11); /* 2/2 omega^2 */
       ROT_CHECK(fabs(flows[space ? 2 : 4][i] - (space ? -0.8 : 0.8) * t[i]) <= 1e-12);

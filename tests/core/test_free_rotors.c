@@ -1,7 +1,7 @@
 /* Rotors in a free body, integrated: against Taylor series at 40 digits (mpmath), motions known by
  * hand, the order of every method, the balance of energy and momentum. */
 #include "rot_free_rotors.h"
-#include "free_rotor_rows.h"
+#include "free_rows.h"
 #include "rot_attitude.h"
 #include "rot_free_steps.h"
 #include "rot_test.h"
@@ -78,7 +78,7 @@ static void check_reference(void) {
   rot_info info;
   const double t[2] = {1.0, 7.0}, u[2] = {1.0, 5.0};
   rot_free_params p = oblique(rotor);
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 2, t, &r, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, t, &r, NULL, &info), ROT_OK);
   for (size_t i = 0; i < 2; i++) {
     printf("driven: off %.1e rad (said %.1e), %.1e rad/s\n", angle_off(&r, i, oblique_q[i]),
            info.measure[0].error, rate_off(&r, i, oblique_w[i]));
@@ -87,7 +87,7 @@ static void check_reference(void) {
     ROT_CHECK(angle_off(&r, i, oblique_q[i]) <= 1e-12);
   }
   p = three(rotor);
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 2, u, &r, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, u, &r, NULL, &info), ROT_OK);
   for (size_t i = 0; i < 2; i++) {
     printf("motors: off %.1e rad (said %.1e), %.1e rad/s\n", angle_off(&r, i, three_q[i]),
            info.measure[0].error, rate_off(&r, i, three_w[i]));
@@ -112,7 +112,7 @@ static void check_turned(void) {
   for (int k = 0; k < 3; k++) rot_attitude_to_space(axes, rotor[k].axis, rotor[k].axis);
   rot_attitude_to_space(axes, p.omega0_rad_per_s, p.omega0_rad_per_s);
   rot_attitude_to_space(axes, p.torque, p.torque);
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 2, u, &r, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, u, &r, NULL, &info), ROT_OK);
   for (size_t i = 0; i < 2; i++) {
     const double back[4] = {axes[0], -axes[1], -axes[2], -axes[3]};
     double want[4], w[3];
@@ -147,7 +147,7 @@ static void check_slew(void) {
     p.breaks_s = knot_s;
     if (kind == 0) wheel.n_knots = 2, wheel.knot_s = knot_s, wheel.knot_torque = knot_torque;
     if (kind == 1) p.motors = steady;
-    ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 3, t, &r, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 3, t, &r, NULL, &info), ROT_OK);
     for (size_t i = 0; i < 3; i++) {
       const double on = fmin(t[i], 5.0), rate = -0.02 * on / 1.99;
       const double angle = -0.01 * on * on / 1.99 + rate * (t[i] - on);
@@ -175,7 +175,7 @@ static void check_balance(void) {
   rot_info info;
   rot_free_params p = three(rotor);
   p.torque[0] = p.torque[1] = p.torque[2] = 0.0;
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 4, t, &r, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 4, t, &r, NULL, &info), ROT_OK);
   for (size_t i = 0; i < 4; i++) {
     const double work = flows[ROT_FREE_MOTOR_WORK][i] - flows[ROT_FREE_MOTOR_WORK][1];
     const double energy = r.rotational_kinetic_energy_j[i] - r.rotational_kinetic_energy_j[1];
@@ -230,7 +230,7 @@ static void check_split(void) {
   rotor[1].driven = 1;
   rotor[2].torque = 0.0;
   ROT_CHECK(rot_free_not_split(&p) == NULL);
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-13, 1, &end, &fine, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-13, ROT_METHOD_NONE, 1, &end, &fine, NULL, &info), ROT_OK);
   const double energy = fine.rotational_kinetic_energy_j[0] - flows[ROT_FREE_MOTOR_WORK][0];
   const double q[4] = {fine.qw[0], fine.qx[0], fine.qy[0], fine.qz[0]};
   const double w[3] = {fine.omega_x_rad_per_s[0], fine.omega_y_rad_per_s[0],
@@ -273,12 +273,12 @@ static void check_limits(void) {
   rotor.moment_kg_m2 = 3.0; /* more than the body has */
   ROT_CHECK(rot_free_rotors_begin(&p, &begun) != NULL);
   ROT_CHECK(rot_free_not_integrated(&p) != NULL);
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 2, t, &r, &info), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, t, &r, NULL, &info), ROT_EVALUE);
   rotor.driven = 1;
   rotor.omega_rad_per_s = 0.0;
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 2, t, &r, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, t, &r, NULL, &info), ROT_OK);
   p.n_rotors = 0;
-  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, 2, t, &x, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, t, &x, NULL, &info), ROT_OK);
   for (size_t i = 0; i < 2; i++) {
     const double q[4] = {x.qw[i], x.qx[i], x.qy[i], x.qz[i]};
     ROT_CHECK(angle_off(&r, i, q) <= 1e-12);

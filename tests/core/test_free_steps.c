@@ -4,39 +4,14 @@
 
 #include <stdlib.h>
 
+#include "free_rows.h"
 #include "rot_attitude.h"
 #include "rot_free_exact.h"
 #include "rot_free_ode.h"
 #include "rot_test.h"
 
-enum { ROWS = 40 };
 static const rot_method methods[4] = {ROT_METHOD_EULER, ROT_METHOD_SEMI_IMPLICIT, ROT_METHOD_RK4,
                                       ROT_METHOD_SPLIT};
-
-typedef struct rows {
-#define X(type, name) type name[ROWS];
-  ROT_FREE_COLUMNS(X)
-#undef X
-} rows;
-
-static rot_free_columns columns_of(rows *r) {
-  rot_free_columns out;
-#define X(type, name) out.name = r->name;
-  ROT_FREE_COLUMNS(X)
-#undef X
-  return out;
-}
-
-static rot_free_params body(double a, double b, double c, double x, double y, double z) {
-  rot_free_params p;
-  memset(&p, 0, sizeof p);
-  p.moment_kg_m2[0] = a, p.moment_kg_m2[1] = b, p.moment_kg_m2[2] = c;
-  p.omega0_rad_per_s[0] = x, p.omega0_rad_per_s[1] = y, p.omega0_rad_per_s[2] = z;
-  p.axes[0] = p.q0[0] = 1.0;
-  return p;
-}
-
-static double flows[ROT_FREE_FLOWS][ROWS], flow_error[ROT_FREE_FLOWS];
 
 static rot_status steps(const rot_free_params *p, rot_method method, double step_s, size_t n,
                         const double t[], rows *r, rot_info *info) {
@@ -98,7 +73,7 @@ static void check_orders(void) {
   double t[ROWS];
   rot_info info;
   for (int i = 0; i < ROWS; i++) t[i] = 0.1317 * i - 1.5;
-  rot_free_params free = body(1.0, 2.0, 3.0, 0.3, 2.0, 0.4);
+  rot_free_params free = scene(1.0, 2.0, 3.0, 0.3, 2.0, 0.4);
   const double axes[4] = {0.5, -0.5, 0.1, 0.7}, q0[4] = {0.1, 0.2, -0.3, 0.4};
   free.turned = 1;
   for (int i = 0; i < 4; i++) free.axes[i] = axes[i], free.q0[i] = q0[i];
@@ -116,7 +91,7 @@ static void check_orders(void) {
   /* a heavy asymmetric top; and torques between knots, in space */
   static const double knot_s[3] = {-0.4, 1.1, 2.3}, along[3] = {0.3, 0.9, -0.5};
   for (int kind = 0; kind < 2; kind++) {
-    rot_free_params p = body(1.0, 1.4, 2.2, 0.3, 0.2, 2.0);
+    rot_free_params p = scene(1.0, 1.4, 2.2, 0.3, 0.2, 2.0);
     double *flow[ROT_FREE_FLOWS];
     const rot_free_ode_options options = {1e-13, 1000000, ROT_METHOD_NONE};
     for (int i = 0; i < ROT_FREE_FLOWS; i++) flow[i] = flows[i];
@@ -148,7 +123,7 @@ static void check_drift(void) {
   static rows r;
   double t[ROWS], first = 0.0, last = 0.0;
   rot_info info;
-  rot_free_params p = body(1.0, 1.4, 2.2, 0.3, 0.2, 2.0);
+  rot_free_params p = scene(1.0, 1.4, 2.2, 0.3, 0.2, 2.0);
   p.lever_n_m[0] = 0.2, p.lever_n_m[2] = 1.0;
   /* half of the rows early, half late */
   for (int i = 0; i < ROWS; i++) t[i] = 2.0 * i + (i < ROWS / 2 ? 0.0 : 4900.0);
@@ -173,7 +148,7 @@ static void check_drift(void) {
     if (k == 3) ROT_CHECK(first > 1e-9 && first < 1e-4 && last < 2.0 * first);
   }
   /* explicit Euler gains in every step: |L|^2 grows by h^2 |L x omega|^2 */
-  const rot_free_params free = body(1.0, 2.0, 3.0, 0.3, 2.0, 0.4);
+  const rot_free_params free = scene(1.0, 2.0, 3.0, 0.3, 2.0, 0.4);
   const double two[2] = {0.0, 0.01};
   ROT_CHECK_EQ_INT(steps(&free, ROT_METHOD_EULER, 0.01, 2, two, &r, &info), ROT_OK);
   const double lx = 0.3, ly = 4.0, lz = 1.2, wx = 0.3, wy = 2.0, wz = 0.4;
@@ -192,7 +167,7 @@ static void check_limits(void) {
   const double t[3] = {0.0, 1.0, 50.0};
   rot_info info;
   for (int k = 0; k < 2; k++) {
-    const rot_free_params p = body(1.0, k ? 2.0 : 1.0, 2.0, 0.3, 0.2, 2.0);
+    const rot_free_params p = scene(1.0, k ? 2.0 : 1.0, 2.0, 0.3, 0.2, 2.0);
     const rot_free_columns out = columns_of(&truth);
     double off[3];
     ROT_CHECK_EQ_INT(rot_free_exact(&p, 3, t, &out, NULL, NULL, &info), ROT_OK);
@@ -200,15 +175,15 @@ static void check_limits(void) {
     apart(&r, &truth, 3, off);
     ROT_CHECK(off[0] <= 2e-13 && off[1] <= 2e-13 && info.steps == 10);
   }
-  rot_free_params p = body(1.0, 2.0, 3.0, 0.0, 2.0, 0.0);
+  rot_free_params p = scene(1.0, 2.0, 3.0, 0.0, 2.0, 0.0);
   const double turn = 3.14159265358979323846;
   ROT_CHECK_REL(rot_free_default_step(&p, ROT_METHOD_RK4, 1.0), turn / 64.0, 1e-14);
   ROT_CHECK_REL(rot_free_default_step(&p, ROT_METHOD_SPLIT, 1.0), turn / 32.0, 1e-14);
   p.lever_n_m[1] = 9.0;
   ROT_CHECK_REL(rot_free_default_step(&p, ROT_METHOD_RK4, 1.0), 2.0 * turn / 5.0 / 64.0, 1e-14);
-  p = body(1.0, 2.0, 3.0, 0.0, 0.0, 0.0);
+  p = scene(1.0, 2.0, 3.0, 0.0, 0.0, 0.0);
   ROT_CHECK_REL(rot_free_default_step(&p, ROT_METHOD_RK4, 7.0), 7e-3, 1e-14);
-  p = body(1.0, 2.0, 3.0, 0.3, 2.0, 0.4);
+  p = scene(1.0, 2.0, 3.0, 0.3, 2.0, 0.4);
   const rot_free_columns out = columns_of(&r);
   const rot_free_step_options few = {ROT_METHOD_RK4, 0.1, 100}, none = {ROT_METHOD_RK4, 0.0, 100};
   double *flow[ROT_FREE_FLOWS];

@@ -2,30 +2,10 @@
  * turning points, what is no symmetric top. */
 #include <stdlib.h>
 
+#include "free_rows.h"
 #include "rot_attitude.h"
-#include "rot_free_ode.h"
 #include "rot_pivot.h"
 #include "rot_test.h"
-
-enum { ROWS = 9 };
-
-typedef struct table {
-  double number[14][ROWS];
-  rot_free_columns columns;
-} table;
-
-static void point(table *x) {
-  double *at[14];
-  for (int k = 0; k < 14; k++) at[k] = x->number[k];
-  int k = 0;
-#define X(type, name) x->columns.name = at[k++];
-  ROT_FREE_COLUMNS(X)
-#undef X
-}
-
-static double uniform(double low, double high) {
-  return low + (high - low) * ((double)rand() / (double)RAND_MAX);
-}
 
 static rot_free_params random_top(int axis) {
   rot_free_params p = {.axes = {1.0}};
@@ -43,28 +23,22 @@ static rot_free_params random_top(int axis) {
 }
 
 static void test_against_integration(void) {
-  double worst = 0.0, time_s[ROWS], flows[ROT_FREE_FLOWS][ROWS], errors[ROT_FREE_FLOWS];
-  double *flow[ROT_FREE_FLOWS];
-  for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k] = flows[k];
-  for (int i = 0; i < ROWS; i++) time_s[i] = -0.5 + 0.5 * i;
+  enum { N = 9 };
+  double worst = 0.0, time_s[N];
+  for (int i = 0; i < N; i++) time_s[i] = -0.5 + 0.5 * i;
   srand(40);
   for (int k = 0; k < 60; k++) {
     const rot_free_params p = random_top(k % 3);
-    table a, b;
+    rows a, b;
     rot_info info;
-    point(&a);
-    point(&b);
+    const rot_free_columns out = columns_of(&a);
     ROT_CHECK(rot_pivot_not_top(&p) == NULL);
-    ROT_CHECK(rot_pivot_top(&p, ROWS, time_s, &a.columns, NULL, NULL, &info) == ROT_OK);
+    ROT_CHECK(rot_pivot_top(&p, N, time_s, &out, NULL, NULL, &info) == ROT_OK);
     ROT_CHECK(info.measure[ROT_FREE_ATTITUDE].error <= 1e-13);
-    const rot_free_ode_options options = {1e-12, 100000, ROT_METHOD_RK8PD};
-    ROT_CHECK(rot_free_integrate(&p, &options, ROWS, time_s, &b.columns, flow, errors, NULL, NULL,
-                                 &info) == ROT_OK);
-    for (int i = 0; i < ROWS; i++) {
-      const double q[4] = {a.columns.qw[i], a.columns.qx[i], a.columns.qy[i], a.columns.qz[i]};
-      const double r[4] = {b.columns.qw[i], b.columns.qx[i], b.columns.qy[i], b.columns.qz[i]};
-      worst = fmax(worst, rot_attitude_angle(q, r));
-      ROT_CHECK(fabs(a.columns.omega_y_rad_per_s[i] - b.columns.omega_y_rad_per_s[i]) <= 1e-9);
+    ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_RK8PD, N, time_s, &b, NULL, &info), ROT_OK);
+    for (size_t i = 0; i < N; i++) {
+      worst = fmax(worst, angle_between(&a, &b, i));
+      ROT_CHECK(fabs(a.omega_y_rad_per_s[i] - b.omega_y_rad_per_s[i]) <= 1e-9);
     }
   }
   printf("tops against integration: %.1e rad\n", worst);
@@ -75,15 +49,15 @@ static void test_against_integration(void) {
 static void test_events(void) {
   rot_free_params p = {.axes = {1.0}, .moment_kg_m2 = {1.0, 1.0, 0.5}, .q0 = {0.8, 0.6}};
   double nutation[4];
-  table a;
+  rows a;
   rot_info info;
+  const rot_free_columns out = columns_of(&a);
   rot_events events = {0};
   p.omega0_rad_per_s[2] = 9.0;
   p.lever_n_m[2] = 3.0;
   ROT_CHECK(rot_pivot_nutation(&p, nutation) == ROT_OK);
   const double time_s[1] = {1.25 * nutation[0]};
-  point(&a);
-  ROT_CHECK(rot_pivot_top(&p, 1, time_s, &a.columns, &events, NULL, &info) == ROT_OK);
+  ROT_CHECK(rot_pivot_top(&p, 1, time_s, &out, &events, NULL, &info) == ROT_OK);
   ROT_CHECK(events.count == 3 && events.event[0] == ROT_EVENT_HIGHEST &&
             events.event[1] == ROT_EVENT_LOWEST && events.event[2] == ROT_EVENT_HIGHEST);
   ROT_CHECK(events.time_s[0] == 0.0);

@@ -4,30 +4,11 @@
 
 #include <stdlib.h>
 
+#include "free_rows.h"
 #include "rot_attitude.h"
 #include "rot_choice.h"
 #include "rot_pivot.h"
 #include "rot_test.h"
-
-enum { ROWS = 6 };
-
-typedef struct table {
-  double number[14][ROWS];
-  rot_free_columns columns;
-} table;
-
-static void point(table *x) {
-  double *at[14];
-  for (int k = 0; k < 14; k++) at[k] = x->number[k];
-  int k = 0;
-#define X(type, name) x->columns.name = at[k++];
-  ROT_FREE_COLUMNS(X)
-#undef X
-}
-
-static double uniform(double low, double high) {
-  return low + (high - low) * ((double)rand() / (double)RAND_MAX);
-}
 
 static double norm3(const double a[3], const double b[3]) {
   return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
@@ -64,6 +45,7 @@ static rot_free_params random_top(int axis, int start, double fast) {
 }
 
 static void check_bounds(void) {
+  enum { N = 6 };
   double closest[2][3] = {{INFINITY, INFINITY, INFINITY}, {INFINITY, INFINITY, INFINITY}};
   double middle[2] = {0.0, 0.0};
   int offered[2] = {0, 0};
@@ -71,25 +53,24 @@ static void check_bounds(void) {
   for (int k = 0; k < 3000; k++) {
     const double fast = pow(10.0, uniform(0.3, 4.0));
     const rot_free_params p = random_top(k % 3, k / 3 % 3, fast);
-    double t[ROWS];
+    double t[N];
     const double size = fabs(p.lever_n_m[k % 3]) / p.moment_kg_m2[(k + 1) % 3];
     const double span = pow(10.0, uniform(-1.0, 2.0)) / sqrt(size);
-    for (int i = 0; i < ROWS; i++) t[i] = p.start_s + span * (i / 4.0 - 0.25);
-    table exact, near;
+    for (int i = 0; i < N; i++) t[i] = p.start_s + span * (i / 4.0 - 0.25);
+    rows exact, near;
+    const rot_free_columns form = columns_of(&exact), out = columns_of(&near);
     rot_info by_form, info;
-    point(&exact);
-    point(&near);
     ROT_CHECK(rot_pivot_not_spinning(&p) == NULL);
-    ROT_CHECK_EQ_INT(rot_pivot_top(&p, ROWS, t, &exact.columns, NULL, NULL, &by_form), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_pivot_top(&p, N, t, &form, NULL, NULL, &by_form), ROT_OK);
     for (int model = 0; model < 2; model++) {
-      const rot_status status =
-          model ? rot_pivot_small_nutation(&p, ROWS, t, &near.columns, NULL, NULL, &info)
-                : rot_pivot_precession(&p, ROWS, t, &near.columns, NULL, NULL, &info);
+      const rot_status status = model ? rot_pivot_small_nutation(&p, N, t, &out, NULL, NULL, &info)
+                                      : rot_pivot_precession(&p, N, t, &out, NULL, NULL, &info);
       double off[3] = {0.0, 0.0, 0.0};
       if (status == ROT_ERANGE) continue; /* no bound: nothing is promised */
-      for (int i = 0; i < ROWS; i++) {
-        double a[14], b[14];
-        for (int c = 0; c < 14; c++) a[c] = exact.number[c][i], b[c] = near.number[c][i];
+      for (int i = 0; i < N; i++) {
+        double a[NUMBERS], b[NUMBERS];
+        row_of(&exact, (size_t)i, a);
+        row_of(&near, (size_t)i, b);
         off[0] = fmax(off[0], rot_attitude_angle(a, b));
         off[1] = fmax(off[1], norm3(a + 4, b + 4));
         off[2] = fmax(off[2], norm3(a + 10, b + 10));
@@ -128,23 +109,22 @@ static void check_by_hand(void) {
   p.omega0_rad_per_s[2] = 100.0;
   p.lever_n_m[2] = 2.0;
   p.q0[0] = cos(0.5 * tilt), p.q0[1] = sin(0.5 * tilt);
-  table x;
+  rows x;
   rot_info info;
-  point(&x);
-  ROT_CHECK_EQ_INT(rot_pivot_precession(&p, 2, t, &x.columns, NULL, NULL, &info), ROT_OK);
-  double q[4], axis[3];
+  const rot_free_columns out = columns_of(&x);
+  ROT_CHECK_EQ_INT(rot_pivot_precession(&p, 2, t, &out, NULL, NULL, &info), ROT_OK);
+  double q[NUMBERS], axis[3];
   const double along[3] = {0.0, 0.0, 1.0};
-  for (int k = 0; k < 4; k++) q[k] = x.number[k][1];
+  row_of(&x, 1, q);
   rot_attitude_to_space(q, along, axis);
   ROT_CHECK_REL(axis[2], cos(tilt), 1e-14);
   ROT_CHECK_REL(atan2(axis[0], -axis[1]), 0.1, 1e-12);
-  ROT_CHECK_REL(x.columns.omega_space_z_rad_per_s[1], 0.02 + (100.0 - 0.02 * cos(tilt)) * cos(tilt),
-                1e-14);
+  ROT_CHECK_REL(x.omega_space_z_rad_per_s[1], 0.02 + (100.0 - 0.02 * cos(tilt)) * cos(tilt), 1e-14);
   /* its nutation: w3 I3/I1, between tilt and tilt + 2 G I1 sin(tilt)/(I3 w3)^2 */
   const double a = 100.0 / 0.7, half = 3.14159265358979323846 / a;
   const double at[2] = {0.0, half};
-  ROT_CHECK_EQ_INT(rot_pivot_small_nutation(&p, 2, at, &x.columns, NULL, NULL, &info), ROT_OK);
-  for (int k = 0; k < 4; k++) q[k] = x.number[k][1];
+  ROT_CHECK_EQ_INT(rot_pivot_small_nutation(&p, 2, at, &out, NULL, NULL, &info), ROT_OK);
+  row_of(&x, 1, q);
   rot_attitude_to_space(q, along, axis);
   ROT_CHECK_REL(acos(axis[2]) - tilt, 2.0 * 2.0 * 0.7 / 1e4 * sin(tilt), 1e-3);
   ROT_CHECK_REL(rot_pivot_nutation_bound(&p, half) / rot_pivot_nutation_bound(&p, 2.0 * half), 0.5,

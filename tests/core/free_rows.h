@@ -1,12 +1,14 @@
-/* Rows of a free body with rotors, for its tests. */
-#ifndef FREE_ROTOR_ROWS_H
-#define FREE_ROTOR_ROWS_H
+/* Rows of a body in space, with rotors or without, for its tests. */
+#ifndef FREE_ROWS_H
+#define FREE_ROWS_H
 
+#include <stdlib.h>
 #include <string.h>
 
+#include "rot_attitude.h"
 #include "rot_free_ode.h"
 
-enum { ROWS = 8 };
+enum { ROWS = 64, NUMBERS = 14 }; /* NUMBERS: columns that are no rotor's */
 
 typedef struct rows {
 #define X(type, name) type name[ROWS];
@@ -32,6 +34,25 @@ static inline rot_free_columns columns_of(rows *r) {
   return out;
 }
 
+/* The numbers of a row: quaternion, omega in the body and in space, L in space, energy. */
+static inline void row_of(const rows *r, size_t i, double out[NUMBERS]) {
+  int k = 0;
+#define X(type, name) out[k++] = r->name[i];
+  ROT_FREE_COLUMNS(X)
+#undef X
+}
+
+static inline double angle_between(const rows *x, const rows *y, size_t i) {
+  double p[NUMBERS], q[NUMBERS];
+  row_of(x, i, p);
+  row_of(y, i, q);
+  return rot_attitude_angle(p, q);
+}
+
+static inline double uniform(double low, double high) {
+  return low + (high - low) * ((double)rand() / (double)RAND_MAX);
+}
+
 static inline rot_free_params scene(double a, double b, double c, double x, double y, double z) {
   rot_free_params p;
   memset(&p, 0, sizeof p);
@@ -41,13 +62,14 @@ static inline rot_free_params scene(double a, double b, double c, double x, doub
   return p;
 }
 
-static inline rot_status integrated(const rot_free_params *p, double accuracy, size_t n,
-                                    const double t[], rows *r, rot_info *info) {
+static inline rot_status integrated(const rot_free_params *p, double accuracy, rot_method method,
+                                    size_t n, const double t[], rows *r, rot_events *events,
+                                    rot_info *info) {
   const rot_free_columns out = columns_of(r);
   double *flow[ROT_FREE_FLOWS];
-  const rot_free_ode_options options = {accuracy, 1000000, ROT_METHOD_NONE};
+  const rot_free_ode_options options = {accuracy, 1000000, method};
   for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k] = flows[k];
-  return rot_free_integrate(p, &options, n, t, &out, flow, flow_error, NULL, NULL, info);
+  return rot_free_integrate(p, &options, n, t, &out, flow, flow_error, events, NULL, info);
 }
 
 #endif
