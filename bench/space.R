@@ -3,7 +3,7 @@
 # row of tumbling_table(). The truth is the closed form in quadruple precision
 # (bench/coverage/free.c). Needs libquadmath; deSolve, a python3 with scipy, and Bullet, ODE and
 # Simbody (libbullet-dev, libode-dev, libsimbody-dev) take part where they are installed. Rewrites
-# the block "space" of bench/README.md. Two to six minutes.
+# the block "space" of bench/README.md. Five to ten minutes.
 #
 #   Rscript bench/space.R [--short]           from the top of the repository; --short: 1e3 s alone
 suppressMessages(library(rotdyn))
@@ -156,12 +156,13 @@ engine <- function(module, name, source, compiler, runs) {
 }
 steps <- list(
   list(label = "steps of 1/240 s", how = 1 / 240, ends = ends),
-  list(label = "steps of 1 ms", how = 1e-3, ends = ends[1])
+  list(label = "steps of 1 ms", how = 1e-3, ends = ends)
 )
 engine("bullet", "Bullet", "bench/peers/space-bullet.cpp", "g++", steps)
 engine("ode", "ODE", "bench/peers/space-ode.c", "gcc", steps)
 engine("simbody", "Simbody", "bench/peers/space-simbody.cpp", "g++", list(
   list(label = "its default, 1e-3", how = c(0, 1e-3), ends = ends),
+  list(label = "1e-6", how = c(0, 1e-6), ends = ends),
   list(label = "1e-9", how = c(0, 1e-9), ends = ends[1]),
   list(label = "steps of 1/240 s", how = c(1 / 240, 1), ends = ends[1])
 ))
