@@ -27,7 +27,7 @@ pivot_constraint <- function() {
       list(
         breaks_s = scene$breaks_s,
         fades_s = if (scene$damping_per_s > 0) 1 / scene$damping_per_s else Inf,
-        swing_rad_per_s = 2 * sizes[["omega"]] + swing
+        swing_rad_per_s = 2 * sizes[["omega"]] + swing + rotor_pace(scene)
       )
     },
     summary = function(x, run) {
@@ -49,7 +49,8 @@ pivot_constraint <- function() {
       free$panels[1:2],
       list(panel("energy (J)", c(
         rotational_kinetic_energy_j = "kinetic", potential_energy_j = "potential"
-      )))
+      ))),
+      utils::tail(free$panels, 1)
     )
   )
   free[names(own)] <- own
@@ -72,9 +73,10 @@ conserved_pivot <- function(scene) {
   none <- scene$damping_per_s == 0 && is.null(scene$law) && is.null(scene$knots) &&
     all(scene$torque_n_m == 0)
   acts <- list("a torque or the damping acts" = !none)
+  motors <- list("the motors of the rotors work" = has_motors(scene))
   c(
     list(keeps_unless(
-      "energy", NA_character_, acts,
+      "energy", NA_character_, c(acts, motors),
       "gravity gives back what it takes: kinetic plus potential energy stays"
     )),
     lapply(1:3, function(k) {
@@ -109,11 +111,11 @@ pivot_texts <- function() {
 read_pivot <- function(body, omega0_rad_per_s, pivot_m = c(0, 0, 0), mass_kg = NULL,
                        centre_m = NULL, attitude0 = NULL, gravity_m_per_s2 = 9.80665,
                        torque_n_m = NULL, torque_axes = "body", damping_per_s = 0,
-                       breaks_s = NULL, start_s = 0) {
+                       rotors = NULL, breaks_s = NULL, start_s = 0) {
   keep_attitude(scene_pivot(
     body, omega0_rad_per_s, pivot_m = pivot_m, mass_kg = mass_kg, centre_m = centre_m,
     attitude0 = attitude0, gravity_m_per_s2 = gravity_m_per_s2, torque_n_m = torque_n_m,
-    torque_axes = torque_axes, damping_per_s = damping_per_s, breaks_s = breaks_s,
-    start_s = start_s
+    torque_axes = torque_axes, damping_per_s = damping_per_s, rotors = rotors,
+    breaks_s = breaks_s, start_s = start_s
   ), attitude0)
 }

@@ -28,6 +28,7 @@ draw_pivot <- function(scene) {
     aside <- 0.12 * c(-tip[2], tip[1]) / max(sqrt(sum(tip^2)), 1e-3)
     d$say("omega", tip[1] + aside[1], tip[2] + aside[2])
   }
+  draw_rotors(d, scene, view %*% turn)
   d$key(quantity("omega", "angular velocity", value_text(signif(size, 4), "rad/s"), "speed"))
   d$key(quantity("r[c]", "centre of mass", value_text(signif(long, 4), "m"), "body"))
   for (k in 1:3) {

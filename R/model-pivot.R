@@ -112,6 +112,12 @@ pivot_free <- model_like(
   requires = "held at its centre of mass (or no gravity), no torque"
 )
 
+pivot_gyrostat <- model_like(
+  free_gyrostat,
+  id = "pivot_gyrostat",
+  requires = "held at its centre of mass (or no gravity), rotors along a principal axis, no torque"
+)
+
 pivot_rk8pd <- model_like(
   free_rk8pd,
   id = "pivot_rk8pd",
@@ -134,6 +140,9 @@ pivot_steppers <- lapply(
 )
 
 pivot_models <- c(
-  list(pivot_top, pivot_precession, pivot_nutation, pivot_free, pivot_rk8pd, pivot_radau),
+  list(
+    pivot_top, pivot_precession, pivot_nutation, pivot_free, pivot_gyrostat, pivot_rk8pd,
+    pivot_radau
+  ),
   pivot_steppers
 )

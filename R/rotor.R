@@ -104,6 +104,11 @@ rotors_of <- function(rotors, call) {
   if (length(rotors)) unname(rotors)
 }
 
+with_rotor_breaks <- function(breaks_s, rotors) {
+  own <- unlist(lapply(rotors, function(one) one$breaks_s))
+  if (length(own)) sort(unique(c(breaks_s, own))) else breaks_s
+}
+
 rotor_table_columns <- c("axis_x", "axis_y", "axis_z", "inertia_kg_m2", "omega_rad_per_s")
 
 # With the column torque_n_m, where a rotor that is driven has NA, or without it.

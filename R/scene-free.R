@@ -100,8 +100,7 @@ scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m
   }
   torque <- free_torque(torque_n_m, breaks_s, call)
   rotors <- rotors_of(rotors, call)
-  of_rotors <- unlist(lapply(rotors, function(one) one$breaks_s))
-  if (length(of_rotors)) torque$breaks_s <- sort(unique(c(torque$breaks_s, of_rotors)))
+  torque$breaks_s <- with_rotor_breaks(torque$breaks_s, rotors)
   scene <- c(
     inertia,
     list(omega0_rad_per_s = omega0, attitude0 = start_attitude(attitude0, call)),

@@ -12,6 +12,11 @@
 #' So is a body that is held at its centre of mass. Everything else is integrated. Events of the
 #' closed form: the centre of mass is `highest` or `lowest`.
 #'
+#' A body may carry rotors: a gyroscope's wheel in its frame, reaction wheels that swing a pendulum
+#' up. Then \eqn{L = I\omega + \sum_k J_k W_k a_k}{L = I omega + sum of J W a}, as in
+#' [scene_free()], with I that of the body with the rotors locked. Gyrostats that are held at their
+#' centre of mass, with the rotors along a principal axis, are exact (`pivot_gyrostat`).
+#'
 #' Two short cuts of the fast top have a bound, and are taken where it is within the accuracy asked:
 #' `pivot_precession`, the gyroscope that goes round at torque over angular momentum, and
 #' `pivot_nutation`, small nutation to first order. The head of the trajectory says what is left
@@ -31,7 +36,10 @@
 #'   `r describe_columns(pivot_columns)`
 #'   with the angular momentum about the fixed point; `inclination_rad` is NaN of a body held at its
 #'   centre of mass. [audit()] balances the energy, each component
-#'   of the angular momentum in space, and the norm of the quaternion.
+#'   of the angular momentum in space, and the norm of the quaternion. Angular momentum and energy
+#'   include the rotors. With rotors there are, for each,
+#'   `r describe_columns(rotor_columns)`
+#'   and [augment()] has `motor_work_j`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.7; Whittaker,
@@ -52,11 +60,18 @@
 #' motion
 #' motion_events(motion)
 #' audit(motion)
+#' # A wheel in a frame of 0.5 kg, at 3000 rpm, held at one end of its axle:
+#' wheel <- scene_pivot(
+#'   c(0.0052, 0.0052, 0.001), c(0, 0, 0), mass_kg = 0.5, centre_m = c(0, 0, 0.1),
+#'   attitude0 = attitude_from(c(1, 0, 0, pi / 2), "axis_angle"),
+#'   rotors = rotor(c(0, 0, 1), 4e-4, 314)
+#' )
+#' audit(trajectory(wheel, time_s = seq(0, 2, by = 0.1)))
 #' @export
 scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_kg = NULL,
                         centre_m = NULL, attitude0 = NULL, gravity_m_per_s2 = 9.80665,
                         torque_n_m = NULL, torque_axes = c("body", "space"), damping_per_s = 0,
-                        breaks_s = NULL, start_s = 0) {
+                        rotors = NULL, breaks_s = NULL, start_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("body", "omega0_rad_per_s"), call)
   gravity <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0)
@@ -69,6 +84,9 @@ scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_
   }
   held <- pivot_inertia(body, pivot_m, mass_kg, centre_m, call)
   lever <- held$mass_kg * gravity * held$centre_m
+  torque <- free_torque(torque_n_m, breaks_s, call)
+  rotors <- rotors_of(rotors, call)
+  torque$breaks_s <- with_rotor_breaks(torque$breaks_s, rotors)
   if (!all(is.finite(lever))) abort_rotdyn("The torque of gravity is not finite.", "value", call)
   scene <- c(
     held$inertia,
@@ -79,14 +97,16 @@ scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_
       gravity_m_per_s2 = gravity, omega0_rad_per_s = omega0,
       attitude0 = start_attitude(attitude0, call)
     ),
-    free_torque(torque_n_m, breaks_s, call),
+    torque,
     list(
       in_space = as.double(axes == "space"),
       damping_per_s = check_number(damping_per_s, "damping_per_s", "1/s", call),
+      rotors = rotors,
       start_s = check_number(start_s, "start_s", "s", call)
     )
   )
   check_spin(scene, call)
+  check_rotors(scene, call)
   class(scene) <- c("rot_scene_pivot", "rot_scene")
   scene
 }
@@ -146,6 +166,7 @@ print.rot_scene_pivot <- function(x, ...) {
     "  gravity   ", format_si(x$mass_kg), " kg at ", numbers(x$centre_m), " m from the point\n",
     if (acts) paste0("  torque    ", describe_free_torque(x), "\n"),
     if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
+    vapply(x$rotors, function(one) paste0("  rotor     ", describe_rotor(one), "\n"), ""),
     "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
     numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",
     sep = ""

@@ -79,7 +79,7 @@ rot_free_params ffi_free_scene(SEXP list) {
   p.breaks_s = ffi_reals(breaks, "breaks_s", -1);
   p.n_breaks = (size_t)XLENGTH(breaks);
   if (!Rf_isNull(ffi_element(list, "law"))) p.law = no_call;
-  SEXP rotors = ffi_element(list, "rotors"); /* only a free body has them */
+  SEXP rotors = ffi_element(list, "rotors");
   if (!Rf_isNull(rotors)) read_rotors(rotors, &p);
   return p;
 }

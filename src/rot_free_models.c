@@ -17,7 +17,7 @@ static const rot_effect effects[] = {{"torque", "a torque", 0, 0},
                                      {"rotors", "rotors", 0, 0},
                                      {"motors", "rotors with motor torques", 0, ROTORS}};
 
-static int has_motors(const rot_free_params *p) {
+int rot_free_has_motors(const rot_free_params *p) {
   int found = p->motors != NULL;
   for (size_t k = 0; k < p->n_rotors; k++) {
     found |= !p->rotors[k].driven && (p->rotors[k].torque != 0.0 || p->rotors[k].n_knots);
@@ -30,7 +30,7 @@ static unsigned effects_of(const void *of) {
   const int constant = p->torque[0] != 0.0 || p->torque[1] != 0.0 || p->torque[2] != 0.0;
   return (constant || p->n_knots ? TORQUE : 0u) | (p->law ? LAW : 0u) |
          (p->damping_per_s != 0.0 ? DAMPING : 0u) | (p->n_rotors ? ROTORS : 0u) |
-         (has_motors(p) ? MOTORS : 0u);
+         (rot_free_has_motors(p) ? MOTORS : 0u);
 }
 
 const char *rot_free_refuses_exact(const void *scene, const rot_query *query) {
@@ -38,7 +38,7 @@ const char *rot_free_refuses_exact(const void *scene, const rot_query *query) {
   return rot_free_not_exact(scene);
 }
 
-static const char *refuses_gyrostat(const void *scene, const rot_query *query) {
+const char *rot_free_refuses_gyrostat(const void *scene, const rot_query *query) {
   (void)query;
   return rot_free_not_gyrostat(scene);
 }
@@ -105,7 +105,7 @@ static const rot_model models[] = {
      1e-14,
      ROT_FREELY,
      "rotors along a principal axis: closed form",
-     refuses_gyrostat,
+     rot_free_refuses_gyrostat,
      rot_free_exact_s,
      {30e-6, 0.8e-6, 0.0, 0.0}},
     ROT_FREE_INTEGRATED("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS),

@@ -2,10 +2,14 @@
 #ifndef ROT_FREE_MODELS_H
 #define ROT_FREE_MODELS_H
 
+#include "rot_free.h"
 #include "rot_model.h"
 
 /* Its scene is a rot_free_params. */
 extern const rot_constraint rot_free_constraint;
+
+/* Whether the motor of a rotor has a torque. */
+int rot_free_has_motors(const rot_free_params *p);
 
 /* Predicted times of a run in closed form and of an integrated one: see rot_free_models.c for the
  * numbers that they take from the model. */
@@ -16,6 +20,7 @@ double rot_free_steps_s(const rot_model *model, const void *scene, const rot_que
 
 /* Why the closed form, or the integrators, do not take it: NULL where they do. */
 const char *rot_free_refuses_exact(const void *scene, const rot_query *query);
+const char *rot_free_refuses_gyrostat(const void *scene, const rot_query *query);
 const char *rot_free_refuses_ode(const void *scene, const rot_query *query);
 const char *rot_free_refuses_split(const void *scene, const rot_query *query);
 

@@ -43,7 +43,7 @@ static rot_status begin(const rot_free_params *p, run *r) {
   const int k = rot_pivot_axis(p);
   double omega[3], q[4];
   rot_top_start start;
-  if (k < 0) return ROT_EVALUE;
+  if (k < 0 || p->n_rotors) return ROT_EVALUE;
   r->p = p;
   r->axis = k;
   for (int i = 0; i < 4; i++) r->turn[i] = rot_pivot_turns[k][i];

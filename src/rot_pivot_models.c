@@ -7,19 +7,20 @@
 #include "rot_pivot.h"
 #include "rot_pivot_approx.h"
 
-enum { WEIGHT = 1, TORQUE = 2, LAW = 4, DAMPING = 8 };
+enum { WEIGHT = 1, TORQUE = 2, LAW = 4, DAMPING = 8, ROTORS = 16, MOTORS = 32 };
 
-static const rot_effect effects[] = {{"weight", "gravity", 0, 0},
-                                     {"torque", "a torque", 0, 0},
-                                     {"law", "a torque function", 0, 0},
-                                     {"damping", "damping", 0, 0}};
+static const rot_effect effects[] = {
+    {"weight", "gravity", 0, 0},        {"torque", "a torque", 0, 0},
+    {"law", "a torque function", 0, 0}, {"damping", "damping", 0, 0},
+    {"rotors", "rotors", 0, 0},         {"motors", "rotors with motor torques", 0, ROTORS}};
 
 static unsigned effects_of(const void *of) {
   const rot_free_params *p = of;
   const double *t = p->torque, *g = p->lever_n_m;
   return (g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0 ? WEIGHT : 0u) |
          (t[0] != 0.0 || t[1] != 0.0 || t[2] != 0.0 || p->n_knots ? TORQUE : 0u) |
-         (p->law ? LAW : 0u) | (p->damping_per_s != 0.0 ? DAMPING : 0u);
+         (p->law ? LAW : 0u) | (p->damping_per_s != 0.0 ? DAMPING : 0u) |
+         (p->n_rotors ? ROTORS : 0u) | (rot_free_has_motors(p) ? MOTORS : 0u);
 }
 
 static const char *refuses_top(const void *scene, const rot_query *query) {
@@ -81,8 +82,17 @@ static const rot_model models[] = {
      rot_free_refuses_exact,
      rot_free_exact_s,
      {6e-6, 0.8e-6, 0.0, 0.0}},
-    ROT_FREE_INTEGRATED("pivot_", WEIGHT | TORQUE | LAW | DAMPING),
-    ROT_FREE_STEPS("pivot_", WEIGHT | TORQUE | LAW | DAMPING, WEIGHT),
+    {"pivot_gyrostat",
+     ROTORS,
+     ROT_BOUND,
+     1e-14,
+     ROT_FREELY,
+     "no torque, rotors along a principal axis: closed form",
+     rot_free_refuses_gyrostat,
+     rot_free_exact_s,
+     {30e-6, 0.8e-6, 0.0, 0.0}},
+    ROT_FREE_INTEGRATED("pivot_", WEIGHT | TORQUE | LAW | DAMPING | ROTORS | MOTORS),
+    ROT_FREE_STEPS("pivot_", WEIGHT | TORQUE | LAW | DAMPING | ROTORS | MOTORS, WEIGHT | ROTORS),
 };
 
 const rot_constraint rot_pivot_constraint = {"pivot",

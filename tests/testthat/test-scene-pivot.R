@@ -210,3 +210,106 @@ test_that("the gyroscope's short cuts are taken within their bounds, and said", 
   still <- scene_pivot(c(0.7, 0.7, 1), c(0, 0, 0), mass_kg = 1, centre_m = c(0, 0, 2))
   expect_error(trajectory(still, t, model = "pivot_precession"), class = "rotdyn_error_model")
 })
+
+# ---- rotors -------------------------------------------------------------------------------------
+
+# A top of two equal moments, tilted, with rotors.
+with_rotors <- function(omega, rotors = NULL, third = 0.002, ...) {
+  scene_pivot(
+    c(0.0042, 0.0042, third), omega, mass_kg = 0.5, centre_m = c(0, 0, 0.08),
+    attitude0 = attitude_from(c(1, 0, 0, pi / 6), "axis_angle"), rotors = rotors, ...
+  )
+}
+
+axis_of_top <- function(motion) {
+  turned <- attitude_to(motion[c("qw", "qx", "qy", "qz")], "matrix")
+  cbind(turned[[3]], turned[[6]], turned[[9]])
+}
+
+test_that("a wheel on the axis of a top moves that axis as the top's own spin does", {
+  # The axis follows from I1 and L3 alone: I3 w3 + J W of a driven rotor. Of one without friction
+  # the moment about the axis is I3 - J, and the rest of L3 is s = J (W + w3).
+  t <- seq(0, 3, by = 0.25)
+  top <- trajectory(with_rotors(c(0.3, 0.1, 10 + 5e-4 * 200 / 0.002)), t)
+  expect_identical(attr(top, "run")$model, "pivot_top")
+  for (wheel in list(rotor(c(0, 0, 1), 5e-4, 200), rotor(c(0, 0, 1), 5e-4, 200, 0))) {
+    motion <- trajectory(with_rotors(c(0.3, 0.1, 10), wheel), t, accuracy = 1e-11)
+    expect_identical(attr(motion, "run")$model, "pivot_rk8pd")
+    expect_lt(max(abs(axis_of_top(motion) - axis_of_top(top))), 1e-10)
+    expect_equal(motion$inclination_rad, top$inclination_rad, tolerance = 1e-10)
+    expect_equal(motion$omega_z_rad_per_s, rep(10, length(t)), tolerance = 1e-10)
+    expect_equal(motion$rotor_1_omega_rad_per_s, rep(200, length(t)), tolerance = 1e-10)
+    for (name in c("x", "y", "z")) {
+      column <- paste0("angular_momentum_", name, "_kg_m2_per_s")
+      expect_equal(motion[[column]], top[[column]], tolerance = 1e-9)
+    }
+    shown <- audit(motion)
+    expect_true(all(shown$verdict == "balanced"))
+    expect_identical(shown$conserved[shown$balance == "energy"], wheel$driven == 0)
+    split <- trajectory(with_rotors(c(0.3, 0.1, 10), wheel), t, model = "pivot_split")
+    expect_lt(max(attitude_difference(split, motion)), attr(split, "run")$info$error + 1e-10)
+  }
+})
+
+test_that("a reaction wheel swings a pendulum against the motor's torque", {
+  # About x: (I - J) theta'' = -m g l sin(theta) - u, the motion of an axle with the moment I - J.
+  u <- 0.03
+  wheel <- rotor(c(1, 0, 0), 1e-3, 5, u)
+  hanging <- scene_pivot(
+    c(0.012, 0.011, 0.003), c(0, 0, 0), mass_kg = 0.5, centre_m = c(0, 0, -0.1), rotors = wheel
+  )
+  t <- seq(0, 4, by = 0.1)
+  motion <- trajectory(hanging, t, accuracy = 1e-11)
+  rest <- body_tensor(0.5, diag(0.006, 3)) # 0.011 - 0.5 * 0.1^2
+  axle <- trajectory(scene_pendulum(rest, 0.1, torque = torque_constant(-u)), t, accuracy = 1e-11)
+  expect_equal(motion$omega_x_rad_per_s, axle$omega_rad_per_s, tolerance = 1e-9)
+  expect_equal(2 * atan2(motion$qx, motion$qw), axle$theta_rad, tolerance = 1e-9)
+  # The wheel's own: J (W' + theta'') = u.
+  expect_equal(
+    motion$rotor_1_omega_rad_per_s, 5 + u / 1e-3 * t - axle$omega_rad_per_s, tolerance = 1e-9
+  )
+  shown <- audit(motion)
+  expect_true(all(shown$verdict == "balanced"))
+  kept <- conserved(hanging)
+  expect_identical(kept$conserved[kept$quantity == "energy"], FALSE)
+  expect_match(kept$why[kept$quantity == "energy"], "motors")
+  # What the motor's power adds up to: u times the angle that the wheel turns in the body.
+  work <- augment(motion)$motor_work_j
+  expect_equal(
+    utils::tail(work, 1), u * (5 * 4 + u / 1e-3 * 8 - utils::tail(axle$theta_rad, 1)),
+    tolerance = 1e-8
+  )
+})
+
+test_that("rotors of a body with a fixed point are exact where nothing else acts", {
+  wheel <- rotor(c(0, 1, 0), 0.05, 60)
+  held <- scene_pivot(
+    c(1, 2, 3), c(0.1, 2, 0.3), mass_kg = 1, centre_m = c(0, 0, 0), rotors = wheel
+  )
+  free <- scene_free(c(1, 2, 3), c(0.1, 2, 0.3), rotors = wheel)
+  t <- c(0, 1, 100)
+  got <- trajectory(held, t)
+  expect_identical(attr(got, "run")$model, "pivot_gyrostat")
+  expect_identical(got$qw, trajectory(free, t)$qw)
+  expect_true(all(audit(got)$verdict == "balanced"))
+  expect_true(is.na(summary(got)$nutation_period_s))
+})
+
+test_that("rotors of a body with a fixed point come back from text, and are drawn and printed", {
+  scene <- with_rotors(c(0.3, 0.1, 10), list(
+    rotor(c(0, 0, 1), 5e-4, 200), rotor(c(1, 0, 0), 1e-4, 0, 0.01)
+  ))
+  back <- read_scene(write_scene(scene))
+  expect_identical(trajectory(back, 0:2), trajectory(scene, 0:2), ignore_attr = TRUE)
+  expect_output(print(scene), "rotor .* 200 rad/s, driven")
+  names <- names(trajectory(scene, 0:1))
+  expect_true(all(sprintf("rotor_%d_omega_rad_per_s", 1:2) %in% names))
+  expect_true("W[2]" %in% draw_pivot(scene)$quantities$symbol)
+  expect_error(with_rotors(c(0, 0, 1), rotor(c(0, 0, 1), 0.1, 1, 0)), class = "rotdyn_error_value")
+  expect_error(with_rotors(c(0, 0, 1), 3), class = "rotdyn_error_type")
+  pulsed <- with_rotors(c(0, 0, 1), rotor(
+    c(0, 0, 1), 5e-4, 0, data.frame(time_s = c(0, 0.25, 1), torque_n_m = c(0, 0.1, 0))
+  ))
+  expect_identical(pulsed$breaks_s, c(0, 0.25, 1))
+  expect_true(all(audit(trajectory(pulsed, c(0, 0.6, 2)))$verdict == "balanced"))
+})
