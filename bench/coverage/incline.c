@@ -186,12 +186,29 @@ static void settle(body *b) {
   if (b->slip == 0) b->y[2] = b->y[3];
 }
 
-static void note(body *b) {
+static void note(body *b, const quad y[4]) {
   const rot_incline_params *p = &b->s->scene.slope;
   const quad r = p->radius_m;
-  const quad now[] = {(quad)p->x0_m + b->y[0], b->y[2], (quad)p->theta0_rad + b->y[1] / r,
-                      b->y[3] / r};
+  const quad now[] = {(quad)p->x0_m + y[0], y[2], (quad)p->theta0_rad + y[1] / r, y[3] / r};
   for (int k = 0; k < 4; k++) b->most[k] = fmax(b->most[k], fabs((double)now[k]));
+}
+
+/* Where the body turns round within a step, it is farthest. */
+static void note_turns(body *b, quad d, const quad next[4]) {
+  for (int i = 2; i < 4; i++) {
+    if (b->y[i] * next[i] >= 0) continue;
+    quad lo = 0, hi = d, at[4];
+    for (int k = 0; k < 40; k++) {
+      const quad mid = (lo + hi) / 2;
+      step(b, mid, at);
+      if (b->y[i] * at[i] > 0) {
+        lo = mid;
+      } else {
+        hi = mid;
+      }
+    }
+    note(b, at);
+  }
 }
 
 static int walk(body *b, quad target, quad most) {
@@ -218,16 +235,18 @@ static int walk(body *b, quad target, quad most) {
         }
       }
       step(b, hi, next);
+      note_turns(b, hi, next);
       memcpy(b->y, next, sizeof next);
       b->t += hi;
       settle(b);
       choose(b);
-      note(b);
+      note(b, b->y);
       continue;
     }
+    note_turns(b, d, next);
     memcpy(b->y, next, sizeof next);
     b->t = last ? target : b->t + d;
-    note(b);
+    note(b, b->y);
     if (h < most) h *= 1.5Q;
   }
   return 0;
@@ -252,7 +271,7 @@ static int truth(const sample *s, quad rows[ROWS][4], double most[ROWS][4]) {
   /* A start within its rounding rolls. */
   if (fabsq(b.y[2] - b.y[3]) <= 4 * 0x1p-53Q * fabsq(b.y[3])) b.y[3] = b.y[2];
   choose(&b);
-  note(&b);
+  note(&b, b.y);
   const quad span = (quad)s->rows_s[ROWS - 1] - (quad)p->start_s;
   for (int i = 0; i < ROWS; i++) {
     if (walk(&b, s->rows_s[i], span / 32)) return 1;
