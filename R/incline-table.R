@@ -114,8 +114,11 @@ incline_inputs <- function(parameters, time_s, call) {
 run_incline_table <- function(columns, n, threads, call) {
   result <- .Call(ffi_incline_table, columns, threads, progress_bar("inclines"))
   out <- result[[1]]
-  bad <- which(rep_len(result[[2]], n) != 0L)
-  if (all(lengths(columns) == 1L)) out <- lapply(out, rep_len, n)
+  bad <- result[[2]]
+  if (all(lengths(columns) == 1L)) {
+    out <- lapply(out, rep_len, n)
+    if (length(bad)) bad <- seq_len(n)
+  }
   if (!length(bad)) return(out)
   at <- lapply(columns, function(x) if (length(x) == 1L) rep(x, length(bad)) else x[bad])
   rolls <- identical(columns$omega0_rad_per_s, NaN)

@@ -9,7 +9,7 @@
 #include "rot_wide.h"
 
 /* Rows between two polls: some milliseconds. */
-enum { LINEAR_CHUNK = 65536, SCENE_CHUNK = 512 };
+enum { LINEAR_PART = 2048, SCENE_PART = 16 };
 
 static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
 
@@ -182,7 +182,7 @@ rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_
   }
   frame.start_n_m = rot_torque_in_piece(&pieces[0], rows->start_s);
   const rot_status status =
-      rot_share_rows(linear_rows, &frame, rows->n, LINEAR_CHUNK, threads, hooks, info);
+      rot_share_rows(linear_rows, &frame, rows->n, LINEAR_PART, threads, hooks, info);
   free(pieces);
   return status;
 }
@@ -258,5 +258,5 @@ rot_status rot_axle_sweep_scenes(rot_axle_model model, const rot_axle_scene *sce
                                  int threads, const rot_axle_sweep_columns *out,
                                  const rot_hooks *hooks, rot_info *info) {
   const scene_frame frame = {model, scene, rows, friction, out, true_maximum};
-  return rot_share_rows(scene_rows, &frame, rows->n, SCENE_CHUNK, threads, hooks, info);
+  return rot_share_rows(scene_rows, &frame, rows->n, SCENE_PART, threads, hooks, info);
 }

@@ -8,7 +8,7 @@
 #include "rot_share.h"
 #include "rot_wide.h"
 
-enum { CHUNK = 65536, BLOCK = ROT_FREE_BLOCK };
+enum { PART = 2048, BLOCK = ROT_FREE_BLOCK };
 
 typedef struct frame {
   const rot_free_table_rows *rows;
@@ -87,5 +87,5 @@ rot_status rot_free_table(const rot_free_table_rows *rows, int threads,
                           const rot_free_table_columns *out, const rot_hooks *hooks,
                           rot_info *info) {
   const frame f = {rows, out, rot_wide_fma_ok()};
-  return rot_share_rows(table_rows, &f, rows->n, CHUNK, threads, hooks, info);
+  return rot_share_rows(table_rows, &f, rows->n, PART, threads, hooks, info);
 }

@@ -7,7 +7,7 @@
 #include "rot_share.h"
 
 /* Rows between two polls: some milliseconds. */
-enum { CHUNK = 65536 };
+enum { PART = 2048 };
 
 /* How a row moves. Without rolling resistance there are two stretches at most. */
 typedef enum kind {
@@ -265,5 +265,5 @@ rot_status rot_incline_table(const rot_incline_rows *rows, int threads,
                              const rot_incline_table_columns *out, const rot_hooks *hooks,
                              rot_info *info) {
   const frame f = {rows, out};
-  return rot_share_rows(table_rows, &f, rows->n, CHUNK, threads, hooks, info);
+  return rot_share_rows(table_rows, &f, rows->n, PART, threads, hooks, info);
 }
