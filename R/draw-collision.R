@@ -104,6 +104,17 @@ autoplot.rot_collision <- function(object, ..., row = 1, base_size = 13) {
       colour = "grey55", linewidth = if (length(collision$outside)) 1.4 else 0.4
     )
   }
+  if (!is.null(fixed) && is.null(normal)) {
+    if (is.null(rims)) { # what is hinged, from there to the contact
+      plot <- plot + ggplot2::annotate(
+        "segment", x = fixed[, 1], y = fixed[, 2], xend = 0, yend = 0, colour = "grey75",
+        linewidth = 2.5
+      )
+    }
+    plot <- plot + ggplot2::annotate(
+      "point", x = fixed[, 1], y = fixed[, 2], shape = 17, size = 3, colour = "grey30"
+    )
+  }
   if (!is.null(rims)) {
     plot <- plot + ggplot2::geom_path(
       ggplot2::aes(.data$x, .data$y, colour = .data$body), rims, linewidth = 0.8
@@ -119,14 +130,6 @@ autoplot.rot_collision <- function(object, ..., row = 1, base_size = 13) {
     plot <- plot + ggplot2::geom_segment(
       ggplot2::aes(.data$x, .data$y, xend = .data$xend, yend = .data$yend, colour = .data$body),
       arrows, linewidth = 1, arrow = ggplot2::arrow(length = ggplot2::unit(8, "pt"))
-    )
-  }
-  if (!is.null(fixed) && is.null(normal)) {
-    plot <- plot + ggplot2::annotate(
-      "segment", x = fixed[, 1], y = fixed[, 2], xend = 0, yend = 0, colour = "grey70",
-      linewidth = 0.4
-    ) + ggplot2::annotate(
-      "point", x = fixed[, 1], y = fixed[, 2], shape = 17, size = 3, colour = "grey30"
     )
   }
   letters <- c("x", "y", "z")[seen]
