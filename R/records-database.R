@@ -14,44 +14,54 @@ dialects <- c(
   SQLiteConnection = "sqlite", PqConnection = "postgresql", duckdb_connection = "duckdb"
 )
 
-# list(con, dialect, version, close()). `made`: the tables must exist. `scene`: see
-# records_version().
-open_records <- function(con, call, made = TRUE, scene = "") {
-  need_package("DBI", "Recording runs", call)
-  own <- rlang::is_string(con)
-  if (own) {
-    need_package("RSQLite", "A file of records", call)
-    con <- check_file_name(con, call, "con")
-    if (made && !file.exists(con)) {
-      abort_rotdyn(c(
-        "There is no file {.file {con}}.", i = "{.fn records_create} makes one."
-      ), "database", call)
-    }
-    path <- con
-    # RSQLite itself would switch off the waiting for the disk.
-    con <- tryCatch(
-      suppressWarnings(DBI::dbConnect(
-        RSQLite::SQLite(), path, loadable.extensions = FALSE, synchronous = NULL
-      )),
-      error = function(e) abort_database(e, call)
-    )
-  }
-  db <- list(
-    con = con, dialect = dialect_of(con, call),
-    close = if (own) function() DBI::dbDisconnect(con) else function() NULL
-  )
+# A database whose tables are checked. `made`: they must exist.
+open_records <- function(con, call, made = TRUE) {
+  db <- connect_records(con, call, made)
   tryCatch(
-    {
-      if (own) set_references(db, call)
-      db$version <- records_version(db, scene)
-      prepare_connection(db, call)
-      if (made) check_format(db$version, call)
-    },
+    check_records(db, call, made),
     error = function(e) {
       db$close()
       rlang::cnd_signal(e)
     }
   )
+}
+
+# list(con, dialect, close()).
+connect_records <- function(con, call, made = TRUE) {
+  need_package("DBI", "Recording runs", call)
+  if (!rlang::is_string(con)) {
+    return(list(con = con, dialect = dialect_of(con, call), close = function() NULL))
+  }
+  need_package("RSQLite", "A file of records", call)
+  path <- check_file_name(con, call, "con")
+  if (made && !file.exists(path)) {
+    abort_rotdyn(c(
+      "There is no file {.file {path}}.", i = "{.fn records_create} makes one."
+    ), "database", call)
+  }
+  # RSQLite itself would switch off the waiting for the disk.
+  con <- tryCatch(
+    suppressWarnings(DBI::dbConnect(
+      RSQLite::SQLite(), path, loadable.extensions = FALSE, synchronous = NULL
+    )),
+    error = function(e) abort_database(e, call)
+  )
+  db <- list(con = con, dialect = "sqlite", close = function() DBI::dbDisconnect(con))
+  tryCatch(
+    set_references(db, call),
+    error = function(e) {
+      db$close()
+      rlang::cnd_signal(e)
+    }
+  )
+  db
+}
+
+# Adds the version; `scene`: see records_version().
+check_records <- function(db, call, made = TRUE, scene = "") {
+  db$version <- records_version(db, scene, call)
+  prepare_connection(db, call)
+  if (made) check_format(db$version, call)
   db
 }
 
@@ -91,7 +101,7 @@ set_references <- function(db, call) {
   tryCatch(
     {
       RSQLite::sqliteSetBusyHandler(db$con, 10000L)
-      DBI::dbExecute(db$con, "PRAGMA foreign_keys = ON")
+      execute(db, "PRAGMA foreign_keys = ON")
     },
     error = function(e) abort_database(e, call)
   )
@@ -126,17 +136,35 @@ placeholders <- function(sql, dialect) {
   paste0(parts, c(sprintf("$%d", seq_len(n)), "")[seq_along(parts)], collapse = "")
 }
 
+# A statement without rows; DBI::dbExecute() would count those that it changes.
+execute <- function(db, sql, params = NULL) {
+  DBI::dbClearResult(if (is.null(params)) DBI::dbSendStatement(db$con, sql) else {
+    DBI::dbSendStatement(db$con, sql, params = params)
+  })
+}
+
 in_transaction <- function(db, call, code) {
   tryCatch(
-    DBI::dbWithTransaction(db$con, force(code)),
+    whole_or_none(db, code),
     rotdyn_error = function(e) rlang::cnd_signal(e),
     error = function(e) abort_database(e, call)
   )
 }
 
+# An error or an interruption in `code` undoes it. SQLite's writer waits at the beginning alone.
+whole_or_none <- function(db, code) {
+  if (db$dialect == "sqlite") execute(db, "BEGIN IMMEDIATE") else DBI::dbBegin(db$con)
+  done <- FALSE
+  on.exit(if (!done) DBI::dbRollback(db$con))
+  force(code)
+  if (db$dialect == "sqlite") execute(db, "COMMIT") else DBI::dbCommit(db$con)
+  done <- TRUE
+  invisible()
+}
+
 # NULL without the tables; else list(format, rotdyn_version, has_software: this one, has_scene: the
 # one of the hash `scene`, kept: whether SQLite keeps references). One query: each takes 0.3 ms.
-records_version <- function(db, scene) {
+records_version <- function(db, scene, call) {
   kept <- if (db$dialect == "sqlite") "(SELECT foreign_keys FROM pragma_foreign_keys)" else "1"
   rows <- tryCatch(
     DBI::dbGetQuery(db$con, paste0(
@@ -144,7 +172,11 @@ records_version <- function(db, scene) {
       "WHERE software = '", own_software()$software, "') AS software, ",
       "(SELECT COUNT(*) FROM rot_scene WHERE scene = '", scene, "') AS scene FROM rot_format"
     )),
-    error = function(e) NULL
+    error = function(e) {
+      # A file that is locked or no database may have tables of records.
+      other <- db$dialect == "sqlite" && !grepl("no such table", conditionMessage(e), fixed = TRUE)
+      if (other) abort_database(e, call)
+    }
   )
   if (is.null(rows)) return(NULL)
   number <- function(x) as.double(if (inherits(x, "integer64")) big_integers(x) else x)
@@ -194,47 +226,56 @@ refresh_metadata <- function(db, call) {
       }
       append_rows(db, name, rows)
     }
-    DBI::dbExecute(
-      db$con, placeholders("UPDATE rot_format SET rotdyn_version = ?", db$dialect),
-      params = list(own_version())
+    execute(
+      db, placeholders("UPDATE rot_format SET rotdyn_version = ?", db$dialect), list(own_version())
     )
   })
 }
 
-# Columns that are all missing have the type of the table.
-append_rows <- function(db, name, rows) {
+# Columns that are all missing have the type of the table. `form`: see insert_with().
+append_rows <- function(db, name, rows, form = "") {
   table <- all_table_list()[[name]]
   if (!length(rows[[1]])) return(invisible())
-  rows <- rows[names(table$columns)]
-  for (column in names(rows)) {
-    type <- table$columns[[column]]$type
-    rows[[column]] <- switch(type,
-      text = enc2utf8(as.character(rows[[column]])),
-      integer = if (max(abs(rows[[column]]), 0, na.rm = TRUE) < 2^31) {
-        as.integer(rows[[column]])
+  columns <- table$columns
+  rows <- lapply(stats::setNames(nm = names(columns)), function(column) {
+    x <- rows[[column]]
+    switch(columns[[column]]$type,
+      text = enc2utf8(as.character(x)),
+      integer = if (is.integer(x)) x else if (max(abs(x), 0, na.rm = TRUE) < 2^31) {
+        as.integer(x)
       } else {
-        as.double(rows[[column]])
+        as.double(x)
       },
-      as.double(rows[[column]])
+      as.double(x)
     )
-  }
+  })
   if (db$dialect == "sqlite" || length(rows[[1]]) == 1L) {
-    DBI::dbExecute(db$con, insert_with(name, db$dialect), params = unname(as.list(rows)))
+    execute(db, insert_with(name, db$dialect, form), unname(rows))
   } else {
     DBI::dbAppendTable(db$con, table$sql, as.data.frame(rows))
   }
   invisible()
 }
 
-# The statement that adds a row of a table, its values as parameters.
-insert_with <- function(name, dialect) {
-  kept <- paste("insert", name, dialect)
+# The statement that adds a row of a table, its values as parameters. Forms: "new" passes over a row
+# whose key is there; "checked", in SQLite, makes the key NULL, which is refused, unless the
+# connection keeps references and the tables are those of this version.
+insert_with <- function(name, dialect, form = "") {
+  kept <- paste("insert", name, dialect, form)
   if (is.null(registry_texts[[kept]])) {
     table <- all_table_list()[[name]]
     columns <- names(table$columns)
+    values <- rep("?", length(columns))
+    if (form == "checked") {
+      values[1] <- paste0(
+        "CASE WHEN (SELECT foreign_keys FROM pragma_foreign_keys) AND (SELECT MAX(format) FROM ",
+        "rot_format) = ", records_format, " AND (SELECT rotdyn_version FROM rot_format) = '",
+        own_version(), "' THEN ? END"
+      )
+    }
     registry_texts[[kept]] <- placeholders(paste0(
       "INSERT INTO ", table$sql, " (", paste(columns, collapse = ", "), ") VALUES (",
-      paste(rep("?", length(columns)), collapse = ", "), ")"
+      paste(values, collapse = ", "), ")", if (form == "new") " ON CONFLICT DO NOTHING"
     ), dialect)
   }
   registry_texts[[kept]]

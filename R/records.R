@@ -81,7 +81,7 @@ records_create <- function(con, ...) {
   }
   sql <- schema_sql(db$dialect)
   in_transaction(db, call, {
-    for (statement in sql) DBI::dbExecute(db$con, statement)
+    for (statement in sql) execute(db, statement)
     add_metadata(db)
     append_rows(db, "format", list(
       format = records_format, rotdyn_version = own_version(), created_utc = utc_now()
@@ -99,7 +99,7 @@ record_run <- function(con, motion, ..., note = NULL, rows = "some") {
   if (!is.null(note)) note <- check_name(note, "note", call)
   rows <- check_string(rows, "rows", c("some", "all"), call)
   scene <- text_of_motion(motion, call)
-  db <- open_records(con, call, scene = scene$hash)
+  db <- connect_records(con, call)
   on.exit(db$close())
   write_record(db, motion, scene, note, rows, NA_character_, call)
 }

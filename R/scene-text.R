@@ -167,12 +167,12 @@ make_quietly <- function(read, arguments) {
   )
 }
 
-# An argument of 0 or 1 that is so by default is left out.
+# An argument of 0 or 1 that is so by default is left out; -0 is not.
 argument_nodes <- function(arguments, read, where, call) {
   defaults <- formals(read)
   plain <- vapply(names(arguments), function(name) {
     x <- arguments[[name]]
-    (identical(x, 0) || identical(x, 1)) && identical(defaults[[name]], x)
+    (identical(x, 0, num.eq = FALSE) || identical(x, 1)) && identical(defaults[[name]], x)
   }, NA)
   arguments <- arguments[!plain]
   nodes <- Map(function(x, name) {

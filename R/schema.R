@@ -75,8 +75,9 @@ name_text <- text(check = some_text)
 # A rule of several columns: SQL, the same in R of the table's columns, and values that break it.
 rule <- function(sql, holds, wrong) list(sql = sql, holds = holds, wrong = wrong)
 
-db_table <- function(sql, key, columns, unique = list(), rules = list()) {
-  list(sql = sql, key = key, columns = columns, unique = unique, rules = rules)
+# `by_key`: SQLite keeps the rows by the key, without an index beside them.
+db_table <- function(sql, key, columns, unique = list(), rules = list(), by_key = FALSE) {
+  list(sql = sql, key = key, columns = columns, unique = unique, rules = rules, by_key = by_key)
 }
 
 # In an order in which every table refers to itself or to those before it.
@@ -239,7 +240,7 @@ record_tables <- function() {
     ), rules = list(rule(
       "(value IS NULL) = (special IS NOT NULL)", function(x) is.na(x$value) == !is.na(x$special),
       list(value = NA, special = NA)
-    )))
+    )), by_key = TRUE)
   )
 }
 
@@ -363,7 +364,7 @@ table_sql <- function(table, tables, dialect) {
   )
   paste0(
     "CREATE TABLE ", table$sql, " (\n  ", paste(c(columns, more), collapse = ",\n  "), "\n)",
-    if (dialect == "sqlite") " STRICT"
+    if (dialect == "sqlite") if (table$by_key) " STRICT, WITHOUT ROWID" else " STRICT"
   )
 }
 

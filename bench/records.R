@@ -24,15 +24,15 @@ least <- function(con) {
 cat(sprintf("record of 1000 rows, an open connection: %.2f ms\n", least(con)))
 cat(sprintf("record of 1000 rows, a file by its name: %.2f ms\n", least(lab)))
 # Copies of a run under other names make up what is missing to 10,000.
-DBI::dbExecute(con, "PRAGMA foreign_keys = ON")
+invisible(DBI::dbExecute(con, "PRAGMA foreign_keys = ON"))
 columns <- DBI::dbListFields(con, "rot_run")
 n <- nrow(list_runs(con))
-DBI::dbExecute(con, paste0(
+invisible(DBI::dbExecute(con, paste0(
   "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < ", 1e4 - n, ")
   INSERT INTO rot_run SELECT ", paste(ifelse(
     columns == "run", "substr(run, 1, 24) || printf('%012d', i)", columns
   ), collapse = ", "), " FROM n, (SELECT * FROM rot_run LIMIT 1)"
-))
+)))
 stopifnot(nrow(list_runs(con)) == 1e4)
 s <- min(replicate(10, processor_s(list_runs(con))))
 cat(sprintf("10,000 runs listed: %.3f s\n", s))

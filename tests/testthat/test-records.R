@@ -247,6 +247,68 @@ test_that("what is no database of records is refused", {
   expect_error(records_create(lab), "newer format", class = "rotdyn_error_database")
 })
 
+test_that("a file that is made anew, or that another program made", {
+  need()
+  lab <- new_lab()
+  con <- NULL
+  on.exit({
+    if (!is.null(con)) DBI::dbDisconnect(con)
+    unlink(lab)
+  })
+  motion <- trajectory(wheel(), 0:8)
+  for (i in 1:3) record_run(lab, motion)
+  # The scene and the software are not in the new file.
+  unlink(lab)
+  records_create(lab)
+  run <- record_run(lab, motion)
+  expect_identical(list_runs(lab)$run, run)
+  expect_identical(rerun(lab, run)$verdict, "identical")
+  # References that the connection does not keep are kept for the record.
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+  DBI::dbExecute(con, "PRAGMA foreign_keys = OFF")
+  record_run(con, motion)
+  expect_identical(DBI::dbGetQuery(con, "PRAGMA foreign_keys")[[1]], 1L)
+  # In the user's own transaction nothing is recorded, and nothing of it is lost.
+  DBI::dbBegin(con)
+  DBI::dbExecute(con, "UPDATE rot_run SET note = 'mine'")
+  expect_error(record_run(con, motion), "transaction", class = "rotdyn_error_database")
+  DBI::dbCommit(con)
+  expect_identical(list_runs(con)$note, rep("mine", 2))
+  # Another version's rows are completed, tables with other columns are refused.
+  DBI::dbExecute(con, "UPDATE rot_format SET rotdyn_version = '0.0.1'")
+  record_run(con, motion)
+  expect_identical(
+    DBI::dbGetQuery(con, "SELECT rotdyn_version FROM rot_format")[[1]], own_version()
+  )
+  expect_true(all(records_check(con)$holds))
+  DBI::dbExecute(con, "UPDATE rot_format SET format = 2")
+  expect_error(record_run(con, motion), "newer format", class = "rotdyn_error_database")
+  expect_error(record_run(lab, motion), "newer format", class = "rotdyn_error_database")
+  DBI::dbExecute(con, "UPDATE rot_format SET format = 1")
+  DBI::dbExecute(con, "ALTER TABLE rot_run RENAME COLUMN times TO moments")
+  expect_error(record_run(lab, motion), "times", class = "rotdyn_error_database")
+  expect_identical(nrow(list_runs(con)), 3L)
+  text <- tempfile()
+  writeLines(rep("no database", 100), text)
+  expect_error(record_run(text, motion), "not a database", class = "rotdyn_error_database")
+  unlink(text)
+})
+
+test_that("the text that is kept of a scene is that of the same bits", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  hashes <- vapply(c(0, -0, 0, 1), function(omega) {
+    scene <- scene_axle(body_disk(2, 0.25), 0.8, omega0_rad_per_s = omega)
+    run <- record_run(lab, trajectory(scene, 0:8))
+    expect_identical(read_run(lab, run)$scene_hash, scene_hash(scene))
+    expect_identical(rerun(lab, run)$verdict, "identical")
+    scene_hash(scene)
+  }, "")
+  expect_identical(hashes[1], hashes[3])
+  expect_length(unique(hashes), 3)
+})
+
 test_that("an open transaction and an interruption leave nothing of a run", {
   need()
   lab <- new_lab()
