@@ -32,6 +32,41 @@ test_that("heavy tops agree with 40-digit values", {
   }
 })
 
+test_that("the heavy top of Simo and Wong (1991)", {
+  # M = 20, g = l = 1, J = (5, 5, 1), 0.05 rad about x: published H = 1269.975, Lambda_33 = 0.99875.
+  # The rest from the root of its cubic (mpmath, 40 digits) and an independent integration.
+  tilted <- attitude_from(c(0.05, 0, 0), "rotation_vector")
+  published <- scene_pivot(
+    c(5, 5, 1), c(0, 0, 50), mass_kg = 20, centre_m = c(0, 0, 1), attitude0 = tilted,
+    gravity_m_per_s2 = 1
+  )
+  motion <- trajectory(published, c(0, 1, 5, 10))
+  energy <- motion$rotational_kinetic_energy_j + motion$potential_energy_j
+  expect_equal(energy, rep(1269.9750052078994, 4), tolerance = 1e-15)
+  expect_equal(cos(motion$inclination_rad[1]), 0.99875, tolerance = 1e-6)
+  known <- list( # at 1, 5 and 10 s: omega in the body, the axis in space
+    c(-0.0227234352, 0.0368068565, 50, 0.0215411, -0.05001034, 0.99851637),
+    c(-0.0127942823, -0.0323965941, 50, 0.04706796, 0.02419568, 0.99859861),
+    c(-0.0306183994, 0.0286529742, 50, -0.04713223, 0.02674869, 0.99853045)
+  )
+  turned <- attitude_to(motion[c("qw", "qx", "qy", "qz")], "matrix")
+  for (i in 1:3) {
+    row <- i + 1
+    omega <- unlist(unclass(motion)[paste0("omega_", c("x", "y", "z"), "_rad_per_s")])
+    expect_lt(max(abs(omega[row + c(0, 4, 8)] - known[[i]][1:3])), 1e-10)
+    axis <- c(turned[[3]][row], turned[[6]][row], turned[[9]][row])
+    expect_lt(max(abs(axis - known[[i]][4:6])), 1e-8)
+  }
+  # The nutation, from 0.05 rad to where the centre of mass is lowest.
+  turns <- motion_events(trajectory(published, c(0, 10)))
+  lowest <- predict(motion, turns$time_s[turns$event == "lowest"])
+  expect_equal(
+    lowest$inclination_rad, rep(0.05455169022434169, nrow(lowest)), tolerance = 1e-14
+  )
+  highest <- predict(motion, turns$time_s[turns$event == "highest"])
+  expect_equal(highest$inclination_rad, rep(0.05, nrow(highest)), tolerance = 1e-14)
+})
+
 test_that("the closed form and the integrator agree, along any axis and hanging", {
   t <- seq(-1, 2, length.out = 13)
   moments <- c(0.0042, 0.0042, 0.002)
