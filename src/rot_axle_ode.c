@@ -269,7 +269,8 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
         .at_break = m.inertia.n ? cross_inertia : NULL,
         .sloped = IMPULSE,
         .noise = noise,
-        .kinks = has_kinks(scene)};
+        .kinks = has_kinks(scene),
+        .expensive = scene->linear.torque.call != NULL};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
     if (failure == ROT_ERHS) failure = ROT_ETORQUE;
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {

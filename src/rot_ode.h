@@ -88,7 +88,8 @@ typedef struct rot_ode_params {
   /* What rhs itself leaves uncertain of the slopes of each group, or NULL: a step may be off by so
    * much a second besides, or a motion that begins in rhs's rounding would never be resolved. */
   const double *noise;
-  int kinks; /* rhs may have kinks in y that no break and no switch marks */
+  int kinks;     /* rhs may have kinks in y that no break and no switch marks */
+  int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
 } rot_ode_params;
 
 /* Relative errors below this cannot be shown by a second run: its own rounding. */

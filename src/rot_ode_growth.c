@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "rot_expm.h"
+#include "rot_ode_collocate.h"
 #include "rot_ode_step.h"
 #include "rot_real.h"
 
@@ -75,6 +76,7 @@ static rot_status derivative(rot_ode_march *run, const double before[], double d
       for (size_t k = 0; k < n; k++) {
         d[k * n + i] = code == GSL_SUCCESS ? (f[k] - run->slope[k]) / step : 0.0;
       }
+      if (run->track && code == GSL_SUCCESS) rot_ode_track_derivative(run->track, i, f, step);
       y[i] = run->y[i];
     }
   }

@@ -44,6 +44,14 @@ typedef struct rot_ode_walls {
 
 typedef struct rot_ode_growth rot_ode_growth;
 
+/* All nodes of one run on one side, twins where a stretch begins, and the derivatives of dydt by
+ * the controlled components, dim x controlled of each; NaN where a stretch begins. */
+typedef struct rot_ode_track {
+  rot_dense nodes;
+  size_t controlled, room;
+  double *derivative;
+} rot_ode_track;
+
 /* The state of the march.
  *
  *   MOVING     -> a step -> MOVING, CUT
@@ -107,6 +115,7 @@ typedef struct rot_ode_march {
   double limit;           /* no step is longer, after a rejection in a guided run */
   rot_ode_trace *trace;   /* its own steps */
   rot_ode_growth *growth; /* of its rounding; NULL: not followed */
+  rot_ode_track *track;   /* NULL: not kept */
   rot_ode_kinks *kinks;   /* takes those that are found; NULL: none is looked for */
   double kink, over;      /* just before and just after the next one; NaN: none is known */
   double looked_t;        /* where one was looked for last, `looks` times */

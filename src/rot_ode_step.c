@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rot_ode_collocate.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_wall.h"
 #include "rot_real.h"
@@ -142,6 +143,7 @@ rot_status rot_ode_trace_end(rot_ode_march *run, double error) {
 }
 
 rot_status rot_ode_add_node(rot_ode_march *run) {
+  if (run->track && rot_ode_track_node(run->track, run) != ROT_OK) return ROT_ENOMEM;
   return run->y_rows ? rot_dense_insert(&run->dense, run->dense.count, run->t, run->y, run->slope)
                      : ROT_OK;
 }

@@ -59,3 +59,25 @@ test_that("a narrow pulse in a long motion is not passed over", {
   omega <- exp(-1) + 5 * 0.2 * sqrt(pi) * exp(-0.01 * 49.7 + (0.01 * 0.2 / 2)^2)
   expect_lt(abs(motion$omega_rad_per_s[2] / omega - 1), 1e-9)
 })
+
+test_that("a smooth law of the state takes 290 calls a swing at 1e-9", {
+  # theta is written down first; the law makes it the motion.
+  law <- function(time_s, theta_rad, omega_rad_per_s) {
+    theta <- 0.8 * cos(1.3 * time_s)
+    -1.69 * theta + 2 * sin(theta) - 2 * sin(theta_rad) +
+      0.1 * (-1.04 * sin(1.3 * time_s) - omega_rad_per_s)
+  }
+  time_s <- seq(0, 60, 0.25)
+  for (accuracy in c(1e-8, 1e-9, 1e-12)) {
+    scene <- scene_axle(1, torque_function(law, breaks_s = numeric()), theta0_rad = 0.8)
+    motion <- trajectory(scene, time_s, accuracy)
+    info <- attr(motion, "run")$info
+    off <- max(abs(motion$theta_rad - 0.8 * cos(1.3 * time_s)))
+    expect_lte(off, min(info$errors[["theta"]], 0.8 * accuracy))
+    expect_covered(motion, 0.8 * cos(1.3 * 60), -1.04 * sin(1.3 * 60), accuracy)
+    if (accuracy == 1e-9) expect_lt(info$rhs_calls, 4000) # 5560 by steps alone
+    torque <- -1.69 * 0.8 * cos(1.3 * time_s)
+    expect_lt(max(abs(motion$applied_torque_n_m - torque)), 10 * accuracy)
+    expect_identical(audit(motion)$verdict, c("balanced", "balanced"))
+  }
+})
