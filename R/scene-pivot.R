@@ -9,8 +9,9 @@
 #'
 #' A symmetric top (two equal moments, the centre of mass on the axis of the third) is exact at any
 #' time (`pivot_top`): its attitude is good to some 1e-15 rad, through the poles, asleep, hanging.
-#' So is a body that is held at its centre of mass. Everything else is integrated. Events of the
-#' closed form: the centre of mass is `highest` or `lowest`.
+#' So is a body that is held at its centre of mass. Everything else is integrated. Events: the
+#' centre of mass is `highest` or `lowest`; the short cuts below and the models with steps of fixed
+#' length list none.
 #'
 #' A body may carry rotors: a gyroscope's wheel in its frame, reaction wheels that swing a pendulum
 #' up. Then \eqn{L = I\omega + \sum_k J_k W_k a_k}{L = I omega + sum of J W a}, as in

@@ -21,7 +21,7 @@ typedef struct motion {
   double q0[4];                     /* of the principal axes at the start */
   double omega0[3];
   int middle;
-  rot_events flips; /* of all marches, those that count */
+  rot_events seen; /* of all marches, those that count */
 } motion;
 
 /* One run at an accuracy. */
@@ -89,32 +89,72 @@ static int middle_of(const double m[3]) {
   return -1;
 }
 
+/* How fast the centre of mass rises, times the weight. */
+static double rise(double t, const double y[], void *ctx) {
+  static const double up[3] = {0.0, 0.0, 1.0};
+  const motion *m = ctx;
+  const double *g = m->p->lever_n_m;
+  double q[4], w[3], z[3];
+  (void)t;
+  attitude_of(m, y, q);
+  omega_of(m, y, w);
+  rot_attitude_to_body(q, up, z);
+  return z[0] * (w[1] * g[2] - w[2] * g[1]) + z[1] * (w[2] * g[0] - w[0] * g[2]) +
+         z[2] * (w[0] * g[1] - w[1] * g[0]);
+}
+
+/* Logs whether the centre of mass is highest or lowest, by its rise a little later. */
+static void note_turn(double t, const double y[], motion *m, rot_events *events) {
+  double f[MOST], later[MOST];
+  if (rhs(t, y, f, m) != ROT_OK) return;
+  const double rate = hypot(hypot(f[0], f[1]), hypot(f[2], f[3]));
+  const double h = 1e-6 / (rate > 0.0 ? rate : 1.0);
+  for (size_t k = 0; k < m->dim; k++) later[k] = y[k] + h * f[k];
+  const double up = rise(t, later, m);
+  if (up != 0.0) (void)rot_events_add(events, t, up > 0.0 ? ROT_EVENT_LOWEST : ROT_EVENT_HIGHEST);
+}
+
 /* A component of L passes zero in any tumbling; a flip is one of a body that turns over. */
 static rot_ode_then at_zero(double t, double y[], int *mode, int forward, void *ctx) {
   motion *m = ctx;
-  double w[3];
   (void)mode, (void)forward;
-  omega_of(m, y, w);
-  if (rot_free_flips(m->p->moment_kg_m2, w)) (void)rot_events_add(&m->flips, t, ROT_EVENT_FLIP);
+  if (rot_free_has_weight(m->p)) {
+    note_turn(t, y, m, &m->seen);
+  } else {
+    double w[3];
+    omega_of(m, y, w);
+    if (rot_free_flips(m->p->moment_kg_m2, w)) (void)rot_events_add(&m->seen, t, ROT_EVENT_FLIP);
+  }
   return ROT_ODE_GO_ON;
 }
+
+typedef struct entry {
+  double time_s; /* first: compare() takes a time for an entry */
+  rot_event event;
+} entry;
 
 static int compare(const void *x, const void *y) {
   const double a = *(const double *)x, b = *(const double *)y;
   return (a > b) - (a < b);
 }
 
-static void keep_flips(motion *m, rot_events *events) {
+/* Of a log, the events that count, by the names that at_zero() gave them. */
+static rot_status keep_seen(motion *m, rot_events *log) {
+  const size_t n = m->seen.count;
+  entry *list = malloc((n ? n : 1) * sizeof *list);
   size_t kept = 0;
-  if (m->flips.count) qsort(m->flips.time_s, m->flips.count, sizeof(double), compare);
-  for (size_t i = 0; i < events->count; i++) {
-    const double t = events->time_s[i];
-    if (m->flips.count && bsearch(&t, m->flips.time_s, m->flips.count, sizeof t, compare)) {
-      events->time_s[kept++] = t;
-    }
+  for (size_t i = 0; list && i < n; i++) list[i] = (entry){m->seen.time_s[i], m->seen.event[i]};
+  if (list) qsort(list, n, sizeof *list, compare);
+  for (size_t i = 0; list && i < log->count; i++) {
+    const entry *found = bsearch(&log->time_s[i], list, n, sizeof *list, compare);
+    if (!found) continue;
+    log->time_s[kept] = found->time_s;
+    log->event[kept++] = found->event;
   }
-  events->count = kept;
-  rot_events_free(&m->flips);
+  log->count = kept;
+  rot_events_free(&m->seen);
+  free(list);
+  return list ? ROT_OK : ROT_ENOMEM;
 }
 
 static rot_status fill_rows(const motion *m, size_t n, const double y[],
@@ -186,8 +226,10 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
   double start[MOST] = {1.0};
   for (int k = 0; k < 3; k++) start[MOMENTUM + k] = m->rotors.momentum0[k];
   for (size_t k = 0; k < m->rotors.n_states; k++) start[ROTORS + k] = m->rotors.start[k];
-  const rot_ode_event flip = {.component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
-                              .name = ROT_EVENT_FLIP,
+  const int weight = rot_free_has_weight(p);
+  const rot_ode_event zero = {.g = weight ? rise : NULL,
+                              .component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
+                              .name = weight ? ROT_EVENT_HIGHEST : ROT_EVENT_FLIP,
                               .then = at_zero};
   const rot_ode_params ode = {
       .dim = m->dim,
@@ -204,8 +246,8 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .accuracy = 0.5 * accuracy,
       .max_steps = options->max_steps,
       .method = options->method,
-      .n_events = m->middle >= 0 && !rot_free_has_weight(p) && !m->rotors.n,
-      .events = &flip,
+      .n_events = weight || (m->middle >= 0 && !m->rotors.n),
+      .events = &zero,
       .log = &out->events,
       .project = renormalise,
       .kinks = p->law != NULL || p->motors != NULL};
@@ -213,9 +255,9 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
   memset(out->largest, 0, sizeof out->largest);
   const rot_status status =
       rot_ode_run(&ode, n, time_s, out->y, NULL, out->error, out->largest, hooks, &out->info);
-  keep_flips(m, &out->events);
+  const rot_status kept = keep_seen(m, &out->events);
   measure_errors(m, out);
-  return status;
+  return kept == ROT_OK ? status : kept;
 }
 
 static double rates_apart(const motion *m, const double x[], const double z[]) {
@@ -308,6 +350,31 @@ static rot_status run_twice(motion *m, const rot_free_ode_options *options, size
   return status;
 }
 
+/* The events of a run. A body that is released at a turn has one there, as in closed form. */
+static rot_status give_events(motion *m, const rot_events *log, rot_events *events) {
+  double y[MOST] = {1.0};
+  rot_events start = {0};
+  rot_status status = ROT_OK;
+  for (int k = 0; k < 3; k++) y[MOMENTUM + k] = m->rotors.momentum0[k];
+  for (size_t k = 0; k < m->rotors.n_states; k++) y[ROTORS + k] = m->rotors.start[k];
+  if (rot_free_has_weight(m->p) && rise(m->p->start_s, y, m) == 0.0) {
+    note_turn(m->p->start_s, y, m, &start);
+  }
+  size_t i = 0;
+  for (; i < log->count && log->time_s[i] < m->p->start_s && status == ROT_OK; i++) {
+    status = rot_events_add(events, log->time_s[i], log->event[i]);
+  }
+  if (start.count && status == ROT_OK) {
+    status = rot_events_add(events, start.time_s[0], start.event[0]);
+  }
+  for (; i < log->count && status == ROT_OK; i++) {
+    if (start.count && log->time_s[i] == m->p->start_s) continue;
+    status = rot_events_add(events, log->time_s[i], log->event[i]);
+  }
+  rot_events_free(&start);
+  return status;
+}
+
 rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
                               size_t n, const double time_s[], const rot_free_columns *out,
                               double *const flow[ROT_FREE_FLOWS], double flow_error[ROT_FREE_FLOWS],
@@ -338,10 +405,9 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
     flow_error[ROT_FREE_MOTOR_WORK] +=
         2.0 * fabs(m.rotors.driven[k]) * info->measure[ROT_FREE_OMEGA].error;
   }
-  for (size_t i = 0; events && i < result.events.count && status != ROT_ENOMEM; i++) {
-    const rot_status added =
-        rot_events_add(events, result.events.time_s[i], result.events.event[i]);
-    if (added != ROT_OK) status = added;
+  if (events && status != ROT_ENOMEM) {
+    const rot_status given = give_events(&m, &result.events, events);
+    if (given != ROT_OK) status = given;
   }
   rot_events_free(&result.events);
   rot_events_free(&finer.events);

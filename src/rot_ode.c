@@ -227,7 +227,7 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
   const rot_ode_params *p = fine->p;
   const double ratio = (double)fine->parts / (double)coarse->parts;
   double part = part_of_distance(coarse, fine, ratio, rounding_share);
-  const int smooth = !p->turn && p->n_events == 0;
+  const int smooth = !p->turn && (p->n_events == 0 || !p->mode); /* else events change the law */
   const double mend = smooth && fine->method == ROT_METHOD_RK8PD
                           ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0)
                           : 0.0;

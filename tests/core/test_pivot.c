@@ -66,6 +66,32 @@ static void test_events(void) {
   rot_events_free(&events);
 }
 
+/* Released or thrown, before the start and after it, the integrator lists the turns of the closed
+ * form. */
+static void test_turns_of_both(void) {
+  enum { N = 3 };
+  const double time_s[N] = {-2.0, 1.0, 6.0};
+  srand(41);
+  for (int k = 0; k < 40; k++) {
+    rot_free_params p = random_top(k % 3);
+    if (k % 4 == 0) p.omega0_rad_per_s[(k + 1) % 3] = p.omega0_rad_per_s[(k + 2) % 3] = 0.0;
+    rows a, b;
+    rot_info info;
+    rot_events form = {0}, steps = {0};
+    const rot_free_columns out = columns_of(&a);
+    ROT_CHECK_EQ_INT(rot_pivot_top(&p, N, time_s, &out, &form, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(integrated(&p, 1e-11, ROT_METHOD_NONE, N, time_s, &b, &steps, &info), ROT_OK);
+    ROT_CHECK_EQ_INT((long)steps.count, (long)form.count);
+    ROT_CHECK(form.count > 0);
+    for (size_t i = 0; i < form.count && i < steps.count; i++) {
+      ROT_CHECK(form.event[i] == steps.event[i]);
+      ROT_CHECK(fabs(form.time_s[i] - steps.time_s[i]) <= 1e-8);
+    }
+    rot_events_free(&form);
+    rot_events_free(&steps);
+  }
+}
+
 static void test_refusals(void) {
   rot_free_params p = {.axes = {1.0}, .moment_kg_m2 = {1.0, 1.0, 0.5}, .q0 = {1.0}};
   p.lever_n_m[2] = 1.0;
@@ -80,6 +106,7 @@ static void test_refusals(void) {
 int main(void) {
   test_against_integration();
   test_events();
+  test_turns_of_both();
   test_refusals();
   return rot_test_report("pivot");
 }

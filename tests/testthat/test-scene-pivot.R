@@ -137,6 +137,23 @@ test_that("events, nutation and what is conserved", {
   expect_false(conserved(top(damping_per_s = 0.1))$conserved[1])
 })
 
+test_that("tops that are integrated have the turns of their closed form", {
+  scene <- top()
+  exact <- motion_events(trajectory(scene, c(0, 2)))
+  run <- motion_events(trajectory(scene, c(0, 2), model = "pivot_rk8pd"))
+  expect_identical(run$event, exact$event)
+  expect_equal(run$time_s, exact$time_s, tolerance = 1e-9)
+  # An asymmetric one: where it is highest or lowest it neither rises nor falls.
+  odd <- scene_pivot(c(0.004, 0.005, 0.002), c(1, 0.5, 40), mass_kg = 0.5, centre_m = c(0, 0, 0.08),
+                     attitude0 = rotation_about(c(1, 0, 0), angle_rad = 0.5))
+  turns <- motion_events(trajectory(odd, c(0, 1)))
+  height <- function(time_s) trajectory(odd, time_s, accuracy = 1e-11)$potential_energy_j
+  at <- height(turns$time_s)
+  for (step in c(-1e-3, 1e-3)) {
+    expect_identical(height(turns$time_s + step) < at, turns$event == "highest")
+  }
+})
+
 test_that("highest and lowest are those of the centre of mass, on either side of the point", {
   for (lever in c(0.08, -0.08)) {
     scene <- scene_pivot(
