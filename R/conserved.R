@@ -102,14 +102,16 @@ keeps_table <- function(statements) {
 # Each balance with the statement of its quantity. Conserved: nothing may be dissipated, and a
 # momentum may not change, beyond what rounding and the stated error explain.
 mark_conserved <- function(balances, statements) {
+  # About nothing is NA in both.
+  key <- function(quantity, about) paste(quantity, about, sep = "\r")
+  known <- vapply(statements, function(s) key(s$quantity, s$about), "")
   lapply(balances, function(b) {
-    same <- Filter(function(s) {
-      s$quantity == b$balance && identical(is.na(s$about), is.na(b$about)) &&
-        (is.na(b$about) || s$about == b$about)
-    }, statements)
-    b$conserved <- if (length(same)) same[[1]]$conserved else NA
-    moved <- abs(c(b$dissipated, if (b$balance != "energy") b$change))
-    if (isTRUE(b$conserved) && isTRUE(any(moved > b$rounding))) b$verdict <- "unbalanced"
+    at <- match(key(b$balance, b$about), known)
+    b$conserved <- if (is.na(at)) NA else statements[[at]]$conserved
+    if (isTRUE(b$conserved)) {
+      moved <- abs(c(b$dissipated, if (b$balance != "energy") b$change))
+      if (isTRUE(any(moved > b$rounding))) b$verdict <- "unbalanced"
+    }
     b
   })
 }
