@@ -3,7 +3,8 @@
 # Gravity's impulses are integrals along the motion; its work is what the height gives.
 pivot_ledger <- function(scene, run, from_s, to_s) {
   names <- c("work_j", "heat_j", free_impulses("torque"), free_impulses("damping"))
-  flow <- stats::setNames(double(8), names)
+  if (!is.null(scene$rotors)) names <- c(names, "motor_work_j") # on the axis: none
+  flow <- stats::setNames(double(length(names)), names)
   errors <- c(energy_rounding_j = 0, impulse_rounding_n_m_s = 0)
   if (!(from_s < to_s)) return(c(flow, errors))
   ends <- pivot_height_torque(scene, run, c(from_s, to_s))
@@ -50,7 +51,7 @@ pivot_top <- list(
   equations = "L' = L x omega + r x m g (body axes), q' = q (0, omega)/2, two moments equal",
   assumptions = "rigid body; the centre of mass on the axis of symmetry; no friction at the point",
   limits = "beyond 1e15 rad no digit of the attitude is left",
-  requires = "a symmetric top, gravity, and nothing else",
+  requires = "a symmetric top, gravity, rotors on its axis, and nothing else",
   source = "Goldstein 2002, section 5.7; elliptic functions of DLMF 19 and 22",
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     result <- .Call(ffi_pivot_top, scene, time_s, progress_bar("spinning"))

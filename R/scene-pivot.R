@@ -15,8 +15,10 @@
 #'
 #' A body may carry rotors: a gyroscope's wheel in its frame, reaction wheels that swing a pendulum
 #' up. Then \eqn{L = I\omega + \sum_k J_k W_k a_k}{L = I omega + sum of J W a}, as in
-#' [scene_free()], with I that of the body with the rotors locked. Gyrostats that are held at their
-#' centre of mass, with the rotors along a principal axis, are exact (`pivot_gyrostat`).
+#' [scene_free()], with I that of the body with the rotors locked. A symmetric top with rotors on
+#' its axis is exact (`pivot_top`): its axis moves as that of a top with the spin
+#' \eqn{\omega_3 + JW/I_3}{omega3 + J W/I3}. So is a body that is held at its centre of mass, with
+#' rotors along a principal axis (`pivot_gyrostat`).
 #'
 #' Two short cuts of the fast top have a bound, and are taken where it is within the accuracy asked:
 #' `pivot_precession`, the gyroscope that goes round at torque over angular momentum, and

@@ -200,18 +200,6 @@ static double by_given(const gyrostat *g, double t) {
   return 8.0 * g->given * turned * (1.0 + swing);
 }
 
-/* As rot_free_note(), with the momenta of the rotors. */
-static void note(const gyrostat *g, const double w[3], double angle_error, double omega_error) {
-  const double *m = g->p->moment_kg_m2, most = fmax(m[0], fmax(m[1], m[2]));
-  const double size = length(g->rotors.momentum0) + g->rotors.size + most * length(w);
-  rot_measure *momentum = &g->info->measure[ROT_FREE_MOMENTUM];
-  rot_free_note(g->p, w, angle_error, omega_error, g->info);
-  rot_note_value(momentum, length(g->rotors.momentum0));
-  rot_note_value(momentum, g->rotors.size);
-  momentum->error =
-      fmax(momentum->error, most * omega_error + size * (angle_error + 8.0 * ROT_EPS));
-}
-
 static rot_status write_general(const gyrostat *g, rot_dd t, size_t i) {
   double turn[4], own[4], rate[3], w[3], q[4], angle_error, omega_error;
   if (!(fabs(t.hi) * g->motion.size < 1e250)) return ROT_ERANGE;
@@ -223,7 +211,8 @@ static rot_status write_general(const gyrostat *g, rot_dd t, size_t i) {
   }
   rot_attitude_times(g->q0, own, q);
   (void)rot_attitude_unit(q);
-  note(g, w, angle_error + 8.0 * ROT_EPS, ldexp(omega_error, g->exponent));
+  rot_free_rotors_note(&g->rotors, w, angle_error + 8.0 * ROT_EPS, ldexp(omega_error, g->exponent),
+                       g->info);
   const rot_status status = rot_free_write(g->p, w, q, i, g->out);
   if (status != ROT_OK) return status;
   return rot_free_rotors_write(&g->rotors, w, q, g->rotors.start, i, g->out);
@@ -252,7 +241,7 @@ static rot_status write_row(void *model, size_t i) {
   const double omega_error = 12.0 * ROT_EPS * (g->size + fabs(g->along)) +
                              fmin(phase * g->spin_size + g->direction_error, 2.0) * g->size +
                              fmin(given, 2.0) * ldexp(rate, g->exponent);
-  note(g, w, angle_error, omega_error);
+  rot_free_rotors_note(&g->rotors, w, angle_error, omega_error, g->info);
   const rot_status status = rot_free_write(g->p, w, q, i, g->out);
   if (status != ROT_OK) return status;
   return rot_free_rotors_write(&g->rotors, w, q, g->rotors.start, i, g->out);
@@ -270,6 +259,6 @@ rot_status rot_free_gyrostat(const rot_free_params *p, size_t n, const double ti
   g.time_s = time_s;
   g.out = out;
   g.info = info;
-  note(&g, g.rotors.omega0, 0.0, 0.0);
+  rot_free_rotors_note(&g.rotors, g.rotors.omega0, 0.0, 0.0, info);
   return rot_march_rows(&march, &g, p->start_s, n, time_s, hooks, info);
 }

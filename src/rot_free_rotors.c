@@ -174,6 +174,20 @@ double rot_free_rotors_driven_work(const rot_free_rotors *r, const double omega[
   return work;
 }
 
+static double length(const double x[3]) { return hypot(hypot(x[0], x[1]), x[2]); }
+
+void rot_free_rotors_note(const rot_free_rotors *r, const double omega[3], double angle_error,
+                          double omega_error, rot_info *info) {
+  const double *m = r->p->moment_kg_m2, most = fmax(m[0], fmax(m[1], m[2]));
+  const double size = length(r->momentum0) + r->size + most * length(omega);
+  rot_measure *momentum = &info->measure[ROT_FREE_MOMENTUM];
+  rot_free_note(r->p, omega, angle_error, omega_error, info);
+  rot_note_value(momentum, length(r->momentum0));
+  rot_note_value(momentum, r->size);
+  momentum->error =
+      fmax(momentum->error, most * omega_error + size * (angle_error + 8.0 * ROT_EPS));
+}
+
 rot_status rot_free_rotors_write(const rot_free_rotors *r, const double omega[3], const double q[4],
                                  const double s[], size_t i, const rot_free_columns *out) {
   const rot_free_params *p = r->p;

@@ -55,6 +55,10 @@ rot_status rot_free_rotors_slopes(const rot_free_rotors *r, double t, const doub
 /* The work of the motors of driven rotors, from the start to these rates. */
 double rot_free_rotors_driven_work(const rot_free_rotors *r, const double omega[3]);
 
+/* As rot_free_note(), with the momenta of the rotors. */
+void rot_free_rotors_note(const rot_free_rotors *r, const double omega[3], double angle_error,
+                          double omega_error, rot_info *info);
+
 /* What rotors change in row i, which rot_free_write() wrote: L, the energy; and their columns. */
 rot_status rot_free_rotors_write(const rot_free_rotors *r, const double omega[3], const double q[4],
                                  const double s[], size_t i, const rot_free_columns *out);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "rot_attitude.h"
+#include "rot_free_rotors.h"
 #include "rot_march.h"
 #include "rot_top_motion.h"
 
@@ -24,14 +25,29 @@ int rot_pivot_axis(const rot_free_params *p) {
   return -1;
 }
 
+/* Whether all rotors lie along axis k. */
+static int along(const rot_free_rotors *r, int k) {
+  const double most = r->p->turned ? 8.0 * ROT_EPS : 0.0;
+  for (size_t i = 0; i < r->n; i++) {
+    if (!(fabs(r->axis[i][(k + 1) % 3]) <= most && fabs(r->axis[i][(k + 2) % 3]) <= most)) return 0;
+  }
+  return 1;
+}
+
 const char *rot_pivot_not_top(const rot_free_params *p) {
-  if (rot_pivot_axis(p) < 0) return "it is no symmetric top";
-  return NULL;
+  const int k = rot_pivot_axis(p);
+  rot_free_rotors rotors;
+  if (k < 0) return "it is no symmetric top";
+  if (!p->n_rotors) return NULL;
+  const char *why = rot_free_rotors_begin(p, &rotors);
+  if (why) return why;
+  return along(&rotors, k) ? NULL : "the rotors are not along the axis of symmetry";
 }
 
 typedef struct run {
   const rot_free_params *p;
   rot_top_motion motion;
+  rot_free_rotors rotors;
   int axis;       /* of symmetry; the top's axes 1, 2, 3 are axis + 1, axis + 2, axis (modulo 3) */
   double turn[4]; /* v_principal = turn v_top turn* */
   const double *time_s;
@@ -43,7 +59,16 @@ static rot_status begin(const rot_free_params *p, run *r) {
   const int k = rot_pivot_axis(p);
   double omega[3], q[4];
   rot_top_start start;
-  if (k < 0 || p->n_rotors) return ROT_EVALUE;
+  rot_dd wheels = {0.0, 0.0};
+  if (k < 0) return ROT_EVALUE;
+  if (p->n_rotors && (rot_free_rotors_begin(p, &r->rotors) || !along(&r->rotors, k))) {
+    return ROT_EVALUE;
+  }
+  for (size_t i = 0; i < p->n_rotors; i++) { /* their speeds are constant, as omega3 is */
+    const rot_free_rotor *one = &p->rotors[i];
+    const rot_dd spin = rot_dd_mul2(one->moment_kg_m2, one->omega_rad_per_s);
+    wheels = rot_dd_add(wheels, r->rotors.axis[i][k] < 0.0 ? rot_dd_neg(spin) : spin);
+  }
   r->p = p;
   r->axis = k;
   for (int i = 0; i < 4; i++) r->turn[i] = rot_pivot_turns[k][i];
@@ -64,8 +89,16 @@ static rot_status begin(const rot_free_params *p, run *r) {
   }
   const double a = p->moment_kg_m2[(k + 1) % 3], b = p->moment_kg_m2[(k + 2) % 3];
   const double given = fmax(p->given, fabs(a - b) / a);
-  return rot_top_begin(a, p->moment_kg_m2[k], p->lever_n_m[k], &start,
-                       p->turned ? fmax(given, 4.0 * ROT_EPS) : given, &r->motion);
+  return rot_top_begin_wheels(a, p->moment_kg_m2[k], p->lever_n_m[k], wheels, &start,
+                              p->turned ? fmax(given, 4.0 * ROT_EPS) : given, &r->motion);
+}
+
+static void note(const run *r, const double omega[3], double angle_error, double omega_error) {
+  if (r->p->n_rotors) {
+    rot_free_rotors_note(&r->rotors, omega, angle_error, omega_error, r->info);
+  } else {
+    rot_free_note(r->p, omega, angle_error, omega_error, r->info);
+  }
 }
 
 static rot_status write_row(void *model, size_t i) {
@@ -78,8 +111,10 @@ static rot_status write_row(void *model, size_t i) {
   rot_attitude_times(at.q, back, q);
   (void)rot_attitude_unit(q);
   for (int k = 0; k < 3; k++) omega[(r->axis + 1 + k) % 3] = at.omega[k];
-  rot_free_note(r->p, omega, at.q_error + 4.0 * ROT_EPS, at.omega_error, r->info);
-  return rot_free_write(r->p, omega, q, i, r->out);
+  note(r, omega, at.q_error + 4.0 * ROT_EPS, at.omega_error);
+  const rot_status status = rot_free_write(r->p, omega, q, i, r->out);
+  if (status != ROT_OK || !r->p->n_rotors) return status;
+  return rot_free_rotors_write(&r->rotors, omega, q, r->rotors.start, i, r->out);
 }
 
 /* The times at which lambda t + start is a multiple of K. */
@@ -114,7 +149,7 @@ rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s
   info->status = begin(p, &r);
   if (info->status != ROT_OK) return info->status;
   rot_free_principal(p, omega, q);
-  rot_free_note(p, omega, 0.0, 0.0, info);
+  note(&r, omega, 0.0, 0.0);
   const rot_status status = rot_march_rows(&march, &r, p->start_s, n, time_s, hooks, info);
   return status == ROT_OK ? info->status = log_turns(&r, n, time_s, events) : status;
 }

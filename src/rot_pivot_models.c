@@ -47,7 +47,7 @@ static double bound_of(const rot_model *model, const void *scene, const rot_quer
 
 static const rot_model models[] = {
     {"pivot_top",
-     WEIGHT,
+     WEIGHT | ROTORS,
      ROT_BOUND,
      1e-14,
      ROT_FREELY,

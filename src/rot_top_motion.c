@@ -38,7 +38,8 @@ void rot_top_from_euler(double phi, double theta, double psi, double phi_rate, d
 /* What the motion is made of, in its unit of time. */
 typedef struct setup {
   rot_dd q[4], omega[3];
-  rot_dd a, beta;     /* I3 omega3/I1, 2 G/I1 > 0 */
+  rot_dd wheels;      /* their angular momentum */
+  rot_dd a, beta;     /* L3/I1 with L3 = I3 omega3 + wheels, 2 G/I1 > 0 */
   rot_dd down, up;    /* 1 - u and 1 + u at the start */
   rot_dd minus, plus; /* b - a, b + a, with b the momentum about the vertical over I1 */
   rot_dd rise;        /* u' at the start */
@@ -383,11 +384,22 @@ static rot_status begin_scaled(double i1, double i3, double weight, setup *s, ro
     if (s->omega[i].hi != 0.0) (void)frexp(s->omega[i].hi, &ei);
     if (s->omega[i].hi != 0.0 && ei > e) e = ei;
   }
+  int e_wheels = 0;
+  rot_dd wheels = none;
+  if (s->wheels.hi != 0.0) {
+    int e_own, e_moment;
+    const double moment = frexp(i1, &e_moment);
+    (void)frexp(s->wheels.hi, &e_own);
+    wheels = rot_dd_div(rot_dd_ldexp(s->wheels, -e_own), (rot_dd){moment, 0.0});
+    e_wheels = e_own - e_moment;
+    if (e_wheels + 1 > e) e = e_wheels + 1;
+  }
   if (e - half > 100) return ROT_ERANGE; /* beta below 2^-200 of the squares of the rates */
   out->exponent = e;
   s->beta = rot_dd_ldexp(beta, 1 + e_beta - 2 * e);
   for (int i = 0; i < 3; i++) s->omega[i] = rot_dd_ldexp(s->omega[i], -e);
   s->a = rot_dd_mul(moments, s->omega[2]);
+  if (wheels.hi != 0.0) s->a = rot_dd_add(s->a, rot_dd_ldexp(wheels, e_wheels - e));
   const rot_dd spin = rot_dd_sub(s->omega[2], s->a);
   const rot_dd *q = s->q, *w = s->omega;
   s->down = twice(rot_dd_add(square(q[1]), square(q[2])));
@@ -404,19 +416,26 @@ static rot_status begin_scaled(double i1, double i3, double weight, setup *s, ro
   out->b_plus_a = s->plus.hi;
   const double high = rot_dd_add(square(w[0]), square(w[1])).hi + s->beta.hi * s->up.hi;
   out->rate = sqrt(high + w[2].hi * w[2].hi);
+  if (wheels.hi != 0.0) out->rate += fabs(ldexp(wheels.hi, e_wheels - e));
   begin_moving(s, spin, out);
   return ROT_OK;
 }
 
 rot_status rot_top_begin(double i1, double i3, double weight, const rot_top_start *start,
                          double given, rot_top_motion *out) {
+  return rot_top_begin_wheels(i1, i3, weight, none, start, given, out);
+}
+
+rot_status rot_top_begin_wheels(double i1, double i3, double weight, rot_dd wheels,
+                                const rot_top_start *start, double given, rot_top_motion *out) {
   setup s;
   memset(&s, 0, sizeof s);
   memset(out, 0, sizeof *out);
   memcpy(s.q, start->q, sizeof s.q);
   memcpy(s.omega, start->omega, sizeof s.omega);
   out->given = given;
-  int good = i1 > 0.0 && i3 >= 0.0 && isfinite(i1) && isfinite(weight) && i3 / i1 < 2.0 + 1e-9;
+  int good = i1 > 0.0 && i3 >= 0.0 && isfinite(i1) && isfinite(weight) && i3 / i1 < 2.0 + 1e-9 &&
+             finite_dd(wheels) && (wheels.hi == 0.0 || weight != 0.0);
   for (int i = 0; i < 4; i++) good = good && finite_dd(s.q[i]);
   for (int i = 0; i < 3; i++) good = good && finite_dd(s.omega[i]);
   if (!good || !unit(s.q)) return ROT_EVALUE;
@@ -431,6 +450,7 @@ rot_status rot_top_begin(double i1, double i3, double weight, const rot_top_star
   }
   out->hangs = weight < 0.0;
   if (out->hangs) turn_over(s.q, s.omega);
+  s.wheels = out->hangs ? rot_dd_neg(wheels) : wheels;
   return begin_scaled(i1, i3, weight, &s, out);
 }
 

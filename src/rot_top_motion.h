@@ -49,7 +49,7 @@ typedef struct rot_top_motion {
   int weightless;    /* G = 0: free */
   rot_free_motion free;
   double q0[4];        /* the attitude at the start */
-  double omega3, spin; /* spin: omega3 (1 - I3/I1), which only turns the body on its axis */
+  double omega3, spin; /* spin: omega3 - L3/I1, which only turns the body on its axis */
   double b_minus_a, b_plus_a;
   double above, below, swing; /* 1 - u2, 1 + u1, u2 - u1: u goes from u1 to u2 */
   double cosine;              /* u at the start */
@@ -67,6 +67,13 @@ typedef struct rot_top_motion {
  * rates. `given`: relative error of the constants. */
 rot_status rot_top_begin(double transverse_kg_m2, double axial_kg_m2, double weight_n_m,
                          const rot_top_start *start, double given, rot_top_motion *out);
+
+/* With wheels on the axis, which have this constant angular momentum relative to the body: the axis
+ * follows from that of all, I3 omega3 + wheels. The moments are those with the wheels locked; with
+ * wheels the weight must not be 0 (ROT_EVALUE). */
+rot_status rot_top_begin_wheels(double transverse_kg_m2, double axial_kg_m2, double weight_n_m,
+                                rot_dd wheels, const rot_top_start *start, double given,
+                                rot_top_motion *out);
 
 typedef struct rot_top_state {
   double q[4];     /* body to space, unit */

@@ -29,9 +29,10 @@ static quad product(quad (*y)[ORDER + 1], int i, int j, int k) {
 }
 
 /* One step of Euler's equations with the quaternion. */
-static void step(double i1, double i3, double weight, quad h, quad state[STATE]) {
+static void step(double i1, double i3, double weight, double wheels, quad h, quad state[STATE]) {
   static quad y[STATE][ORDER + 1];
   const quad a = ((quad)i1 - (quad)i3) / (quad)i1, g = (quad)weight / (quad)i1;
+  const quad turn = (quad)wheels / (quad)i1;
   for (int i = 0; i < STATE; i++) y[i][0] = state[i];
   for (int k = 0; k < ORDER; k++) {
     const quad n = k + 1;
@@ -40,8 +41,8 @@ static void step(double i1, double i3, double weight, quad h, quad state[STATE])
     y[1][k + 1] = (P(0, 4) + P(2, 6) - P(3, 5)) / (2 * n);
     y[2][k + 1] = (P(0, 5) + P(3, 4) - P(1, 6)) / (2 * n);
     y[3][k + 1] = (P(0, 6) + P(1, 5) - P(2, 4)) / (2 * n);
-    y[4][k + 1] = (a * P(5, 6) + 2 * g * (P(2, 3) + P(0, 1))) / n;
-    y[5][k + 1] = (-a * P(4, 6) - 2 * g * (P(1, 3) - P(0, 2))) / n;
+    y[4][k + 1] = (a * P(5, 6) - turn * y[5][k] + 2 * g * (P(2, 3) + P(0, 1))) / n;
+    y[5][k + 1] = (-a * P(4, 6) + turn * y[4][k] - 2 * g * (P(1, 3) - P(0, 2))) / n;
     y[6][k + 1] = 0;
 #undef P
   }
@@ -55,11 +56,16 @@ static void step(double i1, double i3, double weight, quad h, quad state[STATE])
 static quad value(rot_dd x) { return (quad)x.hi + (quad)x.lo; }
 
 typedef struct scene {
-  double i1, i3, weight, theta, omega[3], time_s;
+  double i1, i3, weight, wheels, theta, omega[3], time_s;
 } scene;
 
+static double rate_of(const scene *s) {
+  return sqrt(fabs(s->weight)) + fabs(s->omega[0]) + fabs(s->omega[1]) + fabs(s->omega[2]) +
+         fabs(s->wheels) / s->i1;
+}
+
 static scene draw(int kind, double span) {
-  scene s = {1.0, uniform(0.0, 2.0), log_uniform(-2.0, 2.0), uniform(0.0, 3.14159), {0}, 0.0};
+  scene s = {1.0, uniform(0.0, 2.0), log_uniform(-2.0, 2.0), 0.0, uniform(0.0, 3.14159), {0}, 0.0};
   if (rand() % 4 == 0) s.weight = -s.weight;
   for (int i = 0; i < 3; i++) s.omega[i] = uniform(-1.0, 1.0) * log_uniform(-2.0, 1.3);
   const double critical = 2.0 * sqrt(fabs(s.weight)) / s.i3;
@@ -89,18 +95,24 @@ static scene draw(int kind, double span) {
   }
   case 7: /* a rod, or a plate */ s.i3 = rand() % 2 ? 0.0 : 2.0; break;
   case 8: /* weak gravity */ s.weight *= log_uniform(-12.0, -2.0); break;
-  default: /* fast */ s.omega[2] *= 30.0;
+  case 9: /* fast */ s.omega[2] *= 30.0; break;
+  case 10: /* wheels */
+    s.wheels = uniform(-1.0, 1.0) * log_uniform(-2.0, 1.3);
+    if (rand() % 3 == 0) s.theta = rand() % 2 ? 0.0 : 0x1.921fb54442d18p+1;
+    break;
+  default: /* fast wheels in a body that is let go */
+    s.wheels = uniform(-1.0, 1.0) * log_uniform(-1.0, 2.8);
+    for (int i = 0; i < 3; i++) s.omega[i] *= rand() % 3 ? 0.0 : 0.1;
   }
-  const double rate = sqrt(fabs(s.weight)) + fabs(s.omega[0]) + fabs(s.omega[1]) + fabs(s.omega[2]);
-  s.time_s = uniform(0.0, span) / rate;
+  s.time_s = uniform(0.0, span) / rate_of(&s);
   return s;
 }
 
 int main(int argc, char **argv) {
-  enum { KINDS = 10 };
+  enum { KINDS = 12 };
   static const char *const names[KINDS] = {
-      "any",           "released",      "planar",     "at a pole",    "next to a pole",
-      "nearly asleep", "nearly steady", "rod, plate", "weak gravity", "fast"};
+      "any",           "released",   "planar",       "at a pole", "next to a pole", "nearly asleep",
+      "nearly steady", "rod, plate", "weak gravity", "fast",      "wheels",         "fast wheels"};
   const int scenes = argc > 1 ? atoi(argv[1]) : 300;
   const unsigned seed = argc > 2 ? (unsigned)atoi(argv[2]) : 1u;
   const double span = argc > 3 ? atof(argv[3]) : 60.0;
@@ -116,7 +128,8 @@ int main(int argc, char **argv) {
     rot_top_from_euler(uniform(-3.0, 3.0), s.theta, uniform(-3.0, 3.0), 0.0, 0.0, s.omega[2],
                        &start);
     for (int i = 0; i < 2; i++) start.omega[i] = (rot_dd){s.omega[i], 0.0};
-    if (rot_top_begin(s.i1, s.i3, s.weight, &start, 0.0, &motion) != ROT_OK) {
+    if (rot_top_begin_wheels(s.i1, s.i3, s.weight, (rot_dd){s.wheels, 0.0}, &start, 0.0, &motion) !=
+        ROT_OK) {
       printf("refused: %s\n", names[kind]);
       missed++;
       continue;
@@ -128,10 +141,8 @@ int main(int argc, char **argv) {
     for (int i = 0; i < 4; i++) size = size * (3 - length * size * size) / 2;
     for (int i = 0; i < 4; i++) y[i] = value(start.q[i]) * size;
     for (int i = 0; i < 3; i++) y[4 + i] = value(start.omega[i]);
-    const double rate =
-        sqrt(fabs(s.weight)) + fabs(s.omega[0]) + fabs(s.omega[1]) + fabs(s.omega[2]);
-    const int steps = 1 + (int)ceil(s.time_s * rate / 0.4);
-    for (int i = 0; i < steps; i++) step(s.i1, s.i3, s.weight, (quad)s.time_s / steps, y);
+    const int steps = 1 + (int)ceil(s.time_s * rate_of(&s) / 0.4);
+    for (int i = 0; i < steps; i++) step(s.i1, s.i3, s.weight, s.wheels, (quad)s.time_s / steps, y);
     double q[4], off = 0.0;
     for (int i = 0; i < 4; i++) q[i] = (double)y[i];
     for (int i = 0; i < 3; i++) {
@@ -145,9 +156,10 @@ int main(int argc, char **argv) {
     if (!(worse <= worst[kind])) worst[kind] = worse;
     if (!(worse <= 1.0)) {
       missed++;
-      printf("missed: %s, %.3g of the bound %.2e; I3 %a G %a theta %a omega %a %a %a t %a\n",
-             names[kind], worse, now.q_error, s.i3, s.weight, s.theta, s.omega[0], s.omega[1],
-             s.omega[2], s.time_s);
+      printf(
+          "missed: %s, %.3g of the bound %.2e; I3 %a G %a wheels %a theta %a omega %a %a %a t %a\n",
+          names[kind], worse, now.q_error, s.i3, s.weight, s.wheels, s.theta, s.omega[0],
+          s.omega[1], s.omega[2], s.time_s);
     }
   }
   for (int k = 0; k < KINDS; k++) {

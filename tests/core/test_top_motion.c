@@ -222,7 +222,40 @@ static void check_special(void) {
   ROT_CHECK(rot_top_begin(1.0, 1.0, 1.0, &x.start, 0.0, &motion) == ROT_EVALUE);
 }
 
+/* With wheels of momentum h the axis moves as that of a top with the spin omega3 + h/I3; the body
+ * is turned about it by -h/I3 t more. Standing and hanging; without weight there is no answer. */
+static void check_wheels(void) {
+  const double h = -1.5, i3 = 0.5, times[] = {0.25, 3.0, -41.0, 1e9};
+  for (int k = 0; k < 4; k++) {
+    for (int side = -1; side <= 1; side += 2) {
+      top x = {1.0, i3, 2.0 * side, {{{0.0, 0.0}}, {{0.0, 0.0}}}};
+      rot_top_motion motion;
+      rot_top_state with;
+      rot_top_from_euler(0.3, 1.1, -0.4, 0.25, 0.5, 2.0, &x.start);
+      ROT_CHECK(rot_top_begin_wheels(x.i1, x.i3, x.weight, (rot_dd){h, 0.0}, &x.start, 0.0,
+                                     &motion) == ROT_OK);
+      rot_top_at(&motion, (rot_dd){times[k], 0.0}, &with);
+      x.start.omega[2].hi += h / i3; /* -1 */
+      const rot_top_state fast = at(&x, times[k]);
+      const double half = -0.5 * h / i3 * times[k];
+      const double turn[4] = {cos(half), 0.0, 0.0, sin(half)};
+      double q[4];
+      rot_attitude_times(fast.q, turn, q);
+      const double angle = rot_attitude_angle(q, with.q);
+      ROT_CHECK(angle <= 4e-15 && angle <= with.q_error + fast.q_error);
+      ROT_CHECK(with.omega[2] == 2.0);
+    }
+  }
+  top x = {1.0, i3, 0.0, {{{1.0, 0.0}}, {{0.0, 0.0}}}};
+  rot_top_motion motion;
+  const rot_dd wheels[] = {{h, 0.0}, {INFINITY, 0.0}};
+  for (int k = 0; k < 2; k++) {
+    ROT_CHECK(rot_top_begin_wheels(1.0, i3, k, wheels[k], &x.start, 0.0, &motion) == ROT_EVALUE);
+  }
+}
+
 int main(void) {
+  check_wheels();
   check_table();
   check_answers();
   check_equations();

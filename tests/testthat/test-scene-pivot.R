@@ -284,13 +284,20 @@ test_that("a wheel on the axis of a top moves that axis as the top's own spin do
   t <- seq(0, 3, by = 0.25)
   top <- trajectory(with_rotors(c(0.3, 0.1, 10 + 5e-4 * 200 / 0.002)), t)
   expect_identical(attr(top, "run")$model, "pivot_top")
-  for (wheel in list(rotor(c(0, 0, 1), 5e-4, 200), rotor(c(0, 0, 1), 5e-4, 200, 0))) {
-    motion <- trajectory(with_rotors(c(0.3, 0.1, 10), wheel), t, accuracy = 1e-11)
-    expect_identical(attr(motion, "run")$model, "pivot_rk8pd")
+  for (wheel in list(rotor(c(0, 0, 1), 5e-4, 200), rotor(c(0, 0, -1), 5e-4, -200, 0))) {
+    scene <- with_rotors(c(0.3, 0.1, 10), wheel)
+    exact <- trajectory(scene, t)
+    expect_identical(attr(exact, "run")$model, "pivot_top")
+    expect_lt(max(abs(axis_of_top(exact) - axis_of_top(top))), 1e-14)
+    motion <- trajectory(scene, t, accuracy = 1e-11, model = "pivot_rk8pd")
+    expect_lt(max(attitude_difference(motion, exact)), 1e-10)
+    for (name in names(exact)) expect_equal(motion[[name]], exact[[name]], tolerance = 1e-9)
+    expect_true(all(audit(exact)$verdict == "balanced"))
+    expect_identical(unique(augment(exact)$motor_work_j), 0)
     expect_lt(max(abs(axis_of_top(motion) - axis_of_top(top))), 1e-10)
     expect_equal(motion$inclination_rad, top$inclination_rad, tolerance = 1e-10)
     expect_equal(motion$omega_z_rad_per_s, rep(10, length(t)), tolerance = 1e-10)
-    expect_equal(motion$rotor_1_omega_rad_per_s, rep(200, length(t)), tolerance = 1e-10)
+    expect_equal(abs(motion$rotor_1_omega_rad_per_s), rep(200, length(t)), tolerance = 1e-10)
     for (name in c("x", "y", "z")) {
       column <- paste0("angular_momentum_", name, "_kg_m2_per_s")
       expect_equal(motion[[column]], top[[column]], tolerance = 1e-9)
@@ -364,4 +371,36 @@ test_that("rotors of a body with a fixed point come back from text, and are draw
   ))
   expect_identical(pulsed$breaks_s, c(0, 0.25, 1))
   expect_true(all(audit(trajectory(pulsed, c(0, 0.6, 2)))$verdict == "balanced"))
+})
+
+test_that("a top with a wheel is exact in any axes of the body", {
+  turn <- rotation_about(c(1, 2, 3), angle_rad = 0.7)
+  start <- matrix(unlist(attitude_to(attitude_from(c(pi / 6, 0, 0), "rotation_vector"), "matrix")),
+                  3, byrow = TRUE)
+  scene_in <- function(turn) {
+    tensor <- turn %*% diag(c(0.0042, 0.0042, 0.002)) %*% t(turn)
+    scene_pivot(
+      (tensor + t(tensor)) / 2, as.vector(turn %*% c(0.3, 0.1, 10)),
+      mass_kg = 0.5, centre_m = as.vector(turn %*% c(0, 0, 0.08)), attitude0 = start %*% t(turn),
+      rotors = rotor(as.vector(turn %*% c(0, 0, 1)), 5e-4, 200)
+    )
+  }
+  t <- c(0, 0.7, 30)
+  plain <- trajectory(scene_in(diag(3)), t)
+  turned <- trajectory(scene_in(turn), t)
+  for (one in list(plain, turned)) expect_identical(attr(one, "run")$model, "pivot_top")
+  expect_equal(turned$inclination_rad, plain$inclination_rad, tolerance = 1e-12)
+  for (name in c("omega_space_x_rad_per_s", "angular_momentum_x_kg_m2_per_s", "potential_energy_j",
+                 "rotational_kinetic_energy_j", "rotor_1_angular_momentum_kg_m2_per_s")) {
+    expect_equal(turned[[name]], plain[[name]], tolerance = 1e-11)
+  }
+  expect_true(all(audit(turned)$verdict == "balanced"))
+  # Across the axis, or with a motor, it is integrated.
+  across <- with_rotors(c(0.3, 0.1, 10), rotor(c(1, 0, 0), 5e-4, 200))
+  choice <- choose_model(across, t)
+  expect_match(choice$reason[choice$model == "pivot_top"], "not along the axis of symmetry")
+  expect_identical(choice$model[choice$chosen], "pivot_rk8pd")
+  expect_true(all(audit(trajectory(across, t[1:2]))$verdict == "balanced"))
+  driven <- choose_model(with_rotors(c(0.3, 0.1, 10), rotor(c(0, 0, 1), 5e-4, 200, 0.1)), t)
+  expect_identical(driven$model[driven$chosen], "pivot_rk8pd")
 })
