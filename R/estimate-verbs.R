@@ -5,12 +5,12 @@ estimate_form <- list(
     w_omega = "values?", floor = "numbers:2"
   ),
   breaks = list(time_s = "numbers", segment = "numbers=time_s", first = "numbers=time_s"),
-  fit = "numbers:4", degrees = "number", process = "number", ramp_se_s = "numbers",
+  fit = "numbers:4", degrees = "number", process = "number", break_se_s = "numbers",
   ends = list(
     time_s = "numbers", segment = "numbers=time_s", excess = "numbers=time_s",
     reach_s = "numbers=time_s"
   ),
-  samples = "number", end = "number",
+  samples = "number", end = "number", sought = "flag",
   left_out = "flags", residual = "values",
   asked = list(
     inertia = "values?", level = "number", scale_u = "number", bias_u = "number",
@@ -28,7 +28,7 @@ check_estimate <- function(x, arg, call) {
     length(fit$data$time_s) > 0L && is.integer(fit$data$segment) &&
     length(fit$data$segment) == length(fit$data$time_s) &&
     all(lengths(fit$core[c("theta", "omega", "w_theta", "w_omega")]) %in% c(0L, n)) &&
-    length(fit$ramp_se_s) == length(fit$breaks$time_s) && fit$fit[1] %in% 2:5 &&
+    length(fit$break_se_s) == length(fit$breaks$time_s) && fit$fit[1] %in% 2:5 &&
     all(fit$breaks$first %in% 1:3) && !is.unsorted(fit$core$segment)
   if (!ok) abort_form("parts", arg, "estimate", call)
   fit

@@ -55,11 +55,26 @@ static rot_smooth_break *read_breaks(SEXP list, size_t room, size_t *n) {
   return out;
 }
 
+/* Order, lambda, ratio, sigma; what write_fit() adds where it is there. */
 static rot_smooth_fit read_fit(SEXP x) {
-  const double *v = ffi_reals(x, "fit", 4);
+  const int whole = XLENGTH(x) == 8;
+  const double *v = ffi_reals(x, "fit", whole ? 8 : 4);
   rot_smooth_fit fit = {{(int)v[0], v[1]}, v[2], v[3], NAN, NAN, 0, 0, 0};
+  if (whole) {
+    fit.objective = v[4];
+    fit.end = (int)v[5];
+    fit.samples = (size_t)v[6];
+    fit.fresh = (size_t)v[7];
+  }
   if (!(v[0] >= ROT_SMOOTH_LEAST && v[0] <= ROT_SMOOTH_MOST)) Rf_error("internal: `order`");
   return fit;
+}
+
+static SEXP write_fit(const rot_smooth_fit *fit) {
+  const double numbers[] = {fit->model.order,     fit->model.lambda, fit->ratio,
+                            fit->sigma,           fit->objective,    fit->end,
+                            (double)fit->samples, (double)fit->fresh};
+  return ffi_numbers(8, numbers);
 }
 
 /* Orders (first, last), most breaks to look for, whether samples may be left out. The fit, the
@@ -79,10 +94,7 @@ SEXP ffi_smooth_fit(SEXP list, SEXP breaks, SEXP options, SEXP progress) {
   ffi_guard_end(&guard, status);
   if (status != ROT_OK) return Rf_mkString(rot_status_kind(status));
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  const double numbers[] = {fit.model.order,     fit.model.lambda, fit.ratio,
-                            fit.sigma,           fit.objective,    fit.end,
-                            (double)fit.samples, (double)fit.fresh};
-  SET_VECTOR_ELT(out, 0, ffi_numbers(8, numbers));
+  SET_VECTOR_ELT(out, 0, write_fit(&fit));
   for (int j = 1; j < 4; j++) {
     SEXP column = Rf_allocVector(REALSXP, (R_xlen_t)n_breaks);
     SET_VECTOR_ELT(out, j, column);
@@ -97,6 +109,23 @@ SEXP ffi_smooth_fit(SEXP list, SEXP breaks, SEXP options, SEXP progress) {
       LOGICAL(left)[(size_t)c * record.n + i] = record.y[c] != NULL && !(record.w[c][i] < HUGE_VAL);
   UNPROTECT(1);
   return out;
+}
+
+/* The fit with its breaks known, with an order up to the last one: see rot_smooth_refine(). */
+SEXP ffi_smooth_refine(SEXP list, SEXP breaks, SEXP fit, SEXP last_order, SEXP progress) {
+  const double *last = ffi_reals(last_order, "last_order", 1);
+  const rot_smooth_record record = read_record(list);
+  rot_smooth_fit refined = read_fit(fit);
+  size_t n_breaks;
+  const rot_smooth_break *known = read_breaks(breaks, 0, &n_breaks);
+  ffi_guard guard;
+  if (!(last[0] >= ROT_SMOOTH_LEAST && last[0] <= ROT_SMOOTH_MOST)) Rf_error("internal: `order`");
+  ffi_guard_begin(&guard, progress);
+  const rot_status status =
+      rot_smooth_refine(&record, n_breaks, known, (int)last[0], &guard.hooks, &refined);
+  ffi_guard_end(&guard, status);
+  if (status != ROT_OK) return Rf_mkString(rot_status_kind(status));
+  return write_fit(&refined);
 }
 
 /* What follows needs: a grid with samples, breaks and other times, filtered. */

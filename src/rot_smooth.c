@@ -327,8 +327,9 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
   const int p = model->order;
   process of;
   state at;
+  const size_t settles = nodes->settles > ROT_SMOOTH_BEHIND ? nodes->settles : ROT_SMOOTH_BEHIND;
   /* Samples of this segment, and behind its last break; a filter that goes on counts them all. */
-  size_t seen = ROT_SMOOTH_SKIPPED, behind = ROT_SMOOTH_BEHIND;
+  size_t seen = ROT_SMOOTH_SKIPPED, behind = settles;
   steady kept = {0, NAN, {0.0, 0.0}, {{0.0}}, {0.0, 0.0}, {0, 0}};
   process_begin(&of, model);
   memset(&at, 0, sizeof at);
@@ -344,7 +345,7 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
     else {
       const double log_variance = forget(nodes, p, k, first, &at);
       if (first == ROT_SMOOTH_STARTS)
-        seen = 0, behind = ROT_SMOOTH_BEHIND;
+        seen = 0, behind = nodes->settles > 0 ? 0 : settles;
       else {
         sums->fresh += first < p ? (size_t)(p - first) : 0;
         sums->log_f -= log_variance;
@@ -369,11 +370,14 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
           sums->log_f += log(f);
           sums->square += v * v / f;
           sums->counted++;
-          if (behind >= ROT_SMOOTH_BEHIND) {
+          if (behind >= settles) {
             sums->order_log_f += log(f);
             sums->order_square += v * v / f;
             sums->order_counted++;
           }
+        } else {
+          sums->first_log_f += log(f);
+          sums->first_square += v * v / f;
         }
         behind++;
         repeats = repeats && !(fabs(w - kept.w[c]) > 0.0) && same(f, kept.f[c]);
@@ -391,7 +395,7 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
     }
     if (stores) store_node(store, p, k, &at);
     kept.repeats = repeats && any ? kept.repeats + 1 : 0;
-    if (!stores && kept.repeats >= 2 && seen >= ROT_SMOOTH_SKIPPED && behind >= ROT_SMOOTH_BEHIND) {
+    if (!stores && kept.repeats >= 2 && seen >= ROT_SMOOTH_SKIPPED && behind >= settles) {
       k = coast(nodes, &of, &kept, k + 1, to, &at, sums) - 1;
       kept.repeats = 0;
     }

@@ -37,6 +37,7 @@ typedef struct rot_smooth_nodes {
   const double *y[ROT_SMOOTH_CHANNELS]; /* rad; rad/s times h0. NaN: no sample. NULL: none */
   const double *w[ROT_SMOOTH_CHANNELS]; /* their s.d. in units of sigma, greater than 0 */
   const signed char *first;             /* FLOWS, STARTS, or the first state that is forgotten */
+  size_t settles; /* samples behind a start or break that comparing orders leaves out, if more */
 } rot_smooth_nodes;
 
 typedef struct rot_smooth_model {
@@ -59,7 +60,8 @@ void rot_smooth_store_free(rot_smooth_store *store);
 typedef struct rot_smooth_sums {
   double log_f, square; /* log F and v^2/F */
   size_t counted, samples;
-  size_t fresh; /* states that breaks forget */
+  size_t fresh;                     /* states that breaks forget */
+  double first_log_f, first_square; /* of the samples that do not count */
   /* The same without the first samples behind each break. What a diffuse state adds to log F
    * depends on its unit, so that orders with breaks are comparable here alone. */
   double order_log_f, order_square;

@@ -74,4 +74,11 @@ rot_status rot_smooth_search(rot_smooth_grid *grid, const rot_smooth_record *rec
                              int last_order, const rot_smooth_fit *near, const rot_hooks *hooks,
                              rot_smooth_fit *fit);
 
+/* An angle's fit with its breaks known: a higher order up to `last_order` where that predicts
+ * better, and a smaller lambda where cross-validation asks for it. Other records, and those whose
+ * samples are joined, keep theirs. */
+rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
+                             const rot_smooth_break *breaks, int last_order, const rot_hooks *hooks,
+                             rot_smooth_fit *fit);
+
 #endif

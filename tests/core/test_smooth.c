@@ -187,7 +187,7 @@ static void against_quadruple(int p, double lambda, int rates) {
     else
       z[k] = NAN;
   }
-  const rot_smooth_nodes nodes = {N, gap, {y, rates ? z : NULL}, {NULL, NULL}, first};
+  const rot_smooth_nodes nodes = {N, gap, {y, rates ? z : NULL}, {NULL, NULL}, first, 0};
   const rot_smooth_model model = {p, lambda};
   exact_smoother(&nodes, &model, mean, covariance);
   rot_smooth_store store;
@@ -239,7 +239,7 @@ static void make_series(series *of, int uneven) {
     of->first[k] = ROT_SMOOTH_FLOWS;
   }
   of->first[0] = ROT_SMOOTH_STARTS;
-  const rot_smooth_nodes nodes = {N, of->gap, {of->y, NULL}, {of->w, NULL}, of->first};
+  const rot_smooth_nodes nodes = {N, of->gap, {of->y, NULL}, {of->w, NULL}, of->first, 0};
   of->nodes = nodes;
 }
 
@@ -308,8 +308,8 @@ static void score_of_shock(void) {
       broken.y[at] = NAN;
       broken.gap[at + 1] = 0.0;
       broken.first[at + 1] = 1;
-      const rot_smooth_nodes nodes = {
-          N + 1, broken.gap, {broken.y, NULL}, {broken.w, NULL}, broken.first};
+      const rot_smooth_nodes nodes = {N + 1,        broken.gap, {broken.y, NULL}, {broken.w, NULL},
+                                      broken.first, 0};
       ROT_CHECK_REL(squares(&all.nodes, &model) - squares(&nodes, &model), shock[at], 1e-5);
       broken.first[at + 1] = (signed char)(p - 1);
       const double fall = squares(&all.nodes, &model) - squares(&nodes, &model);
@@ -328,7 +328,7 @@ static void kept_gain(void) {
     first[k] = k ? ROT_SMOOTH_FLOWS : ROT_SMOOTH_STARTS;
     y[k] = k % 997 == 996 ? NAN : 300.0 * sin(0.01 * k) + normal();
   }
-  const rot_smooth_nodes nodes = {MANY, gap, {y, NULL}, {NULL, NULL}, first};
+  const rot_smooth_nodes nodes = {MANY, gap, {y, NULL}, {NULL, NULL}, first, 0};
   for (int p = 3; p <= 4; p++)
     for (int e = -10; e <= 2; e += 3) {
       const rot_smooth_model model = {p, pow(10.0, e)};
@@ -434,6 +434,74 @@ static void exact_line(void) {
   ROT_CHECK(fit.sigma < 1e-13);
 }
 
+/* n log GCV of a fit by the smoother's residuals and variances, and -2 log L. */
+static double validation(const rot_smooth_record *record, const rot_smooth_model *model,
+                         double *objective) {
+  static double mean[500 * P], cov[500 * 6];
+  rot_smooth_grid grid;
+  rot_smooth_store store;
+  rot_smooth_sums sums;
+  double square = 0.0, left = 0.0, sigma;
+  ROT_CHECK(rot_smooth_grid_new(&grid, record, 0, 0) == ROT_OK);
+  rot_smooth_grid_fill(&grid, record, 1.0, 0, NULL, NULL);
+  *objective = rot_smooth_objective(&grid.nodes, model, 0.0, &sigma, &sums);
+  ROT_CHECK(rot_smooth_store_new(&store, grid.nodes.n, model->order) == ROT_OK);
+  rot_smooth_filter(&grid.nodes, model, 0, grid.nodes.n, &store, 1, &sums);
+  rot_smooth_smooth(&grid.nodes, model, &store, mean, cov);
+  for (size_t k = 0; k < grid.nodes.n; k++) {
+    const double off = record->y[0][k] - mean[k * (size_t)model->order];
+    square += off * off;
+    left += 1.0 - cov[6 * k];
+  }
+  rot_smooth_store_free(&store);
+  rot_smooth_grid_free(&grid);
+  return (double)record->n * (log(square) - 2.0 * log(left));
+}
+
+/* An oscillation: lambda is lowered from that of the likelihood, as far as cross-validation falls,
+ * and the order grows where the motion has one more derivative. */
+static void refined(void) {
+  static samples of;
+  int lowered = 0;
+  for (int trial = 0; trial < 5; trial++) {
+    make_samples(&of, 400);
+    for (int i = 0; i < 400; i++) of.theta[i] = 2.0 * sin(3.0 * of.time[i]) + 0.02 * normal();
+    const rot_smooth_finding how = {0, 0, 4, 4, 0};
+    rot_smooth_fit fit, kept;
+    size_t n = 0;
+    double objective, before;
+    ROT_CHECK(rot_smooth_find(&of.record, &how, NULL, &n, NULL, &fit) == ROT_OK);
+    kept = fit;
+    ROT_CHECK(rot_smooth_refine(&of.record, 0, NULL, 4, NULL, &fit) == ROT_OK);
+    ROT_CHECK_EQ_INT(fit.model.order, 4);
+    const double least = validation(&of.record, &fit.model, &objective);
+    ROT_CHECK_REL(fit.objective, objective, 1e-10);
+    if (fit.model.lambda < kept.model.lambda) {
+      lowered++;
+      ROT_CHECK(least < validation(&of.record, &kept.model, &before) - 0.9);
+      ROT_CHECK(objective > before && fit.sigma > kept.sigma);
+    } else
+      ROT_CHECK_REL(fit.model.lambda, kept.model.lambda, 1e-12);
+    const rot_smooth_model beyond = {4, fit.model.lambda * pow(10.0, -0.25)};
+    if (fit.model.lambda > 0.06 * kept.model.lambda)
+      ROT_CHECK(validation(&of.record, &beyond, &before) > least - 0.1);
+    ROT_CHECK(rot_smooth_refine(&of.record, 0, NULL, 5, NULL, &kept) == ROT_OK);
+    ROT_CHECK(kept.model.order >= 4);
+  }
+  ROT_CHECK(lowered >= 2);
+  /* An exponential has order 5. */
+  make_samples(&of, 400);
+  for (int i = 0; i < 400; i++)
+    of.theta[i] = 30.0 * (1.0 - exp(-of.time[i] / 3.0)) + 3e-3 * normal();
+  const rot_smooth_finding how = {0, 0, 3, 4, 0};
+  rot_smooth_fit fit;
+  size_t n = 0;
+  ROT_CHECK(rot_smooth_find(&of.record, &how, NULL, &n, NULL, &fit) == ROT_OK);
+  ROT_CHECK_EQ_INT(fit.model.order, 4);
+  ROT_CHECK(rot_smooth_refine(&of.record, 0, NULL, 5, NULL, &fit) == ROT_OK);
+  ROT_CHECK_EQ_INT(fit.model.order, 5);
+}
+
 /* Random nodes of every kind: variances are finite and not negative, covariances within them. */
 static void random_nodes(void) {
   const char *asked = getenv("ROT_SMOOTH_RECORDS"), *from = getenv("ROT_SMOOTH_SEED");
@@ -460,8 +528,8 @@ static void random_nodes(void) {
     }
     first[0] = ROT_SMOOTH_STARTS;
     const int kind = (int)(3.0 * uniform());
-    const rot_smooth_nodes nodes = {
-        n, gap, {kind == 1 ? NULL : y, kind == 0 ? NULL : z}, {v, w}, first};
+    const rot_smooth_nodes nodes = {n,      gap,   {kind == 1 ? NULL : y, kind == 0 ? NULL : z},
+                                    {v, w}, first, 0};
     const rot_smooth_model model = {p, pow(10.0, 20.0 * uniform() - 14.0)};
     rot_smooth_store store;
     rot_smooth_sums sums;
@@ -491,6 +559,7 @@ int main(void) {
   draws();
   impact_and_outlier();
   exact_line();
+  refined();
   random_nodes();
   return rot_test_report("smooth");
 }
