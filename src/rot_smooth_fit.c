@@ -318,9 +318,9 @@ rot_status rot_smooth_search(rot_smooth_grid *grid, const rot_smooth_record *rec
  * whose alpha it has with half the error. */
 static const double settling = 4.0;
 /* Where the motion is smoother than the process (an oscillation), the likelihood takes too large a
- * lambda: Wahba, Ann. Statist. 13 (1985) 1378. Steps and their number in log10 lambda, and by how
- * much n log GCV must fall: without that limit, coast-downs lose 5 % of alpha by chance. */
-static const double lower = 0.25, enough = 1.0;
+ * lambda: Wahba, Ann. Statist. 13 (1985) 1378. Steps in log10 lambda, by how much each must lower
+ * n log GCV, and their number. Without that limit coast-downs lose 5 % of alpha by chance. */
+static const double lower = 0.25, enough = 0.5;
 enum { LOWER = 5 };
 
 /* n times the logarithm of the generalised cross-validation score RSS/(n - edf)^2. With S = sum
@@ -422,19 +422,16 @@ rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
   }
   grid.nodes.settles = 0;
   const double at = log10(of[best].model.lambda);
-  double before = HUGE_VAL, lambda = of[best].model.lambda;
+  double before = 0.0, lambda = of[best].model.lambda;
   for (int step = 0; step <= LOWER && status == ROT_OK; step++) {
     const double value = cross_validation(&grid.nodes, best, at - step * lower);
-    if (step == 0)
-      least = value;
-    else if (!(value < before))
-      break;
-    if (value < least - enough) lambda = pow(10.0, at - step * lower);
+    if (step > 0 && !(value < before - enough)) break;
+    lambda = pow(10.0, at - step * lower);
     before = value;
     status = rot_poll(hooks, 0.0);
   }
   if (status == ROT_OK) *fit = of[best];
-  if (status == ROT_OK && lambda < fit->model.lambda) {
+  if (status == ROT_OK && lambda < 0.9 * fit->model.lambda) {
     fit->model.lambda = lambda;
     fit->objective = rot_smooth_objective(&grid.nodes, &fit->model, floor, &fit->sigma, &sums);
   }

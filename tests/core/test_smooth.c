@@ -478,13 +478,13 @@ static void refined(void) {
     ROT_CHECK_REL(fit.objective, objective, 1e-10);
     if (fit.model.lambda < kept.model.lambda) {
       lowered++;
-      ROT_CHECK(least < validation(&of.record, &kept.model, &before) - 0.9);
+      ROT_CHECK(least < validation(&of.record, &kept.model, &before) - 0.45);
       ROT_CHECK(objective > before && fit.sigma > kept.sigma);
     } else
       ROT_CHECK_REL(fit.model.lambda, kept.model.lambda, 1e-12);
     const rot_smooth_model beyond = {4, fit.model.lambda * pow(10.0, -0.25)};
     if (fit.model.lambda > 0.06 * kept.model.lambda)
-      ROT_CHECK(validation(&of.record, &beyond, &before) > least - 0.1);
+      ROT_CHECK(validation(&of.record, &beyond, &before) > least - 0.55);
     ROT_CHECK(rot_smooth_refine(&of.record, 0, NULL, 5, NULL, &kept) == ROT_OK);
     ROT_CHECK(kept.model.order >= 4);
   }
