@@ -1,6 +1,6 @@
 # What a record costs: Rscript bench/records.R
 #
-# Processor time of record_run() for a trajectory of 1000 rows, the least of 40 batches of 20, on an
+# Processor time of record_run() for a trajectory of 1000 rows, the least of 200 batches of 5, on an
 # open connection and by the name of a file; and of list_runs() for 10,000 runs. Goals: at most 5 ms
 # and 0.2 s.
 library(rotdyn)
@@ -15,11 +15,10 @@ wheel <- scene_axle(
 motion <- trajectory(wheel, seq(0, 8, length.out = 1000))
 processor_s <- function(code) sum(system.time(code)[c("user.self", "sys.self")])
 batch_ms <- function(con) {
-  processor_s(for (i in 1:20) record_run(con, motion)) / 20 * 1e3
+  processor_s(for (i in 1:5) record_run(con, motion)) / 5 * 1e3
 }
 least <- function(con) {
-  batch_ms(con)
-  min(replicate(40, batch_ms(con)))
+  min(replicate(200, batch_ms(con)))
 }
 cat(sprintf("record of 1000 rows, an open connection: %.2f ms\n", least(con)))
 cat(sprintf("record of 1000 rows, a file by its name: %.2f ms\n", least(lab)))
