@@ -18,9 +18,9 @@
 #' Where the motion is smoother than the process expects (an oscillation), that q is too large. Of
 #' angles, generalised cross-validation may lower it, by a factor of 18 at most. Blocks of samples
 #' that are left out and interpolated tell so, too, and the bands are narrowed. Measured with
-#' `make check-measurement`, a nominal 95 % of omega is 96 % for spin-ups and stops, 98 % for
-#' coast-downs and pendulums; of alpha 97 to 99 %; in the first and last 3 % of a record 92 to 97 %
-#' of omega and 89 to 98 % of alpha.
+#' `make check-measurement`, a nominal 95 % of omega is 95 % for spin-ups, 96 % for stops, 97 % for
+#' coast-downs and 98 % for pendulums; of alpha 96 to 99 %; in the first and last 3 % of a record 94
+#' to 97 % of omega and 92 to 98 % of alpha.
 #'
 #' **Breaks.** At a break the rate jumps (an impact), the acceleration does (a switched torque, a
 #' stop), or its derivative (a torque that begins or ceases to change steadily: a ramp; not at order

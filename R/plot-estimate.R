@@ -44,13 +44,19 @@ autoplot.rot_estimate <- function(object, ..., units = NULL, base_size = 13) {
     sum(breaks$segment == object$segment[i] & breaks$time_s <= object$time_s[i])
   }, 0L)
   piece <- interaction(object$segment, piece, drop = TRUE)
+  # Nearer to a break than the error of its time a row may lie on either side: no band is drawn.
+  either <- vapply(seq_len(nrow(object)), function(i) {
+    any(breaks$segment == object$segment[i] &
+      abs(breaks$time_s - object$time_s[i]) < 2 * fit$break_se_s)
+  }, NA)
   long <- do.call(rbind, lapply(seq_along(panels), function(i) {
     column <- function(what) {
       object[[paste0(panels[[i]][2], what, "_", panels[[i]][3])]] * labels[[i]]$factor
     }
     data.frame(
       panel = levels[i], time = object$time_s * time$factor, piece = piece, value = column(""),
-      low = column("_low"), high = column("_high")
+      low = ifelse(either, column(""), column("_low")),
+      high = ifelse(either, column(""), column("_high"))
     )
   }))
   dots <- function(name, i, channel) {
