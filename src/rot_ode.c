@@ -52,7 +52,7 @@ static rot_status run_sides(rot_ode_march *run, job *j) {
     run->parts = j->parts;
     run->trace = &j->trace[forward];
     run->track = j->track ? &j->track[forward] : NULL;
-    if (run->track) run->track->nodes.count = 0;
+    if (run->track) run->track->nodes.count = 0, run->track->slid = 0;
     run->trace->dim = j->p->dim;
     run->trace->count = 0;
     if (forward) run->info->rows_done = j->before;
@@ -356,8 +356,8 @@ static int collocates(const rot_ode_params *p, const rot_ode_growth *growth) {
 static rot_status collocate(const job *coarse, double y[], double slope[], double error[],
                             double largest[], const rot_hooks *hooks, rot_info *info, int *good) {
   const rot_ode_output rows = {coarse->n, coarse->before, coarse->time_s, y, slope};
-  info->status =
-      rot_ode_collocate(coarse->p, coarse->track, &rows, hooks, info, error, largest, good);
+  info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, &rows, hooks, info,
+                                   error, largest, good);
   if (!*good) return info->status;
   for (size_t m = 0; m < coarse->p->dim; m++) {
     error[m] += roundings_of(coarse, m, info->steps, largest[m]);
@@ -422,7 +422,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     parts++; /* for WALL_MARGIN */
   }
   int solved = 0;
-  if (coarse.track && n && info->status == ROT_OK && !stepwise && !walls.count && !kinks.count) {
+  if (coarse.track && n && info->status == ROT_OK && !stepwise && !kinks.count) {
     hopeless = collocate(&coarse, y, slope, error, largest, hooks, info, &solved) != ROT_OK;
   }
   coarse.track = NULL;

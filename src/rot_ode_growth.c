@@ -53,6 +53,16 @@ void rot_ode_growth_hold(rot_ode_growth *g, size_t component) {
   }
 }
 
+/* Beyond a wall the right-hand side is called on the wall: no difference there. */
+static int passes_wall(const rot_ode_march *run, size_t component, double to) {
+  for (size_t k = 0; k < run->walls->count; k++) {
+    const rot_ode_wall *w = &run->walls->wall[k];
+    if (w->component != component) continue;
+    if (run->side[k] > 0 ? to < w->above : run->side[k] < 0 && to > w->below) return 1;
+  }
+  return 0;
+}
+
 /* The derivative of the slope by the state, from differences of a thousandth of the step. */
 static rot_status derivative(rot_ode_march *run, const double before[], double d[]) {
   const rot_ode_params *p = run->p;
@@ -68,11 +78,11 @@ static rot_status derivative(rot_ode_march *run, const double before[], double d
     }
     const double by = fmax(1e-3 * moved, 1e-8 * fmax(size, run->largest[m]));
     for (size_t i = g.first; i < g.first + g.count; i++) {
-      y[i] = run->y[i] + by;
+      y[i] = run->y[i] + (passes_wall(run, i, run->y[i] + by) ? -by : by);
       const double step = y[i] - run->y[i];
       int code = GSL_EBADFUNC;
-      if (step > 0.0) code = rot_ode_slope_at(run->t, y, f, run);
-      if (step > 0.0 && code != GSL_SUCCESS && run->status != ROT_ERHS) return run->status;
+      if (step != 0.0) code = rot_ode_slope_at(run->t, y, f, run);
+      if (step != 0.0 && code != GSL_SUCCESS && run->status != ROT_ERHS) return run->status;
       for (size_t k = 0; k < n; k++) {
         d[k * n + i] = code == GSL_SUCCESS ? (f[k] - run->slope[k]) / step : 0.0;
       }

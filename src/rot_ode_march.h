@@ -49,6 +49,7 @@ typedef struct rot_ode_growth rot_ode_growth;
 typedef struct rot_ode_track {
   rot_dense nodes;
   size_t controlled, room;
+  int slid; /* along a wall, somewhere */
   double *derivative;
 } rot_ode_track;
 

@@ -9,6 +9,7 @@
  * the acceleration of a spring instead of the pendulum. */
 typedef struct law {
   double bend, jump, kink_s;
+  double stop, at;        /* a spring beside, beyond theta = at; 0: none */
   size_t calls, fails_at; /* fails_at: the call that has no value; 0: none */
   rot_status failure;
   int on_break;
@@ -34,6 +35,8 @@ static rot_status slope(double t, const double y[], double f[], void *ctx) {
   } else {
     torque += 2.0 * sin(motion(t, 0)) - 2.0 * sin(y[THETA]);
   }
+  if (l->stop != 0.0)
+    torque -= l->stop * (fmax(y[THETA] - l->at, 0.0) - fmax(motion(t, 0) - l->at, 0.0));
   f[THETA] = y[OMEGA];
   f[OMEGA] = torque;
   f[WORK] = torque * y[OMEGA];
@@ -145,7 +148,23 @@ static void check_kinks(void) {
     }
     printf("kinks of %.0e: %zu of 60 covered, the worst by %.2g; %zu and %.2g by steps\n", bend,
            covered[1], worst[1], covered[0], worst[0]);
-    ROT_CHECK(covered[1] + 1 >= covered[0] && worst[1] <= 1.01 * worst[0]);
+    ROT_CHECK(covered[1] + 1 >= covered[0] && worst[1] <= fmax(1.0, 1.01 * worst[0]));
+  }
+}
+
+/* A spring that is met at an angle, again and again: a wall from its first meeting on. */
+static void check_wall(void) {
+  static result cheap, out;
+  for (int decades = 8; decades <= 12; decades += 2) {
+    for (double at = -0.5; at < 0.9; at += 0.25) {
+      const double accuracy = pow(10.0, -decades);
+      law l = {.kink_s = 1e9, .stop = 3.0, .at = at};
+      ROT_CHECK_EQ_INT(solve(&l, 0.0, accuracy, 0, 0, NULL, &cheap), ROT_OK);
+      ROT_CHECK_EQ_INT(solve(&l, 0.0, accuracy, 1, 0, NULL, &out), ROT_OK);
+      printf("spring at %g, 1e-%d: off by %.1e, %.2f of the estimate, %zu calls, %zu by steps\n",
+             at, decades, out.off, out.over, out.calls, cheap.calls);
+      ROT_CHECK(out.off <= 2.0 * accuracy && out.over <= 1.0);
+    }
   }
 }
 
@@ -168,6 +187,7 @@ int main(void) {
   check_smooth();
   check_break();
   check_kinks();
+  check_wall();
   check_failures();
   return rot_test_report("ode_collocate");
 }
