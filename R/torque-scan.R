@@ -62,8 +62,23 @@ scan_breaks <- function(f, from, to, points = scan_points) {
   jumps <- jumps[!is.na(jumps)]
   list(
     breaks = in_order(c(jumps, scan_kinks(f, t, y, jumps))),
-    guards = in_order(unique(t[c(smooth, smooth + 1L)]))
+    guards = in_order(unique(t[c(smooth, smooth + 1L, wider_changes(t, y, jumps))]))
   )
+}
+
+# Points around changes that are steep for a coarser grid: a pulse of eight intervals does not stand
+# out among its nine neighbours, and eight long implicit steps passed it.
+wider_changes <- function(t, y, jumps) {
+  found <- integer()
+  by <- 4L
+  while (length(t) >= 18L * by) {
+    k <- seq(1L, length(t), by)
+    at <- stands_out(abs(diff(y[k])), 1e-12 * max(abs(y), 1e-300))
+    at <- at[!vapply(at, function(i) any(jumps >= t[k[i]] & jumps <= t[k[i + 1L]]), NA)]
+    found <- c(found, k[at], k[at + 1L])
+    by <- 4L * by
+  }
+  found
 }
 
 # Where a size is larger than four times the median of the nine around it.

@@ -46,6 +46,18 @@ test_that("a steep but smooth change is guarded, not reported", {
   expect_equal(motion$omega_rad_per_s[2], 2 * 1000 * 3e-4 * sqrt(pi), tolerance = 1e-8)
 })
 
+test_that("a pulse eight intervals wide is guarded, and not passed by long implicit steps", {
+  pulse <- function(t) 10 * exp(-((t - 0.688) / 0.0107)^2)
+  guards <- scan_breaks(pulse, 0, 0.88, 129L)$guards
+  expect_true(any(guards > 0.64 & guards < 0.688) && any(guards > 0.688 & guards < 0.74))
+  law <- torque_function(function(time_s, theta_rad, omega_rad_per_s) {
+    pulse(time_s) - 0.15 * sin(theta_rad)
+  })
+  # From its linear torque: 10 sqrt(pi) 0.0107 / I, and what the sine does in 0.88 s at most.
+  end <- trajectory(scene_axle(0.114, law), c(0, 0.88), 1e-4, "axle_radau")$omega_rad_per_s[2]
+  expect_equal(end, 10 * sqrt(pi) * 0.0107 / 0.114, tolerance = 0.05)
+})
+
 test_that("an empty interval and values that are not finite are left alone", {
   law <- torque_function(function(t) if (t > 1) 1 else 0)
   expect_identical(
