@@ -28,9 +28,13 @@ progress_bar <- function(name) {
   }
 }
 
-# An error of setTimeLimit(), which has no class of its own. It is raised once: who catches it goes
-# on without a limit.
+# An error of setTimeLimit(), which has no class of its own, or another that wraps it. It is raised
+# once: who catches it goes on without a limit.
 is_time_limit <- function(error) {
-  conditionMessage(error) %in%
-    gettext("reached elapsed time limit", "reached CPU time limit", domain = "R")
+  said <- character()
+  while (inherits(error, "condition")) {
+    said <- c(said, error$message)
+    error <- error$parent
+  }
+  any(said %in% gettext("reached elapsed time limit", "reached CPU time limit", domain = "R"))
 }

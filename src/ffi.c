@@ -36,9 +36,13 @@ typedef struct poll_call {
   double fraction;
 } poll_call;
 
+/* R looks at the limits of setTimeLimit() in one of six calls. In the first that is left to the
+ * progress bar the limit ended inside the display, which caught it, and the run went on. */
+enum { LOOKS = 6 };
+
 static SEXP poll_r(void *data) {
   const poll_call *poll = data;
-  R_CheckUserInterrupt();
+  for (int k = 0; k < LOOKS; k++) R_CheckUserInterrupt();
   if (!Rf_isNull(poll->progress)) {
     SEXP call = PROTECT(Rf_lang2(poll->progress, PROTECT(Rf_ScalarReal(poll->fraction))));
     Rf_eval(call, R_GlobalEnv);

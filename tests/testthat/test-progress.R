@@ -69,3 +69,16 @@ test_that("runs end with their own errors and rows, not with the display's", {
     tolerance = 1e-9
   )
 })
+
+test_that("a time limit ends a run at the poll after it, not six polls later", {
+  n <- 300
+  scene <- scene_rotors(rep(1:2, n / 2), rep(100, n - 1), viscous_n_m_s = rep(0.1, n))
+  polls <- 0
+  setTimeLimit(elapsed = 0.12, transient = TRUE)
+  on.exit(setTimeLimit(elapsed = Inf))
+  expect_error(
+    .Call(rotdyn:::ffi_rotors_frequencies, scene, function(fraction) polls <<- polls + 1),
+    gettext("reached elapsed time limit", domain = "R"), fixed = TRUE
+  )
+  expect_lte(polls, 3)
+})
