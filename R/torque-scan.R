@@ -9,7 +9,7 @@
 # between two points of the grid is missed. A law of the state needs fewer points: the run's own
 # stages sample it 500 times and more, and a run of 20 s at 1e-9 takes some 2500 calls.
 
-scan_points <- 513L
+scan_points <- 257L
 scan_points_state <- 129L
 scan_points_vectorised <- 8193L
 most_breaks <- 1000L
