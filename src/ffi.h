@@ -47,6 +47,7 @@ rot_column ffi_column(SEXP x, const char *what, R_xlen_t *n);
 R_xlen_t ffi_columns_of(SEXP list, int n, rot_column in[]);
 int ffi_row_of(const rot_column in[], int n, R_xlen_t i, double x[]);
 SEXP ffi_new_column(R_xlen_t rows);
+SEXP ffi_new_flags(R_xlen_t rows); /* logical */
 /* A list of `n` real columns with `rows` rows, named; protects one object. */
 SEXP ffi_columns(int n, const char *const names[], R_xlen_t rows, double *columns[]);
 /* A vector of these numbers; a list of such vectors, named up to a "" (or NULL: without names). */

@@ -29,20 +29,19 @@ SEXP ffi_incline_table(SEXP rows_in, SEXP threads, SEXP progress) {
   SET_VECTOR_ELT(result, 0, columns = Rf_mkNamed(VECSXP, (const char **)names));
   rot_incline_table_columns out;
   ROT_INCLINE_TABLE_COLUMNS(FFI_COLUMN_NEW)
-  out.status = INTEGER(PROTECT(Rf_allocVector(INTSXP, rows)));
+  out.status = LOGICAL(PROTECT(ffi_new_flags(rows)));
+  out.none = NA_REAL;
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
   ffi_guard_end(&guard, rot_incline_table(&in, (int)most, &out, &guard.hooks, &info));
   R_xlen_t n_bad = 0;
-  for (R_xlen_t i = 0; i < rows; i++) {
-    if (ISNAN(out.roll_time_s[i])) out.roll_time_s[i] = NA_REAL;
-    if (out.status[i] != ROT_OK) out.rolling[i] = NA_LOGICAL;
-    n_bad += out.status[i] != ROT_OK;
-  }
+  for (R_xlen_t i = 0; i < rows; i++) n_bad += out.status[i] != ROT_OK;
   SET_VECTOR_ELT(result, 1, bad = Rf_allocVector(INTSXP, n_bad));
   for (R_xlen_t i = 0, k = 0; k < n_bad; i++) {
-    if (out.status[i] != ROT_OK) INTEGER(bad)[k++] = (int)i + 1;
+    if (out.status[i] == ROT_OK) continue;
+    out.rolling[i] = NA_LOGICAL;
+    INTEGER(bad)[k++] = (int)i + 1;
   }
   SET_VECTOR_ELT(result, 2, ffi_info(&info));
   UNPROTECT(2);

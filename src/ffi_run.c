@@ -21,7 +21,7 @@ double *ffi_new_double(SEXP list, R_xlen_t i, R_xlen_t rows) {
 }
 
 int *ffi_new_int(SEXP list, R_xlen_t i, R_xlen_t rows) {
-  SEXP column = Rf_allocVector(LGLSXP, rows);
+  SEXP column = ffi_new_flags(rows);
   SET_VECTOR_ELT(list, i, column);
   return LOGICAL(column);
 }

@@ -84,7 +84,7 @@ static inline int two_stretches(kind how, const row *r, const rot_incline_table_
   const double size = fabs(r->pull) + r->slides, rim = r->rim;
   const double mean_rate = spin * r->pull;
   mover v = {0.0, r->v0, 0.0, 0.0}, w = {0.0, r->w0, 0.0, fabs(r->w0)};
-  double slip = r->slip, left = r->time, heat = 0.0, roll_s = NAN, jump = 0.0, way = r->way;
+  double slip = r->slip, left = r->time, heat = 0.0, roll_s = out->none, jump = 0.0, way = r->way;
   double v_most = r->v0, w_most = r->w0, x_most = 0.0, turn_most = 0.0;
   const int rolling = how == ROLLS || how == CATCHES;
   if (how == ROLLS || how == LETS_GO) {
@@ -175,7 +175,7 @@ static void any_row(const row *r, const rot_incline_table_columns *out, size_t i
   out->final_omega_rad_per_s[i] = good ? end.omega_rad_per_s : NAN;
   out->slip_heat_j[i] = good ? end.slip_heat_j : NAN;
   out->rolling_heat_j[i] = good ? end.rolling_heat_j : NAN;
-  out->roll_time_s[i] = good ? end.roll_s : NAN;
+  out->roll_time_s[i] = good && !isnan(end.roll_s) ? end.roll_s : out->none;
   out->rolling[i] = good && end.rolling;
   out->error[i] = good ? end.error : NAN;
   out->status[i] = (int)status;

@@ -14,8 +14,8 @@ typedef struct rot_incline_rows {
   rot_column time_s;                       /* since the start */
 } rot_incline_rows;
 
-/* roll_time_s: when slip first ended, NaN where it did not; error: the largest bound of x, v, theta
- * and omega, each relative to its largest value at the start, the events and the end. */
+/* roll_time_s: when slip first ended, `none` where it did not; error: the largest bound of x, v,
+ * theta and omega, each relative to its largest value at the start, the events and the end. */
 #define ROT_INCLINE_TABLE_COLUMNS(X)                                                               \
   X(double, final_x_m)                                                                             \
   X(double, final_v_m_per_s)                                                                       \
@@ -31,7 +31,8 @@ typedef struct rot_incline_table_columns {
 #define X(type, name) type *name;
   ROT_INCLINE_TABLE_COLUMNS(X)
 #undef X
-  int *status; /* rot_status: NaN in a row where it is not ROT_OK */
+  int *status; /* rot_status: not a number in a row where it is not ROT_OK */
+  double none; /* the caller's NaN */
 } rot_incline_table_columns;
 
 /* Paths begin at 0. At most `threads` threads; 0: all. The status is ROT_OK even if single rows

@@ -352,8 +352,8 @@ static rot_status run_table(const sample *s, answer *to) {
                                  ONE(p->v0_m_per_s),
                                  ONE(p->omega0_rad_per_s),
                                  {s->rows_s, 1}};
-  const rot_incline_table_columns out = {to->c[0], to->c[1], to->c[2], to->c[3], heat[0],
-                                         heat[1],  heat[2],  rolling,  error,    status};
+  const rot_incline_table_columns out = {to->c[0], to->c[1], to->c[2], to->c[3], heat[0], heat[1],
+                                         heat[2],  rolling,  error,    status,   NAN};
   rot_info info;
   rot_incline_table(&rows, 1, &out, NULL, &info);
   for (int i = 0; i < ROWS; i++) {

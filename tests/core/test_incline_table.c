@@ -46,8 +46,8 @@ static table table_new(size_t n) {
                               whole(t.in[8]),
                               whole(t.in[9]),
                               whole(t.in[10])};
-  t.out = (rot_incline_table_columns){t.c[0], t.c[1], t.c[2],    t.c[3], t.c[4],
-                                      t.c[5], t.c[6], t.rolling, t.c[7], t.status};
+  t.out = (rot_incline_table_columns){t.c[0], t.c[1],    t.c[2], t.c[3],   t.c[4], t.c[5],
+                                      t.c[6], t.rolling, t.c[7], t.status, NAN};
   return t;
 }
 
