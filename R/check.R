@@ -7,7 +7,7 @@ describe_value <- function(x) {
   if (is.null(x)) return("NULL")
   if (is.function(x)) return("a function")
   if (is.atomic(x) && length(x) == 1L && !is.object(x)) {
-    return(if (is.character(x)) encodeString(x, quote = "\"") else format(x, digits = 7))
+    return(if (is.character(x)) quote_text(x) else format(x, digits = 7))
   }
   kind <- if (is.object(x)) {
     paste0("<", class(x)[1], "> object")
@@ -18,6 +18,14 @@ describe_value <- function(x) {
   }
   article <- if (grepl("^[aeiou]", kind)) "an " else "a "
   paste0(article, kind, " of length ", length(x))
+}
+
+# A long text is cut: a message of 200,000 characters takes 25 s to lay out.
+quote_text <- function(x) {
+  bytes <- nchar(x, "bytes")
+  if (bytes <= 200L) return(encodeString(x, quote = "\""))
+  start <- if (validUTF8(x)) substr(x, 1L, 60L) else rawToChar(charToRaw(x)[1:60])
+  paste0(encodeString(start, quote = "\""), " ... (", bytes, " bytes)")
 }
 
 # The dots must be empty; they are not evaluated. Returns the caller's frame.

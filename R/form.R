@@ -53,7 +53,8 @@ body_form <- list(
   .class = "rot_body", shape = "text", mass_kg = "number", size_m = "numbers",
   centre_m = "numbers:3", second_moment_kg_m2 = "numbers:9", inertia_kg_m2 = "numbers:9",
   point = "text", axes = "text", reach_m = "values:1", beta = "values:1", formula = "text",
-  source = "text", provenance = "text", detail = "list", error = "values:1", error_kind = "text"
+  source = "text", provenance = "text",
+  detail = list(.is = "list", centre_error_m = "values:1?"), error = "values:1", error_kind = "text"
 )
 
 domain_form <- list(

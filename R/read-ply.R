@@ -95,7 +95,7 @@ ply_property <- function(element, word) {
 # The numbers of a text file, or the bytes of a binary file as integers.
 ply_places <- function(ply, path) {
   if (ply$format == "ascii") {
-    scan(path, skip = ply$lines, quiet = TRUE)
+    scan(path, skip = ply$lines, quiet = TRUE, skipNul = TRUE)
   } else {
     as.integer(ply$bytes)
   }

@@ -6,6 +6,10 @@ test_that("values are described in words", {
   expect_equal(describe(factor("a")), "a <factor> object of length 1")
   expect_equal(describe(list(1)), "a list of length 1")
   expect_equal(describe(sum), "a function")
+  long <- strrep("word ", 1e5)
+  expect_equal(describe(long), paste0("\"", strrep("word ", 12), "\" ... (500000 bytes)"))
+  expect_lt(nchar(describe(strrep("\xff", 1e5))), 300)
+  expect_lt(system.time(expect_error(body_disk(long, 1), class = "rotdyn_error_type"))[[1]], 5)
 })
 
 test_that("one number is one finite number", {

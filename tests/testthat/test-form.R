@@ -61,6 +61,9 @@ test_that("a damaged part is named, at any depth", {
   knots <- torque_knots(0:1, 0:1)
   knots$time_s <- c(1, 0)
   expect_error(scene_axle(1, knots), class = "rotdyn_error_type")
+  bowl <- body_hemisphere(1, 0.1)
+  bowl$detail$centre_error_m <- list()
+  expect_error(join_bodies(bowl, body_disk(1, 0.1)), "detail$centre_error_m", fixed = TRUE)
 })
 
 test_that("a damaged trajectory is refused by every verb", {

@@ -108,6 +108,8 @@ test_that("a damaged PLY is refused", {
   expect_refused(as_text("-3 0 1 2"), "truncated")
   expect_refused(as_text("2.5 0 1 2"), "truncated")
   expect_refused(as_text("3 0 1 b"), "'b'")
+  with_nul <- function(at) c(charToRaw(paste0(text, "\n", collapse = "")), charToRaw(at), as.raw(0))
+  expect_warning(expect_refused(with_nul("3 0 1 "), "truncated"), NA)
   writeLines(sub("(vertex|face) [31]", "\\1 0", text[1:9]), path)
   expect_error(body_mesh(path, mass_kg = 1), class = "rotdyn_error_mesh")
   writeLines(as_text("3 0 1 7"), path)
