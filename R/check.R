@@ -22,7 +22,7 @@ describe_value <- function(x) {
 
 # A long text is cut: a message of 200,000 characters takes 25 s to lay out.
 quote_text <- function(x) {
-  bytes <- nchar(x, "bytes")
+  bytes <- nchar(x, "bytes", keepNA = FALSE)
   if (bytes <= 200L) return(encodeString(x, quote = "\""))
   start <- if (validUTF8(x)) substr(x, 1L, 60L) else rawToChar(charToRaw(x)[1:60])
   paste0(encodeString(start, quote = "\""), " ... (", bytes, " bytes)")

@@ -6,6 +6,7 @@ test_that("values are described in words", {
   expect_equal(describe(factor("a")), "a <factor> object of length 1")
   expect_equal(describe(list(1)), "a list of length 1")
   expect_equal(describe(sum), "a function")
+  expect_equal(describe(NA_character_), "NA")
   long <- strrep("word ", 1e5)
   expect_equal(describe(long), paste0("\"", strrep("word ", 12), "\" ... (500000 bytes)"))
   expect_lt(nchar(describe(strrep("\xff", 1e5))), 300)
