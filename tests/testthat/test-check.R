@@ -10,7 +10,8 @@ test_that("values are described in words", {
   long <- strrep("word ", 1e5)
   expect_equal(describe(long), paste0("\"", strrep("word ", 12), "\" ... (500000 bytes)"))
   expect_lt(nchar(describe(strrep("\xff", 1e5))), 300)
-  expect_lt(system.time(expect_error(body_disk(long, 1), class = "rotdyn_error_type"))[[1]], 5)
+  error <- expect_error(body_disk(long, 1), class = "rotdyn_error_type")
+  expect_lt(nchar(conditionMessage(error)), 500)
 })
 
 test_that("one number is one finite number", {
