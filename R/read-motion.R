@@ -188,7 +188,8 @@ tar_files <- function(bytes, file, call) {
 read_xml_bytes <- function(bytes, file, call) {
   need_package("xml2", "Reading this file", call)
   out <- tryCatch(
-    xml2::read_xml(bytes, options = c("NONET", "NOERROR", "NOWARNING")), error = function(e) NULL
+    suppressWarnings(xml2::read_xml(bytes, options = c("NONET", "NOERROR", "NOWARNING"))),
+    error = function(e) NULL
   )
   if (is.null(out)) abort_file("It is damaged XML.", file, call)
   out

@@ -68,6 +68,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   check_peers(peers, call)
   least_batch_s <- check_number(least_batch_s, "least_batch_s", "s", call, lower = 0, upper = 3600)
   batches <- floor(check_number(batches, "batches", "1", call, lower = 1, upper = 1e4))
+  check_known_models(models, scene, time_s, call)
   steps_s <- check_steps(steps_s, constraint, models, call)
   contestants <- rbind(
     list_contestants(scene, time_s, models, accuracies, peers, call),
@@ -155,8 +156,7 @@ asked_of <- function(one) {
   if (!is.na(one$accuracy)) format(one$accuracy) else paste(format(one$step_s), "s a step")
 }
 
-# A row for each contestant and accuracy: model, error_kind, accuracy, step_s (none), peer.
-list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
+check_known_models <- function(models, scene, time_s, call) {
   known <- tryCatch(choose_model(scene, time_s, 1), rotdyn_error = function(e) {
     e$call <- rlang::error_call(call)
     rlang::cnd_signal(e)
@@ -167,6 +167,10 @@ list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
       x = "It is {if (is.character(models)) cli::cli_vec(models) else describe_value(models)}."
     ), "model", call)
   }
+}
+
+# A row for each contestant and accuracy: model, error_kind, accuracy, step_s (none), peer.
+list_contestants <- function(scene, time_s, models, accuracies, peers, call) {
   each <- lapply(accuracies, function(accuracy) {
     fit <- models_that_fit(scene, time_s, accuracy)
     wanted <- if (is.null(models)) fit$model else intersect(models, fit$model)

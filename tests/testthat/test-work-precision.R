@@ -39,6 +39,15 @@ test_that("every model that fits, at every accuracy it promises", {
   expect_equal(row$energy_residual, abs(balance$energy_residual_j) / balance$work_j)
 })
 
+test_that("models are names, whatever steps are asked for", {
+  for (steps_s in list(NULL, c(0.1, 0.2))) {
+    expect_error(
+      work_precision(scene_axle(1), 0:1, models = 1e16, steps_s = steps_s),
+      class = "rotdyn_error_model"
+    )
+  }
+})
+
 test_that("the true error is that of the rows against the reference", {
   measured <- measure(models = "axle_rk8pd", accuracies = 1e-6)
   exact <- trajectory(article_scene(), 0:8, 1e-14)
