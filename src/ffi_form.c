@@ -42,6 +42,8 @@ static int no_text_missing(SEXP x) {
 /* `word` has n letters. */
 static int has_kind(SEXP x, const char *word, size_t n) {
   const int type = TYPEOF(x);
+  /* Arithmetic on a number of a class is that class's own: a date has no product. */
+  if (Rf_isObject(x) && (type == REALSXP || type == INTSXP || type == LGLSXP)) return 0;
 #define IS(text) (n == sizeof text - 1 && !memcmp(word, text, n))
   if (IS("number")) return type == REALSXP && XLENGTH(x) == 1 && R_FINITE(REAL_RO(x)[0]);
   if (IS("numbers")) return type == REALSXP && all_of_kind(x, is_finite);

@@ -52,6 +52,9 @@ test_that("a damaged part is named, at any depth", {
   cut <- scene
   cut$loads$terms[[1]]$x <- 1 # the core would read two more
   expect_error(trajectory(cut, 0:1), "loads$terms", fixed = TRUE)
+  cut <- torque_motor(2, 300)
+  cut$stall_torque_n_m <- Sys.Date() # R refuses its product
+  expect_error(-2 * cut, "stall_torque_n_m|torque law", class = "rotdyn_error_type")
   cut <- scene
   cut$start_s <- NULL
   expect_error(trajectory(cut, 0:1), "start_s")
