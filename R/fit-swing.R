@@ -670,7 +670,7 @@ measured_pair <- function(value, covariance, dof, floor) {
 
 swing_fit_form <- list(
   .class = "rot_swing_fit", restoring = "text", kind = "text", from = "text", notes = "texts",
-  residual = "values:1", correlation_time_s = "values:1", white_u = "values:1",
+  damping = "list?", residual = "values:1", correlation_time_s = "values:1", white_u = "values:1",
   swings = list(
     time_s = "numbers", period_s = "values=time_s", amplitude_rad = "values=time_s",
     period0_s = "values=time_s", used = "flags=time_s"
@@ -681,12 +681,14 @@ check_swing_fit <- function(x, arg, call) {
   check_form(x, swing_fit_form, arg, "fit of a swing", call)
   check_measured(x$period_s, arg, call)
   names <- c("omega0_rad_per_s", "omega_rad_per_s", "decay_per_s", "coulomb_rad_per_s2")
-  for (part in c(x[names], as.list(x$damping)[names[3:4]])) {
+  for (part in c(x[names], x$damping[names[3:4]])) {
     if (!is.null(part)) check_measured(part, arg, call)
   }
-  if (x$from == "fit" && is.null(x$omega_rad_per_s)) {
-    abort_rotdyn("{.arg {arg}} is a damaged fit of a swing.", "type", call)
-  }
+  needed <- c(
+    if (x$from == "fit") lapply(names[1:2], function(name) x[[name]]),
+    if (!is.null(x$damping)) lapply(names[3:4], function(name) x$damping[[name]])
+  )
+  if (any(vapply(needed, is.null, NA))) abort_form("", arg, "fit of a swing", call)
   x
 }
 

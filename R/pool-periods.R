@@ -30,8 +30,8 @@
 #'
 #'   `fit_pivots()`: a list with `gyration_square_m2`, `gravity_m_per_s2` (measured numbers) and
 #'   `pivots`, a tibble: `distance_m`, `period_s`, `gravity_alone_m_per_s2` (g from this pivot with
-#'   the k fitted), `residual` (deleted, in standard deviations), `status` (`"used"` or
-#'   `"outlier"`).
+#'   the k fitted), `residual` (deleted, in standard deviations; NA where the
+#'   other pivots do not determine it), `status` (`"used"` or `"outlier"`).
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Paule and Mandel, J. Res. Natl. Bur. Stand. 87, 377 (1982); Birge, Phys. Rev. 40, 207
@@ -218,6 +218,7 @@ pivots_least_squares <- function(period, d, tu, du, g, used) {
   weight <- rep(1, length(y))
   exact <- all(tu == 0) && all(du == 0)
   for (round in 1:3) {
+    fitted <- weight
     w <- sqrt(weight[used])
     if (is.null(g)) {
       q <- qr(w * x[used, ])
@@ -241,12 +242,16 @@ pivots_least_squares <- function(period, d, tu, du, g, used) {
   m <- sum(used)
   k <- if (is.null(g)) 2L else 1L
   columns <- if (is.null(g)) x else x[, 1, drop = FALSE]
+  weight <- fitted # the next ones may differ much
   lever <- weight * rowSums((columns %*% inverse) * columns)
   e <- sqrt(weight) * r
   s2 <- sum(e[used]^2) / (m - k)
   # Deleted residuals; of a pivot left out, its distance from the fit of the others.
-  rest <- (sum(e[used]^2) - e^2 / (1 - lever)) / (m - k - 1)
-  deleted <- ifelse(used, e / sqrt(pmax(rest, 1e-300) * (1 - lever)), e / sqrt(s2 * (1 + lever)))
+  # NA where a used one alone determines a coefficient: the others say nothing about it.
+  free <- 1 - lever
+  free[used & !(free > 64 * .Machine$double.eps)] <- NA
+  rest <- (sum(e[used]^2) - e^2 / free) / (m - k - 1)
+  deleted <- e / sqrt(ifelse(used, pmax(rest, 1e-300) * free, s2 * (1 + lever)))
   if (is.null(g)) {
     cov <- s2 * inverse
     pair <- measured_pair(c(first = p[[1]], second = p[[2]]), cov, m - k, 0)

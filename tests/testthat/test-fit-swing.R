@@ -162,3 +162,15 @@ test_that("swings of which no one has its passages and peaks sampled", {
   )
   expect_error(expect_no_warning(fit_swing(sparse)), class = "rotdyn_error_size")
 })
+
+test_that("a damaged fit is refused", {
+  fit <- fit_swing(swing_record(0.6, 0.01))
+  for (part in list(1, list(), list(decay_per_s = measured(1, 0.1)))) {
+    damaged <- fit
+    damaged$damping <- part
+    expect_error(print(damaged), "no fit of a swing", class = "rotdyn_error_type")
+  }
+  damaged <- fit
+  damaged["omega0_rad_per_s"] <- list(NULL)
+  expect_error(print(damaged), class = "rotdyn_error_type")
+})

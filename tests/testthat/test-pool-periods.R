@@ -71,3 +71,16 @@ test_that("errors are the package's own", {
   expect_error(fit_pivots(1:3, 1:3), class = "rotdyn_error_size")
   expect_error(fit_pivots(rep(1, 5), rep(0.3, 5)), class = "rotdyn_error_value")
 })
+
+test_that("a pivot that alone determines a coefficient has no deleted residual", {
+  # Errors of the distances so large that one pivot has all of the weight.
+  got <- expect_no_warning(
+    fit_pivots(c(1.92, 3.07, 3.26, 4.05), c(2.03, 1.39, 3.38, 5), distance_u_m = 2.16,
+               period_u_s = 0.37)
+  )
+  expect_false(any(is.nan(got$pivots$residual)))
+  sharp <- expect_no_warning(fit_pivots(
+    c(2, 2.1, 2.3), c(1, 1.2, 1.4), period_u_s = c(1e-12, 1, 1), gravity_m_per_s2 = 9.81
+  ))
+  expect_identical(is.na(sharp$pivots$residual), c(TRUE, FALSE, FALSE))
+})
