@@ -28,6 +28,37 @@ quote_text <- function(x) {
   paste0(encodeString(start, quote = "\""), " ... (", bytes, " bytes)")
 }
 
+check_function <- function(f, arg, call) {
+  if (!is.function(f)) {
+    abort_rotdyn(
+      c("{.arg {arg}} must be a function.", x = "It is {describe_value(f)}."), "type", call
+    )
+  }
+}
+
+# args() is NULL for `if` and its like.
+arguments_of <- function(f) {
+  shape <- args(f)
+  if (is.null(shape)) list() else as.list(formals(shape))
+}
+
+# Those that have no default.
+required_arguments <- function(f) {
+  takes <- arguments_of(f)
+  setdiff(names(takes)[vapply(takes, rlang::is_missing, NA)], "...")
+}
+
+takes_arguments <- function(f, n) {
+  all <- names(arguments_of(f))
+  length(required_arguments(f)) <= n && (length(all) >= n || "..." %in% all)
+}
+
+# 1 for a function of time, 3 for one of time and state; else `otherwise` gets the number.
+count_law_arguments <- function(f, otherwise) {
+  n <- length(required_arguments(f))
+  if (n == 3L) 3L else if (takes_arguments(f, 1L)) 1L else otherwise(n)
+}
+
 # The dots must be empty; they are not evaluated. Returns the caller's frame.
 check_no_dots <- function(...) {
   if (...length()) {

@@ -276,6 +276,10 @@ as_curve <- function(curve, call) {
     curve, "rot_curve", "curve", "Give a function y(x), or make one with {.fn curve_table}.", call
   )
   check_form(curve, curve_form, "curve", "curve", call)
+  for (part in c("x", "y", "dx", "dy", "ddx", "ddy")) {
+    if (!takes_arguments(curve[[part]], 1L)) abort_form(part, "curve", "curve", call)
+  }
+  curve
 }
 
 curve_of_function <- function(y, slope, second, arg, call) {
@@ -290,11 +294,12 @@ curve_of_function <- function(y, slope, second, arg, call) {
 }
 
 check_curve_function <- function(f, arg, call) {
-  if (!is.function(f) || (!is.primitive(f) && !length(formals(f)))) {
-    abort_rotdyn(c(
-      "{.arg {arg}} must be a function of one argument.", x = "It is {describe_value(f)}."
-    ), "type", call)
-  }
+  check_function(f, arg, call)
+  if (takes_arguments(f, 1L)) return()
+  abort_rotdyn(c(
+    "{.arg {arg}} must be a function of one argument.",
+    x = "It has {length(required_arguments(f))} argument{?s} without a default."
+  ), "type", call)
 }
 
 # The derivative of a function that is one formula. Primitives such as sin are taken by name.

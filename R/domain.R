@@ -199,24 +199,15 @@ hypot3 <- function(x) {
 
 # ---- checks -------------------------------------------------------------------------------------
 
-check_function <- function(f, arg, call) {
-  if (!is.function(f)) {
-    abort_rotdyn(
-      c("{.arg {arg}} must be a function.", x = "It is {describe_value(f)}."), "type", call
-    )
-  }
-}
-
 # A function of three vectors.
 check_field_function <- function(f, arg, call) {
   check_function(f, arg, call)
-  takes <- names(formals(args(f)))
-  if (!"..." %in% takes && length(takes) < 3L) {
-    abort_rotdyn(c(
-      "{.arg {arg}} must be a function of three vectors.",
-      x = "It takes {length(takes)} argument{?s}."
-    ), "type", call)
-  }
+  if (takes_arguments(f, 3L)) return()
+  abort_rotdyn(c(
+    "{.arg {arg}} must be a function of three vectors.",
+    x = "It takes {length(arguments_of(f))}, {length(required_arguments(f))} of them without a
+         default."
+  ), "type", call)
 }
 
 check_box <- function(lower, upper, args, unit, call) {

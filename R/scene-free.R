@@ -223,15 +223,14 @@ free_torque <- function(torque, breaks_s, call) {
   out
 }
 
-# How many arguments a torque function has.
 torque_arguments <- function(torque, call) {
-  arguments <- length(formals(args(torque)))
-  if (arguments %in% c(1L, 3L)) return(arguments)
-  abort_rotdyn(c(
-    "The function {.arg torque_n_m} must have one argument, the time, or three.",
-    x = "It has {arguments}.",
-    i = "{.code function(time_s, omega_rad_per_s, attitude)}"
-  ), "type", call)
+  count_law_arguments(torque, function(n) {
+    abort_rotdyn(c(
+      "The function {.arg torque_n_m} must have one argument, the time, or three.",
+      x = "It has {n} argument{?s} without a default.",
+      i = "{.code function(time_s, omega_rad_per_s, attitude)}"
+    ), "type", call)
+  })
 }
 
 # Knots: the times and these columns of torques.

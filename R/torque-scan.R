@@ -6,8 +6,10 @@
 # it. A kink keeps its change of slope: its second difference halves with the step, that of a smooth
 # function quarters. Breaks become stops of the integrator, and so do the grid points around a
 # change that is steep but smooth (`guards`): a step that ends there does not pass it. What lies
-# between two points of the grid is missed. A law of the state needs fewer points: the run's own
-# stages sample it 500 times and more, and a run of 20 s at 1e-9 takes some 2500 calls.
+# between two points of the grid is missed. With 513 points for a law of time, looking took nine
+# times the calls of a run with one kink; with 257, 1600 random laws were covered as well. A law of
+# the state needs fewer points: the run's own stages sample it 500 times and more, and a run of 20 s
+# at 1e-9 takes some 2500 calls.
 
 scan_points <- 257L
 scan_points_state <- 129L

@@ -148,16 +148,13 @@ new_torque_function <- function(f, breaks_s, vectorised, call) {
 
 # 1: f(time_s). 3: f(time_s, theta_rad, omega_rad_per_s). Arguments with a default are f's own.
 count_arguments <- function(f, call) {
-  shape <- args(f) # NULL for `if` and its like
-  arguments <- if (!is.null(shape)) formals(shape)
-  required <- setdiff(names(arguments)[vapply(arguments, rlang::is_missing, logical(1))], "...")
-  n <- length(required)
-  if (n == 3L || (n <= 1L && length(arguments) > 0L)) return(if (n == 3L) 3L else 1L)
-  abort_rotdyn(c(
-    "{.arg f} must be a function of {.code time_s}, or of
-     {.code time_s, theta_rad, omega_rad_per_s}.",
-    x = "It has {n} argument{?s} without a default."
-  ), "torque", call)
+  count_law_arguments(f, function(n) {
+    abort_rotdyn(c(
+      "{.arg f} must be a function of {.code time_s}, or of
+       {.code time_s, theta_rad, omega_rad_per_s}.",
+      x = "It has {n} argument{?s} without a default."
+    ), "torque", call)
+  })
 }
 
 # The torque argument of a scene as a law.

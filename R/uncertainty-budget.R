@@ -56,11 +56,7 @@
 uncertainty_budget <- function(f, ..., correlation = NULL, level = 0.95, draws = 1e5, seed = 1) {
   call <- rlang::current_env()
   check_supplied("f", call)
-  if (!is.function(f)) {
-    abort_rotdyn(
-      c("{.arg f} must be a function.", x = "It is {describe_value(f)}."), "type", call
-    )
-  }
+  check_function(f, "f", call)
   level <- check_number(level, "level", "1", call, lower = 0, upper = 1, open = TRUE)
   if (level == 1) abort_domain(level, "level", "1", call, 0, 1, TRUE)
   draws <- floor(check_number(draws, "draws", "1", call, lower = 0, upper = 1e8))

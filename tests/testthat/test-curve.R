@@ -162,6 +162,12 @@ test_that("errors of curves", {
   expect_error(roll_on_curve(function(x) abs(x - 1), 0, 3), class = "rotdyn_error_type")
   expect_error(roll_on_curve(function(x) 1 / (x - 2)^2, 1, 3), class = "rotdyn_error_value")
   expect_error(roll_on_curve(1, 0, 3), class = "rotdyn_error_type")
+  expect_error(
+    roll_on_curve(function(x, y, z) x, 0, 3), "3 arguments", class = "rotdyn_error_type"
+  )
+  edited <- curve_table(0:3, c(3, 2, 1, 0))
+  edited$dy <- function(x, y) x
+  expect_error(roll_on_curve(edited, 0, 2), "dy", class = "rotdyn_error_type")
   expect_error(roll_on_curve(cos), class = "rotdyn_error_missing")
   expect_error(roll_on_curve(cos, 1, 2, friction = -1), class = "rotdyn_error_value")
   expect_error(roll_on_curve(function(x) -x, 0, 1, friction = 0.1), class = "rotdyn_error_value")

@@ -19,6 +19,10 @@ test_that("a scene says what it is, and its parts are checked", {
   expect_error(
     scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = function() 1), class = "rotdyn_error_type"
   )
+  own <- function(time_s, size = 2) c(size, 0, 0) # as on an axle, its own business
+  expect_equal(
+    trajectory(scene_free(c(2, 2, 2), c(0, 0, 0), torque_n_m = own), 3)$omega_x_rad_per_s, 3
+  )
   expect_error(
     scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = data.frame(time_s = 0:1)),
     class = "rotdyn_error_type"

@@ -6,3 +6,16 @@ test_that("sum() adds laws up, and other summaries are refused", {
   expect_identical(whole$omega_rad_per_s, parts$omega_rad_per_s)
   expect_error(max(laws[[1]], laws[[2]]), class = "rotdyn_error_type")
 })
+
+test_that("pulses in any number add up where they overlap", {
+  start <- c(0, 1, 1.5, 7, 7, 20)
+  length <- c(3, 1, 0.25, 2, 1, 1)
+  size <- c(1e16, 1, -1, 4, -2, 5)
+  law <- torque_pulse(start, length, size)
+  t <- c(0.5, 1.25, 1.6, 1.9, 2.5, 3, 5, 7, 7.5, 8, 8.5, 9, 20.5, 21.5)
+  alone <- vapply(t, function(at) sum(size[start <= at & at < start + length]), 0)
+  expect_identical(trajectory(scene_axle(1, law), t)$applied_torque_n_m, alone)
+  n <- 300
+  many <- trajectory(scene_axle(1, torque_pulse(seq_len(n), 0.5, 2) + 1), n + 1)
+  expect_equal(many$omega_rad_per_s, 2 * n + 1, tolerance = 1e-15)
+})
