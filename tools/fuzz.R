@@ -499,6 +499,9 @@ verbs_for <- function(x) {
   ))
 }
 
+# R's own operators on what has become of another class are R's to refuse.
+arithmetic <- c(add = "rot_torque", scale = "rot_torque", product = "rot_measured")
+
 failures <- character()
 limited <- 0L
 done <- 0L
@@ -569,28 +572,41 @@ memory_mb <- function() {
   as.numeric(gsub("[^0-9]", "", grep("^VmRSS", status, value = TRUE))) / 1024
 }
 
-while (done < number) {
-  if (done >= number / 3 && !exists("files_before")) {
-    files_before <- open_files()
-    memory_before <- memory_mb()
-  }
-  call <- draw_call()
-  value <- attempt(call$of, do.call(call$f, call$values, quote = TRUE), call$values)
-  if (is.null(value)) next
-  keep(value)
-  use <- if (chance(0.15)) spoil(value) else value
-  for (verb in sample(verbs_for(value), min(3L, length(verbs_for(value))))) {
-    # A value that is none of the package's classes is not its to print.
-    if (!identical(use, value) && !any(grepl("^rot_", class(use)))) break
-    attempt(paste0(verb, " of ", call$of), verbs[[verb]](use), use)
+make_calls <- function(until) {
+  while (done < until) {
+    call <- draw_call()
+    value <- attempt(call$of, do.call(call$f, call$values, quote = TRUE), call$values)
+    if (is.null(value)) next
+    keep(value)
+    use <- if (chance(0.15)) spoil(value) else value
+    for (verb in sample(verbs_for(value), min(3L, length(verbs_for(value))))) {
+      # A value that is none of the package's classes is not its to print.
+      if (!identical(use, value) && !any(grepl("^rot_", class(use)))) break
+      if (verb %in% names(arithmetic) && !inherits(use, arithmetic[[verb]])) next
+      attempt(paste0(verb, " of ", call$of), verbs[[verb]](use), use)
+    }
   }
 }
 
+make_calls(number / 3)
+files_before <- open_files()
+memory_before <- memory_mb()
+make_calls(number)
 files <- open_files() - files_before
 memory <- memory_mb() - memory_before
 if (files > most_fd_growth) failures <- c(failures, paste("not ok -", files, "files left open"))
+# One call of 300 MB leaves a heap with holes that malloc() keeps but uses again: what is lost is
+# lost a second time by as many calls more.
 if (memory > most_memory_growth_mb) {
-  failures <- c(failures, sprintf("not ok - memory grew by %.0f MB (seed %.0f)", memory, seed))
+  memory_before <- memory_mb()
+  make_calls(2 * number)
+  again <- memory_mb() - memory_before
+  if (again > most_memory_growth_mb) {
+    failures <- c(failures, sprintf(
+      "not ok - memory grew by %.0f MB, then by %.0f MB (seed %.0f)", memory, again, seed
+    ))
+  }
+  memory <- min(memory, again)
 }
 unlink(scratch, recursive = TRUE)
 cat(unique(failures), sep = "\n")

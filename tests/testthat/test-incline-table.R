@@ -17,6 +17,7 @@ test_that("the bowling ball on lanes of different friction", {
   expect_s3_class(out, "rot_incline_table")
   # Too early for the first two.
   expect_identical(is.na(incline_table(lanes(), 1.3)$roll_time_s), c(TRUE, TRUE, FALSE))
+  expect_false(any(is.nan(incline_table(lanes(), 1.3)$roll_time_s)))
 })
 
 test_that("every row is what its scene does", {
