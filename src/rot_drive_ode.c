@@ -440,15 +440,22 @@ static size_t list_events(const motion *m, rot_ode_event event[]) {
   const rot_drive_system *s = &m->s;
   size_t n = 0;
   for (size_t k = 0; k < s->n_contacts; k++) {
-    event[n++] =
-        (rot_ode_event){NULL, s->contact[k].state, 0, ROT_EVENT_REVERSE, at_zero, way_of_slip};
+    event[n++] = (rot_ode_event){.g = NULL,
+                                 .component = s->contact[k].state,
+                                 .name = ROT_EVENT_REVERSE,
+                                 .then = at_zero,
+                                 .side = way_of_slip};
   }
   for (size_t u = 0; u < s->m; u++) {
     if (s->unit[u].quadratic && s->unit[u].ground == SIZE_MAX) {
-      event[n++] = (rot_ode_event){NULL, s->m + u, 0, ROT_EVENT_REVERSE, at_kink, NULL};
+      event[n++] = (rot_ode_event){
+          .g = NULL, .component = s->m + u, .name = ROT_EVENT_REVERSE, .then = at_kink};
     }
   }
-  if (s->n_contacts) event[n++] = (rot_ode_event){margin_at, 0, -1, ROT_EVENT_SLIP, at_limit, NULL};
+  if (s->n_contacts) {
+    event[n++] =
+        (rot_ode_event){.g = margin_at, .direction = -1, .name = ROT_EVENT_SLIP, .then = at_limit};
+  }
   return n;
 }
 

@@ -241,6 +241,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .n_breaks = p->n_breaks,
       .breaks = p->breaks_s,
       .start_s = p->start_s,
+      .start_breaks = p->law != NULL || p->motors != NULL,
       .start = start,
       /* L in space errs by both: that of L in the body, and that of the attitude. */
       .accuracy = 0.5 * accuracy,
@@ -249,8 +250,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .n_events = weight || (m->middle >= 0 && !m->rotors.n),
       .events = &zero,
       .log = &out->events,
-      .project = renormalise,
-      .kinks = p->law != NULL || p->motors != NULL};
+      .project = renormalise};
   memset(out->error, 0, sizeof out->error);
   memset(out->largest, 0, sizeof out->largest);
   const rot_status status =

@@ -137,11 +137,12 @@ static rot_status incline_rhs(double t, const double y[], double dydt[], void *c
 
 typedef enum cause { BEGINS, SLIP_ENDS, SPIN_ENDS, GRIP_ENDS, JUMPS } cause;
 
-/* From rest: what moves first. `lost`: the pull has reached what holds the body. */
+/* From rest: what moves first. `lost`: the pull has reached what holds the body; where it jumped
+ * there it may be beyond that. */
 static ways leave_rest(const motion *m, double pull, int lost) {
   const int way = sign(pull);
   ways at = {0, 0};
-  if (!lost) {
+  if (!lost || fabs(pull) > (1.0 + 1e-9) * m->holds * fmin(m->grips, m->resists)) {
     return rot_incline_leave_rest(pull, m->grips, m->slides, m->resists, m->holds, m->own, m->spin);
   }
   if (m->resists <= m->grips) {
@@ -499,17 +500,19 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
   begin(&m, scene, span, start);
   m.events = events;
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
-  rot_status failure = y ? settle(&m, p->start_s, start, BEGINS) : ROT_ENOMEM;
+  /* sign(sin(t)) has neither of its values at the start. */
+  const double begins = scene->force ? nextafter(p->start_s, INFINITY) : p->start_s;
+  rot_status failure = y ? settle(&m, begins, start, BEGINS) : ROT_ENOMEM;
   if (failure == ROT_OK && n && time_s[0] < p->start_s) failure = ROT_EVALUE;
   if (failure == ROT_OK) failure = pull_at(&m, p->start_s, 0.0, start[SPEED], &f);
   if (failure == ROT_OK) {
     note_noise(&m, f.pull);
-    const rot_ode_event event[] = {{slip_at, 0, 0, ROT_EVENT_ROLL, at_slip_zero, NULL},
-                                   {spin_at, 0, 0, ROT_EVENT_STICK, at_spin_zero, NULL},
-                                   {slip_turned, 0, -1, ROT_EVENT_ROLL, at_slip_zero, NULL},
-                                   {spin_turned, 0, -1, ROT_EVENT_STICK, at_spin_zero, NULL},
-                                   {turn_at, 0, 0, ROT_EVENT_REVERSE, at_turn, NULL},
-                                   {margin_at, 0, -1, ROT_EVENT_SLIP, at_limit, NULL}};
+    const rot_ode_event event[] = {{slip_at, 0, 0, ROT_EVENT_ROLL, at_slip_zero, NULL, 0},
+                                   {spin_at, 0, 0, ROT_EVENT_STICK, at_spin_zero, NULL, 0},
+                                   {slip_turned, 0, -1, ROT_EVENT_ROLL, at_slip_zero, NULL, 0},
+                                   {spin_turned, 0, -1, ROT_EVENT_STICK, at_spin_zero, NULL, 0},
+                                   {turn_at, 0, 0, ROT_EVENT_REVERSE, at_turn, NULL, 0},
+                                   {margin_at, 0, -1, ROT_EVENT_SLIP, at_limit, NULL, 1}};
     const int offset = p->x0_m != 0.0 || p->theta0_rad != 0.0;
     const rot_ode_params ode = {.dim = DIM,
                                 .controlled = STATE,
@@ -518,6 +521,7 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                 .n_breaks = scene->n_breaks,
                                 .breaks = scene->breaks_s,
                                 .start_s = p->start_s,
+                                .start_breaks = scene->force != NULL,
                                 .start = start,
                                 /* Relative to x, which may be half as large as x less x0. */
                                 .accuracy = (offset ? 0.5 : 1.0) * options->accuracy,

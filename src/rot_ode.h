@@ -50,6 +50,7 @@ typedef struct rot_ode_event {
   /* The side of zero to which a stretch forward leaves that begins there in this mode; NULL, or 0:
    * by the slope. */
   int (*side)(int mode, size_t component, void *ctx);
+  int far; /* where g jumps over zero, the event is on the far side */
 } rot_ode_event;
 
 /* A right-hand side with a kink or jump where y[watched] = 0. It is integrated with the sign fixed
@@ -71,6 +72,7 @@ typedef struct rot_ode_params {
   size_t n_breaks; /* times where rhs may jump or kink, increasing; it is never evaluated there */
   const double *breaks;
   double start_s;
+  int start_breaks;           /* the start counts as a break */
   const double *start;        /* dim values */
   double accuracy;            /* largest error wanted of each group, relative to its size */
   size_t max_steps;           /* a run, rejected steps included */

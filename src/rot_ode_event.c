@@ -24,7 +24,7 @@ size_t rot_ode_wall_of(const rot_ode_march *run, size_t which) {
 static look look_at(const rot_ode_march *run, size_t which) {
   const rot_ode_switch *turn = run->p->turn;
   const size_t wall = rot_ode_wall_of(run, which);
-  look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL, NULL}, 0.0, 0, 0};
+  look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL, NULL, 0}, 0.0, 0, 0};
   if (turn && which == 0) {
     l.event.component = turn->watched;
   } else if (wall != NO_WALL) {
@@ -42,7 +42,8 @@ static int is_switch(const rot_ode_march *run, size_t which) { return run->p->tu
 
 static double value_at(rot_ode_march *run, const look *l, double t, const double y[]) {
   if (l->slides) return rot_ode_hold_of_slide(run, t, y);
-  if (l->event.g) return l->event.g(t, y, run->p->ctx);
+  /* On this side of a jump in time, as the right-hand side; of a state it is the motion's own. */
+  if (l->event.g) return l->event.g(rot_ode_keep_time(run, t), y, run->p->ctx);
   return l->event.component < run->p->dim ? y[l->event.component] - l->level : t - l->level;
 }
 
@@ -64,36 +65,41 @@ static double rise_at(rot_ode_march *run, const look *l, double t, const double 
 
 static int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
 
-void rot_ode_arm(rot_ode_march *run, size_t fired, double at) {
+/* `fired`: the watch whose zero this is, with the value `at`. */
+static void arm(rot_ode_march *run, size_t k, int fired, double at) {
   const double way = run->forward ? 1.0 : -1.0;
-  for (size_t k = 0; k < run->n_watch; k++) {
-    const look l = look_at(run, k);
-    rot_ode_watch *w = &run->watch[k];
-    const size_t wall = rot_ode_wall_of(run, k);
-    w->value = value_at(run, &l, run->t, run->y);
-    if (wall != NO_WALL) { /* a slide lasts while its function is positive */
-      const int time = l.event.component == run->p->dim;
-      w->fresh = !time && !l.slides && (k == fired || w->value == 0.0);
-      if (w->fresh) w->value = 0.0;
-      w->side = time ? 0 : l.slides ? 1 : run->side[wall];
-      continue;
-    }
-    if (is_switch(run, k)) {
-      w->side = *run->p->mode;
-      w->fresh = run->phase == ROT_ODE_LEAVING || run->phase == ROT_ODE_UNDECIDED;
-      continue;
-    }
-    if (k == fired && w->value == at) w->value = 0.0;
-    w->side = sign_of(w->value);
-    if (w->side == 0 && l.event.side && run->forward) {
-      w->side = l.event.side(*run->p->mode, l.event.component, run->p->ctx);
-    }
-    if (w->side == 0) {
-      w->side = sign_of(way * rise_at(run, &l, run->t, run->y, run->slope, run->h));
-    }
-    w->fresh = w->value == 0.0 && w->side != 0;
+  const look l = look_at(run, k);
+  rot_ode_watch *w = &run->watch[k];
+  const size_t wall = rot_ode_wall_of(run, k);
+  w->value = value_at(run, &l, run->t, run->y);
+  if (wall != NO_WALL) { /* a slide lasts while its function is positive */
+    const int time = l.event.component == run->p->dim;
+    w->fresh = !time && !l.slides && (fired || w->value == 0.0);
+    if (w->fresh) w->value = 0.0;
+    w->side = time ? 0 : l.slides ? 1 : run->side[wall];
+    return;
   }
+  if (is_switch(run, k)) {
+    w->side = *run->p->mode;
+    w->fresh = run->phase == ROT_ODE_LEAVING || run->phase == ROT_ODE_UNDECIDED;
+    return;
+  }
+  if (fired && w->value == at) w->value = 0.0;
+  w->side = sign_of(w->value);
+  if (w->side == 0 && l.event.side && run->forward) {
+    w->side = l.event.side(*run->p->mode, l.event.component, run->p->ctx);
+  }
+  if (w->side == 0) {
+    w->side = sign_of(way * rise_at(run, &l, run->t, run->y, run->slope, run->h));
+  }
+  w->fresh = w->value == 0.0 && w->side != 0;
 }
+
+void rot_ode_arm(rot_ode_march *run, size_t fired, double at) {
+  for (size_t k = 0; k < run->n_watch; k++) arm(run, k, k == fired, at);
+}
+
+void rot_ode_arm_last(rot_ode_march *run) { arm(run, run->n_watch - 1, 0, 0.0); }
 
 void rot_ode_watch_on(rot_ode_march *run, size_t passed) {
   for (size_t k = 0; k < run->n_watch; k++) {
@@ -177,10 +183,14 @@ static double zero_near(sight *s, double x) {
  * as much of the wrong side. */
 #define KINK_RESOLVED 1e-3
 
+/* Of the span: a jump at the time 0, where a run begins, has no place relative to the time. */
+#define LEAST_TIME 1e-48
+
 /* Positive at the start and not so after hi: re-step to the zero by Newton, kept between. *hi
  * becomes that step, trial the state there. */
 static rot_status find_zero(sight *s, double *hi) {
   rot_ode_march *run = s->run;
+  const double span = fabs(run->end - run->p->start_s);
   double lo = 0.0, high = *hi, a = 0.0, b = 1.0;
   for (int k = 0; k < 40; k++) { /* first guess: the zero of the cubic, whose 1 is the whole step */
     const double mid = 0.5 * (a + b);
@@ -197,13 +207,21 @@ static rot_status find_zero(sight *s, double *hi) {
     if (status != ROT_OK) return status;
     const double next = is_function(&s->at) ? x - v / rise : zero_near(s, x);
     double resolved = 2.0 * ROT_EPS * fmax(fabs(run->t), fabs(x));
+    resolved = fmax(resolved, LEAST_TIME * span);
     if (s->at.kink) resolved = fmax(resolved, KINK_RESOLVED * run->p->accuracy * fabs(*hi));
     if (v > 0.0) {
       lo = x;
     } else {
       high = x;
     }
-    if (v == 0.0 || fabs(next - x) <= resolved || fabs(high - lo) <= 2.0 * resolved) break;
+    const int closed = fabs(high - lo) <= 2.0 * resolved;
+    if (closed && s->at.event.far && v > 0.0) {
+      x = high;
+      const rot_status last = attempt_part(s, x, &v, &rise);
+      if (last != ROT_OK) return last;
+      break;
+    }
+    if (v == 0.0 || fabs(next - x) <= resolved || closed) break;
     const int inside = (next - lo) * (next - high) < 0.0; /* NaN is not */
     x = inside ? next : lo + 0.5 * (high - lo);
   }

@@ -15,6 +15,8 @@ typedef enum rot_ode_passage {
 /* Which side of zero each event function is on where a stretch begins. The value that `fired` has
  * there, `at`, counts as zero (no event: SIZE_MAX). */
 void rot_ode_arm(rot_ode_march *run, size_t fired, double at);
+/* The last watch alone: a new wall's. */
+void rot_ode_arm_last(rot_ode_march *run);
 
 /* Looks for the first event in the trial step; *h becomes the step that is left. */
 rot_status rot_ode_look_for_events(rot_ode_march *run, double *h, rot_ode_passage *what,

@@ -361,7 +361,9 @@ static rot_status take_step(rot_ode_march *run, double stop, double fraction, ro
   run->limit = INFINITY;
   run->phase = *what == ROT_ODE_CUT_SHORT ? ROT_ODE_CUT : ROT_ODE_MOVING;
   const double grow = ratio > 0.0 ? 0.9 * pow(ratio, error_power(run)) : 5.0;
-  const double wish = (early ? h : plan.h) * fmin(5.0, fmax(0.5, grow));
+  /* Up to a wall or to an event before it, which may be within a rounding of t. */
+  const double base = early ? copysign(fmax(fabs(h), 1e-3 * fabs(plan.h)), h) : plan.h;
+  const double wish = base * fmin(5.0, fmax(0.5, grow));
   judge_stiffness(run, plan.h);
   /* A step cut short by a target says nothing against the longer one. */
   if (fabs(wish) > fabs(run->h) || plan.as_wished) run->h = wish;
@@ -448,6 +450,11 @@ static rot_status drive(rot_ode_march *run, double stop) {
       if (run->p->mode) *run->p->mode = next;
       if (timed) rot_ode_pass_time(run);
       if (status == ROT_OK && crossed != NO_WALL) status = rot_ode_pass_wall(run, crossed);
+      /* What jumps there may lead to another mode, as at a break that was given. */
+      const int passed = timed || (crossed != NO_WALL && run->slides == NO_WALL);
+      if (passed && run->p->at_break && run->t != stop) {
+        run->p->at_break(run->t, run->y, run->forward, run->p->ctx);
+      }
       if (status == ROT_OK) status = begin_stretch(run, was, which, at);
     }
     if (status != ROT_OK) return status;
@@ -486,7 +493,7 @@ static course set_out(rot_ode_march *run, double end, int forward) {
   while (w.k < p->n_breaks && (forward ? p->breaks[w.k] <= run->t : p->breaks[w.k] < run->t)) w.k++;
   const int on_break = forward ? w.k > 0 && p->breaks[w.k - 1] == run->t
                                : w.k < p->n_breaks && p->breaks[w.k] == run->t;
-  if (on_break) *w.near = nextafter(run->t, w.outward);
+  if (on_break || p->start_breaks) *w.near = nextafter(run->t, w.outward);
   run->slides = NO_WALL;
   rot_ode_growth_set_out(run->growth);
   return w;

@@ -14,13 +14,23 @@ static int is_time(const rot_ode_march *run, size_t wall) {
 
 /* ---- the right-hand side beside walls -------------------------------------------------------- */
 
+static void keep_side(const rot_ode_march *run, size_t wall, double *x) {
+  const rot_ode_wall *w = &run->walls->wall[wall];
+  if (run->side[wall] > 0) *x = fmax(*x, w->above);
+  if (run->side[wall] < 0) *x = fmin(*x, w->below);
+}
+
 void rot_ode_keep_sides(const rot_ode_march *run, double *t, double y[]) {
   for (size_t k = 0; k < run->walls->count; k++) {
-    const rot_ode_wall *w = &run->walls->wall[k];
-    double *x = is_time(run, k) ? t : &y[w->component];
-    if (run->side[k] > 0) *x = fmax(*x, w->above);
-    if (run->side[k] < 0) *x = fmin(*x, w->below);
+    keep_side(run, k, is_time(run, k) ? t : &y[run->walls->wall[k].component]);
   }
+}
+
+double rot_ode_keep_time(const rot_ode_march *run, double t) {
+  for (size_t k = 0; k < run->walls->count; k++) {
+    if (is_time(run, k)) keep_side(run, k, &t);
+  }
+  return t;
 }
 
 /* f on both sides of a wall; the caller restores the side. */
@@ -136,7 +146,8 @@ rot_status rot_ode_add_wall(rot_ode_march *run, size_t component, double below, 
   run->n_watch++;
   rot_status status = choose_side(run, walls->count - 1);
   if (status == ROT_OK) status = rot_ode_know_slope(run);
-  if (status == ROT_OK) rot_ode_arm(run, NO_WALL, 0.0);
+  /* That alone: an event that was just met has a zero here that is no new one. */
+  if (status == ROT_OK) rot_ode_arm_last(run);
   return status;
 }
 

@@ -18,6 +18,7 @@ rot_status rot_ode_choose_sides(rot_ode_march *run);
 
 /* *t and y (dim) as the sides of the walls allow. */
 void rot_ode_keep_sides(const rot_ode_march *run, double *t, double y[]);
+double rot_ode_keep_time(const rot_ode_march *run, double t);
 
 /* Slope where the motion slides along run->slides. */
 int rot_ode_sliding_slope(rot_ode_march *run, double t, const double y[], double dydt[]);

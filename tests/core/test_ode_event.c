@@ -53,7 +53,7 @@ static void check_turning_points(void) {
   for (int k = 0; k < 12; k++) {
     const int direction = k % 3 - 1, by_function = k / 3 % 2, backward = k / 6;
     const rot_ode_event event = {
-        by_function ? rate_of : NULL, 1, direction, ROT_EVENT_REVERSE, NULL, NULL};
+        by_function ? rate_of : NULL, 1, direction, ROT_EVENT_REVERSE, NULL, NULL, 0};
     const rot_ode_params p = problem(2, pendulum, start, 1e-11, 1, &event);
     const double t = backward ? -span : span;
     double y[2], error[2], largest[2];
@@ -88,7 +88,7 @@ static void check_two_within_a_step(void) {
   const double start[] = {0.0, 2.0 * sin(0.5)}, t = 20.0; /* amplitude 1 */
   const double period = 4.0 * quarter_period(1.0);
   double level = 0.99;
-  const rot_ode_event event = {above, 0, 0, ROT_EVENT_REVERSE, NULL, NULL};
+  const rot_ode_event event = {above, 0, 0, ROT_EVENT_REVERSE, NULL, NULL, 0};
   rot_ode_params p = problem(2, pendulum, start, 1e-4, 1, &event);
   double y[2], error[2], largest[2];
   rot_info info;
@@ -142,7 +142,7 @@ static void check_bouncing_ball(void) {
   for (int i = 0; i < ROWS; i++) t[i] = 0.05 * (i + 1);
   for (int k = 0; k < 2; k++) {
     ball b = {0.7, 0, 0, 0};
-    const rot_ode_event floor = {k ? height : NULL, 0, -1, ROT_EVENT_REVERSE, bounce, NULL};
+    const rot_ode_event floor = {k ? height : NULL, 0, -1, ROT_EVENT_REVERSE, bounce, NULL, 0};
     rot_ode_params p = problem(3, fall, start, 1e-10, 1, &floor);
     rot_info info;
     p.controlled = 2;
@@ -202,9 +202,9 @@ static void check_several(void) {
   const double low = -1.9;
   double t[ROWS], y[2 * ROWS], error[2], largest[2];
   for (int i = 0; i < ROWS; i++) t[i] = 0.05 * (i + 1);
-  const rot_ode_event several[] = {{rate_of, 0, 0, ROT_EVENT_REVERSE, NULL, NULL},
-                                   {clock_of, 0, 1, ROT_EVENT_LOCK, NULL, NULL},
-                                   {above, 0, -1, ROT_EVENT_SLIP, stop, NULL}};
+  const rot_ode_event several[] = {{rate_of, 0, 0, ROT_EVENT_REVERSE, NULL, NULL, 0},
+                                   {clock_of, 0, 1, ROT_EVENT_LOCK, NULL, NULL, 0},
+                                   {above, 0, -1, ROT_EVENT_SLIP, stop, NULL, 0}};
   for (double accuracy = 1e-4; accuracy > 1e-12; accuracy *= 1e-3) {
     rot_ode_params p = problem(2, pendulum, start, accuracy, 3, several);
     rot_info info;

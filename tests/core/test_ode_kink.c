@@ -53,7 +53,7 @@ static double one(const law *l, const double start[2], double accuracy, int back
   rot_info info;
   law with_mode = *l, plain = *l;
   int mode = start[0] > l->at ? 1 : -1;
-  const rot_ode_event event = {depth, 0, 0, ROT_EVENT_REVERSE, change, NULL};
+  const rot_ode_event event = {depth, 0, 0, ROT_EVENT_REVERSE, change, NULL, 0};
   with_mode.mode = &mode;
   for (int i = 0; i < ROWS; i++) t[i] = 0.2 * (backward ? i - (ROWS - 1) : i);
   rot_ode_params p = {.dim = 2,

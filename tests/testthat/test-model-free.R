@@ -170,3 +170,13 @@ test_that("steps of fixed length run where they are named, and say what they are
     class = "rotdyn_error_budget"
   )
 })
+
+test_that("a torque function may jump more often than 32 times", {
+  law <- function(time_s) c(0, 0, sign(sin(4.9 * time_s)))
+  motion <- trajectory(
+    scene_free(c(1, 1, 1), c(0, 0, 0), torque_n_m = law), seq(0, 40, by = 2)
+  )
+  turn <- (4.9 * motion$time_s / pi) %% 2
+  triangle <- (1 - abs(1 - turn)) * pi / 4.9
+  expect_equal(motion$omega_z_rad_per_s, triangle, tolerance = 1e-12)
+})

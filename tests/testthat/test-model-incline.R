@@ -377,3 +377,35 @@ test_that("friction and contact hold along every trajectory, closed form and int
     expect_true(all(diff(motion$slip_heat_j) >= 0 & diff(motion$rolling_heat_j) >= 0))
   }
 })
+
+test_that("a square wave of force needs no breaks, from its first jump on", {
+  t <- seq(0, 6, by = 0.5)
+  wave <- function(time_s) 5 * sign(sin(2 * time_s)) # 0 at the start, a jump there
+  for (lane in list(c(0.05, 0, 0), c(0.05, 10, 0), c(0.2, 10, 0.002), c(0.6, 0, 0.002))) {
+    scene <- function(breaks) {
+      scene_incline(
+        body_sphere(1, 0.1), lane[2], static_friction = lane[1], rolling_arm_m = lane[3],
+        force_n = wave, force_breaks_s = breaks
+      )
+    }
+    found <- trajectory(scene(NULL), t)
+    given <- trajectory(scene(seq(0, 6, by = pi / 2)), t)
+    expect_equal(found$x_m, given$x_m, tolerance = 1e-11)
+    expect_equal(found$omega_rad_per_s, given$omega_rad_per_s, tolerance = 1e-11)
+  }
+  # Before the second jump it slips under a constant force: v = (F/m - mu g) t.
+  slips <- trajectory(
+    scene_incline(body_sphere(1, 0.1), 0, static_friction = 0.05, force_n = wave), c(0, 1.5)
+  )
+  expect_equal(slips$v_m_per_s[2], (5 - 0.05 * 9.80665) * 1.5, tolerance = 1e-12)
+})
+
+test_that("a force that leaves rest by a jump slips where the jump is beyond the grip", {
+  # At rest until 1 s; then 30 N on 1 kg: to roll it needs 2/7 of that, friction gives 2.9 N.
+  push <- function(time_s) if (time_s < 1) 0 else 30
+  motion <- trajectory(scene_incline(
+    body_sphere(1, 0.1), 0, static_friction = 0.3, rolling_arm_m = 0.001,
+    force_n = push
+  ), c(0, 0.5, 2))
+  expect_equal(motion$v_m_per_s[motion$time_s == 2], 30 - 0.3 * 9.80665, tolerance = 1e-10)
+})
