@@ -64,14 +64,13 @@ angular_impulse <- function(torque, from_s = -Inf, to_s = Inf, ..., body = NULL,
   columns <- lapply(columns, rep_len, n)
   inertia <- if (!is.null(body)) one_inertia(body, "body", call)
   instants <- check_instants(instants, call)
-  parts <- lapply(seq_len(n), function(i) {
+  parts <- vapply(seq_len(n), function(i) {
     from <- columns$from_s[i]
     to <- columns$to_s[i]
     if (is.na(from) || is.na(to)) return(c(NA_real_, NA_real_))
     if (to < from) return(c(-1, 1) * impulse_between(loads, instants, to, from, call))
     impulse_between(loads, instants, from, to, call)
-  })
-  parts <- matrix(unlist(parts), nrow = 2L)
+  }, numeric(2))
   out <- c(columns, list(
     angular_impulse_n_m_s = parts[1, ], angular_impulse_error_n_m_s = parts[2, ]
   ))

@@ -241,6 +241,7 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
   double best = 0.0, x = 0.0, v, rise;
   for (int k = 1; k < 16; k++) {
     const double here = seen(s, k / 16.0);
+    if (best > 0.0 && here <= 0.0) break;
     if (here > best) {
       best = here;
       x = k / 16.0;
@@ -284,23 +285,44 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
   return status;
 }
 
-/* Where the function comes below `least` within a step with both ends above zero: x, 1 where it
- * does not, -1 where eight parts of the step do not resolve it. A function of time may pass zero
- * and come back where the motion rests, and the steps, which see the motion alone, are long: of 977
- * drives with dry friction one missed a stretch of slip. */
+/* The step's length over which the samples of an event function are trusted, of the span. */
+#define TRUSTED 1e-3
+
+enum { PARTS = 8 };
+
+/* Does the cubic of the even samples miss the odd ones by more than a tenth of `size`? */
+static int coarse(const sight *s, const double v[PARTS + 1], double size) {
+  double apart = 0.0, highest = 0.0;
+  const double span = s->run->end - s->run->p->start_s;
+  if (!(fabs(s->h) > TRUSTED * fabs(span))) return 0;
+  for (int k = 0; k <= PARTS; k++) highest = fmax(highest, fabs(v[k]));
+  for (int k = 1; k < PARTS; k += 2) {
+    const int a = k == 1 ? 0 : k == PARTS - 1 ? PARTS - 6 : k - 3;
+    const double x = (k - a) / 2.0;
+    const double cubic = v[a] * (x - 1.0) * (x - 2.0) * (x - 3.0) / -6.0 +
+                         v[a + 2] * x * (x - 2.0) * (x - 3.0) / 2.0 -
+                         v[a + 4] * x * (x - 1.0) * (x - 3.0) / 2.0 +
+                         v[a + 6] * x * (x - 1.0) * (x - 2.0) / 6.0;
+    apart = fmax(apart, fabs(v[k] - cubic));
+  }
+  return apart > 0.1 * size && apart > 1e-9 * highest;
+}
+
+/* Where the function comes below `least` within a step with both ends above zero, or that begins at
+ * zero: x, 1 where it does not, -1 where eight parts of the step do not resolve it. A function of
+ * time may pass zero and come back where the motion rests, and the steps, which see the motion
+ * alone, are long: of 977 drives with dry friction one missed a stretch of slip. */
 static double dip_of(const sight *s, double least, int fresh) {
-  enum { PARTS = 8 };
-  double v[PARTS + 1], lowest = INFINITY, highest = 0.0, apart = 0.0, dip = 1.0;
+  double v[PARTS + 1], lowest = INFINITY, dip = 1.0;
   for (int k = 0; k <= PARTS; k++) {
     v[k] = k == 0 ? s->w[0] : k == PARTS ? s->w[2] : seen(s, k / (double)PARTS);
-    lowest = fmin(lowest, v[k]);
-    highest = fmax(highest, fabs(v[k]));
+    if (k > 0 || !fresh) lowest = fmin(lowest, v[k]);
     if (k > 0 && k < PARTS && v[k] < least) {
       least = v[k];
       dip = k / (double)PARTS;
     }
   }
-  if (!s->at.event.g || fresh || dip < 1.0) return dip;
+  if (!s->at.event.g || dip < 1.0) return dip;
   for (int k = 1; k < PARTS; k++) { /* the vertex of the parabola through three */
     const double bend = v[k - 1] - 2.0 * v[k] + v[k + 1], tilt = 0.5 * (v[k + 1] - v[k - 1]);
     if (!(v[k] <= v[k - 1] && v[k] <= v[k + 1] && bend > 0.0)) continue;
@@ -311,19 +333,23 @@ static double dip_of(const sight *s, double least, int fresh) {
       dip = x;
     }
   }
-  if (dip < 1.0) return dip;
-  for (int k = 1; k < PARTS; k += 2) { /* against the cubic of the even points */
-    const int a = k == 1 ? 0 : k == PARTS - 1 ? PARTS - 6 : k - 3;
-    const double x = (k - a) / 2.0;
-    const double cubic = v[a] * (x - 1.0) * (x - 2.0) * (x - 3.0) / -6.0 +
-                         v[a + 2] * x * (x - 2.0) * (x - 3.0) / 2.0 -
-                         v[a + 4] * x * (x - 1.0) * (x - 3.0) / 2.0 +
-                         v[a + 6] * x * (x - 1.0) * (x - 2.0) / 6.0;
-    apart = fmax(apart, fabs(v[k] - cubic));
+  return dip < 1.0 ? dip : coarse(s, v, lowest) ? -1.0 : 1.0;
+}
+
+/* The same for a step that ends below zero: where it first comes below, if it rises again. No
+ * number of parts resolves a jump; where the function falls all the way, it has one zero. */
+static double first_below(const sight *s) {
+  double v[PARTS + 1], highest = 0.0;
+  int first = PARTS, falls = 1;
+  if (!s->at.event.g) return 1.0;
+  for (int k = 0; k <= PARTS; k++) {
+    v[k] = k == 0 ? s->w[0] : k == PARTS ? s->w[2] : seen(s, k / (double)PARTS);
+    highest = fmax(highest, fabs(v[k]));
+    falls = falls && (k == 0 || v[k] <= v[k - 1]);
+    if (first == PARTS && v[k] <= 0.0) first = k;
+    if (first < k && v[k] > 0.0) return first / (double)PARTS;
   }
-  const double span = s->run->end - s->run->p->start_s;
-  const int coarse = apart > 0.1 * lowest && apart > 1e-9 * highest;
-  return coarse && fabs(s->h) > 1e-3 * fabs(span) ? -1.0 : 1.0;
+  return !falls && coarse(s, v, highest) ? -1.0 : 1.0;
 }
 
 static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_passage *what) {
@@ -350,7 +376,7 @@ static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_
   /* Between two ends on one side it may dip to the other. The cubic is of order 4, so that it is
    * believed only where it stays clear of zero. */
   const double clear = run->phase == ROT_ODE_CUT ? 0.0 : 0.3 * fmin(s.w[0], end);
-  const double dip = end > 0.0 ? dip_of(&s, clear, at->fresh) : 1.0;
+  const double dip = end > 0.0 ? dip_of(&s, clear, at->fresh) : first_below(&s);
   if (dip < 0.0) {
     double v, rise;
     *h *= 0.5;
@@ -359,7 +385,7 @@ static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_
     if (*what == ROT_ODE_SAME_SIDE) *what = ROT_ODE_CUT_SHORT;
     return status;
   }
-  if (end > 0.0 ? dip == 1.0 || at->fresh : !fires) return ROT_OK;
+  if (end > 0.0 ? dip == 1.0 || (at->fresh && !s.at.event.g) : !fires && dip == 1.0) return ROT_OK;
   if (dip < 1.0) { /* ask the method itself */
     double v, rise;
     const rot_status status = attempt_part(&s, dip * *h, &v, &rise);
@@ -370,6 +396,11 @@ static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_
       return ROT_OK;
     }
     aim(&s, at, *h);
+    if (at->fresh) {
+      const rot_status left = leave_zero(&s, which, h, what);
+      if (*what == ROT_ODE_SAME_SIDE) *what = ROT_ODE_CUT_SHORT;
+      return left;
+    }
   }
   *what = ROT_ODE_AT_ZERO;
   return find_zero(&s, h);

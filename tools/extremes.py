@@ -1,6 +1,6 @@
 """Reference values for extreme scenes on a fixed axle, from outside the package.
 
-    python3 tools/extremes.py > inst/extdata/extremes.csv
+    python3 tools/extremes.py | gzip -9n > inst/extdata/extremes.csv.gz
 
 needs mpmath and nothing else. Every value is computed with more and more digits, 500 at first,
 until two runs agree to 45 of them. Inputs are doubles, written as C99 hexadecimal numbers, so that

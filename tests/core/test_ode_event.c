@@ -228,8 +228,33 @@ static void check_several(void) {
   }
 }
 
+/* A body at rest whose steps are as long as the run: only the event knows of the time. */
+static double tide(double t, const double y[], void *ctx) {
+  (void)y;
+  return sin(t + *(const double *)ctx);
+}
+
+static void check_clock_at_rest(void) {
+  const double start[] = {0.0, 0.0}, pi = 3.14159265358979323846;
+  const rot_ode_event event = {tide, 0, 0, ROT_EVENT_LOCK, NULL, NULL, 0};
+  for (int k = 0; k < 40; k++) {
+    double phase = 0.05 + 0.157 * k, t = 5.0 + 0.7 * k, y[2], error[2], largest[2], off = 0.0;
+    rot_ode_params p = problem(2, pendulum, start, 1e-6, 1, &event);
+    rot_info info;
+    p.ctx = &phase;
+    ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, &t, y, NULL, error, largest, NULL, &info), ROT_OK);
+    const double first = ceil(phase / pi);
+    ROT_CHECK_EQ_INT(events.count, (int)(floor((t + phase) / pi) - first) + 1);
+    for (size_t i = 0; i < events.count; i++) {
+      off = fmax(off, fabs(events.time_s[i] - ((first + (double)i) * pi - phase)));
+    }
+    ROT_CHECK(off <= 1e-13);
+  }
+}
+
 int main(void) {
   check_turning_points();
+  check_clock_at_rest();
   check_two_within_a_step();
   check_bouncing_ball();
   check_several();

@@ -1,8 +1,8 @@
-# The truth is inst/extdata/extremes.csv: 40 digits, by tools/extremes.py (mpmath). Every case is
+# The truth is inst/extdata/extremes.csv.gz: 40 digits, by tools/extremes.py (mpmath). Every case is
 # right to the error that the run reports, or an error of the package.
 
 extreme_cases <- function() {
-  path <- system.file("extdata", "extremes.csv", package = "rotdyn")
+  path <- system.file("extdata", "extremes.csv.gz", package = "rotdyn")
   cases <- utils::read.csv(path, colClasses = "character")
   text <- c("case", "group", "expect", "law", "x")
   cases[setdiff(names(cases), text)] <- lapply(cases[setdiff(names(cases), text)], as.numeric)
