@@ -20,6 +20,13 @@ describe_value <- function(x) {
   paste0(article, kind, " of length ", length(x))
 }
 
+# For the heads of tibbles, which warn of control characters.
+escape_controls <- function(x) {
+  has <- grepl("[\001-\037\177]", x, useBytes = TRUE)
+  x[has] <- encodeString(x[has])
+  x
+}
+
 # A long text is cut: a message of 200,000 characters takes 25 s to lay out.
 quote_text <- function(x) {
   bytes <- nchar(x, "bytes", keepNA = FALSE)

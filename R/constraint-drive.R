@@ -16,6 +16,7 @@ drive_constraint <- function() {
       theta0_rad = "numbers=moment_of_inertia_kg_m2",
       omega0_rad_per_s = "numbers=moment_of_inertia_kg_m2", start_s = "number"
     ),
+    fault = function(scene) if (any(vapply(scene$couplings, lacks_grip, NA))) "couplings",
     title = function(run) "A drive",
     models = list(drive_axle, drive_clutch, drive_modal, drive_rk8pd, drive_radau),
     columns = drive_columns,

@@ -5,6 +5,7 @@
 #   id            name of the constraint, as models() shows it
 #   scene_class   class of its scenes
 #   form          of its scenes, see R/form.R; NULL: not checked
+#   fault(scene)  NULL, or the part that does not fit the others, of a scene with that form
 #   title(run)    title of the picture
 #   models        records of models, see R/model.R
 #   effects       what a scene may contain: words by name. Names belong to the constraint.

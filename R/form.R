@@ -177,9 +177,18 @@ check_trajectory <- function(x, arg, call) {
   run
 }
 
+lacks_grip <- function(coupling) coupling$kind == 1 && is.null(coupling$grip)
+
+check_coupling <- function(x, arg, call) {
+  check_form(x, coupling_form, arg, "coupling", call)
+  if (lacks_grip(x)) abort_form("grip", arg, "coupling", call)
+  x
+}
+
 # NULL, or the path of a part of a scene that does not fit its constraint.
 fault_of_scene <- function(scene) {
   constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)
   if (is.null(constraint)) return("")
-  if (is.null(constraint$form)) NULL else .Call(ffi_form_fault, scene, constraint$form)
+  fault <- if (!is.null(constraint$form)) .Call(ffi_form_fault, scene, constraint$form)
+  if (is.null(fault) && !is.null(constraint$fault)) constraint$fault(scene) else fault
 }

@@ -291,8 +291,7 @@ format_seconds <- function(x) {
 check_scene <- function(scene, call) {
   constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)
   if (!is.null(constraint)) {
-    form <- constraint$form
-    fault <- if (!is.null(form)) .Call(ffi_form_fault, scene, form)
+    fault <- fault_of_scene(scene)
     if (is.null(fault)) return()
     abort_form(fault, "scene", "scene", call)
   }

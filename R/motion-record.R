@@ -845,7 +845,7 @@ tbl_sum.rot_record <- function(x, ...) {
     !all(c("time_s", "segment") %in% names(x))) {
     return(c(size, "Note" = "what was read and assumed is lost"))
   }
-  c(size, describe_record(x, info))
+  c(size, escape_controls(describe_record(x, info)))
 }
 
 describe_record <- function(x, info) {

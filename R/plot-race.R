@@ -109,5 +109,11 @@ autoplot.rot_race <- function(object, ..., time_s = NULL, base_size = 13) {
       )
     ) +
     plot_theme(base_size) +
-    ggplot2::theme(panel.grid = ggplot2::element_blank())
+    ggplot2::theme(
+      panel.grid = ggplot2::element_blank(),
+      # The number at the low end of the colour bar is as wide as half of itself beyond it.
+      legend.title = ggplot2::element_text(
+        vjust = 1, margin = ggplot2::margin(r = base_size, unit = "pt")
+      )
+    )
 }

@@ -185,7 +185,8 @@ tbl_sum.rot_race <- function(x, ...) {
     size, "Bodies" = paste(n, "at", length(unique(x[["time_s"]])), "times"),
     if (length(first)) {
       c("First" = paste0(
-        paste(utils::head(race_labels(race)[first], 3L), collapse = ", "), " after ",
+        paste(utils::head(escape_controls(race_labels(race)[first]), 3L), collapse = ", "),
+        " after ",
         format_si(best), " s"
       ))
     }

@@ -237,7 +237,7 @@ check_couplings <- function(couplings, n, call) {
       couplings[[i]], "rot_coupling", paste0("couplings[[", i, "]]"),
       "Make one with {.fn coupling_shaft}, {.fn coupling_clutch} or {.fn coupling_gear}.", call
     )
-    check_form(couplings[[i]], coupling_form, paste0("couplings[[", i, "]]"), "coupling", call)
+    check_coupling(couplings[[i]], paste0("couplings[[", i, "]]"), call)
   }
   unname(couplings)
 }
@@ -327,7 +327,7 @@ describe_coupling <- function(x) {
 
 #' @export
 print.rot_coupling <- function(x, ...) {
-  check_form(x, coupling_form, "x", "coupling", rlang::current_env())
+  check_coupling(x, "x", rlang::current_env())
   cat("<rot_coupling> ", describe_coupling(x), "\n", sep = "")
   invisible(x)
 }

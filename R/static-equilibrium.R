@@ -182,7 +182,7 @@ tbl_sum.rot_equilibrium <- function(x, ...) {
     how <- if (rest$projected) "minimum norm among those that only push" else "minimum norm"
     paste0(listed(open_reactions(rest)), " (given: ", how, ")")
   }
-  c(
+  escape_controls(c(
     Equilibrium = paste0(rest$name, " ", verdict_words[[state$verdict]]),
     Determinacy = paste0(
       if (state$redundant) paste("redundant", times_word(state$redundant)) else
@@ -194,7 +194,7 @@ tbl_sum.rot_equilibrium <- function(x, ...) {
     },
     Motion = if (state$verdict != "rests") motion_text(rest),
     Margins = if (state$verdict == "rests") margins_text(margins_of(rest))
-  )
+  ))
 }
 
 margins_text <- function(margins) {

@@ -26,11 +26,8 @@ picture <- function(file, plot, width = 8, height = 4.5, dpi = 240) {
 # ---- the two main jobs --------------------------------------------------------------------------
 
 cases <- extdata("rolling_cases.csv")
-gravity <- extdata("constants.csv")
-race <- rolling_table(
-  cases,
-  gravity_m_per_s2 = gravity$value[gravity$constant == "gravity_m_per_s2"]
-)
+constants <- metadata()$constants
+race <- rolling_table(cases, gravity_m_per_s2 = constants$value[constants$symbol == "g"])
 
 profile <- extdata("torque_profile.csv")
 wheel <- extdata("spin_up_disk.csv")
@@ -46,7 +43,10 @@ if ("--readme" %in% commandArgs(trailingOnly = TRUE)) {
   if (!have_ggplot2) {
     stop("the README's picture needs the package ggplot2", call. = FALSE)
   }
-  picture("man/figures/README-spin-up.png", ggplot2::autoplot(motion), 7.5, 4.6, 120)
+  file <- "man/figures/README-spin-up.png"
+  picture(file, ggplot2::autoplot(motion), 7.5, 4.6, 120)
+  source("vignettes/pictures.R")
+  shrink_png(file)
   quit(save = "no")
 }
 

@@ -139,6 +139,15 @@ if test -d "$work/rotdyn.Rcheck/rotdyn"; then
     fi
   done
 
+  heading "demo"
+  # The main job as `make demo` runs it, with its pictures in demo-output/.
+  if R_LIBS="$work/rotdyn.Rcheck:$R_LIBS" Rscript tools/demo.R > "$work/demo.out" 2>&1; then
+    verdict pass "tools/demo.R"
+  else
+    tail -n 20 "$work/demo.out"
+    verdict fail "tools/demo.R"
+  fi
+
   heading "fuzz"
   # The calls of one seed; make check-fuzz has others.
   R_LIBS="$work/rotdyn.Rcheck:$R_LIBS" Rscript tools/fuzz.R calls 300 7 > "$work/fuzz.out" 2>&1

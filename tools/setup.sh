@@ -126,15 +126,16 @@ apt_install() {
 
 ask_r() { Rscript tools/setup.R "$@" < /dev/null; }
 
-# Some CRAN packages need a system library to build: units, rgl, xml2 (roxygen2 depends on it) and
-# fs, on which the others named here depend. Without that library fs builds its own copy, if cmake
-# is installed.
+# Some CRAN packages need a system library to build: units, png, rgl, xml2 (roxygen2 depends on it)
+# and fs, on which the others named here depend. Without that library fs builds its own copy, if
+# cmake is installed.
 from_cran() {
   extra=""
   have g++ && have gfortran || extra="r-base-dev"
   for name in "$@"; do
     case $name in
       units) extra="$extra libudunits2-dev" ;;
+      png) extra="$extra libpng-dev" ;;
       rgl) extra="$extra libfreetype6-dev libgl1-mesa-dev libglu1-mesa-dev libpng-dev" ;;
       xml2) extra="$extra libxml2-dev pkg-config" ;;
       roxygen2) extra="$extra libxml2-dev libuv1-dev pkg-config" ;;

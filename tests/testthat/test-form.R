@@ -134,3 +134,13 @@ test_that("a trajectory of which any part was replaced prints, or is refused", {
     expect_true(is.character(printed) || inherits(printed, "rotdyn_error_type"), label = part)
   }
 })
+
+test_that("a clutch without its grip is refused", {
+  forged <- coupling_clutch(2)
+  forged["grip"] <- list(NULL)
+  expect_error(print(forged), "grip", class = "rotdyn_error_type")
+  expect_error(scene_drive(c(1, 2), forged), "grip", class = "rotdyn_error_type")
+  scene <- scene_drive(c(1, 2), coupling_clutch(2))
+  scene$couplings[[1]]["grip"] <- list(NULL)
+  expect_error(trajectory(scene, 1), "couplings", class = "rotdyn_error_type")
+})

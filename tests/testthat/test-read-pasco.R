@@ -33,3 +33,11 @@ test_that("sensors with different rates: empty cells between", {
   expect_equal(r$theta_rad, a[!is.na(a)] * pi / 180)
   expect_equal(nrow(attr(r, "record")$dropped), 40)
 })
+
+test_that("a heading with a control character is printed without a warning", {
+  file <- text_file(c(
+    "Time (s) Run\001 #1,Angle (rad) Run\001 #1", "0,1", "0.1,1.1", "0.2,1.3"
+  ))
+  printed <- expect_no_warning(utils::capture.output(print(read_pasco(file))))
+  expect_match(printed, "Time (s) Run\\001 #1", fixed = TRUE, all = FALSE)
+})
