@@ -19,11 +19,17 @@ body_solids <- function(body) {
     list(new_solid(if (flat) "polygon" else "hull", cbind(detail$vertices_m, if (flat) 0)))
   } else if (!is.null(detail$mesh)) {
     list(mesh_solid(detail$mesh, detail$method))
-  } else if (identical(body$provenance, "formula") && body$shape %in% names(shape_solids)) {
+  } else if (identical(body$provenance, "formula") && has_own_sizes(body)) {
     shape_solids[[body$shape]](unname(body$size_m))
   }
   frame <- detail$frame
   if (is.null(frame)) solids else lapply(solids, move_solid, frame$turn, frame$at_m)
+}
+
+has_own_sizes <- function(body) {
+  words <- shape_words_table$sizes[match(body$shape, shape_words_table$shape)]
+  sizes <- regmatches(words, gregexpr("(?<== )\\w+", words, perl = TRUE))[[1]]
+  body$shape %in% names(shape_solids) && identical(names(body$size_m), sizes)
 }
 
 # NULL where one of the parts is unknown: half an outline would mislead.

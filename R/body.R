@@ -54,6 +54,7 @@ check_body <- function(body, call, arg = "body") {
     )
   }
   check_form(body, body_form, arg, "body", call)
+  if (body$mass_kg < 0) abort_form("mass_kg", arg, "body", call)
   # Their own moment is computed from the size.
   size <- switch(axis_shape(body), point = "radius_m", rod_end = "length_m")
   if (!is.null(size) && !size %in% names(body$size_m)) abort_form("size_m", arg, "body", call)

@@ -2,14 +2,18 @@
 
 coast_fit <- function(x, arg, call) {
   check_class(x, "rot_coast_fit", arg, "Make one with {.fn fit_coast_down}.", call)
-  check_form(attr(x, "fit", exact = TRUE), coast_form, arg, "coast-down fit", call)
+  fit <- check_form(attr(x, "fit", exact = TRUE), coast_form, arg, "coast-down fit", call)
+  if (!length(fit$runs)) abort_form("runs", arg, "coast-down fit", call)
+  if (!all(fit$losses %in% coast_losses)) abort_form("losses", arg, "coast-down fit", call)
+  fit
 }
 
 coast_form <- list(
   runs = list(.each = list(
     kind = "number", time_s = "sorted", value = "numbers=time_s", name = "text", p = "numbers:11",
-    covariance = "numbers:121", best = "numbers:11", best_covariance = "numbers:121",
-    numbers = "values:15", residual = "numbers=time_s", dof = "number",
+    covariance = "numbers:121", factor = "numbers:121", best = "numbers:11",
+    best_covariance = "numbers:121", numbers = "values:15", residual = "numbers=time_s",
+    dof = "number",
     problem = list(
       kind = "number", time_s = "sorted", value = "numbers=time_s", fitted = "numbers:11",
       start = "numbers:11", load = "numbers:3", noise = "numbers:2", threshold = "limit",

@@ -4,6 +4,7 @@ clutch_constraint <- function() {
     id = "clutch",
     scene_class = "rot_scene_clutch",
     form = list(
+      bodies = bodies_form,
       moment_of_inertia_kg_m2 = "numbers:2", capacity_n_m = "number",
       static_capacity_n_m = "number", torque = list(.each = torque_form),
       steps = list(.each = list(time_s = "sorted", torque_n_m = "numbers")),

@@ -4,6 +4,7 @@ drive_constraint <- function() {
     id = "drive",
     scene_class = "rot_scene_drive",
     form = list(
+      bodies = bodies_form,
       moment_of_inertia_kg_m2 = "numbers", torque = list(.each = torque_form),
       resistance = list(.each = resistance_form),
       rotors = list(.is = "list=moment_of_inertia_kg_m2", .each = list(

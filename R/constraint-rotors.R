@@ -4,6 +4,7 @@ rotors_constraint <- function() {
     id = "rotors",
     scene_class = "rot_scene_rotors",
     form = list(
+      bodies = bodies_form,
       moment_of_inertia_kg_m2 = "numbers",
       stiffness_n_m_per_rad = "numbers=moment_of_inertia_kg_m2-1",
       damping_n_m_s = "numbers=moment_of_inertia_kg_m2-1",

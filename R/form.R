@@ -57,6 +57,9 @@ body_form <- list(
   detail = list(.is = "list", centre_error_m = "values:1?"), error = "values:1", error_kind = "text"
 )
 
+# A number is a moment of inertia.
+bodies_form <- list(.each = list(.one_of = list(body_form, "number")), .optional = TRUE)
+
 domain_form <- list(
   .class = "rot_domain", kind = "text", size_m = "numbers", centre_m = "numbers:3",
   chart = "numbers:10", periodic = "flags:3", parameter = "numbers?", map = "function?",

@@ -19,6 +19,7 @@
 autoplot.rot_torque <- function(object, ..., time_s = NULL, omega_rad_per_s = NULL,
                                 theta_rad = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)
+  check_form(object, torque_form, "object", "torque law", call)
   laws <- if (inherits(object, "rot_torque_sum")) object$laws else list(object)
   over <- vapply(laws, law_variable, "")
   asked <- list(

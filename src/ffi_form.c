@@ -107,12 +107,14 @@ static int fits(SEXP x, SEXP form, SEXP parent, fault *at) {
   const SEXP names = Rf_getAttrib(form, R_NamesSymbol);
   if (TYPEOF(form) != VECSXP || TYPEOF(names) != STRSXP) Rf_error("internal: `form`");
   if (Rf_isNull(x)) return !Rf_isNull(ffi_element(form, ".optional"));
-  if (TYPEOF(x) != VECSXP) return 0;
+  /* A choice may be between a list and a number. */
+  if (TYPEOF(x) != VECSXP && Rf_isNull(ffi_element(form, ".one_of"))) return 0;
   const SEXP names_of_x = Rf_getAttrib(x, R_NamesSymbol);
   for (R_xlen_t i = 0; i < XLENGTH(form); i++) {
     const char *name = CHAR(STRING_ELT(names, i));
     const SEXP part = VECTOR_ELT(form, i);
     if (name[0] != '.') {
+      if (TYPEOF(x) != VECSXP) return 0;
       if (!fits(part_of(x, names_of_x, STRING_ELT(names, i)), part, x, at)) {
         return put_before(name, at);
       }

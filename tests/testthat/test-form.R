@@ -144,3 +144,16 @@ test_that("a clutch without its grip is refused", {
   scene$couplings[[1]]["grip"] <- list(NULL)
   expect_error(trajectory(scene, 1), "couplings", class = "rotdyn_error_type")
 })
+
+test_that("damaged bodies, laws and fits are refused, or have no outline", {
+  body <- body_disk(2, 0.1)
+  body$mass_kg <- -1
+  expect_error(print(body), "mass_kg", class = "rotdyn_error_type")
+  scene <- scene_rotors(list(body_disk(2, 0.1), 3), 10)
+  scene$bodies <- function() 1
+  expect_error(trajectory(scene, 1), "bodies", class = "rotdyn_error_type")
+  law <- torque_function(function(time_s) time_s)
+  law$arguments <- NA
+  skip_if_not_installed("ggplot2")
+  expect_error(ggplot2::autoplot(law), "torque law", class = "rotdyn_error_type")
+})
