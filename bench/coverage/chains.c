@@ -234,22 +234,38 @@ static int consistent(const chain *s, const int zero[], int n, quad t, const qua
   return 1;
 }
 
-/* What the contacts would carry, of what they hold, if all of those without slip stuck. */
-static void find_loads(chain *s, const int zero[], int n, quad t, const quad y[], quad load[]) {
+/* At rest under loads that begin at once: as if they grew. What is loaded most, of what it holds,
+ * gives way first and slides; what slides the wrong way sticks again. 0: it does not settle. */
+static int release_in_turn(chain *s, const int zero[], int n, quad t, const quad y[]) {
   quad rate[ROTORS], carried[CONTACTS];
   for (int i = 0; i < n; i++) s->k[zero[i]].mode = 0;
-  const int solved = accelerations(s, t, y, rate, carried);
-  for (int i = 0; i < n; i++) {
-    const contact *k = &s->k[zero[i]];
-    const quad c = solved ? carried[zero[i]] : 0;
-    load[i] = c > 0 ? c / k->hold_forward : c < 0 ? -c / k->hold_backward : 0;
+  for (int round = 0; round < 4 * n + 4; round++) {
+    int worst = -1, caught = 0;
+    quad most = 1 + 1e-24Q;
+    if (!accelerations(s, t, y, rate, carried)) return 0;
+    for (int i = 0; i < n; i++) {
+      contact *k = &s->k[zero[i]];
+      const quad c = carried[zero[i]];
+      const quad a = k->pa * rate[k->a] + (k->b >= 0 ? k->pb * rate[k->b] : 0);
+      const quad load = c > 0 ? c / k->hold_forward : -c / k->hold_backward;
+      if (k->mode != 0 && k->mode * a <= 0) {
+        k->mode = 0;
+        caught = 1;
+      } else if (k->mode == 0 && load > most) {
+        most = load;
+        worst = zero[i];
+      }
+    }
+    if (caught) continue;
+    if (worst < 0) return consistent(s, zero, n, t, y);
+    s->k[worst].mode = carried[worst] > 0 ? 1 : -1;
   }
+  return 0;
 }
 
-/* Sets the modes for a state; `loose` is a contact that just broke loose, or -1. With static above
- * sliding friction more than one set may be consistent: that in which most stick, then that in
- * which those stick that did, for their forces change continuously, then that in which the less
- * loaded stick, for the others would have given way first as the loads grew. */
+/* Sets the modes for a state; `loose` is a contact that just broke loose, or -1: loads begin. With
+ * static above sliding friction more than one set may be consistent: that in which most stick, then
+ * that in which those stick that did, for their forces change continuously. */
 static int choose_modes(chain *s, quad t, const quad y[], const quad size[], int loose) {
   int zero[CONTACTS], stuck[CONTACTS], n = 0;
   for (int k = 0; k < s->n_contacts; k++) {
@@ -263,24 +279,18 @@ static int choose_modes(chain *s, quad t, const quad y[], const quad size[], int
       c->mode = slip > 0 ? 1 : -1;
     }
   }
-  quad load[CONTACTS], least = 0;
+  if (loose < 0 && release_in_turn(s, zero, n, t, y)) return 1;
   int combinations = 1, best = -1, found = -1;
-  find_loads(s, zero, n, t, y, load);
   for (int i = 0; i < n; i++) combinations *= 3;
   for (int try = 0; try < combinations; try++) {
     int sticks = 0, left = try, allowed = 1;
-    quad loads = 0;
     for (int i = 0; i < n; i++, left /= 3) {
       s->k[zero[i]].mode = left % 3 - 1;
+      if (s->k[zero[i]].mode == 0) sticks += CONTACTS + 1 + stuck[i];
       if (zero[i] == loose && s->k[zero[i]].mode == 0) allowed = 0;
-      if (s->k[zero[i]].mode != 0) continue;
-      sticks += CONTACTS + 1 + stuck[i];
-      loads += load[i];
     }
-    const int better = sticks > best || (sticks == best && loads < least);
-    if (allowed && better && consistent(s, zero, n, t, y)) {
+    if (allowed && sticks > best && consistent(s, zero, n, t, y)) {
       best = sticks;
-      least = loads;
       found = try;
     }
   }

@@ -156,6 +156,47 @@ static int is_over(const body *b, quad t, const quad y[4]) {
   return b->slip == 0 && fabsq(grip_of(b, pull)) > b->grips;
 }
 
+/* How far what sticks is from slipping, where nothing moves against another. */
+static quad margin(const body *b, quad t, const quad y[4]) {
+  const quad pull = pull_at(b, t, y[2]);
+  if (rests(b)) return fminq(b->resists, b->grips) - fabsq(pull);
+  return b->slip == 0 ? b->grips - fabsq(grip_of(b, pull)) : INFINITY;
+}
+
+/* A force of time may break the grip within a step and let it hold again before the end. *d becomes
+ * a step to where it is broken, found at the least of the margin; 0: there is none. */
+static int dips(const body *b, quad *d) {
+  enum { PARTS = 4 };
+  quad v[PARTS + 1], next[4];
+  int least = 0;
+  for (int i = 0; i <= PARTS; i++) {
+    step(b, *d * i / PARTS, next);
+    v[i] = margin(b, b->t + *d * i / PARTS, i ? next : b->y);
+    if (v[i] < v[least]) least = i;
+  }
+  if (!(least > 0 && least < PARTS)) return 0;
+  quad lo = *d * (least - 1) / PARTS, hi = *d * (least + 1) / PARTS;
+  for (int i = 0; i < 80; i++) { /* golden section */
+    const quad a = hi - 0.618033988749895Q * (hi - lo), c = lo + 0.618033988749895Q * (hi - lo);
+    step(b, a, next);
+    const quad at_a = margin(b, b->t + a, next);
+    step(b, c, next);
+    const quad at_c = margin(b, b->t + c, next);
+    if (fminq(at_a, at_c) < 0) {
+      *d = at_a < 0 ? a : c;
+      return 1;
+    }
+    if (at_a < at_c) {
+      hi = c;
+    } else {
+      lo = a;
+    }
+    /* Far above zero the parabola through the least is enough. */
+    if (fminq(at_a, at_c) > 0.5Q * fminq(v[0], v[PARTS]) && i > 3) return 0;
+  }
+  return 0;
+}
+
 /* The law that fits the state. Speeds that are zero here are zero exactly. */
 static void choose(body *b) {
   b->way = sign(b->y[2]);
@@ -251,9 +292,11 @@ static int walk(body *b, quad target, quad most) {
       h = d / 2;
       continue;
     }
-    if (is_over(b, b->t + d, next)) {
+    quad hi = d;
+    const int broken_within = b->s->scene.force && !is_over(b, b->t + d, next) && dips(b, &hi);
+    if (broken_within || is_over(b, b->t + d, next)) {
       if (--events == 0) return 1;
-      quad lo = 0, hi = d;
+      quad lo = 0;
       for (int i = 0; i < 112; i++) {
         const quad mid = (lo + hi) / 2;
         step(b, mid, next);
