@@ -13,6 +13,10 @@
 #'
 #' `T` acts on rotor `i + 1` times `ratio`, on rotor `i` as `-T`; the housing takes the rest.
 #'
+#' With static above sliding friction, loads that begin at once may allow several answers: which of
+#' two clutches slips, and which holds. The one that is loaded most, of what it holds, gives way
+#' first, as if the loads grew.
+#'
 #' @param stiffness_n_m_per_rad,damping_n_m_s Stiffness and damping of the shaft at rotor `i`, at
 #'   least 0.
 #' @param ratio One number, not 0.

@@ -433,3 +433,19 @@ test_that("no stretch of slip is passed over, whatever the accuracy", {
     expect_equal(events$time_s[1], (1.5 - acos(0.2 / 0.2004)) / 9.36, tolerance = 1e-12)
   }
 })
+
+test_that("from rest, the contact that is loaded most gives way first", {
+  # The torque on rotor 2 passes a clutch (2 N m at rest, 1.5 sliding) to rotor 1, which its axle
+  # holds with 1.7 N m at rest, 1 sliding. A clutch that slips and an axle that holds 1.5 N m are
+  # always consistent; but as a torque grows, the axle gives way at 1.7 N m.
+  after_2_s <- function(torque_n_m) {
+    scene <- scene_drive(
+      c(1, 2), coupling_clutch(1.5, static_ratio = 4 / 3), torque = list(NULL, torque_n_m),
+      resistance = list(resistance(coulomb_n_m = 1, static_n_m = 1.7), NULL)
+    )
+    trajectory(scene, 2)$omega_rad_per_s
+  }
+  expect_identical(after_2_s(1.6), c(0, 0))
+  expect_equal(after_2_s(3), rep((3 - 1) / (1 + 2) * 2, 2)) # the clutch carries 3 - 2 * 2 / 3
+  expect_equal(after_2_s(5), c((1.5 - 1) / 1, (5 - 1.5) / 2) * 2)
+})
