@@ -27,9 +27,9 @@ body_solids <- function(body) {
 }
 
 has_own_sizes <- function(body) {
-  words <- shape_words_table$sizes[match(body$shape, shape_words_table$shape)]
-  sizes <- regmatches(words, gregexpr("(?<== )\\w+", words, perl = TRUE))[[1]]
-  body$shape %in% names(shape_solids) && identical(names(body$size_m), sizes)
+  shapes <- shape_table()
+  of <- match(body$shape, shapes$shape)
+  body$shape %in% names(shape_solids) && identical(names(body$size_m), shapes$names[[of]])
 }
 
 # NULL where one of the parts is unknown: half an outline would mislead.

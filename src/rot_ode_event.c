@@ -285,16 +285,22 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
   return status;
 }
 
-/* The step's length over which the samples of an event function are trusted, of the span. */
-#define TRUSTED 1e-3
+/* Samples of a step shorter than this, of the span, resolve an event function. */
+#define RESOLVED 1e-3
 
 enum { PARTS = 8 };
+
+static void sample_step(const sight *s, double v[PARTS + 1]) {
+  v[0] = s->w[0];
+  for (int k = 1; k < PARTS; k++) v[k] = seen(s, k / (double)PARTS);
+  v[PARTS] = s->w[2];
+}
 
 /* Does the cubic of the even samples miss the odd ones by more than a tenth of `size`? */
 static int coarse(const sight *s, const double v[PARTS + 1], double size) {
   double apart = 0.0, highest = 0.0;
   const double span = s->run->end - s->run->p->start_s;
-  if (!(fabs(s->h) > TRUSTED * fabs(span))) return 0;
+  if (!(fabs(s->h) > RESOLVED * fabs(span))) return 0;
   for (int k = 0; k <= PARTS; k++) highest = fmax(highest, fabs(v[k]));
   for (int k = 1; k < PARTS; k += 2) {
     const int a = k == 1 ? 0 : k == PARTS - 1 ? PARTS - 6 : k - 3;
@@ -314,8 +320,8 @@ static int coarse(const sight *s, const double v[PARTS + 1], double size) {
  * alone, are long: of 977 drives with dry friction one missed a stretch of slip. */
 static double dip_of(const sight *s, double least, int fresh) {
   double v[PARTS + 1], lowest = INFINITY, dip = 1.0;
+  sample_step(s, v);
   for (int k = 0; k <= PARTS; k++) {
-    v[k] = k == 0 ? s->w[0] : k == PARTS ? s->w[2] : seen(s, k / (double)PARTS);
     if (k > 0 || !fresh) lowest = fmin(lowest, v[k]);
     if (k > 0 && k < PARTS && v[k] < least) {
       least = v[k];
@@ -342,8 +348,8 @@ static double first_below(const sight *s) {
   double v[PARTS + 1], highest = 0.0;
   int first = PARTS, falls = 1;
   if (!s->at.event.g) return 1.0;
+  sample_step(s, v);
   for (int k = 0; k <= PARTS; k++) {
-    v[k] = k == 0 ? s->w[0] : k == PARTS ? s->w[2] : seen(s, k / (double)PARTS);
     highest = fmax(highest, fabs(v[k]));
     falls = falls && (k == 0 || v[k] <= v[k - 1]);
     if (first == PARTS && v[k] <= 0.0) first = k;

@@ -2,7 +2,7 @@
  * with the models that it judges. Smooth motions of linear chains by the exponential of their
  * matrix, pendulums by Jacobi's functions, all others by extrapolated midpoint steps (Gragg,
  * Bulirsch, Stoer) that end where a contact begins to slip or to stick; which contacts stick is
- * found by trying all combinations.
+ * found by releasing them in turn where loads begin, by trying all combinations elsewhere.
  *
  * A scene a line, numbers between blanks:
  *   start, n, degrees

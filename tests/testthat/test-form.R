@@ -152,6 +152,17 @@ test_that("damaged bodies, laws and fits are refused, or have no outline", {
   scene <- scene_rotors(list(body_disk(2, 0.1), 3), 10)
   scene$bodies <- function() 1
   expect_error(trajectory(scene, 1), "bodies", class = "rotdyn_error_type")
+  body <- body_disk(2, 0.1)
+  body$size_m <- double()
+  expect_null(rotdyn:::body_solids(body))
+  time_s <- seq(0, 10, by = 0.1)
+  omega <- 20 * exp(-time_s / 5) + 0.01 * sin(seq_along(time_s))
+  fit <- fit_coast_down(data.frame(time_s = time_s, omega_rad_per_s = omega))
+  for (part in c("runs", "losses")) {
+    forged <- fit
+    attr(forged, "fit")[[part]] <- switch(part, runs = list(), losses = "nonsense")
+    expect_error(print(forged), part, class = "rotdyn_error_type")
+  }
   law <- torque_function(function(time_s) time_s)
   law$arguments <- NA
   skip_if_not_installed("ggplot2")
