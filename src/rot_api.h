@@ -4,4 +4,6 @@
 
 #include "../inst/include/rotdyn.h"
 
+#include "rot_ieee.h"
+
 #endif

@@ -6,6 +6,8 @@
 #ifndef ROT_ATTITUDE_H
 #define ROT_ATTITUDE_H
 
+#include "rot_ieee.h"
+
 typedef enum rot_attitude_form {
   ROT_FORM_QUATERNION, /* w, x, y, z */
   ROT_FORM_MATRIX,     /* r11, r12, r13, r21, ...: v_space = R v_body */

@@ -2,6 +2,8 @@
 #ifndef ROT_CLOCK_H
 #define ROT_CLOCK_H
 
+#include "rot_ieee.h"
+
 /* In s, from an arbitrary origin; NaN where it is not available. */
 double rot_clock_cpu_s(void);
 

@@ -15,6 +15,8 @@
 #ifndef ROT_COLLIDE_FLOW_H
 #define ROT_COLLIDE_FLOW_H
 
+#include "rot_ieee.h"
+
 #define ROT_RESTITUTION_LIST(X)                                                                    \
   X(ROT_ENERGETIC, "energetic")                                                                    \
   X(ROT_KINETIC, "kinetic")                                                                        \

@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 typedef struct rot_column {
   const double *values;
   size_t step; /* 1, or 0 for one value in all rows */

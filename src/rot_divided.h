@@ -8,6 +8,8 @@
 #ifndef ROT_DIVIDED_H
 #define ROT_DIVIDED_H
 
+#include "rot_ieee.h"
+
 /* sin and cos of x + x_lo, for x_lo of any size. */
 void rot_sin_cos(double x, double x_lo, double *sine, double *cosine);
 

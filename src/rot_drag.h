@@ -8,6 +8,8 @@
 #ifndef ROT_DRAG_H
 #define ROT_DRAG_H
 
+#include "rot_ieee.h"
+
 typedef struct rot_drag_law {
   double drive_n_m, drive_lo; /* any sign, to twice the precision */
   double viscous_n_m_s, quadratic_n_m_s2, inertia_kg_m2;

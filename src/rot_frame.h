@@ -7,6 +7,8 @@
 #ifndef ROT_FRAME_H
 #define ROT_FRAME_H
 
+#include "rot_ieee.h"
+
 /* East, north, up, from where it started, with this velocity there. */
 typedef struct rot_projectile_input {
   double omega_rad_per_s, latitude_deg, gravity_m_per_s2, v_m_per_s[3], time_s;

@@ -1,6 +1,8 @@
 #ifndef ROT_GAUSS_H
 #define ROT_GAUSS_H
 
+#include "rot_ieee.h"
+
 /* The 12-point Gauss-Legendre rule on (0, 1). Truncation error below 1e-17 for exponentials and
  * sines with arguments up to 3. */
 typedef struct rot_gauss_node {

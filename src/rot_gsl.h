@@ -2,6 +2,8 @@
 #ifndef ROT_GSL_H
 #define ROT_GSL_H
 
+#include "rot_ieee.h"
+
 /* Switches it off. Called once, where the package or the library is loaded: from then on a failed
  * call of GSL returns its status. The core changes it nowhere else, so that no thread does while
  * another one runs. */

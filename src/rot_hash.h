@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 #define ROT_HASH_SIZE 33 /* 32 hexadecimal digits, with the end */
 
 /* The higher half first, as xxhsum -H2 prints it. The same on machines of either byte order. */

@@ -3,6 +3,8 @@
 #ifndef ROT_IMPACT_H
 #define ROT_IMPACT_H
 
+#include "rot_ieee.h"
+
 /* A ball on a floor: x along it, y up; omega > 0 rolls towards +x. */
 typedef struct rot_bounce_input {
   double mass_kg, radius_m, beta; /* > 0 */

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "rot_ieee.h"
+
 /* The sign of the slip, 0: the contact grips; the sign of omega, 0: the resistance holds it. */
 typedef struct rot_incline_ways {
   int slip, spin;

@@ -13,6 +13,8 @@
 #include <immintrin.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h>
+
+#include "rot_ieee.h"
 #endif
 
 #ifdef ROT_WIDE_FMA

@@ -6,6 +6,8 @@
 #ifndef ROT_PHI_H
 #define ROT_PHI_H
 
+#include "rot_ieee.h"
+
 #define ROT_PHI_MAX 6
 
 /* phi[0..k_max] of -(z + z_lo), k_max <= ROT_PHI_MAX; z_lo is used in phi_0, and in the others for

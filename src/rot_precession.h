@@ -5,6 +5,8 @@
 #ifndef ROT_PRECESSION_H
 #define ROT_PRECESSION_H
 
+#include "rot_ieee.h"
+
 typedef struct rot_precession_input {
   double mass_kg, lever_arm_m, axial_kg_m2, spin_rad_per_s, transverse_kg_m2, angle_deg,
       gravity_m_per_s2; /* transverse: about the fixed point, NaN where it is not known */

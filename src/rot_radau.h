@@ -11,6 +11,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 #define ROT_RADAU_ERROR_ORDER 5 /* the error of a step goes with h^6 */
 
 /* dydt = f(t, y); anything but 0 ends the step. */

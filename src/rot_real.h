@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+#include "rot_ieee.h"
+
 #define ROT_EPS 0x1p-53 /* unit roundoff */
 
 /* a + b = returned + *lo, exactly (Knuth). */

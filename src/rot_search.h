@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 /* The number of x[i] < t or, with `or_equal`, <= t: the index of the first that is not. */
 static inline size_t rot_bound(size_t n, const double x[], double t, int or_equal) {
   size_t lo = 0, hi = n;

@@ -13,6 +13,8 @@
 #ifndef ROT_SHAPES_GEOMETRY_H
 #define ROT_SHAPES_GEOMETRY_H
 
+#include "rot_ieee.h"
+
 enum { ROT_SIZES = 4 };
 
 typedef struct rot_geometry {

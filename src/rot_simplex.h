@@ -9,6 +9,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 enum { ROT_SIMPLEX_ROWS = 6 };
 
 typedef enum rot_simplex_result {

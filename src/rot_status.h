@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 /* code, text, kind: the R condition class is rotdyn_error_<kind>. Listed once, here. */
 #define ROT_STATUS_LIST(X)                                                                         \
   X(ROT_OK, "ok", "none")                                                                          \

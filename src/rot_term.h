@@ -5,6 +5,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 /* code, name in R. The first kinds are functions of time alone. What x holds:
  *
  *   sinusoid     x[0] cos(x[1] t + x[2])

@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "rot_ieee.h"
+
 #define ROT_TEXT_SIZE 32 /* enough for any double, with the end */
 
 /* The shortest of 15, 16 and 17 significant digits that come back the same (17 always do), as JSON

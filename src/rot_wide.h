@@ -5,6 +5,8 @@
 #ifndef ROT_WIDE_H
 #define ROT_WIDE_H
 
+#include "rot_ieee.h"
+
 /* On Windows the stack is not aligned for registers of four. */
 #if defined(__GNUC__) && defined(__x86_64__) && defined(__SSE2__) && !defined(_WIN32)
 #define ROT_WIDE_CAN

@@ -129,7 +129,7 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 # LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.
 # Layers of one level exclude each other. The first line that matches counts.
 layers='
-1 ground      status real text hash dd dd_trig pair pair_dd wide search column gauss clock
+1 ground      ieee status real text hash dd dd_trig pair pair_dd wide search column gauss clock
 1 ground      share gsl
 2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex whiten
 3 engine      ode* events march torque term model
@@ -182,6 +182,23 @@ files '^R/.*\.R$' | grep -vE '^R/(constraints|constraint-[a-z-]*|scene[a-z-]*)\.
 files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
   test -f "${file%.c}.h" || echo "$file"
 done | rule "every src/rot_X.c has its rot_X.h"
+# Files whose includes lead to rot_ieee.h, directly or through others, grow until none is added.
+sed -n 's|^src/\([a-z0-9_]*\.[ch]\):.*# *include *"\([a-z0-9_]*\.h\)".*|\1 \2|p' \
+  "$work/rot" "$work/ffi" | awk '
+  { from[NR] = $1; to[NR] = $2 }
+  END {
+    seen["rot_ieee.h"] = 1
+    do {
+      more = 0
+      for (i = 1; i <= NR; i++) if ((to[i] in seen) && !(from[i] in seen)) more = seen[from[i]] = 1
+    } while (more)
+    for (file in seen) print "src/" file
+  }' | sort > "$work/guarded"
+files '^src/.*\.c$' | comm -23 - "$work/guarded" |
+  rule "every src/*.c sees rot_ieee.h, which refuses fast mathematics"
+for file in configure src/Makevars.win tools/library.sh; do
+  grep -q -- '-ffp-contract=off' $file || echo "$file"
+done | rule "every build switches contraction of a * b + c off"
 files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
   case " $exempt " in *" $file "*) continue ;; esac
   topic=${file#src/ffi_}

@@ -159,6 +159,23 @@ header() {
   fi
 }
 
+# fast COMPILER: flags of fast mathematics that the compiler announces by a macro are refused by
+# rot_ieee.h, which every file sees (tools/check-boundary.sh).
+fast() {
+  for flag in -Ofast -ffast-math -ffinite-math-only -funsafe-math-optimizations; do
+    echo | "$1" $flag -dM -E - 2> /dev/null | grep -Eq \
+      '__(FAST_MATH|FINITE_MATH_ONLY|ASSOCIATIVE_MATH|RECIPROCAL_MATH)__ 1' || continue
+    if ! "$1" $flag -Isrc -fsyntax-only src/rot_status.c > "$work/log" 2>&1 &&
+      grep -q "needs IEEE 754" "$work/log"; then
+      echo "ok - refuses $flag: $1"
+      pass
+    else
+      echo "not ok - refuses $flag: $1"
+      fail
+    fi
+  done
+}
+
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
 if test "$1" = --valgrind; then
@@ -204,6 +221,7 @@ else
       if ! command -v $cxx > /dev/null 2>&1; then skip "$cxx is not installed"; break; fi
       header $cxx $std
     done
+    fast $cc
     ! accepts $cc -fsanitize=address,undefined || sanitizer=$cc
   done
   if test -n "$sanitizer"; then

@@ -1,0 +1,18 @@
+/* Refuses compilers that do not follow IEEE 754. Every file sees this header: the error bounds rest
+ * on infinities, NaN, signed zeros and sums in the order of the text. Contraction of a * b + c is
+ * switched off by -ffp-contract=off (configure, Makevars.win, tools/library.sh) and here, where the
+ * compiler knows the pragma. */
+#ifndef ROT_IEEE_H
+#define ROT_IEEE_H
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||           \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                               \
+    defined(__NO_SIGNED_ZEROS__) || defined(_M_FP_FAST)
+#error "rotdyn needs IEEE 754 arithmetic: compile without -Ofast, -ffast-math and what they imply"
+#endif
+
+#if defined(__clang__) || defined(_MSC_VER)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+#endif
