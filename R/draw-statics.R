@@ -1,8 +1,9 @@
 #' Free-body drawing
 #'
 #' The body with all forces on it: loads, and the reactions of the supports. The lengths of the
-#' arrows grow with the forces; small ones are drawn longer, so that they are seen. A body in space
-#' is drawn in oblique projection, with x to the right, z up and y into the page.
+#' arrows grow with the forces; small ones are drawn longer, so that they are seen. Dashed arrows
+#' are the normals of surfaces and rollers. A body in space is drawn in oblique
+#' projection, with x to the right, z up and y into the page.
 #'
 #' @param object What [static_equilibrium()] returned.
 #' @inheritParams autoplot.rot_trajectory
@@ -85,6 +86,7 @@ draw_statics <- function(rest) {
   turning <- apply(turns, 1L, length_of)
   turn_slack <- c(rep(0, n), rows$error_n_m)
   largest <- max(sizes, 0)
+  normal <- matrix(normals_of(s$supports), 3L)
   middle <- colMeans(place(at))
   centre <- colMeans(used[stats::complete.cases(used), , drop = FALSE])
   for (i in seq_len(nrow(at))) {
@@ -93,6 +95,12 @@ draw_statics <- function(rest) {
       draw_force(d, place(at[i, , drop = FALSE]), forces[i, ], sizes[i] / largest, symbol, style[i],
                  plane, style[i] == "torque" && pushes(rest, i - n, forces[i, ], at[i, ], centre))
       d$key(quantity(symbol, names[i], force_text(forces[i, ], sizes[i], plane), style[i]))
+    }
+    if (i > n && !is.na(normal[1, i - n])) {
+      p <- place(at[i, , drop = FALSE])
+      draw_normal(d, p, normal[, i - n], paste0("n[", i - n, "]"), plane)
+      d$key(quantity(paste0("n[", i - n, "]"), paste("normal,", names[i]),
+                     normal_text(normal[, i - n], 3L - plane), "body"))
     }
     if (turning[i] > turn_slack[i]) {
       symbol <- paste0(if (style[i] == "weight") "M" else "C", "[", number[i], "]")
@@ -140,6 +148,15 @@ draw_force <- function(d, point, force, share, symbol, style, plane, ends) {
   side <- 0.17 * c(-way[2], way[1])
   if (side[1] < 0 || (side[1] == 0 && side[2] < 0)) side <- -side
   d$say(symbol, outer[1] + side[1], outer[2] + side[2])
+}
+
+# A short dashed line from the point along the normal, into the body.
+draw_normal <- function(d, point, normal, symbol, plane) {
+  way <- flatten_points(rbind(normal), plane)
+  if (length_of(way) < 0.05) way <- cbind(0.05, 0.05)
+  tip <- point + 0.3 * way / length_of(way)
+  d$add(mark("arrow", rbind(point, tip), "dashed"))
+  d$say(symbol, tip[1] + 0.08 * way[1] + 0.09 * way[2], tip[2] + 0.08 * way[2] - 0.09 * way[1])
 }
 
 # "490.3 N down", "351 N at 66 degrees", "(61.3, 0, 122.6) N".

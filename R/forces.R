@@ -223,6 +223,8 @@ couple_columns <- function(plane) {
   if (plane) "torque_n_m" else c("torque_x_n_m", "torque_y_n_m", "torque_z_n_m")
 }
 
+normal_columns <- function(plane) c("normal_x", "normal_y", if (!plane) "normal_z")
+
 is_plane <- function(loads) !"z_m" %in% names(loads)
 
 # Down in a plane or in space; a couple at such a point.

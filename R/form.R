@@ -108,7 +108,8 @@ run_form <- list(
 
 support_form <- list(
   .class = "rot_support", kind = "text", name = "text", at_m = "numbers", normal = "numbers",
-  to_m = "numbers", friction = "limit", slides = "flag"
+  to_m = "numbers", friction = "limit", slides = "flag",
+  assumed = "flag"
 )
 
 # The attribute of a static equilibrium.

@@ -38,7 +38,8 @@
 #' @param name Name of the structure.
 #' @param x,object What `static_equilibrium()` returned.
 #' @return `static_equilibrium()`: a tibble of class `rot_equilibrium` with a row for each support:
-#'   the force and the couple *on the body* and
+#'   the force and the couple *on the body*, `normal_x`, `normal_y` and in space `normal_z`, the
+#'   unit vector along which a surface or roller pushes, and
 #'   `r describe_columns(equilibrium_columns)`
 #'   `normal_n` is the push of a surface or roller and the pull of a cable or rod; `friction_n` and
 #'   what follows from it are NA without friction.
@@ -102,6 +103,7 @@ static_equilibrium <- function(loads, supports, ..., outline_m = NULL, rank_tole
   )
   name <- check_name(name, "name", call)
   outline <- check_outline(outline_m, plane, call)
+  check_default_normals(supports, loads, outline$points, call)
   structure <- structure_of(loads, supports, tolerance)
   new_equilibrium(structure, outline, name, call)
 }
@@ -188,6 +190,7 @@ tbl_sum.rot_equilibrium <- function(x, ...) {
       if (state$redundant) paste("redundant", times_word(state$redundant)) else
         if (state$free) "movable" else "determinate", ": ", counts
     ),
+    Normals = normals_text(rest$structure$supports),
     "Not determined" = open,
     "Free motion" = if (state$free && state$verdict == "rests") {
       paste0(motion_text(rest), if (state$free > 1) paste0(" (one of ", state$free, ")"))
@@ -195,6 +198,28 @@ tbl_sum.rot_equilibrium <- function(x, ...) {
     Motion = if (state$verdict != "rests") motion_text(rest),
     Margins = if (state$verdict == "rests") margins_text(margins_of(rest))
   ))
+}
+
+# Unit vectors along which surfaces and rollers push.
+normals_of <- function(supports) {
+  vapply(supports, function(one) {
+    if (!one$kind %in% c("surface", "roller")) return(rep(NA_real_, 3L))
+    normal <- c(one$normal / max(abs(one$normal)), 0)[1:3]
+    normal / length_of(normal)
+  }, double(3))
+}
+
+normals_text <- function(supports) {
+  n <- normals_of(supports)
+  directed <- which(!is.na(n[1, ]))
+  if (!length(directed)) return(NULL)
+  listed(vapply(directed, function(i) {
+    paste0(supports[[i]]$name, " ", normal_text(n[, i], length(supports[[i]]$at_m)))
+  }, ""))
+}
+
+normal_text <- function(normal, size) {
+  paste0("(", paste(format_si(signif(normal[seq_len(size)], 3) + 0), collapse = ", "), ")")
 }
 
 margins_text <- function(margins) {
@@ -355,13 +380,14 @@ support_rows <- function(rest) {
   out[force_columns(plane)] <- lapply(keep, function(j) force[j, ])
   out[couple_columns(plane)] <- if (plane) list(couple[3, ]) else
     lapply(1:3, function(j) couple[j, ])
+  normal <- matrix(normals_of(s$supports), 3L)
   c(out, list(
     force_n = apply(force, 2L, length_of), normal_n = contact$normal,
     friction_n = contact$friction, friction_needed = contact$needed,
     sliding_margin = contact$margin,
     determined = vapply(seq_len(n), function(i) all(rest$determined[s$owner == i]), NA),
     error_n = worst(FALSE), error_n_m = worst(TRUE), state = contact$state
-  ))
+  ), stats::setNames(lapply(keep, function(j) normal[j, ]), normal_columns(plane)))
 }
 
 # Push and friction of each support, and whether it can bear them.

@@ -17,7 +17,9 @@
 #' it lifts off rather than pull. A rod's and a cable's own weight is ignored.
 #'
 #' @param at_m The point of the body that is supported: two numbers in a plane, three in space.
-#' @param normal Direction of the push on the body, of any length; up by default.
+#' @param normal Direction of the push on the body, of any length. By default up, for supports at
+#'   the ground: as low as the lowest point of supports, forces and outline, but for a thousandth of
+#'   their extent. Elsewhere [static_equilibrium()] asks for it: a wall is no floor.
 #' @param friction Coefficient of static friction, at least 0; Inf: a surface that never slides.
 #' @param to_m The other end of a cable or rod.
 #' @param axis Direction of the hinge's axis: three numbers.
@@ -33,6 +35,7 @@
 #' @examples
 #' support_pin(c(0, 0))
 #' support_surface(c(4, 0), friction = 0.4, name = "floor")
+#' support_surface(c(2, 4), normal = c(-1, 0), name = "wall")
 #' support_cable(c(3, 0), to_m = c(0, 2))
 #' @name supports
 NULL
@@ -118,6 +121,7 @@ print.rot_support <- function(x, ...) {
     cat(word, paste(format_si(x$normal), collapse = ", "), ")", sep = "")
   }
   if (x$kind == "surface") cat(", friction", format_si(x$friction))
+  if (x$assumed) cat(" (up by default, at the ground alone)")
   cat("\n")
   invisible(x)
 }
@@ -128,6 +132,7 @@ new_support <- function(kind, at_m, name, call, normal = NULL, to_m = NULL, fric
   name <- check_name(name, "name", call)
   at_m <- check_point(at_m, "at_m", "m", call)
   directed <- kind %in% c("roller", "surface", "hinge")
+  assumed <- directed && is.null(normal)
   if (directed) {
     normal <- check_point(normal %||% -down_of(at_m), arg, "1", call)
     points <- stats::setNames(list(at_m, normal), c("at_m", arg))
@@ -149,7 +154,7 @@ new_support <- function(kind, at_m, name, call, normal = NULL, to_m = NULL, fric
   structure(
     list(
       kind = kind, name = name, at_m = at_m, normal = as.double(normal), to_m = as.double(to_m),
-      friction = friction, slides = FALSE
+      friction = friction, slides = FALSE, assumed = assumed
     ),
     class = "rot_support"
   )
@@ -181,6 +186,35 @@ check_supports <- function(supports, plane, call) {
     if (nzchar(named[i])) supports[[i]]$name <- named[i]
   }
   unname(supports)
+}
+
+# Up is the default direction of a push from the ground alone: at the lowest point of the body.
+check_default_normals <- function(supports, loads, outline, call) {
+  assumed <- vapply(supports, `[[`, NA, "assumed")
+  if (!any(assumed)) return(invisible())
+  system <- system_of(loads)
+  pulls <- colSums(system$force != 0) > 0
+  up <- 3L - is_plane(loads)
+  points <- rbind(
+    t(vapply(supports, function(one) c(one$at_m, 0)[1:3], double(3))),
+    t(system$at[, pulls, drop = FALSE]), if (length(outline)) cbind(outline, 0)[, 1:3]
+  )
+  points <- points[stats::complete.cases(points), , drop = FALSE]
+  extent <- max(apply(points, 2L, function(x) max(x / 2) - min(x / 2)))
+  lowest <- min(points[, up])
+  heights <- vapply(supports, function(one) one$at_m[up], 0)
+  high <- which(assumed & heights / 2 - lowest / 2 > 1e-3 * extent)
+  if (!length(high)) return(invisible())
+  one <- supports[[high[1]]]
+  axis <- c("x", "y", "z")[up]
+  wall <- if (up == 2L) "c(-1, 0)" else "c(-1, 0, 0)"
+  floor <- if (up == 2L) "c(0, 1)" else "c(0, 0, 1)"
+  abort_rotdyn(c(
+    "The direction in which the {one$kind} {.val {one$name}} pushes is unknown.",
+    x = "It is at {axis} = {format_si(heights[high[1]])} m, the lowest point at
+         {format_si(lowest)} m: up is the default at the ground alone.",
+    i = "Give {.arg normal}: {.code {wall}} for a wall to the right, {.code {floor}} for a step."
+  ), "value", call)
 }
 
 # What check_form() cannot say of a support that was edited.

@@ -57,3 +57,20 @@ test_that("couples turn as their sign, space is oblique, and all is drawn withou
   expect_match(ggplot2::autoplot(door)$labels$title, "Door: rests")
   expect_error(ggplot2::autoplot(door, size = 2), class = "rotdyn_error_argument")
 })
+
+test_that("normals are dashed arrows into the body, with a key", {
+  ladder <- static_equilibrium(
+    load_weight(70, c(1, 2)), list(
+      floor = support_surface(c(0, 0), friction = 0.6),
+      wall = support_surface(c(2, 4), normal = c(-5, 0))
+    )
+  )
+  drawing <- drawing_of(ladder)
+  key <- drawing$quantities
+  expect_equal(key$name[key$symbol == "n[2]"], "normal, wall")
+  expect_equal(key$value[key$symbol %in% c("n[1]", "n[2]")], c("(0, 1)", "(-1, 0)"))
+  dashed <- Filter(function(one) one$type == "arrow" && one$style == "dashed", drawing$marks)
+  way <- vapply(dashed, function(one) one$points[2, ] - one$points[1, ], double(2))
+  expect_equal(way, cbind(c(0, 0.3), c(-0.3, 0)))
+  expect_silent(ggplot2::ggplotGrob(ggplot2::autoplot(ladder)))
+})
