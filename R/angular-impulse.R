@@ -23,7 +23,8 @@
 #'   the span turned round.
 #' @section Errors: `rotdyn_error_torque` for a law that depends on the motion (motors, springs,
 #'   gravity, functions of the state: their impulse is a term of [audit()]), and for an integral
-#'   that is not finite; `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
+#'   that is not finite: also of a function that grows as 1/time or faster towards a time in the
+#'   span; `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`. A function with breaks
 #'   that are not given warns, as in [torque_function()].
 #' @source OpenStax, College Physics (2012), section 10.5; Halliday, Resnick and Walker,
@@ -128,7 +129,9 @@ impulse_between <- function(loads, instants, from, to, call) {
   if (!is.finite(total) || is.nan(error)) {
     abort_rotdyn(c(
       "The torque has no finite angular impulse from {format(from)} to {format(to)} s.",
-      i = "Give a finite span, {.arg from_s} and {.arg to_s}."
+      i = if (!is.finite(to - from)) "Give a finite span, {.arg from_s} and {.arg to_s}." else
+        "It is not finite in between: a time at which it is infinite is one of the {.arg breaks_s}
+         of {.fn torque_function}."
     ), "torque", call)
   }
   c(total, error)
@@ -212,6 +215,69 @@ law_impulse <- function(law, from, to, call) {
   edges <- unique(unlist(Map(function(a, b) seq(a, b, length.out = 9L), edges[-length(edges)],
                              edges[-1])))
   n <- length(edges)
-  parts <- integrate_panels(function(t) cbind(reader$at(t)), edges[-n], edges[-1])
-  c(sum(parts$value), sum(parts$error) + .Machine$double.eps * sum(parts$size))
+  f <- function(t) cbind(reader$at(t))
+  parts <- integrate_panels(f, edges[-n], edges[-1])
+  size <- sum(parts$size)
+  at <- parts$unresolved
+  rest <- vapply(worst_panels(f, at), function(i) {
+    singular_part(f, at$from[i], at$to[i], size, call)
+  }, double(2))
+  c(
+    sum(parts$value, rest[1, ]), sum(parts$error, rest[2, ]) + .Machine$double.eps * size
+  )
+}
+
+# Of these panels, 16 with the largest errors at most: the error of the others counts as it is.
+worst_panels <- function(f, at) {
+  if (length(at$from) <= 16L) return(seq_along(at$from))
+  order(-panel_integrals(f, at$from, at$to)$error)[1:16]
+}
+
+# A panel with a jump or a pole in it or at its end: halved on, to what doubles resolve, always the
+# half with the larger error. What the other halves hold falls with each halving if the integral
+# converges: as 2^-(1 - p) by a pole |t - t0|^-p. Returns c(value, error) less those of the panel.
+singular_part <- function(f, from, to, size, call) {
+  whole <- panel_integrals(f, from, to)
+  value <- error <- 0
+  held <- double()
+  repeat {
+    middle <- from + (to - from) / 2
+    tried <- panel_integrals(f, c(from, middle), c(middle, to))
+    if (!all(is.finite(tried$value))) {
+      if (length(held) < 4L) abort_pole(from, to, call)
+      break # a node met the pole: the panel before
+    }
+    halves <- tried
+    k <- if (halves$error[1] > halves$error[2]) 1L else 2L
+    value <- value + halves$value[3L - k]
+    error <- error + halves$error[3L - k] + halves$noise[3L - k]
+    held <- c(held, halves$size[3L - k])
+    if (k == 1L) to <- middle else from <- middle
+    if (halves$error[k] <= 1e-17 * size) break
+    if (to - from < 1024 * .Machine$double.eps * max(abs(c(from, to))) || to - from < 1e-305) break
+  }
+  n <- length(held)
+  last <- halves$size[k]
+  value <- value + halves$value[k]
+  error <- error + halves$error[k] + halves$noise[k]
+  if (halves$error[k] > 1e-17 * size && n >= 4L) {
+    # Means of several halvings: the place lies now in the near, now in the far half.
+    m <- min(8L, n %/% 2L)
+    falls <- sum(held[n - seq_len(m) + 1L]) / sum(held[n - m - seq_len(m) + 1L])
+    if (!(falls < 0.98^m)) abort_pole(from, to, call)
+    each <- falls^(1 / m)
+    error <- error + abs(last - mean(held[n - seq_len(m) + 1L]) * each / (1 - each))
+  }
+  if (error > 0.1 * size) abort_pole(from, to, call) # too few halvings to tell
+  c(value - whole$value, error - whole$error - whole$noise)
+}
+
+abort_pole <- function(from, to, call) {
+  abort_rotdyn(c(
+    "The torque has no finite angular impulse that quadrature finds.",
+    x = "Near {format(from + (to - from) / 2, digits = 7)} s it grows as 1/time or faster, or is not
+         finite.",
+    i = "End the span before it. If the impulse is finite, the place is one of the
+         {.arg breaks_s} of {.fn torque_function}."
+  ), "torque", call)
 }

@@ -53,3 +53,30 @@ check_rows <- function(x, call, columns) {
   }
   if (anyNA(x$time_s)) abort_rotdyn("{.field time_s} must not be missing.", "time", call)
 }
+
+# Objects of other packages keep the methods of these: one for all others is set where none is.
+#' @noRd
+set_default_verbs <- function() {
+  generics <- asNamespace("generics")
+  verbs <- list(augment = augment_unknown, glance = glance_unknown)
+  for (verb in names(verbs)) {
+    if (is.null(utils::getS3method(verb, "default", optional = TRUE, envir = generics))) {
+      registerS3method(verb, "default", verbs[[verb]], envir = generics)
+    }
+  }
+}
+
+augment_unknown <- function(x, ...) {
+  abort_unknown(x, "a trajectory, an estimate or a fit", rlang::current_env())
+}
+
+glance_unknown <- function(x, ...) {
+  abort_unknown(x, "a trajectory, an equilibrium, an estimate or a fit", rlang::current_env())
+}
+
+abort_unknown <- function(x, known, call) {
+  if (missing(x)) check_supplied("x", call)
+  abort_rotdyn(c(
+    paste("{.arg x} must be", known, "of this package."), x = "It is {describe_value(x)}."
+  ), "type", call)
+}

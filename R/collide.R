@@ -36,7 +36,8 @@
 #' @param restitution,friction Coefficients: 0 to 1; at least 0, or Inf.
 #' @param coefficient What the coefficient of restitution refers to, see above.
 #' @param attitude_1,attitude_2 Rotation of the body's own axes in space: a 3 x 3 matrix, a
-#'   quaternion (scalar first), or a matrix with a quaternion in each row. NULL: none.
+#'   quaternion (scalar first), or a matrix with a quaternion in each row; orthogonal, or of length
+#'   1, within 1e-8. NULL: none.
 #' @return A tibble (class `rot_collision`), a row for each collision:
 #'   `r describe_columns(collide_columns)`
 #'   without those of body 2 where there is none. NA in a row gives NA. Bodies that do not approach

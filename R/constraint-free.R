@@ -231,8 +231,7 @@ free_torque_at <- function(scene, x) {
   out <- matrix(scene$torque_n_m, n, 3, byrow = TRUE)
   if (!is.null(scene$knots)) {
     for (k in 1:3) {
-      y <- stats::approx(scene$knots$time_s, scene$knots[[k + 1L]], x$time_s)$y
-      out[, k] <- out[, k] + ifelse(is.na(y), 0, y)
+      out[, k] <- out[, k] + between_knots(scene$knots$time_s, scene$knots[[k + 1L]], x$time_s)
     }
   }
   if (!is.null(scene$law) && n) {
@@ -241,6 +240,15 @@ free_torque_at <- function(scene, x) {
     out <- out + t(apply(state, 1, f))
   }
   out
+}
+
+# As rot_free_between_knots() in src/rot_free_torque.c: 0 outside, the later value at a jump.
+between_knots <- function(at, y, time_s) {
+  i <- pmin(pmax(findInterval(time_s, at), 1L), length(at) - 1L)
+  width <- at[i + 1L] - at[i]
+  part <- ifelse(width > 0, (time_s - at[i]) / width, 1)
+  value <- ifelse(part < 1, y[i] + (y[i + 1L] - y[i]) * part, y[i + 1L])
+  ifelse(time_s < at[1] | time_s > at[length(at)], 0, value)
 }
 
 free_texts <- function() {

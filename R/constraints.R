@@ -52,6 +52,7 @@ registry <- new.env(parent = emptyenv())
 
 .onLoad <- function(libname, pkgname) {
   for (constraint in constraint_list()) join_constraint(constraint)
+  set_default_verbs()
 }
 
 # Constraints of the C core (src/rot_choice.c) have their effects and their models' promises there.

@@ -59,13 +59,14 @@ panels_at_once <- 5e4
 # The same over panels halved until the error is below rounding, 24 halvings are done, or the budget
 # is used up (`spent`): then the error says so. A panel whose integral is not finite is not halved.
 # The error includes that of the times. `least`: the size of what the integrands are added to, below
-# whose rounding nothing is halved.
+# whose rounding nothing is halved. `unresolved`: the panels that 24 halvings did not resolve.
 integrate_panels <- function(rates, from, to, least = 0) {
   left <- most_panels + 4 * length(from)
   n <- length(from)
   owner <- seq_len(n)
   total <- NULL
   spent <- FALSE
+  unresolved <- list(from = double(), to = double())
   for (halving in 0:24) {
     panels <- panel_integrals(rates, from, to)
     if (is.null(total)) {
@@ -75,9 +76,13 @@ integrate_panels <- function(rates, from, to, least = 0) {
     }
     allowed <- 1e-15 * rep(total, each = length(from))
     left <- left - length(from)
-    good <- !is.finite(rowSums(panels$value)) | halving == 24L |
+    good <- !is.finite(rowSums(panels$value)) |
       rowSums(panels$error > allowed | is.na(panels$error)) == 0 |
       (to - from) < 4 * .Machine$double.eps * pmax(abs(from), abs(to))
+    if (halving == 24L) {
+      unresolved <- list(from = from[!good], to = to[!good])
+      good[] <- TRUE
+    }
     more <- 2 * sum(!good)
     if (more > left || (more > panels_at_once && more > 4 * n)) {
       spent <- TRUE
@@ -100,5 +105,5 @@ integrate_panels <- function(rates, from, to, least = 0) {
     to <- c(middle, to[!good])
     from <- c(from[!good], middle)
   }
-  list(value = value, size = size, error = error, spent = spent)
+  list(value = value, size = size, error = error, spent = spent, unresolved = unresolved)
 }

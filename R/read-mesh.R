@@ -56,9 +56,14 @@ metres_in <- function(length_unit, call) {
   known <- length_units[match(length_unit, names(length_units))]
   if (!is.na(known)) return(unname(known))
   if (requireNamespace("units", quietly = TRUE)) {
-    one <- tryCatch(units::set_units(1, length_unit, mode = "standard"), error = function(e) NULL)
-    if (!is.null(one) && units::ud_are_convertible(units(one), "m")) {
-      return(as.numeric(units::set_units(one, "m", mode = "standard")))
+    # A warning says that the text is more than a unit: "2 m", "log(m)".
+    metres <- tryCatch({
+      lengths <- units::set_units(c(1, 2), length_unit, mode = "standard")
+      as.numeric(units::set_units(lengths, "m", mode = "standard"))
+    }, error = function(e) NA, warning = function(w) NA)
+    # Proportional: reciprocals (1/m) are convertible, too.
+    if (isTRUE(is.finite(metres[1]) && metres[1] > 0 && metres[2] == 2 * metres[1])) {
+      return(metres[1])
     }
   }
   abort_rotdyn(c(

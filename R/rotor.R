@@ -19,9 +19,9 @@
 #' @param omega_rad_per_s Its angular velocity W at the start, relative to the body.
 #' @param torque_n_m NULL: driven at that speed. Else the torque u of its motor on the rotor about
 #'   the axis: a number (0: it turns freely), a data frame with the columns `time_s` and
-#'   `torque_n_m` (linear between its times, 0 before and after), or a function of `time_s`, or of
-#'   `time_s`, `omega_rad_per_s` (of the body, in its axes) and `attitude` (quaternion, scalar
-#'   first), that returns one number.
+#'   `torque_n_m` (linear between its times, 0 before and after; two rows at the same time make a
+#'   jump), or a function of `time_s`, or of `time_s`, `omega_rad_per_s` (of the body, in its axes)
+#'   and `attitude` (quaternion, scalar first), that returns one number.
 #' @param ... Not used; names after it must be given in full.
 #' @param breaks_s Times at which a torque function jumps or has a kink.
 #' @return A `rot_rotor`.

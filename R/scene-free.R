@@ -30,10 +30,11 @@
 #' @param omega0_rad_per_s Three components of the angular velocity at `start_s`, in body axes.
 #' @param ... Not used; names after it must be given in full.
 #' @param attitude0 Attitude at `start_s`, body to space: NULL (the axes coincide), a row of
-#'   [attitude_from()], a 3 x 3 rotation matrix, or a quaternion `c(qw, qx, qy, qz)` of unit length.
+#'   [attitude_from()], a 3 x 3 rotation matrix, or a quaternion `c(qw, qx, qy, qz)`. As there,
+#'   a quaternion of another length than 1 is normalised.
 #' @param torque_n_m Torque about the centre of mass: NULL, three numbers, a data frame with the
-#'   columns `time_s`, `x_n_m`, `y_n_m`, `z_n_m` (linear between its times, 0 before and after), or
-#'   a function of `time_s`, or of `time_s`, `omega_rad_per_s` (body axes) and `attitude`
+#'   columns `time_s`, `x_n_m`, `y_n_m`, `z_n_m` (linear between its times, 0 before and after; two
+#'   rows at the same time make a jump), or a function of `time_s`, or of `time_s`, `omega_rad_per_s` (body axes) and `attitude`
 #'   (quaternion, scalar first), that returns three numbers.
 #' @param torque_axes Axes of the components: `"body"` or `"space"`.
 #' @param damping_per_s The torque `-damping L`, which makes L fade as `exp(-damping t)`.
@@ -53,7 +54,8 @@
 #'   angular momentum.
 #' @section Warnings: `rotdyn_warning_inertia`: three moments that no body has, since one exceeds
 #'   the sum of the others; driven rotors with more moment than the body with them.
-#'   `rotdyn_warning_normalised`: an attitude not of unit length.
+#'   `rotdyn_warning_normalised`: an attitude that is not of unit length, or not orthogonal, by more
+#'   than 1e-12.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
 #'   Inf, and a spin about an axis without moment of inertia), `rotdyn_error_unit`,
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`, `rotdyn_error_inertia`.
@@ -183,26 +185,31 @@ new_free_inertia <- function(body, moments, axes = c(1, 0, 0, 0), error = 0) {
   )
 }
 
+# As attitude_from() reads them: a row of it, a matrix, or four numbers, scalar first.
 start_attitude <- function(attitude, call) {
   if (is.null(attitude)) return(c(1, 0, 0, 0))
-  if (is.list(attitude) || (is.numeric(attitude) && !is.null(names(attitude)))) {
-    q <- as_attitude(attitude, "attitude0", call)
-    if (length(q[[1]]) != 1L) {
-      abort_rotdyn(c(
-        "{.arg attitude0} must be one attitude.", x = "It has {length(q[[1]])} rows."
-      ), "size", call)
-    }
-    q <- unlist(q, use.names = FALSE)
-    if (anyNA(q)) abort_rotdyn("{.arg attitude0} must not be missing.", "value", call)
-    return(q)
-  }
-  matrix <- as_rotation(attitude, "attitude0", call)
-  if (length(attitude) == 4L) {
-    q <- .Call(ffi_attitude_from, 0, as.list(as.double(attitude)), NULL)
+  bare <- is.numeric(attitude) && !is.object(attitude)
+  q <- if (bare && identical(dim(attitude), c(3L, 3L))) {
+    read_attitude("matrix", as.list(as.double(t(attitude))), NULL, "attitude0", call)
+  } else if (bare && is.null(names(attitude)) && length(attitude) == 4L) {
+    read_attitude("quaternion", as.list(as.double(attitude)), NULL, "attitude0", call)
+  } else if (is.list(attitude) || (is.numeric(attitude) && !is.null(names(attitude)))) {
+    as_attitude(attitude, "attitude0", call)
   } else {
-    q <- .Call(ffi_attitude_from, 1, as.list(as.double(t(matrix))), NULL)
+    abort_rotdyn(c(
+      "{.arg attitude0} must be an attitude: a row of {.fn attitude_from}, a 3 x 3 rotation matrix,
+       or a quaternion, scalar first.",
+      x = "It is {describe_value(attitude)}."
+    ), "type", call)
   }
-  unlist(q[1:4], use.names = FALSE)
+  if (length(q[[1]]) != 1L) {
+    abort_rotdyn(c(
+      "{.arg attitude0} must be one attitude.", x = "It has {length(q[[1]])} rows."
+    ), "size", call)
+  }
+  q <- unlist(q, use.names = FALSE)
+  if (anyNA(q)) abort_rotdyn("{.arg attitude0} must not be missing.", "value", call)
+  q
 }
 
 # list(torque_n_m, knots, law, breaks_s)
@@ -242,13 +249,21 @@ torque_table <- function(torque, columns, call) {
     check_finite(torque[[name]], name, if (name == "time_s") "s" else "N*m", call)
   })
   names(knots) <- names
-  if (any(lengths(knots) != length(knots$time_s)) || any(diff(knots$time_s) <= 0)) {
-    abort_rotdyn(
-      "The times of {.arg torque_n_m} must increase, with a torque each.", "time", call
-    )
+  time_s <- knots$time_s
+  if (any(lengths(knots) != length(time_s)) || is.unsorted(time_s)) {
+    abort_rotdyn(c(
+      "The times of {.arg torque_n_m} must not go back, with a torque each.",
+      i = "Two rows at the same time make a jump."
+    ), "time", call)
   }
-  if (length(knots$time_s) < 2L) {
+  if (length(time_s) < 2L) {
     abort_rotdyn("{.arg torque_n_m} needs two times at least.", "size", call)
+  }
+  if (time_s[1] == time_s[length(time_s)]) {
+    abort_rotdyn(c(
+      "The times of {.arg torque_n_m} must span some time.",
+      x = "All of them are {format(time_s[1])} s."
+    ), "time", call)
   }
   knots
 }

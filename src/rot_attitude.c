@@ -32,6 +32,11 @@ double rot_attitude_unit(double q[4]) {
   int e;
   const double length = length_of(4, q);
   if (length == 1.0) return length;
+  if (isinf(length) && isfinite(q[0]) && isfinite(q[1]) && isfinite(q[2]) && isfinite(q[3])) {
+    for (int i = 0; i < 4; i++) q[i] *= 0.25;
+    (void)rot_attitude_unit(q);
+    return length;
+  }
   if (!(length > 0.0) || isinf(length)) {
     for (int i = 0; i < 4; i++) q[i] = NAN;
     return length;

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "rot_attitude.h"
+#include "rot_free_torque.h"
 #include "rot_real.h"
-#include "rot_search.h"
 
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -120,13 +120,11 @@ void rot_free_rotors_speeds(const rot_free_rotors *r, const double omega[3], con
 }
 
 static double knots_at(const rot_free_rotor *rotor, double t) {
-  const double *x = rotor->knot_s, *y = rotor->knot_torque;
-  const size_t n = rotor->n_knots;
-  if (!n || t < x[0] || t > x[n - 1]) return 0.0;
-  size_t i = rot_upper_bound(n, x, t);
-  if (i == n) i--;
-  if (i == 0) return 0.0;
-  return y[i - 1] + (y[i] - y[i - 1]) * ((t - x[i - 1]) / (x[i] - x[i - 1]));
+  const double *y = rotor->knot_torque;
+  size_t i;
+  double part;
+  if (!rot_free_between_knots(rotor->n_knots, rotor->knot_s, t, &i, &part)) return 0.0;
+  return part < 1.0 ? y[i] + (y[i + 1] - y[i]) * part : y[i + 1];
 }
 
 rot_status rot_free_rotors_torque(const rot_free_rotors *r, double t, const double omega[3],

@@ -3,15 +3,22 @@
 #include "rot_attitude.h"
 #include "rot_search.h"
 
+int rot_free_between_knots(size_t n, const double x[], double t, size_t *i, double *part) {
+  if (n < 2 || !(t >= x[0] && t <= x[n - 1])) return 0;
+  const size_t next = rot_upper_bound(n, x, t);
+  *i = (next < n ? next : n - 1) - 1;
+  const double width = x[*i + 1] - x[*i];
+  *part = width > 0.0 ? (t - x[*i]) / width : 1.0; /* no width: a jump at the last time */
+  return 1;
+}
+
 static void add_knots(const rot_free_params *p, double t, double torque[3]) {
-  if (!p->n_knots || t < p->knot_s[0] || t > p->knot_s[p->n_knots - 1]) return;
-  size_t i = rot_upper_bound(p->n_knots, p->knot_s, t);
-  if (i == p->n_knots) i--;
-  if (i == 0) return;
-  const double from = p->knot_s[i - 1], part = (t - from) / (p->knot_s[i] - from);
+  size_t i;
+  double part;
+  if (!rot_free_between_knots(p->n_knots, p->knot_s, t, &i, &part)) return;
   for (int k = 0; k < 3; k++) {
-    const double a = p->knot_torque[k][i - 1], b = p->knot_torque[k][i];
-    torque[k] += a + (b - a) * part;
+    const double a = p->knot_torque[k][i], b = p->knot_torque[k][i + 1];
+    torque[k] += part < 1.0 ? a + (b - a) * part : b;
   }
 }
 

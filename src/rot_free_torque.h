@@ -4,6 +4,10 @@
 
 #include "rot_free.h"
 
+/* Torques linear between knots at n times x, which do not decrease: *i and *part, so that t lies
+ * between knots *i and *i + 1; where two are at t, the later one counts. 0: t is outside. */
+int rot_free_between_knots(size_t n, const double x[], double t, size_t *i, double *part);
+
 int rot_free_has_weight(const rot_free_params *p);
 
 /* Adds that of gravity, in principal axes. */

@@ -263,11 +263,11 @@ static int solve(stages *g) {
         for (size_t i = 0; i < s; i++) sum += g->r->into[j * s + i] * turn[i * n + k];
         now[j * n + k] = 0.5 * g->h * sum;
         g->e[j * n + k] += now[j * n + k];
+        if (!isfinite(now[j * n + k])) return 0; /* also where no derivative is known */
         change = fmax(change, fabs(now[j * n + k]));
         most = fmax(most, fabs(g->e[j * n + k]));
       }
     }
-    if (!isfinite(change)) return 0;
     if (change <= 1e-8 * most) return 1;
   }
   return 0;

@@ -49,8 +49,15 @@ int rot_ode_slope_at(double t, const double y[], double dydt[], void *ctx) {
     rot_ode_keep_sides(run, &t, run->kept);
     y = run->kept;
   }
-  run->info->rhs_calls++;
-  run->status = run->p->rhs(t, y, dydt, run->p->ctx);
+  /* A trial state may have left the doubles: a law is not defined there, and is not called. */
+  run->status = ROT_OK;
+  for (size_t i = 0; i < run->p->controlled; i++) {
+    if (!isfinite(y[i])) run->status = ROT_ERHS;
+  }
+  if (run->status == ROT_OK) {
+    run->info->rhs_calls++;
+    run->status = run->p->rhs(t, y, dydt, run->p->ctx);
+  }
   for (size_t i = 0; i < run->p->controlled && run->status == ROT_OK; i++) {
     if (!isfinite(dydt[i])) run->status = ROT_ERHS;
   }

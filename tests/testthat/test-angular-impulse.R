@@ -98,3 +98,28 @@ test_that("NA, and errors of the package's own", {
     setdiff(names(angular_impulse(1, 0, 1, body = 1)), rotdyn_columns()$name), character()
   )
 })
+
+test_that("a torque that grows as 1/time or faster has no impulse; slower, it has one", {
+  of <- function(f, from, to, breaks_s = numeric()) {
+    angular_impulse(torque_function(f, breaks_s = breaks_s), from, to)
+  }
+  expect_error(angular_impulse(function(t) 1 / t, 0, 1), "1/time", class = "rotdyn_error_torque")
+  expect_error(of(function(t) t^-1.2, 0, 1), class = "rotdyn_error_torque")
+  expect_error(of(function(t) 1 / (t - 0.3), 0, 1), class = "rotdyn_error_torque")
+  expect_error(of(function(t) 1 / (t - 0.5), 0, 1), class = "rotdyn_error_torque") # no mean value
+  expect_error(of(function(t) 1 / (t - 1000.3), 1000, 1001), class = "rotdyn_error_torque")
+  expect_error(of(tan, 0, 3), class = "rotdyn_error_torque")
+  # Closed forms: t^-p has the integral 1/(1 - p).
+  for (p in c(0.5, 0.9)) {
+    found <- of(function(t) t^-p, 0, 1)
+    expect_equal(found$angular_impulse_n_m_s, 1 / (1 - p), tolerance = 1e-14)
+    expect_lte(found$angular_impulse_error_n_m_s, 1e-11)
+  }
+  inside <- of(function(t) abs(t - 0.3)^-0.5, 0, 1)
+  off <- abs(inside$angular_impulse_n_m_s - 2 * (sqrt(0.3) + sqrt(0.7)))
+  expect_lte(off, inside$angular_impulse_error_n_m_s)
+  expect_lte(inside$angular_impulse_error_n_m_s, 1e-5)
+  tall <- of(function(t) 1 / t, 1e-300, 1)
+  expect_equal(tall$angular_impulse_n_m_s, 300 * log(10), tolerance = 1e-12)
+  expect_lte(tall$angular_impulse_error_n_m_s, 1e-8)
+})

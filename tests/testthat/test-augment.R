@@ -37,12 +37,22 @@ test_that("summaries of rotors are those of the whole shaft", {
 test_that("what is no trajectory is refused", {
   motion <- spin_up(time_s = 0:1)
   for (x in list(1, NULL, "a", sin, list(), mean, quote(x), body_disk(1, 1), scene_axle(1))) {
-    expect_error(augment(x), "no applicable method")
-    expect_error(glance(x), "no applicable method")
+    expect_error(augment(x), class = "rotdyn_error_type")
+    expect_error(glance(x), class = "rotdyn_error_type")
   }
   for (x in list(list(), sin, 1, list(time_s = 1))) {
     forged <- structure(x, class = class(motion))
     expect_error(augment(forged), class = "rotdyn_error_type")
     expect_error(glance(forged), class = "rotdyn_error_type")
   }
+})
+
+test_that("what is no object of the package is refused in words of the package", {
+  for (x in list(NULL, 3, "a", list(), data.frame(time_s = 1))) {
+    expect_error(augment(x), "must be a trajectory", class = "rotdyn_error_type")
+    expect_error(glance(x), "must be a trajectory", class = "rotdyn_error_type")
+  }
+  expect_error(augment(), class = "rotdyn_error_missing")
+  error <- tryCatch(augment(NULL), error = identity)
+  expect_identical(as.character(conditionCall(error))[1], "augment")
 })

@@ -149,3 +149,21 @@ test_that("a path that R cannot translate is refused", {
   Encoding(path) <- "bytes"
   expect_error(check_mesh(path), class = "rotdyn_error_type")
 })
+
+test_that("a unit of length is a unit and nothing besides", {
+  skip_if_not_installed("units")
+  pair <- list(
+    vertices = rbind(c(0, 0, 0), c(1, 0, 0), c(0, 1, 0), c(0, 0, 1)),
+    faces = rbind(c(1, 3, 2), c(1, 2, 4), c(1, 4, 3), c(2, 3, 4))
+  )
+  # "2 m" was read as metres, with a warning of another package; "m-1" is a reciprocal length.
+  for (unit in c("2 m", "-m", "log(m)", "m-1", "a^", "\\")) {
+    expect_no_warning(
+      expect_error(
+        body_mesh(pair, density_kg_m3 = 1, length_unit = unit), class = "rotdyn_error_unit"
+      )
+    )
+  }
+  small <- body_mesh(pair, density_kg_m3 = 6e18, length_unit = "micrometer")
+  expect_equal(small$mass_kg, 1, tolerance = 1e-14)
+})

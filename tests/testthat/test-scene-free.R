@@ -27,7 +27,7 @@ test_that("a scene says what it is, and its parts are checked", {
     scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = data.frame(time_s = 0:1)),
     class = "rotdyn_error_type"
   )
-  knots <- data.frame(time_s = c(0, 0), x_n_m = 0, y_n_m = 0, z_n_m = 1)
+  knots <- data.frame(time_s = c(0, 0), x_n_m = 0, y_n_m = 0, z_n_m = 1) # no span
   expect_error(scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = knots), class = "rotdyn_error_time")
 })
 
@@ -94,4 +94,51 @@ test_that("moments and tensors with units, and six numbers, are read or refused"
     scene_free(units::set_units(1:6 + 0, "kg*m^2"), c(0, 0, 1)), class = "rotdyn_error_size"
   )
   expect_error(spin_stability(units::set_units(1:6 + 0, "kg*m^2")), class = "rotdyn_error")
+})
+
+test_that("two rows of a torque table at one time make a jump", {
+  # A ball under 2 N m until 1 s, then 6 N m until 3 s: L by hand.
+  table <- data.frame(
+    time_s = c(0, 1, 1, 3, 3), x_n_m = 0, y_n_m = 0, z_n_m = c(2, 2, 6, 6, 1)
+  )
+  scene <- scene_free(c(2, 2, 2), c(0, 0, 0), torque_n_m = table)
+  for (model in c("free_rk8pd", "free_radau")) {
+    motion <- trajectory(scene, c(0, 0.5, 1, 2, 3, 4), model = model)
+    expect_equal(motion$angular_momentum_z_kg_m2_per_s, c(0, 1, 2, 8, 14, 14), tolerance = 1e-9)
+    expect_true(all(audit(motion)$verdict == "balanced"))
+  }
+  motion <- trajectory(scene, c(0, 0.5, 1, 2, 3, 4))
+  expect_equal(augment(motion)$power_w, c(2, 2, 6, 6, 1, 0) * c(0, 0.5, 1, 4, 7, 7),
+    tolerance = 1e-9)
+  # The same as a step of two functions, and as a motor of a rotor.
+  wheel <- rotor(c(0, 0, 1), 0.01, 0, data.frame(time_s = c(0, 1, 1, 3), torque_n_m = c(2, 2, 6, 6)))
+  driven <- trajectory(scene_free(c(4, 4, 2), c(0, 0, 0), rotors = wheel), c(0, 1, 2, 3))
+  expect_equal(driven$angular_momentum_z_kg_m2_per_s, double(4), tolerance = 1e-9)
+  expect_equal(driven$omega_z_rad_per_s, -c(0, 2, 8, 14) / 1.99, tolerance = 1e-9)
+  expect_error(
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = table[5:1, ]), class = "rotdyn_error_time"
+  )
+  expect_equal(read_scene(write_scene(scene))$knots, scene$knots)
+})
+
+test_that("the length of an attitude at the start has one rule", {
+  of <- function(attitude) scene_free(c(1, 2, 3), c(0, 0, 1), attitude0 = attitude)$attitude0
+  half <- sqrt(0.5)
+  said <- "rotdyn_warning_normalised"
+  for (long in list(c(2, 2, 0, 0), c(qw = 2, qx = 2, qy = 0, qz = 0), c(1, 1, 0, 0) * 1e-9,
+                    c(1, 1, 0, 0) * half * (1 + 1e-9))) {
+    expect_warning(q <- of(long), class = said)
+    expect_equal(q, c(half, half, 0, 0), tolerance = 1e-15)
+  }
+  expect_no_warning(of(c(1, 1, 0, 0) * half * (1 + 1e-13)))
+  turn <- rotation_about("x", angle_deg = 90)
+  expect_warning(q <- of(turn * (1 + 1e-8)), class = said)
+  expect_equal(q, c(half, half, 0, 0), tolerance = 1e-8)
+  expect_error(of(turn * (1 + 1e-5)), class = "rotdyn_error_value")
+  expect_error(of(-turn), "reflection", class = "rotdyn_error_value")
+  expect_error(of(c(0, 0, 0, 0)), class = "rotdyn_error_value")
+  expect_error(of(c(1, Inf, 0, 0)), class = "rotdyn_error_value")
+  expect_error(of(c(1, NA, 0, 0)), class = "rotdyn_error_value")
+  expect_error(of(1:3), class = "rotdyn_error_type")
+  expect_error(of("x"), class = "rotdyn_error_type")
 })

@@ -74,3 +74,28 @@ test_that("knots from a data frame", {
 test_that("a function without a list of arguments is refused without a warning", {
   expect_silent(expect_error(torque_function(`if`), class = "rotdyn_error_torque"))
 })
+
+test_that("a law of the state is called with numbers alone, at rest and beyond the doubles too", {
+  seen <- 0
+  watched <- function(torque) {
+    function(time_s, theta_rad, omega_rad_per_s) {
+      if (!is.finite(theta_rad) || !is.finite(omega_rad_per_s)) seen <<- seen + 1
+      torque(time_s, theta_rad, omega_rad_per_s)
+    }
+  }
+  still <- watched(function(t, theta, omega) -theta)
+  motion <- trajectory(scene_axle(1, still), 0:10)
+  expect_identical(motion$theta_rad, double(11))
+  trajectory(scene_axle(1, watched(function(t, theta, omega) sin(t) * omega)), 10)
+  trajectory(scene_drive(1, torque = watched(function(t, theta, omega) -theta)), 10)
+  # omega = 1/(1 - t) leaves the doubles at 1 s.
+  expect_error(
+    trajectory(scene_axle(1, watched(function(t, theta, omega) omega^2), omega0_rad_per_s = 1), 2),
+    class = "rotdyn_error"
+  )
+  expect_error(
+    trajectory(scene_axle(1, watched(function(t, theta, omega) 1e3 * exp(omega))), 2),
+    class = "rotdyn_error"
+  )
+  expect_identical(seen, 0)
+})
