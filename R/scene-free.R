@@ -34,8 +34,9 @@
 #'   a quaternion of another length than 1 is normalised.
 #' @param torque_n_m Torque about the centre of mass: NULL, three numbers, a data frame with the
 #'   columns `time_s`, `x_n_m`, `y_n_m`, `z_n_m` (linear between its times, 0 before and after; two
-#'   rows at the same time make a jump), or a function of `time_s`, or of `time_s`, `omega_rad_per_s` (body axes) and `attitude`
-#'   (quaternion, scalar first), that returns three numbers.
+#'   rows at the same time make a jump), or a function of `time_s`, or of `time_s`,
+#'   `omega_rad_per_s` (body axes) and `attitude` (quaternion, scalar first), that returns three
+#'   numbers.
 #' @param torque_axes Axes of the components: `"body"` or `"space"`.
 #' @param damping_per_s The torque `-damping L`, which makes L fade as `exp(-damping t)`.
 #' @param rotors NULL, a [rotor()], a list of them, or a data frame with a row for each rotor and

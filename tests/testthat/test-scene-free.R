@@ -111,7 +111,8 @@ test_that("two rows of a torque table at one time make a jump", {
   expect_equal(augment(motion)$power_w, c(2, 2, 6, 6, 1, 0) * c(0, 0.5, 1, 4, 7, 7),
     tolerance = 1e-9)
   # The same as a step of two functions, and as a motor of a rotor.
-  wheel <- rotor(c(0, 0, 1), 0.01, 0, data.frame(time_s = c(0, 1, 1, 3), torque_n_m = c(2, 2, 6, 6)))
+  motor <- data.frame(time_s = c(0, 1, 1, 3), torque_n_m = c(2, 2, 6, 6))
+  wheel <- rotor(c(0, 0, 1), 0.01, 0, motor)
   driven <- trajectory(scene_free(c(4, 4, 2), c(0, 0, 0), rotors = wheel), c(0, 1, 2, 3))
   expect_equal(driven$angular_momentum_z_kg_m2_per_s, double(4), tolerance = 1e-9)
   expect_equal(driven$omega_z_rad_per_s, -c(0, 2, 8, 14) / 1.99, tolerance = 1e-9)
