@@ -231,7 +231,8 @@ compare_laws <- function(fit, ...) {
 #'
 #' What would make the losses or their errors wrong: correlated residuals (the errors allow for
 #' them), a correlation time at its cap or a loss clearly below 0 (the law is incomplete), an error
-#' of the sensor that repeats every turn, runs that differ.
+#' of the sensor that repeats every turn, runs that differ. What repeats every turn does not show in
+#' one or two pulses a turn. The findings are those that the print of the fit names.
 #'
 #' @inheritParams loss_budget
 #' @return A tibble with a row for each test and run, and the columns
@@ -246,9 +247,15 @@ residual_tests <- function(fit, ...) {
   call <- check_no_dots(...)
   check_supplied("fit", call)
   fit <- coast_fit(fit, "fit", call)
+  below <- loss_below(fit)
   rows <- lapply(fit$runs, function(run) {
     x <- run$numbers
     p <- runout_p(run)
+    watson <- durbin_watson(run$residual)
+    law <- c(
+      if (has_long_waves(run)) "waves longer than a tenth of the run",
+      if (!is.null(below)) paste("without a bound the", below$loss, "loss is below 0")
+    )
     data.frame(
       run = run$name,
       test = c("correlation", "wrong law", "runout"),
@@ -258,13 +265,21 @@ residual_tests <- function(fit, ...) {
         NA_real_, p
       ),
       finding = c(
-        if (x[["tau_s"]] > 0) "correlated: the errors allow for it" else "white",
-        if (has_long_waves(run)) {
-          "incomplete: waves longer than a tenth of the run"
+        if (x[["tau_s"]] > 0) {
+          "correlated: the errors allow for it"
+        } else if (are_alike(fit, watson)) {
+          paste0("alike (Durbin-Watson ", format(watson, digits = 2), "): errors are too small")
+        } else {
+          "white"
+        },
+        if (length(law)) paste0("incomplete: ", paste(law, collapse = "; ")) else "none found",
+        if (is.na(p)) {
+          if (few_pulses(run)) "not testable: one or two pulses a turn" else "not tested"
+        } else if (p < 0.01) {
+          "repeats every turn"
         } else {
           "none found"
-        },
-        if (is.na(p)) "not tested" else if (p < 0.01) "repeats every turn" else "none found"
+        }
       )
     )
   })

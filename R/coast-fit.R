@@ -214,7 +214,8 @@ coast_samples <- function(records, call) {
     record <- check_record(records[[i]], "records", call)
     measured <- intersect(c("pulses", "theta_rad", "omega_rad_per_s"), names(record))[1]
     value <- as.double(record[[measured]])
-    if (measured == "pulses") value <- 2 * pi * value / (record_info(record)$pulses_per_turn %||% 1)
+    per_turn <- if (measured == "pulses") record_info(record)$pulses_per_turn %||% 1
+    if (measured == "pulses") value <- 2 * pi * value / per_turn
     kind <- match(measured, c("theta_rad", "omega_rad_per_s", "pulses")) - 1
     name <- names(records)[i]
     name <- if (is.null(name) || is.na(name) || !nzchar(name)) as.character(i) else name
@@ -225,7 +226,8 @@ coast_samples <- function(records, call) {
       if (kind != 2) rows <- rows[without_rest(value[rows])]
       out[[length(out) + 1L]] <- list(
         kind = kind, time_s = as.double(record$time_s)[rows], value = value[rows],
-        name = if (length(segments) > 1L) paste0(name, ".", k) else name
+        name = if (length(segments) > 1L) paste0(name, ".", k) else name,
+        pulses_per_turn = per_turn
       )
     }
   }
@@ -249,7 +251,7 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
   if (load$kind == "weight") {
     fitted[c("load", "release")] <- c(length(load$unknown), is.na(load$until_s))
   }
-  if (runout == "fit") fitted[coast_waves] <- 1
+  if (runout == "fit") fitted[run_waves(run, call)] <- 1
   n <- length(run$time_s)
   check_turns_at_all(run, call)
   if (n < sum(fitted) + 3L) {
@@ -314,6 +316,20 @@ coast_dof <- function(time_s, numbers) {
   max(n - numbers[["free"]], 2)
 }
 
+# The harmonics of a turn that m pulses a turn show: those below m/2.
+run_waves <- function(run, call) {
+  per_turn <- run$pulses_per_turn %||% Inf
+  if (per_turn > 4) return(coast_waves)
+  if (per_turn > 2) return(coast_waves[1:2])
+  abort_rotdyn(c(
+    "{.arg runout} cannot be fitted to {per_turn} pulse{?s} a turn.",
+    x = "What repeats every turn is the same at each of them.",
+    i = "It takes three pulses a turn."
+  ), "value", call)
+}
+
+few_pulses <- function(run) isTRUE(run$pulses_per_turn <= 2)
+
 # Mean speeds in blocks of the run, with their standard errors as far as neighbours tell.
 run_speeds <- function(run) {
   n <- length(run$time_s)
@@ -369,14 +385,26 @@ check_moves <- function(run, speeds, load, call) {
   ), "value", call)
 }
 
+# The rows in which a body turns by the first half of its way: of a long record most may be rest,
+# which says nothing of the speed at the start.
+half_turned <- function(run) {
+  n <- length(run$time_s)
+  way <- if (run$kind == 1) {
+    cumsum(c(0, diff(run$time_s) * (run$value[-1] + run$value[-n]) / 2))
+  } else {
+    run$value - run$value[1]
+  }
+  way <- abs(way)
+  match(TRUE, way >= max(way) / 2, nomatch = n)
+}
+
 # Parameters to start from, and T/I, J/I, whether J/I is multiplied, of the load.
 run_start <- function(run, speeds, load, inertia) {
   start <- numeric(11)
   names(start) <- coast_parameters
   n <- length(run$time_s)
   t <- run$time_s - run$time_s[1]
-  part <- seq_len(max(6L, n %/% 3L))
-  part <- part[part <= n]
+  part <- seq_len(min(n, max(6L, min(n %/% 3L, half_turned(run)))))
   start["load"] <- 1
   # Beyond the record: nothing is released.
   start["release"] <- run$time_s[n] + 1

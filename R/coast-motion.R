@@ -223,7 +223,8 @@ run_wave <- function(run, p, theta) {
 
 # In the units measured: of pulses the angle.
 run_fitted <- function(run, p, rows) {
-  wave <- run_wave(run, p, rows$theta)
+  # A pulse comes at its own angle.
+  wave <- run_wave(run, p, if (run$kind == 2) run$value else rows$theta)
   if (run$kind == 1) rows$omega * (1 + wave$slope) else rows$theta + wave$add
 }
 

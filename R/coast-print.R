@@ -3,9 +3,7 @@
 # Why the law is incomplete: a list of sentences.
 law_faults <- function(fit) {
   capped <- vapply(fit$runs, has_long_waves, NA)
-  x <- shown_losses(fit)
-  se <- sqrt(diag(x$covariance))
-  below <- which(x$value < -2 * se)
+  below <- loss_below(fit)
   c(
     if (any(capped)) {
       paste(
@@ -13,16 +11,28 @@ law_faults <- function(fit) {
         "which is no noise."
       )
     },
-    if (length(below)) {
-      i <- below[which.min(x$value[below] / se[below])]
+    if (!is.null(below)) {
       paste0(
-        "The law is incomplete: without a bound the ", fit$losses[i], " loss would be ",
-        with_error(x$value[[i]], se[[i]]), " ", x$unit[[i]],
+        "The law is incomplete: without a bound the ", below$loss, " loss would be ",
+        with_error(below$value, below$se), " ", below$unit,
         ", below 0. A slope, a draught or a wobble may act."
       )
     }
   )
 }
+
+# The loss that is most standard errors below 0, if that are more than two; or NULL.
+loss_below <- function(fit) {
+  x <- shown_losses(fit)
+  se <- sqrt(diag(x$covariance))
+  below <- which(x$value < -2 * se)
+  if (!length(below)) return(NULL)
+  i <- below[which.min(x$value[below] / se[below])]
+  list(loss = fit$losses[i], value = x$value[[i]], se = se[[i]], unit = x$unit[[i]])
+}
+
+# Were neighbouring residuals alike although white noise was asked for?
+are_alike <- function(fit, watson) identical(fit$noise, "white") && watson < 1.5
 
 # A correlation time at its cap. White noise has it by chance in 2 of 100 runs, with twice the log
 # likelihood gained up to 5; laws that lack a loss gain 50 and more.
@@ -152,7 +162,7 @@ coast_findings <- function(fit) {
   uneven <- which(p < 0.01)
   watson <- min(vapply(fit$runs, function(run) durbin_watson(run$residual), 0))
   c(
-    if (identical(fit$noise, "white") && watson < 1.5) {
+    if (are_alike(fit, watson)) {
       paste0(
         "Neighbouring residuals are alike (Durbin-Watson ", format(watson, digits = 2),
         "): these errors, of white noise, are too small."

@@ -207,7 +207,10 @@ coast_rows <- function(fit) {
   half <- stats::qt((1 + fit$level) / 2, x$dof) * se
   # Where another loss is held at 0 the value may lie outside: the interval reaches to it.
   lower <- pmin(pmax(0, x$value - half), x$best)
-  upper <- pmax(0, x$value + half, x$best)
+  # An estimate far below 0 does not make the limit smaller than the record can show: at least that
+  # of one standard error below 0 (power-constrained: Cowan, Cranmer, Gross and Vitells,
+  # arXiv:1105.3166).
+  upper <- pmax(half - se, x$value + half, x$best)
   rows <- list(
     loss = fit$losses, value = unname(x$best), standard_error = unname(se), lower = unname(lower),
     upper = unname(upper), status = coast_status(x, lower), unit = unname(x$unit)

@@ -101,7 +101,7 @@ motion_record <- function(data, time_s = NULL, theta_rad = NULL, omega_rad_per_s
       c("{.arg data} must be a data frame.", x = "It is {describe_value(data)}."), "type", call
     )
   }
-  if (!is_readable_text(names(data))) abort_unreadable(names(data), "names(data)", call)
+  check_headings(data, "data", call)
   given <- rlang::enquos(
     time_s = time_s, theta_rad = theta_rad, theta_deg = theta_deg, theta_turns = theta_turns,
     counts = counts, omega_rad_per_s = omega_rad_per_s, omega_deg_per_s = omega_deg_per_s,
@@ -135,6 +135,20 @@ motion_record <- function(data, time_s = NULL, theta_rad = NULL, omega_rad_per_s
     counts_per_turn = counts_per_turn, pulses_per_turn = pulses_per_turn, axis = axis,
     centre_m = centre_m, floor = floor, source = source
   )
+}
+
+# A name for each column, in a known encoding.
+check_headings <- function(data, arg, call) {
+  headings <- names(data)
+  if (length(headings) != length(data) || anyNA(headings)) {
+    abort_rotdyn(c(
+      "{.arg {arg}} must have a name for each of its columns.",
+      x = if (is.null(headings)) "It has none." else "It has {sum(!is.na(headings))} for
+        {length(data)} columns.",
+      i = "Name them: {.code names({arg}) <- c(\"time_s\", \"theta_rad\")}."
+    ), "missing", call)
+  }
+  if (!is_readable_text(headings)) abort_unreadable(headings, paste0("names(", arg, ")"), call)
 }
 
 check_flag <- function(x, arg, call) {
@@ -804,6 +818,7 @@ record_form <- list(
 # numbered from 1 in the order of the rows.
 check_record <- function(x, arg, call, needs = c("theta_rad", "omega_rad_per_s", "pulses")) {
   if (is.data.frame(x) && !inherits(x, "rot_record") && "time_s" %in% names(x)) {
+    check_headings(x, arg, call)
     x <- build_record(recognise_columns(x, call), nrow(x), call)
   }
   check_class(x, "rot_record", arg, "Make one with {.fn motion_record} or {.fn read_motion}.", call)

@@ -38,6 +38,14 @@ imu_record <- function(file, bytes, call, axis = "principal", headings = NULL, r
     table$columns <- table$columns[keep]
     table$odd <- table$odd[keep]
   }
+  if (is.null(rate_hz) && !any(heading_table(table$headings)$kind %in% "time") &&
+    length(table$headings)) {
+    abort_file(
+      paste("None of its headings says a time:", quote_all(table$headings)), file, call,
+      "A log without times has a fixed rate: {.code rate_hz = }. Else name the column of the times
+       in {.arg headings}."
+    )
+  }
   if (!is.null(rate_hz)) {
     rate_hz <- check_number(rate_hz, "rate_hz", "1", call, lower = 0, open = TRUE)
     other <- !heading_table(table$headings)$kind %in% "time"

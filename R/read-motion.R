@@ -184,13 +184,21 @@ tar_files <- function(bytes, file, call) {
   out
 }
 
-# XML, without the network and with bounded depth.
+# XML, without the network and with bounded depth. Bytes in UTF-8 are read as such, whatever the
+# declaration says; others as declared, or as Latin-1 where they are not what is declared.
 read_xml_bytes <- function(bytes, file, call) {
   need_package("xml2", "Reading this file", call)
-  out <- tryCatch(
-    suppressWarnings(xml2::read_xml(bytes, options = c("NONET", "NOERROR", "NOWARNING"))),
-    error = function(e) NULL
-  )
+  read <- function(encoding) {
+    tryCatch(
+      suppressWarnings(
+        xml2::read_xml(bytes, encoding, options = c("NONET", "NOERROR", "NOWARNING"))
+      ),
+      error = function(e) NULL
+    )
+  }
+  zero <- any(bytes[seq_len(min(length(bytes), 2000L))] == as.raw(0))
+  out <- if (!zero && validUTF8(rawToChar(bytes[bytes != as.raw(0)]))) read("UTF-8") else read("")
+  if (is.null(out) && !zero) out <- read("latin1")
   if (is.null(out)) abort_file("It is damaged XML.", file, call)
   out
 }

@@ -67,7 +67,10 @@ static double residual_at(const work *w, size_t i, int uneven, double d[ALL]) {
   const double theta = w->theta[i], omega = w->omega[i], y = record->y[i];
   double slope = 0.0, bend = 0.0, wave[2 * ROT_COAST_HARMONICS] = {0}, extra = 0.0, r = 0.0;
   const double *x = d ? w->d_theta + i * P : NULL, *s = d ? w->d_omega + i * P : NULL;
-  if (uneven) extra = runout(w->p, theta, &slope, &bend, wave);
+  /* A pulse comes at its own angle: the wave there is known without the model's error. */
+  const double at = record->kind == ROT_COAST_PULSES ? y : theta;
+  if (uneven) extra = runout(w->p, at, &slope, &bend, wave);
+  if (record->kind == ROT_COAST_PULSES) slope = 0.0;
   switch (record->kind) {
   case ROT_COAST_ANGLES:
     r = theta + extra - y;
@@ -345,9 +348,14 @@ static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
     rot_whiten(all.noise, n, record->t, 1, all.r);
     /* Gram-Schmidt: what of the residual the columns explain one after the other. */
     double explained = 0.0, rest = 0.0, coefficient[ALL] = {0}, r[ALL][ALL] = {{0}};
+    double size[ALL] = {0};
     for (size_t j = 0; j < m; j++) {
-      double before = 0.0, after = 0.0, dot = 0.0;
-      for (size_t i = 0; i < n; i++) before += all.j[i * m + j] * all.j[i * m + j];
+      for (size_t i = 0; i < n; i++) size[j] += all.j[i * m + j] * all.j[i * m + j];
+    }
+    for (size_t j = 0; j < m; j++) {
+      double after = 0.0, dot = 0.0, before = size[j];
+      /* A sine that vanishes at each pulse is rounding beside its cosine. */
+      if (all.column[j] >= P) before += size[(all.column[j] - P) % 2 == 0 ? j + 1 : j - 1];
       for (int round = 0; round < 2; round++) {
         for (size_t k = 0; k < j; k++) {
           double part = 0.0;
@@ -381,7 +389,8 @@ static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
       const size_t at = m - 2 * ROT_COAST_HARMONICS + 2 * (size_t)h;
       fit->runout_size[h] = hypot(coefficient[at], coefficient[at + 1]);
     }
-    if (fit->runout_columns > 0 && rest > 0.0) {
+    /* A harmonic needs its two columns: of one or two pulses a turn there are fewer. */
+    if (fit->runout_columns > 1 && rest > 0.0) {
       fit->runout_f = explained / (double)fit->runout_columns /
                       (rest / (double)(n - w->columns - fit->runout_columns));
     }
