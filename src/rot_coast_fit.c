@@ -244,32 +244,75 @@ static rot_status invert(const gsl_matrix *jacobian, double sigma, const work *w
   return ROT_OK;
 }
 
+/* The size of the whole Gauss-Newton step in the residuals: the part of them in the span of the
+ * Jacobian's columns. */
+static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residual, double *size) {
+  const size_t n = jacobian->size1, m = jacobian->size2;
+  double *q = malloc(n * m * sizeof *q), sum = 0.0;
+  if (!q) return ROT_ENOMEM;
+  for (size_t j = 0; j < m; j++) {
+    double *column = q + j * n, length = 0.0, along = 0.0;
+    for (size_t i = 0; i < n; i++) {
+      column[i] = gsl_matrix_get(jacobian, i, j);
+      length += column[i] * column[i];
+    }
+    const double before = sqrt(length);
+    for (size_t k = 0; k < 2 * j; k++) { /* twice: the columns are nearly dependent */
+      const double *other = q + (k % j) * n;
+      double dot = 0.0;
+      for (size_t i = 0; i < n; i++) dot += other[i] * column[i];
+      for (size_t i = 0; i < n; i++) column[i] -= dot * other[i];
+    }
+    length = 0.0;
+    for (size_t i = 0; i < n; i++) length += column[i] * column[i];
+    length = sqrt(length);
+    const double scale = length > 1e-12 * before ? 1.0 / length : 0.0;
+    for (size_t i = 0; i < n; i++) {
+      column[i] *= scale;
+      along += column[i] * gsl_vector_get(residual, i);
+    }
+    sum += along * along;
+  }
+  free(q);
+  *size = sqrt(sum);
+  return ROT_OK;
+}
+
 static rot_status iterate(gsl_multifit_nlinear_workspace *g, const work *w, double rounding,
                           const rot_hooks *hooks, rot_coast_fit *fit) {
-  const size_t n = w->record->n, m = w->columns, before = fit->iterations;
+  const size_t n = w->record->n, m = w->columns;
   for (int step = 0; step < MOST_STEPS; step++) {
     const rot_status status = rot_poll(hooks, 0.5);
     if (status != ROT_OK) return status;
     const int code = gsl_multifit_nlinear_iterate(g);
-    if (code == GSL_ENOPROG) break; /* rounding */
-    if (code != GSL_SUCCESS) return ROT_ERANGE;
-    fit->iterations++;
-    const double size = step_size(gsl_multifit_nlinear_jac(g), g->dx);
-    const double sigma = size_of(gsl_multifit_nlinear_residual(g)) / sqrt((double)(n - m));
+    if (code != GSL_SUCCESS && code != GSL_ENOPROG) return ROT_ERANGE;
+    if (code == GSL_SUCCESS) fit->iterations++;
+    const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(g);
+    const gsl_vector *residual = gsl_multifit_nlinear_residual(g);
+    const double sigma = size_of(residual) / sqrt((double)(n - m));
     /* 1e-4 standard errors, or no more than rounding. */
-    if (size <= fmax(1e-4 * sigma, 0.1 * rounding)) return ROT_OK;
+    if (code == GSL_SUCCESS && step_size(jacobian, g->dx) > fmax(1e-4 * sigma, 0.1 * rounding))
+      continue;
+    /* A step is short at the minimum, or where the trust region is: there the whole step is long. In
+     * a valley of nearly dependent columns it stays a part of a standard error. */
+    double size;
+    const rot_status found = promised(jacobian, residual, &size);
+    if (found != ROT_OK) return found;
+    if (size <= fmax(sigma, rounding * sqrt((double)n))) return ROT_OK;
+    if (code == GSL_ENOPROG) return ROT_EBUDGET;
   }
-  return fit->iterations - before < MOST_STEPS ? ROT_OK : ROT_EBUDGET;
+  return ROT_EBUDGET;
 }
 
-static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, work *w, const rot_hooks *hooks,
-                           rot_coast_fit *fit) {
+static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink, work *w,
+                           const rot_hooks *hooks, rot_coast_fit *fit) {
   const size_t n = w->record->n;
   const double rounding = rounding_of(w->record);
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
   how.trs = trs;
   how.scale = gsl_multifit_nlinear_scale_more;
   how.solver = gsl_multifit_nlinear_solver_qr;
+  how.factor_down = shrink;
   gsl_multifit_nlinear_fdf fdf;
   memset(&fdf, 0, sizeof fdf);
   fdf.f = call_f;
@@ -312,10 +355,10 @@ rot_status rot_coast_solve(const rot_coast_record *record, const int fitted[ROT_
   if (record->n <= w.columns || w.columns == 0) {
     status = ROT_EVALUE;
   } else {
-    status = solve_by(gsl_multifit_nlinear_trs_dogleg, &w, hooks, fit);
+    status = solve_by(gsl_multifit_nlinear_trs_dogleg, 2.0, &w, hooks, fit);
     if (status == ROT_EBUDGET || status == ROT_ERANGE) {
       memcpy(w.p, fit->p, sizeof w.p);
-      status = solve_by(gsl_multifit_nlinear_trs_lm, &w, hooks, fit);
+      status = solve_by(gsl_multifit_nlinear_trs_lm, 8.0, &w, hooks, fit);
     }
   }
   free(w.memory);

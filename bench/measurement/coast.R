@@ -129,5 +129,19 @@ for (d in designs) {
     ))
   }
 }
+# A million samples, once: the noise and the law.
+set.seed(seed)
+long <- c(coulomb = 0.005, viscous = 0.002, quadratic = 1e-5)
+time_s <- seq(0, 1000, length.out = 1e6)
+motion <- scene_axle(1, NULL, resistance(long[[2]], long[[3]], long[[1]]), omega0_rad_per_s = 50)
+theta_rad <- trajectory(motion, time_s)$theta_rad + stats::rnorm(1e6, sd = 0.005)
+fit <- fit_coast_down(data.frame(time_s, theta_rad))
+off <- max(abs(fit$value - long) / fit$standard_error)
+holds <- abs(generics::glance(fit)$sigma / 0.005 - 1) < 0.01 && off < 4.5
+if (holds) passed <- passed + 1 else failed <- failed + 1
+cat(sprintf(
+  "%s - %-30s noise %.5f (0.005), losses off by %.1f standard errors (4.5)\n",
+  if (holds) "ok" else "not ok", "1e6 angles, 1000 s", generics::glance(fit)$sigma, off
+))
 cat(sprintf("coast: %d passed, %d failed\n", passed, failed))
 quit(status = failed > 0)

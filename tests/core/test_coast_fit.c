@@ -176,6 +176,28 @@ static void check_weight(void) {
   ROT_CHECK(fabs(fit.sigma - 0.005) < 0.001);
 }
 
+/* From starts that are far off, in a long run at many samples: a trust region that has become tiny
+ * takes short steps, which is no minimum. */
+static void check_far_starts(void) {
+  enum { N = 3000 };
+  static double t[N], y[N], omega[N];
+  const double p[P] = {0.0, 50.0, 0.005, 0.002, 1e-5, 1.0, 0.0};
+  const rot_coast_load none = {0.0, 0.0, 0, 0, NULL, NULL};
+  const int fitted[ALL] = {1, 1, 1, 1, 1};
+  uint64_t seed = 23;
+  for (int i = 0; i < N; i++) t[i] = 1000.0 * i / (N - 1);
+  ROT_CHECK(rot_coast_rows(&none, p, 0.0, N, t, y, omega, NULL, NULL) == ROT_OK);
+  for (int i = 0; i < N; i++) y[i] += 0.005 * normal(&seed);
+  const rot_coast_record record = {ROT_COAST_ANGLES, N, t, y, none};
+  for (int i = 0; i < 48; i++) {
+    rot_coast_fit fit = start_at(50.0 * (0.7 + 0.2 * (i % 4)));
+    fit.p[ROT_COAST_COULOMB] = 0.05 * (i / 4 % 3);
+    fit.p[ROT_COAST_VISCOUS] = 0.01 * (i / 12);
+    const rot_status status = rot_coast_solve(&record, fitted, NULL, &fit);
+    ROT_CHECK(status != ROT_OK || fabs(fit.sigma - 0.005) < 0.0005);
+  }
+}
+
 int main(void) {
   rot_gsl_begin();
   check_exact();
@@ -183,5 +205,6 @@ int main(void) {
   check_bounds();
   check_runout();
   check_weight();
+  check_far_starts();
   return rot_test_report("coast_fit");
 }

@@ -386,3 +386,90 @@ test_that("its columns are those of the dictionary, and it has a picture", {
   skip_if_not_installed("ggplot2")
   expect_s3_class(ggplot2::autoplot(fit), "ggplot")
 })
+
+test_that("what repeats every turn is not testable in one or two pulses a turn", {
+  scene <- attr(coasting(), "run")$scene
+  pulses <- function(per_turn, seed, uneven = 0) {
+    number <- seq_len(floor(110 * per_turn / (2 * pi)))
+    angle <- 0.4 + 2 * pi * number / per_turn
+    wave <- uneven * cos(2 * pi * number / per_turn - 1)
+    set.seed(seed)
+    times <- vapply(angle, function(x) when(scene, theta_rad = x)$time_s[1], 0)
+    rate <- stats::approx(times[-1], diff(angle) / diff(times), times, rule = 2)$y
+    times <- times + wave / rate + stats::rnorm(length(times), 0, 2e-4)
+    motion_record(data.frame(t = times), time_s = t, pulses = per_turn)
+  }
+  runout <- function(fit) {
+    tests <- residual_tests(fit)
+    tests$finding[tests$test == "runout"]
+  }
+  for (per_turn in 1:2) {
+    fit <- fit_coast_down(pulses(per_turn, per_turn))
+    expect_identical(runout(fit), "not testable: one or two pulses a turn")
+    expect_true(is.na(glance(fit)$runout_p))
+    expect_false(any(grepl("every turn", capture.output(print(fit)))))
+    expect_error(
+      fit_coast_down(pulses(per_turn, 1), runout = "fit"), class = "rotdyn_error_value"
+    )
+  }
+  # Three or more show it, and only where it is: chance says so in 1 of 100.
+  for (per_turn in c(3, 4, 6)) {
+    clean <- vapply(1:5, function(seed) runout(fit_coast_down(pulses(per_turn, seed))), "")
+    expect_lte(sum(clean != "none found"), 1)
+    uneven <- pulses(per_turn, 1, uneven = 0.05)
+    expect_identical(runout(fit_coast_down(uneven)), "repeats every turn")
+    fit <- fit_coast_down(uneven, runout = "fit")
+    waves <- attr(fit, "fit")$runs[[1]]$p[c("cos_1", "sin_1")]
+    expect_equal(sqrt(sum(waves^2)), 0.05, tolerance = 0.15)
+    expect_lt(max(abs(fit$value - truth) / fit$standard_error), 4)
+  }
+})
+
+test_that("the tests of residuals find what the print finds", {
+  time_s <- seq(0, 8, by = 0.02)
+  set.seed(1)
+  found <- function(samples, ...) {
+    fit <- fit_coast_down(samples, ...)
+    tests <- residual_tests(fit)
+    said <- paste(capture.output(print(fit)), collapse = " ")
+    expect_identical(
+      any(grepl("incomplete", tests$finding[tests$test == "wrong law"])),
+      grepl("law is incomplete", said)
+    )
+    expect_identical(any(grepl("alike", tests$finding)), grepl("are alike", said))
+    expect_identical(glance(fit)$complete, !grepl("law is incomplete", said))
+    paste(tests$finding, collapse = " ")
+  }
+  speeds_up <- data.frame(
+    time_s, theta_rad = 20 * time_s + 0.05 * time_s^2 + stats::rnorm(401, 0, 0.002)
+  )
+  expect_match(found(speeds_up, losses = "coulomb"), "the coulomb loss is below 0")
+  expect_match(found(noisy(coasting(), 0.005), losses = "coulomb"), "waves longer")
+  slow <- as.vector(stats::filter(stats::rnorm(400, 0, 0.005), 0.9, "recursive"))
+  samples <- coasting()
+  samples <- data.frame(time_s = samples$time_s, theta_rad = samples$theta_rad + slow)
+  expect_match(found(samples, noise = "white"), "alike .Durbin-Watson")
+  expect_match(found(samples), "correlated: the errors allow for it")
+  expect_match(found(noisy(coasting(), 0.005)), "white none found none found")
+})
+
+test_that("a loss whose estimate is far below 0 keeps a limit that the record can show", {
+  time_s <- seq(0, 8, by = 0.02)
+  set.seed(2)
+  samples <- data.frame(
+    time_s, theta_rad = 20 * time_s + 0.05 * time_s^2 + stats::rnorm(401, 0, 0.002)
+  )
+  fit <- fit_coast_down(samples, losses = "coulomb")
+  expect_identical(fit$value, 0)
+  # The limit of an estimate at one standard error below 0, by the t of 398 degrees of freedom.
+  expect_equal(fit$upper, (stats::qt(0.975, 398) - 1) * fit$standard_error, tolerance = 1e-3)
+  expect_match(paste(capture.output(print(fit)), collapse = "\n"), "at most 4.1e-05")
+})
+
+test_that("a record that is mostly rest is fitted from the rows that turn", {
+  for (end in c(100, 1000)) { # it stops at 10.7 s
+    fit <- fit_coast_down(noisy(coasting(4000, end), 0.005))
+    expect_lt(max(abs(fit$value - truth) / fit$standard_error), 4)
+    expect_equal(glance(fit)$sigma, 0.005, tolerance = 0.05)
+  }
+})

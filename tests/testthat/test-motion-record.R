@@ -252,3 +252,19 @@ test_that("a table without columns is no column", {
     expect_error(motion_record(data, !!none, theta), class = "rotdyn_error_size")
   }
 })
+
+test_that("a table without headings is refused, whoever reads it", {
+  bare <- data.frame(1:30 / 10, sin(1:30))
+  part <- bare
+  names(bare) <- NULL
+  names(part) <- c("time_s", NA)
+  for (data in list(bare, part)) {
+    error <- expect_error(motion_record(data), "a name for each", class = "rotdyn_error_missing")
+    expect_identical(error$call[[1]], quote(motion_record))
+    error <- expect_error(estimate_motion(data), class = "rotdyn_error_missing")
+    expect_identical(error$call[[1]], quote(estimate_motion))
+  }
+  expect_error(motion_record(bare, time_s = 1:30, theta_rad = 1:30), "It has none",
+    class = "rotdyn_error_missing"
+  )
+})

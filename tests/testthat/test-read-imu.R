@@ -47,3 +47,12 @@ test_that("any table: headings of another name, rows a second, an angle", {
   )
   expect_error(read_imu(text_file(lines), headings = "t"), class = "rotdyn_error_size")
 })
+
+test_that("a log without times names the argument that gives its rate", {
+  file <- text_file(c("Packet number,Gyroscope x (deg/s)", paste(1:30, 10 + 1:30, sep = ",")))
+  error <- expect_error(read_motion(file), "rate_hz", class = "rotdyn_error_file")
+  expect_match(conditionMessage(error), "says a time")
+  r <- read_motion(file, rate_hz = 100)
+  expect_equal(r$time_s, 0:29 / 100)
+  expect_equal(r$omega_rad_per_s, (10 + 1:30) * pi / 180)
+})

@@ -49,3 +49,24 @@ test_that("the car in the loop", {
   expect_lt(max(diff(loop$theta_rad)), 0)
   expect_gt(diff(range(loop$theta_rad)), 3)
 })
+
+test_that("projects in Latin-1 are read, declared or not, and UTF-8 under any declaration", {
+  skip_if_not_installed("xml2")
+  frame <- 5:20
+  wheel <- data.frame(frame, x = 0.2 * cos(0.2 * frame), y = 0.2 * sin(0.2 * frame))
+  plain <- tracker_xml(list(R = wheel))
+  plain <- gsub(">R<", ">R\u00e4d<", plain, fixed = TRUE)
+  expect_true(any(grepl("R\u00e4d", plain)))
+  body <- sub("<[?]xml[^>]*[?]>", "", plain)
+  heads <- c(none = "", utf8 = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>",
+    latin = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>")
+  for (head in heads) {
+    for (encoding in c("latin1", "UTF-8")) {
+      file <- tempfile(fileext = ".trk")
+      text <- iconv(paste(c(head, body), collapse = "\n"), "UTF-8", encoding, toRaw = TRUE)[[1]]
+      writeBin(text, file)
+      r <- read_motion(file, mark = "R\u00e4d")
+      expect_equal(r$x_m, wheel$x, tolerance = 1e-9)
+    }
+  }
+})
