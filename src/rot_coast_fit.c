@@ -293,7 +293,7 @@ static rot_status iterate(gsl_multifit_nlinear_workspace *g, const work *w, doub
     /* 1e-4 standard errors, or no more than rounding. */
     if (code == GSL_SUCCESS && step_size(jacobian, g->dx) > fmax(1e-4 * sigma, 0.1 * rounding))
       continue;
-    /* A step is short at the minimum, or where the trust region is: there the whole step is long. In
+    /* A step is short at the minimum, or in a small trust region: there the whole step is long. In
      * a valley of nearly dependent columns it stays a part of a standard error. */
     double size;
     const rot_status found = promised(jacobian, residual, &size);
