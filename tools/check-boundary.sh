@@ -205,35 +205,30 @@ files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
   test -f "src/rot_${topic%.c}.h" || echo "$file"
 done | rule "every src/ffi_X.c has its rot_X.h"
 
-# Files of R/ whose tests are in a file of another topic.
-elsewhere='
-constraint-axle model-axle
-constraint-clutch model-clutch
-constraint-drive model-drive
-constraint-incline model-incline
-constraint-pivot scene-pivot
-constraint-rotors model-rotors
-integrate-axle model-axle
-'
-# tested TOPIC SEPARATOR PREFIX SUFFIX: is there a file of tests of TOPIC, or of a topic that it
-# continues (ode_step: ode)?
-tested() {
-  topic=$1
-  while ! grep -qx "$3$topic$4" "$work/files"; do
-    case $topic in *"$2"*) topic=${topic%"$2"*} ;; *) return 1 ;; esac
-  done
-}
+# A file of the exact name, or a line of tests/topics.txt.
+topics=tests/topics.txt
 {
   files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
-    topic=${file#src/rot_} topic=${topic%.c}
-    tested "$topic" _ tests/core/test_ .c || echo "$file"
+    topic=${file#src/rot_}
+    grep -qx "tests/core/test_$topic" "$work/files" || grep -q "^$file [a-z]" $topics || echo "$file"
   done
   files '^R/.*\.R$' | while read -r file; do
-    topic=${file#R/} topic=${topic%.R}
-    other=$(echo "$elsewhere" | sed -n "s/^$topic //p")
-    tested "${other:-$topic}" - tests/testthat/test- .R || echo "$file"
+    grep -qx "tests/testthat/test-${file#R/}" "$work/files" || grep -q "^$file [a-z]" $topics ||
+      echo "$file"
   done
-} | rule "every rot_X.c and every file of R/ has a file of tests"
+  files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
+    grep -q "^$file [a-z]" $topics || echo "$file"
+  done
+} | rule "every rot_X.c, ffi_X.c and file of R/ has a file of tests"
+grep -v '^#' $topics | while read -r file tests; do
+  test -n "$file" || continue
+  grep -qx "$file" "$work/files" || echo "$topics: there is no $file"
+  case $file in src/rot_*) folder=tests/core/test_ end=.c ;; *) folder=tests/testthat/test- end=.R ;; esac
+  for test in $tests; do
+    if test "$test" = +; then folder=tests/testthat/test- end=.R; continue; fi
+    grep -qx "$folder$test$end" "$work/files" || echo "$topics: $file: there is no $folder$test$end"
+  done
+done | rule "tests/topics.txt names files that exist"
 
 # ---- registration ----------------------------------------------------------------------------
 

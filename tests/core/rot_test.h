@@ -18,6 +18,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Failed checks so far. */
@@ -47,6 +48,16 @@ static inline int rot_test_count(int ok, const char *name) {
   if (ok) return 0;
   rot_test_case[rot_test_current].failed++;
   return ++rot_test_failed <= ROT_TEST_MOST_LINES;
+}
+
+/* How many of n random cases a test takes: all of them with ROTDYN_LONG (`make check-long`) and in
+ * optimised builds, an eighth where each takes long: without optimisation (the sanitizers). */
+static inline int rot_test_trials(int n) {
+#ifdef __OPTIMIZE__
+  return n;
+#else
+  return getenv("ROTDYN_LONG") ? n : (n + 7) / 8;
+#endif
 }
 
 /* Doubles as integers in the order of the doubles: neighbours differ by 1, -0 equals +0. */

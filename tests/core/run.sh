@@ -7,9 +7,12 @@
 # Each tests/core/test_*.c is a program of its own, linked with all of src/rot_*.c. The builds that
 # run, for the compilers gcc and clang or the one that is installed:
 #   the first compiler, C99, -O2
-#   the last compiler, the newest standard that it knows, -O2
-#   the last compiler that has them: address and undefined behaviour sanitizers, -O0
-# The other pairs of compiler and standard are compiled for their warnings (-fsyntax-only).
+#   the last compiler that has them, its newest standard: address and undefined behaviour
+#     sanitizers, -O0, with fewer random cases
+#   with ROTDYN_LONG=yes (`make check-long`): the last compiler, its newest standard, -O2; the
+#     sanitizers with all cases
+# For the other pairs of compiler and standard the core is compiled for its warnings
+# (-fsyntax-only).
 #
 # A build counts as one check; so does each test (a function with checks) of a build that runs. The
 # last line is `core: N passed, N failed, N skipped`. CORE_STDS="c99" narrows the standards.
@@ -77,9 +80,10 @@ build() {
       name=$(basename "$file" .c)
       "$@" -Isrc -Itests/core -c "$file" -o "$dir/$name.o" > "$dir/$name.log" 2>&1' \
       build {} "$dir" "$@" $contract $warnings -Werror $gsl_cflags &&
+    ar cr "$dir/librot.a" "$dir"/rot_*.o &&
     for name in $names; do echo "$name"; done |
     xargs -P "$jobs" -I{} sh -c 'name=$1; dir=$2; libs=$3; shift 3
-      "$@" "$dir/$name.o" "$dir"/rot_*.o $libs -o "$dir/$name" >> "$dir/$name.log" 2>&1' \
+      "$@" "$dir/$name.o" "$dir/librot.a" $libs -o "$dir/$name" >> "$dir/$name.log" 2>&1' \
       link {} "$dir" "$gsl_libs -lm -lpthread" "$@"
   status=$?
   cat "$dir"/*.log > "$dir/log"
@@ -132,7 +136,7 @@ check() {
 
 # warn COMPILER STANDARD: compiles for the warnings alone.
 warn() {
-  if (for file in $core $tests; do echo "$file"; done | xargs -P "$jobs" -n 4 \
+  if (for file in $core; do echo "$file"; done | xargs -P "$jobs" -n 8 \
     "$1" -std="$2" -fsyntax-only -Isrc -Itests/core $warnings -Werror $gsl_cflags) \
     > "$work/log" 2>&1; then
     echo "ok - compiles: $1 $2"
@@ -181,7 +185,7 @@ jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 if test "$1" = --valgrind; then
   dir="$work/valgrind"
   if build "$dir" ${CC:-cc} -std=c99 -O1 -g; then
-    run "$dir" env ROT_TEST_SLOW=yes valgrind -q --leak-check=full \
+    run "$dir" valgrind -q --leak-check=full \
       --show-leak-kinds=definite,indirect --errors-for-leak-kinds=definite,indirect \
       --error-exitcode=99
   else
@@ -207,10 +211,13 @@ else
       done
       if test -n "$one"; then known="$known $one"; else skip "$cc does not know $std"; fi
     done
+    if accepts $cc -fsanitize=address,undefined; then sanitizer=$cc newest=${known##* }; fi
     for std in $known; do
       if { test $cc = "$first" && test "$std" = c99; } ||
-        { test $cc = "$last" && test "$std" = "${known##* }"; }; then
+        { test -n "$ROTDYN_LONG" && test $cc = "$last" && test "$std" = "${known##* }"; }; then
         check "$cc $std -O2" $cc -std="$std" -O2
+      elif test $cc = "$last" && test "$sanitizer $std" = "$cc $newest"; then
+        : # built below, with the sanitizers
       else
         warn $cc "$std"
       fi
@@ -222,11 +229,10 @@ else
       header $cxx $std
     done
     fast $cc
-    ! accepts $cc -fsanitize=address,undefined || sanitizer=$cc
   done
   if test -n "$sanitizer"; then
-    check "$sanitizer address,undefined" $sanitizer -std=c99 -O0 -g1 -fno-omit-frame-pointer \
-      -fsanitize=address,undefined -fno-sanitize-recover=all
+    check "$sanitizer $newest address,undefined" $sanitizer -std="$newest" -O0 -g1 \
+      -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
   else
     skip "no compiler has the sanitizers"
   fi

@@ -573,14 +573,8 @@ static void check_sweep(void) {
 /* ---- threads --------------------------------------------------------------------------------- */
 
 #ifndef _WIN32
-/* Fewer where each takes long: without optimisation (the sanitizers), under valgrind. */
-static int calls(void) {
-#ifdef __OPTIMIZE__
-  return getenv("ROT_TEST_SLOW") ? 5000 : 250000;
-#else
-  return 5000;
-#endif
-}
+/* Each takes long without optimisation (the sanitizers) and under valgrind. */
+static int calls(void) { return getenv("ROTDYN_LONG") ? 250000 : rot_test_trials(16000); }
 
 enum { THREADS = 4 };
 

@@ -216,7 +216,7 @@ static void check_zero(void) {
 static void check_random_arguments(void) {
   enum { G1 = ROT_PHI_MAX + 1 };
   double worst[2][G1 + 1] = {{0.0}};
-  for (int i = 0; i < 6000; i++) {
+  for (int i = 0; i < rot_test_trials(6000); i++) {
     const double u = uniform(), z = i % 4 == 0   ? -10.0 * u
                                     : i % 4 == 1 ? 3.5 * u
                                     : i % 4 == 2 ? 2.0 * u - 1.0

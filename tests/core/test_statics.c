@@ -255,7 +255,7 @@ static void velocity_at(const rot_rest *rest, const double at[3], double v[3]) {
 static void random_contacts(void) {
   int seen[2] = {0, 0}, converged = 0, total = 0;
   srand(7);
-  for (int trial = 0; trial < 600; trial++) {
+  for (int trial = 0; trial < rot_test_trials(600); trial++) {
     const int plane = trial % 2, size = plane ? 2 : 3, n = 1 + rand() % 8;
     rot_reaction r[24];
     rot_contact contact[8];

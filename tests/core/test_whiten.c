@@ -31,7 +31,7 @@ static void factor(const rot_noise *noise, const double t[], double l[N][N]) {
 /* The filter is the inverse of the Cholesky factor: uneven times, equal times, a gap. */
 static void check_dense(void) {
   uint64_t seed = 3;
-  for (int trial = 0; trial < 200; trial++) {
+  for (int trial = 0; trial < rot_test_trials(200); trial++) {
     double t[N], x[2 * N], want[2 * N], l[N][N], logdet = 0.0;
     const rot_noise noise = {0.05 + 3.0 * uniform(&seed), 0.02 + 0.9 * uniform(&seed)};
     t[0] = 0.0;
@@ -88,7 +88,7 @@ static double reml_of(const rot_noise *noise, const double t[], const double r[]
 static void check_reml(void) {
   uint64_t seed = 9;
   int found = 0;
-  for (int trial = 0; trial < 40; trial++) {
+  for (int trial = 0; trial < rot_test_trials(40); trial++) {
     double t[N], r[N], J[2 * N], e = normal(&seed);
     for (int i = 0; i < N; i++) {
       t[i] = 0.1 * i;
@@ -126,7 +126,7 @@ static void check_reml(void) {
 static void check_columns(void) {
   uint64_t seed = 21;
   int white = 0;
-  for (int trial = 0; trial < 100; trial++) {
+  for (int trial = 0; trial < rot_test_trials(100); trial++) {
     double t[N], r[N], J[2 * N];
     for (int i = 0; i < N; i++) {
       t[i] = i;

@@ -1,3 +1,7 @@
+# What is exhaustive has fewer cases, unless ROTDYN_LONG is set (`make check-long`).
+long_tests <- identical(Sys.getenv("ROTDYN_LONG"), "yes")
+or_long <- function(few, all) if (long_tests) all else few
+
 # Error in units in the last place of the reference.
 ulps <- function(got, want) {
   size <- ifelse(want == 0, 2^-1074, pmax(2^-1074, 2^(floor(log2(abs(want))) - 52)))

@@ -405,7 +405,7 @@ random_lines <- function(n, seed) {
 test_that("random command lines end with a status and words, never in a fault of ours", {
   skip_if_not_installed("yyjsonr")
   n <- as.integer(Sys.getenv(
-    "ROTDYN_CLI_LINES", if (identical(Sys.getenv("NOT_CRAN"), "true")) "1000" else "100"
+    "ROTDYN_CLI_LINES", or_long("200", "1000")
   ))
   statuses <- integer()
   in_folder(for (line in random_lines(n, 20261122)) {

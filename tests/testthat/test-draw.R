@@ -17,7 +17,7 @@ test_that("every kind of scene draws without a warning, in letters of any size, 
     scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10, engage_s = 1)
   )
   for (scene in scenes) {
-    for (size in c(13, 24)) {
+    for (size in or_long(24, c(13, 24))) {
       plot <- ggplot2::autoplot(scene, base_size = size)
       expect_silent(ggplot2::ggplotGrob(plot))
     }

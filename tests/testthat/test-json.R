@@ -1,14 +1,15 @@
 numbers_of <- function(x) .Call(ffi_text_numbers, x)
 
-test_that("a million doubles of all exponents come back from the reader bit for bit", {
+test_that("doubles of all exponents come back from the reader bit for bit", {
   skip_if_not_installed("yyjsonr")
   set.seed(7)
-  bytes <- as.raw(sample(0:255, 8e6, TRUE))
-  x <- c(readBin(bytes, "double", 1e6), 0, -0, .Machine$double.xmax, .Machine$double.xmin, 5e-324)
+  n <- or_long(1e5, 1e6)
+  bytes <- as.raw(sample(0:255, 8 * n, TRUE))
+  x <- c(readBin(bytes, "double", n), 0, -0, .Machine$double.xmax, .Machine$double.xmin, 5e-324)
   x <- x[is.finite(x)]
   text <- json_canonical(list(x = x))
   back <- read_json(text, "text", "scene", NULL)$x
-  expect_gt(length(x), 9.9e5)
+  expect_gt(length(x), 0.99 * n)
   expect_identical(writeBin(back, raw()), writeBin(x, raw()))
 })
 

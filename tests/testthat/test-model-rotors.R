@@ -150,8 +150,9 @@ test_that("many rotors can be interrupted, their modes and audit too", {
     gc()
     setTimeLimit(elapsed = 0.3, transient = TRUE)
     on.exit(setTimeLimit(elapsed = Inf))
-    seconds <- system.time(try(expr, silent = TRUE), gcFirst = FALSE)[["elapsed"]]
-    expect_lt(seconds, 1.5)
+    # Processor time: the verdict does not depend on what else the machine does.
+    spent <- system.time(try(expr, silent = TRUE), gcFirst = FALSE)
+    expect_lt(sum(spent[1:2]), 1.5)
   }
   set.seed(1)
   scene <- scene_rotors(
