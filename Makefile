@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-interrupt check-measurement check-scenes library examples
+.PHONY: check-interrupt check-long check-measurement check-mutants check-scenes library examples
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -55,6 +55,12 @@ check-scenes: ## every scene and body that the tests make, as text and back
 
 check-nosuggests: ## check and tests with the imported packages alone
 	@sh tools/check-nosuggests.sh
+
+check-long: ## make test with all random cases, every vignette again, clang's optimised build
+	@ROTDYN_LONG=yes sh tools/run-tests.sh
+
+check-mutants: ## small wrong changes of the sources: do the tests notice: MUTANTS=200 SEED=
+	@sh tools/check-mutants.sh $(or $(MUTANTS),200) $(SEED)
 
 check-measurement: ## do the error bars of measured motions hold the truth: RECORDS=500, SEED=
 	@sh tools/check-measurement.sh $(or $(RECORDS),500) $(SEED)

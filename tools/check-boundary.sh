@@ -210,7 +210,8 @@ topics=tests/topics.txt
 {
   files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
     topic=${file#src/rot_}
-    grep -qx "tests/core/test_$topic" "$work/files" || grep -q "^$file [a-z]" $topics || echo "$file"
+    grep -qx "tests/core/test_$topic" "$work/files" || grep -q "^$file [a-z]" $topics ||
+      echo "$file"
   done
   files '^R/.*\.R$' | while read -r file; do
     grep -qx "tests/testthat/test-${file#R/}" "$work/files" || grep -q "^$file [a-z]" $topics ||
@@ -223,7 +224,8 @@ topics=tests/topics.txt
 grep -v '^#' $topics | while read -r file tests; do
   test -n "$file" || continue
   grep -qx "$file" "$work/files" || echo "$topics: there is no $file"
-  case $file in src/rot_*) folder=tests/core/test_ end=.c ;; *) folder=tests/testthat/test- end=.R ;; esac
+  folder=tests/testthat/test- end=.R
+  case $file in src/rot_*) folder=tests/core/test_ end=.c ;; esac
   for test in $tests; do
     if test "$test" = +; then folder=tests/testthat/test- end=.R; continue; fi
     grep -qx "$folder$test$end" "$work/files" || echo "$topics: $file: there is no $folder$test$end"

@@ -11,8 +11,9 @@ place <- function(file, kind, whole, from, to, new) {
   changed <- paste0(substr(whole, 1L, from - 1L), new, substring(whole, to + 1L))
   before <- strsplit(whole, "\n", fixed = TRUE)[[1L]]
   after <- strsplit(changed, "\n", fixed = TRUE)[[1L]]
-  first <- lengths(regmatches(substr(whole, 1L, from), gregexpr("\n", substr(whole, 1L, from)))) + 1L
-  lines <- lengths(regmatches(substr(whole, from, to), gregexpr("\n", substr(whole, from, to))))
+  newlines <- function(text) lengths(regmatches(text, gregexpr("\n", text, fixed = TRUE)))
+  first <- newlines(substr(whole, 1L, from)) + 1L
+  lines <- newlines(substr(whole, from, to))
   more <- length(after) - length(before)
   list(
     file = file, kind = kind, line = first,

@@ -7,8 +7,8 @@
 #     LIBRARY   where the package is installed
 #     NUMBER    of random changes, beside the fixed ones of tools/mutants-fixed.txt
 #
-# A change of R code needs no installation: the functions are replaced in the loaded namespace. For C
-# one file is compiled again. Each change has a process of its own.
+# A change of R code needs no installation: the functions are replaced in the loaded namespace. For
+# C one file is compiled again. Each change has a process of its own.
 #
 # Environment: MUTANTS_JOBS (processes at a time, 2), MUTANTS_FILES (a regular expression: files to
 # draw from), MUTANTS_FIXED=no (without the fixed ones).
@@ -268,8 +268,8 @@ cpu_of <- function(pid) {
   days * 86400 + sum(parts * 60^(rev(seq_along(parts)) - 1))
 }
 
-# Calls work(item, slot) for each item, `jobs` at a time, each in a process of its own. A process that
-# exceeds its limit of processor time or dies gives NULL. done(index, result) as they end.
+# Calls work(item, slot) for each item, `jobs` at a time, each in a process of its own. A process
+# that exceeds its limit of processor time or dies gives NULL. done(index, result) as they end.
 in_processes <- function(items, work, limit_s, done) {
   running <- list()
   next_item <- 1L
@@ -329,7 +329,8 @@ r_code <- lapply(stats::setNames(r_files, r_files), function(file) {
 includers <- includers_of(file.path(sources, "src"))
 # Of headers, those that few files include.
 few <- 4L
-c_files <- c_files[endsWith(c_files, ".c") | lengths(includers[basename(c_files)]) %in% seq_len(few)]
+included <- lengths(includers[basename(c_files)])
+c_files <- c_files[endsWith(c_files, ".c") | included %in% seq_len(few)]
 makevars <- readLines(file.path(sources, "src", "Makevars"))
 link_flags <- sub("^PKG_LIBS *= *", "", grep("^PKG_LIBS", makevars, value = TRUE))
 link_flags <- gsub("\\$\\(SHLIB_OPENMP_CFLAGS\\)", "-fopenmp", link_flags)

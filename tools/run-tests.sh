@@ -2,7 +2,8 @@
 # `make test`: every check, each under its heading. A failure does not stop the later ones.
 #
 # The tests of the C core run beside the checks of the R package, at a lower priority. R CMD build
-# builds the vignettes and R CMD check runs the tests, each once.
+# builds the vignettes and R CMD check runs the examples and the tests, each once. No verdict depends
+# on elapsed time. ROTDYN_LONG=yes (`make check-long`) runs what is exhaustive.
 #
 # The last line is `tests: N passed, N failed, N skipped`: the rules of the boundary script, the
 # builds and tests of the C core, testthat's blocks and the verdicts of R CMD check, added up.
@@ -68,7 +69,11 @@ for need in knitr rmarkdown; do
 done
 command -v pandoc > /dev/null 2>&1 || vignettes=no
 if test $vignettes = yes; then
-  if build_tarball "$work" > "$work/build.out" 2>&1; then
+  # For the vignettes the package is compiled without optimisation, in a third of the time.
+  echo "CFLAGS = -O0" > "$work/Makevars"
+  if (R_MAKEVARS_USER=${R_MAKEVARS_USER:-$work/Makevars} &&
+    export R_MAKEVARS_USER && build_tarball "$work") > "$work/build.out" 2>&1 &&
+    tarball=$(ls "$work"/rotdyn_*.tar.gz); then
     verdict pass "R CMD build"
   else
     cat "$work/build.out"
@@ -87,7 +92,8 @@ heading "R CMD check --as-cran"
 #   _R_CHECK_CRAN_INCOMING_REMOTE_          compares with CRAN's own package list, follows URLs
 #   _R_CHECK_SYSTEM_CLOCK_                  asks a time server whether our clock is right
 #   _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_   fetches the help topics of packages not installed here
-check_options="--as-cran --no-manual --no-vignettes"
+# Examples run once, those of \donttest{} with the others.
+check_options="--as-cran --run-donttest --no-manual --no-vignettes"
 test $vignettes = yes || check_options="$check_options --ignore-vignettes"
 force=true
 # Setup has announced a suggested package that is not available; it is not an error. But --as-cran
@@ -160,5 +166,6 @@ counted core $?
 trap 'rm -rf "$work"' 0
 
 heading "sum"
+times | tail -n 1 | sed 's/^/processor time (user, system): /'
 echo "tests: $passed passed, $failed failed, $skipped skipped"
 test $failed = 0

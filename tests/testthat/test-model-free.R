@@ -180,3 +180,34 @@ test_that("a torque function may jump more often than 32 times", {
   triangle <- (1 - abs(1 - turn)) * pi / 4.9
   expect_equal(motion$omega_z_rad_per_s, triangle, tolerance = 1e-12)
 })
+
+# Without a torque the motion is that of free_exact: a law that only looks must see its attitudes.
+test_that("laws of torques and of motors are called with the attitude, not its inverse", {
+  seen <- NULL
+  look <- function(value) function(time_s, omega_rad_per_s, attitude) {
+    seen <<- rbind(seen, c(time_s, omega_rad_per_s, attitude))
+    value
+  }
+  q0 <- attitude_from(c(1, 2, -1, 0.9), "axis_angle")
+  moments <- c(1, 2, 2.5)
+  omega0 <- c(1, 0.5, 2)
+  scenes <- list(
+    scene_free(moments, omega0, attitude0 = q0, torque_n_m = look(c(0, 0, 0))),
+    # No momentum of its own, no torque: it turns with the body.
+    scene_free(
+      moments, omega0, attitude0 = q0, rotors = rotor(c(0, 0, 1), 1e-9, 0, torque_n_m = look(0))
+    )
+  )
+  for (scene in scenes) {
+    seen <- NULL
+    trajectory(scene, c(0, 2), 1e-10)
+    seen <- seen[order(seen[, 1]), ]
+    seen <- seen[!duplicated(seen[, 1]), ]
+    free <- trajectory(scene_free(moments, omega0, attitude0 = q0), seen[, 1])
+    q <- as.matrix(as.data.frame(free)[c("qw", "qx", "qy", "qz")])
+    expect_gt(nrow(seen), 50)
+    expect_lt(max(1 - abs(rowSums(q * seen[, 5:8]))), 1e-6)
+    omega <- as.matrix(as.data.frame(free)[sprintf("omega_%s_rad_per_s", c("x", "y", "z"))])
+    expect_lt(max(abs(omega - seen[, 2:4])), 2e-3)
+  }
+})

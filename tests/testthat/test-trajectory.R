@@ -191,3 +191,14 @@ test_that("the head says what the uncertainty of the body does to the motion", {
   expect_false(is.null(run_of(trajectory(scene_clutch(body, 3, 1, omega1_rad_per_s = 4),
                                          0:3))$body))
 })
+
+test_that("an error figure refers to the largest values of the motion, not of its rows", {
+  # theta = -sin(t): 0.01 at the only other row.
+  law <- function(time_s, theta_rad, omega_rad_per_s) sin(time_s) + 0 * theta_rad
+  motion <- trajectory(
+    scene_axle(1, law, omega0_rad_per_s = -1), c(0, 2 * pi + 0.01), 1e-8
+  )
+  info <- run_of(motion)$info
+  expect_gt(info$sizes[["theta"]], 0.9)
+  expect_equal(motion$theta_rad[2], -sin(0.01), tolerance = 1e-8)
+})

@@ -1,0 +1,46 @@
+# omega = 20 exp(-0.1 t) - 4 (1 - exp(-0.1 t)): 0.4 rad/s^2 of dry friction, a rate of 0.1/s.
+coasting <- function(time_s, noise = 0) {
+  omega <- 24 * exp(-0.1 * time_s) - 4
+  set.seed(1)
+  data.frame(time_s, omega_rad_per_s = omega + stats::rnorm(length(time_s), 0, noise))
+}
+
+test_that("a coast-down's panels: the motion with its samples, residuals, the torque by speed", {
+  skip_if_not_installed("ggplot2")
+  samples <- coasting(0:80 / 10, 0.02)
+  fit <- fit_coast_down(samples, losses = c("coulomb", "viscous"))
+  plot <- ggplot2::autoplot(fit)
+  built <- ggplot2::ggplot_build(plot)$data
+  panels <- levels(plot$data$panel)
+  expect_match(panels[1], "angular velocity (rad/s), by time (s)", fixed = TRUE)
+  expect_match(panels[2], "residual (rad/s)", fixed = TRUE)
+  expect_match(panels[3], "deceleration (rad/s^2)", fixed = TRUE)
+  line <- plot$data[plot$data$panel == panels[1], ]
+  expect_equal(range(line$x), c(0, 8))
+  expect_lt(max(abs(line$y - coasting(line$x)$omega_rad_per_s)), 0.02)
+  expect_true(all(line$lower < line$y & line$y < line$upper))
+  # The deceleration a + b omega, positive for a body that slows down.
+  torque <- plot$data[plot$data$panel == panels[3], ]
+  expect_lt(max(abs(torque$y - (0.4 + 0.1 * torque$x))), 0.05)
+  expect_true(all(torque$lower <= torque$y & torque$y <= torque$upper))
+  points <- plot$layers[[2]]$data
+  expect_equal(points$y[points$panel == panels[1]], samples$omega_rad_per_s)
+  expect_equal(
+    points$y[points$panel == panels[2]],
+    samples$omega_rad_per_s - predict(fit, samples$time_s)$omega_rad_per_s
+  )
+  expect_match(plot$labels$alt, "falls from 20 to 6.78 rad/s", fixed = TRUE)
+})
+
+test_that("with a moment of inertia the last panel is a torque; runs are chosen", {
+  skip_if_not_installed("ggplot2")
+  fit <- fit_coast_down(
+    coasting(0:80 / 10, 0.02), losses = c("coulomb", "viscous"), inertia = 0.5
+  )
+  plot <- ggplot2::autoplot(fit, run = 1)
+  panels <- levels(plot$data$panel)
+  expect_match(panels[3], "retarding torque (N m)", fixed = TRUE)
+  torque <- plot$data[plot$data$panel == panels[3], ]
+  expect_lt(max(abs(torque$y - 0.5 * (0.4 + 0.1 * torque$x))), 0.03)
+  expect_error(ggplot2::autoplot(fit, run = 2), class = "rotdyn_error_value")
+})
