@@ -2,8 +2,8 @@
 # `make test`: every check, each under its heading. A failure does not stop the later ones.
 #
 # The tests of the C core run beside the checks of the R package, at a lower priority. R CMD build
-# builds the vignettes and R CMD check runs the examples and the tests, each once. No verdict depends
-# on elapsed time. ROTDYN_LONG=yes (`make check-long`) runs what is exhaustive.
+# builds the vignettes and R CMD check runs the examples and the tests, each once. No verdict
+# depends on elapsed time. ROTDYN_LONG=yes (`make check-long`) runs what is exhaustive.
 #
 # The last line is `tests: N passed, N failed, N skipped`: the rules of the boundary script, the
 # builds and tests of the C core, testthat's blocks and the verdicts of R CMD check, added up.
