@@ -34,9 +34,15 @@ incline_constraint <- function() {
       first <- function(event) {
         c(run$events$time_s[run$events$event == event], NA_real_)[1]
       }
+      # x is positive down a slope of positive angle; the level is equally high everywhere.
+      down <- sign(run$scene$incline_angle_deg)
       most <- largest_values(
-        x, run, c("x_m", "v_m_per_s", "omega_rad_per_s"), NULL, least = "x_m"
+        x, run, c("x_m", "v_m_per_s", "omega_rad_per_s"), NULL, least = if (down > 0) "x_m"
       )
+      if (down == 0) {
+        most$value$x_m <- x[["x_m"]][1]
+        most$time_s$x_m <- x[["time_s"]][1]
+      }
       value <- function(name) most$value[[name]] %||% NA_real_
       time <- function(name) most$time_s[[name]] %||% NA_real_
       list(
@@ -227,15 +233,17 @@ conserved_incline <- function(scene) {
   slope <- abs(.Call(ffi_inertia_sine, scene$incline_angle_deg))
   across <- .Call(ffi_inertia_sine, 90 - abs(scene$incline_angle_deg))
   beta <- scene$moment_of_inertia_kg_m2 / scene$mass_kg / scene$radius_m^2
+  rack <- is.infinite(scene$static_friction)
   grips <- scene$v0_m_per_s == scene$radius_m * scene$omega0_rad_per_s &&
-    slope * beta / (1 + beta) <= scene$static_friction * across
-  smooth <- !acts || scene$static_friction == 0
-  arm <- acts && scene$rolling_arm_m != 0
+    (rack || slope * beta / (1 + beta) <= scene$static_friction * across)
+  # No normal force on a vertical slope.
+  smooth <- !acts || (!rack && scene$static_friction * across == 0)
+  arm <- acts && scene$rolling_arm_m * across != 0
   pushed <- list(
     "air drag acts" = scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0,
     "a force acts along the slope" = !is.null(scene$force)
   )
-  slips <- acts && !grips && scene$kinetic_friction != 0
+  slips <- !smooth && !grips && scene$kinetic_friction != 0
   gravity <- list("gravity acts along the slope" = !level)
   rolls <- list("the rolling resistance acts" = arm)
   list(

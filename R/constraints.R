@@ -22,8 +22,8 @@
 #   keys          those that hold the state: the class is kept with them
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run
 #   more_names(scene)            NULL, or the names of those that only some scenes have
-#   event_rows    NULL, or TRUE: a trajectory has rows at the times of its events, too, and the
-#                 column `event`
+#   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run also gives
+#                 event_rows, list(columns, ledger): the rows at the times of its events
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
 #   measures      named list of measure(), to which errors and accuracies refer
 #   slopes(columns, scene)       NULL, or list: by column, what has the sign of its slope in time

@@ -65,7 +65,7 @@ ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, resti
                         friction = 0, tangential_restitution = 0, ...) {
   call <- check_no_dots(...)
   check_supplied(c("body", "vx_m_per_s", "vy_m_per_s"), call)
-  check_body(body, call)
+  check_rolls(check_body(body, call), call)
   inertia <- one_inertia(body, "body", call)
   radius <- rolling_radius(body, inertia, call)
   columns <- impact_columns(list(

@@ -10,6 +10,7 @@ incline_exact <- list(
   run = function(scene, time_s, accuracy, max_steps, call, asked) {
     result <- .Call(ffi_incline_run, scene, time_s, progress_bar("incline"))
     result$info <- void_error(result$info, result$columns)
+    if (!is.null(result$event_rows)) result$event_rows <- list(columns = result$event_rows)
     result
   },
   ledger = function(scene, run, from_s, to_s) {
@@ -35,21 +36,31 @@ integrate_incline <- function(scene, time_s, accuracy, max_steps, call, method) 
     ffi_incline_integrate, scene, called, time_s, c(accuracy, max_steps, method),
     progress_bar("integrating")
   )
-  sums <- result$ledger
-  if (has_outer_force(scene)) {
-    result$columns[incline_force_columns] <- sums[incline_force_columns]
+  errors <- result$ledger$errors
+  sums <- result$ledger[names(result$ledger) != "errors"]
+  rows <- result$event_rows
+  result[c("columns", "ledger")] <- incline_ledger_rows(scene, result$columns, sums, errors)
+  if (!is.null(rows)) {
+    result$event_rows <- incline_ledger_rows(
+      scene, rows[names(rows) %in% c("time_s", incline_columns)], rows[names(sums)], errors
+    )
   }
-  errors <- sums$errors
-  sums <- sums[setdiff(names(sums), c("errors", "drag_force_n", "applied_force_n"))]
-  result$ledger <- cbind(
-    do.call(cbind, c(
-      list(time_s = time_s), sums, list(path_m = result$columns$x_m - scene$x0_m)
-    )),
-    heat_error_j = rep(errors[1], length(time_s)), work_error_j = rep(errors[2], length(time_s)),
-    impulse_error_n_s = rep(errors[3], length(time_s))
-  )
   result$info <- void_error(result$info, result$columns)
   result
+}
+
+# list(columns, ledger) of rows: the columns that a force adds, and the sums since the start.
+incline_ledger_rows <- function(scene, columns, sums, errors) {
+  if (has_outer_force(scene)) columns[incline_force_columns] <- sums[incline_force_columns]
+  n <- length(columns$time_s)
+  sums <- sums[setdiff(names(sums), c("drag_force_n", "applied_force_n"))]
+  list(columns = columns, ledger = cbind(
+    do.call(cbind, c(
+      list(time_s = columns$time_s), sums, list(path_m = columns$x_m - scene$x0_m)
+    )),
+    heat_error_j = rep(errors[1], n), work_error_j = rep(errors[2], n),
+    impulse_error_n_s = rep(errors[3], n)
+  ))
 }
 
 has_outer_force <- function(scene) {

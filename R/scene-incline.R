@@ -10,18 +10,22 @@
 #' and at rest what holds the body, up to `b N`.
 #'
 #' [trajectory()] gives the closed form with the exact times of its events: `roll` (slip ends),
-#' `slip` (the grip is lost), `reverse` (the velocity passes zero), `stick` (the body comes to rest
-#' and stays). A force that exceeds what friction holds by less than rounding is held: at its
+#' `slip` (the grip is lost), `reverse` (the velocity passes zero), `slip_reverse` (the slip passes
+#' zero, and friction is too weak to keep it there), `stick` (the body comes to rest and stays). They
+#' have rows of their own with `event_rows = TRUE`. A force that exceeds what friction holds by less than rounding is held: at its
 #' [critical angle][rolling_critical_angle()] a body rolls. From rest, what holds least gives way
 #' first: a body that can roll without slipping does. Launched uphill, with back-spin or
 #' over-spin, are signs of the start.
 #'
 #' @param body A `rot_body` that is round about its own z axis, such as [body_sphere()],
-#'   [body_disk()] or [body_hoop()].
+#'   [body_disk()] or [body_hoop()], or of which a part is, such as the wheel of a compound. Its
+#'   centre of mass must be on the axis of that part. A body without an outline, such as
+#'   [body_tensor()], is taken as round about its own z axis.
 #' @param incline_angle_deg Angle of the slope in degrees, -90 to 90. Its sine and cosine are those
 #'   of the exact angle in degrees.
 #' @param ... Not used; names after it must be given in full.
-#' @param static_friction Coefficient of static friction, at least 0. Inf: the contact never slips.
+#' @param static_friction Coefficient of static friction, at least 0. Inf: the contact never slips,
+#'   as on a rack, on 90 degrees neither.
 #' @param kinetic_friction Coefficient of kinetic friction, 0 to `static_friction`. Inf where the
 #'   start rolls.
 #' @param rolling_arm_m Arm b of the rolling resistance in m, at least 0: the normal force acts
@@ -42,9 +46,11 @@
 #'   `r describe_columns(incline_columns)`
 #'   With air drag or a force also `r describe_columns(incline_force_columns)`
 #'   The error of the closed form is a bound. [summary()] has the largest velocities and the highest
-#'   place between the rows, too; [when()] finds the time of any value.
+#'   place between the rows, too: the least x where the angle is positive, the largest where it is
+#'   negative, on the level the first one. [when()] finds the time of any value.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
-#'   Inf where a number must be finite, and a body without moment of inertia),
+#'   Inf where a number must be finite, a body without moment of inertia, one that is not round, and
+#'   one whose centre of mass is beside the axis on which it would roll),
 #'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4; Halliday,
 #'   Resnick and Walker, Fundamentals of Physics, section 11-2 (rolling with slip).
@@ -71,6 +77,7 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
   check_no_dots(...)
   check_body(body, call)
   inertia <- one_inertia(body, "body", call)
+  check_rolls(body, call)
   radius <- if (is.null(radius_m)) {
     rolling_radius(body, inertia, call)
   } else {
@@ -91,6 +98,12 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
     v0 / radius
   } else {
     check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
+  }
+  if (!is.finite(omega0)) {
+    abort_rotdyn(c(
+      "The angular velocity of a start that rolls, {.code v0/radius}, exceeds double precision.",
+      x = "{.arg v0_m_per_s} is {format(v0)}, the radius {format(radius)} m."
+    ), "value", call)
   }
   angle <- check_number(incline_angle_deg, "incline_angle_deg", "degree", call, -90, 90)
   scene <- list(
@@ -202,9 +215,10 @@ print.rot_scene_incline <- function(x, ...) {
 
 #' The friction that a scene needs to roll
 #'
-#' What a body on an incline needs to roll from rest without slipping, and what it does with the
-#' friction that it has: `mu = (beta tan(angle) + b/R)/(1 + beta)`, with the arm b of the rolling
-#' resistance.
+#' What a body on an incline needs at rest and from rest not to slip, and what it does with the
+#' friction that it has. A body that rolls needs `mu = (beta |tan(angle)| + b/R)/(1 + beta)`, with
+#' the arm b of the rolling resistance. A body that the resistance holds at rest, where
+#' `|tan(angle)| <= b/R`, needs `mu = |tan(angle)|`: friction alone balances gravity along the slope.
 #'
 #' @param scene A [scene_incline()]. Its start does not count; a force and air drag of its own are
 #'   not taken.

@@ -25,6 +25,9 @@
 #'   sqrt(tau/I) + damping}, the largest torque and the least moment. They have no accuracy of their
 #'   own: `accuracy = 1` asks for none, and the error of each run is measured by a second one with
 #'   half the step.
+#' @param event_rows TRUE: also a row at the time of each event between the first time and the last,
+#'   for scenes whose runs give them, [scene_incline()]. FALSE: n times give n rows. The column
+#'   `event` of these scenes names the event in each row at its time, asked for or added.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
 #'   The trajectory of a [scene_rotors()], [scene_clutch()] or [scene_drive()] has columns of its
 #'   own, listed there. [summary()] and [generics::glance()] give one row, `predict()` other times,
@@ -55,7 +58,8 @@
 #' predict(motion, time_s = c(5.25, 1.75))
 #' @export
 trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
-                       on_fail = c("abort", "truncate"), max_steps = 1e6, step_s = NULL) {
+                       on_fail = c("abort", "truncate"), max_steps = 1e6, step_s = NULL,
+                       event_rows = FALSE) {
   call <- environment()
   if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
@@ -66,13 +70,22 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
     check_string(on_fail, "on_fail", c("abort", "truncate"), call)
   }
   if (!is.null(step_s)) step_s <- check_number(step_s, "step_s", "s", call, lower = 0, open = TRUE)
-  compute_trajectory(scene, time_s, accuracy, model, on_fail, max_steps, call, step_s)
+  if (!missing(event_rows)) event_rows <- check_flag(event_rows, "event_rows", call)
+  compute_trajectory(
+    scene, time_s, accuracy, model, on_fail, max_steps, call, step_s, event_rows
+  )
 }
 
 # trajectory(), for other functions too: `call` is the user's.
 compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_steps, call,
-                               step_s = NULL) {
+                               step_s = NULL, event_rows = FALSE) {
   check_scene(scene, call)
+  if (event_rows && is.null(constraint_of(scene)$event_rows)) {
+    abort_rotdyn(c(
+      "{.arg event_rows} is for scenes whose runs give rows at their events: {.fn scene_incline}.",
+      i = "{.code predict(motion, motion_events(motion)$time_s)} gives such rows of this scene."
+    ), "argument", call)
+  }
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
   if (!identical(accuracy, 1e-9)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
@@ -82,7 +95,9 @@ compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_step
     fit$record <- with_step(fit$record, step_s)
     fit$step_s <- step_s
   }
-  run_trajectory(fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model))
+  run_trajectory(
+    fit, scene, time_s, accuracy, on_fail, max_steps, call, !is.null(model), event_rows
+  )
 }
 
 fixed_step_models <- function(constraint) {
@@ -100,7 +115,7 @@ abort_no_steps <- function(constraint, model, call, arg = "step_s") {
 # `scene` is what the user described; `fit$scene` is what is solved.
 # `event_rows`: whether rows at the times of events are added, where the constraint has them.
 run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, call, asked,
-                           event_rows = TRUE) {
+                           event_rows = FALSE) {
   record <- fit$record
   constraint <- constraint_of(scene)
   # One step for each row at least, so that many rows are not a failure.
@@ -109,10 +124,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     result <- record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
   }
   if (!is.null(constraint$event_rows)) {
-    run <- function(time_s) {
-      record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
-    }
-    result <- add_event_rows(result, time_s, run, event_rows)
+    result <- name_events(if (event_rows) add_event_rows(result, time_s) else result)
     time_s <- result$columns$time_s
   }
   columns <- result$columns
@@ -172,37 +184,35 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   ))
 }
 
-# The result with rows at the times of its events, from the first row to the last, and the column
-# `event`: NA where there is none. A row that was asked for at such a time takes the event.
-add_event_rows <- function(result, time_s, run, add) {
-  events <- result$events
-  at <- as.double(events$time_s)
-  if (add && result$info$kind == "none" && length(time_s) > 1L) {
-    new <- at[at > time_s[1] & at < time_s[length(time_s)] & !at %in% time_s]
-    if (length(new)) {
-      with <- run(merge_times(time_s, new))
-      if (with$info$kind == "none") result <- with
-      result$events <- events
-    }
+# The result with the run's rows at its events, between the first time and the last; a time that
+# was asked for keeps its own row.
+add_event_rows <- function(result, time_s) {
+  rows <- result$event_rows
+  n <- length(time_s)
+  if (is.null(rows) || n < 2L || result$info$kind != "none") return(result)
+  at <- rows$columns$time_s
+  new <- which(at > time_s[1] & at < time_s[n] & !at %in% time_s)
+  order <- order(c(time_s, at[new]))
+  result$columns <- Map(
+    function(column, more) c(column, more[new])[order], result$columns,
+    rows$columns[names(result$columns)]
+  )
+  if (!is.null(rows$ledger)) {
+    result$ledger <- rbind(result$ledger, rows$ledger[new, , drop = FALSE])[order, , drop = FALSE]
   }
-  words <- as.character(events$event)
+  result
+}
+
+# The result with the column `event`: NA where there is none.
+name_events <- function(result) {
+  at <- as.double(result$events$time_s)
+  words <- as.character(result$events$event)
   if (anyDuplicated(at)) {
     words <- vapply(split(words, match(at, unique(at))), paste, "", collapse = ", ")
     at <- unique(at)
   }
   result$columns$event <- unname(words)[match(result$columns$time_s, at)]
   result
-}
-
-# Times in order, and others in order between them, each once. sort() alone takes 25 us of a
-# trajectory's 200.
-merge_times <- function(times, new) {
-  if (anyDuplicated(new)) new <- unique(new)
-  at <- findInterval(new, times) + seq_along(new)
-  merged <- double(length(times) + length(new))
-  merged[at] <- new
-  merged[-at] <- times
-  merged
 }
 
 # Columns with values beyond double precision.
@@ -562,7 +572,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
     abort_rotdyn("Model {.val {run$model}} cannot do that: {why_not}.", "time", call)
   }
   rows <- tibble::as_tibble(run_trajectory(
-    fit, scene, times, run$accuracy, "abort", run$max_steps, call, TRUE, event_rows = FALSE
+    fit, scene, times, run$accuracy, "abort", run$max_steps, call, TRUE
   ))
   from <- rep(NA_integer_, length(time_s))
   from[sorted] <- seq_along(sorted)

@@ -32,6 +32,53 @@ rot_incline_scene ffi_incline_scene(SEXP list) {
   };
 }
 
+#define SUM_NAME(name) #name,
+
+/* Rows at events, and the list that they become: the columns, of an integrated run also its sums. */
+typedef struct event_rows {
+  rot_incline_event_rows rows;
+  SEXP to;
+  int sums;
+} event_rows;
+
+static SEXP take_event_rows(void *data) {
+  static const char *const names[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME) ""};
+  static const char *const all[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME)
+                                                  ROT_INCLINE_SUMS(SUM_NAME) ""};
+  const event_rows *from = data;
+  const R_xlen_t n = (R_xlen_t)from->rows.count;
+  SEXP list = Rf_mkNamed(VECSXP, (const char **)(from->sums ? all : names));
+  SET_VECTOR_ELT(from->to, FFI_EVENT_ROWS, list);
+  R_xlen_t at = 0;
+  double *time_s = ffi_new_double(list, at++, n);
+  for (R_xlen_t i = 0; i < n; i++) time_s[i] = from->rows.row[i].time_s;
+#define X(type, name)                                                                              \
+  {                                                                                                \
+    type *column = ffi_new_##type(list, at++, n);                                                  \
+    for (R_xlen_t i = 0; i < n; i++) column[i] = from->rows.row[i].name;                           \
+  }
+  ROT_INCLINE_COLUMNS(X)
+#undef X
+#define X(name)                                                                                    \
+  if (from->sums) {                                                                                \
+    double *column = ffi_new_double(list, at++, n);                                                \
+    for (R_xlen_t i = 0; i < n; i++) column[i] = from->rows.row[i].name;                           \
+  }
+  ROT_INCLINE_SUMS(X)
+#undef X
+  return R_NilValue;
+}
+
+/* ffi_run_end() with the rows at events, which it frees. */
+static SEXP end_with_rows(ffi_run *run, rot_status status, event_rows *rows) {
+  rows->to = run->out;
+  if (status == ROT_OK && rows->rows.count) {
+    status = ffi_guarded(&run->guard, take_event_rows, rows, NULL);
+  }
+  rot_incline_event_rows_free(&rows->rows);
+  return ffi_run_end(run, status);
+}
+
 SEXP ffi_incline_run(SEXP list, SEXP time_s, SEXP progress) {
   static const char *const names[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME) ""};
   const rot_incline_params p = ffi_incline_scene(list).slope;
@@ -44,13 +91,13 @@ SEXP ffi_incline_run(SEXP list, SEXP time_s, SEXP progress) {
   SEXP columns = ffi_run_columns(&run, names);
   SET_VECTOR_ELT(columns, 0, time_s);
   ROT_INCLINE_COLUMNS(FFI_COLUMN_NEW)
-  const rot_status status =
-      rot_incline_run(&p, (size_t)rows, t, &out, &run.events, &run.guard.hooks, &run.info);
-  return ffi_run_end(&run, status);
+  event_rows at_events = {.rows = {0, 0, NULL}};
+  const rot_status status = rot_incline_run(&p, (size_t)rows, t, &out, &run.events, &at_events.rows,
+                                            &run.guard.hooks, &run.info);
+  return end_with_rows(&run, status, &at_events);
 }
 
-#define SUM_NEW(name)  sums.name = ffi_new_double(ledger, at++, rows);
-#define SUM_NAME(name) #name,
+#define SUM_NEW(name) sums.name = ffi_new_double(ledger, at++, rows);
 
 /* `called` is NULL or list(law, stops): the force, as ffi_torque.h reads a law, and its breaks.
  * `control` is c(accuracy, max_steps, method). The ledger has a value for each row; its `errors`
@@ -87,12 +134,14 @@ SEXP ffi_incline_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SE
   at = 0;
   ROT_INCLINE_SUMS(SUM_NEW)
   double *errors = ffi_new_double(ledger, at, 3);
-  const rot_status status = rot_incline_integrate(&scene, &options, (size_t)rows, t, &out, &sums,
-                                                  &run.events, &run.guard.hooks, &run.info);
+  event_rows at_events = {.rows = {0, 0, NULL}, .sums = 1};
+  const rot_status status =
+      rot_incline_integrate(&scene, &options, (size_t)rows, t, &out, &sums, &run.events,
+                            &at_events.rows, &run.guard.hooks, &run.info);
   errors[0] = sums.heat_error_j;
   errors[1] = sums.work_error_j;
   errors[2] = sums.impulse_error_n_s;
-  SEXP result = ffi_run_end(&run, status);
+  SEXP result = end_with_rows(&run, status, &at_events);
   UNPROTECT(calls);
   return result;
 }

@@ -57,7 +57,7 @@ SEXP ffi_error_figure(SEXP errors, SEXP sizes) {
 }
 
 void ffi_run_begin(ffi_run *run, SEXP progress) {
-  static const char *const names[] = {"columns", "info", "ledger", "events", ""};
+  static const char *const names[] = {"columns", "info", "ledger", "events", "event_rows", ""};
   run->out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   run->beyond = 0;
   run->events = (rot_events){0, 0, NULL, NULL};

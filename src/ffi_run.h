@@ -10,7 +10,8 @@
 #include "ffi.h"
 #include "rot_events.h"
 
-enum { FFI_COLUMNS, FFI_INFO, FFI_LEDGER, FFI_EVENTS }; /* elements of run.out */
+/* Elements of run.out; the last one of some runs alone. */
+enum { FFI_COLUMNS, FFI_INFO, FFI_LEDGER, FFI_EVENTS, FFI_EVENT_ROWS };
 
 typedef struct ffi_run {
   ffi_guard guard;

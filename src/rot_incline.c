@@ -1,6 +1,7 @@
 #include "rot_incline.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "rot_incline_rest.h"
 #include "rot_march.h"
@@ -33,11 +34,6 @@ typedef struct incline {
 
 static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 
-/* 0 for no normal force, also where the coefficient is infinite. */
-static double of_normal(double coefficient, double normal) {
-  return normal > 0.0 ? coefficient * normal : 0.0;
-}
-
 /* The rounding of the products, and that of the angle, by which the tangent changes by
  * angle/(sin cos) as much: at its critical angle the body rolls. */
 static double holds_at(double angle_deg, double sine, double cosine) {
@@ -61,9 +57,9 @@ static void begin(incline *c, const rot_incline_params *p) {
   c->own = 1.0 / (1.0 + 1.0 / c->beta);
   c->spin = 1.0 / (1.0 + c->beta);
   c->pull = p->gravity_m_per_s2 * sine;
-  c->slides = of_normal(p->mu_kinetic, normal);
-  c->grips = of_normal(p->mu_static, normal);
-  c->resists = of_normal(p->arm_m / p->radius_m, normal);
+  c->slides = rot_incline_friction(p->mu_kinetic, normal);
+  c->grips = rot_incline_friction(p->mu_static, normal);
+  c->resists = p->arm_m / p->radius_m * normal;
   c->holds = holds_at(p->angle_deg, sine, cosine);
   c->time_s = p->start_s;
   c->v = v0;
@@ -188,14 +184,23 @@ static void enter(incline *c) {
 /* *path and *speed after s, with their errors; the difference of times is rounded, too. */
 static void move(double s, double rate, double rate_error, double *path, double *speed,
                  double *path_error, double *speed_error) {
-  const double half = 0.5 * s * s;
-  *path_error += *speed_error * s + rate_error * half +
-                 ROT_EPS * (4.0 * fabs(*speed) * s + 6.0 * fabs(rate) * half);
-  *speed_error += rate_error * s + 4.0 * ROT_EPS * fabs(rate) * s;
-  *path += *speed * s + rate * half;
-  *speed += rate * s;
+  /* s^2 may exceed the range where rate s^2 does not. */
+  const double half = 0.5 * s, gain = rate * s, gain_error = rate_error * s;
+  *path_error += *speed_error * s + gain_error * half +
+                 ROT_EPS * (4.0 * fabs(*speed) * s + 6.0 * fabs(gain) * half);
+  *speed_error += gain_error + 4.0 * ROT_EPS * fabs(gain);
+  *path += *speed * s + gain * half;
+  *speed += gain;
   *path_error += ROT_EPS * fabs(*path);
   *speed_error += ROT_EPS * fabs(*speed);
+}
+
+/* m force s speed, without intermediate overflow. */
+static double heat(double m, double force, double s, double speed) {
+  if (force == 0.0 || s == 0.0 || speed == 0.0) return 0.0;
+  const double x = m * force * (s * speed);
+  if (isfinite(x) && x > 1e-290) return x;
+  return rot_product(4, (double[]){m, force, s, speed}, 1.0);
 }
 
 /* The state at a later time of the stretch. */
@@ -225,9 +230,9 @@ static incline after(const incline *c, double time) {
     path = path_error = 0.0;
     move(s, c->slip_rate, c->slip_rate_error, &path, &to.slip, &path_error, &to.slip_error);
     /* Slip and spin keep their signs on the stretch: all parts of the heat are positive. */
-    to.slip_heat += m * fabs(c->force) * (0.5 * s * fabs(c->slip + to.slip));
+    to.slip_heat += heat(m, fabs(c->force), 0.5 * s, fabs(c->slip + to.slip));
   }
-  if (c->spin_way != 0) to.rolling_heat += m * c->resists * (0.5 * s * fabs(c->w + to.w));
+  if (c->spin_way != 0) to.rolling_heat += heat(m, c->resists, 0.5 * s, fabs(c->w + to.w));
   return to;
 }
 
@@ -304,17 +309,49 @@ static rot_status cross(incline *c, rot_events *events) {
   if (status == ROT_OK && from.slip_way == 0 && c->slip_way != 0) {
     status = rot_events_add(events, end, ROT_EVENT_SLIP);
   }
+  if (status == ROT_OK && from.slip_way * c->slip_way < 0) {
+    status = rot_events_add(events, end, ROT_EVENT_SLIP_REVERSES);
+  }
   if (status != ROT_OK) return status;
   return isfinite(c->x) && isfinite(c->turn) ? ROT_OK : ROT_ERANGE;
 }
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
+rot_incline_row *rot_incline_event_row(rot_incline_event_rows *rows, double time_s) {
+  if (rows->count && rows->row[rows->count - 1].time_s == time_s) {
+    return &rows->row[rows->count - 1];
+  }
+  if (rows->count == rows->room) {
+    const size_t room = rows->room ? 2 * rows->room : 8;
+    rot_incline_row *more = realloc(rows->row, room * sizeof *more);
+    if (!more) return NULL;
+    rows->row = more;
+    rows->room = room;
+  }
+  rows->row[rows->count] = (rot_incline_row){.time_s = time_s};
+  return &rows->row[rows->count++];
+}
+
+void rot_incline_event_rows_free(rot_incline_event_rows *rows) {
+  free(rows->row);
+  *rows = (rot_incline_event_rows){0, 0, NULL};
+}
+
+rot_incline_columns rot_incline_columns_of(rot_incline_row *row) {
+  return (rot_incline_columns){
+#define X(type, name) &row->name,
+      ROT_INCLINE_COLUMNS(X)
+#undef X
+  };
+}
+
 typedef struct incline_run {
   incline at;
   const double *time_s;
   const rot_incline_columns *out;
   rot_events *events;
+  rot_incline_event_rows *at_events;
   rot_info *info;
 } incline_run;
 
@@ -356,20 +393,10 @@ static int holds(const void *model, double time_s) {
   return !(((const incline_run *)model)->at.end_s <= time_s);
 }
 
-static rot_status next_piece(void *model, double *end_s) {
-  incline_run *run = model;
-  *end_s = run->at.end_s;
-  const rot_status status = cross(&run->at, run->events);
-  const state at = state_of(&run->at);
-  note_state(&run->at, &at, run->info, 0);
-  return status;
-}
-
-static rot_status write_row(void *model, size_t i) {
-  const incline_run *run = model;
-  const incline now = after(&run->at, run->time_s[i]);
+static rot_status fill_row(const incline *at_time, const rot_incline_columns *out, size_t i,
+                           rot_info *info) {
+  const incline now = *at_time;
   const rot_incline_params *p = now.p;
-  const rot_incline_columns *out = run->out;
   const state at = state_of(&now);
   const double w = p->radius_m * at.omega;
   if (!(isfinite(at.x) && isfinite(at.v) && isfinite(at.theta) && isfinite(at.omega))) {
@@ -387,15 +414,38 @@ static rot_status write_row(void *model, size_t i) {
   out->slip_heat_j[i] = now.slip_heat;
   out->rolling_heat_j[i] = now.rolling_heat;
   out->rolling[i] = now.slip_way == 0;
-  note_state(&now, &at, run->info, now.time_s > p->start_s);
+  note_state(&now, &at, info, now.time_s > p->start_s);
   return ROT_OK;
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  incline_run *run = model;
+  *end_s = run->at.end_s;
+  const rot_status status = cross(&run->at, run->events);
+  if (status != ROT_OK || !run->at_events) {
+    const state at = state_of(&run->at);
+    note_state(&run->at, &at, run->info, 0);
+    return status;
+  }
+  rot_incline_row *row = rot_incline_event_row(run->at_events, *end_s);
+  if (!row) return ROT_ENOMEM;
+  const rot_incline_columns out = rot_incline_columns_of(row);
+  return fill_row(&run->at, &out, 0, run->info);
+}
+
+static rot_status write_row(void *model, size_t i) {
+  const incline_run *run = model;
+  const incline now = after(&run->at, run->time_s[i]);
+  return fill_row(&now, run->out, i, run->info);
 }
 
 rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double time_s[],
                            const rot_incline_columns *out, rot_events *events,
-                           const rot_hooks *hooks, rot_info *info) {
+                           rot_incline_event_rows *at_events, const rot_hooks *hooks,
+                           rot_info *info) {
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
-  incline_run run = {.time_s = time_s, .out = out, .events = events, .info = info};
+  incline_run run = {
+      .time_s = time_s, .out = out, .events = events, .at_events = at_events, .info = info};
   rot_info_clear(info, rot_incline_measures);
   begin(&run.at, p);
   const state start = state_of(&run.at);

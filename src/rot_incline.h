@@ -18,7 +18,8 @@ typedef struct rot_incline_params {
   double mass_kg, radius_m, inertia_kg_m2; /* > 0 */
   double angle_deg;                        /* -90 to 90 */
   double gravity_m_per_s2;                 /* >= 0 */
-  double mu_kinetic, mu_static;            /* 0 <= mu_kinetic <= mu_static, Inf: no slip */
+  double mu_kinetic, mu_static;            /* 0 <= mu_kinetic <= mu_static; Inf: no slip, without
+                                              a normal force either */
   double arm_m;                            /* of the rolling resistance, >= 0 */
   double x0_m, v0_m_per_s, theta0_rad, omega0_rad_per_s, start_s;
 } rot_incline_params;
@@ -47,13 +48,49 @@ typedef struct rot_incline_columns {
 #undef X
 } rot_incline_columns;
 
+/* Sums since the start, and forces now, of integrated runs alone. */
+#define ROT_INCLINE_SUMS(X)                                                                        \
+  X(applied_work_j)                                                                                \
+  X(drag_heat_j)                                                                                   \
+  X(friction_impulse_n_s) /* along the slope */                                                    \
+  X(drag_impulse_n_s)                                                                              \
+  X(applied_impulse_n_s)                                                                           \
+  X(resistance_impulse_n_m_s) /* about the centre of mass */                                       \
+  X(drag_force_n)             /* now */                                                            \
+  X(applied_force_n)
+
+/* The columns at the time of an event, after it. */
+typedef struct rot_incline_row {
+  double time_s;
+#define X(type, name) type name;
+  ROT_INCLINE_COLUMNS(X)
+#undef X
+#define X(name) double name;
+  ROT_INCLINE_SUMS(X)
+#undef X
+} rot_incline_row;
+
+/* One for each time at which there is an event, in order. Begin with {0}. */
+typedef struct rot_incline_event_rows {
+  size_t count, room;
+  rot_incline_row *row;
+} rot_incline_event_rows;
+
+/* The row at this time, a new one unless the last one has it; NULL: no memory. */
+rot_incline_row *rot_incline_event_row(rot_incline_event_rows *rows, double time_s);
+void rot_incline_event_rows_free(rot_incline_event_rows *rows);
+/* Columns of one row. */
+rot_incline_columns rot_incline_columns_of(rot_incline_row *row);
+
 /* Times are finite, do not decrease and are not before start_s (ROT_EVALUE). mu_kinetic is finite
  * unless the start rolls. A slip at the start within its rounding is none. Events: roll, slip,
- * stick, reverse (the velocity passes zero). The errors in *info are bounds, unless a force is
- * within a rounding of what friction holds; such a force is held. */
+ * stick, reverse (the velocity passes zero), slip_reverse (the slip does, without grip). at_events
+ * takes the rows at their times, NULL: none. The errors in *info are bounds for all rows, unless a
+ * force is within a rounding of what friction holds; such a force is held. */
 rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double time_s[],
                            const rot_incline_columns *out, rot_events *events,
-                           const rot_hooks *hooks, rot_info *info);
+                           rot_incline_event_rows *at_events, const rot_hooks *hooks,
+                           rot_info *info);
 
 /* The state at one time alone, not before the start, its heat, and when slip first ended (NaN: it
  * did not). error: the largest bound, each relative to the largest value at the start, the events

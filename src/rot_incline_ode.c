@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "rot_incline_rest.h"
 #include "rot_ode.h"
@@ -31,9 +32,9 @@ enum {
 /* Without a resistance, spin is 0 and holds nothing. */
 typedef rot_incline_ways ways;
 
-/* What an event changed, for a row at its time. */
+/* The state after an event, for a row at its time. */
 typedef struct change {
-  double time_s, v, w;
+  double time_s, y[DIM];
   int mode;
 } change;
 
@@ -182,6 +183,9 @@ static rot_status log_change(motion *m, double t, ways from, ways to, int turned
   if (status == ROT_OK && from.slip == 0 && to.slip != 0) {
     status = rot_events_add(m->events, t, ROT_EVENT_SLIP);
   }
+  if (status == ROT_OK && from.slip * to.slip < 0) {
+    status = rot_events_add(m->events, t, ROT_EVENT_SLIP_REVERSES);
+  }
   return status;
 }
 
@@ -193,7 +197,10 @@ static rot_status keep_change(motion *m, double t, const double y[]) {
     m->changes = more;
     m->room = room;
   }
-  m->changes[m->n_changes++] = (change){t, y[SPEED], y[RIM], m->mode};
+  change *now = &m->changes[m->n_changes++];
+  now->time_s = t;
+  memcpy(now->y, y, sizeof now->y);
+  now->mode = m->mode;
   return ROT_OK;
 }
 
@@ -264,8 +271,10 @@ static rot_ode_then at_limit(double t, double y[], int *mode, int forward, void 
 
 /* Quadratic drag has a kink where v changes its sign. */
 static rot_ode_then at_turn(double t, double y[], int *mode, int forward, void *ctx) {
-  const motion *m = ctx;
-  (void)t, (void)y, (void)mode, (void)forward;
+  motion *m = ctx;
+  (void)mode, (void)forward;
+  const rot_status status = keep_change(m, t, y);
+  if (status != ROT_OK) m->failed = status;
   return m->scene->drag_n_s2_per_m2 != 0.0 ? ROT_ODE_NEW_STRETCH : ROT_ODE_GO_ON;
 }
 
@@ -347,10 +356,6 @@ static void note_speed(double t, double y[], void *ctx) {
 
 /* ---- the scene ------------------------------------------------------------------------------- */
 
-static double of_normal(double coefficient, double normal) {
-  return normal > 0.0 ? coefficient * normal : 0.0;
-}
-
 static void begin(motion *m, const rot_incline_scene *scene, double span_s, double y[]) {
   const rot_incline_params *p = &scene->slope;
   const double sine = rot_sin_deg(p->angle_deg), cosine = rot_cos_deg(p->angle_deg);
@@ -361,9 +366,9 @@ static void begin(motion *m, const rot_incline_scene *scene, double span_s, doub
   m->own = 1.0 / (1.0 + 1.0 / m->beta);
   m->spin = 1.0 / (1.0 + m->beta);
   m->gravity = p->gravity_m_per_s2 * sine;
-  m->slides = of_normal(p->mu_kinetic, normal);
-  m->grips = of_normal(p->mu_static, normal);
-  m->resists = of_normal(p->arm_m / p->radius_m, normal);
+  m->slides = rot_incline_friction(p->mu_kinetic, normal);
+  m->grips = rot_incline_friction(p->mu_static, normal);
+  m->resists = p->arm_m / p->radius_m * normal;
   m->holds = rot_incline_holds(p->angle_deg);
   const int rolls = fabs(v0 - w0) <= 4.0 * ROT_EPS * fabs(w0);
   y[SPEED] = v0;
@@ -403,8 +408,8 @@ static rot_status fill_row(const motion *m, size_t i, double t, const double y[]
   const change *changed = change_at(m, t);
   const int start = t == p->start_s;
   const ways at = ways_of(changed ? changed->mode : (int)y[MODE]);
-  const double v = changed ? changed->v : y[SPEED];
-  const double w = at.slip == 0 ? v : changed ? changed->w : y[RIM];
+  if (changed) y = changed->y;
+  const double v = y[SPEED], w = at.slip == 0 ? v : y[RIM];
   forces f;
   const rot_status status = forces_at(m, t, y[TRAVEL], v, at, &f);
   if (status != ROT_OK) return status;
@@ -450,6 +455,27 @@ static rot_status fill_rows(const motion *m, size_t n, const double time_s[], co
   return ROT_OK;
 }
 
+/* Rows at the events of the log. */
+static rot_status fill_event_rows(const motion *m, rot_incline_event_rows *rows, rot_info *info) {
+  rot_status status = ROT_OK;
+  for (size_t i = 0; rows && m->events && i < m->events->count && status == ROT_OK; i++) {
+    const double t = m->events->time_s[i];
+    const change *changed = change_at(m, t);
+    if (!changed) continue;
+    rot_incline_row *row = rot_incline_event_row(rows, t);
+    if (!row) return ROT_ENOMEM;
+    const rot_incline_columns out = rot_incline_columns_of(row);
+    const rot_incline_sums sums = {
+#define X(name) .name = &row->name,
+        ROT_INCLINE_SUMS(X)
+#undef X
+    };
+    status = fill_row(m, 0, t, changed->y, &out, &sums);
+    if (m->scene->force) info->rhs_calls++;
+  }
+  return status;
+}
+
 /* Of few and long implicit steps the distance of two runs says too little: 92 of 100 random scenes
  * were covered; with this part of the accuracy asked 98 are (bench/coverage/incline.c). */
 #define RADAU_LEAST 1e-3
@@ -488,7 +514,8 @@ static void note_errors(const motion *m, double accuracy, const rot_incline_colu
 rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                  const rot_incline_ode_options *options, size_t n,
                                  const double time_s[], const rot_incline_columns *out,
-                                 rot_incline_sums *sums, rot_events *events, const rot_hooks *hooks,
+                                 rot_incline_sums *sums, rot_events *events,
+                                 rot_incline_event_rows *at_events, const rot_hooks *hooks,
                                  rot_info *info) {
   const rot_incline_params *p = &scene->slope;
   motion m;
@@ -537,7 +564,8 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                 .kinks = scene->force != NULL};
     failure = rot_ode_run(&ode, n, time_s, y, NULL, error, largest, hooks, info);
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
-      const rot_status rows = fill_rows(&m, n, time_s, y, out, sums, info);
+      rot_status rows = fill_rows(&m, n, time_s, y, out, sums, info);
+      if (rows == ROT_OK && failure == ROT_OK) rows = fill_event_rows(&m, at_events, info);
       if (rows != ROT_OK) failure = rows;
     }
     note_errors(&m, options->accuracy, out, error, largest, sums, info);

@@ -26,17 +26,7 @@ typedef struct rot_incline_ode_options {
   rot_method method; /* ROT_METHOD_NONE: choose */
 } rot_incline_ode_options;
 
-/* Since the start, a value for each row. */
-#define ROT_INCLINE_SUMS(X)                                                                        \
-  X(applied_work_j)                                                                                \
-  X(drag_heat_j)                                                                                   \
-  X(friction_impulse_n_s) /* along the slope */                                                    \
-  X(drag_impulse_n_s)                                                                              \
-  X(applied_impulse_n_s)                                                                           \
-  X(resistance_impulse_n_m_s) /* about the centre of mass */                                       \
-  X(drag_force_n)             /* now */                                                            \
-  X(applied_force_n)
-
+/* A value for each row. */
 typedef struct rot_incline_sums {
 #define X(name) double *name;
   ROT_INCLINE_SUMS(X)
@@ -48,7 +38,8 @@ typedef struct rot_incline_sums {
 rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                  const rot_incline_ode_options *options, size_t n,
                                  const double time_s[], const rot_incline_columns *out,
-                                 rot_incline_sums *sums, rot_events *events, const rot_hooks *hooks,
+                                 rot_incline_sums *sums, rot_events *events,
+                                 rot_incline_event_rows *at_events, const rot_hooks *hooks,
                                  rot_info *info);
 
 #endif

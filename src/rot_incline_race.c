@@ -9,10 +9,6 @@
 /* Rows between two polls: some milliseconds. */
 enum { CHUNK = 65536 };
 
-static double of_normal(double coefficient, double normal) {
-  return normal > 0.0 ? coefficient * normal : 0.0;
-}
-
 typedef struct slope {
   double angle, sine, cosine, holds;
 } slope;
@@ -28,8 +24,9 @@ static void start(const rot_race_bodies *b, size_t i, slope *on, const rot_race_
     on->holds = rot_incline_holds(angle);
   }
   const double normal = gravity * on->cosine, pull = gravity * on->sine;
-  const double grips = of_normal(mu_static, normal), slides = of_normal(mu_kinetic, normal);
-  const double resists = beta > 0.0 ? of_normal(arm / radius, normal) : 0.0;
+  const double grips = rot_incline_friction(mu_static, normal);
+  const double slides = rot_incline_friction(mu_kinetic, normal);
+  const double resists = beta > 0.0 ? arm / radius * normal : 0.0;
   const double spin = 1.0 / (1.0 + beta), own = isinf(beta) ? 1.0 : beta * spin;
   const rot_incline_ways way =
       rot_incline_leave_rest(pull, grips, slides, resists, on->holds, own, spin);
@@ -78,11 +75,11 @@ rot_status rot_race_run(size_t n, const double acceleration[], const double angu
   for (size_t k = 0, row = 0; k < times; k++) {
     for (size_t i = 0; i < n; i++, row++) {
       const int finished = time_s[k] >= finish_s[i];
-      const double t = finished ? finish_s[i] : time_s[k], half = 0.5 * t * t;
+      const double t = finished ? finish_s[i] : time_s[k], half = 0.5 * t;
       out->time_s[row] = time_s[k];
-      out->x_m[row] = acceleration[i] * half;
+      out->x_m[row] = acceleration[i] * t * half;
       out->v_m_per_s[row] = acceleration[i] * t;
-      out->theta_rad[row] = angular[i] * half;
+      out->theta_rad[row] = angular[i] * t * half;
       out->omega_rad_per_s[row] = angular[i] * t;
       out->finished[row] = finished;
       if ((row + 1) % CHUNK) continue;

@@ -6,6 +6,12 @@
 
 #include "rot_ieee.h"
 
+/* What a coefficient of friction holds. The limit Inf holds without a normal force, too: a wall at
+ * 90 degrees that never lets the body slip. */
+static inline double rot_incline_friction(double coefficient, double normal) {
+  return isinf(coefficient) ? coefficient : coefficient * normal;
+}
+
 /* The sign of the slip, 0: the contact grips; the sign of omega, 0: the resistance holds it. */
 typedef struct rot_incline_ways {
   int slip, spin;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "rot_incline.h"
+#include "rot_incline_rest.h"
 #include "rot_real.h"
 #include "rot_share.h"
 
@@ -38,13 +39,14 @@ typedef struct mover {
 
 /* `size` is the sum of the forces that make the rate, whose error is 6 of its roundings. */
 static inline mover advance(mover from, double s, double rate, double size) {
-  const double half = 0.5 * s * s, along = from.speed * s, step = along + rate * half;
+  /* s^2 may exceed the range where rate s^2 does not. */
+  const double half = 0.5 * s, gain = rate * s, along = from.speed * s, step = along + gain * half;
   mover to;
   to.path = from.path + step;
-  to.speed = from.speed + rate * s;
-  to.path_error = from.path_error + from.speed_error * s + 9.0 * size * half + 3.0 * fabs(along) +
-                  fabs(step) + fabs(to.path);
-  to.speed_error = from.speed_error + 8.0 * size * s + fabs(to.speed);
+  to.speed = from.speed + gain;
+  to.path_error = from.path_error + from.speed_error * s + 9.0 * (size * s) * half +
+                  3.0 * fabs(along) + fabs(step) + fabs(to.path);
+  to.speed_error = from.speed_error + 8.0 * (size * s) + fabs(to.speed);
   return to;
 }
 
@@ -243,8 +245,8 @@ static void table_rows(const void *data, size_t first, size_t last) {
         r->cosine = cosine;
         const double normal = r->gravity * cosine;
         r->pull = r->gravity * sine;
-        r->slides = normal > 0.0 ? r->mu_kinetic * normal : 0.0;
-        r->grips = normal > 0.0 ? r->mu_static * normal : 0.0;
+        r->slides = rot_incline_friction(r->mu_kinetic, normal);
+        r->grips = rot_incline_friction(r->mu_static, normal);
         /* An infinite slip friction holds what rolls from the start. */
         if (r->arm == 0.0 && isfinite(r->slides)) how = kind_of(r);
       }

@@ -379,7 +379,7 @@ static rot_status run_exact(const sample *s, answer *to) {
                                    c[2],     c[3],     c[4],     c[5],     c[6], rolling};
   rot_info info;
   const rot_status status =
-      rot_incline_run(&s->scene.slope, ROWS, s->rows_s, &out, NULL, NULL, &info);
+      rot_incline_run(&s->scene.slope, ROWS, s->rows_s, &out, NULL, NULL, NULL, &info);
   return spread(&info, to, status);
 }
 
@@ -392,8 +392,8 @@ static rot_status integrate(const sample *s, rot_method method, answer *to) {
                            sum[6], sum[7], 0.0,    0.0,    0.0};
   const rot_incline_ode_options options = {s->accuracy, 1000000, method};
   rot_info info;
-  const rot_status status =
-      rot_incline_integrate(&s->scene, &options, ROWS, s->rows_s, &out, &sums, NULL, NULL, &info);
+  const rot_status status = rot_incline_integrate(&s->scene, &options, ROWS, s->rows_s, &out, &sums,
+                                                  NULL, NULL, NULL, &info);
   return spread(&info, to, status);
 }
 

@@ -25,7 +25,7 @@ static int solve(const char *how, solution *s) {
   rot_info info;
   (void)how;
   s->rhs_calls = 0;
-  return rot_incline_run(&params, s->n, s->time_s, &columns, NULL, NULL, &info) != ROT_OK;
+  return rot_incline_run(&params, s->n, s->time_s, &columns, NULL, NULL, NULL, &info) != ROT_OK;
 }
 
 int main(int argc, char **argv) { return child_main(argc, argv, solve); }

@@ -19,12 +19,12 @@ static rot_status run(const rot_incline_params *p, size_t n, const double t[], t
                       rot_events *events, rot_info *info) {
   to->out = (rot_incline_columns){to->c[0], to->c[1], to->c[2], to->c[3], to->c[4],  to->c[5],
                                   to->c[6], to->c[7], to->c[8], to->c[9], to->c[10], to->rolling};
-  return rot_incline_run(p, n, t, &to->out, events, NULL, info);
+  return rot_incline_run(p, n, t, &to->out, events, NULL, NULL, info);
 }
 
 /* ---- random scenes --------------------------------------------------------------------------- */
 
-/* Events: R roll, L slip, V reverse, S stick. */
+/* Events: R roll, L slip, V reverse, S stick, X slip_reverse. */
 typedef struct incline_case {
   rot_incline_params p;
   double t, x, v, theta, omega, slip_heat, rolling_heat;
@@ -261,7 +261,7 @@ static const incline_case cases[] = {
      0.0,
      55.722131492701756471,
      112.98480872899626649,
-     "VS"},
+     "VXS"},
 #endif
 };
 
@@ -269,7 +269,8 @@ static char letter(rot_event event) {
   return event == ROT_EVENT_ROLL      ? 'R'
          : event == ROT_EVENT_SLIP    ? 'L'
          : event == ROT_EVENT_REVERSE ? 'V'
-                                      : 'S';
+         : event == ROT_EVENT_STICK   ? 'S'
+                                      : 'X';
 }
 
 static void check_close(double got, double want, double error) {
@@ -370,10 +371,15 @@ static void limits(void) {
   p.mu_static = p.mu_kinetic = 0.0;
   ROT_CHECK_ULP(after_1s(p, 1), 9.81 * 0.25881904510252076, 2);
   ROT_CHECK(after_1s(p, 3) == 0.0);
-  /* At 90 degrees no friction acts, even an infinite one. */
+  /* At 90 degrees no finite friction acts; the infinite one is a rack: v' = g/(1 + beta). */
   p.angle_deg = 90.0;
-  p.mu_static = p.mu_kinetic = INFINITY;
+  p.mu_static = p.mu_kinetic = 1e300;
   ROT_CHECK(after_1s(p, 1) == 9.81 && after_1s(p, 3) == 0.0);
+  p.mu_static = p.mu_kinetic = INFINITY;
+  ROT_CHECK_ULP(after_1s(p, 1), 9.81 / 1.4, 4);
+  ROT_CHECK_ULP(after_1s(p, 3), 9.81 / 1.4 / 0.05, 4);
+  p.angle_deg = -90.0;
+  ROT_CHECK_ULP(after_1s(p, 1), -9.81 / 1.4, 4);
   /* The co-angle: 1e-10 degrees off 90, the normal force is g 1e-10 pi/180. */
   p.angle_deg = 90.0 - 0x1p-33;
   p.mu_static = p.mu_kinetic = 1.0;
@@ -447,8 +453,66 @@ static void properties(void) {
   }
 }
 
+/* A body launched with over-spin up a slope too steep for its grip: the slip passes zero at
+ * s = u/(g sin + mu g cos (1 + 1/beta)), and goes on with the other sign. */
+static void slip_reverses(void) {
+  const rot_incline_params p = {1.0, 0.1, 0.004, 60.0, 9.80665, 0.2, 0.3,
+                                0.0, 0.0, 1.0,   0.0,  40.0,    2.0};
+  const double g = 9.80665, sine = rot_sin_deg(60.0), pull = g * sine, slides = 0.2 * g * 0.5;
+  const double at_s = 3.0 / (pull + slides * 3.5), t = 2.0 + 2.0 * at_s;
+  rot_events events = {0, 0, NULL, NULL};
+  rot_incline_event_rows rows = {0, 0, NULL};
+  rot_info info;
+  table to;
+  ROT_CHECK(run(&p, 1, &t, &to, NULL, &info) == ROT_OK);
+  ROT_CHECK(rot_incline_run(&p, 1, &t, &to.out, &events, &rows, NULL, &info) == ROT_OK);
+  ROT_CHECK(events.count == 1 && events.event[0] == ROT_EVENT_SLIP_REVERSES);
+  ROT_CHECK(rows.count == 1 && rows.row[0].time_s == events.time_s[0]);
+  ROT_CHECK_ULP(events.time_s[0], 2.0 + at_s, 2);
+  const rot_incline_row *row = &rows.row[0];
+  ROT_CHECK_ULP(row->v_m_per_s, 1.0 + (pull + slides) * at_s, 4);
+  ROT_CHECK_ULP(row->omega_rad_per_s, 40.0 - slides / 0.4 / 0.1 * at_s, 4);
+  ROT_CHECK_ULP(row->x_m, at_s + 0.5 * (pull + slides) * at_s * at_s, 4);
+  ROT_CHECK(fabs(row->slip_speed_m_per_s) <= 1e-14 && row->rolling == 0);
+  /* After the event friction holds back. */
+  ROT_CHECK_ULP(row->friction_force_n, -slides, 2);
+  ROT_CHECK_ULP(to.c[1][0], 1.0 + 2.0 * pull * at_s, 8);
+  rot_events_free(&events);
+  rot_incline_event_rows_free(&rows);
+}
+
+/* Times whose square exceeds the range, where the answers do not. */
+static void long_times(void) {
+  rot_incline_params p = {1.0, 10.0, 40.0, 0.0, 0.0, 0.3, 0.3, 0.0, 0.0, 1.0, 0.0, 0.1, 0.0};
+  const double t = 1e300;
+  rot_info info;
+  table rows;
+  ROT_CHECK(run(&p, 1, &t, &rows, NULL, &info) == ROT_OK);
+  ROT_CHECK_ULP(rows.c[0][0], 1e300, 1);
+  ROT_CHECK_ULP(rows.c[2][0], 1e299, 1);
+  ROT_CHECK(rows.c[1][0] == 1.0 && rot_info_error(&info) < 1e-14);
+  /* x = g s^2/(2 (1 + beta)) = 1e-300 1e600/4 * 10/14 * 2. */
+  p.angle_deg = 30.0;
+  p.gravity_m_per_s2 = 1e-300;
+  p.v0_m_per_s = p.omega0_rad_per_s = 0.0;
+  ROT_CHECK(run(&p, 1, &t, &rows, NULL, &info) == ROT_OK);
+  ROT_CHECK_ULP(rows.c[0][0], 1e300 / 4.0 / 1.4, 4);
+  ROT_CHECK_ULP(rows.c[1][0], 0.5 / 1.4, 4);
+  rot_incline_end end;
+  ROT_CHECK(rot_incline_to(&p, t, &end) == ROT_OK);
+  ROT_CHECK(end.x_m == rows.c[0][0]);
+  /* Slips: without friction, and with one that heats: mu g x over twice the slip. */
+  p.mu_static = p.mu_kinetic = 0.05;
+  ROT_CHECK(run(&p, 1, &t, &rows, NULL, &info) == ROT_OK);
+  const double held = 0.05 * sqrt(0.75);
+  ROT_CHECK_ULP(rows.c[0][0], 0.5 * (0.5 - held) * 1e300, 8);
+  ROT_CHECK_ULP(rows.c[9][0], 0.5 * held * (0.5 - held - held / 0.4), 16);
+}
+
 int main(void) {
   random_scenes();
+  slip_reverses();
+  long_times();
   slip_to_roll();
   limits();
   critical_angle();

@@ -32,7 +32,7 @@ static rot_status run(const rot_incline_scene *scene, size_t n, const double t[]
                       rot_method method, table *to) {
   const rot_incline_ode_options options = {accuracy, 100000, method};
   point(to);
-  return rot_incline_integrate(scene, &options, n, t, &to->out, &to->sums, &to->events, NULL,
+  return rot_incline_integrate(scene, &options, n, t, &to->out, &to->sums, &to->events, NULL, NULL,
                                &to->info);
 }
 
@@ -64,7 +64,7 @@ static void constant_forces(void) {
     table exact, ours;
     for (int k = 0; k < ROWS; k++) t[k] = 3.0 * k / (ROWS - 1);
     point(&exact);
-    ROT_CHECK(rot_incline_run(&scene.slope, ROWS, t, &exact.out, &exact.events, NULL,
+    ROT_CHECK(rot_incline_run(&scene.slope, ROWS, t, &exact.out, &exact.events, NULL, NULL,
                               &exact.info) == ROT_OK);
     ROT_CHECK(run(&scene, ROWS, t, 1e-10, i % 6 ? ROT_METHOD_RK8PD : ROT_METHOD_RADAU, &ours) ==
               ROT_OK);

@@ -113,7 +113,7 @@ static void random_rows(void) {
     rot_events events = {0, 0, NULL, NULL};
     rot_info one;
     ROT_CHECK(t.status[i] == ROT_OK);
-    ROT_CHECK(rot_incline_run(&p, 1, &time, &to, &events, NULL, &one) == ROT_OK);
+    ROT_CHECK(rot_incline_run(&p, 1, &time, &to, &events, NULL, NULL, &one) == ROT_OK);
     for (int k = 0; k < 4; k++) {
       const rot_measure *m = &one.measure[k];
       ROT_CHECK(fabs(t.c[k][i] - c[k]) <= m->error + t.c[7][i] * m->largest * (1.0 + 1e-9));

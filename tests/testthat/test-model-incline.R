@@ -6,7 +6,7 @@ test_that("a bowling ball slides, then rolls", {
     ball(), 0, static_friction = 0.19, v0_m_per_s = 8.1, omega0_rad_per_s = 0,
     gravity_m_per_s2 = 9.8
   )
-  motion <- trajectory(lane, c(0, 1, 1.2429031765, 3))
+  motion <- trajectory(lane, c(0, 1, 1.2429031765, 3), event_rows = TRUE)
   expect_named(motion, incline_columns)
   # The event has a row of its own, between those asked for.
   expect_equal(motion$event, c(NA, NA, "roll", NA, NA))
@@ -49,7 +49,7 @@ test_that("the sphere of Drake's test, and rows of University Physics", {
   up <- scene_incline(
     body_spherical_shell(1, 0.1), 30, v0_m_per_s = -7, gravity_m_per_s2 = 9.8
   )
-  motion <- trajectory(up, c(0, 5))
+  motion <- trajectory(up, c(0, 5), event_rows = TRUE)
   expect_equal(motion_events(motion)$time_s, 2.380952381, tolerance = 1e-9)
   expect_equal(motion$event, c(NA, "reverse", NA))
   expect_equal(motion$x_m[2], -8.333333333, tolerance = 1e-9)
@@ -68,7 +68,6 @@ test_that("the table of slip to roll, as a user would call it", {
     )
     rolls <- is.finite(r$t_roll) && r$mu >= r$mu_needed_to_keep_rolling
     motion <- trajectory(scene, if (rolls) r$t_roll * c(1, 1.001) else 100)
-    motion <- motion[match(if (rolls) r$t_roll * c(1, 1.001) else 100, motion$time_s), ]
     events <- motion_events(motion)
     expect_identical("roll" %in% events$event, rolls)
     if (!rolls) next
@@ -91,9 +90,8 @@ test_that("an uphill launch with back-spin: rows do not depend on each other", {
     omega0_rad_per_s = 30, rolling_arm_m = 0.005
   )
   time <- seq(0, 8, by = 0.25)
-  whole <- trajectory(up, time)
-  expect_equal(motion_events(whole)$event, c("roll", "reverse"))
-  motion <- whole[match(time, whole$time_s), ]
+  motion <- trajectory(up, time)
+  expect_equal(motion_events(motion)$event, c("roll", "reverse"))
   expect_identical(trajectory(up, time[20])$x_m, motion$x_m[20])
   expect_identical(predict(motion, time[c(9, 3)])$v_m_per_s, motion$v_m_per_s[c(9, 3)])
   expect_lte(run_of(motion)$info$error, 1e-13)
@@ -113,10 +111,14 @@ test_that("audits balance, friction stays in its cone, in random scenes", {
       rolling_arm_m = sample(c(0, 0.01, 0.1), 1), v0_m_per_s = stats::rnorm(1, 0, 4),
       omega0_rad_per_s = stats::rnorm(1, 0, 30), start_s = -1
     )
-    motion <- trajectory(scene, seq(-1, 4, length.out = 41))
+    motion <- trajectory(scene, seq(-1, 4, length.out = 41), event_rows = i %% 2 == 0)
     expect_true(all(audit(motion)$verdict == "balanced"))
     events <- motion_events(motion)
-    expect_true(all(events$time_s[events$time_s <= 4] %in% motion$time_s[!is.na(motion$event)]))
+    if (i %% 2 == 0) {
+      expect_true(all(events$time_s[events$time_s <= 4] %in% motion$time_s[!is.na(motion$event)]))
+    } else {
+      expect_identical(motion$time_s, seq(-1, 4, length.out = 41))
+    }
     normal <- scene$mass_kg * 9.80665 * cos(scene$incline_angle_deg * pi / 180)
     expect_lte(max(abs(motion$friction_force_n)), mu * normal * (1 + 1e-13))
     expect_true(all(motion$friction_force_n * motion$slip_speed_m_per_s <= 0))
@@ -155,13 +157,22 @@ test_that("rows of events: one for each, none twice, and every verb keeps them",
     ball(), 20, static_friction = 0.3, kinetic_friction = 0.2, v0_m_per_s = -3,
     omega0_rad_per_s = 20
   )
-  motion <- trajectory(up, seq(0, 3, by = 0.5))
+  motion <- trajectory(up, seq(0, 3, by = 0.5), event_rows = TRUE)
   at <- motion_events(motion)$time_s
   expect_identical(motion$time_s, sort(c(seq(0, 3, by = 0.5), at)))
   expect_identical(motion$event[motion$time_s %in% at], c("roll", "reverse"))
   # Asked for, it is there as often as it was asked for; outside the rows it is not.
-  expect_identical(trajectory(up, c(0, at[1], at[1], 3))$time_s, c(0, at[1], at[1], at[2], 3))
-  expect_identical(nrow(trajectory(up, c(1, 3))), 2L)
+  again <- trajectory(up, c(0, at[1], at[1], 3), event_rows = TRUE)
+  expect_identical(again$time_s, c(0, at[1], at[1], at[2], 3))
+  expect_identical(nrow(trajectory(up, c(1, 3), event_rows = TRUE)), 2L)
+  # Without the argument there are the rows that were asked for, and the same values.
+  expect_identical(
+    tibble::as_tibble(trajectory(up, seq(0, 3, by = 0.5))),
+    tibble::as_tibble(motion)[!motion$time_s %in% at, ]
+  )
+  expect_identical(
+    tibble::as_tibble(trajectory(up, motion$time_s)), tibble::as_tibble(motion)
+  )
   expect_identical(trajectory(up, at[1])$event, "roll")
   # Other rows do not change.
   expect_identical(motion[motion$time_s == 2, "x_m"], trajectory(up, 2)[1, "x_m"])
@@ -236,7 +247,7 @@ test_that("a force of one's own: it breaks the rest, then the grip", {
   spring <- scene_incline(
     ball(), 0, v0_m_per_s = 1, force_n = function(time_s, x_m, v_m_per_s) -8.4 * 4 * x_m
   )
-  swing <- trajectory(spring, seq(0, 6, by = 0.5), accuracy = 1e-10)
+  swing <- trajectory(spring, seq(0, 6, by = 0.5), accuracy = 1e-10, event_rows = TRUE)
   asked <- is.na(swing$event)
   expect_equal(swing$x_m[asked], sin(2 * swing$time_s[asked]) / 2, tolerance = 1e-9)
   expect_equal(motion_events(swing)$time_s, pi / 4 + pi / 2 * 0:3, tolerance = 1e-9)
@@ -286,7 +297,7 @@ test_that("the cases of slip to roll, each against its published or computed val
     body_sphere(6, x$r), 0, static_friction = x$mu, v0_m_per_s = x$v0, omega0_rad_per_s = 0,
     gravity_m_per_s2 = x$g
   )
-  motion <- trajectory(lane, c(0, 1, 3))
+  motion <- trajectory(lane, c(0, 1, 3), event_rows = TRUE)
   roll <- which(motion$event == "roll")
   cue <- function(h_over_r) {
     struck <- scene_incline(
@@ -408,4 +419,123 @@ test_that("a force that leaves rest by a jump slips where the jump is beyond the
     force_n = push
   ), c(0, 0.5, 2))
   expect_equal(motion$v_m_per_s[motion$time_s == 2], 30 - 0.3 * 9.80665, tolerance = 1e-10)
+})
+
+# From the equations alone: m v' = m g sin + mu N, I omega' = -mu N R while v < R omega.
+test_that("a slip that passes zero without grip is an event, closed form and integrated", {
+  scene <- function(...) {
+    scene_incline(
+      body_disk(2, 0.1), 60, static_friction = 0.3, kinetic_friction = 0.2, v0_m_per_s = 1,
+      omega0_rad_per_s = 40, gravity_m_per_s2 = 9.8, ...
+    )
+  }
+  pull <- 9.8 * sqrt(0.75)
+  at <- 3 / (pull + 0.98 + 2 * 0.98)
+  for (model in c("incline_exact", "incline_rk8pd", "incline_radau")) {
+    motion <- trajectory(scene(), c(0, 1), model = model, event_rows = TRUE)
+    expect_identical(motion_events(motion)$event, "slip_reverse")
+    expect_identical(motion$event, c(NA, "slip_reverse", NA))
+    row <- as.list(motion[2, ])
+    expect_equal(row$time_s, at, tolerance = 1e-9)
+    expect_equal(row$v_m_per_s, 1 + (pull + 0.98) * at, tolerance = 1e-9)
+    expect_equal(row$omega_rad_per_s, 40 - 2 * 0.98 / 0.1 * at, tolerance = 1e-9)
+    expect_equal(row$slip_heat_j, 2 * 0.98 * 3 * at / 2, tolerance = 1e-8)
+    expect_equal(row$friction_force_n, -2 * 0.98, tolerance = 1e-12)
+    expect_false(row$rolling)
+    expect_equal(motion$v_m_per_s[3], row$v_m_per_s + (pull - 0.98) * (1 - at), tolerance = 1e-9)
+    expect_true(all(audit(motion)$verdict == "balanced"))
+  }
+  # With drag, too.
+  pushed <- trajectory(scene(drag_n_s_per_m = 0.01), c(0, 1), event_rows = TRUE)
+  expect_identical(pushed$event, c(NA, "slip_reverse", NA))
+  expect_equal(pushed$time_s[2], at, tolerance = 1e-2)
+  ledger <- augment(pushed)
+  expect_equal(ledger$dissipated_j, pushed$slip_heat_j + pushed$drag_heat_j, tolerance = 1e-12)
+})
+
+test_that("the highest place is the highest, for each sign of the slope", {
+  # Up the slope at 2 m/s: 2^2/2 (1 + beta)/(g sin) along it.
+  reach <- 4 / 2 * 1.4 / (9.80665 * 0.5)
+  for (side in c(1, -1)) {
+    up <- scene_incline(body_sphere(1, 0.1), 30 * side, v0_m_per_s = -2 * side, x0_m = 7)
+    s <- summary(trajectory(up, c(0, 3)))
+    expect_equal(s$highest_x_m, 7 - side * reach, tolerance = 1e-13)
+    expect_equal(s$highest_x_time_s, 2 * 1.4 / (9.80665 * 0.5), tolerance = 1e-13)
+  }
+  level <- summary(trajectory(scene_incline(body_sphere(1, 0.1), 0, v0_m_per_s = -2), c(1, 3)))
+  expect_equal(c(level$highest_x_m, level$highest_x_time_s), c(-2, 1))
+})
+
+test_that("infinite friction holds at 90 degrees, finite friction has no force there", {
+  rack <- scene_incline(body_hoop(1, 0.1), 90)
+  motion <- trajectory(rack, c(0, 2))
+  expect_equal(motion$v_m_per_s[2], 9.80665, tolerance = 1e-14)
+  expect_true(all(motion$rolling))
+  expect_equal(friction_needed(rack)$from_rest, "rolls")
+  expect_equal(friction_needed(rack)$acceleration_m_per_s2, 9.80665 / 2, tolerance = 1e-14)
+  expect_true(conserved(rack)$conserved[1])
+  expect_true(all(audit(motion)$verdict == "balanced"))
+  damped <- trajectory(scene_incline(body_hoop(1, 0.1), 90, drag_n_s_per_m = 1e-13), c(0, 2))
+  expect_equal(damped$v_m_per_s[2], 9.80665, tolerance = 1e-9)
+  rows <- data.frame(beta = 1, radius_m = 0.1, incline_angle_deg = c(90, -90))
+  expect_equal(incline_table(rows, 2)$final_v_m_per_s, c(1, -1) * 9.80665, tolerance = 1e-14)
+  race <- roll_race(data.frame(beta = 1), 90, time_s = c(0, 2), length_m = 100)
+  expect_equal(race$v_m_per_s[2], 9.80665, tolerance = 1e-14)
+  falls <- scene_incline(body_hoop(1, 0.1), 90, static_friction = 5)
+  motion <- trajectory(falls, c(0, 2))
+  expect_equal(motion$v_m_per_s[2], 2 * 9.80665)
+  expect_equal(motion$omega_rad_per_s[2], 0)
+  expect_true(conserved(falls)$conserved[1])
+})
+
+test_that("times of 1e300 s where the answer is a double", {
+  ball <- body_sphere(1, 1)
+  at <- function(scene, columns) {
+    motion <- trajectory(scene, c(0, 1, 1e300))
+    expect_lte(run_of(motion)$info$error, 1e-14)
+    expect_true(all(audit(motion)$verdict == "balanced"))
+    expect_false(anyNA(augment(motion)$work_j))
+    unlist(motion[3, columns], use.names = FALSE)
+  }
+  expect_equal(at(scene_incline(ball, 0, v0_m_per_s = 1), c("x_m", "v_m_per_s")), c(1e300, 1))
+  expect_equal(at(scene_incline(ball, 5, rolling_arm_m = 0.1), c("x_m", "v_m_per_s")), c(0, 0))
+  slow <- scene_incline(ball, 30, gravity_m_per_s2 = 1e-300)
+  expect_equal(at(slow, c("x_m", "v_m_per_s")), c(1e300 / 4, 1 / 2) / 1.4, tolerance = 1e-14)
+  # Slip that ends after 2/7 of v0/(mu g), with the heat (m/2) beta/(1 + beta) v0^2.
+  lane <- scene_incline(ball, 0, static_friction = 0.1, v0_m_per_s = 1, omega0_rad_per_s = 0)
+  expect_equal(at(lane, c("v_m_per_s", "slip_heat_j")), c(1 / 1.4, 0.2 / 1.4), tolerance = 1e-14)
+  rows <- data.frame(
+    beta = 0.4, radius_m = 1, incline_angle_deg = 30, gravity_m_per_s2 = 1e-300
+  )
+  expect_equal(incline_table(rows, 1e300)$final_x_m, 1e300 / 4 / 1.4, tolerance = 1e-14)
+  race <- roll_race(
+    data.frame(beta = 0.4), 30, gravity_m_per_s2 = 1e-300, time_s = 1e160, length_m = 1e100
+  )
+  expect_equal(race$x_m, 1e20 / 4 / 1.4, tolerance = 1e-14)
+})
+
+test_that("friction_needed() of a body that rests is what rest needs, |tan(angle)|", {
+  held <- friction_needed(scene_incline(body_disk(1, 0.1), -10, rolling_arm_m = 0.02))
+  expect_equal(held$from_rest, "rests")
+  expect_equal(held$friction_needed, tanpi(10 / 180), tolerance = 1e-14)
+  # It is the border between rest and slip.
+  side <- function(factor) {
+    friction_needed(scene_incline(
+      body_disk(1, 0.1), 10, rolling_arm_m = 0.02, static_friction = factor * tanpi(10 / 180)
+    ))$from_rest
+  }
+  expect_equal(c(side(1 + 1e-9), side(1 - 1e-9)), c("rests", "slides"))
+  # Rolling needs (beta tan + b/R)/(1 + beta).
+  rolls <- friction_needed(scene_incline(body_disk(1, 0.1), 20, rolling_arm_m = 0.02))
+  expect_equal(rolls$friction_needed, (tanpi(20 / 180) / 2 + 0.2) / 1.5, tolerance = 1e-14)
+})
+
+test_that("event rows are for scenes that have them", {
+  expect_error(
+    trajectory(scene_axle(1, torque_constant(1)), 0:1, event_rows = TRUE),
+    class = "rotdyn_error_argument"
+  )
+  expect_error(
+    trajectory(scene_incline(ball(), 10), 0:1, event_rows = 2), class = "rotdyn_error"
+  )
 })

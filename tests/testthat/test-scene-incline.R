@@ -1,7 +1,12 @@
 test_that("the radius is that of the body", {
   expect_equal(scene_incline(body_sphere(6, 0.11), 0)$radius_m, 0.11)
   expect_equal(scene_incline(body_disk(2, 0.25), 0)$radius_m, 0.25)
-  expect_error(scene_incline(body_rod(1, 2), 0), class = "rotdyn_error_missing")
+  expect_error(
+    scene_incline(body_tensor(1, c(1, 1, 1)), 0), class = "rotdyn_error_missing"
+  )
+  expect_error(
+    scene_incline(body_sphere(1, 1e-10), 10, v0_m_per_s = 1e300), class = "rotdyn_error_value"
+  )
   # A yo-yo on its shaft: beta is 50.
   wheel <- scene_incline(body_disk(2, 0.25), 90, radius_m = 0.025)
   expect_equal(wheel$moment_of_inertia_kg_m2 / 2 / 0.025^2, 50)
