@@ -11,11 +11,11 @@
 #'
 #' [trajectory()] gives the closed form with the exact times of its events: `roll` (slip ends),
 #' `slip` (the grip is lost), `reverse` (the velocity passes zero), `slip_reverse` (the slip passes
-#' zero, and friction is too weak to keep it there), `stick` (the body comes to rest and stays). They
-#' have rows of their own with `event_rows = TRUE`. A force that exceeds what friction holds by less than rounding is held: at its
-#' [critical angle][rolling_critical_angle()] a body rolls. From rest, what holds least gives way
-#' first: a body that can roll without slipping does. Launched uphill, with back-spin or
-#' over-spin, are signs of the start.
+#' zero, and friction is too weak to keep it there), `stick` (the body comes to rest and stays).
+#' They have rows of their own with `event_rows = TRUE`. A force that exceeds what friction holds by
+#' less than rounding is held: at its [critical angle][rolling_critical_angle()] a body rolls. From
+#' rest, what holds least gives way first: a body that can roll without slipping does. Launched
+#' uphill, with back-spin or over-spin, are signs of the start.
 #'
 #' @param body A `rot_body` that is round about its own z axis, such as [body_sphere()],
 #'   [body_disk()] or [body_hoop()], or of which a part is, such as the wheel of a compound. Its

@@ -34,7 +34,7 @@ rot_incline_scene ffi_incline_scene(SEXP list) {
 
 #define SUM_NAME(name) #name,
 
-/* Rows at events, and the list that they become: the columns, of an integrated run also its sums. */
+/* Rows at events, and the list that they become: columns, of an integrated run also sums. */
 typedef struct event_rows {
   rot_incline_event_rows rows;
   SEXP to;
