@@ -28,8 +28,8 @@
 #'   `r describe_columns(audit_columns)`
 #'   `terms` holds, for each balance, a tibble with the columns
 #'   `r describe_columns(c("term", "role", "value"))`
-#'   The verdict is NA where a balance cannot be drawn: no rows, rotors missing from them, or
-#'   energies beyond double precision.
+#'   The verdict is NA where a balance cannot be drawn: no rows, rotors missing from them, energies
+#'   beyond double precision, or a motion whose error is not known.
 #' @section Errors: `rotdyn_error_type` for what has no audit (a table that lost its columns is no
 #'   trajectory); `rotdyn_error_time` for a missing time.
 #' @seealso [augment.rot_trajectory()] for the same terms row by row, [summary.rot_trajectory()],
@@ -62,7 +62,14 @@ audit.rot_trajectory <- function(x, ...) {
 balances_of <- function(x, run, call) {
   constraint <- constraint_of(run$scene)
   check_rows(x, call, constraint$keys)
-  mark_conserved(constraint$balances(x, run, call), keeps_of(run$solved))
+  balances <- mark_conserved(constraint$balances(x, run, call), keeps_of(run$solved))
+  if (isTRUE(run$info$lost)) lapply(balances, without_verdict) else balances
+}
+
+# An error that is not known would explain any residual.
+without_verdict <- function(one) {
+  one[c("rounding", "verdict")] <- list(NA_real_, NA_character_)
+  one
 }
 
 new_audit <- function(balances) {

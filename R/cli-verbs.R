@@ -256,10 +256,7 @@ cli_run_trajectory <- function(words, options, state) {
   cli_each_scene(cli_scenes(words, options, state, "trajectory"), state, function(scene) {
     motion <- trajectory(scene, options$times, options$accuracy, model)
     run <- attr(motion, "run")
-    message(
-      run$model, ", error ", if (run$error_kind == "bound") "at most " else "about ",
-      format(run$info$error, digits = 2)
-    )
+    message(run$model, ", error ", sub(" \\(.*\\)$", "", describe_error(run)))
     if (!is.null(options$record)) message("recorded as ", cli_record(options$record, motion))
     list(table = motion)
   })

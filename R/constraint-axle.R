@@ -11,7 +11,8 @@ axle_constraint <- function() {
       omega0_rad_per_s = "number", start_s = "number", inertia_lo = "number?",
       rounding = "numbers:2?",
       gears = list(
-        .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number"
+        .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number",
+        bearings_n_m_s = "number", least_n_m_s = "number"
       ),
       rope = list(.optional = TRUE, mass_kg = "numbers:2", radius_m = "number"),
       train = list(
@@ -186,10 +187,15 @@ conserved_axle <- function(scene) {
     term$kind %in% c("spring", "gravity") && term$from_s == -Inf && term$to_s == Inf
   }, NA)
   gears <- scene$gears
-  lossy <- !is.null(gears) && (gears$forward_n_m != 0 || gears$backward_n_m != 0)
+  lossy <- !is.null(gears) && (gears$forward_n_m != 0 || gears$backward_n_m != 0 ||
+    scene$resistance$viscous_n_m_s != 0)
   applied <- loads
   applied$terms <- loads$terms[!stores]
   resistance <- resists(scene$resistance)
+  if (!is.null(gears)) { # a curve and dry friction stand for their loss
+    applied <- torque_loads(torque_constant(gears$applied_n_m))
+    resistance <- gears$bearings_n_m_s != 0
+  }
   list(
     keeps_unless("energy", NA_character_, list(
       "the torque works" = loads_act(applied), "the resistance dissipates" = resistance,
@@ -227,8 +233,7 @@ balance_axle <- function(x, run, call) {
     }
   }
   theta <- x$theta_rad[c(1L, n)]
-  gears <- geared_flows(scene, theta[2] - theta[1], t[2] - t[1])[1, ]
-  ledger[names(gears)] <- ledger[names(gears)] + gears
+  ledger <- geared_flows(ledger, scene, theta[2] - theta[1], t[2] - t[1])
   flow <- function(name) ledger[[name]]
   inertia <- if (is.null(scene$inertia)) {
     rep(scene$moment_of_inertia_kg_m2, 2L)
@@ -294,9 +299,8 @@ augment_axle <- function(x, run, edges, call) {
     if (is.null(parts)) return(NULL)
   }
   if (!is.null(parts)) {
-    gears <- geared_flows(run$scene, diff(x$theta_rad[match(edges, x$time_s)]), diff(edges))
-    flows <- intersect(colnames(parts$value), colnames(gears))
-    parts$value[, flows] <- parts$value[, flows] + gears[, flows]
+    turned <- diff(x$theta_rad[match(edges, x$time_s)])
+    parts$value <- geared_flows(parts$value, run$scene, turned, diff(edges))
   }
   since_first <- function(flow) {
     c(0, if (!is.null(parts)) cumsum(unname(parts$value[, flow])))[seq_along(edges)]
@@ -331,12 +335,13 @@ axle_rounding <- function(scene, time_s, sizes) {
   off <- off[1] + off[2] * sizes[["omega"]]
   inertia <- scene$moment_of_inertia_kg_m2
   viscous <- scene$resistance$viscous_n_m_s
+  least <- .subset2(scene, "gears")$least_n_m_s %||% viscous # of a train with a torque-speed curve
   span <- max(abs(time_s - scene$start_s), 0)
   back <- max(scene$start_s - time_s, 0)
   lag <- if (viscous > 0 && back > 0) {
     max(span / inertia, expm1(viscous * back / inertia) / viscous)
   } else {
-    min(span / inertia, if (viscous > 0) 1 / viscous)
+    min(span / inertia, if (least > 0) 1 / least)
   }
   most <- if (back > 0) lag else min(span / inertia / 2, lag)
   list(theta = off * span * most, omega = off * lag)

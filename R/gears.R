@@ -45,13 +45,20 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio, ...) {
 #' `scene_gears()` makes a [scene_axle()] of the first shaft with their sums. Torque laws, friction,
 #' elastic shafts, clutches, and the motion of each shaft: see [scene_drive()].
 #'
-#' **Efficiency.** A stage transmits the share `efficiency` of its input power, in the direction of
-#' the power flow: with `eta` the product of the efficiencies between, a torque that drives acts on
-#' the first shaft as `eta tau_i/N_i`, one that loads as `tau_i/(N_i eta)`. In the sense of rotation
-#' a torque with `tau_i/N_i > 0` drives, the others load; backwards it is the other way round.
-#' `reflected_torque_n_m` is for the positive sense. The loss resists either rotation, so it acts
-#' like dry friction that differs between the two senses, and a train whose torques it exceeds stays
-#' at rest. Inertia and viscous torques are reflected without losses.
+#' **Efficiency.** Of the power that enters a mesh, the share `efficiency` leaves it, whichever of
+#' its two shafts it comes from. It is all of the power through the mesh: what the inertia behind it
+#' takes or gives counts, and so do viscous torques. With the torques `u_i` that shaft i gives and
+#' `v_i` that shaft i + 1 takes, both at the first shaft, and \eqn{\eta}{eta} the efficiency:
+#' \deqn{\frac{J_i}{N_i^2}\dot\omega_1 = \frac{\tau_i}{N_i} - \frac{d_i}{N_i^2}\omega_1
+#'   + v_{i-1} - u_i,\quad v_i = \eta u_i \mbox{ where } u_i\omega_1 > 0,\quad
+#'   u_i = \eta v_i \mbox{ where } u_i\omega_1 < 0}{
+#'   J_i/N_i^2 omega_1' = tau_i/N_i - d_i/N_i^2 omega_1 + v_(i-1) - u_i,
+#'   v_i = eta u_i where u_i omega_1 > 0,  u_i = eta v_i where u_i omega_1 < 0}
+#' At constant torques the acceleration is piecewise linear in \eqn{\omega_1}{omega_1}, so that the
+#' motion has a closed form. A loss resists either rotation: at rest it acts like dry friction that
+#' differs between the two senses, and a train whose torques it exceeds stays at rest.
+#' `reflected_torque_n_m` is for steady forward rotation, with the power flows of these torques;
+#' inertia and viscous coefficients are reflected without loss.
 #'
 #' @param bodies A list of `rot_body` (their Izz counts), or moments of inertia in kg m^2, one for
 #'   each shaft; greater than 0.
@@ -93,7 +100,6 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
   bad <- which(efficiency <= 0 | efficiency > 1)
   if (length(bad)) abort_domain(efficiency[bad[1]], "efficiency", "1", call, 0, 1, TRUE)
   ratio <- cumprod(c(1, ratios))
-  passed <- cumprod(c(1, efficiency))
   felt <- torque / ratio
   train <- list(
     shaft = seq_len(n),
@@ -101,61 +107,162 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
     moment_of_inertia_kg_m2 = inertia,
     reflected_inertia_kg_m2 = inertia / ratio / ratio,
     reflected_viscous_n_m_s = viscous / ratio / ratio,
-    reflected_torque_n_m = ifelse(felt > 0, felt * passed, felt / passed)
+    reflected_torque_n_m = felt * mesh_gains(-felt, efficiency)
   )
   warn_beyond(train[-1], list(), n, call)
-  tibble::new_tibble(train, nrow = n, torque_n_m = torque, class = "rot_gear_train")
-}
-
-# The loss of the gears of a train, as torques at the first shaft: `applied_n_m` is the sum without
-# loss, which resists with forward_n_m while the shaft turns forward, with backward_n_m while it
-# turns backward. With F applied, that is the torque F + (backward - forward)/2 and dry friction of
-# (forward + backward)/2.
-gear_loss <- function(train, torque, efficiency) {
-  felt <- torque / train$ratio_to_first
-  share <- cumprod(c(1, rep_len(efficiency, length(felt) - 1L)))
-  driving <- abs(felt) * (1 - share)
-  loading <- abs(felt) * ((1 - share) / share)
-  list(
-    applied_n_m = sum(felt),
-    forward_n_m = sum(ifelse(felt > 0, driving, loading)),
-    backward_n_m = sum(ifelse(felt > 0, loading, driving))
+  tibble::new_tibble(
+    train, nrow = n, torque_n_m = torque, efficiency = rep_len(efficiency, n - 1L),
+    class = "rot_gear_train"
   )
 }
 
-# What a scene's gears take from its torque so that dry friction can stand for the rest: applied
-# without loss, less the torque that is solved.
-gear_shift <- function(scene) {
-  gears <- .subset2(scene, "gears")
-  if (is.null(gears)) 0 else (gears$forward_n_m - gears$backward_n_m) / 2
+# ---- power through the meshes --------------------------------------------------------------------
+#
+# All at the first shaft, turning forward. X_i = J_i a - f_i + d_i w + u_i is what shaft i takes from
+# the mesh before it, u_i = X_(i+1)/eta where that is positive (power forward), else eta X_(i+1);
+# X_1 = 0 is the equation of motion. u is convex in X, so that X_1 is convex in a and w, and a is the
+# smallest of the accelerations that the 2^(n-1) sets of power flows give: concave in w. Backward:
+# a(w; f) = -a(-w; -f).
+
+# The product of the factors u/X of the meshes before each shaft, where each shaft takes `x` itself.
+mesh_gains <- function(x, efficiency) {
+  n <- length(x)
+  factor <- double(n - 1L)
+  taken <- x[n]
+  for (i in rev(seq_len(n - 1L))) {
+    factor[i] <- if (taken > 0) 1 / efficiency[i] else efficiency[i]
+    taken <- x[i] + factor[i] * taken
+  }
+  cumprod(c(1, factor))
 }
 
-# The rounding of a train's sums, as a torque and as a viscous coefficient, by a count of roundings:
-# shaft i has a ratio of i - 2 products, and a share that the gears pass on of as many.
-gear_rounding <- function(train, loss, efficiency, viscous) {
-  n <- length(train$shaft)
-  stage <- seq_len(n) - 1
-  felt <- abs(attr(train, "torque_n_m") / train$ratio_to_first)
-  share <- cumprod(c(1, rep_len(efficiency, n - 1L)))
-  lost <- felt * (1 - share) + felt * ((1 - share) / share)
-  both <- loss$forward_n_m + loss$backward_n_m
-  torque <- sum(stage * felt) + n * sum(felt) +
-    sum(pmax(stage - 1, 0) * felt * (1 + 1 / share)) + sum((stage + 3) * lost) + (n + 1) * both
-  # A sum of moments of inertia that is off counts as a torque that is.
-  net <- abs(loss$applied_n_m) + max(loss$forward_n_m, loss$backward_n_m)
-  most <- 2 * (n - 1) + n - 1
-  .Machine$double.eps / 2 * c(torque + most * net, 2 * most * viscous)
+# list(a, slope, inertia): the acceleration at w >= 0, the line a + slope (w' - w) of these power
+# flows, and their inertia. Newton's iteration, which a convex function of finitely many lines ends.
+mesh_line <- function(at, w) {
+  a <- (sum(at$force) - sum(at$viscous) * w) / sum(at$inertia)
+  for (turn in seq_len(10L + 4L * length(at$force))) {
+    gain <- mesh_gains(at$inertia * a - at$force + at$viscous * w, at$efficiency)
+    inertia <- sum(at$inertia * gain)
+    slope <- -sum(at$viscous * gain) / inertia
+    now <- sum(at$force * gain) / inertia + slope * w
+    if (now >= a && turn > 1L) break # it falls to the zero from above
+    a <- now
+  }
+  list(a = a, slope = slope, inertia = inertia, w = w)
 }
 
-# Columns of the solved torques: the loss belongs to the resistance.
+# Where two lines of the concave a(w) meet, between w1 and w2 and recursively: the rates at which a
+# power flow changes its direction.
+mesh_bends <- function(at, left, right) {
+  fall <- left$slope - right$slope
+  if (!(fall > 1e-13 * abs(right$slope))) return(double())
+  rise <- (right$a - right$slope * right$w) - (left$a - left$slope * left$w)
+  w <- rise / fall
+  if (!(w > left$w && w < right$w)) return(double())
+  here <- mesh_line(at, w)
+  on_line <- left$a + left$slope * (w - left$w)
+  size <- abs(left$a) + abs(left$slope * (w - left$w))
+  if (on_line - here$a <= 1e-12 * size) return(w)
+  c(mesh_bends(at, left, here), mesh_bends(at, here, right))
+}
+
+# The acceleration from rest, forward: list(a, bends, last), `last` the slope at high rates.
+mesh_side <- function(at) {
+  first <- mesh_line(at, 0)
+  still <- at
+  still$force[] <- 0
+  last <- mesh_line(still, 1)$slope
+  if (last == 0 || all(at$force == 0)) {
+    return(list(a = first$a, bends = double(), last = last, least = abs(last)))
+  }
+  # Beyond all bends: the resistance exceeds the torques by far.
+  gain <- prod(at$efficiency)
+  far <- 1e3 * sum(abs(at$force)) / gain^2 / sum(at$viscous)
+  for (turn in 1:40) {
+    line <- mesh_line(at, far)
+    if (!is.finite(far) || far == 0 || abs(line$slope - last) <= 1e-13 * abs(last)) break
+    far <- 8 * far
+  }
+  # One ulp on, where a mesh without power at rest has its direction.
+  first$slope <- mesh_line(at, far * 1e-13)$slope
+  bends <- if (far > 0 && is.finite(far)) mesh_bends(at, first, line) else double()
+  list(a = first$a, bends = bends[bends > 1e-12 * far], last = last, least = abs(first$slope))
+}
+
+# What a train does at its first shaft, as torque, resistance and dry friction of an axle of the
+# inertia of all: list(torque, viscous, dry, rounding, gears). The acceleration of both senses, times
+# the inertia, is torque - viscous w, the dry friction, and a torque-speed curve where power flows
+# change with the rate.
+train_law <- function(train) {
+  felt <- attr(train, "torque_n_m") / train$ratio_to_first
+  at <- list(
+    inertia = train$reflected_inertia_kg_m2, viscous = train$reflected_viscous_n_m_s,
+    force = felt, efficiency = attr(train, "efficiency")
+  )
+  applied <- exact_total(as.list(felt))
+  bearings <- sum(at$viscous)
+  if (all(at$efficiency == 1)) {
+    return(list(
+      torque = torque_constant(applied), viscous = bearings, dry = 0,
+      rounding = train_rounding(at, 0)
+    ))
+  }
+  back <- at
+  back$force <- -at$force
+  inertia <- sum(at$inertia)
+  ahead <- mesh_side(at)
+  behind <- mesh_side(back)
+  forward <- inertia * ahead$a
+  backward <- -inertia * behind$a
+  viscous <- -inertia * ahead$last
+  dry <- max((backward - forward) / 2, 0)
+  # A loss that rounding alone makes is none.
+  if (dry <= 8 * .Machine$double.eps * sum(abs(felt))) dry <- 0
+  mean <- if (dry > 0) (forward + backward) / 2 else applied
+  side <- function(one, at) {
+    vapply(one$bends, function(w) inertia * (mesh_line(at, w)$a - one$a) + viscous * w, double(1))
+  }
+  constant <- torque_constant(mean)
+  up <- ahead$bends
+  down <- behind$bends
+  list(
+    torque = if (length(up) || length(down)) {
+      sum_torques(constant, torque_curve(
+        c(-rev(down), 0, up), c(-rev(side(behind, back)), 0, side(ahead, at))
+      ))
+    } else {
+      constant
+    },
+    viscous = viscous, dry = dry, rounding = train_rounding(at, max(abs(c(ahead$a, behind$a)))),
+    gears = list(
+      applied_n_m = applied, forward_n_m = max(applied - (mean - dry), 0),
+      backward_n_m = max((mean + dry) - applied, 0), bearings_n_m_s = bearings,
+      least_n_m_s = inertia * min(ahead$least, behind$least)
+    )
+  )
+}
+
+# The rounding of these sums, as a torque and as a viscous coefficient, by a count of roundings: 3 n
+# of the ratios and gains of each term, and of the sums; times what the meshes amplify.
+train_rounding <- function(at, alpha) {
+  n <- length(at$force)
+  gain <- cumprod(c(1, 1 / at$efficiency))
+  share <- sum(at$inertia) / sum(at$inertia / gain)
+  count <- .Machine$double.eps / 2 * (3 * n + 3)
+  lossy <- any(at$efficiency < 1)
+  count * (if (lossy) share else 1) * c(
+    sum(gain * (abs(at$force) + (if (lossy) abs(alpha) else 0) * at$inertia)) +
+      (if (lossy) 0 else abs(sum(at$force))),
+    sum(gain * at$viscous)
+  )
+}
+
+# Columns of the solved torques: what the meshes take belongs to the resistance.
 geared_columns <- function(columns, scene) {
-  if (is.null(.subset2(scene, "gears"))) return(columns)
-  shift <- gear_shift(scene)
-  if (shift == 0) return(columns)
-  columns$applied_torque_n_m <- scene$gears$applied_n_m + 0 * columns$applied_torque_n_m
-  columns$damping_torque_n_m <- columns$damping_torque_n_m - shift
-  still <- columns$net_torque_n_m == 0
-  columns$damping_torque_n_m[still] <- -columns$applied_torque_n_m[still]
+  gears <- .subset2(scene, "gears")
+  if (is.null(gears)) return(columns)
+  columns$applied_torque_n_m <- gears$applied_n_m + 0 * columns$applied_torque_n_m
+  columns$damping_torque_n_m <- columns$net_torque_n_m - columns$applied_torque_n_m
   columns
 }
 
@@ -183,30 +290,44 @@ shaft_slopes <- function(omega, net, scene) {
   stats::setNames(slopes, shaft_names(scene))
 }
 
-# What that adds to the flows of the solved torques, a column each.
-geared_flows <- function(scene, turned_rad, span_s) {
-  shift <- gear_shift(scene)
-  cbind(
-    work_j = shift * turned_rad, coulomb_j = shift * turned_rad, dissipated_j = shift * turned_rad,
-    impulse_n_m_s = shift * span_s, damping_impulse_n_m_s = -shift * span_s
-  )
+# The flows of the solved torques (a named vector, or a matrix with a row for each interval) as those
+# of the train: the torques of the shafts work, bearings and meshes take the rest.
+geared_flows <- function(flows, scene, turned_rad, span_s) {
+  gears <- .subset2(scene, "gears")
+  if (is.null(gears)) return(flows)
+  table <- if (is.matrix(flows)) flows else rbind(flows)
+  viscous <- scene$resistance$viscous_n_m_s
+  work <- gears$applied_n_m * turned_rad - table[, "work_j"]
+  impulse <- gears$applied_n_m * span_s - table[, "impulse_n_m_s"]
+  meshes <- if (viscous > 0) table[, "viscous_j"] * (1 - gears$bearings_n_m_s / viscous) else 0
+  add <- function(name, by) if (name %in% colnames(table)) table[, name] <<- table[, name] + by
+  add("work_j", work)
+  add("viscous_j", -meshes)
+  add("coulomb_j", work + meshes)
+  add("dissipated_j", work)
+  add("impulse_n_m_s", impulse)
+  add("damping_impulse_n_m_s", -impulse)
+  if (is.matrix(flows)) table else table[1, ]
 }
 
 describe_gears <- function(gears) {
   paste0(
     "loss of ", format_si(gears$forward_n_m), " N m forward, ", format_si(gears$backward_n_m),
-    " N m backward"
+    " N m backward, from rest"
   )
 }
 
 # A line for each shaft of a scene's train.
 describe_shafts <- function(train) {
   shown <- seq_len(min(8L, length(train$shaft)))
+  efficiency <- c(1, attr(train, "efficiency"))[shown]
   c(
     paste0(
       "  ", format(paste("shaft", train$shaft[shown]), width = 11L), " ",
       format_si(train$moment_of_inertia_kg_m2[shown]), " kg m^2, ratio to the first ",
-      format_si(train$ratio_to_first[shown]), "\n", recycle0 = TRUE
+      format_si(train$ratio_to_first[shown]),
+      ifelse(efficiency < 1, paste0(", by a mesh of efficiency ", format_si(efficiency)), ""),
+      "\n", recycle0 = TRUE
     ),
     if (length(train$shaft) > 8L) "  ...\n"
   )
@@ -225,23 +346,17 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, vis
   check_supplied(c("bodies", "ratios"), call)
   train <- train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
   n <- nrow(train)
-  loss <- gear_loss(
-    train, check_torque_each(torque_n_m, "torque_n_m", n, call),
-    check_each(efficiency, "efficiency", "1", n - 1L, 0, call)
-  )
-  dry <- (loss$forward_n_m + loss$backward_n_m) / 2
+  law <- train_law(train)
   inertia <- sum(train$reflected_inertia_kg_m2)
   check_turns(inertia, call, computed = TRUE)
   scene <- new_scene_axle(
-    NULL, inertia, NULL, c(0, 0, 1),
-    as_torque(loss$applied_n_m + (loss$backward_n_m - loss$forward_n_m) / 2, call),
-    new_resistance(sum(train$reflected_viscous_n_m_s), 0, dry, dry),
+    NULL, inertia, NULL, c(0, 0, 1), law$torque, new_resistance(law$viscous, 0, law$dry, law$dry),
     check_number(theta0_rad, "theta0_rad", "rad", call),
     check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
     check_number(start_s, "start_s", "s", call)
   )
-  scene$rounding <- gear_rounding(train, loss, efficiency, scene$resistance$viscous_n_m_s)
-  if (dry > 0) scene$gears <- loss
+  scene$rounding <- law$rounding
+  scene$gears <- law$gears
   scene$train <- train # for the drawing
   # For the text.
   scene$given <- list(

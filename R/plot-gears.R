@@ -66,6 +66,10 @@ draw_train <- function(train, scene = NULL) {
   }
   d$key(quantity("I[i]", "moment of inertia", value_text(train$moment_of_inertia_kg_m2, "kg m^2")))
   if (n > 1L) d$key(quantity("omega[i]", "ratio to the first", value_text(total, ""), "speed"))
+  efficiency <- attr(train, "efficiency")
+  if (any(efficiency < 1)) {
+    d$key(quantity("", "efficiency of a mesh", value_text(efficiency, ""), "resistance"))
+  }
   if (any(torque != 0)) d$key(quantity("tau[i]", "torque", value_text(torque, "N m"), "torque"))
   if (!is.null(scene)) {
     if (scene$omega0_rad_per_s != 0) {
@@ -73,7 +77,7 @@ draw_train <- function(train, scene = NULL) {
         "omega[1]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed"
       ))
     }
-    c_first <- scene$resistance$viscous_n_m_s
+    c_first <- scene$gears$bearings_n_m_s %||% scene$resistance$viscous_n_m_s
     if (c_first != 0) {
       d$key(quantity("", "viscous, at the first", value_text(c_first, "N m s"), "resistance"))
     }

@@ -284,6 +284,7 @@ print.rot_scene_axle <- function(x, ...) {
   if (!is.null(x$gears)) { # dry friction stands for their loss
     torque <- torque_constant(x$gears$applied_n_m)
     shown[c("coulomb_n_m", "static_n_m")] <- 0
+    shown["viscous_n_m_s"] <- x$gears$bearings_n_m_s
   }
   cat(
     "<rot_scene> ", if (is.null(x$train)) paste(body, "on a fixed axle") else "a gear train", "\n",

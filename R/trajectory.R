@@ -152,6 +152,15 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
       "The error bound is not finite: the motion exceeds double precision.", "range", call,
       info = info
     )
+  } else if (n && is_lost(info)) {
+    info$lost <- TRUE
+    warn_rotdyn(c(
+      "The relative error is not known: the figure of the {record$error_kind},
+       {format(info$error, digits = 2)}, is larger than the motion itself.",
+      i = "Rows that far from the start may be those of another motion from nearly the same start:
+           ask for a shorter time."
+    ), "accuracy", call)
+    info$error <- NA_real_
   } else if (n && !(info$error <= accuracy)) {
     beyond <- if (is.infinite(info$error)) beyond_doubles(columns)
     why <- record$loses %||% if (isTRUE(record$adapts)) {
@@ -214,6 +223,9 @@ name_events <- function(result) {
   result$columns$event <- unname(words)[match(result$columns$time_s, at)]
   result
 }
+
+# Errors larger than the motion: the figure has no digit left, as of a chaotic pendulum.
+is_lost <- function(info) is.finite(info$error) && info$error > 1
 
 # Columns with values beyond double precision.
 beyond_doubles <- function(columns) {
@@ -477,6 +489,7 @@ describe_body_effect <- function(body) {
 }
 
 describe_error <- function(run) {
+  if (isTRUE(run$info$lost)) return("not known: the figure is larger than the motion")
   if (is.na(run$info$error)) return("unknown: the values are not those of the run")
   paste0(
     if (run$error_kind == "bound") "at most " else "about ",

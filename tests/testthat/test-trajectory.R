@@ -202,3 +202,23 @@ test_that("an error figure refers to the largest values of the motion, not of it
   expect_gt(info$sizes[["theta"]], 0.9)
   expect_equal(motion$theta_rad[2], -sin(0.01), tolerance = 1e-8)
 })
+
+test_that("an error larger than the motion is not known, and every verb says so", {
+  chaotic <- scene_axle(
+    1, torque_gravity(1, 1, gravity_m_per_s2 = 1) + torque_sinusoid(1.5, 2 / 3), resistance(0.5),
+    theta0_rad = 0.2
+  )
+  expect_warning(
+    motion <- trajectory(chaotic, c(0, 200, 600)), "not known", class = "rotdyn_warning_accuracy"
+  )
+  expect_output(print(motion), "Error: +not known")
+  expect_identical(glance(motion)$error, NA_real_)
+  expect_identical(summary(motion)$error, NA_real_)
+  found <- audit(motion)
+  expect_identical(found$verdict, rep(NA_character_, 2))
+  expect_identical(found$rounding, rep(NA_real_, 2))
+  expect_output(print(found), "<rot_audit> NA")
+  expect_identical(dim(augment(motion))[1], 3L)
+  # Within the growth the figure is a number.
+  expect_lt(glance(trajectory(chaotic, c(0, 20)))$error, 1e-9)
+})
