@@ -118,11 +118,11 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
 
 # ---- power through the meshes --------------------------------------------------------------------
 #
-# All at the first shaft, turning forward. X_i = J_i a - f_i + d_i w + u_i is what shaft i takes from
-# the mesh before it, u_i = X_(i+1)/eta where that is positive (power forward), else eta X_(i+1);
-# X_1 = 0 is the equation of motion. u is convex in X, so that X_1 is convex in a and w, and a is the
-# smallest of the accelerations that the 2^(n-1) sets of power flows give: concave in w. Backward:
-# a(w; f) = -a(-w; -f).
+# All at the first shaft, turning forward. X_i = J_i a - f_i + d_i w + u_i is what shaft i takes
+# from the mesh before it, u_i = X_(i+1)/eta where that is positive (power forward), else
+# eta X_(i+1); X_1 = 0 is the equation of motion. u is convex in X, so that X_1 is convex in a and w,
+# and a is the smallest of the accelerations that the 2^(n-1) sets of power flows give: concave in w.
+# Backward: a(w; f) = -a(-w; -f).
 
 # The product of the factors u/X of the meshes before each shaft, where each shaft takes `x` itself.
 mesh_gains <- function(x, efficiency) {
@@ -190,9 +190,9 @@ mesh_side <- function(at) {
 }
 
 # What a train does at its first shaft, as torque, resistance and dry friction of an axle of the
-# inertia of all: list(torque, viscous, dry, rounding, gears). The acceleration of both senses, times
-# the inertia, is torque - viscous w, the dry friction, and a torque-speed curve where power flows
-# change with the rate.
+# inertia of all: list(torque, viscous, dry, rounding, gears). The acceleration of both senses,
+# times the inertia, is torque - viscous w, the dry friction, and a torque-speed curve where power
+# flows change with the rate.
 train_law <- function(train) {
   felt <- attr(train, "torque_n_m") / train$ratio_to_first
   at <- list(
