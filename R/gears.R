@@ -120,9 +120,9 @@ train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call
 #
 # All at the first shaft, turning forward. X_i = J_i a - f_i + d_i w + u_i is what shaft i takes
 # from the mesh before it, u_i = X_(i+1)/eta where that is positive (power forward), else
-# eta X_(i+1); X_1 = 0 is the equation of motion. u is convex in X, so that X_1 is convex in a and w,
-# and a is the smallest of the accelerations that the 2^(n-1) sets of power flows give: concave in w.
-# Backward: a(w; f) = -a(-w; -f).
+# eta X_(i+1); X_1 = 0 is the equation of motion. u is convex in X, so that X_1 is convex in a and
+# w, and a is the smallest of the accelerations that the 2^(n-1) sets of power flows give: concave
+# in w. Backward: a(w; f) = -a(-w; -f).
 
 # The product of the factors u/X of the meshes before each shaft, where each shaft takes `x` itself.
 mesh_gains <- function(x, efficiency) {
@@ -290,8 +290,8 @@ shaft_slopes <- function(omega, net, scene) {
   stats::setNames(slopes, shaft_names(scene))
 }
 
-# The flows of the solved torques (a named vector, or a matrix with a row for each interval) as those
-# of the train: the torques of the shafts work, bearings and meshes take the rest.
+# The flows of the solved torques (a named vector, or a matrix with a row for each interval) as
+# those of the train: the torques of the shafts work, bearings and meshes take the rest.
 geared_flows <- function(flows, scene, turned_rad, span_s) {
   gears <- .subset2(scene, "gears")
   if (is.null(gears)) return(flows)
