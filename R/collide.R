@@ -30,22 +30,28 @@
 #'   the centres of mass and angular velocities before. Vectors are three numbers, for each
 #'   collision a row of a matrix with three columns, or a data frame of three columns; in the axes
 #'   of space.
-#' @param normal Normal of the contact, out of body 2 and into body 1, of any length but 0.
+#' @param normal Normal of the contact, out of body 2 (or the obstacle) and into body 1, of any
+#'   length but 0. Body 1 approaches against it: of a ball that moves along +x and hits another one,
+#'   it is `c(-1, 0, 0)`.
 #' @param arm_1_m,arm_2_m From the centre of mass to the point of contact. NULL: for a sphere its
 #'   radius along the normal, for a point mass 0.
 #' @param restitution,friction Coefficients: 0 to 1; at least 0, or Inf.
 #' @param coefficient What the coefficient of restitution refers to, see above.
+#' @param separating What is done where the bodies separate at the contact, along this normal:
+#'   `"refuse"`, an error, since most often the normal has the wrong sign; or `"keep"`: such bodies
+#'   keep their motion, with an impulse of 0.
 #' @param attitude_1,attitude_2 Rotation of the body's own axes in space: a 3 x 3 matrix, a
 #'   quaternion (scalar first), or a matrix with a quaternion in each row; orthogonal, or of length
 #'   1, within 1e-8. NULL: none.
 #' @return A tibble (class `rot_collision`), a row for each collision:
 #'   `r describe_columns(collide_columns)`
-#'   without those of body 2 where there is none. NA in a row gives NA. Bodies that do not approach
-#'   keep their motion: their impulse is 0. See [collision_ledger()] for the balances of a row.
+#'   without those of body 2 where there is none. NA in a row gives NA. Bodies that touch without
+#'   approaching keep their motion: their impulse is 0. `creates_energy` is TRUE where the energy
+#'   grows by more than rounding. See [collision_ledger()] for the balances of a row.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing`,
 #'   `rotdyn_error_argument`, `rotdyn_error_unit`; `rotdyn_error_value` for numbers outside their
-#'   domain, and where the impulse would turn a rod about its own axis, where it has no inertia. A
-#'   row beyond double precision is NaN, with a warning (`rotdyn_warning_range`).
+#'   domain, where the bodies separate along the normal, and where the impulse would turn a rod about
+#'   its own axis, where it has no inertia. A row beyond double precision is NaN, with a warning (`rotdyn_warning_range`).
 #' @source Stronge, Impact Mechanics (2000), chapters 4 and 8; Keller, J. Appl. Mech. 53 (1986) 1;
 #'   Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapter 8.
 #' @seealso [collision_ledger()], [ball_bounce()] and [hinged_hit()] for bodies on a floor and on a
@@ -75,15 +81,17 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
                     omega_1_rad_per_s = c(0, 0, 0), omega_2_rad_per_s = c(0, 0, 0), normal,
                     arm_1_m = NULL, arm_2_m = NULL, restitution = 1, friction = 0,
                     coefficient = c("energetic", "kinetic", "kinematic"), attitude_1 = NULL,
-                    attitude_2 = NULL) {
+                    attitude_2 = NULL, separating = c("refuse", "keep")) {
   call <- check_no_dots(...)
   check_supplied(c("body_1", "velocity_1_m_per_s", "normal"), call)
   laws <- c("energetic", "kinetic", "kinematic")
   law <- check_choice(coefficient, "coefficient", laws, call)
+  separating <- check_choice(separating, "separating", c("refuse", "keep"), call)
   normal <- as_vectors(normal, "normal", "1", call)
+  check_normals(normal, call)
+  normal <- unit_rows(normal)
   numbers <- impact_columns(list(restitution = restitution, friction = friction), call)
   numbers <- lapply(numbers, as.double)
-  radius <- function(body) if (inherits(body, "rot_body")) ball_radius(body)
   party <- function(body, i, v, omega, arm, attitude) {
     name <- function(text) sprintf(text, i)
     masses <- colliding_bodies(body, name("body_%d"), call)
@@ -113,7 +121,8 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
   }
   all <- c(label(first, 1L), label(second, 2L), list(normal = normal), numbers)
   n <- check_recyclable(lapply(all, function(x) seq_len(rows(x))), call)
-  check_normals(normal, call)
+  approach <- contact_speeds(first, second, normal, n)
+  if (separating == "refuse") check_approach(approach, call)
   contact <- c(list(normal = normal, law = match(law, laws) - 1), numbers)
   out <- .Call(ffi_collide, first, second, contact, as.double(n))
   faults <- out[[2]]
@@ -132,17 +141,65 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
   }
   columns <- out[[1]]
   columns$grips <- as.logical(columns$grips)
-  columns$creates_energy <- columns$normal_loss_j + columns$friction_loss_j < 0
-  parties <- list("body 1" = collide_party(first, 1L, radius(body_1)))
-  if (!is.null(second)) parties[["body 2"]] <- collide_party(second, 2L, radius(body_2))
+  # Both losses are rounded relative to the work of the impulses.
+  work <- approach$size * (columns$normal_impulse_n_s + columns$friction_impulse_n_s)
+  columns$creates_energy <-
+    columns$normal_loss_j + columns$friction_loss_j < -64 * .Machine$double.eps * work
+  parties <- list("body 1" = collide_party(first, 1L, ball_radii(body_1)))
+  if (!is.null(second)) parties[["body 2"]] <- collide_party(second, 2L, ball_radii(body_2))
   impulse <- c("impulse_x_n_s", "impulse_y_n_s", "impulse_z_n_s")
   outside <- if (is.null(second)) {
     list("the obstacle" = list(point_m = matrix(0, 1, 3), impulse = impulse))
   }
   new_collision(
     columns, n, parties, outside, list("the contact" = matrix(0, 1, 3)),
-    normal = normal / sqrt(rowSums(normal^2))
+    normal = normal
   )
+}
+
+# Unit vectors of rows of any length but 0, also of one whose square is not a double.
+unit_rows <- function(x) {
+  x <- x / apply(abs(x), 1L, max)
+  x / sqrt(rowSums(x^2))
+}
+
+# For n collisions, of the velocity of body 1 at the contact over that of body 2: list(normal, its
+# part along the normal; rounding, of that part; size, of the whole).
+contact_speeds <- function(first, second, normal, n) {
+  rows <- function(x) x[rep_len(seq_len(nrow(x)), n), , drop = FALSE]
+  turned <- function(party) {
+    w <- rows(party$omega)
+    r <- rows(party$arm_m)
+    cbind(
+      w[, 2] * r[, 3] - w[, 3] * r[, 2], w[, 3] * r[, 1] - w[, 1] * r[, 3],
+      w[, 1] * r[, 2] - w[, 2] * r[, 1]
+    )
+  }
+  length_of <- function(x) sqrt(rowSums(x^2))
+  parts <- c(
+    list(rows(first$v), turned(first)), if (!is.null(second)) list(rows(second$v), turned(second))
+  )
+  sign <- c(1, 1, -1, -1)[seq_along(parts)]
+  u <- Reduce(`+`, Map(`*`, parts, sign))
+  sizes <- Reduce(`+`, lapply(parts, length_of))
+  list(
+    normal = rowSums(u * rows(normal)), rounding = 16 * .Machine$double.eps * sizes,
+    size = length_of(u)
+  )
+}
+
+check_approach <- function(approach, call) {
+  away <- which(approach$normal > approach$rounding & is.finite(approach$rounding))
+  if (length(away)) {
+    abort_rotdyn(c(
+      "The bodies separate at the contact: {.arg normal} must point out of body 2 (or the obstacle)
+       and into body 1, which approaches against it.",
+      x = "{if (length(approach$normal) > 1) paste0('In row ', away[1], ' they') else 'They'} move
+           apart along it at {format_si(approach$normal[away[1]])} m/s.",
+      i = "Give {.arg normal} the other sign; or {.code separating = \"keep\"}: bodies that do not
+           meet keep their motion."
+    ), "value", call)
+  }
 }
 
 # Mass and second moment, a row each for one body or for n of them.
@@ -203,17 +260,25 @@ ball_radius <- function(body) {
   }
 }
 
-# NULL: a sphere has its radius along the normal, a point mass nothing.
-contact_arm <- function(arm, body, normal, sign, arg, call) {
+# One of each body, or NULL where a body has none.
+ball_radii <- function(bodies) {
+  radii <- lapply(if (inherits(bodies, "rot_body")) list(bodies) else bodies, ball_radius)
+  if (!any(vapply(radii, function(r) is.null(r) || is.na(r), NA))) unlist(radii, use.names = FALSE)
+}
+
+# NULL: a sphere has its radius along the normal, a point mass nothing. A row for each body, or for
+# each normal.
+contact_arm <- function(arm, bodies, normal, sign, arg, call) {
   if (!is.null(arm)) return(as_vectors(arm, arg, "m", call))
-  radius <- if (inherits(body, "rot_body")) ball_radius(body)
-  if (is.null(radius) || is.na(radius)) {
+  radius <- ball_radii(bodies)
+  if (is.null(radius)) {
     abort_rotdyn(c(
-      "{.arg {arg}} is missing: a sphere or a point mass needs none, any other body does.",
+      "{.arg {arg}} is missing: spheres and point masses need none, any other body does.",
       i = "It leads from the centre of mass to the point of contact."
     ), "missing", call)
   }
-  sign * radius * normal / sqrt(rowSums(normal^2))
+  n <- max(length(radius), nrow(normal))
+  sign * rep_len(radius, n) * normal[rep_len(seq_len(nrow(normal)), n), , drop = FALSE]
 }
 
 # A rotation matrix by columns in each row.

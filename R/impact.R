@@ -21,6 +21,7 @@
 #'
 #' @param body A `rot_body` that is round about its own z axis, such as [body_sphere()]. For
 #'   `hinged_hit()` and `centre_of_percussion()`: a `rot_body`, hinged with the axis along its own z.
+#'   A [body_point()] on a rod without mass makes a ballistic pendulum.
 #' @param vx_m_per_s,vy_m_per_s Velocity before, x along the floor and y up.
 #' @param omega_rad_per_s Angular velocity before; of the ball positive where it rolls towards +x,
 #'   of a hinged body where the point struck moves along the particle's positive velocity.
@@ -119,7 +120,7 @@ hinged_hit <- function(body, centre_m, distance_m, particle_mass_kg, particle_v_
   # The hinge at the origin, the body along x, the particle along y.
   a <- columns$centre_m
   hinged <- list(
-    mass_kg = body$mass_kg, second_moment_kg_m2 = planar_second(one_inertia(body, "body", call)),
+    mass_kg = body$mass_kg, second_moment_kg_m2 = planar_second(own_inertia(body)),
     attitude = planar_attitude, centre_m = cbind(a, 0, 0),
     v = cbind(0, columns$omega_rad_per_s * a, 0),
     omega = cbind(0, 0, columns$omega_rad_per_s), after_v = cbind(0, out$omega_rad_per_s * a, 0),
@@ -151,9 +152,21 @@ centre_of_percussion <- function(body, centre_m, ...) {
   hinged_inertia(body, centre, call) / (body$mass_kg * centre)
 }
 
+# About the centre of mass, along z: 0 of a point mass.
+own_inertia <- function(body) moment_about_axis(body, c(0, 0, 1))
+
 # The moment about a hinge at that distance from the centre of mass.
 hinged_inertia <- function(body, centre_m, call) {
-  one_inertia(body, "body", call) + body$mass_kg * centre_m^2
+  inertia <- own_inertia(body) + body$mass_kg * centre_m^2
+  bad <- which(!(is.finite(inertia) & inertia > 0) & !is.na(centre_m))
+  if (length(bad)) {
+    abort_rotdyn(c(
+      "The body must have a moment of inertia about its hinge, finite and greater than 0.",
+      x = "It is {format(inertia[bad[1]])} kg m^2{if (length(inertia) > 1) paste(' in row', bad[1])}.",
+      i = "A point mass has one where {.arg centre_m}, its distance from the hinge, is not 0."
+    ), "value", call)
+  }
+  inertia
 }
 
 impact_units <- c(

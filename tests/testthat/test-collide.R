@@ -93,12 +93,14 @@ test_that("many collisions are one call; rows are those of single calls", {
   given <- list(
     velocity_1_m_per_s = vectors(), velocity_2_m_per_s = vectors(),
     omega_1_rad_per_s = vectors(5), normal = vectors(), arm_1_m = vectors(0.1),
-    arm_2_m = vectors(0.1), attitude_1 = q, friction = stats::runif(n)
+    arm_2_m = vectors(0.1), attitude_1 = q, friction = stats::runif(n), separating = "keep"
   )
   all <- do.call(collide, c(list(box, rod, restitution = 0.5), given))
   expect_gt(sum(all$normal_impulse_n_s > 0), 10)
   for (i in c(1, 17, 40)) {
-    one <- lapply(given, function(x) if (is.matrix(x)) x[i, ] else x[i])
+    one <- lapply(given, function(x) {
+      if (is.matrix(x)) x[i, ] else if (length(x) == n) x[i] else x
+    })
     alone <- do.call(collide, c(list(box, rod, restitution = 0.5), one))
     expect_identical(lapply(alone, identity), lapply(all[i, ], identity))
   }
@@ -107,7 +109,7 @@ test_that("many collisions are one call; rows are those of single calls", {
   expect_identical(do.call(collide, c(list(box, rod, restitution = 0.5), given)), all)
   bodies <- collide(
     list(body_sphere(1, 0.1), body_sphere(3, 0.1)), body_sphere(1, 0.1),
-    velocity_1_m_per_s = c(2, 0, 0), normal = c(-1, 0, 0), arm_1_m = c(0.1, 0, 0)
+    velocity_1_m_per_s = c(2, 0, 0), normal = c(-1, 0, 0)
   )
   expect_equal(bodies$vx_2_m_per_s, c(2, 3), tolerance = 1e-14)
   given$friction[3] <- NA
@@ -118,7 +120,7 @@ test_that("bodies that do not approach keep their motion, to the bit", {
   ball <- body_sphere(1, 0.1)
   away <- collide(
     ball, ball, velocity_1_m_per_s = c(0.1, 0.2, 0.3), velocity_2_m_per_s = c(-1, 0, 0),
-    normal = c(1, 0, 0), friction = 0.5
+    normal = c(1, 0, 0), friction = 0.5, separating = "keep"
   )
   expect_identical(away$vx_1_m_per_s, 0.1)
   expect_identical(away$vx_2_m_per_s, -1)
@@ -166,4 +168,116 @@ test_that("bad input is the package's own error", {
     ), class = "rotdyn_warning_range"
   )
   expect_true(is.nan(beyond$vx_1_m_per_s))
+})
+
+test_that("a normal along which the bodies separate is refused, with the rule of its sign", {
+  ball <- body_sphere(1, 0.1)
+  expect_error(
+    collide(ball, ball, velocity_1_m_per_s = c(2, 0, 0), normal = c(1, 0, 0)),
+    "out of body 2 .*into body 1.*apart along it at 2 m/s", class = "rotdyn_error_value"
+  )
+  # The other sign is the collision: equal balls exchange their velocities.
+  hit <- collide(ball, ball, velocity_1_m_per_s = c(2, 0, 0), normal = c(-1, 0, 0))
+  expect_equal(c(hit$vx_1_m_per_s, hit$vx_2_m_per_s), c(0, 2))
+  expect_error(
+    collide(
+      ball, velocity_1_m_per_s = rbind(c(0, 0, -1), c(0, 0, 0), c(0, 0, 3)), normal = c(0, 0, 1)
+    ), "row 3", class = "rotdyn_error_value"
+  )
+  # The rotation alone separates the points of contact.
+  spin <- function(omega_y) {
+    collide(
+      body_rod(1, 1), omega_1_rad_per_s = c(0, omega_y, 0), velocity_1_m_per_s = c(0, 0, 0),
+      normal = c(0, 0, 1), arm_1_m = c(0.5, 0, 0)
+    )
+  }
+  expect_error(spin(-1), "at 0.5 m/s", class = "rotdyn_error_value")
+  expect_gt(spin(1)$normal_impulse_n_s, 0)
+  # Without approach, also within the rounding of large velocities, nothing happens.
+  along <- collide(
+    ball, ball, velocity_1_m_per_s = c(1e8, 0.1, 0), velocity_2_m_per_s = c(1e8, -3, 0),
+    normal = c(1, 1e-9, 0)
+  )
+  expect_equal(along$normal_impulse_n_s, 0)
+  # NA is no separation.
+  expect_true(is.na(collide(
+    ball, velocity_1_m_per_s = c(0, 0, NA), normal = c(0, 0, 1)
+  )$vz_1_m_per_s))
+})
+
+test_that("spheres in a list need no arm, and have their rims in the picture", {
+  balls <- list(body_sphere(1, 0.1), body_sphere(3, 0.2), body_spherical_shell(1, 0.3))
+  at <- list(
+    balls, body_sphere(1, 0.5), velocity_1_m_per_s = c(0, 1, -2), normal = c(0, 0, 1),
+    friction = 0.02
+  )
+  all <- do.call(collide, at)
+  given <- do.call(collide, c(at, list(arm_1_m = cbind(0, 0, -c(0.1, 0.2, 0.3)))))
+  expect_identical(lapply(all, identity), lapply(given, identity))
+  # The friction mu J turns a solid ball by mu J R/I, against the slip.
+  expect_equal(
+    all$omega_x_1_rad_per_s[2], -0.02 * all$normal_impulse_n_s[2] * 0.2 / (0.4 * 3 * 0.04),
+    tolerance = 1e-14
+  )
+  # A normal for each ball.
+  tilted <- diag(3)[c(3, 3, 3), ] + cbind(c(0, 0.1, 0.2), 0, 0)
+  each <- do.call(collide, utils::modifyList(at, list(normal = tilted)))
+  one <- do.call(collide, utils::modifyList(at, list(
+    normal = tilted[2, ]
+  )))
+  expect_equal(each$vz_1_m_per_s[2], one$vz_1_m_per_s[2], tolerance = 1e-15)
+  expect_error(
+    do.call(collide, utils::modifyList(at, list(normal = tilted[1:2, ]))),
+    class = "rotdyn_error_size"
+  )
+  expect_error(
+    collide(
+      list(body_sphere(1, 1), body_box(1, 1, 1, 1)), velocity_1_m_per_s = c(0, 0, -1),
+      normal = c(0, 0, 1)
+    ), class = "rotdyn_error_missing"
+  )
+  skip_if_not_installed("ggplot2")
+  expect_s3_class(ggplot2::autoplot(all, row = 2), "ggplot")
+})
+
+test_that("the length of the normal does not count, however small or large", {
+  ball <- body_sphere(1, 0.1)
+  hit <- function(size) {
+    collide(
+      ball, ball, velocity_1_m_per_s = c(2, 0.3, 0), normal = size * c(-1, 0.5, 0.25),
+      friction = 0.1, restitution = 0.5
+    )
+  }
+  plain <- hit(1)
+  for (size in c(1e-300, 1e-160, 1e160, 1e300)) {
+    expect_equal(as.list(hit(size)), as.list(plain), tolerance = 1e-15)
+    expect_true(all(audit(hit(size))$verdict == "balanced"))
+  }
+})
+
+test_that("creates_energy is no matter of rounding", {
+  set.seed(5)
+  n <- 400
+  vectors <- function(size = 1) matrix(stats::rnorm(3 * n, sd = size), n)
+  rod <- body_cylinder(2, 0.02, 0.5)
+  for (law in c("energetic", "kinetic", "kinematic")) {
+    # Without friction the three coefficients agree: at e = 1 nothing is lost or won.
+    hit <- collide(
+      rod, rod, velocity_1_m_per_s = vectors(3), velocity_2_m_per_s = vectors(3),
+      omega_1_rad_per_s = vectors(30), normal = vectors(), arm_1_m = vectors(0.1),
+      arm_2_m = vectors(0.1), coefficient = law, separating = "keep"
+    )
+    expect_false(any(hit$creates_energy))
+    expect_gt(sum(hit$normal_impulse_n_s > 0), 100)
+  }
+  # What is created is still said: grip and Newton's coefficient.
+  made <- collide(
+    rod, velocity_1_m_per_s = vectors(3), omega_1_rad_per_s = vectors(30), normal = vectors(),
+    arm_1_m = vectors(0.1), friction = Inf, coefficient = "kinematic", separating = "keep"
+  )
+  expect_gt(sum(made$creates_energy), 5)
+  i <- which(made$creates_energy)[1]
+  ledger <- collision_ledger(made, row = i)
+  energy <- ledger[ledger$balance == "energy", ]
+  expect_gt(energy$after - energy$before, 1e-6)
 })

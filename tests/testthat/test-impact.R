@@ -133,3 +133,25 @@ test_that("arguments are columns; bad ones name the row", {
   expect_error(ball_bounce(ball, 1, -1, mu = 1), class = "rotdyn_error_argument")
   expect_error(centre_of_percussion(2, 1), class = "rotdyn_error_type")
 })
+
+# m v = (m + M) V; the height V^2/(2 g) of a ballistic pendulum.
+test_that("a point mass on a hinge is a ballistic pendulum", {
+  hit <- hinged_hit(
+    body_point(2), centre_m = 1.5, distance_m = 1.5, particle_mass_kg = 0.01,
+    particle_v_m_per_s = 300
+  )
+  expect_equal(hit$omega_rad_per_s, 0.01 * 300 / 2.01 / 1.5, tolerance = 1e-15)
+  expect_equal(hit$particle_v_m_per_s, 0.01 * 300 / 2.01, tolerance = 1e-13)
+  expect_equal(hit$hinge_impulse_n_s, 0, tolerance = 1e-15)
+  expect_equal(hit$normal_loss_j, 450 - 4.5 / 2.01, tolerance = 1e-14)
+  expect_true(all(audit(hit)$verdict == "balanced"))
+  expect_equal(centre_of_percussion(body_point(2), 1.5), 1.5)
+  # Bodies that name an axle of their own are hinged at centre_m all the same.
+  on <- function(body) hinged_hit(body, 0.5, 1, 0.01, 300)$omega_rad_per_s
+  expect_equal(on(body_rod_end(1, 1)), on(body_rod(1, 1)), tolerance = 1e-14)
+  expect_equal(on(body_rod(1, 1)), 3 / (1 / 3 + 0.01), tolerance = 1e-14)
+  expect_equal(on(body_point(1, 0.7)), 3 / (0.25 + 0.01), tolerance = 1e-14)
+  expect_error(
+    hinged_hit(body_point(1), c(1, 0), 1, 0.01, 300), "row 2", class = "rotdyn_error_value"
+  )
+})
