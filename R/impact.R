@@ -162,7 +162,8 @@ hinged_inertia <- function(body, centre_m, call) {
   if (length(bad)) {
     abort_rotdyn(c(
       "The body must have a moment of inertia about its hinge, finite and greater than 0.",
-      x = "It is {format(inertia[bad[1]])} kg m^2{if (length(inertia) > 1) paste(' in row', bad[1])}.",
+      x = "It is {format(inertia[bad[1]])} kg m^2
+           {if (length(inertia) > 1) paste('in row', bad[1])}.",
       i = "A point mass has one where {.arg centre_m}, its distance from the hinge, is not 0."
     ), "value", call)
   }
