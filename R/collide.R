@@ -50,9 +50,9 @@
 #'   grows by more than rounding. See [collision_ledger()] for the balances of a row.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing`,
 #'   `rotdyn_error_argument`, `rotdyn_error_unit`; `rotdyn_error_value` for numbers outside their
-#'   domain, where the bodies separate along the normal, and where the impulse would turn a rod about
-#'   its own axis, where it has no inertia. A row beyond double precision is NaN, with a warning
-#'   (`rotdyn_warning_range`).
+#'   domain, where the bodies separate along the normal, and where the impulse would turn a rod
+#'   about its own axis, where it has no inertia. A row beyond double precision is NaN, with a
+#'   warning (`rotdyn_warning_range`).
 #' @source Stronge, Impact Mechanics (2000), chapters 4 and 8; Keller, J. Appl. Mech. 53 (1986) 1;
 #'   Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapter 8.
 #' @seealso [collision_ledger()], [ball_bounce()] and [hinged_hit()] for bodies on a floor and on a

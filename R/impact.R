@@ -20,8 +20,8 @@
 #' gains energy. Bodies that do not approach keep their motion.
 #'
 #' @param body A `rot_body` that is round about its own z axis, such as [body_sphere()]. For
-#'   `hinged_hit()` and `centre_of_percussion()`: a `rot_body`, hinged with the axis along its own z.
-#'   A [body_point()] on a rod without mass makes a ballistic pendulum.
+#'   `hinged_hit()` and `centre_of_percussion()`: a `rot_body`, hinged with the axis along its own
+#'   z. A [body_point()] on a rod without mass makes a ballistic pendulum.
 #' @param vx_m_per_s,vy_m_per_s Velocity before, x along the floor and y up.
 #' @param omega_rad_per_s Angular velocity before; of the ball positive where it rolls towards +x,
 #'   of a hinged body where the point struck moves along the particle's positive velocity.
