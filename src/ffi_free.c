@@ -4,6 +4,7 @@
 #include "rot_free_gyrostat.h"
 #include "rot_free_ode.h"
 #include "rot_free_steps.h"
+#include "rot_pivot.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -65,6 +66,10 @@ rot_free_params ffi_free_scene(SEXP list) {
   memcpy(p.torque, ffi_numbers_of(list, "torque_n_m", 3), 3 * sizeof(double));
   if (!Rf_isNull(lever)) memcpy(p.lever_n_m, ffi_reals(lever, "lever_n_m", 3), 3 * sizeof(double));
   p.turned = p.axes[0] != 1.0;
+  if (!Rf_isNull(lever)) {
+    rot_pivot_sharpen(&p, ffi_number_of(list, "mass_kg"), ffi_number_of(list, "gravity_m_per_s2"),
+                      ffi_numbers_of(list, "centre_m", 3));
+  }
   p.given = ffi_number_of(list, "moment_error");
   p.start_s = ffi_number_of(list, "start_s");
   p.damping_per_s = ffi_number_of(list, "damping_per_s");

@@ -45,9 +45,10 @@ typedef struct rot_free_params {
   /* Of a body with a fixed point, about which the moments are: its weight times the centre of mass
    * from there, in principal axes. Gravity's torque is z x lever, z upward. Else 0. */
   double lever_n_m[3];
-  int in_space;     /* axes of the torque; else the own ones */
-  double torque[3]; /* N m, constant */
-  size_t n_knots;   /* and one that is linear between times, 0 before and after; 0: none */
+  double lever_low_n_m[3]; /* what it lacks of the product, by rounding */
+  int in_space;            /* axes of the torque; else the own ones */
+  double torque[3];        /* N m, constant */
+  size_t n_knots;          /* and one that is linear between times, 0 before and after; 0: none */
   const double *knot_s;
   const double *knot_torque[3];
   rot_free_law law; /* and one of the caller's; may be NULL */

@@ -90,12 +90,30 @@ static void to_z(double cos_psi, double sin_psi, double ct, double st, double cc
   q[3] = ct * (sin_psi * cc + cos_psi * sc);
 }
 
-/* Constants of a motion that is not steady. */
+/* Constants of a motion that is not steady. Next to the middle axis the other two rates are scaled
+ * before they are squared. */
 typedef struct constants {
+  double near[3]; /* sorted rates, the first and the third times 2^halvings */
+  int halvings, far;
+  rot_dd root; /* far: of m1, scaled for rot_jacobi_begin_far() */
+  double root_halvings;
   rot_dd momentum, p, r;       /* L, 2 T I3 - L^2, L^2 - 2 T I1 */
   rot_dd largest_o, largest_c; /* squares of the largest I omega along o and c */
   rot_dd m, m1;
 } constants;
+
+/* rot_jacobi_mean(m1, p). Far from m1 = 1 it is (1 - arc/K)/p, and the arc that of any small m1. */
+static rot_dd mean_of(const constants *k, rot_dd p, rot_free_motion *out) {
+  const rot_dd one = {1.0, 0.0};
+  rot_jacobi near;
+  if (!k->far) return rot_jacobi_mean(k->m1, p);
+  const rot_dd m1 = square(k->root);
+  rot_jacobi_begin(m1, &near);
+  const rot_dd rest = rot_dd_sub(one, rot_dd_mul(p, rot_jacobi_mean(m1, p)));
+  const rot_dd slope = rot_dd_div(rot_dd_mul(rest, near.k), out->jacobi.k);
+  out->near_mean = slope.hi;
+  return rot_dd_div(rot_dd_sub(one, slope), p);
+}
 
 /* psi' = L/I_lead - g sn^2/(1 + nu sn^2), of the axes that are not the reference axis. That is the
  * axis of the smaller largest component of L, so that L is at least 45 degrees from it, and
@@ -111,7 +129,7 @@ static void begin_psi(const constants *k, rot_dd away, rot_free_motion *out) {
   const rot_dd m_nu = rot_dd_add(k->m, nu);
   const rot_dd inverses = rot_dd_div(away, rot_dd_mul1(lead, out->moment[1]));
   const rot_dd g = rot_dd_mul(rot_dd_mul(k->momentum, inverses), by_o ? m_nu : one_nu);
-  const rot_dd mean = rot_jacobi_mean(k->m1, one_nu), even = rot_dd_div(k->momentum, lead);
+  const rot_dd mean = mean_of(k, one_nu, out), even = rot_dd_div(k->momentum, lead);
   const rot_dd gj = rot_dd_mul(g, mean);
   out->psi = rot_dd_sub(even, gj);
   out->psi_size = even.hi + fabs(gj.hi);
@@ -119,7 +137,7 @@ static void begin_psi(const constants *k, rot_dd away, rot_free_motion *out) {
   out->g = g.hi;
   out->mean = mean.hi;
   out->near = k->m1.hi < 0.1;
-  if (out->near && k->m1.hi > 0.0) { /* the mean of sn^2/(1 - sn^2 (m + nu)/(1 + nu)) */
+  if (out->near && k->m1.hi > 0.0 && !k->far) { /* the mean of sn^2/(1 - sn^2 (m + nu)/(1 + nu)) */
     const rot_dd small = rot_dd_div(k->m1, one_nu);
     const rot_dd part = rot_dd_sub(rot_dd_sub(one, rot_dd_mul(m_nu, mean)), small);
     out->near_mean = rot_dd_div(part, rot_dd_mul(small, rot_dd_div(m_nu, one_nu))).hi;
@@ -138,10 +156,13 @@ static double swing_of_psi(const rot_free_motion *m, double u, double sn, double
     return -by * (x - u * m->mean);
   }
   const double m1 = m->jacobi.m1, root = sqrt(nu * (1.0 - m1 + nu) / (1.0 + nu));
-  const double slope = m1 > 0.0 ? sn * (cn / dn) : sn;
+  const int far = m->jacobi.n < 0;
+  const double slope = m1 > 0.0 && !far ? sn * (cn / dn) : sn;
   const double turn = root > 0.0 ? atan(root * slope) / root : slope;
   double x = 0.0, y = 0.0;
-  if (m1 > 0.0) {
+  if (far) {
+    y = u * m->near_mean;
+  } else if (m1 > 0.0) {
     const double p = (dn * dn + nu * cn * cn) / (1.0 + nu);
     x = m1 / (1.0 + nu) * (sn * sn * sn / 3.0 * rot_carlson_rj(cn * cn, dn * dn, 1.0, p));
     y = m1 / (1.0 + nu) * (u * m->near_mean);
@@ -158,16 +179,30 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   const int o = out->o, c = out->c;
   const rot_dd x = o == 0 ? k->p : k->r, y = o == 0 ? k->r : k->p;
   const rot_dd dco = difference(moment[2], moment[0]);
-  const double side = w[o] < 0.0 ? -1.0 : 1.0, way = w[c] < 0.0 ? -1.0 : 1.0;
+  const double side = k->near[o] < 0.0 ? -1.0 : 1.0, way = k->near[c] < 0.0 ? -1.0 : 1.0;
   out->amplitude[o] = side * root_of(rot_dd_div(x, rot_dd_mul1(dco, moment[o])));
   out->amplitude[c] = way * root_of(rot_dd_div(y, rot_dd_mul1(dco, moment[c])));
   out->amplitude[1] = side * way * root_of(rot_dd_div(x, rot_dd_mul1(dcm, moment[1])));
-  rot_jacobi_begin(k->m1, &out->jacobi);
+  if (k->far) {
+    rot_jacobi_begin_far(k->root, k->root_halvings, &out->jacobi);
+  } else {
+    rot_jacobi_begin(k->m1, &out->jacobi);
+  }
   const int by_o = k->largest_o.hi <= k->largest_c.hi, lead = by_o ? c : o;
   begin_psi(k, lead == 0 ? difference(moment[1], moment[0]) : difference(moment[1], moment[2]),
             out);
-  out->start = rot_jacobi_argument(&out->jacobi, w[1] / out->amplitude[1], w[o] / out->amplitude[o],
-                                   w[c] / out->amplitude[c], &out->start_error);
+  if (k->far) { /* from K: cn = k' sinh(K - u), all scaled */
+    const double size =
+        ldexp(k->near[o] / out->amplitude[o] / k->root.hi, (int)k->root_halvings - k->halvings);
+    const double before = asinh(size);
+    out->start = rot_dd_add1(out->jacobi.k, -before);
+    if (w[1] / out->amplitude[1] < 0.0) out->start = rot_dd_neg(out->start);
+    out->start_error = 8.0 * ROT_EPS * (1.0 + before);
+  } else {
+    out->start =
+        rot_jacobi_argument(&out->jacobi, w[1] / out->amplitude[1], w[o] / out->amplitude[o],
+                            w[c] / out->amplitude[c], &out->start_error);
+  }
   /* the turns of chi: with o in the lead it goes round */
   const int is_x = lead == (out->r + 1) % 3;
   out->quarter =
@@ -183,48 +218,64 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   out->swing0 = swing_of_psi(out, out->start.hi, sn, cn, dn, &out->swing0_rounding);
 }
 
+/* m1 is this, times 4^-halvings. 0: too small to be known. */
+static int begin_modulus(rot_dd m1, constants *k) {
+  int e = 0;
+  if (m1.hi != 0.0) (void)frexp(m1.hi, &e);
+  k->far = m1.hi > 0.0 && e - 2 * k->halvings < -112;
+  if (k->far) {
+    if (m1.hi < 1e-240) return 0;
+    const int half = 56 + (e >= 0 ? e / 2 : -((1 - e) / 2)); /* the root is near 2^-56 */
+    k->root = rot_dd_sqrt(rot_dd_ldexp(m1, -2 * half));
+    k->root_halvings = k->halvings - half;
+  }
+  k->m1 = rot_dd_ldexp(m1, -2 * k->halvings);
+  if (k->m1.hi - 1.0 + k->m1.lo > 0.0) k->m1 = (rot_dd){1.0, 0.0};
+  return 1;
+}
+
 /* Of moments near 1 and rates near 1. */
-static rot_status begin_sorted(const double w[3], rot_free_motion *out) {
+static rot_status begin_sorted(const double w[3], constants *k, rot_free_motion *out) {
   const double *moment = out->moment;
   const rot_dd d21 = difference(moment[1], moment[0]), d32 = difference(moment[2], moment[1]);
   const rot_dd d31 = difference(moment[2], moment[0]);
   int exact = 1;
-  const rot_dd t1 = term(moment[0], d21, w[0], &exact), t3 = term(moment[2], d32, w[2], &exact);
-  const rot_dd from = rot_dd_sub(t3, t1); /* L^2 - 2 T I2 */
+  const rot_dd t1 = term(moment[0], d21, k->near[0], &exact);
+  const rot_dd t3 = term(moment[2], d32, k->near[2], &exact);
+  const rot_dd from = rot_dd_sub(t3, t1); /* L^2 - 2 T I2, times 4^halvings */
   const double loss = 4.0 * ROT_DD_EPS * (t1.hi + t3.hi);
-  constants k;
-  k.p = rot_dd_add(rot_dd_mul1(rot_dd_mul(d31, rot_dd_mul2(w[0], w[0])), moment[0]),
-                   rot_dd_mul1(rot_dd_mul(d32, rot_dd_mul2(w[1], w[1])), moment[1]));
-  k.r = rot_dd_add(rot_dd_mul1(rot_dd_mul(d21, rot_dd_mul2(w[1], w[1])), moment[1]),
-                   rot_dd_mul1(rot_dd_mul(d31, rot_dd_mul2(w[2], w[2])), moment[2]));
+  k->p = rot_dd_add(rot_dd_mul1(rot_dd_mul(d31, rot_dd_mul2(w[0], w[0])), moment[0]),
+                    rot_dd_mul1(rot_dd_mul(d32, rot_dd_mul2(w[1], w[1])), moment[1]));
+  k->r = rot_dd_add(rot_dd_mul1(rot_dd_mul(d21, rot_dd_mul2(w[1], w[1])), moment[1]),
+                    rot_dd_mul1(rot_dd_mul(d31, rot_dd_mul2(w[2], w[2])), moment[2]));
   const int high = from.hi >= 0.0;
   out->c = high ? 2 : 0;
   out->o = high ? 0 : 2;
-  const rot_dd x = high ? k.p : k.r, y = high ? k.r : k.p;
+  const rot_dd x = high ? k->p : k->r, y = high ? k->r : k->p;
   const rot_dd dcm = high ? d32 : d21, dom = high ? d21 : d32;
   const int o = out->o, c = out->c;
   const int on_axis = fmax(fabs(w[o]), fabs(w[1])) < tiny;
-  if (!(y.hi > 0.0) || !(dcm.hi > 0.0) || on_axis || (w[o] == 0.0 && w[c] == 0.0)) {
+  if (!(y.hi > 0.0) || !(dcm.hi > 0.0) || on_axis || (k->near[o] == 0.0 && k->near[c] == 0.0)) {
     begin_steady(w, out);
     return ROT_OK;
   }
   const rot_dd dcmy = rot_dd_mul(dcm, y);
-  k.m1 = rot_dd_div(rot_dd_mul(d31, rot_dd_abs(from)), dcmy);
-  k.m = rot_dd_div(rot_dd_mul(dom, x), dcmy);
-  if (fmax(fabs(w[0]), fabs(w[2])) < tiny || (k.m1.hi > 0.0 && k.m1.hi < 1e-285)) return ROT_ERANGE;
-  if (k.m1.hi - 1.0 + k.m1.lo > 0.0) k.m1 = (rot_dd){1.0, 0.0};
+  if (dcmy.hi < 1e-280) return ROT_ERANGE;
+  const rot_dd m1 = rot_dd_div(rot_dd_mul(d31, rot_dd_abs(from)), dcmy);
+  k->m = rot_dd_div(rot_dd_mul(dom, x), dcmy);
+  if (!begin_modulus(m1, k)) return ROT_ERANGE;
   out->m1_loss = from.hi != 0.0 ? loss / fabs(from.hi) + 16.0 * ROT_DD_EPS
                  : exact        ? 0.0
-                                : loss * d31.hi / dcmy.hi;
+                                : ldexp(loss * d31.hi / dcmy.hi, -2 * k->halvings);
   rot_dd l2 = none;
   for (int i = 0; i < 3; i++) l2 = rot_dd_add(l2, square(rot_dd_mul2(moment[i], w[i])));
-  k.momentum = rot_dd_sqrt(l2);
-  out->momentum = k.momentum.hi;
-  k.largest_o = rot_dd_div(rot_dd_mul1(x, moment[o]), d31);
-  k.largest_c = rot_dd_div(rot_dd_mul1(y, moment[c]), d31);
+  k->momentum = rot_dd_sqrt(l2);
+  out->momentum = k->momentum.hi;
+  k->largest_o = rot_dd_div(rot_dd_mul1(x, moment[o]), d31);
+  k->largest_c = rot_dd_div(rot_dd_mul1(y, moment[c]), d31);
   const rot_dd product = rot_dd_mul1(rot_dd_mul2(moment[0], moment[1]), moment[2]);
   out->lambda = rot_dd_sqrt(rot_dd_div(dcmy, product));
-  begin_tumbling(w, &k, dcm, out);
+  begin_tumbling(w, k, dcm, out);
   return ROT_OK;
 }
 
@@ -260,7 +311,20 @@ rot_status rot_free_begin(const double moment_kg_m2[3], const double omega_rad_p
     out->given = fmax(given, apart / out->moment[2]);
     return ROT_OK;
   }
-  return out->moment[0] < 1e-100 ? ROT_ERANGE : begin_sorted(w, out);
+  if (out->moment[0] < 1e-100) return ROT_ERANGE;
+  constants k = {{w[0], w[1], w[2]}, 0, 0, none, 0.0, none, none, none, none, none, none, none};
+  const double a = omega_rad_per_s[out->order[0]], b = omega_rad_per_s[out->order[2]];
+  const double most = fmax(fabs(a), fabs(b));
+  if (most > 0.0) {
+    int e;
+    (void)frexp(most, &e);
+    if (out->exponent - e > 64) { /* exact, also where w is too small for a double */
+      k.halvings = out->exponent - e;
+      k.near[0] = ldexp(a, -e);
+      k.near[2] = ldexp(b, -e);
+    }
+  }
+  return begin_sorted(w, &k, out);
 }
 
 double rot_free_half_period(const rot_free_motion *m) {

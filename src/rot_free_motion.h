@@ -43,8 +43,8 @@ typedef struct rot_free_motion {
 } rot_free_motion;
 
 /* ROT_EVALUE: a moment below 0 or not finite, an axis without moment that spins or whose other
- * moments differ. ROT_ERANGE: so close to the spin about the middle axis (1e-140), or moments so
- * far apart (1e100), that squares would underflow. `given`: relative error of moments and rates, 0
+ * moments differ. ROT_ERANGE: moments so far apart (1e100), or beside the middle axis two so close
+ * (1e-80), that squares would underflow. `given`: relative error of moments and rates, 0
  * where they are exact. */
 rot_status rot_free_begin(const double moment_kg_m2[3], const double omega_rad_per_s[3],
                           double given, rot_free_motion *out);

@@ -1,5 +1,6 @@
 #include "rot_jacobi.h"
 
+#include <float.h>
 #include <math.h>
 
 /* K = pi/(2 M(1, sqrt(m1))). The steps of the mean are stored for the descent to sn, cn, dn. */
@@ -28,6 +29,15 @@ void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
   out->k = rot_dd_div(half_pi, a);
 }
 
+void rot_jacobi_begin_far(rot_dd root, double halvings, rot_jacobi *out) {
+  static const rot_dd log2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+  rot_jacobi_begin(rot_dd_mul(root, root), out);
+  out->k = rot_dd_add(out->k, rot_dd_mul1(log2, halvings));
+  out->n = -1;
+  out->m1 = fmax(16.0 * exp(-2.0 * out->k.hi), DBL_MIN);
+  out->g[0] = 4.0 * exp(-out->k.hi);
+}
+
 double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u) {
   const rot_dd period = rot_dd_add(jacobi->k, jacobi->k);
   double turns = 0.0;
@@ -45,6 +55,19 @@ double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u) {
 static void hyperbolic(double u, double *sn, double *cn, double *dn) {
   *sn = tanh(u);
   *cn = *dn = 1.0 / cosh(u);
+}
+
+/* m1 below 2^-100. Near K, cn = k' sinh(K - u) and dn = k' cosh(K - u), k' = 4 exp(-K). */
+static void far_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, double *dn) {
+  const rot_dd x = rot_dd_abs(u), beyond = rot_dd_sub(jacobi->k, x);
+  if (x.hi < beyond.hi) {
+    hyperbolic(x.hi, sn, cn, dn);
+  } else {
+    *sn = 1.0;
+    *cn = -2.0 * exp(-x.hi) * expm1(-2.0 * beyond.hi);
+    *dn = 2.0 * exp(-x.hi) * (1.0 + exp(-2.0 * beyond.hi));
+  }
+  if (u.hi < 0.0) *sn = -*sn;
 }
 
 /* Bulirsch's descent: y = cn/sn and d = dn at each level, with positive terms only, so that for
@@ -68,6 +91,10 @@ void rot_jacobi_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, d
   const int far = beyond.hi < x.hi; /* nearer to K than to 0: u = K - w */
   const rot_dd w = far ? rot_dd_abs(beyond) : x;
   double y, d;
+  if (jacobi->n < 0) {
+    far_at(jacobi, u, sn, cn, dn);
+    return;
+  }
   if (jacobi->m1 == 0.0) {
     hyperbolic(x.hi, sn, cn, dn);
   } else if (w.hi < 1e-8 && !far) { /* the next terms are below 2^-53 */
@@ -144,7 +171,11 @@ double rot_carlson_rj(double x, double y, double z, double p) {
     if (!(far > 0.008 * mean)) break;
     const double sx = sqrt(x), sy = sqrt(y), sz = sqrt(z), sp = sqrt(p);
     const double l = sx * (sy + sz) + sy * sz, d = (sp + sx) * (sp + sy) * (sp + sz);
-    sum += part / d * carlson_rc(delta * part * part * part / (d * d));
+    /* the same number in two ways: the first is exact near 0, the second does not underflow */
+    const double e =
+        d > 1e-100 ? delta * part * part * part / (d * d)
+                   : (sp - sx) / (sp + sx) * ((sp - sy) / (sp + sy)) * ((sp - sz) / (sp + sz));
+    sum += part / d * carlson_rc(e);
     x = 0.25 * (x + l);
     y = 0.25 * (y + l);
     z = 0.25 * (z + l);

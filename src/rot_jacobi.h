@@ -5,15 +5,20 @@
 
 #include "rot_dd.h"
 
-/* One m1, 0 or 1e-290 <= m1 <= 1, and many arguments. */
+/* One m1, 0 or 1e-290 <= m1 <= 1, or any that is as small as rot_jacobi_begin_far() takes, and many
+ * arguments. */
 typedef struct rot_jacobi {
-  double m1;
-  rot_dd k; /* K, to twice the precision if m1 is; Inf at m1 = 0 */
-  int n;    /* steps of the arithmetic-geometric mean */
+  double m1; /* of less than DBL_MIN: that */
+  rot_dd k;  /* K, to twice the precision if m1 is; Inf at m1 = 0 */
+  int n;     /* steps of the arithmetic-geometric mean; -1: begun by rot_jacobi_begin_far() */
   double a[24], g[24];
 } rot_jacobi;
 
 void rot_jacobi_begin(rot_dd m1, rot_jacobi *out);
+
+/* m1 = square(root 2^-halvings), the root between 2^-60 and 2^-50, and m1 of any size below:
+ * K = log(4/sqrt(m1)), and the functions are hyperbolic ones of the distance from 0 or K. */
+void rot_jacobi_begin_far(rot_dd root, double halvings, rot_jacobi *out);
 
 /* sn, cn, dn of u.hi + u.lo, |u| <= K. Relative errors: sn 8 eps, cn and dn 6 eps (1 + w), with w
  * the distance from the nearer of 0 and K, and eps = 2^-53. */

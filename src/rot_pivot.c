@@ -44,6 +44,21 @@ const char *rot_pivot_not_top(const rot_free_params *p) {
   return along(&rotors, k) ? NULL : "the rotors are not along the axis of symmetry";
 }
 
+void rot_pivot_sharpen(rot_free_params *p, double mass_kg, double gravity_m_per_s2,
+                       const double centre_m[3]) {
+  int e_mass, e_gravity;
+  const double mass = frexp(mass_kg, &e_mass), gravity = frexp(gravity_m_per_s2, &e_gravity);
+  const rot_dd weight = rot_dd_mul2(mass, gravity);
+  for (int k = 0; k < 3; k++) {
+    int e;
+    const double centre = frexp(centre_m[k], &e), lever = p->lever_n_m[k];
+    const double scaled = ldexp(lever, -(e_mass + e_gravity + e));
+    const double low = rot_dd_add1(rot_dd_mul1(weight, centre), -scaled).hi;
+    const int rounded = !p->turned && fabs(low) <= 4.0 * ROT_EPS * fabs(scaled);
+    p->lever_low_n_m[k] = rounded ? ldexp(low, e_mass + e_gravity + e) : 0.0;
+  }
+}
+
 typedef struct run {
   const rot_free_params *p;
   rot_top_motion motion;
@@ -54,6 +69,23 @@ typedef struct run {
   const rot_free_columns *out;
   rot_info *info;
 } run;
+
+/* The start of the top: q turn, exactly (halves of sums, in twice the precision). */
+static void begin_start(const run *r, const double omega[3], const double q[4],
+                        rot_top_start *out) {
+  static const int at[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+  static const double sign[4][4] = {
+      {1.0, -1.0, -1.0, -1.0}, {1.0, 1.0, -1.0, 1.0}, {1.0, 1.0, 1.0, -1.0}, {1.0, -1.0, 1.0, 1.0}};
+  for (int i = 0; i < 3; i++) out->omega[i] = (rot_dd){omega[(r->axis + 1 + i) % 3], 0.0};
+  for (int i = 0; i < 4; i++) {
+    rot_dd sum = {0.0, 0.0};
+    for (int j = 0; j < 4; j++) {
+      /* component i: q_j times the component at[i][j] of the turn, or the reverse */
+      sum = rot_dd_add1(sum, sign[i][j] * r->turn[j] * q[at[i][j]]);
+    }
+    out->q[i] = sum;
+  }
+}
 
 static rot_status begin(const rot_free_params *p, run *r) {
   const int k = rot_pivot_axis(p);
@@ -73,24 +105,27 @@ static rot_status begin(const rot_free_params *p, run *r) {
   r->axis = k;
   for (int i = 0; i < 4; i++) r->turn[i] = rot_pivot_turns[k][i];
   rot_free_principal(p, omega, q);
-  for (int i = 0; i < 3; i++) start.omega[i] = (rot_dd){omega[(k + 1 + i) % 3], 0.0};
-  /* q turn, exactly: halves of sums, in twice the precision */
-  const double *t = r->turn;
-  const int at[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
-  const double sign[4][4] = {
-      {1.0, -1.0, -1.0, -1.0}, {1.0, 1.0, -1.0, 1.0}, {1.0, 1.0, 1.0, -1.0}, {1.0, -1.0, 1.0, 1.0}};
-  for (int i = 0; i < 4; i++) {
-    rot_dd sum = {0.0, 0.0};
-    for (int j = 0; j < 4; j++) {
-      /* component i: q_j times the component at[i][j] of the turn, or the reverse */
-      sum = rot_dd_add1(sum, sign[i][j] * t[j] * q[at[i][j]]);
-    }
-    start.q[i] = sum;
-  }
+  begin_start(r, omega, q, &start);
   const double a = p->moment_kg_m2[(k + 1) % 3], b = p->moment_kg_m2[(k + 2) % 3];
-  const double given = fmax(p->given, fabs(a - b) / a);
-  return rot_top_begin_wheels(a, p->moment_kg_m2[k], p->lever_n_m[k], wheels, &start,
-                              p->turned ? fmax(given, 4.0 * ROT_EPS) : given, &r->motion);
+  const double uneven = fmax(p->given, fabs(a - b) / a);
+  const double given = p->turned ? fmax(uneven, 4.0 * ROT_EPS) : uneven;
+  const rot_dd weight = rot_dd_sum2(p->lever_n_m[k], p->lever_low_n_m[k]);
+  const rot_status status =
+      rot_top_begin_wheels(a, p->moment_kg_m2[k], weight, wheels, &start, given, &r->motion);
+  if (status != ROT_OK) return status;
+  /* The attitude is four rounded numbers. A turn about the vertical changes no rate. */
+  for (int i = 0; i < 4; i++) {
+    rot_top_motion other;
+    double near[4] = {q[0], q[1], q[2], q[3]};
+    if (q[i] == 0.0 || fabs(q[i]) == 1.0) continue;
+    near[i] *= 1.0 + 4.0 * ROT_EPS;
+    begin_start(r, omega, near, &start);
+    if (rot_top_begin_wheels(a, p->moment_kg_m2[k], weight, wheels, &start, given, &other) ==
+        ROT_OK) {
+      rot_top_differ(&r->motion, &other);
+    }
+  }
+  return ROT_OK;
 }
 
 static void note(const run *r, const double omega[3], double angle_error, double omega_error) {

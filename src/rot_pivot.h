@@ -16,6 +16,11 @@ int rot_pivot_axis(const rot_free_params *p);
  * the principal ones: v_principal = turn v_top turn*. */
 extern const double rot_pivot_turns[3][4];
 
+/* What lever_n_m lacks of mass gravity centre, by rounding: where the axes are the principal ones,
+ * and the lever is that product. */
+void rot_pivot_sharpen(rot_free_params *p, double mass_kg, double gravity_m_per_s2,
+                       const double centre_m[3]);
+
 /* Rows as rot_free_exact() writes them. Events: the turning points of the nutation, up to 10000. */
 rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s[],
                          const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,

@@ -74,12 +74,13 @@ static void turn_over(rot_dd q[4], rot_dd omega[3]) {
   omega[2] = rot_dd_neg(omega[2]);
 }
 
-/* A quotient of doubles of any size: m 2^*e, m near 1. */
-static rot_dd quotient(double a, double b, int *e) {
+/* A quotient of numbers of any size: m 2^*e, m near 1. */
+static rot_dd quotient(rot_dd a, double b, int *e) {
   int ea, eb;
-  const double ma = frexp(a, &ea), mb = frexp(b, &eb);
+  const double mb = frexp(b, &eb);
+  (void)frexp(a.hi, &ea);
   *e = ea - eb;
-  return rot_dd_div((rot_dd){ma, 0.0}, (rot_dd){mb, 0.0});
+  return rot_dd_div(rot_dd_ldexp(a, -ea), (rot_dd){mb, 0.0});
 }
 
 /* ---- the zeros ------------------------------------------------------------------------------- */
@@ -372,11 +373,11 @@ static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
       swing_of(out, &out->difference, out->start.hi, sn, cn, dn, &out->difference.rounding);
 }
 
-static rot_status begin_scaled(double i1, double i3, double weight, setup *s, rot_top_motion *out) {
+static rot_status begin_scaled(double i1, double i3, rot_dd weight, setup *s, rot_top_motion *out) {
   int e_ratio, e_beta;
-  const rot_dd ratio = i3 > 0.0 ? quotient(i3, i1, &e_ratio) : none;
+  const rot_dd ratio = i3 > 0.0 ? quotient((rot_dd){i3, 0.0}, i1, &e_ratio) : none;
   const rot_dd moments = i3 > 0.0 ? rot_dd_ldexp(ratio, e_ratio) : none;
-  const rot_dd beta = quotient(fabs(weight), i1, &e_beta);
+  const rot_dd beta = quotient(rot_dd_abs(weight), i1, &e_beta);
   const int half = (e_beta >= 0 ? e_beta + 1 : e_beta) / 2;
   int e = half;
   for (int i = 0; i < 3; i++) {
@@ -412,6 +413,7 @@ static rot_status begin_scaled(double i1, double i3, double weight, setup *s, ro
   s->plus = rot_dd_add(turning, rot_dd_mul(s->a, s->up));
   out->omega3 = w[2].hi;
   out->spin = spin.hi;
+  out->pull = 0.5 * s->beta.hi;
   out->b_minus_a = s->minus.hi;
   out->b_plus_a = s->plus.hi;
   const double high = rot_dd_add(square(w[0]), square(w[1])).hi + s->beta.hi * s->up.hi;
@@ -423,10 +425,10 @@ static rot_status begin_scaled(double i1, double i3, double weight, setup *s, ro
 
 rot_status rot_top_begin(double i1, double i3, double weight, const rot_top_start *start,
                          double given, rot_top_motion *out) {
-  return rot_top_begin_wheels(i1, i3, weight, none, start, given, out);
+  return rot_top_begin_wheels(i1, i3, (rot_dd){weight, 0.0}, none, start, given, out);
 }
 
-rot_status rot_top_begin_wheels(double i1, double i3, double weight, rot_dd wheels,
+rot_status rot_top_begin_wheels(double i1, double i3, rot_dd weight, rot_dd wheels,
                                 const rot_top_start *start, double given, rot_top_motion *out) {
   setup s;
   memset(&s, 0, sizeof s);
@@ -434,8 +436,8 @@ rot_status rot_top_begin_wheels(double i1, double i3, double weight, rot_dd whee
   memcpy(s.q, start->q, sizeof s.q);
   memcpy(s.omega, start->omega, sizeof s.omega);
   out->given = given;
-  int good = i1 > 0.0 && i3 >= 0.0 && isfinite(i1) && isfinite(weight) && i3 / i1 < 2.0 + 1e-9 &&
-             finite_dd(wheels) && (wheels.hi == 0.0 || weight != 0.0);
+  int good = i1 > 0.0 && i3 >= 0.0 && isfinite(i1) && finite_dd(weight) && i3 / i1 < 2.0 + 1e-9 &&
+             finite_dd(wheels) && (wheels.hi == 0.0 || weight.hi != 0.0);
   for (int i = 0; i < 4; i++) good = good && finite_dd(s.q[i]);
   for (int i = 0; i < 3; i++) good = good && finite_dd(s.omega[i]);
   if (!good || !unit(s.q)) return ROT_EVALUE;
@@ -443,15 +445,38 @@ rot_status rot_top_begin_wheels(double i1, double i3, double weight, rot_dd whee
   for (int i = 0; i < 3; i++) out->omega0[i] = s.omega[i].hi;
   out->cosine = out->q0[0] * out->q0[0] + out->q0[3] * out->q0[3] -
                 (out->q0[1] * out->q0[1] + out->q0[2] * out->q0[2]);
-  if (weight == 0.0) {
+  if (weight.hi == 0.0) {
     const double moment[3] = {i1, i1, i3};
     out->weightless = 1;
     return rot_free_begin(moment, out->omega0, given, &out->free);
   }
-  out->hangs = weight < 0.0;
+  out->hangs = weight.hi < 0.0;
   if (out->hangs) turn_over(s.q, s.omega);
   s.wheels = out->hangs ? rot_dd_neg(wheels) : wheels;
   return begin_scaled(i1, i3, weight, &s, out);
+}
+
+/* Where the two pass a pole on different sides, the angles differ by whole turns a nutation. */
+static double rate_apart(rot_dd a, rot_dd b, double period) {
+  const double rate = rot_dd_sub(a, b).hi;
+  return isfinite(period) && period > 0.0 ? fabs(remainder(rate * period, 2.0 * pi)) / period
+                                          : fabs(rate);
+}
+
+void rot_top_differ(rot_top_motion *m, const rot_top_motion *other) {
+  if (m->weightless || other->weightless) return;
+  const int both = !m->steady && !other->steady;
+  const double by = ldexp(1.0, other->exponent - m->exponent);
+  rot_top_motion o = *other; /* in the unit of time of m */
+  o.sum.rate = rot_dd_mul1(o.sum.rate, by);
+  o.difference.rate = rot_dd_mul1(o.difference.rate, by);
+  const double period = m->steady ? INFINITY : 2.0 * m->jacobi.k.hi / m->lambda.hi;
+  m->sum_error += rate_apart(o.sum.rate, m->sum.rate, period);
+  m->difference_error += rate_apart(o.difference.rate, m->difference.rate, period);
+  if (!both) return;
+  m->lambda_error += fabs(rot_dd_sub(rot_dd_mul1(o.lambda, by), m->lambda).hi);
+  if (m->jacobi.m1 == 0.0 && o.jacobi.m1 == 0.0) return;
+  m->k_error += fabs(rot_dd_sub(o.jacobi.k, m->jacobi.k).hi);
 }
 
 /* ---- the motion ------------------------------------------------------------------------------ */
@@ -518,24 +543,48 @@ static void put_state(const rot_top_motion *m, const tilt *now, double sum, doub
   for (int i = 0; i < 3; i++) w[i] = ldexp(w[i], m->exponent);
 }
 
-/* What errors of the argument, of the rates and of the functions do. */
-static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, const tilt *now,
-                  double rounding, rot_top_state *out) {
-  const double time = fabs(t.hi), m1 = m->jacobi.m1;
-  const double mean = fabs(m->sum.rate.hi * now->up) + fabs(m->difference.rate.hi * now->down);
-  const double even = m->sum.size * fabs(now->up) + m->difference.size * fabs(now->down);
-  double q = 16.0 * ROT_EPS + ROT_EPS * rounding +
-             (16.0 * ROT_DD_EPS + 8.0 * m->given) * time * (even + m->rate);
-  double du = 0.0;
+/* What is not even of the rate of an angle; *width: how far in the argument it is as steep. */
+static double unsteadiness(const rot_top_angle *angle, double even, double sn, double *width) {
+  const double whole = angle->part < 0.0 ? angle->whole : 1.0 / angle->whole;
+  *width = fmin(*width, sqrt(whole));
+  return angle->g / (1.0 + angle->part * sn * sn) + (even - angle->rate.hi);
+}
+
+/* What errors of the argument, of the rates and of the functions do. sn: of the argument. */
+static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, double sn,
+                  const tilt *now, double rounding, rot_top_state *out) {
+  const double time = fabs(t.hi), m1 = m->jacobi.m1, up = fabs(now->up), down = fabs(now->down);
+  const double mean = fabs(m->sum.rate.hi * up) + fabs(m->difference.rate.hi * down);
+  const double even = m->sum.size * up + m->difference.size * down;
+  const double q = 16.0 * ROT_EPS + ROT_EPS * rounding +
+                   (16.0 * ROT_DD_EPS + 8.0 * m->given) * time * (even + m->rate) +
+                   time * (m->sum_error * up + m->difference_error * down);
+  /* The rate along the axis is exact. */
+  const double across = hypot(now->rate, now->precession);
+  const double psi = time * (m->sum_error + m->difference_error);
+  const double known =
+      2.0 * m->rate * (q - time * (m->sum_error * up + m->difference_error * down)) + across * psi;
+  double turn = 0.0, speed = 0.0; /* by the argument */
   if (!m->steady) {
     const double modulus = m->m1_loss + m->given * (m1 > 0.0 ? 16.0 / m1 : 16.0);
-    du = m->start_error + 8.0 * (ROT_DD_EPS + m->given) * fabs(u) +
-         (fabs(turns) + 1.0) * fmin(modulus, 1.0);
+    double width = 1e-3, du = m->start_error + 8.0 * (ROT_DD_EPS + m->given) * fabs(u) +
+                              (fabs(turns) + 1.0) * fmin(modulus, 1.0) + time * m->lambda_error +
+                              2.0 * (fabs(turns) + 1.0) * m->k_error;
     if (m1 == 0.0) du += ROT_DD_EPS * fmin(cosh(u) * cosh(u), 1e300);
-    q += 1.5 * du * (m->rate + mean) / m->lambda.hi;
+    const double sum = unsteadiness(&m->sum, m->spin, sn, &width);
+    const double difference = unsteadiness(&m->difference, -m->spin, sn, &width);
+    const int small = du < 1e-3 * width;
+    const double slope = fabs(now->rate) + fabs(sum) * up + fabs(difference) * down;
+    const double pull = across * (m->rate + fabs(m->sum.rate.hi) + fabs(m->difference.rate.hi));
+    const double by = du / m->lambda.hi, any = 1.5 * (m->rate + mean);
+    turn = by * (small ? fmin(any, 1.1 * slope + du * any) : any);
+    speed =
+        by * (small ? fmin(2.0 * m->rate * any, 1.1 * (pull + m->pull) + 2.0 * m->rate * du * any)
+                    : 2.0 * m->rate * any);
   }
-  out->q_error = fmin(q, pi);
-  out->omega_error = ldexp(16.0 * ROT_EPS * m->rate + 2.0 * m->rate * fmin(q, 2.0), m->exponent);
+  out->q_error = fmin(q + turn, pi);
+  out->omega_error =
+      ldexp(16.0 * ROT_EPS * m->rate + fmin(known + speed, 4.0 * m->rate), m->exponent);
 }
 
 static void free_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
@@ -565,7 +614,7 @@ void rot_top_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
   if (m->steady) {
     const tilt still = tilt_steady(m);
     put_state(m, &still, sum, difference, out);
-    judge(m, now, 0.0, 0.0, &still, 0.0, out);
+    judge(m, now, 0.0, 0.0, 0.0, &still, 0.0, out);
     return;
   }
   const rot_dd u = rot_dd_add(rot_dd_mul(m->lambda, now), m->start);
@@ -581,7 +630,7 @@ void rot_top_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
   }
   const tilt tilted = tilt_now(m, sn, cn, dn);
   put_state(m, &tilted, sum, difference, out);
-  judge(m, now, u.hi, turns, &tilted,
+  judge(m, now, u.hi, turns, sn, &tilted,
         (rounding[0] + m->sum.rounding) * fabs(tilted.up) +
             (rounding[1] + m->difference.rounding) * fabs(tilted.down),
         out);

@@ -50,6 +50,7 @@ typedef struct rot_top_motion {
   rot_free_motion free;
   double q0[4];        /* the attitude at the start */
   double omega3, spin; /* spin: omega3 - L3/I1, which only turns the body on its axis */
+  double pull;         /* |G|/I1 */
   double b_minus_a, b_plus_a;
   double above, below, swing; /* 1 - u2, 1 + u1, u2 - u1: u goes from u1 to u2 */
   double cosine;              /* u at the start */
@@ -59,6 +60,8 @@ typedef struct rot_top_motion {
   double sum0[2], difference0[2]; /* cosine and sine of half of them at the start */
   double rate;                    /* |omega| at most */
   double start_error, m1_loss, given;
+  /* of the rates of both angles, of lambda, and of K: see rot_top_differ() */
+  double sum_error, difference_error, lambda_error, k_error;
   double omega0[3];
 } rot_top_motion;
 
@@ -71,9 +74,13 @@ rot_status rot_top_begin(double transverse_kg_m2, double axial_kg_m2, double wei
 /* With wheels on the axis, which have this constant angular momentum relative to the body: the axis
  * follows from that of all, I3 omega3 + wheels. The moments are those with the wheels locked; with
  * wheels the weight must not be 0 (ROT_EVALUE). */
-rot_status rot_top_begin_wheels(double transverse_kg_m2, double axial_kg_m2, double weight_n_m,
+rot_status rot_top_begin_wheels(double transverse_kg_m2, double axial_kg_m2, rot_dd weight_n_m,
                                 rot_dd wheels, const rot_top_start *start, double given,
                                 rot_top_motion *out);
+
+/* The start is uncertain, and `other` begins at a start that is as likely: adds the differences of
+ * their rates, which grow with time, to the errors of the motion. */
+void rot_top_differ(rot_top_motion *motion, const rot_top_motion *other);
 
 typedef struct rot_top_state {
   double q[4];     /* body to space, unit */

@@ -19,7 +19,7 @@
 #include "rot_free_exact.h"
 #include "rot_free_table.h"
 
-enum { KINDS = 10, NODES = 20, MOST_PANELS = 400 };
+enum { KINDS = 12, NODES = 20, MOST_PANELS = 400 };
 static const char *const kind_names[KINDS] = {"generic",
                                               "near oblate 1e-12",
                                               "near prolate 1e-12",
@@ -29,7 +29,9 @@ static const char *const kind_names[KINDS] = {"generic",
                                               "inertia ratios",
                                               "plate",
                                               "near the middle axis",
-                                              "damped"};
+                                              "damped",
+                                              "middle axis, 1e-300",
+                                              "one off it, 1e-300"};
 
 /* ---- the truth ------------------------------------------------------------------------------- */
 
@@ -118,12 +120,19 @@ static quad panel(const truth *s, quad from, quad to) {
   return sum * (to - from);
 }
 
+/* Where a panel begins: they are even, or, where K is large, narrow near 0. */
+static quad edge(const truth *s, int i) {
+  const quad part = (quad)i / s->panels;
+  return s->k * (s->panels < MOST_PANELS ? part : part * part);
+}
+
 /* The integral of psi_rate from 0, an even function of period 2 K. */
 static quad psi_to(const truth *s, quad u) {
   const quad n = rintq(u / (2 * s->k)), r = u - 2 * s->k * n, size = fabsq(r);
-  int at = (int)(size / s->k * s->panels);
+  const quad place = s->panels < MOST_PANELS ? size / s->k : sqrtq(size / s->k);
+  int at = (int)(place * s->panels);
   if (at > s->panels) at = s->panels;
-  const quad from = s->k * at / s->panels, part = s->sum[at] + panel(s, from, size);
+  const quad from = edge(s, at), part = s->sum[at] + panel(s, from, size);
   return 2 * n * s->sum[s->panels] + (r < 0 ? -part : part);
 }
 
@@ -189,7 +198,7 @@ static void begin_truth(const double moment[3], const double omega[3], truth *s)
   s->panels = (int)(s->k / 0.4Q) + 1;
   if (s->panels > MOST_PANELS) s->panels = MOST_PANELS;
   for (int i = 0; i < s->panels; i++) {
-    s->sum[i + 1] = s->sum[i] + panel(s, s->k * i / s->panels, s->k * (i + 1) / s->panels);
+    s->sum[i + 1] = s->sum[i] + panel(s, edge(s, i), edge(s, i + 1));
   }
 }
 
@@ -287,6 +296,9 @@ static void draw(int kind, rot_free_params *p) {
   if (kind == 5) m[0] = m[1] * (1.0 - power(-15.0, -3.0)), m[2] = m[1] * (1.0 + power(-15.0, -3.0));
   if (kind == 7) m[2] = m[0] + m[1];
   if (kind == 8) w[0] *= power(-15.0, -1.0), w[2] *= power(-15.0, -1.0);
+  if (kind >= 10) w[0] *= power(-300.0, -1.0), w[2] *= power(-300.0, -1.0);
+  if (kind == 10) w[2] = w[0] * uniform(-3.0, 3.0);
+  if (kind == 11 && uniform(0.0, 1.0) < 0.5) w[uniform(0.0, 1.0) < 0.5 ? 0 : 2] = 0.0;
   if (kind == 9) p->damping_per_s = either(power(-4.0, 0.0));
   const int shift = (int)uniform(0.0, 3.0), odd = uniform(0.0, 1.0) < 0.5;
   const double inertia = uniform(0.0, 1.0) < 0.2 ? power(-150.0, 150.0) : 1.0;

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "rot_attitude.h"
+#include "rot_pivot.h"
 #include "rot_top_motion.h"
 
 typedef __float128 quad;
@@ -33,9 +34,9 @@ static quad product(quad (*y)[ORDER + 1], int i, int j, int k) {
 }
 
 /* One step of Euler's equations with the quaternion. */
-static void step(double i1, double i3, double weight, double wheels, quad h, quad state[STATE]) {
+static void step(double i1, double i3, quad weight, double wheels, quad h, quad state[STATE]) {
   static quad y[STATE][ORDER + 1];
-  const quad a = ((quad)i1 - (quad)i3) / (quad)i1, g = (quad)weight / (quad)i1;
+  const quad a = ((quad)i1 - (quad)i3) / (quad)i1, g = weight / (quad)i1;
   const quad turn = (quad)wheels / (quad)i1;
   for (int i = 0; i < STATE; i++) y[i][0] = state[i];
   for (int k = 0; k < ORDER; k++) {
@@ -60,19 +61,22 @@ static void step(double i1, double i3, double weight, double wheels, quad h, qua
 static quad value(rot_dd x) { return (quad)x.hi + (quad)x.lo; }
 
 typedef struct scene {
-  double i1, i3, weight, wheels, theta, omega[3], time_s;
+  double i1, i3;
+  quad weight;
+  double wheels, theta, omega[3], time_s;
 } scene;
 
 static double rate_of(const scene *s) {
-  return sqrt(fabs(s->weight)) + fabs(s->omega[0]) + fabs(s->omega[1]) + fabs(s->omega[2]) +
-         fabs(s->wheels) / s->i1;
+  return sqrt(fabs((double)s->weight) / s->i1) + fabs(s->omega[0]) + fabs(s->omega[1]) +
+         fabs(s->omega[2]) + fabs(s->wheels) / s->i1;
 }
 
 static scene draw(int kind, double span) {
-  scene s = {1.0, uniform(0.0, 2.0), log_uniform(-2.0, 2.0), 0.0, uniform(0.0, 3.14159), {0}, 0.0};
-  if (rand() % 4 == 0) s.weight = -s.weight;
+  scene s = {1.0, uniform(0.0, 2.0), 0, 0.0, uniform(0.0, 3.14159), {0}, 0.0};
+  double weight = log_uniform(-2.0, 2.0);
+  if (rand() % 4 == 0) weight = -weight;
   for (int i = 0; i < 3; i++) s.omega[i] = uniform(-1.0, 1.0) * log_uniform(-2.0, 1.3);
-  const double critical = 2.0 * sqrt(fabs(s.weight)) / s.i3;
+  const double critical = 2.0 * sqrt(fabs(weight)) / s.i3;
   switch (kind) {
   case 0: break;
   case 1: /* released */ s.omega[0] = s.omega[1] = 0.0; break;
@@ -83,7 +87,7 @@ static scene draw(int kind, double span) {
     if (rand() % 2) s.theta = 0x1.921fb54442d18p+1 - s.theta;
     break;
   case 5: /* nearly asleep */
-    s.weight = fabs(s.weight);
+    weight = fabs(weight);
     s.theta = log_uniform(-9.0, -1.0);
     s.omega[0] = s.omega[1] = 0.0;
     s.omega[2] = critical * (1.0 + uniform(-1.0, 1.0) * log_uniform(-8.0, -1.0));
@@ -91,14 +95,14 @@ static scene draw(int kind, double span) {
   case 6: { /* nearly steady */
     double slow, fast;
     s.omega[2] *= 10.0;
-    rot_top_steady(s.i1, s.i3, s.weight, cos(s.theta), s.omega[2], &slow, &fast);
+    rot_top_steady(s.i1, s.i3, weight, cos(s.theta), s.omega[2], &slow, &fast);
     const double phi = isnan(slow) ? 1.0 : rand() % 2 && isfinite(fast) ? fast : slow;
     s.omega[0] = 0.0;
     s.omega[1] = phi * sin(s.theta) * (1.0 + uniform(-1.0, 1.0) * log_uniform(-12.0, -1.0));
     break;
   }
   case 7: /* a rod, or a plate */ s.i3 = rand() % 2 ? 0.0 : 2.0; break;
-  case 8: /* weak gravity */ s.weight *= log_uniform(-12.0, -2.0); break;
+  case 8: /* weak gravity */ weight *= log_uniform(-12.0, -2.0); break;
   case 9: /* fast */ s.omega[2] *= 30.0; break;
   case 10: /* wheels */
     s.wheels = uniform(-1.0, 1.0) * log_uniform(-2.0, 1.3);
@@ -108,6 +112,7 @@ static scene draw(int kind, double span) {
     s.wheels = uniform(-1.0, 1.0) * log_uniform(-1.0, 2.8);
     for (int i = 0; i < 3; i++) s.omega[i] *= rand() % 3 ? 0.0 : 0.1;
   }
+  s.weight = weight;
   s.time_s = uniform(0.0, span) / rate_of(&s);
   return s;
 }
@@ -202,6 +207,124 @@ static double far_from(const quad y[STATE], const rot_top_state *at, double *ome
   return rot_attitude_angle(q, at->q);
 }
 
+/* ---- scenes as a user gives them ------------------------------------------------------------- */
+
+enum { GIVEN = 4 };
+static const char *const given_names[GIVEN] = {"axis and angle", "Euler angles z-x-z", "quaternion",
+                                               "hanging"};
+
+/* The attitude in quadruple precision, and as the package makes it of the same numbers. */
+static void attitude(int kind, quad q[4], double rounded[4]) {
+  quad length = 0;
+  if (kind == 1) {
+    const rot_euler order = {{2, 0, 2}, 1};
+    const double x[3] = {uniform(-3.0, 3.0), uniform(0.05, 3.09), uniform(-3.0, 3.0)};
+    const quad c = cosq((quad)x[1] / 2), s = sinq((quad)x[1] / 2);
+    const quad sum = ((quad)x[0] + x[2]) / 2, difference = ((quad)x[0] - x[2]) / 2;
+    (void)rot_attitude_from(ROT_FORM_EULER, x, &order, rounded);
+    q[0] = c * cosq(sum), q[1] = s * cosq(difference), q[2] = s * sinq(difference);
+    q[3] = c * sinq(sum);
+    return;
+  }
+  double x[4];
+  for (int i = 0; i < 4; i++) x[i] = uniform(-1.0, 1.0);
+  if (kind == 2) {
+    (void)rot_attitude_from(ROT_FORM_QUATERNION, x, NULL, rounded);
+    for (int i = 0; i < 4; i++) length += (quad)x[i] * x[i];
+    for (int i = 0; i < 4; i++) q[i] = x[i] / sqrtq(length);
+    return;
+  }
+  if (rand() % 3) { /* about a horizontal axis */
+    x[2] = 0.0;
+    if (rand() % 2) x[0] = 1.0, x[1] = 0.0;
+  }
+  x[3] = uniform(0.05, 3.09);
+  (void)rot_attitude_from(ROT_FORM_AXIS_ANGLE, x, NULL, rounded);
+  for (int i = 0; i < 3; i++) length += (quad)x[i] * x[i];
+  q[0] = cosq((quad)x[3] / 2);
+  for (int i = 0; i < 3; i++) q[1 + i] = sinq((quad)x[3] / 2) * x[i] / sqrtq(length);
+}
+
+/* Mass, gravity, length and attitude are rounded before the motion begins: up to 1e9 rad. */
+static int as_given(int scenes) {
+  int missed = 0, later = 0;
+  double worst[GIVEN] = {0}, above[GIVEN] = {0}, least[GIVEN], most[GIVEN] = {0};
+  for (int k = 0; k < GIVEN; k++) least[k] = INFINITY;
+  for (int k = 0; k < scenes; k++) {
+    const int kind = k % GIVEN, axis = rand() % 3;
+    const double i1 = log_uniform(-3.0, 1.0), mass = uniform(0.1, 2.0), gravity = 9.80665;
+    const double length = uniform(0.02, 0.5) * sqrt(i1 / mass) * (kind == 3 ? -1.0 : 1.0);
+    scene s = {i1, i1 * uniform(0.05, 1.9), (quad)mass * gravity * length, 0.0, 0.0, {0}, 0.0};
+    const double pace = sqrt(fabs((double)s.weight) / i1);
+    const int released = rand() % 2;
+    s.omega[2] = uniform(-1.0, 1.0) * log_uniform(-1.0, 1.5) * pace;
+    for (int i = 0; i < 2; i++) s.omega[i] = released ? 0.0 : uniform(-1.0, 1.0) * pace;
+    quad first[STATE], y[STATE];
+    rot_free_params p;
+    memset(&p, 0, sizeof p);
+    attitude(kind, first, p.q0);
+    double centre[3] = {0.0, 0.0, 0.0};
+    centre[axis] = length;
+    p.axes[0] = 1.0;
+    for (int i = 0; i < 3; i++) { /* the top's axes 1, 2, 3 are axis + 1, axis + 2, axis */
+      p.moment_kg_m2[(axis + 1 + i) % 3] = i < 2 ? s.i1 : s.i3;
+      p.omega0_rad_per_s[(axis + 1 + i) % 3] = s.omega[i];
+      p.lever_n_m[i] = mass * gravity * centre[i];
+      first[4 + i] = s.omega[i];
+    }
+    rot_pivot_sharpen(&p, mass, gravity, centre);
+    /* the attitude of the top's axes: q turn; turn_0 = 1/2, as are the others for axes x and y */
+    const double *turn = rot_pivot_turns[axis];
+    const quad a = first[0], b = first[1], c = first[2], d = first[3];
+    first[0] = a * turn[0] - b * turn[1] - c * turn[2] - d * turn[3];
+    first[1] = a * turn[1] + b * turn[0] + c * turn[3] - d * turn[2];
+    first[2] = a * turn[2] + c * turn[0] + d * turn[1] - b * turn[3];
+    first[3] = a * turn[3] + d * turn[0] + b * turn[2] - c * turn[1];
+    nutation by;
+    if (!find_nutation(&s, first, &by)) continue;
+    double t[1] = {log_uniform(0.0, 9.0) / rate_of(&s)}, cell[14][1];
+    const rot_free_columns out = {cell[0],  cell[1],  cell[2],  cell[3], cell[4],
+                                  cell[5],  cell[6],  cell[7],  cell[8], cell[9],
+                                  cell[10], cell[11], cell[12], cell[13]};
+    rot_info info;
+    memcpy(y, first, sizeof y);
+    repeat(&s, &by, floorq(t[0] / by.period), t[0], y);
+    if (rot_pivot_top(&p, 1, t, &out, NULL, NULL, &info) != ROT_OK) {
+      printf("as given: scene %d failed\n", k);
+      missed++;
+      continue;
+    }
+    double q[4], want[4], off = 0.0;
+    for (int i = 0; i < 4; i++) q[i] = cell[i][0];
+    for (int i = 0; i < 4; i++) {
+      want[i] = (double)y[i];
+      if (i < 3) off = hypot(off, (double)(cell[4 + (axis + 1 + i) % 3][0] - y[4 + i]));
+    }
+    double top[4];
+    rot_attitude_times(q, turn, top);
+    const double angle = rot_attitude_angle(top, want), phase = t[0] * rate_of(&s);
+    const double bound = info.measure[ROT_FREE_ATTITUDE].error;
+    const double ratio = fmax(angle / bound, off / info.measure[ROT_FREE_OMEGA].error);
+    const double size = bound / (0x1p-52 * (100.0 + phase)); /* beside a rounding of the phase */
+    later++;
+    worst[kind] = fmax(worst[kind], ratio);
+    least[kind] = fmin(least[kind], size);
+    above[kind] = fmax(above[kind], size);
+    most[kind] = fmax(most[kind], angle);
+    if (ratio <= 1.0) continue;
+    missed++;
+    printf("missed: %s, scene %d, %.3g of the bound %.2e after %.1e rad\n", given_names[kind], k,
+           ratio, bound, phase);
+  }
+  for (int k = 0; k < GIVEN; k++) {
+    printf("%-18s error at most %.1e, %.2f of the bound, which is %.1e to %.1e roundings of the "
+           "phase\n",
+           given_names[k], most[k], worst[k], least[k], above[k]);
+  }
+  printf("top as given: %d of %d outside the bound\n", missed, later);
+  return missed;
+}
+
 int main(int argc, char **argv) {
   enum { KINDS = 12 };
   static const char *const names[KINDS] = {
@@ -223,8 +346,8 @@ int main(int argc, char **argv) {
     rot_top_from_euler(uniform(-3.0, 3.0), s.theta, uniform(-3.0, 3.0), 0.0, 0.0, s.omega[2],
                        &start);
     for (int i = 0; i < 2; i++) start.omega[i] = (rot_dd){s.omega[i], 0.0};
-    if (rot_top_begin_wheels(s.i1, s.i3, s.weight, (rot_dd){s.wheels, 0.0}, &start, 0.0, &motion) !=
-        ROT_OK) {
+    if (rot_top_begin_wheels(s.i1, s.i3, (rot_dd){(double)s.weight, 0.0}, (rot_dd){s.wheels, 0.0},
+                             &start, 0.0, &motion) != ROT_OK) {
       printf("refused: %s\n", names[kind]);
       missed++;
       continue;
@@ -271,7 +394,7 @@ int main(int argc, char **argv) {
       missed++;
       printf(
           "missed: %s, %.3g of the bound %.2e; I3 %a G %a wheels %a theta %a omega %a %a %a t %a\n",
-          names[kind], worse, now.q_error, s.i3, s.weight, s.wheels, s.theta, s.omega[0],
+          names[kind], worse, now.q_error, s.i3, (double)s.weight, s.wheels, s.theta, s.omega[0],
           s.omega[1], s.omega[2], times[long_after]);
     }
   }
@@ -282,5 +405,6 @@ int main(int argc, char **argv) {
   printf("top: up to %.1e rad; two ways to the truth are %.0e apart, as doubles\n", farthest,
          doubts);
   printf("top, seed %u: %d of %d outside the bound\n", seed, missed, scenes);
+  missed += as_given(scenes);
   return missed != 0;
 }

@@ -232,8 +232,8 @@ static void check_wheels(void) {
       rot_top_motion motion;
       rot_top_state with;
       rot_top_from_euler(0.3, 1.1, -0.4, 0.25, 0.5, 2.0, &x.start);
-      ROT_CHECK(rot_top_begin_wheels(x.i1, x.i3, x.weight, (rot_dd){h, 0.0}, &x.start, 0.0,
-                                     &motion) == ROT_OK);
+      ROT_CHECK(rot_top_begin_wheels(x.i1, x.i3, (rot_dd){x.weight, 0.0}, (rot_dd){h, 0.0},
+                                     &x.start, 0.0, &motion) == ROT_OK);
       rot_top_at(&motion, (rot_dd){times[k], 0.0}, &with);
       x.start.omega[2].hi += h / i3; /* -1 */
       const rot_top_state fast = at(&x, times[k]);
@@ -250,7 +250,8 @@ static void check_wheels(void) {
   rot_top_motion motion;
   const rot_dd wheels[] = {{h, 0.0}, {INFINITY, 0.0}};
   for (int k = 0; k < 2; k++) {
-    ROT_CHECK(rot_top_begin_wheels(1.0, i3, k, wheels[k], &x.start, 0.0, &motion) == ROT_EVALUE);
+    ROT_CHECK(rot_top_begin_wheels(1.0, i3, (rot_dd){k, 0.0}, wheels[k], &x.start, 0.0, &motion) ==
+              ROT_EVALUE);
   }
 }
 

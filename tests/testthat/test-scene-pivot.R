@@ -413,3 +413,29 @@ test_that("a top with a wheel is exact in any axes of the body", {
   driven <- choose_model(with_rotors(c(0.3, 0.1, 10), rotor(c(0, 0, 1), 5e-4, 200, 0.1)), t)
   expect_identical(driven$model[driven$chosen], "pivot_rk8pd")
 })
+
+test_that("a top keeps its digits for a day, and its bound covers the rounding of what was given", {
+  # m g l and the attitude in quadruple precision, one nutation by Taylor series, repeated.
+  top <- scene_pivot(
+    c(.0042, .0042, .002), c(0, 0, 60), mass_kg = .5, centre_m = c(0, 0, .08),
+    attitude0 = attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
+  )
+  want <- rbind(
+    c(-0.86051537448858687, -0.25550314329779042, 0.18410682661381589, 0.40041991762137183),
+    c(-0.74700618707020783, 0.31472724963552603, 0.083015360784765506, 0.57968695404456202)
+  )
+  for (k in 1:2) {
+    motion <- trajectory(top, c(3600, 86400)[k])
+    q <- unlist(motion[nrow(motion), quaternion_columns])
+    off <- attitude_difference(stats::setNames(want[k, ], quaternion_columns), q)
+    expect_lt(off, 5e-14)
+    errors <- trajectory_run(motion)$info$errors
+    expect_lt(off, errors[["attitude"]])
+    # A rounding of the phase, not more.
+    expect_lt(errors[["attitude"]], 60 * c(3600, 86400)[k] * 2^-52)
+  }
+  # Upright, no component of the attitude is rounded.
+  asleep <- scene_pivot(c(.0042, .0042, .002), c(0, 0, 60), mass_kg = .5, centre_m = c(0, 0, .08))
+  motion <- suppressWarnings(trajectory(asleep, 1e7))
+  expect_lt(trajectory_run(motion)$info$errors[["attitude"]], 1e-14)
+})
