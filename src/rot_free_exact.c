@@ -27,7 +27,7 @@ const char *rot_free_not_exact(const rot_free_params *p) {
   run r;
   switch (begin(p, &r)) {
   case ROT_OK: return NULL;
-  case ROT_ERANGE: return "the spin is too close to that about the middle axis";
+  case ROT_ERANGE: return "its moments of inertia are too far apart, or two of them too close";
   default: return "it spins about an axis without moment of inertia";
   }
 }

@@ -211,3 +211,17 @@ test_that("laws of torques and of motors are called with the attitude, not its i
     expect_lt(max(abs(omega - seen[, 2:4])), 2e-3)
   }
 })
+
+test_that("any disturbance of the spin about the middle axis is followed to the end", {
+  # In quadruple precision: bench/coverage/free.c, `free truth`.
+  want <- c(qw = 0, qx = -0.99903063930357305, qy = 0, qz = 0.044020242306171083)
+  motion <- trajectory(scene_free(c(1, 2, 3), c(1e-90, 1, 1e-90)), 12345.5)
+  last <- motion[nrow(motion), ]
+  expect_lt(attitude_difference(want, last), 3e-15)
+  expect_lt(attr(motion, "run")$info$errors[["attitude"]], 2e-14)
+  # Each decade less takes log(10)/lambda more on either side, lambda = 1/sqrt(3).
+  time_s <- vapply(c(1e-200, 1e-300), function(by) {
+    flip_time(c(1, 2, 3), c(by, 1, 0))
+  }, 0)
+  expect_equal(diff(time_s), 200 * log(10) * sqrt(3), tolerance = 1e-12)
+})
