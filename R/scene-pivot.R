@@ -8,8 +8,8 @@
 #' with I and L about the fixed point and r_c from there to the centre of mass. z of space is up.
 #'
 #' A symmetric top (two equal moments, the centre of mass on the axis of the third) is exact at any
-#' time (`pivot_top`): its attitude is good to some 1e-15 rad, through the poles, asleep, hanging. Its
-#' bound covers the rounding of an inclined attitude at the start: 1e-16 of the phase.
+#' time (`pivot_top`): its attitude is good to some 1e-15 rad, through the poles, asleep, hanging.
+#' The bound covers the rounding of an inclined attitude at the start, some 1e-16 of the phase.
 #' So is a body that is held at its centre of mass. Everything else is integrated. Events: the
 #' centre of mass is `highest` or `lowest`; the short cuts below and the models with steps of fixed
 #' length list none.

@@ -254,7 +254,7 @@ static void check_scaling(void) {
 }
 
 /* However little disturbs the spin about the middle axis: in quadruple precision (the means of
- * bench/coverage/free.c). The last is beyond a double in units of the spin, and 4 K/lambda later. */
+ * bench/coverage/free.c). */
 static void check_middle_axis(void) {
   static const struct {
     double moment[3], omega[3], t, q[4];
