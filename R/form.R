@@ -97,7 +97,7 @@ run_form <- list(
   max_steps = "number", scene = "list", solved = "list",
   info = list(
     kind = "text", error = "values:1", time_s = "values:1", errors = "values",
-    sizes = "values=errors", step_s = "number?", scan_spacing_s = "values?", lost = "flag?"
+    sizes = "values=errors", step_s = "number?", resolution = "number?", lost = "flag?"
   ),
   body = list(.optional = TRUE, inertia = "values:1", effect = "values:1"),
   events = list(.optional = TRUE, time_s = "numbers", event = "texts=time_s"),

@@ -6,17 +6,21 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   if (!is.null(loads$law)) {
     span <- range(scene$start_s, time_s)
     reader <- law_reader(loads$law, scene, call)
-    scan <- law_breaks(loads$law, reader$at, span[1], span[2], call)
-    if (loads$law$arguments == 1L) sampled <- sample_torque(reader, span, scan$stops, accuracy)
+    seen <- law_breaks(loads$law, reader$at, span[1], span[2], call, resolution_of(scene))
+    stops <- seen$stops
+    if (loads$law$arguments == 1L) {
+      sampled <- sample_and_compare(reader, scene, span, seen, accuracy)
+      stops <- sampled$stops %||% stops
+    }
     if (is.null(sampled)) law <- reader$own
     loads$terms <- c(loads$terms, list(sampled$term)[!is.null(sampled)])
-    stops <- scan$stops
   }
   noise_n_m <- if (is.null(sampled)) 0 else sampled$error
   solve <- function(loads, time_s) {
     scene$loads <- loads
     .Call(
-      ffi_axle_integrate, scene, law, stops, time_s, c(accuracy, max_steps, method, noise_n_m),
+      ffi_axle_integrate, scene, law, stops, time_s,
+      c(accuracy, max_steps, method, noise_n_m, resolution_of(scene)),
       progress_bar("integrating")
     )
   }
@@ -24,13 +28,50 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   if (!is.null(sampled)) result <- read_zeros(result, sampled, reader$at, scene$loads, time_s)
   if (!is.null(loads$law)) {
     result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
-    result$info$scan_spacing_s <- scan$spacing_s
+    result$info$resolution <- resolution_of(scene)
   }
   if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") return(result)
   add_sampling(result, sampled, scene, time_s, function(push_n_m) {
     loads$knots <- add_knots(list(loads$knots, torque_constant(push_n_m)))
     solve(loads, seq(min(scene$start_s, time_s), max(scene$start_s, time_s), length.out = 65L))
   }, accuracy)
+}
+
+# The samples of a law of time, compared with the law on the grid of its scan. What lies between the
+# nodes of the samples shows there, and the law is sampled anew around it. NULL as sample_torque().
+sample_and_compare <- function(reader, scene, span, seen, accuracy) {
+  stops <- seen$stops
+  time_s <- seen$time_s
+  torque_n_m <- seen$torque_n_m
+  for (round in 1:8) {
+    sampled <- sample_torque(reader, span, stops, accuracy)
+    if (is.null(sampled)) return(NULL)
+    if (is.null(time_s)) { # breaks were given: not the grid's own points, which they may be
+      n <- scan_points_of(resolution_of(scene))
+      time_s <- span[1] + diff(span) * (seq_len(n) - 0.5) / n
+      torque_n_m <- reader$at(time_s)
+    }
+    believed <- samples_at(sampled, scene, time_s)
+    # A time at a break has two values.
+    off <- abs(torque_n_m - believed) > 8 * sampled$error & !time_s %in% stops
+    missed <- which(!(off %in% FALSE))
+    if (!length(missed)) {
+      sampled$stops <- stops
+      return(sampled)
+    }
+    beside <- c(missed - 1L, missed, missed + 1L)
+    beside <- unique(beside[beside >= 1L & beside <= length(time_s)])
+    stops <- in_order(unique(c(stops, time_s[beside])))
+  }
+  NULL
+}
+
+samples_at <- function(sampled, scene, time_s) {
+  scene$loads$terms <- list(sampled$term)
+  scene$loads$knots <- torque_constant(0)
+  scene$loads$motor_n_m_s <- 0
+  rest <- double(length(time_s))
+  .Call(ffi_axle_torques, scene, time_s, rest, rest)$applied_torque_n_m
 }
 
 # Where a law alone passes zero, its samples leave their rounding: those rows take what the function

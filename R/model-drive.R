@@ -3,14 +3,12 @@
 # The R functions of a scene as the core calls them: list(law, stops) or NULL for each rotor, brake
 # and coupling. NULL where there are none.
 drive_calls <- function(scene, span, call) {
-  spacing <- double()
   one <- function(part) {
     law <- part$loads$law
     if (is.null(law)) return(NULL)
     reader <- law_reader(law, part, call)
-    scan <- law_breaks(law, reader$at, span[1], span[2], call)
-    spacing <<- c(spacing, scan$spacing_s)
-    list(law = reader$own, stops = scan$stops)
+    seen <- law_breaks(law, reader$at, span[1], span[2], call, resolution_of(scene))
+    list(law = reader$own, stops = seen$stops)
   }
   calls <- list(
     rotors = lapply(scene$rotors, one),
@@ -18,14 +16,13 @@ drive_calls <- function(scene, span, call) {
     couplings = lapply(scene$couplings, function(coupling) one(coupling$grip))
   )
   if (all(vapply(unlist(calls, recursive = FALSE), is.null, NA))) return(NULL)
-  spacing <- spacing[is.finite(spacing)]
-  list(calls = calls, spacing_s = if (length(spacing)) max(spacing))
+  calls
 }
 
 integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
   called <- drive_calls(scene, range(scene$start_s, time_s), call)
   result <- .Call(
-    ffi_drive_integrate, scene, called$calls, time_s, c(accuracy, max_steps, method),
+    ffi_drive_integrate, scene, called, time_s, c(accuracy, max_steps, method, resolution_of(scene)),
     progress_bar("integrating")
   )
   n <- length(scene$rotors)
@@ -43,7 +40,7 @@ integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
   colnames(errors) <- c("work_error_j", "heat_error_j", "impulse_error_n_m_s", "twist_error_rad")
   sums <- sums[!names(sums) %in% c("errors", "places")]
   result$ledger <- cbind(do.call(cbind, c(list(time_s = time_s), sums)), errors)
-  result$info$scan_spacing_s <- called$spacing_s
+  if (!is.null(called)) result$info$resolution <- resolution_of(scene)
   result
 }
 

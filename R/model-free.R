@@ -78,9 +78,12 @@ free_laws <- function(scene, call) {
 
 integrate_free <- function(scene, time_s, accuracy, max_steps, call, method) {
   result <- .Call(
-    ffi_free_integrate, scene, free_laws(scene, call), time_s, c(accuracy, max_steps, method),
+    ffi_free_integrate, scene, free_laws(scene, call), time_s,
+    c(accuracy, max_steps, method, resolution_of(scene)),
     progress_bar("integrating")
   )
+  called <- !is.null(scene$law) || !is.null(motor_laws(scene$rotors, call))
+  if (called) result$info$resolution <- resolution_of(scene)
   with_free_sums(result, time_s)
 }
 
@@ -155,7 +158,7 @@ step_free <- function(scene, time_s, step_s, max_steps, call, method) {
     step_s <- .Call(ffi_free_step, scene, method, span)
   }
   result <- .Call(
-    ffi_free_step_through, scene, free_laws(scene, call), time_s, c(step_s, max_steps, method),
+    ffi_free_step_through, scene, free_laws(scene, call), time_s, c(step_s, max_steps, method, 0),
     progress_bar("stepping")
   )
   result <- with_free_sums(result, time_s)

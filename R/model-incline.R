@@ -33,7 +33,8 @@ integrate_incline <- function(scene, time_s, accuracy, max_steps, call, method) 
     list(law = own, stops = force$breaks_s)
   }
   result <- .Call(
-    ffi_incline_integrate, scene, called, time_s, c(accuracy, max_steps, method),
+    ffi_incline_integrate, scene, called, time_s,
+    c(accuracy, max_steps, method, resolution_of(scene)),
     progress_bar("integrating")
   )
   errors <- result$ledger$errors
@@ -45,6 +46,7 @@ integrate_incline <- function(scene, time_s, accuracy, max_steps, call, method) 
       scene, rows[names(rows) %in% c("time_s", incline_columns)], rows[names(sums)], errors
     )
   }
+  if (!is.null(force)) result$info$resolution <- resolution_of(scene)
   result$info <- void_error(result$info, result$columns)
   result
 }

@@ -1,34 +1,34 @@
-# Breakpoints of a torque function whose breaks are not given: looked for on an even grid in time,
-# at the angle and rate where the scene starts, then bisected. The number of points is fixed, so
-# that the same motion computed twice is the same to the last bit.
+# Breakpoints of a torque function of time whose breaks are not given: looked for on an even grid,
+# then bisected. The number of points is fixed, so that the same motion computed twice is the same
+# to the last bit. A function of the state is called along the path that was found, by the
+# integrator (src/rot_ode_probe.h).
 #
 # A jump keeps its height however short the interval; a smooth function's difference shrinks with
 # it. A kink keeps its change of slope: its second difference halves with the step, that of a smooth
 # function quarters. Breaks become stops of the integrator, and so do the grid points around a
 # change that is steep but smooth (`guards`): a step that ends there does not pass it. What lies
-# between two points of the grid is missed. With 513 points for a law of time, looking took nine
-# times the calls of a run with one kink; with 257, 1600 random laws were covered as well. A law of
-# the state needs fewer points: the run's own stages sample it 500 times and more, and a run of 20 s
-# at 1e-9 takes some 2500 calls.
+# between two points of the grid is missed: the grid follows from the resolution, as the probes of
+# the integrator do.
 
-scan_points <- 257L
-scan_points_state <- 129L
+# The narrowest change of a law that is sure to be found, of the range that a motion visits.
+law_resolution <- 0.005
+# The spacing of probes, of that width: ROT_ODE_GAP.
+probe_gap <- 0.78125
 scan_points_vectorised <- 8193L
 most_breaks <- 1000L
 
-# list(stops, spacing_s) between two times: the breaks given, and NA; or those found, with guards,
-# and the spacing of the scan.
-law_breaks <- function(law, at, from, to, call) {
-  if (!is.null(law$breaks_s) || !(to > from)) {
-    return(list(stops = as.double(law$breaks_s), spacing_s = NA_real_))
+resolution_of <- function(scene) .subset2(scene, "resolution") %||% law_resolution
+
+scan_points_of <- function(resolution) 1 + ceiling(1 / (probe_gap * resolution))
+
+# list(stops, time_s, torque_n_m) between two times: the breaks given, or those found, with guards,
+# and what was called for that.
+law_breaks <- function(law, at, from, to, call, resolution = law_resolution) {
+  if (!is.null(law$breaks_s) || law$arguments != 1L || !(to > from)) {
+    return(list(stops = as.double(law$breaks_s)))
   }
-  points <- if (law$vectorised) {
-    scan_points_vectorised
-  } else if (law$arguments == 1L) {
-    scan_points
-  } else {
-    scan_points_state
-  }
+  points <- scan_points_of(resolution)
+  if (law$vectorised) points <- max(points, scan_points_vectorised)
   spacing <- (to - from) / (points - 1)
   scan <- scan_breaks(at, from, to, points)
   found <- length(scan$breaks)
@@ -48,11 +48,14 @@ law_breaks <- function(law, at, from, to, call) {
       ), "breaks", call
     )
   }
-  list(stops = in_order(c(scan$breaks, scan$guards)), spacing_s = spacing)
+  list(
+    stops = in_order(c(scan$breaks, scan$guards)), time_s = scan$time_s,
+    torque_n_m = scan$torque_n_m
+  )
 }
 
-# Breaks and guards of f (a function of many times) in [from, to], sorted.
-scan_breaks <- function(f, from, to, points = scan_points) {
+# Breaks and guards of f (a function of many times) in [from, to], sorted, and its values.
+scan_breaks <- function(f, from, to, points = scan_points_of(law_resolution)) {
   t <- seq(from, to, length.out = points)
   y <- f(t)
   if (!all(is.finite(y))) {
@@ -64,7 +67,8 @@ scan_breaks <- function(f, from, to, points = scan_points) {
   jumps <- jumps[!is.na(jumps)]
   list(
     breaks = in_order(c(jumps, scan_kinks(f, t, y, jumps))),
-    guards = in_order(unique(t[c(smooth, smooth + 1L, wider_changes(t, y, jumps))]))
+    guards = in_order(unique(t[c(smooth, smooth + 1L, wider_changes(t, y, jumps))])),
+    time_s = t, torque_n_m = y
   )
 }
 

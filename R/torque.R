@@ -20,15 +20,15 @@ new_torque <- function(class, ...) {
 #' * `torque_function()`: any R function of `time_s`, or of `time_s, theta_rad, omega_rad_per_s`.
 #'   It is called with one number each and returns one number. `vectorised = TRUE` says that it also
 #'   takes vectors of equal length and returns one number for each element: then it is called once
-#'   wherever many values are wanted. Its jumps and kinks in time belong in `breaks_s`, because an
-#'   integrator steps over a short pulse without a warning. Where they are not given, [trajectory()]
-#'   scans the function at `r scan_points` times (`r scan_points_state` where it depends on the
-#'   angle and rate, `r scan_points_vectorised` if it is vectorised), at the angle and rate of the
-#'   start, bisects what it finds, stops there, and warns (class `rotdyn_warning_breaks`). A pulse
-#'   shorter than the spacing of the scan may be missed: only `breaks_s` is sure.
-#'   `breaks_s = numeric()` says that there are none. Jumps and kinks at a value of the angle or of
-#'   the rate need no word: the integrator finds the value and ends its steps on it, so that
-#'   `-0.5 * sign(omega_rad_per_s)` stops a body and holds it.
+#'   wherever many values are wanted. Jumps and kinks in time belong in `breaks_s`: steps end there.
+#'   Where they are not given, a function of time is called at `r scan_points_of(law_resolution)`
+#'   times (`r scan_points_vectorised` if it is vectorised), jumps and kinks between them are
+#'   bisected, and [trajectory()] warns of them (class `rotdyn_warning_breaks`). `breaks_s =
+#'   numeric()` says that there are none. A function of the angle and the rate is called along the
+#'   motion that was found; where it is not what the steps believed, they are chosen anew, with ends
+#'   at jumps and kinks in time, in the angle or in the rate, so that `-0.5 * sign(omega_rad_per_s)`
+#'   stops a body and holds it. A change narrower than `resolution` (see [trajectory()]) may be
+#'   missed, unless it lies at one of the `breaks_s`.
 #'
 #' A function of time alone is sampled some 30 to 300 times, one of angle and rate is called at each
 #' evaluation of the integrator. The calls of the scan are counted in `rhs_calls`.

@@ -28,6 +28,13 @@
 #' @param event_rows TRUE: also a row at the time of each event between the first time and the last,
 #'   for scenes whose runs give them, [scene_incline()]. FALSE: n times give n rows. The column
 #'   `event` of these scenes names the event in each row at its time, asked for or added.
+#' @param resolution For torque laws, forces and clutches that are R functions: the width of the
+#'   narrowest change in time, in an angle or in a rate that is sure to be found, as a part of the
+#'   range of it that the motion visits, one number from 1e-5 to 1. The function is called along the
+#'   motion that was found, \eqn{1.28/resolution}{1.28/resolution} times or some more where
+#'   the steps themselves did not call it; where it is not what they believed, they are chosen anew.
+#'   Narrower changes may be missed, in the motion and in its audit: the head of the result says so.
+#'   1: only the steps call the function.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
 #'   The trajectory of a [scene_rotors()], [scene_clutch()] or [scene_drive()] has columns of its
 #'   own, listed there. [summary()] and [generics::glance()] give one row, `predict()` other times,
@@ -59,7 +66,7 @@
 #' @export
 trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
                        on_fail = c("abort", "truncate"), max_steps = 1e6, step_s = NULL,
-                       event_rows = FALSE) {
+                       event_rows = FALSE, resolution = 0.005) {
   call <- environment()
   if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
@@ -70,15 +77,20 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
     check_string(on_fail, "on_fail", c("abort", "truncate"), call)
   }
   if (!is.null(step_s)) step_s <- check_number(step_s, "step_s", "s", call, lower = 0, open = TRUE)
+  if (missing(resolution)) {
+    resolution <- NULL
+  } else {
+    resolution <- check_number(resolution, "resolution", "1", call, lower = 1e-5, upper = 1)
+  }
   if (!missing(event_rows)) event_rows <- check_flag(event_rows, "event_rows", call)
   compute_trajectory(
-    scene, time_s, accuracy, model, on_fail, max_steps, call, step_s, event_rows
+    scene, time_s, accuracy, model, on_fail, max_steps, call, step_s, event_rows, resolution
   )
 }
 
 # trajectory(), for other functions too: `call` is the user's.
 compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_steps, call,
-                               step_s = NULL, event_rows = FALSE) {
+                               step_s = NULL, event_rows = FALSE, resolution = NULL) {
   check_scene(scene, call)
   if (event_rows && is.null(constraint_of(scene)$event_rows)) {
     abort_rotdyn(c(
@@ -90,6 +102,7 @@ compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_step
   check_span(scene, time_s, call)
   if (!identical(accuracy, 1e-9)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   fit <- pick_model(scene, time_s, accuracy, model, max_steps, call)
+  fit$scene$resolution <- resolution
   if (!is.null(step_s)) {
     if (is.null(fit$record$run_with_step)) abort_no_steps(constraint_of(scene), fit$record$id, call)
     fit$record <- with_step(fit$record, step_s)
@@ -461,12 +474,14 @@ tbl_sum.rot_trajectory <- function(x, ...) {
       c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
     },
     if (length(run$events$time_s)) c("Events" = describe_events(run$events)),
-    if (is.finite(run$info$scan_spacing_s %||% NA)) {
-      c("Sampled" = paste0(
-        "the torque function every ", format(run$info$scan_spacing_s, digits = 2),
-        " s: anything shorter is not resolved"
-      ))
-    }
+    if (!is.null(run$info$resolution)) c("Law" = describe_resolution(run$info$resolution))
+  )
+}
+
+describe_resolution <- function(resolution) {
+  paste0(
+    "an R function: changes narrower than ", format_si(100 * resolution), " % of the times, angles ",
+    "and rates visited may be missed (`resolution`)"
   )
 }
 

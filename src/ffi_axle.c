@@ -187,15 +187,16 @@ SEXP ffi_axle_period(SEXP list) {
 /* ---- integrated ------------------------------------------------------------------------------ */
 
 /* `law` is NULL, or that of an ffi_torque to be added to the scene's torque; `breaks_s` its breaks,
- * or NULL. `control` is c(accuracy, max_steps, method, noise_n_m), method as in ROT_METHOD_LIST. */
+ * or NULL. `control` is c(accuracy, max_steps, method, noise_n_m, resolution), method as in
+ * ROT_METHOD_LIST. */
 SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP control,
                         SEXP progress) {
   rot_axle_scene scene = ffi_axle_scene(list, breaks_s);
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 5);
   if (!(c[2] >= 0.0 && c[2] <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
   /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
   const double steps = c[1] < 1e15 ? c[1] : 1e15;
-  const rot_axle_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
+  const rot_axle_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2], c[4]};
   scene.noise_n_m = c[3];
   rot_axle_ledger ledger;
 #define X(name) ledger.name = NA_REAL;

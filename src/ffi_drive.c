@@ -111,17 +111,17 @@ static SEXP keep_places(void *data) {
 #define SUM_NEW(name)  sums.name = ffi_new_double(ledger, at++, XLENGTH(time_s));
 #define SUM_NAME(name) #name,
 
-/* `control` is c(accuracy, max_steps, method). The columns are as long as times x rotors, those of
+/* `control` is c(accuracy, max_steps, method, resolution). The columns are as long as times x rotors, those of
  * the ledger as the times; its `errors` are those of work, heat, impulse and twist, its `places`
  * those of the events (rot_drive_ode.h). */
 SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
   static const char *const names[] = {ROT_DRIVE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const sum_names[] = {ROT_DRIVE_LEDGER(SUM_NAME) "errors", "places", ""};
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
   if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
   /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
   const double steps = c[1] < 1e15 ? c[1] : 1e15;
-  const rot_drive_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
+  const rot_drive_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2], c[3]};
   ffi_run run;
   calls laws = {called, &run.guard, 0};
   const rot_drive_scene scene = read_scene(list, &laws);

@@ -216,7 +216,7 @@ static rot_status by_law(double t, const double omega[3], const double q[4], dou
 }
 
 /* The rows of a run by steps, from what it asks for. */
-typedef rot_status run_steps(const rot_free_params *p, const double control[3], size_t n,
+typedef rot_status run_steps(const rot_free_params *p, const double control[4], size_t n,
                              const double time_s[], const rot_free_columns *out,
                              double *const flow[], double flow_error[], ffi_run *run);
 
@@ -225,7 +225,7 @@ static SEXP rows_by_steps(SEXP list, SEXP laws, SEXP time_s, SEXP control, SEXP 
                           run_steps *steps) {
   static const char *const flows[] = {ROT_FREE_LEDGER(FFI_NAME) "errors", ""};
   rot_free_params p = ffi_free_scene(list);
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
   const R_xlen_t rows = XLENGTH(time_s);
   if (TYPEOF(laws) != VECSXP || XLENGTH(laws) != 2) Rf_error("internal: `laws`");
   table columns;
@@ -248,16 +248,16 @@ static SEXP rows_by_steps(SEXP list, SEXP laws, SEXP time_s, SEXP control, SEXP 
 
 static size_t budget_of(double max_steps) { return (size_t)(max_steps < 1e15 ? max_steps : 1e15); }
 
-static rot_status adaptive(const rot_free_params *p, const double control[3], size_t n,
+static rot_status adaptive(const rot_free_params *p, const double control[4], size_t n,
                            const double time_s[], const rot_free_columns *out, double *const flow[],
                            double flow_error[], ffi_run *run) {
   const rot_free_ode_options options = {control[0], budget_of(control[1]),
-                                        (rot_method)(int)control[2]};
+                                        (rot_method)(int)control[2], control[3]};
   return rot_free_integrate(p, &options, n, time_s, out, flow, flow_error, &run->events,
                             &run->guard.hooks, &run->info);
 }
 
-static rot_status fixed(const rot_free_params *p, const double control[3], size_t n,
+static rot_status fixed(const rot_free_params *p, const double control[4], size_t n,
                         const double time_s[], const rot_free_columns *out, double *const flow[],
                         double flow_error[], ffi_run *run) {
   const rot_free_step_options options = {(rot_method)(int)control[2], control[0],
@@ -266,17 +266,17 @@ static rot_status fixed(const rot_free_params *p, const double control[3], size_
                                &run->info);
 }
 
-/* `control` is c(accuracy, max_steps, method). The ledger has a value for each row, and `errors`,
+/* `control` is c(accuracy, max_steps, method, resolution). The ledger has a value for each row, and `errors`,
  * one for each of its columns. */
 SEXP ffi_free_integrate(SEXP list, SEXP laws, SEXP time_s, SEXP control, SEXP progress) {
-  const double method = ffi_reals(control, "control", 3)[2];
+  const double method = ffi_reals(control, "control", 4)[2];
   if (!(method >= 0.0 && method <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
   return rows_by_steps(list, laws, time_s, control, progress, adaptive);
 }
 
-/* By steps of fixed length: `control` is c(step_s, max_steps, method). */
+/* By steps of fixed length: `control` is c(step_s, max_steps, method, 0). */
 SEXP ffi_free_step_through(SEXP list, SEXP laws, SEXP time_s, SEXP control, SEXP progress) {
-  const double method = ffi_reals(control, "control", 3)[2];
+  const double method = ffi_reals(control, "control", 4)[2];
   if (!(method > ROT_METHOD_RADAU && method < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
   return rows_by_steps(list, laws, time_s, control, progress, fixed);
 }

@@ -100,15 +100,15 @@ SEXP ffi_incline_run(SEXP list, SEXP time_s, SEXP progress) {
 #define SUM_NEW(name) sums.name = ffi_new_double(ledger, at++, rows);
 
 /* `called` is NULL or list(law, stops): the force, as ffi_torque.h reads a law, and its breaks.
- * `control` is c(accuracy, max_steps, method). The ledger has a value for each row; its `errors`
+ * `control` is c(accuracy, max_steps, method, resolution). The ledger has a value for each row; its `errors`
  * are those of heat, work and impulse. */
 SEXP ffi_incline_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
   static const char *const names[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const sum_names[] = {ROT_INCLINE_SUMS(SUM_NAME) "errors", ""};
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 3);
+  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
   if (!(c[2] >= 0.0 && c[2] <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
   const double steps = c[1] < 1e15 ? c[1] : 1e15; /* the conversion of 1e20 is undefined */
-  const rot_incline_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2]};
+  const rot_incline_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2], c[3]};
   rot_incline_scene scene = ffi_incline_scene(list);
   const R_xlen_t rows = XLENGTH(time_s);
   rot_incline_columns out;

@@ -581,7 +581,7 @@ static rot_status run_model(const job *j, const rot_candidate *c, size_t n, cons
   const rot_axle_model closed = rot_axle_closed_form(c->model->id);
   if (closed) return closed(&j->reduced, n, time_s, out, events, &j->hooks, info);
   const double most = fmin(j->options.max_steps, 1e15);
-  rot_axle_ode_options options = {j->options.accuracy, (size_t)most + n, ROT_METHOD_NONE};
+  rot_axle_ode_options options = {j->options.accuracy, (size_t)most + n, ROT_METHOD_NONE, 0.0};
   rot_axle_ledger ledger;
   if (j->options.model) {
     options.method = strcmp(c->model->id, "axle_radau") ? ROT_METHOD_RK8PD : ROT_METHOD_RADAU;

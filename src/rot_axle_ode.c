@@ -130,47 +130,17 @@ static motion motion_of(const rot_axle_scene *scene) {
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* The torque of a law that only the caller can evaluate, between the steps: the slope of its
- * impulse, where a few of the rows agree with the law itself. */
-enum { FEW_ROWS = 64, SPOT_CHECKS = 8 };
-
-static rot_status spot_check(const motion *m, double accuracy, size_t n, const double time_s[],
-                             const double y[], const double slope[], int *good, rot_info *info) {
-  double size = 0.0;
-  *good = 0;
-  for (size_t i = 0; i < n; i++) size = fmax(size, fabs(slope[i])); /* NaN counts nothing */
-  for (size_t k = 0; k < SPOT_CHECKS; k++) {
-    size_t i = (2 * k + 1) * n / (2 * SPOT_CHECKS);
-    while (i < n && isnan(slope[i])) i++;
-    if (i == n) continue;
-    double torque;
-    const double *row = y + i * DIM;
-    info->rhs_calls++;
-    const rot_status status =
-        applied_now(m->scene, time_s[i], row[TURNED], omega_of(m, time_s[i], row[OMEGA]), &torque);
-    if (status != ROT_OK) return status;
-    if (!(fabs(torque - slope[i]) <= accuracy * size)) return ROT_OK;
-  }
-  *good = 1;
-  return ROT_OK;
-}
-
-static rot_status fill_columns(const motion *m, double accuracy, size_t n, const double time_s[],
-                               const double y[], const double slope[], const rot_axle_columns *out,
-                               rot_info *info) {
+/* slope: NULL, or the torque of each row as the run called it, NaN where it did not. */
+static rot_status fill_columns(const motion *m, size_t n, const double time_s[], const double y[],
+                               const double slope[], const rot_axle_columns *out, rot_info *info) {
   const rot_axle_scene *scene = m->scene;
   const size_t reached = info->rows_done;
-  int use_slopes = 0;
   info->rows_done = 0;
-  if (slope && reached) {
-    const rot_status status = spot_check(m, accuracy, reached, time_s, y, slope, &use_slopes, info);
-    if (status == ROT_EUNWIND) return status;
-  }
   for (size_t i = 0; i < n && i < reached; i++) {
     const double t = time_s[i], turned = y[i * DIM + TURNED];
     const double omega = omega_of(m, t, y[i * DIM + OMEGA]);
     double torque;
-    if (use_slopes && !isnan(slope[i])) {
+    if (slope && !isnan(slope[i])) {
       torque = slope[i];
     } else {
       rot_status status = applied_now(scene, t, turned, omega, &torque);
@@ -238,12 +208,12 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
   double error[DIM] = {0.0}, largest[DIM] = {0.0};
   const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
   const rot_ode_switch turn = {OMEGA, IMPULSE, holds};
-  const int guess_torque = scene->linear.torque.call && n > FEW_ROWS;
+  const int called = scene->linear.torque.call != NULL;
   rot_info_clear(info, rot_turning);
   info->status = collect_breaks(&m);
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
-  double *slope = guess_torque ? malloc(n * sizeof *slope) : NULL;
-  if (!y || (guess_torque && !slope)) info->status = ROT_ENOMEM;
+  double *slope = called ? malloc((n ? n : 1) * sizeof *slope) : NULL;
+  if (!y || (called && !slope)) info->status = ROT_ENOMEM;
   rot_status failure = info->status;
   if (failure == ROT_OK) {
     const double span = n ? fmax(fabs(time_s[0] - scene->linear.start_s),
@@ -270,12 +240,14 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
         .sloped = IMPULSE,
         .noise = noise,
         .kinks = has_kinks(scene),
-        .expensive = scene->linear.torque.call != NULL};
+        .resolution = rot_ode_resolution(called, options->resolution),
+        .expensive = called};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
     if (failure == ROT_ERHS) failure = ROT_ETORQUE;
-    if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
-      const rot_status columns =
-          fill_columns(&m, options->accuracy, n, time_s, y, slope, out, info);
+    if (failure == ROT_EUNWIND || failure == ROT_ENOMEM) {
+      info->rows_done = 0;
+    } else {
+      const rot_status columns = fill_columns(&m, n, time_s, y, slope, out, info);
       if (columns != ROT_OK) failure = columns;
     }
     note_sizes(&m, info->rows_done, time_s, y, error, largest, info);

@@ -14,6 +14,7 @@ typedef struct rot_axle_ode_options {
   double accuracy; /* largest error wanted in theta and omega, relative to their largest values */
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: choose */
+  double resolution; /* of changes of a law that is called: see rot_ode.h; 0: as there */
 } rot_axle_ode_options;
 
 /* The scene's call, if it has one, is added to its knots and terms. The errors in *info and the

@@ -302,6 +302,17 @@ static int has_kinks(const rot_drive_scene *scene) {
   return kinks;
 }
 
+/* A torque, or what a brake or clutch carries, that only the caller can evaluate. */
+static int calls_law(const rot_drive_scene *scene) {
+  int calls = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    calls |= scene->rotor[i].linear.torque.call != NULL ||
+             scene->brake[i].law.linear.torque.call != NULL;
+    if (i + 1 < scene->n) calls |= scene->coupling[i].grip.law.linear.torque.call != NULL;
+  }
+  return calls;
+}
+
 static rot_status motion_new(motion *m, const rot_drive_scene *scene, double span_s) {
   memset(m, 0, sizeof *m);
   m->span_s = span_s;
@@ -499,6 +510,7 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .at_break = cross_break,
         .project = note_state,
         .noise = m->noise,
+        .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
         .kinks = has_kinks(s->scene)};
     status = rot_ode_run(&ode, n, time_s, y, NULL, error, error + m->dim, hooks, info);
     if (status == ROT_ERHS) status = ROT_ETORQUE;
@@ -534,7 +546,7 @@ rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode
     if (status == ROT_OK && options->method == ROT_METHOD_NONE &&
         info->method == ROT_METHOD_RADAU && rot_info_error(info) > options->accuracy) {
       const rot_drive_ode_options implicit = {options->accuracy, options->max_steps,
-                                              ROT_METHOD_RADAU};
+                                              ROT_METHOD_RADAU, options->resolution};
       m.mode = 0;
       status = run(&m, &implicit, n, time_s, y, out, ledger, hooks, info);
     }

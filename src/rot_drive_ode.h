@@ -10,6 +10,7 @@ typedef struct rot_drive_ode_options {
                       of all */
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: choose */
+  double resolution; /* of changes of a law that is called: see rot_ode.h; 0: as there */
 } rot_drive_ode_options;
 
 /* Where an event happens: rotor i as i + 1, the coupling behind rotor j as -(j + 1). As long as the

@@ -250,7 +250,8 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .n_events = weight || (m->middle >= 0 && !m->rotors.n),
       .events = &zero,
       .log = &out->events,
-      .project = renormalise};
+      .project = renormalise,
+      .resolution = rot_ode_resolution(p->law || p->motors, options->resolution)};
   memset(out->error, 0, sizeof out->error);
   memset(out->largest, 0, sizeof out->largest);
   const rot_status status =

@@ -11,6 +11,7 @@ typedef struct rot_free_ode_options {
   double accuracy;
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: explicit, unless that is stiff */
+  double resolution; /* of changes of a law that is called: see rot_ode.h; 0: as there */
 } rot_free_ode_options;
 
 /* NULL, or why it cannot be integrated. */

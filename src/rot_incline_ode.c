@@ -561,6 +561,8 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                 .at_break = cross_break,
                                 .project = note_speed,
                                 .noise = m.noise,
+                                .resolution =
+                                    rot_ode_resolution(scene->force != NULL, options->resolution),
                                 .kinks = scene->force != NULL};
     failure = rot_ode_run(&ode, n, time_s, y, NULL, error, largest, hooks, info);
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {

@@ -24,6 +24,7 @@ typedef struct rot_incline_ode_options {
   double accuracy; /* largest error wanted of each measure, relative to its largest value */
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: choose */
+  double resolution; /* of changes of a law that is called: see rot_ode.h; 0: as there */
 } rot_incline_ode_options;
 
 /* A value for each row. */

@@ -6,9 +6,12 @@
 
 #include "rot_ode_collocate.h"
 #include "rot_ode_growth.h"
+#include "rot_ode_kink.h"
 #include "rot_ode_march.h"
+#include "rot_ode_probe.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_step.h"
+#include "rot_ode_wall.h"
 #include "rot_real.h"
 
 #define LEAST_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
@@ -35,6 +38,7 @@ typedef struct job {
   rot_ode_walls *walls;
   rot_ode_growth *growth;   /* NULL: not followed */
   rot_ode_track *track;     /* of both sides, or NULL */
+  rot_ode_probes *probes;   /* NULL: none */
   double found, unresolved; /* out: see rot_ode_march */
   int stiff;                /* in: look for it; out: found */
   int first_mode;
@@ -94,6 +98,8 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   run.kinks = j->guide ? NULL : j->kinks;
   run.walls = j->walls;
   run.growth = j->guide ? NULL : j->growth;
+  run.probes = j->y_rows ? j->probes : NULL;
+  run.called = run.probes ? malloc(ROT_ODE_CALLS * (1 + dim) * sizeof *run.called) : NULL;
   run.slides = NO_WALL;
   run.dense.dim = dim;
   run.dense.slopes = j->method == ROT_METHOD_RK8PD;
@@ -111,7 +117,9 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   } else {
     run.rk = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, dim);
   }
-  info->status = scratch && run.form && run.watch && (run.rk || run.radau) ? ROT_OK : ROT_ENOMEM;
+  const int room = !run.probes || run.called;
+  info->status =
+      room && scratch && run.form && run.watch && (run.rk || run.radau) ? ROT_OK : ROT_ENOMEM;
   if (info->status == ROT_OK) {
     double **part[] = {&run.y,       &run.trial,  &run.trial_error, &run.slope,   &run.trial_slope,
                        &run.allowed, &run.work,   &run.change,      &run.stage_y, &run.stage_f,
@@ -128,6 +136,7 @@ static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
   rot_dense_free(&run.dense);
   free(run.form);
   free(run.watch);
+  free(run.called);
   free(scratch);
   return info->status;
 }
@@ -222,6 +231,13 @@ static double roundings_of(const job *j, size_t m, size_t steps, double size) {
   return fmax(each, (grown > 1e-6 * size ? 10.0 : 3.0) * grown);
 }
 
+/* Without events that change the law, the rows of a fine run of rk8pd take a part of its distance
+ * from the coarse one. */
+static int mends(const job *fine) {
+  const rot_ode_params *p = fine->p;
+  return fine->method == ROT_METHOD_RK8PD && !p->turn && (p->n_events == 0 || !p->mode);
+}
+
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
  * would lessen; *lost: see above. */
 static double estimate(const job *coarse, const job *fine, const rot_info *info,
@@ -230,10 +246,7 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
   const rot_ode_params *p = fine->p;
   const double ratio = (double)fine->parts / (double)coarse->parts;
   double part = part_of_distance(coarse, fine, ratio, rounding_share);
-  const int smooth = !p->turn && (p->n_events == 0 || !p->mode); /* else events change the law */
-  const double mend = smooth && fine->method == ROT_METHOD_RK8PD
-                          ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0)
-                          : 0.0;
+  const double mend = mends(fine) ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0) : 0.0;
   /* Most steps whose error does not fall meet a kink that was not found; fewer where one was. */
   const double resolve = (fine->walls->count ? 1.5 : 3.0) * fine->unresolved;
   double worst = *steps = 0.0;
@@ -359,8 +372,8 @@ static int collocates(const rot_ode_params *p, const rot_ode_growth *growth) {
 static rot_status collocate(const job *coarse, double y[], double slope[], double error[],
                             double largest[], const rot_hooks *hooks, rot_info *info, int *good) {
   const rot_ode_output rows = {coarse->n, coarse->before, coarse->time_s, y, slope};
-  info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, &rows, hooks, info,
-                                   error, largest, good);
+  info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, &rows, coarse->probes,
+                                   hooks, info, error, largest, good);
   if (!*good) return info->status;
   for (size_t m = 0; m < coarse->p->dim; m++) {
     error[m] += roundings_of(coarse, m, info->steps, largest[m]);
@@ -370,22 +383,21 @@ static rot_status collocate(const job *coarse, double y[], double slope[], doubl
   return ROT_OK;
 }
 
-rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
-                       double slope[], double error[], double largest[], const rot_hooks *hooks,
-                       rot_info *info) {
+/* One choice of steps and what follows from it, with the walls known so far. */
+static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_probes *probes,
+                        size_t n, const double time_s[], double y[], double slope[], double error[],
+                        double largest[], const rot_hooks *hooks, rot_info *info) {
   rot_ode_trace traces[3][2]; /* of the run that chose the steps, and of the last two */
   rot_ode_track tracks[2];
   double *scratch = calloc(4 * p->dim + 1, sizeof *scratch);
   double tolerance;
   size_t parts = first_parts(p, &tolerance);
   rot_ode_kinks kinks = {0, 0, NULL, 0};
-  rot_ode_walls walls;
   rot_ode_params split = *p;
   job coarse;
   memset(traces, 0, sizeof traces);
   memset(tracks, 0, sizeof tracks);
   memset(&coarse, 0, sizeof coarse);
-  rot_info_clear(info, NULL);
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
   coarse.p = p;
   coarse.time_s = time_s;
@@ -399,8 +411,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   coarse.first_mode = p->mode ? *p->mode : 0;
   coarse.budget = p->max_steps / 2;
   coarse.kinks = &kinks;
-  walls.count = 0;
-  coarse.walls = &walls;
+  coarse.walls = walls;
+  coarse.probes = probes;
   coarse.growth = rot_ode_growth_alloc(p);
   if (collocates(p, coarse.growth)) coarse.track = tracks;
   if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
@@ -410,6 +422,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     coarse.p = &split;
   }
   const rot_info failure = *info;
+  if (probes && info->status == ROT_OK && n) rot_ode_probes_range(probes, traces[0]);
   if (scratch) memcpy(largest, scratch, rot_ode_measures(p) * sizeof *largest);
   if (info->status != ROT_OK) cut_traces(&coarse, &coarse.n);
 
@@ -421,12 +434,13 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   double last = INFINITY;
   if (stepwise) {
     parts = 2;
-  } else if (walls.count) {
+  } else if (walls->count) {
     parts++; /* for WALL_MARGIN */
   }
   int solved = 0;
   if (coarse.track && n && info->status == ROT_OK && !stepwise && !kinks.count) {
     hopeless = collocate(&coarse, y, slope, error, largest, hooks, info, &solved) != ROT_OK;
+    if (solved && probes) rot_ode_probes_sift(probes, error);
   }
   coarse.track = NULL;
   for (int k = 0; k < MOST_RUNS && n && !hopeless && !solved; k++) {
@@ -435,7 +449,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     fine.parts = parts;
     fine.trace = traces[1 + k % 2];
     fine.y_rows = y;
-    fine.slope_rows = slope;
+    fine.slope_rows = mends(&fine) ? NULL : slope; /* slopes are those of the rows as they stay */
+    for (size_t i = 0; slope && i < n; i++) slope[i] = NAN;
     fine.largest = largest;
     fine.budget = p->max_steps;
     fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
@@ -447,6 +462,8 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     int lost;
     const double worst =
         estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error, &steps, &lost);
+    if (probes) rot_ode_probes_sift(probes, error);
+    if (probes && probes->n_sights) break; /* other steps are needed */
     if (info->status != ROT_OK || worst <= p->accuracy || share > 0.3 || worst > 0.5 * last ||
         steps < 0.5 * worst) {
       break;
@@ -457,6 +474,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     const size_t next = (size_t)fmax(ceil(more * (double)parts), (double)parts + 1.0);
     if (info->steps * next > p->max_steps * parts) break;
     parts = next;
+    if (probes) rot_ode_probes_uncover(probes);
     if (stepwise || lost) coarse = fine;
   }
   if (failure.status != ROT_OK && info->status == ROT_OK) {
@@ -471,4 +489,106 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   free(kinks.time_s);
   free(scratch);
   return info->status;
+}
+
+/* ---- what the probes saw --------------------------------------------------------------------- */
+
+/* Choices of steps, each with the walls and breaks that the probes of the one before found. */
+enum { MOST_ROUNDS = 8 };
+
+typedef struct stops {
+  size_t count;
+  double *time_s;
+} stops;
+
+static rot_status add_stop(stops *s, double t) {
+  size_t at = 0;
+  while (at < s->count && s->time_s[at] < t) at++;
+  if (at < s->count && s->time_s[at] == t) return ROT_OK;
+  double *more = realloc(s->time_s, (s->count + 1) * sizeof *more);
+  if (!more) return ROT_ENOMEM;
+  memmove(more + at + 1, more + at, (s->count - at) * sizeof *more);
+  more[at] = t;
+  s->time_s = more;
+  s->count++;
+  return ROT_OK;
+}
+
+/* Walls where the law changes between the places that it was seen at, or a break there. */
+static rot_status look_at_sights(const rot_ode_params *p, const rot_ode_probes *probes,
+                                 rot_ode_walls *walls, stops *breaks, rot_info *info) {
+  const size_t dim = p->dim;
+  const int first_mode = p->mode ? *p->mode : 0;
+  rot_ode_march run;
+  double *scratch = calloc(10 * dim, sizeof *scratch);
+  if (!scratch) return ROT_ENOMEM;
+  memset(&run, 0, sizeof run);
+  double **part[] = {&run.y,    &run.trial,  &run.slope,  &run.trial_slope, &run.work,
+                     &run.kept, &run.beside, &run.beyond, &run.stage_y,     &run.stage_f};
+  for (size_t k = 0; k < sizeof part / sizeof *part; k++) *part[k] = scratch + k * dim;
+  run.p = p;
+  run.info = info;
+  run.walls = walls;
+  run.slides = NO_WALL;
+  run.after = -INFINITY;
+  run.before = INFINITY;
+  rot_status status = ROT_OK;
+  for (size_t k = 0; k < probes->n_sights && status == ROT_OK; k++) {
+    double at;
+    if (p->mode) *p->mode = probes->sight[k].mode;
+    status = rot_ode_look_at_sight(&run, &probes->sight[k], &at);
+    if (status == ROT_OK && !isnan(at)) status = add_stop(breaks, at);
+  }
+  if (p->mode) *p->mode = first_mode;
+  free(scratch);
+  return status;
+}
+
+static int is_accurate(const rot_ode_params *p, const double error[], const double largest[]) {
+  int good = 1;
+  for (size_t m = 0; m < rot_ode_steering(p); m++) good &= error[m] <= p->accuracy * largest[m];
+  return good;
+}
+
+rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
+                       double slope[], double error[], double largest[], const rot_hooks *hooks,
+                       rot_info *info) {
+  rot_ode_walls walls;
+  rot_ode_params now = *p;
+  stops breaks = {0, NULL};
+  rot_ode_probes *probes = NULL;
+  const int first_mode = p->mode ? *p->mode : 0;
+  rot_status status = ROT_OK;
+  walls.count = 0;
+  rot_info_clear(info, NULL);
+  if (p->resolution > 0.0 && p->resolution < 1.0) {
+    probes = rot_ode_probes_new(p);
+    if (!probes) status = ROT_ENOMEM;
+    for (size_t k = 0; k < p->n_breaks && status == ROT_OK; k++) {
+      status = add_stop(&breaks, p->breaks[k]);
+    }
+    if (status != ROT_OK) info->status = status;
+  }
+  for (int round = 0; status == ROT_OK; round++) {
+    const size_t known = walls.count;
+    if (p->mode) *p->mode = first_mode;
+    if (probes) rot_ode_probes_clear(probes);
+    status = solve(&now, &walls, probes, n, time_s, y, slope, error, largest, hooks, info);
+    const size_t sights = probes ? probes->n_sights : 0;
+    /* A run that meets a wall unprepared may be far from the next one, which knows it. */
+    const int unprepared = walls.count > known && !is_accurate(p, error, largest);
+    if (status != ROT_OK || (sights == 0 && !unprepared)) break;
+    if (round == MOST_ROUNDS) {
+      for (size_t k = 0; k < sights; k++) error[probes->sight[k].measure] += probes->sight[k].worth;
+      break;
+    }
+    if (sights == 0) continue;
+    status = look_at_sights(&now, probes, &walls, &breaks, info);
+    if (status != ROT_OK) info->status = status;
+    now.breaks = breaks.time_s;
+    now.n_breaks = breaks.count;
+  }
+  rot_ode_probes_free(probes);
+  free(breaks.time_s);
+  return status;
 }

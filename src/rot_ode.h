@@ -90,9 +90,18 @@ typedef struct rot_ode_params {
   /* What rhs itself leaves uncertain of the slopes of each group, or NULL: a step may be off by so
    * much a second besides, or a motion that begins in rhs's rounding would never be resolved. */
   const double *noise;
-  int kinks;     /* rhs may have kinks in y that no break and no switch marks */
+  int kinks; /* rhs may have kinks in y that no break and no switch marks */
+  /* Changes of rhs in an interval of time or of a controlled component at least this wide, as a part
+   * of the range that is visited, are found (rot_ode_probe.h); 0: rhs is not looked at. */
+  double resolution;
   int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
 } rot_ode_params;
+
+/* Of a law that is called, where 0 is asked; of others 0: they are not looked at. */
+#define ROT_ODE_RESOLUTION 0.005
+static inline double rot_ode_resolution(int called, double asked) {
+  return !called ? 0.0 : asked > 0.0 ? asked : ROT_ODE_RESOLUTION;
+}
 
 /* Relative errors below this cannot be shown by a second run: its own rounding. */
 #define ROT_ODE_BEST_ACCURACY 1e-13
@@ -104,8 +113,8 @@ static inline size_t rot_ode_measures(const rot_ode_params *p) {
 
 /* y (n rows of dim, row by row) at the times, which do not decrease; of each measure the estimated
  * error, error[], largest over the rows, and the largest size on the way, largest[] (of a
- * quaternion 1). `slope` may be NULL, or takes dydt[sloped] of each row from the rows' own
- * polynomial: NaN where that is not good to the accuracy, and at breaks. Times before start_s are
+ * quaternion 1). `slope` may be NULL, or takes dydt[sloped] of each row, by
+ * rhs itself: NaN where that is not known, at breaks among others. Times before start_s are
  * reached backwards. On failure, and after an event that ends the run, the first info->rows_done
  * rows are good. */
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],

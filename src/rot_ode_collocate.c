@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rot_ode_probe.h"
 #include "rot_real.h"
 
 enum {
@@ -116,6 +117,7 @@ typedef struct step {
   double level;   /* of that wall */
   double low[MOST], high[MOST]; /* the walls beside it: where the slope is called */
   size_t s;                     /* of its nodes; 0: not solved yet */
+  unsigned long swept;          /* the numbers of nodes of all sweeps, as bits */
   double *y;                    /* dim, and dim at the end */
   double *c;                    /* s x dim */
   size_t first, node, last;     /* of the track: the stretch from first to last, the step's own */
@@ -361,6 +363,7 @@ static int correct(const double start[], stages *g) {
 static void keep(side *w, step *st, const double start[], const stages *g, const double end[]) {
   const size_t dim = g->dim, s = g->r->s;
   st->s = s;
+  st->swept |= 1UL << s;
   st->from = st->t;
   st->h = g->h;
   st->moved = 0.0;
@@ -604,19 +607,113 @@ static rot_status side_begin(side *w) {
   return ROT_OK;
 }
 
-/* NaN at breaks, and where the polynomials are not good enough. */
-static double row_slope(const side *w, const step *st, const double polynomial[], int at_end) {
-  double fall;
-  if (w->slope_of == w->p->dim || (at_end && st->node + 1 == st->last)) return NAN;
-  if (!(tail(st, w->p->dim, w->slope_of, &fall) <= allowed(w, st, w->slope_of))) return NAN;
-  return legendre_slope(st, polynomial, w->p->dim, w->slope_of);
+/* ---- probes and rows ------------------------------------------------------------------------- */
+
+/* A solved step as a piece of the path. */
+typedef struct solution {
+  const side *w;
+  const step *st;
+  const double *error; /* of each component */
+  double called[MOST_NODES * (MOST_NODES + 1)];
+} solution;
+
+static void state_in(void *path, double t, double y[]) {
+  const solution *v = path;
+  const size_t dim = v->w->p->dim;
+  double polynomial[MOST_NODES + 1];
+  legendre_at(v->st, t, polynomial);
+  for (size_t k = 0; k < v->w->p->controlled; k++) {
+    y[k] = legendre_state(v->st, polynomial, dim, k);
+  }
 }
 
-static void fill_rows(const side *w, const rot_ode_output *rows, int forward) {
+static int believed_in(void *path, double t, double y[], double slope[], double y_unsure[],
+                       double slope_unsure[]) {
+  const solution *v = path;
+  const size_t dim = v->w->p->dim;
+  double polynomial[MOST_NODES + 1];
+  legendre_at(v->st, t, polynomial);
+  for (size_t k = 0; k < dim; k++) {
+    y[k] = legendre_state(v->st, polynomial, dim, k);
+    slope[k] = legendre_slope(v->st, polynomial, dim, k);
+    slope_unsure[k] = pair(v->st, dim, k, v->st->s - 1);
+    y_unsure[k] = v->error[k];
+  }
+  return 1;
+}
+
+static rot_status call_in(void *path, double t, const double y[], double dydt[]) {
+  const solution *v = path;
+  const step *st = v->st;
+  const double after = nextafter(st->t, st->end), before = nextafter(st->end, st->t);
+  double x[MOST_DIM];
+  memcpy(x, y, v->w->p->dim * sizeof *y);
+  for (size_t k = 0; k < v->w->p->controlled; k++) {
+    x[k] = fmin(fmax(y[k], st->low[k]), st->high[k]);
+  }
+  t = st->end > st->t ? fmin(fmax(t, after), before) : fmax(fmin(t, after), before);
+  v->w->info->rhs_calls++;
+  rot_status status = v->w->p->rhs(t, x, dydt, v->w->p->ctx);
+  for (size_t k = 0; k < v->w->p->controlled && status == ROT_OK; k++) {
+    if (!isfinite(dydt[k])) status = ROT_ERHS;
+  }
+  return status;
+}
+
+/* A node in a narrow change of the law leaves polynomials whose terms do not fall, in any sweep: the
+ * nodes of all count as calls. */
+static rot_ode_piece piece_of(solution *v) {
+  const step *st = v->st;
+  size_t n = 0;
+  for (size_t s = FIRST_NODES; s <= MOST_NODES; s++) {
+    for (size_t j = 0; j < s && st->swept >> s & 1UL; j++) {
+      const double at = st->from + 0.5 * st->h * (1.0 + v->w->rules[s].x[j]);
+      const double part = (at - st->t) / (st->end - st->t);
+      if (part >= 0.0 && part <= 1.0) v->called[n++] = part;
+    }
+  }
+  return (rot_ode_piece){.t = st->t,
+                         .end = st->end,
+                         .n_called = n,
+                         .called = v->called,
+                         .largest = v->w->size,
+                         .path = v,
+                         .state = state_in,
+                         .believed = believed_in,
+                         .call = call_in};
+}
+
+static rot_status probe_steps(const side *w, rot_ode_probes *probes, const double error[]) {
+  rot_status status = ROT_OK;
+  for (size_t i = 0; i < w->n_steps && status == ROT_OK; i++) {
+    solution v = {.w = w, .st = &w->steps[i], .error = error};
+    const rot_ode_piece piece = piece_of(&v);
+    status = rot_ode_probe(probes, &piece);
+  }
+  return status;
+}
+
+/* The law's own slope; NaN at breaks. */
+static rot_status slope_of_row(const side *w, const step *st, rot_ode_probes *probes,
+                               const double error[], double t, double *slope) {
+  double dydt[MOST_DIM];
+  int known;
+  *slope = NAN;
+  if (!probes || (t == st->end && st->node + 1 == st->last)) return ROT_OK;
+  solution v = {.w = w, .st = st, .error = error};
+  const rot_ode_piece piece = piece_of(&v);
+  const rot_status status = rot_ode_probe_at(probes, &piece, t, dydt, &known);
+  if (status == ROT_OK && known) *slope = dydt[w->p->sloped];
+  return status;
+}
+
+static rot_status fill_rows(const side *w, const rot_ode_output *rows, rot_ode_probes *probes,
+                            const double error[], int forward) {
   const size_t dim = w->p->dim, total = forward ? rows->n - rows->before : rows->before;
   const double way = forward ? 1.0 : -1.0;
   size_t i = 0;
-  for (size_t k = 0; k < total; k++) {
+  rot_status status = ROT_OK;
+  for (size_t k = 0; k < total && status == ROT_OK; k++) {
     const size_t row = forward ? rows->before + k : rows->before - 1 - k;
     const double t = rows->time_s[row];
     double polynomial[MOST_NODES + 1], *y = rows->y + row * dim, slope = NAN;
@@ -629,10 +726,11 @@ static void fill_rows(const side *w, const rot_ode_output *rows, int forward) {
       for (size_t c = 0; c < dim; c++) {
         y[c] = t == st->end ? st->y[dim + c] : legendre_state(st, polynomial, dim, c);
       }
-      slope = row_slope(w, st, polynomial, t == st->end);
+      if (rows->slope) status = slope_of_row(w, st, probes, error, t, &slope);
     }
     if (rows->slope) rows->slope[row] = slope;
   }
+  return status;
 }
 
 /* Share of the accuracy that the polynomials may leave out. */
@@ -671,8 +769,8 @@ static rot_status sweep_sides(side sides[2], double last, double *part, double *
 
 rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_track track[2],
                              const rot_ode_walls *walls, const rot_ode_output *rows,
-                             const rot_hooks *hooks, rot_info *info, double error[],
-                             double largest[], int *good) {
+                             rot_ode_probes *probes, const rot_hooks *hooks, rot_info *info,
+                             double error[], double largest[], int *good) {
   const size_t dim = p->dim;
   rule *rules = calloc(MOST_NODES + 1, sizeof *rules);
   double *scratch = calloc(4 * dim, sizeof *scratch), apart = INFINITY;
@@ -709,7 +807,10 @@ rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_track track[
     solved = missed <= fmax(4.0 * p->accuracy, ROUNDING); /* sweeps lessen it by little */
   }
   for (int forward = 0; forward < 2; forward++) {
-    if (*good && status == ROT_OK) fill_rows(&sides[forward], rows, forward);
+    if (*good && status == ROT_OK && probes) status = probe_steps(&sides[forward], probes, error);
+    if (*good && status == ROT_OK) {
+      status = fill_rows(&sides[forward], rows, probes, error, forward);
+    }
     free(sides[forward].steps);
     free(sides[forward].data);
   }

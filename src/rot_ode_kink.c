@@ -206,11 +206,12 @@ static rot_status add(const path *w, size_t i, double lo, double hi, int *added)
   return rot_ode_add_wall(w->run, i, fmin(lo, hi), fmax(lo, hi), added);
 }
 
-/* A jump of the slope at a value of one coordinate, whatever the others are. */
-static rot_status jump_wall(path *w, int gap, size_t k, int *added) {
+/* A jump of component k of the slope between lo and hi, at a value of one coordinate, whatever the
+ * others are. */
+static rot_status jump_wall(path *w, double lo, double hi, size_t k, int *added) {
   rot_ode_march *run = w->run;
   const size_t dim = run->p->dim, controlled = run->p->controlled;
-  double lo = (double)gap / GAPS, hi = (double)(gap + 1) / GAPS, a, b;
+  double a, b;
   int jumps, found = 0;
   size_t which = 0;
   rot_status status = bisect_jump(w, 0.0, dim + 1, k, 0x1p-24, &lo, &hi, &jumps);
@@ -357,19 +358,24 @@ static rot_status close_in(path *w, double h) {
   return ROT_OK;
 }
 
+static path path_with(rot_ode_march *run, double h, double *scratch) {
+  const size_t dim = run->p->dim;
+  return (path){run,
+                run->t,
+                h,
+                {scratch, scratch + dim},
+                {scratch + 2 * dim, scratch + 3 * dim},
+                scratch + 4 * dim,
+                scratch + 5 * dim,
+                scratch + 6 * dim,
+                scratch + 7 * dim};
+}
+
 static rot_status look(rot_ode_march *run, double h, int walls_alone) {
   const size_t dim = run->p->dim;
   double *scratch = malloc((GAPS + 8) * dim * sizeof *scratch);
   if (!scratch) return ROT_ENOMEM;
-  path w = {run,
-            run->t,
-            h,
-            {scratch, scratch + dim},
-            {scratch + 2 * dim, scratch + 3 * dim},
-            scratch + 4 * dim,
-            scratch + 5 * dim,
-            scratch + 6 * dim,
-            scratch + 7 * dim};
+  path w = path_with(run, h, scratch);
   memcpy(w.y[0], run->y, dim * sizeof *scratch);
   memcpy(w.slope[0], run->slope, dim * sizeof *scratch);
   memcpy(w.y[1], run->trial, dim * sizeof *scratch);
@@ -380,7 +386,9 @@ static rot_status look(rot_ode_march *run, double h, int walls_alone) {
     size_t jumps = 0, bends = 0;
     const int gap = jump_gap(&w, &jumps);
     const double s = sharpest(&w, &bends);
-    if (gap >= 0) status = jump_wall(&w, gap, jumps, &added);
+    if (gap >= 0) {
+      status = jump_wall(&w, (double)gap / GAPS, (double)(gap + 1) / GAPS, jumps, &added);
+    }
     if (status == ROT_OK && !added && !isnan(s)) status = kink_wall(&w, s, bends, &added);
   }
   if (status == ROT_OK && !added && !walls_alone) status = close_in(&w, h);
@@ -392,4 +400,74 @@ rot_status rot_ode_look_for_wall(rot_ode_march *run, double h) { return look(run
 
 rot_status rot_ode_look_for_kink(rot_ode_march *run, double h) {
   return look(run, h, run->method != ROT_METHOD_RK8PD);
+}
+
+/* ---- what a probe saw ------------------------------------------------------------------------ */
+
+/* The straight line from one place of a sight to the next. */
+static void line(path *w, const rot_ode_sight *sight, size_t from) {
+  const size_t dim = w->run->p->dim;
+  w->t = sight->t[from];
+  w->h = sight->t[from + 1] - sight->t[from];
+  memcpy(w->y[0], sight->y + from * dim, 2 * dim * sizeof *w->y[0]);
+  for (size_t i = 0; i < dim; i++) {
+    w->slope[0][i] = w->slope[1][i] = (w->y[1][i] - w->y[0][i]) / w->h;
+  }
+  w->run->h = w->h;
+}
+
+/* The coordinate (dim: time) that alone changes component k of the slope from one end of a line to
+ * the other as far as all do; NO_WALL: none, or several. */
+static rot_status lone_coordinate(path *w, size_t k, size_t *which) {
+  const size_t dim = w->run->p->dim, controlled = w->run->p->controlled;
+  double a, b;
+  size_t found = 0;
+  rot_status status = slope_at(w, 1.0, w->sample);
+  b = w->sample[k];
+  if (status == ROT_OK) status = slope_at(w, 0.0, w->sample);
+  a = w->sample[k];
+  *which = NO_WALL;
+  memcpy(w->state, w->y[0], dim * sizeof *w->state);
+  for (size_t i = 0; i <= controlled && status == ROT_OK; i++) {
+    const size_t c = i < controlled ? i : dim;
+    double f;
+    status = slope_with(w, w->t, c, c < dim ? w->y[1][c] : w->t + w->h, k, &f);
+    if (status == ROT_OK && fabs(f - b) < fabs(f - a)) {
+      found++;
+      *which = c;
+    }
+  }
+  if (found != 1) *which = NO_WALL;
+  return status;
+}
+
+rot_status rot_ode_look_at_sight(rot_ode_march *run, const rot_ode_sight *sight, double *break_s) {
+  const size_t dim = run->p->dim, k = sight->component;
+  int added = 0, any = 0;
+  size_t which = NO_WALL;
+  *break_s = NAN;
+  double *scratch = malloc((GAPS + 8) * dim * sizeof *scratch);
+  if (!scratch) return ROT_ENOMEM;
+  path w = path_with(run, 0.0, scratch);
+  run->forward = sight->t[2] > sight->t[0];
+  run->t = sight->t[0];
+  memcpy(run->y, sight->y, dim * sizeof *run->y);
+  rot_status status = rot_ode_choose_sides(run);
+  for (size_t from = 0; from < 2 && status == ROT_OK; from++) {
+    if (sight->t[from] == sight->t[from + 1]) continue;
+    line(&w, sight, from);
+    status = jump_wall(&w, 0.0, 1.0, k, &added);
+    any |= added;
+  }
+  if (status == ROT_OK && !any && sight->t[0] != sight->t[1]) {
+    line(&w, sight, 0);
+    status = lone_coordinate(&w, k, &which);
+    if (status == ROT_OK && which < dim) {
+      status = rot_ode_add_wall(run, which, w.y[1][which], w.y[1][which], &added);
+      any |= added;
+    }
+  }
+  free(scratch);
+  if (!any) *break_s = sight->t[1];
+  return status == ROT_ERHS || status == ROT_ESTEP ? ROT_OK : status;
 }

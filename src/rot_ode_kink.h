@@ -3,7 +3,7 @@
 #ifndef ROT_ODE_KINK_H
 #define ROT_ODE_KINK_H
 
-#include "rot_ode_march.h"
+#include "rot_ode_probe.h"
 
 /* The step over h from run->t was rejected; run->trial and run->trial_slope are its result. Where
  * there is a kink within it, run->kink and run->over are times just before and just after it, so
@@ -13,5 +13,10 @@ rot_status rot_ode_look_for_kink(rot_ode_march *run, double h);
 
 /* The same for walls alone (rot_ode_wall.h), of a step that need not have been rejected. */
 rot_status rot_ode_look_for_wall(rot_ode_march *run, double h);
+
+/* A wall where the law changes before or behind the place of the sight: at a jump, or through the
+ * place itself. *break_s: NaN, or the time of the place where no wall was added. `run` has state and
+ * walls alone. */
+rot_status rot_ode_look_at_sight(rot_ode_march *run, const rot_ode_sight *sight, double *break_s);
 
 #endif

@@ -486,6 +486,7 @@ static course set_out(rot_ode_march *run, double end, int forward) {
   run->guide_at = 0;
   run->grace = -w.outward;
   run->stage_t = run->kink = run->looked_t = NAN;
+  run->probed_t = run->t;
   run->stiffness = 0.0;
   run->stiff_steps = run->calm_steps = 0;
   run->after = -INFINITY;

@@ -43,6 +43,7 @@ typedef struct rot_ode_walls {
 } rot_ode_walls;
 
 typedef struct rot_ode_growth rot_ode_growth;
+typedef struct rot_ode_probes rot_ode_probes;
 
 /* All nodes of one run on one side, twins where a stretch begins, and the derivatives of dydt by
  * the controlled components, dim x controlled of each; NaN where a stretch begins. */
@@ -121,6 +122,11 @@ typedef struct rot_ode_march {
   double kink, over;      /* just before and just after the next one; NaN: none is known */
   double looked_t;        /* where one was looked for last, `looks` times */
   int looks;
+  rot_ode_probes *probes; /* NULL: none */
+  double *called;         /* t and state of the calls of the last attempt */
+  size_t n_called;
+  int attempts;         /* calls are those of an attempt */
+  double probed_t;      /* up to here */
   rot_ode_watch *watch; /* the switch first, if there is one, then the events, then the walls */
   size_t n_watch;
   double stage_t, *stage_y, *stage_f, stiffness; /* Hairer's test, see rot_ode_step.c */

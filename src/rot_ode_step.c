@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "rot_ode_collocate.h"
+#include "rot_ode_probe.h"
 #include "rot_ode_rows.h"
 #include "rot_ode_wall.h"
 #include "rot_real.h"
@@ -56,6 +57,11 @@ int rot_ode_slope_at(double t, const double y[], double dydt[], void *ctx) {
   }
   if (run->status == ROT_OK) {
     run->info->rhs_calls++;
+    if (run->attempts && run->n_called < ROT_ODE_CALLS) {
+      double *call = run->called + run->n_called++ * (1 + run->p->controlled);
+      call[0] = t;
+      memcpy(call + 1, y, run->p->controlled * sizeof *y);
+    }
     run->status = run->p->rhs(t, y, dydt, run->p->ctx);
   }
   for (size_t i = 0; i < run->p->controlled && run->status == ROT_OK; i++) {
@@ -95,6 +101,8 @@ rot_status rot_ode_attempt(rot_ode_march *run, double t, double h, const double 
   const size_t dim = run->p->dim;
   int code;
   run->status = ROT_OK;
+  run->n_called = 0;
+  run->attempts = run->called && run->method == ROT_METHOD_RK8PD && run->slides == NO_WALL;
   memcpy(run->trial, y, dim * sizeof *y);
   if (run->method == ROT_METHOD_RADAU) {
     allow(run, h, y, slope);
@@ -106,6 +114,7 @@ rot_status rot_ode_attempt(rot_ode_march *run, double t, double h, const double 
     code = gsl_odeiv2_step_apply(run->rk, t, h, run->trial, run->trial_error, slope,
                                  run->trial_slope, &run->system);
   }
+  run->attempts = 0;
   if (code == GSL_SUCCESS) return ROT_OK;
   return run->status != ROT_OK ? run->status : ROT_ENOMEM;
 }
@@ -180,7 +189,16 @@ static rot_status project(rot_ode_march *run) {
   return rot_ode_know_slope(run);
 }
 
+static void cover_calls(rot_ode_march *run) {
+  for (size_t k = ROT_ODE_UNWEIGHED; k < run->n_called; k++) {
+    const double *call = run->called + k * (1 + run->p->controlled);
+    rot_ode_probes_cover(run->probes, call[0], call + 1);
+  }
+  run->n_called = 0;
+}
+
 rot_status rot_ode_accept(rot_ode_march *run, double t, double error) {
+  if (run->probes) cover_calls(run);
   double *swap = run->y;
   run->y = run->trial;
   run->trial = swap;

@@ -4,6 +4,10 @@
 
 #include "rot_ode_march.h"
 
+/* Calls of an attempt of rk8pd, its given slope aside; the first four its error test does not weigh.
+ * Where one of them meets another law, the later ones lie beside the motion. */
+enum { ROT_ODE_CALLS = 13, ROT_ODE_UNWEIGHED = 4 };
+
 /* The right-hand side in GSL's form: on this side of the breaks, counted, and finite. */
 int rot_ode_slope_at(double t, const double y[], double dydt[], void *march);
 

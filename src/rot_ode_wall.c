@@ -143,6 +143,7 @@ rot_status rot_ode_add_wall(rot_ode_march *run, size_t component, double below, 
   }
   walls->wall[walls->count++] = (rot_ode_wall){component, below, above};
   *added = 1;
+  if (!run->watch) return ROT_OK; /* of later runs */
   run->n_watch++;
   rot_status status = choose_side(run, walls->count - 1);
   if (status == ROT_OK) status = rot_ode_know_slope(run);

@@ -203,7 +203,7 @@ int main(int argc, char **argv) {
     const rot_free_columns out = {cell[0],  cell[1],  cell[2],  cell[3], cell[4],
                                   cell[5],  cell[6],  cell[7],  cell[8], cell[9],
                                   cell[10], cell[11], cell[12], cell[13]};
-    const rot_free_ode_options options = {s.accuracy, 1000000, ROT_METHOD_NONE};
+    const rot_free_ode_options options = {s.accuracy, 1000000, ROT_METHOD_NONE, 0.0};
     rot_info info;
     if (rot_free_integrate(&s.p, &options, ROWS, t, &out, flow, errors, NULL, NULL, &info) !=
         ROT_OK) {

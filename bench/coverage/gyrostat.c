@@ -574,7 +574,7 @@ static int check_wheels(int scenes) {
     t[ROWS - 1] = s.span;
     table x;
     const rot_free_columns out = columns_of(&x);
-    const rot_free_ode_options options = {s.accuracy, 1000000, ROT_METHOD_NONE};
+    const rot_free_ode_options options = {s.accuracy, 1000000, ROT_METHOD_NONE, 0.0};
     rot_info info;
     ratios[i] = 0.0;
     if (rot_free_integrate(&s.p, &options, ROWS, t, &out, flow, errors, NULL, NULL, &info) !=

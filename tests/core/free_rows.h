@@ -67,7 +67,7 @@ static inline rot_status integrated(const rot_free_params *p, double accuracy, r
                                     rot_info *info) {
   const rot_free_columns out = columns_of(r);
   double *flow[ROT_FREE_FLOWS];
-  const rot_free_ode_options options = {accuracy, 1000000, method};
+  const rot_free_ode_options options = {accuracy, 1000000, method, 0.0};
   for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k] = flows[k];
   return rot_free_integrate(p, &options, n, t, &out, flow, flow_error, events, NULL, info);
 }

@@ -41,7 +41,7 @@ static rot_method method = ROT_METHOD_NONE;
 
 static void integrate_scene(const rot_axle_scene *scene, double accuracy, size_t n,
                             const double t[], const rot_hooks *hooks) {
-  const rot_axle_ode_options options = {accuracy, 100000, method};
+  const rot_axle_ode_options options = {accuracy, 100000, method, 0.0};
   memset(&integrated, 0x5a, sizeof integrated);
   integrated.out = columns(&integrated);
   rot_events_free(&events);
@@ -689,8 +689,8 @@ static void check_upside_down(void) {
 
 /* ---- many rows ------------------------------------------------------------------------------ */
 
-/* The torque column between the steps is the slope of the impulse: to the accuracy, and for a part
- * of a call a row. */
+/* The torque of a row is what the law returns in its state, for a call a row; the probes between
+ * the steps' own calls are some hundreds. */
 static void check_torque_column(void) {
   enum { ROWS = 1000 };
   static double value[7][ROWS], t[ROWS];
@@ -701,7 +701,7 @@ static void check_torque_column(void) {
     pendulum p = hanging(18.0);
     const rot_axle_params params = axle(2.0, 0.8, 0.0, 1.0, 3.0, law(gravity, &p));
     const rot_axle_scene scene = scene_of(&params);
-    const rot_axle_ode_options options = {accuracy, 100000, ROT_METHOD_NONE};
+    const rot_axle_ode_options options = {accuracy, 100000, ROT_METHOD_NONE, 0.0};
     rot_axle_ledger ledger;
     rot_info info;
     ROT_CHECK_EQ_INT(
@@ -713,14 +713,14 @@ static void check_torque_column(void) {
     }
     printf("accuracy %.0e: %ld calls for 1000 rows, torque off by %.1e\n", accuracy, p.calls,
            worst / 18.0);
-    ROT_CHECK(worst <= accuracy * 18.0);
+    ROT_CHECK(worst <= 32.0 * 0x1p-53 * 18.0);
     ROT_CHECK_EQ_INT(info.rhs_calls, p.calls);
     const long with_rows = p.calls;
     p.calls = 0;
     ROT_CHECK_EQ_INT(
         rot_axle_integrate(&scene, &options, 1, t + ROWS - 1, &out, NULL, &ledger, NULL, &info),
         ROT_OK);
-    ROT_CHECK(with_rows < p.calls + 900); /* not a call a row */
+    ROT_CHECK(with_rows <= p.calls + 1.5 * ROWS); /* some mend the polynomials */
   }
 }
 
@@ -739,20 +739,20 @@ static void check_stop_by_law(void) {
   }
 }
 
-/* Also while the columns are filled, after the run itself. */
+/* Also at the rows: nothing is returned of a run that was stopped before its columns. */
 static void check_stop_in_columns(void) {
   const double t[] = {0.5, 1.0, 2.0};
   pendulum whole = hanging(18.0);
   rot_axle_params scene = axle(2.0, 0.0, 0.0, 1.0, 0.0, law(gravity, &whole));
   integrate(&scene, 1e-9, 3, t, NULL);
-  for (long before_end = 0; before_end < 3; before_end++) {
+  for (long before_end = 0; before_end < 40; before_end++) {
     pendulum p = hanging(18.0);
     p.stop_at = whole.calls - before_end;
     p.says = ROT_EUNWIND;
     scene.torque.ctx = &p;
     integrate(&scene, 1e-9, 3, t, NULL);
     ROT_CHECK_EQ_INT(integrated.status, ROT_EUNWIND);
-    ROT_CHECK_EQ_INT(integrated.info.rows_done, 2 - before_end);
+    ROT_CHECK_EQ_INT(integrated.info.rows_done, before_end ? 0 : 2); /* the last row: at its end */
     ROT_CHECK_EQ_INT(p.calls, p.stop_at);
   }
 }
@@ -797,7 +797,7 @@ static void check_nan_later(void) {
 static void check_budget(void) {
   pendulum p = hanging(18.0);
   const rot_axle_params scene = axle(2.0, 0.0, 0.0, 1.0, 0.0, law(gravity, &p));
-  const rot_axle_ode_options options = {1e-9, 60, ROT_METHOD_NONE};
+  const rot_axle_ode_options options = {1e-9, 60, ROT_METHOD_NONE, 0.0};
   const rot_axle_scene whole = scene_of(&scene);
   const double t[] = {0.5, 1.0, 400.0};
   rot_axle_columns out = columns(&integrated);

@@ -93,7 +93,7 @@ static void check_orders(void) {
   for (int kind = 0; kind < 2; kind++) {
     rot_free_params p = scene(1.0, 1.4, 2.2, 0.3, 0.2, 2.0);
     double *flow[ROT_FREE_FLOWS];
-    const rot_free_ode_options options = {1e-13, 1000000, ROT_METHOD_NONE};
+    const rot_free_ode_options options = {1e-13, 1000000, ROT_METHOD_NONE, 0.0};
     for (int i = 0; i < ROT_FREE_FLOWS; i++) flow[i] = flows[i];
     p.lever_n_m[0] = 0.2, p.lever_n_m[2] = 1.0;
     if (kind) {

@@ -30,7 +30,7 @@ static void point(table *to) {
 
 static rot_status run(const rot_incline_scene *scene, size_t n, const double t[], double accuracy,
                       rot_method method, table *to) {
-  const rot_incline_ode_options options = {accuracy, 100000, method};
+  const rot_incline_ode_options options = {accuracy, 100000, method, 0.0};
   point(to);
   return rot_incline_integrate(scene, &options, n, t, &to->out, &to->sums, &to->events, NULL, NULL,
                                &to->info);

@@ -556,7 +556,7 @@ test_that("the progress function is called, no more than 20 times a second", {
   )
   start <- proc.time()[[3]]
   .Call(
-    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, c(0, 1, 2), c(1e-9, 1e6, 0, 0),
+    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, c(0, 1, 2), c(1e-9, 1e6, 0, 0, 0),
     function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start
