@@ -462,7 +462,7 @@ test_that("the step budget", {
 test_that("a run is a named list, with its measures by name", {
   scene <- scene_axle(2, 3, resistance(coulomb_n_m = 1), omega0_rad_per_s = -4)
   run <- .Call(rotdyn:::ffi_axle_run, "axle_drag", scene, c(0, 8), NULL)
-  expect_named(run, c("columns", "info", "ledger", "events"))
+  expect_named(run, c("columns", "info", "ledger", "events", "event_rows"))
   expect_named(run$columns, rotdyn:::trajectory_columns)
   expect_named(run$info, c(
     "kind", "text", "time_s", "rows_done", "steps", "rejected", "rhs_calls", "error", "tolerance",
