@@ -47,7 +47,7 @@ static int in_transient(const rot_ode_march *run, const double *node, double t) 
   return 0;
 }
 
-/* ---- the path between two nodes, for probes --------------------------------------------------- */
+/* ---- the path between two nodes, for probes -------------------------------------------------- */
 
 typedef struct between {
   rot_ode_march *run;

@@ -173,7 +173,7 @@ static void check_swings(void) {
   ROT_CHECK(fabs(energy - 2.0) <= 4.0 * error[0] + 2.0 * error[1] + 1e-12);
 }
 
-/* Held by friction of 1 Nm, and pushed with 3 Nm for 0.06 s: it gains 2 * 0.06 rad/s, and is at rest
+/* Held by friction of 1 N m, pushed with 3 N m for 0.06 s: it gains 2 * 0.06 rad/s, and is at rest
  * again after 0.12 s. */
 static void check_held(void) {
   const double start[] = {0.0, 0.0, 0.0}, t[] = {10.0};
