@@ -22,7 +22,8 @@ drive_calls <- function(scene, span, call) {
 integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
   called <- drive_calls(scene, range(scene$start_s, time_s), call)
   result <- .Call(
-    ffi_drive_integrate, scene, called, time_s, c(accuracy, max_steps, method, resolution_of(scene)),
+    ffi_drive_integrate, scene, called, time_s,
+    c(accuracy, max_steps, method, resolution_of(scene)),
     progress_bar("integrating")
   )
   n <- length(scene$rotors)

@@ -480,8 +480,8 @@ tbl_sum.rot_trajectory <- function(x, ...) {
 
 describe_resolution <- function(resolution) {
   paste0(
-    "an R function: changes narrower than ", format_si(100 * resolution), " % of the times, angles ",
-    "and rates visited may be missed (`resolution`)"
+    "an R function: changes narrower than ", format_si(100 * resolution), " % of the times, ",
+    "angles and rates visited may be missed (`resolution`)"
   )
 }
 

@@ -111,8 +111,8 @@ static SEXP keep_places(void *data) {
 #define SUM_NEW(name)  sums.name = ffi_new_double(ledger, at++, XLENGTH(time_s));
 #define SUM_NAME(name) #name,
 
-/* `control` is c(accuracy, max_steps, method, resolution). The columns are as long as times x rotors, those of
- * the ledger as the times; its `errors` are those of work, heat, impulse and twist, its `places`
+/* `control` is c(accuracy, max_steps, method, resolution). The columns are as long as times x
+ * rotors, those of the ledger as the times; its `errors` are those of work, heat, impulse and twist, its `places`
  * those of the events (rot_drive_ode.h). */
 SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
   static const char *const names[] = {ROT_DRIVE_COLUMNS(FFI_COLUMN_NAME) ""};

@@ -266,8 +266,8 @@ static rot_status fixed(const rot_free_params *p, const double control[4], size_
                                &run->info);
 }
 
-/* `control` is c(accuracy, max_steps, method, resolution). The ledger has a value for each row, and `errors`,
- * one for each of its columns. */
+/* `control` is c(accuracy, max_steps, method, resolution). The ledger has a value for each row, and
+ * `errors`, one for each of its columns. */
 SEXP ffi_free_integrate(SEXP list, SEXP laws, SEXP time_s, SEXP control, SEXP progress) {
   const double method = ffi_reals(control, "control", 4)[2];
   if (!(method >= 0.0 && method <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
