@@ -112,8 +112,8 @@ static SEXP keep_places(void *data) {
 #define SUM_NAME(name) #name,
 
 /* `control` is c(accuracy, max_steps, method, resolution). The columns are as long as times x
- * rotors, those of the ledger as the times; its `errors` are those of work, heat, impulse and twist, its `places`
- * those of the events (rot_drive_ode.h). */
+ * rotors, those of the ledger as the times; its `errors` are those of work, heat, impulse and
+ * twist, its `places` those of the events (rot_drive_ode.h). */
 SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
   static const char *const names[] = {ROT_DRIVE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const sum_names[] = {ROT_DRIVE_LEDGER(SUM_NAME) "errors", "places", ""};

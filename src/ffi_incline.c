@@ -100,8 +100,8 @@ SEXP ffi_incline_run(SEXP list, SEXP time_s, SEXP progress) {
 #define SUM_NEW(name) sums.name = ffi_new_double(ledger, at++, rows);
 
 /* `called` is NULL or list(law, stops): the force, as ffi_torque.h reads a law, and its breaks.
- * `control` is c(accuracy, max_steps, method, resolution). The ledger has a value for each row; its `errors`
- * are those of heat, work and impulse. */
+ * `control` is c(accuracy, max_steps, method, resolution). The ledger has a value for each row; its
+ * `errors` are those of heat, work and impulse. */
 SEXP ffi_incline_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
   static const char *const names[] = {"time_s", ROT_INCLINE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const sum_names[] = {ROT_INCLINE_SUMS(SUM_NAME) "errors", ""};

@@ -91,8 +91,8 @@ typedef struct rot_ode_params {
    * much a second besides, or a motion that begins in rhs's rounding would never be resolved. */
   const double *noise;
   int kinks; /* rhs may have kinks in y that no break and no switch marks */
-  /* Changes of rhs in an interval of time or of a controlled component at least this wide, as a part
-   * of the range that is visited, are found (rot_ode_probe.h); 0: rhs is not looked at. */
+  /* Changes of rhs in an interval of time or of a controlled component at least this wide, in parts
+   * of the range visited, are found (rot_ode_probe.h); 0: rhs is not looked at. */
   double resolution;
   int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
 } rot_ode_params;

@@ -660,8 +660,8 @@ static rot_status call_in(void *path, double t, const double y[], double dydt[])
   return status;
 }
 
-/* A node in a narrow change of the law leaves polynomials whose terms do not fall, in any sweep: the
- * nodes of all count as calls. */
+/* In any sweep, a node in a narrow change of the law leaves polynomials whose terms do not fall, so
+ * the nodes of all sweeps count as calls. */
 static rot_ode_piece piece_of(solution *v) {
   const step *st = v->st;
   size_t n = 0;

@@ -35,8 +35,8 @@ void rot_ode_track_derivative(rot_ode_track *track, size_t i, const double rise[
 /* ROT_OK and *good = 1: y, slope, error[] (without rounding) and largest[] hold, to the accuracy
  * or to rounding. *good = 0: they do not, other steps are needed. Scalars alone, without events, a
  * switch and a projection; rhs reads no component beyond the controlled ones. Steps that end on a
- * wall end where the motion of the last sweep meets it; motions along walls are not good. `probes` may
- * be NULL. */
+ * wall end where the motion of the last sweep meets it; motions along walls are not good.
+ * `probes` may be NULL. */
 rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_track track[2],
                              const rot_ode_walls *walls, const rot_ode_output *rows,
                              rot_ode_probes *probes, const rot_hooks *hooks, rot_info *info,

@@ -15,8 +15,8 @@ rot_status rot_ode_look_for_kink(rot_ode_march *run, double h);
 rot_status rot_ode_look_for_wall(rot_ode_march *run, double h);
 
 /* A wall where the law changes before or behind the place of the sight: at a jump, or through the
- * place itself. *break_s: NaN, or the time of the place where no wall was added. `run` has state and
- * walls alone. */
+ * place itself. *break_s: NaN, or the time of the place where no wall was added. `run` has state
+ * and walls alone. */
 rot_status rot_ode_look_at_sight(rot_ode_march *run, const rot_ode_sight *sight, double *break_s);
 
 #endif

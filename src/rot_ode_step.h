@@ -4,7 +4,7 @@
 
 #include "rot_ode_march.h"
 
-/* Calls of an attempt of rk8pd beside its given slope; its error test does not weigh the first four.
+/* Calls of an attempt of rk8pd beside its given slope; its error test ignores the first four.
  * Where one of them meets another law, the later ones lie beside the motion. */
 enum { ROT_ODE_CALLS = 13, ROT_ODE_UNWEIGHED = 4 };
 

@@ -1,7 +1,7 @@
 # Are narrow changes of a law found? Laws that are R functions, with a jump, a ramp or a bump in a
 # narrow interval of time, of an angle or of a rate; axles, drives, inclines and free bodies, by
-# each integrator. Every scene is one equation M u' = F(t, s, u), s' = u, in which F depends on one of
-# its arguments alone, so that quadrature over smooth panels gives the truth.
+# each integrator. Every scene is one equation M u' = F(t, s, u), s' = u, in which F depends on one
+# of its arguments alone, so that quadrature over smooth panels gives the truth.
 #
 #   Rscript bench/coverage/narrow.R [SCENES of each width [SEED]]
 #
