@@ -18,9 +18,11 @@
 #' **Supports that only push or pull.** Surfaces only push and hold with friction, cables only pull.
 #' The verdict is `"rests"` if any such reactions exist; `"slides"` if they would with unlimited
 #' friction; `"tips"` if they would if all supports held both ways; `"moves"` if a free motion is
-#' driven. This is a linear program, with circular friction cones in space. Where the body does not
-#' rest, the reactions in the table are those that would be needed, and `motion` is the motion that
-#' begins. Ranges and limits have a relative error of some 1e-10, with friction in space 1e-8.
+#' driven. Where the body rests, the table has such reactions: pushes are at least 0, friction is
+#' within its circular cone, and equilibrium holds to rounding. Where they are not determined, they
+#' are those of minimum norm among these. Where the body does not rest, the table has the reactions
+#' that would be needed, and `motion` is the motion that begins. Ranges and limits are a linear
+#' program, with a relative error of some 1e-10, with friction in space 1e-8.
 #'
 #' `load_factors()`: by which factors each load can be multiplied, the others unchanged, before the
 #' body tips, slides or moves: the margin of a load of 1 is how far the factors are from 1.
@@ -417,11 +419,16 @@ contacts_of <- function(rest, force) {
     push <- sum(force[, i] * unit)
     grip <- length_of(force[, i] - push * unit)
     if (grip <= slack) grip <- 0
+    if (rest$rests) push <- max(push, 0)
     out$normal[i] <- push
     out$friction[i] <- grip
     out$needed[i] <- if (grip == 0) 0 else if (push > slack) grip / push else Inf
-    out$margin[i] <- if (grip == 0) 1 else if (push > slack) 1 - out$needed[i] / one$friction else
-      -Inf
+    out$margin[i] <- if (grip == 0) 1 else if (one$friction == Inf && push >= -slack) 1 else
+      if (push > slack) 1 - out$needed[i] / one$friction else -Inf
+    if (rest$rests) { # at the limit within the error
+      out$needed[i] <- min(out$needed[i], one$friction)
+      out$margin[i] <- max(out$margin[i], 0)
+    }
     if (push < -slack) {
       out$state[i] <- "lifts"
     } else if (one$friction < Inf && grip > one$friction * push + (1 + one$friction) * slack) {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rot_cone.h"
 #include "rot_dd.h"
 #include "rot_eigen.h"
 #include "rot_simplex.h"
@@ -540,19 +541,6 @@ static void end_program(program *p) {
   free(p->lp.cost);
 }
 
-static rot_status can_rest(const equations *eq, const rot_structure *s, support_mode mode,
-                           int *rests) {
-  program p;
-  rot_status status = start_program(&p, eq, s, mode, NULL);
-  if (status == ROT_OK) {
-    const rot_simplex_result result = rot_simplex_solve(&p.lp);
-    *rests = result == ROT_SIMPLEX_OPTIMAL || result == ROT_SIMPLEX_UNBOUNDED;
-    if (result == ROT_SIMPLEX_STOPPED) status = ROT_EBUDGET;
-  }
-  end_program(&p);
-  return status;
-}
-
 /* ---- the motion that begins ------------------------------------------------------------------ */
 
 enum { MOST_PASSIVE = 6 };
@@ -639,8 +627,8 @@ static rot_status motion_of(const equations *eq, const rot_structure *s, support
   return status;
 }
 
-static rot_status range_of(const equations *eq, const rot_structure *s, size_t j, double sign,
-                           double cost[], double *limit) {
+static rot_status range_by_program(const equations *eq, const rot_structure *s, size_t j,
+                                   double sign, double cost[], double *limit) {
   program p;
   cost[j] = sign;
   rot_status status = start_program(&p, eq, s, AS_GIVEN, cost);
@@ -649,131 +637,264 @@ static rot_status range_of(const equations *eq, const rot_structure *s, size_t j
     *limit = result == ROT_SIMPLEX_OPTIMAL     ? sign * p.lp.value
              : result == ROT_SIMPLEX_UNBOUNDED ? -sign * INFINITY
                                                : NAN;
-    if (result == ROT_SIMPLEX_STOPPED) status = ROT_EBUDGET;
   }
   end_program(&p);
   cost[j] = 0.0;
   return status;
 }
 
-/* ---- minimum norm of reactions that only push ------------------------------------------------ */
+/* ---- reactions that only push: least norm, feasibility, extremes --------------------------- */
 
-static void project_contact(const rot_structure *s, const rot_contact *contact, double x[]) {
-  const size_t size = s->plane ? 2 : 3;
-  double *f = x + contact->first, n = 0.0, t[3] = {0.0, 0.0, 0.0};
-  const double mu = contact->friction;
-  for (size_t i = 0; i < size; i++) n += f[i] * contact->normal[i];
-  for (size_t i = 0; i < size; i++) t[i] = f[i] - n * contact->normal[i];
-  const double across = norm3(t);
-  if (n >= 0.0 && across <= mu * n) return;
-  double normal = 0.0, share = 0.0;
-  if (!(mu < 1e6)) {
-    normal = fmax(n, 0.0);
-    share = 1.0;
-  } else if (!(mu * across <= -n)) {
-    normal = (n + mu * across) / (1.0 + mu * mu);
-    share = across > 0.0 ? mu * normal / across : 0.0;
-  }
-  for (size_t i = 0; i < size; i++) f[i] = normal * contact->normal[i] + share * t[i];
+/* The equations A x + b = 0 in the axes of the singular vectors, over the singular values: rows of
+ * length 1. `extra` rows and columns are for what a search adds. */
+typedef struct cone_system {
+  rot_cone cone;
+  rot_cone_part *part;
+  rot_dd *b, c[ROT_CONE_ROWS], y[ROT_CONE_ROWS], *x;
+  double slack[ROT_CONE_ROWS], *blur;
+} cone_system;
+
+static void free_cone(cone_system *sys) {
+  free(sys->part);
+  free(sys->b);
+  free(sys->x);
+  free(sys->blur);
 }
 
-static void project_cone(const rot_structure *s, double x[]) {
+/* What half an ulp of each number can change: two numbers in a product, and the result. */
+static const double ulps = 4.0 * ROT_EPS;
+
+/* Row i: the combination of the original equations; v has a number for each of them. */
+static rot_dd combined(const equations *eq, size_t i, const rot_dd v[]) {
+  const size_t m = eq->m, j = eq->first + i;
+  rot_dd sum = zero();
+  for (size_t l = 0; l < m; l++) sum = rot_dd_add(sum, rot_dd_mul1(v[l], eq->left[l * m + j]));
+  return rot_dd_div(sum, (rot_dd){eq->sigma[j], 0.0});
+}
+
+static double combined_terms(const equations *eq, size_t i, const double v[]) {
+  const size_t m = eq->m, j = eq->first + i;
+  double sum = 0.0;
+  for (size_t l = 0; l < m; l++) sum += v[l] * fabs(eq->left[l * m + j]);
+  return ulps * sum / eq->sigma[j];
+}
+
+static void set_parts(cone_system *sys, const rot_structure *s, support_mode mode) {
+  rot_cone_part *part = sys->part;
   for (size_t j = 0; j < s->reactions; j++)
-    if (s->reaction[j].one_sided && x[j] < 0.0) x[j] = 0.0;
-  for (size_t c = 0; c < s->contacts; c++) project_contact(s, &s->contact[c], x);
+    if (s->reaction[j].one_sided) *part++ = (rot_cone_part){j, 1, {0.0, 0.0, 0.0}, 0.0};
+  for (size_t c = 0; c < s->contacts; c++) {
+    const rot_contact *contact = &s->contact[c];
+    part->first = contact->first;
+    part->size = s->plane ? 2 : 3;
+    memcpy(part->normal, contact->normal, sizeof part->normal);
+    part->friction = mode == STICKING ? INFINITY : contact->friction;
+    part++;
+  }
+  sys->cone.part = sys->part;
+  sys->cone.parts = (size_t)(part - sys->part);
 }
 
-static double change_of_cone(const rot_structure *s, const double x[], double work[]) {
-  double largest = 0.0;
-  memcpy(work, x, s->reactions * sizeof *x);
-  project_cone(s, work);
-  for (size_t j = 0; j < s->reactions; j++) largest = fmax(largest, fabs(work[j] - x[j]));
-  return largest;
-}
-
-/* Dykstra's alternating projections from 0, ended by one on the equations. The rest of the
- * violation, and the last change, go to the errors. */
-static rot_status push_only(const equations *eq, const rot_structure *s, rot_dd x[],
-                            double error[]) {
-  const size_t k = eq->k;
-  double *w = calloc(4 * k, sizeof *w);
-  if (!w) return ROT_ENOMEM;
-  double *at = w, *kept = w + k, *before = w + 2 * k, *work = w + 3 * k;
-  rot_dd r[6];
-  double change = INFINITY, size = 0.0;
-  for (size_t j = 0; j < k; j++) x[j] = zero();
-  for (int pass = 0; pass < 50000 && change > 1e-15 * size; pass++) {
-    residual(eq, x, r);
-    correct(eq, r, x);
-    change = size = 0.0;
-    for (size_t j = 0; j < k; j++) at[j] = x[j].hi + kept[j];
-    memcpy(work, at, k * sizeof *at);
-    project_cone(s, at);
-    for (size_t j = 0; j < k; j++) {
-      kept[j] = work[j] - at[j];
-      change = fmax(change, fabs(at[j] - before[j]));
-      size = fmax(size, fabs(at[j]));
-      before[j] = at[j];
-      x[j] = (rot_dd){at[j], 0.0};
+static rot_status make_cone(cone_system *sys, const equations *eq, const rot_structure *s,
+                            support_mode mode, size_t rows, size_t columns) {
+  const size_t rank = eq->m - eq->first, m = rank + rows, k = eq->k + columns;
+  memset(sys, 0, sizeof *sys);
+  sys->part = calloc(s->reactions + s->contacts + 1, sizeof *sys->part);
+  sys->b = calloc(m * k + 1, sizeof *sys->b);
+  sys->x = calloc(k + 1, sizeof *sys->x);
+  sys->blur = calloc(m * k + 1, sizeof *sys->blur);
+  if (!sys->part || !sys->b || !sys->x || !sys->blur) return ROT_ENOMEM;
+  for (size_t i = 0; i < rank; i++) {
+    sys->c[i] = rot_dd_neg(combined(eq, i, eq->load));
+    sys->slack[i] = combined_terms(eq, i, eq->load_terms);
+    for (size_t j = 0; j < eq->k; j++) {
+      sys->b[j * m + i] = combined(eq, i, eq->a + j * eq->m);
+      sys->blur[j * m + i] = combined_terms(eq, i, eq->terms + j * eq->m);
     }
   }
-  residual(eq, x, r);
-  correct(eq, r, x);
-  residual(eq, x, r);
-  correct(eq, r, x);
-  double rounded = 0.0;
-  for (size_t j = 0; j < k; j++) work[j] = x[j].hi;
-  const double violated = change_of_cone(s, work, at);
-  for (size_t j = 0; j < k; j++) {
-    rounded = fmax(rounded, fabs(x[j].hi - before[j]));
-  }
-  for (size_t j = 0; j < k; j++) error[j] += violated + rounded + 100.0 * change;
-  free(w);
+  for (size_t i = 0; i < m; i++) sys->slack[i] = fmax(sys->slack[i], 1e-300);
+  set_parts(sys, s, mode);
+  sys->cone = (rot_cone){m, k, sys->cone.parts, sys->part, sys->b, sys->c, sys->slack, sys->blur};
   return ROT_OK;
 }
 
-/* The same without the supports that bear nothing, to the last digits. Couples and contacts with
- * friction are left as they are. */
-static rot_status polish(const equations *eq, const rot_structure *s, rot_dd x[], double error[]) {
-  const size_t k = eq->k;
-  size_t n = 0;
-  for (size_t j = 0; j < k; j++)
-    if (s->reaction[j].is_couple || s->contacts) return ROT_OK;
-  rot_reaction *reaction = malloc((k + 1) * sizeof *reaction);
-  rot_dd *y = calloc(k + 1, sizeof *y);
-  double *plain = calloc(2 * k + 2, sizeof *plain), *off = plain ? plain + k + 1 : NULL;
-  int *determined = calloc(k + 1, sizeof *determined);
-  rot_status status = reaction && y && plain && determined ? ROT_OK : ROT_ENOMEM;
-  for (size_t j = 0; j < k && status == ROT_OK; j++)
-    if (!s->reaction[j].one_sided || x[j].hi > error[j]) reaction[n++] = s->reaction[j];
-  if (status == ROT_OK) {
-    rot_structure less = *s;
-    less.reaction = reaction;
-    less.reactions = n;
-    equations own;
-    status = set_up(&own, &less);
-    if (status == ROT_OK) {
-      minimum_norm(&own, y);
-      errors_of(&own, y, off, determined);
-      int same = own.unit.force == eq->unit.force;
-      for (size_t j = 0, i = 0; j < k; j++) {
-        const int bears = !s->reaction[j].one_sided || x[j].hi > error[j];
-        plain[j] = bears ? y[i++].hi : 0.0;
-        same = same && fabs(plain[j] - x[j].hi) <= error[j];
-      }
-      for (size_t j = 0, i = 0; j < k && same; j++) {
-        const int bears = !s->reaction[j].one_sided || x[j].hi > error[j];
-        x[j] = (rot_dd){plain[j], 0.0};
-        error[j] = bears ? off[i] : error[j];
-        i += (size_t)bears;
-      }
-    }
-    free_equations(&own);
+/* Is there an x, with c + t g for c? `gap`: of the search, relative to c; NaN where it has an
+ * answer. */
+static rot_status holds(cone_system *sys, const rot_dd g[], double t, int *found, double *gap) {
+  rot_dd c[ROT_CONE_ROWS];
+  rot_cone cone = sys->cone;
+  rot_cone_result result;
+  double size = 0.0;
+  for (size_t i = 0; i < cone.m; i++) {
+    c[i] = g ? rot_dd_add(sys->c[i], rot_dd_mul1(g[i], t)) : sys->c[i];
+    sys->y[i] = c[i];
+    size = hypot(size, c[i].hi);
   }
-  free(reaction);
-  free(y);
-  free(plain);
-  free(determined);
+  cone.c = c;
+  const rot_status status = rot_cone_solve(&cone, sys->y, sys->x, &result, gap);
+  *found = status == ROT_OK && result == ROT_CONE_FOUND;
+  *gap = result == ROT_CONE_STOPPED ? *gap / size : NAN;
+  return status;
+}
+
+/* Can loads and supports balance at all, to 1e-8? By the linear program; -1 where it stopped. */
+static rot_status balances(const equations *eq, const rot_structure *s, support_mode mode,
+                           int *answer) {
+  program p;
+  const rot_status status = start_program(&p, eq, s, mode, NULL);
+  if (status == ROT_OK) {
+    const rot_simplex_result result = rot_simplex_solve(&p.lp);
+    *answer = result == ROT_SIMPLEX_STOPPED ? -1 : result != ROT_SIMPLEX_INFEASIBLE;
+  }
+  end_program(&p);
+  return status;
+}
+
+/* A body rests where reactions have been found. A search that does not end has an answer where the
+ * linear program says no, or where what is left is so little that the body is beyond its limit by
+ * less than the program resolves. */
+static rot_status can_rest(const equations *eq, const rot_structure *s, support_mode mode,
+                           int *rests) {
+  cone_system sys;
+  double gap = NAN;
+  int answer = 0;
+  rot_status status = make_cone(&sys, eq, s, mode, 0, 0);
+  if (status == ROT_OK) status = holds(&sys, NULL, 0.0, rests, &gap);
+  if (status == ROT_OK && !isnan(gap)) {
+    status = balances(eq, s, mode, &answer);
+    if (status == ROT_OK && answer != 0 && !(gap < 1e-7)) status = ROT_EBUDGET;
+  }
+  free_cone(&sys);
+  return status;
+}
+
+/* Solves with each equation moved by 512 times what is allowed, both ways: that crosses the places
+ * where a support begins to bear. Where none holds, the reactions have no room on that side. */
+static rot_status moved_reactions(const equations *eq, const cone_system *solved, double off[],
+                                  double error[]) {
+  const size_t k = eq->k;
+  const double factor = 512.0;
+  cone_system sys = *solved;
+  rot_status status = ROT_OK;
+  sys.x = calloc(k + 1, sizeof *sys.x);
+  if (!sys.x) return ROT_ENOMEM;
+  for (size_t l = 0; l < eq->m && status == ROT_OK; l++) {
+    rot_dd unit[6], g[ROT_CONE_ROWS];
+    double both[2];
+    for (size_t i = 0; i < eq->m; i++) unit[i] = (rot_dd){i == l ? 1.0 : 0.0, 0.0};
+    for (size_t i = 0; i < sys.cone.m; i++) g[i] = combined(eq, i, unit);
+    double *worst = calloc(k + 1, sizeof *worst);
+    if (!worst) {
+      status = ROT_ENOMEM;
+      break;
+    }
+    for (int side = 0; side < 2; side++) {
+      int found;
+      double gap;
+      both[side] = (side ? 1.0 : -1.0) * factor * ulps * off[l];
+      status = holds(&sys, g, both[side], &found, &gap);
+      if (status != ROT_OK || !found) continue;
+      for (size_t j = 0; j < k; j++)
+        worst[j] = fmax(worst[j], fabs(sys.x[j].hi - solved->x[j].hi) / factor);
+    }
+    for (size_t j = 0; j < k; j++) error[j] += worst[j];
+    free(worst);
+  }
+  free(sys.x);
+  return status;
+}
+
+/* Half an ulp of each number, for the reactions of a cone: as equations that are moved, and, of
+ * those that are not determined, as axes that turn under the dual y. */
+static rot_status errors_of_cone(const equations *eq, const cone_system *sys,
+                                 const int determined[], double error[]) {
+  const size_t m = eq->m, k = eq->k;
+  double off[6], y[6] = {0.0}, turn = 0.0;
+  double *own = calloc(k + 1, sizeof *own);
+  if (!own) return ROT_ENOMEM;
+  for (size_t i = 0; i < m; i++) {
+    off[i] = eq->load_terms[i];
+    for (size_t j = 0; j < k; j++) off[i] += eq->terms[j * m + i] * fabs(sys->x[j].hi);
+    for (size_t l = eq->first; l < m; l++)
+      y[i] += eq->left[i * m + l] * sys->y[l - eq->first].hi / eq->sigma[l];
+  }
+  for (size_t j = 0; j < k; j++) {
+    double spread = 0.0;
+    for (size_t i = 0; i < m; i++) spread += eq->terms[j * m + i] * fabs(y[i]);
+    turn = hypot(turn, ulps * spread);
+    own[j] = ROT_EPS * fabs(sys->x[j].hi);
+  }
+  const rot_status status = moved_reactions(eq, sys, off, own);
+  for (size_t j = 0; j < k; j++)
+    if (!determined[j]) error[j] = own[j] + (fabs(sys->x[j].hi) > 0.0 ? turn : 0.0);
+  free(own);
+  return status;
+}
+
+static rot_status push_only(const equations *eq, const rot_structure *s, rot_dd x[],
+                            const int determined[], double error[]) {
+  cone_system sys;
+  int found = 0;
+  double gap;
+  rot_status status = make_cone(&sys, eq, s, AS_GIVEN, 0, 0);
+  if (status == ROT_OK) status = holds(&sys, NULL, 0.0, &found, &gap);
+  if (status == ROT_OK && !found) status = ROT_EBUDGET;
+  if (status == ROT_OK) {
+    memcpy(x, sys.x, eq->k * sizeof *x);
+    status = errors_of_cone(eq, &sys, determined, error);
+  }
+  free_cone(&sys);
+  return status;
+}
+
+/* The largest t, times `sign`, from `t`, for which c + t g has an x. Unbounded where g has one
+ * itself; then doubled steps, and halved ones. A search that does not end counts as no x. */
+static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, double t,
+                          double *limit) {
+  const size_t m = sys->cone.m;
+  rot_dd c[ROT_CONE_ROWS];
+  int found;
+  double gap, good = t, bad = sign * INFINITY, step = fmax(1e-3 * fabs(t), 1e-6);
+  memcpy(c, sys->c, sizeof c);
+  for (size_t i = 0; i < m; i++) sys->c[i] = zero();
+  rot_status status = holds(sys, g, sign, &found, &gap);
+  memcpy(sys->c, c, sizeof c);
+  *limit = sign * INFINITY;
+  if (status != ROT_OK || found) return status;
+  for (int i = 0; i < 160; i++) {
+    const double next = isfinite(bad) ? good + 0.5 * (bad - good) : good + sign * step;
+    if (isfinite(bad) && fabs(bad - good) <= 1e-14 * fmax(fabs(good), fabs(bad))) break;
+    if (fabs(next) > 1e16) return ROT_OK;
+    status = holds(sys, g, next, &found, &gap);
+    if (status != ROT_OK) return status;
+    if (found)
+      good = next;
+    else
+      bad = next;
+    step *= 4.0;
+  }
+  *limit = good;
+  return ROT_OK;
+}
+
+/* The least (sign 1) or largest value of reaction j, from its value x: by the linear program, else
+ * with that reaction in an equation of its own. */
+static rot_status range_of(const equations *eq, const rot_structure *s, size_t j, double sign,
+                           double x, double cost[], double *limit) {
+  rot_status status = range_by_program(eq, s, j, sign, cost, limit);
+  if (status == ROT_OK && isnan(*limit)) {
+    cone_system sys;
+    rot_dd g[ROT_CONE_ROWS] = {{0.0, 0.0}};
+    status = make_cone(&sys, eq, s, AS_GIVEN, 1, 0);
+    if (status == ROT_OK) {
+      const size_t m = sys.cone.m;
+      sys.b[j * m + m - 1] = g[m - 1] = (rot_dd){1.0, 0.0};
+      sys.slack[m - 1] = ulps * (fabs(x) + 1.0);
+      status = extreme(&sys, g, -sign, x, limit);
+    }
+    free_cone(&sys);
+  }
+  *limit = sign > 0.0 ? fmin(*limit, x) : fmax(*limit, x);
   return status;
 }
 
@@ -862,10 +983,14 @@ static rot_status solve_in_units(const equations *eq, const rot_structure *s, ro
   find_free_motion(eq, s, rest);
   for (size_t j = 0; j < eq->k; j++) plain[j] = x[j].hi;
   const rot_status status = judge(eq, s, plain, error, rest);
-  if (status != ROT_OK || !rest->rests || !violates(s, plain, error)) return status;
+  if (status != ROT_OK || !rest->rests) return status;
+  if (!violates(s, plain, error)) {
+    for (size_t j = 0; j < eq->k; j++) /* rounding */
+      if (s->reaction[j].one_sided) plain[j] = fmax(plain[j], 0.0);
+    return ROT_OK;
+  }
   rest->projected = 1;
-  rot_status pushed = push_only(eq, s, x, error);
-  if (pushed == ROT_OK) pushed = polish(eq, s, x, error);
+  const rot_status pushed = push_only(eq, s, x, determined, error);
   for (size_t j = 0; j < eq->k; j++) plain[j] = x[j].hi;
   return pushed;
 }
@@ -877,8 +1002,8 @@ static rot_status find_ranges(const equations *eq, const rot_structure *s, const
   for (size_t j = 0; j < eq->k && status == ROT_OK; j++) {
     lowest[j] = highest[j] = rest->rests ? in_newton(eq, s, j, x[j]) : NAN;
     if (determined[j] || !rest->rests) continue;
-    status = range_of(eq, s, j, 1.0, cost, &lowest[j]);
-    if (status == ROT_OK) status = range_of(eq, s, j, -1.0, cost, &highest[j]);
+    status = range_of(eq, s, j, 1.0, x[j], cost, &lowest[j]);
+    if (status == ROT_OK) status = range_of(eq, s, j, -1.0, x[j], cost, &highest[j]);
     lowest[j] = in_newton(eq, s, j, lowest[j]);
     highest[j] = in_newton(eq, s, j, highest[j]);
   }
@@ -898,17 +1023,6 @@ static void note_residual(const equations *eq, const double plain[], rot_dd x[],
   }
   rest->residual_force = ldexp(norm3(force), eq->unit.force);
   rest->residual_torque = ldexp(ldexp(norm3(torque), eq->unit.force), eq->unit.length);
-}
-
-/* Projections that have not converged leave the ranges: then the error is to their far ends. */
-static void widen(size_t k, const double x[], double error[], const int determined[],
-                  const double lowest[], const double highest[]) {
-  int outside = 0;
-  for (size_t j = 0; j < k; j++)
-    outside |= fmax(lowest[j] - x[j], x[j] - highest[j]) > error[j] + 1e-9 * fabs(x[j]);
-  for (size_t j = 0; outside && j < k; j++)
-    if (!determined[j])
-      error[j] = fmax(error[j], fmax(fabs(x[j] - lowest[j]), fabs(highest[j] - x[j])));
 }
 
 rot_status rot_statics_solve(const rot_structure *s, double x[], double error[], int determined[],
@@ -934,7 +1048,6 @@ rot_status rot_statics_solve(const rot_structure *s, double x[], double error[],
       x[j] = in_newton(&eq, s, j, plain[j]);
       error[j] = in_newton(&eq, s, j, error[j]);
     }
-    if (status == ROT_OK && rest->projected) widen(eq.k, x, error, determined, lowest, highest);
   }
   free(precise);
   free(cost);
@@ -942,30 +1055,101 @@ rot_status rot_statics_solve(const rot_structure *s, double x[], double error[],
   return status;
 }
 
-rot_status rot_statics_factors(const rot_structure *s, const int chosen[], double limits[2]) {
-  equations eq;
-  rot_status status = set_up(&eq, s);
-  double column[6];
-  limits[0] = limits[1] = NAN;
-  if (status == ROT_OK) {
-    set_loads(&eq, s, chosen, 1);
-    for (size_t i = 0; i < eq.m; i++) column[i] = eq.load[i].hi;
-    set_loads(&eq, s, chosen, 0);
-  }
+/* Limits of the factor by the linear program; NaN where it stopped or finds none. */
+static rot_status factors_by_program(const equations *eq, const rot_structure *s,
+                                     const double column[], double limits[2]) {
+  rot_status status = ROT_OK;
   for (int side = 0; side < 2 && status == ROT_OK; side++) {
     program p;
     const double sign = side ? -1.0 : 1.0;
-    status = start_program(&p, &eq, s, AS_GIVEN, NULL);
+    limits[side] = NAN;
+    status = start_program(&p, eq, s, AS_GIVEN, NULL);
     if (status == ROT_OK) {
       push(&p, column, 1.0, sign);
       push(&p, column, -1.0, sign);
       const rot_simplex_result result = rot_simplex_solve(&p.lp);
       if (result == ROT_SIMPLEX_OPTIMAL) limits[side] = sign * p.lp.value;
       if (result == ROT_SIMPLEX_UNBOUNDED) limits[side] = -sign * INFINITY;
-      if (result == ROT_SIMPLEX_STOPPED) status = ROT_EBUDGET;
     }
     end_program(&p);
   }
+  return status;
+}
+
+/* Does this load drive a motion that no support prevents? */
+static int drives(const equations *eq, const rot_structure *s, const rot_dd column[]) {
+  double size = 0.0, terms = 0.0;
+  for (size_t i = 0; i < eq->m; i++) terms = fmax(terms, fabs(column[i].hi));
+  for (size_t j = 0; j < eq->first; j++) {
+    double work = 0.0;
+    for (size_t i = 0; i < eq->m; i++) work += eq->left[i * eq->m + j] * column[i].hi;
+    size = fmax(size, fabs(work));
+  }
+  return size > s->rank_tolerance * terms;
+}
+
+/* The same by searches from a factor that holds: 1, or one found as an unknown of its own. */
+static rot_status factors_by_search(const equations *eq, const rot_structure *s,
+                                    const rot_dd column[], int rests, double limits[2]) {
+  cone_system sys;
+  rot_dd g[ROT_CONE_ROWS];
+  double from = 1.0, gap;
+  int found = rests;
+  limits[0] = limits[1] = NAN;
+  rot_status status = make_cone(&sys, eq, s, AS_GIVEN, 0, 1);
+  if (status == ROT_OK && drives(eq, s, column)) { /* at no other factor than 1 */
+    if (rests) limits[0] = limits[1] = 1.0;
+  } else if (status == ROT_OK) {
+    const size_t m = sys.cone.m, k = eq->k;
+    for (size_t i = 0; i < m; i++) {
+      g[i] = rot_dd_neg(combined(eq, i, column));
+      sys.b[k * m + i] = rot_dd_neg(g[i]);
+    }
+    if (!rests) {
+      status = holds(&sys, NULL, 0.0, &found, &gap);
+      from = sys.x[k].hi;
+    }
+    sys.cone.k = k;
+    for (int side = 0; side < 2 && found && status == ROT_OK; side++)
+      status = extreme(&sys, g, side ? 1.0 : -1.0, from, &limits[side]);
+  }
+  free_cone(&sys);
+  return status;
+}
+
+/* The program's limits must agree with the verdict for a factor of 1. */
+static int limits_agree(const double limits[2], int rests) {
+  if (isnan(limits[0]) != isnan(limits[1])) return 0;
+  return (limits[0] <= 1.0 && limits[1] >= 1.0) == (rests != 0) && !(limits[0] > limits[1]);
+}
+
+rot_status rot_statics_factors(const rot_structure *s, const int chosen[], double limits[2]) {
+  equations eq;
+  rot_rest rest;
+  rot_dd column[6];
+  double plain[6];
+  memset(&rest, 0, sizeof rest);
+  rot_status status = set_up(&eq, s);
+  double *x = calloc(3 * eq.k + 1, sizeof *x);
+  rot_dd *precise = calloc(eq.k + 1, sizeof *precise);
+  int *determined = calloc(eq.k + 1, sizeof *determined);
+  limits[0] = limits[1] = NAN;
+  if (!x || !precise || !determined) status = ROT_ENOMEM;
+  if (status == ROT_OK) status = solve_in_units(&eq, s, precise, x, x + eq.k, determined, &rest);
+  if (status == ROT_OK) {
+    set_loads(&eq, s, chosen, 1);
+    for (size_t i = 0; i < eq.m; i++) {
+      column[i] = eq.load[i];
+      plain[i] = eq.load[i].hi;
+    }
+    set_loads(&eq, s, chosen, 0);
+    status = factors_by_program(&eq, s, plain, limits);
+    if (status == ROT_OK && !rest.driven && !limits_agree(limits, rest.rests))
+      status = factors_by_search(&eq, s, column, rest.rests, limits);
+  }
+  free(x);
+  free(precise);
+  free(determined);
   free_equations(&eq);
   return status;
 }

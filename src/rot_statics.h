@@ -5,8 +5,10 @@
  * decomposed into singular values; those below rank_tolerance times the largest count as 0.
  * Residuals are taken in double-double and refined.
  *
- * Reference: Golub & Van Loan, Matrix Computations (2013), 5.5; Boyle & Dykstra, Lecture Notes in
- * Statistics 37 (1986) 28, for the reactions of minimum norm that only push. */
+ * Reactions that only push are the least norm in their cones (rot_cone.h), whatever the redundancy:
+ * a body rests where there are some.
+ *
+ * Reference: Golub & Van Loan, Matrix Computations (2013), 5.5. */
 #ifndef ROT_STATICS_H
 #define ROT_STATICS_H
 

@@ -131,7 +131,7 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 layers='
 1 ground      ieee status real text hash dd dd_trig pair pair_dd wide search column gauss clock
 1 ground      share gsl
-2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex whiten
+2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex cone whiten
 3 engine      ode* events march torque term model
 4 body        inertia points shapes* density mesh* vertices
 4 axle        axle*

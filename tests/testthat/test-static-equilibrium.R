@@ -264,6 +264,71 @@ test_that("many rough feet in space", {
   expect_equal(limits$above[2], "slides")
 })
 
+test_that("three wedged surfaces in space: the least norm that pushes, by another program", {
+  x <- static_equilibrium(
+    forces(
+      load_force(c(0, 0, -247.1276), c(0.97, 1.02, 0.07)),
+      load_force(c(-1.5, -21.4, 16.3), c(1.33, -0.89, 1.19))
+    ), list(
+      a = support_surface(c(2.95, 3.01, -1.45), c(0.36, 1.8, 0.22), Inf),
+      b = support_surface(c(2.85, 2.84, -0.68), c(0.07, 0.2, 0.39), 0.5),
+      c = support_surface(c(-2.55, 3.56, 2.18), c(0.08, 1.2, 0.42), Inf)
+    )
+  )
+  # Sequential quadratic programming (SLSQP of scipy 1.10), which has 8 digits.
+  expect_equal(
+    reactions(x)$value,
+    c(17418.50640581, -1781.94549181, -13923.45645835, 267.36042906, 21.80169867, 2480.24288754,
+      -17684.36683487, 1781.54379314, 11674.04117081), tolerance = 1e-7
+  )
+  # The first surface only grips; it never slides. The second is at its limit.
+  expect_gte(min(x$normal_n), 0)
+  expect_lt(x$normal_n[1], 1e-8)
+  expect_equal(x$friction_needed[2], 0.5, tolerance = 1e-14)
+  expect_gte(min(x$sliding_margin), 0)
+  expect_equal(summary(x)$verdict, "rests")
+  expect_lt(summary(x)$residual_force_n, 1e-11)
+  expect_true(all(x$error_n < 1e-7))
+})
+
+test_that("redundant supports in space: table, verdict and limits agree", {
+  set.seed(7)
+  seen <- character()
+  for (i in 1:60) {
+    at <- function() round(rnorm(3), 2)
+    feet <- lapply(1:sample(2:6, 1), function(i) {
+      support_surface(at(), c(round(rnorm(2), 2), round(runif(1, 0.2, 2), 2)),
+                      sample(c(0, 0.2, 0.5, Inf), 1, prob = c(1, 3, 3, 2)))
+    })
+    loads <- forces(load_force(c(0, 0, -100), at()), load_force(round(rnorm(3, 0, 9), 1), at()))
+    cable <- at()
+    rest <- static_equilibrium(loads, c(feet, list(support_cable(cable, cable + c(0.2, 0, 1)))))
+    verdict <- summary(rest)$verdict
+    seen <- c(seen, verdict)
+    limits <- load_factors(rest)
+    inside <- limits$lowest_factor <= 1 & limits$highest_factor >= 1
+    size <- max(rest$force_n)
+    if (verdict == "rests") {
+      expect_true(all(rest$state == "holds") && all(rest$normal_n >= -1e-14 * size))
+      rough <- !is.na(rest$friction_n)
+      friction <- vapply(feet, `[[`, 0, "friction")[rough[seq_along(feet)]]
+      expect_true(all(rest$friction_needed[rough] <= friction * (1 + 1e-12)))
+      expect_true(all(rest$sliding_margin[rough] >= 0))
+      all <- forces(loads, as.data.frame(rest)[names(loads)[-1]])
+      total <- resultant(all)
+      expect_lte(total$force_n, 1e-13 * size)
+      expect_lte(max(abs(unlist(total[couple_columns(FALSE)]))), 1e-12 * size)
+      expect_true(all(inside))
+      ends <- reactions(rest)
+      expect_true(all(ends$value >= ends$lowest & ends$value <= ends$highest))
+    } else if (verdict != "moves") {
+      expect_false(all(rest$state == "holds"))
+      expect_false(any(inside %in% TRUE))
+    }
+  }
+  expect_true(all(table(seen)[c("rests", "slides", "tips")] > 4))
+})
+
 test_that("no supports, no loads", {
   free <- static_equilibrium(load_force(c(1, 0), c(0, 0)), list())
   expect_equal(summary(free)$verdict, "moves")
