@@ -82,7 +82,7 @@ cli_status_of <- function(e) {
   if (grepl("SIGPIPE", conditionMessage(e), fixed = TRUE)) return(cli_status[["reader_left"]])
   if (!inherits(e, "rotdyn_error")) return(cli_status[["fault"]])
   if (kind == "usage") return(cli_status[["usage"]])
-  if (kind %in% c("accuracy", "model", "budget", "step", "range", "rhs", "torque")) {
+  if (kind %in% c("accuracy", "model", "budget", "step", "range", "rhs", "torque", "random")) {
     return(cli_status[["accuracy"]])
   }
   cli_status[["input"]]

@@ -19,6 +19,7 @@ error_kinds <- c(
   file = "a file that cannot be read, or has another format",
   torque = "a torque law that gives no finite number",
   rhs = "an equation of motion that gives no finite number",
+  random = "a torque law that gives two values for the same arguments",
   model = "no such model, or one that does not fit the scene",
   accuracy = "an accuracy that no model reaches",
   package = "a package that is not installed",

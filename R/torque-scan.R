@@ -24,6 +24,7 @@ scan_points_of <- function(resolution) 1 + ceiling(1 / (probe_gap * resolution))
 # list(stops, time_s, torque_n_m) between two times: the breaks given, or those found, with guards,
 # and what was called for that.
 law_breaks <- function(law, at, from, to, call, resolution = law_resolution) {
+  if (to > from) check_repeats(at, from, to, call)
   if (!is.null(law$breaks_s) || law$arguments != 1L || !(to > from)) {
     return(list(stops = as.double(law$breaks_s)))
   }

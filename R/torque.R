@@ -47,7 +47,9 @@ new_torque <- function(class, ...) {
 #' @return A `rot_torque`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size` and `rotdyn_error_value` for what is
 #'   not finite numbers of one length, `rotdyn_error_time` for knots that go back in time,
-#'   `rotdyn_error_unit`. What `f` returns is checked when it is called: `rotdyn_error_torque`.
+#'   `rotdyn_error_unit`. What `f` returns is checked when it is called: `rotdyn_error_torque`;
+#'   `rotdyn_error_random` if two calls with the same arguments differ, as of a law that draws
+#'   random numbers.
 #' @seealso [torque-terms] for motors, springs, gravity and sinusoids; [scene_axle()],
 #'   [torque_of_force()], [autoplot.rot_torque()].
 #' @concept moment of force

@@ -45,9 +45,10 @@
 #'   `rotdyn_warning_accuracy` if the error figure exceeds the accuracy asked for.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or
 #'   not in order), `rotdyn_error_unit`; `rotdyn_error_model`, `rotdyn_error_accuracy` when nothing
-#'   fits; `rotdyn_error_torque`, `rotdyn_error_range`, `rotdyn_error_budget`, `rotdyn_error_step`
-#'   from a run: those carry `info`, with the time reached. An error, a condition, an interrupt or a
-#'   time limit raised in a torque function keeps its class.
+#'   fits; `rotdyn_error_torque`, `rotdyn_error_random` (a law that gives two values for the same
+#'   arguments), `rotdyn_error_range`, `rotdyn_error_budget`, `rotdyn_error_step` from a run: those
+#'   carry `info`, with the time reached. An error, a condition, an interrupt or a time limit raised
+#'   in a torque function keeps its class.
 #' @source [models()] says for each model where its equations come from.
 #' @seealso [choose_model()], [audit()], [predict.rot_trajectory()], [motion_events()], [when()],
 #'   [compare_runs()], [autoplot.rot_trajectory()], [animate_motion()].
@@ -365,6 +366,7 @@ failed_run <- function(info, n, on_fail, call) {
     step = "The torque changes faster than time can be resolved (give its {.arg breaks_s}), or the
             motion grows without bound there.",
     range = "The motion grows beyond 1.8e308: shorten the time.",
+    random = random_remedy,
     NULL
   )
   message <- c(message, i = remedy)

@@ -47,6 +47,7 @@ static rotdyn_status status_of(rot_status status) {
   case ROT_EVALUE: return ROTDYN_EARGUMENT;
   case ROT_ERANGE: return ROTDYN_ERANGE;
   case ROT_ETORQUE:
+  case ROT_ERANDOM:
   case ROT_ERHS: return ROTDYN_ETORQUE;
   case ROT_EBUDGET: return ROTDYN_EBUDGET;
   case ROT_ESTEP: return ROTDYN_ESTEP;

@@ -15,8 +15,9 @@
 #include "rot_ode_wall.h"
 #include "rot_real.h"
 
-enum { PARTS = 3 };          /* into which a finer run divides a step */
-enum { STEPS_PER_POLL = 4 }; /* a look at the clock is 25 ns, a step 350 ns and more */
+enum { PARTS = 3 };               /* into which a finer run divides a step */
+enum { STEPS_PER_POLL = 4 };      /* a look at the clock is 25 ns, a step 350 ns and more */
+enum { REJECTED_PER_CHECK = 16 }; /* whether the right-hand side repeats itself */
 
 /* ---- stretches ------------------------------------------------------------------------------- */
 
@@ -197,6 +198,10 @@ static rot_status reject(rot_ode_march *run, double h, double factor, rot_status
   run->info->rejected++;
   run->h = h * factor;
   run->limit = fabs(run->h);
+  if (run->info->rejected % REJECTED_PER_CHECK == 0) {
+    const rot_status repeats = rot_ode_check_repeats(run);
+    if (repeats != ROT_OK) return repeats;
+  }
   /* As short as time can be resolved, or rounded back to what was just rejected. */
   const double next = fabs((run->t + run->h) - run->t);
   if (next > 0.0 && next < fabs(h)) return ROT_OK;
@@ -519,11 +524,13 @@ rot_status rot_ode_march_to(rot_ode_march *run, double end, int forward) {
   course w = set_out(run, end, forward);
   rot_status status = rot_ode_trace_end(run, 0.0);
   if (status == ROT_OK) status = rot_ode_choose_sides(run);
-  int was = 2;
+  int was = 2, repeats = run->guide != NULL; /* known to */
   while (status == ROT_OK && run->t != end && run->phase != ROT_ODE_ENDED) {
     const double at_break = next_break(run, &w);
     const int breaks = forward ? at_break < end : at_break > end;
     status = begin_stretch(run, was, SIZE_MAX, 0.0);
+    if (status == ROT_OK && !repeats) status = rot_ode_check_repeats(run);
+    repeats = 1;
     if (status == ROT_OK) status = drive(run, breaks ? at_break : end);
     const rot_status rows = rot_ode_fill_rows(run, 1);
     if (status == ROT_OK) status = rows;

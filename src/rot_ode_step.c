@@ -80,6 +80,25 @@ rot_status rot_ode_know_slope(rot_ode_march *run) {
   return ROT_OK;
 }
 
+rot_status rot_ode_check_repeats(rot_ode_march *run) {
+  const rot_ode_params *p = run->p;
+  const double may = fmax(1e-12, p->accuracy);
+  double *again = run->work;
+  run->slope_known = 0;
+  rot_status status = rot_ode_know_slope(run);
+  if (status == ROT_OK && rot_ode_slope_at(run->t, run->y, again, run) != GSL_SUCCESS) {
+    status = run->status;
+  }
+  run->stage_t = NAN;                    /* no two stages of a step */
+  if (status == ROT_ERHS) return ROT_OK; /* the step says so */
+  for (size_t i = 0; i < p->controlled && status == ROT_OK; i++) {
+    const double size = fmax(fabs(run->slope[i]), fabs(again[i]));
+    if (fabs(run->slope[i] - again[i]) > may * size) status = ROT_ERANDOM;
+  }
+  if (status == ROT_ERANDOM) run->info->time_s = run->t;
+  return status;
+}
+
 /* ---- one step ------------------------------------------------------------------------------- */
 
 /* What Newton's iteration may leave in each component. */

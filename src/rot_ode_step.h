@@ -14,6 +14,10 @@ int rot_ode_slope_at(double t, const double y[], double dydt[], void *march);
 /* The slope at (run->t, run->y), into run->slope. */
 rot_status rot_ode_know_slope(rot_ode_march *run);
 
+/* ROT_ERANDOM where two calls at (run->t, run->y) differ by more than the accuracy, of the slope: a
+ * law that draws random numbers, or keeps count, has no solution that steps converge to. */
+rot_status rot_ode_check_repeats(rot_ode_march *run);
+
 /* From (t, y) with its slope to t + h: trial, trial_error, trial_slope. ROT_ERHS (not finite) and
  * ROT_ESTEP (Newton diverged): try shorter; any other status ends the run. */
 rot_status rot_ode_attempt(rot_ode_march *run, double t, double h, const double y[],

@@ -16,6 +16,7 @@
   X(ROT_ERHS, "the right-hand side gave no finite number", "rhs")                                  \
   X(ROT_EBUDGET, "the step budget is used up", "budget")                                           \
   X(ROT_ESTEP, "the step fell below the resolution of time", "step")                               \
+  X(ROT_ERANDOM, "the torque law gave two values for the same arguments", "random")                \
   X(ROT_EUNWIND, "stopped by the caller", "unwind")
 
 typedef enum rot_status {

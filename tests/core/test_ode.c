@@ -530,6 +530,43 @@ static void check_nan_backward(void) {
   ROT_CHECK_EQ_INT(result.info.rows_done, 0);
 }
 
+/* Deterministic noise beside the oscillator's torque, beyond x = after: two calls, two values. */
+typedef struct noise {
+  double after, size;
+  unsigned seed;
+  size_t calls;
+} noise;
+
+static rot_status noisy(double t, const double y[], double dydt[], void *ctx) {
+  noise *n = ctx;
+  (void)t;
+  n->calls++;
+  n->seed = n->seed * 1664525u + 1013904223u;
+  dydt[0] = y[1];
+  dydt[1] = -y[0];
+  if (y[0] < n->after) dydt[1] += n->size * ((double)(n->seed >> 8) / 16777216.0 - 0.5);
+  return ROT_OK;
+}
+
+static void check_random(void) {
+  const double t[] = {1.0, 20.0}, start[] = {1.0, 0.0};
+  noise n = {2.0, 1e-3, 1u, 0};
+  rot_ode_params p = problem(2, noisy, NULL, start, 1e-9);
+  p.ctx = &n;
+  run(&p, 2, t, NULL);
+  ROT_CHECK_EQ_INT(result.status, ROT_ERANDOM); /* at the start */
+  ROT_CHECK(result.info.time_s == 0.0 && n.calls < 10);
+  n = (noise){0.5, 1e-3, 1u, 0};
+  run(&p, 2, t, NULL);
+  ROT_CHECK_EQ_INT(result.status, ROT_ERANDOM); /* where steps fail: cos t < 0.5 */
+  ROT_CHECK_REL(result.info.time_s, 1.0471975511965976, 0.1);
+  ROT_CHECK(n.calls < 5000);
+  n = (noise){2.0, 1e-8, 1u, 0}; /* less than the accuracy asked */
+  p.accuracy = 1e-4;
+  run(&p, 2, t, NULL);
+  ROT_CHECK_EQ_INT(result.status, ROT_OK);
+}
+
 /* A motion that leaves in finite time ends where it left, not in an endless crawl, and the rows
  * before are as good as asked. */
 static void check_explosion(void) {
@@ -675,6 +712,7 @@ static void check_rise_out_of_nothing(void) {
 }
 
 int main(void) {
+  check_random();
   check_order();
   check_estimate();
   check_estimate_of_dense_rows();

@@ -4,8 +4,8 @@
 
 /* Every code has a text and a kind of its own; R builds its condition classes from the kinds. */
 static void check_texts(void) {
-  static const char *const kind[] = {"none", "memory", "value", "range", "torque",
-                                     "rhs",  "budget", "step",  "unwind"};
+  static const char *const kind[] = {"none", "memory", "value", "range",  "torque",
+                                     "rhs",  "budget", "step",  "random", "unwind"};
   ROT_CHECK_EQ_INT(ROT_OK, 0);
   ROT_CHECK_EQ_INT(ROT_STATUS_COUNT, sizeof kind / sizeof kind[0]);
   for (int i = 0; i < ROT_STATUS_COUNT; i++) {
