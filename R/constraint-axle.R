@@ -14,7 +14,10 @@ axle_constraint <- function() {
         .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number",
         bearings_n_m_s = "number", least_n_m_s = "number"
       ),
-      rope = list(.optional = TRUE, mass_kg = "numbers:2", radius_m = "number"),
+      rope = list(
+        .optional = TRUE, mass_kg = "numbers:2", radius_m = "number",
+        moment_of_inertia_kg_m2 = "number", gravity_m_per_s2 = "number"
+      ),
       train = list(
         .optional = TRUE, ratio_to_first = "numbers",
         moment_of_inertia_kg_m2 = "numbers=ratio_to_first"
@@ -22,6 +25,7 @@ axle_constraint <- function() {
     ),
     title = function(run) {
       if (!is.null(.subset2(run$scene, "train"))) return("A gear train")
+      if (!is.null(.subset2(run$scene, "rope"))) return(sentence(hanging_title(run$scene$rope)))
       paste(sentence(with_article(run$scene$body$shape %||% "body")), "on a fixed axle")
     },
     models = axle_models,
@@ -33,10 +37,11 @@ axle_constraint <- function() {
       if (!is.null(.subset2(scene, "inertia"))) {
         columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
       }
+      if (!is.null(.subset2(scene, "rope"))) columns <- hanging_columns(columns, scene)
       if (is.null(.subset2(scene, "train"))) return(columns)
       shaft_columns(geared_columns(columns, scene), scene)
     },
-    more_names = shaft_names,
+    more_names = function(scene) c(shaft_names(scene), hanging_names(.subset2(scene, "rope"))),
     keys = c("time_s", "theta_rad", "omega_rad_per_s"),
     measures = list(
       theta = measure("rad", "theta_rad"),
@@ -44,8 +49,11 @@ axle_constraint <- function() {
     ),
     slopes = function(columns, scene) {
       omega <- columns$omega_rad_per_s
-      net <- columns$net_torque_n_m
+      # The net torque is that on the pulley alone, and 0 where it has no inertia.
+      hangs <- !is.null(.subset2(scene, "rope"))
+      net <- columns[[if (hangs) "alpha_rad_per_s2" else "net_torque_n_m"]]
       c(
+        if (hangs) hanging_slopes(omega, net, scene$rope),
         list(theta_rad = omega, angular_momentum_kg_m2_per_s = net),
         shaft_slopes(omega, net, scene),
         if (is.null(.subset2(scene, "inertia"))) {
@@ -89,7 +97,16 @@ axle_constraint <- function() {
       panel("torque (N m)", c(
         applied_torque_n_m = "applied", damping_torque_n_m = "damping", net_torque_n_m = "net"
       )),
-      panel("kinetic energy (J)", c(rotational_kinetic_energy_j = ""))
+      panel("kinetic energy (J)", c(rotational_kinetic_energy_j = "")),
+      panel("tension (N)", c(
+        tension_n = "", tension_1_n = "first mass", tension_2_n = "second mass"
+      )),
+      panel("energy of the masses (J)", c(
+        mass_kinetic_energy_j = "kinetic", mass_potential_energy_j = "potential",
+        mass_1_kinetic_energy_j = "kinetic, first", mass_2_kinetic_energy_j = "kinetic, second",
+        mass_1_potential_energy_j = "potential, first",
+        mass_2_potential_energy_j = "potential, second"
+      ))
     )
   )
 }
@@ -126,9 +143,9 @@ axle_texts <- function() {
       if (is.null(x$rope)) return(NULL)
       c(
         list(
-          body = x$body %||% x$given$body, mass_kg = x$rope$mass_kg[1],
+          body = x$body %||% x$rope$moment_of_inertia_kg_m2, mass_kg = x$rope$mass_kg[1],
           counter_mass_kg = x$rope$mass_kg[2], radius_m = x$rope$radius_m,
-          gravity_m_per_s2 = x$given$gravity_m_per_s2
+          gravity_m_per_s2 = x$rope$gravity_m_per_s2
         ),
         resisted(x), unclass(x)[start], axis(x)
       )
@@ -196,18 +213,23 @@ conserved_axle <- function(scene) {
     applied <- torque_loads(torque_constant(gears$applied_n_m))
     resistance <- gears$bearings_n_m_s != 0
   }
+  acts <- loads_act(applied)
+  hangs <- !is.null(.subset2(scene, "rope")) # gravity stores what the weights do
   list(
     keeps_unless("energy", NA_character_, list(
-      "the torque works" = loads_act(applied), "the resistance dissipates" = resistance,
+      "the torque works" = acts && !hangs, "the resistance dissipates" = resistance,
       "the gears dissipate" = lossy,
       "what changes the moment of inertia works" = !is.null(scene$inertia)
-    ), if (any(stores)) {
+    ), if (hangs) {
+      "gravity gives back what it takes: kinetic plus potential energy stays"
+    } else if (any(stores)) {
       "springs and gravity give back what they take: kinetic plus potential energy stays"
     } else {
       "nothing works and nothing dissipates"
     }),
     keeps_unless("angular_momentum", "the axle", list(
-      "a torque acts about the axle" = loads_act(applied),
+      "a torque acts about the axle" = acts && !hangs,
+      "the weights act about the axle" = acts && hangs,
       "springs or gravity act about the axle" = any(stores),
       "the resistance acts about the axle" = resistance, "the gears take a torque" = lossy
     ), "no torque acts about the axle")
@@ -257,15 +279,22 @@ balance_axle <- function(x, run, call) {
   work <- flow("work_j")
   if (!is.null(stored)) work <- if (potential_only(scene)) 0 else work + stored$change_j
   sizes <- abs(c(kinetic, flow("work_j"), flow("dissipated_j"), flow("inertia_work_j")))
+  rope <- .subset2(scene, "rope")
+  if (is.null(rope)) {
+    kinetic <- c("change of kinetic energy" = kinetic)
+  } else {
+    kinetic <- hanging_kinetic_change(rope, omega)
+    stored <- hanging_potential_change(rope, theta, errors[["theta"]] + eps * abs(theta))
+  }
   list(
     balance(
       "energy", NA_character_, "J",
       c(
-        "change of kinetic energy" = kinetic,
+        kinetic,
         if (!is.null(stored)) c("change of potential energy" = stored$change_j)
       ),
       c(
-        "work of the torque" = work,
+        if (is.null(rope)) c("work of the torque" = work),
         "work of what changes the inertia" = flow("inertia_work_j")
       ),
       stats::setNames(
@@ -282,7 +311,10 @@ balance_axle <- function(x, run, call) {
     balance(
       "angular_momentum", "the axle", "kg m^2/s",
       c("change of angular momentum" = momentum),
-      c("impulse of the torque" = flow("impulse_n_m_s")),
+      stats::setNames(
+        flow("impulse_n_m_s"),
+        if (is.null(rope)) "impulse of the torque" else "impulse of the weights"
+      ),
       c("impulse of the resistance" = -damping),
       flow("impulse_rounding_n_m_s") + sum(inertia * omega_error) +
         abs(viscous) * sum(errors[["theta"]] + eps * abs(theta)) +
@@ -301,6 +333,8 @@ augment_axle <- function(x, run, edges, call) {
   if (!is.null(parts)) {
     turned <- diff(x$theta_rad[match(edges, x$time_s)])
     parts$value <- geared_flows(parts$value, run$scene, turned, diff(edges))
+    omega <- x$omega_rad_per_s[match(edges, x$time_s)]
+    parts$value <- hanging_flows(parts$value, .subset2(run$scene, "rope"), omega)
   }
   since_first <- function(flow) {
     c(0, if (!is.null(parts)) cumsum(unname(parts$value[, flow])))[seq_along(edges)]

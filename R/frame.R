@@ -269,7 +269,9 @@ frame_rotation <- function(frame, motion, call) {
     scene <- check_trajectory(frame, "frame", call)$scene
     turn <- stats::predict(frame, time_s)
     inertia <- scene$moment_of_inertia_kg_m2
-    return(list(turn$theta_rad, turn$omega_rad_per_s, turn$net_torque_n_m / inertia))
+    # Of a mass on a pulley the net torque is that on the pulley alone.
+    alpha <- turn[["alpha_rad_per_s2"]] %||% (turn$net_torque_n_m / inertia)
+    return(list(turn$theta_rad, turn$omega_rad_per_s, alpha))
   }
   if (!is.data.frame(frame)) {
     abort_rotdyn(c(

@@ -6,19 +6,29 @@
 #' \deqn{(I + (m_1 + m_2) r^2)\, \dot\omega = (m_1 - m_2)\, g\, r + \tau_r}{
 #'   (I + (m1 + m2) r^2) omega' = (m1 - m2) g r + resistance}
 #'
-#' theta and omega are positive where the first mass goes down: by `radius_m` theta. The moment of
-#' inertia of the scene is that of all, and so are its energy and angular momentum. The rope stays
-#' taut while the mass accelerates downward with less than g; where the resistance slows down a
-#' pulley that winds the mass up, look at `gravity_m_per_s2 - radius_m * alpha`.
+#' theta and omega are positive where the first mass goes down: by `radius_m` theta. The tensions
+#' are not the weights: with `a = radius_m alpha`,
+#' \deqn{T_1 = m_1 (g - a),\quad T_2 = m_2 (g + a),\quad I\, \dot\omega = (T_1 - T_2)\, r + \tau_r}{
+#'   T1 = m1 (g - a),  T2 = m2 (g + a),  I omega' = (T1 - T2) r + resistance}
+#' and the applied torque of the motion is that of the rope on the pulley, `(T1 - T2) r`. Where a
+#' tension is negative the rope would be slack, and the motion another one: where a resistance slows
+#' down a pulley that winds a mass up.
 #'
+#' @section Columns: The motion has those of [trajectory()], with torques and kinetic energy of the
+#'   pulley alone, and the angular momentum of all about the axle; and, for one mass,
+#'   `r describe_columns(hanging_names_of(1))`
+#'   With two masses `r describe_columns(setdiff(hanging_names_of(2), hanging_names_of(1)))`
+#'   [audit()] and [conserved()] are about the pulley and the masses together.
 #' @inheritParams scene_axle
 #' @param body A `rot_body`, or one number: the moment of inertia of the pulley in kg m^2, >= 0.
 #' @param mass_kg The mass that hangs, > 0.
-#' @param radius_m Radius at which the rope leaves the pulley, > 0.
+#' @param radius_m Radius at which the rope leaves the pulley, > 0; NULL for that of a round body,
+#'   such as [body_disk()].
 #' @param counter_mass_kg The mass on the other side, >= 0.
 #' @param gravity_m_per_s2 Acceleration of gravity.
-#' @return A `rot_scene_axle`.
-#' @section Errors: those of [scene_axle()].
+#' @return A `rot_scene_axle`, whose moment of inertia is that of all about the axle.
+#' @section Errors: those of [scene_axle()]; `rotdyn_error_missing` without `radius_m` for a body
+#'   that has no radius of its own about `axis`.
 #' @source Kleppner and Kolenkow, An Introduction to Mechanics, 2nd ed. (2014), chapter 7: Atwood's
 #'   machine with a massive pulley.
 #' @seealso [when()] for the time at which it has gone down so far.
@@ -26,22 +36,21 @@
 #' @concept Atwood machine
 #' @examples
 #' # 0.5 kg on a disk of 2 kg and 0.1 m: a = g/(1 + M/(2 m)) = g/3.
-#' well <- scene_hanging_mass(body_disk(2, 0.1), mass_kg = 0.5, radius_m = 0.1)
-#' trajectory(well, 0:2)
+#' well <- scene_hanging_mass(body_disk(2, 0.1), mass_kg = 0.5)
+#' trajectory(well, 0:2)[c("time_s", "height_m", "tension_n", "applied_torque_n_m")]
 #' # After 3 m:
 #' when(well, theta_rad = 3 / 0.1)
 #' # Atwood's machine with a pulley without inertia.
 #' scene_hanging_mass(0, mass_kg = 1.1, radius_m = 0.05, counter_mass_kg = 1)
 #' @export
-scene_hanging_mass <- function(body, mass_kg, radius_m, resistance = NULL, theta0_rad = 0,
+scene_hanging_mass <- function(body, mass_kg, radius_m = NULL, resistance = NULL, theta0_rad = 0,
                                omega0_rad_per_s = 0, ..., counter_mass_kg = 0, start_s = 0,
                                axis = c(0, 0, 1), gravity_m_per_s2 = 9.80665) {
   call <- rlang::current_env()
-  check_supplied(c("body", "mass_kg", "radius_m"), call)
+  check_supplied(c("body", "mass_kg"), call)
   check_no_dots(...)
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0, open = TRUE)
   counter_mass_kg <- check_number(counter_mass_kg, "counter_mass_kg", "kg", call, lower = 0)
-  radius_m <- check_number(radius_m, "radius_m", "m", call, lower = 0, open = TRUE)
   gravity_m_per_s2 <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
   axis <- unit_axis(as_axis(axis, call), call)
   if (inherits(body, "rot_body")) {
@@ -55,6 +64,11 @@ scene_hanging_mass <- function(body, mass_kg, radius_m, resistance = NULL, theta
     }
     own <- check_number(body, "body", "kg*m^2", call, lower = 0)
     body <- NULL
+  }
+  radius_m <- if (is.null(radius_m)) {
+    pulley_radius(body, axis, call)
+  } else {
+    check_number(radius_m, "radius_m", "m", call, lower = 0, open = TRUE)
   }
   product <- function(first, ...) .Call(ffi_sum_product, first, c(...))
   with_first <- product(own, mass_kg, radius_m, radius_m)[1]
@@ -70,8 +84,125 @@ scene_hanging_mass <- function(body, mass_kg, radius_m, resistance = NULL, theta
     check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
     check_number(start_s, "start_s", "s", call)
   )
-  # For the drawing.
-  scene$rope <- list(mass_kg = c(mass_kg, counter_mass_kg), radius_m = radius_m)
-  scene$given <- list(body = own, gravity_m_per_s2 = gravity_m_per_s2) # for the text
+  scene$rope <- list(
+    mass_kg = c(mass_kg, counter_mass_kg), radius_m = radius_m,
+    moment_of_inertia_kg_m2 = as.double(own), gravity_m_per_s2 = gravity_m_per_s2
+  )
+  scene$given <- list(rope = TRUE) # its text is not that of scene_axle()
   scene
+}
+
+# Of a body that is round about that axis.
+pulley_radius <- function(body, axis, call) {
+  parts <- if (!is.null(body)) round_parts(body)
+  about <- Filter(function(part) part$all || sqrt(sum((part$axis - axis)^2)) <= 1e-9 ||
+                    sqrt(sum((part$axis + axis)^2)) <= 1e-9, parts)
+  if (length(parts) != 1L || !length(about) || !is.finite(body$beta)) {
+    abort_rotdyn(c(
+      "{.arg radius_m} is missing: it is the body's only where that is round about {.arg axis}.",
+      x = if (is.null(body)) "The body is a number." else "It is a {.val {body$shape}}."
+    ), "missing", call)
+  }
+  rolling_radius(body, moment_about_axis(body, c(0, 0, 1)), call)
+}
+
+hanging_title <- function(rope) {
+  if (rope$mass_kg[2] > 0) "two masses on a pulley" else "a mass on a pulley"
+}
+
+describe_rope <- function(rope, body) {
+  paste0(
+    "  pulley      ", body, ", ", format_si(rope$moment_of_inertia_kg_m2), " kg m^2, rope at ",
+    format_si(rope$radius_m), " m\n",
+    "  masses      ", paste(format_si(rope$mass_kg[rope$mass_kg > 0]), collapse = " and "),
+    " kg, gravity ", format_si(rope$gravity_m_per_s2), " m/s^2\n"
+  )
+}
+
+# ---- tensions and energies ----------------------------------------------------------------------
+
+# The columns that the masses add; NULL without a rope.
+hanging_names <- function(rope) {
+  if (!is.null(rope)) hanging_names_of(1L + (rope$mass_kg[2] > 0))
+}
+
+hanging_names_of <- function(masses) {
+  index <- if (masses == 1L) "" else c("_1", "_2")
+  c("alpha_rad_per_s2", unlist(lapply(index, function(i) {
+    c(
+      paste0("tension", i, "_n"), paste0("height", i, "_m"),
+      paste0("mass", i, "_kinetic_energy_j"), paste0("mass", i, "_potential_energy_j")
+    )
+  })))
+}
+
+# Columns of the solved torques, those of the weights on pulley and masses together, as those of
+# the pulley and of each mass. With the moment I of all: T1 = m1 (g (I0 + 2 m2 r^2) - r tau)/I, and
+# T2 = m2 (g (I0 + 2 m1 r^2) + r tau)/I, so that g - a does not cancel.
+hanging_columns <- function(columns, scene) {
+  rope <- scene$rope
+  m <- rope$mass_kg
+  r <- rope$radius_m
+  g <- rope$gravity_m_per_s2
+  own <- rope$moment_of_inertia_kg_m2
+  whole <- scene$moment_of_inertia_kg_m2
+  weight <- columns$applied_torque_n_m
+  damping <- columns$damping_torque_n_m
+  omega <- columns$omega_rad_per_s
+  columns$alpha_rad_per_s2 <- columns$net_torque_n_m / whole
+  columns$net_torque_n_m <- own * columns$alpha_rad_per_s2
+  columns$applied_torque_n_m <- weight * (own / whole) - damping * (sum(m) * r * r / whole)
+  columns$rotational_kinetic_energy_j <- 0.5 * own * omega * omega
+  names <- setdiff(hanging_names(rope), "alpha_rad_per_s2")
+  for (i in seq_len(length(names) / 4L)) {
+    side <- c(1, -1)[i]
+    height <- -side * r * columns$theta_rad + 0
+    columns[names[4L * i - 3:0]] <- list(
+      m[i] * (g * ((own + 2 * m[3L - i] * r * r) / whole) - side * r * (damping / whole)),
+      height, 0.5 * m[i] * (r * omega)^2, m[i] * g * height
+    )
+  }
+  columns
+}
+
+# What has the sign of the slope of these columns.
+hanging_slopes <- function(omega, alpha, rope) {
+  up <- function(i) {
+    side <- c(-1, 1)[i]
+    list(side * omega, alpha * omega, side * omega * sign(rope$gravity_m_per_s2))
+  }
+  names <- hanging_names(rope)
+  slopes <- unlist(lapply(seq_len((length(names) - 1L) / 4L), up), recursive = FALSE)
+  stats::setNames(slopes, names[!grepl("^(alpha|tension)", names)])
+}
+
+# The flows of the weights as those of the rope on the pulley: the masses take the rest. A row for
+# each interval between the rates `omega`.
+hanging_flows <- function(flows, rope, omega) {
+  if (is.null(rope)) return(flows)
+  moment <- sum(rope$mass_kg) * rope$radius_m^2
+  n <- length(omega)
+  taken <- moment * (omega[-1] - omega[-n])
+  flows[, "work_j"] <- flows[, "work_j"] - 0.5 * taken * (omega[-1] + omega[-n])
+  flows[, "impulse_n_m_s"] <- flows[, "impulse_n_m_s"] - taken
+  flows
+}
+
+# Changes of the energies between two rates, between two angles with their errors.
+hanging_kinetic_change <- function(rope, omega) {
+  c(
+    "change of kinetic energy of the pulley" =
+      kinetic_change(rope$moment_of_inertia_kg_m2, omega[1], omega[2]),
+    "change of kinetic energy of the masses" =
+      kinetic_change(sum(rope$mass_kg) * rope$radius_m^2, omega[1], omega[2])
+  )
+}
+
+hanging_potential_change <- function(rope, theta, error_rad) {
+  weight <- (rope$mass_kg[1] - rope$mass_kg[2]) * rope$gravity_m_per_s2 * rope$radius_m
+  change <- -weight * (theta[2] - theta[1])
+  list(
+    change_j = change,
+    rounding_j = abs(weight) * sum(error_rad) + 4 * .Machine$double.eps * abs(change)
+  )
 }

@@ -281,16 +281,21 @@ print.rot_scene_axle <- function(x, ...) {
   }
   torque <- x$torque
   shown <- x$resistance
+  rope <- .subset2(x, "rope")
   if (!is.null(x$gears)) { # dry friction stands for their loss
     torque <- torque_constant(x$gears$applied_n_m)
     shown[c("coulomb_n_m", "static_n_m")] <- 0
     shown["viscous_n_m_s"] <- x$gears$bearings_n_m_s
   }
   cat(
-    "<rot_scene> ", if (is.null(x$train)) paste(body, "on a fixed axle") else "a gear train", "\n",
+    "<rot_scene> ",
+    if (!is.null(rope)) hanging_title(rope) else
+      if (is.null(x$train)) paste(body, "on a fixed axle") else "a gear train",
+    "\n",
     describe_shafts(x$train),
-    "  inertia     ", inertia, "\n",
-    "  torque      ", describe_torque(torque), "\n",
+    if (!is.null(rope)) describe_rope(rope, body),
+    "  inertia     ", inertia, if (!is.null(rope)) ", masses included", "\n",
+    "  torque      ", describe_torque(torque), if (!is.null(rope)) ", of the weights", "\n",
     "  resistance  ", describe_resistance(shown), "\n",
     if (!is.null(x$gears)) c("  gears       ", describe_gears(x$gears), "\n"),
     "  start       theta ", format_si(x$theta0_rad), " rad, omega ",
