@@ -18,5 +18,11 @@ export R_MAKEVARS_USER
 MAKEFLAGS=-j$cores R CMD INSTALL --no-test-load --library="$work/library" "$work/sources/rotdyn" \
   < /dev/null > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 
+echo "mutants: $number, seed $seed"
 NOT_CRAN=true R_LIBS="$work/library${R_LIBS:+:$R_LIBS}" \
-  Rscript tools/mutants.R "$work/sources/rotdyn" tests "$work/library" "$number" "$seed"
+  Rscript tools/mutants.R "$work/sources/rotdyn" tests "$work/library" "$number" "$seed" \
+  2> "$work/log"
+status=$?
+# Changed code that crashes prints a traceback; it is of interest where the script itself failed.
+test $status -lt 2 || tail -n 40 "$work/log"
+exit $status

@@ -1,5 +1,6 @@
-# Places of the sources where a small change is wrong code: places_of(). Sourced by tools/mutants.R.
-# A place: file, kind, line, before and after (lines without indentation), text (of the whole file).
+# Places of the sources where a small change is wrong code: places_of(); the change: place(), with
+# file, kind, line, before and after (lines without indentation), text (of the whole file). Sourced
+# by tools/mutants.R.
 #
 # Kinds: sign, factor, comparison, index, allowance, arguments, logic, attitude. Comments, strings,
 # preprocessor lines and the text of messages are left alone.
@@ -23,10 +24,10 @@ place <- function(file, kind, whole, from, to, new) {
   )
 }
 
-places_of <- function(path, file) {
+# The text of a file, and its edits: kind, from, to, new.
+places_of <- function(path) {
   whole <- paste(readLines(path, encoding = "UTF-8"), collapse = "\n")
-  edits <- if (endsWith(file, ".R")) r_edits(whole) else c_edits(whole)
-  lapply(edits, function(e) place(file, e$kind, whole, e$from, e$to, e$new))
+  list(whole = whole, edits = if (endsWith(path, ".R")) r_edits(whole) else c_edits(whole))
 }
 
 edit <- function(kind, from, to, new) list(kind = kind, from = from, to = to, new = new)

@@ -473,3 +473,9 @@ test_that("a record that is mostly rest is fitted from the rows that turn", {
     expect_equal(glance(fit)$sigma, 0.005, tolerance = 0.05)
   }
 })
+
+test_that("variances between runs: none of equal ones, by REML half the squared difference of two", {
+  spread <- list(matrix(1e-4), matrix(1e-4))
+  expect_identical(between_variances(list(1, 1), spread), 0)
+  expect_equal(between_variances(list(1, 2), spread), 0.5 - 1e-4, tolerance = 1e-3)
+})

@@ -10,3 +10,22 @@ test_that("the time scales of drives and shafts are those of their rotors and co
   )
   expect_equal(rigid$fades_s, 5 / 0.75)
 })
+
+test_that("a drive's time scale: I/c of its rotors and of its shafts, the rates added", {
+  pace <- function(...) rotdyn:::drive_pace(scene_drive(...), c(omega = 2), NULL)
+  one <- pace(
+    c(2, 3), coupling_gear(2), resistance = list(resistance(viscous_n_m_s = 0.5), NULL)
+  )
+  expect_equal(one$fades_s, 2 / 0.5)
+  # 2 k/I and 2 c/I of two equal rotors; bounds at most twice as large.
+  both <- pace(
+    c(2, 2), coupling_shaft(50, damping_n_m_s = 0.8),
+    resistance = list(resistance(viscous_n_m_s = 0.5), NULL)
+  )
+  slowest <- 1 / (0.5 / 2 + 2 * 0.8 / 2)
+  expect_lte(both$fades_s, 1.0001 * slowest)
+  expect_gte(both$fades_s, slowest / 2.0001)
+  fastest <- sqrt(2 * 50 / 2)
+  expect_gte(both$swing_rad_per_s, 0.9999 * fastest)
+  expect_lte(both$swing_rad_per_s, 1.4143 * fastest)
+})

@@ -34,3 +34,12 @@ test_that("without gravity there is no weight, at rest no angular velocity", {
   )
   expect_length(arrow_tips(draw_pivot(free)), 0)
 })
+
+test_that("the drawing holds a box about the point", {
+  drawing <- draw_pivot(
+    scene_pivot(c(1, 1, 2), c(0, 0, 3), mass_kg = 1, centre_m = c(0, 0, 0.1))
+  )
+  expect_identical(drawing$limits, c(-1.5, 1.5, -1.5, 1.5))
+  inside <- function(p) all(abs(p) <= 1.5)
+  expect_true(all(vapply(drawing$marks, function(one) inside(one$points), NA)))
+})

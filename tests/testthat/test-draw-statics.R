@@ -74,3 +74,17 @@ test_that("normals are dashed arrows into the body, with a key", {
   expect_equal(way, cbind(c(0, 0.3), c(-0.3, 0)))
   expect_silent(ggplot2::ggplotGrob(ggplot2::autoplot(ladder)))
 })
+
+test_that("the name of a force stands at its right, above a force along x", {
+  label <- function(force) {
+    d <- new_drawing()
+    draw_force(d, c(0, 0), force, 1, "F", "load", TRUE, FALSE)
+    drawing <- d$done(c(-1, 1, -1, 1), "")
+    unlist(drawing$labels[c("x", "y")], use.names = FALSE) - drawing$marks[[1]]$points[2, ]
+  }
+  # Across the force, 0.17 from the tip.
+  expect_equal(label(c(-1, -2, 0)), 0.17 * c(2, -1) / sqrt(5))
+  expect_equal(label(c(1, 2, 0)), 0.17 * c(2, -1) / sqrt(5))
+  expect_equal(label(c(0, 3, 0)), c(0.17, 0))
+  expect_equal(label(c(2, 0, 0)), c(0, 0.17))
+})

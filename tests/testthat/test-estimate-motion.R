@@ -414,3 +414,11 @@ test_that("jitter of the clock widens the scatter where the body is fast", {
   expect_gt(mean(abs(motion$omega_rad_per_s - omega) < 2.1 * motion$omega_se_rad_per_s), 0.8)
   expect_lt(abs(log(glance(motion)$theta_scatter_rad / 5e-3)), 0.3)
 })
+
+test_that("degrees of freedom are the samples less what the motion takes", {
+  time <- seq(0, 10, length.out = 300)
+  motion <- estimate_motion(noisy(time, 2 * time - 0.3 * time^2, 0.01, 2), breaks = "none")
+  # Three numbers make the parabola, the smoother takes some more.
+  expect_lt(glance(motion)$degrees, 300 - 3 + 0.5)
+  expect_gt(glance(motion)$degrees, 300 - 30)
+})

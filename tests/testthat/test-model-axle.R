@@ -715,3 +715,8 @@ test_that("the error of a chaotic pendulum is that of the growth, and it is said
   }
   expect_warning(trajectory(scene, 200, 1e-12), class = "rotdyn_warning_accuracy")
 })
+
+test_that("an angle beyond double precision is an error, where the rate is not", {
+  slows <- scene_axle(1, NULL, resistance(coulomb_n_m = 1e-10), omega0_rad_per_s = 1e200)
+  expect_error(trajectory(slows, c(0, 1e150)), class = "rotdyn_error_range")
+})

@@ -449,3 +449,12 @@ test_that("from rest, the contact that is loaded most gives way first", {
   expect_equal(after_2_s(3), rep((3 - 1) / (1 + 2) * 2, 2)) # the clutch carries 3 - 2 * 2 / 3
   expect_equal(after_2_s(5), c((1.5 - 1) / 1, (5 - 1.5) / 2) * 2)
 })
+
+test_that("a jump of a rotor's torque that is not announced is found over the whole span", {
+  jump <- function(t) ifelse(t > 1.234, 1, 0)
+  scene <- scene_drive(c(2, 3), coupling_gear(2), torque = list(jump, NULL))
+  expect_warning(x <- trajectory(scene, c(0, 3)), class = "rotdyn_warning_breaks")
+  last <- x$omega_rad_per_s[x$time_s == 3 & x$rotor == 1]
+  # theta_1 = 2 theta_2: 2 + 3/4 kg m^2 at the first shaft.
+  expect_equal(last, (3 - 1.234) / 2.75, tolerance = 1e-7)
+})

@@ -193,14 +193,20 @@ test_that("the head says what the uncertainty of the body does to the motion", {
 })
 
 test_that("an error figure refers to the largest values of the motion, not of its rows", {
-  # theta = -sin(t): 0.01 at the only other row.
-  law <- function(time_s, theta_rad, omega_rad_per_s) sin(time_s) + 0 * theta_rad
-  motion <- trajectory(
-    scene_axle(1, law, omega0_rad_per_s = -1), c(0, 2 * pi + 0.01), 1e-8
-  )
-  info <- run_of(motion)$info
-  expect_gt(info$sizes[["theta"]], 0.9)
-  expect_equal(motion$theta_rad[2], -sin(0.01), tolerance = 1e-8)
+  # theta = -sin(t), in closed form: 1e-4 at the only other row.
+  scene <- scene_axle(1, torque_sinusoid(1, 1, -pi / 2), omega0_rad_per_s = -1)
+  motion <- trajectory(scene, c(0, 2 * pi + 1e-4))
+  expect_equal(motion$theta_rad[2], -sin(1e-4), tolerance = 1e-9)
+  expect_gt(run_of(motion)$info$sizes[["theta"]], 0.9)
+  expect_lt(run_of(motion)$info$error, 1e-13)
+})
+
+test_that("rows of one rotor are rows of the run, rows with another's number are not", {
+  motion <- trajectory(scene_rotors(c(1, 2), 9, omega0_rad_per_s = c(1, 0)), 0:2)
+  second <- motion[motion$rotor == 2, ]
+  expect_identical(run_of(second)$info$error, run_of(motion)$info$error)
+  motion$rotor <- rev(motion$rotor)
+  expect_identical(run_of(motion)$info$error, NA_real_)
 })
 
 test_that("an error larger than the motion is not known, and every verb says so", {
