@@ -474,7 +474,7 @@ test_that("a record that is mostly rest is fitted from the rows that turn", {
   }
 })
 
-test_that("variances between runs: none of equal ones, by REML half the squared difference of two", {
+test_that("variances between runs by REML: 0 of equal ones, half the squared difference of two", {
   spread <- list(matrix(1e-4), matrix(1e-4))
   expect_identical(between_variances(list(1, 1), spread), 0)
   expect_equal(between_variances(list(1, 2), spread), 0.5 - 1e-4, tolerance = 1e-3)
