@@ -101,7 +101,6 @@ animate_motion <- function(motion, file = NULL, ..., frames_per_s = 25, slow_mot
 
 # The pictures that draw(i) makes, i from 1 to n, each for delay_s.
 write_gif <- function(file, n, draw, width_px, delay_s, call) {
-  write_file("", file, call) # gifski 1.32 waits for good where it cannot write
   folder <- tempfile("frames")
   dir.create(folder)
   on.exit(unlink(folder, recursive = TRUE))
@@ -115,8 +114,43 @@ write_gif <- function(file, n, draw, width_px, delay_s, call) {
   on.exit(shut(), add = TRUE, after = FALSE)
   for (i in seq_len(n)) draw(i)
   shut()
+  write_file(gif_bytes(folder, width_px, delay_s, call), file, call)
+}
+
+# The GIF of the pictures in a folder, made there. The encoder prints what is wrong and goes on
+# without damaged pictures.
+gif_bytes <- function(folder, width_px, delay_s, call) {
   pictures <- list.files(folder, full.names = TRUE)
-  gifski::gifski(pictures, file, width_px, width_px, delay_s, progress = FALSE)
+  gif <- file.path(folder, "film.gif")
+  fault <- "The disk is full, perhaps."
+  whole <- length(pictures) && all(vapply(pictures, ends_with, NA, png_end))
+  if (whole) {
+    fault <- tryCatch({
+      gifski::gifski(pictures, gif, width_px, width_px, delay_s, progress = FALSE)
+      ""
+    }, error = conditionMessage)
+    whole <- !nzchar(fault) && ends_with(gif, as.raw(0x3b))
+  }
+  if (whole) return(readBin(gif, "raw", file.size(gif)))
+  # Space that is left shows that the disk is not the reason.
+  probe <- tempfile("space")
+  on.exit(unlink(probe))
+  full <- put_file(raw(2^20), probe)
+  abort_rotdyn(c(
+    "The pictures of the GIF cannot be stored in {.file {dirname(folder)}}.",
+    x = braces_doubled(if (nzchar(full)) full else fault)
+  ), "file", call)
+}
+
+png_end <- as.raw(c(0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82)) # IEND and its checksum
+
+ends_with <- function(path, bytes) {
+  size <- file.size(path)
+  if (is.na(size) || size < length(bytes)) return(FALSE)
+  con <- file(path, "rb")
+  on.exit(close(con))
+  seek(con, size - length(bytes))
+  identical(readBin(con, "raw", length(bytes)), bytes)
 }
 
 check_gif_name <- function(file, call) {

@@ -406,7 +406,7 @@ cli_run_check_inertia <- function(words, options, state) {
     if (any(grepl("^\\s*<", lines[nzchar(trimws(lines))][1]))) {
       file <- tempfile(fileext = ".xml")
       on.exit(unlink(file))
-      writeLines(lines, file, useBytes = TRUE)
+      write_file(lines, file, NULL)
       links <- read_links(file)
       return(list(
         file = rep(path, nrow(links)), object = links$link, verdict = links$verdict,

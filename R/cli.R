@@ -6,7 +6,7 @@ cli_status <- c(done = 0L, no = 1L, usage = 2L, input = 3L, accuracy = 4L, fault
 
 cli_status_words <- c(
   done = "done", no = "done, and the answer is no", usage = "wrong usage",
-  input = "unreadable or impossible input",
+  input = "unreadable or impossible input, or output that cannot be written",
   accuracy = "no model reaches the accuracy", fault = "a fault of rotdyn",
   interrupted = "interrupted", reader_left = "the reader of the output left"
 )
@@ -54,9 +54,13 @@ cli_run <- function(arguments, out = cli_to_stdout, err = cli_to_stderr, input =
   state$status
 }
 
+# R itself does not notice that standard output is full or closed. The launcher says by the variable
+# that it was closed: another file would have its descriptor.
 cli_to_stdout <- function(lines) {
-  writeLines(lines, stdout())
-  flush(stdout())
+  fault <- if (nzchar(Sys.getenv("ROTDYN_NO_STDOUT"))) "It is closed." else {
+    .Call(ffi_file_write, 1L, enc2native(lines))
+  }
+  if (nzchar(fault)) abort_unwritten("standard output", fault)
 }
 
 cli_to_stderr <- function(lines) writeLines(lines, stderr())
@@ -78,8 +82,7 @@ abort_input <- function(...) {
 
 cli_status_of <- function(e) {
   kind <- sub("rotdyn_error_", "", class(e)[1], fixed = TRUE)
-  # R's own words where the pipe is closed; they are not translated (LANGUAGE=en).
-  if (grepl("SIGPIPE", conditionMessage(e), fixed = TRUE)) return(cli_status[["reader_left"]])
+  if (reader_left(e)) return(cli_status[["reader_left"]])
   if (!inherits(e, "rotdyn_error")) return(cli_status[["fault"]])
   if (kind == "usage") return(cli_status[["usage"]])
   if (kind %in% c("accuracy", "model", "budget", "step", "range", "rhs", "torque", "random")) {
@@ -299,9 +302,13 @@ cli_dispatch <- function(arguments, out, state, input, terminal, verbs) {
 }
 
 cli_write <- function(lines, path) {
-  written <- tryCatch(suppressWarnings(writeLines(enc2utf8(lines), path, useBytes = TRUE)),
-                      error = identity)
-  if (inherits(written, "error")) abort_input("it cannot be written")
+  fault <- put_file(lines, path)
+  if (nzchar(fault)) abort_unwritten("it", fault)
+}
+
+abort_unwritten <- function(what, fault) {
+  fault <- paste0(tolower(substr(fault, 1L, 1L)), substring(fault, 2L))
+  abort_input(what, " cannot be written: ", sub("[.]$", "", fault))
 }
 
 # ---- help ---------------------------------------------------------------------------------------

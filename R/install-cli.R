@@ -6,8 +6,8 @@
 #'
 #' Data goes to standard output, words to standard error. Neither the user's nor the site's profile
 #' is read. Exit status: 0 done; 1 done, and the answer is no; 2 wrong usage; 3 unreadable or
-#' impossible input; 4 no model reaches the accuracy; 70 a fault of this package; 130 interrupted;
-#' 141 the reader of the output left.
+#' impossible input, or output that cannot be written (a full disk); 4 no model reaches the
+#' accuracy; 70 a fault of this package; 130 interrupted; 141 the reader of the output left.
 #'
 #' @param dir A folder, better one on the PATH. It is made where it does not exist.
 #' @param ... Not used: an unknown argument is an error.
@@ -27,38 +27,44 @@
 #' @export
 install_cli <- function(dir = "~/.local/bin", ..., overwrite = FALSE) {
   call <- check_no_dots(...)
-  if (!rlang::is_string(dir) || !nzchar(dir)) {
-    abort_rotdyn(c(
-      "{.arg dir} must be the name of a folder.", x = "It is {describe_value(dir)}."
-    ), "type", call)
-  }
+  dir <- check_file_name(dir, call, "dir", "folder")
   if (!isTRUE(overwrite) && !isFALSE(overwrite)) {
     abort_rotdyn(c(
       "{.arg overwrite} must be TRUE or FALSE.", x = "It is {describe_value(overwrite)}."
     ), "type", call)
   }
   windows <- .Platform$OS.type == "windows"
-  path <- file.path(path.expand(dir), if (windows) "rotdyn.cmd" else "rotdyn")
-  if (file.exists(path) && !overwrite &&
-      !any(grepl(cli_mark, readLines(path, warn = FALSE), fixed = TRUE))) {
+  path <- file.path(dir, if (windows) "rotdyn.cmd" else "rotdyn")
+  if (file.exists(path) && !overwrite && !is_own_command(path)) {
     abort_rotdyn(c(
       "{.file {path}} is another file.", i = "{.code overwrite = TRUE} replaces it."
     ), "file", call)
   }
-  written <- tryCatch({
-    suppressWarnings(dir.create(dirname(path), FALSE, TRUE))
-    suppressWarnings(writeLines(cli_launcher(windows), path))
-    Sys.chmod(path, "0755", FALSE)
-  }, error = identity)
-  if (inherits(written, "error") || !file.exists(path)) {
-    abort_rotdyn("{.file {path}} cannot be written.", "file", call)
+  suppressWarnings(dir.create(dirname(path), FALSE, TRUE))
+  end <- if (windows) "\r" else ""
+  fault <- put_file(paste0(cli_launcher(windows), end), path, "0755")
+  if (nzchar(fault)) {
+    abort_rotdyn(c("{.file {path}} cannot be written.", x = braces_doubled(fault)), "file", call)
   }
   invisible(path)
+}
+
+is_own_command <- function(path) {
+  lines <- tryCatch(
+    suppressWarnings(readLines(path, 3L, skipNul = TRUE)), error = function(e) NULL
+  )
+  any(grepl(cli_mark, lines, fixed = TRUE, useBytes = TRUE))
 }
 
 cli_mark <- "written by rotdyn::install_cli()"
 
 cli_call <- 'tryCatch(rotdyn:::cli_main(),interrupt=function(e)quit("no",130L))'
+
+# Where standard output or error is closed, files that R opens would have its place.
+cli_closed <- c(
+  "( : 3>&1 ) 2> /dev/null || { ROTDYN_NO_STDOUT=yes; export ROTDYN_NO_STDOUT; exec > /dev/null; }",
+  "( : 3>&2 ) 2> /dev/null || exec 2> /dev/null"
+)
 
 cli_flags <- "--no-echo --no-save --no-restore --no-site-file --no-init-file"
 
@@ -80,6 +86,7 @@ cli_launcher <- function(windows) {
     # No complaint of R's about a locale that is not installed.
     "test \"$(LC_ALL=C.UTF-8 locale charmap 2> /dev/null)\" != UTF-8 || LC_ALL=C.UTF-8",
     "test -z \"$LC_ALL\" || export LC_ALL",
+    cli_closed,
     paste("exec", shQuote(R), cli_flags, "-e", shQuote(cli_call), "--args \"$@\"")
   )
 }

@@ -219,7 +219,7 @@ metadata_sql <- function(file = NULL, dialect = c("sqlite", "postgresql", "duckd
     paste0(c(schema_sql(dialect), rows, format), ";\n", collapse = ""), "COMMIT;\n"
   )
   if (is.null(file)) return(script)
-  write_file(script, check_file_name(file, call), call)
+  write_file(charToRaw(enc2utf8(script)), check_file_name(file, call), call)
   invisible(script)
 }
 

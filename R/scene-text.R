@@ -53,7 +53,7 @@ write_scene <- function(scene, file = NULL, ..., indent = 2) {
   indent <- check_number(indent, "indent", "1", call, 0, 8)
   text <- json_text(scene_node(scene, call), as.integer(indent))
   if (is.null(file)) return(text)
-  write_file(paste0(text, "\n"), check_file_name(file, call), call)
+  write_file(text, check_file_name(file, call), call)
   invisible(text)
 }
 

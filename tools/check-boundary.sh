@@ -129,7 +129,7 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 # LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.
 # Layers of one level exclude each other. The first line that matches counts.
 layers='
-1 ground      ieee status real text hash dd dd_trig pair pair_dd wide search column gauss clock
+1 ground      ieee status real text hash file dd dd_trig pair pair_dd wide search column gauss clock
 1 ground      share gsl
 2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex cone whiten
 3 engine      ode* events march torque term model
