@@ -478,7 +478,7 @@ cli_record_verbs <- function() {
 }
 
 cli_record <- function(db, motion, note = NULL, rows = "some") {
-  if (!file.exists(db)) records_create(db)
+  if (!file.exists(db) || file.size(db) == 0) records_create(db)
   record_run(db, motion, note = note, rows = rows)
 }
 

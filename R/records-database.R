@@ -96,11 +96,11 @@ prepare_connection <- function(db, call) {
   }
 }
 
-# A second writer waits for 10 s.
+# A second writer waits for 60 s: many sessions may make or open one database at a time.
 set_references <- function(db, call) {
   tryCatch(
     {
-      RSQLite::sqliteSetBusyHandler(db$con, 10000L)
+      RSQLite::sqliteSetBusyHandler(db$con, 60000L)
       execute(db, "PRAGMA foreign_keys = ON")
     },
     error = function(e) abort_database(e, call)
@@ -109,19 +109,41 @@ set_references <- function(db, call) {
 
 abort_database <- function(e, call) {
   abort_rotdyn(
-    c("The database refuses.", x = gsub("([{}])", "\\1\\1", conditionMessage(e))), "database", call
+    c("The database refuses.", x = braces_doubled(database_words(conditionMessage(e)))), "database",
+    call
   )
 }
 
-# Integers of 64 bits as doubles; results of all drivers as plain columns.
+# A full disk in the words of three databases.
+database_words <- function(said) {
+  full <- "disk is full|disk full|no space left|quota exceeded"
+  if (grepl(full, said, ignore.case = TRUE)) "The disk is full." else said
+}
+
+# Integers of 64 bits as doubles; results of all drivers as plain columns. Text that is not valid
+# has its bytes in angle brackets, and the attribute "damaged" is TRUE. Values of several types in a
+# column, of which the driver warns, are for those who check the types.
 query <- function(db, sql, params = NULL, call) {
   rows <- tryCatch(
-    if (is.null(params)) DBI::dbGetQuery(db$con, sql) else {
+    suppressWarnings(if (is.null(params)) DBI::dbGetQuery(db$con, sql) else {
       DBI::dbGetQuery(db$con, placeholders(sql, db$dialect), params = params)
-    },
+    }),
     error = function(e) abort_database(e, call)
   )
-  rows[] <- lapply(rows, function(x) if (inherits(x, "integer64")) big_integers(x) else x)
+  readable_rows(rows)
+}
+
+readable_rows <- function(rows) {
+  damaged <- FALSE
+  for (i in seq_along(rows)) {
+    x <- rows[[i]]
+    if (inherits(x, "integer64")) rows[[i]] <- big_integers(x)
+    if (is.character(x) && !all(validUTF8(x))) {
+      damaged <- TRUE
+      rows[[i]] <- iconv(x, "UTF-8", "UTF-8", sub = "byte")
+    }
+  }
+  attr(rows, "damaged") <- damaged
   rows
 }
 
@@ -138,9 +160,10 @@ placeholders <- function(sql, dialect) {
 
 # A statement without rows; DBI::dbExecute() would count those that it changes.
 execute <- function(db, sql, params = NULL) {
-  DBI::dbClearResult(if (is.null(params)) DBI::dbSendStatement(db$con, sql) else {
+  result <- if (is.null(params)) DBI::dbSendStatement(db$con, sql) else {
     DBI::dbSendStatement(db$con, sql, params = params)
-  })
+  }
+  DBI::dbClearResult(result)
 }
 
 in_transaction <- function(db, call, code) {
@@ -155,7 +178,8 @@ in_transaction <- function(db, call, code) {
 whole_or_none <- function(db, code) {
   if (db$dialect == "sqlite") execute(db, "BEGIN IMMEDIATE") else DBI::dbBegin(db$con)
   done <- FALSE
-  on.exit(if (!done) DBI::dbRollback(db$con))
+  # A database on a full disk has undone it already, and has no transaction any more.
+  on.exit(if (!done) try(suppressWarnings(DBI::dbRollback(db$con)), silent = TRUE))
   force(code)
   if (db$dialect == "sqlite") execute(db, "COMMIT") else DBI::dbCommit(db$con)
   done <- TRUE
@@ -167,11 +191,11 @@ whole_or_none <- function(db, code) {
 records_version <- function(db, scene, call) {
   kept <- if (db$dialect == "sqlite") "(SELECT foreign_keys FROM pragma_foreign_keys)" else "1"
   rows <- tryCatch(
-    DBI::dbGetQuery(db$con, paste0(
+    suppressWarnings(DBI::dbGetQuery(db$con, paste0(
       "SELECT format, rotdyn_version, ", kept, " AS kept, (SELECT COUNT(*) FROM rot_software ",
       "WHERE software = '", own_software()$software, "') AS software, ",
       "(SELECT COUNT(*) FROM rot_scene WHERE scene = '", scene, "') AS scene FROM rot_format"
-    )),
+    ))),
     error = function(e) {
       # A file that is locked or no database may have tables of records.
       other <- db$dialect == "sqlite" && !grepl("no such table", conditionMessage(e), fixed = TRUE)
@@ -179,11 +203,12 @@ records_version <- function(db, scene, call) {
     }
   )
   if (is.null(rows)) return(NULL)
-  number <- function(x) as.double(if (inherits(x, "integer64")) big_integers(x) else x)
+  rows <- readable_rows(rows)
   list(
-    format = max(number(rows$format)), rotdyn_version = rows$rotdyn_version[1],
-    has_software = number(rows$software)[1] > 0, has_scene = number(rows$scene)[1] > 0,
-    kept = number(rows$kept)[1]
+    format = max(as_numbers(rows$format), -Inf),
+    rotdyn_version = if (is.character(rows$rotdyn_version)) rows$rotdyn_version[1] else "unknown",
+    has_software = as_numbers(rows$software)[1] > 0, has_scene = as_numbers(rows$scene)[1] > 0,
+    kept = as_numbers(rows$kept)[1]
   )
 }
 
@@ -193,13 +218,51 @@ check_format <- function(found, call) {
       "The database has no tables of records.", i = "{.fn records_create} makes them."
     ), "database", call)
   }
-  if (!is.finite(found$format) || found$format > records_format) {
+  if (!is.finite(found$format)) {
+    abort_rotdyn("The database is damaged: its format is no number.", "database", call)
+  }
+  if (found$format > records_format) {
     abort_rotdyn(c(
       "The database has a newer format.",
       x = "It is {found$format}; this version of rotdyn reads {records_format}.",
       i = "rotdyn {found$rotdyn_version} or later reads it."
     ), "database", call)
   }
+}
+
+# Makes the tables unless another session has made them meanwhile; the names of what was made.
+make_tables <- function(db, call) {
+  made <- character()
+  in_transaction(db, call, {
+    lock_tables(db)
+    if (!DBI::dbExistsTable(db$con, "rot_format")) {
+      for (statement in schema_sql(db$dialect)) execute(db, statement)
+      add_metadata(db)
+      append_rows(db, "format", list(
+        format = records_format, rotdyn_version = own_version(), created_utc = utc_now()
+      ))
+      made <- c(vapply(all_tables(), `[[`, "", "sql", USE.NAMES = FALSE), names(view_sql))
+    }
+  })
+  made
+}
+
+# SQLite's transactions have the writer's lock from the beginning; PostgreSQL's take this one, which
+# ends with the transaction.
+lock_tables <- function(db) {
+  if (db$dialect == "postgresql") {
+    DBI::dbGetQuery(db$con, "SELECT CAST(pg_advisory_xact_lock(726174) AS TEXT)")
+  }
+}
+
+# A file that appears with all of its tables, or not at all: made under another name beside it. NULL
+# where another session was faster, or the disk has no second names for files.
+make_file <- function(path, call) {
+  part <- tempfile(".rotdyn-", dirname(path))
+  on.exit(unlink(paste0(part, c("", "-journal"))))
+  db <- connect_records(part, call, made = FALSE)
+  made <- tryCatch(make_tables(db, call), finally = db$close())
+  if (isTRUE(suppressWarnings(file.link(part, path)))) made
 }
 
 add_metadata <- function(db) {
@@ -212,6 +275,7 @@ refresh_metadata <- function(db, call) {
   known <- metadata()
   tables <- metadata_tables()
   in_transaction(db, call, {
+    lock_tables(db)
     for (name in names(known)) {
       key <- tables[[name]]$key
       there <- query(
@@ -249,8 +313,11 @@ append_rows <- function(db, name, rows, form = "") {
       as.double(x)
     )
   })
+  sql <- function() insert_with(name, db$dialect, form)
   if (db$dialect == "sqlite" || length(rows[[1]]) == 1L) {
-    execute(db, insert_with(name, db$dialect, form), unname(rows))
+    execute(db, sql(), unname(rows))
+  } else if (nzchar(form)) {
+    for (i in seq_along(rows[[1]])) execute(db, sql(), unname(lapply(rows, `[`, i)))
   } else {
     DBI::dbAppendTable(db$con, table$sql, as.data.frame(rows))
   }
@@ -286,14 +353,21 @@ all_table_list <- function() {
   registry_texts$tables
 }
 
-# Of a database, in the types that the check of rows reads.
+# Of a database, in the types that the check of rows reads. What is of another type is NA.
 plain_rows <- function(rows, table) {
   for (name in names(table$columns)) {
-    rows[[name]] <- if (table$columns[[name]]$type == "text") {
-      as.character(rows[[name]])
+    x <- rows[[name]]
+    rows[[name]] <- if (table$columns[[name]]$type != "text") {
+      as_numbers(x)
+    } else if (is.list(x)) {
+      rep(NA_character_, length(x))
     } else {
-      as.double(rows[[name]])
+      as.character(x)
     }
   }
   rows
+}
+
+as_numbers <- function(x) {
+  if (is.list(x)) rep(NA_real_, length(x)) else suppressWarnings(as.double(x))
 }

@@ -72,25 +72,53 @@ times_text <- function(time_s) {
 
 grid_times <- function(from, step, n) from + (seq_len(n) - 1) * step
 
-read_times <- function(text, call) {
+# `rows`: how many the run has, at least one for each time.
+read_times <- function(text, call, rows = Inf) {
   x <- read_json(text, "times", "record", call)
   damaged <- function() abort_rotdyn("The times of this run are damaged.", "record", call)
   if (setequal(names(x), c("from", "step", "n"))) {
-    if (!all(lengths(x) == 1L) || !all(vapply(x, is.double, NA)) || !(x$n >= 0 && x$n < 2^31)) {
+    if (!all(lengths(x) == 1L) || !all(vapply(x, is.double, NA)) || !(x$n >= 0 && x$n < 2^31 && x$n <= rows)) {
       damaged()
     }
     return(grid_times(x$from, x$step, x$n))
   }
   if (!identical(names(x), "at") || !(is.double(x$at) || !length(x$at))) damaged()
+  if (length(x$at) > rows) damaged()
   as.double(x$at)
 }
+
+# The time of each row; of one rotor where a time has a row for each. Times may repeat.
+times_of_rows <- function(values, run) {
+  index <- constraint_of(run$scene)$index
+  if (is.null(index) || !length(values$time_s)) return(values$time_s)
+  values$time_s[values[[index]] == values[[index]][1]]
+}
+
+# Of columns that the dictionary has for the first body alone (theta_3_rad: theta_1_rad), and of
+# others that it lacks, rows for the table of quantities.
+more_quantities <- function(names) {
+  known <- metadata()$quantities
+  names <- setdiff(names, known$quantity)
+  at <- match(first_of(names), known$quantity)
+  number <- sub("^[^0-9]*_([0-9]+)_.*", "\\1", names)
+  list(
+    quantity = names, unit = known$unit[at],
+    meaning = ifelse(is.na(at), "a computed column", mapply(
+      function(number, text) gsub("\\b1\\b", number, text), number, known$meaning[at]
+    ))
+  )
+}
+
+# The name with the first body's number.
+first_of <- function(names) sub("_[0-9]+_", "_1_", names)
 
 # Rows to keep of each column: first, quarters, last, where it is largest.
 kept_rows <- function(x, rows) {
   n <- length(x)
   if (rows == "all" || n <= 6L) return(seq_len(n))
   quarters <- c(1, 1 + (n - 1) %/% 4, 1 + (n - 1) %/% 2, n - (n - 1) %/% 4, n)
-  largest <- which.max(abs(x))
+  # Of a logical column that is the row of an event, whose time has an error.
+  largest <- if (is.numeric(x)) which.max(abs(x))
   if (length(largest) && !largest %in% quarters) c(quarters, largest) else quarters
 }
 
@@ -138,7 +166,7 @@ write_record <- function(db, motion, scene, note, rows, repeats, call) {
   columns <- computed_columns(motion, run)
   values <- unclass(motion)
   row_count <- nrow(motion)
-  numbers <- intersect(columns[vapply(values[columns], is.numeric, NA)], column_names())
+  numbers <- columns[vapply(values[columns], function(x) is.numeric(x) || is.logical(x), NA)]
   kept <- lapply(values[numbers], kept_rows, rows)
   value <- Map(function(x, at) as.double(x)[at], values[numbers], kept)
   value <- unlist(value, FALSE, FALSE)
@@ -151,12 +179,12 @@ write_record <- function(db, motion, scene, note, rows, repeats, call) {
       scene = scene$hash, constraint_kind = constraint_of(run$scene)$id,
       scene_format = scene_format, json = scene$text
     ),
-    software = software,
+    software = software, quantities = more_quantities(numbers),
     runs = list(
       run = name, scene = scene$hash, software = software$software, model = run$model,
       model_asked = as.integer(isTRUE(run$asked)), accuracy = run$accuracy,
       max_steps = run$max_steps, error = finite_or_na(info$error), error_kind = run$error_kind,
-      verdict = verdict, row_count = row_count, times = times_text(unique(values$time_s)),
+      verdict = verdict, row_count = row_count, times = times_text(times_of_rows(values, run)),
       column_names = paste(columns, collapse = " "), result_hash = hash_columns(motion, columns),
       errors = errors_text(info), recorded_utc = utc_now(), repeats = repeats,
       note = note %||% NA_character_
@@ -180,7 +208,10 @@ add_at_once <- function(db, rows, call) {
     {
       whole_or_none(db, {
         known <- identical(registry_texts$recorded, scene_place(db, rows$scenes$scene))
-        if (!known) append_rows(db, "scenes", rows$scenes, "new")
+        if (!known) {
+          append_rows(db, "scenes", rows$scenes, "new")
+          append_rows(db, "quantities", rows$quantities, "new")
+        }
         append_rows(db, "runs", rows$runs, "checked")
         append_rows(db, "run_values", rows$run_values)
       })
@@ -200,11 +231,12 @@ scene_place <- function(db, hash) {
 
 add_checked <- function(db, rows, call) {
   db <- check_records(db, call, scene = rows$scenes$scene)
-  if (db$version$rotdyn_version != own_version()) refresh_metadata(db, call)
+  if (!identical(db$version$rotdyn_version, own_version())) refresh_metadata(db, call)
   in_transaction(db, call, {
     # Another session may have added them meanwhile.
     if (!db$version$has_scene) append_rows(db, "scenes", rows$scenes, "new")
     if (!db$version$has_software) append_rows(db, "software", rows$software, "new")
+    append_rows(db, "quantities", rows$quantities, "new")
     append_rows(db, "runs", rows$runs)
     append_rows(db, "run_values", rows$run_values)
   })
@@ -244,10 +276,11 @@ FROM rot_run r JOIN rot_scene s ON s.scene = r.scene
   JOIN rot_software v ON v.software = r.software"
 
 run_list <- function(rows) {
-  for (name in c("accuracy", "error", "row_count")) rows[[name]] <- as.double(rows[[name]])
+  for (name in c("accuracy", "error", "row_count")) rows[[name]] <- as_numbers(rows[[name]])
   for (name in setdiff(names(rows), c("accuracy", "error", "row_count"))) {
-    rows[[name]] <- as.character(rows[[name]])
+    rows[[name]] <- if (is.list(rows[[name]])) NA_character_ else as.character(rows[[name]])
   }
+  attr(rows, "damaged") <- NULL
   tibble::as_tibble(rows)
 }
 
@@ -275,43 +308,79 @@ find_run <- function(db, run, call) {
 
 read_record <- function(db, run, call) {
   name <- find_run(db, run, call)
-  one <- function(sql) query(db, sql, list(name), call)
-  listed <- run_list(one(paste(list_sql, "WHERE r.run = ?")))
-  more <- one(
-    "SELECT r.model_asked AS model_asked, r.max_steps AS max_steps, r.times AS times,
-      r.column_names AS column_names, r.result_hash AS result_hash,
-      r.errors AS errors, s.json AS json,
-      v.software AS software, v.library_hash AS library_hash, v.r_version AS r_version,
-      v.platform AS platform
-    FROM rot_run r JOIN rot_scene s ON s.scene = r.scene
-      JOIN rot_software v ON v.software = r.software WHERE r.run = ?"
-  )
-  values <- one(
-    "SELECT quantity, place, value, special FROM rot_run_value WHERE run = ?
-    ORDER BY quantity, place"
-  )
+  listed <- query(db, paste(list_sql, "WHERE r.run = ?"), list(name), call)
+  # The rows of the run, in tables of their own, as the schema has them.
+  tables <- record_tables()
+  rows <- list()
+  rows_of <- function(table, key, value, more = "") {
+    sql <- paste(
+      "SELECT", paste(names(tables[[table]]$columns), collapse = ", "), "FROM", tables[[table]]$sql,
+      "WHERE", key, "= ?", more
+    )
+    found <- query(db, sql, list(value), call)
+    rows[[table]] <<- plain_rows(found, tables[[table]])
+    check_record_rows(rows[[table]], tables[[table]], table, name, call)
+  }
+  rows_of("runs", "run", name)
+  if (!nrow(listed)) abort_damaged(name, "Its scene or its software is missing.", call)
+  rows_of("scenes", "scene", rows$runs$scene)
+  rows_of("software", "software", rows$runs$software)
+  rows_of("run_values", "run", name, "ORDER BY quantity, place")
+  more <- rows$runs
+  values <- rows$run_values
+  if (any(values$place > more$row_count)) {
+    abort_damaged(name, "A value is of a row that the run has not.", call)
+  }
   scene <- withCallingHandlers(
-    scene_of_text(more$json, call),
+    scene_of_text(rows$scenes$json, call),
     rotdyn_message = function(m) rlang::cnd_muffle(m),
     rotdyn_warning = function(w) rlang::cnd_muffle(w)
   )
   if (!inherits(scene, "rot_scene")) {
     abort_rotdyn("The text of this run is no scene.", "record", call)
   }
+  listed <- run_list(listed)
   c(as.list(listed), list(
-    scene_text = more$json, scene = scene, times_s = read_times(more$times, call),
-    model_asked = more$model_asked == 1, max_steps = as.double(more$max_steps),
+    scene_text = rows$scenes$json, scene = scene,
+    times_s = read_times(more$times, call, more$row_count), model_asked = more$model_asked == 1,
+    max_steps = more$max_steps,
     columns = strsplit(more$column_names, " ", fixed = TRUE)[[1]], result_hash = more$result_hash,
     errors = read_errors(more$errors, call),
     values = tibble::tibble(
-      quantity = as.character(values$quantity), row = as.double(values$place),
-      value = value_of(as.double(values$value), as.character(values$special))
+      quantity = values$quantity, row = values$place, value = value_of(values$value, values$special)
     ),
-    software = c(
-      list(rotdyn_version = listed$rotdyn_version),
-      as.list(more)[c("software", "library_hash", "r_version", "platform")]
-    )
+    software = as.list(rows$software)[c(
+      "rotdyn_version", "software", "library_hash", "r_version", "platform"
+    )]
   ))
+}
+
+# Types, missing values and ranges of the rows of a run; references are the database's.
+check_record_rows <- function(rows, table, name, run, call) {
+  if (isTRUE(attr(rows, "damaged"))) abort_damaged(run, "It has text that is not UTF-8.", call)
+  if (name != "run_values" && nrow(rows) != 1L) {
+    abort_damaged(run, paste0("It has ", nrow(rows), " rows in the table of ", name, "."), call)
+  }
+  table$columns <- lapply(table$columns, function(column) {
+    column["refers"] <- list(NULL)
+    column
+  })
+  tables <- stats::setNames(list(table), name)
+  faults <- schema_faults(stats::setNames(list(as.data.frame(rows)), name), tables)
+  if (nrow(faults)) {
+    abort_damaged(run, paste0("In the table of ", name, ": ", faults$fault[1], "."), call)
+  }
+}
+
+abort_damaged <- function(run, why, call) {
+  abort_rotdyn(c("The record {.val {run}} is damaged.", x = braces_doubled(why)), "record", call)
+}
+
+can_be_read <- function(text) {
+  tryCatch({
+    suppressWarnings(suppressMessages(scene_of_text(text, NULL)))
+    TRUE
+  }, error = function(e) FALSE)
 }
 
 # The record and a new motion: verdict and where they differ most.
@@ -329,7 +398,9 @@ compare_record <- function(old, motion) {
   }
   result <- list(
     verdict = verdict, where = where, run = old$run, model = c(then = old$model, now = run$model),
-    versions = c(then = old$rotdyn_version, now = own_version()), motion = motion
+    versions = c(then = old$rotdyn_version, now = own_version()),
+    not_compared = if (old$row_count > 0) setdiff(old$columns, old$values$quantity) else character(),
+    motion = motion
   )
   class(result) <- "rot_rerun"
   result
@@ -354,8 +425,9 @@ compare_values <- function(old, motion, run) {
     difference[both] <- 0
     difference[is.na(difference)] <- Inf
     size <- max(abs(c(then, now))[is.finite(c(then, now))], 0)
-    of <- owner[name]
-    allowed <- if (name %in% c("time_s", constraint_of(run$scene)$index)) {
+    of <- if (name %in% names(owner)) owner[name] else owner[first_of(name)]
+    allowed <- if (name %in% c("time_s", constraint_of(run$scene)$index) ||
+      is.logical(motion[[name]])) {
       0
     } else if (!is.na(of)) {
       sum(then_error[of], run$info$errors[of], na.rm = TRUE) + 2 * eps * size

@@ -16,15 +16,19 @@ records_format <- 1L
 #'
 #' `record_run()` writes one run in one transaction: an interruption leaves all of it or nothing. The
 #' rows that are kept are the first, the last, those at the quarters, and those with the largest
-#' values; with `rows = "all"` every row is. NA, NaN, Inf and -0 are kept as such.
+#' values; with `rows = "all"` every row is. NA, NaN, Inf and -0 are kept as such, TRUE and FALSE as
+#' 1 and 0; of columns of text the hash alone.
 #'
 #' `rerun()` computes a record anew from the database alone. The verdict is `"identical"` if the hash
 #' of the columns is the same; `"within errors"` if the values kept differ by no more than the two
-#' error figures allow; otherwise `"differs"`. Other versions of the package, of the compiler or of
+#' error figures allow; otherwise `"differs"`. `not_compared` names columns of which the record has
+#' no values: those of text, and in records of older
+#' versions those of second bodies (`theta_2_rad`). Other versions of the package, of the compiler or of
 #' the processor may change last bits: `"within errors"` is what to expect of them.
 #'
-#' `records_check()` looks at keys, checks and references in R, at the hashes of the scenes, and
-#' whether every run has its values; and at what SQLite says of its file.
+#' `records_check()` looks at keys, checks and references in R, at the encoding of text, at the hashes
+#' of the scenes, whether every scene can be read and every run has its values; and at what SQLite
+#' says of its file.
 #'
 #' `metadata_sql()` writes tables, rows and views as a script, for those without R.
 #'
@@ -47,7 +51,7 @@ records_format <- 1L
 #'   tibble: quantity, row, value) and `software` (a list).
 #' * `rerun()`: a list of class `rot_rerun`: `verdict`, `where` (a tibble with a row for each
 #'   quantity: the row where it differs most, the two values, and what the errors allow; the worst
-#'   first), `run`, `model`, `versions` and `motion`, the new trajectory.
+#'   first), `not_compared`, `run`, `model`, `versions` and `motion`, the new trajectory.
 #' * `records_check()`: a tibble: check, holds, detail.
 #' * `metadata_sql()`: the script, invisibly if it is written to a file.
 #' @section Errors: `rotdyn_error_database` (a driver that is not known, no tables of records, a
@@ -71,23 +75,20 @@ records_format <- 1L
 records_create <- function(con, ...) {
   call <- check_no_dots(...)
   check_supplied("con", call)
+  if (rlang::is_string(con) && con != ":memory:") {
+    need_package("DBI", "Recording runs", call)
+    need_package("RSQLite", "A file of records", call)
+    path <- link_target(check_file_name(con, call, "con"))
+    made <- if (!file.exists(path)) make_file(path, call)
+    if (!is.null(made)) return(invisible(made))
+  }
   db <- open_records(con, call, made = FALSE)
   on.exit(db$close())
   found <- db$version
-  if (!is.null(found)) {
-    check_format(found, call)
-    if (found$rotdyn_version != own_version()) refresh_metadata(db, call)
-    return(invisible(character()))
-  }
-  sql <- schema_sql(db$dialect)
-  in_transaction(db, call, {
-    for (statement in sql) execute(db, statement)
-    add_metadata(db)
-    append_rows(db, "format", list(
-      format = records_format, rotdyn_version = own_version(), created_utc = utc_now()
-    ))
-  })
-  invisible(c(vapply(all_tables(), `[[`, "", "sql", USE.NAMES = FALSE), names(view_sql)))
+  if (is.null(found)) return(invisible(make_tables(db, call)))
+  check_format(found, call)
+  if (!identical(found$rotdyn_version, own_version())) refresh_metadata(db, call)
+  invisible(character())
 }
 
 #' @rdname records_create
@@ -167,20 +168,24 @@ records_check <- function(con, ...) {
   say <- function(check, holds, detail = "") {
     checks[[length(checks) + 1L]] <<- list(check = check, holds = holds, detail = detail)
   }
+  first <- function(x) if (length(x)) x[1] else ""
   tables <- all_tables()
   data <- lapply(tables, function(table) {
     columns <- paste(names(table$columns), collapse = ", ")
     plain_rows(query(db, paste("SELECT", columns, "FROM", table$sql), call = call), table)
   })
+  invalid <- names(Filter(function(rows) isTRUE(attr(rows, "damaged")), data))
+  say("text is valid UTF-8", !length(invalid), first(invalid))
   faults <- schema_faults(data, tables)
-  first <- function(x) if (length(x)) x[1] else ""
   say(
     "keys, checks and references", nrow(faults) == 0L,
     first(sprintf("%s, row %s: %s", faults$table, faults$row, faults$fault))
   )
-  hashes <- vapply(data$scenes$json, hash_text, "", USE.NAMES = FALSE)
+  hashes <- vapply(as.character(data$scenes$json), hash_text, "", USE.NAMES = FALSE)
   wrong <- data$scenes$scene[hashes != data$scenes$scene]
   say("hashes of the scenes", !length(wrong), first(wrong))
+  lost <- data$scenes$scene[!vapply(data$scenes$json, can_be_read, NA, USE.NAMES = FALSE)]
+  say("every scene can be read", !length(lost), first(lost))
   without <- setdiff(data$runs$run[data$runs$row_count > 0], data$run_values$run)
   say("every run has its values", !length(without), first(without))
   own <- metadata()
@@ -191,7 +196,7 @@ records_check <- function(con, ...) {
   }))
   say("metadata of this version", !length(missing), first(missing))
   if (db$dialect == "sqlite") {
-    whole <- query(db, "PRAGMA integrity_check", call = call)[[1]]
+    whole <- as.character(query(db, "PRAGMA integrity_check", call = call)[[1]])
     sound <- identical(whole, "ok")
     say("integrity of the file", sound, if (sound) "" else whole[1])
     broken <- query(db, "PRAGMA foreign_key_check", call = call)
@@ -247,6 +252,9 @@ print.rot_rerun <- function(x, ...) {
   cat("  model    ", paste(unique(x$model), collapse = " then, now "), "\n", sep = "")
   cat("  rotdyn   ", paste(unique(x$versions), collapse = " then, now "), "\n", sep = "")
   worst <- x$where[1L, ]
+  if (x$verdict != "identical" && length(x$not_compared)) {
+    cat("  unknown  ", paste(x$not_compared, collapse = ", "), ": no values are kept\n", sep = "")
+  }
   if (x$verdict != "identical" && nrow(x$where)) {
     cat(
       "  most     ", worst$quantity, " in row ", worst$row, ": ", format(worst$then, digits = 17),
