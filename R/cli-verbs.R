@@ -20,14 +20,14 @@ cli_read_text <- function(path, state) {
   state$file <- if (standard) "standard input" else path
   if (!standard && dir.exists(path)) abort_input("this is a folder, not a file")
   if (!standard && !file.exists(path)) abort_input("there is no such file")
-  con <- file(if (standard) state$input else path, "rb")
-  on.exit(close(con))
   if (standard) state$read <- TRUE
-  lines <- tryCatch(
-    suppressWarnings(readLines(con, encoding = "UTF-8", skipNul = TRUE)), error = identity
+  text <- tryCatch(
+    suppressWarnings(file_text(if (standard) state$input else path)), error = identity
   )
-  if (inherits(lines, "error")) abort_input("it cannot be read: ", conditionMessage(lines))
-  if (!isTRUE(all(validUTF8(lines)))) abort_input("it is not valid UTF-8")
+  if (inherits(text, "error")) abort_input("it cannot be read: ", conditionMessage(text))
+  if (is.na(text)) abort_input("it has a zero byte: it is no text in UTF-8")
+  if (!validUTF8(text)) abort_input("it is not valid UTF-8")
+  lines <- strsplit(gsub("\r\n?", "\n", text), "\n", fixed = TRUE)[[1]]
   if (!any(nzchar(trimws(lines)))) abort_input("it is empty")
   sub("^\ufeff", "", lines)
 }

@@ -80,3 +80,53 @@ descriptor_of <- function(path) {
 
 # Of words that are not ours: cli takes braces for code.
 braces_doubled <- function(text) gsub("([{}])", "\\1\\1", text)
+
+# ---- reading --------------------------------------------------------------------------------
+
+# The text of a file, compressed or not, taken as UTF-8; NA where it has a zero byte, which R's own
+# readers drop.
+file_text <- function(path) {
+  plain <- file.exists(path) && !.Call(ffi_file_special, path)
+  con <- if (plain) gzfile(path, "rb") else file(path, "rb")
+  on.exit(close(con))
+  bytes_text(all_bytes(con))
+}
+
+# Without a byte order mark, of text that may not be valid.
+without_mark <- function(text) sub("^\xef\xbb\xbf", "", text, useBytes = TRUE)
+
+all_bytes <- function(con) {
+  parts <- list()
+  repeat {
+    part <- readBin(con, "raw", 2^20)
+    if (!length(part)) break
+    parts[[length(parts) + 1L]] <- part
+  }
+  as.raw(unlist(parts))
+}
+
+bytes_text <- function(bytes) {
+  if (any(bytes == as.raw(0))) return(NA_character_)
+  text <- rawToChar(bytes)
+  Encoding(text) <- "UTF-8"
+  text
+}
+
+# Of a connection of the user's, which may be open for text: then readLines() warns of zero bytes,
+# and of the end of the last line, in the language of the session.
+connection_text <- function(con) {
+  said <- character()
+  lines <- withCallingHandlers(
+    readLines(con, encoding = "UTF-8"),
+    warning = function(w) {
+      said <<- c(said, conditionMessage(w))
+      invokeRestart("muffleWarning")
+    }
+  )
+  last <- sprintf(gettext("incomplete final line found on '%s'", domain = "R"),
+                  summary(con)$description)
+  if (length(setdiff(said, last))) return(NA_character_)
+  text <- paste(lines, collapse = "\n")
+  Encoding(text) <- "UTF-8"
+  text
+}

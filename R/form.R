@@ -189,6 +189,20 @@ check_coupling <- function(x, arg, call) {
   x
 }
 
+# A scene from its constructor, whose arguments are sound: what follows from them may be beyond
+# double precision.
+sound_scene <- function(scene, call) {
+  part <- fault_of_scene(scene)
+  if (is.null(part)) return(scene)
+  value <- tryCatch(
+    format(scene[[strsplit(part, "[$[]")[[1]][1]]], digits = 3), error = function(e) NULL
+  )
+  abort_rotdyn(c(
+    "The scene exceeds double precision.",
+    x = "{.field {part}} follows from the arguments{if (length(value)) paste(' and is', value[1])}."
+  ), "range", call)
+}
+
 # NULL, or the path of a part of a scene that does not fit its constraint.
 fault_of_scene <- function(scene) {
   constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)

@@ -1,12 +1,21 @@
 # Names that users mistype: the nearest known ones, and hints for other units.
 
-# For each of `given` the most similar of `known`, where one is as similar as `least`.
+# For each of `given` the most similar of `known`, where one is as similar as `least`. Of many, and
+# of long ones, that takes long and helps nobody: ten of up to 100 characters are looked at.
 near_names <- function(given, known, least = 0.5) {
-  near <- lapply(given, function(name) {
+  given <- given[nchar(given, "bytes") <= 100L]
+  near <- lapply(utils::head(given, 10L), function(name) {
     score <- vapply(known, function(k) name_likeness(name, k), double(1))
     known[which.max(score)][max(score, 0) >= least]
   })
   unique(as.character(unlist(near)))
+}
+
+# Of names that a message lists: ten, the long ones cut.
+some_names <- function(names) {
+  long <- nchar(names, "bytes") > 100L
+  names <- utils::head(names, 10L)
+  ifelse(utils::head(long, 10L), paste0(substr(names, 1L, 60L), "..."), names)
 }
 
 # Words that say a unit: names are compared without them first.
@@ -57,8 +66,10 @@ word_likeness <- function(a, b) {
 # user's own columns are kept, so it would be ignored in silence. `given`: known ones, as columns or
 # as arguments.
 check_near_columns <- function(data, known, given, kept, call) {
-  for (name in setdiff(names(data), c(known, kept))) {
-    if (!is_number(data[[name]])) next
+  # Names of the same words (x_1, x_2, ...) are alike to the same ones: the first is looked at.
+  others <- Filter(function(name) is_number(data[[name]]), setdiff(names(data), c(known, kept)))
+  words <- vapply(others, function(name) paste(name_words(name), collapse = " "), "")
+  for (name in others[!duplicated(words)]) {
     near <- setdiff(near_names(name, known, 0.6), given)
     if (length(near)) {
       abort_rotdyn(c(

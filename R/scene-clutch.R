@@ -72,7 +72,7 @@ scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m 
     start_s = check_number(start_s, "start_s", "s", call)
   )
   class(scene) <- c("rot_scene_clutch", "rot_scene")
-  scene
+  sound_scene(scene, call)
 }
 
 one_inertia <- function(body, arg, call) {

@@ -218,7 +218,7 @@ scene_drive <- function(bodies, couplings = list(), ..., torque = NULL, resistan
     theta0_rad = theta, omega0_rad_per_s = omega, start_s = start_s
   )
   class(scene) <- c("rot_scene_drive", "rot_scene")
-  scene
+  sound_scene(scene, call)
 }
 
 check_couplings <- function(couplings, n, call) {

@@ -118,7 +118,7 @@ scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m
   check_spin(scene, call)
   check_rotors(scene, call)
   class(scene) <- c("rot_scene_free", "rot_scene")
-  scene
+  sound_scene(scene, call)
 }
 
 # list(body, bodies, moment_of_inertia_kg_m2, axes, moment_error): principal moments, and the

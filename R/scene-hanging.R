@@ -89,7 +89,7 @@ scene_hanging_mass <- function(body, mass_kg, radius_m = NULL, resistance = NULL
     moment_of_inertia_kg_m2 = as.double(own), gravity_m_per_s2 = gravity_m_per_s2
   )
   scene$given <- list(rope = TRUE) # its text is not that of scene_axle()
-  scene
+  sound_scene(scene, call)
 }
 
 # Of a body that is round about that axis.

@@ -131,7 +131,7 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
     ), "value", call)
   }
   class(scene) <- c("rot_scene_incline", "rot_scene")
-  scene
+  sound_scene(scene, call)
 }
 
 # NULL, or list(f, breaks_s, arguments).

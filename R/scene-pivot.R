@@ -112,7 +112,7 @@ scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_
   check_spin(scene, call)
   check_rotors(scene, call)
   class(scene) <- c("rot_scene_pivot", "rot_scene")
-  scene
+  sound_scene(scene, call)
 }
 
 # A vector in own axes, in principal ones.

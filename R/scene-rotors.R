@@ -66,7 +66,7 @@ scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., 
     start_s = check_number(start_s, "start_s", "s", call)
   )
   class(scene) <- c("rot_scene_rotors", "rot_scene")
-  scene
+  sound_scene(scene, call)
 }
 
 # Moments of inertia about the axle, from a list of bodies or numbers.

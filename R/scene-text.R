@@ -75,26 +75,27 @@ scene_hash <- function(scene, ...) {
 
 # The text of a file, of a connection, or `file` itself.
 scene_source <- function(file, call) {
-  if (inherits(file, "connection")) {
-    text <- tryCatch(suppressWarnings(readLines(file, encoding = "UTF-8")), error = identity)
-  } else if (rlang::is_string(file) && grepl("^[[:space:]]*[{[]", file, useBytes = TRUE)) {
-    text <- file
-  } else {
+  if (!inherits(file, "connection")) {
+    if (rlang::is_string(file) && grepl("^[[:space:]]*[{[]", file, useBytes = TRUE)) {
+      if (Encoding(file) == "latin1") return(enc2utf8(file))
+      Encoding(file) <- "UTF-8"
+      return(file)
+    }
     path <- check_file_name(file, call)
-    text <- tryCatch(
-      suppressWarnings(readLines(path, encoding = "UTF-8", skipNul = TRUE)), error = identity
-    )
   }
+  text <- tryCatch(
+    suppressWarnings(if (inherits(file, "connection")) connection_text(file) else file_text(path)),
+    error = identity
+  )
   if (inherits(text, "error")) {
     abort_rotdyn(c(
       if (inherits(file, "connection")) "The connection cannot be read." else
         "The file {.file {file}} cannot be read.",
-      x = conditionMessage(text)
+      x = braces_doubled(conditionMessage(text))
     ), "file", call)
   }
-  text <- paste(text, collapse = "\n")
-  Encoding(text) <- "UTF-8"
-  sub("^\ufeff", "", text)
+  if (is.na(text)) abort_rotdyn(c("The text is no scene.", x = "It has a zero byte."), "scene", call)
+  without_mark(text)
 }
 
 scene_text <- function(scene, call) json_text(scene_node(scene, call))
@@ -248,7 +249,7 @@ read_node <- function(x, readers, where, call) {
     unknown <- setdiff(name, names(readers))
     near <- near_names(unknown, names(readers))
     abort_rotdyn(c(
-      if (length(unknown)) "Unknown key {.val {unknown}} in {where}." else
+      if (length(unknown)) "Unknown key {.val {some_names(unknown)}} in {where}." else
         "{sentence(where)} must have one key: it has {length(x)}.",
       i = if (length(near)) "Did you mean {.val {near}}?",
       i = "Known: {.val {utils::head(names(readers), 12)}}{if (length(readers) > 12) ', ...'}."
@@ -269,9 +270,9 @@ read_arguments <- function(name, read, x, call) {
   if (length(unknown)) {
     near <- near_names(unknown, known)
     abort_rotdyn(c(
-      "Unknown key {.val {unknown}} in {.val {name}}.",
+      "Unknown key {.val {some_names(unknown)}} in {.val {name}}.",
       i = if (length(near)) "Did you mean {.val {near}}?",
-      unit_hints(unknown), i = "Known: {.val {known}}."
+      unit_hints(some_names(unknown)), i = "Known: {.val {known}}."
     ), "scene", call)
   }
   arguments <- Map(read_argument, x, names(x), list(call))
@@ -296,12 +297,12 @@ read_argument <- function(x, name, call) {
   }
   readers <- text_readers()
   if (length(x) == 1L && names(x) %in% names(readers)) {
-    return(read_node(x, readers, paste0("{.field ", name, "}"), call))
+    return(read_node(x, readers, paste0("\"", name, "\""), call))
   }
   direct <- direct_readers()[[name]]
   if (!is.null(direct)) return(read_arguments(name, direct, x, call))
   if (name %in% c("torque_n_m", "data", "size_m")) return(lapply(x, read_special))
-  read_node(x, readers, paste0("{.field ", name, "}"), call)
+  read_node(x, readers, paste0("\"", name, "\""), call)
 }
 
 read_special <- function(x) if (is_special_number(x)) as.double(x) else x

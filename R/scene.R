@@ -105,7 +105,7 @@ describe_axle <- function(body, torque, resistance, theta0_rad, omega0_rad_per_s
   # For the drawing.
   if (is.double(through)) scene$through <- as.double(through)
   scene$about <- about # for the print
-  scene
+  sound_scene(scene, call)
 }
 
 # The user may have meant the own axis parallel to the axle, where that misses the centre of mass.
@@ -230,7 +230,7 @@ scene_pendulum <- function(body, distance_m = NULL, resistance = NULL, theta0_ra
   )
   scene$given <- list(torque = torque) # for the text
   scene$about <- paste(format_si(distance_m), "m from the centre of mass")
-  scene
+  sound_scene(scene, call)
 }
 
 # From the axle that the body names to its centre of mass.
