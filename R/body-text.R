@@ -2,7 +2,15 @@
 
 #' @export
 text_node.rot_body <- function(x, where, call) {
+  # A body that is part of several is written once.
+  address <- rlang::obj_address(x)
+  known <- registry_texts$nodes[[address]]
+  if (!is.null(known)) return(known$node)
   node <- first_that_fits(x, body_texts(x), where, call)
+  if (!is.null(node) && !is.null(registry_texts$nodes)) {
+    # With the body, so that no other one takes its address.
+    registry_texts$nodes[[address]] <- list(node = node, body = x)
+  }
   if (is.null(node)) {
     abort_rotdyn(c(
       "{sentence(where)} has no text.", x = "Its parts were edited: they make no body."
@@ -29,11 +37,44 @@ list_body_readers <- function() {
   )
 }
 
+# A reader takes 100 levels. A body whose text would have more than this, or be much longer than the
+# body (joined to itself again and again), is written by its numbers.
+body_levels <- 80
+body_leaves <- 512
+
+text_is_short <- function(body) {
+  if (is.null(.subset2(body$detail, "bodies"))) return(TRUE)
+  size <- nested_size(body, 0, new.env(parent = emptyenv()))
+  size[["levels"]] <= body_levels && size[["leaves"]] <= max(body_leaves, 2 * size[["objects"]])
+}
+
+# Levels and leaves of the text of a body, and how many bodies it consists of, each counted once.
+nested_size <- function(body, above, seen) {
+  address <- rlang::obj_address(body)
+  known <- seen[[address]]
+  if (!is.null(known)) return(c(known[c("levels", "leaves")], objects = 0))
+  parts <- .subset2(body$detail, "bodies")
+  own <- if (is.null(parts)) 2 else 3
+  if (!is.null(.subset2(body$detail, "frame"))) own <- own + 2
+  size <- c(levels = own, leaves = 1, objects = 1)
+  if (above + own > body_levels) {
+    size[["levels"]] <- Inf
+  } else if (!is.null(parts)) {
+    inner <- vapply(parts, nested_size, size, above + own, seen)
+    size <- c(
+      levels = own + max(inner["levels", ]), leaves = sum(inner["leaves", ]),
+      objects = 1 + sum(inner["objects", ])
+    )
+  }
+  seen[[address]] <- size
+  size
+}
+
 # The forms that may fit a body, in order.
 body_texts <- function(body) {
   forms <- list()
   frame <- .subset2(body$detail, "frame")
-  own <- own_text(body)
+  own <- if (text_is_short(body)) own_text(body)
   if (!is.null(own) && is.null(frame)) forms[own$name] <- list(text_form(own$arguments, own$read))
   if (!is.null(own) && !is.null(frame)) {
     forms$place_body <- text_form(function(x) {

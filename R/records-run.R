@@ -145,10 +145,9 @@ value_of <- function(value, special) {
 text_of_motion <- function(motion, call) {
   scene <- check_trajectory(motion, "motion", call)$scene
   last <- registry_texts$last
-  same <- identical(
-    scene, last$scene, num.eq = FALSE, single.NA = FALSE, attrib.as.set = FALSE,
-    ignore.environment = FALSE
-  )
+  # The last one is kept, so that no other scene has its address. Comparing parts would take long for
+  # bodies that share theirs.
+  same <- !is.null(last) && rlang::obj_address(scene) == rlang::obj_address(last$scene)
   if (!same) {
     text <- scene_text(scene, call)
     last <- list(scene = scene, text = text, hash = hash_text(text))

@@ -17,6 +17,7 @@ scene_format <- 1
 #'
 #' A body from a mesh, a density or a tensor is written by its mass, centre of mass and second
 #' moment (key `rot_body`): it computes the same; a mesh's triangles, for its picture, are left out.
+#' So is one that was joined more than some 25 times, one inside the other.
 #'
 #' What is an R function has no text: `force_n` and torque laws by function are refused.
 #'
@@ -102,6 +103,10 @@ scene_text <- function(scene, call) json_text(scene_node(scene, call))
 
 # The node of a scene or a body, with the format.
 scene_node <- function(scene, call) {
+  if (is.null(registry_texts$nodes)) {
+    registry_texts$nodes <- new.env(parent = emptyenv())
+    on.exit(registry_texts$nodes <- NULL)
+  }
   if (inherits(scene, "rot_body")) {
     check_body(scene, call, "scene")
     node <- text_node(scene, "body", call)
