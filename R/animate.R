@@ -133,7 +133,7 @@ gif_bytes <- function(folder, width_px, delay_s, call) {
   }
   if (whole) return(readBin(gif, "raw", file.size(gif)))
   # Space that is left shows that the disk is not the reason.
-  probe <- tempfile("space")
+  probe <- tempfile("space", dirname(folder))
   on.exit(unlink(probe))
   full <- put_file(raw(2^20), probe)
   abort_rotdyn(c(

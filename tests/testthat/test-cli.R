@@ -326,6 +326,17 @@ test_that("--out writes the data, --quiet keeps the words", {
   })
 })
 
+test_that("input with a zero byte is refused", {
+  in_folder({
+    writeBin(c(charToRaw("beta\n0."), as.raw(0), charToRaw("4\n")), "zero.csv")
+    said <- cli("roll", "zero.csv")
+    expect_identical(said$status, 3L)
+    expect_match(said$err, "zero byte")
+    writeBin(charToRaw("beta\r0.4\r"), "mac.csv")
+    expect_identical(cli("roll", "mac.csv")$out, cli("roll", "--beta", "0.4")$out)
+  })
+})
+
 test_that("times", {
   times <- function(text) rotdyn:::cli_times(text, function(what) stop(what))
   expect_identical(times("0:1:0.1"), 0 + 0:10 * 0.1)
@@ -475,6 +486,20 @@ test_that("the command in a shell: pipes, profiles, locales, interrupts", {
   expect_identical(sort(said), sort(c(
     "141", paste(names(trajectory(scene_axle(1), 0)), collapse = ",")
   )))
+  # Standard output is closed, or its disk is full; what stands there is kept.
+  closed <- "rotdyn: standard output cannot be written: it is closed"
+  expect_identical(in_shell("rotdyn roll 2>&1 >&- ; echo $?", folder), c(closed, "3"))
+  expect_identical(in_shell("rotdyn roll --out a.csv >&- 2>&- ; echo $?", folder), "0")
+  expect_identical(readLines(file.path(folder, "a.csv")), five)
+  expect_identical(
+    in_shell("echo old > b.csv; rotdyn roll --out /dev/stdout >> b.csv; cat b.csv", folder),
+    c("old", five)
+  )
+  if (file.exists("/dev/full")) {
+    full <- "rotdyn: standard output cannot be written: the disk is full"
+    expect_identical(in_shell("rotdyn roll 2>&1 > /dev/full; echo $?", folder), c(full, "3"))
+    expect_identical(in_shell("rotdyn help 2>&1 > /dev/full; echo $?", folder), c(full, "3"))
+  }
   skip_if(Sys.which("timeout") == "", "there is no timeout")
   command <- shQuote(system.file("exec", "rotdyn", package = "rotdyn"))
   said <- in_shell(paste(

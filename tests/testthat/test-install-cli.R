@@ -24,13 +24,21 @@ test_that("install_cli() replaces no other file", {
   expect_no_error(install_cli(folder, overwrite = TRUE))
   expect_error(install_cli(path), class = "rotdyn_error_file") # a folder below a file
   expect_error(install_cli(1), class = "rotdyn_error_type")
+  bytes <- "a\xff"
+  Encoding(bytes) <- "bytes"
+  expect_error(install_cli(bytes), "encoding", class = "rotdyn_error_type")
+  # A folder has the name of the command.
+  taken <- tempfile("bin")
+  dir.create(file.path(taken, basename(path)), recursive = TRUE)
+  expect_error(install_cli(taken), class = "rotdyn_error_file")
+  expect_error(install_cli(taken, overwrite = TRUE), "folder", class = "rotdyn_error_file")
   expect_error(install_cli(folder, overwrite = NA), class = "rotdyn_error_type")
   expect_error(install_cli(folder, TRUE), class = "rotdyn_error_argument")
 })
 
 test_that("the launcher of the package and the written one start R alike", {
   shipped <- readLines(system.file("exec", "rotdyn", package = "rotdyn"))
-  for (part in c(rotdyn:::cli_call, "--no-site-file --no-init-file")) {
+  for (part in c(rotdyn:::cli_call, rotdyn:::cli_closed, "--no-site-file --no-init-file")) {
     expect_true(any(grepl(part, shipped, fixed = TRUE)))
     expect_true(any(grepl(part, rotdyn:::cli_launcher(FALSE), fixed = TRUE)))
   }

@@ -416,3 +416,223 @@ test_that("names of files that are no text", {
   expect_error(expect_no_warning(records_create(long)), class = "rotdyn_error_database")
   expect_error(expect_no_warning(records_check(long)), class = "rotdyn_error_database")
 })
+
+test_that("repeated times are recorded as often as they were asked for", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  times <- c(0, 1, 1, 2, 2.5, 2.5, 2.5)
+  motions <- list(
+    trajectory(wheel(), times), trajectory(scene_rotors(list(1, 2, 3), c(10, 20),
+      omega0_rad_per_s = c(1, 0, 0)), times),
+    trajectory(scene_drive(list(1, 2), coupling_shaft(5), torque = list(1, NULL)), times)
+  )
+  for (motion in motions) {
+    run <- record_run(lab, motion)
+    expect_identical(read_run(lab, run)$times_s, times)
+    again <- rerun(lab, run)
+    expect_identical(again$verdict, "identical")
+    expect_identical(as.list(again$motion), as.list(motion))
+  }
+})
+
+test_that("columns of all bodies are kept and compared, logical ones too", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  craft <- scene_free(
+    c(1, 2, 3), c(1, 2, 0.1), rotors = list(rotor(c(1, 0, 0), 0.1, 5), rotor(c(0, 1, 0), 0.1, 7))
+  )
+  motion <- trajectory(craft, c(0, 1, 3))
+  run <- record_run(lab, motion)
+  kept <- read_run(lab, run)$values
+  expect_setequal(kept$quantity, names(motion))
+  expect_identical(
+    kept$value[kept$quantity == "rotor_2_omega_rad_per_s"], motion$rotor_2_omega_rad_per_s
+  )
+  words <- asked(lab, "SELECT unit, meaning FROM rot_quantity WHERE quantity =
+    'rotor_2_omega_rad_per_s'")
+  expect_identical(words$unit, "rad/s")
+  expect_match(words$meaning, "rotor 2")
+  expect_true(all(records_check(lab)$holds))
+  again <- rerun(lab, run)
+  expect_identical(again$verdict, "identical")
+  expect_identical(again$not_compared, character())
+  # One value of the second rotor is another one, the hash is lost.
+  lose_hash <- function() {
+    asked(lab, "UPDATE rot_run SET result_hash = ?", params = list(strrep("0", 32)))
+  }
+  lose_hash()
+  expect_identical(rerun(lab, run)$verdict, "within errors")
+  asked(lab, "UPDATE rot_run_value SET value = value * 1.00001 WHERE quantity =
+    'rotor_2_omega_rad_per_s' AND place = 2")
+  again <- rerun(lab, run)
+  expect_identical(again$verdict, "differs")
+  expect_identical(again$where$quantity[1], "rotor_2_omega_rad_per_s")
+  # A column of a record without values says so.
+  asked(lab, "DELETE FROM rot_run_value WHERE quantity = 'rotor_2_omega_rad_per_s'")
+  again <- rerun(lab, run)
+  expect_identical(again$not_compared, "rotor_2_omega_rad_per_s")
+  expect_output(print(again), "unknown +rotor_2_omega_rad_per_s")
+  # Whether a clutch is locked.
+  run <- record_run(lab, trajectory(scene_clutch(1, 2, 3, omega1_rad_per_s = 10), 0:8))
+  lose_hash()
+  expect_identical(rerun(lab, run)$verdict, "within errors")
+  asked(lab, "UPDATE rot_run_value SET value = 1 - value WHERE quantity = 'locked' AND place = 9")
+  expect_identical(rerun(lab, run)$verdict, "differs")
+})
+
+test_that("what the dictionary lacks is described by the first body's column", {
+  words <- more_quantities(c("time_s", "theta_3_rad", "rotor_12_omega_rad_per_s", "no_such_thing"))
+  expect_identical(words$quantity, c("theta_3_rad", "rotor_12_omega_rad_per_s", "no_such_thing"))
+  expect_identical(words$unit, c("rad", "rad/s", NA))
+  expect_identical(words$meaning[1], "angle of body 3")
+  expect_length(more_quantities("time_s")$quantity, 0L)
+})
+
+test_that("sessions that make one database at once lose no run", {
+  need()
+  skip_on_cran()
+  folder <- tempfile("lab")
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  lab <- file.path(folder, "new.sqlite")
+  writeLines(sprintf(
+    "library(rotdyn, lib.loc = '%s')
+    arguments <- commandArgs(TRUE)
+    motion <- trajectory(scene_axle(1, 1), 0:9)
+    file.create(file.path('%s', paste0('ready', arguments)))
+    while (!file.exists(file.path('%s', 'go'))) Sys.sleep(0.001)
+    records_create('%s')
+    record_run('%s', motion)
+    file.create(file.path('%s', paste0('done', arguments)))",
+    dirname(system.file(package = "rotdyn")), folder, folder, lab, lab, folder
+  ), file.path(folder, "one.R"))
+  for (i in 1:4) {
+    system2(
+      file.path(R.home("bin"), "Rscript"), c(shQuote(file.path(folder, "one.R")), i), FALSE, FALSE,
+      wait = FALSE
+    )
+  }
+  wait <- function(pattern) {
+    for (i in 1:1200) {
+      if (length(list.files(folder, pattern)) == 4L) break
+      Sys.sleep(0.1)
+    }
+  }
+  wait("^ready")
+  file.create(file.path(folder, "go"))
+  wait("^done")
+  expect_length(list.files(folder, "^done"), 4L)
+  expect_identical(nrow(list_runs(lab)), 4L)
+  expect_true(all(records_check(lab)$holds))
+  expect_length(list.files(folder, "rotdyn-", all.files = TRUE), 0L)
+  # Two connections of one process: the tables that are there are kept.
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+  expect_identical(make_tables(list(con = con, dialect = "sqlite"), NULL), character())
+  DBI::dbDisconnect(con)
+  expect_identical(nrow(list_runs(lab)), 4L)
+})
+
+test_that("a full disk is named, and leaves no run and no file", {
+  need()
+  on_tiny_disk("600k", function(disk) {
+    full <- function(expr) expect_error(expr, "disk is full", class = "rotdyn_error_database")
+    lab <- file.path(disk, "lab.sqlite")
+    records_create(lab)
+    run <- record_run(lab, trajectory(wheel(), 0:8))
+    long <- trajectory(wheel(), seq(0, 8, length.out = 20000))
+    full(record_run(lab, long, rows = "all"))
+    expect_identical(list_runs(lab)$run, run)
+    con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+    full(record_run(con, long, rows = "all"))
+    expect_identical(list_runs(con)$run, run)
+    DBI::dbDisconnect(con)
+    full(records_create(file.path(disk, "new.sqlite")))
+    expect_identical(list.files(disk, all.files = TRUE, no.. = TRUE), "lab.sqlite")
+    said <- cli("record", file.path(disk, "new.sqlite"), "--moment-of-inertia-kg-m2", "1",
+                "--times", "0:8:1")
+    expect_identical(said$status, 3L)
+    expect_match(said$err, "disk is full", all = FALSE)
+  })
+})
+
+test_that("damaged databases end in errors of the package", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(c(lab, copy)))
+  copy <- tempfile(fileext = ".sqlite")
+  motion <- trajectory(wheel(), 0:8)
+  run <- record_run(lab, motion, note = "a")
+  # Without the types and checks of the tables.
+  kept <- c("rot_run", "rot_run_value", "rot_scene", "rot_software", "rot_format")
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+  DBI::dbExecute(con, "PRAGMA writable_schema = ON")
+  DBI::dbExecute(con, paste0(
+    "UPDATE sqlite_schema SET sql = replace(replace(replace(replace(replace(sql, ",
+    "' STRICT, WITHOUT', ' WITHOUT'), ' STRICT', ''), 'TEXT NOT NULL', 'TEXT'), ",
+    "'REAL NOT NULL', 'REAL'), 'INTEGER NOT NULL', 'INTEGER') WHERE name IN ('",
+    paste(kept, collapse = "', '"), "')"
+  ))
+  DBI::dbDisconnect(con)
+  damage <- function(table, column, value, where = "") {
+    file.copy(lab, copy, overwrite = TRUE)
+    con <- DBI::dbConnect(RSQLite::SQLite(), copy)
+    on.exit(DBI::dbDisconnect(con))
+    DBI::dbExecute(con, "PRAGMA ignore_check_constraints = ON")
+    DBI::dbExecute(con, paste("UPDATE", table, "SET", column, "=", value, where))
+  }
+  outcome <- function(expr) {
+    tryCatch({
+      expr
+      "done"
+    }, rotdyn_error = function(e) sub("rotdyn_error_", "", class(e)[1]))
+  }
+  text <- "CAST(x'fffe41' AS TEXT)"
+  first <- "WHERE quantity = 'theta_rad' AND place = 1"
+  cases <- list(
+    list("rot_run", "note", text), list("rot_run", "row_count", "-1"),
+    list("rot_run", "row_count", "'many'"), list("rot_run", "model_asked", "NULL"),
+    list("rot_run", "accuracy", "'small'"), list("rot_run", "max_steps", "x'00'"),
+    list("rot_run", "times", "'{\"from\":0,\"step\":1,\"n\":2e9}'"),
+    list("rot_run", "times", "'{\"at\":[1,[2]]}'"), list("rot_run", "times", text),
+    list("rot_run", "times", "'{\"at\":[0,1,2,3,4,5,6,7,8,9,10]}'"),
+    list("rot_run", "errors", "'{\"theta\":\"much\"}'"), list("rot_run", "errors", "'{'"),
+    list("rot_scene", "json", text), list("rot_scene", "json", "'{\"scene_axle\":7}'"),
+    list("rot_software", "platform", "x'ff'"), list("rot_run_value", "place", "-1", first),
+    list("rot_run_value", "place", "1e300", first), list("rot_run_value", "value", "'x'", first),
+    list("rot_run_value", "special", "'none'", first)
+  )
+  for (case in cases) {
+    do.call(damage, case)
+    expect_no_warning({
+      expect_true(outcome(read_run(copy, run)) %in% c("record", "scene"), label = case)
+      expect_true(outcome(rerun(copy, run)) %in% c("record", "scene"))
+      expect_identical(outcome(list_runs(copy)), "done")
+      expect_false(all(records_check(copy)$holds) && !identical(case[[2]], "times") &&
+                     !identical(case[[2]], "errors"))
+    })
+  }
+  for (value in c(text, "NULL", "'one'", "x'ff'")) {
+    damage("rot_format", "format", value)
+    expect_no_warning(expect_identical(outcome(list_runs(copy)), "database"))
+    expect_no_warning(expect_identical(outcome(record_run(copy, motion)), "database"))
+    damage("rot_format", "rotdyn_version", value)
+    expect_no_warning(expect_identical(outcome(list_runs(copy)), "done"))
+    expect_no_warning(expect_identical(outcome(record_run(copy, motion)), "done"))
+  }
+})
+
+test_that("a scene that cannot be read is found by the check", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  record_run(lab, trajectory(wheel(), 0:8))
+  text <- "{\"scene_axle\":{\"body\":-1}}"
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+  DBI::dbExecute(con, "UPDATE rot_scene SET json = ?, scene = ?", list(text, hash_text(text)))
+  DBI::dbDisconnect(con)
+  found <- records_check(lab)
+  expect_false(found$holds[found$check == "every scene can be read"])
+  expect_true(found$holds[found$check == "hashes of the scenes"])
+})

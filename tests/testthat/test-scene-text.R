@@ -257,3 +257,88 @@ test_that("an edited scene is refused, or written as it is", {
   scene$moment_of_inertia_kg_m2 <- 7
   expect_error(write_scene(scene), "edited", class = "rotdyn_error_scene")
 })
+
+test_that("a zero byte is no blank", {
+  skip_if_not_installed("yyjsonr")
+  file <- tempfile()
+  on.exit(unlink(file))
+  writeBin(c(charToRaw('{"scene_axle":{"body":1'), as.raw(0), charToRaw("5}}")), file)
+  refused <- function(expr) expect_error(expr, "zero byte", class = "rotdyn_error_scene")
+  refused(read_scene(file))
+  for (mode in c("", "r", "rb")) {
+    con <- file(file, mode)
+    refused(read_scene(con))
+    close(con)
+  }
+  # The last line need not end.
+  cat('{"scene_axle":\n{"body":15}}', file = file)
+  con <- file(file)
+  on.exit(close(con), add = TRUE, after = FALSE)
+  expect_identical(read_scene(con), scene_axle(15))
+  expect_identical(read_scene(file), scene_axle(15))
+})
+
+test_that("ten thousand unknown keys are refused at once", {
+  skip_if_not_installed("yyjsonr")
+  keys <- paste0("\"key_", seq_len(10000), "_rad\":1", collapse = ",")
+  texts <- c(
+    paste0("{\"scene_axle\":{", keys, "}}"), paste0("{", keys, "}"),
+    paste0("{\"scene_axle\":{\"body\":{", keys, "}}}")
+  )
+  for (text in texts) {
+    time <- system.time(
+      expect_error(read_scene(text), "key_10_rad", class = "rotdyn_error_scene")
+    )
+    expect_lt(time[["user.self"]], 2)
+  }
+  # A key's place is named in words, not in markup.
+  expect_error(read_scene('{"scene_axle":{"body":{"disk":1}}}'), "in \"body\"", fixed = TRUE)
+})
+
+test_that("scenes beyond double precision are refused where they are made", {
+  beyond <- function(expr) expect_error(expr, "omega0_rad_per_s", class = "rotdyn_error_range")
+  beyond(scene_incline(body_sphere(1, 1e-10), 20, v0_m_per_s = 1e300))
+  skip_if_not_installed("yyjsonr")
+  text <- '{"scene_incline":{"body":{"body_sphere":{"mass_kg":1,"radius_m":1e-10}},
+    "incline_angle_deg":20,"v0_m_per_s":1e300}}'
+  expect_error(read_scene(text), class = "rotdyn_error_scene")
+})
+
+test_that("bodies joined deeply, or to themselves, have a short text that computes the same", {
+  skip_if_not_installed("yyjsonr")
+  ball <- place_body(body_sphere(1, 0.1), c(0.3, 0, 0))
+  deep <- function(n) Reduce(function(body, i) join_bodies(body, ball), seq_len(n), body_disk(1, 1))
+  levels <- function(text) {
+    letters <- strsplit(gsub("[^][{}]", "", text), "")[[1]]
+    max(cumsum(ifelse(letters %in% c("[", "{"), 1, -1)))
+  }
+  for (n in c(10, 25, 26, 27, 31, 100, 400)) {
+    body <- deep(n)
+    scene <- scene_axle(body, 0.8, through = "centre")
+    text <- write_scene(scene, indent = 0)
+    expect_lte(levels(text), 90)
+    expect_identical(grepl("join_bodies", text), n <= 25)
+    back <- read_scene(text)
+    expect_identical(back$moment_of_inertia_kg_m2, scene$moment_of_inertia_kg_m2)
+    expect_identical(scene_hash(back), scene_hash(scene))
+  }
+  placed <- Reduce(
+    function(body, i) place_body(join_bodies(body, ball), c(0.1, 0, 0)), 1:40, body_disk(1, 1)
+  )
+  expect_identical(scene_hash(read_scene(write_scene(placed))), scene_hash(placed))
+  # 2^8 and 2^40 disks: mass exact, time not.
+  doubled <- function(n) {
+    Reduce(function(body, i) join_bodies(body, place_body(body, c(i, 0, 0))), seq_len(n),
+           body_disk(1, 1))
+  }
+  for (n in c(8, 9, 10, 40)) {
+    body <- doubled(n)
+    time <- system.time(text <- write_scene(body, indent = 0))
+    expect_lt(time[["user.self"]], 2)
+    expect_identical(grepl("join_bodies", text), n <= 9)
+    if (n != 9) expect_identical(read_scene(text)$mass_kg, 2^n)
+  }
+  # Many bodies side by side are written as they are.
+  flat <- join_bodies(lapply(1:600, function(i) place_body(body_disk(1, 1), c(i, 0, 0))))
+  expect_true(grepl("join_bodies", write_scene(flat)))
+})
