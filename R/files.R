@@ -14,6 +14,7 @@ check_file_name <- function(file, call, arg = "file", kind = "file") {
 # Text or bytes (raw); each string of a text ends its line. All of it is written, or nothing: to a
 # temporary file beside the target, which then takes the target's name.
 write_file <- function(x, path, call) {
+  force(path) # an error of its own is none of writing
   fault <- put_file(x, path)
   if (nzchar(fault)) {
     abort_rotdyn(
@@ -62,7 +63,7 @@ put_whole <- function(x, path, mode) {
 link_target <- function(path) {
   for (i in 1:40) {
     if (grepl("^/(dev|proc)/", path)) break
-    link <- Sys.readlink(path)
+    link <- suppressWarnings(Sys.readlink(path))
     if (is.na(link) || !nzchar(link)) break
     path <- if (startsWith(link, "/")) link else file.path(dirname(path), link)
   }

@@ -121,20 +121,26 @@ database_words <- function(said) {
 }
 
 # Integers of 64 bits as doubles; results of all drivers as plain columns. Text that is not valid
-# has its bytes in angle brackets, and the attribute "damaged" is TRUE. Values of several types in a
-# column, of which the driver warns, are for those who check the types.
+# has its bytes in angle brackets. The attribute "damaged" is TRUE if there is such text, or if a
+# column has values of several types, of which the driver warns.
 query <- function(db, sql, params = NULL, call) {
+  warned <- FALSE
   rows <- tryCatch(
-    suppressWarnings(if (is.null(params)) DBI::dbGetQuery(db$con, sql) else {
-      DBI::dbGetQuery(db$con, placeholders(sql, db$dialect), params = params)
-    }),
+    withCallingHandlers(
+      if (is.null(params)) DBI::dbGetQuery(db$con, sql) else {
+        DBI::dbGetQuery(db$con, placeholders(sql, db$dialect), params = params)
+      },
+      warning = function(w) {
+        warned <<- TRUE
+        invokeRestart("muffleWarning")
+      }
+    ),
     error = function(e) abort_database(e, call)
   )
-  readable_rows(rows)
+  readable_rows(rows, warned)
 }
 
-readable_rows <- function(rows) {
-  damaged <- FALSE
+readable_rows <- function(rows, damaged = FALSE) {
   for (i in seq_along(rows)) {
     x <- rows[[i]]
     if (inherits(x, "integer64")) rows[[i]] <- big_integers(x)
@@ -258,7 +264,7 @@ lock_tables <- function(db) {
 # A file that appears with all of its tables, or not at all: made under another name beside it. NULL
 # where another session was faster, or the disk has no second names for files.
 make_file <- function(path, call) {
-  part <- tempfile(".rotdyn-", dirname(path))
+  part <- tempfile(".rotdyn-", suppressWarnings(dirname(path)))
   on.exit(unlink(paste0(part, c("", "-journal"))))
   db <- connect_records(part, call, made = FALSE)
   made <- tryCatch(make_tables(db, call), finally = db$close())

@@ -356,7 +356,7 @@ read_record <- function(db, run, call) {
 
 # Types, missing values and ranges of the rows of a run; references are the database's.
 check_record_rows <- function(rows, table, name, run, call) {
-  if (isTRUE(attr(rows, "damaged"))) abort_damaged(run, "It has text that is not UTF-8.", call)
+  if (isTRUE(attr(rows, "damaged"))) abort_damaged(run, "It has values of a wrong type, or text that is not UTF-8.", call)
   if (name != "run_values" && nrow(rows) != 1L) {
     abort_damaged(run, paste0("It has ", nrow(rows), " rows in the table of ", name, "."), call)
   }

@@ -26,7 +26,7 @@ records_format <- 1L
 #' versions those of second bodies (`theta_2_rad`). Other versions of the package, of the compiler or of
 #' the processor may change last bits: `"within errors"` is what to expect of them.
 #'
-#' `records_check()` looks at keys, checks and references in R, at the encoding of text, at the hashes
+#' `records_check()` looks at keys, checks and references in R, at types and encodings, at the hashes
 #' of the scenes, whether every scene can be read and every run has its values; and at what SQLite
 #' says of its file.
 #'
@@ -175,7 +175,7 @@ records_check <- function(con, ...) {
     plain_rows(query(db, paste("SELECT", columns, "FROM", table$sql), call = call), table)
   })
   invalid <- names(Filter(function(rows) isTRUE(attr(rows, "damaged")), data))
-  say("text is valid UTF-8", !length(invalid), first(invalid))
+  say("types and encodings of values", !length(invalid), first(invalid))
   faults <- schema_faults(data, tables)
   say(
     "keys, checks and references", nrow(faults) == 0L,
@@ -188,6 +188,9 @@ records_check <- function(con, ...) {
   say("every scene can be read", !length(lost), first(lost))
   without <- setdiff(data$runs$run[data$runs$row_count > 0], data$run_values$run)
   say("every run has its values", !length(without), first(without))
+  rows <- data$runs$row_count[match(data$run_values$run, data$runs$run)]
+  beyond <- data$run_values$run[(data$run_values$place > rows) %in% TRUE]
+  say("values are of rows of their run", !length(beyond), first(beyond))
   own <- metadata()
   missing <- unlist(lapply(names(own), function(name) {
     key <- tables[[name]]$key

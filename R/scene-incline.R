@@ -121,6 +121,8 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
     gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0),
     start_s = check_number(start_s, "start_s", "s", call)
   )
+  class(scene) <- c("rot_scene_incline", "rot_scene")
+  sound_scene(scene, call)
   if (is.infinite(kinetic) && abs(v0 - radius * omega0) > 8 * .Machine$double.eps * abs(v0)) {
     rolls <- (v0 + beta * radius * omega0) / (1 + beta)
     abort_rotdyn(c(
@@ -130,8 +132,7 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
            {.arg v0_m_per_s}, without {.arg omega0_rad_per_s}; or a finite friction."
     ), "value", call)
   }
-  class(scene) <- c("rot_scene_incline", "rot_scene")
-  sound_scene(scene, call)
+  scene
 }
 
 # NULL, or list(f, breaks_s, arguments).

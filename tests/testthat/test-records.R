@@ -595,7 +595,7 @@ test_that("damaged databases end in errors of the package", {
     list("rot_run", "row_count", "'many'"), list("rot_run", "model_asked", "NULL"),
     list("rot_run", "accuracy", "'small'"), list("rot_run", "max_steps", "x'00'"),
     list("rot_run", "times", "'{\"from\":0,\"step\":1,\"n\":2e9}'"),
-    list("rot_run", "times", "'{\"at\":[1,[2]]}'"), list("rot_run", "times", text),
+    list("rot_run", "times", "'{\"at\":[1,\"x\"]}'"), list("rot_run", "times", text),
     list("rot_run", "times", "'{\"at\":[0,1,2,3,4,5,6,7,8,9,10]}'"),
     list("rot_run", "errors", "'{\"theta\":\"much\"}'"), list("rot_run", "errors", "'{'"),
     list("rot_scene", "json", text), list("rot_scene", "json", "'{\"scene_axle\":7}'"),

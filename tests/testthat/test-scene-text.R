@@ -297,7 +297,11 @@ test_that("ten thousand unknown keys are refused at once", {
 
 test_that("scenes beyond double precision are refused where they are made", {
   beyond <- function(expr) expect_error(expr, "omega0_rad_per_s", class = "rotdyn_error_range")
-  beyond(scene_incline(body_sphere(1, 1e-10), 20, v0_m_per_s = 1e300))
+  for (friction in c(0.5, Inf)) {
+    beyond(scene_incline(
+      body_sphere(1, 1e-10), 20, static_friction = friction, v0_m_per_s = 1e300
+    ))
+  }
   skip_if_not_installed("yyjsonr")
   text <- '{"scene_incline":{"body":{"body_sphere":{"mass_kg":1,"radius_m":1e-10}},
     "incline_angle_deg":20,"v0_m_per_s":1e300}}'
