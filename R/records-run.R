@@ -77,7 +77,8 @@ read_times <- function(text, call, rows = Inf) {
   x <- read_json(text, "times", "record", call)
   damaged <- function() abort_rotdyn("The times of this run are damaged.", "record", call)
   if (setequal(names(x), c("from", "step", "n"))) {
-    if (!all(lengths(x) == 1L) || !all(vapply(x, is.double, NA)) || !(x$n >= 0 && x$n < 2^31 && x$n <= rows)) {
+    if (!all(lengths(x) == 1L) || !all(vapply(x, is.double, NA)) ||
+      !(x$n >= 0 && x$n <= min(rows, 2^31 - 1))) {
       damaged()
     }
     return(grid_times(x$from, x$step, x$n))
@@ -145,8 +146,8 @@ value_of <- function(value, special) {
 text_of_motion <- function(motion, call) {
   scene <- check_trajectory(motion, "motion", call)$scene
   last <- registry_texts$last
-  # The last one is kept, so that no other scene has its address. Comparing parts would take long for
-  # bodies that share theirs.
+  # The last one is kept, so that no other scene has its address. Comparing parts would take long
+  # for bodies that share theirs.
   same <- !is.null(last) && rlang::obj_address(scene) == rlang::obj_address(last$scene)
   if (!same) {
     text <- scene_text(scene, call)
@@ -356,7 +357,9 @@ read_record <- function(db, run, call) {
 
 # Types, missing values and ranges of the rows of a run; references are the database's.
 check_record_rows <- function(rows, table, name, run, call) {
-  if (isTRUE(attr(rows, "damaged"))) abort_damaged(run, "It has values of a wrong type, or text that is not UTF-8.", call)
+  if (isTRUE(attr(rows, "damaged"))) {
+    abort_damaged(run, "It has values of a wrong type, or text that is not UTF-8.", call)
+  }
   if (name != "run_values" && nrow(rows) != 1L) {
     abort_damaged(run, paste0("It has ", nrow(rows), " rows in the table of ", name, "."), call)
   }
@@ -395,11 +398,11 @@ compare_record <- function(old, motion) {
   } else {
     "differs"
   }
+  compared <- if (old$row_count > 0) old$values$quantity else old$columns
   result <- list(
     verdict = verdict, where = where, run = old$run, model = c(then = old$model, now = run$model),
     versions = c(then = old$rotdyn_version, now = own_version()),
-    not_compared = if (old$row_count > 0) setdiff(old$columns, old$values$quantity) else character(),
-    motion = motion
+    not_compared = setdiff(old$columns, compared), motion = motion
   )
   class(result) <- "rot_rerun"
   result

@@ -22,9 +22,9 @@ records_format <- 1L
 #' `rerun()` computes a record anew from the database alone. The verdict is `"identical"` if the hash
 #' of the columns is the same; `"within errors"` if the values kept differ by no more than the two
 #' error figures allow; otherwise `"differs"`. `not_compared` names columns of which the record has
-#' no values: those of text, and in records of older
-#' versions those of second bodies (`theta_2_rad`). Other versions of the package, of the compiler or of
-#' the processor may change last bits: `"within errors"` is what to expect of them.
+#' no values: those of text, and in records of older versions those of later bodies
+#' (`theta_3_rad`). Other versions of the package, of the compiler or of the processor may change
+#' last bits: `"within errors"` is what to expect of them.
 #'
 #' `records_check()` looks at keys, checks and references in R, at types and encodings, at the hashes
 #' of the scenes, whether every scene can be read and every run has its values; and at what SQLite

@@ -95,7 +95,9 @@ scene_source <- function(file, call) {
       x = braces_doubled(conditionMessage(text))
     ), "file", call)
   }
-  if (is.na(text)) abort_rotdyn(c("The text is no scene.", x = "It has a zero byte."), "scene", call)
+  if (is.na(text)) {
+    abort_rotdyn(c("The text is no scene.", x = "It has a zero byte."), "scene", call)
+  }
   without_mark(text)
 }
 
