@@ -296,12 +296,17 @@ test_that("ten thousand unknown keys are refused at once", {
 })
 
 test_that("scenes beyond double precision are refused where they are made", {
-  beyond <- function(expr) expect_error(expr, "omega0_rad_per_s", class = "rotdyn_error_range")
+  beyond <- function(expr) expect_error(expr, "double precision", class = "rotdyn_error")
   for (friction in c(0.5, Inf)) {
     beyond(scene_incline(
       body_sphere(1, 1e-10), 20, static_friction = friction, v0_m_per_s = 1e300
     ))
   }
+  # Whatever follows from the arguments.
+  scene <- scene_axle(1, 1)
+  expect_identical(sound_scene(scene, NULL), scene)
+  scene$omega0_rad_per_s <- Inf
+  expect_error(sound_scene(scene, NULL), "omega0_rad_per_s.*Inf", class = "rotdyn_error_range")
   skip_if_not_installed("yyjsonr")
   text <- '{"scene_incline":{"body":{"body_sphere":{"mass_kg":1,"radius_m":1e-10}},
     "incline_angle_deg":20,"v0_m_per_s":1e300}}'
