@@ -29,7 +29,7 @@ typedef struct rot_ode_kinks {
 } rot_ode_kinks;
 
 /* Where the right-hand side jumps or kinks: see rot_ode_wall.h. */
-enum { ROT_ODE_MOST_WALLS = 256 };
+enum { ROT_ODE_MOST_WALLS = 1024 };
 #define NO_WALL ((size_t)-1)
 
 typedef struct rot_ode_wall {

@@ -7,7 +7,7 @@ typedef struct law {
   size_t calls;
 } law;
 
-enum { FRICTION, FORCED_FRICTION, STEP_IN_OMEGA, BANG, TWO_SPRINGS, STEP_IN_TIME, FILM };
+enum { FRICTION, FORCED_FRICTION, STEP_IN_OMEGA, BANG, TWO_SPRINGS, STEP_IN_TIME, WAVE, FILM };
 
 static double sign(double x) { return (x > 0.0) - (x < 0.0); }
 
@@ -22,6 +22,7 @@ static rot_status slope(double t, const double y[], double f[], void *ctx) {
   case BANG: f[1] = -2.0 * sign(y[0]); break;
   case TWO_SPRINGS: f[1] = -y[0] * (y[0] > 0.0 ? 4.0 : 1.0); break;
   case STEP_IN_TIME: f[1] = t < 0.7 ? 1.0 : -3.0; break;
+  case WAVE: f[1] = t - floor(t) < 0.5 ? 1.0 : -1.0; break;
   default: f[1] = y[1] > 0.0 ? -1.0 - y[0] : 2.0; break; /* slides while y[0] > -1 */
   }
   return ROT_OK;
@@ -88,7 +89,29 @@ static void check_jump_in_time(void) {
  * the slope is -3/4, below it 2. */
 static void check_slide(void) { go(FILM, 0.0, -1.0, 0.0, 4.0, -0.25, 0.0, 2000); }
 
+/* A square wave of 257 periods: each turns it by 1/4, and leaves no rate. */
+static void check_many_jumps(void) {
+  const double y0[] = {0.0, 0.0}, t = 257.25;
+  double y[2], error[2], largest[2];
+  rot_info info;
+  law l = {WAVE, 0};
+  const rot_ode_params p = {.dim = 2,
+                            .controlled = 2,
+                            .rhs = slope,
+                            .ctx = &l,
+                            .start = y0,
+                            .accuracy = 1e-9,
+                            .max_steps = 1000000};
+  ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, &t, y, NULL, error, largest, NULL, &info), ROT_OK);
+  printf("257 periods: off by %.1e, estimate %.1e, %zu calls\n",
+         fabs(y[0] - 257.0 / 4.0 - 1.0 / 32.0), error[0], l.calls);
+  ROT_CHECK(fabs(y[0] - 257.0 / 4.0 - 1.0 / 32.0) <= error[0] && error[0] <= 1e-7);
+  ROT_CHECK(fabs(y[1] - 0.25) <= error[1] && error[1] <= 1e-9);
+  ROT_CHECK(l.calls < 400000);
+}
+
 int main(void) {
+  check_many_jumps();
   check_friction();
   check_breaking_loose();
   check_jump_in_omega();
