@@ -458,3 +458,20 @@ test_that("a jump of a rotor's torque that is not announced is found over the wh
   # theta_1 = 2 theta_2: 2 + 3/4 kg m^2 at the first shaft.
   expect_equal(last, (3 - 1.234) / 2.75, tolerance = 1e-7)
 })
+
+test_that("hundreds of jumps that no break tells are met on an elastic drive, too", {
+  wave <- function(time_s) if (time_s %% 1 < 0.5) 1 else -1
+  drive <- function(breaks_s) {
+    scene_drive(
+      c(1, 0.5), coupling_shaft(100, 0.1),
+      torque = list(torque_function(wave, breaks_s = breaks_s), NULL)
+    )
+  }
+  found <- trajectory(drive(numeric()), 257)
+  told <- trajectory(drive(seq(0.5, 257, by = 0.5)), 257)
+  expect_equal(found$theta_rad, told$theta_rad, tolerance = 1e-9)
+  # All turn at 1 rad/s^2 over 1.5 kg m^2, forth and back: a quarter over 1.5 each period.
+  momentum <- sum(found$angular_momentum_kg_m2_per_s)
+  expect_lt(abs(momentum), 1e-8)
+  expect_equal(sum(c(1, 0.5) * found$theta_rad), 257 / 4, tolerance = 1e-8)
+})
