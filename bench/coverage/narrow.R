@@ -225,7 +225,7 @@ judge <- function(case, resolution) {
   figure <- attr(motion, "run")$info$error
   list(
     error = error, figure = figure, accuracy = accuracy, model = attr(motion, "run")$model,
-    covered = error <= figure + 1e-12,
+    covered = isTRUE(error <= figure + 1e-12),
     silent = !warned && !(error <= 10 * figure + 1e-11) && !(error <= 10 * accuracy)
   )
 }

@@ -150,3 +150,24 @@ test_that("energies beyond double precision give a verdict of NA, soon", {
   expect_identical(verdict, NA_character_)
   expect_lt(sum(spent[1:2]), 10)
 })
+
+test_that("an audit looks more closely at a law than the motion did", {
+  # A change of 1/500 of the range between the probes of the motion: 0.2 rad of 100 rad.
+  missed <- 0
+  for (at in 50 + seq(0, 0.36, 0.06)) {
+    law <- function(time_s, theta_rad, omega_rad_per_s) ifelse(abs(theta_rad - at) < 0.1, 4, 0)
+    motion <- trajectory(scene_axle(1, law, omega0_rad_per_s = 10), c(0, 10))
+    found <- abs(motion$omega_rad_per_s[2] - sqrt(100 + 2 * 0.8)) < 1e-8
+    missed <- missed + !found
+    expect_identical(audit(motion)$verdict, rep(if (found) "balanced" else "unbalanced", 2))
+    if (!found) expect_equal(audit(motion)$supplied[1], 0.8, tolerance = 1e-9)
+  }
+  expect_gt(missed, 0)
+  push <- function(t, x, v) ifelse(abs(x - 5.03) < 0.01, 4, 0)
+  ball <- scene_incline(body_sphere(1, 0.1), 0, static_friction = 1, v0_m_per_s = 1, force_n = push)
+  coarse <- trajectory(ball, c(0, 10), resolution = 0.02)
+  expect_identical(coarse$v_m_per_s[2], 1)
+  closer <- trajectory(ball, c(0, 10), resolution = 0.001)
+  expect_equal(closer$v_m_per_s[2], sqrt(1 + 2 * 0.08 / 1.4), tolerance = 1e-9)
+  expect_identical(audit(closer)$verdict, rep("balanced", 3))
+})
