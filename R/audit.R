@@ -19,8 +19,8 @@
 #' effect out, the balance is that of the motion without it.
 #'
 #' Where a law is an R function, work and impulses are those of a second run, which looks at the law
-#' four times as closely (`resolution` of [trajectory()]): a narrow change that the motion missed, and
-#' that this run finds, is an unbalanced residual.
+#' four times as closely (`resolution` of [trajectory()]): a narrow change that the motion missed,
+#' and that this run finds, is an unbalanced residual.
 #'
 #' `conserved` is the answer of [conserved()]: a quantity that is said to stay, and changes or is
 #' dissipated by more than rounding and the stated error explain, is unbalanced.
