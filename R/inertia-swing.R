@@ -254,7 +254,9 @@ swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
   amplitude <- check_number(amplitude_rad, "amplitude_rad", "rad", call, lower = 0, upper = 3.1)
   decay <- as_measured(decay_per_s, "decay_per_s", "1/s", call, lower = 0)
   notes <- character()
-  if (inherits(swing, "rot_record")) swing <- fit_swing(swing, law)
+  if (inherits(swing, "rot_record")) {
+    swing <- swing_fit_of(swing, "swing", law, swing_losses, c(-Inf, Inf), call)
+  }
   if (inherits(swing, "rot_swing_fit")) {
     check_swing_fit(swing, "swing", call)
     if (swing$restoring != law) {

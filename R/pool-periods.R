@@ -254,8 +254,10 @@ pivots_least_squares <- function(period, d, tu, du, g, used) {
   deleted <- e / sqrt(ifelse(used, pmax(rest, 1e-300) * free, s2 * (1 + lever)))
   if (is.null(g)) {
     cov <- s2 * inverse
-    pair <- measured_pair(c(first = p[[1]], second = p[[2]]), cov, m - k, 0)
-    names(pair) <- c("first", "second")
+    u <- stats::setNames(sqrt(diag(cov)), c("first", "second"))
+    r <- cov / outer(u, u)
+    r[!is.finite(r)] <- 0
+    pair <- measured_jointly(c(first = p[[1]], second = p[[2]]), u, r, m - k)
     gravity <- 4 * pi^2 / pair$second
     k2 <- pair$first / pair$second
   } else {

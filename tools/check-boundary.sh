@@ -148,6 +148,7 @@ layers='
 4 kinematics  kinematics
 4 smooth      smooth*
 4 coast       coast*
+4 swing       swing
 5 drive       drive*
 5 top         top* precession pivot*
 6 choice      choice
