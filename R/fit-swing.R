@@ -11,9 +11,10 @@
 #' for a pendulum; a spring has no correction for A. The error is below \eqn{\zeta^2 A^2}{zeta^2
 #' A^2} of \eqn{T_0^2}{T0^2}.
 #'
-#' **Free swings** are those in which no peak is higher than the one before and the period of small
-#' swings is that of the higher ones, to 1.5 % (more where it scatters, at most 5 %). To the longest
-#' such stretch the exact motion is fitted,
+#' **Free swings** are those in which no peak is higher than the one before, which are outside of
+#' the part in which the amplitude grows, and whose period of small swings is that of the higher
+#' ones, to 1.5 % (more where it scatters, at most 5 %). To the longest such stretch the exact motion
+#' is fitted,
 #' \deqn{\ddot\theta = -\omega_0^2 \sin\theta - 2 \gamma \dot\theta
 #'   - a\,\mathrm{sgn}\,\dot\theta - k \dot\theta |\dot\theta|}{
 #'   theta'' = -omega0^2 sin(theta) - 2 gamma theta' - a sgn(theta') - k theta' |theta'|}
@@ -137,7 +138,11 @@ swings_of <- function(data, kind, restoring, losses, call) {
       i = "{.arg from_s} and {.arg to_s} choose the part that swings."
     ), "size", call)
   }
-  swings <- do.call(rbind, lapply(parts, `[[`, "swings"))
+  swings <- do.call(rbind, lapply(parts, function(part) {
+    grows <- part$grows %||% c(Inf, -Inf)
+    part$swings$driven <- part$swings$time_s > grows[1] & part$swings$time_s < grows[2]
+    part$swings
+  }))
   check_amplitudes(swings, kind, restoring, call)
   swings <- choose_free(swings, restoring)
   if (!any(swings$sound, na.rm = TRUE)) {
@@ -170,12 +175,11 @@ swings_of <- function(data, kind, restoring, losses, call) {
 
 abort_driven <- function(swings, call) {
   sound <- swings[swings$sound, ]
-  change <- sound$second / sound$first
   abort_rotdyn(c(
     "The record has no free swing: a period is that of the body only where nothing drives it.",
-    x = if (stats::median(change) > 1) {
-      "Its amplitude grows, by {format(100 * (stats::median(change) - 1), digits = 2)} % in half a
-       swing."
+    x = if (any(sound$driven)) {
+      "Its amplitude grows from {format_si(min(sound$first[sound$driven]), 3)} to
+       {format_si(max(sound$second[sound$driven]), 3)}."
     } else {
       "No swing follows the one before with a lower peak and the same period of small swings."
     },

@@ -133,9 +133,29 @@ between_groups <- function(y, inside) {
   sqrt(stats::uniroot(excess, c(low, top), tol = top * 1e-10)$root)
 }
 
+pooled_periods_form <- list(
+  .class = "rot_pooled_periods", between_s = "number", birge_ratio = "values:1",
+  groups = list(
+    period_s = "numbers", u_s = "numbers=period_s", ratio = "numbers=period_s",
+    status = "texts=period_s"
+  )
+)
+
+check_pooled_periods <- function(x, arg, call) {
+  check_class(x, "rot_pooled_periods", arg, "Make them with {.fn pool_periods}.", call)
+  check_form(x, pooled_periods_form, arg, "table of pooled periods", call)
+  check_measured(x$period_s, arg, call)
+  whole <- length(x$groups$group) == length(x$groups$period_s) &&
+    is.numeric(x$groups$readings) &&
+    all(x$groups$status %in% c("used", "miscounted", "apart")) && any(x$groups$status == "used")
+  if (!whole) abort_form("groups", arg, "table of pooled periods", call)
+  x
+}
+
 #' @rdname pool_periods
 #' @export
 print.rot_pooled_periods <- function(x, ...) {
+  check_pooled_periods(x, "x", rlang::current_env())
   g <- x$groups
   cat("period ", format(x$period_s), " s from ", sum(g$status == "used"), " of ", nrow(g),
     " groups\n", sep = "")

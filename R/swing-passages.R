@@ -189,7 +189,7 @@ check_amplitudes <- function(swings, kind, restoring, call) {
   beyond <- if (kind == "theta_rad") swings$first > pi & swings$second > pi else swings$turns > 52
   beyond <- beyond & swings$sound
   beyond[is.na(beyond)] <- FALSE
-  if (sum(beyond) < min(2L, sum(swings$sound))) return(invisible())
+  if (!any(beyond) || sum(beyond) < min(2L, sum(swings$sound))) return(invisible())
   size <- max(swings$first[beyond])
   degrees <- if (kind == "theta_rad") "theta_deg" else "omega_deg_per_s"
   abort_rotdyn(c(
@@ -208,18 +208,19 @@ check_amplitudes <- function(swings, kind, restoring, call) {
 
 # ---- free swings --------------------------------------------------------------------------------
 
-# No peak higher than the one before by more than 2 % or its scatter, the amplitude at least a
-# twentieth of the largest, the period of small swings that of the higher ones: to 1.5 %, or to 5
-# times its scatter and at most 5 %.
+# No peak higher than the one before by more than 2 % or its scatter, not in a part that grows, the
+# amplitude at least a twentieth of the largest, the period of small swings that of the higher ones:
+# to 1.5 %, or to 5 times its scatter and at most 5 %.
 choose_free <- function(swings, restoring) {
   swings$period0_s <- swings$period_s * small_swing_ratio(swings$amplitude_rad, restoring)
-  decays <- swings$sound & is.finite(swings$amplitude_rad) & swings$amplitude_rad < pi &
+  decays <- swings$sound & is.finite(swings$amplitude_rad) &
+    (restoring == "spring" | swings$amplitude_rad < pi) &
     swings$second <= swings$first + pmax(0.02 * swings$first, 4 * swings$peak_noise) &
     swings$second > 0.2 * swings$first
   peak <- sqrt(swings$first * swings$second)
   high <- swings$amplitude_rad > 0.05 * max(swings$amplitude_rad[swings$sound], 0, na.rm = TRUE) &
     peak > 4 * swings$peak_noise
-  free <- decays & high
+  free <- decays & high & !swings$driven
   free[is.na(free)] <- FALSE
   if (any(free)) {
     # Where the centre is off or a brake acts, low swings suffer first: the higher half says what
@@ -263,53 +264,56 @@ peak_damping <- function(best, swings, kind, restoring, losses) {
   rate <- kind == "omega_rad_per_s"
   flags <- as.double(c(restoring == "spring", rate))
   side <- (-1)^(seq_len(n) - 1)
-  # p: the first peak, the losses, the offset of the centre.
+  # p: the first peak, the losses, the offset of the centre. A rate starts at its passage, a little
+  # after its own extreme.
+  at <- 3L + match(losses, swing_losses)
   model <- function(p) {
-    law <- c(0, 0, 0)
-    law[match(losses, swing_losses)] <- p[1 + seq_along(losses)]
-    start <- if (rate) c(0, p[1]) else c(p[1], 0)
-    span <- c(0, (n + 2) * best$period)
-    found <- .Call(ffi_swing_extremes, c(start, omega0, law), flags, span, n + 1)
-    if (found$status != 0) return(rep(NA_real_, n))
-    # A rate starts at the passage, where friction has its extreme a little earlier.
-    values <- c(p[1], found$value)
-    values <- abs(values[seq_len(min(n, length(values)))])
-    c(values, rep(0, n - length(values))) + side * p[k]
+    state <- numeric(6)
+    state[1 + rate] <- p[1]
+    state[3] <- omega0
+    state[at] <- p[1 + seq_along(losses)]
+    found <- .Call(ffi_swing_extremes, state, flags, c(0, (n + 2) * best$period), n - 1)
+    m <- length(found$value)
+    if (found$status != 0 || !all(is.finite(found$value))) return(NULL)
+    derivative <- matrix(0, n, k)
+    derivative[1, 1] <- 1
+    derivative[seq_len(m) + 1L, -k] <-
+      matrix(found$derivative, ncol = 6, byrow = TRUE)[, c(1L + rate, at)] * sign(found$value)
+    derivative[, k] <- side
+    list(
+      value = c(p[1], abs(found$value), rep(0, n - 1L - m)) + side * p[k], derivative = derivative
+    )
   }
   rho <- stats::coef(stats::lm(log(a) ~ seq_along(a)))[[2]]
-  p <- c(a[1], numeric(length(losses)), 0)
   scales <- c(
-    viscous = omega0 / pi, quadratic = 3 / (8 * best$amplitude),
-    coulomb = omega0^2 * best$amplitude / 4
+    viscous = omega0 / pi, coulomb = omega0^2 * best$amplitude / 4,
+    quadratic = 3 / (8 * best$amplitude)
   )[losses]
-  if (length(losses)) p[2] <- max(-rho, 0) * scales[[1]]
-  h <- 1e-5 * c(a[1], scales, a[1])
-  jacobian <- function(p) {
-    vapply(seq_len(k), function(i) {
-      (model(replace(p, i, p[i] + h[i])) - model(replace(p, i, p[i] - h[i]))) / (2 * h[i])
-    }, double(n))
-  }
-  for (round in 1:20) {
-    r <- a - model(p)
-    j <- jacobian(p)
-    if (!all(is.finite(j)) || !all(is.finite(r))) return(NULL)
-    q <- qr(j, tol = 1e-10)
+  scales <- c(a[1], scales, a[1])
+  p <- c(a[1], numeric(length(losses)), 0)
+  if (length(losses)) p[2] <- max(-rho, 0) * scales[[2]]
+  for (round in 1:12) {
+    now <- model(p)
+    if (is.null(now)) return(NULL)
+    r <- a - now$value
+    q <- qr(sweep(now$derivative, 2, scales, "*"), tol = 1e-10)
     if (q$rank < k) return(NULL)
     step <- qr.coef(q, r)
     # No farther than the model's own range.
-    step <- step / max(1, abs(step) / (0.5 * c(a[1], pmax(scales, 0), a[1])))
-    p <- p + step
-    if (!all(is.finite(p))) return(NULL)
-    if (max(abs(step) / h) < 1e-6) break
+    step <- step / max(1, abs(step) / 0.5)
+    p <- p + step * scales
+    if (max(abs(step)) < 1e-9) break
   }
-  r <- a - model(p)
+  now <- model(p)
+  if (is.null(now)) return(NULL)
+  r <- a - now$value
   free <- n - k
   rho1 <- if (sum(r^2) > 0) sum(r[-1] * r[-n]) / sum(r^2) + k / n else 0
   rho1 <- min(max(rho1, 0), 0.9)
   sigma <- sqrt(sum(r^2) / free * (1 + rho1) / (1 - rho1))
   # The quartics err by some 1e-5 of a peak.
-  sigma <- max(sigma, 1e-6 * a[1])
-  u <- sigma * sqrt(diag(chol2inv(qr.R(q))))
+  sigma <- max(sigma, 1e-5 * a[1])
+  u <- sigma * scales * sqrt(diag(chol2inv(qr.R(q))))
   free <- max(free * (1 - rho1) / (1 + rho1), 1)
   out <- lapply(seq_along(losses), function(i) {
     new_measured(p[[1 + i]], u[1 + i], free, swing_parts[[losses[i]]])

@@ -316,9 +316,31 @@ keep_random_numbers <- function(frame = parent.frame()) {
   do.call(on.exit, list(substitute(f(), list(f = restore)), add = TRUE), envir = frame)
 }
 
+budget_form <- list(
+  .class = "rot_uncertainty_budget", value = "numbers", u = "numbers=value", dof = "limits=value",
+  level = "number", interval_from = "texts=value", correlation = "values", interval = "values",
+  contributions = list(
+    output = "texts", input = "texts=output", value = "values=output", u = "values=output",
+    contribution = "values=output", share = "values=output"
+  )
+)
+
+check_budget <- function(x, arg, call) {
+  check_class(
+    x, "rot_uncertainty_budget", arg, "Make one with {.fn uncertainty_budget}.", call
+  )
+  check_form(x, budget_form, arg, "uncertainty budget", call)
+  n <- length(x$value)
+  whole <- n > 0L && length(names(x$value)) == n && identical(dim(x$interval), c(n, 2L)) &&
+    identical(dim(x$correlation), c(n, n)) && all(x$contributions$output %in% names(x$value))
+  if (!whole) abort_form("value", arg, "uncertainty budget", call)
+  x
+}
+
 #' @rdname uncertainty_budget
 #' @export
 print.rot_uncertainty_budget <- function(x, ...) {
+  check_budget(x, "x", rlang::current_env())
   several <- length(x$value) > 1L
   for (j in seq_along(x$value)) {
     cat(

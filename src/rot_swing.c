@@ -70,8 +70,9 @@ static void expand(const scaled *law, const state *from, double side, series *ou
                                  side * (law->coulomb * one + law->quadratic * square[k]));
     for (int i = 0; i < P; i++) {
       const double *const v = out->d_omega[i];
-      double force = product(cosine, out->d_theta[i], k) + 2.0 * law->decay * v[k] +
-                     2.0 * side * law->quadratic * product(out->omega, v, k);
+      double force = 2.0 * law->decay * v[k];
+      force += law->spring ? out->d_theta[i][k] : product(cosine, out->d_theta[i], k);
+      if (law->quadratic != 0.0) force += 2.0 * side * law->quadratic * product(out->omega, v, k);
       if (i == ROT_SWING_DECAY) force += 2.0 * out->omega[k];
       if (i == ROT_SWING_COULOMB) force += side * one;
       if (i == ROT_SWING_QUADRATIC) force += side * square[k];

@@ -56,11 +56,11 @@ noise <- function(kind, n) {
 # A record of a class. `loss` of the amplitude: its fall over the record by each loss is drawn.
 design <- function(kind = "white", amplitude = c(0.1, 0.7), viscous = c(0.1, 1), quadratic = NULL,
                    coulomb = NULL, spring = FALSE, rate = FALSE, counter = FALSE,
-                   swings = c(8, 30), uneven = FALSE, losses = names(fall), fall = NULL) {
+                   swings = c(8, 30), uneven = FALSE, thirds = FALSE) {
   list(
     kind = kind, amplitude = amplitude, viscous = viscous, quadratic = quadratic,
     coulomb = coulomb, spring = spring, rate = rate, counter = counter, swings = swings,
-    uneven = uneven
+    uneven = uneven, thirds = thirds
   )
 }
 classes <- list(
@@ -79,6 +79,10 @@ classes <- list(
   "large" = design(amplitude = c(1.5, 2.8), swings = c(8, 20)),
   "large, quadratic" = design(
     amplitude = c(1.5, 2.8), swings = c(8, 20), viscous = NULL, quadratic = c(0.1, 0.8)
+  ),
+  "thirds" = design(thirds = TRUE, swings = c(12, 30)),
+  "thirds, quadratic" = design(
+    thirds = TRUE, swings = c(12, 30), amplitude = c(0.4, 1.2), quadratic = c(0.2, 1)
   )
 )
 
@@ -148,18 +152,13 @@ for (name in names(classes)) {
     at <- draw(d)
     fit <- fit_swing(at$data, spring)
     p <- at$p
-    span <- range(at$data$time_s)
-    cut <- span[1] + diff(span) / 3
-    thirds <- lapply(0:2, function(k) {
-      tryCatch(
-        fit_swing(at$data, spring, from_s = cut * k, to_s = cut * (k + 1)),
-        rotdyn_error = function(e) NULL
-      )
-    })
-    # Neighbouring thirds: their difference is 0.
+    # The first third and the last: their difference is 0.
     pair <- c(NA, NA)
-    if (!is.null(thirds[[1]]) && !is.null(thirds[[3]])) {
-      pair <- score(thirds[[1]]$period_s - thirds[[3]]$period_s, 0)
+    if (d$thirds) {
+      cut <- max(at$data$time_s) / 3
+      first <- fit_swing(at$data, spring, to_s = cut)
+      last <- fit_swing(at$data, spring, from_s = 2 * cut)
+      pair <- score(first$period_s - last$period_s, 0)
     }
     list(
       period = score(fit$period_s, p$t0), viscous = score(fit$decay_per_s, p$g),

@@ -146,3 +146,16 @@ test_that("errors are the package's own", {
   fit <- fit_swing(motion_record(x, time_s = time_s, theta_rad = theta_rad))
   expect_error(inertia_torsion(fit, 1), class = "rotdyn_error_value")
 })
+
+test_that("errors of a record are those of the function that was called", {
+  flat <- motion_record(data.frame(time_s = 0:20 / 10, theta_rad = 0:20 / 100))
+  calls <- list(
+    function() inertia_compound_pendulum(flat, 1, 0.3), function() inertia_torsion(flat, 0.2),
+    function() inertia_trifilar(flat, 1, 0.6, 0.1, 0.05)
+  )
+  names <- c("inertia_compound_pendulum", "inertia_torsion", "inertia_trifilar")
+  for (i in 1:3) {
+    error <- expect_error(calls[[i]](), class = "rotdyn_error_size")
+    expect_equal(as.character(conditionCall(error)[[1]]), names[i])
+  }
+})

@@ -1,0 +1,38 @@
+skip_if_not_installed("ggplot2")
+
+timed <- function() {
+  times <- c(
+    17.63, 17.48, 17.59, 17.64, 17.71, 17.69, 17.66, 17.74, 17.52, 17.49, 17.55, 17.50,
+    15.82, 15.86, 15.79, 15.80
+  )
+  pool_periods(times, swings = 10, group = rep(c("A", "B", "C", "D"), each = 4))
+}
+
+test_that("groups with both errors, the pooled period as a line and a band", {
+  pooled <- timed()
+  plot <- ggplot2::autoplot(pooled)
+  built <- ggplot2::ggplot_build(plot)
+  half <- stats::qt(0.975, pooled$period_s$dof) * pooled$period_s$u
+  expect_equal(
+    c(built$data[[1]]$xmin, built$data[[1]]$xmax), pooled$period_s$value + c(-1, 1) * half
+  )
+  wide <- built$data[[3]]
+  thick <- built$data[[4]]
+  # The miscounted group is beyond the plot.
+  expect_equal(nrow(wide), 3)
+  expect_equal((thick$xend - thick$x) / 2, pooled$groups$u_s[1:3])
+  total <- sqrt(pooled$groups$u_s[1:3]^2 + pooled$between_s^2)
+  expect_equal((wide$xend - wide$x) / 2, total)
+  expect_equal(built$data[[6]]$label, "1.582 s, miscounted")
+  expect_match(plot$labels$alt, "group D")
+})
+
+test_that("one group, and damaged tables", {
+  one <- pool_periods(c(1.7, 1.72, 1.69))
+  expect_s3_class(ggplot2::ggplot_build(ggplot2::autoplot(one)), "ggplot_built")
+  damaged <- timed()
+  damaged$groups$status <- NULL
+  expect_error(ggplot2::autoplot(damaged), class = "rotdyn_error_type")
+  expect_error(print(damaged), class = "rotdyn_error_type")
+  expect_error(ggplot2::autoplot(timed(), 3), class = "rotdyn_error_argument")
+})

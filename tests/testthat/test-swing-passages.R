@@ -1,0 +1,47 @@
+test_that("passages and peaks of a sampled sinusoid, also with samples at 0", {
+  time <- seq(0, 10, by = 0.1)
+  found <- find_passages(time, 2 * cos(2 * pi * time / 2.5 + 0.3))
+  want <- (0.5 * pi - 0.3 + pi * 0:7) * 2.5 / (2 * pi)
+  expect_equal(found$passages, want, tolerance = 1e-4)
+  expect_equal(abs(found$peaks), rep(2, 7), tolerance = 1e-3)
+  expect_equal(found$times, (want[-1] + want[-8]) / 2, tolerance = 1e-3)
+  expect_true(all(found$sound))
+  # Counts: two samples of 0 at a passage, in a row.
+  counts <- c(rep(c(3, 2, 0, 0, -2, -3, -2, 0, 0, 2), 6), 3)
+  found <- find_passages(seq_along(counts) - 1, counts)
+  expect_equal(found$passages, seq(2.5, by = 5, length.out = 12), tolerance = 1e-6)
+})
+
+test_that("growth is found where it exceeds the scatter, and only there", {
+  set.seed(1)
+  time <- 1:40
+  flat <- 1 + stats::rnorm(40, sd = 0.02)
+  expect_null(find_growth(time, flat))
+  expect_null(find_growth(time, flat * exp(-time / 30)))
+  grown <- find_growth(time, flat + pmin(pmax(time - 10, 0), 20) / 10)
+  expect_lt(grown[1], 13)
+  expect_gt(grown[2], 28)
+  # An offset of the centre makes neighbours differ, no more.
+  expect_null(find_growth(time, 1 + 0.2 * (-1)^time))
+})
+
+test_that("the peaks of exact motions show the losses, with errors that cover the quartics'", {
+  losses <- list(
+    decay_per_s = resistance(0.1), coulomb_rad_per_s2 = resistance(coulomb_n_m = 0.2),
+    quadratic_per_rad = resistance(quadratic_n_m_s2 = 0.05)
+  )
+  truth <- c(0.05, 0.2, 0.05)
+  for (i in 1:3) {
+    scene <- scene_axle(1, torque_spring(25), losses[[i]], theta0_rad = 1)
+    x <- trajectory(scene, seq(0, 12, by = 0.02))
+    for (rate in c(FALSE, TRUE)) {
+      record <- if (rate) motion_record(x, time_s = time_s, omega_rad_per_s = omega_rad_per_s) else {
+        motion_record(x, time_s = time_s, theta_rad = theta_rad)
+      }
+      kind <- names(swing_parts)[match(names(losses)[i], swing_parts)]
+      found <- fit_swing(record, "spring", losses = kind)$damping[[names(losses)[i]]]
+      expect_equal(found$value, truth[i], tolerance = 0.01)
+      expect_lt(abs(found$value - truth[i]), 5 * found$u)
+    }
+  }
+})
