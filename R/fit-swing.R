@@ -13,8 +13,8 @@
 #'
 #' **Free swings** are those in which no peak is higher than the one before, which are outside of
 #' the part in which the amplitude grows, and whose period of small swings is that of the higher
-#' ones, to 1.5 % (more where it scatters, at most 5 %). To the longest such stretch the exact motion
-#' is fitted,
+#' ones, to 1.5 % (more where it scatters, at most 5 %). To the longest such stretch the exact
+#' motion is fitted,
 #' \deqn{\ddot\theta = -\omega_0^2 \sin\theta - 2 \gamma \dot\theta
 #'   - a\,\mathrm{sgn}\,\dot\theta - k \dot\theta |\dot\theta|}{
 #'   theta'' = -omega0^2 sin(theta) - 2 gamma theta' - a sgn(theta') - k theta' |theta'|}
@@ -55,8 +55,8 @@
 #'   * `decay_at_amplitude_per_s`: the rate at which the amplitude falls by all losses, at the root
 #'     mean square of the amplitudes, to first order: \eqn{\gamma + 4 k \omega_0 A/(3 \pi) +
 #'     2 a/(\pi \omega_0 A)}{gamma + 4 k omega0 A/(3 pi) + 2 a/(pi omega0 A)};
-#'   * `law_complete`, and `law_p`, the probability that a complete law leaves such residuals (NA for
-#'     exact data and short records);
+#'   * `law_complete`, and `law_p`, the probability that a complete law leaves such residuals (NA
+#'     for exact data and short records);
 #'   * `swings`: a tibble of `segment`, `time_s`, `period_s`, `amplitude_rad`, `period0_s`, `used`;
 #'   * `damping`: the losses from the heights of the peaks alone, by the names above, or NULL with
 #'     fewer than five peaks or fewer than three more than what is fitted;

@@ -87,7 +87,9 @@ autoplot.rot_swing_fit <- function(object, ..., base_size = 13) {
     ggplot2::geom_point(
       ggplot2::aes(shape = .data$used), marks, colour = plot_ink, size = 0.13 * base_size
     ) +
-    ggplot2::scale_shape_manual(values = c(used = 16, "not used" = 1), drop = FALSE, guide = "none") +
+    ggplot2::scale_shape_manual(
+      values = c(used = 16, "not used" = 1), drop = FALSE, guide = "none"
+    ) +
     ggplot2::facet_wrap(~panel, ncol = 1, scales = "free") +
     ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
     ggplot2::scale_y_continuous(breaks = plot_breaks(base_size, 4), guide = plot_axis()) +

@@ -173,9 +173,10 @@ finish_fit <- function(time, y, kind, restoring, p, active, best, model) {
   } else {
     find_noise(at, cbind(j, extra), e)
   }
-  white <- solve_linear(at, j, e, c(tau_s = 0, white = 1))
   found <- settle(at, y, p, active, noise, model, block)
-  if (is.null(found) || is.null(white)) return(NULL)
+  if (is.null(found)) return(NULL)
+  white <- solve_linear(at, found$j, found$e, c(tau_s = 0, white = 1))
+  if (is.null(white)) return(NULL)
   active <- found$active
   law <- law_test(at, found, extra, noise, exact, best$period)
   dof <- min(swing_dof(at, noise, length(active), best$period), law$dof)
@@ -188,9 +189,9 @@ finish_fit <- function(time, y, kind, restoring, p, active, best, model) {
   list(
     p = stats::setNames(found$p, swing_parameters), covariance = found$covariance,
     best = stats::setNames(shown$p, swing_parameters), best_active = shown$active,
-    best_covariance = shown$covariance, white = sqrt(white$covariance[match(3L, active), match(3L,
-      active)]), rms = rms, durbin_watson = dw, noise = noise, dof = dof, law_p = law$p, inflation = law$inflation,
-    sigma = found$sigma, swings = swings, size = size, exact = exact,
+    best_covariance = shown$covariance, white = sqrt(white$covariance[3, 3]), rms = rms,
+    durbin_watson = dw, noise = noise, dof = dof, law_p = law$p, swings = swings, size = size,
+    exact = exact,
     floor = 4 * .Machine$double.eps * found$p[3]
   )
 }

@@ -1,8 +1,8 @@
 #' The fitted swing at any time
 #'
 #' @param object,x A [fit_swing()].
-#' @param time_s Times, not before the first sample of the stretch that was fitted; NULL for those of
-#'   its samples.
+#' @param time_s Times, not before the first sample of the stretch that was fitted; NULL for those
+#'   of its samples.
 #' @param ... Not used: an unknown argument is an error.
 #' @param level Probability of the bands.
 #' @return `predict()`: a tibble with `time_s` and what was measured, `theta_rad` or

@@ -76,7 +76,8 @@ SEXP ffi_whiten(SEXP times, SEXP columns, SEXP noise) {
   const rot_noise law = {x[0], x[1]};
   SEXP out = PROTECT(Rf_allocVector(REALSXP, size));
   memcpy(REAL(out), ffi_reals(columns, "columns", size), (size_t)size * sizeof(double));
-  if (n > 0 && size % n == 0 && size / n < 16) rot_whiten(&law, (size_t)n, t, (size_t)(size / n), REAL(out));
+  if (n > 0 && size % n == 0 && size / n < 16)
+    rot_whiten(&law, (size_t)n, t, (size_t)(size / n), REAL(out));
   UNPROTECT(1);
   return out;
 }

@@ -191,7 +191,7 @@ test_that("a damaged fit is refused", {
   expect_error(print(damaged), class = "rotdyn_error_type")
 })
 
-# ---- quadratic drag, counters, degrees, drives ----------------------------------------------------
+# ---- quadratic drag, counters, degrees, drives --------------------------------------------------
 
 # theta'' = -w^2 sin(theta) - 2 g theta' - k theta' |theta'| + drive(t), by another program.
 drag_record <- function(k, g = 0, theta0 = 0.8, w = 3.85, until = 30, by = 0.04, sigma = 0,
@@ -278,7 +278,8 @@ test_that("degrees given as radians are refused for a pendulum, with a remedy", 
 
 test_that("driven swings are refused or said", {
   # Built up at resonance: no free swing.
-  grows <- drag_record(0, 0.02, theta0 = 0.002, until = 40, drive = function(t) 0.05 * cos(3.85 * t))
+  resonant <- function(t) 0.05 * cos(3.85 * t)
+  grows <- drag_record(0, 0.02, theta0 = 0.002, until = 40, drive = resonant)
   error <- expect_error(fit_swing(grows), class = "rotdyn_error_value")
   expect_match(conditionMessage(error), "free swing")
   # Beats: what falls is no free motion.

@@ -24,7 +24,9 @@ test_that("a panel for each result, negative shares, measured moments of inertia
   expect_equal(nrow(built$layout$layout), 2)
   expect_true(any(plot$data$percent < 0))
   expect_equal(sum(plot$data$percent[plot$data$panel == levels(plot$data$panel)[1]]), 100)
-  inertia <- inertia_torsion(measured(1.2, 0.01, name = "period"), measured(0.3, 0.001, name = "wire"))
+  inertia <- inertia_torsion(
+    measured(1.2, 0.01, name = "period"), measured(0.3, 0.001, name = "wire")
+  )
   alt <- ggplot2::autoplot(inertia)$labels$alt
   expect_match(alt, "variance of I is from period")
 })

@@ -1,7 +1,8 @@
 test_that("the core's rows are those of the axle, for both restoring torques and all losses", {
   time <- seq(2, 9, by = 0.13)
   for (restoring in c("gravity", "spring")) {
-    torque <- if (restoring == "spring") torque_spring(9) else torque_gravity(1, 9, gravity_m_per_s2 = 1)
+    torque <- torque_gravity(1, 9, gravity_m_per_s2 = 1)
+    if (restoring == "spring") torque <- torque_spring(9)
     scene <- scene_axle(
       1, torque, resistance(0.2, coulomb_n_m = 0.1, quadratic_n_m_s2 = 0.3), theta0_rad = 1.2,
       omega0_rad_per_s = -0.5, start_s = 2
