@@ -36,8 +36,8 @@
 #'   Narrower changes may be missed, in the motion and in its audit: the head of the result says so.
 #'   1: only the steps call the function.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
-#'   The trajectory of a [scene_rotors()], [scene_clutch()] or [scene_drive()] has columns of its
-#'   own, listed there. [summary()] and [generics::glance()] give one row, `predict()` other times,
+#'   The trajectory of a [scene_rotors()], [scene_clutch()], [scene_drive()] or
+#'   [scene_hanging_mass()] has columns of its own, listed there. [summary()] and [generics::glance()] give one row, `predict()` other times,
 #'   [audit()] the balance, [augment()][augment.rot_trajectory] work and heat row by row,
 #'   [motion_events()] the events, `ggplot2::autoplot()` a plot. dplyr verbs keep the class with the
 #'   key columns. A scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
@@ -620,6 +620,8 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' (`reverse`). What a spring or gravity pulls back turns (`turn`: omega changes its sign) and
 #' passes its rest angle (`passage`): found in spans of up to 10000 cycles. The times of a closed
 #' form are exact, those of an integration have the accuracy asked.
+#'
+#' On an incline: `roll`, `slip`, `reverse`, `slip_reverse`, `stick`, see [scene_incline()].
 #'
 #' Of a measured motion, the breaks that [estimate_motion()] found or was given: an `impact`, where
 #' omega jumps; a `switch`, where its derivative jumps; a `stop`, behind which the body rests.

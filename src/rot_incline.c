@@ -421,8 +421,11 @@ static rot_status fill_row(const incline *at_time, const rot_incline_columns *ou
 static rot_status next_piece(void *model, double *end_s) {
   incline_run *run = model;
   *end_s = run->at.end_s;
+  const size_t before = run->events ? run->events->count : 0;
   const rot_status status = cross(&run->at, run->events);
-  if (status != ROT_OK || !run->at_events) {
+  /* A spin that passes zero while the contact slips ends a piece, but is no event. */
+  const int logged = run->events && run->events->count > before;
+  if (status != ROT_OK || !run->at_events || !logged) {
     const state at = state_of(&run->at);
     note_state(&run->at, &at, run->info, 0);
     return status;

@@ -85,8 +85,9 @@ rot_incline_columns rot_incline_columns_of(rot_incline_row *row);
 /* Times are finite, do not decrease and are not before start_s (ROT_EVALUE). mu_kinetic is finite
  * unless the start rolls. A slip at the start within its rounding is none. Events: roll, slip,
  * stick, reverse (the velocity passes zero), slip_reverse (the slip does, without grip). at_events
- * takes the rows at their times, NULL: none. The errors in *info are bounds for all rows, unless a
- * force is within a rounding of what friction holds; such a force is held. */
+ * takes the rows at their times, where `events` is not NULL; NULL: none. The errors in *info are
+ * bounds for all rows, unless a force is within a rounding of what friction holds; such a force is
+ * held. */
 rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double time_s[],
                            const rot_incline_columns *out, rot_events *events,
                            rot_incline_event_rows *at_events, const rot_hooks *hooks,

@@ -184,7 +184,7 @@ long_calls <- list(
     v <- cbind(stats::runif(3e5), 0, 0)
     ball <- body_sphere(1, 0.1)
     function() {
-      for (i in 1:200) collide(ball, ball, velocity_1_m_per_s = v, normal = c(1, 0, 0))
+      for (i in 1:200) collide(ball, ball, velocity_1_m_per_s = v, normal = c(-1, 0, 0))
     }
   },
   work_precision = function() {

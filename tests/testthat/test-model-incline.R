@@ -116,6 +116,9 @@ test_that("audits balance, friction stays in its cone, in random scenes", {
     events <- motion_events(motion)
     if (i %% 2 == 0) {
       expect_true(all(events$time_s[events$time_s <= 4] %in% motion$time_s[!is.na(motion$event)]))
+      expect_identical(
+        motion$time_s, sort(unique(c(seq(-1, 4, length.out = 41), events$time_s)))
+      )
     } else {
       expect_identical(motion$time_s, seq(-1, 4, length.out = 41))
     }
