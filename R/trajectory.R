@@ -37,10 +37,11 @@
 #'   1: only the steps call the function.
 #' @return A `rot_trajectory`: a tibble with the columns `r describe_columns(trajectory_columns)`
 #'   The trajectory of a [scene_rotors()], [scene_clutch()], [scene_drive()] or
-#'   [scene_hanging_mass()] has columns of its own, listed there. [summary()] and [generics::glance()] give one row, `predict()` other times,
-#'   [audit()] the balance, [augment()][augment.rot_trajectory] work and heat row by row,
-#'   [motion_events()] the events, `ggplot2::autoplot()` a plot. dplyr verbs keep the class with the
-#'   key columns. A scene with [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
+#'   [scene_hanging_mass()] has columns of its own, listed there. [summary()] and
+#'   [generics::glance()] give one row, `predict()` other times, [audit()] the balance,
+#'   [augment()][augment.rot_trajectory] work and heat row by row, [motion_events()] the events,
+#'   `ggplot2::autoplot()` a plot. dplyr verbs keep the class with the key columns. A scene with
+#'   [inertia_knots()] adds the column `moment_of_inertia_kg_m2`.
 #' @section Warnings: `rotdyn_warning_breaks` if breaks of a torque function were searched for;
 #'   `rotdyn_warning_accuracy` if the error figure exceeds the accuracy asked for.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_time` (times missing or
