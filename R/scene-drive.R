@@ -8,7 +8,8 @@
 #' * `coupling_clutch()`: dry friction. While it slips, `T = capacity sign(slip)` with
 #'   `slip = omega_i - ratio omega_(i+1)`; at no slip it locks while the torque that keeps it so is
 #'   at most `static_ratio capacity`.
-#' * `coupling_gear()`: rigid, without backlash: `omega_i = ratio omega_(i+1)`.
+#' * `coupling_gear()`: rigid, without backlash and without loss: `omega_i = ratio omega_(i+1)`. A
+#'   train with an efficiency, under constant torques, is [scene_gears()].
 #' * `brake()`: a clutch to ground.
 #'
 #' `T` acts on rotor `i + 1` times `ratio`, on rotor `i` as `-T`; the housing takes the rest.
