@@ -259,7 +259,8 @@ frame_rotation <- function(frame, motion, call) {
   if (is_number(frame) || inherits(frame, "units")) {
     rate <- check_number(frame, "frame", "rad/s", call)
     if (is.null(time_s)) abort_missing_column("time_s", motion, call)
-    return(list(rate * check_column(time_s, "time_s", "s", call), rate, 0))
+    time_s <- check_column(time_s, "time_s", "s", call)
+    return(list(.Call(ffi_frame_angle, list(rate, Inf, time_s)), rate, 0))
   }
   if (inherits(frame, "rot_trajectory")) {
     if (is.null(time_s)) abort_missing_column("time_s", motion, call)

@@ -106,8 +106,8 @@ with_free_sums <- function(result, time_s) {
 integrated_free_ledger <- function(scene, run, from_s, to_s) {
   known <- free_sums(scene, run, c(from_s, to_s))
   if (is.null(known)) return(NULL)
-  known[2, -1] - known[1, -1] * !endsWith(colnames(known)[-1], "_rounding_j") *
-    !startsWith(colnames(known)[-1], "impulse_rounding")
+  errors <- grepl("_rounding_", colnames(known)[-1]) # of the whole run
+  known[2, -1] - ifelse(errors, 0, known[1, -1])
 }
 
 free_sums <- function(scene, run, time_s) {

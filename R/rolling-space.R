@@ -151,10 +151,11 @@ ball_on_turntable <- function(time_s, turntable_rad_per_s, x_m, y_m = 0, vx_m_pe
   }
   table <- x$turntable_rad_per_s
   k <- x$beta / (1 + x$beta) * table
-  angle <- k * x$time_s
+  whole <- k * x$time_s
+  angle <- .Call(ffi_frame_angle, list(table, x$beta, x$time_s)) # less double turns
   # sin(kt)/k and (1 - cos(kt))/k, without cancellation and at k = 0.
-  along <- x$time_s * ifelse(angle == 0, 1, sin(angle) / angle)
-  aside <- x$time_s * ifelse(angle == 0, 0, 2 * sin(angle / 2)^2 / angle)
+  along <- x$time_s * ifelse(whole == 0, 1, sin(angle) / whole)
+  aside <- x$time_s * ifelse(whole == 0, 0, 2 * sin(angle / 2)^2 / whole)
   vx <- x$vx_m_per_s * cos(angle) - x$vy_m_per_s * sin(angle)
   vy <- x$vy_m_per_s * cos(angle) + x$vx_m_per_s * sin(angle)
   dx <- along * x$vx_m_per_s - aside * x$vy_m_per_s

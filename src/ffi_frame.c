@@ -75,6 +75,20 @@ SEXP ffi_frame_foucault(SEXP list) {
   return out;
 }
 
+/* Columns: rate, beta, time: the angle of rot_frame_angle(). */
+SEXP ffi_frame_angle(SEXP list) {
+  rot_column in[3];
+  double x[3];
+  const R_xlen_t n = ffi_columns_of(list, 3, in);
+  SEXP out = PROTECT(ffi_new_column(n));
+  for (R_xlen_t i = 0; i < n; i++) {
+    const int known = ffi_row_of(in, 3, i, x);
+    REAL(out)[i] = known ? rot_frame_angle(x[0], x[1], x[2]) : NA_REAL;
+  }
+  UNPROTECT(1);
+  return out;
+}
+
 /* Columns: position, velocity, acceleration (three each); angle, rate, acceleration of the frame.
  * Its unit axis; whether the motion enters it. Out: the nine of the other side, then the
  * centrifugal, Coriolis and Euler accelerations in the frame. */

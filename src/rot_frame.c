@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rot_dd_trig.h"
 #include "rot_real.h"
 
 /* ---- over the ground ------------------------------------------------------------------------- */
@@ -111,13 +112,50 @@ double rot_frame_fall_time(double omega, double latitude_deg, double g, double h
   return high;
 }
 
+/* Cosine and sine of rate t, whose phase is known to twice the precision. */
+static void phase_at(rot_dd rate, double t, double *cosine, double *sine) {
+  const rot_dd x = rot_dd_mul1(rate, t);
+  rot_dd s, c;
+  if (fabs(x.hi) < 0x1p52) {
+    rot_dd_sine_cosine(x, &s, &c);
+    *cosine = c.hi;
+    *sine = s.hi;
+  } else { /* no digit of it is known */
+    *cosine = cos(x.hi);
+    *sine = sin(x.hi);
+  }
+}
+
+/* Omega sin(latitude). */
+static rot_dd turning_rate(double omega, double latitude_deg) {
+  static const rot_dd half_turn = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+  rot_dd s, c;
+  const rot_dd degree = rot_dd_div(half_turn, (rot_dd){180.0, 0.0});
+  rot_dd_sine_cosine(rot_dd_mul1(degree, latitude_deg), &s, &c);
+  return rot_dd_mul1(s, omega);
+}
+
+/* sqrt(gravity/length + turn^2) */
+static rot_dd swing_rate(double gravity, double length, rot_dd turn) {
+  int eg, el;
+  const double nu = hypot(sqrt(gravity / length), turn.hi);
+  if (!(nu > 1e-100 && nu < 1e100)) return (rot_dd){nu, 0.0};
+  const double g = frexp(gravity, &eg), l = frexp(length, &el);
+  const rot_dd pull = rot_dd_ldexp(rot_dd_div((rot_dd){g, 0.0}, (rot_dd){l, 0.0}), eg - el);
+  return rot_dd_sqrt(rot_dd_add(pull, rot_dd_mul(turn, turn)));
+}
+
 void rot_frame_foucault(double omega, double latitude_deg, double gravity, double length,
                         const double r0[2], const double v0[2], double t, double r[2], double v[2],
                         double *plane_rate) {
-  const double turn = omega * rot_sin_deg(latitude_deg), nu = hypot(sqrt(gravity / length), turn);
+  const rot_dd turns = turning_rate(omega, latitude_deg),
+               swings = swing_rate(gravity, length, turns);
+  const double turn = turns.hi, nu = swings.hi;
+  double c, s, ct, st;
   *plane_rate = -turn;
-  const double c = cos(nu * t), s = nu == 0.0 ? t : sin(nu * t) / nu;
-  const double ct = cos(turn * t), st = sin(turn * t);
+  phase_at(swings, t, &c, &s);
+  phase_at(turns, t, &ct, &st);
+  s = nu == 0.0 ? t : s / nu;
   /* zeta = exp(-i turn t) (z0 cos(nu t) + (v0 + i turn z0) sin(nu t)/nu) */
   const double b[2] = {v0[0] - turn * r0[1], v0[1] + turn * r0[0]};
   double e[2], f[2];
@@ -129,6 +167,16 @@ void rot_frame_foucault(double omega, double latitude_deg, double gravity, doubl
   r[1] = ct * e[1] - st * e[0];
   v[0] = ct * f[0] + st * f[1] + turn * r[1];
   v[1] = ct * f[1] - st * f[0] - turn * r[0];
+}
+
+double rot_frame_angle(double rate, double beta, double t) {
+  rot_dd part = {rate, 0.0};
+  if (isfinite(beta)) {
+    part = rot_dd_div(rot_dd_mul2(beta, rate), rot_dd_sum2(1.0, beta));
+    if (!isfinite(part.lo)) part = (rot_dd){beta / (1.0 + beta) * rate, 0.0};
+  }
+  const rot_dd angle = rot_dd_mul1(part, t);
+  return fabs(angle.hi) < 0x1p52 ? rot_dd_less_double_turns(angle).hi : angle.hi;
 }
 
 /* ---- into a frame and out of it -------------------------------------------------------------- */

@@ -32,6 +32,10 @@ void rot_frame_foucault(double omega, double latitude_deg, double gravity, doubl
                         const double r0[2], const double v0[2], double t, double r[2], double v[2],
                         double *plane_rate);
 
+/* rate beta/(1 + beta) t less whole double turns, good to some roundings up to 1e15 rad; beta Inf:
+ * rate t. */
+double rot_frame_angle(double rate, double beta, double t);
+
 /* A frame that is turned by an angle about a unit axis through the origin, at this rate, with this
  * angular acceleration. */
 typedef struct rot_frame {

@@ -162,7 +162,10 @@ rot_status rot_rolling_disk_run(const rot_rolling_disk *p, double accuracy, size
   for (size_t i = 0; i < info->rows_done && i < n; i++) write_row(p, y + i * DIM, i, out);
   error[0] = errors[0];
   error[1] = largest[1] > 0.0 ? errors[1] / largest[1] : 0.0;
-  error[2] = hypot(errors[2], errors[3]);
+  /* Two runs share what rounding does to the heading: some eps of the angle that the disk turns. */
+  const double time = n ? fmax(fabs(time_s[0]), fabs(time_s[n - 1])) : 0.0;
+  const double angle = largest[1] * time;
+  error[2] = hypot(errors[2], errors[3]) + 4.0 * ROT_EPS * p->radius_m * angle * (1.0 + angle);
   if (events.count) *flat_s = events.time_s[events.count - 1];
   rot_events_free(&events);
   free(y);

@@ -1,10 +1,11 @@
 #!/bin/sh
 # Do the reported errors cover the true ones? Random scenes for each model of the axle, of the
-# incline, of the heavy top and of free bodies with rotors or without, and for the installed package
-# random R functions as torque laws, narrow changes of such laws, random curves, and random gears,
-# drives, rotors, inclines, dry friction, long spans and short pulses, judged in quadruple precision
-# (bench/coverage/). Needs gcc and libquadmath. Without SEED another one is drawn each time. 1000
-# scenes of each class are 31,000 in all: each part ends with the number of its own.
+# incline, of the heavy top (to 1e9 rad and more) and of free bodies with rotors or without, and for
+# the installed package random R functions as torque laws, narrow changes of such laws, random
+# curves, audits of random motions, and random gears, drives, rotors, inclines, dry friction, long
+# spans and short pulses, judged in quadruple precision (bench/coverage/). Needs gcc and libquadmath.
+# Without SEED another one is drawn each time. 1000 scenes of each class are 33,000 in all: each part
+# ends with the number of its own.
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
@@ -32,5 +33,6 @@ bad=0
 Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad=1
 Rscript bench/coverage/curves.R "$build/curves" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/narrow.R "$((${1:-1000} / 3))" "$seed" || bad=1
+Rscript bench/coverage/audits.R "$((${1:-1000} / 4))" "$seed" || bad=1
 Rscript bench/coverage/scenes.R "$build/chains" "${1:-1000}" "$seed" || bad=1
 exit $bad

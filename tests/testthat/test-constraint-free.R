@@ -113,3 +113,25 @@ test_that("an uncertain body says what that does to the attitude", {
   motion <- trajectory(scene_free(rough, c(0.1, 2, 0.1)), 0:3)
   expect_gt(trajectory_run(motion)$body$effect, 0)
 })
+
+# The largest allowance of a motion's balances, over the size of what is balanced of that unit.
+allowed <- function(motion) {
+  a <- audit(motion)
+  size <- vapply(a$terms, function(terms) sum(abs(terms$value)), 0)
+  size <- unname(tapply(size, a$unit, max)[a$unit])
+  list(all = all(a$verdict == "balanced"), most = max((a$rounding / size)[a$unit != "1"]))
+}
+
+test_that("correct forced motions are balanced at every accuracy, by allowances of its size", {
+  # Impulses err by more than the momentum does: 4.4 times what was allowed without their own error.
+  scene <- scene_free(c(1, 1.5, 2), c(8, 1, 5), torque_n_m = c(-2, -12, -2))
+  for (accuracy in 10^-(3:12)) {
+    got <- allowed(trajectory(scene, c(0, 1), accuracy))
+    expect_true(got$all)
+    expect_lt(got$most, 3 * accuracy + 1e-12)
+  }
+  # An impulse is wrong by a ten-thousandth: seen.
+  motion <- trajectory(scene, c(0, 1), 1e-8)
+  motion$omega_x_rad_per_s[2] <- motion$omega_x_rad_per_s[2] * (1 + 1e-5)
+  expect_true("unbalanced" %in% audit(motion)$verdict)
+})

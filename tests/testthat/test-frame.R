@@ -104,3 +104,14 @@ test_that("bad input is refused with its class", {
   )
   expect_identical(nrow(to_rotating_frame(puck[0, ], 1)), 0L)
 })
+
+test_that("phases keep their digits for years", {
+  # 50 digits: mpmath.
+  swing <- foucault_pendulum(c(31536000, 1e12), 48.85, 67, north_m = 3)
+  expect_lt(max(abs(swing$east_m - c(-0.40247767107293567, -2.5731443538699441))), 4e-15)
+  expect_lt(max(abs(swing$north_m - c(-0.60431408745295752, 0.93124443791581487))), 4e-15)
+  # A point at (2, 1) from a frame that has turned by 7e8 rad.
+  seen <- to_rotating_frame(data.frame(time_s = 1e9, x_m = 2, y_m = 1), frame = 0.7)
+  expect_lt(abs(seen$x_m - 1.8839370196056416), 2e-15)
+  expect_lt(abs(seen$y_m + 1.2044838339136862), 2e-15)
+})

@@ -225,3 +225,24 @@ test_that("any disturbance of the spin about the middle axis is followed to the 
   }, 0)
   expect_equal(diff(time_s), 200 * log(10) * sqrt(3), tolerance = 1e-12)
 })
+
+test_that("steps of order 1 report at least their error", {
+  set.seed(20)
+  least <- most <- 1
+  for (k in 1:40) {
+    scene <- scene_free(
+      c(1, 1.6, 2) * stats::runif(1, 0.5, 2), stats::runif(3, -2, 2),
+      torque_n_m = stats::runif(3, -1, 1)
+    )
+    true <- trajectory(scene, c(0, 1), 1e-12)
+    for (model in c("free_euler", "free_semi_implicit")) {
+      motion <- suppressWarnings(trajectory(scene, c(0, 1), model = model, step_s = 0.005))
+      ratio <- attr(motion, "run")$info$errors[["attitude"]] /
+        attitude_difference(true[2, ], motion[2, ])
+      least <- min(least, ratio)
+      most <- max(most, ratio)
+    }
+  }
+  expect_gte(least, 1)
+  expect_lt(most, 1.6)
+})

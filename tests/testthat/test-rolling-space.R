@@ -69,3 +69,20 @@ test_that("a coin rolls straight, on a circle, wobbles, and falls", {
   expect_error(roll_disk(0:1), class = "rotdyn_error_missing")
   expect_error(roll_disk(0:1, 0.1, tilt = 3), class = "rotdyn_error_argument")
 })
+
+test_that("a ball on a turntable keeps its phase", {
+  ball <- ball_on_turntable(c(1e6, 1e13), 3.5, x_m = 0.3, vy_m_per_s = 0.1)
+  expect_lt(max(abs(ball$x_m - c(0.29367521275470222, 0.29574781870349880))), 1e-16)
+  expect_lt(max(abs(ball$y_m - c(-0.034999350213414997, -0.028850566953214669))), 1e-16)
+})
+
+test_that("the error of a disk's place covers what rounding does to its heading", {
+  # Upright it rolls straight: x = r omega t.
+  for (end in c(10, 300)) {
+    disk <- roll_disk(c(0, end), 0.3, spin_rad_per_s = 20, accuracy = 1e-12)
+    off <- sqrt((disk$x_m[2] - 6 * end)^2 + disk$y_m[2]^2)
+    said <- attr(disk, "error")[["position_m"]]
+    expect_lt(off, said)
+    expect_lt(said, 1e-15 * 6 * end * 20 * end)
+  }
+})
