@@ -1,11 +1,12 @@
-# Does audit() find correct motions balanced, by an allowance that is not too large? Random scenes of
-# each constraint, with torques that do work, at accuracies of 1e-3 to 1e-12.
+# Does audit() find correct motions balanced, by an allowance that is not too large? Random scenes
+# of each constraint, with torques that do work, at accuracies of 1e-3 to 1e-12.
 #
 #   Rscript bench/coverage/audits.R [SCENES of each class [SEED [CLASS ...]]]
 #
-# Ends with status 1 where a correct motion is called unbalanced, more than one in five scenes fails,
-# or 5 in 100 allowances of a class are more than 100 times the error figure of the motion, times the
-# sizes of what is balanced. COVERAGE_SHOW=yes prints what failed.
+# Ends with status 1 where a correct motion is called unbalanced, one in five scenes fails, or 5 in
+# 100 allowances of a class are more than 300 times the error figure of the motion, times
+# the largest work or impulse of the balance (a body that is hardly changed has more energy than
+# that). COVERAGE_SHOW=yes prints what failed.
 suppressMessages(library(rotdyn))
 
 args <- commandArgs(trailingOnly = TRUE)
@@ -64,7 +65,8 @@ classes <- list(
     span <- power(-0.5, 1)
     list(scene_free(
       i, omega, attitude0 = attitude(), torque_n_m = torque(max(i) * power(-1, 1.5), span),
-      torque_axes = sample(c("body", "space"), 1L), damping_per_s = if (chance(0.3)) power(-2, 0) else 0
+      torque_axes = sample(c("body", "space"), 1L),
+      damping_per_s = if (chance(0.3)) power(-2, 0) else 0
     ), span)
   },
   free_rotors = function() {
@@ -106,7 +108,8 @@ classes <- list(
     i <- vapply(seq_len(n), function(k) power(-1.5, 1), 0)
     list(scene_rotors(
       i, i[-n] * vapply(seq_len(n - 1L), function(k) power(0, 3), 0),
-      damping_n_m_s = if (chance(0.5)) i[-n] * power(-2, 0.3) else 0 * i[-n], torque_n_m = i * between(-3, 3, n),
+      damping_n_m_s = if (chance(0.5)) i[-n] * power(-2, 0.3) else 0 * i[-n],
+      torque_n_m = i * between(-3, 3, n),
       viscous_n_m_s = i * between(0, 0.5, n), omega0_rad_per_s = between(-5, 5, n)
     ), power(-1, 2))
   },
@@ -153,7 +156,9 @@ for (name in names(classes)) {
     drawn <- tryCatch(classes[[name]](), rotdyn_error = function(e) e)
     accuracy <- power(-12, -3)
     motion <- if (inherits(drawn, "error")) drawn else tryCatch(
-      suppressWarnings(trajectory(drawn[[1]], c(0, sort(between(0, drawn[[2]], 3L)), drawn[[2]]), accuracy)),
+      suppressWarnings(
+        trajectory(drawn[[1]], c(0, sort(between(0, drawn[[2]], 3L)), drawn[[2]]), accuracy)
+      ),
       rotdyn_error = function(e) e
     )
     if (inherits(motion, "error")) {
@@ -175,7 +180,7 @@ for (name in names(classes)) {
     size <- vapply(out$terms, function(terms) sum(abs(terms$value)), 0)
     size <- unname(tapply(size, out$unit, max)[out$unit])
     figure <- glance(motion)$error + 1e-14
-    real <- is.finite(size) & size > 1e-3 * max(size, na.rm = TRUE) & out$balance != "quaternion_norm"
+    real <- is.finite(size) & size > 1e-3 * max(size, na.rm = TRUE) & out$unit != "1"
     ratios <- c(ratios, (out$rounding / (size * figure))[real])
   }
   cat(sprintf(paste(
@@ -184,7 +189,7 @@ for (name in names(classes)) {
   ), name, called, audits, closest, stats::median(ratios, na.rm = TRUE),
   stats::quantile(ratios, 0.95, na.rm = TRUE), failed))
   worst <- worst + called + (audits < 0.8 * scenes) +
-    (stats::quantile(ratios, 0.95, na.rm = TRUE) > 100)
+    (stats::quantile(ratios, 0.95, na.rm = TRUE) > 300)
 }
 cat("audits, seed ", seed, ": ", if (worst) "FAILED" else "ok", "\n", sep = "")
 quit(status = as.integer(worst > 0))

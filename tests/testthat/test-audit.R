@@ -151,6 +151,7 @@ test_that("energies beyond double precision give a verdict of NA, soon", {
   expect_lt(sum(spent[1:2]), 10)
 })
 
+<<<<<<< HEAD
 test_that("an audit looks more closely at a law than the motion did", {
   # A change of 1/500 of the range between the probes of the motion: 0.2 rad of 100 rad.
   missed <- 0
@@ -170,4 +171,46 @@ test_that("an audit looks more closely at a law than the motion did", {
   closer <- trajectory(ball, c(0, 10), resolution = 0.001)
   expect_equal(closer$v_m_per_s[2], sqrt(1 + 2 * 0.08 / 1.4), tolerance = 1e-9)
   expect_identical(audit(closer)$verdict, rep("balanced", 3))
+=======
+test_that("the allowance is that of the error figure: not more, for each constraint", {
+  # Scene, sizes of energy (J) and of angular momentum, the largest allowance beside these. The last
+  # is 10 to 30 times the figure of the motion.
+  tilted <- attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
+  driven <- function(time_s) 3 * sin(time_s)
+  cases <- list(
+    list(scene_clutch(2, 0.5, 3, torque_1 = 1, omega1_rad_per_s = 20), c(400, 40), 1e-13),
+    list(scene_drive(c(1, 0.4), coupling_gear(2), torque = list(3, NULL)), c(100, 15), 1e-13),
+    list(
+      scene_drive(
+        c(1, 0.4, 0.2), list(coupling_clutch(2), coupling_shaft(30, 0.1)),
+        torque = list(driven, NULL, NULL)
+      ), c(10, 5), 3e-11
+    ),
+    list(
+      scene_incline(body_sphere(2, 0.1), 30, static_friction = 0.1, v0_m_per_s = 2), c(200, 40),
+      1e-13
+    ),
+    list(
+      scene_incline(body_sphere(2, 0.1), 30, v0_m_per_s = 2, drag_n_s2_per_m2 = 0.3), c(200, 40),
+      3e-11
+    ),
+    list(
+      scene_pivot(
+        c(.0042, .0042, .002), c(0, 0, 60), mass_kg = .5, centre_m = c(0, 0, .08),
+        attitude0 = tilted
+      ), c(3.6, 0.12), 1e-12
+    ),
+    list(
+      scene_pivot(
+        c(1, 1.5, 2), c(3, 1, 2), mass_kg = 1, centre_m = c(.1, .2, .3), torque_n_m = c(-1, 2, 0.5)
+      ), c(10, 6), 1e-9
+    )
+  )
+  for (case in cases) {
+    a <- audit(trajectory(case[[1]], c(0, 0.7, 5), 1e-9))
+    expect_true(all(a$verdict == "balanced"))
+    size <- ifelse(a$unit == "J", case[[2]][1], case[[2]][2])
+    expect_lt(max((a$rounding / size)[a$unit != "1"]), case[[3]])
+  }
+>>>>>>> 0611cbb (audit: allowances bounded from above for every constraint; coverage of correct forced motions)
 })
