@@ -151,7 +151,6 @@ test_that("energies beyond double precision give a verdict of NA, soon", {
   expect_lt(sum(spent[1:2]), 10)
 })
 
-<<<<<<< HEAD
 test_that("an audit looks more closely at a law than the motion did", {
   # A change of 1/500 of the range between the probes of the motion: 0.2 rad of 100 rad.
   missed <- 0
@@ -171,7 +170,8 @@ test_that("an audit looks more closely at a law than the motion did", {
   closer <- trajectory(ball, c(0, 10), resolution = 0.001)
   expect_equal(closer$v_m_per_s[2], sqrt(1 + 2 * 0.08 / 1.4), tolerance = 1e-9)
   expect_identical(audit(closer)$verdict, rep("balanced", 3))
-=======
+})
+
 test_that("the allowance is that of the error figure: not more, for each constraint", {
   # Scene, sizes of energy (J) and of angular momentum, the largest allowance beside these. The last
   # is 10 to 30 times the figure of the motion.
@@ -212,5 +212,4 @@ test_that("the allowance is that of the error figure: not more, for each constra
     size <- ifelse(a$unit == "J", case[[2]][1], case[[2]][2])
     expect_lt(max((a$rounding / size)[a$unit != "1"]), case[[3]])
   }
->>>>>>> 0611cbb (audit: allowances bounded from above for every constraint; coverage of correct forced motions)
 })
