@@ -4,9 +4,9 @@
 #   Rscript bench/coverage/audits.R [SCENES of each class [SEED [CLASS ...]]]
 #
 # Ends with status 1 where a correct motion is called unbalanced, one in five scenes fails, or the
-# allowances of a class are more than 30 times the error figure of the motion, times the largest work
-# or impulse of the balance, in the middle, or more than 1000 times in 5 of 100 (a body that is
-# hardly changed has more energy than that). COVERAGE_SHOW=yes prints what failed.
+# allowances of a class, over the error figure of the motion times the largest work or impulse of
+# the balance, are more than 30 in the middle or 1000 at 95 in 100 (a body that is hardly changed has
+# more energy than that). COVERAGE_SHOW=yes prints what failed.
 suppressMessages(library(rotdyn))
 
 args <- commandArgs(trailingOnly = TRUE)
