@@ -5,7 +5,7 @@
 #
 # Ends with status 1 where a correct motion is called unbalanced, one in five scenes fails, or the
 # allowances of a class, over the error figure of the motion times the largest work or impulse of
-# the balance, are more than 30 in the middle or 1000 at 95 in 100 (a body that is hardly changed has
+# the balance, are more than 30 in the middle or 1000 at 95 in 100 (a body that hardly changes has
 # more energy than that). COVERAGE_SHOW=yes prints what failed.
 suppressMessages(library(rotdyn))
 
