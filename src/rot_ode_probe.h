@@ -32,7 +32,7 @@ struct rot_ode_probes {
   const rot_ode_params *p;
   size_t bins;                 /* of each coordinate; the last coordinate is time */
   double *low, *width, *since; /* of each coordinate; since: where the gap began, NaN: covered */
-  double *span;                /* 4 of each coordinate */
+  double *span;                /* of a piece: each coordinate at even times */
   unsigned char *seen;
   int looked; /* the ranges are known */
   size_t n_sights;

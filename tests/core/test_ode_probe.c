@@ -114,7 +114,7 @@ static void check_resolution(void) {
   printf("calls of a law without a change: %zu, %zu for a tenth of the width\n", calls[0],
          calls[1]);
   /* 1.28/resolution places, of which the steps' own calls are some. */
-  ROT_CHECK(calls[0] > 256 && calls[0] < 256 + 200 && calls[1] > 2560 && calls[1] < 2560 + 400);
+  ROT_CHECK(calls[0] > 256 && calls[0] < 256 + 200 && calls[1] > 2400 && calls[1] < 2560 + 400);
 }
 
 /* A swing passes its angles again and again: they are looked at once. */
