@@ -477,7 +477,11 @@ tbl_sum.rot_trajectory <- function(x, ...) {
       c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
     },
     if (length(run$events$time_s)) c("Events" = describe_events(run$events)),
-    if (!is.null(run$info$resolution)) c("Law" = describe_resolution(run$info$resolution))
+    if (!is.null(run$info$resolution)) {
+      c("Law" = describe_resolution(run$info$resolution))
+    } else if (!is.null(run$info$step_s) && !is.null(run$scene$law)) {
+      c("Law" = "an R function, called at the steps: what changes between them is missed")
+    }
   )
 }
 
