@@ -26,12 +26,13 @@
 #'
 #' **Errors**: the residuals of real records are correlated: noise with a correlation time and a
 #' white part is estimated by restricted likelihood (REML), and the standard errors are those for
-#' that noise.
+#' that noise; larger, where the residuals at frequencies around that of the swings exceed it.
 #'
 #' **The law is incomplete** where the residuals of the fit still show slow changes of phase or
-#' amplitude, or another form of the swing (an F test at 0.001), where they are correlated over a
-#' tenth of the stretch, or a loss would be below 0 by more than its error. The errors then include
-#' what thirds of the stretch differ by. Where the motion does not fit, to a tenth of its amplitude,
+#' amplitude, or another form of the swing, beyond the noise at frequencies around that of the
+#' swings (an F test at 0.001), or where a loss would be below 0 by more than its error. The errors
+#' then include what thirds of the stretch differ by, where chance does not explain it. Where the
+#' motion does not fit, to a tenth of its amplitude,
 #' or there is less than one and a half swings, the median of the free swings (weighted
 #' by the square of their amplitudes) is returned with the error of their scatter.
 #'
@@ -220,19 +221,17 @@ first_parameters <- function(time, kind, restoring, losses, best, part, swings) 
 # The verdict. Where residuals show another law, thirds of the stretch show by how much what is
 # fitted depends on the part; where they do so for half a swing and by 2 %, nothing is fitted.
 judge_law <- function(fit, time, y, kind, restoring, losses, best, part, swings) {
-  at_cap <- fit$noise[["at_cap"]] > 0 && fit$noise[["gain"]] > 12
   below <- intersect(rownames(fit$covariance), swing_losses)
   score <- fit$p[below] / sqrt(diag(fit$covariance)[below])
   limit <- stats::qt(0.9995, fit$dof)
   fit$below <- if (!fit$exact) below[score < -limit]
   wrong <- isTRUE(fit$law_p < 0.001)
-  fit$complete <- !wrong && !at_cap && !length(fit$below)
+  fit$complete <- !wrong && !length(fit$below)
   fit$reasons <- c(
     if (wrong) paste0(
       "phase, amplitude or form of the swings differ from it (p = ",
       format(fit$law_p, digits = 1), ")"
     ),
-    if (at_cap) "the residuals are correlated over a tenth of the stretch",
     if (length(fit$below)) paste("without a bound the", fit$below[1], "loss would be below 0")
   )
   if (fit$complete) return(fit)

@@ -91,7 +91,8 @@ whiten <- function(time, x, noise) {
 # The noise of the residuals r, with columns as fixed effects.
 find_noise <- function(time, columns, r) {
   n <- length(time)
-  cap <- (time[n] - time[1]) / 10
+  # A drift slower than the swings is noise here: the law has a test of its own.
+  cap <- (time[n] - time[1]) / 3
   out <- .Call(ffi_noise, time, as.double(t(columns)), as.double(r), c(cap, 2))
   if (out[5] != 0 || !all(is.finite(out))) out <- c(0, 1, 0, 0, 0)
   stats::setNames(out[1:4], c("tau_s", "white", "gain", "at_cap"))

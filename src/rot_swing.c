@@ -145,6 +145,7 @@ typedef struct motion {
   series s;
   double step; /* of the series: to here, or to the turning point */
   int turns;
+  double steps; /* so far */
 } motion;
 
 static double restoring(const scaled *law, double theta) {
@@ -199,7 +200,9 @@ static rot_status look_ahead(motion *m) {
   return ROT_OK;
 }
 
+/* Swings take 1 to 5 steps a unit of time; losses so strong that they take many more are no swing. */
 static rot_status step_ahead(motion *m) {
+  if (++m->steps > 1000.0 + 20.0 * m->phase) return ROT_EBUDGET;
   state_at(&m->s, m->step, &m->now);
   m->phase += m->step;
   if (m->turns) {

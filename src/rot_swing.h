@@ -33,7 +33,8 @@ typedef struct rot_swing {
   int rate;   /* values are rates in rad/s; 0: angles in rad */
 } rot_swing;
 
-/* (swing, times from the start on, not decreasing) => values, a row of derivatives for each. */
+/* (swing, times from the start on, not decreasing) => values, a row of derivatives for each.
+ * ROT_EBUDGET for losses so strong that nothing swings. */
 rot_status rot_swing_rows(const rot_swing *swing, double start_s, size_t n, const double time_s[],
                           const rot_hooks *hooks, double value[], double derivative[]);
 

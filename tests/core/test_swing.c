@@ -151,6 +151,10 @@ static void check_refusals(void) {
   ROT_CHECK(rot_swing_rows(&swing, 0.5, 2, t, NULL, y, d) == ROT_EVALUE);
   swing.p[ROT_SWING_DECAY] = NAN;
   ROT_CHECK(rot_swing_rows(&swing, 0.0, 2, t, NULL, y, d) == ROT_EVALUE);
+  /* Stiff: creeps, and does not swing. */
+  swing = swing_of(0.1, 0, 1, 1e5, 0, 0, 0, 0);
+  t[1] = 1e3;
+  ROT_CHECK(rot_swing_rows(&swing, 0.0, 2, t, NULL, y, d) == ROT_EBUDGET);
   /* Growth beyond double precision. */
   swing = swing_of(0.1, 0, 1, -5, 0, 0, 1, 0);
   t[1] = 1e4;
