@@ -200,7 +200,7 @@ static rot_status look_ahead(motion *m) {
   return ROT_OK;
 }
 
-/* Swings take 1 to 5 steps a unit of time; losses that take many more are too strong for a swing. */
+/* Swings take 1 to 5 steps a unit of time; losses that take many more are no swing. */
 static rot_status step_ahead(motion *m) {
   if (++m->steps > 1000.0 + 20.0 * m->phase) return ROT_EBUDGET;
   state_at(&m->s, m->step, &m->now);
