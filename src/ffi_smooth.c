@@ -15,7 +15,8 @@ static const int *segments_of(SEXP list, R_xlen_t n) {
   return INTEGER_RO(x);
 }
 
-/* A record: time_s, theta, omega (or NULL), w_theta, w_omega (a copy is kept), segment, floor. */
+/* A record: time_s, theta, omega (or NULL), w_theta, w_omega (a copy is kept), segment, floor; slow,
+ * clock (or NULL) and slow_channel (0 angles, 1 rates). */
 static rot_smooth_record read_record(SEXP list) {
   static const char *const values[] = {"theta", "omega"}, *const weights[] = {"w_theta", "w_omega"};
   rot_smooth_record record;
@@ -34,6 +35,15 @@ static rot_smooth_record read_record(SEXP list) {
     const double *w = ffi_numbers_of(list, weights[c], n);
     record.w[c] = (double *)R_alloc((size_t)n + 1, sizeof(double));
     memcpy(record.w[c], w, (size_t)n * sizeof *w);
+  }
+  SEXP slow = ffi_element(list, "slow");
+  record.slow = record.clock = NULL;
+  record.slow_channel = 0;
+  if (!Rf_isNull(slow)) {
+    record.slow = ffi_reals(slow, "slow", n);
+    record.clock = ffi_numbers_of(list, "clock", n);
+    record.slow_channel = *ffi_numbers_of(list, "slow_channel", 1) > 0.0 ? RATE : ANGLE;
+    if (!record.y[record.slow_channel]) Rf_error("internal: `slow_channel`");
   }
   return record;
 }
@@ -111,6 +121,26 @@ SEXP ffi_smooth_fit(SEXP list, SEXP breaks, SEXP options, SEXP progress) {
   return out;
 }
 
+/* -2 log L of the fit's order, lambda and ratio, and sigma. */
+SEXP ffi_smooth_objective(SEXP list, SEXP breaks, SEXP fit) {
+  const rot_smooth_record record = read_record(list);
+  const rot_smooth_fit of = read_fit(fit);
+  size_t n_breaks;
+  const rot_smooth_break *known = read_breaks(breaks, 0, &n_breaks);
+  rot_smooth_grid grid;
+  rot_smooth_sums sums;
+  double out[2] = {NAN, NAN};
+  const rot_status status = rot_smooth_grid_new(&grid, &record, n_breaks, 0);
+  if (status == ROT_OK) {
+    rot_smooth_grid_fill(&grid, &record, of.ratio, n_breaks, known, NULL);
+    out[0] = rot_smooth_objective(&grid.nodes, &of.model,
+                                  rot_smooth_floor(&grid, &record, of.ratio), &out[1], &sums);
+  }
+  rot_smooth_grid_free(&grid);
+  if (status != ROT_OK) Rf_error("%s", rot_status_text(status));
+  return ffi_numbers(2, out);
+}
+
 /* The fit with its breaks known, with an order up to the last one: see rot_smooth_refine(). */
 SEXP ffi_smooth_refine(SEXP list, SEXP breaks, SEXP fit, SEXP last_order, SEXP progress) {
   const double *last = ffi_reals(last_order, "last_order", 1);
@@ -153,7 +183,8 @@ static rot_status smoothed_new(SEXP list, SEXP breaks, SEXP fit, SEXP times, smo
   if (status != ROT_OK) return status;
   rot_smooth_grid_fill(&out->grid, &out->record, out->fit.ratio, out->n_breaks, out->breaks,
                        &out->times);
-  status = rot_smooth_store_new(&out->store, out->grid.nodes.n, out->fit.model.order);
+  status = rot_smooth_store_new(&out->store, out->grid.nodes.n,
+                                rot_smooth_states(&out->grid.nodes, out->fit.model.order));
   if (status == ROT_OK)
     rot_smooth_filter(&out->grid.nodes, &out->fit.model, 0, out->grid.nodes.n, &out->store, 1,
                       &sums);

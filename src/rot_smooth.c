@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { P = ROT_SMOOTH_MOST, PP = P * P, CHANNELS = ROT_SMOOTH_CHANNELS };
+/* Orders, and states: one more is the correlated part of the errors. */
+enum { ORDERS = ROT_SMOOTH_MOST, P = ORDERS + 1, PP = P * P, CHANNELS = ROT_SMOOTH_CHANNELS };
 
 /* Standard deviation of a state that nothing is known of, in units of sigma about a polynomial
  * through the next samples. 1e3 costs 6e-4 of a standard error, 1e5 digits at small lambda. */
@@ -18,7 +19,7 @@ static const double settled = 1e-13;
 /* Spacings that differ by less are equal. */
 static const double equal_gap = 1e-9;
 
-static const double binomial[P][P] = {
+static const double binomial[ORDERS][ORDERS] = {
     {1, 1, 1, 1, 1}, {0, 1, 2, 3, 4}, {0, 0, 1, 3, 6}, {0, 0, 0, 1, 4}, {0, 0, 0, 0, 1}};
 
 /* ---- small matrices, by rows, `stride` apart ------------------------------------------------- */
@@ -48,15 +49,18 @@ static void triangle(double *m, int rows, int columns, int stride) {
 
 /* The factor of Q(1)/lambda, and the transition over the last gap. */
 typedef struct process {
-  int p;
+  int p, states;
   double root_lambda, unit[PP]; /* upper triangle of the factor at gap 1, lambda 1 */
-  double gap, a[PP], q[PP];     /* A; the factor of Q */
+  double gap, keep;             /* of the last transition */
+  double a[PP], q[PP];          /* A; the factor of Q */
 } process;
 
-static void process_begin(process *of, const rot_smooth_model *model) {
-  static const double factorial[P] = {1, 1, 2, 6, 24};
+static void process_begin(process *of, const rot_smooth_model *model, int states) {
+  static const double factorial[ORDERS] = {1, 1, 2, 6, 24};
   const int p = model->order;
   of->p = p;
+  of->states = states;
+  of->keep = NAN;
   of->root_lambda = sqrt(model->lambda);
   of->gap = NAN;
   for (int i = 0; i < p; i++)
@@ -70,28 +74,48 @@ static void process_begin(process *of, const rot_smooth_model *model) {
     }
 }
 
-static void process_over(process *of, double gap) {
-  const int p = of->p;
+static double keep_at(const rot_smooth_nodes *nodes, size_t k) {
+  return nodes->keep ? nodes->keep[k] : 0.0;
+}
+
+static void process_over(process *of, double gap, double keep) {
+  const int p = of->p, n = of->states;
   double power[P];
-  if (of->gap == gap) return;
+  if (of->gap == gap && (n == p || of->keep == keep)) return;
   of->gap = gap;
+  of->keep = keep;
   power[0] = 1.0;
   for (int i = 1; i < p; i++) power[i] = power[i - 1] * gap;
   const double root = of->root_lambda * sqrt(gap);
-  for (int i = 0; i < p; i++)
-    for (int j = 0; j < p; j++) {
-      of->a[i * p + j] = j < i ? 0.0 : binomial[i][j] * power[j - i];
-      of->q[i * p + j] = j < i ? 0.0 : root * power[p - 1 - j] * of->unit[i * p + j];
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) {
+      const int of_motion = i < p && i <= j && j < p;
+      of->a[i * n + j] = of_motion ? binomial[i][j] * power[j - i] : 0.0;
+      of->q[i * n + j] = of_motion ? root * power[p - 1 - j] * of->unit[i * p + j] : 0.0;
     }
+  if (n > p) {
+    of->a[n * n - 1] = keep;
+    of->q[n * n - 1] = sqrt((1.0 - keep) * (1.0 + keep));
+  }
 }
 
 static void advance(const process *of, const double *x, double *to) {
-  const int p = of->p;
+  const int p = of->p, n = of->states;
   for (int i = 0; i < p; i++) {
     double sum = x[i];
-    for (int j = i + 1; j < p; j++) sum += of->a[i * p + j] * x[j];
+    for (int j = i + 1; j < p; j++) sum += of->a[i * n + j] * x[j];
     to[i] = sum;
   }
+  if (n > p) to[p] = of->keep * x[p];
+}
+
+int rot_smooth_states(const rot_smooth_nodes *nodes, int order) {
+  return nodes->slow ? order + 1 : order;
+}
+
+/* The s.d. of the correlated part of a sample's error, 0 where there is none. */
+static double slow_at(const rot_smooth_nodes *nodes, int channel, size_t k) {
+  return nodes->slow && nodes->slow_channel == channel ? nodes->slow[k] : 0.0;
 }
 
 /* ---- the start ------------------------------------------------------------------------------- */
@@ -186,28 +210,42 @@ typedef struct state {
   double x[P], s[PP]; /* mean; factor, upper triangle by rows of p */
 } state;
 
-/* Forget the states from `first` on; the logarithm of their diffuse variances. */
-static double forget(const rot_smooth_nodes *nodes, int p, size_t k, int first, state *at) {
-  double mean[P], sd[P], log_variance = 0.0;
+/* Forget the states of the motion from `first` on; the logarithm of their diffuse variances. The
+ * errors go on behind a break, and begin anew at a start. */
+static double forget(const rot_smooth_nodes *nodes, const process *of, size_t k, int first,
+                     state *at) {
+  const int p = of->p, n = of->states;
+  double mean[P], sd[P], m[2 * PP], log_variance = 0.0;
   start(nodes, p, k, mean, sd);
-  if (first == ROT_SMOOTH_STARTS)
+  if (first == ROT_SMOOTH_STARTS) {
     memset(at->s, 0, sizeof at->s);
-  else
-    for (int r = 0; r < p; r++)
-      for (int j = first; j < p; j++) at->s[r * p + j] = 0.0;
+    if (n > p) at->x[p] = 0.0, at->s[n * n - 1] = 1.0;
+  } else
+    for (int r = 0; r < n; r++)
+      for (int j = first; j < p; j++) at->s[r * n + j] = 0.0;
   for (int i = first; i < p; i++) {
     at->x[i] = mean[i];
-    at->s[i * p + i] = sd[i];
     log_variance += 2.0 * log(sd[i]);
   }
+  if (n == p || first == ROT_SMOOTH_STARTS) {
+    for (int i = first; i < p; i++) at->s[i * n + i] = sd[i];
+    return log_variance;
+  }
+  memset(m, 0, sizeof m);
+  for (int r = 0; r < n; r++)
+    for (int j = r; j < n; j++) m[r * n + j] = at->s[r * n + j];
+  for (int i = first; i < p; i++) m[(n + i) * n + i] = sd[i];
+  triangle(m, 2 * n, n, n);
+  for (int r = 0; r < n; r++)
+    for (int j = r; j < n; j++) at->s[r * n + j] = m[r * n + j];
   return log_variance;
 }
 
-static void predict(process *of, double gap, state *at) {
-  const int p = of->p;
+static void predict(process *of, double gap, double keep, state *at) {
+  const int p = of->states;
   double x[P], m[2 * PP];
   if (!(gap > 0.0)) return;
-  process_over(of, gap);
+  process_over(of, gap, keep);
   advance(of, at->x, x);
   memcpy(at->x, x, (size_t)p * sizeof *x);
   for (int r = 0; r < p; r++)
@@ -268,6 +306,33 @@ static void update(int p, int channel, double y, double w, state *at, double *v,
   for (int j = 0; j < p; j++) at->x[j] += k[j] * *v;
 }
 
+/* The same for a sample whose error has a correlated part: the row [w; S H'] is rotated into S from
+ * below, so that S stays a triangle. */
+static void update_slow(const process *of, int channel, double y, double w, double slow, state *at,
+                        double *v, double *f, double *k) {
+  const int n = of->states, p = of->p;
+  double row[P] = {0.0}, top = w;
+  *v = y - at->x[channel] - slow * at->x[p];
+  for (int r = n - 1; r >= 0; r--) {
+    double *s = at->s + r * n;
+    const double along = (r <= channel ? s[channel] : 0.0) + slow * s[p];
+    const double root = hypot(top, along);
+    if (!(root > 0.0)) continue;
+    const double c = top / root, t = along / root;
+    for (int j = r; j < n; j++) {
+      const double kept = s[j];
+      s[j] = c * kept - t * row[j];
+      row[j] = c * row[j] + t * kept;
+    }
+    top = root;
+  }
+  *f = top * top;
+  for (int j = 0; j < n; j++) {
+    k[j] = row[j] / top;
+    at->x[j] += k[j] * *v;
+  }
+}
+
 static void store_node(rot_smooth_store *store, int p, size_t k, const state *at) {
   memcpy(store->x + k * (size_t)p, at->x, (size_t)p * sizeof(double));
   double *to = store->s + k * (size_t)(p * p);
@@ -277,7 +342,7 @@ static void store_node(rot_smooth_store *store, int p, size_t k, const state *at
 
 typedef struct steady {
   int repeats;
-  double gap, f[CHANNELS], k[CHANNELS][P], w[CHANNELS];
+  double gap, keep, slow, f[CHANNELS], k[CHANNELS][P], w[CHANNELS];
   int has[CHANNELS];
 } steady;
 
@@ -286,14 +351,16 @@ static int same(double a, double b) { return fabs(a - b) <= settled * fabs(b); }
 /* Nodes that repeat the last one: gain and variance kept. Returns the first node that does not. */
 static size_t coast(const rot_smooth_nodes *nodes, process *of, const steady *kept, size_t k,
                     size_t to, state *at, rot_smooth_sums *sums) {
-  const int p = of->p;
+  const int p = of->states;
   const size_t begin = k;
   double square[CHANNELS] = {0.0, 0.0};
-  process_over(of, kept->gap);
+  process_over(of, kept->gap, kept->keep);
   for (; k < to; k++) {
     double x[P];
     if (nodes->first[k] != ROT_SMOOTH_FLOWS ||
-        !(fabs(nodes->gap[k] - kept->gap) <= equal_gap * kept->gap))
+        !(fabs(nodes->gap[k] - kept->gap) <= equal_gap * kept->gap) ||
+        !(fabs(keep_at(nodes, k) - kept->keep) <= equal_gap) ||
+        !(fabs(slow_at(nodes, nodes->slow_channel, k) - kept->slow) <= 0.0))
       break;
     int repeats = 1;
     for (int c = 0; c < CHANNELS; c++)
@@ -303,7 +370,8 @@ static size_t coast(const rot_smooth_nodes *nodes, process *of, const steady *ke
     advance(of, at->x, x);
     for (int c = 0; c < CHANNELS; c++)
       if (kept->has[c]) {
-        const double v = nodes->y[c][k] - x[c];
+        double v = nodes->y[c][k] - x[c];
+        if (p > of->p && c == nodes->slow_channel) v -= kept->slow * x[of->p];
         square[c] += v * v;
         for (int j = 0; j < p; j++) x[j] += kept->k[c][j] * v;
       }
@@ -324,14 +392,14 @@ static size_t coast(const rot_smooth_nodes *nodes, process *of, const steady *ke
 
 void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *model, size_t from,
                        size_t to, rot_smooth_store *store, int stores, rot_smooth_sums *sums) {
-  const int p = model->order;
+  const int p = rot_smooth_states(nodes, model->order);
   process of;
   state at;
   const size_t settles = nodes->settles > ROT_SMOOTH_BEHIND ? nodes->settles : ROT_SMOOTH_BEHIND;
   /* Samples of this segment, and behind its last break; a filter that goes on counts them all. */
   size_t seen = ROT_SMOOTH_SKIPPED, behind = settles;
-  steady kept = {0, NAN, {0.0, 0.0}, {{0.0}}, {0.0, 0.0}, {0, 0}};
-  process_begin(&of, model);
+  steady kept = {0, NAN, NAN, NAN, {0.0, 0.0}, {{0.0}}, {0.0, 0.0}, {0, 0}};
+  process_begin(&of, model, p);
   memset(&at, 0, sizeof at);
   memset(sums, 0, sizeof *sums);
   if (from > 0) {
@@ -341,13 +409,13 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
   for (size_t k = from; k < to; k++) {
     const int first = k == 0 ? ROT_SMOOTH_STARTS : nodes->first[k];
     if (first == ROT_SMOOTH_FLOWS)
-      predict(&of, nodes->gap[k], &at);
+      predict(&of, nodes->gap[k], keep_at(nodes, k), &at);
     else {
-      const double log_variance = forget(nodes, p, k, first, &at);
+      const double log_variance = forget(nodes, &of, k, first, &at);
       if (first == ROT_SMOOTH_STARTS)
         seen = 0, behind = nodes->settles > 0 ? 0 : settles;
       else {
-        sums->fresh += first < p ? (size_t)(p - first) : 0;
+        sums->fresh += first < of.p ? (size_t)(of.p - first) : 0;
         sums->log_f -= log_variance;
         behind = 0;
       }
@@ -355,7 +423,11 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
     int repeats =
         first == ROT_SMOOTH_FLOWS && fabs(nodes->gap[k] - kept.gap) <= equal_gap * kept.gap;
     int any = 0;
+    const double keep = keep_at(nodes, k), part = slow_at(nodes, nodes->slow_channel, k);
+    repeats = repeats && fabs(keep - kept.keep) <= equal_gap && fabs(part - kept.slow) <= 0.0;
     kept.gap = first == ROT_SMOOTH_FLOWS ? nodes->gap[k] : NAN;
+    kept.keep = keep;
+    kept.slow = part;
     for (int c = 0; c < CHANNELS; c++) {
       const int present = has(nodes, c, k);
       double v = NAN, f = 0.0, gain[P];
@@ -364,7 +436,10 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
       if (present) {
         const double w = weight(nodes, c, k);
         any = 1;
-        update(p, c, nodes->y[c][k], w, &at, &v, &f, gain);
+        if (p > of.p)
+          update_slow(&of, c, nodes->y[c][k], w, slow_at(nodes, c, k), &at, &v, &f, gain);
+        else
+          update(p, c, nodes->y[c][k], w, &at, &v, &f, gain);
         sums->samples++;
         if (seen++ >= ROT_SMOOTH_SKIPPED) {
           sums->log_f += log(f);
@@ -402,8 +477,8 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
   }
 }
 
-rot_status rot_smooth_store_new(rot_smooth_store *store, size_t n, int order) {
-  const size_t p = (size_t)order, each = p + p * p + CHANNELS * (2 + p);
+rot_status rot_smooth_store_new(rot_smooth_store *store, size_t n, int states) {
+  const size_t p = (size_t)states, each = p + p * p + CHANNELS * (2 + p);
   double *all = n < ((size_t)-1) / (each * sizeof *all) ? malloc(n * each * sizeof *all) : NULL;
   store->x = all;
   if (!all) return ROT_ENOMEM;
@@ -435,14 +510,14 @@ typedef struct backward {
 
 static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smooth_store *store,
                       size_t k, backward *out) {
-  const int p = of->p, wide = 2 * p, first = nodes->first[k + 1];
+  const int p = of->states, wide = 2 * p, first = nodes->first[k + 1];
   const double *xf = store->x + k * (size_t)p, *sf = store->s + k * (size_t)(p * p);
   double m[2 * P * 2 * P];
   out->apart = first == ROT_SMOOTH_STARTS;
   if (out->apart) return;
   memset(m, 0, (size_t)(wide * wide) * sizeof *m);
   if (first == ROT_SMOOTH_FLOWS && nodes->gap[k + 1] > 0.0) {
-    process_over(of, nodes->gap[k + 1]);
+    process_over(of, nodes->gap[k + 1], keep_at(nodes, k + 1));
     advance(of, xf, out->onward);
     for (int r = 0; r < p; r++)
       for (int i = 0; i < p; i++) {
@@ -453,13 +528,13 @@ static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smoo
         m[(p + r) * wide + i] = of->q[r * p + i];
       }
   } else {
-    const int kept = first == ROT_SMOOTH_FLOWS ? p : first;
+    const int kept = first == ROT_SMOOTH_FLOWS ? of->p : first;
     double mean[P], sd[P];
-    if (kept < p) start(nodes, p, k + 1, mean, sd);
-    for (int i = 0; i < p; i++) out->onward[i] = i < kept ? xf[i] : mean[i];
+    if (kept < of->p) start(nodes, of->p, k + 1, mean, sd);
+    for (int i = 0; i < p; i++) out->onward[i] = i < kept || i >= of->p ? xf[i] : mean[i];
     for (int r = 0; r < p; r++)
       for (int i = 0; i < p; i++) {
-        if (i < kept)
+        if (i < kept || i >= of->p)
           m[r * wide + i] = sf[r * p + i];
         else if (i == r)
           m[(p + r) * wide + i] = sd[i];
@@ -513,8 +588,8 @@ static double product(const double *s, int rows, int p, int i, int j) {
   return sum;
 }
 
-static void covariances(const state *at, int p, double *to) {
-  const int most = p < 3 ? p : 3;
+static void covariances(const state *at, int p, int order, double *to) {
+  const int most = order < 3 ? order : 3;
   int c = 0;
   for (int i = 0; i < 3; i++)
     for (int j = i; j < 3; j++, c++) to[c] = j < most ? product(at->s, p, p, i, j) : 0.0;
@@ -527,10 +602,11 @@ static void last_state(const rot_smooth_store *store, int p, size_t k, state *at
 
 void rot_smooth_smooth(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                        const rot_smooth_store *store, double *mean, double *covariance) {
-  const int p = model->order;
+  const int p = rot_smooth_states(nodes, model->order);
+  const size_t order = (size_t)model->order;
   process of;
   state at;
-  process_begin(&of, model);
+  process_begin(&of, model, p);
   for (size_t k = nodes->n; k-- > 0;) {
     if (k + 1 == nodes->n)
       last_state(store, p, k, &at);
@@ -539,17 +615,17 @@ void rot_smooth_smooth(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
       step_back(&of, nodes, store, k, &back);
       smooth_back(store, p, k, &back, &at);
     }
-    if (mean) memcpy(mean + k * (size_t)p, at.x, (size_t)p * sizeof(double));
-    if (covariance) covariances(&at, p, covariance + 6 * k);
+    if (mean) memcpy(mean + k * order, at.x, order * sizeof(double));
+    if (covariance) covariances(&at, p, model->order, covariance + 6 * k);
   }
 }
 
 void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                       const rot_smooth_store *store, size_t n, rot_smooth_jump jumps[]) {
-  const int p = model->order;
+  const int p = rot_smooth_states(nodes, model->order), order = model->order;
   process of;
   state at;
-  process_begin(&of, model);
+  process_begin(&of, model, p);
   for (size_t k = nodes->n; k-- > 0;) {
     if (k + 1 == nodes->n) {
       last_state(store, p, k, &at);
@@ -571,13 +647,13 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
             m[(p + r) * p + c] = sum;
           }
         const int pair[3][2] = {{1, 1}, {1, 2}, {2, 2}};
-        for (int c = 0; c < p; c++) {
+        for (int c = 0; c < order; c++) {
           jumps[i].mean[c] = after.x[c] - at.x[c];
           jumps[i].after[c] = after.x[c];
         }
-        jumps[i].variance_3 = p > 3 ? product(m, 2 * p, p, 3, 3) : NAN;
+        jumps[i].variance_3 = order > 3 ? product(m, 2 * p, p, 3, 3) : NAN;
         for (int c = 0; c < 3; c++) {
-          const int known = pair[c][1] < p;
+          const int known = pair[c][1] < order;
           jumps[i].covariance[c] = known ? product(m, 2 * p, p, pair[c][0], pair[c][1]) : NAN;
           jumps[i].after_covariance[c] =
               known ? product(after.s, p, p, pair[c][0], pair[c][1]) : NAN;
@@ -588,9 +664,9 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
 
 /* r' N^-1 r of the states from `first` on: Cholesky in units of the diagonal. NaN where N is
  * singular. */
-static double shock_of(const double *r, const double *n, int p, int first) {
+static double shock_of(const double *r, const double *n, int p, int first, int order) {
   double l[PP], z[P], sum = 0.0;
-  const int m = p - first;
+  const int m = order - first;
   for (int i = 0; i < m; i++) {
     const double unit = sqrt(n[(i + first) * p + i + first]);
     double rest = r[i + first] / unit;
@@ -610,15 +686,15 @@ static double shock_of(const double *r, const double *n, int p, int first) {
 void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                        const rot_smooth_store *store, double *shock, double *last,
                        double *residual[ROT_SMOOTH_CHANNELS]) {
-  const int p = model->order;
+  const int p = rot_smooth_states(nodes, model->order), order = model->order;
   process of;
   double r[P] = {0.0}, n[PP] = {0.0};
-  process_begin(&of, model);
+  process_begin(&of, model, p);
   for (size_t k = nodes->n; k-- > 0;) {
     const int first = k + 1 < nodes->n ? nodes->first[k + 1] : ROT_SMOOTH_STARTS;
     if (first == ROT_SMOOTH_FLOWS && nodes->gap[k + 1] > 0.0) { /* r = A'r, N = A'N A */
       double half[PP], to[P];
-      process_over(&of, nodes->gap[k + 1]);
+      process_over(&of, nodes->gap[k + 1], keep_at(nodes, k + 1));
       for (int i = 0; i < p; i++) {
         to[i] = 0.0;
         for (int j = 0; j <= i; j++) to[i] += of.a[j * p + i] * r[j];
@@ -635,7 +711,7 @@ void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
           n[i * p + c] = n[c * p + i] = sum;
         }
     } else if (first != ROT_SMOOTH_FLOWS)
-      for (int i = first; i < p; i++) {
+      for (int i = first; i < (first == ROT_SMOOTH_STARTS ? p : order); i++) {
         r[i] = 0.0;
         for (int j = 0; j < p; j++) n[i * p + j] = n[j * p + i] = 0.0;
       }
@@ -655,10 +731,19 @@ void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
       for (int j = 0; j < p; j++)
         if (j != c) n[c * p + j] = n[j * p + c] = n[c * p + j] - along[j];
       n[c * p + c] += d - 2.0 * along[c];
+      const double part = slow_at(nodes, c, k);
+      if (part > 0.0) { /* H has two entries: 1 at c, `part` at the last state */
+        const int e = p - 1;
+        r[e] += part * u;
+        for (int j = 0; j < e; j++) n[e * p + j] -= part * along[j];
+        n[e * p + e] += part * (part * d - 2.0 * along[e]);
+        n[e * p + c] += part * d;
+        for (int j = 0; j < e; j++) n[j * p + e] = n[e * p + j];
+      }
       if (residual && residual[c]) residual[c][k] = u / sqrt(d);
     }
-    if (shock) shock[k] = shock_of(r, n, p, 1);
-    if (last) last[k] = shock_of(r, n, p, p - 1);
+    if (shock) shock[k] = shock_of(r, n, p, 1, order);
+    if (last) last[k] = shock_of(r, n, p, order - 1, order);
   }
 }
 
@@ -666,8 +751,8 @@ rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model
                            const rot_smooth_store *store, double sigma, size_t n_at,
                            const size_t at[], size_t n_draws, unsigned long seed,
                            const rot_hooks *hooks, double *draws) {
-  const int p = model->order;
-  const size_t each = (size_t)p;
+  const int p = rot_smooth_states(nodes, model->order);
+  const size_t each = (size_t)p, order = (size_t)model->order;
   process of;
   rot_status status = ROT_OK;
   gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
@@ -676,7 +761,7 @@ rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model
     status = ROT_ENOMEM;
   else
     gsl_rng_set(rng, seed);
-  process_begin(&of, model);
+  process_begin(&of, model, p);
   for (size_t k = nodes->n, i = n_at; status == ROT_OK && i > 0 && k-- > 0;) {
     backward back;
     back.apart = 1;
@@ -698,7 +783,7 @@ rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model
     if (at[i - 1] == k) {
       i--;
       for (size_t d = 0; d < n_draws; d++)
-        memcpy(draws + (d * n_at + i) * each, now + d * each, each * sizeof *now);
+        memcpy(draws + (d * n_at + i) * order, now + d * each, order * sizeof *now);
     }
     if (k % 64 == 0) status = rot_poll(hooks, 1.0 - (double)k / (double)nodes->n);
   }

@@ -38,6 +38,10 @@ typedef struct rot_smooth_nodes {
   const double *w[ROT_SMOOTH_CHANNELS]; /* their s.d. in units of sigma, greater than 0 */
   const signed char *first;             /* FLOWS, STARTS, or the first state that is forgotten */
   size_t settles; /* samples behind a start or break that comparing orders leaves out, if more */
+  /* The correlated part of the samples' errors in one channel, a state of variance 1: its s.d. in
+   * units of sigma, and its correlation with the node before, 0 to 1. NULL: none. */
+  const double *slow, *keep;
+  int slow_channel;
 } rot_smooth_nodes;
 
 typedef struct rot_smooth_model {
@@ -45,14 +49,17 @@ typedef struct rot_smooth_model {
   double lambda; /* q h0^(2 order - 1) / sigma^2 */
 } rot_smooth_model;
 
+/* States of a node: those of the motion, then the correlated part of the errors. */
+int rot_smooth_states(const rot_smooth_nodes *nodes, int order);
+
 /* What the filter stores of each node where the arrays are given: all, or none (NULL). */
 typedef struct rot_smooth_store {
-  double *x, *s; /* order, order^2 of each node: filtered mean; factor by rows, upper triangle */
+  double *x, *s; /* states, states^2 of each node: filtered mean; factor by rows, upper triangle */
   double *v[ROT_SMOOTH_CHANNELS], *f[ROT_SMOOTH_CHANNELS]; /* innovation, its variance; f 0: none */
-  double *k[ROT_SMOOTH_CHANNELS];                          /* order of each node: gain */
+  double *k[ROT_SMOOTH_CHANNELS];                          /* states of each node: gain */
 } rot_smooth_store;
 
-rot_status rot_smooth_store_new(rot_smooth_store *store, size_t n, int order);
+rot_status rot_smooth_store_new(rot_smooth_store *store, size_t n, int states);
 void rot_smooth_store_free(rot_smooth_store *store);
 
 /* Sums over the samples that count: those after the first ROT_SMOOTH_SKIPPED of a segment. The

@@ -57,6 +57,10 @@ static rot_status window_open(window *w, const rot_smooth_record *record, double
     if (w->part.y[c]) w->part.y[c] += a;
     if (w->part.w[c]) w->part.w[c] += a;
   }
+  if (w->part.slow) {
+    w->part.slow += a;
+    w->part.clock += a;
+  }
   w->first = a;
   w->fit = fit;
   w->grid.memory = NULL;
@@ -641,7 +645,7 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
   if (status == ROT_OK) status = refit(&of, 1);
   if (status == ROT_OK && (how->breaks || how->outliers)) {
     double *memory = calloc((3 + CHANNELS) * nodes, sizeof *memory);
-    status = rot_smooth_store_new(&of.store, nodes, ROT_SMOOTH_MOST);
+    status = rot_smooth_store_new(&of.store, nodes, ROT_SMOOTH_MOST + (record->slow ? 1 : 0));
     rot_smooth_break *trial = calloc(3 * room + 1, sizeof *trial);
     of.tried = calloc(2 * record->n + 2, 1);
     if (of.tried) of.no_kink = of.tried + record->n + 1;

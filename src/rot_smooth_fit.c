@@ -23,7 +23,7 @@ rot_status rot_smooth_grid_new(rot_smooth_grid *grid, const rot_smooth_record *r
   const size_t n = record->n + 2 * most_breaks + others;
   memset(grid, 0, sizeof *grid);
   if (n > ((size_t)-1) / 256) return ROT_ENOMEM;
-  char *memory = malloc((n + 1) * ((1 + 2 * CHANNELS) * sizeof(double) + 2 * sizeof(size_t)));
+  char *memory = malloc((n + 1) * ((3 + 2 * CHANNELS) * sizeof(double) + 2 * sizeof(size_t)));
   grid->memory = memory;
   if (!memory) return ROT_ENOMEM;
   grid->gap = (double *)(void *)memory;
@@ -31,7 +31,9 @@ rot_status rot_smooth_grid_new(rot_smooth_grid *grid, const rot_smooth_record *r
     grid->y[c] = grid->gap + (size_t)(1 + c) * n;
     grid->w[c] = grid->gap + (size_t)(1 + CHANNELS + c) * n;
   }
-  grid->sample = (size_t *)(void *)(grid->gap + (1 + 2 * CHANNELS) * n);
+  grid->slow = grid->gap + (1 + 2 * CHANNELS) * n;
+  grid->keep = grid->slow + n;
+  grid->sample = (size_t *)(void *)(grid->keep + n);
   grid->other = grid->sample + record->n;
   grid->at_break = grid->other + others;
   grid->first = (signed char *)(grid->sample + n);
@@ -55,6 +57,18 @@ static int is_before(int segment, double time_s, int other_segment, double other
   return segment < other_segment || (segment == other_segment && time_s < other_s);
 }
 
+/* The record's clock of correlation at a time between the samples i - 1 and i of a segment. */
+static double clock_at(const rot_smooth_record *record, size_t i, int segment, double time_s) {
+  const int here = i < record->n && (!record->segment || record->segment[i] == segment);
+  const int before = i > 0 && (!record->segment || record->segment[i - 1] == segment);
+  if (here && before) {
+    const double t0 = record->time_s[i - 1], t1 = record->time_s[i];
+    const double share = t1 > t0 ? fmin(fmax((time_s - t0) / (t1 - t0), 0.0), 1.0) : 1.0;
+    return record->clock[i - 1] + share * (record->clock[i] - record->clock[i - 1]);
+  }
+  return here ? record->clock[i] : before ? record->clock[i - 1] : 0.0;
+}
+
 void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record, double ratio,
                           size_t n_breaks, const rot_smooth_break *breaks,
                           const rot_smooth_times *others) {
@@ -62,7 +76,7 @@ void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record
   const int both = record->y[ANGLE] && record->y[RATE];
   size_t n = 0, i = 0, b = 0, o = 0;
   int segment = 0;
-  double time_s = 0.0;
+  double time_s = 0.0, clock = 0.0;
   while (i < record->n || b < n_breaks || o < n_others) {
     const int si = i < record->n && record->segment ? record->segment[i] : 0;
     const int so = o < n_others && others->segment ? others->segment[o] : 0;
@@ -82,6 +96,13 @@ void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record
     const int starts = n == 0 || s != segment;
     grid->gap[n] = starts ? 0.0 : (t - time_s) / grid->unit_s;
     grid->first[n] = starts ? ROT_SMOOTH_STARTS : ROT_SMOOTH_FLOWS;
+    grid->slow[n] = 0.0;
+    grid->keep[n] = 1.0;
+    if (record->slow) {
+      const double now = clock_at(record, i, s, t);
+      if (!starts && grid->gap[n] > 0.0) grid->keep[n] = exp(fmin(clock - now, 0.0));
+      clock = now;
+    }
     for (int c = 0; c < CHANNELS; c++) {
       grid->y[c][n] = NAN;
       grid->w[c][n] = 1.0;
@@ -89,6 +110,8 @@ void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record
     if (break_next) {
       n++;
       grid->gap[n] = 0.0;
+      grid->slow[n] = 0.0;
+      grid->keep[n] = 1.0;
       grid->first[n] = (signed char)breaks[b].first;
       for (int c = 0; c < CHANNELS; c++) {
         grid->y[c][n] = NAN;
@@ -102,6 +125,8 @@ void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record
           if (!(w < HUGE_VAL)) continue;
           grid->y[c][n] = c == RATE ? record->y[c][i] * grid->unit_s : record->y[c][i];
           grid->w[c][n] = c == RATE && both ? w * ratio : w;
+          if (record->slow && c == record->slow_channel)
+            grid->slow[n] = record->slow[i] * (c == RATE && both ? ratio : 1.0);
         }
       grid->sample[i++] = n;
     } else
@@ -114,6 +139,9 @@ void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record
   grid->nodes.gap = grid->gap;
   grid->nodes.first = grid->first;
   grid->nodes.settles = 0;
+  grid->nodes.slow = record->slow ? grid->slow : NULL;
+  grid->nodes.keep = record->slow ? grid->keep : NULL;
+  grid->nodes.slow_channel = record->slow_channel;
   for (int c = 0; c < CHANNELS; c++) {
     grid->nodes.y[c] = record->y[c] ? grid->y[c] : NULL;
     grid->nodes.w[c] = record->y[c] ? grid->w[c] : NULL;
@@ -269,6 +297,7 @@ rot_status rot_smooth_search(rot_smooth_grid *grid, const rot_smooth_record *rec
     for (int c = 0; c < CHANNELS; c++) {
       rot_smooth_record alone = *record;
       alone.y[1 - c] = NULL;
+      if (alone.slow_channel != c) alone.slow = NULL;
       rot_smooth_grid_fill(grid, &alone, 1.0, n_breaks, breaks, NULL);
       of.floor = rot_smooth_floor(grid, &alone, 1.0);
       status = search_orders(&of, first_order, first_order, NULL);
@@ -423,7 +452,8 @@ rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
   grid.nodes.settles = 0;
   const double at = log10(of[best].model.lambda);
   double before = 0.0, lambda = of[best].model.lambda;
-  for (int step = 0; step <= LOWER && status == ROT_OK; step++) {
+  /* The score is one of white errors. */
+  for (int step = 0; step <= LOWER && status == ROT_OK && !record->slow; step++) {
     const double value = cross_validation(&grid.nodes, best, at - step * lower);
     if (step > 0 && !(value < before - enough)) break;
     lambda = pow(10.0, at - step * lower);

@@ -15,6 +15,10 @@ typedef struct rot_smooth_record {
   double *w[ROT_SMOOTH_CHANNELS];       /* s.d. relative to others; Inf: left out; NULL: all 1 */
   const int *segment;                   /* does not decrease; NULL: one */
   double floor[ROT_SMOOTH_CHANNELS];    /* least scatter: rad, rad/s */
+  /* The correlated part of the errors of one channel: its s.d. relative to w, and the time of each
+   * sample in correlation times, which does not decrease in a segment. NULL: none. */
+  const double *slow, *clock;
+  int slow_channel;
 } rot_smooth_record;
 
 /* A break, ordered as the record is. */
@@ -35,7 +39,7 @@ typedef struct rot_smooth_grid {
   rot_smooth_nodes nodes;
   double unit_s;                     /* h0: the mean spacing */
   size_t *sample, *other, *at_break; /* their nodes; a break's is that behind it */
-  double *gap, *y[ROT_SMOOTH_CHANNELS], *w[ROT_SMOOTH_CHANNELS];
+  double *gap, *slow, *keep, *y[ROT_SMOOTH_CHANNELS], *w[ROT_SMOOTH_CHANNELS];
   signed char *first;
   void *memory;
 } rot_smooth_grid;
