@@ -507,6 +507,8 @@ column_list <- list(
   c("outliers", "1", "samples left out"),
   c("breaks", "1", "breaks found or given"),
   c("order", "1", "order of the process"),
+  c("correlation_time_s", "s", "correlation time of the errors, 0 where they are white"),
+  c("white_share", "1", "share of the errors' variance that is white"),
   c("log10_smoothness", "1", "log10 of q h^(2p-1)/sigma^2, with the mean spacing h"),
   c(
     "smoothness", "",
@@ -574,7 +576,7 @@ estimate_torque_columns <- with_errors(
 )
 estimate_glance_columns <- c(
   "samples", "outliers", "breaks", "order", "log10_smoothness", "smoothness", "theta_scatter_rad",
-  "omega_scatter_rad_per_s", "degrees", "level"
+  "omega_scatter_rad_per_s", "correlation_time_s", "white_share", "degrees", "level"
 )
 energy_loss_columns <- c("from_s", "to_s", with_errors("energy_loss", "j"))
 estimate_event_columns <- c(

@@ -36,6 +36,21 @@
 #' is at least `D/sqrt(12)`. Where a count repeats four times or more, the times at which it changes
 #' are used instead of the counts.
 #'
+#' Equal counts have the same error for as long as they last, at rest throughout: the angle there is
+#' known to `D/sqrt(12)`, and no better by more samples.
+#'
+#' **Errors that are correlated in time** are looked for as [fit_coast_down()] does: white noise and
+#' an Ornstein-Uhlenbeck process, whose correlation time and share are those of the largest
+#' likelihood with the smoothness of the motion (at order 5, where the likelihood of white noise is
+#' exceeded by 2 in log L). It is one state more of the smoother, so that breaks, outliers and
+#' intervals allow for it. Noise of one channel is, the one that shows more. Noise that is slower
+#' than the motion is not separable from it: intervals are then too small, in a hundred samples of
+#' an oscillation by a third. The head of the print says what was found, and where the correlation
+#' time is a tenth of the record, that intervals may not hold.
+#'
+#' **An angle and a rate** of which one is another multiple of the other (by more than a fifth, over
+#' 20 parts of the record) contradict each other: a warning gives the ratio, and the print repeats it.
+#'
 #' **What residuals do not show** (type B, to be given): the scale and bias of a gyroscope, the rate
 #' and jitter of a clock. They are added to every standard error.
 #'
@@ -126,11 +141,13 @@ estimate_motion <- function(record, inertia = NULL, resistance = NULL, breaks = 
       abort_rotdyn("{.arg order} must be 3, 4 or 5.", "value", call)
     }
   }
+  said <- contradiction(data, call)
   known <- known_breaks(breaks, record, call)
   fit <- fit_estimate(
     data, known, orders, identical(breaks, "find"), find_outliers, jitter, asked, call
   )
   if (turns == "seen") check_aliasing(fit, record, call)
+  fit$contradiction <- said
   new_estimate(fit, call)
 }
 
@@ -214,16 +231,17 @@ estimate_data <- function(record, call) {
   step <- unname(step)
   step[is.na(step)] <- 0
   step <- c(real_step(theta, segment, step[1]), step[2])
-  list(
+  data <- list(
     core = list(
       time_s = time, theta = theta, omega = omega,
-      w_theta = if (!is.null(theta)) repeat_weights(theta, segment, step[1]),
-      w_omega = if (!is.null(omega)) rep(1, n),
+      w_theta = if (!is.null(theta)) rep(1, n), w_omega = if (!is.null(omega)) rep(1, n),
       segment = segment, floor = step / sqrt(12)
     ),
     time_s = time, segment = segment, theta = theta, omega = omega, step = step,
     rates_only = is.null(theta), bias_u = 0, source = about$source
   )
+  if (!is.null(theta)) data$core <- with_counts(data$core, step[1])
+  data
 }
 
 # The resolution of an angle whose samples it limits. Times in a round number of tenths, say, give
@@ -240,16 +258,66 @@ real_step <- function(theta, segment, step) {
   if (stats::median(abs(third)) < 0.05 * step) 0 else step
 }
 
-# Relative s.d. of samples: 1, and more where a counter repeats its count. The error of a count is
-# the same in all of them: a run of L counts says as much as 4, not as L.
-repeat_weights <- function(theta, segment, step) {
-  w <- rep(1, length(theta))
-  if (step == 0) return(w)
-  known <- which(!is.na(theta))
-  same <- diff(segment[known]) == 0L & abs(diff(theta[known])) < step / 2
+# The error of a count is the same in all samples of a run of L equal counts, as far as the body is
+# at rest. Where it moves, quantisation errors at two angles have the correlation 1 - 6 d/D over a
+# small distance d; a run of L counts is a distance of D. So they are an Ornstein-Uhlenbeck process
+# with 6/L correlation times from sample to sample.
+with_counts <- function(core, step) {
+  if (step == 0) return(core)
+  known <- which(!is.na(core$theta))
+  same <- diff(core$segment[known]) == 0L & abs(diff(core$theta[known])) < step / 2
   run <- cumsum(c(TRUE, !same))
-  w[known] <- sqrt(pmax(tabulate(run)[run] / 4, 1))
-  w
+  size <- tabulate(run)[run]
+  if (!any(size >= slow_run)) return(core)
+  wait <- ifelse(c(FALSE, same), 6 / size, 6)
+  slow <- clock <- rep(0, length(core$theta))
+  slow[known] <- ifelse(size >= slow_run, sqrt(1 - white_count^2), 0)
+  clock[known] <- cumsum(wait)
+  core$w_theta[known] <- ifelse(size >= slow_run, white_count, 1)
+  core$slow <- slow
+  # Rows without a sample have the clock of the sample before.
+  core$clock <- c(0, clock[known])[findInterval(seq_along(clock), known) + 1L]
+  core$slow_channel <- 0
+  core
+}
+
+# The part of a count's error that is white, as s.d.
+white_count <- 0.1
+
+# Do the angle and the rate measured contradict each other? The mean rates of 20 blocks of the
+# record, from the angles at the ends of each and from the rates within it: they differ by more than a
+# fifth of their size, and by more than four standard errors. Returns the ratio, or NULL.
+contradiction <- function(data, call) {
+  both <- which(!is.na(data$theta) & !is.na(data$omega))
+  if (is.null(data$theta) || is.null(data$omega) || length(both) < 24L) return(NULL)
+  time <- data$time_s[both]
+  segment <- data$segment[both]
+  block <- split(seq_along(both), list(segment, ceiling(seq_along(both) * 20 / length(both))))
+  block <- Filter(function(rows) length(rows) > 3L && time[rows[1]] < time[max(rows)], block)
+  if (length(block) < 3L) return(NULL)
+  # Rates integrated by the trapezoidal rule, and angles, as steps in each block; their errors from
+  # second differences, which a smooth motion hardly has.
+  rough <- function(x) stats::mad(diff(x, differences = 2)) / sqrt(6)
+  theta <- data$theta[both]
+  omega <- data$omega[both]
+  steps <- vapply(block, function(rows) {
+    h <- diff(time[rows])
+    mean <- (omega[rows][-1] + omega[rows][-length(rows)]) / 2
+    c(theta[max(rows)] - theta[rows[1]], sum(h * mean), sum(h), sum(h^2))
+  }, double(4))
+  error <- sqrt(2 * max(rough(theta), data$step[1] / 2)^2 + rough(omega)^2 * steps[4, ])
+  off <- sqrt(mean((steps[1, ] - steps[2, ])^2))
+  size <- sqrt(mean(pmax(steps[1, ]^2, steps[2, ]^2)))
+  if (off < 0.2 * size + 4 * sqrt(mean(error^2))) return(NULL)
+  ratio <- sum(steps[1, ] * steps[2, ]) / sum(steps[1, ]^2)
+  warn_rotdyn(c(
+    "The angle and the rate of {.arg record} contradict each other.",
+    x = "Over parts of the record the rate integrated is {format(ratio, digits = 3)} times what the
+         angle turns by.",
+    i = "Check units, gear ratio, axis and sign of the two; an estimate from either of them alone is
+         not affected."
+  ), "value", call)
+  ratio
 }
 
 subtract_bias <- function(data, rest_s, call) {
@@ -350,6 +418,15 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
   if (outliers && (sum(found$left_out) > 0.03 * found$fit[7] || is_heavy(core, found))) {
     found <- run(heavy_tails(core, found, run), breaks, most, outliers)
   }
+  rounding <- 64 * .Machine$double.eps * max(abs(c(core$theta, core$omega)), na.rm = TRUE)
+  noise <- if (is.null(core$slow) && found$fit[4] > rounding) {
+    find_noise(leave_out(core, matrix(found$left_out, length(core$time_s))), found, data)
+  }
+  if (!is.null(noise)) {
+    # Breaks and outliers again: what is correlated was taken for them.
+    core <- with_noise(core, noise)
+    found <- run(core, breaks, most, outliers)
+  }
   breaks <- found[c("time_s", "segment", "first")]
   left <- matrix(found$left_out, length(core$time_s))
   if (jitter > 0 && !is.null(core$theta)) {
@@ -380,9 +457,116 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
   }
   list(
     core = core, breaks = breaks, fit = fit[1:4], objective = fit[5], end = fit[6],
-    samples = fit[7], sought = find, left_out = left, data = data, asked = asked,
+    samples = fit[7], sought = find, left_out = left, data = data, asked = asked, noise = noise,
     edges = !is.null(edges), rows = ifelse(is.na(edges$interval), edges$row, NA)
   )
+}
+
+# ---- correlated errors --------------------------------------------------------------------------
+
+# The errors of a channel as white noise and an Ornstein-Uhlenbeck process: tau_s and the share
+# `white` of the variance, as the coast-down fit has them.
+with_noise <- function(core, noise) {
+  w <- if (noise$channel == 0) "w_theta" else "w_omega"
+  core$slow <- sqrt(1 - noise$white) * ifelse(is.finite(core[[w]]), core[[w]], 0)
+  core$clock <- core$time_s / noise$tau_s
+  core$slow_channel <- noise$channel
+  core[[w]] <- sqrt(noise$white) * core[[w]]
+  core
+}
+
+# Twice the log likelihood that correlated errors must gain.
+noise_threshold <- 4
+
+# The noise of largest likelihood with the breaks found, smoothness found with it, or NULL for white
+# noise. A long record tells from a part of it.
+find_noise <- function(core, found, data) {
+  breaks <- found[c("time_s", "segment", "first")]
+  n <- length(core$time_s)
+  if (n > 20000) {
+    rows <- seq_len(20000) + (n - 20000) %/% 2
+    vectors <- c("time_s", "theta", "omega", "w_theta", "w_omega", "segment")
+    core[vectors] <- lapply(core[vectors], function(x) x[rows])
+    inside <- breaks$time_s > core$time_s[1] & breaks$time_s < core$time_s[20000]
+    breaks <- lapply(breaks, `[`, inside & breaks$segment %in% core$segment)
+  }
+  h <- diff(core$time_s)[diff(core$segment) == 0L]
+  h <- stats::median(h[h > 0])
+  spans <- tapply(core$time_s, core$segment, function(t) diff(range(t)))
+  cap <- max(0.1 * max(spans), 2 * h)
+  both <- !is.null(core$theta) && !is.null(core$omega)
+  order <- 5
+  value <- function(core, x) {
+    .Call(ffi_smooth_objective, core, breaks, c(order, 10^x[3], exp(x[4]), 1))[1]
+  }
+  # Smoothness without correlation, by the same search.
+  start <- c(NA, NA, log10(found$fit[2]) * order / found$fit[1], log(found$fit[3]))
+  descend <- function(f, x, free) {
+    g <- function(y) {
+      x[free] <- y
+      f(x)
+    }
+    if (length(free) == 1L) {
+      best <- stats::optimize(g, x[free] + c(-8, 3), tol = 0.02)
+      x[free] <- best$minimum
+      return(list(x = x, value = best$objective))
+    }
+    best <- stats::optim(
+      x[free], g, control = list(maxit = 150, reltol = 1e-6, parscale = c(1, 1, 1, 0.3)[free])
+    )
+    x[free] <- best$par
+    list(x = x, value = best$value)
+  }
+  alone <- descend(function(x) value(core, x), start, if (both) 3:4 else 3)
+  white <- alone$value
+  at_white <- alone$x[3]
+  best <- NULL
+  for (channel in c(if (!is.null(core$theta)) 0, if (!is.null(core$omega)) 1)) {
+    f <- function(x) {
+      tau <- min(max(exp(x[1]), 0.25 * h), cap)
+      share <- 1 / (1 + exp(-min(max(x[2], -7), 7)))
+      out <- abs(x[1] - log(tau)) + max(abs(x[2]) - 7, 0)
+      noise <- list(tau_s = tau, white = share, channel = channel)
+      if (abs(x[3]) > 60) return(1e300)
+      out <- out + value(with_noise(core, noise), x)
+      if (is.finite(out)) out else 1e300
+    }
+    grid <- expand.grid(
+      tau = log(pmin(c(1.5, 5, 15, 40) * h, cap)), share = c(-2, 0), lambda = at_white - c(0, 2, 4, 7)
+    )
+    tried <- apply(grid, 1, function(x) f(c(x, start[4])))
+    # From the best of each correlation time.
+    from <- vapply(split(seq_along(tried), grid$tau), function(i) i[which.min(tried[i])], 1L)
+    from <- from[order(tried[from])]
+    from <- from[tried[from] < min(white + 8, min(tried) + 30)]
+    at <- list(value = Inf)
+    for (i in from) {
+      x <- c(unlist(grid[i, ], use.names = FALSE), start[4])
+      one <- descend(f, x, if (both) 1:4 else 1:3)
+      if (one$value < at$value) at <- one
+    }
+    gain <- white - at$value
+    if (gain < noise_threshold || (!is.null(best) && gain <= best$gain)) next
+    best <- list(
+      tau_s = min(max(exp(at$x[1]), 0.25 * h), cap), white = 1 / (1 + exp(-at$x[2])),
+      channel = channel, gain = gain, at_cap = exp(at$x[1]) > 0.95 * cap
+    )
+  }
+  best
+}
+
+# Degrees of freedom: of the slow part of the noise a record has as many independent samples as its
+# mean would show, as in coast_dof().
+noise_degrees <- function(fit, used) {
+  n <- fit$samples
+  noise <- fit$noise
+  if (is.null(noise)) {
+    # The scatter of a counter that shows its resolution alone is known.
+    known <- fit$fit[4] <= 1.001 * fit$core$floor[1]
+    return(max(n - used, if (known) 30 else 1))
+  }
+  numbers <- c(tau_s = noise$tau_s, white = noise$white, free = fit$fit[1])
+  max(coast_dof(sort(fit$core$time_s), numbers), 2)
 }
 
 leave_out <- function(core, left) {
@@ -448,11 +632,11 @@ edges_of <- function(data) {
   runs <- counter_runs(data$theta[known] / step, data$segment[known])
   if (is.null(runs)) return(NULL)
   time <- data$time_s[known]
-  part <- function(rows, interval, weight) {
+  part <- function(rows, interval, weight, slow = 0) {
     data.frame(
       time = time[rows], theta = data$theta[known][rows], segment = data$segment[known][rows],
       interval = rep_len(interval, length(rows)), weight = rep_len(weight, length(rows)),
-      row = known[rows]
+      slow = rep_len(slow, length(rows)), row = known[rows]
     )
   }
   a <- runs$last[runs$edge]
@@ -475,15 +659,23 @@ edges_of <- function(data) {
   # Likelihoods leave out the first six samples of a segment: they must have the weight of samples.
   thin <- runs$starts & runs$slow & runs$size < length(known) / 8
   keep <- keep & (!thin[run] | (rows - runs$first[run]) %% pmax(runs$size[run] %/% 4L, 1L) == 0L)
-  weight <- ifelse(thin, 1, sqrt(pmax((to - from + 1L) / 4, 1)))
+  at_rest <- (runs$slow & !thin & to - from + 1L >= slow_run)[run[keep]]
   middle <- ((runs$first + runs$last) %/% 2L)[bounded & runs$turns]
-  out <- rbind(edges, part(rows[keep], NA_real_, weight[run[keep]]), part(middle, NA_real_, 1))
+  kept <- part(
+    rows[keep], NA_real_, ifelse(at_rest, white_count, 1),
+    ifelse(at_rest, sqrt(1 - white_count^2), 0)
+  )
+  out <- rbind(edges, kept, part(middle, NA_real_, 1))
   if (nrow(out) < 12L || (nrow(edges) < 8L && all(runs$slow))) return(NULL)
   out <- out[order(out$segment, out$time), ]
   list(
     core = list(
       time_s = out$time, theta = out$theta, omega = NULL, w_theta = out$weight,
-      w_omega = NULL, segment = as.integer(out$segment), floor = data$core$floor
+      w_omega = NULL, segment = as.integer(out$segment), floor = data$core$floor,
+      slow = if (any(out$slow > 0)) out$slow,
+      clock = stats::approx(
+        seq_along(data$time_s), data$core$clock, out$row, rule = 2, ties = "ordered"
+      )$y, slow_channel = 0
     ),
     interval = out$interval, row = out$row, step = step
   )
@@ -557,7 +749,7 @@ new_estimate <- function(fit, call) {
   fit$break_se_s <- time_errors(fit)
   rows <- fitted_rows(fit, times)
   fit$ends <- rows$ends
-  fit$degrees <- max(fit$samples - rows$used, 1)
+  fit$degrees <- noise_degrees(fit, rows$used)
   fit$residual <- rows$residual
   if (fit$edges) {
     # Of samples; an edge belongs to none.
@@ -665,6 +857,7 @@ process_share <- function(fit) {
   core <- fit$core
   n <- length(core$time_s)
   if (is.null(core$theta) || !is.null(core$omega)) return(1)
+  if (!is.null(core$slow) && mean(core$slow > 0) > 0.5) return(1)
   # A counter that is slow most of the time.
   if (fit$edges && mean(is.na(fit$rows)) > 0.5) return(1)
   size <- max(3, round(6 * fit$fit[2]^(-0.5 / fit$fit[1])))
@@ -686,7 +879,7 @@ process_share <- function(fit) {
     left$w_theta[block %% 2 == half & block > 0 & block < max(block)] <- Inf
     rows <- .Call(ffi_smooth_rows, left, fit$breaks, fit$fit, no_times)$samples
     at <- middle[inside & (unique(block) %% 2 == half)]
-    scatter <- (fit$fit[4] * core$w_theta[at])^2
+    scatter <- fit$fit[4]^2 * (core$w_theta[at]^2 + (core$slow %||% numeric(n))[at]^2)
     square <- c(square, (core$theta[at] - rows$theta[at])^2 - scatter)
     expected <- c(expected, rows$v00[at])
   }

@@ -10,7 +10,11 @@ estimate_form <- list(
     time_s = "numbers", segment = "numbers=time_s", excess = "numbers=time_s",
     reach_s = "numbers=time_s"
   ),
-  samples = "number", end = "number", sought = "flag",
+  samples = "number", end = "number", sought = "flag", contradiction = "number?",
+  noise = list(
+    .optional = TRUE, tau_s = "number", white = "number", channel = "number", gain = "number",
+    at_cap = "flag"
+  ),
   left_out = "flags", residual = "values",
   asked = list(
     inertia = "values?", level = "number", scale_u = "number", bias_u = "number",
@@ -124,7 +128,9 @@ glance.rot_estimate <- function(x, ...) {
     samples = fit$samples, outliers = sum(fit$left_out), breaks = length(fit$breaks$time_s),
     order = fit$fit[1], log10_smoothness = log10(fit$fit[2]),
     smoothness = smoothness_words[fit$end + 1],
-    theta_scatter_rad = scatter[1], omega_scatter_rad_per_s = scatter[2], degrees = fit$degrees,
+    theta_scatter_rad = scatter[1], omega_scatter_rad_per_s = scatter[2],
+    correlation_time_s = fit$noise$tau_s %||% 0, white_share = fit$noise$white %||% 1,
+    degrees = fit$degrees,
     level = fit$asked$level
   ), nrow = 1L)
 }
@@ -293,6 +299,13 @@ tbl_sum.rot_estimate <- function(x, ...) {
     size, "Scatter of a sample" = paste(said, collapse = ", "),
     "Process" = paste0("order ", fit$fit[1], ", ", format(round(fit$degrees)),
                        " degrees of freedom"),
+    if (!is.null(fit$noise)) c("Noise" = noise_words(fit)),
+    if (!is.null(fit$contradiction)) {
+      c("Contradiction" = paste(
+        "the rate is", format(fit$contradiction, digits = 3), "times that of the angle:",
+        "intervals do not hold"
+      ))
+    },
     if (!is.null(end)) c("Smoothness" = end),
     if (left > 0) c("Left out" = paste0(left, " sample", if (left > 1) "s")),
     if (NROW(events)) {
@@ -303,6 +316,18 @@ tbl_sum.rot_estimate <- function(x, ...) {
         collapse = ", "
       ))
     }
+  )
+}
+
+noise_words <- function(fit) {
+  noise <- fit$noise
+  slow <- 1 - noise$white
+  both <- !is.null(fit$core$theta) && !is.null(fit$core$omega)
+  paste0(
+    if (both) c("of angles ", "of rates ")[noise$channel + 1],
+    if (slow < 0.95) paste0(round(100 * slow), " % of its variance "),
+    "correlated over ", format_si(signif(noise$tau_s, 2)), " s",
+    if (noise$at_cap) ", a tenth of the record or more: intervals may not hold"
   )
 }
 

@@ -744,6 +744,12 @@ find_resolution <- function(x, segment) {
   step <- step[is.finite(step)]
   rounding <- 16 * .Machine$double.eps * max(abs(x), na.rm = TRUE)
   step <- step[step > rounding]
+  # A counter that is mostly at rest has few steps, all of them of its size, and repeats its count.
+  rests <- sum(!is.na(x)) - 1L - length(step)
+  if (length(step) > 0L && length(step) < 8L && rests >= 8L * length(step)) {
+    counts <- step / min(step)
+    return(if (all(abs(counts - round(counts)) < 0.05)) min(step) else NA_real_)
+  }
   if (length(step) < 8L) return(NA_real_)
   smallest <- min(step)
   for (parts in 1:6) {

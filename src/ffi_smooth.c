@@ -241,7 +241,9 @@ SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
           REAL(VECTOR_ELT(out, 2))[c * n + i] = residual[c][k] / sigma;
           if (of.grid.nodes.y[c] && !ISNAN(of.grid.nodes.y[c][k])) {
             const double w = of.grid.nodes.w[c][k];
-            used += covariance[6 * k + (c == ANGLE ? 0 : 3)] / (w * w);
+            const double part =
+                of.grid.nodes.slow && of.grid.nodes.slow_channel == c ? of.grid.nodes.slow[k] : 0.0;
+            used += covariance[6 * k + (c == ANGLE ? 0 : 3)] / (w * w + part * part);
           }
         }
       }

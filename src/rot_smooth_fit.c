@@ -452,8 +452,10 @@ rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
   grid.nodes.settles = 0;
   const double at = log10(of[best].model.lambda);
   double before = 0.0, lambda = of[best].model.lambda;
-  /* The score is one of white errors. */
-  for (int step = 0; step <= LOWER && status == ROT_OK && !record->slow; step++) {
+  /* The score is one of white errors: of most samples at least. */
+  size_t slow = 0;
+  for (size_t i = 0; record->slow && i < record->n; i++) slow += record->slow[i] > 0.0;
+  for (int step = 0; step <= LOWER && status == ROT_OK && 2 * slow <= record->n; step++) {
     const double value = cross_validation(&grid.nodes, best, at - step * lower);
     if (step > 0 && !(value < before - enough)) break;
     lambda = pow(10.0, at - step * lower);

@@ -422,3 +422,114 @@ test_that("degrees of freedom are the samples less what the motion takes", {
   expect_lt(glance(motion)$degrees, 300 - 3 + 0.5)
   expect_gt(glance(motion)$degrees, 300 - 30)
 })
+
+test_that("errors that are correlated in time are recognised and allowed for", {
+  time <- seq(0, 12, length.out = 600)
+  wheel <- scene_axle(0.0625, resistance = resistance(0.01, 2e-4), omega0_rad_per_s = 20)
+  run <- trajectory(wheel, time)
+  held <- vapply(1:6, function(seed) {
+    set.seed(seed)
+    e <- stats::rnorm(600) * c(1, rep(sqrt(1 - 0.9^2), 599)) * 0.01
+    theta <- run$theta_rad + as.vector(stats::filter(e, 0.9, "recursive"))
+    motion <- estimate_motion(data.frame(time_s = time, theta_rad = theta))
+    about <- glance(motion)
+    # exp(-h/tau) = 0.9: tau is 9.5 spacings.
+    expect_gt(about$correlation_time_s, 2 * time[2])
+    expect_lt(about$white_share, 0.5)
+    expect_match(paste(names(tibble::tbl_sum(motion)), collapse = " "), "Noise")
+    expect_lt(about$outliers + about$breaks, 2)
+    c(
+      mean(abs(motion$omega_rad_per_s - run$omega_rad_per_s) < 2 * motion$omega_se_rad_per_s),
+      about$theta_scatter_rad
+    )
+  }, double(2))
+  # 0.35 to 0.6 where white noise is assumed.
+  expect_gt(mean(held[1, ]), 0.85)
+  expect_equal(stats::median(held[2, ]), 0.01, tolerance = 0.4)
+  white <- estimate_motion(noisy(seq(0, 10, by = 0.02), 3 * sin(seq(0, 10, by = 0.02)), 2e-3, 6))
+  expect_identical(glance(white)$correlation_time_s, 0)
+  expect_false(any(grepl("Noise", names(tibble::tbl_sum(white)))))
+})
+
+test_that("the smoother with correlated errors is the exact one: generalised least squares", {
+  # theta = a polynomial and lambda times the covariance of the process of order 3,
+  # int_0^min(s, t) (s - u)^2 (t - u)^2 du / 4, in spacings.
+  set.seed(1)
+  n <- 60
+  time <- cumsum(stats::runif(n, 0.05, 0.15))
+  theta <- 5 * sin(time) + stats::rnorm(n)
+  w <- stats::runif(n, 0.3, 0.8)
+  slow <- stats::runif(n, 0.3, 1)
+  clock <- cumsum(stats::runif(n, 0.05, 0.8))
+  core <- list(
+    time_s = time, theta = theta, omega = NULL, w_theta = w, w_omega = NULL,
+    segment = rep(1L, n), floor = c(0, 0), slow = slow, clock = clock, slow_channel = 0
+  )
+  got <- .Call(ffi_smooth_rows, core, no_breaks, c(3, 1e-4, 1, 1), no_times)$samples
+  s <- (time - time[1]) / mean(diff(time))
+  low <- outer(s, s, pmin)
+  apart <- abs(outer(s, s, `-`))
+  covariance <- 1e-4 * (low^5 / 20 + apart * low^4 / 8 + apart^2 * low^3 / 12)
+  expect_equal(covariance[5, 9] * 4e4, stats::integrate(function(u) {
+    (s[5] - u)^2 * (s[9] - u)^2
+  }, 0, s[5], rel.tol = 1e-12)$value, tolerance = 1e-9)
+  x <- outer(s, 0:2, `^`)
+  v <- covariance + diag(w^2) + outer(slow, slow) * exp(-abs(outer(clock, clock, `-`)))
+  inverse <- solve(v)
+  spread <- solve(t(x) %*% inverse %*% x)
+  b <- spread %*% t(x) %*% inverse %*% theta
+  mean <- x %*% b + covariance %*% inverse %*% (theta - x %*% b)
+  a <- x - covariance %*% inverse %*% x
+  variance <- diag(covariance - covariance %*% inverse %*% covariance + a %*% spread %*% t(a))
+  expect_lt(max(abs(got$theta - mean) / sqrt(variance)), 1e-6)
+  expect_equal(got$v00, variance, tolerance = 1e-5)
+})
+
+test_that("a counter at rest is known to its resolution", {
+  step <- 2 * pi / 64
+  time <- seq(0, 10, by = 0.01)
+  truth <- pmin(pmax(0, 3 * (time - 3)), 9) # at rest, 3 rad/s, at rest
+  motion <- estimate_motion(
+    data.frame(time_s = time, theta_rad = step * floor(truth / step + 0.3))
+  )
+  expect_identical(motion_events(motion)$event[1:2], c("impact", "impact"))
+  expect_equal(motion_events(motion)$time_s, c(3, 6), tolerance = 0.01)
+  rest <- time < 2.9 | time > 6.1
+  band <- motion$theta_high_rad - motion$theta_low_rad
+  # 2 x 1.96 step/sqrt(12) is 1.13 steps: 4 steps and omega to 1.8 rad/s before.
+  expect_lt(max(band[rest]), 1.5 * step)
+  expect_gt(stats::median(band[rest]), 0.9 * step)
+  expect_lt(max(motion$omega_se_rad_per_s[rest]), 0.1)
+  expect_lt(max(abs(motion$omega_rad_per_s[rest])), 0.05)
+  # One step in the whole record: its size is the resolution.
+  once <- data.frame(time_s = time, theta_rad = step * (time > 5))
+  expect_equal(attr(motion_record(once), "record")$resolution[["theta_rad"]], step)
+  once <- estimate_motion(once)
+  expect_equal(glance(once)$theta_scatter_rad, step / sqrt(12), tolerance = 1e-6)
+  expect_equal(glance(once)$outliers, 0)
+})
+
+test_that("an angle and a rate that contradict each other are flagged", {
+  time <- seq(0, 10, by = 0.01)
+  set.seed(1)
+  record <- function(factor, bias = 0) {
+    data.frame(
+      time_s = time, theta_rad = sin(time) + stats::rnorm(1001, 0, 1e-3),
+      omega_rad_per_s = factor * cos(time) + bias + stats::rnorm(1001, 0, 0.01)
+    )
+  }
+  for (factor in c(5, 0.2, -1)) {
+    warning <- NULL
+    motion <- withCallingHandlers(estimate_motion(record(factor), breaks = "none"),
+      rotdyn_warning_value = function(w) {
+        warning <<- conditionMessage(w)
+        invokeRestart("muffleWarning")
+      }
+    )
+    expect_match(warning, "contradict")
+    expect_equal(attr(motion, "estimate")$contradiction, factor, tolerance = 0.02)
+    expect_true("Contradiction" %in% names(tibble::tbl_sum(motion)))
+  }
+  expect_no_warning(motion <- estimate_motion(record(1.03, 0.01), breaks = "none"))
+  expect_false("Contradiction" %in% names(tibble::tbl_sum(motion)))
+})
