@@ -259,9 +259,9 @@ real_step <- function(theta, segment, step) {
 }
 
 # The error of a count is the same in all samples of a run of L equal counts, as far as the body is
-# at rest. Where it moves, quantisation errors at two angles have the correlation 1 - 6 d/D over a
-# small distance d; a run of L counts is a distance of D. So they are an Ornstein-Uhlenbeck process
-# with 6/L correlation times from sample to sample.
+# at rest; where it moves through the whole step, it changes over the run. An Ornstein-Uhlenbeck
+# process with 1/L correlation times from sample to sample: one run at rest tells the angle to
+# sqrt(2/3) of a count's s.d.
 with_counts <- function(core, step) {
   if (step == 0) return(core)
   known <- which(!is.na(core$theta))
@@ -269,7 +269,7 @@ with_counts <- function(core, step) {
   run <- cumsum(c(TRUE, !same))
   size <- tabulate(run)[run]
   if (!any(size >= slow_run)) return(core)
-  wait <- ifelse(c(FALSE, same), 6 / size, 6)
+  wait <- ifelse(c(FALSE, same), 1 / size, 6)
   slow <- clock <- rep(0, length(core$theta))
   slow[known] <- ifelse(size >= slow_run, sqrt(1 - white_count^2), 0)
   clock[known] <- cumsum(wait)

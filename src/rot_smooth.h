@@ -6,9 +6,9 @@
  *   Q_ij = lambda s^(2p-1-i-j) / [(2p-1-i-j) (p-1-i)! (p-1-j)! i! j!],
  *
  * variances in units of sigma^2. The error of a sample is white, or white and an Ornstein-Uhlenbeck
- * process of variance 1, which is one state more. Filter and smoother keep factors S with S'S = P and never subtract
- * covariances: no variance is negative. The plain and the Joseph form err by factors of 1.1 to 5e5
- * behind a gap of 1000 spacings.
+ * process of variance 1, which is one state more. Filter and smoother keep factors S with S'S = P
+ * and never subtract covariances: no variance is negative. The plain and the Joseph form err by
+ * factors of 1.1 to 5e5 behind a gap of 1000 spacings.
  *
  * References: Park & Kailath, IEEE Trans. Automat. Contr. 40 (1995) 727 (square-root smoother);
  * de Jong & Penzer, J. Amer. Statist. Assoc. 93 (1998) 796 (scores of shocks). */
