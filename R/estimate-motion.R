@@ -49,7 +49,8 @@
 #' time is a tenth of the record, that intervals may not hold.
 #'
 #' **An angle and a rate** of which one is another multiple of the other (by more than a fifth, over
-#' 20 parts of the record) contradict each other: a warning gives the ratio, and the print repeats it.
+#' 20 parts of the record) contradict each other: a warning gives the ratio, and the print repeats
+#' it.
 #'
 #' **What residuals do not show** (type B, to be given): the scale and bias of a gyroscope, the rate
 #' and jitter of a clock. They are added to every standard error.
@@ -285,8 +286,8 @@ with_counts <- function(core, step) {
 white_count <- 0.1
 
 # Do the angle and the rate measured contradict each other? The mean rates of 20 blocks of the
-# record, from the angles at the ends of each and from the rates within it: they differ by more than a
-# fifth of their size, and by more than four standard errors. Returns the ratio, or NULL.
+# record, from the angles at the ends of each and from the rates within it: they differ by more than
+# a fifth of their size, and by more than four standard errors. Returns the ratio, or NULL.
 contradiction <- function(data, call) {
   both <- which(!is.na(data$theta) & !is.na(data$omega))
   if (is.null(data$theta) || is.null(data$omega) || length(both) < 24L) return(NULL)
@@ -420,7 +421,7 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
   }
   rounding <- 64 * .Machine$double.eps * max(abs(c(core$theta, core$omega)), na.rm = TRUE)
   noise <- if (is.null(core$slow) && found$fit[4] > rounding) {
-    find_noise(leave_out(core, matrix(found$left_out, length(core$time_s))), found, data)
+    correlated_noise(leave_out(core, matrix(found$left_out, length(core$time_s))), found, data)
   }
   if (!is.null(noise)) {
     # Breaks and outliers again: what is correlated was taken for them.
@@ -480,7 +481,7 @@ noise_threshold <- 4
 
 # The noise of largest likelihood with the breaks found, smoothness found with it, or NULL for white
 # noise. A long record tells from a part of it.
-find_noise <- function(core, found, data) {
+correlated_noise <- function(core, found, data) {
   breaks <- found[c("time_s", "segment", "first")]
   n <- length(core$time_s)
   if (n > 20000) {
@@ -532,7 +533,8 @@ find_noise <- function(core, found, data) {
       if (is.finite(out)) out else 1e300
     }
     grid <- expand.grid(
-      tau = log(pmin(c(1.5, 5, 15, 40) * h, cap)), share = c(-2, 0), lambda = at_white - c(0, 2, 4, 7)
+      tau = log(pmin(c(1.5, 5, 15, 40) * h, cap)), share = c(-2, 0),
+      lambda = at_white - c(0, 2, 4, 7)
     )
     tried <- apply(grid, 1, function(x) f(c(x, start[4])))
     # From the best of each correlation time.

@@ -15,8 +15,8 @@ static const int *segments_of(SEXP list, R_xlen_t n) {
   return INTEGER_RO(x);
 }
 
-/* A record: time_s, theta, omega (or NULL), w_theta, w_omega (a copy is kept), segment, floor; slow,
- * clock (or NULL) and slow_channel (0 angles, 1 rates). */
+/* A record: time_s, theta, omega (or NULL), w_theta, w_omega (a copy is kept), segment, floor; slow
+ * and clock (or NULL), slow_channel (0 angles, 1 rates). */
 static rot_smooth_record read_record(SEXP list) {
   static const char *const values[] = {"theta", "omega"}, *const weights[] = {"w_theta", "w_omega"};
   rot_smooth_record record;

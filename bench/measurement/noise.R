@@ -30,7 +30,9 @@ kinds <- list(
   "half slow" = function(n) sqrt(0.5) * (stats::rnorm(n) + autoregressive(n, 0.93))
 )
 # A counter: turns/steps of it, by the number of counts a sample at the usual speed.
-counters <- c("counter, 2 a sample" = 2, "counter, 0.5 a sample" = 0.5, "counter, 0.1 a sample" = 0.1)
+counters <- c(
+  "counter, 2 a sample" = 2, "counter, 0.5 a sample" = 0.5, "counter, 0.1 a sample" = 0.1
+)
 
 one_record <- function(kind, class) {
   n <- round(exp(stats::runif(1, log(200), log(1000))))

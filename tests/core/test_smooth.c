@@ -187,7 +187,8 @@ static void against_quadruple(int p, double lambda, int rates) {
     else
       z[k] = NAN;
   }
-  const rot_smooth_nodes nodes = {N, gap, {y, rates ? z : NULL}, {NULL, NULL}, first, 0, NULL, NULL, 0};
+  const rot_smooth_nodes nodes = {N,    gap, {y, rates ? z : NULL}, {NULL, NULL}, first, 0, NULL,
+                                  NULL, 0};
   const rot_smooth_model model = {p, lambda};
   exact_smoother(&nodes, &model, mean, covariance);
   rot_smooth_store store;
@@ -239,7 +240,8 @@ static void make_series(series *of, int uneven) {
     of->first[k] = ROT_SMOOTH_FLOWS;
   }
   of->first[0] = ROT_SMOOTH_STARTS;
-  const rot_smooth_nodes nodes = {N, of->gap, {of->y, NULL}, {of->w, NULL}, of->first, 0, NULL, NULL, 0};
+  const rot_smooth_nodes nodes = {N,    of->gap, {of->y, NULL}, {of->w, NULL}, of->first, 0, NULL,
+                                  NULL, 0};
   of->nodes = nodes;
 }
 
@@ -308,8 +310,8 @@ static void score_of_shock(void) {
       broken.y[at] = NAN;
       broken.gap[at + 1] = 0.0;
       broken.first[at + 1] = 1;
-      const rot_smooth_nodes nodes = {N + 1,        broken.gap, {broken.y, NULL}, {broken.w, NULL},
-                                      broken.first, 0, NULL, NULL, 0};
+      const rot_smooth_nodes nodes = {
+          N + 1, broken.gap, {broken.y, NULL}, {broken.w, NULL}, broken.first, 0, NULL, NULL, 0};
       ROT_CHECK_REL(squares(&all.nodes, &model) - squares(&nodes, &model), shock[at], 1e-5);
       broken.first[at + 1] = (signed char)(p - 1);
       const double fall = squares(&all.nodes, &model) - squares(&nodes, &model);
@@ -528,8 +530,8 @@ static void random_nodes(void) {
     }
     first[0] = ROT_SMOOTH_STARTS;
     const int kind = (int)(3.0 * uniform());
-    const rot_smooth_nodes nodes = {n,      gap,   {kind == 1 ? NULL : y, kind == 0 ? NULL : z},
-                                    {v, w}, first, 0, NULL, NULL, 0};
+    const rot_smooth_nodes nodes = {
+        n, gap, {kind == 1 ? NULL : y, kind == 0 ? NULL : z}, {v, w}, first, 0, NULL, NULL, 0};
     const rot_smooth_model model = {p, pow(10.0, 20.0 * uniform() - 14.0)};
     rot_smooth_store store;
     rot_smooth_sums sums;
