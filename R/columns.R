@@ -453,6 +453,7 @@ column_list <- list(
   c("hinge_across_n", "N", "force of the hinge across the rod, against the fall"),
   c("bending_moment_n_m", "N m", "largest bending moment in the rod"),
   c("break_at_m", "m", "its place, from the hinge"),
+  c("finest", "1", "features narrower than this share of the span may be missed; NA: more are"),
   c("least_normal_n", "N", "least push of the track"),
   c("period0_s", "s", "period reduced to small swings"),
   c("used", "", "whether it is part of the result"),
@@ -803,13 +804,14 @@ curve_columns <- c(
 )
 curve_summary_columns <- c(
   "event", "time_s", "x_m", "y_m", "path_m", "v_m_per_s", "least_normal_n", "friction_needed",
-  "error", "error_kind"
+  "error", "error_kind", "finest"
 )
 curve_meanings <- c(
   x_m = "x of the centre", y_m = "its y, up", v_m_per_s = "speed of the centre",
   omega_rad_per_s = "angular velocity v/r; NA for a number instead of a body",
   normal_n = "push of the track on the body",
-  friction_force_n = "friction on the body, along the path", time_s = "time since the start",
+  friction_force_n = "friction on the body, positive in the direction of the motion",
+  time_s = "time since the start",
   event = "how the motion ends", error = "relative error of the time"
 )
 curve_meant <- setdiff(

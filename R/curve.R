@@ -30,6 +30,10 @@
 #' @param friction Coefficient of static friction, at least 0; Inf: never slips.
 #' @param rows Number of rows, at even steps of the parameter.
 #' @param gravity_m_per_s2 Acceleration of gravity, greater than 0.
+#' @param finest Width of the narrowest features that are looked for, as a share of the span between
+#'   `from` and `to`: 1e-5 to 0.1. The cost grows as its inverse.
+#' @param breaks Places (of the parameter) of narrow features, or of jumps of a derivative: looked
+#'   at ever more closely from both sides.
 #' @param x,y Functions of one argument, for `curve_function()` y(x), for `curve_path()` of the
 #'   parameter; vectorised.
 #' @param slope,second First and second derivative of y(x), as functions.
@@ -70,7 +74,8 @@
 #' summary(roll_on_curve(function(x) sqrt(1 - x^2), 1e-3, 0.9, body = 2 / 5))[c("event", "x_m")]
 #' @export
 roll_on_curve <- function(curve, from, to, body = 2 / 5, v0_m_per_s = 0, ..., friction = Inf,
-                          rows = 101, gravity_m_per_s2 = 9.80665) {
+                          rows = 101, gravity_m_per_s2 = 9.80665, finest = 1e-3,
+                          breaks = double()) {
   call <- check_no_dots(...)
   check_supplied(c("curve", "from", "to"), call)
   curve <- as_curve(curve, call)
@@ -82,6 +87,8 @@ roll_on_curve <- function(curve, from, to, body = 2 / 5, v0_m_per_s = 0, ..., fr
     friction <- check_number(friction, "friction", "1", call, lower = 0)
   }
   rows <- check_number(rows, "rows", "1", call, lower = 2, upper = 1e5)
+  finest <- check_number(finest, "finest", "1", call, lower = 1e-5, upper = 0.1)
+  breaks <- check_finite(breaks, "breaks", "1", call)
   if (from == to) abort_rotdyn("{.arg from} and {.arg to} must differ.", "value", call)
   check_curve_ends(curve, c(from, to), call)
   roller <- curve_roller(body, call)
@@ -91,6 +98,8 @@ roll_on_curve <- function(curve, from, to, body = 2 / 5, v0_m_per_s = 0, ..., fr
     roller = roller, start = curve_values(curve, from, call), way = sign(to - from)
   )
   check_curve_start(run, call)
+  run$seen <- look_along(run, finest, breaks, call)
+  run$reach <- mean_reach(run, run$from, run$seen$u, run$seen$at)
   end <- curve_end(run, call)
   new_curve_motion(run, end, seq(from, to, length.out = rows), call)
 }
@@ -185,8 +194,29 @@ summary.rot_curve_motion <- function(object, ...) {
   tibble::new_tibble(list(
     event = last$event, time_s = last$time_s, x_m = last$x_m, y_m = last$y_m,
     path_m = last$path_m, v_m_per_s = last$v_m_per_s, least_normal_n = run$least_normal,
-    friction_needed = run$needed, error = run$error, error_kind = "estimate"
+    friction_needed = run$needed, error = run$error, error_kind = "estimate", finest = run$finest
   ), nrow = 1L)
+}
+
+#' @export
+tbl_sum.rot_curve_motion <- function(x, ...) {
+  run <- attr(x, "run")
+  if (is.null(run) || !is.null(.Call(ffi_form_fault, run, curve_run_form))) {
+    return(c("Motion along a curve" = "damaged"))
+  }
+  c(
+    "Motion along a curve" = paste0(
+      run$last$event, " after ", format_si(signif(run$last$time_s, 4)), " s; least push ",
+      format_si(signif(run$least_normal, 4)), " N, friction needed ",
+      format_si(signif(run$needed, 4))
+    ),
+    Seen = if (is.na(run$finest)) {
+      paste("not all: the curve changes faster than", most_places, "places show; see `breaks`")
+    } else {
+      paste("features narrower than", format_si(signif(run$finest, 3)),
+            "of the span may be missed: see `finest`, `breaks`")
+    }
+  )
 }
 
 #' @export
@@ -397,27 +427,127 @@ curve_roller <- function(body, call) {
 
 # ---- the motion ---------------------------------------------------------------------------------
 
-# (y_a - y(u))/|u - a|: the mean of the slope, by 15 points, where they resolve it or are better
-# than the difference, which has the rounding of y: that may be a difference of large terms.
-drop_rate <- function(curve, u, a, y_a, y) {
+# Places at which the curve's functions are known, from `from` to `to`.
+most_places <- 2e5
+
+# Quintic Hermite interpolation of f at the middle of a panel of width h, from value and two
+# derivatives at its ends: value and second derivative.
+hermite_middle <- function(h, f0, f1, d0, d1, s0, s1) {
+  list(
+    value = (f0 + f1) / 2 + 5 * h / 32 * (d0 - d1) + h^2 / 64 * (s0 + s1),
+    second = (d1 - d0) / h * 3 / 2 - (s0 + s1) / 4
+  )
+}
+
+# A grid of which no panel is wider than a quarter of `finest`, with panels halved until the middle
+# is what the ends say: list(u, at, refined, all), in the order of the motion. Places are beside
+# those of an even grid, since a periodic curve may be in step with it.
+look_along <- function(run, finest, breaks, call) {
+  low <- min(run$from, run$to)
+  span <- abs(run$to - run$from)
+  n <- ceiling(4 / finest)
+  i <- seq_len(n - 1)
+  turn <- i * 0.6180339887498949
+  near <- span * 2^-(1:40)
+  marks <- c(run$curve$knots, breaks)
+  u <- c(
+    low, low + span * (i + 0.25 * (turn - floor(turn) - 0.5)) / n, low + span,
+    low + 1e-9 * span, low + span - 1e-9 * span, marks, outer(near, breaks, "+"),
+    outer(-near, breaks, "+")
+  )
+  u <- sort(unique(u[u >= low & u <= low + span]))
+  at <- as.data.frame(curve_values(run$curve, u, call))
+  scale <- vapply(at, function(x) max(x) - min(x), 0)
+  size <- vapply(at, function(x) max(abs(x)), 0)
+  resolved <- TRUE
+  open <- seq_len(length(u) - 1L)
+  left <- u[open]
+  right <- u[open + 1L]
+  a <- at[open, ]
+  b <- at[open + 1L, ]
+  refined <- list()
+  for (level in 1:44) {
+    middle <- left + (right - left) / 2
+    m <- as.data.frame(curve_values(run$curve, middle, call))
+    h <- right - left
+    wrong <- rep(FALSE, length(h))
+    for (k in c("x", "y")) {
+      d <- paste0("d", k)
+      s <- paste0("dd", k)
+      said <- hermite_middle(h, a[[k]], b[[k]], a[[d]], b[[d]], a[[s]], b[[s]])
+      most <- pmax(abs(a[[s]]), abs(b[[s]]), abs(m[[s]]))
+      wrong <- wrong | abs(m[[k]] - said$value) > 1e-9 * scale[[k]] + 64 * 2^-52 * size[[k]] |
+        abs(m[[s]] - said$second) > 1e-2 * most + 1e-6 * size[[s]] +
+          64 * 2^-52 * size[[d]] / h
+    }
+    wrong <- wrong & h > 2^-40 * span
+    if (!any(wrong)) break
+    if (length(u) + sum(lengths(refined)) / 8 + sum(wrong) > most_places) {
+      resolved <- FALSE
+      break
+    }
+    refined[[level]] <- cbind(u = middle, m)[wrong, ]
+    left <- c(left[wrong], middle[wrong])
+    right <- c(middle[wrong], right[wrong])
+    a <- rbind(a[wrong, ], m[wrong, ])
+    b <- rbind(m[wrong, ], b[wrong, ])
+  }
+  refined <- do.call(rbind, refined)
+  all <- rbind(cbind(u = u, at), refined)
+  all <- all[order(all$u, decreasing = run$way < 0), ]
+  all <- all[!duplicated(all$u), ]
+  list(u = all$u, at = as.list(all[-1]), refined = c(refined$u, breaks), finest = if (resolved)
+    finest else NA_real_)
+}
+
+# How far from the anchor the mean of the slope by 15 points is the difference of heights, at all
+# places between: beyond that it misses a feature.
+mean_reach <- function(run, a, u, at) {
+  far <- order(abs(u - a))
+  far <- far[u[far] != a]
+  u <- u[far]
+  y <- at$y[far]
+  y_a <- run$curve$y(a)
+  rates <- drop_rates(run$curve, u, a, y_a, y)
+  # The rounding of y: of its terms, which may be larger, as that of its argument is.
+  terms <- max(abs(y), abs(y_a)) + max(abs(at$dy)) * max(abs(u), abs(a))
+  allowed <- 1e-12 * rates$size + 64 * 2^-52 * terms / abs(u - a)
+  bad <- which(!(abs(rates$plain - rates$mean) <= allowed))
+  # Near the anchor a difference has no digits, and a cusp no slope.
+  bad <- bad[abs(u[bad] - a) > 1e-5 * abs(run$to - run$from)]
+  if (length(bad)) (if (bad[1] > 1L) abs(u[bad[1] - 1L] - a) else 0) else Inf
+}
+
+drop_rates <- function(curve, u, a, y_a, y) {
   span <- u - a
-  plain <- (y_a - y) / abs(span)
   nodes <- (mirror(kronrod_node, -1) + 1) / 2
   slopes <- matrix(curve$dy(as.vector(outer(span, nodes) + a)), length(u))
   weigh <- function(y, w) as.vector(y %*% (mirror(w, 1) / 2))
   mean <- weigh(slopes, kronrod_weight)
   size <- weigh(abs(slopes), kronrod_weight)
   apart <- abs(mean - weigh(slopes, gauss_weight))
-  error <- size * pmin(1, (200 * apart / pmax(size, 1e-300))^1.5)
+  list(
+    plain = (y_a - y) / abs(span), mean = -mean * sign(span), size = size,
+    error = size * pmin(1, (200 * apart / pmax(size, 1e-300))^1.5)
+  )
+}
+
+# (y_a - y(u))/|u - a|: the mean of the slope, by 15 points, where they resolve it or are better
+# than the difference, which has the rounding of y: that may be a difference of large terms.
+# `reach`: of mean_reach().
+drop_rate <- function(curve, u, a, y_a, y, reach) {
+  r <- drop_rates(curve, u, a, y_a, y)
   eps <- .Machine$double.eps
-  better <- error <= eps * size | error < eps * pmax(abs(y_a), abs(y)) / abs(span)
-  better <- better & is.finite(mean) & span != 0
-  plain[better] <- (-mean * sign(span))[better]
-  plain
+  span <- abs(u - a)
+  better <- r$error <= eps * r$size | r$error < eps * pmax(abs(y_a), abs(y)) / span
+  better <- better & is.finite(r$mean) & span != 0 & span <= reach
+  r$plain[better] <- r$mean[better]
+  r$plain[span == 0] <- -curve$dy(a) * sign(sum(u - a))
+  r$plain
 }
 
 square_speed <- function(run, u, y = run$curve$y(u)) {
-  fall <- drop_rate(run$curve, u, run$from, run$start$y, y) * abs(u - run$from)
+  fall <- drop_rate(run$curve, u, run$from, run$start$y, y, run$reach) * abs(u - run$from)
   fall[u == run$from] <- 0
   run$v0^2 + run$c2 * fall
 }
@@ -454,83 +584,159 @@ curve_forces <- function(run, u, at = NULL, v2 = NULL, call = NULL) {
   b <- run$roller$beta
   list(
     normal = run$roller$mass * (v2 * bend + run$g * cosine),
-    friction = run$roller$mass * b / (1 + b) * run$g * sine, bend = bend
+    friction = run$roller$mass * b / (1 + b) * run$g * sine * run$way, bend = bend
   )
 }
 
-# Where the motion ends: list(u, event).
+# Where the motion ends: list(u, event), and the places with their v^2 and forces.
 curve_end <- function(run, call) {
-  edge <- 1e-9 * (run$to - run$from)
-  u <- sort(unique(c(
-    seq(run$from, run$to, length.out = 1001L), run$from + edge, run$to - edge,
-    run$curve$knots[run$curve$knots > min(run$from, run$to) &
-      run$curve$knots < max(run$from, run$to)]
-  )), decreasing = run$way < 0)[-1]
-  at <- curve_values(run$curve, u, call)
+  u <- run$seen$u[-1]
+  at <- lapply(run$seen$at, `[`, -1L)
+  slip <- function(force) run$friction * force$normal - abs(force$friction)
   tests <- list(
-    turns = function(u, at, force, v2) v2,
-    leaves = function(u, at, force, v2) force$normal,
+    turns = function(u, at, force, v2) v2, leaves = function(u, at, force, v2) force$normal,
     slips = function(u, at, force, v2) {
-      if (run$friction == Inf) rep(1, length(u)) else run$friction * force$normal -
-        abs(force$friction)
+      if (run$friction == Inf) rep(1, length(u)) else slip(force)
     }
   )
-  v2 <- square_speed(run, u, at$y)
-  smooth <- at$speed > 0
-  force <- curve_forces(run, u, at, v2)
-  radius <- run$roller$radius
-  if (!is.na(radius) && any(1 + force$bend[smooth] * radius <= 0)) {
-    first <- u[smooth][which(1 + force$bend[smooth] * radius <= 0)[1]]
-    abort_rotdyn(c(
-      "The path of the centre bends more than a body of this radius can roll.",
-      x = "At {format(first, digits = 4)} its radius is less than {format(radius, digits = 4)} m."
-    ), "value", call)
+  state <- curve_state(run, u, at)
+  check_bends(run, u, state, call)
+  # Rounding of v^2; it counts where the path bends sharply, as near a cusp.
+  slack <- 1e-14 * max(state$v2, 0)
+  blur_of <- function(name, bend) {
+    if (name == "turns") return(rep(slack, length(bend)))
+    run$roller$mass * (slack * abs(bend) + 1e-14 * run$g) *
+      if (name == "slips" && run$friction < Inf) 1 + run$friction else 1
   }
+  # Minima between the places that may be below 0.
+  more <- unlist(lapply(names(tests), function(name) {
+    value <- tests[[name]](u, at, state$force, state$v2)
+    low_places(run, u, value, ifelse(state$smooth, blur_of(name, state$force$bend), Inf),
+               tests[[name]], call)
+  }))
+  if (length(more)) {
+    all <- sort(unique(c(u, more)), decreasing = run$way < 0)
+    u <- all
+    at <- curve_values(run$curve, u, call)
+    state <- curve_state(run, u, at)
+  }
+  smooth <- state$smooth
+  v2 <- state$v2
   # An end at rest within rounding is where it turns.
-  slack <- 1e-14 * max(v2, 0)
   rests <- v2[length(v2)] <= slack
   best <- list(u = run$to, event = if (rests) "turns" else "arrives", index = length(u) + 1L)
   for (name in names(tests)) {
-    value <- tests[[name]](u, at, force, v2)
-    # Rounding of v^2 counts where the path bends sharply, as near a cusp.
-    blur <- if (name == "turns") slack else {
-      run$roller$mass * (slack * abs(force$bend) + 1e-14 * run$g) *
-        if (name == "slips" && run$friction < Inf) 1 + run$friction else 1
-    }
-    bad <- which(value < -blur & (smooth | name == "turns"))
+    value <- tests[[name]](u, at, state$force, v2)
+    bad <- which(value < -blur_of(name, state$force$bend) & (smooth | name == "turns"))
     if (!length(bad) || bad[1] > best$index) next
     i <- bad[1]
     root <- curve_root(run, tests[[name]], if (i == 1L) run$from else u[i - 1L], u[i], call)
     # Two in one step: the first of them.
     if ((root - best$u) * run$way < 0) best <- list(u = root, event = name, index = i)
   }
-  best
+  check_crests(run, best, u, v2, slack, call)
+  on <- (best$u - u) * run$way > 0
+  c(best[c("u", "event")], list(places = c(run$from, u[on]), lowest = u[on][which.min(v2[on])]))
+}
+
+# A local minimum among the places, by a parabola through three, that may be below 0 between them:
+# the place of the minimum itself.
+low_places <- function(run, u, value, blur, test, call) {
+  n <- length(u)
+  if (n < 3L) return(NULL)
+  i <- which(value[-c(1L, n)] <= pmin(value[-c(n - 1L, n)], value[-(1:2)])) + 1L
+  i <- i[value[i] >= -blur[i] & is.finite(blur[i])]
+  if (!length(i)) return(NULL)
+  drop <- value[i] - parabola_low(u, value, i)
+  i <- i[value[i] - 4 * drop <= blur[i]]
+  vapply(utils::head(i, 200L), function(i) {
+    stats::optimize(function(x) value_at(run, test, x, call), sort(u[i + c(-1L, 1L)]),
+                    tol = 1e-9 * abs(u[i + 1L] - u[i - 1L]))$minimum
+  }, 0)
+}
+
+parabola_low <- function(u, value, i) {
+  h0 <- u[i] - u[i - 1L]
+  h1 <- u[i + 1L] - u[i]
+  s0 <- (value[i] - value[i - 1L]) / h0
+  s1 <- (value[i + 1L] - value[i]) / h1
+  second <- (s1 - s0) / (h0 + h1)
+  first <- s0 + second * h0
+  low <- value[i] - ifelse(second > 0, first^2 / (4 * second), 0)
+  ifelse(is.finite(low), low, value[i])
+}
+
+curve_state <- function(run, u, at) {
+  v2 <- square_speed(run, u, at$y)
+  list(v2 = v2, force = curve_forces(run, u, at, v2), smooth = at$speed > 0)
+}
+
+check_bends <- function(run, u, state, call) {
+  radius <- run$roller$radius
+  if (is.na(radius)) return(invisible())
+  sharp <- which(state$smooth & 1 + state$force$bend * radius <= 0)
+  if (length(sharp)) {
+    abort_rotdyn(c(
+      "The path of the centre bends more than a body of this radius can roll.",
+      x = "At {format(u[sharp[1]], digits = 4)} its radius is less than
+           {format(radius, digits = 4)} m."
+    ), "value", call)
+  }
+}
+
+# On a crest without speed the motion is undetermined, and towards one it takes infinitely long.
+check_crests <- function(run, end, u, v2, slack, call) {
+  before <- (end$u - u) * run$way > 0
+  n <- length(u)
+  low <- which(before & abs(v2) <= slack & v2 <= c(run$v0^2, v2[-n]) & v2 <= c(v2[-1], Inf))
+  at <- if (length(low)) u[low[1]] else if (end$event == "turns") end$u
+  if (is.null(at)) return(invisible())
+  place <- curve_values(run$curve, at, call)
+  if (!length(low) && !(place$speed > 0 && abs(place$dy) <= 1e-7 * place$speed)) {
+    return(invisible())
+  }
+  abort_rotdyn(c(
+    "The body reaches a crest with no speed left, within rounding: the time is undetermined.",
+    x = "The crest is at {format(at, digits = 7)}.",
+    i = "Change {.arg v0_m_per_s} or the start by some 1e-10, or end before the crest."
+  ), "value", call)
+}
+
+value_at <- function(run, test, u, call) {
+  at <- curve_values(run$curve, u, call)
+  v2 <- square_speed(run, u, at$y)
+  test(u, at, curve_forces(run, u, at, v2), v2)
 }
 
 # The zero between a place where it holds and one where it does not.
 curve_root <- function(run, test, good, bad, call) {
-  value <- function(u) {
-    at <- curve_values(run$curve, u, call)
-    v2 <- square_speed(run, u, at$y)
-    test(u, at, curve_forces(run, u, at, v2), v2)
-  }
+  value <- function(u) value_at(run, test, u, call)
   first <- value(good)
   if (is.nan(first) || first <= 0) return(good)
   stats::uniroot(value, c(good, bad), tol = 1e-15 * max(abs(c(good, bad))), maxiter = 200)$root
 }
 
 # Time and path from panel to panel, on either side of the middle: the ends are where v may be 0.
+# The third integral is the error of the time by the rounding of v^2, where it is a difference.
 curve_integrals <- function(run, end, u, call) {
   last <- end$u
   span <- last - run$from
+  eps <- .Machine$double.eps
+  y_last <- run$curve$y(last)
   v_end <- if (end$event == "turns") 0 else max(square_speed(run, last), 0)
-  most <- max(square_speed(run, u[-1]), v_end, run$v0^2)
+  places <- c(end$places, last)
+  most <- max(square_speed(run, places[-1]), v_end, run$v0^2)
   slow_end <- v_end < 0.05 * most
   middle <- if (slow_end) run$from + span / 2 else last
-  knots <- run$curve$knots
-  inner <- knots[(knots - run$from) * run$way > 0 & (last - knots) * run$way > 0]
+  even <- run$from + span * seq_len(255) / 256
+  inner <- c(run$curve$knots, run$seen$refined, even, end$lowest)
+  # Beside the ends, where the integrand is smooth in s, places would be of few digits.
+  edge <- 1e-4 * abs(span)
+  inner <- inner[(inner - run$from) * run$way > edge & (last - inner) * run$way > edge]
   cuts <- sort(unique(c(u, middle, inner)), decreasing = run$way < 0)
-  y_last <- run$curve$y(last)
+  reach <- c(mean_reach(run, last, places, curve_values(run$curve, places, call)), run$reach)
+  rounding <- eps * c(if (end$event == "turns") 0 else run$v0^2 + run$c2 *
+    max(abs(run$start$y - y_last), abs(y_last)), 0)
   rate_of <- function(from_start) {
     function(s) {
       length_s <- if (from_start) middle - run$from else middle - last
@@ -538,12 +744,17 @@ curve_integrals <- function(run, end, u, call) {
       at_u <- anchor + length_s * s^2
       at <- curve_values(run$curve, at_u, call)
       y_a <- if (from_start) run$start$y else y_last
-      rate <- drop_rate(run$curve, at_u, anchor, y_a, at$y)
+      rate <- drop_rate(run$curve, at_u, anchor, y_a, at$y, reach[1 + from_start])
       v_a2 <- if (from_start) run$v0^2 else v_end
       # v = s sqrt(v_a^2/s^2 + c M L): the s of du = 2 L s ds cancels.
-      slowness <- 1 / sqrt(v_a2 / s^2 + run$c2 * rate * abs(length_s))
+      part <- run$c2 * rate * abs(length_s)
+      blur <- eps * (v_a2 / s^2 + abs(part)) + rounding[1 + from_start] / s^2
+      square <- pmax(v_a2 / s^2 + part, blur)
+      slowness <- 1 / sqrt(square)
       slowness[!is.finite(slowness)] <- 0
-      cbind(at$speed * 2 * abs(length_s) * slowness, at$speed * 2 * abs(length_s) * s)
+      step <- at$speed * 2 * abs(length_s)
+      error <- step * slowness * blur / square
+      cbind(step * slowness, step * s, ifelse(is.finite(error), error, 0))
     }
   }
   side <- function(from_start) {
@@ -554,15 +765,16 @@ curve_integrals <- function(run, end, u, call) {
     n <- length(s)
     out <- if (from_start) integrate_panels(rate_of(TRUE), s[-n], s[-1]) else
       integrate_panels(rate_of(FALSE), s[-1], s[-n])
-    list(to = mine[-1], time = out$value[, 1], path = out$value[, 2], error = out$error)
+    list(to = mine[-1], time = out$value[, 1], path = out$value[, 2], error = out$error,
+         rounding = out$value[, 3])
   }
   parts <- list(side(TRUE), if (slow_end) side(FALSE))
   parts <- Filter(Negate(is.null), parts)
   at <- unlist(lapply(parts, `[[`, "to"))
   time <- cumsum(unlist(lapply(parts, `[[`, "time")))
   path <- cumsum(unlist(lapply(parts, `[[`, "path")))
-  error <- sum(vapply(parts, function(part) sum(part$error[, 1]), 0))
-  if (slow_end) error <- error + slow_rounding(run, end, u, span, call)
+  error <- sum(vapply(parts, function(part) sum(part$error[, 1], part$rounding), 0))
+  if (end$event == "turns") error <- error + turn_rounding(run, end, u, call)
   row <- match(u, at)
   list(
     time = ifelse(u == run$from, 0, time[row]), path = ifelse(u == run$from, 0, path[row]),
@@ -570,19 +782,48 @@ curve_integrals <- function(run, end, u, call) {
   )
 }
 
-# Where the body becomes slow, the rounding of v^2, which is a difference there, moves the end of
-# the motion, and so does that of the place where it turns: by du, the times of the rows by ds/v.
-slow_rounding <- function(run, end, u, span, call) {
+# The rounding of v^2, and of the place itself, moves the place where it turns by du, and the times
+# of the rows by ds/v.
+turn_rounding <- function(run, end, u, call) {
   eps <- .Machine$double.eps
   at <- curve_values(run$curve, c(u, end$u), call)
   n <- length(u)
   fall <- abs(run$start$y - at$y[n + 1L])
-  slope <- max(abs(at$dy[n + 1L]), fall / abs(span))
-  rounding <- eps * (run$v0^2 + run$c2 * fall)
-  turns <- if (end$event == "turns") 2 * eps * max(abs(end$u), abs(run$from)) else 0
+  slope <- abs(at$dy[n + 1L])
+  if (!(slope > 0)) slope <- fall / abs(end$u - run$from) # a cusp
+  rounding <- eps * (run$v0^2 + run$c2 * max(fall, abs(at$y[n + 1L])))
+  place <- 2 * eps * max(abs(end$u), abs(run$from))
   v <- sqrt(pmax(square_speed(run, u, at$y[seq_len(n)]), 0))
-  moved <- (rounding / (run$c2 * slope) + turns) * at$speed[seq_len(n)] / v
+  moved <- (rounding / (run$c2 * slope) + place) * at$speed[seq_len(n)] / v
   max(0, moved[v > 0 & u != end$u])
+}
+
+# The least push and the largest need of friction of the whole motion: of all places, and of the
+# extremes beside the best ones.
+curve_limits <- function(run, end, call) {
+  u <- c(end$places, end$u)
+  beside <- function(u) u + ifelse(run$curve$dx(u)^2 + run$curve$dy(u)^2 > 0, 0, 1e-7 *
+    (end$u - run$from))
+  forces <- function(u) {
+    force <- curve_forces(run, beside(u), call = call)
+    needed <- ifelse(
+      force$friction == 0, 0, ifelse(force$normal > 0, abs(force$friction) / force$normal, Inf)
+    )
+    list(normal = force$normal, needed = needed)
+  }
+  all <- forces(u)
+  lowest <- function(value, f) {
+    i <- which.min(value)
+    near <- u[pmin(pmax(i + c(-1L, 1L), 1L), length(u))]
+    if (!is.finite(value[i])) return(value[i])
+    min(value[i], stats::optimize(f, sort(near), tol = 1e-9 * abs(diff(near)))$objective)
+  }
+  # Where it leaves the track nothing but rounding is left of the push.
+  lost <- end$event == "leaves" && all$needed[length(u)] > 0
+  list(
+    normal = max(lowest(all$normal, function(x) forces(x)$normal), 0),
+    needed = if (lost) Inf else -lowest(-all$needed, function(x) -min(forces(x)$needed, 1e300))
+  )
 }
 
 new_curve_motion <- function(run, end, u, call) {
@@ -612,10 +853,12 @@ new_curve_motion <- function(run, end, u, call) {
     event = c(rep(NA_character_, length(u) - 1L), end$event)
   )
   last <- lapply(columns, function(x) x[length(x)])
+  limits <- curve_limits(run, end, call)
   total <- last$time_s
   run <- list(
-    last = last, least_normal = min(force$normal), needed = max(needed),
-    error = if (total > 0) sums$error / total + 1e-15 else NaN, shape = cbind(at$x, at$y)
+    last = last, least_normal = limits$normal, needed = limits$needed,
+    error = if (total > 0) sums$error / total + 1e-15 else NaN, shape = cbind(at$x, at$y),
+    finest = run$seen$finest
   )
   tibble::new_tibble(columns, nrow = length(u), run = run, class = "rot_curve_motion")
 }

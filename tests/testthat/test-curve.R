@@ -155,6 +155,92 @@ test_that("tables, derivatives given, paths", {
   expect_output(print(path), "<curve> path")
 })
 
+test_that("barriers and dips far narrower than the rows end the motion", {
+  # A hump of 1 m, which 0.6 m of fall and 2 m/s do not climb (v^2 = 4 + 0.6 c against 1 c).
+  for (width in c(0.5, 0.05, 0.006)) {
+    hump <- eval(bquote(function(x) -0.1 * x + exp(-((x - 6.1234) / .(width))^2)))
+    for (rows in c(2, 101)) {
+      got <- arrival(hump, 0, 10, v0_m_per_s = 2, rows = rows)
+      expect_true(got$event %in% c("leaves", "turns"))
+      expect_lt(abs(got$x_m - 6.1234), 1.5 * width)
+    }
+  }
+  # 1.2e-4 of the span: missed and said, found where asked for or told.
+  hump <- function(x) -0.1 * x + exp(-((x - 6.1234) / 0.0006)^2)
+  missed <- roll_on_curve(hump, 0, 10, v0_m_per_s = 2)
+  expect_equal(summary(missed)$finest, 1e-3)
+  expect_output(print(missed), "narrower than 0.001 of the")
+  fine <- arrival(hump, 0, 10, v0_m_per_s = 2, finest = 1e-4)
+  expect_equal(fine$finest, 1e-4)
+  near <- arrival(hump, 0, 10, v0_m_per_s = 2, breaks = 6.1234)
+  expect_true(near$event %in% c("leaves", "turns"))
+  expect_lt(abs(near$x_m - 6.1234), 0.001)
+  expect_equal(near$event, fine$event)
+  expect_equal(near$x_m, fine$x_m, tolerance = 1e-12)
+  # A dip passes, and takes its time: as one panel each by another rule.
+  dip <- function(x) -0.1 * x - 0.005 * exp(-((x - 6.1234) / 0.3)^2)
+  slope <- function(x) -0.1 + 0.005 * 2 * (x - 6.1234) / 0.09 * exp(-((x - 6.1234) / 0.3)^2)
+  pace <- function(x) sqrt((1 + slope(x)^2) / (25 - 2 * g / 1.4 * dip(x)))
+  ends <- c(0, 4, 5.5, 6.1234, 6.7, 8, 10)
+  time <- sum(mapply(function(a, b) {
+    stats::integrate(pace, a, b, rel.tol = 1e-12)$value
+  }, ends[-7], ends[-1]))
+  for (rows in c(2, 301)) {
+    got <- arrival(dip, 0, 10, v0_m_per_s = 5, rows = rows)
+    expect_equal(got$event, "arrives")
+    expect_equal(got$time_s, time, tolerance = 1e-12)
+  }
+})
+
+test_that("a summary is of the motion, not of its rows", {
+  # N/m = v^2 y''/(1 + y'^2)^1.5 + g cos, f/m = 2/7 g sin, on a grid of 1e6 places.
+  curve <- function(x) -x / 2 + 0.01 * sin(3 * x)
+  x <- seq(0, 6, length.out = 1e6)
+  d1 <- -1 / 2 + 0.03 * cos(3 * x)
+  d2 <- -0.09 * sin(3 * x)
+  push <- -2 * g / 1.4 * curve(x) * d2 / (1 + d1^2)^1.5 + g / sqrt(1 + d1^2)
+  needed <- 2 / 7 * g * abs(d1) / sqrt(1 + d1^2) / push
+  all <- lapply(c(2, 3, 5, 101, 5001), function(rows) arrival(curve, 0, 6, rows = rows))
+  for (one in all) {
+    expect_equal(one$event, "arrives")
+    expect_equal(one$least_normal_n, min(push), tolerance = 1e-9)
+    expect_equal(one$friction_needed, max(needed), tolerance = 1e-9)
+    expect_equal(one$time_s, all[[1]]$time_s, tolerance = 1e-14)
+  }
+})
+
+test_that("friction is positive in the direction of the motion, leftwards, too", {
+  down <- function(x) 0.3 * x + 0.05 * x^2
+  left <- roll_on_curve(down, 2, 0, rows = 5)
+  right <- roll_on_curve(function(x) -0.3 * x + 0.05 * x^2, -2, 0, rows = 5)
+  expect_true(all(left$friction_force_n < 0))
+  for (name in c("time_s", "friction_force_n", "normal_n", "friction_needed", "v_m_per_s")) {
+    expect_equal(left[[name]], right[[name]], tolerance = 1e-14)
+  }
+  # f/m = -beta/(1 + beta) g sin at the start.
+  expect_equal(left$friction_force_n[1], -2 / 7 * g * 0.5 / sqrt(1.25), tolerance = 1e-14)
+})
+
+test_that("a crest that is barely reached: an error, no warning of base R", {
+  hill <- function(x) cos(x)
+  crest <- sqrt(2 * g / 1.4 * (1 - cos(1.5)))
+  for (part in c(-1e-6, -1e-9, -1e-13, 0, 1e-13, 1e-9, 1e-6)) {
+    got <- tryCatch(
+      arrival(hill, -1.5, 1, v0_m_per_s = crest * (1 + part)),
+      rotdyn_error_value = function(e) conditionMessage(e)
+    )
+    if (is.character(got)) {
+      expect_match(got, "crest")
+      expect_lt(abs(part), 1e-10)
+    } else {
+      expect_equal(got$event, if (part < 0) "turns" else "arrives")
+    }
+  }
+  # Level at the end, at the height of the start: it takes infinitely long.
+  expect_error(roll_on_curve(function(x) -(x - 1) * (x - 3)^2, 1, 3), "crest",
+               class = "rotdyn_error_value")
+})
+
 test_that("errors of curves", {
   expect_error(roll_on_curve(cos, 0, 3), class = "rotdyn_error_value") # level at the start
   expect_error(roll_on_curve(cos, -1, 3), class = "rotdyn_error_value") # uphill
