@@ -11,12 +11,16 @@ enum { FINE = 16, MOST_GAPS = 1000000 };
  * over a third of the range by 1e-4 of it. */
 enum { SAMPLES = 16 };
 /* Differences below so many times what is unsure are those of the polynomials. */
-#define UNSURE    8.0
+#define UNSURE     8.0
 /* Differences that change the state by less than this part of the accuracy are ignored: the
  * polynomials themselves may be off by 0.02 of it. */
-#define IGNORED   1e-3
+#define IGNORED    1e-3
 /* The same where the law is steep and the state unsure. */
-#define STEEP     2.0
+#define STEEP      2.0
+/* Where they are too unsure: differences between neighbouring probes beyond so many times those
+ * around. */
+#define STANDS_OUT 8.0
+enum { AROUND = 4 };
 /* Of the error figure: beside a weak kink the polynomials err as the steps do. */
 #define EXPLAINED 0.5
 /* Of the slope of a polynomial, and of its values over its length. */
@@ -49,6 +53,7 @@ rot_ode_probes *rot_ode_probes_new(const rot_ode_params *p) {
 
 void rot_ode_probes_free(rot_ode_probes *q) {
   if (!q) return;
+  free(q->values);
   free(q->states);
   free(q->seen);
   free(q->low);
@@ -208,14 +213,15 @@ typedef struct difference {
 } difference;
 
 static int differs(const rot_ode_params *p, const double apart[], const double unsure[],
-                   double time, const double largest[], difference *found) {
+                   double time, const double largest[], difference *found, int *undecided) {
   double most = -1.0;
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     const double d = rot_ode_rate(g, apart), worth = d * time;
-    if (d <= UNSURE * rot_ode_rate(g, unsure) || worth <= IGNORED * p->accuracy * largest[m]) {
-      continue;
-    }
+    const double doubt = UNSURE * rot_ode_rate(g, unsure),
+                 least = IGNORED * p->accuracy * largest[m];
+    if (doubt * time > 1e3 * least && m < rot_ode_steering(p)) *undecided = 1;
+    if (d <= doubt || worth <= least) continue;
     const double part = largest[m] > 0.0 ? worth / largest[m] : INFINITY;
     if (!(part > most)) continue;
     most = part;
@@ -254,7 +260,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
     note_sight(q, piece, t, y, p->turn->driver, 0, INFINITY);
     return ROT_OK;
   }
-  if (!differs(p, apart, unsure, time, piece->largest, &found)) return ROT_OK;
+  if (!differs(p, apart, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
   /* A law that is steep in the state differs where the state is unsure. */
   int steep = 0;
   for (size_t i = 0; i < p->controlled; i++) steep |= y_unsure[i] > 0.0;
@@ -265,19 +271,104 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
     for (size_t i = 0; i < dim; i++) {
       unsure[i] += STEEP / UNSURE * fabs(moved[i] - dydt[i]);
     }
-    if (!differs(p, apart, unsure, time, piece->largest, &found)) return ROT_OK;
+    if (!differs(p, apart, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
   }
   note_sight(q, piece, t, y, found.component, found.measure, found.worth);
   return ROT_OK;
+}
+
+/* ---- probes of a piece compared among themselves --------------------------------------------- */
+
+static rot_status keep_value(rot_ode_probes *q, double t, const double y[], const double dydt[]) {
+  const size_t dim = q->p->dim, each = 1 + 2 * dim;
+  if (q->n_values == q->room) {
+    const size_t room = q->room ? 2 * q->room : 64;
+    double *more = realloc(q->values, room * each * sizeof *more);
+    if (!more) return ROT_ENOMEM;
+    q->values = more;
+    q->room = room;
+  }
+  double *at = q->values + q->n_values++ * each;
+  at[0] = t;
+  memcpy(at + 1, y, dim * sizeof *y);
+  memcpy(at + 1 + dim, dydt, dim * sizeof *dydt);
+  return ROT_OK;
+}
+
+/* At t, where the rough state is y. */
+static rot_status probe_in(rot_ode_probes *q, const rot_ode_piece *piece, double t, double y[],
+                           double dydt[]) {
+  int known;
+  rot_status status = rot_ode_probe_at(q, piece, t, dydt, &known);
+  if (status != ROT_OK || piece->held) return status;
+  for (size_t i = q->p->controlled; i < q->p->dim; i++) y[i] = 0.0;
+  if (!known) {
+    q->undecided = 1;
+    status = piece->call(piece->path, t, y, dydt);
+    if (status != ROT_OK) return status == ROT_ERHS ? ROT_OK : status;
+  }
+  return keep_value(q, t, y, dydt);
+}
+
+/* How far measure m of the slope changes from probe k to the next. */
+static double change_after(const rot_ode_probes *q, size_t k, size_t m, double change[]) {
+  const size_t dim = q->p->dim, each = 1 + 2 * dim;
+  const double *a = q->values + k * each + 1 + dim, *b = a + each;
+  for (size_t i = 0; i < dim; i++) change[i] = b[i] - a[i];
+  return rot_ode_rate(rot_ode_group_of(q->p, m), change);
+}
+
+/* The change after probe k against the median of those around it. */
+static int stands_out(const rot_ode_probes *q, size_t k, size_t m, double change[], double *d) {
+  double around[2 * AROUND];
+  size_t n = 0, above = 0;
+  *d = change_after(q, k, m, change);
+  for (size_t j = k > AROUND ? k - AROUND : 0; j + 1 < q->n_values && j <= k + AROUND; j++) {
+    if (j != k && n < 2 * AROUND) around[n++] = change_after(q, j, m, change);
+  }
+  for (size_t j = 0; j < n; j++) above += *d <= STANDS_OUT * around[j];
+  return n >= AROUND && 2 * above < n;
+}
+
+static void look_among(rot_ode_probes *q, const rot_ode_piece *piece) {
+  const size_t dim = q->p->dim, each = 1 + 2 * dim;
+  const double time = BETWEEN * fabs(piece->end - piece->t);
+  double *change = q->scratch + dim, d;
+  for (size_t k = 0; k + 1 < q->n_values; k++) {
+    for (size_t m = 0; m < rot_ode_steering(q->p); m++) {
+      if (!stands_out(q, k, m, change, &d)) continue;
+      if (!(d * time > IGNORED * q->p->accuracy * piece->largest[m])) continue;
+      const double *before = q->values + k * each, *at = before + each;
+      const double *behind = k + 2 < q->n_values ? at + each : at;
+      rot_ode_sight *s = new_sight(q, d * time);
+      if (!s) return;
+      const rot_ode_group g = rot_ode_group_of(q->p, m);
+      change_after(q, k, m, change);
+      s->component = g.first;
+      for (size_t i = 1; i < g.count; i++) {
+        if (fabs(change[g.first + i]) > fabs(change[s->component])) s->component = g.first + i;
+      }
+      s->measure = m;
+      s->worth = d * time;
+      s->mode = q->p->mode ? *q->p->mode : 0;
+      s->t[0] = before[0];
+      s->t[1] = at[0];
+      s->t[2] = behind[0];
+      memcpy(s->y, before + 1, dim * sizeof *at);
+      memcpy(s->y + dim, at + 1, dim * sizeof *at);
+      memcpy(s->y + 2 * dim, behind + 1, dim * sizeof *at);
+    }
+  }
 }
 
 rot_status rot_ode_probe(rot_ode_probes *q, const rot_ode_piece *piece) {
   const size_t n = q->p->controlled;
   const double whole = piece->end - piece->t;
   double *y = q->scratch, *dydt = q->scratch + 7 * q->p->dim;
-  int known;
   if (!q->looked || whole == 0.0) return ROT_OK;
   const size_t parts = parts_of(q, piece);
+  q->undecided = 0;
+  q->n_values = 0;
   if (parts == 0) {
     for (size_t i = 0; i <= n; i++) q->since[i] = NAN;
     return ROT_OK;
@@ -303,8 +394,9 @@ rot_status rot_ode_probe(rot_ode_probes *q, const rot_ode_piece *piece) {
     if (!due) continue;
     piece->state(piece->path, t, y);
     rot_ode_probes_cover(q, t, y);
-    const rot_status status = rot_ode_probe_at(q, piece, t, dydt, &known);
+    const rot_status status = probe_in(q, piece, t, y, dydt);
     if (status != ROT_OK) return status;
   }
+  if (q->undecided && piece->smooth && !piece->held) look_among(q, piece);
   return ROT_OK;
 }

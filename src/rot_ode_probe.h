@@ -37,6 +37,11 @@ struct rot_ode_probes {
   int looked; /* the ranges are known */
   size_t n_sights;
   rot_ode_sight sight[ROT_ODE_MOST_SIGHTS];
+  /* The probes of a piece: t, state and slope each. `undecided`: what its polynomials believe is
+   * too unsure for one of them. */
+  int undecided;
+  size_t n_values, room;
+  double *values;
   double *scratch; /* 9 dim */
   double *states;  /* of the sights */
 };
@@ -47,6 +52,7 @@ typedef struct rot_ode_piece {
   int held;             /* at rest by friction */
   size_t n_called;      /* fractions of the piece at which the steps called the law */
   const double *called; /* covered here, or by the step itself where `covered` */
+  int smooth; /* the slope changes little on the way: its values may be compared among themselves */
   int covered;
   const double *largest; /* the size of each measure so far */
   void *path;

@@ -95,6 +95,19 @@ static rot_status call_between(void *path, double t, const double y[], double dy
   return rot_ode_slope_at(t, y, dydt, w->run) == GSL_SUCCESS ? ROT_OK : w->run->status;
 }
 
+/* No transient, which dies out within: then the slopes at the ends are far from that between. */
+static int is_smooth(const between *w) {
+  const size_t dim = w->run->p->dim;
+  const double *a = rot_dense_node(&w->run->dense, w->i), *b = a + 1 + 2 * dim;
+  const double h = b[0] - a[0];
+  int smooth = 1;
+  for (size_t k = 0; k < w->run->p->controlled; k++) {
+    const double up = b[1 + k] - a[1 + k], from = h * a[1 + dim + k], to = h * b[1 + dim + k];
+    smooth &= fabs(up - 0.5 * (from + to)) <= 0.1 * fmax(fabs(from), fabs(to));
+  }
+  return smooth;
+}
+
 /* Stages of rk8pd that its error test weighs; the step has covered what they called. */
 static const double stages[] = {0.0,
                                 59.0 / 400,
@@ -113,6 +126,7 @@ static rot_ode_piece piece_between(between *w, int held) {
                          .held = held,
                          .n_called = explicit ? sizeof stages / sizeof *stages : 0,
                          .called = stages,
+                         .smooth = is_smooth(w),
                          .covered = 1,
                          .largest = w->run->largest,
                          .path = w,
