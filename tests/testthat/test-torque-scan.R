@@ -102,7 +102,7 @@ test_that("samples of a law whose breaks are given are compared with it", {
   thin <- function(t) ifelse(abs(t - 5.2013) < 0.0015, 1, 0)
   scene <- scene_axle(1, torque_function(thin, breaks_s = numeric()))
   expect_identical(trajectory(scene, c(0, 10))$omega_rad_per_s[2], 0)
-  expect_match(pillar::tbl_sum(trajectory(scene, c(0, 10)))[["Law"]], "narrower than 0.5 %")
+  expect_match(tibble::tbl_sum(trajectory(scene, c(0, 10)))[["Law"]], "narrower than 0.5 %")
   fine <- trajectory(scene, c(0, 10), resolution = 2e-4)
   expect_equal(fine$omega_rad_per_s[2], 0.003, tolerance = 1e-9)
 })
