@@ -720,7 +720,7 @@ static void check_torque_column(void) {
     ROT_CHECK_EQ_INT(
         rot_axle_integrate(&scene, &options, 1, t + ROWS - 1, &out, NULL, &ledger, NULL, &info),
         ROT_OK);
-    ROT_CHECK(with_rows <= p.calls + 1.5 * ROWS); /* some mend the polynomials */
+    ROT_CHECK(with_rows <= p.calls + ROWS + ROWS / 2); /* some mend the polynomials */
   }
 }
 

@@ -219,7 +219,7 @@ static void random_ordinary(void) {
   ROT_CHECK(w.growth <= 1e-14);
   ROT_CHECK(w.momentum <= 1e-14 && w.angular <= 1e-14);
   ROT_CHECK(w.cone <= 1e-14);
-  ROT_CHECK(w.touched > 0.4 * rot_test_trials(200000) && w.grips > 0.1 * rot_test_trials(200000));
+  ROT_CHECK(10 * w.touched > 4 * rot_test_trials(200000) && 10 * w.grips > rot_test_trials(200000));
 }
 
 /* Lengths over 1e+-2, masses over 1e+-8: the contact's inertia has a condition of up to 1e8, which
