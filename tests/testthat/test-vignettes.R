@@ -28,8 +28,11 @@ visible_chunks <- function(lines) {
   Filter(function(chunk) chunk$shown && chunk$run, all_chunks(lines))
 }
 
+# parse(text = NULL) reads standard input, which holds the commands of a parallel test process.
+parsed <- function(code) parse(text = paste(code, collapse = "\n"), keep.source = FALSE)
+
 # Names that code assigns, and all names that it has.
-names_in <- function(code) all.names(parse(text = code, keep.source = FALSE), unique = TRUE)
+names_in <- function(code) all.names(parsed(code), unique = TRUE)
 assigned_in <- function(code) {
   found <- character()
   walk <- function(x) {
@@ -41,7 +44,7 @@ assigned_in <- function(code) {
     } else if (is.expression(x)) lapply(as.list(x), walk)
     NULL
   }
-  walk(parse(text = code, keep.source = FALSE))
+  walk(parsed(code))
   unique(found)
 }
 
