@@ -151,6 +151,13 @@ test_that("energies beyond double precision give a verdict of NA, soon", {
   expect_lt(sum(spent[1:2]), 10)
 })
 
+test_that("an audit does not repeat the warning of breaks", {
+  scene <- scene_axle(1, function(t) if (t < pi) 1 else 0)
+  motion <- suppressWarnings(trajectory(scene, 0:5))
+  expect_no_warning(balances <- audit(motion))
+  expect_identical(balances$verdict, c("balanced", "balanced"))
+})
+
 test_that("an audit looks more closely at a law than the motion did", {
   # A change of 1/500 of the range between the probes of the motion: 0.2 rad of 100 rad.
   missed <- 0

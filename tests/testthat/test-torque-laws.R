@@ -75,7 +75,8 @@ test_that("a smooth law of the state takes 290 calls a swing at 1e-9", {
     off <- max(abs(motion$theta_rad - 0.8 * cos(1.3 * time_s)))
     expect_lte(off, min(info$errors[["theta"]], 0.8 * accuracy))
     expect_covered(motion, 0.8 * cos(1.3 * 60), -1.04 * sin(1.3 * 60), accuracy)
-    if (accuracy == 1e-9) expect_lt(info$rhs_calls, 4000) # 5560 by steps alone
+    # 5560 by steps alone; 241 are those of the rows, some 280 probes.
+    if (accuracy == 1e-9) expect_lt(info$rhs_calls, 4200)
     torque <- -1.69 * 0.8 * cos(1.3 * time_s)
     expect_lt(max(abs(motion$applied_torque_n_m - torque)), 10 * accuracy)
     expect_identical(audit(motion)$verdict, c("balanced", "balanced"))
