@@ -104,7 +104,7 @@ compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_step
   check_span(scene, time_s, call)
   if (!identical(accuracy, 1e-9)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
   fit <- pick_model(scene, time_s, accuracy, model, max_steps, call)
-  fit$scene$resolution <- resolution
+  if (!is.null(resolution)) fit$scene$resolution <- resolution
   if (!is.null(step_s)) {
     if (is.null(fit$record$run_with_step)) abort_no_steps(constraint_of(scene), fit$record$id, call)
     fit$record <- with_step(fit$record, step_s)
