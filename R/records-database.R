@@ -264,7 +264,9 @@ lock_tables <- function(db) {
 # A file that appears with all of its tables, or not at all: made under another name beside it. NULL
 # where another session was faster, or the disk has no second names for files.
 make_file <- function(path, call) {
-  part <- tempfile(".rotdyn-", suppressWarnings(dirname(path)))
+  folder <- tryCatch(suppressWarnings(dirname(path)), error = function(e) NULL)
+  if (is.null(folder)) return(NULL) # too long for a path: connecting says so
+  part <- tempfile(".rotdyn-", folder)
   on.exit(unlink(paste0(part, c("", "-journal"))))
   db <- connect_records(part, call, made = FALSE)
   made <- tryCatch(make_tables(db, call), finally = db$close())
