@@ -4,7 +4,7 @@
 #' smallest, in per cent: a panel for each result. Where quantities are correlated a share may be
 #' negative; they sum to 100 %.
 #'
-#' @param object What [uncertainty_budget()] returned, or a moment of inertia of
+#' @param object A budget, from [uncertainty_budget()], or a moment of inertia of
 #'   [inertia_torsion()] and its relatives.
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.

@@ -4,7 +4,7 @@
 #' (thin), over the pooled period with its 95 % interval as a band. Groups left out are crosses;
 #' those beyond the plot, as miscounts are, stand at its edge with their value.
 #'
-#' @param object What [pool_periods()] returned.
+#' @param object Pooled periods, from [pool_periods()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
