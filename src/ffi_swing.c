@@ -69,15 +69,18 @@ SEXP ffi_noise(SEXP times, SEXP columns, SEXP residual, SEXP limits) {
   return ffi_numbers(5, numbers);
 }
 
-/* Whitened columns, at most 15, as given to ffi_noise(). `noise`: tau, white share. */
+/* Whitened columns, at most ROT_WHITEN_COLUMNS, as given to ffi_noise(). `noise`: tau, share that
+ * is white. */
 SEXP ffi_whiten(SEXP times, SEXP columns, SEXP noise) {
   const double *t = ffi_reals(times, "times", -1), *x = ffi_reals(noise, "noise", 2);
   const R_xlen_t n = XLENGTH(times), size = XLENGTH(columns);
   const rot_noise law = {x[0], x[1]};
   SEXP out = PROTECT(Rf_allocVector(REALSXP, size));
   memcpy(REAL(out), ffi_reals(columns, "columns", size), (size_t)size * sizeof(double));
-  if (n > 0 && size % n == 0 && size / n < 16)
-    rot_whiten(&law, (size_t)n, t, (size_t)(size / n), REAL(out));
+  const size_t count = n > 0 ? (size_t)(size / n) : 0;
+  if (size != (R_xlen_t)count * n ||
+      rot_whiten(&law, (size_t)n, t, count, REAL(out), NULL) != ROT_OK)
+    Rf_error("internal: a wrong number of columns");
   UNPROTECT(1);
   return out;
 }

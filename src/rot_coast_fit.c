@@ -138,7 +138,7 @@ static int call_f(const gsl_vector *x, void *data, gsl_vector *f) {
     w->r[i] = residual_at(w, i, uneven, NULL);
     fits = fabs(w->r[i]) < REFUSED;
   }
-  if (fits) rot_whiten(w->noise, n, w->record->t, 1, w->r);
+  if (fits) fits = rot_whiten(w->noise, n, w->record->t, 1, w->r, NULL) == ROT_OK;
   for (size_t i = 0; i < n; i++) gsl_vector_set(f, i, fits ? w->r[i] : REFUSED);
   return GSL_SUCCESS;
 }
@@ -148,7 +148,7 @@ static int call_df(const gsl_vector *x, void *data, gsl_matrix *jacobian) {
   const size_t n = w->record->n, m = w->columns;
   take(w, x);
   if (linearise(w) != ROT_OK) return GSL_EFAILED;
-  rot_whiten(w->noise, n, w->record->t, m, w->j);
+  if (rot_whiten(w->noise, n, w->record->t, m, w->j, NULL) != ROT_OK) return GSL_EFAILED;
   for (size_t i = 0; i < n; i++)
     memcpy(jacobian->data + i * jacobian->tda, w->j + i * m, m * sizeof(double));
   return GSL_SUCCESS;
@@ -385,10 +385,9 @@ static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
   if (n < w->columns + 12 || work_begin(&all, record, with, fit->p, &fit->reml.noise) != ROT_OK) {
     return;
   }
-  if (linearise(&all) == ROT_OK) {
-    const size_t m = all.columns;
-    rot_whiten(all.noise, n, record->t, m, all.j);
-    rot_whiten(all.noise, n, record->t, 1, all.r);
+  const size_t m = all.columns;
+  if (linearise(&all) == ROT_OK && rot_whiten(all.noise, n, record->t, m, all.j, NULL) == ROT_OK &&
+      rot_whiten(all.noise, n, record->t, 1, all.r, NULL) == ROT_OK) {
     /* Gram-Schmidt: what of the residual the columns explain one after the other. */
     double explained = 0.0, rest = 0.0, coefficient[ALL] = {0}, r[ALL][ALL] = {{0}};
     double size[ALL] = {0};

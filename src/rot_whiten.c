@@ -7,8 +7,6 @@
 
 /* ---- the filter ----------------------------------------------------------------------------- */
 
-enum { MOST_COLUMNS = 16 };
-
 typedef struct filter {
   double slow, white; /* variances */
   double tau;
@@ -31,9 +29,12 @@ static double filter_wait(filter *f, double h) {
   return f->decay;
 }
 
-double rot_whiten(const rot_noise *noise, size_t n, const double t[], size_t columns, double x[]) {
-  double state[MOST_COLUMNS] = {0}, logdet = 0.0;
-  if (!(noise->tau_s > 0.0) || noise->white >= 1.0) return 0.0;
+rot_status rot_whiten(const rot_noise *noise, size_t n, const double t[], size_t columns,
+                      double x[], double *logdet) {
+  double state[ROT_WHITEN_COLUMNS] = {0}, sum = 0.0;
+  if (columns > ROT_WHITEN_COLUMNS) return ROT_EVALUE;
+  if (logdet) *logdet = 0.0;
+  if (!(noise->tau_s > 0.0) || noise->white >= 1.0) return ROT_OK;
   filter f = filter_from(noise);
   for (size_t i = 0; i < n; i++) {
     const double decay = i > 0 ? filter_wait(&f, t[i] - t[i - 1]) : 1.0;
@@ -46,9 +47,10 @@ double rot_whiten(const rot_noise *noise, size_t n, const double t[], size_t col
       state[j] = ahead + k * v;
     }
     f.spread *= f.white / variance;
-    logdet += log(variance);
+    sum += log(variance);
   }
-  return logdet;
+  if (logdet) *logdet = sum;
+  return ROT_OK;
 }
 
 /* ---- the likelihood ------------------------------------------------------------------------- */
@@ -65,7 +67,7 @@ typedef struct problem {
 
 /* log det of the leading p x p of the Gram matrix g, and the square of what its last column has
  * outside the span of the others. */
-static double reduce(size_t p, double g[MOST_COLUMNS][MOST_COLUMNS], double *rest) {
+static double reduce(size_t p, double g[ROT_WHITEN_COLUMNS][ROT_WHITEN_COLUMNS], double *rest) {
   double logdet = 0.0;
   for (size_t j = 0; j < p; j++) {
     const double d = g[j][j];
@@ -86,9 +88,9 @@ static double reduce(size_t p, double g[MOST_COLUMNS][MOST_COLUMNS], double *res
 /* Minus twice the restricted log likelihood, sigma profiled out. */
 static double deviance(problem *q, const rot_noise *noise) {
   const size_t n = q->n, p = q->p, m = p + 1;
-  double g[MOST_COLUMNS][MOST_COLUMNS] = {{0}}, rest = 0.0;
+  double g[ROT_WHITEN_COLUMNS][ROT_WHITEN_COLUMNS] = {{0}}, rest = 0.0;
   memcpy(q->work, q->z, n * m * sizeof(double));
-  q->logdet = rot_whiten(noise, n, q->t, m, q->work);
+  if (rot_whiten(noise, n, q->t, m, q->work, &q->logdet) != ROT_OK) return DBL_MAX;
   for (size_t i = 0; i < n; i++) {
     const double *row = q->work + i * m;
     for (size_t j = 0; j < m; j++) {
@@ -287,7 +289,7 @@ rot_status rot_whiten_reml(size_t n, const double t[], size_t p, const double J[
                            double cap_s, double threshold, const rot_noise *near,
                            const rot_hooks *hooks, rot_reml *out) {
   *out = (rot_reml){{0.0, 1.0}, 0.0, 0.0, 0, 0};
-  if (p + 1 > MOST_COLUMNS) return ROT_EVALUE;
+  if (p + 1 > ROT_WHITEN_COLUMNS) return ROT_EVALUE;
   if (n < p + 4) return ROT_OK;
   double *z = malloc(2 * n * (p + 1) * sizeof *z);
   if (!z) return ROT_ENOMEM;

@@ -47,7 +47,8 @@ static void check_dense(void) {
         want[2 * i + c] /= l[i][i];
       }
     }
-    ROT_CHECK(fabs(rot_whiten(&noise, N, t, 2, x) - logdet) < 1e-11);
+    double got = NAN;
+    ROT_CHECK(rot_whiten(&noise, N, t, 2, x, &got) == ROT_OK && fabs(got - logdet) < 1e-11);
     for (int i = 0; i < 2 * N; i++) ROT_CHECK(fabs(x[i] - want[i]) < 1e-11);
   }
 }
@@ -56,9 +57,25 @@ static void check_white(void) {
   const rot_noise white[2] = {{0.0, 0.3}, {1.0, 1.0}};
   const double t[3] = {0.0, 1.0, 2.0};
   for (int i = 0; i < 2; i++) {
-    double x[3] = {1.0, -2.0, 3.0};
-    ROT_CHECK(rot_whiten(white + i, 3, t, 1, x) == 0.0 && x[0] == 1.0 && x[2] == 3.0);
+    double x[3] = {1.0, -2.0, 3.0}, logdet = NAN;
+    ROT_CHECK(rot_whiten(white + i, 3, t, 1, x, &logdet) == ROT_OK);
+    ROT_CHECK(logdet == 0.0 && x[0] == 1.0 && x[2] == 3.0);
   }
+}
+
+/* The most columns at once give what each gives alone; one more is refused, and nothing changes. */
+static void check_most_columns(void) {
+  enum { MOST = ROT_WHITEN_COLUMNS };
+  const rot_noise noise = {0.4, 0.3};
+  double t[3] = {0.0, 0.1, 0.3}, x[3 * MOST], alone[3], many[3 * (MOST + 1)];
+  for (int i = 0; i < 3 * MOST; i++) x[i] = sin(i + 1.0);
+  for (int i = 0; i < 3; i++) alone[i] = x[i * MOST + MOST - 1];
+  ROT_CHECK(rot_whiten(&noise, 3, t, MOST, x, NULL) == ROT_OK);
+  ROT_CHECK(rot_whiten(&noise, 3, t, 1, alone, NULL) == ROT_OK);
+  for (int i = 0; i < 3; i++) ROT_CHECK(x[i * MOST + MOST - 1] == alone[i]);
+  for (int i = 0; i < 3 * (MOST + 1); i++) many[i] = i;
+  ROT_CHECK(rot_whiten(&noise, 3, t, MOST + 1, many, NULL) == ROT_EVALUE);
+  for (int i = 0; i < 3 * (MOST + 1); i++) ROT_CHECK(many[i] == i);
 }
 
 /* Twice the restricted log likelihood of r for the columns J = (1, t), by the definition:
@@ -144,6 +161,7 @@ static void check_columns(void) {
 int main(void) {
   check_dense();
   check_white();
+  check_most_columns();
   check_reml();
   check_columns();
   return rot_test_report("whiten");
