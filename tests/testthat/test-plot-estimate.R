@@ -25,6 +25,21 @@ test_that("the picture has four panels with bands, breaks, samples and crosses",
   expect_equal(length(unique(line$group)), 2)
 })
 
+test_that("segments are drawn apart, lines and bands", {
+  time <- c(0:40, 140:180) / 20
+  set.seed(2)
+  record <- motion_record(
+    data.frame(t = time, a = 2 * time + stats::rnorm(82, sd = 1e-3), s = rep(1:2, each = 41)),
+    time_s = t, theta_rad = a, segment = s
+  )
+  built <- ggplot2::ggplot_build(ggplot2::autoplot(estimate_motion(record, breaks = "none")))
+  for (layer in built$data[4:5]) { # the band, the line
+    expect_gt(nrow(layer), 100)
+    apart <- tapply(layer$x, list(layer$PANEL, layer$group), function(x) max(diff(x)))
+    expect_lt(max(apart, na.rm = TRUE), 0.06)
+  }
+})
+
 test_that("units and a torque are drawn where asked for", {
   plot <- ggplot2::autoplot(struck_motion(0.2), units = c("degree", "rpm"))
   levels <- levels(plot$data$panel)
