@@ -170,7 +170,7 @@ column_list <- list(
   ),
   c(
     "coupling_torque_n_m", "N m",
-    "torque of the coupling behind the rotor, on the next one before the ratio; NA for the last"
+    "torque of the coupling behind the rotor, on the next before ratio and loss; NA for the last"
   ),
   c("x_m", "m", "x in the own axes; of a motion, the path down the slope"),
   c("v_m_per_s", "m/s", "velocity of the centre of mass, positive down the slope"),

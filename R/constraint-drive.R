@@ -147,7 +147,7 @@ balance_drive <- function(x, run, call) {
   error <- run$info$errors[["omega"]] + eps * max(abs(unlist(omega)))
   twist <- drive_elastic(scene, omega, at("coupling_torque_n_m"), sums[1, "twist_error_rad"], error)
   momentum <- sum(inertia * (omega[[2]] - omega[[1]]))
-  flows <- abs(sums[, c("work_j", "resistance_j", "brake_j", "damper_j", "clutch_j")])
+  flows <- abs(sums[, c("work_j", drive_heats(sums))])
   impulses <- vapply(
     c("torque_impulse_n_m_s", "resistance_impulse_n_m_s", "housing_impulse_n_m_s"), flow, double(1)
   )
@@ -161,7 +161,8 @@ balance_drive <- function(x, run, call) {
       c("work of the torques" = flow("work_j")),
       c(
         "heat of resistance and brakes" = sum(heat[[2]] - heat[[1]]),
-        "heat of dampers" = behind(kind == 0), "heat of clutches" = behind(kind == 1)
+        "heat of dampers" = behind(kind == 0), "heat of clutches" = behind(kind == 1),
+        if (any(vapply(scene$couplings, loses_power, NA))) c("heat of gears" = behind(kind == 2))
       ),
       sums[1, "work_error_j"] + sums[1, "heat_error_j"] + twist$rounding +
         sum(inertia * (abs(omega[[1]]) + abs(omega[[2]]))) * error + 8 * eps * sum(flows)
@@ -211,7 +212,7 @@ augment_drive <- function(x, run, edges, call) {
   list(
     power_w = x[["applied_torque_n_m"]] * x$omega_rad_per_s,
     work_j = since_first("work_j"),
-    dissipated_j = since_first(c("resistance_j", "brake_j", "damper_j", "clutch_j")),
+    dissipated_j = since_first(drive_heats(sums)),
     torque_impulse_n_m_s = since_first("torque_impulse_n_m_s"),
     damping_impulse_n_m_s = since_first("resistance_impulse_n_m_s")
   )
@@ -232,7 +233,8 @@ conserved_drive <- function(scene) {
   list(
     keeps_unless("energy", NA_character_, c(causes, list(
       "a shaft is damped" = any_of(couplings, function(coupling) coupling$damping_n_m_s != 0),
-      "a clutch may slip: heat" = any(kind == 1)
+      "a clutch may slip: heat" = any(kind == 1),
+      "a gear has a loss" = any_of(couplings, loses_power)
     )), "the shafts give back what they take: kinetic plus elastic energy stays"),
     keeps_unless("angular_momentum", "the axis", c(causes, list(
       "the housings of the gears take a torque" =

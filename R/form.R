@@ -83,7 +83,8 @@ rotor_form <- list(
 
 coupling_form <- list(
   .class = "rot_coupling", kind = "number", ratio = "number", stiffness_n_m_per_rad = "number",
-  damping_n_m_s = "number", grip = c(grip_parts, .optional = TRUE)
+  damping_n_m_s = "number", grip = c(grip_parts, .optional = TRUE),
+  efficiency = "number?"
 )
 
 # The attributes of a matrix.

@@ -250,7 +250,7 @@ drive_exact_sums <- function(scene, solve, time_s, info, call) {
   whole <- function(at) rowSums(sums$value[, at, drop = FALSE])
   cbind(
     time_s = time_s, work_j = sums$value[, 1], resistance_j = whole(rotors), brake_j = 0,
-    damper_j = whole(couplings[u$kind == 0]), clutch_j = whole(couplings[u$kind == 1]),
+    damper_j = whole(couplings[u$kind == 0]), clutch_j = whole(couplings[u$kind == 1]), mesh_j = 0,
     torque_impulse_n_m_s = sums$value[, 2], resistance_impulse_n_m_s = sums$value[, 3],
     housing_impulse_n_m_s = sums$value[, 4], work_error_j = off[1],
     heat_error_j = sum(off[c(rotors, couplings)]),

@@ -71,8 +71,12 @@ drive_ledger <- function(scene, run, from_s, to_s) {
   sums <- drive_sums(scene, run, c(from_s, to_s))
   if (is.null(sums)) return(c(work_j = NA_real_, dissipated_j = NA_real_))
   flow <- sums[2, ] - sums[1, ]
-  heat <- c("resistance_j", "brake_j", "damper_j", "clutch_j")
-  c(flow["work_j"], dissipated_j = sum(flow[heat]))
+  c(flow["work_j"], dissipated_j = sum(flow[drive_heats(sums)]))
+}
+
+# The columns of a ledger that are heat; a ledger of version 0.5.0 has none of gears.
+drive_heats <- function(sums) {
+  intersect(c("resistance_j", "brake_j", "damper_j", "clutch_j", "mesh_j"), colnames(sums))
 }
 
 # The ledger since the start at these times (increasing), a row each: that of the run, or of another

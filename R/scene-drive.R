@@ -8,11 +8,17 @@
 #' * `coupling_clutch()`: dry friction. While it slips, `T = capacity sign(slip)` with
 #'   `slip = omega_i - ratio omega_(i+1)`; at no slip it locks while the torque that keeps it so is
 #'   at most `static_ratio capacity`.
-#' * `coupling_gear()`: rigid, without backlash and without loss: `omega_i = ratio omega_(i+1)`. A
-#'   train with an efficiency, under constant torques, is [scene_gears()].
+#' * `coupling_gear()`: rigid, without backlash: `omega_i = ratio omega_(i+1)`. Of the power that
+#'   enters it the share `efficiency` leaves it, whichever of its two shafts it comes from, as in
+#'   [scene_gears()]: rotor `i + 1` takes `ratio T efficiency` where `T omega_i > 0`,
+#'   `ratio T/efficiency` where `T omega_i < 0`. It is all of the power through the gear, the inertia
+#'   behind it included. A loss resists either rotation: at rest it holds like dry friction in
+#'   proportion to the torque that passes, so that a load may fail to drive its motor.
 #' * `brake()`: a clutch to ground.
 #'
-#' `T` acts on rotor `i + 1` times `ratio`, on rotor `i` as `-T`; the housing takes the rest.
+#' `T` acts on rotor `i + 1` times `ratio`, on rotor `i` as `-T`; the housing takes the rest. A
+#' drive of gears with a loss has no clutches: the torque of a locked clutch between two such gears
+#' may have several values.
 #'
 #' With static above sliding friction, loads that begin at once may allow several answers: which of
 #' two clutches slips, and which holds. The one that is loaded most, of what it holds, gives way
@@ -21,6 +27,7 @@
 #' @param stiffness_n_m_per_rad,damping_n_m_s Stiffness and damping of the shaft at rotor `i`, at
 #'   least 0.
 #' @param ratio One number, not 0.
+#' @param efficiency Power out of the gear over power into it, in (0, 1].
 #' @param capacity_n_m Torque of the slipping clutch or brake: one number in N m, at least 0, or a
 #'   torque law of the normal force in time; `torque_curve()` and functions of three arguments are
 #'   called with the slip speed (0 where it sticks) as omega, with the angle of rotor `i` as theta.
@@ -40,7 +47,7 @@
 #' @examples
 #' coupling_shaft(800, 0.05, ratio = 5)
 #' coupling_clutch(torque_knots(c(0, 1), c(0, 30), outside = "hold"), static_ratio = 1.2)
-#' coupling_gear(-3)
+#' coupling_gear(-3, efficiency = 0.97)
 #' brake(12, from_s = 2, to_s = 3.5)
 #' @name couplings
 NULL
@@ -70,11 +77,19 @@ coupling_clutch <- function(capacity_n_m, ..., static_ratio = 1, ratio = 1, from
 
 #' @rdname couplings
 #' @export
-coupling_gear <- function(ratio, ...) {
+coupling_gear <- function(ratio, ..., efficiency = 1) {
   call <- check_no_dots(...)
   check_supplied("ratio", call)
-  new_coupling(2, check_ratio(ratio, call), 0, 0, NULL)
+  coupling <- new_coupling(2, check_ratio(ratio, call), 0, 0, NULL)
+  efficiency <- check_number(efficiency, "efficiency", "1", call)
+  if (efficiency <= 0 || efficiency > 1) {
+    abort_domain(efficiency, "efficiency", "1", call, 0, 1, TRUE)
+  }
+  if (efficiency < 1) coupling$efficiency <- efficiency
+  coupling
 }
+
+loses_power <- function(coupling) !is.null(coupling[["efficiency"]])
 
 #' @rdname couplings
 #' @export
@@ -244,6 +259,17 @@ check_couplings <- function(couplings, n, call) {
     )
     check_coupling(couplings[[i]], paste0("couplings[[", i, "]]"), call)
   }
+  clutch <- Position(function(coupling) coupling$kind == 1, couplings)
+  lossy <- Position(loses_power, couplings)
+  if (!is.na(clutch) && !is.na(lossy)) {
+    abort_rotdyn(c(
+      "A drive with a clutch takes gears of efficiency 1 only.",
+      x = "Coupling {clutch} is a clutch, coupling {lossy} a gear of efficiency
+           {format(couplings[[lossy]]$efficiency)}.",
+      i = "Give the loss as a {.fn resistance} of a rotor, or replace the clutch by a
+           {.fn coupling_shaft}."
+    ), "value", call)
+  }
   unname(couplings)
 }
 
@@ -318,7 +344,10 @@ describe_grip <- function(x) {
 
 describe_coupling <- function(x) {
   ratio <- paste("ratio", format_si(x$ratio))
-  if (x$kind == 2) return(paste("gear,", ratio))
+  if (x$kind == 2) {
+    loss <- if (loses_power(x)) paste0(", efficiency ", format_si(x$efficiency))
+    return(paste0("gear, ", ratio, loss))
+  }
   what <- if (x$kind == 1) {
     paste("clutch,", describe_grip(x$grip))
   } else {

@@ -183,6 +183,8 @@ text_node.rot_coupling <- function(x, where, call) {
     list(coupling_clutch = text_form(function(x) {
       c(grip_arguments(x$grip), list(ratio = x$ratio))
     }, coupling_clutch)),
-    list(coupling_gear = text_form(function(x) list(ratio = x$ratio), coupling_gear))
+    list(coupling_gear = text_form(function(x) {
+      c(list(ratio = x$ratio), list(efficiency = x[["efficiency"]])[loses_power(x)])
+    }, coupling_gear))
   ), where, call)
 }

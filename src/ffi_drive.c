@@ -76,13 +76,15 @@ static rot_drive_scene read_scene(SEXP list, calls *c) {
     if (i + 1 == n) break;
     SEXP joint = VECTOR_ELT(couplings, i);
     const double kind = ffi_number_of(joint, "kind");
-    coupling[i] = (rot_drive_coupling){kind > 1.5   ? ROT_DRIVE_GEAR
-                                       : kind > 0.5 ? ROT_DRIVE_CLUTCH
-                                                    : ROT_DRIVE_SHAFT,
-                                       ffi_number_of(joint, "ratio"),
-                                       ffi_number_of(joint, "stiffness_n_m_per_rad"),
-                                       ffi_number_of(joint, "damping_n_m_s"),
-                                       grip_of(ffi_element(joint, "grip"), c, "couplings", i)};
+    coupling[i] = (rot_drive_coupling){
+        kind > 1.5   ? ROT_DRIVE_GEAR
+        : kind > 0.5 ? ROT_DRIVE_CLUTCH
+                     : ROT_DRIVE_SHAFT,
+        ffi_number_of(joint, "ratio"),
+        ffi_number_of(joint, "stiffness_n_m_per_rad"),
+        ffi_number_of(joint, "damping_n_m_s"),
+        grip_of(ffi_element(joint, "grip"), c, "couplings", i),
+        Rf_isNull(ffi_element(joint, "efficiency")) ? 1.0 : ffi_number_of(joint, "efficiency")};
   }
   return (rot_drive_scene){(size_t)n, rotor, brake, coupling, ffi_number_of(list, "start_s")};
 }

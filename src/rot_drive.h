@@ -4,7 +4,8 @@
  *   J_i omega_i' = torque_i + resistance_i + ratio_(i-1) T_(i-1) - T_i,
  *   shaft:  T = k (theta_i - ratio theta_(i+1)) + c (omega_i - ratio omega_(i+1))
  *   clutch: T = capacity sign(slip) while it slips, at most the static capacity while it is locked
- *   gear:   T keeps omega_i = ratio omega_(i+1)
+ *   gear:   T keeps omega_i = ratio omega_(i+1); with an efficiency, the next rotor takes
+ *           ratio T efficiency where T omega_i > 0, ratio T/efficiency where T omega_i < 0
  *
  * Its scene, columns and ledger. */
 #ifndef ROT_DRIVE_H
@@ -28,6 +29,7 @@ typedef struct rot_drive_coupling {
   double ratio; /* not 0 */
   double stiffness_n_m_per_rad, damping_n_m_s;
   rot_drive_grip grip;
+  double efficiency; /* of a gear, (0, 1]; 0 counts as 1 */
 } rot_drive_coupling;
 
 typedef struct rot_drive_scene {
@@ -47,7 +49,7 @@ typedef struct rot_drive_scene {
   X(double, rotational_kinetic_energy_j)                                                           \
   X(double, applied_torque_n_m)                                                                    \
   X(double, damping_torque_n_m)  /* resistance and brake */                                        \
-  X(double, coupling_torque_n_m) /* on the next rotor, before the ratio */                         \
+  X(double, coupling_torque_n_m) /* on the coupling: on the next rotor before ratio and loss */    \
   X(int, locked)                 /* a clutch: it sticks */                                         \
   X(double, heat_j)              /* of resistance and brake, since the start */                    \
   X(double, coupling_heat_j)
@@ -65,6 +67,7 @@ typedef struct rot_drive_columns {
   X(brake_j)                                                                                       \
   X(damper_j)                                                                                      \
   X(clutch_j)                                                                                      \
+  X(mesh_j) /* of gears with a loss */                                                             \
   X(torque_impulse_n_m_s)                                                                          \
   X(resistance_impulse_n_m_s) /* brakes included */                                                \
   X(housing_impulse_n_m_s)    /* of what holds the gears */

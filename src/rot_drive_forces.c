@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rot_drive_mesh.h"
 #include "rot_real.h"
 
 /* ---- the system ------------------------------------------------------------------------------ */
@@ -29,6 +30,8 @@ static void find_units(rot_drive_system *s) {
     u->end = i + 1;
     u->scale = fmin(u->scale, fabs(s->product[i]));
     u->quadratic |= scene->rotor[i].quadratic_n_m_s2 != 0.0;
+    u->lossy |= joined && rot_drive_mesh_loses(&scene->coupling[i - 1]);
+    s->passed[i] = 1.0;
     s->unit_of[i] = s->m - 1;
   }
   for (size_t i = 0; i < s->n; i++) {
@@ -41,7 +44,7 @@ static void find_units(rot_drive_system *s) {
 static void find_contacts(rot_drive_system *s) {
   const rot_drive_scene *scene = s->scene;
   for (size_t u = 0; u < s->m; u++) {
-    int dry = 0;
+    int dry = s->unit[u].lossy;
     for (size_t i = s->unit[u].first; i < s->unit[u].end; i++) dry |= has_dry(scene, i);
     if (!dry) continue;
     s->unit[u].ground = s->n_contacts;
@@ -66,10 +69,10 @@ rot_status rot_drive_system_new(rot_drive_system *s, const rot_drive_scene *scen
   memset(s, 0, sizeof *s);
   s->scene = scene;
   s->n = n;
-  double **numbers[] = {&s->product, &s->share, &s->applied, &s->smooth,
-                        &s->dry,     &s->brake, &s->dry_cap, &s->torque,
-                        &s->force,   &s->size,  &s->hold,    &s->brake_cap,
-                        &s->alpha,   &s->low,   &s->high,    &s->acceleration};
+  double **numbers[] = {&s->product,      &s->share,     &s->applied, &s->smooth, &s->dry,
+                        &s->brake,        &s->dry_cap,   &s->torque,  &s->force,  &s->size,
+                        &s->hold,         &s->brake_cap, &s->alpha,   &s->low,    &s->high,
+                        &s->acceleration, &s->passed};
   enum { COUNT = sizeof numbers / sizeof *numbers };
   double *memory = calloc(n * (COUNT + 2), sizeof *memory);
   size_t *indices = calloc(3 * n, sizeof *indices);
@@ -318,12 +321,26 @@ static void share_hold(rot_drive_system *s, size_t u) {
   }
 }
 
+static void lossy_unit(rot_drive_system *s, size_t u, const double y[], const signed char mode[],
+                       int held) {
+  const size_t ground = s->unit[u].ground;
+  if (!held) {
+    const double way = slip_sign(mode[ground], y[s->m + u]);
+    rot_drive_mesh_turns(s, u, way != 0.0 ? way : s->force[u] < 0.0 ? -1.0 : 1.0);
+    return;
+  }
+  double capacity, load;
+  rot_drive_mesh_rests(s, u, &capacity, &load);
+  s->capacity[ground] = capacity;
+  note_margin(s, capacity / s->unit[u].scale, load / s->unit[u].scale, u, u, 1);
+}
+
 /* Inside a unit the gears carry what the rotors' own balance leaves. */
 static void gear_torques(rot_drive_system *s) {
   const rot_drive_coupling *c = s->scene->coupling;
   for (size_t i = 0; i < s->n; i++) {
     s->alpha[i] = s->share[i] * s->acceleration[s->unit_of[i]];
-    if (i + 1 == s->n || c[i].kind != ROT_DRIVE_GEAR) continue;
+    if (i + 1 == s->n || c[i].kind != ROT_DRIVE_GEAR || s->unit[s->unit_of[i]].lossy) continue;
     const double from = i ? c[i - 1].ratio * s->torque[i - 1] : 0.0;
     s->torque[i] = s->applied[i] + s->smooth[i] + s->dry[i] + s->brake[i] + from -
                    s->scene->rotor[i].linear.inertia_kg_m2 * s->alpha[i];
@@ -340,6 +357,9 @@ rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
   rot_status status = rotor_torques(s, t, y, mode);
   if (status == ROT_OK) status = coupling_torques(s, t, y, mode);
   if (status != ROT_OK) return status;
+  for (size_t u = 0; u < s->m; u++) {
+    if (s->unit[u].lossy) s->size[u] *= rot_drive_mesh_gain(s, &s->unit[u]);
+  }
   for (size_t from = 0; from < s->m;) {
     size_t to = from;
     while (joined(s, to, mode)) to++;
@@ -347,7 +367,10 @@ rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
     for (size_t u = from; u <= to; u++) {
       held |= s->unit[u].ground != SIZE_MAX && mode[s->unit[u].ground] == ROT_DRIVE_STICKS;
     }
-    if (held) {
+    if (s->unit[from].lossy) { /* no clutch joins it to others */
+      lossy_unit(s, from, y, mode, held);
+      held = 0;
+    } else if (held) {
       held_group(s, from, to, mode);
     } else {
       free_group(s, from, to, mode);

@@ -20,6 +20,7 @@ typedef struct rot_drive_unit {
   double inertia;    /* at its coordinate */
   size_t ground;     /* contact; SIZE_MAX: none */
   int quadratic;     /* it has quadratic drag */
+  int lossy;         /* a gear of it has a loss */
 } rot_drive_unit;
 
 typedef struct rot_drive_contact {
@@ -52,6 +53,7 @@ typedef struct rot_drive_system {
   double *dry, *brake;         /* n: dry friction and brake on the rotor, with sign */
   double *dry_cap, *brake_cap; /* n: capacities, static where the contact sticks */
   double *torque;              /* n - 1: T of the couplings */
+  double *passed;              /* n - 1: the part of T that the next rotor takes */
   double *capacity;     /* contacts, at the rotor before a clutch, at the unit's coordinate */
   double *force, *size; /* m: all known torques on a unit at its coordinate; their sizes */
   double *hold;         /* m: of the ground where it sticks, likewise */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "rot_drive.h"
+#include "rot_drive_mesh.h"
 #include "rot_search.h"
 
 /* ---- effects --------------------------------------------------------------------------------- */
@@ -17,7 +17,8 @@ enum {
   QUADRATIC = 1 << 6,
   FRICTION = 1 << 7,
   BRAKE = 1 << 8,
-  ALL = (1 << 9) - 1
+  MESH = 1 << 9,
+  ALL = (1 << 10) - 1
 };
 
 static const rot_effect effects[] = {{"torque", "constant torques", 0, 0},
@@ -28,7 +29,8 @@ static const rot_effect effects[] = {{"torque", "constant torques", 0, 0},
                                      {"viscous", "viscous resistance", 0, 0},
                                      {"quadratic", "quadratic drag", 0, 0},
                                      {"friction", "dry friction", 0, 0},
-                                     {"brake", "a brake", 0, 0}};
+                                     {"brake", "a brake", 0, 0},
+                                     {"mesh", "a gear with a loss", 0, 0}};
 
 static unsigned torque_effects(const rot_axle_scene *r) {
   const rot_torque *torque = &r->linear.torque;
@@ -52,6 +54,7 @@ static unsigned effects_of(const void *of) {
     if (c->kind == ROT_DRIVE_SHAFT) mask |= SHAFT;
     if (c->kind == ROT_DRIVE_CLUTCH) mask |= CLUTCH;
     if (c->kind == ROT_DRIVE_GEAR || c->ratio != 1.0) mask |= GEAR;
+    if (rot_drive_mesh_loses(c)) mask |= MESH;
   }
   return mask;
 }
@@ -61,7 +64,7 @@ static unsigned effects_of(const void *of) {
 static const char *not_integrated(const void *of, const rot_query *query) {
   const rot_drive_scene *scene = of;
   const int before = query->n && query->time_s[0] < scene->start_s;
-  return before && (effects_of(of) & (CLUTCH | FRICTION | BRAKE))
+  return before && (effects_of(of) & (CLUTCH | FRICTION | BRAKE | MESH))
              ? "it cannot run backwards from the scene's start"
              : NULL;
 }

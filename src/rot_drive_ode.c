@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "rot_drive_contact.h"
+#include "rot_drive_mesh.h"
 #include "rot_ode.h"
 #include "rot_real.h"
 #include "rot_search.h"
@@ -62,9 +63,11 @@ static rot_status drive_rhs(double t, const double y[], double dydt[], void *ctx
       heat = c->damping_n_m_s * rate * rate;
     } else if (c->kind == ROT_DRIVE_CLUTCH) {
       heat = mode[s->contact_of[i]] == ROT_DRIVE_STICKS ? 0.0 : s->torque[i] * y[s->state_of[i]];
+    } else {
+      heat = (1.0 - s->passed[i]) * s->torque[i] * omega;
     }
     dydt[m->coupling_at + i] = heat;
-    housing += (c->ratio - 1.0) * s->torque[i];
+    housing += (c->ratio * s->passed[i] - 1.0) * s->torque[i];
   }
   dydt[s->state + WORK] = work;
   dydt[s->state + TORQUE] = torque;
@@ -287,13 +290,15 @@ static int law_has_curve(const rot_axle_scene *law) {
   return 0;
 }
 
-/* A capacity that is no piecewise linear function of time has a kink where it reaches 0. */
+/* A capacity that is no piecewise linear function of time has a kink where it reaches 0, a gear
+ * with a loss where the power through it turns. */
 static int has_kinks(const rot_drive_scene *scene) {
   int kinks = 0;
   for (size_t i = 0; i < scene->n; i++) {
     const rot_drive_grip *grip[] = {&scene->brake[i],
                                     i + 1 < scene->n ? &scene->coupling[i].grip : NULL};
     kinks |= law_has_curve(&scene->rotor[i]);
+    kinks |= i + 1 < scene->n && rot_drive_mesh_loses(&scene->coupling[i]);
     for (int k = 0; k < 2; k++) {
       kinks |=
           grip[k] && grip[k]->acts && (grip[k]->law.n_terms || grip[k]->law.linear.torque.call);
@@ -389,13 +394,14 @@ static rot_status fill_row(motion *m, size_t row, double t, double y[],
   sums->torque_impulse_n_m_s[row] = y[s->state + TORQUE];
   sums->resistance_impulse_n_m_s[row] = y[s->state + RESISTANCE];
   sums->housing_impulse_n_m_s[row] = y[s->state + HOUSING];
-  sums->resistance_j[row] = sums->brake_j[row] = sums->damper_j[row] = sums->clutch_j[row] = 0.0;
+  sums->resistance_j[row] = sums->brake_j[row] = 0.0;
+  sums->damper_j[row] = sums->clutch_j[row] = sums->mesh_j[row] = 0.0;
   for (size_t i = 0; i < s->n; i++) {
     sums->resistance_j[row] += y[m->resistance_at + i];
     sums->brake_j[row] += y[m->brake_at + i];
     if (i + 1 == s->n) break;
-    const int clutch = s->scene->coupling[i].kind == ROT_DRIVE_CLUTCH;
-    (clutch ? sums->clutch_j : sums->damper_j)[row] += y[m->coupling_at + i];
+    double *const heat[] = {sums->damper_j, sums->clutch_j, sums->mesh_j};
+    heat[s->scene->coupling[i].kind][row] += y[m->coupling_at + i];
   }
   return ROT_OK;
 }

@@ -155,7 +155,7 @@ static void nothing_acts_nothing_moves(void) {
 /* ---- motions --------------------------------------------------------------------------------- */
 
 static struct {
-  double value[9][ROWS * MOST], sum[8][ROWS];
+  double value[9][ROWS * MOST], sum[9][ROWS];
   int locked[ROWS * MOST];
   rot_drive_columns out;
   rot_drive_ledger ledger;
@@ -171,9 +171,9 @@ static void integrate(size_t n_rotors, size_t n, const double t[], rot_method me
   run.out =
       (rot_drive_columns){run.value[0], run.value[1], run.value[2], run.value[3], run.value[4],
                           run.value[5], run.value[6], run.locked,   run.value[7], run.value[8]};
-  run.ledger =
-      (rot_drive_ledger){run.sum[0], run.sum[1], run.sum[2], run.sum[3], run.sum[4], run.sum[5],
-                         run.sum[6], run.sum[7], 0.0,        0.0,        0.0,        0.0};
+  run.ledger = (rot_drive_ledger){run.sum[0], run.sum[1], run.sum[2], run.sum[3], run.sum[4],
+                                  run.sum[5], run.sum[6], run.sum[7], run.sum[8], 0.0,
+                                  0.0,        0.0,        0.0};
   rot_events_free(&run.events);
   run.status = rot_drive_integrate(&scene, &options, n, t, &run.out, &run.ledger, &run.events,
                                    &run.places, NULL, &run.info);
@@ -226,6 +226,27 @@ static void a_brake_stops_a_geared_load(void) {
   NEAR(run.ledger.housing_impulse_n_m_s[3], -24.0 + 32.0, 1e-12);
 }
 
+static void a_gear_loses_power(void) {
+  static const double t[] = {0.0, 1.0};
+  /* 3 N m forward through 0.8: 0.2 + 1.8/(9 * 0.8) kg m^2; backward: 0.2 + 1.8/9 * 0.8. */
+  for (int forward = 0; forward < 2; forward++) {
+    const double rate = forward ? 3.0 / 0.45 : -3.0 / 0.36, omega = 20.0 + rate;
+    clear();
+    rotor[0] = body(0.2, forward ? 3.0 : -3.0, 20.0);
+    rotor[1] = body(1.8, 0.0, 20.0 / 3.0);
+    coupling[0].kind = ROT_DRIVE_GEAR;
+    coupling[0].ratio = 3.0;
+    coupling[0].efficiency = 0.8;
+    integrate(2, 2, t, ROT_METHOD_NONE);
+    ROT_CHECK(run.status == ROT_OK);
+    NEAR(run.out.omega_rad_per_s[2], omega, 1e-12);
+    const double lost = 0.1 * (400.0 - omega * omega) + 0.9 * (400.0 - omega * omega) / 9.0 +
+                        (forward ? 3.0 : -3.0) * 0.5 * (20.0 + omega);
+    NEAR(run.ledger.mesh_j[1], lost, 1e-10);
+    ROT_CHECK(run.ledger.mesh_j[1] > 1.0);
+  }
+}
+
 static void effects_are_seen(void) {
   clear();
   rotor[0] = body(1.0, 2.0, 0.0);
@@ -250,6 +271,7 @@ int main(void) {
   nothing_acts_nothing_moves();
   a_clutch_locks();
   a_brake_stops_a_geared_load();
+  a_gear_loses_power();
   effects_are_seen();
   rot_events_free(&run.events);
   free(run.places.place);

@@ -475,3 +475,137 @@ test_that("hundreds of jumps that no break tells are met on an elastic drive, to
   expect_lt(abs(momentum), 1e-8)
   expect_equal(sum(c(1, 0.5) * found$theta_rad), 257 / 4, tolerance = 1e-8)
 })
+
+# ---- gears with a loss -----------------------------------------------------------------------
+
+geared_pair <- function(torque, ratio = 3, efficiency = 0.8, omega0 = 0, ...) {
+  scene_drive(
+    c(0.2, 1.7), coupling_gear(ratio, efficiency = efficiency), torque = torque,
+    omega0_rad_per_s = omega0, ...
+  )
+}
+
+test_that("a gear passes its efficiency of all the power, whichever way it flows", {
+  # J1 a + J2 a/(r^2 eta) = tau1 + tau2/(r eta) where power flows forward; backward 1/eta for eta.
+  alpha <- function(tau, ratio, eta) {
+    (tau[1] + tau[2] / ratio / eta) / (0.2 + 1.7 / ratio^2 / eta)
+  }
+  cases <- list(
+    list(tau = c(2, 0), omega = 4, forward = TRUE),   # accelerates the load
+    list(tau = c(-2, 0), omega = 4, forward = FALSE), # the load gives back
+    list(tau = c(0, 5), omega = 4, forward = FALSE),  # the load drives
+    list(tau = c(0, -5), omega = 4, forward = TRUE),
+    list(tau = c(2, 0), omega = -4, forward = FALSE)
+  )
+  for (case in cases) for (ratio in c(3, -3)) {
+    tau <- case$tau * c(1, sign(ratio))
+    scene <- geared_pair(as.list(tau), ratio, omega0 = case$omega)
+    motion <- trajectory(scene, c(0, 0.1))
+    a <- alpha(tau, ratio, if (case$forward) 0.8 else 1 / 0.8)
+    first <- motion[motion$rotor == 1, ]
+    expect_lt(abs(first$omega_rad_per_s[2] - (case$omega + 0.1 * a)), 1e-13)
+    passed <- tau[1] - 0.2 * a # on the gear
+    expect_lt(abs(first$coupling_torque_n_m[2] - passed), 1e-12)
+    turned <- case$omega * 0.1 + a * 0.005
+    loss <- abs(passed * turned) * (if (case$forward) 0.2 else 1 / 0.8 - 1)
+    expect_lt(abs(first$coupling_heat_j[2] - loss), 1e-12)
+    expect_true(all(audit(motion)$verdict == "balanced"))
+  }
+})
+
+test_that("a train with losses moves as scene_gears(), through rest and turning power flows", {
+  inertia <- c(0.3, 0.2, 2)
+  ratios <- c(-2, 3)
+  eta <- c(0.9, 0.7)
+  trains <- list(
+    list(tau = c(-3, 0, 4), omega = 9, viscous = c(0.1, 0.3, 2)), # slows down, turns round
+    list(tau = c(2, 0, -3), omega = 0, viscous = 0),
+    list(tau = c(0.1, 0, 1), omega = 3, viscous = 0), # stops, and stays
+    list(tau = c(5, -1, 0), omega = -20, viscous = c(0, 0, 1))
+  )
+  time_s <- c(0.2, 0.5, 1.1, 3)
+  for (train in trains) {
+    want <- trajectory(scene_gears(
+      inertia, ratios, efficiency = eta, torque_n_m = train$tau,
+      viscous_n_m_s = train$viscous, omega0_rad_per_s = train$omega
+    ), time_s)
+    viscous <- rep_len(train$viscous, 3)
+    got <- trajectory(scene_drive(
+      inertia, Map(function(r, e) coupling_gear(r, efficiency = e), ratios, eta),
+      torque = as.list(train$tau), resistance = lapply(viscous, resistance),
+      omega0_rad_per_s = train$omega
+    ), time_s, 1e-11)
+    last <- got[got$rotor == 3, ]
+    expect_lt(max(abs(last$omega_rad_per_s - want$omega_3_rad_per_s)), 1e-10)
+    expect_lt(max(abs(last$theta_rad - want$theta_3_rad)), 1e-10)
+    expect_true(all(audit(got)$verdict == "balanced"))
+  }
+})
+
+test_that("a loss holds a drive at rest until the load exceeds it", {
+  # Forward the motor needs 6/(3 * 0.8) = 2.5 N m; 2 N m hold the load, and 1.6 N m no longer do.
+  ramp <- torque_knots(c(0, 4), c(0, 4))
+  events <- motion_events(trajectory(geared_pair(list(2, -6)), 0:2))
+  expect_equal(nrow(events), 0L)
+  still <- trajectory(geared_pair(list(2, -6)), 0:2)
+  expect_true(all(still$omega_rad_per_s == 0))
+  expect_true(all(still$coupling_torque_n_m[still$rotor == 1] == 2))
+  raised <- trajectory(geared_pair(list(sum_torques(torque_constant(1.6), ramp), -6)), c(0, 1, 2))
+  expect_equal(motion_events(raised)$event, "slip")
+  expect_lt(abs(motion_events(raised)$time_s - 0.9), 1e-12)
+  # From 0.9 s on it accelerates by (t - 0.9)/(J1 + J2/(9 * 0.8)).
+  expect_lt(
+    abs(raised$omega_rad_per_s[5] - 0.5 * 1.1^2 / (0.2 + 1.7 / 7.2)), 1e-11
+  )
+  expect_true(all(audit(raised)$verdict == "balanced"))
+})
+
+test_that("friction, brakes, shafts and laws of the rate meet a gear with a loss", {
+  # A brake on the second shaft: 4 N m through the gear, backward from 12 rad/s until it stands.
+  braked <- scene_drive(
+    c(0.2, 1.7), coupling_gear(3, efficiency = 0.8), brake = list(NULL, brake(4)),
+    omega0_rad_per_s = 12
+  )
+  # J2 gives to the brake, and what J1 gives passes the gear: power forward.
+  a <- -4 / 3 / 0.8 / (0.2 + 1.7 / 9 / 0.8)
+  b <- -4 / 3 * 0.8 / (0.2 + 1.7 / 9 * 0.8)
+  slows <- if (0.2 * -a > 0) a else b
+  events <- motion_events(trajectory(braked, 0:10))
+  expect_equal(events$event, "stick")
+  expect_lt(abs(events$time_s - -12 / slows), 1e-12)
+  # A motor's law behind a gear and a shaft, against a geared axle of the same efficiency where the
+  # shaft is stiff and damped: omega within the twist that the torque needs.
+  law <- function(time_s, theta_rad, omega_rad_per_s) 5 - 0.2 * omega_rad_per_s
+  soft <- scene_drive(
+    c(0.2, 1.7, 0.5), list(coupling_gear(3, efficiency = 0.8), coupling_shaft(4e5, 300)),
+    torque = list(law, NULL, -2)
+  )
+  motion <- trajectory(soft, c(0, 1, 2))
+  J <- 0.2 + 2.2 / 7.2
+  end <- (5 - 2 / 2.4) / 0.2
+  omega <- end * (1 - exp(-0.2 * 2 / J))
+  expect_lt(abs(motion$omega_rad_per_s[7] - omega), 1e-4)
+  expect_true(all(audit(motion)$verdict == "balanced"))
+})
+
+test_that("an efficiency of 1 computes as none, and others are refused", {
+  plain <- scene_drive(c(1, 2), coupling_gear(2), torque = list(torque_sinusoid(1, 2), -1))
+  same <- scene_drive(
+    c(1, 2), coupling_gear(2, efficiency = 1), torque = list(torque_sinusoid(1, 2), -1)
+  )
+  expect_identical(same, plain)
+  chosen <- choose_model(geared_pair(list(1, 0)), 1)
+  expect_match(chosen$model, "drive_rk8pd|drive_radau", all = FALSE)
+  for (bad in list(0, -0.1, 1.01, Inf)) {
+    expect_error(coupling_gear(2, efficiency = bad), class = "rotdyn_error_value")
+  }
+  expect_error(
+    scene_drive(c(1, 1, 1), list(coupling_gear(2, efficiency = 0.9), coupling_clutch(1))),
+    "coupling_shaft", class = "rotdyn_error_value"
+  )
+  lossy <- geared_pair(list(1, 0))
+  expect_identical(read_scene(write_scene(lossy)), lossy)
+  expect_output(print(lossy), "gear, ratio 3, efficiency 0.8", fixed = TRUE)
+  expect_false(conserved(geared_pair(NULL, omega0 = 1))$conserved[1])
+  expect_error(trajectory(lossy, c(-1, 0)), class = "rotdyn_error")
+})
