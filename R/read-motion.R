@@ -149,16 +149,44 @@ zip_names <- function(file, call) {
 # The bytes of one file of a zip.
 zip_bytes <- function(file, name, call) {
   folder <- tempfile("rotdyn")
-  dir.create(folder)
+  made <- dir.create(folder, showWarnings = FALSE)
   on.exit(unlink(folder, recursive = TRUE))
-  out <- tryCatch(
+  out <- if (made) unzip_one(file, name, folder)
+  size <- zip_size(file, name)
+  # On a full disk there may be a part of it.
+  whole <- length(out) == 1L && file.exists(out) && (is.na(size) || file.size(out) == size)
+  if (whole) return(readBin(out, "raw", file.size(out)))
+  fault <- if (made) fault_of_writing(folder, size) else "The folder cannot be made."
+  if (nzchar(fault)) {
+    abort_rotdyn(c(
+      "A part of the file {.file {file}} cannot be written to the folder of temporary files.",
+      x = braces_doubled(fault),
+      i = "The folder is {.file {dirname(folder)}}; the environment variable {.envvar TMPDIR} names
+           another one before R starts."
+    ), "file", call)
+  }
+  abort_file(paste0("Its part \"", name, "\" is damaged."), file, call)
+}
+
+unzip_one <- function(file, name, folder) {
+  tryCatch(
     suppressWarnings(utils::unzip(file, files = name, exdir = folder, junkpaths = TRUE)),
     error = function(e) NULL
   )
-  if (length(out) != 1L || !file.exists(out)) {
-    abort_file(paste0("Its part \"", name, "\" is damaged."), file, call)
-  }
-  readBin(out, "raw", file.size(out))
+}
+
+# Its size unpacked, as the archive says; NA where it does not.
+zip_size <- function(file, name) {
+  listed <- utils::unzip(file, list = TRUE)
+  as.double(listed$Length[match(name, listed$Name)])
+}
+
+# "", or why so many bytes cannot be written there: R's unzip() does not say.
+fault_of_writing <- function(folder, bytes) {
+  trial <- file.path(folder, "trial")
+  on.exit(unlink(trial))
+  unlink(list.files(folder, full.names = TRUE))
+  put_file(raw(min(bytes, 2^30, na.rm = TRUE)), trial)
 }
 
 # The files of a tar archive: a list of raw vectors by name.

@@ -104,14 +104,54 @@ more_quantities <- function(names) {
   number <- sub("^[^0-9]*_([0-9]+)_.*", "\\1", names)
   list(
     quantity = names, unit = known$unit[at],
-    meaning = ifelse(is.na(at), "a computed column", mapply(
-      function(number, text) gsub("\\b1\\b", number, text), number, known$meaning[at]
-    ))
+    meaning = ifelse(
+      startsWith(names, text_mark), "a hash of each text, in the rows where it changes", ifelse(
+        is.na(at), "a computed column", mapply(
+          function(number, text) gsub("\\b1\\b", number, text), number, known$meaning[at]
+        )
+      )
+    )
   )
 }
 
 # The name with the first body's number.
 first_of <- function(names) sub("_[0-9]+_", "_1_", names)
+
+# Columns of text have their values as numbers in the table of values: of each row that differs from
+# the one before, the first 52 bits of a hash, under the name of the column with this before it.
+text_mark <- "text of "
+most_texts <- 10000L
+
+hash_of_texts <- function(x) {
+  known <- unique(x[!is.na(x)])
+  digits <- vapply(known, rlang::hash, "", USE.NAMES = FALSE)
+  number <- strtoi(substr(digits, 1L, 6L), 16L) * 2^28 + strtoi(substr(digits, 7L, 13L), 16L)
+  number[match(x, known)]
+}
+
+# list(place, value); NULL of a column that changes too often.
+kept_texts <- function(x) {
+  code <- hash_of_texts(enc2utf8(x))
+  n <- length(code)
+  same <- code[-1] == code[-n] | is.na(code[-1]) & is.na(code[-n])
+  place <- which(c(TRUE, !(same %in% TRUE))[seq_len(n)])
+  if (length(place) <= most_texts) list(place = place, value = code[place])
+}
+
+# The rows in which columns of text are others than those of the record: a list by column; NULL for
+# a column of which the record has no values.
+differing_texts <- function(old, motion) {
+  names <- unique(old$texts$quantity)
+  lapply(stats::setNames(nm = names), function(name) {
+    kept <- old$texts[old$texts$quantity == name, ]
+    then <- kept$value[findInterval(seq_len(old$row_count), kept$row)]
+    if (!is.character(motion[[name]]) || nrow(motion) != old$row_count) {
+      return(seq_len(old$row_count))
+    }
+    now <- hash_of_texts(enc2utf8(motion[[name]]))
+    which(!(now == then | is.na(now) & is.na(then)) %in% TRUE)
+  })
+}
 
 # Rows to keep of each column: first, quarters, last, where it is largest.
 kept_rows <- function(x, rows) {
@@ -169,6 +209,18 @@ write_record <- function(db, motion, scene, note, rows, repeats, call) {
   numbers <- columns[vapply(values[columns], function(x) is.numeric(x) || is.logical(x), NA)]
   kept <- lapply(values[numbers], kept_rows, rows)
   value <- Map(function(x, at) as.double(x)[at], values[numbers], kept)
+  texts <- columns[vapply(values[columns], is.character, NA)]
+  texts <- Filter(Negate(is.null), lapply(values[texts], kept_texts))
+  names(texts) <- paste0(text_mark, names(texts), recycle0 = TRUE)
+  kept <- c(kept, lapply(texts, `[[`, "place"))
+  value <- c(value, lapply(texts, `[[`, "value"))
+  # The length of steps is a value of the run: a database of an older version has no place for it
+  # but this.
+  if (!is.null(run$step_s) && row_count > 0L) {
+    kept$step_s <- 1L
+    value$step_s <- run$step_s
+  }
+  numbers <- names(kept)
   value <- unlist(value, FALSE, FALSE)
   special <- special_of(value)
   software <- own_software()
@@ -340,15 +392,20 @@ read_record <- function(db, run, call) {
     abort_rotdyn("The text of this run is no scene.", "record", call)
   }
   listed <- run_list(listed)
+  number <- value_of(values$value, values$special)
+  is_step <- values$quantity == "step_s"
+  is_text <- startsWith(values$quantity, text_mark)
+  of <- function(rows, names) {
+    tibble::tibble(quantity = names[rows], row = values$place[rows], value = number[rows])
+  }
   c(as.list(listed), list(
     scene_text = rows$scenes$json, scene = scene,
     times_s = read_times(more$times, call, more$row_count), model_asked = more$model_asked == 1,
-    max_steps = more$max_steps,
+    max_steps = more$max_steps, step_s = if (any(is_step)) number[is_step][1],
     columns = strsplit(more$column_names, " ", fixed = TRUE)[[1]], result_hash = more$result_hash,
     errors = read_errors(more$errors, call),
-    values = tibble::tibble(
-      quantity = values$quantity, row = values$place, value = value_of(values$value, values$special)
-    ),
+    values = of(!is_step & !is_text, values$quantity),
+    texts = of(is_text, substring(values$quantity, nchar(text_mark) + 1L)),
     software = as.list(rows$software)[c(
       "rotdyn_version", "software", "library_hash", "r_version", "platform"
     )]
@@ -391,18 +448,19 @@ compare_record <- function(old, motion) {
   present <- all(old$columns %in% names(motion)) && nrow(motion) == old$row_count
   same <- present && identical(hash_columns(motion, old$columns), old$result_hash)
   where <- compare_values(old, motion, run)
+  texts <- differing_texts(old, motion)
   verdict <- if (same) {
     "identical"
-  } else if (present && all(where$difference <= where$allowed)) {
+  } else if (present && all(where$difference <= where$allowed) && !any(lengths(texts))) {
     "within errors"
   } else {
     "differs"
   }
-  compared <- if (old$row_count > 0) old$values$quantity else old$columns
+  compared <- if (old$row_count > 0) c(old$values$quantity, names(texts)) else old$columns
   result <- list(
     verdict = verdict, where = where, run = old$run, model = c(then = old$model, now = run$model),
     versions = c(then = old$rotdyn_version, now = own_version()),
-    not_compared = setdiff(old$columns, compared), motion = motion
+    texts = Filter(length, texts), not_compared = setdiff(old$columns, compared), motion = motion
   )
   class(result) <- "rot_rerun"
   result

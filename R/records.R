@@ -17,14 +17,16 @@ records_format <- 1L
 #' `record_run()` writes one run in one transaction: an interruption leaves all of it or nothing. The
 #' rows that are kept are the first, the last, those at the quarters, and those with the largest
 #' values; with `rows = "all"` every row is. NA, NaN, Inf and -0 are kept as such, TRUE and FALSE as
-#' 1 and 0; of columns of text the hash alone.
+#' 1 and 0; of columns of text a hash of each row's text, up to 10000 changes from row to row. The
+#' length of steps that was asked for (`step_s`) is kept.
 #'
-#' `rerun()` computes a record anew from the database alone. The verdict is `"identical"` if the hash
-#' of the columns is the same; `"within errors"` if the values kept differ by no more than the two
-#' error figures allow; otherwise `"differs"`. `not_compared` names columns of which the record has
-#' no values: those of text, and in records of older versions those of later bodies
-#' (`theta_3_rad`). Other versions of the package, of the compiler or of the processor may change
-#' last bits: `"within errors"` is what to expect of them.
+#' `rerun()` computes a record anew from the database alone. The verdict is `"identical"` if the
+#' hash of the columns is the same; `"within errors"` if the values kept differ by no more than the
+#' two error figures allow and the texts are the same; otherwise `"differs"`. `not_compared` names
+#' columns of which the record has no values: those of text that change more often, and in records
+#' of older versions those of text and of later bodies (`theta_3_rad`). Other versions of the
+#' package, of the compiler or of the processor may change last bits: `"within errors"` is what to
+#' expect of them.
 #'
 #' `records_check()` looks at keys, checks and references in R, at types and encodings, at the hashes
 #' of the scenes, whether every scene can be read and every run has its values; and at what SQLite
@@ -47,11 +49,13 @@ records_format <- 1L
 #' * `record_run()`: the name of the run.
 #' * `list_runs()`: a tibble with a row for each run, the oldest first.
 #' * `read_run()`: a list: the columns of `list_runs()`, `scene_text`, `scene`, `times_s`,
-#'   `model_asked`, `max_steps`, `columns`, `result_hash`, `errors` (a tibble: measure, size, error), `values` (a
-#'   tibble: quantity, row, value) and `software` (a list).
+#'   `model_asked`, `max_steps`, `step_s` (NULL where none was asked for), `columns`, `result_hash`,
+#'   `errors` (a tibble: measure, size, error), `values` and `texts` (tibbles: quantity, row, value;
+#'   of texts the first 52 bits of a hash, in the rows where it changes) and `software` (a list).
 #' * `rerun()`: a list of class `rot_rerun`: `verdict`, `where` (a tibble with a row for each
 #'   quantity: the row where it differs most, the two values, and what the errors allow; the worst
-#'   first), `not_compared`, `run`, `model`, `versions` and `motion`, the new trajectory.
+#'   first), `texts` (the rows in which texts differ, by column), `not_compared`, `run`, `model`,
+#'   `versions` and `motion`, the new trajectory.
 #' * `records_check()`: a tibble: check, holds, detail.
 #' * `metadata_sql()`: the script, invisibly if it is written to a file.
 #' @section Errors: `rotdyn_error_database` (a driver that is not known, no tables of records, a
@@ -145,7 +149,7 @@ rerun <- function(con, run, ..., record = FALSE) {
   motion <- withCallingHandlers(
     compute_trajectory(
       old$scene, old$times_s, old$accuracy, if (old$model_asked) old$model, "abort",
-      old$max_steps, call
+      old$max_steps, call, old$step_s
     ),
     rotdyn_warning_accuracy = function(w) rlang::cnd_muffle(w)
   )
@@ -257,6 +261,14 @@ print.rot_rerun <- function(x, ...) {
   worst <- x$where[1L, ]
   if (x$verdict != "identical" && length(x$not_compared)) {
     cat("  unknown  ", paste(x$not_compared, collapse = ", "), ": no values are kept\n", sep = "")
+  }
+  for (name in names(x$texts)) {
+    rows <- x$texts[[name]]
+    cat(
+      "  text     ", name, " is another one in row", if (length(rows) > 1L) "s", " ",
+      paste(rows[seq_len(min(6L, length(rows)))], collapse = ", "),
+      if (length(rows) > 6L) paste(" and", length(rows) - 6L, "more"), "\n", sep = ""
+    )
   }
   if (x$verdict != "identical" && nrow(x$where)) {
     cat(

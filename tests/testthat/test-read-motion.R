@@ -139,3 +139,25 @@ test_that("no damage of single cells shifts a column", {
     expect_gte(nrow(got) + nrow(attr(got, "record")$dropped), 100)
   }
 })
+
+test_that("a part of a zip that does not fit on the disk is not called damaged", {
+  lines <- c("\"Time (s)\",\"Gyroscope z (rad/s)\"", paste0(0:20 / 100, ",", 1:21))
+  zip <- zip_file(list("Gyroscope.csv" = lines))
+  expect_equal(nrow(read_motion(zip, axis = "z")), 21L)
+  unpack <- unzip_one
+  cut <- function(...) {
+    out <- unpack(...)
+    writeBin(charToRaw("\"Time"), out) # as a full disk leaves it
+    out
+  }
+  whole <- put_file
+  replace <- function(name, f) utils::assignInNamespace(name, f, "rotdyn")
+  on.exit({
+    replace("unzip_one", unpack)
+    replace("put_file", whole)
+  })
+  replace("unzip_one", cut)
+  expect_error(read_motion(zip, axis = "z"), "is damaged", class = "rotdyn_error_file")
+  replace("put_file", function(...) "The disk is full.")
+  expect_error(read_motion(zip, axis = "z"), "disk is full.*TMPDIR", class = "rotdyn_error_file")
+})

@@ -636,3 +636,58 @@ test_that("a scene that cannot be read is found by the check", {
   expect_false(found$holds[found$check == "every scene can be read"])
   expect_true(found$holds[found$check == "hashes of the scenes"])
 })
+
+test_that("the length of the steps is kept, and a run by steps is computed again", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  scene <- scene_free(c(1, 2, 3), c(0.1, 2, 0.1))
+  motion <- trajectory(scene, c(0, 1, 2), 1e-3, model = "free_rk4", step_s = 0.05)
+  run <- record_run(lab, motion)
+  expect_identical(read_run(lab, run)$step_s, 0.05)
+  expect_false("step_s" %in% read_run(lab, run)$values$quantity)
+  again <- rerun(lab, run, record = TRUE)
+  expect_identical(again$verdict, "identical")
+  expect_identical(again$motion$omega_x_rad_per_s, motion$omega_x_rad_per_s)
+  expect_identical(rerun(lab, again$new_run)$verdict, "identical")
+  expect_true(all(records_check(lab)$holds))
+  # Without it, as version 0.5.0 recorded: other steps.
+  asked(lab, "DELETE FROM rot_run_value WHERE quantity = 'step_s'")
+  expect_null(read_run(lab, run)$step_s)
+  expect_false(rerun(lab, run)$verdict == "identical")
+})
+
+test_that("texts are compared row by row", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  scene <- scene_incline(
+    body_sphere(1, 0.1), 0, static_friction = 0.2, v0_m_per_s = 3, omega0_rad_per_s = 0
+  )
+  motion <- trajectory(scene, seq(0, 2, by = 0.25), event_rows = TRUE)
+  expect_true("event" %in% names(motion))
+  run <- record_run(lab, motion)
+  again <- rerun(lab, run)
+  expect_identical(again$verdict, "identical")
+  expect_identical(again$not_compared, character())
+  expect_length(again$texts, 0L)
+  named <- which(!is.na(motion$event))
+  texts <- read_run(lab, run)$texts
+  expect_identical(unique(texts$quantity), "event")
+  # A record with another text in that row, and another hash.
+  asked(lab, "UPDATE rot_run SET result_hash = ?", params = list(strrep("0", 32)))
+  expect_identical(rerun(lab, run)$verdict, "within errors")
+  asked(lab, paste(
+    "UPDATE rot_run_value SET value = value + 1 WHERE quantity = 'text of event' AND place =",
+    named[1]
+  ))
+  again <- rerun(lab, run)
+  expect_identical(again$verdict, "differs")
+  expect_identical(again$texts, list(event = named[1]))
+  expect_output(print(again), paste("event is another one in row", named[1]), fixed = TRUE)
+  # A record of version 0.5.0 has no texts.
+  asked(lab, "DELETE FROM rot_run_value WHERE quantity = 'text of event'")
+  again <- rerun(lab, run)
+  expect_identical(again$not_compared, "event")
+  expect_identical(again$verdict, "within errors")
+})
