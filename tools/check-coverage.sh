@@ -3,9 +3,10 @@
 # incline, of the heavy top (to 1e9 rad and more) and of free bodies with rotors or without, and for
 # the installed package random R functions as torque laws, narrow changes of such laws, random
 # curves, audits of random motions, and random gears, drives, rotors, inclines, dry friction, long
-# spans and short pulses, judged in quadruple precision (bench/coverage/). Needs gcc and
-# libquadmath. Without SEED another one is drawn each time. 1000 scenes of each class are 33,000 in
-# all: each part ends with the number of its own.
+# spans and short pulses, judged in quadruple precision (bench/coverage/). What is estimated from
+# measured records, with correlated noise, counters and quadratic damping among them, is judged by
+# check-measurement.sh. Needs gcc and libquadmath. Without SEED another one is drawn each time. 1000
+# scenes of each class are 33,000 in all: each part ends with the number of its own.
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
