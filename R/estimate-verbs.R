@@ -299,7 +299,18 @@ tbl_sum.rot_estimate <- function(x, ...) {
     size, "Scatter of a sample" = paste(said, collapse = ", "),
     "Process" = paste0("order ", fit$fit[1], ", ", format(round(fit$degrees)),
                        " degrees of freedom"),
+    "Bands" = band_words,
     if (!is.null(fit$noise)) c("Noise" = noise_words(fit)),
+    "Slow errors" = paste(
+      "those correlated over", format_si(signif(separable_s(fit), 2)),
+      "s or more count as motion"
+    ),
+    if (fit$core$floor[1] > 0) {
+      c("Resolution" = paste(
+        format_si(signif(sqrt(12) * fit$core$floor[1], 3)),
+        "rad: the angle of a counter is known but for a constant within it"
+      ))
+    },
     if (!is.null(fit$contradiction)) {
       c("Contradiction" = paste(
         "the rate is", format(fit$contradiction, digits = 3), "times that of the angle:",
@@ -319,6 +330,19 @@ tbl_sum.rot_estimate <- function(x, ...) {
   )
 }
 
+# Its figure is judged by bench/measurement/noise.R.
+band_words <- paste(
+  "one smoothness for the whole record: wide where the motion is smoother, those of 68 % hold up",
+  "to 98 %"
+)
+
+# Errors that are correlated over half of the smoother's memory, or over a tenth of the record,
+# cannot be told from the motion.
+separable_s <- function(fit) {
+  span <- max(tapply(fit$core$time_s, fit$core$segment, function(t) diff(range(t))))
+  min(smoother_memory_s(fit) / 2, span / 10)
+}
+
 noise_words <- function(fit) {
   noise <- fit$noise
   slow <- 1 - noise$white
@@ -327,7 +351,11 @@ noise_words <- function(fit) {
     if (both) c("of angles ", "of rates ")[noise$channel + 1],
     if (slow < 0.95) paste0(round(100 * slow), " % of its variance "),
     "correlated over ", format_si(signif(noise$tau_s, 2)), " s",
-    if (noise$at_cap) ", a tenth of the record or more: intervals may not hold"
+    if (noise$at_cap) {
+      ", a tenth of the record or more: intervals may not hold"
+    } else if (noise$tau_s > 2 * smoother_memory_s(fit)) {
+      ", far slower than the motion: intervals may not hold"
+    }
   )
 }
 

@@ -80,6 +80,43 @@ test_that("print says what was found", {
   expect_true(all(c("break", "") %in% motion$flag))
 })
 
+test_that("print says what bands do not hold: slow errors, a constant of a counter", {
+  lines <- function(record) tibble::tbl_sum(estimate_motion(record, breaks = "none"))
+  slow <- function(record) {
+    as.numeric(sub("^.*over ([0-9.e-]+) s or more.*$", "\\1", lines(record)[["Slow errors"]]))
+  }
+  record <- coasting(n = 300)
+  first <- slow(record)
+  stretched <- slow(transform(record, time_s = 50 * time_s))
+  expect_equal(stretched / first, 50, tolerance = 0.1) # two digits are printed
+  # An error as slow as that passes the smoother, a fast one does not.
+  wave <- function(period_s) 3e-4 * sin(2 * pi * record$time_s / period_s)
+  passes <- function(period_s) {
+    shaken <- transform(record, theta_rad = theta_rad + wave(period_s))
+    both <- lapply(list(record, shaken), estimate_motion, breaks = "none", order = 4)
+    stats::sd(both[[2]]$theta_rad - both[[1]]$theta_rad) / stats::sd(wave(period_s))
+  }
+  expect_gt(passes(2 * pi * first), 0.5)
+  expect_lt(passes(2 * pi * first / 5), 0.3)
+  expect_match(lines(record)[["Bands"]], "wide where the motion is smoother")
+  expect_false("Resolution" %in% names(lines(record)))
+  counted <- transform(record, theta_rad = 0.05 * floor(theta_rad / 0.05))
+  expect_match(lines(counted)[["Resolution"]], "^0.05 rad: .*but for a constant")
+})
+
+test_that("noise that is far slower than the motion is said to spoil the intervals", {
+  motion <- estimate_motion(coasting(), breaks = "none")
+  words <- function(tau_s) {
+    attr(motion, "estimate")$noise <- list(
+      tau_s = tau_s, white = 0, channel = 0, gain = 9, at_cap = FALSE
+    )
+    tibble::tbl_sum(motion)[["Noise"]]
+  }
+  # The smoother's memory is some 0.37 s.
+  expect_match(words(0.9), "intervals may not hold")
+  expect_no_match(words(0.6), "intervals may not hold")
+})
+
 test_that("a forged estimate is refused", {
   motion <- estimate_motion(coasting(), breaks = "none")
   fit <- attr(motion, "estimate")
