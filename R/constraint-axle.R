@@ -41,6 +41,9 @@ axle_constraint <- function() {
       if (is.null(.subset2(scene, "train"))) return(columns)
       shaft_columns(geared_columns(columns, scene), scene)
     },
+    ends = function(scene, columns) {
+      if (!is.null(.subset2(scene, "rope"))) slack_rope(scene, columns)
+    },
     more_names = function(scene) c(shaft_names(scene), hanging_names(.subset2(scene, "rope"))),
     keys = c("time_s", "theta_rad", "omega_rad_per_s"),
     measures = list(

@@ -24,6 +24,8 @@
 #   more_names(scene)            NULL, or the names of those that only some scenes have
 #   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run also gives
 #                 event_rows, list(columns, ledger): the rows at the times of its events
+#   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:
+#                 those of a motion, or NULL
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
 #   measures      named list of measure(), to which errors and accuracies refer
 #   slopes(columns, scene)       NULL, or list: by column, what has the sign of its slope in time

@@ -12,7 +12,8 @@
 #'   T1 = m1 (g - a),  T2 = m2 (g + a),  I omega' = (T1 - T2) r + resistance}
 #' and the applied torque of the motion is that of the rope on the pulley, `(T1 - T2) r`. Where a
 #' tension is negative the rope would be slack, and the motion another one: where a resistance slows
-#' down a pulley that winds a mass up.
+#' down a pulley that winds a mass up. [trajectory()] and [when()] then warn, and the head of the
+#' motion says from which time on.
 #'
 #' @section Columns: The motion has those of [trajectory()], with torques and kinetic energy of the
 #'   pulley alone, and the angular momentum of all about the axle; and, for one mass,
@@ -29,6 +30,8 @@
 #' @return A `rot_scene_axle`, whose moment of inertia is that of all about the axle.
 #' @section Errors: those of [scene_axle()]; `rotdyn_error_missing` without `radius_m` for a body
 #'   that has no radius of its own about `axis`.
+#' @section Warnings: `rotdyn_warning_slack`, by [trajectory()] and [when()], if a rope would be
+#'   slack.
 #' @source Kleppner and Kolenkow, An Introduction to Mechanics, 2nd ed. (2014), chapter 7: Atwood's
 #'   machine with a massive pulley.
 #' @seealso [when()] for the time at which it has gone down so far.
@@ -163,6 +166,34 @@ hanging_columns <- function(columns, scene) {
     )
   }
   columns
+}
+
+# From when on the rope would be slack, in words; NULL: it is taut. Forward it is slack from the
+# start on or never: a tension falls below 0 with the rate, which decreases or tends to that of a
+# taut rope. Rows before the start are looked at.
+slack_rope <- function(scene, columns) {
+  from <- scene$start_s
+  acts <- .Call(ffi_axle_torques, scene, from, scene$theta0_rad, scene$omega0_rad_per_s)
+  start <- hanging_columns(c(acts, list(
+    theta_rad = scene$theta0_rad, omega_rad_per_s = scene$omega0_rad_per_s,
+    net_torque_n_m = acts$applied_torque_n_m + acts$damping_torque_n_m
+  )), scene)
+  lowest <- function(columns) {
+    do.call(pmin, unname(unclass(columns)[grepl("^tension(_[12])?_n$", names(columns))]))
+  }
+  rounding <- 16 * .Machine$double.eps * sum(scene$rope$mass_kg) * abs(scene$rope$gravity_m_per_s2)
+  tension <- lowest(start)
+  if (!(tension < -rounding) && any(grepl("^tension", names(columns)))) {
+    row <- match(TRUE, lowest(columns) < -rounding)
+    if (is.na(row)) return(NULL)
+    from <- columns$time_s[row]
+    tension <- lowest(columns)[row]
+  }
+  if (!(tension < -rounding)) return(NULL)
+  paste0(
+    "the rope would be slack from ", format_si(from), " s on (its tension would be ",
+    format_si(tension), " N there): the motion is that of a rope that can push"
+  )
 }
 
 # What has the sign of the slope of these columns.

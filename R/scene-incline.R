@@ -123,6 +123,16 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
   )
   class(scene) <- c("rot_scene_incline", "rot_scene")
   sound_scene(scene, call)
+  least <- scene$gravity_m_per_s2 * min(1, scene$mass_kg)
+  if (scene$gravity_m_per_s2 > 0 && least < .Machine$double.xmin) {
+    abort_rotdyn(c(
+      "{.arg gravity_m_per_s2} and the weight must be 0 or at least {format(.Machine$double.xmin)}:
+       smaller numbers have fewer digits.",
+      x = "Gravity is {format(scene$gravity_m_per_s2)} m/s^2, the mass {format(scene$mass_kg)} kg.",
+      i = "A gravity k^2 times as large gives the same places after 1/k of the time, from
+           velocities k times as large."
+    ), "value", call)
+  }
   if (is.infinite(kinetic) && abs(v0 - radius * omega0) > 8 * .Machine$double.eps * abs(v0)) {
     rolls <- (v0 + beta * radius * omega0) / (1 + beta)
     abort_rotdyn(c(

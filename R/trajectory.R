@@ -85,9 +85,18 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
     resolution <- check_number(resolution, "resolution", "1", call, lower = 1e-5, upper = 1)
   }
   if (!missing(event_rows)) event_rows <- check_flag(event_rows, "event_rows", call)
-  compute_trajectory(
+  motion <- compute_trajectory(
     scene, time_s, accuracy, model, on_fail, max_steps, call, step_s, event_rows, resolution
   )
+  warn_of_end(scene, motion, call)
+  motion
+}
+
+# From when on a motion is beyond its model, if it is.
+warn_of_end <- function(scene, columns, call) {
+  ends <- constraint_of(scene)$ends
+  text <- if (!is.null(ends)) ends(scene, columns)
+  if (!is.null(text)) warn_quickly(paste0(sentence(text), "."), "slack", call)
 }
 
 # trajectory(), for other functions too: `call` is the user's.
@@ -465,6 +474,7 @@ as_tibble.rot_trajectory <- function(x, ...) {
 #' @export
 tbl_sum.rot_trajectory <- function(x, ...) {
   run <- check_trajectory(x, "x", rlang::current_env())
+  ends <- constraint_of(run$scene)$ends
   c(
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
@@ -476,6 +486,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     if (!is.null(run$dropped)) {
       c("Dropped" = describe_dropped(run$dropped, constraint_of(run$scene)))
     },
+    c("Not valid" = if (!is.null(ends)) ends(run$scene, x)),
     if (length(run$events$time_s)) c("Events" = describe_events(run$events)),
     if (!is.null(run$info$resolution)) {
       c("Law" = describe_resolution(run$info$resolution))

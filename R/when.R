@@ -57,6 +57,7 @@ when <- function(x, ..., occurrence = c("first", "all"), until_s = NULL, accurac
   check_class(x, "rot_scene", "x", "Give a scene or a {.fn trajectory}.", call)
   check_scene(x, call)
   asked <- asked_value(x, list(...), call)
+  warn_of_end(x, NULL, call)
   when_in_scene(x, asked, first, until_s, accuracy, call)
 }
 

@@ -105,12 +105,41 @@ test_that("held at rest the tensions are the weights; a slowed one tells a slack
   expect_equal(held$tension_2_n, rep(0.2 * 9.80665, 2), tolerance = 1e-14)
   expect_equal(held$applied_torque_n_m, rep(0.3 * 9.80665 * 0.2, 2), tolerance = 1e-14)
   # Wound up against a brake: (m g r + 40)/(I + m r^2) r > g.
-  brake <- trajectory(scene_hanging_mass(
-    0.02, 0.5, 0.2, resistance(coulomb_n_m = 40), omega0_rad_per_s = -50
-  ), c(0, 0.01))
+  wound <- scene_hanging_mass(
+    0.02, 0.5, 0.2, resistance(coulomb_n_m = 40), omega0_rad_per_s = -50, start_s = 3
+  )
+  expect_warning(brake <- trajectory(wound, c(3, 3.01)), "slack", class = "rotdyn_warning_slack")
   alpha <- (0.5 * 9.80665 * 0.2 + 40) / 0.04
   expect_equal(brake$tension_n[1], 0.5 * (9.80665 - 0.2 * alpha), tolerance = 1e-13)
   expect_lt(brake$tension_n[1], 0)
+  expect_match(tibble::tbl_sum(brake)[["Not valid"]], "slack from 3 s on.*-97.548")
+  expect_warning(when(wound, omega_rad_per_s = 0), class = "rotdyn_warning_slack")
+})
+
+test_that("the limit of a slack rope is where the tension is 0, on both sides", {
+  # T1 = m1 (g (I0 + 2 m2 r^2) - r tau)/I, T2 = m2 (g (I0 + 2 m1 r^2) + r tau)/I, tau = -c omega.
+  g <- 9.80665
+  scene <- function(omega, c = 0.8) {
+    scene_hanging_mass(
+      0.02, 0.5, 0.2, resistance(c), omega0_rad_per_s = omega, counter_mass_kg = 0.3
+    )
+  }
+  up <- -g * (0.02 + 2 * 0.3 * 0.04) / 0.2 / 0.8
+  down <- g * (0.02 + 2 * 0.5 * 0.04) / 0.2 / 0.8
+  for (taut in c(0.999 * up, 0, 0.999 * down)) {
+    motion <- expect_silent(trajectory(scene(taut), 0:1))
+    expect_false("Not valid" %in% names(tibble::tbl_sum(motion)))
+  }
+  for (slack in c(1.001 * up, 1.001 * down)) {
+    expect_warning(
+      trajectory(scene(slack), 0:1), "slack from 0 s on", class = "rotdyn_warning_slack"
+    )
+  }
+  # Taut at the start, slack at rows before it.
+  expect_warning(
+    trajectory(scene(0.999 * up), c(-0.5, 0, 1)), "slack from -0.5 s on",
+    class = "rotdyn_warning_slack"
+  )
 })
 
 test_that("the radius is the body's where it has one", {

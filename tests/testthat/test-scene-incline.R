@@ -103,3 +103,19 @@ test_that("the friction that a scene needs, and what it does without it", {
   expect_error(friction_needed(scene_incline(body_hoop(1, 1), 9, drag_n_s_per_m = 1)),
     class = "rotdyn_error_value")
 })
+
+test_that("a gravity that has lost digits is refused: its motion was 8e-14 off", {
+  ball <- body_sphere(1, 0.1)
+  expect_error(
+    scene_incline(ball, 10, gravity_m_per_s2 = 1e-310), "fewer digits", class = "rotdyn_error_value"
+  )
+  expect_error(
+    scene_incline(body_sphere(1e-10, 0.1), 10, gravity_m_per_s2 = 1e-300),
+    "fewer digits", class = "rotdyn_error_value"
+  )
+  # The smallest that is taken, against gravity 2^200 times as large.
+  near <- trajectory(scene_incline(ball, 10, gravity_m_per_s2 = 2^-1000), c(0, 2^990))
+  far <- trajectory(scene_incline(ball, 10, gravity_m_per_s2 = 2^-800), c(0, 2^890))
+  expect_equal(near$x_m[2] / far$x_m[2], 1, tolerance = 1e-14)
+  expect_identical(audit(near)$verdict, rep("balanced", 3))
+})
