@@ -96,8 +96,12 @@ test_that("print says what bands do not hold: slow errors, a constant of a count
     both <- lapply(list(record, shaken), estimate_motion, breaks = "none", order = 4)
     stats::sd(both[[2]]$theta_rad - both[[1]]$theta_rad) / stats::sd(wave(period_s))
   }
-  expect_gt(passes(2 * pi * first), 0.5)
-  expect_lt(passes(2 * pi * first / 5), 0.3)
+  half <- passes(2 * pi * first)
+  expect_gt(half, 0.4) # 0.53 to 0.61 with four seeds; 0.99 at twice the time, 0.2 at half
+  expect_lt(half, 0.8)
+  # Of a polynomial all of the record is averaged: no noise slower than a tenth of it is looked for.
+  set.seed(1)
+  expect_equal(slow(transform(record, theta_rad = 2 * time_s^2 + stats::rnorm(300) / 1e3)), 0.6)
   expect_match(lines(record)[["Bands"]], "wide where the motion is smoother")
   expect_false("Resolution" %in% names(lines(record)))
   counted <- transform(record, theta_rad = 0.05 * floor(theta_rad / 0.05))
