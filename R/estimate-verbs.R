@@ -339,8 +339,11 @@ band_words <- paste(
 # Errors that are correlated over half of the smoother's memory, or over a tenth of the record,
 # cannot be told from the motion.
 separable_s <- function(fit) {
-  span <- max(tapply(fit$core$time_s, fit$core$segment, function(t) diff(range(t))))
-  min(smoother_memory_s(fit) / 2, span / 10)
+  time_s <- fit$core$time_s
+  segment <- fit$core$segment
+  if (length(segment) != length(time_s)) segment <- rep(1L, length(time_s))
+  span_s <- max(tapply(time_s, segment, function(t) diff(range(t))))
+  min(smoother_memory_s(fit) / 2, span_s / 10)
 }
 
 noise_words <- function(fit) {
