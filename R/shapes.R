@@ -266,9 +266,7 @@ shape_words_table <- as.data.frame(do.call(rbind, shape_list))
 shape_table <- function() {
   if (is.null(shape_cache$table)) {
     list <- .Call(ffi_shapes_list)
-    words <- shape_words_table
-    at <- match(list$shape, words$shape)
-    table <- words[at, ]
+    table <- shape_words_table # in the order of C
     table$names <- list$sizes
     table$dimension <- list$dimension
     shape_cache$sizes <- data.frame(

@@ -48,9 +48,11 @@ static const struct {
 /* Function number `which` (from 1) row by row: list(values), or the place of a bad value. */
 SEXP ffi_rolling_value(SEXP which, SEXP columns) {
   const int f = Rf_asInteger(which) - 1;
-  if (f < 0 || f >= (int)(sizeof functions / sizeof functions[0]) || TYPEOF(columns) != VECSXP ||
-      XLENGTH(columns) != functions[f].count) {
+  if (f < 0 || f >= (int)(sizeof functions / sizeof functions[0])) {
     Rf_error("internal: no such function of rolling");
+  }
+  if (TYPEOF(columns) != VECSXP || XLENGTH(columns) != functions[f].count) {
+    Rf_error("internal: columns of another function of rolling");
   }
   SEXP in[3];
   rot_column column[3];

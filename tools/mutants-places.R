@@ -70,14 +70,14 @@ r_edits <- function(whole) {
   # Columns of parse data are bytes in a UTF-8 text; lines of code here are ASCII but for strings.
   data$from <- starts[data$line1] + data$col1
   data$to <- starts[data$line2] + data$col2
-  row_of <- stats::setNames(seq_len(nrow(data)), data$id)
-  children <- split(seq_len(nrow(data)), data$parent)
-  children <- lapply(children, function(rows) rows[order(data$from[rows], -data$to[rows])])
-  kids <- function(row) children[[as.character(data$id[row])]]
-  parent <- function(row) {
-    up <- data$parent[row]
-    if (up <= 0) NA_integer_ else unname(row_of[as.character(up)])
-  }
+  above_row <- match(data$parent, data$id)
+  below <- split(seq_len(nrow(data)), above_row)
+  children <- vector("list", nrow(data))
+  children[as.integer(names(below))] <- lapply(below, function(rows) {
+    rows[order(data$from[rows], -data$to[rows])]
+  })
+  kids <- function(row) children[[row]]
+  parent <- function(row) above_row[row]
   called <- function(row) {
     all <- kids(row)
     if (length(all) < 2L || data$token[all[2L]] != "'('") return("")

@@ -10,9 +10,14 @@
 # A change of R code needs no installation: the functions are replaced in the loaded namespace. For
 # C one file is compiled again. Each change has a process of its own.
 #
+# The tests run first without a change: they must pass, and which functions of R/ each block calls
+# is recorded. A change of a function then runs the blocks of its topic that call it, cheap files
+# first; a change of src/ffi_*.c those that call its functions.
+#
 # Environment: MUTANTS_JOBS (processes at a time, 2), MUTANTS_FILES (a regular expression: files to
 # draw from), MUTANTS_FIXED=no (without the fixed ones), MUTANTS_LIST (another file of fixed ones),
-# MUTANTS_SHOW=all (what was noticed, and by which test).
+# MUTANTS_SHOW=all (what was noticed, and by which test), MUTANTS_CALLS (a file that keeps the
+# record of calls for the next run; a test is recorded again where it or R code it calls changed).
 
 suppressPackageStartupMessages(library(testthat))
 arguments <- commandArgs(trailingOnly = TRUE)
@@ -96,15 +101,34 @@ first_failure <- R6::R6Class("first_failure", inherit = testthat::Reporter, publ
   }
 ))
 
+# The blocks of a test file that run, by number; all where `wanted` is NULL. begin() and end() are
+# called around each.
+test_environment <- function(wanted, begin = function() NULL, end = function() NULL) {
+  env <- new.env(parent = asNamespace("rotdyn"))
+  number <- 0L
+  env$test_that <- function(desc, code) {
+    number <<- number + 1L
+    if (!is.null(wanted) && !number %in% wanted) return(invisible())
+    begin()
+    eval(as.call(list(testthat::test_that, desc, substitute(code))), parent.frame())
+    end()
+  }
+  env
+}
+
 # NULL, or what failed first.
-run_test_file <- function(file, cpu_s) {
+run_test_file <- function(file, cpu_s, env = test_environment(NULL)) {
+  # Blocks that do not run would lose their snapshots.
+  snapshots <- file.path("_snaps", sub("^test-(.*)[.]R$", "\\1.md", file))
+  kept <- file.path(tests, "testthat", snapshots)
+  if (file.exists(kept)) file.copy(kept, snapshots, overwrite = TRUE)
   withRestarts(
     {
       setTimeLimit(cpu = cpu_s)
       on.exit(setTimeLimit())
       said <- tryCatch({
         utils::capture.output(suppressWarnings(suppressMessages(test_file(
-          file, package = "rotdyn", load_package = "installed",
+          file, package = "rotdyn", load_package = "installed", env = env,
           reporter = first_failure$new(), stop_on_failure = FALSE
         ))))
         NULL
@@ -113,6 +137,113 @@ run_test_file <- function(file, cpu_s) {
     },
     mutant_killed = function(said) said
   )
+}
+
+# ---- which functions a block of a test calls ----------------------------------------------------
+
+hits <- new.env()
+
+# The code of a file of R/ in which every function first records its lines in `hits`.
+recorded_code <- function(file) {
+  walk <- function(node) {
+    if (!is.call(node)) return(node)
+    if (identical(node[[1L]], quote(`function`))) {
+      at <- as.integer(node[[4L]])
+      name <- sprintf("%s:%d:%d", file, at[1L], at[3L])
+      return(as.call(list(node[[1L]], as.pairlist(walk_all(node[[2L]])), call(
+        "{", as.call(list(base::assign, name, TRUE, envir = hits)), walk(node[[3L]])
+      ), NULL)))
+    }
+    walk_all(node)
+  }
+  walk_all <- function(parts) {
+    for (i in seq_along(parts)) {
+      if (is.call(parts[[i]])) parts[[i]] <- walk(parts[[i]])
+    }
+    parts
+  }
+  code <- parse(file.path(sources, file), keep.source = TRUE, encoding = "UTF-8")
+  as.expression(lapply(code, walk))
+}
+
+# Functions called by each block of a test file and outside of them, and its processor time in s.
+record_calls <- function(file) {
+  now <- function() sum(proc.time()[-3L])
+  seen <- function() {
+    names <- ls(hits, all.names = TRUE)
+    rm(list = names, envir = hits)
+    names
+  }
+  outside <- character()
+  blocks <- list()
+  began <- 0
+  env <- test_environment(
+    NULL,
+    function() {
+      outside <<- union(outside, seen())
+      began <<- now()
+    },
+    function() blocks[[length(blocks) + 1L]] <<- list(calls = seen(), cpu_s = now() - began)
+  )
+  begun <- now()
+  said <- run_test_file(file, 900, env)
+  list(said = said, outside = union(outside, seen()), blocks = blocks, cpu_s = now() - begun)
+}
+
+# Functions around a line of a file: the innermost, and those that begin or end in it.
+functions_at <- function(file, line) {
+  lines <- function_lines[[file]]
+  around <- lines[lines$from <= line & lines$to >= line, ]
+  around <- around[order(around$to - around$from), ]
+  inside <- which(around$from < line & around$to > line)
+  if (length(inside)) around <- around[seq_len(inside[1L]), ]
+  around$name
+}
+
+# Blocks of `test` that a change can reach: their numbers, and their processor time with that of the
+# code outside of blocks. `names`: functions of R/, NULL: any.
+blocks_of <- function(test, names) {
+  known <- calls[[test]]
+  costs <- vapply(known$blocks, `[[`, 0, "cpu_s")
+  wanted <- if (is.null(names) || any(names %in% known$outside)) seq_along(costs) else
+    which(vapply(known$blocks, function(block) any(names %in% block$calls), NA))
+  list(
+    wanted = wanted, cpu_s = sum(costs[wanted]) + max(0, known$cpu_s - sum(costs)),
+    limit_s = 10 + 5 * (sum(costs[wanted]) + max(0, known$cpu_s - sum(costs)))
+  )
+}
+
+# What runs for a mutant: paths of tests with `wanted` and `limit_s`, core programs first, then the
+# cheap files. Files without a block that calls the function are left out.
+plan_of <- function(mutant) {
+  paths <- intersect(tests_of(mutant$file), names(calls))
+  names <- if (startsWith(mutant$file, "R/")) {
+    # Code outside of functions concerns all tests.
+    functions_at(mutant$file, mutant$line)
+  } else if (startsWith(mutant$file, "src/ffi_")) {
+    callers_of(mutant$file)
+  }
+  plan <- lapply(paths, function(test) {
+    c(list(test = test), blocks_of(test, if (length(names)) names))
+  })
+  core <- startsWith(paths, "core/")
+  keep <- core | lengths(lapply(plan, `[[`, "wanted")) > 0L
+  costs <- vapply(plan, `[[`, 0, "cpu_s")
+  plan[keep][order(!core[keep], costs[keep])]
+}
+
+# Functions of R/ that call one of a file of src/ffi_*.c.
+callers_of <- function(file) {
+  lines <- readLines(file.path(sources, file))
+  defined <- regmatches(lines, regexpr("(?<=^SEXP )ffi_[a-z_0-9]+(?=\\()", lines, perl = TRUE))
+  found <- lapply(r_files, function(r) {
+    text <- readLines(file.path(sources, r), encoding = "UTF-8")
+    at <- which(vapply(regmatches(text, gregexpr("ffi_[a-z_0-9]+", text)), function(words) {
+      any(words %in% defined)
+    }, NA))
+    unlist(lapply(at, function(line) functions_at(r, line)))
+  })
+  unique(unlist(found))
 }
 
 # All code of R/ anew, with the functions of one file changed: lists of functions and functions made
@@ -124,6 +255,9 @@ replace_code <- function(code) {
   for (file in code) for (expression in file) eval(expression, fresh)
   for (name in intersect(ls(fresh, all.names = TRUE), ls(space, all.names = TRUE))) {
     value <- fresh[[name]]
+    # What did not change stays: it is compiled.
+    if (is.function(value) && identical(environment(space[[name]]), space) &&
+        identical(value, space[[name]], ignore.bytecode = TRUE, ignore.environment = TRUE)) next
     if (is.function(value) && identical(environment(value), fresh)) environment(value) <- space
     unlockBinding(name, space)
     assign(name, value, envir = space)
@@ -150,7 +284,7 @@ make_slot <- function(slot) {
   folder <- slot_folder(slot)
   dir.create(file.path(folder, "library", "rotdyn"), recursive = TRUE)
   file.copy(tests, folder, recursive = TRUE)
-  file.copy(file.path(sources, "src"), folder, recursive = TRUE, copy.date = TRUE)
+  file.copy(file.path(sources, c("src", "inst")), folder, recursive = TRUE, copy.date = TRUE)
   installed <- setdiff(list.files(file.path(library_path, "rotdyn"), full.names = TRUE),
     file.path(library_path, "rotdyn", "libs"))
   file.symlink(installed, file.path(folder, "library", "rotdyn", basename(installed)))
@@ -202,25 +336,38 @@ run_core <- function(folder, test, cpu_s) {
   if (status == 0L) NULL else paste("status", status)
 }
 
-# The tests of a change, the first that fails ends it. `limits`: processor time by test.
-run_all <- function(folder, files, code, limits, lib) {
+# The package with other code in folder/tests: NULL, or what is wrong.
+load_package <- function(folder, code, lib) {
+  said <- tryCatch({
+    library(rotdyn, lib.loc = lib)
+    if (!is.null(code)) replace_code(code)
+    NULL
+  }, error = function(e) paste("does not load:", conditionMessage(e)))
+  setwd(file.path(folder, "tests", "testthat"))
+  said
+}
+
+# The parent ends a process whose processor time exceeds what its file in the slot says: C code does
+# not look at R's own limit.
+set_deadline <- function(folder, cpu_s) {
+  writeLines(format(sum(proc.time()[1:2]) + cpu_s), file.path(folder, "deadline"))
+}
+
+# The tests of a change by its plan, the first that fails ends it.
+run_all <- function(folder, plan, code, lib) {
   loaded <- FALSE
-  for (test in files) {
-    limit <- if (is.null(limits)) 900 else limits[[test]]
+  for (part in plan) {
+    test <- part$test
+    set_deadline(folder, part$limit_s + 10)
     if (startsWith(test, "core/")) {
-      said <- run_core(folder, test, limit)
+      said <- run_core(folder, test, part$limit_s)
     } else {
       if (!loaded) {
-        said <- tryCatch({
-          library(rotdyn, lib.loc = lib)
-          if (!is.null(code)) replace_code(code)
-          NULL
-        }, error = function(e) paste("does not load:", conditionMessage(e)))
+        said <- load_package(folder, code, lib)
         if (!is.null(said)) return(list(status = "killed", by = said))
         loaded <- TRUE
-        setwd(file.path(folder, "tests", "testthat"))
       }
-      said <- run_test_file(basename(test), limit)
+      said <- run_test_file(basename(test), part$limit_s, test_environment(part$wanted))
     }
     if (!is.null(said)) return(list(status = "killed", by = paste0(test, ": ", said[1L])))
   }
@@ -228,17 +375,18 @@ run_all <- function(folder, files, code, limits, lib) {
 }
 
 # The first of the candidates that is a change at all: it compiles, and to something else.
-run_mutant <- function(candidates, slot, limits) {
+run_mutant <- function(candidates, slot) {
   folder <- slot_folder(slot)
-  Sys.setenv(MAKEFLAGS = "", ROTDYN_MUTANT = "yes")
+  Sys.setenv(MAKEFLAGS = "")
   for (mutant in candidates) {
-    mutant$tests <- intersect(tests_of(mutant$file), names(limits))
+    plan <- plan_of(mutant)
+    set_deadline(folder, 600)
     if (startsWith(mutant$file, "R/")) {
       changed <- tryCatch(parse(text = mutant$text, keep.source = FALSE), error = function(e) NULL)
       if (is.null(changed) || identical(as.list(changed), as.list(r_code[[mutant$file]]))) next
       code <- r_code
       code[[mutant$file]] <- changed
-      done <- run_all(folder, mutant$tests, code, limits, library_path)
+      done <- run_all(folder, plan, code, library_path)
     } else {
       path <- file.path(folder, "src", basename(mutant$file))
       objects <- file.path(folder, "src", sub("[.]c$", ".o", compiled_with(mutant$file)))
@@ -254,13 +402,16 @@ run_mutant <- function(candidates, slot, limits) {
         so <- file.path(folder, "library", "rotdyn", "libs", "rotdyn.so")
         unlink(so)
         file.copy(file.path(folder, "src", "rotdyn.so"), so)
-        done <- run_all(folder, mutant$tests, NULL, limits, file.path(folder, "library"))
+        done <- run_all(folder, plan, NULL, file.path(folder, "library"))
       }
       file.rename(saved, objects)
       file.rename(original, path)
       if (status != 0L || same) next
     }
     mutant$text <- NULL
+    mutant$ran <- vapply(plan, function(part) {
+      if (length(part$wanted)) sprintf("%s (%d)", part$test, length(part$wanted)) else part$test
+    }, "")
     return(c(mutant, done))
   }
   list(status = "none", file = candidates[[1L]]$file)
@@ -277,14 +428,15 @@ cpu_of <- function(pid) {
 }
 
 # Calls work(item, slot) for each item, `jobs` at a time, each in a process of its own. A process
-# that exceeds its limit of processor time or dies gives NULL. done(index, result) as they end.
-in_processes <- function(items, work, limit_s, done) {
+# that exceeds its deadline of processor time or dies gives NULL. done(index, result) as they end.
+in_processes <- function(items, work, done) {
   running <- list()
   next_item <- 1L
   while (next_item <= length(items) || length(running)) {
     while (next_item <= length(items) && length(running) < jobs) {
       slot <- setdiff(seq_len(jobs), vapply(running, function(r) r$slot, 1L))[1L]
       item <- items[[next_item]]
+      set_deadline(slot_folder(slot), 1800)
       job <- parallel::mcparallel(work(item, slot), mc.set.seed = FALSE, silent = TRUE)
       running <- c(running, list(list(
         job = job, slot = slot, index = next_item, began = proc.time()[["elapsed"]], looked = 0
@@ -303,10 +455,10 @@ in_processes <- function(items, work, limit_s, done) {
         next
       }
       age <- proc.time()[["elapsed"]] - r$began
-      if (age - r$looked > 5) {
+      if (age - r$looked > 3) {
         r$looked <- age
-        limit <- limit_s(items[[r$index]])
-        if (cpu_of(r$job$pid) > limit || age > 30 * limit) {
+        limit <- as.numeric(readLines(file.path(slot_folder(r$slot), "deadline")))
+        if (length(limit) && cpu_of(r$job$pid) > limit) {
           tools::pskill(r$job$pid, tools::SIGKILL)
           parallel::mccollect(r$job, wait = TRUE)
           restore_slot(r$slot)
@@ -333,6 +485,16 @@ c_files <- file.path("src", sort(list.files(file.path(sources, "src"), "^(rot|ff
   method = "radix"))
 r_code <- lapply(stats::setNames(r_files, r_files), function(file) {
   parse(file.path(sources, file), keep.source = FALSE, encoding = "UTF-8")
+})
+# Lines of every function, by file.
+function_lines <- lapply(stats::setNames(r_files, r_files), function(file) {
+  parsed <- parse(file.path(sources, file), keep.source = TRUE, encoding = "UTF-8")
+  data <- utils::getParseData(parsed)
+  heads <- data[data$token %in% c("FUNCTION", "'\\\\'"), ]
+  own <- data[match(heads$parent, data$id), ]
+  unique(data.frame(
+    from = own$line1, to = own$line2, name = sprintf("%s:%d:%d", file, own$line1, own$line2)
+  ))
 })
 includers <- includers_of(file.path(sources, "src"))
 # Of headers, those that few files include.
@@ -392,26 +554,45 @@ for (package in c("ggplot2", "dplyr", "tibble", "rlang", "cli", "xml2", "units",
 }
 invisible(lapply(seq_len(jobs), make_slot))
 
-# The tests without a change: they must pass, and their processor time sets the limits.
+# The tests without a change: they must pass; the functions that they call.
 needed <- unique(unlist(lapply(items, function(candidates) {
   lapply(candidates, function(mutant) tests_of(mutant$file))
 })))
-limits <- list()
+sums <- tools::md5sum(c(file.path(sources, r_files), file.path(tests, needed)))
+names(sums) <- c(r_files, needed)
+kept_file <- Sys.getenv("MUTANTS_CALLS")
+kept <- if (nzchar(kept_file) && file.exists(kept_file)) readRDS(kept_file) else list()
+calls <- Filter(function(known) {
+  all(names(known$sums) %in% names(sums)) && identical(known$sums, sums[names(known$sums)])
+}, kept[intersect(needed, names(kept))])
+needed <- setdiff(needed, names(calls))
+recorded <- if (length(needed)) lapply(stats::setNames(r_files, r_files), recorded_code)
 broken <- character()
 in_processes(
   as.list(needed),
   function(test, slot) {
     folder <- slot_folder(slot)
-    before <- sum(proc.time()[-3L])
-    done <- run_all(folder, test, r_code, NULL, library_path)
-    c(done, list(cpu_s = sum(proc.time()[-3L]) - before))
+    if (startsWith(test, "core/")) {
+      said <- link_core(folder, test)
+      before <- sum(proc.time()[-3L])
+      if (said == 0L) said <- run_core(folder, test, 900)
+      return(list(said = said, cpu_s = sum(proc.time()[-3L]) - before))
+    }
+    said <- load_package(folder, recorded, library_path)
+    if (is.null(said)) record_calls(basename(test)) else list(said = said)
   },
-  function(test) 1800,
   function(index, result) {
-    if (is.null(result) || result$status != "survived") {
-      broken <<- c(broken, paste(needed[index], result$by))
-    } else {
-      limits[[needed[index]]] <<- 10 + 10 * result$cpu_s
+    test <- needed[index]
+    if (is.null(result) || !is.null(result$said)) {
+      broken <<- c(broken, paste(test, result$said[1L]))
+      return()
+    }
+    files <- c(result$outside, unlist(lapply(result$blocks, `[[`, "calls")))
+    result$sums <- sums[c(test, sort(unique(sub(":.*", "", files))))]
+    calls[[test]] <<- result
+    if (nzchar(kept_file)) {
+      kept[[test]] <<- result
+      saveRDS(kept, kept_file)
     }
   }
 )
@@ -422,16 +603,21 @@ if (length(broken)) {
 killed <- survived <- none <- 0L
 report <- function(mutant) {
   cat(sprintf(
-    "%s, line %d (%s)\n%s\n- %s\n+ %s\n\n", if (mutant$status == "killed") "killed" else "SURVIVED",
+    "%s, line %d (%s)\n%s\n- %s\n+ %s\n", if (mutant$status == "killed") "killed" else "SURVIVED",
     mutant$line, mutant$kind, mutant$file, mutant$before, mutant$after
   ))
+  if (mutant$status == "killed") return(cat("by", substr(mutant$by, 1L, 200L), "\n\n"))
+  names <- if (startsWith(mutant$file, "R/")) functions_at(mutant$file, mutant$line)
+  others <- Filter(function(test) {
+    any(names %in% c(calls[[test]]$outside, unlist(lapply(calls[[test]]$blocks, `[[`, "calls"))))
+  }, setdiff(names(calls), tests_of(mutant$file)))
+  cat("ran:", if (length(mutant$ran)) mutant$ran else "none of its topic calls it", "\n")
+  if (length(others)) cat("not run, call it:", others, "\n")
+  cat("\n")
 }
 by_kind <- list()
 in_processes(
-  items, function(candidates, slot) run_mutant(candidates, slot, limits),
-  function(candidates) {
-    60 + 2 * sum(unlist(limits[tests_of(candidates[[1L]]$file)]))
-  },
+  items, run_mutant,
   function(index, result) {
     # A process that died or ran out of time is a change that was noticed.
     if (is.null(result)) result <- c(items[[index]][[1L]], list(status = "killed", by = "process"))
@@ -443,10 +629,7 @@ in_processes(
     by_kind[[kind]] <<- (if (is.null(by_kind[[kind]])) c(0L, 0L) else by_kind[[kind]]) +
       c(result$status == "killed", 1L)
     if (result$status == "killed") killed <<- killed + 1L else survived <<- survived + 1L
-    if (result$status != "killed" || Sys.getenv("MUTANTS_SHOW") == "all") {
-      report(result)
-      if (result$status == "killed") cat("by", substr(result$by, 1L, 200L), "\n\n")
-    }
+    if (result$status != "killed" || Sys.getenv("MUTANTS_SHOW") == "all") report(result)
   }
 )
 for (l in lost) {

@@ -78,9 +78,31 @@ static void check_torques(void) {
   ROT_CHECK(damping[1] == -5.0 && net[1] == 0.0);
 }
 
+/* A scene is plain where none of its numbers is near the ends of the range of doubles. */
+static void check_plain(void) {
+  const rot_info info = {0};
+  const rot_axle_scene plain = {
+      .linear = {.inertia_kg_m2 = 2.0, .torque = {.before_n_m = 5.0, .after_n_m = 5.0}},
+      .viscous_n_m_s = 0.5,
+      .quadratic_n_m_s2 = 2.0,
+      .static_n_m = 4.0};
+  ROT_CHECK(rot_axle_scene_plain(&plain, &info));
+  rot_axle_scene scene[7];
+  for (int i = 0; i < 7; i++) scene[i] = plain;
+  scene[0].linear.inertia_kg_m2 = 1e80;
+  scene[1].viscous_n_m_s = -1e80;
+  scene[2].motor_n_m_s = 1e80;
+  scene[3].quadratic_n_m_s2 = 1e80;
+  scene[4].static_n_m = 1e80;
+  scene[5].linear.torque.before_n_m = -1e80;
+  scene[6].linear.torque.after_n_m = -1e80;
+  for (int i = 0; i < 7; i++) ROT_CHECK(!rot_axle_scene_plain(&scene[i], &info));
+}
+
 int main(void) {
   check_breaks();
   check_row();
   check_torques();
+  check_plain();
   return rot_test_report("axle_scene");
 }

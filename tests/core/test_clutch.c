@@ -417,6 +417,7 @@ static void check_engagement(void) {
   /* Against scale: heat 60e300 would pass through 1e302 twice. */
   e = rot_clutch_engage(2e300, 3e300, INFINITY, 0.0, 0.0, 10.0, 0.0);
   ROT_CHECK_REL(e.heat_j, 60e300, 1e-15);
+  ROT_CHECK_REL(e.omega_rad_per_s, 4.0, 1e-15);
   e = rot_clutch_engage(2.0, 3.0, 1.0, 10.0, -10.0, 10.0, 0.0); /* driven apart */
   ROT_CHECK(isinf(e.lock_s) && isnan(e.omega_rad_per_s) && isinf(e.heat_j));
   rot_events_free(&x.events);

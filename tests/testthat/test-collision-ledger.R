@@ -76,3 +76,14 @@ test_that("an edited velocity shows; changed rows are a plain tibble", {
   expect_false(inherits(dplyr::filter(two, vx_m_per_s > 1), "rot_collision"))
   expect_false(inherits(dplyr::arrange(two, -vx_m_per_s), "rot_collision"))
 })
+
+test_that("a ledger prints each balance once, the energy last", {
+  lines <- utils::capture.output(print(collision_ledger(bounce())))
+  names <- c("momentum x", "momentum y", "angular momentum z", "energy \\(J\\)")
+  at <- vapply(names, function(name) {
+    found <- grep(paste0("^ *", name), lines)
+    if (length(found) == 1L) found else NA_integer_
+  }, 1L)
+  expect_false(is.unsorted(at, na.rm = FALSE))
+  expect_match(lines[at[1]], "1\\.2 +0\\.9375")
+})

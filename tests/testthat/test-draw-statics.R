@@ -88,3 +88,10 @@ test_that("the name of a force stands at its right, above a force along x", {
   expect_equal(label(c(0, 3, 0)), c(0.17, 0))
   expect_equal(label(c(2, 0, 0)), c(0, 0.17))
 })
+
+test_that("components of a force that are rounding are shown as zero, smaller ones are not", {
+  text <- rotdyn:::force_text
+  expect_identical(text(c(3, 4, 1e-14), 5, FALSE), "(3, 4, 0) N")
+  expect_identical(text(c(3, 4, 1e-10), 5, FALSE), "(3, 4, 1e-10) N")
+  expect_identical(text(c(0, -5), 5, TRUE), "5 N down")
+})

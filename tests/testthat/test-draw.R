@@ -75,3 +75,11 @@ test_that("arrows have the sense of the sign", {
   expect_equal(to(1)[c(1, 61), ], rbind(c(1, 0), c(0, 1)))
   expect_equal(to(-1)[c(1, 61), ], rbind(c(0, 1), c(1, 0)))
 })
+
+test_that("a spring runs from its end to its end, straight there and to both sides between", {
+  spring <- rotdyn:::draw_spring(1, 3, 5, 0.2)
+  expect_false(is.unsorted(spring[, 1], strictly = TRUE))
+  expect_identical(range(spring[, 1]), c(1, 3))
+  expect_equal(spring[c(1, 2, nrow(spring) - 1:0), 2], rep(5, 4))
+  expect_equal(range(spring[, 2]), c(4.8, 5.2))
+})

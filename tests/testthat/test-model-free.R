@@ -198,12 +198,18 @@ test_that("laws of torques and of motors are called with the attitude, not its i
       moments, omega0, attitude0 = q0, rotors = rotor(c(0, 0, 1), 1e-9, 0, torque_n_m = look(0))
     )
   )
+  # With products of inertia: the law is called in the body's axes, not in the principal ones.
+  tensor <- matrix(c(3, 0.4, -0.3, 0.4, 4, 0.5, -0.3, 0.5, 5), 3)
+  scenes <- c(scenes, list(
+    scene_free(tensor, omega0, attitude0 = q0, torque_n_m = look(c(0, 0, 0)))
+  ))
   for (scene in scenes) {
     seen <- NULL
     trajectory(scene, c(0, 2), 1e-10)
     seen <- seen[order(seen[, 1]), ]
     seen <- seen[!duplicated(seen[, 1]), ]
-    free <- trajectory(scene_free(moments, omega0, attitude0 = q0), seen[, 1])
+    inertia <- if (identical(scene, scenes[[3]])) tensor else moments
+    free <- trajectory(scene_free(inertia, omega0, attitude0 = q0), seen[, 1])
     q <- as.matrix(as.data.frame(free)[c("qw", "qx", "qy", "qz")])
     expect_gt(nrow(seen), 50)
     expect_lt(max(1 - abs(rowSums(q * seen[, 5:8]))), 1e-6)

@@ -37,3 +37,10 @@ test_that("what names no vertex is handed on, to be counted later", {
   expect_equal(dim(flat), c(3L, 2L))
   expect_setequal(flat, 1:4)
 })
+
+test_that("a convex polygon far longer than wide stays a fan", {
+  # The cross products of its corners are some ten times its area.
+  kite <- rbind(c(0, 10, 10, 9), c(0, 9, 10, 10), 0)
+  expect_equal(polygon_triangles(kite, matrix(1:4)), cbind(c(1, 2, 3), c(1, 3, 4)))
+  expect_true(rotdyn:::flat_polygons(kite, matrix(1:4))$convex)
+})

@@ -152,3 +152,10 @@ test_that("bodies and names of shapes roll, too", {
   expect_error(rolling_table(list(2)), "Element 1", class = "rotdyn_error_type")
   expect_error(rolling_table(body_rod(1, 1)), class = "rotdyn_error_missing")
 })
+
+test_that("a number of a function or columns that do not exist are refused", {
+  value <- function(which, columns) .Call(rotdyn:::ffi_rolling_value, which, columns)
+  expect_identical(value(3L, list(1))$value, 0.5) # beta/(1 + beta)
+  for (which in c(0L, 6L)) expect_error(value(which, list(1)), "no such function")
+  for (columns in list(1, list(1, 2))) expect_error(value(3L, columns), "of another function")
+})

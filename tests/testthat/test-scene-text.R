@@ -351,3 +351,14 @@ test_that("bodies joined deeply, or to themselves, have a short text that comput
   flat <- join_bodies(lapply(1:600, function(i) place_body(body_disk(1, 1), c(i, 0, 0))))
   expect_true(grepl("join_bodies", write_scene(flat)))
 })
+
+test_that("a polynomial of several pieces is written as one, row by row", {
+  file <- tempfile(fileext = ".json")
+  on.exit(unlink(file))
+  write_scene(
+    scene_axle(1, torque_polynomial(c(0, 1, 3), rbind(c(1, 2, 3), c(4, 5, 6)))), file
+  )
+  text <- gsub("[[:space:]]", "", paste(readLines(file), collapse = ""))
+  expect_match(text, '"torque_polynomial"', fixed = TRUE)
+  expect_match(text, "[[1,2,3],[4,5,6]]", fixed = TRUE)
+})

@@ -101,3 +101,7 @@ test_that("the catalogue's columns are of the dictionary", {
   expect_setequal(setdiff(names(shapes()), rotdyn_columns()$name), character())
   expect_identical(names(shapes()), rotdyn:::shape_columns)
 })
+
+test_that("texts of shapes have the order of the numbers", {
+  expect_identical(rotdyn:::shape_words_table$shape, .Call(rotdyn:::ffi_shapes_list)$shape)
+})

@@ -105,7 +105,11 @@ test_that("errors are the package's own", {
   f <- function(a, b) a + b
   n <- measured(1, 1)
   bad <- list(
-    size = diag(3), size = 1, value = matrix(c(1, 2, 2, 1), 2), value = matrix(c(1, 0.5, 0.4, 1), 2)
+    size = diag(3), size = 1,
+    value = matrix(c(1, 2, 2, 1), 2), value = matrix(c(1, 0.5, 0.4, 1), 2),
+    # Of a size that rounding does not have.
+    value = matrix(1 + 1e-7 * c(0, 1, 1, 0), 2), value = matrix(c(1, 0.5, 0.5 + 1e-7, 1), 2),
+    value = diag(1 + 1e-7, 2)
   )
   for (k in seq_along(bad)) {
     expect_error(uncertainty_budget(f, m, n, correlation = bad[[k]]),
