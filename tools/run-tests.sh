@@ -11,7 +11,12 @@
 
 start=$(date +%s)
 passed=0 failed=0 skipped=0
-heading() { printf '\n==== %s (after %s s)\n' "$1" $(($(date +%s) - start)); }
+# The processor time (user, system) is that of the stages so far; the C core counts from its end.
+heading() {
+  times > "$work/times"
+  printf '\n==== %s (after %s s; processor time %s)\n' "$1" $(($(date +%s) - start)) \
+    "$(sed -n '2s/ /, /p' "$work/times")"
+}
 
 # verdict pass|fail|skip TEXT: one check of our own.
 verdict() {

@@ -50,14 +50,16 @@ static inline int rot_test_count(int ok, const char *name) {
   return ++rot_test_failed <= ROT_TEST_MOST_LINES;
 }
 
-/* How many of n random cases a test takes: all of them with ROTDYN_LONG (`make check-long`) and in
- * optimised builds, an eighth where each takes long: without optimisation (the sanitizers). */
+/* How many of n random cases a test takes: all of them with ROTDYN_LONG (`make check-long`), a
+ * quarter where the core is optimised (ROT_TEST_OPTIMISED of tests/core/run.sh, or a test program
+ * that is), an eighth where each takes long: without optimisation (the sanitizers). */
 static inline int rot_test_trials(int n) {
-#ifdef __OPTIMIZE__
-  return n;
+#if defined __OPTIMIZE__ || defined ROT_TEST_OPTIMISED
+  const int part = 4;
 #else
-  return getenv("ROTDYN_LONG") ? n : (n + 7) / 8;
+  const int part = 8;
 #endif
+  return getenv("ROTDYN_LONG") ? n : (n + part - 1) / part;
 }
 
 /* Doubles as integers in the order of the doubles: neighbours differ by 1, -0 equals +0. */

@@ -6,9 +6,10 @@
 #
 # Each tests/core/test_*.c is a program of its own, linked with all of src/rot_*.c. The builds that
 # run, for the compilers gcc and clang or the one that is installed:
-#   the first compiler, C99, -O2
+#   the first compiler, C99: the core with -O2, the test programs, whose compilation takes longer
+#     than their run, with -O0; a quarter of the random cases
 #   the last compiler that has them, its newest standard: address and undefined behaviour
-#     sanitizers, -O0, with fewer random cases
+#     sanitizers, -O0, an eighth of the random cases
 #   with ROTDYN_LONG=yes (`make check-long`): the last compiler, its newest standard, -O2; the
 #     sanitizers with all cases
 # For the other pairs of compiler and standard the core is compiled for its warnings
@@ -78,6 +79,7 @@ build() {
   for file in $core $tests; do echo "$file"; done |
     xargs -P "$jobs" -I{} sh -c 'file=$1; dir=$2; shift 2
       name=$(basename "$file" .c)
+      case " $* $file" in *" -O2 "*tests/*) set -- "$@" -O0 -DROT_TEST_OPTIMISED ;; esac
       "$@" -Isrc -Itests/core -c "$file" -o "$dir/$name.o" > "$dir/$name.log" 2>&1' \
       build {} "$dir" "$@" $contract $warnings -Werror $gsl_cflags &&
     ar cr "$dir/librot.a" "$dir"/rot_*.o &&
