@@ -52,7 +52,7 @@
 #'
 #' **One smoothness** stands for the whole record. Where the motion is smoother, bands are wider
 #' than needed: in the classes of `make check-measurement` those of 95 % held 92 to 99.9 % of
-#' omega, those of 68 % held 64 to 90 %, and 67 to 97 % of alpha. A counter's angle is known but for
+#' omega, those of 68 % held 64 to 95 %, and 67 to 99 % of alpha. A counter's angle is known but for
 #' a constant within its resolution.
 #'
 #' **An angle and a rate** of which one is another multiple of the other (by more than a fifth, over

@@ -333,7 +333,7 @@ tbl_sum.rot_estimate <- function(x, ...) {
 # Its figure is judged by bench/measurement/noise.R.
 band_words <- paste(
   "one smoothness for the whole record: wide where the motion is smoother, those of 68 % hold up",
-  "to 98 %"
+  "to 99 %"
 )
 
 # Errors that are correlated over half of the smoother's memory, or over a tenth of the record,
