@@ -6,6 +6,7 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
   if (!is.null(loads$law)) {
     span <- range(scene$start_s, time_s)
     reader <- law_reader(loads$law, scene, call)
+    if (loads$law$arguments == 3L) check_start_level(scene, reader, call)
     seen <- law_breaks(loads$law, reader$at, span[1], span[2], call, resolution_of(scene))
     stops <- seen$stops
     if (loads$law$arguments == 1L) {
@@ -35,6 +36,34 @@ integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
     loads$knots <- add_knots(list(loads$knots, torque_constant(push_n_m)))
     solve(loads, seq(min(scene$start_s, time_s), max(scene$start_s, time_s), length.out = 65L))
   }, accuracy)
+}
+
+# A body at rest where its torque jumps in the angle, pushed back from both sides by more than holds
+# it: it stays, and an integrator would cross the jump for ever. Two calls where it is not so.
+check_start_level <- function(scene, reader, call) {
+  if (scene$omega0_rad_per_s != 0) return()
+  theta <- scene$theta0_rad
+  apart <- max(4 * .Machine$double.eps * abs(theta), 1e-300)
+  rest <- scene
+  rest$loads["law"] <- list(NULL)
+  others <- .Call(ffi_axle_torques, rest, scene$start_s, theta, 0)$applied_torque_n_m
+  torque <- function(steps) reader$beside(theta + steps * apart) + others
+  holds <- max(scene$resistance$static_n_m, scene$resistance$coulomb_n_m)
+  above <- torque(1)
+  if (!isTRUE(above < -holds)) return()
+  below <- torque(-1)
+  if (!isTRUE(below > holds)) return()
+  # At an angle where the law's value holds it the integrator rests; no jump but a slope grows.
+  here <- torque(0)
+  steep <- max(abs(torque(64) - above), abs(torque(-64) - below)) > 0.1 * (below - above)
+  if (steep || !isTRUE(abs(here) > holds)) return()
+  abort_rotdyn(c(
+    "The torque pushes the body back to where it starts at rest, from both sides: it stays there.",
+    x = "At {format(theta, digits = 17)} rad the law gives {format(here)} N m, beside it
+         {format(below)} and {format(above)} N m.",
+    i = "Let it return 0 N m at that angle, as {.code sign()} does at 0: then it rests. Or start
+         beside it."
+  ), "step", call)
 }
 
 # The samples of a law of time, compared with the law on the grid of its scan. What lies between the

@@ -27,7 +27,11 @@ law_reader <- function(law, scene, call) {
       check_torques(f(time_s, rep(state[1], n), rep(state[2], n)), n, call)
     }
   }
-  list(at = at, calls = function() called, own = own)
+  beside <- function(theta_rad) {
+    called <<- called + 1
+    .Call(ffi_torque_values, own, scene$start_s, c(theta_rad, state[2]))
+  }
+  list(at = at, beside = beside, calls = function() called, own = own)
 }
 
 # What a vectorised law returned for n times, as doubles.

@@ -609,3 +609,25 @@ test_that("an efficiency of 1 computes as none, and others are refused", {
   expect_false(conserved(geared_pair(NULL, omega0 = 1))$conserved[1])
   expect_error(trajectory(lossy, c(-1, 0)), class = "rotdyn_error")
 })
+
+test_that("a jump in the angle on an elastic drive: the two modes in closed form", {
+  # J1 = J2 = 1, torque 1 up to the angle, then -1: mean m'' = +-1/2, twist d'' = +-1 - 2 k d.
+  for (k in c(8, 900)) {
+    law <- function(time_s, theta_rad, omega_rad_per_s) if (theta_rad < 2) 1 else -1
+    w <- sqrt(2 * k)
+    first <- function(t) t^2 / 4 + (1 - cos(w * t)) / (4 * k)
+    at <- uniroot(function(t) first(t) - 2, c(0, 4), tol = 1e-15)$root
+    at <- at - (first(at) - 2) / (at / 2 + sin(w * at) * w / (4 * k))
+    # Both modes after it, from their states there.
+    d <- (1 - cos(w * at)) / (2 * k) + 1 / (2 * k)
+    v <- sin(w * at) * w / (2 * k)
+    s <- 0.5
+    twist <- -d * w * sin(w * s) + v * cos(w * s)
+    want <- (at - s) / 2 + c(1, -1) * twist / 2
+    motion <- trajectory(
+      scene_drive(c(1, 1), coupling_shaft(k), torque = list(law, NULL)), c(0, at + s)
+    )
+    expect_lt(max(abs(motion$omega_rad_per_s[3:4] - want)), 1e-9)
+    expect_true(all(audit(motion)$verdict == "balanced"))
+  }
+})
