@@ -245,8 +245,28 @@ static void check_ends(void) {
   ROT_CHECK(rot_coast_rows(&none, p, 0.0, 2, t, theta, omega, x, s) == ROT_ERANGE);
 }
 
+/* From rest under 2/s^2 less 0.5/s^2 of friction until 4 s, either way. */
+static void check_start(void) {
+  for (int side = -1; side <= 1; side += 2) {
+    const rot_coast_load load = {2.0 * side, 0.0, 0, 0, NULL, NULL};
+    const double t[] = {1.0, 4.0, 10.0, 20.0};
+    double p[P] = {0}, theta[4], omega[4];
+    p[ROT_COAST_COULOMB] = 0.5;
+    p[ROT_COAST_LOAD] = 1.0;
+    p[ROT_COAST_RELEASE] = 4.0;
+    ROT_CHECK(rot_coast_rows(&load, p, 0.0, 4, t, theta, omega, NULL, NULL) == ROT_OK);
+    ROT_CHECK_REL(side * omega[0], 1.5, 1e-15);
+    ROT_CHECK_REL(side * omega[1], 6.0, 1e-15);
+    ROT_CHECK_REL(side * omega[2], 3.0, 1e-15);
+    ROT_CHECK(omega[3] == 0.0);
+    ROT_CHECK_REL(side * theta[0], 0.75, 1e-15);
+    ROT_CHECK_REL(side * theta[3], 12.0 + 36.0, 1e-15);
+  }
+}
+
 int main(void) {
   check_coulomb();
+  check_start();
   check_weight();
   check_steps();
   check_rows();

@@ -178,3 +178,18 @@ test_that("print shows no second moment across a plate, the table keeps the roun
   expect_match(shown[1], "plate")
   expect_false(any(grepl("e-", shown, fixed = TRUE)))
 })
+
+test_that("a slender rod in any direction has moments 0, I, I", {
+  # A rounding error below 0 of the smallest second moment is removed from the moments, too.
+  below <- 0
+  for (i in 1:40) {
+    u <- c(i, 7 - i, 3.3) / sqrt(i^2 + (7 - i)^2 + 3.3^2)
+    rod <- body_rod(12, 1)
+    rod$second_moment_kg_m2 <- outer(u, u)
+    below <- below + (.Call(rotdyn:::ffi_inertia_principal, outer(u, u), 1e-12)$second[3] < 0)
+    axes <- principal_axes(rod)
+    expect_equal(axes$principal_moment_kg_m2, c(0, 1, 1), tolerance = 1e-14)
+    expect_gte(min(axes$second_moment_kg_m2), 0)
+  }
+  expect_gt(below, 0)
+})
