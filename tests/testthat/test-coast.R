@@ -64,14 +64,18 @@ test_that("bands are the derivatives of the motion times the covariance", {
     moved <- lapply(c(-1, 1), function(side) {
       p <- run$p
       p[name] <- p[[name]] + side * step
-      unlist(.Call(rotdyn:::ffi_coast_rows, run$problem, unname(p[1:7]), 0, at)[1:2])
+      rows <- .Call(rotdyn:::ffi_coast_rows, run$problem, unname(p[1:7]), 0, at)[1:2]
+      omega <- rows[[2]]
+      alpha <- -(p[["coulomb"]] + p[["viscous"]] * omega + p[["quadratic"]] * omega^2)
+      c(unlist(rows), alpha)
     })
     (moved[[2]] - moved[[1]]) / (2 * step)
-  }, numeric(6))
+  }, numeric(9))
   want <- sqrt(rowSums((slope %*% run$covariance[free, free]) * slope))
   got <- predict(fit, at)
   expect_equal(got$theta_rad_se, unname(want[1:3]), tolerance = 1e-6)
   expect_equal(got$omega_rad_per_s_se, unname(want[4:6]), tolerance = 1e-6)
+  expect_equal(got$alpha_rad_per_s2_se, unname(want[7:9]), tolerance = 1e-6)
   # alpha = -(a + b omega + k omega^2): its band by differences of predict()'s own speeds.
   steps <- c(-1e-4, 1e-4)
   near <- predict(fit, 2.5 + steps)
