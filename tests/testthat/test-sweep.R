@@ -169,3 +169,10 @@ test_that("a child forked after threads were used does not wait for them", {
   if (is.null(done)) tools::pskill(child$pid, 9)
   expect_equal(done[[1]], 1)
 })
+
+test_that("a number of threads that no machine has is refused", {
+  sweep <- function(threads) {
+    .Call(rotdyn:::ffi_axle_sweep, "axle_linear", scene_axle(1), list(), threads, NULL)
+  }
+  for (threads in c(-1, 4097, NaN)) expect_error(sweep(threads), "internal: `threads`")
+})
