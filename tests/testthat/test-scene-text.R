@@ -362,3 +362,15 @@ test_that("a polynomial of several pieces is written as one, row by row", {
   expect_match(text, '"torque_polynomial"', fixed = TRUE)
   expect_match(text, "[[1,2,3],[4,5,6]]", fixed = TRUE)
 })
+
+test_that("a body of a standard shape has the moments of its sizes, in any axes", {
+  check <- function(factor) {
+    body <- body_disk(2, 0.25)
+    body$second_moment_kg_m2 <- body$second_moment_kg_m2[c(3, 1, 2), c(3, 1, 2)] * factor
+    rotdyn:::check_shape_numbers(body, NULL)
+  }
+  for (factor in 1 + c(0, 1e-11)) expect_s3_class(check(factor), "rot_body")
+  for (factor in 1 + c(-1e-7, 1e-7)) {
+    expect_error(check(factor), "not those of a disk", class = "rotdyn_error_value")
+  }
+})
