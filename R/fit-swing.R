@@ -193,16 +193,24 @@ first_parameters <- function(time, kind, restoring, losses, best, part, swings) 
   omega0 <- 2 * pi / best$period0
   first <- which(part$passages >= best$from - 1e-9 * best$period)[1]
   slope <- sign(part$peaks[first] - 0)
-  ago <- omega0 * small_swing_ratio(best$amplitude, restoring) * (time[1] - part$passages[first])
-  speed <- if (restoring == "spring") omega0 * best$amplitude else {
-    2 * omega0 * sin(min(best$amplitude, 3.1) / 2)
+  # At the first passage of the stretch theta (of a rate: omega) is 0. From there to the first
+  # sample without losses: backward in time theta (of a rate: omega) has the other sign.
+  angle <- kind == "theta_rad"
+  peak <- if (angle) abs(part$peaks[first]) else NA
+  amplitude <- if (isTRUE(peak > 0)) peak else best$amplitude
+  if (restoring != "spring") amplitude <- min(amplitude, 3.1)
+  speed <- omega0 * if (restoring == "spring") amplitude else 2 * sin(amplitude / 2)
+  passage <- slope * if (angle) c(0, speed) else c(-amplitude, 0)
+  since <- time[1] - part$passages[first]
+  state <- vapply(c("theta_rad", "omega_rad_per_s"), function(what) {
+    free_motion(c(passage, omega0, 0, 0, 0, 0), abs(since), 0, what, restoring)$value %||% NA_real_
+  }, 0)
+  if (anyNA(state)) {
+    state <- passage
+  } else if (since < 0) {
+    state <- state * if (angle) c(-1, 1) else c(1, -1)
   }
-  # At the first passage of the stretch theta (of a rate: omega) is 0; `ago` is the phase since.
-  state <- if (kind == "theta_rad") {
-    slope * c(best$amplitude * sin(ago), speed * cos(ago))
-  } else {
-    slope * c(-best$amplitude * cos(ago), speed * sin(ago))
-  }
+  state <- unname(state)
   p <- c(state, omega0, 0, 0, 0, part$centre)
   heights <- swings$amplitude_rad[best$rows]
   if (length(heights) > 1L && length(losses) && losses[1] != "none") {

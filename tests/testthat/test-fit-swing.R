@@ -307,3 +307,21 @@ test_that("long records are reduced in blocks without a loss of exactness", {
   # Of a sampled sinusoid: u(omega) = sigma/A sqrt(24/n)/T without damping.
   expect_equal(fit$omega_rad_per_s$u, 0.01 / 0.15 * sqrt(24 / 60001) / 60, tolerance = 0.15)
 })
+
+test_that("large swings are fitted from any part of a swing", {
+  swing <- scene_pendulum(
+    body_rod_end(0.2, 0.6), resistance = resistance(quadratic_n_m_s2 = 1e-4), theta0_rad = 2.75
+  )
+  for (from_s in c(0.4, 0.9)) {
+    run <- trajectory(swing, seq(from_s, from_s + 20, by = 0.06))
+    for (kind in c("theta_rad", "omega_rad_per_s")) {
+      set.seed(3)
+      y <- run[[kind]] + stats::rnorm(nrow(run), sd = 0.01)
+      fit <- fit_swing(stats::setNames(data.frame(run$time_s, y), c("time_s", kind)))
+      expect_identical(fit$from, "fit")
+      expect_true(fit$law_complete)
+      # A rod at its end: 2 pi sqrt(2 L/(3 g)).
+      expect_equal(fit$period_s$value, 2 * pi * sqrt(1.2 / (3 * 9.80665)), tolerance = 2e-3)
+    }
+  }
+})
