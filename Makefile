@@ -66,6 +66,7 @@ check-measurement: ## do the error bars of measured motions hold the truth: RECO
 	@sh tools/check-measurement.sh $(or $(RECORDS),500) $(SEED)
 
 check-coverage: ## do the reported errors cover the true ones: SCENES=1000 of each class, SEED=
+	@sh tools/setup.sh coverage
 	@sh tools/check-coverage.sh $(or $(SCENES),1000) $(SEED)
 
 check-fuzz-sanitized: ## the same under gcc's address and undefined behaviour sanitizers

@@ -734,6 +734,7 @@ curve_integrals <- function(run, end, u, call) {
   edge <- 1e-4 * abs(span)
   inner <- inner[(inner - run$from) * run$way > edge & (last - inner) * run$way > edge]
   cuts <- sort(unique(c(u, middle, inner)), decreasing = run$way < 0)
+  tail <- if (end$event == "turns") gentle_until(run, cuts) else run$from
   reach <- c(mean_reach(run, last, places, curve_values(run$curve, places, call)), run$reach)
   rounding <- eps * c(if (end$event == "turns") 0 else run$v0^2 + run$c2 *
     max(abs(run$start$y - y_last), abs(y_last)), 0)
@@ -754,7 +755,10 @@ curve_integrals <- function(run, end, u, call) {
       slowness[!is.finite(slowness)] <- 0
       step <- at$speed * 2 * abs(length_s)
       error <- step * slowness * blur / square
-      cbind(step * slowness, step * s, ifelse(is.finite(error), error, 0))
+      # The change of the time by that of v^2 at the end, where the slope is less.
+      shift <- ifelse((tail - at_u) * run$way > 0, step * slowness / (2 * s^2 * square), 0)
+      cbind(step * slowness, step * s, ifelse(is.finite(error), error, 0),
+            if (from_start) 0 else ifelse(is.finite(shift), shift, 0))
     }
   }
   side <- function(from_start) {
@@ -766,7 +770,7 @@ curve_integrals <- function(run, end, u, call) {
     out <- if (from_start) integrate_panels(rate_of(TRUE), s[-n], s[-1]) else
       integrate_panels(rate_of(FALSE), s[-1], s[-n])
     list(to = mine[-1], time = out$value[, 1], path = out$value[, 2], error = out$error,
-         rounding = out$value[, 3])
+         rounding = out$value[, 3], shift = out$value[, 4])
   }
   parts <- list(side(TRUE), if (slow_end) side(FALSE))
   parts <- Filter(Negate(is.null), parts)
@@ -774,7 +778,11 @@ curve_integrals <- function(run, end, u, call) {
   time <- cumsum(unlist(lapply(parts, `[[`, "time")))
   path <- cumsum(unlist(lapply(parts, `[[`, "path")))
   error <- sum(vapply(parts, function(part) sum(part$error[, 1], part$rounding), 0))
-  if (end$event == "turns") error <- error + turn_rounding(run, end, u, call)
+  if (end$event == "turns") {
+    shift <- sum(vapply(parts, function(part) sum(part$shift), 0)) +
+      shift_beyond(run, tail, last, y_last)
+    error <- error + turn_rounding(run, end, u, shift, call)
+  }
   row <- match(u, at)
   list(
     time = ifelse(u == run$from, 0, time[row]), path = ifelse(u == run$from, 0, path[row]),
@@ -782,9 +790,24 @@ curve_integrals <- function(run, end, u, call) {
   )
 }
 
+# The last of the cuts at which the slope is less than half of that where it turns. A turn on a
+# steep and narrow barrier has few digits of v^2, which the whole way there shares.
+gentle_until <- function(run, cuts) {
+  slope <- abs(run$curve$dy(cuts))
+  low <- which(!(slope >= slope[length(cuts)] / 2))
+  if (length(low)) cuts[low[length(low)]] else cuts[1L]
+}
+
+# What a change of v^2 changes at most of the time from there to where the slope is that of the end.
+shift_beyond <- function(run, tail, last, y_last) {
+  y <- run$curve$y(tail)
+  v2 <- square_speed(run, tail, y)
+  if (v2 > 0) sqrt((run$curve$x(last) - run$curve$x(tail))^2 + (y_last - y)^2) / (2 * v2^1.5) else 0
+}
+
 # The rounding of v^2, and of the place itself, moves the place where it turns by du, and the times
-# of the rows by ds/v.
-turn_rounding <- function(run, end, u, call) {
+# of the rows by ds/v, and by `shift` for a change of v^2 where the slope is another.
+turn_rounding <- function(run, end, u, shift, call) {
   eps <- .Machine$double.eps
   at <- curve_values(run$curve, c(u, end$u), call)
   n <- length(u)
@@ -795,7 +818,7 @@ turn_rounding <- function(run, end, u, call) {
   place <- 2 * eps * max(abs(end$u), abs(run$from))
   v <- sqrt(pmax(square_speed(run, u, at$y[seq_len(n)]), 0))
   moved <- (rounding / (run$c2 * slope) + place) * at$speed[seq_len(n)] / v
-  max(0, moved[v > 0 & u != end$u])
+  max(0, moved[v > 0 & u != end$u]) + (rounding + run$c2 * slope * place) * shift
 }
 
 # The least push and the largest need of friction of the whole motion: of all places, and of the

@@ -185,33 +185,49 @@ static rot_ode_sight *new_sight(rot_ode_probes *q, double worth) {
   return worth > q->sight[least].worth ? &q->sight[least] : NULL;
 }
 
-static void note_sight(rot_ode_probes *q, const rot_ode_piece *piece, double t, const double y[],
-                       size_t component, size_t measure, double worth) {
-  const size_t dim = q->p->dim;
-  rot_ode_sight *s = new_sight(q, worth);
-  double beside[2];
-  if (!s) return;
-  calls_beside(piece, t, beside);
-  s->component = component;
-  s->measure = measure;
-  s->worth = worth;
-  s->mode = q->p->mode ? *q->p->mode : 0;
-  s->t[0] = beside[0];
-  s->t[1] = t;
-  s->t[2] = beside[1];
-  for (size_t k = 0; k < 3; k++) {
-    memcpy(s->y + k * dim, y, dim * sizeof *y);
-    if (k != 1) piece->state(piece->path, s->t[k], s->y + k * dim);
-  }
-}
-
-/* Whether the law differs from the slope by more than what is unsure: in which measure most, by how
- * much, and in which component. */
+/* The measure that differs most, by how much, and the component that differs most in it. */
 typedef struct difference {
   size_t component, measure;
   double worth;
 } difference;
 
+static size_t largest_of(rot_ode_group g, const double apart[]) {
+  size_t largest = g.first;
+  for (size_t i = 1; i < g.count; i++) {
+    if (fabs(apart[g.first + i]) > fabs(apart[largest])) largest = g.first + i;
+  }
+  return largest;
+}
+
+/* A sight with its times and states; NULL where it is not worth as much as those kept. */
+static rot_ode_sight *add_sight(rot_ode_probes *q, const difference *found, const double t[3],
+                                const double *const y[3]) {
+  const size_t dim = q->p->dim;
+  rot_ode_sight *s = new_sight(q, found->worth);
+  if (!s) return NULL;
+  s->component = found->component;
+  s->measure = found->measure;
+  s->worth = found->worth;
+  s->mode = q->p->mode ? *q->p->mode : 0;
+  for (size_t k = 0; k < 3; k++) {
+    s->t[k] = t[k];
+    memcpy(s->y + k * dim, y[k], dim * sizeof *s->y);
+  }
+  return s;
+}
+
+/* At t, where the state is y, between the nearest calls of the steps. */
+static void note_sight(rot_ode_probes *q, const rot_ode_piece *piece, double t, const double y[],
+                       difference found) {
+  double beside[2];
+  calls_beside(piece, t, beside);
+  const double times[3] = {beside[0], t, beside[1]};
+  const double *const states[3] = {y, y, y};
+  rot_ode_sight *s = add_sight(q, &found, times, states);
+  for (size_t k = 0; s && k < 3; k += 2) piece->state(piece->path, s->t[k], s->y + k * q->p->dim);
+}
+
+/* Whether the law differs from the slope by more than what is unsure, and how. */
 static int differs(const rot_ode_params *p, const double apart[], const double unsure[],
                    double time, const double largest[], difference *found, int *undecided) {
   double most = -1.0;
@@ -225,10 +241,7 @@ static int differs(const rot_ode_params *p, const double apart[], const double u
     const double part = largest[m] > 0.0 ? worth / largest[m] : INFINITY;
     if (!(part > most)) continue;
     most = part;
-    *found = (difference){g.first, m, worth};
-    for (size_t i = 1; i < g.count; i++) {
-      if (fabs(apart[g.first + i]) > fabs(apart[found->component])) found->component = g.first + i;
-    }
+    *found = (difference){largest_of(g, apart), m, worth};
   }
   return most >= 0.0;
 }
@@ -244,7 +257,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
   if (!*known) return ROT_OK;
   rot_status status = piece->call(piece->path, t, y, dydt);
   if (status == ROT_ERHS) { /* not defined here: a step that ends here says so */
-    note_sight(q, piece, t, y, 0, 0, INFINITY);
+    note_sight(q, piece, t, y, (difference){0, 0, INFINITY});
     *known = 0;
     return ROT_OK;
   }
@@ -257,7 +270,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
   if (piece->held && p->turn) { /* what drives it may change as long as it is held */
     const double drive = fabs(dydt[p->turn->driver]);
     if (drive <= p->turn->holds) return ROT_OK;
-    note_sight(q, piece, t, y, p->turn->driver, 0, INFINITY);
+    note_sight(q, piece, t, y, (difference){p->turn->driver, 0, INFINITY});
     return ROT_OK;
   }
   if (!differs(p, apart, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
@@ -273,7 +286,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
     }
     if (!differs(p, apart, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
   }
-  note_sight(q, piece, t, y, found.component, found.measure, found.worth);
+  note_sight(q, piece, t, y, found);
   return ROT_OK;
 }
 
@@ -340,23 +353,11 @@ static void look_among(rot_ode_probes *q, const rot_ode_piece *piece) {
       if (!(d * time > IGNORED * q->p->accuracy * piece->largest[m])) continue;
       const double *before = q->values + k * each, *at = before + each;
       const double *behind = k + 2 < q->n_values ? at + each : at;
-      rot_ode_sight *s = new_sight(q, d * time);
-      if (!s) return;
-      const rot_ode_group g = rot_ode_group_of(q->p, m);
       change_after(q, k, m, change);
-      s->component = g.first;
-      for (size_t i = 1; i < g.count; i++) {
-        if (fabs(change[g.first + i]) > fabs(change[s->component])) s->component = g.first + i;
-      }
-      s->measure = m;
-      s->worth = d * time;
-      s->mode = q->p->mode ? *q->p->mode : 0;
-      s->t[0] = before[0];
-      s->t[1] = at[0];
-      s->t[2] = behind[0];
-      memcpy(s->y, before + 1, dim * sizeof *at);
-      memcpy(s->y + dim, at + 1, dim * sizeof *at);
-      memcpy(s->y + 2 * dim, behind + 1, dim * sizeof *at);
+      const difference found = {largest_of(rot_ode_group_of(q->p, m), change), m, d * time};
+      const double times[3] = {before[0], at[0], behind[0]};
+      const double *const states[3] = {before + 1, at + 1, behind + 1};
+      if (!add_sight(q, &found, times, states)) return;
     }
   }
 }

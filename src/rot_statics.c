@@ -395,7 +395,8 @@ typedef struct program {
   const equations *eq;
   const rot_structure *s;
   support_mode mode;
-  const double *cost; /* of each reaction, or NULL */
+  const double *cost;  /* of each reaction, or NULL */
+  const double *known; /* reactions that balance the loads, or NULL */
   rot_simplex lp;
 } program;
 
@@ -446,6 +447,19 @@ static void tangents(const double n[3], double first[3], double second[3]) {
   }
 }
 
+/* The known force of a contact in space. Near the edge of rest few directions are possible, and
+ * generated ones come to them slowly. */
+static void push_known(program *p, const rot_contact *contact) {
+  double column[6], cost, v[3];
+  if (p->s->plane || !p->known) return;
+  memcpy(v, p->known + contact->first, sizeof v);
+  const double size = norm3(v);
+  if (!(size > 0.0)) return;
+  for (int i = 0; i < 3; i++) v[i] /= size;
+  along_axes(p, contact, v, column, &cost);
+  push(p, column, 1.0, cost);
+}
+
 static void push_contact(program *p, const rot_contact *contact) {
   const double *n = contact->normal, mu = contact->friction;
   double column[6], cost, first[3], second[3], v[3];
@@ -464,6 +478,7 @@ static void push_contact(program *p, const rot_contact *contact) {
       along_axes(p, contact, v, column, &cost);
       push(p, column, 1.0, cost);
     }
+    push_known(p, contact);
     return;
   }
   push(p, column, 1.0, cost);
@@ -505,15 +520,16 @@ static int price_cone(void *ctx, const double dual[], int phase, double column[]
 }
 
 static rot_status start_program(program *p, const equations *eq, const rot_structure *s,
-                                support_mode mode, const double cost[]) {
+                                support_mode mode, const double cost[], const double known[]) {
   memset(p, 0, sizeof *p);
   p->eq = eq;
   p->s = s;
   p->mode = mode;
   p->cost = cost;
+  p->known = known;
   const int cones = !s->plane && s->contacts && mode == AS_GIVEN;
   p->lp.m = eq->m;
-  p->lp.capacity = 2 * eq->k + 2 + 3 * s->contacts + (cones ? 400 + 100 * s->contacts : 0);
+  p->lp.capacity = 2 * eq->k + 2 + 4 * s->contacts + (cones ? 400 + 100 * s->contacts : 0);
   p->lp.column = malloc(p->lp.capacity * eq->m * sizeof *p->lp.column);
   p->lp.cost = malloc(p->lp.capacity * sizeof *p->lp.cost);
   if (!p->lp.column || !p->lp.cost) return ROT_ENOMEM;
@@ -621,22 +637,27 @@ static void leave_over(const program *p, double motion[6]) {
 static rot_status motion_of(const equations *eq, const rot_structure *s, support_mode mode,
                             double motion[6]) {
   program p;
-  const rot_status status = start_program(&p, eq, s, mode, NULL);
+  const rot_status status = start_program(&p, eq, s, mode, NULL, NULL);
   if (status == ROT_OK) leave_over(&p, motion);
   end_program(&p);
   return status;
 }
 
+/* Generated columns of a nearly singular basis can seem to be unbounded: there the search decides. */
+static int without_limit(const program *p, rot_simplex_result result) {
+  return result == ROT_SIMPLEX_UNBOUNDED && !p->lp.price;
+}
+
 static rot_status range_by_program(const equations *eq, const rot_structure *s, size_t j,
-                                   double sign, double cost[], double *limit) {
+                                   double sign, const double x[], double cost[], double *limit) {
   program p;
   cost[j] = sign;
-  rot_status status = start_program(&p, eq, s, AS_GIVEN, cost);
+  rot_status status = start_program(&p, eq, s, AS_GIVEN, cost, x);
   if (status == ROT_OK) {
     const rot_simplex_result result = rot_simplex_solve(&p.lp);
-    *limit = result == ROT_SIMPLEX_OPTIMAL     ? sign * p.lp.value
-             : result == ROT_SIMPLEX_UNBOUNDED ? -sign * INFINITY
-                                               : NAN;
+    *limit = result == ROT_SIMPLEX_OPTIMAL ? sign * p.lp.value
+             : without_limit(&p, result)   ? -sign * INFINITY
+                                           : NAN;
   }
   end_program(&p);
   cost[j] = 0.0;
@@ -741,7 +762,7 @@ static rot_status holds(cone_system *sys, const rot_dd g[], double t, int *found
 static rot_status balances(const equations *eq, const rot_structure *s, support_mode mode,
                            int *answer) {
   program p;
-  const rot_status status = start_program(&p, eq, s, mode, NULL);
+  const rot_status status = start_program(&p, eq, s, mode, NULL, NULL);
   if (status == ROT_OK) {
     const rot_simplex_result result = rot_simplex_solve(&p.lp);
     *answer = result == ROT_SIMPLEX_STOPPED ? -1 : result != ROT_SIMPLEX_INFEASIBLE;
@@ -847,14 +868,26 @@ static rot_status push_only(const equations *eq, const rot_structure *s, rot_dd 
   return status;
 }
 
+/* Where c + t g has no x, the search leaves a y with B'y in the polar cone and (c + t g).y > 0: each
+ * t that has one satisfies (c + t g).y <= 0. The bound on t, or `t`. */
+static double cut_of(const cone_system *sys, const rot_dd g[], double good, double t) {
+  double c_y = 0.0, g_y = 0.0;
+  for (size_t i = 0; i < sys->cone.m; i++) {
+    c_y += sys->c[i].hi * sys->y[i].hi;
+    g_y += g[i].hi * sys->y[i].hi;
+  }
+  const double bound = -c_y / g_y, part = (bound - good) / (t - good);
+  return part > 0.0 && part < 1.0 ? bound + 1e-6 * (t - bound) : t;
+}
+
 /* The largest t, times `sign`, from `t`, for which c + t g has an x. Unbounded where g has one
- * itself; then doubled steps, and halved ones. A search that does not end counts as no x. */
+ * itself; then growing steps, cuts, and halved steps. A search that does not end counts as no x. */
 static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, double t,
                           double *limit) {
   const size_t m = sys->cone.m;
   rot_dd c[ROT_CONE_ROWS];
   int found;
-  double gap, good = t, bad = sign * INFINITY, step = fmax(1e-3 * fabs(t), 1e-6);
+  double gap, good = t, bad = sign * INFINITY, step = fmax(1e-3 * fabs(t), 1e-6), part = 0.5;
   memcpy(c, sys->c, sizeof c);
   for (size_t i = 0; i < m; i++) sys->c[i] = zero();
   rot_status status = holds(sys, g, sign, &found, &gap);
@@ -862,26 +895,30 @@ static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, doubl
   *limit = sign * INFINITY;
   if (status != ROT_OK || found) return status;
   for (int i = 0; i < 160; i++) {
-    const double next = isfinite(bad) ? good + 0.5 * (bad - good) : good + sign * step;
-    if (isfinite(bad) && fabs(bad - good) <= 1e-14 * fmax(fabs(good), fabs(bad))) break;
+    const double next = isfinite(bad) ? good + part * (bad - good) : good + sign * step;
+    if (isfinite(bad) && fabs(bad - good) <= 1e-12 * fmax(fabs(good), fabs(bad))) break;
     if (fabs(next) > 1e16) return ROT_OK;
     status = holds(sys, g, next, &found, &gap);
     if (status != ROT_OK) return status;
-    if (found)
+    part = 0.5;
+    if (found) {
       good = next;
-    else
-      bad = next;
+    } else {
+      bad = isnan(gap) ? cut_of(sys, g, good, next) : next;
+      if ((bad - next) * sign < 0.0) part = 0.999;
+    }
     step *= 4.0;
   }
   *limit = good;
   return ROT_OK;
 }
 
-/* The least (sign 1) or largest value of reaction j, from its value x: by the linear program, else
+/* The least (sign 1) or largest value of reaction j, from the known ones: by the linear program, else
  * with that reaction in an equation of its own. */
 static rot_status range_of(const equations *eq, const rot_structure *s, size_t j, double sign,
-                           double x, double cost[], double *limit) {
-  rot_status status = range_by_program(eq, s, j, sign, cost, limit);
+                           const double known[], double cost[], double *limit) {
+  const double x = known[j];
+  rot_status status = range_by_program(eq, s, j, sign, known, cost, limit);
   if (status == ROT_OK && isnan(*limit)) {
     cone_system sys;
     rot_dd g[ROT_CONE_ROWS] = {{0.0, 0.0}};
@@ -1002,8 +1039,8 @@ static rot_status find_ranges(const equations *eq, const rot_structure *s, const
   for (size_t j = 0; j < eq->k && status == ROT_OK; j++) {
     lowest[j] = highest[j] = rest->rests ? in_newton(eq, s, j, x[j]) : NAN;
     if (determined[j] || !rest->rests) continue;
-    status = range_of(eq, s, j, 1.0, x[j], cost, &lowest[j]);
-    if (status == ROT_OK) status = range_of(eq, s, j, -1.0, x[j], cost, &highest[j]);
+    status = range_of(eq, s, j, 1.0, x, cost, &lowest[j]);
+    if (status == ROT_OK) status = range_of(eq, s, j, -1.0, x, cost, &highest[j]);
     lowest[j] = in_newton(eq, s, j, lowest[j]);
     highest[j] = in_newton(eq, s, j, highest[j]);
   }
@@ -1063,13 +1100,13 @@ static rot_status factors_by_program(const equations *eq, const rot_structure *s
     program p;
     const double sign = side ? -1.0 : 1.0;
     limits[side] = NAN;
-    status = start_program(&p, eq, s, AS_GIVEN, NULL);
+    status = start_program(&p, eq, s, AS_GIVEN, NULL, NULL);
     if (status == ROT_OK) {
       push(&p, column, 1.0, sign);
       push(&p, column, -1.0, sign);
       const rot_simplex_result result = rot_simplex_solve(&p.lp);
       if (result == ROT_SIMPLEX_OPTIMAL) limits[side] = sign * p.lp.value;
-      if (result == ROT_SIMPLEX_UNBOUNDED) limits[side] = -sign * INFINITY;
+      if (without_limit(&p, result)) limits[side] = -sign * INFINITY;
     }
     end_program(&p);
   }

@@ -2,11 +2,13 @@
 # Do the reported errors cover the true ones? Random scenes for each model of the axle, of the
 # incline, of the heavy top (to 1e9 rad and more) and of free bodies with rotors or without, and for
 # the installed package random R functions as torque laws, narrow changes of such laws, random
-# curves, audits of random motions, and random gears, drives, rotors, inclines, dry friction, long
-# spans and short pulses, judged in quadruple precision (bench/coverage/). What is estimated from
-# measured records, with correlated noise, counters and quadratic damping among them, is judged by
-# check-measurement.sh. Needs gcc and libquadmath. Without SEED another one is drawn each time. 1000
-# scenes of each class are 33,000 in all: each part ends with the number of its own.
+# curves, audits of random motions, bodies at rest on redundant supports, and random gears, drives,
+# rotors, inclines, dry friction, long spans and short pulses, judged in quadruple precision, bodies
+# at rest by linear programs of lpSolve (bench/coverage/). What is estimated from measured records,
+# with correlated noise, counters and quadratic damping among them, is judged by
+# check-measurement.sh. Needs gcc, libquadmath and the R package lpSolve. Without SEED another one
+# is drawn each time. 1000 scenes of each class are 34,000 in all: each part ends with the number of
+# its own.
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
@@ -35,5 +37,6 @@ Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad
 Rscript bench/coverage/curves.R "$build/curves" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/narrow.R "$((${1:-1000} / 3))" "$seed" || bad=1
 Rscript bench/coverage/audits.R "$((${1:-1000} / 4))" "$seed" || bad=1
+Rscript bench/coverage/statics.R "$((${1:-1000} / 2))" "$seed" || bad=1
 Rscript bench/coverage/scenes.R "$build/chains" "${1:-1000}" "$seed" || bad=1
 exit $bad

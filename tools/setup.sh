@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what a verb of the Makefile needs and this machine does not have.
 #
-#   tools/setup.sh demo|test|bench|document|valgrind|manual|format
+#   tools/setup.sh demo|test|bench|coverage|document|valgrind|manual|format
 #
 # System packages come from apt-get, if it exists and the user is root; otherwise the script prints
 # the command to type. R packages come as Debian's r-cran-* where R uses Debian's library, and from
@@ -67,7 +67,7 @@ need() {
 
 system_needs() {
   essential="" optional="" apt_list="" dnf_list="" brew_list=""
-  case $group in demo | test | bench | document | valgrind | manual)
+  case $group in demo | test | bench | coverage | document | valgrind | manual)
     need essential has_r "R" "r-base-core r-base-dev" "R-core-devel" r
     need essential has_compiler "a C compiler and make" build-essential "gcc make" -
     need essential has_gsl "GNU GSL" libgsl-dev gsl-devel gsl
@@ -155,7 +155,7 @@ from_cran() {
 # ---- go -------------------------------------------------------------------------------------
 
 case $group in
-  demo | test | bench | document | valgrind | manual | format) ;;
+  demo | test | bench | coverage | document | valgrind | manual | format) ;;
   *) sed -n '2,4s/^# *//p' "$0"; exit 2 ;;
 esac
 
@@ -184,6 +184,8 @@ test $group = format && exit 0
 must=$(ask_r imports) || exit 1
 may=""
 case $group in
+  # lpSolve judges structures at rest (bench/coverage/statics.R).
+  coverage) may="lpSolve" ;;
   demo) may="dplyr ggplot2 knitr rmarkdown" ;;
   test | bench) must="$must testthat"; may=$(ask_r suggests) ;;
   # roxygen2 loads the package from its sources; pkgbuild compiles them.

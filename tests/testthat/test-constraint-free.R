@@ -135,3 +135,23 @@ test_that("correct forced motions are balanced at every accuracy, by allowances 
   motion$omega_x_rad_per_s[2] <- motion$omega_x_rad_per_s[2] * (1 + 1e-5)
   expect_true("unbalanced" %in% audit(motion)$verdict)
 })
+
+test_that("an error of omega far below that of the attitude does not unbalance a correct motion", {
+  # The distance of the two runs said 8e-12 for an error of 1e-10 (against a run at 1e-13): the
+  # residual was 2.7 times what was allowed.
+  pulse <- data.frame(
+    time_s = c(0.5871, 0.7016, 0.9863, 1.128), x_n_m = c(0.3413, 0.04663, -0.2326, 0.827),
+    y_n_m = c(0.2044, 0.01732, -0.9261, -1.149), z_n_m = c(0.7414, 0.7439, 0.04029, 0.7297)
+  )
+  scene <- scene_free(
+    c(1.354, 0.9843, 1.342), c(2.411, -1.175, -3.176), torque_n_m = pulse, torque_axes = "space",
+    attitude0 = attitude_from(c(qw = 0.5055, qx = 0.3377, qy = 0.7664, qz = 0.2074) /
+      sqrt(0.5055^2 + 0.3377^2 + 0.7664^2 + 0.2074^2), "quaternion", order = "wxyz")
+  )
+  motion <- trajectory(scene, c(0, 2.005, 2.564, 2.801, 2.984), 1e-4)
+  got <- allowed(motion)
+  expect_true(got$all)
+  expect_lt(got$most, 1e-4)
+  motion$omega_x_rad_per_s[5] <- motion$omega_x_rad_per_s[5] * (1 + 1e-7)
+  expect_identical(audit(motion)$verdict[1], "unbalanced")
+})

@@ -241,6 +241,25 @@ test_that("a crest that is barely reached: an error, no warning of base R", {
                class = "rotdyn_error_value")
 })
 
+test_that("the figure of a turn on a steep, narrow barrier holds the rounding of its place", {
+  # Times of rows 2 to 4 in quadruple precision (bench/coverage/curves.c). The slope at the barrier
+  # is 2e4: a rounding of the place is 1e-11 of the square of the speeds.
+  barrier <- function(x) {
+    -0.21874648870119975 - 1.0026224165922031 * x + 1.1785129937559686 * x^2 -
+      0.011007484902103187 * sin(13.599699864249262 * x - 0.96999381411580205) +
+      0.0065105522115733363 * exp(-((x - 0.035578863662235553) / 3.5324743987051825e-07)^2)
+  }
+  motion <- roll_on_curve(
+    barrier, 0.034391803127442097, 0.037480875402249945, 2 * 5.6603451644372793 /
+      10.606693425194608 - 1, rows = 9, gravity_m_per_s2 = 5.6603451644372793, finest = 1e-4
+  )
+  true_s <- c(0.017076183278599166, 0.024148240527088971, 0.029574043376746857)
+  off <- max(abs(motion$time_s[2:4] - true_s)) / max(true_s)
+  expect_identical(summary(motion)$event, "turns")
+  expect_lt(off, summary(motion)$error)
+  expect_lt(summary(motion)$error, 1e-9)
+})
+
 test_that("errors of curves", {
   expect_error(roll_on_curve(cos, 0, 3), class = "rotdyn_error_value") # level at the start
   expect_error(roll_on_curve(cos, -1, 3), class = "rotdyn_error_value") # uphill

@@ -329,6 +329,46 @@ test_that("redundant supports in space: table, verdict and limits agree", {
   expect_true(all(table(seen)[c("rests", "slides", "tips")] > 4))
 })
 
+test_that("at the edge of rest the ranges of redundant reactions are finite", {
+  # Each contact is about to slide: forces only along the edges of the cones, and across s1, in
+  # self-stress along one vector of mixed signs (by singular values of those 6 columns): s3 from 0
+  # to 7.661 N. Inside by 3e-7 of the loads, the cones open by the square root of that.
+  at <- rbind(
+    c(-0.227947303587505, 0.475587317546567, 0.633637812060369),
+    c(-0.505048865162588, 0.609510161919548, 0.582778913270913),
+    c(-0.621589799430354, 0.361449122572236, 0.564413454398882),
+    c(-0.649522958321476, 0.380025271285642, 0.743057324158504),
+    c(-0.292296446994436, 0.638529601759886, 0.402229673459524),
+    c(-0.69887730726378, 0.74867108094964, 0.577941992431611)
+  )
+  along <- rbind(
+    c(0.720069273523599, 0.100543697605239, 0.686579351713306),
+    c(-0.20702597995844, 0.651123273256432, 0.866940961066565),
+    c(-0.241056628280863, -0.115071660874332, 0.269666136938301),
+    c(0.0119805160117967, 0.40346271423006, 0.914917649552245),
+    c(0.422950390385406, -0.377723940291109, 1.24645826783949),
+    c(0.0676028155025921, -0.0923985711955425, -0.0301052991360866)
+  )
+  friction <- c(Inf, NA, 0, 0.920751772960648, 1.43059881667141, 0.160139768163208)
+  supports <- lapply(1:6, function(i) {
+    if (i == 2) return(support_cable(at[i, ], along[i, ]))
+    support_surface(at[i, ], along[i, ], friction[i])
+  })
+  loads <- forces(
+    load_force(c(6.98362130491128, -6.70527190083603, -6.17624066189524),
+               c(-0.469711690220027, 0.29072898518036, 0.704926091139186)),
+    load_force(c(2.84146858126742, 12.1396810388645, -4.92392453073774),
+               c(-0.703946584494016, 0.599737471736528, 0.767508674253963)),
+    load_couple(c(3.27929797691406, 0.109690183866251, 3.46867577072112))
+  )
+  edge <- static_equilibrium(loads, supports)
+  expect_identical(summary(edge)$verdict, "rests")
+  range <- reactions(edge)
+  expect_true(all(is.finite(c(range$lowest, range$highest))))
+  expect_equal(range$highest[range$component == "normal_n"], 7.661247, tolerance = 3e-3)
+  expect_lt(abs(range$lowest[range$component == "normal_n"]), 1e-2)
+})
+
 test_that("no supports, no loads", {
   free <- static_equilibrium(load_force(c(1, 0), c(0, 0)), list())
   expect_equal(summary(free)$verdict, "moves")
