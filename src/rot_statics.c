@@ -643,7 +643,7 @@ static rot_status motion_of(const equations *eq, const rot_structure *s, support
   return status;
 }
 
-/* Generated columns of a nearly singular basis can seem to be unbounded: there the search decides. */
+/* Generated columns of a nearly singular basis can seem to be unbounded: the search decides. */
 static int without_limit(const program *p, rot_simplex_result result) {
   return result == ROT_SIMPLEX_UNBOUNDED && !p->lp.price;
 }
@@ -868,8 +868,8 @@ static rot_status push_only(const equations *eq, const rot_structure *s, rot_dd 
   return status;
 }
 
-/* Where c + t g has no x, the search leaves a y with B'y in the polar cone and (c + t g).y > 0: each
- * t that has one satisfies (c + t g).y <= 0. The bound on t, or `t`. */
+/* Where c + t g has no x, the search leaves a y with B'y in the polar cone and (c + t g).y > 0:
+ * each t that has one satisfies (c + t g).y <= 0. The bound on t, or `t`. */
 static double cut_of(const cone_system *sys, const rot_dd g[], double good, double t) {
   double c_y = 0.0, g_y = 0.0;
   for (size_t i = 0; i < sys->cone.m; i++) {
@@ -913,8 +913,8 @@ static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, doubl
   return ROT_OK;
 }
 
-/* The least (sign 1) or largest value of reaction j, from the known ones: by the linear program, else
- * with that reaction in an equation of its own. */
+/* The least (sign 1) or largest value of reaction j, from the known ones: by the linear program,
+ * else with that reaction in an equation of its own. */
 static rot_status range_of(const equations *eq, const rot_structure *s, size_t j, double sign,
                            const double known[], double cost[], double *limit) {
   const double x = known[j];
