@@ -1,7 +1,7 @@
 # The developer's verbs. Each is a script in tools/ that can be run by itself. GNU make.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test core snapshots bench document format
+.PHONY: help demo test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: check-interrupt check-long check-measurement check-mutants check-scenes library examples
 
@@ -40,9 +40,12 @@ library: ## the core as a library of C, with its header: PREFIX= where
 examples: ## the programs of inst/examples, compared with R
 	@sh tools/examples.sh
 
+objects: ## list the C files of src/ for make, after one came or went
+	@sh tools/objects.sh > src/Makevars.objects
+
 format: ## lay out the C sources by .clang-format
 	@sh tools/setup.sh format
-	@clang-format -i src/*.[ch] tests/core/*.[ch] inst/include/*.h
+	@find src tests/core inst/include -name '*.[ch]' -exec clang-format -i {} +
 
 check-valgrind: ## C core and C boundary under valgrind
 	@sh tools/check-valgrind.sh

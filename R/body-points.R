@@ -170,7 +170,7 @@ abort_point <- function(points, row, column, call) {
 
 # ---- moments ------------------------------------------------------------------------------------
 
-# The numbers of src/ffi_points.c; used for nodes and random points of a density, too.
+# The numbers of src/glue/points.c; used for nodes and random points of a density, too.
 moment_names <- c(
   "mass", "x", "y", "z", "x_lo", "y_lo", "z_lo", "xx", "yy", "zz", "xy", "xz", "yz",
   "mass_error", "centre_error", "error", "vanished"

@@ -1,6 +1,7 @@
-# The choice of a model, which the C core makes (src/rot_choice.h), for constraints that it knows by
-# name: "axle", "rotors", "clutch". `scene` is an R scene of that constraint, `law_s` the time in s
-# of one call of its torque function (ignored where it has none). A prediction of time is in s.
+# The choice of a model, which the C core makes (src/core/scene/choice.h), for constraints that it
+# knows by name: "axle", "rotors", "clutch". `scene` is an R scene of that constraint, `law_s` the
+# time in s of one call of its torque function (ignored where it has none). A prediction of time is
+# in s.
 
 # The models of the core, in the order of its lists: named columns model, constraint, error (the
 # smallest promised), error_kind ("bound", "estimate"), on_trial (only a run tells the error), why

@@ -1,4 +1,4 @@
-# Parameters of a run, as in src/rot_coast.h.
+# Parameters of a run, as in src/core/measure/coast.h.
 coast_parameters <- c(
   "theta0", "omega0", "coulomb", "viscous", "quadratic", "load", "release", "cos_1", "sin_1",
   "cos_2", "sin_2"

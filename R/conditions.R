@@ -1,5 +1,5 @@
 # Kinds of errors: the class is rotdyn_error_<kind>. The kinds of a failed run are those of
-# ROT_STATUS_LIST in src/rot_status.h.
+# ROT_STATUS_LIST in src/core/ground/status.h.
 error_kinds <- c(
   missing = "a required argument is missing",
   argument = "an unknown argument or column, or an argument without its name",

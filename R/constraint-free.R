@@ -246,7 +246,7 @@ free_torque_at <- function(scene, x) {
   out
 }
 
-# As rot_free_between_knots() in src/rot_free_torque.c: 0 outside, the later value at a jump.
+# As rot_free_between_knots() in src/core/scene/free/torque.c: 0 outside, the later value at a jump.
 between_knots <- function(at, y, time_s) {
   i <- pmin(pmax(findInterval(time_s, at), 1L), length(at) - 1L)
   width <- at[i + 1L] - at[i]

@@ -57,7 +57,8 @@ registry <- new.env(parent = emptyenv())
   set_default_verbs()
 }
 
-# Constraints of the C core (src/rot_choice.c) have their effects and their models' promises there.
+# Constraints of the C core (src/core/scene/choice.c) have their effects and their models' promises
+# there.
 join_constraint <- function(constraint) {
   constraint$core <- constraint$id %in% core_models()$constraint
   if (constraint$core) {

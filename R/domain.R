@@ -145,7 +145,7 @@ domain_inside <- function(inside, lower_m, upper_m, ...) {
   )
 }
 
-# `chart` is what src/ffi_density.c reads: kind, low, high, stretch. Its coordinates are about
+# `chart` is what src/glue/density.c reads: kind, low, high, stretch. Its coordinates are about
 # `centre_m`; those of a map are parameters about `parameter`.
 new_domain <- function(kind, size_m = numeric(), centre_m = c(0, 0, 0), chart,
                        periodic = c(FALSE, FALSE, FALSE), parameter = NULL, map = NULL,

@@ -1,5 +1,5 @@
 # What an object consists of. A form is a word, or a list of forms by the names of the parts. C
-# checks it (src/ffi_form.c) in two microseconds, at the start of every verb that takes an object:
+# checks it (src/glue/form.c) in two microseconds, at the start of every verb that takes an object:
 # one that was edited, forged or kept from another version is reported there and nowhere else.
 #
 # Words: number, numbers (finite), limit, limits (may be infinite), values (any), sorted (finite,

@@ -250,7 +250,7 @@ rpm_from_rad_per_s <- function(omega_rad_per_s) {
   convert_angle(omega_rad_per_s, "omega_rad_per_s", "rad/s", 5)
 }
 
-# `place` in ROT_ANGLE_UNIT_LIST of src/rot_kinematics.h, from 0.
+# `place` in ROT_ANGLE_UNIT_LIST of src/core/tables/kinematics.h, from 0.
 convert_angle <- function(x, arg, unit, place, call = parent.frame()) {
   if (missing(x)) check_supplied(arg, call)
   .Call(ffi_convert_angle, check_column(x, arg, unit, call), place)

@@ -166,7 +166,7 @@ step_free <- function(scene, time_s, step_s, max_steps, call, method) {
   result
 }
 
-# `method`: as in src/rot_status.h.
+# `method`: as in src/core/ground/status.h.
 free_stepper <- function(id, method, ...) {
   list(
     id = id,

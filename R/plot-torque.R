@@ -114,7 +114,8 @@ law_variable <- function(law) {
   switch(law$kind, curve = "omega", spring = , gravity = "theta", "time")
 }
 
-# The law at many values of its variable: knots after a jump, terms as src/rot_term.h has them.
+# The law at many values of its variable: knots after a jump, terms as src/core/engine/term.h has
+# them.
 law_values <- function(law, at, call) {
   if (inherits(law, "rot_torque_knots")) return(knot_sides(law, at)[, 2L])
   if (inherits(law, "rot_torque_motor")) {

@@ -217,7 +217,7 @@ rolling_units <- c(
   beta = "1", incline_angle_deg = "degree", height_drop_m = "m", gravity_m_per_s2 = "m/s^2"
 )
 
-# Function number `which` of src/ffi_rolling.c, for the caller's arguments.
+# Function number `which` of src/glue/rolling.c, for the caller's arguments.
 by_row <- function(which, columns, call = parent.frame()) {
   if (eval(quote(missing(beta)), call)) check_supplied("beta", call)
   columns <- check_columns_of(columns, rolling_units[names(columns)], call)

@@ -108,7 +108,7 @@ check_ratio <- function(ratio, call) {
   ratio
 }
 
-# kind: 0 a shaft, 1 a clutch, 2 a gear (src/rot_drive.h).
+# kind: 0 a shaft, 1 a clutch, 2 a gear (src/core/scene/drive/drive.h).
 new_coupling <- function(kind, ratio, stiffness, damping, grip) {
   coupling <- list(
     kind = kind, ratio = ratio, stiffness_n_m_per_rad = stiffness, damping_n_m_s = damping,
@@ -141,7 +141,7 @@ new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
   )
 }
 
-# As src/ffi_axle.c reads what acts on a body on an axle.
+# As src/glue/axle.c reads what acts on a body on an axle.
 loads_on_axle <- function(torque, resistance, inertia, theta0, omega0, start_s) {
   list(
     moment_of_inertia_kg_m2 = inertia, inertia = NULL, loads = torque_loads(torque),

@@ -1,5 +1,5 @@
 # Text about the standard shapes: formulas, origin, source. Their sizes and moments are in
-# src/rot_shapes_geometry.c; a test evaluates every formula here and compares the results.
+# src/core/body/shapes_geometry.c; a test evaluates every formula here and compares the results.
 #
 # m is the mass; a blank multiplies. Moments are about the centre of mass, along the own axes;
 # `axis` and `formula` belong to the moment reported by inertia_table().

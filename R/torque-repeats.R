@@ -1,6 +1,6 @@
 # A torque law that draws random numbers, or depends on a counter or a clock, is no function of its
 # arguments: no step is short enough for it. Two calls with the same arguments show it; the
-# integrator looks again where steps fail (rot_ode_check_repeats() in src/rot_ode_step.c).
+# integrator looks again where steps fail (rot_ode_check_repeats() in src/core/engine/ode/step.c).
 
 random_remedy <- "Draw random numbers before the run: {.fn torque_knots} of times and values, or a
                   function that interpolates between them."

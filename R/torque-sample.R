@@ -6,7 +6,7 @@ sample_degree <- 32L
 most_samples <- 50000L
 
 # list(at, calls, own): at(time_s) evaluates the law at many times, at the angle and rate where the
-# scene starts, calls() counts the times so far, own is the law as src/ffi_torque.h reads it.
+# scene starts, calls() counts the times so far, own is the law as src/glue/torque.h reads it.
 law_reader <- function(law, scene, call) {
   f <- law$f
   state <- c(scene$theta0_rad, scene$omega0_rad_per_s)

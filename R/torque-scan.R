@@ -1,7 +1,7 @@
 # Breakpoints of a torque function of time whose breaks are not given: looked for on an even grid,
 # then bisected. The number of points is fixed, so that the same motion computed twice is the same
 # to the last bit. A function of the state is called along the path that was found, by the
-# integrator (src/rot_ode_probe.h).
+# integrator (src/core/engine/ode/probe.h).
 #
 # A jump keeps its height however short the interval; a smooth function's difference shrinks with
 # it. A kink keeps its change of slope: its second difference halves with the step, that of a smooth

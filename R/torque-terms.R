@@ -1,5 +1,5 @@
-# Torque laws that are not piecewise linear in time: one term each, as src/rot_term.h evaluates it.
-# The kinds have the names there.
+# Torque laws that are not piecewise linear in time: one term each, as src/core/engine/term.h
+# evaluates it. The kinds have the names there.
 new_term <- function(kind, x, text, from_s = -Inf, to_s = Inf, breaks_s = c(from_s, to_s)) {
   new_torque(
     "rot_torque_term",

@@ -1,5 +1,5 @@
 # Predicted time of every model on scenes of each kind, beside its measured one: how the
-# coefficients in src/rot_*_models.c hold. From the top of the repository, with the package
+# coefficients in src/core/scene/*/models.c hold. From the top of the repository, with the package
 # installed:
 #
 #   Rscript bench/costs.R

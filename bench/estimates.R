@@ -16,8 +16,8 @@ least_ms <- function(call, times = 7) {
 
 program <- tempfile()
 flags <- paste(
-  "-O2 -ffp-contract=off -Isrc bench/peers/smooth-core.c src/rot_smooth.c src/rot_smooth_fit.c",
-  "src/rot_status.c -lgsl -lgslcblas -lm -o", program
+  "-O2 -ffp-contract=off -Isrc/core bench/peers/smooth-core.c src/core/measure/smooth.c",
+  "src/core/measure/smooth_fit.c src/core/ground/status.c -lgsl -lgslcblas -lm -o", program
 )
 if (nzchar(Sys.which("gcc")) && system(paste("gcc", flags)) == 0) {
   each <- scan(text = system(program, intern = TRUE), quiet = TRUE)

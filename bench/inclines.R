@@ -67,7 +67,7 @@ run_slip <- function(rounds) {
     error <- slip_error(rows[shown], truth[names(rows)[shown]])
     contender(name, run, error, rhs_calls = rows$rhs_calls)
   }
-  core <- compile_program("slip-core", Sys.glob("src/rot_*.c"))
+  core <- compile_program("slip-core", core_files())
   gsl <- compile_program("slip-gsl")
   paired("inclines", "slip to roll, 301 rows", c(
     list(

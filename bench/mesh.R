@@ -25,7 +25,7 @@ mesh_torus <- function(offset) {
 }
 
 run_mesh <- function(rounds) {
-  program <- compile_program("mesh-core", Sys.glob("src/rot_*.c"))
+  program <- compile_program("mesh-core", core_files())
   one <- function(offset) {
     ask <- function(how) child(program, how, c(mesh_rings, mesh_sides, offset, 0, 0, 0))
     truth <- solve_child(ask("exact"))$theta_rad

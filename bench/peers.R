@@ -53,6 +53,9 @@ ask_gsl <- function(pkg_config, gsl_config, otherwise) {
 
 peer_warnings <- "-Wall -Wextra"
 
+# The sources of the C core.
+core_files <- function() list.files("src/core", "[.]c$", recursive = TRUE, full.names = TRUE)
+
 # A program from bench/peers, with the compiler and the options that R compiles packages with.
 compile_program <- function(name, sources = character()) {
   program <- file.path(scratch, name)
@@ -60,8 +63,8 @@ compile_program <- function(name, sources = character()) {
     "sh",
     c("-c", shQuote(paste(
       r_config("CC"), r_config("CFLAGS"), peer_warnings, ask_gsl("--cflags", "--cflags", ""),
-      "-Isrc", file.path("bench/peers", paste0(name, ".c")), paste(sources, collapse = " "), "-o",
-      shQuote(program), ask_gsl("--libs", "--libs", "-lgsl -lgslcblas"), "-lm"
+      "-Isrc/core", file.path("bench/peers", paste0(name, ".c")), paste(sources, collapse = " "),
+      "-o", shQuote(program), ask_gsl("--libs", "--libs", "-lgsl -lgslcblas"), "-lm"
     )))
   )
   if (!result$ok) stop(name, " does not compile:\n", paste(result$out, collapse = "\n"))

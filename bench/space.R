@@ -18,7 +18,7 @@ ends <- if (short) 1e3 else c(1e3, 1e5)
 numbers <- function(...) sprintf("%.17g", c(...))
 
 # A program of C or C++, with the flags of a pkg-config module; NULL where that is not there.
-compile <- function(name, source, module, compiler = "gcc -std=gnu11 -ffp-contract=off -Isrc",
+compile <- function(name, source, module, compiler = "gcc -std=gnu11 -ffp-contract=off -Isrc/core",
                     libs = "-lm") {
   flags <- run_quietly("pkg-config", c("--cflags", "--libs", module))
   if (!flags$ok) return(NULL)
@@ -36,7 +36,7 @@ run_rows <- function(program, ...) {
 }
 
 truth_program <- compile(
-  "free", c("bench/coverage/free.c", Sys.glob("src/rot_*.c")), "gsl", libs = "-lquadmath -lm"
+  "free", c("bench/coverage/free.c", core_files()), "gsl", libs = "-lquadmath -lm"
 )
 truth <- run_rows(truth_program, "truth", numbers(moments, omega0, ends))
 

@@ -122,7 +122,7 @@ run_spin_up <- function(rounds) {
   scene <- spin_scene()
   linear <- rotdyn:::axle_linear
   gsl <- compile_program("spin-up-gsl")
-  core <- compile_program("spin-up-core", Sys.glob("src/rot_*.c"))
+  core <- compile_program("spin-up-core", core_files())
 
   contenders <- list()
   add <- function(name, run, read = NULL) {

@@ -32,7 +32,7 @@ run_sweep <- function(rounds) {
   some <- seq(1, sweep_rows, length.out = 2000)
   some <- unique(as.integer(some))
   reference <- sweep_reference(designs[some, ])
-  core <- compile_program("sweep-core", Sys.glob("src/rot_*.c"))
+  core <- compile_program("sweep-core", core_files())
   gsl <- compile_program("sweep-gsl")
   one <- function(name, run) {
     solution <- if (inherits(run, "child")) solve_child(run) else run()

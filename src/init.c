@@ -1,13 +1,13 @@
 #include <R_ext/Rdynload.h>
 #include <R_ext/Visibility.h>
 
-#include "ffi.h"
-#include "rot_api.h"
-#include "rot_gsl.h"
+#include "glue/ffi.h"
+#include "api/api.h"
+#include "ground/gsl.h"
 
 static const R_CallMethodDef entries[] = {
 #define X(name, n) {#name, (DL_FUNC)&name, n},
-#include "ffi_entries.h"
+#include "glue/entries.h"
 #undef X
     {NULL, NULL, 0}};
 

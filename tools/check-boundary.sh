@@ -5,8 +5,8 @@
 
 cd "$(dirname "$0")/.." || exit 1
 
-# ffi_X.c without a rot_X.h to call: they serve the other glue files (as ffi.c does), or R alone.
-exempt="src/ffi_run.c src/ffi_form.c"
+# Files of the glue without one of the core to call: they serve the others, or R alone.
+exempt="src/glue/ffi.c src/glue/run.c src/glue/form.c"
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/rotdyn-boundary.XXXXXX") || exit 1
 trap 'rm -rf "$work"' 0
@@ -76,9 +76,9 @@ word() { echo "(^|[^A-Za-z0-9_.])($1)([^A-Za-z0-9_]|\$)"; }
 # The shell splits these lists at blanks: no file has one in its name.
 # shellcheck disable=SC2046
 {
-  code $(files '^src/rot_[a-z0-9_]*\.[ch]$') > "$work/rot"
-  code $(files '^src/(ffi[a-z0-9_]*\.[ch]|init\.c)$') > "$work/ffi"
-  code $(files '^src/ffi_entries\.h$') > "$work/entries"
+  code $(files '^src/core/.*\.[ch]$') > "$work/core"
+  code $(files '^src/(glue/.*\.[ch]|init\.c)$') > "$work/glue"
+  code $(files '^src/glue/entries\.h$') > "$work/entries"
   r_code $(files '^R/.*\.R$') > "$work/r"
   r_code $(files '^(R|tests)/.*\.R$') > "$work/r_and_tests"
 }
@@ -87,23 +87,23 @@ word() { echo "(^|[^A-Za-z0-9_.])($1)([^A-Za-z0-9_]|\$)"; }
 
 include='#[[:space:]]*include[[:space:]]*[<"]'
 r_headers='R|Rinternals|Rmath|Rdefines|Rversion|Rconfig|Rembedded|Rinterface|S|R_ext/.*'
-grep -E "$include($r_headers)(\.h)?[>\"]" "$work/rot" |
-  rule "src/rot_* includes no R header"
-grep -E "$(word 'SEXP|Rprintf|REprintf|Rvprintf|(R|Rf)_[A-Za-z0-9_]+|[A-Z]+SXP')" "$work/rot" |
-  rule "src/rot_* uses nothing of R's"
-grep -E "${include}ffi" "$work/rot" | rule "src/rot_* includes no ffi header"
+grep -E "$include($r_headers)(\.h)?[>\"]" "$work/core" |
+  rule "src/core includes no R header"
+grep -E "$(word 'SEXP|Rprintf|REprintf|Rvprintf|(R|Rf)_[A-Za-z0-9_]+|[A-Z]+SXP')" "$work/core" |
+  rule "src/core uses nothing of R's"
+grep -E "${include}glue" "$work/core" | rule "src/core includes no header of the glue"
 prints='v?f?printf|putchar|putc|fputs?c?|puts|perror'
 ends='exit|_exit|_Exit|quick_exit|abort|assert'
-grep -E "$(word "($prints|$ends|rand|srand)[[:space:]]*\\(.*")" "$work/rot" |
-  rule "src/rot_* does not print, end the process or draw from C's random numbers"
+grep -E "$(word "($prints|$ends|rand|srand)[[:space:]]*\\(.*")" "$work/core" |
+  rule "src/core does not print, end the process or draw from C's random numbers"
 
-grep -E "gsl_set_error_handler" "$work/rot" | grep -v '^src/rot_gsl\.c:' |
-  rule "GSL's error handler is set in src/rot_gsl.c alone"
+grep -E "gsl_set_error_handler" "$work/core" | grep -v '^src/core/ground/gsl\.c:' |
+  rule "GSL's error handler is set in src/core/ground/gsl.c alone"
 
 # ---- the glue knows nothing of GSL -----------------------------------------------------------
 
-grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/ffi" |
-  rule "src/ffi* and src/init.c use nothing of GSL's"
+grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/glue" |
+  rule "src/glue and src/init.c use nothing of GSL's"
 
 # Entry points of R that "Writing R Extensions" (4.5, "API index") lists: R hides the others one by
 # one. Of the accessors in capitals, those that it does not list are named.
@@ -118,59 +118,49 @@ hidden="$hidden|IS_S4_OBJECT|LEVELS|NAMED|OBJECT|PR(CODE|ENV|VALUE)|STDVEC_DATAP
 hidden="$hidden|SETLENGTH|SETLEVELS|SET_(ATTRIB|BODY|CLOENV|ENCLOS|ENVFLAGS|FORMALS|FRAME)"
 hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGTH|VECTOR_PTR"
 {
-  grep -oE '^[^:]*:[0-9]*|(^|[^A-Za-z0-9_])(R_[A-Z][A-Za-z_]*|Rf_[A-Za-z0-9]+)' "$work/ffi" |
+  grep -oE '^[^:]*:[0-9]*|(^|[^A-Za-z0-9_])(R_[A-Z][A-Za-z_]*|Rf_[A-Za-z0-9]+)' "$work/glue" |
     sed 's/^[^A-Za-z]//' | awk '/:/ { at = $0; next } { print at ": " $0 }' |
     grep -vxE "[^ ]* ($(echo "$api" | paste -sd'|' -))"
-  grep -E "(^|[^A-Za-z0-9_.])($hidden)[[:space:]]*\\(" "$work/ffi"
+  grep -E "(^|[^A-Za-z0-9_.])($hidden)[[:space:]]*\\(" "$work/glue"
 } | rule "the glue uses entry points of R's documented API alone"
 
 # ---- the layers of the core ------------------------------------------------------------------
 
-# LEVEL LAYER TOPICS: a file rot_TOPIC.{h,c} includes headers of its own layer and of lower levels.
-# Layers of one level exclude each other. The first line that matches counts.
+# LEVEL FOLDER of src/core: its files include headers of its own folder and of folders of a lower
+# level. Folders of one level exclude each other.
 layers='
-1 ground      ieee status real text hash file dd dd_trig pair pair_dd wide search column gauss clock
-1 ground      share gsl
-2 mathematics attitude phi divided drag oscillator jacobi eigen expm dense radau simplex cone whiten
-3 engine      ode* events march torque term model
-4 body        inertia points shapes* density mesh* vertices
-4 axle        axle*
-4 shaft       shaft*
-4 clutch      clutch*
-4 rolling     rolling*
-4 incline     incline*
-4 free        free*
-4 impact      impact*
-4 statics     statics
-4 collide     collide*
-4 frame       frame
-4 energy      energy
-4 kinematics  kinematics
-4 smooth      smooth*
-4 coast       coast*
-4 swing       swing
-5 drive       drive*
-5 top         top* precession pivot*
-6 choice      choice
-7 interface   api
+1 ground
+2 maths
+3 engine
+4 engine/ode
+5 body
+5 scene/axle
+5 scene/shaft
+5 scene/clutch
+5 scene/incline
+5 scene/free
+5 tables
+5 measure
+6 scene/drive
+6 scene/pivot
+7 scene
+8 api
 '
-files '^src/rot_[a-z0-9_]*\.[ch]$' | sed 's|^src/rot_||; s|\.[ch]$||' | sort -u |
-  while read -r topic; do
-    set -f
-    echo "$layers" | while read -r level layer patterns; do
-      for pattern in $patterns; do
-        # shellcheck disable=SC2254
-        case $topic in $pattern) echo "$topic $level $layer"; exit ;; esac
-      done
-    done
-  done > "$work/layers"
-at='src/rot_\([a-z0-9_]*\)\.[ch]:[0-9]*'
-sed -n "s|^\\($at\\):.*# *include *\"rot_\\([a-z0-9_]*\\)\\.h\".*|\\1 \\2 \\3|p" "$work/rot" | awk '
-  NR == FNR { level[$1] = $2; layer[$1] = $3; next }
-  !($2 in level) || !($3 in level) { print $1 ": no layer names it, or rot_" $3 ".h"; next }
-  level[$3] > level[$2] || (level[$3] == level[$2] && layer[$3] != layer[$2]) {
-    print $1 ": " layer[$2] " includes rot_" $3 ".h of " layer[$3]
-  }' "$work/layers" - | rule "src/rot_* includes headers of its own layer and of lower ones"
+# INCLUDER:LINE UNIT INCLUDED: a unit is x.c with x.h.
+at='src/core/\([a-z0-9_/]*\)\.[ch]:[0-9]*'
+sed -n "s|^\\($at\\):.*# *include *\"\\([a-z0-9_/]*\\)\\.h\".*|\\1 \\2 \\3|p" "$work/core" \
+  > "$work/includes"
+echo "$layers" | awk '
+  function folder(unit) { sub(/\/[^\/]*$/, "", unit); return unit }
+  FILENAME == "-" { if (NF) level[$2] = $1; next }
+  { from = folder($2); to = folder($3) }
+  !(from in level) || !(to in level) { print $1 ": no layer names it, or " $3 ".h"; next }
+  level[to] > level[from] || (level[to] == level[from] && to != from) {
+    print $1 ": " from " includes " $3 ".h"
+  }' - "$work/includes" |
+  rule "files of src/core include headers of their folder and of lower layers"
+awk '$2 != $3 { print $2, $3 }' "$work/includes" | sort -u | tsort 2>&1 > "$work/sorted" |
+  sed 's/^tsort: //' | rule "units of src/core (x.c with x.h) include each other in no circle"
 
 # ---- scenes ----------------------------------------------------------------------------------
 
@@ -180,15 +170,15 @@ files '^R/.*\.R$' | grep -vE '^R/(constraints|constraint-[a-z-]*|scene[a-z-]*)\.
 
 # ---- files of one topic ----------------------------------------------------------------------
 
-files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
+files '^src/core/.*\.c$' | while read -r file; do
   test -f "${file%.c}.h" || echo "$file"
-done | rule "every src/rot_X.c has its rot_X.h"
-# Files whose includes lead to rot_ieee.h, directly or through others, grow until none is added.
-sed -n 's|^src/\([a-z0-9_]*\.[ch]\):.*# *include *"\([a-z0-9_]*\.h\)".*|\1 \2|p' \
-  "$work/rot" "$work/ffi" | awk '
-  { from[NR] = $1; to[NR] = $2 }
+done | rule "every x.c of src/core has its x.h"
+# Files whose includes lead to ground/ieee.h, directly or through others, grow until none is added.
+sed -n 's|^src/\([a-z0-9_/]*\.[ch]\):.*# *include *"\([a-z0-9_/]*\.h\)".*|\1 \2|p' \
+  "$work/core" "$work/glue" | awk '
+  { from[NR] = $1; to[NR] = ($2 ~ /^glue\// ? "" : "core/") $2 }
   END {
-    seen["rot_ieee.h"] = 1
+    seen["core/ground/ieee.h"] = 1
     do {
       more = 0
       for (i = 1; i <= NR; i++) if ((to[i] in seen) && !(from[i] in seen)) more = seen[from[i]] = 1
@@ -196,40 +186,45 @@ sed -n 's|^src/\([a-z0-9_]*\.[ch]\):.*# *include *"\([a-z0-9_]*\.h\)".*|\1 \2|p'
     for (file in seen) print "src/" file
   }' | sort > "$work/guarded"
 files '^src/.*\.c$' | comm -23 - "$work/guarded" |
-  rule "every src/*.c sees rot_ieee.h, which refuses fast mathematics"
+  rule "every C file of src/ sees ground/ieee.h, which refuses fast mathematics"
 for file in configure src/Makevars.win tools/library.sh; do
   grep -q -- '-ffp-contract=off' $file || echo "$file"
 done | rule "every build switches contraction of a * b + c off"
-files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
+# glue/X.c calls X.h, or, of a scene, Y/X.h as glue/Y_X.c.
+files '^src/core/.*\.h$' | sed 's|.*/\([a-z]*\)/\([a-z0-9_]*\)\.h$|\2\n\1_\2|' > "$work/topics"
+files '^src/glue/.*\.c$' | while read -r file; do
   case " $exempt " in *" $file "*) continue ;; esac
-  topic=${file#src/ffi_}
-  test -f "src/rot_${topic%.c}.h" || echo "$file"
-done | rule "every src/ffi_X.c has its rot_X.h"
+  topic=${file#src/glue/}
+  grep -qx "${topic%.c}" "$work/topics" || echo "$file"
+done | rule "every file of src/glue has one of src/core that it calls"
+sh tools/objects.sh | diff src/Makevars.objects - |
+  rule "src/Makevars.objects lists the files of src/ (make objects)"
 
 # A file of the exact name, or a line of tests/topics.txt.
 topics=tests/topics.txt
 {
-  files '^src/rot_[a-z0-9_]*\.c$' | while read -r file; do
-    topic=${file#src/rot_}
-    grep -qx "tests/core/test_$topic" "$work/files" || grep -q "^$file [a-z]" $topics ||
-      echo "$file"
+  files '^src/core/.*\.c$' | while read -r file; do
+    test=tests/core/$(echo "${file#src/core/}" | sed 's|\([^/]*\)$|test_\1|')
+    grep -qx "$test" "$work/files" || grep -q "^$file [a-z+]" $topics || echo "$file"
   done
   files '^R/.*\.R$' | while read -r file; do
     grep -qx "tests/testthat/test-${file#R/}" "$work/files" || grep -q "^$file [a-z]" $topics ||
       echo "$file"
   done
-  files '^src/ffi_[a-z0-9_]*\.c$' | while read -r file; do
+  files '^src/glue/.*\.c$' | while read -r file; do
     grep -q "^$file [a-z]" $topics || echo "$file"
   done
-} | rule "every rot_X.c, ffi_X.c and file of R/ has a file of tests"
+} | rule "every file of src/core, of src/glue and of R/ has a file of tests"
 grep -v '^#' $topics | while read -r file tests; do
   test -n "$file" || continue
   grep -qx "$file" "$work/files" || echo "$topics: there is no $file"
   folder=tests/testthat/test- end=.R
-  case $file in src/rot_*) folder=tests/core/test_ end=.c ;; esac
+  case $file in src/core/*) core=yes ;; *) core= ;; esac
   for test in $tests; do
-    if test "$test" = +; then folder=tests/testthat/test- end=.R; continue; fi
-    grep -qx "$folder$test$end" "$work/files" || echo "$topics: $file: there is no $folder$test$end"
+    if test "$test" = +; then core=; continue; fi
+    name=tests/testthat/test-$test.R
+    test -z "$core" || name=tests/core/$(echo "$test" | sed 's|\([^/]*\)$|test_\1|').c
+    grep -qx "$name" "$work/files" || echo "$topics: $file: there is no $name"
   done
 done | rule "tests/topics.txt names files that exist"
 
@@ -239,13 +234,13 @@ sed -n 's/^[^:]*:[0-9]*://; s/.*[^A-Za-z0-9_]*X(\(ffi_[A-Za-z0-9_]*\)[ ,].*/\1/p
   sort > "$work/registered"
 grep -oE 'ffi_[A-Za-z0-9_]+' "$work/r" | sort -u > "$work/called"
 grep -oE 'ffi_[A-Za-z0-9_]+' "$work/r_and_tests" | sort -u > "$work/mentioned"
-uniq -d "$work/registered" | rule "every entry of src/ffi_entries.h is listed once"
+uniq -d "$work/registered" | rule "every entry of src/glue/entries.h is listed once"
 sort -u "$work/registered" | comm -13 - "$work/called" |
-  rule "every ffi_ name in R/ is in src/ffi_entries.h"
+  rule "every ffi_ name in R/ is in src/glue/entries.h"
 sort -u "$work/registered" | comm -23 - "$work/mentioned" |
-  rule "every entry of src/ffi_entries.h is called in R/ or tests/"
-{ test -s "$work/registered" || test ! -s "$work/ffi" || echo "no X(ffi_..., n) found"; } |
-  rule "src/ffi_entries.h lists entries"
+  rule "every entry of src/glue/entries.h is called in R/ or tests/"
+{ test -s "$work/registered" || test ! -s "$work/glue" || echo "no X(ffi_..., n) found"; } |
+  rule "src/glue/entries.h lists entries"
 
 # Of two R functions of one name R silently takes the one in the last file of the alphabet.
 files '^R/.*\.R$' | tr '\n' '\0' | xargs -0 grep -hoE '^[A-Za-z._][A-Za-z._0-9]* <- function' |
@@ -254,10 +249,20 @@ files '^R/.*\.R$' | tr '\n' '\0' | xargs -0 grep -hoE '^[A-Za-z._][A-Za-z._0-9]*
 # ---- ARCHITECTURE.md -------------------------------------------------------------------------
 
 if test -f ARCHITECTURE.md; then
-  files '^(R|src)/' | while read -r file; do
+  files '^(R/|src/[^/]*$)' | while read -r file; do
     name=$(basename "$file" | sed 's/\./\\./g')
     grep -Eq "(^|[^A-Za-z0-9_.-])$name([^A-Za-z0-9_]|\$)" ARCHITECTURE.md || echo "$file"
   done
+  # Under a heading of its folder, without the ending.
+  awk -F'`' '/^#+ `src\/.*\/`/ { folder = substr($2, 1, length($2) - 1); next }
+    /^#/ { folder = "" }
+    folder != "" && /^\| `/ {
+      sub(/^\| /, ""); sub(/ \|.*/, ""); n = split($0, names, /`[, ]*`?/)
+      for (i = 1; i <= n; i++) if (names[i] != "") print folder "/" names[i]
+    }' ARCHITECTURE.md | sort -u > "$work/told"
+  files '^src/.*/.*\.[ch]$' | sed 's/\.[ch]$//' | sort -u > "$work/units"
+  comm -23 "$work/units" "$work/told" | sed 's/^/not told: /'
+  comm -13 "$work/units" "$work/told" | sed 's/^/not there: /'
 else
   echo "there is no ARCHITECTURE.md"
 fi | rule "ARCHITECTURE.md names every file in R/ and src/"

@@ -12,17 +12,18 @@
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
+core=$(find src/core -name "*.c")
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
-${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc $(gsl-config --cflags) \
-  bench/coverage/coverage.c bench/coverage/truth.c src/rot_*.c \
+${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc/core $(gsl-config --cflags) \
+  bench/coverage/coverage.c bench/coverage/truth.c $core \
   $(gsl-config --libs) -lquadmath -lm -o "$build/coverage"
 for program in laws chains curves; do
   ${CC:-gcc} -std=gnu11 -O2 bench/coverage/$program.c -lquadmath -lm -o "$build/$program"
 done
 for program in top free forced gyrostat incline; do
-  ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Isrc $(gsl-config --cflags) \
-    bench/coverage/$program.c src/rot_*.c $(gsl-config --libs) -lquadmath -lm -o "$build/$program"
+  ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Isrc/core $(gsl-config --cflags) \
+    bench/coverage/$program.c $core $(gsl-config --libs) -lquadmath -lm -o "$build/$program"
 done
 seed=${2:-$(date +%s)}
 echo "seed $seed"

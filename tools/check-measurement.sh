@@ -12,10 +12,10 @@ echo "seed $seed"
 bad=0
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
-${CC:-gcc} -std=c99 -O2 -ffp-contract=off -Isrc -Itests/core $(gsl-config --cflags) \
-  tests/core/test_smooth.c src/rot_smooth*.c src/rot_status.c $(gsl-config --libs) -lm \
-  -o "$build/smooth"
-echo "tests/core/test_smooth.c, $((${1:-500} * 200)) random records"
+${CC:-gcc} -std=c99 -O2 -ffp-contract=off -Isrc/core -Itests/core $(gsl-config --cflags) \
+  tests/core/measure/test_smooth.c src/core/measure/smooth*.c src/core/ground/status.c \
+  $(gsl-config --libs) -lm -o "$build/smooth"
+echo "tests/core/measure/test_smooth.c, $((${1:-500} * 200)) random records"
 ROT_SMOOTH_RECORDS=$((${1:-500} * 200)) ROT_SMOOTH_SEED=$seed "$build/smooth" || bad=1
 for script in bench/measurement/*.R; do
   case $script in */records.R | */peers.R) continue ;; esac

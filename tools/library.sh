@@ -42,16 +42,16 @@ flags="$flags ${CFLAGS:--O2}"
 
 jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)
 # shellcheck disable=SC2086
-ls src/rot_*.c | xargs -P "$jobs" -I{} sh -c 'file=$1 dir=$2; shift 2
-  "$@" -Isrc -c "$file" -o "$dir/$(basename "$file" .c).o"' \
+find src/core -name '*.c' | xargs -P "$jobs" -I{} sh -c 'file=$1 dir=$2; shift 2
+  "$@" -Isrc/core -c "$file" -o "$dir/$(echo "${file%.c}" | tr / -).o"' \
   build {} "$work" $CC $flags $gsl_cflags || fail "the core does not compile"
 
 # One object, in which all names but the interface's are local.
-if ld -r -o "$work/rotdyn.o" "$work"/rot_*.o 2> /dev/null &&
+if ld -r -o "$work/rotdyn.o" "$work"/src-core-*.o 2> /dev/null &&
   { objcopy --localize-hidden "$work/rotdyn.o" 2> /dev/null || test "$(uname)" = Darwin; }; then
   members=$work/rotdyn.o
 else
-  members=$(echo "$work"/rot_*.o)
+  members=$(echo "$work"/src-core-*.o)
   echo "library: no ld or objcopy: the static library shows the names of the core, too"
 fi
 rm -f "$work/empty.o"
@@ -68,7 +68,7 @@ else
   only="-shared -Wl,-soname,$shared -Wl,--version-script,$work/names -Wl,--no-undefined"
 fi
 # shellcheck disable=SC2086
-$CC $only $flags "$work"/rot_*.o $gsl_libs -lm -o "$work/$shared" || fail "the link"
+$CC $only $flags "$work"/src-core-*.o $gsl_libs -lm -o "$work/$shared" || fail "the link"
 
 # What it shows: the functions of the table, and the table.
 wanted=$({ sed -n 's/^ *X(.*, \([a-z_]*\), *(.*/\1/p; s/^ *X(.*, \([a-z_]*\), *\\$/\1/p' \

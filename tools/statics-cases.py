@@ -101,7 +101,7 @@ def numbers(values):
 with open("tests/core/statics_cases.h", "w") as out:
     out.write("/* Random determinate structures and their exact reactions: written by\n"
               " * tools/statics-cases.py, with 60-digit linear algebra. */\n"
-              "#include \"rot_statics.h\"\n\n"
+              "#include \"tables/statics.h\"\n\n"
               "typedef struct statics_case {\n"
               "  int plane;\n  size_t reactions, loads;\n  rot_reaction reaction[6];\n"
               "  double at[12], force[12], couple[12], want[6];\n} statics_case;\n\n"

@@ -8,14 +8,14 @@
 #include <string.h>
 
 #include "random.h"
-#include "rot_axle_linear.h"
-#include "rot_axle_bands.h"
-#include "rot_axle_drag.h"
-#include "rot_axle_forced.h"
-#include "rot_axle_ode.h"
-#include "rot_axle_oscillator.h"
-#include "rot_axle_pendulum.h"
-#include "rot_axle_skater.h"
+#include "scene/axle/linear.h"
+#include "scene/axle/bands.h"
+#include "scene/axle/drag.h"
+#include "scene/axle/forced.h"
+#include "scene/axle/ode.h"
+#include "scene/axle/oscillator.h"
+#include "scene/axle/pendulum.h"
+#include "scene/axle/skater.h"
 #include "truth.h"
 
 enum { ROWS = 16, KNOTS = 12, TERMS = 4, BREAKS = 64 };

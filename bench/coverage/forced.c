@@ -16,8 +16,8 @@
 #include "attitude.h"
 #include "midpoint.h"
 #include "random.h"
-#include "rot_attitude.h"
-#include "rot_free_ode.h"
+#include "maths/attitude.h"
+#include "scene/free/ode.h"
 
 enum { KINDS = 10, SMOOTH = 8, ROWS = 12, DIM = 7, LEVELS = 8 };
 static const char *const kind_names[KINDS] = {

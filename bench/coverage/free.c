@@ -15,9 +15,9 @@
 #include "attitude.h"
 #include "midpoint.h"
 #include "random.h"
-#include "rot_attitude.h"
-#include "rot_free_exact.h"
-#include "rot_free_table.h"
+#include "maths/attitude.h"
+#include "scene/free/exact.h"
+#include "scene/free/table.h"
 
 enum { KINDS = 12, NODES = 20, MOST_PANELS = 400 };
 static const char *const kind_names[KINDS] = {"generic",

@@ -18,9 +18,9 @@
 #include "attitude.h"
 #include "midpoint.h"
 #include "random.h"
-#include "rot_attitude.h"
-#include "rot_free_gyrostat.h"
-#include "rot_free_ode.h"
+#include "maths/attitude.h"
+#include "scene/free/gyrostat.h"
+#include "scene/free/ode.h"
 
 enum {
   KINDS = 14,

@@ -11,8 +11,8 @@
 
 #include "midpoint.h"
 #include "random.h"
-#include "rot_incline_ode.h"
-#include "rot_incline_table.h"
+#include "scene/incline/ode.h"
+#include "scene/incline/table.h"
 
 enum { ROWS = 8 };
 

@@ -2,7 +2,7 @@
  * of order 34 in quadruple precision. After up to 1e12 rad: against its first nutation, repeated,
  * where one is found and passes no pole. Called by tools/check-coverage.sh; by hand:
  *
- *   cc -O2 -std=gnu99 -Isrc bench/coverage/top.c src/rot_*.c -lgsl -lgslcblas -lquadmath -lm
+ *   cc -O2 -std=gnu99 -Isrc/core bench/coverage/top.c src/rot_*.c -lgsl -lgslcblas -lquadmath -lm
  *
  * Arguments: scenes, seed, longest time of the first comparison in radians of the fastest rate
  * (60). */
@@ -12,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rot_attitude.h"
-#include "rot_pivot.h"
-#include "rot_top_motion.h"
+#include "maths/attitude.h"
+#include "scene/pivot/pivot.h"
+#include "scene/pivot/top_motion.h"
 
 typedef __float128 quad;
 

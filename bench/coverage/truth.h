@@ -5,7 +5,7 @@
 #define TRUTH_H
 
 #include "midpoint.h"
-#include "rot_axle_scene.h"
+#include "scene/axle/scene.h"
 
 /* theta and omega at times (not decreasing, from start_s on); the largest |theta| and |omega| that
  * occurred at the steps. Returns 0, or 1 without convergence. */

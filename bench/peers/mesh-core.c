@@ -7,11 +7,11 @@
  *         plain     the loop as one would write it: no local origin, one sum for each integral
  *         exact     the same about the first vertex in numbers of 32 digits, for reference */
 #include "child.h"
-#include "rot_dd.h"
-#include "rot_mesh_edges.h"
-#include "rot_mesh.h"
-#include "rot_mesh_nesting.h"
-#include "rot_mesh_weld.h"
+#include "ground/dd.h"
+#include "body/mesh_edges.h"
+#include "body/mesh.h"
+#include "body/mesh_nesting.h"
+#include "body/mesh_weld.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "child.h"
-#include "rot_incline.h"
+#include "scene/incline/incline.h"
 #include "slip.h"
 
 static int solve(const char *how, solution *s) {

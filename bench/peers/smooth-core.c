@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "rot_smooth_fit.h"
+#include "measure/smooth_fit.h"
 
 static double worst(size_t n, int uneven) {
   double *t = malloc(n * sizeof *t), *y = malloc(n * sizeof *y), most = 0.0;

@@ -1,6 +1,6 @@
 /* The spin-up by rotdyn's C core, without R: all seven columns, in memory that is there. */
 #include "child.h"
-#include "rot_axle_linear.h"
+#include "scene/axle/linear.h"
 #include "spin-up.h"
 
 static int solve(const char *how, solution *s) {

@@ -1,7 +1,7 @@
 /* The sweep by rotdyn's C core, without R: all seven columns, in memory that is there. One
  * thread; HOW is not looked at. */
 #include "child.h"
-#include "rot_axle_sweep.h"
+#include "scene/axle/sweep.h"
 #include "sweep.h"
 
 static double *column(size_t n) {

@@ -3,8 +3,8 @@
 #define AXLE_FRICTION_H
 
 #include "axle_friction_cases.h"
-#include "rot_axle_scene.h"
-#include "rot_real.h"
+#include "scene/axle/scene.h"
+#include "ground/real.h"
 #include "rot_test.h"
 
 enum { MOST_ROWS = 4096 };

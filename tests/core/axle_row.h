@@ -2,7 +2,7 @@
 #ifndef AXLE_ROW_H
 #define AXLE_ROW_H
 
-#include "rot_axle.h"
+#include "scene/axle/axle.h"
 #include "rot_test.h"
 
 static double got[7];

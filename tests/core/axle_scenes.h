@@ -2,7 +2,7 @@
 #ifndef AXLE_SCENES_H
 #define AXLE_SCENES_H
 
-#include "rot_axle.h"
+#include "scene/axle/axle.h"
 
 enum axle_scene_name {
   CONSTANT_FREE,

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rot_attitude.h"
-#include "rot_free_ode.h"
+#include "maths/attitude.h"
+#include "scene/free/ode.h"
 
 enum { ROWS = 64, NUMBERS = 14 }; /* NUMBERS: columns that are no rotor's */
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rot_mesh.h"
+#include "body/mesh.h"
 
 typedef struct shape {
   size_t vertices, faces;

@@ -4,8 +4,8 @@
 #   tests/core/run.sh              every compiler and standard
 #   tests/core/run.sh --valgrind   one build, run under valgrind
 #
-# Each tests/core/test_*.c is a program of its own, linked with all of src/rot_*.c. The builds that
-# run, for the compilers gcc and clang or the one that is installed:
+# Each test_*.c below tests/core is a program of its own, linked with all of src/core. The builds
+# that run, for the compilers gcc and clang or the one that is installed:
 #   the first compiler, C99: the core with -O2, the test programs, whose compilation takes longer
 #     than their run, with -O0; a quarter of the random cases
 #   the last compiler that has them, its newest standard: address and undefined behaviour
@@ -53,11 +53,12 @@ gsl_cflags=$(for flag in $gsl_cflags; do
   esac
 done)
 
-core=$(ls src/rot_*.c 2>/dev/null)
-tests=$(ls tests/core/test_*.c 2>/dev/null)
-names=$(for file in $tests; do basename "$file" .c; done)
+core=$(find src/core -name "*.c" | LC_ALL=C sort)
+tests=$(find tests/core -name "test_*.c" | LC_ALL=C sort)
+# Objects and programs by their paths: two folders may have files of one name.
+names=$(echo "$tests" | sed 's|^tests/core/||; s|[.]c$||; s|/|-|g')
 if test -z "$core" || test -z "$tests"; then
-  echo "there is no src/rot_*.c, or no tests/core/test_*.c"
+  echo "there is no file in src/core, or no test in tests/core"
   echo "core: 0 passed, 1 failed, 0 skipped"
   exit 1
 fi
@@ -78,11 +79,11 @@ build() {
   accepts "$1" -Werror $contract || contract=
   for file in $core $tests; do echo "$file"; done |
     xargs -P "$jobs" -I{} sh -c 'file=$1; dir=$2; shift 2
-      name=$(basename "$file" .c)
       case " $* $file" in *" -O2 "*tests/*) set -- "$@" -O0 -DROT_TEST_OPTIMISED ;; esac
-      "$@" -Isrc -Itests/core -c "$file" -o "$dir/$name.o" > "$dir/$name.log" 2>&1' \
+      name=${file#tests/core/} name=$(echo "${name%.c}" | tr / -)
+      "$@" -Isrc/core -Itests/core -c "$file" -o "$dir/$name.o" > "$dir/$name.log" 2>&1' \
       build {} "$dir" "$@" $contract $warnings -Werror $gsl_cflags &&
-    ar cr "$dir/librot.a" "$dir"/rot_*.o &&
+    ar cr "$dir/librot.a" "$dir"/src-core-*.o &&
     for name in $names; do echo "$name"; done |
     xargs -P "$jobs" -I{} sh -c 'name=$1; dir=$2; libs=$3; shift 3
       "$@" "$dir/$name.o" "$dir/librot.a" $libs -o "$dir/$name" >> "$dir/$name.log" 2>&1' \
@@ -139,7 +140,7 @@ check() {
 # warn COMPILER STANDARD: compiles for the warnings alone.
 warn() {
   if (for file in $core; do echo "$file"; done | xargs -P "$jobs" -n 8 \
-    "$1" -std="$2" -fsyntax-only -Isrc -Itests/core $warnings -Werror $gsl_cflags) \
+    "$1" -std="$2" -fsyntax-only -Isrc/core -Itests/core $warnings -Werror $gsl_cflags) \
     > "$work/log" 2>&1; then
     echo "ok - compiles: $1 $2"
     pass
@@ -166,12 +167,12 @@ header() {
 }
 
 # fast COMPILER: flags of fast mathematics that the compiler announces by a macro are refused by
-# rot_ieee.h, which every file sees (tools/check-boundary.sh).
+# ground/ieee.h, which every file sees (tools/check-boundary.sh).
 fast() {
   for flag in -Ofast -ffast-math -ffinite-math-only -funsafe-math-optimizations; do
     echo | "$1" $flag -dM -E - 2> /dev/null | grep -Eq \
       '__(FAST_MATH|FINITE_MATH_ONLY|ASSOCIATIVE_MATH|RECIPROCAL_MATH)__ 1' || continue
-    if ! "$1" $flag -Isrc -fsyntax-only src/rot_status.c > "$work/log" 2>&1 &&
+    if ! "$1" $flag -Isrc/core -fsyntax-only src/core/ground/status.c > "$work/log" 2>&1 &&
       grep -q "needs IEEE 754" "$work/log"; then
       echo "ok - refuses $flag: $1"
       pass

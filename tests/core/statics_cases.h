@@ -1,6 +1,6 @@
 /* Random determinate structures and their exact reactions: written by
  * tools/statics-cases.py, with 60-digit linear algebra. */
-#include "rot_statics.h"
+#include "tables/statics.h"
 
 typedef struct statics_case {
   int plane;

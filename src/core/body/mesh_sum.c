@@ -1,0 +1,17 @@
+/* The kernel for registers of four (ground/wide.h). */
+#include "ground/wide.h"
+
+#ifdef ROT_WIDE_CAN
+#define ROT_WIDE
+#endif
+
+#include "body/mesh_sum.h"
+
+ROT_TARGET void rot_mesh_sum_wide(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from,
+                                  size_t end, int shell) {
+  if (shell) {
+    sum_faces(mesh, sums, from, end, 1);
+  } else {
+    sum_faces(mesh, sums, from, end, 0);
+  }
+}

@@ -1,0 +1,90 @@
+/* The geometry of a shape from its sizes, per unit mass: second moments about the centre of mass,
+ * the centre, volume (area, length), reach, and beta where it rolls.
+ *
+ *     c_xx = int (x - g_x)^2 dm / m,   I_xx/m = c_yy + c_zz,   I_xy/m = -c_xy
+ *
+ * All forms are sums of terms of one sign (except a triangle's c_xy and centre), so no sizes
+ * cancel: a hollow sphere is (1 + x + .. + x^4)/(1 + x + x^2) with x = r/R, a cap is written in its
+ * height h and the rest of the diameter, b = 2 R - h. The sizes must be near 1: callers scale by a
+ * power of two.
+ *
+ * Source: Goldstein, Classical Mechanics, 3rd ed., ch. 5; Beer & Johnston, Vector Mechanics for
+ * Engineers, inside cover; the rest by integration of the same kind. */
+#ifndef ROT_SHAPES_GEOMETRY_H
+#define ROT_SHAPES_GEOMETRY_H
+
+#include <stddef.h>
+
+#include "ground/ieee.h"
+
+enum { ROT_SIZES = 4 };
+
+typedef struct rot_geometry {
+  double second[4]; /* xx, yy, zz, xy; xz and yz are zero in every shape's own axes */
+  double moment;    /* the one in tables: I_zz about the centre, unless the shape says otherwise */
+  double centre[3]; /* in the own axes */
+  double measure;   /* volume, area or length, by the shape's dimension; NaN if it has none */
+  double reach;     /* from the centre of mass to the farthest point */
+  double beta;      /* I_zz/(m r^2) on the outer radius; NaN where it does not roll about z */
+} rot_geometry;
+
+typedef void rot_geometry_function(const double size[ROT_SIZES], rot_geometry *out);
+
+typedef enum rot_size_kind {
+  ROT_KIND_LENGTH, /* at least 0 */
+  ROT_KIND_OFFSET, /* a length of either sign */
+  ROT_KIND_COUNT   /* a whole number of at least 3 */
+} rot_size_kind;
+
+/* Every size that a shape may have, with the name of R's argument and column. */
+#define ROT_SIZE_LIST(X)                                                                           \
+  X(ROT_RADIUS, "radius_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_LENGTH, "length_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_OUTER_RADIUS, "outer_radius_m", ROT_KIND_LENGTH)                                           \
+  X(ROT_INNER_RADIUS, "inner_radius_m", ROT_KIND_LENGTH)                                           \
+  X(ROT_BASE_RADIUS, "base_radius_m", ROT_KIND_LENGTH)                                             \
+  X(ROT_TOP_RADIUS, "top_radius_m", ROT_KIND_LENGTH)                                               \
+  X(ROT_RING_RADIUS, "ring_radius_m", ROT_KIND_LENGTH)                                             \
+  X(ROT_TUBE_RADIUS, "tube_radius_m", ROT_KIND_LENGTH)                                             \
+  X(ROT_SEMI_X, "semi_x_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_SEMI_Y, "semi_y_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_SEMI_Z, "semi_z_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_WIDTH, "width_m", ROT_KIND_LENGTH)                                                         \
+  X(ROT_HEIGHT, "height_m", ROT_KIND_LENGTH)                                                       \
+  X(ROT_EDGE, "edge_m", ROT_KIND_LENGTH)                                                           \
+  X(ROT_BASE, "base_m", ROT_KIND_LENGTH)                                                           \
+  X(ROT_APEX, "apex_m", ROT_KIND_OFFSET)                                                           \
+  X(ROT_SIDES, "sides", ROT_KIND_COUNT)
+
+typedef enum rot_size_id {
+#define X(id, name, kind) id,
+  ROT_SIZE_LIST(X)
+#undef X
+      ROT_SIZE_COUNT
+} rot_size_id;
+
+typedef struct rot_size {
+  const char *name;
+  rot_size_kind kind;
+} rot_size;
+
+const rot_size *rot_size_at(int id);
+
+/* Constraints on the sizes. ROT_FIT_INSIDE: the second is at most the first; ROT_FIT_IN_SPHERE: the
+ * second, a height, is at most twice the first, a radius. */
+typedef enum rot_fit { ROT_FIT_ANY, ROT_FIT_INSIDE, ROT_FIT_IN_SPHERE } rot_fit;
+
+typedef struct rot_shape {
+  const char *name;
+  int dimension; /* 3: solid, 2: surface, 1: line, 0: point */
+  int sizes;
+  rot_size_id size[ROT_SIZES];
+  rot_fit fit;
+  int roundings; /* of each second moment at most, the mass included */
+  rot_geometry_function *geometry;
+} rot_shape;
+
+size_t rot_shape_count(void);
+const rot_shape *rot_shape_at(size_t i);
+
+#endif

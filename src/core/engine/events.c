@@ -1,0 +1,34 @@
+#include "engine/events.h"
+
+#include <stdlib.h>
+
+const char *rot_event_name(rot_event event) {
+  static const char *const names[] = {
+#define X(code, name) name,
+      ROT_EVENT_LIST(X)
+#undef X
+  };
+  return (unsigned)event < ROT_EVENT_COUNT ? names[event] : "unknown event";
+}
+
+rot_status rot_events_add(rot_events *events, double time_s, rot_event event) {
+  if (!events) return ROT_OK;
+  if (events->count == events->room) {
+    const size_t room = events->room ? 2 * events->room : 16;
+    double *times = realloc(events->time_s, room * sizeof *times);
+    if (times) events->time_s = times;
+    rot_event *kinds = realloc(events->event, room * sizeof *kinds);
+    if (kinds) events->event = kinds;
+    if (!times || !kinds) return ROT_ENOMEM;
+    events->room = room;
+  }
+  events->time_s[events->count] = time_s;
+  events->event[events->count++] = event;
+  return ROT_OK;
+}
+
+void rot_events_free(rot_events *events) {
+  free(events->time_s);
+  free(events->event);
+  *events = (rot_events){0, 0, NULL, NULL};
+}

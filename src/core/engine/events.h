@@ -1,0 +1,40 @@
+/* The events of a run, with their times: a log that grows. */
+#ifndef ROT_EVENTS_H
+#define ROT_EVENTS_H
+
+#include <stddef.h>
+
+#include "ground/status.h"
+
+/* code, name as R shows it. Listed once, here. */
+#define ROT_EVENT_LIST(X)                                                                          \
+  X(ROT_EVENT_STICK, "stick")                /* comes to rest and is held there */                 \
+  X(ROT_EVENT_SLIP, "slip")                  /* breaks loose from rest */                          \
+  X(ROT_EVENT_REVERSE, "reverse")            /* passes through rest */                             \
+  X(ROT_EVENT_LOCK, "lock")                  /* a clutch locks */                                  \
+  X(ROT_EVENT_ROLL, "roll")                  /* slip of a contact ends, rolling begins */          \
+  X(ROT_EVENT_FLIP, "flip")                  /* the middle axis of a tumbling body turns over */   \
+  X(ROT_EVENT_HIGHEST, "highest")            /* the centre of mass of a top turns back, highest */ \
+  X(ROT_EVENT_LOWEST, "lowest")              /* or lowest */                                       \
+  X(ROT_EVENT_SLIP_REVERSES, "slip_reverse") /* slip of a contact changes its sign, without grip */
+
+typedef enum rot_event {
+#define X(code, name) code,
+  ROT_EVENT_LIST(X)
+#undef X
+      ROT_EVENT_COUNT
+} rot_event;
+
+const char *rot_event_name(rot_event event);
+
+typedef struct rot_events {
+  size_t count, room;
+  double *time_s;
+  rot_event *event;
+} rot_events; /* begin with {0} */
+
+/* ROT_OK or ROT_ENOMEM. `events` may be NULL: nothing is logged. */
+rot_status rot_events_add(rot_events *events, double time_s, rot_event event);
+void rot_events_free(rot_events *events);
+
+#endif

@@ -1,0 +1,431 @@
+#include "engine/ode/event.h"
+
+#include <math.h>
+#include <stdint.h>
+
+#include "engine/ode/step.h"
+#include "engine/ode/wall.h"
+#include "ground/real.h"
+
+/* An event function, or a component less a level. */
+typedef struct look {
+  rot_ode_event event;
+  double level;
+  int slides; /* the function is rot_ode_hold_of_slide() */
+  int kink;   /* need not be met exactly */
+} look;
+
+size_t rot_ode_wall_of(const rot_ode_march *run, size_t which) {
+  const size_t first = run->n_watch - run->walls->count;
+  return which >= first && which < run->n_watch ? which - first : NO_WALL;
+}
+
+/* The switch counts as the first event, walls as the last. */
+static look look_at(const rot_ode_march *run, size_t which) {
+  const rot_ode_switch *turn = run->p->turn;
+  const size_t wall = rot_ode_wall_of(run, which);
+  look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL, NULL, 0}, 0.0, 0, 0};
+  if (turn && which == 0) {
+    l.event.component = turn->watched;
+  } else if (wall != NO_WALL) {
+    l.event.component = run->walls->wall[wall].component;
+    l.level = rot_ode_wall_level(run, wall);
+    l.slides = run->side[wall] == 0;
+    l.kink = run->walls->wall[wall].below == run->walls->wall[wall].above;
+  } else {
+    l.event = run->p->events[which - (turn != NULL)];
+  }
+  return l;
+}
+
+static int is_switch(const rot_ode_march *run, size_t which) { return run->p->turn && which == 0; }
+
+static double value_at(rot_ode_march *run, const look *l, double t, const double y[]) {
+  if (l->slides) return rot_ode_hold_of_slide(run, t, y);
+  /* On this side of a jump in time, as the right-hand side; of a state it is the motion's own. */
+  if (l->event.g) return l->event.g(rot_ode_keep_time(run, t), y, run->p->ctx);
+  return l->event.component < run->p->dim ? y[l->event.component] - l->level : t - l->level;
+}
+
+static int is_function(const look *l) { return l->event.g || l->slides; }
+
+double rot_ode_event_value(rot_ode_march *run, size_t which) {
+  const look l = look_at(run, which);
+  return value_at(run, &l, run->t, run->y);
+}
+
+/* Its slope along the motion; of a function by a difference over 1e-7 of h. */
+static double rise_at(rot_ode_march *run, const look *l, double t, const double y[],
+                      const double slope[], double h) {
+  if (!is_function(l)) return slope[l->event.component];
+  const double d = 1e-7 * h;
+  for (size_t i = 0; i < run->p->dim; i++) run->change[i] = y[i] + d * slope[i];
+  return (value_at(run, l, t + d, run->change) - value_at(run, l, t, y)) / d;
+}
+
+static int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
+
+/* `fired`: the watch whose zero this is, with the value `at`. */
+static void arm(rot_ode_march *run, size_t k, int fired, double at) {
+  const double way = run->forward ? 1.0 : -1.0;
+  const look l = look_at(run, k);
+  rot_ode_watch *w = &run->watch[k];
+  const size_t wall = rot_ode_wall_of(run, k);
+  w->value = value_at(run, &l, run->t, run->y);
+  if (wall != NO_WALL) { /* a slide lasts while its function is positive */
+    const int time = l.event.component == run->p->dim;
+    w->fresh = !time && !l.slides && (fired || w->value == 0.0);
+    if (w->fresh) w->value = 0.0;
+    w->side = time ? 0 : l.slides ? 1 : run->side[wall];
+    return;
+  }
+  if (is_switch(run, k)) {
+    w->side = *run->p->mode;
+    w->fresh = run->phase == ROT_ODE_LEAVING || run->phase == ROT_ODE_UNDECIDED;
+    return;
+  }
+  if (fired && w->value == at) w->value = 0.0;
+  w->side = sign_of(w->value);
+  if (w->side == 0 && l.event.side && run->forward) {
+    w->side = l.event.side(*run->p->mode, l.event.component, run->p->ctx);
+  }
+  if (w->side == 0) {
+    w->side = sign_of(way * rise_at(run, &l, run->t, run->y, run->slope, run->h));
+  }
+  w->fresh = w->value == 0.0 && w->side != 0;
+}
+
+void rot_ode_arm(rot_ode_march *run, size_t fired, double at) {
+  for (size_t k = 0; k < run->n_watch; k++) arm(run, k, k == fired, at);
+}
+
+void rot_ode_arm_last(rot_ode_march *run) { arm(run, run->n_watch - 1, 0, 0.0); }
+
+void rot_ode_watch_on(rot_ode_march *run, size_t passed) {
+  for (size_t k = 0; k < run->n_watch; k++) {
+    rot_ode_watch *w = &run->watch[k];
+    w->value = rot_ode_event_value(run, k);
+    if (rot_ode_wall_of(run, k) != NO_WALL && k != passed) {
+      w->fresh = 0;
+      continue;
+    }
+    w->fresh = k == passed;
+    if (k == passed) {
+      w->value = 0.0;
+      w->side = -w->side;
+    } else if (!is_switch(run, k) && w->value != 0.0) {
+      w->side = sign_of(w->value);
+    }
+  }
+}
+
+/* ---- one event over the trial step ----------------------------------------------------------- */
+
+/* Times its side, x from 0 to 1: of a component its cubic, else the function of the state's. */
+typedef struct sight {
+  rot_ode_march *run;
+  look at;
+  double side, h, w[4]; /* w: value and h times slope, at both ends */
+} sight;
+
+static double cubic(const double w[4], double x) {
+  const double u = 1.0 - x;
+  return u * u * ((1.0 + 2.0 * x) * w[0] + x * w[1]) + x * x * ((3.0 - 2.0 * x) * w[2] - u * w[3]);
+}
+
+static void aim(sight *s, const rot_ode_watch *at, double h) {
+  rot_ode_march *run = s->run;
+  const size_t i = s->at.event.component;
+  s->h = h;
+  s->w[0] = at->fresh ? 0.0 : s->side * at->value;
+  s->w[2] = s->side * value_at(run, &s->at, run->t + h, run->trial);
+  if (is_function(&s->at)) return;
+  s->w[1] = s->side * run->slope[i] * h;
+  s->w[3] = s->side * run->trial_slope[i] * h;
+}
+
+static double seen(const sight *s, double x) {
+  rot_ode_march *run = s->run;
+  if (!is_function(&s->at)) return cubic(s->w, x);
+  for (size_t i = 0; i < run->p->dim; i++) {
+    const double w[4] = {run->y[i], s->h * run->slope[i], run->trial[i],
+                         s->h * run->trial_slope[i]};
+    run->change[i] = cubic(w, x);
+  }
+  return s->side * value_at(run, &s->at, run->t + x * s->h, run->change);
+}
+
+static rot_status attempt_part(sight *s, double h, double *w, double *rise) {
+  rot_ode_march *run = s->run;
+  const rot_status status = rot_ode_attempt(run, run->t, h, run->y, run->slope);
+  if (status != ROT_OK) return status;
+  *w = s->side * value_at(run, &s->at, run->t + h, run->trial);
+  *rise = s->side * rise_at(run, &s->at, run->t + h, run->trial, run->trial_slope, h);
+  return ROT_OK;
+}
+
+/* The zero of the cubic over the step x that was just taken, near its end. */
+static double zero_near(sight *s, double x) {
+  const rot_ode_watch unseen = {s->w[0] * s->side, 0, s->w[0] == 0.0};
+  sight near = *s;
+  double at = 1.0;
+  aim(&near, &unseen, x);
+  for (int k = 0; k < 4; k++) {
+    const double u = 1.0 - at, *w = near.w;
+    const double rise =
+        6.0 * at * u * (w[2] - w[0]) + u * (1.0 - 3.0 * at) * w[1] + at * (3.0 * at - 2.0) * w[3];
+    at -= cubic(w, at) / rise;
+  }
+  return at * x;
+}
+
+/* A kink is passed so much of the accuracy and of the step off: a stage at the end of the step sees
+ * as much of the wrong side. */
+#define KINK_RESOLVED 1e-3
+
+/* Of the span: a jump at the time 0, where a run begins, has no place relative to the time. */
+#define LEAST_TIME 1e-48
+
+/* Positive at the start and not so after hi: re-step to the zero by Newton, kept between. *hi
+ * becomes that step, trial the state there. */
+static rot_status find_zero(sight *s, double *hi) {
+  rot_ode_march *run = s->run;
+  const double span = fabs(run->end - run->p->start_s);
+  double lo = 0.0, high = *hi, a = 0.0, b = 1.0;
+  for (int k = 0; k < 40; k++) { /* first guess: the zero of the cubic, whose 1 is the whole step */
+    const double mid = 0.5 * (a + b);
+    if (seen(s, mid) > 0.0) {
+      a = mid;
+    } else {
+      b = mid;
+    }
+  }
+  double x = b * *hi;
+  for (int k = 0; k < 200; k++) {
+    double v, rise;
+    const rot_status status = attempt_part(s, x, &v, &rise);
+    if (status != ROT_OK) return status;
+    const double next = is_function(&s->at) ? x - v / rise : zero_near(s, x);
+    double resolved = 2.0 * ROT_EPS * fmax(fabs(run->t), fabs(x));
+    resolved = fmax(resolved, LEAST_TIME * span);
+    if (s->at.kink) resolved = fmax(resolved, KINK_RESOLVED * run->p->accuracy * fabs(*hi));
+    if (v > 0.0) {
+      lo = x;
+    } else {
+      high = x;
+    }
+    const int closed = fabs(high - lo) <= 2.0 * resolved;
+    if (closed && s->at.event.far && v > 0.0) {
+      x = high;
+      const rot_status last = attempt_part(s, x, &v, &rise);
+      if (last != ROT_OK) return last;
+      break;
+    }
+    if (v == 0.0 || fabs(next - x) <= resolved || closed) break;
+    const int inside = (next - lo) * (next - high) < 0.0; /* NaN is not */
+    x = inside ? next : lo + 0.5 * (high - lo);
+  }
+  if (s->at.slides) { /* on, so far that the slope leaves the wall; it is lost only as the square */
+    double v, rise;
+    x += copysign(fmax(1e-8 * fabs(*hi), 8.0 * ROT_EPS * fabs(run->t)), *hi);
+    const rot_status status = attempt_part(s, x, &v, &rise);
+    if (status != ROT_OK) return status;
+  }
+  *hi = x;
+  if (!is_function(&s->at) && !s->at.kink) run->trial[s->at.event.component] = s->at.level;
+  return ROT_OK;
+}
+
+/* The stretch begins at zero and the step ends on the wrong side: was it on the right one? */
+static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage *what) {
+  double best = 0.0, x = 0.0, v, rise;
+  for (int k = 1; k < 16; k++) {
+    const double here = seen(s, k / 16.0);
+    if (best > 0.0 && here <= 0.0) break;
+    if (here > best) {
+      best = here;
+      x = k / 16.0;
+    }
+  }
+  if (!is_switch(s->run, which)) {
+    for (x = best > 0.0 ? x : 1.0 / 32.0; best == 0.0 && x > 1e-9; x *= best > 0.0 ? 1.0 : 0.5) {
+      best = fmax(0.0, seen(s, x));
+    }
+    if (best ==
+        0.0) { /* the cubic may miss a short way out of a long step: ask the method itself */
+      for (x = 0.25; x > 1e-4; x *= 0.25) {
+        const rot_status status = attempt_part(s, x * *h, &v, &rise);
+        if (status != ROT_OK) return status;
+        if (v > 0.0) {
+          *h *= x;
+          *what = ROT_ODE_CUT_SHORT;
+          return ROT_OK;
+        }
+      }
+      const rot_status status = attempt_part(s, *h, &v, &rise);
+      if (status != ROT_OK) return status;
+    }
+    if (best == 0.0) { /* touched zero and went back */
+      const size_t wall = rot_ode_wall_of(s->run, which);
+      s->run->watch[which].side = -s->run->watch[which].side;
+      if (wall == NO_WALL) return ROT_OK;
+      s->run->side[wall] = -s->run->side[wall];
+      s->run->slope_known = 0;
+      *what = ROT_ODE_TRY_SHORTER;
+      return ROT_OK;
+    }
+  }
+  *what = ROT_ODE_TRY_SHORTER;
+  if (best == 0.0) return ROT_OK;
+  const rot_status status = attempt_part(s, x * *h, &v, &rise);
+  if (status == ROT_OK && v > 0.0) {
+    *h *= x;
+    *what = ROT_ODE_CUT_SHORT;
+  }
+  return status;
+}
+
+/* Samples of a step shorter than this, of the span, resolve an event function. */
+#define RESOLVED 1e-3
+
+enum { PARTS = 8 };
+
+static void sample_step(const sight *s, double v[PARTS + 1]) {
+  v[0] = s->w[0];
+  for (int k = 1; k < PARTS; k++) v[k] = seen(s, k / (double)PARTS);
+  v[PARTS] = s->w[2];
+}
+
+/* Does the cubic of the even samples miss the odd ones by more than a tenth of `size`? */
+static int coarse(const sight *s, const double v[PARTS + 1], double size) {
+  double apart = 0.0, highest = 0.0;
+  const double span = s->run->end - s->run->p->start_s;
+  if (!(fabs(s->h) > RESOLVED * fabs(span))) return 0;
+  for (int k = 0; k <= PARTS; k++) highest = fmax(highest, fabs(v[k]));
+  for (int k = 1; k < PARTS; k += 2) {
+    const int a = k == 1 ? 0 : k == PARTS - 1 ? PARTS - 6 : k - 3;
+    const double x = (k - a) / 2.0;
+    const double cubic = v[a] * (x - 1.0) * (x - 2.0) * (x - 3.0) / -6.0 +
+                         v[a + 2] * x * (x - 2.0) * (x - 3.0) / 2.0 -
+                         v[a + 4] * x * (x - 1.0) * (x - 3.0) / 2.0 +
+                         v[a + 6] * x * (x - 1.0) * (x - 2.0) / 6.0;
+    apart = fmax(apart, fabs(v[k] - cubic));
+  }
+  return apart > 0.1 * size && apart > 1e-9 * highest;
+}
+
+/* Where the function comes below `least` within a step with both ends above zero, or that begins at
+ * zero: x, 1 where it does not, -1 where eight parts of the step do not resolve it. A function of
+ * time may pass zero and come back where the motion rests, and the steps, which see the motion
+ * alone, are long: of 977 drives with dry friction one missed a stretch of slip. */
+static double dip_of(const sight *s, double least, int fresh) {
+  double v[PARTS + 1], lowest = INFINITY, dip = 1.0;
+  sample_step(s, v);
+  for (int k = 0; k <= PARTS; k++) {
+    if (k > 0 || !fresh) lowest = fmin(lowest, v[k]);
+    if (k > 0 && k < PARTS && v[k] < least) {
+      least = v[k];
+      dip = k / (double)PARTS;
+    }
+  }
+  if (!s->at.event.g || dip < 1.0) return dip;
+  for (int k = 1; k < PARTS; k++) { /* the vertex of the parabola through three */
+    const double bend = v[k - 1] - 2.0 * v[k] + v[k + 1], tilt = 0.5 * (v[k + 1] - v[k - 1]);
+    if (!(v[k] <= v[k - 1] && v[k] <= v[k + 1] && bend > 0.0)) continue;
+    const double x = (k - tilt / bend) / PARTS, here = seen(s, x);
+    lowest = fmin(lowest, here);
+    if (here < least) {
+      least = here;
+      dip = x;
+    }
+  }
+  return dip < 1.0 ? dip : coarse(s, v, lowest) ? -1.0 : 1.0;
+}
+
+/* The same for a step that ends below zero: where it first comes below, if it rises again. No
+ * number of parts resolves a jump; where the function falls all the way, it has one zero. */
+static double first_below(const sight *s) {
+  double v[PARTS + 1], highest = 0.0;
+  int first = PARTS, falls = 1;
+  if (!s->at.event.g) return 1.0;
+  sample_step(s, v);
+  for (int k = 0; k <= PARTS; k++) {
+    highest = fmax(highest, fabs(v[k]));
+    falls = falls && (k == 0 || v[k] <= v[k - 1]);
+    if (first == PARTS && v[k] <= 0.0) first = k;
+    if (first < k && v[k] > 0.0) return first / (double)PARTS;
+  }
+  return !falls && coarse(s, v, highest) ? -1.0 : 1.0;
+}
+
+static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_passage *what) {
+  rot_ode_watch *at = &run->watch[which];
+  sight s = {run, look_at(run, which), at->side, *h, {0.0}};
+  const int upward = run->forward ? s.at.event.direction : -s.at.event.direction;
+  const int fires = s.at.event.direction == 0 || upward == -at->side;
+  if (at->side == 0) return ROT_OK;
+  aim(&s, at, *h);
+  const double end = s.w[2];
+  if (is_switch(run, which) && at->fresh && s.w[1] == 0.0 && end == 0.0 && s.w[3] == 0.0) {
+    return ROT_OK; /* still */
+  }
+  if (at->fresh && end <= 0.0) {
+    if (run->phase != ROT_ODE_UNDECIDED || !is_switch(run, which)) {
+      return fires ? leave_zero(&s, which, h, what) : ROT_OK;
+    }
+    run->phase = ROT_ODE_LEAVING;
+    *run->p->mode = at->side = -at->side;
+    run->slope_known = 0;
+    *what = ROT_ODE_TRY_SHORTER;
+    return ROT_OK;
+  }
+  /* Between two ends on one side it may dip to the other. The cubic is of order 4, so that it is
+   * believed only where it stays clear of zero. */
+  const double clear = run->phase == ROT_ODE_CUT ? 0.0 : 0.3 * fmin(s.w[0], end);
+  const double dip = end > 0.0 ? dip_of(&s, clear, at->fresh) : first_below(&s);
+  if (dip < 0.0) {
+    double v, rise;
+    *h *= 0.5;
+    rot_status status = attempt_part(&s, *h, &v, &rise);
+    if (status == ROT_OK) status = look_for(run, which, h, what);
+    if (*what == ROT_ODE_SAME_SIDE) *what = ROT_ODE_CUT_SHORT;
+    return status;
+  }
+  if (end > 0.0 ? dip == 1.0 || (at->fresh && !s.at.event.g) : !fires && dip == 1.0) return ROT_OK;
+  if (dip < 1.0) { /* ask the method itself */
+    double v, rise;
+    const rot_status status = attempt_part(&s, dip * *h, &v, &rise);
+    if (status != ROT_OK) return status;
+    *h *= dip;
+    if (v > 0.0 || !fires) {
+      *what = ROT_ODE_CUT_SHORT;
+      return ROT_OK;
+    }
+    aim(&s, at, *h);
+    if (at->fresh) {
+      const rot_status left = leave_zero(&s, which, h, what);
+      if (*what == ROT_ODE_SAME_SIDE) *what = ROT_ODE_CUT_SHORT;
+      return left;
+    }
+  }
+  *what = ROT_ODE_AT_ZERO;
+  return find_zero(&s, h);
+}
+
+rot_status rot_ode_look_for_events(rot_ode_march *run, double *h, rot_ode_passage *what,
+                                   size_t *which) {
+  *what = ROT_ODE_SAME_SIDE;
+  *which = SIZE_MAX;
+  for (size_t k = 0; k < run->n_watch; k++) {
+    /* Each event that is found shortens the step, so that the last one found is the first. */
+    const double whole = *h;
+    rot_ode_passage here = ROT_ODE_SAME_SIDE;
+    const rot_status status = look_for(run, k, h, &here);
+    if (status != ROT_OK) return status;
+    if (here == ROT_ODE_SAME_SIDE && *h == whole) continue;
+    *what = here;
+    *which = here == ROT_ODE_AT_ZERO ? k : SIZE_MAX;
+    if (here == ROT_ODE_TRY_SHORTER) return ROT_OK;
+  }
+  return ROT_OK;
+}

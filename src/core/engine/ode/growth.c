@@ -1,0 +1,143 @@
+#include "engine/ode/growth.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "maths/expm.h"
+#include "engine/ode/collocate.h"
+#include "engine/ode/step.h"
+#include "ground/real.h"
+
+rot_ode_growth *rot_ode_growth_alloc(const rot_ode_params *p) {
+  const size_t n = p->controlled, square = n * n;
+  if (n > ROT_ODE_MOST_GROWTH) return NULL;
+  rot_ode_growth *g = calloc(1, sizeof *g);
+  double *data = calloc(4 * square + ROT_EXPM_WORK(n) + n, sizeof *data);
+  if (!g || !data) {
+    free(g);
+    free(data);
+    return NULL;
+  }
+  g->n = n;
+  g->spread = data;
+  g->derivative0 = data + square;
+  g->derivative1 = data + 2 * square;
+  g->map = data + 3 * square;
+  g->worst = data + 4 * square;
+  g->work = g->worst + n;
+  return g;
+}
+
+void rot_ode_growth_free(rot_ode_growth *g) {
+  if (!g) return;
+  free(g->spread);
+  free(g);
+}
+
+void rot_ode_growth_set_out(rot_ode_growth *g) {
+  if (!g) return;
+  memset(g->spread, 0, g->n * g->n * sizeof *g->spread);
+  g->known = 0;
+}
+
+void rot_ode_growth_new_stretch(rot_ode_growth *g) {
+  if (g) g->known = 0;
+}
+
+void rot_ode_growth_hold(rot_ode_growth *g, size_t component) {
+  if (!g) return;
+  for (size_t i = 0; i < g->n; i++) {
+    g->spread[i * g->n + component] = g->spread[component * g->n + i] = 0.0;
+  }
+}
+
+/* Beyond a wall the right-hand side is called on the wall: no difference there. */
+static int passes_wall(const rot_ode_march *run, size_t component, double to) {
+  for (size_t k = 0; k < run->walls->count; k++) {
+    const rot_ode_wall *w = &run->walls->wall[k];
+    if (w->component != component) continue;
+    if (run->side[k] > 0 ? to < w->above : run->side[k] < 0 && to > w->below) return 1;
+  }
+  return 0;
+}
+
+/* The derivative of the slope by the state, from differences of a thousandth of the step. */
+static rot_status derivative(rot_ode_march *run, const double before[], double d[]) {
+  const rot_ode_params *p = run->p;
+  const size_t n = p->controlled;
+  double *y = run->work, *f = run->change;
+  memcpy(y, run->y, p->dim * sizeof *y);
+  for (size_t m = 0; m < rot_ode_steering(p); m++) {
+    const rot_ode_group g = rot_ode_group_of(p, m);
+    double moved = 0.0, size = 0.0;
+    for (size_t i = g.first; i < g.first + g.count; i++) {
+      moved = fmax(moved, fabs(run->y[i] - before[i]));
+      size = fmax(size, fabs(run->y[i]));
+    }
+    const double by = fmax(1e-3 * moved, 1e-8 * fmax(size, run->largest[m]));
+    for (size_t i = g.first; i < g.first + g.count; i++) {
+      y[i] = run->y[i] + (passes_wall(run, i, run->y[i] + by) ? -by : by);
+      const double step = y[i] - run->y[i];
+      int code = GSL_EBADFUNC;
+      if (step != 0.0) code = rot_ode_slope_at(run->t, y, f, run);
+      if (step != 0.0 && code != GSL_SUCCESS && run->status != ROT_ERHS) return run->status;
+      for (size_t k = 0; k < n; k++) {
+        d[k * n + i] = code == GSL_SUCCESS ? (f[k] - run->slope[k]) / step : 0.0;
+      }
+      if (run->track && code == GSL_SUCCESS) rot_ode_track_derivative(run->track, i, f, step);
+      y[i] = run->y[i];
+    }
+  }
+  run->status = ROT_OK;
+  return ROT_OK;
+}
+
+rot_status rot_ode_growth_step(rot_ode_march *run, double h, const double before[], size_t parts) {
+  rot_ode_growth *g = run->growth;
+  const rot_ode_params *p = run->p;
+  const size_t n = g->n;
+  if (h == 0.0) return ROT_OK;
+  double *swap = g->derivative0;
+  g->derivative0 = g->derivative1;
+  g->derivative1 = swap;
+  const int watching = run->watch_stiffness;
+  run->watch_stiffness = 0;
+  const rot_status status = derivative(run, before, g->derivative1);
+  run->watch_stiffness = watching;
+  if (status != ROT_OK) return status;
+  for (size_t i = 0; i < n * n; i++) {
+    const double mean =
+        g->known ? 0.5 * (g->derivative0[i] + g->derivative1[i]) : g->derivative1[i];
+    g->map[i] = h * mean;
+  }
+  g->known = 1;
+  double *e = g->derivative0;                            /* not needed any more */
+  if (rot_expm(n, g->map, e, g->work, NULL) != ROT_OK) { /* beyond the doubles in one step */
+    for (size_t m = 0; m < rot_ode_steering(p); m++) g->worst[m] = INFINITY;
+    return ROT_OK;
+  }
+  /* e spread e': the work space has room for two more matrices. */
+  double *left = g->work, *turned = g->work + n * n;
+  rot_expm_multiply(n, e, g->spread, left, NULL);
+  for (size_t i = 0; i < n; i++) {
+    for (size_t j = 0; j < n; j++) turned[j * n + i] = e[i * n + j];
+  }
+  rot_expm_multiply(n, left, turned, g->spread, NULL);
+  for (size_t m = 0; m < rot_ode_steering(p); m++) {
+    const rot_ode_group group = rot_ode_group_of(p, m);
+    double size = 0.0, sum = 0.0;
+    for (size_t i = group.first; i < group.first + group.count; i++) {
+      size = fmax(size, fmax(fabs(run->y[i]), fabs(before[i])));
+    }
+    for (size_t i = group.first; i < group.first + group.count; i++) {
+      g->spread[i * n + i] += (double)parts * (ROT_EPS * size) * (ROT_EPS * size);
+      sum += g->spread[i * n + i];
+    }
+    if (group.norm == ROT_ODE_QUATERNION) sum *= 4.0;
+    const double now = sqrt(sum);
+    if (!(now <= g->worst[m])) g->worst[m] = now;
+  }
+  return ROT_OK;
+}

@@ -1,0 +1,594 @@
+#include "engine/ode/ode.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/ode/collocate.h"
+#include "engine/ode/growth.h"
+#include "engine/ode/kink.h"
+#include "engine/ode/march.h"
+#include "engine/ode/probe.h"
+#include "engine/ode/rows.h"
+#include "engine/ode/step.h"
+#include "engine/ode/wall.h"
+#include "ground/real.h"
+
+#define LEAST_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
+#define LEAST_FINE      1e-15 /* of a guided run: below, its error test would reject rounding */
+#define MOST_TOLERANCE  3e-3
+
+/* ---- one run over both sides ----------------------------------------------------------------- */
+
+/* What is asked of a run, and where the rows go. */
+typedef struct job {
+  const rot_ode_params *p;
+  size_t n, before; /* rows; those before the start */
+  const double *time_s;
+  rot_method method;
+  double tolerance;
+  size_t budget;
+  double *y_rows, *slope_rows; /* NULL: none */
+  const rot_ode_trace *guide;  /* of both sides, or NULL */
+  size_t parts;                /* of its steps */
+  rot_ode_trace *trace;        /* of both sides */
+  double *largest, *share;
+  double *moved;
+  rot_ode_kinks *kinks; /* see rot_ode_march */
+  rot_ode_walls *walls;
+  rot_ode_growth *growth;   /* NULL: not followed */
+  rot_ode_track *track;     /* of both sides, or NULL */
+  rot_ode_probes *probes;   /* NULL: none */
+  double found, unresolved; /* out: see rot_ode_march */
+  int stiff;                /* in: look for it; out: found */
+  int first_mode;
+} job;
+
+static rot_status run_sides(rot_ode_march *run, job *j) {
+  rot_status status = ROT_OK;
+  for (int forward = 0; forward < 2 && status == ROT_OK; forward++) {
+    const rot_ode_trace *guide = j->guide ? &j->guide[forward] : NULL;
+    run->first = forward ? j->before : 0;
+    run->total = forward ? j->n - j->before : j->before;
+    run->done = 0;
+    run->forward = forward;
+    run->guide = guide;
+    run->parts = j->parts;
+    run->trace = &j->trace[forward];
+    run->track = j->track ? &j->track[forward] : NULL;
+    if (run->track) run->track->nodes.count = 0, run->track->slid = 0;
+    run->trace->dim = j->p->dim;
+    run->trace->count = 0;
+    if (forward) run->info->rows_done = j->before;
+    if (run->total == 0) continue;
+    double end = j->time_s[forward ? j->n - 1 : 0];
+    if (guide && guide->count && !guide->ended) end = rot_ode_node(guide, guide->count - 1)[0];
+    rot_ode_rows_at_start(run);
+    status = rot_ode_march_to(run, end, forward);
+    run->trace->ended = run->phase == ROT_ODE_ENDED;
+  }
+  return status;
+}
+
+static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
+  const rot_ode_params *p = j->p;
+  const size_t dim = p->dim;
+  rot_ode_march run;
+  memset(&run, 0, sizeof run);
+  double *scratch = calloc(13 * dim, sizeof *scratch);
+  const size_t calls = info->rhs_calls;
+  rot_info_clear(info, NULL);
+  info->rhs_calls = calls;
+  info->tolerance = j->tolerance;
+  info->method = j->method;
+  run.p = p;
+  run.hooks = hooks;
+  run.info = info;
+  run.method = j->method;
+  run.tolerance = j->tolerance;
+  run.budget = j->budget;
+  run.largest = j->largest;
+  run.share = j->share;
+  run.moved = j->moved;
+  run.first_mode = j->first_mode;
+  run.time_s = j->time_s;
+  run.y_rows = j->y_rows;
+  run.slope_rows = j->slope_rows;
+  run.watch_stiffness = j->stiff;
+  run.kinks = j->guide ? NULL : j->kinks;
+  run.walls = j->walls;
+  run.growth = j->guide ? NULL : j->growth;
+  run.probes = j->y_rows ? j->probes : NULL;
+  run.called = run.probes ? malloc(ROT_ODE_CALLS * (1 + dim) * sizeof *run.called) : NULL;
+  run.slides = NO_WALL;
+  run.dense.dim = dim;
+  run.dense.slopes = j->method == ROT_METHOD_RK8PD;
+  run.form = calloc(dim, sizeof *run.form);
+  run.n_watch = (p->turn != NULL) + p->n_events + j->walls->count;
+  run.watch = calloc(run.n_watch + ROT_ODE_MOST_WALLS, sizeof *run.watch);
+  memset(j->share, 0, dim * sizeof *j->share);
+  memset(j->moved, 0, dim * sizeof *j->moved);
+  for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    j->largest[m] = rot_ode_size(rot_ode_group_of(p, m), p->start);
+  }
+  if (p->log) p->log->count = 0;
+  if (j->method == ROT_METHOD_RADAU) {
+    run.radau = rot_radau_alloc(dim, p->controlled);
+  } else {
+    run.rk = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, dim);
+  }
+  const int room = !run.probes || run.called;
+  info->status =
+      room && scratch && run.form && run.watch && (run.rk || run.radau) ? ROT_OK : ROT_ENOMEM;
+  if (info->status == ROT_OK) {
+    double **part[] = {&run.y,       &run.trial,  &run.trial_error, &run.slope,   &run.trial_slope,
+                       &run.allowed, &run.work,   &run.change,      &run.stage_y, &run.stage_f,
+                       &run.kept,    &run.beside, &run.beyond};
+    for (size_t k = 0; k < sizeof part / sizeof *part; k++) *part[k] = scratch + k * dim;
+    run.system = (gsl_odeiv2_system){rot_ode_slope_at, NULL, dim, &run};
+    info->status = run_sides(&run, j);
+  }
+  j->found = run.found;
+  j->unresolved = sqrt(run.unresolved);
+  j->stiff = run.phase == ROT_ODE_STIFF;
+  if (run.rk) gsl_odeiv2_step_free(run.rk);
+  rot_radau_free(run.radau);
+  rot_dense_free(&run.dense);
+  free(run.form);
+  free(run.watch);
+  free(run.called);
+  free(scratch);
+  return info->status;
+}
+
+/* ---- the error estimate ---------------------------------------------------------------------- */
+
+static void note_apart(const rot_ode_params *p, const double a[], const double b[], double change[],
+                       double apart[]) {
+  for (size_t i = 0; i < p->dim; i++) change[i] = b[i] - a[i];
+  for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    const double now = rot_ode_apart(rot_ode_group_of(p, m), a, change);
+    if (!(now <= apart[m])) apart[m] = now;
+  }
+}
+
+/* Largest difference of each measure between two runs, where both have a step's end, at those on
+ * either side of a row. */
+static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
+                        const rot_ode_trace *fine, int forward, size_t first, size_t rows,
+                        const double time_s[], double mend, double y_rows[], double change[],
+                        double apart[]) {
+  const double way = forward ? 1.0 : -1.0;
+  size_t f = 0, row = 0;
+  const double *last[2] = {NULL, NULL}; /* the pair before */
+  double last_s = 0.0;
+  for (size_t c = 0; c < coarse->count && row < rows; c++) {
+    const double *a = rot_ode_node(coarse, c);
+    while (f < fine->count && way * (rot_ode_node(fine, f)[0] - a[0]) < 0.0) f++;
+    if (f == fine->count) break;
+    const double *b = rot_ode_node(fine, f);
+    if (a[0] != b[0]) continue;
+    int seen_here = 0, seen_before = 0;
+    while (row < rows) {
+      const size_t at = forward ? first + row : first + rows - 1 - row;
+      const double t = time_s[at];
+      if (way * (t - a[0]) > 0.0) break;
+      const double weight = last[0] ? (t - last_s) / (a[0] - last_s) : 1.0;
+      for (size_t i = 0; mend > 0.0 && i < p->dim; i++) {
+        const double before = last[0] ? last[1][i] - last[0][i] : 0.0, now = b[2 + i] - a[2 + i];
+        y_rows[at * p->dim + i] += mend * (before + weight * (now - before));
+      }
+      if (mend > 0.0 && p->project) p->project(t, y_rows + at * p->dim, p->ctx);
+      seen_here = 1;
+      seen_before = seen_before || t != a[0];
+      row++;
+    }
+    if (seen_here) note_apart(p, a + 2, b + 2, change, apart);
+    if (seen_before && last[0]) note_apart(p, last[0], last[1], change, apart);
+    last_s = a[0];
+    last[0] = a + 2;
+    last[1] = b + 2;
+  }
+}
+
+/* Where a step meets a kink of the right-hand side, halving it gains little, and the two runs may
+ * even err alike: their distance missed the error by up to 6 in a tenth of 60 motions on torque
+ * curves; twice the distance and four times the test's figure missed one of 600, by 1.3. */
+#define KINK_MARGIN 2.0
+/* Steps that end on a wall are no equal parts of each other. */
+#define WALL_MARGIN 10.0
+
+/* Kinks that no break marks. */
+static int has_kinks(const job *j) { return j->p->kinks || j->kinks->missed; }
+
+/* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
+ * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
+ * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is
+ * rounding: no finer run makes it less. */
+static double part_of_distance(const job *coarse, const job *fine, double ratio,
+                               double rounding_share) {
+  if (has_kinks(fine)) return KINK_MARGIN;
+  const double fell = coarse->found > 0.0 ? fine->found / coarse->found / ratio : 0.0;
+  const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
+  const double margin = ratio < 3.0 || fine->method == ROT_METHOD_RADAU ? 4.0 : 2.5;
+  const double walls = fine->walls->count ? WALL_MARGIN : 1.0;
+  /* Long implicit steps may pass a weak kink of a called law that their error tests do not show. */
+  const double least = fine->p->expensive && fine->method == ROT_METHOD_RADAU ? 1.0 : 0.0;
+  if (part >= 0.5) return 1.0;
+  return fmax(least, fmin(1.0, walls * margin * part / (1.0 - part) + rounding_share));
+}
+
+/* Two runs so far apart, of their size, have lost each other: their distance tells its own size and
+ * no more. */
+#define LOST 0.03
+
+/* What rounding makes of a measure. */
+static double roundings_of(const job *j, size_t m, size_t steps, double size) {
+  const double each = 4.0 * ROT_EPS * sqrt(1.0 + (double)steps) * size;
+  if (!j->growth || m >= rot_ode_steering(j->p)) return each;
+  const double grown = j->growth->worst[m];
+  /* Where it grows by ten decades, the motions of two runs grow differently. */
+  return fmax(each, (grown > 1e-6 * size ? 10.0 : 3.0) * grown);
+}
+
+/* Without events that change the law, the rows of a fine run of rk8pd take a part of its distance
+ * from the coarse one. */
+static int mends(const job *fine) {
+  const rot_ode_params *p = fine->p;
+  return fine->method == ROT_METHOD_RK8PD && !p->turn && (p->n_events == 0 || !p->mode);
+}
+
+/* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
+ * would lessen; *lost: see above. */
+static double estimate(const job *coarse, const job *fine, const rot_info *info,
+                       double rounding_share, double change[], double error[], double *steps,
+                       int *lost) {
+  const rot_ode_params *p = fine->p;
+  const double ratio = (double)fine->parts / (double)coarse->parts;
+  double part = part_of_distance(coarse, fine, ratio, rounding_share);
+  const double mend = mends(fine) ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0) : 0.0;
+  /* Most steps whose error does not fall meet a kink that was not found; fewer where one was. */
+  const double resolve = (fine->walls->count ? 1.5 : 3.0) * fine->unresolved;
+  double worst = *steps = 0.0;
+  memset(error, 0, rot_ode_measures(p) * sizeof *error);
+  for (int forward = 0; forward < 2; forward++) {
+    const size_t first = forward ? fine->before : 0;
+    const size_t before = fine->before < info->rows_done ? fine->before : info->rows_done;
+    const size_t rows = forward ? info->rows_done - before : before;
+    if (rows) {
+      differences(p, &coarse->trace[forward], &fine->trace[forward], forward, first, rows,
+                  fine->time_s, mend, fine->y_rows, change, error);
+    }
+  }
+  *lost = 0;
+  for (size_t m = 0; m < rot_ode_steering(p); m++) {
+    const double apart = error[m] / fine->largest[m];
+    *lost = *lost || (apart > LOST && apart > 300.0 * p->accuracy);
+  }
+  if (*lost) part = 1.0;
+  for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    const double size = fine->largest[m];
+    const double roundings = roundings_of(fine, m, info->steps, size);
+    const double lessened = fmax(0.0, part - rounding_share) * error[m] + resolve * size;
+    error[m] = part * error[m] + fine->share[m] + fine->moved[m] + resolve * size + roundings;
+    if (m >= rot_ode_steering(p) || size == 0.0) continue;
+    *steps = fmax(*steps, lessened / size);
+    worst = fmax(worst, error[m] / size);
+  }
+  return worst;
+}
+
+/* Of a coarse run that failed, the steps that lead to the last row it reached. */
+static void cut_traces(const job *coarse, size_t *n) {
+  rot_ode_trace *m = &coarse->trace[1];
+  const double reached = m->count ? rot_ode_node(m, m->count - 1)[0] : -INFINITY;
+  while (*n > coarse->before && coarse->time_s[*n - 1] > reached) --*n;
+  if (*n > coarse->before) {
+    while (m->count > 1 && rot_ode_node(m, m->count - 2)[0] >= coarse->time_s[*n - 1]) m->count--;
+  }
+}
+
+/* Backward runs log in reverse. */
+static void sort_by_time(rot_events *events) {
+  for (size_t i = 1; events && i < events->count; i++) {
+    for (size_t j = i; j > 0 && events->time_s[j] < events->time_s[j - 1]; j--) {
+      const double t = events->time_s[j];
+      const rot_event e = events->event[j];
+      events->time_s[j] = events->time_s[j - 1];
+      events->event[j] = events->event[j - 1];
+      events->time_s[j - 1] = t;
+      events->event[j - 1] = e;
+    }
+  }
+}
+
+/* The run that chooses the steps, and with them the method. */
+static rot_status choose_steps(job *coarse, double tolerance, const rot_hooks *hooks,
+                               rot_info *info) {
+  const rot_method wanted = coarse->p->method;
+  coarse->method = wanted == ROT_METHOD_RADAU ? wanted : ROT_METHOD_RK8PD;
+  coarse->stiff = wanted == ROT_METHOD_NONE;
+  coarse->tolerance = tolerance;
+  if (coarse->method == ROT_METHOD_RK8PD) {
+    run_once(coarse, hooks, info);
+    if (!coarse->stiff) return info->status;
+  }
+  /* Its error test is that of order 5, the result has order 9. */
+  coarse->stiff = 0;
+  coarse->method = ROT_METHOD_RADAU;
+  coarse->tolerance = fmin(1e-3, pow(tolerance, 6.0 / 9.0));
+  run_once(coarse, hooks, info);
+  if (info->status == ROT_ESTEP && wanted == ROT_METHOD_NONE) {
+    coarse->method = ROT_METHOD_RK8PD;
+    coarse->tolerance = tolerance;
+    run_once(coarse, hooks, info);
+  }
+  return info->status;
+}
+
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* *split as p, with the kinks added to its breaks; both in one array, the kinks' own. */
+static rot_status split_at_kinks(const rot_ode_params *p, rot_ode_kinks *kinks,
+                                 rot_ode_params *split) {
+  const size_t n = kinks->count + p->n_breaks;
+  double *time_s = realloc(kinks->time_s, (n ? n : 1) * sizeof *time_s);
+  if (!time_s) return ROT_ENOMEM;
+  kinks->time_s = time_s;
+  if (p->n_breaks) memcpy(time_s + kinks->count, p->breaks, p->n_breaks * sizeof *time_s);
+  qsort(time_s, n, sizeof *time_s, compare);
+  split->breaks = time_s;
+  split->n_breaks = n;
+  return ROT_OK;
+}
+
+enum { MOST_RUNS = 4 };
+
+/* The tolerance of the run that chooses the steps, and into how many parts the next divides them:
+ * three where the error of the first run is then still small against the motion. The factors are
+ * what an error test may grow to in most motions, less the margin and the gain of the parts. */
+static size_t first_parts(const rot_ode_params *p, double *tolerance) {
+  const int three = p->accuracy <= 3e-7 && !p->kinks && p->method != ROT_METHOD_RADAU;
+  *tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, (three ? 256.0 : 10.0) * p->accuracy));
+  return three ? 3 : 2;
+}
+
+/* Of a loosely solved motion collocation takes as many calls as a finer run, some 1300 over 20 s at
+ * 1e-7; at 1e-9 it takes two thirds. */
+#define COLLOCATED_ACCURACY 5e-8
+
+/* Whether the result may come from collocation, instead of a finer run. */
+static int collocates(const rot_ode_params *p, const rot_ode_growth *growth) {
+  return p->expensive && growth && p->accuracy <= COLLOCATED_ACCURACY && !p->kinks &&
+         p->method != ROT_METHOD_RADAU && p->controlled <= ROT_ODE_MOST_COLLOCATED &&
+         p->dim <= ROT_ODE_MOST_COLLOCATED_ALL && p->n_groups == 0 && !p->turn &&
+         p->n_events == 0 && !p->project && !p->at_break;
+}
+
+/* The result by collocation in the steps of the coarse run; *good = 0: there is none. */
+static rot_status collocate(const job *coarse, double y[], double slope[], double error[],
+                            double largest[], const rot_hooks *hooks, rot_info *info, int *good) {
+  const rot_ode_output rows = {coarse->n, coarse->before, coarse->time_s, y, slope};
+  info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, &rows, coarse->probes,
+                                   hooks, info, error, largest, good);
+  if (!*good) return info->status;
+  for (size_t m = 0; m < coarse->p->dim; m++) {
+    error[m] += roundings_of(coarse, m, info->steps, largest[m]);
+  }
+  info->rows_done = coarse->n;
+  info->time_s = coarse->time_s[coarse->n - 1];
+  return ROT_OK;
+}
+
+/* One choice of steps and what follows from it, with the walls known so far. */
+static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_probes *probes,
+                        size_t n, const double time_s[], double y[], double slope[], double error[],
+                        double largest[], const rot_hooks *hooks, rot_info *info) {
+  rot_ode_trace traces[3][2]; /* of the run that chose the steps, and of the last two */
+  rot_ode_track tracks[2];
+  double *scratch = calloc(4 * p->dim + 1, sizeof *scratch);
+  double tolerance;
+  size_t parts = first_parts(p, &tolerance);
+  rot_ode_kinks kinks = {0, 0, NULL, 0};
+  rot_ode_params split = *p;
+  job coarse;
+  memset(traces, 0, sizeof traces);
+  memset(tracks, 0, sizeof tracks);
+  memset(&coarse, 0, sizeof coarse);
+  info->status = scratch ? ROT_OK : ROT_ENOMEM;
+  coarse.p = p;
+  coarse.time_s = time_s;
+  coarse.n = n;
+  while (coarse.before < n && time_s[coarse.before] < p->start_s) coarse.before++;
+  coarse.trace = traces[0];
+  coarse.parts = 1;
+  coarse.largest = scratch;
+  coarse.share = scratch + p->dim;
+  coarse.moved = scratch + 2 * p->dim;
+  coarse.first_mode = p->mode ? *p->mode : 0;
+  coarse.budget = p->max_steps / 2;
+  coarse.kinks = &kinks;
+  coarse.walls = walls;
+  coarse.probes = probes;
+  coarse.growth = rot_ode_growth_alloc(p);
+  if (collocates(p, coarse.growth)) coarse.track = tracks;
+  if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
+  if (coarse.method == ROT_METHOD_RK8PD && kinks.count) {
+    const rot_status status = split_at_kinks(p, &kinks, &split);
+    if (status != ROT_OK) info->status = status;
+    coarse.p = &split;
+  }
+  const rot_info failure = *info;
+  if (probes && info->status == ROT_OK && n) rot_ode_probes_range(probes, traces[0]);
+  if (scratch) memcpy(largest, scratch, rot_ode_measures(p) * sizeof *largest);
+  if (info->status != ROT_OK) cut_traces(&coarse, &coarse.n);
+
+  int hopeless = info->status == ROT_EUNWIND || info->status == ROT_ENOMEM ||
+                 (info->status != ROT_OK && coarse.trace[1].count == 0);
+  const int explicit = coarse.method == ROT_METHOD_RK8PD,
+            stepwise = !explicit || has_kinks(&coarse);
+  const double first = coarse.tolerance;
+  double last = INFINITY;
+  if (stepwise) {
+    parts = 2;
+  } else if (walls->count) {
+    parts++; /* for WALL_MARGIN */
+  }
+  int solved = 0;
+  if (coarse.track && n && info->status == ROT_OK && !stepwise && !kinks.count) {
+    hopeless = collocate(&coarse, y, slope, error, largest, hooks, info, &solved) != ROT_OK;
+    if (solved && probes) rot_ode_probes_sift(probes, error);
+  }
+  coarse.track = NULL;
+  for (int k = 0; k < MOST_RUNS && n && !hopeless && !solved; k++) {
+    job fine = coarse;
+    fine.guide = traces[0];
+    fine.parts = parts;
+    fine.trace = traces[1 + k % 2];
+    fine.y_rows = y;
+    fine.slope_rows = mends(&fine) ? NULL : slope; /* slopes are those of the rows as they stay */
+    for (size_t i = 0; slope && i < n; i++) slope[i] = NAN;
+    fine.largest = largest;
+    fine.budget = p->max_steps;
+    fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
+    run_once(&fine, hooks, info);
+    if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
+    /* A step's rounding beside what its error test allows. */
+    const double share = 4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
+    double steps;
+    int lost;
+    const double worst =
+        estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error, &steps, &lost);
+    if (probes) rot_ode_probes_sift(probes, error);
+    if (probes && probes->n_sights) break; /* other steps are needed */
+    if (info->status != ROT_OK || worst <= p->accuracy || share > 0.3 || worst > 0.5 * last ||
+        steps < 0.5 * worst) {
+      break;
+    }
+    last = lost ? INFINITY : worst;
+    const double ratio = pow(1.0 + 2.0 * steps / p->accuracy, 1.0 / 8.0);
+    const double more = stepwise ? 2.0 : fmin(4.0, ratio);
+    const size_t next = (size_t)fmax(ceil(more * (double)parts), (double)parts + 1.0);
+    if (info->steps * next > p->max_steps * parts) break;
+    parts = next;
+    if (probes) rot_ode_probes_uncover(probes);
+    if (stepwise || lost) coarse = fine;
+  }
+  if (failure.status != ROT_OK && info->status == ROT_OK) {
+    info->status = failure.status;
+    info->time_s = failure.time_s;
+  }
+  if (hopeless) info->rows_done = 0;
+  sort_by_time(p->log);
+  for (int k = 0; k < 6; k++) free(traces[k / 2][k % 2].data);
+  for (int k = 0; k < 2; k++) rot_ode_track_free(&tracks[k]);
+  rot_ode_growth_free(coarse.growth);
+  free(kinks.time_s);
+  free(scratch);
+  return info->status;
+}
+
+/* ---- what the probes saw --------------------------------------------------------------------- */
+
+/* Choices of steps, each with the walls and breaks that the probes of the one before found. */
+enum { MOST_ROUNDS = 8 };
+
+typedef struct stops {
+  size_t count;
+  double *time_s;
+} stops;
+
+static rot_status add_stop(stops *s, double t) {
+  size_t at = 0;
+  while (at < s->count && s->time_s[at] < t) at++;
+  if (at < s->count && s->time_s[at] == t) return ROT_OK;
+  double *more = realloc(s->time_s, (s->count + 1) * sizeof *more);
+  if (!more) return ROT_ENOMEM;
+  memmove(more + at + 1, more + at, (s->count - at) * sizeof *more);
+  more[at] = t;
+  s->time_s = more;
+  s->count++;
+  return ROT_OK;
+}
+
+/* Walls where the law changes between the places that it was seen at, or a break there. */
+static rot_status look_at_sights(const rot_ode_params *p, const rot_ode_probes *probes,
+                                 rot_ode_walls *walls, stops *breaks, rot_info *info) {
+  const size_t dim = p->dim;
+  const int first_mode = p->mode ? *p->mode : 0;
+  rot_ode_march run;
+  double *scratch = calloc(10 * dim, sizeof *scratch);
+  if (!scratch) return ROT_ENOMEM;
+  memset(&run, 0, sizeof run);
+  double **part[] = {&run.y,    &run.trial,  &run.slope,  &run.trial_slope, &run.work,
+                     &run.kept, &run.beside, &run.beyond, &run.stage_y,     &run.stage_f};
+  for (size_t k = 0; k < sizeof part / sizeof *part; k++) *part[k] = scratch + k * dim;
+  run.p = p;
+  run.info = info;
+  run.walls = walls;
+  run.slides = NO_WALL;
+  run.after = -INFINITY;
+  run.before = INFINITY;
+  rot_status status = ROT_OK;
+  for (size_t k = 0; k < probes->n_sights && status == ROT_OK; k++) {
+    double at;
+    if (p->mode) *p->mode = probes->sight[k].mode;
+    status = rot_ode_look_at_sight(&run, &probes->sight[k], &at);
+    if (status == ROT_OK && !isnan(at)) status = add_stop(breaks, at);
+  }
+  if (p->mode) *p->mode = first_mode;
+  free(scratch);
+  return status;
+}
+
+static int is_accurate(const rot_ode_params *p, const double error[], const double largest[]) {
+  int good = 1;
+  for (size_t m = 0; m < rot_ode_steering(p); m++) good &= error[m] <= p->accuracy * largest[m];
+  return good;
+}
+
+rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
+                       double slope[], double error[], double largest[], const rot_hooks *hooks,
+                       rot_info *info) {
+  rot_ode_walls walls;
+  rot_ode_params now = *p;
+  stops breaks = {0, NULL};
+  rot_ode_probes *probes = NULL;
+  const int first_mode = p->mode ? *p->mode : 0;
+  rot_status status = ROT_OK;
+  walls.count = 0;
+  rot_info_clear(info, NULL);
+  if (p->resolution > 0.0 && p->resolution < 1.0) {
+    probes = rot_ode_probes_new(p);
+    if (!probes) status = ROT_ENOMEM;
+    for (size_t k = 0; k < p->n_breaks && status == ROT_OK; k++) {
+      status = add_stop(&breaks, p->breaks[k]);
+    }
+    if (status != ROT_OK) info->status = status;
+  }
+  for (int round = 0; status == ROT_OK; round++) {
+    const size_t known = walls.count;
+    if (p->mode) *p->mode = first_mode;
+    if (probes) rot_ode_probes_clear(probes);
+    status = solve(&now, &walls, probes, n, time_s, y, slope, error, largest, hooks, info);
+    const size_t sights = probes ? probes->n_sights : 0;
+    /* A run that meets a wall unprepared may be far from the next one, which knows it. */
+    const int unprepared = walls.count > known && !is_accurate(p, error, largest);
+    if (status != ROT_OK || (sights == 0 && !unprepared)) break;
+    if (round == MOST_ROUNDS) {
+      for (size_t k = 0; k < sights; k++) error[probes->sight[k].measure] += probes->sight[k].worth;
+      break;
+    }
+    if (sights == 0) continue;
+    status = look_at_sights(&now, probes, &walls, &breaks, info);
+    if (status != ROT_OK) info->status = status;
+    now.breaks = breaks.time_s;
+    now.n_breaks = breaks.count;
+  }
+  rot_ode_probes_free(probes);
+  free(breaks.time_s);
+  return status;
+}

@@ -1,0 +1,42 @@
+/* Walls: values of one component of the state, or times, where the right-hand side jumps or kinks,
+ * found in a run, known from then on. On either side of a wall the right-hand side is evaluated
+ * with the component kept on that side, so that a step sees no jump; the step that passes it ends
+ * on it. Where the slopes of both sides point to the wall the motion slides along it (Filippov,
+ * Differential Equations with Discontinuous Righthand Sides, 1988): sign(omega) is dry friction. */
+#ifndef ROT_ODE_WALL_H
+#define ROT_ODE_WALL_H
+
+#include "engine/ode/march.h"
+
+/* Adds a wall that is not there yet, *added: whether it was. `below` and `above`: values on its two
+ * sides, equal at a kink. component = dim: time. */
+rot_status rot_ode_add_wall(rot_ode_march *run, size_t component, double below, double above,
+                            int *added);
+
+/* The sides of all walls where a run sets out. */
+rot_status rot_ode_choose_sides(rot_ode_march *run);
+
+/* *t and y (dim) as the sides of the walls allow. */
+void rot_ode_keep_sides(const rot_ode_march *run, double *t, double y[]);
+double rot_ode_keep_time(const rot_ode_march *run, double t);
+
+/* Slope where the motion slides along run->slides. */
+int rot_ode_sliding_slope(rot_ode_march *run, double t, const double y[], double dydt[]);
+
+/* Positive while it slides; the level of the wall that the next side begins at. */
+double rot_ode_hold_of_slide(rot_ode_march *run, double t, const double y[]);
+double rot_ode_wall_level(const rot_ode_march *run, size_t wall);
+
+/* run->y lies on the wall: the side that the motion goes on, or that it slides. */
+rot_status rot_ode_pass_wall(rot_ode_march *run, size_t wall);
+
+/* Whether the trial step ends beyond a wall that run->y lies before. */
+int rot_ode_passes_wall(const rot_ode_march *run);
+
+/* The first time wall before `stop`, or stop. */
+double rot_ode_next_stop(const rot_ode_march *run, double stop);
+/* Whether run->t is on a time wall that is still ahead; and past it. */
+int rot_ode_at_time_wall(const rot_ode_march *run);
+void rot_ode_pass_time(rot_ode_march *run);
+
+#endif

@@ -1,0 +1,35 @@
+/* Error-free transforms.
+ *
+ * fma() is called explicitly, so contraction of a*b+c by the compiler changes nothing here: the
+ * sums contain no product. */
+#ifndef ROT_EXACT_H
+#define ROT_EXACT_H
+
+#include <math.h>
+
+#include "ground/ieee.h"
+
+#define ROT_EPS 0x1p-53 /* unit roundoff */
+
+/* a + b = returned + *lo, exactly (Knuth). */
+static inline double rot_two_sum(double a, double b, double *lo) {
+  double s = a + b, bb = s - a;
+  *lo = (a - (s - bb)) + (b - bb);
+  return s;
+}
+
+/* a * b = returned + *lo, exactly unless it underflows. */
+static inline double rot_two_prod(double a, double b, double *lo) {
+  double p = a * b;
+  *lo = fma(a, b, -p);
+  return p;
+}
+
+/* Add x to the running sum *sum + *lo. */
+static inline void rot_accumulate(double *sum, double *lo, double x) {
+  double e;
+  *sum = rot_two_sum(*sum, x, &e);
+  *lo += e;
+}
+
+#endif

@@ -1,0 +1,259 @@
+#include "maths/cone.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "maths/eigen.h"
+
+enum { ROWS = ROT_CONE_ROWS, MOST_STEPS = 400 };
+
+/* Beyond it friction is that of a half-space: so says the linear program, too. */
+static const double rough = 1e6;
+
+/* Factors on |c| beyond which no x is looked for: at once, and after 100 steps, when y grows slowly
+ * for the rounding of the Jacobian. */
+static const double beyond = 1e13, late = 1e8;
+
+static rot_dd zero(void) { return (rot_dd){0.0, 0.0}; }
+
+/* ---- the cone ------------------------------------------------------------------------------- */
+
+/* The unit normal to twice the precision; push and force across it, and its size. */
+typedef struct contact {
+  rot_dd normal[3], push, across[3], size;
+} contact;
+
+static contact contact_of(const rot_cone_part *part, const rot_dd z[]) {
+  contact out;
+  rot_dd square = zero(), length;
+  for (size_t i = 0; i < part->size; i++)
+    square = rot_dd_add(square, rot_dd_mul2(part->normal[i], part->normal[i]));
+  length = rot_dd_sqrt(square);
+  out.push = square = zero();
+  for (size_t i = 0; i < part->size; i++) {
+    out.normal[i] = rot_dd_div((rot_dd){part->normal[i], 0.0}, length);
+    out.push = rot_dd_add(out.push, rot_dd_mul(out.normal[i], z[part->first + i]));
+  }
+  for (size_t i = 0; i < part->size; i++) {
+    out.across[i] = rot_dd_sub(z[part->first + i], rot_dd_mul(out.normal[i], out.push));
+    square = rot_dd_add(square, rot_dd_mul(out.across[i], out.across[i]));
+  }
+  out.size = square.hi > 0.0 ? rot_dd_sqrt(square) : zero();
+  return out;
+}
+
+/* INSIDE: unchanged; APEX: 0; SIDE: the nearest point of the surface. */
+typedef enum place { INSIDE, APEX, SIDE } place;
+
+static place place_of(const rot_cone_part *part, const contact *at) {
+  if (!(part->friction < rough)) return at->push.hi >= 0.0 ? INSIDE : SIDE;
+  if (rot_dd_sub(rot_dd_mul1(at->push, part->friction), at->size).hi >= 0.0) return INSIDE;
+  return rot_dd_add(at->push, rot_dd_mul1(at->size, part->friction)).hi <= 0.0 ? APEX : SIDE;
+}
+
+static void nearest(const rot_cone_part *part, rot_dd x[]) {
+  const double mu = part->friction;
+  if (part->size == 1) {
+    if (!(x[part->first].hi > 0.0)) x[part->first] = zero();
+    return;
+  }
+  const contact at = contact_of(part, x);
+  const place where = place_of(part, &at);
+  if (where == INSIDE) return;
+  rot_dd push = zero(), ratio = {1.0, 0.0};
+  if (where == SIDE && mu < rough) {
+    push = rot_dd_div(rot_dd_add(at.push, rot_dd_mul1(at.size, mu)),
+                      rot_dd_add1(rot_dd_mul2(mu, mu), 1.0));
+    ratio = rot_dd_div(rot_dd_mul1(push, mu), at.size);
+  }
+  for (size_t i = 0; i < part->size; i++)
+    x[part->first + i] =
+        where == APEX ? zero()
+                      : rot_dd_add(rot_dd_mul(at.normal[i], push), rot_dd_mul(at.across[i], ratio));
+}
+
+void rot_cone_project(const rot_cone *cone, rot_dd x[]) {
+  for (size_t p = 0; p < cone->parts; p++) nearest(&cone->part[p], x);
+}
+
+/* On the side: the normal and the way u across it change together, across u by the ratio. */
+static void derivative(const rot_cone_part *part, const rot_dd z[], double d[]) {
+  if (part->size == 1) {
+    if (z[part->first].hi < 0.0) d[part->first] = 0.0;
+    return;
+  }
+  const contact at = contact_of(part, z);
+  const place where = place_of(part, &at);
+  const double mu = part->friction;
+  double *v = d + part->first, push = 0.0, along = 0.0;
+  if (where == INSIDE) return;
+  for (size_t i = 0; i < part->size; i++) push += at.normal[i].hi * v[i];
+  if (!(mu < rough)) {
+    for (size_t i = 0; i < part->size; i++) v[i] -= at.normal[i].hi * push;
+    return;
+  }
+  double ratio = 0.0, normal = 0.0;
+  if (where == SIDE) {
+    const rot_dd sum = rot_dd_add(at.push, rot_dd_mul1(at.size, mu));
+    ratio = mu * sum.hi / (1.0 + mu * mu) / at.size.hi;
+    for (size_t i = 0; i < part->size; i++) along += at.across[i].hi / at.size.hi * v[i];
+    normal = (push + mu * along) / (1.0 + mu * mu);
+  }
+  for (size_t i = 0; i < part->size; i++) {
+    const double n = at.normal[i].hi, u = where == SIDE ? at.across[i].hi / at.size.hi : 0.0;
+    v[i] = normal * (n + mu * u) + ratio * (v[i] - push * n - along * u);
+  }
+}
+
+void rot_cone_derivative(const rot_cone *cone, const rot_dd z[], const double d[], double to[]) {
+  memcpy(to, d, cone->k * sizeof *to);
+  for (size_t p = 0; p < cone->parts; p++) derivative(&cone->part[p], z, to);
+}
+
+/* ---- Newton's method ------------------------------------------------------------------------ */
+
+/* y => z = B'y, x = P(z), residual B x - c, value |x|^2/2 - c.y. */
+typedef struct state {
+  rot_dd y[ROWS], gap[ROWS], value;
+  rot_dd *z, *x;
+  double size;   /* |gap| */
+  double excess; /* of the largest gap over what is allowed */
+  double norm;   /* |x| */
+  double gain;   /* c.y */
+} state;
+
+static void evaluate(const rot_cone *cone, state *s) {
+  const size_t m = cone->m, k = cone->k;
+  rot_dd square = zero(), gain = zero();
+  for (size_t j = 0; j < k; j++) {
+    rot_dd sum = zero();
+    for (size_t i = 0; i < m; i++) sum = rot_dd_add(sum, rot_dd_mul(cone->b[j * m + i], s->y[i]));
+    s->z[j] = s->x[j] = sum;
+  }
+  rot_cone_project(cone, s->x);
+  for (size_t j = 0; j < k; j++) square = rot_dd_add(square, rot_dd_mul(s->x[j], s->x[j]));
+  s->size = s->excess = 0.0;
+  for (size_t i = 0; i < m; i++) {
+    rot_dd gap = rot_dd_neg(cone->c[i]);
+    double allowed = cone->slack[i];
+    for (size_t j = 0; j < k; j++) {
+      gap = rot_dd_add(gap, rot_dd_mul(cone->b[j * m + i], s->x[j]));
+      allowed += cone->blur[j * m + i] * fabs(s->x[j].hi);
+    }
+    s->gap[i] = gap;
+    s->size = hypot(s->size, gap.hi);
+    if (fabs(gap.hi) > 0.0) s->excess = fmax(s->excess, fabs(gap.hi) / allowed);
+    gain = rot_dd_add(gain, rot_dd_mul(cone->c[i], s->y[i]));
+  }
+  s->value = rot_dd_sub(rot_dd_half(square), gain);
+  s->norm = sqrt(square.hi);
+  s->gain = gain.hi;
+}
+
+/* d = -(B V B' + weight)^-1 gap, by eigenvectors. */
+static rot_status direction_of(const rot_cone *cone, const state *s, double weight, double work[],
+                               double d[ROWS]) {
+  const size_t m = cone->m, k = cone->k;
+  double a[ROWS * ROWS] = {0.0}, values[ROWS], vectors[ROWS * ROWS];
+  double *row = work, *moved = work + k;
+  for (size_t i = 0; i < m; i++) {
+    for (size_t j = 0; j < k; j++) row[j] = cone->b[j * m + i].hi;
+    rot_cone_derivative(cone, s->z, row, moved);
+    for (size_t l = 0; l < m; l++)
+      for (size_t j = 0; j < k; j++) a[i * m + l] += cone->b[j * m + l].hi * moved[j];
+  }
+  for (size_t i = 0; i < m; i++)
+    for (size_t l = 0; l < i; l++)
+      a[i * m + l] = a[l * m + i] = 0.5 * (a[i * m + l] + a[l * m + i]);
+  const rot_status status = rot_eigen_symmetric(m, a, values, vectors, NULL);
+  if (status != ROT_OK) return status;
+  for (size_t i = 0; i < m; i++) d[i] = 0.0;
+  for (size_t j = 0; j < m; j++) {
+    const double value = values[j] > 1e-14 * values[m - 1] ? values[j] : 0.0; /* rounding */
+    double along = 0.0;
+    for (size_t i = 0; i < m; i++) along -= vectors[i * m + j] * s->gap[i].hi;
+    for (size_t i = 0; i < m; i++) d[i] += vectors[i * m + j] * along / (value + weight);
+  }
+  return ROT_OK;
+}
+
+static void copy_state(size_t k, const state *from, state *to) {
+  rot_dd *z = to->z, *x = to->x;
+  *to = *from;
+  to->z = z;
+  to->x = x;
+  memcpy(z, from->z, k * sizeof *z);
+  memcpy(x, from->x, k * sizeof *x);
+}
+
+static double advance(const rot_cone *cone, const state *from, const double d[], double step,
+                      state *to) {
+  for (size_t i = 0; i < cone->m; i++) to->y[i] = rot_dd_add1(from->y[i], step * d[i]);
+  evaluate(cone, to);
+  return rot_dd_sub(to->value, from->value).hi;
+}
+
+/* A step along d, shorter until the value falls by a part of what the slope says, or the gap falls
+ * where the value is only rounding. Returns its length, 0 for none. */
+static double search(const rot_cone *cone, const state *from, const double d[], state *to) {
+  double slope = 0.0;
+  for (size_t i = 0; i < cone->m; i++) slope += from->gap[i].hi * d[i];
+  for (double step = 1.0; step > 1e-9; step *= 0.25) {
+    if (advance(cone, from, d, step, to) <= 1e-4 * step * slope) return step;
+    if (to->size < 0.5 * from->size && to->excess < 1e6) return step;
+  }
+  return 0.0;
+}
+
+static rot_status iterate(const rot_cone *cone, state *now, state *next, double work[],
+                          rot_cone_result *result) {
+  double weight = 1e-3, d[ROWS], reach = 0.0;
+  int more = 3; /* steps beyond what is allowed, for the last digits */
+  for (size_t i = 0; i < cone->m; i++) reach = hypot(reach, cone->c[i].hi);
+  *result = ROT_CONE_STOPPED;
+  evaluate(cone, now);
+  for (int step = 0; step < MOST_STEPS; step++) {
+    if (now->excess <= 1.0) *result = ROT_CONE_FOUND;
+    if (!(now->size > 0.0) || (*result == ROT_CONE_FOUND && more-- == 0)) return ROT_OK;
+    if (*result != ROT_CONE_FOUND && now->gain > (step < 100 ? beyond : late) * now->norm * reach) {
+      *result = ROT_CONE_NONE;
+      return ROT_OK;
+    }
+    const rot_status status = direction_of(cone, now, weight, work, d);
+    if (status != ROT_OK) return status;
+    const double length = search(cone, now, d, next);
+    if (*result == ROT_CONE_FOUND && !(length > 0.0 && next->size < now->size)) return ROT_OK;
+    if (length > 0.0) copy_state(cone->k, next, now);
+    weight *= length < 1.0 ? (length > 0.0 ? 4.0 : 100.0) : 0.05;
+    weight = fmin(fmax(weight, 1e-30), 1.0);
+  }
+  return ROT_OK;
+}
+
+rot_status rot_cone_solve(const rot_cone *cone, rot_dd y[], rot_dd x[], rot_cone_result *result,
+                          double *gap) {
+  const size_t k = cone->k;
+  rot_dd *room = calloc(4 * k + 1, sizeof *room);
+  double *work = calloc(2 * k + 1, sizeof *work);
+  rot_status status = room && work ? ROT_OK : ROT_ENOMEM;
+  *result = ROT_CONE_STOPPED;
+  *gap = INFINITY;
+  if (status == ROT_OK) {
+    state now, next;
+    memset(&now, 0, sizeof now);
+    memset(&next, 0, sizeof next);
+    now.z = room;
+    now.x = room + k;
+    next.z = room + 2 * k;
+    next.x = room + 3 * k;
+    memcpy(now.y, y, cone->m * sizeof *y);
+    status = iterate(cone, &now, &next, work, result);
+    memcpy(y, now.y, cone->m * sizeof *y);
+    memcpy(x, now.x, k * sizeof *x);
+    *gap = now.size;
+  }
+  free(room);
+  free(work);
+  return status;
+}

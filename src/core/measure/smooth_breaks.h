@@ -1,0 +1,25 @@
+/* Breaks of a motion (impacts, switched torques, stops) and samples that do not belong to it. */
+#ifndef ROT_SMOOTH_BREAKS_H
+#define ROT_SMOOTH_BREAKS_H
+
+#include "measure/smooth_fit.h"
+
+typedef struct rot_smooth_finding {
+  int breaks, outliers;        /* look for them? */
+  int first_order, last_order; /* to choose from */
+  size_t most_breaks;          /* room in the list */
+} rot_smooth_finding;
+
+/* Fits the record; leaves out samples (w = Inf: record->w must be given) and adds breaks to the
+ * n_breaks of the list, until neither is found. */
+rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *how,
+                           rot_smooth_break *breaks, size_t *n_breaks, const rot_hooks *hooks,
+                           rot_smooth_fit *fit);
+
+/* The error of a break's time: half the width over which -2 log L rises by 1. NaN where it does not
+ * within 5 spacings. */
+rot_status rot_smooth_time_error(const rot_smooth_record *record, const rot_smooth_fit *fit,
+                                 size_t n_breaks, const rot_smooth_break *breaks, size_t which,
+                                 double *error_s);
+
+#endif

@@ -1,0 +1,47 @@
+/* Free oscillations with losses: the angle or the rate at given times and at its extremes, with the
+ * derivatives by the parameters. For fits of measured swings.
+ *
+ *   theta'' = -omega0^2 sin(theta) - 2 decay theta' - coulomb sgn(theta')
+ *             - quadratic theta' |theta'|
+ *
+ * (theta instead of sin(theta) for a spring). Between turning points the solution and its
+ * derivatives are Taylor series, truncated below rounding; at a turning point the friction reverses
+ * and the derivatives of the rate jump. Losses may be negative, as a fit without bounds needs.
+ *
+ * Reference: Jorba and Zou 2005, Exp. Math. 14, 99 (Taylor series of ODEs). */
+#ifndef ROT_SWING_H
+#define ROT_SWING_H
+
+#include <stddef.h>
+
+#include "ground/status.h"
+
+/* Parameters, in this order; derivatives come in the same one. */
+enum {
+  ROT_SWING_THETA, /* rad at the start */
+  ROT_SWING_OMEGA, /* rad/s at the start */
+  ROT_SWING_OMEGA0,
+  ROT_SWING_DECAY,
+  ROT_SWING_COULOMB,
+  ROT_SWING_QUADRATIC,
+  ROT_SWING_PARAMETERS
+};
+
+typedef struct rot_swing {
+  double p[ROT_SWING_PARAMETERS];
+  int spring; /* 0: gravity */
+  int rate;   /* values are rates in rad/s; 0: angles in rad */
+} rot_swing;
+
+/* (swing, times from the start on, not decreasing) => values, a row of derivatives for each.
+ * ROT_EBUDGET for losses so strong that nothing swings. */
+rot_status rot_swing_rows(const rot_swing *swing, double start_s, size_t n, const double time_s[],
+                          const rot_hooks *hooks, double value[], double derivative[]);
+
+/* (swing, end) => the extremes of the value after the start and up to the end: at most `most`;
+ * their number in *n. An angle at rest has no more extremes. */
+rot_status rot_swing_extremes(const rot_swing *swing, double start_s, double end_s, size_t most,
+                              const rot_hooks *hooks, size_t *n, double time_s[], double value[],
+                              double derivative[]);
+
+#endif

@@ -1,0 +1,575 @@
+#include "scene/axle/bands.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "scene/axle/effects.h"
+#include "scene/axle/motor.h"
+#include "scene/axle/rest.h"
+#include "engine/march.h"
+#include "ground/real.h"
+#include "ground/search.h"
+
+/* The motion is a chain of legs. In a leg the body is held, or it moves within one band of speed
+ * and one piece of the knots' torque, where the law is linear:
+ *
+ *   I v' = a + (b - a) s/span - c v,   v = omega - ref,
+ *
+ * with c the viscous coefficient less the slope of the curve. The leg ends where v reaches an edge
+ * of the band, where the piece ends, or where a torque breaks the body loose. Each leg starts from
+ * the last one's end, and enter_leg() decides from the torque there which leg it is. */
+
+/* ---- bands ---------------------------------------------------------------------------------- */
+
+/* Rates are counted from `ref`, an edge of the band: a steep curve far from rest would lose its
+ * digits in the torque that its line has at omega = 0. */
+typedef struct band {
+  double lower, upper, ref;
+  double torque_ref, torque_off; /* of the curve at ref, and its error */
+  double slope, slope_off;       /* of the curve */
+} band;
+
+/* The points of the curve; NULL and 0 where there is none. */
+static const double *speeds_of(const rot_axle_scene *scene, size_t *n) {
+  *n = scene->n_terms ? (size_t)scene->terms[0].x[0] : 0;
+  return *n ? scene->terms[0].x + 1 : NULL;
+}
+
+static double curve_at(const rot_axle_scene *scene, double omega) {
+  if (scene->n_terms == 0) return 0.0;
+  return rot_term_at(&scene->terms[0], scene->linear.start_s, 0.0, 0.0, omega);
+}
+
+/* The band that omega lies in; from an edge, the one that it moves into. */
+static band band_of(const rot_axle_scene *scene, double omega, int heading) {
+  size_t n;
+  const double *speed = speeds_of(scene, &n), *torque = n ? speed + n : NULL;
+  const size_t i = rot_bound(n, speed, omega, heading > 0);
+  band b = {-INFINITY, INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0};
+  double size = 0.0;
+  if (i > 0) b.lower = speed[i - 1];
+  if (i < n) b.upper = speed[i];
+  if (i > 0 && i < n) {
+    b.slope = (torque[i] - torque[i - 1]) / (speed[i] - speed[i - 1]);
+    size = fabs(torque[i]) + fabs(torque[i - 1]);
+    b.slope_off = 2.0 * ROT_EPS * fabs(b.slope);
+  }
+  const int forward = omega > 0.0 || (omega == 0.0 && heading > 0);
+  if (b.lower < 0.0 && forward) b.lower = 0.0;
+  if (b.upper > 0.0 && !forward) b.upper = 0.0;
+  if (b.lower != 0.0 && b.upper != 0.0) {
+    b.ref = omega - b.lower <= b.upper - omega ? b.lower : b.upper;
+    b.torque_ref = torque[b.ref == b.lower ? i - 1 : i];
+  } else {
+    b.torque_ref = curve_at(scene, 0.0);
+    b.torque_off = 3.0 * ROT_EPS * size;
+  }
+  return b;
+}
+
+static int on_edge(const rot_axle_scene *scene, double omega) {
+  size_t n;
+  const double *speed = speeds_of(scene, &n);
+  const size_t i = rot_upper_bound(n, speed, omega);
+  return i > 0 && speed[i - 1] == omega;
+}
+
+/* ---- a motion in one band and one piece ------------------------------------------------------ */
+
+typedef struct leg {
+  const rot_axle_rest *rest; /* its base is where the leg starts */
+  band band;
+  rot_axle_params law; /* of v = omega - ref: I, and c less the slope */
+  rot_axle_state from;
+  double push, push_lo; /* the constant torque of the band: curve, resistance at ref, friction */
+  double a, b;          /* torque in the band at the start and at the end */
+  double span_s;
+  int to_end;       /* the span reaches the end of the piece, or of the rows */
+  double low, high; /* edges of v */
+  double farthest;  /* the larger of |v| at the base and at its extremum */
+} leg;
+
+static double push_of(const rot_axle_scene *scene, double omega, double curve, int sign,
+                      double *lo) {
+  double drag_lo, e1, e2;
+  const double drag = rot_two_prod(scene->linear.viscous_n_m_s, omega, &drag_lo);
+  const double one = rot_two_sum(curve, -drag, &e1);
+  const double push = rot_two_sum(one, -sign * scene->coulomb_n_m, &e2);
+  *lo = e1 + e2 - drag_lo;
+  return push;
+}
+
+/* x + push, rounded once. */
+static double add_push(double x, double push, double push_lo) {
+  double lo, sum = rot_two_sum(x, push, &lo);
+  return sum + (lo + push_lo);
+}
+
+static double in_band(const leg *l, double x) { return add_push(x, l->push, l->push_lo); }
+
+/* How much the knots' torque rises in a time, to a few roundings. */
+static double rise_in(const rot_torque_piece *piece, double time_s) {
+  const double rise = piece->end_n_m - piece->start_n_m;
+  return rise != 0.0 ? rot_muldiv(rise, time_s, piece->end_s - piece->start_s, NULL) : 0.0;
+}
+
+/* Torque of the knots at the base, whose time is known to twice the precision. */
+static double knots_at_base(const rot_axle_rest *rest) {
+  const double tau = rot_torque_in_piece(&rest->piece, rest->base.time_s);
+  return rest->base.time_lo != 0.0 ? tau + rise_in(&rest->piece, rest->base.time_lo) : tau;
+}
+
+/* The sign of the net torque at the base's time and at a speed, or that to come where it is 0. */
+static int heading_at(const rot_axle_rest *rest, double omega) {
+  double lo,
+      push = push_of(rest->scene, omega, curve_at(rest->scene, omega), omega > 0.0 ? 1 : -1, &lo);
+  const double net = add_push(knots_at_base(rest), push, lo);
+  if (net != 0.0) return net > 0.0 ? 1 : -1;
+  return rest->piece.end_n_m >= rest->piece.start_n_m ? 1 : -1;
+}
+
+/* Steps are so short that exp(c s/|I|) stays in range where c < 0. */
+enum { MOST_GROWTH = 200 };
+
+static leg leg_from(const rot_axle_rest *rest, int heading) {
+  const rot_axle_base *base = &rest->base;
+  const rot_torque_piece *piece = &rest->piece;
+  leg l = {.rest = rest};
+  const double end_s = fmin(piece->end_s, rest->last_s);
+  double lo;
+  l.band = band_of(rest->scene, base->omega, heading);
+  l.push =
+      push_of(rest->scene, l.band.ref, l.band.torque_ref, l.band.lower >= 0.0 ? 1 : -1, &l.push_lo);
+  l.law.inertia_kg_m2 = rest->scene->linear.inertia_kg_m2;
+  l.law.viscous_n_m_s = rest->scene->linear.viscous_n_m_s - l.band.slope;
+  l.from.omega_rad_per_s = rot_two_sum(base->omega, -l.band.ref, &l.from.omega_lo);
+  l.from.omega_error = base->omega_error;
+  l.a = in_band(&l, knots_at_base(rest));
+  if (base->omega == 0.0) { /* no rounding may reverse it */
+    l.a = heading > 0 ? fmax(l.a, 0.0) : fmin(l.a, 0.0);
+  }
+  l.b = in_band(&l, rot_torque_in_piece(piece, end_s));
+  l.span_s = rot_axle_rest_elapsed(rest, end_s, &lo);
+  l.to_end = 1;
+  l.low = l.band.lower - l.band.ref;
+  l.high = l.band.upper - l.band.ref;
+  const double I = l.law.inertia_kg_m2, c = l.law.viscous_n_m_s;
+  const int moves = l.from.omega_rad_per_s != 0.0 || l.a != 0.0 || l.b != 0.0;
+  if (c < 0.0 && moves && rot_muldiv(-c, l.span_s, I, NULL) > MOST_GROWTH) {
+    const double shorter = rot_muldiv(MOST_GROWTH, I, -c, NULL);
+    l.b = l.a + (l.b - l.a) * (shorter / l.span_s);
+    l.span_s = shorter;
+    l.to_end = 0;
+  }
+  return l;
+}
+
+/* v after s, the torque there being b. Absolute times where they are exact: one residual less. */
+static rot_axle_state leg_state(const leg *l, double from_s, double to_s, double b) {
+  const rot_torque_piece piece = {from_s, to_s, l->a, b};
+  rot_axle_state from = l->from;
+  from.time_s = from_s;
+  return rot_axle_step(&l->law, &from, &piece, to_s);
+}
+
+static double torque_after(const leg *l, double s) {
+  if (s >= l->span_s) return l->b;
+  return l->a + (l->b - l->a) * (s / l->span_s);
+}
+
+static rot_axle_state leg_after(const leg *l, double s) {
+  return leg_state(l, 0.0, s, torque_after(l, s));
+}
+
+/* Error of omega after s for an error x of the torque: x (s/I) phi1. */
+static double response(const leg *l, double x, double s) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  if (!(x > 0.0 && s > 0.0)) return x * s; /* 0, or NaN */
+  const double z = rot_muldiv(c, s, I, NULL);
+  if (z > 1.0) return x / c;
+  return rot_product(3, (double[]){x, s, z != 0.0 ? -expm1(-z) / z : 1.0}, I);
+}
+
+/* Adds what rot_axle_step() does not count: the roundings of its coefficients and, with
+ * `inexact_s`, of s. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
+static rot_axle_change leg_change(const leg *l, const rot_axle_state *v, double s, double b,
+                                  int inexact_s) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  rot_axle_change out;
+  double off = l->band.torque_off;
+  if (l->a != b && (l->push != 0.0 || inexact_s)) {
+    off += 4.0 * ROT_EPS * (fabs(l->a) + fabs(b) + 2.0 * fabs(l->push));
+  }
+  double wrong = response(l, off, s), turned_off = wrong * s;
+  if (l->band.slope != 0.0) {
+    const double off_c = l->band.slope_off + ROT_EPS * (fabs(l->rest->scene->linear.viscous_n_m_s) +
+                                                        fabs(l->band.slope));
+    wrong += response(l, off_c * fmax(l->farthest, fabs(v->omega_rad_per_s)), s);
+    turned_off += response(l, off_c * fabs(v->theta_rad), s);
+  }
+  if (inexact_s) { /* by the rate at the end */
+    const double net = fabs(b - c * v->omega_rad_per_s);
+    wrong += 2.0 * ROT_EPS * rot_muldiv(net, s, I, NULL);
+    turned_off += 2.0 * ROT_EPS * fabs(v->omega_rad_per_s * s);
+  }
+  const double carried = l->band.ref * s;
+  out.omega = l->band.ref + v->omega_rad_per_s;
+  out.dtheta = carried + (v->theta_rad + v->theta_lo);
+  out.omega_error = v->omega_error + wrong + (l->band.ref != 0.0 ? ROT_EPS * fabs(out.omega) : 0.0);
+  out.theta_error = l->rest->base.theta_error + v->theta_error + turned_off +
+                    2.0 * ROT_EPS * fabs(carried) +
+                    ROT_EPS * fabs(l->rest->base.theta + out.dtheta);
+  return out;
+}
+
+/* ---- where a leg ends ----------------------------------------------------------------------- */
+
+/* Where v leaves the band: AGAINST its heading, by the edge that it starts from. */
+typedef enum exit_side { NOWHERE, BELOW, ABOVE, AGAINST } exit_side;
+
+typedef struct exit_point {
+  double s; /* when; the leg's span where it does not */
+  exit_side side;
+  double peak; /* an extremum of v on the way, or v at the start */
+} exit_point;
+
+/* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x */
+static double linear_time(const leg *l, double x, double sign) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  double y = sign * rot_muldiv(x, c, I, NULL);
+  if (!(y > -1.0)) return INFINITY;
+  if (fabs(y) < 1.0) return y != 0.0 ? x * (log1p(y) / y) : x;
+  if (y > DBL_MAX) y = DBL_MAX;
+  return sign * rot_muldiv(log1p(y), I, c, NULL);
+}
+
+/* When omega' passes through 0; it does so at most once. */
+static double extremum(const leg *l) {
+  const double c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
+  const double net = l->a - c * v0, rise = l->b - l->a;
+  if (!((net > 0.0 && rise < 0.0) || (net < 0.0 && rise > 0.0))) return INFINITY;
+  return linear_time(l, rot_muldiv(-net, l->span_s, rise, NULL), 1.0);
+}
+
+/* The net torque, I v', after s: without the difference between b and c v, which is rounding
+ * alone once v has settled. */
+static double net_after(const leg *l, double s) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
+  const double z = rot_muldiv(c, s, I, NULL), rise = torque_after(l, s) - l->a;
+  const double spread = z != 0.0 ? -expm1(-z) / z : 1.0;
+  return (l->a - c * l->from.omega_rad_per_s) * exp(-z) + (rise != 0.0 ? rise * spread : 0.0);
+}
+
+/* When v would be at the level if the torque stayed as it is: exact where it does. */
+static double first_guess(const leg *l, double level) {
+  const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
+  const double now = l->a - c * v0, then = l->a - c * level;
+  /* Near -1 the argument of log1p() loses its digits: plus 1 it is then/now. */
+  if (c > 0.0 && then / now < 0.5 && then / now > 0.0) {
+    return rot_muldiv(log(now / then), I, c, NULL);
+  }
+  return linear_time(l, rot_muldiv(I, level - v0, now, NULL), -1.0);
+}
+
+/* v(s) = level, s between two times where v - level has both signs: Newton's steps inside the
+ * bracket, else its middle, or a fraction of it where it begins at 0. */
+static double when_at(const leg *l, double level, double s_lo, double s_hi, int rising) {
+  leg alone = *l;
+  double s = first_guess(l, level);
+  alone.from.omega_error = 0.0; /* so that omega_error is what this step rounds */
+  if (!(s > s_lo && s < s_hi)) s = 0.5 * (s_lo + s_hi);
+  for (int i = 0; i < 300; i++) {
+    const rot_axle_state at = leg_after(&alone, s);
+    const double f = (at.omega_rad_per_s - level) + at.omega_lo;
+    /* In the end f is rounding alone. */
+    if (f == 0.0 || (i > 8 && fabs(f) <= at.omega_error)) return s;
+    if ((f > 0.0) == rising) {
+      s_hi = s;
+    } else {
+      s_lo = s;
+    }
+    double next = s - rot_muldiv(f, l->law.inertia_kg_m2, net_after(l, s), NULL);
+    if (fabs(next - s) <= 2.0 * ROT_EPS * s) return next;
+    if (!(next > s_lo && next < s_hi)) {
+      next = s_lo > 0.0 && s_hi > 4.0 * s_lo ? sqrt(s_lo) * sqrt(s_hi)
+             : s_lo == 0.0 && i > 20         ? s_hi * 0x1p-8
+                                             : 0.5 * (s_lo + s_hi);
+      if (next == s_lo || next == s_hi) return next;
+    }
+    s = next;
+  }
+  return s;
+}
+
+/* v is monotonic between s0 and s1: does it leave, and when? An edge that it starts from is left at
+ * once only by more than the error of the step. */
+static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_state *to,
+                  int touching, exit_point *out) {
+  const double v1 = to->omega_rad_per_s;
+  const int up = v1 > v0;
+  const double edge = up ? l->high : l->low;
+  if (up ? !(v1 > edge || (touching && v1 == edge)) : !(v1 < edge || (touching && v1 == edge))) {
+    return 0;
+  }
+  if (s0 == 0.0 && v0 == edge) {
+    if (!(fabs(v1 - edge) > 2.0 * to->omega_error)) return 0;
+    out->side = AGAINST;
+    out->s = 0.0;
+    return 1;
+  }
+  out->side = up ? ABOVE : BELOW;
+  out->s = v1 == edge ? s1 : when_at(l, edge, s0, s1, up);
+  return 1;
+}
+
+/* On a line so steep that v settles within its error of an edge, the torque on the edge, which the
+ * curve gives exactly, decides whether it gets there. */
+static void look_past_edge(const leg *l, double s0, double v, const rot_axle_state *end,
+                           exit_point *out) {
+  if (l->band.slope == 0.0) return;
+  const double near = 2.0 * leg_change(l, end, l->span_s, l->b, 0).omega_error;
+  const int up = fabs(end->omega_rad_per_s - l->high) < fabs(end->omega_rad_per_s - l->low);
+  const double edge = up ? l->high : l->low;
+  const double omega = up ? l->band.upper : l->band.lower;
+  const rot_torque_piece *piece = &l->rest->piece;
+  if (!(fabs(end->omega_rad_per_s - edge) <= near) || omega == 0.0 || v == edge) return;
+  if (piece->start_n_m != piece->end_n_m) return;
+  if (heading_at(l->rest, omega) != (up ? 1 : -1)) return;
+  out->side = up ? ABOVE : BELOW;
+  out->s = s0;
+  if (fabs(v - edge) > near) {
+    out->s = when_at(l, up ? edge - near : edge + near, s0, l->span_s, up);
+  }
+}
+
+static exit_point exit_of(const leg *l) {
+  const double v0 = l->from.omega_rad_per_s, turn = extremum(l);
+  exit_point out = {l->span_s, NOWHERE, v0};
+  double s0 = 0.0, v = v0;
+  if (turn > 0.0 && turn < l->span_s) {
+    const rot_axle_state at = leg_after(l, turn);
+    if (leaves(l, s0, v, turn, &at, 1, &out)) return out;
+    s0 = turn;
+    v = out.peak = at.omega_rad_per_s;
+  }
+  const rot_axle_state end = leg_after(l, l->span_s);
+  if (!leaves(l, s0, v, l->span_s, &end, 0, &out)) look_past_edge(l, s0, v, &end, &out);
+  return out;
+}
+
+/* ---- the legs ------------------------------------------------------------------------------- */
+
+/* A leg is a motion in one band, or a hold at rest. */
+typedef struct bands_run {
+  rot_axle_rest rest;
+  size_t legs; /* in this piece */
+  int held;
+  leg leg;       /* moving: */
+  exit_point to; /* and where it leaves the band */
+  int slips;     /* held: the direction in which it breaks loose; 0: not in this piece */
+  double slip_s, slip_lo, late_s; /* when, and the error of that */
+} bands_run;
+
+/* Begins a motion; `heading` counts where it starts on an edge. */
+static void begin_motion(bands_run *run, int heading, int slipped) {
+  rot_axle_rest *rest = &run->rest;
+  leg l = leg_from(rest, heading);
+  if (slipped) l.a = heading * (rest->scene->static_n_m - rest->scene->coulomb_n_m);
+  exit_point to = exit_of(&l);
+  if (to.side == AGAINST) {
+    if (rest->base.omega != 0.0) {
+      l = leg_from(rest, -heading);
+      to = exit_of(&l);
+    }
+    if (to.side == AGAINST) {
+      to.side = NOWHERE;
+      to.s = l.span_s;
+    }
+  }
+  l.farthest = fmax(fabs(l.from.omega_rad_per_s), fabs(to.peak));
+  if (to.peak != l.from.omega_rad_per_s) rot_note_state(rest->info, 0.0, l.band.ref + to.peak);
+  run->held = 0;
+  run->leg = l;
+  run->to = to;
+}
+
+/* Begins to move; the errors count what it would gain until the latest time of breaking loose, at
+ * most what strong resistance leaves of that. */
+static rot_status break_loose(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  rot_axle_base *base = &rest->base;
+  const rot_axle_scene *scene = rest->scene;
+  const double I = scene->linear.inertia_kg_m2, most = scene->static_n_m, late = run->late_s;
+  const double push = most - scene->coulomb_n_m, more = fabs(rise_in(&rest->piece, late));
+  const double c = scene->linear.viscous_n_m_s - band_of(scene, 0.0, run->slips).slope;
+  double ahead = rot_muldiv(push, late, I, NULL) + 0.5 * rot_muldiv(more, late, I, NULL);
+  if (c > 0.0) ahead = fmin(ahead, (push + more) / c);
+  base->omega_error += ahead;
+  base->theta_error += base->omega_error * late;
+  int heading = run->slips;
+  const double above = nextafter(heading * most, heading * DBL_MAX);
+  const rot_status status = rot_axle_rest_decide(rest, above, &heading);
+  begin_motion(run, heading, 1);
+  return status;
+}
+
+/* Held from the base on: to the end of the piece, or until the torque exceeds static friction. */
+static rot_status begin_hold(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  const rot_torque_piece *piece = &rest->piece;
+  const rot_axle_base *base = &rest->base;
+  const double most = rest->scene->static_n_m, at_rest = curve_at(rest->scene, 0.0);
+  const double rise = piece->end_n_m - piece->start_n_m, span = piece->end_s - piece->start_s;
+  run->held = 1;
+  run->slips = (rise > 0.0) - (rise < 0.0);
+  if (!(run->slips * (piece->end_n_m + at_rest) > most)) run->slips = 0;
+  if (run->slips == 0) return ROT_OK;
+  double lo, time_lo, now_lo;
+  const double x = rot_muldiv(run->slips * most - at_rest - piece->start_n_m, span, rise, &lo);
+  run->slip_s = rot_two_sum(piece->start_s, x, &time_lo);
+  run->slip_lo = time_lo + lo;
+  const double size = most + fabs(at_rest) + fabs(piece->start_n_m);
+  run->late_s = 4.0 * ROT_EPS * (rot_muldiv(size, span, fabs(rise), NULL) + fabs(x));
+  const double now =
+      rot_two_sum(run->slip_s, -base->time_s, &now_lo) + (now_lo + run->slip_lo - base->time_lo);
+  return now > 0.0 ? ROT_OK : break_loose(run);
+}
+
+static rot_status enter_leg(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  const rot_axle_scene *scene = rest->scene;
+  const rot_axle_base *base = &rest->base;
+  /* omega turns once in a piece where rest does not interfere, and once more for each stop: each
+   * edge is met a few times at most. */
+  size_t n;
+  (void)speeds_of(scene, &n);
+  if (rot_axle_rest_enter(rest)) run->legs = 0;
+  if (run->legs++ == 1000 + 16 * n) return ROT_EBUDGET;
+  int heading = base->omega > 0.0 ? 1 : -1;
+  if (base->omega == 0.0) {
+    const double applied = knots_at_base(rest) + curve_at(scene, 0.0);
+    const rot_status status = rot_axle_rest_decide(rest, applied, &heading);
+    if (status != ROT_OK) return status;
+    if (!heading) return begin_hold(run);
+  } else if (on_edge(scene, base->omega)) {
+    heading = heading_at(rest, base->omega);
+  }
+  begin_motion(run, heading, 0);
+  return ROT_OK;
+}
+
+static rot_status restart(void *model, int forward) {
+  return forward ? enter_leg(model) : ROT_EVALUE;
+}
+
+static double hold_end(const bands_run *run) {
+  const double end_s = run->rest.piece.end_s;
+  return run->slips ? fmin(run->slip_s, end_s) : end_s;
+}
+
+static int holds(const void *model, double time_s) {
+  const bands_run *run = model;
+  double lo;
+  if (run->held) return time_s < hold_end(run);
+  if (!(time_s < run->rest.piece.end_s)) return 0;
+  if (run->to.side == NOWHERE && run->leg.to_end) return 1;
+  return !(rot_axle_rest_elapsed(&run->rest, time_s, &lo) >= run->to.s);
+}
+
+static rot_status write_row(void *model, size_t i) {
+  bands_run *run = model;
+  rot_axle_rest *rest = &run->rest;
+  if (run->held) return rot_axle_rest_held_row(rest, i);
+  const rot_axle_base *base = &rest->base;
+  const leg *l = &run->leg;
+  const double t = rest->time_s[i];
+  double lo, s = rot_axle_rest_elapsed(rest, t, &lo);
+  const int exact = base->time_lo == 0.0;
+  const double b = in_band(l, rot_torque_in_piece(&rest->piece, t));
+  const rot_axle_state v = exact ? leg_state(l, base->time_s, t, b) : leg_state(l, 0.0, s, b);
+  rot_axle_change row = leg_change(l, &v, s, b, !exact);
+  if (s == 0.0) row.omega = base->omega;
+  return rot_axle_rest_row(rest, i, &row,
+                           rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, row.omega));
+}
+
+/* Error of the time of a stop, from that of omega: by the net torque or, where the torques balance
+ * there, by its rate of change. */
+static double settling_time(const leg *l, double net, double omega_error) {
+  const rot_torque_piece *piece = &l->rest->piece;
+  const double I = l->law.inertia_kg_m2, rise = fabs(piece->end_n_m - piece->start_n_m);
+  const double pace =
+      rise > 0.0 ? rot_muldiv(I, piece->end_s - piece->start_s, rise, NULL) : (double)INFINITY;
+  return fmin(rot_muldiv(omega_error, I, net, NULL), sqrt(2.0 * omega_error) * sqrt(pace));
+}
+
+/* The base to the end of the motion: onto the edge, or to the end of the piece. */
+static rot_status finish_motion(bands_run *run) {
+  rot_axle_rest *rest = &run->rest;
+  rot_axle_base *base = &rest->base;
+  const leg *l = &run->leg;
+  const exit_point *to = &run->to;
+  const double s = to->s, b = torque_after(l, s);
+  const int exact = to->side == NOWHERE && l->to_end && base->time_lo == 0.0;
+  const rot_axle_state v =
+      exact ? leg_state(l, base->time_s, rest->piece.end_s, l->b) : leg_state(l, 0.0, s, b);
+  rot_axle_change end = leg_change(l, &v, s, b, !exact);
+  double time = rest->piece.end_s, time_lo = 0.0, wanted = end.omega;
+  if (to->side != NOWHERE) {
+    wanted = to->side == ABOVE ? l->band.upper : l->band.lower;
+  } else { /* roundings do not leave the band */
+    wanted = fmin(fmax(wanted, l->band.lower), l->band.upper);
+  }
+  if (to->side != NOWHERE || !l->to_end) {
+    time = rot_two_sum(base->time_s, s, &time_lo);
+    time_lo += base->time_lo;
+  }
+  if (wanted != end.omega) end.omega_error += fabs(wanted - end.omega);
+  if (wanted == 0.0) {
+    const double net = fabs(b - l->law.viscous_n_m_s * v.omega_rad_per_s);
+    base->settle_s = settling_time(l, net, end.omega_error);
+  }
+  if (!isnan(end.omega)) end.omega = wanted;
+  return rot_axle_rest_move(rest, time, time_lo, &end);
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  bands_run *run = model;
+  rot_axle_base *base = &run->rest.base;
+  const int breaks_loose = run->held && run->slips != 0;
+  rot_status status = ROT_OK;
+  if (run->held) {
+    rot_axle_rest_hold(&run->rest, hold_end(run));
+  } else {
+    status = finish_motion(run);
+  }
+  *end_s = base->time_s;
+  if (status != ROT_OK || !breaks_loose) return status != ROT_OK ? status : enter_leg(run);
+  base->time_s = rot_two_sum(run->slip_s, run->slip_lo, &base->time_lo);
+  base->omega_error = 0.0;
+  return break_loose(run);
+}
+
+/* ---- the model ------------------------------------------------------------------------------ */
+
+static int fits(const rot_axle_scene *scene, double last_s) {
+  const rot_term *curve = scene->terms;
+  if (scene->n_terms > 1) return 0;
+  if (scene->n_terms == 1) {
+    if (!(curve->from_s <= scene->linear.start_s && curve->to_s > last_s)) return 0;
+    if (!rot_term_valid(curve)) return 0;
+  }
+  return rot_axle_fits(scene, ROT_AXLE_BANDS_TAKES) && scene->coulomb_n_m >= 0.0 &&
+         scene->static_n_m >= scene->coulomb_n_m;
+}
+
+rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],
+                          const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
+                          rot_info *info) {
+  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  bands_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
+  if (n > 0 && !fits(scene, time_s[n - 1])) return info->status = ROT_EVALUE;
+  rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_axle_motor_error(scene, n, time_s, info);
+  return info->status;
+}

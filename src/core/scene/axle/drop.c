@@ -1,0 +1,237 @@
+#include "scene/axle/drop.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "scene/axle/closed.h"
+#include "scene/axle/effects.h"
+
+/* ---- sizes ----------------------------------------------------------------------------------- */
+
+static double time_span(const rot_axle_scene *scene, const rot_query *query) {
+  const double start = scene->linear.start_s;
+  if (query->n == 0) return 0.0;
+  return fmax(fabs(query->time_s[0] - start), fabs(query->time_s[query->n - 1] - start));
+}
+
+static double least_inertia(const rot_axle_scene *scene) {
+  double least = scene->linear.inertia_kg_m2;
+  for (size_t i = 0; i < scene->n_inertia; i++) least = fmin(least, scene->inertia_kg_m2[i]);
+  return least;
+}
+
+/* Sum over the terms of a kind of size(x). */
+static double term_sum(const rot_axle_scene *scene, rot_term_kind kind,
+                       double (*size)(const double *x)) {
+  double sum = 0.0;
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    if (scene->terms[i].kind == kind) sum += size(scene->terms[i].x);
+  }
+  return sum;
+}
+
+static double strength(const double *x) { return fabs(x[0]); }
+
+/* A spring of negative stiffness drives the body away from its rest. */
+static double pushing(const double *x) { return fmax(0.0, -x[0]); }
+
+/* The steepest rise of a curve; 0 if it never rises. */
+static double steepest_rise(const double *x) {
+  const size_t n = (size_t)x[0];
+  const double *speed = x + 1, *torque = speed + n;
+  double most = 0.0;
+  for (size_t i = 1; i < n; i++) {
+    most = fmax(most, (torque[i] - torque[i - 1]) / (speed[i] - speed[i - 1]));
+  }
+  return most;
+}
+
+/* Largest |torque| of the terms that do not depend on the motion, N m. */
+static double largest_drive(const rot_axle_scene *scene, double last_s) {
+  const rot_torque *torque = &scene->linear.torque;
+  double knots = fmax(fabs(torque->before_n_m), fabs(torque->after_n_m)), terms = 0.0;
+  for (size_t i = 0; i < torque->n; i++) knots = fmax(knots, fabs(torque->torque_n_m[i]));
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    const double *x = scene->terms[i].x;
+    double most = 0.0;
+    switch (scene->terms[i].kind) {
+    case ROT_TERM_SINUSOID: terms += fabs(x[0]); break;
+    case ROT_TERM_EXPONENTIAL: terms += fabs(x[0]) * fmax(1.0, exp(-x[1] * (last_s - x[2]))); break;
+    case ROT_TERM_CURVE:
+      for (size_t j = 1; j <= (size_t)x[0]; j++) most = fmax(most, fabs(x[(size_t)x[0] + j]));
+      terms += most;
+      break;
+    case ROT_TERM_SPRING:
+    case ROT_TERM_GRAVITY: break;
+    default: terms = INFINITY;
+    }
+  }
+  return torque->call ? INFINITY : knots + terms;
+}
+
+/* Largest growth of a disturbance: exp of the time by the growth rates of torques that depend on
+ * the motion. */
+static double growth_bound(const rot_axle_scene *scene, double span) {
+  const double inertia = least_inertia(scene);
+  const double driven = fmax(0.0, -scene->linear.viscous_n_m_s) / inertia;
+  const double rising = term_sum(scene, ROT_TERM_CURVE, steepest_rise) / inertia;
+  const double pulled =
+      term_sum(scene, ROT_TERM_GRAVITY, strength) + term_sum(scene, ROT_TERM_SPRING, pushing);
+  return exp(span * (driven + rising + sqrt(pulled / inertia)));
+}
+
+/* Largest |omega| by comparison: resistance only brakes; a torque D drives to D/I T or, against
+ * viscous resistance c alone, to D/c; a spring or gravity returns no more than its energy. Where
+ * the inertia shrinks, I omega is what the torque changes, and each decrease of I can multiply the
+ * energy of an oscillation by its ratio (parametric pumping). */
+static double largest_omega(const rot_axle_scene *scene, const rot_query *query) {
+  const rot_axle_params *p = &scene->linear;
+  const double span = time_span(scene, query), inertia = least_inertia(scene);
+  const double drive = largest_drive(scene, query->n ? query->time_s[query->n - 1] : p->start_s);
+  double stored = 0.0, reach = drive / inertia * span, pumped = 1.0;
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    const double *x = scene->terms[i].x, size = fabs(x[0]) / inertia;
+    if (scene->terms[i].kind == ROT_TERM_GRAVITY) stored += 4.0 * size;
+    if (scene->terms[i].kind == ROT_TERM_SPRING) {
+      stored += size * (p->theta0_rad - x[1]) * (p->theta0_rad - x[1]);
+    }
+  }
+  const int oscillates = !(stored <= 0.0);
+  for (size_t i = 1; oscillates && i < scene->n_inertia; i++) {
+    pumped *= sqrt(fmax(1.0, scene->inertia_kg_m2[i - 1] / scene->inertia_kg_m2[i]));
+  }
+  if (p->viscous_n_m_s > 0.0 && !oscillates && scene->n_inertia == 0) {
+    reach = fmin(reach, drive / p->viscous_n_m_s);
+  }
+  const double start = fabs(p->omega0_rad_per_s) * p->inertia_kg_m2 / inertia;
+  return (sqrt(start * start + stored) + reach) * pumped * growth_bound(scene, span);
+}
+
+/* ---- bounds ---------------------------------------------------------------------------------- */
+
+/* Resistance that grows with omega makes two motions converge, so resistance other than
+ * viscous is left out here: |delta omega| <= size/I min(T, I/c), and no more than impulse/I. */
+void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, double size_n_m,
+                          double impulse_n_m_s, double growth, double *theta, double *omega) {
+  const double span = time_span(scene, query), inertia = least_inertia(scene);
+  const double c = scene->linear.viscous_n_m_s;
+  const int oscillates = (rot_axle_effects(scene) &
+                          (unsigned)(ROT_AXLE_SPRING | ROT_AXLE_GRAVITY | ROT_AXLE_INERTIA)) != 0;
+  const double reach = c > 0.0 && !oscillates ? fmin(span, inertia / c) : span;
+  if (isnan(growth)) {
+    const int backward = query->n && query->time_s[0] < scene->linear.start_s;
+    growth = growth_bound(scene, span) * (backward ? exp(fmax(0.0, c) / inertia * span) : 1.0);
+  }
+  *omega = fmin(size_n_m * reach, impulse_n_m_s) / inertia * growth;
+  *theta = *omega * span;
+}
+
+/* The largest torque of an effect whose motion stays within omega and angle. */
+static double effect_torque(const rot_axle_scene *scene, unsigned effect, double omega,
+                            double angle) {
+  double sum = 0.0;
+  switch (effect) {
+  case ROT_AXLE_VISCOUS: return fabs(scene->viscous_n_m_s) * omega;
+  case ROT_AXLE_QUADRATIC: return scene->quadratic_n_m_s2 * omega * omega;
+  case ROT_AXLE_FRICTION: return scene->static_n_m;
+  case ROT_AXLE_GRAVITY: return term_sum(scene, ROT_TERM_GRAVITY, strength);
+  case ROT_AXLE_SPRING:
+    for (size_t i = 0; i < scene->n_terms; i++) {
+      const double *x = scene->terms[i].x;
+      if (scene->terms[i].kind == ROT_TERM_SPRING) sum += fabs(x[0]) * (angle + fabs(x[1]));
+    }
+    return sum;
+  default: return INFINITY;
+  }
+}
+
+rot_axle_scene rot_axle_without(const rot_axle_scene *scene, unsigned effects, rot_term terms[]) {
+  rot_axle_scene out = *scene;
+  if (effects & ROT_AXLE_VISCOUS) {
+    out.viscous_n_m_s = 0.0;
+    out.linear.viscous_n_m_s = out.motor_n_m_s;
+  }
+  if (effects & ROT_AXLE_QUADRATIC) out.quadratic_n_m_s2 = 0.0;
+  if (effects & ROT_AXLE_FRICTION) out.coulomb_n_m = out.static_n_m = 0.0;
+  out.n_terms = 0;
+  out.terms = terms;
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    const unsigned effect = 1u << (ROT_AXLE_INDEX_SINUSOID + (int)scene->terms[i].kind);
+    if (!(effects & effect)) terms[out.n_terms++] = scene->terms[i];
+  }
+  return out;
+}
+
+enum { ROWS = 65 };
+
+/* Largest |theta| and |omega| of a motion at even times: at most their largest on the way. */
+static int motion_size(const rot_axle_scene *scene, rot_axle_model model, const rot_query *query,
+                       double *theta, double *omega) {
+  const double from = fmin(scene->linear.start_s, query->time_s[0]),
+               to = query->time_s[query->n - 1];
+  double time_s[ROWS], column[7][ROWS];
+  const rot_axle_columns out = {column[0], column[1], column[2], column[3],
+                                column[4], column[5], column[6]};
+  rot_events events = {0, 0, NULL, NULL};
+  rot_info info;
+  for (int i = 0; i < ROWS; i++) time_s[i] = from + (to - from) * ((double)i / (ROWS - 1));
+  const rot_status status = model(scene, ROWS, time_s, &out, &events, NULL, &info);
+  rot_events_free(&events);
+  *theta = *omega = 0.0;
+  for (int i = 0; i < ROWS; i++) {
+    *theta = fmax(*theta, fabs(column[0][i]));
+    *omega = fmax(*omega, fabs(column[1][i]));
+  }
+  return status == ROT_OK;
+}
+
+static double relative(double bound, double size) { return bound > 0.0 ? bound / size : bound; }
+
+static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduced,
+                       rot_axle_model model, unsigned effects, const rot_query *query, double worst,
+                       rot_drop *drop) {
+  double size[ROT_AXLE_EFFECTS], sum = 0.0, theta, omega;
+  const double most = largest_omega(scene, query);
+  const double angle = fabs(scene->linear.theta0_rad) + most * time_span(scene, query);
+  for (size_t i = 0; i < ROT_AXLE_EFFECTS; i++) {
+    size[i] = effects >> i & 1u ? effect_torque(scene, 1u << i, most, angle) : 0.0;
+    sum += size[i];
+  }
+  if (!isfinite(sum)) return;
+  rot_axle_disturbance(reduced, query, sum, INFINITY, NAN, &drop->bound[ROT_THETA],
+                       &drop->bound[ROT_OMEGA]);
+  /* The motion is no faster than largest_omega(): a lower bound of the error can save a run. */
+  if (drop->bound[ROT_OMEGA] > worst * largest_omega(reduced, query)) return;
+  if (!motion_size(reduced, model, query, &theta, &omega)) return;
+  drop->error =
+      fmax(relative(drop->bound[ROT_OMEGA], omega), relative(drop->bound[ROT_THETA], theta));
+  if (isnan(drop->bound[ROT_OMEGA]) || isnan(drop->bound[ROT_THETA])) drop->error = INFINITY;
+  for (size_t i = 0; i < ROT_AXLE_EFFECTS; i++) {
+    double one, turned;
+    rot_axle_disturbance(reduced, query, size[i], INFINITY, NAN, &turned, &one);
+    drop->each[i] = relative(one, omega);
+  }
+}
+
+void rot_axle_drop(const void *of, const rot_model *model, unsigned effects, const rot_query *query,
+                   double worst, rot_drop *drop) {
+  const rot_axle_scene *scene = of;
+  const rot_axle_model run = rot_axle_closed_form(model->id);
+  drop->bound[ROT_THETA] = drop->bound[ROT_OMEGA] = drop->error = INFINITY;
+  drop->until_s = query->n ? query->time_s[query->n - 1] : scene->linear.start_s;
+  drop->why_not = NULL;
+  rot_term *terms = malloc((scene->n_terms + 1) * sizeof *terms);
+  if (!terms || !run) {
+    free(terms);
+    return;
+  }
+  const rot_axle_scene reduced = rot_axle_without(scene, effects, terms);
+  drop->why_not = model->why_not ? model->why_not(&reduced, query) : NULL;
+  /* Backward, what brakes drives: no bound is tried. Nor where static friction decides: whether a
+   * body at rest sticks can depend on the last digit. */
+  if (!drop->why_not && query->n && query->time_s[0] >= scene->linear.start_s &&
+      reduced.static_n_m <= reduced.coulomb_n_m) {
+    bound_drop(scene, &reduced, run, effects, query, worst, drop);
+  }
+  free(terms);
+}

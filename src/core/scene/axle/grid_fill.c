@@ -1,0 +1,34 @@
+/* The kernel for registers of four (ground/wide.h). */
+#include "ground/wide.h"
+
+#ifdef ROT_WIDE_CAN
+#define ROT_WIDE
+#endif
+
+#include "scene/axle/grid_fill.h"
+
+/* phi3(-z), 0 <= z <= 1/2: what follows the last term is below 2^-54 of the first. */
+const double rot_axle_grid_series[ROT_GRID_TERMS] = {1 / 6.0,
+                                                     -1 / 24.0,
+                                                     1 / 120.0,
+                                                     -1 / 720.0,
+                                                     1 / 5040.0,
+                                                     -1 / 40320.0,
+                                                     1 / 362880.0,
+                                                     -1 / 3628800.0,
+                                                     1 / 39916800.0,
+                                                     -1 / 479001600.0,
+                                                     1 / 6227020800.0,
+                                                     -1 / 87178291200.0,
+                                                     1 / 1307674368000.0,
+                                                     -1 / 20922789888000.0};
+
+ROT_TARGET void rot_axle_grid_table_wide(rot_axle_grid *grid, double lambda, int terms) {
+  fill_table(grid, lambda, terms);
+}
+
+ROT_TARGET int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
+                                       const rot_axle_departure *go, size_t n,
+                                       const double time_s[], const rot_axle_columns *out) {
+  return fill_chunk(grid, from, go, n, time_s, out);
+}

@@ -1,0 +1,31 @@
+/* Work, heat and angular impulse between two times. */
+#ifndef ROT_AXLE_LEDGER_H
+#define ROT_AXLE_LEDGER_H
+
+#include "scene/axle/axle.h"
+
+/* Names in R and members. Heat is computed separately, never as a difference. */
+#define ROT_AXLE_LEDGER(X)                                                                         \
+  X(work_j) /* of the applied torque */                                                            \
+  X(dissipated_j)                                                                                  \
+  X(impulse_n_m_s)                                                                                 \
+  X(work_rounding_j) /* bounds; estimates where integrated */                                      \
+  X(dissipated_rounding_j)                                                                         \
+  X(impulse_rounding_n_m_s)                                                                        \
+  X(viscous_j) /* parts of dissipated_j */                                                         \
+  X(quadratic_j)                                                                                   \
+  X(coulomb_j)                                                                                     \
+  X(damping_impulse_n_m_s) /* of the resistance, at rest too */                                    \
+  X(inertia_work_j)        /* of what changes the inertia: -1/2 dI/dt omega^2, integrated */
+
+typedef struct rot_axle_ledger {
+#define X(name) double name;
+  ROT_AXLE_LEDGER(X)
+#undef X
+} rot_axle_ledger;
+
+/* Closed form of rot_axle_linear() from from_s to to_s >= from_s. */
+rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
+                                  const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info);
+
+#endif

@@ -1,0 +1,262 @@
+#include "scene/axle/ode.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/ode/ode.h"
+#include "ground/real.h"
+
+/* TURNED: theta less theta0, whose size would hide the first digits of a small motion: a pendulum
+ * upside down, pushed by 1e-12 rad/s, never left pi. */
+enum { TURNED, OMEGA, WORK, VISCOUS, QUADRATIC, COULOMB, IMPULSE, DAMPING, INERTIA, DIM };
+
+typedef struct motion {
+  const rot_axle_scene *scene;
+  rot_torque inertia; /* I(t) as knots; no knot: constant */
+  double reference;   /* y[OMEGA] = I(t) omega / reference */
+  int turns;          /* the resistance has a kink at rest */
+  int mode;           /* 1, -1: the sign of omega; 0: held */
+  size_t n_breaks;
+  double *breaks;
+} motion;
+
+static double inertia_at(const motion *m, double t) {
+  return m->inertia.n ? rot_torque_at(&m->inertia, t) : m->reference;
+}
+
+static double omega_of(const motion *m, double t, double y) {
+  return m->inertia.n ? y * (m->reference / inertia_at(m, t)) : y;
+}
+
+static rot_status applied_now(const rot_axle_scene *scene, double t, double turned, double omega,
+                              double *torque) {
+  double theta_lo, theta = rot_two_sum(scene->linear.theta0_rad, turned, &theta_lo);
+  const rot_torque *law = &scene->linear.torque;
+  double called = 0.0;
+  if (law->call) {
+    const rot_status status = law->call(t, theta, omega, &called, law->ctx);
+    if (status != ROT_OK) return status;
+  }
+  /* Alone it keeps its digits, and its sign of zero. */
+  const int alone = law->call && law->n == 0 && scene->n_terms == 0 && scene->motor_n_m_s == 0.0 &&
+                    law->before_n_m == 0.0;
+  *torque = alone ? called : called + rot_axle_scene_applied(scene, t, theta, theta_lo, omega);
+  return ROT_OK;
+}
+
+static double inertia_slope(const motion *m, double t) {
+  if (m->inertia.n < 2) return 0.0;
+  const rot_torque_piece piece =
+      rot_torque_piece_at(&m->inertia, rot_torque_find(&m->inertia, t, 1));
+  const double width = piece.end_s - piece.start_s;
+  return isfinite(width) && width > 0.0 ? (piece.end_n_m - piece.start_n_m) / width : 0.0;
+}
+
+static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx) {
+  const motion *m = ctx;
+  const rot_axle_scene *scene = m->scene;
+  const int held = m->turns && m->mode == 0;
+  const double omega = held ? 0.0 : omega_of(m, t, y[OMEGA]);
+  double torque;
+  const rot_status status = applied_now(scene, t, y[TURNED], omega, &torque);
+  if (status != ROT_OK) return status;
+  /* The sign is the stretch's, so that a stage beyond the zero sees no kink. */
+  const double sign = m->mode;
+  const double viscous = scene->viscous_n_m_s * omega,
+               quadratic = scene->quadratic_n_m_s2 * omega * omega * sign,
+               coulomb = m->turns ? scene->coulomb_n_m * sign : 0.0;
+  const double resistance = (m->turns ? quadratic + coulomb : 0.0) + viscous;
+  dydt[TURNED] = omega;
+  dydt[OMEGA] = held ? 0.0 : (torque - resistance) / m->reference;
+  dydt[WORK] = torque * omega;
+  dydt[VISCOUS] = viscous * omega;
+  dydt[QUADRATIC] = m->turns ? quadratic * omega : 0.0;
+  dydt[COULOMB] = coulomb * omega;
+  dydt[IMPULSE] = torque;
+  dydt[DAMPING] = held ? -torque : -resistance;
+  dydt[INERTIA] = m->inertia.n ? -0.5 * inertia_slope(m, t) * omega * omega : 0.0;
+  return ROT_OK;
+}
+
+/* Where I(t) jumps, L stays and L^2 / 2 I is made up by what changes the inertia. */
+static void cross_inertia(double t, double y[], int forward, void *ctx) {
+  const motion *m = ctx;
+  if (m->inertia.n == 0) return;
+  double side[2];
+  for (int after = 0; after < 2; after++) {
+    const rot_torque_piece piece =
+        rot_torque_piece_at(&m->inertia, rot_torque_find(&m->inertia, t, after));
+    side[after] = rot_torque_in_piece(&piece, t);
+  }
+  const double from = side[!forward], to = side[forward != 0], momentum = m->reference * y[OMEGA];
+  if (from != to) y[INERTIA] += 0.5 * momentum * (momentum * ((from - to) / from / to));
+}
+
+/* A torque curve of more than one straight line. */
+static int has_kinks(const rot_axle_scene *scene) {
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    if (scene->terms[i].kind == ROT_TERM_CURVE) return 1;
+  }
+  return 0;
+}
+
+/* ---- the scene ------------------------------------------------------------------------------- */
+
+static rot_status collect_breaks(motion *m) {
+  m->breaks = malloc(rot_axle_scene_room(m->scene) * sizeof *m->breaks);
+  if (!m->breaks) return ROT_ENOMEM;
+  m->n_breaks = rot_axle_scene_breaks(m->scene, m->breaks);
+  return ROT_OK;
+}
+
+static motion motion_of(const rot_axle_scene *scene) {
+  motion m;
+  memset(&m, 0, sizeof m);
+  m.scene = scene;
+  m.reference = scene->linear.inertia_kg_m2;
+  if (scene->n_inertia) {
+    m.inertia.n = scene->n_inertia;
+    m.inertia.time_s = scene->inertia_time_s;
+    m.inertia.torque_n_m = scene->inertia_kg_m2;
+    m.inertia.before_n_m = scene->inertia_kg_m2[0];
+    m.inertia.after_n_m = scene->inertia_kg_m2[scene->n_inertia - 1];
+    m.reference = rot_torque_at(&m.inertia, scene->linear.start_s);
+  }
+  m.turns = scene->quadratic_n_m_s2 != 0.0 || scene->coulomb_n_m != 0.0 || scene->static_n_m != 0.0;
+  m.mode = 1;
+  return m;
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+/* slope: NULL, or the torque of each row as the run called it, NaN where it did not. */
+static rot_status fill_columns(const motion *m, size_t n, const double time_s[], const double y[],
+                               const double slope[], const rot_axle_columns *out, rot_info *info) {
+  const rot_axle_scene *scene = m->scene;
+  const size_t reached = info->rows_done;
+  info->rows_done = 0;
+  for (size_t i = 0; i < n && i < reached; i++) {
+    const double t = time_s[i], turned = y[i * DIM + TURNED];
+    const double omega = omega_of(m, t, y[i * DIM + OMEGA]);
+    double torque;
+    if (slope && !isnan(slope[i])) {
+      torque = slope[i];
+    } else {
+      rot_status status = applied_now(scene, t, turned, omega, &torque);
+      if (scene->linear.torque.call) info->rhs_calls++;
+      if (status == ROT_OK && !isfinite(torque)) status = ROT_ETORQUE;
+      if (status != ROT_OK) {
+        info->time_s = t;
+        return status;
+      }
+    }
+    const int stuck =
+        m->turns && scene->static_n_m > 0.0 && omega == 0.0 && fabs(torque) <= scene->static_n_m;
+    rot_axle_scene_row(scene, out, i, t, scene->linear.theta0_rad + turned, omega, torque, stuck);
+    info->rows_done = i + 1;
+  }
+  return ROT_OK;
+}
+
+/* Largest theta: of the rows and the start, or what it must have been on the way. Largest omega and
+ * its error: those of the state, carried to the rows where the inertia changes. */
+static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
+                       const double error[], const double largest[], rot_info *info) {
+  const double theta0 = m->scene->linear.theta0_rad;
+  rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
+  rot_info_measures(info, rot_turning);
+  theta->largest = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
+  for (size_t i = 0; i < n; i++) {
+    theta->largest = fmax(theta->largest, fabs(theta0 + y[i * DIM + TURNED]));
+  }
+  /* With half of an ulp of theta, two of 1000 motions erred by more, at 3e-16. */
+  theta->error = error[TURNED] + 4.0 * ROT_EPS * theta->largest;
+  omega->error = error[OMEGA];
+  omega->largest = largest[OMEGA];
+  if (m->inertia.n == 0) return;
+  double most = 0.0;
+  omega->largest = fabs(m->scene->linear.omega0_rad_per_s);
+  for (size_t i = 0; i < n; i++) {
+    most = fmax(most, omega_of(m, time_s[i], 1.0));
+    omega->largest = fmax(omega->largest, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
+  }
+  omega->error *= most;
+}
+
+static void write_ledger(const double first[], const double last[], const double error[],
+                         rot_axle_ledger *out) {
+  out->work_j = last[WORK] - first[WORK];
+  out->viscous_j = last[VISCOUS] - first[VISCOUS];
+  out->quadratic_j = last[QUADRATIC] - first[QUADRATIC];
+  out->coulomb_j = last[COULOMB] - first[COULOMB];
+  out->dissipated_j = out->viscous_j + out->quadratic_j + out->coulomb_j;
+  out->impulse_n_m_s = last[IMPULSE] - first[IMPULSE];
+  out->damping_impulse_n_m_s = last[DAMPING] - first[DAMPING];
+  out->inertia_work_j = last[INERTIA] - first[INERTIA];
+  out->work_rounding_j = 2.0 * (error[WORK] + error[INERTIA]);
+  out->dissipated_rounding_j = 2.0 * (error[VISCOUS] + error[QUADRATIC] + error[COULOMB]);
+  out->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
+}
+
+rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
+                              size_t n, const double time_s[], const rot_axle_columns *out,
+                              rot_events *events, rot_axle_ledger *ledger, const rot_hooks *hooks,
+                              rot_info *info) {
+  motion m = motion_of(scene);
+  double start[DIM] = {0.0, scene->linear.omega0_rad_per_s};
+  double error[DIM] = {0.0}, largest[DIM] = {0.0};
+  const double holds = fmax(scene->static_n_m, scene->coulomb_n_m);
+  const rot_ode_switch turn = {OMEGA, IMPULSE, holds};
+  const int called = scene->linear.torque.call != NULL;
+  rot_info_clear(info, rot_turning);
+  info->status = collect_breaks(&m);
+  double *y = malloc((n ? n : 1) * DIM * sizeof *y);
+  double *slope = called ? malloc((n ? n : 1) * sizeof *slope) : NULL;
+  if (!y || (called && !slope)) info->status = ROT_ENOMEM;
+  rot_status failure = info->status;
+  if (failure == ROT_OK) {
+    const double span = n ? fmax(fabs(time_s[0] - scene->linear.start_s),
+                                 fabs(time_s[n - 1] - scene->linear.start_s))
+                          : 0.0;
+    const double noise[] = {scene->noise_n_m / m.reference * span, scene->noise_n_m / m.reference};
+    const rot_ode_params ode = {
+        .dim = DIM,
+        .controlled = 2,
+        .rhs = axle_rhs,
+        .ctx = &m,
+        .n_breaks = m.n_breaks,
+        .breaks = m.breaks,
+        .start_s = scene->linear.start_s,
+        .start = start,
+        /* Relative to theta, which may be half as large as theta less theta0. */
+        .accuracy = (scene->linear.theta0_rad == 0.0 ? 1.0 : 0.5) * options->accuracy,
+        .max_steps = options->max_steps,
+        .method = options->method,
+        .mode = &m.mode,
+        .turn = m.turns ? &turn : NULL,
+        .log = events,
+        .at_break = m.inertia.n ? cross_inertia : NULL,
+        .sloped = IMPULSE,
+        .noise = noise,
+        .kinks = has_kinks(scene),
+        .resolution = rot_ode_resolution(called, options->resolution),
+        .expensive = called};
+    failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
+    if (failure == ROT_ERHS) failure = ROT_ETORQUE;
+    if (failure == ROT_EUNWIND || failure == ROT_ENOMEM) {
+      info->rows_done = 0;
+    } else {
+      const rot_status columns = fill_columns(&m, n, time_s, y, slope, out, info);
+      if (columns != ROT_OK) failure = columns;
+    }
+    note_sizes(&m, info->rows_done, time_s, y, error, largest, info);
+    if (info->rows_done > 0) {
+      write_ledger(y, y + (info->rows_done - 1) * DIM, error, ledger);
+    }
+  }
+  free(slope);
+  free(y);
+  free(m.breaks);
+  return info->status = failure;
+}

@@ -1,0 +1,191 @@
+/* The kernel of scene/axle/sweep.c: a block of axles through one piece of the torque law. Compiled
+ * for registers of two there and for registers of four in scene/axle/sweep_pass.c. */
+#ifndef ROT_AXLE_SWEEP_PASS_H
+#define ROT_AXLE_SWEEP_PASS_H
+
+#include "ground/pair.h"
+#include "ground/real.h"
+#include "engine/torque.h"
+
+/* A block of axles in one piece of the torque law. */
+enum { ROT_AXLE_SWEEP_BLOCK = 32 };
+
+typedef struct rot_axle_sweep_block {
+  double c[ROT_AXLE_SWEEP_BLOCK], inverse[ROT_AXLE_SWEEP_BLOCK],
+      lambda[ROT_AXLE_SWEEP_BLOCK]; /* c, 1/I, c/I */
+  double scale[ROT_AXLE_SWEEP_BLOCK], end_s[ROT_AXLE_SWEEP_BLOCK];
+  double time_s[ROT_AXLE_SWEEP_BLOCK], theta[ROT_AXLE_SWEEP_BLOCK], omega[ROT_AXLE_SWEEP_BLOCK];
+  double theta_error[ROT_AXLE_SWEEP_BLOCK], omega_error[ROT_AXLE_SWEEP_BLOCK];
+  double omega_max[ROT_AXLE_SWEEP_BLOCK], omega_max_time_s[ROT_AXLE_SWEEP_BLOCK],
+      omega_min[ROT_AXLE_SWEEP_BLOCK], theta_max[ROT_AXLE_SWEEP_BLOCK],
+      worst_error[ROT_AXLE_SWEEP_BLOCK]; /* of omega, so far */
+} rot_axle_sweep_block;
+
+/* phi0, phi1, g1, phi2, phi3 of -z for two steps. */
+typedef struct weights {
+  rot_pair start, reach, near, far, last;
+} weights;
+
+/* 0 <= z <= 1, in interleaved sums; the truncation error is below 2^-54 of the first term. */
+ROT_INLINE rot_pair phi3_below_1(rot_pair z) {
+#define C(x) ROT_BOTH(1 / x)
+  const rot_pair zz = z * z, z4 = zz * zz, z8 = z4 * z4;
+  const rot_pair p =
+      (C(6.0) + zz * C(120.0)) + z4 * (C(5040.0) + zz * C(362880.0)) +
+      z8 * ((C(39916800.0) + zz * C(6227020800.0)) +
+            z4 * ((C(1307674368000.0) + zz * C(355687428096000.0)) + z4 * C(121645100408832000.0)));
+  const rot_pair q = (C(24.0) + zz * C(720.0)) + z4 * (C(40320.0) + zz * C(3628800.0)) +
+                     z8 * ((C(479001600.0) + zz * C(87178291200.0)) +
+                           z4 * (C(20922789888000.0) + zz * C(6402373705728000.0)));
+#undef C
+  return p - z * q;
+}
+
+/* Downward from the series below z = 1. */
+ROT_INLINE weights weights_below(rot_pair z) {
+  weights w;
+  w.last = phi3_below_1(z);
+  w.far = ROT_BOTH(0.5) - z * w.last;
+  w.reach = ROT_BOTH(1.0) - z * w.far;
+  w.near = w.reach - w.far;
+  w.start = ROT_BOTH(1.0) - z * w.reach;
+  return w;
+}
+
+/* Upward from the exponential above, where that loses less than a factor of ten. */
+ROT_INLINE weights weights_above(rot_pair z) {
+  const rot_pair one = ROT_BOTH(1.0), most = ROT_BOTH(700.0), each = one / z;
+  weights w;
+  w.start = rot_pair_decay(rot_pair_if_more(z, most, most, z));
+  w.reach = (one - w.start) * each;
+  w.near = (w.reach - w.start) * each;
+  w.far = (one - w.reach) * each;
+  w.last = (ROT_BOTH(0.5) - w.far) * each;
+  return w;
+}
+
+/* Each lane by its own z: no row depends on its neighbour. */
+ROT_INLINE weights weights_of(rot_pair z) {
+  const rot_pair one = ROT_BOTH(1.0);
+  const int above = rot_pair_count_more(z, one);
+  if (above == 0) return weights_below(z);
+  if (above == ROT_PAIR) return weights_above(z);
+  const weights low = weights_below(rot_pair_if_more(z, one, one, z));
+  const weights high = weights_above(rot_pair_if_more(z, one, z, one));
+  weights w;
+  w.start = rot_pair_if_more(z, one, high.start, low.start);
+  w.reach = rot_pair_if_more(z, one, high.reach, low.reach);
+  w.near = rot_pair_if_more(z, one, high.near, low.near);
+  w.far = rot_pair_if_more(z, one, high.far, low.far);
+  w.last = rot_pair_if_more(z, one, high.last, low.last);
+  return w;
+}
+
+/* Two steps at a time and more. `most` bounds the torque in the piece, unscaled. The weights of
+ * omega are good to 10 units at z = 1, where they are worst, those of theta to 20; with products,
+ * sums, the rounding of z and a torque inside the piece 16 + 3 z and 24. g1 + phi2 = phi1. A step
+ * of no length changes nothing.
+ *
+ * Inside the piece omega has its extremum where I A = excess at the start vanishes:
+ * exp(c s/I) = 1 - (c/I) excess/slope. From c s/I = 1 on, omega there is torque/c. */
+ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, rot_pair stop,
+                           rot_pair s, rot_pair a, rot_pair b, rot_pair w0, rot_pair excess) {
+  const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0), c = rot_load(x->c + i);
+  const rot_pair lambda = rot_load(x->lambda + i);
+  /* Lanes without an extremum get harmless numbers. */
+  const rot_pair rise = rot_pair_if_more(turns, none, b - a, one);
+  const rot_pair straight = rot_pair_if_more(turns, none, none - excess, none) * s / rise;
+  const rot_pair more = lambda * straight, tiny = ROT_BOTH(1e-290);
+  const rot_pair at = rot_pair_if_more(
+      more, tiny, straight * (rot_pair_log1p(more) / rot_pair_if_more(more, tiny, more, one)),
+      straight);
+  const rot_pair inside = rot_pair_if_more(at, none, rot_pair_if_more(s, at, turns, none), none);
+  const rot_pair z = lambda * at, v = at * rot_load(x->inverse + i);
+  const rot_pair torque = a + (b - a) * (at / rot_pair_if_more(turns, none, s, one));
+  const rot_pair most = rot_pair_max(rot_pair_abs(a), rot_pair_abs(b)), size = rot_pair_abs(w0);
+  const weights w = weights_of(z);
+  const rot_pair below = w0 * w.start + v * (a * w.near + torque * w.far);
+  /* one - tiny < 1: z >= 1 is in the steady state. */
+  const rot_pair last = ROT_BOTH(1.0 - ROT_EPS), each = one / rot_pair_if_more(z, last, c, one);
+  const rot_pair omega = rot_pair_if_more(z, last, torque * each, below);
+  const rot_pair unit = ROT_BOTH(ROT_EPS);
+  const rot_pair error = rot_load(x->omega_error + i) +
+                         rot_pair_if_more(z, last, ROT_BOTH(12.0) * unit * (most * each + size),
+                                          ROT_BOTH(16.0) * unit * (size + v * most));
+  /* The end of the step is already noted; the extremum lies beyond it, up to rounding. */
+  const rot_pair top = rot_load(x->omega_max + i), when = rot_load(x->omega_max_time_s + i);
+  const rot_pair beyond =
+      rot_pair_if_more(excess, none, rot_pair_if_more(stop, when, none, inside), none);
+  const rot_pair higher = rot_pair_if_more(omega, top, inside, beyond);
+  rot_store(x->omega_max_time_s + i,
+            rot_pair_if_more(higher, none, rot_load(x->time_s + i) + at, when));
+  rot_store(x->omega_max + i, rot_pair_if_more(higher, none, rot_pair_max(omega, top), top));
+  const rot_pair low = rot_load(x->omega_min + i), worst = rot_load(x->worst_error + i);
+  rot_store(x->omega_min + i,
+            rot_pair_if_more(inside, none, rot_pair_if_more(low, omega, omega, low), low));
+  rot_store(x->worst_error + i, rot_pair_if_more(inside, none, rot_pair_max(error, worst), worst));
+}
+
+/* From where each axle is to the end of the piece, or to its own end. */
+ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piece,
+                           double start_n_m) {
+  const rot_pair none = ROT_BOTH(0.0), eps = ROT_BOTH(ROT_EPS), end = ROT_BOTH(piece->end_s);
+  const double A = piece->start_n_m, B = piece->end_n_m;
+  const double most_n_m = fabs(A) > fabs(B) ? fabs(A) : fabs(B);
+  const int sloping = A != B;
+  for (size_t i = 0; i < ROT_AXLE_SWEEP_BLOCK; i += ROT_PAIR) {
+    const rot_pair own = rot_load(x->end_s + i), from = rot_load(x->time_s + i);
+    const rot_pair stop = rot_pair_if_more(own, end, end, own), s = stop - from;
+    const rot_pair scale = rot_load(x->scale + i), a = ROT_BOTH(start_n_m) * scale;
+    rot_pair at_stop = ROT_BOTH(B);
+    if (sloping && rot_pair_count_more(end, stop) > 0) {
+      const rot_pair within =
+          (ROT_BOTH(A) * (end - stop) + at_stop * (stop - ROT_BOTH(piece->start_s))) /
+          ROT_BOTH(piece->end_s - piece->start_s);
+      at_stop = rot_pair_if_more(end, stop, rot_pair_if_more(s, none, within, at_stop), at_stop);
+    }
+    const rot_pair b = at_stop * scale;
+    const rot_pair w0 = rot_load(x->omega + i), z = rot_load(x->lambda + i) * s;
+    const rot_pair v = s * rot_load(x->inverse + i);
+    const weights w = weights_of(z);
+    const rot_pair rest = w.far - w.last;
+    const rot_pair w1 = w0 * w.start + v * (a * w.near + b * w.far);
+    const rot_pair theta =
+        rot_load(x->theta + i) + s * (w0 * w.reach + v * (a * rest + b * w.last));
+    const rot_pair most = ROT_BOTH(most_n_m) * rot_pair_abs(scale);
+    const rot_pair size = rot_pair_abs(w0), unit = rot_pair_if_more(s, none, eps, none);
+    const rot_pair before = rot_load(x->omega_error + i);
+    const rot_pair error =
+        before * w.start + unit * ((ROT_BOTH(16.0) + ROT_BOTH(3.0) * z) * size * w.start +
+                                   ROT_BOTH(16.0) * v * most * w.reach);
+    const rot_pair top = rot_load(x->omega_max + i), low = rot_load(x->omega_min + i);
+    rot_store(x->theta + i, theta);
+    rot_store(x->theta_error + i,
+              rot_load(x->theta_error + i) +
+                  (s * w.reach * before +
+                   unit * (ROT_BOTH(24.0) * s * (size * w.reach + v * most * w.far) +
+                           rot_pair_abs(theta))));
+    rot_store(x->theta_max + i, rot_pair_max(rot_load(x->theta_max + i), rot_pair_abs(theta)));
+    rot_store(x->worst_error + i, rot_pair_max(rot_load(x->worst_error + i), error));
+    rot_store(x->omega_max_time_s + i,
+              rot_pair_if_more(w1, top, stop, rot_load(x->omega_max_time_s + i)));
+    rot_store(x->omega_max + i, rot_pair_max(top, w1));
+    rot_store(x->omega_min + i, rot_pair_if_more(low, w1, w1, low));
+    if (sloping) {
+      const rot_pair c = rot_load(x->c + i), excess = a - c * w0;
+      const rot_pair turns = rot_pair_if_more(s, none, none - excess * (b - c * w1), none);
+      if (rot_pair_count_more(turns, none) > 0) {
+        pass_turns(x, i, turns, stop, s, a, b, w0, excess);
+      }
+    }
+    rot_store(x->omega_error + i, error);
+    rot_store(x->omega + i, w1);
+    rot_store(x->time_s + i, stop);
+  }
+}
+
+/* The same for registers of four. */
+void rot_axle_sweep_pass_wide(rot_axle_sweep_block *block, const rot_torque_piece *piece,
+                              double start_n_m);
+
+#endif

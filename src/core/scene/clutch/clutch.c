@@ -1,0 +1,378 @@
+#include "scene/clutch/clutch.h"
+
+#include <math.h>
+
+#include "engine/march.h"
+#include "ground/real.h"
+#include "ground/search.h"
+
+/* ---- torques and inertias -------------------------------------------------------------------- */
+
+/* I1/(I1 + I2) and I2/(I1 + I2), without a sum that could overflow. */
+static void find_shares(const double inertia[2], double share[2]) {
+  share[0] = 1.0 / (1.0 + inertia[1] / inertia[0]);
+  share[1] = 1.0 / (1.0 + inertia[0] / inertia[1]);
+}
+
+/* The torque of a locked clutch, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
+ * compared with the static capacity, the last digit may decide. */
+static double locked_torque(const double inertia[2], double tau1, double tau2) {
+  int of_inertia = 0, of_torque = 0;
+  frexp(fmax(inertia[0], inertia[1]), &of_inertia);
+  frexp(fmax(fabs(tau1), fabs(tau2)), &of_torque);
+  const double I1 = ldexp(inertia[0], -of_inertia), I2 = ldexp(inertia[1], -of_inertia);
+  double a_lo, b_lo, lo, sum_lo;
+  const double a = rot_two_prod(I2, ldexp(tau1, -of_torque), &a_lo);
+  const double b = rot_two_prod(I1, ldexp(tau2, -of_torque), &b_lo);
+  const double top = rot_two_sum(a, -b, &lo), sum = rot_two_sum(I1, I2, &sum_lo);
+  const double q = top / sum;
+  return ldexp(q + (fma(-q, sum, top) - q * sum_lo + (lo + a_lo - b_lo)) / sum, of_torque);
+}
+
+/* omega1' - omega2' when the clutch carries x less than it would need to lock. */
+static double relative_rate(const double inertia[2], double x) {
+  return x / inertia[0] + x / inertia[1];
+}
+
+static size_t step_at(const rot_steps *steps, double t) {
+  return rot_upper_bound(steps->n, steps->time_s, t);
+}
+
+/* ---- the state ------------------------------------------------------------------------------- */
+
+/* The mean motion (of the total momentum) does not depend on the clutch, nor does its error on the
+ * time of locking; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
+ * - share1 slip. Angles likewise. */
+typedef struct clutch {
+  const rot_clutch_params *p;
+  double share[2];
+  double time_s;
+  double mean_theta, mean_omega, slip_theta, slip_omega, heat;
+  double mean_theta_error, mean_omega_error, slip_theta_error, slip_omega_error;
+  double settled_s; /* the slip at the lock is known to be 0 from here on */
+  /* of the stretch that begins at time_s */
+  double tau[2], mean_rate, slip_rate, torque, needed;
+  int locked, stops; /* stops: the stretch ends because the slip does */
+  double end_s;
+} clutch;
+
+static void begin(clutch *c, const rot_clutch_params *p) {
+  const double *theta = p->theta0_rad, *omega = p->omega0_rad_per_s;
+  *c = (clutch){0};
+  c->p = p;
+  find_shares(p->inertia_kg_m2, c->share);
+  c->time_s = p->start_s;
+  c->mean_theta = c->share[0] * theta[0] + c->share[1] * theta[1];
+  c->mean_omega = c->share[0] * omega[0] + c->share[1] * omega[1];
+  if (theta[0] == theta[1]) c->mean_theta = theta[0];
+  if (omega[0] == omega[1]) c->mean_omega = omega[0];
+  c->slip_theta = theta[0] - theta[1];
+  c->slip_omega = omega[0] - omega[1];
+  for (int i = 0; i < 2; i++) {
+    c->mean_theta_error += 4.0 * ROT_EPS * c->share[i] * fabs(theta[i]);
+    c->mean_omega_error += 4.0 * ROT_EPS * c->share[i] * fabs(omega[i]);
+  }
+  c->slip_theta_error = ROT_EPS * fabs(c->slip_theta);
+  c->slip_omega_error = ROT_EPS * fabs(c->slip_omega);
+  c->settled_s = -INFINITY;
+}
+
+static int sign(double x) { return (x > 0.0) - (x < 0.0); }
+
+static double next_step(const rot_steps *steps, double t) {
+  const size_t i = step_at(steps, t);
+  return i < steps->n ? steps->time_s[i] : (double)INFINITY;
+}
+
+/* When the next torque changes after t. */
+static double next_torque(const rot_clutch_params *p, double t) {
+  return fmin(next_step(&p->torque_n_m[0], t), next_step(&p->torque_n_m[1], t));
+}
+
+/* When the slip ends, if nothing else happens; Inf if it does not. */
+static double stop_time(const clutch *c) {
+  if (sign(c->slip_omega) * sign(c->slip_rate) >= 0) return INFINITY;
+  return c->time_s - c->slip_omega / c->slip_rate;
+}
+
+/* The stretch ends where the slip does, or where something changes from outside. */
+static void find_end(clutch *c) {
+  const double stop = stop_time(c), engage_s = c->p->engage_s;
+  c->end_s = next_torque(c->p, c->time_s);
+  if (engage_s > c->time_s) c->end_s = fmin(c->end_s, engage_s);
+  c->stops = stop <= c->end_s;
+  if (c->stops) c->end_s = fmax(stop, c->time_s);
+}
+
+/* The stretch from time_s on. */
+static rot_status enter(clutch *c, int was_locked, rot_events *events) {
+  const rot_clutch_params *p = c->p;
+  const int engaged = c->time_s >= p->engage_s;
+  for (int i = 0; i < 2; i++) {
+    c->tau[i] = p->torque_n_m[i].value[step_at(&p->torque_n_m[i], c->time_s)];
+  }
+  c->needed = locked_torque(p->inertia_kg_m2, c->tau[0], c->tau[1]);
+  c->mean_rate = c->share[0] * (c->tau[0] / p->inertia_kg_m2[0]) +
+                 c->share[1] * (c->tau[1] / p->inertia_kg_m2[1]);
+  c->locked = engaged && c->slip_omega == 0.0 && fabs(c->needed) <= p->static_n_m;
+  if (c->locked) {
+    c->torque = c->needed;
+    c->slip_rate = 0.0;
+  } else {
+    const int way = c->slip_omega != 0.0 ? sign(c->slip_omega) : sign(c->needed);
+    c->torque = engaged ? way * p->capacity_n_m : 0.0;
+    c->slip_rate = relative_rate(p->inertia_kg_m2, c->needed - c->torque);
+  }
+  find_end(c);
+  if (c->locked && !was_locked && c->time_s > p->start_s) {
+    return rot_events_add(events, c->time_s, ROT_EVENT_LOCK);
+  }
+  return !c->locked && was_locked ? rot_events_add(events, c->time_s, ROT_EVENT_SLIP) : ROT_OK;
+}
+
+/* The state at a later time of the same stretch; s = time - time_s. */
+static clutch after(const clutch *c, double time) {
+  clutch to = *c;
+  const double s = time - c->time_s, half = 0.5 * s * s, *I = c->p->inertia_kg_m2;
+  const double rates = fabs(c->tau[0] / I[0]) * c->share[0] + fabs(c->tau[1] / I[1]) * c->share[1];
+  const double pull = relative_rate(I, fabs(c->needed) + fabs(c->torque));
+  to.time_s = time;
+  to.mean_theta += c->mean_omega * s + c->mean_rate * half;
+  to.mean_omega += c->mean_rate * s;
+  to.slip_theta += c->slip_omega * s + c->slip_rate * half;
+  to.slip_omega += c->slip_rate * s;
+  /* The slip keeps its sign on the stretch: both parts of the heat are positive. */
+  to.heat += fabs(c->torque) * (c->locked ? 0.0 : 0.5 * s * fabs(c->slip_omega + to.slip_omega));
+  /* The time difference is rounded too: 6 roundings of each term at most, 10 of a half square. */
+  to.mean_omega_error += ROT_EPS * (8.0 * rates * s + fabs(to.mean_omega));
+  to.mean_theta_error +=
+      c->mean_omega_error * s +
+      ROT_EPS * (3.0 * fabs(c->mean_omega) * s + 12.0 * rates * half + fabs(to.mean_theta));
+  if (!c->locked) {
+    to.slip_omega_error += ROT_EPS * (8.0 * pull * s + fabs(to.slip_omega));
+    to.slip_theta_error +=
+        c->slip_omega_error * s +
+        ROT_EPS * (3.0 * fabs(c->slip_omega) * s + 12.0 * pull * half + fabs(to.slip_theta));
+  }
+  return to;
+}
+
+/* Goes to the end of the stretch, and enters the next one. */
+static rot_status cross(clutch *c, rot_events *events) {
+  const int was_locked = c->locked, stops = c->stops, way = sign(c->slip_omega);
+  const double rate = fabs(c->slip_rate), heat = c->heat, end = c->end_s;
+  if (stops) {
+    /* w dt + A dt^2/2 with dt = -w/A is -w^2/(2 A), without the rounding of the time itself. */
+    const double w = c->slip_omega, turned = 0.5 * w * (-w / c->slip_rate);
+    const double warmed = fabs(c->torque) * fabs(turned), slip = c->slip_theta;
+    *c = after(c, end);
+    c->slip_theta = slip + turned;
+    c->heat = heat + warmed;
+    c->slip_omega = 0.0;
+    c->slip_omega_error += 2.0 * ROT_EPS * rate * fabs(end);
+    c->settled_s = end + c->slip_omega_error / rate;
+  } else {
+    *c = after(c, end);
+    if (was_locked && end > c->settled_s) c->slip_omega_error = 0.0;
+  }
+  rot_status status = enter(c, was_locked, events);
+  /* An error of the time at zero counts by the next rate of slip. */
+  if (stops && fabs(c->slip_rate) > rate) c->slip_omega_error *= fabs(c->slip_rate) / rate;
+  if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -way) {
+    status = rot_events_add(events, c->time_s, ROT_EVENT_REVERSE);
+  }
+  if (status != ROT_OK) return status;
+  return isfinite(c->mean_theta) && isfinite(c->slip_theta) ? ROT_OK : ROT_ERANGE;
+}
+
+/* To the stretch that holds time t. */
+static rot_status advance(clutch *c, double t) {
+  rot_status status = ROT_OK;
+  while (status == ROT_OK && c->end_s <= t) status = cross(c, NULL);
+  return status;
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+typedef struct clutch_run {
+  clutch at;
+  const double *time_s;
+  const rot_clutch_columns *out;
+  rot_events *events;
+  rot_info *info;
+} clutch_run;
+
+static rot_status restart(void *model, int forward) {
+  clutch_run *run = model;
+  return forward ? enter(&run->at, 1, NULL) : ROT_EVALUE;
+}
+
+static int holds(const void *model, double time_s) {
+  return !(((const clutch_run *)model)->at.end_s <= time_s);
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  clutch_run *run = model;
+  *end_s = run->at.end_s;
+  return cross(&run->at, run->events);
+}
+
+static rot_status write_row(void *model, size_t i) {
+  const clutch_run *run = model;
+  const clutch state = after(&run->at, run->time_s[i]), *at = &state;
+  const rot_clutch_columns *out = run->out;
+  const double way[2] = {at->share[1], -at->share[0]};
+  for (int b = 0; b < 2; b++) {
+    const int first = at->time_s == at->p->start_s;
+    const double theta = first ? at->p->theta0_rad[b] : at->mean_theta + way[b] * at->slip_theta;
+    const double omega =
+        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + way[b] * at->slip_omega;
+    if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
+    const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
+    (b == 0 ? out->theta_1_rad : out->theta_2_rad)[i] = theta;
+    (b == 0 ? out->omega_1_rad_per_s : out->omega_2_rad_per_s)[i] = omega;
+    rot_note_row(run->info, theta, omega,
+                 at->mean_theta_error + fabs(way[b]) * at->slip_theta_error +
+                     ROT_EPS * (4.0 * fabs(way[b] * at->slip_theta) + fabs(theta)),
+                 at->mean_omega_error + fabs(way[b]) * slip_error +
+                     ROT_EPS * (4.0 * fabs(way[b] * at->slip_omega) + fabs(omega)));
+  }
+  out->clutch_torque_n_m[i] = at->torque;
+  out->heat_j[i] = at->heat;
+  out->locked[i] = at->locked;
+  return ROT_OK;
+}
+
+rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
+                          const rot_clutch_columns *out, rot_events *events, const rot_hooks *hooks,
+                          rot_info *info) {
+  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  clutch_run run = {.time_s = time_s, .out = out, .events = events, .info = info};
+  rot_info_clear(info, rot_turning);
+  begin(&run.at, p);
+  for (int b = 0; b < 2; b++) rot_note_state(info, p->theta0_rad[b], p->omega0_rad_per_s[b]);
+  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+}
+
+/* ---- work ------------------------------------------------------------------------------------ */
+
+static void add_work(const clutch *from, const clutch *to, double *work, double *rounding) {
+  const double mean = to->mean_theta - from->mean_theta, slip = to->slip_theta - from->slip_theta;
+  const double way[2] = {from->share[1], -from->share[0]};
+  for (int b = 0; b < 2; b++) {
+    const double part = from->tau[b] * (mean + way[b] * slip);
+    const double error =
+        from->mean_theta_error + to->mean_theta_error +
+        fabs(way[b]) * (from->slip_theta_error + to->slip_theta_error) +
+        4.0 * ROT_EPS * (fabs(from->mean_theta) + fabs(to->mean_theta) + fabs(way[b] * slip));
+    *work += part;
+    *rounding += fabs(from->tau[b]) * error + 4.0 * ROT_EPS * (fabs(part) + fabs(*work));
+  }
+}
+
+rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s,
+                           rot_clutch_ledger *ledger) {
+  clutch c;
+  ledger->work_j = ledger->work_rounding_j = 0.0;
+  if (!(from_s >= p->start_s && to_s >= from_s)) return ROT_EVALUE;
+  begin(&c, p);
+  rot_status status = enter(&c, 1, NULL);
+  if (status == ROT_OK) status = advance(&c, from_s);
+  if (status != ROT_OK) return status;
+  c = after(&c, from_s);
+  find_end(&c);
+  /* The torques change at their steps only, whatever the clutch does between them. */
+  for (;;) {
+    const double end = fmin(to_s, next_torque(p, c.time_s));
+    clutch to = c;
+    /* Up to the end, not beyond: the torques of the stretch are those before it. */
+    while (status == ROT_OK && to.end_s < end) status = cross(&to, NULL);
+    if (status != ROT_OK) return status;
+    to = after(&to, end);
+    add_work(&c, &to, &ledger->work_j, &ledger->work_rounding_j);
+    if (!(end < to_s)) break;
+    status = advance(&c, end);
+    if (status != ROT_OK) return status;
+  }
+  return isfinite(ledger->work_j) ? ROT_OK : ROT_ERANGE;
+}
+
+/* ---- one engagement -------------------------------------------------------------------------- */
+
+/* The same where a product may leave the range of doubles: powers of two apart, sums halved. */
+static rot_clutch_engagement engage_wide(const double inertia[2], const double share[2],
+                                         double capacity, const double torque[2],
+                                         const double omega[2]) {
+  const double half_slip = 0.5 * omega[0] - 0.5 * omega[1], size = fabs(half_slip);
+  const double half_sum = 0.5 * inertia[0] + 0.5 * inertia[1];
+  const double reduced = fmin(inertia[0], inertia[1]) * fmax(share[0], share[1]);
+  rot_clutch_engagement x;
+  x.locked_torque_n_m = locked_torque(inertia, torque[0], torque[1]);
+  x.omega_rad_per_s = rot_product(3, (double[]){0.5, inertia[0], omega[0]}, half_sum) +
+                      rot_product(3, (double[]){0.5, inertia[1], omega[1]}, half_sum);
+  if (half_slip == 0.0) x.omega_rad_per_s = omega[0];
+  if (isinf(capacity) || half_slip == 0.0) {
+    x.lock_s = 0.0;
+    x.heat_j = rot_product(4, (double[]){2.0, reduced, size, size}, 1.0);
+    return x;
+  }
+  /* What brakes the slip, halved. */
+  const double half = 0.5 * capacity - 0.5 * sign(half_slip) * x.locked_torque_n_m;
+  if (!(half > 0.0)) {
+    x.lock_s = isnan(half) ? (double)NAN : (double)INFINITY;
+    x.omega_rad_per_s = NAN;
+    x.heat_j = 0.5 * capacity * size * x.lock_s;
+    return x;
+  }
+  x.lock_s = rot_product(2, (double[]){size, reduced}, half);
+  int of_sum = 0;
+  const double sum = frexp(half_sum, &of_sum);
+  for (int i = 0; i < 2; i++) {
+    int e;
+    const double p = rot_product_split(4, (double[]){0.5, torque[i], size, reduced}, half, &e);
+    x.omega_rad_per_s += ldexp(p / sum, e - of_sum);
+  }
+  x.heat_j = rot_product(4, (double[]){capacity, reduced, size, size}, half);
+  return x;
+}
+
+rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, double capacity_n_m,
+                                        double torque_1, double torque_2, double omega_1,
+                                        double omega_2) {
+  const double inertia[2] = {inertia_1, inertia_2}, slip = omega_1 - omega_2;
+  double share[2];
+  rot_clutch_engagement x;
+  find_shares(inertia, share);
+  const double numbers[] = {inertia_1, inertia_2, capacity_n_m, torque_1,
+                            torque_2,  omega_1,   omega_2};
+  int finite = 1, well_scaled = 1;
+  for (int i = 0; i < 7; i++) {
+    const int unlimited = i == 2 && isinf(numbers[i]);
+    finite &= isfinite(numbers[i]) || unlimited;
+    well_scaled &= rot_well_scaled(numbers[i], 1e60) || unlimited;
+  }
+  if (finite && !well_scaled) {
+    return engage_wide(inertia, share, capacity_n_m, (double[]){torque_1, torque_2},
+                       (double[]){omega_1, omega_2});
+  }
+  const double mean = slip == 0.0 ? omega_1 : share[0] * omega_1 + share[1] * omega_2;
+  x.locked_torque_n_m = locked_torque(inertia, torque_1, torque_2);
+  if (isinf(capacity_n_m) || slip == 0.0) {
+    /* (1/2) I1 I2/(I1 + I2) slip^2 by the product, never by the difference of the energies. */
+    x.lock_s = 0.0;
+    x.omega_rad_per_s = mean;
+    x.heat_j =
+        rot_product(4, (double[]){0.5, fmin(inertia_1, inertia_2), fmax(share[0], share[1]), slip},
+                    1.0) *
+        slip;
+    return x;
+  }
+  const double rate = relative_rate(inertia, x.locked_torque_n_m - sign(slip) * capacity_n_m);
+  const double t = -slip / rate;
+  x.lock_s = t >= 0.0 && isfinite(t) ? t : (double)INFINITY;
+  if (isnan(slip) || isnan(rate)) x.lock_s = NAN;
+  const double mean_rate = share[0] * (torque_1 / inertia_1) + share[1] * (torque_2 / inertia_2);
+  x.omega_rad_per_s = isfinite(x.lock_s) ? mean + mean_rate * x.lock_s : (double)NAN;
+  x.heat_j = 0.5 * capacity_n_m * fabs(slip) * x.lock_s;
+  return x;
+}

@@ -1,0 +1,160 @@
+#include "scene/drive/models.h"
+
+#include <math.h>
+
+#include "scene/drive/mesh.h"
+#include "ground/search.h"
+
+/* ---- effects --------------------------------------------------------------------------------- */
+
+enum {
+  TORQUE = 1 << 0,
+  LAW = 1 << 1,
+  SHAFT = 1 << 2,
+  CLUTCH = 1 << 3,
+  GEAR = 1 << 4,
+  VISCOUS = 1 << 5,
+  QUADRATIC = 1 << 6,
+  FRICTION = 1 << 7,
+  BRAKE = 1 << 8,
+  MESH = 1 << 9,
+  ALL = (1 << 10) - 1
+};
+
+static const rot_effect effects[] = {{"torque", "constant torques", 0, 0},
+                                     {"law", "torque laws", 0, TORQUE},
+                                     {"shaft", "an elastic shaft", 0, 0},
+                                     {"clutch", "a clutch", 0, 0},
+                                     {"gear", "a gear", 0, 0},
+                                     {"viscous", "viscous resistance", 0, 0},
+                                     {"quadratic", "quadratic drag", 0, 0},
+                                     {"friction", "dry friction", 0, 0},
+                                     {"brake", "a brake", 0, 0},
+                                     {"mesh", "a gear with a loss", 0, 0}};
+
+static unsigned torque_effects(const rot_axle_scene *r) {
+  const rot_torque *torque = &r->linear.torque;
+  unsigned mask = torque->before_n_m != 0.0 || torque->after_n_m != 0.0 ? TORQUE : 0u;
+  if (torque->n || torque->call || r->n_terms || r->motor_n_m_s != 0.0) mask |= TORQUE | LAW;
+  return mask;
+}
+
+static unsigned effects_of(const void *of) {
+  const rot_drive_scene *scene = of;
+  unsigned mask = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_axle_scene *r = &scene->rotor[i];
+    mask |= torque_effects(r);
+    if (r->viscous_n_m_s != 0.0) mask |= VISCOUS;
+    if (r->quadratic_n_m_s2 != 0.0) mask |= QUADRATIC;
+    if (r->coulomb_n_m != 0.0 || r->static_n_m != 0.0) mask |= FRICTION;
+    if (scene->brake[i].acts) mask |= BRAKE;
+    if (i + 1 == scene->n) break;
+    const rot_drive_coupling *c = &scene->coupling[i];
+    if (c->kind == ROT_DRIVE_SHAFT) mask |= SHAFT;
+    if (c->kind == ROT_DRIVE_CLUTCH) mask |= CLUTCH;
+    if (c->kind == ROT_DRIVE_GEAR || c->ratio != 1.0) mask |= GEAR;
+    if (rot_drive_mesh_loses(c)) mask |= MESH;
+  }
+  return mask;
+}
+
+/* ---- models ---------------------------------------------------------------------------------- */
+
+static const char *not_integrated(const void *of, const rot_query *query) {
+  const rot_drive_scene *scene = of;
+  const int before = query->n && query->time_s[0] < scene->start_s;
+  return before && (effects_of(of) & (CLUTCH | FRICTION | BRAKE | MESH))
+             ? "it cannot run backwards from the scene's start"
+             : NULL;
+}
+
+/* What lasts, in rad: the shafts' and the laws' own; what resistance and dampers let decay. */
+static void rates_of(const rot_drive_scene *scene, double *swing_per_s, double *decay_per_s) {
+  *swing_per_s = *decay_per_s = 0.0;
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_axle_scene *r = &scene->rotor[i];
+    const double inertia = r->linear.inertia_kg_m2;
+    double spring = 0.0, damping = r->viscous_n_m_s + r->motor_n_m_s;
+    for (int side = 0; side < 2; side++) {
+      if (side ? i == 0 : i + 1 == scene->n) continue;
+      const rot_drive_coupling *c = &scene->coupling[side ? i - 1 : i];
+      const double turn = side ? c->ratio * c->ratio : 1.0;
+      spring += turn * c->stiffness_n_m_per_rad;
+      damping += turn * c->damping_n_m_s;
+    }
+    for (size_t k = 0; k < r->n_terms; k++) {
+      const double *x = r->terms[k].x;
+      const rot_term_kind kind = r->terms[k].kind;
+      if (kind == ROT_TERM_SINUSOID) *swing_per_s = fmax(*swing_per_s, fabs(x[1]));
+      if (kind == ROT_TERM_SPRING || kind == ROT_TERM_GRAVITY) spring += fabs(x[0]);
+    }
+    *swing_per_s = fmax(*swing_per_s, sqrt(spring / inertia));
+    *decay_per_s = fmax(*decay_per_s, damping / inertia);
+  }
+}
+
+/* As of an axle (scene/axle/models.c), a call of the right-hand side by rotors. seconds: the rate,
+ * its power, decay times, steps after, of explicit and implicit steps. */
+static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
+                           int implicit) {
+  const rot_drive_scene *scene = of;
+  const double *s = model->seconds, rows = (double)query->n, n = (double)scene->n;
+  const double from = query->n ? fmin(scene->start_s, query->time_s[0]) : scene->start_s;
+  const double to = query->n ? fmax(scene->start_s, query->time_s[query->n - 1]) : scene->start_s;
+  double swing, decay, breaks = 0.0, calls = 0.0;
+  rates_of(scene, &swing, &decay);
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_axle_scene *r = &scene->rotor[i];
+    breaks += (double)(rot_lower_bound(r->n_breaks, r->breaks_s, to) -
+                       rot_lower_bound(r->n_breaks, r->breaks_s, from));
+    calls += r->linear.torque.call != NULL;
+  }
+  const double decays = fmin(decay * (to - from), 1e300);
+  const double rate = s[0] * pow(fmax(query->accuracy, model->promise), s[1]);
+  const double after = s[3] * fmax(0.0, implicit ? log10(decays) : decays - s[2]);
+  const double steps =
+      12.0 + 3.0 * breaks + rate * fmax(swing * (to - from), fmin(decays, s[2])) + after;
+  const double call_s = 120e-9 * n + 1e-6 * calls;
+  return 10e-6 + steps * (implicit ? (28.0 + 6.0 * n) * call_s + 3e-6 * n * n : 20.4 * call_s) +
+         rows * n * 0.6e-6;
+}
+
+static double rk8pd_s(const rot_model *model, const void *scene, const rot_query *query) {
+  return integrated_s(model, scene, query, 0);
+}
+
+static double radau_s(const rot_model *model, const void *scene, const rot_query *query) {
+  return integrated_s(model, scene, query, 1);
+}
+
+static const rot_model models[] = {
+    {"drive_rk8pd",
+     ALL,
+     ROT_ADAPTIVE,
+     1e-13,
+     ROT_FREELY,
+     "integrated, with explicit steps: it is not stiff",
+     not_integrated,
+     rk8pd_s,
+     {0.25, -1.0 / 8.5, 10.0, 0.39}},
+    {"drive_radau",
+     ALL,
+     ROT_ADAPTIVE,
+     1e-13,
+     ROT_FREELY,
+     "integrated, with implicit steps: it is stiff",
+     not_integrated,
+     radau_s,
+     {0.24, -1.0 / 9.0, 6.0, 2.0}},
+};
+
+const rot_constraint rot_drive_constraint = {"drive",
+                                             rot_turning,
+                                             sizeof effects / sizeof *effects,
+                                             sizeof models / sizeof *models,
+                                             effects,
+                                             models,
+                                             effects_of,
+                                             NULL,
+                                             NULL};

@@ -1,0 +1,563 @@
+#include "scene/drive/ode.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/drive/contact.h"
+#include "scene/drive/mesh.h"
+#include "engine/ode/ode.h"
+#include "ground/real.h"
+#include "ground/search.h"
+
+/* Beyond the state: integrals, then the heat of each rotor's resistance, of its brake, of each
+ * coupling, then the number of the modes, which the rows read. */
+enum { WORK, TORQUE, RESISTANCE, HOUSING, INTEGRALS };
+
+typedef struct motion {
+  rot_drive_system s;
+  size_t dim, resistance_at, brake_at, coupling_at, mode_at;
+  double *breaks, *slope, *y;
+  size_t n_breaks;
+  signed char
+      *modes; /* a row for each set of modes; row 0: those at the start, found nowhere else */
+  size_t n_modes, room;
+  signed char *now, *before;
+  int mode; /* the row in use */
+  double span_s, noise[3];
+  double most[2];    /* largest |theta|, |omega| on the way */
+  rot_status failed; /* in an event function: rhs reports it */
+  rot_events *events;
+  rot_drive_places *places;
+} motion;
+
+static signed char *modes_of(const motion *m, int mode) {
+  return m->modes + (size_t)mode * m->s.n_contacts;
+}
+
+/* ---- the right-hand side --------------------------------------------------------------------- */
+
+static rot_status drive_rhs(double t, const double y[], double dydt[], void *ctx) {
+  motion *m = ctx;
+  rot_drive_system *s = &m->s;
+  const rot_drive_scene *scene = s->scene;
+  const signed char *mode = modes_of(m, m->mode);
+  rot_status status = m->failed;
+  if (status == ROT_OK) status = rot_drive_forces(s, t, y, mode);
+  if (status != ROT_OK) return status;
+  rot_drive_rates(s, y, mode, dydt);
+  double work = 0.0, torque = 0.0, resistance = 0.0, housing = 0.0;
+  for (size_t i = 0; i < s->n; i++) {
+    const double omega = rot_drive_omega(s, y, i);
+    work += s->applied[i] * omega;
+    torque += s->applied[i];
+    resistance += s->smooth[i] + s->dry[i] + s->brake[i];
+    dydt[m->resistance_at + i] = -(s->smooth[i] + s->dry[i]) * omega;
+    dydt[m->brake_at + i] = -s->brake[i] * omega;
+    if (i + 1 == s->n) break;
+    const rot_drive_coupling *c = &scene->coupling[i];
+    double heat = 0.0;
+    if (c->kind == ROT_DRIVE_SHAFT) {
+      const double rate = dydt[s->state_of[i]];
+      heat = c->damping_n_m_s * rate * rate;
+    } else if (c->kind == ROT_DRIVE_CLUTCH) {
+      heat = mode[s->contact_of[i]] == ROT_DRIVE_STICKS ? 0.0 : s->torque[i] * y[s->state_of[i]];
+    } else {
+      heat = (1.0 - s->passed[i]) * s->torque[i] * omega;
+    }
+    dydt[m->coupling_at + i] = heat;
+    housing += (c->ratio * s->passed[i] - 1.0) * s->torque[i];
+  }
+  dydt[s->state + WORK] = work;
+  dydt[s->state + TORQUE] = torque;
+  dydt[s->state + RESISTANCE] = resistance;
+  dydt[s->state + HOUSING] = housing;
+  dydt[m->mode_at] = 0.0;
+  return ROT_OK;
+}
+
+/* ---- modes ----------------------------------------------------------------------------------- */
+
+/* The row of these modes: one that was used before, or a new one. */
+static rot_status number_modes(motion *m, const signed char mode[], int *number) {
+  const size_t k = m->s.n_contacts;
+  for (size_t i = 1; i < m->n_modes; i++) {
+    if (!memcmp(m->modes + i * k, mode, k)) {
+      *number = (int)i;
+      return ROT_OK;
+    }
+  }
+  if (m->n_modes == m->room) {
+    const size_t room = 2 * m->room;
+    signed char *modes = realloc(m->modes, room * (k ? k : 1));
+    if (!modes) return ROT_ENOMEM;
+    m->modes = modes;
+    m->room = room;
+  }
+  if (k) memcpy(m->modes + m->n_modes * k, mode, k);
+  *number = (int)m->n_modes++;
+  return ROT_OK;
+}
+
+static rot_status add_event(motion *m, double t, rot_event event, int place) {
+  if (!m->events) return ROT_OK;
+  const rot_status status = rot_events_add(m->events, t, event);
+  if (status != ROT_OK) return status;
+  if (m->events->count > m->places->room) {
+    int *more = realloc(m->places->place, m->events->room * sizeof *more);
+    if (!more) return ROT_ENOMEM;
+    m->places->place = more;
+    m->places->room = m->events->room;
+  }
+  m->places->place[m->events->count - 1] = place;
+  return ROT_OK;
+}
+
+/* Where contact k is: the first rotor of its unit that has friction. */
+static int place_of(const motion *m, size_t k) {
+  const rot_drive_contact *c = &m->s.contact[k];
+  const rot_drive_unit *u = &m->s.unit[c->unit];
+  if (c->coupling != SIZE_MAX) return -(int)(c->coupling + 1);
+  for (size_t i = u->first; i < u->end; i++) {
+    if (m->s.scene->brake[i].acts || m->s.scene->rotor[i].static_n_m > 0.0) return (int)(i + 1);
+  }
+  return (int)(u->first + 1);
+}
+
+/* A contact that is open to both sides has no events. */
+static rot_status log_changes(motion *m, double t, const signed char before[],
+                              const signed char after[]) {
+  rot_status status = ROT_OK;
+  for (size_t k = 0; k < m->s.n_contacts && status == ROT_OK; k++) {
+    const int sticks = after[k] == ROT_DRIVE_STICKS, stuck = before[k] == ROT_DRIVE_STICKS;
+    if (before[k] == after[k] || (!sticks && m->s.capacity[k] == 0.0 && !stuck)) continue;
+    if (before[k] == ROT_DRIVE_OPEN && !sticks) continue;
+    const int clutch = m->s.contact[k].coupling != SIZE_MAX;
+    const rot_event event = sticks  ? (clutch ? ROT_EVENT_LOCK : ROT_EVENT_STICK)
+                            : stuck ? ROT_EVENT_SLIP
+                                    : ROT_EVENT_REVERSE;
+    status = add_event(m, t, event, place_of(m, k));
+  }
+  return status;
+}
+
+/* Just after t, where t is a break: laws have their values on that side. */
+static double side_after(const motion *m, double t) {
+  const size_t k = rot_lower_bound(m->n_breaks, m->breaks, t);
+  return k < m->n_breaks && m->breaks[k] == t ? nextafter(t, INFINITY) : t;
+}
+
+static double ahead(const motion *m, double t) {
+  const size_t k = rot_upper_bound(m->n_breaks, m->breaks, t);
+  const double next = k < m->n_breaks ? 0.25 * (m->breaks[k] - t) : INFINITY;
+  return fmax(fmin(next, 1e-9 * m->span_s), 0.0);
+}
+
+/* How far rounding may move the rates: the sum of what acts. Where a motion begins in it, no step
+ * would pass its error test. */
+static void note_noise(motion *m) {
+  double most = 0.0;
+  for (size_t u = 0; u < m->s.m; u++) most = fmax(most, m->s.size[u] / m->s.unit[u].inertia);
+  m->noise[1] = 4.0 * ROT_EPS * most;
+  m->noise[0] = m->noise[2] = m->noise[1] * m->span_s;
+}
+
+/* Bodies that stick together reach rest together: the event of one of them leaves the rounding of
+ * their rates in the others. */
+static void round_to_rest(const motion *m, double y[]) {
+  for (size_t k = 0; k < m->s.n_contacts; k++) {
+    double *speed = &y[m->s.contact[k].state];
+    const int beyond = *speed * (double)modes_of(m, m->mode)[k] < 0.0;
+    if (fabs(*speed) <= (beyond ? 1e-10 : 64.0 * ROT_EPS) * m->most[1]) *speed = 0.0;
+  }
+}
+
+static rot_status settle_in(motion *m, double t, double y[], int breaks) {
+  const size_t k = m->s.n_contacts;
+  round_to_rest(m, y);
+  memcpy(m->before, modes_of(m, m->mode), k);
+  memcpy(m->now, m->before, k);
+  rot_status status = rot_drive_settle(&m->s, side_after(m, t), y, m->now, breaks, ahead(m, t));
+  if (status == ROT_OK) status = log_changes(m, t, m->before, m->now);
+  if (status == ROT_OK) status = number_modes(m, m->now, &m->mode);
+  if (status != ROT_OK) m->failed = status;
+  y[m->mode_at] = (double)m->mode;
+  note_noise(m);
+  return status;
+}
+
+/* ---- events ---------------------------------------------------------------------------------- */
+
+/* The engine logged the event under its general name: the log takes what really changed. */
+static rot_ode_then settle_at(double t, double y[], int *mode, void *ctx, int breaks) {
+  motion *m = ctx;
+  if (m->events && m->events->count) m->events->count--;
+  settle_in(m, t, y, breaks);
+  *mode = m->mode;
+  return ROT_ODE_NEW_STRETCH;
+}
+
+static rot_ode_then at_zero(double t, double y[], int *mode, int forward, void *ctx) {
+  (void)forward;
+  return settle_at(t, y, mode, ctx, 0);
+}
+
+static rot_ode_then at_limit(double t, double y[], int *mode, int forward, void *ctx) {
+  (void)forward;
+  return settle_at(t, y, mode, ctx, 1);
+}
+
+/* Quadratic drag has a kink at rest. */
+static rot_ode_then at_kink(double t, double y[], int *mode, int forward, void *ctx) {
+  const motion *m = ctx;
+  if (forward && m->s.n_contacts) return settle_at(t, y, mode, ctx, 0);
+  if (m->events && m->events->count) m->events->count--;
+  return ROT_ODE_NEW_STRETCH;
+}
+
+static double margin_at(double t, const double y[], void *ctx) {
+  motion *m = ctx;
+  if (m->failed != ROT_OK) return 1.0;
+  const rot_status status = rot_drive_forces(&m->s, t, y, modes_of(m, m->mode));
+  if (status != ROT_OK) m->failed = status;
+  return status == ROT_OK ? m->s.weakest.margin : 1.0;
+}
+
+static void cross_break(double t, double y[], int forward, void *ctx) {
+  motion *m = ctx;
+  if (forward && m->s.n_contacts && m->failed == ROT_OK) settle_in(m, t, y, 0);
+}
+
+/* An observer: called at the end of each step and in each row. */
+static void note_state(double t, double y[], void *ctx) {
+  motion *m = ctx;
+  (void)t;
+  for (size_t i = 0; i < m->s.n; i++) {
+    const double theta0 = m->s.scene->rotor[i].linear.theta0_rad;
+    const double theta = theta0 + m->s.share[i] * y[m->s.unit_of[i]];
+    m->most[0] = fmax(m->most[0], fabs(theta));
+    m->most[1] = fmax(m->most[1], fabs(rot_drive_omega(&m->s, y, i)));
+  }
+}
+
+/* ---- the scene ------------------------------------------------------------------------------- */
+
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static size_t add_grip_breaks(const rot_drive_grip *grip, double out[]) {
+  if (!grip->acts) return 0;
+  size_t n = rot_axle_scene_breaks(&grip->law, out);
+  if (isfinite(grip->from_s)) out[n++] = grip->from_s;
+  if (isfinite(grip->to_s)) out[n++] = grip->to_s;
+  return n;
+}
+
+static rot_status collect_breaks(motion *m) {
+  const rot_drive_scene *scene = m->s.scene;
+  size_t room = 1, n = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    room += rot_axle_scene_room(&scene->rotor[i]);
+    if (scene->brake[i].acts) room += 2 + rot_axle_scene_room(&scene->brake[i].law);
+    if (i + 1 < scene->n && scene->coupling[i].grip.acts) {
+      room += 2 + rot_axle_scene_room(&scene->coupling[i].grip.law);
+    }
+  }
+  m->breaks = malloc(room * sizeof *m->breaks);
+  if (!m->breaks) return ROT_ENOMEM;
+  for (size_t i = 0; i < scene->n; i++) {
+    n += rot_axle_scene_breaks(&scene->rotor[i], m->breaks + n);
+    n += add_grip_breaks(&scene->brake[i], m->breaks + n);
+    if (i + 1 < scene->n) n += add_grip_breaks(&scene->coupling[i].grip, m->breaks + n);
+  }
+  qsort(m->breaks, n, sizeof *m->breaks, compare);
+  m->n_breaks = 0;
+  for (size_t i = 0; i < n; i++) {
+    if (m->n_breaks == 0 || m->breaks[i] != m->breaks[m->n_breaks - 1]) {
+      m->breaks[m->n_breaks++] = m->breaks[i];
+    }
+  }
+  return ROT_OK;
+}
+
+static int law_has_curve(const rot_axle_scene *law) {
+  for (size_t i = 0; i < law->n_terms; i++) {
+    if (law->terms[i].kind == ROT_TERM_CURVE) return 1;
+  }
+  return 0;
+}
+
+/* A capacity that is no piecewise linear function of time has a kink where it reaches 0, a gear
+ * with a loss where the power through it turns. */
+static int has_kinks(const rot_drive_scene *scene) {
+  int kinks = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_drive_grip *grip[] = {&scene->brake[i],
+                                    i + 1 < scene->n ? &scene->coupling[i].grip : NULL};
+    kinks |= law_has_curve(&scene->rotor[i]);
+    kinks |= i + 1 < scene->n && rot_drive_mesh_loses(&scene->coupling[i]);
+    for (int k = 0; k < 2; k++) {
+      kinks |=
+          grip[k] && grip[k]->acts && (grip[k]->law.n_terms || grip[k]->law.linear.torque.call);
+    }
+  }
+  return kinks;
+}
+
+/* A torque, or what a brake or clutch carries, that only the caller can evaluate. */
+static int calls_law(const rot_drive_scene *scene) {
+  int calls = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    calls |= scene->rotor[i].linear.torque.call != NULL ||
+             scene->brake[i].law.linear.torque.call != NULL;
+    if (i + 1 < scene->n) calls |= scene->coupling[i].grip.law.linear.torque.call != NULL;
+  }
+  return calls;
+}
+
+static rot_status motion_new(motion *m, const rot_drive_scene *scene, double span_s) {
+  memset(m, 0, sizeof *m);
+  m->span_s = span_s;
+  rot_status status = rot_drive_system_new(&m->s, scene);
+  if (status == ROT_OK) status = collect_breaks(m);
+  if (status != ROT_OK) return status;
+  const size_t k = m->s.n_contacts ? m->s.n_contacts : 1;
+  m->resistance_at = m->s.state + INTEGRALS;
+  m->brake_at = m->resistance_at + scene->n;
+  m->coupling_at = m->brake_at + scene->n;
+  m->mode_at = m->coupling_at + scene->n - 1;
+  m->dim = m->mode_at + 1;
+  m->room = 16;
+  m->modes = calloc(m->room, k);
+  m->now = calloc(2, k);
+  m->y = calloc(2 * m->dim, sizeof *m->y);
+  if (!m->modes || !m->now || !m->y) return ROT_ENOMEM;
+  m->before = m->now + k;
+  m->slope = m->y + m->dim;
+  m->n_modes = 1;
+  return ROT_OK;
+}
+
+static void motion_free(motion *m) {
+  rot_drive_system_free(&m->s);
+  free(m->breaks);
+  free(m->modes);
+  free(m->now);
+  free(m->y);
+}
+
+/* Row 0 of the modes, from the state at the start. */
+static rot_status settle_at_start(motion *m) {
+  const double start = m->s.scene->start_s;
+  rot_drive_start(&m->s, m->y);
+  if (m->s.n_contacts == 0) return rot_drive_forces(&m->s, side_after(m, start), m->y, m->modes);
+  return rot_drive_settle(&m->s, side_after(m, start), m->y, m->modes, 0, ahead(m, start));
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+static rot_status fill_row(motion *m, size_t row, double t, double y[],
+                           const rot_drive_columns *out, const rot_drive_ledger *sums) {
+  rot_drive_system *s = &m->s;
+  const signed char *mode = modes_of(m, (int)y[m->mode_at]);
+  rot_status status = ROT_OK;
+  if (s->n_contacts && side_after(m, t) != t &&
+      t >= s->scene->start_s) { /* as the laws: after it */
+    memcpy(m->now, mode, s->n_contacts);
+    status = rot_drive_settle(s, side_after(m, t), y, m->now, 0, ahead(m, t));
+    mode = m->now;
+  }
+  if (status == ROT_OK) status = rot_drive_forces(s, t, y, mode);
+  if (status != ROT_OK) return status;
+  for (size_t i = 0; i < s->n; i++) {
+    const size_t at = row * s->n + i;
+    const rot_axle_scene *r = &s->scene->rotor[i];
+    const double omega = rot_drive_omega(s, y, i);
+    const int last = i + 1 == s->n;
+    out->theta_rad[at] = r->linear.theta0_rad + s->share[i] * y[s->unit_of[i]];
+    out->omega_rad_per_s[at] = omega;
+    out->angular_momentum_kg_m2_per_s[at] = r->linear.inertia_kg_m2 * omega;
+    out->rotational_kinetic_energy_j[at] = 0.5 * r->linear.inertia_kg_m2 * omega * omega;
+    out->applied_torque_n_m[at] = s->applied[i];
+    out->damping_torque_n_m[at] = 0.0 + s->smooth[i] + s->dry[i] + s->brake[i];
+    out->coupling_torque_n_m[at] = last ? 0.0 : s->torque[i];
+    out->locked[at] =
+        !last && s->contact_of[i] != SIZE_MAX && mode[s->contact_of[i]] == ROT_DRIVE_STICKS;
+    out->heat_j[at] = y[m->resistance_at + i] + y[m->brake_at + i];
+    out->coupling_heat_j[at] = last ? 0.0 : y[m->coupling_at + i];
+    if (!isfinite(s->applied[i])) return ROT_ETORQUE;
+  }
+  sums->work_j[row] = y[s->state + WORK];
+  sums->torque_impulse_n_m_s[row] = y[s->state + TORQUE];
+  sums->resistance_impulse_n_m_s[row] = y[s->state + RESISTANCE];
+  sums->housing_impulse_n_m_s[row] = y[s->state + HOUSING];
+  sums->resistance_j[row] = sums->brake_j[row] = 0.0;
+  sums->damper_j[row] = sums->clutch_j[row] = sums->mesh_j[row] = 0.0;
+  for (size_t i = 0; i < s->n; i++) {
+    sums->resistance_j[row] += y[m->resistance_at + i];
+    sums->brake_j[row] += y[m->brake_at + i];
+    if (i + 1 == s->n) break;
+    double *const heat[] = {sums->damper_j, sums->clutch_j, sums->mesh_j};
+    heat[s->scene->coupling[i].kind][row] += y[m->coupling_at + i];
+  }
+  return ROT_OK;
+}
+
+static rot_status fill_rows(motion *m, size_t n, const double time_s[], double y[],
+                            const rot_drive_columns *out, const rot_drive_ledger *sums,
+                            rot_info *info) {
+  const size_t reached = info->rows_done;
+  info->rows_done = 0;
+  for (size_t i = 0; i < n && i < reached; i++) {
+    const rot_status status = fill_row(m, i, time_s[i], y + i * m->dim, out, sums);
+    if (status != ROT_OK) {
+      info->time_s = time_s[i];
+      return status;
+    }
+    info->rows_done = i + 1;
+  }
+  return ROT_OK;
+}
+
+/* Errors of the groups hold for each rotor: none turns faster than the coordinate of its unit. */
+static void note_errors(const motion *m, size_t n_groups, const double error[], rot_info *info,
+                        rot_drive_ledger *sums) {
+  const double *integral = error + n_groups;
+  rot_info_measures(info, rot_turning);
+  info->measure[ROT_THETA].error = error[0] + 4.0 * ROT_EPS * m->most[0];
+  info->measure[ROT_THETA].largest = m->most[0];
+  info->measure[ROT_OMEGA].error = error[1];
+  info->measure[ROT_OMEGA].largest = m->most[1];
+  sums->work_error_j = 2.0 * integral[WORK];
+  sums->impulse_error_n_m_s = 2.0 * (integral[TORQUE] + integral[RESISTANCE] + integral[HOUSING]);
+  sums->twist_error_rad = n_groups == 3 ? error[2] : 0.0;
+  sums->heat_error_j = 0.0;
+  for (size_t i = m->resistance_at; i < m->mode_at; i++) {
+    sums->heat_error_j += 2.0 * integral[i - m->s.state];
+  }
+}
+
+/* ---- the run --------------------------------------------------------------------------------- */
+
+/* A contact that breaks loose does so without an acceleration where its static capacity is that of
+ * sliding: its mode knows the way, the slope is rounding. */
+static int way_of_slip(int mode, size_t component, void *ctx) {
+  const motion *m = ctx;
+  for (size_t k = 0; k < m->s.n_contacts; k++) {
+    const signed char way = modes_of(m, mode)[k];
+    if (m->s.contact[k].state == component) return way == ROT_DRIVE_OPEN ? 0 : way;
+  }
+  return 0;
+}
+
+static size_t list_events(const motion *m, rot_ode_event event[]) {
+  const rot_drive_system *s = &m->s;
+  size_t n = 0;
+  for (size_t k = 0; k < s->n_contacts; k++) {
+    event[n++] = (rot_ode_event){.g = NULL,
+                                 .component = s->contact[k].state,
+                                 .name = ROT_EVENT_REVERSE,
+                                 .then = at_zero,
+                                 .side = way_of_slip};
+  }
+  for (size_t u = 0; u < s->m; u++) {
+    if (s->unit[u].quadratic && s->unit[u].ground == SIZE_MAX) {
+      event[n++] = (rot_ode_event){
+          .g = NULL, .component = s->m + u, .name = ROT_EVENT_REVERSE, .then = at_kink};
+    }
+  }
+  if (s->n_contacts) {
+    event[n++] =
+        (rot_ode_event){.g = margin_at, .direction = -1, .name = ROT_EVENT_SLIP, .then = at_limit};
+  }
+  return n;
+}
+
+static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
+                      const double time_s[], double y[], const rot_drive_columns *out,
+                      rot_drive_ledger *sums, const rot_hooks *hooks, rot_info *info) {
+  const rot_drive_system *s = &m->s;
+  const size_t rates = s->m + s->n_slips;
+  const rot_ode_group groups[] = {{0, s->m, ROT_ODE_VECTOR},
+                                  {s->m, rates, ROT_ODE_VECTOR},
+                                  {s->m + rates, s->n_twists, ROT_ODE_VECTOR}};
+  const size_t n_groups = s->n_twists ? 3 : 2;
+  double *error = calloc(2 * m->dim, sizeof *error);
+  rot_ode_event *event = calloc(s->n_contacts + s->m + 1, sizeof *event);
+  int offset = 0;
+  for (size_t i = 0; i < s->n; i++) offset |= s->scene->rotor[i].linear.theta0_rad != 0.0;
+  rot_status status = error && event ? settle_at_start(m) : ROT_ENOMEM;
+  if (status == ROT_OK) {
+    note_noise(m);
+    note_state(s->scene->start_s, m->y, m);
+    const rot_ode_params ode = {
+        .dim = m->dim,
+        .controlled = s->state,
+        .n_groups = n_groups,
+        .groups = groups,
+        .rhs = drive_rhs,
+        .ctx = m,
+        .n_breaks = m->n_breaks,
+        .breaks = m->breaks,
+        .start_s = s->scene->start_s,
+        .start = m->y,
+        /* Relative to the largest of all rotors, which a norm of them may exceed; and to theta,
+         * which may be half as large as theta less theta0. */
+        .accuracy = (offset ? 0.5 : 1.0) / sqrt((double)rates) * options->accuracy,
+        .max_steps = options->max_steps,
+        .method = options->method,
+        .mode = &m->mode,
+        .n_events = list_events(m, event),
+        .events = event,
+        .log = m->events,
+        .at_break = cross_break,
+        .project = note_state,
+        .noise = m->noise,
+        .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
+        .kinks = has_kinks(s->scene)};
+    status = rot_ode_run(&ode, n, time_s, y, NULL, error, error + m->dim, hooks, info);
+    if (status == ROT_ERHS) status = ROT_ETORQUE;
+    if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
+      const rot_status rows = fill_rows(m, n, time_s, y, out, sums, info);
+      if (rows != ROT_OK) status = rows;
+    }
+    note_errors(m, n_groups, error, info, sums);
+  }
+  free(event);
+  free(error);
+  return status;
+}
+
+rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode_options *options,
+                               size_t n, const double time_s[], const rot_drive_columns *out,
+                               rot_drive_ledger *ledger, rot_events *events,
+                               rot_drive_places *places, const rot_hooks *hooks, rot_info *info) {
+  motion m;
+  const double start = scene->start_s;
+  const double span = n ? fmax(fabs(time_s[0] - start), fabs(time_s[n - 1] - start)) : 0.0;
+  rot_info_clear(info, rot_turning);
+  ledger->work_error_j = ledger->heat_error_j = 0.0;
+  ledger->impulse_error_n_m_s = ledger->twist_error_rad = 0.0;
+  rot_status status = motion_new(&m, scene, span);
+  m.events = events;
+  m.places = places;
+  double *y = status == ROT_OK ? malloc((n ? n : 1) * m.dim * sizeof *y) : NULL;
+  if (!y) status = ROT_ENOMEM;
+  if (status == ROT_OK) {
+    status = run(&m, options, n, time_s, y, out, ledger, hooks, info);
+    /* Where it turned out stiff, the tolerance was that of an explicit method. */
+    if (status == ROT_OK && options->method == ROT_METHOD_NONE &&
+        info->method == ROT_METHOD_RADAU && rot_info_error(info) > options->accuracy) {
+      const rot_drive_ode_options implicit = {options->accuracy, options->max_steps,
+                                              ROT_METHOD_RADAU, options->resolution};
+      m.mode = 0;
+      status = run(&m, &implicit, n, time_s, y, out, ledger, hooks, info);
+    }
+  }
+  free(y);
+  motion_free(&m);
+  return info->status = status;
+}

@@ -1,0 +1,417 @@
+#include "scene/free/ode.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "maths/attitude.h"
+#include "scene/free/rotors.h"
+#include "scene/free/torque.h"
+#include "engine/ode/ode.h"
+#include "ground/real.h"
+
+/* The state: q since the start, in the principal axes there; L in principal axes; momenta of the
+ * rotors that have one of their own. Then what the torques did, without rotors all but the last. */
+enum { MOMENTUM = 4, ROTORS = 7, MOST = ROTORS + ROT_FREE_MOST_ROTORS + ROT_FREE_FLOWS };
+
+typedef struct motion {
+  const rot_free_params *p;
+  rot_free_rotors rotors;
+  size_t state, flows, dim, groups; /* components and groups of the state, flows, all */
+  double q0[4];                     /* of the principal axes at the start */
+  double omega0[3];
+  int middle;
+  rot_events seen; /* of all marches, those that count */
+} motion;
+
+/* One run at an accuracy. */
+typedef struct run {
+  rot_info info;
+  rot_events events;
+  double *y, error[MOST], largest[MOST];
+  double measure[3]; /* errors of the measures */
+} run;
+
+const char *rot_free_not_integrated(const rot_free_params *p) {
+  rot_free_rotors rotors;
+  return rot_free_rotors_begin(p, &rotors);
+}
+
+/* ---- the right-hand side --------------------------------------------------------------------- */
+
+static void attitude_of(const motion *m, const double y[], double q[4]) {
+  rot_attitude_times(m->q0, y, q);
+}
+
+static void omega_of(const motion *m, const double y[], double omega[3]) {
+  rot_free_rotors_omega(&m->rotors, y + MOMENTUM, y + ROTORS, omega);
+}
+
+static rot_status rhs(double t, const double y[], double f[], void *ctx) {
+  const motion *m = ctx;
+  const double *l = y + MOMENTUM, damping = m->p->damping_per_s;
+  double q[4], w[3], torque[3], space[3];
+  attitude_of(m, y, q);
+  omega_of(m, y, w);
+  const rot_status status = rot_free_torque(m->p, t, w, q, 1, torque);
+  if (status != ROT_OK) return status;
+  f[0] = 0.5 * (-y[1] * w[0] - y[2] * w[1] - y[3] * w[2]);
+  f[1] = 0.5 * (y[0] * w[0] + y[2] * w[2] - y[3] * w[1]);
+  f[2] = 0.5 * (y[0] * w[1] + y[3] * w[0] - y[1] * w[2]);
+  f[3] = 0.5 * (y[0] * w[2] + y[1] * w[1] - y[2] * w[0]);
+  f[4] = l[1] * w[2] - l[2] * w[1] + torque[0] - damping * l[0];
+  f[5] = l[2] * w[0] - l[0] * w[2] + torque[1] - damping * l[1];
+  f[6] = l[0] * w[1] - l[1] * w[0] + torque[2] - damping * l[2];
+  double *flow = f + m->state;
+  flow[0] = torque[0] * w[0] + torque[1] * w[1] + torque[2] * w[2];
+  flow[1] = damping * (l[0] * w[0] + l[1] * w[1] + l[2] * w[2]);
+  rot_attitude_to_space(q, torque, space);
+  for (int k = 0; k < 3; k++) flow[2 + k] = space[k];
+  rot_attitude_to_space(q, l, space);
+  for (int k = 0; k < 3; k++) flow[5 + k] = -damping * space[k];
+  if (!m->rotors.n) return ROT_OK;
+  return rot_free_rotors_slopes(&m->rotors, t, w, q, y + ROTORS, f + ROTORS,
+                                &flow[ROT_FREE_MOTOR_WORK]);
+}
+
+static void renormalise(double t, double y[], void *ctx) {
+  (void)t, (void)ctx;
+  (void)rot_attitude_unit(y);
+}
+
+/* ---- the run --------------------------------------------------------------------------------- */
+
+static int middle_of(const double m[3]) {
+  for (int i = 0; i < 3; i++) {
+    const double a = m[(i + 1) % 3], b = m[(i + 2) % 3];
+    if ((m[i] > a && m[i] < b) || (m[i] < a && m[i] > b)) return i;
+  }
+  return -1;
+}
+
+/* How fast the centre of mass rises, times the weight. */
+static double rise(double t, const double y[], void *ctx) {
+  static const double up[3] = {0.0, 0.0, 1.0};
+  const motion *m = ctx;
+  const double *g = m->p->lever_n_m;
+  double q[4], w[3], z[3];
+  (void)t;
+  attitude_of(m, y, q);
+  omega_of(m, y, w);
+  rot_attitude_to_body(q, up, z);
+  return z[0] * (w[1] * g[2] - w[2] * g[1]) + z[1] * (w[2] * g[0] - w[0] * g[2]) +
+         z[2] * (w[0] * g[1] - w[1] * g[0]);
+}
+
+/* Logs whether the centre of mass is highest or lowest, by its rise a little later. */
+static void note_turn(double t, const double y[], motion *m, rot_events *events) {
+  double f[MOST], later[MOST];
+  if (rhs(t, y, f, m) != ROT_OK) return;
+  const double rate = hypot(hypot(f[0], f[1]), hypot(f[2], f[3]));
+  const double h = 1e-6 / (rate > 0.0 ? rate : 1.0);
+  for (size_t k = 0; k < m->dim; k++) later[k] = y[k] + h * f[k];
+  const double up = rise(t, later, m);
+  if (up != 0.0) (void)rot_events_add(events, t, up > 0.0 ? ROT_EVENT_LOWEST : ROT_EVENT_HIGHEST);
+}
+
+/* A component of L passes zero in any tumbling; a flip is one of a body that turns over. */
+static rot_ode_then at_zero(double t, double y[], int *mode, int forward, void *ctx) {
+  motion *m = ctx;
+  (void)mode, (void)forward;
+  if (rot_free_has_weight(m->p)) {
+    note_turn(t, y, m, &m->seen);
+  } else {
+    double w[3];
+    omega_of(m, y, w);
+    if (rot_free_flips(m->p->moment_kg_m2, w)) (void)rot_events_add(&m->seen, t, ROT_EVENT_FLIP);
+  }
+  return ROT_ODE_GO_ON;
+}
+
+typedef struct entry {
+  double time_s; /* first: compare() takes a time for an entry */
+  rot_event event;
+} entry;
+
+static int compare(const void *x, const void *y) {
+  const double a = *(const double *)x, b = *(const double *)y;
+  return (a > b) - (a < b);
+}
+
+/* Of a log, the events that count, by the names that at_zero() gave them. */
+static rot_status keep_seen(motion *m, rot_events *log) {
+  const size_t n = m->seen.count;
+  entry *list = malloc((n ? n : 1) * sizeof *list);
+  size_t kept = 0;
+  for (size_t i = 0; list && i < n; i++) list[i] = (entry){m->seen.time_s[i], m->seen.event[i]};
+  if (list) qsort(list, n, sizeof *list, compare);
+  for (size_t i = 0; list && i < log->count; i++) {
+    const entry *found = bsearch(&log->time_s[i], list, n, sizeof *list, compare);
+    if (!found) continue;
+    log->time_s[kept] = found->time_s;
+    log->event[kept++] = found->event;
+  }
+  log->count = kept;
+  rot_events_free(&m->seen);
+  free(list);
+  return list ? ROT_OK : ROT_ENOMEM;
+}
+
+static rot_status fill_rows(const motion *m, size_t n, const double y[],
+                            const rot_free_columns *out, double *const flow[], rot_info *info) {
+  const size_t reached = info->rows_done;
+  for (size_t i = 0; i < n && i < reached; i++) {
+    const double *row = y + i * m->dim;
+    double q[4], w[3];
+    attitude_of(m, row, q);
+    (void)rot_attitude_unit(q);
+    omega_of(m, row, w);
+    flow[ROT_FREE_MOTOR_WORK][i] = 0.0;
+    for (size_t k = 0; k < m->flows; k++) flow[k][i] = row[m->state + k];
+    rot_status status = rot_free_write(m->p, w, q, i, out);
+    if (status == ROT_OK && m->rotors.n) {
+      flow[ROT_FREE_MOTOR_WORK][i] += rot_free_rotors_driven_work(&m->rotors, w);
+      status = rot_free_rotors_write(&m->rotors, w, q, row + ROTORS, i, out);
+    }
+    if (status != ROT_OK) {
+      info->rows_done = i;
+      return status;
+    }
+  }
+  return ROT_OK;
+}
+
+/* Errors of the groups as those of the measures; L in space has that of the attitude, too. The
+ * momenta of rotors count as angular momentum. */
+static void measure_errors(const motion *m, run *r) {
+  const double least = m->rotors.least;
+  const double own = m->groups > 2 ? sqrt((double)m->rotors.n_states) * r->error[2] : 0.0;
+  r->measure[ROT_FREE_ATTITUDE] = r->error[0];
+  r->measure[ROT_FREE_OMEGA] = (r->error[1] + own) / least;
+  r->measure[ROT_FREE_MOMENTUM] = fmax(r->error[1] + r->largest[1] * r->error[0], own);
+}
+
+static double omega_size(const motion *m, const double y[]) {
+  double w[3];
+  omega_of(m, y, w);
+  return hypot(hypot(w[0], w[1]), w[2]);
+}
+
+/* The largest momentum: of all, or of the rotors where these cancel that of the body. */
+static double momentum_size(const motion *m, const run *r) {
+  return fmax(r->largest[1], fmax(m->rotors.size, m->groups > 2 ? r->largest[2] : 0.0));
+}
+
+static void note_errors(const motion *m, const run *r, rot_info *info) {
+  const double start = hypot(hypot(m->omega0[0], m->omega0[1]), m->omega0[2]);
+  rot_info_measures(info, rot_free_measures);
+  for (int k = 0; k < 3; k++) info->measure[k].error = r->measure[k];
+  info->measure[ROT_FREE_ATTITUDE] =
+      (rot_measure){r->measure[ROT_FREE_ATTITUDE] + 8.0 * ROT_EPS, 1.0, 1.0, 1.0};
+  const double momentum = momentum_size(m, r);
+  info->measure[ROT_FREE_MOMENTUM].error += 16.0 * ROT_EPS * momentum;
+  info->measure[ROT_FREE_MOMENTUM].largest = momentum;
+  rot_note_value(&info->measure[ROT_FREE_OMEGA], start);
+  for (size_t i = 0; i < info->rows_done; i++) {
+    rot_note_value(&info->measure[ROT_FREE_OMEGA], omega_size(m, r->y + i * m->dim));
+  }
+}
+
+static rot_status run_at(motion *m, const rot_free_ode_options *options, double accuracy, size_t n,
+                         const double time_s[], const rot_hooks *hooks, run *out) {
+  const rot_ode_group groups[] = {{0, 4, ROT_ODE_QUATERNION},
+                                  {4, 3, ROT_ODE_VECTOR},
+                                  {ROTORS, m->rotors.n_states, ROT_ODE_VECTOR}};
+  const rot_free_params *p = m->p;
+  double start[MOST] = {1.0};
+  for (int k = 0; k < 3; k++) start[MOMENTUM + k] = m->rotors.momentum0[k];
+  for (size_t k = 0; k < m->rotors.n_states; k++) start[ROTORS + k] = m->rotors.start[k];
+  const int weight = rot_free_has_weight(p);
+  const rot_ode_event zero = {.g = weight ? rise : NULL,
+                              .component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
+                              .name = weight ? ROT_EVENT_HIGHEST : ROT_EVENT_FLIP,
+                              .then = at_zero};
+  const rot_ode_params ode = {
+      .dim = m->dim,
+      .controlled = m->state,
+      .n_groups = m->groups,
+      .groups = groups,
+      .rhs = rhs,
+      .ctx = m,
+      .n_breaks = p->n_breaks,
+      .breaks = p->breaks_s,
+      .start_s = p->start_s,
+      .start_breaks = p->law != NULL || p->motors != NULL,
+      .start = start,
+      /* L in space errs by both: that of L in the body, and that of the attitude. */
+      .accuracy = 0.5 * accuracy,
+      .max_steps = options->max_steps,
+      .method = options->method,
+      .n_events = weight || (m->middle >= 0 && !m->rotors.n),
+      .events = &zero,
+      .log = &out->events,
+      .project = renormalise,
+      .resolution = rot_ode_resolution(p->law || p->motors, options->resolution)};
+  memset(out->error, 0, sizeof out->error);
+  memset(out->largest, 0, sizeof out->largest);
+  const rot_status status =
+      rot_ode_run(&ode, n, time_s, out->y, NULL, out->error, out->largest, hooks, &out->info);
+  const rot_status kept = keep_seen(m, &out->events);
+  measure_errors(m, out);
+  return kept == ROT_OK ? status : kept;
+}
+
+static double rates_apart(const motion *m, const double x[], const double z[]) {
+  double a[3], b[3];
+  omega_of(m, x, a);
+  omega_of(m, z, b);
+  return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/* How far the rows of two runs are apart: in the measures, and in what the torques did. */
+static void differences(const motion *m, const run *a, const run *b, double measure[3],
+                        double flow[ROT_FREE_FLOWS]) {
+  memset(measure, 0, 3 * sizeof *measure);
+  memset(flow, 0, ROT_FREE_FLOWS * sizeof *flow);
+  for (size_t i = 0; i < a->info.rows_done; i++) {
+    const double *x = a->y + i * m->dim, *z = b->y + i * m->dim;
+    double lx[3], lz[3], apart = 0.0, rate = 0.0, own = 0.0;
+    rot_attitude_to_space(x, x + MOMENTUM, lx);
+    rot_attitude_to_space(z, z + MOMENTUM, lz);
+    for (int k = 0; k < 3; k++) {
+      apart = hypot(apart, lx[k] - lz[k]);
+      rate = hypot(rate, (x[MOMENTUM + k] - z[MOMENTUM + k]) / m->p->moment_kg_m2[k]);
+    }
+    if (m->rotors.n) rate = rates_apart(m, x, z);
+    for (size_t k = 0; k < m->rotors.n_states; k++) {
+      own = hypot(own, x[ROTORS + k] - z[ROTORS + k]);
+    }
+    measure[ROT_FREE_ATTITUDE] = fmax(measure[ROT_FREE_ATTITUDE], rot_attitude_angle(x, z));
+    measure[ROT_FREE_OMEGA] = fmax(measure[ROT_FREE_OMEGA], rate);
+    measure[ROT_FREE_MOMENTUM] = fmax(measure[ROT_FREE_MOMENTUM], fmax(apart, own));
+    for (size_t k = 0; k < m->flows; k++) {
+      flow[k] = fmax(flow[k], fabs(x[m->state + k] - z[m->state + k]));
+    }
+  }
+}
+
+/* The errors of a run by its distance from a finer one, which errs by some of that itself. The bar
+ * of a run alone is a margin on the safe side. Two runs of a torque function may err alike where
+ * it has kinks. */
+static void judge(const motion *m, run *a, const run *finer) {
+  const double rounding = 2.0 * ROT_EPS * sqrt(1.0 + (double)a->info.steps);
+  const double most = m->p->law || m->p->motors ? 0.9 : 0.5, least = m->rotors.least;
+  const double momentum = hypot(a->largest[1], m->groups > 2 ? a->largest[2] : 0.0);
+  const double size[3] = {1.0, momentum / least, momentum};
+  double apart[3], flow[ROT_FREE_FLOWS];
+  differences(m, a, finer, apart, flow);
+  for (int k = 0; k < 3; k++) {
+    a->measure[k] = 1.02 * apart[k] + fmin(finer->measure[k], most * apart[k]) + rounding * size[k];
+  }
+  for (size_t k = 0; k < m->flows; k++) {
+    const size_t at = m->groups + k;
+    a->error[at] = flow[k] + fmin(finer->error[at], most * flow[k]) + rounding * a->largest[at];
+  }
+}
+
+static double figure_of(const motion *m, run *r) {
+  rot_info info = {.rows_done = r->info.rows_done};
+  note_errors(m, r, &info);
+  return rot_info_error(&info);
+}
+
+static void swap(run *a, run *b) {
+  const run one = *a;
+  *a = *b;
+  *b = one;
+}
+
+/* A run and a finer one, which takes its place while it errs too much. A hundredth of the accuracy
+ * is worth 1.7 times the steps; where breaks and rows force more steps than the accuracy does, the
+ * finer run needs less yet, or the two are the same. */
+static rot_status run_twice(motion *m, const rot_free_ode_options *options, size_t n,
+                            const double time_s[], const rot_hooks *hooks, run *result,
+                            run *finer) {
+  double accuracy = options->accuracy;
+  rot_status status = run_at(m, options, accuracy, n, time_s, hooks, result);
+  size_t calls = result->info.rhs_calls;
+  while (status == ROT_OK && n && accuracy > 0.02 * ROT_ODE_BEST_ACCURACY) {
+    accuracy = fmax(0.01 * accuracy, 0.01 * ROT_ODE_BEST_ACCURACY);
+    const rot_status second = run_at(m, options, accuracy, n, time_s, hooks, finer);
+    calls += finer->info.rhs_calls;
+    if (second == ROT_EUNWIND || second == ROT_ENOMEM) status = second;
+    if (second != ROT_OK) break; /* too many steps: the first one's own bar stays */
+    if ((double)finer->info.steps < 1.25 * (double)result->info.steps) continue;
+    judge(m, result, finer);
+    if (figure_of(m, result) <= options->accuracy) break;
+    if (accuracy < 0.1 * ROT_ODE_BEST_ACCURACY) break;
+    swap(result, finer);
+  }
+  result->info.rhs_calls = calls;
+  return status;
+}
+
+/* The events of a run. A body that is released at a turn has one there, as in closed form. */
+static rot_status give_events(motion *m, const rot_events *log, rot_events *events) {
+  double y[MOST] = {1.0};
+  rot_events start = {0};
+  rot_status status = ROT_OK;
+  for (int k = 0; k < 3; k++) y[MOMENTUM + k] = m->rotors.momentum0[k];
+  for (size_t k = 0; k < m->rotors.n_states; k++) y[ROTORS + k] = m->rotors.start[k];
+  if (rot_free_has_weight(m->p) && rise(m->p->start_s, y, m) == 0.0) {
+    note_turn(m->p->start_s, y, m, &start);
+  }
+  size_t i = 0;
+  for (; i < log->count && log->time_s[i] < m->p->start_s && status == ROT_OK; i++) {
+    status = rot_events_add(events, log->time_s[i], log->event[i]);
+  }
+  if (start.count && status == ROT_OK) {
+    status = rot_events_add(events, start.time_s[0], start.event[0]);
+  }
+  for (; i < log->count && status == ROT_OK; i++) {
+    if (start.count && log->time_s[i] == m->p->start_s) continue;
+    status = rot_events_add(events, log->time_s[i], log->event[i]);
+  }
+  rot_events_free(&start);
+  return status;
+}
+
+rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
+                              size_t n, const double time_s[], const rot_free_columns *out,
+                              double *const flow[ROT_FREE_FLOWS], double flow_error[ROT_FREE_FLOWS],
+                              rot_events *events, const rot_hooks *hooks, rot_info *info) {
+  motion m = {.p = p, .middle = middle_of(p->moment_kg_m2)};
+  rot_info_clear(info, rot_free_measures);
+  if (rot_free_rotors_begin(p, &m.rotors)) return info->status = ROT_EVALUE;
+  m.state = ROTORS + m.rotors.n_states;
+  m.flows = m.rotors.n ? ROT_FREE_FLOWS : ROT_FREE_FLOWS - 1;
+  m.dim = m.state + m.flows;
+  m.groups = m.rotors.n_states ? 3 : 2;
+  const size_t room = (n ? n : 1) * m.dim;
+  double *y = malloc(2 * room * sizeof *y);
+  run result = {.y = y}, finer = {.y = y + room};
+  if (!y) return info->status = ROT_ENOMEM;
+  rot_free_principal(p, m.omega0, m.q0);
+  rot_status status = run_twice(&m, options, n, time_s, hooks, &result, &finer);
+  *info = result.info;
+  if (status == ROT_ERHS && (p->law || p->motors)) status = ROT_ETORQUE;
+  if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
+    const rot_status rows = fill_rows(&m, n, result.y, out, flow, info);
+    if (rows != ROT_OK) status = rows;
+  }
+  note_errors(&m, &result, info);
+  flow_error[ROT_FREE_MOTOR_WORK] = 0.0;
+  for (size_t k = 0; k < m.flows; k++) flow_error[k] = 2.0 * result.error[m.groups + k];
+  for (int k = 0; k < 3; k++) {
+    flow_error[ROT_FREE_MOTOR_WORK] +=
+        2.0 * fabs(m.rotors.driven[k]) * info->measure[ROT_FREE_OMEGA].error;
+  }
+  if (events && status != ROT_ENOMEM) {
+    const rot_status given = give_events(&m, &result.events, events);
+    if (given != ROT_OK) status = given;
+  }
+  rot_events_free(&result.events);
+  rot_events_free(&finer.events);
+  free(y);
+  return info->status = status;
+}

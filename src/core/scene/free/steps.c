@@ -1,0 +1,510 @@
+#include "scene/free/steps.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "maths/attitude.h"
+#include "scene/free/rotors.h"
+#include "scene/free/torque.h"
+#include "ground/real.h"
+
+#define PI 3.14159265358979323846
+
+/* The state: q of the principal axes, L in these, what the torques did since the start (without
+ * gravity's work, which the height tells), and the momenta of the rotors that have one of their
+ * own. */
+enum { MOMENTUM = 4, STATE = 7, ROTORS = STATE + ROT_FREE_FLOWS };
+enum { MOST = ROTORS + ROT_FREE_MOST_ROTORS };
+enum { WORK = STATE, HEAT, TORQUE_IMPULSE, DAMPING_IMPULSE = TORQUE_IMPULSE + 3 };
+enum { MOTOR_WORK = STATE + ROT_FREE_MOTOR_WORK };
+
+typedef struct stepper {
+  const rot_free_params *p;
+  rot_free_rotors rotors;
+  size_t dim;
+  rot_method method;
+  int a, b, c;             /* axes of the splitting */
+  double per_a, gap[2];    /* 1/Ia, 1/Ib - 1/Ia, 1/Ic - 1/Ia */
+  double against[3];       /* h/I of the rotors */
+  double earliest, latest; /* at which torques are evaluated: within the breaks */
+  double potential, l0[3]; /* at the start: of gravity; L in space */
+  size_t steps, calls;
+} stepper;
+
+/* ---- slopes ---------------------------------------------------------------------------------- */
+
+static void omega_of(const stepper *s, const double y[], double omega[3]) {
+  rot_free_rotors_omega(&s->rotors, y + MOMENTUM, y + ROTORS, omega);
+}
+
+/* The torque with gravity's, and without; both in body axes. */
+static rot_status torques(stepper *s, double t, const double omega[3], const double q[4],
+                          double all[3], double own[3]) {
+  const double at = fmin(fmax(t, s->earliest), s->latest);
+  s->calls++;
+  const rot_status status = rot_free_torque(s->p, at, omega, q, 0, own);
+  for (int k = 0; k < 3; k++) all[k] = own[k];
+  if (status == ROT_OK && rot_free_has_weight(s->p)) rot_free_add_weight(s->p, q, all);
+  return status;
+}
+
+/* Of the rotors' momenta, and the power of their motors. */
+static rot_status motors(stepper *s, double t, const double omega[3], const double q[4],
+                         const double y[], double f[]) {
+  const double at = fmin(fmax(t, s->earliest), s->latest);
+  return rot_free_rotors_slopes(&s->rotors, at, omega, q, y + ROTORS, f + ROTORS, &f[MOTOR_WORK]);
+}
+
+static rot_status slopes(stepper *s, double t, const double y[], double f[]) {
+  const double *l = y + MOMENTUM, damping = s->p->damping_per_s;
+  double w[3], all[3], own[3], unit[4] = {y[0], y[1], y[2], y[3]};
+  omega_of(s, y, w);
+  (void)rot_attitude_unit(unit);
+  const rot_status status = torques(s, t, w, unit, all, own);
+  if (status != ROT_OK) return status;
+  f[0] = 0.5 * (-y[1] * w[0] - y[2] * w[1] - y[3] * w[2]);
+  f[1] = 0.5 * (y[0] * w[0] + y[2] * w[2] - y[3] * w[1]);
+  f[2] = 0.5 * (y[0] * w[1] + y[3] * w[0] - y[1] * w[2]);
+  f[3] = 0.5 * (y[0] * w[2] + y[1] * w[1] - y[2] * w[0]);
+  f[4] = l[1] * w[2] - l[2] * w[1] + all[0] - damping * l[0];
+  f[5] = l[2] * w[0] - l[0] * w[2] + all[1] - damping * l[1];
+  f[6] = l[0] * w[1] - l[1] * w[0] + all[2] - damping * l[2];
+  f[WORK] = own[0] * w[0] + own[1] * w[1] + own[2] * w[2];
+  f[HEAT] = damping * (l[0] * w[0] + l[1] * w[1] + l[2] * w[2]);
+  rot_attitude_to_space(unit, all, f + TORQUE_IMPULSE);
+  rot_attitude_to_space(unit, l, f + DAMPING_IMPULSE);
+  for (int k = 0; k < 3; k++) f[DAMPING_IMPULSE + k] *= -damping;
+  f[MOTOR_WORK] = 0.0;
+  return s->rotors.n ? motors(s, t, w, unit, y, f) : ROT_OK;
+}
+
+/* ---- steps ----------------------------------------------------------------------------------- */
+
+static rot_status euler(stepper *s, double t, double h, double y[]) {
+  double f[MOST];
+  const rot_status status = slopes(s, t, y, f);
+  for (size_t k = 0; status == ROT_OK && k < s->dim; k++) y[k] += h * f[k];
+  (void)rot_attitude_unit(y);
+  return status;
+}
+
+static rot_status rk4(stepper *s, double t, double h, double y[]) {
+  static const double node[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
+  double f[MOST] = {0.0}, at[MOST], sum[MOST] = {0.0};
+  for (int stage = 0; stage < 4; stage++) {
+    for (size_t k = 0; k < s->dim; k++) at[k] = y[k] + h * node[stage] * f[k];
+    const rot_status status = slopes(s, t + h * node[stage], at, f);
+    if (status != ROT_OK) return status;
+    for (size_t k = 0; k < s->dim; k++) sum[k] += weight[stage] * f[k];
+  }
+  for (size_t k = 0; k < s->dim; k++) y[k] += h / 6.0 * sum[k];
+  (void)rot_attitude_unit(y);
+  return ROT_OK;
+}
+
+/* q after a turn by a vector in the body's axes. */
+static void turn_by(const double v[3], double q[4]) {
+  const double angle = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  const double part = angle > 1e-150 ? sin(0.5 * angle) / angle : 0.5;
+  const double turn[4] = {cos(0.5 * angle), part * v[0], part * v[1], part * v[2]};
+  rot_attitude_times(q, turn, q);
+}
+
+static rot_status semi_implicit(stepper *s, double t, double h, double y[]) {
+  const double damping = s->p->damping_per_s;
+  double w[3], all[3], own[3], l[3], torque[3], turn[3];
+  omega_of(s, y, w);
+  const rot_status status = torques(s, t, w, y, all, own);
+  if (status != ROT_OK) return status;
+  rot_attitude_to_space(y, all, torque);
+  for (int k = 0; k < 3; k++) {
+    /* from the start, so that no rounding of turns gathers in it */
+    l[k] = s->l0[k] + y[TORQUE_IMPULSE + k] + y[DAMPING_IMPULSE + k];
+    y[TORQUE_IMPULSE + k] += h * torque[k];
+    y[DAMPING_IMPULSE + k] -= h * damping * l[k];
+    l[k] = s->l0[k] + y[TORQUE_IMPULSE + k] + y[DAMPING_IMPULSE + k];
+  }
+  if (s->rotors.n) {
+    double f[MOST];
+    const rot_status of_motors = motors(s, t, w, y, y, f);
+    if (of_motors != ROT_OK) return of_motors;
+    for (size_t k = 0; k < s->rotors.n_states; k++) y[ROTORS + k] += h * f[ROTORS + k];
+    y[MOTOR_WORK] += h * f[MOTOR_WORK];
+  }
+  rot_attitude_to_body(y, l, y + MOMENTUM);
+  omega_of(s, y, w);
+  for (int k = 0; k < 3; k++) {
+    turn[k] = h * w[k];
+    y[WORK] += h * own[k] * w[k];
+    y[HEAT] += h * damping * y[MOMENTUM + k] * w[k];
+  }
+  turn_by(turn, y);
+  (void)rot_attitude_unit(y);
+  rot_attitude_to_body(y, l, y + MOMENTUM);
+  return ROT_OK;
+}
+
+/* Gravity alone for a time: the body does not move. */
+static void kick(stepper *s, double h, double y[]) {
+  double torque[3] = {0.0, 0.0, 0.0}, space[3];
+  if (!rot_free_has_weight(s->p)) return;
+  rot_free_add_weight(s->p, y, torque);
+  s->calls++;
+  for (int k = 0; k < 3; k++) y[MOMENTUM + k] += h * torque[k];
+  rot_attitude_to_space(y, torque, space);
+  for (int k = 0; k < 3; k++) y[TORQUE_IMPULSE + k] += h * space[k];
+}
+
+/* The flow of gap L_axis^2/2 for a time: a turn about one axis of the body, in which L in space
+ * stays. */
+static void turn_about(int axis, double gap, double h, double y[]) {
+  double *l = y + MOMENTUM;
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const double angle = h * gap * l[axis], c = cos(angle), d = sin(angle), li = l[i], lj = l[j];
+  double turn[4] = {cos(0.5 * angle), 0.0, 0.0, 0.0};
+  if (angle == 0.0) return;
+  turn[1 + axis] = sin(0.5 * angle);
+  rot_attitude_times(y, turn, y);
+  l[i] = c * li + d * lj;
+  l[j] = c * lj - d * li;
+}
+
+/* The flow of -c.L for a time: a turn of the body by -c, in which L in space stays. */
+static void turn_against(const stepper *s, double h, double y[]) {
+  double turn[3], back[4] = {1.0, 0.0, 0.0, 0.0};
+  for (int k = 0; k < 3; k++) turn[k] = -h * s->against[k];
+  turn_by(turn, y);
+  turn_by(turn, back);
+  rot_attitude_to_body(back, y + MOMENTUM, y + MOMENTUM);
+}
+
+/* Second order, and its own reverse. */
+static void free_flow(const stepper *s, double h, double y[]) {
+  const double *l = y + MOMENTUM;
+  double turn[3];
+  turn_about(s->b, s->gap[0], 0.5 * h, y);
+  turn_about(s->c, s->gap[1], s->rotors.n ? 0.5 * h : h, y);
+  for (int k = 0; k < 3; k++) turn[k] = h * s->per_a * l[k];
+  turn_by(turn, y);
+  if (s->rotors.n) {
+    turn_against(s, h, y);
+    turn_about(s->c, s->gap[1], 0.5 * h, y);
+  }
+  turn_about(s->b, s->gap[0], 0.5 * h, y);
+}
+
+/* Kahan and Li's s9odr6a. */
+static rot_status split(stepper *s, double t, double h, double y[]) {
+  static const double part[9] = {
+      0.39216144400731413928,  0.33259913678935943860, -0.70624617255763935981,
+      0.082213596293550800230, 0.79854399093482996340, 0.082213596293550800230,
+      -0.70624617255763935981, 0.33259913678935943860, 0.39216144400731413928};
+  (void)t;
+  kick(s, 0.5 * part[0] * h, y);
+  for (int i = 0; i < 9; i++) {
+    free_flow(s, part[i] * h, y);
+    kick(s, 0.5 * (part[i] + (i < 8 ? part[i + 1] : 0.0)) * h, y);
+  }
+  (void)rot_attitude_unit(y);
+  return ROT_OK;
+}
+
+static rot_status one_step(stepper *s, double t, double h, double y[]) {
+  switch (s->method) {
+  case ROT_METHOD_EULER: return euler(s, t, h, y);
+  case ROT_METHOD_SEMI_IMPLICIT: return semi_implicit(s, t, h, y);
+  case ROT_METHOD_RK4: return rk4(s, t, h, y);
+  default: return split(s, t, h, y);
+  }
+}
+
+const char *rot_free_not_split(const rot_free_params *p) {
+  rot_free_rotors r;
+  double m[3], h[3];
+  if (!p->n_rotors || rot_free_rotors_begin(p, &r) || rot_free_rotors_constant(&r, m, h)) {
+    return NULL;
+  }
+  return "free rotors are not along the principal axes";
+}
+
+int rot_free_step_order(rot_method method) {
+  return method == ROT_METHOD_RK4 ? 4 : method == ROT_METHOD_SPLIT ? 6 : 1;
+}
+
+/* ---- a run ----------------------------------------------------------------------------------- */
+
+typedef struct run {
+  stepper s;
+  double start[MOST], step_s;
+  size_t n, max_steps, rows_done;
+  const double *time_s;
+  double *y; /* n rows of s.dim */
+  const rot_hooks *hooks;
+  double largest_omega, largest_momentum, failed_s;
+  double from, to; /* of the progress: in parts of the whole */
+} run;
+
+static double potential_of(const rot_free_params *p, const double q[4]) {
+  double space[3];
+  rot_attitude_to_space(q, p->lever_n_m, space);
+  return space[2];
+}
+
+static void note_size(run *r, const double y[]) {
+  double w[3];
+  omega_of(&r->s, y, w);
+  r->largest_omega = fmax(r->largest_omega, hypot(hypot(w[0], w[1]), w[2]));
+  r->largest_momentum = fmax(r->largest_momentum, hypot(hypot(y[4], y[5]), y[6]));
+  r->largest_momentum = fmax(r->largest_momentum, r->s.rotors.size);
+  for (size_t k = 0; k < r->s.rotors.n_states; k++) {
+    r->largest_momentum = fmax(r->largest_momentum, fabs(y[ROTORS + k]));
+  }
+}
+
+static int finite_state(const run *r, const double y[]) {
+  double sum = 0.0;
+  for (size_t k = 0; k < r->s.dim; k++) sum += y[k];
+  return isfinite(sum);
+}
+
+/* A row from the end of a step. */
+static rot_status write_at(run *r, double t, const double y[], size_t i) {
+  double *row = r->y + i * r->s.dim;
+  rot_status status = ROT_OK;
+  memcpy(row, y, r->s.dim * sizeof *row);
+  if (r->time_s[i] != t) status = one_step(&r->s, t, r->time_s[i] - t, row);
+  row[WORK] += r->s.potential - potential_of(r->s.p, row);
+  if (status == ROT_OK && !finite_state(r, row)) status = ROT_ERANGE;
+  if (status != ROT_OK) r->failed_s = r->time_s[i];
+  return status;
+}
+
+/* Rows from `first` on, up to `end` (not included), outward from the start. */
+static rot_status go(run *r, int forward, size_t first, size_t end) {
+  const rot_free_params *p = r->s.p;
+  const double sign = forward ? 1.0 : -1.0;
+  double y[MOST], t = p->start_s, budget = (double)r->max_steps;
+  size_t row = first;
+  memcpy(y, r->start, sizeof y);
+  while (row != end) {
+    /* a stretch: up to the next break, or without end */
+    double until = sign * INFINITY;
+    for (size_t i = 0; i < p->n_breaks; i++) {
+      const double at = p->breaks_s[i];
+      if (sign * (at - t) > 0.0 && sign * (until - at) > 0.0) until = at;
+    }
+    const int ends = isfinite(until);
+    const double count = ends ? fmax(1.0, ceil(fabs(until - t) / r->step_s - 1e-9)) : INFINITY;
+    const double h = ends ? (until - t) / count : sign * r->step_s, from = t;
+    const double low = fmin(from, until), high = fmax(from, until);
+    r->s.earliest = p->n_breaks ? nextafter(low, INFINITY) : -INFINITY;
+    r->s.latest = p->n_breaks ? nextafter(high, -INFINITY) : INFINITY;
+    for (double k = 0.0; k < count && row != end;) {
+      const double next = k + 1.0 < count ? from + (k + 1.0) * h : until;
+      while (row != end && sign * (next - r->time_s[row]) > 0.0) {
+        const rot_status status = write_at(r, t, y, row);
+        if (status != ROT_OK) return status;
+        r->rows_done++;
+        row = forward ? row + 1 : row - 1;
+      }
+      if (row == end) break;
+      if (next == t) return ROT_ESTEP;
+      if (--budget < 0.0) {
+        r->failed_s = t;
+        return ROT_EBUDGET;
+      }
+      rot_status status = one_step(&r->s, t, next - t, y);
+      if (status == ROT_OK && !finite_state(r, y)) status = ROT_ERANGE;
+      r->s.steps++;
+      if (status == ROT_OK && r->s.steps % 4096 == 0) {
+        const double done = (double)r->rows_done / (double)r->n;
+        status = rot_poll(r->hooks, r->from + (r->to - r->from) * done);
+      }
+      if (status != ROT_OK) {
+        r->failed_s = next;
+        return status;
+      }
+      note_size(r, y);
+      t = next;
+      k += 1.0;
+    }
+    t = ends && row != end ? until : t;
+  }
+  return ROT_OK;
+}
+
+/* Backward in time, then forward. */
+static rot_status march(run *r) {
+  size_t before = 0;
+  while (before < r->n && r->time_s[before] < r->s.p->start_s) before++;
+  note_size(r, r->start);
+  rot_status status = before ? go(r, 0, before - 1, (size_t)-1) : ROT_OK;
+  if (status != ROT_OK) {
+    r->rows_done = 0;
+    return status;
+  }
+  return go(r, 1, before, r->n);
+}
+
+/* The axes of the splitting: a in the middle, b beside it. */
+static void choose_axes(stepper *s) {
+  const rot_free_rotors *r = &s->rotors;
+  double m[3], h[3];
+  memcpy(m, s->p->moment_kg_m2, sizeof m);
+  if (r->n) {
+    rot_free_rotors_constant(r, m, h);
+    for (int k = 0; k < 3; k++) s->against[k] = h[k] / m[k];
+  }
+  int low = 0, high = 0;
+  for (int k = 1; k < 3; k++) {
+    if (m[k] < m[low]) low = k;
+    if (m[k] >= m[high]) high = k;
+  }
+  if (low == high) high = (low + 1) % 3;
+  s->a = 3 - low - high;
+  const double below = 1.0 / m[low] - 1.0 / m[s->a], above = 1.0 / m[high] - 1.0 / m[s->a];
+  const int low_first = fabs(below) <= fabs(above);
+  s->b = low_first ? low : high;
+  s->c = low_first ? high : low;
+  s->per_a = 1.0 / m[s->a];
+  s->gap[0] = low_first ? below : above;
+  s->gap[1] = low_first ? above : below;
+}
+
+double rot_free_default_step(const rot_free_params *p, rot_method method, double span_s) {
+  const double *m = p->moment_kg_m2;
+  double least = fmin(m[0], fmin(m[1], m[2]));
+  rot_free_rotors rotors;
+  const double *g = p->lever_n_m, *torque = p->torque;
+  double most = hypot(hypot(g[0], g[1]), g[2]) + hypot(hypot(torque[0], torque[1]), torque[2]);
+  double rate = fabs(p->damping_per_s), knots = 0.0, omega = 0.0;
+  for (size_t i = 0; i < p->n_knots; i++) {
+    double size = 0.0;
+    for (int k = 0; k < 3; k++) size = hypot(size, p->knot_torque[k][i]);
+    knots = fmax(knots, size);
+  }
+  for (int k = 0; k < 3; k++) omega = hypot(omega, p->omega0_rad_per_s[k]);
+  most += knots;
+  if (p->n_rotors && !rot_free_rotors_begin(p, &rotors)) {
+    for (size_t i = 0; i < p->n_rotors; i++) most += fabs(p->rotors[i].torque);
+    rate += rotors.size / rotors.least;
+    least = rotors.least;
+  }
+  rate += omega + (most > 0.0 ? sqrt(most) / sqrt(least) : 0.0);
+  const double whole = method == ROT_METHOD_SPLIT ? 32.0 : 64.0;
+  if (rate > 0.0) return 2.0 * PI / rate / whole;
+  return span_s > 0.0 ? 1e-3 * span_s : 1.0;
+}
+
+/* The errors of the rows of `r` by those of half its step. */
+static void note_errors(const run *r, const run *half, double flow_error[], rot_info *info) {
+  const rot_free_rotors *rotors = &r->s.rotors;
+  const double *m = r->s.p->moment_kg_m2, powers = ldexp(1.0, rot_free_step_order(r->s.method));
+  /* The difference of two runs of order n is (1 - 2^-n) of the error, but for the next order's part
+   * of it, which may be a quarter with the other sign: 1.2 at order 1, 1.01 at 4. */
+  const double factor = powers / (powers - 1.0) * 0.75 / (0.75 - 0.125 / (powers - 1.0));
+  const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half->s.steps);
+  double angle = 0.0, omega = 0.0, momentum = 0.0;
+  for (int f = 0; f < ROT_FREE_FLOWS; f++) flow_error[f] = 0.0;
+  for (size_t i = 0; i < r->rows_done; i++) {
+    const double *x = r->y + i * r->s.dim, *y = half->y + i * r->s.dim;
+    double by_omega = 0.0, by_momentum = 0.0, by_rotors = 0.0, in_x[3], in_y[3], wx[3], wy[3];
+    const int both = i < half->rows_done;
+    if (!both) angle = omega = momentum = INFINITY;
+    if (!both) break;
+    angle = fmax(angle, factor * rot_attitude_angle(x, y));
+    rot_attitude_to_space(x, x + MOMENTUM, in_x);
+    rot_attitude_to_space(y, y + MOMENTUM, in_y);
+    omega_of(&r->s, x, wx);
+    omega_of(&r->s, y, wy);
+    for (int k = 0; k < 3; k++) {
+      by_omega =
+          hypot(by_omega, rotors->n ? wx[k] - wy[k] : (x[MOMENTUM + k] - y[MOMENTUM + k]) / m[k]);
+      by_momentum = hypot(by_momentum, in_x[k] - in_y[k]);
+    }
+    for (size_t k = 0; k < rotors->n_states; k++) {
+      by_rotors = hypot(by_rotors, x[ROTORS + k] - y[ROTORS + k]);
+    }
+    omega = fmax(omega, factor * by_omega);
+    momentum = fmax(momentum, factor * fmax(by_momentum, by_rotors));
+    for (int f = 0; f < ROT_FREE_FLOWS; f++) {
+      flow_error[f] = fmax(flow_error[f], factor * fabs(x[STATE + f] - y[STATE + f]));
+    }
+  }
+  rot_info_measures(info, rot_free_measures);
+  info->measure[ROT_FREE_ATTITUDE] = (rot_measure){fmin(angle + rounding, PI), 1.0, 1.0, 1.0};
+  info->measure[ROT_FREE_OMEGA].error =
+      omega + rounding * (r->largest_omega + rotors->size / rotors->least);
+  info->measure[ROT_FREE_MOMENTUM].error = momentum + rounding * r->largest_momentum;
+  for (int k = 0; k < 3; k++) {
+    flow_error[ROT_FREE_MOTOR_WORK] +=
+        2.0 * fabs(rotors->driven[k]) * info->measure[ROT_FREE_OMEGA].error;
+  }
+  rot_note_value(&info->measure[ROT_FREE_OMEGA], r->largest_omega);
+  rot_note_value(&info->measure[ROT_FREE_MOMENTUM], r->largest_momentum);
+}
+
+rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_options *options,
+                                 size_t n, const double time_s[], const rot_free_columns *out,
+                                 double *const flow[ROT_FREE_FLOWS],
+                                 double flow_error[ROT_FREE_FLOWS], const rot_hooks *hooks,
+                                 rot_info *info) {
+  rot_free_rotors rotors;
+  rot_info_clear(info, rot_free_measures);
+  if (!(options->step_s > 0.0) || !isfinite(options->step_s) || rot_free_rotors_begin(p, &rotors)) {
+    return info->status = ROT_EVALUE;
+  }
+  const size_t dim = ROTORS + rotors.n_states, room = n ? n * dim : dim;
+  double *y = malloc(2 * room * sizeof *y), omega[3];
+  if (!y) return info->status = ROT_ENOMEM;
+  run r = {.s = {.p = p, .rotors = rotors, .dim = dim, .method = options->method},
+           .step_s = options->step_s,
+           .n = n,
+           .max_steps = options->max_steps,
+           .time_s = time_s,
+           .y = y,
+           .hooks = hooks,
+           .to = 1.0 / 3.0};
+  choose_axes(&r.s);
+  rot_free_principal(p, omega, r.start);
+  for (int k = 0; k < 3; k++) r.start[MOMENTUM + k] = rotors.momentum0[k];
+  for (size_t k = 0; k < rotors.n_states; k++) r.start[ROTORS + k] = rotors.start[k];
+  r.s.potential = potential_of(p, r.start);
+  rot_attitude_to_space(r.start, r.start + MOMENTUM, r.s.l0);
+  run half = r;
+  half.step_s *= 0.5;
+  half.max_steps = options->max_steps > (size_t)-1 / 4 ? (size_t)-1 : 2 * options->max_steps + 64;
+  half.y = y + room;
+  half.from = r.to;
+  half.to = 1.0;
+  info->method = options->method;
+  info->status = march(&r);
+  if (info->status == ROT_ERHS && (p->law || p->motors)) info->status = ROT_ETORQUE;
+  if (info->status != ROT_EUNWIND) {
+    const rot_status second = march(&half);
+    if (second == ROT_EUNWIND) info->status = second;
+  }
+  info->time_s = info->status == ROT_OK ? (n ? time_s[n - 1] : p->start_s) : r.failed_s;
+  info->steps = r.s.steps;
+  info->rhs_calls = r.s.calls + half.s.calls;
+  info->rows_done = r.rows_done;
+  note_errors(&r, &half, flow_error, info);
+  for (size_t i = 0; i < r.rows_done && info->status != ROT_EUNWIND; i++) {
+    const double *row = y + i * dim;
+    omega_of(&r.s, row, omega);
+    for (int k = 0; k < ROT_FREE_FLOWS; k++) flow[k][i] = row[STATE + k];
+    rot_status status = rot_free_write(p, omega, row, i, out);
+    if (status == ROT_OK && rotors.n) {
+      flow[ROT_FREE_MOTOR_WORK][i] += rot_free_rotors_driven_work(&rotors, omega);
+      status = rot_free_rotors_write(&rotors, omega, row, row + ROTORS, i, out);
+    }
+    if (status != ROT_OK) {
+      info->rows_done = i;
+      info->status = status;
+      break;
+    }
+  }
+  free(y);
+  return info->status;
+}

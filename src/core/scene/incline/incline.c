@@ -1,0 +1,556 @@
+#include "scene/incline/incline.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "scene/incline/rest.h"
+#include "engine/march.h"
+#include "ground/real.h"
+
+const char *const rot_incline_measures[] = {"x", "v", "theta", "omega", NULL};
+
+/* The centre has the velocity v, the rim w = R omega. Their mean M = (v + beta w)/(1 + beta) does
+ * not feel the friction, nor the error of the time when rolling begins; the slip u = v - w ends
+ * there: while it rolls, v = w = M. v and w are carried, too: M and u lose the digits of the
+ * smaller one. Paths are those since the start, forces those on 1 kg. */
+typedef struct incline {
+  const rot_incline_params *p;
+  double beta, own, spin;              /* shares: beta/(1 + beta), 1/(1 + beta) */
+  double pull, slides, grips, resists; /* g sin; mu_kinetic, mu_static, arm/R times g cos */
+  double holds; /* a force this much larger than what friction holds is held */
+  double time_s;
+  double x, v, turn, w, mean, slip, slip_heat, rolling_heat;
+  double x_error, v_error, turn_error, w_error, mean_error, slip_error;
+  double settled_s; /* from here on the slip is known to be 0 while it rolls */
+  int slip_way;     /* sign of the slip; 0: the contact grips */
+  int spin_way;     /* sign of omega; 0: held by the resistance */
+  int way;          /* sign of v, from which it may reverse */
+  double force, torque;
+  double v_rate, w_rate, mean_rate, slip_rate;
+  double v_rate_error, w_rate_error, mean_rate_error, slip_rate_error;
+  double end_s;
+  enum { NOTHING, SLIP_ENDS, SPIN_ENDS, TURNS } ends;
+} incline;
+
+static int sign(double x) { return (x > 0.0) - (x < 0.0); }
+
+/* The rounding of the products, and that of the angle, by which the tangent changes by
+ * angle/(sin cos) as much: at its critical angle the body rolls. */
+static double holds_at(double angle_deg, double sine, double cosine) {
+  const double holds = 1.0 + 16.0 * ROT_EPS;
+  if (sine * cosine == 0.0) return holds;
+  return holds + 2.0 * ROT_EPS * fabs(angle_deg * 0.017453292519943295 / sine) / cosine;
+}
+
+double rot_incline_holds(double angle_deg) {
+  return holds_at(angle_deg, rot_sin_deg(angle_deg), rot_cos_deg(angle_deg));
+}
+
+static void begin(incline *c, const rot_incline_params *p) {
+  double sine, cosine;
+  rot_sin_cos_deg(p->angle_deg, &sine, &cosine);
+  const double normal = p->gravity_m_per_s2 * cosine, v0 = p->v0_m_per_s;
+  const double w0 = p->radius_m * p->omega0_rad_per_s;
+  *c = (incline){0};
+  c->p = p;
+  c->beta = p->inertia_kg_m2 / p->mass_kg / p->radius_m / p->radius_m;
+  c->own = 1.0 / (1.0 + 1.0 / c->beta);
+  c->spin = 1.0 / (1.0 + c->beta);
+  c->pull = p->gravity_m_per_s2 * sine;
+  c->slides = rot_incline_friction(p->mu_kinetic, normal);
+  c->grips = rot_incline_friction(p->mu_static, normal);
+  c->resists = p->arm_m / p->radius_m * normal;
+  c->holds = holds_at(p->angle_deg, sine, cosine);
+  c->time_s = p->start_s;
+  c->v = v0;
+  c->w = w0;
+  c->slip = v0 - w0;
+  c->mean = c->spin * v0 + c->own * w0;
+  c->w_error = ROT_EPS * fabs(w0);
+  c->mean_error = 12.0 * ROT_EPS * (c->spin * fabs(v0) + c->own * fabs(w0));
+  c->slip_error = ROT_EPS * (fabs(w0) + fabs(c->slip));
+  if (fabs(c->slip) <= 4.0 * ROT_EPS * fabs(w0)) {
+    c->slip = 0.0;
+    c->mean = c->w = v0;
+    c->w_error = c->mean_error = 4.0 * ROT_EPS * fabs(w0);
+  }
+  c->slip_way = sign(c->slip);
+  c->spin_way = sign(c->w);
+  c->way = sign(v0);
+  c->settled_s = p->start_s;
+}
+
+/* ---- the forces of a stretch ----------------------------------------------------------------- */
+
+/* The friction that keeps the contact from slipping under this resistance. */
+static double needed(const incline *c, double torque) {
+  return c->own * c->pull + c->spin * torque;
+}
+
+/* From rest: what moves first. */
+static void leave_rest(incline *c) {
+  const rot_incline_ways to =
+      rot_incline_leave_rest(c->pull, c->grips, c->slides, c->resists, c->holds, c->own, c->spin);
+  c->slip_way = to.slip;
+  c->spin_way = to.spin;
+}
+
+/* The signs of what begins to move now. */
+static void find_ways(incline *c) {
+  if (c->slip_way == 0 && c->spin_way == 0 && c->mean == 0.0) {
+    leave_rest(c);
+  } else if (c->slip_way == 0) {
+    if (c->spin_way == 0) c->spin_way = sign(c->mean);
+    const double need = needed(c, c->spin_way * c->resists);
+    if (fabs(need) > c->grips * c->holds) c->slip_way = sign(need);
+  } else if (c->spin_way == 0 && c->slides > c->resists) {
+    c->spin_way = c->slip_way;
+  }
+}
+
+static int held(const incline *c) { return c->resists > 0.0 && c->spin_way == 0; }
+
+static int rests(const incline *c) {
+  return c->slip_way == 0 && c->spin_way == 0 && c->mean == 0.0;
+}
+
+/* Forces, rates and the rounding of the rates. */
+static void find_forces(incline *c) {
+  find_ways(c);
+  c->v_rate = c->w_rate = c->mean_rate = c->slip_rate = 0.0;
+  c->v_rate_error = c->w_rate_error = c->mean_rate_error = c->slip_rate_error = 0.0;
+  if (rests(c)) {
+    c->force = c->torque = c->pull;
+    return;
+  }
+  const double turns = fabs(c->pull) + c->resists;
+  c->torque = c->spin_way * c->resists;
+  c->mean_rate = c->spin * (c->pull - c->torque);
+  c->mean_rate_error = 12.0 * ROT_EPS * c->spin * turns;
+  if (c->slip_way == 0) {
+    c->force = needed(c, c->torque);
+    c->v_rate = c->w_rate = c->mean_rate;
+    c->v_rate_error = c->w_rate_error = c->mean_rate_error;
+    return;
+  }
+  c->force = c->slip_way * c->slides;
+  c->v_rate = c->pull - c->force;
+  c->v_rate_error = 8.0 * ROT_EPS * (fabs(c->pull) + c->slides);
+  if (held(c)) {
+    c->torque = c->force;
+    c->slip_rate = c->v_rate;
+    c->slip_rate_error = c->v_rate_error;
+    c->mean_rate = c->spin * c->v_rate;
+    c->mean_rate_error = c->spin * c->v_rate_error + 8.0 * ROT_EPS * fabs(c->mean_rate);
+    return;
+  }
+  c->w_rate = (c->force - c->torque) / c->beta;
+  c->w_rate_error = 12.0 * ROT_EPS * (c->slides + c->resists) / c->beta;
+  c->slip_rate = c->v_rate - c->w_rate;
+  c->slip_rate_error = c->v_rate_error + c->w_rate_error + ROT_EPS * fabs(c->slip_rate);
+}
+
+/* When a value that moves away from its sign reaches zero; Inf if it does not. */
+static double zero_s(const incline *c, int way, double value, double rate) {
+  if (way == 0 || way * rate >= 0.0) return INFINITY;
+  const double s = -value / rate;
+  return c->time_s + (s > 0.0 ? s : 0.0);
+}
+
+static void find_end(incline *c) {
+  const double slip = zero_s(c, c->slip_way, c->slip, c->slip_rate);
+  const double spin = c->resists > 0.0 ? zero_s(c, c->spin_way, c->w, c->w_rate) : (double)INFINITY;
+  /* Against a resistance, v is zero together with omega where it rolls, with the slip where omega
+   * is held: those count. */
+  const double turn = c->resists > 0.0 && (c->slip_way == 0 || c->spin_way == 0)
+                          ? (double)INFINITY
+                          : zero_s(c, c->way, c->v, c->v_rate);
+  c->end_s = INFINITY;
+  c->ends = NOTHING;
+  if (turn < c->end_s) c->end_s = turn, c->ends = TURNS;
+  if (spin <= c->end_s && spin < INFINITY) c->end_s = spin, c->ends = SPIN_ENDS;
+  if (slip <= c->end_s && slip < INFINITY) c->end_s = slip, c->ends = SLIP_ENDS;
+}
+
+static void enter(incline *c) {
+  find_forces(c);
+  if (rests(c)) c->way = 0;
+  if (c->way == 0) c->way = sign(c->v_rate);
+  find_end(c);
+}
+
+/* ---- along a stretch ------------------------------------------------------------------------- */
+
+/* *path and *speed after s, with their errors; the difference of times is rounded, too. */
+static void move(double s, double rate, double rate_error, double *path, double *speed,
+                 double *path_error, double *speed_error) {
+  /* s^2 may exceed the range where rate s^2 does not. */
+  const double half = 0.5 * s, gain = rate * s, gain_error = rate_error * s;
+  *path_error += *speed_error * s + gain_error * half +
+                 ROT_EPS * (4.0 * fabs(*speed) * s + 6.0 * fabs(gain) * half);
+  *speed_error += gain_error + 4.0 * ROT_EPS * fabs(gain);
+  *path += *speed * s + gain * half;
+  *speed += gain;
+  *path_error += ROT_EPS * fabs(*path);
+  *speed_error += ROT_EPS * fabs(*speed);
+}
+
+/* m force s speed, without intermediate overflow. */
+static double heat(double m, double force, double s, double speed) {
+  if (force == 0.0 || s == 0.0 || speed == 0.0) return 0.0;
+  const double x = m * force * (s * speed);
+  if (isfinite(x) && x > 1e-290) return x;
+  return rot_product(4, (double[]){m, force, s, speed}, 1.0);
+}
+
+/* The state at a later time of the stretch. */
+static incline after(const incline *c, double time) {
+  incline to = *c;
+  const double s = time - c->time_s, m = c->p->mass_kg;
+  double path = 0.0, path_error = 0.0;
+  to.time_s = time;
+  if (held(c) && time >= c->settled_s) to.w_error = 0.0;
+  if (rests(c)) {
+    if (time >= c->settled_s) to.v_error = to.w_error = 0.0;
+    return to;
+  }
+  move(s, c->mean_rate, c->mean_rate_error, &path, &to.mean, &path_error, &to.mean_error);
+  move(s, c->v_rate, c->v_rate_error, &to.x, &to.v, &to.x_error, &to.v_error);
+  if (!held(c)) {
+    move(s, c->w_rate, c->w_rate_error, &to.turn, &to.w, &to.turn_error, &to.w_error);
+  }
+  if (c->slip_way == 0) {
+    to.v = to.w = to.mean;
+    to.v_error = to.w_error = to.mean_error;
+    if (time < c->settled_s) {
+      to.v_error += c->own * c->slip_error;
+      to.w_error += c->spin * c->slip_error;
+    }
+  } else {
+    path = path_error = 0.0;
+    move(s, c->slip_rate, c->slip_rate_error, &path, &to.slip, &path_error, &to.slip_error);
+    /* Slip and spin keep their signs on the stretch: all parts of the heat are positive. */
+    to.slip_heat += heat(m, fabs(c->force), 0.5 * s, fabs(c->slip + to.slip));
+  }
+  if (c->spin_way != 0) to.rolling_heat += heat(m, c->resists, 0.5 * s, fabs(c->w + to.w));
+  return to;
+}
+
+static void end_slip(incline *c, const incline *from) {
+  /* u s + u' s^2/2 with s = -u/u' is -u^2/(2 u'), without the rounding of the time. */
+  const double path = 0.5 * from->slip * (-from->slip / from->slip_rate);
+  c->slip_heat = from->slip_heat + from->p->mass_kg * fabs(from->force) * fabs(path);
+  c->slip = 0.0;
+  c->slip_way = 0;
+  /* Where omega is held, or zero within its error, too, the body is at rest. */
+  if (from->resists > 0.0 && (c->spin_way == 0 || fabs(c->mean) <= c->mean_error)) {
+    c->mean = 0.0;
+    c->spin_way = 0;
+  }
+}
+
+/* At the rounded time, w (M, too, where it rolls) is not exactly 0. While it slips, M keeps its
+ * value. */
+static void end_spin(incline *c) {
+  c->spin_way = 0;
+  c->w_error += fabs(c->w);
+  c->w = 0.0;
+  if (c->slip_way != 0) return;
+  c->mean_error += fabs(c->mean);
+  c->mean = 0.0;
+}
+
+/* An error of `late` in the time of an event changes later speeds by the change of their rates. */
+static void spread(incline *c, const incline *from, double late) {
+  const double v = fabs(c->v_rate - from->v_rate) * late;
+  const double w = fabs(c->w_rate - from->w_rate) * late;
+  c->mean_error += fabs(c->mean_rate - from->mean_rate) * late;
+  c->slip_error += fabs(c->slip_rate - from->slip_rate) * late;
+  c->x_error += v * late;
+  c->turn_error += w * late;
+  c->settled_s = c->time_s + late;
+  c->v_error += v;
+  c->w_error += w;
+  if (c->slip_way == 0) {
+    /* It rolls: both speeds are the mean. Or it rests, after the event without an error. */
+    c->v = c->w = c->mean;
+    c->v_error = rests(c) ? v : c->mean_error;
+    c->w_error = rests(c) ? w : c->mean_error;
+  }
+}
+
+/* Goes to the end of the stretch and enters the next one. */
+static rot_status cross(incline *c, rot_events *events) {
+  const incline from = *c;
+  const double end = c->end_s;
+  double late = ROT_EPS * fabs(end);
+  *c = after(&from, end);
+  if (from.ends == SLIP_ENDS) {
+    late += c->slip_error / fabs(from.slip_rate);
+    end_slip(c, &from);
+  } else if (from.ends == SPIN_ENDS) {
+    late += c->w_error / fabs(from.w_rate);
+    end_spin(c);
+  }
+  const int turned = from.ends == TURNS || (from.ends == SPIN_ENDS && from.slip_way == 0) ||
+                     (from.ends == SLIP_ENDS && held(&from));
+  if (turned) c->way = -from.way;
+  enter(c);
+  if (from.ends != TURNS) spread(c, &from, late);
+  rot_status status = ROT_OK;
+  if (rests(c)) {
+    status = rot_events_add(events, end, ROT_EVENT_STICK);
+  } else if (turned) {
+    status = rot_events_add(events, end, ROT_EVENT_REVERSE);
+  }
+  if (status == ROT_OK && from.slip_way != 0 && c->slip_way == 0 && !rests(c)) {
+    status = rot_events_add(events, end, ROT_EVENT_ROLL);
+  }
+  if (status == ROT_OK && from.slip_way == 0 && c->slip_way != 0) {
+    status = rot_events_add(events, end, ROT_EVENT_SLIP);
+  }
+  if (status == ROT_OK && from.slip_way * c->slip_way < 0) {
+    status = rot_events_add(events, end, ROT_EVENT_SLIP_REVERSES);
+  }
+  if (status != ROT_OK) return status;
+  return isfinite(c->x) && isfinite(c->turn) ? ROT_OK : ROT_ERANGE;
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+rot_incline_row *rot_incline_event_row(rot_incline_event_rows *rows, double time_s) {
+  if (rows->count && rows->row[rows->count - 1].time_s == time_s) {
+    return &rows->row[rows->count - 1];
+  }
+  if (rows->count == rows->room) {
+    const size_t room = rows->room ? 2 * rows->room : 8;
+    rot_incline_row *more = realloc(rows->row, room * sizeof *more);
+    if (!more) return NULL;
+    rows->row = more;
+    rows->room = room;
+  }
+  rows->row[rows->count] = (rot_incline_row){.time_s = time_s};
+  return &rows->row[rows->count++];
+}
+
+void rot_incline_event_rows_free(rot_incline_event_rows *rows) {
+  free(rows->row);
+  *rows = (rot_incline_event_rows){0, 0, NULL};
+}
+
+rot_incline_columns rot_incline_columns_of(rot_incline_row *row) {
+  return (rot_incline_columns){
+#define X(type, name) &row->name,
+      ROT_INCLINE_COLUMNS(X)
+#undef X
+  };
+}
+
+typedef struct incline_run {
+  incline at;
+  const double *time_s;
+  const rot_incline_columns *out;
+  rot_events *events;
+  rot_incline_event_rows *at_events;
+  rot_info *info;
+} incline_run;
+
+static void note(rot_info *info, int which, double value, double error) {
+  rot_measure *measure = &info->measure[which];
+  rot_note_value(measure, value);
+  if (!(error <= measure->error)) measure->error = error;
+}
+
+typedef struct state {
+  double x, v, theta, omega;
+} state;
+
+static state state_of(const incline *c) {
+  const rot_incline_params *p = c->p;
+  if (c->time_s == p->start_s) {
+    return (state){p->x0_m, p->v0_m_per_s, p->theta0_rad, p->omega0_rad_per_s};
+  }
+  return (state){p->x0_m + c->x, c->v, p->theta0_rad + c->turn / p->radius_m, c->w / p->radius_m};
+}
+
+static void note_state(const incline *c, const state *at, rot_info *info, int with_error) {
+  const double r = c->p->radius_m, on = with_error ? 1.0 : 0.0;
+  note(info, ROT_INCLINE_X, at->x, on * (c->x_error + ROT_EPS * fabs(at->x)));
+  note(info, ROT_INCLINE_V, at->v, on * (c->v_error + ROT_EPS * fabs(at->v)));
+  note(info, ROT_INCLINE_THETA, at->theta,
+       on * (c->turn_error / r + ROT_EPS * (fabs(at->theta) + 2.0 * fabs(c->turn / r))));
+  note(info, ROT_INCLINE_OMEGA, at->omega, on * (c->w_error / r + 2.0 * ROT_EPS * fabs(at->omega)));
+}
+
+static rot_status restart(void *model, int forward) {
+  incline_run *run = model;
+  if (!forward) return ROT_EVALUE;
+  enter(&run->at);
+  return ROT_OK;
+}
+
+static int holds(const void *model, double time_s) {
+  return !(((const incline_run *)model)->at.end_s <= time_s);
+}
+
+static rot_status fill_row(const incline *at_time, const rot_incline_columns *out, size_t i,
+                           rot_info *info) {
+  const incline now = *at_time;
+  const rot_incline_params *p = now.p;
+  const state at = state_of(&now);
+  const double w = p->radius_m * at.omega;
+  if (!(isfinite(at.x) && isfinite(at.v) && isfinite(at.theta) && isfinite(at.omega))) {
+    return ROT_ERANGE;
+  }
+  out->x_m[i] = at.x;
+  out->v_m_per_s[i] = at.v;
+  out->theta_rad[i] = at.theta;
+  out->omega_rad_per_s[i] = at.omega;
+  out->slip_speed_m_per_s[i] = now.slip_way == 0 ? 0.0 : now.slip;
+  out->friction_force_n[i] = -p->mass_kg * now.force + 0.0;
+  out->translational_kinetic_energy_j[i] = 0.5 * p->mass_kg * at.v * at.v;
+  out->rotational_kinetic_energy_j[i] = 0.5 * p->mass_kg * now.beta * w * w;
+  out->potential_energy_j[i] = -p->mass_kg * now.pull * at.x + 0.0;
+  out->slip_heat_j[i] = now.slip_heat;
+  out->rolling_heat_j[i] = now.rolling_heat;
+  out->rolling[i] = now.slip_way == 0;
+  note_state(&now, &at, info, now.time_s > p->start_s);
+  return ROT_OK;
+}
+
+static rot_status next_piece(void *model, double *end_s) {
+  incline_run *run = model;
+  *end_s = run->at.end_s;
+  const size_t before = run->events ? run->events->count : 0;
+  const rot_status status = cross(&run->at, run->events);
+  /* A spin that passes zero while the contact slips ends a piece, but is no event. */
+  const int logged = run->events && run->events->count > before;
+  if (status != ROT_OK || !run->at_events || !logged) {
+    const state at = state_of(&run->at);
+    note_state(&run->at, &at, run->info, 0);
+    return status;
+  }
+  rot_incline_row *row = rot_incline_event_row(run->at_events, *end_s);
+  if (!row) return ROT_ENOMEM;
+  const rot_incline_columns out = rot_incline_columns_of(row);
+  return fill_row(&run->at, &out, 0, run->info);
+}
+
+static rot_status write_row(void *model, size_t i) {
+  const incline_run *run = model;
+  const incline now = after(&run->at, run->time_s[i]);
+  return fill_row(&now, run->out, i, run->info);
+}
+
+rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double time_s[],
+                           const rot_incline_columns *out, rot_events *events,
+                           rot_incline_event_rows *at_events, const rot_hooks *hooks,
+                           rot_info *info) {
+  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  incline_run run = {
+      .time_s = time_s, .out = out, .events = events, .at_events = at_events, .info = info};
+  rot_info_clear(info, rot_incline_measures);
+  begin(&run.at, p);
+  const state start = state_of(&run.at);
+  note_state(&run.at, &start, info, 0);
+  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+}
+
+/* ---- one time alone -------------------------------------------------------------------------- */
+
+static void note_sizes(const incline *c, double most[4]) {
+  const state at = state_of(c);
+  most[0] = fmax(most[0], fabs(at.x));
+  most[1] = fmax(most[1], fabs(at.v));
+  most[2] = fmax(most[2], fabs(at.theta));
+  most[3] = fmax(most[3], fabs(at.omega));
+}
+
+static int in_domain(const rot_incline_params *p, double time_s) {
+  const double numbers[] = {p->mass_kg, p->radius_m,   p->inertia_kg_m2,    p->gravity_m_per_s2,
+                            p->arm_m,   p->v0_m_per_s, p->omega0_rad_per_s, time_s};
+  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+    if (!isfinite(numbers[i])) return 0;
+  }
+  const double slip = fabs(p->v0_m_per_s - p->radius_m * p->omega0_rad_per_s);
+  return p->mass_kg > 0.0 && p->radius_m > 0.0 && p->inertia_kg_m2 > 0.0 && p->arm_m >= 0.0 &&
+         p->gravity_m_per_s2 >= 0.0 && fabs(p->angle_deg) <= 90.0 && p->mu_kinetic >= 0.0 &&
+         p->mu_static >= p->mu_kinetic && time_s >= p->start_s &&
+         (isfinite(p->mu_kinetic) || slip <= 8.0 * ROT_EPS * fabs(p->v0_m_per_s));
+}
+
+rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end) {
+  incline c;
+  double most[4] = {0.0};
+  if (!in_domain(p, time_s)) return ROT_EVALUE;
+  begin(&c, p);
+  enter(&c);
+  note_sizes(&c, most);
+  *end = (rot_incline_end){.roll_s = NAN};
+  while (c.end_s <= time_s) {
+    const int slips = c.slip_way != 0;
+    const double at = c.end_s;
+    const rot_status status = cross(&c, NULL);
+    if (status != ROT_OK) return status;
+    if (slips && c.slip_way == 0 && !rests(&c) && isnan(end->roll_s)) end->roll_s = at;
+    note_sizes(&c, most);
+  }
+  c = after(&c, time_s);
+  note_sizes(&c, most);
+  const state at = state_of(&c);
+  rot_info info;
+  rot_info_measures(&info, rot_incline_measures);
+  note_state(&c, &at, &info, time_s > p->start_s);
+  *end = (rot_incline_end){at.x,           at.v,        at.theta, at.omega,       c.slip_heat,
+                           c.rolling_heat, end->roll_s, 0.0,      c.slip_way == 0};
+  for (int i = 0; i < 4; i++) {
+    end->error = fmax(end->error, rot_relative_error(info.measure[i].error, most[i]));
+  }
+  const int finite = isfinite(at.x) && isfinite(at.v) && isfinite(at.theta) && isfinite(at.omega);
+  return finite ? ROT_OK : ROT_ERANGE;
+}
+
+/* ---- work and impulses ----------------------------------------------------------------------- */
+
+static void add_flows(const incline *from, const incline *to, rot_incline_ledger *sum) {
+  const double s = to->time_s - from->time_s, m = from->p->mass_kg, r = from->p->radius_m;
+  const double path = to->x - from->x;
+  const double off = from->x_error + to->x_error + 4.0 * ROT_EPS * (fabs(from->x) + fabs(to->x));
+  sum->work_j += m * from->pull * path;
+  sum->work_rounding_j += m * fabs(from->pull) * (off + 8.0 * ROT_EPS * fabs(path));
+  sum->gravity_impulse_n_s += m * from->pull * s;
+  sum->friction_impulse_n_s -= m * from->force * s;
+  sum->friction_impulse_n_m_s += m * from->force * r * s;
+  sum->resistance_impulse_n_m_s += m * from->torque * r * s;
+  const double sizes = fabs(from->pull) + fabs(from->force) + fabs(from->torque);
+  sum->impulse_rounding_n_s += 16.0 * ROT_EPS * m * sizes * (s + fabs(to->time_s));
+}
+
+rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double to_s,
+                             rot_incline_ledger *ledger) {
+  incline c;
+  rot_status status = ROT_OK;
+  *ledger = (rot_incline_ledger){0};
+  if (!(from_s >= p->start_s && to_s >= from_s)) return ROT_EVALUE;
+  begin(&c, p);
+  enter(&c);
+  while (status == ROT_OK && c.end_s <= from_s) status = cross(&c, NULL);
+  if (status == ROT_OK) c = after(&c, from_s);
+  while (status == ROT_OK && c.end_s < to_s) {
+    incline next = c;
+    status = cross(&next, NULL);
+    add_flows(&c, &next, ledger);
+    c = next;
+  }
+  if (status != ROT_OK) return status;
+  const incline last = after(&c, to_s);
+  add_flows(&c, &last, ledger);
+  return isfinite(ledger->work_j) ? ROT_OK : ROT_ERANGE;
+}
+
+double rot_incline_critical_deg(double beta, double mu_static) {
+  const double degrees = 57.29577951308232; /* 180/pi */
+  if (isnan(beta) || isnan(mu_static)) return NAN;
+  if (beta == 0.0 || isinf(mu_static)) return 90.0;
+  return degrees * atan(mu_static * (1.0 + 1.0 / beta));
+}

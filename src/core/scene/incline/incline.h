@@ -1,0 +1,131 @@
+/* A round body on an incline that rolls, slides or rests. Down the slope is positive:
+ *
+ *   m v' = m g sin(angle) - F,   I omega' = F R - T,
+ *
+ * F is the friction of the contact: mu_kinetic N sign(v - R omega) while it slides, what keeps
+ * v = R omega while it rolls, as long as that is at most mu_static N. T is the rolling resistance:
+ * arm N sign(omega) while the body turns, what keeps omega = 0 as long as that is at most arm N.
+ * N = m g cos(angle). All rates are constant between events, whose times are exact. */
+#ifndef ROT_INCLINE_H
+#define ROT_INCLINE_H
+
+#include <stddef.h>
+
+#include "engine/events.h"
+#include "ground/status.h"
+
+typedef struct rot_incline_params {
+  double mass_kg, radius_m, inertia_kg_m2; /* > 0 */
+  double angle_deg;                        /* -90 to 90 */
+  double gravity_m_per_s2;                 /* >= 0 */
+  double mu_kinetic, mu_static;            /* 0 <= mu_kinetic <= mu_static; Inf: no slip, without
+                                              a normal force either */
+  double arm_m;                            /* of the rolling resistance, >= 0 */
+  double x0_m, v0_m_per_s, theta0_rad, omega0_rad_per_s, start_s;
+} rot_incline_params;
+
+/* Measures of its errors; the list of names ends with NULL. */
+enum { ROT_INCLINE_X, ROT_INCLINE_V, ROT_INCLINE_THETA, ROT_INCLINE_OMEGA };
+extern const char *const rot_incline_measures[];
+
+#define ROT_INCLINE_COLUMNS(X)                                                                     \
+  X(double, x_m)                                                                                   \
+  X(double, v_m_per_s)                                                                             \
+  X(double, theta_rad)                                                                             \
+  X(double, omega_rad_per_s)                                                                       \
+  X(double, slip_speed_m_per_s)                                                                    \
+  X(double, friction_force_n) /* on the body, positive down the slope */                           \
+  X(double, translational_kinetic_energy_j)                                                        \
+  X(double, rotational_kinetic_energy_j)                                                           \
+  X(double, potential_energy_j) /* 0 at x = 0 */                                                   \
+  X(double, slip_heat_j)        /* since the start */                                              \
+  X(double, rolling_heat_j)                                                                        \
+  X(int, rolling)
+
+typedef struct rot_incline_columns {
+#define X(type, name) type *name;
+  ROT_INCLINE_COLUMNS(X)
+#undef X
+} rot_incline_columns;
+
+/* Sums since the start, and forces now, of integrated runs alone. */
+#define ROT_INCLINE_SUMS(X)                                                                        \
+  X(applied_work_j)                                                                                \
+  X(drag_heat_j)                                                                                   \
+  X(friction_impulse_n_s) /* along the slope */                                                    \
+  X(drag_impulse_n_s)                                                                              \
+  X(applied_impulse_n_s)                                                                           \
+  X(resistance_impulse_n_m_s) /* about the centre of mass */                                       \
+  X(drag_force_n)             /* now */                                                            \
+  X(applied_force_n)
+
+/* The columns at the time of an event, after it. */
+typedef struct rot_incline_row {
+  double time_s;
+#define X(type, name) type name;
+  ROT_INCLINE_COLUMNS(X)
+#undef X
+#define X(name) double name;
+  ROT_INCLINE_SUMS(X)
+#undef X
+} rot_incline_row;
+
+/* One for each time at which there is an event, in order. Begin with {0}. */
+typedef struct rot_incline_event_rows {
+  size_t count, room;
+  rot_incline_row *row;
+} rot_incline_event_rows;
+
+/* The row at this time, a new one unless the last one has it; NULL: no memory. */
+rot_incline_row *rot_incline_event_row(rot_incline_event_rows *rows, double time_s);
+void rot_incline_event_rows_free(rot_incline_event_rows *rows);
+/* Columns of one row. */
+rot_incline_columns rot_incline_columns_of(rot_incline_row *row);
+
+/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE). mu_kinetic is finite
+ * unless the start rolls. A slip at the start within its rounding is none. Events: roll, slip,
+ * stick, reverse (the velocity passes zero), slip_reverse (the slip does, without grip). at_events
+ * takes the rows at their times, where `events` is not NULL; NULL: none. The errors in *info are
+ * bounds for all rows, unless a force is within a rounding of what friction holds; such a force is
+ * held. */
+rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double time_s[],
+                           const rot_incline_columns *out, rot_events *events,
+                           rot_incline_event_rows *at_events, const rot_hooks *hooks,
+                           rot_info *info);
+
+/* The state at one time alone, not before the start, its heat, and when slip first ended (NaN: it
+ * did not). error: the largest bound, each relative to the largest value at the start, the events
+ * and the end. ROT_EVALUE where a number is outside its domain. */
+typedef struct rot_incline_end {
+  double x_m, v_m_per_s, theta_rad, omega_rad_per_s, slip_heat_j, rolling_heat_j, roll_s, error;
+  int rolling;
+} rot_incline_end;
+
+rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end);
+
+#define ROT_INCLINE_LEDGER(X)                                                                      \
+  X(work_j) /* of gravity */                                                                       \
+  X(work_rounding_j)                                                                               \
+  X(gravity_impulse_n_s) /* along the slope */                                                     \
+  X(friction_impulse_n_s)                                                                          \
+  X(friction_impulse_n_m_s) /* about the centre of mass */                                         \
+  X(resistance_impulse_n_m_s)                                                                      \
+  X(impulse_rounding_n_s)
+
+typedef struct rot_incline_ledger {
+#define X(name) double name;
+  ROT_INCLINE_LEDGER(X)
+#undef X
+} rot_incline_ledger;
+
+/* Work and impulses between two times, not before start_s. */
+rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double to_s,
+                             rot_incline_ledger *ledger);
+
+/* How much larger than what friction holds a force may be and is held: the rounding of both. */
+double rot_incline_holds(double angle_deg);
+
+/* The steepest angle in degrees at which a body of this beta = I/(m R^2) rolls from rest. */
+double rot_incline_critical_deg(double beta, double mu_static);
+
+#endif

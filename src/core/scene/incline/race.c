@@ -1,0 +1,92 @@
+#include "scene/incline/race.h"
+
+#include <math.h>
+
+#include "scene/incline/incline.h"
+#include "scene/incline/rest.h"
+#include "ground/real.h"
+
+/* Rows between two polls: some milliseconds. */
+enum { CHUNK = 65536 };
+
+typedef struct slope {
+  double angle, sine, cosine, holds;
+} slope;
+
+static void start(const rot_race_bodies *b, size_t i, slope *on, const rot_race_columns *out) {
+  const double beta = rot_at(b->beta, i), radius = rot_at(b->radius_m, i);
+  const double angle = rot_at(b->angle_deg, i), gravity = rot_at(b->gravity_m_per_s2, i);
+  const double length = rot_at(b->length_m, i), arm = rot_at(b->arm_m, i);
+  const double mu_static = rot_at(b->mu_static, i), mu_kinetic = rot_at(b->mu_kinetic, i);
+  if (angle != on->angle) {
+    on->angle = angle;
+    rot_sin_cos_deg(angle, &on->sine, &on->cosine);
+    on->holds = rot_incline_holds(angle);
+  }
+  const double normal = gravity * on->cosine, pull = gravity * on->sine;
+  const double grips = rot_incline_friction(mu_static, normal);
+  const double slides = rot_incline_friction(mu_kinetic, normal);
+  const double resists = beta > 0.0 ? arm / radius * normal : 0.0;
+  const double spin = 1.0 / (1.0 + beta), own = isinf(beta) ? 1.0 : beta * spin;
+  const rot_incline_ways way =
+      rot_incline_leave_rest(pull, grips, slides, resists, on->holds, own, spin);
+  const double held = fabs(pull) <= resists * on->holds ? fabs(pull) : resists;
+  const double need = own * fabs(pull) + spin * held;
+  double rate = 0.0, turn = 0.0;
+  if (way.slip != 0) {
+    rate = pull - way.slip * slides;
+    turn = way.spin != 0 ? way.slip * (slides - resists) / beta : 0.0;
+  } else if (way.spin != 0) {
+    rate = turn = spin * (pull - way.spin * resists);
+  }
+  const int known = !isnan(beta + radius + angle + gravity + arm + mu_static + mu_kinetic);
+  out->acceleration_m_per_s2[i] = known ? rate : NAN;
+  out->angular_acceleration_rad_per_s2[i] = !known ? NAN : beta == 0.0 ? 0.0 : turn / radius;
+  out->friction_needed[i] = !known         ? NAN
+                            : need == 0.0  ? 0.0
+                            : normal > 0.0 ? need / normal
+                                           : (double)INFINITY;
+  out->finish_time_s[i] = !known || isnan(length) ? NAN
+                          : rate > 0.0            ? sqrt(2.0 * (length / rate))
+                                                  : (double)INFINITY;
+  out->slips[i] = way.slip != 0;
+  out->rests[i] = way.slip == 0 && rate == 0.0;
+}
+
+rot_status rot_race_starts(const rot_race_bodies *bodies, const rot_race_columns *out,
+                           const rot_hooks *hooks, rot_info *info) {
+  slope on = {NAN, 0.0, 0.0, 1.0};
+  rot_info_clear(info, NULL);
+  for (size_t i = 0; i < bodies->n; i++) {
+    start(bodies, i, &on, out);
+    info->rows_done = i + 1;
+    if ((i + 1) % CHUNK) continue;
+    info->status = rot_poll(hooks, (double)i / (double)bodies->n);
+    if (info->status != ROT_OK) return info->status;
+  }
+  return ROT_OK;
+}
+
+rot_status rot_race_run(size_t n, const double acceleration[], const double angular[],
+                        const double finish_s[], size_t times, const double time_s[],
+                        const rot_race_frames *out, const rot_hooks *hooks, rot_info *info) {
+  const double rows = (double)n * (double)times;
+  rot_info_clear(info, NULL);
+  for (size_t k = 0, row = 0; k < times; k++) {
+    for (size_t i = 0; i < n; i++, row++) {
+      const int finished = time_s[k] >= finish_s[i];
+      const double t = finished ? finish_s[i] : time_s[k], half = 0.5 * t;
+      out->time_s[row] = time_s[k];
+      out->x_m[row] = acceleration[i] * t * half;
+      out->v_m_per_s[row] = acceleration[i] * t;
+      out->theta_rad[row] = angular[i] * t * half;
+      out->omega_rad_per_s[row] = angular[i] * t;
+      out->finished[row] = finished;
+      if ((row + 1) % CHUNK) continue;
+      info->status = rot_poll(hooks, (double)row / rows);
+      if (info->status != ROT_OK) return info->status;
+    }
+  }
+  info->rows_done = n * times;
+  return ROT_OK;
+}

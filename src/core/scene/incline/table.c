@@ -1,0 +1,271 @@
+#include "scene/incline/table.h"
+
+#include <math.h>
+
+#include "scene/incline/incline.h"
+#include "scene/incline/rest.h"
+#include "ground/real.h"
+#include "ground/share.h"
+
+/* Rows between two polls: some milliseconds. */
+enum { PART = 2048 };
+
+/* How a row moves. Without rolling resistance there are two stretches at most. */
+typedef enum kind {
+  ROLLS,
+  LETS_GO,    /* at rest in the contact, which does not hold: it slips for good */
+  SLIPS,      /* all the time */
+  CATCHES,    /* slips, then rolls */
+  SLIPS_BACK, /* slips, then slips the other way for good */
+  OTHER,      /* rolling resistance, numbers out of range: the general way */
+  KINDS
+} kind;
+
+/* A row: its scene, w0 = R omega0, the forces of the slope on 1 kg, the first slip. */
+typedef struct row {
+  double beta, radius, mass, angle, gravity, mu_static, mu_kinetic, arm, v0, w0, omega0, time;
+  double sine, cosine, pull, slides, grips;
+  double slip, way, rim, rate, inverse, slip_s; /* of v - w: sign, rate, 1/|rate|, when it ends */
+} row;
+
+static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
+
+static inline double sign(double x) { return (double)((x > 0.0) - (x < 0.0)); }
+
+/* A speed and its path, with their errors in roundings. */
+typedef struct mover {
+  double path, speed, path_error, speed_error;
+} mover;
+
+/* `size` is the sum of the forces that make the rate, whose error is 6 of its roundings. */
+static inline mover advance(mover from, double s, double rate, double size) {
+  /* s^2 may exceed the range where rate s^2 does not. */
+  const double half = 0.5 * s, gain = rate * s, along = from.speed * s, step = along + gain * half;
+  mover to;
+  to.path = from.path + step;
+  to.speed = from.speed + gain;
+  to.path_error = from.path_error + from.speed_error * s + 9.0 * (size * s) * half +
+                  3.0 * fabs(along) + fabs(step) + fabs(to.path);
+  to.speed_error = from.speed_error + 8.0 * (size * s) + fabs(to.speed);
+  return to;
+}
+
+static inline double figure(double error, double value, double other) {
+  const double size = larger(fabs(value), fabs(other));
+  return size > 0.0 ? ROT_EPS * error / size : error > 0.0 ? 1.0 : 0.0;
+}
+
+/* Without branches that depend on the numbers, which the processor cannot guess: 67 ns for a row
+ * among random ones, 79 with a branch at each question. */
+static inline kind kind_of(row *r) {
+  static const unsigned char kinds[] = {SLIPS,   SLIPS, SLIPS_BACK, CATCHES,
+                                        LETS_GO, ROLLS, LETS_GO,    ROLLS};
+  const double need = fabs(r->beta / (1.0 + r->beta) * r->pull);
+  /* As rot_incline_holds(), without its division. */
+  const double steep = fabs(r->sine * r->cosine);
+  const int grips =
+      (need <= r->grips) |
+      ((r->grips > 0.0) &
+       (need * steep <= r->grips * (steep * (1.0 + 16.0 * ROT_EPS) +
+                                    2.0 * ROT_EPS * 0.017453292519943295 * fabs(r->angle))));
+  r->slip = r->v0 - r->w0;
+  r->way = sign(r->slip);
+  r->rim = r->slides / r->beta;
+  r->rate = r->pull - r->way * r->slides - r->way * r->rim;
+  r->inverse = 1.0 / fabs(r->rate);
+  r->slip_s = fabs(r->slip) * r->inverse;
+  const int still = fabs(r->slip) <= 4.0 * ROT_EPS * fabs(r->w0);
+  const int ends = (r->way * r->rate < 0.0) & (r->slip_s < r->time);
+  return (kind)kinds[4 * still + 2 * ends + grips];
+}
+
+/* 0 where the numbers leave their range. `how` is a constant where this is called. */
+static inline int two_stretches(kind how, const row *r, const rot_incline_table_columns *out,
+                                size_t i) {
+  const double spin = 1.0 / (1.0 + r->beta), own = r->beta * spin;
+  const double size = fabs(r->pull) + r->slides, rim = r->rim;
+  const double mean_rate = spin * r->pull;
+  mover v = {0.0, r->v0, 0.0, 0.0}, w = {0.0, r->w0, 0.0, fabs(r->w0)};
+  double slip = r->slip, left = r->time, heat = 0.0, roll_s = out->none, jump = 0.0, way = r->way;
+  double v_most = r->v0, w_most = r->w0, x_most = 0.0, turn_most = 0.0;
+  const int rolling = how == ROLLS || how == CATCHES;
+  if (how == ROLLS || how == LETS_GO) {
+    w.speed = v.speed;
+    w.speed_error = v.speed_error = 4.0 * fabs(r->w0);
+    way = sign(r->pull);
+    slip = 0.0;
+  } else if (how != SLIPS) {
+    const double s = r->slip_s, u = fabs(slip);
+    const double late = (2.0 * fabs(r->w0) + u + 8.0 * (size + rim) * s) * r->inverse + 2.0 * s;
+    v = advance(v, s, r->pull - way * r->slides, size);
+    w = advance(w, s, way * rim, rim);
+    if (rolling) { /* the mean of both does not feel the friction */
+      const double shares = spin * fabs(r->v0) + own * fabs(r->w0);
+      v.speed = w.speed = spin * r->v0 + own * r->w0 + mean_rate * s;
+      v.speed_error = w.speed_error = 8.0 * (shares + fabs(mean_rate) * s);
+      /* Paths are stationary where the slip ends: the error of that time counts twice. */
+      const double again = 0.5 * ROT_EPS * fabs(r->rate) * late * late;
+      v.path_error += again;
+      w.path_error += again;
+      roll_s = s;
+    } else { /* the friction turns: an error of the time changes what follows by its jump */
+      jump = 2.0 * late;
+    }
+    heat = r->mass * r->slides * (0.5 * s * u);
+    left = r->time - s;
+    slip = 0.0;
+    way = sign(r->pull);
+    v_most = larger(fabs(v_most), fabs(v.speed));
+    w_most = larger(fabs(w_most), fabs(w.speed));
+    x_most = v.path;
+    turn_most = w.path;
+  }
+  if (rolling) {
+    v = advance(v, left, mean_rate, fabs(mean_rate));
+    w = advance(w, left, mean_rate, fabs(mean_rate));
+  } else {
+    const double v_rate = r->pull - way * r->slides;
+    const double v_off = jump * r->slides, w_off = jump * rim;
+    v = advance(v, left, v_rate, size);
+    w = advance(w, left, way * rim, rim);
+    v.speed_error += v_off;
+    w.speed_error += w_off;
+    v.path_error += v_off * left;
+    w.path_error += w_off * left;
+    const double end = slip + (v_rate - way * rim) * left;
+    heat += r->mass * r->slides * (0.5 * left * fabs(slip + end));
+  }
+  const double theta = w.path / r->radius, omega = w.speed / r->radius;
+  /* Inf or NaN in any of them is one in the sum. */
+  const double all =
+      fabs(v.path) + fabs(v.speed) + fabs(theta) + fabs(omega) + heat + v.path_error + w.path_error;
+  if (!isfinite(all)) return 0;
+  out->final_x_m[i] = v.path;
+  out->final_v_m_per_s[i] = v.speed;
+  out->final_theta_rad[i] = theta;
+  out->final_omega_rad_per_s[i] = r->time == 0.0 ? r->omega0 : omega;
+  out->slip_heat_j[i] = heat;
+  out->rolling_heat_j[i] = 0.0;
+  out->roll_time_s[i] = roll_s;
+  out->rolling[i] = rolling;
+  const double of_v =
+      larger(figure(v.path_error, v.path, x_most), figure(v.speed_error, v.speed, v_most));
+  const double of_w = larger(figure(w.path_error + 2.0 * fabs(w.path), w.path, turn_most),
+                             figure(w.speed_error + 2.0 * fabs(w.speed), w.speed, w_most));
+  out->error[i] = r->time == 0.0 ? 0.0 : larger(of_v, of_w);
+  return 1;
+}
+
+static void any_row(const row *r, const rot_incline_table_columns *out, size_t i) {
+  const rot_incline_params p = {
+      .mass_kg = r->mass,
+      .radius_m = r->radius,
+      .inertia_kg_m2 = rot_product(4, (double[]){r->beta, r->mass, r->radius, r->radius}, 1.0),
+      .angle_deg = r->angle,
+      .gravity_m_per_s2 = r->gravity,
+      .mu_kinetic = r->mu_kinetic,
+      .mu_static = r->mu_static,
+      .arm_m = r->arm,
+      .v0_m_per_s = r->v0,
+      .omega0_rad_per_s = r->omega0};
+  rot_incline_end end;
+  const rot_status status = rot_incline_to(&p, r->time, &end);
+  const int good = status == ROT_OK;
+  out->final_x_m[i] = good ? end.x_m : NAN;
+  out->final_v_m_per_s[i] = good ? end.v_m_per_s : NAN;
+  out->final_theta_rad[i] = good ? end.theta_rad : NAN;
+  out->final_omega_rad_per_s[i] = good ? end.omega_rad_per_s : NAN;
+  out->slip_heat_j[i] = good ? end.slip_heat_j : NAN;
+  out->rolling_heat_j[i] = good ? end.rolling_heat_j : NAN;
+  out->roll_time_s[i] = good && !isnan(end.roll_s) ? end.roll_s : out->none;
+  out->rolling[i] = good && end.rolling;
+  out->error[i] = good ? end.error : NAN;
+  out->status[i] = (int)status;
+}
+
+typedef struct frame {
+  const rot_incline_rows *rows;
+  const rot_incline_table_columns *out;
+} frame;
+
+static int possible(const row *r) {
+  return r->beta > 0.0 && r->radius > 0.0 && r->mass > 0.0 && r->gravity >= 0.0 && r->arm >= 0.0 &&
+         r->mu_kinetic >= 0.0 && r->mu_static >= r->mu_kinetic && fabs(r->angle) <= 90.0 &&
+         r->time >= 0.0 && isfinite(r->beta) && isfinite(r->radius) && isfinite(r->mass) &&
+         isfinite(r->gravity) && isfinite(r->arm) && isfinite(r->time) && isfinite(r->v0) &&
+         isfinite(r->omega0);
+}
+
+/* Rows of a block are sorted by kind, and the rows of one kind done together. */
+enum { BLOCK = 64 };
+
+static inline void rows_of(kind how, const row rows[], const unsigned char at[], size_t n,
+                           const rot_incline_table_columns *out, size_t first) {
+  for (size_t k = 0; k < n; k++) {
+    const row *r = &rows[at[k]];
+    if (!two_stretches(how, r, out, first + at[k])) any_row(r, out, first + at[k]);
+  }
+}
+
+static void table_rows(const void *data, size_t first, size_t last) {
+  const frame *f = data;
+  const rot_incline_table_columns out = *f->out;
+  const rot_incline_rows own = *f->rows, *in = &own;
+  row rows[BLOCK];
+  double sine = 0.0, cosine = 0.0, angle = NAN;
+  for (size_t start = first; start < last; start += BLOCK) {
+    const size_t n = last - start < BLOCK ? last - start : BLOCK;
+    unsigned char at[KINDS][BLOCK];
+    size_t count[KINDS] = {0};
+    for (size_t k = 0; k < n; k++) {
+      const size_t i = start + k;
+      row *r = &rows[k];
+      r->beta = rot_at(in->beta, i);
+      r->radius = rot_at(in->radius_m, i);
+      r->mass = rot_at(in->mass_kg, i);
+      r->angle = rot_at(in->angle_deg, i);
+      r->gravity = rot_at(in->gravity_m_per_s2, i);
+      r->mu_static = rot_at(in->mu_static, i);
+      r->mu_kinetic = rot_at(in->mu_kinetic, i);
+      r->arm = rot_at(in->arm_m, i);
+      r->v0 = rot_at(in->v0_m_per_s, i);
+      r->omega0 = rot_at(in->omega0_rad_per_s, i);
+      r->time = rot_at(in->time_s, i);
+      const int rolls = isnan(r->omega0);
+      if (rolls) r->omega0 = r->v0 / r->radius;
+      r->w0 = rolls ? r->v0 : r->radius * r->omega0;
+      out.status[i] = ROT_OK;
+      kind how = OTHER;
+      if (possible(r)) {
+        if (r->angle != angle) {
+          angle = r->angle;
+          rot_sin_cos_deg(angle, &sine, &cosine);
+        }
+        r->sine = sine;
+        r->cosine = cosine;
+        const double normal = r->gravity * cosine;
+        r->pull = r->gravity * sine;
+        r->slides = rot_incline_friction(r->mu_kinetic, normal);
+        r->grips = rot_incline_friction(r->mu_static, normal);
+        /* An infinite slip friction holds what rolls from the start. */
+        if (r->arm == 0.0 && isfinite(r->slides)) how = kind_of(r);
+      }
+      at[how][count[how]++] = (unsigned char)k;
+    }
+    rows_of(ROLLS, rows, at[ROLLS], count[ROLLS], &out, start);
+    rows_of(LETS_GO, rows, at[LETS_GO], count[LETS_GO], &out, start);
+    rows_of(SLIPS, rows, at[SLIPS], count[SLIPS], &out, start);
+    rows_of(CATCHES, rows, at[CATCHES], count[CATCHES], &out, start);
+    rows_of(SLIPS_BACK, rows, at[SLIPS_BACK], count[SLIPS_BACK], &out, start);
+    for (size_t k = 0; k < count[OTHER]; k++) {
+      any_row(&rows[at[OTHER][k]], &out, start + at[OTHER][k]);
+    }
+  }
+}
+
+rot_status rot_incline_table(const rot_incline_rows *rows, int threads,
+                             const rot_incline_table_columns *out, const rot_hooks *hooks,
+                             rot_info *info) {
+  const frame f = {rows, out};
+  return rot_share_rows(table_rows, &f, rows->n, PART, threads, hooks, info);
+}

@@ -1,0 +1,106 @@
+#include "scene/pivot/models.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "scene/free/models.h"
+#include "scene/pivot/pivot.h"
+#include "scene/pivot/approx.h"
+
+enum { WEIGHT = 1, TORQUE = 2, LAW = 4, DAMPING = 8, ROTORS = 16, MOTORS = 32 };
+
+static const rot_effect effects[] = {
+    {"weight", "gravity", 0, 0},        {"torque", "a torque", 0, 0},
+    {"law", "a torque function", 0, 0}, {"damping", "damping", 0, 0},
+    {"rotors", "rotors", 0, 0},         {"motors", "rotors with motor torques", 0, ROTORS}};
+
+static unsigned effects_of(const void *of) {
+  const rot_free_params *p = of;
+  const double *t = p->torque, *g = p->lever_n_m;
+  return (g[0] != 0.0 || g[1] != 0.0 || g[2] != 0.0 ? WEIGHT : 0u) |
+         (t[0] != 0.0 || t[1] != 0.0 || t[2] != 0.0 || p->n_knots ? TORQUE : 0u) |
+         (p->law ? LAW : 0u) | (p->damping_per_s != 0.0 ? DAMPING : 0u) |
+         (p->n_rotors ? ROTORS : 0u) | (rot_free_has_motors(p) ? MOTORS : 0u);
+}
+
+static const char *refuses_top(const void *scene, const rot_query *query) {
+  (void)query;
+  return rot_pivot_not_top(scene);
+}
+
+static const char *refuses_approx(const void *scene, const rot_query *query) {
+  (void)query;
+  return rot_pivot_not_spinning(scene);
+}
+
+static double bound_of(const rot_model *model, const void *scene, const rot_query *query) {
+  const rot_free_params *p = scene;
+  double t = 0.0;
+  if (model->why_not != refuses_approx) return 0.0;
+  if (query->n) {
+    const double from = query->time_s[0], to = query->time_s[query->n - 1];
+    t = fmax(fabs(from - p->start_s), fabs(to - p->start_s));
+  }
+  return strcmp(model->id, "pivot_precession") ? rot_pivot_nutation_bound(p, t)
+                                               : rot_pivot_precession_bound(p, t);
+}
+
+static const rot_model models[] = {
+    {"pivot_top",
+     WEIGHT | ROTORS,
+     ROT_BOUND,
+     1e-14,
+     ROT_FREELY,
+     "a heavy symmetric top: closed form by elliptic functions",
+     refuses_top,
+     rot_free_exact_s,
+     {8e-6, 1e-6, 0.0, 0.0}},
+    {"pivot_precession",
+     WEIGHT,
+     ROT_BOUND,
+     1e-7,
+     ROT_FREELY,
+     "a fast top: it goes round at torque/L, nutation left out",
+     refuses_approx,
+     rot_free_exact_s,
+     {7e-6, 0.4e-6, 0.0, 0.0}},
+    {"pivot_nutation",
+     WEIGHT,
+     ROT_BOUND,
+     1e-7,
+     ROT_FREELY,
+     "a fast top: small nutation, to first order",
+     refuses_approx,
+     rot_free_exact_s,
+     {7e-6, 0.5e-6, 0.0, 0.0}},
+    {"pivot_free",
+     DAMPING,
+     ROT_BOUND,
+     1e-14,
+     ROT_FREELY,
+     "no torque: closed form by elliptic functions",
+     rot_free_refuses_exact,
+     rot_free_exact_s,
+     {6e-6, 0.8e-6, 0.0, 0.0}},
+    {"pivot_gyrostat",
+     ROTORS,
+     ROT_BOUND,
+     1e-14,
+     ROT_FREELY,
+     "no torque, rotors along a principal axis: closed form",
+     rot_free_refuses_gyrostat,
+     rot_free_exact_s,
+     {30e-6, 0.8e-6, 0.0, 0.0}},
+    ROT_FREE_INTEGRATED("pivot_", WEIGHT | TORQUE | LAW | DAMPING | ROTORS | MOTORS),
+    ROT_FREE_STEPS("pivot_", WEIGHT | TORQUE | LAW | DAMPING | ROTORS | MOTORS, WEIGHT | ROTORS),
+};
+
+const rot_constraint rot_pivot_constraint = {"pivot",
+                                             rot_free_measures,
+                                             sizeof effects / sizeof *effects,
+                                             sizeof models / sizeof *models,
+                                             effects,
+                                             models,
+                                             effects_of,
+                                             NULL,
+                                             bound_of};

@@ -1,0 +1,202 @@
+#include "scene/pivot/pivot.h"
+
+#include <math.h>
+
+#include "maths/attitude.h"
+#include "scene/free/rotors.h"
+#include "engine/march.h"
+#include "scene/pivot/top_motion.h"
+
+/* Moments across the axis are the same within their rounding. */
+#define ALIKE (16.0 * ROT_EPS)
+
+const double rot_pivot_turns[3][4] = {
+    {0.5, 0.5, 0.5, 0.5}, {0.5, -0.5, -0.5, -0.5}, {1.0, 0.0, 0.0, 0.0}};
+
+int rot_pivot_axis(const rot_free_params *p) {
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double a = p->moment_kg_m2[i], b = p->moment_kg_m2[j], *g = p->lever_n_m;
+    const double most = fabs(g[k]) * (p->turned ? 8.0 * ROT_EPS : 0.0);
+    if (fabs(g[i]) <= most && fabs(g[j]) <= most && g[k] != 0.0 && fabs(a - b) <= ALIKE * a) {
+      return k;
+    }
+  }
+  return -1;
+}
+
+/* Whether all rotors lie along axis k. */
+static int along(const rot_free_rotors *r, int k) {
+  const double most = r->p->turned ? 8.0 * ROT_EPS : 0.0;
+  for (size_t i = 0; i < r->n; i++) {
+    if (!(fabs(r->axis[i][(k + 1) % 3]) <= most && fabs(r->axis[i][(k + 2) % 3]) <= most)) return 0;
+  }
+  return 1;
+}
+
+const char *rot_pivot_not_top(const rot_free_params *p) {
+  const int k = rot_pivot_axis(p);
+  rot_free_rotors rotors;
+  if (k < 0) return "it is no symmetric top";
+  if (!p->n_rotors) return NULL;
+  const char *why = rot_free_rotors_begin(p, &rotors);
+  if (why) return why;
+  return along(&rotors, k) ? NULL : "the rotors are not along the axis of symmetry";
+}
+
+void rot_pivot_sharpen(rot_free_params *p, double mass_kg, double gravity_m_per_s2,
+                       const double centre_m[3]) {
+  int e_mass, e_gravity;
+  const double mass = frexp(mass_kg, &e_mass), gravity = frexp(gravity_m_per_s2, &e_gravity);
+  const rot_dd weight = rot_dd_mul2(mass, gravity);
+  for (int k = 0; k < 3; k++) {
+    int e;
+    const double centre = frexp(centre_m[k], &e), lever = p->lever_n_m[k];
+    const double scaled = ldexp(lever, -(e_mass + e_gravity + e));
+    const double low = rot_dd_add1(rot_dd_mul1(weight, centre), -scaled).hi;
+    const int rounded = !p->turned && fabs(low) <= 4.0 * ROT_EPS * fabs(scaled);
+    p->lever_low_n_m[k] = rounded ? ldexp(low, e_mass + e_gravity + e) : 0.0;
+  }
+}
+
+typedef struct run {
+  const rot_free_params *p;
+  rot_top_motion motion;
+  rot_free_rotors rotors;
+  int axis;       /* of symmetry; the top's axes 1, 2, 3 are axis + 1, axis + 2, axis (modulo 3) */
+  double turn[4]; /* v_principal = turn v_top turn* */
+  const double *time_s;
+  const rot_free_columns *out;
+  rot_info *info;
+} run;
+
+/* The start of the top: q turn, exactly (halves of sums, in twice the precision). */
+static void begin_start(const run *r, const double omega[3], const double q[4],
+                        rot_top_start *out) {
+  static const int at[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+  static const double sign[4][4] = {
+      {1.0, -1.0, -1.0, -1.0}, {1.0, 1.0, -1.0, 1.0}, {1.0, 1.0, 1.0, -1.0}, {1.0, -1.0, 1.0, 1.0}};
+  for (int i = 0; i < 3; i++) out->omega[i] = (rot_dd){omega[(r->axis + 1 + i) % 3], 0.0};
+  for (int i = 0; i < 4; i++) {
+    rot_dd sum = {0.0, 0.0};
+    for (int j = 0; j < 4; j++) {
+      /* component i: q_j times the component at[i][j] of the turn, or the reverse */
+      sum = rot_dd_add1(sum, sign[i][j] * r->turn[j] * q[at[i][j]]);
+    }
+    out->q[i] = sum;
+  }
+}
+
+static rot_status begin(const rot_free_params *p, run *r) {
+  const int k = rot_pivot_axis(p);
+  double omega[3], q[4];
+  rot_top_start start;
+  rot_dd wheels = {0.0, 0.0};
+  if (k < 0) return ROT_EVALUE;
+  if (p->n_rotors && (rot_free_rotors_begin(p, &r->rotors) || !along(&r->rotors, k))) {
+    return ROT_EVALUE;
+  }
+  for (size_t i = 0; i < p->n_rotors; i++) { /* their speeds are constant, as omega3 is */
+    const rot_free_rotor *one = &p->rotors[i];
+    const rot_dd spin = rot_dd_mul2(one->moment_kg_m2, one->omega_rad_per_s);
+    wheels = rot_dd_add(wheels, r->rotors.axis[i][k] < 0.0 ? rot_dd_neg(spin) : spin);
+  }
+  r->p = p;
+  r->axis = k;
+  for (int i = 0; i < 4; i++) r->turn[i] = rot_pivot_turns[k][i];
+  rot_free_principal(p, omega, q);
+  begin_start(r, omega, q, &start);
+  const double a = p->moment_kg_m2[(k + 1) % 3], b = p->moment_kg_m2[(k + 2) % 3];
+  const double uneven = fmax(p->given, fabs(a - b) / a);
+  const double given = p->turned ? fmax(uneven, 4.0 * ROT_EPS) : uneven;
+  const rot_dd weight = rot_dd_sum2(p->lever_n_m[k], p->lever_low_n_m[k]);
+  const rot_status status =
+      rot_top_begin_wheels(a, p->moment_kg_m2[k], weight, wheels, &start, given, &r->motion);
+  if (status != ROT_OK) return status;
+  /* The attitude is four rounded numbers. A turn about the vertical changes no rate. */
+  for (int i = 0; i < 4; i++) {
+    rot_top_motion other;
+    double near[4] = {q[0], q[1], q[2], q[3]};
+    if (q[i] == 0.0 || fabs(q[i]) == 1.0) continue;
+    near[i] *= 1.0 + 4.0 * ROT_EPS;
+    begin_start(r, omega, near, &start);
+    if (rot_top_begin_wheels(a, p->moment_kg_m2[k], weight, wheels, &start, given, &other) ==
+        ROT_OK) {
+      rot_top_differ(&r->motion, &other);
+    }
+  }
+  return ROT_OK;
+}
+
+static void note(const run *r, const double omega[3], double angle_error, double omega_error) {
+  if (r->p->n_rotors) {
+    rot_free_rotors_note(&r->rotors, omega, angle_error, omega_error, r->info);
+  } else {
+    rot_free_note(r->p, omega, angle_error, omega_error, r->info);
+  }
+}
+
+static rot_status write_row(void *model, size_t i) {
+  const run *r = model;
+  const rot_dd t = rot_dd_sum2(r->time_s[i], -r->p->start_s);
+  const double back[4] = {r->turn[0], -r->turn[1], -r->turn[2], -r->turn[3]};
+  double q[4], omega[3];
+  rot_top_state at;
+  rot_top_at(&r->motion, t, &at);
+  rot_attitude_times(at.q, back, q);
+  (void)rot_attitude_unit(q);
+  for (int k = 0; k < 3; k++) omega[(r->axis + 1 + k) % 3] = at.omega[k];
+  note(r, omega, at.q_error + 4.0 * ROT_EPS, at.omega_error);
+  const rot_status status = rot_free_write(r->p, omega, q, i, r->out);
+  if (status != ROT_OK || !r->p->n_rotors) return status;
+  return rot_free_rotors_write(&r->rotors, omega, q, r->rotors.start, i, r->out);
+}
+
+/* The times at which lambda t + start is a multiple of K. */
+static rot_status log_turns(const run *r, size_t n, const double time_s[], rot_events *events) {
+  const rot_top_motion *m = &r->motion;
+  if (!n || m->weightless || m->steady || m->jacobi.m1 == 0.0) return ROT_OK;
+  const double from = fmin(time_s[0], r->p->start_s), to = fmax(time_s[n - 1], r->p->start_s);
+  const double rate = ldexp(m->lambda.hi, m->exponent), k = m->jacobi.k.hi;
+  const double first = floor((rate * (from - r->p->start_s) + m->start.hi) / k);
+  const double last = ceil((rate * (to - r->p->start_s) + m->start.hi) / k);
+  if (!(last - first <= ROT_FREE_MOST_FLIPS)) return ROT_OK;
+  for (double j = first; j <= last; j++) {
+    const rot_dd u = rot_dd_sub(rot_dd_mul1(m->jacobi.k, j), m->start);
+    const rot_dd s = rot_dd_ldexp(rot_dd_div(u, m->lambda), -m->exponent);
+    const double t = rot_dd_add1(s, r->p->start_s).hi;
+    const int high = fmod(j, 2.0) != 0.0; /* sn = 1: the centre of mass is highest */
+    if (!(t >= from && t <= to)) continue;
+    const rot_status status =
+        rot_events_add(events, t, high ? ROT_EVENT_HIGHEST : ROT_EVENT_LOWEST);
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
+}
+
+rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s[],
+                         const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,
+                         rot_info *info) {
+  static const rot_march march = {NULL, NULL, NULL, write_row, NULL};
+  run r = {.time_s = time_s, .out = out, .info = info};
+  double omega[3], q[4];
+  rot_info_clear(info, rot_free_measures);
+  info->status = begin(p, &r);
+  if (info->status != ROT_OK) return info->status;
+  rot_free_principal(p, omega, q);
+  note(&r, omega, 0.0, 0.0);
+  const rot_status status = rot_march_rows(&march, &r, p->start_s, n, time_s, hooks, info);
+  return status == ROT_OK ? info->status = log_turns(&r, n, time_s, events) : status;
+}
+
+rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]) {
+  run r;
+  const rot_status status = begin(p, &r);
+  if (status != ROT_OK) return status;
+  const rot_top_nutation n = rot_top_nutates(&r.motion);
+  out[0] = n.period_s;
+  out[1] = n.lowest_cosine;
+  out[2] = n.highest_cosine;
+  out[3] = n.precession_rad;
+  return ROT_OK;
+}

@@ -1,0 +1,63 @@
+#include "scene/pivot/precession.h"
+
+#include <math.h>
+
+#include "ground/real.h"
+#include "scene/pivot/top_motion.h"
+
+static const double pi = 0x1.921fb54442d18p+1;
+
+/* e/(1 + sqrt(1 - e))^2 with e = 4 I1 G cos/(I3 omega3)^2: what the formula lacks of the slow rate,
+ * in parts of the formula, (slow - formula)/formula; relative to the slow rate it is x/(1 + x). */
+static double formula_error(double i1, double weight, double cosine, double momentum) {
+  if (cosine == 0.0 || weight == 0.0) return 0.0;
+  const double e = 4.0 * (i1 / momentum) * (weight / momentum) * cosine;
+  if (!(e <= 1.0)) return NAN;
+  const double s = 1.0 + sqrt(1.0 - e), x = e / (s * s);
+  return fabs(x / (1.0 + x));
+}
+
+static void release(const rot_precession_input *in, double weight, rot_precession *out) {
+  rot_top_start start;
+  rot_top_motion motion;
+  const double theta = in->angle_deg * (pi / 180.0);
+  rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, in->spin_rad_per_s, &start);
+  if (rot_top_begin(in->transverse_kg_m2, in->axial_kg_m2, weight, &start, 0.0, &motion) !=
+      ROT_OK) {
+    return;
+  }
+  const rot_top_nutation n = rot_top_nutates(&motion);
+  out->nutation_s = n.period_s;
+  out->lowest_deg =
+      acos(fmax(-1.0, fmin(1.0, weight < 0.0 ? n.highest_cosine : n.lowest_cosine))) * (180.0 / pi);
+  out->mean_rad_per_s = n.precession_rad / n.period_s;
+}
+
+rot_precession rot_precession_of(const rot_precession_input *in) {
+  rot_precession out = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+  const double cosine = rot_sin_deg(90.0 - fabs(in->angle_deg));
+  const double sine = rot_sin_deg(in->angle_deg);
+  const double factors[] = {in->mass_kg, in->gravity_m_per_s2, in->lever_arm_m};
+  const double weight = rot_product(3, factors, 1.0);
+  const double momentum = in->axial_kg_m2 * in->spin_rad_per_s;
+  out.torque_n_m = weight * sine;
+  out.momentum_kg_m2_per_s = momentum;
+  out.rate_rad_per_s = weight / in->axial_kg_m2 / in->spin_rad_per_s;
+  out.period_s = fabs(2.0 * pi / out.rate_rad_per_s);
+  if (cosine == 0.0) { /* the formula is exact, whatever the other moment */
+    out.slow_rad_per_s = out.rate_rad_per_s;
+    out.error = 0.0;
+  }
+  if (isnan(in->transverse_kg_m2)) return out;
+  rot_top_steady(in->transverse_kg_m2, in->axial_kg_m2, weight, cosine, in->spin_rad_per_s,
+                 &out.slow_rad_per_s, &out.fast_rad_per_s);
+  out.error = formula_error(in->transverse_kg_m2, weight, cosine, momentum);
+  release(in, weight, &out);
+  return out;
+}
+
+double rot_precession_sleeps(double i3, double i1, double mass, double lever, double gravity) {
+  const double factors[] = {mass, gravity, lever};
+  const double weight = rot_product(3, factors, 1.0);
+  return 2.0 * (sqrt(i1) / i3) * sqrt(fmax(weight, 0.0));
+}

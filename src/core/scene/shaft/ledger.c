@@ -1,0 +1,185 @@
+#include "scene/shaft/ledger.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "maths/expm.h"
+#include "ground/gauss.h"
+#include "ground/real.h"
+#include "scene/shaft/rigid.h"
+#include "scene/shaft/modes.h"
+#include "scene/shaft/decoupled.h"
+#include "scene/shaft/coupled.h"
+
+static double angle_of(const rot_shaft_modes *s, const double p[], size_t i) {
+  double sum = 0.0;
+  for (size_t m = s->n; m-- > 1;) {
+    sum += s->shape[i * s->n + m] * (m > s->floppy ? p[m] / s->sigma[m] : p[m]);
+  }
+  return sum;
+}
+
+/* As rot_expm_multiply() polls. */
+enum { LARGE = 128 };
+
+static rot_status add_transformed(size_t n, double w[], const double weight, const double e[],
+                                  const double q[], double work[], const rot_hooks *hooks) {
+  /* w += weight e' q e */
+  rot_status status = rot_expm_multiply(n, q, e, work, hooks);
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
+    for (size_t k = 0; k < n; k++) {
+      const double x = weight * e[k * n + i];
+      if (x == 0.0) continue;
+      for (size_t j = 0; j < n; j++) w[i * n + j] += x * work[k * n + j];
+    }
+    if (n >= LARGE) status = rot_poll(hooks, 0.0);
+  }
+  return status;
+}
+
+/* Heat = x0' W x0 with W = int exp(A't) Q exp(A t) dt: by quadrature over a short time, then by
+ * doubling, W(2h) = W(h) + exp(A'h) W(h) exp(A h). All parts are positive: nothing cancels. */
+static rot_status find_heat(const rot_shaft_modes *s, double from, double span, const double p[],
+                            const double r[], rot_shaft_ledger *ledger) {
+  const size_t n = s->n, size = 2 * n + 1, square = size * size;
+  double *memory = calloc(4 * square + 2 * size + ROT_EXPM_WORK(size) + 2 * square, sizeof *memory);
+  if (!memory) return ROT_ENOMEM;
+  double *q = memory, *w = q + square, *sum = w + square, *x = sum + 2 * square, *y = x + size;
+  rot_shaft_stepper step = rot_shaft_stepper_in(n, y + size);
+  int doublings = 0;
+  const double norm = fmax(s->norm, fmax(s->decay, s->coupling[0]));
+  if (norm * span > 1.0) doublings = (int)ceil(log2(norm * span));
+  const double h = ldexp(span, -doublings);
+  for (size_t a = 0; a < n; a++) {
+    for (size_t b = 0; b < n; b++) q[(n + a) * size + n + b] = s->coupling[a * n + b];
+  }
+  rot_status status = ROT_OK;
+  for (int i = 0; i < 12 && status == ROT_OK; i++) {
+    const rot_gauss_node at = rot_gauss(i);
+    status = rot_shaft_set_step(s, &step, at.x * h);
+    /* The last place holds step.unit then; here it shall hold 1. */
+    for (size_t k = 0; k < size; k++) step.e[k * size + 2 * n] *= step.unit;
+    step.e[square - 1] = 1.0;
+    if (status == ROT_OK) {
+      status = add_transformed(size, w, at.weight * h, step.e, q, sum, s->hooks);
+    }
+  }
+  if (status == ROT_OK) status = rot_shaft_set_step(s, &step, h);
+  for (size_t k = 0; k < size; k++) step.e[k * size + 2 * n] *= step.unit;
+  step.e[square - 1] = 1.0;
+  for (int i = 0; i < doublings && status == ROT_OK; i++) {
+    memcpy(sum, w, square * sizeof *w);
+    status = add_transformed(size, w, 1.0, step.e, sum, sum + square, s->hooks);
+    if (status == ROT_OK) status = rot_expm_multiply(size, step.e, step.e, sum, s->hooks);
+    memcpy(step.e, sum, square * sizeof *sum);
+  }
+  for (size_t m = 0; m < n; m++) {
+    x[m] = m <= s->floppy ? 0.0 : p[m];
+    x[n + m] = m == 0 ? r[0] * s->root_inertia : r[m];
+  }
+  x[2 * n] = 1.0;
+  rot_expm_apply(size, w, x, y);
+  double most = 0.0;
+  ledger->dissipated_j = 0.0;
+  for (size_t i = 0; i < size; i++) {
+    ledger->dissipated_j += x[i] * y[i];
+    for (size_t j = 0; j < size; j++) most += fabs(x[i] * w[i * size + j] * x[j]);
+  }
+  ledger->dissipated_rounding_j =
+      ROT_EPS * (32.0 + 8.0 * (double)n + 4.0 * s->norm * (fabs(from) + span)) * most;
+  free(memory);
+  return isfinite(ledger->dissipated_j) || status != ROT_OK ? status : ROT_ERANGE;
+}
+
+/* p and r (or q) of the modes at a time. */
+static rot_status modes_at(const rot_shaft_modes *s, rot_dd t, double p[], double r[],
+                           double error[]) {
+  if (s->decoupled) {
+    rot_shaft_decoupled_at(s, t, p, r, error);
+    return ROT_OK;
+  }
+  const size_t room = rot_shaft_coupled_room(s->n);
+  double *memory = malloc((room + 2 * s->n + 1) * sizeof *memory);
+  if (!memory) return ROT_ENOMEM;
+  rot_shaft_stepper one = rot_shaft_stepper_in(s->n, memory);
+  const rot_status status = rot_shaft_jump(s, &one, t, memory + room, p, r);
+  if (status == ROT_OK) rot_shaft_coupled_errors(s, t.hi, 0.0, p, r, error);
+  free(memory);
+  return status;
+}
+
+static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_dd finish,
+                                   const rot_hooks *hooks, rot_shaft_ledger *ledger) {
+  rot_shaft_modes s;
+  const double from = begin.hi, to = finish.hi;
+  const size_t n = p->n;
+  double *memory = calloc(6 * n, sizeof *memory);
+  rot_status status = memory ? rot_shaft_modes_build(&s, p, hooks) : ROT_ENOMEM;
+  if (!memory) return status;
+  double *p0 = memory, *r0 = p0 + n, *p1 = r0 + n, *r1 = p1 + n, *e0 = r1 + n, *e1 = e0 + n;
+  if (status == ROT_OK) status = modes_at(&s, begin, p0, r0, e0);
+  if (status == ROT_OK) status = modes_at(&s, finish, p1, r1, e1);
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
+    const double tau = p->torque_n_m[i], twist = angle_of(&s, p1, i) - angle_of(&s, p0, i);
+    double error = 8.0 * ROT_EPS * (fabs(p0[0]) + fabs(p1[0]));
+    for (size_t m = 0; m < n; m++) {
+      const double shape = fabs(s.shape[i * n + m]);
+      error += shape * (e0[m] + e1[m]) * (m > s.floppy ? 1.0 / s.sigma[m] : fabs(to) + fabs(from));
+    }
+    ledger->work_j += tau * ((p1[0] - p0[0]) + twist);
+    ledger->work_rounding_j += fabs(tau) * error;
+  }
+  int damped = 0;
+  for (size_t m = 0; m < n * n; m++) damped |= s.coupling != NULL && s.coupling[m] != 0.0;
+  if (damped && to > from && status == ROT_OK) {
+    status = find_heat(&s, from, to - from, p0, r0, ledger);
+  }
+  rot_shaft_modes_free(&s);
+  free(memory);
+  return status;
+}
+
+/* int omega^2 by Gauss and Legendre over stretches of decay * t = 2. */
+static rot_status balance_of_lump(const rot_shaft_params *p, double from, double to,
+                                  rot_shaft_ledger *ledger) {
+  rot_shaft_lump s;
+  double theta0, theta1, omega, theta_size, omega_size, torque = 0.0, most = 0.0;
+  const rot_status status = rot_shaft_lump_build(&s, p);
+  if (status != ROT_OK) return status;
+  rot_shaft_lump_at(&s, from, &theta0, &omega, &theta_size, &omega_size);
+  most += theta_size;
+  rot_shaft_lump_at(&s, to, &theta1, &omega, &theta_size, &omega_size);
+  most += theta_size;
+  for (size_t i = 0; i < p->n; i++) torque += p->torque_n_m[i];
+  ledger->work_j = torque * (theta1 - theta0);
+  ledger->work_rounding_j = fabs(torque) * 16.0 * ROT_EPS * most;
+  /* After 40 times 1/decay from the start omega has settled: the rest in one go. */
+  const double settled = s.decay > 0.0 ? fmin(to, fmax(from, 40.0 / s.decay)) : to;
+  const double parts = fmax(1.0, ceil(s.decay * (settled - from) / 2.0));
+  double sum = 0.0;
+  for (double k = 0.0; k < parts && s.decay > 0.0; k += 1.0) {
+    const double h = (settled - from) / parts;
+    for (int i = 0; i < 12; i++) {
+      const rot_gauss_node at = rot_gauss(i);
+      rot_shaft_lump_at(&s, from + (k + at.x) * h, &theta1, &omega, &theta_size, &omega_size);
+      sum += at.weight * h * omega * omega;
+    }
+  }
+  if (s.decay > 0.0 && to > settled) {
+    rot_shaft_lump_at(&s, to, &theta1, &omega, &theta_size, &omega_size);
+    sum += (to - settled) * omega * omega;
+  }
+  ledger->dissipated_j = s.decay * s.inertia * sum;
+  ledger->dissipated_rounding_j = 40.0 * ROT_EPS * ledger->dissipated_j;
+  rot_shaft_lump_free(&s);
+  return ROT_OK;
+}
+
+rot_status rot_shaft_balance(const rot_shaft_params *p, int rigid, double from_s, double to_s,
+                             const rot_hooks *hooks, rot_shaft_ledger *ledger) {
+  const rot_dd from = rot_dd_sum2(from_s, -p->start_s), to = rot_dd_sum2(to_s, -p->start_s);
+  *ledger = (rot_shaft_ledger){0.0, 0.0, 0.0, 0.0};
+  return rigid ? balance_of_lump(p, from.hi, to.hi, ledger)
+               : balance_of_modes(p, from, to, hooks, ledger);
+}

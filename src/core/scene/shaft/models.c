@@ -1,0 +1,98 @@
+#include "scene/shaft/models.h"
+
+#include <math.h>
+
+#include "scene/shaft/shaft.h"
+
+enum { TORQUE = 1, SPRING = 2, DAMPER = 4, VISCOUS = 8, ALL = 15 };
+
+static const rot_effect effects[] = {{"torque", "constant torques", 0, 0},
+                                     {"spring", "springs between neighbours", 0, 0},
+                                     {"damper", "dampers between neighbours", 0, 0},
+                                     {"viscous", "viscous resistance", 0, 0}};
+
+static int any(size_t n, const double x[]) {
+  for (size_t i = 0; i < n; i++) {
+    if (x[i] != 0.0) return 1;
+  }
+  return 0;
+}
+
+static unsigned effects_of(const void *scene) {
+  const rot_shaft_params *p = scene;
+  return (any(p->n, p->torque_n_m) ? TORQUE : 0u) |
+         (any(p->n - 1, p->stiffness_n_m_per_rad) ? SPRING : 0u) |
+         (any(p->n - 1, p->damping_n_m_s) ? DAMPER : 0u) |
+         (any(p->n, p->viscous_n_m_s) ? VISCOUS : 0u);
+}
+
+static const char *not_rigid(const void *scene, const rot_query *query) {
+  const rot_shaft_params *p = scene;
+  for (size_t i = 0; i + 1 < p->n; i++) {
+    if (p->stiffness_n_m_per_rad[i] <= 0.0) return "a piece of the shaft has no stiffness";
+  }
+  const int backward = query->n && query->time_s[0] < p->start_s;
+  if (backward && effects_of(scene) & (DAMPER | VISCOUS)) {
+    return "backwards, with damping, no bound is known on what it leaves out";
+  }
+  return NULL;
+}
+
+/* Whether c_i = a k_i and d_i = b J_i: then each mode has a closed form. */
+static int modes_apart(const rot_shaft_params *p) {
+  int apart = 1;
+  for (size_t i = 1; i < p->n; i++) {
+    const double *J = p->inertia_kg_m2, *d = p->viscous_n_m_s, *k = p->stiffness_n_m_per_rad;
+    const double *c = p->damping_n_m_s, off = d[i] * J[0] - d[0] * J[i];
+    apart &= fabs(off) <= 1e-12 * d[i] * J[0];
+    if (i + 1 < p->n) apart &= fabs(c[i] * k[0] - c[0] * k[i]) <= 1e-12 * c[i] * k[0];
+  }
+  return apart;
+}
+
+static double rigid_s(const rot_model *model, const void *scene, const rot_query *query) {
+  const double n = (double)((const rot_shaft_params *)scene)->n, rows = (double)query->n;
+  const double *s = model->seconds, exponential_s = effects_of(scene) & VISCOUS ? s[3] : 0.0;
+  return s[0] + rows * (n * s[1] + n * n * s[2] + exponential_s);
+}
+
+/* Coupled modes take the exponential of a matrix: one for even rows, or (for the last digits) one a
+ * row. */
+static double modal_s(const rot_model *model, const void *scene, const rot_query *query) {
+  const double n = (double)((const rot_shaft_params *)scene)->n, rows = (double)query->n;
+  const double *s = model->seconds, cube = n * n * n * s[3];
+  if (modes_apart(scene)) return s[0] + cube + rows * n * (s[1] + n * s[2]);
+  return 3.0 * s[0] + 2.0 * cube +
+         rows * n * n * (query->accuracy >= 1e-11 ? 11.0 * s[2] : 100.0 * s[2] + n * s[3]);
+}
+
+static const rot_model models[] = {
+    {"rotors_rigid",
+     ALL,
+     ROT_BOUND,
+     4e-15,
+     ROT_ON_TRIAL,
+     "twists below the accuracy: the shaft turns as one body",
+     not_rigid,
+     rigid_s,
+     {0.8e-6, 30e-9, 3e-9, 80e-9}},
+    {"rotors_modal",
+     ALL,
+     ROT_ESTIMATE,
+     1e-14,
+     ROT_FREELY,
+     "linear springs, constant torques: the modes are exact",
+     NULL,
+     modal_s,
+     {1e-6, 80e-9, 5e-9, 60e-9}},
+};
+
+const rot_constraint rot_shaft_constraint = {"rotors",
+                                             rot_turning,
+                                             sizeof effects / sizeof *effects,
+                                             sizeof models / sizeof *models,
+                                             effects,
+                                             models,
+                                             effects_of,
+                                             NULL,
+                                             NULL};

@@ -1,0 +1,407 @@
+#include "scene/shaft/modes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ground/dd.h"
+#include "maths/eigen.h"
+#include "ground/real.h"
+
+static int allocate(rot_shaft_modes *s, size_t n) {
+  double *next = s->memory = calloc(n * (4 * n + 10), sizeof *next);
+  if (!next) return 0;
+  double **small[] = {&s->leak,  &s->force_leak, &s->sigma_lo, &s->sigma_off, &s->share,
+                      &s->sigma, &s->damp,       &s->p0,       &s->r0,        &s->force};
+  double **large[] = {&s->shape, &s->twist, &s->lever, &s->coupling};
+  for (int i = 0; i < 10; i++, next += n) *small[i] = next;
+  for (int i = 0; i < 4; i++, next += n * n) *large[i] = next;
+  return 1;
+}
+
+/* A step of the loops below takes 4 us with so many rotors; fewer are not worth a poll. */
+enum { LARGE = 64 };
+
+static rot_status poll_if_large(const rot_shaft_modes *s) {
+  return s->n < LARGE ? ROT_OK : rot_poll(s->hooks, 0.0);
+}
+
+/* Weighted by inertia, from the first one on: rotors that agree have exactly their own mean. To
+ * twice the precision, since a mean that cancels is the rate of all angles. */
+static double mean_of(const rot_shaft_modes *s, const double x[]) {
+  const double *J = s->p->inertia_kg_m2;
+  double largest = 0.0;
+  int e = 0;
+  for (size_t i = 0; i < s->n; i++) largest = fmax(largest, J[i]);
+  (void)frexp(largest, &e);
+  rot_dd sum = {0.0, 0.0}, all = {ldexp(J[0], -e), 0.0};
+  for (size_t i = 1; i < s->n; i++) {
+    const double mass = ldexp(J[i], -e);
+    sum = rot_dd_add(sum, rot_dd_mul1(rot_dd_sum2(x[i], -x[0]), mass));
+    all = rot_dd_add1(all, mass);
+  }
+  return rot_dd_add1(rot_dd_div(sum, all), x[0]).hi;
+}
+
+/* The twists: singular vectors of sqrt(k) B J^-1/2, whose small singular values keep their digits
+ * however much the rotors and springs differ. Fills sigma and lever. */
+static rot_status find_twists(rot_shaft_modes *s) {
+  const size_t n = s->n, springs = n - 1 - s->floppy;
+  const double *k = s->p->stiffness_n_m_per_rad, *J = s->p->inertia_kg_m2;
+  if (springs == 0) return ROT_OK;
+  double *g = calloc((n + springs) * springs, sizeof *g);
+  if (!g) return ROT_ENOMEM;
+  double *u = g + n * springs;
+  size_t column = 0;
+  for (size_t j = 0; j + 1 < n; j++) {
+    if (k[j] == 0.0) continue;
+    g[j * springs + column] = sqrt(k[j]) / sqrt(J[j]);
+    g[(j + 1) * springs + column] = -sqrt(k[j]) / sqrt(J[j + 1]);
+    column++;
+  }
+  rot_status status = rot_eigen_singular(n, springs, g, s->sigma + 1 + s->floppy, u, s->hooks);
+  for (size_t j = 0, row = 0; status == ROT_OK && j + 1 < n; j++) {
+    if (k[j] == 0.0) continue;
+    for (size_t m = 0; m < springs; m++) {
+      s->lever[j * n + 1 + s->floppy + m] = sqrt(k[j]) * u[row * springs + m];
+    }
+    row++;
+  }
+  free(g);
+  return status == ROT_EVALUE ? ROT_ERANGE : status;
+}
+
+/* Shapes of the twists in rotors first .. last, joined by springs: each rotor from the twists to
+ * its right and left, with the shares of inertia beyond. No difference of large numbers, and no
+ * net momentum. */
+static rot_status shape_group(rot_shaft_modes *s, size_t first, size_t last) {
+  const size_t n = s->n;
+  const double *k = s->p->stiffness_n_m_per_rad;
+  double all = 0.0, left = 0.0;
+  for (size_t i = first; i <= last; i++) all += s->share[i];
+  for (size_t j = first; j < last; j++) {
+    double right = 0.0;
+    left += s->share[j];
+    for (size_t i = j + 1; i <= last; i++) right += s->share[i];
+    for (size_t m = 1 + s->floppy; m < n; m++) {
+      const double twist = s->sigma[m] * (s->lever[j * n + m] / k[j]);
+      s->twist[j * n + m] = twist;
+      for (size_t i = first; i <= j; i++) s->shape[i * n + m] += twist * (right / all);
+      for (size_t i = j + 1; i <= last; i++) s->shape[i * n + m] -= twist * (left / all);
+    }
+    const rot_status status = poll_if_large(s);
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
+}
+
+/* Mode f moves the groups before group f against group f. */
+static void shape_floppy(rot_shaft_modes *s, size_t f, size_t first, size_t last) {
+  double before = 0.0, here = 0.0;
+  for (size_t i = 0; i < first; i++) before += s->share[i];
+  for (size_t i = first; i <= last; i++) here += s->share[i];
+  const double root = s->root_inertia, both = before + here;
+  for (size_t i = 0; i < first; i++) s->shape[i * s->n + f] = sqrt(here / both / before) / root;
+  for (size_t i = first; i <= last; i++) {
+    s->shape[i * s->n + f] = -sqrt(before / both / here) / root;
+  }
+}
+
+static rot_status find_shapes(rot_shaft_modes *s) {
+  const size_t n = s->n;
+  const double *k = s->p->stiffness_n_m_per_rad;
+  for (size_t first = 0, last = 0, group = 0; first < n; first = ++last, group++) {
+    while (last + 1 < n && k[last] > 0.0) last++;
+    const rot_status status = shape_group(s, first, last);
+    if (status != ROT_OK) return status;
+    if (group > 0) shape_floppy(s, group, first, last);
+  }
+  for (size_t i = 0; i < n; i++) s->shape[i * n] = 1.0;
+  for (size_t j = 0; j + 1 < n; j++) {
+    for (size_t m = 1; m < n && k[j] == 0.0; m++) {
+      s->twist[j * n + m] = s->shape[j * n + m] - s->shape[(j + 1) * n + m];
+    }
+  }
+  return ROT_OK;
+}
+
+/* ---- phases of the modes --------------------------------------------------------------------- */
+
+/* The shape of a twist in numbers near 1, so that no square leaves the range. */
+typedef struct scaled_shape {
+  int of_k, of_J, of_twist;
+  const double *twist; /* column m */
+  size_t stride;
+} scaled_shape;
+
+static rot_dd scaled_mass(const rot_shaft_modes *s, const scaled_shape *x, size_t i) {
+  return (rot_dd){ldexp(s->p->inertia_kg_m2[i], -x->of_J), 0.0};
+}
+
+static rot_dd scaled_twist(const scaled_shape *x, size_t i) {
+  return (rot_dd){ldexp(x->twist[i * x->stride], -x->of_twist), 0.0};
+}
+
+/* The torque of piece i of the shaft. */
+static rot_dd scaled_torque(const rot_shaft_modes *s, const scaled_shape *x, size_t i) {
+  return rot_dd_mul1(scaled_twist(x, i), ldexp(s->p->stiffness_n_m_per_rad[i], -x->of_k));
+}
+
+/* The last rotor of a group joined by springs. */
+static size_t group_end(const rot_shaft_modes *s, size_t first) {
+  while (first + 1 < s->n && s->p->stiffness_n_m_per_rad[first] > 0.0) first++;
+  return first;
+}
+
+/* The angle of the last rotor of a group whose momentum is 0. */
+static rot_dd last_angle(const rot_shaft_modes *s, const scaled_shape *x, size_t first,
+                         size_t last) {
+  rot_dd theta = {0.0, 0.0}, momentum = {0.0, 0.0}, inertia = {0.0, 0.0};
+  for (size_t i = last + 1; i-- > first;) {
+    if (i < last) theta = rot_dd_add(theta, scaled_twist(x, i));
+    inertia = rot_dd_add(inertia, scaled_mass(s, x, i));
+    momentum = rot_dd_add(momentum, rot_dd_mul(scaled_mass(s, x, i), theta));
+  }
+  return rot_dd_div(momentum, rot_dd_neg(inertia));
+}
+
+/* Sums over all rotors: elastic and kinetic energy, and, for sigma^2 = square, the square of what
+ * the equation of motion lacks over the inertia. */
+static void energies(const rot_shaft_modes *s, const scaled_shape *x, rot_dd square,
+                     rot_dd *elastic, rot_dd *kinetic, double *lacking) {
+  const rot_dd zero = {0.0, 0.0};
+  *elastic = *kinetic = zero;
+  *lacking = 0.0;
+  for (size_t first = 0, last = 0; first < s->n; first = ++last) {
+    last = group_end(s, first);
+    rot_dd theta = last_angle(s, x, first, last);
+    for (size_t i = last + 1; i-- > first;) {
+      if (i < last) {
+        const rot_dd twist = scaled_twist(x, i);
+        theta = rot_dd_add(theta, twist);
+        *elastic = rot_dd_add(*elastic, rot_dd_mul(scaled_torque(s, x, i), twist));
+      }
+      const rot_dd swing = rot_dd_mul(scaled_mass(s, x, i), theta);
+      const rot_dd out = i < last ? scaled_torque(s, x, i) : zero;
+      const rot_dd in = i > first ? scaled_torque(s, x, i - 1) : zero;
+      const double off = rot_dd_sub(rot_dd_sub(out, in), rot_dd_mul(square, swing)).hi;
+      *kinetic = rot_dd_add(*kinetic, rot_dd_mul(swing, theta));
+      *lacking += off / scaled_mass(s, x, i).hi * off;
+    }
+  }
+}
+
+/* The least |sigma_l^2 - sigma_m^2| over sigma_m^2 of a mode that moves the same pieces. */
+static double nearest_mode(const rot_shaft_modes *s, size_t m) {
+  double least = 1.0; /* the rigid-body modes */
+  for (size_t l = 1 + s->floppy; l < s->n; l++) {
+    int meet = 0;
+    for (size_t j = 0; j + 1 < s->n; j++) {
+      meet |= s->twist[j * s->n + l] != 0.0 && s->twist[j * s->n + m] != 0.0;
+    }
+    const double ratio = s->sigma[l] / s->sigma[m];
+    if (l != m && meet) least = fmin(least, fabs(ratio - 1.0) * (ratio + 1.0));
+  }
+  return least;
+}
+
+/* Elastic over kinetic energy of a shape given by its twists, sigma^2 = sum k twist^2 /
+ * sum J theta^2 with no net momentum in any group: an error of the shape counts squared, so this
+ * has twice its digits. At a phase of 1e5 (k = 1e10 for 1 s) it takes the error of omega from
+ * 4e-12 to 1e-16. *off: its relative error, from what the equation of motion lacks, r: sigma^2 is
+ * off by at most r^2 over the distance of the next one, and by r (Parlett 1998, sections 4.5 and
+ * 11.7). */
+static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m, double *off) {
+  const size_t n = s->n;
+  scaled_shape x = {0, 0, 0, s->twist + m, n};
+  double most_k = 0.0, most_J = 0.0, most = 0.0, lacking;
+  for (size_t i = 0; i < n; i++) most_J = fmax(most_J, s->p->inertia_kg_m2[i]);
+  for (size_t j = 0; j + 1 < n; j++) {
+    most_k = fmax(most_k, s->p->stiffness_n_m_per_rad[j]);
+    most = fmax(most, fabs(s->twist[j * n + m]));
+  }
+  (void)frexp(most_k, &x.of_k);
+  (void)frexp(most_J, &x.of_J);
+  (void)frexp(most, &x.of_twist);
+  x.of_J += (x.of_k - x.of_J) % 2; /* an even power between them, for the root */
+  rot_dd elastic, kinetic;
+  energies(s, &x, (rot_dd){0.0, 0.0}, &elastic, &kinetic, &lacking);
+  const rot_dd square = rot_dd_div(elastic, kinetic);
+  energies(s, &x, square, &elastic, &kinetic, &lacking);
+  const double r = sqrt(lacking / kinetic.hi) / square.hi;
+  *off = 0.5 * fmin(r, r * (r / nearest_mode(s, m))) + 64.0 * ROT_EPS * ROT_EPS;
+  return rot_dd_ldexp(rot_dd_sqrt(square), (x.of_k - x.of_J) / 2);
+}
+
+/* Keeps those that agree with the singular value: all, unless something underflowed. */
+static rot_status sharpen(rot_shaft_modes *s) {
+  for (size_t m = 1 + s->floppy; m < s->n; m++) {
+    const rot_dd sigma = sharp_sigma(s, m, &s->sigma_off[m]);
+    if (fabs(sigma.hi - s->sigma[m]) <= 1e-12 * s->sigma[m] && isfinite(sigma.lo) &&
+        s->sigma_off[m] < ROT_EPS) {
+      s->sigma[m] = sigma.hi;
+      s->sigma_lo[m] = sigma.lo;
+    } else {
+      s->sigma_lo[m] = NAN;
+      s->sigma_off[m] = ROT_EPS;
+    }
+    const rot_status status = poll_if_large(s);
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
+}
+
+/* x_i = ratio y_i for all i, to rounding; the ratio is 0 for no damping. */
+static int proportional(size_t n, const double x[], const double y[], double *ratio) {
+  double least = INFINITY, most = 0.0;
+  *ratio = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    if (x[i] == 0.0 && y[i] == 0.0) continue;
+    least = fmin(least, x[i] / y[i]);
+    most = fmax(most, x[i] / y[i]);
+  }
+  if (!(most - least <= 4.0 * ROT_EPS * most || most == 0.0)) return 0;
+  *ratio = most;
+  return isfinite(most);
+}
+
+/* Column 0 of twist is zero, so torques between the rotors do not act on the mean, exactly. */
+static rot_status find_damping(rot_shaft_modes *s) {
+  const size_t n = s->n;
+  const double *c = s->p->damping_n_m_s, *d = s->p->viscous_n_m_s, *J = s->p->inertia_kg_m2;
+  double of_springs, of_rotors;
+  const int springs = proportional(n - 1, c, s->p->stiffness_n_m_per_rad, &of_springs);
+  s->mean_alone = proportional(n, d, J, &of_rotors);
+  s->decoupled = (springs || n == 2) && s->mean_alone;
+  for (size_t a = 0; a < n; a++) {
+    for (size_t b = 0; b < n; b++) {
+      double sum = 0.0;
+      for (size_t j = 0; j + 1 < n; j++) sum += c[j] * s->twist[j * n + a] * s->twist[j * n + b];
+      for (size_t i = 0; i < n; i++) {
+        if (s->mean_alone) break;
+        const double x = a == 0 ? 1.0 / s->root_inertia : s->shape[i * n + a];
+        const double y = b == 0 ? 1.0 / s->root_inertia : s->shape[i * n + b];
+        sum += d[i] * x * y;
+      }
+      if (s->mean_alone && a == b) sum += of_rotors;
+      s->coupling[a * n + b] = sum;
+    }
+    s->damp[a] = s->coupling[a * n + a];
+    if (springs) s->damp[a] = of_springs * s->sigma[a] * s->sigma[a] + of_rotors;
+    const rot_status status = poll_if_large(s);
+    if (status != ROT_OK) return status;
+  }
+  s->decay = 0.0;
+  for (size_t i = 0; i < n; i++) s->decay += d[i] / s->inertia;
+  for (size_t a = 1; a < n; a++) {
+    double sum = s->sigma[a];
+    for (size_t b = 0; b < n; b++) sum += fabs(s->coupling[a * n + b]);
+    if (sum > s->norm) s->norm = sum;
+  }
+  return ROT_OK;
+}
+
+static void start_floppy(rot_shaft_modes *s, size_t m) {
+  const rot_shaft_params *p = s->p;
+  for (size_t i = 0; i < s->n; i++) {
+    const double J = p->inertia_kg_m2[i], shape = s->shape[i * s->n + m];
+    const double angle = J * shape * (p->theta0_rad[i] - s->theta0);
+    const double rate = J * shape * (p->omega0_rad_per_s[i] - s->omega0);
+    const double torque = shape * (p->torque_n_m[i] - J * s->alpha);
+    s->p0[m] += angle;
+    s->r0[m] += rate;
+    s->force[m] += torque;
+    s->leak[m] += fabs(rate);
+    s->force_leak[m] += fabs(torque);
+  }
+}
+
+typedef struct projection {
+  double value, size; /* a sum, and the size that its rounding is of */
+} projection;
+
+static projection better_of(projection a, projection b) { return a.size <= b.size ? a : b; }
+
+/* A twist takes its share of angles, rates and torques either from the rotors, with weights
+ * J shape, or, by sum J_i shape_i x_i = sum lever_j (x_j - x_(j+1))/sigma, from the springs. With
+ * rotors of very different size the springs are better, with springs of very different size the
+ * rotors: a shape is rounded by the size of its largest part. */
+static void start_twist(rot_shaft_modes *s, size_t m) {
+  const rot_shaft_params *p = s->p;
+  const size_t n = s->n;
+  const double sigma = s->sigma[m];
+  projection angle[2] = {{0}}, rate[2] = {{0}}, torque[2] = {{0}};
+  double largest = 0.0, carried = 0.0;
+  for (size_t i = 0; i < n; i++) largest = fmax(largest, fabs(s->shape[i * n + m]));
+  for (size_t i = 0; i < n; i++) {
+    const double J = p->inertia_kg_m2[i], shape = s->shape[i * n + m];
+    const double theta = p->theta0_rad[i] - s->theta0, omega = p->omega0_rad_per_s[i] - s->omega0;
+    const double left = p->torque_n_m[i] - J * s->alpha;
+    angle[0].value += sigma * (J * shape * theta);
+    angle[0].size += sigma * (J * largest * fabs(theta));
+    rate[0].value += J * shape * omega;
+    rate[0].size += J * largest * fabs(omega);
+    torque[0].value += shape * left;
+    torque[0].size += largest * fabs(left);
+    carried += left;
+    if (i + 1 == n || p->stiffness_n_m_per_rad[i] == 0.0) continue;
+    const double lever = s->lever[i * n + m], root = sqrt(p->stiffness_n_m_per_rad[i]);
+    const double twist = p->theta0_rad[i] - p->theta0_rad[i + 1];
+    const double slip = p->omega0_rad_per_s[i] - p->omega0_rad_per_s[i + 1];
+    angle[1].value += lever * twist;
+    angle[1].size += root * fabs(twist);
+    rate[1].value += lever * slip / sigma;
+    rate[1].size += root * fabs(slip) / sigma;
+    torque[1].value += s->twist[i * n + m] * carried;
+    torque[1].size += sigma / root * fabs(carried);
+  }
+  const projection p0 = better_of(angle[0], angle[1]), r0 = better_of(rate[0], rate[1]);
+  /* Beyond a missing spring the torque carried is not zero, and the second sum does not hold. */
+  const projection force = s->floppy ? torque[0] : better_of(torque[0], torque[1]);
+  s->p0[m] = p0.value;
+  s->r0[m] = r0.value;
+  s->force[m] = force.value;
+  s->leak[m] = p0.size + r0.size;
+  s->force_leak[m] = force.size;
+}
+
+static void find_start(rot_shaft_modes *s) {
+  const rot_shaft_params *p = s->p;
+  const size_t n = s->n;
+  s->theta0 = mean_of(s, p->theta0_rad);
+  s->omega0 = mean_of(s, p->omega0_rad_per_s);
+  for (size_t i = 1; i < n; i++) {
+    const double theta = fabs(p->theta0_rad[i] - p->theta0_rad[0]);
+    const double omega = fabs(p->omega0_rad_per_s[i] - p->omega0_rad_per_s[0]);
+    s->theta_spread = fmax(s->theta_spread, theta);
+    s->omega_spread = fmax(s->omega_spread, omega);
+  }
+  double torque = 0.0, lo = 0.0;
+  for (size_t i = 0; i < n; i++) rot_accumulate(&torque, &lo, p->torque_n_m[i]);
+  s->alpha = (torque + lo) / s->inertia;
+  s->r0[0] = s->omega0;
+  s->force[0] = s->alpha;
+  for (size_t m = 1; m <= s->floppy; m++) start_floppy(s, m);
+  for (size_t m = 1 + s->floppy; m < n; m++) start_twist(s, m);
+}
+
+rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p,
+                                 const rot_hooks *hooks) {
+  memset(s, 0, sizeof *s);
+  s->p = p;
+  s->n = p->n;
+  s->hooks = hooks;
+  if (!allocate(s, p->n)) return ROT_ENOMEM;
+  for (size_t i = 0; i < p->n; i++) s->inertia += p->inertia_kg_m2[i];
+  for (size_t i = 0; i < p->n; i++) s->share[i] = p->inertia_kg_m2[i] / s->inertia;
+  for (size_t j = 0; j + 1 < p->n; j++) s->floppy += p->stiffness_n_m_per_rad[j] == 0.0;
+  s->root_inertia = sqrt(s->inertia);
+  rot_status status = find_twists(s);
+  if (status == ROT_OK) status = find_shapes(s);
+  if (status == ROT_OK) status = sharpen(s);
+  if (status == ROT_OK) status = find_damping(s);
+  if (status == ROT_OK) find_start(s);
+  return status;
+}
+
+void rot_shaft_modes_free(rot_shaft_modes *s) { free(s->memory); }

@@ -1,0 +1,57 @@
+#include <string.h>
+
+#include "glue/run.h"
+#include "glue/scenes.h"
+#include "scene/axle/drag.h"
+#include "scene/axle/bands.h"
+#include "scene/axle/models.h"
+#include "scene/axle/sweep.h"
+#include "ground/share.h"
+
+/* Rows of a scene by the closed form `id`. `list` has named columns, each of one value or one for
+ * each row, that replace the scene's numbers; the viscous coefficient of "axle_linear" includes the
+ * motor's. Gives list(columns, status, info); the status of a good row is 0. */
+SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progress) {
+  static const char *const names[] = {ROT_AXLE_SWEEP_COLUMNS(FFI_COLUMN_NAME) ""};
+  static const char *const parts[] = {"columns", "status", "info", ""};
+  const char *name = ffi_text(id, "model");
+  const rot_axle_model model = rot_axle_closed_form(name);
+  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  const double most = ffi_real(threads, "threads");
+  if (!model) Rf_error("internal: no such model");
+  if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
+  R_xlen_t rows = 1, at = 0;
+#define IN(name) ffi_column(ffi_element(rows_in, #name), #name, &rows)
+  rot_axle_sweep_rows in = {0,
+                            scene.linear.start_s,
+                            IN(moment_of_inertia_kg_m2),
+                            IN(viscous_n_m_s),
+                            IN(torque_scale),
+                            IN(omega0_rad_per_s),
+                            IN(theta0_rad),
+                            IN(time_s)};
+  const rot_axle_sweep_friction friction = {IN(quadratic_n_m_s2), IN(coulomb_n_m), IN(static_n_m)};
+#undef IN
+  in.n = (size_t)rows;
+  SEXP result = PROTECT(Rf_mkNamed(VECSXP, (const char **)parts)), columns, status;
+  SET_VECTOR_ELT(result, 0, columns = Rf_mkNamed(VECSXP, (const char **)names));
+  SET_VECTOR_ELT(result, 1, status = Rf_allocVector(INTSXP, rows));
+  rot_axle_sweep_columns out;
+  ROT_AXLE_SWEEP_COLUMNS(FFI_COLUMN_NEW)
+  out.status = INTEGER(status);
+  rot_info info;
+  ffi_guard guard;
+  ffi_guard_begin(&guard, progress);
+  ffi_guard_end(
+      &guard,
+      !strcmp(name, "axle_linear")
+          ? rot_axle_sweep_linear(&scene.linear.torque, &in, (int)most, &out, &guard.hooks, &info)
+          : rot_axle_sweep_scenes(model, &scene, &in, &friction,
+                                  model == rot_axle_drag || model == rot_axle_bands, (int)most,
+                                  &out, &guard.hooks, &info));
+  SET_VECTOR_ELT(result, 2, ffi_info(&info));
+  UNPROTECT(1);
+  return result;
+}
+
+SEXP ffi_axle_sweep_threads(void) { return Rf_ScalarInteger(rot_share_threads()); }

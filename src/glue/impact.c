@@ -1,0 +1,78 @@
+#include "tables/impact.h"
+
+#include "glue/run.h"
+
+enum { MOST_COLUMNS = 9 };
+
+/* Columns: mass, radius, beta, vx, vy, omega, restitution, friction, tangential. */
+SEXP ffi_impact_bounce(SEXP list) {
+  static const char *const names[] = {
+      "vx_m_per_s",           "vy_m_per_s",    "omega_rad_per_s", "normal_impulse_n_s",
+      "friction_impulse_n_s", "normal_loss_j", "friction_loss_j", "grips"};
+  rot_column in[MOST_COLUMNS];
+  double *c[8], x[MOST_COLUMNS];
+  const R_xlen_t n = ffi_columns_of(list, 9, in);
+  SEXP out = ffi_columns(8, names, n, c);
+  for (size_t i = 0; i < (size_t)n; i++) {
+    rot_bounce row = {NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL, 0};
+    const int known = ffi_row_of(in, 9, (R_xlen_t)i, x);
+    const rot_bounce_input input = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8]};
+    if (known) row = rot_impact_bounce(&input);
+    c[0][i] = row.vx;
+    c[1][i] = row.vy;
+    c[2][i] = row.omega;
+    c[3][i] = row.normal_impulse;
+    c[4][i] = row.friction_impulse;
+    c[5][i] = row.normal_loss;
+    c[6][i] = row.friction_loss;
+    c[7][i] = known ? row.grips : NA_REAL;
+  }
+  UNPROTECT(1);
+  return out;
+}
+
+/* Columns: inertia, mass, centre, distance, omega, particle mass, particle v, restitution. */
+SEXP ffi_impact_hinged(SEXP list) {
+  static const char *const names[] = {"omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s",
+                                      "hinge_impulse_n_s", "normal_loss_j"};
+  rot_column in[MOST_COLUMNS];
+  double *c[5], x[MOST_COLUMNS];
+  const R_xlen_t n = ffi_columns_of(list, 8, in);
+  SEXP out = ffi_columns(5, names, n, c);
+  for (size_t i = 0; i < (size_t)n; i++) {
+    rot_hinged row = {NA_REAL, NA_REAL, NA_REAL, NA_REAL, NA_REAL};
+    const int known = ffi_row_of(in, 8, (R_xlen_t)i, x);
+    const rot_hinged_input input = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+    if (known) row = rot_impact_hinged(&input);
+    c[0][i] = row.omega;
+    c[1][i] = row.particle_v;
+    c[2][i] = row.impulse;
+    c[3][i] = row.hinge_impulse;
+    c[4][i] = row.loss;
+  }
+  UNPROTECT(1);
+  return out;
+}
+
+/* Columns: two inertias, two radii, two speeds, restitution, the largest impulse. */
+SEXP ffi_impact_rims(SEXP list) {
+  static const char *const names[] = {"omega_1_rad_per_s", "omega_2_rad_per_s", "impulse_n_s",
+                                      "friction_loss_j", "locked"};
+  rot_column in[MOST_COLUMNS];
+  double *c[5], x[MOST_COLUMNS];
+  const R_xlen_t n = ffi_columns_of(list, 8, in);
+  SEXP out = ffi_columns(5, names, n, c);
+  for (size_t i = 0; i < (size_t)n; i++) {
+    rot_rims row = {{NA_REAL, NA_REAL}, NA_REAL, NA_REAL, 0};
+    const int known = ffi_row_of(in, 8, (R_xlen_t)i, x);
+    const rot_rims_input input = {{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}, x[6], x[7]};
+    if (known) row = rot_impact_rims(&input);
+    c[0][i] = row.omega[0];
+    c[1][i] = row.omega[1];
+    c[2][i] = row.impulse;
+    c[3][i] = row.loss;
+    c[4][i] = known ? row.locked : NA_REAL;
+  }
+  UNPROTECT(1);
+  return out;
+}

@@ -1,9 +1,0 @@
-/* The C interface, inst/include/rotdyn.h: checks arguments, translates structs, chooses a model. */
-#ifndef ROT_API_H
-#define ROT_API_H
-
-#include "../inst/include/rotdyn.h"
-
-#include "rot_ieee.h"
-
-#endif

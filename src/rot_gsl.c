@@ -1,5 +1,0 @@
-#include "rot_gsl.h"
-
-#include <gsl/gsl_errno.h>
-
-void rot_gsl_begin(void) { (void)gsl_set_error_handler_off(); }

@@ -1,0 +1,64 @@
+/* Rounding that grows with the motion is in the estimate; where it dies out it is not. */
+#include "engine/ode/ode.h"
+#include "ground/real.h"
+#include "rot_test.h"
+
+/* w'' = k w with friction c, from (1, start). */
+typedef struct saddle {
+  double k, c;
+} saddle;
+
+static rot_status slope(double t, const double y[], double f[], void *ctx) {
+  const saddle *s = ctx;
+  (void)t;
+  f[0] = y[1];
+  f[1] = s->k * y[0] - s->c * y[1];
+  return ROT_OK;
+}
+
+static void run(saddle s, double start, double end, rot_method method, double error[2],
+                double last[2]) {
+  const double y0[] = {1.0, start}, t[] = {0.0, end};
+  double y[4], largest[2];
+  rot_info info;
+  rot_ode_params p = {.dim = 2,
+                      .controlled = 2,
+                      .rhs = slope,
+                      .ctx = &s,
+                      .start = y0,
+                      .accuracy = 1e-12,
+                      .max_steps = 100000,
+                      .method = method};
+  ROT_CHECK_EQ_INT(rot_ode_run(&p, 2, t, y, NULL, error, largest, NULL, &info), ROT_OK);
+  last[0] = y[2];
+  last[1] = y[3];
+}
+
+/* Down the stable branch of a saddle: exp(-t), and what rounding makes of it, some 1e-16 exp(t). */
+static void check_saddle(void) {
+  for (int method = ROT_METHOD_RK8PD; method <= ROT_METHOD_RADAU; method++) {
+    for (double end = 10.0; end <= 30.0; end += 10.0) {
+      double error[2], last[2];
+      run((saddle){1.0, 0.0}, -1.0, end, (rot_method)method, error, last);
+      const double off = fabs(last[0] - exp(-end));
+      printf("saddle, method %d, %g s: off by %.1e, estimate %.1e, exp(t) 2^-53 %.1e\n", method,
+             end, off, error[0], exp(end) * ROT_EPS);
+      ROT_CHECK(off <= error[0] && fabs(last[1] + exp(-end)) <= error[1]);
+      ROT_CHECK(error[0] > 0.5 * exp(end) * ROT_EPS);
+      ROT_CHECK(error[0] < 100.0 * exp(end) * ROT_EPS + 1e-12);
+    }
+  }
+}
+
+/* A damped oscillator forgets its rounding. */
+static void check_damped(void) {
+  double error[2], last[2];
+  run((saddle){-4.0, 1.0}, 0.0, 30.0, ROT_METHOD_RK8PD, error, last);
+  ROT_CHECK(error[0] < 1e-12);
+}
+
+int main(void) {
+  check_saddle();
+  check_damped();
+  return rot_test_report("ode_growth");
+}

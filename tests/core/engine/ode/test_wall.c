@@ -1,0 +1,123 @@
+/* Laws that jump or kink at a value of one component or at a time, and slide there; by hand. */
+#include "engine/ode/ode.h"
+#include "rot_test.h"
+
+typedef struct law {
+  int which;
+  size_t calls;
+} law;
+
+enum { FRICTION, FORCED_FRICTION, STEP_IN_OMEGA, BANG, TWO_SPRINGS, STEP_IN_TIME, WAVE, FILM };
+
+static double sign(double x) { return (x > 0.0) - (x < 0.0); }
+
+static rot_status slope(double t, const double y[], double f[], void *ctx) {
+  law *l = ctx;
+  l->calls++;
+  f[0] = y[1];
+  switch (l->which) {
+  case FRICTION: f[1] = -0.5 * sign(y[1]); break;
+  case FORCED_FRICTION: f[1] = sin(t) - 0.5 * sign(y[1]); break;
+  case STEP_IN_OMEGA: f[1] = y[1] < 1.0 ? 0.5 : 2.0; break;
+  case BANG: f[1] = -2.0 * sign(y[0]); break;
+  case TWO_SPRINGS: f[1] = -y[0] * (y[0] > 0.0 ? 4.0 : 1.0); break;
+  case STEP_IN_TIME: f[1] = t < 0.7 ? 1.0 : -3.0; break;
+  case WAVE: f[1] = t - floor(t) < 0.5 ? 1.0 : -1.0; break;
+  default: f[1] = y[1] > 0.0 ? -1.0 - y[0] : 2.0; break; /* slides while y[0] > -1 */
+  }
+  return ROT_OK;
+}
+
+/* The last state against theta and omega, within the estimate and the accuracy. */
+static void go(int which, double theta0, double omega0, double start, double end, double theta,
+               double omega, size_t most_calls) {
+  const double y0[] = {theta0, omega0};
+  for (int method = ROT_METHOD_RK8PD; method <= ROT_METHOD_RADAU; method++) {
+    double t[5], y[10], error[2], largest[2];
+    rot_info info;
+    law l = {which, 0};
+    rot_ode_params p = {.dim = 2,
+                        .controlled = 2,
+                        .rhs = slope,
+                        .ctx = &l,
+                        .start_s = start,
+                        .start = y0,
+                        .accuracy = 1e-9,
+                        .max_steps = 100000,
+                        .method = (rot_method)method};
+    const int back = end < start;
+    for (int i = 0; i < 5; i++) t[i] = (back ? end : start) + i / 4.0 * fabs(end - start);
+    ROT_CHECK_EQ_INT(rot_ode_run(&p, 5, t, y, NULL, error, largest, NULL, &info), ROT_OK);
+    const double *last = back ? y : y + 8;
+    ROT_CHECK(fabs(last[0] - theta) <= fmin(error[0], 1e-9) + 1e-14 * (1.0 + fabs(theta)));
+    ROT_CHECK(fabs(last[1] - omega) <= fmin(error[1], 1e-9) + 1e-14 * (1.0 + fabs(omega)));
+    if (method == ROT_METHOD_RK8PD) ROT_CHECK(l.calls < most_calls);
+  }
+}
+
+/* Dry friction as sign(omega): at rest from 2 s on. */
+static void check_friction(void) { go(FRICTION, 0.0, 1.0, 0.0, 5.0, 1.0, 0.0, 2000); }
+
+/* sin t breaks loose where it is 1/2; omega = cos(pi/6) - cos t - (t - pi/6)/2 from there. */
+static void check_breaking_loose(void) {
+  const double loose = asin(0.5), t = 2.0, u = t - loose;
+  go(FORCED_FRICTION, 0.3, 0.0, 0.0, t, 0.3 + cos(loose) * u - (sin(t) - sin(loose)) - 0.25 * u * u,
+     cos(loose) - cos(t) - 0.5 * u, 3000);
+}
+
+static void check_jump_in_omega(void) {
+  go(STEP_IN_OMEGA, 0.0, 0.0, 0.0, 3.0, 3.0, 3.0, 1500); /* omega = 1 at 2 s */
+  go(STEP_IN_OMEGA, 3.0, 3.0, 3.0, 0.0, 0.0, 0.0, 1500); /* and back */
+}
+
+/* theta = 1 - t^2 up to 1 s, then parabolas of 2 s: at 5 s through zero downward, as at 1 s. */
+static void check_jump_in_theta(void) { go(BANG, 1.0, 0.0, 0.0, 5.0, 0.0, -2.0, 2500); }
+
+/* Half periods of pi/2 above and pi below zero: from rest at 1 it is back after 3 pi/2. */
+static void check_kink(void) {
+  go(TWO_SPRINGS, 1.0, 0.0, 0.0, 1.5 * acos(-1.0), 1.0, 0.0, 3000);
+  go(TWO_SPRINGS, 1.0, 0.0, 0.0, 0.75 * acos(-1.0), -2.0, 0.0, 3000);
+}
+
+static void check_jump_in_time(void) {
+  /* omega = 0.7 at 0.7 s, then 0.7 - 3 u. */
+  const double u = 1.3;
+  go(STEP_IN_TIME, 0.0, 0.0, 0.0, 2.0, 0.245 + 0.7 * u - 1.5 * u * u, 0.7 - 3.0 * u, 1500);
+}
+
+/* From omega = -1: up at 2 rad/s^2, on to the wall at 1/2 s with theta = -1/4, and held: above it
+ * the slope is -3/4, below it 2. */
+static void check_slide(void) { go(FILM, 0.0, -1.0, 0.0, 4.0, -0.25, 0.0, 2000); }
+
+/* A square wave of 257 periods: each turns it by 1/4, and leaves no rate. */
+static void check_many_jumps(void) {
+  const double y0[] = {0.0, 0.0}, t = 257.25;
+  double y[2], error[2], largest[2];
+  rot_info info;
+  law l = {WAVE, 0};
+  const rot_ode_params p = {.dim = 2,
+                            .controlled = 2,
+                            .rhs = slope,
+                            .ctx = &l,
+                            .start = y0,
+                            .accuracy = 1e-9,
+                            .max_steps = 1000000};
+  ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, &t, y, NULL, error, largest, NULL, &info), ROT_OK);
+  printf("257 periods: off by %.1e, estimate %.1e, %zu calls\n",
+         fabs(y[0] - 257.0 / 4.0 - 1.0 / 32.0), error[0], l.calls);
+  ROT_CHECK(fabs(y[0] - 257.0 / 4.0 - 1.0 / 32.0) <= error[0] && error[0] <= 1e-7);
+  ROT_CHECK(fabs(y[1] - 0.25) <= error[1] && error[1] <= 1e-9);
+  ROT_CHECK(l.calls < 400000);
+}
+
+int main(void) {
+  check_many_jumps();
+  check_friction();
+  check_breaking_loose();
+  check_jump_in_omega();
+  check_jump_in_theta();
+  check_kink();
+  check_jump_in_time();
+  check_slide();
+  return rot_test_report("ode_wall");
+}

@@ -1,0 +1,56 @@
+/* Rows shared out: each is done once, whatever the part and the threads; a hook stops the rest. */
+#include "ground/share.h"
+
+#include <stdlib.h>
+
+#include "rot_test.h"
+
+static void count(const void *frame, size_t first, size_t last) {
+  int *const *done = frame;
+  for (size_t i = first; i < last; i++) (*done)[i]++;
+}
+
+static void each_row_once(void) {
+  const size_t sizes[] = {0, 1, 31, 64, 1000, 4097};
+  for (int k = 0; k < 6; k++) {
+    for (int threads = 0; threads <= 4; threads++) {
+      const size_t n = sizes[k];
+      int *done = calloc(n + 1, sizeof *done);
+      rot_info info;
+      ROT_CHECK(rot_share_rows(count, &done, n, 16, threads, NULL, &info) == ROT_OK);
+      ROT_CHECK(info.rows_done == n);
+      for (size_t i = 0; i < n; i++) ROT_CHECK(done[i] == 1);
+      ROT_CHECK(done[n] == 0);
+      free(done);
+    }
+  }
+}
+
+static rot_status stop(void *ctx, double fraction) {
+  int *calls = ctx;
+  ROT_CHECK(fraction > 0.0 && fraction <= 1.0);
+  return ++*calls == 3 ? ROT_EUNWIND : ROT_OK;
+}
+
+static void a_hook_stops(void) {
+  enum { N = 4096, PART = 16 };
+  for (int threads = 1; threads <= 4; threads++) {
+    int *done = calloc(N, sizeof *done), calls = 0;
+    const rot_hooks hooks = {stop, &calls};
+    rot_info info;
+    const rot_status status = rot_share_rows(count, &done, N, PART, threads, &hooks, &info);
+    /* Other threads may do all parts before this one polls three times. */
+    ROT_CHECK(status == (calls == 3 ? ROT_EUNWIND : ROT_OK));
+    if (threads == 1) ROT_CHECK(calls == 3 && info.rows_done == 3 * PART);
+    ROT_CHECK(info.rows_done >= (size_t)(calls == 3 ? 3 * PART : N));
+    for (size_t i = 0; i < N; i++) ROT_CHECK_EQ_INT(done[i], i < info.rows_done);
+    free(done);
+  }
+}
+
+int main(void) {
+  each_row_once();
+  a_hook_stops();
+  ROT_CHECK(rot_share_threads() >= 1);
+  return rot_test_report("share");
+}

@@ -1,0 +1,82 @@
+/* Precession: cases by hand, the shared table of tops, the limits of numbers. */
+#include <math.h>
+
+#include "scene/pivot/precession.h"
+#include "rot_test.h"
+#include "shared_table.h"
+
+static void test_horizontal(void) {
+  const rot_precession_input in = {0.5, 0.08, 0.002, 500.0, NAN, 90.0, 9.80665};
+  const rot_precession out = rot_precession_of(&in);
+  ROT_CHECK_REL(out.torque_n_m, 0.392266, 4e-16);
+  ROT_CHECK_REL(out.momentum_kg_m2_per_s, 1.0, 4e-16);
+  ROT_CHECK_REL(out.rate_rad_per_s, 0.392266, 4e-16);
+  ROT_CHECK_REL(out.period_s, 16.017664817189322, 4e-16); /* 2 pi/0.392266 */
+  ROT_CHECK(out.slow_rad_per_s == out.rate_rad_per_s && out.error == 0.0);
+  ROT_CHECK(isnan(out.fast_rad_per_s) && isnan(out.nutation_s));
+}
+
+/* I1, I3, G, theta, omega3, slow, fast, formula, period, lowest cosine, angle of a nutation. */
+static void test_table(void) {
+  FILE *table = shared_table("refs/heavy_top_scalar.csv");
+  double x[11];
+  int rows = 0;
+  if (!table) return;
+  while (shared_row(table, 11, x)) {
+    const double degrees = x[3] * 180.0 / 0x1.921fb54442d18p+1;
+    const rot_precession_input in = {x[2], 1.0, x[1], x[4], x[0], degrees, 1.0};
+    const rot_precession out = rot_precession_of(&in);
+    ROT_CHECK_REL(out.rate_rad_per_s, x[7], 4e-16);
+    ROT_CHECK_REL(out.slow_rad_per_s, x[5], 1e-15);
+    if (degrees == 90.0) { /* the table's angle is the double next to it */
+      ROT_CHECK(isnan(out.fast_rad_per_s));
+    } else {
+      ROT_CHECK_REL(out.fast_rad_per_s, x[6], 2e-15);
+    }
+    ROT_CHECK(fabs(out.error - fabs(x[7] / x[5] - 1.0)) <= 4e-16);
+    ROT_CHECK_REL(out.nutation_s, x[8], 4e-15);
+    ROT_CHECK(fabs(cos(out.lowest_deg * 0x1.921fb54442d18p+1 / 180.0) - x[9]) <= 4e-15);
+    ROT_CHECK_REL(out.mean_rad_per_s, x[10] / x[8], 4e-15);
+    rows++;
+  }
+  ROT_CHECK(rows == 6);
+}
+
+static void test_signs(void) {
+  const rot_precession_input down = {1.0, -0.1, 0.01, 50.0, 0.02, 60.0, 10.0};
+  rot_precession out = rot_precession_of(&down);
+  ROT_CHECK(out.rate_rad_per_s < 0.0 && out.slow_rad_per_s < 0.0 && out.fast_rad_per_s > 0.0);
+  ROT_CHECK(out.lowest_deg < 60.0 && out.mean_rad_per_s < 0.0);
+  const rot_precession_input slow = {1.0, 0.1, 0.01, 5.0, 0.02, 30.0, 10.0};
+  out = rot_precession_of(&slow); /* below the least spin, 2 sqrt(0.02)/0.01 sqrt(cos 30) */
+  ROT_CHECK(isnan(out.slow_rad_per_s) && isnan(out.error) && out.nutation_s > 0.0);
+  ROT_CHECK_REL(rot_precession_sleeps(0.01, 0.02, 1.0, 0.1, 10.0), 28.284271247461902, 4e-16);
+  ROT_CHECK(rot_precession_sleeps(0.01, 0.02, 1.0, -0.1, 10.0) == 0.0);
+}
+
+/* The same top in other units of mass and time. */
+static void test_scales(void) {
+  const rot_precession_input in = {1.0, 0.5, 0.25, 8.0, 0.375, 60.0, 8.0};
+  const rot_precession out = rot_precession_of(&in);
+  for (int e = -300; e <= 300; e += 100) {
+    rot_precession_input big = in;
+    big.mass_kg = ldexp(in.mass_kg, e);
+    big.axial_kg_m2 = ldexp(in.axial_kg_m2, e);
+    big.transverse_kg_m2 = ldexp(in.transverse_kg_m2, e);
+    big.spin_rad_per_s = ldexp(in.spin_rad_per_s, e);
+    big.gravity_m_per_s2 = ldexp(in.gravity_m_per_s2, 2 * e);
+    const rot_precession there = rot_precession_of(&big);
+    ROT_CHECK(there.slow_rad_per_s == ldexp(out.slow_rad_per_s, e));
+    ROT_CHECK(there.fast_rad_per_s == ldexp(out.fast_rad_per_s, e));
+    ROT_CHECK(there.nutation_s == ldexp(out.nutation_s, -e));
+    ROT_CHECK(there.lowest_deg == out.lowest_deg && there.error == out.error);
+  }
+}
+
+int main(void) {
+  test_horizontal();
+  test_table();
+  test_signs();
+  test_scales();
+  return rot_test_report("precession");
+}
