@@ -4,6 +4,7 @@
 #include "glue/run.h"
 #include "glue/scenes.h"
 #include "glue/torque.h"
+#include "scene/axle/closed.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/ledger.h"
 #include "scene/axle/models.h"

@@ -2,6 +2,7 @@
 
 #include "glue/run.h"
 #include "glue/scenes.h"
+#include "scene/axle/closed.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/bands.h"
 #include "scene/axle/models.h"

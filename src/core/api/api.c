@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "scene/axle/bands.h"
+#include "scene/axle/closed.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/drop.h"
 #include "scene/axle/models.h"

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "ground/dd.h"
+#include "ground/real.h"
 #include "body/inertia.h"
 
 /* A vertex relative to the first one, exactly, in units of 2^exponent. */

@@ -15,7 +15,7 @@
 #ifndef ROT_ODE_COLLOCATE_H
 #define ROT_ODE_COLLOCATE_H
 
-#include "engine/ode/march.h"
+#include "engine/ode/run.h"
 
 enum { ROT_ODE_MOST_COLLOCATED = 4, ROT_ODE_MOST_COLLOCATED_ALL = 12 }; /* controlled; all */
 
@@ -25,12 +25,6 @@ typedef struct rot_ode_output {
   const double *time_s;
   double *y, *slope; /* slope may be NULL */
 } rot_ode_output;
-
-void rot_ode_track_free(rot_ode_track *track);
-/* The state and slope of a run where it is now: a step's end, or the start of a stretch. */
-rot_status rot_ode_track_node(rot_ode_track *track, const rot_ode_march *run);
-/* The derivative of dydt[] by component i, at the last node. */
-void rot_ode_track_derivative(rot_ode_track *track, size_t i, const double rise[], double step);
 
 /* ROT_OK and *good = 1: y, slope, error[] (without rounding) and largest[] hold, to the accuracy
  * or to rounding. *good = 0: they do not, other steps are needed. Scalars alone, without events, a

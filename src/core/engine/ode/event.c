@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "engine/ode/law.h"
 #include "engine/ode/step.h"
-#include "engine/ode/wall.h"
 #include "ground/real.h"
 
 /* An event function, or a component less a level. */

@@ -2,7 +2,7 @@
 #ifndef ROT_ODE_EVENT_H
 #define ROT_ODE_EVENT_H
 
-#include "engine/ode/march.h"
+#include "engine/ode/run.h"
 
 /* What was seen in a trial step. */
 typedef enum rot_ode_passage {

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/ode/law.h"
+#include "engine/ode/track.h"
 #include "maths/expm.h"
-#include "engine/ode/collocate.h"
-#include "engine/ode/step.h"
 #include "ground/real.h"
 
 rot_ode_growth *rot_ode_growth_alloc(const rot_ode_params *p) {

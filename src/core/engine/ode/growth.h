@@ -4,7 +4,7 @@
 #ifndef ROT_ODE_GROWTH_H
 #define ROT_ODE_GROWTH_H
 
-#include "engine/ode/march.h"
+#include "engine/ode/run.h"
 
 enum { ROT_ODE_MOST_GROWTH = 24 }; /* controlled components; with more it is not followed */
 

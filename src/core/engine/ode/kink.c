@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/ode/law.h"
 #include "engine/ode/step.h"
 #include "engine/ode/wall.h"
 #include "ground/real.h"

@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/ode/accept.h"
 #include "engine/ode/event.h"
 #include "engine/ode/growth.h"
 #include "engine/ode/kink.h"
+#include "engine/ode/law.h"
 #include "engine/ode/rest.h"
 #include "engine/ode/rows.h"
 #include "engine/ode/step.h"

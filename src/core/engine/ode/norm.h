@@ -1,11 +1,10 @@
-/* Sizes of the measures of a state: groups of components, then integrals along the way. Private to
- * rot_ode_*.c. */
+/* Sizes of the measures of a state: groups of components, then integrals along the way. */
 #ifndef ROT_ODE_NORM_H
 #define ROT_ODE_NORM_H
 
 #include <math.h>
 
-#include "engine/ode/ode.h"
+#include "engine/ode/params.h"
 
 /* How many measures steer the step. */
 static inline size_t rot_ode_steering(const rot_ode_params *p) {

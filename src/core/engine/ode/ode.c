@@ -7,10 +7,12 @@
 #include "engine/ode/collocate.h"
 #include "engine/ode/growth.h"
 #include "engine/ode/kink.h"
+#include "engine/ode/law.h"
 #include "engine/ode/march.h"
 #include "engine/ode/probe.h"
 #include "engine/ode/rows.h"
 #include "engine/ode/step.h"
+#include "engine/ode/track.h"
 #include "engine/ode/wall.h"
 #include "ground/real.h"
 

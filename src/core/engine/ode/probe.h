@@ -10,7 +10,7 @@
 #ifndef ROT_ODE_PROBE_H
 #define ROT_ODE_PROBE_H
 
-#include "engine/ode/march.h"
+#include "engine/ode/run.h"
 
 /* Gap of the probes, of the width that is sure to be found: a bump (1 + cos) / 2 of this width that
  * lies half way between two probes still shows 0.11 of its height. */

@@ -4,7 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "engine/ode/step.h"
+#include "engine/ode/accept.h"
+#include "engine/ode/law.h"
 
 /* At rest the components beyond the controlled ones go on: their integrals by Lobatto's four points
  * and Kronrod's three (Gander & Gautschi, BIT 40, 2000). */

@@ -2,7 +2,7 @@
 #ifndef ROT_ODE_REST_H
 #define ROT_ODE_REST_H
 
-#include "engine/ode/march.h"
+#include "engine/ode/run.h"
 
 /* The slope that drives it from rest at t, and what it is beyond what holds: positive is loose. */
 rot_status rot_ode_held_slope(rot_ode_march *run, double t, double *drive, double *grip);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "engine/ode/law.h"
 #include "engine/ode/probe.h"
 #include "engine/ode/step.h"
 

@@ -2,7 +2,7 @@
 #ifndef ROT_ODE_ROWS_H
 #define ROT_ODE_ROWS_H
 
-#include "engine/ode/march.h"
+#include "engine/ode/run.h"
 
 /* Those at the start itself. */
 void rot_ode_rows_at_start(rot_ode_march *run);

@@ -6,72 +6,7 @@
 
 #include "engine/ode/event.h"
 #include "engine/ode/growth.h"
-#include "engine/ode/step.h"
-
-static int is_time(const rot_ode_march *run, size_t wall) {
-  return run->walls->wall[wall].component == run->p->dim;
-}
-
-/* ---- the right-hand side beside walls -------------------------------------------------------- */
-
-static void keep_side(const rot_ode_march *run, size_t wall, double *x) {
-  const rot_ode_wall *w = &run->walls->wall[wall];
-  if (run->side[wall] > 0) *x = fmax(*x, w->above);
-  if (run->side[wall] < 0) *x = fmin(*x, w->below);
-}
-
-void rot_ode_keep_sides(const rot_ode_march *run, double *t, double y[]) {
-  for (size_t k = 0; k < run->walls->count; k++) {
-    keep_side(run, k, is_time(run, k) ? t : &y[run->walls->wall[k].component]);
-  }
-}
-
-double rot_ode_keep_time(const rot_ode_march *run, double t) {
-  for (size_t k = 0; k < run->walls->count; k++) {
-    if (is_time(run, k)) keep_side(run, k, &t);
-  }
-  return t;
-}
-
-/* f on both sides of a wall; the caller restores the side. */
-static int both_slopes(rot_ode_march *run, size_t wall, double t, const double y[], double below[],
-                       double above[]) {
-  const int side = run->side[wall];
-  const size_t slides = run->slides;
-  run->slides = NO_WALL;
-  run->side[wall] = -1;
-  int code = rot_ode_slope_at(t, y, below, run);
-  run->side[wall] = 1;
-  if (code == GSL_SUCCESS) code = rot_ode_slope_at(t, y, above, run);
-  run->side[wall] = side;
-  run->slides = slides;
-  return code;
-}
-
-int rot_ode_sliding_slope(rot_ode_march *run, double t, const double y[], double dydt[]) {
-  const size_t c = run->walls->wall[run->slides].component;
-  double *above = run->beyond;
-  const int code = both_slopes(run, run->slides, t, y, dydt, above);
-  if (code != GSL_SUCCESS) return code;
-  const double apart = dydt[c] - above[c];
-  const double part = apart != 0.0 ? fmin(1.0, fmax(0.0, dydt[c] / apart)) : 0.5;
-  for (size_t i = 0; i < run->p->dim; i++) dydt[i] += part * (above[i] - dydt[i]);
-  dydt[c] = 0.0;
-  return GSL_SUCCESS;
-}
-
-double rot_ode_hold_of_slide(rot_ode_march *run, double t, const double y[]) {
-  const size_t c = run->walls->wall[run->slides].component;
-  const double way = run->forward ? 1.0 : -1.0;
-  double *below = run->beside, *above = run->beyond;
-  if (both_slopes(run, run->slides, t, y, below, above) != GSL_SUCCESS) return NAN;
-  return fmin(way * below[c], -way * above[c]);
-}
-
-double rot_ode_wall_level(const rot_ode_march *run, size_t wall) {
-  const rot_ode_wall *w = &run->walls->wall[wall];
-  return run->side[wall] > 0 ? w->below : w->above;
-}
+#include "engine/ode/law.h"
 
 /* ---- sides ----------------------------------------------------------------------------------- */
 
@@ -94,7 +29,7 @@ rot_status rot_ode_pass_wall(rot_ode_march *run, size_t wall) {
   const double way = run->forward ? 1.0 : -1.0;
   const int was = run->side[wall];
   double *below = run->beside, *above = run->beyond;
-  if (both_slopes(run, wall, run->t, run->y, below, above) != GSL_SUCCESS) {
+  if (rot_ode_both_slopes(run, wall, run->t, run->y, below, above) != GSL_SUCCESS) {
     if (run->status != ROT_ERHS) return run->status;
     settle(run, wall, was ? -was : 1); /* not defined beyond: the next step says so */
     return ROT_OK;
@@ -113,10 +48,10 @@ rot_status rot_ode_pass_wall(rot_ode_march *run, size_t wall) {
 
 static rot_status choose_side(rot_ode_march *run, size_t k) {
   const rot_ode_wall *w = &run->walls->wall[k];
-  const double x = is_time(run, k) ? run->t : run->y[w->component];
-  const int later = is_time(run, k) && run->forward ? x >= w->above : x > w->above;
+  const double x = rot_ode_is_time(run, k) ? run->t : run->y[w->component];
+  const int later = rot_ode_is_time(run, k) && run->forward ? x >= w->above : x > w->above;
   run->side[k] = later ? 1 : -1;
-  if (is_time(run, k) || x < w->below || x > w->above) return ROT_OK;
+  if (rot_ode_is_time(run, k) || x < w->below || x > w->above) return ROT_OK;
   run->side[k] = 0;
   return rot_ode_pass_wall(run, k);
 }
@@ -158,7 +93,7 @@ int rot_ode_passes_wall(const rot_ode_march *run) {
   const size_t first = run->n_watch - run->walls->count;
   for (size_t k = 0; k < run->walls->count; k++) {
     const int side = run->side[k];
-    if (is_time(run, k) || side == 0 || run->watch[first + k].fresh) continue;
+    if (rot_ode_is_time(run, k) || side == 0 || run->watch[first + k].fresh) continue;
     const size_t c = run->walls->wall[k].component;
     const double level = rot_ode_wall_level(run, k);
     if (side * (run->y[c] - level) > 0.0 && side * (run->trial[c] - level) <= 0.0) return 1;
@@ -169,7 +104,7 @@ int rot_ode_passes_wall(const rot_ode_march *run) {
 double rot_ode_next_stop(const rot_ode_march *run, double stop) {
   for (size_t k = 0; k < run->walls->count; k++) {
     const rot_ode_wall *w = &run->walls->wall[k];
-    if (!is_time(run, k)) continue;
+    if (!rot_ode_is_time(run, k)) continue;
     if (run->forward ? run->side[k] < 0 && w->above < stop : run->side[k] > 0 && w->below > stop) {
       stop = run->forward ? w->above : w->below;
     }
@@ -179,7 +114,7 @@ double rot_ode_next_stop(const rot_ode_march *run, double stop) {
 
 static int at_time(const rot_ode_march *run, size_t k) {
   const rot_ode_wall *w = &run->walls->wall[k];
-  return is_time(run, k) && run->side[k] == (run->forward ? -1 : 1) &&
+  return rot_ode_is_time(run, k) && run->side[k] == (run->forward ? -1 : 1) &&
          run->t == (run->forward ? w->above : w->below);
 }
 

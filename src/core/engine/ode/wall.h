@@ -6,7 +6,7 @@
 #ifndef ROT_ODE_WALL_H
 #define ROT_ODE_WALL_H
 
-#include "engine/ode/march.h"
+#include "engine/ode/run.h"
 
 /* Adds a wall that is not there yet, *added: whether it was. `below` and `above`: values on its two
  * sides, equal at a kink. component = dim: time. */
@@ -15,17 +15,6 @@ rot_status rot_ode_add_wall(rot_ode_march *run, size_t component, double below, 
 
 /* The sides of all walls where a run sets out. */
 rot_status rot_ode_choose_sides(rot_ode_march *run);
-
-/* *t and y (dim) as the sides of the walls allow. */
-void rot_ode_keep_sides(const rot_ode_march *run, double *t, double y[]);
-double rot_ode_keep_time(const rot_ode_march *run, double t);
-
-/* Slope where the motion slides along run->slides. */
-int rot_ode_sliding_slope(rot_ode_march *run, double t, const double y[], double dydt[]);
-
-/* Positive while it slides; the level of the wall that the next side begins at. */
-double rot_ode_hold_of_slide(rot_ode_march *run, double t, const double y[]);
-double rot_ode_wall_level(const rot_ode_march *run, size_t wall);
 
 /* run->y lies on the wall: the side that the motion goes on, or that it slides. */
 rot_status rot_ode_pass_wall(rot_ode_march *run, size_t wall);

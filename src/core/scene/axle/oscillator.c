@@ -5,6 +5,7 @@
 
 #include "scene/axle/effects.h"
 #include "scene/axle/pieces.h"
+#include "ground/real.h"
 #include "maths/oscillator.h"
 
 /* The response to the knots goes from piece to piece. The response to each wave is computed in one

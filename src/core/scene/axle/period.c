@@ -4,6 +4,7 @@
 
 #include "scene/axle/effects.h"
 #include "scene/axle/pendulum.h"
+#include "ground/real.h"
 #include "maths/oscillator.h"
 
 static const rot_dd two_pi = {0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};

@@ -4,7 +4,7 @@
 #ifndef ROT_DRIVE_MESH_H
 #define ROT_DRIVE_MESH_H
 
-#include "scene/drive/forces.h"
+#include "scene/drive/system.h"
 
 int rot_drive_mesh_loses(const rot_drive_coupling *coupling);
 

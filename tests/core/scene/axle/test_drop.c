@@ -1,6 +1,7 @@
 /* What leaving an effect out changes, against scenes whose full and reduced motions are both exact:
  * the bound covers the difference, and not by decades. */
 #include "axle_friction.h"
+#include "scene/axle/closed.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/drop.h"
 #include "scene/axle/models.h"
