@@ -336,10 +336,11 @@ c_attitudes <- function(token, from, to, depth) {
 
 # Which .c files include a header, directly or through others.
 includers_of <- function(folder) {
-  files <- list.files(folder, "[.][ch]$")
+  files <- list.files(folder, "[.][ch]$", recursive = TRUE)
   includes <- lapply(stats::setNames(files, files), function(file) {
     lines <- grep("^ *# *include *\"", readLines(file.path(folder, file)), value = TRUE)
-    basename(sub("^[^\"]*\"([^\"]*)\".*", "\\1", lines))
+    names <- sub("^[^\"]*\"([^\"]*)\".*", "\\1", lines)
+    ifelse(startsWith(names, "glue/"), names, file.path("core", names))
   })
   headers <- grep("[.]h$", files, value = TRUE)
   reaches <- function(file) {

@@ -12,7 +12,7 @@
 #
 # The tests run first without a change: they must pass, and which functions of R/ each block calls
 # is recorded. A change of a function then runs the blocks of its topic that call it, cheap files
-# first; a change of src/ffi_*.c those that call its functions.
+# first; a change of src/glue those that call its functions.
 #
 # Environment: MUTANTS_JOBS (processes at a time, 2), MUTANTS_FILES (a regular expression: files to
 # draw from), MUTANTS_FIXED=no (without the fixed ones), MUTANTS_LIST (another file of fixed ones),
@@ -44,14 +44,14 @@ topics <- read_topics()
 
 # Paths of the programs and files that test `file`, in their order.
 tests_of <- function(file) {
-  topic <- sub("^(R/|src/(rot|ffi)_)(.*)[.][Rch]$", "\\3", file)
+  topic <- sub("^(R|src/core|src/glue)/(.*)[.][Rch]$", "\\2", file)
   listed <- topics[[sub("[.]h$", ".c", file)]]
-  core <- startsWith(file, "src/rot_")
+  core <- startsWith(file, "src/core/")
   first <- if (core) listed[cumsum(listed == "+") == 0L] else setdiff(listed, "+")
   after <- if (core) listed[cumsum(listed == "+") > 0L & listed != "+"]
   name <- function(kind, topics) {
     if (!length(topics)) return(character())
-    path <- if (kind == "core") sprintf("core/test_%s.c", topics)
+    path <- if (kind == "core") paste0("core/", sub("([^/]*)$", "test_\\1.c", topics))
             else sprintf("testthat/test-%s.R", topics)
     path[file.exists(file.path(tests, path))]
   }
@@ -220,7 +220,7 @@ plan_of <- function(mutant) {
   names <- if (startsWith(mutant$file, "R/")) {
     # Code outside of functions concerns all tests.
     functions_at(mutant$file, mutant$line)
-  } else if (startsWith(mutant$file, "src/ffi_")) {
+  } else if (startsWith(mutant$file, "src/glue/")) {
     callers_of(mutant$file)
   }
   plan <- lapply(paths, function(test) {
@@ -232,7 +232,7 @@ plan_of <- function(mutant) {
   plan[keep][order(!core[keep], costs[keep])]
 }
 
-# Functions of R/ that call one of a file of src/ffi_*.c.
+# Functions of R/ that call one of a file of src/glue.
 callers_of <- function(file) {
   lines <- readLines(file.path(sources, file))
   defined <- regmatches(lines, regexpr("(?<=^SEXP )ffi_[a-z_0-9]+(?=\\()", lines, perl = TRUE))
@@ -300,31 +300,32 @@ quietly <- function(command, cpu_s) {
 
 make_of <- function(folder) {
   quietly(sprintf(
-    "sh -c 'cd %s && R CMD SHLIB -o rotdyn.so *.c'", shQuote(file.path(folder, "src"))
+    "sh -c 'cd %s && R CMD SHLIB -o rotdyn.so init.c'", shQuote(file.path(folder, "src"))
   ), 600)
 }
 
 # The files that are compiled anew where `file` changes.
 compiled_with <- function(file) {
-  if (endsWith(file, ".c")) return(basename(file))
-  includes <- includers[[basename(file)]]
-  includes
+  below <- sub("^src/", "", file)
+  if (endsWith(file, ".c")) below else includers[[below]]
 }
 
 # The program of a core test, linked with the objects of the slot. Status 0: linked.
 link_core <- function(folder, test) {
-  name <- sub("[.]c$", "", basename(test))
+  name <- gsub("/", "-", sub("[.]c$", "", test))
   object <- file.path(folder, paste0(name, ".o"))
   if (!file.exists(object)) {
     status <- quietly(sprintf(
-      "cc -std=c99 -O1 -I%s -I%s %s -c %s -o %s", file.path(folder, "src"),
+      "cc -std=c99 -O1 -I%s -I%s %s -c %s -o %s", file.path(folder, "src", "core"),
       file.path(folder, "tests", "core"), gsl_flags, file.path(folder, "tests", test), object
     ), 600)
     if (status != 0L) return(status)
   }
   quietly(sprintf(
     "cc %s %s %s -lm -lpthread -o %s", object,
-    paste(list.files(file.path(folder, "src"), "^rot_.*[.]o$", full.names = TRUE), collapse = " "),
+    paste(list.files(
+      file.path(folder, "src", "core"), "[.]o$", full.names = TRUE, recursive = TRUE
+    ), collapse = " "),
     link_flags, file.path(folder, name)
   ), 600)
 }
@@ -332,7 +333,7 @@ link_core <- function(folder, test) {
 run_core <- function(folder, test, cpu_s) {
   status <- link_core(folder, test)
   if (status != 0L) return("does not link")
-  status <- quietly(file.path(folder, sub("[.]c$", "", basename(test))), cpu_s)
+  status <- quietly(file.path(folder, gsub("/", "-", sub("[.]c$", "", test))), cpu_s)
   if (status == 0L) NULL else paste("status", status)
 }
 
@@ -388,7 +389,7 @@ run_mutant <- function(candidates, slot) {
       code[[mutant$file]] <- changed
       done <- run_all(folder, plan, code, library_path)
     } else {
-      path <- file.path(folder, "src", basename(mutant$file))
+      path <- file.path(folder, mutant$file)
       objects <- file.path(folder, "src", sub("[.]c$", ".o", compiled_with(mutant$file)))
       saved <- paste0(objects, ".kept")
       original <- paste0(path, ".kept")
@@ -474,15 +475,18 @@ in_processes <- function(items, work, done) {
 
 # What a process that was killed left: the sources and objects of the slot as they were.
 restore_slot <- function(slot) {
-  kept <- list.files(file.path(slot_folder(slot), "src"), "[.]kept$", full.names = TRUE)
+  kept <- list.files(
+    file.path(slot_folder(slot), "src"), "[.]kept$", full.names = TRUE, recursive = TRUE
+  )
   file.rename(kept, sub("[.]kept$", "", kept))
 }
 
 # ---- the run ------------------------------------------------------------------------------------
 
 r_files <- file.path("R", sort(list.files(file.path(sources, "R"), "[.]R$"), method = "radix"))
-c_files <- file.path("src", sort(list.files(file.path(sources, "src"), "^(rot|ffi)_.*[.][ch]$"),
-  method = "radix"))
+c_files <- file.path("src", sort(setdiff(
+  list.files(file.path(sources, "src"), "[.][ch]$", recursive = TRUE), "init.c"
+), method = "radix"))
 r_code <- lapply(stats::setNames(r_files, r_files), function(file) {
   parse(file.path(sources, file), keep.source = FALSE, encoding = "UTF-8")
 })
@@ -499,7 +503,7 @@ function_lines <- lapply(stats::setNames(r_files, r_files), function(file) {
 includers <- includers_of(file.path(sources, "src"))
 # Of headers, those that few files include.
 few <- 4L
-included <- lengths(includers[basename(c_files)])
+included <- lengths(includers[sub("^src/", "", c_files)])
 c_files <- c_files[endsWith(c_files, ".c") | included %in% seq_len(few)]
 makevars <- readLines(file.path(sources, "src", "Makevars"))
 link_flags <- sub("^PKG_LIBS *= *", "", grep("^PKG_LIBS", makevars, value = TRUE))
