@@ -10,6 +10,25 @@ rolling <- function() {
   c(table[c("beta", "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction")],
     list(friction = rolling_friction_coefficient(table$beta)))
 }
+# A ball on a slope, a body that tumbles, a top: two columns of each.
+three_scenes <- function() {
+  time_s <- 0.05 * (0:40)
+  of <- function(name, scene, columns) {
+    motion <- trajectory(scene, time_s)
+    data.frame(scene = name, time_s, first = motion[[columns[1]]], second = motion[[columns[2]]])
+  }
+  ball <- body_tensor(2, diag(3) * 0.05)
+  top <- body_tensor(0.5, diag(c(0.002, 0.002, 0.001)), centre_m = c(0, 0, 0.08))
+  rbind(
+    of("incline", scene_incline(
+      ball, 10, static_friction = 0.2, kinetic_friction = 0.15, radius_m = 0.25, v0_m_per_s = 3,
+      omega0_rad_per_s = -2
+    ), c("x_m", "omega_rad_per_s")),
+    of("free", scene_free(c(1, 1.5, 2), c(0.01, 6, 0.02)), c("qw", "omega_y_rad_per_s")),
+    of("pivot", scene_pivot(top, c(0, 0, 60), attitude0 = c(0.8, 0.6, 0, 0)),
+      c("qw", "omega_x_rad_per_s"))
+  )
+}
 expected <- switch(
   arguments[1],
   "c" = , "c-static" = rolling(),
@@ -28,6 +47,7 @@ expected <- switch(
     data.frame(moment_of_inertia_kg_m2 = 0.0625 * (1:20), viscous_n_m_s = 0.03), knots, 8
   )[c("moment_of_inertia_kg_m2", "final_theta_rad", "final_omega_rad_per_s",
       "max_omega_rad_per_s")],
+  "python-scenes" = three_scenes(),
   python = trajectory(
     scene_axle(1, torque_gravity(1, 1), theta0_rad = 3), 10 * (0:100) / 100
   )[c("time_s", "theta_rad", "omega_rad_per_s")],

@@ -96,7 +96,9 @@ warn="-Wall -Wextra -Wpedantic -Werror"
   fi
 
   if ! python3 -c "import ctypes" > /dev/null 2>&1; then skip "python: there is no python3"
-  else check python python3 $here/python/pendulum.py
+  else
+    check python python3 $here/python/pendulum.py
+    check python-scenes python3 $here/python/scenes.py
   fi
 
   if ! julia --version > /dev/null 2>&1; then skip "julia: there is no julia"

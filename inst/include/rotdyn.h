@@ -63,7 +63,7 @@ typedef enum rotdyn_status {
   ROTDYN_ESTOPPED = 7,  /* stopped by the poll or by the torque function */
   ROTDYN_EMODEL = 8,    /* no such model, or it does not take the scene */
   ROTDYN_EACCURACY = 9, /* no model reaches the accuracy */
-  ROTDYN_ENAME = 10,    /* no such shape */
+  ROTDYN_ENAME = 10,    /* no such shape, scene, input or column */
   ROTDYN_EEND = 11,     /* the end of a list */
   ROTDYN_EINTERNAL = 12 /* a fault of this library */
 } rotdyn_status;
@@ -249,6 +249,64 @@ typedef struct rotdyn_model {
   int error_is_bound;
 } rotdyn_model;
 
+/* ---- scenes by name --------------------------------------------------------------------------
+ *
+ * A scene is made by the name of its constructor in R and set input by input, so that a host with
+ * keyword arguments or JSON needs a loop and nothing else:
+ *
+ *   rotdyn_scene *scene = rotdyn_scene_new("scene_incline");
+ *   rotdyn_scene_body(scene, "body", &body);
+ *   rotdyn_scene_number(scene, "incline_angle_deg", 20.0);
+ *   status = rotdyn_scene_run(scene, n, time_s, &options, 1, &name, &column, &report);
+ *   rotdyn_scene_free(scene);
+ *
+ * Bodies of a standard shape: shape_moments. Numbers are copied. A scene may be run from several
+ * threads at a time while none sets it. */
+typedef struct rotdyn_scene rotdyn_scene;
+
+typedef struct rotdyn_input {
+  size_t size;
+  const char *name, *unit; /* unit: "1" of a plain number, "" where there is none */
+  /* "number", "limit" (a number or Inf), "times" (increasing), "vector" (3 numbers), "attitude" (a
+   * quaternion, scalar first), "choice", "body", "law"; or "vector or law" */
+  const char *kind;
+  int required;
+  double low, high; /* of numbers: the domain, */
+  int above;        /* without `low` itself */
+  double otherwise; /* the default; NaN: from other inputs, as `words` say */
+  const char *words;
+  const char *const *options; /* of a choice, the first is the default; the list ends with NULL */
+} rotdyn_input;
+
+/* A body of any kind: a shape's from shape_moments, a mesh's from the host. */
+typedef struct rotdyn_body {
+  size_t size;
+  double mass_kg;
+  double centre_m[3];      /* of mass, in its own axes */
+  double inertia_kg_m2[6]; /* the tensor about it: xx, yy, zz, xy, xz, yz */
+  double radius_m;         /* on which it rolls about its own z axis; 0: it has none */
+} rotdyn_body;
+
+/* A law that only the caller can evaluate, of the arguments that the input's words list. Not 0
+ * stops the run. Finite. */
+typedef int (*rotdyn_law_fn)(const double *argument, double *value, void *context);
+
+typedef struct rotdyn_report {
+  size_t size;
+  int status;
+  size_t rows_done;                  /* rows that are valid */
+  double time_s;                     /* how far the run came, or where it failed */
+  size_t steps, rejected, law_calls; /* of an integrator */
+  double error;                      /* the largest relative error of a measure */
+  int error_is_bound;                /* else an estimate */
+  size_t n_measures;
+  const char *measure[8]; /* such as "theta" */
+  double measure_error[8], measure_largest[8];
+  const char *model; /* the one that ran; NULL: none */
+  const char *input; /* the one that was refused; NULL: none */
+  char reason[512];  /* why an input was refused, or no model or not this one fits */
+} rotdyn_report;
+
 /* ---- the table -------------------------------------------------------------------------------
  *
  * version               "0.5.0"
@@ -272,7 +330,20 @@ typedef struct rotdyn_model {
  * axle_rows             the motion at n times, finite and not decreasing
  * axle_sweep            many axles in closed form, a row each; ROTDYN_EMODEL where none takes them
  *
- * `options`, `info` may be NULL. */
+ *
+ * scene_at              constructor i of those that make scenes here, from 0; NULL after the last
+ * input_at, column_at   input, name of column i of such scenes, from 0; ROTDYN_EEND, NULL after the
+ *                       last. Columns that only some effects bring are 0 without them.
+ * scene_new             NULL: there is no such constructor, or no memory
+ * scene_number, scene_numbers, scene_text, scene_body, scene_law   set an input; ROTDYN_ENAME:
+ *                       there is none of this name, ROTDYN_EARGUMENT: it is of another kind
+ * scene_unset           back to the default
+ * scene_check           ROTDYN_EARGUMENT: the report names the input and why it is refused
+ * scene_candidate       the k-th cheapest model for these times and this accuracy
+ * scene_run             columns by name, n values each (of flags 0 and 1)
+ *
+ * `options`, `info`, `report` may be NULL. Of the options scenes take accuracy, model, max_steps,
+ * torque_call_s, poll and events. */
 #define ROTDYN_FUNCTIONS(X)                                                                        \
   X(const char *, version, (void))                                                                 \
   X(const char *, status_text, (int status))                                                       \
@@ -299,7 +370,25 @@ typedef struct rotdyn_model {
      const rotdyn_axle_columns *out, rotdyn_info *info))                                           \
   X(int, axle_sweep,                                                                               \
     (const rotdyn_axle *axle, size_t n, const rotdyn_sweep_in *in, const rotdyn_options *options,  \
-     const rotdyn_sweep_out *out, rotdyn_info *info))
+     const rotdyn_sweep_out *out, rotdyn_info *info))                                              \
+  X(const char *, scene_at, (size_t i))                                                            \
+  X(int, input_at, (const char *constructor, size_t i, rotdyn_input *out))                         \
+  X(const char *, column_at, (const char *constructor, size_t i))                                  \
+  X(rotdyn_scene *, scene_new, (const char *constructor))                                          \
+  X(void, scene_free, (rotdyn_scene * scene))                                                      \
+  X(int, scene_number, (rotdyn_scene * scene, const char *input, double value))                    \
+  X(int, scene_numbers, (rotdyn_scene * scene, const char *input, size_t n, const double *values)) \
+  X(int, scene_text, (rotdyn_scene * scene, const char *input, const char *option))                \
+  X(int, scene_body, (rotdyn_scene * scene, const char *input, const rotdyn_body *body))           \
+  X(int, scene_law, (rotdyn_scene * scene, const char *input, rotdyn_law_fn law, void *context))   \
+  X(int, scene_unset, (rotdyn_scene * scene, const char *input))                                   \
+  X(int, scene_check, (const rotdyn_scene *scene, rotdyn_report *report))                          \
+  X(int, scene_candidate,                                                                          \
+    (const rotdyn_scene *scene, size_t n, const double *time_s, const rotdyn_options *options,     \
+     size_t k, rotdyn_candidate *out))                                                             \
+  X(int, scene_run,                                                                                \
+    (const rotdyn_scene *scene, size_t n, const double *time_s, const rotdyn_options *options,     \
+     size_t n_columns, const char *const *names, double *const *columns, rotdyn_report *report))
 
 typedef struct rotdyn_api {
   size_t size; /* of the table that is installed */

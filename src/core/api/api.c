@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "api/structs.h"
 #include "scene/axle/bands.h"
 #include "scene/axle/closed.h"
 #include "scene/axle/drag.h"
@@ -36,26 +37,10 @@ static const char *const status_texts[] = {
     "stopped by the caller",
     "there is no such model, or it does not take the scene",
     "no model reaches the accuracy",
-    "there is no such shape",
+    "there is no such shape, scene, input or column",
     "the end of the list",
     "a fault of the library",
 };
-
-static rotdyn_status status_of(rot_status status) {
-  switch (status) {
-  case ROT_OK: return ROTDYN_OK;
-  case ROT_ENOMEM: return ROTDYN_EMEMORY;
-  case ROT_EVALUE: return ROTDYN_EARGUMENT;
-  case ROT_ERANGE: return ROTDYN_ERANGE;
-  case ROT_ETORQUE:
-  case ROT_ERANDOM:
-  case ROT_ERHS: return ROTDYN_ETORQUE;
-  case ROT_EBUDGET: return ROTDYN_EBUDGET;
-  case ROT_ESTEP: return ROTDYN_ESTEP;
-  case ROT_EUNWIND: return ROTDYN_ESTOPPED;
-  default: return ROTDYN_EINTERNAL;
-  }
-}
 
 const char *rotdyn_status_text(int status) {
   const int n = (int)(sizeof status_texts / sizeof *status_texts);
@@ -63,35 +48,6 @@ const char *rotdyn_status_text(int status) {
 }
 
 const char *rotdyn_version(void) { return ROTDYN_VERSION; }
-
-/* ---- structs with a size --------------------------------------------------------------------- */
-
-/* A copy of the caller's struct, with 0 in what it lacks. What it has beyond `size` must be 0. */
-static int take(const void *from, size_t size, void *to) {
-  const unsigned char *bytes = from;
-  size_t given;
-  if (!from) return 0;
-  memcpy(&given, from, sizeof given);
-  if (given < sizeof given) return 0;
-  for (size_t i = size; i < given; i++) {
-    if (bytes[i]) return 0;
-  }
-  memset(to, 0, size);
-  memcpy(to, from, given < size ? given : size);
-  return 1;
-}
-
-/* The caller's struct, filled as far as it goes; its size stays. NULL: nothing to fill. */
-static int give(const void *from, size_t size, void *to) {
-  const size_t head = sizeof(size_t);
-  size_t given;
-  if (!to) return 1;
-  memcpy(&given, to, sizeof given);
-  if (given < head) return 0;
-  const size_t both = given < size ? given : size;
-  memcpy((unsigned char *)to + head, (const unsigned char *)from + head, both - head);
-  return 1;
-}
 
 typedef struct reason {
   char text[sizeof((rotdyn_info *)NULL)->reason];
@@ -142,13 +98,13 @@ int rotdyn_rolling_energies(double mass_kg, double radius_m, double beta, double
                                 &e.rotational_j, &e.total_j};
   if (!out || mass_kg < 0.0 || beta < 0.0 || radius_m <= 0.0) return ROTDYN_EARGUMENT;
   rot_energy_partition(1, &in, &to);
-  return give(&e, sizeof e, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+  return rot_api_give(&e, sizeof e, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
 }
 
 int rotdyn_precession_rates(const rotdyn_top *top, rotdyn_top_rates *out) {
   rotdyn_top t;
   rotdyn_top_rates r = {0};
-  if (!out || !take(top, sizeof t, &t)) return ROTDYN_EARGUMENT;
+  if (!out || !rot_api_take(top, sizeof t, &t)) return ROTDYN_EARGUMENT;
   const int known = t.transverse_kg_m2 != 0.0;
   if (t.mass_kg < 0.0 || t.gravity_m_per_s2 < 0.0 || t.axial_kg_m2 <= 0.0 ||
       t.spin_rad_per_s == 0.0 || t.axis_angle_deg < 0.0 || t.axis_angle_deg > 180.0 ||
@@ -173,7 +129,7 @@ int rotdyn_precession_rates(const rotdyn_top *top, rotdyn_top_rates *out) {
   r.nutation_period_s = p.nutation_s;
   r.lowest_angle_deg = p.lowest_deg;
   r.mean_precession_rad_per_s = p.mean_rad_per_s;
-  return give(&r, sizeof r, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+  return rot_api_give(&r, sizeof r, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
 }
 
 int rotdyn_shape_at(size_t i, rotdyn_shape *out) {
@@ -185,7 +141,7 @@ int rotdyn_shape_at(size_t i, rotdyn_shape *out) {
   s.dimension = shape->dimension;
   s.n_sizes = (size_t)shape->sizes;
   for (int k = 0; k < shape->sizes; k++) s.size_name[k] = rot_size_at((int)shape->size[k])->name;
-  return give(&s, sizeof s, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+  return rot_api_give(&s, sizeof s, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
 }
 
 int rotdyn_shape_moments(const char *shape, double mass_kg, size_t n_sizes, const double *sizes,
@@ -219,7 +175,7 @@ int rotdyn_shape_moments(const char *shape, double mass_kg, size_t n_sizes, cons
   m.gyration_m = column[ROT_SHAPE_GYRATION];
   memcpy(m.centre_m, body.centre_m, sizeof m.centre_m);
   m.error = body.error;
-  return give(&m, sizeof m, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+  return rot_api_give(&m, sizeof m, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
 }
 
 int rotdyn_model_at(size_t i, rotdyn_model *out) {
@@ -235,7 +191,7 @@ int rotdyn_model_at(size_t i, rotdyn_model *out) {
     m.why = model->why;
     m.error = model->promise;
     m.error_is_bound = model->error_kind == ROT_BOUND;
-    return give(&m, sizeof m, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+    return rot_api_give(&m, sizeof m, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
   }
   return ROTDYN_EEND;
 }
@@ -274,25 +230,9 @@ typedef struct job {
   reason why;
 } job;
 
-static int all_finite(size_t n, const double x[]) {
-  for (size_t i = 0; i < n; i++) {
-    if (!isfinite(x[i])) return 0;
-  }
-  return 1;
-}
-
-/* Finite, not decreasing, and so is their span. */
-static int are_times(size_t n, const double t[]) {
-  if (n && (!t || !all_finite(n, t) || !isfinite(t[n - 1] - t[0]))) return 0;
-  for (size_t i = 1; i < n; i++) {
-    if (t[i] < t[i - 1]) return 0;
-  }
-  return 1;
-}
-
 static rotdyn_status read_term(const rotdyn_term *from, rot_term *to, reason *why) {
   rotdyn_term term;
-  if (!take(from, sizeof term, &term)) return refuse(why, "a term has a wrong size");
+  if (!rot_api_take(from, sizeof term, &term)) return refuse(why, "a term has a wrong size");
   if (!term.kind || !term.x) return refuse(why, "a term has no kind or no numbers");
   const int always = term.from_s == 0.0 && term.to_s == 0.0;
   to->kind = rot_term_named(term.kind);
@@ -302,7 +242,7 @@ static rotdyn_status read_term(const rotdyn_term *from, rot_term *to, reason *wh
   to->x = term.x;
   if (to->kind == ROT_TERM_KINDS) return refuse(why, "there is no term of this kind");
   if (!(to->from_s < to->to_s)) return refuse(why, "a term must begin before it ends");
-  if (!all_finite(term.n_x, term.x) || !rot_term_valid(to)) {
+  if (!rot_api_finite(term.n_x, term.x) || !rot_term_valid(to)) {
     return refuse(why, "the numbers of a term do not fit its kind, or are not finite");
   }
   return ROTDYN_OK;
@@ -331,7 +271,7 @@ static rotdyn_status read_inertia(const rotdyn_axle *axle, job *j) {
   s->linear.inertia_kg_m2 = axle->inertia_kg_m2;
   if (axle->n_inertia) {
     const double *x = axle->inertia_knots_kg_m2;
-    if (axle->n_inertia < 2 || !x || !are_times(axle->n_inertia, axle->inertia_time_s)) {
+    if (axle->n_inertia < 2 || !x || !rot_api_times(axle->n_inertia, axle->inertia_time_s)) {
       return refuse(&j->why, "a changing inertia needs two knots or more, not going back in time");
     }
     for (size_t i = 0; i < axle->n_inertia; i++) {
@@ -363,8 +303,9 @@ static rotdyn_status read_torque(const rotdyn_axle *axle, job *j) {
   if (axle->n_knots == 0 && axle->before_n_m != axle->after_n_m) {
     return refuse(&j->why, "without knots `before_n_m` and `after_n_m` must be equal");
   }
-  if (axle->n_knots && (!axle->knot_torque_n_m || !are_times(axle->n_knots, axle->knot_time_s) ||
-                        !all_finite(axle->n_knots, axle->knot_torque_n_m))) {
+  if (axle->n_knots &&
+      (!axle->knot_torque_n_m || !rot_api_times(axle->n_knots, axle->knot_time_s) ||
+       !rot_api_finite(axle->n_knots, axle->knot_torque_n_m))) {
     return refuse(&j->why, "knots must be finite and not go back in time");
   }
   if (axle->torque) {
@@ -389,14 +330,14 @@ static rotdyn_status collect_breaks(job *j, rot_axle_scene *scene) {
 static rotdyn_status read_axle(const rotdyn_axle *from, job *j) {
   rotdyn_axle axle;
   rot_axle_scene *s = &j->scene;
-  if (!take(from, sizeof axle, &axle)) {
+  if (!rot_api_take(from, sizeof axle, &axle)) {
     return refuse(&j->why,
                   "the axle is NULL, or its size or a member beyond this version is wrong");
   }
   const double numbers[] = {axle.start_s,       axle.theta0_rad,  axle.omega0_rad_per_s,
                             axle.viscous_n_m_s, axle.motor_n_m_s, axle.quadratic_n_m_s2,
                             axle.coulomb_n_m,   axle.static_n_m};
-  if (!all_finite(sizeof numbers / sizeof *numbers, numbers)) {
+  if (!rot_api_finite(sizeof numbers / sizeof *numbers, numbers)) {
     return refuse(&j->why, "a number of the axle is not finite");
   }
   if (axle.static_n_m == 0.0) axle.static_n_m = axle.coulomb_n_m;
@@ -417,7 +358,7 @@ static rotdyn_status read_axle(const rotdyn_axle *from, job *j) {
   j->calls.torque_context = axle.torque_context;
   j->n_own = axle.n_breaks;
   j->own_s = axle.breaks_s;
-  if (!are_times(axle.n_breaks, axle.breaks_s)) {
+  if (!rot_api_times(axle.n_breaks, axle.breaks_s)) {
     return refuse(&j->why, "breaks must be finite and not go back in time");
   }
   rotdyn_status status = read_torque(&axle, j);
@@ -429,7 +370,7 @@ static rotdyn_status read_axle(const rotdyn_axle *from, job *j) {
 
 static rotdyn_status read_options(const rotdyn_options *from, job *j) {
   rotdyn_options *o = &j->options;
-  if (from && !take(from, sizeof *o, o)) {
+  if (from && !rot_api_take(from, sizeof *o, o)) {
     return refuse(&j->why, "the size of the options or a member beyond this version is wrong");
   }
   if (o->accuracy == 0.0) o->accuracy = 1e-9;
@@ -455,7 +396,7 @@ static rotdyn_status open_job(const rotdyn_axle *axle, size_t n, const double ti
   if (status == ROTDYN_OK) status = read_axle(axle, j);
   if (status != ROTDYN_OK) return status;
   const double start = j->scene.linear.start_s;
-  if (!are_times(n, time_s) ||
+  if (!rot_api_times(n, time_s) ||
       (n && (!isfinite(time_s[0] - start) || !isfinite(time_s[n - 1] - start)))) {
     return refuse(&j->why, "times must be finite and not decrease");
   }
@@ -482,7 +423,7 @@ static rotdyn_status give_candidate(const rot_candidate *c, rotdyn_candidate *ou
   x.error_is_bound = c->model->error_kind == ROT_BOUND;
   x.cost_s = c->cost_s;
   rot_choice_reason(&rot_axle_constraint, c, sizeof x.reason, x.reason);
-  return give(&x, sizeof x, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+  return rot_api_give(&x, sizeof x, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
 }
 
 /* None fits: by its accuracy, or because none takes the scene. */
@@ -562,7 +503,7 @@ enum { COLUMNS = 7, ON_THE_WAY = 256 };
 static rotdyn_status open_columns(const rotdyn_axle_columns *from, size_t n, rot_axle_columns *to,
                                   double **scratch) {
   rotdyn_axle_columns given;
-  if (!take(from, sizeof given, &given)) return ROTDYN_EARGUMENT;
+  if (!rot_api_take(from, sizeof given, &given)) return ROTDYN_EARGUMENT;
   size_t missing = 0, at = 0;
 #define X(type, name) missing += given.name == NULL;
   ROT_AXLE_COLUMNS(X)
@@ -617,17 +558,6 @@ static void measure_on_the_way(const job *j, const rot_candidate *c, rot_info *i
   rot_events_free(&events);
 }
 
-static void give_events(const rot_events *from, rotdyn_events *to) {
-  rotdyn_events events;
-  if (!to || !take(to, sizeof events, &events)) return;
-  for (size_t i = 0; i < from->count && i < events.room; i++) {
-    if (events.time_s) events.time_s[i] = from->time_s[i];
-    if (events.name) events.name[i] = rot_event_name(from->event[i]);
-  }
-  events.count = from->count;
-  (void)give(&events, sizeof events, to);
-}
-
 static void report(const rot_info *from, double error, rotdyn_info *to) {
   const rot_measure *theta = &from->measure[ROT_THETA], *omega = &from->measure[ROT_OMEGA];
   to->rows_done = from->rows_done;
@@ -665,14 +595,14 @@ static rotdyn_status run_axle(job *j, const rotdyn_axle_columns *out, rotdyn_inf
     if (status != ROTDYN_OK) return status;
   }
   const rot_status ran = run_model(j, &c, q->n, q->time_s, &columns, &events, &run);
-  give_events(&events, j->options.events);
+  rot_api_events(&events, j->options.events);
   rot_events_free(&events);
   if (run.method == ROT_METHOD_RADAU) info->model = "axle_radau";
   if (run.method == ROT_METHOD_RK8PD) info->model = "axle_rk8pd";
   double error = rot_info_error(&run);
   if (!rot_axle_scene_plain(&j->reduced, &run)) {
 #define X(type, name)                                                                              \
-  if (!all_finite(run.rows_done, columns.name)) error = INFINITY;
+  if (!rot_api_finite(run.rows_done, columns.name)) error = INFINITY;
     ROT_AXLE_COLUMNS(X)
 #undef X
   }
@@ -691,14 +621,14 @@ static rotdyn_status run_axle(job *j, const rotdyn_axle_columns *out, rotdyn_inf
     error = rot_info_error(&run);
   }
   report(&run, error, info);
-  return ran != ROT_OK ? status_of(ran) : isnan(error) ? ROTDYN_ERANGE : ROTDYN_OK;
+  return ran != ROT_OK ? rot_api_status(ran) : isnan(error) ? ROTDYN_ERANGE : ROTDYN_OK;
 }
 
 /* The report, with the reason; its struct may be too small to be one. */
 static int finish(rotdyn_status status, const job *j, rotdyn_info *local, rotdyn_info *info) {
   local->status = (int)status;
   memcpy(local->reason, j->why.text, sizeof local->reason);
-  return give(local, sizeof *local, info) ? (int)status : ROTDYN_EARGUMENT;
+  return rot_api_give(local, sizeof *local, info) ? (int)status : ROTDYN_EARGUMENT;
 }
 
 int rotdyn_axle_rows(const rotdyn_axle *axle, size_t n, const double *time_s,
@@ -763,7 +693,8 @@ static rotdyn_status open_sweep(job *j, size_t n, const rotdyn_sweep_in *in,
   rotdyn_sweep_in from;
   rotdyn_sweep_out to;
   size_t missing = 1, at = 1; /* the first column is that of the viscous coefficients */
-  if (!take(in, sizeof from, &from) || !take(out, sizeof to, &to) || !from.time_s.values) {
+  if (!rot_api_take(in, sizeof from, &from) || !rot_api_take(out, sizeof to, &to) ||
+      !from.time_s.values) {
     return refuse(&j->why, "`in` or `out` has a wrong size, or there are no times");
   }
   s->rows.n = n;
@@ -851,10 +782,10 @@ static rotdyn_status run_sweep(job *j, sweep *s, rotdyn_info *info) {
   info->rows_done = run.rows_done;
   info->time_s = scene->linear.start_s;
   for (size_t i = 0; i < run.rows_done; i++) {
-    s->out.status[i] = (int)status_of((rot_status)s->out.status[i]);
+    s->out.status[i] = (int)rot_api_status((rot_status)s->out.status[i]);
     if (!(s->out.error[i] <= info->error)) info->error = s->out.error[i];
   }
-  return status_of(ran);
+  return rot_api_status(ran);
 }
 
 int rotdyn_axle_sweep(const rotdyn_axle *axle, size_t n, const rotdyn_sweep_in *in,

@@ -2,8 +2,6 @@
 #ifndef ROT_API_H
 #define ROT_API_H
 
-#include "../../inst/include/rotdyn.h"
-
-#include "ground/ieee.h"
+#include "api/interface.h"
 
 #endif

@@ -83,8 +83,14 @@ static const rot_model toy_models[] = {
     {"trial", 7, ROT_BOUND, 1e-15, 1, "tried", NULL, toy_cost, {2}},
     {"steps", 7, ROT_ADAPTIVE, 1e-12, 0, "stepped", NULL, toy_cost, {3}},
     {"more", 7, ROT_ADAPTIVE, 1e-12, 0, "stepped", NULL, toy_cost, {4}}};
-static const rot_constraint toys = {"toy",      toy_measures, 3,        5,   toy_list,
-                                    toy_models, toy_effects,  toy_drop, NULL};
+static const rot_constraint toys = {.id = "toy",
+                                    .measures = toy_measures,
+                                    .n_effects = 3,
+                                    .n_models = 5,
+                                    .effects = toy_list,
+                                    .models = toy_models,
+                                    .effects_of = toy_effects,
+                                    .drop = toy_drop};
 
 static void expect_pick(const toy *scene, double accuracy, const char *a, const char *b) {
   rot_candidate picked[ROT_MOST_MODELS], all[ROT_MOST_MODELS];
@@ -133,8 +139,10 @@ static void check_rules(void) {
 /* The same with a list in which nothing takes b by a bound. */
 static void check_dropping(void) {
   rot_model list[] = {toy_models[0], toy_models[3]};
-  const rot_constraint few = {"few", toy_measures, 3,        2,   toy_list,
-                              list,  toy_effects,  toy_drop, NULL};
+  rot_constraint few = toys;
+  few.id = "few";
+  few.n_models = 2;
+  few.models = list;
   toy scene = {3u, {1.0, 0.0, 0.0, 3.0, 0.0}, 1e-10};
   rot_candidate picked[ROT_MOST_MODELS], all[ROT_MOST_MODELS];
   rot_query q = query(0, NULL, 1e-9);

@@ -268,12 +268,13 @@ static const rot_model models[] = {
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
 };
 
-const rot_constraint rot_axle_constraint = {"axle",
-                                            rot_turning,
-                                            sizeof effects / sizeof *effects,
-                                            sizeof models / sizeof *models,
-                                            effects,
-                                            models,
-                                            effects_of,
-                                            rot_axle_drop,
-                                            NULL};
+const rot_constraint rot_axle_constraint = {
+    .id = "axle",
+    .measures = rot_turning,
+    .n_effects = sizeof effects / sizeof *effects,
+    .n_models = sizeof models / sizeof *models,
+    .effects = effects,
+    .models = models,
+    .effects_of = effects_of,
+    .drop = rot_axle_drop,
+};

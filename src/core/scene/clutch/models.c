@@ -43,12 +43,12 @@ static const rot_model models[] = {
      {0.9e-6, 65e-9, 0.13e-6, 0.0}},
 };
 
-const rot_constraint rot_clutch_constraint = {"clutch",
-                                              rot_turning,
-                                              sizeof effects / sizeof *effects,
-                                              sizeof models / sizeof *models,
-                                              effects,
-                                              models,
-                                              effects_of,
-                                              NULL,
-                                              NULL};
+const rot_constraint rot_clutch_constraint = {
+    .id = "clutch",
+    .measures = rot_turning,
+    .n_effects = sizeof effects / sizeof *effects,
+    .n_models = sizeof models / sizeof *models,
+    .effects = effects,
+    .models = models,
+    .effects_of = effects_of,
+};

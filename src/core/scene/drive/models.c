@@ -149,12 +149,12 @@ static const rot_model models[] = {
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
 };
 
-const rot_constraint rot_drive_constraint = {"drive",
-                                             rot_turning,
-                                             sizeof effects / sizeof *effects,
-                                             sizeof models / sizeof *models,
-                                             effects,
-                                             models,
-                                             effects_of,
-                                             NULL,
-                                             NULL};
+const rot_constraint rot_drive_constraint = {
+    .id = "drive",
+    .measures = rot_turning,
+    .n_effects = sizeof effects / sizeof *effects,
+    .n_models = sizeof models / sizeof *models,
+    .effects = effects,
+    .models = models,
+    .effects_of = effects_of,
+};

@@ -7,6 +7,7 @@
 #include "scene/free/gyrostat.h"
 #include "scene/free/ode.h"
 #include "scene/free/rotors.h"
+#include "scene/free/scene.h"
 #include "scene/free/steps.h"
 
 enum { TORQUE = 1, LAW = 2, DAMPING = 4, ROTORS = 8, MOTORS = 16 };
@@ -89,7 +90,7 @@ double rot_free_steps_s(const rot_model *model, const void *of, const rot_query 
   return 10e-6 + fmin(steps, 1e300) * (model->seconds[0] + calls) + (double)query->n * 1e-6;
 }
 
-static const rot_model models[] = {
+static const rot_model models[ROT_FREE_MODELS] = {
     {"free_exact",
      DAMPING,
      ROT_BOUND,
@@ -112,12 +113,21 @@ static const rot_model models[] = {
     ROT_FREE_STEPS("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS, ROTORS),
 };
 
-const rot_constraint rot_free_constraint = {"free",
-                                            rot_free_measures,
-                                            sizeof effects / sizeof *effects,
-                                            sizeof models / sizeof *models,
-                                            effects,
-                                            models,
-                                            effects_of,
-                                            NULL,
-                                            NULL};
+const rot_constraint rot_free_constraint = {
+    .id = "free",
+    .measures = rot_free_measures,
+    .n_effects = sizeof effects / sizeof *effects,
+    .n_models = sizeof models / sizeof *models,
+    .effects = effects,
+    .models = models,
+    .effects_of = effects_of,
+    .constructor = "scene_free",
+    .n_inputs = ROT_FREE_INPUTS,
+    .n_columns = ROT_FREE_ALL_COLUMNS,
+    .inputs = rot_free_inputs,
+    .columns = rot_free_all_columns,
+    .runs = rot_free_runs,
+    .scene_size = sizeof(rot_free_built),
+    .build = rot_free_build,
+    .start_s = rot_free_start,
+};

@@ -2,9 +2,7 @@
 
 #include <math.h>
 
-#include "scene/incline/ode.h"
-
-enum { GRAVITY = 1, FRICTION = 2, RESISTANCE = 4, DRAG = 8, QUADRATIC = 16, FORCE = 32, ALL = 63 };
+#include "scene/incline/scene.h"
 
 static const rot_effect effects[] = {{"gravity", "gravity", 0, 0},
                                      {"friction", "friction of the contact", 0, 0},
@@ -16,9 +14,12 @@ static const rot_effect effects[] = {{"gravity", "gravity", 0, 0},
 static unsigned effects_of(const void *of) {
   const rot_incline_scene *scene = of;
   const rot_incline_params *p = &scene->slope;
-  return (p->gravity_m_per_s2 != 0.0 ? GRAVITY : 0u) | (p->mu_static != 0.0 ? FRICTION : 0u) |
-         (p->arm_m != 0.0 ? RESISTANCE : 0u) | (scene->drag_n_s_per_m != 0.0 ? DRAG : 0u) |
-         (scene->drag_n_s2_per_m2 != 0.0 ? QUADRATIC : 0u) | (scene->force ? FORCE : 0u);
+  return (p->gravity_m_per_s2 != 0.0 ? ROT_INCLINE_GRAVITY : 0u) |
+         (p->mu_static != 0.0 ? ROT_INCLINE_FRICTION : 0u) |
+         (p->arm_m != 0.0 ? ROT_INCLINE_RESISTANCE : 0u) |
+         (scene->drag_n_s_per_m != 0.0 ? ROT_INCLINE_DRAG : 0u) |
+         (scene->drag_n_s2_per_m2 != 0.0 ? ROT_INCLINE_QUADRATIC : 0u) |
+         (scene->force ? ROT_INCLINE_FORCE : 0u);
 }
 
 static const char *not_before(const void *scene, const rot_query *query) {
@@ -61,9 +62,9 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
   return integrated_s(model, scene, query, 1);
 }
 
-static const rot_model models[] = {
+static const rot_model models[ROT_INCLINE_MODELS] = {
     {"incline_exact",
-     GRAVITY | FRICTION | RESISTANCE,
+     ROT_INCLINE_GRAVITY | ROT_INCLINE_FRICTION | ROT_INCLINE_RESISTANCE,
      ROT_BOUND,
      8e-15,
      ROT_FREELY,
@@ -72,7 +73,7 @@ static const rot_model models[] = {
      cost_s,
      {0.6e-6, 60e-9, 0.0, 0.0}},
     {"incline_rk8pd",
-     ALL,
+     ROT_INCLINE_EFFECTS,
      ROT_ADAPTIVE,
      1e-13,
      ROT_FREELY,
@@ -81,7 +82,7 @@ static const rot_model models[] = {
      rk8pd_s,
      {0.25, -1.0 / 8.5, 10.0, 0.39}},
     {"incline_radau",
-     ALL,
+     ROT_INCLINE_EFFECTS,
      ROT_ADAPTIVE,
      1e-13,
      ROT_FREELY,
@@ -91,12 +92,21 @@ static const rot_model models[] = {
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
 };
 
-const rot_constraint rot_incline_constraint = {"incline",
-                                               rot_incline_measures,
-                                               sizeof effects / sizeof *effects,
-                                               sizeof models / sizeof *models,
-                                               effects,
-                                               models,
-                                               effects_of,
-                                               NULL,
-                                               NULL};
+const rot_constraint rot_incline_constraint = {
+    .id = "incline",
+    .measures = rot_incline_measures,
+    .n_effects = sizeof effects / sizeof *effects,
+    .n_models = sizeof models / sizeof *models,
+    .effects = effects,
+    .models = models,
+    .effects_of = effects_of,
+    .constructor = "scene_incline",
+    .n_inputs = ROT_INCLINE_INPUTS,
+    .n_columns = ROT_INCLINE_ALL_COLUMNS,
+    .inputs = rot_incline_inputs,
+    .columns = rot_incline_all_columns,
+    .runs = rot_incline_runs,
+    .scene_size = sizeof(rot_incline_built),
+    .build = rot_incline_build,
+    .start_s = rot_incline_start,
+};

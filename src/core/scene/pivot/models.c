@@ -4,8 +4,10 @@
 #include <string.h>
 
 #include "scene/free/models.h"
+#include "scene/free/scene.h"
 #include "scene/pivot/pivot.h"
 #include "scene/pivot/approx.h"
+#include "scene/pivot/scene.h"
 
 enum { WEIGHT = 1, TORQUE = 2, LAW = 4, DAMPING = 8, ROTORS = 16, MOTORS = 32 };
 
@@ -45,7 +47,7 @@ static double bound_of(const rot_model *model, const void *scene, const rot_quer
                                                : rot_pivot_precession_bound(p, t);
 }
 
-static const rot_model models[] = {
+static const rot_model models[ROT_PIVOT_MODELS] = {
     {"pivot_top",
      WEIGHT | ROTORS,
      ROT_BOUND,
@@ -95,12 +97,22 @@ static const rot_model models[] = {
     ROT_FREE_STEPS("pivot_", WEIGHT | TORQUE | LAW | DAMPING | ROTORS | MOTORS, WEIGHT | ROTORS),
 };
 
-const rot_constraint rot_pivot_constraint = {"pivot",
-                                             rot_free_measures,
-                                             sizeof effects / sizeof *effects,
-                                             sizeof models / sizeof *models,
-                                             effects,
-                                             models,
-                                             effects_of,
-                                             NULL,
-                                             bound_of};
+const rot_constraint rot_pivot_constraint = {
+    .id = "pivot",
+    .measures = rot_free_measures,
+    .n_effects = sizeof effects / sizeof *effects,
+    .n_models = sizeof models / sizeof *models,
+    .effects = effects,
+    .models = models,
+    .effects_of = effects_of,
+    .constructor = "scene_pivot",
+    .n_inputs = ROT_PIVOT_INPUTS,
+    .n_columns = ROT_FREE_ALL_COLUMNS,
+    .inputs = rot_pivot_inputs,
+    .columns = rot_free_all_columns,
+    .runs = rot_pivot_runs,
+    .scene_size = sizeof(rot_free_built),
+    .build = rot_pivot_build,
+    .start_s = rot_free_start,
+    .bound = bound_of,
+};

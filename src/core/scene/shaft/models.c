@@ -87,12 +87,12 @@ static const rot_model models[] = {
      {1e-6, 80e-9, 5e-9, 60e-9}},
 };
 
-const rot_constraint rot_shaft_constraint = {"rotors",
-                                             rot_turning,
-                                             sizeof effects / sizeof *effects,
-                                             sizeof models / sizeof *models,
-                                             effects,
-                                             models,
-                                             effects_of,
-                                             NULL,
-                                             NULL};
+const rot_constraint rot_shaft_constraint = {
+    .id = "rotors",
+    .measures = rot_turning,
+    .n_effects = sizeof effects / sizeof *effects,
+    .n_models = sizeof models / sizeof *models,
+    .effects = effects,
+    .models = models,
+    .effects_of = effects_of,
+};

@@ -1,0 +1,9 @@
+/* The header of the C interface, as the core sees it. */
+#ifndef ROT_API_INTERFACE_H
+#define ROT_API_INTERFACE_H
+
+#include "../../inst/include/rotdyn.h"
+
+#include "ground/ieee.h"
+
+#endif

@@ -1,0 +1,35 @@
+/* A scene on an incline from its inputs, its columns, and the runs of its models. */
+#ifndef ROT_INCLINE_SCENE_H
+#define ROT_INCLINE_SCENE_H
+
+#include "engine/model.h"
+#include "scene/incline/ode.h"
+
+/* Effects, in the order of their list. */
+enum {
+  ROT_INCLINE_GRAVITY = 1,
+  ROT_INCLINE_FRICTION = 2,
+  ROT_INCLINE_RESISTANCE = 4,
+  ROT_INCLINE_DRAG = 8,
+  ROT_INCLINE_QUADRATIC = 16,
+  ROT_INCLINE_FORCE = 32,
+  ROT_INCLINE_EFFECTS = 63
+};
+
+enum { ROT_INCLINE_INPUTS = 16, ROT_INCLINE_ALL_COLUMNS = 14, ROT_INCLINE_MODELS = 3 };
+
+extern const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS];
+extern const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS];
+extern const rot_model_run rot_incline_runs[ROT_INCLINE_MODELS];
+
+/* As built: what the models read first, as they read it. */
+typedef struct rot_incline_built {
+  rot_incline_scene scene;
+  rot_law law;
+} rot_incline_built;
+
+/* rot_constraint.build and .start_s */
+rot_status rot_incline_build(const rot_given given[], void *built, rot_refusal *refusal);
+double rot_incline_start(const void *scene);
+
+#endif

@@ -1,0 +1,169 @@
+#include "scene/run.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+const rot_constraint *rot_run_constraint(const char *constructor) {
+  size_t n;
+  const rot_constraint *const *list = rot_choice_constraints(&n);
+  for (size_t i = 0; i < n; i++) {
+    if (list[i]->constructor && !strcmp(list[i]->constructor, constructor)) return list[i];
+  }
+  return NULL;
+}
+
+size_t rot_run_column(const rot_constraint *constraint, const char *name) {
+  size_t i = 0;
+  while (i < constraint->n_columns && strcmp(constraint->columns[i].name, name)) i++;
+  return i;
+}
+
+/* ---- one run --------------------------------------------------------------------------------- */
+
+typedef struct job {
+  const rot_constraint *constraint;
+  const void *scene;
+  const rot_hooks *hooks;
+  void *column[ROT_MOST_COLUMNS]; /* all of them */
+  void *memory;                   /* of those that the caller does not want */
+} job;
+
+static rot_status open_columns(job *j, size_t n, void *const column[]) {
+  const rot_constraint *c = j->constraint;
+  size_t missing = 0;
+  for (size_t i = 0; i < c->n_columns; i++) missing += !column || !column[i];
+  if (missing && n > (SIZE_MAX - 1) / sizeof(double) / missing) return ROT_ENOMEM;
+  char *at = j->memory = missing ? malloc(missing * n * sizeof(double) + 1) : NULL;
+  if (missing && !at) return ROT_ENOMEM;
+  for (size_t i = 0; i < c->n_columns; i++) {
+    const int given = column && column[i];
+    j->column[i] = given ? column[i] : at;
+    if (!given) at += n * sizeof(double);
+  }
+  return ROT_OK;
+}
+
+static const rot_model_run *run_of(const rot_constraint *c, const rot_model *model) {
+  return &c->runs[model - c->models];
+}
+
+static rot_status run_model(const job *j, const rot_model *model, const rot_task *task,
+                            void *const column[], rot_events *events, rot_info *info) {
+  const rot_model_run *run = run_of(j->constraint, model);
+  return run->run(j->scene, task, run->method, column, events, j->hooks, info);
+}
+
+/* Sums are quick, and finite where all values are. */
+static int beyond_doubles(const job *j, unsigned effects, size_t n) {
+  for (size_t i = 0; i < j->constraint->n_columns; i++) {
+    const rot_column_of *column = &j->constraint->columns[i];
+    const double *x = j->column[i];
+    double sum = 0.0;
+    if (column->flag || (column->only_with && !(column->only_with & effects))) continue;
+    for (size_t k = 0; k < n; k++) sum += x[k];
+    if (isfinite(sum)) continue;
+    for (size_t k = 0; k < n; k++) {
+      if (isinf(x[k])) return 1;
+    }
+  }
+  return 0;
+}
+
+/* ---- the sizes of the motion ----------------------------------------------------------------- */
+
+enum { ON_THE_WAY = 256 };
+
+static int by_size(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* A closed form knows the largest values of the rows alone. More times, unevenly spaced, so that no
+ * period of the motion hides what is larger between them. */
+static void measure_on_the_way(const job *j, const rot_model *model, const rot_task *task,
+                               rot_info *info) {
+  const double start = j->constraint->start_s(j->scene);
+  const double from = fmin(start, task->time_s[0]);
+  const double to = fmax(start, task->time_s[task->n - 1]);
+  double time_s[ON_THE_WAY];
+  rot_task more = *task;
+  rot_events events = {0, 0, NULL, NULL};
+  rot_info seen;
+  job own = *j;
+  for (int i = 0; i < ON_THE_WAY; i++) {
+    time_s[i] = from + (to - from) * fmod((i + 1) * 0.6180339887498949, 1.0);
+  }
+  qsort(time_s, ON_THE_WAY, sizeof *time_s, by_size);
+  more.n = ON_THE_WAY;
+  more.time_s = time_s;
+  if (open_columns(&own, more.n, NULL) != ROT_OK) return;
+  if (run_model(&own, model, &more, own.column, &events, &seen) == ROT_OK) {
+    for (size_t i = 0; i < info->n_measures; i++) {
+      info->measure[i].largest = fmax(info->measure[i].largest, seen.measure[i].largest);
+    }
+  }
+  free(own.memory);
+  rot_events_free(&events);
+}
+
+/* ---- choose and run -------------------------------------------------------------------------- */
+
+static void run_candidate(const job *j, const rot_candidate *c, const rot_task *task, int asked,
+                          rot_outcome *out) {
+  const rot_constraint *constraint = j->constraint;
+  rot_task own = *task;
+  own.asked = asked;
+  rot_events_free(&out->events);
+  memset(&out->events, 0, sizeof out->events);
+  out->picked = *c;
+  out->model = c->model;
+  rot_info_clear(&out->info, constraint->measures);
+  out->info.status = run_model(j, c->model, &own, j->column, &out->events, &out->info);
+  /* One integrator may switch to the other. */
+  for (size_t i = 0; i < constraint->n_models && out->info.method != ROT_METHOD_NONE; i++) {
+    if (constraint->runs[i].method == out->info.method) out->model = &constraint->models[i];
+  }
+  out->error = rot_info_error(&out->info);
+  if (out->info.status != ROT_OK) return;
+  if (beyond_doubles(j, constraint->effects_of(j->scene), task->n)) {
+    out->error = INFINITY;
+  } else if (task->n && c->model->error_kind != ROT_ADAPTIVE && isfinite(out->error) &&
+             (out->error > 1e-13 || out->error > task->accuracy)) {
+    measure_on_the_way(j, c->model, &own, &out->info);
+    out->error = rot_info_error(&out->info);
+  }
+}
+
+rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const char *model,
+                    const rot_task *task, double law_s, void *const column[], rot_outcome *out,
+                    const rot_hooks *hooks) {
+  const rot_query query = {task->n, task->time_s, task->accuracy, law_s};
+  rot_candidate picked[ROT_MOST_MODELS];
+  job j = {.constraint = constraint, .scene = scene, .hooks = hooks};
+  size_t n = 1;
+  out->model = NULL;
+  out->tried = NAN;
+  rot_info_clear(&out->info, constraint->measures);
+  if (model) {
+    const rot_model *named = rot_choice_model(constraint, model);
+    if (!named) return ROT_RUN_NO_MODEL;
+    rot_choice_judge(constraint, named, scene, &query, &picked[0]);
+    out->picked = picked[0];
+    if (!picked[0].applies) return ROT_RUN_NO_MODEL;
+  } else {
+    n = rot_choice_pick(constraint, scene, &query, picked);
+  }
+  out->info.status = open_columns(&j, task->n, column);
+  if (out->info.status != ROT_OK) return ROT_RUN_DONE;
+  rot_run_end end = ROT_RUN_NONE_FITS;
+  for (size_t i = 0; i < n && end == ROT_RUN_NONE_FITS; i++) {
+    const int trial = picked[i].model->use == ROT_ON_TRIAL;
+    run_candidate(&j, &picked[i], task, model != NULL, out);
+    if (!trial || out->info.status != ROT_OK || out->error <= task->accuracy) end = ROT_RUN_DONE;
+    if (end == ROT_RUN_NONE_FITS) out->tried = fmin(out->tried, out->error);
+  }
+  free(j.memory);
+  return end;
+}

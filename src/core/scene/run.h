@@ -1,0 +1,36 @@
+/* Scenes of any constraint that builds them, by its table (engine/model.h): run by the cheapest
+ * model that reaches the accuracy. None of these constraints drops effects. */
+#ifndef ROT_RUN_H
+#define ROT_RUN_H
+
+#include "scene/choice.h"
+
+/* The constraint whose scenes this constructor makes; NULL: there is none that the core builds. */
+const rot_constraint *rot_run_constraint(const char *constructor);
+
+/* Rows of a scene, and what they are worth. Begin with {0}. */
+typedef struct rot_outcome {
+  const rot_model *model; /* the one that ran; NULL: none was run */
+  rot_candidate picked;   /* why */
+  double tried;           /* the least error of models on trial that were not good enough, or NaN */
+  rot_info info;
+  double error;      /* relative; Inf: a column leaves the doubles; NaN: not known */
+  rot_events events; /* to be freed */
+} rot_outcome;
+
+typedef enum rot_run_end {
+  ROT_RUN_DONE,     /* as info->status says */
+  ROT_RUN_NO_MODEL, /* no such model, or it does not take the scene: picked says why */
+  ROT_RUN_NONE_FITS /* no model reaches the accuracy */
+} rot_run_end;
+
+/* `model`: the name of the one to run, or NULL. `column`: one for each of the constraint's, of n
+ * values; NULL: not wanted. Of a scene without the effects of a column it is not written. */
+rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const char *model,
+                    const rot_task *task, double law_s, void *const column[], rot_outcome *out,
+                    const rot_hooks *hooks);
+
+/* The place of a column; constraint->n_columns: there is none of this name. */
+size_t rot_run_column(const rot_constraint *constraint, const char *name);
+
+#endif
