@@ -1,7 +1,8 @@
 /* How well the integrator's error estimate covers its error, and what it costs: random smooth
  * scenes at accuracies from 1e-3 to 1e-12. Run by hand:
  *
- *   cc -O2 -Isrc/core bench/coverage/ode.c src/rot_*.c -lgsl -lgslcblas -lm && ./a.out 1000
+ *   cc -O2 -Isrc/core bench/coverage/ode.c $(find src/core -name '*.c') \
+ *     -lgsl -lgslcblas -lm && ./a.out 1000
  *
  * For each accuracy: scenes whose errors are all covered, the lowest, median and 95 % of the
  * estimate over the true error (the worse component), calls a scene, misses by kind of scene. */

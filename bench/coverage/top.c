@@ -2,7 +2,8 @@
  * of order 34 in quadruple precision. After up to 1e12 rad: against its first nutation, repeated,
  * where one is found and passes no pole. Called by tools/check-coverage.sh; by hand:
  *
- *   cc -O2 -std=gnu99 -Isrc/core bench/coverage/top.c src/rot_*.c -lgsl -lgslcblas -lquadmath -lm
+ *   cc -O2 -std=gnu99 -Isrc/core bench/coverage/top.c $(find src/core -name '*.c') \
+ *     -lgsl -lgslcblas -lquadmath -lm
  *
  * Arguments: scenes, seed, longest time of the first comparison in radians of the fastest rate
  * (60). */
