@@ -76,7 +76,8 @@ test_that("a client of a newer header names the function that is missing", {
     function(lines) {
       # A newer version appends a function; here it is the one that the client calls.
       at <- grep("X(double, rolling_acceleration", lines, fixed = TRUE)
-      end <- grep("rotdyn_sweep_out *out, rotdyn_info *info))", lines, fixed = TRUE)
+      list <- grep("define ROTDYN_FUNCTIONS", lines, fixed = TRUE)
+      end <- list - 1L + which(!endsWith(lines[-seq_len(list - 1L)], "\\"))[1]
       filler <- sub("rolling_acceleration", "something_else      ", lines[at])
       call <- sub("\\\\$", "", lines[at])
       c(lines[seq_len(at - 1)], filler, lines[(at + 1):(end - 1)],

@@ -10,7 +10,7 @@
 rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int *slot) {
   for (int k = 0; k < shape->sizes; k++) {
     *slot = k;
-    switch (rot_size_at(shape->size[k])->kind) {
+    switch (rot_size_at((int)shape->size[k])->kind) {
     case ROT_KIND_LENGTH:
       if (size[k] < 0.0) return ROT_SHAPE_NEGATIVE;
       break;
@@ -37,7 +37,7 @@ static int scale_sizes(const rot_shape *shape, const double size[], double scale
   for (int k = 0; k < shape->sizes; k++) {
     const double a = fabs(size[k]);
     scaled[k] = size[k];
-    if (rot_size_at(shape->size[k])->kind == ROT_KIND_COUNT) continue;
+    if (rot_size_at((int)shape->size[k])->kind == ROT_KIND_COUNT) continue;
     if (a > big) big = a;
     if (a > 0.0 && a < small) small = a;
   }
@@ -48,7 +48,7 @@ static int scale_sizes(const rot_shape *shape, const double size[], double scale
   (void)frexp(small, &least);
   *wide = e - least > WIDE;
   for (int k = 0; k < shape->sizes; k++) {
-    if (rot_size_at(shape->size[k])->kind != ROT_KIND_COUNT) scaled[k] = ldexp(size[k], -e);
+    if (rot_size_at((int)shape->size[k])->kind != ROT_KIND_COUNT) scaled[k] = ldexp(size[k], -e);
   }
   return e;
 }
@@ -79,10 +79,11 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
     rot_geometry other;
     int e;
     (void)frexp(size[j], &e);
-    if (rot_size_at(shape->size[j])->kind == ROT_KIND_COUNT || !(fabs(size[j]) > 0.0)) continue;
+    if (rot_size_at((int)shape->size[j])->kind == ROT_KIND_COUNT || !(fabs(size[j]) > 0.0))
+      continue;
     if (g->e - e <= WIDE) continue;
     for (int k = 0; k < shape->sizes; k++) {
-      const int counts = rot_size_at(shape->size[k])->kind == ROT_KIND_COUNT;
+      const int counts = rot_size_at((int)shape->size[k])->kind == ROT_KIND_COUNT;
       scaled[k] = counts ? size[k] : fmax(fmin(ldexp(size[k], -e), 0x1p400), -0x1p400);
     }
     shape->geometry(scaled, &other);
