@@ -320,3 +320,9 @@ test_that("what is no number, or no place, is an error that says where", {
     expect_error(body_density(1, ball, method = method), class = "rotdyn_error_value")
   }
 })
+
+test_that("sizes of a rule that are none are refused", {
+  for (n in c(-1, NaN, 2^52)) {
+    expect_error(.Call(rotdyn:::ffi_density_size, n), "`n` is not a size")
+  }
+})

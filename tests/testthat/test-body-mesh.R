@@ -564,3 +564,16 @@ test_that("a check prints what fails, with its count, and keeps to the width", {
   expect_match(paste(open, collapse = " "), "not checked: no inverted parts", fixed = TRUE)
   expect_lte(max(nchar(c(closed, open))), 80)
 })
+
+test_that("faces that are turned over are wound like their neighbours", {
+  faces <- rbind(c(1L, 3L, 2L), c(1L, 2L, 4L), c(2L, 3L, 4L), c(1L, 4L, 3L))
+  edges <- function(faces) {
+    sort(paste(as.vector(faces), as.vector(faces[, c(2, 3, 1)])))
+  }
+  expect_identical(rotdyn:::wind_alike(faces), faces)
+  for (i in 1:4) {
+    turned <- faces
+    turned[i, 2:3] <- faces[i, 3:2]
+    expect_identical(edges(rotdyn:::wind_alike(turned)), edges(faces))
+  }
+})

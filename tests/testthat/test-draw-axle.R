@@ -10,6 +10,9 @@ test_that("the body is drawn to scale about its axle", {
   points <- all_points(fills(drawing(scene)))
   expect_equal(range(points[, 1]), c(-1, 0), tolerance = 1e-12)
   expect_equal(range(points[, 2]), c(-0.5, 0.5), tolerance = 1e-12)
+  # About the point above its centre: it hangs.
+  hangs <- all_points(fills(drawing(scene_axle(body_disk(2, 0.25), through = c(0, 0.25, 0)))))
+  expect_equal(range(hangs[, 2]), c(-1, 0), tolerance = 1e-12)
   # About its centre, the radius is drawn.
   key <- drawing(scene_axle(body_annulus(2, 0.3, 0.1)))
   expect_true(all(c("R", "r") %in% key$quantities$symbol))

@@ -115,3 +115,13 @@ test_that("phases keep their digits for years", {
   expect_lt(abs(seen$x_m - 1.8839370196056416), 2e-15)
   expect_lt(abs(seen$y_m + 1.2044838339136862), 2e-15)
 })
+
+test_that("the ellipse of a swing from rest depends on how far it starts, not on where", {
+  swing <- function(east_m, north_m) foucault_pendulum(1, 48.85, 67, east_m, north_m)
+  expect_equal(
+    swing(3, 4)$ellipse_rate_rad_per_s, swing(5, 0)$ellipse_rate_rad_per_s, tolerance = 1e-14
+  )
+  expect_equal(
+    swing(0, 5)$ellipse_rate_rad_per_s, swing(5, 0)$ellipse_rate_rad_per_s, tolerance = 1e-14
+  )
+})

@@ -74,3 +74,11 @@ test_that("the hash is XXH128 of the bytes", {
   expect_identical(hash_text(""), "99aa06d3014798d86001c324468d497f")
   expect_identical(hash_text("abc"), "06b05ab6733a618578af5f94892f3950")
 })
+
+test_that("the hash of numbers is that of their bytes, the lowest first", {
+  hash <- function(...) .Call(rotdyn:::ffi_hash, list(...))
+  bytes <- function(x) writeBin(x, raw(), endian = "little")
+  expect_identical(hash(c(1.5, -2)), hash(bytes(c(1.5, -2))))
+  expect_identical(hash(7L, 0.1), hash(c(bytes(7L), bytes(0.1))))
+  expect_identical(hash(TRUE), hash(bytes(1L)))
+})

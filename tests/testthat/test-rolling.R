@@ -159,3 +159,9 @@ test_that("a number of a function or columns that do not exist are refused", {
   for (which in c(0L, 6L)) expect_error(value(which, list(1)), "no such function")
   for (columns in list(1, list(1, 2))) expect_error(value(3L, columns), "of another function")
 })
+
+test_that("the height of a drop is 1 m unless given", {
+  # A hoop: v^2 = g h.
+  expect_equal(rolling_final_speed(1), sqrt(9.80665), tolerance = 1e-15)
+  expect_equal(rolling_final_speed(1, gravity_m_per_s2 = 4), 2, tolerance = 1e-15)
+})

@@ -374,3 +374,11 @@ test_that("a body of a standard shape has the moments of its sizes, in any axes"
     expect_error(check(factor), "not those of a disk", class = "rotdyn_error_value")
   }
 })
+
+test_that("texts are indented by at most eight blanks", {
+  scene <- scene_axle(1)
+  expect_match(write_scene(scene, indent = 8), "\n        \"", fixed = TRUE)
+  for (indent in c(-1, 9)) {
+    expect_error(write_scene(scene, indent = indent), class = "rotdyn_error_value")
+  }
+})
