@@ -224,7 +224,8 @@ plan_of <- function(mutant) {
     callers_of(mutant$file)
   }
   plan <- lapply(paths, function(test) {
-    c(list(test = test), blocks_of(test, if (length(names)) names))
+    all <- !length(names) || names_entry(test, mutant$file)
+    c(list(test = test), blocks_of(test, if (!all) names))
   })
   core <- startsWith(paths, "core/")
   keep <- core | lengths(lapply(plan, `[[`, "wanted")) > 0L
@@ -232,10 +233,24 @@ plan_of <- function(mutant) {
   plan[keep][order(!core[keep], costs[keep])]
 }
 
+# The entries of a file of src/glue.
+entries_of <- function(file) {
+  lines <- readLines(file.path(sources, file))
+  regmatches(lines, regexpr("(?<=^SEXP )ffi_[a-z_0-9]+(?=\\()", lines, perl = TRUE))
+}
+
+# Whether a test calls one of them itself.
+names_entry <- function(test, file) {
+  if (!startsWith(file, "src/glue/") || startsWith(test, "core/")) return(FALSE)
+  text <- paste(readLines(file.path(tests, test), encoding = "UTF-8"), collapse = "\n")
+  any(vapply(entries_of(file), function(entry) {
+    grepl(paste0(":::", entry, "\\b"), text)
+  }, NA))
+}
+
 # Functions of R/ that call one of a file of src/glue.
 callers_of <- function(file) {
-  lines <- readLines(file.path(sources, file))
-  defined <- regmatches(lines, regexpr("(?<=^SEXP )ffi_[a-z_0-9]+(?=\\()", lines, perl = TRUE))
+  defined <- entries_of(file)
   found <- lapply(r_files, function(r) {
     text <- readLines(file.path(sources, r), encoding = "UTF-8")
     at <- which(vapply(regmatches(text, gregexpr("ffi_[a-z_0-9]+", text)), function(words) {

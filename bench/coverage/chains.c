@@ -615,9 +615,6 @@ static void set_piece(chain *s, quad t) {
   for (int u = 0; u < s->m; u++) {
     contact k = {.a = u, .b = -1, .unit = u, .pa = 1, .mode = 1};
     int dry = 0;
-    quad sense[2] = {0, 0}, felt = 0; /* torques by sense of rotation, behind lossy gears */
-    quad share = 1;
-    int lossy = 0;
     for (int i = 0; i < s->n; i++) {
       const rotor *r = &s->r[i];
       if (r->unit != u) continue;
@@ -628,24 +625,9 @@ static void set_piece(chain *s, quad t) {
       if (sliding > 0 || holding > 0 || r->quadratic > 0.0) dry = 1;
       k.forward += sliding / over;
       k.hold_forward += holding / over;
-      if (i > 0 && s->c[i - 1].kind == 2.0 && s->r[i - 1].unit == u) {
-        share *= s->c[i - 1].efficiency;
-        lossy = lossy || s->c[i - 1].efficiency < 1.0;
-      }
-      const quad at = r->torque / r->over;
-      felt += at;
-      sense[0] += at > 0 ? at * share : at / share;
-      sense[1] += at > 0 ? at / share : at * share;
     }
     k.backward = k.forward;
     k.hold_backward = k.hold_forward;
-    if (lossy) {
-      dry = 1;
-      k.forward += felt - sense[0];
-      k.backward += sense[1] - felt;
-      k.hold_forward += felt - sense[0];
-      k.hold_backward += sense[1] - felt;
-    }
     if (dry) s->k[s->n_contacts++] = k;
   }
   for (int i = 0; i + 1 < s->n; i++) {
@@ -686,6 +668,116 @@ static int breaks_of(const chain *s, quad at[]) {
   return n;
 }
 
+/* ---- gears with losses ----------------------------------------------------------------------- */
+
+/* One unit under constant torques and viscous resistance, with gears that let through a part of the
+ * power, from either side. What rotor i and those behind it need at the coordinate is
+ * need = J a - F + its mesh's share of the need behind: over the efficiency where power goes on,
+ * times it where power comes back. For given ways of the power a = A - B v, so v is an exponential
+ * until one of the ways, or v itself, changes its sign. */
+static int loses(const chain *s) {
+  for (int i = 0; i + 1 < s->n; i++) {
+    if (s->c[i].kind == 2.0 && s->c[i].efficiency < 1.0) return 1;
+  }
+  return 0;
+}
+
+/* a = law[0] - law[1] v for these ways of the power (1 on, -1 back), and the needs at mesh i,
+ * need[i][0] + need[i][1] v. */
+static void geared_law(const chain *s, const int on[], quad law[2], quad need[][2]) {
+  quad force = 0, drag = 0, inertia = 0, j[ROTORS], f[ROTORS], c[ROTORS];
+  quad forces[ROTORS], drags[ROTORS], inertias[ROTORS];
+  for (int i = s->n; i-- > 0;) {
+    const rotor *r = &s->r[i];
+    quad gain = 1;
+    if (i + 1 < s->n) {
+      const quad efficiency = s->c[i].efficiency;
+      gain = on[i] > 0 ? 1 / efficiency : efficiency;
+    }
+    j[i] = (quad)r->inertia / square(r->over);
+    f[i] = r->torque / r->over;
+    c[i] = (quad)r->viscous / square(r->over);
+    force = force * gain + f[i];
+    drag = drag * gain + c[i];
+    inertia = inertia * gain + j[i];
+    forces[i] = force, drags[i] = drag, inertias[i] = inertia;
+  }
+  law[0] = force / inertia;
+  law[1] = drag / inertia;
+  for (int i = 0; i + 1 < s->n; i++) { /* of the part behind mesh i */
+    need[i][0] = inertias[i + 1] * law[0] - forces[i + 1];
+    need[i][1] = drags[i + 1] - inertias[i + 1] * law[1];
+  }
+}
+
+/* The ways that agree with the needs at v for motion in this way. */
+static void geared_ways(const chain *s, quad v, quad way, int on[], quad law[2], quad need[][2]) {
+  for (int i = 0; i < ROTORS; i++) on[i] = 1;
+  for (int tries = 0; tries < 100; tries++) {
+    int changed = 0;
+    geared_law(s, on, law, need);
+    for (int i = 0; i + 1 < s->n; i++) {
+      const quad power = way * (need[i][0] + need[i][1] * v);
+      const int is = power > 0 ? 1 : power < 0 ? -1 : on[i];
+      changed |= is != on[i];
+      on[i] = is;
+    }
+    if (!changed) return;
+  }
+}
+
+/* When v, from v0, reaches `level`; INFINITY: it does not. */
+static quad reaches(quad v0, const quad law[2], quad level) {
+  const quad a = law[0] - law[1] * v0;
+  if (level == v0 || a == 0) return INFINITY;
+  if (law[1] == 0) return (level - v0) / a > 0 ? (level - v0) / a : (quad)INFINITY;
+  const quad left = 1 - law[1] * (level - v0) / a;
+  const quad t = left > 0 ? -logq(left) / law[1] : (quad)INFINITY;
+  return t > 0 ? t : (quad)INFINITY;
+}
+
+static void geared_to(const chain *s, quad t, quad end, quad y[]) {
+  int on[ROTORS];
+  quad law[2], need[ROTORS][2];
+  for (int pieces = 0; pieces < 1000 && t < end; pieces++) {
+    quad v = y[1], way = v > 0 ? 1 : -1;
+    if (v == 0) {
+      geared_ways(s, 0, 1, on, law, need);
+      if (law[0] > 0) {
+        way = 1;
+      } else {
+        geared_ways(s, 0, -1, on, law, need);
+        if (law[0] >= 0) return; /* the loss holds it */
+      }
+    }
+    /* Just behind v, on the way on which it goes: at a change of a way both are right at v. */
+    geared_ways(s, v, way, on, law, need);
+    const quad slope = law[0] - law[1] * v;
+    const quad beside = v + slope * 1e-20Q * fmaxq(fabsq(v), 1) / fmaxq(fabsq(slope), 1e-30Q);
+    geared_ways(s, v == 0 ? v : beside, way, on, law, need);
+    quad next = end - t, level = 0;
+    int stops = 0;
+    const quad zero = v == 0 ? (quad)INFINITY : reaches(v, law, 0);
+    if (zero < next) next = zero, stops = 1;
+    for (int i = 0; i + 1 < s->n; i++) {
+      if (need[i][1] == 0) continue;
+      level = -need[i][0] / need[i][1];
+      if (fabsq(level - v) <= 1e-18Q * fmaxq(fabsq(v), 1)) continue;
+      const quad at = reaches(v, law, level);
+      if (at < next) next = at, stops = 0;
+    }
+    const quad decay = law[1] * next, a = law[0] - law[1] * v;
+    const quad s1 = decay == 0 ? next : -expm1q(-decay) / law[1];
+    const quad s2 = fabsq(decay) < 1e-9Q
+                        ? next * next * (0.5Q - decay / 6 + decay * decay / 24 -
+                                         decay * decay * decay / 120)
+                        : (next - s1) / law[1];
+    y[0] += v * next + a * s2;
+    y[1] = stops ? 0 : v + a * s1;
+    t += next;
+  }
+}
+
 static int is_pendulum(const chain *s) {
   const rotor *r = &s->r[0];
   return s->n == 1 && r->mgd != 0 && s->n_contacts == 0 && r->viscous == 0.0 &&
@@ -717,7 +809,9 @@ int main(void) {
       for (;;) {
         const int at_break = k < n_breaks && at[k] <= (quad)row_s[i];
         const quad end = at_break ? at[k] : (quad)row_s[i];
-        if (is_pendulum(&s))
+        if (loses(&s))
+          geared_to(&s, t, end, y);
+        else if (is_pendulum(&s))
           pendulum_to(&s, end, y);
         else if (linear(&s))
           linear_to(&s, t, end, y);
