@@ -294,7 +294,9 @@ replace_code <- function(code) {
 
 # A folder for the files of one process: the tests, and for C the objects and a library in which
 # everything but the shared object is a link.
-slot_folder <- function(slot) file.path(tempdir(), paste0("slot", slot))
+# Not in R's own temporary folder, which a process that crashes removes for all others.
+scratch <- file.path(dirname(tempdir()), paste0("mutants", Sys.getpid()))
+slot_folder <- function(slot) file.path(scratch, paste0("slot", slot))
 make_slot <- function(slot) {
   folder <- slot_folder(slot)
   dir.create(file.path(folder, "library", "rotdyn"), recursive = TRUE)
@@ -453,7 +455,10 @@ in_processes <- function(items, work, done) {
       slot <- setdiff(seq_len(jobs), vapply(running, function(r) r$slot, 1L))[1L]
       item <- items[[next_item]]
       set_deadline(slot_folder(slot), 1800)
-      job <- parallel::mcparallel(work(item, slot), mc.set.seed = FALSE, silent = TRUE)
+      job <- parallel::mcparallel({
+        tempdir(check = TRUE) # a new one, if it is gone
+        work(item, slot)
+      }, mc.set.seed = FALSE, silent = TRUE)
       running <- c(running, list(list(
         job = job, slot = slot, index = next_item, began = proc.time()[["elapsed"]], looked = 0
       )))
@@ -664,4 +669,5 @@ cat(sprintf(
   "mutants: %d killed of %d (%.1f %%), seed %d, %d fixed\n", killed, killed + survived,
   100 * share, seed, length(fixed)
 ))
+unlink(scratch, recursive = TRUE)
 quit(status = as.integer(share < least_killed || killed + survived == 0L || length(broken) > 0L))

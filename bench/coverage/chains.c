@@ -768,10 +768,10 @@ static void geared_to(const chain *s, quad t, quad end, quad y[]) {
     }
     const quad decay = law[1] * next, a = law[0] - law[1] * v;
     const quad s1 = decay == 0 ? next : -expm1q(-decay) / law[1];
-    const quad s2 = fabsq(decay) < 1e-9Q
-                        ? next * next * (0.5Q - decay / 6 + decay * decay / 24 -
-                                         decay * decay * decay / 120)
-                        : (next - s1) / law[1];
+    const quad s2 =
+        fabsq(decay) < 1e-9Q
+            ? next * next * (0.5Q - decay / 6 + decay * decay / 24 - decay * decay * decay / 120)
+            : (next - s1) / law[1];
     y[0] += v * next + a * s2;
     y[1] = stops ? 0 : v + a * s1;
     t += next;
