@@ -336,8 +336,8 @@ band_words <- paste(
   "to 99 %"
 )
 
-# Errors that are correlated over half of the smoother's memory, or over a tenth of the record,
-# cannot be told from the motion.
+# The smoother takes errors for motion that are correlated over half of its memory or more, or over
+# a tenth of the record.
 separable_s <- function(fit) {
   time_s <- fit$core$time_s
   segment <- fit$core$segment

@@ -124,7 +124,7 @@ most_texts <- 10000L
 
 hash_of_texts <- function(x) {
   known <- unique(x[!is.na(x)])
-  digits <- vapply(known, rlang::hash, "", USE.NAMES = FALSE)
+  digits <- vapply(known, hash_text, "", USE.NAMES = FALSE)
   number <- strtoi(substr(digits, 1L, 6L), 16L) * 2^28 + strtoi(substr(digits, 7L, 13L), 16L)
   number[match(x, known)]
 }

@@ -369,21 +369,10 @@ static rotdyn_status read_axle(const rotdyn_axle *from, job *j) {
 }
 
 static rotdyn_status read_options(const rotdyn_options *from, job *j) {
-  rotdyn_options *o = &j->options;
-  if (from && !rot_api_take(from, sizeof *o, o)) {
-    return refuse(&j->why, "the size of the options or a member beyond this version is wrong");
-  }
-  if (o->accuracy == 0.0) o->accuracy = 1e-9;
-  if (o->max_steps == 0.0) o->max_steps = 1e6;
-  if (o->torque_call_s == 0.0) o->torque_call_s = 1e-6;
-  if (!(o->accuracy > 0.0 && o->accuracy <= 1.0)) {
-    return refuse(&j->why, "`accuracy` must lie between 0 and 1");
-  }
-  if (!(o->max_steps >= 1.0) || !(o->torque_call_s > 0.0)) {
-    return refuse(&j->why, "`max_steps` or `torque_call_s` is out of range");
-  }
-  j->calls.poll = o->poll;
-  j->calls.poll_context = o->poll_context;
+  const char *fault = rot_api_options(from, &j->options);
+  if (fault) return refuse(&j->why, fault);
+  j->calls.poll = j->options.poll;
+  j->calls.poll_context = j->options.poll_context;
   j->hooks.poll = call_poll;
   j->hooks.ctx = &j->calls;
   return ROTDYN_OK;
@@ -415,37 +404,6 @@ static void close_job(job *j) {
 
 /* ---- the choice ------------------------------------------------------------------------------ */
 
-static rotdyn_status give_candidate(const rot_candidate *c, rotdyn_candidate *out) {
-  rotdyn_candidate x = {0};
-  x.model = c->model->id;
-  x.applies = c->applies;
-  x.error = c->error;
-  x.error_is_bound = c->model->error_kind == ROT_BOUND;
-  x.cost_s = c->cost_s;
-  rot_choice_reason(&rot_axle_constraint, c, sizeof x.reason, x.reason);
-  return rot_api_give(&x, sizeof x, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
-}
-
-/* None fits: by its accuracy, or because none takes the scene. */
-static rotdyn_status none_fits(job *j) {
-  rot_candidate all[ROT_MOST_MODELS];
-  const size_t n = rot_choice_candidates(&rot_axle_constraint, &j->scene, &j->query, all);
-  double best = INFINITY;
-  for (size_t i = 0; i < n; i++) {
-    if (!all[i].untaken && !all[i].why_not) best = fmin(best, all[i].error);
-  }
-  if (best < INFINITY) {
-    (void)snprintf(j->why.text, sizeof j->why.text,
-                   "no model of this scene reaches %.3g; the best promises %.3g", j->query.accuracy,
-                   best);
-    return ROTDYN_EACCURACY;
-  }
-  for (size_t i = 0; i < n; i++) {
-    if (all[i].why_not) (void)refuse(&j->why, all[i].why_not);
-  }
-  return ROTDYN_EMODEL;
-}
-
 /* The model asked for, or the cheapest that applies; none of the axle's is on trial. */
 static rotdyn_status select_model(job *j, rot_candidate *out) {
   rot_candidate picked[ROT_MOST_MODELS];
@@ -463,7 +421,8 @@ static rotdyn_status select_model(job *j, rot_candidate *out) {
     return ROTDYN_OK;
   }
   if (rot_choice_pick(&rot_axle_constraint, &j->scene, &j->query, picked) == 0) {
-    return none_fits(j);
+    return rot_api_none_fits(&rot_axle_constraint, &j->scene, &j->query, sizeof j->why.text,
+                             j->why.text);
   }
   *out = picked[0];
   return ROTDYN_OK;
@@ -477,7 +436,7 @@ int rotdyn_axle_candidate(const rotdyn_axle *axle, size_t n, const double *time_
   if (status == ROTDYN_OK && !out) status = ROTDYN_EARGUMENT;
   if (status == ROTDYN_OK) {
     const size_t count = rot_choice_candidates(&rot_axle_constraint, &j.scene, &j.query, all);
-    status = k < count ? give_candidate(&all[k], out) : ROTDYN_EEND;
+    status = k < count ? rot_api_candidate(&rot_axle_constraint, &all[k], out) : ROTDYN_EEND;
   }
   close_job(&j);
   return (int)status;
@@ -490,7 +449,7 @@ int rotdyn_axle_choose(const rotdyn_axle *axle, size_t n, const double *time_s,
   rotdyn_status status = open_job(axle, n, time_s, options, &j);
   if (status == ROTDYN_OK && !out) status = ROTDYN_EARGUMENT;
   if (status == ROTDYN_OK) status = select_model(&j, &chosen);
-  if (status == ROTDYN_OK) status = give_candidate(&chosen, out);
+  if (status == ROTDYN_OK) status = rot_api_candidate(&rot_axle_constraint, &chosen, out);
   close_job(&j);
   return (int)status;
 }

@@ -228,28 +228,13 @@ static rot_status call_poll(void *ctx, double fraction) {
   return o->poll && o->poll(o->poll_context, fraction) ? ROT_EUNWIND : ROT_OK;
 }
 
-static rotdyn_status read_options(const rotdyn_options *from, work *w) {
-  rotdyn_options *o = &w->options;
-  if (from && !rot_api_take(from, sizeof *o, o)) {
-    return refuse(w, NULL, "the size of the options or a member beyond this version is wrong");
-  }
-  if (o->accuracy == 0.0) o->accuracy = 1e-9;
-  if (o->max_steps == 0.0) o->max_steps = 1e6;
-  if (o->torque_call_s == 0.0) o->torque_call_s = 1e-6;
-  if (!(o->accuracy > 0.0 && o->accuracy <= 1.0) || !(o->max_steps >= 1.0) ||
-      !(o->torque_call_s > 0.0)) {
-    return refuse(w, NULL, "`accuracy`, `max_steps` or `torque_call_s` is out of range");
-  }
-  w->hooks = (rot_hooks){call_poll, o};
-  return ROTDYN_OK;
-}
-
 /* Builds the scene, for these times. */
 static rotdyn_status open_work(const rotdyn_scene *scene, size_t n, const double time_s[],
                                const rotdyn_options *options, work *w) {
   memset(w, 0, sizeof *w);
-  rotdyn_status status = read_options(options, w);
-  if (status == ROTDYN_OK) status = build(scene, w);
+  const char *fault = rot_api_options(options, &w->options);
+  w->hooks = (rot_hooks){call_poll, &w->options};
+  rotdyn_status status = fault ? refuse(w, NULL, fault) : build(scene, w);
   if (status != ROTDYN_OK) return status;
   const double start = w->constraint->start_s(w->built);
   if (!rot_api_times(n, time_s) ||
@@ -275,23 +260,12 @@ int rotdyn_scene_candidate(const rotdyn_scene *scene, size_t n, const double *ti
                            const rotdyn_options *options, size_t k, rotdyn_candidate *out) {
   work w;
   rot_candidate all[ROT_MOST_MODELS];
-  rotdyn_candidate x = {0};
   rotdyn_status status = open_work(scene, n, time_s, options, &w);
   if (status == ROTDYN_OK && !out) status = ROTDYN_EARGUMENT;
   if (status == ROTDYN_OK) {
     const rot_query query = {n, time_s, w.options.accuracy, w.options.torque_call_s};
     const size_t count = rot_choice_candidates(w.constraint, w.built, &query, all);
-    if (k < count) {
-      x.model = all[k].model->id;
-      x.applies = all[k].applies;
-      x.error = all[k].error;
-      x.error_is_bound = all[k].model->error_kind == ROT_BOUND;
-      x.cost_s = all[k].cost_s;
-      rot_choice_reason(w.constraint, &all[k], sizeof x.reason, x.reason);
-      if (!rot_api_give(&x, sizeof x, out)) status = ROTDYN_EARGUMENT;
-    } else {
-      status = ROTDYN_EEND;
-    }
+    status = k < count ? rot_api_candidate(w.constraint, &all[k], out) : ROTDYN_EEND;
   }
   return close_work(status, &w, NULL);
 }
@@ -380,8 +354,9 @@ static rotdyn_status run(work *w, size_t n, const double time_s[], const places 
       (void)refuse(w, NULL, "there is no model of this name");
     }
   } else {
-    status = ROTDYN_EACCURACY;
-    (void)refuse(w, NULL, "no model of this scene runs at these times and reaches the accuracy");
+    const rot_query query = {n, time_s, w->options.accuracy, w->options.torque_call_s};
+    status = rot_api_none_fits(w->constraint, w->built, &query, sizeof w->report.reason,
+                               w->report.reason);
   }
   rot_events_free(&o.events);
   return status;

@@ -1,6 +1,7 @@
 #include "api/structs.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 rotdyn_status rot_api_status(rot_status status) {
@@ -68,4 +69,50 @@ void rot_api_events(const rot_events *from, rotdyn_events *to) {
   }
   events.count = from->count;
   (void)rot_api_give(&events, sizeof events, to);
+}
+
+const char *rot_api_options(const rotdyn_options *from, rotdyn_options *to) {
+  memset(to, 0, sizeof *to);
+  if (from && !rot_api_take(from, sizeof *to, to)) {
+    return "the size of the options or a member beyond this version is wrong";
+  }
+  if (to->accuracy == 0.0) to->accuracy = 1e-9;
+  if (to->max_steps == 0.0) to->max_steps = 1e6;
+  if (to->torque_call_s == 0.0) to->torque_call_s = 1e-6;
+  if (!(to->accuracy > 0.0 && to->accuracy <= 1.0)) return "`accuracy` must lie between 0 and 1";
+  if (!(to->max_steps >= 1.0) || !(to->torque_call_s > 0.0)) {
+    return "`max_steps` or `torque_call_s` is out of range";
+  }
+  return NULL;
+}
+
+rotdyn_status rot_api_candidate(const rot_constraint *constraint, const rot_candidate *c,
+                                rotdyn_candidate *out) {
+  rotdyn_candidate x = {0};
+  x.model = c->model->id;
+  x.applies = c->applies;
+  x.error = c->error;
+  x.error_is_bound = c->model->error_kind == ROT_BOUND;
+  x.cost_s = c->cost_s;
+  rot_choice_reason(constraint, c, sizeof x.reason, x.reason);
+  return rot_api_give(&x, sizeof x, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
+}
+
+rotdyn_status rot_api_none_fits(const rot_constraint *constraint, const void *scene,
+                                const rot_query *query, size_t size, char text[]) {
+  rot_candidate all[ROT_MOST_MODELS];
+  const size_t n = rot_choice_candidates(constraint, scene, query, all);
+  double best = INFINITY;
+  for (size_t i = 0; i < n; i++) {
+    if (!all[i].untaken && !all[i].why_not) best = fmin(best, all[i].error);
+  }
+  if (best < INFINITY) {
+    (void)snprintf(text, size, "no model of this scene reaches %.3g; the best promises %.3g",
+                   query->accuracy, best);
+    return ROTDYN_EACCURACY;
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (all[i].why_not) (void)snprintf(text, size, "%s", all[i].why_not);
+  }
+  return ROTDYN_EMODEL;
 }

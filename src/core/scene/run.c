@@ -144,7 +144,6 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
   job j = {.constraint = constraint, .scene = scene, .hooks = hooks};
   size_t n = 1;
   out->model = NULL;
-  out->tried = NAN;
   rot_info_clear(&out->info, constraint->measures);
   if (model) {
     const rot_model *named = rot_choice_model(constraint, model);
@@ -162,7 +161,6 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
     const int trial = picked[i].model->use == ROT_ON_TRIAL;
     run_candidate(&j, &picked[i], task, model != NULL, out);
     if (!trial || out->info.status != ROT_OK || out->error <= task->accuracy) end = ROT_RUN_DONE;
-    if (end == ROT_RUN_NONE_FITS) out->tried = fmin(out->tried, out->error);
   }
   free(j.memory);
   return end;

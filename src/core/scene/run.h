@@ -12,7 +12,6 @@ const rot_constraint *rot_run_constraint(const char *constructor);
 typedef struct rot_outcome {
   const rot_model *model; /* the one that ran; NULL: none was run */
   rot_candidate picked;   /* why */
-  double tried;           /* the least error of models on trial that were not good enough, or NaN */
   rot_info info;
   double error;      /* relative; Inf: a column leaves the doubles; NaN: not known */
   rot_events events; /* to be freed */
