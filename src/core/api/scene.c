@@ -338,8 +338,9 @@ static rotdyn_status run(work *w, size_t n, const double time_s[], const places 
       .n = n, .time_s = time_s, .accuracy = w->options.accuracy, .max_steps = (size_t)most + n};
   rot_outcome o;
   memset(&o, 0, sizeof o);
+  const rot_rows want = {.column = p->column};
   const rot_run_end end = rot_run(w->constraint, w->built, w->options.model, &task,
-                                  w->options.torque_call_s, p->column, &o, &w->hooks);
+                                  w->options.torque_call_s, &want, &o, &w->hooks);
   rotdyn_status status = rot_api_status(o.info.status);
   if (end == ROT_RUN_DONE) {
     report_run(&o, &w->report);

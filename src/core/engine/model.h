@@ -1,6 +1,6 @@
-/* What a constraint says of itself: its inputs and how a scene is built of them, its columns, and
- * its effects and models, for the choice among them (scene/choice.h) and their runs
- * (scene/run.h). */
+/* What a constraint says of itself: its inputs and how a scene is built of them, its columns, its
+ * effects and models, for the choice among them (scene/choice.h) and their runs (scene/run.h), and
+ * its balances. */
 #ifndef ROT_MODEL_H
 #define ROT_MODEL_H
 
@@ -55,7 +55,17 @@ typedef struct rot_column_of {
   const char *name;
   int flag;
   unsigned only_with; /* 0: always; else with one of these effects alone */
+  const char *unit;   /* NULL: as the dictionary of R has it */
+  size_t measure;     /* 1 + the measure that it holds; 0: none. These are the state. */
 } rot_column_of;
+
+/* Where a run writes; n rows, times their copies. */
+typedef struct rot_rows {
+  void *const *column; /* one for each of the constraint's, of n values */
+  double *const *flow; /* one for each of its flows, since the start; NULL: not wanted */
+  double *flow_error;  /* of each flow, absolute; NULL where `flow` is */
+  rot_events *events;
+} rot_rows;
 
 typedef struct rot_model {
   const char *id;
@@ -71,14 +81,43 @@ typedef struct rot_model {
   double seconds[4];
 } rot_model;
 
-/* How a model is run. A run that ended by the steps of `method` ended as this model. `column`: one
- * for each of the constraint's, of n values. */
+/* How a model is run. A run that ended by the steps of `method` ended as this model. */
 typedef struct rot_model_run {
   rot_method method;
   rot_status (*run)(const void *scene, const rot_task *task, rot_method method,
-                    void *const column[], rot_events *events, const rot_hooks *hooks,
-                    rot_info *info);
+                    const rot_rows *rows, const rot_hooks *hooks, rot_info *info);
 } rot_model_run;
+
+/* ---- balances -------------------------------------------------------------------------------- */
+
+enum { ROT_MOST_FLOWS = 16, ROT_MOST_TERMS = 24, ROT_MOST_BALANCES = 8 };
+
+/* change = supplied - dissipated, of one quantity; `about`: the point or axis of a momentum. */
+typedef struct rot_balance {
+  const char *quantity, *about, *unit;
+} rot_balance;
+
+typedef enum rot_role { ROT_SUPPLIED, ROT_DISSIPATED, ROT_CHANGE } rot_role;
+
+typedef struct rot_balance_term {
+  size_t balance;
+  rot_role role;
+  const char *words;
+  unsigned only_with; /* as of columns */
+} rot_balance_term;
+
+/* Two rows of a motion, and what flowed between them. */
+typedef struct rot_span {
+  const double *first, *last; /* by column */
+  const double *flow, *flow_error;
+  const double *error; /* of the measures, absolute */
+} rot_span;
+
+/* How fast a motion goes: the shortest time in which a transient fades (Inf: none), the fastest
+ * swing. */
+typedef struct rot_pace {
+  double fades_s, swing_rad_per_s;
+} rot_pace;
 
 typedef struct rot_constraint {
   const char *id;
@@ -104,6 +143,17 @@ typedef struct rot_constraint {
   /* From inputs that rot_inputs_check() passed, which must live as long as the scene. */
   rot_status (*build)(const rot_given given[], void *scene, rot_refusal *refusal);
   double (*start_s)(const void *scene);
+  const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
+  size_t (*copies)(const void *scene); /* how many these are; NULL: 1 */
+  size_t n_flows, n_balances, n_terms;
+  const char *const *flows; /* names */
+  const rot_balance *balances;
+  const rot_balance_term *terms;
+  /* The terms between two rows, and what rounding and the errors explain of each balance. */
+  void (*audit)(const void *scene, const rot_span *span, double term[], double explained[]);
+  /* Whether the quantity of a balance is conserved, and why or why not. */
+  int (*keeps)(const void *scene, size_t balance, const char **why);
+  void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
 } rot_constraint;
 
 #endif

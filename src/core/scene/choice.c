@@ -9,6 +9,7 @@
 #include "scene/clutch/models.h"
 #include "scene/drive/models.h"
 #include "scene/free/models.h"
+#include "scene/hoop/hoop.h"
 #include "scene/incline/models.h"
 #include "scene/pivot/models.h"
 #include "scene/shaft/models.h"
@@ -16,7 +17,7 @@
 /* Every constraint, a line each. */
 static const rot_constraint *const constraints[] = {
     &rot_axle_constraint,    &rot_shaft_constraint, &rot_clutch_constraint, &rot_drive_constraint,
-    &rot_incline_constraint, &rot_free_constraint,  &rot_pivot_constraint,
+    &rot_incline_constraint, &rot_free_constraint,  &rot_pivot_constraint,  &rot_hoop_constraint,
 };
 
 const rot_constraint *const *rot_choice_constraints(size_t *n) {

@@ -20,6 +20,10 @@ size_t rot_run_column(const rot_constraint *constraint, const char *name) {
   return i;
 }
 
+size_t rot_run_copies(const rot_constraint *constraint, const void *scene) {
+  return constraint->copies ? constraint->copies(scene) : 1;
+}
+
 /* ---- one run --------------------------------------------------------------------------------- */
 
 typedef struct job {
@@ -28,10 +32,14 @@ typedef struct job {
   const rot_hooks *hooks;
   void *column[ROT_MOST_COLUMNS]; /* all of them */
   void *memory;                   /* of those that the caller does not want */
+  rot_rows rows;                  /* but for the events */
 } job;
 
-static rot_status open_columns(job *j, size_t n, void *const column[]) {
+/* `want`: what the caller has room for, or NULL. */
+static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   const rot_constraint *c = j->constraint;
+  void *const *column = want ? want->column : NULL;
+  const size_t n = n_times * rot_run_copies(c, j->scene);
   size_t missing = 0;
   for (size_t i = 0; i < c->n_columns; i++) missing += !column || !column[i];
   if (missing && n > (SIZE_MAX - 1) / sizeof(double) / missing) return ROT_ENOMEM;
@@ -42,6 +50,9 @@ static rot_status open_columns(job *j, size_t n, void *const column[]) {
     j->column[i] = given ? column[i] : at;
     if (!given) at += n * sizeof(double);
   }
+  j->rows = (rot_rows){.column = j->column,
+                       .flow = want ? want->flow : NULL,
+                       .flow_error = want ? want->flow_error : NULL};
   return ROT_OK;
 }
 
@@ -50,9 +61,11 @@ static const rot_model_run *run_of(const rot_constraint *c, const rot_model *mod
 }
 
 static rot_status run_model(const job *j, const rot_model *model, const rot_task *task,
-                            void *const column[], rot_events *events, rot_info *info) {
+                            rot_events *events, rot_info *info) {
   const rot_model_run *run = run_of(j->constraint, model);
-  return run->run(j->scene, task, run->method, column, events, j->hooks, info);
+  rot_rows rows = j->rows;
+  rows.events = events;
+  return run->run(j->scene, task, run->method, &rows, j->hooks, info);
 }
 
 /* Sums are quick, and finite where all values are. */
@@ -99,7 +112,7 @@ static void measure_on_the_way(const job *j, const rot_model *model, const rot_t
   more.n = ON_THE_WAY;
   more.time_s = time_s;
   if (open_columns(&own, more.n, NULL) != ROT_OK) return;
-  if (run_model(&own, model, &more, own.column, &events, &seen) == ROT_OK) {
+  if (run_model(&own, model, &more, &events, &seen) == ROT_OK) {
     for (size_t i = 0; i < info->n_measures; i++) {
       info->measure[i].largest = fmax(info->measure[i].largest, seen.measure[i].largest);
     }
@@ -120,14 +133,15 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
   out->picked = *c;
   out->model = c->model;
   rot_info_clear(&out->info, constraint->measures);
-  out->info.status = run_model(j, c->model, &own, j->column, &out->events, &out->info);
+  out->info.status = run_model(j, c->model, &own, &out->events, &out->info);
   /* One integrator may switch to the other. */
   for (size_t i = 0; i < constraint->n_models && out->info.method != ROT_METHOD_NONE; i++) {
     if (constraint->runs[i].method == out->info.method) out->model = &constraint->models[i];
   }
   out->error = rot_info_error(&out->info);
   if (out->info.status != ROT_OK) return;
-  if (beyond_doubles(j, constraint->effects_of(j->scene), task->n)) {
+  if (beyond_doubles(j, constraint->effects_of(j->scene),
+                     task->n * rot_run_copies(constraint, j->scene))) {
     out->error = INFINITY;
   } else if (task->n && c->model->error_kind != ROT_ADAPTIVE && isfinite(out->error) &&
              (out->error > 1e-13 || out->error > task->accuracy)) {
@@ -137,7 +151,7 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
 }
 
 rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const char *model,
-                    const rot_task *task, double law_s, void *const column[], rot_outcome *out,
+                    const rot_task *task, double law_s, const rot_rows *want, rot_outcome *out,
                     const rot_hooks *hooks) {
   const rot_query query = {task->n, task->time_s, task->accuracy, law_s};
   rot_candidate picked[ROT_MOST_MODELS];
@@ -154,7 +168,7 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
   } else {
     n = rot_choice_pick(constraint, scene, &query, picked);
   }
-  out->info.status = open_columns(&j, task->n, column);
+  out->info.status = open_columns(&j, task->n, want);
   if (out->info.status != ROT_OK) return ROT_RUN_DONE;
   rot_run_end end = ROT_RUN_NONE_FITS;
   for (size_t i = 0; i < n && end == ROT_RUN_NONE_FITS; i++) {

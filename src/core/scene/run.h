@@ -23,11 +23,15 @@ typedef enum rot_run_end {
   ROT_RUN_NONE_FITS /* no model reaches the accuracy */
 } rot_run_end;
 
-/* `model`: the name of the one to run, or NULL. `column`: one for each of the constraint's, of n
- * values; NULL: not wanted. Of a scene without the effects of a column it is not written. */
+/* `model`: the name of the one to run, or NULL. `want`: where rows are written, without events; a
+ * column that is NULL is not wanted, nor are all where want->column is. Of a scene without the
+ * effects of a column it is not written. */
 rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const char *model,
-                    const rot_task *task, double law_s, void *const column[], rot_outcome *out,
+                    const rot_task *task, double law_s, const rot_rows *want, rot_outcome *out,
                     const rot_hooks *hooks);
+
+/* Rows at one time. */
+size_t rot_run_copies(const rot_constraint *constraint, const void *scene);
 
 /* The place of a column; constraint->n_columns: there is none of this name. */
 size_t rot_run_column(const rot_constraint *constraint, const char *name);

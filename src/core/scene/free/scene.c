@@ -118,7 +118,7 @@ double rot_free_start(const void *scene) { return ((const rot_free_params *)scen
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
-#define X(type, name) {#name, 0, 0},
+#define X(type, name) {#name, 0, 0, NULL, 0},
 const rot_column_of rot_free_all_columns[ROT_FREE_ALL_COLUMNS] = {ROT_FREE_COLUMNS(X)};
 #undef X
 
@@ -134,21 +134,20 @@ static rot_free_columns columns_of(void *const column[]) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-rot_status rot_free_run_closed(rot_free_rows_of *rows, const void *scene, const rot_task *task,
-                               void *const column[], rot_events *events, const rot_hooks *hooks,
-                               rot_info *info) {
-  const rot_free_columns out = columns_of(column);
-  return rows(scene, task->n, task->time_s, &out, events, hooks, info);
+rot_status rot_free_run_closed(rot_free_rows_of *form, const void *scene, const rot_task *task,
+                               const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
+  const rot_free_columns out = columns_of(rows->column);
+  return form(scene, task->n, task->time_s, &out, rows->events, hooks, info);
 }
 
 rot_status rot_free_run_exact(ROT_FREE_RUN_ARGUMENTS) {
   (void)method;
-  return rot_free_run_closed(rot_free_exact, scene, task, column, events, hooks, info);
+  return rot_free_run_closed(rot_free_exact, scene, task, rows, hooks, info);
 }
 
 rot_status rot_free_run_gyrostat(ROT_FREE_RUN_ARGUMENTS) {
   (void)method;
-  return rot_free_run_closed(rot_free_gyrostat, scene, task, column, events, hooks, info);
+  return rot_free_run_closed(rot_free_gyrostat, scene, task, rows, hooks, info);
 }
 
 /* Room for the ledger, which these runs fill. */
@@ -164,27 +163,26 @@ static rot_status no_memory(rot_info *info) {
 }
 
 rot_status rot_free_run_integrated(ROT_FREE_RUN_ARGUMENTS) {
-  const rot_free_columns out = columns_of(column);
+  const rot_free_columns out = columns_of(rows->column);
   const rot_free_ode_options options = {task->accuracy, task->max_steps,
                                         task->asked ? method : ROT_METHOD_NONE, task->resolution};
   double *flow[ROT_FREE_FLOWS], errors[ROT_FREE_FLOWS], *values = ledger_of(task->n, flow);
   if (!values) return no_memory(info);
   const rot_status status = rot_free_integrate(scene, &options, task->n, task->time_s, &out, flow,
-                                               errors, events, hooks, info);
+                                               errors, rows->events, hooks, info);
   free(values);
   return status;
 }
 
 rot_status rot_free_run_steps(ROT_FREE_RUN_ARGUMENTS) {
   const rot_free_params *p = scene;
-  const rot_free_columns out = columns_of(column);
+  const rot_free_columns out = columns_of(rows->column);
   const double *t = task->time_s;
   const double span =
       task->n ? fmax(fabs(t[0] - p->start_s), fabs(t[task->n - 1] - p->start_s)) : 0.0;
   const rot_free_step_options options = {method, rot_free_default_step(p, method, span),
                                          task->max_steps};
   double *flow[ROT_FREE_FLOWS], errors[ROT_FREE_FLOWS], *values = ledger_of(task->n, flow);
-  (void)events;
   if (!values) return no_memory(info);
   const rot_status status =
       rot_free_step_through(p, &options, task->n, t, &out, flow, errors, hooks, info);

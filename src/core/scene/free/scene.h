@@ -67,12 +67,11 @@ rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[]
 typedef rot_status rot_free_rows_of(const rot_free_params *p, size_t n, const double time_s[],
                                     const rot_free_columns *out, rot_events *events,
                                     const rot_hooks *hooks, rot_info *info);
-rot_status rot_free_run_closed(rot_free_rows_of *rows, const void *scene, const rot_task *task,
-                               void *const column[], rot_events *events, const rot_hooks *hooks,
-                               rot_info *info);
+rot_status rot_free_run_closed(rot_free_rows_of *form, const void *scene, const rot_task *task,
+                               const rot_rows *rows, const rot_hooks *hooks, rot_info *info);
 #define ROT_FREE_RUN_ARGUMENTS                                                                     \
-  const void *scene, const rot_task *task, rot_method method, void *const column[],                \
-      rot_events *events, const rot_hooks *hooks, rot_info *info
+  const void *scene, const rot_task *task, rot_method method, const rot_rows *rows,                \
+      const rot_hooks *hooks, rot_info *info
 rot_status rot_free_run_exact(ROT_FREE_RUN_ARGUMENTS);
 rot_status rot_free_run_gyrostat(ROT_FREE_RUN_ARGUMENTS);
 rot_status rot_free_run_integrated(ROT_FREE_RUN_ARGUMENTS);

@@ -132,9 +132,10 @@ double rot_incline_start(const void *scene) {
 
 #define FLAG_double   0
 #define FLAG_int      1
-#define X(type, name) {#name, FLAG_##type, 0},
+#define X(type, name) {#name, FLAG_##type, 0, NULL, 0},
 const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS] = {
-    ROT_INCLINE_COLUMNS(X){"drag_force_n", 0, OUTER}, {"applied_force_n", 0, OUTER}};
+    ROT_INCLINE_COLUMNS(X){"drag_force_n", 0, OUTER, NULL, 0},
+    {"applied_force_n", 0, OUTER, NULL, 0}};
 #undef X
 
 static rot_incline_columns columns_of(void *const column[]) {
@@ -149,18 +150,18 @@ static rot_incline_columns columns_of(void *const column[]) {
 /* ---- runs ------------------------------------------------------------------------------------ */
 
 static rot_status run_exact(const void *of, const rot_task *task, rot_method method,
-                            void *const column[], rot_events *events, const rot_hooks *hooks,
-                            rot_info *info) {
+                            const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_scene *scene = of;
-  const rot_incline_columns out = columns_of(column);
+  const rot_incline_columns out = columns_of(rows->column);
   (void)method;
-  return rot_incline_run(&scene->slope, task->n, task->time_s, &out, events, NULL, hooks, info);
+  return rot_incline_run(&scene->slope, task->n, task->time_s, &out, rows->events, NULL, hooks,
+                         info);
 }
 
 static rot_status run_integrated(const void *of, const rot_task *task, rot_method method,
-                                 void *const column[], rot_events *events, const rot_hooks *hooks,
-                                 rot_info *info) {
+                                 const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_scene *scene = of;
+  void *const *column = rows->column;
   const rot_incline_columns out = columns_of(column);
   const rot_incline_ode_options options = {
       task->accuracy, task->max_steps, task->asked ? method : ROT_METHOD_NONE, task->resolution};
@@ -181,7 +182,7 @@ static rot_status run_integrated(const void *of, const rot_task *task, rot_metho
   sums.drag_force_n = column[ROT_INCLINE_ALL_COLUMNS - 2];
   sums.applied_force_n = column[ROT_INCLINE_ALL_COLUMNS - 1];
   const rot_status status = rot_incline_integrate(scene, &options, task->n, task->time_s, &out,
-                                                  &sums, events, NULL, hooks, info);
+                                                  &sums, rows->events, NULL, hooks, info);
   free(values);
   return status;
 }

@@ -51,17 +51,17 @@ rot_status rot_pivot_build(const rot_given given[], void *to, rot_refusal *no) {
 
 static rot_status run_top(ROT_FREE_RUN_ARGUMENTS) {
   (void)method;
-  return rot_free_run_closed(rot_pivot_top, scene, task, column, events, hooks, info);
+  return rot_free_run_closed(rot_pivot_top, scene, task, rows, hooks, info);
 }
 
 static rot_status run_precession(ROT_FREE_RUN_ARGUMENTS) {
   (void)method;
-  return rot_free_run_closed(rot_pivot_precession, scene, task, column, events, hooks, info);
+  return rot_free_run_closed(rot_pivot_precession, scene, task, rows, hooks, info);
 }
 
 static rot_status run_nutation(ROT_FREE_RUN_ARGUMENTS) {
   (void)method;
-  return rot_free_run_closed(rot_pivot_small_nutation, scene, task, column, events, hooks, info);
+  return rot_free_run_closed(rot_pivot_small_nutation, scene, task, rows, hooks, info);
 }
 
 const rot_model_run rot_pivot_runs[ROT_PIVOT_MODELS] = {
