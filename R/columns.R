@@ -527,7 +527,11 @@ column_list <- list(
   c("omega_jump_rad_per_s", "rad/s", "omega behind the break less that before it"),
   c("omega_jump_se_rad_per_s", "rad/s", "its standard error"),
   c("alpha_jump_rad_per_s2", "rad/s^2", "angular acceleration behind the break less that before"),
-  c("alpha_jump_se_rad_per_s2", "rad/s^2", "its standard error")
+  c("alpha_jump_se_rad_per_s2", "rad/s^2", "its standard error"),
+  c("drive_torque_n_m", "N m", "torque of the drive that keeps the rate of a hoop"),
+  c("stable", "", "whether a small distance from an equilibrium stays small"),
+  c("swing_rad_per_s", "rad/s", "rate of small swings about a stable equilibrium"),
+  c("growth_per_s", "1/s", "rate at which a small distance from an unstable equilibrium grows")
 )
 
 column_table <- as.data.frame(do.call(rbind, column_list))
@@ -842,3 +846,8 @@ falling_rod_columns <- c(
   "hinge_along_n", "hinge_across_n", "bending_moment_n_m", "break_at_m"
 )
 falling_rod_meanings <- c(omega_rad_per_s = "angular velocity of the fall")
+hoop_columns <- c(
+  "time_s", "theta_rad", "omega_rad_per_s", "drive_torque_n_m", "normal_n", "kinetic_energy_j",
+  "potential_energy_j"
+)
+hoop_equilibrium_columns <- c("theta_rad", "stable", "swing_rad_per_s", "growth_per_s")

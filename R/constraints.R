@@ -46,7 +46,7 @@
 constraint_list <- function() {
   list(
     axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint(),
-    incline_constraint(), free_constraint(), pivot_constraint()
+    incline_constraint(), free_constraint(), pivot_constraint(), hoop_constraint()
   )
 }
 

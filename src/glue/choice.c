@@ -1,4 +1,5 @@
 #include "glue/run.h"
+#include "glue/scene.h"
 #include "glue/scenes.h"
 
 #include <math.h>
@@ -18,7 +19,8 @@ typedef struct question {
     rot_drive_scene drive;
     rot_incline_scene incline;
     rot_free_params free;
-  } scene;
+  } own;
+  const void *scene;
   rot_query query;
 } question;
 
@@ -28,31 +30,28 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
   return ROT_ETORQUE;
 }
 
-static const rot_constraint *constraint_of(SEXP id) {
-  const rot_constraint *found = rot_choice_constraint(ffi_text(id, "constraint"));
-  if (!found) Rf_error("internal: no such constraint");
-  return found;
-}
-
 static void read_question(SEXP id, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s,
                           question *q) {
-  q->constraint = constraint_of(id);
+  q->constraint = ffi_constraint(id);
   q->query = (rot_query){(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1),
                          ffi_real(accuracy, "accuracy"), ffi_real(law_s, "law_s")};
-  if (!strcmp(q->constraint->id, "rotors")) {
-    q->scene.rotors = ffi_shaft_scene(scene);
+  q->scene = &q->own;
+  if (ffi_scene_by_table(q->constraint)) {
+    q->scene = ffi_scene_build(q->constraint, scene);
+  } else if (!strcmp(q->constraint->id, "rotors")) {
+    q->own.rotors = ffi_shaft_scene(scene);
   } else if (!strcmp(q->constraint->id, "clutch")) {
-    q->scene.clutch = ffi_clutch_scene(scene);
+    q->own.clutch = ffi_clutch_scene(scene);
   } else if (!strcmp(q->constraint->id, "drive")) {
-    q->scene.drive = ffi_drive_scene(scene);
+    q->own.drive = ffi_drive_scene(scene);
   } else if (!strcmp(q->constraint->id, "incline")) {
-    q->scene.incline = ffi_incline_scene(scene);
+    q->own.incline = ffi_incline_scene(scene);
   } else if (!strcmp(q->constraint->id, "free") || !strcmp(q->constraint->id, "pivot")) {
-    q->scene.free = ffi_free_scene(scene);
+    q->own.free = ffi_free_scene(scene);
   } else {
-    q->scene.axle = ffi_axle_scene(scene, R_NilValue);
+    q->own.axle = ffi_axle_scene(scene, R_NilValue);
     const int law = !Rf_isNull(ffi_element(ffi_element(scene, "loads"), "law"));
-    if (law) q->scene.axle.linear.torque.call = no_call;
+    if (law) q->own.axle.linear.torque.call = no_call;
   }
 }
 
@@ -111,9 +110,9 @@ SEXP ffi_choice_effects(SEXP constraint, SEXP scene) {
     SEXP one = PROTECT(Rf_ScalarReal(1.0));
     read_question(constraint, scene, one, one, one, &q);
     UNPROTECT(1);
-    return effect_names(q.constraint, q.constraint->effects_of(&q.scene));
+    return effect_names(q.constraint, q.constraint->effects_of(q.scene));
   }
-  const rot_constraint *of = constraint_of(constraint);
+  const rot_constraint *of = ffi_constraint(constraint);
   SEXP out = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)of->n_effects));
   for (size_t i = 0; i < of->n_effects; i++) {
     SET_STRING_ELT(out, (R_xlen_t)i, Rf_mkChar(of->effects[i].words));
@@ -158,7 +157,7 @@ SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, S
   question q;
   rot_candidate all[ROT_MOST_MODELS];
   read_question(constraint, scene, time_s, accuracy, law_s, &q);
-  const size_t n = rot_choice_candidates(q.constraint, &q.scene, &q.query, all);
+  const size_t n = rot_choice_candidates(q.constraint, q.scene, &q.query, all);
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), c[7];
   for (int i = 0; i < 7; i++) SET_VECTOR_ELT(out, i, c[i] = Rf_allocVector(types[i], (R_xlen_t)n));
   for (size_t i = 0; i < n; i++) {
@@ -184,11 +183,11 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
   size_t n = 1;
   read_question(constraint, scene, time_s, accuracy, law_s, &q);
   if (Rf_isNull(model)) {
-    n = rot_choice_pick(q.constraint, &q.scene, &q.query, picked);
+    n = rot_choice_pick(q.constraint, q.scene, &q.query, picked);
   } else {
     const rot_model *of = rot_choice_model(q.constraint, ffi_text(model, "model"));
     if (!of) Rf_error("internal: no such model");
-    rot_choice_judge(q.constraint, of, &q.scene, &q.query, picked);
+    rot_choice_judge(q.constraint, of, q.scene, &q.query, picked);
   }
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), ids, dropped;
   SET_VECTOR_ELT(out, 0, ids = Rf_allocVector(STRSXP, (R_xlen_t)n));

@@ -30,6 +30,11 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
                     const rot_task *task, double law_s, const rot_rows *want, rot_outcome *out,
                     const rot_hooks *hooks);
 
+/* One model, whether or not it promises the accuracy. */
+void rot_run_model(const rot_constraint *constraint, const void *scene, const rot_model *model,
+                   const rot_task *task, const rot_rows *want, rot_outcome *out,
+                   const rot_hooks *hooks);
+
 /* Rows at one time. */
 size_t rot_run_copies(const rot_constraint *constraint, const void *scene);
 

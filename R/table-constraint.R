@@ -1,0 +1,181 @@
+# Constraints whose table in the core (src/core/engine/model.h) says all but words and pictures. A
+# scene of one is the list of its inputs: the checked arguments of its constructor.
+
+# The record of R/constraints.R. `models`: records of words, by the ids of the core's models;
+# `constructor`: the function of that name; `...`: title, panels, drawing, summary, ...
+table_constraint <- function(id, constructor, models, ...) {
+  table <- .Call(ffi_scene_table, id)
+  state <- split(table$columns[!is.na(table$state)], table$state[!is.na(table$state)])
+  record <- list(
+    id = id,
+    scene_class = paste0("rot_scene_", id),
+    inputs = table$inputs,
+    fault = function(scene) .Call(ffi_scene_fault, id, scene)[1],
+    models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
+    columns = c("time_s", table$index, table$columns),
+    keys = c("time_s", table$index, unlist(state[table$measures], use.names = FALSE)),
+    index = table$index,
+    copies = function(scene) .Call(ffi_scene_copies, id, scene),
+    measures = lapply(state[table$measures], function(columns) {
+      measure(table$units[match(columns[1], table$columns)], columns)
+    }),
+    pace = function(scene, sizes, model) {
+      pace <- .Call(ffi_scene_pace, id, scene, as.double(sizes))
+      list(breaks_s = double(), fades_s = pace[1], swing_rad_per_s = pace[2])
+    },
+    summary = function(x, run) {
+      lapply(
+        stats::setNames(unlist(state), paste0("final_", unlist(state))),
+        function(column) last(x[[column]])
+      )
+    },
+    texts = stats::setNames(list(text_form(
+      function(x) unclass(x)[names(table$inputs)], get(constructor, mode = "function")
+    )), constructor),
+    balances = function(x, run, call) table_balances(id, table, x, run),
+    conserved = function(scene) table_keeps(id, table, scene),
+    augment = function(x, run, edges, call) {
+      flows <- table_flows(table, run, edges)$since
+      if (!is.null(flows)) as.list(as.data.frame(sweep(flows, 2, flows[1, ])))
+    }
+  )
+  own <- list(...)
+  record[names(own)] <- own
+  record
+}
+
+table_model <- function(id, model, words) {
+  c(list(id = model), words, list(
+    adapts = if (grepl("_(rk8pd|radau)$", model)) TRUE,
+    ran_as = function(info) {
+      if (info$method %in% c("rk8pd", "radau")) paste0(id, "_", info$method) else model
+    },
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      control <- c(accuracy, max_steps, asked, 0)
+      .Call(ffi_scene_run, id, scene, model, time_s, control, progress_bar("integrating"))
+    }
+  ))
+}
+
+# ---- scenes -------------------------------------------------------------------------------------
+
+# The scene that a constructor describes, from the environment of its arguments.
+scene_of_inputs <- function(id, call) {
+  inputs <- .Call(ffi_scene_table, id)$inputs
+  check_supplied(names(inputs)[vapply(inputs, `[[`, NA, "required")], call)
+  scene <- Map(
+    function(input, name) check_input(get(name, envir = call), name, input, call), inputs,
+    names(inputs)
+  )
+  class(scene) <- c(paste0("rot_scene_", id), "rot_scene")
+  fault <- .Call(ffi_scene_fault, id, scene)
+  if (!is.null(fault)) {
+    abort_rotdyn("{.arg {fault[1]}} {fault[2]}.", "value", call)
+  }
+  scene
+}
+
+# One argument as the core takes it. The core's check is the last word; this one takes units, and
+# says what is wrong as other constructors do.
+check_input <- function(x, name, input, call) {
+  if (is.null(x) && !input$required) return(NULL)
+  if (!is.null(input$options)) {
+    return(if (identical(x, input$options)) x[1] else check_string(x, name, input$options, call))
+  }
+  bound <- function(x) if (abs(x) == .Machine$double.xmax) sign(x) * Inf else x
+  low <- bound(input$low)
+  high <- bound(input$high)
+  if (!input$many) {
+    if (input$limit && identical(x, Inf)) return(x)
+    return(check_number(x, name, input$unit, call, low, high, input$above))
+  }
+  x <- check_finite(x, name, input$unit, call)
+  outside <- which(x < low | x > high | (input$above & x == low))
+  if (length(outside)) {
+    abort_domain(x[outside[1]], name, input$unit, call, low, high, input$above, outside[1])
+  }
+  x
+}
+
+#' @export
+print.rot_scene <- function(x, ...) {
+  check_scene(x, rlang::current_env())
+  constraint <- constraint_of(x)
+  cat("<rot_scene> ", lower_first(constraint$title(list(scene = x, solved = x))), "\n", sep = "")
+  given <- Filter(Negate(is.null), unclass(x)[names(constraint$inputs)])
+  for (name in names(given)) {
+    unit <- constraint$inputs[[name]]$unit
+    value <- if (is.character(given[[name]])) given[[name]] else format_si(given[[name]])
+    cat(sprintf(
+      "  %-22s %s\n", name,
+      paste0(paste(value, collapse = ", "), if (nzchar(unit) && unit != "1") paste0(" ", plain_unit(unit)))
+    ))
+  }
+  invisible(x)
+}
+
+lower_first <- function(text) paste0(tolower(substr(text, 1L, 1L)), substring(text, 2L))
+
+# ---- balances -----------------------------------------------------------------------------------
+
+# list(since, errors): matrices with a row for each time and a column for each flow, since the
+# scene's start, and the errors of these; NULL where the motion could not be computed again.
+table_flows <- function(table, run, time_s) {
+  known <- run$ledger
+  if (is.null(known) || !all(time_s %in% known[, "time_s"])) {
+    times <- sort(unique(time_s))
+    again <- record_of(run)$run(
+      run$solved, times, run$accuracy, run$max_steps + length(times), NULL, TRUE
+    )
+    if (again$info$kind != "none") return(NULL)
+    known <- again$ledger
+  }
+  rows <- known[match(time_s, known[, "time_s"]), , drop = FALSE]
+  list(
+    since = rows[, table$flows, drop = FALSE],
+    errors = rows[, paste0(table$flows, "_error"), drop = FALSE]
+  )
+}
+
+# The cells of the rows at one time: by column, each with its copies; NULL where rows are missing.
+table_cells <- function(table, x, time_s, copies) {
+  rows <- which(x$time_s == time_s)
+  rows <- if (is.null(table$index)) rows[1] else {
+    rows[match(seq_len(copies), x[[table$index]][rows])]
+  }
+  if (anyNA(rows)) return(NULL)
+  unlist(lapply(table$columns, function(column) {
+    as.double(x[[column]] %||% rep(NA_real_, nrow(x)))[rows]
+  }), use.names = FALSE)
+}
+
+table_balances <- function(id, table, x, run) {
+  scene <- run$solved
+  of <- .Call(ffi_scene_keeps, id, scene)
+  none <- Map(no_balance, table$balances, of$about, of$unit, USE.NAMES = FALSE)
+  if (!nrow(x)) return(none)
+  ends <- range(x$time_s)
+  copies <- .Call(ffi_scene_copies, id, scene)
+  first <- table_cells(table, x, ends[1], copies)
+  final <- table_cells(table, x, ends[2], copies)
+  flows <- table_flows(table, run, ends)
+  if (is.null(first) || is.null(final) || is.null(flows)) return(none)
+  terms <- .Call(
+    ffi_scene_audit, id, scene, first, final, flows$since[2, ] - flows$since[1, ],
+    flows$errors[2, ], as.double(run$info$errors)
+  )
+  lapply(seq_along(table$balances), function(k) {
+    role <- function(which) {
+      is <- terms$balance == k & terms$role == which
+      stats::setNames(terms$value[is], terms$words[is])
+    }
+    balance(
+      table$balances[k], of$about[k], of$unit[k], role(3L), role(1L), role(2L), terms$explained[k]
+    )
+  })
+}
+
+table_keeps <- function(id, table, scene) {
+  of <- .Call(ffi_scene_keeps, id, scene)
+  Map(keeps, table$balances, of$about, of$conserved, of$why, USE.NAMES = FALSE)
+}
