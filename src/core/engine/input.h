@@ -30,6 +30,13 @@ typedef struct rot_input {
   const char *const *options; /* of a choice, the first is the default; the list ends with NULL */
 } rot_input;
 
+/* A number as an input: required, or with a default (NaN: as the words say). At least or above
+ * `low`, at most `high`. */
+#define ROT_REQUIRED(name, unit, low, above, high, words)                                          \
+  { name, unit, ROT_INPUT_NUMBER, 1, low, high, above, NAN, words, NULL }
+#define ROT_OPTIONAL(name, unit, low, high, otherwise, words)                                      \
+  { name, unit, ROT_INPUT_NUMBER, 0, low, high, 0, otherwise, words, NULL }
+
 /* Of a body as an input. */
 typedef struct rot_given_body {
   double mass_kg;

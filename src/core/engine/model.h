@@ -149,11 +149,23 @@ typedef struct rot_constraint {
   const char *const *flows; /* names */
   const rot_balance *balances;
   const rot_balance_term *terms;
-  /* The terms between two rows, and what rounding and the errors explain of each balance. */
+  /* The terms between two rows, and what the errors explain of each balance. Rounding of the terms
+   * themselves is explained besides (scene/run.h). */
   void (*audit)(const void *scene, const rot_span *span, double term[], double explained[]);
   /* Whether the quantity of a balance is conserved, and why or why not. */
   int (*keeps)(const void *scene, size_t balance, const char **why);
   void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
 } rot_constraint;
+
+/* The members of a constraint whose parts have these names in its file. */
+#define ROT_COUNT(list) (sizeof(list) / sizeof *(list))
+#define ROT_CONSTRAINT(name, of_measures)                                                          \
+  .id = #name, .constructor = "scene_" #name, .measures = of_measures,                             \
+  .n_effects = ROT_COUNT(effects), .effects = effects, .effects_of = effects_of,                   \
+  .n_models = ROT_COUNT(models), .models = models, .runs = runs, .n_inputs = ROT_COUNT(inputs),    \
+  .inputs = inputs, .scene_size = sizeof(name), .build = build, .start_s = start_s,                \
+  .n_columns = ROT_COUNT(columns), .columns = columns, .n_flows = ROT_COUNT(flows),                \
+  .flows = flows, .n_balances = ROT_COUNT(balances), .balances = balances,                         \
+  .n_terms = ROT_COUNT(terms), .terms = terms, .audit = audit, .keeps = keeps, .pace = pace
 
 #endif

@@ -1,5 +1,6 @@
 #include "scene/run.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -189,4 +190,12 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
   }
   free(j.memory);
   return end;
+}
+
+void rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
+                   double term[], double explained[]) {
+  constraint->audit(scene, span, term, explained);
+  for (size_t k = 0; k < constraint->n_terms; k++) {
+    explained[constraint->terms[k].balance] += 8.0 * DBL_EPSILON * fabs(term[k]);
+  }
 }
