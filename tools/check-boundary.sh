@@ -139,6 +139,8 @@ layers='
 5 scene/clutch
 5 scene/incline
 5 scene/free
+5 scene/hoop
+5 scene/chain
 5 tables
 5 measure
 6 scene/drive

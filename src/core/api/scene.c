@@ -52,6 +52,7 @@ static const char *kind_text(unsigned kinds) {
   case ROT_INPUT_CHOICE: return "choice";
   case ROT_INPUT_BODY: return "body";
   case ROT_INPUT_LAW: return "law";
+  case ROT_INPUT_NUMBERS: return "numbers";
   case ROT_INPUT_VECTOR | ROT_INPUT_LAW: return "vector or law";
   default: return NULL;
   }
@@ -134,7 +135,8 @@ int rotdyn_scene_number(rotdyn_scene *scene, const char *input, double value) {
 }
 
 int rotdyn_scene_numbers(rotdyn_scene *scene, const char *input, size_t n, const double *values) {
-  const unsigned kinds = ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE;
+  const unsigned kinds =
+      ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE | ROT_INPUT_NUMBERS;
   size_t at;
   unsigned kind;
   const rotdyn_status status = find(scene, input, kinds, &at, &kind);

@@ -200,7 +200,7 @@ static rot_status run(const void *scene, const rot_task *task, rot_method method
                              .slopes = slopes,
                              .dry = h->mu_static != 0.0,
                              .holds = h->mu_static,
-                             .rounding = rates,
+                             .rounding = rates * fabs(sin(h->theta0_rad)),
                              .row = row};
   return rot_system_run(&system, scene, rot_turning, 1, task, method, rows, hooks, info);
 }
