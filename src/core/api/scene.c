@@ -347,7 +347,7 @@ static rotdyn_status run(work *w, size_t n, const double time_s[], const places 
   if (end == ROT_RUN_DONE) {
     report_run(&o, &w->report);
     rot_api_events(&o.events, w->options.events);
-    widen_flags(p, o.info.rows_done);
+    widen_flags(p, o.info.rows_done * rot_run_copies(w->constraint, w->built));
     if (status == ROTDYN_OK && isnan(o.error)) status = ROTDYN_ERANGE;
   } else if (end == ROT_RUN_NO_MODEL) {
     status = ROTDYN_EMODEL;
@@ -372,7 +372,10 @@ int rotdyn_scene_run(const rotdyn_scene *scene, size_t n, const double *time_s,
   places p;
   memset(&p, 0, sizeof p);
   rotdyn_status status = open_work(scene, n, time_s, options, &w);
-  if (status == ROTDYN_OK) status = place_columns(&w, n, n_columns, names, columns, &p);
+  if (status == ROTDYN_OK) {
+    const size_t rows = n * rot_run_copies(w.constraint, w.built);
+    status = place_columns(&w, rows, n_columns, names, columns, &p);
+  }
   if (status == ROTDYN_OK) status = run(&w, n, time_s, &p);
   free_flags(&p);
   return close_work(status, &w, report);

@@ -1,9 +1,9 @@
 /* Small-amplitude modes of a chain about hanging: K u = w^2 M u with M_ij = a_ij, K_ii = b_i, and a
  * bound on what the linear equations leave out.
  *
- * In units of the total mass and of unit gravity, where a time is sqrt(g) seconds: with the velocity
- * rows G, M = G'G, the singular values of G K^-1/2 are 1/w. The rows of G are sums of lengths
- * scaled by a mass each, so that slow and fast modes of graded chains keep their digits. */
+ * In units of the total mass and of unit gravity, where a time is sqrt(g) seconds: with the rows G
+ * of the velocities, M = G'G, the singular values of G K^-1/2 are 1/w. Each row of G is a sum of
+ * lengths times the root of a mass, so that slow and fast modes of graded chains keep digits. */
 #ifndef ROT_CHAIN_MODES_H
 #define ROT_CHAIN_MODES_H
 
@@ -26,7 +26,7 @@ typedef struct rot_links_swing {
 } rot_links_swing;
 void rot_links_swing_start(const rot_links *c, const rot_links_modes *modes, const double theta[],
                            const double omega[], rot_links_swing *swing);
-/* After time_s seconds. `sum`: the integral of b_i theta_i over the total mass; NULL: not wanted. */
+/* After time_s seconds. `sum`: the integral of b_i theta_i over the total mass; NULL: unwanted. */
 void rot_links_swing_at(const rot_links *c, const rot_links_modes *modes,
                         const rot_links_swing *swing, double time_s, double theta[], double omega[],
                         double *sum);
