@@ -268,7 +268,8 @@ typedef struct rotdyn_input {
   size_t size;
   const char *name, *unit; /* unit: "1" of a plain number, "" where there is none */
   /* "number", "limit" (a number or Inf), "times" (increasing), "vector" (3 numbers), "attitude" (a
-   * quaternion, scalar first), "choice", "body", "law"; or "vector or law" */
+   * quaternion, scalar first), "numbers" (one or more), "choice", "body", "law"; or "vector or
+   * law" */
   const char *kind;
   int required;
   double low, high; /* of numbers: the domain, */
@@ -340,7 +341,8 @@ typedef struct rotdyn_report {
  * scene_unset           back to the default
  * scene_check           ROTDYN_EARGUMENT: the report names the input and why it is refused
  * scene_candidate       the k-th cheapest model for these times and this accuracy
- * scene_run             columns by name, n values each (of flags 0 and 1)
+ * scene_run             columns by name, n values each (of flags 0 and 1); of scene_chain n times
+ *                       the number of lengths, the links of one time together
  *
  * `options`, `info`, `report` may be NULL. Of the options scenes take accuracy, model, max_steps,
  * torque_call_s, poll and events. */

@@ -17,7 +17,7 @@ const rot_constraint *ffi_constraint(SEXP id) {
 
 enum {
   ONE_NUMBER = ROT_INPUT_NUMBER | ROT_INPUT_LIMIT,
-  NUMBERS = ONE_NUMBER | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
+  NUMBERS = ONE_NUMBER | ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
 };
 
 /* The kinds with one number, and those with several. */

@@ -52,6 +52,7 @@ static const char *kind_text(unsigned kinds) {
   case ROT_INPUT_CHOICE: return "choice";
   case ROT_INPUT_BODY: return "body";
   case ROT_INPUT_LAW: return "law";
+  case ROT_INPUT_NUMBERS: return "numbers";
   case ROT_INPUT_VECTOR | ROT_INPUT_LAW: return "vector or law";
   default: return NULL;
   }
@@ -134,7 +135,8 @@ int rotdyn_scene_number(rotdyn_scene *scene, const char *input, double value) {
 }
 
 int rotdyn_scene_numbers(rotdyn_scene *scene, const char *input, size_t n, const double *values) {
-  const unsigned kinds = ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE;
+  const unsigned kinds =
+      ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE | ROT_INPUT_NUMBERS;
   size_t at;
   unsigned kind;
   const rotdyn_status status = find(scene, input, kinds, &at, &kind);
@@ -345,7 +347,7 @@ static rotdyn_status run(work *w, size_t n, const double time_s[], const places 
   if (end == ROT_RUN_DONE) {
     report_run(&o, &w->report);
     rot_api_events(&o.events, w->options.events);
-    widen_flags(p, o.info.rows_done);
+    widen_flags(p, o.info.rows_done * rot_run_copies(w->constraint, w->built));
     if (status == ROTDYN_OK && isnan(o.error)) status = ROTDYN_ERANGE;
   } else if (end == ROT_RUN_NO_MODEL) {
     status = ROTDYN_EMODEL;
@@ -370,7 +372,10 @@ int rotdyn_scene_run(const rotdyn_scene *scene, size_t n, const double *time_s,
   places p;
   memset(&p, 0, sizeof p);
   rotdyn_status status = open_work(scene, n, time_s, options, &w);
-  if (status == ROTDYN_OK) status = place_columns(&w, n, n_columns, names, columns, &p);
+  if (status == ROTDYN_OK) {
+    const size_t rows = n * rot_run_copies(w.constraint, w.built);
+    status = place_columns(&w, rows, n_columns, names, columns, &p);
+  }
   if (status == ROTDYN_OK) status = run(&w, n, time_s, &p);
   free_flags(&p);
   return close_work(status, &w, report);

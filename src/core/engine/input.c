@@ -47,6 +47,17 @@ static rot_status check_number(const rot_input *input, size_t at, const rot_give
   return ROT_OK;
 }
 
+static rot_status check_each(const rot_input *input, size_t at, const rot_given *given,
+                             rot_refusal *refusal) {
+  if (given->n == 0) return rot_refuse(refusal, at, "must have a number; it has none");
+  for (size_t i = 0; i < given->n; i++) {
+    const rot_given one = {.is = given->is, .n = 1, .x = given->x + i};
+    const rot_status status = check_number(input, at, &one, refusal);
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
+}
+
 static rot_status check_times(size_t at, const rot_given *given, rot_refusal *refusal) {
   for (size_t i = 0; i < given->n; i++) {
     if (!isfinite(given->x[i])) return rot_refuse(refusal, at, "must be finite");
@@ -91,6 +102,7 @@ rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given 
     switch ((rot_input_kind)given[i].is) {
     case ROT_INPUT_NUMBER:
     case ROT_INPUT_LIMIT: status = check_number(&inputs[i], i, &given[i], refusal); break;
+    case ROT_INPUT_NUMBERS: status = check_each(&inputs[i], i, &given[i], refusal); break;
     case ROT_INPUT_TIMES: status = check_times(i, &given[i], refusal); break;
     case ROT_INPUT_VECTOR: status = check_numbers(i, 3, &given[i], refusal); break;
     case ROT_INPUT_ATTITUDE: status = check_numbers(i, 4, &given[i], refusal); break;

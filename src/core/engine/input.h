@@ -16,7 +16,8 @@ typedef enum rot_input_kind {
   ROT_INPUT_ATTITUDE = 16, /* a quaternion, scalar first, not 0: it is scaled to unit length */
   ROT_INPUT_CHOICE = 32,   /* one of `options` */
   ROT_INPUT_BODY = 64,
-  ROT_INPUT_LAW = 128 /* a function that the caller evaluates */
+  ROT_INPUT_LAW = 128,    /* a function that the caller evaluates */
+  ROT_INPUT_NUMBERS = 256 /* one or more, each finite */
 } rot_input_kind;
 
 typedef struct rot_input {

@@ -108,7 +108,7 @@ typedef struct rot_balance_term {
 
 /* Two rows of a motion, and what flowed between them. */
 typedef struct rot_span {
-  const double *first, *last; /* by column */
+  const double *first, *last; /* by column, each with its copies */
   const double *flow, *flow_error;
   const double *error; /* of the measures, absolute */
 } rot_span;

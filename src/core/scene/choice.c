@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene/axle/models.h"
+#include "scene/chain/chain.h"
 #include "scene/clutch/models.h"
 #include "scene/drive/models.h"
 #include "scene/free/models.h"
@@ -16,8 +17,9 @@
 
 /* Every constraint, a line each. */
 static const rot_constraint *const constraints[] = {
-    &rot_axle_constraint,    &rot_shaft_constraint, &rot_clutch_constraint, &rot_drive_constraint,
-    &rot_incline_constraint, &rot_free_constraint,  &rot_pivot_constraint,  &rot_hoop_constraint,
+    &rot_axle_constraint,  &rot_shaft_constraint,   &rot_clutch_constraint,
+    &rot_drive_constraint, &rot_incline_constraint, &rot_free_constraint,
+    &rot_pivot_constraint, &rot_hoop_constraint,    &rot_chain_constraint,
 };
 
 const rot_constraint *const *rot_choice_constraints(size_t *n) {

@@ -271,6 +271,41 @@ static void check_law(void) {
   rotdyn_scene_free(scene);
 }
 
+/* ---- lists of numbers ------------------------------------------------------------------------ */
+
+/* A chain: rows for each link. */
+static void check_numbers(void) {
+  enum { LINKS = 3, TIMES = 2 };
+  const double length[LINKS] = {1.0, 0.5, 0.25}, mass = 2.0, theta0[LINKS] = {0.1, 0.2, 0.3};
+  const double time_s[TIMES] = {0.0, 1.0};
+  double theta[TIMES * LINKS + 1], kinetic[TIMES * LINKS + 1];
+  const char *const names[] = {"theta_rad", "kinetic_energy_j"};
+  double *columns[] = {theta, kinetic};
+  rotdyn_input input = ROTDYN_INIT(rotdyn_input);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  rotdyn_scene *scene = rotdyn_scene_new("scene_chain");
+  ROT_CHECK(rotdyn_input_at("scene_chain", 0, &input) == ROTDYN_OK);
+  ROT_CHECK(!strcmp(input.name, "length_m") && !strcmp(input.kind, "numbers"));
+  ROT_CHECK(rotdyn_scene_number(scene, "length_m", 1.0) == ROTDYN_EARGUMENT);
+  ROT_CHECK(rotdyn_scene_numbers(scene, "length_m", LINKS, length) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_scene_numbers(scene, "mass_kg", 1, &mass) == ROTDYN_OK);
+  ROT_CHECK(refused(scene, "theta0_rad", "missing"));
+  ROT_CHECK(rotdyn_scene_numbers(scene, "theta0_rad", 2, theta0) == ROTDYN_OK);
+  ROT_CHECK(refused(scene, "theta0_rad", "one for each length"));
+  ROT_CHECK(rotdyn_scene_numbers(scene, "theta0_rad", LINKS, theta0) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_scene_numbers(scene, "joint_n_m_s", 0, NULL) == ROTDYN_OK);
+  ROT_CHECK(refused(scene, "joint_n_m_s", "none"));
+  ROT_CHECK(rotdyn_scene_unset(scene, "joint_n_m_s") == ROTDYN_OK);
+  theta[TIMES * LINKS] = kinetic[TIMES * LINKS] = 7.0;
+  ROT_CHECK(rotdyn_scene_run(scene, TIMES, time_s, NULL, 2, names, columns, &report) == ROTDYN_OK);
+  ROT_CHECK(report.rows_done == TIMES && report.error <= 1e-8);
+  for (size_t i = 0; i < LINKS; i++) {
+    ROT_CHECK(theta[i] == theta0[i] && kinetic[i] == 0.0 && kinetic[LINKS + i] > 0.0);
+  }
+  ROT_CHECK(theta[TIMES * LINKS] == 7.0 && kinetic[TIMES * LINKS] == 7.0);
+  rotdyn_scene_free(scene);
+}
+
 /* ---- bodies in space ------------------------------------------------------------------------- */
 
 /* A body of moments 1, 1, 2 about its centre of mass. Without checks: threads call it. */
@@ -532,6 +567,7 @@ int main(void) {
   check_closed_forms();
   check_bits();
   check_law();
+  check_numbers();
   check_free();
   check_free_law();
   check_pivot();

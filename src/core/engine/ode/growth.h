@@ -6,7 +6,7 @@
 
 #include "engine/ode/run.h"
 
-enum { ROT_ODE_MOST_GROWTH = 24 }; /* controlled components; with more it is not followed */
+enum { ROT_ODE_MOST_GROWTH = 32 }; /* controlled components; with more it is not followed */
 
 struct rot_ode_growth {
   size_t n;

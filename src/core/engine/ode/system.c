@@ -146,5 +146,5 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
   const double fades = fmin(span / pace.fades_s, 1e300);
   const double steps = 30.0 + (implicit ? log1p(fades) : fades) +
                        pow(fmax(query->accuracy, model->promise), -1.0 / 8.5) * swings;
-  return steps * model->seconds[0] + (double)query->n * model->seconds[1];
+  return (double)s.n * (steps * model->seconds[0] + (double)query->n * model->seconds[1]);
 }

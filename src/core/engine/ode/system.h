@@ -39,7 +39,8 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
                           rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                           rot_info *info);
 
-/* Predicted time of a run, with the pace of its start; seconds of the model: of a step, of a row.
+/* Predicted time of a run, with the pace of its start; seconds of the model: of a step, of a
+ * row, of each coordinate.
  * Implicit steps do not count what fades. */
 double rot_system_cost_s(const rot_system *system, const rot_model *model, const void *scene,
                          const rot_query *query, int implicit);

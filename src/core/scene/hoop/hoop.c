@@ -103,7 +103,7 @@ static void pace(const void *scene, const double sizes[], rot_pace *to) {
 
 static rot_system_start start(const void *scene) {
   const hoop *h = scene;
-  const double acts = h->gravity / h->radius + h->turn * h->turn;
+  const double acts = (h->gravity / h->radius + h->turn * h->turn) * fabs(sin(h->theta0));
   return (rot_system_start){1,        1,    &h->theta0,          &h->omega0,
                             h->start, acts, h->mu_static != 0.0, h->mu_static};
 }

@@ -1,0 +1,172 @@
+#include "scene/chain/modes.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "ground/real.h"
+#include "maths/eigen.h"
+
+/* Half the largest swing for which the bound holds: sin(A/2). */
+#define MOST_SINE 0.25
+
+rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *to) {
+  const size_t n = c->n, rows = c->rods ? 2 * n : n;
+  double g[2 * ROT_LINKS_MOST * ROT_LINKS_MOST] = {0.0}, period[ROT_LINKS_MOST];
+  double u[ROT_LINKS_MOST * ROT_LINKS_MOST];
+  /* Velocities of the ends, or of the centres and of the ends against them. */
+  for (size_t j = 0; j < n; j++) {
+    to->root[j] = sqrt(c->length_m[j]) * sqrt(rot_links_weight(c, j) / c->length_m[j]);
+    const double by = sqrt(c->length_m[j]) / sqrt(rot_links_weight(c, j) / c->length_m[j]);
+    for (size_t k = j; k < n; k++) {
+      g[k * n + j] = sqrt(c->share[k]) * by * (k == j ? rot_links_first(c) : 1.0);
+    }
+    if (c->rods) g[(n + j) * n + j] = sqrt(c->share[j] / 12.0) * by;
+  }
+  rot_status status = rot_eigen_singular(rows, n, g, period, u, NULL);
+  if (status != ROT_OK) return status == ROT_EVALUE ? ROT_ERANGE : status;
+  for (size_t j = 0; j < n; j++) { /* the longest period first */
+    to->rate[j] = 1.0 / period[n - 1 - j];
+    if (!(to->rate[j] > 0.0 && to->rate[j] < INFINITY)) return ROT_ERANGE;
+    for (size_t i = 0; i < n; i++) to->shape[i * n + j] = u[i * n + n - 1 - j];
+  }
+  for (size_t i = 0; i < n; i++) {
+    for (size_t k = 0; k < n; k++) {
+      double sum = 0.0;
+      for (size_t j = 0; j < n; j++) {
+        sum += (to->shape[i * n + j] * to->rate[j]) * (to->shape[k * n + j] * to->rate[j]);
+      }
+      to->inverse[i * n + k] = sum / to->root[i] / to->root[k];
+    }
+  }
+  return ROT_OK;
+}
+
+/* ---- the linear motion ----------------------------------------------------------------------- */
+
+void rot_links_swing_start(const rot_links *c, const rot_links_modes *m, const double theta[],
+                           const double omega[], rot_links_swing *to) {
+  const size_t n = c->n;
+  const double pace = sqrt(c->gravity_m_per_s2);
+  for (size_t j = 0; j < n; j++) {
+    to->eta[j] = to->beside[j] = 0.0;
+    for (size_t i = 0; i < n; i++) {
+      to->eta[j] += m->shape[i * n + j] * (m->root[i] * theta[i]);
+      to->beside[j] += m->shape[i * n + j] * (m->root[i] * (omega[i] / (pace * m->rate[j])));
+    }
+  }
+}
+
+void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_links_swing *swing,
+                        double time_s, double theta[], double omega[], double *sum) {
+  const size_t n = c->n;
+  const double pace = sqrt(c->gravity_m_per_s2);
+  double along[ROT_LINKS_MOST];
+  for (size_t i = 0; i < n; i++) theta[i] = omega[i] = along[i] = 0.0;
+  for (size_t j = 0; j < n; j++) {
+    const double rate = pace * m->rate[j], phase = rate * time_s;
+    const double cosine = cos(phase), sine = sin(phase), half = sin(0.5 * phase);
+    const double eta = swing->eta[j] * cosine + swing->beside[j] * sine;
+    const double turn = rate * (swing->beside[j] * cosine - swing->eta[j] * sine);
+    const double passed = (swing->eta[j] * sine + 2.0 * swing->beside[j] * half * half) / rate;
+    for (size_t i = 0; i < n; i++) {
+      theta[i] += m->shape[i * n + j] * eta;
+      omega[i] += m->shape[i * n + j] * turn;
+      along[i] += m->shape[i * n + j] * passed;
+    }
+  }
+  if (sum) *sum = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    theta[i] /= m->root[i];
+    omega[i] /= m->root[i];
+    if (sum) *sum += c->gravity_m_per_s2 * (m->root[i] * along[i]);
+  }
+}
+
+/* ---- what it leaves out ---------------------------------------------------------------------- */
+
+/* sqrt(2 (kinetic + potential energy)) of a state, and no less; without squares that underflow. */
+static double energy_norm(const rot_links *c, const rot_links_modes *m, const double theta[],
+                          const double omega[]) {
+  const double pace = sqrt(c->gravity_m_per_s2);
+  double norm = 0.0, x = 0.0, y = 0.0;
+  for (size_t i = 0; i < c->n; i++) {
+    const double v = c->length_m[i] * (omega[i] / pace), f = rot_links_first(c);
+    const double dx = v * cos(theta[i]), dy = v * sin(theta[i]), mass = sqrt(c->share[i]);
+    norm = hypot(norm, 2.0 * m->root[i] * sin(0.5 * theta[i]));
+    norm = hypot(norm, mass * hypot(x + f * dx, y + f * dy));
+    if (c->rods) norm = hypot(norm, mass * v * sqrt(1.0 / 12.0));
+    x += dx;
+    y += dy;
+  }
+  return norm * (1.0 + 64.0 * ROT_EPS);
+}
+
+/* Largest sqrt(x' M^-1 x) of vectors with |x_i| <= most_i. */
+static double force_norm(const rot_links *c, const rot_links_modes *m, const double most[]) {
+  const size_t n = c->n;
+  double size = 0.0, sum = 0.0;
+  for (size_t i = 0; i < n; i++) size = fmax(size, most[i] * sqrt(m->inverse[i * n + i]));
+  if (!(size > 0.0)) return size;
+  for (size_t i = 0; i < n; i++) {
+    for (size_t j = 0; j < n; j++) {
+      sum += fabs(m->inverse[i * n + j]) * (most[i] / size) * (most[j] / size);
+    }
+  }
+  return size * sqrt(sum);
+}
+
+/* The error e of the linear motion obeys M e'' + K e = r with
+ *
+ *   r = (M - M(theta)) theta'' - C(theta, theta') + K (theta - sin theta)
+ *
+ * along the exact motion, so that its energy norm grows by |r|_M^-1 at most. The exact motion keeps
+ * its energy S^2/2: 2 sqrt(b_i) |sin(theta_i/2)| <= S. With D = diag(cos theta) and E = diag(sin
+ * theta), M(theta) = D M D + E M E >= D M D bounds rates by S, and accelerations by the forces. */
+rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes *m,
+                                       const double theta[], const double omega[], double time_s) {
+  const size_t n = c->n;
+  const double pace = sqrt(c->gravity_m_per_s2), time = pace * fabs(time_s);
+  const double size = energy_norm(c, m, theta, omega), fastest = m->rate[n - 1];
+  double swing[ROT_LINKS_MOST], turn[ROT_LINKS_MOST];
+  double bends[ROT_LINKS_MOST] = {0.0}, rest[ROT_LINKS_MOST] = {0.0};
+  double least = INFINITY, most = 0.0, trace = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    if (!(size <= 2.0 * MOST_SINE * m->root[i]) || fabs(theta[i]) > 1.0) {
+      return (rot_links_bound){INFINITY, INFINITY, INFINITY};
+    }
+    swing[i] = 2.0 * asin(0.5 * size / m->root[i]);
+    turn[i] = size * sqrt(m->inverse[i * n + i]) / cos(swing[i]);
+    most = fmax(most, swing[i]);
+    least = fmin(least, m->root[i]);
+    trace += m->inverse[i * n + i];
+  }
+  const double cosine = cos(most);
+  for (size_t i = 0; i < n; i++) {
+    bends[i] = 0.0; /* |C_i| */
+    for (size_t j = 0; j < n; j++) {
+      if (j != i)
+        bends[i] += rot_links_inertia(c, i, j) * (swing[i] + swing[j]) * turn[j] * turn[j];
+    }
+  }
+  /* |D theta''|_M, from D^-1 (K sin theta + C). */
+  const double force = (fastest * size + force_norm(c, m, bends)) / cosine;
+  for (size_t i = 0; i < n; i++) {
+    rest[i] = bends[i];
+    for (size_t j = 0; j < n; j++) {
+      const double apart = swing[i] + swing[j];
+      const double faster = sqrt(m->inverse[j * n + j]) * force / cos(swing[j]);
+      if (j != i) rest[i] += rot_links_inertia(c, i, j) * (0.5 * apart * apart) * faster;
+    }
+  }
+  const double part = most > 0.0 ? 0.5 * most / sin(0.5 * most) : 1.0;
+  const double left = force_norm(c, m, rest) + fastest * (most * most / 6.0) * part * size;
+  const double rounding = 8.0 * ROT_EPS * (double)(n + 2) * (2.0 + fastest * time) * size;
+  const double error = 1.0000001 * (time * left) + rounding;
+  double sum = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    const double root = m->root[i];
+    sum += root * (root * swing[i] * swing[i] * swing[i] / 6.0 + error);
+  }
+  return (rot_links_bound){error / least, pace * error * sqrt(trace),
+                           c->gravity_m_per_s2 * sum * fabs(time_s)};
+}
