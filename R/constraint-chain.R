@@ -1,6 +1,6 @@
 # A chain of pendulums in a plane. Rows in long form: by time, then link.
 chain_constraint <- function() {
-  equations <- "sum A (cos(d) theta_j'' + sin(d) theta_j'^2) + g B sin(theta_i) = tau; d between links"
+  equations <- "sum A (cos(d) theta_j'' + sin(d) theta_j'^2) + g B sin(theta_i) = tau, d between"
   assumptions <- "rigid links in one plane; joints without play"
   table_constraint(
     "chain",

@@ -44,7 +44,9 @@ chain_marks <- function(scene, theta) {
       mark("fill", draw_circle(at[i + 1, 1], at[i + 1, 2], radius[i]), "body")
     })
   } else {
-    lapply(seq_len(n)[-1], function(i) mark("fill", draw_circle(at[i, 1], at[i, 2], 0.015), "shaft"))
+    lapply(seq_len(n)[-1], function(i) {
+      mark("fill", draw_circle(at[i, 1], at[i, 2], 0.015), "shaft")
+    })
   }
   pivot <- mark("fill", draw_circle(0, 0, 0.03), "fixed")
   c(list(pivot), links, balls)

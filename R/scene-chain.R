@@ -6,8 +6,8 @@
 #'   \sin(\theta_i - \theta_j)\,\dot\theta_j^2\right) + g B_i \sin\theta_i = \tau_i,}{
 #'   sum over j of A_ij (cos(theta_i - theta_j) theta_j'' + sin(theta_i - theta_j) theta_j'^2) +
 #'   g B_i sin(theta_i) = tau_i,}
-#' where A and B follow from lengths and masses, and \eqn{\tau_i}{tau_i} is the viscous torque of the
-#' joints above and below link i, `-c (theta_i' - theta_(i-1)')` in each.
+#' where A and B follow from lengths and masses, and \eqn{\tau_i}{tau_i} is the viscous torque of
+#' the joints above and below link i, `-c (theta_i' - theta_(i-1)')` in each.
 #'
 #' Small swings are a sum of normal modes (`chain_modes`), exact but for what the linear equations
 #' leave out, which has a bound. Beyond them the motion is integrated. A double pendulum that turns
@@ -19,7 +19,8 @@
 #' @param theta0_rad Angle of each link from the downward vertical at `start_s`, not from the link
 #'   above; one number for all.
 #' @param ... Not used; names after it must be given in full.
-#' @param links `"rods"`: uniform rods. `"points"`: massless rods with a point mass at the lower end.
+#' @param links `"rods"`: uniform rods. `"points"`: massless rods with a point mass at the lower
+#'   end.
 #' @param omega0_rad_per_s Rate of each link at `start_s`; one number for all.
 #' @param joint_n_m_s Viscous torque in the joint above each link over the relative rate there, at
 #'   least 0; one number for all.
