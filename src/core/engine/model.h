@@ -48,12 +48,13 @@ typedef struct rot_task {
   size_t max_steps;  /* of an integrator */
   double resolution; /* of changes of a law that is called: see engine/ode/params.h; 0: as there */
   int asked;         /* the caller named the model: it does not switch to another */
+  unsigned without;  /* effects that the run leaves out; the torques of its rows have them */
 } rot_task;
 
 /* A column of the rows: doubles, or flags (int). */
 typedef struct rot_column_of {
   const char *name;
-  int flag;
+  int flag;           /* 1, 0, or below 0: it means nothing in this row */
   unsigned only_with; /* 0: always; else with one of these effects alone */
   const char *unit;   /* NULL: as the dictionary of R has it */
   size_t measure;     /* 1 + the measure that it holds; 0: none. These are the state. */
@@ -142,6 +143,7 @@ typedef struct rot_constraint {
   size_t scene_size;
   /* From inputs that rot_inputs_check() passed, which must live as long as the scene. */
   rot_status (*build)(const rot_given given[], void *scene, rot_refusal *refusal);
+  void (*release)(void *scene); /* what build() took, also where that failed; NULL: nothing */
   double (*start_s)(const void *scene);
   const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
   size_t (*copies)(const void *scene); /* how many these are; NULL: 1 */

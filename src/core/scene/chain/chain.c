@@ -76,7 +76,7 @@ static rot_status build(const rot_given given[], void *to, rot_refusal *no) {
   rot_links *links = &c->links;
   const size_t n = given[LENGTH].n;
   memset(c, 0, sizeof *c);
-  if (n > ROT_LINKS_MOST) {
+  if (n < 1 || n > ROT_LINKS_MOST) {
     return rot_refuse(no, LENGTH, "must have 1 to %d numbers; it has %zu", ROT_LINKS_MOST, n);
   }
   links->n = n;

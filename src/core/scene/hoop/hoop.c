@@ -15,17 +15,18 @@ typedef struct hoop {
 
 enum { KINETIC = 7 };
 /* clang-format off */
+#define NUMBER ROT_NUMBER_INPUT
 static const rot_input inputs[] = {
-    ROT_REQUIRED("mass_kg", "kg", 0.0, 1, DBL_MAX, "of the bead"),
-    ROT_REQUIRED("radius_m", "m", 0.0, 1, DBL_MAX, "of the hoop"),
-    ROT_REQUIRED("hoop_omega_rad_per_s", "rad/s", -DBL_MAX, 0, DBL_MAX, "about the vertical"),
-    ROT_OPTIONAL("theta0_rad", "rad", -DBL_MAX, DBL_MAX, 0.0, "at the start, 0: lowest"),
-    ROT_OPTIONAL("omega0_rad_per_s", "rad/s", -DBL_MAX, DBL_MAX, 0.0, "its rate at the start"),
-    ROT_OPTIONAL("drag_n_s_per_m", "N*s/m", 0.0, DBL_MAX, 0.0, "viscous drag along the hoop"),
-    ROT_OPTIONAL("static_friction", "1", 0.0, DBL_MAX, 0.0, "coefficient of dry friction at rest"),
-    ROT_OPTIONAL("kinetic_friction", "1", 0.0, DBL_MAX, NAN, "sliding; default: the static one"),
-    ROT_OPTIONAL("gravity_m_per_s2", "m/s^2", 0.0, DBL_MAX, 9.80665, "acceleration of gravity"),
-    ROT_OPTIONAL("start_s", "s", -DBL_MAX, DBL_MAX, 0.0, "when the state above holds")};
+    NUMBER("mass_kg", "kg", 1, 0.0, 1, NAN, "of the bead"),
+    NUMBER("radius_m", "m", 1, 0.0, 1, NAN, "of the hoop"),
+    NUMBER("hoop_omega_rad_per_s", "rad/s", 1, -DBL_MAX, 0, NAN, "about the vertical"),
+    NUMBER("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, "at the start, 0: lowest"),
+    NUMBER("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, "its rate at the start"),
+    NUMBER("drag_n_s_per_m", "N*s/m", 0, 0.0, 0, 0.0, "viscous drag along the hoop"),
+    NUMBER("static_friction", "1", 0, 0.0, 0, 0.0, "coefficient of dry friction at rest"),
+    NUMBER("kinetic_friction", "1", 0, 0.0, 0, NAN, "sliding; default: the static one"),
+    NUMBER("gravity_m_per_s2", "m/s^2", 0, 0.0, 0, 9.80665, "acceleration of gravity"),
+    NUMBER("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds")};
 /* clang-format on */
 
 static rot_status build(const rot_given given[], void *to, rot_refusal *no) {
