@@ -249,7 +249,7 @@ static void mode_bound(void) {
       }
       ROT_CHECK(reported(&a, ROT_THETA) < 1e5 * off);
     } else {
-      ROT_CHECK(size > 1e-3 && n > 1);
+      ROT_CHECK(size > 3e-4 && n > 1);
     }
     motion_free(&a);
     motion_free(&b);
