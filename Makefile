@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-interrupt check-long check-measurement check-mutants check-scenes library examples
+.PHONY: map check-interrupt check-long check-measurement check-mutants check-scenes library examples
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -42,6 +42,9 @@ examples: ## the programs of inst/examples, compared with R
 
 objects: ## list the C files of src/ for make, after one came or went
 	@sh tools/objects.sh > src/Makevars.objects
+
+map: ## what each file of R/ and src/ is for
+	@sh tools/map.sh
 
 format: ## lay out the C sources by .clang-format
 	@sh tools/setup.sh format

@@ -527,15 +527,21 @@ column_list <- list(
   c("omega_jump_rad_per_s", "rad/s", "omega behind the break less that before it"),
   c("omega_jump_se_rad_per_s", "rad/s", "its standard error"),
   c("alpha_jump_rad_per_s2", "rad/s^2", "angular acceleration behind the break less that before"),
-  c("alpha_jump_se_rad_per_s2", "rad/s^2", "its standard error"),
-  c("drive_torque_n_m", "N m", "torque of the drive that keeps the rate of a hoop"),
-  c("stable", "", "whether a small distance from an equilibrium stays small"),
-  c("swing_rad_per_s", "rad/s", "rate of small swings about a stable equilibrium"),
-  c("growth_per_s", "1/s", "rate at which a small distance from an unstable equilibrium grows")
+  c("alpha_jump_se_rad_per_s2", "rad/s^2", "its standard error")
 )
 
-column_table <- as.data.frame(do.call(rbind, column_list))
-names(column_table) <- c("name", "unit", "meaning")
+# With the columns that a constraint's file adds: lists of this form, named `<topic>_column_words`.
+column_table <- function() {
+  if (is.null(columns_read$table)) {
+    here <- environment(column_table)
+    more <- mget(ls(here, pattern = "^[a-z]+_column_words$"), envir = here)
+    table <- as.data.frame(do.call(rbind, c(column_list, unlist(unname(more), recursive = FALSE))))
+    names(table) <- c("name", "unit", "meaning")
+    columns_read$table <- table
+  }
+  columns_read$table
+}
+columns_read <- new.env(parent = emptyenv())
 
 #' The dictionary of columns
 #'
@@ -549,12 +555,13 @@ names(column_table) <- c("name", "unit", "meaning")
 #' rotdyn_columns()
 #' @export
 rotdyn_columns <- function() {
-  tibble::as_tibble(column_table)
+  tibble::as_tibble(column_table())
 }
 
 # For the help pages: an itemized list of columns. `meanings`: those of this page, by name.
 describe_columns <- function(names, meanings = NULL) {
-  rows <- column_table[match(names, column_table$name), ]
+  table <- column_table()
+  rows <- table[match(names, table$name), ]
   rows$meaning[match(names(meanings), rows$name)] <- meanings
   unit <- ifelse(rows$unit %in% c("", "1"), "", paste0(" (", rows$unit, ")"))
   paste0(
@@ -846,8 +853,3 @@ falling_rod_columns <- c(
   "hinge_along_n", "hinge_across_n", "bending_moment_n_m", "break_at_m"
 )
 falling_rod_meanings <- c(omega_rad_per_s = "angular velocity of the fall")
-hoop_columns <- c(
-  "time_s", "theta_rad", "omega_rad_per_s", "drive_torque_n_m", "normal_n", "kinetic_energy_j",
-  "potential_energy_j"
-)
-hoop_equilibrium_columns <- c("theta_rad", "stable", "swing_rad_per_s", "growth_per_s")

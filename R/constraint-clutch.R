@@ -34,7 +34,7 @@ clutch_constraint <- function() {
     texts = clutch_texts(),
     drawing = draw_clutch,
     frames = function(scene, rows) {
-      chain_frames(
+      shafting_frames(
         scene, rbind(rows$theta_1_rad, rows$theta_2_rad),
         rbind(rows$omega_1_rad_per_s, rows$omega_2_rad_per_s), draw_clutch
       )
@@ -53,7 +53,7 @@ clutch_constraint <- function() {
 }
 
 draw_clutch <- function(scene, theta = NULL) {
-  draw_chain(
+  draw_shafting(
     scene, scene$moment_of_inertia_kg_m2, list(kind = "clutch", ratio = 1), clutch_labels = "T",
     theta = theta
   )

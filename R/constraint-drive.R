@@ -49,7 +49,7 @@ drive_constraint <- function() {
     },
     texts = drive_texts(),
     drawing = draw_drive,
-    frames = chain_frames_long(draw_drive),
+    frames = shafting_frames_long(draw_drive),
     balances = balance_drive,
     conserved = conserved_drive,
     augment = augment_drive,
@@ -65,7 +65,7 @@ drive_constraint <- function() {
 draw_drive <- function(scene, theta = NULL) {
   of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
   kind <- c("spring", "clutch", "gear")[of("kind") + 1]
-  draw_chain(
+  draw_shafting(
     scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of("ratio")),
     drive_quantities(scene, kind), sprintf("T[%d]", seq_along(kind)),
     vapply(scene$rotors, function(rotor) !is.null(rotor$brake), NA), theta

@@ -37,7 +37,7 @@ rotors_constraint <- function() {
       )
     },
     drawing = draw_shaft_rotors,
-    frames = chain_frames_long(draw_shaft_rotors),
+    frames = shafting_frames_long(draw_shaft_rotors),
     texts = list(scene_rotors = text_form(function(x) {
       zero <- function(x) if (any(x != 0)) x
       list(
@@ -60,7 +60,7 @@ rotors_constraint <- function() {
 
 draw_shaft_rotors <- function(scene, theta = NULL) {
   n <- length(scene$moment_of_inertia_kg_m2) - 1L
-  draw_chain(
+  draw_shafting(
     scene, scene$moment_of_inertia_kg_m2, list(kind = rep("spring", n), ratio = rep(1, n)),
     theta = theta
   )

@@ -46,7 +46,8 @@
 constraint_list <- function() {
   list(
     axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint(),
-    incline_constraint(), free_constraint(), pivot_constraint(), hoop_constraint()
+    incline_constraint(), free_constraint(), pivot_constraint(), hoop_constraint(),
+    chain_constraint()
   )
 }
 

@@ -1,163 +1,72 @@
-# Rotors in a line, from the side: rotors on one shaft, two bodies and a clutch, and the chains of
-# scenes without a drawing of their own. `couplings`: kind and ratio of each. `more`: quantities
-# besides those of chain_quantities(); `clutch_labels`, and which rotors have brakes. `theta`: in
-# motion, the angles.
-draw_chain <- function(scene, inertia, couplings, more = NULL, clutch_labels = NULL,
-                       brakes = logical(length(inertia)), theta = NULL) {
-  n <- length(inertia)
-  # Heights and not areas: a rotor of a 16th of the inertia has half the height.
-  height <- pmax(0.75 * (inertia / max(inertia))^0.25, 0.18)
-  step <- 1.5
-  x <- step * (seq_len(n) - 1)
-  y <- double(n)
-  marks <- list()
-  labels <- label_at(character(), double(), double())
-  add <- function(...) marks <<- c(marks, list(...))
-  say <- function(...) labels <<- rbind(labels, label_at(...))
-  few <- n <= 8L
-  name <- function(symbol, i) paste0(symbol, "[", i, "]")
-  stiff <- rep_len(scene[["stiffness_n_m_per_rad"]] %||% 1, max(n - 1L, 1L))
-  for (i in seq_len(n - 1L)) {
-    from <- x[i] + 0.2
-    to <- x[i + 1L] - 0.2
-    y[i + 1L] <- y[i]
-    middle <- (from + to) / 2
-    kind <- couplings$kind[i]
-    if (kind == "gear" || abs(couplings$ratio[i]) != 1) {
-      # The wheels touch; the larger one turns slower.
-      r <- 0.9 * c(1, abs(couplings$ratio[i])) / (1 + abs(couplings$ratio[i]))
-      down <- if (y[i] < 0) 1 else -1
-      y[i + 1L] <- y[i] + down * sum(r)
-      add(
-        mark("line", rbind(c(from, y[i]), c(middle, y[i])), "body"),
-        mark("line", rbind(c(middle, y[i + 1L]), c(to, y[i + 1L])), "body"),
-        mark("fill", draw_box(middle, y[i], 0.14, 2 * r[1]), "shaft"),
-        mark("fill", draw_box(middle, y[i + 1L], 0.14, 2 * r[2]), "shaft")
-      )
-    } else if (kind == "clutch") {
-      add(
-        mark("line", rbind(c(from, y[i]), c(middle - 0.13, y[i])), "body"),
-        mark("line", rbind(c(middle + 0.13, y[i]), c(to, y[i])), "body"),
-        mark("fill", draw_box(middle - 0.09, y[i], 0.1, 0.7), "shaft"),
-        mark("fill", draw_box(middle + 0.09, y[i], 0.1, 0.7), "shaft")
-      )
-      if (!is.null(clutch_labels)) say(clutch_labels[i], middle, y[i] + 0.52)
-    } else if (stiff[i] > 0) {
-      add(mark("line", draw_spring(from, to, y[i], 0.1), "spring"))
-      if (few) say(name("k", i), middle, y[i] + 0.3 + 0.02 * n)
-    } else {
-      add(mark("line", rbind(c(from, y[i]), c(to, y[i])), "dashed"))
-    }
+# A chain of pendulums in its plane, to scale; the length of all is 1.
+draw_chain <- function(scene, theta = scene$theta0_rad) {
+  d <- new_drawing()
+  n <- length(scene$length_m)
+  for (one in chain_marks(scene, rep_len(theta, n))) d$add(one)
+  shown <- function(x, unit) {
+    if (length(unique(x)) == 1L) x <- x[1]
+    more <- if (length(x) > 4L) ", ..."
+    paste0(paste(format_si(signif(utils::head(x, 4L), 4)), collapse = ", "), more, " ", unit)
   }
-  torque <- scene[["torque_n_m"]]
-  omega <- scene[["omega0_rad_per_s"]]
-  acts <- function(i) {
-    if (is.numeric(torque)) rep_len(torque, n)[i] else if (is.list(scene[["torque"]])) {
-      law <- scene$torque[[i]]
-      if (is.null(law) || torque_is_zero(law)) 0 else torque_sign(law)
-    } else 0
+  d$key(quantity("l", "lengths", shown(scene$length_m, "m")))
+  what <- if (scene$links == "rods") "masses of the rods" else "masses at the ends"
+  d$key(quantity("m", what, shown(scene$mass_kg, "kg"), "weight"))
+  d$key(quantity("theta", "angles at start", shown(scene$theta0_rad, "rad"), "resistance"))
+  d$key(quantity("omega[0]", "rates at start", shown(scene$omega0_rad_per_s, "rad/s"), "speed"))
+  if (any(scene$joint_n_m_s > 0)) {
+    d$key(quantity("c", "viscous joints", shown(scene$joint_n_m_s, "N m s"), "resistance"))
   }
-  for (i in seq_len(n)) {
-    add(mark("fill", draw_box(x[i], y[i], 0.4, 2 * height[i]), "body"))
-    if (few) say(name("I", i), x[i], y[i])
-    if (!is.null(theta)) marks <- c(marks, rotor_stripes(x[i], y[i], height[i], theta[i]))
-    push <- acts(i)
-    if (push != 0) {
-      add(turn_arrow(x[i], y[i] + height[i] + 0.05, 0.28, 20, 140, push, "torque"))
-      if (few) say(name("tau", i), x[i], y[i] + height[i] + 0.52)
-    }
-    if (brakes[i]) {
-      under <- y[i] - height[i]
-      add(
-        mark("fill", draw_box(x[i], under - 0.07, 0.3, 0.12), "fixed"),
-        mark("arrow", rbind(c(x[i], under - 0.36), c(x[i], under - 0.14)), "resistance")
-      )
-      if (few) say(name("B", i), x[i] + 0.26, under - 0.28)
-    }
-    rate <- if (is.numeric(omega)) rep_len(omega, n)[i] else 0
-    if (rate != 0) {
-      add(turn_arrow(x[i], y[i] - height[i] - 0.05, 0.28, 200, 140, rate, "speed"))
-      if (few) say(name("omega", i), x[i], y[i] - height[i] - 0.54)
-    }
-  }
-  list(
-    marks = marks, labels = labels, quantities = rbind(chain_quantities(scene, inertia), more),
-    limits = c(
-      -0.5, max(x) + 0.5, min(y - height) - 0.75, max(y + height) + 0.75
-    ),
-    note = "from the side, not to scale"
-  )
+  at <- chain_places(scene, rep_len(theta, n))
+  half <- max(0.4, 0.15 + diff(range(at[, 1])) / 2, 0.15 + diff(range(at[, 2])) / 2)
+  middle <- c(mean(range(at[, 1])), mean(range(at[, 2])))
+  d$done(c(middle[1] + c(-half, half), middle[2] + c(-half, half)), "to scale")
 }
 
-# Four stripes on the rim, where they are on this side: at the top at first, then to the front.
-rotor_stripes <- function(x, y, height, theta) {
-  at <- theta + pi / 2 * (3:0)
-  style <- rep(c("body", "speed"), c(3L, 1L))
-  front <- which(sin(at) >= -1e-9)
-  lapply(front, function(k) {
-    mark("line", cbind(x + c(-0.2, 0.2), y + height * cos(at[k])), style[k])
+# Ends of the links, from the pivot down, in parts of the whole length.
+chain_places <- function(scene, theta) {
+  part <- scene$length_m / sum(scene$length_m)
+  rbind(c(0, 0), cbind(cumsum(part * sin(theta)), -cumsum(part * cos(theta))))
+}
+
+chain_marks <- function(scene, theta) {
+  at <- chain_places(scene, theta)
+  n <- length(scene$length_m)
+  links <- lapply(seq_len(n), function(i) {
+    if (scene$links == "points") return(mark("line", at[i + 0:1, ], "body"))
+    aside <- 0.022 * c(cos(theta[i]), sin(theta[i]))
+    corners <- rbind(at[i, ] + aside, at[i + 1, ] + aside, at[i + 1, ] - aside, at[i, ] - aside)
+    mark("fill", corners, "body")
   })
+  mass <- rep_len(scene$mass_kg, n)
+  balls <- if (scene$links == "points") {
+    radius <- 0.05 * (mass / max(mass))^(1 / 3)
+    lapply(seq_len(n), function(i) {
+      mark("fill", draw_circle(at[i + 1, 1], at[i + 1, 2], radius[i]), "body")
+    })
+  } else {
+    lapply(seq_len(n)[-1], function(i) {
+      mark("fill", draw_circle(at[i, 1], at[i, 2], 0.015), "shaft")
+    })
+  }
+  pivot <- mark("fill", draw_circle(0, 0, 0.03), "fixed")
+  c(list(pivot), links, balls)
 }
 
-# drawn(scene, theta) for each time of a motion: theta and omega have a column for each.
-chain_frames <- function(scene, theta, omega, drawn) {
-  lapply(seq_len(ncol(theta)), function(i) {
-    scene$omega0_rad_per_s <- omega[, i]
-    drawn(scene, theta[, i])
+# In motion, with the path of the lowest end in the last twelfth of the film.
+chain_frames <- function(scene, rows) {
+  theta <- matrix(rows$theta_rad, nrow = length(scene$length_m))
+  last <- t(apply(theta, 2, function(one) {
+    at <- chain_places(scene, one)
+    at[nrow(at), ]
+  }))
+  n <- ncol(theta)
+  lapply(seq_len(n), function(i) {
+    path <- last[max(1L, i - ceiling(n / 12)):i, , drop = FALSE]
+    list(
+      marks = c(
+        if (nrow(path) > 1L) list(mark("line", path, "speed")), chain_marks(scene, theta[, i])
+      ),
+      says = "", limits = c(-1.15, 1.15, -1.15, 1.15)
+    )
   })
-}
-
-# Of rows by time, then rotor.
-chain_frames_long <- function(drawn) {
-  function(scene, rows) {
-    by_rotor <- function(column) matrix(column, nrow = length(scene$moment_of_inertia_kg_m2))
-    chain_frames(scene, by_rotor(rows$theta_rad), by_rotor(rows$omega_rad_per_s), drawn)
-  }
-}
-
-torque_sign <- function(law) {
-  if (!inherits(law, "rot_torque_knots")) return(1)
-  values <- c(law$torque_n_m, law$outside)
-  if (sum(values) < 0) -1 else 1
-}
-
-chain_quantities <- function(scene, inertia) {
-  any_of <- function(field) {
-    x <- scene[[field]]
-    is.numeric(x) && any(x != 0)
-  }
-  of <- function(field, symbol, name, unit, style) {
-    if (any_of(field)) quantity(symbol, name, value_text(scene[[field]], unit), style)
-  }
-  laws <- scene[["torque"]]
-  acting <- if (is.list(laws) && !inherits(laws, "rot_torque")) {
-    which(!vapply(laws, function(law) is.null(law) || torque_is_zero(law), NA))
-  }
-  rbind(
-    quantity("I[i]", "moment of inertia", value_text(inertia, "kg m^2")),
-    of("stiffness_n_m_per_rad", "k[i]", "stiffness", "N m/rad", "spring"),
-    of("damping_n_m_s", "", "damping between", "N m s", "spring"),
-    of("viscous_n_m_s", "", "damping outside", "N m s", "resistance"),
-    if (!is.null(scene[["capacity_n_m"]])) {
-      quantity(
-        "T", "clutch", paste0(
-          value_text(scene$capacity_n_m, "N m"),
-          if (scene$static_capacity_n_m > scene$capacity_n_m) {
-            paste0(", ", value_text(scene$static_capacity_n_m, "N m locked"))
-          },
-          if (is.finite(scene$engage_s) && scene$engage_s > scene$start_s) {
-            paste0(", from ", format_si(scene$engage_s), " s")
-          }
-        ), "resistance"
-      )
-    },
-    of("torque_n_m", "tau[i]", "torque", "N m", "torque"),
-    if (length(acting)) {
-      do.call(rbind, lapply(acting, function(i) {
-        quantity(paste0("tau[", i, "]"), "torque", torque_text(laws[[i]]), "torque")
-      }))
-    },
-    of("theta0_rad", "theta[i]", "angle at start", "rad", "speed"),
-    of("omega0_rad_per_s", "omega[i]", "rate at start", "rad/s", "speed")
-  )
 }

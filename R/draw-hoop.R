@@ -17,7 +17,7 @@ draw_hoop <- function(scene, theta = scene$theta0_rad) {
   }
   d$say("theta", 0.45 * sin(theta / 2) + 0.07, -0.45 * cos(theta / 2))
   weight <- scene$mass_kg * scene$gravity_m_per_s2
-  if (weight > 0) d$say("m*g", at[1] + 0.17, at[2] - 0.5)
+  if (weight > 0) d$say("m*g", at[1] + 0.2, at[2] - 0.4)
   d$key(quantity("R", "radius of the hoop", value_text(scene$radius_m, "m")))
   d$key(quantity("Omega", "its angular velocity", value_text(scene$hoop_omega_rad_per_s, "rad/s"),
                  "speed"))
@@ -51,7 +51,7 @@ hoop_frames <- function(scene, rows) {
       marks = list(
         mark("line", shown(c(0, 0), c(0, 0), c(-1.3, 1.3)), "resistance"),
         mark("line", seen(turned[i], around), "body"),
-        mark("fill", draw_circle(bead[1], bead[2], 0.08), "speed")
+        mark("fill", draw_circle(bead[1], bead[2], 0.08), "body")
       ),
       says = paste("theta", format(rows$theta_rad[i], digits = 3), "rad"),
       limits = c(-1.4, 1.4, -1.5, 1.5)

@@ -248,7 +248,7 @@ field_quantities <- function(scene) {
 default_drawing <- function(scene) {
   inertia <- scene[["moment_of_inertia_kg_m2"]]
   if (is.numeric(inertia) && length(inertia) > 1L) {
-    return(draw_chain(scene, inertia, couplings_of(scene)))
+    return(draw_shafting(scene, inertia, couplings_of(scene)))
   }
   list(
     marks = list(mark("fill", draw_circle(0, 0, 0.6), "body")),

@@ -56,7 +56,7 @@ incline_table <- function(parameters, time_s = NULL, ..., threads = 1) {
   threads <- min(threads, .Call(ffi_axle_sweep_threads))
   known <- names(incline_parameters)
   given <- c(intersect(names(parameters), known), if (!is.null(time_s)) "time_s")
-  check_near_columns(parameters, known, given, column_table$name, call)
+  check_near_columns(parameters, known, given, column_table()$name, call)
   columns <- incline_inputs(parameters, time_s, call)
   n <- nrow(parameters)
   out <- if (n) run_incline_table(columns, n, threads, call) else empty_incline_table()

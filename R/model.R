@@ -299,6 +299,15 @@ check_scene <- function(scene, call) {
   abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
 }
 
+# A scene of the constraint `id`.
+check_scene_of <- function(scene, id, call) {
+  check_scene(scene, call)
+  constraint <- constraint_of(scene)
+  if (constraint$id == id) return()
+  wanted <- Filter(function(one) one$id == id, all_constraints())[[1]]
+  abort_rotdyn("{.arg scene} must be a {.fn {names(wanted$texts)[1]}}.", "type", call)
+}
+
 # `tried`: errors of the models that were run on trial.
 abort_no_model <- function(constraint, scene, time_s, accuracy, tried, call) {
   effects <- constraint$effects_of(scene)

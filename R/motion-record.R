@@ -884,7 +884,7 @@ describe_record <- function(x, info) {
   resolution <- info$resolution[is.finite(info$resolution)]
   steps <- vapply(names(resolution), function(name) {
     size <- resolution[[name]]
-    unit <- column_table$unit[match(name, column_table$name)]
+    unit <- column_table()$unit[match(name, column_table()$name)]
     turn <- 2 * pi / size
     paste0(
       name, " ", format(size, digits = 4), if (unit != "1") paste0(" ", unit),

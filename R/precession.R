@@ -80,7 +80,7 @@ precession_table <- function(tops, axis_angle_deg = 90, transverse_moment_kg_m2 
     )
   )
   check_near_columns(
-    tops, names(precession_units), names(tops), column_table$name, call
+    tops, names(precession_units), names(tops), column_table()$name, call
   )
   columns <- check_columns_of(columns, precession_units, call)
   n <- nrow(tops)

@@ -64,7 +64,7 @@ roll_race <- function(bodies = rolling_objects(), incline_angle_deg = 20, length
   if (is.null(objects[["kinetic_friction"]]) && missing(kinetic_friction)) {
     given["kinetic_friction"] <- list(objects[["static_friction"]] %||% static_friction)
   }
-  check_near_columns(objects, names(given), names(objects), column_table$name, call)
+  check_near_columns(objects, names(given), names(objects), column_table()$name, call)
   columns <- lapply(stats::setNames(names(given), names(given)), function(name) {
     x <- check_column(objects[[name]] %||% given[[name]], name, race_domain(name)$unit, call)
     if (name == "radius_m" && !is.null(objects[[name]])) {

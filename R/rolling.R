@@ -51,7 +51,7 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   }
   check_near_columns(
     objects, names(rolling_units), unique(c(names(given)[given], names(objects))),
-    column_table$name, call
+    column_table()$name, call
   )
   columns <- list(
     beta = objects[["beta"]],

@@ -62,7 +62,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   loads <- torque_loads(as_torque(torque, call))
   known_columns <- c(names(sweep_parameters), "time_s")
   given <- c(intersect(names(parameters), known_columns), if (!is.null(time_s)) "time_s")
-  check_near_columns(parameters, known_columns, given, column_table$name, call)
+  check_near_columns(parameters, known_columns, given, column_table()$name, call)
   columns <- sweep_inputs(parameters, time_s, call)
   known <- rep(TRUE, n)
   some_missing <- any(vapply(columns, anyNA, logical(1)))

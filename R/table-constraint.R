@@ -1,10 +1,11 @@
 # Constraints whose table in the core (src/core/engine/model.h) says all but words and pictures. A
 # scene of one is the list of its inputs: the checked arguments of its constructor.
 
-# The record of R/constraints.R. `models`: records of words, by the ids of the core's models;
-# `constructor`: the function of that name; `...`: title, panels, drawing, summary, ...
-table_constraint <- function(id, constructor, models, ...) {
+# The record of R/constraints.R. `models`: records of words, by the ids of the core's models; `...`:
+# title, panels, drawing, summary, ...
+table_constraint <- function(id, models, ...) {
   table <- .Call(ffi_scene_table, id)
+  constructor <- paste0("scene_", id)
   state <- split(table$columns[!is.na(table$state)], table$state[!is.na(table$state)])
   record <- list(
     id = id,
@@ -23,15 +24,8 @@ table_constraint <- function(id, constructor, models, ...) {
       pace <- .Call(ffi_scene_pace, id, scene, as.double(sizes))
       list(breaks_s = double(), fades_s = pace[1], swing_rad_per_s = pace[2])
     },
-    summary = function(x, run) {
-      lapply(
-        stats::setNames(unlist(state), paste0("final_", unlist(state))),
-        function(column) last(x[[column]])
-      )
-    },
-    texts = stats::setNames(list(text_form(
-      function(x) unclass(x)[names(table$inputs)], get(constructor, mode = "function")
-    )), constructor),
+    summary = function(x, run) table_summary(unlist(state[table$measures]), x, run),
+    texts = stats::setNames(list(table_text(table, constructor)), constructor),
     balances = function(x, run, call) table_balances(id, table, x, run),
     conserved = function(scene) table_keeps(id, table, scene),
     augment = function(x, run, edges, call) {
@@ -55,6 +49,46 @@ table_model <- function(id, model, words) {
       .Call(ffi_scene_run, id, scene, model, time_s, control, progress_bar("integrating"))
     }
   ))
+}
+
+# Words of the two models that integrate; `...`: those that both share.
+integrated_words <- function(id, ...) {
+  stats::setNames(list(
+    list(
+      ..., limits = "not stiff: a step is at most about 6 times the shortest decay",
+      source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library"
+    ),
+    list(
+      ..., limits = "each step solves a system of equations",
+      source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
+    )
+  ), paste0(id, c("_rk8pd", "_radau")))
+}
+
+# The largest rate between the rows, too, of one body; the last values.
+table_summary <- function(state, x, run) {
+  most <- if ("omega_rad_per_s" %in% state && is.null(constraint_of(run$scene)$index)) {
+    found <- largest_values(x, run, "omega_rad_per_s", NULL)
+    list(
+      max_omega_rad_per_s = found$value[["omega_rad_per_s"]] %||% NA_real_,
+      max_omega_time_s = found$time_s[["omega_rad_per_s"]] %||% NA_real_
+    )
+  }
+  c(most, lapply(
+    stats::setNames(state, paste0("final_", state)), function(column) last(x[[column]])
+  ))
+}
+
+# How a scene is written: its inputs, without those whose default is another input of this value.
+table_text <- function(table, constructor) {
+  constructor <- get(constructor, mode = "function")
+  follows <- Filter(is.name, formals(constructor)[names(table$inputs)])
+  follows <- Filter(nzchar, vapply(follows, as.character, ""))
+  text_form(function(x) {
+    x <- unclass(x)[names(table$inputs)]
+    same <- vapply(names(follows), function(name) identical(x[[name]], x[[follows[[name]]]]), NA)
+    x[setdiff(names(x), names(follows)[same])]
+  }, constructor)
 }
 
 # ---- scenes -------------------------------------------------------------------------------------
@@ -106,10 +140,8 @@ print.rot_scene <- function(x, ...) {
   for (name in names(given)) {
     unit <- constraint$inputs[[name]]$unit
     value <- if (is.character(given[[name]])) given[[name]] else format_si(given[[name]])
-    cat(sprintf(
-      "  %-22s %s\n", name,
-      paste0(paste(value, collapse = ", "), if (nzchar(unit) && unit != "1") paste0(" ", plain_unit(unit)))
-    ))
+    unit <- if (unit %in% c("", "1")) "" else paste0(" ", plain_unit(unit))
+    cat(sprintf("  %-22s %s%s\n", name, paste(value, collapse = ", "), unit))
   }
   invisible(x)
 }

@@ -134,7 +134,7 @@ asked_value <- function(scene, dots, call) {
   }
   # Those of shaft 3, 4, ... are listed as those of 2.
   listed <- sub("^rotor_[0-9]+_", "rotor_1_", sub("^(theta|omega)_[0-9]+_", "\\1_2_", columns))
-  unit <- column_table$unit[match(listed, column_table$name)]
+  unit <- column_table()$unit[match(listed, column_table()$name)]
   unit <- if (is.na(unit) || !nzchar(unit)) "1" else gsub(" ", "*", unit, fixed = TRUE)
   list(column = columns, value = check_number(dots[[columns]], columns, unit, call), body = body)
 }

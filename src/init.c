@@ -1,3 +1,4 @@
+/* Registers the entries of glue/entries.h and the table of the C interface with R. */
 #include <R_ext/Rdynload.h>
 #include <R_ext/Visibility.h>
 

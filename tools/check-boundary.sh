@@ -1,5 +1,5 @@
 #!/bin/sh
-# Rules on the text of the files: which part may use which, that ARCHITECTURE.md names every file,
+# Rules on the text of the files: which part may use which, that every file says what it is for,
 # names of tests, length of lines. Needs no R and no compiler. Prints a line for each rule, then
 # `boundary: N passed, N failed`.
 
@@ -127,20 +127,13 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 # ---- the layers of the core ------------------------------------------------------------------
 
 # LEVEL FOLDER of src/core: its files include headers of its own folder and of folders of a lower
-# level. Folders of one level exclude each other.
+# level. Folders of one level exclude each other. A constraint that is not listed is at level 5.
 layers='
 1 ground
 2 maths
 3 engine
 4 engine/ode
 3 body
-5 scene/axle
-5 scene/shaft
-5 scene/clutch
-5 scene/incline
-5 scene/free
-5 scene/hoop
-5 scene/chain
 5 tables
 5 measure
 6 scene/drive
@@ -155,7 +148,8 @@ sed -n "s|^\\($at\\):.*# *include *\"\\([a-z0-9_/]*\\)\\.h\".*|\\1 \\2 \\3|p" "$
 echo "$layers" | awk '
   function folder(unit) { sub(/\/[^\/]*$/, "", unit); return unit }
   FILENAME == "-" { if (NF) level[$2] = $1; next }
-  { from = folder($2); to = folder($3) }
+  function known(at) { if (!(at in level) && at ~ /^scene\/[a-z]+$/) level[at] = 5 }
+  { from = folder($2); to = folder($3); known(from); known(to) }
   !(from in level) || !(to in level) { print $1 ": no layer names it, or " $3 ".h"; next }
   level[to] > level[from] || (level[to] == level[from] && to != from) {
     print $1 ": " from " includes " $3 ".h"
@@ -166,7 +160,8 @@ awk '$2 != $3 { print $2, $3 }' "$work/includes" | sort -u | tsort 2>&1 > "$work
 
 # ---- scenes ----------------------------------------------------------------------------------
 
-files '^R/.*\.R$' | grep -vE '^R/(constraints|constraint-[a-z-]*|scene[a-z-]*)\.R$' |
+files '^R/.*\.R$' |
+  grep -vE '^R/(constraints|constraint-[a-z-]*|table-constraint|scene[a-z-]*)\.R$' |
   tr '\n' '\0' | xargs -0 grep -nE 'rot_scene_' /dev/null | grep -vE '^[^:]*:[0-9]*: *#' |
   rule "R/ names a class of scenes only in its own files and in the list of constraints"
 
@@ -248,26 +243,9 @@ sort -u "$work/registered" | comm -23 - "$work/mentioned" |
 files '^R/.*\.R$' | tr '\n' '\0' | xargs -0 grep -hoE '^[A-Za-z._][A-Za-z._0-9]* <- function' |
   sort | uniq -d | rule "no two functions in R/ have one name"
 
-# ---- ARCHITECTURE.md -------------------------------------------------------------------------
+# ---- what each file is for -------------------------------------------------------------------
 
-if test -f ARCHITECTURE.md; then
-  files '^(R/|src/[^/]*$)' | while read -r file; do
-    name=$(basename "$file" | sed 's/\./\\./g')
-    grep -Eq "(^|[^A-Za-z0-9_.-])$name([^A-Za-z0-9_]|\$)" ARCHITECTURE.md || echo "$file"
-  done
-  # Under a heading of its folder, without the ending.
-  awk -F'`' '/^#+ `src\/.*\/`/ { folder = substr($2, 1, length($2) - 1); next }
-    /^#/ { folder = "" }
-    folder != "" && /^\| `/ {
-      sub(/^\| /, ""); sub(/ \|.*/, ""); n = split($0, names, /`[, ]*`?/)
-      for (i = 1; i <= n; i++) if (names[i] != "") print folder "/" names[i]
-    }' ARCHITECTURE.md | sort -u > "$work/told"
-  files '^src/.*/.*\.[ch]$' | sed 's/\.[ch]$//' | sort -u > "$work/units"
-  comm -23 "$work/units" "$work/told" | sed 's/^/not told: /'
-  comm -13 "$work/units" "$work/told" | sed 's/^/not there: /'
-else
-  echo "there is no ARCHITECTURE.md"
-fi | rule "ARCHITECTURE.md names every file in R/ and src/"
+sh tools/map.sh | grep ': *$' | rule "every file of R/ and src/ begins with a comment"
 
 # ---- text that no file may contain -----------------------------------------------------------
 

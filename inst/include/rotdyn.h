@@ -11,18 +11,19 @@
  *   #define ROTDYN_USE_R
  *   #include <rotdyn.h>
  *   const rotdyn_api *api = rotdyn_api_from_r();      NULL: another major version is installed
- *   if (!ROTDYN_HAS(api, axle_rows)) ...              the installed version lacks this function
+ *   if (!ROTDYN_HAS(api, scene_run)) ...              the installed version lacks this function
  *   double a = api->rolling_acceleration(0.4, 20.0, 9.80665);
  *
  * Rules
  * - Structs that are passed begin with their size: declare them by ROTDYN_INIT, such as
- *   `rotdyn_axle axle = ROTDYN_INIT(rotdyn_axle);`. All other members are then 0 or NULL, which is
+ *   `rotdyn_report report = ROTDYN_INIT(rotdyn_report);`. All other members are then 0 or NULL, which is
  *   each member's default. Nothing is read or written beyond that size. Of a newer header's struct,
  *   the members that the installed version does not know must be 0, else ROTDYN_EARGUMENT.
  * - A function that returns int returns a rotdyn_status. Nothing prints or ends the process.
  * - All functions may be called from any number of threads at a time, with outputs of their own.
  *   The same call gives the same bits in every thread. The R API is not called.
- * - Nothing that is returned need be freed. Texts are in English, constant, and never freed.
+ * - Objects are freed by object_free(); nothing else that is returned need be freed. Texts are in
+ *   English, constant, and never freed.
  * - GSL's error handler belongs to the process, and aborts it by default. It is switched off once,
  *   when the library or the R package is loaded, and never touched again. A program with a handler
  *   of its own sets it after that; the core then reaches it only where memory is out. */
@@ -63,7 +64,7 @@ typedef enum rotdyn_status {
   ROTDYN_ESTOPPED = 7,  /* stopped by the poll or by the torque function */
   ROTDYN_EMODEL = 8,    /* no such model, or it does not take the scene */
   ROTDYN_EACCURACY = 9, /* no model reaches the accuracy */
-  ROTDYN_ENAME = 10,    /* no such shape, scene, input or column */
+  ROTDYN_ENAME = 10,    /* no such shape, object, input or column */
   ROTDYN_EEND = 11,     /* the end of a list */
   ROTDYN_EINTERNAL = 12 /* a fault of this library */
 } rotdyn_status;
@@ -76,60 +77,49 @@ typedef struct rotdyn_column {
 
 /* Not 0 stops the run. `fraction`: the share that is done, 0 to 1. */
 typedef int (*rotdyn_poll_fn)(void *context, double fraction);
-/* A torque that only the caller can evaluate. Not 0 stops the run. Finite. */
-typedef int (*rotdyn_torque_fn)(double time_s, double theta_rad, double omega_rad_per_s,
-                                double *torque_n_m, void *context);
+/* A law that only the caller can evaluate, of the arguments that the input's words list. Not 0
+ * stops the run. Finite. */
+typedef int (*rotdyn_law_fn)(const double *argument, double *value, void *context);
 
-/* ---- a body on a fixed axle ------------------------------------------------------------------
+/* ---- objects ---------------------------------------------------------------------------------
  *
- *   d(I omega)/dt = knots(t) + terms(t, theta, omega) + torque() - motor omega + resistance
- *   resistance    = -c omega - q omega |omega| - tau_c sign(omega); at rest up to tau_s */
+ * Scenes and their parts - bodies, torque laws, couplings, ... - are made by the name of their
+ * constructor in R and set input by input, so that a host with keyword arguments or JSON needs a
+ * loop and nothing else:
+ *
+ *   rotdyn_object *scene = rotdyn_object_new("scene_axle");
+ *   rotdyn_object *disk = rotdyn_object_new("body_disk");
+ *   rotdyn_set_number(disk, "mass_kg", 2.0);
+ *   rotdyn_set_number(disk, "radius_m", 0.25);
+ *   rotdyn_set_object(scene, "body", disk);
+ *   rotdyn_set_number(scene, "torque", 0.8);
+ *   status = rotdyn_scene_run(scene, n, time_s, &options, n, 1, &name, &column, &report);
+ *   rotdyn_object_free(disk);
+ *   rotdyn_object_free(scene);
+ *
+ * A list is an object, too, made by the name "list". What is set in it without a name (NULL) is
+ * added at its end; unset adds an empty place. A torque that is a list is the sum of its laws.
+ *
+ * Numbers and objects are copied when they are set. A scene may be run from several threads at a
+ * time while none sets it. */
+typedef struct rotdyn_object rotdyn_object;
 
-/* kind         x (n_x numbers)
- * sinusoid     a, w, phase                a cos(w t + phase)
- * exponential  a, k, t0                   a exp(-k (t - t0))
- * polynomial   n, m, n + 1 breaks, n rows of m coefficients; in piece i sum_j a_ij (t - break_i)^j
- * curve        n, n speeds (increasing), n torques: straight lines between, constant outside
- * spring       k, rest                    -k (theta - rest)
- * gravity      m g d, rest                -m g d sin(theta - rest) */
-typedef struct rotdyn_term {
+typedef struct rotdyn_input {
   size_t size;
-  const char *kind;
-  size_t n_x;
-  const double *x;
-  double from_s, to_s; /* it acts from from_s on and before to_s; both 0: always */
-} rotdyn_term;
-
-typedef struct rotdyn_axle {
-  size_t size;
-  double inertia_kg_m2;                             /* > 0, about the axle */
-  double start_s, theta0_rad, omega0_rad_per_s;     /* the state holds at start_s */
-  double viscous_n_m_s;                             /* c, any sign */
-  double quadratic_n_m_s2, coulomb_n_m, static_n_m; /* q, tau_c, tau_s >= 0; tau_s = 0: tau_c */
-  double motor_n_m_s;                               /* how a motor's torque falls with omega */
-  /* Straight lines between knots (times not decreasing; a repeated time is a jump). No knot: the
-   * constant torque after_n_m = before_n_m. */
-  size_t n_knots;
-  const double *knot_time_s, *knot_torque_n_m;
-  double before_n_m, after_n_m; /* before the first knot and after the last one */
-  size_t n_terms;
-  const rotdyn_term *terms; /* consecutive, terms[0].size bytes each */
-  rotdyn_torque_fn torque;
-  void *torque_context;
-  /* A moment of inertia that changes: straight lines, held outside; replaces inertia_kg_m2. */
-  size_t n_inertia;
-  const double *inertia_time_s, *inertia_knots_kg_m2;
-  size_t n_breaks; /* further times, increasing, where torque() jumps or kinks */
-  const double *breaks_s;
-} rotdyn_axle;
-
-/* Columns of n values each; those that are NULL are not written. */
-typedef struct rotdyn_axle_columns {
-  size_t size;
-  double *theta_rad, *omega_rad_per_s;
-  double *applied_torque_n_m, *damping_torque_n_m, *net_torque_n_m;
-  double *angular_momentum_kg_m2_per_s, *rotational_kinetic_energy_j;
-} rotdyn_axle_columns;
+  const char *name, *unit; /* unit: "1" of a plain number, "" where there is none */
+  /* What it takes, separated by ", ": "number", "limit" (a number or Inf), "numbers" (any count),
+   * "times" (increasing), "vector" (3 numbers), "attitude" (a quaternion, scalar first), "choice",
+   * "text", "law", "list" (of what it takes else), "nothing" (an empty place of a list); an object
+   * by what object_kind() says of it: "body", "torque", "resistance", "inertia", "coupling",
+   * "brake". */
+  char kinds[96];
+  int required;
+  double low, high; /* of numbers: the domain, */
+  int above;        /* without `low` itself */
+  double otherwise; /* the default; NaN: from other inputs, as `words` say */
+  const char *words;
+  const char *const *options; /* of a choice, the first is the default; the list ends with NULL */
+} rotdyn_input;
 
 /* Events of a run, in their order: "stick", "slip", "reverse". */
 typedef struct rotdyn_events {
@@ -142,30 +132,35 @@ typedef struct rotdyn_events {
 
 typedef struct rotdyn_options {
   size_t size;
-  double accuracy;      /* largest relative error wanted; 0: 1e-9 */
-  const char *model;    /* NULL: the cheapest that takes the scene and reaches the accuracy */
-  double max_steps;     /* of an integrator, beyond one for each row; 0: 1e6 */
-  double torque_call_s; /* time of a call of torque(), for the prediction of costs; 0: 1e-6 */
-  rotdyn_poll_fn poll;  /* called from the calling thread, up to every few milliseconds */
+  double accuracy;     /* largest relative error wanted; 0: 1e-9 */
+  const char *model;   /* NULL: the cheapest that takes the scene and reaches the accuracy */
+  double max_steps;    /* of an integrator, beyond one for each row; 0: 1e6 */
+  double law_call_s;   /* time of a call of a law, for the prediction of costs; 0: 1e-6 */
+  rotdyn_poll_fn poll; /* called from the calling thread, up to every few milliseconds */
   void *poll_context;
   rotdyn_events *events;
-  size_t threads; /* of a sweep, where the library has OpenMP; 0: one. No bit depends on it. */
+  /* Of scene_rows and axle_sweep, where the library has OpenMP; 0: one. No bit depends on it. */
+  size_t threads;
 } rotdyn_options;
 
 /* The report of a run, also of one that failed. */
-typedef struct rotdyn_info {
+typedef struct rotdyn_report {
   size_t size;
   int status;
-  size_t rows_done;                     /* rows that are valid */
-  double time_s;                        /* how far the run came, or where it failed */
-  size_t steps, rejected, torque_calls; /* of an integrator; torque_calls: right-hand sides */
-  double error;                         /* largest relative error of theta and of omega */
-  int error_is_bound;                   /* else an estimate */
-  double theta_error_rad, omega_error_rad_per_s;     /* absolute */
-  double largest_theta_rad, largest_omega_rad_per_s; /* of the motion, as far as seen */
+  size_t rows_done;                  /* times whose rows are valid */
+  double time_s;                     /* how far the run came, or where it failed */
+  size_t steps, rejected, law_calls; /* of an integrator; law_calls: right-hand sides */
+  double error;                      /* the largest relative error of a measure */
+  int error_is_bound;                /* else an estimate */
+  size_t n_measures;
+  const char *measure[8]; /* such as "theta" */
+  double measure_error[8], measure_largest[8];
   const char *model; /* the one that ran; NULL: none. An integrator may switch to the other. */
-  char reason[512];  /* why no model or not this one fits; or what the model ignored */
-} rotdyn_info;
+  const char *index; /* of several rows for each time: what they count, such as "rotor"; or NULL */
+  size_t copies;     /* rows for each time */
+  const char *input; /* the one that was refused; NULL: none */
+  char reason[512];  /* why it was, or no model or not this one fits; or what the model ignored */
+} rotdyn_report;
 
 typedef struct rotdyn_candidate {
   size_t size;
@@ -177,11 +172,30 @@ typedef struct rotdyn_candidate {
   char reason[512];   /* why it does not apply, or what it ignores; else empty */
 } rotdyn_candidate;
 
-/* Many axles, a row each, under the torque of one rotdyn_axle. */
+/* Many scenes, a row each. */
+typedef struct rotdyn_rows_in {
+  size_t size;
+  rotdyn_column time_s; /* of each row */
+  size_t n_inputs;      /* numbers or limits of the scene that differ from row to row */
+  const char *const *inputs;
+  const rotdyn_column *values;
+} rotdyn_rows_in;
+
+typedef struct rotdyn_rows_out {
+  size_t size;
+  size_t n_columns;
+  const char *const *names;
+  double *const *columns; /* n times report.copies values each */
+  double *error;          /* of each row, or NULL: as rotdyn_report.error */
+  int *status;            /* of each row, or NULL; its numbers are NaN where it is not ROTDYN_OK */
+  const char **model;     /* of each row, or NULL: the one that ran; NULL: none */
+} rotdyn_rows_out;
+
+/* Many axles, a row each, under the torque of one scene_axle. */
 typedef struct rotdyn_sweep_in {
   size_t size;
   rotdyn_column time_s;        /* where each row ends, not before start_s */
-  rotdyn_column inertia_kg_m2; /* these: NULL for the value of the rotdyn_axle */
+  rotdyn_column inertia_kg_m2; /* these: NULL for the value of the scene */
   rotdyn_column viscous_n_m_s, omega0_rad_per_s, theta0_rad;
   rotdyn_column torque_scale; /* of the knots; NULL: 1 */
 } rotdyn_sweep_in;
@@ -249,65 +263,6 @@ typedef struct rotdyn_model {
   int error_is_bound;
 } rotdyn_model;
 
-/* ---- scenes by name --------------------------------------------------------------------------
- *
- * A scene is made by the name of its constructor in R and set input by input, so that a host with
- * keyword arguments or JSON needs a loop and nothing else:
- *
- *   rotdyn_scene *scene = rotdyn_scene_new("scene_incline");
- *   rotdyn_scene_body(scene, "body", &body);
- *   rotdyn_scene_number(scene, "incline_angle_deg", 20.0);
- *   status = rotdyn_scene_run(scene, n, time_s, &options, 1, &name, &column, &report);
- *   rotdyn_scene_free(scene);
- *
- * Bodies of a standard shape: shape_moments. Numbers are copied. A scene may be run from several
- * threads at a time while none sets it. */
-typedef struct rotdyn_scene rotdyn_scene;
-
-typedef struct rotdyn_input {
-  size_t size;
-  const char *name, *unit; /* unit: "1" of a plain number, "" where there is none */
-  /* "number", "limit" (a number or Inf), "times" (increasing), "vector" (3 numbers), "attitude" (a
-   * quaternion, scalar first), "numbers" (one or more), "choice", "body", "law"; or "vector or
-   * law" */
-  const char *kind;
-  int required;
-  double low, high; /* of numbers: the domain, */
-  int above;        /* without `low` itself */
-  double otherwise; /* the default; NaN: from other inputs, as `words` say */
-  const char *words;
-  const char *const *options; /* of a choice, the first is the default; the list ends with NULL */
-} rotdyn_input;
-
-/* A body of any kind: a shape's from shape_moments, a mesh's from the host. */
-typedef struct rotdyn_body {
-  size_t size;
-  double mass_kg;
-  double centre_m[3];      /* of mass, in its own axes */
-  double inertia_kg_m2[6]; /* the tensor about it: xx, yy, zz, xy, xz, yz */
-  double radius_m;         /* on which it rolls about its own z axis; 0: it has none */
-} rotdyn_body;
-
-/* A law that only the caller can evaluate, of the arguments that the input's words list. Not 0
- * stops the run. Finite. */
-typedef int (*rotdyn_law_fn)(const double *argument, double *value, void *context);
-
-typedef struct rotdyn_report {
-  size_t size;
-  int status;
-  size_t rows_done;                  /* rows that are valid */
-  double time_s;                     /* how far the run came, or where it failed */
-  size_t steps, rejected, law_calls; /* of an integrator */
-  double error;                      /* the largest relative error of a measure */
-  int error_is_bound;                /* else an estimate */
-  size_t n_measures;
-  const char *measure[8]; /* such as "theta" */
-  double measure_error[8], measure_largest[8];
-  const char *model; /* the one that ran; NULL: none */
-  const char *input; /* the one that was refused; NULL: none */
-  char reason[512];  /* why an input was refused, or no model or not this one fits */
-} rotdyn_report;
-
 /* ---- the table -------------------------------------------------------------------------------
  *
  * version               "0.5.0"
@@ -326,26 +281,25 @@ typedef struct rotdyn_report {
  *                       mass >= 0
  * model_at              model i of all constraints, from 0; ROTDYN_EEND after the last
  *
- * axle_candidate        the k-th cheapest model of the axle for these times and this accuracy
- * axle_choose           the model that axle_rows() runs; ROTDYN_EACCURACY if there is none
- * axle_rows             the motion at n times, finite and not decreasing
+ * object_at             constructor i of all, from 0: scenes, then parts; NULL after the last
+ * object_kind           what it makes: "scene", "body", "torque", ... ; NULL: there is none
+ * input_at, column_at   input, name of column i of such objects, from 0; ROTDYN_EEND, NULL after
+ *                       the last. Columns that only some effects bring are 0 without them.
+ * object_new            NULL: there is no such constructor, or no memory
+ * set_number, set_numbers, set_text, set_object, set_law   set an input; ROTDYN_ENAME: there is none
+ *                       of this name, ROTDYN_EARGUMENT: it is of another kind. A text that is an
+ *                       option of a choice, or any text
+ * unset                 back to the default
+ * object_check          ROTDYN_EARGUMENT: the report names the input and why it is refused
+ * scene_candidate       the k-th cheapest model for these times and this accuracy
+ * scene_run             columns by name, of n times report.copies values each: those of the first
+ *                       time, of the second one, ... ; flags are 0, 1, NaN. `room`: values in each
+ *                       column, at least so many. object_check() gives `copies`
+ * scene_rows            n scenes that differ in the named numbers, a row each: the columns at the
+ *                       time of the row. Laws that are called are called by one thread
  * axle_sweep            many axles in closed form, a row each; ROTDYN_EMODEL where none takes them
  *
- *
- * scene_at              constructor i of those that make scenes here, from 0; NULL after the last
- * input_at, column_at   input, name of column i of such scenes, from 0; ROTDYN_EEND, NULL after the
- *                       last. Columns that only some effects bring are 0 without them.
- * scene_new             NULL: there is no such constructor, or no memory
- * scene_number, scene_numbers, scene_text, scene_body, scene_law   set an input; ROTDYN_ENAME:
- *                       there is none of this name, ROTDYN_EARGUMENT: it is of another kind
- * scene_unset           back to the default
- * scene_check           ROTDYN_EARGUMENT: the report names the input and why it is refused
- * scene_candidate       the k-th cheapest model for these times and this accuracy
- * scene_run             columns by name, n values each (of flags 0 and 1); of scene_chain n times
- *                       the number of lengths, the links of one time together
- *
- * `options`, `info`, `report` may be NULL. Of the options scenes take accuracy, model, max_steps,
- * torque_call_s, poll and events. */
+ * `options`, `report` may be NULL. */
 #define ROTDYN_FUNCTIONS(X)                                                                        \
   X(const char *, version, (void))                                                                 \
   X(const char *, status_text, (int status))                                                       \
@@ -361,36 +315,32 @@ typedef struct rotdyn_report {
   X(int, shape_moments,                                                                            \
     (const char *shape, double mass_kg, size_t n_sizes, const double *sizes, rotdyn_moments *out)) \
   X(int, model_at, (size_t i, rotdyn_model * out))                                                 \
-  X(int, axle_candidate,                                                                           \
-    (const rotdyn_axle *axle, size_t n, const double *time_s, const rotdyn_options *options,       \
-     size_t k, rotdyn_candidate *out))                                                             \
-  X(int, axle_choose,                                                                              \
-    (const rotdyn_axle *axle, size_t n, const double *time_s, const rotdyn_options *options,       \
-     rotdyn_candidate *out))                                                                       \
-  X(int, axle_rows,                                                                                \
-    (const rotdyn_axle *axle, size_t n, const double *time_s, const rotdyn_options *options,       \
-     const rotdyn_axle_columns *out, rotdyn_info *info))                                           \
-  X(int, axle_sweep,                                                                               \
-    (const rotdyn_axle *axle, size_t n, const rotdyn_sweep_in *in, const rotdyn_options *options,  \
-     const rotdyn_sweep_out *out, rotdyn_info *info))                                              \
-  X(const char *, scene_at, (size_t i))                                                            \
+  X(const char *, object_at, (size_t i))                                                           \
+  X(const char *, object_kind, (const char *constructor))                                          \
   X(int, input_at, (const char *constructor, size_t i, rotdyn_input *out))                         \
   X(const char *, column_at, (const char *constructor, size_t i))                                  \
-  X(rotdyn_scene *, scene_new, (const char *constructor))                                          \
-  X(void, scene_free, (rotdyn_scene * scene))                                                      \
-  X(int, scene_number, (rotdyn_scene * scene, const char *input, double value))                    \
-  X(int, scene_numbers, (rotdyn_scene * scene, const char *input, size_t n, const double *values)) \
-  X(int, scene_text, (rotdyn_scene * scene, const char *input, const char *option))                \
-  X(int, scene_body, (rotdyn_scene * scene, const char *input, const rotdyn_body *body))           \
-  X(int, scene_law, (rotdyn_scene * scene, const char *input, rotdyn_law_fn law, void *context))   \
-  X(int, scene_unset, (rotdyn_scene * scene, const char *input))                                   \
-  X(int, scene_check, (const rotdyn_scene *scene, rotdyn_report *report))                          \
+  X(rotdyn_object *, object_new, (const char *constructor))                                        \
+  X(void, object_free, (rotdyn_object * object))                                                   \
+  X(int, set_number, (rotdyn_object * object, const char *input, double value))                    \
+  X(int, set_numbers, (rotdyn_object * object, const char *input, size_t n, const double *values)) \
+  X(int, set_text, (rotdyn_object * object, const char *input, const char *text))                  \
+  X(int, set_object, (rotdyn_object * object, const char *input, const rotdyn_object *value))      \
+  X(int, set_law, (rotdyn_object * object, const char *input, rotdyn_law_fn law, void *context))   \
+  X(int, unset, (rotdyn_object * object, const char *input))                                       \
+  X(int, object_check, (const rotdyn_object *object, rotdyn_report *report))                       \
   X(int, scene_candidate,                                                                          \
-    (const rotdyn_scene *scene, size_t n, const double *time_s, const rotdyn_options *options,     \
+    (const rotdyn_object *scene, size_t n, const double *time_s, const rotdyn_options *options,    \
      size_t k, rotdyn_candidate *out))                                                             \
   X(int, scene_run,                                                                                \
-    (const rotdyn_scene *scene, size_t n, const double *time_s, const rotdyn_options *options,     \
-     size_t n_columns, const char *const *names, double *const *columns, rotdyn_report *report))
+    (const rotdyn_object *scene, size_t n, const double *time_s, const rotdyn_options *options,    \
+     size_t room, size_t n_columns, const char *const *names, double *const *columns,              \
+     rotdyn_report *report))                                                                       \
+  X(int, scene_rows,                                                                               \
+    (const rotdyn_object *scene, size_t n, const rotdyn_rows_in *in,                               \
+     const rotdyn_options *options, const rotdyn_rows_out *out, rotdyn_report *report))            \
+  X(int, axle_sweep,                                                                               \
+    (const rotdyn_object *scene, size_t n, const rotdyn_sweep_in *in,                              \
+     const rotdyn_options *options, const rotdyn_sweep_out *out, rotdyn_report *report))
 
 typedef struct rotdyn_api {
   size_t size; /* of the table that is installed */

@@ -1,3 +1,4 @@
+/* For R: attitudes by row. */
 #include "glue/ffi.h"
 #include "maths/attitude.h"
 

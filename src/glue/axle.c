@@ -1,3 +1,4 @@
+/* For R: scenes on an axle, their runs, ledger and stop. */
 #include <math.h>
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* For R: many axles, a row each. */
 #include <string.h>
 
 #include "glue/run.h"

@@ -1,3 +1,4 @@
+/* For R: the choice of a model. */
 #include "glue/run.h"
 #include "glue/scene.h"
 #include "glue/scenes.h"

@@ -1,3 +1,4 @@
+/* For R: processor time. */
 #include "glue/ffi.h"
 #include "ground/clock.h"
 

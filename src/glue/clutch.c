@@ -1,3 +1,4 @@
+/* For R: clutches. */
 #include "glue/run.h"
 #include "glue/scenes.h"
 

@@ -1,3 +1,4 @@
+/* For R: coast-downs: rows with derivatives, fits. */
 #include "measure/coast.h"
 
 #include <string.h>

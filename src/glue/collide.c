@@ -1,3 +1,4 @@
+/* For R: collisions of two bodies. */
 #include "tables/collide.h"
 
 #include "glue/run.h"

@@ -1,3 +1,4 @@
+/* For R: quadrature nodes and random points. */
 #include "glue/ffi.h"
 #include "body/density.h"
 

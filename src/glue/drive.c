@@ -1,3 +1,4 @@
+/* For R: drives. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* For R: kinetic energies. */
 #include "glue/ffi.h"
 #include "tables/energy.h"
 

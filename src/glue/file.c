@@ -1,3 +1,4 @@
+/* For R: bytes and lines into files and descriptors. */
 #include <string.h>
 
 #include "glue/ffi.h"

@@ -1,3 +1,4 @@
+/* For R: whether an object has the parts of its form. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* For R: rotating frames. */
 #include "tables/frame.h"
 
 #include "glue/run.h"

@@ -1,3 +1,4 @@
+/* For R: free bodies. */
 #include "glue/run.h"
 #include "glue/scenes.h"
 #include "scene/free/exact.h"

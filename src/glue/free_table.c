@@ -1,3 +1,4 @@
+/* For R: many free bodies, a row each. */
 #include "glue/run.h"
 #include "scene/free/table.h"
 

@@ -1,3 +1,4 @@
+/* For R: the hash of numbers and bytes. */
 #include <string.h>
 
 #include "glue/ffi.h"

@@ -1,3 +1,4 @@
+/* For R: balls, hinged bodies, disks. */
 #include "tables/impact.h"
 
 #include "glue/run.h"

@@ -1,3 +1,4 @@
+/* For R: bodies on an incline. */
 #include "glue/run.h"
 #include "glue/scenes.h"
 #include "glue/torque.h"

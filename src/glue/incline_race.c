@@ -1,3 +1,4 @@
+/* For R: bodies released together on an incline. */
 #include "scene/incline/race.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* For R: many inclines, a row each. */
 #include "scene/incline/table.h"
 
 #include "glue/run.h"

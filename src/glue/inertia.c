@@ -1,3 +1,4 @@
+/* For R: second moments and inertia tensors. */
 #include "glue/ffi.h"
 #include "body/inertia.h"
 #include "ground/real.h"

@@ -1,3 +1,4 @@
+/* For R: angular motion by row, a point of the body, angles. */
 #include "glue/ffi.h"
 #include "tables/kinematics.h"
 

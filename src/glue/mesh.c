@@ -1,3 +1,4 @@
+/* For R: meshes. */
 #include <string.h>
 
 #include "glue/ffi.h"

@@ -1,3 +1,4 @@
+/* For R: the phi functions, for tests. */
 #include "glue/ffi.h"
 #include "maths/phi.h"
 

@@ -1,3 +1,4 @@
+/* For R: bodies with a fixed point. */
 #include "glue/scenes.h"
 #include "scene/pivot/pivot.h"
 #include "scene/pivot/approx.h"

@@ -1,3 +1,4 @@
+/* For R: point masses. */
 #include "glue/ffi.h"
 
 #include <stddef.h>

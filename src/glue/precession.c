@@ -1,3 +1,4 @@
+/* For R: precession of tops. */
 #include "scene/pivot/precession.h"
 
 #include "glue/run.h"

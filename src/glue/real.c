@@ -1,3 +1,4 @@
+/* For R: sums of products to twice the precision. */
 #include "glue/ffi.h"
 #include "ground/real.h"
 

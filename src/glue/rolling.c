@@ -1,3 +1,4 @@
+/* For R: rolling; the first value out of its domain. */
 #include "glue/ffi.h"
 #include "tables/rolling.h"
 

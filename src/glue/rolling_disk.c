@@ -1,3 +1,4 @@
+/* For R: a coin that rolls and leans. */
 #include "glue/run.h"
 #include "tables/rolling_disk.h"
 

@@ -17,7 +17,7 @@ const rot_constraint *ffi_constraint(SEXP id) {
 
 enum {
   ONE_NUMBER = ROT_INPUT_NUMBER | ROT_INPUT_LIMIT,
-  NUMBERS = ONE_NUMBER | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
+  NUMBERS = ONE_NUMBER | ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
 };
 
 /* The kinds with one number, and those with several. */
@@ -251,9 +251,9 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-/* list(value, explained, balance, role, words): of terms, but for `explained`, which is of balances.
- * `first`, `last`: the columns at two times, each with its copies; `flow`, `flow_error`: between
- * them; `error`: of the measures. */
+/* list(value, explained, balance, role, words): of terms; `explained` is of balances. `first` and
+ * `last`: the columns at two times, each with its copies; `flow`, `flow_error`: between them;
+ * `error`: of the measures. */
 SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP flow_error,
                      SEXP error) {
   static const char *const names[] = {"value", "explained", "balance", "role", "words", ""};
@@ -266,7 +266,7 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP
                          ffi_reals(error, "error", -1)};
   double term[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES];
   const char *words[ROT_MOST_TERMS];
-  c->audit(built, &span, term, explained);
+  rot_run_audit(c, built, &span, term, explained);
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), balance, role;
   SET_VECTOR_ELT(out, 0, ffi_numbers((int)terms, term));
   SET_VECTOR_ELT(out, 1, ffi_numbers((int)c->n_balances, explained));

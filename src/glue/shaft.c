@@ -1,3 +1,4 @@
+/* For R: rotors on one shaft. */
 #include "glue/run.h"
 #include "glue/scenes.h"
 

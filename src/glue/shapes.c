@@ -1,3 +1,4 @@
+/* For R: standard shapes. */
 #include "glue/ffi.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* For R: records, their smoothed rows, breaks and draws. */
 #include "measure/smooth.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* For R: sums of forces, static equilibrium. */
 #include "tables/statics.h"
 
 #include "glue/run.h"

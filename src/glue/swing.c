@@ -1,3 +1,4 @@
+/* For R: swings: rows and extremes with derivatives; noise of residuals, whitening. */
 #include <string.h>
 
 #include "glue/ffi.h"

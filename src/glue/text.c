@@ -1,3 +1,4 @@
+/* For R: numbers and strings as text, values as JSON. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* For R: polygons and tetrahedra. */
 #include "glue/ffi.h"
 #include "body/vertices.h"
 

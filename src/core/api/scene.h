@@ -1,4 +1,4 @@
-/* Scenes of any constraint for the C interface: by names, without a struct of each. */
+/* Runs of scenes for the C interface. */
 #ifndef ROT_API_SCENE_H
 #define ROT_API_SCENE_H
 

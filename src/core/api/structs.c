@@ -78,10 +78,10 @@ const char *rot_api_options(const rotdyn_options *from, rotdyn_options *to) {
   }
   if (to->accuracy == 0.0) to->accuracy = 1e-9;
   if (to->max_steps == 0.0) to->max_steps = 1e6;
-  if (to->torque_call_s == 0.0) to->torque_call_s = 1e-6;
+  if (to->law_call_s == 0.0) to->law_call_s = 1e-6;
   if (!(to->accuracy > 0.0 && to->accuracy <= 1.0)) return "`accuracy` must lie between 0 and 1";
-  if (!(to->max_steps >= 1.0) || !(to->torque_call_s > 0.0)) {
-    return "`max_steps` or `torque_call_s` is out of range";
+  if (!(to->max_steps >= 1.0) || !(to->law_call_s > 0.0)) {
+    return "`max_steps` or `law_call_s` is out of range";
   }
   return NULL;
 }

@@ -352,61 +352,11 @@ static void regular_octahedron(const double size[], rot_geometry *out) {
 
 /* ---- the list ------------------------------------------------------------------------------- */
 
-/* name, dimension, roundings, how sizes fit, number of sizes, sizes. The roundings of each form are
- * counted (constant, square, factor, mass); test_shapes.c checks each form against 50 digits. */
-#define SHAPE(name, dimension, roundings, fit, n, ...)                                             \
-  { #name, dimension, n, {__VA_ARGS__ }, fit, roundings, name }
+#define X(name, dimension, roundings, fit, n, ...)                                                 \
+  {#name, dimension, n, {__VA_ARGS__}, fit, roundings, name},
 
-static const rot_shape shapes[] = {
-    SHAPE(point, 0, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(sliding_point, 0, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(rod, 1, 4, ROT_FIT_ANY, 1, ROT_LENGTH),
-    SHAPE(rod_end, 1, 4, ROT_FIT_ANY, 1, ROT_LENGTH),
-    SHAPE(hoop, 1, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(half_hoop, 1, 5, ROT_FIT_ANY, 1, ROT_RADIUS),
-
-    SHAPE(disk, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(annulus, 2, 5, ROT_FIT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
-    SHAPE(half_disk, 2, 5, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(elliptic_plate, 2, 4, ROT_FIT_ANY, 2, ROT_SEMI_X, ROT_SEMI_Y),
-    SHAPE(rectangle, 2, 4, ROT_FIT_ANY, 2, ROT_LENGTH, ROT_WIDTH),
-    SHAPE(triangle, 2, 8, ROT_FIT_ANY, 3, ROT_BASE, ROT_HEIGHT, ROT_APEX),
-    SHAPE(polygon_plate, 2, 8, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_SIDES),
-
-    SHAPE(tube, 2, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(can, 2, 9, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(spherical_shell, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(hemispherical_shell, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(spherical_cap_shell, 2, 8, ROT_FIT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(cone_shell, 2, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(frustum_shell, 2, 18, ROT_FIT_ANY, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
-    SHAPE(torus_shell, 2, 6, ROT_FIT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
-    SHAPE(ellipsoid_shell, 2, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
-    SHAPE(box_shell, 2, 10, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
-
-    SHAPE(cylinder, 3, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(thick_tube, 3, 5, ROT_FIT_INSIDE, 3, ROT_OUTER_RADIUS, ROT_INNER_RADIUS, ROT_LENGTH),
-    SHAPE(half_cylinder, 3, 5, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
-    SHAPE(elliptic_cylinder, 3, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_LENGTH),
-    SHAPE(sphere, 3, 4, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(hollow_sphere, 3, 14, ROT_FIT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS),
-    SHAPE(hemisphere, 3, 5, ROT_FIT_ANY, 1, ROT_RADIUS),
-    SHAPE(spherical_cap, 3, 18, ROT_FIT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(cone, 3, 5, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(frustum, 3, 24, ROT_FIT_ANY, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT),
-    SHAPE(paraboloid, 3, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT),
-    SHAPE(ellipsoid, 3, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z),
-    SHAPE(torus, 3, 6, ROT_FIT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS),
-    SHAPE(capsule, 3, 12, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH),
-
-    SHAPE(box, 3, 4, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
-    SHAPE(cube, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE),
-    SHAPE(polygon_prism, 3, 8, ROT_FIT_ANY, 3, ROT_RADIUS, ROT_SIDES, ROT_LENGTH),
-    SHAPE(triangular_prism, 3, 8, ROT_FIT_ANY, 4, ROT_BASE, ROT_HEIGHT, ROT_APEX, ROT_LENGTH),
-    SHAPE(pyramid, 3, 5, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT),
-    SHAPE(regular_tetrahedron, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE),
-    SHAPE(regular_octahedron, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE),
-};
+static const rot_shape shapes[] = {ROT_SHAPE_LIST(X)};
+#undef X
 
 size_t rot_shape_count(void) { return sizeof shapes / sizeof shapes[0]; }
 

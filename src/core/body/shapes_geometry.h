@@ -74,6 +74,54 @@ const rot_size *rot_size_at(int id);
  * second, a height, is at most twice the first, a radius. */
 typedef enum rot_fit { ROT_FIT_ANY, ROT_FIT_INSIDE, ROT_FIT_IN_SPHERE } rot_fit;
 
+/* name, dimension, roundings, how sizes fit, number of sizes, sizes. The roundings of each form are
+ * counted (constant, square, factor, mass); test_shapes.c checks each form against 50 digits. */
+#define ROT_SHAPE_LIST(X)                                                                          \
+  X(point, 0, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                                       \
+  X(sliding_point, 0, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                               \
+  X(rod, 1, 4, ROT_FIT_ANY, 1, ROT_LENGTH)                                                         \
+  X(rod_end, 1, 4, ROT_FIT_ANY, 1, ROT_LENGTH)                                                     \
+  X(hoop, 1, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                                        \
+  X(half_hoop, 1, 5, ROT_FIT_ANY, 1, ROT_RADIUS)                                                   \
+  X(disk, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                                        \
+  X(annulus, 2, 5, ROT_FIT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS)                          \
+  X(half_disk, 2, 5, ROT_FIT_ANY, 1, ROT_RADIUS)                                                   \
+  X(elliptic_plate, 2, 4, ROT_FIT_ANY, 2, ROT_SEMI_X, ROT_SEMI_Y)                                  \
+  X(rectangle, 2, 4, ROT_FIT_ANY, 2, ROT_LENGTH, ROT_WIDTH)                                        \
+  X(triangle, 2, 8, ROT_FIT_ANY, 3, ROT_BASE, ROT_HEIGHT, ROT_APEX)                                \
+  X(polygon_plate, 2, 8, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_SIDES)                                    \
+  X(tube, 2, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH)                                            \
+  X(can, 2, 9, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH)                                             \
+  X(spherical_shell, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                             \
+  X(hemispherical_shell, 2, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                         \
+  X(spherical_cap_shell, 2, 8, ROT_FIT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT)                       \
+  X(cone_shell, 2, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT)                                      \
+  X(frustum_shell, 2, 18, ROT_FIT_ANY, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT)             \
+  X(torus_shell, 2, 6, ROT_FIT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS)                        \
+  X(ellipsoid_shell, 2, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z)                     \
+  X(box_shell, 2, 10, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT)                           \
+  X(cylinder, 3, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH)                                        \
+  X(thick_tube, 3, 5, ROT_FIT_INSIDE, 3, ROT_OUTER_RADIUS, ROT_INNER_RADIUS, ROT_LENGTH)           \
+  X(half_cylinder, 3, 5, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH)                                   \
+  X(elliptic_cylinder, 3, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_LENGTH)                   \
+  X(sphere, 3, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                                      \
+  X(hollow_sphere, 3, 14, ROT_FIT_INSIDE, 2, ROT_OUTER_RADIUS, ROT_INNER_RADIUS)                   \
+  X(hemisphere, 3, 5, ROT_FIT_ANY, 1, ROT_RADIUS)                                                  \
+  X(spherical_cap, 3, 18, ROT_FIT_IN_SPHERE, 2, ROT_RADIUS, ROT_HEIGHT)                            \
+  X(cone, 3, 5, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT)                                            \
+  X(frustum, 3, 24, ROT_FIT_ANY, 3, ROT_BASE_RADIUS, ROT_TOP_RADIUS, ROT_HEIGHT)                   \
+  X(paraboloid, 3, 4, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_HEIGHT)                                      \
+  X(ellipsoid, 3, 4, ROT_FIT_ANY, 3, ROT_SEMI_X, ROT_SEMI_Y, ROT_SEMI_Z)                           \
+  X(torus, 3, 6, ROT_FIT_INSIDE, 2, ROT_RING_RADIUS, ROT_TUBE_RADIUS)                              \
+  X(capsule, 3, 12, ROT_FIT_ANY, 2, ROT_RADIUS, ROT_LENGTH)                                        \
+  X(box, 3, 4, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT)                                  \
+  X(cube, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE)                                                          \
+  X(polygon_prism, 3, 8, ROT_FIT_ANY, 3, ROT_RADIUS, ROT_SIDES, ROT_LENGTH)                        \
+  X(triangular_prism, 3, 8, ROT_FIT_ANY, 4, ROT_BASE, ROT_HEIGHT, ROT_APEX, ROT_LENGTH)            \
+  X(pyramid, 3, 5, ROT_FIT_ANY, 3, ROT_LENGTH, ROT_WIDTH, ROT_HEIGHT)                              \
+  X(regular_tetrahedron, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE)                                           \
+  X(regular_octahedron, 3, 4, ROT_FIT_ANY, 1, ROT_EDGE)
+
 typedef struct rot_shape {
   const char *name;
   int dimension; /* 3: solid, 2: surface, 1: line, 0: point */

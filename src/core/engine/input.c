@@ -20,6 +20,19 @@ rot_status rot_refuse(rot_refusal *refusal, size_t input, const char *format, ..
   return ROT_EVALUE;
 }
 
+void rot_refused_in(rot_refusal *refusal, const char *format, ...) {
+  char place[100];
+  va_list arguments;
+  va_start(arguments, format);
+  (void)vsnprintf(place, sizeof place - 1, format, arguments);
+  va_end(arguments);
+  strcat(place, " ");
+  const size_t length = strlen(place), room = sizeof refusal->reason - 1 - length;
+  memmove(refusal->reason + length, refusal->reason, room);
+  memcpy(refusal->reason, place, length);
+  refusal->reason[sizeof refusal->reason - 1] = '\0';
+}
+
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input) {
   return given[input].is ? given[input].x[0] : inputs[input].otherwise;
 }
@@ -28,12 +41,24 @@ void rot_input_vector(const rot_given *given, double x[3]) {
   for (int i = 0; i < 3; i++) x[i] = given->is ? given->x[i] : 0.0;
 }
 
-static rot_status check_number(const rot_input *input, size_t at, const rot_given *given,
-                               rot_refusal *refusal) {
-  const double x = given->x[0];
+rot_status rot_input_each(const rot_input inputs[], const rot_given given[], size_t input, size_t n,
+                          double x[], rot_refusal *refusal) {
+  const rot_given *g = &given[input];
+  if (g->is && g->n != n && g->n != 1) {
+    return n > 1 ? rot_refuse(refusal, input, "must have 1 or %zu numbers; it has %zu", n, g->n)
+                 : rot_refuse(refusal, input, "must have %zu numbers; it has %zu", n, g->n);
+  }
+  for (size_t i = 0; i < n; i++) {
+    x[i] = g->is ? g->x[g->n == 1 ? 0 : i] : inputs[input].otherwise;
+  }
+  return ROT_OK;
+}
+
+/* ---- checks ---------------------------------------------------------------------------------- */
+
+static rot_status check_domain(const rot_input *input, size_t at, double x, rot_refusal *refusal) {
   const int limit = (input->kinds & ROT_INPUT_LIMIT) != 0;
-  if (given->n != 1) return rot_refuse(refusal, at, "must be one number");
-  if (isnan(x) || (isinf(x) && (!limit || x < 0.0))) {
+  if (isnan(x) || (isinf(x) && (!limit || (x < 0.0 && input->low > x)))) {
     return rot_refuse(refusal, at, "must be %s; it is %g", limit ? "a number, or Inf" : "finite",
                       x);
   }
@@ -47,15 +72,20 @@ static rot_status check_number(const rot_input *input, size_t at, const rot_give
   return ROT_OK;
 }
 
+static rot_status check_number(const rot_input *input, size_t at, const rot_given *given,
+                               rot_refusal *refusal) {
+  if (given->n != 1) return rot_refuse(refusal, at, "must be one number");
+  return check_domain(input, at, given->x[0], refusal);
+}
+
 static rot_status check_each(const rot_input *input, size_t at, const rot_given *given,
                              rot_refusal *refusal) {
-  if (given->n == 0) return rot_refuse(refusal, at, "must have a number; it has none");
-  for (size_t i = 0; i < given->n; i++) {
-    const rot_given one = {.is = given->is, .n = 1, .x = given->x + i};
-    const rot_status status = check_number(input, at, &one, refusal);
-    if (status != ROT_OK) return status;
+  rot_status status = ROT_OK;
+  for (size_t i = 0; i < given->n && status == ROT_OK; i++) {
+    status = check_domain(input, at, given->x[i], refusal);
+    if (status != ROT_OK && given->n > 1) rot_refused_in(refusal, "item %zu", i + 1);
   }
-  return ROT_OK;
+  return status;
 }
 
 static rot_status check_times(size_t at, const rot_given *given, rot_refusal *refusal) {
@@ -91,24 +121,43 @@ static rot_status check_body(size_t at, const rot_given_body *body, rot_refusal 
   return ROT_OK;
 }
 
+/* Of lists, its items. */
+static rot_status check_given(const rot_input *input, size_t at, const rot_given *given,
+                              rot_refusal *refusal) {
+  rot_status status = ROT_OK;
+  switch ((rot_input_kind)given->is) {
+  case ROT_INPUT_NUMBER:
+  case ROT_INPUT_LIMIT: return check_number(input, at, given, refusal);
+  case ROT_INPUT_TIMES: return check_times(at, given, refusal);
+  case ROT_INPUT_VECTOR: return check_numbers(at, 3, given, refusal);
+  case ROT_INPUT_ATTITUDE: return check_numbers(at, 4, given, refusal);
+  case ROT_INPUT_NUMBERS: return check_each(input, at, given, refusal);
+  case ROT_INPUT_BODY: return check_body(at, &given->body, refusal);
+  case ROT_INPUT_LIST:
+    for (size_t i = 0; i < given->n && status == ROT_OK; i++) {
+      const rot_given *item = &given->item[i];
+      if (item->is && !(item->is & input->kinds)) {
+        status = rot_refuse(refusal, at, "is of a kind that this input does not take");
+      } else if (!item->is && !(input->kinds & ROT_INPUT_NOTHING)) {
+        status = rot_refuse(refusal, at, "is nothing");
+      } else if (item->is) {
+        status = check_given(input, at, item, refusal);
+      }
+      if (status != ROT_OK) rot_refused_in(refusal, "item %zu", i + 1);
+    }
+    return status;
+  default: return ROT_OK;
+  }
+}
+
 rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given given[],
                             rot_refusal *refusal) {
   rot_status status = ROT_OK;
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
-    if (!given[i].is) {
-      if (inputs[i].required) status = rot_refuse(refusal, i, "is missing: it has no default");
-      continue;
-    }
-    switch ((rot_input_kind)given[i].is) {
-    case ROT_INPUT_NUMBER:
-    case ROT_INPUT_LIMIT: status = check_number(&inputs[i], i, &given[i], refusal); break;
-    case ROT_INPUT_NUMBERS: status = check_each(&inputs[i], i, &given[i], refusal); break;
-    case ROT_INPUT_TIMES: status = check_times(i, &given[i], refusal); break;
-    case ROT_INPUT_VECTOR: status = check_numbers(i, 3, &given[i], refusal); break;
-    case ROT_INPUT_ATTITUDE: status = check_numbers(i, 4, &given[i], refusal); break;
-    case ROT_INPUT_BODY: status = check_body(i, &given[i].body, refusal); break;
-    case ROT_INPUT_CHOICE:
-    case ROT_INPUT_LAW: break;
+    if (given[i].is) {
+      status = check_given(&inputs[i], i, &given[i], refusal);
+    } else if (inputs[i].required) {
+      status = rot_refuse(refusal, i, "is missing: it has no default");
     }
   }
   return status;

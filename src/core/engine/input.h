@@ -1,5 +1,5 @@
-/* Inputs: the named arguments from which a scene is built. A constraint lists them, and every
- * caller reads that list: names with units, kinds, domains, defaults. */
+/* Inputs: the named arguments from which a scene, or a part of one, is built. A constraint or a part
+ * lists them, and every caller reads that list: names with units, kinds, domains, defaults. */
 #ifndef ROT_INPUT_H
 #define ROT_INPUT_H
 
@@ -7,7 +7,8 @@
 
 enum { ROT_MOST_INPUTS = 32 };
 
-/* An input takes one kind, or one of several: a mask. */
+/* An input takes one kind, or one of several: a mask. Those from ROT_INPUT_BODY on, but for a law,
+ * are objects: what a part of this kind builds (engine/part.h). */
 typedef enum rot_input_kind {
   ROT_INPUT_NUMBER = 1,    /* finite */
   ROT_INPUT_LIMIT = 2,     /* finite, or Inf */
@@ -16,26 +17,45 @@ typedef enum rot_input_kind {
   ROT_INPUT_ATTITUDE = 16, /* a quaternion, scalar first, not 0: it is scaled to unit length */
   ROT_INPUT_CHOICE = 32,   /* one of `options` */
   ROT_INPUT_BODY = 64,
-  ROT_INPUT_LAW = 128,    /* a function that the caller evaluates */
-  ROT_INPUT_NUMBERS = 256 /* one or more, each finite */
+  ROT_INPUT_LAW = 128,      /* a function that the caller evaluates */
+  ROT_INPUT_NUMBERS = 256,  /* any count of finite numbers */
+  ROT_INPUT_LIST = 512,     /* of what the input takes else, or of such lists */
+  ROT_INPUT_NOTHING = 1024, /* an empty place of a list */
+  ROT_INPUT_TEXT = 2048,    /* any text: no number depends on it */
+  ROT_INPUT_TORQUE = 4096,
+  ROT_INPUT_RESISTANCE = 8192,
+  ROT_INPUT_INERTIA = 16384, /* a moment of inertia that changes in time */
+  ROT_INPUT_COUPLING = 32768,
+  ROT_INPUT_BRAKE = 65536
 } rot_input_kind;
+
+enum {
+  ROT_INPUT_OBJECTS = ROT_INPUT_BODY | ROT_INPUT_TORQUE | ROT_INPUT_RESISTANCE | ROT_INPUT_INERTIA |
+                      ROT_INPUT_COUPLING | ROT_INPUT_BRAKE
+};
 
 typedef struct rot_input {
   const char *name, *unit; /* "1": a number without unit; "": none */
   unsigned kinds;
   int required;
-  double low, high; /* of numbers and limits: the domain, */
+  double low, high; /* of numbers and limits: the domain; -Inf: a limit may be -Inf, */
   int above;        /* without `low` itself */
   double otherwise; /* of numbers: the default; NaN: as `words` say */
   const char *words;
   const char *const *options; /* of a choice, the first is the default; the list ends with NULL */
 } rot_input;
 
+#define ROT_NUMBER_INPUT(name, unit, required, low, above, otherwise, words)                       \
+  { name, unit, ROT_INPUT_NUMBER, required, low, DBL_MAX, above, otherwise, words, NULL }
+#define ROT_NO_DOMAIN -DBL_MAX, DBL_MAX, 0
+
 /* Of a body as an input. */
 typedef struct rot_given_body {
   double mass_kg;
   double centre_m[3];      /* of mass, in its own axes */
   double inertia_kg_m2[6]; /* tensor about it: xx, yy, zz, xy, xz, yz */
+  double second_kg_m2[6];  /* second moments about it (body/inertia.h) */
+  double axle_m[3];        /* a point of the axle that it names: else the centre */
   double radius_m;         /* on which it rolls about its own z axis; NaN: it has none */
 } rot_given_body;
 
@@ -48,17 +68,19 @@ typedef struct rot_law {
 /* What was given for an input. */
 typedef struct rot_given {
   unsigned is; /* its kind; 0: not given */
-  size_t n;    /* of numbers */
+  size_t n;    /* of numbers, of the items of a list */
   const double *x;
+  const struct rot_given *item;
   int option; /* of a choice: its place */
   rot_given_body body;
   rot_law law;
+  const void *object; /* what its part built; a body is above */
 } rot_given;
 
-/* Why a scene was not built: an input, and what it must be. */
+/* Why a scene or a part was not built: an input, and what it must be. */
 typedef struct rot_refusal {
   size_t input;
-  char reason[240];
+  char reason[400];
 } rot_refusal;
 
 /* The place of a name in a list; n: it is not there. */
@@ -72,9 +94,15 @@ rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given 
 /* ROT_EVALUE, with the input and why it is refused. */
 rot_status rot_refuse(rot_refusal *refusal, size_t input, const char *format, ...);
 
+/* Puts the place where it was refused in front of the reason: "item 2". */
+void rot_refused_in(rot_refusal *refusal, const char *format, ...);
+
 /* The number given, or the default. */
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input);
 /* The three numbers given, or 0. */
 void rot_input_vector(const rot_given *given, double x[3]);
+/* n numbers: those given, or one for all, or the default for all. ROT_EVALUE: another count. */
+rot_status rot_input_each(const rot_input inputs[], const rot_given given[], size_t input, size_t n,
+                          double x[], rot_refusal *refusal);
 
 #endif

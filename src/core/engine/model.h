@@ -48,12 +48,13 @@ typedef struct rot_task {
   size_t max_steps;  /* of an integrator */
   double resolution; /* of changes of a law that is called: see engine/ode/params.h; 0: as there */
   int asked;         /* the caller named the model: it does not switch to another */
+  unsigned without;  /* effects that the run leaves out; the torques of its rows have them */
 } rot_task;
 
 /* A column of the rows: doubles, or flags (int). */
 typedef struct rot_column_of {
   const char *name;
-  int flag;
+  int flag;           /* 1, 0, or below 0: it means nothing in this row */
   unsigned only_with; /* 0: always; else with one of these effects alone */
   const char *unit;   /* NULL: as the dictionary of R has it */
   size_t measure;     /* 1 + the measure that it holds; 0: none. These are the state. */
@@ -142,6 +143,7 @@ typedef struct rot_constraint {
   size_t scene_size;
   /* From inputs that rot_inputs_check() passed, which must live as long as the scene. */
   rot_status (*build)(const rot_given given[], void *scene, rot_refusal *refusal);
+  void (*release)(void *scene); /* what build() took, also where that failed; NULL: nothing */
   double (*start_s)(const void *scene);
   const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
   size_t (*copies)(const void *scene); /* how many these are; NULL: 1 */
@@ -149,11 +151,23 @@ typedef struct rot_constraint {
   const char *const *flows; /* names */
   const rot_balance *balances;
   const rot_balance_term *terms;
-  /* The terms between two rows, and what rounding and the errors explain of each balance. */
+  /* The terms between two rows, and what the errors explain of each balance. Rounding of the terms
+   * themselves is explained besides (scene/run.h). */
   void (*audit)(const void *scene, const rot_span *span, double term[], double explained[]);
   /* Whether the quantity of a balance is conserved, and why or why not. */
   int (*keeps)(const void *scene, size_t balance, const char **why);
   void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
 } rot_constraint;
+
+/* The members of a constraint whose parts have these names in its file. */
+#define ROT_COUNT(list) (sizeof(list) / sizeof *(list))
+#define ROT_CONSTRAINT(name, of_measures)                                                          \
+  .id = #name, .constructor = "scene_" #name, .measures = of_measures,                             \
+  .n_effects = ROT_COUNT(effects), .effects = effects, .effects_of = effects_of,                   \
+  .n_models = ROT_COUNT(models), .models = models, .runs = runs, .n_inputs = ROT_COUNT(inputs),    \
+  .inputs = inputs, .scene_size = sizeof(name), .build = build, .start_s = start_s,                \
+  .n_columns = ROT_COUNT(columns), .columns = columns, .n_flows = ROT_COUNT(flows),                \
+  .flows = flows, .n_balances = ROT_COUNT(balances), .balances = balances,                         \
+  .n_terms = ROT_COUNT(terms), .terms = terms, .audit = audit, .keeps = keeps, .pace = pace
 
 #endif

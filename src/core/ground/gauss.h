@@ -1,3 +1,4 @@
+/* The 12-point Gauss-Legendre rule. */
 #ifndef ROT_GAUSS_H
 #define ROT_GAUSS_H
 

@@ -1,5 +1,6 @@
 #include "scene/run.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -128,6 +129,7 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
   const rot_constraint *constraint = j->constraint;
   rot_task own = *task;
   own.asked = asked;
+  own.without = c->dropped ? c->untaken : 0u;
   rot_events_free(&out->events);
   memset(&out->events, 0, sizeof out->events);
   out->picked = *c;
@@ -137,6 +139,9 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
   /* One integrator may switch to the other. */
   for (size_t i = 0; i < constraint->n_models && out->info.method != ROT_METHOD_NONE; i++) {
     if (constraint->runs[i].method == out->info.method) out->model = &constraint->models[i];
+  }
+  for (size_t i = 0; i < out->info.n_measures && c->dropped; i++) {
+    out->info.measure[i].error += c->drop.bound[i];
   }
   out->error = rot_info_error(&out->info);
   if (out->info.status != ROT_OK) return;
@@ -189,4 +194,12 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
   }
   free(j.memory);
   return end;
+}
+
+void rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
+                   double term[], double explained[]) {
+  constraint->audit(scene, span, term, explained);
+  for (size_t k = 0; k < constraint->n_terms; k++) {
+    explained[constraint->terms[k].balance] += 8.0 * DBL_EPSILON * fabs(term[k]);
+  }
 }

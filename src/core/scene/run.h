@@ -1,5 +1,5 @@
 /* Scenes of any constraint that builds them, by its table (engine/model.h): run by the cheapest
- * model that reaches the accuracy. None of these constraints drops effects. */
+ * model that reaches the accuracy. */
 #ifndef ROT_RUN_H
 #define ROT_RUN_H
 
@@ -37,6 +37,10 @@ void rot_run_model(const rot_constraint *constraint, const void *scene, const ro
 
 /* Rows at one time. */
 size_t rot_run_copies(const rot_constraint *constraint, const void *scene);
+
+/* The terms of the balances between two rows, and what the errors and rounding explain of each. */
+void rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
+                   double term[], double explained[]);
 
 /* The place of a column; constraint->n_columns: there is none of this name. */
 size_t rot_run_column(const rot_constraint *constraint, const char *name);

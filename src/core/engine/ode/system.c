@@ -12,8 +12,9 @@
 enum { MOST_DIM = 2 * ROT_SYSTEM_MOST + ROT_MOST_FLOWS + 1 };
 
 typedef struct motion {
-  const rot_system *s;
+  const rot_system *system;
   const void *scene;
+  rot_system_start s;
   size_t dim, flows, drive; /* places in the state */
   int mode;
   double most[2]; /* |q|, |v| so far */
@@ -24,21 +25,21 @@ typedef struct place {
 } place;
 
 static rot_system_state state_of(const motion *m, const double y[], int sign, place *at) {
-  for (size_t i = 0; i < m->s->n; i++) at->q[i] = rot_two_sum(m->s->q0[i], y[i], &at->q_low[i]);
-  return (rot_system_state){at->q, at->q_low, y + m->s->n, sign};
+  for (size_t i = 0; i < m->s.n; i++) at->q[i] = rot_two_sum(m->s.q[i], y[i], &at->q_low[i]);
+  return (rot_system_state){at->q, at->q_low, y + m->s.n, sign};
 }
 
 static rot_status slopes(double t, const double y[], double dydt[], void *ctx) {
   const motion *m = ctx;
-  const size_t n = m->s->n;
+  const size_t n = m->s.n;
   place at;
-  const int held = m->s->dry && m->mode == 0;
-  const rot_system_state state = state_of(m, y, m->s->dry ? m->mode : 0, &at);
+  const int held = m->s.dry && m->mode == 0;
+  const rot_system_state state = state_of(m, y, m->s.dry ? m->mode : 0, &at);
   double *acceleration = dydt + n, drive = 0.0;
   (void)t;
   memcpy(dydt, state.v, n * sizeof *dydt);
-  m->s->slopes(m->scene, &state, acceleration, dydt + m->flows, m->s->dry ? &drive : NULL);
-  if (m->s->dry) dydt[m->drive] = drive;
+  m->system->slopes(m->scene, &state, acceleration, dydt + m->flows, m->s.dry ? &drive : NULL);
+  if (m->s.dry) dydt[m->drive] = drive;
   if (held) dydt[0] = acceleration[0] = 0.0;
   return ROT_OK;
 }
@@ -46,23 +47,23 @@ static rot_status slopes(double t, const double y[], double dydt[], void *ctx) {
 static void note_state(double t, double y[], void *ctx) {
   motion *m = ctx;
   (void)t;
-  for (size_t i = 0; i < m->s->n; i++) {
-    m->most[0] = fmax(m->most[0], fabs(m->s->q0[i] + y[i]));
-    m->most[1] = fmax(m->most[1], fabs(y[m->s->n + i]));
+  for (size_t i = 0; i < m->s.n; i++) {
+    m->most[0] = fmax(m->most[0], fabs(m->s.q[i] + y[i]));
+    m->most[1] = fmax(m->most[1], fabs(y[m->s.n + i]));
   }
 }
 
-static rot_status fill_rows(const motion *m, size_t n, const double y[], size_t copies,
-                            const rot_rows *rows, rot_info *info) {
+static rot_status fill_rows(const motion *m, size_t n, const double y[], const rot_rows *rows,
+                            rot_info *info) {
   const size_t reached = info->rows_done;
   for (size_t i = 0; i < n && i < reached; i++) {
     const double *row = y + i * m->dim;
     place at;
-    const rot_system_state state =
-        state_of(m, row, (row[m->s->n] > 0.0) - (row[m->s->n] < 0.0), &at);
-    m->s->row(m->scene, &state, i * copies, rows->column);
-    for (size_t k = 0; rows->flow && k < m->s->n_flows; k++) rows->flow[k][i] = row[m->flows + k];
-    for (size_t k = 0; k < 2 * m->s->n; k++) {
+    const rot_system_state state = state_of(m, row, (row[m->s.n] > 0.0) - (row[m->s.n] < 0.0), &at);
+    m->system->row(m->scene, &state, i * m->s.copies, rows->column);
+    for (size_t k = 0; rows->flow && k < m->system->n_flows; k++)
+      rows->flow[k][i] = row[m->flows + k];
+    for (size_t k = 0; k < 2 * m->s.n; k++) {
       if (isfinite(row[k])) continue;
       info->rows_done = i;
       return ROT_ERANGE;
@@ -79,7 +80,7 @@ enum { LOOKS = 32 };
 
 static void add_errors_of_state(motion *m, size_t n, const double y[], double span,
                                 const double error[2], double flow_error[]) {
-  const size_t size = m->s->n, looks = n < LOOKS ? n : LOOKS;
+  const size_t size = m->s.n, looks = n < LOOKS ? n : LOOKS;
   double state[MOST_DIM], slope[MOST_DIM], moved[MOST_DIM], sum[ROT_MOST_FLOWS] = {0.0};
   m->mode = 1;
   for (size_t k = 0; k < looks; k++) {
@@ -92,37 +93,38 @@ static void add_errors_of_state(motion *m, size_t n, const double y[], double sp
       state[i] = row[i] + by;
       (void)slopes(0.0, state, moved, m);
       state[i] = row[i];
-      for (size_t f = 0; f < m->s->n_flows && by > 0.0; f++) {
+      for (size_t f = 0; f < m->system->n_flows && by > 0.0; f++) {
         const double change = fabs(moved[m->flows + f] - slope[m->flows + f]) / by;
         sum[f] += change * error[i >= size];
       }
     }
   }
-  for (size_t f = 0; f < m->s->n_flows && looks; f++) {
+  for (size_t f = 0; f < m->system->n_flows && looks; f++) {
     if (isfinite(sum[f])) flow_error[f] += span * sum[f] / (double)looks;
   }
 }
 
-rot_status rot_system_run(const rot_system *s, const void *scene, const char *const measures[],
-                          size_t n_copies, const rot_task *task, rot_method method,
-                          const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
-  const size_t n = s->n, rows_n = task->n;
+rot_status rot_system_run(const rot_system *system, const void *scene, const rot_task *task,
+                          rot_method method, const rot_rows *rows, const rot_hooks *hooks,
+                          rot_info *info) {
+  const rot_system_start s = system->start(scene);
+  const size_t n = s.n, rows_n = task->n;
   const double *t = task->time_s;
-  const double span =
-      rows_n ? fmax(fabs(t[0] - s->start_s), fabs(t[rows_n - 1] - s->start_s)) : 0.0;
-  const double rounding = 4.0 * ROT_EPS * s->rounding;
-  motion m = {.s = s, .scene = scene, .flows = 2 * n, .drive = 2 * n + s->n_flows, .mode = 1};
+  const double span = rows_n ? fmax(fabs(t[0] - s.start_s), fabs(t[rows_n - 1] - s.start_s)) : 0.0;
+  const double rounding = 4.0 * ROT_EPS * s.rounding;
+  motion m = {.system = system, .scene = scene, .s = s, .flows = 2 * n, .mode = 1};
   double start[MOST_DIM] = {0.0}, error[MOST_DIM] = {0.0}, largest[MOST_DIM] = {0.0};
   int offset = 0;
-  m.dim = m.drive + (s->dry ? 1 : 0);
-  memcpy(start + n, s->v0, n * sizeof *start);
-  for (size_t i = 0; i < n; i++) offset |= s->q0[i] != 0.0;
-  note_state(s->start_s, start, &m);
-  rot_info_clear(info, measures);
+  m.drive = 2 * n + system->n_flows;
+  m.dim = m.drive + (s.dry ? 1 : 0);
+  memcpy(start + n, s.v, n * sizeof *start);
+  for (size_t i = 0; i < n; i++) offset |= s.q[i] != 0.0;
+  note_state(s.start_s, start, &m);
+  rot_info_clear(info, rot_turning);
   double *y = malloc((rows_n ? rows_n : 1) * m.dim * sizeof *y);
   if (!y) return info->status = ROT_ENOMEM;
   const rot_ode_group groups[] = {{0, n, ROT_ODE_VECTOR}, {n, n, ROT_ODE_VECTOR}};
-  const rot_ode_switch turn = {n, m.drive, s->holds};
+  const rot_ode_switch turn = {n, m.drive, s.holds};
   const double noise[] = {rounding * span, rounding};
   const rot_ode_params ode = {
       .dim = m.dim,
@@ -131,7 +133,7 @@ rot_status rot_system_run(const rot_system *s, const void *scene, const char *co
       .groups = groups,
       .rhs = slopes,
       .ctx = &m,
-      .start_s = s->start_s,
+      .start_s = s.start_s,
       .start = start,
       /* Relative to the largest of all, which a norm of them may exceed; and to q, which may be
        * half as large as q less q0. */
@@ -139,22 +141,22 @@ rot_status rot_system_run(const rot_system *s, const void *scene, const char *co
       .max_steps = task->max_steps,
       .method = task->asked ? method : ROT_METHOD_NONE,
       .mode = &m.mode,
-      .turn = s->dry ? &turn : NULL,
+      .turn = s.dry ? &turn : NULL,
       .log = rows->events,
       .project = note_state,
       .noise = noise,
-      .kinks = s->dry};
+      .kinks = s.dry};
   rot_status status = rot_ode_run(&ode, rows_n, t, y, NULL, error, largest, hooks, info);
   if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
-    const rot_status filled = fill_rows(&m, rows_n, y, n_copies, rows, info);
+    const rot_status filled = fill_rows(&m, rows_n, y, rows, info);
     if (filled != ROT_OK) status = filled;
   }
-  rot_info_measures(info, measures);
+  rot_info_measures(info, rot_turning);
   for (size_t k = 0; k < 2; k++) {
     info->measure[k].largest = m.most[k];
     info->measure[k].error = error[k] + (k ? 0.0 : 4.0 * ROT_EPS * m.most[0]);
   }
-  for (size_t k = 0; rows->flow_error && k < s->n_flows; k++) {
+  for (size_t k = 0; rows->flow_error && k < system->n_flows; k++) {
     rows->flow_error[k] = 2.0 * error[2 + k];
   }
   if (rows->flow_error && status == ROT_OK) {
@@ -165,12 +167,20 @@ rot_status rot_system_run(const rot_system *s, const void *scene, const char *co
   return info->status = status;
 }
 
-double rot_system_cost_s(const rot_model *model, const rot_query *query, double start_s,
-                         const rot_pace *pace, int implicit) {
-  const double span = query->n ? fabs(query->time_s[query->n - 1] - start_s) : 0.0;
-  const double swings = fmin(0.1 * pace->swing_rad_per_s * span, 1e300);
-  const double fades = fmin(span / pace->fades_s, 1e300);
+double rot_system_cost_s(const rot_system *system, const rot_model *model, const void *scene,
+                         const rot_query *query, int implicit) {
+  const rot_system_start s = system->start(scene);
+  const double span = query->n ? fabs(query->time_s[query->n - 1] - s.start_s) : 0.0;
+  double sizes[2] = {0.0, 0.0};
+  rot_pace pace;
+  for (size_t i = 0; i < s.n; i++) {
+    sizes[0] = fmax(sizes[0], fabs(s.q[i]));
+    sizes[1] = fmax(sizes[1], fabs(s.v[i]));
+  }
+  system->pace(scene, sizes, &pace);
+  const double swings = fmin(0.1 * pace.swing_rad_per_s * span, 1e300);
+  const double fades = fmin(span / pace.fades_s, 1e300);
   const double steps = 30.0 + (implicit ? log1p(fades) : fades) +
                        pow(fmax(query->accuracy, model->promise), -1.0 / 8.5) * swings;
-  return steps * model->seconds[0] + (double)query->n * model->seconds[1];
+  return (double)s.n * (steps * model->seconds[0] + (double)query->n * model->seconds[1]);
 }

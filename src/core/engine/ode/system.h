@@ -13,42 +13,69 @@ typedef struct rot_system_state {
   int sign;                /* of the rate, where friction is dry; 0: it is held at rest */
 } rot_system_state;
 
-typedef struct rot_system {
-  size_t n;       /* coordinates */
-  size_t n_flows; /* at most ROT_MOST_FLOWS; a hidden one for dry friction besides */
+/* What a run begins with. */
+typedef struct rot_system_start {
+  size_t n, copies;    /* coordinates; rows at one time */
+  const double *q, *v; /* at start_s */
   double start_s;
-  const double *q0, *v0;
+  double rounding; /* of an acceleration: the sum of what acts */
+  int dry;         /* one coordinate, held at rest up to |drive| = holds */
+  double holds;
+} rot_system_start;
+
+typedef struct rot_system {
+  size_t n_flows; /* at most ROT_MOST_FLOWS */
+  rot_system_start (*start)(const void *scene);
   /* Slopes of the rates, and of the flows. `drive`: where friction is dry, the force along the one
    * coordinate over the normal force; else NULL. */
   void (*slopes)(const void *scene, const rot_system_state *state, double acceleration[],
                  double flow[], double *drive);
-  /* Dry friction of one coordinate: it is held at rest up to |drive| = holds. */
-  int dry;
-  double holds;
-  double rounding; /* of an acceleration: the sum of what acts */
   void (*row)(const void *scene, const rot_system_state *state, size_t at, void *const column[]);
+  void (*pace)(const void *scene, const double sizes[], rot_pace *pace);
 } rot_system;
 
-/* Predicted time of a run, with a pace that its start tells; seconds of the model: of a step, of a
- * row. Implicit steps do not count what fades. */
-double rot_system_cost_s(const rot_model *model, const rot_query *query, double start_s,
-                         const rot_pace *pace, int implicit);
+/* Measures: the largest |q|, the largest |v| of all coordinates, as rot_turning. */
+rot_status rot_system_run(const rot_system *system, const void *scene, const rot_task *task,
+                          rot_method method, const rot_rows *rows, const rot_hooks *hooks,
+                          rot_info *info);
 
-/* The two models of such a system: `prefix` of their names, all effects, their costs. */
-#define ROT_SYSTEM_MODELS(prefix, effects, explicit_s, implicit_s)                                 \
-  {prefix "rk8pd", effects,    ROT_ADAPTIVE,                                                       \
-   1e-13,          ROT_FREELY, "integrated, with explicit steps: it is not stiff",                 \
-   NULL,           explicit_s, {3e-6, 0.4e-6, 0.0, 0.0}},                                          \
+/* Predicted time of a run, with the pace of its start; seconds of the model: of a step, of a
+ * row, of each coordinate.
+ * Implicit steps do not count what fades. */
+double rot_system_cost_s(const rot_system *system, const rot_model *model, const void *scene,
+                         const rot_query *query, int implicit);
+
+/* A constraint `name`, whose parts are as ROT_CONSTRAINT() names them and that the static `system`
+ * integrates; its models take the mask of effects. */
+#define ROT_SYSTEM_CONSTRAINT(name, system, takes)                                                 \
+  ROT_SYSTEM_RUNS(system)                                                                          \
+  static const rot_model models[] = {ROT_SYSTEM_MODELS(#name "_", takes)};                         \
+  static const rot_model_run runs[] = {ROT_SYSTEM_METHODS};                                        \
+  const rot_constraint rot_##name##_constraint = {ROT_CONSTRAINT(name, rot_turning)}
+
+/* The start, runs and costs of the static `system`, and its two models as items of a list. */
+#define ROT_SYSTEM_RUNS(system)                                                                    \
+  static double start_s(const void *scene) { return system.start(scene).start_s; }                 \
+  static rot_status integrate(const void *scene, const rot_task *task, rot_method method,          \
+                              const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {      \
+    return rot_system_run(&system, scene, task, method, rows, hooks, info);                        \
+  }                                                                                                \
+  static double explicit_s(const rot_model *model, const void *scene, const rot_query *query) {    \
+    return rot_system_cost_s(&system, model, scene, query, 0);                                     \
+  }                                                                                                \
+  static double implicit_s(const rot_model *model, const void *scene, const rot_query *query) {    \
+    return rot_system_cost_s(&system, model, scene, query, 1);                                     \
+  }
+#define ROT_SYSTEM_MODELS(prefix, takes)                                                           \
+  ROT_SYSTEM_MODEL(prefix "rk8pd", takes, "explicit steps: it is not stiff", explicit_s, 3e-6),    \
+      ROT_SYSTEM_MODEL(prefix "radau", takes, "implicit steps: it is stiff", implicit_s, 20e-6)
+#define ROT_SYSTEM_MODEL(id, takes, steps, cost_s, step_s)                                         \
   {                                                                                                \
-    prefix "radau", effects, ROT_ADAPTIVE, 1e-13, ROT_FREELY,                                      \
-        "integrated, with implicit steps: it is stiff", NULL, implicit_s, {                        \
-      20e-6, 0.4e-6, 0.0, 0.0                                                                      \
+    id, takes, ROT_ADAPTIVE, 1e-13, ROT_FREELY, "integrated, with " steps, NULL, cost_s, {         \
+      step_s, 0.4e-6, 0.0, 0.0                                                                     \
     }                                                                                              \
   }
-
-/* Rows n_copies to a time. Measures: the largest |q|, the largest |v| of all coordinates. */
-rot_status rot_system_run(const rot_system *system, const void *scene, const char *const measures[],
-                          size_t n_copies, const rot_task *task, rot_method method,
-                          const rot_rows *rows, const rot_hooks *hooks, rot_info *info);
+#define ROT_SYSTEM_METHODS                                                                         \
+  {ROT_METHOD_RK8PD, integrate}, { ROT_METHOD_RADAU, integrate }
 
 #endif

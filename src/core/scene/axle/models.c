@@ -5,6 +5,7 @@
 
 #include "scene/axle/drop.h"
 #include "scene/axle/forced.h"
+#include "scene/axle/inputs.h"
 #include "ground/search.h"
 
 /* ---- effects --------------------------------------------------------------------------------- */
@@ -277,4 +278,14 @@ const rot_constraint rot_axle_constraint = {
     .models = models,
     .effects_of = effects_of,
     .drop = rot_axle_drop,
+    .constructor = "scene_axle",
+    .n_inputs = ROT_AXLE_INPUTS,
+    .n_columns = ROT_AXLE_ALL_COLUMNS,
+    .inputs = rot_axle_inputs,
+    .columns = rot_axle_all_columns,
+    .runs = rot_axle_runs,
+    .scene_size = sizeof(rot_axle_built),
+    .build = rot_axle_build,
+    .release = rot_axle_release,
+    .start_s = rot_axle_start_s,
 };

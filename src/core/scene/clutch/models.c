@@ -1,5 +1,6 @@
 #include "scene/clutch/models.h"
 
+#include "scene/clutch/inputs.h"
 #include "scene/clutch/clutch.h"
 
 enum { TORQUE = 1, CLUTCH = 2 };
@@ -51,4 +52,14 @@ const rot_constraint rot_clutch_constraint = {
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
+    .constructor = "scene_clutch",
+    .n_inputs = ROT_CLUTCH_INPUTS,
+    .n_columns = ROT_CLUTCH_ALL_COLUMNS,
+    .inputs = rot_clutch_inputs,
+    .columns = rot_clutch_all_columns,
+    .runs = rot_clutch_runs,
+    .scene_size = sizeof(rot_clutch_built),
+    .build = rot_clutch_build,
+    .release = rot_clutch_release,
+    .start_s = rot_clutch_start_s,
 };

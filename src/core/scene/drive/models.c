@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "scene/drive/inputs.h"
 #include "scene/drive/mesh.h"
 #include "ground/search.h"
 
@@ -157,4 +158,16 @@ const rot_constraint rot_drive_constraint = {
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
+    .constructor = "scene_drive",
+    .n_inputs = ROT_DRIVE_INPUTS,
+    .n_columns = ROT_DRIVE_ALL_COLUMNS,
+    .inputs = rot_drive_inputs,
+    .columns = rot_drive_all_columns,
+    .runs = rot_drive_runs,
+    .scene_size = sizeof(rot_drive_built),
+    .build = rot_drive_build,
+    .release = rot_drive_release,
+    .start_s = rot_drive_start_s,
+    .index = "rotor",
+    .copies = rot_drive_copies,
 };

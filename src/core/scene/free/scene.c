@@ -18,8 +18,11 @@ const char *const rot_free_axes[] = {"body", "space", NULL};
 
 enum { BODY, OMEGA0, COMMON };
 
-const rot_input rot_free_inputs[ROT_FREE_INPUTS] = {ROT_FREE_BODY_INPUT, ROT_FREE_OMEGA0_INPUT,
-                                                    ROT_FREE_COMMON_INPUTS};
+const rot_input rot_free_inputs[ROT_FREE_INPUTS] = {
+    {"body", "kg*m^2", ROT_INPUT_BODY | ROT_INPUT_VECTOR, 1, ROT_FREE_ANY, NAN,
+     "about its centre of mass: a body, or its three principal moments of inertia", NULL},
+    ROT_FREE_OMEGA0_INPUT,
+    ROT_FREE_COMMON_INPUTS};
 
 static rot_status call_torque(double t, const double omega[3], const double q[4], double torque[3],
                               void *ctx) {
@@ -31,8 +34,8 @@ static rot_status call_torque(double t, const double omega[3], const double q[4]
 }
 
 /* A diagonal tensor keeps its axes and its numbers. */
-rot_status rot_free_build_moments(const double inertia[6], rot_free_params *p) {
-  double second[ROT_TENSOR];
+rot_status rot_free_build_moments(const double inertia[6], const double second[6],
+                                  rot_free_params *p) {
   rot_principal principal;
   static const double along[4] = {1.0, 0.0, 0.0, 0.0};
   memcpy(p->axes, along, sizeof along);
@@ -40,7 +43,6 @@ rot_status rot_free_build_moments(const double inertia[6], rot_free_params *p) {
     memcpy(p->moment_kg_m2, inertia, 3 * sizeof *inertia);
     return ROT_OK;
   }
-  rot_inertia_to_second(inertia, second);
   if (rot_inertia_principal(second, 1e-12, &principal) != ROT_OK) return ROT_ERANGE;
   double *s = principal.second;
   if (s[2] < 0.0) { /* a turned rod: a rounding error below 0 */
@@ -107,8 +109,13 @@ rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[]
 
 rot_status rot_free_build(const rot_given given[], void *to, rot_refusal *no) {
   rot_free_built *built = to;
+  const rot_given_body *body = &given[BODY].body;
   memset(built, 0, sizeof *built);
-  if (rot_free_build_moments(given[BODY].body.inertia_kg_m2, &built->params) != ROT_OK) {
+  if (given[BODY].is == ROT_INPUT_VECTOR) {
+    built->params.axes[0] = 1.0;
+    rot_input_vector(&given[BODY], built->params.moment_kg_m2);
+  } else if (rot_free_build_moments(body->inertia_kg_m2, body->second_kg_m2, &built->params) !=
+             ROT_OK) {
     return rot_refuse(no, BODY, "must have finite principal moments");
   }
   return rot_free_build_rest(rot_free_inputs, given, OMEGA0, COMMON, built, no);

@@ -28,9 +28,6 @@ extern const char *const rot_free_axes[]; /* of the torque */
 
 /* clang-format off */
 #define ROT_FREE_ANY -DBL_MAX, DBL_MAX, 0
-#define ROT_FREE_BODY_INPUT                                                                        \
-  {"body", "", ROT_INPUT_BODY, 1, ROT_FREE_ANY, NAN,                                               \
-   "its moments of inertia about its centre of mass", NULL}
 #define ROT_FREE_OMEGA0_INPUT                                                                      \
   {"omega0_rad_per_s", "rad/s", ROT_INPUT_VECTOR, 1, ROT_FREE_ANY, NAN,                            \
    "at the start, in the body's own axes", NULL}
@@ -57,8 +54,10 @@ enum {
   ROT_FREE_START
 };
 
-/* Principal moments of a tensor and their axes. ROT_ERANGE: they are not finite. */
-rot_status rot_free_build_moments(const double inertia_kg_m2[6], rot_free_params *params);
+/* Principal moments of a tensor, and of the second moments that it is of, and their axes.
+ * ROT_ERANGE: they are not finite. */
+rot_status rot_free_build_moments(const double inertia_kg_m2[6], const double second_kg_m2[6],
+                                  rot_free_params *params);
 /* Of `inputs`, those from `common` on, and the rates at `omega0`. */
 rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[], size_t omega0,
                                size_t common, rot_free_built *built, rot_refusal *refusal);

@@ -13,7 +13,8 @@
 enum { BODY, OMEGA0, PIVOT, GRAVITY, COMMON };
 
 const rot_input rot_pivot_inputs[ROT_PIVOT_INPUTS] = {
-    ROT_FREE_BODY_INPUT,
+    {"body", "", ROT_INPUT_BODY, 1, ROT_FREE_ANY, NAN, "with its mass and its centre of mass",
+     NULL},
     ROT_FREE_OMEGA0_INPUT,
     {"pivot_m", "m", ROT_INPUT_VECTOR, 0, ROT_FREE_ANY, NAN,
      "the fixed point, in the body's own axes; default: 0, 0, 0", NULL},
@@ -26,7 +27,7 @@ rot_status rot_pivot_build(const rot_given given[], void *to, rot_refusal *no) {
   rot_free_params *p = &built->params;
   const rot_given_body *body = &given[BODY].body;
   const double gravity = rot_input_number(rot_pivot_inputs, given, GRAVITY);
-  double pivot[3], centre[3], second[ROT_TENSOR], moved[ROT_TENSOR], inertia[ROT_TENSOR], lever[3];
+  double pivot[3], centre[3], moved[ROT_TENSOR], inertia[ROT_TENSOR], lever[3];
   memset(built, 0, sizeof *built);
   rot_input_vector(&given[PIVOT], pivot);
   for (int i = 0; i < 3; i++) {
@@ -34,13 +35,13 @@ rot_status rot_pivot_build(const rot_given given[], void *to, rot_refusal *no) {
     lever[i] = body->mass_kg * gravity * centre[i];
     if (!isfinite(lever[i])) return rot_refuse(no, BODY, "must have a finite torque of gravity");
   }
-  rot_inertia_to_second(body->inertia_kg_m2, second);
-  rot_inertia_shift_second(body->mass_kg, centre, 1.0, second, moved);
+  rot_inertia_shift_second(body->mass_kg, centre, 1.0, body->second_kg_m2, moved);
   rot_inertia_of_second(moved, inertia);
   for (int i = 0; i < ROT_TENSOR; i++) {
     if (!isfinite(inertia[i])) return rot_refuse(no, PIVOT, "must leave finite moments about it");
   }
-  if (rot_free_build_moments(inertia, p) != ROT_OK) {
+  rot_inertia_to_second(inertia, moved);
+  if (rot_free_build_moments(inertia, moved, p) != ROT_OK) {
     return rot_refuse(no, BODY, "must have finite principal moments");
   }
   memcpy(p->lever_n_m, lever, sizeof lever);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "scene/shaft/inputs.h"
 #include "scene/shaft/shaft.h"
 
 enum { TORQUE = 1, SPRING = 2, DAMPER = 4, VISCOUS = 8, ALL = 15 };
@@ -95,4 +96,16 @@ const rot_constraint rot_shaft_constraint = {
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
+    .constructor = "scene_rotors",
+    .n_inputs = ROT_SHAFT_INPUTS,
+    .n_columns = ROT_SHAFT_ALL_COLUMNS,
+    .inputs = rot_shaft_inputs,
+    .columns = rot_shaft_all_columns,
+    .runs = rot_shaft_runs,
+    .scene_size = sizeof(rot_shaft_built),
+    .build = rot_shaft_build,
+    .release = rot_shaft_release,
+    .start_s = rot_shaft_start_s,
+    .index = "rotor",
+    .copies = rot_shaft_copies,
 };

@@ -464,7 +464,7 @@ static void refused_inputs(void) {
     kit_numbers(k, lists[i], 2, many);
     ROT_CHECK(kit_refuses(k, lists[i], "3, one for each length"));
     kit_numbers(k, lists[i], 0, many);
-    ROT_CHECK(kit_refuses(k, lists[i], "has none"));
+    ROT_CHECK(kit_refuses(k, lists[i], "it has 0"));
     many[1] = NAN;
     kit_numbers(k, lists[i], 3, many);
     ROT_CHECK(kit_refuses(k, lists[i], "finite"));

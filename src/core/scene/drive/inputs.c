@@ -1,0 +1,330 @@
+#include "scene/drive/inputs.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "body/parts.h"
+#include "engine/laws.h"
+#include "scene/axle/inputs.h"
+#include "scene/drive/mesh.h"
+#include "scene/drive/ode.h"
+
+/* ---- couplings and brakes -------------------------------------------------------------------- */
+
+#define RATIO(required, otherwise)                                                                 \
+  ROT_NUMBER_INPUT("ratio", "1", required, -DBL_MAX, 0, otherwise,                                 \
+                   "omega over the next one's: not 0")
+#define CAPACITY_INPUTS                                                                            \
+  {"capacity_n_m",                                                                                 \
+   "N*m",                                                                                          \
+   ROT_TORQUE_KINDS,                                                                               \
+   1,                                                                                              \
+   0.0,                                                                                            \
+   DBL_MAX,                                                                                        \
+   0,                                                                                              \
+   NAN,                                                                                            \
+   "torque while it slips; a law is of time_s, theta_rad and the slip speed; below 0 it is 0",     \
+   NULL},                                                                                          \
+      ROT_NUMBER_INPUT("static_ratio", "1", 0, 1.0, 0, 1.0,                                        \
+                       "largest torque at no slip over the capacity at no slip")
+
+static const rot_input shaft_inputs[] = {
+    ROT_NUMBER_INPUT("stiffness_n_m_per_rad", "N*m/rad", 1, 0.0, 0, NAN, "at the first rotor"),
+    ROT_NUMBER_INPUT("damping_n_m_s", "N*m*s", 0, 0.0, 0, 0.0, "at the first rotor"),
+    RATIO(0, 1.0)};
+static const rot_input clutch_inputs[] = {CAPACITY_INPUTS, ROT_WINDOW_INPUTS(-INFINITY),
+                                          RATIO(0, 1.0)};
+static const rot_input gear_inputs[] = {
+    RATIO(1, NAN),
+    {"efficiency", "1", ROT_INPUT_NUMBER, 0, 0.0, 1.0, 1, 1.0, "power out over power in", NULL}};
+static const rot_input brake_inputs[] = {CAPACITY_INPUTS, ROT_WINDOW_INPUTS(-INFINITY)};
+
+static rot_status ratio_of(const rot_part *part, const rot_given given[], size_t input,
+                           double *ratio, rot_refusal *no) {
+  *ratio = rot_input_number(part->inputs, given, input);
+  return *ratio != 0.0 ? ROT_OK : rot_refuse(no, input, "must not be 0");
+}
+
+static rot_status build_shaft(const rot_part *part, const rot_given given[], rot_store *store,
+                              void *to, rot_refusal *no) {
+  rot_drive_coupling *c = to;
+  (void)store;
+  memset(c, 0, sizeof *c);
+  c->kind = ROT_DRIVE_SHAFT;
+  c->stiffness_n_m_per_rad = rot_input_number(part->inputs, given, 0);
+  c->damping_n_m_s = rot_input_number(part->inputs, given, 1);
+  c->efficiency = 1.0;
+  return ratio_of(part, given, 2, &c->ratio, no);
+}
+
+static rot_status build_gear(const rot_part *part, const rot_given given[], rot_store *store,
+                             void *to, rot_refusal *no) {
+  rot_drive_coupling *c = to;
+  (void)store;
+  memset(c, 0, sizeof *c);
+  c->kind = ROT_DRIVE_GEAR;
+  c->efficiency = rot_input_number(part->inputs, given, 1);
+  return ratio_of(part, given, 0, &c->ratio, no);
+}
+
+/* A capacity of one law of knots must not fall below 0; that of other laws counts as 0 there. */
+static rot_status check_capacity(const rot_given given[], rot_store *store, rot_refusal *no) {
+  rot_law_sum sum;
+  if (rot_law_sum_of(&given[0], store, &sum) != ROT_OK) return ROT_ENOMEM;
+  if (sum.n != 1 || sum.law->kind != ROT_LAW_KNOTS) return ROT_OK;
+  const rot_torque *knots = &sum.law->knots;
+  double least = fmin(knots->before_n_m, knots->after_n_m);
+  for (size_t i = 0; i < knots->n; i++) least = fmin(least, knots->torque_n_m[i]);
+  return least >= 0.0 ? ROT_OK
+                      : rot_refuse(no, 0, "must be at least 0 at all knots; it falls to %g", least);
+}
+
+static rot_status build_brake(const rot_part *part, const rot_given given[], rot_store *store,
+                              void *to, rot_refusal *no) {
+  rot_drive_grip *grip = to;
+  double window[2];
+  memset(grip, 0, sizeof *grip);
+  rot_status status = check_capacity(given, store, no);
+  if (status == ROT_OK) status = rot_law_window(part->inputs, given, 2, window, no);
+  if (status != ROT_OK) return status;
+  grip->acts = 1;
+  grip->static_ratio = rot_input_number(part->inputs, given, 1);
+  grip->from_s = window[0];
+  grip->to_s = window[1];
+  grip->law.linear.inertia_kg_m2 = 1.0;
+  status = rot_axle_load(&given[0], NULL, store, &grip->law, NULL);
+  return status == ROT_EVALUE ? rot_refuse(no, 0, "adds up beyond double precision") : status;
+}
+
+static rot_status build_clutch(const rot_part *part, const rot_given given[], rot_store *store,
+                               void *to, rot_refusal *no) {
+  rot_drive_coupling *c = to;
+  memset(c, 0, sizeof *c);
+  c->kind = ROT_DRIVE_CLUTCH;
+  c->efficiency = 1.0;
+  const rot_status status = build_brake(part, given, store, &c->grip, no);
+  return status == ROT_OK ? ratio_of(part, given, 4, &c->ratio, no) : status;
+}
+
+#define PART(constructor, makes, inputs, type, build)                                              \
+  { constructor, makes, sizeof inputs / sizeof *inputs, inputs, sizeof(type), build }
+
+const rot_part rot_drive_parts[] = {
+    PART("coupling_shaft", ROT_INPUT_COUPLING, shaft_inputs, rot_drive_coupling, build_shaft),
+    PART("coupling_clutch", ROT_INPUT_COUPLING, clutch_inputs, rot_drive_coupling, build_clutch),
+    PART("coupling_gear", ROT_INPUT_COUPLING, gear_inputs, rot_drive_coupling, build_gear),
+    PART("brake", ROT_INPUT_BRAKE, brake_inputs, rot_drive_grip, build_brake),
+};
+const size_t rot_drive_n_parts = sizeof rot_drive_parts / sizeof *rot_drive_parts;
+
+/* ---- inputs ---------------------------------------------------------------------------------- */
+
+enum { BODIES, COUPLINGS, TORQUE, RESISTANCE, BRAKE, THETA0, OMEGA0, START };
+
+const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS] = {
+    [BODIES] = {"bodies", "kg*m^2", ROT_BODY_KINDS | ROT_INPUT_NUMBERS | ROT_INPUT_LIST, 1, 0.0,
+                DBL_MAX, 1, NAN, "in their order: bodies, of which Izz counts, or moments", NULL},
+    [COUPLINGS] = {"couplings", "", ROT_INPUT_COUPLING | ROT_INPUT_LIST, 0, ROT_NO_DOMAIN, NAN,
+                   "one less than there are bodies, or one for all", NULL},
+    [TORQUE] = {"torque", "N*m", ROT_TORQUE_KINDS | ROT_INPUT_NOTHING, 0, ROT_NO_DOMAIN, NAN,
+                "a list with a law, a sum of them (a list) or nothing for each rotor; of one rotor "
+                "the law",
+                NULL},
+    [RESISTANCE] = {"resistance", "", ROT_INPUT_RESISTANCE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0,
+                    ROT_NO_DOMAIN, NAN, "likewise", NULL},
+    [BRAKE] = {"brake", "", ROT_INPUT_BRAKE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0, ROT_NO_DOMAIN,
+               NAN, "likewise", NULL},
+    [THETA0] = {"theta0_rad", "rad", ROT_INPUT_NUMBERS, 0, ROT_NO_DOMAIN, 0.0,
+                "angles at the start, or that of the first, which the others follow at the ratios",
+                NULL},
+    [OMEGA0] = {"omega0_rad_per_s", "rad/s", ROT_INPUT_NUMBERS, 0, ROT_NO_DOMAIN, 0.0,
+                "angular velocities at the start, likewise", NULL},
+    [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
+};
+
+/* Of an input that has an item for each of n rotors: item i, or what is given for a single rotor. */
+static const rot_given *item_of(const rot_given *given, size_t i) {
+  static const rot_given nothing = {0};
+  if (!given->is) return &nothing;
+  return given->is == ROT_INPUT_LIST ? &given->item[i] : given;
+}
+
+static rot_status check_counts(const rot_given given[], size_t n, rot_refusal *no) {
+  for (size_t input = TORQUE; input <= BRAKE; input++) {
+    const rot_given *g = &given[input];
+    if (g->is && (g->is == ROT_INPUT_LIST ? g->n != n : n != 1)) {
+      return rot_refuse(no, input, "must be a list with one item for each of the %zu rotors", n);
+    }
+    for (size_t i = 0; g->is == ROT_INPUT_LIST && input != TORQUE && i < n; i++) {
+      if (g->item[i].is == ROT_INPUT_LIST) {
+        return rot_refuse(no, input, "item %zu must not be a list", i + 1);
+      }
+    }
+  }
+  return ROT_OK;
+}
+
+static rot_status build_couplings(const rot_given given[], size_t n, rot_drive_built *built,
+                                  rot_refusal *no) {
+  const rot_given *g = &given[COUPLINGS];
+  rot_drive_coupling *coupling = rot_store_get(&built->store, n - 1, sizeof *coupling);
+  int clutch = 0, lossy = 0;
+  if (!coupling) return ROT_ENOMEM;
+  if (g->is != ROT_INPUT_COUPLING && (g->is ? g->n : 0) != n - 1) {
+    return rot_refuse(no, COUPLINGS,
+                      "must have one item less than there are bodies, %zu; it has %zu", n - 1,
+                      g->is ? g->n : 0);
+  }
+  for (size_t i = 0; i + 1 < n; i++) {
+    const rot_given *one = item_of(g, i);
+    if (one->is != ROT_INPUT_COUPLING) {
+      return rot_refuse(no, COUPLINGS, "item %zu must be a coupling", i + 1);
+    }
+    coupling[i] = *(const rot_drive_coupling *)one->object;
+    clutch |= coupling[i].kind == ROT_DRIVE_CLUTCH;
+    lossy |= rot_drive_mesh_loses(&coupling[i]);
+  }
+  built->scene.coupling = coupling;
+  if (clutch && lossy) {
+    return rot_refuse(no, COUPLINGS, "with a clutch takes gears of efficiency 1 only");
+  }
+  return ROT_OK;
+}
+
+/* n numbers, or the first, which the others follow. */
+static rot_status through_ratios(const rot_given given[], size_t input, size_t n,
+                                 const double ratio[], double x[], rot_refusal *no) {
+  const rot_status status = rot_input_each(rot_drive_inputs, given, input, n, x, no);
+  if (status != ROT_OK || (given[input].is && given[input].n != 1)) return status;
+  for (size_t i = 0; i < n; i++) {
+    x[i] /= ratio[i];
+    if (!isfinite(x[i])) return rot_refuse(no, input, "over the ratios is beyond double precision");
+  }
+  return ROT_OK;
+}
+
+static rot_status check_geared_rates(size_t n, const rot_drive_coupling coupling[],
+                                     const double omega[], rot_refusal *no) {
+  for (size_t i = 0; i + 1 < n; i++) {
+    if (coupling[i].kind != ROT_DRIVE_GEAR) continue;
+    const double off = fabs(omega[i] - coupling[i].ratio * omega[i + 1]);
+    if (!(off <= 1e-12 * fabs(omega[i]))) {
+      return rot_refuse(no, OMEGA0,
+                        "must agree with the gears: rotor %zu turns at %g, the next at %g, and the "
+                        "ratio is %g",
+                        i + 1, omega[i], omega[i + 1], coupling[i].ratio);
+    }
+  }
+  return ROT_OK;
+}
+
+static rot_status build_rotors(const rot_given given[], size_t n, rot_drive_built *built,
+                               rot_refusal *no) {
+  rot_store *store = &built->store;
+  double *inertia = rot_store_get(store, n, 4 * sizeof *inertia);
+  rot_axle_scene *rotor = rot_store_get(store, n, sizeof *rotor);
+  rot_drive_grip *brake = rot_store_get(store, n, sizeof *brake);
+  if (!inertia || !rotor || !brake) return ROT_ENOMEM;
+  double *ratio = inertia + n, *theta = ratio + n, *omega = theta + n;
+  long double product = 1.0L; /* as R multiplies them */
+  rot_status status = rot_body_moments(given, BODIES, inertia, no);
+  for (size_t i = 0; i < n; i++) {
+    if (i > 0) product *= built->scene.coupling[i - 1].ratio;
+    ratio[i] = (double)product;
+    if (!isfinite(ratio[i]) || ratio[i] == 0.0) {
+      return rot_refuse(no, COUPLINGS, "have a product of ratios beyond double precision");
+    }
+  }
+  if (status == ROT_OK) status = through_ratios(given, THETA0, n, ratio, theta, no);
+  if (status == ROT_OK) status = through_ratios(given, OMEGA0, n, ratio, omega, no);
+  if (status == ROT_OK) status = check_geared_rates(n, built->scene.coupling, omega, no);
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
+    const rot_given *holds = item_of(&given[BRAKE], i);
+    rotor[i].linear.inertia_kg_m2 = inertia[i];
+    rotor[i].linear.start_s = built->scene.start_s;
+    rotor[i].linear.theta0_rad = theta[i];
+    rotor[i].linear.omega0_rad_per_s = omega[i];
+    if (holds->is) brake[i] = *(const rot_drive_grip *)holds->object;
+    status = rot_axle_load(item_of(&given[TORQUE], i), item_of(&given[RESISTANCE], i), store,
+                           &rotor[i], NULL);
+    if (status == ROT_EVALUE) {
+      return rot_refuse(no, TORQUE, "item %zu adds up beyond double precision", i + 1);
+    }
+  }
+  built->scene.rotor = rotor;
+  built->scene.brake = brake;
+  return status;
+}
+
+rot_status rot_drive_build(const rot_given given[], void *to, rot_refusal *no) {
+  rot_drive_built *built = to;
+  const size_t n = rot_body_count(&given[BODIES]);
+  memset(built, 0, sizeof *built);
+  if (n == 0) return rot_refuse(no, BODIES, "is empty");
+  built->scene.n = n;
+  built->scene.start_s = rot_input_number(rot_drive_inputs, given, START);
+  rot_status status = check_counts(given, n, no);
+  if (status == ROT_OK) status = build_couplings(given, n, built, no);
+  if (status == ROT_OK) status = build_rotors(given, n, built, no);
+  return status;
+}
+
+void rot_drive_release(void *built) { rot_store_free(&((rot_drive_built *)built)->store); }
+
+double rot_drive_start_s(const void *scene) { return ((const rot_drive_scene *)scene)->start_s; }
+
+size_t rot_drive_copies(const void *scene) { return ((const rot_drive_scene *)scene)->n; }
+
+/* ---- columns --------------------------------------------------------------------------------- */
+
+const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS] = {
+    {"theta_rad", 0, 0, NULL, 1 + ROT_THETA},
+    {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA},
+    {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0},
+    {"rotational_kinetic_energy_j", 0, 0, NULL, 0},
+    {"applied_torque_n_m", 0, 0, NULL, 0},
+    {"damping_torque_n_m", 0, 0, NULL, 0},
+    {"coupling_torque_n_m", 0, 0, NULL, 0},
+    {"locked", 1, 0, NULL, 0},
+    {"heat_j", 0, 0, NULL, 0},
+    {"coupling_heat_j", 0, 0, NULL, 0}};
+
+/* ---- runs ------------------------------------------------------------------------------------ */
+
+static rot_status run(const void *of, const rot_task *task, rot_method method, const rot_rows *rows,
+                      const rot_hooks *hooks, rot_info *info) {
+  const rot_drive_scene *scene = of;
+  const rot_drive_ode_options options = {task->accuracy, task->max_steps,
+                                         task->asked ? method : ROT_METHOD_NONE, task->resolution};
+  rot_drive_columns out;
+  rot_drive_ledger ledger;
+  rot_drive_places places = {0, NULL};
+  rot_store store = {NULL};
+  size_t i = 0, no_memory = 0;
+#define X(type, name) out.name = rows->column[i++];
+  ROT_DRIVE_COLUMNS(X)
+#undef X
+#define X(name)                                                                                    \
+  ledger.name = rot_store_get(&store, task->n, sizeof(double));                                    \
+  no_memory += !ledger.name;
+  ROT_DRIVE_LEDGER(X)
+#undef X
+  rot_info_clear(info, rot_turning);
+  info->status = ROT_ENOMEM;
+  if (!no_memory) {
+    info->status = rot_drive_integrate(scene, &options, task->n, task->time_s, &out, &ledger,
+                                       rows->events, &places, hooks, info);
+  }
+  for (size_t k = scene->n - 1; k < info->rows_done * scene->n; k += scene->n) {
+    out.coupling_torque_n_m[k] = out.coupling_heat_j[k] = NAN;
+    out.locked[k] = -1;
+  }
+  free(places.place);
+  rot_store_free(&store);
+  return info->status;
+}
+
+const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS] = {{ROT_METHOD_RK8PD, run},
+                                                        {ROT_METHOD_RADAU, run}};

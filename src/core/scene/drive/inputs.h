@@ -1,0 +1,31 @@
+/* A drive from its inputs, its columns, and the runs of its models; couplings and brakes. */
+#ifndef ROT_DRIVE_INPUTS_H
+#define ROT_DRIVE_INPUTS_H
+
+#include "engine/model.h"
+#include "engine/part.h"
+#include "scene/drive/drive.h"
+
+enum { ROT_DRIVE_INPUTS = 8, ROT_DRIVE_ALL_COLUMNS = 10, ROT_DRIVE_MODELS = 2 };
+
+extern const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS];
+extern const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS];
+extern const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS];
+
+/* As built: what the models read first, as they read it. */
+typedef struct rot_drive_built {
+  rot_drive_scene scene;
+  rot_store store;
+} rot_drive_built;
+
+/* rot_constraint.build, .release, .start_s and .copies */
+rot_status rot_drive_build(const rot_given given[], void *built, rot_refusal *refusal);
+void rot_drive_release(void *built);
+double rot_drive_start_s(const void *scene);
+size_t rot_drive_copies(const void *scene);
+
+/* coupling_shaft(), coupling_clutch(), coupling_gear(), brake() */
+extern const rot_part rot_drive_parts[];
+extern const size_t rot_drive_n_parts;
+
+#endif
