@@ -80,7 +80,7 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[], const r
 /* The flows follow the state, which the estimate's two runs may have wrong alike: their rounding,
  * and what a row between two steps is off by. Adds the integral over the span of the derivative of
  * the flow by the state, its mean at some rows, times the state's error: of the coordinates, of
- * their rates. Without it a tenth of the flows were off by more than reported, by up to 13 times. */
+ * their rates. Without it a tenth of the flows were off by more than reported, up to 13 times. */
 enum { LOOKS = 32 };
 
 static void add_errors_of_state(motion *m, size_t n, const double y[], double span,
