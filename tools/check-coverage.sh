@@ -1,14 +1,14 @@
 #!/bin/sh
 # Do the reported errors cover the true ones? Random scenes for each model of the axle, of the
-# incline, of the heavy top (to 1e9 rad and more) and of free bodies with rotors or without, and for
-# the installed package random R functions as torque laws, narrow changes of such laws, random
-# curves, audits of random motions, bodies at rest on redundant supports, and random gears, drives,
-# rotors, inclines, dry friction, long spans and short pulses, judged in quadruple precision, bodies
-# at rest by linear programs of lpSolve (bench/coverage/). What is estimated from measured records,
-# with correlated noise, counters and quadratic damping among them, is judged by
-# check-measurement.sh. Needs gcc, libquadmath and the R package lpSolve. Without SEED another one
-# is drawn each time. 1000 scenes of each class are 34,000 in all: each part ends with the number of
-# its own.
+# incline, of beads on hoops, of chains of pendulums, of the heavy top (to 1e9 rad and more) and of
+# free bodies with rotors or without, and for the installed package random R functions as torque
+# laws, narrow changes of such laws, random curves, audits of random motions, bodies at rest on
+# redundant supports, and random gears, drives, rotors, inclines, dry friction, long spans and short
+# pulses, judged in quadruple precision, bodies at rest by linear programs of lpSolve
+# (bench/coverage/). What is estimated from measured records, with correlated noise, counters and
+# quadratic damping among them, is judged by check-measurement.sh. Needs gcc, libquadmath and the R
+# package lpSolve. Without SEED another one is drawn each time. 1000 scenes of each class are 39,000
+# in all: each part ends with the number of its own.
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
@@ -21,7 +21,7 @@ ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Ibench/coverage -Isrc/core $(gsl-co
 for program in laws chains curves; do
   ${CC:-gcc} -std=gnu11 -O2 bench/coverage/$program.c -lquadmath -lm -o "$build/$program"
 done
-for program in top free forced gyrostat incline; do
+for program in top free forced gyrostat incline hoop pendulums; do
   ${CC:-gcc} -std=gnu11 -O2 -ffp-contract=off -Isrc/core $(gsl-config --cflags) \
     bench/coverage/$program.c $core $(gsl-config --libs) -lquadmath -lm -o "$build/$program"
 done
@@ -30,6 +30,8 @@ echo "seed $seed"
 bad=0
 "$build/coverage" "${1:-1000}" "$seed" || bad=1
 "$build/incline" "${1:-1000}" "$seed" || bad=1
+"$build/hoop" "${1:-1000}" "$seed" || bad=1
+"$build/pendulums" "$((${1:-1000} / 3))" "$seed" || bad=1
 "$build/top" "${1:-1000}" "$seed" || bad=1
 "$build/free" "${1:-1000}" "$seed" || bad=1
 "$build/forced" "$((${1:-1000} / 2))" "$seed" || bad=1
