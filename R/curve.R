@@ -532,22 +532,27 @@ drop_rates <- function(curve, u, a, y_a, y) {
   )
 }
 
-# (y_a - y(u))/|u - a|: the mean of the slope, by 15 points, where they resolve it or are better
-# than the difference, which has the rounding of y: that may be a difference of large terms.
-# `reach`: of mean_reach().
-drop_rate <- function(curve, u, a, y_a, y, reach) {
+# (y_a - y(u))/|u - a| and its error: the mean of the slope, by 15 points, where they resolve it or
+# are better than the difference, which has the rounding of y: that may be a difference of large
+# terms. `reach`: of mean_reach(). `dy`: the slope at u.
+drop_rate <- function(curve, u, a, y_a, y, reach, dy = 0) {
   r <- drop_rates(curve, u, a, y_a, y)
   eps <- .Machine$double.eps
   span <- abs(u - a)
   better <- r$error <= eps * r$size | r$error < eps * pmax(abs(y_a), abs(y)) / span
   better <- better & is.finite(r$mean) & span != 0 & span <= reach
+  # The terms of y may be larger than y: as the slope times x is.
+  terms <- pmax(abs(y_a), abs(y)) + abs(dy) * pmax(abs(u), abs(a))
+  error <- ifelse(better, r$error + eps * r$size, eps * terms / span)
+  error[span == 0] <- 0
   r$plain[better] <- r$mean[better]
   r$plain[span == 0] <- -curve$dy(a) * sign(sum(u - a))
-  r$plain
+  list(rate = r$plain, error = error)
 }
 
 square_speed <- function(run, u, y = run$curve$y(u)) {
-  fall <- drop_rate(run$curve, u, run$from, run$start$y, y, run$reach) * abs(u - run$from)
+  rate <- drop_rate(run$curve, u, run$from, run$start$y, y, run$reach)$rate
+  fall <- rate * abs(u - run$from)
   fall[u == run$from] <- 0
   run$v0^2 + run$c2 * fall
 }
@@ -745,11 +750,12 @@ curve_integrals <- function(run, end, u, call) {
       at_u <- anchor + length_s * s^2
       at <- curve_values(run$curve, at_u, call)
       y_a <- if (from_start) run$start$y else y_last
-      rate <- drop_rate(run$curve, at_u, anchor, y_a, at$y, reach[1 + from_start])
+      drop <- drop_rate(run$curve, at_u, anchor, y_a, at$y, reach[1 + from_start], at$dy)
       v_a2 <- if (from_start) run$v0^2 else v_end
       # v = s sqrt(v_a^2/s^2 + c M L): the s of du = 2 L s ds cancels.
-      part <- run$c2 * rate * abs(length_s)
-      blur <- eps * (v_a2 / s^2 + abs(part)) + rounding[1 + from_start] / s^2
+      part <- run$c2 * drop$rate * abs(length_s)
+      blur <- eps * v_a2 / s^2 + run$c2 * drop$error * abs(length_s) +
+        rounding[1 + from_start] / s^2
       square <- pmax(v_a2 / s^2 + part, blur)
       slowness <- 1 / sqrt(square)
       slowness[!is.finite(slowness)] <- 0

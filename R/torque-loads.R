@@ -94,7 +94,9 @@ knot_sides <- function(law, times) {
   last <- findInterval(times, t) # the last knot at or before
   line <- function(i) { # between knots i and i + 1
     width <- t[i + 1L] - t[i]
-    tau[i] * ((t[i + 1L] - times) / width) + tau[i + 1L] * ((times - t[i]) / width)
+    mean <- tau[i] * ((t[i + 1L] - times) / width) + tau[i + 1L] * ((times - t[i]) / width)
+    # The two shares are 1 within rounding: a level would become a slope of one unit of it.
+    ifelse(tau[i] == tau[i + 1L], tau[i], mean)
   }
   on_knot <- first <= n & t[pmin(first, n)] == times
   inside <- !on_knot & last >= 1L & last < n

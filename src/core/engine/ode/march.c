@@ -507,11 +507,13 @@ static course set_out(rot_ode_march *run, double end, int forward) {
   return w;
 }
 
-/* The next break, +-Inf if there is none; rhs stays on this side of it. */
-static double next_break(const rot_ode_march *run, course *w) {
+/* The next break, +-Inf if there is none; rhs stays on this side of it. Between two neighbours of
+ * the doubles there is no other side: the lower of them has the value after it. */
+static double next_break(rot_ode_march *run, course *w) {
   const int more = run->forward ? w->k < run->p->n_breaks : w->k > 0;
   const double stop = more ? run->p->breaks[run->forward ? w->k : w->k - 1] : w->outward;
   *w->far = more ? nextafter(stop, -w->outward) : w->outward;
+  if (run->after > run->before) run->after = run->before;
   return stop;
 }
 

@@ -59,7 +59,9 @@ typedef struct rot_ode_params {
   const rot_ode_group *groups;
   rot_ode_rhs rhs;
   void *ctx;
-  size_t n_breaks; /* times where rhs may jump or kink, increasing; it is never evaluated there */
+  /* Times where rhs may jump or kink, increasing. It is not evaluated there, but for the lower one
+   * of two between which there is no double: there it has the value after the jump. */
+  size_t n_breaks;
   const double *breaks;
   double start_s;
   int start_breaks;           /* the start counts as a break */
