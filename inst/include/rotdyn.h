@@ -176,7 +176,7 @@ typedef struct rotdyn_candidate {
 typedef struct rotdyn_rows_in {
   size_t size;
   rotdyn_column time_s; /* of each row */
-  size_t n_inputs;      /* numbers or limits of the scene that differ from row to row */
+  size_t n_inputs;      /* numbers of the scene, one each, that differ from row to row */
   const char *const *inputs;
   const rotdyn_column *values;
 } rotdyn_rows_in;
