@@ -133,7 +133,7 @@ layers='
 2 maths
 3 engine
 4 engine/ode
-3 body
+4 body
 5 scene/axle
 5 scene/shaft
 5 scene/clutch

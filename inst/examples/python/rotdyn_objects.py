@@ -131,3 +131,14 @@ def run(constructor, arguments, time_s, columns=None, accuracy=0.0, model=None):
     if status:
         raise Refused(f"{lib.rotdyn_status_text(status).decode()}: {report.reason.decode()}")
     return report, {name: list(values) for name, values in zip(columns, out)}
+
+
+def candidates(constructor, arguments, time_s, accuracy=0.0):
+    """The models, cheapest first, each with the reason against it, or what it ignores."""
+    scene, options, one = Object(constructor, arguments), Options(accuracy=accuracy), Candidate()
+    k, found = 0, []
+    while lib.rotdyn_scene_candidate(scene.pointer, len(time_s), doubles(time_s),
+                                     c.byref(options), k, c.byref(one)) == 0:
+        found.append((one.model.decode(), one.reason.decode()))
+        k += 1
+    return found
