@@ -12,7 +12,9 @@ static int used;
 
 void begin(void) { api = rotdyn_api_from_r(); }
 
-void is_object(char **constructor, int *answer) { *answer = api->object_kind(*constructor) != NULL; }
+void is_object(char **constructor, int *answer) {
+  *answer = api->object_kind(*constructor) != NULL;
+}
 
 void new_object(char **constructor, int *at) {
   *at = used;

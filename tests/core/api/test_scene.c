@@ -1,5 +1,5 @@
-/* Runs of scenes through the C interface: refusals, rows against closed forms and against the core's
- * own run, laws, damaged calls. */
+/* Runs of scenes through the C interface: refusals, rows against closed forms and against the
+ * core's own run, laws, many scenes, threads. */
 #include "api/scene.h"
 
 #include <stdint.h>
