@@ -2,8 +2,8 @@
 #include "glue/ffi.h"
 #include "scene/chain/chain.h"
 
-/* list(omega_rad_per_s, shape): by mode, slowest first, and n x n, link by mode, the largest 1; NULL
- * where they are beyond double precision. `n` lengths and masses. */
+/* list(omega_rad_per_s, shape): by mode, slowest first, and n x n, link by mode, the largest 1;
+ * NULL where they are beyond double precision. As many lengths as masses. */
 SEXP ffi_chain_modes(SEXP length_m, SEXP mass_kg, SEXP rods, SEXP gravity) {
   const double *length = ffi_reals(length_m, "length_m", -1);
   const R_xlen_t n = XLENGTH(length_m);

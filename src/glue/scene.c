@@ -284,8 +284,8 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
 
 /* ---- the most common run in one call --------------------------------------------------------- */
 
-/* The scene last found sound. It is kept, so R copies it before it is changed, and a pointer that is
- * the same means a scene that is. */
+/* The scene last found sound. It is kept, so R copies it before it is changed, and an equal pointer
+ * means an equal scene. */
 static SEXP sound = NULL;
 
 /* As ffi_form_fault(), of a scene. */

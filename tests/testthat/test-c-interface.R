@@ -127,7 +127,9 @@ random_resistance <- function() {
 random_axle <- function() {
   body <- random_body()
   if (stats::runif(1) < 0.15) body <- inertia_knots(c(0, 2, 5), stats::runif(3, 0.5, 2))
-  axis <- if (inherits(body, "rot_body")) one_of("z", "x", stats::rnorm(3)) else "z"
+  # A point and a rod have an axis without moment of inertia.
+  thick <- inherits(body, "rot_body") && !body$shape %in% c("point", "rod_end")
+  axis <- if (thick) one_of("z", "x", stats::rnorm(3)) else "z"
   suppressMessages(scene_axle(
     body, random_torque(), random_resistance(), one_of(0, stats::rnorm(1)), one_of(0, 3),
     start_s = one_of(0, 1), axis = axis
