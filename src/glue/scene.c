@@ -388,7 +388,7 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP
                          ffi_reals(error, "error", -1)};
   double term[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES];
   const char *words[ROT_MOST_TERMS];
-  rot_run_audit(c, built, &span, term, explained);
+  if (rot_run_audit(c, built, &span, term, explained) != ROT_OK) Rf_error("out of memory");
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), balance, role;
   SET_VECTOR_ELT(out, 0, ffi_numbers((int)terms, term));
   SET_VECTOR_ELT(out, 1, ffi_numbers((int)c->n_balances, explained));
