@@ -32,6 +32,11 @@ axle_constraint <- function() {
     without = axle_without,
     acting = axle_acting,
     rounding = axle_rounding,
+    quick = function(scene) {
+      is.null(.subset2(scene, "inertia")) && is.null(.subset2(scene, "rounding")) &&
+        is.null(.subset2(scene, "rope")) && is.null(.subset2(scene, "train")) &&
+        known_to_rounding(scene)
+    },
     columns = trajectory_columns,
     more_columns = function(columns, scene, time_s) {
       if (!is.null(.subset2(scene, "inertia"))) {

@@ -19,6 +19,10 @@ free_constraint <- function() {
     models = free_models,
     columns = free_columns,
     more_names = rotor_names,
+    quick = function(scene) {
+      is.null(.subset2(scene, "law")) && is.null(.subset2(scene, "rotors")) &&
+        known_to_rounding(scene)
+    },
     keys = c("time_s", quaternion_columns, free_rates("")),
     measures = list(
       attitude = measure("rad", quaternion_columns, attitude_distance),

@@ -4,6 +4,7 @@ pivot_constraint <- function() {
   summary_free <- free$summary
   own <- list(
     id = "pivot",
+    quick = NULL,
     scene_class = "rot_scene_pivot",
     form = c(free$form, list(
       mass_kg = "number", centre_m = "numbers:3", lever_n_m = "numbers:3",

@@ -24,6 +24,8 @@
 #   more_names(scene)            NULL, or the names of those that only some scenes have
 #   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run also gives
 #                 event_rows, list(columns, ledger): the rows at the times of its events
+#   quick(scene)  NULL, or TRUE where none of more_columns, rounding, acting and ends has a part in the
+#                 scene, and its bodies are known to rounding
 #   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:
 #                 those of a motion, or NULL
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time

@@ -69,6 +69,10 @@
 trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
                        on_fail = c("abort", "truncate"), max_steps = 1e6, step_s = NULL,
                        event_rows = FALSE, resolution = 0.005) {
+  if (nargs() == 2L && !missing(scene) && !missing(time_s)) {
+    motion <- quick_trajectory(scene, time_s)
+    if (!is.null(motion)) return(motion)
+  }
   call <- environment()
   if (missing(scene) || missing(time_s)) check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
@@ -90,6 +94,32 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   )
   warn_of_end(scene, motion, call)
   motion
+}
+
+# A motion of which nothing is to be said, with all that is chosen left to its default: one call of C
+# chooses and runs. NULL where there is more to do.
+quick_trajectory <- function(scene, time_s, accuracy = 1e-9) {
+  constraint <- constraint_of(scene)
+  if (is.null(constraint) || is.null(constraint$quick) || !constraint$quick(scene)) return()
+  result <- .Call(
+    ffi_scene_quick, constraint$id, constraint$form, scene, time_s, accuracy
+  )
+  if (is.null(result)) return()
+  run <- result[[2L]]
+  new_trajectory(run$columns, length(time_s), new_run(
+    scene, scene, NULL, result[[1L]], accuracy, "bound", run$info, run$ledger, NULL, run$events,
+    1e6, FALSE, NULL
+  ))
+}
+
+# What a trajectory remembers of its run.
+new_run <- function(scene, solved, dropped, model, accuracy, error_kind, info, ledger, step_s,
+                    events, max_steps, asked, body) {
+  list(
+    scene = scene, solved = solved, dropped = dropped, model = model, accuracy = accuracy,
+    error_kind = error_kind, info = info, ledger = ledger, step_s = step_s, events = events,
+    max_steps = max_steps, asked = asked, body = body
+  )
 }
 
 # From when on a motion is beyond its model, if it is.
@@ -199,21 +229,12 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
       x = if (length(beyond)) "Beyond double precision: {.field {beyond}}."
     ), "accuracy", call)
   }
-  new_trajectory(columns, n * each, list(
-    scene = scene,
-    solved = fit$scene,
-    dropped = fit$dropped,
+  new_trajectory(columns, n * each, new_run(
+    scene, fit$scene, fit$dropped,
     # One integrator may switch to the other.
-    model = if (is.null(record$ran_as)) record$id else record$ran_as(info),
-    accuracy = accuracy,
-    error_kind = record$error_kind,
-    info = info,
-    ledger = result$ledger,
-    step_s = fit$step_s,
-    events = result$events,
-    max_steps = max_steps,
-    asked = asked,
-    body = if (info$kind == "none") body_effect(fit, time_s, accuracy, max_steps, call)
+    if (is.null(record$ran_as)) record$id else record$ran_as(info),
+    accuracy, record$error_kind, info, result$ledger, fit$step_s, result$events, max_steps, asked,
+    if (info$kind == "none") body_effect(fit, time_s, accuracy, max_steps, call)
   ))
 }
 
@@ -289,10 +310,9 @@ measure_on_the_way <- function(info, fit, time_s, accuracy, max_steps, call) {
 # relative; NULL where they are known to rounding. By a second run for each body, at 65 times at
 # most, with its moment changed by its error.
 body_effect <- function(fit, time_s, accuracy, max_steps, call) {
+  if (!length(time_s) || known_to_rounding(fit$scene)) return(NULL)
   off <- inertia_errors(fit$scene)
-  if (is.null(off)) return(NULL)
   known <- !is.finite(off) | off <= 1e-14
-  if (all(known) || !length(time_s)) return(NULL)
   rows <- unique(round(seq(1, length(time_s), length.out = min(65, length(time_s)))))
   times <- sort(c(time_s[rows], fit$scene$start_s + (max(time_s) - fit$scene$start_s) / 2))
   run <- function(scene) {
@@ -316,6 +336,12 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
   list(
     inertia = max(off[!known]), effect = .Call(ffi_error_figure, effect, base$info$sizes)
   )
+}
+
+# Whether the moments of inertia of a scene are known to rounding, or not at all.
+known_to_rounding <- function(scene) {
+  off <- inertia_errors(scene)
+  is.null(off) || all(!is.finite(off) | off <= 1e-14)
 }
 
 # The relative error of each moment of inertia of a scene, NULL where all are known to rounding. A
@@ -717,5 +743,9 @@ spin_up <- function(body = body_disk(2, 0.25),
   scene <- describe_axle(
     body, torque, new_resistance(viscous), theta0_rad, omega0_rad_per_s, 0, NULL, NULL, call
   )
+  if (is.null(model) && identical(accuracy, 1e-9)) {
+    motion <- quick_trajectory(scene, time_s)
+    if (!is.null(motion)) return(motion)
+  }
   compute_trajectory(scene, time_s, accuracy, model, "abort", 1e6, call)
 }

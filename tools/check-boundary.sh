@@ -109,7 +109,8 @@ grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/glue" |
 # one. Of the accessors in capitals, those that it does not list are named.
 api='R_(CallMethodDef|CheckStack|CheckUserInterrupt|ContinueUnwind|DimNamesSymbol|FINITE|GlobalEnv)
 R_RegisterCCallable
-R_(MakeUnwindCont|NaN|NO_REMAP|NamesSymbol|NilValue|PosInf|UnwindProtect)
+R_(MakeUnwindCont|NaN|NO_REMAP|NamesSymbol|NilValue|PosInf|PreserveObject|ReleaseObject)
+R_UnwindProtect
 Rf_(Scalar(Integer|Logical|Real|String)|alloc(Matrix|Vector)|as(Integer|Logical|Real)|duplicate)
 Rf_(error|eval|getAttrib|inherits|is(Function|Matrix|Null|Object)|lang[23]|length)
 Rf_(mk(Char|CharLenCE|Named|String)|ncols|nrows|setAttrib|translateCharUTF8|xlength)'

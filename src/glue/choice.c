@@ -13,47 +13,16 @@
 
 typedef struct question {
   const rot_constraint *constraint;
-  union {
-    rot_axle_scene axle;
-    rot_shaft_params rotors;
-    rot_clutch_params clutch;
-    rot_drive_scene drive;
-    rot_incline_scene incline;
-    rot_free_params free;
-  } own;
   const void *scene;
   rot_query query;
 } question;
-
-/* Stands for the law of a scene, which is not called here. */
-static rot_status no_call(double t, double theta, double omega, double *torque, void *ctx) {
-  (void)t, (void)theta, (void)omega, (void)torque, (void)ctx;
-  return ROT_ETORQUE;
-}
 
 static void read_question(SEXP id, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s,
                           question *q) {
   q->constraint = ffi_constraint(id);
   q->query = (rot_query){(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1),
                          ffi_real(accuracy, "accuracy"), ffi_real(law_s, "law_s")};
-  q->scene = &q->own;
-  if (ffi_scene_by_table(q->constraint)) {
-    q->scene = ffi_scene_build(q->constraint, scene);
-  } else if (!strcmp(q->constraint->id, "rotors")) {
-    q->own.rotors = ffi_shaft_scene(scene);
-  } else if (!strcmp(q->constraint->id, "clutch")) {
-    q->own.clutch = ffi_clutch_scene(scene);
-  } else if (!strcmp(q->constraint->id, "drive")) {
-    q->own.drive = ffi_drive_scene(scene);
-  } else if (!strcmp(q->constraint->id, "incline")) {
-    q->own.incline = ffi_incline_scene(scene);
-  } else if (!strcmp(q->constraint->id, "free") || !strcmp(q->constraint->id, "pivot")) {
-    q->own.free = ffi_free_scene(scene);
-  } else {
-    q->own.axle = ffi_axle_scene(scene, R_NilValue);
-    const int law = !Rf_isNull(ffi_element(ffi_element(scene, "loads"), "law"));
-    if (law) q->own.axle.linear.torque.call = no_call;
-  }
+  q->scene = ffi_scene_build(q->constraint, scene);
 }
 
 /* ---- answers --------------------------------------------------------------------------------- */

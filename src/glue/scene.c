@@ -1,10 +1,12 @@
 #include "glue/scene.h"
 #include "glue/run.h"
+#include "glue/scenes.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/axle/inputs.h"
 #include "scene/run.h"
 
 const rot_constraint *ffi_constraint(SEXP id) {
@@ -62,8 +64,39 @@ static rot_status read_scene(const rot_constraint *constraint, SEXP scene, void 
   return status == ROT_OK ? constraint->build(given, to, refusal) : status;
 }
 
+/* Stands for the law of a scene, which is not called here. */
+static rot_status no_call(double t, double theta, double omega, double *torque, void *ctx) {
+  (void)t, (void)theta, (void)omega, (void)torque, (void)ctx;
+  return ROT_ETORQUE;
+}
+
+#define KEPT(type, value)                                                                          \
+  (*(type *)memcpy(R_alloc(1, sizeof(type)), &(type[]){value}, sizeof(type)))
+
+/* Scenes that R holds in other forms than the inputs of their table. */
+static const void *read_own(const rot_constraint *constraint, SEXP scene) {
+  if (!strcmp(constraint->id, "rotors")) return &KEPT(rot_shaft_params, ffi_shaft_scene(scene));
+  if (!strcmp(constraint->id, "clutch")) return &KEPT(rot_clutch_params, ffi_clutch_scene(scene));
+  if (!strcmp(constraint->id, "drive")) return &KEPT(rot_drive_scene, ffi_drive_scene(scene));
+  if (!strcmp(constraint->id, "incline")) {
+    return &KEPT(rot_incline_scene, ffi_incline_scene(scene));
+  }
+  if (!strcmp(constraint->id, "free") || !strcmp(constraint->id, "pivot")) {
+    return &KEPT(rot_free_params, ffi_free_scene(scene));
+  }
+  /* As its runs expect it: nothing else in it is set. */
+  rot_axle_built *axle = (rot_axle_built *)R_alloc(1, sizeof *axle);
+  memset(axle, 0, sizeof *axle);
+  axle->scene = ffi_axle_scene(scene, R_NilValue);
+  if (!Rf_isNull(ffi_element(ffi_element(scene, "loads"), "law"))) {
+    axle->scene.linear.torque.call = no_call;
+  }
+  return axle;
+}
+
 const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
   rot_refusal no;
+  if (!ffi_scene_by_table(constraint)) return read_own(constraint, scene);
   void *built = R_alloc(1, (int)constraint->scene_size);
   if (read_scene(constraint, scene, built, &no) != ROT_OK) {
     Rf_error("internal: `%s` %s", constraint->inputs[no.input].name, no.reason);
@@ -247,6 +280,95 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
   run.events = outcome.events;
   run.beyond = isinf(outcome.error) && outcome.info.status == ROT_OK;
   return ffi_run_end(&run, outcome.info.status);
+}
+
+/* ---- the most common run in one call --------------------------------------------------------- */
+
+/* The scene last found sound. It is kept, so R copies it before it is changed, and a pointer that is
+ * the same means a scene that is. */
+static SEXP sound = NULL;
+
+/* As ffi_form_fault(), of a scene. */
+SEXP ffi_scene_form_fault(SEXP scene, SEXP form) {
+  if (scene == sound) return R_NilValue;
+  SEXP fault = ffi_form_fault(scene, form);
+  if (Rf_isNull(fault)) {
+    R_PreserveObject(scene);
+    if (sound) R_ReleaseObject(sound);
+    sound = scene;
+  }
+  return fault;
+}
+
+enum { QUICK_ROWS = 100000 }; /* more take so long that they show their progress */
+
+static int quick_times(const rot_constraint *c, const void *built, SEXP time_s) {
+  if (TYPEOF(time_s) != REALSXP || Rf_isObject(time_s)) return 0;
+  const R_xlen_t n = XLENGTH(time_s);
+  const double *t = REAL_RO(time_s), start = c->start_s(built);
+  if (n < 1 || n > QUICK_ROWS || !isfinite(t[n - 1] - start) || !isfinite(t[0] - start)) return 0;
+  for (R_xlen_t i = 1; i < n; i++) {
+    if (!(t[i] >= t[i - 1])) return 0;
+  }
+  return 1;
+}
+
+/* The columns that R shows: those without effects of their own. */
+static void quick_columns(const ffi_run *run, const rot_constraint *c, SEXP time_s,
+                          void *column[]) {
+  const char *names[ROT_MOST_COLUMNS + 2] = {"time_s"};
+  const R_xlen_t n = XLENGTH(time_s);
+  size_t shown = 0;
+  while (shown < c->n_columns && !c->columns[shown].only_with) {
+    names[shown + 1] = c->columns[shown].name;
+    shown++;
+  }
+  names[shown + 1] = "";
+  SEXP list = ffi_run_columns(run, names);
+  SET_VECTOR_ELT(list, 0, time_s);
+  for (size_t i = 0; i < shown; i++) column[i] = ffi_new_double(list, (R_xlen_t)i + 1, n);
+}
+
+/* list(model, run) by the cheapest model: a closed form that takes the scene unchanged, has no
+ * column of its own, and errs by roundings. NULL where anything else is so, which R says. */
+SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy) {
+  const rot_constraint *c = ffi_constraint(id);
+  if (c->index || !c->runs || !Rf_isNull(ffi_scene_form_fault(scene, form))) return R_NilValue;
+  const void *built = ffi_scene_build(c, scene);
+  if (!quick_times(c, built, time_s)) return R_NilValue;
+  const rot_task task = {.n = (size_t)XLENGTH(time_s),
+                         .time_s = REAL_RO(time_s),
+                         .accuracy = ffi_real(accuracy, "accuracy"),
+                         .max_steps = 1000000};
+  const rot_query query = {task.n, task.time_s, task.accuracy, 0.0};
+  rot_candidate picked[ROT_MOST_MODELS];
+  if (!rot_choice_pick(c, built, &query, picked) || picked[0].dropped) return R_NilValue;
+  const rot_model *model = picked[0].model;
+  if (model->error_kind != ROT_BOUND || model->use != ROT_FREELY) return R_NilValue;
+  void *column[ROT_MOST_COLUMNS] = {NULL};
+  ffi_run run;
+  ffi_run_begin(&run, R_NilValue);
+  quick_columns(&run, c, time_s, column);
+  rot_rows rows = {.column = column, .events = &run.events};
+  const rot_model_run *of = &c->runs[model - c->models];
+  const rot_status status = of->run(built, &task, of->method, &rows, &run.guard.hooks, &run.info);
+  const double error = rot_info_error(&run.info);
+  int plain = status == ROT_OK && error <= 1e-13 && error <= task.accuracy;
+  for (size_t i = 0; i < c->n_columns && column[i]; i++) {
+    double sum = 0.0;
+    for (size_t k = 0; k < task.n; k++) sum += ((const double *)column[i])[k];
+    plain &= isfinite(sum) != 0;
+  }
+  SEXP result = PROTECT(ffi_run_end(&run, status));
+  SEXP out = R_NilValue;
+  if (plain) {
+    out = PROTECT(Rf_allocVector(VECSXP, 2));
+    SET_VECTOR_ELT(out, 0, Rf_mkString(model->id));
+    SET_VECTOR_ELT(out, 1, result);
+    UNPROTECT(1);
+  }
+  UNPROTECT(1);
+  return out;
 }
 
 /* ---- balances -------------------------------------------------------------------------------- */
