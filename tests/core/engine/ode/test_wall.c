@@ -89,6 +89,29 @@ static void check_jump_in_time(void) {
  * the slope is -3/4, below it 2. */
 static void check_slide(void) { go(FILM, 0.0, -1.0, 0.0, 4.0, -0.25, 0.0, 2000); }
 
+/* Collocation knows no sliding, so calls that cost much are not spent on a try of it. */
+static void check_slide_of_costly_law(void) {
+  const double y0[] = {0.0, -1.0}, t = 4.0;
+  size_t calls[2];
+  for (int expensive = 0; expensive < 2; expensive++) {
+    double y[2], error[2], largest[2];
+    rot_info info;
+    law l = {FILM, 0};
+    const rot_ode_params p = {.dim = 2,
+                              .controlled = 2,
+                              .rhs = slope,
+                              .ctx = &l,
+                              .start = y0,
+                              .accuracy = 1e-9,
+                              .max_steps = 100000,
+                              .expensive = expensive};
+    ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, &t, y, NULL, error, largest, NULL, &info), ROT_OK);
+    ROT_CHECK(fabs(y[0] + 0.25) <= 1e-14 && fabs(y[1]) <= 1e-14);
+    calls[expensive] = l.calls;
+  }
+  ROT_CHECK_EQ_INT((long long)calls[1], (long long)calls[0]);
+}
+
 /* A square wave of 257 periods: each turns it by 1/4, and leaves no rate. */
 static void check_many_jumps(void) {
   const double y0[] = {0.0, 0.0}, t = 257.25;
@@ -119,5 +142,6 @@ int main(void) {
   check_kink();
   check_jump_in_time();
   check_slide();
+  check_slide_of_costly_law();
   return rot_test_report("ode_wall");
 }
