@@ -77,6 +77,16 @@ test_that("axes have the semi-axes' lengths, and go on in their directions", {
   expect_gt(third(1), 0.1)
 })
 
+test_that("a thin face has a side, one seen from its edge within rounding has none", {
+  # Twice the area is 1 and `height`.
+  shown <- function(height) {
+    flat <- cbind(c(0, 1, 0, 0.5), c(0, 0, 1, height))
+    nrow(rotdyn:::mesh_shadow(flat, rbind(c(1, 2, 3), c(1, 2, 4)))$front)
+  }
+  expect_identical(shown(1e-10), 2L)
+  expect_identical(shown(1e-13), 1L)
+})
+
 test_that("all panels span the same length", {
   plot <- ggplot2::autoplot(place_body(body_rod(1, 2), c(3, 0, 0)))
   frame <- layer(plot, "GeomBlank")
