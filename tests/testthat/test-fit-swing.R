@@ -182,6 +182,14 @@ test_that("errors are the package's own", {
   expect_error(fit_swing(r), class = "rotdyn_error_size")
 })
 
+test_that("the ends of a part of a record are one time each", {
+  r <- swing_record(0.6, 0.01)
+  for (limit in list("3", c(1, 2), NA_real_, NULL, TRUE)) {
+    expect_error(fit_swing(r, from_s = limit), class = "rotdyn_error_type")
+    expect_error(fit_swing(r, to_s = limit), class = "rotdyn_error_type")
+  }
+})
+
 test_that("swings of which no one has its passages and peaks sampled", {
   # A passage lies within 0.7 of half a swing between two samples: 2.2 a period are too few.
   time <- seq(0, 30, by = 1 / 2.2)
