@@ -136,6 +136,13 @@ test_that("at most 2000 points of a kind are drawn, the first and the last among
   expect_equal(range(top$across), c(-1, 1))
 })
 
+test_that("pieces are drawn from where the picture has its zero", {
+  body <- body_disk(2, 0.25)
+  body$detail$parts <- data.frame(x_m = c(11, 12), y_m = c(21, 23), z_m = c(31, 34))
+  pieces <- rotdyn:::body_pieces(body, c(10, 20, 30))
+  expect_equal(pieces[c("x", "y", "z")], data.frame(x = 1:2, y = c(1, 3), z = c(1, 4)))
+})
+
 test_that("a far origin is left out, and the caption says so", {
   plot <- ggplot2::autoplot(place_body(body_disk(2, 0.25), c(1e8, 0, 3)))
   expect_equal(
