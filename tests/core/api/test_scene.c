@@ -412,6 +412,23 @@ static void check_pivot(void) {
   rotdyn_scene_free(scene);
 }
 
+/* Each time is one, and so is its distance from the start. */
+static void check_times(void) {
+  const double omega0[] = {0.3, 0.0, 2.0};
+  const double times[][2] = {{-1e308, 0.0}, {0.0, -1.0}, {NAN, 0.0}, {0.0, INFINITY}};
+  const char *column = "omega_z_rad_per_s";
+  double value[2], *columns[] = {value};
+  rotdyn_scene *scene = spinning("scene_free", omega0, 0.0);
+  (void)rotdyn_scene_number(scene, "start_s", 1e308);
+  for (int i = 0; i < 4; i++) {
+    rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+    ROT_CHECK(rotdyn_scene_run(scene, 2, times[i], NULL, 1, &column, columns, &report) ==
+              ROTDYN_EARGUMENT);
+    ROT_CHECK(strstr(report.reason, "times") != NULL);
+  }
+  rotdyn_scene_free(scene);
+}
+
 /* ---- damaged calls --------------------------------------------------------------------------- */
 
 /* xorshift64 */
@@ -535,6 +552,7 @@ int main(void) {
   check_free();
   check_free_law();
   check_pivot();
+  check_times();
   check_damaged_calls();
   check_threads();
   return rot_test_report("api scene");
