@@ -1,6 +1,6 @@
 # A torque that is off by E moves a body of 2 kg m^2 by E t^2/(2 I), its rate by E t/I. With a
-# viscous resistance c backwards in time: I omega' = E - c omega. (Not a tiny E: expect_equal() compares
-# numbers below its tolerance by their difference.)
+# viscous resistance c backwards in time: I omega' = E - c omega. (Not a tiny E: expect_equal()
+# compares numbers below its tolerance by their difference.)
 test_that("a rounded coefficient counts as the torque it is, forwards and backwards", {
   scene <- list(
     rounding = c(0.3, 0), moment_of_inertia_kg_m2 = 2, start_s = 1,

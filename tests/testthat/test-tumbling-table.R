@@ -33,9 +33,14 @@ test_that("columns may have units of their own: moments, rates, attitudes", {
   skip_if_not_installed("units")
   bodies <- cbind(draw_bodies(5), attitude_from(c(0.3, 0.2, -1), "rotation_vector"))
   given <- bodies
-  for (name in names(bodies)[1:3]) given[[name]] <- units::set_units(bodies[[name]] * 1e4, "kg*cm^2")
-  for (name in names(bodies)[4:6]) given[[name]] <- units::set_units(bodies[[name]] * 60, "rad/min")
-  for (name in quaternion_columns) given[[name]] <- units::set_units(bodies[[name]], "1")
+  as_units <- function(columns, factor, unit) {
+    given[columns] <<- lapply(given[columns], function(x) {
+      units::set_units(factor * x, unit, mode = "standard")
+    })
+  }
+  as_units(1:3, 1e4, "kg*cm^2")
+  as_units(4:6, 60, "rad/min")
+  as_units(quaternion_columns, 1, "1")
   expect_equal(
     tumbling_table(given, 3)[tumbling_columns], tumbling_table(bodies, 3)[tumbling_columns]
   )
