@@ -420,6 +420,23 @@ static void check_pivot(void) {
   rotdyn_object_free(scene);
 }
 
+/* Each time is one, and so is its distance from the start. */
+static void check_times(void) {
+  const double omega0[] = {0.3, 0.0, 2.0};
+  const double times[][2] = {{-1e308, 0.0}, {0.0, -1.0}, {NAN, 0.0}, {0.0, INFINITY}};
+  const char *column = "omega_z_rad_per_s";
+  double value[2], *columns[] = {value};
+  rotdyn_object *scene = spinning("scene_free", omega0, 0.0);
+  (void)rotdyn_set_number(scene, "start_s", 1e308);
+  for (int i = 0; i < 4; i++) {
+    rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+    ROT_CHECK(rotdyn_scene_run(scene, 2, times[i], NULL, 2, 1, &column, columns, &report) ==
+              ROTDYN_EARGUMENT);
+    ROT_CHECK(strstr(report.reason, "times") != NULL);
+  }
+  rotdyn_object_free(scene);
+}
+
 /* ---- axles ----------------------------------------------------------------------------------- */
 
 static const double knot_s[] = {0.0, 1.0, 4.0, 6.0, 8.0}, knot_n_m[] = {0.0, 0.8, 0.8, 0.0, 0.0};
@@ -1052,6 +1069,7 @@ int main(void) {
   check_free();
   check_free_law();
   check_pivot();
+<<<<<<< HEAD
   check_spin_up();
   check_axle_forms();
   check_axes();
@@ -1065,6 +1083,10 @@ int main(void) {
   check_clutch();
   check_drive();
   check_rows();
+=======
+  check_times();
+  check_damaged_calls();
+>>>>>>> 10984324d281f27206ebf0f7b2f860d2b9a09eee
   check_threads();
   return rot_test_report("api scene");
 }
