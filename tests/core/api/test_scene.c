@@ -1069,7 +1069,6 @@ int main(void) {
   check_free();
   check_free_law();
   check_pivot();
-<<<<<<< HEAD
   check_spin_up();
   check_axle_forms();
   check_axes();
@@ -1083,10 +1082,7 @@ int main(void) {
   check_clutch();
   check_drive();
   check_rows();
-=======
   check_times();
-  check_damaged_calls();
->>>>>>> 10984324d281f27206ebf0f7b2f860d2b9a09eee
   check_threads();
   return rot_test_report("api scene");
 }
