@@ -13,9 +13,8 @@ SEXP ffi_chain_modes(SEXP length_m, SEXP mass_kg, SEXP rods, SEXP gravity) {
   SET_VECTOR_ELT(out, 1, shape = Rf_allocMatrix(REALSXP, (int)n, (int)n));
   /* By rows in the core, by columns in R. */
   double *by_rows = (double *)R_alloc((size_t)(n * n) + 1, sizeof *by_rows);
-  const rot_status status =
-      rot_chain_modes(length, mass, (size_t)n, ffi_real(rods, "rods") != 0.0,
-                      ffi_real(gravity, "gravity"), REAL(rate), by_rows);
+  const rot_status status = rot_chain_modes(length, mass, (size_t)n, ffi_real(rods, "rods") != 0.0,
+                                            ffi_real(gravity, "gravity"), REAL(rate), by_rows);
   for (R_xlen_t i = 0; i < n; i++) {
     for (R_xlen_t j = 0; j < n; j++) REAL(shape)[i + j * n] = by_rows[i * n + j];
   }

@@ -151,7 +151,7 @@ typedef struct rot_constraint {
   const char *const *flows; /* names */
   const rot_balance *balances;
   const rot_balance_term *terms;
-  /* The terms between two rows, each a smooth function of the state and the flows: what their errors
+  /* The terms between two rows, each a smooth function of state and flows: what their errors
    * explain is found by moving them (scene/run.h). */
   void (*audit)(const void *scene, const rot_span *span, double term[]);
   /* Whether the quantity of a balance is conserved, and why or why not. */
