@@ -128,9 +128,6 @@ no_balance <- function(name, about, unit) {
   balance(name, about, unit, NA_real_, NA_real_, NA_real_, NA_real_)
 }
 
-# The difference of squares as a product keeps the digits of a small change of a large energy.
-kinetic_change <- function(inertia, from, to) sum(0.5 * inertia * (to - from) * (to + from))
-
 #' @export
 print.rot_audit <- function(x, ..., digits = 4) {
   call <- rlang::current_env()

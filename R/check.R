@@ -345,3 +345,13 @@ check_string <- function(x, arg, choices, call) {
   }
   x
 }
+
+check_flag <- function(x, arg, call) {
+  if (!is.logical(x) || length(x) != 1L || is.na(x)) {
+    abort_rotdyn(
+      c("{.arg {arg}} must be {.code TRUE} or {.code FALSE}.", x = "It is {describe_value(x)}."),
+      "type", call
+    )
+  }
+  x
+}

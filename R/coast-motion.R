@@ -242,10 +242,10 @@ glance.rot_coast_fit <- function(x, ...) {
   fit <- coast_fit(x, "x", call)
   first <- fit$runs[[1]]
   number <- function(name) vapply(fit$runs, function(run) run$numbers[[name]], 0)
-  samples <- vapply(fit$runs, function(run) length(run$time_s), 0L)
+  size <- vapply(fit$runs, function(run) length(run$time_s), 0L)
   tibble::tibble(
-    runs = length(fit$runs), samples = sum(samples), dof = min(fit$pooled$dof),
-    sigma = sqrt(sum(number("sigma")^2 * samples) / sum(samples)),
+    runs = length(fit$runs), samples = sum(size), dof = min(fit$pooled$dof),
+    sigma = sqrt(sum(number("sigma")^2 * size) / sum(size)),
     sigma_unit = c("rad", "rad/s", "s")[first$kind + 1],
     correlation_time_s = max(number("tau_s")), white_share = min(number("white")),
     durbin_watson = min(vapply(fit$runs, function(run) durbin_watson(run$residual), 0)),

@@ -318,3 +318,13 @@ ledger_verdict <- function(verdict) {
   if (all(verdict %in% "balanced")) "balanced" else
     if ("unbalanced" %in% verdict) "unbalanced" else "not known"
 }
+
+#' @rdname conserved
+#' @export
+conserved.rot_collision <- function(x, row = 1, about = NULL, ...) {
+  call <- rlang::current_env()
+  check_no_dots(...)
+  collision <- check_collision(x, call)
+  row <- check_number(row, "row", "1", call, lower = 1, upper = max(1, nrow(x)))
+  keeps_table(draw_ledger(x, collision, floor(row), about, call)$keeps)
+}

@@ -853,3 +853,7 @@ falling_rod_columns <- c(
   "hinge_along_n", "hinge_across_n", "bending_moment_n_m", "break_at_m"
 )
 falling_rod_meanings <- c(omega_rad_per_s = "angular velocity of the fall")
+
+free_rates <- function(of) paste0("omega_", of, c("x", "y", "z"), "_rad_per_s")
+
+free_momenta <- paste0("angular_momentum_", c("x", "y", "z"), "_kg_m2_per_s")

@@ -61,16 +61,6 @@ conserved.rot_trajectory <- function(x, ...) {
   keeps_table(keeps_of(check_trajectory(x, "x", call)$solved))
 }
 
-#' @rdname conserved
-#' @export
-conserved.rot_collision <- function(x, row = 1, about = NULL, ...) {
-  call <- rlang::current_env()
-  check_no_dots(...)
-  collision <- check_collision(x, call)
-  row <- check_number(row, "row", "1", call, lower = 1, upper = max(1, nrow(x)))
-  keeps_table(draw_ledger(x, collision, floor(row), about, call)$keeps)
-}
-
 # One statement of a constraint: the quantity and the point, as its balances name them; whether it
 # is conserved; the reason in words.
 keeps <- function(quantity, about, conserved, why) {

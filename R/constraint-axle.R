@@ -196,15 +196,6 @@ axle_without <- function(scene, effects) {
   scene
 }
 
-# The torques of the whole scene in the states of a motion that left effects out.
-axle_acting <- function(columns, scene, time_s) {
-  torques <- .Call(
-    ffi_axle_torques, scene, time_s, columns$theta_rad, columns$omega_rad_per_s
-  )
-  columns[names(torques)] <- torques
-  columns
-}
-
 # Springs and gravity keep the energy, kinetic and potential, unless they act for a time only.
 conserved_axle <- function(scene) {
   loads <- scene$loads

@@ -70,32 +70,11 @@ free_constraint <- function() {
   )
 }
 
-free_rates <- function(of) paste0("omega_", of, c("x", "y", "z"), "_rad_per_s")
-
-free_momenta <- paste0("angular_momentum_", c("x", "y", "z"), "_kg_m2_per_s")
-
 # The angle between attitudes; 1 from no attitude at all, the size of each.
 attitude_distance <- function(got, want) {
   columns <- c(asplit(unname(got), 2), asplit(unname(want), 2))
   angle <- .Call(ffi_attitude_pair, 3, lapply(columns, as.double))[[1]]
   ifelse(rowSums(want^2) == 0, 1, angle)
-}
-
-# The inertia tensor in the body's own axes.
-free_tensor <- function(scene) {
-  moments <- scene$moment_of_inertia_kg_m2
-  if (scene$axes[1] == 1) return(diag(moments))
-  axes <- matrix_of_quaternion(scene$axes, "axes", NULL)
-  axes %*% (moments * t(axes))
-}
-
-# A half period of the motion as it starts, without torque.
-scene_flip_time <- function(scene) {
-  omega <- scene$omega0_rad_per_s
-  if (scene$axes[1] != 1) {
-    omega <- unlist(.Call(ffi_attitude_turn, as.list(c(scene$axes, omega)), 0), use.names = FALSE)
-  }
-  .Call(ffi_free_flips, as.list(scene$moment_of_inertia_kg_m2), as.list(omega))
 }
 
 balance_free <- function(x, run, call) {

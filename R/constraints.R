@@ -24,8 +24,8 @@
 #   more_names(scene)            NULL, or the names of those that only some scenes have
 #   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run also gives
 #                 event_rows, list(columns, ledger): the rows at the times of its events
-#   quick(scene)  NULL, or TRUE where none of more_columns, rounding, acting and ends has a part in the
-#                 scene, and its bodies are known to rounding
+#   quick(scene)  NULL, or TRUE where none of more_columns, rounding, acting and ends has a part in
+#                 the scene, and its bodies are known to rounding
 #   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:
 #                 those of a motion, or NULL
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
@@ -53,10 +53,10 @@ constraint_list <- function() {
   )
 }
 
-registry <- new.env(parent = emptyenv())
-
 .onLoad <- function(libname, pkgname) {
-  for (constraint in constraint_list()) join_constraint(constraint)
+  listed <- constraint_list()
+  for (constraint in listed) join_constraint(constraint)
+  joined$listed <- vapply(listed, function(constraint) constraint$scene_class, "")
   set_default_verbs()
 }
 
@@ -73,23 +73,4 @@ join_constraint <- function(constraint) {
   constraint$all_core <- all(vapply(constraint$models, function(m) isTRUE(m$core), NA))
   names(constraint$models) <- vapply(constraint$models, function(m) m$id, "")
   assign(constraint$scene_class, constraint, envir = registry)
-}
-
-constraint_of <- function(scene) .subset2(registry, class(scene)[1L])
-
-all_constraints <- function() {
-  listed <- vapply(constraint_list(), function(constraint) constraint$scene_class, "")
-  mget(c(listed, setdiff(ls(registry), listed)), envir = registry)
-}
-
-# A named quantity with a unit and a norm: the columns that hold it, which are taken together by the
-# 2-norm; distance(got, want), two matrices of these columns, where another one is meant.
-measure <- function(unit, columns, distance = function(got, want) sqrt(rowSums((got - want)^2))) {
-  list(unit = unit, columns = columns, distance = distance)
-}
-
-# One panel of the picture: its label, and its columns with the names of their lines ("" for a line
-# that needs none). It is drawn where the table has one of them, and the column `only_with`.
-panel <- function(label, columns, only_with = NULL) {
-  list(label = label, columns = columns, only_with = only_with)
 }

@@ -238,3 +238,11 @@ around <- function(x, reach) {
   }
   out
 }
+
+# The relative error of a column: that of the measure, that of the run else.
+column_error <- function(run, column) {
+  measures <- constraint_of(run$scene)$measures
+  of <- names(measures)[vapply(measures, function(m) column %in% m$columns, NA)]
+  error <- if (length(of)) run$info$errors[[of[1]]] / run$info$sizes[[of[1]]] else run$info$error
+  max(if (is.finite(error)) error else 0, 8 * .Machine$double.eps)
+}

@@ -127,20 +127,6 @@ outline_marks <- function(flat, unit, at = c(0, 0)) {
   unname(c(of(mesh, "fill", "body"), of(flat$fill, "fill", "body"), of(line, "line", "body")))
 }
 
-# Two unit vectors across the axle, turned by theta about it: right-handed with the axle.
-across_axle <- function(axis, theta) {
-  axis <- axis / sqrt(sum(axis^2))
-  start <- diag(3)[, if (abs(axis[3]) > 0.9) 1L else 3L]
-  first <- start - sum(start * axis) * axis
-  first <- first / sqrt(sum(first^2))
-  second <- c(
-    axis[2] * first[3] - axis[3] * first[2], axis[3] * first[1] - axis[1] * first[3],
-    axis[1] * first[2] - axis[2] * first[1]
-  )
-  plane <- cbind(first, second)
-  plane %*% rbind(c(cos(theta), sin(theta)), c(-sin(theta), cos(theta)))
-}
-
 # Letter, word and value of each size of a catalogue body, as in its formulas.
 size_letters <- function(body) {
   none <- data.frame(letter = character(), word = character(), value = double())

@@ -211,3 +211,26 @@ fault_of_scene <- function(scene) {
   fault <- if (!is.null(constraint$form)) .Call(ffi_scene_form_fault, scene, constraint$form)
   if (is.null(fault) && !is.null(constraint$fault)) constraint$fault(scene) else fault
 }
+
+check_scene <- function(scene, call) {
+  constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)
+  if (!is.null(constraint)) {
+    fault <- fault_of_scene(scene)
+    if (is.null(fault)) return()
+    abort_form(fault, "scene", "scene", call)
+  }
+  check_class(scene, "rot_scene", "scene", "Describe one with {.fn scene_axle}.", call)
+  abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
+}
+
+# A scene of the constraint `id`.
+check_scene_of <- function(scene, id, call, remedy = NULL) {
+  wanted <- Filter(function(one) one$id == id, all_constraints())[[1L]]
+  check_class(
+    scene, wanted$scene_class, "scene",
+    remedy %||% paste0("Describe one with {.fn ", names(wanted$texts)[1L], "}."), call
+  )
+  check_scene(scene, call)
+}
+
+trajectory_run <- function(x) attr(x, "run", exact = TRUE)

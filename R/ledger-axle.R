@@ -191,3 +191,12 @@ empty_axle_ledger <- function(value) {
   )
   stats::setNames(rep(value, length(names)), names)
 }
+
+# The torques of the whole scene in the states of a motion that left effects out.
+axle_acting <- function(columns, scene, time_s) {
+  torques <- .Call(
+    ffi_axle_torques, scene, time_s, columns$theta_rad, columns$omega_rad_per_s
+  )
+  columns[names(torques)] <- torques
+  columns
+}

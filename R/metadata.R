@@ -86,7 +86,7 @@ build_metadata <- function() {
     quantity = columns$name, unit = ifelse(nzchar(columns$unit), columns$unit, NA),
     meaning = columns$meaning
   )
-  own <- all_constraints()[vapply(constraint_list(), function(c) c$scene_class, "")]
+  own <- own_constraints()
   words <- read_table("constraint_concepts")
   ids <- vapply(own, function(constraint) constraint$id, "", USE.NAMES = FALSE)
   at <- match(ids, words$constraint_kind)

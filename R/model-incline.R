@@ -65,10 +65,6 @@ incline_ledger_rows <- function(scene, columns, sums, errors) {
   ))
 }
 
-has_outer_force <- function(scene) {
-  scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0 || !is.null(scene$force)
-}
-
 abort_force_value <- function(value, time_s, call) {
   abort_rotdyn(c(
     "The function {.arg force_n} must return one number in N.",

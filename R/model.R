@@ -288,26 +288,6 @@ format_seconds <- function(x) {
   paste(format_si(signif(x / unit[at], 2)), names(unit)[at])
 }
 
-check_scene <- function(scene, call) {
-  constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)
-  if (!is.null(constraint)) {
-    fault <- fault_of_scene(scene)
-    if (is.null(fault)) return()
-    abort_form(fault, "scene", "scene", call)
-  }
-  check_class(scene, "rot_scene", "scene", "Describe one with {.fn scene_axle}.", call)
-  abort_rotdyn("No constraint has scenes of class {.cls {class(scene)[1]}}.", "type", call)
-}
-
-# A scene of the constraint `id`.
-check_scene_of <- function(scene, id, call) {
-  check_scene(scene, call)
-  constraint <- constraint_of(scene)
-  if (constraint$id == id) return()
-  wanted <- Filter(function(one) one$id == id, all_constraints())[[1]]
-  abort_rotdyn("{.arg scene} must be a {.fn {names(wanted$texts)[1]}}.", "type", call)
-}
-
 # `tried`: errors of the models that were run on trial.
 abort_no_model <- function(constraint, scene, time_s, accuracy, tried, call) {
   effects <- constraint$effects_of(scene)
@@ -381,15 +361,31 @@ effects_in_words <- function(effects, constraint) {
   and_words(unname(constraint$effects[effects]))
 }
 
-and_words <- function(x) {
-  n <- length(x)
-  if (n < 2L) x else paste(paste(x[-n], collapse = ", "), "and", x[n])
-}
-
 describe_dropped <- function(dropped, constraint) {
   paste0(
     constraint$effects[dropped$effects], " ignored: it changes omega by at most ",
     vapply(dropped$each, format, character(1), digits = 2), " of its maximum",
     collapse = "; "
   )
+}
+
+# The accuracy as a relative number. A physical one is that of the measure of its unit, divided by
+# the measure's size, which a run at 1e-3 gives; a tenth less, a margin for the error of that size.
+relative_accuracy <- function(accuracy, scene, time_s, call) {
+  if (!is.object(accuracy) || !inherits(accuracy, "units")) return(check_accuracy(accuracy, call))
+  need_package("units", "An accuracy with units", call)
+  measures <- constraint_of(scene)$measures
+  fits <- vapply(measures, function(m) {
+    units::ud_are_convertible(units(accuracy), m$unit)
+  }, logical(1))
+  of <- names(measures)[if (any(fits)) which(fits)[1] else length(measures)]
+  wanted <- check_number(accuracy, "accuracy", measures[[of]]$unit, call, lower = 0, open = TRUE)
+  pilot <- pick_model(scene, time_s, 1e-3, NULL, 1e6, call)
+  info <- (pilot$result %||%
+    pilot$record$run(pilot$scene, time_s, 1e-3, 1e6 + length(time_s), call, FALSE))$info
+  size <- info$sizes[[of]]
+  if (info$kind != "none" || !(size > 0)) {
+    return(1e-9) # a failing run reports why; a motion of size 0 has no error
+  }
+  min(1, 0.9 * wanted / size)
 }

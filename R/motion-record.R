@@ -151,16 +151,6 @@ check_headings <- function(data, arg, call) {
   if (!is_readable_text(headings)) abort_unreadable(headings, paste0("names(", arg, ")"), call)
 }
 
-check_flag <- function(x, arg, call) {
-  if (!is.logical(x) || length(x) != 1L || is.na(x)) {
-    abort_rotdyn(
-      c("{.arg {arg}} must be {.code TRUE} or {.code FALSE}.", x = "It is {describe_value(x)}."),
-      "type", call
-    )
-  }
-  x
-}
-
 # ---- arguments -----------------------------------------------------------------------------------
 
 # The column that an argument names: its value, heading and the factor to SI; or NULL.

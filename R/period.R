@@ -41,11 +41,7 @@
 period <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
-  check_class(
-    scene, axle_constraint()$scene_class, "scene",
-    "Describe one with {.fn scene_pendulum} or {.fn scene_axle}.", call
-  )
-  check_scene(scene, call)
+  check_scene_of(scene, "axle", call, "Describe one with {.fn scene_pendulum} or {.fn scene_axle}.")
   x <- .Call(ffi_axle_period, scene)
   if (!is.null(scene$loads$law)) x$kind <- "unknown"
   if (x$kind == "unknown") {

@@ -101,19 +101,6 @@ wrap_subtitle <- function(text, base_size) {
   if (length(text)) wrap_text(text, 0.8 * base_size)
 }
 
-# "an annulus", "a half disk"; "a uniform rod", "an hour".
-with_article <- function(name) {
-  # Its axle is at the end; a scene says so.
-  name <- gsub("_", " ", sub("^rod_end$", "rod", name))
-  vowel <- grepl("^([aeio]|u(?!ni|s[aei]))", name, ignore.case = TRUE, perl = TRUE)
-  paste(ifelse(vowel, "an", "a"), name)
-}
-
-sentence <- function(text) {
-  substr(text, 1, 1) <- toupper(substr(text, 1, 1))
-  text
-}
-
 # Units that a picture may show, by the SI unit: the factor to each.
 plot_units <- list(
   rad = c(degree = 180 / pi, turn = 0.5 / pi, rad = 1),

@@ -110,3 +110,17 @@ matrix_of_quaternion <- function(q, arg, call) {
   cross <- matrix(c(0, v[3], -v[2], -v[3], 0, v[1], v[2], -v[1], 0), 3)
   diag(3) + 2 * q[1] * cross + 2 * (cross %*% cross)
 }
+
+# Two unit vectors across the axle, turned by theta about it: right-handed with the axle.
+across_axle <- function(axis, theta) {
+  axis <- axis / sqrt(sum(axis^2))
+  start <- diag(3)[, if (abs(axis[3]) > 0.9) 1L else 3L]
+  first <- start - sum(start * axis) * axis
+  first <- first / sqrt(sum(first^2))
+  second <- c(
+    axis[2] * first[3] - axis[3] * first[2], axis[3] * first[1] - axis[1] * first[3],
+    axis[1] * first[2] - axis[2] * first[1]
+  )
+  plane <- cbind(first, second)
+  plane %*% rbind(c(cos(theta), sin(theta)), c(-sin(theta), cos(theta)))
+}

@@ -227,12 +227,6 @@ print.rot_rotor <- function(x, ...) {
   invisible(x)
 }
 
-#' @export
-text_node.rot_rotor <- function(x, where, call) {
-  if (!is.null(x$law)) abort_function_text(paste0(where, "$torque_n_m"), NULL, call)
-  node_or_abort(x, list(rotor = text_form(rotor_arguments, read_rotor)), where, call)
-}
-
 rotor_arguments <- function(x) {
   own <- setdiff(x$breaks_s, x$knots$time_s)
   list(

@@ -53,8 +53,8 @@ scene_chain <- function(length_m, mass_kg, theta0_rad, ..., links = c("rods", "p
 
 #' Modes of a chain of pendulums
 #'
-#' The normal modes of small swings of a [scene_chain()], without damping: in each all links swing at
-#' one rate, with angles in fixed proportions.
+#' The normal modes of small swings of a [scene_chain()], without damping: in each all links swing
+#' at one rate, with angles in fixed proportions.
 #'
 #' @param scene A [scene_chain()]; its start and its joints do not count.
 #' @param ... Not used: an unknown argument is an error.

@@ -319,3 +319,11 @@ describe_free_torque <- function(scene) {
   }
   paste0(torque, " (", if (scene$in_space == 1) "space" else "body", " axes)")
 }
+
+# The inertia tensor in the body's own axes.
+free_tensor <- function(scene) {
+  moments <- scene$moment_of_inertia_kg_m2
+  if (scene$axes[1] == 1) return(diag(moments))
+  axes <- matrix_of_quaternion(scene$axes, "axes", NULL)
+  axes %*% (moments * t(axes))
+}

@@ -311,3 +311,7 @@ rolling_critical_angle <- function(beta, static_friction, ...) {
   for (name in names(columns)) check_not_negative(columns[[name]], name, "1", call)
   .Call(ffi_incline_critical, columns$beta, columns$static_friction)
 }
+
+has_outer_force <- function(scene) {
+  scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0 || !is.null(scene$force)
+}

@@ -38,10 +38,7 @@
 stopping <- function(scene, ...) {
   call <- check_no_dots(...)
   check_supplied("scene", call)
-  check_class(
-    scene, axle_constraint()$scene_class, "scene", "Describe one with {.fn scene_axle}.", call
-  )
-  check_scene(scene, call)
+  check_scene_of(scene, "axle", call)
   why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
   if (!is.null(why_not)) {
     abort_rotdyn(c(

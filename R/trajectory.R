@@ -96,8 +96,8 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
   motion
 }
 
-# A motion of which nothing is to be said, with all that is chosen left to its default: one call of C
-# chooses and runs. NULL where there is more to do.
+# A motion of which nothing is to be said, with all that is chosen left to its default: one call of
+# C chooses and runs. NULL where there is more to do.
 quick_trajectory <- function(scene, time_s, accuracy = 1e-9) {
   constraint <- constraint_of(scene)
   if (is.null(constraint) || is.null(constraint$quick) || !constraint$quick(scene)) return()
@@ -269,24 +269,6 @@ name_events <- function(result) {
   result
 }
 
-# Errors larger than the motion: the figure has no digit left, as of a chaotic pendulum.
-is_lost <- function(info) is.finite(info$error) && info$error > 1
-
-# Columns with values beyond double precision.
-beyond_doubles <- function(columns) {
-  names(Filter(function(x) is.double(x) && any(is.infinite(x)), columns))
-}
-
-# The report of a run with such columns has no finite error.
-void_error <- function(info, columns) {
-  if (info$kind != "none") return(info)
-  # Sums are quick, and finite where all values are.
-  total <- 0
-  for (x in columns) if (is.double(x)) total <- total + sum(x)
-  if (!is.finite(total) && length(beyond_doubles(columns))) info$error <- Inf
-  info
-}
-
 # Whether the largest values of the rows may be far below those on the way: the integrators know
 # theirs, a closed form has those of the rows.
 suspicious <- function(info, record, accuracy) {
@@ -361,59 +343,6 @@ inertia_errors <- function(scene) {
   }, double(1))
 }
 
-# `by`: named numbers, added to the errors of the measures.
-widen_error <- function(info, by) {
-  info$errors <- info$errors + unlist(by)[names(info$errors)]
-  if (is.infinite(info$error)) return(info)
-  info$error <- .Call(ffi_error_figure, info$errors, info$sizes)
-  info
-}
-
-# The accuracy as a relative number. A physical one is that of the measure of its unit, divided by
-# the measure's size, which a run at 1e-3 gives; a tenth less, a margin for the error of that size.
-relative_accuracy <- function(accuracy, scene, time_s, call) {
-  if (!is.object(accuracy) || !inherits(accuracy, "units")) return(check_accuracy(accuracy, call))
-  need_package("units", "An accuracy with units", call)
-  measures <- constraint_of(scene)$measures
-  fits <- vapply(measures, function(m) {
-    units::ud_are_convertible(units(accuracy), m$unit)
-  }, logical(1))
-  of <- names(measures)[if (any(fits)) which(fits)[1] else length(measures)]
-  wanted <- check_number(accuracy, "accuracy", measures[[of]]$unit, call, lower = 0, open = TRUE)
-  pilot <- pick_model(scene, time_s, 1e-3, NULL, 1e6, call)
-  info <- (pilot$result %||%
-    pilot$record$run(pilot$scene, time_s, 1e-3, 1e6 + length(time_s), call, FALSE))$info
-  size <- info$sizes[[of]]
-  if (info$kind != "none" || !(size > 0)) {
-    return(1e-9) # a failing run reports why; a motion of size 0 has no error
-  }
-  min(1, 0.9 * wanted / size)
-}
-
-failed_run <- function(info, n, on_fail, call) {
-  message <- c(
-    "The run failed at {format(info$time_s, digits = 7)} s: {info$text}.",
-    i = "{info$rows_done} of {n} rows were done before."
-  )
-  remedy <- switch(info$kind,
-    torque = "Look at the torque function there, or end {.arg time_s} before.",
-    budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time. Resistance that
-              acts much faster than the time asked for (inertia/viscous) takes many steps.",
-    step = "The torque changes faster than time can be resolved (give its {.arg breaks_s}), or the
-            motion grows without bound there.",
-    range = "The motion grows beyond 1.8e308: shorten the time.",
-    random = random_remedy,
-    NULL
-  )
-  message <- c(message, i = remedy)
-  if (on_fail == "truncate") {
-    warn_rotdyn(message, "truncated", call, info = info)
-  } else {
-    message <- c(message, i = "{.code on_fail = \"truncate\"} keeps the good rows.")
-    abort_rotdyn(message, info$kind, call, info = info)
-  }
-}
-
 # ---- the class ----------------------------------------------------------------------------------
 
 new_trajectory <- function(columns, n, run) {
@@ -462,8 +391,6 @@ rows_of_run <- function(now, before, index) {
   rows <- match(identity(now), identity(before))
   !anyNA(rows) && identical(now, lapply(before, `[`, rows))
 }
-
-trajectory_run <- function(x) attr(x, "run", exact = TRUE)
 
 #' @export
 `[.rot_trajectory` <- function(x, ...) {
@@ -590,11 +517,6 @@ summary.rot_trajectory <- function(object, ...) {
     )
   ), nrow = 1L)
 }
-
-# NA where there are no values.
-largest <- function(values) if (length(values)) max(values) else NA_real_
-
-last <- function(values) if (length(values)) values[[length(values)]] else NA_real_
 
 #' @rdname summary.rot_trajectory
 #' @aliases glance

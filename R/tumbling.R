@@ -164,3 +164,12 @@ polhode <- function(scene, n = 201, ...) {
   class(out) <- c("rot_polhode", class(out))
   out
 }
+
+# A half period of the motion as it starts, without torque.
+scene_flip_time <- function(scene) {
+  omega <- scene$omega0_rad_per_s
+  if (scene$axes[1] != 1) {
+    omega <- unlist(.Call(ffi_attitude_turn, as.list(c(scene$axes, omega)), 0), use.names = FALSE)
+  }
+  .Call(ffi_free_flips, as.list(scene$moment_of_inertia_kg_m2), as.list(omega))
+}

@@ -134,7 +134,7 @@ layers='
 2 maths
 3 engine
 4 engine/ode
-3 body
+4 body
 5 tables
 5 measure
 6 scene/drive
@@ -162,7 +162,7 @@ awk '$2 != $3 { print $2, $3 }' "$work/includes" | sort -u | tsort 2>&1 > "$work
 # ---- scenes ----------------------------------------------------------------------------------
 
 files '^R/.*\.R$' |
-  grep -vE '^R/(constraints|constraint-[a-z-]*|table-constraint|scene[a-z-]*)\.R$' |
+  grep -vE '^R/(constraints|(table-)?constraint[a-z-]*|(table-)?scene[a-z-]*)\.R$' |
   tr '\n' '\0' | xargs -0 grep -nE 'rot_scene_' /dev/null | grep -vE '^[^:]*:[0-9]*: *#' |
   rule "R/ names a class of scenes only in its own files and in the list of constraints"
 

@@ -10,24 +10,62 @@ rolling <- function() {
   c(table[c("beta", "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction")],
     list(friction = rolling_friction_coefficient(table$beta)))
 }
-# A ball on a slope, a body that tumbles, a top: two columns of each.
-three_scenes <- function() {
+# Two columns of a scene of each constraint. C integrates a drive: its closed forms are R's own.
+scenes_by_name <- function() {
   time_s <- 0.05 * (0:40)
-  of <- function(name, scene, columns) {
-    motion <- trajectory(scene, time_s)
-    data.frame(scene = name, time_s, first = motion[[columns[1]]], second = motion[[columns[2]]])
+  of <- function(name, scene, columns, model = NULL) {
+    motion <- trajectory(scene, time_s, model = model)
+    data.frame(
+      scene = name, time_s = motion$time_s, first = motion[[columns[1]]],
+      second = motion[[columns[2]]]
+    )
   }
-  ball <- body_tensor(2, diag(3) * 0.05)
-  top <- body_tensor(0.5, diag(c(0.002, 0.002, 0.001)), centre_m = c(0, 0, 0.08))
+  disk <- body_disk(2, 0.25)
+  torque <- torque_motor(2, 300) + torque_pulse(c(0.5, 0.9), c(0.6, 0.3), c(1, -2)) +
+    torque_knots(c(0, 1, 2), c(0, 0.8, 0), outside = "hold") + 0.1
+  swing <- torque_gravity(1, 1) + torque_sinusoid(2, 3)
+  steps <- torque_steps(c(0, 1.2), c(30, -10))
+  closing <- torque_knots(c(0, 0.5), c(0, 60), outside = "hold")
   rbind(
+    of("axle", scene_axle(disk, torque, resistance(0.03)), c("theta_rad", "omega_rad_per_s")),
+    of("swing", scene_axle(body_rod_end(1, 2), swing, theta0_rad = 2.5),
+      c("theta_rad", "applied_torque_n_m")),
+    of("clutch", scene_clutch(
+      body_disk(20, 0.15), 0.8, 60, static_capacity_n_m = 75, torque_1 = steps, torque_2 = -5,
+      omega1_rad_per_s = 15, engage_s = 0.25
+    ), c("omega_1_rad_per_s", "heat_j")),
+    of("drive", scene_drive(
+      list(0.4, 2, body_disk(3, 0.5)),
+      list(coupling_clutch(closing, static_ratio = 1.2), coupling_shaft(400, 0.4, ratio = 3)),
+      torque = list(torque_motor(40, 200) + 1, NULL, -5),
+      resistance = list(NULL, NULL, resistance(0.05, coulomb_n_m = 1)),
+      brake = list(NULL, NULL, brake(12, from_s = 1.5)), omega0_rad_per_s = c(150, 0, 0)
+    ), c("omega_rad_per_s", "heat_j"), "drive_rk8pd"),
+    of("rotors", scene_rotors(
+      list(body_disk(4, 0.2), 0.005, 0.27), c(800, 1200), 0.05, torque_n_m = c(2, 0, -2)
+    ), c("theta_rad", "shaft_torque_n_m")),
     of("incline", scene_incline(
-      ball, 10, static_friction = 0.2, kinetic_friction = 0.15, radius_m = 0.25, v0_m_per_s = 3,
-      omega0_rad_per_s = -2
+      body_tensor(2, diag(3) * 0.05), 10, static_friction = 0.2, kinetic_friction = 0.15,
+      radius_m = 0.25, v0_m_per_s = 3, omega0_rad_per_s = -2
     ), c("x_m", "omega_rad_per_s")),
     of("free", scene_free(c(1, 1.5, 2), c(0.01, 6, 0.02)), c("qw", "omega_y_rad_per_s")),
-    of("pivot", scene_pivot(top, c(0, 0, 60), attitude0 = c(0.8, 0.6, 0, 0)),
-      c("qw", "omega_x_rad_per_s"))
+    of("pivot", scene_pivot(
+      body_tensor(0.5, diag(c(0.002, 0.002, 0.001)), centre_m = c(0, 0, 0.08)), c(0, 0, 60),
+      attitude0 = c(0.8, 0.6, 0, 0)
+    ), c("qw", "omega_x_rad_per_s"))
   )
+}
+# A motor, a clutch that closes, a load: a row for each time and rotor.
+machine <- function() {
+  closing <- torque_knots(c(0, 0.5), c(0, 60), outside = "hold")
+  scene <- scene_drive(
+    list(body_disk(8, 0.3), 2), coupling_clutch(closing, static_ratio = 1.2),
+    torque = list(torque_motor(40, 200) + torque_sinusoid(3, 12), -5),
+    resistance = list(NULL, resistance(0.02, coulomb_n_m = 1)), omega0_rad_per_s = c(150, 0)
+  )
+  trajectory(scene, (0:100) / 50)[
+    c("time_s", "rotor", "omega_rad_per_s", "coupling_torque_n_m", "heat_j")
+  ]
 }
 expected <- switch(
   arguments[1],
@@ -47,7 +85,8 @@ expected <- switch(
     data.frame(moment_of_inertia_kg_m2 = 0.0625 * (1:20), viscous_n_m_s = 0.03), knots, 8
   )[c("moment_of_inertia_kg_m2", "final_theta_rad", "final_omega_rad_per_s",
       "max_omega_rad_per_s")],
-  "python-scenes" = three_scenes(),
+  "python-scenes" = scenes_by_name(),
+  "c-drive" = machine(),
   python = trajectory(
     scene_axle(1, torque_gravity(1, 1), theta0_rad = 3), 10 * (0:100) / 100
   )[c("time_s", "theta_rad", "omega_rad_per_s")],

@@ -71,6 +71,8 @@ warn="-Wall -Wextra -Wpedantic -Werror"
     check c "$work/rolling"
   built c-precession ${CC:-cc} -std=c99 $warn $use $here/c/precession.c -lrotdyn \
     -o "$work/precession" && check c-precession "$work/precession"
+  built c-drive ${CC:-cc} -std=c99 $warn $use $here/c/drive.c -lrotdyn -o "$work/drive" &&
+    check c-drive "$work/drive"
   # The static library, with the same program.
   libs=$(sed -n 's/^Libs.private: //p' "$library/lib/pkgconfig/rotdyn.pc")
   built c-static ${CC:-cc} -std=c99 -I"$library/include" $here/c/rolling.c \
@@ -112,15 +114,19 @@ else
   # The static library inside R, where the package has the core, too.
   cat > "$work/copy.c" <<'C'
 #include <rotdyn.h>
-void copy(const double *time_s, double *omega) {
-  rotdyn_axle axle = ROTDYN_INIT(rotdyn_axle);
-  rotdyn_axle_columns out = ROTDYN_INIT(rotdyn_axle_columns);
-  axle.inertia_kg_m2 = 0.5;
-  axle.omega0_rad_per_s = 3.0;
-  axle.quadratic_n_m_s2 = 0.25;
-  axle.viscous_n_m_s = 0.1;
-  out.omega_rad_per_s = omega;
-  (void)rotdyn_axle_rows(&axle, 1, time_s, (const rotdyn_options *)0, &out, (rotdyn_info *)0);
+void copy(double *time_s, double *omega) {
+  static const char *const name = "omega_rad_per_s";
+  rotdyn_object *scene = rotdyn_object_new("scene_axle");
+  rotdyn_object *resistance = rotdyn_object_new("resistance");
+  (void)rotdyn_set_number(resistance, "viscous_n_m_s", 0.1);
+  (void)rotdyn_set_number(resistance, "quadratic_n_m_s2", 0.25);
+  (void)rotdyn_set_number(scene, "body", 0.5);
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 3.0);
+  (void)rotdyn_set_object(scene, "resistance", resistance);
+  (void)rotdyn_scene_run(scene, 1, time_s, (const rotdyn_options *)0, 1, 1, &name, &omega,
+                         (rotdyn_report *)0);
+  rotdyn_object_free(resistance);
+  rotdyn_object_free(scene);
 }
 C
   cat > "$work/copy.R" <<'R'

@@ -331,7 +331,11 @@ compiled_with <- function(file) {
 link_core <- function(folder, test) {
   name <- gsub("/", "-", sub("[.]c$", "", test))
   object <- file.path(folder, paste0(name, ".o"))
-  if (!file.exists(object)) {
+  # One that was compiled before a header changed, or changed back, is not the test's.
+  headers <- list.files(
+    file.path(folder, "src", "core"), "[.]h$", full.names = TRUE, recursive = TRUE
+  )
+  if (!file.exists(object) || any(file.mtime(headers) >= file.mtime(object))) {
     status <- quietly(sprintf(
       "cc -std=c99 -O1 -I%s -I%s %s -c %s -o %s", file.path(folder, "src", "core"),
       file.path(folder, "tests", "core"), gsl_flags, file.path(folder, "tests", test), object

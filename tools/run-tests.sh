@@ -51,6 +51,12 @@ heading "boundary"
 sh tools/check-boundary.sh < /dev/null > "$work/boundary.out" 2>&1
 counted boundary $?
 
+if sh tools/check-constraint-cost.sh; then
+  verdict pass "tools/check-constraint-cost.sh"
+else
+  verdict fail "tools/check-constraint-cost.sh"
+fi
+
 nice -n 5 sh tests/core/run.sh < /dev/null > "$work/core.out" 2>&1 &
 core=$!
 trap 'kill $core 2> /dev/null; rm -rf "$work"' 0

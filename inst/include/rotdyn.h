@@ -16,9 +16,10 @@
  *
  * Rules
  * - Structs that are passed begin with their size: declare them by ROTDYN_INIT, such as
- *   `rotdyn_report report = ROTDYN_INIT(rotdyn_report);`. All other members are then 0 or NULL, which is
- *   each member's default. Nothing is read or written beyond that size. Of a newer header's struct,
- *   the members that the installed version does not know must be 0, else ROTDYN_EARGUMENT.
+ *   `rotdyn_report report = ROTDYN_INIT(rotdyn_report);`. All other members are then 0 or NULL,
+ *   which is each member's default. Nothing is read or written beyond that size. Of a newer
+ *   header's struct, the members that the installed version does not know must be 0, else
+ *   ROTDYN_EARGUMENT.
  * - A function that returns int returns a rotdyn_status. Nothing prints or ends the process.
  * - All functions may be called from any number of threads at a time, with outputs of their own.
  *   The same call gives the same bits in every thread. The R API is not called.
@@ -176,7 +177,7 @@ typedef struct rotdyn_candidate {
 typedef struct rotdyn_rows_in {
   size_t size;
   rotdyn_column time_s; /* of each row */
-  size_t n_inputs;      /* numbers or limits of the scene that differ from row to row */
+  size_t n_inputs;      /* numbers of the scene, one each, that differ from row to row */
   const char *const *inputs;
   const rotdyn_column *values;
 } rotdyn_rows_in;
@@ -286,9 +287,9 @@ typedef struct rotdyn_model {
  * input_at, column_at   input, name of column i of such objects, from 0; ROTDYN_EEND, NULL after
  *                       the last. Columns that only some effects bring are 0 without them.
  * object_new            NULL: there is no such constructor, or no memory
- * set_number, set_numbers, set_text, set_object, set_law   set an input; ROTDYN_ENAME: there is none
- *                       of this name, ROTDYN_EARGUMENT: it is of another kind. A text that is an
- *                       option of a choice, or any text
+ * set_number, set_numbers, set_text, set_object, set_law
+ *                       set an input; ROTDYN_ENAME: there is none of this name,
+ *                       ROTDYN_EARGUMENT: it takes no such value, or not this option of a choice
  * unset                 back to the default
  * object_check          ROTDYN_EARGUMENT: the report names the input and why it is refused
  * scene_candidate       the k-th cheapest model for these times and this accuracy

@@ -2,8 +2,8 @@
 #include "glue/ffi.h"
 #include "scene/chain/chain.h"
 
-/* list(omega_rad_per_s, shape): by mode, slowest first, and n x n, link by mode, the largest 1; NULL
- * where they are beyond double precision. `n` lengths and masses. */
+/* list(omega_rad_per_s, shape): by mode, slowest first, and n x n, link by mode, the largest 1;
+ * NULL where they are beyond double precision. As many lengths as masses. */
 SEXP ffi_chain_modes(SEXP length_m, SEXP mass_kg, SEXP rods, SEXP gravity) {
   const double *length = ffi_reals(length_m, "length_m", -1);
   const R_xlen_t n = XLENGTH(length_m);
@@ -13,9 +13,8 @@ SEXP ffi_chain_modes(SEXP length_m, SEXP mass_kg, SEXP rods, SEXP gravity) {
   SET_VECTOR_ELT(out, 1, shape = Rf_allocMatrix(REALSXP, (int)n, (int)n));
   /* By rows in the core, by columns in R. */
   double *by_rows = (double *)R_alloc((size_t)(n * n) + 1, sizeof *by_rows);
-  const rot_status status =
-      rot_chain_modes(length, mass, (size_t)n, ffi_real(rods, "rods") != 0.0,
-                      ffi_real(gravity, "gravity"), REAL(rate), by_rows);
+  const rot_status status = rot_chain_modes(length, mass, (size_t)n, ffi_real(rods, "rods") != 0.0,
+                                            ffi_real(gravity, "gravity"), REAL(rate), by_rows);
   for (R_xlen_t i = 0; i < n; i++) {
     for (R_xlen_t j = 0; j < n; j++) REAL(shape)[i + j * n] = by_rows[i * n + j];
   }

@@ -7,7 +7,14 @@
 #include <string.h>
 
 #include "scene/axle/inputs.h"
+#include "scene/axle/models.h"
+#include "scene/clutch/models.h"
+#include "scene/drive/models.h"
+#include "scene/free/models.h"
+#include "scene/incline/models.h"
+#include "scene/pivot/models.h"
 #include "scene/run.h"
+#include "scene/shaft/models.h"
 
 const rot_constraint *ffi_constraint(SEXP id) {
   const rot_constraint *found = rot_choice_constraint(ffi_text(id, "constraint"));
@@ -70,21 +77,21 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
   return ROT_ETORQUE;
 }
 
-#define KEPT(type, value)                                                                          \
-  (*(type *)memcpy(R_alloc(1, sizeof(type)), &(type[]){value}, sizeof(type)))
+/* Scenes that R holds in other forms than the inputs of their table, kept until the call ends. */
+#define KEPT(name, type)                                                                           \
+  static const void *read_##name(SEXP scene) {                                                     \
+    type *kept = (type *)R_alloc(1, sizeof *kept);                                                 \
+    *kept = ffi_##name##_scene(scene);                                                             \
+    return kept;                                                                                   \
+  }
+KEPT(shaft, rot_shaft_params)
+KEPT(clutch, rot_clutch_params)
+KEPT(drive, rot_drive_scene)
+KEPT(incline, rot_incline_scene)
+KEPT(free, rot_free_params)
 
-/* Scenes that R holds in other forms than the inputs of their table. */
-static const void *read_own(const rot_constraint *constraint, SEXP scene) {
-  if (!strcmp(constraint->id, "rotors")) return &KEPT(rot_shaft_params, ffi_shaft_scene(scene));
-  if (!strcmp(constraint->id, "clutch")) return &KEPT(rot_clutch_params, ffi_clutch_scene(scene));
-  if (!strcmp(constraint->id, "drive")) return &KEPT(rot_drive_scene, ffi_drive_scene(scene));
-  if (!strcmp(constraint->id, "incline")) {
-    return &KEPT(rot_incline_scene, ffi_incline_scene(scene));
-  }
-  if (!strcmp(constraint->id, "free") || !strcmp(constraint->id, "pivot")) {
-    return &KEPT(rot_free_params, ffi_free_scene(scene));
-  }
-  /* As its runs expect it: nothing else in it is set. */
+/* As its runs expect it: nothing else in it is set. */
+static const void *read_axle(SEXP scene) {
   rot_axle_built *axle = (rot_axle_built *)R_alloc(1, sizeof *axle);
   memset(axle, 0, sizeof *axle);
   axle->scene = ffi_axle_scene(scene, R_NilValue);
@@ -94,9 +101,19 @@ static const void *read_own(const rot_constraint *constraint, SEXP scene) {
   return axle;
 }
 
+static const struct {
+  const rot_constraint *of;
+  const void *(*read)(SEXP scene);
+} own_forms[] = {{&rot_axle_constraint, read_axle},       {&rot_shaft_constraint, read_shaft},
+                 {&rot_clutch_constraint, read_clutch},   {&rot_drive_constraint, read_drive},
+                 {&rot_incline_constraint, read_incline}, {&rot_free_constraint, read_free},
+                 {&rot_pivot_constraint, read_free}};
+
 const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
   rot_refusal no;
-  if (!ffi_scene_by_table(constraint)) return read_own(constraint, scene);
+  for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
+    if (own_forms[i].of == constraint) return own_forms[i].read(scene);
+  }
   void *built = R_alloc(1, (int)constraint->scene_size);
   if (read_scene(constraint, scene, built, &no) != ROT_OK) {
     Rf_error("internal: `%s` %s", constraint->inputs[no.input].name, no.reason);
@@ -284,8 +301,8 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
 
 /* ---- the most common run in one call --------------------------------------------------------- */
 
-/* The scene last found sound. It is kept, so R copies it before it is changed, and a pointer that is
- * the same means a scene that is. */
+/* The scene last found sound. It is kept, so R copies it before it is changed, and an equal pointer
+ * means an equal scene. */
 static SEXP sound = NULL;
 
 /* As ffi_form_fault(), of a scene. */
@@ -388,7 +405,7 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP
                          ffi_reals(error, "error", -1)};
   double term[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES];
   const char *words[ROT_MOST_TERMS];
-  rot_run_audit(c, built, &span, term, explained);
+  if (rot_run_audit(c, built, &span, term, explained) != ROT_OK) Rf_error("out of memory");
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), balance, role;
   SET_VECTOR_ELT(out, 0, ffi_numbers((int)terms, term));
   SET_VECTOR_ELT(out, 1, ffi_numbers((int)c->n_balances, explained));

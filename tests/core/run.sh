@@ -154,7 +154,7 @@ warn() {
 # header COMPILER STANDARD: the C interface alone, as a client includes it.
 header() {
   case $2 in *++*) file="$work/header.cc" ;; *) file="$work/header.c" ;; esac
-  printf '#include "rotdyn.h"\nrotdyn_axle rotdyn_axle_here = ROTDYN_INIT(rotdyn_axle);\n' > "$file"
+  printf '#include "rotdyn.h"\nrotdyn_report here = ROTDYN_INIT(rotdyn_report);\n' > "$file"
   if "$1" -std="$2" -fsyntax-only -Iinst/include -Wall -Wextra -Wpedantic -Wconversion -Wshadow \
     -Werror "$file" > "$work/log" 2>&1; then
     echo "ok - inst/include/rotdyn.h: $1 $2"

@@ -60,6 +60,27 @@ test_that("sides have corners in one plane, in order, and outward normals can be
   }
 })
 
+test_that("the sides of a box that are drawn are those turned to the reader", {
+  box <- unit_box()
+  turn <- rotation_about(c(1, 2, 3), angle_rad = 0.7)
+  points <- box$points %*% t(turn)
+  grDevices::pdf(NULL)
+  on.exit(grDevices::dev.off())
+  graphics::plot.new()
+  for (toward in list(c(1, 0, 0), c(0, -1, 0), c(0, 0, 1), c(0.6, 0.3, -0.74))) {
+    drawn <- matrix(0, 0, 3)
+    draw_solid(box, points, function(side) {
+      drawn <<- rbind(drawn, colMeans(side))
+      side[, 1:2]
+    }, toward)
+    # A unit box's sides are centred at their normals.
+    normals <- rbind(diag(3), -diag(3)) %*% t(turn)
+    seen <- normals[drop(normals %*% toward) > 0, ]
+    expect_equal(nrow(drawn), 3)
+    expect_equal(drawn[order(drawn[, 1]), ], seen[order(seen[, 1]), ])
+  }
+})
+
 test_that("of a fixed point, the body hangs where its centre of mass is", {
   solid <- pivot_solid(spinning_top())
   expect_equal(colMeans(solid$points), c(0, 0, 0.15))

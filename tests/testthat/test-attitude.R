@@ -93,6 +93,12 @@ test_that("unnormalised input is normalised and said", {
     class = "rotdyn_warning_normalised"
   )
   expect_equal(unlist(q), c(qw = 1, qx = 0, qy = 0, qz = 1) / sqrt(2), tolerance = 1e-15)
+  # What ten digits leave is said, what arithmetic leaves is not.
+  expect_warning(
+    attitude_from(c(1 + 1e-10, 0, 0, 0), "quaternion", order = "wxyz"),
+    class = "rotdyn_warning_normalised"
+  )
+  expect_no_warning(attitude_from(c(1 + 1e-14, 0, 0, 0), "quaternion", order = "wxyz"))
   rough <- rotation_about("z", angle_rad = 0.3) * (1 + 1e-8)
   expect_warning(q <- attitude_from(rough, "matrix"), class = "rotdyn_warning_normalised")
   expect_equal(unlist(attitude_to(q, "rotation_vector"), use.names = FALSE), c(0, 0, 0.3),

@@ -576,4 +576,11 @@ test_that("faces that are turned over are wound like their neighbours", {
     turned[i, 2:3] <- faces[i, 3:2]
     expect_identical(edges(rotdyn:::wind_alike(turned)), edges(faces))
   }
+  # Two neighbours of an octahedron: poles 5 and 6, the others about them.
+  about <- cbind(1:4, c(2:4, 1L))
+  eight <- rbind(cbind(about, 5L), cbind(about[, 2:1], 6L))
+  expect_identical(rotdyn:::wind_alike(eight), eight)
+  turned <- eight
+  turned[1:2, 2:3] <- eight[1:2, 3:2]
+  expect_identical(edges(rotdyn:::wind_alike(turned)), edges(eight))
 })

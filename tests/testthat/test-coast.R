@@ -216,6 +216,9 @@ test_that("runs share the losses; runs that differ have a variance between them"
   expect_lt(max(fit$standard_error / one$standard_error), 0.8)
   expect_lt(max(abs(fit$value - truth) / fit$standard_error), 3.5)
   expect_equal(glance(fit)$runs, 4L)
+  expect_equal(glance(fit)$sigma / 0.005, 1, tolerance = 0.15)
+  # The scatter that was put in.
+  expect_equal(glance(one)$sigma / 0.005, 1, tolerance = 0.15)
   expect_lt(glance(fit)$birge_ratio, 2)
   # The segments of a record are runs.
   record <- motion_record(

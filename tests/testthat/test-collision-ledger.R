@@ -56,6 +56,10 @@ test_that("an edited velocity shows; changed rows are a plain tibble", {
   edited$vx_m_per_s[2] <- edited$vx_m_per_s[2] * (1 + 1e-9)
   expect_true(all(collision_ledger(edited, 1)$verdict == "balanced"))
   expect_true("unbalanced" %in% collision_ledger(edited, 2)$verdict)
+  # So does a loss that is wrong by what twelve digits leave.
+  edited <- two
+  edited$normal_loss_j[2] <- edited$normal_loss_j[2] * (1 + 1e-12)
+  expect_true("unbalanced" %in% collision_ledger(edited, 2)$verdict)
   expect_false(inherits(two[2:1, ], "rot_collision"))
   expect_false(inherits(two["grips"], "rot_collision"))
   expect_s3_class(two[1:2, ], "rot_collision")

@@ -3,6 +3,14 @@ test_that("zeros of many brackets at once, to the roundings of the time", {
   zeros <- zeros_between(f, c(0, 1, 10), c(1, 10, 1e6), f(c(0, 1, 10)), f(c(1, 10, 1e6)))
   expect_equal(zeros, c(0.1, 3, 7e5), tolerance = 1e-15)
   # A jump.
+  # The zero of a line: the middle, a point of the curve through three, the zero itself.
+  calls <- 0
+  line <- function(x) {
+    calls <<- calls + 1
+    x - 0.3
+  }
+  expect_equal(zeros_between(line, 0, 2, -0.3, 1.7), 0.3, tolerance = 1e-15)
+  expect_equal(calls, 3)
   expect_equal(zeros_between(function(x) sign(x - pi), 0, 10, -1, 1), pi, tolerance = 1e-15)
   expect_equal(zeros_between(function(x) x, double(), double(), double(), double()), double())
 })

@@ -27,6 +27,17 @@ test_that("every force has an arrow along it, and a key", {
   expect_equal(order(rowSums(way^2)), c(1L, 2L, 3L, 4L))
 })
 
+test_that("a bar is a rectangle along its ends, wherever they are", {
+  for (ends in list(rbind(c(1, 1), c(1, 3)), rbind(c(-2, 5), c(2, 2)))) {
+    bar <- thick_line(ends, half = 0.1)[[1]]$points
+    expect_equal(colMeans(bar), colMeans(ends))
+    sides <- sqrt(rowSums((bar - bar[c(2, 3, 4, 1), ])^2))
+    long <- sqrt(sum((ends[2, ] - ends[1, ])^2))
+    expect_equal(sides, c(long, 0.2, long, 0.2))
+    expect_equal(sum((bar[2, ] - bar[1, ]) * (bar[3, ] - bar[2, ])), 0)
+  }
+})
+
 test_that("couples turn as their sign, space is oblique, and all is drawn without a warning", {
   clamped <- function(couple) {
     static_equilibrium(load_couple(couple, c(1, 0)), support_fixed(c(0, 0), name = "wall"))

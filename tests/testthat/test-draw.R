@@ -51,6 +51,9 @@ test_that("a scene whose constraint has no drawing is drawn with its numbers", {
   expect_equal(drawing$quantities$name, c("height", "mass"))
   expect_equal(drawing$quantities$value, c("100 m", "2 kg"))
   expect_silent(ggplot2::ggplotGrob(rotdyn:::draw(drawing, "A thing", 13)))
+  # A law has a unit and no number.
+  scene$force_n <- function(time_s) 1
+  expect_equal(rotdyn:::default_drawing(scene)$quantities$name, c("height", "mass"))
   # Several moments of inertia are rotors in a line.
   scene$moment_of_inertia_kg_m2 <- c(1, 2, 1)
   scene$couplings <- list(list(kind = 1, ratio = 1), list(kind = 2, ratio = -3))

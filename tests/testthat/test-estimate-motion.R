@@ -451,6 +451,21 @@ test_that("errors that are correlated in time are recognised and allowed for", {
   expect_false(any(grepl("Noise", names(tibble::tbl_sum(white)))))
 })
 
+test_that("errors without a white part leave its share at the bound of the search", {
+  # The likelihood is flat below a share of exp(-7) = 0.0009: nothing there may be made up.
+  time <- 0.02 * (0:399)
+  keep <- exp(-0.02 / 0.3)
+  shares <- vapply(c(3, 4), function(seed) {
+    set.seed(seed)
+    e <- stats::filter(stats::rnorm(400, sd = 0.01 * sqrt(1 - keep^2)), keep, "recursive")
+    theta <- 0.3 * time + 0.1 * time^2 + as.vector(e)
+    about <- glance(estimate_motion(data.frame(time_s = time, theta_rad = theta)))
+    expect_gt(about$correlation_time_s, 0.1)
+    about$white_share
+  }, 0)
+  expect_true(all(shares > 0.9 * exp(-7) & shares < 0.05))
+})
+
 test_that("the smoother with correlated errors is the exact one: generalised least squares", {
   # theta = a polynomial and lambda times the covariance of the process of order 3,
   # int_0^min(s, t) (s - u)^2 (t - u)^2 du / 4, in spacings.

@@ -155,6 +155,18 @@ test_that("an offset, a gap, two segments, a part of the record", {
   expect_lt(max(fit_swing(r, from_s = 3, to_s = 8)$swings$time_s), 8)
 })
 
+test_that("where angles are counted from changes nothing, the verdict on the law neither", {
+  set.seed(3)
+  t <- seq(0, 20, 0.05)
+  y <- 0.2 * exp(-0.02 * t) * cos(2 * t) + stats::rnorm(length(t), sd = 0.002)
+  about <- lapply(c(0, 3), function(offset) {
+    glance(fit_swing(data.frame(time_s = t, theta_rad = y + offset)))
+  })
+  for (name in c("period_s", "period_s_se", "residual", "law_p")) {
+    expect_equal(about[[2]][[name]], about[[1]][[name]], tolerance = 1e-6)
+  }
+})
+
 test_that("errors are the package's own", {
   r <- swing_record(0.6, 0.01)
   expect_error(fit_swing(), class = "rotdyn_error_missing")
@@ -168,6 +180,14 @@ test_that("errors are the package's own", {
   expect_error(fit_swing(r), class = "rotdyn_error_size")
   r$theta_rad <- r$time_s^2
   expect_error(fit_swing(r), class = "rotdyn_error_size")
+})
+
+test_that("the ends of a part of a record are one time each", {
+  r <- swing_record(0.6, 0.01)
+  for (limit in list("3", c(1, 2), NA_real_, NULL, TRUE)) {
+    expect_error(fit_swing(r, from_s = limit), class = "rotdyn_error_type")
+    expect_error(fit_swing(r, to_s = limit), class = "rotdyn_error_type")
+  }
 })
 
 test_that("swings of which no one has its passages and peaks sampled", {

@@ -17,6 +17,21 @@ test_that("the motion is that of the 40-digit table", {
   }
 })
 
+test_that("even rows share an exponential where ten digits will do, and only there", {
+  # Damped unevenly, so that there is no closed form of single modes.
+  scene <- scene_rotors(
+    c(1, 0.4, 2), c(300, 450), c(0.2, 0), viscous_n_m_s = c(0, 0.3, 0.05),
+    omega0_rad_per_s = c(1, 2, -1)
+  )
+  time <- seq(0, 20, by = 0.01)
+  omega <- function(accuracy) motion_of(scene, time, accuracy, "rotors_modal")$omega_rad_per_s
+  by_rows <- rotdyn:::run_rotors_as(1, scene, time)$columns$omega_rad_per_s
+  shared <- rotdyn:::run_rotors_as(2, scene, time)$columns$omega_rad_per_s
+  expect_false(identical(by_rows, shared))
+  expect_identical(omega(1e-12), by_rows)
+  expect_identical(omega(1e-10), shared)
+})
+
 test_that("rows are in long form, by time then rotor", {
   scene <- scene_rotors(c(1, 2, 3), 50, theta0_rad = c(0.1, 0, 0))
   motion <- motion_of(scene, c(0, 1))

@@ -77,6 +77,16 @@ test_that("axes have the semi-axes' lengths, and go on in their directions", {
   expect_gt(third(1), 0.1)
 })
 
+test_that("a thin face has a side, one seen from its edge within rounding has none", {
+  # Twice the area is 1 and `height`.
+  shown <- function(height) {
+    flat <- cbind(c(0, 1, 0, 0.5), c(0, 0, 1, height))
+    nrow(rotdyn:::mesh_shadow(flat, rbind(c(1, 2, 3), c(1, 2, 4)))$front)
+  }
+  expect_identical(shown(1e-10), 2L)
+  expect_identical(shown(1e-13), 1L)
+})
+
 test_that("all panels span the same length", {
   plot <- ggplot2::autoplot(place_body(body_rod(1, 2), c(3, 0, 0)))
   frame <- layer(plot, "GeomBlank")
@@ -124,6 +134,13 @@ test_that("at most 2000 points of a kind are drawn, the first and the last among
   top <- pieces[as.integer(pieces$panel) == 1, ]
   expect_equal(nrow(top), 2000)
   expect_equal(range(top$across), c(-1, 1))
+})
+
+test_that("pieces are drawn from where the picture has its zero", {
+  body <- body_disk(2, 0.25)
+  body$detail$parts <- data.frame(x_m = c(11, 12), y_m = c(21, 23), z_m = c(31, 34))
+  pieces <- rotdyn:::body_pieces(body, c(10, 20, 30))
+  expect_equal(pieces[c("x", "y", "z")], data.frame(x = 1:2, y = c(1, 3), z = c(1, 4)))
 })
 
 test_that("a far origin is left out, and the caption says so", {

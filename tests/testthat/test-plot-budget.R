@@ -13,6 +13,16 @@ test_that("shares of the variance, the largest on top, with their numbers", {
   expect_match(plot$labels$alt, "of y is from r, 80 %", fixed = TRUE)
 })
 
+test_that("shares have one decimal, and those below a twentieth of a percent a word", {
+  # Variances as 1 : 2 : 1e-4.
+  budget <- uncertainty_budget(
+    function(a, b, c) a + b + c, a = measured(1, 0.1), b = measured(1, 0.1 * sqrt(2)),
+    c = measured(1, 0.001), draws = 0
+  )
+  built <- ggplot2::ggplot_build(ggplot2::autoplot(budget))
+  expect_setequal(built$data[[3]]$label, c("33.3", "66.7", "< 0.1"))
+})
+
 test_that("a panel for each result, negative shares, measured moments of inertia", {
   correlation <- matrix(c(1, -0.9, -0.9, 1), 2)
   budget <- uncertainty_budget(

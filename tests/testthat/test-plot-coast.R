@@ -32,6 +32,22 @@ test_that("a coast-down's panels: the motion with its samples, residuals, the to
   expect_match(plot$labels$alt, "falls from 20 to 6.78 rad/s", fixed = TRUE)
 })
 
+test_that("panels have some four values on their axes, fewer in large letters", {
+  skip_if_not_installed("ggplot2")
+  x <- fit_coast_down(trajectory(
+    scene_axle(0.0625, NULL, resistance(0.00625, 2.5e-4, 0.075), omega0_rad_per_s = 20),
+    seq(0, 8, length.out = 100)
+  ))
+  breaks <- function(base_size) {
+    built <- ggplot2::ggplot_build(ggplot2::autoplot(x, base_size = base_size))
+    lengths(lapply(built$layout$panel_scales_y, function(scale) {
+      Filter(is.finite, scale$get_breaks())
+    }))
+  }
+  expect_true(all(breaks(13) %in% 3:6))
+  expect_true(all(breaks(26) %in% 1:4))
+})
+
 test_that("with a moment of inertia the last panel is a torque; runs are chosen", {
   skip_if_not_installed("ggplot2")
   fit <- fit_coast_down(

@@ -46,6 +46,7 @@ test_that("each variable has a panel, the range shows the law", {
   expect_gt(max(time$at), 1.2)
   expect_equal(range(time$value), c(0, 3))
   expect_equal(range(lines_of(torque_sinusoid(1, 2))$at), c(0, 3 * pi))
+  expect_equal(rotdyn:::law_range(list(torque_sinusoid(1, 2)), "time"), c(0, 3 * pi))
   # A jump is upright: both sides of it are drawn.
   expect_true(all(c(1, 1.2) %in% time$at))
 })

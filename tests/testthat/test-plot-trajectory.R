@@ -32,6 +32,17 @@ test_that("rotors and a clutch draw without a warning, and show their numbers", 
   expect_equal(sum(drawn$line == "rotor 1"), 2 * length(time))
 })
 
+test_that("the head of a panel is broken where it is longer than the panel is wide", {
+  plot <- ggplot2::autoplot(spin_up(time_s = 0:8))
+  expect_length(levels(plot$data$panel), 4)
+  head_of <- function(text) plot$facet$params$labeller(data.frame(panel = text))[[1]][[1]]
+  # Two columns in 6.8 inches, margins of 0.4 inches beside both and one: 2.8 inches. Bold letters
+  # of 9.75 points are some 5.7 points wide: 35 fit, 37 do not.
+  words <- "a head of five words of letters"
+  expect_identical(head_of(paste(words, "(W)")), paste(words, "(W)"))
+  expect_identical(head_of(paste(words, "(W/s)")), paste0(words, "\n(W/s)"))
+})
+
 test_that("six rotors have six colours", {
   motion <- trajectory(scene_rotors(rep(1, 6), 50, torque_n_m = c(1, 0, 0, 0, 0, 0)), 0:5)
   expect_length(unique(layer_of(ggplot2::autoplot(motion), "GeomLine")$colour), 6)

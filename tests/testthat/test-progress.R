@@ -12,6 +12,20 @@ test_that("a fraction from which no time can be estimated does not end a run", {
   expect_true(suppressMessages(run(c(0.5, 1, 0.2, 1))))
 })
 
+test_that("a bar comes a second after the first call", {
+  old <- options(cli.progress_show_after = 0, cli.dynamic = FALSE)
+  on.exit(options(old))
+  progress <- rotdyn:::progress_bar("testing")
+  before <- proc.time()[["elapsed"]]
+  suppressMessages(progress(0.1))
+  # By the clock, not by the processor's time.
+  expect_gte(environment(progress)$start, before)
+  expect_null(environment(progress)$bar)
+  environment(progress)$start <- environment(progress)$start - 1
+  suppressMessages(progress(0.2))
+  expect_false(is.null(environment(progress)$bar))
+})
+
 test_that("a display that fails is given up", {
   progress <- rotdyn:::progress_bar("testing")
   state <- environment(progress)

@@ -32,6 +32,17 @@ test_that("a zip has the pauses, which the time column has not", {
   expect_equal(x$segment, rep(1:2, c(25, 35)))
   expect_match(attr(x, "record")$breaks$why, "pause")
   expect_length(attr(x, "record")$assumed, 0)
+  # Five hours on, the last sample before a pause is closer to it by 2e-7 of the time.
+  d$t <- d$t + 20000
+  number <- function(x) formatC(x, format = "f", digits = 3)
+  events[2:5] <- c(
+    paste0("\"START\",", number(d$t[1]), ",1759650000.000,\"x\""),
+    paste0("\"PAUSE\",", number(d$t[25] + 0.004), ",1759650001.331,\"x\""),
+    paste0("\"START\",", number(d$t[25] + 0.004), ",1759650005.512,\"x\""),
+    "\"PAUSE\",20002.3,1759650006.492,\"x\""
+  )
+  late <- zip_file(list("Gyroscope.csv" = phyphox_lines(d), "meta/time.csv" = events))
+  expect_equal(read_motion(late, axis = "z")$segment, rep(1:2, c(25, 35)))
   # Without pauses there is one segment; a sheet without rotation is passed over.
   acc <- gsub("Gyroscope", "Acceleration", gsub("rad/s", "m/s^2", phyphox_lines(d)))
   zip <- zip_file(list(

@@ -39,6 +39,13 @@ test_that("round bodies roll, wherever they are placed", {
   )) rolls(body)
 })
 
+test_that("the outline of a body of given numbers is unknown, whatever its name", {
+  measured <- body_box(1, 0.2, 0.2, 0.2)
+  measured$provenance <- "tensor"
+  expect_null(round_parts(measured))
+  rolls(measured)
+})
+
 test_that("a compound rolls about the axis of a round part, through its centre of mass", {
   wheel <- body_disk(2, 0.1)
   weight <- body_point(0.1)

@@ -55,6 +55,10 @@ scenes_of_all <- function() {
     scene_drive(c(1, 2), coupling_gear(3), torque = list(torque_motor(2, 30), 0)),
     scene_drive(list(body_disk(1, .1)), torque = 3),
     scene_incline(body_sphere(1, .1), 30, static_friction = .2, kinetic_friction = .15),
+    scene_hoop(.05, .2, -9, theta0_rad = 1, static_friction = .2, kinetic_friction = .1),
+    scene_hoop(.05, .2, 9, theta0_rad = 1e-3, drag_n_s_per_m = .1, start_s = 1),
+    scene_chain(c(.3, .2), c(1, 2), c(1, -2), joint_n_m_s = c(0, .1)),
+    scene_chain(rep(.1, 3), .5, 1e-6, links = "points", omega0_rad_per_s = 1e-5),
     scene_incline(body_disk(1, .1), 30, v0_m_per_s = 1, drag_n_s2_per_m2 = .01),
     scene_free(body_box(1, .1, .2, .3), c(1, 2, 3)),
     scene_free(

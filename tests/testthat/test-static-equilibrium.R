@@ -417,3 +417,14 @@ test_that("prints, columns and damaged results", {
     static_equilibrium(load_couple(1), list(), outline_m = 1), class = "rotdyn_error_type"
   )
 })
+
+test_that("a problem in numbers whose contact has no reactions is refused", {
+  problem <- structure_of(
+    forces(load_weight(1, c(0, 0))), list(floor = support_surface(c(0, 0), friction = 1)), 1e-10
+  )$problem
+  expect_length(.Call(ffi_statics_solve, problem), 10)
+  for (first in c(-1, 5, NaN)) {
+    problem$first <- first
+    expect_error(.Call(ffi_statics_solve, problem), "internal")
+  }
+})

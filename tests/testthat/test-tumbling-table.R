@@ -29,6 +29,25 @@ test_that("each row is the motion of its scene", {
   )
 })
 
+test_that("columns may have units of their own: moments, rates, attitudes", {
+  skip_if_not_installed("units")
+  bodies <- cbind(draw_bodies(5), attitude_from(c(0.3, 0.2, -1), "rotation_vector"))
+  given <- bodies
+  as_units <- function(columns, factor, unit) {
+    given[columns] <<- lapply(given[columns], function(x) {
+      units::set_units(factor * x, unit, mode = "standard")
+    })
+  }
+  as_units(1:3, 1e4, "kg*cm^2")
+  as_units(4:6, 60, "rad/min")
+  as_units(quaternion_columns, 1, "1")
+  expect_equal(
+    tumbling_table(given, 3)[tumbling_columns], tumbling_table(bodies, 3)[tumbling_columns]
+  )
+  given$omega_x_rad_per_s <- units::set_units(1, "kg")
+  expect_error(tumbling_table(given, 3), class = "rotdyn_error_unit")
+})
+
 test_that("threads change no bit", {
   bodies <- draw_bodies(20000)
   out <- tumbling_table(bodies, 1e4)

@@ -4,39 +4,52 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <vector>
 
-int main(int argc, char *argv[]) {
-  const double mass = argc > 1 ? std::atof(argv[1]) : 2.0;
-  const double radius = argc > 2 ? std::atof(argv[2]) : 0.25;
-  const std::vector<double> knots = {0, 1, 4, 6, 8}, torque = {0, 0.8, 0.8, 0, 0};
-  rotdyn_moments disk = ROTDYN_INIT(rotdyn_moments);
-  if (rotdyn_shape_moments("disk", mass, 1, &radius, &disk) != ROTDYN_OK) {
-    std::fprintf(stderr, "mass and radius must not be negative\n");
-    return 1;
+// An object that is freed, and what is wrong with it, if anything is.
+struct Object {
+  std::unique_ptr<rotdyn_object, void (*)(rotdyn_object *)> own;
+  explicit Object(const char *constructor)
+      : own(rotdyn_object_new(constructor), rotdyn_object_free) {}
+  Object &set(const char *input, double value) {
+    return done(rotdyn_set_number(own.get(), input, value), input);
   }
-  rotdyn_axle axle = ROTDYN_INIT(rotdyn_axle);
-  axle.inertia_kg_m2 = disk.izz_kg_m2;
-  axle.viscous_n_m_s = argc > 3 ? std::atof(argv[3]) : 0.03;
-  axle.n_knots = knots.size();
-  axle.knot_time_s = knots.data();
-  axle.knot_torque_n_m = torque.data();
+  Object &set(const char *input, const std::vector<double> &values) {
+    return done(rotdyn_set_numbers(own.get(), input, values.size(), values.data()), input);
+  }
+  Object &set(const char *input, const Object &value) {
+    return done(rotdyn_set_object(own.get(), input, value.own.get()), input);
+  }
+  Object &done(int status, const char *input) {
+    if (status != ROTDYN_OK) std::fprintf(stderr, "%s: %s\n", input, rotdyn_status_text(status));
+    return *this;
+  }
+};
+
+int main(int argc, char *argv[]) {
+  Object disk("body_disk"), torque("torque_knots"), resistance("resistance"), scene("scene_axle");
+  disk.set("mass_kg", argc > 1 ? std::atof(argv[1]) : 2.0);
+  disk.set("radius_m", argc > 2 ? std::atof(argv[2]) : 0.25);
+  torque.set("time_s", {0, 1, 4, 6, 8}).set("torque_n_m", {0, 0.8, 0.8, 0, 0});
+  resistance.set("viscous_n_m_s", argc > 3 ? std::atof(argv[3]) : 0.03);
+  scene.set("body", disk).set("torque", torque).set("resistance", resistance);
 
   const std::size_t n = 801;
   std::vector<double> time(n), theta(n), omega(n), energy(n);
   for (std::size_t i = 0; i < n; i++) time[i] = double(i) / 100.0;
-  rotdyn_axle_columns out = ROTDYN_INIT(rotdyn_axle_columns);
-  out.theta_rad = theta.data();
-  out.omega_rad_per_s = omega.data();
-  out.rotational_kinetic_energy_j = energy.data();
-  rotdyn_info info = ROTDYN_INIT(rotdyn_info);
-  const int status = rotdyn_axle_rows(&axle, n, time.data(), nullptr, &out, &info);
+  const char *const names[] = {"theta_rad", "omega_rad_per_s", "rotational_kinetic_energy_j"};
+  double *const columns[] = {theta.data(), omega.data(), energy.data()};
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  const int status = rotdyn_scene_run(scene.own.get(), n, time.data(), nullptr, n, 3, names,
+                                      columns, &report);
   if (status != ROTDYN_OK) {
-    std::fprintf(stderr, "%s: %s\n", rotdyn_status_text(status), info.reason);
+    std::fprintf(stderr, "%s: %s %s\n", rotdyn_status_text(status),
+                 report.input ? report.input : "", report.reason);
     return 1;
   }
-  std::fprintf(stderr, "model %s, error %s %.2g\n", info.model,
-               info.error_is_bound ? "at most" : "about", info.error);
+  std::fprintf(stderr, "model %s, error %s %.2g\n", report.model,
+               report.error_is_bound ? "at most" : "about", report.error);
   std::puts("time_s,theta_rad,omega_rad_per_s,rotational_kinetic_energy_j");
   for (std::size_t i = 0; i < n; i++) {
     std::printf("%.17g,%.17g,%.17g,%.17g\n", time[i], theta[i], omega[i], energy[i]);

@@ -1,88 +1,78 @@
-"""A ball on a slope, a body that tumbles, and a top: scenes by name, input by input.
+"""Scenes of every constraint by name, as JSON holds them: two columns of each motion.
 
-    python3 scenes.py
+    python3 scenes.py [FILE.json]
 
-The library is librotdyn.so.1, or what ROTDYN_LIBRARY names.
+FILE.json is a list of [name, {constructor: arguments}, [column, column]]; without it, those below.
+What write_scene() of R writes is such a {constructor: arguments}, but for its scene_format.
 """
-import ctypes as c
-import os
+import json
+import sys
 
-D, Z, T, P = c.c_double, c.c_size_t, c.c_char_p, c.c_void_p
-Doubles = c.POINTER(D)
+from rotdyn_objects import run
 
+SCENES = """[
+["axle", {"scene_axle": {
+  "body": {"body_disk": {"mass_kg": 2, "radius_m": 0.25}},
+  "torque": [
+    {"torque_motor": {"stall_torque_n_m": 2, "no_load_omega_rad_per_s": 300}},
+    {"torque_pulse": {"start_s": [0.5, 0.9], "duration_s": [0.6, 0.3], "torque_n_m": [1, -2]}},
+    {"torque_knots": {"time_s": [0, 1, 2], "torque_n_m": [0, 0.8, 0], "outside": "hold"}},
+    0.1],
+  "resistance": {"viscous_n_m_s": 0.03}
+ }}, ["theta_rad", "omega_rad_per_s"]],
+["swing", {"scene_axle": {
+  "body": {"body_rod_end": {"mass_kg": 1, "length_m": 2}},
+  "torque": [{"torque_gravity": {"mass_kg": 1, "distance_m": 1}},
+             {"torque_sinusoid": {"amplitude_n_m": 2, "angular_frequency_rad_per_s": 3}}],
+  "theta0_rad": 2.5
+ }}, ["theta_rad", "applied_torque_n_m"]],
+["clutch", {"scene_clutch": {
+  "body_1": {"body_disk": {"mass_kg": 20, "radius_m": 0.15}}, "body_2": 0.8,
+  "capacity_n_m": 60, "static_capacity_n_m": 75,
+  "torque_1": {"torque_steps": {"time_s": [0, 1.2], "torque_n_m": [30, -10]}}, "torque_2": -5,
+  "omega1_rad_per_s": 15, "engage_s": 0.25
+ }}, ["omega_1_rad_per_s", "heat_j"]],
+["drive", {"scene_drive": {
+  "bodies": [0.4, 2, {"body_disk": {"mass_kg": 3, "radius_m": 0.5}}],
+  "couplings": [
+    {"coupling_clutch": {
+      "capacity_n_m": {"torque_knots": {"time_s": [0, 0.5], "torque_n_m": [0, 60],
+                                        "outside": "hold"}},
+      "static_ratio": 1.2}},
+    {"coupling_shaft": {"stiffness_n_m_per_rad": 400, "damping_n_m_s": 0.4, "ratio": 3}}],
+  "torque": [[{"torque_motor": {"stall_torque_n_m": 40, "no_load_omega_rad_per_s": 200}}, 1],
+             null, -5],
+  "resistance": [null, null, {"viscous_n_m_s": 0.05, "coulomb_n_m": 1}],
+  "brake": [null, null, {"capacity_n_m": 12, "from_s": 1.5}],
+  "omega0_rad_per_s": [150, 0, 0]
+ }}, ["omega_rad_per_s", "heat_j"]],
+["rotors", {"scene_rotors": {
+  "bodies": [{"body_disk": {"mass_kg": 4, "radius_m": 0.2}}, 0.005, 0.27],
+  "stiffness_n_m_per_rad": [800, 1200], "damping_n_m_s": 0.05, "torque_n_m": [2, 0, -2]
+ }}, ["theta_rad", "shaft_torque_n_m"]],
+["incline", {"scene_incline": {
+  "body": {"body_tensor": {"mass_kg": 2, "inertia_kg_m2": [0.05, 0.05, 0.05]}},
+  "incline_angle_deg": 10, "static_friction": 0.2, "kinetic_friction": 0.15, "radius_m": 0.25,
+  "v0_m_per_s": 3, "omega0_rad_per_s": -2
+ }}, ["x_m", "omega_rad_per_s"]],
+["free", {"scene_free": {"body": [1, 1.5, 2], "omega0_rad_per_s": [0.01, 6, 0.02]}},
+ ["qw", "omega_y_rad_per_s"]],
+["pivot", {"scene_pivot": {
+  "body": {"body_tensor": {"mass_kg": 0.5, "inertia_kg_m2": [0.002, 0.002, 0.001],
+                           "centre_m": [0, 0, 0.08]}},
+  "omega0_rad_per_s": [0, 0, 60], "attitude0": [0.8, 0.6, 0, 0]
+ }}, ["qw", "omega_x_rad_per_s"]]
+]"""
 
-class Body(c.Structure):
-    _fields_ = [("size", Z), ("mass_kg", D), ("centre_m", D * 3), ("inertia_kg_m2", D * 6),
-                ("radius_m", D)]
-
-
-class Report(c.Structure):
-    _fields_ = [("size", Z), ("status", c.c_int), ("rows_done", Z), ("time_s", D), ("steps", Z),
-                ("rejected", Z), ("law_calls", Z), ("error", D), ("error_is_bound", c.c_int),
-                ("n_measures", Z), ("measure", T * 8), ("measure_error", D * 8),
-                ("measure_largest", D * 8), ("model", T), ("input", T),
-                ("reason", c.c_char * 512)]
-
-
-lib = c.CDLL(os.environ.get("ROTDYN_LIBRARY", "librotdyn.so.1"))
-lib.rotdyn_status_text.restype = T
-lib.rotdyn_scene_new.restype = P
-lib.rotdyn_scene_free.argtypes = [P]
-lib.rotdyn_scene_number.argtypes = [P, T, D]
-lib.rotdyn_scene_numbers.argtypes = [P, T, Z, Doubles]
-lib.rotdyn_scene_body.argtypes = [P, T, P]
-lib.rotdyn_scene_run.argtypes = [P, Z, Doubles, P, Z, c.POINTER(T), c.POINTER(Doubles), P]
-
-
-def doubles(values):
-    return (D * len(values))(*values)
-
-
-def run(constructor, time_s, columns, **inputs):
-    """Columns of a motion; each input is a number, a list of numbers or a Body."""
-    scene = lib.rotdyn_scene_new(constructor.encode())
-    for name, value in inputs.items():
-        name = name.encode()
-        if isinstance(value, Body):
-            status = lib.rotdyn_scene_body(scene, name, c.byref(value))
-        elif isinstance(value, list):
-            status = lib.rotdyn_scene_numbers(scene, name, len(value), doubles(value))
-        else:
-            status = lib.rotdyn_scene_number(scene, name, value)
-        if status:
-            raise ValueError(f"{name.decode()}: {lib.rotdyn_status_text(status).decode()}")
-    out = [(D * len(time_s))() for _ in columns]
-    report = Report(size=c.sizeof(Report))
-    status = lib.rotdyn_scene_run(
-        scene, len(time_s), doubles(time_s), None, len(columns),
-        (T * len(columns))(*(name.encode() for name in columns)),
-        (Doubles * len(columns))(*(c.cast(x, Doubles) for x in out)), c.byref(report))
-    lib.rotdyn_scene_free(scene)
-    if status:
-        raise ValueError(f"{(report.input or b'').decode()} {report.reason.decode()}")
-    return out
-
-
-def body(mass_kg, moments, radius_m=0.0, centre_m=(0.0, 0.0, 0.0)):
-    return Body(size=c.sizeof(Body), mass_kg=mass_kg, radius_m=radius_m,
-                centre_m=(D * 3)(*centre_m), inertia_kg_m2=(D * 6)(*moments))
-
-
+if len(sys.argv) > 1:
+    with open(sys.argv[1], encoding="utf-8") as file:
+        SCENES = file.read()
 times = [0.05 * i for i in range(41)]
-motions = {
-    "incline": (run(
-        "scene_incline", times, ["x_m", "omega_rad_per_s"],
-        body=body(2.0, [0.05] * 3, radius_m=0.25), incline_angle_deg=10.0, static_friction=0.2,
-        kinetic_friction=0.15, v0_m_per_s=3.0, omega0_rad_per_s=-2.0)),
-    "free": (run(
-        "scene_free", times, ["qw", "omega_y_rad_per_s"],
-        body=body(1.0, [1.0, 1.5, 2.0]), omega0_rad_per_s=[0.01, 6.0, 0.02])),
-    "pivot": (run(
-        "scene_pivot", times, ["qw", "omega_x_rad_per_s"],
-        body=body(0.5, [0.002, 0.002, 0.001], centre_m=(0.0, 0.0, 0.08)),
-        omega0_rad_per_s=[0.0, 0.0, 60.0], attitude0=[0.8, 0.6, 0.0, 0.0])),
-}
 print("scene,time_s,first,second")
-for name, (first, second) in motions.items():
-    for t, a, b in zip(times, first, second):
+for name, scene, columns in json.loads(SCENES):
+    scene.pop("scene_format", None)
+    (constructor, arguments), = scene.items()
+    report, motion = run(constructor, arguments, times, columns)
+    rows = [t for t in times for _ in range(report.copies)]
+    for t, a, b in zip(rows, *(motion[column] for column in columns)):
         print(f"{name},{t!r},{a!r},{b!r}")

@@ -1,18 +1,7 @@
 // Many wheels under one torque, a row each: ./sweep [time_s [inertia_kg_m2...]]
+use std::ffi::{CStr, CString};
 use std::os::raw::{c_char, c_int, c_void};
 use std::ptr::null;
-
-#[repr(C)]
-struct Axle {
-    size: usize,
-    inertia_kg_m2: f64,
-    start_s: f64, theta0_rad: f64, omega0_rad_per_s: f64,
-    viscous_n_m_s: f64, quadratic_n_m_s2: f64, coulomb_n_m: f64, static_n_m: f64,
-    motor_n_m_s: f64,
-    n_knots: usize, knot_time_s: *const f64, knot_torque_n_m: *const f64,
-    before_n_m: f64, after_n_m: f64,
-    // The rest is 0: a struct may end early, its size says where.
-}
 
 #[repr(C)]
 struct Column { values: *const f64, step: usize }
@@ -34,9 +23,52 @@ struct SweepOut {
 
 #[link(name = "rotdyn")]
 extern "C" {
-    fn rotdyn_axle_sweep(axle: *const Axle, n: usize, input: *const SweepIn,
-                         options: *const c_void, out: *const SweepOut, info: *mut c_void) -> c_int;
+    fn rotdyn_object_new(constructor: *const c_char) -> *mut c_void;
+    fn rotdyn_object_free(object: *mut c_void);
+    fn rotdyn_set_number(object: *mut c_void, input: *const c_char, value: f64) -> c_int;
+    fn rotdyn_set_numbers(object: *mut c_void, input: *const c_char, n: usize,
+                          values: *const f64) -> c_int;
+    fn rotdyn_set_object(object: *mut c_void, input: *const c_char, value: *const c_void) -> c_int;
+    fn rotdyn_axle_sweep(scene: *const c_void, n: usize, input: *const SweepIn,
+                         options: *const c_void, out: *const SweepOut,
+                         report: *mut c_void) -> c_int;
     fn rotdyn_status_text(status: c_int) -> *const c_char;
+}
+
+/// An object by the name of its constructor, freed at its end.
+struct Object(*mut c_void);
+
+impl Object {
+    fn new(constructor: &str) -> Object {
+        Object(unsafe { rotdyn_object_new(text(constructor).as_ptr()) })
+    }
+    fn number(self, input: &str, x: f64) -> Object {
+        done(input, unsafe { rotdyn_set_number(self.0, text(input).as_ptr(), x) });
+        self
+    }
+    fn numbers(self, input: &str, x: &[f64]) -> Object {
+        let name = text(input);
+        done(input, unsafe { rotdyn_set_numbers(self.0, name.as_ptr(), x.len(), x.as_ptr()) });
+        self
+    }
+    fn object(self, input: &str, x: Object) -> Object {
+        done(input, unsafe { rotdyn_set_object(self.0, text(input).as_ptr(), x.0) });
+        self
+    }
+}
+
+impl Drop for Object {
+    fn drop(&mut self) { unsafe { rotdyn_object_free(self.0) } }
+}
+
+fn text(x: &str) -> CString { CString::new(x).unwrap() }
+
+fn done(what: &str, status: c_int) {
+    if status != 0 {
+        let words = unsafe { CStr::from_ptr(rotdyn_status_text(status)) };
+        eprintln!("{what}: {}", words.to_string_lossy());
+        std::process::exit(1);
+    }
 }
 
 fn main() {
@@ -49,12 +81,11 @@ fn main() {
     let (knots, torque) = ([0.0, 1.0, 4.0, 6.0, 8.0], [0.0, 0.8, 0.8, 0.0, 0.0]);
     let n = inertia.len();
     let (mut theta, mut omega, mut most) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
-    let axle = Axle {
-        size: std::mem::size_of::<Axle>(), inertia_kg_m2: 1.0, start_s: 0.0, theta0_rad: 0.0,
-        omega0_rad_per_s: 0.0, viscous_n_m_s: 0.03, quadratic_n_m_s2: 0.0, coulomb_n_m: 0.0,
-        static_n_m: 0.0, motor_n_m_s: 0.0, n_knots: 5, knot_time_s: knots.as_ptr(),
-        knot_torque_n_m: torque.as_ptr(), before_n_m: 0.0, after_n_m: 0.0,
-    };
+    let law = Object::new("torque_knots").numbers("time_s", &knots).numbers("torque_n_m", &torque);
+    let axle = Object::new("scene_axle")
+        .number("body", 1.0)
+        .object("torque", law)
+        .object("resistance", Object::new("resistance").number("viscous_n_m_s", 0.03));
     let input = SweepIn {
         size: std::mem::size_of::<SweepIn>(), time_s: Column { values: &time_s, step: 0 },
         inertia_kg_m2: Column { values: inertia.as_ptr(), step: 1 }, viscous_n_m_s: NONE,
@@ -64,14 +95,9 @@ fn main() {
         size: std::mem::size_of::<SweepOut>(), theta_rad: theta.as_mut_ptr(),
         omega_rad_per_s: omega.as_mut_ptr(), omega_max: most.as_mut_ptr(),
     };
-    let status = unsafe {
-        rotdyn_axle_sweep(&axle, n, &input, null(), &out, std::ptr::null_mut())
-    };
-    if status != 0 {
-        let text = unsafe { std::ffi::CStr::from_ptr(rotdyn_status_text(status)) };
-        eprintln!("{}", text.to_string_lossy());
-        std::process::exit(1);
-    }
+    done("sweep", unsafe {
+        rotdyn_axle_sweep(axle.0, n, &input, null(), &out, std::ptr::null_mut())
+    });
     println!("moment_of_inertia_kg_m2,final_theta_rad,final_omega_rad_per_s,max_omega_rad_per_s");
     for i in 0..n {
         println!("{:?},{:?},{:?},{:?}", inertia[i], theta[i], omega[i], most[i]);

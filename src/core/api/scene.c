@@ -224,6 +224,12 @@ typedef struct many {
 
 static double value_of(rotdyn_column column, size_t i) { return column.values[i * column.step]; }
 
+/* As what an input takes one number; 0: it takes none. */
+static unsigned number_kind(const rot_input *input) {
+  const unsigned one = input->kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT);
+  return one ? one : input->kinds & ROT_INPUT_NUMBERS;
+}
+
 /* Builds row i of its own numbers, and runs it. */
 static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report *report) {
   const rot_constraint *c = m->w->built.constraint;
@@ -238,8 +244,7 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   for (size_t k = 0; k < m->in.n_inputs; k++) {
     const size_t at = m->place[k];
     number[k] = value_of(m->in.values[k], i);
-    given[at] = (rot_given){
-        .is = c->inputs[at].kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT), .n = 1, .x = &number[k]};
+    given[at] = (rot_given){.is = number_kind(&c->inputs[at]), .n = 1, .x = &number[k]};
   }
   rot_status status = rot_inputs_check(c->n_inputs, c->inputs, given, &no);
   memset(built, 0, c->scene_size);
@@ -247,6 +252,10 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
     status = c->build(given, built, &no);
     if (status == ROT_OK && !possible_times(c, built, 1, &time_s)) {
       (void)snprintf(no.reason, sizeof no.reason, "the time must be finite");
+      no.input = c->n_inputs;
+      status = ROT_EVALUE;
+    } else if (status == ROT_OK && rot_run_copies(c, built) != m->copies) {
+      (void)snprintf(no.reason, sizeof no.reason, "the row has another number of %ss", c->index);
       no.input = c->n_inputs;
       status = ROT_EVALUE;
     }
@@ -308,7 +317,7 @@ static rotdyn_status open_rows(work *w, size_t n, const rotdyn_rows_in *in,
     for (size_t i = 0; i < k; i++) {
       if (m->place[i] == at) return refuse(w, c->inputs[at].name, "is named twice");
     }
-    if (!(c->inputs[at].kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT)) || !m->in.values[k].values) {
+    if (!number_kind(&c->inputs[at]) || !m->in.values[k].values) {
       return refuse(w, c->inputs[at].name, "takes no number, or has no values");
     }
     m->place[k] = at;

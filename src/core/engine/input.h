@@ -1,5 +1,5 @@
-/* Inputs: the named arguments from which a scene, or a part of one, is built. A constraint or a part
- * lists them, and every caller reads that list: names with units, kinds, domains, defaults. */
+/* Inputs: the named arguments from which a scene, or a part of one, is built. A constraint or a
+ * part lists them, and every caller reads that list: names with units, kinds, domains, defaults. */
 #ifndef ROT_INPUT_H
 #define ROT_INPUT_H
 

@@ -151,9 +151,9 @@ typedef struct rot_constraint {
   const char *const *flows; /* names */
   const rot_balance *balances;
   const rot_balance_term *terms;
-  /* The terms between two rows, and what the errors explain of each balance. Rounding of the terms
-   * themselves is explained besides (scene/run.h). */
-  void (*audit)(const void *scene, const rot_span *span, double term[], double explained[]);
+  /* The terms between two rows, each a smooth function of state and flows: what their errors
+   * explain is found by moving them (scene/run.h). */
+  void (*audit)(const void *scene, const rot_span *span, double term[]);
   /* Whether the quantity of a balance is conserved, and why or why not. */
   int (*keeps)(const void *scene, size_t balance, const char **why);
   void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */

@@ -196,10 +196,45 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
   return end;
 }
 
-void rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
-                   double term[], double explained[]) {
-  constraint->audit(scene, span, term, explained);
-  for (size_t k = 0; k < constraint->n_terms; k++) {
-    explained[constraint->terms[k].balance] += 8.0 * DBL_EPSILON * fabs(term[k]);
+/* ---- balances -------------------------------------------------------------------------------- */
+
+/* Adds how far each balance moves where *x is off by `error`. */
+static void add_moved(const rot_constraint *c, const void *scene, const rot_span *span,
+                      const double term[], double *x, double error, double explained[]) {
+  double moved[ROT_MOST_TERMS], by[ROT_MOST_BALANCES] = {0.0};
+  const double kept = *x;
+  *x = kept + error;
+  c->audit(scene, span, moved);
+  *x = kept;
+  for (size_t k = 0; k < c->n_terms; k++) {
+    const double change = moved[k] - term[k];
+    by[c->terms[k].balance] += c->terms[k].role == ROT_SUPPLIED ? -change : change;
   }
+  for (size_t b = 0; b < c->n_balances; b++) explained[b] += fabs(by[b]);
+}
+
+rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_span *span,
+                         double term[], double explained[]) {
+  const size_t copies = rot_run_copies(c, scene), cells = c->n_columns * copies;
+  double flow[ROT_MOST_FLOWS];
+  double *ends = malloc(2 * cells * sizeof *ends);
+  if (!ends) return ROT_ENOMEM;
+  memcpy(ends, span->first, cells * sizeof *ends);
+  memcpy(ends + cells, span->last, cells * sizeof *ends);
+  memcpy(flow, span->flow, c->n_flows * sizeof *flow);
+  const rot_span own = {ends, ends + cells, flow, span->flow_error, span->error};
+  c->audit(scene, &own, term);
+  for (size_t b = 0; b < c->n_balances; b++) explained[b] = 0.0;
+  for (size_t i = 0; i < 2 * cells; i++) {
+    const size_t measure = c->columns[i % cells / copies].measure;
+    if (measure) add_moved(c, scene, &own, term, &ends[i], span->error[measure - 1], explained);
+  }
+  for (size_t k = 0; k < c->n_flows; k++) {
+    add_moved(c, scene, &own, term, &flow[k], span->flow_error[k], explained);
+  }
+  for (size_t k = 0; k < c->n_terms; k++) {
+    explained[c->terms[k].balance] += 8.0 * DBL_EPSILON * fabs(term[k]);
+  }
+  free(ends);
+  return ROT_OK;
 }

@@ -38,9 +38,11 @@ void rot_run_model(const rot_constraint *constraint, const void *scene, const ro
 /* Rows at one time. */
 size_t rot_run_copies(const rot_constraint *constraint, const void *scene);
 
-/* The terms of the balances between two rows, and what the errors and rounding explain of each. */
-void rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
-                   double term[], double explained[]);
+/* The terms of the balances between two rows, and what explains a residual of each: how far the
+ * terms move where each number of the state and each flow is off by its error, in sum, and the
+ * rounding of the terms. */
+rot_status rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
+                         double term[], double explained[]);
 
 /* The place of a column; constraint->n_columns: there is none of this name. */
 size_t rot_run_column(const rot_constraint *constraint, const char *name);

@@ -84,6 +84,21 @@ static double depth(double omega, double c, double s, double g, double t, double
   return g * t * t * (c * c * cosine_lack(y) + 0.5 * s * s);
 }
 
+/* Where the rate passes from + to -. */
+static double deepest_between(double omega, double c, double s, double g, double low, double high) {
+  for (int i = 0; i < 60; i++) {
+    const double t = 0.5 * (low + high);
+    double rate;
+    (void)depth(omega, c, s, g, t, &rate);
+    if (rate > 0.0) {
+      low = t;
+    } else {
+      high = t;
+    }
+  }
+  return low;
+}
+
 double rot_frame_fall_time(double omega, double latitude_deg, double g, double height) {
   const double c = rot_sin_deg(90.0 - fabs(latitude_deg)), s = rot_sin_deg(latitude_deg);
   if (height == 0.0) return 0.0;
@@ -92,9 +107,15 @@ double rot_frame_fall_time(double omega, double latitude_deg, double g, double h
   if (!isfinite(low)) return NAN;
   const double step = fmin(low, omega == 0.0 ? low : 0.25 / fabs(omega));
   for (int i = 0; depth(omega, c, s, g, high, &rate) < height; i++) {
+    const int falls = rate > 0.0;
     if (i == 100000) return NAN;
     low = high;
     high += i == 0 ? step * 0x1p-20 : i < 20 ? step * ldexp(1.0, i - 20) : step;
+    if (falls && depth(omega, c, s, g, high, &rate) < height && rate < 0.0) {
+      /* Near the equator it turns back: the deepest place between may be deep enough. */
+      const double deepest = deepest_between(omega, c, s, g, low, high);
+      if (depth(omega, c, s, g, deepest, &rate) >= height) high = deepest;
+    }
   }
   for (int i = 0; i < 60 && low < high; i++) {
     const double t = 0.5 * (low + high), d = depth(omega, c, s, g, t, &rate) - height;

@@ -1,5 +1,5 @@
-/* Runs of scenes through the C interface: refusals, rows against closed forms and against the core's
- * own run, laws, damaged calls. */
+/* Runs of scenes through the C interface: refusals, rows against closed forms and against the
+ * core's own run, laws, many scenes, threads. */
 #include "api/scene.h"
 
 #include <stdint.h>
@@ -404,7 +404,8 @@ static void check_pivot(void) {
   for (size_t i = 0; i < 14; i++)
     names[i] = rotdyn_column_at("scene_pivot", i), columns[i] = got[i];
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
-  ROT_CHECK(rotdyn_scene_run(scene, ROWS, time_s, NULL, ROWS, 14, names, columns, &report) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_scene_run(scene, ROWS, time_s, NULL, ROWS, 14, names, columns, &report) ==
+            ROTDYN_OK);
   ROT_CHECK(!strcmp(report.model, "pivot_top"));
   for (size_t i = 0; i < 14; i++) ROT_CHECK(!memcmp(got[i], own[i], sizeof own[i]));
   /* The centre of mass to the right, along x: it falls, about y. */
@@ -416,6 +417,602 @@ static void check_pivot(void) {
   /* Held at the centre of mass nothing turns it. */
   (void)rotdyn_set_numbers(scene, "pivot_m", 3, centre);
   ROT_CHECK(at(scene, "omega_y_rad_per_s", 1.0, NULL, &report) == 0.0);
+  rotdyn_object_free(scene);
+}
+
+/* Each time is one, and so is its distance from the start. */
+static void check_times(void) {
+  const double omega0[] = {0.3, 0.0, 2.0};
+  const double times[][2] = {{-1e308, 0.0}, {0.0, -1.0}, {NAN, 0.0}, {0.0, INFINITY}};
+  const char *column = "omega_z_rad_per_s";
+  double value[2], *columns[] = {value};
+  rotdyn_object *scene = spinning("scene_free", omega0, 0.0);
+  (void)rotdyn_set_number(scene, "start_s", 1e308);
+  for (int i = 0; i < 4; i++) {
+    rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+    ROT_CHECK(rotdyn_scene_run(scene, 2, times[i], NULL, 2, 1, &column, columns, &report) ==
+              ROTDYN_EARGUMENT);
+    ROT_CHECK(strstr(report.reason, "times") != NULL);
+  }
+  rotdyn_object_free(scene);
+}
+
+/* ---- axles ----------------------------------------------------------------------------------- */
+
+static const double knot_s[] = {0.0, 1.0, 4.0, 6.0, 8.0}, knot_n_m[] = {0.0, 0.8, 0.8, 0.0, 0.0};
+
+/* An object with some numbers. */
+static rotdyn_object *part(const char *constructor, size_t n, const char *const names[],
+                           const double x[]) {
+  rotdyn_object *object = rotdyn_object_new(constructor);
+  for (size_t i = 0; i < n; i++) {
+    ROT_CHECK_EQ_INT(rotdyn_set_number(object, names[i], x[i]), ROTDYN_OK);
+  }
+  return object;
+}
+static rotdyn_object *axle(double inertia) {
+  rotdyn_object *scene = rotdyn_object_new("scene_axle");
+  ROT_CHECK_EQ_INT(rotdyn_set_number(scene, "body", inertia), ROTDYN_OK);
+  return scene;
+}
+
+static void resist(rotdyn_object *scene, const char *name, double value) {
+  ROT_CHECK_EQ_INT(give(scene, "resistance", part("resistance", 1, &name, &value)), ROTDYN_OK);
+}
+
+/* A disk of 2 kg and 0.25 m under a torque that rises, is constant and falls. */
+static rotdyn_object *disk(void) {
+  static const char *const names[] = {"mass_kg", "radius_m"};
+  static const double sizes[] = {2.0, 0.25};
+  rotdyn_object *scene = rotdyn_object_new("scene_axle"),
+                *knots = rotdyn_object_new("torque_knots");
+  (void)rotdyn_set_numbers(knots, "time_s", 5, knot_s);
+  (void)rotdyn_set_numbers(knots, "torque_n_m", 5, knot_n_m);
+  ROT_CHECK_EQ_INT(give(scene, "body", part("body_disk", 2, names, sizes)), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(give(scene, "torque", knots), ROTDYN_OK);
+  resist(scene, "viscous_n_m_s", 0.03);
+  return scene;
+}
+
+/* theta and omega at one time, and the report. */
+typedef struct one {
+  double theta, omega;
+  int status;
+  rotdyn_report report;
+} one;
+
+static one state(const rotdyn_object *scene, double time_s, const rotdyn_options *options) {
+  static const char *const names[] = {"theta_rad", "omega_rad_per_s"};
+  one x = {0};
+  double *const columns[] = {&x.theta, &x.omega};
+  x.report.size = sizeof x.report;
+  x.status = rotdyn_scene_run(scene, 1, &time_s, options, 1, 2, names, columns, &x.report);
+  return x;
+}
+
+static void check_spin_up(void) {
+  const double time_s[] = {0.5, 3.0, 8.0};
+  const double theta[] = {0.25140496914891098451, 28.00522306631831973, 107.85864533301710375};
+  const double omega[] = {1.4793256148085228207, 18.557492928167208804, 5.8278502401517953138};
+  rotdyn_object *scene = disk();
+  double x[7][3], alone[3], *columns[7], *few[] = {alone};
+  const char *names[7];
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  for (size_t i = 0; i < 7; i++) names[i] = rotdyn_column_at("scene_axle", i), columns[i] = x[i];
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 3, time_s, NULL, 3, 7, names, columns, &report),
+                   ROTDYN_OK);
+  ROT_CHECK(!strcmp(report.model, "axle_linear") && report.error_is_bound && report.rows_done == 3);
+  ROT_CHECK(report.error > 0.0 && report.error < 1e-14 && !*report.reason);
+  ROT_CHECK(report.copies == 1 && !report.index);
+  for (int i = 0; i < 3; i++) {
+    ROT_CHECK_REL(x[0][i], theta[i], 1e-15);
+    ROT_CHECK_REL(x[1][i], omega[i], 1e-15);
+    ROT_CHECK_ULP(x[3][i], -0.03 * x[1][i], 0);
+    ROT_CHECK_ULP(x[4][i], x[2][i] + x[3][i], 0);
+    ROT_CHECK_ULP(x[5][i], 0.0625 * x[1][i], 0);
+    ROT_CHECK_REL(x[6][i], 0.5 * 0.0625 * omega[i] * omega[i], 1e-15);
+  }
+  ROT_CHECK_ULP(x[2][0], 0.4, 0);
+  /* The same numbers where columns are left out, without a report, without a row. */
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 3, time_s, NULL, 3, 1, names + 1, few, NULL), ROTDYN_OK);
+  ROT_CHECK(!memcmp(alone, x[1], sizeof alone));
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 0, NULL, NULL, 0, 1, names, few, &report), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(report.rows_done, 0);
+  rotdyn_object_free(scene);
+}
+
+/* Each closed form is what the choice takes; references of mpmath, 40 digits. */
+static void check_axle_forms(void) {
+  static const char *const of_spring[] = {"stiffness_n_m_per_rad"};
+  static const char *const of_sinusoid[] = {"amplitude_n_m", "angular_frequency_rad_per_s",
+                                            "phase_rad"};
+  static const char *const of_gravity[] = {"mass_kg", "distance_m", "gravity_m_per_s2"};
+  rotdyn_object *scene = axle(2.0);
+  (void)rotdyn_set_number(scene, "theta0_rad", 1.0);
+  (void)give(scene, "torque", part("torque_gravity", 3, of_gravity, (double[]){1.0, 2.0, 9.75}));
+  one x = state(scene, 1.0, NULL);
+  ROT_CHECK(x.status == ROTDYN_OK && !strcmp(x.report.model, "axle_pendulum"));
+  ROT_CHECK_REL(x.theta, -0.97827747599739700569, 1e-14);
+  ROT_CHECK_REL(x.omega, -0.59491539467318678721, 1e-14);
+  (void)rotdyn_set_number(scene, "body", 0.5);
+  (void)rotdyn_set_number(scene, "theta0_rad", 0.3);
+  resist(scene, "viscous_n_m_s", 0.2);
+  (void)give(scene, "torque", part("torque_spring", 1, of_spring, (double[]){8.0}));
+  x = state(scene, 2.0, NULL);
+  ROT_CHECK(!strcmp(x.report.model, "axle_oscillator"));
+  ROT_CHECK_REL(x.theta, -0.017292823763693817845, 1e-13);
+  ROT_CHECK_REL(x.omega, -0.79795331558058467284, 1e-14);
+  (void)rotdyn_unset(scene, "theta0_rad");
+  (void)give(scene, "torque", part("torque_sinusoid", 3, of_sinusoid, (double[]){1.5, 3.0, 0.25}));
+  x = state(scene, 2.0, NULL);
+  ROT_CHECK(!strcmp(x.report.model, "axle_forced"));
+  ROT_CHECK_REL(x.theta, -0.53164406741112678458, 1e-13);
+  ROT_CHECK_REL(x.omega, -0.067925548837629020837, 1e-13);
+  resist(scene, "quadratic_n_m_s2", 0.25);
+  (void)rotdyn_set_number(scene, "torque", 2.0);
+  x = state(scene, 0.75, NULL);
+  ROT_CHECK(!strcmp(x.report.model, "axle_drag"));
+  ROT_CHECK_REL(x.theta, 0.96145700114501991779, 1e-14);
+  ROT_CHECK_REL(x.omega, 2.2229072552546211283, 1e-14);
+  /* A skater: I omega stays. */
+  rotdyn_object *skater = rotdyn_object_new("inertia_knots");
+  (void)rotdyn_set_numbers(skater, "time_s", 2, (double[]){0.0, 1.0});
+  (void)rotdyn_set_numbers(skater, "moment_of_inertia_kg_m2", 2, (double[]){3.0, 1.0});
+  (void)give(scene, "body", skater);
+  (void)rotdyn_unset(scene, "torque");
+  (void)rotdyn_unset(scene, "resistance");
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 2.0);
+  x = state(scene, 1.0, NULL);
+  ROT_CHECK(!strcmp(x.report.model, "axle_skater"));
+  ROT_CHECK_REL(x.theta, 3.2958368660043290, 1e-14); /* 3 log(3) */
+  ROT_CHECK_ULP(x.omega, 6.0, 1);
+  rotdyn_report report;
+  ROT_CHECK(at(scene, "moment_of_inertia_kg_m2", 0.5, NULL, &report) == 2.0);
+  rotdyn_object_free(scene);
+}
+
+/* Where the axle passes: a rod of 1 kg and 2 m, about its end, its centre, along itself. */
+static void check_axes(void) {
+  static const char *const names[] = {"mass_kg", "length_m"};
+  rotdyn_object *scene = rotdyn_object_new("scene_axle");
+  rotdyn_report report;
+  (void)give(scene, "body", part("body_rod_end", 2, names, (double[]){1.0, 2.0}));
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 1.0);
+#define MOMENT at(scene, "angular_momentum_kg_m2_per_s", 1.0, NULL, &report)
+  ROT_CHECK_ULP(MOMENT, 4.0 / 3.0, 2);
+  (void)rotdyn_set_text(scene, "through", "centre");
+  ROT_CHECK_ULP(MOMENT, 1.0 / 3.0, 2);
+  (void)rotdyn_set_text(scene, "through", "origin");
+  ROT_CHECK_ULP(MOMENT, 4.0 / 3.0, 2);
+  (void)rotdyn_set_numbers(scene, "through", 3, (double[]){3.0, 0.0, 0.0});
+  ROT_CHECK_ULP(MOMENT, 1.0 / 3.0 + 4.0, 2);
+  (void)rotdyn_unset(scene, "through");
+  (void)rotdyn_set_text(scene, "axis", "x");
+  ROT_CHECK(isnan(MOMENT) && refused(scene, "body", "moment of inertia"));
+  (void)rotdyn_set_numbers(scene, "axis", 3, (double[]){1.0, 0.0, 1.0});
+  ROT_CHECK_ULP(MOMENT, 2.0 / 3.0, 4);
+#undef MOMENT
+  rotdyn_object_free(scene);
+}
+
+/* A sum is the law in normal form: constants and motors, two laws of the caller. */
+static void check_sums(void) {
+  static const char *const of_motor[] = {"stall_torque_n_m", "no_load_omega_rad_per_s"};
+  rotdyn_object *scene = axle(0.5), *list = rotdyn_object_new("list");
+  (void)rotdyn_set_number(list, NULL, 1.0);
+  (void)give(list, NULL, part("torque_motor", 2, of_motor, (double[]){2.0, 8.0}));
+  (void)rotdyn_set_object(scene, "torque", list);
+  /* I omega' = 3 - omega/4 */
+  one x = state(scene, 2.0, NULL);
+  ROT_CHECK(!strcmp(x.report.model, "axle_linear"));
+  ROT_CHECK_REL(x.omega, -12.0 * expm1(-1.0), 1e-14);
+  rotdyn_object *nested = rotdyn_object_new("list");
+  (void)rotdyn_set_object(nested, NULL, list);
+  (void)rotdyn_set_numbers(nested, NULL, 2, (double[]){5.0, -5.0});
+  (void)rotdyn_set_object(scene, "torque", nested);
+  const one same = state(scene, 2.0, NULL);
+  ROT_CHECK(same.omega == x.omega && same.theta == x.theta);
+  rotdyn_object_free(nested);
+  rotdyn_object_free(list);
+  rotdyn_object_free(scene);
+}
+
+static int driven(const double *argument, double *torque, void *context) {
+  const double omega = argument[2];
+  *torque = 2.0 - 0.25 * omega * fabs(omega);
+  return context && argument[0] > *(double *)context;
+}
+
+/* Half of it. */
+static int half_drive(const double *argument, double *torque, void *context) {
+  (void)driven(argument, torque, context);
+  *torque /= 2.0;
+  return 0;
+}
+
+static int no_number(const double *argument, double *torque, void *context) {
+  (void)context;
+  *torque = argument[0] > 0.5 ? (double)NAN : 1.0;
+  return 0;
+}
+
+static void check_integrated(void) {
+  rotdyn_object *scene = axle(0.5), *list = rotdyn_object_new("list");
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  double limit = 0.5;
+  (void)rotdyn_set_law(scene, "torque", driven, NULL);
+  one x = state(scene, 0.75, NULL);
+  ROT_CHECK(x.status == ROTDYN_OK && !strcmp(x.report.model, "axle_rk8pd"));
+  ROT_CHECK(!x.report.error_is_bound && x.report.error <= 1e-9 && x.report.steps > 0);
+  ROT_CHECK_REL(x.theta, 0.96145700114501991779, x.report.error);
+  ROT_CHECK_REL(x.omega, 2.2229072552546211283, x.report.error);
+  /* Two halves are the whole, to the last bit. */
+  (void)rotdyn_set_law(list, NULL, half_drive, NULL);
+  (void)rotdyn_set_law(list, NULL, half_drive, NULL);
+  (void)rotdyn_set_object(scene, "torque", list);
+  const one halves = state(scene, 0.75, NULL);
+  ROT_CHECK(halves.omega == x.omega && halves.theta == x.theta);
+  (void)rotdyn_set_law(scene, "torque", driven, NULL);
+  options.accuracy = 1e-4;
+  x = state(scene, 0.75, &options);
+  ROT_CHECK(x.report.error > 1e-9 && x.report.error <= 1e-4);
+  options.accuracy = 1e-12;
+  options.model = "axle_radau";
+  x = state(scene, 0.75, &options);
+  ROT_CHECK(x.status == ROTDYN_OK && !strcmp(x.report.model, "axle_radau"));
+  ROT_CHECK_REL(x.omega, 2.2229072552546211283, 1e-12);
+  (void)rotdyn_set_law(scene, "torque", driven, &limit);
+  ROT_CHECK_EQ_INT(state(scene, 0.75, &options).status, ROTDYN_ESTOPPED);
+  (void)rotdyn_set_law(scene, "torque", no_number, NULL);
+  ROT_CHECK_EQ_INT(state(scene, 0.75, NULL).status, ROTDYN_ETORQUE);
+  (void)rotdyn_set_law(scene, "torque", driven, NULL);
+  options.model = "axle_rk8pd";
+  options.max_steps = 2.0;
+  x = state(scene, 1e6, &options);
+  ROT_CHECK_EQ_INT(x.status, ROTDYN_EBUDGET);
+  ROT_CHECK(x.report.rows_done == 0);
+  rotdyn_object_free(scene);
+  rotdyn_object_free(list);
+}
+
+/* A law with a break: 7 N m from 1 s on. */
+static int late(const double *argument, double *torque, void *context) {
+  (void)context;
+  *torque = argument[0] < 1.0 ? 0.0 : 7.0;
+  return 0;
+}
+
+static void check_breaks(void) {
+  rotdyn_object *scene = axle(2.0), *law = rotdyn_object_new("torque_function");
+  const double breaks[] = {1.0};
+  (void)rotdyn_set_law(law, "f", late, NULL);
+  (void)rotdyn_set_numbers(law, "breaks_s", 1, breaks);
+  (void)give(scene, "torque", law);
+  const one x = state(scene, 3.0, NULL);
+  ROT_CHECK(x.status == ROTDYN_OK && x.report.steps < 30);
+  ROT_CHECK_REL(x.omega, 7.0, 1e-13);
+  rotdyn_object_free(scene);
+}
+
+static int count_poll(void *context, double fraction) {
+  int *calls = context;
+  ROT_CHECK(fraction >= 0.0 && fraction <= 1.0);
+  return ++*calls >= 3;
+}
+
+static void check_stops(void) {
+  rotdyn_object *scene = disk();
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  const size_t n = 200000;
+  double *t = malloc(n * sizeof *t);
+  int calls = 0;
+  ROT_CHECK(t != NULL);
+  for (size_t i = 0; t && i < n; i++) t[i] = 8.0 * (double)i / (double)n;
+  options.poll = count_poll;
+  options.poll_context = &calls;
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, n, t, &options, 0, 0, NULL, NULL, &report),
+                   ROTDYN_ESTOPPED);
+  ROT_CHECK(calls == 3 && report.rows_done > 0 && report.rows_done < n);
+  free(t);
+  rotdyn_object_free(scene);
+}
+
+/* A brake: it comes to rest at I omega0/tau and stays there. */
+static void check_events(void) {
+  rotdyn_object *scene = axle(0.5);
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_events events = ROTDYN_INIT(rotdyn_events);
+  double when[1] = {0.0};
+  const char *name[1] = {NULL};
+  events.room = 1;
+  events.time_s = when;
+  events.name = name;
+  options.events = &events;
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 3.0);
+  resist(scene, "coulomb_n_m", 0.75);
+  const one x = state(scene, 5.0, &options);
+  ROT_CHECK(x.status == ROTDYN_OK && x.omega == 0.0);
+  ROT_CHECK_REL(x.theta, 3.0, 1e-15); /* I omega0^2/(2 tau) */
+  ROT_CHECK_EQ_INT(events.count, 1);
+  ROT_CHECK(name[0] && !strcmp(name[0], "stick"));
+  ROT_CHECK_REL(when[0], 2.0, 1e-15);
+  rotdyn_object_free(scene);
+}
+
+static void check_choice(void) {
+  static const char *const of_drag[] = {"viscous_n_m_s", "quadratic_n_m_s2"};
+  rotdyn_object *scene = disk();
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_candidate c = ROTDYN_INIT(rotdyn_candidate);
+  const double end = 8.0;
+  double cost = 0.0;
+  size_t k = 0;
+  for (; rotdyn_scene_candidate(scene, 1, &end, NULL, k, &c) == ROTDYN_OK; k++) {
+    ROT_CHECK(c.cost_s >= cost && (c.applies || *c.reason));
+    cost = c.cost_s;
+  }
+  ROT_CHECK_EQ_INT(k, 10);
+  ROT_CHECK_EQ_INT(rotdyn_scene_candidate(scene, 1, &end, NULL, k, &c), ROTDYN_EEND);
+  /* Drag that 1e-6 does not see, with its bound, and that 1e-12 does. */
+  (void)give(scene, "resistance", part("resistance", 2, of_drag, (double[]){0.03, 1e-12}));
+  options.accuracy = 1e-6;
+  one x = state(scene, end, &options);
+  ROT_CHECK(!strcmp(x.report.model, "axle_linear") &&
+            strstr(x.report.reason, "quadratic drag ignored"));
+  ROT_CHECK(x.report.error > 1e-12 && x.report.error < 1e-6);
+  rotdyn_report report;
+  const double damping = at(scene, "damping_torque_n_m", end, &options, &report);
+  ROT_CHECK(damping == -0.03 * x.omega - 1e-12 * x.omega * fabs(x.omega));
+  options.accuracy = 1e-12;
+  x = state(scene, end, &options);
+  ROT_CHECK(!strcmp(x.report.model, "axle_rk8pd") && !*x.report.reason);
+  ROT_CHECK_REL(x.omega, 5.8278502401517953138, 2e-9); /* the drag takes 1e-9 */
+  /* The model asked for; none that reaches the accuracy. */
+  options.model = "axle_free";
+  x = state(scene, end, &options);
+  ROT_CHECK_EQ_INT(x.status, ROTDYN_EMODEL);
+  ROT_CHECK(strstr(x.report.reason, "it does not take") && !x.report.model);
+  options.model = "axle_none";
+  ROT_CHECK_EQ_INT(state(scene, end, &options).status, ROTDYN_EMODEL);
+  options.model = NULL;
+  options.accuracy = 1e-15;
+  x = state(scene, end, &options);
+  ROT_CHECK_EQ_INT(x.status, ROTDYN_EACCURACY);
+  ROT_CHECK(strstr(x.report.reason, "the best promises 1e-13"));
+  /* Friction does not run backward in time. */
+  resist(scene, "coulomb_n_m", 0.1);
+  options.accuracy = 1e-9;
+  x = state(scene, -1.0, &options);
+  ROT_CHECK_EQ_INT(x.status, ROTDYN_EMODEL);
+  ROT_CHECK(strstr(x.report.reason, "backwards"));
+  rotdyn_object_free(scene);
+}
+
+/* ---- rotors, clutches, drives ---------------------------------------------------------------- */
+
+/* Two equal rotors drivened against each other: theta_1 = a cos(sqrt(2 k/J) t). */
+static void check_rotors(void) {
+  rotdyn_object *scene = rotdyn_object_new("scene_rotors");
+  static const char *const names[] = {"theta_rad", "rotational_kinetic_energy_j",
+                                      "angular_momentum_kg_m2_per_s", "shaft_torque_n_m"};
+  double x[4][4], *const columns[] = {x[0], x[1], x[2], x[3]};
+  const double time_s[] = {0.25, 0.5}, swing = 0.1 * cos(20.0 * 0.5);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  (void)rotdyn_set_numbers(scene, "bodies", 2, (double[]){2.0, 2.0});
+  (void)rotdyn_set_number(scene, "stiffness_n_m_per_rad", 400.0);
+  (void)rotdyn_set_numbers(scene, "theta0_rad", 2, (double[]){0.1, -0.1});
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 2, time_s, NULL, 4, 4, names, columns, &report),
+                   ROTDYN_OK);
+  ROT_CHECK(!strcmp(report.model, "rotors_modal") && report.copies == 2 &&
+            !strcmp(report.index, "rotor"));
+  ROT_CHECK_REL(x[0][2], swing, 1e-13);
+  ROT_CHECK_REL(x[0][3], -swing, 1e-13);
+  ROT_CHECK_REL(x[3][2], 400.0 * 2.0 * swing, 1e-13);
+  ROT_CHECK(isnan(x[3][1]) && isnan(x[3][3]));
+  const double rate = 2.0 * sin(20.0 * 0.5); /* 0.1 times 20 */
+  ROT_CHECK_REL(x[1][2], rate * rate, 1e-13);
+  ROT_CHECK_REL(x[2][3], 2.0 * rate, 1e-13);
+  /* So stiff that it turns as one: 4 kg m^2 under 3 N m. */
+  (void)rotdyn_unset(scene, "theta0_rad");
+  (void)rotdyn_set_number(scene, "stiffness_n_m_per_rad", 1e22);
+  (void)rotdyn_set_numbers(scene, "torque_n_m", 2, (double[]){3.0, 0.0});
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 2, time_s, NULL, 4, 4, names, columns, &report),
+                   ROTDYN_OK);
+  ROT_CHECK(!strcmp(report.model, "rotors_rigid") && report.error_is_bound);
+  ROT_CHECK_REL(x[2][3], 2.0 * 0.75 * 0.5, 1e-12);
+  rotdyn_object_free(scene);
+}
+
+/* 2 and 3 kg m^2, 12 N m, 10 rad/s apart: they lock at 10/(6 + 4) s, at 4 rad/s. */
+static void check_clutch(void) {
+  static const char *const names[] = {"body_1", "body_2", "capacity_n_m", "omega1_rad_per_s"};
+  rotdyn_object *scene = part("scene_clutch", 4, names, (double[]){2.0, 3.0, 12.0, 10.0});
+  rotdyn_report report;
+  rotdyn_events events = ROTDYN_INIT(rotdyn_events);
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  double when[2];
+  const char *event[2];
+  events.room = 2;
+  events.time_s = when;
+  events.name = event;
+  options.events = &events;
+  ROT_CHECK_REL(at(scene, "omega_1_rad_per_s", 0.5, NULL, &report), 7.0, 1e-15);
+  ROT_CHECK(at(scene, "locked", 0.5, NULL, &report) == 0.0);
+  ROT_CHECK_REL(at(scene, "omega_2_rad_per_s", 2.0, &options, &report), 4.0, 1e-15);
+  ROT_CHECK(at(scene, "locked", 2.0, NULL, &report) == 1.0);
+  ROT_CHECK(events.count == 1 && !strcmp(event[0], "lock"));
+  ROT_CHECK_REL(when[0], 1.0, 1e-15);
+  ROT_CHECK_REL(at(scene, "heat_j", 2.0, NULL, &report), 60.0, 1e-15);
+  /* Pressed later; static above sliding; a torque in steps, and one that is none. */
+  (void)rotdyn_set_number(scene, "engage_s", 1.0);
+  ROT_CHECK_REL(at(scene, "omega_1_rad_per_s", 1.5, NULL, &report), 7.0, 1e-15);
+  rotdyn_object *steps = rotdyn_object_new("torque_steps");
+  (void)rotdyn_set_numbers(steps, "time_s", 2, (double[]){0.0, 0.5});
+  (void)rotdyn_set_numbers(steps, "torque_n_m", 2, (double[]){8.0, 0.0});
+  (void)give(scene, "torque_1", steps);
+  ROT_CHECK_REL(at(scene, "omega_1_rad_per_s", 1.0, NULL, &report), 12.0, 1e-15);
+  (void)give(scene, "torque_2",
+             part("torque_sinusoid", 2,
+                  (const char *const[]){"amplitude_n_m", "angular_frequency_rad_per_s"},
+                  (double[]){1.0, 2.0}));
+  ROT_CHECK(refused(scene, "torque_2", "constant between jumps"));
+  rotdyn_object *knots = rotdyn_object_new("torque_knots");
+  (void)rotdyn_set_numbers(knots, "time_s", 2, (double[]){0.0, 0.5});
+  (void)rotdyn_set_numbers(knots, "torque_n_m", 2, (double[]){8.0, 0.0});
+  (void)give(scene, "torque_2", knots);
+  ROT_CHECK(refused(scene, "torque_2", "constant between jumps"));
+  rotdyn_object_free(scene);
+}
+
+/* A gear of ratio 2: (1 + 4/4) omega' = 6 - 2/2. Of a lossy one, 1 + 4/(4 e) where power enters the
+ * first. */
+static void check_drive(void) {
+  static const char *const of_gear[] = {"ratio", "efficiency"};
+  static const char *const names[] = {"omega_rad_per_s", "locked", "coupling_torque_n_m"};
+  rotdyn_object *scene = rotdyn_object_new("scene_drive");
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  double x[3][2], *const columns[] = {x[0], x[1], x[2]};
+  const double end = 2.0;
+#define RUN rotdyn_scene_run(scene, 1, &end, NULL, 2, 3, names, columns, &report)
+  (void)rotdyn_set_numbers(scene, "bodies", 2, (double[]){1.0, 4.0});
+  (void)rotdyn_set_numbers(scene, "torque", 2, (double[]){6.0, -2.0});
+  ROT_CHECK(refused(scene, "couplings", "one item less"));
+  (void)give(scene, "couplings", part("coupling_gear", 1, of_gear, (double[]){2.0}));
+  ROT_CHECK_EQ_INT(RUN, ROTDYN_OK);
+  ROT_CHECK(!strcmp(report.model, "drive_rk8pd") && report.copies == 2);
+  ROT_CHECK_REL(x[0][0], 5.0, 1e-9);
+  ROT_CHECK_REL(x[0][1], 2.5, 1e-9);
+  ROT_CHECK(x[1][0] == 0.0 && isnan(x[1][1]) && isnan(x[2][1]));
+  ROT_CHECK_REL(x[2][0], 6.0 - 2.5, 1e-9);
+  (void)rotdyn_set_numbers(scene, "omega0_rad_per_s", 2, (double[]){1.0, 1.0});
+  ROT_CHECK(refused(scene, "omega0_rad_per_s", "agree with the gears"));
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 1.0);
+  ROT_CHECK_EQ_INT(RUN, ROTDYN_OK);
+  ROT_CHECK_REL(x[0][1], 3.0, 1e-9);
+  (void)rotdyn_unset(scene, "omega0_rad_per_s");
+  (void)give(scene, "couplings", part("coupling_gear", 2, of_gear, (double[]){2.0, 0.8}));
+  ROT_CHECK_EQ_INT(RUN, ROTDYN_OK);
+  ROT_CHECK_REL(x[0][0], 2.0 * (6.0 - 1.0 / 0.8) / (1.0 + 1.0 / 0.8), 1e-9);
+  /* A clutch that slips, and a brake that holds the other rotor: 6 - 5 on the first. */
+  static const char *const of_grip[] = {"capacity_n_m"};
+  rotdyn_object *brakes = rotdyn_object_new("list");
+  (void)give(scene, "couplings", part("coupling_clutch", 1, of_grip, (double[]){5.0}));
+  (void)rotdyn_unset(brakes, NULL);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(scene, "brake", brakes), ROTDYN_OK);
+  ROT_CHECK(refused(scene, "brake", "each of the 2 rotors"));
+  (void)give(brakes, NULL, part("brake", 1, of_grip, (double[]){10.0}));
+  (void)rotdyn_set_object(scene, "brake", brakes);
+  ROT_CHECK_EQ_INT(RUN, ROTDYN_OK);
+  ROT_CHECK_REL(x[0][0], 2.0, 1e-9);
+  ROT_CHECK(x[0][1] == 0.0 && x[1][0] == 0.0);
+  /* A clutch beside a gear with a loss. */
+  rotdyn_object *both = rotdyn_object_new("list");
+  (void)give(both, NULL, part("coupling_clutch", 1, of_grip, (double[]){5.0}));
+  (void)give(both, NULL, part("coupling_gear", 2, of_gear, (double[]){2.0, 0.8}));
+  (void)rotdyn_set_numbers(scene, "bodies", 3, (double[]){1.0, 4.0, 1.0});
+  (void)rotdyn_unset(scene, "torque");
+  (void)rotdyn_unset(scene, "brake");
+  (void)rotdyn_set_object(scene, "couplings", both);
+  ROT_CHECK(refused(scene, "couplings", "efficiency 1"));
+  rotdyn_object_free(both);
+  rotdyn_object_free(brakes);
+  rotdyn_object_free(scene);
+#undef RUN
+}
+
+/* ---- many scenes, a row each ----------------------------------------------------------------- */
+
+static void check_rows(void) {
+  enum { N = 200 };
+  static const char *const inputs[] = {"body", "omega0_rad_per_s"};
+  static const char *const names[] = {"theta_rad", "omega_rad_per_s"};
+  rotdyn_object *scene = disk();
+  double inertia[N], omega0[N], time_s[N], x[2][N], again[2][N], error[N];
+  double *const columns[] = {x[0], x[1]}, *const others[] = {again[0], again[1]};
+  int status[N];
+  const char *model[N];
+  rotdyn_rows_in in = ROTDYN_INIT(rotdyn_rows_in);
+  rotdyn_rows_out out = ROTDYN_INIT(rotdyn_rows_out);
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  for (int i = 0; i < N; i++) {
+    inertia[i] = i == 7 ? -1.0 : 0.01 * (i + 1);
+    omega0[i] = 0.1 * i;
+    time_s[i] = i == 9 ? NAN : 0.05 * i;
+  }
+  (void)rotdyn_set_number(scene, "body", 1.0);
+  resist(scene, "quadratic_n_m_s2", 0.01); /* integrated, where the torque is not constant */
+  const rotdyn_column values[] = {{inertia, 1}, {omega0, 1}};
+  in.time_s = (rotdyn_column){time_s, 1};
+  in.n_inputs = 2;
+  in.inputs = inputs;
+  in.values = values;
+  out.n_columns = 2;
+  out.names = names;
+  out.columns = columns;
+  out.error = error;
+  out.status = status;
+  out.model = model;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(scene, N, &in, &options, &out, &report), ROTDYN_OK);
+  ROT_CHECK(report.rows_done == N && report.error > 0.0 && report.error <= 1e-9);
+  for (int i = 0; i < N; i++) {
+    if (i == 7 || i == 9) {
+      ROT_CHECK(status[i] == ROTDYN_EARGUMENT && isnan(x[0][i]) && isnan(error[i]) && !model[i]);
+      continue;
+    }
+    (void)rotdyn_set_number(scene, "body", inertia[i]);
+    (void)rotdyn_set_number(scene, "omega0_rad_per_s", omega0[i]);
+    const one alone = state(scene, time_s[i], NULL);
+    ROT_CHECK(status[i] == ROTDYN_OK && alone.theta == x[0][i] && alone.omega == x[1][i]);
+    ROT_CHECK(alone.report.error == error[i] && !strcmp(alone.report.model, model[i]));
+  }
+  /* No bit depends on the threads. */
+  options.threads = 4;
+  out.columns = others;
+  out.error = NULL;
+  out.status = NULL;
+  out.model = NULL;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(scene, N, &in, &options, &out, &report), ROTDYN_OK);
+  ROT_CHECK(!memcmp(x, again, sizeof x));
+  /* A law of the caller is called by one thread. */
+  (void)rotdyn_set_law(scene, "torque", half_drive, NULL);
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(scene, 20, &in, &options, &out, NULL), ROTDYN_OK);
+  ROT_CHECK(again[1][0] == omega0[0] && again[1][19] > 0.0);
+  /* Several rows a time. */
+  rotdyn_object *rotors = rotdyn_object_new("scene_rotors");
+  (void)rotdyn_set_numbers(rotors, "bodies", 2, (double[]){2.0, 2.0});
+  (void)rotdyn_set_number(rotors, "stiffness_n_m_per_rad", 400.0);
+  (void)rotdyn_set_numbers(rotors, "theta0_rad", 2, (double[]){0.1, -0.1});
+  in.n_inputs = 0;
+  out.n_columns = 1;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(rotors, 3, &in, NULL, &out, &report), ROTDYN_OK);
+  ROT_CHECK(report.copies == 2 && again[0][0] == 0.1 && again[0][1] == -0.1);
+  ROT_CHECK_REL(again[0][4], 0.1 * cos(20.0 * 0.1), 1e-13);
+  /* Refusals. */
+  static const char *const wrong[] = {"resistance"}, *const none[] = {"none"};
+  static const char *const bodies[] = {"bodies"};
+  static const char *const twice[] = {"start_s", "start_s"};
+  in.n_inputs = 1;
+  in.inputs = bodies; /* one rotor in place of two */
+  out.status = status;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(rotors, 3, &in, NULL, &out, &report), ROTDYN_OK);
+  ROT_CHECK(status[2] == ROTDYN_EARGUMENT && isnan(again[0][4]));
+  in.inputs = wrong;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(scene, 3, &in, NULL, &out, &report), ROTDYN_EARGUMENT);
+  ROT_CHECK(report.input && !strcmp(report.input, "resistance"));
+  in.inputs = none;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(rotors, 3, &in, NULL, &out, &report), ROTDYN_ENAME);
+  in.inputs = twice;
+  in.n_inputs = 2;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(rotors, 3, &in, NULL, &out, &report), ROTDYN_EARGUMENT);
+  in.n_inputs = 0;
+  out.names = none;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(rotors, 3, &in, NULL, &out, &report), ROTDYN_ENAME);
+  in.time_s.values = NULL;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(rotors, 3, &in, NULL, &out, &report), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(NULL, 3, &in, NULL, &out, &report), ROTDYN_EARGUMENT);
+  rotdyn_object_free(rotors);
   rotdyn_object_free(scene);
 }
 
@@ -472,6 +1069,20 @@ int main(void) {
   check_free();
   check_free_law();
   check_pivot();
+  check_spin_up();
+  check_axle_forms();
+  check_axes();
+  check_sums();
+  check_integrated();
+  check_breaks();
+  check_stops();
+  check_events();
+  check_choice();
+  check_rotors();
+  check_clutch();
+  check_drive();
+  check_rows();
+  check_times();
   check_threads();
   return rot_test_report("api scene");
 }

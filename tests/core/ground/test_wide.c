@@ -96,7 +96,7 @@ int main(void) {
   srand(20);
   if (!rot_wide_ok()) printf("skip - no registers of four here\n");
   rot_wide_allow(0);
-  ROT_CHECK(!rot_wide_ok());
+  ROT_CHECK(!rot_wide_ok() && !rot_wide_fma_ok());
   check_grids();
   check_sweep();
   check_log1p();

@@ -77,6 +77,29 @@ static void check_stiff(void) {
   }
 }
 
+/* What grows by more than exp(4) in a step is not for it, whichever component grows. */
+static int apart(double t, const double y[], double f[], void *ctx) {
+  const double *rate = ctx;
+  (void)t;
+  f[0] = rate[0] * y[0];
+  f[1] = rate[1] * y[1];
+  return 0;
+}
+
+static void check_growth(void) {
+  for (int first = 0; first < 2; first++) {
+    for (int fast = 0; fast < 2; fast++) {
+      double rate[2] = {-1.0, -1.0}, y[] = {1.0, 1.0}, error[2];
+      rate[first] = fast ? 4.2 : 3.8;
+      const double slope[] = {rate[0], rate[1]}, allowed[] = {1e-3, 1e-3};
+      rot_radau *r = rot_radau_alloc(2, 2);
+      ROT_CHECK_EQ_INT(rot_radau_step(r, apart, rate, 0.0, 1.0, y, error, slope, allowed),
+                       fast ? ROT_RADAU_DIVERGED : ROT_RADAU_OK);
+      rot_radau_free(r);
+    }
+  }
+}
+
 /* What the right-hand side says ends the step. */
 static int says(double t, const double y[], double f[], void *ctx) {
   (void)t;
@@ -100,6 +123,7 @@ int main(void) {
   check_coefficients();
   check_order();
   check_stiff();
+  check_growth();
   check_stop();
   return rot_test_report("radau");
 }

@@ -95,6 +95,22 @@ static void test_fall(void) {
   ROT_CHECK(isnan(rot_frame_fall_time(7.0, 0.0, 9.8, 0.11)));
 }
 
+/* With Omega = 1/s near the equator what falls swings: it is at a depth of
+ * g (cos^2 (1 - cos 2 t)/4 + sin^2 t^2/2). The time is the first at which it is deep enough. */
+static void test_swinging_fall(void) {
+  /* The last two just reach a depth from which the body turns back. */
+  const double cases[][2] = {{2.0, 5.07}, {3.0, 7.22},   {5.0, 8.38},        {6.0, 8.1},
+                             {8.0, 15.6}, {3.0, 4.9195}, {0.0, 0.9951 * 4.9}};
+  for (int k = 0; k < 7; k++) {
+    const double c = cos(cases[k][0] * pi / 180.0), s = sin(cases[k][0] * pi / 180.0);
+    double t = 0.0;
+    while (9.8 * (0.25 * c * c * (1.0 - cos(2.0 * t)) + 0.5 * s * s * t * t) < cases[k][1]) {
+      t += 1e-3;
+    }
+    ROT_CHECK(fabs(rot_frame_fall_time(1.0, cases[k][0], 9.8, cases[k][1]) - t) < 2e-3);
+  }
+}
+
 /* zeta'' + 2 i turn zeta' + (g/l) zeta = 0, by differences; the start. */
 static void test_foucault(void) {
   srand(32);
@@ -154,6 +170,7 @@ int main(void) {
   test_drop();
   test_equations();
   test_fall();
+  test_swinging_fall();
   test_foucault();
   test_carry();
   return rot_test_report("frame");

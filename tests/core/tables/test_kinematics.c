@@ -335,6 +335,7 @@ static void check_impossible(void) {
 
 static void check_undetermined(void) {
   const rot_motion_kind many = ROT_MOTION_UNDETERMINED;
+  ROT_CHECK_EQ_INT(many, -1); /* the others count motions; callers elsewhere read the numbers */
   EDGE(OMEGA0 | OMEGA | TIME, 9, 2, 2, 9, 0, many, 0, 2, 2, NAN, 0);
   EDGE(OMEGA0 | OMEGA | ALPHA, 9, 2, 2, 0, 9, many, NAN, 2, 2, 0, NAN);
   EDGE(OMEGA0 | OMEGA | THETA, 0, 2, 2, 9, 9, many, 0, 2, 2, NAN, 0);

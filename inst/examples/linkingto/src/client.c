@@ -41,18 +41,30 @@ SEXP client_rolling(SEXP beta, SEXP angle_deg) {
 }
 
 SEXP client_coasting(SEXP inertia, SEXP viscous, SEXP omega0, SEXP time_s) {
-  const rotdyn_api *api = WITH(axle_rows);
-  rotdyn_axle axle = ROTDYN_INIT(rotdyn_axle);
-  rotdyn_axle_columns columns = ROTDYN_INIT(rotdyn_axle_columns);
-  rotdyn_info info = ROTDYN_INIT(rotdyn_info);
-  axle.inertia_kg_m2 = Rf_asReal(inertia);
-  axle.viscous_n_m_s = Rf_asReal(viscous);
-  axle.omega0_rad_per_s = Rf_asReal(omega0);
+  static const char *const name = "omega_rad_per_s";
+  const rotdyn_api *api = WITH(scene_run);
+  const size_t n = (size_t)XLENGTH(time_s);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   SEXP omega = PROTECT(Rf_allocVector(REALSXP, XLENGTH(time_s)));
-  columns.omega_rad_per_s = REAL(omega);
-  const int status =
-      api->axle_rows(&axle, (size_t)XLENGTH(time_s), REAL(time_s), NULL, &columns, &info);
-  if (status != ROTDYN_OK) Rf_error("%s: %s", api->status_text(status), info.reason);
+  double *const column = REAL(omega);
+  /* Nothing that may raise an R error until the objects are freed. */
+  const double body = Rf_asReal(inertia), c = Rf_asReal(viscous), start = Rf_asReal(omega0);
+  rotdyn_object *scene = api->object_new("scene_axle");
+  rotdyn_object *resistance = api->object_new("resistance");
+  int status = ROTDYN_EMEMORY;
+  if (scene && resistance) {
+    api->set_number(resistance, "viscous_n_m_s", c);
+    api->set_number(scene, "body", body);
+    api->set_number(scene, "omega0_rad_per_s", start);
+    api->set_object(scene, "resistance", resistance);
+    status = api->scene_run(scene, n, REAL(time_s), NULL, n, 1, &name, &column, &report);
+  }
+  api->object_free(resistance);
+  api->object_free(scene);
+  if (status != ROTDYN_OK) {
+    Rf_error("%s: %s %s", api->status_text(status), report.input ? report.input : "",
+             report.reason);
+  }
   UNPROTECT(1);
   return omega;
 }

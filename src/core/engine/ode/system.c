@@ -77,38 +77,6 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[], const r
   return ROT_OK;
 }
 
-/* The flows follow the state, which the estimate's two runs may have wrong alike: their rounding,
- * and what a row between two steps is off by. Adds the integral over the span of the derivative of
- * the flow by the state, its mean at some rows, times the state's error: of the coordinates, of
- * their rates. Without it a tenth of the flows were off by more than reported, up to 13 times. */
-enum { LOOKS = 32 };
-
-static void add_errors_of_state(motion *m, size_t n, const double y[], double span,
-                                const double error[2], double flow_error[]) {
-  const size_t size = m->s.n, looks = n < LOOKS ? n : LOOKS;
-  double state[MOST_DIM], slope[MOST_DIM], moved[MOST_DIM], sum[ROT_MOST_FLOWS] = {0.0};
-  m->mode = 1;
-  for (size_t k = 0; k < looks; k++) {
-    const double *row = y + (n <= LOOKS ? k : k * (n - 1) / (LOOKS - 1)) * m->dim;
-    memcpy(state, row, m->dim * sizeof *state);
-    m->mode = row[size] < 0.0 ? -1 : 1;
-    (void)slopes(0.0, state, slope, m);
-    for (size_t i = 0; i < 2 * size; i++) {
-      const double by = 1e-7 * m->most[i >= size];
-      state[i] = row[i] + by;
-      (void)slopes(0.0, state, moved, m);
-      state[i] = row[i];
-      for (size_t f = 0; f < m->system->n_flows && by > 0.0; f++) {
-        const double change = fabs(moved[m->flows + f] - slope[m->flows + f]) / by;
-        sum[f] += change * error[i >= size];
-      }
-    }
-  }
-  for (size_t f = 0; f < m->system->n_flows && looks; f++) {
-    if (isfinite(sum[f])) flow_error[f] += span * sum[f] / (double)looks;
-  }
-}
-
 rot_status rot_system_run(const rot_system *system, const void *scene, const rot_task *task,
                           rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                           rot_info *info) {
@@ -163,10 +131,6 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
   }
   for (size_t k = 0; rows->flow_error && k < system->n_flows; k++) {
     rows->flow_error[k] = 2.0 * error[2 + k];
-  }
-  if (rows->flow_error && status == ROT_OK) {
-    const double off[] = {info->measure[0].error, info->measure[1].error};
-    add_errors_of_state(&m, rows_n, y, span, off, rows->flow_error);
   }
   free(y);
   return info->status = status;

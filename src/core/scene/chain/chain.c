@@ -184,62 +184,27 @@ static const rot_balance_term terms[] = {
     {MOMENTUM, ROT_SUPPLIED, "impulse of gravity and of the joint at the pivot", 0}};
 enum { TERMS = ROT_COUNT(terms) };
 
-/* A sum, and what errors of its arguments and rounding may change it by. */
-typedef struct total {
-  double sum, off;
-} total;
-
-static void add(total *to, double x) {
-  to->sum += x;
-  to->off += 16.0 * ROT_EPS * fabs(x);
-}
-
-/* Changes as products: a small one of a large energy keeps its digits. Derivatives at the last row
- * and the first one, and what is of second order in the errors. */
-static void audit(const void *scene, const rot_span *s, double term[], double explained[]) {
-  const chain *c = scene;
-  const rot_links *links = &c->links;
+/* Changes as products: a small one of a large energy keeps its digits. */
+static void audit(const void *scene, const rot_span *s, double term[]) {
+  const rot_links *links = &((const chain *)scene)->links;
   const size_t n = links->n;
   const double *a = s->first + THETA * n, *b = s->last + THETA * n;
   const double *u = s->first + OMEGA * n, *v = s->last + OMEGA * n;
-  const double turned = s->error[ROT_THETA], faster = s->error[ROT_OMEGA];
-  total kinetic = {0.0, 0.0}, potential = {0.0, 0.0}, momentum = {0.0, 0.0};
+  double kinetic = 0.0, potential = 0.0, momentum = 0.0;
   for (size_t i = 0; i < n; i++) {
-    double by_theta[2] = {0.0, 0.0}, by_omega[2] = {0.0, 0.0}; /* of the kinetic energy */
     for (size_t j = 0; j < n; j++) {
       const double inertia = links->total_kg * rot_links_inertia(links, i, j);
       const double before = a[i] - a[j], after = b[i] - b[j];
-      const double cosine[2] = {cos(before), cos(after)}, sine[2] = {sin(before), sin(after)};
-      const double change = ((b[i] - a[i]) - (b[j] - a[j]));
+      const double change = (b[i] - a[i]) - (b[j] - a[j]);
       const double bent = -2.0 * sin(0.5 * (after + before)) * sin(0.5 * change);
-      add(&kinetic, 0.5 * inertia * (v[i] - u[i]) * cosine[1] * (v[j] + u[j]));
-      add(&kinetic, 0.5 * inertia * u[i] * bent * u[j]);
-      add(&momentum, inertia * cosine[1] * (v[j] - u[j]));
-      add(&momentum, inertia * bent * u[j]);
-      for (int k = 0; k < 2; k++) {
-        const double rate = k ? v[j] : u[j], own = k ? v[i] : u[i];
-        by_omega[k] += inertia * cosine[k] * rate;
-        by_theta[k] += inertia * sine[k] * own * rate;
-        /* Second order: |cos| and |sin| at most 1. */
-        kinetic.off += inertia * (0.5 * faster * faster + 2.0 * fabs(rate) * faster * turned +
-                                  fabs(own * rate) * turned * turned);
-        momentum.off += inertia * (fabs(cosine[k]) * faster +
-                                   2.0 * (fabs(sine[k]) * fabs(rate) + faster) * turned +
-                                   2.0 * fabs(rate) * turned * turned);
-      }
+      kinetic += 0.5 * inertia * ((v[i] - u[i]) * cos(after) * (v[j] + u[j]) + u[i] * bent * u[j]);
+      momentum += inertia * (cos(after) * (v[j] - u[j]) + bent * u[j]);
     }
-    const double weight = links->total_kg * links->gravity_m_per_s2 * rot_links_weight(links, i);
-    add(&potential, 2.0 * weight * sin(0.5 * (b[i] - a[i])) * sin(0.5 * (b[i] + a[i])));
-    potential.off += weight * (fabs(sin(a[i])) + fabs(sin(b[i])) + turned) * turned;
-    for (int k = 0; k < 2; k++) {
-      kinetic.off += fabs(by_omega[k]) * faster + fabs(by_theta[k]) * turned;
-    }
+    potential += 2.0 * links->total_kg * links->gravity_m_per_s2 * rot_links_weight(links, i) *
+                 sin(0.5 * (b[i] - a[i])) * sin(0.5 * (b[i] + a[i]));
   }
-  const double value[TERMS] = {kinetic.sum, potential.sum, s->flow[HEAT], momentum.sum,
-                               s->flow[IMPULSE]};
+  const double value[TERMS] = {kinetic, potential, s->flow[HEAT], momentum, s->flow[IMPULSE]};
   memcpy(term, value, sizeof value);
-  explained[ENERGY] = kinetic.off + potential.off + s->flow_error[HEAT];
-  explained[MOMENTUM] = momentum.off + s->flow_error[IMPULSE];
 }
 
 static int rubs(const chain *c) {

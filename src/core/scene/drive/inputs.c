@@ -144,7 +144,7 @@ const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS] = {
     [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
 };
 
-/* Of an input that has an item for each of n rotors: item i, or what is given for a single rotor. */
+/* Of an input that has an item for each rotor: item i, or what is given for a single rotor. */
 static const rot_given *item_of(const rot_given *given, size_t i) {
   static const rot_given nothing = {0};
   if (!given->is) return &nothing;

@@ -128,23 +128,16 @@ static const rot_balance_term terms[] = {
     {MOMENTUM, ROT_SUPPLIED, "impulse that keeps the hoop turning", 0}};
 
 /* Changes as products: a small one of a large energy keeps its digits. */
-static void audit(const void *scene, const rot_span *s, double term[], double explained[]) {
+static void audit(const void *scene, const rot_span *s, double term[]) {
   const hoop *h = scene;
   const double a = s->first[0], b = s->last[0], u = s->first[1], v = s->last[1];
-  const double along = 0.5 * h->inertia * (v - u) * (v + u), off = s->error[ROT_THETA];
+  const double along = 0.5 * h->inertia * (v - u) * (v + u);
   const double height = 2.0 * h->weight * sin(0.5 * (b - a)) * sin(0.5 * (b + a));
   const double momentum = h->turn * h->inertia * sin(b - a) * sin(b + a);
   const double round = 0.5 * h->turn * momentum, heat = s->flow[HEAT];
   const double value[] = {along + round, height, s->flow[WORK], heat,     along,
                           height,        -round, heat,          momentum, s->flow[IMPULSE]};
   memcpy(term, value, sizeof value);
-  explained[MOMENTUM] =
-      fabs(h->turn) * h->inertia * off * (fabs(sin(2.0 * a)) + fabs(sin(2.0 * b)) + 2.0 * off);
-  explained[SEEN] = h->inertia * (fabs(u) + fabs(v)) * s->error[ROT_OMEGA] +
-                    h->weight * (fabs(sin(a)) + fabs(sin(b)) + off) * off +
-                    0.5 * fabs(h->turn) * explained[MOMENTUM] + s->flow_error[HEAT];
-  explained[ENERGY] = explained[SEEN] + s->flow_error[WORK];
-  explained[MOMENTUM] += s->flow_error[IMPULSE];
 }
 
 static int keeps(const void *scene, size_t balance, const char **why) {

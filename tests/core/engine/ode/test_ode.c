@@ -476,6 +476,38 @@ static void check_riders(void) {
   ROT_CHECK(result.info.steps > 20 * steps);
 }
 
+/* y1' = cos(rate t) */
+static rot_status wave(double t, const double y[], double dydt[], void *ctx) {
+  const probe *p = ctx;
+  dydt[0] = -y[0];
+  dydt[1] = cos(p->rate * t);
+  return seen(ctx, t);
+}
+
+/* The polynomials between the steps are worse of such a component than the steps are: its error is
+ * that of the rows. */
+static void check_riders_between_steps(void) {
+  enum { ROWS = 25 };
+  const double start[] = {1.0, 0.0};
+  double t[ROWS];
+  int shows = 0;
+  for (int i = 0; i < ROWS; i++) t[i] = 0.16 * (i + 1);
+  for (int k = 0; k < 20; k++) {
+    probe ridden = quiet(4.0 + k);
+    rot_ode_params p = problem(2, wave, &ridden, start, 1e-7);
+    p.controlled = 1;
+    run(&p, ROWS, t, NULL);
+    double off = 0.0, last = 0.0;
+    for (int i = 0; i < ROWS; i++) {
+      last = fabs(result.y[2 * i + 1] - sin(ridden.rate * t[i]) / ridden.rate);
+      off = fmax(off, last);
+    }
+    shows += off > 10.0 * last;
+    ROT_CHECK(off <= result.error[1]);
+  }
+  ROT_CHECK(shows > 5);
+}
+
 /* ---- how a run ends ------------------------------------------------------------------------- */
 
 static void check_nan_later(void) {
@@ -732,6 +764,7 @@ int main(void) {
   check_start_on_break();
   check_breaks_between_rows();
   check_riders();
+  check_riders_between_steps();
   check_nan_later();
   check_nan_in_first();
   check_nan_everywhere();

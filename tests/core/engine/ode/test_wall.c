@@ -7,7 +7,17 @@ typedef struct law {
   size_t calls;
 } law;
 
-enum { FRICTION, FORCED_FRICTION, STEP_IN_OMEGA, BANG, TWO_SPRINGS, STEP_IN_TIME, WAVE, FILM };
+enum {
+  FRICTION,
+  FORCED_FRICTION,
+  STEP_IN_OMEGA,
+  BANG,
+  TWO_SPRINGS,
+  STEP_IN_TIME,
+  WAVE,
+  FILM,
+  LOST
+};
 
 static double sign(double x) { return (x > 0.0) - (x < 0.0); }
 
@@ -23,6 +33,10 @@ static rot_status slope(double t, const double y[], double f[], void *ctx) {
   case TWO_SPRINGS: f[1] = -y[0] * (y[0] > 0.0 ? 4.0 : 1.0); break;
   case STEP_IN_TIME: f[1] = t < 0.7 ? 1.0 : -3.0; break;
   case WAVE: f[1] = t - floor(t) < 0.5 ? 1.0 : -1.0; break;
+  case LOST: /* beyond omega = 0 there is nothing any more from 8 s on */
+    if (y[1] > 0.0 && t > 8.0) return ROT_ERHS;
+    f[1] = sin(t) + (y[1] > 0.0 ? 0.25 : 0.0) - 0.1 * y[0];
+    break;
   default: f[1] = y[1] > 0.0 ? -1.0 - y[0] : 2.0; break; /* slides while y[0] > -1 */
   }
   return ROT_OK;
@@ -89,6 +103,52 @@ static void check_jump_in_time(void) {
  * the slope is -3/4, below it 2. */
 static void check_slide(void) { go(FILM, 0.0, -1.0, 0.0, 4.0, -0.25, 0.0, 2000); }
 
+/* Collocation knows no sliding, so calls that cost much are not spent on a try of it. */
+static void check_slide_of_costly_law(void) {
+  const double y0[] = {0.0, -1.0}, t = 4.0;
+  size_t calls[2];
+  for (int expensive = 0; expensive < 2; expensive++) {
+    double y[2], error[2], largest[2];
+    rot_info info;
+    law l = {FILM, 0};
+    const rot_ode_params p = {.dim = 2,
+                              .controlled = 2,
+                              .rhs = slope,
+                              .ctx = &l,
+                              .start = y0,
+                              .accuracy = 1e-9,
+                              .max_steps = 100000,
+                              .expensive = expensive};
+    ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, &t, y, NULL, error, largest, NULL, &info), ROT_OK);
+    ROT_CHECK(fabs(y[0] + 0.25) <= 1e-14 && fabs(y[1]) <= 1e-14);
+    calls[expensive] = l.calls;
+  }
+  ROT_CHECK_EQ_INT((long long)calls[1], (long long)calls[0]);
+}
+
+/* Where the far side of a wall has lost its law the run ends on the wall, and does not search for a
+ * way along it. */
+static void check_lost_side(void) {
+  const double y0[] = {0.0, -0.5};
+  double t[41], y[82], error[2], largest[2];
+  rot_info info;
+  law l = {LOST, 0};
+  const rot_ode_params p = {.dim = 2,
+                            .controlled = 2,
+                            .rhs = slope,
+                            .ctx = &l,
+                            .start = y0,
+                            .accuracy = 1e-9,
+                            .max_steps = 100000};
+  for (int i = 0; i < 41; i++) t[i] = 0.5 * i;
+  ROT_CHECK_EQ_INT(rot_ode_run(&p, 41, t, y, NULL, error, largest, NULL, &info), ROT_ERHS);
+  ROT_CHECK_EQ_INT((long long)info.rows_done, 17);
+  /* Nearly -0.284 + sin(8.2) u: zero some 0.47 s after the row at 8 s, by a series of omega. */
+  const double omega = y[33], pull = sin(8.0) - 0.1 * y[32], u = info.time_s - 8.0;
+  ROT_CHECK(fabs(omega + pull * u + 0.5 * (cos(8.0) - 0.1 * omega) * u * u) < 0.03);
+  ROT_CHECK(l.calls < 1130);
+}
+
 /* A square wave of 257 periods: each turns it by 1/4, and leaves no rate. */
 static void check_many_jumps(void) {
   const double y0[] = {0.0, 0.0}, t = 257.25;
@@ -119,5 +179,7 @@ int main(void) {
   check_kink();
   check_jump_in_time();
   check_slide();
+  check_lost_side();
+  check_slide_of_costly_law();
   return rot_test_report("ode_wall");
 }

@@ -80,9 +80,22 @@ static void check_error(void) {
   }
 }
 
+/* Without a motor nothing is summed, and without rows nothing is known: the bounds stay. */
+static void check_no_motor(void) {
+  const rot_axle_scene plain = motor_scene(0.0, 0.25), scene = motor_scene(0.5, 0.25);
+  rot_info info;
+  ROT_CHECK_EQ_INT(rot_axle_linear(&plain.linear, ROWS, time_s, &out, NULL, &info), ROT_OK);
+  const double theta = info.measure[ROT_THETA].error, omega = info.measure[ROT_OMEGA].error;
+  rot_axle_motor_error(&plain, ROWS, time_s, &info);
+  ROT_CHECK(info.measure[ROT_THETA].error == theta && info.measure[ROT_OMEGA].error == omega);
+  rot_axle_motor_error(&scene, 0, NULL, &info);
+  ROT_CHECK(info.measure[ROT_THETA].error == theta && info.measure[ROT_OMEGA].error == omega);
+}
+
 int main(void) {
   check_columns();
   check_ledger();
   check_error();
+  check_no_motor();
   return rot_test_report("axle_motor");
 }

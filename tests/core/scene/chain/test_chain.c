@@ -450,6 +450,31 @@ static void many_links(void) {
   kit_free(k);
 }
 
+/* Time scales: of one point c/(m l^2) and sqrt(g/l); of two rods free of gravity that one joint
+ * joins, the trace of M^-1 C. */
+static void time_scales(void) {
+  const double length[2] = {0.5, 0.5}, mass = 2.0, start = 0.3, sizes[2] = {1.0, 3.0};
+  const double joint[2] = {0.0, 0.1};
+  rot_pace pace;
+  kit *k = chain(1, length, 1, &mass, 1, 1, &start, NULL);
+  ROT_CHECK(kit_build(k) == ROT_OK);
+  k->c->pace(k->scene, sizes, &pace);
+  ROT_CHECK(isinf(pace.fades_s));
+  ROT_CHECK_REL(pace.swing_rad_per_s, 6.0 + sqrt(GRAVITY / 0.5), 1e-14);
+  kit_number(k, "joint_n_m_s", 0.1);
+  ROT_CHECK(kit_build(k) == ROT_OK);
+  k->c->pace(k->scene, sizes, &pace);
+  ROT_CHECK_REL(pace.fades_s, 2.0 * 0.25 / 0.1, 1e-14);
+  /* m l^2 (4/3 1/2; 1/2 1/3) has the inverse (1/3 -1/2; -1/2 4/3) 36/7 over m l^2. */
+  kit_numbers(k, "length_m", 2, length);
+  kit_option(k, "links", 0);
+  kit_numbers(k, "joint_n_m_s", 2, joint);
+  ROT_CHECK(kit_build(k) == ROT_OK);
+  k->c->pace(k->scene, sizes, &pace);
+  ROT_CHECK_REL(1.0 / pace.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0), 1e-13);
+  kit_free(k);
+}
+
 /* ---- what is refused ------------------------------------------------------------------------- */
 
 static void refused_inputs(void) {
@@ -552,6 +577,7 @@ int main(void) {
   chaos();
   extremes();
   many_links();
+  time_scales();
   refused_inputs();
   refused_modes();
   return rot_test_report("chain");

@@ -523,6 +523,34 @@ static void check_late(void) {
   rot_events_free(&x.events);
 }
 
+/* The slip of open bodies, 2 - 2 s, changes sign at 1e6 + 1 s: a time that two roundings have made,
+ * and which the slip knows to as much times its rate. */
+static void check_late_zero(void) {
+  const double pull[] = {-1.0, 1.0}, time[] = {1e6 + 3.0};
+  scene x = {{{1.0, 1.0},
+              5.0,
+              5.0,
+              {{0, NULL, &pull[0]}, {0, NULL, &pull[1]}},
+              INFINITY,
+              1e6,
+              {0.0, 0.0},
+              {2.0, 0.0}},
+             {{0}},
+             {{0}},
+             {0},
+             {0},
+             {0},
+             {0, 0, NULL, NULL},
+             {0}};
+  ROT_CHECK_EQ_INT(run(&x, 1, time), ROT_OK);
+  ROT_CHECK(fabs(x.omega[0][0] + 1.0) <= x.info.measure[ROT_OMEGA].error);
+  /* Half of the slip is each body's. */
+  const double known = 0.5 * 2.0 * 2.0 * ROT_EPS * 1e6;
+  ROT_CHECK(x.info.measure[ROT_OMEGA].error >= known);
+  ROT_CHECK(x.info.measure[ROT_OMEGA].error <= 1.1 * known);
+  rot_events_free(&x.events);
+}
+
 int main(void) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) check_case(&cases[i]);
   printf("true error / bound: at most %.3g\n", worst);
@@ -530,5 +558,6 @@ int main(void) {
   check_hold();
   check_reversal();
   check_late();
+  check_late_zero();
   return rot_test_report("clutch");
 }

@@ -152,6 +152,27 @@ static void nothing_acts_nothing_moves(void) {
   rot_drive_system_free(&s);
 }
 
+/* Where nothing sticks, nothing breaks loose: what slips goes on as it does. */
+static void what_slips_has_let_go(void) {
+  rot_drive_system s;
+  double y[16] = {0.0};
+  signed char mode[4] = {0};
+  clear();
+  rotor[0] = body(1.0, 0.0, 3.0);
+  rotor[1] = body(1.0, 0.0, 1.0);
+  coupling[0].kind = ROT_DRIVE_CLUTCH;
+  coupling[0].grip = hold(4.0, 1.0);
+  const rot_drive_scene scene = scene_of(2);
+  ROT_CHECK(rot_drive_system_new(&s, &scene) == ROT_OK);
+  y[s.contact[0].state] = 2.0;
+  for (int breaks = 0; breaks < 2; breaks++) {
+    ROT_CHECK(rot_drive_settle(&s, 0.0, y, mode, breaks, 1e-9) == ROT_OK);
+    ROT_CHECK_EQ_INT(mode[0], 1);
+    ROT_CHECK(s.alpha[0] == -4.0 && s.alpha[1] == 4.0);
+  }
+  rot_drive_system_free(&s);
+}
+
 /* ---- motions --------------------------------------------------------------------------------- */
 
 static struct {
@@ -269,6 +290,7 @@ int main(void) {
   contacts_share_a_load();
   one_slip_makes_another();
   nothing_acts_nothing_moves();
+  what_slips_has_let_go();
   a_clutch_locks();
   a_brake_stops_a_geared_load();
   a_gear_loses_power();

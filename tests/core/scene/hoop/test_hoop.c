@@ -253,6 +253,19 @@ static void backwards(void) {
   kit_number(k, "start_s", -3.0);
   at(k, 0.0, 1e-11, &angle, &rate);
   ROT_CHECK(fabs(angle - 1.0) < 1e-9 && fabs(rate - 0.4) < 1e-9);
+  /* With friction, while it slides: faster before. */
+  kit_number(k, "static_friction", 0.3);
+  kit_number(k, "drag_n_s_per_m", 0.1);
+  kit_number(k, "theta0_rad", 0.2);
+  kit_number(k, "omega0_rad_per_s", 4.0);
+  kit_number(k, "start_s", 0.0);
+  at(k, -0.4, 1e-11, &angle, &rate);
+  ROT_CHECK(angle < 0.2 && rate > 4.0);
+  kit_number(k, "theta0_rad", angle);
+  kit_number(k, "omega0_rad_per_s", rate);
+  kit_number(k, "start_s", -0.4);
+  at(k, 0.0, 1e-11, &angle, &rate);
+  ROT_CHECK(fabs(angle - 0.2) < 1e-9 && fabs(rate - 4.0) < 1e-9);
   kit_free(k);
 }
 

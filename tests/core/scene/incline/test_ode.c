@@ -222,6 +222,30 @@ static void jumps(void) {
   rot_events_free(&rows.events);
 }
 
+static rot_status nudge(double t, double x, double v, double *force, void *ctx) {
+  (void)x, (void)v, (void)ctx;
+  *force = t < 1.0 ? 0.0 : 0.2 * 19.6 * (1.0 + 5e-7);
+  return ROT_OK;
+}
+
+/* Static friction and the rolling resistance hold the same force. A jump a little above it: to roll
+ * would need more than the friction, so the body slides at once, and it does not turn, because
+ * kinetic friction is less than the resistance. */
+static void jumps_barely(void) {
+  rot_incline_scene scene = sphere(0.0, 0.2, 0.02, 0.0, 0.0);
+  const double breaks[] = {1.0}, t[] = {1.0, 2.0};
+  scene.force = nudge;
+  scene.n_breaks = 1;
+  scene.breaks_s = breaks;
+  table rows;
+  ROT_CHECK(run(&scene, 2, t, 1e-11, ROT_METHOD_RK8PD, &rows) == ROT_OK);
+  ROT_CHECK_REL(rows.c[1][1], 0.2 * 9.8 * (1.0 + 5e-7 - 0.8), 1e-10);
+  ROT_CHECK(rows.c[2][1] == 0.0 && rows.c[3][1] == 0.0);
+  ROT_CHECK_EQ_INT((long)rows.events.count, 1);
+  ROT_CHECK(rows.events.event[0] == ROT_EVENT_SLIP);
+  rot_events_free(&rows.events);
+}
+
 /* A row at the time of an event has the state after it. */
 static void rows_at_events(void) {
   const rot_incline_scene scene = sphere(0.0, 0.2, 0.0, 7.0, 0.0);
@@ -274,6 +298,7 @@ int main(void) {
   linear_drag();
   breaks_loose();
   jumps();
+  jumps_barely();
   rows_at_events();
   failures();
   choice();

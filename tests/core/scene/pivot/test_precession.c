@@ -14,6 +14,9 @@ static void test_horizontal(void) {
   ROT_CHECK_REL(out.period_s, 16.017664817189322, 4e-16); /* 2 pi/0.392266 */
   ROT_CHECK(out.slow_rad_per_s == out.rate_rad_per_s && out.error == 0.0);
   ROT_CHECK(isnan(out.fast_rad_per_s) && isnan(out.nutation_s));
+  /* Exact at any spin, also where the parts of the error leave the doubles. */
+  const rot_precession_input faint = {0.5, 0.08, 0.002, 1e-200, 0.003, 90.0, 9.80665};
+  ROT_CHECK(rot_precession_of(&faint).error == 0.0);
 }
 
 /* I1, I3, G, theta, omega3, slow, fast, formula, period, lowest cosine, angle of a nutation. */

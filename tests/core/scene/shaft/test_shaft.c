@@ -474,6 +474,18 @@ static void check_backwards(void) {
   }
 }
 
+/* Free of torque and damping nothing flows, however long the shaft turns: exactly 0. */
+static void check_no_flow(void) {
+  double J[3] = {1.0, 0.2, 3.0}, k[2] = {50.0, 80.0}, zero[3] = {0.0}, omega0[3] = {1.0, 2.0, 3.0};
+  const rot_shaft_params p = {3, J, k, zero, zero, zero, zero, omega0, 0.0};
+  for (double span = 1.0; span < 1e150; span *= 1e50) {
+    rot_shaft_ledger ledger;
+    ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, span, NULL, &ledger), ROT_OK);
+    ROT_CHECK(ledger.work_j == 0.0 && ledger.dissipated_j == 0.0);
+    ROT_CHECK(ledger.work_rounding_j == 0.0 && ledger.dissipated_rounding_j == 0.0);
+  }
+}
+
 /* One rotor is an axle; a bad number ends as ROT_ERANGE and no row. */
 static void check_ends(void) {
   double J = 2.0, d = 0.5, tau = 3.0, theta0 = 1.0, omega0 = -4.0, t = 6.0, theta, omega, torque;
@@ -563,6 +575,7 @@ int main(void) {
   check_frequencies();
   check_balances();
   check_backwards();
+  check_no_flow();
   check_ends();
   check_rigid();
   check_stop();

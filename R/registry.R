@@ -1,0 +1,26 @@
+# The constraints that have joined, by the class of their scenes. R/constraints.R has the list and
+# says what a record of one holds.
+
+registry <- new.env(parent = emptyenv())
+joined <- new.env(parent = emptyenv()) # listed: the classes of R/constraints.R, in its order
+
+constraint_of <- function(scene) .subset2(registry, class(scene)[1L])
+
+all_constraints <- function() {
+  mget(c(joined$listed, setdiff(ls(registry), joined$listed)), envir = registry)
+}
+
+# Those of the package.
+own_constraints <- function() mget(joined$listed, envir = registry)
+
+# A named quantity with a unit and a norm: the columns that hold it, which are taken together by the
+# 2-norm; distance(got, want), two matrices of these columns, where another one is meant.
+measure <- function(unit, columns, distance = function(got, want) sqrt(rowSums((got - want)^2))) {
+  list(unit = unit, columns = columns, distance = distance)
+}
+
+# One panel of the picture: its label, and its columns with the names of their lines ("" for a line
+# that needs none). It is drawn where the table has one of them, and the column `only_with`.
+panel <- function(label, columns, only_with = NULL) {
+  list(label = label, columns = columns, only_with = only_with)
+}

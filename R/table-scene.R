@@ -1,0 +1,54 @@
+# Scenes that are the list of their inputs, checked by the table of their constraint in the core.
+
+# The scene that a constructor describes, from the environment of its arguments.
+scene_of_inputs <- function(id, call) {
+  inputs <- .Call(ffi_scene_table, id)$inputs
+  check_supplied(names(inputs)[vapply(inputs, `[[`, NA, "required")], call)
+  scene <- Map(
+    function(input, name) check_input(get(name, envir = call), name, input, call), inputs,
+    names(inputs)
+  )
+  class(scene) <- c(paste0("rot_scene_", id), "rot_scene")
+  fault <- .Call(ffi_scene_fault, id, scene)
+  if (!is.null(fault)) {
+    abort_rotdyn("{.arg {fault[1]}} {fault[2]}.", "value", call)
+  }
+  scene
+}
+
+# One argument as the core takes it. The core's check is the last word; this one takes units, and
+# says what is wrong as other constructors do.
+check_input <- function(x, name, input, call) {
+  if (is.null(x) && !input$required) return(NULL)
+  if (!is.null(input$options)) {
+    return(if (identical(x, input$options)) x[1] else check_string(x, name, input$options, call))
+  }
+  bound <- function(x) if (abs(x) == .Machine$double.xmax) sign(x) * Inf else x
+  low <- bound(input$low)
+  high <- bound(input$high)
+  if (!input$many) {
+    if (input$limit && identical(x, Inf)) return(x)
+    return(check_number(x, name, input$unit, call, low, high, input$above))
+  }
+  x <- check_finite(x, name, input$unit, call)
+  outside <- which(x < low | x > high | (input$above & x == low))
+  if (length(outside)) {
+    abort_domain(x[outside[1]], name, input$unit, call, low, high, input$above, outside[1])
+  }
+  x
+}
+
+#' @export
+print.rot_scene <- function(x, ...) {
+  check_scene(x, rlang::current_env())
+  constraint <- constraint_of(x)
+  cat("<rot_scene> ", lower_first(constraint$title(list(scene = x, solved = x))), "\n", sep = "")
+  given <- Filter(Negate(is.null), unclass(x)[names(constraint$inputs)])
+  for (name in names(given)) {
+    unit <- constraint$inputs[[name]]$unit
+    value <- if (is.character(given[[name]])) given[[name]] else format_si(given[[name]])
+    unit <- if (unit %in% c("", "1")) "" else paste0(" ", plain_unit(unit))
+    cat(sprintf("  %-22s %s%s\n", name, paste(value, collapse = ", "), unit))
+  }
+  invisible(x)
+}

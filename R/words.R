@@ -1,0 +1,21 @@
+# Words: sentences, articles, lists.
+
+sentence <- function(text) {
+  substr(text, 1, 1) <- toupper(substr(text, 1, 1))
+  text
+}
+
+# "an annulus", "a half disk"; "a uniform rod", "an hour".
+with_article <- function(name) {
+  # Its axle is at the end; a scene says so.
+  name <- gsub("_", " ", sub("^rod_end$", "rod", name))
+  vowel <- grepl("^([aeio]|u(?!ni|s[aei]))", name, ignore.case = TRUE, perl = TRUE)
+  paste(ifelse(vowel, "an", "a"), name)
+}
+
+lower_first <- function(text) paste0(tolower(substr(text, 1L, 1L)), substring(text, 2L))
+
+and_words <- function(x) {
+  n <- length(x)
+  if (n < 2L) x else paste(paste(x[-n], collapse = ", "), "and", x[n])
+}

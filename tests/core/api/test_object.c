@@ -1,0 +1,549 @@
+/* Objects of the C interface: lists of inputs, setting, lists, copies, refusals, damaged calls. */
+#include "api/object.h"
+
+#include <stdlib.h>
+
+#include "rot_test.h"
+
+/* Sets an input to an object, which is freed. */
+static int give(rotdyn_object *object, const char *input, rotdyn_object *part) {
+  const int status = rotdyn_set_object(object, input, part);
+  rotdyn_object_free(part);
+  return status;
+}
+
+/* Whether the check names the input (NULL: any), and says these words. */
+static int refused(const rotdyn_object *object, const char *input, const char *words) {
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  const int status = rotdyn_object_check(object, &report);
+  const int ok = status == ROTDYN_EARGUMENT && report.status == status && report.input &&
+                 (!input || !strcmp(report.input, input)) && strstr(report.reason, words) != NULL;
+  if (!ok) printf("%d, %s: %s\n", status, report.input ? report.input : "-", report.reason);
+  return ok;
+}
+
+/* ---- lists of inputs ------------------------------------------------------------------------- */
+
+static void check_lists(void) {
+  static const char *const some[] = {
+      "scene_axle", "scene_rotors", "scene_clutch",  "scene_drive",   "scene_incline",
+      "scene_free", "scene_pivot",  "body_disk",     "body_tensor",   "torque_constant",
+      "torque_sum", "resistance",   "inertia_knots", "coupling_gear", "brake"};
+  size_t n = 0, scenes = 0, found = 0;
+  const char *name;
+  while ((name = rotdyn_object_at(n++)) != NULL) {
+    const char *kind = rotdyn_object_kind(name);
+    rotdyn_input input = ROTDYN_INIT(rotdyn_input);
+    size_t i = 0;
+    const int scene = kind && !strcmp(kind, "scene");
+    ROT_CHECK(kind && scene == (rotdyn_column_at(name, 0) != NULL));
+    for (; rotdyn_input_at(name, i, &input) == ROTDYN_OK; i++) {
+      ROT_CHECK(input.name && input.unit && *input.kinds && *input.words);
+      ROT_CHECK(input.low <= input.high && strlen(input.kinds) + 1 < sizeof input.kinds);
+      /* A default lies in the domain. */
+      ROT_CHECK(isnan(input.otherwise) ||
+                (input.otherwise >= input.low && input.otherwise <= input.high));
+      ROT_CHECK(!input.options == !strstr(input.kinds, "choice"));
+    }
+    ROT_CHECK(i > 0 && i <= ROT_MOST_INPUTS);
+    ROT_CHECK_EQ_INT(rotdyn_input_at(name, i, &input), ROTDYN_EEND);
+    scenes += scene != 0;
+    for (size_t k = 0; k < sizeof some / sizeof *some; k++) found += !strcmp(name, some[k]);
+  }
+  ROT_CHECK(scenes >= 7 && found == sizeof some / sizeof *some);
+  rotdyn_input input = ROTDYN_INIT(rotdyn_input);
+  ROT_CHECK_EQ_INT(rotdyn_input_at("scene_none", 0, &input), ROTDYN_ENAME);
+  ROT_CHECK_EQ_INT(rotdyn_input_at("scene_axle", 0, NULL), ROTDYN_EARGUMENT);
+  ROT_CHECK(!rotdyn_object_kind("scene_none") && !rotdyn_object_kind(NULL));
+  ROT_CHECK(!rotdyn_column_at("scene_none", 0) && !rotdyn_column_at("body_disk", 0));
+  ROT_CHECK(!rotdyn_object_new("scene_none") && !rotdyn_object_new(NULL));
+  ROT_CHECK(rotdyn_input_at("scene_drive", 2, &input) == ROTDYN_OK &&
+            !strcmp(input.kinds, "number, law, torque, list, nothing"));
+  size_t columns = 0;
+  while (rotdyn_column_at("scene_drive", columns)) columns++;
+  ROT_CHECK_EQ_INT(columns, 10);
+}
+
+/* Bodies have the sizes that the catalogue says, and its mass or density. */
+static void check_shapes(void) {
+  rotdyn_shape shape = ROTDYN_INIT(rotdyn_shape);
+  size_t i = 0;
+  for (; rotdyn_shape_at(i, &shape) == ROTDYN_OK; i++) {
+    char name[64];
+    rotdyn_input input = ROTDYN_INIT(rotdyn_input);
+    rotdyn_object *body;
+    (void)snprintf(name, sizeof name, "body_%s", shape.name);
+    body = rotdyn_object_new(name);
+    ROT_CHECK(rotdyn_input_at(name, 0, &input) == ROTDYN_OK && !strcmp(input.name, "mass_kg"));
+    ROT_CHECK(input.required == (shape.dimension == 0));
+    for (size_t k = 0; k < shape.n_sizes; k++) {
+      ROT_CHECK(rotdyn_input_at(name, 1 + k, &input) == ROTDYN_OK);
+      ROT_CHECK(!strcmp(input.name, shape.size_name[k]));
+      ROT_CHECK_EQ_INT(rotdyn_set_number(body, input.name, 3.0), ROTDYN_OK);
+    }
+    ROT_CHECK(refused(body, "mass_kg", "missing"));
+    ROT_CHECK_EQ_INT(rotdyn_set_number(body, "mass_kg", 1.0), ROTDYN_OK);
+    ROT_CHECK_EQ_INT(rotdyn_object_check(body, NULL), ROTDYN_OK);
+    rotdyn_object_free(body);
+  }
+  ROT_CHECK(i >= 40);
+}
+
+/* ---- setting --------------------------------------------------------------------------------- */
+
+static int no_law(const double *argument, double *value, void *context) {
+  (void)argument, (void)context;
+  *value = 0.0;
+  return 0;
+}
+
+static void check_setting(void) {
+  const double x[] = {1.0, 2.0, 3.0};
+  rotdyn_object *axle = rotdyn_object_new("scene_axle"), *list = rotdyn_object_new("list");
+  rotdyn_object *disk = rotdyn_object_new("body_disk");
+  ROT_CHECK_EQ_INT(rotdyn_set_number(axle, "bodies", 1.0), ROTDYN_ENAME);
+  ROT_CHECK_EQ_INT(rotdyn_set_number(axle, NULL, 1.0), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_number(NULL, "body", 1.0), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_number(list, "body", 1.0), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_number(axle, "resistance", 1.0), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(axle, "theta0_rad", 1, x), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(axle, "axis", 3, NULL), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(axle, "axis", 3, x), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_text(axle, "axis", "w"), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_text(axle, "axis", NULL), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_text(axle, "axis", "y"), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_text(axle, "torque", "y"), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_law(axle, "body", no_law, NULL), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_law(axle, "torque", NULL, NULL), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_law(axle, "torque", no_law, NULL), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "torque", disk), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "torque", axle), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "torque", NULL), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "body", list), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_unset(axle, "torque"), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_unset(axle, "none"), ROTDYN_ENAME);
+  /* Parts are copied: what is set later does not change what was given. */
+  (void)rotdyn_set_number(disk, "mass_kg", 2.0);
+  (void)rotdyn_set_number(disk, "radius_m", 0.5);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "body", disk), ROTDYN_OK);
+  (void)rotdyn_set_number(disk, "radius_m", -0.5);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(axle, NULL), ROTDYN_OK);
+  ROT_CHECK(refused(disk, "radius_m", "at least 0"));
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "body", disk), ROTDYN_OK);
+  ROT_CHECK(refused(axle, "body", "in body_disk, `radius_m` must be at least 0; it is -0.5"));
+  /* Of a report: rows for each time. */
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  rotdyn_object *rotors = rotdyn_object_new("scene_rotors");
+  (void)rotdyn_set_numbers(rotors, "bodies", 3, x);
+  (void)rotdyn_set_number(rotors, "stiffness_n_m_per_rad", 10.0);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(rotors, &report), ROTDYN_OK);
+  ROT_CHECK(report.copies == 3 && report.index && !strcmp(report.index, "rotor"));
+  rotdyn_object_free(rotors);
+  rotdyn_object_free(axle);
+  rotdyn_object_free(list);
+  rotdyn_object_free(disk);
+  rotdyn_object_free(NULL);
+}
+
+static void check_list_objects(void) {
+  const double x[] = {1.0, 2.0, 3.0};
+  rotdyn_object *rotors = rotdyn_object_new("scene_rotors"), *list = rotdyn_object_new("list");
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  (void)rotdyn_set_number(rotors, "stiffness_n_m_per_rad", 10.0);
+  /* A list of numbers is numbers, and the other way round. */
+  for (int i = 0; i < 3; i++) ROT_CHECK_EQ_INT(rotdyn_set_number(list, NULL, x[i]), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "bodies", list), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "theta0_rad", list), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(rotors, &report), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(report.copies, 3);
+  ROT_CHECK_EQ_INT(rotdyn_unset(list, NULL), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "theta0_rad", list), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "bodies", list), ROTDYN_OK);
+  ROT_CHECK(refused(rotors, "bodies", "item 4 is nothing"));
+  ROT_CHECK_EQ_INT(rotdyn_object_check(list, &report), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_text(list, NULL, "z"), ROTDYN_EARGUMENT);
+  rotdyn_object *axle = rotdyn_object_new("scene_axle");
+  (void)rotdyn_set_number(axle, "body", 1.0);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(axle, "torque", 3, x), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(axle, NULL), ROTDYN_OK);
+  /* What the input does not take is refused with its place. */
+  rotdyn_object *laws = rotdyn_object_new("list"), *pulse = rotdyn_object_new("torque_pulse");
+  (void)rotdyn_set_number(pulse, "start_s", 1.0);
+  (void)rotdyn_set_number(pulse, "duration_s", -1.0);
+  (void)rotdyn_set_number(pulse, "torque_n_m", 1.0);
+  (void)rotdyn_set_law(laws, NULL, no_law, NULL);
+  (void)rotdyn_set_object(laws, NULL, pulse);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "torque", laws), ROTDYN_OK);
+  ROT_CHECK(refused(axle, "torque",
+                    "in item 2, in torque_pulse, `duration_s` must be greater than 0; it is -1"));
+  ROT_CHECK_EQ_INT(give(laws, NULL, rotdyn_object_new("brake")), ROTDYN_OK);
+  (void)rotdyn_set_number(pulse, "duration_s", 1.0);
+  rotdyn_object_free(laws);
+  laws = rotdyn_object_new("list");
+  rotdyn_object *disk = rotdyn_object_new("body_disk");
+  (void)rotdyn_set_number(disk, "mass_kg", 1.0);
+  (void)rotdyn_set_number(disk, "radius_m", 1.0);
+  (void)give(laws, NULL, disk);
+  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "torque", laws), ROTDYN_OK);
+  ROT_CHECK(refused(axle, "torque", "item 1 is of a kind that this input does not take"));
+  /* Lists in lists, to a depth. */
+  int status = ROTDYN_OK, depth = 0;
+  while (status == ROTDYN_OK && depth < 100) {
+    rotdyn_object *outer = rotdyn_object_new("list");
+    status = rotdyn_set_object(outer, NULL, list);
+    rotdyn_object_free(list);
+    list = outer;
+    depth++;
+  }
+  ROT_CHECK(status == ROTDYN_EARGUMENT && depth > 8 && depth < 100);
+  rotdyn_object_free(axle);
+  rotdyn_object_free(rotors);
+  rotdyn_object_free(list);
+  rotdyn_object_free(laws);
+  rotdyn_object_free(pulse);
+}
+
+/* ---- refusals -------------------------------------------------------------------------------- */
+
+/* Each input on its own: of an object that is right, one number is set wrong. */
+static rotdyn_object *right(const char *constructor) {
+  static const struct {
+    const char *constructor, *input;
+    size_t n; /* 0: one number */
+    double x[3];
+  } values[] = {{"torque_constant", "torque_n_m", 0, {1.0}},
+                {"torque_knots", "time_s", 2, {0.0, 1.0}},
+                {"torque_knots", "torque_n_m", 2, {1.0, 2.0}},
+                {"torque_steps", "time_s", 2, {0.0, 1.0}},
+                {"torque_steps", "torque_n_m", 2, {1.0, 2.0}},
+                {"torque_pulse", "start_s", 0, {1.0}},
+                {"torque_pulse", "duration_s", 0, {1.0}},
+                {"torque_pulse", "torque_n_m", 2, {1.0, 2.0}},
+                {"torque_polynomial", "breaks_s", 2, {0.0, 1.0}},
+                {"torque_polynomial", "coefficients", 2, {1.0, 2.0}},
+                {"torque_sinusoid", "amplitude_n_m", 0, {1.0}},
+                {"torque_sinusoid", "angular_frequency_rad_per_s", 0, {1.0}},
+                {"torque_exponential", "torque_n_m", 0, {1.0}},
+                {"torque_exponential", "decay_per_s", 0, {1.0}},
+                {"torque_motor", "stall_torque_n_m", 0, {1.0}},
+                {"torque_motor", "no_load_omega_rad_per_s", 0, {10.0}},
+                {"torque_curve", "omega_rad_per_s", 2, {0.0, 1.0}},
+                {"torque_curve", "torque_n_m", 2, {1.0, 2.0}},
+                {"torque_spring", "stiffness_n_m_per_rad", 0, {1.0}},
+                {"torque_gravity", "mass_kg", 0, {1.0}},
+                {"torque_gravity", "distance_m", 0, {1.0}},
+                {"inertia_knots", "time_s", 2, {0.0, 1.0}},
+                {"inertia_knots", "moment_of_inertia_kg_m2", 2, {1.0, 2.0}},
+                {"coupling_shaft", "stiffness_n_m_per_rad", 0, {1.0}},
+                {"coupling_clutch", "capacity_n_m", 0, {1.0}},
+                {"coupling_gear", "ratio", 0, {1.0}},
+                {"brake", "capacity_n_m", 0, {1.0}},
+                {"body_annulus", "mass_kg", 0, {1.0}},
+                {"body_annulus", "outer_radius_m", 0, {1.0}},
+                {"body_annulus", "inner_radius_m", 0, {0.5}},
+                {"body_polygon_plate", "mass_kg", 0, {1.0}},
+                {"body_polygon_plate", "radius_m", 0, {1.0}},
+                {"body_polygon_plate", "sides", 0, {5.0}},
+                {"body_spherical_cap", "mass_kg", 0, {1.0}},
+                {"body_spherical_cap", "radius_m", 0, {1.0}},
+                {"body_spherical_cap", "height_m", 0, {0.5}},
+                {"body_ellipsoid_shell", "semi_x_m", 0, {1.0}},
+                {"body_ellipsoid_shell", "semi_y_m", 0, {1.0}},
+                {"body_ellipsoid_shell", "semi_z_m", 0, {1.5}},
+                {"body_tensor", "mass_kg", 0, {1.0}},
+                {"body_tensor", "inertia_kg_m2", 3, {1.0, 1.0, 1.0}},
+                {"scene_axle", "body", 0, {1.0}},
+                {"scene_rotors", "bodies", 3, {1.0, 2.0, 3.0}},
+                {"scene_rotors", "stiffness_n_m_per_rad", 0, {1.0}},
+                {"scene_clutch", "body_1", 0, {1.0}},
+                {"scene_clutch", "body_2", 0, {1.0}},
+                {"scene_clutch", "capacity_n_m", 0, {1.0}},
+                {"scene_drive", "bodies", 2, {1.0, 2.0}}};
+  rotdyn_object *object = rotdyn_object_new(constructor);
+  for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+    if (strcmp(values[i].constructor, constructor)) continue;
+    ROT_CHECK_EQ_INT(values[i].n
+                         ? rotdyn_set_numbers(object, values[i].input, values[i].n, values[i].x)
+                         : rotdyn_set_number(object, values[i].input, values[i].x[0]),
+                     ROTDYN_OK);
+  }
+  if (!strcmp(constructor, "scene_drive")) (void)give(object, "couplings", right("coupling_shaft"));
+  return object;
+}
+
+static void check_refusals(void) {
+  static const struct {
+    const char *constructor, *input;
+    size_t n;
+    double x[3];
+    const char *words;
+  } wrong[] = {
+      {"torque_constant", "torque_n_m", 0, {NAN}, "finite"},
+      {"torque_knots", "time_s", 2, {1.0, 0.0}, "back in time"},
+      {"torque_knots", "time_s", 2, {-1e308, 1e308}, "finite time"},
+      {"torque_knots", "time_s", 1, {1.0}, "two knots"},
+      {"torque_knots", "torque_n_m", 1, {1.0}, "as many"},
+      {"torque_knots", "torque_n_m", 2, {1.0, INFINITY}, "item 2 must be finite"},
+      {"torque_knots", "outside", 3, {1.0, 2.0, 3.0}, "two numbers"},
+      {"torque_steps", "time_s", 2, {0.0, 0.0}, "increase"},
+      {"torque_steps", "time_s", 3, {0.0, 1.0, 2.0}, "as many"},
+      {"torque_pulse", "duration_s", 0, {0.0}, "greater than 0"},
+      {"torque_pulse", "duration_s", 0, {1e-17}, "shorter"},
+      {"torque_pulse", "start_s", 3, {1.0, 2.0, 3.0}, "must have 1 or 3"},
+      {"torque_polynomial", "breaks_s", 3, {0.0, 1.0, 2.0}, "a row for each"},
+      {"torque_polynomial", "breaks_s", 1, {0.0}, "two times"},
+      {"torque_sinusoid", "from_s", 0, {INFINITY}, "before `to_s`"},
+      {"torque_sinusoid", "from_s", 0, {NAN}, "number, or Inf"},
+      {"torque_exponential", "from_s", 0, {-INFINITY}, "finite"},
+      {"torque_exponential", "to_s", 0, {-1.0}, "before `to_s`"},
+      {"torque_motor", "no_load_omega_rad_per_s", 0, {-10.0}, "sign"},
+      {"torque_motor", "no_load_omega_rad_per_s", 0, {0.0}, "must not be 0"},
+      {"torque_curve", "omega_rad_per_s", 2, {1.0, 0.0}, "increase"},
+      {"torque_curve", "omega_rad_per_s", 1, {1.0}, "two points"},
+      {"torque_spring", "stiffness_n_m_per_rad", 0, {0.0}, "greater than 0"},
+      {"torque_gravity", "mass_kg", 0, {-1.0}, "at least 0"},
+      {"torque_gravity", "mass_kg", 0, {1e308}, "beyond double precision"},
+      {"inertia_knots", "moment_of_inertia_kg_m2", 2, {1.0, 0.0}, "item 2 must be greater than 0"},
+      {"inertia_knots", "moment_of_inertia_kg_m2", 3, {1.0, 1.0, 1.0}, "2 numbers"},
+      {"inertia_knots", "time_s", 2, {1.0, 0.0}, "back in time"},
+      {"inertia_knots", "time_s", 1, {1.0}, "two knots"},
+      {"resistance", "quadratic_n_m_s2", 0, {-1.0}, "at least 0"},
+      {"coupling_shaft", "ratio", 0, {0.0}, "must not be 0"},
+      {"coupling_clutch", "capacity_n_m", 0, {-1.0}, "at least 0"},
+      {"coupling_clutch", "static_ratio", 0, {0.5}, "at least 1"},
+      {"coupling_clutch", "ratio", 0, {0.0}, "must not be 0"},
+      {"coupling_gear", "efficiency", 0, {0.0}, "greater than 0"},
+      {"coupling_gear", "efficiency", 0, {1.5}, "at most 1"},
+      {"brake", "from_s", 0, {INFINITY}, "before"},
+      {"body_annulus", "inner_radius_m", 0, {1.5}, "at most `outer_radius_m`"},
+      {"body_annulus", "areal_density_kg_m2", 0, {1.0}, "so is the mass"},
+      {"body_polygon_plate", "sides", 0, {2.0}, "at least 3"},
+      {"body_polygon_plate", "sides", 0, {4.5}, "whole number"},
+      {"body_spherical_cap", "height_m", 0, {2.5}, "twice `radius_m`"},
+      {"body_ellipsoid_shell", "areal_density_kg_m2", 0, {1.0}, "or none"},
+      {"body_tensor", "inertia_kg_m2", 3, {1.0, 1.0, 3.0}, "of no body"},
+      {"body_tensor", "inertia_kg_m2", 2, {1.0, 1.0}, "3 or 6 numbers"},
+      {"scene_axle", "body", 0, {0.0}, "greater than 0"},
+      {"scene_axle", "axis", 3, {0.0, 0.0, 0.0}, "must not be 0"},
+      {"scene_axle", "axis", 2, {0.0, 1.0}, "3 numbers"},
+      {"scene_rotors", "bodies", 3, {1.0, -1.0, 1.0}, "item 2"},
+      {"scene_rotors", "stiffness_n_m_per_rad", 3, {1.0, 1.0, 1.0}, "must have 1 or 2"},
+      {"scene_rotors", "stiffness_n_m_per_rad", 0, {-1.0}, "at least 0"},
+      {"scene_rotors", "torque_n_m", 0, {1.0}, "each of the 3"},
+      {"scene_rotors", "theta0_rad", 2, {1.0, 2.0}, "must have 1 or 3"},
+      {"scene_clutch", "static_capacity_n_m", 0, {0.5}, "at least the slipping capacity"},
+      {"scene_clutch", "engage_s", 0, {INFINITY}, "at most"},
+      {"scene_clutch", "body_2", 0, {-2.0}, "greater than 0"},
+      {"scene_drive", "bodies", 3, {1.0, -2.0, 1.0}, "item 2"},
+      {"scene_drive", "torque", 3, {1.0, 2.0, 3.0}, "each of the 2"},
+      {"scene_drive", "torque", 0, {1.0}, "each of the 2"},
+      {"scene_drive", "omega0_rad_per_s", 3, {1.0, 2.0, 3.0}, "must have 1 or 2"}};
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    rotdyn_object *object = right(wrong[i].constructor);
+    const size_t n = wrong[i].n;
+    ROT_CHECK_EQ_INT(rotdyn_object_check(object, NULL),
+                     strcmp(wrong[i].constructor, "body_ellipsoid_shell") ? ROTDYN_OK
+                                                                          : ROTDYN_EARGUMENT);
+    ROT_CHECK_EQ_INT(n ? rotdyn_set_numbers(object, wrong[i].input, n, wrong[i].x)
+                       : rotdyn_set_number(object, wrong[i].input, wrong[i].x[0]),
+                     ROTDYN_OK);
+    ROT_CHECK(refused(object, NULL, wrong[i].words));
+    rotdyn_object_free(object);
+  }
+}
+
+/* Rows of a polynomial and of a tensor. */
+static void check_rows(void) {
+  const double row[] = {1.0, 2.0, 3.0},
+               moments[3][3] = {{2.0, 0.1, 0.0}, {0.1, 2.0, 0.0}, {0.0, 0.0, 3.0}};
+  rotdyn_object *law = rotdyn_object_new("torque_polynomial"), *list = rotdyn_object_new("list");
+  (void)rotdyn_set_numbers(law, "breaks_s", 3, row);
+  (void)rotdyn_set_numbers(list, NULL, 2, row);
+  (void)rotdyn_set_object(law, "coefficients", list);
+  ROT_CHECK(refused(law, "coefficients", "a row for each of the 2 pieces; it has 1"));
+  (void)rotdyn_set_numbers(list, NULL, 2, row);
+  (void)rotdyn_set_object(law, "coefficients", list);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(law, NULL), ROTDYN_OK);
+  (void)rotdyn_set_numbers(law, "breaks_s", 2, row);
+  ROT_CHECK(refused(law, "coefficients", "a row for each of the 1 pieces; it has 2"));
+  rotdyn_object_free(list);
+  list = rotdyn_object_new("list");
+  rotdyn_object *body = rotdyn_object_new("body_tensor");
+  (void)rotdyn_set_number(body, "mass_kg", 1.0);
+  for (int i = 0; i < 3; i++) {
+    (void)rotdyn_set_object(body, "inertia_kg_m2", list);
+    ROT_CHECK(refused(body, "inertia_kg_m2", "3 symmetric rows"));
+    (void)rotdyn_set_numbers(list, NULL, 3, moments[i]);
+  }
+  (void)rotdyn_set_object(body, "inertia_kg_m2", list);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(body, NULL), ROTDYN_OK);
+  const double skew[] = {2.0, 0.2, 0.0, 0.1, 2.0, 0.0, 0.0, 0.0, 3.0};
+  (void)rotdyn_set_numbers(body, "inertia_kg_m2", 9, skew);
+  ROT_CHECK(refused(body, "inertia_kg_m2", "3 symmetric rows"));
+  rotdyn_object_free(list);
+  rotdyn_object_free(body);
+  rotdyn_object_free(law);
+}
+
+/* ---- damaged calls --------------------------------------------------------------------------- */
+
+/* xorshift64 */
+static uint64_t next(void) {
+  static uint64_t x = 88172645463325252u;
+  x ^= x << 13;
+  x ^= x >> 7;
+  return x ^= x << 17;
+}
+
+static double odd_number(void) {
+  static const double odd[] = {0.0,   -1.0,   1.0,    NAN,    INFINITY, -INFINITY,
+                               1e308, -1e308, 1e-320, 1e-300, 0.1,      30.0};
+  return odd[next() % (sizeof odd / sizeof *odd)];
+}
+
+static double some_number(void) {
+  return next() % 24 ? 0.25 * (double)(1 + next() % 12) : odd_number();
+}
+
+static int damped(const double *argument, double *value, void *context) {
+  (void)context;
+  *value = 1.0 - argument[2];
+  return next() % 4096 == 0;
+}
+
+static rotdyn_object *some_object(const char *constructor, int depth);
+
+/* Something that the input takes, or, now and then, anything. */
+static void set_something(rotdyn_object *object, const char *name, const char *kinds, int depth) {
+  static const char *const objects[] = {"body",    "torque",   "resistance",
+                                        "inertia", "coupling", "brake"};
+  double x[9];
+  const int any = next() % 40 == 0;
+  const size_t n = next() % 3 ? 2 : next() % 6;
+  for (int i = 0; i < 9; i++) x[i] = next() % 16 ? 0.5 * i + 0.5 : odd_number();
+  for (int k = 0; k < 6; k++) {
+    const size_t from = next() % 70;
+    if ((!any && !strstr(kinds, objects[k])) || depth == 0 || next() % 3 == 0) continue;
+    /* The first of the kind behind a random place of the list. */
+    for (size_t i = 0; i < 140; i++) {
+      const char *constructor = rotdyn_object_at((from + i) % 75);
+      if (!constructor || strcmp(rotdyn_object_kind(constructor), objects[k])) continue;
+      (void)give(object, name, some_object(constructor, depth - 1));
+      return;
+    }
+  }
+  if ((any || strstr(kinds, "list")) && depth > 0 && next() % 2) {
+    rotdyn_object *list = rotdyn_object_new("list");
+    for (size_t i = 0; i < n; i++) {
+      if (next() % 8) {
+        set_something(list, NULL, kinds, depth - 1);
+      } else {
+        (void)rotdyn_unset(list, NULL);
+      }
+    }
+    (void)give(object, name, list);
+    return;
+  }
+  if ((any || strstr(kinds, "law")) && next() % 6 == 0) {
+    (void)rotdyn_set_law(object, name, damped, NULL);
+  } else if (any || strstr(kinds, "choice")) {
+    static const char *const words[] = {"hold", "zero", "space", "z", "centre", "gravity"};
+    (void)rotdyn_set_text(object, name, words[next() % 6]);
+  } else if (strstr(kinds, "vector")) {
+    (void)rotdyn_set_numbers(object, name, 3, x);
+  } else if (strstr(kinds, "attitude")) {
+    (void)rotdyn_set_numbers(object, name, 4, x);
+  } else if (strstr(kinds, "numbers") || strstr(kinds, "times") || any) {
+    (void)rotdyn_set_numbers(object, name, next() % 8 ? n : next() % 9, x);
+  } else {
+    (void)rotdyn_set_number(object, name, some_number());
+  }
+}
+
+static rotdyn_object *some_object(const char *constructor, int depth) {
+  rotdyn_object *object = rotdyn_object_new(constructor);
+  rotdyn_input input = ROTDYN_INIT(rotdyn_input);
+  for (size_t i = 0; rotdyn_input_at(constructor, i, &input) == ROTDYN_OK; i++) {
+    if (input.required ? next() % 64 == 0 : next() % 4 != 0) continue;
+    if (!strcmp(constructor, "torque_term") && next() % 2) {
+      (void)rotdyn_set_text(object, "kind", next() % 2 ? "curve" : "polynomial");
+    } else {
+      set_something(object, input.name, input.kinds, depth);
+    }
+  }
+  return object;
+}
+
+/* Each ends in a status, or in rows. */
+static void check_damaged_calls(void) {
+  const int trials = rot_test_trials(20000);
+  size_t ran = 0, right_parts = 0, objects = 0, of_scene[16] = {0};
+  while (rotdyn_object_at(objects)) objects++;
+  for (int i = 0; i < trials; i++) {
+    const size_t place = next() % 2 ? next() % 8 : next() % objects;
+    const char *constructor = rotdyn_object_at(place);
+    rotdyn_object *object = some_object(constructor, 3);
+    rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+    int status = rotdyn_object_check(object, &report);
+    ROT_CHECK(status >= ROTDYN_OK && status < ROTDYN_EINTERNAL && report.status == status);
+    ROT_CHECK(status == ROTDYN_OK || (report.input && report.reason[0]));
+    if (strcmp(rotdyn_object_kind(constructor), "scene")) {
+      right_parts += status == ROTDYN_OK;
+    } else {
+      const double time_s[] = {next() % 4 ? 0.0 : -1.0, next() % 8 ? 1.5 : odd_number()};
+      const char *name = next() % 8 ? rotdyn_column_at(constructor, next() % 8) : "none";
+      const size_t room = 2 * (report.copies + (next() % 16 == 0));
+      double *values = calloc(room + 1, sizeof *values), *columns[] = {values};
+      rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+      options.accuracy = next() % 8 ? 0.0 : odd_number();
+      options.max_steps = 300.0;
+      status =
+          rotdyn_scene_run(object, next() % 3, time_s, &options, room, 1, &name, columns, &report);
+      ROT_CHECK(status >= ROTDYN_OK && status < ROTDYN_EINTERNAL && report.status == status);
+      ROT_CHECK(status == ROTDYN_OK || report.reason[0] || report.model);
+      ran += status == ROTDYN_OK;
+      if (place < 16) of_scene[place] += status == ROTDYN_OK;
+      free(values);
+    }
+    rotdyn_object_free(object);
+  }
+  ROT_CHECK(ran > (size_t)trials / 40 && right_parts > (size_t)trials / 40);
+  for (size_t i = 0; i < 8; i++) ROT_CHECK(of_scene[i] > 0);
+  if (getenv("ROTDYN_LONG")) {
+    printf("# %d objects, %zu scenes ran, %zu parts were right\n", trials, ran, right_parts);
+  }
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(NULL, 0, NULL, NULL, 0, 0, NULL, NULL, &report),
+                   ROTDYN_EARGUMENT);
+  rotdyn_object *scene = right("scene_rotors");
+  const double end = 1.0;
+  const char *name = "theta_rad";
+  double value[3], *columns[] = {value};
+#define RUN(n, time, room, names, to)                                                              \
+  rotdyn_scene_run(scene, n, time, NULL, room, 1, names, to, &report)
+  ROT_CHECK_EQ_INT(RUN(1, NULL, 3, &name, columns), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(RUN(1, &end, 3, NULL, columns), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(RUN(1, &end, 3, &name, NULL), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(RUN(1, &end, 2, &name, columns), ROTDYN_EARGUMENT);
+  ROT_CHECK(strstr(report.reason, "no room"));
+  ROT_CHECK_EQ_INT(RUN(1, &end, 3, &name, columns), ROTDYN_OK);
+  rotdyn_object *disk = rotdyn_object_new("body_disk");
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(disk, 0, NULL, NULL, 0, 0, NULL, NULL, &report),
+                   ROTDYN_EARGUMENT);
+  report.size = 3;
+  ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(NULL, NULL), ROTDYN_EARGUMENT);
+  rotdyn_object_free(disk);
+  rotdyn_object_free(scene);
+}
+
+int main(void) {
+  check_lists();
+  check_shapes();
+  check_setting();
+  check_list_objects();
+  check_refusals();
+  check_rows();
+  check_damaged_calls();
+  return rot_test_report("api object");
+}
