@@ -19,3 +19,15 @@ test_that("pulses in any number add up where they overlap", {
   many <- trajectory(scene_axle(1, torque_pulse(seq_len(n), 0.5, 2) + 1), n + 1)
   expect_equal(many$omega_rad_per_s, 2 * n + 1, tolerance = 1e-15)
 })
+
+test_that("a level part of a law stays level in a sum", {
+  set.seed(5)
+  for (i in 1:50) {
+    ends <- sort(stats::runif(2, -1, 1))
+    level <- stats::rnorm(1)
+    inside <- sort(stats::runif(20, ends[1], ends[2]))
+    held <- torque_knots(ends, c(level, level), outside = "hold")
+    sum <- torque_loads(held + torque_knots(inside, rep(0, 20)))$knots
+    expect_identical(unique(sum$torque_n_m), level)
+  }
+})

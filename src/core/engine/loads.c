@@ -48,9 +48,11 @@ static size_t times_of(size_t n, const rot_torque law[], double time_s[]) {
   return sort_once(all, time_s);
 }
 
-/* Between knots i and i + 1. */
+/* Between knots i and i + 1. The two shares are 1 within rounding: a level would become a slope of
+ * one unit of it. */
 static double line(const rot_torque *law, size_t i, double t) {
   const double *at = law->time_s, *tau = law->torque_n_m, width = at[i + 1] - at[i];
+  if (tau[i] == tau[i + 1]) return tau[i];
   return tau[i] * ((at[i + 1] - t) / width) + tau[i + 1] * ((t - at[i]) / width);
 }
 
