@@ -22,8 +22,9 @@
 #   keys          those that hold the state: the class is kept with them
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run
 #   more_names(scene)            NULL, or the names of those that only some scenes have
-#   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run also gives
-#                 event_rows, list(columns, ledger): the rows at the times of its events
+#   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run that is asked with
+#                 event_rows = TRUE also gives event_rows, list(columns, ledger): the rows at the
+#                 times of its events
 #   quick(scene)  NULL, or TRUE where none of more_columns, rounding, acting and ends has a part in
 #                 the scene, and its bodies are known to rounding
 #   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:

@@ -773,8 +773,8 @@ curve_integrals <- function(run, end, u, call) {
     if (length(mine) < 2L) return(NULL)
     s <- sqrt(pmax((mine - anchor) / (middle - anchor), 0))
     n <- length(s)
-    out <- if (from_start) integrate_panels(rate_of(TRUE), s[-n], s[-1]) else
-      integrate_panels(rate_of(FALSE), s[-1], s[-n])
+    out <- if (from_start) integrate_panels(rate_of(TRUE), s[-n], s[-1], rough = 3) else
+      integrate_panels(rate_of(FALSE), s[-1], s[-n], rough = 3)
     list(to = mine[-1], time = out$value[, 1], path = out$value[, 2], error = out$error,
          rounding = out$value[, 3], shift = out$value[, 4])
   }

@@ -59,8 +59,9 @@ panels_at_once <- 5e4
 # The same over panels halved until the error is below rounding, 24 halvings are done, or the budget
 # is used up (`spent`): then the error says so. A panel whose integral is not finite is not halved.
 # The error includes that of the times. `least`: the size of what the integrands are added to, below
-# whose rounding nothing is halved. `unresolved`: the panels that 24 halvings did not resolve.
-integrate_panels <- function(rates, from, to, least = 0) {
+# whose rounding nothing is halved. `rough`: integrands that are errors, known to a digit, for which
+# nothing is halved. `unresolved`: the panels that 24 halvings did not resolve.
+integrate_panels <- function(rates, from, to, least = 0, rough = integer()) {
   left <- most_panels + 4 * length(from)
   n <- length(from)
   owner <- seq_len(n)
@@ -75,6 +76,8 @@ integrate_panels <- function(rates, from, to, least = 0) {
       value <- size <- error <- matrix(0, n, length(total))
     }
     allowed <- 1e-15 * rep(total, each = length(from))
+    dim(allowed) <- c(length(from), length(total))
+    allowed[, rough] <- Inf
     left <- left - length(from)
     good <- !is.finite(rowSums(panels$value)) |
       rowSums(panels$error > allowed | is.na(panels$error)) == 0 |

@@ -72,113 +72,16 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
                           v0_m_per_s = 0, omega0_rad_per_s = NULL, x0_m = 0, theta0_rad = 0,
                           drag_n_s_per_m = 0, drag_n_s2_per_m2 = 0, force_n = NULL,
                           force_breaks_s = NULL, gravity_m_per_s2 = 9.80665, start_s = 0) {
-  call <- rlang::current_env()
+  call <- check_no_dots(...)
   check_supplied(c("body", "incline_angle_deg"), call)
-  check_no_dots(...)
   check_body(body, call)
   inertia <- one_inertia(body, "body", call)
   check_rolls(body, call)
-  radius <- if (is.null(radius_m)) {
-    rolling_radius(body, inertia, call)
-  } else {
-    check_number(radius_m, "radius_m", "m", call, lower = 0, open = TRUE)
+  if (is.null(radius_m)) radius_m <- rolling_radius(body, inertia, call)
+  if (is.null(force_n) && !is.null(force_breaks_s)) {
+    abort_rotdyn("{.arg force_breaks_s} needs a {.arg force_n}.", "value", call)
   }
-  beta <- inertia / body$mass_kg / radius / radius
-  if (!is.finite(beta) || beta <= 0) {
-    abort_rotdyn(c(
-      "The body must have a finite {.field I/(m r^2)} greater than 0.",
-      x = "It is {format(beta)}.",
-      i = "{.fn rolling_table} takes the limits 0 and Inf."
-    ), "value", call)
-  }
-  static <- check_friction(static_friction, "static_friction", call)
-  kinetic <- check_friction(kinetic_friction, "kinetic_friction", call, static)
-  v0 <- check_number(v0_m_per_s, "v0_m_per_s", "m/s", call)
-  omega0 <- if (is.null(omega0_rad_per_s)) {
-    v0 / radius
-  } else {
-    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
-  }
-  if (!is.finite(omega0)) {
-    abort_rotdyn(c(
-      "The angular velocity of a start that rolls, {.code v0/radius}, exceeds double precision.",
-      x = "{.arg v0_m_per_s} is {format(v0)}, the radius {format(radius)} m."
-    ), "value", call)
-  }
-  angle <- check_number(incline_angle_deg, "incline_angle_deg", "degree", call, -90, 90)
-  scene <- list(
-    body = body, mass_kg = as.double(body$mass_kg), radius_m = radius,
-    moment_of_inertia_kg_m2 = inertia, incline_angle_deg = angle,
-    static_friction = static, kinetic_friction = kinetic,
-    rolling_arm_m = check_number(rolling_arm_m, "rolling_arm_m", "m", call, lower = 0),
-    x0_m = check_number(x0_m, "x0_m", "m", call), v0_m_per_s = v0,
-    theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call), omega0_rad_per_s = omega0,
-    drag_n_s_per_m = check_number(drag_n_s_per_m, "drag_n_s_per_m", "N*s/m", call, lower = 0),
-    drag_n_s2_per_m2 = check_number(
-      drag_n_s2_per_m2, "drag_n_s2_per_m2", "N*s^2/m^2", call, lower = 0
-    ),
-    force = slope_force(force_n, force_breaks_s, call),
-    gravity_m_per_s2 = check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0),
-    start_s = check_number(start_s, "start_s", "s", call)
-  )
-  class(scene) <- c("rot_scene_incline", "rot_scene")
-  sound_scene(scene, call)
-  least <- scene$gravity_m_per_s2 * min(1, scene$mass_kg)
-  if (scene$gravity_m_per_s2 > 0 && least < .Machine$double.xmin) {
-    abort_rotdyn(c(
-      "{.arg gravity_m_per_s2} and the weight must be 0 or at least {format(.Machine$double.xmin)}:
-       smaller numbers have fewer digits.",
-      x = "Gravity is {format(scene$gravity_m_per_s2)} m/s^2, the mass {format(scene$mass_kg)} kg.",
-      i = "A gravity k^2 times as large gives the same places after 1/k of the time, from
-           velocities k times as large."
-    ), "value", call)
-  }
-  if (is.infinite(kinetic) && abs(v0 - radius * omega0) > 8 * .Machine$double.eps * abs(v0)) {
-    rolls <- (v0 + beta * radius * omega0) / (1 + beta)
-    abort_rotdyn(c(
-      "An infinite {.arg kinetic_friction} ends the slip of the start at once.",
-      x = "The slip is {format(v0 - radius * omega0)} m/s.",
-      i = "The rolling speed after it is {format(rolls, digits = 7)} m/s: give it as
-           {.arg v0_m_per_s}, without {.arg omega0_rad_per_s}; or a finite friction."
-    ), "value", call)
-  }
-  scene
-}
-
-# NULL, or list(f, breaks_s, arguments).
-slope_force <- function(f, breaks_s, call) {
-  if (is.null(f)) {
-    if (!is.null(breaks_s)) {
-      abort_rotdyn("{.arg force_breaks_s} needs a {.arg force_n}.", "value", call)
-    }
-    return(NULL)
-  }
-  if (!is.function(f)) {
-    abort_rotdyn(c(
-      "{.arg force_n} must be NULL or a function of {.code time_s}, or of
-       {.code time_s, x_m, v_m_per_s}.",
-      x = "It is {describe_value(f)}."
-    ), "type", call)
-  }
-  arguments <- count_law_arguments(f, function(n) {
-    abort_rotdyn(c(
-      "{.arg force_n} must be a function of {.code time_s}, or of
-       {.code time_s, x_m, v_m_per_s}.",
-      x = "It has {n} argument{?s} without a default."
-    ), "type", call)
-  })
-  breaks_s <- if (is.null(breaks_s)) {
-    double()
-  } else {
-    sort(unique(check_finite(breaks_s, "force_breaks_s", "s", call)))
-  }
-  list(f = f, breaks_s = breaks_s, arguments = arguments)
-}
-
-# Inf is allowed, unlike in check_number().
-check_friction <- function(x, arg, call, upper = Inf) {
-  if (identical(x, Inf) && upper == Inf) return(Inf)
-  check_number(x, arg, "1", call, lower = 0, upper = upper)
+  scene_of_inputs("incline", call)
 }
 
 # The radius of a body whose beta is known: its own size where that gives beta, else from beta.
@@ -216,7 +119,7 @@ print.rot_scene_incline <- function(x, ...) {
         " N s^2/m^2\n"
       )
     },
-    if (!is.null(x$force)) "  force     an R function\n",
+    if (!is.null(x$force_n)) "  force     an R function\n",
     "  start     v ", format_si(x$v0_m_per_s), " m/s, omega ", format_si(x$omega0_rad_per_s),
     " rad/s at ", format_si(x$start_s), " s\n",
     sep = ""
@@ -313,5 +216,5 @@ rolling_critical_angle <- function(beta, static_friction, ...) {
 }
 
 has_outer_force <- function(scene) {
-  scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0 || !is.null(scene$force)
+  scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0 || !is.null(scene$force_n)
 }

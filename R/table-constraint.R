@@ -3,16 +3,21 @@
 # The record of R/constraints.R. `models`: records of words, by the ids of the core's models; `...`:
 # title, panels, drawing, summary, ...
 table_constraint <- function(id, models, ...) {
-  table <- .Call(ffi_scene_table, id)
+  table <- core_table(id)
   constructor <- paste0("scene_", id)
   state <- split(table$columns[!is.na(table$state)], table$state[!is.na(table$state)])
+  always <- is.na(table$only_with)
+  times <- names(Filter(function(input) input$form == "sorted", table$inputs))
   record <- list(
     id = id,
     scene_class = paste0("rot_scene_", id),
     inputs = table$inputs,
-    fault = function(scene) .Call(ffi_scene_fault, id, scene)[1],
+    derived = table$derived,
+    form = table_form(table),
     models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
-    columns = c("time_s", table$index, table$columns),
+    columns = c("time_s", table$index, table$columns[always]),
+    more_names = if (!all(always)) function(scene) table_more_names(table, scene),
+    event_rows = if (table$event_rows) TRUE,
     keys = c("time_s", table$index, unlist(state[table$measures], use.names = FALSE)),
     index = table$index,
     copies = function(scene) .Call(ffi_scene_copies, id, scene),
@@ -21,7 +26,10 @@ table_constraint <- function(id, models, ...) {
     }),
     pace = function(scene, sizes, model) {
       pace <- .Call(ffi_scene_pace, id, scene, as.double(sizes))
-      list(breaks_s = double(), fades_s = pace[1], swing_rad_per_s = pace[2])
+      list(
+        breaks_s = as.double(unlist(unclass(scene)[times])), fades_s = pace[1],
+        swing_rad_per_s = pace[2]
+      )
     },
     summary = function(x, run) table_summary(unlist(state[table$measures]), x, run),
     texts = stats::setNames(list(table_text(table, constructor)), constructor),
@@ -29,12 +37,55 @@ table_constraint <- function(id, models, ...) {
     conserved = function(scene) table_keeps(id, table, scene),
     augment = function(x, run, edges, call) {
       flows <- table_flows(table, run, edges)$since
-      if (!is.null(flows)) as.list(as.data.frame(sweep(flows, 2, flows[1, ])))
+      if (length(flows)) flows <- sweep(flows, 2, flows[1, ])
+      if (!is.null(flows)) as.list(as.data.frame(flows))
     }
   )
   own <- list(...)
   record[names(own)] <- own
   record
+}
+
+# The parts of a scene: its inputs, and what follows from them.
+table_form <- function(table) {
+  forms <- Map(function(input) {
+    optional <- !input$required && is.na(input$otherwise)
+    if (input$form == "body") return(if (optional) c(body_form, .optional = TRUE) else body_form)
+    paste0(input$form, if (optional) "?")
+  }, table$inputs)
+  forms[table$derived] <- as.list(gsub("?", "", ifelse(
+    table$derived %in% names(forms), as.character(forms[table$derived]), "number"
+  ), fixed = TRUE))
+  forms
+}
+
+# The columns of effects that act in a scene alone.
+table_more_names <- function(table, scene) {
+  acts <- constraint_of(scene)$effects_of(scene)
+  more <- vapply(strsplit(table$only_with, " "), function(with) any(with %in% acts), NA)
+  table$columns[more]
+}
+
+# What C calls for the functions among the inputs: f with so many arguments, each one number, or a
+# complaint about what it returned.
+table_laws <- function(id, scene, call) {
+  inputs <- constraint_of(scene)$inputs
+  laws <- Filter(is.function, unclass(scene)[names(inputs)])
+  Map(function(f, name) {
+    input <- inputs[[name]]
+    list(
+      as.call(c(quote(f), rep(list(NULL), count_law_arguments(f, function(n) n)))),
+      list2env(list(f = f), parent = baseenv()),
+      function(value, time_s) abort_law_value(value, time_s, name, input$unit, call)
+    )
+  }, laws, names(laws))
+}
+
+abort_law_value <- function(value, time_s, name, unit, call) {
+  abort_rotdyn(c(
+    "The function {.arg {name}} must return one number in {plain_unit(unit)}.",
+    x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
+  ), "torque", call)
 }
 
 table_model <- function(id, model, words) {
@@ -43,9 +94,16 @@ table_model <- function(id, model, words) {
     ran_as = function(info) {
       if (info$method %in% c("rk8pd", "radau")) paste0(id, "_", info$method) else model
     },
-    run = function(scene, time_s, accuracy, max_steps, call, asked) {
-      control <- c(accuracy, max_steps, asked, 0)
-      .Call(ffi_scene_run, id, scene, model, time_s, control, progress_bar("integrating"))
+    run = function(scene, time_s, accuracy, max_steps, call, asked, flows = FALSE,
+                   event_rows = FALSE) {
+      laws <- table_laws(id, scene, call)
+      resolution <- if (length(laws)) resolution_of(scene) else 0
+      control <- c(accuracy, max_steps, asked, resolution, flows, event_rows)
+      result <- .Call(
+        ffi_scene_run, id, scene, model, time_s, control, laws, progress_bar("integrating")
+      )
+      if (length(laws)) result$info$resolution <- resolution
+      result
     }
   ))
 }
@@ -78,7 +136,8 @@ table_summary <- function(state, x, run) {
   ))
 }
 
-# How a scene is written: its inputs, without those whose default is another input of this value.
+# How a scene is written: its inputs, without those whose default is another input of this value,
+# and without infinite defaults, which a text does not have.
 table_text <- function(table, constructor) {
   constructor <- get(constructor, mode = "function")
   follows <- Filter(is.name, formals(constructor)[names(table$inputs)])
@@ -86,7 +145,10 @@ table_text <- function(table, constructor) {
   text_form(function(x) {
     x <- unclass(x)[names(table$inputs)]
     same <- vapply(names(follows), function(name) identical(x[[name]], x[[follows[[name]]]]), NA)
-    x[setdiff(names(x), names(follows)[same])]
+    infinite <- vapply(names(x), function(name) {
+      identical(x[[name]], Inf) && table$inputs[[name]]$otherwise == Inf
+    }, NA)
+    x[setdiff(names(x)[!infinite], names(follows)[same])]
   }, constructor)
 }
 
@@ -99,7 +161,7 @@ table_flows <- function(table, run, time_s) {
   if (is.null(known) || !all(time_s %in% known[, "time_s"])) {
     times <- sort(unique(time_s))
     again <- record_of(run)$run(
-      run$solved, times, run$accuracy, run$max_steps + length(times), NULL, TRUE
+      run$solved, times, run$accuracy, run$max_steps + length(times), run$call, TRUE, TRUE
     )
     if (again$info$kind != "none") return(NULL)
     known <- again$ledger
@@ -126,7 +188,10 @@ table_cells <- function(table, x, time_s, copies) {
 table_balances <- function(id, table, x, run) {
   scene <- run$solved
   of <- .Call(ffi_scene_keeps, id, scene)
-  none <- Map(no_balance, table$balances, of$about, of$unit, USE.NAMES = FALSE)
+  balanced <- seq_along(table$balances)
+  none <- Map(
+    no_balance, table$balances, of$about[balanced], of$unit[balanced], USE.NAMES = FALSE
+  )
   if (!nrow(x)) return(none)
   ends <- range(x$time_s)
   copies <- .Call(ffi_scene_copies, id, scene)
@@ -138,9 +203,9 @@ table_balances <- function(id, table, x, run) {
     ffi_scene_audit, id, scene, first, final, flows$since[2, ] - flows$since[1, ],
     flows$errors[2, ], as.double(run$info$errors)
   )
-  lapply(seq_along(table$balances), function(k) {
+  lapply(balanced, function(k) {
     role <- function(which) {
-      is <- terms$balance == k & terms$role == which
+      is <- terms$balance == k & terms$role == which & !is.na(terms$words)
       stats::setNames(terms$value[is], terms$words[is])
     }
     balance(
@@ -151,5 +216,5 @@ table_balances <- function(id, table, x, run) {
 
 table_keeps <- function(id, table, scene) {
   of <- .Call(ffi_scene_keeps, id, scene)
-  Map(keeps, table$balances, of$about, of$conserved, of$why, USE.NAMES = FALSE)
+  Map(keeps, table$kept, of$about, of$conserved, of$why, USE.NAMES = FALSE)
 }

@@ -1,18 +1,27 @@
 # Scenes that are the list of their inputs, checked by the table of their constraint in the core.
 
+core_tables <- new.env()
+
+# The table of a constraint, see src/glue/scene.c.
+core_table <- function(id) {
+  if (is.null(core_tables[[id]])) core_tables[[id]] <- .Call(ffi_scene_table, id)
+  core_tables[[id]]
+}
+
 # The scene that a constructor describes, from the environment of its arguments.
 scene_of_inputs <- function(id, call) {
-  inputs <- .Call(ffi_scene_table, id)$inputs
+  inputs <- core_table(id)$inputs
   check_supplied(names(inputs)[vapply(inputs, `[[`, NA, "required")], call)
   scene <- Map(
     function(input, name) check_input(get(name, envir = call), name, input, call), inputs,
     names(inputs)
   )
   class(scene) <- c(paste0("rot_scene_", id), "rot_scene")
-  fault <- .Call(ffi_scene_fault, id, scene)
-  if (!is.null(fault)) {
-    abort_rotdyn("{.arg {fault[1]}} {fault[2]}.", "value", call)
+  follows <- .Call(ffi_scene_derived, id, scene)
+  if (is.character(follows)) {
+    abort_rotdyn("{.arg {follows[1]}} {follows[2]}.", "value", call)
   }
+  scene[names(follows)] <- as.list(follows)
   scene
 }
 
@@ -20,6 +29,8 @@ scene_of_inputs <- function(id, call) {
 # says what is wrong as other constructors do.
 check_input <- function(x, name, input, call) {
   if (is.null(x) && !input$required) return(NULL)
+  if (input$form == "body") return(check_body(x, call, name))
+  if (input$form == "function") return(check_law(x, name, input, call))
   if (!is.null(input$options)) {
     return(if (identical(x, input$options)) x[1] else check_string(x, name, input$options, call))
   }
@@ -31,11 +42,26 @@ check_input <- function(x, name, input, call) {
     return(check_number(x, name, input$unit, call, low, high, input$above))
   }
   x <- check_finite(x, name, input$unit, call)
+  if (input$form == "sorted") return(sort(unique(x)))
   outside <- which(x < low | x > high | (input$above & x == low))
   if (length(outside)) {
     abort_domain(x[outside[1]], name, input$unit, call, low, high, input$above, outside[1])
   }
   x
+}
+
+# A function of the time alone, or of the time and the state.
+check_law <- function(f, name, input, call) {
+  refuse <- function(what, n = 0) {
+    abort_rotdyn(c(
+      "{.arg {name}} must be NULL or a function of the time alone, or of time and state.",
+      x = what,
+      i = "It is {input$words}."
+    ), "type", call)
+  }
+  if (!is.function(f)) refuse("It is {describe_value(f)}.")
+  count_law_arguments(f, function(n) refuse("It has {n} argument{?s} without a default.", n))
+  f
 }
 
 #' @export

@@ -106,6 +106,7 @@ quick_trajectory <- function(scene, time_s, accuracy = 1e-9) {
   )
   if (is.null(result)) return()
   run <- result[[2L]]
+  if (!is.null(constraint$event_rows)) run <- name_events(run)
   new_trajectory(run$columns, length(time_s), new_run(
     scene, scene, NULL, result[[1L]], accuracy, "bound", run$info, run$ledger, NULL, run$events,
     1e6, FALSE, NULL
@@ -175,7 +176,12 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   # One step for each row at least, so that many rows are not a failure.
   result <- fit$result
   if (is.null(result)) {
-    result <- record$run(fit$scene, time_s, accuracy, max_steps + length(time_s), call, asked)
+    steps <- max_steps + length(time_s)
+    result <- if (event_rows) {
+      record$run(fit$scene, time_s, accuracy, steps, call, asked, event_rows = TRUE)
+    } else {
+      record$run(fit$scene, time_s, accuracy, steps, call, asked)
+    }
   }
   if (!is.null(constraint$event_rows)) {
     result <- name_events(if (event_rows) add_event_rows(result, time_s) else result)
@@ -304,9 +310,7 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
   base <- run(fit$scene)
   effect <- 0 * base$info$sizes
   for (i in which(!known)) {
-    scene <- fit$scene
-    scene$moment_of_inertia_kg_m2[i] <- scene$moment_of_inertia_kg_m2[i] * (1 + off[i])
-    moved <- run(scene)
+    moved <- run(with_moment(fit$scene, i, 1 + off[i]))
     if (base$info$kind != "none" || moved$info$kind != "none") {
       return(list(inertia = max(off[!known]), effect = NA_real_))
     }
@@ -318,6 +322,16 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
   list(
     inertia = max(off[!known]), effect = .Call(ffi_error_figure, effect, base$info$sizes)
   )
+}
+
+# A scene with moment of inertia i times `factor`: of its body, where it follows from that.
+with_moment <- function(scene, i, factor) {
+  if ("moment_of_inertia_kg_m2" %in% constraint_of(scene)$derived) {
+    scene$body$second_moment_kg_m2 <- factor * scene$body$second_moment_kg_m2
+  } else {
+    scene$moment_of_inertia_kg_m2[i] <- factor * scene$moment_of_inertia_kg_m2[i]
+  }
+  scene
 }
 
 # Whether the moments of inertia of a scene are known to rounding, or not at all.

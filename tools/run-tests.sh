@@ -22,7 +22,7 @@ heading() {
 verdict() {
   case $1 in
     pass) passed=$((passed + 1)); echo "ok - $2" ;;
-    fail) failed=$((failed + 1)); echo "not ok - $2" ;;
+    fail) failed=$((failed + 1)); echo "not ok - $2" | tee -a "$work/failures" ;;
     skip) skipped=$((skipped + 1)); echo "skip - $2" ;;
   esac
 }
@@ -39,6 +39,9 @@ counted() {
   # shellcheck disable=SC2086
   set -- $counts
   passed=$((passed + ${1:-0})) failed=$((failed + ${2:-0})) skipped=$((skipped + ${3:-0}))
+  if test "${2:-0}" != 0; then
+    grep -Ev '^ *ok|passed, 0 failed' "$work/$name.out" | tail -n 60 >> "$work/failures"
+  fi
   if test -z "$counts" || { test "$status" != 0 && test "$2" = 0; }; then
     verdict fail "$name ended with status $status and no failure counted"
   fi
@@ -177,6 +180,10 @@ counted core $?
 trap 'rm -rf "$work"' 0
 
 heading "sum"
+if test -s "$work/failures"; then
+  echo "what failed, once more:"
+  cat "$work/failures"
+fi
 times > "$work/times"
 sed -n '2s/^/processor time (user, system): /p' "$work/times"
 echo "tests: $passed passed, $failed failed, $skipped skipped"

@@ -389,7 +389,7 @@ static rot_status integrate(const sample *s, rot_method method, answer *to) {
   const rot_incline_columns out = {to->c[0], to->c[1], to->c[2], to->c[3], c[0], c[1],
                                    c[2],     c[3],     c[4],     c[5],     c[6], rolling};
   rot_incline_sums sums = {sum[0], sum[1], sum[2], sum[3], sum[4], sum[5],
-                           sum[6], sum[7], 0.0,    0.0,    0.0};
+                           sum[6], sum[7], {0.0}};
   const rot_incline_ode_options options = {s->accuracy, 1000000, method, 0.0};
   rot_info info;
   const rot_status status = rot_incline_integrate(&s->scene, &options, ROWS, s->rows_s, &out, &sums,

@@ -1,4 +1,5 @@
 #include "glue/scene.h"
+#include "glue/input.h"
 #include "glue/run.h"
 #include "glue/scenes.h"
 
@@ -11,7 +12,6 @@
 #include "scene/clutch/models.h"
 #include "scene/drive/models.h"
 #include "scene/free/models.h"
-#include "scene/incline/models.h"
 #include "scene/pivot/models.h"
 #include "scene/run.h"
 #include "scene/shaft/models.h"
@@ -22,47 +22,24 @@ const rot_constraint *ffi_constraint(SEXP id) {
   return found;
 }
 
+static SEXP texts(size_t n, const char *const text[]) {
+  SEXP out = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)n));
+  for (size_t i = 0; i < n; i++) {
+    SET_STRING_ELT(out, (R_xlen_t)i, text[i] ? Rf_mkChar(text[i]) : NA_STRING);
+  }
+  UNPROTECT(1);
+  return out;
+}
+
 /* ---- reading --------------------------------------------------------------------------------- */
 
-enum {
-  ONE_NUMBER = ROT_INPUT_NUMBER | ROT_INPUT_LIMIT,
-  NUMBERS = ONE_NUMBER | ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
-};
-
-/* The kinds with one number, and those with several. */
-static unsigned kind_of(unsigned kinds, R_xlen_t n) {
-  const unsigned one = kinds & ONE_NUMBER, more = kinds & NUMBERS & ~one;
-  const unsigned from = one && (n == 1 || !more) ? one : more;
-  return from & (~from + 1u); /* the first */
-}
-
-/* 1, or 0 where it is no value of these kinds. NULL: not given. */
-static int read_input(const rot_input *input, SEXP x, rot_given *given) {
-  memset(given, 0, sizeof *given);
-  if (Rf_isNull(x)) return 1;
-  if (TYPEOF(x) == REALSXP && input->kinds & NUMBERS) {
-    *given = (rot_given){
-        .is = kind_of(input->kinds, XLENGTH(x)), .n = (size_t)XLENGTH(x), .x = REAL_RO(x)};
-    return 1;
-  }
-  if (TYPEOF(x) == STRSXP && XLENGTH(x) == 1 && input->kinds & ROT_INPUT_CHOICE) {
-    const char *text = CHAR(STRING_ELT(x, 0));
-    given->is = ROT_INPUT_CHOICE;
-    while (input->options[given->option] && strcmp(input->options[given->option], text)) {
-      given->option++;
-    }
-    return input->options[given->option] != NULL;
-  }
-  return 0;
-}
-
 /* ROT_OK, or ROT_EVALUE with the input that is refused. `to`: room for the scene. */
-static rot_status read_scene(const rot_constraint *constraint, SEXP scene, void *to,
-                             rot_refusal *refusal) {
-  rot_given given[ROT_MOST_INPUTS];
+static rot_status read_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws,
+                             void *to, rot_refusal *refusal) {
+  rot_given *given = (rot_given *)R_alloc(ROT_MOST_INPUTS, sizeof *given); /* scenes refer to it */
   for (size_t i = 0; i < constraint->n_inputs; i++) {
-    const rot_input *input = &constraint->inputs[i];
-    if (!read_input(input, ffi_element(scene, input->name), &given[i])) {
+    SEXP x = ffi_element(scene, constraint->inputs[i].name);
+    if (!ffi_input_read(constraint->inputs, i, x, laws, &given[i])) {
       return rot_refuse(refusal, i, "is damaged");
     }
   }
@@ -87,7 +64,6 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
 KEPT(shaft, rot_shaft_params)
 KEPT(clutch, rot_clutch_params)
 KEPT(drive, rot_drive_scene)
-KEPT(incline, rot_incline_scene)
 KEPT(free, rot_free_params)
 
 /* As its runs expect it: nothing else in it is set. */
@@ -104,47 +80,88 @@ static const void *read_axle(SEXP scene) {
 static const struct {
   const rot_constraint *of;
   const void *(*read)(SEXP scene);
-} own_forms[] = {{&rot_axle_constraint, read_axle},       {&rot_shaft_constraint, read_shaft},
-                 {&rot_clutch_constraint, read_clutch},   {&rot_drive_constraint, read_drive},
-                 {&rot_incline_constraint, read_incline}, {&rot_free_constraint, read_free},
-                 {&rot_pivot_constraint, read_free}};
+} own_forms[] = {{&rot_axle_constraint, read_axle},     {&rot_shaft_constraint, read_shaft},
+                 {&rot_clutch_constraint, read_clutch}, {&rot_drive_constraint, read_drive},
+                 {&rot_free_constraint, read_free},     {&rot_pivot_constraint, read_free}};
 
-const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
+static const void *build_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws) {
   rot_refusal no;
   for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
     if (own_forms[i].of == constraint) return own_forms[i].read(scene);
   }
   void *built = R_alloc(1, (int)constraint->scene_size);
-  if (read_scene(constraint, scene, built, &no) != ROT_OK) {
+  if (read_scene(constraint, scene, laws, built, &no) != ROT_OK) {
     Rf_error("internal: `%s` %s", constraint->inputs[no.input].name, no.reason);
   }
   return built;
 }
 
-/* NULL, or c(input, reason) of the first that is refused. */
-SEXP ffi_scene_fault(SEXP id, SEXP scene) {
-  const rot_constraint *constraint = ffi_constraint(id);
+const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
+  return build_scene(constraint, scene, NULL);
+}
+
+static double derived(const rot_constraint *c, const void *built, size_t i) {
+  double x;
+  memcpy(&x, (const char *)built + c->derived[i].offset, sizeof x);
+  return x;
+}
+
+/* The numbers that follow from the inputs, by name; or c(input, reason) of the first input that is
+ * refused. */
+SEXP ffi_scene_derived(SEXP id, SEXP scene) {
+  const rot_constraint *c = ffi_constraint(id);
+  void *built = R_alloc(1, (int)c->scene_size);
   rot_refusal no;
-  if (read_scene(constraint, scene, R_alloc(1, (int)constraint->scene_size), &no) == ROT_OK) {
-    return R_NilValue;
+  if (read_scene(c, scene, NULL, built, &no) != ROT_OK) {
+    const char *said[] = {c->inputs[no.input].name, no.reason};
+    return texts(2, said);
   }
-  SEXP out = PROTECT(Rf_allocVector(STRSXP, 2));
-  SET_STRING_ELT(out, 0, Rf_mkChar(constraint->inputs[no.input].name));
-  SET_STRING_ELT(out, 1, Rf_mkChar(no.reason));
+  SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)c->n_derived));
+  SEXP names = Rf_allocVector(STRSXP, (R_xlen_t)c->n_derived);
+  Rf_setAttrib(out, R_NamesSymbol, names);
+  for (size_t i = 0; i < c->n_derived; i++) {
+    REAL(out)[i] = derived(c, built, i);
+    SET_STRING_ELT(names, (R_xlen_t)i, Rf_mkChar(c->derived[i].name));
+  }
   UNPROTECT(1);
   return out;
+}
+
+/* NULL, or the name of an input that is refused, or of a number that does not follow from them. */
+static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
+  void *built = R_alloc(1, (int)c->scene_size);
+  rot_refusal no;
+  if (read_scene(c, scene, NULL, built, &no) != ROT_OK) return c->inputs[no.input].name;
+  for (size_t i = 0; i < c->n_derived; i++) {
+    SEXP x = ffi_element(scene, c->derived[i].name);
+    if (TYPEOF(x) == REALSXP && XLENGTH(x) == 1 && REAL_RO(x)[0] == derived(c, built, i)) continue;
+    return c->derived[i].name;
+  }
+  return NULL;
+}
+
+/* The scene last found sound. It is kept, so R copies it before it is changed, and an equal pointer
+ * means an equal scene. */
+static SEXP sound = NULL;
+
+static SEXP fault_of_scene(const rot_constraint *c, SEXP form, SEXP scene) {
+  if (scene == sound) return R_NilValue;
+  SEXP fault = ffi_form_fault(scene, form);
+  if (!Rf_isNull(fault)) return fault;
+  const char *part = ffi_scene_by_table(c) ? fault_of_inputs(c, scene) : NULL;
+  if (part) return Rf_mkString(part);
+  R_PreserveObject(scene);
+  if (sound) R_ReleaseObject(sound);
+  sound = scene;
+  return R_NilValue;
+}
+
+/* NULL, or the path of a part that does not fit the form, or does not fit the others. */
+SEXP ffi_scene_fault(SEXP id, SEXP form, SEXP scene) {
+  return fault_of_scene(rot_choice_constraint(ffi_text(id, "constraint")), form, scene);
 }
 
 /* ---- the table ------------------------------------------------------------------------------- */
-
-static SEXP texts(size_t n, const char *const text[]) {
-  SEXP out = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)n));
-  for (size_t i = 0; i < n; i++) {
-    SET_STRING_ELT(out, (R_xlen_t)i, text[i] ? Rf_mkChar(text[i]) : NA_STRING);
-  }
-  UNPROTECT(1);
-  return out;
-}
 
 static SEXP options_of(const rot_input *input) {
   size_t n = 0;
@@ -153,9 +170,13 @@ static SEXP options_of(const rot_input *input) {
   return texts(n, input->options);
 }
 
+enum {
+  MANY = ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE,
+};
+
 static SEXP inputs_of(const rot_constraint *c) {
-  static const char *const names[] = {"unit", "required",  "low",   "high",    "above", "limit",
-                                      "many", "otherwise", "words", "options", ""};
+  static const char *const names[] = {"unit", "required", "low",  "high",      "above", "limit",
+                                      "many", "options",  "form", "otherwise", "words", ""};
   SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)c->n_inputs));
   SEXP of = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)c->n_inputs));
   for (size_t i = 0; i < c->n_inputs; i++) {
@@ -169,24 +190,40 @@ static SEXP inputs_of(const rot_constraint *c) {
     SET_VECTOR_ELT(one, 3, Rf_ScalarReal(input->high));
     SET_VECTOR_ELT(one, 4, Rf_ScalarLogical(input->above));
     SET_VECTOR_ELT(one, 5, Rf_ScalarLogical((input->kinds & ROT_INPUT_LIMIT) != 0));
-    SET_VECTOR_ELT(one, 6, Rf_ScalarLogical((input->kinds & NUMBERS & ~ONE_NUMBER) != 0));
-    SET_VECTOR_ELT(one, 7, Rf_ScalarReal(input->otherwise));
-    SET_VECTOR_ELT(one, 8, Rf_mkString(input->words));
-    SET_VECTOR_ELT(one, 9, options_of(input));
+    SET_VECTOR_ELT(one, 6, Rf_ScalarLogical((input->kinds & MANY) != 0));
+    SET_VECTOR_ELT(one, 7, options_of(input));
+    SET_VECTOR_ELT(one, 8, Rf_mkString(ffi_input_form(input)));
+    SET_VECTOR_ELT(one, 9, Rf_ScalarReal(input->otherwise));
+    SET_VECTOR_ELT(one, 10, Rf_mkString(input->words));
   }
   Rf_setAttrib(out, R_NamesSymbol, of);
   UNPROTECT(2);
   return out;
 }
 
-/* list(inputs, columns, units, state, measures, index, flows, balances, about): `state` is, by
- * column, the measure that it holds, or NA. NULL where scenes are not read by the table. */
+static size_t kept_by(const rot_constraint *c) { return c->n_kept ? c->n_kept : c->n_balances; }
+
+/* Names of effects that a mask has, as one text; NA: none. */
+static SEXP effects_text(const rot_constraint *c, unsigned mask) {
+  char text[256] = "";
+  for (size_t i = 0; i < c->n_effects && mask; i++) {
+    if (!(mask >> i & 1u)) continue;
+    const size_t used = strlen(text);
+    (void)snprintf(text + used, sizeof text - used, "%s%s", used ? " " : "", c->effects[i].name);
+  }
+  return *text ? Rf_mkChar(text) : NA_STRING;
+}
+
+/* list(inputs, columns, units, state, only_with, measures, index, flows, balances, kept, derived,
+ * event_rows): `state` is, by column, the measure that it holds, or NA; `only_with` the effects one
+ * of which it needs, or NA. NULL where scenes are not read by the table. */
 SEXP ffi_scene_table(SEXP id) {
-  static const char *const names[] = {"inputs", "columns", "units",    "state", "measures",
-                                      "index",  "flows",   "balances", ""};
+  static const char *const names[] = {"inputs",     "columns",   "units",    "state", "measures",
+                                      "index",      "flows",     "balances", "kept",  "derived",
+                                      "event_rows", "only_with", ""};
   const rot_constraint *c = ffi_constraint(id);
   const char *name[ROT_MOST_COLUMNS], *unit[ROT_MOST_COLUMNS], *state[ROT_MOST_COLUMNS];
-  const char *quantity[ROT_MOST_BALANCES];
+  const char *quantity[ROT_MOST_BALANCES], *follows[ROT_MOST_INPUTS];
   size_t n_measures = 0;
   if (!ffi_scene_by_table(c)) return R_NilValue;
   while (c->measures[n_measures]) n_measures++;
@@ -196,7 +233,8 @@ SEXP ffi_scene_table(SEXP id) {
     unit[i] = column->unit;
     state[i] = column->measure ? c->measures[column->measure - 1] : NULL;
   }
-  for (size_t i = 0; i < c->n_balances; i++) quantity[i] = c->balances[i].quantity;
+  for (size_t i = 0; i < kept_by(c); i++) quantity[i] = c->balances[i].quantity;
+  for (size_t i = 0; i < c->n_derived; i++) follows[i] = c->derived[i].name;
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   SET_VECTOR_ELT(out, 0, inputs_of(c));
   SET_VECTOR_ELT(out, 1, texts(c->n_columns, name));
@@ -206,6 +244,14 @@ SEXP ffi_scene_table(SEXP id) {
   SET_VECTOR_ELT(out, 5, c->index ? Rf_mkString(c->index) : R_NilValue);
   SET_VECTOR_ELT(out, 6, texts(c->n_flows, c->flows));
   SET_VECTOR_ELT(out, 7, texts(c->n_balances, quantity));
+  SET_VECTOR_ELT(out, 8, texts(kept_by(c), quantity));
+  SET_VECTOR_ELT(out, 9, texts(c->n_derived, follows));
+  SET_VECTOR_ELT(out, 10, Rf_ScalarLogical(c->event_rows));
+  SEXP only_with = Rf_allocVector(STRSXP, (R_xlen_t)c->n_columns);
+  SET_VECTOR_ELT(out, 11, only_with);
+  for (size_t i = 0; i < c->n_columns; i++) {
+    SET_STRING_ELT(only_with, (R_xlen_t)i, effects_text(c, c->columns[i].only_with));
+  }
   UNPROTECT(1);
   return out;
 }
@@ -217,17 +263,29 @@ SEXP ffi_scene_copies(SEXP id, SEXP scene) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* The columns of the rows: time and index, then those of the constraint. */
-static void new_columns(const ffi_run *run, const rot_constraint *c, SEXP time_s, size_t copies,
-                        void *column[]) {
+/* Whether rows have this column: those of other effects are left out. */
+static int shown(const rot_constraint *c, size_t i, unsigned effects) {
+  return !c->columns[i].only_with || c->columns[i].only_with & effects;
+}
+
+/* Time, index, and the columns of the constraint that are shown. */
+static SEXP named_columns(const rot_constraint *c, unsigned effects) {
   const char *names[ROT_MOST_COLUMNS + 3] = {"time_s"};
-  const R_xlen_t n = XLENGTH(time_s), rows = n * (R_xlen_t)copies;
   size_t at = 1;
   if (c->index) names[at++] = c->index;
-  for (size_t i = 0; i < c->n_columns; i++) names[at++] = c->columns[i].name;
+  for (size_t i = 0; i < c->n_columns; i++) {
+    if (shown(c, i, effects)) names[at++] = c->columns[i].name;
+  }
   names[at] = "";
-  SEXP list = ffi_run_columns(run, names);
-  at = 0;
+  return Rf_mkNamed(VECSXP, names);
+}
+
+static void new_columns(const ffi_run *run, const rot_constraint *c, unsigned effects, SEXP time_s,
+                        size_t copies, void *column[]) {
+  const R_xlen_t n = XLENGTH(time_s), rows = n * (R_xlen_t)copies;
+  SEXP list = named_columns(c, effects);
+  SET_VECTOR_ELT(run->out, FFI_COLUMNS, list);
+  size_t at = 0;
   if (!c->index) {
     SET_VECTOR_ELT(list, (R_xlen_t)at++, time_s);
   } else {
@@ -239,22 +297,23 @@ static void new_columns(const ffi_run *run, const rot_constraint *c, SEXP time_s
       INTEGER(index)[i] = (int)(i % (R_xlen_t)copies) + 1;
     }
   }
-  for (size_t i = 0; i < c->n_columns; i++, at++) {
+  for (size_t i = 0; i < c->n_columns; i++) {
+    column[i] = NULL;
+    if (!shown(c, i, effects)) continue;
     column[i] = c->columns[i].flag ? (void *)ffi_new_int(list, (R_xlen_t)at, rows)
                                    : (void *)ffi_new_double(list, (R_xlen_t)at, rows);
+    at++;
   }
 }
 
 /* The ledger: a matrix with the time, each flow since the start, and the error of each. */
-static void new_ledger(const ffi_run *run, const rot_constraint *c, SEXP time_s, double *flow[]) {
-  const R_xlen_t n = XLENGTH(time_s);
+static SEXP new_ledger(const rot_constraint *c, R_xlen_t n, const double time_s[], double *flow[]) {
   const int columns = 1 + 2 * (int)c->n_flows;
-  SEXP ledger = Rf_allocMatrix(REALSXP, (int)n, columns);
-  SET_VECTOR_ELT(run->out, FFI_LEDGER, ledger);
+  SEXP ledger = PROTECT(Rf_allocMatrix(REALSXP, (int)n, columns));
   SEXP both = PROTECT(Rf_allocVector(VECSXP, 2)), names = Rf_allocVector(STRSXP, columns);
   SET_VECTOR_ELT(both, 1, names);
   SET_STRING_ELT(names, 0, Rf_mkChar("time_s"));
-  if (n) memcpy(REAL(ledger), REAL_RO(time_s), (size_t)n * sizeof(double));
+  if (n) memcpy(REAL(ledger), time_s, (size_t)n * sizeof(double));
   for (size_t k = 0; k < c->n_flows; k++) {
     char text[64];
     (void)snprintf(text, sizeof text, "%s_error", c->flows[k]);
@@ -263,15 +322,70 @@ static void new_ledger(const ffi_run *run, const rot_constraint *c, SEXP time_s,
     SET_STRING_ELT(names, (R_xlen_t)(k + 1 + c->n_flows), Rf_mkChar(text));
   }
   Rf_setAttrib(ledger, R_DimNamesSymbol, both);
-  UNPROTECT(1);
+  UNPROTECT(2);
+  return ledger;
 }
 
-/* One model. `control` is c(accuracy, max_steps, asked, resolution). */
-SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, SEXP progress) {
+/* The errors of the flows, which are of all rows, into their columns. */
+static void fill_errors(const rot_constraint *c, R_xlen_t n, double *const flow[],
+                        const double errors[]) {
+  for (size_t k = 0; k < c->n_flows; k++) {
+    for (R_xlen_t i = 0; i < n; i++) flow[k][(R_xlen_t)c->n_flows * n + i] = errors[k];
+  }
+}
+
+/* Rows at events, and what they become: list(columns, ledger), with a ledger if the run has one. */
+typedef struct event_rows {
+  const rot_constraint *c;
+  unsigned effects;
+  rot_event_rows rows;
+  SEXP to;
+  const double *errors; /* of the flows; NULL: no ledger */
+} event_rows;
+
+static SEXP take_event_rows(void *data) {
+  static const char *const names[] = {"columns", "ledger", ""};
+  const event_rows *from = data;
+  const rot_constraint *c = from->c;
+  const R_xlen_t n = (R_xlen_t)from->rows.count;
+  const size_t width = 1 + from->rows.width;
+  const double *value = from->rows.value;
+  double *flow[ROT_MOST_FLOWS];
+  SEXP both = Rf_mkNamed(VECSXP, (const char **)names);
+  SET_VECTOR_ELT(from->to, FFI_EVENT_ROWS, both);
+  SEXP list = named_columns(c, from->effects);
+  SET_VECTOR_ELT(both, 0, list);
+  double *time_s = ffi_new_double(list, 0, n);
+  for (R_xlen_t i = 0; i < n; i++) time_s[i] = value[(size_t)i * width];
+  R_xlen_t at = 1;
+  for (size_t k = 0; k < c->n_columns; k++) {
+    if (!shown(c, k, from->effects)) continue;
+    if (c->columns[k].flag) {
+      int *x = ffi_new_int(list, at++, n);
+      for (R_xlen_t i = 0; i < n; i++) x[i] = (int)value[(size_t)i * width + 1 + k];
+    } else {
+      double *x = ffi_new_double(list, at++, n);
+      for (R_xlen_t i = 0; i < n; i++) x[i] = value[(size_t)i * width + 1 + k];
+    }
+  }
+  if (!from->errors) return R_NilValue;
+  SET_VECTOR_ELT(both, 1, new_ledger(c, n, time_s, flow));
+  for (size_t k = 0; k < c->n_flows; k++) {
+    for (R_xlen_t i = 0; i < n; i++) flow[k][i] = value[(size_t)i * width + 1 + c->n_columns + k];
+  }
+  fill_errors(c, n, flow, from->errors);
+  return R_NilValue;
+}
+
+enum { ACCURACY, MAX_STEPS, ASKED, RESOLUTION, FLOWS, AT_EVENTS, CONTROLS };
+
+/* One model. `control` is c(accuracy, max_steps, asked, resolution, flows, event_rows): flows are
+ * in the ledger, which an adaptive model has always. `laws`: see glue/input.h. */
+SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, SEXP laws,
+                   SEXP progress) {
   const rot_constraint *c = ffi_constraint(id);
   const rot_model *of = rot_choice_model(c, ffi_text(model, "model"));
-  const double *t = ffi_reals(time_s, "time_s", -1), *x = ffi_reals(control, "control", 4);
-  const void *built = ffi_scene_build(c, scene);
+  const double *t = ffi_reals(time_s, "time_s", -1), *x = ffi_reals(control, "control", CONTROLS);
   const R_xlen_t n = XLENGTH(time_s);
   void *column[ROT_MOST_COLUMNS];
   double *flow[ROT_MOST_FLOWS], errors[ROT_MOST_FLOWS] = {0.0};
@@ -279,43 +393,41 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
   ffi_run run;
   if (!of) Rf_error("internal: no such model");
   memset(&outcome, 0, sizeof outcome);
+  const ffi_laws called = {laws, &run.guard, PROTECT(Rf_allocVector(VECSXP, ROT_MOST_INPUTS))};
+  const void *built = build_scene(c, scene, &called);
+  const unsigned effects = c->effects_of(built);
+  const int flows = x[FLOWS] != 0.0 || of->error_kind == ROT_ADAPTIVE;
   ffi_run_begin(&run, progress);
-  new_columns(&run, c, time_s, rot_run_copies(c, built), column);
-  new_ledger(&run, c, time_s, flow);
-  const rot_rows want = {.column = column, .flow = flow, .flow_error = errors};
+  new_columns(&run, c, effects, time_s, rot_run_copies(c, built), column);
+  if (flows) SET_VECTOR_ELT(run.out, FFI_LEDGER, new_ledger(c, n, t, flow));
+  event_rows at_events = {
+      c, effects, {c->n_columns + c->n_flows, 0, 0, NULL}, run.out, flows ? errors : NULL};
+  const rot_rows want = {.column = column,
+                         .flow = flows ? flow : NULL,
+                         .flow_error = flows ? errors : NULL,
+                         .at_events = x[AT_EVENTS] != 0.0 ? &at_events.rows : NULL};
   const rot_task task = {.n = (size_t)n,
                          .time_s = t,
-                         .accuracy = x[0],
-                         .max_steps = (size_t)(x[1] < 1e15 ? x[1] : 1e15),
-                         .resolution = x[3],
-                         .asked = x[2] != 0.0};
+                         .accuracy = x[ACCURACY],
+                         .max_steps = (size_t)(x[MAX_STEPS] < 1e15 ? x[MAX_STEPS] : 1e15),
+                         .resolution = x[RESOLUTION],
+                         .asked = x[ASKED] != 0.0};
   rot_run_model(c, built, of, &task, &want, &outcome, &run.guard.hooks);
-  for (size_t k = 0; k < c->n_flows; k++) {
-    for (R_xlen_t i = 0; i < n; i++) flow[k][(R_xlen_t)c->n_flows * n + i] = errors[k];
+  if (flows) fill_errors(c, n, flow, errors);
+  rot_status status = outcome.info.status;
+  if (status == ROT_OK && at_events.rows.count) {
+    status = ffi_guarded(&run.guard, take_event_rows, &at_events, NULL);
   }
+  rot_event_rows_free(&at_events.rows);
   run.info = outcome.info;
   run.events = outcome.events;
   run.beyond = isinf(outcome.error) && outcome.info.status == ROT_OK;
-  return ffi_run_end(&run, outcome.info.status);
+  SEXP out = PROTECT(ffi_run_end(&run, status));
+  UNPROTECT(2);
+  return out;
 }
 
 /* ---- the most common run in one call --------------------------------------------------------- */
-
-/* The scene last found sound. It is kept, so R copies it before it is changed, and an equal pointer
- * means an equal scene. */
-static SEXP sound = NULL;
-
-/* As ffi_form_fault(), of a scene. */
-SEXP ffi_scene_form_fault(SEXP scene, SEXP form) {
-  if (scene == sound) return R_NilValue;
-  SEXP fault = ffi_form_fault(scene, form);
-  if (Rf_isNull(fault)) {
-    R_PreserveObject(scene);
-    if (sound) R_ReleaseObject(sound);
-    sound = scene;
-  }
-  return fault;
-}
 
 enum { QUICK_ROWS = 100000 }; /* more take so long that they show their progress */
 
@@ -330,27 +442,11 @@ static int quick_times(const rot_constraint *c, const void *built, SEXP time_s) 
   return 1;
 }
 
-/* The columns that R shows: those without effects of their own. */
-static void quick_columns(const ffi_run *run, const rot_constraint *c, SEXP time_s,
-                          void *column[]) {
-  const char *names[ROT_MOST_COLUMNS + 2] = {"time_s"};
-  const R_xlen_t n = XLENGTH(time_s);
-  size_t shown = 0;
-  while (shown < c->n_columns && !c->columns[shown].only_with) {
-    names[shown + 1] = c->columns[shown].name;
-    shown++;
-  }
-  names[shown + 1] = "";
-  SEXP list = ffi_run_columns(run, names);
-  SET_VECTOR_ELT(list, 0, time_s);
-  for (size_t i = 0; i < shown; i++) column[i] = ffi_new_double(list, (R_xlen_t)i + 1, n);
-}
-
 /* list(model, run) by the cheapest model: a closed form that takes the scene unchanged, has no
  * column of its own, and errs by roundings. NULL where anything else is so, which R says. */
 SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy) {
   const rot_constraint *c = ffi_constraint(id);
-  if (c->index || !c->runs || !Rf_isNull(ffi_scene_form_fault(scene, form))) return R_NilValue;
+  if (c->index || !c->runs || !Rf_isNull(fault_of_scene(c, form, scene))) return R_NilValue;
   const void *built = ffi_scene_build(c, scene);
   if (!quick_times(c, built, time_s)) return R_NilValue;
   const rot_task task = {.n = (size_t)XLENGTH(time_s),
@@ -365,14 +461,18 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
   void *column[ROT_MOST_COLUMNS] = {NULL};
   ffi_run run;
   ffi_run_begin(&run, R_NilValue);
-  quick_columns(&run, c, time_s, column);
+  new_columns(&run, c, c->effects_of(built), time_s, 1, column);
+  for (size_t i = 0; i < c->n_columns; i++) {
+    if (!column[i]) column[i] = R_alloc((size_t)XLENGTH(time_s) + 1, sizeof(double));
+  }
   rot_rows rows = {.column = column, .events = &run.events};
   const rot_model_run *of = &c->runs[model - c->models];
   const rot_status status = of->run(built, &task, of->method, &rows, &run.guard.hooks, &run.info);
   const double error = rot_info_error(&run.info);
   int plain = status == ROT_OK && error <= 1e-13 && error <= task.accuracy;
-  for (size_t i = 0; i < c->n_columns && column[i]; i++) {
+  for (size_t i = 0; i < c->n_columns; i++) {
     double sum = 0.0;
+    if (c->columns[i].flag) continue;
     for (size_t k = 0; k < task.n; k++) sum += ((const double *)column[i])[k];
     plain &= isfinite(sum) != 0;
   }
@@ -390,7 +490,8 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-/* list(value, explained, balance, role, words): of terms; `explained` is of balances. `first` and
+/* list(value, explained, balance, role, words): of terms, whose words are NA where the scene has no
+ * such term; `explained` is of balances. `first` and
  * `last`: the columns at two times, each with its copies; `flow`, `flow_error`: between them;
  * `error`: of the measures. */
 SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP flow_error,
@@ -414,27 +515,39 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP
   for (R_xlen_t i = 0; i < terms; i++) {
     INTEGER(balance)[i] = (int)c->terms[i].balance + 1;
     INTEGER(role)[i] = (int)c->terms[i].role + 1;
-    words[i] = c->terms[i].words;
+    const unsigned with = c->terms[i].only_with;
+    words[i] = !with || with & c->effects_of(built) ? c->terms[i].words : NULL;
   }
   SET_VECTOR_ELT(out, 4, texts(c->n_terms, words));
   UNPROTECT(1);
   return out;
 }
 
-/* list(conserved, why, about, unit), by balance. */
+/* list(conserved, why, about, unit), by balance and what else is known. */
 SEXP ffi_scene_keeps(SEXP id, SEXP scene) {
   static const char *const names[] = {"conserved", "why", "about", "unit", ""};
   const rot_constraint *c = ffi_constraint(id);
   const void *built = ffi_scene_build(c, scene);
-  const char *text[3][ROT_MOST_BALANCES];
-  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), kept;
-  SET_VECTOR_ELT(out, 0, kept = Rf_allocVector(LGLSXP, (R_xlen_t)c->n_balances));
-  for (size_t i = 0; i < c->n_balances; i++) {
-    LOGICAL(kept)[i] = c->keeps(built, i, &text[0][i]);
-    text[1][i] = c->balances[i].about;
-    text[2][i] = c->balances[i].unit;
+  const size_t n = kept_by(c);
+  const char *about[ROT_MOST_BALANCES], *unit[ROT_MOST_BALANCES];
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), kept, reason;
+  SET_VECTOR_ELT(out, 0, kept = Rf_allocVector(LGLSXP, (R_xlen_t)n));
+  SET_VECTOR_ELT(out, 1, reason = Rf_allocVector(STRSXP, (R_xlen_t)n));
+  for (size_t i = 0; i < n; i++) {
+    const char *why[ROT_MOST_CAUSES];
+    const size_t causes = c->keeps(built, i, why);
+    char text[512];
+    int used = snprintf(text, sizeof text, "%s", why[0]);
+    for (size_t k = 1; k < causes; k++) {
+      used += snprintf(text + used, sizeof text - (size_t)used, "; %s", why[k]);
+    }
+    LOGICAL(kept)[i] = causes == 0;
+    SET_STRING_ELT(reason, (R_xlen_t)i, Rf_mkChar(text));
+    about[i] = c->balances[i].about;
+    unit[i] = c->balances[i].unit;
   }
-  for (int k = 0; k < 3; k++) SET_VECTOR_ELT(out, k + 1, texts(c->n_balances, text[k]));
+  SET_VECTOR_ELT(out, 2, texts(n, about));
+  SET_VECTOR_ELT(out, 3, texts(n, unit));
   UNPROTECT(1);
   return out;
 }

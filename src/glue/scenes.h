@@ -8,14 +8,12 @@
 #include "scene/clutch/clutch.h"
 #include "scene/drive/drive.h"
 #include "scene/free/free.h"
-#include "scene/incline/ode.h"
 #include "scene/shaft/shaft.h"
 
 /* With all its breaks, and with those in `breaks_s` (NULL: no others). */
 rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
 rot_shaft_params ffi_shaft_scene(SEXP scene);
 rot_clutch_params ffi_clutch_scene(SEXP scene);
-rot_incline_scene ffi_incline_scene(SEXP scene);
 /* Its R function is only marked, not called. */
 rot_free_params ffi_free_scene(SEXP scene);
 /* A run by a closed form of such scenes. */

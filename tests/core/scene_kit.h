@@ -156,7 +156,7 @@ static inline void check_audits(const kit *k, const motion *m) {
       most = fmax(most, fabs(term[t]));
     }
     for (size_t t = 0; t < k->c->n_terms && m->out.error < 1e-6; t++) {
-      if (k->c->keeps(k->scene, b, &why) || fabs(term[t]) <= 1e-4 * most) continue;
+      if (!k->c->keeps(k->scene, b, &why) || fabs(term[t]) <= 1e-4 * most) continue;
       ROT_CHECK(ratio[t] > 10.0);
     }
   }

@@ -42,7 +42,8 @@ test_that("rolling resistance holds a body until friction turns it with more", {
 test_that("the time scales of an incline: v/g, m/c", {
   pace <- function(..., speed = 3, turning = 0) {
     scene <- scene_incline(body_sphere(2, 0.1), 10, ...)
-    rotdyn:::pace_incline(scene, c(v = speed, omega = turning), NULL)$fades_s
+    sizes <- c(x = 0, v = speed, theta = 0, omega = turning)
+    rotdyn:::constraint_of(scene)$pace(scene, sizes, NULL)$fades_s
   }
   expect_equal(pace(), 3 / 9.80665)
   expect_equal(pace(turning = 50), 5 / 9.80665)

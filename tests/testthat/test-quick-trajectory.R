@@ -15,6 +15,10 @@ test_that("both roads give the same trajectory, bit for bit", {
     scene_axle(disk, 0.3, resistance(0.01, 0.02, 0.05, 0.06)),
     scene_axle(disk, torque_motor(2, 100), resistance(0.1)),
     scene_pendulum(body_rod_end(1, 1), theta0_rad = 2),
+    scene_incline(body_sphere(1, 0.1), 10),
+    scene_incline(
+      body_sphere(6, 0.1), 3, static_friction = 0.2, v0_m_per_s = -8, omega0_rad_per_s = 0
+    ),
     scene_free(c(1, 2, 3), c(0.1, 2, 0.1)), scene_free(body_box(1, 1, 2, 3), c(1, 2, 3))
   )
   for (scene in scenes) {
@@ -36,7 +40,8 @@ test_that("what needs words, or more than a closed form, takes the long road", {
     scene_axle(disk, function(time_s) 1), # an R function
     scene_axle(inertia_knots(c(0, 1), c(1, 2)), omega0_rad_per_s = 1), # a column of its own
     scene_hanging_mass(disk, 1, 0.25), scene_gears(c(1, 2), 3), # columns that R adds
-    scene_incline(body_sphere(1, 1), 10), scene_rotors(c(1, 2), 5, theta0_rad = c(0, 1))
+    scene_incline(body_sphere(1, 1), 10, drag_n_s_per_m = 1), # integrated
+    scene_rotors(c(1, 2), 5, theta0_rad = c(0, 1))
   )
   for (scene in scenes) expect_null(quick_trajectory(scene, as.double(time)))
   # A body whose moment is known less well.
@@ -47,6 +52,23 @@ test_that("what needs words, or more than a closed form, takes the long road", {
   expect_error(trajectory(plain), class = "rotdyn_error_missing")
   expect_error(trajectory(time_s = 1), class = "rotdyn_error_missing")
   expect_error(trajectory(1, 2), class = "rotdyn_error_type")
+})
+
+test_that("numbers that follow from the inputs may not be changed alone", {
+  scene <- scene_incline(body_sphere(1, 1), 10)
+  expect_s3_class(quick_trajectory(scene, c(0, 1)), "rot_trajectory")
+  for (name in c("mass_kg", "moment_of_inertia_kg_m2")) {
+    edited <- scene
+    edited[[name]] <- 2 * edited[[name]]
+    expect_error(trajectory(edited, c(0, 1)), name, class = "rotdyn_error_type")
+    expect_error(conserved(edited), name, class = "rotdyn_error_type")
+  }
+  # Inputs are taken as they are.
+  edited <- scene
+  edited$incline_angle_deg <- 20
+  expect_identical(
+    trajectory(edited, c(0, 1))$x_m, trajectory(scene_incline(body_sphere(1, 1), 20), c(0, 1))$x_m
+  )
 })
 
 test_that("a scene that was sound is looked at again once it is changed", {

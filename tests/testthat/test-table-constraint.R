@@ -36,17 +36,20 @@ test_that("a record takes what it is given, and has the rest from the table", {
 })
 
 test_that("calls of the glue with damaged scenes are errors", {
-  bead <- unclass(scene_hoop(1, 2, 3))
-  expect_null(.Call(ffi_scene_fault, "hoop", bead))
+  bead <- scene_hoop(1, 2, 3)
+  form <- constraint_of(bead)$form
+  bead <- unclass(bead)
+  expect_null(.Call(ffi_scene_fault, "hoop", form, bead))
+  control <- c(1e-9, 1e6, 0, 0, 0, 0)
   for (name in names(bead)) {
     for (bad in list("a", NaN, c(1, 2), list(), TRUE, -Inf)) {
       damaged <- bead
       damaged[[name]] <- bad
-      expect_identical(.Call(ffi_scene_fault, "hoop", damaged)[1], name)
-      expect_error(.Call(ffi_scene_run, "hoop", damaged, "hoop_rk8pd", 0, c(1e-9, 1e6, 0, 0), NULL))
+      expect_identical(.Call(ffi_scene_fault, "hoop", form, damaged), name)
+      expect_error(.Call(ffi_scene_run, "hoop", damaged, "hoop_rk8pd", 0, control, NULL, NULL))
     }
   }
-  expect_error(.Call(ffi_scene_run, "hoop", bead, "none", 0, c(1e-9, 1e6, 0, 0), NULL), "no such")
+  expect_error(.Call(ffi_scene_run, "hoop", bead, "none", 0, control, NULL, NULL), "no such")
   expect_error(.Call(ffi_scene_table, "nothing"), "no such")
   expect_null(.Call(ffi_scene_table, "axle"))
 })

@@ -183,6 +183,12 @@ test_that("the head says what the uncertainty of the body does to the motion", {
   expect_match(tibble::tbl_sum(x)[["Error"]], "bound")
   expect_null(run_of(trajectory(scene_axle(body_disk(2, 0.25), 1), 1))$body)
   expect_null(run_of(trajectory(scene_axle(0.3, 1), 1))$body)
+  # On an incline a = g sin/(1 + I/(m r^2)).
+  rough <- body_tensor(1, diag(c(0.004, 0.004, 0.004)))
+  rough$error <- 1e-6
+  effect <- run_of(trajectory(scene_incline(rough, 10, radius_m = 0.1), c(0, 5)))$body
+  expect_equal(effect$inertia, 1.5e-6)
+  expect_equal(effect$effect, 1.5e-6 * 0.4 / 1.4, tolerance = 1e-5)
   # Over many swings it grows with the phase.
   spring <- function(to) run_of(trajectory(on_axle(torque_spring(1e-4), NULL, 1), to))$body
   expect_gt(spring(4000)$effect, spring(40)$effect)

@@ -32,3 +32,22 @@ void rot_events_free(rot_events *events) {
   free(events->event);
   *events = (rot_events){0, 0, NULL, NULL};
 }
+
+double *rot_event_rows_add(rot_event_rows *rows, double time_s) {
+  const size_t all = 1 + rows->width;
+  if (rows->count == rows->room) {
+    const size_t room = rows->room ? 2 * rows->room : 8;
+    double *more = realloc(rows->value, room * all * sizeof *more);
+    if (!more) return NULL;
+    rows->value = more;
+    rows->room = room;
+  }
+  double *row = rows->value + all * rows->count++;
+  row[0] = time_s;
+  return row + 1;
+}
+
+void rot_event_rows_free(rot_event_rows *rows) {
+  free(rows->value);
+  *rows = (rot_event_rows){0, 0, 0, NULL};
+}

@@ -37,4 +37,14 @@ typedef struct rot_events {
 rot_status rot_events_add(rot_events *events, double time_s, rot_event event);
 void rot_events_free(rot_events *events);
 
+/* Rows at the times of events, after them, one for each time: the time and `width` values. */
+typedef struct rot_event_rows {
+  size_t width, count, room;
+  double *value;  /* count times 1 + width */
+} rot_event_rows; /* begin with {width} */
+
+/* The values of a new row, after its time; NULL: no memory. */
+double *rot_event_rows_add(rot_event_rows *rows, double time_s);
+void rot_event_rows_free(rot_event_rows *rows);
+
 #endif

@@ -66,6 +66,7 @@ typedef struct rot_rows {
   double *const *flow; /* one for each of its flows, since the start; NULL: not wanted */
   double *flow_error;  /* of each flow, absolute; NULL where `flow` is */
   rot_events *events;
+  rot_event_rows *at_events; /* takes columns, then flows; NULL: not wanted */
 } rot_rows;
 
 typedef struct rot_model {
@@ -91,7 +92,7 @@ typedef struct rot_model_run {
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-enum { ROT_MOST_FLOWS = 16, ROT_MOST_TERMS = 24, ROT_MOST_BALANCES = 8 };
+enum { ROT_MOST_FLOWS = 16, ROT_MOST_TERMS = 24, ROT_MOST_BALANCES = 8, ROT_MOST_CAUSES = 8 };
 
 /* change = supplied - dissipated, of one quantity; `about`: the point or axis of a momentum. */
 typedef struct rot_balance {
@@ -113,6 +114,12 @@ typedef struct rot_span {
   const double *flow, *flow_error;
   const double *error; /* of the measures, absolute */
 } rot_span;
+
+/* A number of a built scene that follows from its inputs, or is one that may be left out. */
+typedef struct rot_derived {
+  const char *name;
+  size_t offset; /* of the double, in the scene */
+} rot_derived;
 
 /* How fast a motion goes: the shortest time in which a transient fades (Inf: none), the fastest
  * swing. */
@@ -150,13 +157,17 @@ typedef struct rot_constraint {
   size_t n_flows, n_balances, n_terms;
   const char *const *flows; /* names */
   const rot_balance *balances;
+  size_t n_kept; /* the balances, then quantities of which keeps() knows more; 0: n_balances */
   const rot_balance_term *terms;
   /* The terms between two rows, each a smooth function of state and flows: what their errors
    * explain is found by moving them (scene/run.h). */
   void (*audit)(const void *scene, const rot_span *span, double term[]);
-  /* Whether the quantity of a balance is conserved, and why or why not. */
-  int (*keeps)(const void *scene, size_t balance, const char **why);
+  /* How many causes change the quantity of a balance, and which; 0: it is conserved, and why. */
+  size_t (*keeps)(const void *scene, size_t balance, const char *why[ROT_MOST_CAUSES]);
   void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
+  size_t n_derived;
+  const rot_derived *derived;
+  int event_rows; /* its runs fill rot_rows.at_events */
 } rot_constraint;
 
 /* The members of a constraint whose parts have these names in its file. */

@@ -53,7 +53,8 @@ static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   }
   j->rows = (rot_rows){.column = j->column,
                        .flow = want ? want->flow : NULL,
-                       .flow_error = want ? want->flow_error : NULL};
+                       .flow_error = want ? want->flow_error : NULL,
+                       .at_events = want ? want->at_events : NULL};
   return ROT_OK;
 }
 
@@ -227,7 +228,9 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
   for (size_t b = 0; b < c->n_balances; b++) explained[b] = 0.0;
   for (size_t i = 0; i < 2 * cells; i++) {
     const size_t measure = c->columns[i % cells / copies].measure;
-    if (measure) add_moved(c, scene, &own, term, &ends[i], span->error[measure - 1], explained);
+    if (!measure) continue;
+    const double error = span->error[measure - 1] + DBL_EPSILON * fabs(ends[i]);
+    add_moved(c, scene, &own, term, &ends[i], error, explained);
   }
   for (size_t k = 0; k < c->n_flows; k++) {
     add_moved(c, scene, &own, term, &flow[k], span->flow_error[k], explained);

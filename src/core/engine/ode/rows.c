@@ -177,7 +177,8 @@ static int row_between(rot_ode_march *run, size_t i, double t, int held) {
   }
   /* No step is shortened for integrals; the polynomials' error in theirs was more than all else in
    * a tenth of the hoops and chains, up to 100 times. */
-  for (size_t m = rot_ode_steering(p); m < rot_ode_measures(p) && !held; m++) {
+  const size_t all = p->integrals_between && !held ? rot_ode_measures(p) : 0;
+  for (size_t m = rot_ode_steering(p); m < all; m++) {
     const double share = rot_ode_rate(rot_ode_group_of(p, m), run->change);
     run->share[m] = fmax(run->share[m], SHARE_COUNT * share);
   }

@@ -118,6 +118,7 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
                               .log = rows->events,
                               .project = note_state,
                               .noise = noise,
+                              .integrals_between = 1,
                               .kinks = s.dry};
   rot_status status = rot_ode_run(&ode, rows_n, t, y, NULL, error, largest, hooks, info);
   if (status != ROT_EUNWIND && status != ROT_ENOMEM) {

@@ -213,17 +213,17 @@ static int rubs(const chain *c) {
   return any;
 }
 
-static int keeps(const void *scene, size_t balance, const char **why) {
+static size_t keeps(const void *scene, size_t balance, const char *why[]) {
   const chain *c = scene;
   const int heavy = c->links.gravity_m_per_s2 != 0.0;
   if (balance == ENERGY) {
     *why = rubs(c) ? "the joints dissipate energy" : "gravity alone works, and has a potential";
-    return !rubs(c);
+    return rubs(c) != 0;
   }
-  if (heavy) return (*why = "gravity has a torque about the pivot", 0);
-  if (c->links.joint_n_m_s[0] != 0.0) return (*why = "the joint at the pivot has a torque", 0);
+  if (heavy) return (*why = "gravity has a torque about the pivot", 1);
+  if (c->links.joint_n_m_s[0] != 0.0) return (*why = "the joint at the pivot has a torque", 1);
   *why = "no torque about the pivot: the force of the pivot has no arm";
-  return 1;
+  return 0;
 }
 
 /* Rates of decay sum to the trace of M^-1 C. */

@@ -140,7 +140,7 @@ static void audit(const void *scene, const rot_span *s, double term[]) {
   memcpy(term, value, sizeof value);
 }
 
-static int keeps(const void *scene, size_t balance, const char **why) {
+static size_t keeps(const void *scene, size_t balance, const char *why[]) {
   const hoop *h = scene;
   const int driven = h->turn != 0.0 && balance != SEEN;
   const int rubs = (h->drag != 0.0 || h->mu_kinetic != 0.0) && balance != MOMENTUM;
@@ -148,7 +148,7 @@ static int keeps(const void *scene, size_t balance, const char **why) {
          : rubs           ? "friction along the hoop"
          : h->turn == 0.0 ? "the hoop is at rest"
                           : "in the frame of the hoop all forces that work have a potential";
-  return !driven && !rubs;
+  return driven || rubs;
 }
 
 /* ---- effects and models ---------------------------------------------------------------------- */

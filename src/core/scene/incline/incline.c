@@ -520,10 +520,11 @@ static void add_flows(const incline *from, const incline *to, rot_incline_ledger
   sum->work_rounding_j += m * fabs(from->pull) * (off + 8.0 * ROT_EPS * fabs(path));
   sum->gravity_impulse_n_s += m * from->pull * s;
   sum->friction_impulse_n_s -= m * from->force * s;
-  sum->friction_impulse_n_m_s += m * from->force * r * s;
   sum->resistance_impulse_n_m_s += m * from->torque * r * s;
-  const double sizes = fabs(from->pull) + fabs(from->force) + fabs(from->torque);
-  sum->impulse_rounding_n_s += 16.0 * ROT_EPS * m * sizes * (s + fabs(to->time_s));
+  const double rounding = 16.0 * ROT_EPS * m * (s + fabs(to->time_s));
+  sum->gravity_rounding_n_s += rounding * fabs(from->pull);
+  sum->friction_rounding_n_s += rounding * fabs(from->force);
+  sum->resistance_rounding_n_m_s += rounding * fabs(from->torque) * r;
 }
 
 rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double to_s,

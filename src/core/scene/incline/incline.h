@@ -58,6 +58,7 @@ typedef struct rot_incline_columns {
   X(resistance_impulse_n_m_s) /* about the centre of mass */                                       \
   X(drag_force_n)             /* now */                                                            \
   X(applied_force_n)
+enum { ROT_INCLINE_SUM_ERRORS = 8 };
 
 /* The columns at the time of an event, after it. */
 typedef struct rot_incline_row {
@@ -103,19 +104,11 @@ typedef struct rot_incline_end {
 
 rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end);
 
-#define ROT_INCLINE_LEDGER(X)                                                                      \
-  X(work_j) /* of gravity */                                                                       \
-  X(work_rounding_j)                                                                               \
-  X(gravity_impulse_n_s) /* along the slope */                                                     \
-  X(friction_impulse_n_s)                                                                          \
-  X(friction_impulse_n_m_s) /* about the centre of mass */                                         \
-  X(resistance_impulse_n_m_s)                                                                      \
-  X(impulse_rounding_n_s)
-
 typedef struct rot_incline_ledger {
-#define X(name) double name;
-  ROT_INCLINE_LEDGER(X)
-#undef X
+  double work_j;                                    /* of gravity */
+  double gravity_impulse_n_s, friction_impulse_n_s; /* along the slope */
+  double resistance_impulse_n_m_s;                  /* about the centre of mass */
+  double work_rounding_j, gravity_rounding_n_s, friction_rounding_n_s, resistance_rounding_n_m_s;
 } rot_incline_ledger;
 
 /* Work and impulses between two times, not before start_s. */

@@ -1,8 +1,10 @@
 #include "scene/incline/models.h"
 
 #include <math.h>
+#include <stddef.h>
 
-#include "scene/incline/scene.h"
+#include "scene/incline/ledger.h"
+#include "scene/incline/runs.h"
 
 static const rot_effect effects[] = {{"gravity", "gravity", 0, 0},
                                      {"friction", "friction of the contact", 0, 0},
@@ -92,11 +94,31 @@ static const rot_model models[ROT_INCLINE_MODELS] = {
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
 };
 
+/* Without gravity and drag the motion has no time of its own. */
+static void pace(const void *of, const double sizes[], rot_pace *to) {
+  const rot_incline_scene *scene = of;
+  const rot_incline_params *p = &scene->slope;
+  const double speed = fmax(sizes[ROT_INCLINE_V], p->radius_m * sizes[ROT_INCLINE_OMEGA]);
+  const double drag = (scene->drag_n_s_per_m + scene->drag_n_s2_per_m2 * speed) / p->mass_kg;
+  const double falls = speed / p->gravity_m_per_s2;
+  to->swing_rad_per_s = 0.0;
+  to->fades_s = drag > 0.0 ? 1.0 / drag : INFINITY;
+  if (isfinite(falls) && falls > 0.0) to->fades_s = fmin(to->fades_s, falls);
+}
+
+static const rot_derived derived[] = {
+    {"mass_kg", offsetof(rot_incline_built, scene.slope.mass_kg)},
+    {"moment_of_inertia_kg_m2", offsetof(rot_incline_built, scene.slope.inertia_kg_m2)},
+    {"radius_m", offsetof(rot_incline_built, scene.slope.radius_m)},
+    {"kinetic_friction", offsetof(rot_incline_built, scene.slope.mu_kinetic)},
+    {"omega0_rad_per_s", offsetof(rot_incline_built, scene.slope.omega0_rad_per_s)},
+};
+
 const rot_constraint rot_incline_constraint = {
     .id = "incline",
     .measures = rot_incline_measures,
-    .n_effects = sizeof effects / sizeof *effects,
-    .n_models = sizeof models / sizeof *models,
+    .n_effects = ROT_COUNT(effects),
+    .n_models = ROT_COUNT(models),
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
@@ -109,4 +131,17 @@ const rot_constraint rot_incline_constraint = {
     .scene_size = sizeof(rot_incline_built),
     .build = rot_incline_build,
     .start_s = rot_incline_start,
+    .n_flows = ROT_INCLINE_FLOWS,
+    .flows = rot_incline_flow_names,
+    .n_balances = ROT_INCLINE_BALANCES,
+    .n_kept = ROT_INCLINE_KEPT,
+    .balances = rot_incline_balances,
+    .n_terms = ROT_INCLINE_TERMS,
+    .terms = rot_incline_terms,
+    .audit = rot_incline_audit,
+    .keeps = rot_incline_keeps,
+    .pace = pace,
+    .n_derived = ROT_COUNT(derived),
+    .derived = derived,
+    .event_rows = 1,
 };

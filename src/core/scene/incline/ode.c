@@ -505,10 +505,9 @@ static void note_errors(const motion *m, double accuracy, const rot_incline_colu
   for (size_t k = 0; info->method == ROT_METHOD_RADAU && k < info->n_measures; k++) {
     info->measure[k].error += RADAU_LEAST * accuracy * info->measure[k].largest;
   }
-  sums->heat_error_j = 2.0 * (error[SLIP_HEAT] + error[ROLLING_HEAT] + error[DRAG_HEAT]);
-  sums->work_error_j = 2.0 * error[WORK];
-  sums->impulse_error_n_s =
-      2.0 * (error[FRICTION] + error[DRAG] + error[FORCE] + error[RESISTANCE] / r);
+  const int sum[ROT_INCLINE_SUM_ERRORS] = {WORK,  DRAG_HEAT,  FRICTION,  DRAG,
+                                           FORCE, RESISTANCE, SLIP_HEAT, ROLLING_HEAT};
+  for (int k = 0; k < ROT_INCLINE_SUM_ERRORS; k++) sums->error[k] = 2.0 * error[sum[k]];
 }
 
 rot_status rot_incline_integrate(const rot_incline_scene *scene,
@@ -523,7 +522,7 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
   const double span = n ? fmax(0.0, time_s[n - 1] - p->start_s) : 0.0;
   forces f;
   rot_info_clear(info, rot_incline_measures);
-  sums->heat_error_j = sums->work_error_j = sums->impulse_error_n_s = 0.0;
+  memset(sums->error, 0, sizeof sums->error);
   begin(&m, scene, span, start);
   m.events = events;
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);

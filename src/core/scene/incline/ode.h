@@ -32,7 +32,8 @@ typedef struct rot_incline_sums {
 #define X(name) double *name;
   ROT_INCLINE_SUMS(X)
 #undef X
-  double heat_error_j, work_error_j, impulse_error_n_s;
+  /* of the sums, in their order, and of the heat of slip and of rolling; estimates */
+  double error[ROT_INCLINE_SUM_ERRORS];
 } rot_incline_sums;
 
 /* Rows, columns and events as of rot_incline_run(); errors are estimates. */

@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
@@ -26,10 +25,9 @@ enum {
   START
 };
 
-#define ANY -DBL_MAX, DBL_MAX, 0
-
 const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS] = {
-    [BODY] = {"body", "", ROT_INPUT_BODY, 1, ANY, NAN, "round about its own z axis", NULL},
+    [BODY] = {"body", "", ROT_INPUT_BODY, 1, ROT_NO_DOMAIN, NAN, "round about its own z axis",
+              NULL},
     [ANGLE] = {"incline_angle_deg", "degree", ROT_INPUT_NUMBER, 1, -90.0, 90.0, 0, NAN,
                "of the slope", NULL},
     [STATIC] = {"static_friction", "1", ROT_INPUT_LIMIT, 0, 0.0, INFINITY, 0, INFINITY,
@@ -41,24 +39,27 @@ const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS] = {
              NULL},
     [RADIUS] = {"radius_m", "m", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 1, NAN,
                 "on which the body rolls; default: its own", NULL},
-    [V0] = {"v0_m_per_s", "m/s", ROT_INPUT_NUMBER, 0, ANY, 0.0, "down the slope, at the start",
-            NULL},
-    [OMEGA0] = {"omega0_rad_per_s", "rad/s", ROT_INPUT_NUMBER, 0, ANY, NAN,
+    [V0] = {"v0_m_per_s", "m/s", ROT_INPUT_NUMBER, 0, ROT_NO_DOMAIN, 0.0,
+            "down the slope, at the start", NULL},
+    [OMEGA0] = {"omega0_rad_per_s", "rad/s", ROT_INPUT_NUMBER, 0, ROT_NO_DOMAIN, NAN,
                 "at the start; default: v0/radius, it rolls", NULL},
-    [X0] = {"x0_m", "m", ROT_INPUT_NUMBER, 0, ANY, 0.0, "place along the slope at the start", NULL},
-    [THETA0] = {"theta0_rad", "rad", ROT_INPUT_NUMBER, 0, ANY, 0.0, "angle at the start", NULL},
+    [X0] = {"x0_m", "m", ROT_INPUT_NUMBER, 0, ROT_NO_DOMAIN, 0.0,
+            "place along the slope at the start", NULL},
+    [THETA0] = {"theta0_rad", "rad", ROT_INPUT_NUMBER, 0, ROT_NO_DOMAIN, 0.0, "angle at the start",
+                NULL},
     [DRAG] = {"drag_n_s_per_m", "N*s/m", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 0.0,
               "linear air drag on the centre of mass", NULL},
     [QUADRATIC] = {"drag_n_s2_per_m2", "N*s^2/m^2", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 0.0,
                    "quadratic air drag on the centre of mass", NULL},
-    [FORCE] = {"force_n", "N", ROT_INPUT_LAW, 0, ANY, NAN,
+    [FORCE] = {"force_n", "N", ROT_INPUT_LAW, 0, ROT_NO_DOMAIN, NAN,
                "along the slope on the centre of mass, positive down, of time_s, x_m, v_m_per_s",
                NULL},
-    [BREAKS] = {"force_breaks_s", "s", ROT_INPUT_TIMES, 0, ANY, NAN,
+    [BREAKS] = {"force_breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_NO_DOMAIN, NAN,
                 "where the force may jump or kink", NULL},
     [GRAVITY] = {"gravity_m_per_s2", "m/s^2", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 9.80665,
                  "acceleration of gravity", NULL},
-    [START] = {"start_s", "s", ROT_INPUT_NUMBER, 0, ANY, 0.0, "when the state above holds", NULL},
+    [START] = {"start_s", "s", ROT_INPUT_NUMBER, 0, ROT_NO_DOMAIN, 0.0,
+               "when the state above holds", NULL},
 };
 
 static rot_status call_force(double t, double x, double v, double *force, void *ctx) {
@@ -102,9 +103,21 @@ rot_status rot_incline_build(const rot_given given[], void *to, rot_refusal *no)
   }
   const double slip = p->v0_m_per_s - p->radius_m * p->omega0_rad_per_s;
   if (isinf(p->mu_kinetic) && fabs(slip) > 8.0 * DBL_EPSILON * fabs(p->v0_m_per_s)) {
-    return rot_refuse(no, KINETIC, "must be finite where the start slips, by %g m/s here", slip);
+    return rot_refuse(no, KINETIC,
+                      "must be finite where the start slips, by %g m/s here: it would end the slip "
+                      "at once, and leave a rolling speed of %.7g m/s",
+                      slip,
+                      (p->v0_m_per_s + beta * p->radius_m * p->omega0_rad_per_s) / (1.0 + beta));
   }
   p->gravity_m_per_s2 = NUMBER(GRAVITY);
+  const double least = p->gravity_m_per_s2 * fmin(1.0, p->mass_kg);
+  if (p->gravity_m_per_s2 > 0.0 && least < DBL_MIN) {
+    return rot_refuse(no, GRAVITY,
+                      "and the weight must be 0 or at least %g, where numbers have all their "
+                      "digits; gravity k^2 times as large gives the same places after 1/k of the "
+                      "time, from velocities k times as large",
+                      DBL_MIN);
+  }
   p->start_s = NUMBER(START);
   scene->drag_n_s_per_m = NUMBER(DRAG);
   scene->drag_n_s2_per_m2 = NUMBER(QUADRATIC);
@@ -125,70 +138,3 @@ rot_status rot_incline_build(const rot_given given[], void *to, rot_refusal *no)
 double rot_incline_start(const void *scene) {
   return ((const rot_incline_scene *)scene)->slope.start_s;
 }
-
-/* ---- columns --------------------------------------------------------------------------------- */
-
-#define OUTER (ROT_INCLINE_DRAG | ROT_INCLINE_QUADRATIC | ROT_INCLINE_FORCE)
-
-#define FLAG_double   0
-#define FLAG_int      1
-#define X(type, name) {#name, FLAG_##type, 0, NULL, 0},
-const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS] = {
-    ROT_INCLINE_COLUMNS(X){"drag_force_n", 0, OUTER, NULL, 0},
-    {"applied_force_n", 0, OUTER, NULL, 0}};
-#undef X
-
-static rot_incline_columns columns_of(void *const column[]) {
-  rot_incline_columns out;
-  size_t i = 0;
-#define X(type, name) out.name = column[i++];
-  ROT_INCLINE_COLUMNS(X)
-#undef X
-  return out;
-}
-
-/* ---- runs ------------------------------------------------------------------------------------ */
-
-static rot_status run_exact(const void *of, const rot_task *task, rot_method method,
-                            const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
-  const rot_incline_scene *scene = of;
-  const rot_incline_columns out = columns_of(rows->column);
-  (void)method;
-  return rot_incline_run(&scene->slope, task->n, task->time_s, &out, rows->events, NULL, hooks,
-                         info);
-}
-
-static rot_status run_integrated(const void *of, const rot_task *task, rot_method method,
-                                 const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
-  const rot_incline_scene *scene = of;
-  void *const *column = rows->column;
-  const rot_incline_columns out = columns_of(column);
-  const rot_incline_ode_options options = {
-      task->accuracy, task->max_steps, task->asked ? method : ROT_METHOD_NONE, task->resolution};
-  rot_incline_sums sums = {0};
-  size_t at = 0;
-#define X(name) at++;
-  ROT_INCLINE_SUMS(X)
-#undef X
-  double *values = malloc((task->n ? task->n : 1) * at * sizeof *values);
-  if (!values) {
-    rot_info_clear(info, rot_incline_measures);
-    return info->status = ROT_ENOMEM;
-  }
-  at = 0;
-#define X(name) sums.name = values + task->n * at++;
-  ROT_INCLINE_SUMS(X)
-#undef X
-  sums.drag_force_n = column[ROT_INCLINE_ALL_COLUMNS - 2];
-  sums.applied_force_n = column[ROT_INCLINE_ALL_COLUMNS - 1];
-  const rot_status status = rot_incline_integrate(scene, &options, task->n, task->time_s, &out,
-                                                  &sums, rows->events, NULL, hooks, info);
-  free(values);
-  return status;
-}
-
-const rot_model_run rot_incline_runs[ROT_INCLINE_MODELS] = {
-    {ROT_METHOD_NONE, run_exact},
-    {ROT_METHOD_RK8PD, run_integrated},
-    {ROT_METHOD_RADAU, run_integrated},
-};

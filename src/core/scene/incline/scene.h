@@ -1,4 +1,4 @@
-/* A scene on an incline from its inputs, its columns, and the runs of its models. */
+/* A scene on an incline from its inputs. */
 #ifndef ROT_INCLINE_SCENE_H
 #define ROT_INCLINE_SCENE_H
 
@@ -16,11 +16,9 @@ enum {
   ROT_INCLINE_EFFECTS = 63
 };
 
-enum { ROT_INCLINE_INPUTS = 16, ROT_INCLINE_ALL_COLUMNS = 14, ROT_INCLINE_MODELS = 3 };
+enum { ROT_INCLINE_INPUTS = 16 };
 
 extern const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS];
-extern const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS];
-extern const rot_model_run rot_incline_runs[ROT_INCLINE_MODELS];
 
 /* As built: what the models read first, as they read it. */
 typedef struct rot_incline_built {

@@ -281,8 +281,8 @@ static void balances(void) {
     ROT_CHECK(ran(&m) && m.out.error < 1e-8);
     check_audits(k, &m);
     const char *why = NULL;
-    ROT_CHECK(k->c->keeps(k->scene, 0, &why) == !damped && why);
-    ROT_CHECK(k->c->keeps(k->scene, 1, &why) == (!damped && !heavy) && why);
+    ROT_CHECK(!k->c->keeps(k->scene, 0, &why) == !damped && why);
+    ROT_CHECK(!k->c->keeps(k->scene, 1, &why) == (!damped && !heavy) && why);
     /* The columns of energy, and its start from the formula. */
     double energy[4] = {0.0};
     for (size_t i = 0; i < 4; i++) {

@@ -234,7 +234,7 @@ static void random_hoops(void) {
     const char *why = NULL;
     for (size_t b = 0; b < 3; b++) {
       const int rubs = trial % 3 || trial % 2;
-      ROT_CHECK(k->c->keeps(k->scene, b, &why) == (b == 1 && !rubs) && why);
+      ROT_CHECK(!k->c->keeps(k->scene, b, &why) == (b == 1 && !rubs) && why);
     }
     motion_free(&m);
     motion_free(&fine);

@@ -446,10 +446,10 @@ static void properties(void) {
     const double impulse = flows.gravity_impulse_n_s + flows.friction_impulse_n_s;
     ROT_CHECK(fabs(m * (rows.c[1][z] - rows.c[1][0]) - impulse) <=
               1e-12 * (m * info.measure[ROT_INCLINE_V].largest + fabs(flows.gravity_impulse_n_s)));
-    const double turn = flows.friction_impulse_n_m_s - flows.resistance_impulse_n_m_s;
+    const double turn = -p->radius_m * flows.friction_impulse_n_s - flows.resistance_impulse_n_m_s;
     ROT_CHECK(fabs(p->inertia_kg_m2 * (rows.c[3][z] - rows.c[3][0]) - turn) <=
               1e-12 * (p->inertia_kg_m2 * info.measure[ROT_INCLINE_OMEGA].largest +
-                       fabs(flows.friction_impulse_n_m_s)));
+                       p->radius_m * fabs(flows.friction_impulse_n_s)));
   }
 }
 

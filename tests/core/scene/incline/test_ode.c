@@ -23,8 +23,8 @@ typedef struct table {
 static void point(table *to) {
   to->out = (rot_incline_columns){to->c[0], to->c[1], to->c[2], to->c[3], to->c[4],  to->c[5],
                                   to->c[6], to->c[7], to->c[8], to->c[9], to->c[10], to->rolling};
-  to->sums = (rot_incline_sums){to->s[0], to->s[1], to->s[2], to->s[3], to->s[4], to->s[5],
-                                to->s[6], to->s[7], 0.0,      0.0,      0.0};
+  to->sums = (rot_incline_sums){to->s[0], to->s[1], to->s[2], to->s[3], to->s[4],
+                                to->s[5], to->s[6], to->s[7], {0.0}};
   to->events = (rot_events){0, 0, NULL, NULL};
 }
 

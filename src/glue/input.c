@@ -1,0 +1,101 @@
+#include "glue/input.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "glue/torque.h"
+#include "body/inertia.h"
+
+enum {
+  ONE_NUMBER = ROT_INPUT_NUMBER | ROT_INPUT_LIMIT,
+  NUMBERS = ONE_NUMBER | ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
+};
+
+/* The kinds with one number, and those with several. */
+static unsigned kind_of(unsigned kinds, R_xlen_t n) {
+  const unsigned one = kinds & ONE_NUMBER, more = kinds & NUMBERS & ~one;
+  const unsigned from = one && (n == 1 || !more) ? one : more;
+  return from & (~from + 1u); /* the first */
+}
+
+const char *ffi_input_form(const rot_input *input) {
+  const unsigned kinds = input->kinds;
+  if (kinds & ROT_INPUT_BODY) return "body";
+  if (kinds & ROT_INPUT_LAW) return "function";
+  if (kinds & ROT_INPUT_CHOICE) return "text";
+  if (kinds & ROT_INPUT_TIMES) return "sorted";
+  if (kinds & ROT_INPUT_VECTOR) return "numbers:3";
+  if (kinds & ROT_INPUT_ATTITUDE) return "numbers:4";
+  if (kinds & ROT_INPUT_NUMBERS) return "numbers";
+  return kinds & ROT_INPUT_LIMIT ? "limit" : "number";
+}
+
+/* n numbers of a part of a body, or NULL. */
+static const double *part_of(SEXP body, const char *name, R_xlen_t n) {
+  SEXP x = ffi_element(body, name);
+  return TYPEOF(x) == REALSXP && XLENGTH(x) == n ? REAL_RO(x) : NULL;
+}
+
+/* The radius is an input of scenes that roll. */
+static int read_body(SEXP x, rot_given_body *to) {
+  const double *mass = part_of(x, "mass_kg", 1), *centre = part_of(x, "centre_m", 3);
+  const double *second = part_of(x, "second_moment_kg_m2", 9);
+  if (!mass || !centre || !second) return 0;
+  to->mass_kg = *mass;
+  to->radius_m = NAN;
+  memcpy(to->centre_m, centre, sizeof to->centre_m);
+  memcpy(to->axle_m, centre, sizeof to->axle_m);
+  for (int k = 0; k < ROT_TENSOR; k++) {
+    to->second_kg_m2[k] = second[rot_tensor_row[k] + 3 * rot_tensor_column[k]];
+  }
+  rot_inertia_of_second(to->second_kg_m2, to->inertia_kg_m2);
+  return 1;
+}
+
+static rot_status not_called(const double argument[], double value[], void *ctx) {
+  (void)argument, (void)value, (void)ctx;
+  return ROT_ERHS;
+}
+
+static rot_status call_law(const double argument[], double value[], void *ctx) {
+  return ffi_torque_call(argument[0], argument[1], argument[2], value, ctx);
+}
+
+static rot_law law_of(const rot_input *input, size_t i, const ffi_laws *laws) {
+  SEXP law = laws ? ffi_element(laws->law, input->name) : R_NilValue;
+  if (Rf_isNull(law)) return (rot_law){not_called, NULL};
+  ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
+  *called = ffi_torque_new(law, laws->guard); /* protects its call */
+  SET_VECTOR_ELT(laws->kept, (R_xlen_t)i, called->call);
+  UNPROTECT(1);
+  return (rot_law){call_law, called};
+}
+
+int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws,
+                   rot_given *to) {
+  const rot_input *input = &inputs[i];
+  memset(to, 0, sizeof *to);
+  if (Rf_isNull(x)) return 1;
+  if (TYPEOF(x) == REALSXP && input->kinds & NUMBERS) {
+    *to = (rot_given){
+        .is = kind_of(input->kinds, XLENGTH(x)), .n = (size_t)XLENGTH(x), .x = REAL_RO(x)};
+    return 1;
+  }
+  if (TYPEOF(x) == STRSXP && XLENGTH(x) == 1 && input->kinds & ROT_INPUT_CHOICE) {
+    const char *text = CHAR(STRING_ELT(x, 0));
+    to->is = ROT_INPUT_CHOICE;
+    while (input->options[to->option] && strcmp(input->options[to->option], text)) to->option++;
+    return input->options[to->option] != NULL;
+  }
+  if (Rf_inherits(x, "rot_body") && input->kinds & ROT_INPUT_BODY) {
+    to->is = ROT_INPUT_BODY;
+    to->n = 1;
+    return TYPEOF(x) == VECSXP && read_body(x, &to->body);
+  }
+  if (Rf_isFunction(x) && input->kinds & ROT_INPUT_LAW) {
+    to->is = ROT_INPUT_LAW;
+    to->law = law_of(input, i, laws);
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,21 @@
+/* Values of R as the inputs of the core. */
+#ifndef FFI_INPUT_H
+#define FFI_INPUT_H
+
+#include "glue/ffi.h"
+#include "engine/input.h"
+
+/* How the functions among the inputs are called. */
+typedef struct ffi_laws {
+  SEXP law; /* by the names of inputs: list(call, environment, complain), as glue/torque.h has it */
+  ffi_guard *guard;
+  SEXP kept; /* a protected list with a place for each input */
+} ffi_laws;
+
+/* What was given for input i: 1, or 0 where x is nothing that it takes. NULL: not given. It lives
+ * as long as x, and until the call from R ends. Without `laws` a function is only marked. */
+int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws, rot_given *to);
+/* What such an input must be, in the words of R/form.R; "body": a body. */
+const char *ffi_input_form(const rot_input *input);
+
+#endif
