@@ -31,7 +31,8 @@ bench: ## speed and error beside other tools
 
 document: ## make NAMESPACE and man/ from the comments in R/
 	@sh tools/setup.sh document
-	@Rscript -e 'roxygen2::roxygenise(load_code = roxygen2::load_source)'
+	@sh tools/install.sh --no-build-vignettes
+	@Rscript -e 'roxygen2::roxygenise(load_code = roxygen2::load_installed)'
 	@./cleanup
 
 library: ## the core as a library of C, with its header: PREFIX= where

@@ -562,6 +562,7 @@ rotdyn_columns <- function() {
 describe_columns <- function(names, meanings = NULL) {
   table <- column_table()
   rows <- table[match(names, table$name), ]
+  meanings <- meanings[names(meanings) %in% rows$name]
   rows$meaning[match(names(meanings), rows$name)] <- meanings
   unit <- ifelse(rows$unit %in% c("", "1"), "", paste0(" (", rows$unit, ")"))
   paste0(
@@ -667,12 +668,6 @@ drive_columns <- c(
   "rotational_kinetic_energy_j", "applied_torque_n_m", "damping_torque_n_m",
   "coupling_torque_n_m", "locked", "heat_j", "coupling_heat_j"
 )
-incline_columns <- c(
-  "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "slip_speed_m_per_s",
-  "friction_force_n", "translational_kinetic_energy_j", "rotational_kinetic_energy_j",
-  "potential_energy_j", "slip_heat_j", "rolling_heat_j", "rolling", "event"
-)
-incline_force_columns <- c("drag_force_n", "applied_force_n", "drag_heat_j")
 incline_table_columns <- c(
   "final_x_m", "final_v_m_per_s", "final_theta_rad", "final_omega_rad_per_s", "slip_heat_j",
   "rolling_heat_j", "roll_time_s", "rolling", "error"

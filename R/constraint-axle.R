@@ -70,6 +70,12 @@ axle_constraint <- function() {
       )
     },
     pace = axle_pace,
+    call_laws = function(scene, call) {
+      law <- scene$loads$law
+      if (is.null(law)) return(NULL)
+      reader <- law_reader(law, scene, call)
+      function() reader$at(scene$start_s)
+    },
     more_events = axle_swing_events,
     summary = function(x, run) {
       names <- c(

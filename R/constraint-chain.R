@@ -30,10 +30,6 @@ chain_constraint <- function() {
   )
 }
 
-chain_columns <- c(
-  "time_s", "link", "theta_rad", "omega_rad_per_s", "x_m", "y_m", "vx_m_per_s", "vy_m_per_s",
-  "kinetic_energy_j", "potential_energy_j", "joint_torque_n_m"
-)
 chain_meanings <- c(
   link = "number of the link, from the pivot down", theta_rad = "angle from the downward vertical",
   x_m = "x of its lower end, from the pivot", y_m = "y of its lower end, upward from the pivot",

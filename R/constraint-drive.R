@@ -32,6 +32,14 @@ drive_constraint <- function() {
       omega = measure("rad/s", "omega_rad_per_s")
     ),
     pace = drive_pace,
+    call_laws = function(scene, call) {
+      brakes <- lapply(scene$rotors, `[[`, "brake")
+      grips <- lapply(scene$couplings, `[[`, "grip")
+      called <- Filter(function(part) !is.null(part$loads$law), c(scene$rotors, brakes, grips))
+      if (!length(called)) return(NULL)
+      readers <- lapply(called, function(part) law_reader(part$loads$law, part, call))
+      function() for (reader in readers) reader$at(scene$start_s)
+    },
     summary = function(x, run) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))

@@ -36,6 +36,12 @@ free_constraint <- function() {
         swing_rad_per_s = 2 * sizes[["omega"]] + rotor_pace(scene)
       )
     },
+    call_laws = function(scene, call) {
+      laws <- Filter(Negate(is.null), free_laws(scene, call))
+      if (!length(laws)) return(NULL)
+      at <- c(scene$start_s, scene$omega0_rad_per_s, scene$attitude0)
+      function() for (law in laws) law(at)
+    },
     summary = function(x, run) {
       size <- function(columns) {
         if (all(columns %in% names(x))) {

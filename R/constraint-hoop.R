@@ -19,8 +19,4 @@ hoop_constraint <- function() {
   )
 }
 
-hoop_columns <- c("time_s", "theta_rad", "omega_rad_per_s", "drive_torque_n_m", "normal_n",
-                  "kinetic_energy_j", "potential_energy_j")
-hoop_column_words <- list(
-  c("drive_torque_n_m", "N m", "torque of the drive that keeps the rate of a hoop")
-)
+hoop_column_words <- list(c("drive_torque_n_m", "N m", "torque that keeps the rate of a hoop"))

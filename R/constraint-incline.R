@@ -30,6 +30,13 @@ incline_constraint <- function() {
       "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "slip_heat_j", "rolling_heat_j"
     ),
     slopes = slopes_incline,
+    call_laws = function(scene, call) {
+      f <- scene$force_n
+      if (is.null(f)) return(NULL)
+      at <- list(scene$start_s, scene$x0_m, scene$v0_m_per_s)
+      at <- at[seq_len(count_law_arguments(f, function(n) n))]
+      function() do.call(f, at)
+    },
     summary = function(x, run) {
       first <- function(event) {
         c(run$events$time_s[run$events$event == event], NA_real_)[1]

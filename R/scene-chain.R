@@ -28,7 +28,7 @@
 #' @param start_s Time at which the state above holds; earlier times are reached backwards.
 #' @return A `rot_scene_chain`, which is a `rot_scene`. Its trajectory has a row for each time and
 #'   link, with the columns
-#'   `r describe_columns(chain_columns, chain_meanings)`
+#'   `r describe_columns(columns_of_motion("chain"), chain_meanings)`
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN,
 #'   Inf, and a wrong number of masses, angles, rates or joints), `rotdyn_error_unit`,
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`.

@@ -27,7 +27,7 @@
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @param start_s Time at which the state above holds; earlier times are reached backwards.
 #' @return A `rot_scene_hoop`, which is a `rot_scene`. Its trajectory has the columns
-#'   `r describe_columns(hoop_columns)`
+#'   `r describe_columns(columns_of_motion("hoop"))`
 #'   `theta_rad` counts from the lowest point. The error figure is an estimate. [audit()] balances
 #'   the energy, with the work of the drive that keeps the hoop turning; the energy seen from the
 #'   hoop, with the centrifugal potential; and the angular momentum about the vertical axis.

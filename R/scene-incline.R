@@ -43,8 +43,8 @@
 #' @param start_s Time at which the state above holds. Earlier times are an error: the slip before
 #'   rolling is undetermined.
 #' @return A `rot_scene_incline`, which is a `rot_scene`. Its trajectory has the columns
-#'   `r describe_columns(incline_columns)`
-#'   With air drag or a force also `r describe_columns(incline_force_columns)`
+#'   `r describe_columns(columns_of_motion("incline"))`
+#'   With air drag or a force also `r describe_columns(columns_of_motion("incline", TRUE))`
 #'   The error of the closed form is a bound. [summary()] has the largest velocities and the highest
 #'   place between the rows, too: the least x where the angle is positive, the largest where it is
 #'   negative, on the level the first one. [when()] finds the time of any value.

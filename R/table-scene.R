@@ -8,6 +8,14 @@ core_table <- function(id) {
   core_tables[[id]]
 }
 
+# The columns of a motion; `more`: those that effects add.
+columns_of_motion <- function(id, more = FALSE) {
+  table <- core_table(id)
+  always <- is.na(table$only_with)
+  if (more) return(table$columns[!always])
+  c("time_s", table$index, table$columns[always], if (table$event_rows) "event")
+}
+
 # The scene that a constructor describes, from the environment of its arguments.
 scene_of_inputs <- function(id, call) {
   inputs <- core_table(id)$inputs

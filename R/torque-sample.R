@@ -54,18 +54,6 @@ abort_torque_value <- function(value, time_s, call) {
   ), "torque", call)
 }
 
-# Seconds of processor time that a call of the law takes: the median of five, after one that is not
-# counted. NaN where there is no clock.
-law_seconds <- function(law, scene) {
-  reader <- law_reader(law, scene, rlang::caller_env())
-  timed <- function(i) {
-    start <- .Call(ffi_clock_cpu)
-    reader$at(scene$start_s)
-    .Call(ffi_clock_cpu) - start
-  }
-  stats::median(vapply(0:5, timed, double(1))[-1])
-}
-
 # list(term, error, largest, impulse): the law as Chebyshev pieces over `span`, their largest error
 # and value in N m, the integral of the error in N m s. NULL where the law is not finite or the
 # pieces do not converge: then the integrator calls it.

@@ -185,6 +185,7 @@ sed -n 's|^src/\([a-z0-9_/]*\.[ch]\):.*# *include *"\([a-z0-9_/]*\.h\)".*|\1 \2|
   }' | sort > "$work/guarded"
 files '^src/.*\.c$' | comm -23 - "$work/guarded" |
   rule "every C file of src/ sees ground/ieee.h, which refuses fast mathematics"
+grep -l '\\verb{r ' man/*.Rd | rule "the help has no code left that was to be evaluated"
 for file in configure src/Makevars.win tools/library.sh; do
   grep -q -- '-ffp-contract=off' $file || echo "$file"
 done | rule "every build switches contraction of a * b + c off"

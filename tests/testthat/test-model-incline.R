@@ -7,7 +7,7 @@ test_that("a bowling ball slides, then rolls", {
     gravity_m_per_s2 = 9.8
   )
   motion <- trajectory(lane, c(0, 1, 1.2429031765, 3), event_rows = TRUE)
-  expect_named(motion, incline_columns)
+  expect_named(motion, rotdyn:::columns_of_motion("incline"))
   # The event has a row of its own, between those asked for.
   expect_equal(motion$event, c(NA, NA, "roll", NA, NA))
   expect_equal(motion$x_m[3], 8.629299196, tolerance = 1e-9)

@@ -97,10 +97,37 @@ test_that("the time of a call is measured", {
     while (.Call(rotdyn:::ffi_clock_cpu) < until) NULL
     0
   })
-  seconds <- rotdyn:::law_seconds(busy, scene_axle(1))
-  expect_gte(seconds, 0.002)
-  expect_lt(seconds, 0.01)
-  expect_lt(rotdyn:::law_seconds(torque_function(function(t) 0), scene_axle(1)), 0.001)
+  seconds <- function(scene) {
+    call_seconds(constraint_of(scene)$call_laws(scene, rlang::current_env()))
+  }
+  expect_gte(seconds(scene_axle(1, busy)), 0.002)
+  expect_lt(seconds(scene_axle(1, busy)), 0.01)
+  expect_lt(seconds(scene_axle(1, torque_function(function(t) 0))), 0.001)
+  # In every scene that takes a function it counts in the predicted time.
+  f <- busy$f
+  g <- function(t) f(t) + c(0, 0, 0)
+  grip <- coupling_clutch(torque_function(f, breaks_s = numeric()))
+  slow <- list(
+    scene_axle(1, busy), scene_drive(c(1, 2), list(coupling_shaft(3)), torque = list(busy, NULL)),
+    scene_drive(c(1, 2), list(coupling_shaft(3)), brake = list(NULL, brake(busy))),
+    scene_drive(c(1, 2), list(grip)),
+    scene_incline(body_sphere(1, 0.1), 10, force_n = f),
+    scene_incline(body_sphere(1, 0.1), 10, force_n = function(time_s, x_m, v_m_per_s) f(time_s)),
+    scene_free(c(1, 2, 3), c(1, 1, 1), torque_n_m = g),
+    scene_pivot(c(1, 1, 2), c(0, 0, 5), mass_kg = 1, centre_m = c(0, 0, 0.1), torque_n_m = g)
+  )
+  for (scene in slow) {
+    expect_gte(seconds(scene), 0.002)
+    choice <- choose_model(scene, 0:1)
+    expect_gt(choice$cost_s[choice$chosen], 0.05)
+  }
+  quick <- list(
+    scene_axle(1, 1), scene_incline(body_sphere(1, 0.1), 10), scene_free(c(1, 2, 3), c(1, 1, 1)),
+    scene_drive(c(1, 2), list(coupling_shaft(3)))
+  )
+  for (scene in quick) {
+    expect_null(constraint_of(scene)$call_laws(scene, rlang::current_env()))
+  }
 })
 
 test_that("conditions of the law's own arrive as themselves", {

@@ -116,7 +116,7 @@ int rotdyn_input_at(const char *constructor, size_t i, rotdyn_input *out) {
                      .above = from->above,
                      .otherwise = from->otherwise,
                      .words = from->words,
-                     .options = from->options};
+                     .options = from->kinds & ROT_INPUT_CHOICE ? from->options : NULL};
   for (int k = 0; k < KIND_NAMES; k++) {
     if (!(from->kinds & kind_names[k].kind) || used >= sizeof to.kinds) continue;
     const int length = snprintf(to.kinds + used, sizeof to.kinds - used, "%s%s", used ? ", " : "",

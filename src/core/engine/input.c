@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+const char *const rot_most_static[] = {"static_friction", NULL};
+
 size_t rot_input_named(size_t n, const rot_input inputs[], const char *name) {
   size_t i = 0;
   while (i < n && strcmp(inputs[i].name, name)) i++;
@@ -33,8 +35,21 @@ void rot_refused_in(rot_refusal *refusal, const char *format, ...) {
   refusal->reason[sizeof refusal->reason - 1] = '\0';
 }
 
+/* The input that is the default of this one, and the most it may be; this one: none. */
+static size_t most_of(const rot_input inputs[], size_t input) {
+  const int one = (inputs[input].kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT)) != 0;
+  return one && inputs[input].options ? rot_input_named(input, inputs, inputs[input].options[0])
+                                      : input;
+}
+
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input) {
-  return given[input].is ? given[input].x[0] : inputs[input].otherwise;
+  if (given[input].is) return given[input].x[0];
+  const size_t most = most_of(inputs, input);
+  return most < input ? rot_input_number(inputs, given, most) : inputs[input].otherwise;
+}
+
+void rot_input_numbers(size_t n, const rot_input inputs[], const rot_given given[], double x[]) {
+  for (size_t i = 0; i < n; i++) x[i] = rot_input_number(inputs, given, i);
 }
 
 void rot_input_vector(const rot_given *given, double x[3]) {
@@ -158,6 +173,12 @@ rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given 
       status = check_given(&inputs[i], i, &given[i], refusal);
     } else if (inputs[i].required) {
       status = rot_refuse(refusal, i, "is missing: it has no default");
+    }
+    if (status != ROT_OK || !given[i].is || given[i].n != 1) continue;
+    const size_t most = most_of(inputs, i);
+    if (most < i && given[i].x[0] > rot_input_number(inputs, given, most)) {
+      status = rot_refuse(refusal, i, "must be at most `%s`, %g; it is %g", inputs[most].name,
+                          rot_input_number(inputs, given, most), given[i].x[0]);
     }
   }
   return status;

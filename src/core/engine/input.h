@@ -42,12 +42,17 @@ typedef struct rot_input {
   int above;        /* without `low` itself */
   double otherwise; /* of numbers: the default; NaN: as `words` say */
   const char *words;
-  const char *const *options; /* of a choice, the first is the default; the list ends with NULL */
+  /* Of a choice, the first is the default; the list ends with NULL. Of one number: the input whose
+   * value is its default, and the most that it may be. */
+  const char *const *options;
 } rot_input;
 
 #define ROT_NUMBER_INPUT(name, unit, required, low, above, otherwise, words)                       \
   { name, unit, ROT_INPUT_NUMBER, required, low, DBL_MAX, above, otherwise, words, NULL }
 #define ROT_NO_DOMAIN -DBL_MAX, DBL_MAX, 0
+
+/* The options of kinetic friction. */
+extern const char *const rot_most_static[];
 
 /* Of a body as an input. */
 typedef struct rot_given_body {
@@ -99,6 +104,8 @@ void rot_refused_in(rot_refusal *refusal, const char *format, ...);
 
 /* The number given, or the default. */
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input);
+/* The same of n inputs. */
+void rot_input_numbers(size_t n, const rot_input inputs[], const rot_given given[], double x[]);
 /* The three numbers given, or 0. */
 void rot_input_vector(const rot_given *given, double x[3]);
 /* n numbers: those given, or one for all, or the default for all. ROT_EVALUE: another count. */

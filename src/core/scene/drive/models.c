@@ -95,6 +95,8 @@ static void rates_of(const rot_drive_scene *scene, double *swing_per_s, double *
   }
 }
 
+static int calls(const rot_drive_grip *grip) { return grip->law.linear.torque.call != NULL; }
+
 /* As of an axle (scene/axle/models.c), a call of the right-hand side by rotors. seconds: the rate,
  * its power, decay times, steps after, of explicit and implicit steps. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
@@ -103,20 +105,22 @@ static double integrated_s(const rot_model *model, const void *of, const rot_que
   const double *s = model->seconds, rows = (double)query->n, n = (double)scene->n;
   const double from = query->n ? fmin(scene->start_s, query->time_s[0]) : scene->start_s;
   const double to = query->n ? fmax(scene->start_s, query->time_s[query->n - 1]) : scene->start_s;
-  double swing, decay, breaks = 0.0, calls = 0.0;
+  double swing, decay, breaks = 0.0;
+  int called = 0;
   rates_of(scene, &swing, &decay);
   for (size_t i = 0; i < scene->n; i++) {
     const rot_axle_scene *r = &scene->rotor[i];
     breaks += (double)(rot_lower_bound(r->n_breaks, r->breaks_s, to) -
                        rot_lower_bound(r->n_breaks, r->breaks_s, from));
-    calls += r->linear.torque.call != NULL;
+    called |= r->linear.torque.call || (scene->brake[i].acts && calls(&scene->brake[i])) ||
+              (i + 1 < scene->n && scene->coupling[i].grip.acts && calls(&scene->coupling[i].grip));
   }
   const double decays = fmin(decay * (to - from), 1e300);
   const double rate = s[0] * pow(fmax(query->accuracy, model->promise), s[1]);
   const double after = s[3] * fmax(0.0, implicit ? log10(decays) : decays - s[2]);
   const double steps =
       12.0 + 3.0 * breaks + rate * fmax(swing * (to - from), fmin(decays, s[2])) + after;
-  const double call_s = 120e-9 * n + 1e-6 * calls;
+  const double call_s = 120e-9 * n + (called ? query->law_s : 0.0);
   return 10e-6 + steps * (implicit ? (28.0 + 6.0 * n) * call_s + 3e-6 * n * n : 20.4 * call_s) +
          rows * n * 0.6e-6;
 }

@@ -13,34 +13,25 @@ typedef struct hoop {
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
 
-enum { KINETIC = 7 };
 /* clang-format off */
-#define NUMBER ROT_NUMBER_INPUT
 static const rot_input inputs[] = {
-    NUMBER("mass_kg", "kg", 1, 0.0, 1, NAN, "of the bead"),
-    NUMBER("radius_m", "m", 1, 0.0, 1, NAN, "of the hoop"),
-    NUMBER("hoop_omega_rad_per_s", "rad/s", 1, -DBL_MAX, 0, NAN, "about the vertical"),
-    NUMBER("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, "at the start, 0: lowest"),
-    NUMBER("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, "its rate at the start"),
-    NUMBER("drag_n_s_per_m", "N*s/m", 0, 0.0, 0, 0.0, "viscous drag along the hoop"),
-    NUMBER("static_friction", "1", 0, 0.0, 0, 0.0, "coefficient of dry friction at rest"),
-    NUMBER("kinetic_friction", "1", 0, 0.0, 0, NAN, "sliding; default: the static one"),
-    NUMBER("gravity_m_per_s2", "m/s^2", 0, 0.0, 0, 9.80665, "acceleration of gravity"),
-    NUMBER("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds")};
+    ROT_NUMBER_INPUT("mass_kg", "kg", 1, 0.0, 1, NAN, "of the bead"),
+    ROT_NUMBER_INPUT("radius_m", "m", 1, 0.0, 1, NAN, "of the hoop"),
+    ROT_NUMBER_INPUT("hoop_omega_rad_per_s", "rad/s", 1, -DBL_MAX, 0, NAN, "about the vertical"),
+    ROT_NUMBER_INPUT("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, "at the start, 0: lowest"),
+    ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, "its rate at the start"),
+    ROT_NUMBER_INPUT("drag_n_s_per_m", "N*s/m", 0, 0.0, 0, 0.0, "viscous drag along the hoop"),
+    ROT_NUMBER_INPUT("static_friction", "1", 0, 0.0, 0, 0.0, "coefficient of dry friction at rest"),
+    {"kinetic_friction", "1", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, NAN, "moving", rot_most_static},
+    ROT_NUMBER_INPUT("gravity_m_per_s2", "m/s^2", 0, 0.0, 0, 9.80665, "acceleration of gravity"),
+    ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds")};
 /* clang-format on */
 
 static rot_status build(const rot_given given[], void *to, rot_refusal *no) {
-  double value[ROT_COUNT(inputs)];
   hoop *h = to;
-  for (size_t i = 0; i < ROT_COUNT(inputs); i++) value[i] = rot_input_number(inputs, given, i);
-  memcpy(h, value, sizeof value);
+  rot_input_numbers(ROT_COUNT(inputs), inputs, given, to);
   h->inertia = h->mass * h->radius * h->radius;
   h->weight = h->mass * h->gravity * h->radius;
-  if (!given[KINETIC].is) h->mu_kinetic = h->mu_static;
-  if (h->mu_kinetic > h->mu_static) {
-    return rot_refuse(no, KINETIC, "must be at most that of static friction, %g; it is %g",
-                      h->mu_static, h->mu_kinetic);
-  }
   const double rates = h->turn * h->turn + h->gravity / h->radius + h->drag / h->mass;
   if (h->inertia * rates < INFINITY) return ROT_OK;
   return rot_refuse(no, 0, "leaves energies or rates beyond double precision");

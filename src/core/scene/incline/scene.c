@@ -33,7 +33,8 @@ const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS] = {
     [STATIC] = {"static_friction", "1", ROT_INPUT_LIMIT, 0, 0.0, INFINITY, 0, INFINITY,
                 "coefficient of static friction; Inf: the contact never slips", NULL},
     [KINETIC] = {"kinetic_friction", "1", ROT_INPUT_LIMIT, 0, 0.0, INFINITY, 0, NAN,
-                 "coefficient of kinetic friction; default: that of static friction", NULL},
+                 "coefficient of kinetic friction; default: that of static friction",
+                 rot_most_static},
     [ARM] = {"rolling_arm_m", "m", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 0.0,
              "arm of the rolling resistance: the normal force acts that far ahead of the centre",
              NULL},
@@ -88,11 +89,7 @@ rot_status rot_incline_build(const rot_given given[], void *to, rot_refusal *no)
   }
   p->angle_deg = NUMBER(ANGLE);
   p->mu_static = NUMBER(STATIC);
-  p->mu_kinetic = given[KINETIC].is ? NUMBER(KINETIC) : p->mu_static;
-  if (p->mu_kinetic > p->mu_static) {
-    return rot_refuse(no, KINETIC, "must be at most that of static friction, %g; it is %g",
-                      p->mu_static, p->mu_kinetic);
-  }
+  p->mu_kinetic = NUMBER(KINETIC);
   p->arm_m = NUMBER(ARM);
   p->x0_m = NUMBER(X0);
   p->v0_m_per_s = NUMBER(V0);
