@@ -26,8 +26,9 @@
 #'   own: `accuracy = 1` asks for none, and the error of each run is measured by a second one with
 #'   half the step.
 #' @param event_rows TRUE: also a row at the time of each event between the first time and the last,
-#'   for scenes whose runs give them, [scene_incline()]. FALSE: n times give n rows. The column
-#'   `event` of these scenes names the event in each row at its time, asked for or added.
+#'   and a column `event` that names the event in each row at its time, asked for or added. A
+#'   [scene_incline()] has that column always, and takes the rows from the run itself; other scenes
+#'   are run again to the times of the events. FALSE: n times give n rows.
 #' @param resolution For torque laws, forces and clutches that are R functions: the width of the
 #'   narrowest change in time, in an angle or in a rate that is sure to be found, as a part of the
 #'   range of it that the motion visits, one number from 1e-5 to 1. The function is called along the
@@ -134,12 +135,6 @@ warn_of_end <- function(scene, columns, call) {
 compute_trajectory <- function(scene, time_s, accuracy, model, on_fail, max_steps, call,
                                step_s = NULL, event_rows = FALSE, resolution = NULL) {
   check_scene(scene, call)
-  if (event_rows && is.null(constraint_of(scene)$event_rows)) {
-    abort_rotdyn(c(
-      "{.arg event_rows} is for scenes whose runs give rows at their events: {.fn scene_incline}.",
-      i = "{.code predict(motion, motion_events(motion)$time_s)} gives such rows of this scene."
-    ), "argument", call)
-  }
   time_s <- check_times(time_s, call)
   check_span(scene, time_s, call)
   if (!identical(accuracy, 1e-9)) accuracy <- relative_accuracy(accuracy, scene, time_s, call)
@@ -168,7 +163,7 @@ abort_no_steps <- function(constraint, model, call, arg = "step_s") {
 }
 
 # `scene` is what the user described; `fit$scene` is what is solved.
-# `event_rows`: whether rows at the times of events are added, where the constraint has them.
+# `event_rows`: whether rows at the times of events are added.
 run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, call, asked,
                            event_rows = FALSE) {
   record <- fit$record
@@ -177,20 +172,24 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   result <- fit$result
   if (is.null(result)) {
     steps <- max_steps + length(time_s)
-    result <- if (event_rows) {
+    result <- if (event_rows && !is.null(constraint$event_rows)) {
       record$run(fit$scene, time_s, accuracy, steps, call, asked, event_rows = TRUE)
     } else {
       record$run(fit$scene, time_s, accuracy, steps, call, asked)
     }
   }
-  if (!is.null(constraint$event_rows)) {
-    result <- name_events(if (event_rows) add_event_rows(result, time_s) else result)
-    time_s <- result$columns$time_s
+  each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
+  if (event_rows && is.null(constraint$event_rows)) {
+    result$event_rows <- run_to_events(result, record, fit$scene, accuracy, max_steps, call, asked)
+  }
+  if (event_rows || !is.null(constraint$event_rows)) {
+    result <- name_events(if (event_rows) add_event_rows(result) else result)
+    rows <- length(result$columns$time_s)
+    time_s <- result$columns$time_s[seq(1, by = each, length.out = rows / each)]
   }
   columns <- result$columns
   info <- result$info
   n <- length(time_s)
-  each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
   if (!is.null(fit$dropped)) {
     info <- widen_error(info, fit$dropped$errors)
     if (!is.null(constraint$acting)) columns <- constraint$acting(columns, scene, time_s)
@@ -244,21 +243,32 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   ))
 }
 
+# NULL, or list(columns, ledger): rows at the times of events, by a run of their own.
+run_to_events <- function(result, record, scene, accuracy, max_steps, call, asked) {
+  at <- unique(as.double(result$events$time_s))
+  if (!length(at) || result$info$kind != "none") return(NULL)
+  rows <- record$run(scene, at, accuracy, max_steps + length(at), call, asked)
+  if (rows$info$kind == "none") rows[c("columns", "ledger")]
+}
+
 # The result with the run's rows at its events, between the first time and the last; a time that
 # was asked for keeps its own row.
-add_event_rows <- function(result, time_s) {
+add_event_rows <- function(result) {
   rows <- result$event_rows
+  time_s <- result$columns$time_s
   n <- length(time_s)
   if (is.null(rows) || n < 2L || result$info$kind != "none") return(result)
-  at <- rows$columns$time_s
-  new <- which(at > time_s[1] & at < time_s[n] & !at %in% time_s)
-  order <- order(c(time_s, at[new]))
+  between <- function(at) which(at > time_s[1] & at < time_s[n] & !at %in% time_s)
+  new <- between(rows$columns$time_s)
+  order <- order(c(time_s, rows$columns$time_s[new]))
   result$columns <- Map(
     function(column, more) c(column, more[new])[order], result$columns,
     rows$columns[names(result$columns)]
   )
-  if (!is.null(rows$ledger)) {
-    result$ledger <- rbind(result$ledger, rows$ledger[new, , drop = FALSE])[order, , drop = FALSE]
+  if (is.matrix(rows$ledger) && is.matrix(result$ledger)) { # by time
+    new <- between(rows$ledger[, "time_s"])
+    ledger <- rbind(result$ledger, rows$ledger[new, , drop = FALSE])
+    result$ledger <- ledger[order(ledger[, "time_s"]), , drop = FALSE]
   }
   result
 }

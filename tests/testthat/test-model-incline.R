@@ -533,12 +533,38 @@ test_that("friction_needed() of a body that rests is what rest needs, |tan(angle
   expect_equal(rolls$friction_needed, (tanpi(20 / 180) / 2 + 0.2) / 1.5, tolerance = 1e-14)
 })
 
-test_that("event rows are for scenes that have them", {
-  expect_error(
-    trajectory(scene_axle(1, torque_constant(1)), 0:1, event_rows = TRUE),
-    class = "rotdyn_error_argument"
-  )
+test_that("event rows are for every scene", {
   expect_error(
     trajectory(scene_incline(ball(), 10), 0:1, event_rows = 2), class = "rotdyn_error"
   )
+  # Dry friction stops a wheel after I omega/M = 2.5 s; without events there is only a column more.
+  wheel <- scene_axle(2, NULL, resistance(coulomb_n_m = 4), omega0_rad_per_s = 5)
+  motion <- trajectory(wheel, c(0, 2, 4), event_rows = TRUE)
+  expect_identical(motion$time_s, c(0, 2, 2.5, 4))
+  expect_identical(motion$event, c(NA, NA, "stick", NA))
+  expect_equal(motion$theta_rad[3:4], rep(5 * 2.5 / 2, 2), tolerance = 1e-14)
+  expect_identical(
+    dplyr::select(motion, -event)[-3, ], tibble::as_tibble(trajectory(wheel, c(0, 2, 4))),
+    ignore_attr = TRUE
+  )
+  expect_true(all(audit(motion)$verdict == "balanced"))
+  free <- trajectory(scene_axle(1, torque_constant(1)), 0:1, event_rows = TRUE)
+  expect_identical(free$event, c(NA_character_, NA))
+  # Rows of several bodies stay together; a repeated time keeps its rows.
+  two <- scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
+  motion <- trajectory(two, c(0, 0.5, 0.5, 3), event_rows = TRUE)
+  expect_identical(motion$event, c(NA, NA, NA, "lock", NA))
+  expect_equal(motion$time_s[4], 1, tolerance = 1e-15)
+  expect_equal(motion$omega_1_rad_per_s[4], 4, tolerance = 1e-14)
+  belt <- scene_drive(c(2, 3), list(coupling_clutch(12)), omega0_rad_per_s = c(10, 0))
+  motion <- trajectory(belt, c(0, 0.5, 3), event_rows = TRUE)
+  expect_identical(motion$rotor, rep(1:2, 4))
+  expect_identical(which(!is.na(motion$event)), 5:6)
+  expect_equal(motion$omega_rad_per_s[5:6], c(4, 4), tolerance = 1e-9)
+  expect_true(all(audit(motion)$verdict == "balanced"))
+  # A bead that dry friction stops.
+  bead <- scene_hoop(1, 1, 0, theta0_rad = 0.5, static_friction = 0.3)
+  motion <- trajectory(bead, c(0, 1, 5), event_rows = TRUE)
+  expect_true("stick" %in% motion$event)
+  expect_true(all(audit(motion)$verdict == "balanced"))
 })
