@@ -7,8 +7,6 @@ if (requireNamespace("testthat", quietly = TRUE)) {
   blocks <- as.data.frame(test_check("rotdyn", stop_on_failure = FALSE))
   failed <- blocks$failed > 0 | blocks$error
   skipped <- !failed & blocks$skipped & blocks$passed == 0
-  spent <- sort(tapply(blocks$user + blocks$system, blocks$file, sum), decreasing = TRUE)
-  cat("processor time (s):", paste(names(spent), round(spent))[1:12], "", sep = "\n  ")
   files <- setdiff(list.files("testthat", "^test.*[.]R$"), blocks$file)
   cat(sprintf(
     "testthat: %d passed, %d failed, %d skipped\n",

@@ -131,8 +131,7 @@ if test -n "$tarball"; then
   counted check $?
 
   heading "testthat, in R CMD check"
-  sed -n '/^processor time/,$p' "$work"/rotdyn.Rcheck/tests/testthat.Rout* \
-    > "$work/testthat.out" 2>&1
+  grep -h '^testthat: ' "$work"/rotdyn.Rcheck/tests/testthat.Rout* > "$work/testthat.out" 2>&1
   counted testthat $?
 else
   verdict fail "R CMD check: there is no tarball"

@@ -461,7 +461,8 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
   void *column[ROT_MOST_COLUMNS] = {NULL};
   ffi_run run;
   ffi_run_begin(&run, R_NilValue);
-  new_columns(&run, c, c->effects_of(built), time_s, 1, column);
+  const unsigned effects = c->effects_of(built);
+  new_columns(&run, c, effects, time_s, 1, column);
   for (size_t i = 0; i < c->n_columns; i++) {
     if (!column[i]) column[i] = R_alloc((size_t)XLENGTH(time_s) + 1, sizeof(double));
   }
@@ -472,7 +473,7 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
   int plain = status == ROT_OK && error <= 1e-13 && error <= task.accuracy;
   for (size_t i = 0; i < c->n_columns; i++) {
     double sum = 0.0;
-    if (c->columns[i].flag) continue;
+    if (c->columns[i].flag || !shown(c, i, effects)) continue;
     for (size_t k = 0; k < task.n; k++) sum += ((const double *)column[i])[k];
     plain &= isfinite(sum) != 0;
   }

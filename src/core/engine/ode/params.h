@@ -86,8 +86,8 @@ typedef struct rot_ode_params {
   /* Changes of rhs in an interval of time or of a controlled component at least this wide, in parts
    * of the range visited, are found (engine/ode/probe.h); 0: rhs is not looked at. */
   double resolution;
-  /* Integrals count what rows between steps are off by. Else their errors are those of the steps:
-   * of an axle's, 1e-8 of their size at most, the polynomials' last terms say up to 1e-4. */
+  /* Integrals are used at all rows: their errors have what rows between steps are off by. Else they
+   * are used at the last row alone, a step's end, where an axle's are 1e-4 of that. */
   int integrals_between;
   int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
 } rot_ode_params;

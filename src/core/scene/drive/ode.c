@@ -516,6 +516,7 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .at_break = cross_break,
         .project = note_state,
         .noise = m->noise,
+        .integrals_between = 1,
         .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
         .kinks = has_kinks(s->scene)};
     status = rot_ode_run(&ode, n, time_s, y, NULL, error, error + m->dim, hooks, info);

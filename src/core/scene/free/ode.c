@@ -251,6 +251,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .events = &zero,
       .log = &out->events,
       .project = renormalise,
+      .integrals_between = 1,
       .resolution = rot_ode_resolution(p->law || p->motors, options->resolution)};
   memset(out->error, 0, sizeof out->error);
   memset(out->largest, 0, sizeof out->largest);

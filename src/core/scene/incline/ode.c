@@ -560,6 +560,7 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                 .at_break = cross_break,
                                 .project = note_speed,
                                 .noise = m.noise,
+                                .integrals_between = 1,
                                 .resolution =
                                     rot_ode_resolution(scene->force != NULL, options->resolution),
                                 .kinks = scene->force != NULL};

@@ -496,6 +496,7 @@ static void check_riders_between_steps(void) {
     probe ridden = quiet(4.0 + k);
     rot_ode_params p = problem(2, wave, &ridden, start, 1e-7);
     p.controlled = 1;
+    p.integrals_between = 1;
     run(&p, ROWS, t, NULL);
     double off = 0.0, last = 0.0;
     for (int i = 0; i < ROWS; i++) {
