@@ -208,9 +208,9 @@ test_that("contacts that share a load hold together, and let go together", {
   expect_equal(alone$omega_rad_per_s[7:9], c(4.5^2 / 2, 0, 0), tolerance = 1e-9)
 })
 
-# All locked, the clutches would carry 2.67 and 6.33 N m. The first, with the larger excess, lets go;
-# then the second does, and with both sliding the second body would overtake the first: the first
-# clutch carries 2.49 N m and stays locked.
+# All locked, the clutches would carry 2.67 and 6.33 N m. The first, with the larger excess, lets
+# go; then the second does, and with both sliding the second body would overtake the first: the
+# first clutch carries 2.49 N m and stays locked.
 test_that("a contact that let go first may stick again when another lets go", {
   for (second in c(5.97, 6 - 1e-9)) {
     motion <- trajectory(scene_drive(
