@@ -271,7 +271,7 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
     step_ratio = as.double(load$pieces$torque_n_m[-1] / (inertia$value %||% 1))
   )
   out <- .Call(ffi_coast_fit, problem, 1)
-  shown <- c(out$p, out$covariance, out$bounded, out$bounded_covariance)
+  shown <- c(out$p, out$covariance, out$bounded)
   if (out$numbers[1] != 0 || !all(is.finite(shown))) {
     abort_rotdyn(c(
       "No coast-down fits run {run$name}.",
@@ -287,15 +287,11 @@ unpack_run <- function(out, problem) {
     "status", "tau_s", "white", "gain", "logdet", "at_cap", "squares", "sigma", "condition", "free",
     "iterations", "runout_f", "runout_columns", "runout_1", "runout_2"
   ))
-  square <- function(x) matrix(x, 11, dimnames = list(coast_parameters, coast_parameters))
   list(
-    problem = problem,
-    p = stats::setNames(out$p, coast_parameters), covariance = square(out$covariance),
+    problem = problem, p = stats::setNames(out$p, coast_parameters),
+    covariance = matrix(out$covariance, 11, dimnames = list(coast_parameters, coast_parameters)),
     factor = matrix(out$factor, 11, byrow = TRUE, dimnames = list(coast_parameters, NULL)),
     best = stats::setNames(out$bounded, coast_parameters),
-    best_covariance = square(out$bounded_covariance),
-    best_sigma = out$bounded_numbers[2],
-    held = stats::setNames(out$at_bound > 0, coast_losses),
     numbers = numbers, residual = out$residual, dof = coast_dof(problem$time_s, numbers)
   )
 }

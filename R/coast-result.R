@@ -33,8 +33,6 @@ pool_runs <- function(runs, shared, load) {
     return(list(
       value = values[[1]], covariance = spreads[[1]], factor = run$factor[shared, , drop = FALSE],
       best = best, dof = rep(dof, length(shared)),
-      held = shared %in% names(which(run$held)),
-      best_covariance = run$best_covariance[shared, shared, drop = FALSE],
       between = stats::setNames(numeric(length(shared)), shared), birge = NA_real_, p = NA_real_
     ))
   }
@@ -52,11 +50,10 @@ pool_runs <- function(runs, shared, load) {
   final <- weigh(values, lapply(spreads, function(s) s + diag(between, k)))
   # Few runs do not show which of the losses differs: all have the degrees of freedom of the runs.
   free_dof <- rep(if (any(between > 0)) length(runs) - 1 else sum(dof), k)
-  held <- hold_at_zero(final$value, final$covariance, names(final$value) %in% coast_losses)
+  best <- hold_at_zero(final$value, final$covariance, names(final$value) %in% coast_losses)$value
   list(
-    value = final$value, covariance = final$covariance, factor = NULL, best = held$value,
-    best_covariance = held$covariance, held = held$held, dof = free_dof, between = between,
-    birge = sqrt(excess / free), p = p
+    value = final$value, covariance = final$covariance, factor = NULL, best = best, dof = free_dof,
+    between = between, birge = sqrt(excess / free), p = p
   )
 }
 
@@ -89,21 +86,15 @@ hold_at_zero <- function(value, covariance, bounded) {
     held <- index[bitwAnd(set, 2^(seq_along(index) - 1L)) > 0]
     moved <- value
     cost <- 0
-    spread <- covariance
     if (length(held)) {
       c_held <- covariance[held, held, drop = FALSE]
       y <- scaled_solve(c_held, value[held])
       moved <- value - as.vector(covariance[, held, drop = FALSE] %*% y)
       moved[held] <- 0
       cost <- sum(y * value[held])
-      spread <- covariance - covariance[, held, drop = FALSE] %*%
-        scaled_solve(c_held, covariance[held, , drop = FALSE])
-      spread[held, ] <- spread[, held] <- 0
     }
     if (all(moved[index] >= 0) && (is.null(best) || cost < best$cost)) {
-      best <- list(
-        value = moved, covariance = spread, held = seq_along(value) %in% held, cost = cost
-      )
+      best <- list(value = moved, held = seq_along(value) %in% held, cost = cost)
     }
   }
   best
@@ -176,8 +167,7 @@ shown_losses <- function(fit) {
   out <- list(
     best = pooled$best[losses], value = pooled$value[losses],
     covariance = pooled$covariance[at, at, drop = FALSE], dof = pooled$dof[at],
-    factor = pooled$factor[at, , drop = FALSE], held = pooled$held[at],
-    unit = coast_units$rate[losses], u_inertia = NULL
+    factor = pooled$factor[at, , drop = FALSE], unit = coast_units$rate[losses], u_inertia = NULL
   )
   unknown <- load_unknown(fit)
   if (identical(unknown$name, "inertia")) {

@@ -136,33 +136,36 @@ mesh_gains <- function(x, efficiency) {
   cumprod(c(1, factor))
 }
 
-# list(a, slope, inertia): the acceleration at w >= 0, the line a + slope (w' - w) of these power
-# flows, and their inertia. Newton's iteration, which a convex function of finitely many lines ends.
+# list(a, start, slope, inertia, w): the acceleration at w >= 0, the line start + slope w of these
+# power flows, and their inertia. Newton's iteration, which a convex function of finitely many lines
+# ends.
 mesh_line <- function(at, w) {
   a <- (sum(at$force) - sum(at$viscous) * w) / sum(at$inertia)
   for (turn in seq_len(10L + 4L * length(at$force))) {
     gain <- mesh_gains(at$inertia * a - at$force + at$viscous * w, at$efficiency)
     inertia <- sum(at$inertia * gain)
+    start <- sum(at$force * gain) / inertia
     slope <- -sum(at$viscous * gain) / inertia
-    now <- sum(at$force * gain) / inertia + slope * w
+    now <- start + slope * w
     if (now >= a && turn > 1L) break # it falls to the zero from above
     a <- now
   }
-  list(a = a, slope = slope, inertia = inertia, w = w)
+  list(a = a, start = start, slope = slope, inertia = inertia, w = w)
 }
 
 # Where two lines of the concave a(w) meet, between w1 and w2 and recursively: the rates at which a
 # power flow changes its direction.
 mesh_bends <- function(at, left, right) {
+  eps <- .Machine$double.eps
   fall <- left$slope - right$slope
-  if (!(fall > 1e-13 * abs(right$slope))) return(double())
-  rise <- (right$a - right$slope * right$w) - (left$a - left$slope * left$w)
-  w <- rise / fall
+  if (!(fall > 2 * eps * abs(right$slope))) return(double())
+  w <- (right$start - left$start) / fall
   if (!(w > left$w && w < right$w)) return(double())
   here <- mesh_line(at, w)
-  on_line <- left$a + left$slope * (w - left$w)
-  size <- abs(left$a) + abs(left$slope * (w - left$w))
-  if (on_line - here$a <= 1e-12 * size) return(w)
+  is_line <- function(one) here$slope == one$slope && here$start == one$start
+  below <- left$start + left$slope * w - here$a
+  if (is_line(left) || is_line(right) ||
+      below <= 8 * eps * (abs(left$start) + abs(left$slope * w))) return(w)
   c(mesh_bends(at, left, here), mesh_bends(at, here, right))
 }
 
@@ -178,15 +181,16 @@ mesh_side <- function(at) {
   # Beyond all bends: the resistance exceeds the torques by far.
   gain <- prod(at$efficiency)
   far <- 1e3 * sum(abs(at$force)) / gain^2 / sum(at$viscous)
+  near <- 1e-15 * far
   for (turn in 1:40) {
     line <- mesh_line(at, far)
-    if (!is.finite(far) || far == 0 || abs(line$slope - last) <= 1e-13 * abs(last)) break
+    if (!is.finite(far) || far == 0 || line$slope == last) break
     far <- 8 * far
   }
-  # One ulp on, where a mesh without power at rest has its direction.
-  first$slope <- mesh_line(at, far * 1e-13)$slope
-  bends <- if (far > 0 && is.finite(far)) mesh_bends(at, first, line) else double()
-  list(a = first$a, bends = bends[bends > 1e-12 * far], last = last, least = abs(first$slope))
+  # Just above rest a mesh without power at rest has its direction.
+  beside <- mesh_line(at, near)
+  bends <- if (far > 0 && is.finite(far)) mesh_bends(at, beside, line) else double()
+  list(a = first$a, bends = bends, last = last, least = abs(beside$slope))
 }
 
 # What a train does at its first shaft, as torque, resistance and dry friction of an axle of the

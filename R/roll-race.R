@@ -109,7 +109,7 @@ race_domain <- function(name) {
 
 check_race_column <- function(x, name, call) {
   known <- race_domain(name)
-  lower <- known$lower %||% -Inf
+  lower <- known$lower
   upper <- known$upper %||% Inf
   open <- isTRUE(known$open)
   most <- suppressWarnings(range(x, na.rm = TRUE))

@@ -13,6 +13,13 @@ expect_ulps <- function(got, want, at_most) {
   expect_lte(max(ulps(got, want)), at_most)
 }
 
+# The relative error of each number. expect_equal() compares the mean of all numbers, and absolutely
+# where their mean is not above the tolerance.
+expect_within <- function(got, want, relative) {
+  expect_equal(length(got), length(want))
+  expect_lte(max(abs(got - want) / abs(want)), relative)
+}
+
 # The reference tables stand beside the repository; a check elsewhere does without them.
 shared <- function(...) {
   root <- Sys.getenv("ROTDYN_SHARED", NA)

@@ -448,7 +448,7 @@ test_that("loose triangles are welded, and what differs by rounding", {
   near <- loose
   near$vertices <- near$vertices * (1 + 2^-52 * sample(-1:1, length(near$vertices), TRUE))
   body <- body_mesh(near, mass_kg = 3)
-  expect_equal(body$detail$weld_m, max(abs(near$vertices)) * 2^-46)
+  expect_identical(body$detail$weld_m, max(abs(near$vertices)) * 2^-46)
   expect_lte(off(body$inertia_kg_m2, one$inertia_kg_m2), body$error)
   expect_gt(body$error, 1e-14)
   expect_error(body_mesh(near, mass_kg = 3, weld_m = 0), class = "rotdyn_error_mesh")

@@ -56,7 +56,7 @@ test_that("rounding is let pass, and said", {
   }
   expect_equal(asymmetric(0)$verdict, "holds")
   expect_equal(asymmetric(2e-12)$verdict, "holds within rounding")
-  expect_equal(asymmetric(2e-12)$value, 5e-13, tolerance = 1e-3)
+  expect_within(asymmetric(2e-12)$value, 5e-13, 1e-3)
   expect_equal(asymmetric(5e-12)$verdict, "fails")
 })
 

@@ -399,8 +399,8 @@ test_that("an angle and a rate together are better than each, with the bands of 
   expect_lt(mean(both$omega_se_rad_per_s), mean(angle$omega_se_rad_per_s))
   expect_lt(mean(both$omega_se_rad_per_s), mean(rate$omega_se_rad_per_s) * 1.01)
   about <- glance(both)
-  expect_equal(about$theta_scatter_rad, 0.02, tolerance = 0.15)
-  expect_equal(about$omega_scatter_rad_per_s, 0.05, tolerance = 0.15)
+  expect_within(about$theta_scatter_rad, 0.02, 0.15)
+  expect_within(about$omega_scatter_rad_per_s, 0.05, 0.15)
   expect_gt(mean(abs(both$omega_rad_per_s - 3 * cos(time)) < 2 * both$omega_se_rad_per_s), 0.8)
 })
 
@@ -445,7 +445,7 @@ test_that("errors that are correlated in time are recognised and allowed for", {
   }, double(2))
   # 0.35 to 0.6 where white noise is assumed.
   expect_gt(mean(held[1, ]), 0.85)
-  expect_equal(stats::median(held[2, ]), 0.01, tolerance = 0.4)
+  expect_within(stats::median(held[2, ]), 0.01, 0.4)
   white <- estimate_motion(noisy(seq(0, 10, by = 0.02), 3 * sin(seq(0, 10, by = 0.02)), 2e-3, 6))
   expect_identical(glance(white)$correlation_time_s, 0)
   expect_false(any(grepl("Noise", names(tibble::tbl_sum(white)))))
@@ -520,7 +520,7 @@ test_that("a counter at rest is known to its resolution", {
   once <- data.frame(time_s = time, theta_rad = step * (time > 5))
   expect_equal(attr(motion_record(once), "record")$resolution[["theta_rad"]], step)
   once <- estimate_motion(once)
-  expect_equal(glance(once)$theta_scatter_rad, step / sqrt(12), tolerance = 1e-6)
+  expect_within(glance(once)$theta_scatter_rad, step / sqrt(12), 1e-6)
   expect_equal(glance(once)$outliers, 0)
 })
 

@@ -66,7 +66,7 @@ test_that("augment() adds samples and leave-one-out residuals of s.d. 1", {
   expect_false(inherits(motion[1:3, ], "rot_estimate"))
   about <- glance(motion)
   expect_equal(about$samples, 1000)
-  expect_equal(about$theta_scatter_rad, 1e-3, tolerance = 0.1)
+  expect_within(about$theta_scatter_rad, 1e-3, 0.1)
   expect_setequal(
     setdiff(c(names(all), names(about), names(motion_events(motion))), rotdyn_columns()$name),
     character()

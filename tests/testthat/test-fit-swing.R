@@ -104,7 +104,7 @@ test_that("the bicycle wheel: published 14.9109 and 4.39626 rad/s, with larger e
   }
   # The rate has parts at 1.2, 2 and 3 times the frequency: no damped harmonic motion.
   expect_false(torsion$law_complete)
-  expect_equal(torsion$white_u, 3e-4, tolerance = 0.1)
+  expect_within(torsion$white_u, 3e-4, 0.1)
   expect_equal(torsion$durbin_watson, 0.29, tolerance = 0.02)
   hung <- read_motion(shared("data", "measured", "bicycle_wheel_compound_pendulum_gyro.csv"))
   raw <- fit_swing(hung, "spring", losses = "viscous")
@@ -113,8 +113,7 @@ test_that("the bicycle wheel: published 14.9109 and 4.39626 rad/s, with larger e
   expect_lt(raw$omega_rad_per_s$u, 0.0018)
   # Finite amplitude: .26 % of I.
   small <- fit_swing(hung, losses = "viscous")
-  expect_equal((raw$omega_rad_per_s$value / small$omega_rad_per_s$value)^2 - 1, -0.0026,
-    tolerance = 0.02)
+  expect_within((raw$omega_rad_per_s$value / small$omega_rad_per_s$value)^2 - 1, -0.0026, 0.02)
 })
 
 test_that("an encoder's pendulum, driven, free and braked; a filmed one", {
@@ -325,7 +324,7 @@ test_that("long records are reduced in blocks without a loss of exactness", {
   r$theta_rad <- r$theta_rad + stats::rnorm(nrow(r), sd = 0.01)
   fit <- fit_swing(r, "spring", losses = "viscous")
   # Of a sampled sinusoid: u(omega) = sigma/A sqrt(24/n)/T without damping.
-  expect_equal(fit$omega_rad_per_s$u, 0.01 / 0.15 * sqrt(24 / 60001) / 60, tolerance = 0.15)
+  expect_within(fit$omega_rad_per_s$u, 0.01 / 0.15 * sqrt(24 / 60001) / 60, 0.15)
 })
 
 test_that("large swings are fitted from any part of a swing", {

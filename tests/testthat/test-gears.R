@@ -248,3 +248,25 @@ test_that("the error of a train covers the rounding of its sums", {
   still <- trajectory(scene_gears(c(1, 2), 3, efficiency = 0.5, torque_n_m = c(1, -3)), 0:1)
   expect_equal(attr(still, "run")$info$error, 0)
 })
+
+# In 40 digits: the second shaft is driven at first, and drives below 2.22 rad/s; the two phases by
+# their exponentials.
+test_that("the error of a train covers where a power flow changes its direction", {
+  truth <- list(
+    "0.1" = c(4.2107103928026378795, 2.8397021731923089169, 2.1533370799108014698,
+              1.8430412666064132679),
+    "1e-11" = c(4.2350022102589418064, 2.8773170844902260592, 2.1707373220602401251,
+                1.8572460815084532088),
+    "1e-13" = c(4.2350022102612401056, 2.8773170844938528302, 2.1707373220619541164,
+                1.8572460815097501079)
+  )
+  for (loss in names(truth)) {
+    motion <- trajectory(scene_gears(
+      c(1, 1), 1, efficiency = 1 - as.numeric(loss), torque_n_m = c(0, 2),
+      viscous_n_m_s = c(0.1, 1), omega0_rad_per_s = 5
+    ), c(0.5, 2, 4, 8))
+    error <- attr(motion, "run")$info$errors[["omega"]]
+    expect_lt(error, 1e-13)
+    expect_lte(max(abs(motion$omega_rad_per_s - truth[[loss]])), error)
+  }
+})

@@ -208,6 +208,23 @@ test_that("contacts that share a load hold together, and let go together", {
   expect_equal(alone$omega_rad_per_s[7:9], c(4.5^2 / 2, 0, 0), tolerance = 1e-9)
 })
 
+# All locked, the clutches would carry 2.67 and 6.33 N m. The first, with the larger excess, lets
+# go; then the second does, and with both sliding the second body would overtake the first: the
+# first clutch carries 2.49 N m and stays locked.
+test_that("a contact that let go first may stick again when another lets go", {
+  for (second in c(5.97, 6 - 1e-9)) {
+    motion <- trajectory(scene_drive(
+      c(1, 1, 1), list(coupling_clutch(2.5), coupling_clutch(second)), torque = list(-1, NULL, -10)
+    ), 1)
+    together <- -(1 + second) / 2
+    expect_equal(
+      motion$omega_rad_per_s, c(together, together, second - 10), tolerance = 1e-14
+    )
+    expect_identical(motion$locked, c(TRUE, FALSE, NA))
+    expect_equal(motion$coupling_torque_n_m[1:2], c((second - 1) / 2, second), tolerance = 1e-14)
+  }
+})
+
 test_that("bodies that are locked reach rest together, however their friction is divided", {
   # Two locked bodies with resistance on both are one body with the sum.
   torque <- torque_sinusoid(3, 4, 0.5) + torque_sinusoid(1, 9)

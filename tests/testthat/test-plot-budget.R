@@ -11,6 +11,8 @@ test_that("shares of the variance, the largest on top, with their numbers", {
   expect_equal(levels(plot$data$input), c("m", "r"))
   expect_setequal(built$data[[3]]$label, c("20", "80"))
   expect_match(plot$labels$alt, "of y is from r, 80 %", fixed = TRUE)
+  # 0.5 +- 0.5 sqrt(0.01^2 + 0.02^2)
+  expect_equal(levels(plot$data$panel), "y = 0.500(11)")
 })
 
 test_that("shares have one decimal, and those below a twentieth of a percent a word", {

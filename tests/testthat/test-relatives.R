@@ -61,7 +61,9 @@ test_that("a yo-yo falls as its inertia lets it", {
   expect_equal(x$acceleration_m_per_s2, g / 5.5)
   expect_equal(x$tension_n, 0.2 * (g - g / 5.5))
   expect_equal(x$alpha_rad_per_s2, g / 5.5 / 0.01)
-  expect_equal(yo_yo(1, 1, 1, beta = c(0, 1e-20))$tension_n, c(0, g * 1e-20))
+  tension <- yo_yo(1, 1, 1, beta = c(0, 1e-20))$tension_n
+  expect_identical(tension[1], 0)
+  expect_within(tension[2], g * 1e-20, 1e-14)
 })
 
 test_that("Atwood's machine, with the pulley's inertia and its bearing", {
@@ -114,7 +116,7 @@ test_that("a falling rod: rates, hinge, tip, and where a chimney breaks", {
   # A start nearly where it is now keeps its digits: omega^2 = (3 g/l) sin(theta) d.
   close <- falling_rod(2, 3, 45 + 1e-9, start_angle_deg = 45)
   step <- ((45 + 1e-9) - 45) * pi / 180
-  expect_equal(close$omega_rad_per_s^2, 1.5 * g * sin(pi / 4) * step, tolerance = 1e-9)
+  expect_within(close$omega_rad_per_s^2, 1.5 * g * sin(pi / 4) * step, 1e-9)
 })
 
 test_that("textbook: rods and cords", {

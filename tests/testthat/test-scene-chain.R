@@ -70,8 +70,7 @@ test_that("modes are those of the textbook", {
   chain <- scene_chain(c(1.3, 1.3), 4, 1e-6 * two$relative_theta[3:4], links = "points")
   motion <- trajectory(chain, c(0, two$period_s[3] / 2, two$period_s[3]), accuracy = 1e-6)
   turns <- rep(c(1, -1, 1), each = 2)
-  expect_equal(motion$theta_rad, 1e-6 * turns * two$relative_theta[c(3:4, 3:4, 3:4)],
-               tolerance = 1e-6)
+  expect_within(motion$theta_rad, 1e-6 * turns * two$relative_theta[c(3:4, 3:4, 3:4)], 1e-6)
 })
 
 test_that("small swings are a sum of modes with a bound, larger ones are integrated", {

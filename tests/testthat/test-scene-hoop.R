@@ -74,7 +74,7 @@ test_that("equilibria are those of the pitchfork", {
   # A small swing about it has that period.
   period <- 2 * pi / three$swing_rad_per_s[3]
   motion <- trajectory(hoop(-9, theta0_rad = angle + 1e-5), c(0, period / 2, period))
-  expect_equal(motion$theta_rad - angle, c(1, -1, 1) * 1e-5, tolerance = 1e-4)
+  expect_within(motion$theta_rad - angle, c(1, -1, 1) * 1e-5, 1e-4)
   # A start there stays: the angle is a double, the rest drifts by its rounding.
   still <- trajectory(hoop(9, theta0_rad = angle), c(0, 5))
   expect_lt(abs(still$theta_rad[2] - angle), 1e-14)
@@ -149,8 +149,7 @@ test_that("verbs work on a hoop", {
   expect_equal(as.character(choose_model(stiff, 0:4)$model[1]), "hoop_radau")
   # Down a viscous hoop: theta' = -(g/R - W^2 cos) sin m/c.
   slow <- trajectory(stiff, c(0, 4))
-  expect_equal(slow$theta_rad[2] - 1, -4 * (49.03325 - cos(1)) * sin(1) * 0.05 / 1e6,
-               tolerance = 1e-5)
+  expect_within(slow$theta_rad[2] - 1, -4 * (49.03325 - cos(1)) * sin(1) * 0.05 / 1e6, 1e-5)
   back <- trajectory(hoop(9, theta0_rad = 0.3, start_s = 2), c(0, 2))
   expect_equal(
     trajectory(hoop(9, theta0_rad = back$theta_rad[1], omega0_rad_per_s = back$omega_rad_per_s[1]),

@@ -207,6 +207,13 @@ test_that("what constructors refuse, and unknown keys, are refused with the name
           "body_disk")
   refused("{\"scene_axle\": {\"body\": {\"body_disc\": {\"mass_kg\": 2}}}}", "body_disk")
   refused("{\"scene_axle\": {\"body\": 1, \"friction\": 2}}", "friction")
+  # Latin-1 and UTF-8 alike; a session's own strings count as UTF-8.
+  key <- "{\"scene_axle\": {\"body\": 1, \"tor\u00e7ue\": 2}}"
+  refused(key, "tor\u00e7ue")
+  refused(iconv(key, "UTF-8", "latin1"), "tor\u00e7ue")
+  unmarked <- key
+  Encoding(unmarked) <- "unknown"
+  refused(unmarked, "tor\u00e7ue")
   refused("{\"scene_axel\": {\"body\": 1}}", "scene_axle")
   refused("{\"scene_axle\": {}}", "scene_axle")
   refused("{\"scene_axle\": 3}", "object")

@@ -35,7 +35,7 @@ test_that("noise with a memory is found, white noise is left white", {
   time <- seq(0, 20, by = 0.05)
   j <- cbind(cos(time), sin(time))
   ar <- as.double(stats::arima.sim(list(ar = exp(-0.05 / 0.3)), 401))
-  expect_equal(find_noise(time, j, ar)[["tau_s"]], 0.3, tolerance = 0.5)
+  expect_within(find_noise(time, j, ar)[["tau_s"]], 0.3, 0.5)
   white <- replicate(20, find_noise(time, j, stats::rnorm(401))[["tau_s"]])
   expect_gte(sum(white == 0), 15)
 })

@@ -87,7 +87,7 @@ test_that("dplyr verbs keep the class while the key columns stand", {
 
 test_that("the error figure holds for any of the rows; of changed values it is unknown", {
   motion <- spin_up(time_s = 0:8)
-  expect_equal(run_of(motion[1:2, ])$info$error, run_of(motion)$info$error)
+  expect_identical(run_of(motion[1:2, ])$info$error, run_of(motion)$info$error)
   motion$omega_rad_per_s[3] <- 1
   expect_true(is.na(run_of(motion)$info$error))
   expect_match(format(motion)[4], "unknown")

@@ -73,6 +73,11 @@ static void check_range(void) {
   check_row(0, 6e-100, 1.0, 1e-100, 3e-100, 4e-100, 3);
   partition(2.0, 1.0, 3.0, 1e200);
   ROT_CHECK(result[2][0] == INFINITY && result[4][0] == INFINITY);
+  /* A rotational part that is a double where the translational one has lost its digits. */
+  partition(1e-300, 1.0, 1e300, 1e-10);
+  check_row(0, 1.0, 1e-10, 5e-321, 5e-21, 5e-21, 3);
+  partition(1e300, 1.0, 1e-300, 1e10);
+  check_row(0, 1.0, 1e10, INFINITY, 5e19, INFINITY, 3);
 }
 
 static void check_nan(void) {
