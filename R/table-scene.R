@@ -18,6 +18,8 @@ columns_of_motion <- function(id, more = FALSE) {
 
 # The scene that a constructor describes, from the environment of its arguments.
 scene_of_inputs <- function(id, call) {
+  scene <- .Call(ffi_scene_describe, id, registry[[paste0("rot_scene_", id)]]$form, call)
+  if (!is.null(scene)) return(scene)
   inputs <- core_table(id)$inputs
   check_supplied(names(inputs)[vapply(inputs, `[[`, NA, "required")], call)
   scene <- Map(

@@ -110,9 +110,9 @@ grep -E "(^|[^A-Za-z0-9_])gsl_|[<\"]gsl/" "$work/glue" |
 api='R_(CallMethodDef|CheckStack|CheckUserInterrupt|ContinueUnwind|DimNamesSymbol|FINITE|GlobalEnv)
 R_RegisterCCallable
 R_(MakeUnwindCont|NaN|NO_REMAP|NamesSymbol|NilValue|PosInf|PreserveObject|ReleaseObject)
-R_UnwindProtect
+R_(ClassSymbol|DimSymbol|UnwindProtect)
 Rf_(Scalar(Integer|Logical|Real|String)|alloc(Matrix|Vector)|as(Integer|Logical|Real)|duplicate)
-Rf_(error|eval|getAttrib|inherits|is(Function|Matrix|Null|Object)|lang[23]|length)
+Rf_(error|eval|getAttrib|inherits|install|is(Function|Matrix|Null|Object)|lang[23]|length)
 Rf_(mk(Char|CharLenCE|Named|String)|ncols|nrows|setAttrib|translateCharUTF8|xlength)'
 hidden='ATTRIB|BODY|CLOENV|DATAPTR|ENCLOS|ENVFLAGS|EXTPTR_(PROT|PTR|TAG)|FORMALS|FRAME|HASHTAB'
 hidden="$hidden|IS_S4_OBJECT|LEVELS|NAMED|OBJECT|PR(CODE|ENV|VALUE)|STDVEC_DATAPTR|STRING_PTR"

@@ -99,3 +99,29 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
   }
   return 0;
 }
+
+/* One of the options, or all of them, as in a default. */
+static SEXP plain_choice(const rot_input *input, SEXP x) {
+  const R_xlen_t n = XLENGTH(x);
+  if (n == 1) return x;
+  for (R_xlen_t i = 0; i < n; i++) {
+    if (!input->options[i] || strcmp(CHAR(STRING_ELT(x, i)), input->options[i])) return NULL;
+  }
+  return n && !input->options[n] ? Rf_mkString(input->options[0]) : NULL;
+}
+
+SEXP ffi_input_plain(const rot_input *input, SEXP x) {
+  const unsigned kinds = input->kinds;
+  if (Rf_isNull(x)) return input->required ? NULL : x;
+  if (Rf_inherits(x, "rot_body")) return kinds & ROT_INPUT_BODY ? x : NULL;
+  if (Rf_isObject(x) || !Rf_isNull(Rf_getAttrib(x, R_NamesSymbol)) ||
+      !Rf_isNull(Rf_getAttrib(x, R_DimSymbol))) {
+    return NULL;
+  }
+  if (TYPEOF(x) == STRSXP) return kinds & ROT_INPUT_CHOICE ? plain_choice(input, x) : NULL;
+  if (!(kinds & NUMBERS)) return NULL;
+  if (TYPEOF(x) == INTSXP && XLENGTH(x) == 1 && INTEGER_RO(x)[0] != NA_INTEGER) {
+    return Rf_ScalarReal(INTEGER_RO(x)[0]);
+  }
+  return TYPEOF(x) == REALSXP ? x : NULL;
+}

@@ -15,6 +15,9 @@ typedef struct ffi_laws {
 /* What was given for input i: 1, or 0 where x is nothing that it takes. NULL: not given. It lives
  * as long as x, and until the call from R ends. Without `laws` a function is only marked. */
 int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws, rot_given *to);
+/* An argument of R as scenes have it, or NULL (of C) where R must look at it first: numbers with
+ * names or units, functions, what is wrong. */
+SEXP ffi_input_plain(const rot_input *input, SEXP x);
 /* What such an input must be, in the words of R/form.R; "body": a body. */
 const char *ffi_input_form(const rot_input *input);
 

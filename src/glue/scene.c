@@ -106,6 +106,75 @@ static double derived(const rot_constraint *c, const void *built, size_t i) {
   return x;
 }
 
+static SEXP fault_of_scene(const rot_constraint *c, SEXP form, SEXP scene);
+
+/* missing(name), in the frame of a constructor. */
+static int is_missing(SEXP name, SEXP env) {
+  SEXP call = PROTECT(Rf_lang2(Rf_install("missing"), name));
+  const int missing = Rf_asLogical(Rf_eval(call, env)) != 0;
+  UNPROTECT(1);
+  return missing;
+}
+
+/* An empty scene: its inputs, then what follows from them. */
+static SEXP new_scene(const rot_constraint *c) {
+  const char *names[2 * ROT_MOST_INPUTS + 1], *classes[] = {NULL, "rot_scene"};
+  char of[64];
+  size_t n = 0;
+  while (n < c->n_inputs) {
+    names[n] = c->inputs[n].name;
+    n++;
+  }
+  for (size_t i = 0; i < c->n_derived; i++) {
+    if (rot_input_named(c->n_inputs, c->inputs, c->derived[i].name) == c->n_inputs) {
+      names[n++] = c->derived[i].name;
+    }
+  }
+  names[n] = "";
+  SEXP scene = PROTECT(Rf_mkNamed(VECSXP, names));
+  (void)snprintf(of, sizeof of, "rot_%s", c->constructor);
+  classes[0] = of;
+  Rf_setAttrib(scene, R_ClassSymbol, texts(2, classes));
+  UNPROTECT(1);
+  return scene;
+}
+
+static R_xlen_t place_of(SEXP list, const char *name) {
+  SEXP names = Rf_getAttrib(list, R_NamesSymbol);
+  R_xlen_t i = 0;
+  while (strcmp(CHAR(STRING_ELT(names, i)), name)) i++;
+  return i;
+}
+
+/* The scene that a constructor describes, from the frame of its arguments. NULL where R must look
+ * at one of them: it takes units, and says what is wrong. */
+SEXP ffi_scene_describe(SEXP id, SEXP form, SEXP env) {
+  const rot_constraint *c = ffi_constraint(id);
+  void *built = R_alloc(1, (int)c->scene_size);
+  rot_refusal no;
+  if (TYPEOF(env) != ENVSXP) Rf_error("internal: `env`");
+  SEXP scene = PROTECT(new_scene(c)), out = R_NilValue;
+  for (size_t i = 0; i < c->n_inputs; i++) {
+    SEXP name = Rf_install(c->inputs[i].name);
+    if (c->inputs[i].required && is_missing(name, env)) break;
+    SEXP x = PROTECT(Rf_eval(name, env)), plain = ffi_input_plain(&c->inputs[i], x);
+    if (plain) SET_VECTOR_ELT(scene, (R_xlen_t)i, plain);
+    UNPROTECT(1);
+    if (!plain) break;
+    if (i + 1 == c->n_inputs) out = scene;
+  }
+  if (Rf_isNull(out) || read_scene(c, scene, NULL, built, &no) != ROT_OK) {
+    UNPROTECT(1);
+    return R_NilValue;
+  }
+  for (size_t i = 0; i < c->n_derived; i++) {
+    SET_VECTOR_ELT(scene, place_of(scene, c->derived[i].name), Rf_ScalarReal(derived(c, built, i)));
+  }
+  if (!Rf_isNull(fault_of_scene(c, form, scene))) out = R_NilValue;
+  UNPROTECT(1);
+  return out;
+}
+
 /* The numbers that follow from the inputs, by name; or c(input, reason) of the first input that is
  * refused. */
 SEXP ffi_scene_derived(SEXP id, SEXP scene) {
