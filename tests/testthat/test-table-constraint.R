@@ -53,3 +53,38 @@ test_that("calls of the glue with damaged scenes are errors", {
   expect_error(.Call(ffi_scene_table, "nothing"), "no such")
   expect_null(.Call(ffi_scene_table, "axle"))
 })
+
+test_that("plain arguments, and those that R looks at first, give the same scene", {
+  plain <- scene_hoop(0.05, 0.2, 9, theta0_rad = 1, static_friction = 0.1)
+  named <- scene_hoop(c(m = 0.05), 0.2, 9, theta0_rad = 1L, static_friction = 0.1)
+  expect_identical(named, plain)
+  expect_identical(plain$kinetic_friction, 0.1)
+  expect_type(scene_hoop(1L, 2L, 3L)$mass_kg, "double")
+  ball <- body_sphere(6, 0.11)
+  expect_identical(
+    scene_incline(ball, 10L, v0_m_per_s = 2, force_n = NULL),
+    scene_incline(ball, c(a = 10), v0_m_per_s = 2)
+  )
+  expect_identical(scene_incline(ball, 10, v0_m_per_s = 2)$omega0_rad_per_s, 2 / 0.11)
+  chain <- scene_chain(c(1, 2), 1, 0.1)
+  expect_identical(chain$links, "rods")
+  expect_identical(scene_chain(c(a = 1, b = 2), 1, 0.1, links = "rods"), chain)
+  if (requireNamespace("units", quietly = TRUE)) {
+    expect_identical(
+      scene_hoop(units::set_units(50, "g"), 0.2, 9, theta0_rad = 1, static_friction = 0.1), plain
+    )
+  }
+  # Promises are evaluated once; what they raise arrives as it is.
+  calls <- 0
+  scene_hoop({
+    calls <- calls + 1
+    0.05
+  }, 0.2, 9)
+  expect_identical(calls, 1)
+  expect_error(scene_hoop(stop("mine"), 0.2, 9), "mine")
+  later <- function(mass) scene_hoop(mass, 0.2, 9)
+  expect_error(later(), class = "rotdyn_error_missing")
+  expect_error(scene_hoop(radius_m = 0.2, hoop_omega_rad_per_s = 9), class = "rotdyn_error_missing")
+  expect_error(scene_hoop(TRUE, 0.2, 9), class = "rotdyn_error_type")
+  expect_error(scene_hoop(NULL, 0.2, 9), class = "rotdyn_error_type")
+})
