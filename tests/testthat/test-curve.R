@@ -260,6 +260,26 @@ test_that("the figure of a turn on a steep, narrow barrier holds the rounding of
   expect_lt(summary(motion)$error, 1e-9)
 })
 
+test_that("the figure of a short way holds the rounding of the height, whose terms are larger", {
+  # Times of rows 2 to 4 in quadruple precision (bench/coverage/curves.c). The body falls by 1e-3 of
+  # the height, and the slope times x is as large as that.
+  short <- function(x) {
+    1.1818226145516417 - 0.79227519256528467 * x - 0.36275069733621557 * x^2 -
+      0.079133183972083063 * sin(3.2999695960603446 * x - 1.9996296772733331) -
+      0.0021301541180086085 * exp(-((x - 0.13285832891928329) / 4.4274392595360928e-05)^2)
+  }
+  motion <- roll_on_curve(
+    short, 0.13224585475662001, 0.13344270708969758, 0.5, rows = 9, gravity_m_per_s2 = 1.5,
+    finest = 1e-4
+  )
+  true_s <- c(0.024545859221265683, 0.034713680098733768, 0.042516186061930542)
+  off <- max(abs(motion$time_s[2:4] - true_s)) / max(true_s)
+  expect_identical(summary(motion)$event, "leaves")
+  # An estimate: it was 1/14 of the error.
+  expect_lt(off, 2 * summary(motion)$error)
+  expect_lt(summary(motion)$error, 1e-12)
+})
+
 test_that("errors of curves", {
   expect_error(roll_on_curve(cos, 0, 3), class = "rotdyn_error_value") # level at the start
   expect_error(roll_on_curve(cos, -1, 3), class = "rotdyn_error_value") # uphill

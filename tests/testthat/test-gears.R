@@ -270,3 +270,17 @@ test_that("the error of a train covers where a power flow changes its direction"
     expect_lte(max(abs(motion$omega_rad_per_s - truth[[loss]])), error)
   }
 })
+
+# In 40 digits, as above: two power flows change their direction at 6.0692 and 6.0683 rad/s.
+test_that("the error of a train covers two changes of power flows that lie close together", {
+  motion <- trajectory(scene_gears(
+    c(0.75, 0.73, 1.68), c(1, 1), efficiency = 1 - c(1e-5, 1e-8), torque_n_m = c(3.7, 2.8, -6.6),
+    viscous_n_m_s = c(1.43, 1.26, 0.75), omega0_rad_per_s = 10
+  ), c(0.2, 0.5, 1, 2))
+  truth <- c(
+    8.0378055416486358, 5.7902528407416813, 3.347565346436594, 1.1077875061826499
+  )
+  error <- attr(motion, "run")$info$errors[["omega"]]
+  expect_lt(error, 1e-13)
+  expect_lte(max(abs(motion$omega_rad_per_s - truth)), error)
+})
