@@ -39,8 +39,7 @@ SEXP ffi_coast_rows(SEXP list, SEXP parameters, SEXP start, SEXP times) {
  * them. */
 SEXP ffi_coast_fit(SEXP list, SEXP search) {
   static const char *const names[] = {
-      "p",        "covariance", "numbers", "bounded", "bounded_covariance", "bounded_numbers",
-      "at_bound", "residual",   "factor",  ""};
+      "p", "covariance", "numbers", "bounded", "bounded_numbers", "residual", "factor", ""};
   rot_coast_record record;
   SEXP times = ffi_element(list, "time_s");
   const R_xlen_t n = XLENGTH(times);
@@ -86,17 +85,13 @@ SEXP ffi_coast_fit(SEXP list, SEXP search) {
                             (double)fit.runout_columns,
                             fit.runout_size[0],
                             fit.runout_size[1]};
-  const double other[] = {bounded.squares, bounded.sigma, bounded.condition, (double)bounded.free};
-  double held[3];
-  for (int i = 0; i < 3; i++) held[i] = status == ROT_OK && at_bound[i];
+  const double other[] = {bounded.squares, bounded.sigma};
   const ffi_vector parts[] = {{ALL, fit.p},
                               {ALL * ALL, fit.covariance[0]},
                               {15, numbers},
                               {ALL, bounded.p},
-                              {ALL * ALL, bounded.covariance[0]},
-                              {4, other},
-                              {3, held},
+                              {2, other},
                               {searches && status == ROT_OK ? (int)n : 0, residual},
                               {ALL * ALL, fit.factor[0]}};
-  return ffi_vectors(9, names, parts);
+  return ffi_vectors(7, names, parts);
 }

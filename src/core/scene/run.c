@@ -214,6 +214,10 @@ static void add_moved(const rot_constraint *c, const void *scene, const rot_span
   for (size_t b = 0; b < c->n_balances; b++) explained[b] += fabs(by[b]);
 }
 
+/* An error that is an estimate holds in 95 of 100 motions; of 300 stiff chains one was off by 1.9
+ * times what it explained. */
+enum { EXPLAINS = 2 };
+
 rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_span *span,
                          double term[], double explained[]) {
   const size_t copies = rot_run_copies(c, scene), cells = c->n_columns * copies;
@@ -229,11 +233,11 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
   for (size_t i = 0; i < 2 * cells; i++) {
     const size_t measure = c->columns[i % cells / copies].measure;
     if (!measure) continue;
-    const double error = span->error[measure - 1] + DBL_EPSILON * fabs(ends[i]);
+    const double error = EXPLAINS * span->error[measure - 1] + DBL_EPSILON * fabs(ends[i]);
     add_moved(c, scene, &own, term, &ends[i], error, explained);
   }
   for (size_t k = 0; k < c->n_flows; k++) {
-    add_moved(c, scene, &own, term, &flow[k], span->flow_error[k], explained);
+    add_moved(c, scene, &own, term, &flow[k], EXPLAINS * span->flow_error[k], explained);
   }
   for (size_t k = 0; k < c->n_terms; k++) {
     explained[c->terms[k].balance] += 8.0 * DBL_EPSILON * fabs(term[k]);
