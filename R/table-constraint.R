@@ -173,8 +173,8 @@ table_flows <- function(table, run, time_s) {
   )
 }
 
-# The cells of the rows at one time, of a list of columns: by column, each with its copies; NULL where
-# rows are missing.
+# The cells of the rows at one time, of a list of columns: by column, each with its copies; NULL
+# where rows are missing.
 table_cells <- function(table, x, time_s, copies) {
   rows <- which(x$time_s == time_s)
   rows <- if (is.null(table$index)) rows[1] else {
