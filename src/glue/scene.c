@@ -106,7 +106,34 @@ static double derived(const rot_constraint *c, const void *built, size_t i) {
   return x;
 }
 
-static SEXP fault_of_scene(const rot_constraint *c, SEXP form, SEXP scene);
+/* NULL, or the name of an input that is refused, or of a number that does not follow from them. */
+static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
+  void *built = R_alloc(1, (int)c->scene_size);
+  rot_refusal no;
+  if (read_scene(c, scene, NULL, built, &no) != ROT_OK) return c->inputs[no.input].name;
+  for (size_t i = 0; i < c->n_derived; i++) {
+    SEXP x = ffi_element(scene, c->derived[i].name);
+    if (TYPEOF(x) == REALSXP && XLENGTH(x) == 1 && REAL_RO(x)[0] == derived(c, built, i)) continue;
+    return c->derived[i].name;
+  }
+  return NULL;
+}
+
+/* The scene last found sound. It is kept, so R copies it before it is changed, and an equal pointer
+ * means an equal scene. */
+static SEXP sound = NULL;
+
+static SEXP fault_of_scene(const rot_constraint *c, SEXP form, SEXP scene) {
+  if (scene == sound) return R_NilValue;
+  SEXP fault = ffi_form_fault(scene, form);
+  if (!Rf_isNull(fault)) return fault;
+  const char *part = ffi_scene_by_table(c) ? fault_of_inputs(c, scene) : NULL;
+  if (part) return Rf_mkString(part);
+  R_PreserveObject(scene);
+  if (sound) R_ReleaseObject(sound);
+  sound = scene;
+  return R_NilValue;
+}
 
 /* missing(name), in the frame of a constructor. */
 static int is_missing(SEXP name, SEXP env) {
@@ -194,35 +221,6 @@ SEXP ffi_scene_derived(SEXP id, SEXP scene) {
   }
   UNPROTECT(1);
   return out;
-}
-
-/* NULL, or the name of an input that is refused, or of a number that does not follow from them. */
-static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
-  void *built = R_alloc(1, (int)c->scene_size);
-  rot_refusal no;
-  if (read_scene(c, scene, NULL, built, &no) != ROT_OK) return c->inputs[no.input].name;
-  for (size_t i = 0; i < c->n_derived; i++) {
-    SEXP x = ffi_element(scene, c->derived[i].name);
-    if (TYPEOF(x) == REALSXP && XLENGTH(x) == 1 && REAL_RO(x)[0] == derived(c, built, i)) continue;
-    return c->derived[i].name;
-  }
-  return NULL;
-}
-
-/* The scene last found sound. It is kept, so R copies it before it is changed, and an equal pointer
- * means an equal scene. */
-static SEXP sound = NULL;
-
-static SEXP fault_of_scene(const rot_constraint *c, SEXP form, SEXP scene) {
-  if (scene == sound) return R_NilValue;
-  SEXP fault = ffi_form_fault(scene, form);
-  if (!Rf_isNull(fault)) return fault;
-  const char *part = ffi_scene_by_table(c) ? fault_of_inputs(c, scene) : NULL;
-  if (part) return Rf_mkString(part);
-  R_PreserveObject(scene);
-  if (sound) R_ReleaseObject(sound);
-  sound = scene;
-  return R_NilValue;
 }
 
 /* NULL, or the path of a part that does not fit the form, or does not fit the others. */
