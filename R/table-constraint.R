@@ -68,7 +68,7 @@ table_more_names <- function(table, scene) {
 
 # What C calls for the functions among the inputs: f with so many arguments, each one number, or a
 # complaint about what it returned.
-table_laws <- function(id, scene, call) {
+table_laws <- function(scene, call) {
   inputs <- constraint_of(scene)$inputs
   laws <- Filter(is.function, unclass(scene)[names(inputs)])
   Map(function(f, name) {
@@ -96,7 +96,7 @@ table_model <- function(id, model, words) {
     },
     run = function(scene, time_s, accuracy, max_steps, call, asked, flows = FALSE,
                    event_rows = FALSE) {
-      laws <- table_laws(id, scene, call)
+      laws <- table_laws(scene, call)
       resolution <- if (length(laws)) resolution_of(scene) else 0
       control <- c(accuracy, max_steps, asked, resolution, flows, event_rows)
       result <- .Call(

@@ -25,19 +25,18 @@ const rot_balance rot_incline_balances[ROT_INCLINE_KEPT] = {
     [SPIN] = {"angular_momentum", "the centre of mass", "kg m^2/s"},
     [SPIN_AT_SLOPE] = {"angular_momentum", "a point of the slope", "kg m^2/s"}};
 
-#define OUTER (ROT_INCLINE_DRAG | ROT_INCLINE_QUADRATIC | ROT_INCLINE_FORCE)
 const rot_balance_term rot_incline_terms[ROT_INCLINE_TERMS] = {
     {ENERGY, ROT_CHANGE, "change of translational energy", 0},
     {ENERGY, ROT_CHANGE, "change of rotational energy", 0},
     {ENERGY, ROT_SUPPLIED, "work of gravity", 0},
-    {ENERGY, ROT_SUPPLIED, "work of the force", OUTER},
+    {ENERGY, ROT_SUPPLIED, "work of the force", ROT_INCLINE_OUTER},
     {ENERGY, ROT_DISSIPATED, "heat of friction", 0},
     {ENERGY, ROT_DISSIPATED, "heat of rolling resistance", 0},
-    {ENERGY, ROT_DISSIPATED, "heat of air drag", OUTER},
+    {ENERGY, ROT_DISSIPATED, "heat of air drag", ROT_INCLINE_OUTER},
     {MOMENTUM, ROT_CHANGE, "change of momentum", 0},
     {MOMENTUM, ROT_SUPPLIED, "impulse of gravity", 0},
     {MOMENTUM, ROT_SUPPLIED, "impulse of friction", 0},
-    {MOMENTUM, ROT_SUPPLIED, "impulse of air drag and the force", OUTER},
+    {MOMENTUM, ROT_SUPPLIED, "impulse of air drag and the force", ROT_INCLINE_OUTER},
     {SPIN, ROT_CHANGE, "change of angular momentum", 0},
     {SPIN, ROT_SUPPLIED, "impulse of friction", 0},
     {SPIN, ROT_DISSIPATED, "impulse of rolling resistance", 0}};
@@ -48,39 +47,43 @@ static double pull_of(const rot_incline_params *p) {
   return p->mass_kg * p->gravity_m_per_s2 * rot_sin_deg(p->angle_deg);
 }
 
-void rot_incline_flow(const rot_incline_params *p, const rot_incline_place *at, int exact,
-                      double value[]) {
-  const double pull = pull_of(p);
-  value[ROT_INCLINE_WORK] = pull == 0.0 ? 0.0 : pull * (at->x_m - p->x0_m);
-  value[ROT_INCLINE_GRAVITY_IMPULSE] = pull == 0.0 ? 0.0 : pull * (at->time_s - p->start_s);
-  value[ROT_INCLINE_SLIP_HEAT] = at->slip_heat_j;
-  value[ROT_INCLINE_ROLLING_HEAT] = at->rolling_heat_j;
-  memcpy(value + ROT_INCLINE_SUM, at->sum, sizeof at->sum);
-  if (!exact) return;
-  rot_incline_ledger of;
-  const int known = rot_incline_flows(p, p->start_s, at->time_s, &of) == ROT_OK;
-  value[ROT_INCLINE_WORK] = known ? of.work_j : NAN;
-  value[ROT_INCLINE_FRICTION_IMPULSE] = of.friction_impulse_n_s;
-  value[ROT_INCLINE_RESISTANCE_IMPULSE] = of.resistance_impulse_n_m_s;
-}
-
-void rot_incline_flow_errors(const rot_incline_params *p, const rot_incline_place *at,
-                             const rot_info *info, const double value[], double error[]) {
+/* Of what a run has summed up. */
+static void errors_of(const rot_incline_params *p, const rot_incline_place *at,
+                      const rot_info *info, const double value[], double error[]) {
   const double weight = p->mass_kg * p->gravity_m_per_s2, pull = fabs(pull_of(p));
-  const double span = at->time_s - p->start_s, late = fmax(fabs(at->time_s), fabs(p->start_s));
   const double x_error = info->measure[ROT_INCLINE_X].error;
   /* A path that is off by x counts in the heat by what friction does along it. */
   const double off = 4.0 * (x_error + p->radius_m * info->measure[ROT_INCLINE_THETA].error);
   const double mu = fmin(p->mu_kinetic, 1e300), arm = fmin(p->arm_m / p->radius_m, 1e300);
   for (int k = 0; k < ROT_INCLINE_FLOWS; k++) {
     error[k] = 8.0 * ROT_EPS * fabs(value[k]);
-    /* Of an impulse the rounding of its times. */
-    if (k >= ROT_INCLINE_FRICTION_IMPULSE && span > 0.0) error[k] *= 1.0 + late / span;
   }
   error[ROT_INCLINE_WORK] += pull * (x_error + 4.0 * ROT_EPS * fabs(at->x_m - p->x0_m));
-  error[ROT_INCLINE_GRAVITY_IMPULSE] += 8.0 * ROT_EPS * pull * late;
+  error[ROT_INCLINE_GRAVITY_IMPULSE] +=
+      8.0 * ROT_EPS * pull * fmax(fabs(at->time_s), fabs(p->start_s));
   if (at->slip_heat_j != 0.0) error[ROT_INCLINE_SLIP_HEAT] += mu * weight * off;
   if (at->rolling_heat_j != 0.0) error[ROT_INCLINE_ROLLING_HEAT] += arm * weight * off;
+}
+
+void rot_incline_flow(const rot_incline_params *p, const rot_incline_place *at, int exact,
+                      const rot_info *info, double value[], double error[]) {
+  const double pull = pull_of(p);
+  value[ROT_INCLINE_WORK] = pull == 0.0 ? 0.0 : pull * (at->x_m - p->x0_m);
+  value[ROT_INCLINE_GRAVITY_IMPULSE] = pull == 0.0 ? 0.0 : pull * (at->time_s - p->start_s);
+  value[ROT_INCLINE_SLIP_HEAT] = at->slip_heat_j;
+  value[ROT_INCLINE_ROLLING_HEAT] = at->rolling_heat_j;
+  memcpy(value + ROT_INCLINE_SUM, at->sum, sizeof at->sum);
+  errors_of(p, at, info, value, error);
+  if (!exact) return;
+  rot_incline_ledger of;
+  const int known = rot_incline_flows(p, p->start_s, at->time_s, &of) == ROT_OK;
+  value[ROT_INCLINE_WORK] = known ? of.work_j : NAN;
+  value[ROT_INCLINE_FRICTION_IMPULSE] = of.friction_impulse_n_s;
+  value[ROT_INCLINE_RESISTANCE_IMPULSE] = of.resistance_impulse_n_m_s;
+  error[ROT_INCLINE_WORK] = of.work_rounding_j;
+  error[ROT_INCLINE_GRAVITY_IMPULSE] = of.gravity_rounding_n_s;
+  error[ROT_INCLINE_FRICTION_IMPULSE] = of.friction_rounding_n_s;
+  error[ROT_INCLINE_RESISTANCE_IMPULSE] = of.resistance_rounding_n_m_s;
 }
 
 /* ---- balances -------------------------------------------------------------------------------- */

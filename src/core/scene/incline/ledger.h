@@ -32,12 +32,10 @@ typedef struct rot_incline_place {
   double sum[ROT_INCLINE_FLOWS - ROT_INCLINE_SUM];
 } rot_incline_place;
 
-/* `exact`: sums and work by the closed form. NaN where that fails. */
+/* The flows, and their errors by rounding and by those of the measures in `info`. `exact`: sums and
+ * work by the closed form, NaN where that fails. */
 void rot_incline_flow(const rot_incline_params *p, const rot_incline_place *at, int exact,
-                      double value[]);
-/* Of those values: by rounding and by the errors of the measures. */
-void rot_incline_flow_errors(const rot_incline_params *p, const rot_incline_place *at,
-                             const rot_info *info, const double value[], double error[]);
+                      const rot_info *info, double value[], double error[]);
 
 /* rot_constraint.audit and .keeps */
 void rot_incline_audit(const void *scene, const rot_span *span, double term[]);

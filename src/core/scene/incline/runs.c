@@ -6,8 +6,6 @@
 
 #include "scene/incline/ledger.h"
 
-#define OUTER (ROT_INCLINE_DRAG | ROT_INCLINE_QUADRATIC | ROT_INCLINE_FORCE)
-
 const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS] = {
     {"x_m", 0, 0, "m", 1 + ROT_INCLINE_X},
     {"v_m_per_s", 0, 0, "m/s", 1 + ROT_INCLINE_V},
@@ -21,9 +19,9 @@ const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS] = {
     {"slip_heat_j", 0, 0, "J", 0},
     {"rolling_heat_j", 0, 0, "J", 0},
     {"rolling", 1, 0, "", 0},
-    {"drag_force_n", 0, OUTER, "N", 0},
-    {"applied_force_n", 0, OUTER, "N", 0},
-    {"drag_heat_j", 0, OUTER, "J", 0}};
+    {"drag_force_n", 0, ROT_INCLINE_OUTER, "N", 0},
+    {"applied_force_n", 0, ROT_INCLINE_OUTER, "N", 0},
+    {"drag_heat_j", 0, ROT_INCLINE_OUTER, "J", 0}};
 enum { DRAG_FORCE = ROT_INCLINE_ALL_COLUMNS - 3, APPLIED_FORCE, DRAG_HEAT };
 
 static rot_incline_columns columns_of(void *const column[]) {
@@ -41,8 +39,7 @@ static rot_incline_columns columns_of(void *const column[]) {
 static void fill_flows(const rot_incline_params *p, const rot_incline_place *at, int exact,
                        const rot_info *info, const rot_rows *rows, size_t i) {
   double value[ROT_INCLINE_FLOWS], error[ROT_INCLINE_FLOWS];
-  rot_incline_flow(p, at, exact, value);
-  rot_incline_flow_errors(p, at, info, value, error);
+  rot_incline_flow(p, at, exact, info, value, error);
   for (int k = 0; k < ROT_INCLINE_FLOWS; k++) {
     rows->flow[k][i] = value[k];
     rows->flow_error[k] = fmax(rows->flow_error[k], error[k]);
@@ -51,7 +48,8 @@ static void fill_flows(const rot_incline_params *p, const rot_incline_place *at,
 
 /* Rows at events, which it frees. */
 static rot_status give_event_rows(const rot_incline_params *p, rot_incline_event_rows *from,
-                                  int exact, rot_event_rows *to) {
+                                  int exact, const rot_info *info, rot_event_rows *to) {
+  double error[ROT_INCLINE_FLOWS]; /* that of the rows is at least as large */
   rot_status status = ROT_OK;
   for (size_t i = 0; i < from->count && status == ROT_OK; i++) {
     const rot_incline_row *row = &from->row[i];
@@ -73,7 +71,7 @@ static rot_status give_event_rows(const rot_incline_params *p, rot_incline_event
                                   {row->applied_work_j, row->drag_heat_j, row->friction_impulse_n_s,
                                    row->drag_impulse_n_s, row->applied_impulse_n_s,
                                    row->resistance_impulse_n_m_s}};
-    rot_incline_flow(p, &at, exact, value);
+    rot_incline_flow(p, &at, exact, info, value, error);
   }
   rot_incline_event_rows_free(from);
   return status;
@@ -92,7 +90,7 @@ static rot_status run_exact(const void *of, const rot_task *task, rot_method met
         task->time_s[i], out.x_m[i], out.slip_heat_j[i], out.rolling_heat_j[i], {0.0}};
     fill_flows(p, &at, 1, info, rows, i);
   }
-  const rot_status given = give_event_rows(p, &log, 1, rows->at_events);
+  const rot_status given = give_event_rows(p, &log, 1, info, rows->at_events);
   return info->status = ran == ROT_OK ? given : ran;
 }
 
@@ -152,7 +150,7 @@ static rot_status run_integrated(const void *of, const rot_task *task, rot_metho
     rows->flow_error[ROT_INCLINE_SLIP_HEAT] += sums.error[6];
     rows->flow_error[ROT_INCLINE_ROLLING_HEAT] += sums.error[7];
   }
-  const rot_status given = give_event_rows(&scene->slope, &log, 0, rows->at_events);
+  const rot_status given = give_event_rows(&scene->slope, &log, 0, info, rows->at_events);
   free(memory);
   return info->status = ran == ROT_OK ? given : ran;
 }
