@@ -11,6 +11,7 @@
 #include "engine/ode/growth.h"
 #include "engine/ode/kink.h"
 #include "engine/ode/law.h"
+#include "engine/ode/norm.h"
 #include "engine/ode/rest.h"
 #include "engine/ode/rows.h"
 #include "engine/ode/step.h"
@@ -236,7 +237,11 @@ static int is_unresolved(const rot_ode_march *run, double error) {
 }
 
 static void note_error(rot_ode_march *run, double error) {
+  const size_t steering = rot_ode_steering(run->p);
   run->found += error;
+  for (size_t m = steering; m < rot_ode_measures(run->p); m++) {
+    run->missed[m] += rot_ode_rate(rot_ode_group_of(run->p, m), run->trial_error);
+  }
   if (!is_unresolved(run, error)) return;
   /* Radau's test is that of order 5, its result of order 9. */
   const double missed = run->method == ROT_METHOD_RADAU ? pow(error, 1.2) : error;

@@ -110,6 +110,7 @@ typedef struct rot_ode_march {
   double *largest;                /* the caller's: size of each measure so far */
   double *moved;                  /* by the projection, summed, each measure */
   double found;                   /* errors that the test found in the steps, their sum */
+  double *missed;                 /* of each integral, likewise: no test weighs them */
   double unresolved;              /* of steps where halving did not help, the sum of squares */
   const rot_ode_trace *guide;     /* steps to be divided into `parts`; NULL: the error test rules */
   size_t parts;
