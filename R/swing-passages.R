@@ -44,7 +44,7 @@ find_swings <- function(time, y, kind, restoring) {
     segment = 0, time_s = (found$passages[j] + found$passages[j + 2L]) / 2, period_s = period,
     amplitude_rad = peak_amplitude(peak, period, kind, restoring), from = found$passages[j],
     to = found$passages[j + 2L], first = heights[j], second = heights[j + 1L],
-    peak_noise = peak_noise(heights), turns = peak * period,
+    first_spread = found$spreads[j], second_spread = found$spreads[j + 1L], peak_noise = peak_noise(heights), turns = peak * period,
     sound = found$sound[j] & found$sound[j + 1L] & found$sound[j + 2L]
   )
   list(
@@ -126,9 +126,9 @@ find_passages <- function(time, y) {
   last <- findInterval(passages, time)
   peaks <- vapply(seq_len(length(passages) - 1L), function(k) {
     local_peak(time, y, if (last[k + 1L] >= first[k]) first[k]:last[k + 1L], half)
-  }, c(0, 0))
+  }, c(0, 0, 0))
   list(
-    passages = passages, peaks = peaks[2, ], times = peaks[1, ],
+    passages = passages, peaks = peaks[2, ], times = peaks[1, ], spreads = peaks[3, ],
     # A peak that no sample saw, or a passage in a gap.
     sound = gap < 0.7 * half & c(is.finite(peaks[2, ]), TRUE) & c(TRUE, is.finite(peaks[2, ]))
   )
@@ -164,22 +164,30 @@ local_root <- function(time, y, before, after, rough, half) {
 }
 
 # Time and value of the extreme of a quartic through the samples within a quarter of a half swing
-# from the highest.
+# from the highest, and the error of the value over that of a sample. Where samples are far apart, the
+# quartic of a sinusoid misses its top by 1e-3: the value is as much larger or smaller.
 local_peak <- function(time, y, rows, half) {
-  if (!length(rows)) return(c(NA_real_, NA_real_))
+  if (!length(rows)) return(c(NA_real_, NA_real_, NA_real_))
   top <- rows[which.max(abs(y[rows]))]
   near <- c(
     rows_within(time, time[top] - 0.25 * half, time[top] + 0.25 * half),
     max(1L, top - 2L):min(length(y), top + 2L)
   )
   near <- sort(unique(near))
-  if (length(near) < 5L || diff(range(time[near])) > 1.5 * half) return(c(time[top], y[top]))
+  if (length(near) < 5L || diff(range(time[near])) > 1.5 * half) {
+    return(c(time[top], y[top], Inf))
+  }
   x <- (time[near] - time[top]) / half
-  fit <- stats::.lm.fit(outer(x, 0:4, `^`), y[near])$coefficients
+  q <- qr(outer(x, 0:4, `^`), tol = 1e-12)
+  if (q$rank < 5L) return(c(time[top], y[top], Inf))
+  fit <- qr.coef(q, y[near])
   sign <- sign(y[top])
   value <- function(s) sign * sum(fit * s^(0:4))
   best <- stats::optimize(value, range(x), maximum = TRUE, tol = 1e-8)
-  c(time[top] + half * best$maximum, sign * best$objective)
+  at <- best$maximum^(0:4)
+  top_of_cosine <- sum(qr.coef(q, cos(pi * (x - best$maximum))) * at)
+  spread <- backsolve(qr.R(q), at, transpose = TRUE)
+  c(time[top] + half * best$maximum, sign * best$objective / top_of_cosine, sqrt(sum(spread^2)))
 }
 
 # Amplitudes that no pendulum has: angles in degrees, or a body that turns over.
@@ -251,15 +259,18 @@ longest_stretch <- function(swings) {
 # ---- damping from the peaks ---------------------------------------------------------------------
 
 # Losses by least squares on the peaks of the stretch alone: those of the exact motion that starts
-# at the first peak. NULL with fewer than five peaks, or three more than what is fitted. The error
-# is that of the scatter, with the correlation of neighbours.
+# at the first peak, each by its spread. NULL with fewer than five peaks, or three more than what is
+# fitted. The error is that of the scatter, with the correlation of neighbours.
 peak_damping <- function(best, swings, kind, restoring, losses) {
   at <- best$rows
   a <- c(swings$first[at], swings$second[at[length(at)]])
+  spread <- c(swings$first_spread[at], swings$second_spread[at[length(at)]])
   n <- length(a)
   losses <- intersect(swing_losses, losses)
   k <- length(losses) + 2L
-  if (n < max(5L, k + 3L) || !all(is.finite(a)) || any(a <= 0)) return(NULL)
+  seen <- sum(is.finite(spread))
+  if (seen < max(5L, k + 3L) || !all(is.finite(a)) || any(a <= 0)) return(NULL)
+  weight <- stats::median(spread) / spread
   omega0 <- 2 * pi / best$period0
   rate <- kind == "omega_rad_per_s"
   flags <- as.double(c(restoring == "spring", rate))
@@ -295,8 +306,8 @@ peak_damping <- function(best, swings, kind, restoring, losses) {
   for (round in 1:12) {
     now <- model(p)
     if (is.null(now)) return(NULL)
-    r <- a - now$value
-    q <- qr(sweep(now$derivative, 2, scales, "*"), tol = 1e-10)
+    r <- weight * (a - now$value)
+    q <- qr(weight * sweep(now$derivative, 2, scales, "*"), tol = 1e-10)
     if (q$rank < k) return(NULL)
     step <- qr.coef(q, r)
     # No farther than the model's own range.
@@ -306,9 +317,9 @@ peak_damping <- function(best, swings, kind, restoring, losses) {
   }
   now <- model(p)
   if (is.null(now)) return(NULL)
-  r <- a - now$value
-  free <- n - k
-  rho1 <- if (sum(r^2) > 0) sum(r[-1] * r[-n]) / sum(r^2) + k / n else 0
+  r <- weight * (a - now$value)
+  free <- seen - k
+  rho1 <- if (sum(r^2) > 0) sum(r[-1] * r[-n]) / sum(r^2) + k / seen else 0
   rho1 <- min(max(rho1, 0), 0.9)
   sigma <- sqrt(sum(r^2) / free * (1 + rho1) / (1 - rho1))
   # The quartics err by some 1e-5 of a peak.
