@@ -42,67 +42,8 @@ scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m 
                          torque_1 = NULL, torque_2 = NULL, omega1_rad_per_s = 0,
                          omega2_rad_per_s = 0, theta1_rad = 0, theta2_rad = 0, engage_s = -Inf,
                          start_s = 0) {
-  call <- rlang::current_env()
-  check_supplied(c("body_1", "body_2", "capacity_n_m"), call)
   check_no_dots(...)
-  inertia <- c(one_inertia(body_1, "body_1", call), one_inertia(body_2, "body_2", call))
-  capacity <- check_number(capacity_n_m, "capacity_n_m", "N*m", call, lower = 0)
-  static <- check_number(static_capacity_n_m, "static_capacity_n_m", "N*m", call, lower = capacity)
-  if (!identical(engage_s, -Inf)) engage_s <- check_number(engage_s, "engage_s", "s", call)
-  torques <- list(as_torque(torque_1, call), as_torque(torque_2, call))
-  scene <- list(
-    bodies = plain_bodies(list(body_1, body_2), inertia) %||% as.list(inertia),
-    moment_of_inertia_kg_m2 = inertia,
-    capacity_n_m = capacity,
-    static_capacity_n_m = static,
-    torque = torques,
-    steps = list(
-      torque_steps_of(torques[[1]], "torque_1", call),
-      torque_steps_of(torques[[2]], "torque_2", call)
-    ),
-    omega0_rad_per_s = c(
-      check_number(omega1_rad_per_s, "omega1_rad_per_s", "rad/s", call),
-      check_number(omega2_rad_per_s, "omega2_rad_per_s", "rad/s", call)
-    ),
-    theta0_rad = c(
-      check_number(theta1_rad, "theta1_rad", "rad", call),
-      check_number(theta2_rad, "theta2_rad", "rad", call)
-    ),
-    engage_s = engage_s,
-    start_s = check_number(start_s, "start_s", "s", call)
-  )
-  class(scene) <- c("rot_scene_clutch", "rot_scene")
-  sound_scene(scene, call)
-}
-
-one_inertia <- function(body, arg, call) {
-  inertia <- check_inertias(body, arg, call)
-  if (length(inertia) != 1L) {
-    abort_rotdyn("{.arg {arg}} must be one body or one number in kg m^2.", "size", call)
-  }
-  inertia
-}
-
-# Torque i + 1 holds from time i on.
-torque_steps_of <- function(torque, arg, call) {
-  refuse <- function() {
-    abort_rotdyn(c(
-      "{.arg {arg}} must be constant between jumps.",
-      x = "It is {describe_torque(torque)}.",
-      i = "A jump is two knots at one time, as in
-           {.code torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))}."
-    ), "torque", call)
-  }
-  loads <- torque_loads(torque)
-  if (length(loads$terms) || !is.null(loads$law) || loads$motor_n_m_s != 0) refuse()
-  time <- loads$knots$time_s
-  value <- loads$knots$torque_n_m
-  n <- length(time)
-  outside <- loads$knots$outside
-  if (n == 0L) return(list(time_s = double(), torque_n_m = outside[1]))
-  apart <- which(diff(time) > 0)
-  if (any(value[apart] != value[apart + 1L])) refuse()
-  list(time_s = time[c(apart, n)], torque_n_m = c(outside[1], value[apart], outside[2]))
+  scene_of_inputs("clutch", rlang::current_env())
 }
 
 #' @export
@@ -114,11 +55,11 @@ print.rot_scene_clutch <- function(x, ...) {
     "  inertia   ", paste(format_si(x$moment_of_inertia_kg_m2), collapse = ", "), " kg m^2\n",
     "  clutch    ", format_si(x$capacity_n_m), " N m slipping, ",
     format_si(x$static_capacity_n_m), " N m locked, ", engaged, "\n",
-    "  torque 1  ", describe_torque(x$torque[[1]]), "\n",
-    "  torque 2  ", describe_torque(x$torque[[2]]), "\n",
-    "  start     theta ", paste(format_si(x$theta0_rad), collapse = ", "), " rad, omega ",
-    paste(format_si(x$omega0_rad_per_s), collapse = ", "), " rad/s at ", format_si(x$start_s),
-    " s\n",
+    "  torque 1  ", describe_torque(x$torque_1 %||% torque_constant(0)), "\n",
+    "  torque 2  ", describe_torque(x$torque_2 %||% torque_constant(0)), "\n",
+    "  start     theta ", format_si(x$theta1_rad), ", ", format_si(x$theta2_rad), " rad, omega ",
+    format_si(x$omega1_rad_per_s), ", ", format_si(x$omega2_rad_per_s), " rad/s at ",
+    format_si(x$start_s), " s\n",
     sep = ""
   )
   invisible(x)

@@ -96,6 +96,14 @@ check_inertias <- function(bodies, arg, call) {
   inertia
 }
 
+one_inertia <- function(body, arg, call) {
+  inertia <- check_inertias(body, arg, call)
+  if (length(inertia) != 1L) {
+    abort_rotdyn("{.arg {arg}} must be one body or one number in kg m^2.", "size", call)
+  }
+  inertia
+}
+
 # The bodies given, each a `rot_body` or its moment of inertia; NULL where there are moments alone.
 plain_bodies <- function(bodies, inertia) {
   if (inherits(bodies, "rot_body")) return(list(bodies))

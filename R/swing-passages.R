@@ -44,7 +44,8 @@ find_swings <- function(time, y, kind, restoring) {
     segment = 0, time_s = (found$passages[j] + found$passages[j + 2L]) / 2, period_s = period,
     amplitude_rad = peak_amplitude(peak, period, kind, restoring), from = found$passages[j],
     to = found$passages[j + 2L], first = heights[j], second = heights[j + 1L],
-    first_spread = found$spreads[j], second_spread = found$spreads[j + 1L], peak_noise = peak_noise(heights), turns = peak * period,
+    first_spread = found$spreads[j], second_spread = found$spreads[j + 1L],
+    peak_noise = peak_noise(heights), turns = peak * period,
     sound = found$sound[j] & found$sound[j + 1L] & found$sound[j + 2L]
   )
   list(
@@ -164,8 +165,8 @@ local_root <- function(time, y, before, after, rough, half) {
 }
 
 # Time and value of the extreme of a quartic through the samples within a quarter of a half swing
-# from the highest, and the error of the value over that of a sample. Where samples are far apart, the
-# quartic of a sinusoid misses its top by 1e-3: the value is as much larger or smaller.
+# from the highest, and the error of the value over that of a sample. Where samples are far apart,
+# the quartic of a sinusoid misses its top by 1e-3: the value is as much larger or smaller.
 local_peak <- function(time, y, rows, half) {
   if (!length(rows)) return(c(NA_real_, NA_real_, NA_real_))
   top <- rows[which.max(abs(y[rows]))]

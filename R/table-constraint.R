@@ -12,7 +12,8 @@ table_constraint <- function(id, models, ...) {
     id = id,
     scene_class = paste0("rot_scene_", id),
     inputs = table$inputs,
-    derived = table$derived,
+    derived = names(table$derived),
+    bodies = names(Filter(function(input) input$form %in% c("body", "inertia"), table$inputs)),
     form = table_form(table),
     models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
     columns = c("time_s", table$index, table$columns[always]),
@@ -50,12 +51,16 @@ table_constraint <- function(id, models, ...) {
 table_form <- function(table) {
   forms <- Map(function(input) {
     optional <- !input$required && is.na(input$otherwise)
-    if (input$form == "body") return(if (optional) c(body_form, .optional = TRUE) else body_form)
+    of <- switch(input$form,
+      body = body_form, torque = torque_form, inertia = list(.one_of = list(body_form, "number"))
+    )
+    if (!is.null(of)) return(if (optional) c(of, .optional = TRUE) else of)
     paste0(input$form, if (optional) "?")
   }, table$inputs)
-  forms[table$derived] <- as.list(gsub("?", "", ifelse(
-    table$derived %in% names(forms), as.character(forms[table$derived]), "number"
-  ), fixed = TRUE))
+  forms[names(table$derived)] <- Map(function(name, n) {
+    if (is.character(forms[[name]])) return(sub("?", "", forms[[name]], fixed = TRUE))
+    if (n == 1L) "number" else paste0("numbers:", n)
+  }, names(table$derived), table$derived)
   forms
 }
 
@@ -70,15 +75,23 @@ table_more_names <- function(table, scene) {
 # complaint about what it returned.
 table_laws <- function(scene, call) {
   inputs <- constraint_of(scene)$inputs
-  laws <- Filter(is.function, unclass(scene)[names(inputs)])
-  Map(function(f, name) {
-    input <- inputs[[name]]
+  given <- Filter(
+    function(x) is.function(x) || inherits(x, "rot_torque"), unclass(scene)[names(inputs)]
+  )
+  law <- function(f, name) {
     list(
       as.call(c(quote(f), rep(list(NULL), count_law_arguments(f, function(n) n)))),
       list2env(list(f = f), parent = baseenv()),
-      function(value, time_s) abort_law_value(value, time_s, name, input$unit, call)
+      function(value, time_s) abort_law_value(value, time_s, name, inputs[[name]]$unit, call)
     )
-  }, laws, names(laws))
+  }
+  Filter(length, Map(function(x, name) {
+    if (is.function(x)) return(law(x, name))
+    laws <- if (inherits(x, "rot_torque_sum")) x$laws else list(x)
+    lapply(Filter(function(one) inherits(one, "rot_torque_function"), laws), function(one) {
+      law(one$f, name)
+    })
+  }, given, names(given)))
 }
 
 abort_law_value <- function(value, time_s, name, unit, call) {
@@ -146,7 +159,8 @@ table_text <- function(table, constructor) {
     x <- unclass(x)[names(table$inputs)]
     same <- vapply(names(follows), function(name) identical(x[[name]], x[[follows[[name]]]]), NA)
     infinite <- vapply(names(x), function(name) {
-      identical(x[[name]], Inf) && table$inputs[[name]]$otherwise == Inf
+      length(x[[name]]) == 1L && is.numeric(x[[name]]) && is.infinite(x[[name]]) &&
+        identical(x[[name]], table$inputs[[name]]$otherwise)
     }, NA)
     x[setdiff(names(x)[!infinite], names(follows)[same])]
   }, constructor)

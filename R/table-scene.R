@@ -29,9 +29,13 @@ scene_of_inputs <- function(id, call) {
   class(scene) <- c(paste0("rot_scene_", id), "rot_scene")
   follows <- .Call(ffi_scene_derived, id, scene)
   if (is.character(follows)) {
-    abort_rotdyn("{.arg {follows[1]}} {follows[2]}.", "value", call)
+    law <- inputs[[follows[1]]]$form == "torque"
+    abort_rotdyn(c(
+      "{.arg {follows[1]}} {follows[2]}.",
+      x = if (law) "It is {describe_torque(scene[[follows[1]]])}."
+    ), if (law) "torque" else "value", call)
   }
-  scene[names(follows)] <- as.list(follows)
+  scene[names(follows)] <- follows
   scene
 }
 
@@ -40,6 +44,8 @@ scene_of_inputs <- function(id, call) {
 check_input <- function(x, name, input, call) {
   if (is.null(x) && !input$required) return(NULL)
   if (input$form == "body") return(check_body(x, call, name))
+  if (input$form == "inertia") return(check_one_body(x, name, call))
+  if (input$form == "torque") return(check_torque(x, name, call))
   if (input$form == "function") return(check_law(x, name, input, call))
   if (!is.null(input$options)) {
     return(if (identical(x, input$options)) x[1] else check_string(x, name, input$options, call))
@@ -48,7 +54,7 @@ check_input <- function(x, name, input, call) {
   low <- bound(input$low)
   high <- bound(input$high)
   if (!input$many) {
-    if (input$limit && identical(x, Inf)) return(x)
+    if (input$limit && (identical(x, Inf) || identical(x, input$otherwise))) return(x)
     return(check_number(x, name, input$unit, call, low, high, input$above))
   }
   x <- check_finite(x, name, input$unit, call)
@@ -58,6 +64,17 @@ check_input <- function(x, name, input, call) {
     abort_domain(x[outside[1]], name, input$unit, call, low, high, input$above, outside[1])
   }
   x
+}
+
+# A body, or its moment of inertia.
+check_one_body <- function(x, name, call) {
+  inertia <- one_inertia(x, name, call)
+  if (inherits(x, "rot_body")) x else if (is.list(x)) x[[1]] else inertia
+}
+
+check_torque <- function(x, name, call) {
+  torque <- as_torque(x, call)
+  if (!torque_is_none(torque)) torque
 }
 
 # A function of the time alone, or of the time and the state.
@@ -74,6 +91,13 @@ check_law <- function(f, name, input, call) {
   f
 }
 
+describe_input <- function(x) {
+  if (is.character(x)) return(x)
+  if (inherits(x, "rot_torque")) return(describe_torque(x))
+  if (inherits(x, "rot_body")) return(paste0("a body, ", format_si(x$mass_kg), " kg"))
+  format_si(x)
+}
+
 #' @export
 print.rot_scene <- function(x, ...) {
   check_scene(x, rlang::current_env())
@@ -82,8 +106,9 @@ print.rot_scene <- function(x, ...) {
   given <- Filter(Negate(is.null), unclass(x)[names(constraint$inputs)])
   for (name in names(given)) {
     unit <- constraint$inputs[[name]]$unit
-    value <- if (is.character(given[[name]])) given[[name]] else format_si(given[[name]])
-    unit <- if (unit %in% c("", "1")) "" else paste0(" ", plain_unit(unit))
+    value <- describe_input(given[[name]])
+    none <- unit %in% c("", "1") || is.list(given[[name]])
+    unit <- if (none) "" else paste0(" ", plain_unit(unit))
     cat(sprintf("  %-22s %s%s\n", name, paste(value, collapse = ", "), unit))
   }
   invisible(x)

@@ -336,8 +336,13 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
 
 # A scene with moment of inertia i times `factor`: of its body, where it follows from that.
 with_moment <- function(scene, i, factor) {
-  if ("moment_of_inertia_kg_m2" %in% constraint_of(scene)$derived) {
-    scene$body$second_moment_kg_m2 <- factor * scene$body$second_moment_kg_m2
+  body <- constraint_of(scene)$bodies[i]
+  if (length(body)) {
+    scene[[body]] <- if (is.numeric(scene[[body]])) factor * scene[[body]] else {
+      scaled <- scene[[body]]
+      scaled$second_moment_kg_m2 <- factor * scaled$second_moment_kg_m2
+      scaled
+    }
   } else {
     scene$moment_of_inertia_kg_m2[i] <- factor * scene$moment_of_inertia_kg_m2[i]
   }
@@ -353,13 +358,11 @@ known_to_rounding <- function(scene) {
 # The relative error of each moment of inertia of a scene, NULL where all are known to rounding. A
 # body's is relative to the sum of its second moments; numbers have none.
 inertia_errors <- function(scene) {
-  bodies <- .subset2(scene, "bodies")
+  names <- constraint_of(scene)$bodies %||% "body"
+  bodies <- .subset2(scene, "bodies") %||% unname(unclass(scene)[names])
   inertia <- .subset2(scene, "moment_of_inertia_kg_m2")
-  if (is.null(bodies)) { # every call passes here
-    body <- .subset2(scene, "body")
-    if (is.null(body) || !isTRUE(.subset2(body, "error") > 1e-14)) return(NULL)
-    bodies <- list(body)
-  }
+  rough <- function(body) is.list(body) && isTRUE(.subset2(body, "error") > 1e-14)
+  if (!any(vapply(bodies, rough, NA))) return(NULL)
   vapply(seq_along(inertia), function(i) {
     body <- if (i <= length(bodies)) bodies[[i]]
     if (!inherits(body, "rot_body") || !isTRUE(body$error > 1e-14)) return(0)

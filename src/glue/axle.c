@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "glue/law.h"
 #include "glue/run.h"
 #include "glue/scenes.h"
 #include "glue/torque.h"
@@ -14,36 +15,6 @@
 #include "scene/axle/period.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
-
-static rot_torque knots_of(SEXP knots) {
-  SEXP time_s = ffi_element(knots, "time_s");
-  const double *outside = ffi_numbers_of(knots, "outside", 2);
-  rot_torque torque = {0, NULL, NULL, outside[0], outside[1], NULL, NULL};
-  torque.time_s = ffi_reals(time_s, "time_s", -1);
-  torque.n = (size_t)XLENGTH(time_s);
-  torque.torque_n_m = ffi_numbers_of(knots, "torque_n_m", XLENGTH(time_s));
-  return torque;
-}
-
-int ffi_term_fits(SEXP list) {
-  SEXP kind = ffi_element(list, "kind"), x = ffi_element(list, "x");
-  if (TYPEOF(kind) != STRSXP || XLENGTH(kind) != 1 || TYPEOF(x) != REALSXP) return 0;
-  const rot_term term = {rot_term_named(CHAR(STRING_ELT(kind, 0))), 0.0, 0.0, (size_t)XLENGTH(x),
-                         REAL_RO(x)};
-  return rot_term_valid(&term);
-}
-
-static rot_term term_of(SEXP list) {
-  SEXP x = ffi_element(list, "x");
-  rot_term term;
-  term.kind = rot_term_named(ffi_text(ffi_element(list, "kind"), "kind"));
-  term.from_s = ffi_number_of(list, "from_s");
-  term.to_s = ffi_number_of(list, "to_s");
-  term.x = ffi_reals(x, "x", -1);
-  term.length = (size_t)XLENGTH(x);
-  if (!rot_term_valid(&term)) Rf_error("internal: a term of the torque is not valid");
-  return term;
-}
 
 rot_axle_scene ffi_axle_scene(SEXP list, SEXP breaks_s) {
   SEXP loads = ffi_element(list, "loads"), resistance = ffi_element(list, "resistance");
@@ -63,12 +34,13 @@ rot_axle_scene ffi_axle_scene(SEXP list, SEXP breaks_s) {
   scene.linear.start_s = ffi_number_of(list, "start_s");
   scene.linear.theta0_rad = ffi_number_of(list, "theta0_rad");
   scene.linear.omega0_rad_per_s = ffi_number_of(list, "omega0_rad_per_s");
-  scene.linear.torque = knots_of(ffi_element(loads, "knots"));
+  scene.linear.torque = ffi_law_knots(ffi_element(loads, "knots"));
   if (TYPEOF(terms) != VECSXP) Rf_error("internal: `terms` is not a list");
   scene.n_terms = (size_t)XLENGTH(terms);
   if (scene.n_terms) {
     rot_term *all = (rot_term *)R_alloc(scene.n_terms, sizeof *all);
-    for (size_t i = 0; i < scene.n_terms; i++) all[i] = term_of(VECTOR_ELT(terms, (R_xlen_t)i));
+    for (size_t i = 0; i < scene.n_terms; i++)
+      all[i] = ffi_law_term(VECTOR_ELT(terms, (R_xlen_t)i));
     scene.terms = all;
   }
   if (!Rf_isNull(inertia)) {

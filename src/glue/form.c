@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "glue/ffi.h"
-#include "glue/scenes.h"
+#include "glue/law.h"
 
 /* Whether an object has the parts that its class promises, by a form (R/form.R lists its words). A
  * forged object, an edited one or one of another version is an error of the caller, which R reports
@@ -61,7 +61,7 @@ static int has_kind(SEXP x, const char *word, size_t n) {
   if (IS("flags")) return type == LGLSXP;
   if (IS("function")) return Rf_isFunction(x);
   if (IS("list")) return type == VECSXP;
-  if (IS("term")) return ffi_term_fits(x);
+  if (IS("term")) return ffi_law_term_fits(x);
 #undef IS
   Rf_error("internal: no kind of part is called `%s`", word);
 }

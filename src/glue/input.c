@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "glue/law.h"
 #include "glue/torque.h"
 #include "body/inertia.h"
 
@@ -20,7 +21,8 @@ static unsigned kind_of(unsigned kinds, R_xlen_t n) {
 
 const char *ffi_input_form(const rot_input *input) {
   const unsigned kinds = input->kinds;
-  if (kinds & ROT_INPUT_BODY) return "body";
+  if (kinds & ROT_INPUT_TORQUE) return "torque";
+  if (kinds & ROT_INPUT_BODY) return kinds & ROT_INPUT_NUMBER ? "inertia" : "body";
   if (kinds & ROT_INPUT_LAW) return "function";
   if (kinds & ROT_INPUT_CHOICE) return "text";
   if (kinds & ROT_INPUT_TIMES) return "sorted";
@@ -36,6 +38,20 @@ static const double *part_of(SEXP body, const char *name, R_xlen_t n) {
   return TYPEOF(x) == REALSXP && XLENGTH(x) == n ? REAL_RO(x) : NULL;
 }
 
+/* The axle that it names: the end of a rod, the axis of a point, wherever they were moved. */
+static void read_axle(SEXP body, rot_given_body *to) {
+  SEXP shape = ffi_element(body, "shape"), from = ffi_element(body, "provenance");
+  if (TYPEOF(shape) != STRSXP || TYPEOF(from) != STRSXP || XLENGTH(shape) != 1 ||
+      XLENGTH(from) != 1 || strcmp(CHAR(STRING_ELT(from, 0)), "formula")) {
+    return;
+  }
+  const char *name = CHAR(STRING_ELT(shape, 0));
+  if (strcmp(name, "point") && strcmp(name, "rod_end")) return;
+  SEXP frame = ffi_element(ffi_element(body, "detail"), "frame");
+  const double *at = Rf_isNull(frame) ? NULL : part_of(frame, "at_m", 3);
+  for (int k = 0; k < 3; k++) to->axle_m[k] = at ? at[k] : 0.0;
+}
+
 /* The radius is an input of scenes that roll. */
 static int read_body(SEXP x, rot_given_body *to) {
   const double *mass = part_of(x, "mass_kg", 1), *centre = part_of(x, "centre_m", 3);
@@ -49,6 +65,7 @@ static int read_body(SEXP x, rot_given_body *to) {
     to->second_kg_m2[k] = second[rot_tensor_row[k] + 3 * rot_tensor_column[k]];
   }
   rot_inertia_of_second(to->second_kg_m2, to->inertia_kg_m2);
+  read_axle(x, to);
   return 1;
 }
 
@@ -61,14 +78,39 @@ static rot_status call_law(const double argument[], double value[], void *ctx) {
   return ffi_torque_call(argument[0], argument[1], argument[2], value, ctx);
 }
 
-static rot_law law_of(const rot_input *input, size_t i, const ffi_laws *laws) {
-  SEXP law = laws ? ffi_element(laws->law, input->name) : R_NilValue;
-  if (Rf_isNull(law)) return (rot_law){not_called, NULL};
+/* spec: list(call, environment, complain), or NULL: it is only marked. */
+static rot_law new_law(SEXP spec, size_t input, const ffi_laws *laws) {
+  if (Rf_isNull(spec)) return (rot_law){not_called, NULL};
   ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
-  *called = ffi_torque_new(law, laws->guard); /* protects its call */
-  SET_VECTOR_ELT(laws->kept, (R_xlen_t)i, called->call);
-  UNPROTECT(1);
+  *called = ffi_torque_new(spec, laws->guard); /* protects its call */
+  SEXP both = PROTECT(Rf_allocVector(VECSXP, 2)); /* with those before it */
+  SET_VECTOR_ELT(both, 0, called->call);
+  SET_VECTOR_ELT(both, 1, VECTOR_ELT(laws->kept, (R_xlen_t)input));
+  SET_VECTOR_ELT(laws->kept, (R_xlen_t)input, both);
+  UNPROTECT(2);
   return (rot_law){call_law, called};
+}
+
+/* The functions of one torque, in order. */
+typedef struct functions {
+  const ffi_laws *laws;
+  size_t input;
+  SEXP specs;
+  R_xlen_t next;
+} functions;
+
+static rot_law next_law(void *ctx) {
+  functions *f = ctx;
+  const R_xlen_t i = f->next++;
+  const int known = TYPEOF(f->specs) == VECSXP && i < XLENGTH(f->specs);
+  return new_law(known ? VECTOR_ELT(f->specs, i) : R_NilValue, f->input, f->laws);
+}
+
+static const rot_law_sum *read_torque(SEXP x, const char *name, size_t i, const ffi_laws *laws) {
+  functions f = {laws, i, laws ? ffi_element(laws->law, name) : R_NilValue, 0};
+  rot_law_sum *sum = (rot_law_sum *)R_alloc(1, sizeof *sum);
+  *sum = ffi_law_sum(x, next_law, &f);
+  return sum;
 }
 
 int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws,
@@ -92,9 +134,15 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
     to->n = 1;
     return TYPEOF(x) == VECSXP && read_body(x, &to->body);
   }
+  if (Rf_inherits(x, "rot_torque") && input->kinds & ROT_INPUT_TORQUE) {
+    if (TYPEOF(x) != VECSXP) return 0;
+    *to =
+        (rot_given){.is = ROT_INPUT_TORQUE, .n = 1, .object = read_torque(x, input->name, i, laws)};
+    return 1;
+  }
   if (Rf_isFunction(x) && input->kinds & ROT_INPUT_LAW) {
     to->is = ROT_INPUT_LAW;
-    to->law = law_of(input, i, laws);
+    to->law = new_law(laws ? ffi_element(laws->law, input->name) : R_NilValue, i, laws);
     return 1;
   }
   return 0;
@@ -114,6 +162,7 @@ SEXP ffi_input_plain(const rot_input *input, SEXP x) {
   const unsigned kinds = input->kinds;
   if (Rf_isNull(x)) return input->required ? NULL : x;
   if (Rf_inherits(x, "rot_body")) return kinds & ROT_INPUT_BODY ? x : NULL;
+  if (kinds & ROT_INPUT_TORQUE) return NULL;
   if (Rf_isObject(x) || !Rf_isNull(Rf_getAttrib(x, R_NamesSymbol)) ||
       !Rf_isNull(Rf_getAttrib(x, R_DimSymbol))) {
     return NULL;

@@ -7,7 +7,9 @@
 
 /* How the functions among the inputs are called. */
 typedef struct ffi_laws {
-  SEXP law; /* by the names of inputs: list(call, environment, complain), as glue/torque.h has it */
+  /* By the names of inputs: list(call, environment, complain), as glue/torque.h has it; of a
+   * torque, a list of these, one for each law that is a function. */
+  SEXP law;
   ffi_guard *guard;
   SEXP kept; /* a protected list with a place for each input */
 } ffi_laws;
@@ -18,7 +20,8 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
 /* An argument of R as scenes have it, or NULL (of C) where R must look at it first: numbers with
  * names or units, functions, what is wrong. */
 SEXP ffi_input_plain(const rot_input *input, SEXP x);
-/* What such an input must be, in the words of R/form.R; "body": a body. */
+/* What such an input must be, in the words of R/form.R; or "body", "inertia" (a body or a number),
+ * "torque". */
 const char *ffi_input_form(const rot_input *input);
 
 #endif

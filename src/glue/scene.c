@@ -9,7 +9,6 @@
 
 #include "scene/axle/inputs.h"
 #include "scene/axle/models.h"
-#include "scene/clutch/models.h"
 #include "scene/drive/models.h"
 #include "scene/free/models.h"
 #include "scene/pivot/models.h"
@@ -33,10 +32,14 @@ static SEXP texts(size_t n, const char *const text[]) {
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
+/* Until the call from R ends. */
+static void *take(size_t bytes) { return R_alloc(bytes, 1); }
+
 /* ROT_OK, or ROT_EVALUE with the input that is refused. `to`: room for the scene. */
 static rot_status read_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws,
                              void *to, rot_refusal *refusal) {
   rot_given *given = (rot_given *)R_alloc(ROT_MOST_INPUTS, sizeof *given); /* scenes refer to it */
+  rot_store store = {.take = take};
   for (size_t i = 0; i < constraint->n_inputs; i++) {
     SEXP x = ffi_element(scene, constraint->inputs[i].name);
     if (!ffi_input_read(constraint->inputs, i, x, laws, &given[i])) {
@@ -45,7 +48,7 @@ static rot_status read_scene(const rot_constraint *constraint, SEXP scene, const
   }
   const rot_status status =
       rot_inputs_check(constraint->n_inputs, constraint->inputs, given, refusal);
-  return status == ROT_OK ? constraint->build(given, to, refusal) : status;
+  return status == ROT_OK ? constraint->build(given, &store, to, refusal) : status;
 }
 
 /* Stands for the law of a scene, which is not called here. */
@@ -62,7 +65,6 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
     return kept;                                                                                   \
   }
 KEPT(shaft, rot_shaft_params)
-KEPT(clutch, rot_clutch_params)
 KEPT(drive, rot_drive_scene)
 KEPT(free, rot_free_params)
 
@@ -80,9 +82,11 @@ static const void *read_axle(SEXP scene) {
 static const struct {
   const rot_constraint *of;
   const void *(*read)(SEXP scene);
-} own_forms[] = {{&rot_axle_constraint, read_axle},     {&rot_shaft_constraint, read_shaft},
-                 {&rot_clutch_constraint, read_clutch}, {&rot_drive_constraint, read_drive},
-                 {&rot_free_constraint, read_free},     {&rot_pivot_constraint, read_free}};
+} own_forms[] = {{&rot_axle_constraint, read_axle},
+                 {&rot_shaft_constraint, read_shaft},
+                 {&rot_drive_constraint, read_drive},
+                 {&rot_free_constraint, read_free},
+                 {&rot_pivot_constraint, read_free}};
 
 static const void *build_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws) {
   rot_refusal no;
@@ -100,10 +104,13 @@ const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
   return build_scene(constraint, scene, NULL);
 }
 
-static double derived(const rot_constraint *c, const void *built, size_t i) {
-  double x;
-  memcpy(&x, (const char *)built + c->derived[i].offset, sizeof x);
-  return x;
+/* The numbers of one derived name. */
+static const double *derived(const rot_constraint *c, const void *built, size_t i) {
+  return (const double *)((const char *)built + c->derived[i].offset);
+}
+
+static SEXP derived_numbers(const rot_constraint *c, const void *built, size_t i) {
+  return ffi_numbers((int)c->derived[i].n, derived(c, built, i));
 }
 
 /* NULL, or the name of an input that is refused, or of a number that does not follow from them. */
@@ -113,8 +120,13 @@ static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
   if (read_scene(c, scene, NULL, built, &no) != ROT_OK) return c->inputs[no.input].name;
   for (size_t i = 0; i < c->n_derived; i++) {
     SEXP x = ffi_element(scene, c->derived[i].name);
-    if (TYPEOF(x) == REALSXP && XLENGTH(x) == 1 && REAL_RO(x)[0] == derived(c, built, i)) continue;
-    return c->derived[i].name;
+    const R_xlen_t n = (R_xlen_t)c->derived[i].n;
+    const double *want = derived(c, built, i);
+    R_xlen_t same = 0;
+    while (TYPEOF(x) == REALSXP && XLENGTH(x) == n && same < n && REAL_RO(x)[same] == want[same]) {
+      same++;
+    }
+    if (same < n) return c->derived[i].name;
   }
   return NULL;
 }
@@ -195,7 +207,7 @@ SEXP ffi_scene_describe(SEXP id, SEXP form, SEXP env) {
     return R_NilValue;
   }
   for (size_t i = 0; i < c->n_derived; i++) {
-    SET_VECTOR_ELT(scene, place_of(scene, c->derived[i].name), Rf_ScalarReal(derived(c, built, i)));
+    SET_VECTOR_ELT(scene, place_of(scene, c->derived[i].name), derived_numbers(c, built, i));
   }
   if (!Rf_isNull(fault_of_scene(c, form, scene))) out = R_NilValue;
   UNPROTECT(1);
@@ -212,11 +224,11 @@ SEXP ffi_scene_derived(SEXP id, SEXP scene) {
     const char *said[] = {c->inputs[no.input].name, no.reason};
     return texts(2, said);
   }
-  SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)c->n_derived));
+  SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)c->n_derived));
   SEXP names = Rf_allocVector(STRSXP, (R_xlen_t)c->n_derived);
   Rf_setAttrib(out, R_NamesSymbol, names);
   for (size_t i = 0; i < c->n_derived; i++) {
-    REAL(out)[i] = derived(c, built, i);
+    SET_VECTOR_ELT(out, (R_xlen_t)i, derived_numbers(c, built, i));
     SET_STRING_ELT(names, (R_xlen_t)i, Rf_mkChar(c->derived[i].name));
   }
   UNPROTECT(1);
@@ -312,7 +324,10 @@ SEXP ffi_scene_table(SEXP id) {
   SET_VECTOR_ELT(out, 6, texts(c->n_flows, c->flows));
   SET_VECTOR_ELT(out, 7, texts(c->n_balances, quantity));
   SET_VECTOR_ELT(out, 8, texts(kept_by(c), quantity));
-  SET_VECTOR_ELT(out, 9, texts(c->n_derived, follows));
+  SEXP counts = Rf_allocVector(INTSXP, (R_xlen_t)c->n_derived);
+  SET_VECTOR_ELT(out, 9, counts);
+  for (size_t i = 0; i < c->n_derived; i++) INTEGER(counts)[i] = (int)c->derived[i].n;
+  Rf_setAttrib(counts, R_NamesSymbol, texts(c->n_derived, follows));
   SET_VECTOR_ELT(out, 10, Rf_ScalarLogical(c->event_rows));
   SEXP only_with = Rf_allocVector(STRSXP, (R_xlen_t)c->n_columns);
   SET_VECTOR_ELT(out, 11, only_with);

@@ -5,7 +5,6 @@
 
 #include "glue/ffi.h"
 #include "scene/axle/scene.h"
-#include "scene/clutch/clutch.h"
 #include "scene/drive/drive.h"
 #include "scene/free/free.h"
 #include "scene/shaft/shaft.h"
@@ -13,7 +12,6 @@
 /* With all its breaks, and with those in `breaks_s` (NULL: no others). */
 rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
 rot_shaft_params ffi_shaft_scene(SEXP scene);
-rot_clutch_params ffi_clutch_scene(SEXP scene);
 /* Its R function is only marked, not called. */
 rot_free_params ffi_free_scene(SEXP scene);
 /* A run by a closed form of such scenes. */
@@ -21,8 +19,6 @@ typedef rot_status ffi_free_form(const rot_free_params *p, size_t n, const doubl
                                  const rot_free_columns *out, rot_events *events,
                                  const rot_hooks *hooks, rot_info *info);
 SEXP ffi_free_rows(SEXP scene, SEXP time_s, SEXP progress, ffi_free_form *form);
-/* Whether the list is a term of a torque law that the core may read. */
-int ffi_term_fits(SEXP list);
 /* Its R functions are only marked, not called. */
 rot_drive_scene ffi_drive_scene(SEXP scene);
 

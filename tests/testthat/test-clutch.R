@@ -49,11 +49,3 @@ test_that("an engagement beyond plain products is found, or said", {
   expect_warning(clutch_engagement(1e308, 1e308, 1e308, 1e308), class = "rotdyn_warning_range")
   expect_silent(clutch_engagement(1, 1, 1, 1, torque_1_n_m = 1e300)) # never locks
 })
-
-test_that("a clutch has the torques of two rotors", {
-  scene <- scene_clutch(1, 2, 3)
-  for (steps in list(scene$steps[1], scene$steps[[1]]$time_s, c(scene$steps, scene$steps))) {
-    scene$steps <- steps
-    expect_error(.Call(rotdyn:::ffi_clutch_run, scene, 0:1 + 0, NULL), "internal: `steps`")
-  }
-})

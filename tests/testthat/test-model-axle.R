@@ -530,11 +530,11 @@ test_that("a damaged scene is an R error", {
     damage(rotors, path, function(scene) .Call(rotdyn:::ffi_rotors_run, scene, 1, 1, NULL))
   }
   clutch <- scene_clutch(1, 2, 3, omega1_rad_per_s = 10)
-  for (path in list(
-    "moment_of_inertia_kg_m2", "capacity_n_m", "static_capacity_n_m", "steps", "engage_s",
-    "start_s", "theta0_rad", "omega0_rad_per_s"
-  )) {
-    damage(clutch, path, function(scene) .Call(rotdyn:::ffi_clutch_run, scene, 1, NULL))
+  control <- c(1e-9, 1e4, 0, 0, 0, 0)
+  for (path in c("body_1", "body_2", "capacity_n_m")) {
+    damage(clutch, path, function(scene) {
+      .Call(rotdyn:::ffi_scene_run, "clutch", scene, "clutch_exact", 1, control, list(), NULL)
+    })
   }
 })
 

@@ -1,10 +1,31 @@
+# The torque on body 1 in each interval, of a clutch that holds nothing.
+torques_between <- function(torque, time_s) {
+  motion <- trajectory(scene_clutch(2, 3, 0, torque_1 = torque), time_s)
+  2 * diff(motion$omega_1_rad_per_s) / diff(time_s)
+}
+
 test_that("stepped torques are taken apart at their jumps", {
-  scene <- scene_clutch(2, 3, 12, torque_1 = torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10)),
-                        torque_2 = -5)
-  expect_equal(unname(scene$steps[[1]]), list(c(0, 2, 5), c(0, 30, -10, 0)))
-  expect_equal(unname(scene$steps[[2]]), list(double(), -5))
-  held <- scene_clutch(2, 3, 12, torque_1 = torque_knots(c(1, 1), c(4, 7), outside = "hold"))
-  expect_equal(unname(held$steps[[1]]), list(1, c(4, 7)))
+  step <- torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))
+  expect_equal(torques_between(step, c(0, 1, 2, 3, 5, 8)), c(30, 30, -10, -10, 0))
+  expect_equal(torques_between(-5, 0:2), c(-5, -5))
+  held <- torque_knots(c(1, 1), c(4, 7), outside = "hold")
+  expect_equal(torques_between(held, 0:3), c(4, 7, 7))
+})
+
+test_that("a clutch keeps what it was given, and what follows from it", {
+  body <- body_disk(20, 0.15)
+  scene <- scene_clutch(body, 2, 60, torque_2 = -5)
+  expect_identical(scene$body_1, body)
+  expect_identical(scene$moment_of_inertia_kg_m2, c(20 * 0.15^2 / 2, 2))
+  expect_identical(scene$static_capacity_n_m, 60)
+  expect_null(scene$torque_1)
+  expect_identical(read_scene(write_scene(scene)), scene)
+  # A rod about its end, wherever that is; a point about its axis.
+  rod <- scene_clutch(body_rod_end(3, 2), place_body(body_rod_end(3, 2), c(1, 0, 0)), 1)
+  expect_equal(rod$moment_of_inertia_kg_m2, c(4, 4))
+  expect_equal(scene_clutch(body_point(3, 2), 1, 1)$moment_of_inertia_kg_m2, c(12, 1))
+  scene$moment_of_inertia_kg_m2[2] <- 3
+  expect_error(trajectory(scene, 1), "moment_of_inertia_kg_m2", class = "rotdyn_error_type")
 })
 
 test_that("what is no clutch is refused", {
@@ -29,8 +50,7 @@ test_that("a clutch prints itself", {
 })
 
 test_that("a sum of laws that is constant between jumps will do", {
-  one <- scene_clutch(1, 1, 1, torque_1 = torque_constant(1) + torque_pulse(1, 1, 2))
-  expect_equal(unname(one$steps[[1]]), list(c(1, 2), c(1, 3, 1)))
+  expect_equal(torques_between(torque_constant(1) + torque_pulse(1, 1, 2), 0:3), c(1, 3, 1))
 })
 
 test_that("numbers near the end of double precision end in an error of ours or a motion", {

@@ -445,7 +445,7 @@ rotdyn_status rot_api_build(const rotdyn_object *scene, rot_api_built *built,
   built->scene = calloc(1, c->scene_size);
   if (!built->scene) return ROTDYN_EMEMORY;
   rot_status status = rot_api_given(scene, &built->store, &built->given, &no);
-  if (status == ROT_OK) status = c->build(built->given, built->scene, &no);
+  if (status == ROT_OK) status = c->build(built->given, &built->store, built->scene, &no);
   if (status == ROT_EVALUE) return refuse(report, c->inputs[no.input].name, no.reason);
   if (status != ROT_OK) return rot_api_status(status);
   report->index = c->index;
@@ -454,14 +454,13 @@ rotdyn_status rot_api_build(const rotdyn_object *scene, rot_api_built *built,
 }
 
 void rot_api_release(rot_api_built *built) {
-  if (built->scene && built->constraint->release) built->constraint->release(built->scene);
   free(built->scene);
   rot_store_free(&built->store);
 }
 
 /* A part, alone. */
 static rotdyn_status check_part(const rotdyn_object *object, rotdyn_report *report) {
-  rot_store store = {NULL};
+  rot_store store = {0};
   rot_given *given;
   rot_refusal no;
   void *built = rot_store_get(&store, 1, object->part->size);

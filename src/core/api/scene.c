@@ -236,6 +236,7 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   double number[ROT_MOST_INPUTS], *column[ROT_MOST_COLUMNS];
   rot_given given[ROT_MOST_INPUTS];
   rot_refusal no;
+  rot_store store = {0};
   places p;
   rotdyn_options options = m->w->options;
   const double time_s = value_of(m->in.time_s, i);
@@ -249,7 +250,7 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   rot_status status = rot_inputs_check(c->n_inputs, c->inputs, given, &no);
   memset(built, 0, c->scene_size);
   if (status == ROT_OK) {
-    status = c->build(given, built, &no);
+    status = c->build(given, &store, built, &no);
     if (status == ROT_OK && !possible_times(c, built, 1, &time_s)) {
       (void)snprintf(no.reason, sizeof no.reason, "the time must be finite");
       no.input = c->n_inputs;
@@ -272,7 +273,7 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   }
   if (ended == ROTDYN_OK) ended = run(c, built, &options, NULL, 1, &time_s, &p, report);
   close_columns(&p, m->copies);
-  if (c->release) c->release(built);
+  rot_store_free(&store);
   for (size_t k = 0; k < m->out.n_columns && ended != ROTDYN_OK; k++) {
     for (size_t j = 0; j < m->copies; j++) column[k][j] = NAN;
   }

@@ -6,6 +6,7 @@
 
 #include "engine/events.h"
 #include "engine/input.h"
+#include "ground/store.h"
 
 enum { ROT_MOST_EFFECTS = 16, ROT_MOST_MODELS = 16, ROT_MOST_COLUMNS = 32 };
 
@@ -58,6 +59,7 @@ typedef struct rot_column_of {
   unsigned only_with; /* 0: always; else with one of these effects alone */
   const char *unit;   /* NULL: as the dictionary of R has it */
   size_t measure;     /* 1 + the measure that it holds; 0: none. These are the state. */
+  size_t flow;        /* 1 + the flow that it adds up, with whose error; 0: none */
 } rot_column_of;
 
 /* Where a run writes; n rows, times their copies. */
@@ -115,10 +117,10 @@ typedef struct rot_span {
   const double *error; /* of the measures, absolute */
 } rot_span;
 
-/* A number of a built scene that follows from its inputs, or is one that may be left out. */
+/* Numbers of a built scene that follow from its inputs, or an input that may be left out. */
 typedef struct rot_derived {
   const char *name;
-  size_t offset; /* of the double, in the scene */
+  size_t offset, n; /* n doubles, in the scene */
 } rot_derived;
 
 /* How fast a motion goes: the shortest time in which a transient fades (Inf: none), the fastest
@@ -148,9 +150,9 @@ typedef struct rot_constraint {
   const rot_column_of *columns; /* in the order of rot_model.run */
   const rot_model_run *runs;    /* one for each model */
   size_t scene_size;
-  /* From inputs that rot_inputs_check() passed, which must live as long as the scene. */
-  rot_status (*build)(const rot_given given[], void *scene, rot_refusal *refusal);
-  void (*release)(void *scene); /* what build() took, also where that failed; NULL: nothing */
+  /* From inputs that rot_inputs_check() passed, which must live as long as the scene, as what it
+   * takes from the store. */
+  rot_status (*build)(const rot_given given[], rot_store *store, void *scene, rot_refusal *refusal);
   double (*start_s)(const void *scene);
   const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
   size_t (*copies)(const void *scene); /* how many these are; NULL: 1 */

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* In front of each block; as strictly aligned as any type that is stored. */
 typedef union head {
@@ -12,6 +13,10 @@ typedef union head {
 
 void *rot_store_get(rot_store *store, size_t n, size_t size) {
   if (size && n > (SIZE_MAX - sizeof(head)) / size) return NULL;
+  if (store->take) {
+    void *own = store->take(n * size + 1);
+    return own ? memset(own, 0, n * size) : NULL;
+  }
   head *block = calloc(1, sizeof *block + n * size);
   if (!block) return NULL;
   block->before = store->last;

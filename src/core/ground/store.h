@@ -6,9 +6,11 @@
 
 #include "ground/ieee.h"
 
-/* Begin with {NULL}. */
+/* Begin with {0}: blocks of calloc(), which rot_store_free() frees. A caller with memory of its own
+ * that ends by itself sets `take`: so many bytes, or NULL. */
 typedef struct rot_store {
   void *last;
+  void *(*take)(size_t bytes);
 } rot_store;
 
 /* n elements of a size, all bits 0; NULL: no memory, or n * size is beyond size_t. */

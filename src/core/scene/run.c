@@ -231,9 +231,12 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
   c->audit(scene, &own, term);
   for (size_t b = 0; b < c->n_balances; b++) explained[b] = 0.0;
   for (size_t i = 0; i < 2 * cells; i++) {
-    const size_t measure = c->columns[i % cells / copies].measure;
-    if (!measure) continue;
-    const double error = EXPLAINS * span->error[measure - 1] + DBL_EPSILON * fabs(ends[i]);
+    const rot_column_of *column = &c->columns[i % cells / copies];
+    const double of = column->measure ? span->error[column->measure - 1]
+                      : column->flow  ? span->flow_error[column->flow - 1]
+                                      : -1.0;
+    if (of < 0.0) continue;
+    const double error = EXPLAINS * of + DBL_EPSILON * fabs(ends[i]);
     add_moved(c, scene, &own, term, &ends[i], error, explained);
   }
   for (size_t k = 0; k < c->n_flows; k++) {

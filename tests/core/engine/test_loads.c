@@ -35,7 +35,7 @@ static void check_random_sums(void) {
   for (int i = 0; i < trials; i++) {
     double time_s[LAWS][8], torque[LAWS][8];
     rot_torque law[LAWS], sum;
-    rot_store store = {NULL};
+    rot_store store = {0};
     const size_t n = 1 + next() % LAWS;
     for (size_t k = 0; k < n; k++) law[k] = random_knots(time_s[k], torque[k]);
     ROT_CHECK_EQ_INT(rot_loads_add_knots(n, law, &store, &sum), ROT_OK);
@@ -58,7 +58,7 @@ static void check_sums(void) {
                       {.n = 2, .time_s = late_s, .torque_n_m = late},
                       {.n = 2, .time_s = a_s, .torque_n_m = b}};
   rot_torque sum;
-  rot_store store = {NULL};
+  rot_store store = {0};
   /* 1e16 + 1 - 1e16 is 1. Jumps at 0.5 and 2; where the torque ends, its last value is kept. */
   ROT_CHECK_EQ_INT(rot_loads_add_knots(3, law, &store, &sum), ROT_OK);
   const double times[] = {0.0, 0.5, 0.5, 1.0, 2.0}, values[] = {0.0, 0.0, 1.0, 1.0, 1.0};
@@ -99,7 +99,7 @@ static void check_normal_form(void) {
                              {.is = ROT_INPUT_TORQUE, .object = &sum},
                              {.is = ROT_INPUT_LIST, .n = 2, .item = nested}};
   const rot_given list = {.is = ROT_INPUT_LIST, .n = 3, .item = items}, nothing = {0};
-  rot_store store = {NULL};
+  rot_store store = {0};
   rot_loads loads;
   ROT_CHECK_EQ_INT(rot_loads_of(&list, &store, &loads), ROT_OK);
   ROT_CHECK(loads.knots.n == 0 && loads.knots.after_n_m == 2.5 && loads.motor_n_m_s == 0.75);

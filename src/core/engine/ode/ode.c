@@ -222,8 +222,8 @@ static double part_of_distance(const job *fine, double ratio, double rounding_sh
   return fmax(least, fmin(1.0, walls * margin * part / (1.0 - part) + rounding_share));
 }
 
-/* No step is shortened for an integral: along 14 and 27 of them, errors of several steps cancelled in
- * the distance of two runs and not in the work, which was off by 9 and 5 times its estimate. The
+/* No step is shortened for an integral: along 14 and 27 of them, errors of several steps cancelled
+ * in the distance of two runs and not in the work, which was off by 9 and 5 times its estimate. The
  * distance counts as no less than this part of what the error test found in all steps. */
 #define MISSED_PART (1.0 / 32.0)
 

@@ -199,7 +199,7 @@ static rot_status build_inertia(const rot_given given[], rot_axle_scene *scene, 
                     *inertia);
 }
 
-rot_status rot_axle_build(const rot_given given[], void *to, rot_refusal *no) {
+rot_status rot_axle_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   rot_axle_built *built = to;
   rot_axle_scene *scene = &built->scene;
   memset(built, 0, sizeof *built);
@@ -208,12 +208,10 @@ rot_status rot_axle_build(const rot_given given[], void *to, rot_refusal *no) {
   scene->linear.omega0_rad_per_s = rot_input_number(rot_axle_inputs, given, OMEGA0);
   rot_status status = build_inertia(given, scene, no);
   if (status != ROT_OK) return status;
-  status = rot_axle_load(&given[TORQUE], &given[RESISTANCE], &built->store, scene, &built->own);
+  status = rot_axle_load(&given[TORQUE], &given[RESISTANCE], store, scene, &built->own);
   if (status == ROT_EVALUE) return rot_refuse(no, TORQUE, "adds up beyond double precision");
   return status;
 }
-
-void rot_axle_release(void *built) { rot_store_free(&((rot_axle_built *)built)->store); }
 
 double rot_axle_start_s(const void *scene) {
   return ((const rot_axle_scene *)scene)->linear.start_s;
@@ -222,14 +220,14 @@ double rot_axle_start_s(const void *scene) {
 /* ---- columns --------------------------------------------------------------------------------- */
 
 const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS] = {
-    {"theta_rad", 0, 0, NULL, 1 + ROT_THETA},
-    {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA},
-    {"applied_torque_n_m", 0, 0, NULL, 0},
-    {"damping_torque_n_m", 0, 0, NULL, 0},
-    {"net_torque_n_m", 0, 0, NULL, 0},
-    {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0},
-    {"rotational_kinetic_energy_j", 0, 0, NULL, 0},
-    {"moment_of_inertia_kg_m2", 0, ROT_AXLE_INERTIA, NULL, 0}};
+    {"theta_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
+    {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
+    {"applied_torque_n_m", 0, 0, NULL, 0, 0},
+    {"damping_torque_n_m", 0, 0, NULL, 0, 0},
+    {"net_torque_n_m", 0, 0, NULL, 0, 0},
+    {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0, 0},
+    {"rotational_kinetic_energy_j", 0, 0, NULL, 0, 0},
+    {"moment_of_inertia_kg_m2", 0, ROT_AXLE_INERTIA, NULL, 0, 0}};
 
 static rot_axle_columns columns_of(void *const column[]) {
   rot_axle_columns out;
@@ -279,7 +277,7 @@ static rot_status run(rot_axle_model closed, const rot_axle_built *built, const 
                                         task->asked ? method : ROT_METHOD_NONE, task->resolution};
   rot_axle_scene solved;
   rot_axle_ledger ledger;
-  rot_store store = {NULL};
+  rot_store store = {0};
   rot_info_clear(info, rot_turning);
   rot_status status = info->status = reduce(built, task->without, &store, &solved);
   if (status == ROT_OK) {

@@ -23,12 +23,11 @@ typedef struct rot_axle_own {
 typedef struct rot_axle_built {
   rot_axle_scene scene;
   rot_axle_own own;
-  rot_store store;
 } rot_axle_built;
 
-/* rot_constraint.build, .release and .start_s */
-rot_status rot_axle_build(const rot_given given[], void *built, rot_refusal *refusal);
-void rot_axle_release(void *built);
+/* rot_constraint.build and .start_s */
+rot_status rot_axle_build(const rot_given given[], rot_store *store, void *built,
+                          rot_refusal *refusal);
 double rot_axle_start_s(const void *scene);
 
 /* resistance(), inertia_knots() */

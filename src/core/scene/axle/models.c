@@ -286,6 +286,5 @@ const rot_constraint rot_axle_constraint = {
     .runs = rot_axle_runs,
     .scene_size = sizeof(rot_axle_built),
     .build = rot_axle_build,
-    .release = rot_axle_release,
     .start_s = rot_axle_start_s,
 };

@@ -71,7 +71,8 @@ static int in_range(const chain *c) {
   return ok < INFINITY;
 }
 
-static rot_status build(const rot_given given[], void *to, rot_refusal *no) {
+static rot_status build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  (void)store;
   chain *c = to;
   rot_links *links = &c->links;
   const size_t n = given[LENGTH].n;
@@ -127,15 +128,15 @@ static void slopes(const void *scene, const rot_system_state *at, double acceler
 /* ---- columns --------------------------------------------------------------------------------- */
 
 enum { THETA, OMEGA, X, Y, VX, VY, KINETIC, POTENTIAL, TORQUE, COLUMNS };
-static const rot_column_of columns[COLUMNS] = {{"theta_rad", 0, 0, "rad", 1 + ROT_THETA},
-                                               {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_OMEGA},
-                                               {"x_m", 0, 0, "m", 0},
-                                               {"y_m", 0, 0, "m", 0},
-                                               {"vx_m_per_s", 0, 0, "m/s", 0},
-                                               {"vy_m_per_s", 0, 0, "m/s", 0},
-                                               {"kinetic_energy_j", 0, 0, "J", 0},
-                                               {"potential_energy_j", 0, 0, "J", 0},
-                                               {"joint_torque_n_m", 0, 0, "N m", 0}};
+static const rot_column_of columns[COLUMNS] = {{"theta_rad", 0, 0, "rad", 1 + ROT_THETA, 0},
+                                               {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_OMEGA, 0},
+                                               {"x_m", 0, 0, "m", 0, 0},
+                                               {"y_m", 0, 0, "m", 0, 0},
+                                               {"vx_m_per_s", 0, 0, "m/s", 0, 0},
+                                               {"vy_m_per_s", 0, 0, "m/s", 0, 0},
+                                               {"kinetic_energy_j", 0, 0, "J", 0, 0},
+                                               {"potential_energy_j", 0, 0, "J", 0, 0},
+                                               {"joint_torque_n_m", 0, 0, "N m", 0, 0}};
 
 /* A row for each link, from row `at` on. */
 static void row(const void *scene, const rot_system_state *state, size_t at, void *const column[]) {

@@ -1,6 +1,7 @@
 #include "scene/clutch/clutch.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "engine/march.h"
 #include "ground/real.h"
@@ -29,6 +30,16 @@ static double locked_torque(const double inertia[2], double tau1, double tau2) {
   return ldexp(q + (fma(-q, sum, top) - q * sum_lo + (lo + a_lo - b_lo)) / sum, of_torque);
 }
 
+int rot_clutch_is_driven(const rot_clutch_params *p) {
+  for (int body = 0; body < 2; body++) {
+    const rot_steps *steps = &p->torque_n_m[body];
+    for (size_t i = 0; i <= steps->n; i++) {
+      if (steps->value[i] != 0.0) return 1;
+    }
+  }
+  return 0;
+}
+
 /* omega1' - omega2' when the clutch carries x less than it would need to lock. */
 static double relative_rate(const double inertia[2], double x) {
   return x / inertia[0] + x / inertia[1];
@@ -50,6 +61,9 @@ typedef struct clutch {
   double mean_theta, mean_omega, slip_theta, slip_omega, heat;
   double mean_theta_error, mean_omega_error, slip_theta_error, slip_omega_error;
   double settled_s; /* the slip at the lock is known to be 0 from here on */
+  /* up to anchor_s, from which the torques have not changed */
+  double anchor_s, anchor_theta, anchor_slip, anchor_theta_error, anchor_slip_error;
+  rot_clutch_flows done, done_error;
   /* of the stretch that begins at time_s */
   double tau[2], mean_rate, slip_rate, torque, needed;
   int locked, stops; /* stops: the stretch ends because the slip does */
@@ -75,7 +89,47 @@ static void begin(clutch *c, const rot_clutch_params *p) {
   c->slip_theta_error = ROT_EPS * fabs(c->slip_theta);
   c->slip_omega_error = ROT_EPS * fabs(c->slip_omega);
   c->settled_s = -INFINITY;
+  c->anchor_s = p->start_s;
+  c->anchor_theta = c->mean_theta;
+  c->anchor_slip = c->slip_theta;
+  c->anchor_theta_error = c->mean_theta_error;
+  c->anchor_slip_error = c->slip_theta_error;
 }
+
+/* ---- flows ----------------------------------------------------------------------------------- */
+
+/* The torques change at their steps only, whatever the clutch does between them. */
+static void flows_of(const clutch *c, rot_clutch_flows *flows, rot_clutch_flows *error) {
+  const double mean = c->mean_theta - c->anchor_theta, slip = c->slip_theta - c->anchor_slip;
+  const double way[2] = {c->share[1], -c->share[0]}, s = c->time_s - c->anchor_s;
+  *flows = c->done;
+  *error = c->done_error;
+  for (int b = 0; b < 2; b++) {
+    const double work = c->tau[b] * (mean + way[b] * slip), impulse = c->tau[b] * s;
+    const double off =
+        c->anchor_theta_error + c->mean_theta_error +
+        fabs(way[b]) * (c->anchor_slip_error + c->slip_theta_error) +
+        4.0 * ROT_EPS * (fabs(c->anchor_theta) + fabs(c->mean_theta) + fabs(way[b] * slip));
+    flows->work_j += work;
+    error->work_j += fabs(c->tau[b]) * off + 4.0 * ROT_EPS * (fabs(work) + fabs(flows->work_j));
+    flows->torque_impulse_n_m_s += impulse;
+    error->torque_impulse_n_m_s +=
+        4.0 * ROT_EPS * (fabs(impulse) + fabs(flows->torque_impulse_n_m_s));
+  }
+  flows->dissipated_j = c->heat;
+  error->dissipated_j = 16.0 * ROT_EPS * c->heat + 4.0 * c->p->capacity_n_m * c->slip_theta_error;
+}
+
+static void lay_anchor(clutch *c) {
+  flows_of(c, &c->done, &c->done_error);
+  c->anchor_s = c->time_s;
+  c->anchor_theta = c->mean_theta;
+  c->anchor_slip = c->slip_theta;
+  c->anchor_theta_error = c->mean_theta_error;
+  c->anchor_slip_error = c->slip_theta_error;
+}
+
+/* ---- stretches ------------------------------------------------------------------------------- */
 
 static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 
@@ -108,9 +162,12 @@ static void find_end(clutch *c) {
 static rot_status enter(clutch *c, int was_locked, rot_events *events) {
   const rot_clutch_params *p = c->p;
   const int engaged = c->time_s >= p->engage_s;
+  double tau[2];
   for (int i = 0; i < 2; i++) {
-    c->tau[i] = p->torque_n_m[i].value[step_at(&p->torque_n_m[i], c->time_s)];
+    tau[i] = p->torque_n_m[i].value[step_at(&p->torque_n_m[i], c->time_s)];
   }
+  if (tau[0] != c->tau[0] || tau[1] != c->tau[1]) lay_anchor(c);
+  memcpy(c->tau, tau, sizeof tau);
   c->needed = locked_torque(p->inertia_kg_m2, c->tau[0], c->tau[1]);
   c->mean_rate = c->share[0] * (c->tau[0] / p->inertia_kg_m2[0]) +
                  c->share[1] * (c->tau[1] / p->inertia_kg_m2[1]);
@@ -185,19 +242,14 @@ static rot_status cross(clutch *c, rot_events *events) {
   return isfinite(c->mean_theta) && isfinite(c->slip_theta) ? ROT_OK : ROT_ERANGE;
 }
 
-/* To the stretch that holds time t. */
-static rot_status advance(clutch *c, double t) {
-  rot_status status = ROT_OK;
-  while (status == ROT_OK && c->end_s <= t) status = cross(c, NULL);
-  return status;
-}
-
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 typedef struct clutch_run {
   clutch at;
   const double *time_s;
   const rot_clutch_columns *out;
+  double *const *flow;
+  double *flow_error;
   rot_events *events;
   rot_info *info;
 } clutch_run;
@@ -237,6 +289,17 @@ static rot_status write_row(void *model, size_t i) {
                  at->mean_omega_error + fabs(way[b]) * slip_error +
                      ROT_EPS * (4.0 * fabs(way[b] * at->slip_omega) + fabs(omega)));
   }
+  if (run->flow) {
+    rot_clutch_flows flows, error;
+    size_t k = 0;
+    flows_of(at, &flows, &error);
+#define X(name)                                                                                    \
+  run->flow[k][i] = flows.name;                                                                    \
+  run->flow_error[k] = fmax(run->flow_error[k], error.name);                                       \
+  k++;
+    ROT_CLUTCH_FLOWS(X)
+#undef X
+  }
   out->clutch_torque_n_m[i] = at->torque;
   out->heat_j[i] = at->heat;
   out->locked[i] = at->locked;
@@ -244,57 +307,20 @@ static rot_status write_row(void *model, size_t i) {
 }
 
 rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
-                          const rot_clutch_columns *out, rot_events *events, const rot_hooks *hooks,
-                          rot_info *info) {
+                          const rot_clutch_columns *out, double *const flow[], double flow_error[],
+                          rot_events *events, const rot_hooks *hooks, rot_info *info) {
   static const rot_march march = {restart, holds, next_piece, write_row, NULL};
-  clutch_run run = {.time_s = time_s, .out = out, .events = events, .info = info};
+  clutch_run run = {.time_s = time_s,
+                    .out = out,
+                    .flow = flow,
+                    .flow_error = flow_error,
+                    .events = events,
+                    .info = info};
+  for (size_t k = 0; flow && k < ROT_CLUTCH_N_FLOWS; k++) flow_error[k] = 0.0;
   rot_info_clear(info, rot_turning);
   begin(&run.at, p);
   for (int b = 0; b < 2; b++) rot_note_state(info, p->theta0_rad[b], p->omega0_rad_per_s[b]);
   return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
-}
-
-/* ---- work ------------------------------------------------------------------------------------ */
-
-static void add_work(const clutch *from, const clutch *to, double *work, double *rounding) {
-  const double mean = to->mean_theta - from->mean_theta, slip = to->slip_theta - from->slip_theta;
-  const double way[2] = {from->share[1], -from->share[0]};
-  for (int b = 0; b < 2; b++) {
-    const double part = from->tau[b] * (mean + way[b] * slip);
-    const double error =
-        from->mean_theta_error + to->mean_theta_error +
-        fabs(way[b]) * (from->slip_theta_error + to->slip_theta_error) +
-        4.0 * ROT_EPS * (fabs(from->mean_theta) + fabs(to->mean_theta) + fabs(way[b] * slip));
-    *work += part;
-    *rounding += fabs(from->tau[b]) * error + 4.0 * ROT_EPS * (fabs(part) + fabs(*work));
-  }
-}
-
-rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s,
-                           rot_clutch_ledger *ledger) {
-  clutch c;
-  ledger->work_j = ledger->work_rounding_j = 0.0;
-  if (!(from_s >= p->start_s && to_s >= from_s)) return ROT_EVALUE;
-  begin(&c, p);
-  rot_status status = enter(&c, 1, NULL);
-  if (status == ROT_OK) status = advance(&c, from_s);
-  if (status != ROT_OK) return status;
-  c = after(&c, from_s);
-  find_end(&c);
-  /* The torques change at their steps only, whatever the clutch does between them. */
-  for (;;) {
-    const double end = fmin(to_s, next_torque(p, c.time_s));
-    clutch to = c;
-    /* Up to the end, not beyond: the torques of the stretch are those before it. */
-    while (status == ROT_OK && to.end_s < end) status = cross(&to, NULL);
-    if (status != ROT_OK) return status;
-    to = after(&to, end);
-    add_work(&c, &to, &ledger->work_j, &ledger->work_rounding_j);
-    if (!(end < to_s)) break;
-    status = advance(&c, end);
-    if (status != ROT_OK) return status;
-  }
-  return isfinite(ledger->work_j) ? ROT_OK : ROT_ERANGE;
 }
 
 /* ---- one engagement -------------------------------------------------------------------------- */

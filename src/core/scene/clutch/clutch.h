@@ -36,32 +36,38 @@ typedef struct rot_clutch_params {
   X(double, heat_j)            /* since the start */                                               \
   X(int, locked)
 
+/* Places in it. */
+enum { ROT_CLUTCH_OMEGA_1 = 1, ROT_CLUTCH_OMEGA_2 = 3, ROT_CLUTCH_HEAT_J = 5 };
+
 typedef struct rot_clutch_columns {
 #define X(type, name) type *name;
   ROT_CLUTCH_COLUMNS(X)
 #undef X
 } rot_clutch_columns;
 
-/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE): the
- * motion before a lock is lost. Events: lock, slip, reverse. The errors in *info are bounds, unless
- * a torque is within a rounding of the static capacity. */
-rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
-                          const rot_clutch_columns *out, rot_events *events, const rot_hooks *hooks,
-                          rot_info *info);
+int rot_clutch_is_driven(const rot_clutch_params *p);
 
-#define ROT_CLUTCH_LEDGER(X)                                                                       \
+/* Since the start: work and impulse of the two torques, heat of the clutch. */
+#define ROT_CLUTCH_FLOWS(X)                                                                        \
   X(work_j)                                                                                        \
-  X(work_rounding_j)
+  X(dissipated_j)                                                                                  \
+  X(torque_impulse_n_m_s)
 
-typedef struct rot_clutch_ledger {
+typedef struct rot_clutch_flows {
 #define X(name) double name;
-  ROT_CLUTCH_LEDGER(X)
+  ROT_CLUTCH_FLOWS(X)
 #undef X
-} rot_clutch_ledger;
+} rot_clutch_flows;
 
-/* Work of the two torques between two times, not before start_s, with its rounding. */
-rot_status rot_clutch_work(const rot_clutch_params *p, double from_s, double to_s,
-                           rot_clutch_ledger *ledger);
+enum { ROT_CLUTCH_WORK, ROT_CLUTCH_HEAT, ROT_CLUTCH_IMPULSE, ROT_CLUTCH_N_FLOWS };
+
+/* Times are finite, do not decrease and are not before start_s (ROT_EVALUE): the
+ * motion before a lock is lost. flow[]: a column for each flow, with its bound, or NULL. Events:
+ * lock, slip, reverse. The errors in *info are bounds, unless a torque is within a rounding of the
+ * static capacity. */
+rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
+                          const rot_clutch_columns *out, double *const flow[], double flow_error[],
+                          rot_events *events, const rot_hooks *hooks, rot_info *info);
 
 /* The engagement from two speeds to one under constant torques; capacity Inf is instant. Never
  * locks: time and heat Inf, speed NaN. */

@@ -83,15 +83,14 @@ static rot_status steps_of(const rot_given given[], size_t input, rot_store *sto
   return ROT_OK;
 }
 
-rot_status rot_clutch_build(const rot_given given[], void *to, rot_refusal *no) {
-  rot_clutch_built *built = to;
-  rot_clutch_params *p = &built->params;
-  memset(built, 0, sizeof *built);
+rot_status rot_clutch_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  rot_clutch_params *p = to;
+  memset(p, 0, sizeof *p);
 #define NUMBER(input) rot_input_number(rot_clutch_inputs, given, input)
   for (size_t i = 0; i < 2; i++) {
     rot_status status = rot_body_moments(given, BODY_1 + i, &p->inertia_kg_m2[i], no);
     if (status == ROT_OK) {
-      status = steps_of(given, TORQUE_1 + i, &built->store, &p->torque_n_m[i], no);
+      status = steps_of(given, TORQUE_1 + i, store, &p->torque_n_m[i], no);
     }
     if (status != ROT_OK) return status;
     p->omega0_rad_per_s[i] = NUMBER(OMEGA_1 + i);
@@ -109,20 +108,18 @@ rot_status rot_clutch_build(const rot_given given[], void *to, rot_refusal *no) 
   return ROT_OK;
 }
 
-void rot_clutch_release(void *built) { rot_store_free(&((rot_clutch_built *)built)->store); }
-
 double rot_clutch_start_s(const void *scene) { return ((const rot_clutch_params *)scene)->start_s; }
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
 const rot_column_of rot_clutch_all_columns[ROT_CLUTCH_ALL_COLUMNS] = {
-    {"theta_1_rad", 0, 0, NULL, 1 + ROT_THETA},
-    {"omega_1_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA},
-    {"theta_2_rad", 0, 0, NULL, 1 + ROT_THETA},
-    {"omega_2_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA},
-    {"clutch_torque_n_m", 0, 0, NULL, 0},
-    {"heat_j", 0, 0, NULL, 0},
-    {"locked", 1, 0, NULL, 0}};
+    {"theta_1_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
+    {"omega_1_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
+    {"theta_2_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
+    {"omega_2_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
+    {"clutch_torque_n_m", 0, 0, NULL, 0, 0},
+    {"heat_j", 0, 0, NULL, 0, 1 + ROT_CLUTCH_HEAT},
+    {"locked", 1, 0, NULL, 0, 0}};
 
 /* ---- the run --------------------------------------------------------------------------------- */
 
@@ -134,7 +131,8 @@ static rot_status run(const void *scene, const rot_task *task, rot_method method
 #define X(type, name) out.name = rows->column[i++];
   ROT_CLUTCH_COLUMNS(X)
 #undef X
-  return rot_clutch_run(scene, task->n, task->time_s, &out, rows->events, hooks, info);
+  return rot_clutch_run(scene, task->n, task->time_s, &out, rows->flow, rows->flow_error,
+                        rows->events, hooks, info);
 }
 
 const rot_model_run rot_clutch_runs[ROT_CLUTCH_MODELS] = {{ROT_METHOD_NONE, run}};

@@ -3,7 +3,6 @@
 #define ROT_CLUTCH_INPUTS_H
 
 #include "engine/model.h"
-#include "ground/store.h"
 #include "scene/clutch/clutch.h"
 
 enum { ROT_CLUTCH_INPUTS = 12, ROT_CLUTCH_ALL_COLUMNS = 7, ROT_CLUTCH_MODELS = 1 };
@@ -12,15 +11,9 @@ extern const rot_input rot_clutch_inputs[ROT_CLUTCH_INPUTS];
 extern const rot_column_of rot_clutch_all_columns[ROT_CLUTCH_ALL_COLUMNS];
 extern const rot_model_run rot_clutch_runs[ROT_CLUTCH_MODELS];
 
-/* As built: what the model reads first, as it reads it. */
-typedef struct rot_clutch_built {
-  rot_clutch_params params;
-  rot_store store;
-} rot_clutch_built;
-
-/* rot_constraint.build, .release and .start_s */
-rot_status rot_clutch_build(const rot_given given[], void *built, rot_refusal *refusal);
-void rot_clutch_release(void *built);
+/* rot_constraint.build and .start_s */
+rot_status rot_clutch_build(const rot_given given[], rot_store *store, void *scene,
+                            rot_refusal *refusal);
 double rot_clutch_start_s(const void *scene);
 
 #endif

@@ -1,7 +1,11 @@
 #include "scene/clutch/models.h"
 
-#include "scene/clutch/inputs.h"
+#include <math.h>
+#include <stddef.h>
+
 #include "scene/clutch/clutch.h"
+#include "scene/clutch/inputs.h"
+#include "scene/clutch/ledger.h"
 
 enum { TORQUE = 1, CLUTCH = 2 };
 
@@ -10,14 +14,7 @@ static const rot_effect effects[] = {{"torque", "constant or stepped torques", 0
 
 static unsigned effects_of(const void *scene) {
   const rot_clutch_params *p = scene;
-  unsigned mask = p->static_n_m != 0.0 ? CLUTCH : 0u;
-  for (int body = 0; body < 2; body++) {
-    const rot_steps *steps = &p->torque_n_m[body];
-    for (size_t i = 0; i <= steps->n; i++) {
-      if (steps->value[i] != 0.0) mask |= TORQUE;
-    }
-  }
-  return mask;
+  return (p->static_n_m != 0.0 ? CLUTCH : 0u) | (rot_clutch_is_driven(p) ? TORQUE : 0u);
 }
 
 static const char *not_exact(const void *scene, const rot_query *query) {
@@ -44,11 +41,27 @@ static const rot_model models[] = {
      {0.9e-6, 65e-9, 0.13e-6, 0.0}},
 };
 
+/* Between events the motion is a parabola. */
+static void pace(const void *scene, const double sizes[], rot_pace *to) {
+  (void)scene, (void)sizes;
+  *to = (rot_pace){INFINITY, 0.0};
+}
+
+static const char *const flows[] = {
+#define X(name) #name,
+    ROT_CLUTCH_FLOWS(X)
+#undef X
+};
+
+static const rot_derived derived[] = {
+    {"moment_of_inertia_kg_m2", offsetof(rot_clutch_params, inertia_kg_m2), 2},
+    {"static_capacity_n_m", offsetof(rot_clutch_params, static_n_m), 1}};
+
 const rot_constraint rot_clutch_constraint = {
     .id = "clutch",
     .measures = rot_turning,
-    .n_effects = sizeof effects / sizeof *effects,
-    .n_models = sizeof models / sizeof *models,
+    .n_effects = ROT_COUNT(effects),
+    .n_models = ROT_COUNT(models),
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
@@ -58,8 +71,18 @@ const rot_constraint rot_clutch_constraint = {
     .inputs = rot_clutch_inputs,
     .columns = rot_clutch_all_columns,
     .runs = rot_clutch_runs,
-    .scene_size = sizeof(rot_clutch_built),
+    .scene_size = sizeof(rot_clutch_params),
     .build = rot_clutch_build,
-    .release = rot_clutch_release,
     .start_s = rot_clutch_start_s,
+    .n_flows = ROT_COUNT(flows),
+    .flows = flows,
+    .n_balances = ROT_CLUTCH_BALANCES,
+    .balances = rot_clutch_balances,
+    .n_terms = ROT_CLUTCH_TERMS,
+    .terms = rot_clutch_terms,
+    .audit = rot_clutch_audit,
+    .keeps = rot_clutch_keeps,
+    .pace = pace,
+    .n_derived = ROT_COUNT(derived),
+    .derived = derived,
 };

@@ -166,10 +166,10 @@ static rot_status check_counts(const rot_given given[], size_t n, rot_refusal *n
   return ROT_OK;
 }
 
-static rot_status build_couplings(const rot_given given[], size_t n, rot_drive_built *built,
-                                  rot_refusal *no) {
+static rot_status build_couplings(const rot_given given[], size_t n, rot_store *store,
+                                  rot_drive_scene *scene, rot_refusal *no) {
   const rot_given *g = &given[COUPLINGS];
-  rot_drive_coupling *coupling = rot_store_get(&built->store, n - 1, sizeof *coupling);
+  rot_drive_coupling *coupling = rot_store_get(store, n - 1, sizeof *coupling);
   int clutch = 0, lossy = 0;
   if (!coupling) return ROT_ENOMEM;
   if (g->is != ROT_INPUT_COUPLING && (g->is ? g->n : 0) != n - 1) {
@@ -186,7 +186,7 @@ static rot_status build_couplings(const rot_given given[], size_t n, rot_drive_b
     clutch |= coupling[i].kind == ROT_DRIVE_CLUTCH;
     lossy |= rot_drive_mesh_loses(&coupling[i]);
   }
-  built->scene.coupling = coupling;
+  scene->coupling = coupling;
   if (clutch && lossy) {
     return rot_refuse(no, COUPLINGS, "with a clutch takes gears of efficiency 1 only");
   }
@@ -220,9 +220,8 @@ static rot_status check_geared_rates(size_t n, const rot_drive_coupling coupling
   return ROT_OK;
 }
 
-static rot_status build_rotors(const rot_given given[], size_t n, rot_drive_built *built,
-                               rot_refusal *no) {
-  rot_store *store = &built->store;
+static rot_status build_rotors(const rot_given given[], size_t n, rot_store *store,
+                               rot_drive_scene *scene, rot_refusal *no) {
   double *inertia = rot_store_get(store, n, 4 * sizeof *inertia);
   rot_axle_scene *rotor = rot_store_get(store, n, sizeof *rotor);
   rot_drive_grip *brake = rot_store_get(store, n, sizeof *brake);
@@ -231,7 +230,7 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_drive_buil
   long double product = 1.0L; /* as R multiplies them */
   rot_status status = rot_body_moments(given, BODIES, inertia, no);
   for (size_t i = 0; i < n; i++) {
-    if (i > 0) product *= built->scene.coupling[i - 1].ratio;
+    if (i > 0) product *= scene->coupling[i - 1].ratio;
     ratio[i] = (double)product;
     if (!isfinite(ratio[i]) || ratio[i] == 0.0) {
       return rot_refuse(no, COUPLINGS, "have a product of ratios beyond double precision");
@@ -239,11 +238,11 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_drive_buil
   }
   if (status == ROT_OK) status = through_ratios(given, THETA0, n, ratio, theta, no);
   if (status == ROT_OK) status = through_ratios(given, OMEGA0, n, ratio, omega, no);
-  if (status == ROT_OK) status = check_geared_rates(n, built->scene.coupling, omega, no);
+  if (status == ROT_OK) status = check_geared_rates(n, scene->coupling, omega, no);
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
     const rot_given *holds = item_of(&given[BRAKE], i);
     rotor[i].linear.inertia_kg_m2 = inertia[i];
-    rotor[i].linear.start_s = built->scene.start_s;
+    rotor[i].linear.start_s = scene->start_s;
     rotor[i].linear.theta0_rad = theta[i];
     rotor[i].linear.omega0_rad_per_s = omega[i];
     if (holds->is) brake[i] = *(const rot_drive_grip *)holds->object;
@@ -253,25 +252,23 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_drive_buil
       return rot_refuse(no, TORQUE, "item %zu adds up beyond double precision", i + 1);
     }
   }
-  built->scene.rotor = rotor;
-  built->scene.brake = brake;
+  scene->rotor = rotor;
+  scene->brake = brake;
   return status;
 }
 
-rot_status rot_drive_build(const rot_given given[], void *to, rot_refusal *no) {
-  rot_drive_built *built = to;
+rot_status rot_drive_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  rot_drive_scene *scene = to;
   const size_t n = rot_body_count(&given[BODIES]);
-  memset(built, 0, sizeof *built);
+  memset(scene, 0, sizeof *scene);
   if (n == 0) return rot_refuse(no, BODIES, "is empty");
-  built->scene.n = n;
-  built->scene.start_s = rot_input_number(rot_drive_inputs, given, START);
+  scene->n = n;
+  scene->start_s = rot_input_number(rot_drive_inputs, given, START);
   rot_status status = check_counts(given, n, no);
-  if (status == ROT_OK) status = build_couplings(given, n, built, no);
-  if (status == ROT_OK) status = build_rotors(given, n, built, no);
+  if (status == ROT_OK) status = build_couplings(given, n, store, scene, no);
+  if (status == ROT_OK) status = build_rotors(given, n, store, scene, no);
   return status;
 }
-
-void rot_drive_release(void *built) { rot_store_free(&((rot_drive_built *)built)->store); }
 
 double rot_drive_start_s(const void *scene) { return ((const rot_drive_scene *)scene)->start_s; }
 
@@ -280,16 +277,16 @@ size_t rot_drive_copies(const void *scene) { return ((const rot_drive_scene *)sc
 /* ---- columns --------------------------------------------------------------------------------- */
 
 const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS] = {
-    {"theta_rad", 0, 0, NULL, 1 + ROT_THETA},
-    {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA},
-    {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0},
-    {"rotational_kinetic_energy_j", 0, 0, NULL, 0},
-    {"applied_torque_n_m", 0, 0, NULL, 0},
-    {"damping_torque_n_m", 0, 0, NULL, 0},
-    {"coupling_torque_n_m", 0, 0, NULL, 0},
-    {"locked", 1, 0, NULL, 0},
-    {"heat_j", 0, 0, NULL, 0},
-    {"coupling_heat_j", 0, 0, NULL, 0}};
+    {"theta_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
+    {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
+    {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0, 0},
+    {"rotational_kinetic_energy_j", 0, 0, NULL, 0, 0},
+    {"applied_torque_n_m", 0, 0, NULL, 0, 0},
+    {"damping_torque_n_m", 0, 0, NULL, 0, 0},
+    {"coupling_torque_n_m", 0, 0, NULL, 0, 0},
+    {"locked", 1, 0, NULL, 0, 0},
+    {"heat_j", 0, 0, NULL, 0, 0},
+    {"coupling_heat_j", 0, 0, NULL, 0, 0}};
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
@@ -301,7 +298,7 @@ static rot_status run(const void *of, const rot_task *task, rot_method method, c
   rot_drive_columns out;
   rot_drive_ledger ledger;
   rot_drive_places places = {0, NULL};
-  rot_store store = {NULL};
+  rot_store store = {0};
   size_t i = 0, no_memory = 0;
 #define X(type, name) out.name = rows->column[i++];
   ROT_DRIVE_COLUMNS(X)

@@ -12,15 +12,9 @@ extern const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS];
 extern const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS];
 extern const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS];
 
-/* As built: what the models read first, as they read it. */
-typedef struct rot_drive_built {
-  rot_drive_scene scene;
-  rot_store store;
-} rot_drive_built;
-
-/* rot_constraint.build, .release, .start_s and .copies */
-rot_status rot_drive_build(const rot_given given[], void *built, rot_refusal *refusal);
-void rot_drive_release(void *built);
+/* rot_constraint.build, .start_s and .copies */
+rot_status rot_drive_build(const rot_given given[], rot_store *store, void *scene,
+                           rot_refusal *refusal);
 double rot_drive_start_s(const void *scene);
 size_t rot_drive_copies(const void *scene);
 

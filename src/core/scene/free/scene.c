@@ -107,7 +107,8 @@ rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[]
   return ROT_OK;
 }
 
-rot_status rot_free_build(const rot_given given[], void *to, rot_refusal *no) {
+rot_status rot_free_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  (void)store;
   rot_free_built *built = to;
   const rot_given_body *body = &given[BODY].body;
   memset(built, 0, sizeof *built);
@@ -125,7 +126,7 @@ double rot_free_start(const void *scene) { return ((const rot_free_params *)scen
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
-#define X(type, name) {#name, 0, 0, NULL, 0},
+#define X(type, name) {#name, 0, 0, NULL, 0, 0},
 const rot_column_of rot_free_all_columns[ROT_FREE_ALL_COLUMNS] = {ROT_FREE_COLUMNS(X)};
 #undef X
 

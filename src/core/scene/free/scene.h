@@ -19,7 +19,8 @@ typedef struct rot_free_built {
 } rot_free_built;
 
 /* rot_constraint.build and .start_s */
-rot_status rot_free_build(const rot_given given[], void *built, rot_refusal *refusal);
+rot_status rot_free_build(const rot_given given[], rot_store *store, void *built,
+                          rot_refusal *refusal);
 double rot_free_start(const void *scene);
 
 /* ---- shared with bodies that have a fixed point ---------------------------------------------- */

@@ -27,7 +27,8 @@ static const rot_input inputs[] = {
     ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds")};
 /* clang-format on */
 
-static rot_status build(const rot_given given[], void *to, rot_refusal *no) {
+static rot_status build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  (void)store;
   hoop *h = to;
   rot_input_numbers(ROT_COUNT(inputs), inputs, given, to);
   h->inertia = h->mass * h->radius * h->radius;
@@ -68,10 +69,12 @@ static void slopes(const void *scene, const rot_system_state *at, double acceler
   if (drive) *drive = f.along / fmax(f.normal, DBL_MIN);
 }
 
-static const rot_column_of columns[] = {
-    {"theta_rad", 0, 0, "rad", 1 + ROT_THETA}, {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_OMEGA},
-    {"drive_torque_n_m", 0, 0, "N m", 0},      {"normal_n", 0, 0, "N", 0},
-    {"kinetic_energy_j", 0, 0, "J", 0},        {"potential_energy_j", 0, 0, "J", 0}};
+static const rot_column_of columns[] = {{"theta_rad", 0, 0, "rad", 1 + ROT_THETA, 0},
+                                        {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_OMEGA, 0},
+                                        {"drive_torque_n_m", 0, 0, "N m", 0, 0},
+                                        {"normal_n", 0, 0, "N", 0, 0},
+                                        {"kinetic_energy_j", 0, 0, "J", 0, 0},
+                                        {"potential_energy_j", 0, 0, "J", 0, 0}};
 
 static void row(const void *scene, const rot_system_state *at, size_t i, void *const column[]) {
   const hoop *h = scene;

@@ -107,11 +107,11 @@ static void pace(const void *of, const double sizes[], rot_pace *to) {
 }
 
 static const rot_derived derived[] = {
-    {"mass_kg", offsetof(rot_incline_built, scene.slope.mass_kg)},
-    {"moment_of_inertia_kg_m2", offsetof(rot_incline_built, scene.slope.inertia_kg_m2)},
-    {"radius_m", offsetof(rot_incline_built, scene.slope.radius_m)},
-    {"kinetic_friction", offsetof(rot_incline_built, scene.slope.mu_kinetic)},
-    {"omega0_rad_per_s", offsetof(rot_incline_built, scene.slope.omega0_rad_per_s)},
+    {"mass_kg", offsetof(rot_incline_built, scene.slope.mass_kg), 1},
+    {"moment_of_inertia_kg_m2", offsetof(rot_incline_built, scene.slope.inertia_kg_m2), 1},
+    {"radius_m", offsetof(rot_incline_built, scene.slope.radius_m), 1},
+    {"kinetic_friction", offsetof(rot_incline_built, scene.slope.mu_kinetic), 1},
+    {"omega0_rad_per_s", offsetof(rot_incline_built, scene.slope.omega0_rad_per_s), 1},
 };
 
 const rot_constraint rot_incline_constraint = {

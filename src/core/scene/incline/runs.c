@@ -7,21 +7,21 @@
 #include "scene/incline/ledger.h"
 
 const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS] = {
-    {"x_m", 0, 0, "m", 1 + ROT_INCLINE_X},
-    {"v_m_per_s", 0, 0, "m/s", 1 + ROT_INCLINE_V},
-    {"theta_rad", 0, 0, "rad", 1 + ROT_INCLINE_THETA},
-    {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_INCLINE_OMEGA},
-    {"slip_speed_m_per_s", 0, 0, "m/s", 0},
-    {"friction_force_n", 0, 0, "N", 0},
-    {"translational_kinetic_energy_j", 0, 0, "J", 0},
-    {"rotational_kinetic_energy_j", 0, 0, "J", 0},
-    {"potential_energy_j", 0, 0, "J", 0},
-    {"slip_heat_j", 0, 0, "J", 0},
-    {"rolling_heat_j", 0, 0, "J", 0},
-    {"rolling", 1, 0, "", 0},
-    {"drag_force_n", 0, ROT_INCLINE_OUTER, "N", 0},
-    {"applied_force_n", 0, ROT_INCLINE_OUTER, "N", 0},
-    {"drag_heat_j", 0, ROT_INCLINE_OUTER, "J", 0}};
+    {"x_m", 0, 0, "m", 1 + ROT_INCLINE_X, 0},
+    {"v_m_per_s", 0, 0, "m/s", 1 + ROT_INCLINE_V, 0},
+    {"theta_rad", 0, 0, "rad", 1 + ROT_INCLINE_THETA, 0},
+    {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_INCLINE_OMEGA, 0},
+    {"slip_speed_m_per_s", 0, 0, "m/s", 0, 0},
+    {"friction_force_n", 0, 0, "N", 0, 0},
+    {"translational_kinetic_energy_j", 0, 0, "J", 0, 0},
+    {"rotational_kinetic_energy_j", 0, 0, "J", 0, 0},
+    {"potential_energy_j", 0, 0, "J", 0, 0},
+    {"slip_heat_j", 0, 0, "J", 0, 0},
+    {"rolling_heat_j", 0, 0, "J", 0, 0},
+    {"rolling", 1, 0, "", 0, 0},
+    {"drag_force_n", 0, ROT_INCLINE_OUTER, "N", 0, 0},
+    {"applied_force_n", 0, ROT_INCLINE_OUTER, "N", 0, 0},
+    {"drag_heat_j", 0, ROT_INCLINE_OUTER, "J", 0, 0}};
 enum { DRAG_FORCE = ROT_INCLINE_ALL_COLUMNS - 3, APPLIED_FORCE, DRAG_HEAT };
 
 static rot_incline_columns columns_of(void *const column[]) {

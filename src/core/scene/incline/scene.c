@@ -69,7 +69,8 @@ static rot_status call_force(double t, double x, double v, double *force, void *
   return law->call(argument, force, law->ctx);
 }
 
-rot_status rot_incline_build(const rot_given given[], void *to, rot_refusal *no) {
+rot_status rot_incline_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  (void)store;
   rot_incline_built *built = to;
   rot_incline_scene *scene = &built->scene;
   rot_incline_params *p = &scene->slope;

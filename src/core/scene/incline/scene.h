@@ -28,7 +28,8 @@ typedef struct rot_incline_built {
 } rot_incline_built;
 
 /* rot_constraint.build and .start_s */
-rot_status rot_incline_build(const rot_given given[], void *built, rot_refusal *refusal);
+rot_status rot_incline_build(const rot_given given[], rot_store *store, void *built,
+                             rot_refusal *refusal);
 double rot_incline_start(const void *scene);
 
 #endif

@@ -22,7 +22,8 @@ const rot_input rot_pivot_inputs[ROT_PIVOT_INPUTS] = {
      "acceleration of gravity, against z", NULL},
     ROT_FREE_COMMON_INPUTS};
 
-rot_status rot_pivot_build(const rot_given given[], void *to, rot_refusal *no) {
+rot_status rot_pivot_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  (void)store;
   rot_free_built *built = to;
   rot_free_params *p = &built->params;
   const rot_given_body *body = &given[BODY].body;

@@ -11,6 +11,7 @@ extern const rot_input rot_pivot_inputs[ROT_PIVOT_INPUTS];
 extern const rot_model_run rot_pivot_runs[ROT_PIVOT_MODELS];
 
 /* rot_constraint.build */
-rot_status rot_pivot_build(const rot_given given[], void *built, rot_refusal *refusal);
+rot_status rot_pivot_build(const rot_given given[], rot_store *store, void *built,
+                           rot_refusal *refusal);
 
 #endif

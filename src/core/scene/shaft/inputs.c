@@ -31,12 +31,11 @@ const rot_input rot_shaft_inputs[ROT_SHAFT_INPUTS] = {
     [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
 };
 
-rot_status rot_shaft_build(const rot_given given[], void *to, rot_refusal *no) {
-  rot_shaft_built *built = to;
-  rot_shaft_params *p = &built->params;
-  memset(built, 0, sizeof *built);
+rot_status rot_shaft_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  rot_shaft_params *p = to;
+  memset(p, 0, sizeof *p);
   p->n = rot_body_count(&given[BODIES]);
-  double *inertia = rot_store_get(&built->store, p->n, sizeof *inertia);
+  double *inertia = rot_store_get(store, p->n, sizeof *inertia);
   if (!inertia) return ROT_ENOMEM;
   rot_status status = rot_body_moments(given, BODIES, inertia, no);
   if (status != ROT_OK) return status;
@@ -56,7 +55,7 @@ rot_status rot_shaft_build(const rot_given given[], void *to, rot_refusal *no) {
               {THETA0, p->n, &p->theta0_rad},
               {OMEGA0, p->n, &p->omega0_rad_per_s}};
   for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
-    double *x = rot_store_get(&built->store, each[i].n, sizeof *x);
+    double *x = rot_store_get(store, each[i].n, sizeof *x);
     if (!x) return ROT_ENOMEM;
     status = rot_input_each(rot_shaft_inputs, given, each[i].input, each[i].n, x, no);
     if (status != ROT_OK) return status;
@@ -67,8 +66,6 @@ rot_status rot_shaft_build(const rot_given given[], void *to, rot_refusal *no) {
   return ROT_OK;
 }
 
-void rot_shaft_release(void *built) { rot_store_free(&((rot_shaft_built *)built)->store); }
-
 double rot_shaft_start_s(const void *scene) { return ((const rot_shaft_params *)scene)->start_s; }
 
 size_t rot_shaft_copies(const void *scene) { return ((const rot_shaft_params *)scene)->n; }
@@ -78,11 +75,11 @@ size_t rot_shaft_copies(const void *scene) { return ((const rot_shaft_params *)s
 enum { THETA, OMEGA, MOMENTUM, ENERGY, SHAFT_TORQUE };
 
 const rot_column_of rot_shaft_all_columns[ROT_SHAFT_ALL_COLUMNS] = {
-    [THETA] = {"theta_rad", 0, 0, NULL, 1 + ROT_THETA},
-    [OMEGA] = {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA},
-    [MOMENTUM] = {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0},
-    [ENERGY] = {"rotational_kinetic_energy_j", 0, 0, NULL, 0},
-    [SHAFT_TORQUE] = {"shaft_torque_n_m", 0, 0, NULL, 0}};
+    [THETA] = {"theta_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
+    [OMEGA] = {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
+    [MOMENTUM] = {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0, 0},
+    [ENERGY] = {"rotational_kinetic_energy_j", 0, 0, NULL, 0, 0},
+    [SHAFT_TORQUE] = {"shaft_torque_n_m", 0, 0, NULL, 0, 0}};
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 

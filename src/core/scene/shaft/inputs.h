@@ -3,7 +3,6 @@
 #define ROT_SHAFT_INPUTS_H
 
 #include "engine/model.h"
-#include "ground/store.h"
 #include "scene/shaft/shaft.h"
 
 enum { ROT_SHAFT_INPUTS = 8, ROT_SHAFT_ALL_COLUMNS = 5, ROT_SHAFT_MODELS = 2 };
@@ -12,15 +11,9 @@ extern const rot_input rot_shaft_inputs[ROT_SHAFT_INPUTS];
 extern const rot_column_of rot_shaft_all_columns[ROT_SHAFT_ALL_COLUMNS];
 extern const rot_model_run rot_shaft_runs[ROT_SHAFT_MODELS];
 
-/* As built: what the models read first, as they read it. */
-typedef struct rot_shaft_built {
-  rot_shaft_params params;
-  rot_store store;
-} rot_shaft_built;
-
-/* rot_constraint.build, .release, .start_s and .copies */
-rot_status rot_shaft_build(const rot_given given[], void *built, rot_refusal *refusal);
-void rot_shaft_release(void *built);
+/* rot_constraint.build, .start_s and .copies */
+rot_status rot_shaft_build(const rot_given given[], rot_store *store, void *scene,
+                           rot_refusal *refusal);
 double rot_shaft_start_s(const void *scene);
 size_t rot_shaft_copies(const void *scene);
 
