@@ -98,7 +98,7 @@ reduced_clutch <- function(scene) {
 
 solve_as_clutch <- function(scene, time_s, call) {
   clutch <- reduced_clutch(scene)
-  result <- clutch_exact$run(clutch, time_s, 1e-12, 1e6, call, TRUE)
+  result <- constraint_of(clutch)$models$clutch_exact$run(clutch, time_s, 1e-12, 1e6, call, TRUE)
   columns <- result$columns
   engaged <- result$events$time_s >= clutch$engage_s # open, it has no events
   where <- paste("coupling", drive_units(scene)$between)
