@@ -279,3 +279,13 @@ read_drive <- function(bodies, couplings = list(), torque = NULL, resistance = N
     theta0_rad = theta0_rad, omega0_rad_per_s = omega0_rad_per_s, start_s = start_s
   )
 }
+
+# A bound on the largest eigenvalue of J^-1/2 K J^-1/2 (Gershgorin), with K of springs or dampers
+# between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold
+# rotors together only lessen it.
+largest_rate <- function(k, ratio, inertia) {
+  n <- length(inertia)
+  if (n < 2L) return(0)
+  across <- k * abs(ratio) / sqrt(inertia[-n]) / sqrt(inertia[-1])
+  max(c(k / inertia[-n] + across, 0) + c(0, k * ratio^2 / inertia[-1] + across))
+}

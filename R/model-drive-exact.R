@@ -135,7 +135,7 @@ solve_as_rotors <- function(scene, time_s, call) {
     viscous_n_m_s = u$viscous, theta0_rad = start, omega0_rad_per_s = u$omega,
     start_s = scene$start_s
   )
-  result <- rotors_modal$run(rotors, time_s, 1e-12, 1e6, call, TRUE)
+  result <- constraint_of(rotors)$models$rotors_modal$run(rotors, time_s, 1e-12, 1e6, call, TRUE)
   rows <- function(name) matrix(result$columns[[name]], ncol = u$m, byrow = TRUE)
   list(
     turned = rows("theta_rad") - rep(start, each = length(time_s)),

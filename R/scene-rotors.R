@@ -52,21 +52,18 @@ scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., 
   each <- function(x, arg, unit, size, lower = -Inf) {
     check_each(x, arg, unit, size, lower, call)
   }
-  scene <- list(
-    bodies = plain_bodies(bodies, inertia),
-    moment_of_inertia_kg_m2 = inertia,
+  finish_scene("rotors", list(
+    bodies = plain_bodies(bodies, inertia) %||% inertia,
     stiffness_n_m_per_rad = check_between(
       stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", n - 1L, 0, call
     ),
     damping_n_m_s = each(damping_n_m_s, "damping_n_m_s", "N*m*s", n - 1L, 0),
-    viscous_n_m_s = each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0),
     torque_n_m = check_torque_each(torque_n_m, "torque_n_m", n, call),
+    viscous_n_m_s = each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0),
     theta0_rad = each(theta0_rad, "theta0_rad", "rad", n),
     omega0_rad_per_s = each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n),
     start_s = check_number(start_s, "start_s", "s", call)
-  )
-  class(scene) <- c("rot_scene_rotors", "rot_scene")
-  sound_scene(scene, call)
+  ), call)
 }
 
 # Moments of inertia about the axle, from a list of bodies or numbers.

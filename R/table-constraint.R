@@ -13,7 +13,9 @@ table_constraint <- function(id, models, ...) {
     scene_class = paste0("rot_scene_", id),
     inputs = table$inputs,
     derived = names(table$derived),
-    bodies = names(Filter(function(input) input$form %in% c("body", "inertia"), table$inputs)),
+    bodies = names(Filter(
+      function(input) input$form %in% c("body", "inertia", "bodies"), table$inputs
+    )),
     form = table_form(table),
     models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
     columns = c("time_s", table$index, table$columns[always]),
@@ -52,14 +54,17 @@ table_form <- function(table) {
   forms <- Map(function(input) {
     optional <- !input$required && is.na(input$otherwise)
     of <- switch(input$form,
-      body = body_form, torque = torque_form, inertia = list(.one_of = list(body_form, "number"))
+      body = body_form, torque = torque_form, inertia = list(.one_of = list(body_form, "number")),
+      bodies = list(.one_of = list(
+        "numbers", list(.each = list(.one_of = list(body_form, "number")))
+      ))
     )
     if (!is.null(of)) return(if (optional) c(of, .optional = TRUE) else of)
     paste0(input$form, if (optional) "?")
   }, table$inputs)
   forms[names(table$derived)] <- Map(function(name, n) {
     if (is.character(forms[[name]])) return(sub("?", "", forms[[name]], fixed = TRUE))
-    if (n == 1L) "number" else paste0("numbers:", n)
+    switch(as.character(n), `0` = "numbers", `1` = "number", paste0("numbers:", n))
   }, names(table$derived), table$derived)
   forms
 }

@@ -26,6 +26,12 @@ scene_of_inputs <- function(id, call) {
     function(input, name) check_input(get(name, envir = call), name, input, call), inputs,
     names(inputs)
   )
+  finish_scene(id, scene, call)
+}
+
+# The scene of checked inputs, with what follows from them.
+finish_scene <- function(id, scene, call) {
+  inputs <- core_table(id)$inputs
   class(scene) <- c(paste0("rot_scene_", id), "rot_scene")
   follows <- .Call(ffi_scene_derived, id, scene)
   if (is.character(follows)) {

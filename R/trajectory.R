@@ -336,13 +336,16 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
 
 # A scene with moment of inertia i times `factor`: of its body, where it follows from that.
 with_moment <- function(scene, i, factor) {
-  body <- constraint_of(scene)$bodies[i]
-  if (length(body)) {
-    scene[[body]] <- if (is.numeric(scene[[body]])) factor * scene[[body]] else {
-      scaled <- scene[[body]]
-      scaled$second_moment_kg_m2 <- factor * scaled$second_moment_kg_m2
-      scaled
-    }
+  bodies <- constraint_of(scene)$bodies
+  scaled <- function(body) {
+    if (is.numeric(body)) return(factor * body)
+    body$second_moment_kg_m2 <- factor * body$second_moment_kg_m2
+    body
+  }
+  if (identical(bodies, "bodies")) {
+    scene$bodies[[i]] <- scaled(scene$bodies[[i]])
+  } else if (length(bodies)) {
+    scene[[bodies[i]]] <- scaled(scene[[bodies[i]]])
   } else {
     scene$moment_of_inertia_kg_m2[i] <- factor * scene$moment_of_inertia_kg_m2[i]
   }

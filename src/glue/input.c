@@ -22,6 +22,7 @@ static unsigned kind_of(unsigned kinds, R_xlen_t n) {
 const char *ffi_input_form(const rot_input *input) {
   const unsigned kinds = input->kinds;
   if (kinds & ROT_INPUT_TORQUE) return "torque";
+  if (kinds & ROT_INPUT_BODY && kinds & ROT_INPUT_LIST) return "bodies";
   if (kinds & ROT_INPUT_BODY) return kinds & ROT_INPUT_NUMBER ? "inertia" : "body";
   if (kinds & ROT_INPUT_LAW) return "function";
   if (kinds & ROT_INPUT_CHOICE) return "text";
@@ -82,7 +83,7 @@ static rot_status call_law(const double argument[], double value[], void *ctx) {
 static rot_law new_law(SEXP spec, size_t input, const ffi_laws *laws) {
   if (Rf_isNull(spec)) return (rot_law){not_called, NULL};
   ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
-  *called = ffi_torque_new(spec, laws->guard); /* protects its call */
+  *called = ffi_torque_new(spec, laws->guard);    /* protects its call */
   SEXP both = PROTECT(Rf_allocVector(VECSXP, 2)); /* with those before it */
   SET_VECTOR_ELT(both, 0, called->call);
   SET_VECTOR_ELT(both, 1, VECTOR_ELT(laws->kept, (R_xlen_t)input));
@@ -113,6 +114,17 @@ static const rot_law_sum *read_torque(SEXP x, const char *name, size_t i, const 
   return sum;
 }
 
+static int read_list(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws,
+                     rot_given *to) {
+  const R_xlen_t n = XLENGTH(x);
+  rot_given *item = (rot_given *)R_alloc((size_t)n + 1, sizeof *item);
+  for (R_xlen_t k = 0; k < n; k++) {
+    if (!ffi_input_read(inputs, i, VECTOR_ELT(x, k), laws, &item[k])) return 0;
+  }
+  *to = (rot_given){.is = ROT_INPUT_LIST, .n = (size_t)n, .item = item};
+  return 1;
+}
+
 int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws,
                    rot_given *to) {
   const rot_input *input = &inputs[i];
@@ -139,6 +151,9 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
     *to =
         (rot_given){.is = ROT_INPUT_TORQUE, .n = 1, .object = read_torque(x, input->name, i, laws)};
     return 1;
+  }
+  if (TYPEOF(x) == VECSXP && !Rf_isObject(x) && input->kinds & ROT_INPUT_LIST) {
+    return read_list(inputs, i, x, laws, to);
   }
   if (Rf_isFunction(x) && input->kinds & ROT_INPUT_LAW) {
     to->is = ROT_INPUT_LAW;

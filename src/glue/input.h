@@ -21,7 +21,7 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
  * names or units, functions, what is wrong. */
 SEXP ffi_input_plain(const rot_input *input, SEXP x);
 /* What such an input must be, in the words of R/form.R; or "body", "inertia" (a body or a number),
- * "torque". */
+ * "bodies" (numbers, or a list of these), "torque". */
 const char *ffi_input_form(const rot_input *input);
 
 #endif

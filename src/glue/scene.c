@@ -13,7 +13,6 @@
 #include "scene/free/models.h"
 #include "scene/pivot/models.h"
 #include "scene/run.h"
-#include "scene/shaft/models.h"
 
 const rot_constraint *ffi_constraint(SEXP id) {
   const rot_constraint *found = rot_choice_constraint(ffi_text(id, "constraint"));
@@ -64,7 +63,6 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
     *kept = ffi_##name##_scene(scene);                                                             \
     return kept;                                                                                   \
   }
-KEPT(shaft, rot_shaft_params)
 KEPT(drive, rot_drive_scene)
 KEPT(free, rot_free_params)
 
@@ -83,7 +81,6 @@ static const struct {
   const rot_constraint *of;
   const void *(*read)(SEXP scene);
 } own_forms[] = {{&rot_axle_constraint, read_axle},
-                 {&rot_shaft_constraint, read_shaft},
                  {&rot_drive_constraint, read_drive},
                  {&rot_free_constraint, read_free},
                  {&rot_pivot_constraint, read_free}};
@@ -104,13 +101,17 @@ const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
   return build_scene(constraint, scene, NULL);
 }
 
-/* The numbers of one derived name. */
-static const double *derived(const rot_constraint *c, const void *built, size_t i) {
-  return (const double *)((const char *)built + c->derived[i].offset);
+/* The numbers of one derived name, and how many they are. */
+static const double *derived(const rot_constraint *c, const void *built, size_t i, R_xlen_t *n) {
+  const char *at = (const char *)built + c->derived[i].offset;
+  *n = (R_xlen_t)(c->derived[i].n ? c->derived[i].n : rot_run_copies(c, built));
+  return c->derived[i].n ? (const double *)at : *(const double *const *)at;
 }
 
 static SEXP derived_numbers(const rot_constraint *c, const void *built, size_t i) {
-  return ffi_numbers((int)c->derived[i].n, derived(c, built, i));
+  R_xlen_t n;
+  const double *x = derived(c, built, i, &n);
+  return ffi_numbers((int)n, x);
 }
 
 /* NULL, or the name of an input that is refused, or of a number that does not follow from them. */
@@ -120,9 +121,8 @@ static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
   if (read_scene(c, scene, NULL, built, &no) != ROT_OK) return c->inputs[no.input].name;
   for (size_t i = 0; i < c->n_derived; i++) {
     SEXP x = ffi_element(scene, c->derived[i].name);
-    const R_xlen_t n = (R_xlen_t)c->derived[i].n;
-    const double *want = derived(c, built, i);
-    R_xlen_t same = 0;
+    R_xlen_t n, same = 0;
+    const double *want = derived(c, built, i, &n);
     while (TYPEOF(x) == REALSXP && XLENGTH(x) == n && same < n && REAL_RO(x)[same] == want[same]) {
       same++;
     }

@@ -7,11 +7,9 @@
 #include "scene/axle/scene.h"
 #include "scene/drive/drive.h"
 #include "scene/free/free.h"
-#include "scene/shaft/shaft.h"
 
 /* With all its breaks, and with those in `breaks_s` (NULL: no others). */
 rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
-rot_shaft_params ffi_shaft_scene(SEXP scene);
 /* Its R function is only marked, not called. */
 rot_free_params ffi_free_scene(SEXP scene);
 /* A run by a closed form of such scenes. */

@@ -522,20 +522,18 @@ test_that("a damaged scene is an R error", {
       expect_error(run(bad), "internal", info = path)
     }
   }
-  rotors <- scene_rotors(c(1, 2), 1000, 0.5)
-  for (path in c(
-    "moment_of_inertia_kg_m2", "stiffness_n_m_per_rad", "damping_n_m_s", "viscous_n_m_s",
-    "torque_n_m", "theta0_rad", "omega0_rad_per_s", "start_s"
-  )) {
-    damage(rotors, path, function(scene) .Call(rotdyn:::ffi_rotors_run, scene, 1, 1, NULL))
-  }
-  clutch <- scene_clutch(1, 2, 3, omega1_rad_per_s = 10)
   control <- c(1e-9, 1e4, 0, 0, 0, 0)
-  for (path in c("body_1", "body_2", "capacity_n_m")) {
-    damage(clutch, path, function(scene) {
-      .Call(rotdyn:::ffi_scene_run, "clutch", scene, "clutch_exact", 1, control, list(), NULL)
-    })
+  run_by_table <- function(scene) {
+    id <- sub("rot_scene_", "", class(scene)[1])
+    function(scene) {
+      model <- c(rotors = "rotors_modal", clutch = "clutch_exact")[[id]]
+      .Call(rotdyn:::ffi_scene_run, id, scene, model, 1, control, list(), NULL)
+    }
   }
+  rotors <- scene_rotors(c(1, 2), 1000, 0.5)
+  for (path in c("bodies", "stiffness_n_m_per_rad")) damage(rotors, path, run_by_table(rotors))
+  clutch <- scene_clutch(1, 2, 3, omega1_rad_per_s = 10)
+  for (path in c("body_1", "body_2", "capacity_n_m")) damage(clutch, path, run_by_table(clutch))
 })
 
 test_that("routines are registered, and nothing else is found", {

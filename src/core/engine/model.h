@@ -120,7 +120,7 @@ typedef struct rot_span {
 /* Numbers of a built scene that follow from its inputs, or an input that may be left out. */
 typedef struct rot_derived {
   const char *name;
-  size_t offset, n; /* n doubles, in the scene */
+  size_t offset, n; /* n doubles, in the scene; n = 0: a pointer to one for each copy */
 } rot_derived;
 
 /* How fast a motion goes: the shortest time in which a transient fades (Inf: none), the fastest

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "body/parts.h"
+#include "scene/shaft/ledger.h"
 #include "scene/shaft/modal.h"
 #include "scene/shaft/rigid.h"
 
@@ -101,7 +102,8 @@ static rot_status run(int rigid, const void *scene, const rot_task *task, const 
     column[ENERGY][i] = 0.5 * momentum * out.omega_rad_per_s[i];
     if ((i + 1) % p->n == 0) out.shaft_torque_n_m[i] = NAN;
   }
-  return status;
+  if (status != ROT_OK || !rows->flow) return status;
+  return rot_shaft_flow(p, rigid, n, task->time_s, &out, info, rows->flow, rows->flow_error, hooks);
 }
 
 #define RUN(name, rigid)                                                                           \

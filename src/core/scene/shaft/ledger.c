@@ -183,3 +183,124 @@ rot_status rot_shaft_balance(const rot_shaft_params *p, int rigid, double from_s
   return rigid ? balance_of_lump(p, from.hi, to.hi, ledger)
                : balance_of_modes(p, from, to, hooks, ledger);
 }
+
+/* ---- flows ----------------------------------------------------------------------------------- */
+
+enum { WORK, HEAT, ELASTIC, IMPULSE };
+const char *const rot_shaft_flow_names[ROT_SHAFT_FLOWS] = {[WORK] = "work_j",
+                                                           [HEAT] = "dissipated_j",
+                                                           [ELASTIC] = "elastic_energy_j",
+                                                           [IMPULSE] = "torque_impulse_n_m_s"};
+
+static double sum_of(size_t n, const double x[]) {
+  double sum = 0.0;
+  for (size_t i = 0; i < n; i++) sum += x[i];
+  return sum;
+}
+
+static double size_of(size_t n, const double x[]) {
+  double sum = 0.0;
+  for (size_t i = 0; i < n; i++) sum += fabs(x[i]);
+  return sum;
+}
+
+/* What the springs hold more than at the start, from the torques of a row: the difference of two
+ * angles loses the twist of a stiff shaft. The error of the twists has the energy norm of that of
+ * omega. */
+static double elastic_at(const rot_shaft_params *p, const double omega[], const double shaft[],
+                         double omega_error, double *error) {
+  double change = 0.0, before = 0.0, after = 0.0, rounding = 0.0;
+  for (size_t i = 0; i + 1 < p->n; i++) {
+    const double k = p->stiffness_n_m_per_rad[i], c = p->damping_n_m_s[i];
+    if (k == 0.0) continue;
+    const double damper = c * (omega[i] - omega[i + 1]), spring = shaft[i] - damper;
+    const double start = k * (p->theta0_rad[i] - p->theta0_rad[i + 1]);
+    const double twisted = k * (fabs(p->theta0_rad[i]) + fabs(p->theta0_rad[i + 1]));
+    const double size = fabs(shaft[i]) + c * (fabs(omega[i]) + fabs(omega[i + 1]));
+    change += 0.5 * (spring - start) * (spring + start) / k;
+    before += start * start / k;
+    after += spring * spring / k;
+    rounding += 8.0 * ROT_EPS * (fabs(start) * twisted + fabs(spring) * size) / k;
+  }
+  const double root = sqrt(2.0 * sum_of(p->n, p->inertia_kg_m2));
+  *error = root * (sqrt(before) + sqrt(after)) * omega_error + rounding;
+  return change;
+}
+
+rot_status rot_shaft_flow(const rot_shaft_params *p, int rigid, size_t n, const double time_s[],
+                          const rot_shaft_columns *rows, const rot_info *info, double *const flow[],
+                          double error[], const rot_hooks *hooks) {
+  const double torque = sum_of(p->n, p->torque_n_m), most = size_of(p->n, p->torque_n_m);
+  rot_status status = ROT_OK;
+  for (int k = 0; k < ROT_SHAFT_FLOWS; k++) error[k] = 0.0;
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
+    const double t = time_s[i];
+    const int back = t < p->start_s;
+    double off[ROT_SHAFT_FLOWS] = {0.0};
+    rot_shaft_ledger ledger;
+    status = back ? rot_shaft_balance(p, rigid, t, p->start_s, hooks, &ledger)
+                  : rot_shaft_balance(p, rigid, p->start_s, t, hooks, &ledger);
+    flow[WORK][i] = back ? -ledger.work_j : ledger.work_j;
+    flow[HEAT][i] = back ? -ledger.dissipated_j : ledger.dissipated_j;
+    flow[IMPULSE][i] = torque * (t - p->start_s);
+    flow[ELASTIC][i] =
+        rigid ? 0.0
+              : elastic_at(p, rows->omega_rad_per_s + i * p->n, rows->shaft_torque_n_m + i * p->n,
+                           info->measure[ROT_OMEGA].error, &off[ELASTIC]);
+    off[WORK] = ledger.work_rounding_j;
+    off[HEAT] = ledger.dissipated_rounding_j;
+    off[IMPULSE] = 4.0 * ROT_EPS * most * fabs(t - p->start_s);
+    for (int k = 0; k < ROT_SHAFT_FLOWS; k++) error[k] = fmax(error[k], off[k]);
+  }
+  return status;
+}
+
+/* ---- balances -------------------------------------------------------------------------------- */
+
+enum { ENERGY, MOMENTUM };
+const rot_balance rot_shaft_balances[ROT_SHAFT_BALANCES] = {
+    [ENERGY] = {"energy", NULL, "J"}, [MOMENTUM] = {"angular_momentum", "the shaft", "kg m^2/s"}};
+
+const rot_balance_term rot_shaft_terms[ROT_SHAFT_TERMS] = {
+    {ENERGY, ROT_CHANGE, "change of kinetic energy", 0},
+    {ENERGY, ROT_CHANGE, "change of elastic energy", 0},
+    {ENERGY, ROT_SUPPLIED, "work of the torques", 0},
+    {ENERGY, ROT_DISSIPATED, "heat of dampers and bearings", 0},
+    {MOMENTUM, ROT_CHANGE, "change of angular momentum", 0},
+    {MOMENTUM, ROT_SUPPLIED, "impulse of the torques", 0},
+    {MOMENTUM, ROT_DISSIPATED, "impulse of the bearings", 0}};
+
+/* Changes as products: a small one of a large energy keeps its digits. */
+void rot_shaft_audit(const void *scene, const rot_span *s, double term[]) {
+  const rot_shaft_params *p = scene;
+  const size_t n = p->n;
+  const double *turned = s->first, *turns = s->last, *before = s->first + n, *after = s->last + n;
+  double kinetic = 0.0, momentum = 0.0, bearings = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    const double gain = after[i] - before[i];
+    kinetic += 0.5 * p->inertia_kg_m2[i] * gain * (after[i] + before[i]);
+    momentum += p->inertia_kg_m2[i] * gain;
+    bearings += p->viscous_n_m_s[i] * (turns[i] - turned[i]);
+  }
+  const double value[ROT_SHAFT_TERMS] = {kinetic,  s->flow[ELASTIC], s->flow[WORK], s->flow[HEAT],
+                                         momentum, s->flow[IMPULSE], bearings};
+  memcpy(term, value, sizeof value);
+}
+
+/* Shafts twist and give back; they act between the rotors. */
+size_t rot_shaft_keeps(const void *scene, size_t balance, const char *why[]) {
+  const rot_shaft_params *p = scene;
+  size_t n = 0;
+  if (size_of(p->n, p->torque_n_m) != 0.0) why[n++] = "a torque acts on a rotor";
+  if (sum_of(p->n, p->viscous_n_m_s) != 0.0) {
+    why[n++] = "the viscous resistance acts on a rotor";
+  }
+  if (balance == ENERGY && sum_of(p->n - 1, p->damping_n_m_s) != 0.0) {
+    why[n++] = "the shafts are damped";
+  }
+  if (n) return n;
+  why[0] = balance == ENERGY
+               ? "the shafts give back what they take: kinetic plus elastic energy stays"
+               : "all torques act between the rotors";
+  return 0;
+}

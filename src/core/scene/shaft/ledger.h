@@ -1,7 +1,8 @@
-/* Work and heat of a shaft of rotors. */
+/* Work, heat and balances of a shaft of rotors. */
 #ifndef ROT_SHAFT_LEDGER_H
 #define ROT_SHAFT_LEDGER_H
 
+#include "engine/model.h"
 #include "scene/shaft/shaft.h"
 
 /* Work of the torques and heat of all dampers between two times, with their rounding. */
@@ -20,5 +21,20 @@ typedef struct rot_shaft_ledger {
 /* `rigid`: of the rigid shaft. from_s <= to_s. */
 rot_status rot_shaft_balance(const rot_shaft_params *p, int rigid, double from_s, double to_s,
                              const rot_hooks *hooks, rot_shaft_ledger *ledger);
+
+enum { ROT_SHAFT_FLOWS = 4, ROT_SHAFT_BALANCES = 2, ROT_SHAFT_TERMS = 7 };
+
+extern const char *const rot_shaft_flow_names[ROT_SHAFT_FLOWS];
+extern const rot_balance rot_shaft_balances[ROT_SHAFT_BALANCES];
+extern const rot_balance_term rot_shaft_terms[ROT_SHAFT_TERMS];
+
+/* Flows since the start in the rows of a run, with their errors. */
+rot_status rot_shaft_flow(const rot_shaft_params *p, int rigid, size_t n, const double time_s[],
+                          const rot_shaft_columns *rows, const rot_info *info, double *const flow[],
+                          double error[], const rot_hooks *hooks);
+
+/* rot_constraint.audit and .keeps */
+void rot_shaft_audit(const void *scene, const rot_span *span, double term[]);
+size_t rot_shaft_keeps(const void *scene, size_t balance, const char *why[]);
 
 #endif

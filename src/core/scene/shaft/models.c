@@ -1,8 +1,10 @@
 #include "scene/shaft/models.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "scene/shaft/inputs.h"
+#include "scene/shaft/ledger.h"
 #include "scene/shaft/shaft.h"
 
 enum { TORQUE = 1, SPRING = 2, DAMPER = 4, VISCOUS = 8, ALL = 15 };
@@ -88,11 +90,42 @@ static const rot_model models[] = {
      {1e-6, 80e-9, 5e-9, 60e-9}},
 };
 
+/* The twist that swings or fades fastest, by a bound on the largest eigenvalue (Gershgorin) of
+ * J^-1/2 K J^-1/2, with K of springs or of dampers between neighbours. */
+static double largest_rate(const rot_shaft_params *p, const double k[]) {
+  const double *J = p->inertia_kg_m2;
+  double most = 0.0, before = 0.0;
+  for (size_t i = 0; i < p->n; i++) {
+    double behind = 0.0, own = 0.0, next = 0.0;
+    if (i + 1 < p->n) {
+      const double across = k[i] / sqrt(J[i]) / sqrt(J[i + 1]);
+      own = k[i] / J[i];
+      next = k[i] / J[i + 1] + across;
+      behind = own + across;
+    }
+    most = fmax(most, behind + before);
+    before = next;
+  }
+  return most;
+}
+
+static void pace(const void *scene, const double sizes[], rot_pace *to) {
+  const rot_shaft_params *p = scene;
+  double slows = 0.0;
+  (void)sizes;
+  for (size_t i = 0; i < p->n; i++) slows = fmax(slows, p->viscous_n_m_s[i] / p->inertia_kg_m2[i]);
+  to->fades_s = 1.0 / (largest_rate(p, p->damping_n_m_s) + slows);
+  to->swing_rad_per_s = sqrt(largest_rate(p, p->stiffness_n_m_per_rad));
+}
+
+static const rot_derived derived[] = {
+    {"moment_of_inertia_kg_m2", offsetof(rot_shaft_params, inertia_kg_m2), 0}};
+
 const rot_constraint rot_shaft_constraint = {
     .id = "rotors",
     .measures = rot_turning,
-    .n_effects = sizeof effects / sizeof *effects,
-    .n_models = sizeof models / sizeof *models,
+    .n_effects = ROT_COUNT(effects),
+    .n_models = ROT_COUNT(models),
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
@@ -107,4 +140,15 @@ const rot_constraint rot_shaft_constraint = {
     .start_s = rot_shaft_start_s,
     .index = "rotor",
     .copies = rot_shaft_copies,
+    .n_flows = ROT_SHAFT_FLOWS,
+    .flows = rot_shaft_flow_names,
+    .n_balances = ROT_SHAFT_BALANCES,
+    .balances = rot_shaft_balances,
+    .n_terms = ROT_SHAFT_TERMS,
+    .terms = rot_shaft_terms,
+    .audit = rot_shaft_audit,
+    .keeps = rot_shaft_keeps,
+    .pace = pace,
+    .n_derived = ROT_COUNT(derived),
+    .derived = derived,
 };

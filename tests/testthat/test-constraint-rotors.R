@@ -24,12 +24,16 @@ test_that("even rows share an exponential where ten digits will do, and only the
     omega0_rad_per_s = c(1, 2, -1)
   )
   time <- seq(0, 20, by = 0.01)
-  omega <- function(accuracy) motion_of(scene, time, accuracy, "rotors_modal")$omega_rad_per_s
-  by_rows <- rotdyn:::run_rotors_as(1, scene, time)$columns$omega_rad_per_s
-  shared <- rotdyn:::run_rotors_as(2, scene, time)$columns$omega_rad_per_s
-  expect_false(identical(by_rows, shared))
-  expect_identical(omega(1e-12), by_rows)
-  expect_identical(omega(1e-10), shared)
+  omega <- function(accuracy, time) {
+    suppressWarnings(
+      motion_of(scene, time, accuracy, "rotors_modal"), classes = "rotdyn_warning_accuracy"
+    )$omega_rad_per_s
+  }
+  each <- unlist(lapply(time[c(2, 700, 2001)], function(t) omega(1e-10, t)))
+  rows <- as.vector(outer(1:3, 3 * (c(2, 700, 2001) - 1), "+"))
+  expect_identical(omega(1e-12, time)[rows], each)
+  expect_false(identical(omega(1e-10, time)[rows], each))
+  expect_equal(omega(1e-10, time)[rows], each, tolerance = 1e-10)
 })
 
 test_that("rows are in long form, by time then rotor", {
@@ -176,6 +180,7 @@ test_that("many rotors can be interrupted, their modes and audit too", {
   )
   limited(shaft_modes(scene))
   limited(trajectory(scene, 0:3))
-  run <- list(scene = scene)
-  limited(.Call(rotdyn:::ffi_rotors_ledger, scene, 0, c(0, 3), NULL))
+  small <- scene_rotors(1 + runif(120), 100 * (1 + runif(119)), 0.5, viscous_n_m_s = runif(120))
+  motion <- trajectory(small, 0:3)
+  limited(audit(motion))
 })
