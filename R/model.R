@@ -3,6 +3,7 @@
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
 #   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
+#   by_table                TRUE: the core measures the sizes on the way
 #   adapts                  TRUE: its error follows the accuracy asked; FALSE: it goes by steps that
 #                           do not; NULL: no steps
 #   run_with_step(scene, time_s, step_s, max_steps, call)  NULL, or run() by steps of this length

@@ -107,7 +107,7 @@ abort_law_value <- function(value, time_s, name, unit, call) {
 }
 
 table_model <- function(id, model, words) {
-  c(list(id = model), words, list(
+  c(list(id = model, by_table = TRUE), words, list(
     adapts = if (grepl("_(rk8pd|radau)$", model)) TRUE,
     ran_as = function(info) {
       if (info$method %in% c("rk8pd", "radau")) paste0(id, "_", info$method) else model

@@ -286,10 +286,11 @@ name_events <- function(result) {
 }
 
 # Whether the largest values of the rows may be far below those on the way: the integrators know
-# theirs, a closed form has those of the rows.
+# theirs, a closed form has those of the rows; scenes by table are measured in the core.
 suspicious <- function(info, record, accuracy) {
   error <- info$error
-  (error > 1e-13 || error > accuracy) && is.finite(error) && is.null(record$adapts)
+  (error > 1e-13 || error > accuracy) && is.finite(error) && is.null(record$adapts) &&
+    is.null(record$by_table)
 }
 
 # The error figure with the largest values at more times, unevenly spaced so that no period of the
