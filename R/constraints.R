@@ -73,7 +73,6 @@ join_constraint <- function(constraint) {
     constraint$effects <- core_effect_words(id)
     constraint$effects_of <- function(scene) core_effects(id, scene)
   }
-  constraint$all_core <- all(vapply(constraint$models, function(m) isTRUE(m$core), NA))
   names(constraint$models) <- vapply(constraint$models, function(m) m$id, "")
   assign(constraint$scene_class, constraint, envir = registry)
 }

@@ -26,6 +26,13 @@ integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
     c(accuracy, max_steps, method, resolution_of(scene)),
     progress_bar("integrating")
   )
+  result <- drive_result(result, scene, time_s)
+  if (!is.null(called)) result$info$resolution <- resolution_of(scene)
+  result
+}
+
+# What C returns as a run has it: rows in long form, events with their places, the ledger a matrix.
+drive_result <- function(result, scene, time_s) {
   n <- length(scene$rotors)
   result$columns <- c(
     list(time_s = rep(time_s, each = n), rotor = rep.int(seq_len(n), length(time_s))),
@@ -41,7 +48,6 @@ integrate_drive <- function(scene, time_s, accuracy, max_steps, call, method) {
   colnames(errors) <- c("work_error_j", "heat_error_j", "impulse_error_n_m_s", "twist_error_rad")
   sums <- sums[!names(sums) %in% c("errors", "places")]
   result$ledger <- cbind(do.call(cbind, c(list(time_s = time_s), sums)), errors)
-  if (!is.null(called)) result$info$resolution <- resolution_of(scene)
   result
 }
 
@@ -105,3 +111,54 @@ drive_radau <- drive_integrator(
   source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
 )
 
+# ---- closed forms -------------------------------------------------------------------------------
+
+# `form`: the place in src/core/scene/drive/exact.h. The ledger takes a quadrature of the motion, so
+# it is made where it is asked for.
+drive_exact <- function(id, form, ...) {
+  solve <- function(scene, time_s, ledger) {
+    result <- .Call(ffi_drive_exact, scene, form, time_s, ledger, progress_bar("closed form"))
+    drive_result(result, scene, time_s)
+  }
+  list(
+    id = id, ...,
+    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+      result <- solve(scene, time_s, 0)
+      result$ledger <- NULL
+      result
+    },
+    sums = function(scene, run, time_s) {
+      result <- solve(scene, time_s, 1)
+      if (result$info$kind == "none") result$ledger
+    },
+    ledger = drive_ledger
+  )
+}
+
+drive_axle <- drive_exact(
+  "drive_axle", 0,
+  equations = "sum(J/P^2) omega' = sum(tau/P) - sum(c/P^2) omega, at the first shaft",
+  assumptions = "rigid gears without backlash",
+  limits = "those of the axle's closed forms",
+  requires = "gears alone; torques of time, motors; viscous resistance or none",
+  source = "the axle's closed forms; Shigley 2004, section 16-7"
+)
+
+drive_clutch <- drive_exact(
+  "drive_clutch", 1,
+  equations = "J1 omega1' = tau1 - T, J2 omega2' = tau2 + T at the first shaft, gears in J and tau",
+  assumptions = "rigid gears; capacity constant; torques constant between jumps",
+  limits = "not before the start; where a torque equals the static capacity, rounding decides",
+  requires = "one clutch of constant capacity; constant or stepped torques; no resistance",
+  source = "closed form between exact events; Shigley 2004, chapter 16"
+)
+
+drive_modal <- drive_exact(
+  "drive_modal", 2,
+  loses = "Stiff springs turn through many radians of phase, and large terms may cancel.",
+  equations = "J x'' + C x' + K x = tau at the first shaft, mean motion and twists in modes",
+  assumptions = "rigid gears, linear springs and dampers, constant torques",
+  limits = "constant torques; the error grows with the phase where rotors are damped unevenly",
+  requires = "shafts and gears; constant torques; viscous resistance or none",
+  source = "Meirovitch 2001, chapter 7; Higham 2005 (exponential of a matrix)"
+)

@@ -10,7 +10,7 @@
 #   ran_as(info)            NULL, or the id of the model that a run ended with
 #   loses                   NULL, or the cause of large errors, for the warning
 #   leaves_out              NULL, or what an approximation leaves out, for the head of a trajectory
-# and, from the C core for the models that it knows, from the record itself for others:
+# and, from the C core, or from the record itself where the core does not know the constraint:
 #   error_kind              "bound" (a closed form) or "estimate"
 #   handles                 the effects of a scene that it takes, by name
 #   why_not(scene, time_s)  NULL if it takes them as they are here, else the reason in words
@@ -25,7 +25,6 @@ core_record <- function(record) {
   if (is.na(at)) return(record)
   promise <- known$error[at]
   id <- known$constraint[at]
-  record$core <- TRUE
   record$error_kind <- known$error_kind[at]
   record$handles <- known$takes[[at]]
   record$why_not <- function(scene, time_s) {
@@ -111,16 +110,15 @@ judge_model <- function(record, constraint, scene, time_s, accuracy, drop, call)
 # All models of a scene, cheapest first, in the columns of core_candidates(). An effect is left out
 # only where no closed form takes the scene unchanged.
 candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
-  table <- if (constraint$core) core_candidates(constraint$id, scene, time_s, accuracy, law_s)
-  if (constraint$all_core) return(table)
-  own <- Filter(function(record) is.null(record$core), constraint$models)
+  if (constraint$core) return(core_candidates(constraint$id, scene, time_s, accuracy, law_s))
   judge <- function(drop) {
-    rows <- lapply(unname(own), judge_model, constraint, scene, time_s, accuracy, drop, call)
+    rows <- lapply(
+      unname(constraint$models), judge_model, constraint, scene, time_s, accuracy, drop, call
+    )
     do.call(Map, c(c, rows))
   }
-  rows <- judge(FALSE)
-  if (is.null(table) && !any(rows$applies & rows$error_kind == "bound")) rows <- judge(TRUE)
-  table <- if (is.null(table)) rows else Map(c, table, rows)
+  table <- judge(FALSE)
+  if (!any(table$applies & table$error_kind == "bound")) table <- judge(TRUE)
   lapply(table, `[`, order(table$cost_s))
 }
 
@@ -141,7 +139,7 @@ pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
   if (!is.null(model)) {
     return(named_model(constraint, scene, time_s, accuracy, model, max_steps, call))
   }
-  pick <- if (constraint$all_core) {
+  pick <- if (constraint$core) {
     .Call(ffi_choice_pick, constraint$id, scene, time_s, accuracy, 1e-6, NULL) # 1 us less
   } else {
     table <- candidates(constraint, scene, time_s, accuracy, call)
@@ -341,10 +339,10 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
     ), "model", call)
   }
   record <- constraint$models[[model]]
-  pick <- if (is.null(record$core)) {
-    judge_model(record, constraint, scene, time_s, accuracy, TRUE, call)
-  } else {
+  pick <- if (constraint$core) {
     core_pick(constraint$id, scene, time_s, accuracy, model = model)
+  } else {
+    judge_model(record, constraint, scene, time_s, accuracy, TRUE, call)
   }
   fit <- new_fit(
     record, constraint, scene, pick$dropped[[1]], if (!isTRUE(pick$applies)) pick$reason

@@ -5,7 +5,7 @@
 #include "glue/run.h"
 #include "glue/scenes.h"
 #include "glue/torque.h"
-#include "scene/drive/ode.h"
+#include "scene/drive/exact.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
 
@@ -114,17 +114,15 @@ static SEXP keep_places(void *data) {
 #define SUM_NEW(name)  sums.name = ffi_new_double(ledger, at++, XLENGTH(time_s));
 #define SUM_NAME(name) #name,
 
-/* `control` is c(accuracy, max_steps, method, resolution). The columns are as long as times x
- * rotors, those of the ledger as the times; its `errors` are those of work, heat, impulse and
- * twist, its `places` those of the events (scene/drive/ode.h). */
-SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
+/* The columns are as long as times x rotors, those of the ledger as the times; its `errors` are
+ * those of work, heat, impulse and twist, its `places` those of the events (scene/drive/ode.h).
+ * `options`: of the integrator; NULL: by a closed form, whose ledger takes a quadrature. */
+static SEXP run_drive(SEXP list, SEXP called, SEXP time_s, const rot_drive_ode_options *options,
+                      rot_drive_form form, int with_ledger, SEXP progress) {
   static const char *const names[] = {ROT_DRIVE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const sum_names[] = {ROT_DRIVE_LEDGER(SUM_NAME) "errors", "places", ""};
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 4);
-  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
-  /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
-  const double steps = c[1] < 1e15 ? c[1] : 1e15;
-  const rot_drive_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2], c[3]};
+  const double *t = ffi_reals(time_s, "time_s", -1);
+  const size_t n = (size_t)XLENGTH(time_s);
   ffi_run run;
   calls laws = {called, &run.guard, 0};
   const rot_drive_scene scene = read_scene(list, &laws);
@@ -132,6 +130,7 @@ SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP
   rot_drive_columns out;
   rot_drive_ledger sums;
   R_xlen_t at = 0;
+  memset(&sums, 0, sizeof sums);
   ffi_run_begin(&run, progress);
   SEXP columns = ffi_run_columns(&run, names);
   ROT_DRIVE_COLUMNS(FFI_COLUMN_NEW)
@@ -141,8 +140,11 @@ SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP
   ROT_DRIVE_LEDGER(SUM_NEW)
   double *errors = ffi_new_double(ledger, at++, 4);
   rot_drive_places places = {0, NULL};
-  rot_status status = rot_drive_integrate(&scene, &options, (size_t)XLENGTH(time_s), t, &out, &sums,
-                                          &run.events, &places, &run.guard.hooks, &run.info);
+  rot_status status = options
+                          ? rot_drive_integrate(&scene, options, n, t, &out, &sums, &run.events,
+                                                &places, &run.guard.hooks, &run.info)
+                          : rot_drive_exact(&scene, form, n, t, &out, with_ledger ? &sums : NULL,
+                                            &run.events, &places, &run.guard.hooks, &run.info);
   errors[0] = sums.work_error_j;
   errors[1] = sums.heat_error_j;
   errors[2] = sums.impulse_error_n_m_s;
@@ -160,4 +162,22 @@ SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP
   SEXP result = ffi_run_end(&run, status);
   UNPROTECT(laws.protects);
   return result;
+}
+
+/* `control` is c(accuracy, max_steps, method, resolution). */
+SEXP ffi_drive_integrate(SEXP list, SEXP called, SEXP time_s, SEXP control, SEXP progress) {
+  const double *c = ffi_reals(control, "control", 4);
+  if (!(c[2] >= 0.0 && c[2] < ROT_METHOD_COUNT)) Rf_error("internal: `method`");
+  /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
+  const double steps = c[1] < 1e15 ? c[1] : 1e15;
+  const rot_drive_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2], c[3]};
+  return run_drive(list, called, time_s, &options, ROT_DRIVE_FORMS, 1, progress);
+}
+
+/* `form`: a rot_drive_form. */
+SEXP ffi_drive_exact(SEXP list, SEXP form, SEXP time_s, SEXP with_ledger, SEXP progress) {
+  const double kind = ffi_real(form, "form");
+  if (!(kind >= 0.0 && kind < ROT_DRIVE_FORMS)) Rf_error("internal: `form`");
+  return run_drive(list, R_NilValue, time_s, NULL, (rot_drive_form)(int)kind,
+                   ffi_real(with_ledger, "with_ledger") != 0.0, progress);
 }

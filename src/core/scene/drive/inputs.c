@@ -9,7 +9,7 @@
 #include "engine/laws.h"
 #include "scene/axle/inputs.h"
 #include "scene/drive/mesh.h"
-#include "scene/drive/ode.h"
+#include "scene/drive/exact.h"
 
 /* ---- couplings and brakes -------------------------------------------------------------------- */
 
@@ -290,19 +290,37 @@ const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS] = {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
+static rot_drive_columns columns_of(void *const column[]) {
+  rot_drive_columns out;
+  size_t i = 0;
+#define X(type, name) out.name = column[i++];
+  ROT_DRIVE_COLUMNS(X)
+#undef X
+  return out;
+}
+
+#define EXACT(name, form)                                                                          \
+  static rot_status name(const void *scene, const rot_task *task, rot_method method,               \
+                         const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {           \
+    const rot_drive_columns out = columns_of(rows->column);                                        \
+    (void)method;                                                                                  \
+    return rot_drive_exact(scene, form, task->n, task->time_s, &out, NULL, rows->events, NULL,     \
+                           hooks, info);                                                           \
+  }
+EXACT(run_axle, ROT_DRIVE_AS_AXLE)
+EXACT(run_clutch, ROT_DRIVE_AS_CLUTCH)
+EXACT(run_shaft, ROT_DRIVE_AS_SHAFT)
+
 static rot_status run(const void *of, const rot_task *task, rot_method method, const rot_rows *rows,
                       const rot_hooks *hooks, rot_info *info) {
   const rot_drive_scene *scene = of;
   const rot_drive_ode_options options = {task->accuracy, task->max_steps,
                                          task->asked ? method : ROT_METHOD_NONE, task->resolution};
-  rot_drive_columns out;
+  const rot_drive_columns out = columns_of(rows->column);
   rot_drive_ledger ledger;
   rot_drive_places places = {0, NULL};
   rot_store store = {0};
-  size_t i = 0, no_memory = 0;
-#define X(type, name) out.name = rows->column[i++];
-  ROT_DRIVE_COLUMNS(X)
-#undef X
+  size_t no_memory = 0;
 #define X(name)                                                                                    \
   ledger.name = rot_store_get(&store, task->n, sizeof(double));                                    \
   no_memory += !ledger.name;
@@ -323,5 +341,8 @@ static rot_status run(const void *of, const rot_task *task, rot_method method, c
   return info->status;
 }
 
-const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS] = {{ROT_METHOD_RK8PD, run},
+const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS] = {{ROT_METHOD_NONE, run_axle},
+                                                        {ROT_METHOD_NONE, run_clutch},
+                                                        {ROT_METHOD_NONE, run_shaft},
+                                                        {ROT_METHOD_RK8PD, run},
                                                         {ROT_METHOD_RADAU, run}};

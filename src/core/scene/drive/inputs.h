@@ -6,7 +6,7 @@
 #include "engine/part.h"
 #include "scene/drive/drive.h"
 
-enum { ROT_DRIVE_INPUTS = 8, ROT_DRIVE_ALL_COLUMNS = 10, ROT_DRIVE_MODELS = 2 };
+enum { ROT_DRIVE_INPUTS = 8, ROT_DRIVE_ALL_COLUMNS = 10, ROT_DRIVE_MODELS = 5 };
 
 extern const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS];
 extern const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS];

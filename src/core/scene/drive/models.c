@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "scene/drive/exact.h"
 #include "scene/drive/inputs.h"
 #include "scene/drive/mesh.h"
 #include "ground/search.h"
@@ -133,7 +134,70 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
   return integrated_s(model, scene, query, 1);
 }
 
+#define EXACT_WHY(name, form)                                                                      \
+  static const char *name(const void *scene, const rot_query *query) {                             \
+    return rot_drive_exact_why_not(scene, form, query);                                            \
+  }
+EXACT_WHY(not_axle, ROT_DRIVE_AS_AXLE)
+EXACT_WHY(not_clutch, ROT_DRIVE_AS_CLUTCH)
+EXACT_WHY(not_modal, ROT_DRIVE_AS_SHAFT)
+
+/* c_i = a k_i and d_i = b J_i: each mode is a closed form (scene/shaft/modal.h). */
+static int modes_apart(const rot_drive_scene *scene) {
+  const rot_drive_coupling *shaft = NULL;
+  int apart = 1;
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_axle_scene *r = &scene->rotor[i], *first = &scene->rotor[0];
+    const double d = r->viscous_n_m_s * first->linear.inertia_kg_m2;
+    apart &= fabs(d - first->viscous_n_m_s * r->linear.inertia_kg_m2) <= 1e-12 * d;
+    const rot_drive_coupling *c = i + 1 < scene->n ? &scene->coupling[i] : NULL;
+    if (!c || c->kind != ROT_DRIVE_SHAFT) continue;
+    if (!shaft) shaft = c;
+    const double damped = c->damping_n_m_s * shaft->stiffness_n_m_per_rad;
+    apart &= fabs(damped - shaft->damping_n_m_s * c->stiffness_n_m_per_rad) <= 1e-12 * damped;
+  }
+  return apart;
+}
+
+/* The heat of resistance and dampers takes 15 nodes of quadrature in each interval of the rows.
+ * seconds: of a run; of a row of a rotor without losses, with, and with modes that are coupled. */
+static double exact_s(const rot_model *model, const void *of, const rot_query *query) {
+  const rot_drive_scene *scene = of;
+  const double rows = (double)query->n * (double)scene->n;
+  int lossy = (effects_of(of) & VISCOUS) != 0;
+  for (size_t i = 0; i + 1 < scene->n; i++) lossy |= scene->coupling[i].damping_n_m_s > 0.0;
+  const int coupled = lossy && model->seconds[3] > 0.0 && !modes_apart(scene);
+  return model->seconds[0] + rows * model->seconds[coupled ? 3 : lossy ? 2 : 1];
+}
+
 static const rot_model models[] = {
+    {"drive_axle",
+     TORQUE | LAW | GEAR | VISCOUS,
+     ROT_BOUND,
+     2e-14,
+     ROT_FREELY,
+     "rigid gears: one body with a closed form",
+     not_axle,
+     exact_s,
+     {4e-6, 190e-9, 3.5e-6, 0.0}},
+    {"drive_clutch",
+     TORQUE | LAW | CLUTCH | GEAR,
+     ROT_BOUND,
+     2e-14,
+     ROT_FREELY,
+     "one clutch, all torques constant between events",
+     not_clutch,
+     exact_s,
+     {4e-6, 60e-9, 60e-9, 0.0}},
+    {"drive_modal",
+     TORQUE | SHAFT | GEAR | VISCOUS,
+     ROT_ESTIMATE,
+     1e-13,
+     ROT_FREELY,
+     "the equations are linear: solved in modes",
+     not_modal,
+     exact_s,
+     {8e-6, 190e-9, 2.3e-6, 25e-6}},
     {"drive_rk8pd",
      ALL,
      ROT_ADAPTIVE,
