@@ -6,7 +6,7 @@
 #include "glue/run.h"
 #include "glue/scenes.h"
 #include "glue/torque.h"
-#include "scene/axle/closed.h"
+#include "scene/choice.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/ledger.h"
 #include "scene/axle/models.h"
@@ -84,7 +84,8 @@ static void check_columns(const rot_axle_scene *scene, const rot_axle_columns *o
 /* A closed form by its id in models(). */
 SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
   const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
-  const rot_axle_model model = rot_axle_closed_form(ffi_text(id, "model"));
+  const rot_model *known = rot_choice_model(&rot_axle_constraint, ffi_text(id, "model"));
+  const rot_axle_model model = known ? rot_axle_form(known) : NULL;
   const double *t = ffi_reals(time_s, "time_s", -1);
   const size_t n = (size_t)XLENGTH(time_s);
   if (!model) Rf_error("internal: no such model");

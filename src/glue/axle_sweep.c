@@ -1,13 +1,12 @@
 /* For R: many axles, a row each. */
-#include <string.h>
-
 #include "glue/run.h"
 #include "glue/scenes.h"
-#include "scene/axle/closed.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/bands.h"
+#include "scene/axle/linear.h"
 #include "scene/axle/models.h"
 #include "scene/axle/sweep.h"
+#include "scene/choice.h"
 #include "ground/share.h"
 
 /* Rows of a scene by the closed form `id`. `list` has named columns, each of one value or one for
@@ -16,8 +15,8 @@
 SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progress) {
   static const char *const names[] = {ROT_AXLE_SWEEP_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const parts[] = {"columns", "status", "info", ""};
-  const char *name = ffi_text(id, "model");
-  const rot_axle_model model = rot_axle_closed_form(name);
+  const rot_model *known = rot_choice_model(&rot_axle_constraint, ffi_text(id, "model"));
+  const rot_axle_model model = known ? rot_axle_form(known) : NULL;
   const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
   const double most = ffi_real(threads, "threads");
   if (!model) Rf_error("internal: no such model");
@@ -46,7 +45,7 @@ SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progres
   ffi_guard_begin(&guard, progress);
   ffi_guard_end(
       &guard,
-      !strcmp(name, "axle_linear")
+      model == rot_axle_linear_scene
           ? rot_axle_sweep_linear(&scene.linear.torque, &in, (int)most, &out, &guard.hooks, &info)
           : rot_axle_sweep_scenes(model, &scene, &in, &friction,
                                   model == rot_axle_drag || model == rot_axle_bands, (int)most,

@@ -10,7 +10,7 @@
 #include "api/object.h"
 #include "api/structs.h"
 #include "scene/axle/bands.h"
-#include "scene/axle/closed.h"
+#include "scene/axle/linear.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/models.h"
 #include "scene/axle/sweep.h"
@@ -313,10 +313,10 @@ static rotdyn_status sweep_model(job *j, const sweep *s, rot_axle_model *model, 
   const size_t n = rot_choice_candidates(&rot_axle_constraint, scene, &query, all);
   for (size_t i = 0; i < n && scene->n_inertia == 0; i++) {
     if (!all[i].applies || all[i].dropped || all[i].model->error_kind != ROT_BOUND) continue;
-    if (!strcmp(all[i].model->id, "axle_free") || !strcmp(all[i].model->id, "axle_linear"))
-      continue;
+    const rot_axle_model form = rot_axle_form(all[i].model);
+    if (form == rot_axle_free_scene || form == rot_axle_linear_scene) continue;
     *name = all[i].model->id;
-    *model = rot_axle_closed_form(*name);
+    *model = form;
     return ROTDYN_OK;
   }
   (void)refuse(j, "no closed form takes these rows: scene_rows() integrates them");

@@ -1,10 +1,12 @@
-/* The closed forms of an axle by the names of their models. */
+/* The closed forms of an axle, in the order of its models. */
 #ifndef ROT_AXLE_CLOSED_H
 #define ROT_AXLE_CLOSED_H
 
 #include "scene/axle/scene.h"
 
-/* NULL for another name, or an integrator. */
-rot_axle_model rot_axle_closed_form(const char *id);
+enum { ROT_AXLE_MODELS = 10 };
+
+/* NULL: an integrator. */
+extern const rot_axle_model rot_axle_forms[ROT_AXLE_MODELS];
 
 #endif

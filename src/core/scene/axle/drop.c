@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "scene/axle/closed.h"
 #include "scene/axle/effects.h"
 
 /* ---- sizes ----------------------------------------------------------------------------------- */
@@ -213,10 +212,9 @@ static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduce
   }
 }
 
-void rot_axle_drop(const void *of, const rot_model *model, unsigned effects, const rot_query *query,
-                   double worst, rot_drop *drop) {
+void rot_axle_drop(const void *of, const rot_model *model, rot_axle_model run, unsigned effects,
+                   const rot_query *query, double worst, rot_drop *drop) {
   const rot_axle_scene *scene = of;
-  const rot_axle_model run = rot_axle_closed_form(model->id);
   drop->bound[ROT_THETA] = drop->bound[ROT_OMEGA] = drop->error = INFINITY;
   drop->until_s = query->n ? query->time_s[query->n - 1] : scene->linear.start_s;
   drop->why_not = NULL;

@@ -18,7 +18,7 @@ void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, d
 rot_axle_scene rot_axle_without(const rot_axle_scene *scene, unsigned effects, rot_term terms[]);
 
 /* rot_constraint.drop of the axle. */
-void rot_axle_drop(const void *scene, const rot_model *model, unsigned effects,
+void rot_axle_drop(const void *scene, const rot_model *model, rot_axle_model run, unsigned effects,
                    const rot_query *query, double worst, rot_drop *drop);
 
 #endif

@@ -5,9 +5,10 @@
 
 #include "engine/loads.h"
 #include "engine/model.h"
+#include "scene/axle/closed.h"
 #include "scene/axle/scene.h"
 
-enum { ROT_AXLE_INPUTS = 8, ROT_AXLE_ALL_COLUMNS = 8, ROT_AXLE_MODELS = 10 };
+enum { ROT_AXLE_INPUTS = 8, ROT_AXLE_ALL_COLUMNS = 8 };
 
 extern const rot_input rot_axle_inputs[ROT_AXLE_INPUTS];
 extern const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS];

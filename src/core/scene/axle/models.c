@@ -227,7 +227,7 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
     id, (unsigned)(takes), ROT_BOUND, promise, 0, why, why_not, cost_s, { a, b, c, d }             \
   }
 
-static const rot_model models[] = {
+static const rot_model models[ROT_AXLE_MODELS] = {
     EXACT("axle_free", 0, 4e-16, "nothing acts about the axle: omega keeps its value", NULL,
           closed_form_s, 0.7e-6, 6.3e-9, 0.0, 0.0),
     /* Some twenty roundings of the terms added (measured: four). Terms of two signs that cancel
@@ -269,6 +269,11 @@ static const rot_model models[] = {
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
 };
 
+static void drop(const void *scene, const rot_model *model, unsigned untaken,
+                 const rot_query *query, double worst, rot_drop *to) {
+  rot_axle_drop(scene, model, rot_axle_forms[model - models], untaken, query, worst, to);
+}
+
 const rot_constraint rot_axle_constraint = {
     .id = "axle",
     .measures = rot_turning,
@@ -277,7 +282,7 @@ const rot_constraint rot_axle_constraint = {
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
-    .drop = rot_axle_drop,
+    .drop = drop,
     .constructor = "scene_axle",
     .n_inputs = ROT_AXLE_INPUTS,
     .n_columns = ROT_AXLE_ALL_COLUMNS,

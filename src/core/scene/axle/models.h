@@ -4,7 +4,13 @@
 
 #include "scene/axle/effects.h"
 #include "engine/model.h"
+#include "scene/axle/closed.h"
 
 extern const rot_constraint rot_axle_constraint;
+
+/* NULL: it is an integrator. */
+static inline rot_axle_model rot_axle_form(const rot_model *model) {
+  return rot_axle_forms[model - rot_axle_constraint.models];
+}
 
 #endif

@@ -1,7 +1,6 @@
 #include "scene/pivot/models.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "scene/free/models.h"
 #include "scene/free/scene.h"
@@ -30,21 +29,25 @@ static const char *refuses_top(const void *scene, const rot_query *query) {
   return rot_pivot_not_top(scene);
 }
 
-static const char *refuses_approx(const void *scene, const rot_query *query) {
+static const char *refuses_precession(const void *scene, const rot_query *query) {
   (void)query;
   return rot_pivot_not_spinning(scene);
+}
+
+static const char *refuses_nutation(const void *scene, const rot_query *query) {
+  return refuses_precession(scene, query);
 }
 
 static double bound_of(const rot_model *model, const void *scene, const rot_query *query) {
   const rot_free_params *p = scene;
   double t = 0.0;
-  if (model->why_not != refuses_approx) return 0.0;
+  const int precession = model->why_not == refuses_precession;
+  if (!precession && model->why_not != refuses_nutation) return 0.0;
   if (query->n) {
     const double from = query->time_s[0], to = query->time_s[query->n - 1];
     t = fmax(fabs(from - p->start_s), fabs(to - p->start_s));
   }
-  return strcmp(model->id, "pivot_precession") ? rot_pivot_nutation_bound(p, t)
-                                               : rot_pivot_precession_bound(p, t);
+  return precession ? rot_pivot_precession_bound(p, t) : rot_pivot_nutation_bound(p, t);
 }
 
 static const rot_model models[ROT_PIVOT_MODELS] = {
@@ -63,7 +66,7 @@ static const rot_model models[ROT_PIVOT_MODELS] = {
      1e-7,
      ROT_FREELY,
      "a fast top: it goes round at torque/L, nutation left out",
-     refuses_approx,
+     refuses_precession,
      rot_free_exact_s,
      {7e-6, 0.4e-6, 0.0, 0.0}},
     {"pivot_nutation",
@@ -72,7 +75,7 @@ static const rot_model models[ROT_PIVOT_MODELS] = {
      1e-7,
      ROT_FREELY,
      "a fast top: small nutation, to first order",
-     refuses_approx,
+     refuses_nutation,
      rot_free_exact_s,
      {7e-6, 0.5e-6, 0.0, 0.0}},
     {"pivot_free",

@@ -1,7 +1,6 @@
 /* What leaving an effect out changes, against scenes whose full and reduced motions are both exact:
  * the bound covers the difference, and not by decades. */
 #include "axle_friction.h"
-#include "scene/axle/closed.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/drop.h"
 #include "scene/axle/models.h"
@@ -32,7 +31,7 @@ static void expect_covered(const rot_axle_scene *scene, rot_axle_model exact, un
                            const char *model, const rot_axle_scene *without, size_t n,
                            const double time_s[], double most) {
   run_model(&full, exact, scene, n, time_s);
-  run_model(&reduced, rot_axle_closed_form(model), without, n, time_s);
+  run_model(&reduced, rot_axle_form(model_of(model)), without, n, time_s);
   ROT_CHECK_EQ_INT(full.status, ROT_OK);
   ROT_CHECK_EQ_INT(reduced.status, ROT_OK);
   double theta = 0.0, omega = 0.0, size = 0.0;
