@@ -173,6 +173,21 @@ typedef struct rotdyn_candidate {
   char reason[512];   /* why it does not apply, or what it ignores; else empty */
 } rotdyn_candidate;
 
+/* change = supplied - dissipated + residual, of one quantity between two times. */
+typedef struct rotdyn_balance {
+  size_t size;
+  const char *quantity, *about, *unit; /* about: the point or axis of a momentum, or NULL */
+  double change, supplied, dissipated, residual;
+  double explained; /* what rounding and the errors of the motion explain of the residual */
+  int balanced;     /* 1: it explains all of it; 0: it does not; -1: not known */
+  int conserved;    /* 1: nothing changes the quantity, and why; 0: what changes it */
+  char why[512];
+  size_t n_terms;
+  const char *term[16]; /* in words */
+  int role[16];         /* 0: supplied, 1: dissipated, 2: change */
+  double value[16];
+} rotdyn_balance;
+
 /* Many scenes, a row each. */
 typedef struct rotdyn_rows_in {
   size_t size;
@@ -296,6 +311,9 @@ typedef struct rotdyn_model {
  * scene_run             columns by name, of n times report.copies values each: those of the first
  *                       time, of the second one, ... ; flags are 0, 1, NaN. `room`: values in each
  *                       column, at least so many. object_check() gives `copies`
+ * scene_balance         balance k, from 0, between the first and the last time of the run at these
+ *                       times: the audit of R; ROTDYN_EEND after the last. ROTDYN_EMODEL: a
+ *                       constraint whose balances R draws up (axle, drive, free, pivot)
  * scene_rows            n scenes that differ in the named numbers, a row each: the columns at the
  *                       time of the row. Laws that are called are called by one thread
  * axle_sweep            many axles in closed form, a row each; ROTDYN_EMODEL where none takes them
@@ -341,7 +359,10 @@ typedef struct rotdyn_model {
      const rotdyn_options *options, const rotdyn_rows_out *out, rotdyn_report *report))            \
   X(int, axle_sweep,                                                                               \
     (const rotdyn_object *scene, size_t n, const rotdyn_sweep_in *in,                              \
-     const rotdyn_options *options, const rotdyn_sweep_out *out, rotdyn_report *report))
+     const rotdyn_options *options, const rotdyn_sweep_out *out, rotdyn_report *report))           \
+  X(int, scene_balance,                                                                            \
+    (const rotdyn_object *scene, size_t n, const double *time_s, const rotdyn_options *options,    \
+     size_t k, rotdyn_balance *out, rotdyn_report *report))
 
 typedef struct rotdyn_api {
   size_t size; /* of the table that is installed */

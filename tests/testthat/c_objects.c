@@ -69,3 +69,19 @@ void run(const int *at, const int *n, const double *time_s, const double *accura
   *error = report.error;
   strncpy(*model, report.model ? report.model : report.reason, 199);
 }
+
+/* numbers: change, supplied, dissipated, residual, explained; flags: balanced, conserved. */
+void balance(const int *at, const int *n, const double *time_s, const double *accuracy,
+             const int *k, double *numbers, int *flags, char **quantity, char **why, int *status) {
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_balance b = ROTDYN_INIT(rotdyn_balance);
+  options.accuracy = *accuracy;
+  *status = api->scene_balance(object[*at], (size_t)*n, time_s, &options, (size_t)*k, &b, NULL);
+  if (*status != ROTDYN_OK) return;
+  const double x[] = {b.change, b.supplied, b.dissipated, b.residual, b.explained};
+  memcpy(numbers, x, sizeof x);
+  flags[0] = b.balanced;
+  flags[1] = b.conserved;
+  strncpy(*quantity, b.quantity, 199);
+  strncpy(*why, b.why, 199);
+}

@@ -204,11 +204,13 @@ c_value <- function(value, name) {
   list
 }
 
-test_that("objects made by name in C compute R's bits and its error, for random scenes", {
+# The shim, loaded until the test ends.
+load_objects <- function(envir = parent.frame()) {
   skip_without_compiler()
   folder <- tempfile("shim")
   dir.create(folder)
-  on.exit(unlink(folder, recursive = TRUE))
+  later <- function(call) do.call(on.exit, list(call, add = TRUE, after = FALSE), envir = envir)
+  later(bquote(unlink(.(folder), recursive = TRUE)))
   file.copy(test_path("c_objects.c"), folder)
   log <- suppressWarnings(system2(
     file.path(R.home("bin"), "R"), c("CMD", "SHLIB", shQuote(file.path(folder, "c_objects.c"))),
@@ -216,8 +218,12 @@ test_that("objects made by name in C compute R's bits and its error, for random 
   ))
   if (!is.null(attr(log, "status"))) stop(paste(log, collapse = "\n"))
   library <- dyn.load(file.path(folder, paste0("c_objects", .Platform$dynlib.ext)))
-  on.exit(dyn.unload(library[["path"]]), add = TRUE, after = FALSE)
+  later(bquote(dyn.unload(.(library[["path"]]))))
   .C("begin", PACKAGE = "c_objects")
+}
+
+test_that("objects made by name in C compute R's bits and its error, for random scenes", {
+  load_objects()
   set.seed(16)
   models <- replicate(200, {
     scene <- one_of(random_axle, random_axle, random_rotors, random_clutch, random_drive)()
@@ -244,4 +250,52 @@ test_that("objects made by name in C compute R's bits and its error, for random 
     run$model
   })
   expect_gt(length(unique(models)), 9L)
+})
+
+test_that("the audit of C is R's, number by number", {
+  load_objects()
+  set.seed(8)
+  scenes <- c(replicate(12, random_rotors(), simplify = FALSE), replicate(12, random_clutch(),
+    simplify = FALSE
+  ), list(
+    scene_incline(body_sphere(2, 0.1), 30, static_friction = 0.1, v0_m_per_s = 2),
+    scene_incline(body_disk(1, 0.2), 20, static_friction = 0.5, drag_n_s2_per_m2 = 0.3),
+    scene_hoop(1, 0.5, 6, theta0_rad = 0.3, drag_n_s_per_m = 0.2),
+    scene_hoop(1, 0.5, 3, theta0_rad = 1, static_friction = 0.2),
+    scene_chain(c(1, 2), c(0.5, 0.4), theta0_rad = c(1, -0.5), joint_n_m_s = 0.01)
+  ))
+  for (scene in scenes) {
+    time_s <- scene$start_s + c(0.25, 1, 3)
+    accuracy <- sample(c(1e-12, 1e-9, 1e-6), 1)
+    want <- audit(suppressWarnings(trajectory(scene, time_s, accuracy)))
+    node <- scene_node(scene, NULL)[-1]
+    at <- c_object(names(node), node[[1]])
+    for (k in seq_len(nrow(want))) {
+      got <- .C("balance", at, 3L, time_s, accuracy, k - 1L,
+        numbers = double(5), flags = integer(2), quantity = strrep(" ", 200),
+        why = strrep(" ", 200), status = 0L, NAOK = TRUE, PACKAGE = "c_objects"
+      )
+      row <- want[k, ]
+      expect_identical(got$status, 0L)
+      expect_identical(
+        got$numbers,
+        c(row$change, row$supplied, row$dissipated, row$residual, row$rounding)
+      )
+      expect_identical(got$flags[1], match(row$verdict, c("unbalanced", "balanced")) - 1L)
+      expect_identical(got$quantity, row$balance)
+      expect_identical(got$flags[2] == 1L, row$conserved %in% TRUE)
+    }
+    done <- .C("balance", at, 3L, time_s, accuracy, nrow(want),
+      double(5), integer(2), "", "", status = 0L, NAOK = TRUE, PACKAGE = "c_objects"
+    )
+    expect_identical(done$status, 11L)
+    .C("free_all", PACKAGE = "c_objects")
+  }
+  axle <- scene_node(scene_axle(1, 2), NULL)[-1]
+  at <- c_object(names(axle), axle[[1]])
+  refused <- .C("balance", at, 1L, 1, 1e-9, 0L,
+    double(5), integer(2), "", "", status = 0L, NAOK = TRUE, PACKAGE = "c_objects"
+  )
+  expect_identical(refused$status, 8L)
+  .C("free_all", PACKAGE = "c_objects")
 })

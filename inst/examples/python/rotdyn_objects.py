@@ -34,6 +34,13 @@ class Candidate(Struct):
                 ("cost_s", D), ("reason", c.c_char * 512)]
 
 
+class Balance(Struct):
+    _fields_ = [("size", Z), ("quantity", T), ("about", T), ("unit", T), ("change", D),
+                ("supplied", D), ("dissipated", D), ("residual", D), ("explained", D),
+                ("balanced", I), ("conserved", I), ("why", c.c_char * 512), ("n_terms", Z),
+                ("term", T * 16), ("role", I * 16), ("value", D * 16)]
+
+
 lib = c.CDLL(os.environ.get("ROTDYN_LIBRARY", "librotdyn.so.1"))
 for name, result, arguments in (
     ("status_text", T, [I]), ("object_at", T, [Z]), ("object_kind", T, [T]),
@@ -43,6 +50,7 @@ for name, result, arguments in (
     ("unset", I, [P, T]), ("object_check", I, [P, P]),
     ("scene_candidate", I, [P, Z, Doubles, P, Z, P]),
     ("scene_run", I, [P, Z, Doubles, P, Z, Z, c.POINTER(T), c.POINTER(Doubles), P]),
+    ("scene_balance", I, [P, Z, Doubles, P, Z, P, P]),
 ):
     function = getattr(lib, "rotdyn_" + name)
     function.restype, function.argtypes = result, arguments
@@ -140,5 +148,17 @@ def candidates(constructor, arguments, time_s, accuracy=0.0):
     while lib.rotdyn_scene_candidate(scene.pointer, len(time_s), doubles(time_s),
                                      c.byref(options), k, c.byref(one)) == 0:
         found.append((one.model.decode(), one.reason.decode()))
+        k += 1
+    return found
+
+
+def audit(constructor, arguments, time_s, accuracy=0.0):
+    """The balances between the first and the last time: [(quantity, residual, explained, verdict)]."""
+    scene, options, one = Object(constructor, arguments), Options(accuracy=accuracy), Balance()
+    verdict = {1: "balanced", 0: "unbalanced", -1: "not known"}
+    k, found = 0, []
+    while lib.rotdyn_scene_balance(scene.pointer, len(time_s), doubles(time_s), c.byref(options),
+                                   k, c.byref(one), None) == 0:
+        found.append((one.quantity.decode(), one.residual, one.explained, verdict[one.balanced]))
         k += 1
     return found

@@ -8,64 +8,17 @@
 
 #include "api/object.h"
 #include "api/structs.h"
+#include "api/work.h"
 #include "ground/share.h"
 #include "scene/run.h"
 
-/* ---- one call -------------------------------------------------------------------------------- */
-
-typedef struct work {
-  rot_api_built built;
-  rotdyn_options options;
-  rot_hooks hooks;
-  rotdyn_report report;
-} work;
-
-static rotdyn_status refuse(work *w, const char *input, const char *reason) {
-  w->report.input = input;
-  (void)snprintf(w->report.reason, sizeof w->report.reason, "%s", reason);
-  return ROTDYN_EARGUMENT;
-}
-
-static rot_status call_poll(void *ctx, double fraction) {
-  const rotdyn_options *o = ctx;
-  return o->poll && o->poll(o->poll_context, fraction) ? ROT_EUNWIND : ROT_OK;
-}
-
-static rotdyn_status open_work(const rotdyn_object *scene, const rotdyn_options *options, work *w) {
-  memset(w, 0, sizeof *w);
-  const char *fault = rot_api_options(options, &w->options);
-  w->hooks = (rot_hooks){call_poll, &w->options};
-  return fault ? refuse(w, NULL, fault) : rot_api_build(scene, &w->built, &w->report);
-}
-
-static int possible_times(const rot_constraint *c, const void *scene, size_t n,
-                          const double time_s[]) {
-  const double start = c->start_s(scene);
-  return rot_api_times(n, time_s) &&
-         (n == 0 || (isfinite(time_s[0] - start) && isfinite(time_s[n - 1] - start)));
-}
-
-/* With times for it. */
-static rotdyn_status open_times(const rotdyn_object *scene, size_t n, const double time_s[],
-                                const rotdyn_options *options, work *w) {
-  const rotdyn_status status = open_work(scene, options, w);
-  if (status == ROTDYN_OK && !possible_times(w->built.constraint, w->built.scene, n, time_s)) {
-    return refuse(w, NULL, "times must be finite and not decrease");
-  }
-  return status;
-}
-
-static int close_work(rotdyn_status status, work *w, rotdyn_report *report) {
-  rot_api_release(&w->built);
-  w->report.status = (int)status;
-  return rot_api_give(&w->report, sizeof w->report, report) ? (int)status : ROTDYN_EARGUMENT;
-}
+/* ---- candidates ------------------------------------------------------------------------------ */
 
 int rotdyn_scene_candidate(const rotdyn_object *scene, size_t n, const double *time_s,
                            const rotdyn_options *options, size_t k, rotdyn_candidate *out) {
-  work w;
+  rot_api_work w;
   rot_candidate all[ROT_MOST_MODELS];
-  rotdyn_status status = open_times(scene, n, time_s, options, &w);
+  rotdyn_status status = rot_api_open(scene, n, time_s, options, &w);
   if (status == ROTDYN_OK && !out) status = ROTDYN_EARGUMENT;
   if (status == ROTDYN_OK) {
     const rot_constraint *c = w.built.constraint;
@@ -73,7 +26,7 @@ int rotdyn_scene_candidate(const rotdyn_object *scene, size_t n, const double *t
     const size_t count = rot_choice_candidates(c, w.built.scene, &query, all);
     status = k < count ? rot_api_candidate(c, &all[k], out) : ROTDYN_EEND;
   }
-  return close_work(status, &w, NULL);
+  return rot_api_close(status, &w, NULL);
 }
 
 /* ---- columns --------------------------------------------------------------------------------- */
@@ -85,20 +38,20 @@ typedef struct places {
 } places;
 
 /* The place of each name; ROTDYN_ENAME, or ROTDYN_EARGUMENT: twice. */
-static rotdyn_status find_columns(work *w, size_t n, const char *const names[],
+static rotdyn_status find_columns(rot_api_work *w, size_t n, const char *const names[],
                                   double *const columns[], size_t at[]) {
   const rot_constraint *c = w->built.constraint;
   unsigned long seen = 0;
-  if (n && (!names || !columns)) return refuse(w, NULL, "`names` or `columns` is NULL");
+  if (n && (!names || !columns)) return rot_api_refuse(w, NULL, "`names` or `columns` is NULL");
   for (size_t i = 0; i < n; i++) {
-    if (!names[i] || !columns[i]) return refuse(w, NULL, "a name or a column is NULL");
+    if (!names[i] || !columns[i]) return rot_api_refuse(w, NULL, "a name or a column is NULL");
     const size_t place = rot_run_column(c, names[i]);
     if (place == c->n_columns) {
       (void)snprintf(w->report.reason, sizeof w->report.reason, "there is no column `%.64s`",
                      names[i]);
       return ROTDYN_ENAME;
     }
-    if (seen >> place & 1u) return refuse(w, NULL, "a column is asked for twice");
+    if (seen >> place & 1u) return rot_api_refuse(w, NULL, "a column is asked for twice");
     seen |= 1ul << place;
     at[i] = place;
   }
@@ -133,88 +86,42 @@ static void close_columns(places *p, size_t rows) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-static void report_run(const rot_constraint *c, const rot_outcome *o, rotdyn_report *to) {
-  const rot_info *info = &o->info;
-  to->rows_done = info->rows_done;
-  to->time_s = info->time_s;
-  to->steps = info->steps;
-  to->rejected = info->rejected;
-  to->law_calls = info->rhs_calls;
-  to->error = o->error;
-  to->model = o->model ? o->model->id : NULL;
-  to->error_is_bound = o->model && o->model->error_kind == ROT_BOUND;
-  to->n_measures = info->n_measures;
-  for (size_t i = 0; i < info->n_measures; i++) {
-    to->measure[i] = info->measure_names[i];
-    to->measure_error[i] = info->measure[i].error;
-    to->measure_largest[i] = info->measure[i].largest;
-  }
-  if (o->picked.dropped) rot_choice_reason(c, &o->picked, sizeof to->reason, to->reason);
-}
-
-/* A scene at some times; the events go to the options' own. */
-static rotdyn_status run(const rot_constraint *c, const void *scene, const rotdyn_options *options,
-                         const rot_hooks *hooks, size_t n, const double time_s[], const places *p,
-                         rotdyn_report *report) {
-  const double most = fmin(options->max_steps, 1e15);
-  const rot_task task = {
-      .n = n, .time_s = time_s, .accuracy = options->accuracy, .max_steps = (size_t)most + n};
-  rot_outcome o;
-  memset(&o, 0, sizeof o);
-  const rot_rows want = {.column = p->column};
-  const rot_run_end end =
-      rot_run(c, scene, options->model, &task, options->law_call_s, &want, &o, hooks);
-  rotdyn_status status = rot_api_status(o.info.status);
-  if (end == ROT_RUN_DONE) {
-    report_run(c, &o, report);
-    rot_api_events(&o.events, options->events);
-    if (status == ROTDYN_OK && isnan(o.error)) status = ROTDYN_ERANGE;
-  } else if (end == ROT_RUN_NO_MODEL) {
-    status = ROTDYN_EMODEL;
-    if (rot_choice_model(c, options->model)) {
-      rot_choice_reason(c, &o.picked, sizeof report->reason, report->reason);
-    } else {
-      (void)snprintf(report->reason, sizeof report->reason, "there is no model of this name");
-    }
-  } else {
-    const rot_query query = {n, time_s, options->accuracy, options->law_call_s};
-    status = rot_api_none_fits(c, scene, &query, sizeof report->reason, report->reason);
-  }
-  rot_events_free(&o.events);
-  return status;
-}
-
 int rotdyn_scene_run(const rotdyn_object *scene, size_t n, const double *time_s,
                      const rotdyn_options *options, size_t room, size_t n_columns,
                      const char *const *names, double *const *columns, rotdyn_report *report) {
-  work w;
+  rot_api_work w;
   places p;
   size_t at[ROT_MOST_COLUMNS];
   memset(&p, 0, sizeof p);
-  rotdyn_status status = open_times(scene, n, time_s, options, &w);
+  rotdyn_status status = rot_api_open(scene, n, time_s, options, &w);
   if (status == ROTDYN_OK && n_columns > ROT_MOST_COLUMNS) {
-    status = refuse(&w, NULL, "there are more columns than the scene has");
+    status = rot_api_refuse(&w, NULL, "there are more columns than the scene has");
   }
   if (status == ROTDYN_OK) status = find_columns(&w, n_columns, names, columns, at);
   if (status == ROTDYN_OK && n_columns && room / w.report.copies < n) {
-    status = refuse(&w, NULL, "the columns have no room for the rows of all times");
+    status = rot_api_refuse(&w, NULL, "the columns have no room for the rows of all times");
   }
   const size_t rows = n * w.report.copies;
   if (status == ROTDYN_OK) {
     status = place_columns(w.built.constraint, rows, n_columns, at, columns, &p);
   }
   if (status == ROTDYN_OK) {
-    status = run(w.built.constraint, w.built.scene, &w.options, &w.hooks, n, time_s, &p, &w.report);
+    const rot_rows want = {.column = p.column};
+    rot_outcome o;
+    status = rot_api_run(w.built.constraint, w.built.scene, &w.options, &w.hooks, n, time_s, &want,
+                         &o, &w.report);
+    rot_api_events(&o.events, w.options.events);
+    rot_events_free(&o.events);
   }
   close_columns(&p, w.report.rows_done * w.report.copies);
-  return close_work(status, &w, report);
+  return rot_api_close(status, &w, report);
 }
 
 /* ---- many scenes, a row each ----------------------------------------------------------------- */
 
 /* What the threads share; none is changed while they work but the rows of the columns. */
 typedef struct many {
-  const work *w;
+  const rot_api_work *w;
   rotdyn_rows_in in;
   rotdyn_rows_out out;
   size_t place[ROT_MOST_INPUTS]; /* of each input that differs */
@@ -251,7 +158,7 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   memset(built, 0, c->scene_size);
   if (status == ROT_OK) {
     status = c->build(given, &store, built, &no);
-    if (status == ROT_OK && !possible_times(c, built, 1, &time_s)) {
+    if (status == ROT_OK && !rot_api_possible(c, built, 1, &time_s)) {
       (void)snprintf(no.reason, sizeof no.reason, "the time must be finite");
       no.input = c->n_inputs;
       status = ROT_EVALUE;
@@ -271,7 +178,12 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   if (ended == ROTDYN_OK) {
     ended = place_columns(c, m->copies, m->out.n_columns, m->at, column, &p);
   }
-  if (ended == ROTDYN_OK) ended = run(c, built, &options, NULL, 1, &time_s, &p, report);
+  if (ended == ROTDYN_OK) {
+    const rot_rows want = {.column = p.column};
+    rot_outcome o;
+    ended = rot_api_run(c, built, &options, NULL, 1, &time_s, &want, &o, report);
+    rot_events_free(&o.events);
+  }
   close_columns(&p, m->copies);
   rot_store_free(&store);
   for (size_t k = 0; k < m->out.n_columns && ended != ROTDYN_OK; k++) {
@@ -297,29 +209,30 @@ static void run_part(const void *frame, size_t first, size_t last) {
   free(built);
 }
 
-static rotdyn_status open_rows(work *w, size_t n, const rotdyn_rows_in *in,
+static rotdyn_status open_rows(rot_api_work *w, size_t n, const rotdyn_rows_in *in,
                                const rotdyn_rows_out *out, many *m) {
   const rot_constraint *c = w->built.constraint;
   if (!rot_api_take(in, sizeof m->in, &m->in) || !rot_api_take(out, sizeof m->out, &m->out) ||
       (n && !m->in.time_s.values)) {
-    return refuse(w, NULL, "`in` or `out` has a wrong size, or there are no times");
+    return rot_api_refuse(w, NULL, "`in` or `out` has a wrong size, or there are no times");
   }
   if (m->in.n_inputs > c->n_inputs || (m->in.n_inputs && (!m->in.inputs || !m->in.values)) ||
       m->out.n_columns > c->n_columns) {
-    return refuse(w, NULL, "there are more inputs or columns than the scene has, or a NULL");
+    return rot_api_refuse(w, NULL,
+                          "there are more inputs or columns than the scene has, or a NULL");
   }
   for (size_t k = 0; k < m->in.n_inputs; k++) {
     const char *name = m->in.inputs[k];
     const size_t at = name ? rot_input_named(c->n_inputs, c->inputs, name) : c->n_inputs;
     if (at == c->n_inputs) {
-      (void)refuse(w, NULL, "there is no input of one of these names");
+      (void)rot_api_refuse(w, NULL, "there is no input of one of these names");
       return ROTDYN_ENAME;
     }
     for (size_t i = 0; i < k; i++) {
-      if (m->place[i] == at) return refuse(w, c->inputs[at].name, "is named twice");
+      if (m->place[i] == at) return rot_api_refuse(w, c->inputs[at].name, "is named twice");
     }
     if (!number_kind(&c->inputs[at]) || !m->in.values[k].values) {
-      return refuse(w, c->inputs[at].name, "takes no number, or has no values");
+      return rot_api_refuse(w, c->inputs[at].name, "takes no number, or has no values");
     }
     m->place[k] = at;
   }
@@ -327,7 +240,7 @@ static rotdyn_status open_rows(work *w, size_t n, const rotdyn_rows_in *in,
   return find_columns(w, m->out.n_columns, m->out.names, m->out.columns, m->at);
 }
 
-static rotdyn_status run_rows(work *w, size_t n, int threads, many *m) {
+static rotdyn_status run_rows(rot_api_work *w, size_t n, int threads, many *m) {
   int *statuses = NULL;
   double *errors = NULL;
   const char **models = NULL;
@@ -355,14 +268,14 @@ static rotdyn_status run_rows(work *w, size_t n, int threads, many *m) {
 int rotdyn_scene_rows(const rotdyn_object *scene, size_t n, const rotdyn_rows_in *in,
                       const rotdyn_options *options, const rotdyn_rows_out *out,
                       rotdyn_report *report) {
-  work w;
+  rot_api_work w;
   many m;
   memset(&m, 0, sizeof m);
-  rotdyn_status status = open_work(scene, options, &w);
+  rotdyn_status status = rot_api_open(scene, 0, NULL, options, &w);
   if (status == ROTDYN_OK) status = open_rows(&w, n, in, out, &m);
   if (status == ROTDYN_OK) {
     const double most = rot_api_calls(scene) ? 1.0 : (double)w.options.threads;
     status = run_rows(&w, n, (int)fmin(fmax(most, 1.0), 4096.0), &m);
   }
-  return close_work(status, &w, report);
+  return rot_api_close(status, &w, report);
 }

@@ -477,7 +477,7 @@ static rotdyn_object *some_object(const char *constructor, int depth) {
 /* Each ends in a status, or in rows. */
 static void check_damaged_calls(void) {
   const int trials = rot_test_trials(20000);
-  size_t ran = 0, right_parts = 0, objects = 0, of_scene[16] = {0};
+  size_t audited = 0, ran = 0, right_parts = 0, objects = 0, of_scene[16] = {0};
   while (rotdyn_object_at(objects)) objects++;
   for (int i = 0; i < trials; i++) {
     const size_t place = next() % 2 ? next() % 8 : next() % objects;
@@ -502,11 +502,19 @@ static void check_damaged_calls(void) {
       ROT_CHECK(status >= ROTDYN_OK && status < ROTDYN_EINTERNAL && report.status == status);
       ROT_CHECK(status == ROTDYN_OK || report.reason[0] || report.model);
       ran += status == ROTDYN_OK;
+      rotdyn_balance balance = ROTDYN_INIT(rotdyn_balance);
+      if (next() % 4 == 0) {
+        status = rotdyn_scene_balance(object, next() % 3, time_s, &options, next() % 4, &balance,
+                                      &report);
+        ROT_CHECK(status >= ROTDYN_OK && status < ROTDYN_EINTERNAL && report.status == status);
+        audited += status == ROTDYN_OK && balance.quantity;
+      }
       if (place < 16) of_scene[place] += status == ROTDYN_OK;
       free(values);
     }
     rotdyn_object_free(object);
   }
+  ROT_CHECK(audited > (size_t)trials / 2000);
   ROT_CHECK(ran > (size_t)trials / 40 && right_parts > (size_t)trials / 40);
   for (size_t i = 0; i < 8; i++) ROT_CHECK(of_scene[i] > 0);
   if (getenv("ROTDYN_LONG")) {

@@ -1,0 +1,164 @@
+#include "api/audit.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "api/work.h"
+
+/* The rows of a run, all columns, and its flows. */
+typedef struct rows {
+  void *column[ROT_MOST_COLUMNS]; /* doubles or flags, in memory of doubles */
+  double *flow[ROT_MOST_FLOWS], flow_error[ROT_MOST_FLOWS];
+  double *memory;
+} rows;
+
+static rotdyn_status open_rows(const rot_constraint *c, size_t n, size_t copies, rows *r) {
+  const size_t each = n * copies;
+  if (each / copies != n || each > SIZE_MAX / sizeof(double) / (c->n_columns + c->n_flows + 1)) {
+    return ROTDYN_EMEMORY;
+  }
+  r->memory = malloc((c->n_columns * each + c->n_flows * n + 1) * sizeof *r->memory);
+  if (!r->memory) return ROTDYN_EMEMORY;
+  for (size_t i = 0; i < c->n_columns; i++) r->column[i] = r->memory + i * each;
+  for (size_t k = 0; k < c->n_flows; k++) {
+    r->flow[k] = r->memory + c->n_columns * each + k * n;
+    r->flow_error[k] = 0.0;
+  }
+  return ROTDYN_OK;
+}
+
+/* The columns at one time, each with its copies. */
+static void cells_of(const rot_constraint *c, const rows *r, size_t row, size_t copies,
+                     unsigned effects, double cell[]) {
+  for (size_t i = 0; i < c->n_columns; i++) {
+    const rot_column_of *column = &c->columns[i];
+    const int shown = !column->only_with || column->only_with & effects;
+    for (size_t k = 0; k < copies; k++) {
+      const size_t at = row * copies + k;
+      const int flag = column->flag ? ((const int *)r->column[i])[at] : 0;
+      const double x =
+          column->flag ? (flag < 0 ? (double)NAN : flag) : ((const double *)r->column[i])[at];
+      cell[i * copies + k] = shown ? x : (double)NAN;
+    }
+  }
+}
+
+/* The flows that an adaptive model carries along are those of all rows; a closed form gives them at
+ * the two times alone, as R asks for them. */
+static rotdyn_status run_flows(rot_api_work *w, size_t n, const double time_s[],
+                               const rot_outcome *ran, rows *r) {
+  const rot_constraint *c = w->built.constraint;
+  const rot_model *model = ran->picked.model;
+  const int all = model->error_kind == ROT_ADAPTIVE;
+  const double ends[] = {time_s[0], time_s[n - 1]};
+  const double most = fmin(w->options.max_steps, 1e15);
+  const rot_task task = {.n = all                 ? n
+                              : ends[0] < ends[1] ? 2
+                                                  : 1,
+                         .time_s = all ? time_s : ends,
+                         .accuracy = w->options.accuracy,
+                         .max_steps = (size_t)most + n,
+                         .asked = !all || w->options.model};
+  const rot_rows want = {.flow = r->flow, .flow_error = r->flow_error};
+  rot_outcome o;
+  memset(&o, 0, sizeof o);
+  rot_run_model(c, w->built.scene, model, &task, &want, &o, &w->hooks);
+  rot_events_free(&o.events);
+  for (size_t k = 0; k < c->n_flows && o.info.status == ROT_OK; k++) {
+    r->flow[k][0] = r->flow[k][task.n - 1] - r->flow[k][0];
+  }
+  return rot_api_status(o.info.status);
+}
+
+/* Sums as R adds numbers. */
+static void fill_balance(const rot_constraint *c, const void *scene, size_t k, const double term[],
+                         const double explained[], rotdyn_balance *b) {
+  long double sum[3] = {0.0L, 0.0L, 0.0L};
+  const unsigned effects = c->effects_of(scene);
+  const char *why[ROT_MOST_CAUSES];
+  for (size_t i = 0; i < c->n_terms && b->n_terms < 16; i++) {
+    const rot_balance_term *of = &c->terms[i];
+    if (of->balance != k || (of->only_with && !(of->only_with & effects))) continue;
+    b->term[b->n_terms] = of->words;
+    b->role[b->n_terms] = (int)of->role;
+    b->value[b->n_terms++] = term[i];
+    sum[of->role] += term[i];
+  }
+  b->quantity = c->balances[k].quantity;
+  b->about = c->balances[k].about;
+  b->unit = c->balances[k].unit;
+  b->supplied = (double)sum[ROT_SUPPLIED];
+  b->dissipated = (double)sum[ROT_DISSIPATED];
+  b->change = (double)sum[ROT_CHANGE];
+  b->residual = (b->change - b->supplied) + b->dissipated;
+  b->explained = explained[k];
+  b->balanced =
+      !isfinite(b->residual) || !isfinite(b->explained) ? -1 : fabs(b->residual) <= b->explained;
+  const size_t causes = c->keeps(scene, k, why);
+  b->conserved = causes == 0;
+  size_t used = 0;
+  for (size_t i = 0; i < (causes ? causes : 1) && used < sizeof b->why; i++) {
+    used += (size_t)snprintf(b->why + used, sizeof b->why - used, "%s%s", i ? "; " : "", why[i]);
+  }
+}
+
+static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], size_t k,
+                           rotdyn_balance *b) {
+  const rot_constraint *c = w->built.constraint;
+  const void *scene = w->built.scene;
+  const size_t copies = w->report.copies, cells = c->n_columns * copies;
+  double flow[ROT_MOST_FLOWS], error[ROT_MOST_MEASURES], term[ROT_MOST_TERMS];
+  double explained[ROT_MOST_BALANCES];
+  rot_outcome o;
+  rows r = {.memory = NULL};
+  double *cell = malloc(2 * cells * sizeof *cell);
+  rotdyn_status status = cell ? open_rows(c, n, copies, &r) : ROTDYN_EMEMORY;
+  memset(&o, 0, sizeof o);
+  if (status == ROTDYN_OK) {
+    const rot_rows want = {.column = r.column};
+    status = rot_api_run(c, scene, &w->options, &w->hooks, n, time_s, &want, &o, &w->report);
+    rot_api_events(&o.events, w->options.events);
+    rot_events_free(&o.events);
+  }
+  if (status == ROTDYN_OK) {
+    const unsigned effects = c->effects_of(scene);
+    cells_of(c, &r, 0, copies, effects, cell);
+    cells_of(c, &r, n - 1, copies, effects, cell + cells);
+    for (size_t i = 0; i < o.info.n_measures; i++) error[i] = o.info.measure[i].error;
+    status = run_flows(w, n, time_s, &o, &r);
+  }
+  if (status == ROTDYN_OK) {
+    for (size_t i = 0; i < c->n_flows; i++) flow[i] = r.flow[i][0];
+    const rot_span span = {cell, cell + cells, flow, r.flow_error, error};
+    status = rot_api_status(rot_run_audit(c, scene, &span, term, explained));
+    if (status == ROTDYN_OK) fill_balance(c, scene, k, term, explained, b);
+  }
+  free(cell);
+  free(r.memory);
+  return status;
+}
+
+int rotdyn_scene_balance(const rotdyn_object *scene, size_t n, const double *time_s,
+                         const rotdyn_options *options, size_t k, rotdyn_balance *out,
+                         rotdyn_report *report) {
+  rot_api_work w;
+  rotdyn_balance b = {0};
+  rotdyn_status status = rot_api_open(scene, n, time_s, options, &w);
+  if (status == ROTDYN_OK) {
+    if (!out || n == 0) {
+      status = rot_api_refuse(&w, NULL, "`out` is NULL, or there are no times");
+    } else if (!w.built.constraint->audit) {
+      (void)rot_api_refuse(&w, NULL, "the balances of this constraint are drawn up by R alone");
+      status = ROTDYN_EMODEL;
+    } else if (k >= w.built.constraint->n_balances) {
+      status = ROTDYN_EEND;
+    } else {
+      status = audit(&w, n, time_s, k, &b);
+    }
+  }
+  if (status == ROTDYN_OK && !rot_api_give(&b, sizeof b, out)) status = ROTDYN_EARGUMENT;
+  return rot_api_close(status, &w, report);
+}
