@@ -78,6 +78,18 @@ makers <- list(
       c(1, 1, 0.5) * size(), c(0, 0.1, 20), mass_kg = size(), centre_m = c(0, 0, 0.1),
       attitude0 = attitude_from(c(1, 0, 0, stats::runif(1)), "axis_angle")
     )
+  },
+  hoop = function() {
+    scene_hoop(
+      size(), size(), stats::rnorm(1, 0, 5), theta0_rad = stats::runif(1, -2, 2),
+      drag_n_s_per_m = pick(0, 0.1), static_friction = pick(0, 0.1)
+    )
+  },
+  chain = function() {
+    scene_chain(
+      c(size(), size()), c(size(), size()), stats::runif(2, -1, 1), links = pick("rods", "points"),
+      joint_n_m_s = pick(0, 0.05)
+    )
   }
 )
 
