@@ -39,7 +39,8 @@ static int at(int i) { return i <= HALF ? i : NODES - 1 - i; }
 
 /* f: the nodes' values, NODES x width. */
 static void integrate(const panel *p, size_t width, const double f[], const sums *out) {
-  const double half = 0.5 * (p->to - p->from), late = ROT_EPS * fmax(fabs(p->from), fabs(p->to));
+  const double half = 0.5 * (p->to - p->from),
+               late = 2.0 * ROT_EPS * fmax(fabs(p->from), fabs(p->to));
   for (size_t k = 0; k < width; k++) {
     double by_kronrod = 0.0, by_gauss = 0.0, size = 0.0, varies = 0.0;
     for (int i = 0; i < NODES; i++) {
@@ -66,7 +67,7 @@ static int is_good(const panel *p, size_t width, const sums *of, const double to
     if (!isfinite(of->value[k])) return 1;
     good &= of->error[k] <= 1e-15 * total[k];
   }
-  return good || p->to - p->from < 4.0 * ROT_EPS * fmax(fabs(p->from), fabs(p->to));
+  return good || p->to - p->from < 8.0 * ROT_EPS * fmax(fabs(p->from), fabs(p->to));
 }
 
 typedef struct work {

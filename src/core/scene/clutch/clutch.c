@@ -117,7 +117,7 @@ static void flows_of(const clutch *c, rot_clutch_flows *flows, rot_clutch_flows 
         4.0 * ROT_EPS * (fabs(impulse) + fabs(flows->torque_impulse_n_m_s));
   }
   flows->dissipated_j = c->heat;
-  error->dissipated_j = 16.0 * ROT_EPS * c->heat + 4.0 * c->p->capacity_n_m * c->slip_theta_error;
+  error->dissipated_j = 32.0 * ROT_EPS * c->heat + 4.0 * c->p->capacity_n_m * c->slip_theta_error;
 }
 
 static void lay_anchor(clutch *c) {

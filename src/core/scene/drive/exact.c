@@ -93,7 +93,7 @@ static rot_status clutch_of(exact *x, rot_store *store) {
   p->start_s = x->scene->start_s;
   p->engage_s = fmax(grip->from_s, p->start_s);
   /* Rates that agree to rounding do not slip. */
-  const int alike = fabs(omega[1] - omega[0]) <= 2.0 * ROT_EPS * fabs(omega[0]);
+  const int alike = fabs(omega[1] - omega[0]) <= 4.0 * ROT_EPS * fabs(omega[0]);
   rot_status status = ROT_OK;
   for (size_t k = 0; k < 2 && status == ROT_OK; k++) {
     p->inertia_kg_m2[k] = u->inertia_kg_m2[k];
@@ -528,8 +528,8 @@ static void measure(const exact *x, size_t n, const actions *a, const rot_info *
   rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
   if (u->m == 1) largest = of->measure[ROT_OMEGA].largest / scale;
   omega->largest = fmax(omega->largest, largest);
-  theta->error = of->measure[ROT_THETA].error / scale + 4.0 * ROT_EPS * theta->largest;
-  omega->error = of->measure[ROT_OMEGA].error / scale + 4.0 * ROT_EPS * omega->largest;
+  theta->error = of->measure[ROT_THETA].error / scale + 8.0 * ROT_EPS * theta->largest;
+  omega->error = of->measure[ROT_OMEGA].error / scale + 8.0 * ROT_EPS * omega->largest;
 }
 
 static int is_lossy(const exact *x) {

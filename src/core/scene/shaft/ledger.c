@@ -220,7 +220,7 @@ static double elastic_at(const rot_shaft_params *p, const double omega[], const 
     change += 0.5 * (spring - start) * (spring + start) / k;
     before += start * start / k;
     after += spring * spring / k;
-    rounding += 8.0 * ROT_EPS * (fabs(start) * twisted + fabs(spring) * size) / k;
+    rounding += 16.0 * ROT_EPS * (fabs(start) * twisted + fabs(spring) * size) / k;
   }
   const double root = sqrt(2.0 * sum_of(p->n, p->inertia_kg_m2));
   *error = root * (sqrt(before) + sqrt(after)) * omega_error + rounding;
@@ -249,7 +249,7 @@ rot_status rot_shaft_flow(const rot_shaft_params *p, int rigid, size_t n, const 
                            info->measure[ROT_OMEGA].error, &off[ELASTIC]);
     off[WORK] = ledger.work_rounding_j;
     off[HEAT] = ledger.dissipated_rounding_j;
-    off[IMPULSE] = 4.0 * ROT_EPS * most * fabs(t - p->start_s);
+    off[IMPULSE] = 8.0 * ROT_EPS * most * fabs(t - p->start_s);
     for (int k = 0; k < ROT_SHAFT_FLOWS; k++) error[k] = fmax(error[k], off[k]);
   }
   return status;
