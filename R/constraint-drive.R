@@ -58,8 +58,8 @@ drive_constraint <- function() {
     texts = drive_texts(),
     drawing = draw_drive,
     frames = shafting_frames_long(draw_drive),
-    balances = balance_drive,
-    conserved = conserved_drive,
+    balances = function(x, run, call) table_balances("drive", core_table("drive"), x, run),
+    conserved = function(scene) table_keeps("drive", core_table("drive"), scene),
     augment = augment_drive,
     panels = list(
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
@@ -125,129 +125,23 @@ drive_pace <- function(scene, sizes, model) {
   )
 }
 
-# From the rows of the first and the last time.
-balance_drive <- function(x, run, call) {
-  none <- list(
-    no_balance("energy", NA_character_, "J"),
-    no_balance("angular_momentum", "the axis", "kg m^2/s")
-  )
-  scene <- run$scene
-  inertia <- scene$moment_of_inertia_kg_m2
-  n <- length(inertia)
-  if (nrow(x) == 0L) return(none)
-  span <- range(x$time_s)
-  ends <- lapply(span, function(time) {
-    rows <- which(x$time_s == time)
-    rows[match(seq_len(n), x$rotor[rows])]
-  })
-  if (anyNA(unlist(ends))) return(none)
-  sums <- drive_sums(scene, c(run, call = call), span)
-  if (is.null(sums)) return(none)
-  at <- function(column) lapply(ends, function(rows) x[[column]][rows])
-  flow <- function(name) sums[[2, name]] - sums[[1, name]]
-  omega <- at("omega_rad_per_s")
-  theta <- at("theta_rad")
-  heat <- at("heat_j")
-  coupling <- at("coupling_heat_j")
-  kind <- vapply(scene$couplings, function(coupling) coupling$kind, double(1))
-  behind <- function(which) sum((coupling[[2]] - coupling[[1]])[-n][which])
-  eps <- .Machine$double.eps
-  error <- run$info$errors[["omega"]] + eps * max(abs(unlist(omega)))
-  twist <- drive_elastic(scene, omega, at("coupling_torque_n_m"), sums[1, "twist_error_rad"], error)
-  momentum <- sum(inertia * (omega[[2]] - omega[[1]]))
-  flows <- abs(sums[, c("work_j", drive_heats(sums))])
-  impulses <- vapply(
-    c("torque_impulse_n_m_s", "resistance_impulse_n_m_s", "housing_impulse_n_m_s"), flow, double(1)
-  )
-  list(
-    balance(
-      "energy", NA_character_, "J",
-      c(
-        "change of kinetic energy" = kinetic_change(inertia, omega[[1]], omega[[2]]),
-        "change of elastic energy" = twist$change
-      ),
-      c("work of the torques" = flow("work_j")),
-      c(
-        "heat of resistance and brakes" = sum(heat[[2]] - heat[[1]]),
-        "heat of dampers" = behind(kind == 0), "heat of clutches" = behind(kind == 1),
-        if (any(vapply(scene$couplings, loses_power, NA))) c("heat of gears" = behind(kind == 2))
-      ),
-      sums[1, "work_error_j"] + sums[1, "heat_error_j"] + twist$rounding +
-        sum(inertia * (abs(omega[[1]]) + abs(omega[[2]]))) * error + 8 * eps * sum(flows)
-    ),
-    balance(
-      "angular_momentum", "the axis", "kg m^2/s",
-      c("change of angular momentum" = momentum),
-      c(
-        "impulse of the torques" = impulses[[1]],
-        "impulse of the gear housings" = impulses[[3]]
-      ),
-      c("impulse of resistance and brakes" = -impulses[[2]]),
-      sums[1, "impulse_error_n_m_s"] + 2 * sum(inertia) * error +
-        4 * eps * (n * sum(inertia * abs(omega[[2]])) + sum(abs(impulses)))
-    )
-  )
-}
-
-# From the torques of the shafts: the difference of two angles loses the twist of a stiff shaft.
-drive_elastic <- function(scene, omega, torque, twist_error, omega_error) {
-  out <- c(change = 0, rounding = 0)
-  for (i in seq_along(scene$couplings)) {
-    coupling <- scene$couplings[[i]]
-    k <- coupling$stiffness_n_m_per_rad
-    if (coupling$kind != 0 || k == 0) next
-    c <- coupling$damping_n_m_s
-    damped <- vapply(omega, function(w) c * (w[i] - coupling$ratio * w[i + 1L]), double(1))
-    size <- vapply(omega, function(w) c * (abs(w[i]) + abs(coupling$ratio * w[i + 1L])), double(1))
-    total <- c(torque[[1]][i], torque[[2]][i])
-    spring <- total - damped
-    off <- k * twist_error + c * (1 + abs(coupling$ratio)) * omega_error +
-      4 * .Machine$double.eps * (abs(total) + size)
-    out <- out + c(0.5 * (spring[2] - spring[1]) * (spring[2] + spring[1]) / k,
-                   sum(abs(spring) * off) / k + sum(off^2) / k)
-  }
-  as.list(out)
-}
+# The flows that are heat.
+drive_heats <- c("resistance_j", "brake_j", "damper_j", "clutch_j", "mesh_j")
 
 augment_drive <- function(x, run, edges, call) {
-  sums <- if (length(edges)) drive_sums(run$scene, c(run, call = call), edges)
-  if (is.null(sums) && length(edges)) return(NULL)
+  flows <- if (length(edges)) table_flows(core_table("drive"), run, edges)$since
+  if (is.null(flows) && length(edges)) return(NULL)
   since_first <- function(names) {
     if (!length(edges)) return(double())
-    total <- rowSums(sums[, names, drop = FALSE])
+    total <- rowSums(flows[, names, drop = FALSE])
     total - total[1]
   }
   list(
     power_w = x[["applied_torque_n_m"]] * x$omega_rad_per_s,
     work_j = since_first("work_j"),
-    dissipated_j = since_first(drive_heats(sums)),
+    dissipated_j = since_first(drive_heats),
     torque_impulse_n_m_s = since_first("torque_impulse_n_m_s"),
     damping_impulse_n_m_s = since_first("resistance_impulse_n_m_s")
-  )
-}
-
-# Torques, resistance and brakes act from outside, and so do the housings of gears. A clutch may
-# slip unless all that is joined turns together.
-conserved_drive <- function(scene) {
-  rotors <- scene$rotors
-  any_of <- function(parts, f) any(vapply(parts, f, NA))
-  causes <- list(
-    "a torque acts on a rotor" = any_of(rotors, function(rotor) loads_act(rotor$loads)),
-    "a resistance acts on a rotor" = any_of(rotors, function(rotor) resists(rotor$resistance)),
-    "a brake acts on a rotor" = any_of(rotors, function(rotor) !is.null(rotor$brake))
-  )
-  couplings <- scene$couplings
-  kind <- vapply(couplings, function(coupling) coupling$kind, double(1))
-  list(
-    keeps_unless("energy", NA_character_, c(causes, list(
-      "a shaft is damped" = any_of(couplings, function(coupling) coupling$damping_n_m_s != 0),
-      "a clutch may slip: heat" = any(kind == 1),
-      "a gear has a loss" = any_of(couplings, loses_power)
-    )), "the shafts give back what they take: kinetic plus elastic energy stays"),
-    keeps_unless("angular_momentum", "the axis", c(causes, list(
-      "the housings of the gears take a torque" =
-        any_of(couplings, function(coupling) coupling$ratio != 1)
-    )), "all torques act between the rotors")
   )
 }
 

@@ -43,11 +43,11 @@ drive_result <- function(result, scene, time_s) {
     where = places_in_words(result$ledger$places)
   )
   sums <- result$ledger
+  flows <- core_table("drive")$flows
   errors <- rep(sums$errors, each = length(time_s))
-  dim(errors) <- c(length(time_s), 4L)
-  colnames(errors) <- c("work_error_j", "heat_error_j", "impulse_error_n_m_s", "twist_error_rad")
-  sums <- sums[!names(sums) %in% c("errors", "places")]
-  result$ledger <- cbind(do.call(cbind, c(list(time_s = time_s), sums)), errors)
+  dim(errors) <- c(length(time_s), length(flows))
+  colnames(errors) <- paste0(flows, "_error")
+  result$ledger <- cbind(do.call(cbind, c(list(time_s = time_s), sums[flows])), errors)
   result
 }
 
@@ -66,37 +66,10 @@ drive_integrator <- function(id, method, ...) {
     ran_as = function(info) {
       if (info$method %in% c("rk8pd", "radau")) paste0("drive_", info$method) else id
     },
-    run = function(scene, time_s, accuracy, max_steps, call, asked) {
+    run = function(scene, time_s, accuracy, max_steps, call, asked, flows = TRUE) {
       integrate_drive(scene, time_s, accuracy, max_steps, call, if (asked) method else 0)
-    },
-    ledger = drive_ledger
+    }
   )
-}
-
-drive_ledger <- function(scene, run, from_s, to_s) {
-  sums <- drive_sums(scene, run, c(from_s, to_s))
-  if (is.null(sums)) return(c(work_j = NA_real_, dissipated_j = NA_real_))
-  flow <- sums[2, ] - sums[1, ]
-  c(flow["work_j"], dissipated_j = sum(flow[drive_heats(sums)]))
-}
-
-# The columns of a ledger that are heat; a ledger of version 0.5.0 has none of gears.
-drive_heats <- function(sums) {
-  intersect(c("resistance_j", "brake_j", "damper_j", "clutch_j", "mesh_j"), colnames(sums))
-}
-
-# The ledger since the start at these times (increasing), a row each: that of the run, or of another
-# run. NULL where that failed.
-drive_sums <- function(scene, run, time_s) {
-  known <- run$ledger
-  at <- if (is.null(known)) NA else match(time_s, known[, "time_s"])
-  if (!anyNA(at)) return(known[at, , drop = FALSE])
-  record <- record_of(run)
-  if (!is.null(record$sums)) return(record$sums(scene, run, time_s))
-  result <- record$run(
-    scene, time_s, run$accuracy, run$max_steps + length(time_s), run$call, TRUE
-  )
-  if (result$info$kind == "none") result$ledger
 }
 
 drive_rk8pd <- drive_integrator(
@@ -116,22 +89,16 @@ drive_radau <- drive_integrator(
 # `form`: the place in src/core/scene/drive/exact.h. The ledger takes a quadrature of the motion, so
 # it is made where it is asked for.
 drive_exact <- function(id, form, ...) {
-  solve <- function(scene, time_s, ledger) {
-    result <- .Call(ffi_drive_exact, scene, form, time_s, ledger, progress_bar("closed form"))
-    drive_result(result, scene, time_s)
-  }
   list(
     id = id, ...,
-    run = function(scene, time_s, accuracy, max_steps, call, asked) {
-      result <- solve(scene, time_s, 0)
-      result$ledger <- NULL
+    run = function(scene, time_s, accuracy, max_steps, call, asked, flows = FALSE) {
+      result <- .Call(
+        ffi_drive_exact, scene, form, time_s, as.double(flows), progress_bar("closed form")
+      )
+      result <- drive_result(result, scene, time_s)
+      if (!flows) result$ledger <- NULL
       result
-    },
-    sums = function(scene, run, time_s) {
-      result <- solve(scene, time_s, 1)
-      if (result$info$kind == "none") result$ledger
-    },
-    ledger = drive_ledger
+    }
   )
 }
 

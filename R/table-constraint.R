@@ -177,7 +177,9 @@ table_text <- function(table, constructor) {
 # scene's start, and the errors of these; NULL where the motion could not be computed again.
 table_flows <- function(table, run, time_s) {
   known <- run$ledger
-  if (is.null(known) || !all(time_s %in% known[, "time_s"])) {
+  columns <- c("time_s", table$flows, paste0(table$flows, "_error"))
+  # A version before may have recorded others.
+  if (!all(columns %in% colnames(known)) || !all(time_s %in% known[, "time_s"])) {
     times <- sort(unique(time_s))
     again <- record_of(run)$run(
       run$solved, times, run$accuracy, run$max_steps + length(times), run$call, TRUE, TRUE

@@ -6,6 +6,7 @@
 #include "glue/scenes.h"
 #include "glue/torque.h"
 #include "scene/drive/exact.h"
+#include "scene/drive/ledger.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
 
@@ -115,7 +116,7 @@ static SEXP keep_places(void *data) {
 #define SUM_NAME(name) #name,
 
 /* The columns are as long as times x rotors, those of the ledger as the times; its `errors` are
- * those of work, heat, impulse and twist, its `places` those of the events (scene/drive/ode.h).
+ * those of the flows, its `places` those of the events (scene/drive/ode.h).
  * `options`: of the integrator; NULL: by a closed form, whose ledger takes a quadrature. */
 static SEXP run_drive(SEXP list, SEXP called, SEXP time_s, const rot_drive_ode_options *options,
                       rot_drive_form form, int with_ledger, SEXP progress) {
@@ -138,17 +139,14 @@ static SEXP run_drive(SEXP list, SEXP called, SEXP time_s, const rot_drive_ode_o
   SET_VECTOR_ELT(run.out, FFI_LEDGER, ledger);
   at = 0;
   ROT_DRIVE_LEDGER(SUM_NEW)
-  double *errors = ffi_new_double(ledger, at++, 4);
+  double *errors = ffi_new_double(ledger, at++, ROT_DRIVE_FLOWS);
   rot_drive_places places = {0, NULL};
   rot_status status = options
                           ? rot_drive_integrate(&scene, options, n, t, &out, &sums, &run.events,
                                                 &places, &run.guard.hooks, &run.info)
                           : rot_drive_exact(&scene, form, n, t, &out, with_ledger ? &sums : NULL,
                                             &run.events, &places, &run.guard.hooks, &run.info);
-  errors[0] = sums.work_error_j;
-  errors[1] = sums.heat_error_j;
-  errors[2] = sums.impulse_error_n_m_s;
-  errors[3] = sums.twist_error_rad;
+  rot_drive_flow_errors(&scene, &sums, errors);
   for (R_xlen_t i = 0; i < rows; i++) {
     const int last = (size_t)i % scene.n + 1 == scene.n;
     if (last) out.coupling_torque_n_m[i] = out.coupling_heat_j[i] = NA_REAL;

@@ -85,6 +85,13 @@ static const struct {
                  {&rot_free_constraint, read_free},
                  {&rot_pivot_constraint, read_free}};
 
+int ffi_scene_by_table(const rot_constraint *constraint) {
+  for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
+    if (own_forms[i].of == constraint) return 0;
+  }
+  return 1;
+}
+
 static const void *build_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws) {
   rot_refusal no;
   for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
@@ -304,7 +311,7 @@ SEXP ffi_scene_table(SEXP id) {
   const char *name[ROT_MOST_COLUMNS], *unit[ROT_MOST_COLUMNS], *state[ROT_MOST_COLUMNS];
   const char *quantity[ROT_MOST_BALANCES], *follows[ROT_MOST_INPUTS];
   size_t n_measures = 0;
-  if (!ffi_scene_by_table(c)) return R_NilValue;
+  if (!c->audit) return R_NilValue;
   while (c->measures[n_measures]) n_measures++;
   for (size_t i = 0; i < c->n_columns; i++) {
     const rot_column_of *column = &c->columns[i];

@@ -6,9 +6,7 @@
 #include "engine/model.h"
 
 /* Whether scenes of this constraint are read by its table alone. */
-static inline int ffi_scene_by_table(const rot_constraint *constraint) {
-  return constraint->audit != NULL;
-}
+int ffi_scene_by_table(const rot_constraint *constraint);
 
 /* The constraint of this name. */
 const rot_constraint *ffi_constraint(SEXP id);

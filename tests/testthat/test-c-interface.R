@@ -255,9 +255,8 @@ test_that("objects made by name in C compute R's bits and its error, for random 
 test_that("the audit of C is R's, number by number", {
   load_objects()
   set.seed(8)
-  scenes <- c(replicate(12, random_rotors(), simplify = FALSE), replicate(12, random_clutch(),
-    simplify = FALSE
-  ), list(
+  some <- function(maker) replicate(12, maker(), simplify = FALSE)
+  scenes <- c(some(random_rotors), some(random_clutch), some(random_drive), list(
     scene_incline(body_sphere(2, 0.1), 30, static_friction = 0.1, v0_m_per_s = 2),
     scene_incline(body_disk(1, 0.2), 20, static_friction = 0.5, drag_n_s2_per_m2 = 0.3),
     scene_hoop(1, 0.5, 6, theta0_rad = 0.3, drag_n_s_per_m = 0.2),

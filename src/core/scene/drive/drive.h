@@ -70,13 +70,15 @@ typedef struct rot_drive_columns {
   X(mesh_j) /* of gears with a loss */                                                             \
   X(torque_impulse_n_m_s)                                                                          \
   X(resistance_impulse_n_m_s) /* brakes included */                                                \
-  X(housing_impulse_n_m_s)    /* of what holds the gears */
+  X(housing_impulse_n_m_s)    /* of what holds the gears */                                        \
+  X(elastic_j)                /* what the springs hold more than at the start */
 
 typedef struct rot_drive_ledger {
 #define X(name) double *name;
   ROT_DRIVE_LEDGER(X)
 #undef X
-  double work_error_j, heat_error_j, impulse_error_n_m_s, twist_error_rad; /* estimates */
+  /* Estimates. */
+  double work_error_j, heat_error_j, impulse_error_n_m_s, twist_error_rad, elastic_error_j;
 } rot_drive_ledger;
 
 #endif

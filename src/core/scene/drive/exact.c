@@ -9,6 +9,7 @@
 #include "scene/axle/inputs.h"
 #include "scene/axle/models.h"
 #include "scene/clutch/clutch.h"
+#include "scene/drive/ledger.h"
 #include "scene/drive/units.h"
 #include "scene/shaft/modal.h"
 
@@ -653,7 +654,10 @@ rot_status rot_drive_exact(const rot_drive_scene *scene, rot_drive_form form, si
   }
   if (status == ROT_OK) {
     write_rows(&x, n, &s, &a, integrates && is_lossy(&x) ? &sums : NULL, out);
-    if (integrates && ledger) write_ledger(&x, n, time_s, &sums, info, ledger);
+    if (integrates && ledger) {
+      write_ledger(&x, n, time_s, &sums, info, ledger);
+      rot_drive_elastic(scene, n, out, info, ledger);
+    }
     status = place_events(&x, &found, events, places);
   }
   info->status = status;

@@ -10,6 +10,7 @@
 #include "scene/axle/inputs.h"
 #include "scene/drive/mesh.h"
 #include "scene/drive/exact.h"
+#include "scene/drive/ledger.h"
 
 /* ---- couplings and brakes -------------------------------------------------------------------- */
 
@@ -285,8 +286,8 @@ const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS] = {
     {"damping_torque_n_m", 0, 0, NULL, 0, 0},
     {"coupling_torque_n_m", 0, 0, NULL, 0, 0},
     {"locked", 1, 0, NULL, 0, 0},
-    {"heat_j", 0, 0, NULL, 0, 0},
-    {"coupling_heat_j", 0, 0, NULL, 0, 0}};
+    {"heat_j", 0, 0, NULL, 0, 2},
+    {"coupling_heat_j", 0, 0, NULL, 0, 4}};
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
@@ -299,39 +300,41 @@ static rot_drive_columns columns_of(void *const column[]) {
   return out;
 }
 
-#define EXACT(name, form)                                                                          \
-  static rot_status name(const void *scene, const rot_task *task, rot_method method,               \
-                         const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {           \
-    const rot_drive_columns out = columns_of(rows->column);                                        \
-    (void)method;                                                                                  \
-    return rot_drive_exact(scene, form, task->n, task->time_s, &out, NULL, rows->events, NULL,     \
-                           hooks, info);                                                           \
-  }
-EXACT(run_axle, ROT_DRIVE_AS_AXLE)
-EXACT(run_clutch, ROT_DRIVE_AS_CLUTCH)
-EXACT(run_shaft, ROT_DRIVE_AS_SHAFT)
+/* A ledger in the flows that are wanted, else in the store. */
+static rot_status open_ledger(size_t n, const rot_rows *rows, rot_store *store,
+                              rot_drive_ledger *ledger) {
+  size_t k = 0, no_memory = 0;
+  memset(ledger, 0, sizeof *ledger);
+#define X(name)                                                                                    \
+  ledger->name = rows->flow ? rows->flow[k] : rot_store_get(store, n, sizeof(double));             \
+  no_memory += !ledger->name;                                                                      \
+  k++;
+  ROT_DRIVE_LEDGER(X)
+#undef X
+  return no_memory ? ROT_ENOMEM : ROT_OK;
+}
 
-static rot_status run(const void *of, const rot_task *task, rot_method method, const rot_rows *rows,
-                      const rot_hooks *hooks, rot_info *info) {
-  const rot_drive_scene *scene = of;
+/* By a closed form, or integrated where there is none. */
+static rot_status run(rot_drive_form form, const rot_drive_scene *scene, const rot_task *task,
+                      rot_method method, const rot_rows *rows, const rot_hooks *hooks,
+                      rot_info *info) {
   const rot_drive_ode_options options = {task->accuracy, task->max_steps,
                                          task->asked ? method : ROT_METHOD_NONE, task->resolution};
   const rot_drive_columns out = columns_of(rows->column);
+  const int exact = form != ROT_DRIVE_FORMS;
   rot_drive_ledger ledger;
   rot_drive_places places = {0, NULL};
   rot_store store = {0};
-  size_t no_memory = 0;
-#define X(name)                                                                                    \
-  ledger.name = rot_store_get(&store, task->n, sizeof(double));                                    \
-  no_memory += !ledger.name;
-  ROT_DRIVE_LEDGER(X)
-#undef X
   rot_info_clear(info, rot_turning);
-  info->status = ROT_ENOMEM;
-  if (!no_memory) {
-    info->status = rot_drive_integrate(scene, &options, task->n, task->time_s, &out, &ledger,
-                                       rows->events, &places, hooks, info);
+  info->status = open_ledger(task->n, rows, &store, &ledger);
+  if (info->status == ROT_OK) {
+    info->status =
+        exact ? rot_drive_exact(scene, form, task->n, task->time_s, &out,
+                                rows->flow ? &ledger : NULL, rows->events, &places, hooks, info)
+              : rot_drive_integrate(scene, &options, task->n, task->time_s, &out, &ledger,
+                                    rows->events, &places, hooks, info);
   }
+  if (rows->flow) rot_drive_flow_errors(scene, &ledger, rows->flow_error);
   for (size_t k = scene->n - 1; k < info->rows_done * scene->n; k += scene->n) {
     out.coupling_torque_n_m[k] = out.coupling_heat_j[k] = NAN;
     out.locked[k] = -1;
@@ -341,8 +344,18 @@ static rot_status run(const void *of, const rot_task *task, rot_method method, c
   return info->status;
 }
 
+#define RUN(name, form)                                                                            \
+  static rot_status name(const void *scene, const rot_task *task, rot_method method,               \
+                         const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {           \
+    return run(form, scene, task, method, rows, hooks, info);                                      \
+  }
+RUN(run_axle, ROT_DRIVE_AS_AXLE)
+RUN(run_clutch, ROT_DRIVE_AS_CLUTCH)
+RUN(run_shaft, ROT_DRIVE_AS_SHAFT)
+RUN(run_integrated, ROT_DRIVE_FORMS)
+
 const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS] = {{ROT_METHOD_NONE, run_axle},
                                                         {ROT_METHOD_NONE, run_clutch},
                                                         {ROT_METHOD_NONE, run_shaft},
-                                                        {ROT_METHOD_RK8PD, run},
-                                                        {ROT_METHOD_RADAU, run}};
+                                                        {ROT_METHOD_RK8PD, run_integrated},
+                                                        {ROT_METHOD_RADAU, run_integrated}};

@@ -4,6 +4,7 @@
 
 #include "scene/drive/exact.h"
 #include "scene/drive/inputs.h"
+#include "scene/drive/ledger.h"
 #include "scene/drive/mesh.h"
 #include "ground/search.h"
 
@@ -19,7 +20,7 @@ enum {
   QUADRATIC = 1 << 6,
   FRICTION = 1 << 7,
   BRAKE = 1 << 8,
-  MESH = 1 << 9,
+  MESH = ROT_DRIVE_MESH,
   ALL = (1 << 10) - 1
 };
 
@@ -218,6 +219,13 @@ static const rot_model models[] = {
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
 };
 
+static void pace(const void *scene, const double sizes[], rot_pace *to) {
+  double swing, decay;
+  (void)sizes;
+  rates_of(scene, &swing, &decay);
+  *to = (rot_pace){1.0 / decay, swing};
+}
+
 const rot_constraint rot_drive_constraint = {
     .id = "drive",
     .measures = rot_turning,
@@ -237,4 +245,13 @@ const rot_constraint rot_drive_constraint = {
     .start_s = rot_drive_start_s,
     .index = "rotor",
     .copies = rot_drive_copies,
+    .n_flows = ROT_DRIVE_FLOWS,
+    .flows = rot_drive_flow_names,
+    .n_balances = ROT_DRIVE_BALANCES,
+    .balances = rot_drive_balances,
+    .n_terms = ROT_DRIVE_TERMS,
+    .terms = rot_drive_terms,
+    .audit = rot_drive_audit,
+    .keeps = rot_drive_keeps,
+    .pace = pace,
 };

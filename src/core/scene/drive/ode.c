@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene/drive/contact.h"
+#include "scene/drive/ledger.h"
 #include "scene/drive/mesh.h"
 #include "engine/ode/ode.h"
 #include "ground/real.h"
@@ -558,6 +559,7 @@ rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode
       status = run(&m, &implicit, n, time_s, y, out, ledger, hooks, info);
     }
   }
+  rot_drive_elastic(scene, info->rows_done, out, info, ledger);
   free(y);
   motion_free(&m);
   return info->status = status;

@@ -176,7 +176,7 @@ static void what_slips_has_let_go(void) {
 /* ---- motions --------------------------------------------------------------------------------- */
 
 static struct {
-  double value[9][ROWS * MOST], sum[9][ROWS];
+  double value[9][ROWS * MOST], sum[10][ROWS];
   int locked[ROWS * MOST];
   rot_drive_columns out;
   rot_drive_ledger ledger;
@@ -192,9 +192,11 @@ static void integrate(size_t n_rotors, size_t n, const double t[], rot_method me
   run.out =
       (rot_drive_columns){run.value[0], run.value[1], run.value[2], run.value[3], run.value[4],
                           run.value[5], run.value[6], run.locked,   run.value[7], run.value[8]};
-  run.ledger = (rot_drive_ledger){run.sum[0], run.sum[1], run.sum[2], run.sum[3], run.sum[4],
-                                  run.sum[5], run.sum[6], run.sum[7], run.sum[8], 0.0,
-                                  0.0,        0.0,        0.0};
+  memset(&run.ledger, 0, sizeof run.ledger);
+  size_t k = 0;
+#define X(name) run.ledger.name = run.sum[k++];
+  ROT_DRIVE_LEDGER(X)
+#undef X
   rot_events_free(&run.events);
   run.status = rot_drive_integrate(&scene, &options, n, t, &run.out, &run.ledger, &run.events,
                                    &run.places, NULL, &run.info);

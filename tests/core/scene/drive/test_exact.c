@@ -37,7 +37,7 @@ static void turn(size_t n, double omega) {
 }
 
 typedef struct rows {
-  double column[9][ROWS * MOST], sum[9][ROWS];
+  double column[9][ROWS * MOST], sum[10][ROWS];
   int locked[ROWS * MOST];
   rot_drive_columns out;
   rot_drive_ledger ledger;
@@ -109,9 +109,10 @@ static void compare(size_t n, rot_drive_form form, double start_s, double first_
   }
   const rot_drive_ledger *a = &exact.ledger, *b = &by_steps.ledger;
   const double error[] = {a->work_error_j + b->work_error_j, a->heat_error_j + b->heat_error_j,
-                          a->impulse_error_n_m_s + b->impulse_error_n_m_s};
-  for (size_t k = 0; k < 9; k++) {
-    const size_t of = k == 0 ? 0 : k < 6 ? 1 : 2;
+                          a->impulse_error_n_m_s + b->impulse_error_n_m_s,
+                          a->elastic_error_j + b->elastic_error_j};
+  for (size_t k = 0; k < 10; k++) {
+    const size_t of = k == 0 ? 0 : k < 6 ? 1 : k < 9 ? 2 : 3;
     for (size_t i = 0; i < ROWS; i++) {
       ROT_CHECK(near(exact.sum[k][i], by_steps.sum[k][i], error[of] + 1e-14));
     }
