@@ -655,19 +655,6 @@ work_precision_columns <- c(
   "error_kind", "covered", "cost_s", "cost_median_s", "rhs_calls", "steps", "rejected",
   "energy_residual", "reference", "reference_error"
 )
-rotors_columns <- c(
-  "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
-  "rotational_kinetic_energy_j", "shaft_torque_n_m"
-)
-clutch_columns <- c(
-  "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s",
-  "clutch_torque_n_m", "heat_j", "locked"
-)
-drive_columns <- c(
-  "time_s", "rotor", "theta_rad", "omega_rad_per_s", "angular_momentum_kg_m2_per_s",
-  "rotational_kinetic_energy_j", "applied_torque_n_m", "damping_torque_n_m",
-  "coupling_torque_n_m", "locked", "heat_j", "coupling_heat_j"
-)
 incline_table_columns <- c(
   "final_x_m", "final_v_m_per_s", "final_theta_rad", "final_omega_rad_per_s", "slip_heat_j",
   "rolling_heat_j", "roll_time_s", "rolling", "error"

@@ -20,7 +20,7 @@ drive_constraint <- function() {
     fault = function(scene) if (any(vapply(scene$couplings, lacks_grip, NA))) "couplings",
     title = function(run) "A drive",
     models = list(drive_axle, drive_clutch, drive_modal, drive_rk8pd, drive_radau),
-    columns = drive_columns,
+    columns = columns_of_motion("drive"),
     keys = c(
       "time_s", "rotor", "theta_rad", "omega_rad_per_s", "coupling_torque_n_m", "heat_j",
       "coupling_heat_j"

@@ -21,7 +21,7 @@
 #' @param start_s Time at which the state above holds. Earlier times are an error: the slip before
 #'   locking is undetermined.
 #' @return A `rot_scene_clutch`, which is a `rot_scene`. Its trajectory has the
-#'   columns `r describe_columns(clutch_columns)`
+#'   columns `r describe_columns(columns_of_motion("clutch"))`
 #'   The error is a bound.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`; `rotdyn_error_torque` for a torque that is not constant between jumps.

@@ -177,7 +177,7 @@ loads_on_axle <- function(torque, resistance, inertia, theta0, omega0, start_s) 
 #'   nothing sticks or slips.
 #' @return A `rot_scene_drive`, which is a `rot_scene`. Its trajectory has one row for each time and
 #'   rotor:
-#'   `r describe_columns(drive_columns)`
+#'   `r describe_columns(columns_of_motion("drive"))`
 #'   The error is an estimate, relative to the largest angle and the largest rate of all rotors.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.

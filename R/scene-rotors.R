@@ -25,7 +25,7 @@
 #' @param start_s Time at which the state above holds.
 #' @return A `rot_scene_rotors`, which is a `rot_scene`. Its trajectory has one
 #'   row for each time and rotor:
-#'   `r describe_columns(rotors_columns)`
+#'   `r describe_columns(columns_of_motion("rotors"))`
 #'   The error is an estimate: rounding times the accumulated phase, plus the momentum residual.
 #'   That of the rigid shaft is a bound.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,

@@ -5,7 +5,7 @@ motion_of <- function(scene, time_s, accuracy = 1e-9, model = NULL) {
 test_that("a clutch locks when and where it must", {
   # 12 N m on 2 and 3 kg m^2: 12 (1/2 + 1/3) = 10 rad/s^2, so 10 rad/s are gone after 1 s.
   motion <- motion_of(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 0.5, 1, 2))
-  expect_named(motion, clutch_columns)
+  expect_named(motion, columns_of_motion("clutch"))
   expect_equal(motion$omega_1_rad_per_s, c(10, 7, 4, 4), tolerance = 1e-15)
   expect_equal(motion$omega_2_rad_per_s, c(0, 2, 4, 4), tolerance = 1e-15)
   expect_equal(motion$heat_j, c(0, 45, 60, 60), tolerance = 1e-15)

@@ -39,7 +39,7 @@ test_that("even rows share an exponential where ten digits will do, and only the
 test_that("rows are in long form, by time then rotor", {
   scene <- scene_rotors(c(1, 2, 3), 50, theta0_rad = c(0.1, 0, 0))
   motion <- motion_of(scene, c(0, 1))
-  expect_named(motion, rotors_columns)
+  expect_named(motion, columns_of_motion("rotors"))
   expect_equal(motion$time_s, c(0, 0, 0, 1, 1, 1))
   expect_equal(motion$rotor, c(1L, 2L, 3L, 1L, 2L, 3L))
   expect_equal(motion$shaft_torque_n_m[1:3], c(5, 0, NA), tolerance = 1e-14)

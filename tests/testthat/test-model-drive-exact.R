@@ -6,7 +6,7 @@ expect_same_motion <- function(scene, t, model, tolerance = 1e-10) {
   expect_equal(run$model, model)
   expect_lte(run$info$error, 1e-12)
   integrated <- trajectory(scene, t, 1e-12, "drive_rk8pd")
-  for (column in drive_columns) {
+  for (column in columns_of_motion("drive")) {
     want <- integrated[[column]]
     got <- exact[[column]]
     expect_identical(is.na(got), is.na(want), label = column)

@@ -128,7 +128,7 @@ test_that("constant torques: lock, slip and stick where a hand finds them", {
     scene_drive(c(2, 3), coupling_clutch(12), omega0_rad_per_s = c(10, 0)), c(0, 0.5, 1, 2),
     model = "drive_rk8pd"
   )
-  expect_named(motion, drive_columns)
+  expect_named(motion, columns_of_motion("drive"))
   expect_equal(motion$omega_rad_per_s, c(10, 0, 7, 2, 4, 4, 4, 4), tolerance = 1e-14)
   expect_equal(motion$coupling_heat_j[c(1, 3, 5, 7)], c(0, 45, 60, 60), tolerance = 1e-14)
   expect_equal(motion$coupling_torque_n_m, c(12, NA, 12, NA, 12, NA, 0, NA), tolerance = 1e-14)
