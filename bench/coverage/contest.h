@@ -79,7 +79,8 @@ static inline int run_sample(const sample *s, void *scene, got *g) {
   rot_refusal no;
   memset(g, 0, sizeof *g);
   rot_status status = rot_inputs_check(s->c->n_inputs, s->c->inputs, s->given, &no);
-  if (status == ROT_OK) status = s->c->build(s->given, scene, &no);
+  rot_store store = {0}; /* of hoops and chains: nothing is in it */
+  if (status == ROT_OK) status = s->c->build(s->given, &store, scene, &no);
   if (status != ROT_OK) {
     fprintf(stderr, "%s %s\n", s->c->inputs[no.input].name, no.reason);
     return 0;

@@ -13,6 +13,7 @@ typedef struct kit {
   double x[ROT_MOST_INPUTS][KIT_MOST];
   void *scene;
   rot_refusal no;
+  rot_store store;
 } kit;
 
 static inline kit *kit_new(const char *constructor) {
@@ -24,6 +25,7 @@ static inline kit *kit_new(const char *constructor) {
 }
 
 static inline void kit_free(kit *k) {
+  rot_store_free(&k->store);
   free(k->scene);
   free(k);
 }
@@ -51,11 +53,12 @@ static inline void kit_unset(kit *k, const char *name) {
 }
 
 static inline rot_status kit_build(kit *k) {
+  rot_store_free(&k->store);
   free(k->scene);
   k->scene = malloc(k->c->scene_size);
   if (!k->scene) exit(1);
   const rot_status status = rot_inputs_check(k->c->n_inputs, k->c->inputs, k->given, &k->no);
-  return status == ROT_OK ? k->c->build(k->given, k->scene, &k->no) : status;
+  return status == ROT_OK ? k->c->build(k->given, &k->store, k->scene, &k->no) : status;
 }
 
 /* Refused for this input, with these words in the reason. */
