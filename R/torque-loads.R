@@ -216,3 +216,25 @@ scale_torque <- function(law, factor, call) {
   }
   law
 }
+
+# Torque i + 1 holds from time i on.
+torque_steps_of <- function(torque, arg, call) {
+  refuse <- function() {
+    abort_rotdyn(c(
+      "{.arg {arg}} must be constant between jumps.",
+      x = "It is {describe_torque(torque)}.",
+      i = "A jump is two knots at one time, as in
+           {.code torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10))}."
+    ), "torque", call)
+  }
+  loads <- torque_loads(torque)
+  if (length(loads$terms) || !is.null(loads$law) || loads$motor_n_m_s != 0) refuse()
+  time <- loads$knots$time_s
+  value <- loads$knots$torque_n_m
+  n <- length(time)
+  outside <- loads$knots$outside
+  if (n == 0L) return(list(time_s = double(), torque_n_m = outside[1]))
+  apart <- which(diff(time) > 0)
+  if (any(value[apart] != value[apart + 1L])) refuse()
+  list(time_s = time[c(apart, n)], torque_n_m = c(outside[1], value[apart], outside[2]))
+}

@@ -62,6 +62,10 @@ typedef struct rot_column_of {
   size_t flow;        /* 1 + the flow that it adds up, with whose error; 0: none */
 } rot_column_of;
 
+/* Of doubles, in all rows; measure: as there. */
+#define ROT_COLUMN(name, unit, measure)                                                            \
+  { name, 0, 0, unit, measure, 0 }
+
 /* Where a run writes; n rows, times their copies. */
 typedef struct rot_rows {
   void *const *column; /* one for each of the constraint's, of n values */

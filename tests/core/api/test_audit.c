@@ -1,5 +1,5 @@
 /* Balances by the C interface: an engagement by hand, a planted law, and what is refused. */
-#include "rotdyn.h"
+#include "api/audit.h"
 
 #include <math.h>
 #include <string.h>

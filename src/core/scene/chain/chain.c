@@ -128,15 +128,16 @@ static void slopes(const void *scene, const rot_system_state *at, double acceler
 /* ---- columns --------------------------------------------------------------------------------- */
 
 enum { THETA, OMEGA, X, Y, VX, VY, KINETIC, POTENTIAL, TORQUE, COLUMNS };
-static const rot_column_of columns[COLUMNS] = {{"theta_rad", 0, 0, "rad", 1 + ROT_THETA, 0},
-                                               {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_OMEGA, 0},
-                                               {"x_m", 0, 0, "m", 0, 0},
-                                               {"y_m", 0, 0, "m", 0, 0},
-                                               {"vx_m_per_s", 0, 0, "m/s", 0, 0},
-                                               {"vy_m_per_s", 0, 0, "m/s", 0, 0},
-                                               {"kinetic_energy_j", 0, 0, "J", 0, 0},
-                                               {"potential_energy_j", 0, 0, "J", 0, 0},
-                                               {"joint_torque_n_m", 0, 0, "N m", 0, 0}};
+static const rot_column_of columns[COLUMNS] = {
+    ROT_COLUMN("theta_rad", "rad", 1 + ROT_THETA),
+    ROT_COLUMN("omega_rad_per_s", "rad/s", 1 + ROT_OMEGA),
+    ROT_COLUMN("x_m", "m", 0),
+    ROT_COLUMN("y_m", "m", 0),
+    ROT_COLUMN("vx_m_per_s", "m/s", 0),
+    ROT_COLUMN("vy_m_per_s", "m/s", 0),
+    ROT_COLUMN("kinetic_energy_j", "J", 0),
+    ROT_COLUMN("potential_energy_j", "J", 0),
+    ROT_COLUMN("joint_torque_n_m", "N m", 0)};
 
 /* A row for each link, from row `at` on. */
 static void row(const void *scene, const rot_system_state *state, size_t at, void *const column[]) {

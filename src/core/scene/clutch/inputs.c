@@ -113,13 +113,13 @@ double rot_clutch_start_s(const void *scene) { return ((const rot_clutch_params 
 /* ---- columns --------------------------------------------------------------------------------- */
 
 const rot_column_of rot_clutch_all_columns[ROT_CLUTCH_ALL_COLUMNS] = {
-    {"theta_1_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
-    {"omega_1_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
-    {"theta_2_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
-    {"omega_2_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
-    {"clutch_torque_n_m", 0, 0, NULL, 0, 0},
-    {"heat_j", 0, 0, NULL, 0, 1 + ROT_CLUTCH_HEAT},
-    {"locked", 1, 0, NULL, 0, 0}};
+    ROT_COLUMN("theta_1_rad", "rad", 1 + ROT_THETA),
+    ROT_COLUMN("omega_1_rad_per_s", "rad/s", 1 + ROT_OMEGA),
+    ROT_COLUMN("theta_2_rad", "rad", 1 + ROT_THETA),
+    ROT_COLUMN("omega_2_rad_per_s", "rad/s", 1 + ROT_OMEGA),
+    ROT_COLUMN("clutch_torque_n_m", "N m", 0),
+    {"heat_j", 0, 0, "J", 0, 1 + ROT_CLUTCH_HEAT},
+    {"locked", 1, 0, "", 0, 0}};
 
 /* ---- the run --------------------------------------------------------------------------------- */
 

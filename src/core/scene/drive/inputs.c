@@ -278,16 +278,16 @@ size_t rot_drive_copies(const void *scene) { return ((const rot_drive_scene *)sc
 /* ---- columns --------------------------------------------------------------------------------- */
 
 const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS] = {
-    {"theta_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
-    {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
-    {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0, 0},
-    {"rotational_kinetic_energy_j", 0, 0, NULL, 0, 0},
-    {"applied_torque_n_m", 0, 0, NULL, 0, 0},
-    {"damping_torque_n_m", 0, 0, NULL, 0, 0},
-    {"coupling_torque_n_m", 0, 0, NULL, 0, 0},
-    {"locked", 1, 0, NULL, 0, 0},
-    {"heat_j", 0, 0, NULL, 0, 2},
-    {"coupling_heat_j", 0, 0, NULL, 0, 4}};
+    ROT_COLUMN("theta_rad", "rad", 1 + ROT_THETA),
+    ROT_COLUMN("omega_rad_per_s", "rad/s", 1 + ROT_OMEGA),
+    ROT_COLUMN("angular_momentum_kg_m2_per_s", "kg m^2/s", 0),
+    ROT_COLUMN("rotational_kinetic_energy_j", "J", 0),
+    ROT_COLUMN("applied_torque_n_m", "N m", 0),
+    ROT_COLUMN("damping_torque_n_m", "N m", 0),
+    ROT_COLUMN("coupling_torque_n_m", "N m", 0),
+    {"locked", 1, 0, "", 0, 0},
+    {"heat_j", 0, 0, "J", 0, 2},
+    {"coupling_heat_j", 0, 0, "J", 0, 4}};
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 

@@ -69,18 +69,18 @@ static void slopes(const void *scene, const rot_system_state *at, double acceler
   if (drive) *drive = f.along / fmax(f.normal, DBL_MIN);
 }
 
-static const rot_column_of columns[] = {{"theta_rad", 0, 0, "rad", 1 + ROT_THETA, 0},
-                                        {"omega_rad_per_s", 0, 0, "rad/s", 1 + ROT_OMEGA, 0},
-                                        {"drive_torque_n_m", 0, 0, "N m", 0, 0},
-                                        {"normal_n", 0, 0, "N", 0, 0},
-                                        {"kinetic_energy_j", 0, 0, "J", 0, 0},
-                                        {"potential_energy_j", 0, 0, "J", 0, 0}};
+/* clang-format off */
+static const rot_column_of columns[] = {
+    ROT_COLUMN("theta_rad", "rad", 1 + ROT_THETA),
+    ROT_COLUMN("omega_rad_per_s", "rad/s", 1 + ROT_OMEGA),
+    ROT_COLUMN("drive_torque_n_m", "N m", 0), ROT_COLUMN("normal_n", "N", 0),
+    ROT_COLUMN("kinetic_energy_j", "J", 0), ROT_COLUMN("potential_energy_j", "J", 0)};
+/* clang-format on */
 
 static void row(const void *scene, const rot_system_state *at, size_t i, void *const column[]) {
   const hoop *h = scene;
   const forces f = forces_at(h, at);
-  const double omega = *at->v;
-  const double round = h->turn * f.sine, half = sin(0.5 * *at->q);
+  const double omega = *at->v, round = h->turn * f.sine, half = sin(0.5 * *at->q);
   const double value[] = {*at->q,
                           omega,
                           2.0 * h->inertia * round * f.cosine * omega,

@@ -76,11 +76,11 @@ size_t rot_shaft_copies(const void *scene) { return ((const rot_shaft_params *)s
 enum { THETA, OMEGA, MOMENTUM, ENERGY, SHAFT_TORQUE };
 
 const rot_column_of rot_shaft_all_columns[ROT_SHAFT_ALL_COLUMNS] = {
-    [THETA] = {"theta_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
-    [OMEGA] = {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
-    [MOMENTUM] = {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0, 0},
-    [ENERGY] = {"rotational_kinetic_energy_j", 0, 0, NULL, 0, 0},
-    [SHAFT_TORQUE] = {"shaft_torque_n_m", 0, 0, NULL, 0, 0}};
+    [THETA] = ROT_COLUMN("theta_rad", "rad", 1 + ROT_THETA),
+    [OMEGA] = ROT_COLUMN("omega_rad_per_s", "rad/s", 1 + ROT_OMEGA),
+    [MOMENTUM] = ROT_COLUMN("angular_momentum_kg_m2_per_s", "kg m^2/s", 0),
+    [ENERGY] = ROT_COLUMN("rotational_kinetic_energy_j", "J", 0),
+    [SHAFT_TORQUE] = ROT_COLUMN("shaft_torque_n_m", "N m", 0)};
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
