@@ -685,14 +685,6 @@ nutation_columns <- c(
   "slow_precession_rad_per_s", "fast_precession_rad_per_s", "nutation_period_s",
   "lowest_angle_deg", "mean_precession_rad_per_s"
 )
-free_columns <- c(
-  "time_s", "qw", "qx", "qy", "qz", "omega_x_rad_per_s", "omega_y_rad_per_s", "omega_z_rad_per_s",
-  "omega_space_x_rad_per_s", "omega_space_y_rad_per_s", "omega_space_z_rad_per_s",
-  "angular_momentum_x_kg_m2_per_s", "angular_momentum_y_kg_m2_per_s",
-  "angular_momentum_z_kg_m2_per_s", "rotational_kinetic_energy_j"
-)
-rotor_columns <- c("rotor_1_omega_rad_per_s", "rotor_1_angular_momentum_kg_m2_per_s")
-pivot_columns <- c(free_columns, "potential_energy_j", "inclination_rad")
 projectile_columns <- c(
   "east_m", "north_m", "up_m", "east_m_per_s", "north_m_per_s", "up_m_per_s", "deflection_east_m",
   "deflection_north_m", "deflection_up_m", "first_order_east_m", "first_order_north_m",

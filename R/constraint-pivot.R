@@ -1,91 +1,74 @@
 # A body with a fixed point, under gravity.
 pivot_constraint <- function() {
-  free <- free_constraint()
-  summary_free <- free$summary
-  own <- list(
-    id = "pivot",
-    quick = NULL,
-    scene_class = "rot_scene_pivot",
-    form = c(free$form, list(
-      mass_kg = "number", centre_m = "numbers:3", lever_n_m = "numbers:3",
-      gravity_m_per_s2 = "number"
-    )),
+  table_constraint(
+    "pivot", c(pivot_words(), free_models("pivot")),
     title = function(run) "A body with a fixed point",
-    models = pivot_models,
-    columns = pivot_columns,
-    more_columns = function(columns, scene, time_s) {
-      lever <- lever_in_space(scene, columns)
-      columns$potential_energy_j <- lever[, "z"]
-      across <- sqrt(lever[, "x"]^2 + lever[, "y"]^2)
-      inclination <- atan2(across, lever[, "z"])
-      inclination[across == 0 & lever[, "z"] == 0] <- NaN # held at its centre of mass
-      columns$inclination_rad <- inclination
-      columns
-    },
-    pace = function(scene, sizes, model) {
-      least <- min(scene$moment_of_inertia_kg_m2[scene$moment_of_inertia_kg_m2 > 0])
-      swing <- sqrt(sqrt(sum(scene$lever_n_m^2)) / least)
-      list(
-        breaks_s = scene$breaks_s,
-        fades_s = if (scene$damping_per_s > 0) 1 / scene$damping_per_s else Inf,
-        swing_rad_per_s = 2 * sizes[["omega"]] + swing + rotor_pace(scene)
-      )
-    },
+    quick = known_to_rounding,
+    keys = c("time_s", quaternion_columns, free_rates("")),
+    bodies = rep("body", 3), # one for each principal moment
+    measures = free_measures(),
+    call_laws = call_free_laws,
     summary = function(x, run) {
-      shown <- summary_free(x, run)
-      shown$flip_time_s <- NULL
       nutation <- .Call(ffi_pivot_nutation, run$scene) %||% rep(NA_real_, 4)
-      c(shown, list(
+      c(sizes_in_space(x), list(
         nutation_period_s = nutation[1], mean_precession_rad_per_s = nutation[4] / nutation[1]
       ))
     },
-    texts = pivot_texts(),
+    texts = list(scene_pivot = text_form(function(x) {
+      of_body <- inherits(x$body, "rot_body")
+      c(free_arguments(x), list(
+        pivot_m = if (of_body) x$pivot_m, mass_kg = if (!of_body) x$mass_kg,
+        centre_m = if (!of_body) x$centre_m, gravity_m_per_s2 = x$gravity_m_per_s2
+      ))
+    }, read_pivot)),
     drawing = draw_pivot,
     solid = pivot_solid,
-    balances = balance_pivot,
-    conserved = conserved_pivot,
     augment = augment_pivot,
     panels = c(
       list(panel("inclination (rad)", c(inclination_rad = ""))),
-      free$panels[1:2],
+      free_panels()[1:2],
       list(panel("energy (J)", c(
         rotational_kinetic_energy_j = "kinetic", potential_energy_j = "potential"
       ))),
-      utils::tail(free$panels, 1)
+      utils::tail(free_panels(), 1)
     )
   )
-  free[names(own)] <- own
-  free
 }
 
-balance_pivot <- function(x, run, call) {
-  out <- balance_free(x, run, call)
-  lapply(out, function(one) {
-    if (identical(one$about, "the centre of mass")) one$about <- "the fixed point"
-    one
-  })
-}
-
-# Gravity is vertical: the vertical component stays, and the sum of the energies.
-conserved_pivot <- function(scene) {
-  weight <- any(scene$lever_n_m != 0)
-  about <- "the fixed point"
-  reason <- list("gravity has a torque across the vertical" = weight)
-  none <- scene$damping_per_s == 0 && is.null(scene$law) && is.null(scene$knots) &&
-    all(scene$torque_n_m == 0)
-  acts <- list("a torque or the damping acts" = !none)
-  motors <- list("the motors of the rotors work" = has_motors(scene))
-  c(
-    list(keeps_unless(
-      "energy", NA_character_, c(acts, motors),
-      "gravity gives back what it takes: kinetic plus potential energy stays"
-    )),
-    lapply(1:3, function(k) {
-      keeps_unless(
-        paste0("angular_momentum_", c("x", "y", "z")[k]), about,
-        c(if (k < 3) reason, acts), "no torque acts along it"
-      )
-    })
+# Of the models that free bodies do not have.
+pivot_words <- function() {
+  approximation <- function(leaves_out, ...) {
+    list(
+      ...,
+      limits = "its error grows with time; not near the vertical",
+      requires = "a symmetric top that spins, gravity, and nothing else",
+      leaves_out = leaves_out,
+      loses = "The bound on what this model leaves out grows with time: {.code model = NULL} picks
+               one that is good enough."
+    )
+  }
+  list(
+    pivot_top = list(
+      equations = "L' = L x omega + r x m g (body axes), q' = q (0, omega)/2, two moments equal",
+      assumptions =
+        "rigid body; the centre of mass on the axis of symmetry; no friction at the point",
+      limits = "beyond 1e15 rad no digit of the attitude is left",
+      requires = "a symmetric top, gravity, rotors on its axis, and nothing else",
+      source = "Goldstein 2002, section 5.7; elliptic functions of DLMF 19 and 22"
+    ),
+    pivot_precession = approximation(
+      "nutation, and what the precession adds to the angular momentum",
+      equations = "theta' = 0, phi' = torque/(I3 omega3), psi' = omega3 - phi' cos(theta)",
+      assumptions = "fast spin: the angular momentum is that of the spin",
+      source = "Goldstein 2002, section 5.7 (fast top)"
+    ),
+    pivot_nutation = approximation(
+      "the square of the change of the inclination",
+      equations =
+        "u'' = (f'(u0) + f''(u0) (u - u0))/2, u = cos(theta), u'^2 = f(u); phi', psi' linear",
+      assumptions = "small nutation",
+      source = "Goldstein 2002, section 5.7; Whittaker 1937, section 71"
+    )
   )
 }
 
@@ -99,14 +82,16 @@ augment_pivot <- function(x, run, edges, call) {
   out
 }
 
-pivot_texts <- function() {
-  list(scene_pivot = text_form(function(x) {
-    of_body <- !is.null(x$body)
-    c(free_arguments(x), list(
-      pivot_m = if (of_body) x$pivot_m, mass_kg = if (!of_body) x$mass_kg,
-      centre_m = if (!of_body) x$centre_m, gravity_m_per_s2 = x$gravity_m_per_s2
-    ))
-  }, read_pivot))
+# The lever of the weight in space, a row for each row of the columns, N m.
+lever_in_space <- function(scene, columns) {
+  own <- scene$lever_n_m
+  if (scene$axes[1] != 1) {
+    own <- unlist(.Call(ffi_attitude_turn, as.list(c(scene$axes, own)), 1), use.names = FALSE)
+  }
+  q <- lapply(unclass(columns)[quaternion_columns], as.double)
+  out <- do.call(cbind, .Call(ffi_attitude_turn, unname(c(q, as.list(own))), 1))
+  dimnames(out) <- list(NULL, c("x", "y", "z"))
+  out
 }
 
 read_pivot <- function(body, omega0_rad_per_s, pivot_m = c(0, 0, 0), mass_kg = NULL,

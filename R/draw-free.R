@@ -44,8 +44,8 @@ draw_free <- function(scene) {
   arrow(momentum, "L", "angular momentum", size(momentum, "kg m^2/s"), "weight", 1.1, 0.12)
   draw_rotors(d, scene, view %*% turn)
   torque <- scene$torque_n_m
-  if (any(torque != 0)) {
-    if (scene$in_space == 1) torque <- as.vector(t(turn) %*% torque)
+  if (is.numeric(torque)) {
+    if (scene$torque_axes == "space") torque <- as.vector(t(turn) %*% torque)
     arrow(torque, "tau", "torque", size(torque, "N m"), "torque", 1.2, 0.12)
   }
   if (scene$damping_per_s != 0) {

@@ -74,12 +74,23 @@ grip_parts <- list(
 
 brake_form <- c(list(.class = "rot_brake"), grip_parts)
 
+# Without a torque its motor keeps its speed.
 rotor_form <- list(
   .class = "rot_rotor", axis = "numbers:3", inertia_kg_m2 = "number", omega_rad_per_s = "number",
-  driven = "number", torque_n_m = "number",
-  knots = list(.optional = TRUE, time_s = "sorted", torque_n_m = "numbers=time_s"),
-  law = list(.optional = TRUE, f = "function", arguments = "count"), breaks_s = "sorted"
+  torque_n_m = list(.optional = TRUE, .one_of = list(
+    "number", "function", list(time_s = "sorted", torque_n_m = "numbers=time_s")
+  )), breaks_s = "sorted"
 )
+
+# Three numbers, a list of columns, or a function.
+torques_form <- list(.one_of = list("numbers:3", "function", list(
+  time_s = "sorted", x_n_m = "numbers=time_s", y_n_m = "numbers=time_s", z_n_m = "numbers=time_s"
+)))
+
+# A body, its principal moments, or these about axes of their own.
+tensor_form <- list(.one_of = list(body_form, "numbers:3", list(
+  .class = "rot_principal", moment_of_inertia_kg_m2 = "numbers:3", axes = "numbers:4"
+)))
 
 coupling_form <- list(
   .class = "rot_coupling", kind = "number", ratio = "number", stiffness_n_m_per_rad = "number",

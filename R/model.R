@@ -365,7 +365,7 @@ record_of <- function(run) {
 
 # A model whose steps have the length that the user asked for.
 with_step <- function(record, step_s) {
-  record$run <- function(scene, time_s, accuracy, max_steps, call, asked) {
+  record$run <- function(scene, time_s, accuracy, max_steps, call, asked, ...) {
     record$run_with_step(scene, time_s, step_s, max_steps, call)
   }
   record

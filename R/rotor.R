@@ -54,33 +54,24 @@ new_rotor <- function(axis, inertia_kg_m2, omega_rad_per_s, torque, breaks_s, ca
   if (moment == 0) {
     abort_rotdyn("{.arg inertia_kg_m2} of a rotor must be more than 0.", "value", call)
   }
-  x <- c(
-    list(
-      axis = unit_axis(as_axis(axis, call), call), inertia_kg_m2 = moment,
-      omega_rad_per_s = check_number(omega_rad_per_s, "omega_rad_per_s", "rad/s", call),
-      driven = as.double(is.null(torque))
-    ),
-    motor_torque(torque, breaks_s, call)
+  torque <- motor_torque(torque, call)
+  x <- list(
+    axis = unit_axis(as_axis(axis, call), call), inertia_kg_m2 = moment,
+    omega_rad_per_s = check_number(omega_rad_per_s, "omega_rad_per_s", "rad/s", call),
+    torque_n_m = torque, breaks_s = breaks_of(torque, breaks_s, call)
   )
   class(x) <- "rot_rotor"
   x
 }
 
-# list(torque_n_m, knots, law, breaks_s)
-motor_torque <- function(torque, breaks_s, call) {
-  out <- list(torque_n_m = 0, knots = NULL, law = NULL, breaks_s = double())
-  if (!is.null(breaks_s)) {
-    out$breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
-  }
+# NULL, a number, a list of columns, or a function.
+motor_torque <- function(torque, call) {
   if (is.function(torque)) {
-    out["law"] <- list(list(f = torque, arguments = torque_arguments(torque, call)))
-  } else if (is.list(torque)) {
-    out["knots"] <- list(torque_table(torque, "torque_n_m", call))
-    out$breaks_s <- sort(unique(c(out$breaks_s, out$knots$time_s)))
-  } else if (!is.null(torque)) {
-    out$torque_n_m <- check_number(torque, "torque_n_m", "N*m", call)
+    torque_arguments(torque, call)
+    return(torque)
   }
-  out
+  if (is.list(torque)) return(torque_table(torque, "torque_n_m", call))
+  if (!is.null(torque)) check_number(torque, "torque_n_m", "N*m", call)
 }
 
 # Rotors as an argument: NULL, a rotor, a list of them, or a data frame with a row for each.
@@ -126,93 +117,47 @@ rotors_of_table <- function(table, call) {
 }
 
 # The body with its rotors locked has more moment about each axis than the rotors have.
-check_rotors <- function(scene, call) {
-  rotors <- scene$rotors
+check_rotors <- function(rotors, inertia, call) {
   if (is.null(rotors)) return(invisible())
-  if (any(scene$moment_of_inertia_kg_m2 == 0)) {
+  if (any(inertia$moment_of_inertia_kg_m2 == 0)) {
     abort_rotdyn("A body with rotors must have a moment about each axis.", "value", call)
   }
-  tensor <- free_tensor(scene)
+  tensor <- free_tensor(inertia)
   for (one in rotors) tensor <- tensor - one$inertia_kg_m2 * outer(one$axis, one$axis)
   least <- min(eigen(tensor, symmetric = TRUE, only.values = TRUE)$values)
-  if (least > 1e-12 * max(scene$moment_of_inertia_kg_m2)) return(invisible())
+  if (least > 1e-12 * max(inertia$moment_of_inertia_kg_m2)) return(invisible())
   message <- c(
     "The rotors have more moment of inertia than the body with them.",
     x = "Without them its least moment is {format(least, digits = 7)} kg m^2.",
     i = "{.arg body} includes the rotors, locked: their mass and their moments."
   )
-  if (any(vapply(rotors, function(one) one$driven == 0, NA))) {
+  if (!all(vapply(rotors, is_driven, NA))) {
     abort_rotdyn(message, "value", call)
   }
   warn_rotdyn(c(message, i = "The equations are solved all the same."), "inertia", call)
 }
 
-# What C calls for the torques of all motors: f(c(time_s, omega, attitude)).
-motor_laws <- function(rotors, call) {
-  with_law <- which(vapply(rotors, function(one) !is.null(one$law), NA))
-  if (!length(with_law)) return(NULL)
-  laws <- lapply(rotors, function(one) one$law)
-  function(x) {
-    out <- double(length(laws))
-    for (i in with_law) {
-      law <- laws[[i]]
-      value <- if (law$arguments == 1L) law$f(x[1]) else law$f(x[1], x[2:4], x[5:8])
-      if (!is.numeric(value) || is.object(value) || length(value) != 1L) {
-        abort_rotdyn(c(
-          "The function {.arg torque_n_m} of rotor {i} must return one number in N m.",
-          x = "At {format(x[1], digits = 17)} s it returned {describe_value(value)}."
-        ), "torque", call)
-      }
-      out[i] <- value
-    }
-    out
-  }
-}
-
-# Speeds and momenta, of each.
-rotor_names <- function(scene) {
-  each <- seq_along(.subset2(scene, "rotors"))
-  as.vector(rbind(
-    sprintf("rotor_%d_omega_rad_per_s", each),
-    sprintf("rotor_%d_angular_momentum_kg_m2_per_s", each)
-  ))
-}
-
-has_motors <- function(scene) {
-  works <- function(one) {
-    one$driven == 1 || one$torque_n_m != 0 || !is.null(one$knots) || !is.null(one$law)
-  }
-  any(vapply(scene$rotors, works, NA))
-}
-
-# Rates with which rotors turn the body, beyond those of a body without.
-rotor_pace <- function(scene) {
-  sizes <- vapply(scene$rotors, function(one) abs(one$inertia_kg_m2 * one$omega_rad_per_s), 0)
-  2 * sum(sizes) / max(min(scene$moment_of_inertia_kg_m2), 1e-300)
-}
+is_driven <- function(rotor) is.null(rotor$torque_n_m)
 
 # Their sum of J W a at the start, in body axes.
-rotor_momentum <- function(scene, rotors = scene$rotors) {
+rotor_momentum <- function(scene) {
   sum <- c(0, 0, 0)
-  for (one in rotors) sum <- sum + one$inertia_kg_m2 * one$omega_rad_per_s * one$axis
+  for (one in scene$rotors) sum <- sum + one$inertia_kg_m2 * one$omega_rad_per_s * one$axis
   sum
 }
 
-driven_momentum <- function(scene) {
-  rotor_momentum(scene, Filter(function(one) one$driven == 1, scene$rotors))
-}
-
 describe_rotor <- function(x) {
-  drive <- if (x$driven == 1) {
+  torque <- x$torque_n_m
+  drive <- if (is_driven(x)) {
     "driven"
-  } else if (!is.null(x$law)) {
+  } else if (is.function(torque)) {
     "motor by an R function"
-  } else if (!is.null(x$knots)) {
-    paste("motor by", length(x$knots$time_s), "knots")
-  } else if (x$torque_n_m == 0) {
+  } else if (is.list(torque)) {
+    paste("motor by", length(torque$time_s), "knots")
+  } else if (torque == 0) {
     "free"
   } else {
-    paste("motor", format_si(x$torque_n_m), "N m")
+    paste("motor", format_si(torque), "N m")
   }
   paste0(
     format_si(x$inertia_kg_m2), " kg m^2 about (", paste(format_si(x$axis), collapse = ", "),
@@ -228,10 +173,10 @@ print.rot_rotor <- function(x, ...) {
 }
 
 rotor_arguments <- function(x) {
-  own <- setdiff(x$breaks_s, x$knots$time_s)
+  own <- setdiff(x$breaks_s, if (is.list(x$torque_n_m)) x$torque_n_m$time_s)
   list(
     axis = x$axis, inertia_kg_m2 = x$inertia_kg_m2, omega_rad_per_s = x$omega_rad_per_s,
-    torque_n_m = if (x$driven == 0) x$knots %||% x$torque_n_m,
+    torque_n_m = x$torque_n_m,
     breaks_s = if (length(own)) own
   )
 }

@@ -46,11 +46,11 @@
 #' @param breaks_s Times at which a torque function jumps or has a kink.
 #' @param start_s Time at which the state above holds; earlier times are reached backwards.
 #' @return A `rot_scene_free`, which is a `rot_scene`. Its trajectory has the columns
-#'   `r describe_columns(free_columns)`
+#'   `r describe_columns(columns_of_motion("free"))`
 #'   The quaternion is continuous: it does not jump to -q. [audit()] balances the energy, each
 #'   component of the angular momentum in space, and the norm of the quaternion. Angular momentum
 #'   and energy include the rotors. With rotors there are, for each,
-#'   `r describe_columns(rotor_columns)`
+#'   `r describe_columns(columns_of_motion("free", more = TRUE)[1:2])`
 #'   and [augment()] has `motor_work_j`. The error of the momenta of rotors counts as that of the
 #'   angular momentum.
 #' @section Warnings: `rotdyn_warning_inertia`: three moments that no body has, since one exceeds
@@ -94,35 +94,36 @@ scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m
   call <- check_no_dots(...)
   check_supplied(c("body", "omega0_rad_per_s"), call)
   inertia <- free_inertia(body, call)
-  omega0 <- check_finite(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
-  if (length(omega0) != 3L) abort_size_of(omega0, "omega0_rad_per_s", 3L, call)
-  axes <- if (missing(torque_axes)) {
-    "body"
-  } else {
-    check_string(torque_axes, "torque_axes", c("body", "space"), call)
-  }
-  torque <- free_torque(torque_n_m, breaks_s, call)
-  rotors <- rotors_of(rotors, call)
-  torque$breaks_s <- with_rotor_breaks(torque$breaks_s, rotors)
-  scene <- c(
-    inertia,
-    list(omega0_rad_per_s = omega0, attitude0 = start_attitude(attitude0, call)),
-    torque,
-    list(
-      in_space = as.double(axes == "space"),
-      damping_per_s = check_number(damping_per_s, "damping_per_s", "1/s", call),
-      rotors = rotors,
-      start_s = check_number(start_s, "start_s", "s", call)
-    )
-  )
-  check_spin(scene, call)
-  check_rotors(scene, call)
-  class(scene) <- c("rot_scene_free", "rot_scene")
-  sound_scene(scene, call)
+  scene <- c(list(body = body_of_inertia(inertia)), space_inputs(
+    omega0_rad_per_s, attitude0, torque_n_m, torque_axes, damping_per_s, rotors, breaks_s, start_s,
+    call
+  ))
+  check_space_axes(scene, inertia, call)
+  finish_scene("free", scene, call)
 }
 
-# list(body, bodies, moment_of_inertia_kg_m2, axes, moment_error): principal moments, and the
-# attitude of their axes in the body. A diagonal tensor keeps its axes and its numbers.
+# The inputs that a body with a fixed point has, too.
+space_inputs <- function(omega0_rad_per_s, attitude0, torque_n_m, torque_axes, damping_per_s,
+                         rotors, breaks_s, start_s, call) {
+  omega0 <- check_finite(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
+  if (length(omega0) != 3L) abort_size_of(omega0, "omega0_rad_per_s", 3L, call)
+  both <- c("body", "space")
+  axes <- if (identical(torque_axes, both)) "body" else {
+    check_string(torque_axes, "torque_axes", both, call)
+  }
+  torque <- space_torque(torque_n_m, breaks_s, call)
+  rotors <- rotors_of(rotors, call)
+  list(
+    omega0_rad_per_s = omega0, attitude0 = start_attitude(attitude0, call),
+    torque_n_m = torque$torque_n_m, torque_axes = axes,
+    damping_per_s = check_number(damping_per_s, "damping_per_s", "1/s", call), rotors = rotors,
+    breaks_s = with_rotor_breaks(torque$breaks_s, rotors),
+    start_s = check_number(start_s, "start_s", "s", call)
+  )
+}
+
+# list(body, moment_of_inertia_kg_m2, axes, moment_error): principal moments, and the attitude of
+# their axes in the body. A diagonal tensor keeps its axes and its numbers.
 free_inertia <- function(body, call) {
   if (inherits(body, "rot_principal")) {
     return(new_free_inertia(NULL, body$moment_of_inertia_kg_m2, body$axes, 2e-15))
@@ -181,9 +182,17 @@ text_node.rot_principal <- function(x, where, call) list(principal_moments = unc
 
 new_free_inertia <- function(body, moments, axes = c(1, 0, 0, 0), error = 0) {
   list(
-    body = body, bodies = if (!is.null(body)) list(body, body, body),
-    moment_of_inertia_kg_m2 = as.double(moments), axes = axes, moment_error = error
+    body = body, moment_of_inertia_kg_m2 = as.double(moments), axes = axes, moment_error = error
   )
+}
+
+# As a scene has it: the body, its moments about its own axes, or those about others.
+body_of_inertia <- function(x) {
+  x$body %||% (if (x$moment_error == 0) {
+    x$moment_of_inertia_kg_m2
+  } else {
+    new_principal(x$moment_of_inertia_kg_m2, x$axes)
+  })
 }
 
 # As attitude_from() reads them: a row of it, a matrix, or four numbers, scalar first.
@@ -213,22 +222,25 @@ start_attitude <- function(attitude, call) {
   q
 }
 
-# list(torque_n_m, knots, law, breaks_s)
-free_torque <- function(torque, breaks_s, call) {
-  out <- list(torque_n_m = c(0, 0, 0), knots = NULL, law = NULL, breaks_s = double())
-  if (!is.null(breaks_s)) {
-    out$breaks_s <- sort(unique(check_finite(breaks_s, "breaks_s", "s", call)))
-  }
-  if (is.function(torque)) {
-    out["law"] <- list(list(f = torque, arguments = torque_arguments(torque, call)))
+# list(torque_n_m: NULL, three numbers, a list of columns or a function; breaks_s)
+space_torque <- function(torque, breaks_s, call) {
+  torque <- if (is.function(torque)) {
+    torque_arguments(torque, call)
+    torque
   } else if (is.list(torque)) {
-    out["knots"] <- list(torque_table(torque, c("x_n_m", "y_n_m", "z_n_m"), call))
-    out$breaks_s <- sort(unique(c(out$breaks_s, out$knots$time_s)))
+    torque_table(torque, c("x_n_m", "y_n_m", "z_n_m"), call)
   } else if (!is.null(torque)) {
-    out$torque_n_m <- check_finite(torque, "torque_n_m", "N*m", call)
-    if (length(out$torque_n_m) != 3L) abort_size_of(out$torque_n_m, "torque_n_m", 3L, call)
+    torque <- check_finite(torque, "torque_n_m", "N*m", call)
+    if (length(torque) != 3L) abort_size_of(torque, "torque_n_m", 3L, call)
+    if (any(torque != 0)) torque
   }
-  out
+  list(torque_n_m = torque, breaks_s = breaks_of(torque, breaks_s, call))
+}
+
+# Those given, and the times of a table.
+breaks_of <- function(torque, breaks_s, call) {
+  if (!is.null(breaks_s)) breaks_s <- check_finite(breaks_s, "breaks_s", "s", call)
+  sort(unique(c(double(), breaks_s, if (is.list(torque)) torque$time_s)))
 }
 
 torque_arguments <- function(torque, call) {
@@ -269,19 +281,23 @@ torque_table <- function(torque, columns, call) {
   knots
 }
 
-# An axis without moment of inertia: no spin about it, and no torque.
-check_spin <- function(scene, call) {
-  moments <- scene$moment_of_inertia_kg_m2
+# An axis without moment of inertia: no spin about it, and no torque. Rotors need one about each.
+check_space_axes <- function(scene, inertia, call) {
+  check_spin(scene, inertia, call)
+  check_rotors(scene$rotors, inertia, call)
+}
+
+check_spin <- function(scene, inertia, call) {
+  moments <- inertia$moment_of_inertia_kg_m2
   if (all(moments == 0)) {
     abort_rotdyn("The body has no moment of inertia: it has no motion of its own.", "value", call)
   }
   if (all(moments > 0)) return(invisible())
-  omega <- if (scene$axes[1] == 1) scene$omega0_rad_per_s else {
-    unlist(.Call(ffi_attitude_turn, as.list(c(scene$axes, scene$omega0_rad_per_s)), 0))
+  omega <- if (inertia$axes[1] == 1) scene$omega0_rad_per_s else {
+    unlist(.Call(ffi_attitude_turn, as.list(c(inertia$axes, scene$omega0_rad_per_s)), 0))
   }
   along <- abs(omega[moments == 0])
-  if (any(along > 0) || any(scene$torque_n_m != 0) || !is.null(scene$knots) ||
-    !is.null(scene$law)) {
+  if (any(along > 0) || !is.null(scene$torque_n_m)) {
     abort_rotdyn(c(
       "The body has an axis without moment of inertia: it can neither spin about it nor bear a
        torque.",
@@ -297,7 +313,7 @@ print.rot_scene_free <- function(x, ...) {
   numbers <- function(v) paste(format_si(v), collapse = ", ")
   cat(
     "<rot_scene> a free body\n",
-    "  body      ", if (!is.null(x$body)) paste0(x$body$shape, ", "), "principal moments ",
+    "  body      ", shape_of(x$body), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2\n",
     "  torque    ", describe_free_torque(x), "\n",
     if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
@@ -309,15 +325,18 @@ print.rot_scene_free <- function(x, ...) {
   invisible(x)
 }
 
+shape_of <- function(body) if (inherits(body, "rot_body")) paste0(body$shape, ", ")
+
 describe_free_torque <- function(scene) {
-  torque <- if (!is.null(scene$law)) {
+  torque <- scene$torque_n_m %||% c(0, 0, 0)
+  said <- if (is.function(torque)) {
     "an R function"
-  } else if (!is.null(scene$knots)) {
-    paste(length(scene$knots$time_s), "knots")
+  } else if (is.list(torque)) {
+    paste(length(torque$time_s), "knots")
   } else {
-    paste(paste(format_si(scene$torque_n_m), collapse = ", "), "N m")
+    paste(paste(format_si(torque), collapse = ", "), "N m")
   }
-  paste0(torque, " (", if (scene$in_space == 1) "space" else "body", " axes)")
+  paste0(said, " (", scene$torque_axes, " axes)")
 }
 
 # The inertia tensor in the body's own axes.

@@ -37,12 +37,12 @@
 #' @param torque_n_m Torque about the fixed point, besides gravity: as in [scene_free()].
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @return A `rot_scene_pivot`, which is a `rot_scene`. Its trajectory has the columns
-#'   `r describe_columns(pivot_columns)`
+#'   `r describe_columns(columns_of_motion("pivot"))`
 #'   with the angular momentum about the fixed point; `inclination_rad` is NaN of a body held at its
 #'   centre of mass. [audit()] balances the energy, each component
 #'   of the angular momentum in space, and the norm of the quaternion. Angular momentum and energy
 #'   include the rotors. With rotors there are, for each,
-#'   `r describe_columns(rotor_columns)`
+#'   `r describe_columns(columns_of_motion("pivot", more = TRUE)[1:2])`
 #'   and [augment()] has `motor_work_j`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
@@ -79,49 +79,26 @@ scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_
   call <- check_no_dots(...)
   check_supplied(c("body", "omega0_rad_per_s"), call)
   gravity <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0)
-  omega0 <- check_finite(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
-  if (length(omega0) != 3L) abort_size_of(omega0, "omega0_rad_per_s", 3L, call)
-  axes <- if (missing(torque_axes)) {
-    "body"
-  } else {
-    check_string(torque_axes, "torque_axes", c("body", "space"), call)
-  }
   held <- pivot_inertia(body, pivot_m, mass_kg, centre_m, call)
-  lever <- held$mass_kg * gravity * held$centre_m
-  torque <- free_torque(torque_n_m, breaks_s, call)
-  rotors <- rotors_of(rotors, call)
-  torque$breaks_s <- with_rotor_breaks(torque$breaks_s, rotors)
-  if (!all(is.finite(lever))) abort_rotdyn("The torque of gravity is not finite.", "value", call)
   scene <- c(
-    held$inertia,
     list(
-      mass_kg = held$mass_kg, centre_m = held$centre_m, pivot_m = held$pivot_m,
-      # Of principal axes, as the moments are.
-      lever_n_m = turn_to(held$inertia$axes, lever),
-      gravity_m_per_s2 = gravity, omega0_rad_per_s = omega0,
-      attitude0 = start_attitude(attitude0, call)
+      body = held$body, pivot_m = held$pivot_m, mass_kg = held$mass_kg, centre_m = held$centre_m,
+      gravity_m_per_s2 = gravity
     ),
-    torque,
-    list(
-      in_space = as.double(axes == "space"),
-      damping_per_s = check_number(damping_per_s, "damping_per_s", "1/s", call),
-      rotors = rotors,
-      start_s = check_number(start_s, "start_s", "s", call)
+    space_inputs(
+      omega0_rad_per_s, attitude0, torque_n_m, torque_axes, damping_per_s, rotors, breaks_s,
+      start_s, call
     )
   )
-  check_spin(scene, call)
-  check_rotors(scene, call)
-  class(scene) <- c("rot_scene_pivot", "rot_scene")
-  sound_scene(scene, call)
+  if (!all(is.finite(held$mass_kg * gravity * held$centre_m))) {
+    abort_rotdyn("The torque of gravity is not finite.", "value", call)
+  }
+  check_space_axes(scene, held$inertia, call)
+  finish_scene("pivot", scene, call)
 }
 
-# A vector in own axes, in principal ones.
-turn_to <- function(axes, x) {
-  if (axes[1] == 1) return(as.double(x))
-  unlist(.Call(ffi_attitude_turn, as.list(c(axes, x)), 0), use.names = FALSE)
-}
-
-# list(inertia, mass_kg, centre_m): about the fixed point, the centre of mass from there.
+# list(body: as the scene has it; inertia, mass_kg, centre_m: about the fixed point, the centre of
+# mass from there; pivot_m).
 pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
   if (inherits(body, "rot_body")) {
     check_body(body, call)
@@ -141,8 +118,9 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
     } else {
       free_inertia(tensor, call)
     }
-    inertia["body"] <- list(body)
-    return(list(inertia = inertia, mass_kg = body$mass_kg, centre_m = centre, pivot_m = pivot))
+    return(list(
+      body = body, inertia = inertia, mass_kg = body$mass_kg, centre_m = centre, pivot_m = pivot
+    ))
   }
   if (is.null(mass_kg) || is.null(centre_m)) {
     abort_rotdyn(c(
@@ -152,8 +130,9 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
   }
   centre <- check_finite(centre_m, "centre_m", "m", call)
   if (length(centre) != 3L) abort_size_of(centre, "centre_m", 3L, call)
+  inertia <- free_inertia(body, call)
   list(
-    inertia = free_inertia(body, call),
+    body = body_of_inertia(inertia), inertia = inertia,
     mass_kg = check_number(mass_kg, "mass_kg", "kg", call, lower = 0), centre_m = centre
   )
 }
@@ -162,13 +141,12 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
 print.rot_scene_pivot <- function(x, ...) {
   check_scene(x, rlang::current_env())
   numbers <- function(v) paste(format_si(v), collapse = ", ")
-  acts <- !is.null(x$law) || !is.null(x$knots) || any(x$torque_n_m != 0)
   cat(
     "<rot_scene> a body with a fixed point\n",
-    "  body      ", if (!is.null(x$body)) paste0(x$body$shape, ", "), "principal moments ",
+    "  body      ", shape_of(x$body), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2 about the point\n",
     "  gravity   ", format_si(x$mass_kg), " kg at ", numbers(x$centre_m), " m from the point\n",
-    if (acts) paste0("  torque    ", describe_free_torque(x), "\n"),
+    if (!is.null(x$torque_n_m)) paste0("  torque    ", describe_free_torque(x), "\n"),
     if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
     vapply(x$rotors, function(one) paste0("  rotor     ", describe_rotor(one), "\n"), ""),
     "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",

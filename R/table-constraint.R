@@ -6,7 +6,6 @@ table_constraint <- function(id, models, ...) {
   table <- core_table(id)
   constructor <- paste0("scene_", id)
   state <- split(table$columns[!is.na(table$state)], table$state[!is.na(table$state)])
-  always <- is.na(table$only_with)
   times <- names(Filter(function(input) input$form == "sorted", table$inputs))
   record <- list(
     id = id,
@@ -14,12 +13,14 @@ table_constraint <- function(id, models, ...) {
     inputs = table$inputs,
     derived = names(table$derived),
     bodies = names(Filter(
-      function(input) input$form %in% c("body", "inertia", "bodies"), table$inputs
+      function(input) input$form %in% c("body", "inertia", "bodies", "tensor"), table$inputs
     )),
     form = table_form(table),
     models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
-    columns = c("time_s", table$index, table$columns[always]),
-    more_names = if (!all(always)) function(scene) table_more_names(table, scene),
+    columns = c("time_s", table$index, table$columns[table$always]),
+    more_names = if (!all(table$always)) {
+      function(scene) table$columns[.Call(ffi_scene_shows, id, scene) & !table$always]
+    },
     event_rows = if (table$event_rows) TRUE,
     keys = c("time_s", table$index, unlist(state[table$measures], use.names = FALSE)),
     index = table$index,
@@ -54,7 +55,8 @@ table_form <- function(table) {
   forms <- Map(function(input) {
     optional <- !input$required && is.na(input$otherwise)
     of <- switch(input$form,
-      body = body_form, torque = torque_form, inertia = list(.one_of = list(body_form, "number")),
+      body = body_form, torque = torque_form, tensor = tensor_form, torques = torques_form,
+      rotors = list(.each = rotor_form), inertia = list(.one_of = list(body_form, "number")),
       bodies = list(.one_of = list(
         "numbers", list(.each = list(.one_of = list(body_form, "number")))
       ))
@@ -69,39 +71,41 @@ table_form <- function(table) {
   forms
 }
 
-# The columns of effects that act in a scene alone.
-table_more_names <- function(table, scene) {
-  acts <- constraint_of(scene)$effects_of(scene)
-  more <- vapply(strsplit(table$only_with, " "), function(with) any(with %in% acts), NA)
-  table$columns[more]
-}
-
-# What C calls for the functions among the inputs: f with so many arguments, each one number, or a
+# What C calls for the functions among the inputs, in their order: f with so many arguments, or a
 # complaint about what it returned.
 table_laws <- function(scene, call) {
   inputs <- constraint_of(scene)$inputs
-  given <- Filter(
-    function(x) is.function(x) || inherits(x, "rot_torque"), unclass(scene)[names(inputs)]
-  )
-  law <- function(f, name) {
-    list(
-      as.call(c(quote(f), rep(list(NULL), count_law_arguments(f, function(n) n)))),
-      list2env(list(f = f), parent = baseenv()),
-      function(value, time_s) abort_law_value(value, time_s, name, inputs[[name]]$unit, call)
-    )
+  laws <- function(x, name) {
+    unit <- inputs[[name]]$unit
+    of <- ""
+    values <- if (inputs[[name]]$form == "torques") 3 else 1
+    if (inherits(x, "rot_torque")) {
+      x <- lapply(if (inherits(x, "rot_torque_sum")) x$laws else list(x), `[[`, "f")
+    } else if (inputs[[name]]$form == "rotors") {
+      of <- paste(" of rotor", seq_along(x))
+      x <- lapply(x, `[[`, "torque_n_m")
+      name <- "torque_n_m"
+      unit <- "N*m"
+    } else {
+      x <- list(x)
+    }
+    called <- vapply(x, is.function, NA)
+    Map(function(f, of) {
+      list(
+        as.call(c(quote(f), rep(list(NULL), count_law_arguments(f, function(n) n)))),
+        list2env(list(f = f), parent = baseenv()),
+        function(value, time_s) abort_law_value(value, time_s, name, unit, call, of, values)
+      )
+    }, x[called], rep_len(of, length(x))[called])
   }
-  Filter(length, Map(function(x, name) {
-    if (is.function(x)) return(law(x, name))
-    laws <- if (inherits(x, "rot_torque_sum")) x$laws else list(x)
-    lapply(Filter(function(one) inherits(one, "rot_torque_function"), laws), function(one) {
-      law(one$f, name)
-    })
-  }, given, names(given)))
+  given <- unclass(scene)[names(inputs)]
+  Filter(length, Map(laws, given, names(given)))
 }
 
-abort_law_value <- function(value, time_s, name, unit, call) {
+abort_law_value <- function(value, time_s, name, unit, call, of = "", values = 1) {
   abort_rotdyn(c(
-    "The function {.arg {name}} must return one number in {plain_unit(unit)}.",
+    "The function {.arg {name}}{of} must return {c('one number', 'three numbers')[1 + (values > 1)]}
+     in {plain_unit(unit)}.",
     x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
   ), "torque", call)
 }
@@ -114,16 +118,30 @@ table_model <- function(id, model, words) {
     },
     run = function(scene, time_s, accuracy, max_steps, call, asked, flows = FALSE,
                    event_rows = FALSE) {
-      laws <- table_laws(scene, call)
-      resolution <- if (length(laws)) resolution_of(scene) else 0
-      control <- c(accuracy, max_steps, asked, resolution, flows, event_rows)
-      result <- .Call(
-        ffi_scene_run, id, scene, model, time_s, control, laws, progress_bar("integrating")
+      run_table_model(
+        id, model, scene, time_s, c(accuracy, max_steps, asked, 0, flows, event_rows, 0), call,
+        looks = !isFALSE(words$adapts)
       )
-      if (length(laws)) result$info$resolution <- resolution
-      result
+    },
+    run_with_step = if (isFALSE(words$adapts)) {
+      function(scene, time_s, step_s, max_steps, call) {
+        control <- c(1, max_steps, TRUE, 0, TRUE, FALSE, step_s)
+        run_table_model(id, model, scene, time_s, control, call, looks = FALSE)
+      }
     }
   ))
+}
+
+# `control`: see ffi_scene_run(). `looks`: changes of laws are looked for.
+run_table_model <- function(id, model, scene, time_s, control, call, looks) {
+  laws <- table_laws(scene, call)
+  looks <- looks && length(laws)
+  if (looks) control[4] <- resolution_of(scene)
+  result <- .Call(
+    ffi_scene_run, id, scene, model, time_s, control, laws, progress_bar("integrating")
+  )
+  if (looks) result$info$resolution <- control[4]
+  result
 }
 
 # Words of the two models that integrate; `...`: those that both share.
@@ -238,6 +256,6 @@ table_balances <- function(id, table, x, run) {
 }
 
 table_keeps <- function(id, table, scene) {
-  of <- .Call(ffi_scene_keeps, id, scene)
+  of <- lapply(.Call(ffi_scene_keeps, id, scene), `[`, seq_along(table$kept))
   Map(keeps, table$kept, of$about, of$conserved, of$why, USE.NAMES = FALSE)
 }

@@ -11,9 +11,8 @@ core_table <- function(id) {
 # The columns of a motion; `more`: those that effects add.
 columns_of_motion <- function(id, more = FALSE) {
   table <- core_table(id)
-  always <- is.na(table$only_with)
-  if (more) return(table$columns[!always])
-  c("time_s", table$index, table$columns[always], if (table$event_rows) "event")
+  if (more) return(table$columns[!table$always])
+  c("time_s", table$index, table$columns[table$always], if (table$event_rows) "event")
 }
 
 # The scene that a constructor describes, from the environment of its arguments.

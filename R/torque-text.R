@@ -191,6 +191,6 @@ text_node.rot_coupling <- function(x, where, call) {
 
 #' @export
 text_node.rot_rotor <- function(x, where, call) {
-  if (!is.null(x$law)) abort_function_text(paste0(where, "$torque_n_m"), NULL, call)
+  if (is.function(x$torque_n_m)) abort_function_text(paste0(where, "$torque_n_m"), NULL, call)
   node_or_abort(x, list(rotor = text_form(rotor_arguments, read_rotor)), where, call)
 }

@@ -343,7 +343,12 @@ with_moment <- function(scene, i, factor) {
     body$second_moment_kg_m2 <- factor * body$second_moment_kg_m2
     body
   }
-  if (identical(bodies, "bodies")) {
+  if (anyDuplicated(bodies)) { # the three principal moments of one
+    moments <- scene$moment_of_inertia_kg_m2
+    moments[i] <- factor * moments[i]
+    scene$body <- new_principal(moments, scene$axes)
+    scene$pivot_m <- NULL
+  } else if (identical(bodies, "bodies")) {
     scene$bodies[[i]] <- scaled(scene$bodies[[i]])
   } else if (length(bodies)) {
     scene[[bodies[i]]] <- scaled(scene[[bodies[i]]])
@@ -474,7 +479,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     if (length(run$events$time_s)) c("Events" = describe_events(run$events)),
     if (!is.null(run$info$resolution)) {
       c("Law" = describe_resolution(run$info$resolution))
-    } else if (!is.null(run$info$step_s) && !is.null(run$scene$law)) {
+    } else if (!is.null(run$info$step_s) && is.function(run$scene$torque_n_m)) {
       c("Law" = "an R function, called at the steps: what changes between them is missed")
     }
   )

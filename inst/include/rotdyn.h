@@ -180,7 +180,7 @@ typedef struct rotdyn_balance {
   double change, supplied, dissipated, residual;
   double explained; /* what rounding and the errors of the motion explain of the residual */
   int balanced;     /* 1: it explains all of it; 0: it does not; -1: not known */
-  int conserved;    /* 1: nothing changes the quantity, and why; 0: what changes it */
+  int conserved;    /* 1: nothing changes the quantity, and why; 0: what changes it; -1: unknown */
   char why[512];
   size_t n_terms;
   const char *term[16]; /* in words */
@@ -313,7 +313,7 @@ typedef struct rotdyn_model {
  *                       column, at least so many. object_check() gives `copies`
  * scene_balance         balance k, from 0, between the first and the last time of the run at these
  *                       times: the audit of R; ROTDYN_EEND after the last. ROTDYN_EMODEL: a
- *                       constraint whose balances R draws up (axle, free, pivot)
+ *                       constraint whose balances R draws up (axle)
  * scene_rows            n scenes that differ in the named numbers, a row each: the columns at the
  *                       time of the row. Laws that are called are called by one thread
  * axle_sweep            many axles in closed form, a row each; ROTDYN_EMODEL where none takes them

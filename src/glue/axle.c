@@ -180,7 +180,7 @@ SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP co
   ffi_run run;
   ffi_torque called;
   if (!Rf_isNull(law)) {
-    called = ffi_torque_new(law, &run.guard);
+    called = ffi_torque_new(law, NULL, &run.guard);
     scene.linear.torque.call = ffi_torque_call;
     scene.linear.torque.ctx = &called;
   }

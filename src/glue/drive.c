@@ -42,7 +42,7 @@ static rot_axle_scene loads_of(SEXP list, calls *c, const char *kind, R_xlen_t i
   }
   rot_axle_scene scene = ffi_axle_scene(list, ffi_element(call, "stops"));
   ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
-  *called = ffi_torque_new(ffi_element(call, "law"), c->guard);
+  *called = ffi_torque_new(ffi_element(call, "law"), NULL, c->guard);
   c->protects++;
   scene.linear.torque.call = ffi_torque_call;
   scene.linear.torque.ctx = called;

@@ -6,6 +6,7 @@
 #include "glue/law.h"
 #include "glue/torque.h"
 #include "body/inertia.h"
+#include "scene/parts.h"
 
 enum {
   ONE_NUMBER = ROT_INPUT_NUMBER | ROT_INPUT_LIMIT,
@@ -23,7 +24,10 @@ const char *ffi_input_form(const rot_input *input) {
   const unsigned kinds = input->kinds;
   if (kinds & ROT_INPUT_TORQUE) return "torque";
   if (kinds & ROT_INPUT_BODY && kinds & ROT_INPUT_LIST) return "bodies";
+  if (kinds & ROT_INPUT_MOMENTS) return "tensor";
   if (kinds & ROT_INPUT_BODY) return kinds & ROT_INPUT_NUMBER ? "inertia" : "body";
+  if (kinds & ROT_INPUT_ROTOR) return "rotors";
+  if (kinds & ROT_INPUT_TABLE) return "torques";
   if (kinds & ROT_INPUT_LAW) return "function";
   if (kinds & ROT_INPUT_CHOICE) return "text";
   if (kinds & ROT_INPUT_TIMES) return "sorted";
@@ -75,92 +79,128 @@ static rot_status not_called(const double argument[], double value[], void *ctx)
   return ROT_ERHS;
 }
 
-static rot_status call_law(const double argument[], double value[], void *ctx) {
-  return ffi_torque_call(argument[0], argument[1], argument[2], value, ctx);
-}
-
-/* spec: list(call, environment, complain), or NULL: it is only marked. */
-static rot_law new_law(SEXP spec, size_t input, const ffi_laws *laws) {
-  if (Rf_isNull(spec)) return (rot_law){not_called, NULL};
-  ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
-  *called = ffi_torque_new(spec, laws->guard);    /* protects its call */
-  SEXP both = PROTECT(Rf_allocVector(VECSXP, 2)); /* with those before it */
-  SET_VECTOR_ELT(both, 0, called->call);
-  SET_VECTOR_ELT(both, 1, VECTOR_ELT(laws->kept, (R_xlen_t)input));
-  SET_VECTOR_ELT(laws->kept, (R_xlen_t)input, both);
-  UNPROTECT(2);
-  return (rot_law){call_law, called};
-}
-
-/* The functions of one torque, in order. */
+/* The functions of one input, in order: of a torque, of the motors of rotors. */
 typedef struct functions {
   const ffi_laws *laws;
-  size_t input;
+  const rot_input *input; /* that takes them */
+  size_t place;           /* of the input of the scene */
   SEXP specs;
   R_xlen_t next;
 } functions;
 
+/* spec: list(call, environment, complain), or NULL: it is only marked. */
 static rot_law next_law(void *ctx) {
   functions *f = ctx;
   const R_xlen_t i = f->next++;
-  const int known = TYPEOF(f->specs) == VECSXP && i < XLENGTH(f->specs);
-  return new_law(known ? VECTOR_ELT(f->specs, i) : R_NilValue, f->input, f->laws);
+  if (TYPEOF(f->specs) != VECSXP || i >= XLENGTH(f->specs)) return (rot_law){not_called, NULL};
+  SEXP kept = f->laws->kept;
+  ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
+  /* It protects its call. */
+  *called = ffi_torque_new(VECTOR_ELT(f->specs, i), f->input, f->laws->guard);
+  SEXP both = PROTECT(Rf_allocVector(VECSXP, 2)); /* with those before it */
+  SET_VECTOR_ELT(both, 0, called->call);
+  SET_VECTOR_ELT(both, 1, VECTOR_ELT(kept, (R_xlen_t)f->place));
+  SET_VECTOR_ELT(kept, (R_xlen_t)f->place, both);
+  UNPROTECT(2);
+  return (rot_law){ffi_torque_values_at, called};
 }
 
-static const rot_law_sum *read_torque(SEXP x, const char *name, size_t i, const ffi_laws *laws) {
-  functions f = {laws, i, laws ? ffi_element(laws->law, name) : R_NilValue, 0};
-  rot_law_sum *sum = (rot_law_sum *)R_alloc(1, sizeof *sum);
-  *sum = ffi_law_sum(x, next_law, &f);
-  return sum;
-}
+static int read(const rot_input *input, SEXP x, functions *f, rot_given *to);
 
-static int read_list(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws,
-                     rot_given *to) {
+static int read_list(const rot_input *input, SEXP x, functions *f, rot_given *to) {
   const R_xlen_t n = XLENGTH(x);
   rot_given *item = (rot_given *)R_alloc((size_t)n + 1, sizeof *item);
   for (R_xlen_t k = 0; k < n; k++) {
-    if (!ffi_input_read(inputs, i, VECTOR_ELT(x, k), laws, &item[k])) return 0;
+    if (!read(input, VECTOR_ELT(x, k), f, &item[k])) return 0;
   }
   *to = (rot_given){.is = ROT_INPUT_LIST, .n = (size_t)n, .item = item};
   return 1;
 }
 
-int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws,
-                   rot_given *to) {
-  const rot_input *input = &inputs[i];
+/* Until the call from R ends. */
+static void *take(size_t bytes) { return R_alloc(bytes, 1); }
+
+/* A part of a scene, which R holds as the list of its inputs. */
+static int read_part(const char *constructor, SEXP x, functions *f, rot_given *to) {
+  const rot_part *part = rot_part_named(constructor);
+  const rot_input *outer = f->input;
+  rot_given *given = (rot_given *)R_alloc(ROT_MOST_INPUTS, sizeof *given);
+  void *built = R_alloc(1, (int)part->size);
+  rot_store store = {.take = take};
+  rot_refusal no;
+  if (TYPEOF(x) != VECSXP) return 0;
+  for (size_t i = 0; i < part->n_inputs; i++) {
+    f->input = &part->inputs[i];
+    if (!read(f->input, ffi_element(x, f->input->name), f, &given[i])) return 0;
+  }
+  f->input = outer;
+  if (rot_inputs_check(part->n_inputs, part->inputs, given, &no) != ROT_OK) return 0;
+  if (part->build(part, given, &store, built, &no) != ROT_OK) return 0;
+  *to = (rot_given){.is = part->makes, .n = 1, .object = built};
+  return 1;
+}
+
+/* Parts by the classes of R; a table has none. */
+static const struct {
+  unsigned kind;
+  const char *of, *constructor;
+} parts[] = {{ROT_INPUT_ROTOR, "rot_rotor", "rotor"},
+             {ROT_INPUT_MOMENTS, "rot_principal", "principal_moments"},
+             {ROT_INPUT_TABLE, NULL, "torque_n_m"}};
+
+static const char *part_for(const rot_input *input, SEXP x) {
+  for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+    const int is = parts[i].of ? Rf_inherits(x, parts[i].of)
+                               : TYPEOF(x) == VECSXP && !Rf_inherits(x, "rot_body");
+    if (input->kinds & parts[i].kind && is) return parts[i].constructor;
+  }
+  return NULL;
+}
+
+static int read(const rot_input *input, SEXP x, functions *f, rot_given *to) {
+  const unsigned kinds = input->kinds;
   memset(to, 0, sizeof *to);
   if (Rf_isNull(x)) return 1;
-  if (TYPEOF(x) == REALSXP && input->kinds & NUMBERS) {
-    *to = (rot_given){
-        .is = kind_of(input->kinds, XLENGTH(x)), .n = (size_t)XLENGTH(x), .x = REAL_RO(x)};
+  if (TYPEOF(x) == REALSXP && kinds & NUMBERS) {
+    *to = (rot_given){.is = kind_of(kinds, XLENGTH(x)), .n = (size_t)XLENGTH(x), .x = REAL_RO(x)};
     return 1;
   }
-  if (TYPEOF(x) == STRSXP && XLENGTH(x) == 1 && input->kinds & ROT_INPUT_CHOICE) {
+  if (TYPEOF(x) == STRSXP && XLENGTH(x) == 1 && kinds & ROT_INPUT_CHOICE) {
     const char *text = CHAR(STRING_ELT(x, 0));
     to->is = ROT_INPUT_CHOICE;
     while (input->options[to->option] && strcmp(input->options[to->option], text)) to->option++;
     return input->options[to->option] != NULL;
   }
-  if (Rf_inherits(x, "rot_body") && input->kinds & ROT_INPUT_BODY) {
+  if (Rf_inherits(x, "rot_body") && kinds & ROT_INPUT_BODY) {
     to->is = ROT_INPUT_BODY;
     to->n = 1;
     return TYPEOF(x) == VECSXP && read_body(x, &to->body);
   }
-  if (Rf_inherits(x, "rot_torque") && input->kinds & ROT_INPUT_TORQUE) {
+  if (Rf_inherits(x, "rot_torque") && kinds & ROT_INPUT_TORQUE) {
     if (TYPEOF(x) != VECSXP) return 0;
-    *to =
-        (rot_given){.is = ROT_INPUT_TORQUE, .n = 1, .object = read_torque(x, input->name, i, laws)};
+    rot_law_sum *sum = (rot_law_sum *)R_alloc(1, sizeof *sum);
+    *sum = ffi_law_sum(x, next_law, f);
+    *to = (rot_given){.is = ROT_INPUT_TORQUE, .n = 1, .object = sum};
     return 1;
   }
-  if (TYPEOF(x) == VECSXP && !Rf_isObject(x) && input->kinds & ROT_INPUT_LIST) {
-    return read_list(inputs, i, x, laws, to);
+  const char *part = part_for(input, x);
+  if (part) return read_part(part, x, f, to);
+  if (TYPEOF(x) == VECSXP && !Rf_isObject(x) && kinds & ROT_INPUT_LIST) {
+    return read_list(input, x, f, to);
   }
-  if (Rf_isFunction(x) && input->kinds & ROT_INPUT_LAW) {
+  if (Rf_isFunction(x) && kinds & ROT_INPUT_LAW) {
     to->is = ROT_INPUT_LAW;
-    to->law = new_law(laws ? ffi_element(laws->law, input->name) : R_NilValue, i, laws);
+    to->law = next_law(f);
     return 1;
   }
   return 0;
+}
+
+int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *laws,
+                   rot_given *to) {
+  functions f = {laws, &inputs[i], i, laws ? ffi_element(laws->law, inputs[i].name) : R_NilValue,
+                 0};
+  return read(&inputs[i], x, &f, to);
 }
 
 /* One of the options, or all of them, as in a default. */

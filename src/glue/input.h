@@ -7,8 +7,8 @@
 
 /* How the functions among the inputs are called. */
 typedef struct ffi_laws {
-  /* By the names of inputs: list(call, environment, complain), as glue/torque.h has it; of a
-   * torque, a list of these, one for each law that is a function. */
+  /* By the names of inputs: a list of list(call, environment, complain), as glue/torque.h has it,
+   * one for each law that is a function. */
   SEXP law;
   ffi_guard *guard;
   SEXP kept; /* a protected list with a place for each input */
@@ -21,7 +21,8 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
  * names or units, functions, what is wrong. */
 SEXP ffi_input_plain(const rot_input *input, SEXP x);
 /* What such an input must be, in the words of R/form.R; or "body", "inertia" (a body or a number),
- * "bodies" (numbers, or a list of these), "torque". */
+ * "bodies" (numbers, or a list of these), "tensor" (a body or three moments), "torque", "torques"
+ * (three numbers, a table, a function), "rotors". */
 const char *ffi_input_form(const rot_input *input);
 
 #endif

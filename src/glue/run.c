@@ -27,9 +27,9 @@ int *ffi_new_int(SEXP list, R_xlen_t i, R_xlen_t rows) {
 }
 
 SEXP ffi_info(const rot_info *info) {
-  static const char *const names[] = {"kind",     "text",      "time_s", "rows_done", "steps",
-                                      "rejected", "rhs_calls", "error",  "tolerance", "method",
-                                      "errors",   "sizes",     ""};
+  const char *names[] = {"kind",     "text",      "time_s", "rows_done", "steps",
+                         "rejected", "rhs_calls", "error",  "tolerance", "method",
+                         "errors",   "sizes",     "",       ""};
   const size_t n = info->n_measures;
   const double numbers[] = {info->time_s,           (double)info->rows_done, (double)info->steps,
                             (double)info->rejected, (double)info->rhs_calls, rot_info_error(info),
@@ -39,13 +39,15 @@ SEXP ffi_info(const rot_info *info) {
     errors[i] = info->measure[i].error;
     sizes[i] = info->measure[i].largest;
   }
-  SEXP list = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  if (info->step_s > 0.0) names[12] = "step_s";
+  SEXP list = PROTECT(Rf_mkNamed(VECSXP, names));
   SET_VECTOR_ELT(list, 0, Rf_mkString(rot_status_kind(info->status)));
   SET_VECTOR_ELT(list, 1, Rf_mkString(rot_status_text(info->status)));
   for (int i = 0; i < 7; i++) SET_VECTOR_ELT(list, i + 2, Rf_ScalarReal(numbers[i]));
   SET_VECTOR_ELT(list, 9, Rf_mkString(rot_method_name(info->method)));
   SET_VECTOR_ELT(list, 10, ffi_named(n, info->measure_names, errors));
   SET_VECTOR_ELT(list, 11, ffi_named(n, info->measure_names, sizes));
+  if (info->step_s > 0.0) SET_VECTOR_ELT(list, 12, Rf_ScalarReal(info->step_s));
   UNPROTECT(1);
   return list;
 }

@@ -10,8 +10,6 @@
 #include "scene/axle/inputs.h"
 #include "scene/axle/models.h"
 #include "scene/drive/models.h"
-#include "scene/free/models.h"
-#include "scene/pivot/models.h"
 #include "scene/run.h"
 
 const rot_constraint *ffi_constraint(SEXP id) {
@@ -64,7 +62,6 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
     return kept;                                                                                   \
   }
 KEPT(drive, rot_drive_scene)
-KEPT(free, rot_free_params)
 
 /* As its runs expect it: nothing else in it is set. */
 static const void *read_axle(SEXP scene) {
@@ -80,10 +77,7 @@ static const void *read_axle(SEXP scene) {
 static const struct {
   const rot_constraint *of;
   const void *(*read)(SEXP scene);
-} own_forms[] = {{&rot_axle_constraint, read_axle},
-                 {&rot_drive_constraint, read_drive},
-                 {&rot_free_constraint, read_free},
-                 {&rot_pivot_constraint, read_free}};
+} own_forms[] = {{&rot_axle_constraint, read_axle}, {&rot_drive_constraint, read_drive}};
 
 int ffi_scene_by_table(const rot_constraint *constraint) {
   for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
@@ -289,24 +283,18 @@ static SEXP inputs_of(const rot_constraint *c) {
 
 static size_t kept_by(const rot_constraint *c) { return c->n_kept ? c->n_kept : c->n_balances; }
 
-/* Names of effects that a mask has, as one text; NA: none. */
-static SEXP effects_text(const rot_constraint *c, unsigned mask) {
-  char text[256] = "";
-  for (size_t i = 0; i < c->n_effects && mask; i++) {
-    if (!(mask >> i & 1u)) continue;
-    const size_t used = strlen(text);
-    (void)snprintf(text + used, sizeof text - used, "%s%s", used ? " " : "", c->effects[i].name);
-  }
-  return *text ? Rf_mkChar(text) : NA_STRING;
+/* The quantities of both. */
+static size_t named_by(const rot_constraint *c) {
+  return kept_by(c) > c->n_balances ? kept_by(c) : c->n_balances;
 }
 
-/* list(inputs, columns, units, state, only_with, measures, index, flows, balances, kept, derived,
- * event_rows): `state` is, by column, the measure that it holds, or NA; `only_with` the effects one
- * of which it needs, or NA. NULL where scenes are not read by the table. */
+/* list(inputs, columns, units, state, measures, index, flows, balances, kept, derived, event_rows,
+ * always): `state` is, by column, the measure that it holds, or NA; `always`: the rows of all
+ * scenes have it. NULL where scenes are not read by the table. */
 SEXP ffi_scene_table(SEXP id) {
-  static const char *const names[] = {"inputs",     "columns",   "units",    "state", "measures",
-                                      "index",      "flows",     "balances", "kept",  "derived",
-                                      "event_rows", "only_with", ""};
+  static const char *const names[] = {"inputs",     "columns", "units",    "state", "measures",
+                                      "index",      "flows",   "balances", "kept",  "derived",
+                                      "event_rows", "always",  ""};
   const rot_constraint *c = ffi_constraint(id);
   const char *name[ROT_MOST_COLUMNS], *unit[ROT_MOST_COLUMNS], *state[ROT_MOST_COLUMNS];
   const char *quantity[ROT_MOST_BALANCES], *follows[ROT_MOST_INPUTS];
@@ -319,7 +307,7 @@ SEXP ffi_scene_table(SEXP id) {
     unit[i] = column->unit;
     state[i] = column->measure ? c->measures[column->measure - 1] : NULL;
   }
-  for (size_t i = 0; i < kept_by(c); i++) quantity[i] = c->balances[i].quantity;
+  for (size_t i = 0; i < named_by(c); i++) quantity[i] = c->balances[i].quantity;
   for (size_t i = 0; i < c->n_derived; i++) follows[i] = c->derived[i].name;
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   SET_VECTOR_ELT(out, 0, inputs_of(c));
@@ -336,12 +324,34 @@ SEXP ffi_scene_table(SEXP id) {
   for (size_t i = 0; i < c->n_derived; i++) INTEGER(counts)[i] = (int)c->derived[i].n;
   Rf_setAttrib(counts, R_NamesSymbol, texts(c->n_derived, follows));
   SET_VECTOR_ELT(out, 10, Rf_ScalarLogical(c->event_rows));
-  SEXP only_with = Rf_allocVector(STRSXP, (R_xlen_t)c->n_columns);
-  SET_VECTOR_ELT(out, 11, only_with);
-  for (size_t i = 0; i < c->n_columns; i++) {
-    SET_STRING_ELT(only_with, (R_xlen_t)i, effects_text(c, c->columns[i].only_with));
-  }
+  SEXP always = Rf_allocVector(LGLSXP, (R_xlen_t)c->n_columns);
+  SET_VECTOR_ELT(out, 11, always);
+  for (size_t i = 0; i < c->n_columns; i++) LOGICAL(always)[i] = !c->columns[i].only_with;
   UNPROTECT(1);
+  return out;
+}
+
+/* The columns that the rows of a scene have. */
+typedef struct shown {
+  const rot_constraint *of;
+  unsigned char is[ROT_MOST_COLUMNS];
+} shown;
+
+static shown shown_by(const rot_constraint *c, const void *built) {
+  shown s = {.of = c};
+  const unsigned effects = c->effects_of(built);
+  for (size_t i = 0; i < c->n_columns; i++) {
+    s.is[i] = (unsigned char)rot_run_shows(c, built, effects, i);
+  }
+  return s;
+}
+
+/* Whether the rows of a scene have each column. */
+SEXP ffi_scene_shows(SEXP id, SEXP scene) {
+  const rot_constraint *c = ffi_constraint(id);
+  const shown shows = shown_by(c, ffi_scene_build(c, scene));
+  SEXP out = Rf_allocVector(LGLSXP, (R_xlen_t)c->n_columns);
+  for (size_t i = 0; i < c->n_columns; i++) LOGICAL(out)[i] = shows.is[i];
   return out;
 }
 
@@ -352,27 +362,24 @@ SEXP ffi_scene_copies(SEXP id, SEXP scene) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* Whether rows have this column: those of other effects are left out. */
-static int shown(const rot_constraint *c, size_t i, unsigned effects) {
-  return !c->columns[i].only_with || c->columns[i].only_with & effects;
-}
-
 /* Time, index, and the columns of the constraint that are shown. */
-static SEXP named_columns(const rot_constraint *c, unsigned effects) {
+static SEXP named_columns(const shown *s) {
+  const rot_constraint *c = s->of;
   const char *names[ROT_MOST_COLUMNS + 3] = {"time_s"};
   size_t at = 1;
   if (c->index) names[at++] = c->index;
   for (size_t i = 0; i < c->n_columns; i++) {
-    if (shown(c, i, effects)) names[at++] = c->columns[i].name;
+    if (s->is[i]) names[at++] = c->columns[i].name;
   }
   names[at] = "";
   return Rf_mkNamed(VECSXP, names);
 }
 
-static void new_columns(const ffi_run *run, const rot_constraint *c, unsigned effects, SEXP time_s,
-                        size_t copies, void *column[]) {
+static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t copies,
+                        void *column[]) {
+  const rot_constraint *c = s->of;
   const R_xlen_t n = XLENGTH(time_s), rows = n * (R_xlen_t)copies;
-  SEXP list = named_columns(c, effects);
+  SEXP list = named_columns(s);
   SET_VECTOR_ELT(run->out, FFI_COLUMNS, list);
   size_t at = 0;
   if (!c->index) {
@@ -388,7 +395,7 @@ static void new_columns(const ffi_run *run, const rot_constraint *c, unsigned ef
   }
   for (size_t i = 0; i < c->n_columns; i++) {
     column[i] = NULL;
-    if (!shown(c, i, effects)) continue;
+    if (!s->is[i]) continue;
     column[i] = c->columns[i].flag ? (void *)ffi_new_int(list, (R_xlen_t)at, rows)
                                    : (void *)ffi_new_double(list, (R_xlen_t)at, rows);
     at++;
@@ -425,8 +432,7 @@ static void fill_errors(const rot_constraint *c, R_xlen_t n, double *const flow[
 
 /* Rows at events, and what they become: list(columns, ledger), with a ledger if the run has one. */
 typedef struct event_rows {
-  const rot_constraint *c;
-  unsigned effects;
+  const shown *shown;
   rot_event_rows rows;
   SEXP to;
   const double *errors; /* of the flows; NULL: no ledger */
@@ -435,20 +441,20 @@ typedef struct event_rows {
 static SEXP take_event_rows(void *data) {
   static const char *const names[] = {"columns", "ledger", ""};
   const event_rows *from = data;
-  const rot_constraint *c = from->c;
+  const rot_constraint *c = from->shown->of;
   const R_xlen_t n = (R_xlen_t)from->rows.count;
   const size_t width = 1 + from->rows.width;
   const double *value = from->rows.value;
   double *flow[ROT_MOST_FLOWS];
   SEXP both = Rf_mkNamed(VECSXP, (const char **)names);
   SET_VECTOR_ELT(from->to, FFI_EVENT_ROWS, both);
-  SEXP list = named_columns(c, from->effects);
+  SEXP list = named_columns(from->shown);
   SET_VECTOR_ELT(both, 0, list);
   double *time_s = ffi_new_double(list, 0, n);
   for (R_xlen_t i = 0; i < n; i++) time_s[i] = value[(size_t)i * width];
   R_xlen_t at = 1;
   for (size_t k = 0; k < c->n_columns; k++) {
-    if (!shown(c, k, from->effects)) continue;
+    if (!from->shown->is[k]) continue;
     if (c->columns[k].flag) {
       int *x = ffi_new_int(list, at++, n);
       for (R_xlen_t i = 0; i < n; i++) x[i] = (int)value[(size_t)i * width + 1 + k];
@@ -466,10 +472,10 @@ static SEXP take_event_rows(void *data) {
   return R_NilValue;
 }
 
-enum { ACCURACY, MAX_STEPS, ASKED, RESOLUTION, FLOWS, AT_EVENTS, CONTROLS };
+enum { ACCURACY, MAX_STEPS, ASKED, RESOLUTION, FLOWS, AT_EVENTS, STEP, CONTROLS };
 
-/* One model. `control` is c(accuracy, max_steps, asked, resolution, flows, event_rows): flows are
- * in the ledger, which an adaptive model has always. `laws`: see glue/input.h. */
+/* One model. `control` is c(accuracy, max_steps, asked, resolution, flows, event_rows, step_s):
+ * flows are in the ledger, which a model by steps has always. `laws`: see glue/input.h. */
 SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, SEXP laws,
                    SEXP progress) {
   const rot_constraint *c = ffi_constraint(id);
@@ -484,13 +490,14 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
   memset(&outcome, 0, sizeof outcome);
   const ffi_laws called = {laws, &run.guard, PROTECT(Rf_allocVector(VECSXP, ROT_MOST_INPUTS))};
   const void *built = build_scene(c, scene, &called);
-  const unsigned effects = c->effects_of(built);
-  const int flows = x[FLOWS] != 0.0 || of->error_kind == ROT_ADAPTIVE;
+  const shown shows = shown_by(c, built);
+  const int steps = of->error_kind == ROT_ADAPTIVE || of->use == ROT_BY_NAME;
+  const int flows = x[FLOWS] != 0.0 || steps;
   ffi_run_begin(&run, progress);
-  new_columns(&run, c, effects, time_s, rot_run_copies(c, built), column);
+  new_columns(&run, &shows, time_s, rot_run_copies(c, built), column);
   if (flows) SET_VECTOR_ELT(run.out, FFI_LEDGER, new_ledger(c, n, t, flow));
   event_rows at_events = {
-      c, effects, {c->n_columns + c->n_flows, 0, 0, NULL}, run.out, flows ? errors : NULL};
+      &shows, {c->n_columns + c->n_flows, 0, 0, NULL}, run.out, flows ? errors : NULL};
   const rot_rows want = {.column = column,
                          .flow = flows ? flow : NULL,
                          .flow_error = flows ? errors : NULL,
@@ -500,6 +507,7 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
                          .accuracy = x[ACCURACY],
                          .max_steps = (size_t)(x[MAX_STEPS] < 1e15 ? x[MAX_STEPS] : 1e15),
                          .resolution = x[RESOLUTION],
+                         .step_s = x[STEP],
                          .asked = x[ASKED] != 0.0};
   rot_run_model(c, built, of, &task, &want, &outcome, &run.guard.hooks);
   if (flows) fill_errors(c, n, flow, errors);
@@ -550,9 +558,9 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
   void *column[ROT_MOST_COLUMNS] = {NULL};
   ffi_run run;
   ffi_run_begin(&run, R_NilValue);
-  const unsigned effects = c->effects_of(built);
-  new_columns(&run, c, effects, time_s, 1, column);
-  for (size_t i = 0; i < c->n_columns; i++) {
+  const shown shows = shown_by(c, built);
+  new_columns(&run, &shows, time_s, 1, column);
+  for (size_t i = 0; i < c->n_columns && !c->shows; i++) {
     if (!column[i]) column[i] = R_alloc((size_t)XLENGTH(time_s) + 1, sizeof(double));
   }
   rot_rows rows = {.column = column, .events = &run.events};
@@ -562,7 +570,7 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
   int plain = status == ROT_OK && error <= 1e-13 && error <= task.accuracy;
   for (size_t i = 0; i < c->n_columns; i++) {
     double sum = 0.0;
-    if (c->columns[i].flag || !shown(c, i, effects)) continue;
+    if (c->columns[i].flag || !shows.is[i]) continue;
     for (size_t k = 0; k < task.n; k++) sum += ((const double *)column[i])[k];
     plain &= isfinite(sum) != 0;
   }
@@ -613,19 +621,20 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP
   return out;
 }
 
-/* list(conserved, why, about, unit), by balance and what else is known. */
+/* list(conserved, why, about, unit), by balance and what else is known; a balance of which nothing
+ * is known is not conserved. */
 SEXP ffi_scene_keeps(SEXP id, SEXP scene) {
   static const char *const names[] = {"conserved", "why", "about", "unit", ""};
   const rot_constraint *c = ffi_constraint(id);
   const void *built = ffi_scene_build(c, scene);
-  const size_t n = kept_by(c);
+  const size_t n = named_by(c);
   const char *about[ROT_MOST_BALANCES], *unit[ROT_MOST_BALANCES];
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), kept, reason;
   SET_VECTOR_ELT(out, 0, kept = Rf_allocVector(LGLSXP, (R_xlen_t)n));
   SET_VECTOR_ELT(out, 1, reason = Rf_allocVector(STRSXP, (R_xlen_t)n));
   for (size_t i = 0; i < n; i++) {
     const char *why[ROT_MOST_CAUSES];
-    const size_t causes = c->keeps(built, i, why);
+    const size_t causes = i < kept_by(c) ? c->keeps(built, i, why) : (why[0] = "", 1);
     char text[512];
     int used = snprintf(text, sizeof text, "%s", why[0]);
     for (size_t k = 1; k < causes; k++) {

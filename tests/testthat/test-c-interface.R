@@ -169,6 +169,57 @@ random_drive <- function() {
   )
 }
 
+random_torques <- function() {
+  one_of(NULL, stats::rnorm(3), {
+    data.frame(time_s = c(0, 1, 1, 4), x_n_m = stats::rnorm(4), y_n_m = 0, z_n_m = stats::rnorm(4))
+  })
+}
+
+random_wheels <- function() {
+  motor <- data.frame(time_s = c(0, 1, 1, 3), torque_n_m = 1e-3 * stats::rnorm(4))
+  wheel <- function(torque) rotor(stats::rnorm(3), 1e-3, stats::rnorm(1, 0, 30), torque)
+  one_of(
+    NULL, NULL, wheel(NULL), list(wheel(NULL), rotor("y", 2e-3, 5, 0)),
+    list(wheel(1e-3), rotor("z", 1e-3, 4, motor, breaks_s = 2))
+  )
+}
+
+random_attitude <- function() {
+  one_of(NULL, attitude_from(c(stats::rnorm(3), stats::runif(1, 0, 3)), "axis_angle"))
+}
+
+# A body, a tensor, or three moments.
+random_tensor <- function() {
+  turn <- qr.Q(qr(matrix(stats::rnorm(9), 3)))
+  tensor <- turn %*% diag(c(0.1, 0.15, 0.2)) %*% t(turn)
+  one_of(
+    body_box(3, 0.4, 0.5, 0.3), c(0.11, 0.12, 0.2), tensor / 2 + t(tensor) / 2
+  )
+}
+
+random_free <- function() {
+  scene_free(
+    random_tensor(), stats::rnorm(3), attitude0 = random_attitude(), torque_n_m = random_torques(),
+    torque_axes = one_of("body", "space"), damping_per_s = one_of(0, 0.1),
+    rotors = random_wheels(), start_s = one_of(0, 1)
+  )
+}
+
+random_pivot <- function() {
+  top <- stats::runif(1) < 0.4
+  body <- if (top) c(0.0042, 0.0042, 0.002) else random_tensor()
+  own <- inherits(body, "rot_body")
+  arguments <- list(
+    body, if (top) c(0, 0, one_of(60, 600)) else stats::rnorm(3), attitude0 = random_attitude(),
+    torque_n_m = if (!top) random_torques(), damping_per_s = if (top) 0 else one_of(0, 0.1),
+    rotors = if (!top) random_wheels(), gravity_m_per_s2 = one_of(9.8, 0)
+  )
+  where <- if (own) list(pivot_m = stats::rnorm(3)) else {
+    list(mass_kg = 0.5, centre_m = if (top) c(0, 0, 0.08) else stats::rnorm(3))
+  }
+  do.call(scene_pivot, c(arguments, where))
+}
+
 # The object of a constructor and its arguments, as write_scene() has them: its place.
 c_object <- function(constructor, arguments) {
   at <- .C("new_object", constructor, at = 0L, PACKAGE = "c_objects")$at
@@ -225,8 +276,11 @@ load_objects <- function(envir = parent.frame()) {
 test_that("objects made by name in C compute R's bits and its error, for random scenes", {
   load_objects()
   set.seed(16)
-  models <- replicate(200, {
-    scene <- one_of(random_axle, random_axle, random_rotors, random_clutch, random_drive)()
+  models <- replicate(280, {
+    scene <- one_of(
+      random_axle, random_axle, random_rotors, random_clutch, random_drive, random_free,
+      random_pivot
+    )()
     time_s <- sort(stats::runif(sample(c(1, 7, 40), 1), scene$start_s, 6))
     accuracy <- sample(c(1e-12, 1e-9, 1e-6), 1)
     asked <- if (inherits(scene, "rot_scene_drive")) one_of(NULL, "drive_rk8pd", "drive_radau")
@@ -249,14 +303,15 @@ test_that("objects made by name in C compute R's bits and its error, for random 
     expect_identical(ifelse(is.nan(from_c$columns), NA, from_c$columns), expected)
     run$model
   })
-  expect_gt(length(unique(models)), 9L)
+  expect_gt(length(unique(models)), 14L)
 })
 
 test_that("the audit of C is R's, number by number", {
   load_objects()
   set.seed(8)
   some <- function(maker) replicate(12, maker(), simplify = FALSE)
-  scenes <- c(some(random_rotors), some(random_clutch), some(random_drive), list(
+  makers <- c(random_rotors, random_clutch, random_drive, random_free, random_pivot)
+  scenes <- c(unlist(lapply(makers, some), recursive = FALSE), list(
     scene_incline(body_sphere(2, 0.1), 30, static_friction = 0.1, v0_m_per_s = 2),
     scene_incline(body_disk(1, 0.2), 20, static_friction = 0.5, drag_n_s2_per_m2 = 0.3),
     scene_hoop(1, 0.5, 6, theta0_rad = 0.3, drag_n_s_per_m = 0.2),

@@ -522,7 +522,7 @@ test_that("a damaged scene is an R error", {
       expect_error(run(bad), "internal", info = path)
     }
   }
-  control <- c(1e-9, 1e4, 0, 0, 0, 0)
+  control <- c(1e-9, 1e4, 0, 0, 0, 0, 0)
   run_by_table <- function(scene) {
     id <- sub("rot_scene_", "", class(scene)[1])
     function(scene) {

@@ -21,8 +21,9 @@ test_that("the dictionary has the columns of the table, with their units", {
   for (constraint in by_table()) {
     table <- .Call(ffi_scene_table, constraint$id)
     known <- rotdyn_columns()
-    expect_equal(setdiff(table$columns, known$name), character())
-    expect_identical(known$unit[match(table$columns, known$name)], table$units)
+    columns <- sub("^rotor_[0-9]+_", "rotor_1_", table$columns) # of all rotors, one entry
+    expect_equal(setdiff(columns, known$name), character())
+    expect_identical(known$unit[match(columns, known$name)], table$units)
   }
 })
 
@@ -40,7 +41,7 @@ test_that("calls of the glue with damaged scenes are errors", {
   form <- constraint_of(bead)$form
   bead <- unclass(bead)
   expect_null(.Call(ffi_scene_fault, "hoop", form, bead))
-  control <- c(1e-9, 1e6, 0, 0, 0, 0)
+  control <- c(1e-9, 1e6, 0, 0, 0, 0, 0)
   for (name in names(bead)) {
     for (bad in list("a", NaN, c(1, 2), list(), TRUE, -Inf)) {
       damaged <- bead

@@ -31,11 +31,12 @@ static rotdyn_status open_rows(const rot_constraint *c, size_t n, size_t copies,
 }
 
 /* The columns at one time, each with its copies. */
-static void cells_of(const rot_constraint *c, const rows *r, size_t row, size_t copies,
-                     unsigned effects, double cell[]) {
+static void cells_of(const rot_constraint *c, const void *scene, const rows *r, size_t row,
+                     size_t copies, double cell[]) {
+  const unsigned effects = c->effects_of(scene);
   for (size_t i = 0; i < c->n_columns; i++) {
     const rot_column_of *column = &c->columns[i];
-    const int shown = !column->only_with || column->only_with & effects;
+    const int shown = rot_run_shows(c, scene, effects, i);
     for (size_t k = 0; k < copies; k++) {
       const size_t at = row * copies + k;
       const int flag = column->flag ? ((const int *)r->column[i])[at] : 0;
@@ -97,9 +98,13 @@ static void fill_balance(const rot_constraint *c, const void *scene, size_t k, c
   b->explained = explained[k];
   b->balanced =
       !isfinite(b->residual) || !isfinite(b->explained) ? -1 : fabs(b->residual) <= b->explained;
+  size_t used = 0;
+  if (c->n_kept && k >= c->n_kept) { /* nothing is known */
+    b->conserved = -1;
+    return;
+  }
   const size_t causes = c->keeps(scene, k, why);
   b->conserved = causes == 0;
-  size_t used = 0;
   for (size_t i = 0; i < (causes ? causes : 1) && used < sizeof b->why; i++) {
     used += (size_t)snprintf(b->why + used, sizeof b->why - used, "%s%s", i ? "; " : "", why[i]);
   }
@@ -124,9 +129,8 @@ static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], siz
     rot_events_free(&o.events);
   }
   if (status == ROTDYN_OK) {
-    const unsigned effects = c->effects_of(scene);
-    cells_of(c, &r, 0, copies, effects, cell);
-    cells_of(c, &r, n - 1, copies, effects, cell + cells);
+    cells_of(c, scene, &r, 0, copies, cell);
+    cells_of(c, scene, &r, n - 1, copies, cell + cells);
     for (size_t i = 0; i < o.info.n_measures; i++) error[i] = o.info.measure[i].error;
     status = run_flows(w, n, time_s, &o, &r);
   }

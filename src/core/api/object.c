@@ -53,8 +53,9 @@ static const struct {
                   {ROT_INPUT_LAW, "law"},         {ROT_INPUT_BODY, "body"},
                   {ROT_INPUT_TORQUE, "torque"},   {ROT_INPUT_RESISTANCE, "resistance"},
                   {ROT_INPUT_INERTIA, "inertia"}, {ROT_INPUT_COUPLING, "coupling"},
-                  {ROT_INPUT_BRAKE, "brake"},     {ROT_INPUT_LIST, "list"},
-                  {ROT_INPUT_NOTHING, "nothing"}};
+                  {ROT_INPUT_BRAKE, "brake"},     {ROT_INPUT_TABLE, "table"},
+                  {ROT_INPUT_ROTOR, "rotor"},     {ROT_INPUT_MOMENTS, "moments"},
+                  {ROT_INPUT_LIST, "list"},       {ROT_INPUT_NOTHING, "nothing"}};
 enum { KIND_NAMES = sizeof kind_names / sizeof *kind_names };
 
 /* The scenes and parts of a constructor: one of them, or none. */

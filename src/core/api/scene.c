@@ -41,7 +41,7 @@ typedef struct places {
 static rotdyn_status find_columns(rot_api_work *w, size_t n, const char *const names[],
                                   double *const columns[], size_t at[]) {
   const rot_constraint *c = w->built.constraint;
-  unsigned long seen = 0;
+  uint64_t seen = 0;
   if (n && (!names || !columns)) return rot_api_refuse(w, NULL, "`names` or `columns` is NULL");
   for (size_t i = 0; i < n; i++) {
     if (!names[i] || !columns[i]) return rot_api_refuse(w, NULL, "a name or a column is NULL");
@@ -52,7 +52,7 @@ static rotdyn_status find_columns(rot_api_work *w, size_t n, const char *const n
       return ROTDYN_ENAME;
     }
     if (seen >> place & 1u) return rot_api_refuse(w, NULL, "a column is asked for twice");
-    seen |= 1ul << place;
+    seen |= (uint64_t)1 << place;
     at[i] = place;
   }
   return ROTDYN_OK;

@@ -35,6 +35,19 @@ void rot_refused_in(rot_refusal *refusal, const char *format, ...) {
   refusal->reason[sizeof refusal->reason - 1] = '\0';
 }
 
+size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MOST_LAW_ARGUMENTS]) {
+  size_t n = 1;
+  size[0] = size[1] = size[2] = 1;
+  if (!input->options) return 3;
+  while (input->options[n - 1]) {
+    const char *count = strchr(input->options[n - 1], ':');
+    size[n++] = count ? (size_t)(count[1] - '0') : 1;
+  }
+  return n;
+}
+
+size_t rot_input_values(const rot_input *input) { return input->kinds & ROT_INPUT_VECTOR ? 3 : 1; }
+
 /* The input that is the default of this one, and the most it may be; this one: none. */
 static size_t most_of(const rot_input inputs[], size_t input) {
   const int one = (inputs[input].kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT)) != 0;

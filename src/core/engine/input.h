@@ -26,12 +26,16 @@ typedef enum rot_input_kind {
   ROT_INPUT_RESISTANCE = 8192,
   ROT_INPUT_INERTIA = 16384, /* a moment of inertia that changes in time */
   ROT_INPUT_COUPLING = 32768,
-  ROT_INPUT_BRAKE = 65536
+  ROT_INPUT_BRAKE = 65536,
+  ROT_INPUT_TABLE = 131072,  /* torques at times, linear between them */
+  ROT_INPUT_ROTOR = 262144,  /* that a body carries */
+  ROT_INPUT_MOMENTS = 524288 /* principal moments, and their axes */
 } rot_input_kind;
 
 enum {
   ROT_INPUT_OBJECTS = ROT_INPUT_BODY | ROT_INPUT_TORQUE | ROT_INPUT_RESISTANCE | ROT_INPUT_INERTIA |
-                      ROT_INPUT_COUPLING | ROT_INPUT_BRAKE
+                      ROT_INPUT_COUPLING | ROT_INPUT_BRAKE | ROT_INPUT_TABLE | ROT_INPUT_ROTOR |
+                      ROT_INPUT_MOMENTS
 };
 
 typedef struct rot_input {
@@ -43,7 +47,8 @@ typedef struct rot_input {
   double otherwise; /* of numbers: the default; NaN: as `words` say */
   const char *words;
   /* Of a choice, the first is the default; the list ends with NULL. Of one number: the input whose
-   * value is its default, and the most that it may be. */
+   * value is its default, and the most that it may be. Of a law: its arguments after the time, each
+   * with how many numbers it has ("attitude:4"); NULL: the position and the rate. */
   const char *const *options;
 } rot_input;
 
@@ -64,7 +69,8 @@ typedef struct rot_given_body {
   double radius_m;         /* on which it rolls about its own z axis; NaN: it has none */
 } rot_given_body;
 
-/* The values of a law at its arguments, in the order that the input's words say. */
+/* The values of a law at its arguments, which stand one after the other: rot_input_values() of
+ * them. */
 typedef struct rot_law {
   rot_status (*call)(const double argument[], double value[], void *ctx);
   void *ctx;
@@ -101,6 +107,12 @@ rot_status rot_refuse(rot_refusal *refusal, size_t input, const char *format, ..
 
 /* Puts the place where it was refused in front of the reason: "item 2". */
 void rot_refused_in(rot_refusal *refusal, const char *format, ...);
+
+/* How many numbers each argument of a law has, the time the first; returns their count. */
+enum { ROT_MOST_LAW_ARGUMENTS = 4 };
+size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MOST_LAW_ARGUMENTS]);
+/* How many numbers the law gives: three where the input takes vectors, else one. */
+size_t rot_input_values(const rot_input *input);
 
 /* The number given, or the default. */
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input);

@@ -8,7 +8,7 @@
 #include "engine/input.h"
 #include "ground/store.h"
 
-enum { ROT_MOST_EFFECTS = 16, ROT_MOST_MODELS = 16, ROT_MOST_COLUMNS = 32 };
+enum { ROT_MOST_EFFECTS = 16, ROT_MOST_MODELS = 16, ROT_MOST_COLUMNS = 64 };
 
 /* Effect i is bit 1 << i of a mask. Each constraint has its own list: two may share a name. */
 typedef struct rot_effect {
@@ -49,6 +49,7 @@ typedef struct rot_task {
   size_t max_steps;  /* of an integrator */
   double resolution; /* of changes of a law that is called: see engine/ode/params.h; 0: as there */
   int asked;         /* the caller named the model: it does not switch to another */
+  double step_s;     /* of a model with steps of fixed length; 0: its own choice */
   unsigned without;  /* effects that the run leaves out; the torques of its rows have them */
 } rot_task;
 
@@ -56,7 +57,7 @@ typedef struct rot_task {
 typedef struct rot_column_of {
   const char *name;
   int flag;           /* 1, 0, or below 0: it means nothing in this row */
-  unsigned only_with; /* 0: always; else with one of these effects alone */
+  unsigned only_with; /* 0: always; else with one of these effects alone, if shows() agrees */
   const char *unit;   /* NULL: as the dictionary of R has it */
   size_t measure;     /* 1 + the measure that it holds; 0: none. These are the state. */
   size_t flow;        /* 1 + the flow that it adds up, with whose error; 0: none */
@@ -163,17 +164,22 @@ typedef struct rot_constraint {
   size_t n_flows, n_balances, n_terms;
   const char *const *flows; /* names */
   const rot_balance *balances;
-  size_t n_kept; /* the balances, then quantities of which keeps() knows more; 0: n_balances */
+  /* Those of which keeps() knows: the first balances, or all of them and more; 0: n_balances. */
+  size_t n_kept;
   const rot_balance_term *terms;
   /* The terms between two rows, each a smooth function of state and flows: what their errors
    * explain is found by moving them (scene/run.h). */
   void (*audit)(const void *scene, const rot_span *span, double term[]);
+  /* NULL, or what errors explain of each balance, where they are known better than so. */
+  void (*explain)(const void *scene, const rot_span *span, const double term[], double explained[]);
   /* How many causes change the quantity of a balance, and which; 0: it is conserved, and why. */
   size_t (*keeps)(const void *scene, size_t balance, const char *why[ROT_MOST_CAUSES]);
   void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
   size_t n_derived;
   const rot_derived *derived;
   int event_rows; /* its runs fill rot_rows.at_events */
+  /* NULL, or which of the columns with `only_with` the rows of a scene have. */
+  int (*shows)(const void *scene, size_t column);
 } rot_constraint;
 
 /* The members of a constraint whose parts have these names in its file. */

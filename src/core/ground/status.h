@@ -70,6 +70,7 @@ typedef struct rot_info {
   size_t rhs_calls;  /* right-hand sides evaluated; 0 for a closed form */
   double tolerance;  /* tolerance per step of the run that chose the steps; 0 for a closed form */
   rot_method method; /* of the steps; ROT_METHOD_NONE for a closed form */
+  double step_s;     /* the length of steps that is fixed; else 0 */
   size_t n_measures;
   const char *const *measure_names;
   rot_measure measure[ROT_MOST_MEASURES];

@@ -6,6 +6,7 @@
 #include "engine/laws.h"
 #include "scene/axle/inputs.h"
 #include "scene/drive/inputs.h"
+#include "scene/free/parts.h"
 
 const rot_part *rot_part_at(size_t i) {
   const struct {
@@ -14,7 +15,8 @@ const rot_part *rot_part_at(size_t i) {
   } all[] = {{rot_body_parts, rot_body_n_parts},
              {rot_law_parts, rot_law_n_parts},
              {rot_axle_parts, rot_axle_n_parts},
-             {rot_drive_parts, rot_drive_n_parts}};
+             {rot_drive_parts, rot_drive_n_parts},
+             {rot_free_parts, rot_free_n_parts}};
   for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
     if (i < all[k].n) return &all[k].list[i];
     i -= all[k].n;

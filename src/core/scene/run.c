@@ -25,6 +25,13 @@ size_t rot_run_copies(const rot_constraint *constraint, const void *scene) {
   return constraint->copies ? constraint->copies(scene) : 1;
 }
 
+int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned effects,
+                  size_t column) {
+  const unsigned with = constraint->columns[column].only_with;
+  if (!with) return 1;
+  return (with & effects) && (!constraint->shows || constraint->shows(scene, column));
+}
+
 /* ---- one run --------------------------------------------------------------------------------- */
 
 typedef struct job {
@@ -42,14 +49,19 @@ static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   void *const *column = want ? want->column : NULL;
   const size_t n = n_times * rot_run_copies(c, j->scene);
   size_t missing = 0;
-  for (size_t i = 0; i < c->n_columns; i++) missing += !column || !column[i];
+  /* Where the constraint itself knows which are there, the others are never written. */
+  const unsigned effects = c->effects_of(j->scene);
+  for (size_t i = 0; i < c->n_columns; i++) {
+    j->column[i] = column ? column[i] : NULL;
+    missing += !j->column[i] && (!c->shows || rot_run_shows(c, j->scene, effects, i));
+  }
   if (missing && n > (SIZE_MAX - 1) / sizeof(double) / missing) return ROT_ENOMEM;
   char *at = j->memory = missing ? malloc(missing * n * sizeof(double) + 1) : NULL;
   if (missing && !at) return ROT_ENOMEM;
   for (size_t i = 0; i < c->n_columns; i++) {
-    const int given = column && column[i];
-    j->column[i] = given ? column[i] : at;
-    if (!given) at += n * sizeof(double);
+    if (j->column[i] || (c->shows && !rot_run_shows(c, j->scene, effects, i))) continue;
+    j->column[i] = at;
+    at += n * sizeof(double);
   }
   j->rows = (rot_rows){.column = j->column,
                        .flow = want ? want->flow : NULL,
@@ -76,7 +88,7 @@ static int beyond_doubles(const job *j, unsigned effects, size_t n) {
     const rot_column_of *column = &j->constraint->columns[i];
     const double *x = j->column[i];
     double sum = 0.0;
-    if (column->flag || (column->only_with && !(column->only_with & effects))) continue;
+    if (column->flag || !rot_run_shows(j->constraint, j->scene, effects, i)) continue;
     for (size_t k = 0; k < n; k++) sum += x[k];
     if (isfinite(sum)) continue;
     for (size_t k = 0; k < n; k++) {
@@ -230,7 +242,8 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
   const rot_span own = {ends, ends + cells, flow, span->flow_error, span->error};
   c->audit(scene, &own, term);
   for (size_t b = 0; b < c->n_balances; b++) explained[b] = 0.0;
-  for (size_t i = 0; i < 2 * cells; i++) {
+  if (c->explain) c->explain(scene, &own, term, explained);
+  for (size_t i = 0; i < 2 * cells && !c->explain; i++) {
     const rot_column_of *column = &c->columns[i % cells / copies];
     const double of = column->measure ? span->error[column->measure - 1]
                       : column->flow  ? span->flow_error[column->flow - 1]
@@ -239,10 +252,10 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
     const double error = EXPLAINS * of + DBL_EPSILON * fabs(ends[i]);
     add_moved(c, scene, &own, term, &ends[i], error, explained);
   }
-  for (size_t k = 0; k < c->n_flows; k++) {
+  for (size_t k = 0; k < c->n_flows && !c->explain; k++) {
     add_moved(c, scene, &own, term, &flow[k], EXPLAINS * span->flow_error[k], explained);
   }
-  for (size_t k = 0; k < c->n_terms; k++) {
+  for (size_t k = 0; k < c->n_terms && !c->explain; k++) {
     explained[c->terms[k].balance] += 8.0 * DBL_EPSILON * fabs(term[k]);
   }
   free(ends);

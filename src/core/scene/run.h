@@ -24,8 +24,8 @@ typedef enum rot_run_end {
 } rot_run_end;
 
 /* `model`: the name of the one to run, or NULL. `want`: where rows are written, without events; a
- * column that is NULL is not wanted, nor are all where want->column is. Of a scene without the
- * effects of a column it is not written. */
+ * column that is NULL is not wanted, nor are all where want->column is. A column that the rows of
+ * the scene do not have is not written. */
 rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const char *model,
                     const rot_task *task, double law_s, const rot_rows *want, rot_outcome *out,
                     const rot_hooks *hooks);
@@ -34,6 +34,10 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
 void rot_run_model(const rot_constraint *constraint, const void *scene, const rot_model *model,
                    const rot_task *task, const rot_rows *want, rot_outcome *out,
                    const rot_hooks *hooks);
+
+/* Whether the rows of a scene with these effects have a column. */
+int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned effects,
+                  size_t column);
 
 /* Rows at one time. */
 size_t rot_run_copies(const rot_constraint *constraint, const void *scene);

@@ -103,6 +103,7 @@ typedef struct rot_free_columns {
   X(damping_impulse_z_n_m_s)                                                                       \
   X(motor_work_j)
 
+enum { ROT_FREE_OWN_COLUMNS = 14 }; /* without those of rotors, two each */
 enum { ROT_FREE_FLOWS = 9, ROT_FREE_MOTOR_WORK = 8, ROT_FREE_MOST_FLIPS = 10000 };
 
 /* Rates in principal axes, attitude of these. */

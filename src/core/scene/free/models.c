@@ -1,10 +1,13 @@
 #include "scene/free/models.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "scene/free/exact.h"
 #include "scene/free/gyrostat.h"
+#include "scene/free/inputs.h"
+#include "scene/free/ledger.h"
 #include "scene/free/ode.h"
 #include "scene/free/rotors.h"
 #include "scene/free/scene.h"
@@ -113,21 +116,40 @@ static const rot_model models[ROT_FREE_MODELS] = {
     ROT_FREE_STEPS("free_", TORQUE | LAW | DAMPING | ROTORS | MOTORS, ROTORS),
 };
 
+static const rot_column_of columns[] = {ROT_FREE_TABLE(ROTORS)};
+static const rot_balance balances[] = {ROT_FREE_BALANCES_ABOUT("the centre of mass")};
+static const rot_balance_term terms[] = {ROT_FREE_TERMS_WITH(ROTORS)};
+static const rot_derived derived[] = {ROT_FREE_DERIVED};
+
 const rot_constraint rot_free_constraint = {
     .id = "free",
     .measures = rot_free_measures,
-    .n_effects = sizeof effects / sizeof *effects,
-    .n_models = sizeof models / sizeof *models,
+    .n_effects = ROT_COUNT(effects),
+    .n_models = ROT_COUNT(models),
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
     .constructor = "scene_free",
     .n_inputs = ROT_FREE_INPUTS,
-    .n_columns = ROT_FREE_ALL_COLUMNS,
+    .n_columns = ROT_COUNT(columns),
     .inputs = rot_free_inputs,
-    .columns = rot_free_all_columns,
+    .columns = columns,
     .runs = rot_free_runs,
     .scene_size = sizeof(rot_free_built),
     .build = rot_free_build,
     .start_s = rot_free_start,
+    .n_flows = ROT_FREE_FLOWS,
+    .flows = rot_free_flow_names,
+    .n_balances = ROT_COUNT(balances),
+    .balances = balances,
+    .n_kept = ROT_FREE_KEPT,
+    .n_terms = ROT_COUNT(terms),
+    .terms = terms,
+    .audit = rot_free_audit,
+    .explain = rot_free_explain,
+    .keeps = rot_free_keeps,
+    .pace = rot_free_pace,
+    .n_derived = ROT_COUNT(derived),
+    .derived = derived,
+    .shows = rot_free_shows,
 };

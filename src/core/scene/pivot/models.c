@@ -1,11 +1,16 @@
 #include "scene/pivot/models.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "scene/free/models.h"
+#include "scene/free/inputs.h"
+#include "scene/free/ledger.h"
 #include "scene/free/scene.h"
 #include "scene/pivot/pivot.h"
 #include "scene/pivot/approx.h"
+#include "scene/pivot/inputs.h"
+#include "scene/pivot/ledger.h"
 #include "scene/pivot/scene.h"
 
 enum { WEIGHT = 1, TORQUE = 2, LAW = 4, DAMPING = 8, ROTORS = 16, MOTORS = 32 };
@@ -100,22 +105,46 @@ static const rot_model models[ROT_PIVOT_MODELS] = {
     ROT_FREE_STEPS("pivot_", WEIGHT | TORQUE | LAW | DAMPING | ROTORS | MOTORS, WEIGHT | ROTORS),
 };
 
+static const rot_column_of columns[] = {ROT_FREE_TABLE(ROTORS),
+                                        ROT_COLUMN("potential_energy_j", "J", 0),
+                                        ROT_COLUMN("inclination_rad", "rad", 0)};
+static const rot_balance balances[] = {ROT_FREE_BALANCES_ABOUT("the fixed point")};
+static const rot_balance_term terms[] = {ROT_FREE_TERMS_WITH(ROTORS)};
+static const rot_derived derived[] = {ROT_FREE_DERIVED,
+                                      {"lever_n_m", offsetof(rot_free_built, params.lever_n_m), 3},
+                                      {"mass_kg", offsetof(rot_free_built, mass_kg), 1},
+                                      {"centre_m", offsetof(rot_free_built, centre_m), 3}};
+
 const rot_constraint rot_pivot_constraint = {
     .id = "pivot",
     .measures = rot_free_measures,
-    .n_effects = sizeof effects / sizeof *effects,
-    .n_models = sizeof models / sizeof *models,
+    .n_effects = ROT_COUNT(effects),
+    .n_models = ROT_COUNT(models),
     .effects = effects,
     .models = models,
     .effects_of = effects_of,
     .constructor = "scene_pivot",
     .n_inputs = ROT_PIVOT_INPUTS,
-    .n_columns = ROT_FREE_ALL_COLUMNS,
+    .n_columns = ROT_COUNT(columns),
     .inputs = rot_pivot_inputs,
-    .columns = rot_free_all_columns,
+    .columns = columns,
     .runs = rot_pivot_runs,
     .scene_size = sizeof(rot_free_built),
     .build = rot_pivot_build,
     .start_s = rot_free_start,
     .bound = bound_of,
+    .n_flows = ROT_FREE_FLOWS,
+    .flows = rot_free_flow_names,
+    .n_balances = ROT_COUNT(balances),
+    .balances = balances,
+    .n_kept = ROT_FREE_KEPT,
+    .n_terms = ROT_COUNT(terms),
+    .terms = terms,
+    .audit = rot_free_audit,
+    .explain = rot_free_explain,
+    .keeps = rot_pivot_keeps,
+    .pace = rot_pivot_pace,
+    .n_derived = ROT_COUNT(derived),
+    .derived = derived,
+    .shows = rot_pivot_shows,
 };

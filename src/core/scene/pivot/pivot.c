@@ -189,6 +189,12 @@ rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s
   return status == ROT_OK ? info->status = log_turns(&r, n, time_s, events) : status;
 }
 
+void rot_pivot_lever(const rot_free_params *p, const double q[4], double lever[3]) {
+  double own[3] = {p->lever_n_m[0], p->lever_n_m[1], p->lever_n_m[2]};
+  if (p->turned) rot_attitude_to_space(p->axes, p->lever_n_m, own);
+  rot_attitude_to_space(q, own, lever);
+}
+
 rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]) {
   run r;
   const rot_status status = begin(p, &r);

@@ -26,6 +26,10 @@ rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s
                          const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,
                          rot_info *info);
 
+/* The lever of the weight, in axes of space, at an attitude of the body's own axes: z is the
+ * potential energy. */
+void rot_pivot_lever(const rot_free_params *p, const double q[4], double lever_n_m[3]);
+
 /* Of its nutation: c(period s, lowest and highest cosine, precession in a period). */
 rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]);
 

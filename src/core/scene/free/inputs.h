@@ -1,0 +1,78 @@
+/* A free body from its inputs. Bodies with a fixed point share most of it. */
+#ifndef ROT_FREE_INPUTS_H
+#define ROT_FREE_INPUTS_H
+
+#include "scene/free/parts.h"
+
+enum { ROT_FREE_INPUTS = 9 };
+extern const rot_input rot_free_inputs[ROT_FREE_INPUTS];
+
+/* As built: what the models read first, as they read it. */
+typedef struct rot_free_built {
+  rot_free_params params;
+  double mass_kg, centre_m[3]; /* of a body with a fixed point; the centre of mass from there */
+  rot_law law;                 /* of the torque */
+  rot_free_rotor rotor[ROT_FREE_MOST_ROTORS];
+  rot_law motor[ROT_FREE_MOST_ROTORS]; /* call NULL: it has none */
+} rot_free_built;
+
+/* rot_constraint.build and .start_s */
+rot_status rot_free_build(const rot_given given[], rot_store *store, void *built,
+                          rot_refusal *refusal);
+double rot_free_start(const void *scene);
+
+/* ---- shared with bodies that have a fixed point ---------------------------------------------- */
+
+extern const char *const rot_free_axes[]; /* of the torque */
+
+/* clang-format off */
+#define ROT_FREE_ANY -DBL_MAX, DBL_MAX, 0
+#define ROT_FREE_OMEGA0_INPUT                                                                      \
+  {"omega0_rad_per_s", "rad/s", ROT_INPUT_VECTOR, 1, ROT_FREE_ANY, NAN,                            \
+   "at the start, in the body's own axes", NULL}
+#define ROT_FREE_COMMON_INPUTS                                                                     \
+  {"attitude0", "1", ROT_INPUT_ATTITUDE, 0, ROT_FREE_ANY, NAN,                                     \
+   "at the start, own axes to space, scalar first; default: 1, 0, 0, 0", NULL},                    \
+  {"torque_n_m", "N*m", ROT_INPUT_VECTOR | ROT_INPUT_TABLE | ROT_INPUT_LAW, 0, ROT_FREE_ANY, NAN,  \
+   "constant, a table, or a law of time_s, omega_rad_per_s (3, own axes), attitude (4); default: " \
+   "none", rot_free_arguments},                                                                    \
+  {"torque_axes", "", ROT_INPUT_CHOICE, 0, ROT_FREE_ANY, NAN, "axes of the torque",                \
+   rot_free_axes},                                                                                 \
+  {"damping_per_s", "1/s", ROT_INPUT_NUMBER, 0, ROT_FREE_ANY, 0.0,                                 \
+   "resistance over the angular momentum", NULL},                                                  \
+  {"rotors", "", ROT_INPUT_ROTOR | ROT_INPUT_LIST, 0, ROT_FREE_ANY, NAN,                           \
+   "one rotor, or a list of at most 16; the body includes them, locked", NULL},                    \
+  {"breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_FREE_ANY, NAN,                                         \
+   "where the torque may jump or kink", NULL},                                                     \
+  {"start_s", "s", ROT_INPUT_NUMBER, 0, ROT_FREE_ANY, 0.0, "when the state above holds", NULL}
+/* clang-format on */
+/* Their places after the first of them. */
+enum {
+  ROT_FREE_ATTITUDE0,
+  ROT_FREE_TORQUE,
+  ROT_FREE_AXES,
+  ROT_FREE_DAMPING,
+  ROT_FREE_ROTORS,
+  ROT_FREE_BREAKS,
+  ROT_FREE_START
+};
+
+/* Initialisers of the numbers that follow. */
+#define ROT_FREE_DERIVED                                                                           \
+  {"moment_of_inertia_kg_m2", offsetof(rot_free_built, params.moment_kg_m2), 3},                   \
+      {"axes", offsetof(rot_free_built, params.axes), 4}, {                                        \
+    "moment_error", offsetof(rot_free_built, params.given), 1                                      \
+  }
+
+/* Principal moments of a tensor, and of the second moments that it is of, and their axes.
+ * ROT_ERANGE: they are not finite. */
+rot_status rot_free_build_moments(const double inertia_kg_m2[6], const double second_kg_m2[6],
+                                  rot_free_params *params);
+/* From what is given as three moments, with or without their axes; 0: it is neither. */
+int rot_free_read_moments(const rot_given *given, rot_free_params *params);
+/* Of `inputs`, those from `common` on, and the rates at `omega0`. */
+rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[], size_t omega0,
+                               size_t common, rot_store *store, rot_free_built *built,
+                               rot_refusal *refusal);
+
+#endif

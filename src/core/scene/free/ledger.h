@@ -1,0 +1,46 @@
+/* The balances of bodies in space: energy, angular momentum about the point that stays, the norm of
+ * the quaternion; what flows in and out of them. */
+#ifndef ROT_FREE_BALANCES_H
+#define ROT_FREE_BALANCES_H
+
+#include "engine/model.h"
+#include "scene/free/free.h"
+
+enum { ROT_FREE_BALANCES = 5, ROT_FREE_KEPT = 4, ROT_FREE_TERMS = 14 };
+
+/* clang-format off */
+/* Initialisers of the balances about a point, and of their terms; with: the effect of rotors. */
+#define ROT_FREE_BALANCES_ABOUT(point)                                                             \
+  {"energy", NULL, "J"}, {"angular_momentum_x", point, "kg m^2/s"},                                \
+  {"angular_momentum_y", point, "kg m^2/s"}, {"angular_momentum_z", point, "kg m^2/s"},            \
+  {"quaternion_norm", NULL, "1"}
+#define ROT_FREE_MOMENTUM_TERMS(k)                                                                 \
+  {k, ROT_CHANGE, "change of angular momentum", 0},                                                \
+  {k, ROT_SUPPLIED, "impulse of the torque", 0}, {k, ROT_DISSIPATED, "impulse of the damping", 0}
+#define ROT_FREE_TERMS_WITH(with)                                                                  \
+  {0, ROT_CHANGE, "change of rotational energy", 0}, {0, ROT_SUPPLIED, "work of the torque", 0},   \
+  {0, ROT_SUPPLIED, "work of the motors", with}, {0, ROT_DISSIPATED, "heat of the damping", 0},    \
+  ROT_FREE_MOMENTUM_TERMS(1), ROT_FREE_MOMENTUM_TERMS(2), ROT_FREE_MOMENTUM_TERMS(3),              \
+  {4, ROT_CHANGE, "change of the norm", 0}
+/* clang-format on */
+
+extern const char *const rot_free_flow_names[ROT_FREE_FLOWS];
+
+/* Of closed forms, since the start, to rows->flow; their errors. The rows are written. */
+void rot_free_exact_flows(const rot_free_params *p, const rot_task *task, const rot_rows *rows);
+void rot_free_gyrostat_flows(const rot_free_params *p, const rot_task *task, const rot_rows *rows,
+                             const rot_info *info);
+
+/* rot_constraint.audit, .explain, .keeps, .pace */
+void rot_free_audit(const void *scene, const rot_span *span, double term[]);
+void rot_free_explain(const void *scene, const rot_span *span, const double term[],
+                      double explained[]);
+size_t rot_free_keeps(const void *scene, size_t balance, const char *why[]);
+void rot_free_pace(const void *scene, const double sizes[], rot_pace *pace);
+
+/* Whether the torque has a part along an axis of those in which it is given; k < 0: along any. */
+int rot_free_acts_along(const rot_free_params *p, int k);
+/* Whether motors do work: those of driven rotors do. */
+int rot_free_motors_work(const rot_free_params *p);
+
+#endif
