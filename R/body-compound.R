@@ -63,7 +63,7 @@ place_body <- function(body, at_m = c(0, 0, 0), rotation = NULL, ...) {
   formula <- body$formula
   if (!is.null(rotation)) {
     turn <- as_rotation(rotation, "rotation", call)
-    centre <- as.double(turn %*% centre)
+    centre <- turn[, 1] * centre[1] + turn[, 2] * centre[2] + turn[, 3] * centre[3]
     second <- .Call(ffi_inertia_rotate, second, turn)
     if (!identical(turn, diag(3))) {
       beta <- NA_real_

@@ -82,7 +82,8 @@ as_rotation <- function(rotation, arg, call) {
   if (!all(is.finite(rotation))) abort_rotdyn("{.arg {arg}} must be finite.", "value", call)
   if (length(rotation) == 4L) return(matrix_of_quaternion(as.double(rotation), arg, call))
   rotation <- matrix(as.double(rotation), 3)
-  off <- max(abs(crossprod(rotation) - diag(3)))
+  square <- product_of_three(t(rotation), rotation)
+  off <- max(abs(square - diag(3)))
   if (off > 1e-8 || det(rotation) < 0) {
     abort_rotdyn(c(
       "{.arg {arg}} must be a rotation: orthogonal, with determinant +1.",
@@ -94,7 +95,12 @@ as_rotation <- function(rotation, arg, call) {
     ), "value", call)
   }
   # One Newton step to the nearest orthogonal matrix, for numbers given with few digits.
-  rotation %*% (3 * diag(3) - crossprod(rotation)) / 2
+  product_of_three(rotation, 3 * diag(3) - square) / 2
+}
+
+# Of two 3 x 3 matrices, with the additions of the core in their order, whatever BLAS is here.
+product_of_three <- function(a, b) {
+  outer(a[, 1], b[1, ]) + outer(a[, 2], b[2, ]) + outer(a[, 3], b[3, ])
 }
 
 matrix_of_quaternion <- function(q, arg, call) {

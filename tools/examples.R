@@ -10,11 +10,11 @@ rolling <- function() {
   c(table[c("beta", "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction")],
     list(friction = rolling_friction_coefficient(table$beta)))
 }
-# Two columns of a scene of each constraint. C integrates a drive: its closed forms are R's own.
+# Two columns of a scene of each constraint.
 scenes_by_name <- function() {
   time_s <- 0.05 * (0:40)
-  of <- function(name, scene, columns, model = NULL) {
-    motion <- trajectory(scene, time_s, model = model)
+  of <- function(name, scene, columns) {
+    motion <- trajectory(scene, time_s)
     data.frame(
       scene = name, time_s = motion$time_s, first = motion[[columns[1]]],
       second = motion[[columns[2]]]
@@ -26,6 +26,8 @@ scenes_by_name <- function() {
   swing <- torque_gravity(1, 1) + torque_sinusoid(2, 3)
   steps <- torque_steps(c(0, 1.2), c(30, -10))
   closing <- torque_knots(c(0, 0.5), c(0, 60), outside = "hold")
+  panels <- body_points(data.frame(mass_kg = 1, x_m = c(0, 0), y_m = c(-1.5, 1.5), z_m = 0))
+  turn <- data.frame(time_s = c(0, 0.9, 1.1, 2), torque_n_m = c(0.1, 0.1, -0.1, -0.1))
   rbind(
     of("axle", scene_axle(disk, torque, resistance(0.03)), c("theta_rad", "omega_rad_per_s")),
     of("swing", scene_axle(body_rod_end(1, 2), swing, theta0_rad = 2.5),
@@ -40,7 +42,7 @@ scenes_by_name <- function() {
       torque = list(torque_motor(40, 200) + 1, NULL, -5),
       resistance = list(NULL, NULL, resistance(0.05, coulomb_n_m = 1)),
       brake = list(NULL, NULL, brake(12, from_s = 1.5)), omega0_rad_per_s = c(150, 0, 0)
-    ), c("omega_rad_per_s", "heat_j"), "drive_rk8pd"),
+    ), c("omega_rad_per_s", "heat_j")),
     of("rotors", scene_rotors(
       list(body_disk(4, 0.2), 0.005, 0.27), c(800, 1200), 0.05, torque_n_m = c(2, 0, -2)
     ), c("theta_rad", "shaft_torque_n_m")),
@@ -49,6 +51,10 @@ scenes_by_name <- function() {
       radius_m = 0.25, v0_m_per_s = 3, omega0_rad_per_s = -2
     ), c("x_m", "omega_rad_per_s")),
     of("free", scene_free(c(1, 1.5, 2), c(0.01, 6, 0.02)), c("qw", "omega_y_rad_per_s")),
+    of("satellite", scene_free(
+      join_bodies(body_box(40, 0.6, 0.5, 0.8), place_body(panels, c(0.1, 0, 0))), c(0, 0, 0.01),
+      rotors = rotor(c(0, 0, 1), 0.01, 0, turn)
+    ), c("omega_z_rad_per_s", "rotor_1_omega_rad_per_s")),
     of("pivot", scene_pivot(
       body_tensor(0.5, diag(c(0.002, 0.002, 0.001)), centre_m = c(0, 0, 0.08)), c(0, 0, 60),
       attitude0 = c(0.8, 0.6, 0, 0)

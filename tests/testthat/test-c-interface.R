@@ -94,9 +94,29 @@ one_of <- function(...) list(...)[[sample.int(...length(), 1L)]]
 
 random_body <- function() {
   one_of(
-    10^stats::runif(1, -1, 1), body_disk(stats::runif(1, 0.5, 4), stats::runif(1, 0.2, 1)),
+    10^stats::runif(1, -1, 1), random_compound(), random_compound(),
+    body_disk(stats::runif(1, 0.5, 4), stats::runif(1, 0.2, 1)),
     body_rod_end(1, stats::runif(1, 0.5, 2)), body_point(stats::runif(1), stats::runif(1, 0.5, 1)),
     body_cylinder(radius_m = 0.3, length_m = 0.8, density_kg_m3 = 500)
+  )
+}
+
+# With moments about all axes, away from the origin.
+random_compound <- function() {
+  box <- body_box(3, 0.4, 0.5, 0.3)
+  placed <- function(body) {
+    turn <- one_of(NULL, rotation_about(stats::rnorm(3), angle_deg = stats::runif(1, 0, 180)))
+    place_body(body, stats::rnorm(3, 0, 0.3), turn)
+  }
+  places <- data.frame(mass_kg = stats::runif(5), x_m = stats::rnorm(5), y_m = stats::rnorm(5))
+  corners <- matrix(c(0, 2, 2.5, 1, 0, 0, 0.5, 2), 4)
+  one_of(
+    placed(box), join_bodies(placed(box), list(placed(body_disk(1, 0.2)), body_sphere(1, 0.1))),
+    cut_body(box, place_body(body_sphere(0.01, 0.05), stats::runif(3, -0.1, 0.1))),
+    body_points(places),
+    body_points(cbind(places[-1], z_m = stats::rnorm(5)), mass_kg = 0.2),
+    body_polygon(2, corners), body_polygon(vertices_m = corners, areal_density_kg_m2 = 3),
+    placed(body_tetrahedron(1, rbind(diag(3), 0) + 0.1))
   )
 }
 
@@ -193,7 +213,7 @@ random_tensor <- function() {
   turn <- qr.Q(qr(matrix(stats::rnorm(9), 3)))
   tensor <- turn %*% diag(c(0.1, 0.15, 0.2)) %*% t(turn)
   one_of(
-    body_box(3, 0.4, 0.5, 0.3), c(0.11, 0.12, 0.2), tensor / 2 + t(tensor) / 2
+    random_compound(), random_compound(), c(0.11, 0.12, 0.2), tensor / 2 + t(tensor) / 2
   )
 }
 

@@ -105,7 +105,12 @@ class Object:
             self.kept += value.kept
             status = lib.rotdyn_set_object(self.pointer, key, value.pointer)
         elif callable(value):
-            law = Law(lambda argument, to, context, f=value: to.__setitem__(0, f(argument)) or 0)
+            def call(argument, to, context, f=value):
+                result = f(argument)
+                for k, x in enumerate(result if isinstance(result, (list, tuple)) else [result]):
+                    to[k] = x
+                return 0
+            law = Law(call)
             self.kept.append(law)
             status = lib.rotdyn_set_law(self.pointer, key, law, None)
         else:

@@ -57,6 +57,16 @@ SCENES = """[
  }}, ["x_m", "omega_rad_per_s"]],
 ["free", {"scene_free": {"body": [1, 1.5, 2], "omega0_rad_per_s": [0.01, 6, 0.02]}},
  ["qw", "omega_y_rad_per_s"]],
+["satellite", {"scene_free": {
+  "body": {"join_bodies": {"bodies": [
+    {"body_box": {"mass_kg": 40, "length_m": 0.6, "width_m": 0.5, "height_m": 0.8}},
+    {"place_body": {"body": {"body_points": {"data": {
+      "mass_kg": [1, 1], "x_m": [0, 0], "y_m": [-1.5, 1.5], "z_m": 0}}}, "at_m": [0.1, 0, 0]}}]}},
+  "omega0_rad_per_s": [0, 0, 0.01],
+  "rotors": [{"rotor": {"axis": [0, 0, 1], "inertia_kg_m2": 0.01, "omega_rad_per_s": 0,
+                        "torque_n_m": {"time_s": [0, 0.9, 1.1, 2],
+                                       "torque_n_m": [0.1, 0.1, -0.1, -0.1]}}}]
+ }}, ["omega_z_rad_per_s", "rotor_1_omega_rad_per_s"]],
 ["pivot", {"scene_pivot": {
   "body": {"body_tensor": {"mass_kg": 0.5, "inertia_kg_m2": [0.002, 0.002, 0.001],
                            "centre_m": [0, 0, 0.08]}},

@@ -55,6 +55,7 @@ static const struct {
                   {ROT_INPUT_INERTIA, "inertia"}, {ROT_INPUT_COUPLING, "coupling"},
                   {ROT_INPUT_BRAKE, "brake"},     {ROT_INPUT_TABLE, "table"},
                   {ROT_INPUT_ROTOR, "rotor"},     {ROT_INPUT_MOMENTS, "moments"},
+                  {ROT_INPUT_POINTS, "points"},   {ROT_INPUT_SIZES, "sizes"},
                   {ROT_INPUT_LIST, "list"},       {ROT_INPUT_NOTHING, "nothing"}};
 enum { KIND_NAMES = sizeof kind_names / sizeof *kind_names };
 
@@ -271,11 +272,13 @@ int rotdyn_set_text(rotdyn_object *object, const char *input, const char *text) 
   const rotdyn_status status = find(object, input, &kinds, &at);
   if (status != ROTDYN_OK) return (int)status;
   if (!text) return ROTDYN_EARGUMENT;
-  if (kinds & ROT_INPUT_TEXT) return (int)put(object, at, (value){.is = TEXT});
-  if (!(kinds & ROT_INPUT_CHOICE)) return ROTDYN_EARGUMENT;
-  const char *const *options = object->inputs[at].options;
-  while (options[place] && strcmp(options[place], text)) place++;
-  if (!options[place]) return ROTDYN_EARGUMENT;
+  if (!(kinds & (ROT_INPUT_CHOICE | ROT_INPUT_TEXT))) return ROTDYN_EARGUMENT;
+  const char *const *options = kinds & ROT_INPUT_CHOICE ? object->inputs[at].options : NULL;
+  while (options && options[place] && strcmp(options[place], text)) place++;
+  if (!options || !options[place]) {
+    if (!(kinds & ROT_INPUT_TEXT)) return ROTDYN_EARGUMENT;
+    return (int)put(object, at, (value){.is = TEXT});
+  }
   return (int)put(object, at, (value){.is = OPTION, .option = place});
 }
 
@@ -374,6 +377,15 @@ static unsigned first_of(const rot_input *input, unsigned kinds) {
   return both & (~both + 1u);
 }
 
+/* As what an input takes n numbers: a vector and a quaternion have so many, where it takes any
+ * count, too. */
+static unsigned many_of(const rot_input *input, size_t n) {
+  unsigned kinds = input->kinds & MANY_NUMBERS;
+  if (kinds & ROT_INPUT_NUMBERS && n != 3) kinds &= ~(unsigned)ROT_INPUT_VECTOR;
+  if (kinds & ROT_INPUT_NUMBERS && n != 4) kinds &= ~(unsigned)ROT_INPUT_ATTITUDE;
+  return kinds & (~kinds + 1u);
+}
+
 static rot_status give(const value *v, const rot_input *input, size_t at, rot_store *store,
                        rot_given *to, rot_refusal *no) {
   unsigned kind;
@@ -384,7 +396,7 @@ static rot_status give(const value *v, const rot_input *input, size_t at, rot_st
     *to = (rot_given){.is = kind, .n = 1, .x = &v->number};
     break;
   case NUMBERS:
-    kind = first_of(input, MANY_NUMBERS);
+    kind = many_of(input, v->n);
     if (!kind) return give_each(v, store, to);
     *to = (rot_given){.is = kind, .n = v->n, .x = v->numbers};
     break;

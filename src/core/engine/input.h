@@ -21,21 +21,23 @@ typedef enum rot_input_kind {
   ROT_INPUT_NUMBERS = 256,  /* any count of finite numbers */
   ROT_INPUT_LIST = 512,     /* of what the input takes else, or of such lists */
   ROT_INPUT_NOTHING = 1024, /* an empty place of a list */
-  ROT_INPUT_TEXT = 2048,    /* any text: no number depends on it */
+  ROT_INPUT_TEXT = 2048,    /* any text: no number depends on it, but for the options of a choice */
   ROT_INPUT_TORQUE = 4096,
   ROT_INPUT_RESISTANCE = 8192,
   ROT_INPUT_INERTIA = 16384, /* a moment of inertia that changes in time */
   ROT_INPUT_COUPLING = 32768,
   ROT_INPUT_BRAKE = 65536,
-  ROT_INPUT_TABLE = 131072,  /* torques at times, linear between them */
-  ROT_INPUT_ROTOR = 262144,  /* that a body carries */
-  ROT_INPUT_MOMENTS = 524288 /* principal moments, and their axes */
+  ROT_INPUT_TABLE = 131072,   /* torques at times, linear between them */
+  ROT_INPUT_ROTOR = 262144,   /* that a body carries */
+  ROT_INPUT_MOMENTS = 524288, /* principal moments, and their axes */
+  ROT_INPUT_POINTS = 1048576, /* masses and their places */
+  ROT_INPUT_SIZES = 2097152   /* of a body, by name */
 } rot_input_kind;
 
 enum {
   ROT_INPUT_OBJECTS = ROT_INPUT_BODY | ROT_INPUT_TORQUE | ROT_INPUT_RESISTANCE | ROT_INPUT_INERTIA |
                       ROT_INPUT_COUPLING | ROT_INPUT_BRAKE | ROT_INPUT_TABLE | ROT_INPUT_ROTOR |
-                      ROT_INPUT_MOMENTS
+                      ROT_INPUT_MOMENTS | ROT_INPUT_POINTS | ROT_INPUT_SIZES
 };
 
 typedef struct rot_input {
