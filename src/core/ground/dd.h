@@ -68,10 +68,9 @@ static inline rot_dd rot_dd_sqrt(rot_dd a) {
 }
 
 static inline rot_dd rot_dd_ldexp(rot_dd a, int e) {
-  return (rot_dd){ldexp(a.hi, e), ldexp(a.lo, e)};
+  return (rot_dd){rot_ldexp(a.hi, e), rot_ldexp(a.lo, e)};
 }
 
-/* ldexp() is a call: by -1 it is a product. */
 static inline rot_dd rot_dd_half(rot_dd a) { return (rot_dd){0.5 * a.hi, 0.5 * a.lo}; }
 
 static inline rot_dd rot_dd_abs(rot_dd a) { return a.hi < 0.0 ? rot_dd_neg(a) : a; }

@@ -1,6 +1,8 @@
-/* Products without intermediate overflow and underflow; sines of degrees. */
+/* Products and lengths without intermediate overflow and underflow; sines of degrees. */
 #ifndef ROT_REAL_H
 #define ROT_REAL_H
+
+#include <math.h>
 
 #include "ground/exact.h"
 
@@ -16,6 +18,12 @@ double rot_product_split(int n, const double x[], double d, int *exponent);
 /* first + x[0] x[1] ... x[n - 1], with its rest in *lo: a relative error of some n 1e-32. Without
  * intermediate overflow; *lo is 0 where the sum is not finite. */
 double rot_sum_product(double first, int n, const double x[], double *lo);
+
+/* The length of a vector. hypot() twice takes eight times as long; it is for what overflows. */
+static inline double rot_length(const double x[3]) {
+  const double sum = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+  return sum > 1e-280 && sum < 1e280 ? sqrt(sum) : hypot(hypot(x[0], x[1]), x[2]);
+}
 
 /* Products of a few such numbers stay far from overflow and underflow. */
 static inline int rot_well_scaled(double x, double largest) {

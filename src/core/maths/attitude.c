@@ -20,6 +20,10 @@ static double length_of(int n, const double x[]) {
     most = fmax(most, fabs(x[i]));
   }
   if (most == 0.0 || isinf(most)) return most;
+  if (most > 1e-100 && most < 1e100) { /* the bits of the sum below */
+    for (int i = 0; i < n; i++) sum += x[i] * x[i];
+    return sqrt(sum);
+  }
   (void)frexp(most, &e);
   for (int i = 0; i < n; i++) {
     const double scaled = ldexp(x[i], -e);
@@ -42,8 +46,8 @@ double rot_attitude_unit(double q[4]) {
     return length;
   }
   (void)frexp(length, &e);
-  const double scaled = ldexp(length, -e);
-  for (int i = 0; i < 4; i++) q[i] = ldexp(q[i], -e) / scaled;
+  const double scaled = rot_ldexp(length, -e);
+  for (int i = 0; i < 4; i++) q[i] = rot_ldexp(q[i], -e) / scaled;
   return length;
 }
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "ground/real.h"
 #include "maths/attitude.h"
 #include "scene/free/motion.h"
 #include "engine/march.h"
@@ -48,12 +49,12 @@ static rot_status write_row(void *model, size_t i) {
     fade = exp(-damping * t.hi);
     /* s and its argument are rounded */
     late = ROT_EPS * (4.0 * fabs(s) + 2.0 * fabs(t.hi) * fade) *
-           ldexp(r->motion.rate, r->motion.exponent);
+           rot_ldexp(r->motion.rate, r->motion.exponent);
     for (int k = 0; k < 3; k++) at.omega[k] *= fade;
   }
   rot_attitude_times(r->q0, at.q, q);
   (void)rot_attitude_unit(q);
-  const double size = hypot(hypot(at.omega[0], at.omega[1]), at.omega[2]);
+  const double size = rot_length(at.omega);
   const double omega_error =
       fade * at.omega_error +
       (damping == 0.0 ? 0.0 : size * (late + ROT_EPS * (4.0 + 2.0 * fabs(damping * t.hi))));

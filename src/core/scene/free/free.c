@@ -51,8 +51,6 @@ rot_status rot_free_write(const rot_free_params *p, const double omega[3], const
   return isfinite(sum + energy) ? ROT_OK : ROT_ERANGE;
 }
 
-static double length(const double x[3]) { return hypot(hypot(x[0], x[1]), x[2]); }
-
 void rot_free_note(const rot_free_params *p, const double omega[3], double angle_error,
                    double omega_error, rot_info *info) {
   double l[3], most = 0.0;
@@ -60,7 +58,7 @@ void rot_free_note(const rot_free_params *p, const double omega[3], double angle
     l[i] = p->moment_kg_m2[i] * omega[i];
     most = fmax(most, p->moment_kg_m2[i]);
   }
-  const double size = length(omega), momentum = length(l);
+  const double size = rot_length(omega), momentum = rot_length(l);
   const double errors[] = {angle_error, omega_error + 4.0 * ROT_EPS * size,
                            most * omega_error + momentum * (angle_error + 8.0 * ROT_EPS)};
   const double sizes[] = {1.0, size, momentum};

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "ground/real.h"
 #include "maths/attitude.h"
 #include "ground/dd_trig.h"
 #include "scene/free/gyrostat_motion.h"
@@ -31,8 +32,6 @@ typedef struct gyrostat {
   const rot_free_columns *out;
   rot_info *info;
 } gyrostat;
-
-static double length(const double x[3]) { return hypot(hypot(x[0], x[1]), x[2]); }
 
 /* How far the momenta of rotors are off each axis: 0 where they are along it to the rounding of
  * numbers that are not exact, and so are all that have a momentum of their own. */
@@ -167,7 +166,7 @@ static rot_status begin(const rot_free_params *p, gyrostat *g) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     g->ahead[i] = g->axis[j] * g->across[k] - g->axis[k] * g->across[j];
   }
-  g->size = length(g->across);
+  g->size = rot_length(g->across);
   return ROT_OK;
 }
 

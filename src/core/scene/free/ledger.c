@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "ground/real.h"
 #include "maths/attitude.h"
 #include "scene/free/exact.h"
 
@@ -60,8 +61,6 @@ void rot_free_gyrostat_flows(const rot_free_params *p, const rot_task *task, con
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-
-static double length(const double x[3]) { return hypot(hypot(x[0], x[1]), x[2]); }
 
 /* L of the body with its rotors locked, own axes. */
 static void momentum_of(const rot_free_params *p, const double omega[3], double l[3]) {
@@ -134,8 +133,8 @@ void rot_free_explain(const void *scene, const rot_span *s, const double term[],
   for (int i = 0; i < 2; i++) {
     double l[3];
     momentum_at(p, row[i], l);
-    size = fmax(size, length(l));
-    fastest = fmax(fastest, length(row[i] + RATES));
+    size = fmax(size, rot_length(l));
+    fastest = fmax(fastest, rot_length(row[i] + RATES));
   }
   for (size_t k = 0; k < p->n_rotors; k++) {
     const rot_free_rotor *one = &p->rotors[k];

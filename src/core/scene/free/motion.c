@@ -338,7 +338,7 @@ double rot_free_half_period(const rot_free_motion *m) {
 static void leave_sorted(const rot_free_motion *m, const double w[3], const double v[3],
                          rot_free_state *out) {
   for (int i = 0; i < 3; i++) {
-    out->omega[m->order[i]] = ldexp(m->sign[i] * w[i], m->exponent);
+    out->omega[m->order[i]] = rot_ldexp(m->sign[i] * w[i], m->exponent);
     out->q[1 + m->order[i]] = m->sign[i] * v[i];
   }
 }
@@ -392,9 +392,9 @@ static void judge(const rot_free_motion *m, rot_dd t, rot_dd u, double turns, co
                         4.0 * (fabs(turns) + 1.0) * modulus * fabs(m->g / lambda) +
                         ROT_EPS * (rounding + m->swing0_rounding);
   out->q_error = fmin(ROT_EPS * 24.0 + by_psi + per_u * du, pi);
-  out->omega_error =
-      ldexp(ROT_EPS * 12.0 * sqrt(size) + (small ? 1.1 * sqrt(speed) / lambda : 2.0 * m->rate) * du,
-            m->exponent);
+  out->omega_error = rot_ldexp(ROT_EPS * 12.0 * sqrt(size) +
+                                   (small ? 1.1 * sqrt(speed) / lambda : 2.0 * m->rate) * du,
+                               m->exponent);
 }
 
 static void tumbling_at(const rot_free_motion *m, rot_dd t, rot_free_state *out) {

@@ -172,15 +172,13 @@ double rot_free_rotors_driven_work(const rot_free_rotors *r, const double omega[
   return work;
 }
 
-static double length(const double x[3]) { return hypot(hypot(x[0], x[1]), x[2]); }
-
 void rot_free_rotors_note(const rot_free_rotors *r, const double omega[3], double angle_error,
                           double omega_error, rot_info *info) {
   const double *m = r->p->moment_kg_m2, most = fmax(m[0], fmax(m[1], m[2]));
-  const double size = length(r->momentum0) + r->size + most * length(omega);
+  const double size = rot_length(r->momentum0) + r->size + most * rot_length(omega);
   rot_measure *momentum = &info->measure[ROT_FREE_MOMENTUM];
   rot_free_note(r->p, omega, angle_error, omega_error, info);
-  rot_note_value(momentum, length(r->momentum0));
+  rot_note_value(momentum, rot_length(r->momentum0));
   rot_note_value(momentum, r->size);
   momentum->error =
       fmax(momentum->error, most * omega_error + size * (angle_error + 8.0 * ROT_EPS));

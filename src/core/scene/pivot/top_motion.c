@@ -540,7 +540,7 @@ static void put_state(const rot_top_motion *m, const tilt *now, double sum, doub
     w[2] = -w[2];
   }
   (void)rot_attitude_unit(q);
-  for (int i = 0; i < 3; i++) w[i] = ldexp(w[i], m->exponent);
+  for (int i = 0; i < 3; i++) w[i] = rot_ldexp(w[i], m->exponent);
 }
 
 /* What is not even of the rate of an angle; *width: how far in the argument it is as steep. */
@@ -584,7 +584,7 @@ static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, dou
   }
   out->q_error = fmin(q + turn, pi);
   out->omega_error =
-      ldexp(16.0 * ROT_EPS * m->rate + fmin(known + speed, 4.0 * m->rate), m->exponent);
+      rot_ldexp(16.0 * ROT_EPS * m->rate + fmin(known + speed, 4.0 * m->rate), m->exponent);
 }
 
 static void free_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
