@@ -357,3 +357,13 @@ test_that("a turned body with rotors moves as the same body", {
   expect_lt(off, 1e-11)
   expect_gt(trajectory_run(turned)$info$errors[["attitude"]], off)
 })
+
+test_that("a rotor may have most of the moment about its axis, and not more", {
+  expect_s3_class(
+    scene_free(c(1, 1, 1), c(0, 0, 1), rotors = rotor("z", 0.9, 1, 0)), "rot_scene_free"
+  )
+  expect_error(
+    scene_free(c(1, 1, 1), c(0, 0, 1), rotors = rotor("z", 1.1, 1, 0)), "more moment",
+    class = "rotdyn_error_value"
+  )
+})

@@ -439,3 +439,16 @@ test_that("a top keeps its digits for a day, and its bound covers the rounding o
   motion <- suppressWarnings(trajectory(asleep, 1e7))
   expect_lt(attr(motion, "run")$info$errors[["attitude"]], 1e-14)
 })
+
+test_that("the power of gravity is what the height gives, in any axes", {
+  box <- body_box(2, 0.3, 0.5, 0.2)
+  turned <- place_body(box, c(0.1, 0.2, 0), rotation_about(c(1, 2, 1), angle_rad = 1))
+  for (body in list(turned, box)) {
+    scene <- scene_pivot(body, c(1, 2, 0.5), pivot_m = c(0.1, 0, 0.3))
+    motion <- augment(trajectory(scene, c(1 - 1e-4, 1, 1 + 1e-4), accuracy = 1e-12))
+    slope <- diff(motion$potential_energy_j[c(1, 3)]) / 2e-4
+    expect_equal(motion$power_w[2], -slope, tolerance = 1e-6)
+    expect_gt(abs(slope), 0.1)
+    expect_equal(motion$work_j[3], -diff(motion$potential_energy_j[c(1, 3)]), tolerance = 1e-6)
+  }
+})
