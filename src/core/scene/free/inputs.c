@@ -149,6 +149,9 @@ static rot_status read_rotors(const rot_given *rotors, size_t input, rot_free_bu
     return rot_refuse(no, input, "must be at most %d; it is a list of %zu", ROT_FREE_MOST_ROTORS,
                       rotors->n);
   }
+  for (size_t k = 0; k < rotors->n && rotors->is == ROT_INPUT_LIST; k++) {
+    if (rotors->item[k].is != ROT_INPUT_ROTOR) return rot_refuse(no, input, "must be rotors");
+  }
   p->n_rotors = rotors->n;
   p->rotors = built->rotor;
   for (size_t k = 0; k < rotors->n; k++) {

@@ -154,6 +154,12 @@ static void check_refusals(void) {
   ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_EARGUMENT);
   ROT_CHECK(!strcmp(report.input, "rotors") && strstr(report.reason, "about each axis"));
   give(scene, "rotors", table(), ROTDYN_EARGUMENT); /* of another kind */
+  ROT_CHECK(rotdyn_set_object(scene, "body", NULL) == ROTDYN_EARGUMENT);
+  rotdyn_object *nested = rotdyn_object_new("list");
+  give(nested, NULL, rotdyn_object_new("list"), ROTDYN_OK);
+  give(scene, "rotors", nested, ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_EARGUMENT);
+  ROT_CHECK(!strcmp(report.input, "rotors") && strstr(report.reason, "must be rotors"));
   rotdyn_object_free(list);
   rotdyn_object_free(scene);
 }
