@@ -64,8 +64,7 @@ free_models <- function(id) {
         "Hughes 1986, Spacecraft Attitude Dynamics, chapter 6; functions of DLMF 19 and 22"
     )
   )
-  names(closed) <- paste0(id, c("_free", "_gyrostat"))
-  if (!pivot) names(closed)[1] <- "free_exact"
+  names(closed) <- paste0(id, if (pivot) c("_free", "_gyrostat") else c("_exact", "_gyrostat"))
   integrated <- integrated_words(
     id,
     equations = equations,

@@ -8,16 +8,6 @@ beyond_doubles <- function(columns) {
   names(Filter(function(x) is.double(x) && any(is.infinite(x)), columns))
 }
 
-# The report of a run with such columns has no finite error.
-void_error <- function(info, columns) {
-  if (info$kind != "none") return(info)
-  # Sums are quick, and finite where all values are.
-  total <- 0
-  for (x in columns) if (is.double(x)) total <- total + sum(x)
-  if (!is.finite(total) && length(beyond_doubles(columns))) info$error <- Inf
-  info
-}
-
 # `by`: named numbers, added to the errors of the measures.
 widen_error <- function(info, by) {
   info$errors <- info$errors + unlist(by)[names(info$errors)]

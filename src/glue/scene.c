@@ -634,7 +634,9 @@ SEXP ffi_scene_keeps(SEXP id, SEXP scene) {
   SET_VECTOR_ELT(out, 1, reason = Rf_allocVector(STRSXP, (R_xlen_t)n));
   for (size_t i = 0; i < n; i++) {
     const char *why[ROT_MOST_CAUSES];
-    const size_t causes = i < kept_by(c) ? c->keeps(built, i, why) : (why[0] = "", 1);
+    size_t causes = 1;
+    why[0] = "";
+    if (i < kept_by(c)) causes = c->keeps(built, i, why);
     char text[512];
     int used = snprintf(text, sizeof text, "%s", why[0]);
     for (size_t k = 1; k < causes; k++) {

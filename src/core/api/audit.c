@@ -98,11 +98,11 @@ static void fill_balance(const rot_constraint *c, const void *scene, size_t k, c
   b->explained = explained[k];
   b->balanced =
       !isfinite(b->residual) || !isfinite(b->explained) ? -1 : fabs(b->residual) <= b->explained;
-  size_t used = 0;
   if (c->n_kept && k >= c->n_kept) { /* nothing is known */
     b->conserved = -1;
     return;
   }
+  size_t used = 0;
   const size_t causes = c->keeps(scene, k, why);
   b->conserved = causes == 0;
   for (size_t i = 0; i < (causes ? causes : 1) && used < sizeof b->why; i++) {

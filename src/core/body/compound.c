@@ -174,7 +174,6 @@ static rot_status build_cut(const rot_part *part, const rot_given given[], rot_s
                             void *to, rot_refusal *no) {
   const rot_inertial two[] = {inertial_of(&given[0].body, 1.0), inertial_of(&given[1].body, -1.0)};
   rot_given_body *body = to;
-  rot_principal principal;
   (void)part, (void)store;
   if (!(given[1].body.mass_kg < given[0].body.mass_kg)) {
     return rot_refuse(no, 1, "must be lighter than the body, %g kg; it has %g kg",
@@ -182,9 +181,7 @@ static rot_status build_cut(const rot_part *part, const rot_given given[], rot_s
   }
   const rot_status status = join(2, two, body, no);
   if (status != ROT_OK) return status;
-  if (rot_inertia_principal(body->second_kg_m2, 1e-12, &principal) != ROT_OK) return ROT_ENOMEM;
-  /* A body exists if and only if no second moment is below 0. */
-  if (principal.second[2] >= -1e-12 * principal.moment[2]) return ROT_OK;
+  if (rot_inertia_possible(body->second_kg_m2)) return ROT_OK;
   return rot_refuse(no, 1, "must be inside the body: what is left is no body");
 }
 
@@ -372,7 +369,6 @@ static double radius_of(const rot_given_body *body, double beta, const rot_given
 static rot_status build_numbers(const rot_part *part, const rot_given given[], rot_store *store,
                                 void *to, rot_refusal *no) {
   rot_given_body *body = to;
-  rot_principal principal;
   (void)part;
   memset(body, 0, sizeof *body);
   const double *rows = given[SECOND].n == 3 ? columns_of(&given[SECOND], 3, store) : NULL;
@@ -386,8 +382,7 @@ static rot_status build_numbers(const rot_part *part, const rot_given given[], r
   rot_input_vector(&given[CENTRE], body->centre_m);
   const rot_status status = finish(body, no);
   if (status != ROT_OK) return status;
-  if (rot_inertia_principal(body->second_kg_m2, 1e-12, &principal) != ROT_OK) return ROT_ENOMEM;
-  if (principal.second[2] < -1e-12 * principal.moment[2]) {
+  if (!rot_inertia_possible(body->second_kg_m2)) {
     return rot_refuse(no, SECOND, "is of no body: a second moment along an axis is below 0");
   }
   /* The end of a rod, the axis of a point, wherever they were moved. */

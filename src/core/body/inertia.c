@@ -293,3 +293,9 @@ double rot_inertia_error(const double second[ROT_TENSOR], double mass, int is_de
   if (trace > 0x1p-960) return bound;
   return trace > 0.0 ? bound + 0x1p-1072 / trace : has_moment ? HUGE_VAL : 0.0;
 }
+
+int rot_inertia_possible(const double c[]) {
+  rot_principal principal;
+  return rot_inertia_principal(c, 1e-12, &principal) == ROT_OK &&
+         principal.second[2] >= -1e-12 * principal.moment[2];
+}

@@ -54,6 +54,9 @@ typedef struct rot_principal {
 
 rot_status rot_inertia_principal(const double c[], double tolerance, rot_principal *out);
 
+/* Whether a body has this second moment: along no axis is it below 0, but for rounding. */
+int rot_inertia_possible(const double c[]);
+
 /* n bodies as one; a hole has negative mass and second moment. First the common centre, relative to
  * the heaviest part, then the sum about it. *error bounds the rounding error of the second moment,
  * relative to its trace; infinite where holes leave no trace. */

@@ -201,7 +201,6 @@ static rot_status build_tensor(const rot_part *part, const rot_given given[], ro
                                void *to, rot_refusal *no) {
   rot_given_body *body = to;
   double t[ROT_TENSOR];
-  rot_principal principal;
   (void)store;
   memset(body, 0, sizeof *body);
   if (!read_tensor(&given[1], t)) {
@@ -212,9 +211,7 @@ static rot_status build_tensor(const rot_part *part, const rot_given given[], ro
   if (!all_finite(6, body->second_kg_m2) || !all_finite(6, body->inertia_kg_m2)) {
     return rot_refuse(no, 1, "is beyond double precision");
   }
-  if (rot_inertia_principal(body->second_kg_m2, 1e-12, &principal) != ROT_OK) return ROT_ENOMEM;
-  /* A body exists if and only if no second moment is below 0. */
-  if (principal.second[2] < -1e-12 * principal.moment[2]) {
+  if (!rot_inertia_possible(body->second_kg_m2)) {
     return rot_refuse(no, 1, "is of no body: a principal moment exceeds the sum of the others");
   }
   body->mass_kg = rot_input_number(part->inputs, given, 0);

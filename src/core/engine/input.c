@@ -1,5 +1,6 @@
 #include "engine/input.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -67,6 +68,23 @@ void rot_input_numbers(size_t n, const rot_input inputs[], const rot_given given
 
 void rot_input_vector(const rot_given *given, double x[3]) {
   for (int i = 0; i < 3; i++) x[i] = given->is ? given->x[i] : 0.0;
+}
+
+static double sum_of_squares(const double x[3]) {
+  long double sum = 0.0L; /* as R adds numbers */
+  for (int i = 0; i < 3; i++) sum += x[i] * x[i];
+  return (double)sum;
+}
+
+int rot_input_axis(const double x[3], double axis[3]) {
+  double most = 0.0;
+  for (int i = 0; i < 3; i++) most = fmax(most, fabs(axis[i] = x[i]));
+  if (most == 0.0) return 0;
+  if (fabs(sum_of_squares(axis) - 1.0) <= 4.0 * DBL_EPSILON) return 1;
+  for (int i = 0; i < 3; i++) axis[i] /= most;
+  const double length = sqrt(sum_of_squares(axis));
+  for (int i = 0; i < 3; i++) axis[i] /= length;
+  return 1;
 }
 
 rot_status rot_input_each(const rot_input inputs[], const rot_given given[], size_t input, size_t n,

@@ -122,6 +122,9 @@ double rot_input_number(const rot_input inputs[], const rot_given given[], size_
 void rot_input_numbers(size_t n, const rot_input inputs[], const rot_given given[], double x[]);
 /* The three numbers given, or 0. */
 void rot_input_vector(const rot_given *given, double x[3]);
+/* Three numbers scaled to unit length; a unit vector within rounding keeps its bits. 0: all are
+ * 0. */
+int rot_input_axis(const double x[3], double axis[3]);
 /* n numbers: those given, or one for all, or the default for all. ROT_EVALUE: another count. */
 rot_status rot_input_each(const rot_input inputs[], const rot_given given[], size_t input, size_t n,
                           double x[], rot_refusal *refusal);

@@ -48,18 +48,20 @@ static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   const rot_constraint *c = j->constraint;
   void *const *column = want ? want->column : NULL;
   const size_t n = n_times * rot_run_copies(c, j->scene);
-  size_t missing = 0;
-  /* Where the constraint itself knows which are there, the others are never written. */
   const unsigned effects = c->effects_of(j->scene);
+  int lacks[ROT_MOST_COLUMNS];
+  size_t missing = 0;
   for (size_t i = 0; i < c->n_columns; i++) {
     j->column[i] = column ? column[i] : NULL;
-    missing += !j->column[i] && (!c->shows || rot_run_shows(c, j->scene, effects, i));
+    /* Where the constraint itself knows which columns there are, it writes no other. */
+    lacks[i] = !j->column[i] && (!c->shows || rot_run_shows(c, j->scene, effects, i));
+    missing += (size_t)lacks[i];
   }
   if (missing && n > (SIZE_MAX - 1) / sizeof(double) / missing) return ROT_ENOMEM;
   char *at = j->memory = missing ? malloc(missing * n * sizeof(double) + 1) : NULL;
   if (missing && !at) return ROT_ENOMEM;
   for (size_t i = 0; i < c->n_columns; i++) {
-    if (j->column[i] || (c->shows && !rot_run_shows(c, j->scene, effects, i))) continue;
+    if (!lacks[i]) continue;
     j->column[i] = at;
     at += n * sizeof(double);
   }

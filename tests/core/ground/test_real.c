@@ -33,6 +33,26 @@ static void check_two_sum(void) {
   }
 }
 
+/* ldexp() of the library rounds once. */
+static void check_powers(void) {
+  static const int exponents[] = {-1080, -1074, -1023, -1022, -60, -1, 0, 1, 52, 1022, 1023, 1024};
+  for (int i = 0; i < 4000; i++) {
+    const double x = ldexp(uniform(), (int)(uniform() * 1070.0));
+    const int e = i < 12 ? exponents[i] : (int)(uniform() * 1100.0);
+    ROT_CHECK(rot_ldexp(x, e) == ldexp(x, e) && rot_ldexp(-x, e) == -ldexp(x, e));
+  }
+  ROT_CHECK(rot_ldexp(0x1p-1073, 1) == 0x1p-1072 && isinf(rot_ldexp(1.0, 1024)));
+  ROT_CHECK(rot_ldexp(3.0, -1074) == 0x1.8p-1073 && signbit(rot_ldexp(-0.0, 7)));
+}
+
+static void check_length(void) {
+  for (int i = 0; i < 600; i++) {
+    const int e = i - 300;
+    const double x[] = {ldexp(2.0, 3 * e), ldexp(-3.0, 3 * e), ldexp(6.0, 3 * e)};
+    ROT_CHECK(rot_length(x) == ldexp(7.0, 3 * e)); /* 4 + 9 + 36 = 49 */
+  }
+}
+
 static void check_two_prod(void) {
   double lo;
   ROT_CHECK(rot_two_prod(3.0, 5.0, &lo) == 15.0 && lo == 0.0);
@@ -264,6 +284,8 @@ static void check_sum_product(void) {
 
 int main(void) {
   check_two_sum();
+  check_powers();
+  check_length();
   check_two_prod();
   check_accumulate();
   check_muldiv();

@@ -140,24 +140,10 @@ const rot_input rot_axle_inputs[ROT_AXLE_INPUTS] = {
                  points},
 };
 
-static double sum_of_squares(const double x[3]) {
-  long double sum = 0.0L; /* as R adds numbers */
-  for (int i = 0; i < 3; i++) sum += x[i] * x[i];
-  return (double)sum;
-}
-
-/* What is a unit vector within rounding keeps its bits. 0: all three are 0. */
 static int unit_axis(const rot_given *given, double axis[3]) {
   static const double along[3][3] = {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
-  const double *x = given->is == ROT_INPUT_VECTOR ? given->x : along[given->is ? given->option : 0];
-  double most = 0.0;
-  for (int i = 0; i < 3; i++) most = fmax(most, fabs(axis[i] = x[i]));
-  if (most == 0.0) return 0;
-  if (fabs(sum_of_squares(axis) - 1.0) <= 4.0 * DBL_EPSILON) return 1;
-  for (int i = 0; i < 3; i++) axis[i] /= most;
-  const double length = sqrt(sum_of_squares(axis));
-  for (int i = 0; i < 3; i++) axis[i] /= length;
-  return 1;
+  return rot_input_axis(
+      given->is == ROT_INPUT_VECTOR ? given->x : along[given->is ? given->option : 0], axis);
 }
 
 /* At a jump, the moment after it. */

@@ -1,12 +1,12 @@
 /* The balances of bodies in space: energy, angular momentum about the point that stays, the norm of
  * the quaternion; what flows in and out of them. */
-#ifndef ROT_FREE_BALANCES_H
-#define ROT_FREE_BALANCES_H
+#ifndef ROT_FREE_LEDGER_H
+#define ROT_FREE_LEDGER_H
 
 #include "engine/model.h"
 #include "scene/free/free.h"
 
-enum { ROT_FREE_BALANCES = 5, ROT_FREE_KEPT = 4, ROT_FREE_TERMS = 14 };
+enum { ROT_FREE_KEPT = 4 }; /* the balances but the last */
 
 /* clang-format off */
 /* Initialisers of the balances about a point, and of their terms; with: the effect of rotors. */

@@ -64,27 +64,13 @@ static const rot_input rotor_inputs[] = {
     [BREAKS] = {"breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_NO_DOMAIN, NAN,
                 "where the torque may jump or kink", NULL}};
 
-/* What is of unit length within rounding keeps its bits. */
-static int unit_axis(const double given[3], double axis[3]) {
-  double most = 0.0, size = 0.0;
-  memcpy(axis, given, 3 * sizeof *axis);
-  if (fabs(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] - 1.0) <= 8.0 * ROT_EPS) {
-    return 1;
-  }
-  for (int k = 0; k < 3; k++) most = fmax(most, fabs(given[k]));
-  if (most == 0.0) return 0;
-  for (int k = 0; k < 3; k++) size += (given[k] / most) * (given[k] / most);
-  for (int k = 0; k < 3; k++) axis[k] = given[k] / most / sqrt(size);
-  return 1;
-}
-
 static rot_status build_rotor(const rot_part *part, const rot_given given[], rot_store *store,
                               void *to, rot_refusal *no) {
   rot_free_rotor_of *of = to;
   rot_free_rotor *rotor = &of->rotor;
   (void)store;
   memset(of, 0, sizeof *of);
-  if (!unit_axis(given[AXIS].x, rotor->axis)) return rot_refuse(no, AXIS, "must not be 0");
+  if (!rot_input_axis(given[AXIS].x, rotor->axis)) return rot_refuse(no, AXIS, "must not be 0");
   rotor->moment_kg_m2 = rot_input_number(part->inputs, given, INERTIA);
   rotor->omega_rad_per_s = rot_input_number(part->inputs, given, OMEGA);
   rotor->driven = !given[TORQUE].is;
