@@ -111,10 +111,3 @@ loads_act <- function(loads) {
   !torque_is_zero(loads$knots) || loads$motor_n_m_s != 0 || length(loads$terms) > 0L ||
     !is.null(loads$law)
 }
-
-resists <- function(resistance) {
-  any(vapply(
-    c("viscous_n_m_s", "quadratic_n_m_s2", "coulomb_n_m", "static_n_m"),
-    function(part) resistance[[part]] != 0, NA
-  ))
-}

@@ -1,44 +1,15 @@
 # A drive: rotors in a chain. Rows in long form: by time, then rotor.
 drive_constraint <- function() {
-  list(
-    id = "drive",
-    scene_class = "rot_scene_drive",
-    form = list(
-      bodies = bodies_form,
-      moment_of_inertia_kg_m2 = "numbers", torque = list(.each = torque_form),
-      resistance = list(.each = resistance_form),
-      rotors = list(.is = "list=moment_of_inertia_kg_m2", .each = list(
-        moment_of_inertia_kg_m2 = "number", loads = loads_form, resistance = resistance_form,
-        theta0_rad = "number", omega0_rad_per_s = "number", start_s = "number",
-        brake = c(brake_form, .optional = TRUE)
-      )),
-      couplings = list(.is = "list=moment_of_inertia_kg_m2-1", .each = coupling_form),
-      ratio_to_first = "numbers=moment_of_inertia_kg_m2",
-      theta0_rad = "numbers=moment_of_inertia_kg_m2",
-      omega0_rad_per_s = "numbers=moment_of_inertia_kg_m2", start_s = "number"
-    ),
-    fault = function(scene) if (any(vapply(scene$couplings, lacks_grip, NA))) "couplings",
+  table_constraint(
+    "drive",
+    models = drive_words(),
     title = function(run) "A drive",
-    models = list(drive_axle, drive_clutch, drive_modal, drive_rk8pd, drive_radau),
-    columns = columns_of_motion("drive"),
     keys = c(
       "time_s", "rotor", "theta_rad", "omega_rad_per_s", "coupling_torque_n_m", "heat_j",
       "coupling_heat_j"
     ),
-    index = "rotor",
-    copies = function(scene) length(scene$rotors),
-    measures = list(
-      theta = measure("rad", "theta_rad"),
-      omega = measure("rad/s", "omega_rad_per_s")
-    ),
-    pace = drive_pace,
-    call_laws = function(scene, call) {
-      brakes <- lapply(scene$rotors, `[[`, "brake")
-      grips <- lapply(scene$couplings, `[[`, "grip")
-      called <- Filter(function(part) !is.null(part$loads$law), c(scene$rotors, brakes, grips))
-      if (!length(called)) return(NULL)
-      readers <- lapply(called, function(part) law_reader(part$loads$law, part, call))
-      function() for (reader in readers) reader$at(scene$start_s)
+    pace = function(scene, sizes, model) {
+      c(.Call(ffi_scene_pace, "drive", scene, as.double(sizes)), list(drifts = TRUE))
     },
     summary = function(x, run) {
       whole <- function(column) {
@@ -55,11 +26,9 @@ drive_constraint <- function() {
         heat_j = if (nrow(x)) sum(heat) else NA_real_
       )
     },
-    texts = drive_texts(),
+    texts = list(scene_drive = text_form(drive_arguments, read_drive)),
     drawing = draw_drive,
     frames = shafting_frames_long(draw_drive),
-    balances = function(x, run, call) table_balances("drive", core_table("drive"), x, run),
-    conserved = function(scene) table_keeps("drive", core_table("drive"), scene),
     augment = augment_drive,
     panels = list(
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
@@ -70,58 +39,90 @@ drive_constraint <- function() {
   )
 }
 
+drive_words <- function() {
+  c(
+    list(
+      drive_axle = list(
+        equations = "sum(J/P^2) omega' = sum(tau/P) - sum(c/P^2) omega, at the first shaft",
+        assumptions = "rigid gears without backlash",
+        limits = "those of the axle's closed forms",
+        requires = "gears alone; torques of time, motors; viscous resistance or none",
+        source = "the axle's closed forms; Shigley 2004, section 16-7"
+      ),
+      drive_clutch = list(
+        equations = paste(
+          "J1 omega1' = tau1 - T, J2 omega2' = tau2 + T at the first shaft, gears in J and tau"
+        ),
+        assumptions = "rigid gears; capacity constant; torques constant between jumps",
+        limits =
+          "not before the start; where a torque equals the static capacity, rounding decides",
+        requires =
+          "one clutch of constant capacity; constant or stepped torques; no resistance",
+        source = "closed form between exact events; Shigley 2004, chapter 16"
+      ),
+      drive_modal = list(
+        loses = "Stiff springs turn through many radians of phase, and large terms may cancel.",
+        equations = "J x'' + C x' + K x = tau at the first shaft, mean motion and twists in modes",
+        assumptions = "rigid gears, linear springs and dampers, constant torques",
+        limits = paste(
+          "constant torques; the error grows with the phase where rotors are damped unevenly"
+        ),
+        requires = "shafts and gears; constant torques; viscous resistance or none",
+        source = "Meirovitch 2001, chapter 7; Higham 2005 (exponential of a matrix)"
+      )
+    ),
+    integrated_words(
+      "drive",
+      equations = "J omega' = torque + resistance + ratio T(before) - T(behind); stick and slip",
+      assumptions = "rigid rotors; torques finite, and smooth between their breaks",
+      requires = "any torque, any resistance"
+    )
+  )
+}
+
+coupling_kinds <- function(scene) {
+  drawn <- c(
+    rot_coupling_shaft = "spring", rot_coupling_clutch = "clutch", rot_coupling_gear = "gear"
+  )
+  vapply(scene$couplings, function(one) drawn[[class(one)[1]]], "")
+}
+
+# A number of each coupling, 0 where it has none of this name.
+of_couplings <- function(scene, name) {
+  vapply(scene$couplings, function(one) one[[name]] %||% 0, double(1))
+}
+
+has_brake <- function(scene) {
+  vapply(seq_along(scene$moment_of_inertia_kg_m2), function(i) !is.null(scene$brake[[i]]), NA)
+}
+
 draw_drive <- function(scene, theta = NULL) {
-  of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
-  kind <- c("spring", "clutch", "gear")[of("kind") + 1]
+  kind <- coupling_kinds(scene)
   draw_shafting(
-    scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of("ratio")),
-    drive_quantities(scene, kind), sprintf("T[%d]", seq_along(kind)),
-    vapply(scene$rotors, function(rotor) !is.null(rotor$brake), NA), theta
+    scene, scene$moment_of_inertia_kg_m2, list(kind = kind, ratio = of_couplings(scene, "ratio")),
+    drive_quantities(scene, kind), sprintf("T[%d]", seq_along(kind)), has_brake(scene), theta
   )
 }
 
 # What couples the rotors and holds them, for the drawing.
 drive_quantities <- function(scene, kind) {
-  of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
+  ratio <- of_couplings(scene, "ratio")
   shafts <- kind == "spring"
-  gears <- of("ratio") != 1
-  each <- function(which, symbol, name, text) {
+  gears <- ratio != 1
+  each <- function(which, symbol, name, parts) {
     do.call(rbind, lapply(which, function(i) {
-      quantity(sprintf("%s[%d]", symbol, i), name, text(i), "resistance")
+      text <- torque_text(parts[[i]]$capacity_n_m)
+      quantity(sprintf("%s[%d]", symbol, i), name, text, "resistance")
     }))
   }
-  brakes <- which(vapply(scene$rotors, function(rotor) !is.null(rotor$brake), NA))
   rbind(
     if (any(shafts)) {
-      quantity(
-        "k[i]", "stiffness", value_text(of("stiffness_n_m_per_rad")[shafts], "N m/rad"), "spring"
-      )
+      stiffness <- of_couplings(scene, "stiffness_n_m_per_rad")[shafts]
+      quantity("k[i]", "stiffness", value_text(stiffness, "N m/rad"), "spring")
     },
-    each(which(kind == "clutch"), "T", "clutch", function(i) {
-      torque_text(scene$couplings[[i]]$grip$capacity)
-    }),
-    each(brakes, "B", "brake", function(i) torque_text(scene$rotors[[i]]$brake$capacity)),
-    if (any(gears)) quantity("", "ratio", value_text(of("ratio")[gears], ""))
-  )
-}
-
-drive_pace <- function(scene, sizes, model) {
-  of <- function(name) vapply(scene$couplings, `[[`, double(1), name)
-  inertia <- scene$moment_of_inertia_kg_m2
-  grips <- c(
-    lapply(scene$couplings, `[[`, "grip"), lapply(scene$rotors, function(rotor) rotor$brake)
-  )
-  loaded <- c(scene$rotors, Filter(Negate(is.null), grips))
-  marks <- unlist(lapply(loaded, function(one) {
-    c(axle_breaks(one), one$loads$law$breaks_s, one$from_s, one$to_s)
-  }))
-  rate <- function(k) largest_rate(k, of("ratio"), inertia)
-  fades <- vapply(scene$rotors, function(rotor) 1 / shortest_time(rotor, sizes), double(1))
-  swings <- vapply(loaded, fastest_swing, double(1), sizes)
-  list(
-    breaks_s = sort(unique(marks[is.finite(marks)])),
-    fades_s = 1 / (max(fades) + rate(of("damping_n_m_s"))),
-    swing_rad_per_s = max(swings, sqrt(rate(of("stiffness_n_m_per_rad")))), drifts = TRUE
+    each(which(kind == "clutch"), "T", "clutch", scene$couplings),
+    each(which(has_brake(scene)), "B", "brake", scene$brake),
+    if (any(gears)) quantity("", "ratio", value_text(ratio[gears], ""))
   )
 }
 
@@ -145,23 +146,16 @@ augment_drive <- function(x, run, edges, call) {
   )
 }
 
-drive_texts <- function() {
-  some <- function(x, none) if (!all(vapply(x, none, NA))) x
-  list(scene_drive = text_form(function(x) {
-    brakes <- lapply(x$rotors, function(rotor) rotor$brake)
-    # The rates of the others follow through the ratios.
-    first <- function(values) {
-      if (identical(values, values[1] / x$ratio_to_first)) values[1] else values
-    }
-    list(
-      bodies = x$bodies %||% x$moment_of_inertia_kg_m2,
-      couplings = if (length(x$couplings)) x$couplings,
-      torque = some(x$torque, torque_is_none),
-      resistance = some(x$resistance, Negate(resists)), brake = some(brakes, is.null),
-      theta0_rad = first(x$theta0_rad), omega0_rad_per_s = first(x$omega0_rad_per_s),
-      start_s = x$start_s
-    )
-  }, read_drive))
+# The rates of the others follow through the ratios.
+drive_arguments <- function(x) {
+  first <- function(values) {
+    if (identical(values, values[1] / x$ratio_to_first)) values[1] else values
+  }
+  list(
+    bodies = x$bodies, couplings = if (length(x$couplings)) x$couplings, torque = x$torque,
+    resistance = x$resistance, brake = x$brake, theta0_rad = first(x$theta0_rad),
+    omega0_rad_per_s = first(x$omega0_rad_per_s), start_s = x$start_s
+  )
 }
 
 # An array of numbers is a list of constant torques.
@@ -172,14 +166,4 @@ read_drive <- function(bodies, couplings = list(), torque = NULL, resistance = N
     bodies, couplings, torque = torque, resistance = resistance, brake = brake,
     theta0_rad = theta0_rad, omega0_rad_per_s = omega0_rad_per_s, start_s = start_s
   )
-}
-
-# A bound on the largest eigenvalue of J^-1/2 K J^-1/2 (Gershgorin), with K of springs or dampers
-# between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold
-# rotors together only lessen it.
-largest_rate <- function(k, ratio, inertia) {
-  n <- length(inertia)
-  if (n < 2L) return(0)
-  across <- k * abs(ratio) / sqrt(inertia[-n]) / sqrt(inertia[-1])
-  max(c(k / inertia[-n] + across, 0) + c(0, k * ratio^2 / inertia[-1] + across))
 }

@@ -80,12 +80,13 @@ draw_shaft_rotors <- function(scene, theta = NULL) {
 # A rigid shaft has no twists.
 rotors_pace <- function(scene, sizes, model) {
   inertia <- scene$moment_of_inertia_kg_m2
-  rigid <- c(sum(inertia) / sum(scene$viscous_n_m_s), 0)
-  pace <- if (model == "rotors_rigid") rigid else .Call(ffi_scene_pace, "rotors", scene, sizes)
-  list(
-    breaks_s = double(), fades_s = pace[1], swing_rad_per_s = pace[2],
-    drifts = any(scene$torque_n_m != 0) || sum(inertia * scene$omega0_rad_per_s) != 0
-  )
+  pace <- .Call(ffi_scene_pace, "rotors", scene, sizes)
+  if (model == "rotors_rigid") {
+    pace$fades_s <- sum(inertia) / sum(scene$viscous_n_m_s)
+    pace$swing_rad_per_s <- 0
+  }
+  pace$drifts <- any(scene$torque_n_m != 0) || sum(inertia * scene$omega0_rad_per_s) != 0
+  pace
 }
 
 augment_rotors <- function(x, run, edges, call) {

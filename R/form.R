@@ -57,9 +57,6 @@ body_form <- list(
   detail = list(.is = "list", centre_error_m = "values:1?"), error = "values:1", error_kind = "text"
 )
 
-# A number is a moment of inertia.
-bodies_form <- list(.each = list(.one_of = list(body_form, "number")), .optional = TRUE)
-
 domain_form <- list(
   .class = "rot_domain", kind = "text", size_m = "numbers", centre_m = "numbers:3",
   chart = "numbers:10", periodic = "flags:3", parameter = "numbers?", map = "function?",
@@ -67,9 +64,7 @@ domain_form <- list(
 )
 
 grip_parts <- list(
-  capacity = torque_form, moment_of_inertia_kg_m2 = "number", loads = loads_form,
-  resistance = resistance_form, theta0_rad = "number", omega0_rad_per_s = "number",
-  start_s = "number", static_ratio = "number", from_s = "limit", to_s = "limit"
+  capacity_n_m = torque_form, static_ratio = "number", from_s = "limit", to_s = "limit"
 )
 
 brake_form <- c(list(.class = "rot_brake"), grip_parts)
@@ -89,14 +84,17 @@ torques_form <- list(.one_of = list("numbers:3", "function", list(
 
 # A body, its principal moments, or these about axes of their own.
 tensor_form <- list(.one_of = list(body_form, "numbers:3", list(
-  .class = "rot_principal", moment_of_inertia_kg_m2 = "numbers:3", axes = "numbers:4"
+  .class = "rot_principal_moments", moment_of_inertia_kg_m2 = "numbers:3", axes = "numbers:4"
 )))
 
-coupling_form <- list(
-  .class = "rot_coupling", kind = "number", ratio = "number", stiffness_n_m_per_rad = "number",
-  damping_n_m_s = "number", grip = c(grip_parts, .optional = TRUE),
-  efficiency = "number?"
-)
+coupling_form <- list(.one_of = list(
+  list(
+    .class = "rot_coupling_shaft", stiffness_n_m_per_rad = "number", damping_n_m_s = "number",
+    ratio = "number"
+  ),
+  c(list(.class = "rot_coupling_clutch"), grip_parts, ratio = "number"),
+  list(.class = "rot_coupling_gear", ratio = "number", efficiency = "number")
+))
 
 # The attributes of a matrix.
 inertia_tensor_form <- list(
@@ -191,14 +189,6 @@ check_trajectory <- function(x, arg, call) {
   lost <- setdiff(constraint$keys, names(x))
   if (length(lost)) abort_form(lost[1], arg, "trajectory", call)
   run
-}
-
-lacks_grip <- function(coupling) coupling$kind == 1 && is.null(coupling$grip)
-
-check_coupling <- function(x, arg, call) {
-  check_form(x, coupling_form, arg, "coupling", call)
-  if (lacks_grip(x)) abort_form("grip", arg, "coupling", call)
-  x
 }
 
 # A scene from its constructor, whose arguments are sound: what follows from them may be beyond

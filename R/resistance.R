@@ -73,6 +73,13 @@ as_resistance <- function(x, call) {
   check_form(x, resistance_form, "resistance", "resistance", call)
 }
 
+resists <- function(resistance) {
+  any(vapply(
+    c("viscous_n_m_s", "quadratic_n_m_s2", "coulomb_n_m", "static_n_m"),
+    function(part) resistance[[part]] != 0, NA
+  ))
+}
+
 describe_resistance <- function(x) {
   parts <- c(
     if (x$viscous_n_m_s != 0) paste("viscous,", format_si(x$viscous_n_m_s), "N m s"),

@@ -57,11 +57,12 @@ NULL
 coupling_shaft <- function(stiffness_n_m_per_rad, damping_n_m_s = 0, ratio = 1, ...) {
   call <- check_no_dots(...)
   check_supplied("stiffness_n_m_per_rad", call)
-  new_coupling(
-    0, check_ratio(ratio, call),
-    check_number(stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", call, lower = 0),
-    check_number(damping_n_m_s, "damping_n_m_s", "N*m*s", call, lower = 0), NULL
-  )
+  new_coupling("shaft", list(
+    stiffness_n_m_per_rad =
+      check_number(stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", call, lower = 0),
+    damping_n_m_s = check_number(damping_n_m_s, "damping_n_m_s", "N*m*s", call, lower = 0),
+    ratio = check_ratio(ratio, call)
+  ))
 }
 
 #' @rdname couplings
@@ -72,7 +73,7 @@ coupling_clutch <- function(capacity_n_m, ..., static_ratio = 1, ratio = 1, from
   check_supplied("capacity_n_m", call)
   check_no_dots(...)
   grip <- new_grip(capacity_n_m, static_ratio, from_s, to_s, call)
-  new_coupling(1, check_ratio(ratio, call), 0, 0, grip)
+  new_coupling("clutch", c(grip, list(ratio = check_ratio(ratio, call))))
 }
 
 #' @rdname couplings
@@ -80,16 +81,13 @@ coupling_clutch <- function(capacity_n_m, ..., static_ratio = 1, ratio = 1, from
 coupling_gear <- function(ratio, ..., efficiency = 1) {
   call <- check_no_dots(...)
   check_supplied("ratio", call)
-  coupling <- new_coupling(2, check_ratio(ratio, call), 0, 0, NULL)
+  ratio <- check_ratio(ratio, call)
   efficiency <- check_number(efficiency, "efficiency", "1", call)
   if (efficiency <= 0 || efficiency > 1) {
     abort_domain(efficiency, "efficiency", "1", call, 0, 1, TRUE)
   }
-  if (efficiency < 1) coupling$efficiency <- efficiency
-  coupling
+  new_coupling("gear", list(ratio = ratio, efficiency = efficiency))
 }
-
-loses_power <- function(coupling) !is.null(coupling[["efficiency"]])
 
 #' @rdname couplings
 #' @export
@@ -108,17 +106,16 @@ check_ratio <- function(ratio, call) {
   ratio
 }
 
-# kind: 0 a shaft, 1 a clutch, 2 a gear (src/core/scene/drive/drive.h).
-new_coupling <- function(kind, ratio, stiffness, damping, grip) {
-  coupling <- list(
-    kind = kind, ratio = ratio, stiffness_n_m_per_rad = stiffness, damping_n_m_s = damping,
-    grip = grip
-  )
-  class(coupling) <- "rot_coupling"
-  coupling
+# A coupling is the list of its inputs; its class has the name of its constructor.
+new_coupling <- function(kind, inputs) {
+  class(inputs) <- c(paste0("rot_coupling_", kind), "rot_coupling")
+  inputs
 }
 
-# The capacity is read as the loads of a body on an axle.
+is_coupling <- function(x, kind) inherits(x, paste0("rot_coupling_", kind))
+
+loses_power <- function(coupling) is_coupling(coupling, "gear") && coupling$efficiency < 1
+
 new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
   if (is.numeric(capacity)) {
     capacity <- check_number(capacity, "capacity_n_m", "N*m", call, lower = 0)
@@ -131,22 +128,10 @@ new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
     ), "value", call)
   }
   window <- check_window(from_s, to_s, call)
-  c(
-    list(capacity = law),
-    loads_on_axle(law, NULL, 1, 0, 0, 0),
-    list(
-      static_ratio = check_number(static_ratio, "static_ratio", "1", call, lower = 1),
-      from_s = window[1], to_s = window[2]
-    )
-  )
-}
-
-# As src/glue/axle.c reads what acts on a body on an axle.
-loads_on_axle <- function(torque, resistance, inertia, theta0, omega0, start_s) {
   list(
-    moment_of_inertia_kg_m2 = inertia, inertia = NULL, loads = torque_loads(torque),
-    resistance = resistance %||% new_resistance(0), theta0_rad = theta0, omega0_rad_per_s = omega0,
-    start_s = start_s
+    capacity_n_m = law,
+    static_ratio = check_number(static_ratio, "static_ratio", "1", call, lower = 1),
+    from_s = window[1], to_s = window[2]
   )
 }
 
@@ -210,31 +195,18 @@ scene_drive <- function(bodies, couplings = list(), ..., torque = NULL, resistan
   check_no_dots(...)
   inertia <- check_inertias(bodies, "bodies", call)
   n <- length(inertia)
-  couplings <- check_couplings(couplings, n, call)
-  ratio <- cumprod(c(1, vapply(couplings, function(coupling) coupling$ratio, double(1))))
-  if (!all(is.finite(ratio) & ratio != 0)) {
-    abort_rotdyn("The product of the ratios is beyond double precision.", "value", call)
-  }
-  start_s <- check_number(start_s, "start_s", "s", call)
-  theta <- through_ratios(theta0_rad, "theta0_rad", "rad", ratio, call)
-  omega <- through_ratios(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", ratio, call)
-  check_geared_rates(omega, couplings, call)
-  torques <- lapply(one_each(torque, "torque", n, call), as_torque, call)
-  resistances <- lapply(one_each(resistance, "resistance", n, call), as_resistance, call)
-  brakes <- lapply(one_each(brake, "brake", n, call), as_brake, call)
-  rotors <- lapply(seq_len(n), function(i) {
-    c(
-      loads_on_axle(torques[[i]], resistances[[i]], inertia[i], theta[i], omega[i], start_s),
-      list(brake = brakes[[i]])
-    )
-  })
-  scene <- list(
-    bodies = plain_bodies(bodies, inertia), moment_of_inertia_kg_m2 = inertia, torque = torques,
-    resistance = resistances, rotors = rotors, couplings = couplings, ratio_to_first = ratio,
-    theta0_rad = theta, omega0_rad_per_s = omega, start_s = start_s
-  )
-  class(scene) <- c("rot_scene_drive", "rot_scene")
-  sound_scene(scene, call)
+  each <- function(x, arg, check) lapply(one_each(x, arg, n, call), check, call)
+  some <- function(x, none) if (!all(vapply(x, none, NA))) x
+  finish_scene("drive", list(
+    bodies = plain_bodies(bodies, inertia) %||% inertia,
+    couplings = check_couplings(couplings, n, call),
+    torque = some(each(torque, "torque", as_torque), torque_is_none),
+    resistance = some(each(resistance, "resistance", as_resistance), Negate(resists)),
+    brake = some(each(brake, "brake", as_brake), is.null),
+    theta0_rad = one_or_each(theta0_rad, "theta0_rad", "rad", n, call),
+    omega0_rad_per_s = one_or_each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n, call),
+    start_s = check_number(start_s, "start_s", "s", call)
+  ), call)
 }
 
 check_couplings <- function(couplings, n, call) {
@@ -257,52 +229,20 @@ check_couplings <- function(couplings, n, call) {
       couplings[[i]], "rot_coupling", paste0("couplings[[", i, "]]"),
       "Make one with {.fn coupling_shaft}, {.fn coupling_clutch} or {.fn coupling_gear}.", call
     )
-    check_coupling(couplings[[i]], paste0("couplings[[", i, "]]"), call)
-  }
-  clutch <- Position(function(coupling) coupling$kind == 1, couplings)
-  lossy <- Position(loses_power, couplings)
-  if (!is.na(clutch) && !is.na(lossy)) {
-    abort_rotdyn(c(
-      "A drive with a clutch takes gears of efficiency 1 only.",
-      x = "Coupling {clutch} is a clutch, coupling {lossy} a gear of efficiency
-           {format(couplings[[lossy]]$efficiency)}.",
-      i = "Give the loss as a {.fn resistance} of a rotor, or replace the clutch by a
-           {.fn coupling_shaft}."
-    ), "value", call)
+    check_form(couplings[[i]], coupling_form, paste0("couplings[[", i, "]]"), "coupling", call)
   }
   unname(couplings)
 }
 
 # n numbers, or the first, which the others follow.
-through_ratios <- function(x, arg, unit, ratio, call) {
+one_or_each <- function(x, arg, unit, n, call) {
   x <- check_finite(x, arg, unit, call)
-  n <- length(ratio)
-  if (length(x) == 1L) {
-    if (all(is.finite(x / ratio))) return(x / ratio)
-    abort_rotdyn("{.arg {arg}} over the ratios is beyond double precision.", "value", call)
-  }
-  if (length(x) != n) {
+  if (!length(x) %in% c(1L, n)) {
     abort_rotdyn(
       c("{.arg {arg}} must have length 1 or {n}.", x = "It has length {length(x)}."), "size", call
     )
   }
   x
-}
-
-check_geared_rates <- function(omega, couplings, call) {
-  for (i in seq_along(couplings)) {
-    if (couplings[[i]]$kind != 2) next
-    ratio <- couplings[[i]]$ratio
-    off <- abs(omega[i] - ratio * omega[i + 1L])
-    if (!(off <= 1e-12 * abs(omega[i]))) {
-      abort_rotdyn(c(
-        "{.arg omega0_rad_per_s} must agree with the gears.",
-        x = "Rotor {i} turns at {format(omega[i])} rad/s, rotor {i + 1} at
-             {format(omega[i + 1])} rad/s; the ratio is {format(ratio)}.",
-        i = "One number is the rate of the first rotor: the others follow."
-      ), "value", call)
-    }
-  }
 }
 
 # A list of n, from NULL, from a list, or from what acts on a single rotor.
@@ -335,7 +275,7 @@ as_brake <- function(x, call) {
 
 describe_grip <- function(x) {
   paste0(
-    sub("^constant, ", "", describe_torque(x$capacity)),
+    sub("^constant, ", "", describe_torque(x$capacity_n_m)),
     if (x$static_ratio > 1) paste0(", ", format_si(x$static_ratio), " times that at rest"),
     if (is.finite(x$from_s)) paste0(", from ", format_si(x$from_s), " s"),
     if (is.finite(x$to_s)) paste0(", until ", format_si(x$to_s), " s")
@@ -344,12 +284,12 @@ describe_grip <- function(x) {
 
 describe_coupling <- function(x) {
   ratio <- paste("ratio", format_si(x$ratio))
-  if (x$kind == 2) {
+  if (is_coupling(x, "gear")) {
     loss <- if (loses_power(x)) paste0(", efficiency ", format_si(x$efficiency))
     return(paste0("gear, ", ratio, loss))
   }
-  what <- if (x$kind == 1) {
-    paste("clutch,", describe_grip(x$grip))
+  what <- if (is_coupling(x, "clutch")) {
+    paste("clutch,", describe_grip(x))
   } else {
     paste0(
       "shaft, ", format_si(x$stiffness_n_m_per_rad), " N m/rad",
@@ -361,7 +301,7 @@ describe_coupling <- function(x) {
 
 #' @export
 print.rot_coupling <- function(x, ...) {
-  check_coupling(x, "x", rlang::current_env())
+  check_form(x, coupling_form, "x", "coupling", rlang::current_env())
   cat("<rot_coupling> ", describe_coupling(x), "\n", sep = "")
   invisible(x)
 }
@@ -375,21 +315,23 @@ print.rot_brake <- function(x, ...) {
 
 #' @export
 print.rot_scene_drive <- function(x, ...) {
-  n <- length(x$rotors)
+  check_scene(x, rlang::current_env())
+  n <- length(x$moment_of_inertia_kg_m2)
   cat("<rot_scene> a drive of ", n, if (n == 1L) " rotor" else " rotors", " from ",
       format_si(x$start_s), " s\n", sep = "")
   for (i in seq_len(min(n, 8L))) {
-    rotor <- x$rotors[[i]]
+    torque <- x$torque[[i]]
+    resistance <- x$resistance[[i]]
     cat(
-      "  rotor ", i, "  ", format_si(rotor$moment_of_inertia_kg_m2), " kg m^2, theta ",
-      format_si(rotor$theta0_rad), " rad, omega ", format_si(rotor$omega0_rad_per_s), " rad/s\n",
-      if (!torque_is_zero(x$torque[[i]])) {
-        c("    torque      ", describe_torque(x$torque[[i]]), "\n")
+      "  rotor ", i, "  ", format_si(x$moment_of_inertia_kg_m2[i]), " kg m^2, theta ",
+      format_si(x$theta0_rad[i]), " rad, omega ", format_si(x$omega0_rad_per_s[i]), " rad/s\n",
+      if (!is.null(torque) && !torque_is_zero(torque)) {
+        c("    torque      ", describe_torque(torque), "\n")
       },
-      if (describe_resistance(x$resistance[[i]]) != "none") {
-        c("    resistance  ", describe_resistance(x$resistance[[i]]), "\n")
+      if (!is.null(resistance) && describe_resistance(resistance) != "none") {
+        c("    resistance  ", describe_resistance(resistance), "\n")
       },
-      if (!is.null(rotor$brake)) c("    brake       ", describe_grip(rotor$brake), "\n"),
+      if (!is.null(x$brake[[i]])) c("    brake       ", describe_grip(x$brake[[i]]), "\n"),
       if (i < n) c("  ", describe_coupling(x$couplings[[i]]), "\n"),
       sep = ""
     )

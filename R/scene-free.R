@@ -125,7 +125,7 @@ space_inputs <- function(omega0_rad_per_s, attitude0, torque_n_m, torque_axes, d
 # list(body, moment_of_inertia_kg_m2, axes, moment_error): principal moments, and the attitude of
 # their axes in the body. A diagonal tensor keeps its axes and its numbers.
 free_inertia <- function(body, call) {
-  if (inherits(body, "rot_principal")) {
+  if (inherits(body, "rot_principal_moments")) {
     return(new_free_inertia(NULL, body$moment_of_inertia_kg_m2, body$axes, 2e-15))
   }
   if (is.numeric(body) && is.null(dim(body))) {
@@ -162,7 +162,7 @@ free_inertia <- function(body, call) {
 # Principal moments of a body given as a tensor, and the attitude of their axes: for texts.
 new_principal <- function(moments, axes) {
   x <- list(moment_of_inertia_kg_m2 = moments, axes = axes)
-  class(x) <- "rot_principal"
+  class(x) <- "rot_principal_moments"
   x
 }
 
@@ -178,7 +178,7 @@ read_principal <- function(moment_of_inertia_kg_m2, axes) {
 }
 
 #' @export
-text_node.rot_principal <- function(x, where, call) list(principal_moments = unclass(x))
+text_node.rot_principal_moments <- function(x, where, call) list(principal_moments = unclass(x))
 
 new_free_inertia <- function(body, moments, axes = c(1, 0, 0, 0), error = 0) {
   list(

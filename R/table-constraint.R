@@ -30,11 +30,10 @@ table_constraint <- function(id, models, ...) {
     }),
     pace = function(scene, sizes, model) {
       pace <- .Call(ffi_scene_pace, id, scene, as.double(sizes))
-      list(
-        breaks_s = as.double(unlist(unclass(scene)[times])), fades_s = pace[1],
-        swing_rad_per_s = pace[2]
-      )
+      pace$breaks_s <- c(pace$breaks_s, as.double(unlist(unclass(scene)[times])))
+      pace
     },
+    call_laws = function(scene, call) call_table_laws(scene, call),
     summary = function(x, run) table_summary(unlist(state[table$measures]), x, run),
     texts = stats::setNames(list(table_text(table, constructor)), constructor),
     balances = function(x, run, call) table_balances(id, table, x, run),
@@ -56,7 +55,10 @@ table_form <- function(table) {
     optional <- !input$required && is.na(input$otherwise)
     of <- switch(input$form,
       body = body_form, torque = torque_form, tensor = tensor_form, torques = torques_form,
-      rotors = list(.each = rotor_form), inertia = list(.one_of = list(body_form, "number")),
+      laws = list(.each = torque_form), rotors = list(.each = rotor_form),
+      resistance = resistance_form, resistances = list(.each = resistance_form),
+      brakes = list(.each = c(brake_form, .optional = TRUE)),
+      couplings = list(.each = coupling_form), inertia = list(.one_of = list(body_form, "number")),
       bodies = list(.one_of = list(
         "numbers", list(.each = list(.one_of = list(body_form, "number")))
       ))
@@ -71,35 +73,89 @@ table_form <- function(table) {
   forms
 }
 
+# The functions in an input, a part of it or a list of them, as C finds them.
+functions_in <- function(x) {
+  if (inherits(x, "rot_torque_function")) return(list(x$f))
+  if (is.function(x)) return(list(x))
+  if (!is.list(x) || inherits(x, "rot_body")) return(list())
+  unlist(lapply(unclass(x), functions_in), recursive = FALSE, use.names = FALSE)
+}
+
 # What C calls for the functions among the inputs, in their order: f with so many arguments, or a
 # complaint about what it returned.
 table_laws <- function(scene, call) {
   inputs <- constraint_of(scene)$inputs
   laws <- function(x, name) {
-    unit <- inputs[[name]]$unit
-    of <- ""
-    values <- if (inputs[[name]]$form == "torques") 3 else 1
-    if (inherits(x, "rot_torque")) {
-      x <- lapply(if (inherits(x, "rot_torque_sum")) x$laws else list(x), `[[`, "f")
-    } else if (inputs[[name]]$form == "rotors") {
-      of <- paste(" of rotor", seq_along(x))
-      x <- lapply(x, `[[`, "torque_n_m")
-      name <- "torque_n_m"
-      unit <- "N*m"
-    } else {
-      x <- list(x)
+    form <- inputs[[name]]$form
+    part <- c(rotors = "rotor", laws = "rotor", brakes = "rotor", couplings = "coupling")[form]
+    motor <- form %in% c("rotors", "laws", "brakes", "couplings")
+    unit <- if (motor) "N*m" else inputs[[name]]$unit
+    arg <- switch(form,
+      rotors = "torque_n_m", brakes = , couplings = "capacity_n_m", name
+    )
+    each <- function(x, of) {
+      lapply(functions_in(x), function(f) {
+        list(
+          as.call(c(quote(f), rep(list(NULL), count_law_arguments(f, function(n) n)))),
+          list2env(list(f = f), parent = baseenv()),
+          function(value, time_s) {
+            abort_law_value(value, time_s, arg, unit, call, of, if (form == "torques") 3 else 1)
+          }
+        )
+      })
     }
-    called <- vapply(x, is.function, NA)
-    Map(function(f, of) {
-      list(
-        as.call(c(quote(f), rep(list(NULL), count_law_arguments(f, function(n) n)))),
-        list2env(list(f = f), parent = baseenv()),
-        function(value, time_s) abort_law_value(value, time_s, name, unit, call, of, values)
-      )
-    }, x[called], rep_len(of, length(x))[called])
+    if (is.na(part)) return(each(x, ""))
+    unlist(Map(each, x, paste0(" of ", part, " ", seq_along(x))), recursive = FALSE)
   }
   given <- unclass(scene)[names(inputs)]
   Filter(length, Map(laws, given, names(given)))
+}
+
+# The scene with each torque function f(law, state) in its place; `state`: the angle and rate at the
+# start of the rotor that it acts on.
+map_torque_functions <- function(scene, f) {
+  walk <- function(x, state) {
+    if (inherits(x, "rot_torque_function")) return(f(x, state))
+    if (!is.list(x) || inherits(x, "rot_body")) return(x)
+    for (i in which(!vapply(x, is.null, NA))) x[[i]] <- walk(.subset2(x, i), state)
+    x
+  }
+  inputs <- constraint_of(scene)$inputs
+  for (name in names(inputs)) {
+    form <- inputs[[name]]$form
+    x <- .subset2(scene, name)
+    if (form == "torque" && !is.null(x)) {
+      scene[[name]] <- walk(x, c(scene$theta0_rad, scene$omega0_rad_per_s))
+    } else if (form %in% c("laws", "brakes", "couplings")) {
+      for (i in which(!vapply(x, is.null, NA))) {
+        acts <- form == "laws"
+        state <- if (acts) c(scene$theta0_rad[i], scene$omega0_rad_per_s[i]) else c(0, 0)
+        scene[[name]][[i]] <- walk(x[[i]], state)
+      }
+    }
+  }
+  scene
+}
+
+# A scene whose functions of time have their breaks: those given, or those that are found.
+with_found_breaks <- function(scene, span, call) {
+  map_torque_functions(scene, function(law, state) {
+    at <- list(theta0_rad = state[1], omega0_rad_per_s = state[2])
+    reader <- law_reader(law, at, call)
+    law$breaks_s <- law_breaks(law, reader$at, span[1], span[2], call, resolution_of(scene))$stops
+    law
+  })
+}
+
+# Calls all torque functions once, at the start; NULL where there are none.
+call_table_laws <- function(scene, call) {
+  readers <- list()
+  map_torque_functions(scene, function(law, state) {
+    at <- list(theta0_rad = state[1], omega0_rad_per_s = state[2])
+    readers[[length(readers) + 1L]] <<- law_reader(law, at, call)
+    law
+  })
+  if (length(readers)) function() for (reader in readers) reader$at(scene$start_s)
 }
 
 abort_law_value <- function(value, time_s, name, unit, call, of = "", values = 1) {
@@ -136,12 +192,27 @@ table_model <- function(id, model, words) {
 run_table_model <- function(id, model, scene, time_s, control, call, looks) {
   laws <- table_laws(scene, call)
   looks <- looks && length(laws)
-  if (looks) control[4] <- resolution_of(scene)
+  solved <- scene
+  if (looks) {
+    control[4] <- resolution_of(scene)
+    solved <- with_found_breaks(scene, range(scene$start_s, time_s), call)
+  }
   result <- .Call(
-    ffi_scene_run, id, scene, model, time_s, control, laws, progress_bar("integrating")
+    ffi_scene_run, id, solved, model, time_s, control, laws, progress_bar("integrating")
   )
   if (looks) result$info$resolution <- control[4]
+  between <- core_table(id)$between
+  if (!is.null(between)) result$events <- with_places(result$events, core_table(id)$index, between)
   result
+}
+
+# Where events happen, in words: of a constraint with several bodies, or what couples them.
+with_places <- function(events, copies, between) {
+  place <- as.integer(events$place)
+  list(
+    time_s = as.double(events$time_s), event = as.character(events$event),
+    where = paste(ifelse(place > 0L, copies, between), abs(place), recycle0 = TRUE)
+  )
 }
 
 # Words of the two models that integrate; `...`: those that both share.

@@ -34,7 +34,7 @@ finish_scene <- function(id, scene, call) {
   class(scene) <- c(paste0("rot_scene_", id), "rot_scene")
   follows <- .Call(ffi_scene_derived, id, scene)
   if (is.character(follows)) {
-    law <- inputs[[follows[1]]]$form == "torque"
+    law <- inherits(scene[[follows[1]]], "rot_torque")
     abort_rotdyn(c(
       "{.arg {follows[1]}} {follows[2]}.",
       x = if (law) "It is {describe_torque(scene[[follows[1]]])}."

@@ -161,7 +161,7 @@ text_node.rot_inertia_knots <- function(x, where, call) {
 
 grip_arguments <- function(grip) {
   list(
-    capacity_n_m = grip$capacity, static_ratio = grip$static_ratio,
+    capacity_n_m = grip$capacity_n_m, static_ratio = grip$static_ratio,
     from_s = if (grip$from_s != -Inf) grip$from_s, to_s = if (grip$to_s != Inf) grip$to_s
   )
 }
@@ -173,20 +173,15 @@ text_node.rot_brake <- function(x, where, call) {
 
 #' @export
 text_node.rot_coupling <- function(x, where, call) {
-  node_or_abort(x, switch(x$kind + 1,
-    list(coupling_shaft = text_form(function(x) {
-      list(
-        stiffness_n_m_per_rad = x$stiffness_n_m_per_rad, damping_n_m_s = x$damping_n_m_s,
-        ratio = x$ratio
-      )
-    }, coupling_shaft)),
-    list(coupling_clutch = text_form(function(x) {
-      c(grip_arguments(x$grip), list(ratio = x$ratio))
-    }, coupling_clutch)),
-    list(coupling_gear = text_form(function(x) {
-      c(list(ratio = x$ratio), list(efficiency = x[["efficiency"]])[loses_power(x)])
-    }, coupling_gear))
-  ), where, call)
+  node_or_abort(x, list(
+    coupling_shaft = text_form(unclass, coupling_shaft),
+    coupling_clutch = text_form(function(x) {
+      c(grip_arguments(x), list(ratio = x$ratio))
+    }, coupling_clutch),
+    coupling_gear = text_form(function(x) {
+      c(list(ratio = x$ratio), list(efficiency = x$efficiency)[loses_power(x)])
+    }, coupling_gear)
+  )[sub("^rot_", "", class(x)[1])], where, call)
 }
 
 #' @export

@@ -22,11 +22,14 @@ static unsigned kind_of(unsigned kinds, R_xlen_t n) {
 
 const char *ffi_input_form(const rot_input *input) {
   const unsigned kinds = input->kinds;
-  if (kinds & ROT_INPUT_TORQUE) return "torque";
+  if (kinds & ROT_INPUT_TORQUE) return kinds & ROT_INPUT_NOTHING ? "laws" : "torque";
   if (kinds & ROT_INPUT_BODY && kinds & ROT_INPUT_LIST) return "bodies";
   if (kinds & ROT_INPUT_MOMENTS) return "tensor";
   if (kinds & ROT_INPUT_BODY) return kinds & ROT_INPUT_NUMBER ? "inertia" : "body";
   if (kinds & ROT_INPUT_ROTOR) return "rotors";
+  if (kinds & ROT_INPUT_COUPLING) return "couplings";
+  if (kinds & ROT_INPUT_BRAKE) return "brakes";
+  if (kinds & ROT_INPUT_RESISTANCE) return kinds & ROT_INPUT_LIST ? "resistances" : "resistance";
   if (kinds & ROT_INPUT_TABLE) return "torques";
   if (kinds & ROT_INPUT_LAW) return "function";
   if (kinds & ROT_INPUT_CHOICE) return "text";
@@ -121,8 +124,7 @@ static int read_list(const rot_input *input, SEXP x, functions *f, rot_given *to
 static void *take(size_t bytes) { return R_alloc(bytes, 1); }
 
 /* A part of a scene, which R holds as the list of its inputs. */
-static int read_part(const char *constructor, SEXP x, functions *f, rot_given *to) {
-  const rot_part *part = rot_part_named(constructor);
+static int read_part(const rot_part *part, SEXP x, functions *f, rot_given *to) {
   const rot_input *outer = f->input;
   rot_given *given = (rot_given *)R_alloc(ROT_MOST_INPUTS, sizeof *given);
   void *built = R_alloc(1, (int)part->size);
@@ -140,19 +142,17 @@ static int read_part(const char *constructor, SEXP x, functions *f, rot_given *t
   return 1;
 }
 
-/* Parts by the classes of R; a table has none. */
-static const struct {
-  unsigned kind;
-  const char *of, *constructor;
-} parts[] = {{ROT_INPUT_ROTOR, "rot_rotor", "rotor"},
-             {ROT_INPUT_MOMENTS, "rot_principal", "principal_moments"},
-             {ROT_INPUT_TABLE, NULL, "torque_n_m"}};
-
-static const char *part_for(const rot_input *input, SEXP x) {
-  for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
-    const int is = parts[i].of ? Rf_inherits(x, parts[i].of)
-                               : TYPEOF(x) == VECSXP && !Rf_inherits(x, "rot_body");
-    if (input->kinds & parts[i].kind && is) return parts[i].constructor;
+/* The part that R holds as an object of the class rot_<constructor>; a table has no class. */
+static const rot_part *part_for(const rot_input *input, SEXP x) {
+  if (!Rf_isObject(x)) {
+    const int is = input->kinds & ROT_INPUT_TABLE && TYPEOF(x) == VECSXP;
+    return is ? rot_part_named("torque_n_m") : NULL;
+  }
+  SEXP classes = Rf_getAttrib(x, R_ClassSymbol);
+  for (R_xlen_t i = 0; TYPEOF(classes) == STRSXP && i < XLENGTH(classes); i++) {
+    const char *name = CHAR(STRING_ELT(classes, i));
+    const rot_part *part = strncmp(name, "rot_", 4) ? NULL : rot_part_named(name + 4);
+    if (part && part->makes & input->kinds) return part;
   }
   return NULL;
 }
@@ -183,7 +183,7 @@ static int read(const rot_input *input, SEXP x, functions *f, rot_given *to) {
     *to = (rot_given){.is = ROT_INPUT_TORQUE, .n = 1, .object = sum};
     return 1;
   }
-  const char *part = part_for(input, x);
+  const rot_part *part = part_for(input, x);
   if (part) return read_part(part, x, f, to);
   if (TYPEOF(x) == VECSXP && !Rf_isObject(x) && kinds & ROT_INPUT_LIST) {
     return read_list(input, x, f, to);

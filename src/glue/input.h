@@ -21,8 +21,9 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
  * names or units, functions, what is wrong. */
 SEXP ffi_input_plain(const rot_input *input, SEXP x);
 /* What such an input must be, in the words of R/form.R; or "body", "inertia" (a body or a number),
- * "bodies" (numbers, or a list of these), "tensor" (a body or three moments), "torque", "torques"
- * (three numbers, a table, a function), "rotors". */
+ * "bodies" (numbers, or a list of these), "tensor" (a body or three moments), "torque", "laws" (a
+ * list of these, with empty places), "torques" (three numbers, a table, a function), "rotors",
+ * "resistance", and lists of "resistances", "brakes", "couplings". */
 const char *ffi_input_form(const rot_input *input);
 
 #endif

@@ -62,7 +62,7 @@ void ffi_run_begin(ffi_run *run, SEXP progress) {
   static const char *const names[] = {"columns", "info", "ledger", "events", "event_rows", ""};
   run->out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   run->beyond = 0;
-  run->events = (rot_events){0, 0, NULL, NULL};
+  run->events = (rot_events){0};
   ffi_guard_begin(&run->guard, progress);
 }
 
@@ -73,20 +73,26 @@ SEXP ffi_run_columns(const ffi_run *run, const char *const names[]) {
 }
 
 static SEXP finish(void *data) {
-  static const char *const names[] = {"time_s", "event", ""};
+  const char *names[] = {"time_s", "event", "", ""};
   const ffi_run *run = data;
   const R_xlen_t n = (R_xlen_t)run->events.count;
   SEXP info = ffi_info(&run->info);
   SET_VECTOR_ELT(run->out, FFI_INFO, info);
   if (run->beyond) SET_VECTOR_ELT(info, 7, Rf_ScalarReal(R_PosInf));
   if (n == 0) return R_NilValue;
-  SEXP list = Rf_mkNamed(VECSXP, (const char **)names), event;
+  for (R_xlen_t i = 0; i < n; i++) {
+    if (run->events.place[i]) names[2] = "place";
+  }
+  SEXP list = Rf_mkNamed(VECSXP, names), event, place;
   SET_VECTOR_ELT(run->out, FFI_EVENTS, list);
   memcpy(ffi_new_double(list, 0, n), run->events.time_s, (size_t)n * sizeof(double));
   SET_VECTOR_ELT(list, 1, event = Rf_allocVector(STRSXP, n));
   for (R_xlen_t i = 0; i < n; i++) {
     SET_STRING_ELT(event, i, Rf_mkChar(rot_event_name(run->events.event[i])));
   }
+  if (!names[2][0]) return R_NilValue;
+  SET_VECTOR_ELT(list, 2, place = Rf_allocVector(INTSXP, n));
+  memcpy(INTEGER(place), run->events.place, (size_t)n * sizeof(int));
   return R_NilValue;
 }
 

@@ -9,7 +9,6 @@
 
 #include "scene/axle/inputs.h"
 #include "scene/axle/models.h"
-#include "scene/drive/models.h"
 #include "scene/run.h"
 
 const rot_constraint *ffi_constraint(SEXP id) {
@@ -54,15 +53,6 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
   return ROT_ETORQUE;
 }
 
-/* Scenes that R holds in other forms than the inputs of their table, kept until the call ends. */
-#define KEPT(name, type)                                                                           \
-  static const void *read_##name(SEXP scene) {                                                     \
-    type *kept = (type *)R_alloc(1, sizeof *kept);                                                 \
-    *kept = ffi_##name##_scene(scene);                                                             \
-    return kept;                                                                                   \
-  }
-KEPT(drive, rot_drive_scene)
-
 /* As its runs expect it: nothing else in it is set. */
 static const void *read_axle(SEXP scene) {
   rot_axle_built *axle = (rot_axle_built *)R_alloc(1, sizeof *axle);
@@ -74,10 +64,11 @@ static const void *read_axle(SEXP scene) {
   return axle;
 }
 
+/* Scenes that R holds in other forms than the inputs of their table, kept until the call ends. */
 static const struct {
   const rot_constraint *of;
   const void *(*read)(SEXP scene);
-} own_forms[] = {{&rot_axle_constraint, read_axle}, {&rot_drive_constraint, read_drive}};
+} own_forms[] = {{&rot_axle_constraint, read_axle}};
 
 int ffi_scene_by_table(const rot_constraint *constraint) {
   for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
@@ -289,12 +280,12 @@ static size_t named_by(const rot_constraint *c) {
 }
 
 /* list(inputs, columns, units, state, measures, index, flows, balances, kept, derived, event_rows,
- * always): `state` is, by column, the measure that it holds, or NA; `always`: the rows of all
- * scenes have it. NULL where scenes are not read by the table. */
+ * always, between): `state` is, by column, the measure that it holds, or NA; `always`: the rows of
+ * all scenes have it. NULL where scenes are not read by the table. */
 SEXP ffi_scene_table(SEXP id) {
   static const char *const names[] = {"inputs",     "columns", "units",    "state", "measures",
                                       "index",      "flows",   "balances", "kept",  "derived",
-                                      "event_rows", "always",  ""};
+                                      "event_rows", "always",  "between",  ""};
   const rot_constraint *c = ffi_constraint(id);
   const char *name[ROT_MOST_COLUMNS], *unit[ROT_MOST_COLUMNS], *state[ROT_MOST_COLUMNS];
   const char *quantity[ROT_MOST_BALANCES], *follows[ROT_MOST_INPUTS];
@@ -327,6 +318,7 @@ SEXP ffi_scene_table(SEXP id) {
   SEXP always = Rf_allocVector(LGLSXP, (R_xlen_t)c->n_columns);
   SET_VECTOR_ELT(out, 11, always);
   for (size_t i = 0; i < c->n_columns; i++) LOGICAL(always)[i] = !c->columns[i].only_with;
+  SET_VECTOR_ELT(out, 12, c->between ? Rf_mkString(c->between) : R_NilValue);
   UNPROTECT(1);
   return out;
 }
@@ -399,6 +391,23 @@ static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t 
     column[i] = c->columns[i].flag ? (void *)ffi_new_int(list, (R_xlen_t)at, rows)
                                    : (void *)ffi_new_double(list, (R_xlen_t)at, rows);
     at++;
+  }
+}
+
+/* What means nothing is NA in R: flags below 0, and NaN in the last of several copies, which has no
+ * neighbour. */
+static void mark_missing(const shown *s, R_xlen_t n, R_xlen_t copies, void *const column[]) {
+  const rot_constraint *c = s->of;
+  for (size_t k = 0; k < c->n_columns; k++) {
+    if (!s->is[k]) continue;
+    for (R_xlen_t i = 0; c->columns[k].flag && i < n * copies; i++) {
+      int *flag = column[k];
+      if (flag[i] < 0) flag[i] = NA_LOGICAL;
+    }
+    for (R_xlen_t i = copies; c->index && !c->columns[k].flag && i <= n * copies; i += copies) {
+      double *x = column[k];
+      if (ISNAN(x[i - 1])) x[i - 1] = NA_REAL;
+    }
   }
 }
 
@@ -510,6 +519,7 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
                          .step_s = x[STEP],
                          .asked = x[ASKED] != 0.0};
   rot_run_model(c, built, of, &task, &want, &outcome, &run.guard.hooks);
+  mark_missing(&shows, n, (R_xlen_t)rot_run_copies(c, built), column);
   if (flows) fill_errors(c, n, flow, errors);
   rot_status status = outcome.info.status;
   if (status == ROT_OK && at_events.rows.count) {
@@ -653,11 +663,21 @@ SEXP ffi_scene_keeps(SEXP id, SEXP scene) {
   return out;
 }
 
-/* c(fades_s, swing_rad_per_s) */
+/* list(breaks_s, fades_s, swing_rad_per_s) */
 SEXP ffi_scene_pace(SEXP id, SEXP scene, SEXP sizes) {
+  static const char *const names[] = {"breaks_s", "fades_s", "swing_rad_per_s", ""};
   const rot_constraint *c = ffi_constraint(id);
+  const void *built = ffi_scene_build(c, scene);
+  const double *breaks_s = NULL;
+  size_t n = 0;
   rot_pace pace;
-  c->pace(ffi_scene_build(c, scene), ffi_reals(sizes, "sizes", -1), &pace);
-  const double x[] = {pace.fades_s, pace.swing_rad_per_s};
-  return ffi_numbers(2, x);
+  c->pace(built, ffi_reals(sizes, "sizes", -1), &pace);
+  if (c->breaks) breaks_s = c->breaks(built, &n);
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  double *to = ffi_new_double(out, 0, (R_xlen_t)n);
+  if (n) memcpy(to, breaks_s, n * sizeof *to);
+  SET_VECTOR_ELT(out, 1, Rf_ScalarReal(pace.fades_s));
+  SET_VECTOR_ELT(out, 2, Rf_ScalarReal(pace.swing_rad_per_s));
+  UNPROTECT(1);
+  return out;
 }

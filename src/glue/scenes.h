@@ -5,11 +5,8 @@
 
 #include "glue/ffi.h"
 #include "scene/axle/scene.h"
-#include "scene/drive/drive.h"
 
 /* With all its breaks, and with those in `breaks_s` (NULL: no others). */
 rot_axle_scene ffi_axle_scene(SEXP scene, SEXP breaks_s);
-/* Its R functions are only marked, not called. */
-rot_drive_scene ffi_drive_scene(SEXP scene);
 
 #endif

@@ -12,7 +12,9 @@ test_that("the time scales of drives and shafts are those of their rotors and co
 })
 
 test_that("a drive's time scale: I/c of its rotors and of its shafts, the rates added", {
-  pace <- function(...) rotdyn:::drive_pace(scene_drive(...), c(omega = 2), NULL)
+  pace <- function(...) {
+    rotdyn:::drive_constraint()$pace(scene_drive(...), c(theta = 1, omega = 2), "drive_rk8pd")
+  }
   one <- pace(
     c(2, 3), coupling_gear(2), resistance = list(resistance(viscous_n_m_s = 0.5), NULL)
   )

@@ -12,6 +12,10 @@ const char *rot_event_name(rot_event event) {
 }
 
 rot_status rot_events_add(rot_events *events, double time_s, rot_event event) {
+  return rot_events_add_at(events, time_s, event, 0);
+}
+
+rot_status rot_events_add_at(rot_events *events, double time_s, rot_event event, int place) {
   if (!events) return ROT_OK;
   if (events->count == events->room) {
     const size_t room = events->room ? 2 * events->room : 16;
@@ -19,10 +23,13 @@ rot_status rot_events_add(rot_events *events, double time_s, rot_event event) {
     if (times) events->time_s = times;
     rot_event *kinds = realloc(events->event, room * sizeof *kinds);
     if (kinds) events->event = kinds;
-    if (!times || !kinds) return ROT_ENOMEM;
+    int *places = realloc(events->place, room * sizeof *places);
+    if (places) events->place = places;
+    if (!times || !kinds || !places) return ROT_ENOMEM;
     events->room = room;
   }
   events->time_s[events->count] = time_s;
+  events->place[events->count] = place;
   events->event[events->count++] = event;
   return ROT_OK;
 }
@@ -30,7 +37,8 @@ rot_status rot_events_add(rot_events *events, double time_s, rot_event event) {
 void rot_events_free(rot_events *events) {
   free(events->time_s);
   free(events->event);
-  *events = (rot_events){0, 0, NULL, NULL};
+  free(events->place);
+  *events = (rot_events){0};
 }
 
 double *rot_event_rows_add(rot_event_rows *rows, double time_s) {

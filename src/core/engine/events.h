@@ -27,14 +27,18 @@ typedef enum rot_event {
 
 const char *rot_event_name(rot_event event);
 
+/* `place`: 0, or where: the copy i of the constraint (engine/model.h) as i + 1, what couples the
+ * copies j and j + 1 as -(j + 1). */
 typedef struct rot_events {
   size_t count, room;
   double *time_s;
   rot_event *event;
+  int *place;
 } rot_events; /* begin with {0} */
 
 /* ROT_OK or ROT_ENOMEM. `events` may be NULL: nothing is logged. */
 rot_status rot_events_add(rot_events *events, double time_s, rot_event event);
+rot_status rot_events_add_at(rot_events *events, double time_s, rot_event event, int place);
 void rot_events_free(rot_events *events);
 
 /* Rows at the times of events, after them, one for each time: the time and `width` values. */

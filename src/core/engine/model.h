@@ -160,6 +160,7 @@ typedef struct rot_constraint {
   rot_status (*build)(const rot_given given[], rot_store *store, void *scene, rot_refusal *refusal);
   double (*start_s)(const void *scene);
   const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
+  const char *between; /* what couples these copies, for the places of events; NULL: no such */
   size_t (*copies)(const void *scene); /* how many these are; NULL: 1 */
   size_t n_flows, n_balances, n_terms;
   const char *const *flows; /* names */
@@ -175,6 +176,8 @@ typedef struct rot_constraint {
   /* How many causes change the quantity of a balance, and which; 0: it is conserved, and why. */
   size_t (*keeps)(const void *scene, size_t balance, const char *why[ROT_MOST_CAUSES]);
   void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
+  /* NULL, or the times where what acts jumps or kinks, increasing, beside those of its inputs. */
+  const double *(*breaks)(const void *scene, size_t *n);
   size_t n_derived;
   const rot_derived *derived;
   int event_rows; /* its runs fill rot_rows.at_events */

@@ -118,7 +118,7 @@ static void measure_on_the_way(const job *j, const rot_model *model, const rot_t
   const double to = fmax(start, task->time_s[task->n - 1]);
   double time_s[ON_THE_WAY];
   rot_task more = *task;
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_info seen;
   job own = *j;
   for (int i = 0; i < ON_THE_WAY; i++) {

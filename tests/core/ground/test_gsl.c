@@ -23,7 +23,7 @@ static void use_gsl(void) {
   const rot_axle_ode_options options = {1e-9, 1000, ROT_METHOD_RK8PD, 0.0};
   rot_axle_scene scene;
   rot_axle_ledger ledger;
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_info info;
   memset(&scene, 0, sizeof scene);
   scene.linear.inertia_kg_m2 = 1.0;

@@ -141,7 +141,7 @@ rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double tim
 
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad) {
   rot_info info;
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   drag_run run = {.rest = rot_axle_rest_from(scene, 0, NULL, NULL, &events, &info)};
   *time_s = INFINITY;
   *theta_rad = NAN;

@@ -171,7 +171,7 @@ static int motion_size(const rot_axle_scene *scene, rot_axle_model model, const 
   double time_s[ROWS], column[7][ROWS];
   const rot_axle_columns out = {column[0], column[1], column[2], column[3],
                                 column[4], column[5], column[6]};
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_info info;
   for (int i = 0; i < ROWS; i++) time_s[i] = from + (to - from) * ((double)i / (ROWS - 1));
   const rot_status status = model(scene, ROWS, time_s, &out, &events, NULL, &info);

@@ -38,6 +38,10 @@ typedef struct rot_drive_scene {
   const rot_drive_grip *brake;        /* n: from each rotor to ground */
   const rot_drive_coupling *coupling; /* n - 1 */
   double start_s;
+  /* As built, n each: what follows from the inputs. */
+  const double *inertia_kg_m2, *ratio_to_first, *theta0_rad, *omega0_rad_per_s;
+  size_t n_breaks; /* times where a torque, brake or clutch jumps or kinks, increasing */
+  const double *breaks_s;
 } rot_drive_scene;
 
 /* Columns of the result, as long as times x rotors: by time, then rotor. Those of the coupling

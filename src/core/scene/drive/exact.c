@@ -385,7 +385,7 @@ static rot_status rates(size_t n, const double t[], double value[], void *ctx) {
   solution s;
   actions a;
   rot_info info;
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_status status = solve(x, n, t, &store, &events, &s, &info);
   if (status == ROT_OK) status = act(x, &s, n, t, &store, &a);
   for (size_t row = 0; row < n && status == ROT_OK; row++) {
@@ -413,7 +413,7 @@ static rot_status edges_of(const exact *x, size_t n, const double t[], rot_store
   const double from = n ? fmin(t[0], scene->start_s) : scene->start_s;
   const double to = n ? fmax(t[n - 1], scene->start_s) : scene->start_s;
   const double ends[] = {from, to};
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_info info;
   solution s;
   rot_status status = solve(x, 2, ends, store, &events, &s, &info);
@@ -450,7 +450,7 @@ static rot_status least_of(exact *x, size_t n, const double t[], rot_store *stor
   solution s;
   actions a;
   rot_info info;
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_status status = solve(x, n, t, store, &events, &s, &info);
   if (status == ROT_OK) status = act(x, &s, n, t, store, &a);
   double energy = 0.0, momentum = 0.0;
@@ -610,21 +610,12 @@ static void write_ledger(const exact *x, size_t n, const double t[], const integ
 }
 
 /* The clutch's own: before it is engaged there are none. */
-static rot_status place_events(const exact *x, rot_events *found, rot_events *events,
-                               rot_drive_places *places) {
+static rot_status place_events(const exact *x, const rot_events *found, rot_events *events) {
   const int where = x->u.m > 1 ? -(int)(x->u.between[0] + 1) : 1;
   for (size_t i = 0; i < found->count; i++) {
     if (x->form == ROT_DRIVE_AS_CLUTCH && found->time_s[i] < x->clutch.engage_s) continue;
     if (x->form != ROT_DRIVE_AS_CLUTCH) continue;
-    if (places && events && events->count == places->room) {
-      const size_t room = places->room ? 2 * places->room : 8;
-      int *more = realloc(places->place, room * sizeof *more);
-      if (!more) return ROT_ENOMEM;
-      places->place = more;
-      places->room = room;
-    }
-    if (places && events) places->place[events->count] = where;
-    const rot_status status = rot_events_add(events, found->time_s[i], found->event[i]);
+    const rot_status status = rot_events_add_at(events, found->time_s[i], found->event[i], where);
     if (status != ROT_OK) return status;
   }
   return ROT_OK;
@@ -632,12 +623,12 @@ static rot_status place_events(const exact *x, rot_events *found, rot_events *ev
 
 rot_status rot_drive_exact(const rot_drive_scene *scene, rot_drive_form form, size_t n,
                            const double time_s[], const rot_drive_columns *out,
-                           rot_drive_ledger *ledger, rot_events *events, rot_drive_places *places,
-                           const rot_hooks *hooks, rot_info *info) {
+                           rot_drive_ledger *ledger, rot_events *events, const rot_hooks *hooks,
+                           rot_info *info) {
   exact x = {.scene = scene, .form = form, .hooks = hooks};
   const rot_query query = {n, time_s, 1e-12, 0.0};
   rot_store store = {0};
-  rot_events found = {0, 0, NULL, NULL};
+  rot_events found = {0};
   solution s;
   actions a;
   integrals sums = {NULL, NULL, NULL};
@@ -658,7 +649,7 @@ rot_status rot_drive_exact(const rot_drive_scene *scene, rot_drive_form form, si
       write_ledger(&x, n, time_s, &sums, info, ledger);
       rot_drive_elastic(scene, n, out, info, ledger);
     }
-    status = place_events(&x, &found, events, places);
+    status = place_events(&x, &found, events);
   }
   info->status = status;
   info->time_s = of.time_s;

@@ -21,7 +21,7 @@ const char *rot_drive_exact_why_not(const rot_drive_scene *scene, rot_drive_form
  * integrals, by quadrature of the motion. */
 rot_status rot_drive_exact(const rot_drive_scene *scene, rot_drive_form form, size_t n,
                            const double time_s[], const rot_drive_columns *out,
-                           rot_drive_ledger *ledger, rot_events *events, rot_drive_places *places,
-                           const rot_hooks *hooks, rot_info *info);
+                           rot_drive_ledger *ledger, rot_events *events, const rot_hooks *hooks,
+                           rot_info *info);
 
 #endif

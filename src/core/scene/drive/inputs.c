@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -189,7 +190,10 @@ static rot_status build_couplings(const rot_given given[], size_t n, rot_store *
   }
   scene->coupling = coupling;
   if (clutch && lossy) {
-    return rot_refuse(no, COUPLINGS, "with a clutch takes gears of efficiency 1 only");
+    return rot_refuse(
+        no, COUPLINGS,
+        "must not have a clutch and a gear with a loss: give the loss as a resistance of a rotor, "
+        "or replace the clutch by a coupling_shaft");
   }
   return ROT_OK;
 }
@@ -255,7 +259,54 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
   }
   scene->rotor = rotor;
   scene->brake = brake;
+  scene->inertia_kg_m2 = inertia;
+  scene->ratio_to_first = ratio;
+  scene->theta0_rad = theta;
+  scene->omega0_rad_per_s = omega;
   return status;
+}
+
+static int by_size(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* Breaks of what acts on one rotor or coupling, unsorted; returns how many, with `out` NULL room
+ * that is enough. */
+static size_t breaks_of(const rot_axle_scene *law, const rot_drive_grip *window, double out[]) {
+  if (out && law->n_breaks) memcpy(out, law->breaks_s, law->n_breaks * sizeof *out);
+  size_t n = law->n_breaks;
+  for (int k = 0; window && k < 2; k++) {
+    const double at = k ? window->to_s : window->from_s;
+    if (out && isfinite(at)) out[n] = at;
+    n += !out || isfinite(at);
+  }
+  return n;
+}
+
+static size_t all_breaks(const rot_drive_scene *scene, double out[]) {
+  size_t n = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_drive_grip *grip[] = {&scene->brake[i],
+                                    i + 1 < scene->n ? &scene->coupling[i].grip : NULL};
+    n += breaks_of(&scene->rotor[i], NULL, out ? out + n : NULL);
+    for (int k = 0; k < 2; k++) {
+      if (grip[k] && grip[k]->acts) n += breaks_of(&grip[k]->law, grip[k], out ? out + n : NULL);
+    }
+  }
+  return n;
+}
+
+static rot_status gather_breaks(rot_drive_scene *scene, rot_store *store) {
+  double *all = rot_store_get(store, all_breaks(scene, NULL), sizeof *all);
+  if (!all) return ROT_ENOMEM;
+  const size_t n = all_breaks(scene, all);
+  if (n) qsort(all, n, sizeof *all, by_size);
+  for (size_t i = 0; i < n; i++) {
+    if (i == 0 || all[i] != all[scene->n_breaks - 1]) all[scene->n_breaks++] = all[i];
+  }
+  scene->breaks_s = all;
+  return ROT_OK;
 }
 
 rot_status rot_drive_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
@@ -268,8 +319,15 @@ rot_status rot_drive_build(const rot_given given[], rot_store *store, void *to, 
   rot_status status = check_counts(given, n, no);
   if (status == ROT_OK) status = build_couplings(given, n, store, scene, no);
   if (status == ROT_OK) status = build_rotors(given, n, store, scene, no);
+  if (status == ROT_OK) status = gather_breaks(scene, store);
   return status;
 }
+
+const rot_derived rot_drive_derived[ROT_DRIVE_DERIVED] = {
+    {"moment_of_inertia_kg_m2", offsetof(rot_drive_scene, inertia_kg_m2), 0},
+    {"ratio_to_first", offsetof(rot_drive_scene, ratio_to_first), 0},
+    {"theta0_rad", offsetof(rot_drive_scene, theta0_rad), 0},
+    {"omega0_rad_per_s", offsetof(rot_drive_scene, omega0_rad_per_s), 0}};
 
 double rot_drive_start_s(const void *scene) { return ((const rot_drive_scene *)scene)->start_s; }
 
@@ -323,23 +381,20 @@ static rot_status run(rot_drive_form form, const rot_drive_scene *scene, const r
   const rot_drive_columns out = columns_of(rows->column);
   const int exact = form != ROT_DRIVE_FORMS;
   rot_drive_ledger ledger;
-  rot_drive_places places = {0, NULL};
   rot_store store = {0};
   rot_info_clear(info, rot_turning);
   info->status = open_ledger(task->n, rows, &store, &ledger);
   if (info->status == ROT_OK) {
-    info->status =
-        exact ? rot_drive_exact(scene, form, task->n, task->time_s, &out,
-                                rows->flow ? &ledger : NULL, rows->events, &places, hooks, info)
-              : rot_drive_integrate(scene, &options, task->n, task->time_s, &out, &ledger,
-                                    rows->events, &places, hooks, info);
+    info->status = exact ? rot_drive_exact(scene, form, task->n, task->time_s, &out,
+                                           rows->flow ? &ledger : NULL, rows->events, hooks, info)
+                         : rot_drive_integrate(scene, &options, task->n, task->time_s, &out,
+                                               &ledger, rows->events, hooks, info);
   }
   if (rows->flow) rot_drive_flow_errors(scene, &ledger, rows->flow_error);
   for (size_t k = scene->n - 1; k < info->rows_done * scene->n; k += scene->n) {
     out.coupling_torque_n_m[k] = out.coupling_heat_j[k] = NAN;
     out.locked[k] = -1;
   }
-  free(places.place);
   rot_store_free(&store);
   return info->status;
 }

@@ -6,9 +6,15 @@
 #include "engine/part.h"
 #include "scene/drive/drive.h"
 
-enum { ROT_DRIVE_INPUTS = 8, ROT_DRIVE_ALL_COLUMNS = 10, ROT_DRIVE_MODELS = 5 };
+enum {
+  ROT_DRIVE_INPUTS = 8,
+  ROT_DRIVE_ALL_COLUMNS = 10,
+  ROT_DRIVE_MODELS = 5,
+  ROT_DRIVE_DERIVED = 4
+};
 
 extern const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS];
+extern const rot_derived rot_drive_derived[ROT_DRIVE_DERIVED];
 extern const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS];
 extern const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS];
 

@@ -30,7 +30,6 @@ typedef struct motion {
   double most[2];    /* largest |theta|, |omega| on the way */
   rot_status failed; /* in an event function: rhs reports it */
   rot_events *events;
-  rot_drive_places *places;
 } motion;
 
 static signed char *modes_of(const motion *m, int mode) {
@@ -101,20 +100,6 @@ static rot_status number_modes(motion *m, const signed char mode[], int *number)
   return ROT_OK;
 }
 
-static rot_status add_event(motion *m, double t, rot_event event, int place) {
-  if (!m->events) return ROT_OK;
-  const rot_status status = rot_events_add(m->events, t, event);
-  if (status != ROT_OK) return status;
-  if (m->events->count > m->places->room) {
-    int *more = realloc(m->places->place, m->events->room * sizeof *more);
-    if (!more) return ROT_ENOMEM;
-    m->places->place = more;
-    m->places->room = m->events->room;
-  }
-  m->places->place[m->events->count - 1] = place;
-  return ROT_OK;
-}
-
 /* Where contact k is: the first rotor of its unit that has friction. */
 static int place_of(const motion *m, size_t k) {
   const rot_drive_contact *c = &m->s.contact[k];
@@ -138,7 +123,7 @@ static rot_status log_changes(motion *m, double t, const signed char before[],
     const rot_event event = sticks  ? (clutch ? ROT_EVENT_LOCK : ROT_EVENT_STICK)
                             : stuck ? ROT_EVENT_SLIP
                                     : ROT_EVENT_REVERSE;
-    status = add_event(m, t, event, place_of(m, k));
+    status = rot_events_add_at(m->events, t, event, place_of(m, k));
   }
   return status;
 }
@@ -535,8 +520,8 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
 
 rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode_options *options,
                                size_t n, const double time_s[], const rot_drive_columns *out,
-                               rot_drive_ledger *ledger, rot_events *events,
-                               rot_drive_places *places, const rot_hooks *hooks, rot_info *info) {
+                               rot_drive_ledger *ledger, rot_events *events, const rot_hooks *hooks,
+                               rot_info *info) {
   motion m;
   const double start = scene->start_s;
   const double span = n ? fmax(fabs(time_s[0] - start), fabs(time_s[n - 1] - start)) : 0.0;
@@ -545,7 +530,6 @@ rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode
   ledger->impulse_error_n_m_s = ledger->twist_error_rad = 0.0;
   rot_status status = motion_new(&m, scene, span);
   m.events = events;
-  m.places = places;
   double *y = status == ROT_OK ? malloc((n ? n : 1) * m.dim * sizeof *y) : NULL;
   if (!y) status = ROT_ENOMEM;
   if (status == ROT_OK) {

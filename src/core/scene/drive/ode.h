@@ -13,17 +13,10 @@ typedef struct rot_drive_ode_options {
   double resolution; /* of changes of a law that is called: see engine/ode/ode.h; 0: as there */
 } rot_drive_ode_options;
 
-/* Where an event happens: rotor i as i + 1, the coupling behind rotor j as -(j + 1). As long as the
- * events; grown by the run, freed by the caller. */
-typedef struct rot_drive_places {
-  size_t room;
-  int *place;
-} rot_drive_places;
-
 /* Errors are estimates. Times before the start only where no contact may stick. */
 rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode_options *options,
                                size_t n, const double time_s[], const rot_drive_columns *out,
-                               rot_drive_ledger *ledger, rot_events *events,
-                               rot_drive_places *places, const rot_hooks *hooks, rot_info *info);
+                               rot_drive_ledger *ledger, rot_events *events, const rot_hooks *hooks,
+                               rot_info *info);
 
 #endif

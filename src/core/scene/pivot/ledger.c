@@ -27,7 +27,7 @@ static rot_status torques(size_t n, const double time_s[], double value[], void 
   double *memory = malloc((columns * n + 1) * sizeof *memory);
   void *column[ROT_FREE_ALL_COLUMNS] = {NULL};
   rot_free_out out;
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_info info;
   if (!memory) return ROT_ENOMEM;
   for (size_t k = 0; k < columns; k++) column[k] = memory + k * n;

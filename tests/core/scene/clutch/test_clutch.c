@@ -321,7 +321,7 @@ static void check_case(const clutch_case *x) {
       {x->theta0[0], x->theta0[1]},
       {x->omega0[0], x->omega0[1]}};
   const rot_clutch_columns out = {theta[0], omega[0], theta[1], omega[1], torque, heat, locked};
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_info info;
   for (int i = 0; i < ROWS; i++) time[i] = x->t * i / (ROWS - 1.0);
   time[ROWS - 1] = x->t;

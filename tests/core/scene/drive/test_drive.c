@@ -181,7 +181,6 @@ static struct {
   rot_drive_columns out;
   rot_drive_ledger ledger;
   rot_events events;
-  rot_drive_places places;
   rot_info info;
   rot_status status;
 } run;
@@ -199,7 +198,7 @@ static void integrate(size_t n_rotors, size_t n, const double t[], rot_method me
 #undef X
   rot_events_free(&run.events);
   run.status = rot_drive_integrate(&scene, &options, n, t, &run.out, &run.ledger, &run.events,
-                                   &run.places, NULL, &run.info);
+                                   NULL, &run.info);
   ROT_CHECK_EQ_INT(run.status, run.info.status);
 }
 
@@ -219,7 +218,7 @@ static void a_clutch_locks(void) {
     NEAR(run.ledger.clutch_j[3], 60.0, 1e-12);
     ROT_CHECK_EQ_INT(run.events.count, 1);
     ROT_CHECK_EQ_INT(run.events.event[0], ROT_EVENT_LOCK);
-    ROT_CHECK_EQ_INT(run.places.place[0], -1);
+    ROT_CHECK_EQ_INT(run.events.place[0], -1);
     NEAR(run.events.time_s[0], 1.0, 1e-14);
     ROT_CHECK(rot_info_error(&run.info) <= 1e-10);
   }
@@ -243,7 +242,7 @@ static void a_brake_stops_a_geared_load(void) {
   NEAR(run.ledger.brake_j[3], 64.0, 1e-12);
   ROT_CHECK_EQ_INT(run.events.count, 1);
   NEAR(run.events.time_s[0], 2.5, 1e-14);
-  ROT_CHECK_EQ_INT(run.places.place[0], 2);
+  ROT_CHECK_EQ_INT(run.events.place[0], 2);
   /* The momentum that the housing takes: half of that of the gear pair, less the brake's. */
   NEAR(run.ledger.resistance_impulse_n_m_s[3], -32.0, 1e-12);
   NEAR(run.ledger.housing_impulse_n_m_s[3], -24.0 + 32.0, 1e-12);
@@ -298,6 +297,5 @@ int main(void) {
   a_gear_loses_power();
   effects_are_seen();
   rot_events_free(&run.events);
-  free(run.places.place);
   return rot_test_report("drive");
 }

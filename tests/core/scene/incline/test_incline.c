@@ -282,7 +282,7 @@ static void random_scenes(void) {
   double worst = 0.0;
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     const incline_case *c = &cases[i];
-    rot_events events = {0, 0, NULL, NULL};
+    rot_events events = {0};
     rot_info info;
     table rows;
     ROT_CHECK(run(&c->p, 1, &c->t, &rows, &events, &info) == ROT_OK);
@@ -315,7 +315,7 @@ static void slip_to_roll(void) {
         x[0], x[1], x[2] * x[0] * x[1] * x[1], deg, x[5], x[3], x[3], 0.0, 0.0, x[6], 0.0,
         x[7], 0.0};
     const double t[] = {isfinite(x[8]) ? x[8] : 100.0, isfinite(x[8]) ? 1.001 * x[8] : 100.0};
-    rot_events events = {0, 0, NULL, NULL};
+    rot_events events = {0};
     rot_info info;
     table rows;
     ROT_CHECK(run(&p, 2, t, &rows, &events, &info) == ROT_OK);
@@ -460,7 +460,7 @@ static void slip_reverses(void) {
                                 0.0, 0.0, 1.0,   0.0,  40.0,    2.0};
   const double g = 9.80665, sine = rot_sin_deg(60.0), pull = g * sine, slides = 0.2 * g * 0.5;
   const double at_s = 3.0 / (pull + slides * 3.5), t = 2.0 + 2.0 * at_s;
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_incline_event_rows rows = {0, 0, NULL};
   rot_info info;
   table to;

@@ -25,7 +25,7 @@ static void point(table *to) {
                                   to->c[6], to->c[7], to->c[8], to->c[9], to->c[10], to->rolling};
   to->sums = (rot_incline_sums){to->s[0], to->s[1], to->s[2], to->s[3], to->s[4],
                                 to->s[5], to->s[6], to->s[7], {0.0}};
-  to->events = (rot_events){0, 0, NULL, NULL};
+  to->events = (rot_events){0};
 }
 
 static rot_status run(const rot_incline_scene *scene, size_t n, const double t[], double accuracy,
@@ -56,7 +56,7 @@ static rot_incline_scene sphere(double angle_deg, double mu, double arm_m, doubl
 static void rows_of_events(const rot_incline_scene *scene, rot_method method) {
   const rot_incline_ode_options options = {1e-10, 100000, method, 0.0};
   rot_incline_event_rows exact = {0, 0, NULL}, ours = {0, 0, NULL};
-  rot_events events = {0, 0, NULL, NULL};
+  rot_events events = {0};
   rot_info info;
   table to;
   const double t = 3.0;

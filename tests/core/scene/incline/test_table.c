@@ -110,7 +110,7 @@ static void random_rows(void) {
     int rolling;
     const rot_incline_columns to = {&c[0], &c[1], &c[2], &c[3], &c[4],  &c[5],
                                     &c[6], &c[7], &c[8], &c[9], &c[10], &rolling};
-    rot_events events = {0, 0, NULL, NULL};
+    rot_events events = {0};
     rot_info one;
     ROT_CHECK(t.status[i] == ROT_OK);
     ROT_CHECK(rot_incline_run(&p, 1, &time, &to, &events, NULL, NULL, &one) == ROT_OK);
