@@ -1,8 +1,9 @@
 # The axle: one body that turns about a fixed axis.
 axle_constraint <- function() {
-  list(
-    id = "axle",
-    scene_class = "rot_scene_axle",
+  table_constraint(
+    "axle",
+    models = axle_words(),
+    bodies = NULL, inputs = NULL, # its scenes are not read by them
     form = list(
       body = list(.one_of = list(body_form, inertia_knots_form), .optional = TRUE),
       moment_of_inertia_kg_m2 = "number",
@@ -28,33 +29,19 @@ axle_constraint <- function() {
       if (!is.null(.subset2(run$scene, "rope"))) return(sentence(hanging_title(run$scene$rope)))
       paste(sentence(with_article(run$scene$body$shape %||% "body")), "on a fixed axle")
     },
-    models = axle_models,
-    without = axle_without,
-    acting = axle_acting,
     rounding = axle_rounding,
     quick = function(scene) {
       is.null(.subset2(scene, "inertia")) && is.null(.subset2(scene, "rounding")) &&
         is.null(.subset2(scene, "rope")) && is.null(.subset2(scene, "train")) &&
         known_to_rounding(scene)
     },
-    columns = trajectory_columns,
     more_columns = function(columns, scene, time_s) {
-      if (!is.null(.subset2(scene, "inertia"))) {
-        columns$moment_of_inertia_kg_m2 <- inertia_at(scene$inertia, time_s)
-      }
-      if (!is.null(.subset2(scene, "rope"))) columns <- hanging_columns(columns, scene)
-      if (is.null(.subset2(scene, "train"))) return(columns)
-      shaft_columns(geared_columns(columns, scene), scene)
+      if (is.null(.subset2(scene, "train"))) columns else shaft_columns(columns, scene)
     },
     ends = function(scene, columns) {
       if (!is.null(.subset2(scene, "rope"))) slack_rope(scene, columns)
     },
-    more_names = function(scene) c(shaft_names(scene), hanging_names(.subset2(scene, "rope"))),
-    keys = c("time_s", "theta_rad", "omega_rad_per_s"),
-    measures = list(
-      theta = measure("rad", "theta_rad"),
-      omega = measure("rad/s", "omega_rad_per_s")
-    ),
+    more_names = function(scene) c(shown_names("axle", scene), shaft_names(scene)),
     slopes = function(columns, scene) {
       omega <- columns$omega_rad_per_s
       # The net torque is that on the pulley alone, and 0 where it has no inertia.
@@ -69,7 +56,6 @@ axle_constraint <- function() {
         }
       )
     },
-    pace = axle_pace,
     call_laws = function(scene, call) {
       law <- scene$loads$law
       if (is.null(law)) return(NULL)
@@ -97,8 +83,6 @@ axle_constraint <- function() {
     drawing = draw_axle,
     frames = axle_frames,
     texts = axle_texts(),
-    balances = balance_axle,
-    conserved = conserved_axle,
     augment = augment_axle,
     panels = list(
       panel("angle (rad)", c(theta_rad = "")),
@@ -123,6 +107,85 @@ axle_constraint <- function() {
       ))
     )
   )
+}
+
+axle_words <- function() {
+  integrator <- function(id) {
+    list(run = function(scene, time_s, accuracy, max_steps, call, asked, flows = TRUE) {
+      integrate_axle(id, scene, time_s, accuracy, max_steps, call, asked)
+    })
+  }
+  integrated <- integrated_words(
+    "axle",
+    equations = "d(I omega)/dt = torque(t, theta, omega) + resistance, integrated",
+    assumptions = "rigid body; torque finite, and smooth between its breaks",
+    requires = "any torque, any resistance"
+  )
+  c(list(
+    axle_free = list(
+      equations = "omega = omega0; theta = theta0 + omega0 t",
+      assumptions = "rigid body; nothing acts about the axle",
+      limits = "none in double precision",
+      requires = "no torque, no resistance",
+      source = "Goldstein 2002, section 1.1"
+    ),
+    axle_linear = list(
+      equations = "I domega/dt = torque(t) - c omega, solved in closed form between the knots",
+      assumptions = "rigid body; torque a piecewise-linear function of time; resistance -c omega",
+      limits = "any c t/I from 0 to 1e300; the state must stay within double precision",
+      requires = "constants, knots, steps, pulses, linear motors; viscous resistance or none",
+      source = "Hochbruck & Ostermann 2010, section 2.1 (phi functions)"
+    ),
+    axle_skater = list(
+      equations = "d(I(t) omega)/dt = torque, I piecewise linear in time",
+      assumptions = "rigid but for the change of inertia, which needs no torque about the axle",
+      limits = "none in double precision",
+      requires = "inertia_knots(); a torque that is constant between its steps; no resistance",
+      source = "Goldstein 2002, section 1.1"
+    ),
+    axle_pendulum = list(
+      equations = "I domega/dt = -m g d sin(theta), in Jacobi's elliptic functions",
+      assumptions = "rigid body; uniform gravity",
+      limits = "any amplitude, rotation and the separatrix included",
+      requires = "torque_gravity() and nothing else",
+      source = "Landau & Lifshitz 1976, section 11; DLMF chapter 22"
+    ),
+    axle_oscillator = list(
+      equations = "I domega/dt = -k (theta - rest) - c omega + torque(t)",
+      assumptions = "rigid body; a spring that obeys Hooke's law",
+      limits = "any damping; the state must stay within double precision",
+      requires = "torque_spring(), constants, knots, steps, sinusoids, motors, viscous resistance",
+      source = "Landau & Lifshitz 1976, sections 22 to 26"
+    ),
+    axle_forced = list(
+      equations = "I domega/dt = torque(t) - c omega, solved term by term",
+      assumptions = "rigid body; resistance -c omega",
+      limits = "polynomials to degree 16; the state must stay within double precision",
+      requires = paste(
+        "sums of constants, knots, polynomials, sinusoids, exponentials, motors; viscous",
+        "resistance"
+      ),
+      source =
+        "Hochbruck & Ostermann 2010, section 2.1; McCurdy, Ng & Parlett 1984 (divided differences)"
+    ),
+    axle_drag = list(
+      equations =
+        "I domega/dt = torque - c omega - q omega |omega| - tau_c sign(omega); sticks at rest",
+      assumptions = "rigid body; a torque that is constant between its steps",
+      limits = "forward in time; c >= 0",
+      requires = "constants, steps, pulses, a motor; viscous, quadratic and dry friction",
+      source = "Riccati's equation; Armstrong-Helouvry 1991, chapter 2 (dry friction)"
+    ),
+    axle_bands = list(
+      equations =
+        "I domega/dt = torque(t) + curve(omega) - c omega - tau_c sign(omega); sticks at rest",
+      assumptions = "rigid body; torque piecewise linear in time and in omega",
+      limits = "forward in time",
+      requires =
+        "constants, knots, steps, pulses, motors, one torque_curve(); viscous and dry friction",
+      source = "Armstrong-Helouvry 1991, chapter 2 (dry friction)"
+    )
+  ), Map(c, integrated, lapply(names(integrated), integrator)))
 }
 
 # A scene on an axle as text, by the function that made it.
@@ -170,180 +233,23 @@ axle_texts <- function() {
   )
 }
 
-# A torque that goes around with the angle swings as fast as the body turns.
-axle_pace <- function(scene, sizes, model) {
-  list(
-    breaks_s = sort(unique(c(axle_breaks(scene), scene$loads$law$breaks_s))),
-    fades_s = shortest_time(scene, sizes), swing_rad_per_s = fastest_swing(scene, sizes)
-  )
-}
-
-fastest_swing <- function(scene, sizes) {
-  inertia <- min(scene$moment_of_inertia_kg_m2, scene$inertia$moment_of_inertia_kg_m2)
-  swing <- vapply(scene$loads$terms, function(term) {
-    x <- abs(term$x)
-    switch(term$kind,
-      sinusoid = x[2],
-      # A quotient of roots: that of the numbers may underflow.
-      spring = sqrt(x[1]) / sqrt(inertia),
-      gravity = max(2 * sqrt(x[1]) / sqrt(inertia), sizes[["omega"]]),
-      0
-    )
-  }, double(1))
-  max(0, swing)
-}
-
-# The scene without some effects.
-axle_without <- function(scene, effects) {
-  if ("viscous" %in% effects) scene$resistance$viscous_n_m_s <- 0
-  if ("quadratic" %in% effects) scene$resistance$quadratic_n_m_s2 <- 0
-  if ("friction" %in% effects) scene$resistance[c("coulomb_n_m", "static_n_m")] <- 0
-  scene$loads$terms <- Filter(function(term) !term$kind %in% effects, scene$loads$terms)
-  scene
-}
-
-# Springs and gravity keep the energy, kinetic and potential, unless they act for a time only.
-conserved_axle <- function(scene) {
-  loads <- scene$loads
-  stores <- vapply(loads$terms, function(term) {
-    term$kind %in% c("spring", "gravity") && term$from_s == -Inf && term$to_s == Inf
-  }, NA)
-  gears <- scene$gears
-  lossy <- !is.null(gears) && (gears$forward_n_m != 0 || gears$backward_n_m != 0 ||
-    scene$resistance$viscous_n_m_s != 0)
-  applied <- loads
-  applied$terms <- loads$terms[!stores]
-  resistance <- resists(scene$resistance)
-  if (!is.null(gears)) { # a curve and dry friction stand for their loss
-    applied <- torque_loads(torque_constant(gears$applied_n_m))
-    resistance <- gears$bearings_n_m_s != 0
-  }
-  acts <- loads_act(applied)
-  hangs <- !is.null(.subset2(scene, "rope")) # gravity stores what the weights do
-  list(
-    keeps_unless("energy", NA_character_, list(
-      "the torque works" = acts && !hangs, "the resistance dissipates" = resistance,
-      "the gears dissipate" = lossy,
-      "what changes the moment of inertia works" = !is.null(scene$inertia)
-    ), if (hangs) {
-      "gravity gives back what it takes: kinetic plus potential energy stays"
-    } else if (any(stores)) {
-      "springs and gravity give back what they take: kinetic plus potential energy stays"
-    } else {
-      "nothing works and nothing dissipates"
-    }),
-    keeps_unless("angular_momentum", "the axle", list(
-      "a torque acts about the axle" = acts && !hangs,
-      "the weights act about the axle" = acts && hangs,
-      "springs or gravity act about the axle" = any(stores),
-      "the resistance acts about the axle" = resistance, "the gears take a torque" = lossy
-    ), "no torque acts about the axle")
-  )
-}
-
-balance_axle <- function(x, run, call) {
-  n <- nrow(x)
-  if (n == 0L) {
-    return(list(
-      no_balance("energy", NA_character_, "J"),
-      no_balance("angular_momentum", "the axle", "kg m^2/s")
-    ))
-  }
-  scene <- run$solved
-  t <- as.double(x$time_s[c(1L, n)])
-  ledger <- run$ledger
-  if (is.null(ledger)) {
-    ledger <- record_of(run)$ledger(scene, c(run, call = call), min(t), max(t))
-    if (t[2] < t[1]) { # rows in reverse order: the balance runs backward
-      flows <- !grepl("_rounding_", names(ledger))
-      ledger[flows] <- -ledger[flows]
-    }
-  }
-  theta <- x$theta_rad[c(1L, n)]
-  ledger <- geared_flows(ledger, scene, theta[2] - theta[1], t[2] - t[1])
-  flow <- function(name) ledger[[name]]
-  inertia <- if (is.null(scene$inertia)) {
-    rep(scene$moment_of_inertia_kg_m2, 2L)
-  } else {
-    inertia_at(scene$inertia, t)
-  }
-  omega <- x$omega_rad_per_s[c(1L, n)]
-  viscous <- scene$resistance$viscous_n_m_s
-  linear <- scene$resistance$quadratic_n_m_s2 == 0 && scene$resistance$static_n_m == 0
-  damping <- if (linear) -viscous * (theta[2] - theta[1]) else flow("damping_impulse_n_m_s")
-  constant <- inertia[1] == inertia[2]
-  kinetic <- if (constant) kinetic_change(inertia[1], omega[1], omega[2]) else
-    0.5 * (inertia[2] * omega[2]^2 - inertia[1] * omega[1]^2)
-  momentum <- if (constant) inertia[1] * (omega[2] - omega[1]) else
-    inertia[2] * omega[2] - inertia[1] * omega[1]
-  eps <- .Machine$double.eps
-  errors <- run$info$errors
-  omega_error <- errors[["omega"]] + eps * abs(omega)
-  stored <- potential_change(scene, theta, errors[["theta"]] + eps * abs(theta))
-  # What springs and gravity do is the change of their energy: the rest is the work of the others.
-  work <- flow("work_j")
-  if (!is.null(stored)) work <- if (potential_only(scene)) 0 else work + stored$change_j
-  sizes <- abs(c(kinetic, flow("work_j"), flow("dissipated_j"), flow("inertia_work_j")))
-  rope <- .subset2(scene, "rope")
-  if (is.null(rope)) {
-    kinetic <- c("change of kinetic energy" = kinetic)
-  } else {
-    kinetic <- hanging_kinetic_change(rope, omega)
-    stored <- hanging_potential_change(rope, theta, errors[["theta"]] + eps * abs(theta))
-  }
-  list(
-    balance(
-      "energy", NA_character_, "J",
-      c(
-        kinetic,
-        if (!is.null(stored)) c("change of potential energy" = stored$change_j)
-      ),
-      c(
-        if (is.null(rope)) c("work of the torque" = work),
-        "work of what changes the inertia" = flow("inertia_work_j")
-      ),
-      stats::setNames(
-        c(flow("viscous_j"), flow("quadratic_j"), flow("coulomb_j")),
-        c(
-          "heat of viscous resistance", "heat of quadratic drag",
-          if (is.null(scene$gears)) "heat of dry friction" else "loss of the gears"
-        )
-      ),
-      flow("work_rounding_j") + flow("dissipated_rounding_j") + (stored$rounding_j %||% 0) +
-        sum(inertia * abs(omega) * omega_error) + 2 * eps * sum(sizes) +
-        if (is.null(scene$inertia)) 0 else 2 * eps * sum(inertia * omega^2)
-    ),
-    balance(
-      "angular_momentum", "the axle", "kg m^2/s",
-      c("change of angular momentum" = momentum),
-      stats::setNames(
-        flow("impulse_n_m_s"),
-        if (is.null(rope)) "impulse of the torque" else "impulse of the weights"
-      ),
-      c("impulse of the resistance" = -damping),
-      flow("impulse_rounding_n_m_s") + sum(inertia * omega_error) +
-        abs(viscous) * sum(errors[["theta"]] + eps * abs(theta)) +
-        2 * eps * (abs(momentum) + abs(flow("impulse_n_m_s")) + abs(damping))
-    )
-  )
-}
-
 augment_axle <- function(x, run, edges, call) {
   if (is.null(x[["applied_torque_n_m"]])) abort_missing_column("applied_torque_n_m", x, call)
-  parts <- NULL
-  if (length(edges) > 1L) {
-    parts <- integrate_axle_flows(run, edges, call, run$scene)
-    if (is.null(parts)) return(NULL)
+  table <- core_table("axle")
+  flows <- if (is.null(run$dropped)) {
+    table_flows(table, run, edges)$since
+  } else if (length(edges)) { # those of all torques along the motion
+    control <- c(run$accuracy, run$max_steps + length(edges), TRUE, 0, 2, FALSE, 0)
+    again <- run_table_model("axle", run$model, run$solved, edges, control, call, looks = FALSE)
+    if (again$info$kind == "none") again$ledger[, table$flows, drop = FALSE]
   }
-  if (!is.null(parts)) {
-    turned <- diff(x$theta_rad[match(edges, x$time_s)])
-    parts$value <- geared_flows(parts$value, run$scene, turned, diff(edges))
+  if (length(edges) && is.null(flows)) return(NULL)
+  if (length(edges)) {
+    flows <- sweep(flows, 2, flows[1, ])
     omega <- x$omega_rad_per_s[match(edges, x$time_s)]
-    parts$value <- hanging_flows(parts$value, .subset2(run$scene, "rope"), omega)
+    flows <- hanging_flows(flows, .subset2(run$scene, "rope"), omega)
   }
-  since_first <- function(flow) {
-    c(0, if (!is.null(parts)) cumsum(unname(parts$value[, flow])))[seq_along(edges)]
-  }
+  since_first <- function(flow) if (length(edges)) unname(flows[, flow]) else double()
   heat <- list(
     dissipated_viscous_j = since_first("viscous_j"),
     dissipated_quadratic_j = since_first("quadratic_j"),
@@ -384,4 +290,30 @@ axle_rounding <- function(scene, time_s, sizes) {
   }
   most <- if (back > 0) lag else min(span / inertia / 2, lag)
   list(theta = off * span * most, omega = off * lag)
+}
+
+# From when on the rope would be slack, in words; NULL: it is taut. Forward it is slack from the
+# start on or never: a tension falls below 0 with the rate, which decreases or tends to that of a
+# taut rope. Rows before the start are looked at.
+slack_rope <- function(scene, columns) {
+  from <- scene$start_s
+  start <- run_table_model(
+    "axle", "axle_rk8pd", scene, from, c(1, 1, TRUE, 0, FALSE, FALSE, 0), NULL, looks = FALSE
+  )$columns
+  lowest <- function(columns) {
+    do.call(pmin, unname(unclass(columns)[grepl("^tension(_[12])?_n$", names(columns))]))
+  }
+  rounding <- 16 * .Machine$double.eps * sum(scene$rope$mass_kg) * abs(scene$rope$gravity_m_per_s2)
+  tension <- lowest(start)
+  if (!(tension < -rounding) && any(grepl("^tension", names(columns)))) {
+    row <- match(TRUE, lowest(columns) < -rounding)
+    if (is.na(row)) return(NULL)
+    from <- columns$time_s[row]
+    tension <- lowest(columns)[row]
+  }
+  if (!(tension < -rounding)) return(NULL)
+  paste0(
+    "the rope would be slack from ", format_si(from), " s on (its tension would be ",
+    format_si(tension), " N there): the motion is that of a rope that can push"
+  )
 }

@@ -14,8 +14,6 @@
 #   drop_bound(scene, effects, record, time_s, call)   NULL, or what leaving them out changes at
 #                 most: list(effects, until_s, errors, error, each), see R/choice.R
 #                 (a constraint of the C core has these three from there)
-#   acting(columns, scene, time_s)   NULL, or the columns of a motion without some effects, with the
-#                 torques that act in the whole scene
 #   rounding(scene, time_s, sizes)   NULL, or what the rounding of the scene's own coefficients
 #                 changes at most: NULL, or list: by measure
 #   columns       columns of a result
@@ -25,8 +23,8 @@
 #   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run that is asked with
 #                 event_rows = TRUE also gives event_rows, list(columns, ledger): the rows at the
 #                 times of its events
-#   quick(scene)  NULL, or TRUE where none of more_columns, rounding, acting and ends has a part in
-#                 the scene, and its bodies are known to rounding
+#   quick(scene)  NULL, or TRUE where none of more_columns, rounding and ends has a part in the
+#                 scene, and its bodies are known to rounding
 #   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:
 #                 those of a motion, or NULL
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time

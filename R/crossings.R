@@ -16,9 +16,6 @@ motion_reader <- function(run, body, call) {
     )
     if (result$info$kind != "none") failed_run(result$info, length(times), "abort", call)
     columns <- result$columns
-    if (!is.null(run$dropped) && !is.null(constraint$acting)) {
-      columns <- constraint$acting(columns, run$scene, times)
-    }
     if (!is.null(constraint$more_columns)) {
       columns <- constraint$more_columns(columns, run$scene, times)
     }
@@ -51,6 +48,21 @@ search_times <- function(run, from_s, to_s) {
   intervals <- 129 + ceiling(16 * cycles)
   even <- from_s + (to_s - from_s) * (seq_len(intervals - 1) / intervals)
   sort(unique(c(from_s, inside(c(marks, fades, pieces, even)), to_s)))
+}
+
+# Times that double their distance from where the motion is disturbed: a panel much longer than the
+# shortest time would miss what fades after it. `anchors`: breaks, events and the start, increasing.
+graded_times <- function(anchors, start_s, shortest_s, from_s, to_s) {
+  if (!is.finite(shortest_s)) return(double())
+  anchors <- c(min(from_s, anchors[1]), anchors, max(to_s, anchors[length(anchors)]))
+  begin <- anchors[-length(anchors)]
+  end <- anchors[-1]
+  long <- end - begin > 50 * shortest_s & end > from_s & begin < to_s
+  unlist(Map(function(begin, end) {
+    first <- max(shortest_s, (end - begin) * 2^-1000) # 2^1024 is no double
+    away <- first * 2^seq.int(-1, floor(log2((end - begin) / first)))
+    if (end <= start_s) end - away else begin + away
+  }, begin[long], end[long]))
 }
 
 # As R/constraints.R says; of constraints that do not say, nothing that hurries.

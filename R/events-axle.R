@@ -5,7 +5,8 @@
 # it under gravity). Those of the run at the same time have a name already.
 axle_swing_events <- function(x, run, call) {
   none <- list(time_s = double(), event = character())
-  terms <- Filter(function(term) term$kind %in% c("spring", "gravity"), run$solved$loads$terms)
+  pulls <- setdiff(c("spring", "gravity"), run$solved$without)
+  terms <- Filter(function(term) term$kind %in% pulls, run$solved$loads$terms)
   if (!length(terms) || nrow(x) < 2L || anyNA(x$time_s)) return(none)
   span <- range(x$time_s)
   grid <- if (span[1] < span[2]) search_times(run, span[1], span[2])
@@ -58,32 +59,4 @@ axle_potential <- function(scene, theta_rad) {
     if (term$kind == "spring") return(0.5 * term$x[1] * away^2)
     2 * abs(term$x[1]) * sin(away / 2)^2
   }))
-}
-
-# Its change between two angles, each with an error: list(change_j, rounding_j), or NULL. A product
-# keeps the digits of a small change of a large energy.
-potential_change <- function(scene, theta_rad, error_rad) {
-  terms <- axle_conservative(scene)
-  if (!length(terms)) return(NULL)
-  each <- vapply(terms, function(term) {
-    k <- abs(term$x[1])
-    away <- theta_rad - rest_angle(term)
-    spring <- term$kind == "spring"
-    change <- if (spring) {
-      0.5 * term$x[1] * (theta_rad[2] - theta_rad[1]) * (away[1] + away[2])
-    } else {
-      2 * k * sin((away[1] + away[2]) / 2) * sin((theta_rad[2] - theta_rad[1]) / 2)
-    }
-    slope <- k * if (spring) abs(away) else abs(sin(away))
-    error <- error_rad + .Machine$double.eps * abs(rest_angle(term))
-    c(change, sum(slope * error) + k * sum(error^2) + 8 * .Machine$double.eps * abs(change))
-  }, double(2))
-  list(change_j = sum(each[1, ]), rounding_j = sum(each[2, ]))
-}
-
-# Whether no other torque acts but resistance.
-potential_only <- function(scene) {
-  loads <- scene$loads
-  length(axle_conservative(scene)) == length(loads$terms) && is.null(loads$law) &&
-    loads$motor_n_m_s == 0 && torque_is_zero(loads$knots)
 }

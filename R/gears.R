@@ -261,15 +261,6 @@ train_rounding <- function(at, alpha) {
   )
 }
 
-# Columns of the solved torques: what the meshes take belongs to the resistance.
-geared_columns <- function(columns, scene) {
-  gears <- .subset2(scene, "gears")
-  if (is.null(gears)) return(columns)
-  columns$applied_torque_n_m <- gears$applied_n_m + 0 * columns$applied_torque_n_m
-  columns$damping_torque_n_m <- columns$net_torque_n_m - columns$applied_torque_n_m
-  columns
-}
-
 # Of a motion of the first shaft: angle and rate of the others, theta/N and omega/N.
 shaft_columns <- function(columns, scene) {
   ratio <- scene$train$ratio_to_first[-1]
@@ -292,26 +283,6 @@ shaft_slopes <- function(omega, net, scene) {
   ratio <- scene$train$ratio_to_first[-1]
   slopes <- c(lapply(sign(ratio), `*`, omega), lapply(sign(ratio), `*`, net))
   stats::setNames(slopes, shaft_names(scene))
-}
-
-# The flows of the solved torques (a named vector, or a matrix with a row for each interval) as
-# those of the train: the torques of the shafts work, bearings and meshes take the rest.
-geared_flows <- function(flows, scene, turned_rad, span_s) {
-  gears <- .subset2(scene, "gears")
-  if (is.null(gears)) return(flows)
-  table <- if (is.matrix(flows)) flows else rbind(flows)
-  viscous <- scene$resistance$viscous_n_m_s
-  work <- gears$applied_n_m * turned_rad - table[, "work_j"]
-  impulse <- gears$applied_n_m * span_s - table[, "impulse_n_m_s"]
-  meshes <- if (viscous > 0) table[, "viscous_j"] * (1 - gears$bearings_n_m_s / viscous) else 0
-  add <- function(name, by) if (name %in% colnames(table)) table[, name] <<- table[, name] + by
-  add("work_j", work)
-  add("viscous_j", -meshes)
-  add("coulomb_j", work + meshes)
-  add("dissipated_j", work)
-  add("impulse_n_m_s", impulse)
-  add("damping_impulse_n_m_s", -impulse)
-  if (is.matrix(flows)) table else table[1, ]
 }
 
 describe_gears <- function(gears) {

@@ -1,40 +1,35 @@
 # The run of an axle by an integrator, after breaks and samples of an R function.
 
-integrate_axle <- function(scene, time_s, accuracy, max_steps, call, method) {
-  loads <- scene$loads
-  law <- sampled <- stops <- NULL
-  if (!is.null(loads$law)) {
-    span <- range(scene$start_s, time_s)
-    reader <- law_reader(loads$law, scene, call)
-    if (loads$law$arguments == 3L) check_start_level(scene, reader, call)
-    seen <- law_breaks(loads$law, reader$at, span[1], span[2], call, resolution_of(scene))
-    stops <- seen$stops
-    if (loads$law$arguments == 1L) {
-      sampled <- sample_and_compare(reader, scene, span, seen, accuracy)
-      stops <- sampled$stops %||% stops
-    }
-    if (is.null(sampled)) law <- reader$own
-    loads$terms <- c(loads$terms, list(sampled$term)[!is.null(sampled)])
+integrate_axle <- function(id, scene, time_s, accuracy, max_steps, call, asked) {
+  law <- scene$loads$law
+  resolution <- if (is.null(law)) 0 else resolution_of(scene)
+  control <- c(accuracy, max_steps, asked, resolution, TRUE, FALSE, 0)
+  solve <- function(solved, time_s, laws = NULL) {
+    .Call(ffi_scene_run, "axle", solved, id, time_s, control, laws, progress_bar("integrating"))
   }
-  noise_n_m <- if (is.null(sampled)) 0 else sampled$error
-  solve <- function(loads, time_s) {
-    scene$loads <- loads
-    .Call(
-      ffi_axle_integrate, scene, law, stops, time_s,
-      c(accuracy, max_steps, method, noise_n_m, resolution_of(scene)),
-      progress_bar("integrating")
-    )
+  if (is.null(law)) return(solve(scene, time_s))
+  span <- range(scene$start_s, time_s)
+  reader <- law_reader(law, scene, call)
+  if (law$arguments == 3L) check_start_level(scene, reader, call)
+  seen <- law_breaks(law, reader$at, span[1], span[2], call, resolution)
+  sampled <- if (law$arguments == 1L) sample_and_compare(reader, scene, span, seen, accuracy)
+  solved <- scene
+  solved$stops <- sampled$stops %||% seen$stops
+  if (is.null(sampled)) {
+    result <- solve(solved, time_s, list(torque = list(reader$own)))
+  } else {
+    solved$loads["law"] <- list(NULL)
+    solved$loads$terms <- c(solved$loads$terms, list(sampled$term))
+    solved$noise_n_m <- sampled$error
+    result <- read_zeros(solve(solved, time_s), sampled, reader$at, scene$loads, time_s)
   }
-  result <- add_end_jumps(solve(loads, time_s), scene, time_s)
-  if (!is.null(sampled)) result <- read_zeros(result, sampled, reader$at, scene$loads, time_s)
-  if (!is.null(loads$law)) {
-    result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
-    result$info$resolution <- resolution_of(scene)
-  }
+  result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
+  result$info$resolution <- resolution
   if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") return(result)
   add_sampling(result, sampled, scene, time_s, function(push_n_m) {
-    loads$knots <- add_knots(list(loads$knots, torque_constant(push_n_m)))
-    solve(loads, seq(min(scene$start_s, time_s), max(scene$start_s, time_s), length.out = 65L))
+    pushed <- solved
+    pushed$loads$knots <- add_knots(list(solved$loads$knots, torque_constant(push_n_m)))
+    solve(pushed, seq(min(scene$start_s, time_s), max(scene$start_s, time_s), length.out = 65L))
   }, accuracy)
 }
 
@@ -121,30 +116,6 @@ read_zeros <- function(result, sampled, at, loads, time_s) {
   result$columns$applied_torque_n_m[rows] <- exact
   result$columns$damping_torque_n_m[rows] <- damping
   result$columns$net_torque_n_m[rows] <- exact + damping
-  result
-}
-
-# The integrator counts a jump of the inertia at an end of its ledger on the side that it
-# integrated; the balance of rows counts it before the row.
-add_end_jumps <- function(result, scene, time_s) {
-  n <- length(time_s)
-  if (is.null(scene$inertia) || n == 0L || result$info$kind != "none") return(result)
-  start <- scene$start_s
-  from <- time_s[1]
-  to <- time_s[n]
-  at <- function(end, omega) {
-    jump_work(scene, function(t) omega * inertia_at(scene$inertia, t), function(t) t == end)
-  }
-  omega <- result$columns$omega_rad_per_s
-  add <- function(result, jumps, sign) {
-    off <- c(inertia_work_j = sign * sum(jumps$work),
-             work_rounding_j = 4 * .Machine$double.eps * sum(jumps$size))
-    result$ledger[names(off)] <- result$ledger[names(off)] + off
-    result
-  }
-  if (from < start && to >= start) result <- add(result, at(start, scene$omega0_rad_per_s), 1)
-  if (to > start) result <- add(result, at(to, omega[n]), 1)
-  if (from > start) result <- add(result, at(from, omega[1]), -1)
   result
 }
 

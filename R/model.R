@@ -2,7 +2,6 @@
 #   id, equations, assumptions, limits, requires, source: text
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
-#   ledger(scene, run, from_s, to_s)  work, heat and impulse between two times, named
 #   by_table                TRUE: the core measures the sizes on the way
 #   adapts                  TRUE: its error follows the accuracy asked; FALSE: it goes by steps that
 #                           do not; NULL: no steps
@@ -369,6 +368,11 @@ with_step <- function(record, step_s) {
     record$run_with_step(scene, time_s, step_s, max_steps, call)
   }
   record
+}
+
+scene_words <- function(scene) {
+  constraint <- constraint_of(scene)
+  effects_in_words(constraint$effects_of(scene), constraint)
 }
 
 # A torque that changes in time is a torque, too: said once.

@@ -139,63 +139,6 @@ hanging_names_of <- function(masses) {
   })))
 }
 
-# Columns of the solved torques, those of the weights on pulley and masses together, as those of
-# the pulley and of each mass. With the moment I of all: T1 = m1 (g (I0 + 2 m2 r^2) - r tau)/I, and
-# T2 = m2 (g (I0 + 2 m1 r^2) + r tau)/I, so that g - a does not cancel.
-hanging_columns <- function(columns, scene) {
-  rope <- scene$rope
-  m <- rope$mass_kg
-  r <- rope$radius_m
-  g <- rope$gravity_m_per_s2
-  own <- rope$moment_of_inertia_kg_m2
-  whole <- scene$moment_of_inertia_kg_m2
-  weight <- columns$applied_torque_n_m
-  damping <- columns$damping_torque_n_m
-  omega <- columns$omega_rad_per_s
-  columns$alpha_rad_per_s2 <- columns$net_torque_n_m / whole
-  columns$net_torque_n_m <- own * columns$alpha_rad_per_s2
-  columns$applied_torque_n_m <- weight * (own / whole) - damping * (sum(m) * r * r / whole)
-  columns$rotational_kinetic_energy_j <- 0.5 * own * omega * omega
-  names <- setdiff(hanging_names(rope), "alpha_rad_per_s2")
-  for (i in seq_len(length(names) / 4L)) {
-    side <- c(1, -1)[i]
-    height <- -side * r * columns$theta_rad + 0
-    columns[names[4L * i - 3:0]] <- list(
-      m[i] * (g * ((own + 2 * m[3L - i] * r * r) / whole) - side * r * (damping / whole)),
-      height, 0.5 * m[i] * (r * omega)^2, m[i] * g * height
-    )
-  }
-  columns
-}
-
-# From when on the rope would be slack, in words; NULL: it is taut. Forward it is slack from the
-# start on or never: a tension falls below 0 with the rate, which decreases or tends to that of a
-# taut rope. Rows before the start are looked at.
-slack_rope <- function(scene, columns) {
-  from <- scene$start_s
-  acts <- .Call(ffi_axle_torques, scene, from, scene$theta0_rad, scene$omega0_rad_per_s)
-  start <- hanging_columns(c(acts, list(
-    theta_rad = scene$theta0_rad, omega_rad_per_s = scene$omega0_rad_per_s,
-    net_torque_n_m = acts$applied_torque_n_m + acts$damping_torque_n_m
-  )), scene)
-  lowest <- function(columns) {
-    do.call(pmin, unname(unclass(columns)[grepl("^tension(_[12])?_n$", names(columns))]))
-  }
-  rounding <- 16 * .Machine$double.eps * sum(scene$rope$mass_kg) * abs(scene$rope$gravity_m_per_s2)
-  tension <- lowest(start)
-  if (!(tension < -rounding) && any(grepl("^tension", names(columns)))) {
-    row <- match(TRUE, lowest(columns) < -rounding)
-    if (is.na(row)) return(NULL)
-    from <- columns$time_s[row]
-    tension <- lowest(columns)[row]
-  }
-  if (!(tension < -rounding)) return(NULL)
-  paste0(
-    "the rope would be slack from ", format_si(from), " s on (its tension would be ",
-    format_si(tension), " N there): the motion is that of a rope that can push"
-  )
-}
-
 # What has the sign of the slope of these columns.
 hanging_slopes <- function(omega, alpha, rope) {
   up <- function(i) {
@@ -207,33 +150,15 @@ hanging_slopes <- function(omega, alpha, rope) {
   stats::setNames(slopes, names[!grepl("^(alpha|tension)", names)])
 }
 
-# The flows of the weights as those of the rope on the pulley: the masses take the rest. A row for
-# each interval between the rates `omega`.
+# The flows of the weights, since the first of the rates `omega`, as those of the rope on the
+# pulley: the masses take the rest.
 hanging_flows <- function(flows, rope, omega) {
   if (is.null(rope)) return(flows)
   moment <- sum(rope$mass_kg) * rope$radius_m^2
   n <- length(omega)
   taken <- moment * (omega[-1] - omega[-n])
-  flows[, "work_j"] <- flows[, "work_j"] - 0.5 * taken * (omega[-1] + omega[-n])
-  flows[, "impulse_n_m_s"] <- flows[, "impulse_n_m_s"] - taken
+  since <- function(x) c(0, cumsum(x))
+  flows[, "work_j"] <- flows[, "work_j"] - since(0.5 * taken * (omega[-1] + omega[-n]))
+  flows[, "impulse_n_m_s"] <- flows[, "impulse_n_m_s"] - since(taken)
   flows
-}
-
-# Changes of the energies between two rates, between two angles with their errors.
-hanging_kinetic_change <- function(rope, omega) {
-  c(
-    "change of kinetic energy of the pulley" =
-      kinetic_change(rope$moment_of_inertia_kg_m2, omega[1], omega[2]),
-    "change of kinetic energy of the masses" =
-      kinetic_change(sum(rope$mass_kg) * rope$radius_m^2, omega[1], omega[2])
-  )
-}
-
-hanging_potential_change <- function(rope, theta, error_rad) {
-  weight <- (rope$mass_kg[1] - rope$mass_kg[2]) * rope$gravity_m_per_s2 * rope$radius_m
-  change <- -weight * (theta[2] - theta[1])
-  list(
-    change_j = change,
-    rounding_j = abs(weight) * sum(error_rad) + 4 * .Machine$double.eps * abs(change)
-  )
 }

@@ -18,8 +18,10 @@ table_constraint <- function(id, models, ...) {
     form = table_form(table),
     models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
     columns = c("time_s", table$index, table$columns[table$always]),
-    more_names = if (!all(table$always)) {
-      function(scene) table$columns[.Call(ffi_scene_shows, id, scene) & !table$always]
+    more_names = if (!all(table$always)) function(scene) shown_names(id, scene),
+    without = function(scene, effects) {
+      scene$without <- effects # C leaves them out
+      scene
     },
     event_rows = if (table$event_rows) TRUE,
     keys = c("time_s", table$index, unlist(state[table$measures], use.names = FALSE)),
@@ -47,6 +49,12 @@ table_constraint <- function(id, models, ...) {
   own <- list(...)
   record[names(own)] <- own
   record
+}
+
+# The columns that a scene has beside those of all scenes.
+shown_names <- function(id, scene) {
+  table <- core_table(id)
+  table$columns[.Call(ffi_scene_shows, id, scene) & !table$always]
 }
 
 # The parts of a scene: its inputs, and what follows from them.
@@ -107,7 +115,7 @@ table_laws <- function(scene, call) {
     if (is.na(part)) return(each(x, ""))
     unlist(Map(each, x, paste0(" of ", part, " ", seq_along(x))), recursive = FALSE)
   }
-  given <- unclass(scene)[names(inputs)]
+  given <- unclass(scene)[intersect(names(inputs), names(scene))]
   Filter(length, Map(laws, given, names(given)))
 }
 
@@ -305,14 +313,14 @@ table_balances <- function(id, table, x, run) {
     no_balance, table$balances, of$about[balanced], of$unit[balanced], USE.NAMES = FALSE
   )
   if (!length(x$time_s)) return(none)
-  ends <- range(x$time_s)
+  ends <- as.double(x$time_s[c(1L, length(x$time_s))])
   copies <- .Call(ffi_scene_copies, id, scene)
   first <- table_cells(table, x, ends[1], copies)
   final <- table_cells(table, x, ends[2], copies)
   flows <- table_flows(table, run, ends)
   if (is.null(first) || is.null(final) || is.null(flows)) return(none)
   terms <- .Call(
-    ffi_scene_audit, id, scene, first, final, flows$since[2, ] - flows$since[1, ],
+    ffi_scene_audit, id, scene, ends, first, final, flows$since[2, ] - flows$since[1, ],
     flows$errors[2, ], as.double(run$info$errors)
   )
   lapply(balanced, function(k) {

@@ -192,7 +192,6 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   n <- length(time_s)
   if (!is.null(fit$dropped)) {
     info <- widen_error(info, fit$dropped$errors)
-    if (!is.null(constraint$acting)) columns <- constraint$acting(columns, scene, time_s)
   }
   if (info$kind == "none" && n && suspicious(info, record, accuracy)) {
     info <- measure_on_the_way(info, fit, time_s, accuracy, max_steps, call)

@@ -116,7 +116,8 @@ static inline double worst_audit(const sample *s, const void *scene, const got *
         }
       }
       for (size_t f = 0; f < s->c->n_flows; f++) flow[f] = g->flow[f][j] - g->flow[f][i];
-      const rot_span span = {first, last, flow, g->flow_error, error};
+      const rot_span span = {
+          .first = first, .last = last, .flow = flow, .flow_error = g->flow_error, .error = error};
       if (rot_run_audit(s->c, scene, &span, term, explained) != ROT_OK) return INFINITY;
       for (size_t t = 0; t < s->c->n_terms; t++) {
         off[s->c->terms[t].balance] += s->c->terms[t].role == ROT_SUPPLIED ? -term[t] : term[t];

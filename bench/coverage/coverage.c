@@ -251,8 +251,7 @@ static rot_status run_linear(const sample *s, const rot_axle_columns *out, rot_i
 static rot_status integrate(const sample *s, int method, const rot_axle_columns *out,
                             rot_info *info) {
   const rot_axle_ode_options options = {s->accuracy, 1000000, method, 0.0};
-  rot_axle_ledger ledger;
-  return rot_axle_integrate(&s->scene, &options, ROWS, s->rows_s, out, NULL, &ledger, NULL, info);
+  return rot_axle_integrate(&s->scene, &options, ROWS, s->rows_s, out, NULL, NULL, NULL, info);
 }
 static rot_status run_rk8pd(const sample *s, const rot_axle_columns *out, rot_info *info) {
   return integrate(s, 1, out, info);

@@ -1,17 +1,11 @@
-/* For R: scenes on an axle, their runs, ledger and stop. */
+/* For R: scenes on an axle, their torques, stop and period. */
 #include <math.h>
 #include <string.h>
 
 #include "glue/law.h"
 #include "glue/run.h"
 #include "glue/scenes.h"
-#include "glue/torque.h"
-#include "scene/choice.h"
 #include "scene/axle/drag.h"
-#include "scene/axle/ledger.h"
-#include "scene/axle/models.h"
-#include "scene/axle/motor.h"
-#include "scene/axle/ode.h"
 #include "scene/axle/period.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
@@ -59,43 +53,7 @@ rot_axle_scene ffi_axle_scene(SEXP list, SEXP breaks_s) {
   return scene;
 }
 
-/* ---- closed forms ---------------------------------------------------------------------------- */
-
-static rot_axle_columns new_columns(const ffi_run *run, SEXP time_s) {
-  static const char *const names[] = {"time_s", ROT_AXLE_COLUMNS(FFI_COLUMN_NAME) ""};
-  const R_xlen_t rows = XLENGTH(time_s);
-  rot_axle_columns out;
-  R_xlen_t at = 1;
-  SEXP columns = ffi_run_columns(run, names);
-  SET_VECTOR_ELT(columns, 0, time_s);
-  ROT_AXLE_COLUMNS(FFI_COLUMN_NEW)
-  return out;
-}
-
-/* A run with a column beyond double precision has no error figure, though its state may have. */
-static void check_columns(const rot_axle_scene *scene, const rot_axle_columns *out, ffi_run *run) {
-  if (rot_axle_scene_plain(scene, &run->info)) return;
-#define X(type, name)                                                                              \
-  for (size_t i = 0; i < run->info.rows_done; i++) run->beyond |= !isfinite(out->name[i]);
-  ROT_AXLE_COLUMNS(X)
-#undef X
-}
-
-/* A closed form by its id in models(). */
-SEXP ffi_axle_run(SEXP id, SEXP list, SEXP time_s, SEXP progress) {
-  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
-  const rot_model *known = rot_choice_model(&rot_axle_constraint, ffi_text(id, "model"));
-  const rot_axle_model model = known ? rot_axle_form(known) : NULL;
-  const double *t = ffi_reals(time_s, "time_s", -1);
-  const size_t n = (size_t)XLENGTH(time_s);
-  if (!model) Rf_error("internal: no such model");
-  ffi_run run;
-  ffi_run_begin(&run, progress);
-  const rot_axle_columns out = new_columns(&run, time_s);
-  const rot_status status = model(&scene, n, t, &out, &run.events, &run.guard.hooks, &run.info);
-  check_columns(&scene, &out, &run);
-  return ffi_run_end(&run, status);
-}
+/* ---- single questions ------------------------------------------------------------------------ */
 
 /* list(applied_torque_n_m, damping_torque_n_m, net_torque_n_m) in the states of these rows. */
 SEXP ffi_axle_torques(SEXP list, SEXP time_s, SEXP theta_rad, SEXP omega_rad_per_s) {
@@ -112,24 +70,6 @@ SEXP ffi_axle_torques(SEXP list, SEXP time_s, SEXP theta_rad, SEXP omega_rad_per
   rot_axle_scene_torques(&scene, (size_t)n, t, theta, omega, column[0], column[1], column[2]);
   UNPROTECT(1);
   return out;
-}
-
-static const char *const ledger_names[] = {ROT_AXLE_LEDGER(FFI_NAME)};
-
-/* Of "axle_free" and "axle_linear". */
-SEXP ffi_axle_ledger(SEXP list, SEXP from_s, SEXP to_s, SEXP progress) {
-  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
-  const double from = ffi_real(from_s, "from_s"), to = ffi_real(to_s, "to_s");
-  rot_axle_ledger ledger;
-  rot_info info;
-  ffi_guard guard;
-  ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard,
-                rot_axle_linear_ledger(&scene.linear, from, to, &guard.hooks, &ledger, &info));
-  rot_axle_motor_ledger(&scene, &ledger);
-  const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
-  /* A sum over a part of the span is no ledger. */
-  return ffi_named(FFI_LENGTH(values), ledger_names, info.status == ROT_OK ? values : NULL);
 }
 
 /* c(time of the last stop, angle there, terminal omega) */
@@ -157,43 +97,4 @@ SEXP ffi_axle_period(SEXP list) {
   SET_VECTOR_ELT(out, 3, Rf_ScalarReal(period.ratio));
   UNPROTECT(1);
   return out;
-}
-
-/* ---- integrated ------------------------------------------------------------------------------ */
-
-/* `law` is NULL, or that of an ffi_torque to be added to the scene's torque; `breaks_s` its breaks,
- * or NULL. `control` is c(accuracy, max_steps, method, noise_n_m, resolution), method as in
- * ROT_METHOD_LIST. */
-SEXP ffi_axle_integrate(SEXP list, SEXP law, SEXP breaks_s, SEXP time_s, SEXP control,
-                        SEXP progress) {
-  rot_axle_scene scene = ffi_axle_scene(list, breaks_s);
-  const double *t = ffi_reals(time_s, "time_s", -1), *c = ffi_reals(control, "control", 5);
-  if (!(c[2] >= 0.0 && c[2] <= ROT_METHOD_RADAU)) Rf_error("internal: `method`");
-  /* 1e15 steps are more than any run makes; the conversion of 1e20 is undefined. */
-  const double steps = c[1] < 1e15 ? c[1] : 1e15;
-  const rot_axle_ode_options options = {c[0], (size_t)steps, (rot_method)(int)c[2], c[4]};
-  scene.noise_n_m = c[3];
-  rot_axle_ledger ledger;
-#define X(name) ledger.name = NA_REAL;
-  ROT_AXLE_LEDGER(X)
-#undef X
-  ffi_run run;
-  ffi_torque called;
-  if (!Rf_isNull(law)) {
-    called = ffi_torque_new(law, NULL, &run.guard);
-    scene.linear.torque.call = ffi_torque_call;
-    scene.linear.torque.ctx = &called;
-  }
-  ffi_run_begin(&run, progress);
-  const rot_axle_columns out = new_columns(&run, time_s);
-  SEXP sums = ffi_named(FFI_LENGTH(ledger_names), ledger_names, NULL);
-  SET_VECTOR_ELT(run.out, FFI_LEDGER, sums);
-  const rot_status status = rot_axle_integrate(&scene, &options, (size_t)XLENGTH(time_s), t, &out,
-                                               &run.events, &ledger, &run.guard.hooks, &run.info);
-  const double values[] = {ROT_AXLE_LEDGER(FFI_VALUE)};
-  memcpy(REAL(sums), values, sizeof values);
-  check_columns(&scene, &out, &run);
-  SEXP result = ffi_run_end(&run, status);
-  if (!Rf_isNull(law)) UNPROTECT(1);
-  return result;
 }

@@ -2,6 +2,7 @@
 #include "glue/input.h"
 #include "glue/run.h"
 #include "glue/scenes.h"
+#include "glue/torque.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -53,13 +54,49 @@ static rot_status no_call(double t, double theta, double omega, double *torque, 
   return ROT_ETORQUE;
 }
 
+/* The law that stands for all functions of an axle, with its breaks: those that R has found
+ * (`stops`), or its own. */
+static void read_axle_law(SEXP scene, const ffi_laws *laws, rot_axle_built *axle) {
+  SEXP law = ffi_element(ffi_element(scene, "loads"), "law"), stops = ffi_element(scene, "stops");
+  SEXP called = laws ? ffi_element(laws->law, "torque") : R_NilValue;
+  rot_torque *torque;
+  if (Rf_isNull(stops) && !Rf_isNull(law)) stops = ffi_element(law, "breaks_s");
+  axle->scene = ffi_axle_scene(scene, stops);
+  if (!Rf_isNull(stops)) {
+    axle->own = (rot_axle_own){(size_t)XLENGTH(stops), ffi_reals(stops, "breaks_s", -1)};
+  }
+  if (Rf_isNull(law)) return;
+  torque = &axle->scene.linear.torque;
+  torque->call = no_call;
+  if (TYPEOF(called) != VECSXP || XLENGTH(called) != 1) return;
+  ffi_torque *f = (ffi_torque *)R_alloc(1, sizeof *f);
+  *f = ffi_torque_new(VECTOR_ELT(called, 0), NULL, laws->guard);
+  SET_VECTOR_ELT(laws->kept, 0, f->call);
+  UNPROTECT(1); /* it is kept */
+  torque->call = ffi_torque_call;
+  torque->ctx = f;
+}
+
 /* As its runs expect it: nothing else in it is set. */
-static const void *read_axle(SEXP scene) {
+static const void *read_axle(SEXP scene, const ffi_laws *laws) {
   rot_axle_built *axle = (rot_axle_built *)R_alloc(1, sizeof *axle);
+  SEXP rope = ffi_element(scene, "rope"), gears = ffi_element(scene, "gears");
+  SEXP noise = ffi_element(scene, "noise_n_m");
   memset(axle, 0, sizeof *axle);
-  axle->scene = ffi_axle_scene(scene, R_NilValue);
-  if (!Rf_isNull(ffi_element(ffi_element(scene, "loads"), "law"))) {
-    axle->scene.linear.torque.call = no_call;
+  read_axle_law(scene, laws, axle);
+  if (!Rf_isNull(noise)) axle->scene.noise_n_m = ffi_real(noise, "noise_n_m");
+  if (!Rf_isNull(rope)) {
+    memcpy(axle->rope.mass_kg, ffi_numbers_of(rope, "mass_kg", 2), sizeof axle->rope.mass_kg);
+    axle->rope.radius_m = ffi_number_of(rope, "radius_m");
+    axle->rope.inertia_kg_m2 = ffi_number_of(rope, "moment_of_inertia_kg_m2");
+    axle->rope.gravity_m_per_s2 = ffi_number_of(rope, "gravity_m_per_s2");
+  }
+  if (!Rf_isNull(gears)) {
+    axle->geared = 1;
+    axle->gears = (rot_axle_gears){
+        ffi_number_of(gears, "applied_n_m"), ffi_number_of(gears, "forward_n_m"),
+        ffi_number_of(gears, "backward_n_m"), ffi_number_of(gears, "bearings_n_m_s"),
+        ffi_number_of(gears, "least_n_m_s")};
   }
   return axle;
 }
@@ -67,7 +104,7 @@ static const void *read_axle(SEXP scene) {
 /* Scenes that R holds in other forms than the inputs of their table, kept until the call ends. */
 static const struct {
   const rot_constraint *of;
-  const void *(*read)(SEXP scene);
+  const void *(*read)(SEXP scene, const ffi_laws *laws);
 } own_forms[] = {{&rot_axle_constraint, read_axle}};
 
 int ffi_scene_by_table(const rot_constraint *constraint) {
@@ -80,7 +117,7 @@ int ffi_scene_by_table(const rot_constraint *constraint) {
 static const void *build_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws) {
   rot_refusal no;
   for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
-    if (own_forms[i].of == constraint) return own_forms[i].read(scene);
+    if (own_forms[i].of == constraint) return own_forms[i].read(scene, laws);
   }
   void *built = R_alloc(1, (int)constraint->scene_size);
   if (read_scene(constraint, scene, laws, built, &no) != ROT_OK) {
@@ -89,8 +126,27 @@ static const void *build_scene(const rot_constraint *constraint, SEXP scene, con
   return built;
 }
 
+/* The effects that a scene is solved without, by their names in `without`. */
+static unsigned left_out(const rot_constraint *c, SEXP scene) {
+  SEXP without = ffi_element(scene, "without");
+  unsigned mask = 0;
+  if (TYPEOF(without) != STRSXP || !c->reduce) return 0;
+  for (R_xlen_t k = 0; k < XLENGTH(without); k++) {
+    for (size_t i = 0; i < c->n_effects; i++) {
+      if (!strcmp(c->effects[i].name, CHAR(STRING_ELT(without, k)))) mask |= 1u << i;
+    }
+  }
+  return mask;
+}
+
 const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
-  return build_scene(constraint, scene, NULL);
+  const void *whole = build_scene(constraint, scene, NULL);
+  const unsigned without = left_out(constraint, scene);
+  rot_store store = {.take = take};
+  if (!without) return whole;
+  void *solved = R_alloc(1, (int)constraint->scene_size);
+  if (constraint->reduce(whole, without, &store, solved) != ROT_OK) Rf_error("out of memory");
+  return solved;
 }
 
 /* The numbers of one derived name, and how many they are. */
@@ -484,7 +540,8 @@ static SEXP take_event_rows(void *data) {
 enum { ACCURACY, MAX_STEPS, ASKED, RESOLUTION, FLOWS, AT_EVENTS, STEP, CONTROLS };
 
 /* One model. `control` is c(accuracy, max_steps, asked, resolution, flows, event_rows, step_s):
- * flows are in the ledger, which a model by steps has always. `laws`: see glue/input.h. */
+ * flows are in the ledger, which a model by steps has always; 2: of all effects, those that are
+ * left out included. `laws`: see glue/input.h. */
 SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, SEXP laws,
                    SEXP progress) {
   const rot_constraint *c = ffi_constraint(id);
@@ -517,7 +574,9 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
                          .max_steps = (size_t)(x[MAX_STEPS] < 1e15 ? x[MAX_STEPS] : 1e15),
                          .resolution = x[RESOLUTION],
                          .step_s = x[STEP],
-                         .asked = x[ASKED] != 0.0};
+                         .asked = x[ASKED] != 0.0,
+                         .without = left_out(c, scene),
+                         .flows_of_whole = x[FLOWS] > 1.0};
   rot_run_model(c, built, of, &task, &want, &outcome, &run.guard.hooks);
   mark_missing(&shows, n, (R_xlen_t)rot_run_copies(c, built), column);
   if (flows) fill_errors(c, n, flow, errors);
@@ -599,18 +658,21 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
 /* ---- balances -------------------------------------------------------------------------------- */
 
 /* list(value, explained, balance, role, words): of terms, whose words are NA where the scene has no
- * such term; `explained` is of balances. `first` and
- * `last`: the columns at two times, each with its copies; `flow`, `flow_error`: between them;
- * `error`: of the measures. */
-SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP flow_error,
-                     SEXP error) {
+ * such term; `explained` is of balances. `first` and `last`: the columns at two times, each with
+ * its copies; `flow`, `flow_error`: between them; `error`: of the measures. */
+SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP time_s, SEXP first, SEXP last, SEXP flow,
+                     SEXP flow_error, SEXP error) {
   static const char *const names[] = {"value", "explained", "balance", "role", "words", ""};
   const rot_constraint *c = ffi_constraint(id);
   const void *built = ffi_scene_build(c, scene);
   const R_xlen_t cells = (R_xlen_t)(c->n_columns * rot_run_copies(c, built));
   const R_xlen_t flows = (R_xlen_t)c->n_flows, terms = (R_xlen_t)c->n_terms;
-  const rot_span span = {ffi_reals(first, "first", cells), ffi_reals(last, "last", cells),
-                         ffi_reals(flow, "flow", flows), ffi_reals(flow_error, "flow_error", flows),
+  const double *t = ffi_reals(time_s, "time_s", 2);
+  const rot_span span = {{t[0], t[1]},
+                         ffi_reals(first, "first", cells),
+                         ffi_reals(last, "last", cells),
+                         ffi_reals(flow, "flow", flows),
+                         ffi_reals(flow_error, "flow_error", flows),
                          ffi_reals(error, "error", -1)};
   double term[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES];
   const char *words[ROT_MOST_TERMS];
@@ -623,8 +685,7 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP first, SEXP last, SEXP flow, SEXP
   for (R_xlen_t i = 0; i < terms; i++) {
     INTEGER(balance)[i] = (int)c->terms[i].balance + 1;
     INTEGER(role)[i] = (int)c->terms[i].role + 1;
-    const unsigned with = c->terms[i].only_with;
-    words[i] = !with || with & c->effects_of(built) ? c->terms[i].words : NULL;
+    words[i] = rot_run_term_words(c, built, (size_t)i);
   }
   SET_VECTOR_ELT(out, 4, texts(c->n_terms, words));
   UNPROTECT(1);

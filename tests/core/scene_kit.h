@@ -132,7 +132,8 @@ static inline double audit(const kit *k, const motion *m, size_t balance, size_t
   }
   for (size_t f = 0; f < k->c->n_flows; f++) flow[f] = m->flow[f][j] - m->flow[f][i];
   for (size_t e = 0; e < m->out.info.n_measures; e++) error[e] = reported(m, e);
-  const rot_span span = {first, last, flow, m->flow_error, error};
+  const rot_span span = {
+      .first = first, .last = last, .flow = flow, .flow_error = m->flow_error, .error = error};
   (void)rot_run_audit(k->c, k->scene, &span, terms, explained);
   for (size_t t = 0; t < k->c->n_terms; t++) {
     if (k->c->terms[t].balance != balance) continue;

@@ -2,7 +2,7 @@
 bound <- function(scene, effects, id, t) {
   dropped <- core_pick("axle", scene, as.double(t), 1, model = id)$dropped[[1]]
   expect_setequal(dropped$effects, effects)
-  c(as.list(dropped$errors), list(scene = axle_without(scene, effects)))
+  c(as.list(dropped$errors), list(scene = rotdyn:::axle_constraint()$without(scene, effects)))
 }
 
 # Scenes whose full and reduced motion both have a closed form: the bound must cover the difference,

@@ -135,14 +135,25 @@ test_that("a trajectory of which any part was replaced prints, or is refused", {
   }
 })
 
-test_that("a clutch without its grip is refused", {
+test_that("damaged couplings and brakes are refused", {
   forged <- coupling_clutch(2)
-  forged["grip"] <- list(NULL)
-  expect_error(print(forged), "grip", class = "rotdyn_error_type")
-  expect_error(scene_drive(c(1, 2), forged), "grip", class = "rotdyn_error_type")
-  scene <- scene_drive(c(1, 2), coupling_clutch(2))
-  scene$couplings[[1]]["grip"] <- list(NULL)
-  expect_error(trajectory(scene, 1), "couplings", class = "rotdyn_error_type")
+  forged["capacity_n_m"] <- list(NULL)
+  expect_error(print(forged), class = "rotdyn_error_type")
+  expect_error(scene_drive(c(1, 2), forged), "coupling", class = "rotdyn_error_type")
+  scene <- scene_drive(c(1, 2), coupling_clutch(2), brake = list(brake(1), NULL))
+  damaged <- scene
+  damaged$couplings[[1]]["capacity_n_m"] <- list(NULL)
+  expect_error(trajectory(damaged, 1), "couplings", class = "rotdyn_error_type")
+  # What the form takes and the core does not, and a class that is no part.
+  damaged <- scene
+  damaged$couplings[[1]]$static_ratio <- 0.5
+  expect_error(trajectory(damaged, 1), "couplings", class = "rotdyn_error_type")
+  damaged <- scene
+  class(damaged$couplings[[1]]) <- c("rot_coupling_chain", "rot_coupling")
+  expect_error(trajectory(damaged, 1), "couplings", class = "rotdyn_error_type")
+  damaged <- scene
+  damaged$brake[[1]]$from_s <- NaN
+  expect_error(trajectory(damaged, 1), "brake", class = "rotdyn_error_type")
 })
 
 test_that("damaged bodies, laws and fits are refused, or have no outline", {

@@ -99,9 +99,15 @@ test_that("ten million rows come back", {
 
 # ---- even grids from a table -------------------------------------------------------------------
 
+# A closed form as C runs it, without a choice.
+run_axle <- function(id, scene, t, laws = NULL, progress = NULL, accuracy = 1e-9, flows = 0) {
+  control <- c(accuracy, 1e6, 0, 0, flows, 0, 0)
+  .Call(rotdyn:::ffi_scene_run, "axle", scene, id, t, control, laws, progress)
+}
+
 # The same closed form, row by row.
 row_by_row <- function(scene, t) {
-  rows <- lapply(t, function(t) .Call(rotdyn:::ffi_axle_run, "axle_linear", scene, t, NULL)[[1]])
+  rows <- lapply(t, function(t) run_axle("axle_linear", scene, t)[[1]])
   columns <- names(rows[[1]])
   sapply(columns, function(x) vapply(rows, `[[`, double(1), x), simplify = FALSE)
 }
@@ -461,7 +467,7 @@ test_that("the step budget", {
 
 test_that("a run is a named list, with its measures by name", {
   scene <- scene_axle(2, 3, resistance(coulomb_n_m = 1), omega0_rad_per_s = -4)
-  run <- .Call(rotdyn:::ffi_axle_run, "axle_drag", scene, c(0, 8), NULL)
+  run <- run_axle("axle_drag", scene, c(0, 8))
   expect_named(run, c("columns", "info", "ledger", "events", "event_rows"))
   expect_named(run$columns, rotdyn:::trajectory_columns)
   expect_named(run$info, c(
@@ -475,16 +481,16 @@ test_that("a run is a named list, with its measures by name", {
   expect_equal(
     run$info$error, .Call(rotdyn:::ffi_error_figure, run$info$errors, run$info$sizes)
   )
-  expect_null(.Call(rotdyn:::ffi_axle_run, "axle_free", scene_axle(1), 1, NULL)$events)
-  ledger <- .Call(rotdyn:::ffi_axle_ledger, scene_axle(1, 2), 0, 1, NULL)
-  expect_equal(ledger[["work_j"]], 2)
+  expect_null(run_axle("axle_free", scene_axle(1), 1)$events)
+  ledger <- run_axle("axle_linear", scene_axle(1, 2), c(0, 1), flows = 1)$ledger
+  expect_equal(diff(ledger[, "work_j"]), 2)
   expect_error(.Call(rotdyn:::ffi_error_figure, c(1, 2), 1), "internal")
 })
 
 test_that("a wrong .Call is an R error", {
-  expect_error(.Call(rotdyn:::ffi_axle_run, "axle_none", scene_axle(1), 1, NULL), "internal")
-  expect_error(.Call(rotdyn:::ffi_axle_run, 1, scene_axle(1), 1, NULL), "internal")
-  expect_error(.Call(rotdyn:::ffi_axle_run, "axle_free", scene_axle(1), 1L, NULL), "internal")
+  expect_error(run_axle("axle_none", scene_axle(1), 1), "internal")
+  expect_error(run_axle(1, scene_axle(1), 1), "internal")
+  expect_error(run_axle("axle_free", scene_axle(1), 1L), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, "a", 1), "internal")
   expect_error(.Call(rotdyn:::ffi_phi, 1, 99), "internal")
   expect_error(.Call(rotdyn:::ffi_rolling_table, c(1, 2), c(1, 2, 3), 1, 1, NULL), "internal")
@@ -503,7 +509,7 @@ test_that("a damaged scene is an R error", {
   axle <- scene_axle(
     inertia_knots(c(0, 1), c(1, 2)), torque_knots(0:2, c(0, 1, 0)) + torque_spring(1)
   )
-  run <- function(scene) .Call(rotdyn:::ffi_axle_run, "axle_oscillator", scene, 1, NULL)
+  run <- function(scene) run_axle("axle_oscillator", scene, 1)
   for (path in list(
     "moment_of_inertia_kg_m2", "start_s", "theta0_rad", "omega0_rad_per_s", "loads", "resistance",
     c("loads", "motor_n_m_s"), c("loads", "knots"), c("loads", "knots", "time_s"),
@@ -553,8 +559,8 @@ test_that("the progress function is called, no more than 20 times a second", {
     stop
   )
   start <- proc.time()[[3]]
-  .Call(
-    rotdyn:::ffi_axle_integrate, scene_axle(1), law, NULL, c(0, 1, 2), c(1e-9, 1e6, 0, 0, 0),
+  run_axle(
+    "axle_rk8pd", scene_axle(1, function(t) 0), c(0, 1, 2), list(torque = list(law)),
     function(fraction) told <<- c(told, fraction)
   )
   elapsed <- proc.time()[[3]] - start

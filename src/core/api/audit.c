@@ -49,7 +49,7 @@ static void cells_of(const rot_constraint *c, const void *scene, const rows *r, 
 
 /* The flows that an adaptive model carries along are those of all rows; a closed form gives them at
  * the two times alone, as R asks for them. */
-static rotdyn_status run_flows(rot_api_work *w, size_t n, const double time_s[],
+static rotdyn_status run_flows(rot_api_work *w, const void *scene, size_t n, const double time_s[],
                                const rot_outcome *ran, rows *r) {
   const rot_constraint *c = w->built.constraint;
   const rot_model *model = ran->picked.model;
@@ -66,7 +66,7 @@ static rotdyn_status run_flows(rot_api_work *w, size_t n, const double time_s[],
   const rot_rows want = {.flow = r->flow, .flow_error = r->flow_error};
   rot_outcome o;
   memset(&o, 0, sizeof o);
-  rot_run_model(c, w->built.scene, model, &task, &want, &o, &w->hooks);
+  rot_run_model(c, scene, model, &task, &want, &o, &w->hooks);
   rot_events_free(&o.events);
   for (size_t k = 0; k < c->n_flows && o.info.status == ROT_OK; k++) {
     r->flow[k][0] = r->flow[k][task.n - 1] - r->flow[k][0];
@@ -78,12 +78,12 @@ static rotdyn_status run_flows(rot_api_work *w, size_t n, const double time_s[],
 static void fill_balance(const rot_constraint *c, const void *scene, size_t k, const double term[],
                          const double explained[], rotdyn_balance *b) {
   long double sum[3] = {0.0L, 0.0L, 0.0L};
-  const unsigned effects = c->effects_of(scene);
   const char *why[ROT_MOST_CAUSES];
   for (size_t i = 0; i < c->n_terms && b->n_terms < 16; i++) {
     const rot_balance_term *of = &c->terms[i];
-    if (of->balance != k || (of->only_with && !(of->only_with & effects))) continue;
-    b->term[b->n_terms] = of->words;
+    const char *words = of->balance == k ? rot_run_term_words(c, scene, i) : NULL;
+    if (!words) continue;
+    b->term[b->n_terms] = words;
     b->role[b->n_terms] = (int)of->role;
     b->value[b->n_terms++] = term[i];
     sum[of->role] += term[i];
@@ -114,6 +114,7 @@ static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], siz
                            rotdyn_balance *b) {
   const rot_constraint *c = w->built.constraint;
   const void *scene = w->built.scene;
+  rot_store store = {0}; /* of the scene that is solved, where effects are left out */
   const size_t copies = w->report.copies, cells = c->n_columns * copies;
   double flow[ROT_MOST_FLOWS], error[ROT_MOST_MEASURES], term[ROT_MOST_TERMS];
   double explained[ROT_MOST_BALANCES];
@@ -132,16 +133,24 @@ static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], siz
     cells_of(c, scene, &r, 0, copies, cell);
     cells_of(c, scene, &r, n - 1, copies, cell + cells);
     for (size_t i = 0; i < o.info.n_measures; i++) error[i] = o.info.measure[i].error;
-    status = run_flows(w, n, time_s, &o, &r);
+    if (o.picked.dropped && c->reduce) {
+      void *solved = rot_store_get(&store, 1, c->scene_size);
+      status = ROTDYN_EMEMORY;
+      if (solved) status = rot_api_status(c->reduce(scene, o.picked.untaken, &store, solved));
+      scene = solved;
+    }
+    if (status == ROTDYN_OK) status = run_flows(w, scene, n, time_s, &o, &r);
   }
   if (status == ROTDYN_OK) {
     for (size_t i = 0; i < c->n_flows; i++) flow[i] = r.flow[i][0];
-    const rot_span span = {cell, cell + cells, flow, r.flow_error, error};
+    const rot_span span = {
+        {time_s[0], time_s[n - 1]}, cell, cell + cells, flow, r.flow_error, error};
     status = rot_api_status(rot_run_audit(c, scene, &span, term, explained));
     if (status == ROTDYN_OK) fill_balance(c, scene, k, term, explained, b);
   }
   free(cell);
   free(r.memory);
+  rot_store_free(&store);
   return status;
 }
 

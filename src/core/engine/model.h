@@ -46,22 +46,27 @@ typedef struct rot_task {
   size_t n;
   const double *time_s;
   double accuracy;
-  size_t max_steps;  /* of an integrator */
-  double resolution; /* of changes of a law that is called: see engine/ode/params.h; 0: as there */
-  int asked;         /* the caller named the model: it does not switch to another */
-  double step_s;     /* of a model with steps of fixed length; 0: its own choice */
-  unsigned without;  /* effects that the run leaves out; the torques of its rows have them */
+  size_t max_steps;   /* of an integrator */
+  double resolution;  /* of changes of a law that is called: see engine/ode/params.h; 0: as there */
+  int asked;          /* the caller named the model: it does not switch to another */
+  double step_s;      /* of a model with steps of fixed length; 0: its own choice */
+  unsigned without;   /* effects that the run leaves out; the torques of its rows have them */
+  int flows_of_whole; /* the flows are those of all effects, too; else of those that are solved */
 } rot_task;
 
 /* A column of the rows: doubles, or flags (int). */
 typedef struct rot_column_of {
   const char *name;
-  int flag;           /* 1, 0, or below 0: it means nothing in this row */
-  unsigned only_with; /* 0: always; else with one of these effects alone, if shows() agrees */
-  const char *unit;   /* NULL: as the dictionary of R has it */
-  size_t measure;     /* 1 + the measure that it holds; 0: none. These are the state. */
-  size_t flow;        /* 1 + the flow that it adds up, with whose error; 0: none */
+  int flag; /* 1, 0, or below 0: it means nothing in this row */
+  /* 0: always; else with one of these effects alone, if shows() agrees; ROT_AS_SHOWN: as that
+   * says. */
+  unsigned only_with;
+  const char *unit; /* NULL: as the dictionary of R has it */
+  size_t measure;   /* 1 + the measure that it holds; 0: none. These are the state. */
+  size_t flow;      /* 1 + the flow that it adds up, with whose error; 0: none */
 } rot_column_of;
+
+#define ROT_AS_SHOWN (~0u)
 
 /* Of doubles, in all rows; measure: as there. */
 #define ROT_COLUMN(name, unit, measure)                                                            \
@@ -70,8 +75,10 @@ typedef struct rot_column_of {
 /* Where a run writes; n rows, times their copies. */
 typedef struct rot_rows {
   void *const *column; /* one for each of the constraint's, of n values */
-  double *const *flow; /* one for each of its flows, since the start; NULL: not wanted */
-  double *flow_error;  /* of each flow, absolute; NULL where `flow` is */
+  /* One for each of its flows, since the start or since the first row: their differences count.
+   * NULL: not wanted. */
+  double *const *flow;
+  double *flow_error; /* of each flow, absolute; NULL where `flow` is */
   rot_events *events;
   rot_event_rows *at_events; /* takes columns, then flows; NULL: not wanted */
 } rot_rows;
@@ -117,6 +124,7 @@ typedef struct rot_balance_term {
 
 /* Two rows of a motion, and what flowed between them. */
 typedef struct rot_span {
+  double time_s[2];
   const double *first, *last; /* by column, each with its copies */
   const double *flow, *flow_error;
   const double *error; /* of the measures, absolute */
@@ -183,6 +191,10 @@ typedef struct rot_constraint {
   int event_rows; /* its runs fill rot_rows.at_events */
   /* NULL, or which of the columns with `only_with` the rows of a scene have. */
   int (*shows)(const void *scene, size_t column);
+  /* NULL, or the words of a term in this scene; NULL: it has no such term. */
+  const char *(*term_words)(const void *scene, size_t term);
+  /* NULL where no effect may be dropped; else the scene without effects, in the store. */
+  rot_status (*reduce)(const void *scene, unsigned without, rot_store *store, void *to);
 } rot_constraint;
 
 /* The members of a constraint whose parts have these names in its file. */

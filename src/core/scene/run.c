@@ -29,7 +29,14 @@ int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned 
                   size_t column) {
   const unsigned with = constraint->columns[column].only_with;
   if (!with) return 1;
-  return (with & effects) && (!constraint->shows || constraint->shows(scene, column));
+  if (with != ROT_AS_SHOWN && !(with & effects)) return 0;
+  return !constraint->shows || constraint->shows(scene, column);
+}
+
+const char *rot_run_term_words(const rot_constraint *constraint, const void *scene, size_t term) {
+  const rot_balance_term *of = &constraint->terms[term];
+  if (constraint->term_words) return constraint->term_words(scene, term);
+  return !of->only_with || of->only_with & constraint->effects_of(scene) ? of->words : NULL;
 }
 
 /* ---- one run --------------------------------------------------------------------------------- */
@@ -173,7 +180,10 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
 void rot_run_model(const rot_constraint *constraint, const void *scene, const rot_model *model,
                    const rot_task *task, const rot_rows *want, rot_outcome *out,
                    const rot_hooks *hooks) {
-  const rot_candidate one = {.model = model, .applies = 1};
+  const rot_candidate one = {.model = model,
+                             .applies = 1,
+                             .untaken = task->without,
+                             .dropped = task->without != 0};
   job j = {.constraint = constraint, .scene = scene, .hooks = hooks};
   rot_info_clear(&out->info, constraint->measures);
   out->info.status = open_columns(&j, task->n, want);
@@ -241,7 +251,10 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
   memcpy(ends, span->first, cells * sizeof *ends);
   memcpy(ends + cells, span->last, cells * sizeof *ends);
   memcpy(flow, span->flow, c->n_flows * sizeof *flow);
-  const rot_span own = {ends, ends + cells, flow, span->flow_error, span->error};
+  rot_span own = *span;
+  own.first = ends;
+  own.last = ends + cells;
+  own.flow = flow;
   c->audit(scene, &own, term);
   for (size_t b = 0; b < c->n_balances; b++) explained[b] = 0.0;
   if (c->explain) c->explain(scene, &own, term, explained);

@@ -39,6 +39,9 @@ void rot_run_model(const rot_constraint *constraint, const void *scene, const ro
 int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned effects,
                   size_t column);
 
+/* The words of a term of the balances in a scene; NULL: it has no such term. */
+const char *rot_run_term_words(const rot_constraint *constraint, const void *scene, size_t term);
+
 /* Rows at one time. */
 size_t rot_run_copies(const rot_constraint *constraint, const void *scene);
 

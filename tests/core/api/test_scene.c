@@ -914,7 +914,7 @@ static void check_drive(void) {
   (void)rotdyn_unset(scene, "torque");
   (void)rotdyn_unset(scene, "brake");
   (void)rotdyn_set_object(scene, "couplings", both);
-  ROT_CHECK(refused(scene, "couplings", "efficiency 1"));
+  ROT_CHECK(refused(scene, "couplings", "gear with a loss"));
   rotdyn_object_free(both);
   rotdyn_object_free(brakes);
   rotdyn_object_free(scene);

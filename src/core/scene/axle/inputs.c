@@ -10,7 +10,6 @@
 #include "scene/axle/bands.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/drop.h"
-#include "scene/axle/effects.h"
 #include "scene/axle/forced.h"
 #include "scene/axle/linear.h"
 #include "scene/axle/ode.h"
@@ -146,9 +145,9 @@ static int unit_axis(const rot_given *given, double axis[3]) {
       given->is == ROT_INPUT_VECTOR ? given->x : along[given->is ? given->option : 0], axis);
 }
 
-/* At a jump, the moment after it. */
-static double inertia_at(const rot_axle_scene *scene, double t) {
+double rot_axle_inertia_at(const rot_axle_scene *scene, double t) {
   const size_t n = scene->n_inertia, past = rot_upper_bound(n, scene->inertia_time_s, t);
+  if (n == 0) return scene->linear.inertia_kg_m2;
   const double *at = scene->inertia_time_s, *moment = scene->inertia_kg_m2;
   if (past == 0) return moment[0];
   if (past == n) return moment[n - 1];
@@ -167,7 +166,7 @@ static rot_status build_inertia(const rot_given given[], rot_axle_scene *scene, 
     scene->n_inertia = knots->n;
     scene->inertia_time_s = knots->time_s;
     scene->inertia_kg_m2 = knots->inertia_kg_m2;
-    *inertia = inertia_at(scene, scene->linear.start_s);
+    *inertia = rot_axle_inertia_at(scene, scene->linear.start_s);
   } else if (body->is == ROT_INPUT_BODY) {
     const double *point = through->is == ROT_INPUT_VECTOR ? through->x
                           : !through->is                  ? NULL
@@ -206,14 +205,30 @@ double rot_axle_start_s(const void *scene) {
 /* ---- columns --------------------------------------------------------------------------------- */
 
 const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS] = {
-    {"theta_rad", 0, 0, NULL, 1 + ROT_THETA, 0},
-    {"omega_rad_per_s", 0, 0, NULL, 1 + ROT_OMEGA, 0},
-    {"applied_torque_n_m", 0, 0, NULL, 0, 0},
-    {"damping_torque_n_m", 0, 0, NULL, 0, 0},
-    {"net_torque_n_m", 0, 0, NULL, 0, 0},
-    {"angular_momentum_kg_m2_per_s", 0, 0, NULL, 0, 0},
-    {"rotational_kinetic_energy_j", 0, 0, NULL, 0, 0},
-    {"moment_of_inertia_kg_m2", 0, ROT_AXLE_INERTIA, NULL, 0, 0}};
+    ROT_COLUMN("theta_rad", "rad", 1 + ROT_THETA),
+    ROT_COLUMN("omega_rad_per_s", "rad/s", 1 + ROT_OMEGA),
+    ROT_COLUMN("applied_torque_n_m", "N m", 0),
+    ROT_COLUMN("damping_torque_n_m", "N m", 0),
+    ROT_COLUMN("net_torque_n_m", "N m", 0),
+    ROT_COLUMN("angular_momentum_kg_m2_per_s", "kg m^2/s", 0),
+    ROT_COLUMN("rotational_kinetic_energy_j", "J", 0),
+    {"moment_of_inertia_kg_m2", 0, ROT_AS_SHOWN, "kg m^2", 0, 0},
+    {"alpha_rad_per_s2", 0, ROT_AS_SHOWN, "rad/s^2", 0, 0},
+#define X(name, unit) {name, 0, ROT_AS_SHOWN, unit, 0, 0},
+    ROT_AXLE_MASS_COLUMNS(X, "") ROT_AXLE_MASS_COLUMNS(X, "_1") ROT_AXLE_MASS_COLUMNS(X, "_2")
+#undef X
+};
+/* Their places: of a single mass, of two. */
+enum { MOMENT = 7, ALPHA, SINGLE, FIRST = SINGLE + ROT_AXLE_OF_MASS };
+
+int rot_axle_shows(const void *built, size_t column) {
+  const rot_axle_built *axle = built;
+  const double *mass = axle->rope.mass_kg;
+  if (column < MOMENT) return 1;
+  if (column == MOMENT) return axle->scene.n_inertia > 0;
+  if (column == ALPHA) return mass[0] > 0.0;
+  return mass[0] > 0.0 && (column < FIRST) == (mass[1] == 0.0);
+}
 
 static rot_axle_columns columns_of(void *const column[]) {
   rot_axle_columns out;
@@ -226,52 +241,76 @@ static rot_axle_columns columns_of(void *const column[]) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* The scene that is solved: with the effects that the run leaves out gone. */
-static rot_status reduce(const rot_axle_built *built, unsigned without, rot_store *store,
-                         rot_axle_scene *solved) {
-  *solved = built->scene;
+rot_status rot_axle_reduce(const void *built, unsigned without, rot_store *store, void *to) {
+  const rot_axle_built *whole = built;
+  rot_axle_built *reduced = to;
+  rot_axle_scene *scene = &reduced->scene;
+  *reduced = *whole;
   if (!without) return ROT_OK;
-  rot_term *terms = rot_store_get(store, solved->n_terms, sizeof *terms);
+  rot_term *terms = rot_store_get(store, scene->n_terms, sizeof *terms);
   if (!terms) return ROT_ENOMEM;
-  *solved = rot_axle_without(&built->scene, without, terms);
-  solved->n_breaks = built->own.n;
-  solved->breaks_s = built->own.breaks_s;
-  return gather_breaks(solved, store);
+  *scene = rot_axle_without(&whole->scene, without, terms);
+  scene->n_breaks = whole->own.n;
+  scene->breaks_s = whole->own.breaks_s;
+  return gather_breaks(scene, store);
 }
 
-/* The columns that are not of the scene that was solved. */
-static void finish_rows(const rot_axle_scene *scene, const rot_task *task, void *const column[],
+/* Beside those of the scene that was solved: all torques, and what scenes of their own add. */
+static void finish_rows(const rot_axle_built *axle, const rot_task *task, void *const column[],
                         const rot_info *info) {
+  const rot_axle_scene *scene = &axle->scene;
   const rot_axle_columns out = columns_of(column);
   const size_t n = info->rows_done;
-  double *inertia = column[ROT_AXLE_ALL_COLUMNS - 1];
+  double *inertia = column[MOMENT], *mass[2][ROT_AXLE_OF_MASS];
   if (task->without) {
     rot_axle_scene_torques(scene, n, task->time_s, out.theta_rad, out.omega_rad_per_s,
                            out.applied_torque_n_m, out.damping_torque_n_m, out.net_torque_n_m);
   }
   for (size_t i = 0; i < n && scene->n_inertia; i++) {
-    inertia[i] = inertia_at(scene, task->time_s[i]);
+    inertia[i] = rot_axle_inertia_at(scene, task->time_s[i]);
   }
+  for (size_t i = 0; i < n && axle->geared; i++) {
+    out.applied_torque_n_m[i] = axle->gears.applied_n_m + 0.0 * out.applied_torque_n_m[i];
+    out.damping_torque_n_m[i] = out.net_torque_n_m[i] - out.applied_torque_n_m[i];
+  }
+  if (axle->rope.mass_kg[0] == 0.0) return;
+  for (int k = 0; k < ROT_AXLE_OF_MASS; k++) {
+    mass[0][k] = column[(axle->rope.mass_kg[1] > 0.0 ? FIRST : SINGLE) + k];
+    mass[1][k] = column[FIRST + ROT_AXLE_OF_MASS + k];
+  }
+  rot_axle_rope_rows(&axle->rope, scene->linear.inertia_kg_m2, n, &out, column[ALPHA],
+                     (double *const(*)[ROT_AXLE_OF_MASS])mass);
 }
 
 /* By a closed form, or integrated where there is none. */
-static rot_status run(rot_axle_model closed, const rot_axle_built *built, const rot_task *task,
+static rot_status run(rot_axle_model closed, const rot_axle_built *axle, const rot_task *task,
                       rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                       rot_info *info) {
   const rot_axle_columns out = columns_of(rows->column);
   const rot_axle_ode_options options = {task->accuracy, task->max_steps,
                                         task->asked ? method : ROT_METHOD_NONE, task->resolution};
-  rot_axle_scene solved;
-  rot_axle_ledger ledger;
+  const rot_axle_flows flows = {rows->flow, rows->flow_error};
+  rot_axle_built solved;
   rot_store store = {0};
+  rot_events own = {0}, *events = rows->events ? rows->events : &own;
   rot_info_clear(info, rot_turning);
-  rot_status status = info->status = reduce(built, task->without, &store, &solved);
+  rot_status status = info->status = rot_axle_reduce(axle, task->without, &store, &solved);
   if (status == ROT_OK) {
-    status = closed ? closed(&solved, task->n, task->time_s, &out, rows->events, hooks, info)
-                    : rot_axle_integrate(&solved, &options, task->n, task->time_s, &out,
-                                         rows->events, &ledger, hooks, info);
+    status = closed ? closed(&solved.scene, task->n, task->time_s, &out, events, hooks, info)
+                    : rot_axle_integrate(&solved.scene, &options, task->n, task->time_s, &out,
+                                         events, rows->flow ? &flows : NULL, hooks, info);
   }
-  finish_rows(&built->scene, task, rows->column, info);
+  if (status == ROT_OK && closed && rows->flow) {
+    const rot_axle_motion motion = {
+        &solved.scene, task->flows_of_whole ? &axle->scene : &solved.scene, closed, events, info};
+    status = info->status = rot_axle_flows_of(&motion, task->n, task->time_s, &flows, hooks);
+  }
+  if (rows->flow && axle->geared) {
+    rot_axle_flows_geared(&solved.scene, &axle->gears, info->rows_done, task->time_s, out.theta_rad,
+                          &flows);
+  }
+  finish_rows(axle, task, rows->column, info);
+  rot_events_free(&own);
   rot_store_free(&store);
   return status;
 }

@@ -6,9 +6,11 @@
 #include "engine/loads.h"
 #include "engine/model.h"
 #include "scene/axle/closed.h"
+#include "scene/axle/flows.h"
+#include "scene/axle/rope.h"
 #include "scene/axle/scene.h"
 
-enum { ROT_AXLE_INPUTS = 8, ROT_AXLE_ALL_COLUMNS = 8 };
+enum { ROT_AXLE_INPUTS = 8, ROT_AXLE_ALL_COLUMNS = 21 };
 
 extern const rot_input rot_axle_inputs[ROT_AXLE_INPUTS];
 extern const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS];
@@ -24,12 +26,20 @@ typedef struct rot_axle_own {
 typedef struct rot_axle_built {
   rot_axle_scene scene;
   rot_axle_own own;
+  rot_axle_rope rope; /* its first mass is 0: there is none */
+  int geared;         /* a curve and dry friction stand for what the gears take */
+  rot_axle_gears gears;
 } rot_axle_built;
+
+/* At a jump, the moment after it. */
+double rot_axle_inertia_at(const rot_axle_scene *scene, double time_s);
 
 /* rot_constraint.build and .start_s */
 rot_status rot_axle_build(const rot_given given[], rot_store *store, void *built,
                           rot_refusal *refusal);
 double rot_axle_start_s(const void *scene);
+int rot_axle_shows(const void *built, size_t column);
+rot_status rot_axle_reduce(const void *built, unsigned without, rot_store *store, void *to);
 
 /* resistance(), inertia_knots() */
 extern const rot_part rot_axle_parts[];

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "ground/gauss.h"
+#include "ground/store.h"
 #include "maths/phi.h"
 #include "ground/real.h"
 
@@ -168,32 +169,71 @@ static rot_status go_to(const rot_axle_params *p, rot_axle_state *state, double 
   return ROT_OK;
 }
 
+/* From the first row on: `of` less `first`, with the roundings of all. */
+static rot_axle_ledger ledger_of(const rot_axle_params *p, const running_ledger *of,
+                                 const running_ledger *first, const running_ledger *rounding) {
+  rot_axle_ledger out;
+  out.work_j = difference(of->work, first->work);
+  out.dissipated_j = difference(of->heat, first->heat);
+  out.impulse_n_m_s = difference(of->impulse, first->impulse);
+  out.work_rounding_j = rounding->work_rounding;
+  out.dissipated_rounding_j = rounding->heat_rounding;
+  out.impulse_rounding_n_m_s = rounding->impulse_rounding;
+  out.viscous_j = out.dissipated_j;
+  out.quadratic_j = out.coulomb_j = out.inertia_work_j = 0.0;
+  out.damping_impulse_n_m_s = 0.0 - p->viscous_n_m_s * difference(of->turned, first->turned);
+  return out;
+}
+
 /* Outward from the start, as the rows: in the other direction a motion that decays outward would
  * grow, and its rounding with it. */
-rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
-                                  const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info) {
+static rot_status sum_rows(const rot_axle_params *p, size_t n, const double t[],
+                           const rot_hooks *hooks, running_ledger row[], running_ledger *rounding,
+                           rot_info *info) {
   running_ledger before, after;
   rot_axle_state state = rot_axle_start(p);
+  size_t late = 0; /* the first row that is not before the start */
   memset(&before, 0, sizeof before);
   after = before;
   rot_info_clear(info, rot_turning);
-  if (from_s < p->start_s) {
-    if (to_s < p->start_s) info->status = go_to(p, &state, to_s, NULL, hooks, info);
-    if (info->status == ROT_OK) info->status = go_to(p, &state, from_s, &before, hooks, info);
+  while (late < n && t[late] < p->start_s) late++;
+  if (n && late == n) info->status = go_to(p, &state, t[n - 1], NULL, hooks, info);
+  for (size_t i = late; i-- > 0 && info->status == ROT_OK;) {
+    info->status = go_to(p, &state, t[i], &before, hooks, info);
+    row[i] = before;
   }
-  if (to_s > p->start_s && info->status == ROT_OK) {
-    state = rot_axle_start(p);
-    if (from_s > p->start_s) info->status = go_to(p, &state, from_s, NULL, hooks, info);
-    if (info->status == ROT_OK) info->status = go_to(p, &state, to_s, &after, hooks, info);
+  state = rot_axle_start(p);
+  if (n && late == 0 && info->status == ROT_OK) {
+    info->status = go_to(p, &state, t[0], NULL, hooks, info);
   }
-  out->work_j = difference(after.work, before.work);
-  out->dissipated_j = difference(after.heat, before.heat);
-  out->impulse_n_m_s = difference(after.impulse, before.impulse);
-  out->work_rounding_j = after.work_rounding + before.work_rounding;
-  out->dissipated_rounding_j = after.heat_rounding + before.heat_rounding;
-  out->impulse_rounding_n_m_s = after.impulse_rounding + before.impulse_rounding;
-  out->viscous_j = out->dissipated_j;
-  out->quadratic_j = out->coulomb_j = out->inertia_work_j = 0.0;
-  out->damping_impulse_n_m_s = 0.0 - p->viscous_n_m_s * difference(after.turned, before.turned);
+  for (size_t i = late; i < n && info->status == ROT_OK; i++) {
+    info->status = go_to(p, &state, t[i], &after, hooks, info);
+    row[i] = after;
+  }
+  *rounding = after;
+  rounding->work_rounding += before.work_rounding;
+  rounding->heat_rounding += before.heat_rounding;
+  rounding->impulse_rounding += before.impulse_rounding;
   return info->status;
+}
+
+rot_status rot_axle_linear_ledgers(const rot_axle_params *p, size_t n, const double time_s[],
+                                   const rot_hooks *hooks, rot_axle_ledger out[], rot_info *info) {
+  rot_store store = {0};
+  running_ledger rounding, *row = rot_store_get(&store, n, sizeof *row);
+  rot_info_clear(info, rot_turning);
+  if (!row) return info->status = ROT_ENOMEM;
+  (void)sum_rows(p, n, time_s, hooks, row, &rounding, info);
+  for (size_t i = 0; i < n; i++) out[i] = ledger_of(p, &row[i], &row[0], &rounding);
+  rot_store_free(&store);
+  return info->status;
+}
+
+rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
+                                  const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info) {
+  const double ends[] = {from_s, to_s};
+  rot_axle_ledger row[2];
+  const rot_status status = rot_axle_linear_ledgers(p, 2, ends, hooks, row, info);
+  if (status != ROT_ENOMEM) *out = row[1];
+  return status;
 }

@@ -24,7 +24,11 @@ typedef struct rot_axle_ledger {
 #undef X
 } rot_axle_ledger;
 
-/* Closed form of rot_axle_linear() from from_s to to_s >= from_s. */
+/* Closed form of rot_axle_linear() from the first of n times, which do not decrease, to each; after
+ * a failure as far as it came. */
+rot_status rot_axle_linear_ledgers(const rot_axle_params *p, size_t n, const double time_s[],
+                                   const rot_hooks *hooks, rot_axle_ledger out[], rot_info *info);
+/* From from_s to to_s >= from_s. */
 rot_status rot_axle_linear_ledger(const rot_axle_params *p, double from_s, double to_s,
                                   const rot_hooks *hooks, rot_axle_ledger *out, rot_info *info);
 

@@ -3,9 +3,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/axle/balances.h"
 #include "scene/axle/drop.h"
 #include "scene/axle/forced.h"
 #include "scene/axle/inputs.h"
+#include "scene/axle/pace.h"
 #include "ground/search.h"
 
 /* ---- effects --------------------------------------------------------------------------------- */
@@ -292,4 +294,18 @@ const rot_constraint rot_axle_constraint = {
     .scene_size = sizeof(rot_axle_built),
     .build = rot_axle_build,
     .start_s = rot_axle_start_s,
+    .n_flows = ROT_AXLE_FLOWS,
+    .flows = rot_axle_flow_names,
+    .n_balances = ROT_AXLE_BALANCES,
+    .balances = rot_axle_balances,
+    .n_terms = ROT_AXLE_TERMS,
+    .terms = rot_axle_terms,
+    .audit = rot_axle_audit,
+    .explain = rot_axle_explain,
+    .term_words = rot_axle_term_words,
+    .keeps = rot_axle_keeps,
+    .pace = rot_axle_pace,
+    .breaks = rot_axle_breaks,
+    .shows = rot_axle_shows,
+    .reduce = rot_axle_reduce,
 };

@@ -8,8 +8,20 @@
 #include "ground/real.h"
 
 /* TURNED: theta less theta0, whose size would hide the first digits of a small motion: a pendulum
- * upside down, pushed by 1e-12 rad/s, never left pi. */
-enum { TURNED, OMEGA, WORK, VISCOUS, QUADRATIC, COULOMB, IMPULSE, DAMPING, INERTIA, DIM };
+ * upside down, pushed by 1e-12 rad/s, never left pi. Then the flows. */
+enum {
+  TURNED,
+  OMEGA,
+  FLOWS,
+  WORK = FLOWS + ROT_AXLE_FLOW_WORK,
+  VISCOUS = FLOWS + ROT_AXLE_FLOW_VISCOUS,
+  QUADRATIC = FLOWS + ROT_AXLE_FLOW_QUADRATIC,
+  COULOMB = FLOWS + ROT_AXLE_FLOW_COULOMB,
+  IMPULSE = FLOWS + ROT_AXLE_FLOW_IMPULSE,
+  DAMPING = FLOWS + ROT_AXLE_FLOW_DAMPING,
+  INERTIA = FLOWS + ROT_AXLE_FLOW_INERTIA,
+  DIM = FLOWS + ROT_AXLE_FLOWS
+};
 
 typedef struct motion {
   const rot_axle_scene *scene;
@@ -184,25 +196,21 @@ static void note_sizes(const motion *m, size_t n, const double time_s[], const d
   omega->error *= most;
 }
 
-static void write_ledger(const double first[], const double last[], const double error[],
-                         rot_axle_ledger *out) {
-  out->work_j = last[WORK] - first[WORK];
-  out->viscous_j = last[VISCOUS] - first[VISCOUS];
-  out->quadratic_j = last[QUADRATIC] - first[QUADRATIC];
-  out->coulomb_j = last[COULOMB] - first[COULOMB];
-  out->dissipated_j = out->viscous_j + out->quadratic_j + out->coulomb_j;
-  out->impulse_n_m_s = last[IMPULSE] - first[IMPULSE];
-  out->damping_impulse_n_m_s = last[DAMPING] - first[DAMPING];
-  out->inertia_work_j = last[INERTIA] - first[INERTIA];
-  out->work_rounding_j = 2.0 * (error[WORK] + error[INERTIA]);
-  out->dissipated_rounding_j = 2.0 * (error[VISCOUS] + error[QUADRATIC] + error[COULOMB]);
-  out->impulse_rounding_n_m_s = 2.0 * error[IMPULSE];
+/* Each of them errs at both ends. The impulse of the resistance follows from that of the torque. */
+static void write_flows(const motion *m, size_t n, const double time_s[], const double y[],
+                        const double error[], const rot_axle_columns *rows,
+                        const rot_axle_flows *flows) {
+  for (int k = 0; k < ROT_AXLE_FLOWS; k++) {
+    for (size_t i = 0; i < n; i++) flows->value[k][i] = y[i * DIM + FLOWS + (size_t)k];
+    flows->error[k] = FLOWS + k == DAMPING ? 0.0 : 2.0 * error[FLOWS + k];
+  }
+  rot_axle_flows_jumps(m->scene, n, time_s, rows->angular_momentum_kg_m2_per_s, flows);
 }
 
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
                               size_t n, const double time_s[], const rot_axle_columns *out,
-                              rot_events *events, rot_axle_ledger *ledger, const rot_hooks *hooks,
-                              rot_info *info) {
+                              rot_events *events, const rot_axle_flows *flows,
+                              const rot_hooks *hooks, rot_info *info) {
   motion m = motion_of(scene);
   double start[DIM] = {0.0, scene->linear.omega0_rad_per_s};
   double error[DIM] = {0.0}, largest[DIM] = {0.0};
@@ -251,9 +259,7 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
       if (columns != ROT_OK) failure = columns;
     }
     note_sizes(&m, info->rows_done, time_s, y, error, largest, info);
-    if (info->rows_done > 0) {
-      write_ledger(y, y + (info->rows_done - 1) * DIM, error, ledger);
-    }
+    if (flows) write_flows(&m, info->rows_done, time_s, y, error, out, flows);
   }
   free(slope);
   free(y);

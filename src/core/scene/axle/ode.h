@@ -7,7 +7,7 @@
 #ifndef ROT_AXLE_ODE_H
 #define ROT_AXLE_ODE_H
 
-#include "scene/axle/ledger.h"
+#include "scene/axle/flows.h"
 #include "scene/axle/scene.h"
 
 typedef struct rot_axle_ode_options {
@@ -17,12 +17,11 @@ typedef struct rot_axle_ode_options {
   double resolution; /* of changes of a law that is called: see engine/ode/ode.h; 0: as there */
 } rot_axle_ode_options;
 
-/* The scene's call, if it has one, is added to its knots and terms. The errors in *info and the
- * roundings in *ledger are estimates. The ledger runs from the first row to the last; it is left
- * alone where no row was done. */
+/* The scene's call, if it has one, is added to its knots and terms. Errors are estimates. `flows`:
+ * NULL, or what flowed since the start of the scene. */
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
                               size_t n, const double time_s[], const rot_axle_columns *out,
-                              rot_events *events, rot_axle_ledger *ledger, const rot_hooks *hooks,
-                              rot_info *info);
+                              rot_events *events, const rot_axle_flows *flows,
+                              const rot_hooks *hooks, rot_info *info);
 
 #endif

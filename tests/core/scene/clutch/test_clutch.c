@@ -393,7 +393,7 @@ static void check_engagement(void) {
              {0},
              {0},
              {0},
-             {0, 0, NULL, NULL},
+             {0},
              {0}};
   ROT_CHECK_EQ_INT(run(&x, 4, time), ROT_OK);
   ROT_CHECK_ULP(x.omega[0][1], 7.0, 2);
@@ -444,7 +444,7 @@ static void check_hold(void) {
              {0},
              {0},
              {0},
-             {0, 0, NULL, NULL},
+             {0},
              {0}};
   ROT_CHECK_EQ_INT(run(&x, 2, time), ROT_OK);
   ROT_CHECK(x.locked[0] && x.locked[1] && x.torque[1] == 3.0 && x.heat[1] == 0.0);
@@ -480,7 +480,7 @@ static void check_reversal(void) {
              {0},
              {0},
              {0},
-             {0, 0, NULL, NULL},
+             {0},
              {0}};
   ROT_CHECK_EQ_INT(run(&x, 2, time), ROT_OK);
   ROT_CHECK(fabs(x.omega[0][0]) <= 4e-15);
@@ -510,7 +510,7 @@ static void check_late(void) {
              {0},
              {0},
              {0},
-             {0, 0, NULL, NULL},
+             {0},
              {0}};
   ROT_CHECK_EQ_INT(run(&x, 3, time), ROT_OK);
   ROT_CHECK(!x.locked[0] && x.locked[1] && x.locked[2]);
@@ -543,7 +543,7 @@ static void check_late_zero(void) {
              {0},
              {0},
              {0},
-             {0, 0, NULL, NULL},
+             {0},
              {0}};
   ROT_CHECK_EQ_INT(run(&x, 1, time), ROT_OK);
   ROT_CHECK(fabs(x.omega[0][0] + 1.0) <= x.info.measure[ROT_OMEGA].error);

@@ -35,7 +35,7 @@ static rot_drive_grip hold(double capacity, double static_ratio) {
 }
 
 static rot_drive_scene scene_of(size_t n) {
-  return (rot_drive_scene){n, rotor, grip, coupling, 0.0};
+  return (rot_drive_scene){.n = n, .rotor = rotor, .brake = grip, .coupling = coupling};
 }
 
 static void clear(void) {
@@ -197,8 +197,8 @@ static void integrate(size_t n_rotors, size_t n, const double t[], rot_method me
   ROT_DRIVE_LEDGER(X)
 #undef X
   rot_events_free(&run.events);
-  run.status = rot_drive_integrate(&scene, &options, n, t, &run.out, &run.ledger, &run.events,
-                                   NULL, &run.info);
+  run.status = rot_drive_integrate(&scene, &options, n, t, &run.out, &run.ledger, &run.events, NULL,
+                                   &run.info);
   ROT_CHECK_EQ_INT(run.status, run.info.status);
 }
 

@@ -64,15 +64,14 @@ static void open_rows(rows *r) {
 #undef X
 }
 
-static void close_rows(rows *r) {
-  rot_events_free(&r->events);
-}
+static void close_rows(rows *r) { rot_events_free(&r->events); }
 
 static int near(double got, double want, double by) { return fabs(got - want) <= by; }
 
 static void compare(size_t n, rot_drive_form form, double start_s, double first_s) {
   static rows exact, by_steps;
-  const rot_drive_scene scene = {n, rotor, brake, coupling, start_s};
+  const rot_drive_scene scene = {
+      .n = n, .rotor = rotor, .brake = brake, .coupling = coupling, .start_s = start_s};
   const rot_drive_ode_options options = {1e-12, 100000, ROT_METHOD_RK8PD, 0.0};
   double t[ROWS];
   for (size_t i = 0; i < n; i++) rotor[i].linear.start_s = start_s;
