@@ -60,7 +60,8 @@ terminal_omega <- function(scene, call) {
   resists <- c("viscous", "motor", "quadratic", "friction") %in% core_effects("axle", scene)
   if (last == 0 && !any(resists)) {
     end <- max(scene$start_s, knots$time_s)
-    return(axle_drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s)
+    drag <- constraint_of(scene)$models$axle_drag
+    return(drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s)
   }
   scene$loads$knots <- new_knots(double(), double(), c(last, last))
   .Call(ffi_axle_stopping, scene)[3]

@@ -161,7 +161,9 @@ static rot_status go(work *w) {
       const sums of = sums_of(w, i);
       bad += !is_good(&w->open[i], p->width, &of, w->total);
     }
-    const int stop = halving == HALVINGS || 2 * bad > left;
+    const int spent = 2 * bad > left, stop = halving == HALVINGS || spent;
+    /* Of an integrand that the panels do not resolve nothing is known. */
+    for (size_t k = 0; k < p->width && spent; k++) p->error[k] = (double)NAN;
     if (make_room(w, 2 * bad) != ROT_OK) return ROT_ENOMEM;
     w->n_next = 0;
     for (size_t i = 0; i < w->n_open; i++) {

@@ -20,8 +20,8 @@ typedef struct rot_panels {
   double *size;  /* out: width, the integrals of the absolute values */
 } rot_panels;
 
-/* Halves until the error is below rounding, 24 halvings are done, or the panels are too many: then
- * the error says so. A panel whose integral is not finite is not halved. */
+/* Halves until the error is below rounding or 24 halvings are done; where the panels become too
+ * many, the error is NaN. A panel whose integral is not finite is not halved. */
 rot_status rot_panels_integrate(const rot_panels *panels, rot_panels_rates rates, void *ctx);
 
 #endif
