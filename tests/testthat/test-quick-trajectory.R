@@ -94,3 +94,13 @@ test_that("a scene that was sound is looked at again once it is changed", {
   expect_error(change(fine), class = "rotdyn_error_type")
   expect_identical(trajectory(fine, c(0, 1)), first)
 })
+
+test_that("a motion that cancels takes the long road", {
+  # At rest again: of the row nothing is left, and the figure takes more times.
+  scene <- scene_axle(1, torque_knots(c(0, 1, 1, 2), c(1, 1, -1, -1) * 1e3))
+  late <- trajectory(scene, 2)
+  error <- attr(late, "run")$info$error
+  expect_null(if (error > 1e-13) rotdyn:::quick_trajectory(scene, 2))
+  drag <- scene_axle(1, -1, resistance(0.3, 0.2), omega0_rad_per_s = 1e-3)
+  expect_identical(trajectory(drag, c(1, 5)), trajectory(drag, c(1, 5), accuracy = 1e-9))
+})

@@ -367,3 +367,10 @@ test_that("a rotor may have most of the moment about its axis, and not more", {
     class = "rotdyn_error_value"
   )
 })
+
+test_that("rotors that are none are refused by name", {
+  expect_error(
+    scene_free(c(1, 2, 2.5), c(0, 0, 1), rotors = list(1)), "made of .*rotor",
+    class = "rotdyn_error_type"
+  )
+})

@@ -154,3 +154,36 @@ test_that("the length of an attitude at the start has one rule", {
   expect_error(of(1:3), class = "rotdyn_error_type")
   expect_error(of("x"), class = "rotdyn_error_type")
 })
+
+test_that("moments that a body just has, and just has not", {
+  # A sum of two moments may exceed the third by rounding alone.
+  expect_no_warning(scene_free(c(1, 1, 2 * (1 + 1e-13)), c(0, 0, 1)))
+  expect_warning(
+    scene_free(c(1, 1, 2 * (1 + 1e-10)), c(0, 0, 1)), class = "rotdyn_warning_inertia"
+  )
+})
+
+test_that("steps of a run through the start are those of its longer half", {
+  scene <- scene_free(c(1, 2, 3), c(0.1, 1, 0.2))
+  step <- function(time_s) {
+    motion <- suppressWarnings(trajectory(scene, time_s, 1, model = "free_split"))
+    attr(motion, "run")$info$step_s
+  }
+  expect_identical(step(c(-10, 0, 0.1)), step(c(-10, -1)))
+  expect_identical(step(c(-0.1, 0, 10)), step(c(1, 10)))
+})
+
+test_that("a law reads the attitude from body to space", {
+  # A torque constant in space, given in body axes: L_x = 0.1 t whatever the body does.
+  law <- function(time_s, omega_rad_per_s, attitude) {
+    w <- attitude[1]
+    x <- attitude[2]
+    y <- attitude[3]
+    z <- attitude[4]
+    0.1 * c(1 - 2 * (y^2 + z^2), 2 * (x * y - w * z), 2 * (x * z + w * y))
+  }
+  quarter <- c(cos(pi / 8), sin(pi / 8), 0, 0)
+  motion <- trajectory(scene_free(c(2, 2, 2), c(0, 1, 2), attitude0 = quarter, torque_n_m = law), c(0, 1, 3))
+  momentum <- motion$angular_momentum_x_kg_m2_per_s
+  expect_equal(momentum - momentum[1], c(0, 0.1, 0.3), tolerance = 1e-8)
+})

@@ -182,3 +182,8 @@ test_that("inputs of a hoop may have units", {
                     units::set_units(60, "rpm"))
   expect_equal(unlist(unclass(one)[1:3], use.names = FALSE), c(0.05, 0.2, 2 * pi))
 })
+
+test_that("a missing integer is missing", {
+  expect_error(scene_hoop(NA_integer_, 1, 1), "It is NA", class = "rotdyn_error_value")
+  expect_identical(scene_hoop(1L, 1L, 2L), scene_hoop(1, 1, 2))
+})

@@ -452,3 +452,21 @@ test_that("the power of gravity is what the height gives, in any axes", {
     expect_equal(motion$work_j[3], -diff(motion$potential_energy_j[c(1, 3)]), tolerance = 1e-6)
   }
 })
+
+test_that("an upright top has the inclination 0, a level one a right angle, a held one none", {
+  turned <- function(angle) attitude_from(c(1, 0, 0, angle), "axis_angle")
+  inclination <- function(angle, centre_m = c(0, 0, 0.1)) {
+    scene <- scene_pivot(
+      c(0.1, 0.1, 0.05), c(0, 0, 3), mass_kg = 1, centre_m = centre_m, attitude0 = turned(angle)
+    )
+    trajectory(scene, 0)$inclination_rad
+  }
+  expect_identical(inclination(0), 0)
+  expect_equal(inclination(pi / 2), pi / 2, tolerance = 1e-15)
+  expect_equal(inclination(pi), pi, tolerance = 1e-15)
+  expect_true(is.na(inclination(0, c(0, 0, 0)) %||% NA))
+  none <- augment(trajectory(scene_pivot(
+    c(0.1, 0.1, 0.05), c(0, 0, 3), mass_kg = 1, centre_m = c(0, 0, 0.1)
+  ), 0:1)[0, ])
+  expect_identical(none$power_w, double())
+})

@@ -99,3 +99,16 @@ test_that("a law of the state is called with numbers alone, at rest and beyond t
   )
   expect_identical(seen, 0)
 })
+
+test_that("of what a law returns NA is a number that is not finite, other logicals are none", {
+  run <- function(value) {
+    law <- function(time_s, theta_rad, omega_rad_per_s) if (time_s > 0.5) value else 1
+    trajectory(scene_axle(1, torque_function(law, breaks_s = 0.5)), 0:2)
+  }
+  for (value in list(NA, NA_integer_, NaN, Inf)) {
+    expect_error(run(value), "gave no finite number", class = "rotdyn_error_torque")
+  }
+  for (value in list(TRUE, c(1, 2), c(NA, NA), "1", NULL, factor(1))) {
+    expect_error(run(value), "must return one number", class = "rotdyn_error_torque")
+  }
+})

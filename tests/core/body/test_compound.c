@@ -171,6 +171,15 @@ static void check_refusals(void) {
   give(cut, "body", sphere(1.0, 0.2));
   give(cut, "hole", sphere(2.0, 0.1));
   refuse(cut, "hole", "lighter");
+  /* A row of another length. */
+  none = rotdyn_object_new("body_polygon");
+  rows = rotdyn_object_new("list");
+  for (size_t i = 0; i < 4; i++) {
+    ROT_CHECK(rotdyn_set_numbers(rows, NULL, i == 2 ? 3 : 2, mirror[i % 3]) == ROTDYN_OK);
+  }
+  ROT_CHECK(rotdyn_set_number(none, "mass_kg", 1.0) == ROTDYN_OK);
+  give(none, "vertices_m", rows);
+  refuse(none, "vertices_m", "rows of two numbers");
   cut = rotdyn_object_new("cut_body");
   give(cut, "body", sphere(2.0, 0.2));
   give(cut, "hole", placed(sphere(1.0, 0.1), 3.0, 0.0, 0.0));

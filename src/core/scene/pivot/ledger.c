@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/real.h"
 #include "maths/panels.h"
 #include "scene/free/ledger.h"
 #include "scene/pivot/pivot.h"
@@ -103,7 +104,7 @@ rot_status rot_pivot_flows(rot_free_rows_of *form, const rot_free_params *p, con
   along a = {form, p, hooks};
   const size_t n = task->n;
   const double *lever = p->lever_n_m;
-  const double size = hypot(hypot(lever[0], lever[1]), lever[2]);
+  const double size = rot_length(lever);
   const double rate = 2.0 * fmax(info->measure[ROT_FREE_OMEGA].largest, 1e-300);
   const double off = info->measure[ROT_FREE_ATTITUDE].error;
   double start[3], error[2] = {0.0, 0.0}, span = 0.0;

@@ -2,6 +2,7 @@
  * moments about other axes, and what is refused. */
 #include "scene/free/inputs.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -21,7 +22,9 @@ static int push(const double *argument, double *value, void *context) {
   int *calls = context;
   ++*calls;
   /* time, omega, attitude: the body turns about z alone */
-  *value = argument[1] == 0.0 && argument[2] == 0.0 && argument[5] == 0.0 ? TORQUE : NAN;
+  const int about_z = argument[1] == 0.0 && argument[2] == 0.0 && argument[5] == 0.0;
+  /* From body to space: it has turned as it turns now. */
+  *value = about_z && argument[3] * argument[7] >= 0.0 ? TORQUE : NAN;
   return 0;
 }
 
@@ -87,6 +90,17 @@ static void check_motors(void) {
     ROT_CHECK(b.conserved == -1 && !strcmp(b.quantity, "quaternion_norm"));
     rotdyn_object_free(scene);
   }
+}
+
+/* A unit quaternion keeps its bits, another is scaled. */
+static void check_attitude(void) {
+  double q[4];
+  const double unit[] = {1.0 - 4.0 * DBL_EPSILON, 0.0, 0.0, 0.0};
+  const double off[] = {1.0 - 6.0 * DBL_EPSILON, 0.0, 0.0, 0.0};
+  rot_free_read_attitude(unit, q);
+  ROT_CHECK(q[0] == unit[0] && q[1] == 0.0);
+  rot_free_read_attitude(off, q);
+  ROT_CHECK(q[0] == 1.0);
 }
 
 /* Diagonal in axes turned by 90 degrees about x: y and z change places. */
@@ -184,6 +198,7 @@ static void check_breaks(void) {
 
 int main(void) {
   check_motors();
+  check_attitude();
   check_moments();
   check_table();
   check_refusals();
