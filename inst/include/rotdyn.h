@@ -312,8 +312,7 @@ typedef struct rotdyn_model {
  *                       time, of the second one, ... ; flags are 0, 1, NaN. `room`: values in each
  *                       column, at least so many. object_check() gives `copies`
  * scene_balance         balance k, from 0, between the first and the last time of the run at these
- *                       times: the audit of R; ROTDYN_EEND after the last. ROTDYN_EMODEL: a
- *                       constraint whose balances R draws up (axle)
+ *                       times: the audit of R; ROTDYN_EEND after the last
  * scene_rows            n scenes that differ in the named numbers, a row each: the columns at the
  *                       time of the row. Laws that are called are called by one thread
  * axle_sweep            many axles in closed form, a row each; ROTDYN_EMODEL where none takes them

@@ -183,7 +183,8 @@ test_that("a law reads the attitude from body to space", {
     0.1 * c(1 - 2 * (y^2 + z^2), 2 * (x * y - w * z), 2 * (x * z + w * y))
   }
   quarter <- c(cos(pi / 8), sin(pi / 8), 0, 0)
-  motion <- trajectory(scene_free(c(2, 2, 2), c(0, 1, 2), attitude0 = quarter, torque_n_m = law), c(0, 1, 3))
+  scene <- scene_free(c(2, 2, 2), c(0, 1, 2), attitude0 = quarter, torque_n_m = law)
+  motion <- trajectory(scene, c(0, 1, 3))
   momentum <- motion$angular_momentum_x_kg_m2_per_s
   expect_equal(momentum - momentum[1], c(0, 0.1, 0.3), tolerance = 1e-8)
 })

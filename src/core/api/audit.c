@@ -163,9 +163,6 @@ int rotdyn_scene_balance(const rotdyn_object *scene, size_t n, const double *tim
   if (status == ROTDYN_OK) {
     if (!out || n == 0) {
       status = rot_api_refuse(&w, NULL, "`out` is NULL, or there are no times");
-    } else if (!w.built.constraint->audit) {
-      (void)rot_api_refuse(&w, NULL, "the balances of this constraint are drawn up by R alone");
-      status = ROTDYN_EMODEL;
     } else if (k >= w.built.constraint->n_balances) {
       status = ROTDYN_EEND;
     } else {
