@@ -122,13 +122,14 @@ typedef struct rotdyn_input {
   const char *const *options; /* of a choice, the first is the default; the list ends with NULL */
 } rotdyn_input;
 
-/* Events of a run, in their order: "stick", "slip", "reverse". */
+/* Events of a run, in their order: "stick", "slip", "reverse", "lock", ... */
 typedef struct rotdyn_events {
   size_t size;
   size_t room;       /* of the two arrays */
   double *time_s;    /* those that found room */
   const char **name; /* may be NULL */
   size_t count;      /* of all events; set by the run */
+  int *place;        /* may be NULL: 0, or where: rotor i, from 1; the coupling behind it as -i */
 } rotdyn_events;
 
 typedef struct rotdyn_options {

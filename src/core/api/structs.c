@@ -66,6 +66,7 @@ void rot_api_events(const rot_events *from, rotdyn_events *to) {
   for (size_t i = 0; i < from->count && i < events.room; i++) {
     if (events.time_s) events.time_s[i] = from->time_s[i];
     if (events.name) events.name[i] = rot_event_name(from->event[i]);
+    if (events.place) events.place[i] = from->place[i];
   }
   events.count = from->count;
   (void)rot_api_give(&events, sizeof events, to);

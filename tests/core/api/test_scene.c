@@ -921,6 +921,36 @@ static void check_drive(void) {
 #undef RUN
 }
 
+/* 10 rad/s and rest, 12 N m: the clutch locks after 1 s. With a brake of 15 N m on the second rotor
+ * it stops both: together they have 5 kg m^2 and 20 N m s. */
+static void check_places(void) {
+  static const char *const of_grip[] = {"capacity_n_m", "from_s"}, *const name = "omega_rad_per_s";
+  rotdyn_object *scene = rotdyn_object_new("scene_drive"), *brakes = rotdyn_object_new("list");
+  const char *event[2];
+  double event_s[2], omega[2], *const column = omega;
+  int place[2] = {9, 9};
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_events events = {.size = sizeof events, .room = 2, .time_s = event_s, .name = event};
+  const double end = 9.0;
+  events.place = place;
+  options.events = &events;
+  (void)rotdyn_set_numbers(scene, "bodies", 2, (double[]){2.0, 3.0});
+  (void)rotdyn_set_numbers(scene, "omega0_rad_per_s", 2, (double[]){10.0, 0.0});
+  (void)give(scene, "couplings", part("coupling_clutch", 1, of_grip, (double[]){12.0}));
+  (void)rotdyn_unset(brakes, NULL);
+  (void)give(brakes, NULL, part("brake", 2, of_grip, (double[]){15.0, 2.0}));
+  (void)rotdyn_set_object(scene, "brake", brakes);
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 1, &end, &options, 2, 1, &name, &column, NULL),
+                   ROTDYN_OK);
+  ROT_CHECK_EQ_INT((long)events.count, 2);
+  ROT_CHECK(!strcmp(event[0], "lock") && place[0] == -1);
+  ROT_CHECK(!strcmp(event[1], "stick") && place[1] == 2);
+  ROT_CHECK_REL(event_s[0], 1.0, 1e-12);
+  ROT_CHECK_REL(event_s[1], 2.0 + 20.0 / 15.0, 1e-12);
+  rotdyn_object_free(brakes);
+  rotdyn_object_free(scene);
+}
+
 /* ---- many scenes, a row each ----------------------------------------------------------------- */
 
 static void check_rows(void) {
@@ -1081,6 +1111,7 @@ int main(void) {
   check_rotors();
   check_clutch();
   check_drive();
+  check_places();
   check_rows();
   check_times();
   check_threads();
