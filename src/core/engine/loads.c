@@ -1,9 +1,9 @@
 #include "engine/loads.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "ground/sort.h"
 #include "ground/real.h"
 #include "ground/search.h"
 
@@ -24,28 +24,13 @@ static void add(total *to, double x) {
   to->rest += lost;
 }
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-/* Each value once, increasing; how many. */
-static size_t sort_once(size_t n, double x[]) {
-  size_t kept = 0;
-  qsort(x, n, sizeof *x, by_size);
-  for (size_t i = 0; i < n; i++) {
-    if (kept == 0 || x[i] != x[kept - 1]) x[kept++] = x[i];
-  }
-  return kept;
-}
-
 static size_t times_of(size_t n, const rot_torque law[], double time_s[]) {
   size_t all = 0;
   for (size_t i = 0; i < n; i++) {
     if (law[i].n) memcpy(time_s + all, law[i].time_s, law[i].n * sizeof *time_s);
     all += law[i].n;
   }
-  return sort_once(all, time_s);
+  return rot_sort_once(all, time_s);
 }
 
 /* Between knots i and i + 1. The two shares are 1 within rounding: a level would become a slope of
@@ -208,7 +193,7 @@ static rot_status add_calls(size_t n, const rot_law_one law[], rot_store *store,
   }
   loads->knots.call = call_all;
   loads->knots.ctx = all;
-  loads->n_breaks = sort_once(n_breaks, breaks_s);
+  loads->n_breaks = rot_sort_once(n_breaks, breaks_s);
   loads->breaks_s = breaks_s;
   return ROT_OK;
 }

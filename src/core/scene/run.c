@@ -1,5 +1,7 @@
 #include "scene/run.h"
 
+#include "ground/sort.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -111,11 +113,6 @@ static int beyond_doubles(const job *j, unsigned effects, size_t n) {
 
 enum { ON_THE_WAY = 256 };
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* A closed form knows the largest values of the rows alone. More times, unevenly spaced, so that no
  * period of the motion hides what is larger between them. */
 static void measure_on_the_way(const job *j, const rot_model *model, const rot_task *task,
@@ -131,7 +128,7 @@ static void measure_on_the_way(const job *j, const rot_model *model, const rot_t
   for (int i = 0; i < ON_THE_WAY; i++) {
     time_s[i] = from + (to - from) * fmod((i + 1) * 0.6180339887498949, 1.0);
   }
-  qsort(time_s, ON_THE_WAY, sizeof *time_s, by_size);
+  rot_sort(ON_THE_WAY, time_s);
   more.n = ON_THE_WAY;
   more.time_s = time_s;
   if (open_columns(&own, more.n, NULL) != ROT_OK) return;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/sort.h"
 #include "ground/real.h"
 #include "ground/search.h"
 #include "ground/store.h"
@@ -145,18 +146,13 @@ static int add_time(times *to, double t) {
   return 1;
 }
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* In order, each once, those between two times (with these). */
 static void close_times(times *of, double from, double to) {
   size_t kept = 0;
-  if (of->n) qsort(of->at, of->n, sizeof *of->at, by_size);
+  of->n = rot_sort_once(of->n, of->at);
   for (size_t i = 0; i < of->n; i++) {
     const double t = of->at[i];
-    if (t >= from && t <= to && (kept == 0 || t != of->at[kept - 1])) of->at[kept++] = t;
+    if (t >= from && t <= to) of->at[kept++] = t;
   }
   of->n = kept;
 }

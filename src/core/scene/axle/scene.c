@@ -1,14 +1,9 @@
 #include "scene/axle/scene.h"
 
 #include <math.h>
-#include <stdlib.h>
 
+#include "ground/sort.h"
 #include "ground/real.h"
-
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 size_t rot_axle_scene_room(const rot_axle_scene *scene) {
   size_t room = scene->linear.torque.n + scene->n_inertia + scene->n_breaks + 1;
@@ -18,20 +13,14 @@ size_t rot_axle_scene_room(const rot_axle_scene *scene) {
 
 size_t rot_axle_scene_breaks(const rot_axle_scene *scene, double out[]) {
   const rot_torque *torque = &scene->linear.torque;
-  size_t total = 0, n = 0;
+  size_t total = 0;
   for (size_t i = 0; i < torque->n; i++) out[total++] = torque->time_s[i];
   for (size_t i = 0; i < scene->n_terms; i++) {
     total += rot_term_breaks(&scene->terms[i], out + total);
   }
   for (size_t i = 0; i < scene->n_inertia; i++) out[total++] = scene->inertia_time_s[i];
   for (size_t i = 0; i < scene->n_breaks; i++) out[total++] = scene->breaks_s[i];
-  size_t sorted = 1;
-  while (sorted < total && out[sorted - 1] <= out[sorted]) sorted++;
-  if (sorted < total) qsort(out, total, sizeof *out, by_size);
-  for (size_t i = 0; i < total; i++) {
-    if (n == 0 || out[i] != out[n - 1]) out[n++] = out[i];
-  }
-  return n;
+  return rot_sort_once(total, out);
 }
 
 double rot_axle_scene_applied(const rot_axle_scene *scene, double t, double theta, double theta_lo,

@@ -1,9 +1,9 @@
 #include "scene/drive/exact.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "ground/sort.h"
 #include "ground/real.h"
 #include "maths/panels.h"
 #include "scene/axle/inputs.h"
@@ -396,11 +396,6 @@ static rot_status rates(size_t n, const double t[], double value[], void *ctx) {
   return status;
 }
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* Since the start at n times, a row each; with the error and the size of what was added. */
 typedef struct integrals {
   double *value, *error, *size;
@@ -433,7 +428,7 @@ static rot_status edges_of(const exact *x, size_t n, const double t[], rot_store
         all[found++] = scene->coupling[i].grip.from_s;
       }
     }
-    qsort(all, found, sizeof *all, by_size);
+    rot_sort(found, all);
     for (size_t i = 0; i < found; i++) {
       const int inside = all[i] >= from && all[i] <= to;
       if (inside && (kept == 0 || all[i] != all[kept - 1])) all[kept++] = all[i];

@@ -3,9 +3,9 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "ground/sort.h"
 #include "body/parts.h"
 #include "engine/laws.h"
 #include "scene/axle/inputs.h"
@@ -266,11 +266,6 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
   return status;
 }
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* Breaks of what acts on one rotor or coupling, unsorted; returns how many, with `out` NULL room
  * that is enough. */
 static size_t breaks_of(const rot_axle_scene *law, const rot_drive_grip *window, double out[]) {
@@ -300,11 +295,7 @@ static size_t all_breaks(const rot_drive_scene *scene, double out[]) {
 static rot_status gather_breaks(rot_drive_scene *scene, rot_store *store) {
   double *all = rot_store_get(store, all_breaks(scene, NULL), sizeof *all);
   if (!all) return ROT_ENOMEM;
-  const size_t n = all_breaks(scene, all);
-  if (n) qsort(all, n, sizeof *all, by_size);
-  for (size_t i = 0; i < n; i++) {
-    if (i == 0 || all[i] != all[scene->n_breaks - 1]) all[scene->n_breaks++] = all[i];
-  }
+  scene->n_breaks = rot_sort_once(all_breaks(scene, all), all);
   scene->breaks_s = all;
   return ROT_OK;
 }

@@ -2,9 +2,9 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "ground/sort.h"
 #include "body/inertia.h"
 #include "maths/attitude.h"
 
@@ -167,11 +167,6 @@ static rot_status read_rotors(const rot_given *rotors, size_t input, rot_free_bu
 
 /* ---- breaks ---------------------------------------------------------------------------------- */
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 static void add(size_t n, const double x[], double to[], size_t *at) {
   if (n && to) memcpy(to + *at, x, n * sizeof *x);
   *at += n;
@@ -193,15 +188,11 @@ static size_t gather(const rot_given *breaks, const rot_given *rotors, const rot
 
 static rot_status read_breaks(const rot_given *breaks, const rot_given *rotors, rot_store *store,
                               rot_free_params *p) {
-  size_t n = gather(breaks, rotors, p, NULL), kept = 0;
+  const size_t n = gather(breaks, rotors, p, NULL);
   double *all = rot_store_get(store, n + 1, sizeof *all);
   if (!all) return ROT_ENOMEM;
   (void)gather(breaks, rotors, p, all);
-  qsort(all, n, sizeof *all, by_size);
-  for (size_t i = 0; i < n; i++) {
-    if (!kept || all[i] > all[kept - 1]) all[kept++] = all[i];
-  }
-  p->n_breaks = kept;
+  p->n_breaks = rot_sort_once(n, all);
   p->breaks_s = all;
   return ROT_OK;
 }
