@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "ground/ieee.h"
+
 /* Increasing, in place; no NaN among them. */
 void rot_sort(size_t n, double x[]);
 /* Each value once, increasing; how many they are. */

@@ -177,10 +177,8 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
 void rot_run_model(const rot_constraint *constraint, const void *scene, const rot_model *model,
                    const rot_task *task, const rot_rows *want, rot_outcome *out,
                    const rot_hooks *hooks) {
-  const rot_candidate one = {.model = model,
-                             .applies = 1,
-                             .untaken = task->without,
-                             .dropped = task->without != 0};
+  const rot_candidate one = {
+      .model = model, .applies = 1, .untaken = task->without, .dropped = task->without != 0};
   job j = {.constraint = constraint, .scene = scene, .hooks = hooks};
   rot_info_clear(&out->info, constraint->measures);
   out->info.status = open_columns(&j, task->n, want);
