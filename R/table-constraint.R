@@ -120,7 +120,7 @@ table_laws <- function(scene, call) {
 }
 
 # The scene with each torque function f(law, state) in its place; `state`: the angle and rate at the
-# start of the rotor that it acts on.
+# start, by the names of scenes, of the rotor that it acts on; 0 for a clutch or brake.
 map_torque_functions <- function(scene, f) {
   walk <- function(x, state) {
     if (inherits(x, "rot_torque_function")) return(f(x, state))
@@ -133,11 +133,14 @@ map_torque_functions <- function(scene, f) {
     form <- inputs[[name]]$form
     x <- .subset2(scene, name)
     if (form == "torque" && !is.null(x)) {
-      scene[[name]] <- walk(x, c(scene$theta0_rad, scene$omega0_rad_per_s))
+      scene[[name]] <- walk(x, unclass(scene)[c("theta0_rad", "omega0_rad_per_s")])
     } else if (form %in% c("laws", "brakes", "couplings")) {
       for (i in which(!vapply(x, is.null, NA))) {
         acts <- form == "laws"
-        state <- if (acts) c(scene$theta0_rad[i], scene$omega0_rad_per_s[i]) else c(0, 0)
+        state <- list(
+          theta0_rad = if (acts) scene$theta0_rad[i] else 0,
+          omega0_rad_per_s = if (acts) scene$omega0_rad_per_s[i] else 0
+        )
         scene[[name]][[i]] <- walk(x[[i]], state)
       }
     }
@@ -148,8 +151,7 @@ map_torque_functions <- function(scene, f) {
 # A scene whose functions of time have their breaks: those given, or those that are found.
 with_found_breaks <- function(scene, span, call) {
   map_torque_functions(scene, function(law, state) {
-    at <- list(theta0_rad = state[1], omega0_rad_per_s = state[2])
-    reader <- law_reader(law, at, call)
+    reader <- law_reader(law, state, call)
     law$breaks_s <- law_breaks(law, reader$at, span[1], span[2], call, resolution_of(scene))$stops
     law
   })
@@ -159,8 +161,7 @@ with_found_breaks <- function(scene, span, call) {
 call_table_laws <- function(scene, call) {
   readers <- list()
   map_torque_functions(scene, function(law, state) {
-    at <- list(theta0_rad = state[1], omega0_rad_per_s = state[2])
-    readers[[length(readers) + 1L]] <<- law_reader(law, at, call)
+    readers[[length(readers) + 1L]] <<- law_reader(law, state, call)
     law
   })
   if (length(readers)) function() for (reader in readers) reader$at(scene$start_s)

@@ -58,3 +58,22 @@ test_that("a drive prints its rotors and couplings", {
   expect_output(print(coupling_shaft(5, 0.1)), "shaft, 5 N m/rad, 0.1 N m s")
   expect_output(print(brake(3)), "3 N m")
 })
+
+test_that("the laws of a drive are called at the start of their own rotor", {
+  seen <- list()
+  law <- torque_function(function(time_s, theta_rad, omega_rad_per_s) {
+    seen[[length(seen) + 1L]] <<- c(theta_rad[1], omega_rad_per_s[1])
+    0 * time_s
+  }, vectorised = TRUE)
+  pair <- function(...) {
+    scene_drive(c(1, 2), coupling_gear(2), ..., theta0_rad = 8, omega0_rad_per_s = 12)
+  }
+  invisible(choose_model(pair(torque = list(NULL, law)), 1))
+  expect_identical(unique(seen), list(c(4, 6)))
+  seen <- list()
+  invisible(trajectory(pair(torque = list(law, NULL)), 1))
+  expect_identical(seen[[1]], c(8, 12))
+  seen <- list()
+  invisible(choose_model(pair(brake = list(NULL, brake(law))), 1))
+  expect_identical(unique(seen), list(c(0, 0)))
+})
