@@ -105,9 +105,3 @@ mark_conserved <- function(balances, statements) {
     b
   })
 }
-
-# A torque law that is zero at all times.
-loads_act <- function(loads) {
-  !torque_is_zero(loads$knots) || loads$motor_n_m_s != 0 || length(loads$terms) > 0L ||
-    !is.null(loads$law)
-}

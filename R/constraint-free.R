@@ -196,10 +196,6 @@ between_knots <- function(y, at, time_s) {
   ifelse(time_s < at[1] | time_s > at[length(at)], 0, value)
 }
 
-free_texts <- function() {
-  list(scene_free = text_form(free_arguments, read_free))
-}
-
 # Those of scene_free(), of a scene with its fields.
 free_arguments <- function(x) {
   upright <- identical(x$attitude0, c(1, 0, 0, 0))

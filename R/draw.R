@@ -188,14 +188,6 @@ draw_spring <- function(from, to, y, height, turns = 5L) {
   cbind(c(from, inner, to), y + c(0, 0, rep_len(c(height, -height), n), 0, 0))
 }
 
-# A wall: a bar with strokes behind it, under a point.
-draw_wall <- function(x, y, width) {
-  strokes <- lapply(seq(-0.4, 0.4, length.out = 5L), function(at) {
-    mark("line", rbind(c(x + at * width, y), c(x + (at - 0.12) * width, y - 0.12 * width)), "body")
-  })
-  c(list(mark("line", rbind(c(x - width / 2, y), c(x + width / 2, y)), "body")), strokes)
-}
-
 # ---- values -------------------------------------------------------------------------------------
 
 # "2 kg", "1, 2, 1 N m": equal values once, many by their range.

@@ -166,7 +166,7 @@ drop_constraint <- function() {
       v <- ends$fall_speed_m_per_s
       list(rotdyn:::balance(
         "energy", NA_character_, "J",
-        c("change of kinetic energy" = rotdyn:::kinetic_change(run$scene$mass_kg, v[1], v[2])),
+        c("change of kinetic energy" = 0.5 * run$scene$mass_kg * (v[2] - v[1]) * (v[2] + v[1])),
         c("work of the weight" = ledger[["work_j"]]), c("heat of the drag" = ledger[["heat_j"]]),
         1e-9 * max(1, ledger)
       ))
