@@ -31,3 +31,14 @@ test_that("a drive's time scale: I/c of its rotors and of its shafts, the rates 
   expect_gte(both$swing_rad_per_s, 0.9999 * fastest)
   expect_lte(both$swing_rad_per_s, 1.4143 * fastest)
 })
+
+test_that("gravity swings as fast as its small swings, or as the body turns", {
+  # m g d = 9 N m on 4 kg m^2: 1.5 rad/s, and twice that on the way down from the top.
+  scene <- scene_drive(4, torque = torque_gravity(1, 1, gravity_m_per_s2 = 9))
+  pace <- function(omega) {
+    rotdyn:::drive_constraint()$pace(scene, c(theta = 1, omega = omega), "drive_rk8pd")
+  }
+  expect_equal(pace(2)$fades_s, 1 / 3)
+  expect_equal(pace(2)$swing_rad_per_s, 3)
+  expect_equal(pace(5)$swing_rad_per_s, 5)
+})

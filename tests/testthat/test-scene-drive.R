@@ -77,3 +77,9 @@ test_that("the laws of a drive are called at the start of their own rotor", {
   invisible(choose_model(pair(brake = list(NULL, brake(law))), 1))
   expect_identical(unique(seen), list(c(0, 0)))
 })
+
+test_that("rates of gears agree within rounding, or are refused", {
+  pair <- function(off) scene_drive(c(1, 2), coupling_gear(2), omega0_rad_per_s = c(1, 0.5 + off))
+  expect_identical(pair(2e-13)$omega0_rad_per_s, c(1, 0.5 + 2e-13))
+  expect_error(pair(2e-12), "agree with the gears", class = "rotdyn_error_value")
+})
