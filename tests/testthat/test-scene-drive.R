@@ -83,3 +83,14 @@ test_that("rates of gears agree within rounding, or are refused", {
   expect_identical(pair(2e-13)$omega0_rad_per_s, c(1, 0.5 + 2e-13))
   expect_error(pair(2e-12), "agree with the gears", class = "rotdyn_error_value")
 })
+
+test_that("what follows from the arguments of a drive is not changed by hand", {
+  scene <- scene_drive(c(1, 2), coupling_gear(2), omega0_rad_per_s = 4)
+  for (name in c(
+    "moment_of_inertia_kg_m2", "ratio_to_first", "omega0_rad_per_s"
+  )) {
+    forged <- scene
+    forged[[name]][2] <- 1.5 * forged[[name]][2]
+    expect_error(trajectory(forged, 1), name, class = "rotdyn_error_type")
+  }
+})

@@ -1,0 +1,96 @@
+# The R functions among the inputs of a scene: how C calls them, and what is looked for in them
+# before a run.
+
+# The functions in an input, a part of it or a list of them, as C finds them.
+functions_in <- function(x) {
+  if (inherits(x, "rot_torque_function")) return(list(x$f))
+  if (is.function(x)) return(list(x))
+  if (!is.list(x) || inherits(x, "rot_body")) return(list())
+  unlist(lapply(unclass(x), functions_in), recursive = FALSE, use.names = FALSE)
+}
+
+# What C calls for the functions among the inputs, in their order: f with so many arguments, or a
+# complaint about what it returned.
+table_laws <- function(scene, call) {
+  inputs <- constraint_of(scene)$inputs
+  laws <- function(x, name) {
+    form <- inputs[[name]]$form
+    part <- c(rotors = "rotor", laws = "rotor", brakes = "rotor", couplings = "coupling")[form]
+    motor <- form %in% c("rotors", "laws", "brakes", "couplings")
+    unit <- if (motor) "N*m" else inputs[[name]]$unit
+    arg <- switch(form,
+      rotors = "torque_n_m", brakes = , couplings = "capacity_n_m", name
+    )
+    each <- function(x, of) {
+      lapply(functions_in(x), function(f) {
+        list(
+          as.call(c(quote(f), rep(list(NULL), count_law_arguments(f, function(n) n)))),
+          list2env(list(f = f), parent = baseenv()),
+          function(value, time_s) {
+            abort_law_value(value, time_s, arg, unit, call, of, if (form == "torques") 3 else 1)
+          }
+        )
+      })
+    }
+    if (is.na(part)) return(each(x, ""))
+    unlist(Map(each, x, paste0(" of ", part, " ", seq_along(x))), recursive = FALSE)
+  }
+  given <- unclass(scene)[intersect(names(inputs), names(scene))]
+  Filter(length, Map(laws, given, names(given)))
+}
+
+# The scene with each torque function f(law, state) in its place; `state`: the angle and rate at the
+# start, by the names of scenes, of the rotor that it acts on; 0 for a clutch or brake.
+map_torque_functions <- function(scene, f) {
+  walk <- function(x, state) {
+    if (inherits(x, "rot_torque_function")) return(f(x, state))
+    if (!is.list(x) || inherits(x, "rot_body")) return(x)
+    for (i in which(!vapply(x, is.null, NA))) x[[i]] <- walk(.subset2(x, i), state)
+    x
+  }
+  inputs <- constraint_of(scene)$inputs
+  for (name in names(inputs)) {
+    form <- inputs[[name]]$form
+    x <- .subset2(scene, name)
+    if (form == "torque" && !is.null(x)) {
+      scene[[name]] <- walk(x, unclass(scene)[c("theta0_rad", "omega0_rad_per_s")])
+    } else if (form %in% c("laws", "brakes", "couplings")) {
+      for (i in which(!vapply(x, is.null, NA))) {
+        acts <- form == "laws"
+        state <- list(
+          theta0_rad = if (acts) scene$theta0_rad[i] else 0,
+          omega0_rad_per_s = if (acts) scene$omega0_rad_per_s[i] else 0
+        )
+        scene[[name]][[i]] <- walk(x[[i]], state)
+      }
+    }
+  }
+  scene
+}
+
+# A scene whose functions of time have their breaks: those given, or those that are found.
+with_found_breaks <- function(scene, span, call) {
+  map_torque_functions(scene, function(law, state) {
+    reader <- law_reader(law, state, call)
+    law$breaks_s <- law_breaks(law, reader$at, span[1], span[2], call, resolution_of(scene))$stops
+    law
+  })
+}
+
+# Calls all torque functions once, at the start; NULL where there are none.
+call_table_laws <- function(scene, call) {
+  readers <- list()
+  map_torque_functions(scene, function(law, state) {
+    readers[[length(readers) + 1L]] <<- law_reader(law, state, call)
+    law
+  })
+  if (length(readers)) function() for (reader in readers) reader$at(scene$start_s)
+}
+
+abort_law_value <- function(value, time_s, name, unit, call, of = "", values = 1) {
+  abort_rotdyn(c(
+    "The function {.arg {name}}{of} must return {c('one number', 'three numbers')[1 + (values > 1)]}
+     in {plain_unit(unit)}.",
+    x = "At {format(time_s, digits = 17)} s it returned {describe_value(value)}."
+  ), "torque", call)
+}
