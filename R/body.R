@@ -86,7 +86,11 @@ named_moment <- function(body, axis) {
 describe_point <- function(body, through) {
   if (is.null(through)) through <- axis_shape(body)
   if (is.numeric(through)) {
-    return(paste0("through (", paste(format_si(as.double(through)), collapse = ", "), ") m"))
+    at <- as.double(through)
+    if (any(at != 0) && !identical(at, as.double(body$centre_m))) {
+      return(paste0("through (", paste(format_si(at), collapse = ", "), ") m"))
+    }
+    through <- if (any(at != 0)) "centre" else "origin"
   }
   switch(through,
     origin = "through the origin of the own axes",

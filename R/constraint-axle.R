@@ -3,61 +3,21 @@ axle_constraint <- function() {
   table_constraint(
     "axle",
     models = axle_words(),
-    bodies = NULL, inputs = NULL, # its scenes are not read by them
-    form = list(
-      body = list(.one_of = list(body_form, inertia_knots_form), .optional = TRUE),
-      moment_of_inertia_kg_m2 = "number",
-      inertia = c(inertia_knots_form, .optional = TRUE), axis = "numbers:3", torque = torque_form,
-      loads = loads_form, resistance = resistance_form, theta0_rad = "number",
-      omega0_rad_per_s = "number", start_s = "number", inertia_lo = "number?",
-      rounding = "numbers:2?",
-      gears = list(
-        .optional = TRUE, applied_n_m = "number", forward_n_m = "number", backward_n_m = "number",
-        bearings_n_m_s = "number", least_n_m_s = "number"
-      ),
-      rope = list(
-        .optional = TRUE, mass_kg = "numbers:2", radius_m = "number",
-        moment_of_inertia_kg_m2 = "number", gravity_m_per_s2 = "number"
-      ),
-      train = list(
-        .optional = TRUE, ratio_to_first = "numbers",
-        moment_of_inertia_kg_m2 = "numbers=ratio_to_first"
-      )
+    makers = list(
+      scene_pendulum = pendulum_maker(), scene_hanging_mass = hanging_maker(),
+      scene_gears = gears_maker()
     ),
     title = function(run) {
-      if (!is.null(.subset2(run$scene, "train"))) return("A gear train")
-      if (!is.null(.subset2(run$scene, "rope"))) return(sentence(hanging_title(run$scene$rope)))
-      paste(sentence(with_article(run$scene$body$shape %||% "body")), "on a fixed axle")
+      body <- .subset2(run$scene, "body")
+      shape <- if (inherits(body, "rot_body")) body$shape else "body"
+      paste(sentence(with_article(shape)), "on a fixed axle")
     },
-    rounding = axle_rounding,
-    quick = function(scene) {
-      is.null(.subset2(scene, "inertia")) && is.null(.subset2(scene, "rounding")) &&
-        is.null(.subset2(scene, "rope")) && is.null(.subset2(scene, "train")) &&
-        known_to_rounding(scene)
-    },
-    more_columns = function(columns, scene, time_s) {
-      if (is.null(.subset2(scene, "train"))) columns else shaft_columns(columns, scene)
-    },
-    ends = function(scene, columns) {
-      if (!is.null(.subset2(scene, "rope"))) slack_rope(scene, columns)
-    },
-    more_names = function(scene) c(shown_names("axle", scene), shaft_names(scene)),
-    slopes = function(columns, scene) {
-      omega <- columns$omega_rad_per_s
-      # The net torque is that on the pulley alone, and 0 where it has no inertia.
-      hangs <- !is.null(.subset2(scene, "rope"))
-      net <- columns[[if (hangs) "alpha_rad_per_s2" else "net_torque_n_m"]]
-      c(
-        if (hangs) hanging_slopes(omega, net, scene$rope),
-        list(theta_rad = omega, angular_momentum_kg_m2_per_s = net),
-        shaft_slopes(omega, net, scene),
-        if (is.null(.subset2(scene, "inertia"))) {
-          list(omega_rad_per_s = net, rotational_kinetic_energy_j = net * omega)
-        }
-      )
-    },
+    torque = given_torque,
+    resistance = given_resistance,
+    quick = TRUE,
+    slopes = function(columns, scene) axle_slopes(columns, scene, columns$net_torque_n_m),
     call_laws = function(scene, call) {
-      law <- scene$loads$law
+      law <- torque_loads(given_torque(scene))$law
       if (is.null(law)) return(NULL)
       reader <- law_reader(law, scene, call)
       function() reader$at(scene$start_s)
@@ -82,7 +42,6 @@ axle_constraint <- function() {
     },
     drawing = draw_axle,
     frames = axle_frames,
-    texts = axle_texts(),
     augment = augment_axle,
     panels = list(
       panel("angle (rad)", c(theta_rad = "")),
@@ -188,48 +147,27 @@ axle_words <- function() {
   ), Map(c, integrated, lapply(names(integrated), integrator)))
 }
 
-# A scene on an axle as text, by the function that made it.
-axle_texts <- function() {
-  start <- c("theta0_rad", "omega0_rad_per_s", "start_s")
-  law <- function(torque) if (!torque_is_none(torque)) torque
-  resisted <- function(x) if (resists(x$resistance)) list(resistance = x$resistance)
-  axis <- function(x) if (!identical(x$axis, c(0, 0, 1))) list(axis = x$axis)
-  special <- function(x) !is.null(.subset2(x, "given"))
-  plain <- function(x) {
-    if (special(x)) return(NULL)
-    c(
-      list(
-        body = x$inertia %||% x$body %||% x$moment_of_inertia_kg_m2, torque = law(x$torque)
-      ),
-      resisted(x), unclass(x)[start], axis(x)
-    )
-  }
+# Of a pendulum: what it changes in the record.
+pendulum_maker <- function() {
   list(
-    scene_axle = text_form(plain, scene_axle),
-    scene_axle = text_form(function(x) {
-      if (!is.null(x$through)) c(plain(x), list(through = x$through))
-    }, scene_axle),
-    scene_pendulum = text_form(function(x) {
-      if (is.null(x$hang)) return(NULL)
-      c(
-        list(body = x$body), x$hang[c("distance_m", "gravity_m_per_s2")],
-        list(torque = law(x$given$torque)), resisted(x), unclass(x)[start], axis(x)
+    torque = function(scene) {
+      gravity <- gravity_law(
+        scene$body$mass_kg, scene$distance_m, scene$gravity_m_per_s2, 0, NULL
       )
-    }, scene_pendulum),
-    scene_hanging_mass = text_form(function(x) {
-      if (is.null(x$rope)) return(NULL)
-      c(
-        list(
-          body = x$body %||% x$rope$moment_of_inertia_kg_m2, mass_kg = x$rope$mass_kg[1],
-          counter_mass_kg = x$rope$mass_kg[2], radius_m = x$rope$radius_m,
-          gravity_m_per_s2 = x$rope$gravity_m_per_s2
-        ),
-        resisted(x), unclass(x)[start], axis(x)
-      )
-    }, scene_hanging_mass),
-    scene_gears = text_form(function(x) {
-      if (!is.null(x$train)) c(x$given, unclass(x)[start])
-    }, scene_gears)
+      given <- given_torque(scene)
+      if (torque_is_zero(given)) gravity else sum_torques(gravity, given)
+    }
+  )
+}
+
+# What has the sign of the slope of each column; `net`: that of the slope of omega.
+axle_slopes <- function(columns, scene, net) {
+  omega <- columns$omega_rad_per_s
+  c(
+    list(theta_rad = omega, angular_momentum_kg_m2_per_s = net),
+    if (is.null(changing_inertia(scene))) {
+      list(omega_rad_per_s = net, rotational_kinetic_energy_j = net * omega)
+    }
   )
 }
 
@@ -247,7 +185,7 @@ augment_axle <- function(x, run, edges, call) {
   if (length(edges)) {
     flows <- sweep(flows, 2, flows[1, ])
     omega <- x$omega_rad_per_s[match(edges, x$time_s)]
-    flows <- hanging_flows(flows, .subset2(run$scene, "rope"), omega)
+    if (!is.null(x[["alpha_rad_per_s2"]])) flows <- hanging_flows(flows, run$scene, omega)
   }
   since_first <- function(flow) if (length(edges)) unname(flows[, flow]) else double()
   heat <- list(
@@ -268,52 +206,5 @@ augment_axle <- function(x, run, edges, call) {
       torque_impulse_n_m_s = since_first("impulse_n_m_s"),
       damping_impulse_n_m_s = since_first("damping_impulse_n_m_s")
     )
-  )
-}
-
-# The rounding of a scene's own coefficients, as a torque E in N m (and in N m s, times omega).
-# Resistance that does not fall with the speed brings two motions together: E changes omega by at
-# most E min(t/I, 1/c), backwards in time by E (exp(c t/I) - 1)/c.
-axle_rounding <- function(scene, time_s, sizes) {
-  off <- .subset2(scene, "rounding")
-  if (is.null(off) || sizes[["omega"]] == 0) return(NULL) # at rest, held or without a torque
-  off <- off[1] + off[2] * sizes[["omega"]]
-  inertia <- scene$moment_of_inertia_kg_m2
-  viscous <- scene$resistance$viscous_n_m_s
-  least <- .subset2(scene, "gears")$least_n_m_s %||% viscous # of a train with a torque-speed curve
-  span <- max(abs(time_s - scene$start_s), 0)
-  back <- max(scene$start_s - time_s, 0)
-  lag <- if (viscous > 0 && back > 0) {
-    max(span / inertia, expm1(viscous * back / inertia) / viscous)
-  } else {
-    min(span / inertia, if (least > 0) 1 / least)
-  }
-  most <- if (back > 0) lag else min(span / inertia / 2, lag)
-  list(theta = off * span * most, omega = off * lag)
-}
-
-# From when on the rope would be slack, in words; NULL: it is taut. Forward it is slack from the
-# start on or never: a tension falls below 0 with the rate, which decreases or tends to that of a
-# taut rope. Rows before the start are looked at.
-slack_rope <- function(scene, columns) {
-  from <- scene$start_s
-  start <- run_table_model(
-    "axle", "axle_rk8pd", scene, from, c(1, 1, TRUE, 0, FALSE, FALSE, 0), NULL, looks = FALSE
-  )$columns
-  lowest <- function(columns) {
-    do.call(pmin, unname(unclass(columns)[grepl("^tension(_[12])?_n$", names(columns))]))
-  }
-  rounding <- 16 * .Machine$double.eps * sum(scene$rope$mass_kg) * abs(scene$rope$gravity_m_per_s2)
-  tension <- lowest(start)
-  if (!(tension < -rounding) && any(grepl("^tension", names(columns)))) {
-    row <- match(TRUE, lowest(columns) < -rounding)
-    if (is.na(row)) return(NULL)
-    from <- columns$time_s[row]
-    tension <- lowest(columns)[row]
-  }
-  if (!(tension < -rounding)) return(NULL)
-  paste0(
-    "the rope would be slack from ", format_si(from), " s on (its tension would be ",
-    format_si(tension), " N there): the motion is that of a rope that can push"
   )
 }

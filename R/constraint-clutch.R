@@ -12,7 +12,7 @@ clutch_constraint <- function() {
       source = "closed form between exact events; Shigley 2004, chapter 16"
     )),
     title = function(run) "Two bodies and a clutch",
-    quick = known_to_rounding,
+    quick = TRUE,
     keys = c(
       "time_s", "theta_1_rad", "omega_1_rad_per_s", "theta_2_rad", "omega_2_rad_per_s", "heat_j"
     ),

@@ -3,7 +3,7 @@ free_constraint <- function() {
   table_constraint(
     "free", free_models("free"),
     title = function(run) "A free body",
-    quick = known_to_rounding,
+    quick = TRUE,
     keys = c("time_s", quaternion_columns, free_rates("")),
     bodies = rep("body", 3), # one for each principal moment
     measures = free_measures(),

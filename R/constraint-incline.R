@@ -25,7 +25,7 @@ incline_constraint <- function() {
     title = function(run) {
       paste("A body on an incline of", format_si(run$scene$incline_angle_deg), "degrees")
     },
-    quick = known_to_rounding,
+    quick = TRUE,
     keys = c(
       "time_s", "x_m", "v_m_per_s", "theta_rad", "omega_rad_per_s", "slip_heat_j", "rolling_heat_j"
     ),

@@ -14,8 +14,6 @@
 #   drop_bound(scene, effects, record, time_s, call)   NULL, or what leaving them out changes at
 #                 most: list(effects, until_s, errors, error, each), see R/choice.R
 #                 (a constraint of the C core has these three from there)
-#   rounding(scene, time_s, sizes)   NULL, or what the rounding of the scene's own coefficients
-#                 changes at most: NULL, or list: by measure
 #   columns       columns of a result
 #   keys          those that hold the state: the class is kept with them
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run
@@ -23,8 +21,7 @@
 #   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run that is asked with
 #                 event_rows = TRUE also gives event_rows, list(columns, ledger): the rows at the
 #                 times of its events
-#   quick(scene)  NULL, or TRUE where none of more_columns, rounding and ends has a part in the
-#                 scene, and its bodies are known to rounding
+#   quick         TRUE where neither more_columns nor ends has a part in the scenes
 #   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:
 #                 those of a motion, or NULL
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
@@ -43,6 +40,9 @@
 #   augment(x, run, edges, call) columns of augment(), a value for each time of `edges` (power_w:
 #                 for each row); NULL where the motion could not be computed again
 #   panels        list of panel(): the picture of a motion
+#   makers        NULL, or by the class of their scenes: what further constructors change in the
+#                 record; the texts of theirs are among these parts
+#   moments(scene)               NULL: scene$moment_of_inertia_kg_m2; or those of its bodies
 #   texts         forms by constructor: how a scene is written and read, see R/scene-text.R
 #   drawing(scene)               NULL, or the drawing of a scene, see R/draw.R
 #   solid(scene), frames(scene, rows)   NULL, or what animate_motion() shows, see R/animate.R
@@ -72,5 +72,12 @@ join_constraint <- function(constraint) {
     constraint$effects_of <- function(scene) core_effects(id, scene)
   }
   names(constraint$models) <- vapply(constraint$models, function(m) m$id, "")
+  makers <- constraint$makers
   assign(constraint$scene_class, constraint, envir = registry)
+  for (class in names(makers)) {
+    one <- constraint
+    one[names(makers[[class]])] <- makers[[class]]
+    assign(class, one, envir = registry)
+  }
+  joined$others <- c(joined$others, names(makers))
 }

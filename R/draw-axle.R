@@ -2,10 +2,10 @@
 # skater. Gear trains are in R/plot-gears.R.
 # `ray`: where the radius of a wheel is drawn.
 draw_axle <- function(scene, ray = -0.6) {
-  if (!is.null(scene$train)) return(draw_train(scene$train, scene))
-  if (!is.null(scene$inertia)) return(draw_skater(scene))
-  if (!is.null(.subset2(scene, "rope"))) return(draw_hanging(scene))
-  kinds <- vapply(scene$loads$terms, function(term) term$kind, "")
+  if (!is.null(changing_inertia(scene))) return(draw_skater(scene))
+  torque <- axle_torque(scene)
+  terms <- torque_loads(torque)$terms
+  kinds <- vapply(terms, function(term) term$kind, "")
   if ("gravity" %in% kinds) return(draw_pendulum(scene))
   look <- axle_outline(scene)
   d <- new_drawing()
@@ -19,29 +19,30 @@ draw_axle <- function(scene, ray = -0.6) {
   }
   d$add(mark("fill", draw_circle(0, 0, 0.06), "shaft"))
   rim <- look$reach
-  spring <- Filter(function(term) term$kind == "spring", scene$loads$terms)
+  spring <- Filter(function(term) term$kind == "spring", terms)
   # The letters of the bearing and of the angle stand outside of a spring.
   coiled <- length(spring) > 0L
   draw_start(d, scene, rim, if (coiled) 0.7 else 0.42)
-  draw_torque(d, torque_without(scene$torque, c("gravity", "spring")), rim + 0.16)
+  draw_torque(d, torque_without(torque, c("gravity", "spring")), rim + 0.16)
   for (term in spring) draw_torsion_spring(d, term)
-  draw_resistance(d, scene$resistance, rim, away = if (coiled) c(0.3, 0.74) else c(0.16, 0.15))
+  away <- if (coiled) c(0.3, 0.74) else c(0.16, 0.15)
+  draw_resistance(d, axle_resistance(scene), rim, away)
   d$done(c(-1.5, 1.5, -1.5, 1.5), look$note)
 }
 
 # A pulley with one or two masses. Positive is where the first goes down: on the left. `down`: in
 # motion, how far it has.
 draw_hanging <- function(scene, down = NULL) {
-  rope <- scene$rope
+  masses <- masses_of(scene)
   look <- axle_outline(scene, 0.6)
-  drawn <- if (is.na(look$unit)) 0.6 else min(max(look$unit * rope$radius_m, 0.15), 0.9)
+  drawn <- if (is.na(look$unit)) 0.6 else min(max(look$unit * scene$radius_m, 0.15), 0.9)
   d <- new_drawing()
   for (one in look$marks) d$add(one)
   if (drawn < 0.95 * look$reach) d$add(mark("line", draw_circle(0, 0, drawn), "spring"))
   d$add(mark("fill", draw_circle(0, 0, 0.05), "shaft"))
-  both <- rope$mass_kg[2] > 0
+  both <- masses[2] > 0
   # The cube of the side shows the mass.
-  side <- 0.42 * (rope$mass_kg / max(rope$mass_kg))^(1 / 3)
+  side <- 0.42 * (masses / max(masses))^(1 / 3)
   for (i in seq_len(1L + both)) {
     x <- c(-1, 1)[i] * drawn
     y <- -1 + c(-1, 1)[i] * (down %||% 0)
@@ -51,18 +52,18 @@ draw_hanging <- function(scene, down = NULL) {
     d$add(mark("arrow", rbind(c(x, y - half), c(x, y - 0.3 - half)), "weight"))
     d$say(paste0("m[", i, "]"), x + c(-1, 1)[i] * (half + 0.18), y - half)
     name <- if (!both) "hanging mass" else c("mass, down is positive", "other mass")[i]
-    d$key(quantity(paste0("m[", i, "]"), name, value_text(rope$mass_kg[i], "kg")))
+    d$key(quantity(paste0("m[", i, "]"), name, value_text(masses[i], "kg")))
   }
-  d$key(quantity("r[1]", "radius of the rope", value_text(rope$radius_m, "m")))
+  d$key(quantity("r[1]", "radius of the rope", value_text(scene$radius_m, "m")))
   d$key(quantity("I", "inertia of all", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
-  at_rim <- isTRUE(all.equal(look$radius, rope$radius_m))
+  at_rim <- isTRUE(all.equal(look$radius, scene$radius_m))
   if (inherits(scene$body, "rot_body")) d$keys(size_quantities(scene$body, if (at_rim) 0L else 1L))
   if (is.null(down)) {
     draw_start(d, scene, look$reach)
   } else {
     d$add(spoke(0, 0, look$reach, scene$theta0_rad))
   }
-  draw_resistance(d, scene$resistance, look$reach)
+  draw_resistance(d, axle_resistance(scene), look$reach)
   out <- d$done(c(-1.5, 1.5, -1.75, 1.25), if (is.na(look$unit)) "not to scale" else
     "the pulley to scale")
   out$title <- if (both) "Two masses on a pulley" else "A mass on a pulley"
@@ -85,6 +86,14 @@ new_drawing <- function() {
   )
 }
 
+# A point of the axle, in the body's own axes. A pulley turns about its centre.
+axle_point <- function(scene) {
+  body <- scene$body
+  through <- .subset2(scene, "through")
+  if (is.null(through) && is.null(.subset2(scene, "radius_m"))) return(named_point(body))
+  as_point(through %||% "centre", body, "through", NULL)
+}
+
 # The outline of the scene's body along its axle, turned by the start: marks, reach (in the
 # drawing), unit (length of a metre), radius and its symbol for a round body.
 axle_outline <- function(scene, radius = 1) {
@@ -96,7 +105,7 @@ axle_outline <- function(scene, radius = 1) {
   )
   if (!length(solids)) return(wheel)
   plane <- across_axle(scene$axis, scene$theta0_rad)
-  at <- scene$through %||% as.double(body$centre_m)
+  at <- axle_point(scene)
   flat <- project_solids(lapply(solids, move_solid, diag(3), -at), plane)
   all <- do.call(rbind, flat)
   reach <- max(sqrt(all$across^2 + all$up^2))
@@ -246,8 +255,10 @@ draw_resistance <- function(d, resistance, rim, at = c(0, 0), away = c(0.16, 0.1
 # Where the body hangs is known, how it is turned about its centre is not: its longest side points
 # to the axle.
 draw_pendulum <- function(scene) {
-  hang <- scene$hang
-  term <- Find(function(term) term$kind == "gravity", scene$loads$terms)
+  hangs <- !is.null(.subset2(scene, "distance_m"))
+  torque <- axle_torque(scene)
+  terms <- torque_loads(torque)$terms
+  term <- Find(function(term) term$kind == "gravity", terms)
   rest <- term$x[2]
   swing <- scene$theta0_rad - rest
   body <- scene$body
@@ -263,7 +274,7 @@ draw_pendulum <- function(scene) {
     turn <- rbind(c(cos(swing), sin(swing)), c(-sin(swing), cos(swing)))
     project_solids(solids, plane %*% down %*% turn)
   }
-  distance <- if (is.null(hang)) 1 else hang$distance_m
+  distance <- if (hangs) scene$distance_m else 1
   all <- if (!is.null(flat)) do.call(rbind, flat)
   size <- if (is.null(all)) 0 else max(sqrt(all$across^2 + all$up^2))
   unit <- 1.2 / max(distance + size, .Machine$double.xmin)
@@ -276,17 +287,17 @@ draw_pendulum <- function(scene) {
   d$add(mark("fill", draw_circle(0, 0, 0.05), "fixed"))
   d$add(mark("arrow", rbind(at, at - c(0, 0.42)), "weight"))
   side <- if (swing < 0) -1 else 1
-  if (is.null(hang)) {
+  if (!hangs) {
     d$say("m*g*d", at[1] + 0.4, at[2] - 0.3)
     d$key(quantity("m*g*d", "weight times distance", value_text(term$x[1], "N m"), "weight"))
   } else {
     d$say("m*g", at[1] + 0.3 * side, at[2] - 0.36)
     away <- 0.14 * side
     d$say("d", 0.5 * at[1] + away * cos(swing), 0.5 * at[2] + away * sin(swing))
-    weight <- hang$mass_kg * hang$gravity_m_per_s2
+    weight <- body$mass_kg * scene$gravity_m_per_s2
     d$key(quantity("m*g", "weight", value_text(weight, "N"), "weight"))
-    d$key(quantity("m", "mass", value_text(hang$mass_kg, "kg")))
-    d$key(quantity("d", "axle to centre", value_text(hang$distance_m, "m")))
+    d$key(quantity("m", "mass", value_text(body$mass_kg, "kg")))
+    d$key(quantity("d", "axle to centre", value_text(scene$distance_m, "m")))
   }
   d$key(quantity("I", "moment of inertia", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
   sizes <- size_letters(body)
@@ -305,12 +316,12 @@ draw_pendulum <- function(scene) {
     d$say("omega[0]", 1.46 * sin(swing + 0.4), -1.46 * cos(swing + 0.4))
     d$key(start_rate(scene))
   }
-  driven <- torque_without(scene$torque, c("gravity", "spring"))
+  driven <- torque_without(torque, c("gravity", "spring"))
   draw_torque(d, driven, 0.6, from = 60)
-  for (term in Filter(function(term) term$kind == "spring", scene$loads$terms)) {
+  for (term in Filter(function(term) term$kind == "spring", terms)) {
     draw_torsion_spring(d, term)
   }
-  draw_resistance(d, scene$resistance, 0.12, away = c(0.18 * side, -0.16))
+  draw_resistance(d, axle_resistance(scene), 0.12, away = c(0.18 * side, -0.16))
   top <- max(0.4, at[2] + unit * size, if (cos(swing) < 0.2) 1.4, if (!is.null(driven)) 0.85)
   out <- d$done(c(-1.35, 1.35, -1.55, top + 0.1))
   out$title <- if (inherits(body, "rot_body")) {
@@ -324,7 +335,7 @@ draw_pendulum <- function(scene) {
 
 # Arms with masses at the radius of gyration, before and after.
 draw_skater <- function(scene) {
-  knots <- scene$inertia
+  knots <- changing_inertia(scene)
   moments <- knots$moment_of_inertia_kg_m2
   n <- length(moments)
   arm <- sqrt(moments / max(moments))
@@ -349,29 +360,28 @@ draw_skater <- function(scene) {
     paste(format_si(signif(knots$time_s[c(1, n)], 4)), collapse = " to "), "s"
   )))
   draw_start(d, scene, 1.1)
-  draw_torque(d, torque_without(scene$torque, character()), 1.26)
-  draw_resistance(d, scene$resistance, 0.2)
+  draw_torque(d, torque_without(axle_torque(scene), character()), 1.26)
+  draw_resistance(d, axle_resistance(scene), 0.2)
   d$done(c(-1.5, 1.5, -1.5, 1.5), "masses at the radius of gyration, dashed at the end")
 }
 
 # ---- in motion ----------------------------------------------------------------------------------
 
 axle_frames <- function(scene, rows) {
-  theta <- rows$theta_rad
-  frame <- if (!is.null(scene$train)) {
-    train_frame(scene$train)
-  } else if (!is.null(scene$inertia)) {
-    skater_frame(scene, rows$moment_of_inertia_kg_m2)
-  } else if (!is.null(.subset2(scene, "rope"))) {
-    hanging_frame(scene, theta)
-  } else {
+  frame <- if (is.null(changing_inertia(scene))) {
     function(i, theta) {
       scene$theta0_rad <- theta
       scene$omega0_rad_per_s <- rows$omega_rad_per_s[i]
       draw_axle(scene, theta)
     }
+  } else {
+    skater_frame(scene, rows$moment_of_inertia_kg_m2)
   }
-  lapply(seq_along(theta), function(i) frame(i, theta[i]))
+  frames_of(rows, frame)
+}
+
+frames_of <- function(rows, frame) {
+  lapply(seq_along(rows$theta_rad), function(i) frame(i, rows$theta_rad[i]))
 }
 
 spoke <- function(x, y, radius, theta, style = "body") {
@@ -379,19 +389,20 @@ spoke <- function(x, y, radius, theta, style = "body") {
 }
 
 # Each wheel of a shaft has a spoke.
-train_frame <- function(train) {
+train_frames <- function(scene, rows) {
+  train <- train_of_scene(scene)
   drawing <- draw_train(train)
   still <- Filter(function(one) one$type != "arrow", drawing$marks)
-  function(i, theta) {
+  frames_of(rows, function(i, theta) {
     spokes <- lapply(seq_len(nrow(train)), function(k) {
       spoke(k - 1, 0, drawing$reach[k], theta / train$ratio_to_first[k])
     })
     list(marks = c(still, spokes), limits = drawing$limits)
-  }
+  })
 }
 
 skater_frame <- function(scene, moments) {
-  arm <- sqrt(moments / max(scene$inertia$moment_of_inertia_kg_m2))
+  arm <- sqrt(moments / max(changing_inertia(scene)$moment_of_inertia_kg_m2))
   function(i, theta) {
     out <- arm[i] * c(cos(theta), sin(theta))
     list(
@@ -407,13 +418,14 @@ skater_frame <- function(scene, moments) {
 }
 
 # The masses move by 0.8 of the drawing in all.
-hanging_frame <- function(scene, theta) {
+hanging_frames <- function(scene, rows) {
+  theta <- rows$theta_rad
   span <- diff(range(theta))
   down <- if (span > 0) 0.8 * (theta - mean(range(theta))) / span else 0 * theta
-  function(i, theta) {
+  frames_of(rows, function(i, theta) {
     scene$theta0_rad <- theta
     out <- draw_hanging(scene, down[i])
     out$limits[3] <- -2.1
     out
-  }
+  })
 }

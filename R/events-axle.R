@@ -6,7 +6,7 @@
 axle_swing_events <- function(x, run, call) {
   none <- list(time_s = double(), event = character())
   pulls <- setdiff(c("spring", "gravity"), run$solved$without)
-  terms <- Filter(function(term) term$kind %in% pulls, run$solved$loads$terms)
+  terms <- Filter(function(term) term$kind %in% pulls, torque_loads(axle_torque(run$solved))$terms)
   if (!length(terms) || nrow(x) < 2L || anyNA(x$time_s)) return(none)
   span <- range(x$time_s)
   grid <- if (span[1] < span[2]) search_times(run, span[1], span[2])
@@ -22,7 +22,7 @@ axle_swing_events <- function(x, run, call) {
     columns
   }
   slopes <- function(columns) list(away = columns$rate, omega_rad_per_s = columns$net_torque_n_m)
-  if (!is.null(run$scene$inertia)) slopes <- NULL
+  if (!is.null(changing_inertia(run$scene))) slopes <- NULL
   of <- function(column, event) {
     error <- column_error(run, if (event == "turn") "omega_rad_per_s" else "theta_rad")
     found <- passages(read, slopes, column, 0, grid, error)
@@ -44,7 +44,8 @@ rest_angle <- function(term) {
 
 # The terms whose torque has a potential energy; none where one of them does not act at all times.
 axle_conservative <- function(scene) {
-  terms <- Filter(function(term) term$kind %in% c("spring", "gravity"), scene$loads$terms)
+  terms <- torque_loads(axle_torque(scene))$terms
+  terms <- Filter(function(term) term$kind %in% c("spring", "gravity"), terms)
   always <- vapply(terms, function(term) term$from_s == -Inf && term$to_s == Inf, NA)
   if (all(always)) terms else list()
 }

@@ -1,7 +1,8 @@
 # The run of an axle by an integrator, after breaks and samples of an R function.
 
 integrate_axle <- function(id, scene, time_s, accuracy, max_steps, call, asked) {
-  law <- scene$loads$law
+  loads <- torque_loads(given_torque(scene))
+  law <- loads$law
   resolution <- if (is.null(law)) 0 else resolution_of(scene)
   control <- c(accuracy, max_steps, asked, resolution, TRUE, FALSE, 0)
   solve <- function(solved, time_s, laws = NULL) {
@@ -13,24 +14,34 @@ integrate_axle <- function(id, scene, time_s, accuracy, max_steps, call, asked) 
   if (law$arguments == 3L) check_start_level(scene, reader, call)
   seen <- law_breaks(law, reader$at, span[1], span[2], call, resolution)
   sampled <- if (law$arguments == 1L) sample_and_compare(reader, scene, span, seen, accuracy)
-  solved <- scene
-  solved$stops <- sampled$stops %||% seen$stops
   if (is.null(sampled)) {
+    law$breaks_s <- seen$stops
+    solved <- with_law(scene, law)
     result <- solve(solved, time_s, list(torque = list(reader$own)))
   } else {
-    solved$loads["law"] <- list(NULL)
-    solved$loads$terms <- c(solved$loads$terms, list(sampled$term))
-    solved$noise_n_m <- sampled$error
-    result <- read_zeros(solve(solved, time_s), sampled, reader$at, scene$loads, time_s)
+    sampled$term$stops_s <- as.double(sampled$stops)
+    sampled$term$noise_n_m <- sampled$error
+    solved <- with_law(scene, sampled$term)
+    result <- solve(solved, time_s)
+    alone <- identical(axle_torque(solved), sampled$term)
+    if (alone) result <- read_zeros(result, sampled, reader$at, time_s)
   }
   result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
   result$info$resolution <- resolution
   if (is.null(sampled) || length(time_s) == 0L || result$info$kind != "none") return(result)
   add_sampling(result, sampled, scene, time_s, function(push_n_m) {
     pushed <- solved
-    pushed$loads$knots <- add_knots(list(solved$loads$knots, torque_constant(push_n_m)))
+    pushed$torque <- sum_torques(solved$torque, torque_constant(push_n_m))
     solve(pushed, seq(min(scene$start_s, time_s), max(scene$start_s, time_s), length.out = 65L))
   }, accuracy)
+}
+
+# The scene with a law in the place of all its R functions.
+with_law <- function(scene, law) {
+  laws <- if (inherits(scene$torque, "rot_torque_sum")) scene$torque$laws else list(scene$torque)
+  others <- Filter(function(one) !inherits(one, "rot_torque_function"), laws)
+  scene$torque <- if (length(others)) do.call(sum_torques, c(others, list(law))) else law
+  scene
 }
 
 # A body at rest where its torque jumps in the angle, pushed back from both sides by more than holds
@@ -39,11 +50,9 @@ check_start_level <- function(scene, reader, call) {
   if (scene$omega0_rad_per_s != 0) return()
   theta <- scene$theta0_rad
   apart <- max(4 * .Machine$double.eps * abs(theta), 1e-300)
-  rest <- scene
-  rest$loads["law"] <- list(NULL)
-  others <- .Call(ffi_axle_torques, rest, scene$start_s, theta, 0)$applied_torque_n_m
+  others <- .Call(ffi_axle_torques, scene, scene$start_s, theta, 0)$applied_torque_n_m
   torque <- function(steps) reader$beside(theta + steps * apart) + others
-  holds <- max(scene$resistance$static_n_m, scene$resistance$coulomb_n_m)
+  holds <- axle_resistance(scene)$static_n_m
   above <- torque(1)
   if (!isTRUE(above < -holds)) return()
   below <- torque(-1)
@@ -91,18 +100,15 @@ sample_and_compare <- function(reader, scene, span, seen, accuracy) {
 }
 
 samples_at <- function(sampled, scene, time_s) {
-  scene$loads$terms <- list(sampled$term)
-  scene$loads$knots <- torque_constant(0)
-  scene$loads$motor_n_m_s <- 0
+  scene <- bare_axle(sampled$term, scene$start_s)
   rest <- double(length(time_s))
   .Call(ffi_axle_torques, scene, time_s, rest, rest)$applied_torque_n_m
 }
 
 # Where a law alone passes zero, its samples leave their rounding: those rows take what the function
 # returns, if that is as small. At most 129 calls.
-read_zeros <- function(result, sampled, at, loads, time_s) {
-  alone <- length(loads$terms) == 0L && torque_is_zero(loads$knots) && loads$motor_n_m_s == 0
-  if (!alone || result$info$kind != "none") return(result)
+read_zeros <- function(result, sampled, at, time_s) {
+  if (result$info$kind != "none") return(result)
   applied <- result$columns$applied_torque_n_m
   noise <- 4e-15 * sampled$largest
   rows <- utils::head(which(applied != 0 & abs(applied) <= noise), 129L)

@@ -43,7 +43,7 @@ period <- function(scene) {
   check_supplied("scene", call)
   check_scene_of(scene, "axle", call, "Describe one with {.fn scene_pendulum} or {.fn scene_axle}.")
   x <- .Call(ffi_axle_period, scene)
-  if (!is.null(scene$loads$law)) x$kind <- "unknown"
+  if (!is.null(torque_loads(given_torque(scene))$law)) x$kind <- "unknown"
   if (x$kind == "unknown") {
     abort_rotdyn(c(
       "There is no closed form of the period of this motion.",

@@ -77,7 +77,7 @@ draw_train <- function(train, scene = NULL) {
         "omega[1]", "rate at start", value_text(scene$omega0_rad_per_s, "rad/s"), "speed"
       ))
     }
-    c_first <- scene$gears$bearings_n_m_s %||% scene$resistance$viscous_n_m_s
+    c_first <- sum(train$reflected_viscous_n_m_s)
     if (c_first != 0) {
       d$key(quantity("", "viscous, at the first", value_text(c_first, "N m s"), "resistance"))
     }

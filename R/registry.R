@@ -2,12 +2,14 @@
 # says what a record of one holds.
 
 registry <- new.env(parent = emptyenv())
-joined <- new.env(parent = emptyenv()) # listed: the classes of R/constraints.R, in its order
+# listed: the classes of R/constraints.R, in its order; others: those of further constructors.
+joined <- new.env(parent = emptyenv())
 
 constraint_of <- function(scene) .subset2(registry, class(scene)[1L])
 
+# One record for each; that of the first constructor of its scenes.
 all_constraints <- function() {
-  mget(c(joined$listed, setdiff(ls(registry), joined$listed)), envir = registry)
+  mget(c(joined$listed, setdiff(ls(registry), c(joined$listed, joined$others))), envir = registry)
 }
 
 # Those of the package.

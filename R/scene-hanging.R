@@ -27,7 +27,8 @@
 #'   such as [body_disk()].
 #' @param counter_mass_kg The mass on the other side, >= 0.
 #' @param gravity_m_per_s2 Acceleration of gravity.
-#' @return A `rot_scene_axle`, whose moment of inertia is that of all about the axle.
+#' @return A `rot_scene_hanging_mass`, which is a `rot_scene_axle`; its moment of inertia is that of
+#'   all about the axle.
 #' @section Errors: those of [scene_axle()]; `rotdyn_error_missing` without `radius_m` for a body
 #'   that has no radius of its own about `axis`.
 #' @section Warnings: `rotdyn_warning_slack`, by [trajectory()] and [when()], if a rope would be
@@ -49,86 +50,55 @@
 scene_hanging_mass <- function(body, mass_kg, radius_m = NULL, resistance = NULL, theta0_rad = 0,
                                omega0_rad_per_s = 0, ..., counter_mass_kg = 0, start_s = 0,
                                axis = c(0, 0, 1), gravity_m_per_s2 = 9.80665) {
-  call <- rlang::current_env()
-  check_supplied(c("body", "mass_kg"), call)
+  call <- environment()
   check_no_dots(...)
-  mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0, open = TRUE)
-  counter_mass_kg <- check_number(counter_mass_kg, "counter_mass_kg", "kg", call, lower = 0)
-  gravity_m_per_s2 <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
-  axis <- unit_axis(as_axis(axis, call), call)
-  if (inherits(body, "rot_body")) {
-    own <- moment_about_axis(check_body(body, call), axis)
-  } else {
-    if (!is.numeric(body)) {
-      check_class(
-        body, "rot_body", "body",
-        "Make one with {.fn body_disk}, or give the moment of inertia in kg m^2.", call
-      )
-    }
-    own <- check_number(body, "body", "kg*m^2", call, lower = 0)
-    body <- NULL
-  }
-  radius_m <- if (is.null(radius_m)) {
-    pulley_radius(body, axis, call)
-  } else {
-    check_number(radius_m, "radius_m", "m", call, lower = 0, open = TRUE)
-  }
-  product <- function(first, ...) .Call(ffi_sum_product, first, c(...))
-  with_first <- product(own, mass_kg, radius_m, radius_m)[1]
-  inertia <- product(with_first, counter_mass_kg, radius_m, radius_m)
-  check_turns(inertia[1], call, computed = TRUE)
-  weight <- product(0, mass_kg - counter_mass_kg, gravity_m_per_s2, radius_m)[1]
-  if (!is.finite(weight)) {
-    abort_rotdyn("The torque of the weight exceeds double precision.", "value", call)
-  }
-  scene <- new_scene_axle(
-    body, inertia[1], NULL, axis, torque_constant(weight), as_resistance(resistance, call),
-    check_number(theta0_rad, "theta0_rad", "rad", call),
-    check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
-    check_number(start_s, "start_s", "s", call)
-  )
-  scene$rope <- list(
-    mass_kg = c(mass_kg, counter_mass_kg), radius_m = radius_m,
-    moment_of_inertia_kg_m2 = as.double(own), gravity_m_per_s2 = gravity_m_per_s2
-  )
-  scene$given <- list(rope = TRUE) # its text is not that of scene_axle()
-  sound_scene(scene, call)
+  if (!missing(body) && is.null(radius_m)) radius_m <- pulley_radius(body, axis, call)
+  scene_of_inputs("axle", call, "scene_hanging_mass")
 }
 
 # Of a body that is round about that axis.
 pulley_radius <- function(body, axis, call) {
-  parts <- if (!is.null(body)) round_parts(body)
+  axis <- unit_axis(as_axis(axis, call), call)
+  whole <- inherits(body, "rot_body")
+  parts <- if (whole) round_parts(check_body(body, call))
   about <- Filter(function(part) part$all || sqrt(sum((part$axis - axis)^2)) <= 1e-9 ||
                     sqrt(sum((part$axis + axis)^2)) <= 1e-9, parts)
   if (length(parts) != 1L || !length(about) || !is.finite(body$beta)) {
     abort_rotdyn(c(
       "{.arg radius_m} is missing: it is the body's only where that is round about {.arg axis}.",
-      x = if (is.null(body)) "The body is a number." else "It is a {.val {body$shape}}."
+      x = if (whole) "It is a {.val {body$shape}}." else "The body is a number."
     ), "missing", call)
   }
   rolling_radius(body, moment_about_axis(body, c(0, 0, 1)), call)
 }
 
-hanging_title <- function(rope) {
-  if (rope$mass_kg[2] > 0) "two masses on a pulley" else "a mass on a pulley"
+masses_of <- function(scene) c(scene$mass_kg, scene$counter_mass_kg)
+
+hanging_title <- function(scene) {
+  if (scene$counter_mass_kg > 0) "two masses on a pulley" else "a mass on a pulley"
 }
 
-describe_rope <- function(rope, body) {
-  paste0(
-    "  pulley      ", body, ", ", format_si(rope$moment_of_inertia_kg_m2), " kg m^2, rope at ",
-    format_si(rope$radius_m), " m\n",
-    "  masses      ", paste(format_si(rope$mass_kg[rope$mass_kg > 0]), collapse = " and "),
-    " kg, gravity ", format_si(rope$gravity_m_per_s2), " m/s^2\n"
+#' @export
+print.rot_scene_hanging_mass <- function(x, ...) {
+  check_scene(x, rlang::current_env())
+  whole <- inherits(x$body, "rot_body")
+  own <- if (whole) moment_about_axis(x$body, x$axis) else x$body
+  masses <- masses_of(x)
+  print_axle(
+    x, hanging_title(x), paste(describe_moment(x), "the axle, masses included"),
+    paste0(describe_torque(axle_torque(x)), ", of the weights"),
+    more = paste0(
+      "  pulley      ", if (whole) x$body$shape else "a body", ", ", format_si(own),
+      " kg m^2, rope at ", format_si(x$radius_m), " m\n",
+      "  masses      ", paste(format_si(masses[masses > 0]), collapse = " and "),
+      " kg, gravity ", format_si(x$gravity_m_per_s2), " m/s^2\n"
+    )
   )
 }
 
 # ---- tensions and energies ----------------------------------------------------------------------
 
-# The columns that the masses add; NULL without a rope.
-hanging_names <- function(rope) {
-  if (!is.null(rope)) hanging_names_of(1L + (rope$mass_kg[2] > 0))
-}
-
+# The columns that the masses add.
 hanging_names_of <- function(masses) {
   index <- if (masses == 1L) "" else c("_1", "_2")
   c("alpha_rad_per_s2", unlist(lapply(index, function(i) {
@@ -137,28 +107,4 @@ hanging_names_of <- function(masses) {
       paste0("mass", i, "_kinetic_energy_j"), paste0("mass", i, "_potential_energy_j")
     )
   })))
-}
-
-# What has the sign of the slope of these columns.
-hanging_slopes <- function(omega, alpha, rope) {
-  up <- function(i) {
-    side <- c(-1, 1)[i]
-    list(side * omega, alpha * omega, side * omega * sign(rope$gravity_m_per_s2))
-  }
-  names <- hanging_names(rope)
-  slopes <- unlist(lapply(seq_len((length(names) - 1L) / 4L), up), recursive = FALSE)
-  stats::setNames(slopes, names[!grepl("^(alpha|tension)", names)])
-}
-
-# The flows of the weights, since the first of the rates `omega`, as those of the rope on the
-# pulley: the masses take the rest.
-hanging_flows <- function(flows, rope, omega) {
-  if (is.null(rope)) return(flows)
-  moment <- sum(rope$mass_kg) * rope$radius_m^2
-  n <- length(omega)
-  taken <- moment * (omega[-1] - omega[-n])
-  since <- function(x) c(0, cumsum(x))
-  flows[, "work_j"] <- flows[, "work_j"] - since(0.5 * taken * (omega[-1] + omega[-n]))
-  flows[, "impulse_n_m_s"] <- flows[, "impulse_n_m_s"] - since(taken)
-  flows
 }

@@ -94,6 +94,7 @@ rolling_radius <- function(body, inertia, call) {
     ), "missing", call)
   }
   sizes <- unname(body$size_m[names(body$size_m) %in% c("radius_m", "outer_radius_m")])
+  if (body$mass_kg == 0 && length(sizes)) return(sizes[1]) # a pulley without mass
   from_beta <- sqrt(inertia / body$mass_kg / beta)
   own <- sizes[abs(sizes - from_beta) <= 1e-9 * from_beta]
   if (length(own)) own[1] else from_beta

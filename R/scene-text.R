@@ -236,7 +236,9 @@ abort_function_text <- function(where, instead, call) {
 # The closed list of keys: functions by name, those of the constraints among them.
 text_readers <- function() {
   if (is.null(registry_texts$readers)) {
-    texts <- lapply(unname(all_constraints()), function(constraint) constraint$texts)
+    texts <- lapply(unname(all_constraints()), function(constraint) {
+      c(constraint$texts, unlist(unname(lapply(constraint$makers, `[[`, "texts")), FALSE))
+    })
     scenes <- lapply(unlist(texts, recursive = FALSE), `[[`, "read")
     readers <- c(scenes, body_readers(), law_readers(), coupling_readers())
     registry_texts$readers <- readers[!duplicated(names(readers))]

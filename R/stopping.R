@@ -39,7 +39,12 @@ stopping <- function(scene, ...) {
   call <- check_no_dots(...)
   check_supplied("scene", call)
   check_scene_of(scene, "axle", call)
-  why_not <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")$reason
+  fit <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")
+  # At the start alone, all may be left out.
+  left_out <- fit$dropped[[1]]$effects
+  why_not <- fit$reason %||% if (length(left_out)) {
+    paste("it leaves out", effects_in_words(left_out, constraint_of(scene)))
+  }
   if (!is.null(why_not)) {
     abort_rotdyn(c(
       "There is no closed form of when this scene stops: {why_not}.",
@@ -49,20 +54,17 @@ stopping <- function(scene, ...) {
   x <- .Call(ffi_axle_stopping, scene)
   tibble::tibble(
     stop_time_s = x[1], stop_theta_rad = x[2],
-    terminal_omega_rad_per_s = if (is.finite(x[1])) 0 else terminal_omega(scene, call)
+    terminal_omega_rad_per_s = if (is.finite(x[1])) 0 else terminal_omega(scene, x[3], call)
   )
 }
 
-# Under the torque that acts for good, of a body that does not stay at rest.
-terminal_omega <- function(scene, call) {
-  knots <- scene$loads$knots
-  last <- knots$outside[2]
+# Under the torque that acts for good, of a body that does not stay at rest; `omega`: where it
+# resists.
+terminal_omega <- function(scene, omega, call) {
+  knots <- torque_loads(axle_torque(scene))$knots
   resists <- c("viscous", "motor", "quadratic", "friction") %in% core_effects("axle", scene)
-  if (last == 0 && !any(resists)) {
-    end <- max(scene$start_s, knots$time_s)
-    drag <- constraint_of(scene)$models$axle_drag
-    return(drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s)
-  }
-  scene$loads$knots <- new_knots(double(), double(), c(last, last))
-  .Call(ffi_axle_stopping, scene)[3]
+  if (knots$outside[2] != 0 || any(resists)) return(omega)
+  end <- max(scene$start_s, knots$time_s)
+  drag <- constraint_of(scene)$models$axle_drag
+  drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s
 }

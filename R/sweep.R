@@ -59,7 +59,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   start_s <- check_number(start_s, "start_s", "s", call)
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
   threads <- min(threads, .Call(ffi_axle_sweep_threads))
-  loads <- torque_loads(as_torque(torque, call))
+  torque <- as_torque(torque, call)
   known_columns <- c(names(sweep_parameters), "time_s")
   given <- c(intersect(names(parameters), known_columns), if (!is.null(time_s)) "time_s")
   check_near_columns(parameters, known_columns, given, column_table()$name, call)
@@ -79,7 +79,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
     }, columns, names(columns))
     columns$time_s <- replace(rep_len(columns$time_s, n), !known, start_s)
   }
-  result <- if (n) run_sweep(loads, columns, start_s, threads, call) else empty_sweep()
+  result <- if (n) run_sweep(torque, columns, start_s, threads, call) else empty_sweep()
   out <- result[[1]]
   failed <- which(result[[2]] != 0L & known)
   if (some_missing) out <- lapply(out, function(x) replace(x, !known, NA_real_))
@@ -175,19 +175,15 @@ check_sweep_rows <- function(columns, known, start_s, call) {
   }
 }
 
-run_sweep <- function(loads, columns, start_s, threads, call) {
+run_sweep <- function(torque, columns, start_s, threads, call) {
+  loads <- torque_loads(torque)
   friction <- any(columns$static_n_m != 0)
   quadratic <- any(columns$quadratic_n_m_s2 != 0)
   # The effects of all rows together.
-  scene <- new_scene_axle(
-    NULL, 1, NULL, c(0, 0, 1), sum_torques(loads$knots),
-    new_resistance(
-      (if (any(columns$viscous_n_m_s < 0)) min else max)(columns$viscous_n_m_s),
-      quadratic * 1, friction * 1, friction * 1
-    ),
-    0, 0, start_s
-  )
-  scene$loads <- loads
+  scene <- bare_axle(torque, start_s, new_resistance(
+    (if (any(columns$viscous_n_m_s < 0)) min else max)(columns$viscous_n_m_s),
+    quadratic * 1, friction * 1, friction * 1
+  ))
   linear <- !friction && !quadratic && length(loads$terms) == 0L && is.null(loads$law)
   if (linear) {
     # A motor's slope is part of the torque law, so the factor scales it too.
@@ -196,18 +192,18 @@ run_sweep <- function(loads, columns, start_s, threads, call) {
     }
     model <- "axle_linear"
   } else {
-    model <- sweep_model(scene, columns, call)
+    model <- sweep_model(scene, loads, columns, call)
   }
   .Call(ffi_axle_sweep, model, scene, columns, threads, progress_bar("sweep"))
 }
 
 # The closed form that takes what acts in any of the rows.
-sweep_model <- function(scene, columns, call) {
+sweep_model <- function(scene, loads, columns, call) {
   fits <- core_candidates("axle", scene, scene$start_s, 1)
   takes <- fits$applies & fits$error_kind == "bound" & lengths(fits$dropped) == 0L &
     !fits$model %in% c("axle_free", "axle_linear")
   scaled <- any(columns$torque_scale != 1) &&
-    (length(scene$loads$terms) || scene$loads$motor_n_m_s != 0)
+    (length(loads$terms) || loads$motor_n_m_s != 0)
   if (!any(takes) || scaled) {
     abort_rotdyn(c(
       "There is no closed form for these rows ({scene_words(scene)}).",

@@ -1,21 +1,13 @@
 # Constraints whose table in the core (src/core/engine/model.h) says all but words and pictures.
 
 # The record of R/constraints.R. `models`: records of words, by the ids of the core's models; `...`:
-# title, panels, drawing, summary, ...
-table_constraint <- function(id, models, ...) {
+# title, panels, drawing, summary, ...; `makers`: of these, what further constructors change.
+table_constraint <- function(id, models, ..., makers = list()) {
   table <- core_table(id)
-  constructor <- paste0("scene_", id)
   state <- split(table$columns[!is.na(table$state)], table$state[!is.na(table$state)])
-  times <- names(Filter(function(input) input$form == "sorted", table$inputs))
   record <- list(
     id = id,
-    scene_class = paste0("rot_scene_", id),
-    inputs = table$inputs,
-    derived = names(table$derived),
-    bodies = names(Filter(
-      function(input) input$form %in% c("body", "inertia", "bodies", "tensor"), table$inputs
-    )),
-    form = table_form(table),
+    scene_class = paste0("rot_", names(table$makers)[1]),
     models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
     columns = c("time_s", table$index, table$columns[table$always]),
     more_names = if (!all(table$always)) function(scene) shown_names(id, scene),
@@ -32,12 +24,13 @@ table_constraint <- function(id, models, ...) {
     }),
     pace = function(scene, sizes, model) {
       pace <- .Call(ffi_scene_pace, id, scene, as.double(sizes))
+      inputs <- constraint_of(scene)$inputs
+      times <- names(inputs)[vapply(inputs, function(input) input$form == "sorted", NA)]
       pace$breaks_s <- c(pace$breaks_s, as.double(unlist(unclass(scene)[times])))
       pace
     },
     call_laws = function(scene, call) call_table_laws(scene, call),
     summary = function(x, run) table_summary(unlist(state[table$measures]), x, run),
-    texts = stats::setNames(list(table_text(table, constructor)), constructor),
     balances = function(x, run, call) table_balances(id, table, x, run),
     conserved = function(scene) table_keeps(id, table, scene),
     augment = function(x, run, edges, call) {
@@ -47,8 +40,29 @@ table_constraint <- function(id, models, ...) {
     }
   )
   own <- list(...)
+  first <- made_by(table, names(table$makers)[1])
+  record[names(first)] <- first
   record[names(own)] <- own
+  record$makers <- Map(function(changes, constructor) {
+    parts <- made_by(table, constructor)
+    parts[names(changes)] <- changes
+    parts
+  }, makers, names(makers))
+  if (length(makers)) names(record$makers) <- paste0("rot_", names(makers))
   record
+}
+
+# The parts of a record that follow from the inputs of a constructor.
+made_by <- function(table, constructor) {
+  maker <- table$makers[[constructor]]
+  of_bodies <- c("body", "inertia", "changing", "bodies", "tensor")
+  list(
+    inputs = maker$inputs,
+    derived = names(maker$derived),
+    bodies = names(Filter(function(input) input$form %in% of_bodies, maker$inputs)),
+    form = table_form(maker),
+    texts = stats::setNames(list(table_text(maker, constructor)), constructor)
+  )
 }
 
 # The columns that a scene has beside those of all scenes.
@@ -58,7 +72,7 @@ shown_names <- function(id, scene) {
 }
 
 # The parts of a scene: its inputs, and what follows from them.
-table_form <- function(table) {
+table_form <- function(maker) {
   forms <- Map(function(input) {
     optional <- !input$required && is.na(input$otherwise)
     of <- switch(input$form,
@@ -67,17 +81,20 @@ table_form <- function(table) {
       resistance = resistance_form, resistances = list(.each = resistance_form),
       brakes = list(.each = c(brake_form, .optional = TRUE)),
       couplings = list(.each = coupling_form), inertia = list(.one_of = list(body_form, "number")),
+      changing = list(.one_of = list(body_form, "number", inertia_knots_form)),
+      vector_or_name = list(.one_of = list("text", "numbers:3")),
       bodies = list(.one_of = list(
         "numbers", list(.each = list(.one_of = list(body_form, "number")))
       ))
     )
     if (!is.null(of)) return(if (optional) c(of, .optional = TRUE) else of)
     paste0(input$form, if (optional) "?")
-  }, table$inputs)
-  forms[names(table$derived)] <- Map(function(name, n) {
+  }, maker$inputs)
+  forms[names(maker$derived)] <- Map(function(name, n) {
     if (is.character(forms[[name]])) return(sub("?", "", forms[[name]], fixed = TRUE))
+    # An input whose default follows is given.
     switch(as.character(n), `0` = "numbers", `1` = "number", paste0("numbers:", n))
-  }, names(table$derived), table$derived)
+  }, names(maker$derived), maker$derived)
   forms
 }
 
@@ -160,18 +177,21 @@ table_summary <- function(state, x, run) {
 
 # How a scene is written: its inputs, without those whose default is another input of this value,
 # and without infinite defaults, which a text does not have.
-table_text <- function(table, constructor) {
+table_text <- function(maker, constructor) {
   constructor <- get(constructor, mode = "function")
-  follows <- Filter(is.name, formals(constructor)[names(table$inputs)])
+  given <- formals(constructor)[names(maker$inputs)]
+  follows <- Filter(is.name, given)
   follows <- Filter(nzchar, vapply(follows, as.character, ""))
   text_form(function(x) {
-    x <- unclass(x)[names(table$inputs)]
+    x <- unclass(x)[names(maker$inputs)]
     same <- vapply(names(follows), function(name) identical(x[[name]], x[[follows[[name]]]]), NA)
     infinite <- vapply(names(x), function(name) {
       length(x[[name]]) == 1L && is.numeric(x[[name]]) && is.infinite(x[[name]]) &&
-        identical(x[[name]], table$inputs[[name]]$otherwise)
+        identical(x[[name]], maker$inputs[[name]]$otherwise)
     }, NA)
-    x[setdiff(names(x)[!infinite], names(follows)[same])]
+    x <- x[setdiff(names(x)[!infinite], names(follows)[same])]
+    if (!is.null(x$axis) && identical(x$axis, eval(given$axis))) x$axis <- NULL
+    x
   }, constructor)
 }
 

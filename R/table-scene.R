@@ -16,22 +16,24 @@ columns_of_motion <- function(id, more = FALSE) {
 }
 
 # The scene that a constructor describes, from the environment of its arguments.
-scene_of_inputs <- function(id, call) {
-  scene <- .Call(ffi_scene_describe, id, registry[[paste0("rot_scene_", id)]]$form, call)
+scene_of_inputs <- function(id, call, constructor = paste0("scene_", id)) {
+  form <- registry[[paste0("rot_", constructor)]]$form
+  scene <- .Call(ffi_scene_describe, constructor, form, call)
   if (!is.null(scene)) return(scene)
-  inputs <- core_table(id)$inputs
+  inputs <- core_table(id)$makers[[constructor]]$inputs
   check_supplied(names(inputs)[vapply(inputs, `[[`, NA, "required")], call)
   scene <- Map(
     function(input, name) check_input(get(name, envir = call), name, input, call), inputs,
     names(inputs)
   )
-  finish_scene(id, scene, call)
+  finish_scene(id, scene, call, constructor)
 }
 
 # The scene of checked inputs, with what follows from them.
-finish_scene <- function(id, scene, call) {
-  inputs <- core_table(id)$inputs
-  class(scene) <- c(paste0("rot_scene_", id), "rot_scene")
+finish_scene <- function(id, scene, call, constructor = paste0("scene_", id)) {
+  makers <- core_table(id)$makers
+  inputs <- makers[[constructor]]$inputs
+  class(scene) <- unique(c(paste0("rot_", c(constructor, names(makers)[1])), "rot_scene"))
   follows <- .Call(ffi_scene_derived, id, scene)
   if (is.character(follows)) {
     law <- inherits(scene[[follows[1]]], "rot_torque")
@@ -41,7 +43,7 @@ finish_scene <- function(id, scene, call) {
     ), if (law) "torque" else "value", call)
   }
   scene[names(follows)] <- follows
-  scene
+  sound_scene(scene, call)
 }
 
 # One argument as the core takes it. The core's check is the last word; this one takes units, and
@@ -49,7 +51,9 @@ finish_scene <- function(id, scene, call) {
 check_input <- function(x, name, input, call) {
   if (is.null(x) && !input$required) return(NULL)
   if (input$form == "body") return(check_body(x, call, name))
-  if (input$form == "inertia") return(check_one_body(x, name, call))
+  if (input$form %in% c("inertia", "changing")) return(check_moment(x, name, input, call))
+  if (input$form == "resistance") return(check_resistance(x, call))
+  if (input$form == "vector_or_name") return(check_named_vector(x, name, input, call))
   if (input$form == "torque") return(check_torque(x, name, call))
   if (input$form == "function") return(check_law(x, name, input, call))
   if (!is.null(input$options)) {
@@ -71,10 +75,30 @@ check_input <- function(x, name, input, call) {
   x
 }
 
-# A body, or its moment of inertia.
-check_one_body <- function(x, name, call) {
-  inertia <- one_inertia(x, name, call)
-  if (inherits(x, "rot_body")) x else if (is.list(x)) x[[1]] else inertia
+# A body, its moment of inertia, or how that changes.
+check_moment <- function(x, name, input, call) {
+  if (inherits(x, "rot_body")) return(check_body(x, call, name))
+  if (is.numeric(x) || inherits(x, "rot_measured")) {
+    return(check_number(x, name, input$unit, call, input$low, open = input$above))
+  }
+  if (input$form == "changing" && inherits(x, "rot_inertia_knots")) {
+    return(check_form(x, inertia_knots_form, name, "change of inertia", call))
+  }
+  check_class(
+    x, "rot_body", name,
+    "Make one with {.fn body_disk}, or give the moment of inertia as one number in kg m^2.", call
+  )
+}
+
+check_resistance <- function(x, call) {
+  x <- as_resistance(x, call)
+  if (resists(x)) x
+}
+
+# One of some names, or three numbers.
+check_named_vector <- function(x, name, input, call) {
+  if (is.character(x)) return(check_string(x, name, input$options, call))
+  if (name == "axis") unit_axis(x, call) else check_vector(x, name, input$unit, call)
 }
 
 check_torque <- function(x, name, call) {

@@ -101,7 +101,7 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
 # C chooses and runs. NULL where there is more to do.
 quick_trajectory <- function(scene, time_s, accuracy = 1e-9) {
   constraint <- constraint_of(scene)
-  if (is.null(constraint) || is.null(constraint$quick) || !constraint$quick(scene)) return()
+  if (!isTRUE(constraint$quick)) return()
   result <- .Call(
     ffi_scene_quick, constraint$id, constraint$form, scene, time_s, accuracy
   )
@@ -195,10 +195,6 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   }
   if (info$kind == "none" && n && suspicious(info, record, accuracy)) {
     info <- measure_on_the_way(info, fit, time_s, accuracy, max_steps, call)
-  }
-  if (!is.null(constraint$rounding) && info$kind == "none") {
-    by <- constraint$rounding(scene, time_s, info$sizes)
-    if (!is.null(by)) info <- widen_error(info, by)
   }
   if (!is.null(constraint$more_columns)) columns <- constraint$more_columns(columns, scene, time_s)
   if (info$kind != "none") {
@@ -336,10 +332,11 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
 
 # A scene with moment of inertia i times `factor`: of its body, where it follows from that.
 with_moment <- function(scene, i, factor) {
-  bodies <- constraint_of(scene)$bodies
-  scaled <- function(body) {
-    if (is.numeric(body)) return(factor * body)
-    body$second_moment_kg_m2 <- factor * body$second_moment_kg_m2
+  constraint <- constraint_of(scene)
+  bodies <- constraint$bodies
+  scaled <- function(body, by = factor) {
+    if (is.numeric(body)) return(by * body)
+    body$second_moment_kg_m2 <- by * body$second_moment_kg_m2
     body
   }
   if (anyDuplicated(bodies)) { # the three principal moments of one
@@ -349,10 +346,14 @@ with_moment <- function(scene, i, factor) {
     scene$pivot_m <- NULL
   } else if (identical(bodies, "bodies")) {
     scene$bodies[[i]] <- scaled(scene$bodies[[i]])
-  } else if (length(bodies)) {
-    scene[[bodies[i]]] <- scaled(scene[[bodies[i]]])
   } else {
-    scene$moment_of_inertia_kg_m2[i] <- factor * scene$moment_of_inertia_kg_m2[i]
+    # Of the moment about an axle, the part about the centre of mass is the body's.
+    whole <- scene$moment_of_inertia_kg_m2[i]
+    given <- scene[[bodies[i]]]
+    double <- scene
+    double[[bodies[i]]] <- scaled(given, 2)
+    own <- .Call(ffi_scene_derived, constraint$id, double)$moment_of_inertia_kg_m2[i] - whole
+    scene[[bodies[i]]] <- scaled(given, 1 + (factor - 1) * whole / own)
   }
   scene
 }
@@ -366,11 +367,16 @@ known_to_rounding <- function(scene) {
 # The relative error of each moment of inertia of a scene, NULL where all are known to rounding. A
 # body's is relative to the sum of its second moments; numbers have none.
 inertia_errors <- function(scene) {
-  names <- constraint_of(scene)$bodies %||% "body"
+  constraint <- constraint_of(scene)
+  names <- constraint$bodies %||% "body"
   bodies <- .subset2(scene, "bodies") %||% unname(unclass(scene)[names])
-  inertia <- .subset2(scene, "moment_of_inertia_kg_m2")
   rough <- function(body) is.list(body) && isTRUE(.subset2(body, "error") > 1e-14)
   if (!any(vapply(bodies, rough, NA))) return(NULL)
+  inertia <- if (is.null(constraint$moments)) {
+    .subset2(scene, "moment_of_inertia_kg_m2")
+  } else {
+    constraint$moments(scene)
+  }
   vapply(seq_along(inertia), function(i) {
     body <- if (i <= length(bodies)) bodies[[i]]
     if (!inherits(body, "rot_body") || !isTRUE(body$error > 1e-14)) return(0)
@@ -697,9 +703,13 @@ spin_up <- function(body = body_disk(2, 0.25),
   call <- environment()
   check_no_dots(...)
   viscous <- check_number(viscous_n_m_s, "viscous_n_m_s", "N*m*s", call)
-  scene <- describe_axle(
-    body, torque, new_resistance(viscous), theta0_rad, omega0_rad_per_s, 0, NULL, NULL, call
-  )
+  resistance <- new_resistance(viscous)
+  body <- body # given, for what describes the scene
+  start_s <- 0
+  axis <- c(0, 0, 1)
+  through <- NULL
+  scene <- scene_of_inputs("axle", call)
+  say_axle_in_centre(scene)
   if (is.null(model) && identical(accuracy, 1e-9)) {
     motion <- quick_trajectory(scene, time_s)
     if (!is.null(motion)) return(motion)

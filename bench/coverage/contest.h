@@ -35,15 +35,15 @@ typedef struct contest {
 } contest;
 
 static inline void set(sample *s, const char *input, size_t n, const double x[]) {
-  const size_t at = rot_input_named(s->c->n_inputs, s->c->inputs, input);
+  const size_t at = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, input);
   memcpy(s->x[at], x, n * sizeof *x);
-  s->given[at] = (rot_given){.is = s->c->inputs[at].kinds, .n = n, .x = s->x[at]};
+  s->given[at] = (rot_given){.is = s->c->makers->inputs[at].kinds, .n = n, .x = s->x[at]};
 }
 
 static inline void set_one(sample *s, const char *input, double x) { set(s, input, 1, &x); }
 
 static inline void set_option(sample *s, const char *input, int option) {
-  const size_t at = rot_input_named(s->c->n_inputs, s->c->inputs, input);
+  const size_t at = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, input);
   s->given[at] = (rot_given){.is = ROT_INPUT_CHOICE, .option = option};
 }
 
@@ -78,11 +78,10 @@ typedef struct got {
 static inline int run_sample(const sample *s, void *scene, got *g) {
   rot_refusal no;
   memset(g, 0, sizeof *g);
-  rot_status status = rot_inputs_check(s->c->n_inputs, s->c->inputs, s->given, &no);
   rot_store store = {0}; /* of hoops and chains: nothing is in it */
-  if (status == ROT_OK) status = s->c->build(s->given, &store, scene, &no);
+  const rot_status status = rot_run_build(s->c->makers, s->given, &store, scene, &no);
   if (status != ROT_OK) {
-    fprintf(stderr, "%s %s\n", s->c->inputs[no.input].name, no.reason);
+    fprintf(stderr, "%s %s\n", s->c->makers->inputs[no.input].name, no.reason);
     return 0;
   }
   void *column[ROT_MOST_COLUMNS];

@@ -27,7 +27,7 @@ static void frictionless(sample *s) {
 
 static void viscous(sample *s) {
   draw_hoop(s);
-  const size_t mass = rot_input_named(s->c->n_inputs, s->c->inputs, "mass_kg");
+  const size_t mass = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, "mass_kg");
   set_one(s, "drag_n_s_per_m", s->x[mass][0] * power(-2.0, 1.0));
   draw_rows(s, 0.0, power(-0.5, 1.0));
 }
@@ -120,9 +120,10 @@ static void note(const quad y[], answer *out) {
 }
 
 static int truth(const sample *s, answer *out) {
-#define GIVEN(name) s->x[rot_input_named(s->c->n_inputs, s->c->inputs, name)][0]
+#define GIVEN(name) s->x[rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, name)][0]
   const quad mass = GIVEN("mass_kg"), radius = GIVEN("radius_m");
-  const size_t kinetic = rot_input_named(s->c->n_inputs, s->c->inputs, "kinetic_friction");
+  const size_t kinetic =
+      rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, "kinetic_friction");
   body b = {.inertia = mass * radius * radius,
             .pull = GIVEN("gravity_m_per_s2") / radius,
             .turn = GIVEN("hoop_omega_rad_per_s"),

@@ -88,7 +88,7 @@ typedef struct body {
 } body;
 
 static const double *given(const sample *s, const char *input, size_t *n) {
-  const size_t at = rot_input_named(s->c->n_inputs, s->c->inputs, input);
+  const size_t at = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, input);
   *n = s->given[at].n;
   return s->given[at].is ? s->given[at].x : NULL;
 }
@@ -190,7 +190,7 @@ static int truth(const sample *s, answer *out) {
   const double *omega = given(s, "omega0_rad_per_s", &n_omega);
   const double *joint = given(s, "joint_n_m_s", &n_joint);
   const quad gravity = given(s, "gravity_m_per_s2", &one)[0];
-  const size_t links = rot_input_named(s->c->n_inputs, s->c->inputs, "links");
+  const size_t links = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, "links");
   const int rods_ = s->given[links].option == 0;
   const quad f = rods_ ? 0.5Q : 1, h = rods_ ? 1 / 3.0Q : 1;
   body p = {.n = (int)n};

@@ -1,8 +1,9 @@
 /* For R: many axles, a row each. */
 #include "glue/run.h"
-#include "glue/scenes.h"
+#include "glue/scene.h"
 #include "scene/axle/drag.h"
 #include "scene/axle/bands.h"
+#include "scene/axle/inputs.h"
 #include "scene/axle/linear.h"
 #include "scene/axle/models.h"
 #include "scene/axle/sweep.h"
@@ -17,14 +18,15 @@ SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progres
   static const char *const parts[] = {"columns", "status", "info", ""};
   const rot_model *known = rot_choice_model(&rot_axle_constraint, ffi_text(id, "model"));
   const rot_axle_model model = known ? rot_axle_form(known) : NULL;
-  const rot_axle_scene scene = ffi_axle_scene(list, R_NilValue);
+  const rot_axle_built *built = ffi_scene_build(&rot_axle_constraint, list);
+  const rot_axle_scene *scene = &built->scene;
   const double most = ffi_real(threads, "threads");
   if (!model) Rf_error("internal: no such model");
   if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
   R_xlen_t rows = 1, at = 0;
 #define IN(name) ffi_column(ffi_element(rows_in, #name), #name, &rows)
   rot_axle_sweep_rows in = {0,
-                            scene.linear.start_s,
+                            scene->linear.start_s,
                             IN(moment_of_inertia_kg_m2),
                             IN(viscous_n_m_s),
                             IN(torque_scale),
@@ -46,8 +48,8 @@ SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progres
   ffi_guard_end(
       &guard,
       model == rot_axle_linear_scene
-          ? rot_axle_sweep_linear(&scene.linear.torque, &in, (int)most, &out, &guard.hooks, &info)
-          : rot_axle_sweep_scenes(model, &scene, &in, &friction,
+          ? rot_axle_sweep_linear(&scene->linear.torque, &in, (int)most, &out, &guard.hooks, &info)
+          : rot_axle_sweep_scenes(model, scene, &in, &friction,
                                   model == rot_axle_drag || model == rot_axle_bands, (int)most,
                                   &out, &guard.hooks, &info));
   SET_VECTOR_ELT(result, 2, ffi_info(&info));

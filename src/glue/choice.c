@@ -1,12 +1,13 @@
 /* For R: the choice of a model. */
 #include "glue/run.h"
 #include "glue/scene.h"
-#include "glue/scenes.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "scene/axle/drop.h"
+#include "scene/axle/inputs.h"
+#include "scene/axle/models.h"
 #include "scene/choice.h"
 
 /* ---- questions ------------------------------------------------------------------------------- */
@@ -179,10 +180,10 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
  * scene/axle/drop.h. */
 SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
   static const char *const names[] = {"theta", "omega"};
-  const rot_axle_scene axle = ffi_axle_scene(scene, R_NilValue);
+  const rot_axle_built *axle = ffi_scene_build(&rot_axle_constraint, scene);
   const rot_query query = {(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1), 1.0, 0.0};
   const double *x = ffi_reals(numbers, "numbers", 3);
   double by[2];
-  rot_axle_disturbance(&axle, &query, x[0], x[1], x[2], &by[0], &by[1]);
+  rot_axle_disturbance(&axle->scene, &query, x[0], x[1], x[2], &by[0], &by[1]);
   return ffi_named(2, names, by);
 }

@@ -68,6 +68,7 @@ SEXP ffi_vectors(int n, const char *const names[], const ffi_vector parts[]);
 #define FFI_ARGS_5 SEXP, SEXP, SEXP, SEXP, SEXP
 #define FFI_ARGS_6 SEXP, SEXP, SEXP, SEXP, SEXP, SEXP
 #define FFI_ARGS_7 SEXP, SEXP, SEXP, SEXP, SEXP, SEXP, SEXP
+#define FFI_ARGS_8 SEXP, SEXP, SEXP, SEXP, SEXP, SEXP, SEXP, SEXP
 
 #define X(name, n) SEXP name(FFI_ARGS_##n);
 #include "glue/entries.h"

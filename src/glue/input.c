@@ -25,6 +25,7 @@ const char *ffi_input_form(const rot_input *input) {
   if (kinds & ROT_INPUT_TORQUE) return kinds & ROT_INPUT_NOTHING ? "laws" : "torque";
   if (kinds & ROT_INPUT_BODY && kinds & ROT_INPUT_LIST) return "bodies";
   if (kinds & ROT_INPUT_MOMENTS) return "tensor";
+  if (kinds & ROT_INPUT_INERTIA) return "changing";
   if (kinds & ROT_INPUT_BODY) return kinds & ROT_INPUT_NUMBER ? "inertia" : "body";
   if (kinds & ROT_INPUT_ROTOR) return "rotors";
   if (kinds & ROT_INPUT_COUPLING) return "couplings";
@@ -32,7 +33,7 @@ const char *ffi_input_form(const rot_input *input) {
   if (kinds & ROT_INPUT_RESISTANCE) return kinds & ROT_INPUT_LIST ? "resistances" : "resistance";
   if (kinds & ROT_INPUT_TABLE) return "torques";
   if (kinds & ROT_INPUT_LAW) return "function";
-  if (kinds & ROT_INPUT_CHOICE) return "text";
+  if (kinds & ROT_INPUT_CHOICE) return kinds & ROT_INPUT_VECTOR ? "vector_or_name" : "text";
   if (kinds & ROT_INPUT_TIMES) return "sorted";
   if (kinds & ROT_INPUT_VECTOR) return "numbers:3";
   if (kinds & ROT_INPUT_ATTITUDE) return "numbers:4";
@@ -46,18 +47,26 @@ static const double *part_of(SEXP body, const char *name, R_xlen_t n) {
   return TYPEOF(x) == REALSXP && XLENGTH(x) == n ? REAL_RO(x) : NULL;
 }
 
-/* The axle that it names: the end of a rod, the axis of a point, wherever they were moved. */
-static void read_axle(SEXP body, rot_given_body *to) {
+/* The axle that it names: the end of a rod, the axis of a point, wherever they were moved. 0: its
+ * size has lost its name. */
+static int read_axle(SEXP body, rot_given_body *to) {
   SEXP shape = ffi_element(body, "shape"), from = ffi_element(body, "provenance");
   if (TYPEOF(shape) != STRSXP || TYPEOF(from) != STRSXP || XLENGTH(shape) != 1 ||
       XLENGTH(from) != 1 || strcmp(CHAR(STRING_ELT(from, 0)), "formula")) {
-    return;
+    return 1;
   }
   const char *name = CHAR(STRING_ELT(shape, 0));
-  if (strcmp(name, "point") && strcmp(name, "rod_end")) return;
+  const int point = !strcmp(name, "point");
+  if (!point && strcmp(name, "rod_end")) return 1;
+  SEXP size = Rf_getAttrib(ffi_element(body, "size_m"), R_NamesSymbol);
+  if (TYPEOF(size) != STRSXP || XLENGTH(size) != 1 ||
+      strcmp(CHAR(STRING_ELT(size, 0)), point ? "radius_m" : "length_m")) {
+    return 0;
+  }
   SEXP frame = ffi_element(ffi_element(body, "detail"), "frame");
   const double *at = Rf_isNull(frame) ? NULL : part_of(frame, "at_m", 3);
   for (int k = 0; k < 3; k++) to->axle_m[k] = at ? at[k] : 0.0;
+  return 1;
 }
 
 /* The radius is an input of scenes that roll. */
@@ -73,8 +82,7 @@ static int read_body(SEXP x, rot_given_body *to) {
     to->second_kg_m2[k] = second[rot_tensor_row[k] + 3 * rot_tensor_column[k]];
   }
   rot_inertia_of_second(to->second_kg_m2, to->inertia_kg_m2);
-  read_axle(x, to);
-  return 1;
+  return read_axle(x, to);
 }
 
 static rot_status not_called(const double argument[], double value[], void *ctx) {
@@ -126,7 +134,7 @@ static void *take(size_t bytes) { return R_alloc(bytes, 1); }
 /* A part of a scene, which R holds as the list of its inputs. */
 static int read_part(const rot_part *part, SEXP x, functions *f, rot_given *to) {
   const rot_input *outer = f->input;
-  rot_given *given = (rot_given *)R_alloc(ROT_MOST_INPUTS, sizeof *given);
+  rot_given *given = (rot_given *)R_alloc(part->n_inputs + 1, sizeof *given);
   void *built = R_alloc(1, (int)part->size);
   rot_store store = {.take = take};
   rot_refusal no;
@@ -171,12 +179,12 @@ static int read(const rot_input *input, SEXP x, functions *f, rot_given *to) {
     while (input->options[to->option] && strcmp(input->options[to->option], text)) to->option++;
     return input->options[to->option] != NULL;
   }
-  if (Rf_inherits(x, "rot_body") && kinds & ROT_INPUT_BODY) {
+  if (kinds & ROT_INPUT_BODY && Rf_inherits(x, "rot_body")) {
     to->is = ROT_INPUT_BODY;
     to->n = 1;
     return TYPEOF(x) == VECSXP && read_body(x, &to->body);
   }
-  if (Rf_inherits(x, "rot_torque") && kinds & ROT_INPUT_TORQUE) {
+  if (kinds & ROT_INPUT_TORQUE && Rf_inherits(x, "rot_torque")) {
     if (TYPEOF(x) != VECSXP) return 0;
     rot_law_sum *sum = (rot_law_sum *)R_alloc(1, sizeof *sum);
     *sum = ffi_law_sum(x, next_law, f);
@@ -213,13 +221,47 @@ static SEXP plain_choice(const rot_input *input, SEXP x) {
   return n && !input->options[n] ? Rf_mkString(input->options[0]) : NULL;
 }
 
-SEXP ffi_input_plain(const rot_input *input, SEXP x) {
+/* The law of a constant torque, as R has it. */
+static SEXP constant_law(double torque_n_m) {
+  static const char *const names[] = {"time_s", "torque_n_m", "outside", ""};
+  const double outside[] = {torque_n_m, torque_n_m};
+  SEXP law = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  SEXP classes = PROTECT(Rf_allocVector(STRSXP, 2));
+  SET_VECTOR_ELT(law, 0, Rf_allocVector(REALSXP, 0));
+  SET_VECTOR_ELT(law, 1, Rf_allocVector(REALSXP, 0));
+  SET_STRING_ELT(classes, 0, Rf_mkChar("rot_torque_knots"));
+  SET_STRING_ELT(classes, 1, Rf_mkChar("rot_torque"));
+  Rf_setAttrib(law, R_ClassSymbol, classes);
+  SET_VECTOR_ELT(law, 2, ffi_numbers(2, outside));
+  UNPROTECT(2);
+  return law;
+}
+
+/* A part of one class; `form`: of that input. */
+static SEXP plain_part(const rot_input *input, SEXP x, SEXP form) {
+  const unsigned kinds = input->kinds;
+  int fits = 0;
+  if (kinds & ROT_INPUT_LIST && kinds & ROT_INPUT_NOTHING) return NULL;
+  if (kinds & ROT_INPUT_TORQUE) fits = Rf_inherits(x, "rot_torque");
+  if (kinds & ROT_INPUT_RESISTANCE) fits |= Rf_inherits(x, "rot_resistance");
+  if (kinds & ROT_INPUT_INERTIA) fits |= Rf_inherits(x, "rot_inertia_knots");
+  return fits && Rf_isNull(ffi_form_fault(x, form)) ? x : NULL;
+}
+
+SEXP ffi_input_plain(const rot_input *input, SEXP x, SEXP form) {
   const unsigned kinds = input->kinds;
   if (Rf_isNull(x)) return input->required ? NULL : x;
   if (Rf_inherits(x, "rot_body")) return kinds & ROT_INPUT_BODY ? x : NULL;
-  if (kinds & ROT_INPUT_TORQUE) return NULL;
-  if (Rf_isObject(x) || !Rf_isNull(Rf_getAttrib(x, R_NamesSymbol)) ||
-      !Rf_isNull(Rf_getAttrib(x, R_DimSymbol))) {
+  if (Rf_isObject(x)) return plain_part(input, x, form);
+  if (kinds & ROT_INPUT_TORQUE) {
+    const int one = TYPEOF(x) == REALSXP && XLENGTH(x) == 1 &&
+                    Rf_isNull(Rf_getAttrib(x, R_NamesSymbol)) &&
+                    Rf_isNull(Rf_getAttrib(x, R_DimSymbol));
+    return one && !(kinds & ROT_INPUT_NOTHING) && isfinite(*REAL_RO(x)) && *REAL_RO(x) != 0.0
+               ? constant_law(*REAL_RO(x))
+               : NULL;
+  }
+  if (!Rf_isNull(Rf_getAttrib(x, R_NamesSymbol)) || !Rf_isNull(Rf_getAttrib(x, R_DimSymbol))) {
     return NULL;
   }
   if (TYPEOF(x) == STRSXP) return kinds & ROT_INPUT_CHOICE ? plain_choice(input, x) : NULL;

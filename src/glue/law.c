@@ -30,6 +30,15 @@ rot_term ffi_law_term(SEXP list) {
   return term;
 }
 
+/* Samples of a function have breaks and errors of their own. */
+static void read_samples(SEXP x, rot_law_one *law) {
+  SEXP stops_s = ffi_element(x, "stops_s");
+  if (Rf_isNull(stops_s)) return;
+  law->breaks_s = ffi_reals(stops_s, "stops_s", -1);
+  law->n_breaks = (size_t)XLENGTH(stops_s);
+  law->noise_n_m = ffi_number_of(x, "noise_n_m");
+}
+
 static rot_law_one law_of(SEXP x, rot_law (*function)(void *ctx), void *ctx) {
   rot_law_one law = {.kind = ROT_LAW_KNOTS};
   if (Rf_inherits(x, "rot_torque_knots")) {
@@ -41,6 +50,7 @@ static rot_law_one law_of(SEXP x, rot_law (*function)(void *ctx), void *ctx) {
   } else if (Rf_inherits(x, "rot_torque_term")) {
     law.kind = ROT_LAW_TERM;
     law.term = ffi_law_term(x);
+    read_samples(x, &law);
   } else if (Rf_inherits(x, "rot_torque_function")) {
     SEXP breaks_s = ffi_element(x, "breaks_s");
     law.kind = ROT_LAW_CALL;

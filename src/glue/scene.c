@@ -1,15 +1,11 @@
 #include "glue/scene.h"
 #include "glue/input.h"
 #include "glue/run.h"
-#include "glue/scenes.h"
-#include "glue/torque.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/axle/inputs.h"
-#include "scene/axle/models.h"
 #include "scene/run.h"
 
 const rot_constraint *ffi_constraint(SEXP id) {
@@ -27,101 +23,49 @@ static SEXP texts(size_t n, const char *const text[]) {
   return out;
 }
 
+/* ---- constructors ---------------------------------------------------------------------------- */
+
+/* The class of its scenes is rot_<constructor>. */
+static const char *class_of(const rot_maker *maker, size_t room, char name[]) {
+  (void)snprintf(name, room, "rot_%s", maker->constructor);
+  return name;
+}
+
+/* The constructor that made a scene. */
+static const rot_maker *maker_of(const rot_constraint *c, SEXP scene) {
+  char name[64];
+  for (size_t i = 1; i < c->n_makers; i++) {
+    if (Rf_inherits(scene, class_of(&c->makers[i], sizeof name, name))) return &c->makers[i];
+  }
+  return c->makers;
+}
+
 /* ---- reading --------------------------------------------------------------------------------- */
 
 /* Until the call from R ends. */
 static void *take(size_t bytes) { return R_alloc(bytes, 1); }
 
 /* ROT_OK, or ROT_EVALUE with the input that is refused. `to`: room for the scene. */
-static rot_status read_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws,
-                             void *to, rot_refusal *refusal) {
-  rot_given *given = (rot_given *)R_alloc(ROT_MOST_INPUTS, sizeof *given); /* scenes refer to it */
+static rot_status read_scene(const rot_maker *maker, SEXP scene, const ffi_laws *laws, void *to,
+                             rot_refusal *refusal) {
+  rot_given *given =
+      (rot_given *)R_alloc(maker->n_inputs + 1, sizeof *given); /* scenes refer to it */
   rot_store store = {.take = take};
-  for (size_t i = 0; i < constraint->n_inputs; i++) {
-    SEXP x = ffi_element(scene, constraint->inputs[i].name);
-    if (!ffi_input_read(constraint->inputs, i, x, laws, &given[i])) {
+  for (size_t i = 0; i < maker->n_inputs; i++) {
+    SEXP x = ffi_element(scene, maker->inputs[i].name);
+    if (!ffi_input_read(maker->inputs, i, x, laws, &given[i])) {
       return rot_refuse(refusal, i, "is damaged");
     }
   }
-  const rot_status status =
-      rot_inputs_check(constraint->n_inputs, constraint->inputs, given, refusal);
-  return status == ROT_OK ? constraint->build(given, &store, to, refusal) : status;
-}
-
-/* Stands for the law of a scene, which is not called here. */
-static rot_status no_call(double t, double theta, double omega, double *torque, void *ctx) {
-  (void)t, (void)theta, (void)omega, (void)torque, (void)ctx;
-  return ROT_ETORQUE;
-}
-
-/* The law that stands for all functions of an axle, with its breaks: those that R has found
- * (`stops`), or its own. */
-static void read_axle_law(SEXP scene, const ffi_laws *laws, rot_axle_built *axle) {
-  SEXP law = ffi_element(ffi_element(scene, "loads"), "law"), stops = ffi_element(scene, "stops");
-  SEXP called = laws ? ffi_element(laws->law, "torque") : R_NilValue;
-  rot_torque *torque;
-  if (Rf_isNull(stops) && !Rf_isNull(law)) stops = ffi_element(law, "breaks_s");
-  axle->scene = ffi_axle_scene(scene, stops);
-  if (!Rf_isNull(stops)) {
-    axle->own = (rot_axle_own){(size_t)XLENGTH(stops), ffi_reals(stops, "breaks_s", -1)};
-  }
-  if (Rf_isNull(law)) return;
-  torque = &axle->scene.linear.torque;
-  torque->call = no_call;
-  if (TYPEOF(called) != VECSXP || XLENGTH(called) != 1) return;
-  ffi_torque *f = (ffi_torque *)R_alloc(1, sizeof *f);
-  *f = ffi_torque_new(VECTOR_ELT(called, 0), NULL, laws->guard);
-  SET_VECTOR_ELT(laws->kept, 0, f->call);
-  UNPROTECT(1); /* it is kept */
-  torque->call = ffi_torque_call;
-  torque->ctx = f;
-}
-
-/* As its runs expect it: nothing else in it is set. */
-static const void *read_axle(SEXP scene, const ffi_laws *laws) {
-  rot_axle_built *axle = (rot_axle_built *)R_alloc(1, sizeof *axle);
-  SEXP rope = ffi_element(scene, "rope"), gears = ffi_element(scene, "gears");
-  SEXP noise = ffi_element(scene, "noise_n_m");
-  memset(axle, 0, sizeof *axle);
-  read_axle_law(scene, laws, axle);
-  if (!Rf_isNull(noise)) axle->scene.noise_n_m = ffi_real(noise, "noise_n_m");
-  if (!Rf_isNull(rope)) {
-    memcpy(axle->rope.mass_kg, ffi_numbers_of(rope, "mass_kg", 2), sizeof axle->rope.mass_kg);
-    axle->rope.radius_m = ffi_number_of(rope, "radius_m");
-    axle->rope.inertia_kg_m2 = ffi_number_of(rope, "moment_of_inertia_kg_m2");
-    axle->rope.gravity_m_per_s2 = ffi_number_of(rope, "gravity_m_per_s2");
-  }
-  if (!Rf_isNull(gears)) {
-    axle->geared = 1;
-    axle->gears = (rot_axle_gears){
-        ffi_number_of(gears, "applied_n_m"), ffi_number_of(gears, "forward_n_m"),
-        ffi_number_of(gears, "backward_n_m"), ffi_number_of(gears, "bearings_n_m_s"),
-        ffi_number_of(gears, "least_n_m_s")};
-  }
-  return axle;
-}
-
-/* Scenes that R holds in other forms than the inputs of their table, kept until the call ends. */
-static const struct {
-  const rot_constraint *of;
-  const void *(*read)(SEXP scene, const ffi_laws *laws);
-} own_forms[] = {{&rot_axle_constraint, read_axle}};
-
-int ffi_scene_by_table(const rot_constraint *constraint) {
-  for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
-    if (own_forms[i].of == constraint) return 0;
-  }
-  return 1;
+  return rot_run_build(maker, given, &store, to, refusal);
 }
 
 static const void *build_scene(const rot_constraint *constraint, SEXP scene, const ffi_laws *laws) {
   rot_refusal no;
-  for (size_t i = 0; i < ROT_COUNT(own_forms); i++) {
-    if (own_forms[i].of == constraint) return own_forms[i].read(scene, laws);
-  }
+  const rot_maker *maker = maker_of(constraint, scene);
   void *built = R_alloc(1, (int)constraint->scene_size);
-  if (read_scene(constraint, scene, laws, built, &no) != ROT_OK) {
-    Rf_error("internal: `%s` %s", constraint->inputs[no.input].name, no.reason);
+  if (read_scene(maker, scene, laws, built, &no) != ROT_OK) {
+    Rf_error("internal: `%s` %s", maker->inputs[no.input].name, no.reason);
   }
   return built;
 }
@@ -150,31 +94,33 @@ const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
 }
 
 /* The numbers of one derived name, and how many they are. */
-static const double *derived(const rot_constraint *c, const void *built, size_t i, R_xlen_t *n) {
-  const char *at = (const char *)built + c->derived[i].offset;
-  *n = (R_xlen_t)(c->derived[i].n ? c->derived[i].n : rot_run_copies(c, built));
-  return c->derived[i].n ? (const double *)at : *(const double *const *)at;
+static const double *derived(const rot_constraint *c, const rot_derived *of, const void *built,
+                             R_xlen_t *n) {
+  const char *at = (const char *)built + of->offset;
+  *n = (R_xlen_t)(of->n ? of->n : rot_run_copies(c, built));
+  return of->n ? (const double *)at : *(const double *const *)at;
 }
 
-static SEXP derived_numbers(const rot_constraint *c, const void *built, size_t i) {
+static SEXP derived_numbers(const rot_constraint *c, const rot_derived *of, const void *built) {
   R_xlen_t n;
-  const double *x = derived(c, built, i, &n);
+  const double *x = derived(c, of, built, &n);
   return ffi_numbers((int)n, x);
 }
 
 /* NULL, or the name of an input that is refused, or of a number that does not follow from them. */
 static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
+  const rot_maker *maker = maker_of(c, scene);
   void *built = R_alloc(1, (int)c->scene_size);
   rot_refusal no;
-  if (read_scene(c, scene, NULL, built, &no) != ROT_OK) return c->inputs[no.input].name;
-  for (size_t i = 0; i < c->n_derived; i++) {
-    SEXP x = ffi_element(scene, c->derived[i].name);
+  if (read_scene(maker, scene, NULL, built, &no) != ROT_OK) return maker->inputs[no.input].name;
+  for (size_t i = 0; i < maker->n_derived; i++) {
+    SEXP x = ffi_element(scene, maker->derived[i].name);
     R_xlen_t n, same = 0;
-    const double *want = derived(c, built, i, &n);
+    const double *want = derived(c, &maker->derived[i], built, &n);
     while (TYPEOF(x) == REALSXP && XLENGTH(x) == n && same < n && REAL_RO(x)[same] == want[same]) {
       same++;
     }
-    if (same < n) return c->derived[i].name;
+    if (same < n) return maker->derived[i].name;
   }
   return NULL;
 }
@@ -183,15 +129,19 @@ static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
  * means an equal scene. */
 static SEXP sound = NULL;
 
+static void keep_sound(SEXP scene) {
+  R_PreserveObject(scene);
+  if (sound) R_ReleaseObject(sound);
+  sound = scene;
+}
+
 static SEXP fault_of_scene(const rot_constraint *c, SEXP form, SEXP scene) {
   if (scene == sound) return R_NilValue;
   SEXP fault = ffi_form_fault(scene, form);
   if (!Rf_isNull(fault)) return fault;
-  const char *part = ffi_scene_by_table(c) ? fault_of_inputs(c, scene) : NULL;
+  const char *part = fault_of_inputs(c, scene);
   if (part) return Rf_mkString(part);
-  R_PreserveObject(scene);
-  if (sound) R_ReleaseObject(sound);
-  sound = scene;
+  keep_sound(scene);
   return R_NilValue;
 }
 
@@ -204,24 +154,26 @@ static int is_missing(SEXP name, SEXP env) {
 }
 
 /* An empty scene: its inputs, then what follows from them. */
-static SEXP new_scene(const rot_constraint *c) {
-  const char *names[2 * ROT_MOST_INPUTS + 1], *classes[] = {NULL, "rot_scene"};
-  char of[64];
-  size_t n = 0;
-  while (n < c->n_inputs) {
-    names[n] = c->inputs[n].name;
+static SEXP new_scene(const rot_constraint *c, const rot_maker *maker) {
+  const char *names[2 * ROT_MOST_INPUTS + 1], *classes[3];
+  char own[64], shared[64];
+  size_t n = 0, of = 0;
+  while (n < maker->n_inputs) {
+    names[n] = maker->inputs[n].name;
     n++;
   }
-  for (size_t i = 0; i < c->n_derived; i++) {
-    if (rot_input_named(c->n_inputs, c->inputs, c->derived[i].name) == c->n_inputs) {
-      names[n++] = c->derived[i].name;
+  for (size_t i = 0; i < maker->n_derived; i++) {
+    if (rot_input_named(maker->n_inputs, maker->inputs, maker->derived[i].name) ==
+        maker->n_inputs) {
+      names[n++] = maker->derived[i].name;
     }
   }
   names[n] = "";
   SEXP scene = PROTECT(Rf_mkNamed(VECSXP, names));
-  (void)snprintf(of, sizeof of, "rot_%s", c->constructor);
-  classes[0] = of;
-  Rf_setAttrib(scene, R_ClassSymbol, texts(2, classes));
+  classes[of++] = class_of(maker, sizeof own, own);
+  if (maker != c->makers) classes[of++] = class_of(c->makers, sizeof shared, shared);
+  classes[of++] = "rot_scene";
+  Rf_setAttrib(scene, R_ClassSymbol, texts(of, classes));
   UNPROTECT(1);
   return scene;
 }
@@ -235,29 +187,36 @@ static R_xlen_t place_of(SEXP list, const char *name) {
 
 /* The scene that a constructor describes, from the frame of its arguments. NULL where R must look
  * at one of them: it takes units, and says what is wrong. */
-SEXP ffi_scene_describe(SEXP id, SEXP form, SEXP env) {
-  const rot_constraint *c = ffi_constraint(id);
-  void *built = R_alloc(1, (int)c->scene_size);
+SEXP ffi_scene_describe(SEXP constructor, SEXP form, SEXP env) {
+  const rot_constraint *c = NULL;
+  const rot_maker *maker = rot_run_maker(ffi_text(constructor, "constructor"), &c);
   rot_refusal no;
-  if (TYPEOF(env) != ENVSXP) Rf_error("internal: `env`");
-  SEXP scene = PROTECT(new_scene(c)), out = R_NilValue;
-  for (size_t i = 0; i < c->n_inputs; i++) {
-    SEXP name = Rf_install(c->inputs[i].name);
-    if (c->inputs[i].required && is_missing(name, env)) break;
-    SEXP x = PROTECT(Rf_eval(name, env)), plain = ffi_input_plain(&c->inputs[i], x);
+  if (!maker || TYPEOF(env) != ENVSXP) Rf_error("internal: `constructor` or `env`");
+  void *built = R_alloc(1, (int)c->scene_size);
+  SEXP scene = PROTECT(new_scene(c, maker)), out = R_NilValue;
+  for (size_t i = 0; i < maker->n_inputs; i++) {
+    SEXP name = Rf_install(maker->inputs[i].name);
+    if (maker->inputs[i].required && is_missing(name, env)) break;
+    SEXP x = PROTECT(Rf_eval(name, env)),
+         plain = ffi_input_plain(&maker->inputs[i], x, ffi_element(form, maker->inputs[i].name));
     if (plain) SET_VECTOR_ELT(scene, (R_xlen_t)i, plain);
     UNPROTECT(1);
     if (!plain) break;
-    if (i + 1 == c->n_inputs) out = scene;
+    if (i + 1 == maker->n_inputs) out = scene;
   }
-  if (Rf_isNull(out) || read_scene(c, scene, NULL, built, &no) != ROT_OK) {
+  if (Rf_isNull(out) || read_scene(maker, scene, NULL, built, &no) != ROT_OK) {
     UNPROTECT(1);
     return R_NilValue;
   }
-  for (size_t i = 0; i < c->n_derived; i++) {
-    SET_VECTOR_ELT(scene, place_of(scene, c->derived[i].name), derived_numbers(c, built, i));
+  for (size_t i = 0; i < maker->n_derived; i++) {
+    SET_VECTOR_ELT(scene, place_of(scene, maker->derived[i].name),
+                   derived_numbers(c, &maker->derived[i], built));
   }
-  if (!Rf_isNull(fault_of_scene(c, form, scene))) out = R_NilValue;
+  if (Rf_isNull(ffi_form_fault(scene, form))) {
+    keep_sound(scene);
+  } else {
+    out = R_NilValue;
+  }
   UNPROTECT(1);
   return out;
 }
@@ -266,18 +225,19 @@ SEXP ffi_scene_describe(SEXP id, SEXP form, SEXP env) {
  * refused. */
 SEXP ffi_scene_derived(SEXP id, SEXP scene) {
   const rot_constraint *c = ffi_constraint(id);
+  const rot_maker *maker = maker_of(c, scene);
   void *built = R_alloc(1, (int)c->scene_size);
   rot_refusal no;
-  if (read_scene(c, scene, NULL, built, &no) != ROT_OK) {
-    const char *said[] = {c->inputs[no.input].name, no.reason};
+  if (read_scene(maker, scene, NULL, built, &no) != ROT_OK) {
+    const char *said[] = {maker->inputs[no.input].name, no.reason};
     return texts(2, said);
   }
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)c->n_derived));
-  SEXP names = Rf_allocVector(STRSXP, (R_xlen_t)c->n_derived);
+  SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)maker->n_derived));
+  SEXP names = Rf_allocVector(STRSXP, (R_xlen_t)maker->n_derived);
   Rf_setAttrib(out, R_NamesSymbol, names);
-  for (size_t i = 0; i < c->n_derived; i++) {
-    SET_VECTOR_ELT(out, (R_xlen_t)i, derived_numbers(c, built, i));
-    SET_STRING_ELT(names, (R_xlen_t)i, Rf_mkChar(c->derived[i].name));
+  for (size_t i = 0; i < maker->n_derived; i++) {
+    SET_VECTOR_ELT(out, (R_xlen_t)i, derived_numbers(c, &maker->derived[i], built));
+    SET_STRING_ELT(names, (R_xlen_t)i, Rf_mkChar(maker->derived[i].name));
   }
   UNPROTECT(1);
   return out;
@@ -301,13 +261,13 @@ enum {
   MANY = ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE,
 };
 
-static SEXP inputs_of(const rot_constraint *c) {
+static SEXP inputs_of(const rot_maker *maker) {
   static const char *const names[] = {"unit", "required", "low",  "high",      "above", "limit",
                                       "many", "options",  "form", "otherwise", "words", ""};
-  SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)c->n_inputs));
-  SEXP of = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)c->n_inputs));
-  for (size_t i = 0; i < c->n_inputs; i++) {
-    const rot_input *input = &c->inputs[i];
+  SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)maker->n_inputs));
+  SEXP of = PROTECT(Rf_allocVector(STRSXP, (R_xlen_t)maker->n_inputs));
+  for (size_t i = 0; i < maker->n_inputs; i++) {
+    const rot_input *input = &maker->inputs[i];
     SEXP one = Rf_mkNamed(VECSXP, (const char **)names);
     SET_VECTOR_ELT(out, (R_xlen_t)i, one);
     SET_STRING_ELT(of, (R_xlen_t)i, Rf_mkChar(input->name));
@@ -328,6 +288,30 @@ static SEXP inputs_of(const rot_constraint *c) {
   return out;
 }
 
+/* By constructor: list(inputs, derived), with how many numbers each derived name has. */
+static SEXP makers_of(const rot_constraint *c) {
+  static const char *const names[] = {"inputs", "derived", ""};
+  SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)c->n_makers));
+  SEXP of = Rf_allocVector(STRSXP, (R_xlen_t)c->n_makers);
+  Rf_setAttrib(out, R_NamesSymbol, of);
+  for (size_t i = 0; i < c->n_makers; i++) {
+    const rot_maker *maker = &c->makers[i];
+    const char *follows[ROT_MOST_INPUTS];
+    SEXP one = Rf_mkNamed(VECSXP, (const char **)names), counts;
+    SET_VECTOR_ELT(out, (R_xlen_t)i, one);
+    SET_STRING_ELT(of, (R_xlen_t)i, Rf_mkChar(maker->constructor));
+    SET_VECTOR_ELT(one, 0, inputs_of(maker));
+    SET_VECTOR_ELT(one, 1, counts = Rf_allocVector(INTSXP, (R_xlen_t)maker->n_derived));
+    for (size_t k = 0; k < maker->n_derived; k++) {
+      follows[k] = maker->derived[k].name;
+      INTEGER(counts)[k] = (int)maker->derived[k].n;
+    }
+    Rf_setAttrib(counts, R_NamesSymbol, texts(maker->n_derived, follows));
+  }
+  UNPROTECT(1);
+  return out;
+}
+
 static size_t kept_by(const rot_constraint *c) { return c->n_kept ? c->n_kept : c->n_balances; }
 
 /* The quantities of both. */
@@ -335,18 +319,17 @@ static size_t named_by(const rot_constraint *c) {
   return kept_by(c) > c->n_balances ? kept_by(c) : c->n_balances;
 }
 
-/* list(inputs, columns, units, state, measures, index, flows, balances, kept, derived, event_rows,
- * always, between): `state` is, by column, the measure that it holds, or NA; `always`: the rows of
- * all scenes have it. NULL where scenes are not read by the table. */
+/* list(makers, columns, units, state, measures, index, flows, balances, kept, event_rows, always,
+ * between): `state` is, by column, the measure that it holds, or NA; `always`: the rows of all
+ * scenes have it. */
 SEXP ffi_scene_table(SEXP id) {
-  static const char *const names[] = {"inputs",     "columns", "units",    "state", "measures",
-                                      "index",      "flows",   "balances", "kept",  "derived",
-                                      "event_rows", "always",  "between",  ""};
+  static const char *const names[] = {"makers", "columns", "units",    "state", "measures",
+                                      "index",  "flows",   "balances", "kept",  "event_rows",
+                                      "always", "between", ""};
   const rot_constraint *c = ffi_constraint(id);
   const char *name[ROT_MOST_COLUMNS], *unit[ROT_MOST_COLUMNS], *state[ROT_MOST_COLUMNS];
-  const char *quantity[ROT_MOST_BALANCES], *follows[ROT_MOST_INPUTS];
+  const char *quantity[ROT_MOST_BALANCES];
   size_t n_measures = 0;
-  if (!c->audit) return R_NilValue;
   while (c->measures[n_measures]) n_measures++;
   for (size_t i = 0; i < c->n_columns; i++) {
     const rot_column_of *column = &c->columns[i];
@@ -355,9 +338,8 @@ SEXP ffi_scene_table(SEXP id) {
     state[i] = column->measure ? c->measures[column->measure - 1] : NULL;
   }
   for (size_t i = 0; i < named_by(c); i++) quantity[i] = c->balances[i].quantity;
-  for (size_t i = 0; i < c->n_derived; i++) follows[i] = c->derived[i].name;
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  SET_VECTOR_ELT(out, 0, inputs_of(c));
+  SET_VECTOR_ELT(out, 0, makers_of(c));
   SET_VECTOR_ELT(out, 1, texts(c->n_columns, name));
   SET_VECTOR_ELT(out, 2, texts(c->n_columns, unit));
   SET_VECTOR_ELT(out, 3, texts(c->n_columns, state));
@@ -366,15 +348,11 @@ SEXP ffi_scene_table(SEXP id) {
   SET_VECTOR_ELT(out, 6, texts(c->n_flows, c->flows));
   SET_VECTOR_ELT(out, 7, texts(c->n_balances, quantity));
   SET_VECTOR_ELT(out, 8, texts(kept_by(c), quantity));
-  SEXP counts = Rf_allocVector(INTSXP, (R_xlen_t)c->n_derived);
-  SET_VECTOR_ELT(out, 9, counts);
-  for (size_t i = 0; i < c->n_derived; i++) INTEGER(counts)[i] = (int)c->derived[i].n;
-  Rf_setAttrib(counts, R_NamesSymbol, texts(c->n_derived, follows));
-  SET_VECTOR_ELT(out, 10, Rf_ScalarLogical(c->event_rows));
+  SET_VECTOR_ELT(out, 9, Rf_ScalarLogical(c->event_rows));
   SEXP always = Rf_allocVector(LGLSXP, (R_xlen_t)c->n_columns);
-  SET_VECTOR_ELT(out, 11, always);
+  SET_VECTOR_ELT(out, 10, always);
   for (size_t i = 0; i < c->n_columns; i++) LOGICAL(always)[i] = !c->columns[i].only_with;
-  SET_VECTOR_ELT(out, 12, c->between ? Rf_mkString(c->between) : R_NilValue);
+  SET_VECTOR_ELT(out, 11, c->between ? Rf_mkString(c->between) : R_NilValue);
   UNPROTECT(1);
   return out;
 }
@@ -608,11 +586,34 @@ static int quick_times(const rot_constraint *c, const void *built, SEXP time_s) 
   return 1;
 }
 
+/* Whether bodies are known to rounding. */
+static int is_sure(SEXP x) {
+  if (TYPEOF(x) != VECSXP) return 1;
+  if (Rf_isObject(x)) {
+    SEXP error = ffi_element(x, "error");
+    return TYPEOF(error) != REALSXP || XLENGTH(error) != 1 || !(*REAL_RO(error) > 1e-14);
+  }
+  R_xlen_t i = 0;
+  while (i < XLENGTH(x) && is_sure(VECTOR_ELT(x, i))) i++;
+  return i == XLENGTH(x);
+}
+
+static int sure_bodies(const rot_maker *maker, SEXP scene) {
+  size_t i = 0;
+  while (i < maker->n_inputs && (!(maker->inputs[i].kinds & ROT_INPUT_BODY) ||
+                                 is_sure(ffi_element(scene, maker->inputs[i].name)))) {
+    i++;
+  }
+  return i == maker->n_inputs;
+}
+
 /* list(model, run) by the cheapest model: a closed form that takes the scene unchanged, has no
- * column of its own, and errs by roundings. NULL where anything else is so, which R says. */
+ * column of its own, and errs by roundings, as its bodies do. NULL where anything else is so, which
+ * R says. */
 SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy) {
   const rot_constraint *c = ffi_constraint(id);
-  if (c->index || !c->runs || !Rf_isNull(fault_of_scene(c, form, scene))) return R_NilValue;
+  if (c->index || !Rf_isNull(fault_of_scene(c, form, scene))) return R_NilValue;
+  if (!sure_bodies(maker_of(c, scene), scene)) return R_NilValue;
   const void *built = ffi_scene_build(c, scene);
   if (!quick_times(c, built, time_s)) return R_NilValue;
   const rot_task task = {.n = (size_t)XLENGTH(time_s),

@@ -5,9 +5,6 @@
 #include "glue/ffi.h"
 #include "engine/model.h"
 
-/* Whether scenes of this constraint are read by its table alone. */
-int ffi_scene_by_table(const rot_constraint *constraint);
-
 /* The constraint of this name. */
 const rot_constraint *ffi_constraint(SEXP id);
 /* The scene as its models read it, kept until the call from R ends; an R error where it is damaged:

@@ -9,6 +9,7 @@ enum { KIT_MOST = 20 };
 
 typedef struct kit {
   const rot_constraint *c;
+  const rot_maker *maker;
   rot_given given[ROT_MOST_INPUTS];
   double x[ROT_MOST_INPUTS][KIT_MOST];
   void *scene;
@@ -19,8 +20,8 @@ typedef struct kit {
 static inline kit *kit_new(const char *constructor) {
   kit *k = calloc(1, sizeof *k);
   if (!k) exit(1);
-  k->c = rot_run_constraint(constructor);
-  ROT_CHECK(k->c != NULL);
+  k->maker = rot_run_maker(constructor, &k->c);
+  ROT_CHECK(k->maker != NULL);
   return k;
 }
 
@@ -31,15 +32,15 @@ static inline void kit_free(kit *k) {
 }
 
 static inline size_t kit_input(const kit *k, const char *name) {
-  const size_t at = rot_input_named(k->c->n_inputs, k->c->inputs, name);
-  ROT_CHECK(at < k->c->n_inputs);
+  const size_t at = rot_input_named(k->maker->n_inputs, k->maker->inputs, name);
+  ROT_CHECK(at < k->maker->n_inputs);
   return at;
 }
 
 static inline void kit_numbers(kit *k, const char *name, size_t n, const double x[]) {
   const size_t at = kit_input(k, name);
   memcpy(k->x[at], x, n * sizeof *x);
-  k->given[at] = (rot_given){.is = k->c->inputs[at].kinds, .n = n, .x = k->x[at]};
+  k->given[at] = (rot_given){.is = k->maker->inputs[at].kinds, .n = n, .x = k->x[at]};
 }
 
 static inline void kit_number(kit *k, const char *name, double x) { kit_numbers(k, name, 1, &x); }
@@ -57,8 +58,7 @@ static inline rot_status kit_build(kit *k) {
   free(k->scene);
   k->scene = malloc(k->c->scene_size);
   if (!k->scene) exit(1);
-  const rot_status status = rot_inputs_check(k->c->n_inputs, k->c->inputs, k->given, &k->no);
-  return status == ROT_OK ? k->c->build(k->given, &k->store, k->scene, &k->no) : status;
+  return rot_run_build(k->maker, k->given, &k->store, k->scene, &k->no);
 }
 
 /* Refused for this input, with these words in the reason. */

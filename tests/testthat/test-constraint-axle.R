@@ -1,33 +1,36 @@
-# A torque that is off by E moves a body of 2 kg m^2 by E t^2/(2 I), its rate by E t/I. With a
-# viscous resistance c backwards in time: I omega' = E - c omega. (Not a tiny E: expect_equal()
-# compares numbers below its tolerance by their difference.)
-test_that("a rounded coefficient counts as the torque it is, forwards and backwards", {
-  scene <- list(
-    rounding = c(0.3, 0), moment_of_inertia_kg_m2 = 2, start_s = 1,
-    resistance = list(viscous_n_m_s = 0)
-  )
-  sizes <- c(theta = 1, omega = 1)
+# 1 kg m^2 about its centre, 1 kg at 2 m: 5 kg m^2 about the axle, of which 1 is the body's own.
+test_that("an uncertain moment counts for its own part of that about the axle", {
+  rough <- body_tensor(1, c(1, 1, 1), centre_m = c(2, 0, 0))
+  rough$error <- 0.01
+  scene <- scene_axle(rough, 5, through = "origin")
+  expect_equal(scene$moment_of_inertia_kg_m2, 5)
+  more <- rotdyn:::with_moment(scene, 1, 1.1)
+  again <- scene_axle(more$body, 5, through = "origin")
+  expect_equal(again$moment_of_inertia_kg_m2, 5.5, tolerance = 1e-14)
+  hung <- scene_hanging_mass(rough, 1, 0.5)
+  more <- rotdyn:::with_moment(hung, 1, 1.1)
+  again <- scene_hanging_mass(more$body, 1, 0.5)
   expect_equal(
-    rotdyn:::axle_rounding(scene, c(1, 5), sizes),
-    list(theta = 0.3 * 4^2 / 2 / 2, omega = 0.3 * 4 / 2), tolerance = 1e-12
+    again$moment_of_inertia_kg_m2, 1.1 * hung$moment_of_inertia_kg_m2, tolerance = 1e-14
   )
-  # In proportion to omega, too.
-  scene$rounding <- c(0, 0.3)
-  expect_equal(
-    rotdyn:::axle_rounding(scene, c(1, 5), c(theta = 1, omega = 7))$omega, 7 * 0.3 * 4 / 2,
-    tolerance = 1e-12
+})
+
+test_that("a scene knows its torque and what resists, whoever made it", {
+  torque <- function(scene) rotdyn:::axle_torque(scene)
+  resists <- function(scene) rotdyn:::axle_resistance(scene)$viscous_n_m_s
+  expect_identical(torque(scene_axle(1)), torque_constant(0))
+  expect_identical(torque(scene_axle(1, 3)), torque_constant(3))
+  expect_identical(resists(scene_axle(1)), 0)
+  swing <- scene_pendulum(body_point(2), 0.5, resistance(0.25), gravity_m_per_s2 = 10)
+  expect_identical(torque(swing), torque_gravity(2, 0.5, gravity_m_per_s2 = 10))
+  expect_identical(resists(swing), 0.25)
+  driven <- scene_pendulum(body_point(2), 0.5, torque = 3, gravity_m_per_s2 = 10)
+  expect_identical(
+    torque(driven), torque_gravity(2, 0.5, gravity_m_per_s2 = 10) + torque_constant(3)
   )
-  scene$rounding <- c(0.3, 0)
-  scene$resistance$viscous_n_m_s <- 1.5
-  late <- rotdyn:::axle_rounding(scene, c(1, 100), sizes)
-  expect_equal(late$omega, 0.3 / 1.5, tolerance = 1e-12)
-  expect_equal(late$theta, 0.3 * 99 / 1.5, tolerance = 1e-12)
-  # Backwards over 4 s: what the resistance makes of it.
-  back <- rotdyn:::axle_rounding(scene, c(-3, 1), sizes)
-  growth <- expm1(1.5 * 4 / 2)
-  expect_equal(back$omega, 0.3 / 1.5 * growth, tolerance = 1e-12)
-  theta <- 0.3 / 1.5 * (growth * 2 / 1.5 - 4)
-  expect_gte(back$theta, theta)
-  expect_lt(back$theta, 4 * theta)
-  expect_null(rotdyn:::axle_rounding(scene, c(1, 5), c(theta = 1, omega = 0)))
+  well <- scene_hanging_mass(1, 3, 0.5, counter_mass_kg = 1, gravity_m_per_s2 = 10)
+  expect_identical(torque(well), torque_constant(10))
+  train <- scene_gears(c(1, 4), 2, torque_n_m = c(3, -2), viscous_n_m_s = c(0.5, 1))
+  expect_identical(torque(train), torque_constant(2))
+  expect_identical(resists(train), 0.75)
 })

@@ -1,4 +1,4 @@
-drawing <- function(scene) rotdyn:::draw_axle(scene)
+drawing <- function(scene) rotdyn:::constraint_of(scene)$drawing(scene)
 fills <- function(drawing) {
   Filter(function(one) one$type == "fill" && one$style %in% c("body", "hole"), drawing$marks)
 }

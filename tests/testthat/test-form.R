@@ -50,8 +50,8 @@ test_that("a damaged part is named, at any depth", {
   cut$resistance$viscous_n_m_s <- "1"
   expect_error(trajectory(cut, 0:1), "resistance$viscous_n_m_s", fixed = TRUE)
   cut <- scene
-  cut$loads$terms[[1]]$x <- 1 # the core would read two more
-  expect_error(trajectory(cut, 0:1), "loads$terms", fixed = TRUE)
+  cut$torque$laws[[1]]$x <- 1 # the core would read two more
+  expect_error(trajectory(cut, 0:1), "torque", fixed = TRUE)
   cut <- torque_motor(2, 300)
   cut$stall_torque_n_m <- Sys.Date() # R refuses its product
   expect_error(-2 * cut, "stall_torque_n_m|torque law", class = "rotdyn_error_type")
@@ -78,7 +78,7 @@ test_that("a damaged trajectory is refused by every verb", {
   damage <- list(
     function(run) NULL, function(run) 1,
     function(run) { run$scene <- NULL; run },
-    function(run) { run$solved$loads <- 1; run },
+    function(run) { run$solved$resistance <- 1; run },
     function(run) { run$model <- "none"; run },
     function(run) { run$info$errors <- NULL; run }
   )

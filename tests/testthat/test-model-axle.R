@@ -500,6 +500,8 @@ test_that("a damaged scene is an R error", {
   broken <- list(NULL, "a", 1L, double(), c(1, 2, 3, 4, 5), list(1), environment())
   damage <- function(scene, path, run) {
     for (value in broken) {
+      # Not given: the default.
+      if (is.null(value) && (length(path) == 1L || path[1] == "resistance")) next
       bad <- unclass(scene)
       bad[[path]] <- value
       expect_error(run(bad), "internal", info = paste(path, collapse = " "))
@@ -507,24 +509,21 @@ test_that("a damaged scene is an R error", {
     expect_type(run(scene), "list")
   }
   axle <- scene_axle(
-    inertia_knots(c(0, 1), c(1, 2)), torque_knots(0:2, c(0, 1, 0)) + torque_spring(1)
+    inertia_knots(c(0, 1), c(1, 2)), torque_knots(0:2, c(0, 1, 0)) + torque_spring(1),
+    resistance(0.1)
   )
   run <- function(scene) run_axle("axle_oscillator", scene, 1)
   for (path in list(
-    "moment_of_inertia_kg_m2", "start_s", "theta0_rad", "omega0_rad_per_s", "loads", "resistance",
-    c("loads", "motor_n_m_s"), c("loads", "knots"), c("loads", "knots", "time_s"),
-    c("loads", "knots", "torque_n_m"), c("loads", "knots", "outside"),
-    c("resistance", "viscous_n_m_s"), c("resistance", "quadratic_n_m_s2"),
-    c("resistance", "coulomb_n_m"), c("resistance", "static_n_m"), c("inertia", "time_s"),
-    c("inertia", "moment_of_inertia_kg_m2")
+    "start_s", "theta0_rad", "omega0_rad_per_s", c("resistance", "viscous_n_m_s"),
+    c("resistance", "quadratic_n_m_s2"), c("resistance", "coulomb_n_m"),
+    c("resistance", "static_n_m"), c("body", "time_s"), c("body", "moment_of_inertia_kg_m2")
   )) {
     damage(axle, path, run)
   }
   for (path in c("kind", "from_s", "to_s", "x")) {
     bad <- axle
     for (value in broken) {
-      bad$loads$terms[[1]] <- unclass(axle$loads$terms[[1]])
-      bad$loads$terms[[1]][[path]] <- value
+      bad$torque$laws[[2]][[path]] <- value
       expect_error(run(bad), "internal", info = path)
     }
   }

@@ -15,6 +15,7 @@ test_that("both roads give the same trajectory, bit for bit", {
     scene_axle(disk, 0.3, resistance(0.01, 0.02, 0.05, 0.06)),
     scene_axle(disk, torque_motor(2, 100), resistance(0.1)),
     scene_pendulum(body_rod_end(1, 1), theta0_rad = 2),
+    scene_axle(inertia_knots(c(0, 1), c(1, 2)), omega0_rad_per_s = 1), # a column of its own
     scene_incline(body_sphere(1, 0.1), 10),
     scene_incline(
       body_sphere(6, 0.1), 3, static_friction = 0.2, v0_m_per_s = -8, omega0_rad_per_s = 0
@@ -38,7 +39,6 @@ test_that("what needs words, or more than a closed form, takes the long road", {
   }
   scenes <- list(
     scene_axle(disk, function(time_s) 1), # an R function
-    scene_axle(inertia_knots(c(0, 1), c(1, 2)), omega0_rad_per_s = 1), # a column of its own
     scene_hanging_mass(disk, 1, 0.25), scene_gears(c(1, 2), 3), # columns that R adds
     scene_incline(body_sphere(1, 1), 10, drag_n_s_per_m = 1), # integrated
     scene_rotors(c(1, 2), 5, theta0_rad = c(0, 1))

@@ -142,12 +142,20 @@ test_that("the limit of a slack rope is where the tension is 0, on both sides", 
   )
 })
 
+test_that("a pulley without mass has its radius", {
+  ideal <- scene_hanging_mass(body_disk(0, 0.1), 1.1, counter_mass_kg = 1)
+  expect_identical(ideal$radius_m, 0.1)
+  # Atwood's machine: a = (m1 - m2)/(m1 + m2) g.
+  motion <- trajectory(ideal, 0:2)
+  expect_equal(motion$alpha_rad_per_s2 * 0.1, rep(0.1 / 2.1 * 9.80665, 3), tolerance = 1e-14)
+})
+
 test_that("the radius is the body's where it has one", {
-  expect_equal(scene_hanging_mass(body_disk(2, 0.1), 0.5)$rope$radius_m, 0.1)
-  expect_equal(scene_hanging_mass(body_thick_tube(2, 0.1, 0.05, 1), 0.5)$rope$radius_m, 0.1)
-  expect_equal(scene_hanging_mass(body_sphere(2, 0.1), 0.5, axis = "x")$rope$radius_m, 0.1)
+  expect_equal(scene_hanging_mass(body_disk(2, 0.1), 0.5)$radius_m, 0.1)
+  expect_equal(scene_hanging_mass(body_thick_tube(2, 0.1, 0.05, 1), 0.5)$radius_m, 0.1)
+  expect_equal(scene_hanging_mass(body_sphere(2, 0.1), 0.5, axis = "x")$radius_m, 0.1)
   placed <- place_body(body_cylinder(2, 0.1, 1), c(1, 2, 3))
-  expect_equal(scene_hanging_mass(placed, 0.5)$rope$radius_m, 0.1)
+  expect_equal(scene_hanging_mass(placed, 0.5)$radius_m, 0.1)
   expect_identical(
     trajectory(scene_hanging_mass(body_disk(2, 0.1), 0.5), 0:2)$tension_n,
     trajectory(scene_hanging_mass(body_disk(2, 0.1), 0.5, 0.1), 0:2)$tension_n

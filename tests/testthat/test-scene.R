@@ -78,10 +78,10 @@ test_that("scenes take the axle that the body names, and print where it passes",
 
 test_that("a pendulum hangs from the axle that the body names", {
   expect_equal(scene_pendulum(body_rod_end(1.5, 2))$moment_of_inertia_kg_m2, 2)
-  expect_equal(scene_pendulum(body_rod_end(1.5, 2))$hang$distance_m, 1)
+  expect_equal(scene_pendulum(body_rod_end(1.5, 2))$distance_m, 1)
   expect_equal(scene_pendulum(body_point(2, 0.5))$moment_of_inertia_kg_m2, 0.5)
   placed <- place_body(body_rod_end(1.5, 2), c(3, -4, 5), rotation_about("z", angle_deg = 30))
-  expect_equal(scene_pendulum(placed)$hang$distance_m, 1, tolerance = 1e-15)
+  expect_equal(scene_pendulum(placed)$distance_m, 1, tolerance = 1e-15)
   # Along the axle the distance does not count.
   expect_error(scene_pendulum(body_rod_end(1.5, 2), axis = "x"), class = "rotdyn_error_missing")
   expect_error(scene_pendulum(body_disk(1, 1)), "distance_m", class = "rotdyn_error_missing")

@@ -26,7 +26,8 @@ test_that("knots a rounding apart", {
 test_that("a constant, a number, a function and nothing at all are torques of a scene", {
   expect_equal(torque_at(torque_constant(3), c(-5, 5)), c(3, 3))
   expect_equal(scene_axle(1, 3)$torque, torque_constant(3))
-  expect_equal(scene_axle(1)$torque, torque_constant(0))
+  expect_null(scene_axle(1)$torque)
+  expect_null(scene_axle(1, 0)$torque)
   expect_s3_class(scene_axle(1, function(t) t)$torque, "rot_torque_function")
 })
 

@@ -34,7 +34,8 @@ typedef struct value {
 
 struct rotdyn_object {
   const rot_constraint *constraint; /* of a scene */
-  const rot_part *part;             /* of a part; a list has neither */
+  const rot_maker *maker;
+  const rot_part *part; /* of a part; a list has neither */
   const rot_input *inputs;
   size_t n, room; /* values: one for each input, or the items of a list */
   value *values;
@@ -60,20 +61,21 @@ static const struct {
 enum { KIND_NAMES = sizeof kind_names / sizeof *kind_names };
 
 /* The scenes and parts of a constructor: one of them, or none. */
-typedef struct maker {
+typedef struct made {
   const rot_constraint *constraint;
+  const rot_maker *maker;
   const rot_part *part;
   const rot_input *inputs;
   size_t n_inputs;
-} maker;
+} made;
 
-static int find_maker(const char *constructor, maker *to) {
+static int find_made(const char *constructor, made *to) {
   memset(to, 0, sizeof *to);
   if (!constructor) return 0;
-  to->constraint = rot_run_constraint(constructor);
-  if (to->constraint) {
-    to->inputs = to->constraint->inputs;
-    to->n_inputs = to->constraint->n_inputs;
+  to->maker = rot_run_maker(constructor, &to->constraint);
+  if (to->maker) {
+    to->inputs = to->maker->inputs;
+    to->n_inputs = to->maker->n_inputs;
     return 1;
   }
   to->part = rot_part_named(constructor);
@@ -87,16 +89,16 @@ const char *rotdyn_object_at(size_t i) {
   size_t n;
   const rot_constraint *const *list = rot_choice_constraints(&n);
   for (size_t k = 0; k < n; k++) {
-    if (!list[k]->constructor) continue;
-    if (i-- == 0) return list[k]->constructor;
+    if (i < list[k]->n_makers) return list[k]->makers[i].constructor;
+    i -= list[k]->n_makers;
   }
   const rot_part *part = rot_part_at(i);
   return part ? part->constructor : NULL;
 }
 
 const char *rotdyn_object_kind(const char *constructor) {
-  maker m;
-  if (!find_maker(constructor, &m)) return NULL;
+  made m;
+  if (!find_made(constructor, &m)) return NULL;
   for (int i = 0; i < KIND_NAMES && m.part; i++) {
     if (kind_names[i].kind == m.part->makes) return kind_names[i].name;
   }
@@ -104,10 +106,10 @@ const char *rotdyn_object_kind(const char *constructor) {
 }
 
 int rotdyn_input_at(const char *constructor, size_t i, rotdyn_input *out) {
-  maker m;
+  made m;
   size_t used = 0;
   if (!out) return ROTDYN_EARGUMENT;
-  if (!find_maker(constructor, &m)) return ROTDYN_ENAME;
+  if (!find_made(constructor, &m)) return ROTDYN_ENAME;
   if (i >= m.n_inputs) return ROTDYN_EEND;
   const rot_input *from = &m.inputs[i];
   rotdyn_input to = {.name = from->name,
@@ -129,20 +131,21 @@ int rotdyn_input_at(const char *constructor, size_t i, rotdyn_input *out) {
 }
 
 const char *rotdyn_column_at(const char *constructor, size_t i) {
-  maker m;
-  if (!find_maker(constructor, &m) || !m.constraint) return NULL;
+  made m;
+  if (!find_made(constructor, &m) || !m.constraint) return NULL;
   return i < m.constraint->n_columns ? m.constraint->columns[i].name : NULL;
 }
 
 /* ---- objects --------------------------------------------------------------------------------- */
 
 rotdyn_object *rotdyn_object_new(const char *constructor) {
-  maker m;
-  const int known = find_maker(constructor, &m);
+  made m;
+  const int known = find_made(constructor, &m);
   if (!known && !(constructor && !strcmp(constructor, "list"))) return NULL;
   rotdyn_object *object = calloc(1, sizeof *object);
   if (!object) return NULL;
   object->constraint = m.constraint;
+  object->maker = m.maker;
   object->part = m.part;
   object->inputs = m.inputs;
   object->n = object->room = m.n_inputs;
@@ -454,12 +457,14 @@ rotdyn_status rot_api_build(const rotdyn_object *scene, rot_api_built *built,
                             rotdyn_report *report) {
   rot_refusal no;
   const rot_constraint *c = built->constraint = rot_api_constraint(scene);
+  built->maker = c ? scene->maker : NULL;
   if (!c) return refuse(report, NULL, scene ? "it is no scene" : "the scene is NULL");
   built->scene = calloc(1, c->scene_size);
   if (!built->scene) return ROTDYN_EMEMORY;
   rot_status status = rot_api_given(scene, &built->store, &built->given, &no);
-  if (status == ROT_OK) status = c->build(built->given, &built->store, built->scene, &no);
-  if (status == ROT_EVALUE) return refuse(report, c->inputs[no.input].name, no.reason);
+  if (status == ROT_OK)
+    status = built->maker->build(built->given, &built->store, built->scene, &no);
+  if (status == ROT_EVALUE) return refuse(report, built->maker->inputs[no.input].name, no.reason);
   if (status != ROT_OK) return rot_api_status(status);
   report->index = c->index;
   report->copies = rot_run_copies(c, built->scene);

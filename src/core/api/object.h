@@ -21,6 +21,7 @@ int rot_api_calls(const rotdyn_object *object);
 /* A scene as built, for one call: scenes are shared by threads. Begin with {0}. */
 typedef struct rot_api_built {
   const rot_constraint *constraint;
+  const rot_maker *maker;
   rot_given *given;
   void *scene;
   rot_store store;

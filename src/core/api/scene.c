@@ -140,6 +140,7 @@ static unsigned number_kind(const rot_input *input) {
 /* Builds row i of its own numbers, and runs it. */
 static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report *report) {
   const rot_constraint *c = m->w->built.constraint;
+  const rot_maker *maker = m->w->built.maker;
   double number[ROT_MOST_INPUTS], *column[ROT_MOST_COLUMNS];
   rot_given given[ROT_MOST_INPUTS];
   rot_refusal no;
@@ -148,28 +149,21 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   rotdyn_options options = m->w->options;
   const double time_s = value_of(m->in.time_s, i);
   memset(&p, 0, sizeof p);
-  memcpy(given, m->w->built.given, c->n_inputs * sizeof *given);
+  memcpy(given, m->w->built.given, maker->n_inputs * sizeof *given);
   for (size_t k = 0; k < m->in.n_inputs; k++) {
     const size_t at = m->place[k];
     number[k] = value_of(m->in.values[k], i);
-    given[at] = (rot_given){.is = number_kind(&c->inputs[at]), .n = 1, .x = &number[k]};
+    given[at] = (rot_given){.is = number_kind(&maker->inputs[at]), .n = 1, .x = &number[k]};
   }
-  rot_status status = rot_inputs_check(c->n_inputs, c->inputs, given, &no);
   memset(built, 0, c->scene_size);
-  if (status == ROT_OK) {
-    status = c->build(given, &store, built, &no);
-    if (status == ROT_OK && !rot_api_possible(c, built, 1, &time_s)) {
-      (void)snprintf(no.reason, sizeof no.reason, "the time must be finite");
-      no.input = c->n_inputs;
-      status = ROT_EVALUE;
-    } else if (status == ROT_OK && rot_run_copies(c, built) != m->copies) {
-      (void)snprintf(no.reason, sizeof no.reason, "the row has another number of %ss", c->index);
-      no.input = c->n_inputs;
-      status = ROT_EVALUE;
-    }
+  rot_status status = rot_run_build(maker, given, &store, built, &no);
+  if (status == ROT_OK && !rot_api_possible(c, built, 1, &time_s)) {
+    status = rot_refuse(&no, maker->n_inputs, "the time must be finite");
+  } else if (status == ROT_OK && rot_run_copies(c, built) != m->copies) {
+    status = rot_refuse(&no, maker->n_inputs, "the row has another number of %ss", c->index);
   }
   if (status == ROT_EVALUE) {
-    report->input = no.input < c->n_inputs ? c->inputs[no.input].name : NULL;
+    report->input = no.input < maker->n_inputs ? maker->inputs[no.input].name : NULL;
     (void)snprintf(report->reason, sizeof report->reason, "%s", no.reason);
   }
   rotdyn_status ended = rot_api_status(status);
@@ -211,28 +205,29 @@ static void run_part(const void *frame, size_t first, size_t last) {
 
 static rotdyn_status open_rows(rot_api_work *w, size_t n, const rotdyn_rows_in *in,
                                const rotdyn_rows_out *out, many *m) {
-  const rot_constraint *c = w->built.constraint;
+  const rot_maker *maker = w->built.maker;
   if (!rot_api_take(in, sizeof m->in, &m->in) || !rot_api_take(out, sizeof m->out, &m->out) ||
       (n && !m->in.time_s.values)) {
     return rot_api_refuse(w, NULL, "`in` or `out` has a wrong size, or there are no times");
   }
-  if (m->in.n_inputs > c->n_inputs || (m->in.n_inputs && (!m->in.inputs || !m->in.values)) ||
-      m->out.n_columns > c->n_columns) {
+  if (m->in.n_inputs > maker->n_inputs || (m->in.n_inputs && (!m->in.inputs || !m->in.values)) ||
+      m->out.n_columns > w->built.constraint->n_columns) {
     return rot_api_refuse(w, NULL,
                           "there are more inputs or columns than the scene has, or a NULL");
   }
   for (size_t k = 0; k < m->in.n_inputs; k++) {
     const char *name = m->in.inputs[k];
-    const size_t at = name ? rot_input_named(c->n_inputs, c->inputs, name) : c->n_inputs;
-    if (at == c->n_inputs) {
+    const size_t at =
+        name ? rot_input_named(maker->n_inputs, maker->inputs, name) : maker->n_inputs;
+    if (at == maker->n_inputs) {
       (void)rot_api_refuse(w, NULL, "there is no input of one of these names");
       return ROTDYN_ENAME;
     }
     for (size_t i = 0; i < k; i++) {
-      if (m->place[i] == at) return rot_api_refuse(w, c->inputs[at].name, "is named twice");
+      if (m->place[i] == at) return rot_api_refuse(w, maker->inputs[at].name, "is named twice");
     }
-    if (!number_kind(&c->inputs[at]) || !m->in.values[k].values) {
-      return rot_api_refuse(w, c->inputs[at].name, "takes no number, or has no values");
+    if (!number_kind(&maker->inputs[at]) || !m->in.values[k].values) {
+      return rot_api_refuse(w, maker->inputs[at].name, "takes no number, or has no values");
     }
     m->place[k] = at;
   }

@@ -116,7 +116,9 @@ static double rolling_radius(const rot_shape *shape, const rot_shape_body *of, c
   const double from_beta = sqrt(inertia / of->mass_kg / of->beta);
   for (int k = 0; k < shape->sizes; k++) {
     const int radius = shape->size[k] == ROT_RADIUS || shape->size[k] == ROT_OUTER_RADIUS;
-    if (radius && fabs(size[k] - from_beta) <= 1e-9 * from_beta) return size[k];
+    /* Without mass, as of an ideal pulley, only its own size says. */
+    const int agrees = of->mass_kg == 0.0 || fabs(size[k] - from_beta) <= 1e-9 * from_beta;
+    if (radius && agrees) return size[k];
   }
   return from_beta;
 }

@@ -154,8 +154,11 @@ static rot_status check_numbers(size_t at, size_t n, const rot_given *given, rot
   return ROT_OK;
 }
 
-static rot_status check_body(size_t at, const rot_given_body *body, rot_refusal *refusal) {
-  if (!(body->mass_kg > 0.0 && body->mass_kg < INFINITY)) {
+/* `massless`: only a moment of inertia counts, which its builder checks. */
+static rot_status check_body(size_t at, const rot_given_body *body, int massless,
+                             rot_refusal *refusal) {
+  const int mass = body->mass_kg > 0.0 || (massless && body->mass_kg == 0.0);
+  if (!(mass && body->mass_kg < INFINITY)) {
     return rot_refuse(refusal, at, "must have a mass, finite and greater than 0; it is %g",
                       body->mass_kg);
   }
@@ -178,7 +181,8 @@ static rot_status check_given(const rot_input *input, size_t at, const rot_given
   case ROT_INPUT_VECTOR: return check_numbers(at, 3, given, refusal);
   case ROT_INPUT_ATTITUDE: return check_numbers(at, 4, given, refusal);
   case ROT_INPUT_NUMBERS: return check_each(input, at, given, refusal);
-  case ROT_INPUT_BODY: return check_body(at, &given->body, refusal);
+  case ROT_INPUT_BODY:
+    return check_body(at, &given->body, (input->kinds & ROT_INPUT_NUMBER) != 0, refusal);
   case ROT_INPUT_LIST:
     for (size_t i = 0; i < given->n && status == ROT_OK; i++) {
       const rot_given *item = &given->item[i];

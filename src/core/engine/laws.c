@@ -255,17 +255,22 @@ static const rot_input curve_inputs[] = {
      "of the points, increasing", NULL},
     NUMBERS("torque_n_m", "N*m", "at each point: straight lines between, constant outside")};
 
+rot_status rot_law_curve(size_t n, const double omega_rad_per_s[], const double torque_n_m[],
+                         rot_store *store, rot_law_sum *to) {
+  double *x;
+  if (term_law(ROT_TERM_CURVE, 1 + 2 * n, NULL, store, to, &x) != ROT_OK) return ROT_ENOMEM;
+  x[0] = (double)n;
+  memcpy(x + 1, omega_rad_per_s, n * sizeof *x);
+  memcpy(x + 1 + n, torque_n_m, n * sizeof *x);
+  return ROT_OK;
+}
+
 BUILD(curve) {
   const size_t n = given[0].n;
-  double *x;
   (void)part;
   if (n < 2) return rot_refuse(no, 0, "must have two points or more");
   if (same_count(given, 0, 1, no) != ROT_OK) return ROT_EVALUE;
-  if (term_law(ROT_TERM_CURVE, 1 + 2 * n, NULL, store, to, &x) != ROT_OK) return ROT_ENOMEM;
-  x[0] = (double)n;
-  memcpy(x + 1, given[0].x, n * sizeof *x);
-  memcpy(x + 1 + n, given[1].x, n * sizeof *x);
-  return ROT_OK;
+  return rot_law_curve(n, given[0].x, given[1].x, store, to);
 }
 
 static const rot_input spring_inputs[] = {
@@ -287,18 +292,25 @@ static const rot_input gravity_inputs[] = {
     OPTIONAL("rest_rad", "rad", 0.0, "where the body hangs straight down"),
     OPTIONAL("gravity_m_per_s2", "m/s^2", 9.80665, "acceleration of gravity")};
 
-BUILD(gravity) {
-  const double factor[] = {VALUE(0), VALUE(1), VALUE(3)};
+rot_status rot_law_gravity(double mass_kg, double distance_m, double gravity_m_per_s2,
+                           double rest_rad, rot_store *store, rot_law_sum *to) {
+  const double factor[] = {mass_kg, distance_m, gravity_m_per_s2};
   double *x, rest;
   /* Over a long time its rounding counts. */
   const double largest = rot_sum_product(0.0, 3, factor, &rest);
-  if (!isfinite(largest)) return rot_refuse(no, 0, "gives a torque beyond double precision");
+  if (!isfinite(largest)) return ROT_EVALUE;
   if (largest == 0.0) return knots_law(rot_loads_constant(0.0), store, to);
   if (term_law(ROT_TERM_GRAVITY, 3, NULL, store, to, &x) != ROT_OK) return ROT_ENOMEM;
   x[0] = largest;
-  x[1] = VALUE(2);
+  x[1] = rest_rad;
   x[2] = rest;
   return ROT_OK;
+}
+
+BUILD(gravity) {
+  const rot_status status = rot_law_gravity(VALUE(0), VALUE(1), VALUE(3), VALUE(2), store, to);
+  return status == ROT_EVALUE ? rot_refuse(no, 0, "gives a torque beyond double precision")
+                              : status;
 }
 
 /* As write_scene() of R writes a law that was multiplied. */

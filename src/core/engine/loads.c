@@ -180,7 +180,7 @@ static rot_status add_calls(size_t n, const rot_law_one law[], rot_store *store,
     n_calls += law[i].kind == ROT_LAW_CALL;
     n_breaks += law[i].n_breaks;
   }
-  if (n_calls == 0) return ROT_OK;
+  if (n_calls == 0 && n_breaks == 0) return ROT_OK;
   calls *all = rot_store_get(store, 1, sizeof *all);
   rot_law *each = rot_store_get(store, n_calls, sizeof *each);
   double *breaks_s = rot_store_get(store, n_breaks, sizeof *breaks_s);
@@ -191,8 +191,8 @@ static rot_status add_calls(size_t n, const rot_law_one law[], rot_store *store,
     if (law[i].kind == ROT_LAW_CALL) each[all->n++] = law[i].call;
     for (size_t k = 0; k < law[i].n_breaks; k++) breaks_s[n_breaks++] = law[i].breaks_s[k];
   }
-  loads->knots.call = call_all;
-  loads->knots.ctx = all;
+  if (all->n) loads->knots.call = call_all;
+  if (all->n) loads->knots.ctx = all;
   loads->n_breaks = rot_sort_once(n_breaks, breaks_s);
   loads->breaks_s = breaks_s;
   return ROT_OK;
@@ -220,6 +220,7 @@ rot_status rot_loads_of(const rot_given *given, rot_store *store, rot_loads *loa
   for (size_t i = 0; i < n; i++) {
     if (law[i].kind == ROT_LAW_KNOTS) knots[n_knots++] = law[i].knots;
     if (law[i].kind == ROT_LAW_TERM) terms[n_terms++] = law[i].term;
+    loads->noise_n_m += law[i].noise_n_m;
   }
   for (size_t i = 0; i < n; i++) {
     if (law[i].kind != ROT_LAW_MOTOR) continue;

@@ -17,7 +17,8 @@ typedef struct rot_law_one {
   rot_term term;
   rot_law call; /* of time_s, theta_rad, omega_rad_per_s */
   size_t n_breaks;
-  const double *breaks_s; /* of the call */
+  const double *breaks_s; /* beside those of its numbers */
+  double noise_n_m;       /* how far its numbers may be off */
 } rot_law_one;
 
 /* What a part that makes a torque builds: a sum of laws. */
@@ -35,7 +36,8 @@ typedef struct rot_loads {
   size_t n_terms;
   const rot_term *terms;
   size_t n_breaks;
-  const double *breaks_s; /* of the call, increasing */
+  const double *breaks_s; /* beside those of their numbers, increasing */
+  double noise_n_m;
 } rot_loads;
 
 /* Their normal form. ROT_ENOMEM, or ROT_EVALUE: a sum is beyond double precision. */

@@ -136,6 +136,18 @@ typedef struct rot_derived {
   size_t offset, n; /* n doubles, in the scene; n = 0: a pointer to one for each copy */
 } rot_derived;
 
+/* A constructor of scenes: its inputs, and what follows from them. */
+typedef struct rot_maker {
+  const char *constructor; /* as users call it */
+  size_t n_inputs;
+  const rot_input *inputs;
+  /* From inputs that rot_inputs_check() passed, which must live as long as the scene, as what it
+   * takes from the store. */
+  rot_status (*build)(const rot_given given[], rot_store *store, void *scene, rot_refusal *refusal);
+  size_t n_derived;
+  const rot_derived *derived;
+} rot_maker;
+
 /* How fast a motion goes: the shortest time in which a transient fades (Inf: none), the fastest
  * swing. */
 typedef struct rot_pace {
@@ -156,16 +168,11 @@ typedef struct rot_constraint {
   /* NULL, or the bound on a model's error in this scene: of models that leave out what no effect
    * names. 0 for the others, Inf where there is none. */
   double (*bound)(const rot_model *model, const void *scene, const rot_query *query);
-  /* What follows is 0 where the core does not build scenes of the constraint yet. */
-  const char *constructor; /* of its scenes, as users call it */
-  size_t n_inputs, n_columns;
-  const rot_input *inputs;
+  size_t n_makers, n_columns;
+  const rot_maker *makers;      /* all make scenes of scene_size */
   const rot_column_of *columns; /* in the order of rot_model.run */
   const rot_model_run *runs;    /* one for each model */
   size_t scene_size;
-  /* From inputs that rot_inputs_check() passed, which must live as long as the scene, as what it
-   * takes from the store. */
-  rot_status (*build)(const rot_given given[], rot_store *store, void *scene, rot_refusal *refusal);
   double (*start_s)(const void *scene);
   const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
   const char *between; /* what couples these copies, for the places of events; NULL: no such */
@@ -186,8 +193,6 @@ typedef struct rot_constraint {
   void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
   /* NULL, or the times where what acts jumps or kinks, increasing, beside those of its inputs. */
   const double *(*breaks)(const void *scene, size_t *n);
-  size_t n_derived;
-  const rot_derived *derived;
   int event_rows; /* its runs fill rot_rows.at_events */
   /* NULL, or which of the columns with `only_with` the rows of a scene have. */
   int (*shows)(const void *scene, size_t column);
@@ -197,15 +202,22 @@ typedef struct rot_constraint {
   rot_status (*reduce)(const void *scene, unsigned without, rot_store *store, void *to);
 } rot_constraint;
 
-/* The members of a constraint whose parts have these names in its file. */
 #define ROT_COUNT(list) (sizeof(list) / sizeof *(list))
+
+/* The members of a constraint with one constructor. */
+#define ROT_MADE_BY(constructor, inputs, n_inputs, build, derived, n_derived)                      \
+  .n_makers = 1, .makers = &(const rot_maker) {                                                    \
+    constructor, n_inputs, inputs, build, n_derived, derived                                       \
+  }
+
+/* The members of a constraint whose parts have these names in its file. */
 #define ROT_CONSTRAINT(name, of_measures)                                                          \
-  .id = #name, .constructor = "scene_" #name, .measures = of_measures,                             \
-  .n_effects = ROT_COUNT(effects), .effects = effects, .effects_of = effects_of,                   \
-  .n_models = ROT_COUNT(models), .models = models, .runs = runs, .n_inputs = ROT_COUNT(inputs),    \
-  .inputs = inputs, .scene_size = sizeof(name), .build = build, .start_s = start_s,                \
-  .n_columns = ROT_COUNT(columns), .columns = columns, .n_flows = ROT_COUNT(flows),                \
-  .flows = flows, .n_balances = ROT_COUNT(balances), .balances = balances,                         \
-  .n_terms = ROT_COUNT(terms), .terms = terms, .audit = audit, .keeps = keeps, .pace = pace
+  .id = #name, .measures = of_measures, .n_effects = ROT_COUNT(effects), .effects = effects,       \
+  .effects_of = effects_of, .n_models = ROT_COUNT(models), .models = models, .runs = runs,         \
+  ROT_MADE_BY("scene_" #name, inputs, ROT_COUNT(inputs), build, NULL, 0),                          \
+  .scene_size = sizeof(name), .start_s = start_s, .n_columns = ROT_COUNT(columns),                 \
+  .columns = columns, .n_flows = ROT_COUNT(flows), .flows = flows,                                 \
+  .n_balances = ROT_COUNT(balances), .balances = balances, .n_terms = ROT_COUNT(terms),            \
+  .terms = terms, .audit = audit, .keeps = keeps, .pace = pace
 
 #endif

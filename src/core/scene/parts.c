@@ -9,24 +9,35 @@
 #include "scene/drive/inputs.h"
 #include "scene/free/parts.h"
 
+/* The lists of their folders. */
+enum { LISTS = 6 };
+
+static const rot_part *list_at(size_t k, size_t *n) {
+  switch (k) {
+  case 0: return (*n = rot_body_n_parts, rot_body_parts);
+  case 1: return (*n = rot_compound_n_parts, rot_compound_parts);
+  case 2: return (*n = rot_law_n_parts, rot_law_parts);
+  case 3: return (*n = rot_axle_n_parts, rot_axle_parts);
+  case 4: return (*n = rot_drive_n_parts, rot_drive_parts);
+  default: return (*n = rot_free_n_parts, rot_free_parts);
+  }
+}
+
 const rot_part *rot_part_at(size_t i) {
-  const struct {
-    const rot_part *list;
-    size_t n;
-  } all[] = {{rot_body_parts, rot_body_n_parts},   {rot_compound_parts, rot_compound_n_parts},
-             {rot_law_parts, rot_law_n_parts},     {rot_axle_parts, rot_axle_n_parts},
-             {rot_drive_parts, rot_drive_n_parts}, {rot_free_parts, rot_free_n_parts}};
-  for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
-    if (i < all[k].n) return &all[k].list[i];
-    i -= all[k].n;
+  for (size_t k = 0, n; k < LISTS; k++) {
+    const rot_part *list = list_at(k, &n);
+    if (i < n) return &list[i];
+    i -= n;
   }
   return NULL;
 }
 
 const rot_part *rot_part_named(const char *constructor) {
-  const rot_part *part;
-  for (size_t i = 0; (part = rot_part_at(i)) != NULL; i++) {
-    if (!strcmp(part->constructor, constructor)) return part;
+  for (size_t k = 0, n; k < LISTS; k++) {
+    const rot_part *list = list_at(k, &n);
+    for (size_t i = 0; i < n; i++) {
+      if (!strcmp(list[i].constructor, constructor)) return &list[i];
+    }
   }
   return NULL;
 }

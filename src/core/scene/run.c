@@ -8,13 +8,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-const rot_constraint *rot_run_constraint(const char *constructor) {
+const rot_maker *rot_run_maker(const char *constructor, const rot_constraint **of) {
   size_t n;
   const rot_constraint *const *list = rot_choice_constraints(&n);
   for (size_t i = 0; i < n; i++) {
-    if (list[i]->constructor && !strcmp(list[i]->constructor, constructor)) return list[i];
+    for (size_t k = 0; k < list[i]->n_makers; k++) {
+      if (strcmp(list[i]->makers[k].constructor, constructor)) continue;
+      *of = list[i];
+      return &list[i]->makers[k];
+    }
   }
   return NULL;
+}
+
+rot_status rot_run_build(const rot_maker *maker, const rot_given given[], rot_store *store,
+                         void *scene, rot_refusal *refusal) {
+  const rot_status status = rot_inputs_check(maker->n_inputs, maker->inputs, given, refusal);
+  return status == ROT_OK ? maker->build(given, store, scene, refusal) : status;
 }
 
 size_t rot_run_column(const rot_constraint *constraint, const char *name) {

@@ -5,8 +5,12 @@
 
 #include "scene/choice.h"
 
-/* The constraint whose scenes this constructor makes; NULL: there is none that the core builds. */
-const rot_constraint *rot_run_constraint(const char *constructor);
+/* A constructor of scenes, and the constraint of these; NULL: there is none of this name. */
+const rot_maker *rot_run_maker(const char *constructor, const rot_constraint **of);
+
+/* A scene from inputs, which are checked. */
+rot_status rot_run_build(const rot_maker *maker, const rot_given given[], rot_store *store,
+                         void *scene, rot_refusal *refusal);
 
 /* Rows of a scene, and what they are worth. Begin with {0}. */
 typedef struct rot_outcome {

@@ -2,20 +2,14 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "body/parts.h"
+#include "engine/laws.h"
+#include "ground/real.h"
 #include "ground/search.h"
-#include "scene/axle/bands.h"
-#include "scene/axle/drag.h"
-#include "scene/axle/drop.h"
-#include "scene/axle/forced.h"
-#include "scene/axle/linear.h"
-#include "scene/axle/ode.h"
-#include "scene/axle/oscillator.h"
-#include "scene/axle/pendulum.h"
-#include "scene/axle/skater.h"
+#include "scene/axle/train.h"
 
 /* ---- parts ----------------------------------------------------------------------------------- */
 
@@ -82,7 +76,7 @@ const size_t rot_axle_n_parts = sizeof rot_axle_parts / sizeof *rot_axle_parts;
 
 /* ---- what acts ------------------------------------------------------------------------------- */
 
-static rot_status gather_breaks(rot_axle_scene *scene, rot_store *store) {
+rot_status rot_axle_gather_breaks(rot_axle_scene *scene, rot_store *store) {
   double *all = rot_store_get(store, rot_axle_scene_room(scene), sizeof *all);
   if (!all) return ROT_ENOMEM;
   scene->n_breaks = rot_axle_scene_breaks(scene, all);
@@ -97,6 +91,7 @@ rot_status rot_axle_load(const rot_given *torque, const rot_given *resists, rot_
   if (status != ROT_OK) return status;
   scene->linear.torque = loads.knots;
   scene->motor_n_m_s = loads.motor_n_m_s;
+  scene->noise_n_m = loads.noise_n_m;
   scene->n_terms = loads.n_terms;
   scene->terms = loads.terms;
   scene->n_breaks = loads.n_breaks;
@@ -110,39 +105,7 @@ rot_status rot_axle_load(const rot_given *torque, const rot_given *resists, rot_
     scene->static_n_m = r->static_n_m;
   }
   scene->linear.viscous_n_m_s = scene->viscous_n_m_s + scene->motor_n_m_s;
-  return gather_breaks(scene, store);
-}
-
-/* ---- inputs ---------------------------------------------------------------------------------- */
-
-enum { BODY, TORQUE, RESISTANCE, THETA0, OMEGA0, START, AXIS, THROUGH };
-
-static const char *const axes[] = {"z", "x", "y", NULL};
-static const char *const points[] = {"centre", "origin", NULL};
-
-const rot_input rot_axle_inputs[ROT_AXLE_INPUTS] = {
-    [BODY] = {"body", "kg*m^2", ROT_BODY_KINDS | ROT_INPUT_INERTIA, 1, 0.0, DBL_MAX, 1, NAN,
-              "a body, its moment of inertia about the axle, or how that changes", NULL},
-    [TORQUE] = {"torque", "N*m", ROT_TORQUE_KINDS, 0, ROT_NO_DOMAIN, NAN,
-                "a law of time_s, theta_rad, omega_rad_per_s; a list is the sum of its laws", NULL},
-    [RESISTANCE] = {"resistance", "", ROT_INPUT_RESISTANCE, 0, ROT_NO_DOMAIN, NAN,
-                    "what resists the rotation", NULL},
-    [THETA0] = ROT_NUMBER_INPUT("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, "angle at the start"),
-    [OMEGA0] = ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0,
-                                "angular velocity at the start"),
-    [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
-    [AXIS] = {"axis", "1", ROT_INPUT_CHOICE | ROT_INPUT_VECTOR, 0, ROT_NO_DOMAIN, NAN,
-              "direction of the axle, in the body's own axes", axes},
-    [THROUGH] = {"through", "m", ROT_INPUT_CHOICE | ROT_INPUT_VECTOR, 0, ROT_NO_DOMAIN, NAN,
-                 "a point of the axle, in the body's own axes; default: of the axle that the body "
-                 "names, or its centre of mass",
-                 points},
-};
-
-static int unit_axis(const rot_given *given, double axis[3]) {
-  static const double along[3][3] = {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
-  return rot_input_axis(
-      given->is == ROT_INPUT_VECTOR ? given->x : along[given->is ? given->option : 0], axis);
+  return rot_axle_gather_breaks(scene, store);
 }
 
 double rot_axle_inertia_at(const rot_axle_scene *scene, double t) {
@@ -156,11 +119,100 @@ double rot_axle_inertia_at(const rot_axle_scene *scene, double t) {
   return moment[i] * ((at[i + 1] - t) / width) + moment[i + 1] * ((t - at[i]) / width);
 }
 
-static rot_status build_inertia(const rot_given given[], rot_axle_scene *scene, rot_refusal *no) {
+/* ---- inputs ---------------------------------------------------------------------------------- */
+
+static const char *const axes[] = {"z", "x", "y", NULL};
+static const char *const points[] = {"centre", "origin", NULL};
+
+/* The inputs that constructors share. */
+#define RESISTS                                                                                    \
+  {                                                                                                \
+    "resistance", "", ROT_INPUT_RESISTANCE, 0, ROT_NO_DOMAIN, NAN, "what resists the rotation",    \
+        NULL                                                                                       \
+  }
+#define THETA0(words) ROT_NUMBER_INPUT("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, words)
+#define OMEGA0(words) ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, words)
+#define START         ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, WHEN)
+#define AXIS                                                                                       \
+  {                                                                                                \
+    "axis", "1", ROT_INPUT_CHOICE | ROT_INPUT_VECTOR, 0, ROT_NO_DOMAIN, NAN,                       \
+        "direction of the axle, in the body's own axes", axes                                      \
+  }
+#define LAW(words)                                                                                 \
+  { "torque", "N*m", ROT_TORQUE_KINDS, 0, ROT_NO_DOMAIN, NAN, words, NULL }
+#define GRAVITY                                                                                    \
+  ROT_NUMBER_INPUT("gravity_m_per_s2", "m/s^2", 0, -DBL_MAX, 0, 9.80665, "acceleration of gravity")
+#define WHEN          "when the state above holds"
+#define AT_START      "angle at the start"
+#define RATE_AT_START "angular velocity at the start"
+
+#define MOMENT(at)                                                                                 \
+  { "moment_of_inertia_kg_m2", offsetof(rot_axle_built, at), 1 }
+#define UNIT_AXIS                                                                                  \
+  { "axis", offsetof(rot_axle_built, axis), 3 }
+
+/* The state at the start and the axis z. `state`: the place of the angle, behind which the rate
+ * stands. */
+static void begin(const rot_input inputs[], const rot_given given[], size_t state, size_t start,
+                  rot_axle_built *built) {
+  memset(built, 0, sizeof *built);
+  built->scene.linear.theta0_rad = rot_input_number(inputs, given, state);
+  built->scene.linear.omega0_rad_per_s = rot_input_number(inputs, given, state + 1);
+  built->scene.linear.start_s = rot_input_number(inputs, given, start);
+  built->axis[2] = 1.0;
+}
+
+static rot_status set_axis(const rot_given given[], size_t input, double axis[3], rot_refusal *no) {
+  static const double along[3][3] = {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+  const rot_given *x = &given[input];
+  const double *of = x->is == ROT_INPUT_VECTOR ? x->x : along[x->is ? x->option : 0];
+  return rot_input_axis(of, axis) ? ROT_OK : rot_refuse(no, input, "must not be 0");
+}
+
+/* `computed`: from the numbers of a body; below 2.2e-308 it has lost digits. */
+static rot_status turns(double inertia, int computed, size_t input, rot_refusal *no) {
+  if (computed && inertia > 0.0 && inertia < DBL_MIN) {
+    return rot_refuse(no, input, "has a moment of inertia below what double precision resolves");
+  }
+  if (inertia > 0.0 && inertia < INFINITY) return ROT_OK;
+  return rot_refuse(no, input,
+                    "must have a moment of inertia about the axle, finite and greater than 0; it "
+                    "is %g: check mass, size and axis",
+                    inertia);
+}
+
+/* The loads of a scene whose torque is input `torque`. */
+static rot_status load(const rot_given given[], size_t torque, size_t resists, rot_store *store,
+                       rot_axle_built *built, rot_refusal *no) {
+  const rot_status status =
+      rot_axle_load(&given[torque], &given[resists], store, &built->scene, &built->own);
+  return status == ROT_EVALUE ? rot_refuse(no, torque, "adds up beyond double precision") : status;
+}
+
+/* ---- scene_axle() ---------------------------------------------------------------------------- */
+
+enum { BODY, TORQUE, RESISTANCE, THETA, OMEGA, FROM, AXLE, THROUGH };
+
+static const rot_input axle_inputs[] = {
+    [BODY] = {"body", "kg*m^2", ROT_BODY_KINDS | ROT_INPUT_INERTIA, 1, 0.0, DBL_MAX, 1, NAN,
+              "a body, its moment of inertia about the axle, or how that changes", NULL},
+    [TORQUE] = LAW("a law of time_s, theta_rad, omega_rad_per_s; a list is the sum of its laws"),
+    [RESISTANCE] = RESISTS,
+    [THETA] = THETA0(AT_START),
+    [OMEGA] = OMEGA0(RATE_AT_START),
+    [FROM] = START,
+    [AXLE] = AXIS,
+    [THROUGH] = {"through", "m", ROT_INPUT_CHOICE | ROT_INPUT_VECTOR, 0, ROT_NO_DOMAIN, NAN,
+                 "a point of the axle, in the body's own axes; default: of the axle that the body "
+                 "names, or its centre of mass",
+                 points},
+};
+
+static rot_status build_inertia(const rot_given given[], rot_axle_built *built, rot_refusal *no) {
   static const double origin[3] = {0.0, 0.0, 0.0};
   const rot_given *body = &given[BODY], *through = &given[THROUGH];
-  double axis[3], *inertia = &scene->linear.inertia_kg_m2;
-  if (!unit_axis(&given[AXIS], axis)) return rot_refuse(no, AXIS, "must not be 0");
+  rot_axle_scene *scene = &built->scene;
+  double *inertia = &scene->linear.inertia_kg_m2;
   if (body->is == ROT_INPUT_INERTIA) {
     const inertia_knots *knots = body->object;
     scene->n_inertia = knots->n;
@@ -172,168 +224,265 @@ static rot_status build_inertia(const rot_given given[], rot_axle_scene *scene, 
                           : !through->is                  ? NULL
                           : through->option == 0          ? body->body.centre_m
                                                           : origin;
-    *inertia = rot_body_moment(&body->body, axis, point);
-    if (*inertia > 0.0 && *inertia < DBL_MIN) {
-      return rot_refuse(no, BODY, "has a moment of inertia below what double precision resolves");
-    }
+    *inertia = rot_body_moment(&body->body, built->axis, point);
   } else {
     *inertia = body->x[0];
   }
-  if (*inertia > 0.0 && *inertia < INFINITY) return ROT_OK;
-  return rot_refuse(no, BODY, "must have a moment of inertia, finite and greater than 0; it is %g",
-                    *inertia);
+  return turns(*inertia, body->is == ROT_INPUT_BODY, BODY, no);
 }
 
-rot_status rot_axle_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+static rot_status build_axle(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
+  rot_axle_built *built = to;
+  begin(axle_inputs, given, THETA, FROM, built);
+  rot_status status = set_axis(given, AXLE, built->axis, no);
+  if (status == ROT_OK) status = build_inertia(given, built, no);
+  return status == ROT_OK ? load(given, TORQUE, RESISTANCE, store, built, no) : status;
+}
+
+static const rot_derived axle_derived[] = {MOMENT(scene.linear.inertia_kg_m2), UNIT_AXIS};
+
+/* ---- scene_pendulum() ------------------------------------------------------------------------ */
+
+enum { P_BODY, P_DISTANCE, P_RESISTANCE, P_THETA, P_OMEGA, P_TORQUE, P_FROM, P_AXLE, P_GRAVITY };
+
+static const rot_input pendulum_inputs[] = {
+    [P_BODY] = {"body", "", ROT_INPUT_BODY, 1, ROT_NO_DOMAIN, NAN, "that hangs from the axle",
+                NULL},
+    [P_DISTANCE] = ROT_NUMBER_INPUT("distance_m", "m", 0, 0.0, 0, NAN,
+                                    "of the centre of mass from the axle; default: from the axle "
+                                    "that the body names"),
+    [P_RESISTANCE] = RESISTS,
+    [P_THETA] = THETA0("angle at the start, 0 where it hangs straight down"),
+    [P_OMEGA] = OMEGA0(RATE_AT_START),
+    [P_TORQUE] = LAW("what acts beside gravity"),
+    [P_FROM] = START,
+    [P_AXLE] = AXIS,
+    [P_GRAVITY] = GRAVITY,
+};
+
+/* From the axle that the body names to its centre of mass; 0: it names none, or the centre. */
+static double named_distance(const rot_given_body *body, const double axis[3]) {
+  double off[3], along = 0.0, most = 0.0, square = 0.0;
+  for (int k = 0; k < 3; k++) {
+    off[k] = body->centre_m[k] - body->axle_m[k];
+    along += off[k] * axis[k];
+  }
+  for (int k = 0; k < 3; k++) {
+    off[k] -= along * axis[k];
+    most = fmax(most, fabs(off[k]));
+  }
+  for (int k = 0; k < 3 && most > 0.0; k++) square += (off[k] / most) * (off[k] / most);
+  return most > 0.0 ? most * sqrt(square) : 0.0;
+}
+
+static rot_status build_pendulum(const rot_given given[], rot_store *store, void *to,
+                                 rot_refusal *no) {
+  rot_axle_built *built = to;
+  const rot_given_body *body = &given[P_BODY].body;
+  begin(pendulum_inputs, given, P_THETA, P_FROM, built);
+  rot_status status = set_axis(given, P_AXLE, built->axis, no);
+  if (status != ROT_OK) return status;
+  const double distance = built->distance_m =
+      given[P_DISTANCE].is ? given[P_DISTANCE].x[0] : named_distance(body, built->axis);
+  if (!given[P_DISTANCE].is && distance == 0.0) {
+    return rot_refuse(no, P_DISTANCE,
+                      "is missing: the axle passes through no point that this body names");
+  }
+  const double arms[] = {body->mass_kg, distance, distance};
+  built->scene.linear.inertia_kg_m2 = rot_sum_product(
+      rot_body_moment(body, built->axis, body->centre_m), 3, arms, &built->scene.inertia_lo);
+  status = turns(built->scene.linear.inertia_kg_m2, 1, P_BODY, no);
+  if (status != ROT_OK) return status;
+  rot_law_sum pull;
+  const double gravity = rot_input_number(pendulum_inputs, given, P_GRAVITY);
+  status = rot_law_gravity(body->mass_kg, distance, gravity, 0.0, store, &pull);
+  if (status == ROT_EVALUE) return rot_refuse(no, P_BODY, "has a weight beyond double precision");
+  if (status != ROT_OK) return status;
+  const rot_given laws[] = {{.is = ROT_INPUT_TORQUE, .n = 1, .object = &pull}, given[P_TORQUE]};
+  const rot_given all = {.is = ROT_INPUT_LIST, .n = given[P_TORQUE].is ? 2 : 1, .item = laws};
+  status = rot_axle_load(&all, &given[P_RESISTANCE], store, &built->scene, &built->own);
+  if (status != ROT_EVALUE) return status;
+  return rot_refuse(no, P_TORQUE, "adds up beyond double precision");
+}
+
+static const rot_derived pendulum_derived[] = {
+    MOMENT(scene.linear.inertia_kg_m2),
+    {"distance_m", offsetof(rot_axle_built, distance_m), 1},
+    UNIT_AXIS};
+
+/* ---- scene_hanging_mass() -------------------------------------------------------------------- */
+
+enum {
+  H_BODY,
+  H_MASS,
+  H_RADIUS,
+  H_RESISTANCE,
+  H_THETA,
+  H_OMEGA,
+  H_COUNTER,
+  H_FROM,
+  H_AXLE,
+  H_GRAVITY
+};
+
+static const rot_input hanging_inputs[] = {
+    [H_BODY] = {"body", "kg*m^2", ROT_BODY_KINDS, 1, 0.0, DBL_MAX, 0, NAN,
+                "the pulley, or its moment of inertia", NULL},
+    [H_MASS] = ROT_NUMBER_INPUT("mass_kg", "kg", 1, 0.0, 1, NAN, "the mass that hangs"),
+    [H_RADIUS] = ROT_NUMBER_INPUT("radius_m", "m", 0, 0.0, 1, NAN,
+                                  "at which the rope leaves the pulley; default: that of a body "
+                                  "which is round about its z axis"),
+    [H_RESISTANCE] = RESISTS,
+    [H_THETA] = THETA0("angle at the start; it grows where the mass goes down"),
+    [H_OMEGA] = OMEGA0(RATE_AT_START),
+    [H_COUNTER] =
+        ROT_NUMBER_INPUT("counter_mass_kg", "kg", 0, 0.0, 0, 0.0, "the mass on the other side"),
+    [H_FROM] = START,
+    [H_AXLE] = AXIS,
+    [H_GRAVITY] = GRAVITY,
+};
+
+static rot_status build_hanging(const rot_given given[], rot_store *store, void *to,
+                                rot_refusal *no) {
+#define VALUE(input) rot_input_number(hanging_inputs, given, input)
+  rot_axle_built *built = to;
+  const rot_given *body = &given[H_BODY];
+  double lo;
+  begin(hanging_inputs, given, H_THETA, H_FROM, built);
+  rot_status status = set_axis(given, H_AXLE, built->axis, no);
+  if (status != ROT_OK) return status;
+  const int round = body->is == ROT_INPUT_BODY && fabs(built->axis[2]) == 1.0;
+  const double own = body->is == ROT_INPUT_BODY
+                         ? rot_body_moment(&body->body, built->axis, body->body.centre_m)
+                         : body->x[0];
+  const double r = given[H_RADIUS].is ? given[H_RADIUS].x[0] : round ? body->body.radius_m : NAN;
+  if (!(r > 0.0 && r < INFINITY)) {
+    return rot_refuse(no, H_RADIUS, "is missing: the pulley has no radius of its own");
+  }
+  const double first[] = {VALUE(H_MASS), r, r}, second[] = {VALUE(H_COUNTER), r, r};
+  const double weights[] = {first[0] - second[0], VALUE(H_GRAVITY), r};
+  built->rope = (rot_axle_rope){{first[0], second[0]}, r, own, weights[1]};
+  built->scene.linear.inertia_kg_m2 =
+      rot_sum_product(rot_sum_product(own, 3, first, &lo), 3, second, &lo);
+  status = turns(built->scene.linear.inertia_kg_m2, 1, H_BODY, no);
+  if (status != ROT_OK) return status;
+  const double torque = rot_sum_product(0.0, 3, weights, &lo);
+  if (!isfinite(torque)) {
+    return rot_refuse(no, H_MASS, "has a weight whose torque exceeds double precision");
+  }
+  const rot_given weight = {.is = ROT_INPUT_NUMBER, .n = 1, .x = &torque};
+  return rot_axle_load(&weight, &given[H_RESISTANCE], store, &built->scene, &built->own);
+#undef VALUE
+}
+
+static const rot_derived hanging_derived[] = {
+    MOMENT(scene.linear.inertia_kg_m2),
+    {"radius_m", offsetof(rot_axle_built, rope.radius_m), 1},
+    UNIT_AXIS};
+
+/* ---- scene_gears() --------------------------------------------------------------------------- */
+
+enum { G_BODIES, G_RATIOS, G_EFFICIENCY, G_TORQUE, G_VISCOUS, G_THETA, G_OMEGA, G_FROM };
+
+#define EACH(name, unit, required, low, high, above, otherwise, words)                             \
+  { name, unit, ROT_INPUT_NUMBERS, required, low, high, above, otherwise, words, NULL }
+
+static const rot_input gears_inputs[] = {
+    [G_BODIES] = {"bodies", "kg*m^2", ROT_BODY_KINDS | ROT_INPUT_NUMBERS | ROT_INPUT_LIST, 1, 0.0,
+                  DBL_MAX, 1, NAN,
+                  "of the shafts, in their order: bodies, of which Izz counts, or moments", NULL},
+    [G_RATIOS] = EACH("ratios", "1", 1, -DBL_MAX, DBL_MAX, 0, NAN,
+                      "of each stage, omega before it over omega behind it: one number, or one for "
+                      "each; not 0"),
+    [G_EFFICIENCY] = EACH("efficiency", "1", 0, 0.0, 1.0, 1, 1.0, "of each stage, likewise"),
+    [G_TORQUE] =
+        EACH("torque_n_m", "N*m", 0, -DBL_MAX, DBL_MAX, 0, 0.0, "on each shaft from outside"),
+    [G_VISCOUS] = EACH("viscous_n_m_s", "N*m*s", 0, 0.0, DBL_MAX, 0, 0.0,
+                       "of the bearings of each shaft: one number, or one for each"),
+    [G_THETA] = THETA0("angle of the first shaft at the start"),
+    [G_OMEGA] = OMEGA0("angular velocity of the first shaft at the start"),
+    [G_FROM] = START,
+};
+
+/* The shafts at the first. */
+static rot_status read_train(const rot_given given[], rot_store *store, rot_axle_train *train,
+                             rot_refusal *no) {
+  const size_t n = rot_body_count(&given[G_BODIES]), meshes = n ? n - 1 : 0;
+  double *inertia = rot_store_get(store, n, sizeof *inertia);
+  double *ratio = rot_store_get(store, meshes, sizeof *ratio);
+  double *efficiency = rot_store_get(store, meshes, sizeof *efficiency);
+  double *torque = rot_store_get(store, n, sizeof *torque);
+  double *viscous = rot_store_get(store, n, sizeof *viscous);
+  if (!inertia || !ratio || !efficiency || !torque || !viscous) return ROT_ENOMEM;
+  rot_status status = rot_body_moments(given, G_BODIES, inertia, no);
+  if (status != ROT_OK) return status;
+  if (given[G_TORQUE].n == 1 && n > 1 && given[G_TORQUE].x[0] != 0.0) {
+    return rot_refuse(no, G_TORQUE, "must have a torque for each of the %zu shafts", n);
+  }
+  const struct {
+    size_t input, n;
+    double *to;
+  } each[] = {{G_RATIOS, meshes, ratio},
+              {G_EFFICIENCY, meshes, efficiency},
+              {G_TORQUE, n, torque},
+              {G_VISCOUS, n, viscous}};
+  for (size_t i = 0; i < ROT_COUNT(each); i++) {
+    status = rot_input_each(gears_inputs, given, each[i].input, each[i].n, each[i].to, no);
+    if (status != ROT_OK) return status;
+  }
+  for (size_t i = 0; i < meshes; i++) {
+    if (ratio[i] == 0.0) return rot_refuse(no, G_RATIOS, "must not be 0");
+  }
+  return rot_axle_train_reflect(n, ratio, inertia, viscous, torque, efficiency, store, train);
+}
+
+static rot_status build_gears(const rot_given given[], rot_store *store, void *to,
+                              rot_refusal *no) {
   rot_axle_built *built = to;
   rot_axle_scene *scene = &built->scene;
-  memset(built, 0, sizeof *built);
-  scene->linear.start_s = rot_input_number(rot_axle_inputs, given, START);
-  scene->linear.theta0_rad = rot_input_number(rot_axle_inputs, given, THETA0);
-  scene->linear.omega0_rad_per_s = rot_input_number(rot_axle_inputs, given, OMEGA0);
-  rot_status status = build_inertia(given, scene, no);
+  rot_axle_train train;
+  rot_axle_train_law law;
+  begin(gears_inputs, given, G_THETA, G_FROM, built);
+  rot_status status = read_train(given, store, &train, no);
   if (status != ROT_OK) return status;
-  status = rot_axle_load(&given[TORQUE], &given[RESISTANCE], store, scene, &built->own);
-  if (status == ROT_EVALUE) return rot_refuse(no, TORQUE, "adds up beyond double precision");
-  return status;
+  status = rot_axle_train_law_of(&train, store, &law);
+  if (status == ROT_ESTEP) {
+    return rot_refuse(no, G_VISCOUS, "makes power flows change at too many rates");
+  }
+  if (status != ROT_OK) return status;
+  status = turns(law.inertia_kg_m2, 1, G_BODIES, no);
+  if (status != ROT_OK) return status;
+  if (!isfinite(law.torque_n_m) || !isfinite(law.viscous_n_m_s) || !isfinite(law.dry_n_m)) {
+    return rot_refuse(no, G_TORQUE, "at the first shaft exceeds double precision");
+  }
+  scene->linear.inertia_kg_m2 = law.inertia_kg_m2;
+  scene->viscous_n_m_s = law.viscous_n_m_s;
+  scene->coulomb_n_m = scene->static_n_m = law.dry_n_m;
+  built->is_train = 1;
+  memcpy(built->rounding, law.rounding, sizeof law.rounding);
+  built->geared = law.lossy;
+  built->gears = law.gears;
+  rot_law_sum curve;
+  const rot_given laws[] = {{.is = ROT_INPUT_NUMBER, .n = 1, .x = &law.torque_n_m},
+                            {.is = ROT_INPUT_TORQUE, .n = 1, .object = &curve}};
+  const rot_given all = {.is = ROT_INPUT_LIST, .n = law.n_curve ? 2 : 1, .item = laws};
+  if (law.n_curve) {
+    status = rot_law_curve(law.n_curve, law.omega_rad_per_s, law.curve_n_m, store, &curve);
+    if (status != ROT_OK) return status;
+  }
+  return rot_axle_load(&all, NULL, store, scene, &built->own);
 }
 
-double rot_axle_start_s(const void *scene) {
-  return ((const rot_axle_scene *)scene)->linear.start_s;
-}
+static const rot_derived gears_derived[] = {MOMENT(scene.linear.inertia_kg_m2)};
 
-/* ---- columns --------------------------------------------------------------------------------- */
+/* ---- all ------------------------------------------------------------------------------------- */
 
-const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS] = {
-    ROT_COLUMN("theta_rad", "rad", 1 + ROT_THETA),
-    ROT_COLUMN("omega_rad_per_s", "rad/s", 1 + ROT_OMEGA),
-    ROT_COLUMN("applied_torque_n_m", "N m", 0),
-    ROT_COLUMN("damping_torque_n_m", "N m", 0),
-    ROT_COLUMN("net_torque_n_m", "N m", 0),
-    ROT_COLUMN("angular_momentum_kg_m2_per_s", "kg m^2/s", 0),
-    ROT_COLUMN("rotational_kinetic_energy_j", "J", 0),
-    {"moment_of_inertia_kg_m2", 0, ROT_AS_SHOWN, "kg m^2", 0, 0},
-    {"alpha_rad_per_s2", 0, ROT_AS_SHOWN, "rad/s^2", 0, 0},
-#define X(name, unit) {name, 0, ROT_AS_SHOWN, unit, 0, 0},
-    ROT_AXLE_MASS_COLUMNS(X, "") ROT_AXLE_MASS_COLUMNS(X, "_1") ROT_AXLE_MASS_COLUMNS(X, "_2")
-#undef X
-};
-/* Their places: of a single mass, of two. */
-enum { MOMENT = 7, ALPHA, SINGLE, FIRST = SINGLE + ROT_AXLE_OF_MASS };
+#define MAKER(name, inputs, build, derived)                                                        \
+  { name, ROT_COUNT(inputs), inputs, build, ROT_COUNT(derived), derived }
 
-int rot_axle_shows(const void *built, size_t column) {
-  const rot_axle_built *axle = built;
-  const double *mass = axle->rope.mass_kg;
-  if (column < MOMENT) return 1;
-  if (column == MOMENT) return axle->scene.n_inertia > 0;
-  if (column == ALPHA) return mass[0] > 0.0;
-  return mass[0] > 0.0 && (column < FIRST) == (mass[1] == 0.0);
-}
-
-static rot_axle_columns columns_of(void *const column[]) {
-  rot_axle_columns out;
-  size_t i = 0;
-#define X(type, name) out.name = column[i++];
-  ROT_AXLE_COLUMNS(X)
-#undef X
-  return out;
-}
-
-/* ---- runs ------------------------------------------------------------------------------------ */
-
-rot_status rot_axle_reduce(const void *built, unsigned without, rot_store *store, void *to) {
-  const rot_axle_built *whole = built;
-  rot_axle_built *reduced = to;
-  rot_axle_scene *scene = &reduced->scene;
-  *reduced = *whole;
-  if (!without) return ROT_OK;
-  rot_term *terms = rot_store_get(store, scene->n_terms, sizeof *terms);
-  if (!terms) return ROT_ENOMEM;
-  *scene = rot_axle_without(&whole->scene, without, terms);
-  scene->n_breaks = whole->own.n;
-  scene->breaks_s = whole->own.breaks_s;
-  return gather_breaks(scene, store);
-}
-
-/* Beside those of the scene that was solved: all torques, and what scenes of their own add. */
-static void finish_rows(const rot_axle_built *axle, const rot_task *task, void *const column[],
-                        const rot_info *info) {
-  const rot_axle_scene *scene = &axle->scene;
-  const rot_axle_columns out = columns_of(column);
-  const size_t n = info->rows_done;
-  double *inertia = column[MOMENT], *mass[2][ROT_AXLE_OF_MASS];
-  if (task->without) {
-    rot_axle_scene_torques(scene, n, task->time_s, out.theta_rad, out.omega_rad_per_s,
-                           out.applied_torque_n_m, out.damping_torque_n_m, out.net_torque_n_m);
-  }
-  for (size_t i = 0; i < n && scene->n_inertia; i++) {
-    inertia[i] = rot_axle_inertia_at(scene, task->time_s[i]);
-  }
-  for (size_t i = 0; i < n && axle->geared; i++) {
-    out.applied_torque_n_m[i] = axle->gears.applied_n_m + 0.0 * out.applied_torque_n_m[i];
-    out.damping_torque_n_m[i] = out.net_torque_n_m[i] - out.applied_torque_n_m[i];
-  }
-  if (axle->rope.mass_kg[0] == 0.0) return;
-  for (int k = 0; k < ROT_AXLE_OF_MASS; k++) {
-    mass[0][k] = column[(axle->rope.mass_kg[1] > 0.0 ? FIRST : SINGLE) + k];
-    mass[1][k] = column[FIRST + ROT_AXLE_OF_MASS + k];
-  }
-  rot_axle_rope_rows(&axle->rope, scene->linear.inertia_kg_m2, n, &out, column[ALPHA],
-                     (double *const(*)[ROT_AXLE_OF_MASS])mass);
-}
-
-/* By a closed form, or integrated where there is none. */
-static rot_status run(rot_axle_model closed, const rot_axle_built *axle, const rot_task *task,
-                      rot_method method, const rot_rows *rows, const rot_hooks *hooks,
-                      rot_info *info) {
-  const rot_axle_columns out = columns_of(rows->column);
-  const rot_axle_ode_options options = {task->accuracy, task->max_steps,
-                                        task->asked ? method : ROT_METHOD_NONE, task->resolution};
-  const rot_axle_flows flows = {rows->flow, rows->flow_error};
-  rot_axle_built solved;
-  rot_store store = {0};
-  rot_events own = {0}, *events = rows->events ? rows->events : &own;
-  rot_info_clear(info, rot_turning);
-  rot_status status = info->status = rot_axle_reduce(axle, task->without, &store, &solved);
-  if (status == ROT_OK) {
-    status = closed ? closed(&solved.scene, task->n, task->time_s, &out, events, hooks, info)
-                    : rot_axle_integrate(&solved.scene, &options, task->n, task->time_s, &out,
-                                         events, rows->flow ? &flows : NULL, hooks, info);
-  }
-  if (status == ROT_OK && closed && rows->flow) {
-    const rot_axle_motion motion = {
-        &solved.scene, task->flows_of_whole ? &axle->scene : &solved.scene, closed, events, info};
-    status = info->status = rot_axle_flows_of(&motion, task->n, task->time_s, &flows, hooks);
-  }
-  if (rows->flow && axle->geared) {
-    rot_axle_flows_geared(&solved.scene, &axle->gears, info->rows_done, task->time_s, out.theta_rad,
-                          &flows);
-  }
-  finish_rows(axle, task, rows->column, info);
-  rot_events_free(&own);
-  rot_store_free(&store);
-  return status;
-}
-
-#define RUN(name, closed)                                                                          \
-  static rot_status name(const void *scene, const rot_task *task, rot_method method,               \
-                         const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {           \
-    return run(closed, scene, task, method, rows, hooks, info);                                    \
-  }
-RUN(run_free, rot_axle_free_scene)
-RUN(run_linear, rot_axle_linear_scene)
-RUN(run_skater, rot_axle_skater)
-RUN(run_drag, rot_axle_drag)
-RUN(run_forced, rot_axle_forced)
-RUN(run_oscillator, rot_axle_oscillator)
-RUN(run_pendulum, rot_axle_pendulum)
-RUN(run_bands, rot_axle_bands)
-RUN(run_integrated, NULL)
-
-const rot_model_run rot_axle_runs[ROT_AXLE_MODELS] = {
-    {ROT_METHOD_NONE, run_free},        {ROT_METHOD_NONE, run_linear},
-    {ROT_METHOD_NONE, run_skater},      {ROT_METHOD_NONE, run_drag},
-    {ROT_METHOD_NONE, run_forced},      {ROT_METHOD_NONE, run_oscillator},
-    {ROT_METHOD_NONE, run_pendulum},    {ROT_METHOD_NONE, run_bands},
-    {ROT_METHOD_RK8PD, run_integrated}, {ROT_METHOD_RADAU, run_integrated},
+const rot_maker rot_axle_makers[ROT_AXLE_MAKERS] = {
+    MAKER("scene_axle", axle_inputs, build_axle, axle_derived),
+    MAKER("scene_pendulum", pendulum_inputs, build_pendulum, pendulum_derived),
+    MAKER("scene_hanging_mass", hanging_inputs, build_hanging, hanging_derived),
+    MAKER("scene_gears", gears_inputs, build_gears, gears_derived),
 };

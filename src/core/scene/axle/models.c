@@ -8,6 +8,7 @@
 #include "scene/axle/forced.h"
 #include "scene/axle/inputs.h"
 #include "scene/axle/pace.h"
+#include "scene/axle/runs.h"
 #include "ground/search.h"
 
 /* ---- effects --------------------------------------------------------------------------------- */
@@ -285,14 +286,12 @@ const rot_constraint rot_axle_constraint = {
     .models = models,
     .effects_of = effects_of,
     .drop = drop,
-    .constructor = "scene_axle",
-    .n_inputs = ROT_AXLE_INPUTS,
+    .n_makers = ROT_AXLE_MAKERS,
+    .makers = rot_axle_makers,
     .n_columns = ROT_AXLE_ALL_COLUMNS,
-    .inputs = rot_axle_inputs,
     .columns = rot_axle_all_columns,
     .runs = rot_axle_runs,
     .scene_size = sizeof(rot_axle_built),
-    .build = rot_axle_build,
     .start_s = rot_axle_start_s,
     .n_flows = ROT_AXLE_FLOWS,
     .flows = rot_axle_flow_names,

@@ -7,6 +7,7 @@
 #include "ground/real.h"
 #include "maths/panels.h"
 #include "scene/axle/inputs.h"
+#include "scene/axle/runs.h"
 #include "scene/axle/models.h"
 #include "scene/clutch/clutch.h"
 #include "scene/drive/ledger.h"
