@@ -13,17 +13,16 @@ integrate_axle <- function(id, scene, time_s, accuracy, max_steps, call, asked) 
   reader <- law_reader(law, scene, call)
   if (law$arguments == 3L) check_start_level(scene, reader, call)
   seen <- law_breaks(law, reader$at, span[1], span[2], call, resolution)
-  sampled <- if (law$arguments == 1L) sample_and_compare(reader, scene, span, seen, accuracy)
+  sampled <- if (law$arguments == 1L) sample_and_compare(reader, resolution, span, seen, accuracy)
   if (is.null(sampled)) {
     law$breaks_s <- seen$stops
     solved <- with_law(scene, law)
     result <- solve(solved, time_s, list(torque = list(reader$own)))
   } else {
-    sampled$term$stops_s <- as.double(sampled$stops)
-    sampled$term$noise_n_m <- sampled$error
-    solved <- with_law(scene, sampled$term)
+    term <- sampled_law(sampled)
+    solved <- with_law(scene, term)
     result <- solve(solved, time_s)
-    alone <- identical(axle_torque(solved), sampled$term)
+    alone <- identical(axle_torque(solved), term)
     if (alone) result <- read_zeros(result, sampled, reader$at, time_s)
   }
   result$info$rhs_calls <- reader$calls() + if (is.null(sampled)) result$info$rhs_calls else 0
@@ -68,41 +67,6 @@ check_start_level <- function(scene, reader, call) {
     i = "Let it return 0 N m at that angle, as {.code sign()} does at 0: then it rests. Or start
          beside it."
   ), "step", call)
-}
-
-# The samples of a law of time, compared with the law on the grid of its scan. What lies between the
-# nodes of the samples shows there, and the law is sampled anew around it. NULL as sample_torque().
-sample_and_compare <- function(reader, scene, span, seen, accuracy) {
-  stops <- seen$stops
-  time_s <- seen$time_s
-  torque_n_m <- seen$torque_n_m
-  for (round in 1:8) {
-    sampled <- sample_torque(reader, span, stops, accuracy)
-    if (is.null(sampled)) return(NULL)
-    if (is.null(time_s)) { # breaks were given: not the grid's own points, which they may be
-      n <- scan_points_of(resolution_of(scene))
-      time_s <- span[1] + diff(span) * (seq_len(n) - 0.5) / n
-      torque_n_m <- reader$at(time_s)
-    }
-    believed <- samples_at(sampled, scene, time_s)
-    # A time at a break has two values.
-    off <- abs(torque_n_m - believed) > 8 * sampled$error & !time_s %in% stops
-    missed <- which(!(off %in% FALSE))
-    if (!length(missed)) {
-      sampled$stops <- stops
-      return(sampled)
-    }
-    beside <- c(missed - 1L, missed, missed + 1L)
-    beside <- unique(beside[beside >= 1L & beside <= length(time_s)])
-    stops <- in_order(unique(c(stops, time_s[beside])))
-  }
-  NULL
-}
-
-samples_at <- function(sampled, scene, time_s) {
-  scene <- bare_axle(sampled$term, scene$start_s)
-  rest <- double(length(time_s))
-  .Call(ffi_axle_torques, scene, time_s, rest, rest)$applied_torque_n_m
 }
 
 # Where a law alone passes zero, its samples leave their rounding: those rows take what the function

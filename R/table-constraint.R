@@ -128,6 +128,7 @@ run_table_model <- function(id, model, scene, time_s, control, call, looks) {
   if (looks) {
     control[4] <- resolution_of(scene)
     solved <- with_found_breaks(scene, range(scene$start_s, time_s), call)
+    laws <- table_laws(solved, call)
   }
   result <- .Call(
     ffi_scene_run, id, solved, model, time_s, control, laws, progress_bar("integrating")

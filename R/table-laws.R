@@ -39,13 +39,14 @@ table_laws <- function(scene, call) {
   Filter(length, Map(laws, given, names(given)))
 }
 
-# The scene with each torque function f(law, state) in its place; `state`: the angle and rate at the
-# start, by the names of scenes, of the rotor that it acts on; 0 for a clutch or brake.
+# The scene with each torque function f(law, state, acts) in its place; `state`: the angle and rate
+# at the start, by the names of scenes, of the rotor that it acts on; 0 for a clutch or brake, which
+# does not act by itself.
 map_torque_functions <- function(scene, f) {
-  walk <- function(x, state) {
-    if (inherits(x, "rot_torque_function")) return(f(x, state))
+  walk <- function(x, state, acts) {
+    if (inherits(x, "rot_torque_function")) return(f(x, state, acts))
     if (!is.list(x) || inherits(x, "rot_body")) return(x)
-    for (i in which(!vapply(x, is.null, NA))) x[[i]] <- walk(.subset2(x, i), state)
+    for (i in which(!vapply(x, is.null, NA))) x[[i]] <- walk(.subset2(x, i), state, acts)
     x
   }
   inputs <- constraint_of(scene)$inputs
@@ -53,34 +54,80 @@ map_torque_functions <- function(scene, f) {
     form <- inputs[[name]]$form
     x <- .subset2(scene, name)
     if (form == "torque" && !is.null(x)) {
-      scene[[name]] <- walk(x, unclass(scene)[c("theta0_rad", "omega0_rad_per_s")])
+      state <- unclass(scene)[c("theta0_rad", "omega0_rad_per_s", "start_s")]
+      scene[[name]] <- walk(x, state, TRUE)
     } else if (form %in% c("laws", "brakes", "couplings")) {
       for (i in which(!vapply(x, is.null, NA))) {
         acts <- form == "laws"
         state <- list(
           theta0_rad = if (acts) scene$theta0_rad[i] else 0,
-          omega0_rad_per_s = if (acts) scene$omega0_rad_per_s[i] else 0
+          omega0_rad_per_s = if (acts) scene$omega0_rad_per_s[i] else 0, start_s = scene$start_s
         )
-        scene[[name]][[i]] <- walk(x[[i]], state)
+        scene[[name]][[i]] <- walk(x[[i]], state, acts)
       }
     }
   }
   scene
 }
 
-# A scene whose functions of time have their breaks: those given, or those that are found.
+# A law that needs more is called: a run takes 2,000 to 10,000 calls.
+few_samples <- 5000L
+
+# A scene whose functions of time are sampled, so that a run does not call them, or have their
+# breaks: those given, or those that are found. The samples are as good as an integrator can be
+# asked for.
 with_found_breaks <- function(scene, span, call) {
-  map_torque_functions(scene, function(law, state) {
+  resolution <- resolution_of(scene)
+  scene <- map_torque_functions(scene, function(law, state, acts) {
     reader <- law_reader(law, state, call)
-    law$breaks_s <- law_breaks(law, reader$at, span[1], span[2], call, resolution_of(scene))$stops
+    seen <- law_breaks(law, reader$at, span[1], span[2], call, resolution)
+    sampled <- if (acts && law$arguments == 1L) {
+      sample_and_compare(reader, resolution, span, seen, 1e-13, few_samples)
+    }
+    if (!is.null(sampled)) return(sampled_law(sampled))
+    law$breaks_s <- seen$stops
     law
   })
+  inputs <- constraint_of(scene)$inputs
+  breaks <- names(Filter(function(one) one$form == "sorted", inputs))
+  for (name in names(inputs)) {
+    f <- .subset2(scene, name)
+    if (!is.function(f)) next
+    stops <- as.double(.subset2(scene, breaks))
+    sampled <- sample_function(f, name, inputs[[name]], stops, resolution, span, call)
+    if (is.null(sampled)) next
+    scene[[name]] <- structure(
+      list(terms = sampled$terms, noise = sampled$error), class = "rot_samples"
+    )
+    # Neighbours differ by rounding where they meet.
+    scene[[breaks]] <- sort(unique(c(stops, sampled$terms[[1]]$breaks_s)))
+  }
+  scene
+}
+
+# A function among the inputs, sampled where it is one of time alone; else NULL.
+sample_function <- function(f, name, input, stops, resolution, span, call) {
+  values <- if (input$form == "torques") 3L else 1L
+  if (count_law_arguments(f, function(n) n) != 1L) return(NULL)
+  at <- function(time_s) {
+    value <- vapply(time_s, function(t) {
+      x <- f(t)
+      if (length(x) == values && (is.numeric(x) || is.logical(x)) && !is.object(x)) {
+        as.double(x)
+      } else {
+        abort_law_value(x, t, name, input$unit, call, values = values)
+      }
+    }, double(values))
+    matrix(value, length(time_s), values, byrow = TRUE)
+  }
+  if (span[2] > span[1]) check_repeats(at, span[1], span[2], call)
+  sample_and_compare(list(at = at), resolution, span, list(stops = stops), 1e-13, few_samples)
 }
 
 # Calls all torque functions once, at the start; NULL where there are none.
 call_table_laws <- function(scene, call) {
   readers <- list()
-  map_torque_functions(scene, function(law, state) {
+  map_torque_functions(scene, function(law, state, acts) {
     readers[[length(readers) + 1L]] <<- law_reader(law, state, call)
     law
   })

@@ -1,4 +1,4 @@
-# A torque function of time alone, sampled before the run: Chebyshev polynomials between its breaks,
+# A function of time alone, sampled before the run: Chebyshev polynomials between its breaks,
 # halved until their tail is below what the accuracy asks. The integrator then never calls R: a
 # sinusoid over 8 s takes some 130 samples where the integration would take 3500.
 
@@ -54,10 +54,10 @@ abort_torque_value <- function(value, time_s, call) {
   ), "torque", call)
 }
 
-# list(term, error, largest, impulse): the law as Chebyshev pieces over `span`, their largest error
-# and value in N m, the integral of the error in N m s. NULL where the law is not finite or the
-# pieces do not converge: then the integrator calls it.
-sample_torque <- function(reader, span, breaks_s, accuracy) {
+# list(terms, error, largest, impulse): the law as Chebyshev pieces over `span`, a term for each
+# number that it gives, their largest error and value in N m, the integral of the error in N m s.
+# NULL where the law is not finite or the pieces do not converge: then the integrator calls it.
+sample_torque <- function(reader, span, breaks_s, accuracy, most = most_samples) {
   if (!(span[2] > span[1])) return(NULL)
   edges <- c(span[1], breaks_s[breaks_s > span[1] & breaks_s < span[2]], span[2])
   from <- edges[-length(edges)]
@@ -67,7 +67,7 @@ sample_torque <- function(reader, span, breaks_s, accuracy) {
   samples <- 0
   while (length(from)) {
     samples <- samples + (sample_degree + 1L) * length(from)
-    fit <- if (samples <= most_samples) fit_pieces(reader$at, from, to)
+    fit <- if (samples <= most) fit_pieces(reader$at, from, to)
     if (is.null(fit)) return(NULL)
     largest <- max(largest, fit$height)
     wanted <- largest * max(1e-3 * accuracy, 2e-14) # below, many laws have noise of their own
@@ -82,32 +82,85 @@ sample_torque <- function(reader, span, breaks_s, accuracy) {
   if (error > largest * max(accuracy, 1e-13)) return(NULL) # a jump that is no break
   order <- order(fit$from)
   ends <- c(fit$from[order], span[2])
-  list(
+  width <- sample_degree + 1
+  term <- function(k) {
+    a <- fit$a[order, (k - 1) * width + seq_len(width), drop = FALSE]
     # Neighbours differ by rounding where they meet: a break, where the motion is still small.
-    term = new_term(
-      "chebyshev", c(length(order), sample_degree + 1, ends, t(fit$a[order, , drop = FALSE])),
-      "samples", breaks_s = ends
-    ),
+    new_term("chebyshev", c(length(order), width, ends, t(a)), "samples", breaks_s = ends)
+  }
+  list(
+    terms = lapply(seq_len(ncol(fit$a) / width), term),
     error = error + 4e-15 * largest,
     largest = largest,
     impulse = sum((fit$tail + 4e-15 * fit$height)[order] * diff(ends))
   )
 }
 
-# Matrices with a row for each piece: the coefficients a, the size of their tail, the largest value,
-# where the piece begins. NULL where the law is not finite. The ends of a piece are never sampled: a
-# law may jump there.
+# Matrices with a row for each piece: the coefficients a of each number of the law, side by side,
+# the size of their tail, the largest value, where the piece begins. NULL where the law is not
+# finite. The ends of a piece are never sampled: a law may jump there.
 fit_pieces <- function(at, from, to) {
   n <- sample_degree + 1L
   odd <- 2 * rev(seq_len(n)) - 1 # the times of a piece increase
   half <- (to - from) / 2
-  y <- matrix(at(as.vector(outer(half, cospi(odd / (2 * n))) + (from + half))), length(from))
-  if (!all(is.finite(y))) return(NULL)
+  value <- as.matrix(at(as.vector(outer(half, cospi(odd / (2 * n))) + (from + half))))
+  if (!all(is.finite(value))) return(NULL)
   # Whole turns are taken off as integers: else the rounding of 32 half turns is the largest error.
-  a <- (2 / n) * y %*% cospi((outer(odd, 0:sample_degree) %% (4 * n)) / (2 * n))
-  a[, 1] <- a[, 1] / 2
-  # Coefficients of a smooth law fall geometrically: the last four stand for all that follow.
-  tail <- 2 * apply(abs(a[, n - 0:3, drop = FALSE]), 1, max)
-  a[abs(a) < 2.5e-16 * apply(abs(a), 1, max)] <- 0 # rounding: 33 of them would add up
-  list(a = a, tail = cbind(tail), height = cbind(apply(abs(y), 1, max)), from = cbind(from))
+  turn <- cospi((outer(odd, 0:sample_degree) %% (4 * n)) / (2 * n))
+  each <- lapply(seq_len(ncol(value)), function(k) {
+    y <- matrix(value[, k], length(from))
+    a <- (2 / n) * y %*% turn
+    a[, 1] <- a[, 1] / 2
+    # Coefficients of a smooth law fall geometrically: the last four stand for all that follow.
+    tail <- 2 * apply(abs(a[, n - 0:3, drop = FALSE]), 1, max)
+    a[abs(a) < 2.5e-16 * apply(abs(a), 1, max)] <- 0 # rounding: 33 of them would add up
+    list(a = a, tail = tail, height = apply(abs(y), 1, max))
+  })
+  worst <- function(name) cbind(do.call(pmax, lapply(each, `[[`, name)))
+  list(
+    a = do.call(cbind, lapply(each, `[[`, "a")), tail = worst("tail"), height = worst("height"),
+    from = cbind(from)
+  )
+}
+
+# The samples of a law, compared with the law on the grid of its scan. What lies between the nodes
+# of the samples shows there, and the law is sampled anew around it. NULL as sample_torque().
+sample_and_compare <- function(reader, resolution, span, seen, accuracy, most = most_samples) {
+  stops <- seen$stops
+  time_s <- seen$time_s
+  value <- seen$torque_n_m
+  for (round in 1:8) {
+    sampled <- sample_torque(reader, span, stops, accuracy, most)
+    if (is.null(sampled)) return(NULL)
+    if (is.null(time_s)) { # breaks were given: not the grid's own points, which they may be
+      n <- scan_points_of(resolution)
+      time_s <- span[1] + diff(span) * (seq_len(n) - 0.5) / n
+      value <- reader$at(time_s)
+    }
+    agrees <- abs(as.matrix(value) - samples_at(sampled, time_s)) <= 8 * sampled$error
+    # A time at a break has two values.
+    missed <- which(rowSums(!(agrees & !is.na(agrees))) > 0 & !time_s %in% stops)
+    if (!length(missed)) {
+      sampled$stops <- stops
+      return(sampled)
+    }
+    beside <- c(missed - 1L, missed, missed + 1L)
+    beside <- unique(beside[beside >= 1L & beside <= length(time_s)])
+    stops <- in_order(unique(c(stops, time_s[beside])))
+  }
+  NULL
+}
+
+# The samples as a law of one number, with the stops of the integrator and their error.
+sampled_law <- function(sampled) {
+  term <- sampled$terms[[1]]
+  term$stops_s <- as.double(sampled$stops)
+  term$noise_n_m <- sampled$error
+  term
+}
+
+# A column for each number of the law.
+samples_at <- function(sampled, time_s) {
+  each <- lapply(sampled$terms, function(term) .Call(ffi_law_values, term, time_s))
+  matrix(unlist(each), length(time_s))
 }

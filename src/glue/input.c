@@ -103,7 +103,7 @@ typedef struct functions {
 static rot_law next_law(void *ctx) {
   functions *f = ctx;
   const R_xlen_t i = f->next++;
-  if (TYPEOF(f->specs) != VECSXP || i >= XLENGTH(f->specs)) return (rot_law){not_called, NULL};
+  if (TYPEOF(f->specs) != VECSXP || i >= XLENGTH(f->specs)) return (rot_law){.call = not_called};
   SEXP kept = f->laws->kept;
   ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
   /* It protects its call. */
@@ -113,7 +113,7 @@ static rot_law next_law(void *ctx) {
   SET_VECTOR_ELT(both, 1, VECTOR_ELT(kept, (R_xlen_t)f->place));
   SET_VECTOR_ELT(kept, (R_xlen_t)f->place, both);
   UNPROTECT(2);
-  return (rot_law){ffi_torque_values_at, called};
+  return (rot_law){.call = ffi_torque_values_at, .ctx = called};
 }
 
 static int read(const rot_input *input, SEXP x, functions *f, rot_given *to);
@@ -195,6 +195,10 @@ static int read(const rot_input *input, SEXP x, functions *f, rot_given *to) {
   if (part) return read_part(part, x, f, to);
   if (TYPEOF(x) == VECSXP && !Rf_isObject(x) && kinds & ROT_INPUT_LIST) {
     return read_list(input, x, f, to);
+  }
+  if (kinds & ROT_INPUT_LAW && Rf_inherits(x, "rot_samples")) {
+    to->is = ROT_INPUT_LAW;
+    return ffi_law_samples(x, &to->law);
   }
   if (Rf_isFunction(x) && kinds & ROT_INPUT_LAW) {
     to->is = ROT_INPUT_LAW;

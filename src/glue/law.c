@@ -76,3 +76,41 @@ rot_law_sum ffi_law_sum(SEXP torque, rot_law (*function)(void *ctx), void *ctx) 
   }
   return (rot_law_sum){(size_t)n, law};
 }
+
+/* ---- samples --------------------------------------------------------------------------------- */
+
+typedef struct samples {
+  size_t n;
+  rot_term *term; /* of each number of the law */
+} samples;
+
+static rot_status sampled_values(const double argument[], double value[], void *ctx) {
+  const samples *s = ctx;
+  for (size_t k = 0; k < s->n; k++) value[k] = rot_term_at(&s->term[k], argument[0], 0.0, 0.0, 0.0);
+  return ROT_OK;
+}
+
+int ffi_law_samples(SEXP list, rot_law *law) {
+  SEXP terms = ffi_element(list, "terms");
+  if (TYPEOF(terms) != VECSXP) return 0;
+  samples *s = (samples *)R_alloc(1, sizeof *s);
+  s->n = (size_t)XLENGTH(terms);
+  s->term = (rot_term *)R_alloc(s->n + 1, sizeof *s->term);
+  for (size_t k = 0; k < s->n; k++) {
+    if (!ffi_law_term_fits(VECTOR_ELT(terms, (R_xlen_t)k))) return 0;
+    s->term[k] = ffi_law_term(VECTOR_ELT(terms, (R_xlen_t)k));
+  }
+  *law = (rot_law){sampled_values, s, ffi_number_of(list, "noise")};
+  return 1;
+}
+
+/* A term of time alone at many times. */
+SEXP ffi_law_values(SEXP list, SEXP time_s) {
+  const rot_term term = ffi_law_term(list);
+  const double *t = ffi_reals(time_s, "time_s", -1);
+  SEXP out = Rf_allocVector(REALSXP, XLENGTH(time_s));
+  for (R_xlen_t i = 0; i < XLENGTH(time_s); i++) {
+    REAL(out)[i] = rot_term_at(&term, t[i], 0.0, 0.0, 0.0);
+  }
+  return out;
+}

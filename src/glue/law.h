@@ -13,4 +13,8 @@ int ffi_law_term_fits(SEXP list);
  * their order, as ctx holds the next one. */
 rot_law_sum ffi_law_sum(SEXP torque, rot_law (*function)(void *ctx), void *ctx);
 
+/* Samples of a function of time, list(terms, noise) of the class rot_samples, as a law; 0: they are
+ * damaged. */
+int ffi_law_samples(SEXP samples, rot_law *law);
+
 #endif

@@ -10,7 +10,7 @@ sample <- function(f, span = c(0, 8), breaks = double(), accuracy = 1e-9) {
 
 # Chebyshev pieces at some times, by the cosine form.
 value <- function(sampled, t) {
-  x <- sampled$term$x
+  x <- sampled$terms[[1]]$x
   n <- x[1]
   m <- x[2]
   breaks <- x[3:(3 + n)]

@@ -409,7 +409,7 @@ static rot_status give(const value *v, const rot_input *input, size_t at, rot_st
     caller_law *law = rot_store_get(store, 1, sizeof *law);
     if (!law) return ROT_ENOMEM;
     *law = v->law;
-    *to = (rot_given){.is = ROT_INPUT_LAW, .law = {call_law, law}};
+    *to = (rot_given){.is = ROT_INPUT_LAW, .law = {.call = call_law, .ctx = law}};
     break;
   }
   case OBJECT:

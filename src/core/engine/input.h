@@ -76,6 +76,7 @@ typedef struct rot_given_body {
 typedef struct rot_law {
   rot_status (*call)(const double argument[], double value[], void *ctx);
   void *ctx;
+  double noise; /* how far each value may be off, where they are samples of another */
 } rot_law;
 
 /* What was given for an input. */

@@ -144,8 +144,13 @@ static double ahead(const motion *m, double t) {
  * would pass its error test. */
 static void note_noise(motion *m) {
   double most = 0.0;
+  double off = 0.0; /* of laws that are samples */
   for (size_t u = 0; u < m->s.m; u++) most = fmax(most, m->s.size[u] / m->s.unit[u].inertia);
-  m->noise[1] = 4.0 * ROT_EPS * most;
+  for (size_t i = 0; i < m->s.n; i++) {
+    const rot_axle_scene *rotor = &m->s.scene->rotor[i];
+    off = fmax(off, rotor->noise_n_m / rotor->linear.inertia_kg_m2);
+  }
+  m->noise[1] = 4.0 * ROT_EPS * most + off;
   m->noise[0] = m->noise[2] = m->noise[1] * m->span_s;
 }
 

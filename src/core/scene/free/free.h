@@ -54,7 +54,8 @@ typedef struct rot_free_params {
   const double *knot_torque[3];
   rot_free_law law; /* and one of the caller's; may be NULL */
   void *ctx;
-  size_t n_rotors; /* at most ROT_FREE_MOST_ROTORS */
+  double law_noise_n_m; /* how far it may be off */
+  size_t n_rotors;      /* at most ROT_FREE_MOST_ROTORS */
   const rot_free_rotor *rotors;
   rot_free_motors motors; /* of those that are not driven; may be NULL */
   void *motors_ctx;

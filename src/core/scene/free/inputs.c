@@ -123,6 +123,7 @@ static rot_status read_torque(const rot_given *torque, size_t input, rot_free_bu
     built->law = torque->law;
     p->law = call_torque;
     p->ctx = &built->law;
+    p->law_noise_n_m = torque->law.noise;
   } else if (torque->is == ROT_INPUT_TABLE) {
     const rot_free_table_of *table = torque->object;
     if (table->columns != 3) {

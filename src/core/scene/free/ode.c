@@ -226,6 +226,11 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
   double start[MOST] = {1.0};
   for (int k = 0; k < 3; k++) start[MOMENTUM + k] = m->rotors.momentum0[k];
   for (size_t k = 0; k < m->rotors.n_states; k++) start[ROTORS + k] = m->rotors.start[k];
+  /* A motion that begins in the noise of its torque has no digits to be looked for. */
+  const double late =
+      n ? fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s)) : 0.0;
+  const double off = 2.0 * p->law_noise_n_m;
+  const double noise[] = {off / m->rotors.least * late, off, off};
   const int weight = rot_free_has_weight(p);
   const rot_ode_event zero = {.g = weight ? rise : NULL,
                               .component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
@@ -251,6 +256,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .events = &zero,
       .log = &out->events,
       .project = renormalise,
+      .noise = off > 0.0 ? noise : NULL,
       .integrals_between = 1,
       .resolution = rot_ode_resolution(p->law || p->motors, options->resolution)};
   memset(out->error, 0, sizeof out->error);

@@ -383,8 +383,9 @@ static void begin(motion *m, const rot_incline_scene *scene, double span_s, doub
 static void note_noise(motion *m, double pull) {
   const double friction = ways_of(m->mode).slip == 0 ? fabs(pull) : m->slides;
   const double sizes = fabs(m->gravity) + fabs(pull) + friction + m->resists;
-  m->noise[SPEED] = 4.0 * ROT_EPS * sizes;
-  m->noise[RIM] = 4.0 * ROT_EPS * fmax(sizes, (friction + m->resists) / m->beta);
+  const double off = m->scene->force_noise_n / m->p->mass_kg;
+  m->noise[SPEED] = 4.0 * ROT_EPS * sizes + off;
+  m->noise[RIM] = 4.0 * ROT_EPS * fmax(sizes, (friction + m->resists) / m->beta) + off;
   m->noise[TRAVEL] = m->noise[SPEED] * m->span_s;
   m->noise[TURN] = m->noise[RIM] * m->span_s;
 }

@@ -16,6 +16,7 @@ typedef struct rot_incline_scene {
   double drag_n_s_per_m, drag_n_s2_per_m2;
   rot_incline_force force;
   void *ctx;
+  double force_noise_n; /* how far it may be off */
   size_t n_breaks;
   const double *breaks_s;
 } rot_incline_scene;

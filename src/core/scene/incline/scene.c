@@ -127,6 +127,7 @@ rot_status rot_incline_build(const rot_given given[], rot_store *store, void *to
     built->law = given[FORCE].law;
     scene->force = call_force;
     scene->ctx = &built->law;
+    scene->force_noise_n = built->law.noise;
     scene->n_breaks = given[BREAKS].is ? given[BREAKS].n : 0;
     scene->breaks_s = given[BREAKS].x;
   }
