@@ -1,10 +1,11 @@
-/* For R: torques, stop and period of a scene on an axle. */
+/* For R: torques, stop, period and disturbance of a scene on an axle. */
 #include <math.h>
 #include <string.h>
 
 #include "glue/run.h"
 #include "glue/scene.h"
 #include "scene/axle/drag.h"
+#include "scene/axle/drop.h"
 #include "scene/axle/inputs.h"
 #include "scene/axle/models.h"
 #include "scene/axle/period.h"
@@ -59,4 +60,16 @@ SEXP ffi_axle_period(SEXP list) {
   SET_VECTOR_ELT(out, 3, Rf_ScalarReal(period.ratio));
   UNPROTECT(1);
   return out;
+}
+
+/* c(theta, omega): the change due to a torque, numbers = c(size, impulse, growth), see
+ * scene/axle/drop.h. */
+SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
+  static const char *const names[] = {"theta", "omega"};
+  const rot_axle_scene *axle = axle_scene(scene);
+  const rot_query query = {(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1), 1.0, 0.0};
+  const double *x = ffi_reals(numbers, "numbers", 3);
+  double by[2];
+  rot_axle_disturbance(axle, &query, x[0], x[1], x[2], &by[0], &by[1]);
+  return ffi_named(2, names, by);
 }

@@ -5,9 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/axle/drop.h"
-#include "scene/axle/inputs.h"
-#include "scene/axle/models.h"
 #include "scene/choice.h"
 
 /* ---- questions ------------------------------------------------------------------------------- */
@@ -174,16 +171,4 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
   }
   UNPROTECT(1);
   return out;
-}
-
-/* c(theta, omega): the change due to a torque, numbers = c(size, impulse, growth), see
- * scene/axle/drop.h. */
-SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
-  static const char *const names[] = {"theta", "omega"};
-  const rot_axle_built *axle = ffi_scene_build(&rot_axle_constraint, scene);
-  const rot_query query = {(size_t)XLENGTH(time_s), ffi_reals(time_s, "time_s", -1), 1.0, 0.0};
-  const double *x = ffi_reals(numbers, "numbers", 3);
-  double by[2];
-  rot_axle_disturbance(&axle->scene, &query, x[0], x[1], x[2], &by[0], &by[1]);
-  return ffi_named(2, names, by);
 }

@@ -209,3 +209,15 @@ test_that("every verb knows pulley and masses", {
   expect_s3_class(ggplot2::autoplot(motion), "ggplot")
   expect_s3_class(ggplot2::autoplot(none, panels = c("tension", "energy of the masses")), "ggplot")
 })
+
+# On a pulley without inertia that winds a mass up, the tension is -c |omega|/r.
+test_that("a tension below 0 is slack from 16 units of rounding of the weights on", {
+  wound <- function(units) {
+    size <- units * .Machine$double.eps * 2 * 9.80665
+    scene_hanging_mass(
+      0, 2, 0.5, resistance(viscous_n_m_s = size * 0.5), omega0_rad_per_s = -1
+    )
+  }
+  expect_no_warning(trajectory(wound(12), 0))
+  expect_warning(trajectory(wound(24), 0), class = "rotdyn_warning_slack")
+})
