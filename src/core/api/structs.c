@@ -20,12 +20,15 @@ rotdyn_status rot_api_status(rot_status status) {
   }
 }
 
+/* A struct of an older or newer header ends between members. */
+static int possible_size(size_t size) { return size >= sizeof size && size % sizeof(void *) == 0; }
+
 int rot_api_take(const void *from, size_t size, void *to) {
   const unsigned char *bytes = from;
   size_t given;
   if (!from) return 0;
   memcpy(&given, from, sizeof given);
-  if (given < sizeof given) return 0;
+  if (!possible_size(given)) return 0;
   for (size_t i = size; i < given; i++) {
     if (bytes[i]) return 0;
   }
@@ -39,7 +42,7 @@ int rot_api_give(const void *from, size_t size, void *to) {
   size_t given;
   if (!to) return 1;
   memcpy(&given, to, sizeof given);
-  if (given < head) return 0;
+  if (!possible_size(given)) return 0;
   const size_t both = given < size ? given : size;
   memcpy((unsigned char *)to + head, (const unsigned char *)from + head, both - head);
   return 1;

@@ -41,6 +41,39 @@ void rot_events_free(rot_events *events) {
   *events = (rot_events){0};
 }
 
+typedef struct entry {
+  double time_s;
+  size_t order;
+  rot_event event;
+  int place;
+} entry;
+
+static int earlier(const void *a, const void *b) {
+  const entry *x = a, *y = b;
+  if (x->time_s != y->time_s) return x->time_s < y->time_s ? -1 : 1;
+  return x->order < y->order ? -1 : 1;
+}
+
+rot_status rot_events_sort(rot_events *events) {
+  const size_t n = events->count;
+  size_t sorted = 1;
+  while (sorted < n && events->time_s[sorted - 1] <= events->time_s[sorted]) sorted++;
+  if (sorted >= n) return ROT_OK;
+  entry *all = malloc(n * sizeof *all);
+  if (!all) return ROT_ENOMEM;
+  for (size_t i = 0; i < n; i++) {
+    all[i] = (entry){events->time_s[i], i, events->event[i], events->place[i]};
+  }
+  qsort(all, n, sizeof *all, earlier);
+  for (size_t i = 0; i < n; i++) {
+    events->time_s[i] = all[i].time_s;
+    events->event[i] = all[i].event;
+    events->place[i] = all[i].place;
+  }
+  free(all);
+  return ROT_OK;
+}
+
 double *rot_event_rows_add(rot_event_rows *rows, double time_s) {
   const size_t all = 1 + rows->width;
   if (rows->count == rows->room) {

@@ -40,6 +40,8 @@ typedef struct rot_events {
 rot_status rot_events_add(rot_events *events, double time_s, rot_event event);
 rot_status rot_events_add_at(rot_events *events, double time_s, rot_event event, int place);
 void rot_events_free(rot_events *events);
+/* By time; those of one time keep their order. ROT_OK or ROT_ENOMEM. */
+rot_status rot_events_sort(rot_events *events);
 
 /* Rows at the times of events, after them, one for each time: the time and `width` values. */
 typedef struct rot_event_rows {

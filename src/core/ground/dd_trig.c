@@ -23,7 +23,7 @@ rot_dd rot_dd_sine(rot_dd r) {
 void rot_dd_sine_cosine(rot_dd x, rot_dd *sine, rot_dd *cosine) {
   rot_dd r;
   const double n = fmod(rot_dd_quarter_turns(x, &r), 4.0);
-  const int quarter = ((int)n + 4) % 4;
+  const int quarter = isnan(n) ? 0 : ((int)n + 4) % 4;
   const rot_dd s = rot_dd_sine(r);
   const rot_dd c = rot_dd_sqrt(rot_dd_sub((rot_dd){1.0, 0.0}, rot_dd_mul(s, s)));
   *sine = quarter % 2 ? c : s;

@@ -24,6 +24,28 @@ static void log_grows(void) {
   rot_events_free(&events);
 }
 
+/* A run backwards, then forwards: each event keeps its name and its place, and those of one time
+ * their order. Many do not take the square of their count. */
+static void log_is_sorted(void) {
+  rot_events events = {0};
+  const int n = 200000;
+  ROT_CHECK(rot_events_sort(&events) == ROT_OK);
+  for (int i = n; i > 0; i--) {
+    ROT_CHECK(rot_events_add_at(&events, -0.5 * i, (rot_event)(i % 3), i) == ROT_OK);
+  }
+  for (int i = 0; i < 4; i++) rot_events_add_at(&events, -1.0, (rot_event)i, -i);
+  ROT_CHECK(rot_events_sort(&events) == ROT_OK && events.count == (size_t)n + 4);
+  int wrong = 0;
+  for (int i = 0; i < n + 4; i++) {
+    const int k = i < n - 1 ? n - i : i < n + 3 ? -(i - n + 1) : 1;
+    const int among = i >= n - 1 && i < n + 3;
+    wrong += events.place[i] != k || events.time_s[i] != (among ? -1.0 : -0.5 * k);
+    wrong += (int)events.event[i] != (among ? -k : k % 3);
+  }
+  ROT_CHECK_EQ_INT(wrong, 0);
+  rot_events_free(&events);
+}
+
 static void log_is_optional(void) {
   ROT_CHECK(rot_events_add(NULL, 1.0, ROT_EVENT_SLIP) == ROT_OK);
 }
@@ -31,6 +53,7 @@ static void log_is_optional(void) {
 int main(void) {
   names();
   log_grows();
+  log_is_sorted();
   log_is_optional();
   return rot_test_report("events");
 }

@@ -301,20 +301,6 @@ static void cut_traces(const job *coarse, size_t *n) {
   }
 }
 
-/* Backward runs log in reverse. */
-static void sort_by_time(rot_events *events) {
-  for (size_t i = 1; events && i < events->count; i++) {
-    for (size_t j = i; j > 0 && events->time_s[j] < events->time_s[j - 1]; j--) {
-      const double t = events->time_s[j];
-      const rot_event e = events->event[j];
-      events->time_s[j] = events->time_s[j - 1];
-      events->event[j] = events->event[j - 1];
-      events->time_s[j - 1] = t;
-      events->event[j - 1] = e;
-    }
-  }
-}
-
 /* The run that chooses the steps, and with them the method. */
 static rot_status choose_steps(job *coarse, double tolerance, const rot_hooks *hooks,
                                rot_info *info) {
@@ -497,7 +483,9 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
     info->time_s = failure.time_s;
   }
   if (hopeless) info->rows_done = 0;
-  sort_by_time(p->log);
+  /* Backward runs log in reverse. */
+  const rot_status sorted = p->log ? rot_events_sort(p->log) : ROT_OK;
+  if (sorted != ROT_OK) info->status = sorted;
   for (int k = 0; k < 6; k++) free(traces[k / 2][k % 2].data);
   for (int k = 0; k < 2; k++) rot_ode_track_free(&tracks[k]);
   rot_ode_growth_free(coarse.growth);
