@@ -52,12 +52,12 @@ static inline int rot_test_count(int ok, const char *name) {
 
 /* How many of n random cases a test takes: all of them with ROTDYN_LONG (`make check-long`), a
  * quarter where the core is optimised (ROT_TEST_OPTIMISED of tests/core/run.sh, or a test program
- * that is), an eighth where each takes long: without optimisation (the sanitizers). */
+ * that is), a sixteenth where each takes long: without optimisation (the sanitizers). */
 static inline int rot_test_trials(int n) {
 #if defined __OPTIMIZE__ || defined ROT_TEST_OPTIMISED
   const int part = 4;
 #else
-  const int part = 8;
+  const int part = 16;
 #endif
   return getenv("ROTDYN_LONG") ? n : (n + part - 1) / part;
 }

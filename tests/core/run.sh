@@ -9,7 +9,7 @@
 #   the first compiler, C99: the core with -O2, the test programs, whose compilation takes longer
 #     than their run, with -O0; a quarter of the random cases
 #   the last compiler that has them, its newest standard: address and undefined behaviour
-#     sanitizers, -O0, an eighth of the random cases
+#     sanitizers, -O0, a sixteenth of the random cases
 #   with ROTDYN_LONG=yes (`make check-long`): the last compiler, its newest standard, -O2; the
 #     sanitizers with all cases
 # For the other pairs of compiler and standard the core is compiled for its warnings

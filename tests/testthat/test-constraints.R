@@ -53,10 +53,10 @@ drop_model <- function(id, ..., error_kind = "bound", handles, seconds,
     handles = handles, why_not = why_not, why = "it falls", error = error,
     cost = function(scene, rows, accuracy) seconds * (1 + rows), ...,
     ledger = function(scene, run, from_s, to_s) {
-      t <- seq(from_s, to_s, length.out = 4001)
+      t <- seq(from_s, to_s, length.out = 1001)
       record <- rotdyn:::record_of(run)
       v <- record$run(scene, t, run$accuracy, 1e6, NULL, TRUE)$columns$fall_speed_m_per_s
-      rule <- c(1, rep(c(4, 2), 1999), 4, 1) * (to_s - from_s) / 12000
+      rule <- c(1, rep(c(4, 2), 499), 4, 1) * (to_s - from_s) / 3000
       c(
         work_j = sum(rule * v) * scene$mass_kg * G,
         heat_j = sum(rule * abs(v)^3) * scene$drag_kg_per_m

@@ -91,7 +91,7 @@ mutate_bytes <- function(bytes) {
 test_that("damaged files give a record or an error of the package", {
   set.seed(15)
   files <- dialect_files()
-  rounds <- as.integer(Sys.getenv("ROTDYN_MUTATED_FILES", 300))
+  rounds <- as.integer(Sys.getenv("ROTDYN_MUTATED_FILES", or_long(100, 300)))
   bad <- character()
   out <- tempfile()
   for (k in seq_len(rounds)) {

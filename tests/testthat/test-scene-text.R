@@ -246,7 +246,7 @@ test_that("damaged texts are refused, or are scenes", {
   set.seed(16)
   texts <- vapply(quiet(scenes_of_all()), write_scene, "", indent = 0)
   words <- c("{", "}", "[", "]", ",", ":", "\"", "null", "true", "-", "1e400", "\"Inf\"", "{}", "")
-  outcome <- vapply(seq_len(or_long(100, 500)), function(i) {
+  outcome <- vapply(seq_len(or_long(60, 500)), function(i) {
     letters <- strsplit(texts[sample(length(texts), 1)], "")[[1]]
     at <- sample(length(letters), sample(3, 1))
     letters[at] <- switch(sample(4, 1),
@@ -299,7 +299,7 @@ test_that("ten thousand unknown keys are refused at once", {
   )
   for (text in texts) {
     time <- system.time(
-      expect_error(read_scene(text), "key_10_rad", class = "rotdyn_error_scene")
+      expect_error(read_scene(text), "key_10_rad", class = "rotdyn_error_scene"), gcFirst = FALSE
     )
     expect_lt(time[["user.self"]], 2)
   }
@@ -333,7 +333,7 @@ test_that("bodies joined deeply, or to themselves, have a short text that comput
     letters <- strsplit(gsub("[^][{}]", "", text), "")[[1]]
     max(cumsum(ifelse(letters %in% c("[", "{"), 1, -1)))
   }
-  for (n in c(10, 25, 26, 27, 31, 100, 400)) {
+  for (n in or_long(c(10, 25, 26, 100), c(10, 25, 26, 27, 31, 100, 400))) {
     body <- deep(n)
     scene <- scene_axle(body, 0.8, through = "centre")
     text <- write_scene(scene, indent = 0)
@@ -354,7 +354,7 @@ test_that("bodies joined deeply, or to themselves, have a short text that comput
   }
   for (n in c(8, 9, 10, 40)) {
     body <- doubled(n)
-    time <- system.time(text <- write_scene(body, indent = 0))
+    time <- system.time(text <- write_scene(body, indent = 0), gcFirst = FALSE)
     expect_lt(time[["user.self"]], 2)
     expect_identical(grepl("join_bodies", text), n <= 9)
     if (n != 9) expect_identical(read_scene(text)$mass_kg, 2^n)

@@ -3,7 +3,8 @@ test_that("a law that draws random numbers is recognised at once, by its own cla
     used <- system.time(
       expect_error(
         trajectory(scene, 10, ...), "two values for the same", class = "rotdyn_error_random"
-      )
+      ),
+      gcFirst = FALSE
     )
     expect_lt(used[["user.self"]], 2)
   }

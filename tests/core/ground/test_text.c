@@ -34,7 +34,7 @@ static void there_and_back(void) {
   uint64_t state = 88172645463325252u;
   int lost = 0, longest = 0;
   for (uint64_t exponent = 0; exponent < 2047; exponent++) {
-    for (int i = 0; i < 500; i++) {
+    for (int i = 0; i < rot_test_trials(500); i++) {
       state ^= state << 13;
       state ^= state >> 7;
       state ^= state << 17;

@@ -116,7 +116,7 @@ static void check_three_moments(void) {
   static const double t[5] = {-4.0, -0.5, 0.25, 3.0, 12.0};
   double closest = 0.0;
   srand(7);
-  for (int kind = 0; kind < 120; kind++) {
+  for (int kind = 0; kind < rot_test_trials(120); kind++) {
     double random[8];
     for (int i = 0; i < 8; i++) random[i] = (double)rand() / RAND_MAX;
     const int axis = kind % 3;

@@ -27,7 +27,7 @@ static void test_against_integration(void) {
   double worst = 0.0, time_s[N];
   for (int i = 0; i < N; i++) time_s[i] = -0.5 + 0.5 * i;
   srand(40);
-  for (int k = 0; k < 60; k++) {
+  for (int k = 0; k < rot_test_trials(120); k++) {
     const rot_free_params p = random_top(k % 3);
     rows a, b;
     rot_info info;
@@ -72,7 +72,7 @@ static void test_turns_of_both(void) {
   enum { N = 3 };
   const double time_s[N] = {-2.0, 1.0, 6.0};
   srand(41);
-  for (int k = 0; k < 40; k++) {
+  for (int k = 0; k < rot_test_trials(80); k++) {
     rot_free_params p = random_top(k % 3);
     if (k % 4 == 0) p.omega0_rad_per_s[(k + 1) % 3] = p.omega0_rad_per_s[(k + 2) % 3] = 0.0;
     rows a, b;
