@@ -35,11 +35,6 @@ torque_form <- list(.one_of = list(
   list(.class = "rot_torque_sum", laws = list(.each = single_torque))
 ))
 
-loads_form <- list(
-  knots = knots_form, motor_n_m_s = "number", terms = list(.each = term_form),
-  law = c(law_form, .optional = TRUE)
-)
-
 resistance_form <- list(
   .class = "rot_resistance", viscous_n_m_s = "number", quadratic_n_m_s2 = "number",
   coulomb_n_m = "number", static_n_m = "number"

@@ -120,7 +120,7 @@ run_spin_up <- function(rounds) {
   check_spin_reference()
   reference <- spin_reference(spin_times)
   scene <- spin_scene()
-  linear <- rotdyn:::axle_linear
+  linear <- rotdyn:::constraint_of(scene)$models$axle_linear
   gsl <- compile_program("spin-up-gsl")
   core <- compile_program("spin-up-core", core_files())
 
