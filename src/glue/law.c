@@ -104,6 +104,18 @@ int ffi_law_samples(SEXP list, rot_law *law) {
   return 1;
 }
 
+/* Whether a function stands in x, a part of it or a list of them; bodies have none. */
+static int has_function(SEXP x) {
+  if (Rf_isFunction(x)) return 1;
+  if (TYPEOF(x) != VECSXP || Rf_inherits(x, "rot_body")) return 0;
+  for (R_xlen_t i = 0; i < XLENGTH(x); i++) {
+    if (has_function(VECTOR_ELT(x, i))) return 1;
+  }
+  return 0;
+}
+
+SEXP ffi_law_called(SEXP x) { return Rf_ScalarLogical(has_function(x)); }
+
 /* A term of time alone at many times. */
 SEXP ffi_law_values(SEXP list, SEXP time_s) {
   const rot_term term = ffi_law_term(list);
