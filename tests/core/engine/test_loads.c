@@ -88,11 +88,16 @@ static void check_normal_form(void) {
   const rot_law_one laws[] = {
       {.kind = ROT_LAW_MOTOR, .stall_n_m = 2.0, .no_load_rad_per_s = 8.0},
       {.kind = ROT_LAW_TERM, .term = {ROT_TERM_SPRING, -INFINITY, INFINITY, 2, spring}},
-      {.kind = ROT_LAW_CALL, .call = {call, &factor[0]}, .n_breaks = 2, .breaks_s = breaks},
+      {.kind = ROT_LAW_CALL,
+       .call = {.call = call, .ctx = &factor[0]},
+       .n_breaks = 2,
+       .breaks_s = breaks},
       {.kind = ROT_LAW_MOTOR, .stall_n_m = -1.0, .no_load_rad_per_s = -2.0}};
   const rot_law_sum sum = {4, laws};
-  const rot_law_one more = {
-      .kind = ROT_LAW_CALL, .call = {call, &factor[1]}, .n_breaks = 2, .breaks_s = others};
+  const rot_law_one more = {.kind = ROT_LAW_CALL,
+                            .call = {.call = call, .ctx = &factor[1]},
+                            .n_breaks = 2,
+                            .breaks_s = others};
   const rot_law_sum last = {1, &more};
   const rot_given nested[] = {{.is = ROT_INPUT_TORQUE, .object = &last}, {0}};
   const rot_given items[] = {{.is = ROT_INPUT_NUMBER, .n = 1, .x = &one},

@@ -49,7 +49,7 @@ static double uniform(double lo, double hi) {
 static rot_incline_scene sphere(double angle_deg, double mu, double arm_m, double v0, double w0) {
   const rot_incline_params slope = {2.0,   0.1, 0.008, angle_deg, 9.8,      0.8 * mu, mu,
                                     arm_m, 0.0, v0,    0.0,       w0 / 0.1, 0.0};
-  return (rot_incline_scene){slope, 0.0, 0.0, NULL, NULL, 0, NULL};
+  return (rot_incline_scene){.slope = slope};
 }
 
 /* The rows at events of a run to 3 s: one for each time of the log, as those of the closed form. */
