@@ -15,16 +15,11 @@
 #ifndef ROT_ODE_COLLOCATE_H
 #define ROT_ODE_COLLOCATE_H
 
-#include "engine/ode/run.h"
+#include "engine/ode/law.h"
+#include "engine/ode/rows.h"
+#include "engine/ode/track.h"
 
 enum { ROT_ODE_MOST_COLLOCATED = 4, ROT_ODE_MOST_COLLOCATED_ALL = 12 }; /* controlled; all */
-
-/* The rows: as in rot_ode_run. `before`: those before the start. */
-typedef struct rot_ode_output {
-  size_t n, before;
-  const double *time_s;
-  double *y, *slope; /* slope may be NULL */
-} rot_ode_output;
 
 /* ROT_OK and *good = 1: y, slope, error[] (without rounding) and largest[] hold, to the accuracy
  * or to rounding. *good = 0: they do not, other steps are needed. Scalars alone, without events, a

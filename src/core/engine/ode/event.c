@@ -2,9 +2,8 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 
-#include "engine/ode/law.h"
-#include "engine/ode/step.h"
 #include "ground/real.h"
 
 /* An event function, or a component less a level. */
@@ -15,97 +14,110 @@ typedef struct look {
   int kink;   /* need not be met exactly */
 } look;
 
-size_t rot_ode_wall_of(const rot_ode_march *run, size_t which) {
-  const size_t first = run->n_watch - run->walls->count;
-  return which >= first && which < run->n_watch ? which - first : NO_WALL;
+static size_t first_wall(const rot_ode_params *p) { return (p->turn != NULL) + p->n_events; }
+
+static size_t watched(const rot_ode_search *in) {
+  return first_wall(in->law->p) + in->law->walls->count;
+}
+
+size_t rot_ode_wall_of(const rot_ode_search *in, size_t which) {
+  const size_t first = first_wall(in->law->p);
+  return which >= first && which < watched(in) ? which - first : NO_WALL;
+}
+
+rot_ode_watch *rot_ode_watch_new(const rot_ode_params *p) {
+  return calloc(first_wall(p) + ROT_ODE_MOST_WALLS, sizeof(rot_ode_watch));
 }
 
 /* The switch counts as the first event, walls as the last. */
-static look look_at(const rot_ode_march *run, size_t which) {
-  const rot_ode_switch *turn = run->p->turn;
-  const size_t wall = rot_ode_wall_of(run, which);
+static look look_at(const rot_ode_search *in, size_t which) {
+  const rot_ode_switch *turn = in->law->p->turn;
+  const size_t wall = rot_ode_wall_of(in, which);
   look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL, NULL, 0}, 0.0, 0, 0};
   if (turn && which == 0) {
     l.event.component = turn->watched;
   } else if (wall != NO_WALL) {
-    l.event.component = run->walls->wall[wall].component;
-    l.level = rot_ode_wall_level(run, wall);
-    l.slides = run->side[wall] == 0;
-    l.kink = run->walls->wall[wall].below == run->walls->wall[wall].above;
+    l.event.component = in->law->walls->wall[wall].component;
+    l.level = rot_ode_wall_level(in->law, wall);
+    l.slides = in->law->side[wall] == 0;
+    l.kink = in->law->walls->wall[wall].below == in->law->walls->wall[wall].above;
   } else {
-    l.event = run->p->events[which - (turn != NULL)];
+    l.event = in->law->p->events[which - (turn != NULL)];
   }
   return l;
 }
 
-static int is_switch(const rot_ode_march *run, size_t which) { return run->p->turn && which == 0; }
+static int is_switch(const rot_ode_search *in, size_t which) {
+  return in->law->p->turn && which == 0;
+}
 
-static double value_at(rot_ode_march *run, const look *l, double t, const double y[]) {
-  if (l->slides) return rot_ode_hold_of_slide(run, t, y);
+static double value_at(rot_ode_search *in, const look *l, double t, const double y[]) {
+  if (l->slides) return rot_ode_hold_of_slide(in->law, t, y);
   /* On this side of a jump in time, as the right-hand side; of a state it is the motion's own. */
-  if (l->event.g) return l->event.g(rot_ode_keep_time(run, t), y, run->p->ctx);
-  return l->event.component < run->p->dim ? y[l->event.component] - l->level : t - l->level;
+  if (l->event.g) return l->event.g(rot_ode_keep_time(in->law, t), y, in->law->p->ctx);
+  return l->event.component < in->law->p->dim ? y[l->event.component] - l->level : t - l->level;
 }
 
 static int is_function(const look *l) { return l->event.g || l->slides; }
 
-double rot_ode_event_value(rot_ode_march *run, size_t which) {
-  const look l = look_at(run, which);
-  return value_at(run, &l, run->t, run->y);
+double rot_ode_event_value(rot_ode_search *in, size_t which) {
+  const look l = look_at(in, which);
+  return value_at(in, &l, in->clock->t, in->state->y);
 }
 
 /* Its slope along the motion; of a function by a difference over 1e-7 of h. */
-static double rise_at(rot_ode_march *run, const look *l, double t, const double y[],
+static double rise_at(rot_ode_search *in, const look *l, double t, const double y[],
                       const double slope[], double h) {
   if (!is_function(l)) return slope[l->event.component];
   const double d = 1e-7 * h;
-  for (size_t i = 0; i < run->p->dim; i++) run->change[i] = y[i] + d * slope[i];
-  return (value_at(run, l, t + d, run->change) - value_at(run, l, t, y)) / d;
+  for (size_t i = 0; i < in->law->p->dim; i++) in->between[i] = y[i] + d * slope[i];
+  return (value_at(in, l, t + d, in->between) - value_at(in, l, t, y)) / d;
 }
 
 static int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
 
 /* `fired`: the watch whose zero this is, with the value `at`. */
-static void arm(rot_ode_march *run, size_t k, int fired, double at) {
-  const double way = run->forward ? 1.0 : -1.0;
-  const look l = look_at(run, k);
-  rot_ode_watch *w = &run->watch[k];
-  const size_t wall = rot_ode_wall_of(run, k);
-  w->value = value_at(run, &l, run->t, run->y);
+static void arm(rot_ode_search *in, size_t k, int fired, double at) {
+  const double way = rot_ode_way(in->clock);
+  const look l = look_at(in, k);
+  rot_ode_watch *w = &in->watch[k];
+  const size_t wall = rot_ode_wall_of(in, k);
+  w->value = value_at(in, &l, in->clock->t, in->state->y);
   if (wall != NO_WALL) { /* a slide lasts while its function is positive */
-    const int time = l.event.component == run->p->dim;
+    const int time = l.event.component == in->law->p->dim;
     w->fresh = !time && !l.slides && (fired || w->value == 0.0);
     if (w->fresh) w->value = 0.0;
-    w->side = time ? 0 : l.slides ? 1 : run->side[wall];
+    w->side = time ? 0 : l.slides ? 1 : in->law->side[wall];
     return;
   }
-  if (is_switch(run, k)) {
-    w->side = *run->p->mode;
-    w->fresh = run->phase == ROT_ODE_LEAVING || run->phase == ROT_ODE_UNDECIDED;
+  if (is_switch(in, k)) {
+    w->side = *in->law->p->mode;
+    w->fresh = in->state->phase == ROT_ODE_LEAVING || in->state->phase == ROT_ODE_UNDECIDED;
     return;
   }
   if (fired && w->value == at) w->value = 0.0;
   w->side = sign_of(w->value);
-  if (w->side == 0 && l.event.side && run->forward) {
-    w->side = l.event.side(*run->p->mode, l.event.component, run->p->ctx);
+  if (w->side == 0 && l.event.side && in->clock->forward) {
+    w->side = l.event.side(*in->law->p->mode, l.event.component, in->law->p->ctx);
   }
   if (w->side == 0) {
-    w->side = sign_of(way * rise_at(run, &l, run->t, run->y, run->slope, run->h));
+    w->side = sign_of(
+        way * rise_at(in, &l, in->clock->t, in->state->y, in->state->slope, in->stepper->h));
   }
   w->fresh = w->value == 0.0 && w->side != 0;
 }
 
-void rot_ode_arm(rot_ode_march *run, size_t fired, double at) {
-  for (size_t k = 0; k < run->n_watch; k++) arm(run, k, k == fired, at);
+void rot_ode_arm(rot_ode_search *in, size_t fired, double at) {
+  for (size_t k = 0; k < watched(in); k++) arm(in, k, k == fired, at);
 }
 
-void rot_ode_arm_last(rot_ode_march *run) { arm(run, run->n_watch - 1, 0, 0.0); }
+void rot_ode_arm_last(rot_ode_search *in) { arm(in, watched(in) - 1, 0, 0.0); }
 
-void rot_ode_watch_on(rot_ode_march *run, size_t passed) {
-  for (size_t k = 0; k < run->n_watch; k++) {
-    rot_ode_watch *w = &run->watch[k];
-    w->value = rot_ode_event_value(run, k);
-    if (rot_ode_wall_of(run, k) != NO_WALL && k != passed) {
+void rot_ode_watch_on(rot_ode_search *in, size_t passed) {
+  for (size_t k = 0; k < watched(in); k++) {
+    rot_ode_watch *w = &in->watch[k];
+    w->value = rot_ode_event_value(in, k);
+    if (rot_ode_wall_of(in, k) != NO_WALL && k != passed) {
       w->fresh = 0;
       continue;
     }
@@ -113,19 +125,47 @@ void rot_ode_watch_on(rot_ode_march *run, size_t passed) {
     if (k == passed) {
       w->value = 0.0;
       w->side = -w->side;
-    } else if (!is_switch(run, k) && w->value != 0.0) {
+    } else if (!is_switch(in, k) && w->value != 0.0) {
       w->side = sign_of(w->value);
     }
   }
+}
+
+/* Whether an event is one where its function leaves this side of zero. */
+static int fires(const rot_ode_search *in, const look *l, int side) {
+  const int direction = in->clock->forward ? l->event.direction : -l->event.direction;
+  return direction == 0 || direction == -side;
+}
+
+int rot_ode_is_beyond(rot_ode_search *in, size_t which) {
+  const int side = in->watch[which].side;
+  const look l = look_at(in, which);
+  const double value = value_at(in, &l, in->clock->t, in->state->y);
+  return side != 0 && !(side * value >= 0.0) && fires(in, &l, side);
+}
+
+int rot_ode_passes_wall(const rot_ode_search *in) {
+  const rot_ode_law *law = in->law;
+  for (size_t k = 0; k < law->walls->count; k++) {
+    const int side = law->side[k];
+    const int fresh = in->watch[first_wall(law->p) + k].fresh;
+    if (rot_ode_is_time(law, k) || side == 0 || fresh) continue;
+    const size_t c = law->walls->wall[k].component;
+    const double level = rot_ode_wall_level(law, k);
+    const double from = in->state->y[c] - level, to = in->stepper->trial[c] - level;
+    if (side * from > 0.0 && side * to <= 0.0) return 1;
+  }
+  return 0;
 }
 
 /* ---- one event over the trial step ----------------------------------------------------------- */
 
 /* Times its side, x from 0 to 1: of a component its cubic, else the function of the state's. */
 typedef struct sight {
-  rot_ode_march *run;
+  rot_ode_search *in;
   look at;
   double side, h, w[4]; /* w: value and h times slope, at both ends */
+  double value, rise;   /* at the end of the part that was tried last: its slope, too */
 } sight;
 
 static double cubic(const double w[4], double x) {
@@ -134,33 +174,35 @@ static double cubic(const double w[4], double x) {
 }
 
 static void aim(sight *s, const rot_ode_watch *at, double h) {
-  rot_ode_march *run = s->run;
+  rot_ode_search *in = s->in;
   const size_t i = s->at.event.component;
   s->h = h;
   s->w[0] = at->fresh ? 0.0 : s->side * at->value;
-  s->w[2] = s->side * value_at(run, &s->at, run->t + h, run->trial);
+  s->w[2] = s->side * value_at(in, &s->at, in->clock->t + h, in->stepper->trial);
   if (is_function(&s->at)) return;
-  s->w[1] = s->side * run->slope[i] * h;
-  s->w[3] = s->side * run->trial_slope[i] * h;
+  s->w[1] = s->side * in->state->slope[i] * h;
+  s->w[3] = s->side * in->stepper->trial_slope[i] * h;
 }
 
 static double seen(const sight *s, double x) {
-  rot_ode_march *run = s->run;
+  rot_ode_search *in = s->in;
   if (!is_function(&s->at)) return cubic(s->w, x);
-  for (size_t i = 0; i < run->p->dim; i++) {
-    const double w[4] = {run->y[i], s->h * run->slope[i], run->trial[i],
-                         s->h * run->trial_slope[i]};
-    run->change[i] = cubic(w, x);
+  for (size_t i = 0; i < in->law->p->dim; i++) {
+    const double w[4] = {in->state->y[i], s->h * in->state->slope[i], in->stepper->trial[i],
+                         s->h * in->stepper->trial_slope[i]};
+    in->between[i] = cubic(w, x);
   }
-  return s->side * value_at(run, &s->at, run->t + x * s->h, run->change);
+  return s->side * value_at(in, &s->at, in->clock->t + x * s->h, in->between);
 }
 
-static rot_status attempt_part(sight *s, double h, double *w, double *rise) {
-  rot_ode_march *run = s->run;
-  const rot_status status = rot_ode_attempt(run, run->t, h, run->y, run->slope);
+static rot_status attempt_part(sight *s, double h) {
+  rot_ode_search *in = s->in;
+  const rot_status status =
+      rot_ode_attempt(in->stepper, in->clock->t, h, in->state->y, in->state->slope);
   if (status != ROT_OK) return status;
-  *w = s->side * value_at(run, &s->at, run->t + h, run->trial);
-  *rise = s->side * rise_at(run, &s->at, run->t + h, run->trial, run->trial_slope, h);
+  s->value = s->side * value_at(in, &s->at, in->clock->t + h, in->stepper->trial);
+  s->rise = s->side *
+            rise_at(in, &s->at, in->clock->t + h, in->stepper->trial, in->stepper->trial_slope, h);
   return ROT_OK;
 }
 
@@ -189,8 +231,8 @@ static double zero_near(sight *s, double x) {
 /* Positive at the start and not so after hi: re-step to the zero by Newton, kept between. *hi
  * becomes that step, trial the state there. */
 static rot_status find_zero(sight *s, double *hi) {
-  rot_ode_march *run = s->run;
-  const double span = fabs(run->end - run->p->start_s);
+  rot_ode_search *in = s->in;
+  const double span = fabs(in->clock->end - in->law->p->start_s);
   double lo = 0.0, high = *hi, a = 0.0, b = 1.0;
   for (int k = 0; k < 40; k++) { /* first guess: the zero of the cubic, whose 1 is the whole step */
     const double mid = 0.5 * (a + b);
@@ -202,43 +244,41 @@ static rot_status find_zero(sight *s, double *hi) {
   }
   double x = b * *hi;
   for (int k = 0; k < 200; k++) {
-    double v, rise;
-    const rot_status status = attempt_part(s, x, &v, &rise);
+    const rot_status status = attempt_part(s, x);
     if (status != ROT_OK) return status;
-    const double next = is_function(&s->at) ? x - v / rise : zero_near(s, x);
-    double resolved = 2.0 * ROT_EPS * fmax(fabs(run->t), fabs(x));
+    const double next = is_function(&s->at) ? x - s->value / s->rise : zero_near(s, x);
+    double resolved = 2.0 * ROT_EPS * fmax(fabs(in->clock->t), fabs(x));
     resolved = fmax(resolved, LEAST_TIME * span);
-    if (s->at.kink) resolved = fmax(resolved, KINK_RESOLVED * run->p->accuracy * fabs(*hi));
-    if (v > 0.0) {
+    if (s->at.kink) resolved = fmax(resolved, KINK_RESOLVED * in->law->p->accuracy * fabs(*hi));
+    if (s->value > 0.0) {
       lo = x;
     } else {
       high = x;
     }
     const int closed = fabs(high - lo) <= 2.0 * resolved;
-    if (closed && s->at.event.far && v > 0.0) {
+    if (closed && s->at.event.far && s->value > 0.0) {
       x = high;
-      const rot_status last = attempt_part(s, x, &v, &rise);
+      const rot_status last = attempt_part(s, x);
       if (last != ROT_OK) return last;
       break;
     }
-    if (v == 0.0 || fabs(next - x) <= resolved || closed) break;
+    if (s->value == 0.0 || fabs(next - x) <= resolved || closed) break;
     const int inside = (next - lo) * (next - high) < 0.0; /* NaN is not */
     x = inside ? next : lo + 0.5 * (high - lo);
   }
   if (s->at.slides) { /* on, so far that the slope leaves the wall; it is lost only as the square */
-    double v, rise;
-    x += copysign(fmax(1e-8 * fabs(*hi), 8.0 * ROT_EPS * fabs(run->t)), *hi);
-    const rot_status status = attempt_part(s, x, &v, &rise);
+    x += copysign(fmax(1e-8 * fabs(*hi), 8.0 * ROT_EPS * fabs(in->clock->t)), *hi);
+    const rot_status status = attempt_part(s, x);
     if (status != ROT_OK) return status;
   }
   *hi = x;
-  if (!is_function(&s->at) && !s->at.kink) run->trial[s->at.event.component] = s->at.level;
+  if (!is_function(&s->at) && !s->at.kink) in->stepper->trial[s->at.event.component] = s->at.level;
   return ROT_OK;
 }
 
 /* The stretch begins at zero and the step ends on the wrong side: was it on the right one? */
 static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage *what) {
-  double best = 0.0, x = 0.0, v, rise;
+  double best = 0.0, x = 0.0;
   for (int k = 1; k < 16; k++) {
     const double here = seen(s, k / 16.0);
     if (best > 0.0 && here <= 0.0) break;
@@ -247,38 +287,33 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
       x = k / 16.0;
     }
   }
-  if (!is_switch(s->run, which)) {
-    for (x = best > 0.0 ? x : 1.0 / 32.0; best == 0.0 && x > 1e-9; x *= best > 0.0 ? 1.0 : 0.5) {
+  if (best == 0.0 && !is_switch(s->in, which)) {
+    for (x = 1.0 / 32.0; best == 0.0 && x > 1e-9; x *= best > 0.0 ? 1.0 : 0.5) {
       best = fmax(0.0, seen(s, x));
     }
-    if (best ==
-        0.0) { /* the cubic may miss a short way out of a long step: ask the method itself */
-      for (x = 0.25; x > 1e-4; x *= 0.25) {
-        const rot_status status = attempt_part(s, x * *h, &v, &rise);
-        if (status != ROT_OK) return status;
-        if (v > 0.0) {
-          *h *= x;
-          *what = ROT_ODE_CUT_SHORT;
-          return ROT_OK;
-        }
-      }
-      const rot_status status = attempt_part(s, *h, &v, &rise);
+  }
+  if (best == 0.0 && !is_switch(s->in, which)) {
+    /* The cubic may miss a short way out of a long step: ask the method itself. */
+    for (x = 0.25; x > 1e-4; x *= 0.25) {
+      const rot_status status = attempt_part(s, x * *h);
       if (status != ROT_OK) return status;
+      if (s->value > 0.0) {
+        *h *= x;
+        *what = ROT_ODE_CUT_SHORT;
+        return ROT_OK;
+      }
     }
-    if (best == 0.0) { /* touched zero and went back */
-      const size_t wall = rot_ode_wall_of(s->run, which);
-      s->run->watch[which].side = -s->run->watch[which].side;
-      if (wall == NO_WALL) return ROT_OK;
-      s->run->side[wall] = -s->run->side[wall];
-      s->run->slope_known = 0;
-      *what = ROT_ODE_TRY_SHORTER;
-      return ROT_OK;
-    }
+    const rot_status status = attempt_part(s, *h);
+    if (status != ROT_OK) return status;
+    /* It touched zero and went back. */
+    s->in->watch[which].side = -s->in->watch[which].side;
+    if (rot_ode_wall_of(s->in, which) != NO_WALL) *what = ROT_ODE_OTHER_SIDE;
+    return ROT_OK;
   }
   *what = ROT_ODE_TRY_SHORTER;
   if (best == 0.0) return ROT_OK;
-  const rot_status status = attempt_part(s, x * *h, &v, &rise);
-  if (status == ROT_OK && v > 0.0) {
+  const rot_status status = attempt_part(s, x * *h);
+  if (status == ROT_OK && s->value > 0.0) {
     *h *= x;
     *what = ROT_ODE_CUT_SHORT;
   }
@@ -299,7 +334,7 @@ static void sample_step(const sight *s, double v[PARTS + 1]) {
 /* Does the cubic of the even samples miss the odd ones by more than a tenth of `size`? */
 static int coarse(const sight *s, const double v[PARTS + 1], double size) {
   double apart = 0.0, highest = 0.0;
-  const double span = s->run->end - s->run->p->start_s;
+  const double span = s->in->clock->end - s->in->law->p->start_s;
   if (!(fabs(s->h) > RESOLVED * fabs(span))) return 0;
   for (int k = 0; k <= PARTS; k++) highest = fmax(highest, fabs(v[k]));
   for (int k = 1; k < PARTS; k += 2) {
@@ -358,46 +393,41 @@ static double first_below(const sight *s) {
   return !falls && coarse(s, v, highest) ? -1.0 : 1.0;
 }
 
-static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_passage *what) {
-  rot_ode_watch *at = &run->watch[which];
-  sight s = {run, look_at(run, which), at->side, *h, {0.0}};
-  const int upward = run->forward ? s.at.event.direction : -s.at.event.direction;
-  const int fires = s.at.event.direction == 0 || upward == -at->side;
+static rot_status look_for(rot_ode_search *in, size_t which, double *h, rot_ode_passage *what) {
+  rot_ode_watch *at = &in->watch[which];
+  sight s = {in, look_at(in, which), at->side, *h, {0.0}, 0.0, 0.0};
+  const int counts = fires(in, &s.at, at->side);
   if (at->side == 0) return ROT_OK;
   aim(&s, at, *h);
   const double end = s.w[2];
-  if (is_switch(run, which) && at->fresh && s.w[1] == 0.0 && end == 0.0 && s.w[3] == 0.0) {
+  if (is_switch(in, which) && at->fresh && s.w[1] == 0.0 && end == 0.0 && s.w[3] == 0.0) {
     return ROT_OK; /* still */
   }
   if (at->fresh && end <= 0.0) {
-    if (run->phase != ROT_ODE_UNDECIDED || !is_switch(run, which)) {
-      return fires ? leave_zero(&s, which, h, what) : ROT_OK;
+    if (in->state->phase != ROT_ODE_UNDECIDED || !is_switch(in, which)) {
+      return counts ? leave_zero(&s, which, h, what) : ROT_OK;
     }
-    run->phase = ROT_ODE_LEAVING;
-    *run->p->mode = at->side = -at->side;
-    run->slope_known = 0;
-    *what = ROT_ODE_TRY_SHORTER;
+    at->side = -at->side;
+    *what = ROT_ODE_OTHER_SIDE;
     return ROT_OK;
   }
   /* Between two ends on one side it may dip to the other. The cubic is of order 4, so that it is
    * believed only where it stays clear of zero. */
-  const double clear = run->phase == ROT_ODE_CUT ? 0.0 : 0.3 * fmin(s.w[0], end);
+  const double clear = in->state->phase == ROT_ODE_CUT ? 0.0 : 0.3 * fmin(s.w[0], end);
   const double dip = end > 0.0 ? dip_of(&s, clear, at->fresh) : first_below(&s);
   if (dip < 0.0) {
-    double v, rise;
     *h *= 0.5;
-    rot_status status = attempt_part(&s, *h, &v, &rise);
-    if (status == ROT_OK) status = look_for(run, which, h, what);
+    rot_status status = attempt_part(&s, *h);
+    if (status == ROT_OK) status = look_for(in, which, h, what);
     if (*what == ROT_ODE_SAME_SIDE) *what = ROT_ODE_CUT_SHORT;
     return status;
   }
-  if (end > 0.0 ? dip == 1.0 || (at->fresh && !s.at.event.g) : !fires && dip == 1.0) return ROT_OK;
+  if (end > 0.0 ? dip == 1.0 || (at->fresh && !s.at.event.g) : !counts && dip == 1.0) return ROT_OK;
   if (dip < 1.0) { /* ask the method itself */
-    double v, rise;
-    const rot_status status = attempt_part(&s, dip * *h, &v, &rise);
+    const rot_status status = attempt_part(&s, dip * *h);
     if (status != ROT_OK) return status;
     *h *= dip;
-    if (v > 0.0 || !fires) {
+    if (s.value > 0.0 || !counts) {
       *what = ROT_ODE_CUT_SHORT;
       return ROT_OK;
     }
@@ -412,20 +442,20 @@ static rot_status look_for(rot_ode_march *run, size_t which, double *h, rot_ode_
   return find_zero(&s, h);
 }
 
-rot_status rot_ode_look_for_events(rot_ode_march *run, double *h, rot_ode_passage *what,
+rot_status rot_ode_look_for_events(rot_ode_search *in, double *h, rot_ode_passage *what,
                                    size_t *which) {
   *what = ROT_ODE_SAME_SIDE;
   *which = SIZE_MAX;
-  for (size_t k = 0; k < run->n_watch; k++) {
+  for (size_t k = 0; k < watched(in); k++) {
     /* Each event that is found shortens the step, so that the last one found is the first. */
     const double whole = *h;
     rot_ode_passage here = ROT_ODE_SAME_SIDE;
-    const rot_status status = look_for(run, k, h, &here);
+    const rot_status status = look_for(in, k, h, &here);
     if (status != ROT_OK) return status;
     if (here == ROT_ODE_SAME_SIDE && *h == whole) continue;
     *what = here;
-    *which = here == ROT_ODE_AT_ZERO ? k : SIZE_MAX;
-    if (here == ROT_ODE_TRY_SHORTER) return ROT_OK;
+    *which = here == ROT_ODE_AT_ZERO || here == ROT_ODE_OTHER_SIDE ? k : SIZE_MAX;
+    if (here == ROT_ODE_TRY_SHORTER || here == ROT_ODE_OTHER_SIDE) return ROT_OK;
   }
   return ROT_OK;
 }

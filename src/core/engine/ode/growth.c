@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/ode/law.h"
-#include "engine/ode/track.h"
+#include "engine/ode/norm.h"
 #include "maths/expm.h"
 #include "ground/real.h"
 
@@ -14,7 +13,7 @@ rot_ode_growth *rot_ode_growth_alloc(const rot_ode_params *p) {
   const size_t n = p->controlled, square = n * n;
   if (n > ROT_ODE_MOST_GROWTH) return NULL;
   rot_ode_growth *g = calloc(1, sizeof *g);
-  double *data = calloc(4 * square + ROT_EXPM_WORK(n) + n, sizeof *data);
+  double *data = calloc(4 * square + ROT_EXPM_WORK(n) + n + 2 * p->dim, sizeof *data);
   if (!g || !data) {
     free(g);
     free(data);
@@ -26,7 +25,9 @@ rot_ode_growth *rot_ode_growth_alloc(const rot_ode_params *p) {
   g->derivative1 = data + 2 * square;
   g->map = data + 3 * square;
   g->worst = data + 4 * square;
-  g->work = g->worst + n;
+  g->y = g->worst + n;
+  g->f = g->y + p->dim;
+  g->work = g->f + p->dim;
   return g;
 }
 
@@ -54,58 +55,60 @@ void rot_ode_growth_hold(rot_ode_growth *g, size_t component) {
 }
 
 /* Beyond a wall the right-hand side is called on the wall: no difference there. */
-static int passes_wall(const rot_ode_march *run, size_t component, double to) {
-  for (size_t k = 0; k < run->walls->count; k++) {
-    const rot_ode_wall *w = &run->walls->wall[k];
+static int passes_wall(const rot_ode_law *law, size_t component, double to) {
+  for (size_t k = 0; k < law->walls->count; k++) {
+    const rot_ode_wall *w = &law->walls->wall[k];
     if (w->component != component) continue;
-    if (run->side[k] > 0 ? to < w->above : run->side[k] < 0 && to > w->below) return 1;
+    if (law->side[k] > 0 ? to < w->above : law->side[k] < 0 && to > w->below) return 1;
   }
   return 0;
 }
 
 /* The derivative of the slope by the state, from differences of a thousandth of the step. */
-static rot_status derivative(rot_ode_march *run, const double before[], double d[]) {
-  const rot_ode_params *p = run->p;
+static rot_status derivative(rot_ode_growth *growth, rot_ode_law *law, const rot_ode_state *state,
+                             rot_ode_track *track, const double before[], double d[]) {
+  const rot_ode_params *p = law->p;
   const size_t n = p->controlled;
-  double *y = run->work, *f = run->change;
-  memcpy(y, run->y, p->dim * sizeof *y);
+  double *y = growth->y, *f = growth->f;
+  memcpy(y, state->y, p->dim * sizeof *y);
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     double moved = 0.0, size = 0.0;
     for (size_t i = g.first; i < g.first + g.count; i++) {
-      moved = fmax(moved, fabs(run->y[i] - before[i]));
-      size = fmax(size, fabs(run->y[i]));
+      moved = fmax(moved, fabs(state->y[i] - before[i]));
+      size = fmax(size, fabs(state->y[i]));
     }
-    const double by = fmax(1e-3 * moved, 1e-8 * fmax(size, run->largest[m]));
+    const double by = fmax(1e-3 * moved, 1e-8 * fmax(size, state->largest[m]));
     for (size_t i = g.first; i < g.first + g.count; i++) {
-      y[i] = run->y[i] + (passes_wall(run, i, run->y[i] + by) ? -by : by);
-      const double step = y[i] - run->y[i];
+      y[i] = state->y[i] + (passes_wall(law, i, state->y[i] + by) ? -by : by);
+      const double step = y[i] - state->y[i];
       int code = GSL_EBADFUNC;
-      if (step != 0.0) code = rot_ode_slope_at(run->t, y, f, run);
-      if (step != 0.0 && code != GSL_SUCCESS && run->status != ROT_ERHS) return run->status;
+      if (step != 0.0) code = rot_ode_slope_at(law->clock->t, y, f, law);
+      if (step != 0.0 && code != GSL_SUCCESS && law->status != ROT_ERHS) return law->status;
       for (size_t k = 0; k < n; k++) {
-        d[k * n + i] = code == GSL_SUCCESS ? (f[k] - run->slope[k]) / step : 0.0;
+        d[k * n + i] = code == GSL_SUCCESS ? (f[k] - state->slope[k]) / step : 0.0;
       }
-      if (run->track && code == GSL_SUCCESS) rot_ode_track_derivative(run->track, i, f, step);
-      y[i] = run->y[i];
+      if (track && code == GSL_SUCCESS) rot_ode_track_derivative(track, i, f, step);
+      y[i] = state->y[i];
     }
   }
-  run->status = ROT_OK;
+  law->status = ROT_OK;
   return ROT_OK;
 }
 
-rot_status rot_ode_growth_step(rot_ode_march *run, double h, const double before[], size_t parts) {
-  rot_ode_growth *g = run->growth;
-  const rot_ode_params *p = run->p;
+rot_status rot_ode_growth_step(rot_ode_growth *g, rot_ode_law *law, const rot_ode_state *state,
+                               rot_ode_track *track, double h, const double before[],
+                               size_t parts) {
+  const rot_ode_params *p = law->p;
   const size_t n = g->n;
   if (h == 0.0) return ROT_OK;
   double *swap = g->derivative0;
   g->derivative0 = g->derivative1;
   g->derivative1 = swap;
-  const int watching = run->watch_stiffness;
-  run->watch_stiffness = 0;
-  const rot_status status = derivative(run, before, g->derivative1);
-  run->watch_stiffness = watching;
+  rot_ode_stiffness *stiffness = law->stiffness;
+  law->stiffness = NULL;
+  const rot_status status = derivative(g, law, state, track, before, g->derivative1);
+  law->stiffness = stiffness;
   if (status != ROT_OK) return status;
   for (size_t i = 0; i < n * n; i++) {
     const double mean =
@@ -129,7 +132,7 @@ rot_status rot_ode_growth_step(rot_ode_march *run, double h, const double before
     const rot_ode_group group = rot_ode_group_of(p, m);
     double size = 0.0, sum = 0.0;
     for (size_t i = group.first; i < group.first + group.count; i++) {
-      size = fmax(size, fmax(fabs(run->y[i]), fabs(before[i])));
+      size = fmax(size, fmax(fabs(state->y[i]), fabs(before[i])));
     }
     for (size_t i = group.first; i < group.first + group.count; i++) {
       g->spread[i * n + i] += (double)parts * (ROT_EPS * size) * (ROT_EPS * size);

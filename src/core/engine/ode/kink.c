@@ -1,11 +1,10 @@
 #include "engine/ode/kink.h"
 
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/ode/law.h"
-#include "engine/ode/step.h"
 #include "engine/ode/wall.h"
 #include "ground/real.h"
 
@@ -16,8 +15,8 @@ enum { GAPS = 12, SIDE = 3 };
 
 /* A cubic between two states, and room for what is sampled along it. */
 typedef struct path {
-  rot_ode_march *run;
-  double t, h;
+  rot_ode_law *law;
+  double t, h, wish;             /* wish: a step here, by which walls are apart */
   double *y[2], *slope[2];       /* at its ends */
   double *state, *moved, *after; /* dim each */
   double *sample;                /* GAPS + 1 times dim */
@@ -25,7 +24,7 @@ typedef struct path {
 
 /* The path's state at s, and its time. */
 static double state_at(const path *w, double s, double y[]) {
-  for (size_t k = 0; k < w->run->p->dim; k++) {
+  for (size_t k = 0; k < w->law->p->dim; k++) {
     const double up = w->y[1][k] - w->y[0][k];
     const double bend = (1.0 - s) * (w->h * w->slope[0][k] - up) - s * (w->h * w->slope[1][k] - up);
     y[k] = w->y[0][k] + s * (up + (1.0 - s) * bend);
@@ -35,8 +34,8 @@ static double state_at(const path *w, double s, double y[]) {
 
 static rot_status slope_at(const path *w, double s, double dydt[]) {
   const double t = state_at(w, s, w->state);
-  rot_ode_slope_at(t, w->state, dydt, w->run);
-  return w->run->status;
+  rot_ode_slope_at(t, w->state, dydt, w->law);
+  return w->law->status;
 }
 
 /* The zero in [0, 1] of the parabola through d at 0, 1/2, 1; NaN if there is none. */
@@ -55,24 +54,8 @@ static void apart_parabolas(const double l[SIDE], const double r[SIDE], double d
   d[2] = r[0] - (3.0 * l[0] - 3.0 * l[1] + l[2]);
 }
 
-/* Where the parabolas through three points of component k on either side of *s meet, at most
- * `apart` from it. */
-static rot_status refine(const path *w, size_t k, double apart, double *s) {
-  double f[2][SIDE], d[3];
-  for (int j = 0; j < 2 * SIDE; j++) {
-    const double way = j < SIDE ? -1.0 : 1.0;
-    const rot_status status =
-        slope_at(w, *s + way * (double)(1 + 2 * (j % SIDE)) * apart, w->sample);
-    if (status != ROT_OK) return status;
-    f[j / SIDE][j % SIDE] = w->sample[k];
-  }
-  apart_parabolas(f[0], f[1], d);
-  *s += apart * (2.0 * parabola_zero(d) - 1.0);
-  return ROT_OK;
-}
-
 static rot_status sample(const path *w) {
-  const size_t dim = w->run->p->dim;
+  const size_t dim = w->law->p->dim;
   for (size_t i = 0; i <= GAPS; i++) {
     rot_status status = ROT_OK;
     if (i % GAPS) {
@@ -88,10 +71,10 @@ static rot_status sample(const path *w) {
 /* The sharpest kink of the samples, as a part of the path, in component *which of the slope; NaN
  * where they show none. */
 static double sharpest(const path *w, size_t *which) {
-  const size_t dim = w->run->p->dim;
+  const size_t dim = w->law->p->dim;
   double most = 0.0, s = NAN;
   *which = 0;
-  for (size_t k = 0; k < w->run->p->controlled; k++) {
+  for (size_t k = 0; k < w->law->p->controlled; k++) {
     const double *f = w->sample + k;
     double size = 0.0, rise[GAPS];
     for (size_t i = 0; i <= GAPS; i++) size = fmax(size, fabs(f[i * dim]));
@@ -110,38 +93,59 @@ static double sharpest(const path *w, size_t *which) {
   return s;
 }
 
+/* ---- along one coordinate -------------------------------------------------------------------- */
+
+/* Component k of the slope at w->state, with coordinate i (dim: time) put to x; i = dim + 1: at x
+ * along the path. */
+static rot_status slope_with(const path *w, double t, size_t i, double x, size_t k, double *f) {
+  const size_t dim = w->law->p->dim;
+  if (i > dim) {
+    slope_at(w, x, w->sample);
+  } else {
+    double *y = w->moved;
+    memcpy(y, w->state, dim * sizeof *y);
+    *(i < dim ? &y[i] : &t) = x;
+    rot_ode_slope_at(t, y, w->sample, w->law);
+  }
+  *f = w->sample[k];
+  return w->law->status;
+}
+
+/* The difference of the parabolas on the two sides of *x along coordinate i, as `strength`, twice
+ * `apart` times the jump of the slope; *x moves to where they meet, at most `apart` from it. */
+static rot_status kink_along(const path *w, double t, size_t i, size_t k, double apart, double *x,
+                             double *strength) {
+  double f[2][SIDE], d[3];
+  for (int j = 0; j < 2 * SIDE; j++) {
+    const double way = j < SIDE ? -1.0 : 1.0;
+    const rot_status status = slope_with(w, t, i, *x + way * (double)(1 + 2 * (j % SIDE)) * apart,
+                                         k, &f[j / SIDE][j % SIDE]);
+    if (status != ROT_OK) return status;
+  }
+  apart_parabolas(f[0], f[1], d);
+  *strength = fabs(d[2] - d[0]);
+  *x += apart * (2.0 * parabola_zero(d) - 1.0);
+  return ROT_OK;
+}
+
 static rot_status find(const path *w, double *s) {
   size_t which;
+  double strength;
   const rot_status status = sample(w);
   if (status != ROT_OK) return status;
   *s = sharpest(w, &which);
-  return isnan(*s) ? ROT_OK : refine(w, which, 0.125 / GAPS, s);
+  if (isnan(*s)) return ROT_OK;
+  return kink_along(w, 0.0, w->law->p->dim + 1, which, 0.125 / GAPS, s, &strength);
 }
 
 /* ---- walls ----------------------------------------------------------------------------------- */
 
-/* Component k of the slope at w->state, with coordinate i (dim: time) put to x. */
-static rot_status slope_with(const path *w, double t, size_t i, double x, size_t k, double *f) {
-  rot_ode_march *run = w->run;
-  const size_t dim = run->p->dim;
-  double *y = w->moved;
-  memcpy(y, w->state, dim * sizeof *y);
-  if (i < dim) {
-    y[i] = x;
-  } else {
-    t = x;
-  }
-  rot_ode_slope_at(t, y, w->sample, run);
-  *f = w->sample[k];
-  return run->status;
-}
-
 /* The gap of the samples over which component *which of the slope jumps; -1: there is none. */
 static int jump_gap(const path *w, size_t *which) {
-  const size_t dim = w->run->p->dim;
+  const size_t dim = w->law->p->dim;
   double most = 0.0;
   int gap = -1;
-  for (size_t k = 0; k < w->run->p->controlled; k++) {
+  for (size_t k = 0; k < w->law->p->controlled; k++) {
     const double *f = w->sample + k;
     double size = 0.0, rise[GAPS];
     for (size_t i = 0; i <= GAPS; i++) size = fmax(size, fabs(f[i * dim]));
@@ -164,32 +168,18 @@ static int jump_gap(const path *w, size_t *which) {
 /* Halves [*lo, *hi] along coordinate i of w->state (dim + 1: along the path) until it is resolved
  * to `least`, keeping the ends on the two sides of a jump of component k; *jumps = 0 where the
  * difference melts away, as that of a smooth function does. */
-static rot_status bisect_jump(path *w, double t, size_t i, size_t k, double least, double *lo,
+static rot_status bisect_jump(const path *w, double t, size_t i, size_t k, double least, double *lo,
                               double *hi, int *jumps) {
-  const size_t path_ = w->run->p->dim + 1;
   double a, b, f;
-  rot_status status = ROT_OK;
-  for (int end = 0; end < 2 && status == ROT_OK; end++) {
-    const double x = end ? *hi : *lo;
-    if (i == path_) {
-      status = slope_at(w, x, w->sample);
-      f = w->sample[k];
-    } else {
-      status = slope_with(w, t, i, x, k, &f);
-    }
-    *(end ? &b : &a) = f;
-  }
+  rot_status status = slope_with(w, t, i, *lo, k, &a);
+  if (status == ROT_OK) status = slope_with(w, t, i, *hi, k, &b);
+  if (status != ROT_OK) return status;
   const double height = fabs(b - a);
-  *jumps = status == ROT_OK && height > 0.0;
+  *jumps = height > 0.0;
   while (*jumps && fabs(*hi - *lo) > least) {
     const double mid = *lo + 0.5 * (*hi - *lo);
     if (mid == *lo || mid == *hi) break;
-    if (i == path_) {
-      status = slope_at(w, mid, w->sample);
-      f = w->sample[k];
-    } else {
-      status = slope_with(w, t, i, mid, k, &f);
-    }
+    status = slope_with(w, t, i, mid, k, &f);
     if (status != ROT_OK) return status;
     if (fabs(f - a) > fabs(b - f)) {
       *hi = mid;
@@ -200,187 +190,180 @@ static rot_status bisect_jump(path *w, double t, size_t i, size_t k, double leas
     }
     *jumps = fabs(b - a) > height / 4.0;
   }
-  return status;
+  return ROT_OK;
 }
 
-static rot_status add(const path *w, size_t i, double lo, double hi, int *added) {
-  return rot_ode_add_wall(w->run, i, fmin(lo, hi), fmax(lo, hi), added);
+/* The coordinate (dim: time) that alone, put to its value of `after`, or of t[1], changes component
+ * k of the slope at w->state and t[0], which is a, as far as all do, to b; NO_WALL: none, or
+ * several. */
+static rot_status lone_coordinate(const path *w, const double t[2], const double after[], size_t k,
+                                  double a, double b, size_t *which) {
+  const size_t dim = w->law->p->dim, controlled = w->law->p->controlled;
+  size_t found = 0;
+  *which = NO_WALL;
+  for (size_t i = 0; i <= controlled; i++) {
+    const size_t c = i < controlled ? i : dim;
+    double f;
+    const rot_status status = slope_with(w, t[0], c, c < dim ? after[c] : t[1], k, &f);
+    if (status != ROT_OK) return status;
+    if (fabs(f - b) < fabs(f - a)) *which = found++ ? NO_WALL : c;
+  }
+  return ROT_OK;
+}
+
+static int add(const path *w, size_t i, double lo, double hi) {
+  return rot_ode_add_wall(w->law->walls, i, fmin(lo, hi), fmax(lo, hi), w->wish);
 }
 
 /* A jump of component k of the slope between lo and hi, at a value of one coordinate, whatever the
  * others are. */
-static rot_status jump_wall(path *w, double lo, double hi, size_t k, int *added) {
-  rot_ode_march *run = w->run;
-  const size_t dim = run->p->dim, controlled = run->p->controlled;
-  double a, b;
-  int jumps, found = 0;
-  size_t which = 0;
+static rot_status jump_wall(const path *w, double lo, double hi, size_t k, int *added) {
+  const size_t dim = w->law->p->dim;
+  double a, b, *after = w->after;
+  int jumps;
+  size_t which;
+  *added = 0;
   rot_status status = bisect_jump(w, 0.0, dim + 1, k, 0x1p-24, &lo, &hi, &jumps);
   if (status != ROT_OK || !jumps) return status;
   /* Each coordinate alone, from the state before to the state after. */
-  const double t[2] = {state_at(w, lo, w->moved), w->t + hi * w->h};
-  double *after = w->after;
-  state_at(w, hi, after);
-  memcpy(w->state, w->moved, dim * sizeof *w->state);
+  const double t[2] = {state_at(w, lo, w->state), w->t + hi * w->h};
   status = slope_with(w, t[0], 0, w->state[0], k, &a);
-  memcpy(w->state, after, dim * sizeof *w->state);
-  if (status == ROT_OK) status = slope_with(w, t[1], 0, after[0], k, &b);
+  state_at(w, hi, w->state);
+  if (status == ROT_OK) status = slope_with(w, t[1], 0, w->state[0], k, &b);
+  memcpy(after, w->state, dim * sizeof *after);
   state_at(w, lo, w->state);
-  for (size_t i = 0; i <= controlled && status == ROT_OK; i++) {
-    const size_t c = i < controlled ? i : dim;
-    double f;
-    status = slope_with(w, t[0], c, c < dim ? after[c] : t[1], k, &f);
-    if (status == ROT_OK && fabs(f - b) < fabs(f - a)) {
-      found++;
-      which = c;
-    }
-  }
-  if (status != ROT_OK || found != 1) return status;
+  if (status == ROT_OK) status = lone_coordinate(w, t, after, k, a, b, &which);
+  if (status != ROT_OK || which == NO_WALL) return status;
   double x[2] = {which < dim ? w->state[which] : t[0], which < dim ? after[which] : t[1]};
   const double whole = which < dim ? fabs(w->y[1][which] - w->y[0][which]) : fabs(w->h);
   const double least = 2.0 * ROT_EPS * fmin(fabs(x[0]), fabs(x[1])) + 1e-17 * whole;
   status = bisect_jump(w, t[0], which, k, least, &x[0], &x[1], &jumps);
+  if (status != ROT_OK || !jumps) return status;
   /* At the jump itself there may be a third value, as that of sign(0): the levels lie beside it. */
-  for (int side = 0; side < 2 && status == ROT_OK && jumps; side++) {
+  for (int side = 0; side < 2; side++) {
     const double out = x[side] + 4.0 * copysign(fmax(least, 1e-300), x[side] - x[1 - side]);
     double here, beside;
     status = slope_with(w, t[0], which, x[side], k, &here);
     if (status == ROT_OK) status = slope_with(w, t[0], which, out, k, &beside);
-    if (status == ROT_OK && !(fabs(here - beside) < 0.1 * fabs(b - a))) x[side] = out;
+    if (status != ROT_OK) return status;
+    if (!(fabs(here - beside) < 0.1 * fabs(b - a))) x[side] = out;
   }
-  if (status != ROT_OK || !jumps) return status;
   /* The same at the ends of the path. */
-  for (int end = 0; end < 2 && status == ROT_OK; end++) {
+  for (int end = 0; end < 2; end++) {
     const double at = state_at(w, end, w->state);
     double f[2];
-    for (int side = 0; side < 2 && status == ROT_OK; side++) {
+    for (int side = 0; side < 2; side++) {
       status = slope_with(w, at, which, x[side], k, &f[side]);
+      if (status != ROT_OK) return status;
     }
-    if (status == ROT_OK && !(fabs(f[1] - f[0]) > 1e-3 * fabs(b - a))) return ROT_OK;
+    if (!(fabs(f[1] - f[0]) > 1e-3 * fabs(b - a))) return ROT_OK;
   }
-  return status == ROT_OK ? add(w, which, x[0], x[1], added) : status;
-}
-
-/* The difference of the parabolas on the two sides of *x along coordinate i, as `strength`, twice
- * `apart` times the jump of the slope; *x moves to where they meet. */
-static rot_status kink_along(const path *w, double t, size_t i, size_t k, double apart, double *x,
-                             double *strength) {
-  double f[2][SIDE], d[3];
-  for (int j = 0; j < 2 * SIDE; j++) {
-    const double way = j < SIDE ? -1.0 : 1.0;
-    const rot_status status = slope_with(w, t, i, *x + way * (double)(1 + 2 * (j % SIDE)) * apart,
-                                         k, &f[j / SIDE][j % SIDE]);
-    if (status != ROT_OK) return status;
-  }
-  apart_parabolas(f[0], f[1], d);
-  *strength = fabs(d[2] - d[0]);
-  *x += apart * (2.0 * parabola_zero(d) - 1.0);
+  *added = add(w, which, x[0], x[1]);
   return ROT_OK;
 }
 
 /* A kink of the slope at a value of one coordinate, whatever the others are. */
 static rot_status kink_wall(const path *w, double s, size_t k, int *added) {
-  rot_ode_march *run = w->run;
-  const size_t dim = run->p->dim, controlled = run->p->controlled;
-  double most = 0.0, second = 0.0, at = NAN, apart = 0.0;
+  const size_t dim = w->law->p->dim, controlled = w->law->p->controlled;
+  double most = 0.0, second = 0.0, x = NAN, apart = 0.0, strength;
   size_t which = 0;
   const double t = state_at(w, s, w->state);
   for (size_t i = 0; i <= controlled; i++) {
     const size_t c = i < controlled ? i : dim;
     const double whole = c < dim ? fabs(w->y[1][c] - w->y[0][c]) : fabs(w->h);
     const double near = 0.5 * whole / GAPS;
-    double x = c < dim ? w->state[c] : t, strength;
-    if (!(near > 1e-12 * fabs(x))) continue;
-    const rot_status status = kink_along(w, t, c, k, near, &x, &strength);
+    double at = c < dim ? w->state[c] : t;
+    if (!(near > 1e-12 * fabs(at))) continue;
+    const rot_status status = kink_along(w, t, c, k, near, &at, &strength);
     if (status != ROT_OK) return status;
-    if (strength > most) {
-      second = most;
-      most = strength;
-      which = c;
-      at = x;
-      apart = near;
-    } else {
-      second = fmax(second, strength);
-    }
+    second = fmax(second, strength > most ? most : strength);
+    if (!(strength > most)) continue;
+    most = strength;
+    which = c;
+    x = at;
+    apart = near;
   }
-  if (isnan(at) || !(most > SHARP * second)) return ROT_OK;
-  double x = at, strength;
-  for (int k_ = 0; k_ < 5; k_++) {
+  if (isnan(x) || !(most > SHARP * second)) return ROT_OK;
+  for (int turn = 0; turn < 5; turn++) {
     apart /= 16.0;
     const rot_status status = kink_along(w, t, which, k, apart, &x, &strength);
     if (status != ROT_OK || isnan(x)) return status;
   }
   /* The same at the end of the path that is further away. */
-  const double end = s < 0.5 ? 1.0 : 0.0, near = 16.0 * 16.0 * apart;
-  const double there = state_at(w, end, w->state);
-  double same = x, other;
-  const rot_status status = kink_along(w, there, which, k, near, &same, &other);
-  if (status != ROT_OK || !(fabs(same - x) < 0.1 * near)) return status;
-  return add(w, which, x, x, added);
+  const double near = 16.0 * 16.0 * apart, there = state_at(w, s < 0.5 ? 1.0 : 0.0, w->state);
+  double same = x;
+  const rot_status status = kink_along(w, there, which, k, near, &same, &strength);
+  if (status == ROT_OK && fabs(same - x) < 0.1 * near) *added = add(w, which, x, x);
+  return status;
+}
+
+/* ---- kinks ----------------------------------------------------------------------------------- */
+
+static path path_with(rot_ode_law *law, double *scratch) {
+  const size_t dim = law->p->dim;
+  path w = {.law = law};
+  double **part[] = {&w.y[0], &w.y[1], &w.slope[0], &w.slope[1], &w.state, &w.moved, &w.after};
+  const size_t n = sizeof part / sizeof *part;
+  for (size_t k = 0; k < n; k++) *part[k] = scratch + k * dim;
+  w.sample = scratch + n * dim;
+  return w;
 }
 
 /* A path by a step of the method, good to the last digits where it meets no kink. */
-static rot_status step_to(path *w, double t, double h) {
-  const size_t dim = w->run->p->dim;
-  const rot_status status = rot_ode_attempt(w->run, t, h, w->y[0], w->slope[0]);
+static rot_status step_to(path *w, rot_ode_stepper *s, double t, double h) {
+  const size_t dim = w->law->p->dim;
+  const rot_status status = rot_ode_attempt(s, t, h, w->y[0], w->slope[0]);
   w->t = t;
   w->h = h;
-  memcpy(w->y[1], w->run->trial, dim * sizeof *w->y[1]);
-  memcpy(w->slope[1], w->run->trial_slope, dim * sizeof *w->slope[1]);
+  memcpy(w->y[1], s->trial, dim * sizeof *s->trial);
+  memcpy(w->slope[1], s->trial_slope, dim * sizeof *s->trial);
   return status;
 }
 
 /* The cubic of the whole step tells the kink to some h/400. Then a step that ends just before it,
  * and one from there over it, a thirty-second of the length: its cubic is 1000 times as good. Until
  * that is enough. */
-static rot_status close_in(path *w, double h) {
-  rot_ode_march *run = w->run;
-  const size_t dim = run->p->dim;
-  const double apart = sqrt(run->p->accuracy) * h / 8.0;
-  double at = run->t, margin = h / 64.0, s, last, t = NAN;
+static rot_status close_in(rot_ode_kink_search *in, path *w) {
+  const size_t dim = w->law->p->dim;
+  const double h = w->h, apart = sqrt(w->law->p->accuracy) * h / 8.0;
+  double at = w->t, margin = h / 64.0, s, last, t = NAN;
   rot_status status = find(w, &s);
   do {
     if (status != ROT_OK || isnan(s)) return status;
     last = t;
     t = w->t + s * w->h;
     if (fabs(t - last) < 1000.0 * fabs(apart)) break;
-    status = step_to(w, at, t - margin - at);
-    if (status != ROT_OK || !(rot_ode_trial_ratio(run, w->h) <= 1.0)) return status;
+    status = step_to(w, in->stepper, at, t - margin - at);
+    if (status != ROT_OK || !(rot_ode_trial_ratio(in->stepper, w->h) <= 1.0)) return status;
     memcpy(w->y[0], w->y[1], dim * sizeof *w->y[0]);
     memcpy(w->slope[0], w->slope[1], dim * sizeof *w->slope[0]);
     at = w->t + w->h;
-    status = step_to(w, at, 2.0 * margin);
+    status = step_to(w, in->stepper, at, 2.0 * margin);
     if (status == ROT_OK) status = find(w, &s);
     margin /= 32.0;
   } while (fabs(margin) > fabs(apart) / 1024.0);
-  run->kink = t - apart;
-  run->over = t + apart;
-  if ((run->kink - run->t) * h <= 0.0) run->kink = run->over;
+  in->before = t - apart;
+  in->behind = t + apart;
+  if ((in->before - in->clock->t) * h <= 0.0) in->before = in->behind;
   return ROT_OK;
 }
 
-static path path_with(rot_ode_march *run, double h, double *scratch) {
-  const size_t dim = run->p->dim;
-  return (path){run,
-                run->t,
-                h,
-                {scratch, scratch + dim},
-                {scratch + 2 * dim, scratch + 3 * dim},
-                scratch + 4 * dim,
-                scratch + 5 * dim,
-                scratch + 6 * dim,
-                scratch + 7 * dim};
+static rot_status no_place(rot_status status) {
+  return rot_ode_may_retry(status) ? ROT_OK : status;
 }
 
-static rot_status look(rot_ode_march *run, double h, int walls_alone) {
-  const size_t dim = run->p->dim;
-  double *scratch = malloc((GAPS + 8) * dim * sizeof *scratch);
+static rot_status look(rot_ode_kink_search *in, double h, int walls_alone) {
+  const size_t size = in->law->p->dim * sizeof(double);
+  double *scratch = malloc((GAPS + 8) * size);
   if (!scratch) return ROT_ENOMEM;
-  path w = path_with(run, h, scratch);
-  memcpy(w.y[0], run->y, dim * sizeof *scratch);
-  memcpy(w.slope[0], run->slope, dim * sizeof *scratch);
-  memcpy(w.y[1], run->trial, dim * sizeof *scratch);
-  memcpy(w.slope[1], run->trial_slope, dim * sizeof *scratch);
+  path w = path_with(in->law, scratch);
+  w.t = in->clock->t;
+  w.h = h;
+  w.wish = in->stepper->h;
+  memcpy(w.y[0], in->state->y, size);
+  memcpy(w.slope[0], in->state->slope, size);
+  memcpy(w.y[1], in->stepper->trial, size);
+  memcpy(w.slope[1], in->stepper->trial_slope, size);
   int added = 0;
   rot_status status = sample(&w);
   if (status == ROT_OK) {
@@ -392,83 +375,129 @@ static rot_status look(rot_ode_march *run, double h, int walls_alone) {
     }
     if (status == ROT_OK && !added && !isnan(s)) status = kink_wall(&w, s, bends, &added);
   }
-  if (status == ROT_OK && !added && !walls_alone) status = close_in(&w, h);
+  if (status == ROT_OK && !added && !walls_alone) status = close_in(in, &w);
   free(scratch);
-  return status == ROT_ERHS || status == ROT_ESTEP ? ROT_OK : status;
+  return no_place(status);
 }
 
-rot_status rot_ode_look_for_wall(rot_ode_march *run, double h) { return look(run, h, 1); }
+rot_status rot_ode_look_for_wall(rot_ode_kink_search *in, double h) { return look(in, h, 1); }
 
-rot_status rot_ode_look_for_kink(rot_ode_march *run, double h) {
-  return look(run, h, run->method != ROT_METHOD_RK8PD);
+/* A smooth law fails the test of a step that it chose itself by less: there may be a kink. */
+#define KINK_RATIO 8.0
+enum { MOST_LOOKS = 6 };
+
+rot_status rot_ode_look_for_kink(rot_ode_kink_search *in, double h, double ratio, int diverged) {
+  const rot_ode_state *state = in->state;
+  rot_ode_stepper *s = in->stepper;
+  const double t = in->clock->t;
+  if (!in->found || !(ratio > KINK_RATIO || diverged) || in->law->slides != NO_WALL) return ROT_OK;
+  if (state->phase != ROT_ODE_MOVING && state->phase != ROT_ODE_CUT) return ROT_OK;
+  in->looks = t == in->looked_t ? in->looks + 1 : 1;
+  in->looked_t = t;
+  if (in->looks > MOST_LOOKS) {
+    in->found->missed = in->found->missed || !diverged;
+    return ROT_OK;
+  }
+  if (diverged) { /* Newton's iteration: along the tangent */
+    for (size_t i = 0; i < in->law->p->dim; i++) s->trial[i] = state->y[i] + h * state->slope[i];
+    const int code = rot_ode_slope_at(t + h, s->trial, s->trial_slope, in->law);
+    if (code != GSL_SUCCESS) return in->law->status == ROT_ERHS ? ROT_OK : in->law->status;
+  }
+  return look(in, h, s->method != ROT_METHOD_RK8PD);
+}
+
+rot_status rot_ode_pass_kink(rot_ode_kink_search *in) {
+  rot_ode_kinks *k = in->found;
+  if (k->count == k->room) {
+    const size_t room = k->room ? 2 * k->room : 16;
+    double *time_s = realloc(k->time_s, room * sizeof *time_s);
+    if (!time_s) return ROT_ENOMEM;
+    k->time_s = time_s;
+    k->room = room;
+  }
+  k->time_s[k->count++] = in->before;
+  in->before = in->clock->t == in->behind ? NAN : in->behind;
+  return ROT_OK;
 }
 
 /* ---- what a probe saw ------------------------------------------------------------------------ */
 
 /* The straight line from one place of a sight to the next. */
 static void line(path *w, const rot_ode_sight *sight, size_t from) {
-  const size_t dim = w->run->p->dim;
+  const size_t dim = w->law->p->dim;
   w->t = sight->t[from];
-  w->h = sight->t[from + 1] - sight->t[from];
+  w->h = w->wish = sight->t[from + 1] - sight->t[from];
   memcpy(w->y[0], sight->y + from * dim, 2 * dim * sizeof *w->y[0]);
   for (size_t i = 0; i < dim; i++) {
     w->slope[0][i] = w->slope[1][i] = (w->y[1][i] - w->y[0][i]) / w->h;
   }
-  w->run->h = w->h;
 }
 
-/* The coordinate (dim: time) that alone changes component k of the slope from one end of a line to
- * the other as far as all do; NO_WALL: none, or several. */
-static rot_status lone_coordinate(path *w, size_t k, size_t *which) {
-  const size_t dim = w->run->p->dim, controlled = w->run->p->controlled;
+/* A wall at the value of the coordinate of the place itself, which alone changes component k from
+ * one end of a line to the other as far as all do. */
+static rot_status wall_at_place(const path *w, size_t k, int *added) {
+  const double t[2] = {w->t, w->t + w->h};
+  const size_t path_ = w->law->p->dim + 1;
   double a, b;
-  size_t found = 0;
-  rot_status status = slope_at(w, 1.0, w->sample);
-  b = w->sample[k];
-  if (status == ROT_OK) status = slope_at(w, 0.0, w->sample);
-  a = w->sample[k];
-  *which = NO_WALL;
-  memcpy(w->state, w->y[0], dim * sizeof *w->state);
-  for (size_t i = 0; i <= controlled && status == ROT_OK; i++) {
-    const size_t c = i < controlled ? i : dim;
-    double f;
-    status = slope_with(w, w->t, c, c < dim ? w->y[1][c] : w->t + w->h, k, &f);
-    if (status == ROT_OK && fabs(f - b) < fabs(f - a)) {
-      found++;
-      *which = c;
-    }
+  size_t which;
+  rot_status status = slope_with(w, 0.0, path_, 1.0, k, &b);
+  if (status == ROT_OK) status = slope_with(w, 0.0, path_, 0.0, k, &a);
+  memcpy(w->state, w->y[0], w->law->p->dim * sizeof *w->state);
+  if (status == ROT_OK) status = lone_coordinate(w, t, w->y[1], k, a, b, &which);
+  if (status == ROT_OK && which < w->law->p->dim) {
+    *added = add(w, which, w->y[1][which], w->y[1][which]);
   }
-  if (found != 1) *which = NO_WALL;
   return status;
 }
 
-rot_status rot_ode_look_at_sight(rot_ode_march *run, const rot_ode_sight *sight, double *break_s) {
-  const size_t dim = run->p->dim, k = sight->component;
-  int added = 0, any = 0;
-  size_t which = NO_WALL;
-  *break_s = NAN;
-  double *scratch = malloc((GAPS + 8) * dim * sizeof *scratch);
-  if (!scratch) return ROT_ENOMEM;
-  path w = path_with(run, 0.0, scratch);
-  run->forward = sight->t[2] > sight->t[0];
-  run->t = sight->t[0];
-  memcpy(run->y, sight->y, dim * sizeof *run->y);
-  rot_status status = rot_ode_choose_sides(run);
+static rot_status look_at_sight(path *w, const rot_ode_sight *sight, double *break_s) {
+  int any = 0;
+  rot_status status = ROT_OK;
   for (size_t from = 0; from < 2 && status == ROT_OK; from++) {
+    int added;
     if (sight->t[from] == sight->t[from + 1]) continue;
-    line(&w, sight, from);
-    status = jump_wall(&w, 0.0, 1.0, k, &added);
+    line(w, sight, from);
+    status = jump_wall(w, 0.0, 1.0, sight->component, &added);
     any |= added;
   }
   if (status == ROT_OK && !any && sight->t[0] != sight->t[1]) {
-    line(&w, sight, 0);
-    status = lone_coordinate(&w, k, &which);
-    if (status == ROT_OK && which < dim) {
-      status = rot_ode_add_wall(run, which, w.y[1][which], w.y[1][which], &added);
-      any |= added;
-    }
+    line(w, sight, 0);
+    status = wall_at_place(w, sight->component, &any);
   }
+  *break_s = any ? NAN : sight->t[1];
+  return no_place(status);
+}
+
+rot_status rot_ode_look_at_sights(const rot_ode_params *p, const rot_ode_probes *probes,
+                                  rot_ode_walls *walls, double break_s[], rot_info *info) {
+  const size_t dim = p->dim;
+  const int first_mode = p->mode ? *p->mode : 0;
+  rot_ode_clock clock = {p, NAN, NAN, 1, -INFINITY, INFINITY, 0};
+  rot_ode_state state = {.phase = ROT_ODE_MOVING};
+  rot_ode_law law;
+  rot_status status = ROT_OK;
+  double *scratch = calloc((GAPS + 12) * dim, sizeof *scratch);
+  if (!scratch) return ROT_ENOMEM;
+  memset(&law, 0, sizeof law);
+  law.p = p;
+  law.clock = &clock;
+  law.info = info;
+  law.walls = walls;
+  law.kept = scratch + (GAPS + 8) * dim;
+  law.beside = law.kept + dim;
+  law.beyond = law.beside + dim;
+  state.y = law.beyond + dim;
+  for (size_t k = 0; k < probes->n_sights && status == ROT_OK; k++) {
+    const rot_ode_sight *sight = &probes->sight[k];
+    path w = path_with(&law, scratch);
+    if (p->mode) *p->mode = sight->mode;
+    clock.forward = sight->t[2] > sight->t[0];
+    clock.t = sight->t[0];
+    memcpy(state.y, sight->y, dim * sizeof *state.y);
+    status = rot_ode_choose_sides(&law, &state);
+    if (status == ROT_OK) status = look_at_sight(&w, sight, &break_s[k]);
+  }
+  if (p->mode) *p->mode = first_mode;
   free(scratch);
-  if (!any) *break_s = sight->t[1];
-  return status == ROT_ERHS || status == ROT_ESTEP ? ROT_OK : status;
+  return status;
 }

@@ -6,6 +6,9 @@
 
 #include "engine/ode/params.h"
 
+/* Below, doubles have no 16 digits left that an error test could ask for. */
+#define ROT_ODE_LEAST_SIZE 1e-290
+
 /* How many measures steer the step. */
 static inline size_t rot_ode_steering(const rot_ode_params *p) {
   return p->n_groups ? p->n_groups : p->controlled;

@@ -5,145 +5,13 @@
 #include <string.h>
 
 #include "engine/ode/collocate.h"
-#include "engine/ode/growth.h"
-#include "engine/ode/kink.h"
-#include "engine/ode/law.h"
 #include "engine/ode/march.h"
-#include "engine/ode/probe.h"
-#include "engine/ode/rows.h"
-#include "engine/ode/step.h"
-#include "engine/ode/track.h"
-#include "engine/ode/wall.h"
+#include "engine/ode/norm.h"
 #include "ground/real.h"
 
 #define LEAST_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
 #define LEAST_FINE      1e-15 /* of a guided run: below, its error test would reject rounding */
 #define MOST_TOLERANCE  3e-3
-
-/* ---- one run over both sides ----------------------------------------------------------------- */
-
-/* What is asked of a run, and where the rows go. */
-typedef struct job {
-  const rot_ode_params *p;
-  size_t n, before; /* rows; those before the start */
-  const double *time_s;
-  rot_method method;
-  double tolerance;
-  size_t budget;
-  double *y_rows, *slope_rows; /* NULL: none */
-  const rot_ode_trace *guide;  /* of both sides, or NULL */
-  size_t parts;                /* of its steps */
-  rot_ode_trace *trace;        /* of both sides */
-  double *largest, *share;
-  double *moved, *missed;
-  rot_ode_kinks *kinks; /* see rot_ode_march */
-  rot_ode_walls *walls;
-  rot_ode_growth *growth;   /* NULL: not followed */
-  rot_ode_track *track;     /* of both sides, or NULL */
-  rot_ode_probes *probes;   /* NULL: none */
-  double found, unresolved; /* out: see rot_ode_march */
-  int stiff;                /* in: look for it; out: found */
-  int first_mode;
-} job;
-
-static rot_status run_sides(rot_ode_march *run, job *j) {
-  rot_status status = ROT_OK;
-  for (int forward = 0; forward < 2 && status == ROT_OK; forward++) {
-    const rot_ode_trace *guide = j->guide ? &j->guide[forward] : NULL;
-    run->first = forward ? j->before : 0;
-    run->total = forward ? j->n - j->before : j->before;
-    run->done = 0;
-    run->forward = forward;
-    run->guide = guide;
-    run->parts = j->parts;
-    run->trace = &j->trace[forward];
-    run->track = j->track ? &j->track[forward] : NULL;
-    if (run->track) run->track->nodes.count = 0, run->track->slid = 0;
-    run->trace->dim = j->p->dim;
-    run->trace->count = 0;
-    if (forward) run->info->rows_done = j->before;
-    if (run->total == 0) continue;
-    double end = j->time_s[forward ? j->n - 1 : 0];
-    if (guide && guide->count && !guide->ended) end = rot_ode_node(guide, guide->count - 1)[0];
-    rot_ode_rows_at_start(run);
-    status = rot_ode_march_to(run, end, forward);
-    run->trace->ended = run->phase == ROT_ODE_ENDED;
-  }
-  return status;
-}
-
-static rot_status run_once(job *j, const rot_hooks *hooks, rot_info *info) {
-  const rot_ode_params *p = j->p;
-  const size_t dim = p->dim;
-  rot_ode_march run;
-  memset(&run, 0, sizeof run);
-  double *scratch = calloc(13 * dim, sizeof *scratch);
-  const size_t calls = info->rhs_calls;
-  rot_info_clear(info, NULL);
-  info->rhs_calls = calls;
-  info->tolerance = j->tolerance;
-  info->method = j->method;
-  run.p = p;
-  run.hooks = hooks;
-  run.info = info;
-  run.method = j->method;
-  run.tolerance = j->tolerance;
-  run.budget = j->budget;
-  run.largest = j->largest;
-  run.share = j->share;
-  run.moved = j->moved;
-  run.missed = j->missed;
-  run.first_mode = j->first_mode;
-  run.time_s = j->time_s;
-  run.y_rows = j->y_rows;
-  run.slope_rows = j->slope_rows;
-  run.watch_stiffness = j->stiff;
-  run.kinks = j->guide ? NULL : j->kinks;
-  run.walls = j->walls;
-  run.growth = j->guide ? NULL : j->growth;
-  run.probes = j->y_rows ? j->probes : NULL;
-  run.called = run.probes ? malloc(ROT_ODE_CALLS * (1 + dim) * sizeof *run.called) : NULL;
-  run.slides = NO_WALL;
-  run.dense.dim = dim;
-  run.dense.slopes = j->method == ROT_METHOD_RK8PD;
-  run.form = calloc(dim, sizeof *run.form);
-  run.n_watch = (p->turn != NULL) + p->n_events + j->walls->count;
-  run.watch = calloc(run.n_watch + ROT_ODE_MOST_WALLS, sizeof *run.watch);
-  memset(j->share, 0, dim * sizeof *j->share);
-  memset(j->moved, 0, dim * sizeof *j->moved);
-  memset(j->missed, 0, dim * sizeof *j->missed);
-  for (size_t m = 0; m < rot_ode_measures(p); m++) {
-    j->largest[m] = rot_ode_size(rot_ode_group_of(p, m), p->start);
-  }
-  if (p->log) p->log->count = 0;
-  if (j->method == ROT_METHOD_RADAU) {
-    run.radau = rot_radau_alloc(dim, p->controlled);
-  } else {
-    run.rk = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, dim);
-  }
-  const int room = !run.probes || run.called;
-  info->status =
-      room && scratch && run.form && run.watch && (run.rk || run.radau) ? ROT_OK : ROT_ENOMEM;
-  if (info->status == ROT_OK) {
-    double **part[] = {&run.y,       &run.trial,  &run.trial_error, &run.slope,   &run.trial_slope,
-                       &run.allowed, &run.work,   &run.change,      &run.stage_y, &run.stage_f,
-                       &run.kept,    &run.beside, &run.beyond};
-    for (size_t k = 0; k < sizeof part / sizeof *part; k++) *part[k] = scratch + k * dim;
-    run.system = (gsl_odeiv2_system){rot_ode_slope_at, NULL, dim, &run};
-    info->status = run_sides(&run, j);
-  }
-  j->found = run.found;
-  j->unresolved = sqrt(run.unresolved);
-  j->stiff = run.phase == ROT_ODE_STIFF;
-  if (run.rk) gsl_odeiv2_step_free(run.rk);
-  rot_radau_free(run.radau);
-  rot_dense_free(&run.dense);
-  free(run.form);
-  free(run.watch);
-  free(run.called);
-  free(scratch);
-  return info->status;
-}
 
 /* ---- the error estimate ---------------------------------------------------------------------- */
 
@@ -203,13 +71,13 @@ static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
 #define WALL_MARGIN 10.0
 
 /* Kinks that no break marks. */
-static int has_kinks(const job *j) { return j->p->kinks || j->kinks->missed; }
+static int has_kinks(const rot_ode_job *j) { return j->p->kinks || j->kinks->missed; }
 
 /* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
  * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
  * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is
  * rounding: no finer run makes it less. */
-static double part_of_distance(const job *fine, double ratio, double rounding_share,
+static double part_of_distance(const rot_ode_job *fine, double ratio, double rounding_share,
                                double coarse_found, double fine_found) {
   if (has_kinks(fine)) return KINK_MARGIN;
   const double fell = coarse_found > 0.0 ? fine_found / coarse_found / ratio : 0.0;
@@ -232,7 +100,7 @@ static double part_of_distance(const job *fine, double ratio, double rounding_sh
 #define LOST 0.03
 
 /* What rounding makes of a measure. */
-static double roundings_of(const job *j, size_t m, size_t steps, double size) {
+static double roundings_of(const rot_ode_job *j, size_t m, size_t steps, double size) {
   const double each = 4.0 * ROT_EPS * sqrt(1.0 + (double)steps) * size;
   if (!j->growth || m >= rot_ode_steering(j->p)) return each;
   const double grown = j->growth->worst[m];
@@ -242,31 +110,32 @@ static double roundings_of(const job *j, size_t m, size_t steps, double size) {
 
 /* Without events that change the law, the rows of a fine run of rk8pd take a part of its distance
  * from the coarse one. */
-static int mends(const job *fine) {
+static int mends(const rot_ode_job *fine) {
   const rot_ode_params *p = fine->p;
   return fine->method == ROT_METHOD_RK8PD && !p->turn && (p->n_events == 0 || !p->mode);
 }
 
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
  * would lessen; *lost: see above. */
-static double estimate(const job *coarse, const job *fine, const rot_info *info,
+static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const rot_info *info,
                        double rounding_share, double change[], double error[], double *steps,
                        int *lost) {
   const rot_ode_params *p = fine->p;
   const double ratio = (double)fine->parts / (double)coarse->parts;
-  double part = part_of_distance(fine, ratio, rounding_share, coarse->found, fine->found);
+  double part =
+      part_of_distance(fine, ratio, rounding_share, coarse->errors.found, fine->errors.found);
   const double mend = mends(fine) ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0) : 0.0;
   /* Most steps whose error does not fall meet a kink that was not found; fewer where one was. */
-  const double resolve = (fine->walls->count ? 1.5 : 3.0) * fine->unresolved;
+  const double resolve = (fine->walls->count ? 1.5 : 3.0) * fine->errors.unresolved;
   double worst = *steps = 0.0;
   memset(error, 0, rot_ode_measures(p) * sizeof *error);
   for (int forward = 0; forward < 2; forward++) {
-    const size_t first = forward ? fine->before : 0;
-    const size_t before = fine->before < info->rows_done ? fine->before : info->rows_done;
+    const size_t first = forward ? fine->rows.before : 0;
+    const size_t before = fine->rows.before < info->rows_done ? fine->rows.before : info->rows_done;
     const size_t rows = forward ? info->rows_done - before : before;
     if (rows) {
       differences(p, &coarse->trace[forward], &fine->trace[forward], forward, first, rows,
-                  fine->time_s, mend, fine->y_rows, change, error);
+                  fine->rows.time_s, mend, fine->rows.y, change, error);
     }
   }
   *lost = 0;
@@ -279,11 +148,13 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
     const double size = fine->largest[m];
     const double roundings = roundings_of(fine, m, info->steps, size);
     if (m >= rot_ode_steering(p) && fine->method == ROT_METHOD_RK8PD && !*lost) {
-      error[m] = fmax(error[m], MISSED_PART * coarse->missed[m]);
-      part = part_of_distance(fine, ratio, rounding_share, coarse->missed[m], fine->missed[m]);
+      error[m] = fmax(error[m], MISSED_PART * coarse->errors.missed[m]);
+      part = part_of_distance(fine, ratio, rounding_share, coarse->errors.missed[m],
+                              fine->errors.missed[m]);
     }
     const double lessened = fmax(0.0, part - rounding_share) * error[m] + resolve * size;
-    error[m] = part * error[m] + fine->share[m] + fine->moved[m] + resolve * size + roundings;
+    error[m] = part * error[m] + fine->errors.share[m] + fine->errors.moved[m] + resolve * size +
+               roundings;
     if (m >= rot_ode_steering(p) || size == 0.0) continue;
     *steps = fmax(*steps, lessened / size);
     worst = fmax(worst, error[m] / size);
@@ -292,35 +163,36 @@ static double estimate(const job *coarse, const job *fine, const rot_info *info,
 }
 
 /* Of a coarse run that failed, the steps that lead to the last row it reached. */
-static void cut_traces(const job *coarse, size_t *n) {
+static void cut_traces(const rot_ode_job *coarse, size_t *n) {
   rot_ode_trace *m = &coarse->trace[1];
   const double reached = m->count ? rot_ode_node(m, m->count - 1)[0] : -INFINITY;
-  while (*n > coarse->before && coarse->time_s[*n - 1] > reached) --*n;
-  if (*n > coarse->before) {
-    while (m->count > 1 && rot_ode_node(m, m->count - 2)[0] >= coarse->time_s[*n - 1]) m->count--;
+  while (*n > coarse->rows.before && coarse->rows.time_s[*n - 1] > reached) --*n;
+  if (*n > coarse->rows.before) {
+    while (m->count > 1 && rot_ode_node(m, m->count - 2)[0] >= coarse->rows.time_s[*n - 1])
+      m->count--;
   }
 }
 
 /* The run that chooses the steps, and with them the method. */
-static rot_status choose_steps(job *coarse, double tolerance, const rot_hooks *hooks,
+static rot_status choose_steps(rot_ode_job *coarse, double tolerance, const rot_hooks *hooks,
                                rot_info *info) {
   const rot_method wanted = coarse->p->method;
   coarse->method = wanted == ROT_METHOD_RADAU ? wanted : ROT_METHOD_RK8PD;
   coarse->stiff = wanted == ROT_METHOD_NONE;
   coarse->tolerance = tolerance;
   if (coarse->method == ROT_METHOD_RK8PD) {
-    run_once(coarse, hooks, info);
+    rot_ode_run_once(coarse, hooks, info);
     if (!coarse->stiff) return info->status;
   }
   /* Its error test is that of order 5, the result has order 9. */
   coarse->stiff = 0;
   coarse->method = ROT_METHOD_RADAU;
   coarse->tolerance = fmin(1e-3, pow(tolerance, 6.0 / 9.0));
-  run_once(coarse, hooks, info);
+  rot_ode_run_once(coarse, hooks, info);
   if (info->status == ROT_ESTEP && wanted == ROT_METHOD_NONE) {
     coarse->method = ROT_METHOD_RK8PD;
     coarse->tolerance = tolerance;
-    run_once(coarse, hooks, info);
+    rot_ode_run_once(coarse, hooks, info);
   }
   return info->status;
 }
@@ -368,17 +240,17 @@ static int collocates(const rot_ode_params *p, const rot_ode_growth *growth) {
 }
 
 /* The result by collocation in the steps of the coarse run; *good = 0: there is none. */
-static rot_status collocate(const job *coarse, double y[], double slope[], double error[],
+static rot_status collocate(const rot_ode_job *coarse, double y[], double slope[], double error[],
                             double largest[], const rot_hooks *hooks, rot_info *info, int *good) {
-  const rot_ode_output rows = {coarse->n, coarse->before, coarse->time_s, y, slope};
+  const rot_ode_output rows = {coarse->rows.n, coarse->rows.before, coarse->rows.time_s, y, slope};
   info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, &rows, coarse->probes,
                                    hooks, info, error, largest, good);
   if (!*good) return info->status;
   for (size_t m = 0; m < coarse->p->dim; m++) {
     error[m] += roundings_of(coarse, m, info->steps, largest[m]);
   }
-  info->rows_done = coarse->n;
-  info->time_s = coarse->time_s[coarse->n - 1];
+  info->rows_done = coarse->rows.n;
+  info->time_s = coarse->rows.time_s[coarse->rows.n - 1];
   return ROT_OK;
 }
 
@@ -393,21 +265,21 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
   size_t parts = first_parts(p, &tolerance);
   rot_ode_kinks kinks = {0, 0, NULL, 0};
   rot_ode_params split = *p;
-  job coarse;
+  rot_ode_job coarse;
   memset(traces, 0, sizeof traces);
   memset(tracks, 0, sizeof tracks);
   memset(&coarse, 0, sizeof coarse);
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
   coarse.p = p;
-  coarse.time_s = time_s;
-  coarse.n = n;
-  while (coarse.before < n && time_s[coarse.before] < p->start_s) coarse.before++;
+  coarse.rows.time_s = time_s;
+  coarse.rows.n = n;
+  while (coarse.rows.before < n && time_s[coarse.rows.before] < p->start_s) coarse.rows.before++;
   coarse.trace = traces[0];
   coarse.parts = 1;
   coarse.largest = scratch;
-  coarse.share = scratch + p->dim;
-  coarse.moved = scratch + 2 * p->dim;
-  coarse.missed = scratch + 4 * p->dim;
+  coarse.errors.share = scratch + p->dim;
+  coarse.errors.moved = scratch + 2 * p->dim;
+  coarse.errors.missed = scratch + 4 * p->dim;
   coarse.first_mode = p->mode ? *p->mode : 0;
   coarse.budget = p->max_steps / 2;
   coarse.kinks = &kinks;
@@ -424,7 +296,7 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
   const rot_info failure = *info;
   if (probes && info->status == ROT_OK && n) rot_ode_probes_range(probes, traces[0]);
   if (scratch) memcpy(largest, scratch, rot_ode_measures(p) * sizeof *largest);
-  if (info->status != ROT_OK) cut_traces(&coarse, &coarse.n);
+  if (info->status != ROT_OK) cut_traces(&coarse, &coarse.rows.n);
 
   int hopeless = info->status == ROT_EUNWIND || info->status == ROT_ENOMEM ||
                  (info->status != ROT_OK && coarse.trace[1].count == 0);
@@ -444,18 +316,18 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
   }
   coarse.track = NULL;
   for (int k = 0; k < MOST_RUNS && n && !hopeless && !solved; k++) {
-    job fine = coarse;
+    rot_ode_job fine = coarse;
     fine.guide = traces[0];
     fine.parts = parts;
     fine.trace = traces[1 + k % 2];
-    fine.y_rows = y;
-    fine.slope_rows = mends(&fine) ? NULL : slope; /* slopes are those of the rows as they stay */
+    fine.rows.y = y;
+    fine.rows.slope = mends(&fine) ? NULL : slope; /* slopes are those of the rows as they stay */
     for (size_t i = 0; slope && i < n; i++) slope[i] = NAN;
     fine.largest = largest;
-    fine.missed = scratch + (size_t)(5 + k % 2) * p->dim;
+    fine.errors.missed = scratch + (size_t)(5 + k % 2) * p->dim;
     fine.budget = p->max_steps;
     fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
-    run_once(&fine, hooks, info);
+    rot_ode_run_once(&fine, hooks, info);
     if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
     /* A step's rounding beside what its error test allows. */
     const double share = 4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
@@ -520,30 +392,11 @@ static rot_status add_stop(stops *s, double t) {
 /* Walls where the law changes between the places that it was seen at, or a break there. */
 static rot_status look_at_sights(const rot_ode_params *p, const rot_ode_probes *probes,
                                  rot_ode_walls *walls, stops *breaks, rot_info *info) {
-  const size_t dim = p->dim;
-  const int first_mode = p->mode ? *p->mode : 0;
-  rot_ode_march run;
-  double *scratch = calloc(10 * dim, sizeof *scratch);
-  if (!scratch) return ROT_ENOMEM;
-  memset(&run, 0, sizeof run);
-  double **part[] = {&run.y,    &run.trial,  &run.slope,  &run.trial_slope, &run.work,
-                     &run.kept, &run.beside, &run.beyond, &run.stage_y,     &run.stage_f};
-  for (size_t k = 0; k < sizeof part / sizeof *part; k++) *part[k] = scratch + k * dim;
-  run.p = p;
-  run.info = info;
-  run.walls = walls;
-  run.slides = NO_WALL;
-  run.after = -INFINITY;
-  run.before = INFINITY;
-  rot_status status = ROT_OK;
+  double break_s[ROT_ODE_MOST_SIGHTS];
+  rot_status status = rot_ode_look_at_sights(p, probes, walls, break_s, info);
   for (size_t k = 0; k < probes->n_sights && status == ROT_OK; k++) {
-    double at;
-    if (p->mode) *p->mode = probes->sight[k].mode;
-    status = rot_ode_look_at_sight(&run, &probes->sight[k], &at);
-    if (status == ROT_OK && !isnan(at)) status = add_stop(breaks, at);
+    if (!isnan(break_s[k])) status = add_stop(breaks, break_s[k]);
   }
-  if (p->mode) *p->mode = first_mode;
-  free(scratch);
   return status;
 }
 
@@ -563,7 +416,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   const int first_mode = p->mode ? *p->mode : 0;
   rot_status status = ROT_OK;
   walls.count = 0;
-  rot_info_clear(info, NULL);
+  rot_ode_clear_report(info);
   if (p->resolution > 0.0 && p->resolution < 1.0) {
     probes = rot_ode_probes_new(p);
     if (!probes) status = ROT_ENOMEM;

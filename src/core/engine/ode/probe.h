@@ -10,7 +10,7 @@
 #ifndef ROT_ODE_PROBE_H
 #define ROT_ODE_PROBE_H
 
-#include "engine/ode/run.h"
+#include "engine/ode/trace.h"
 
 /* Gap of the probes, of the width that is sure to be found: a bump (1 + cos) / 2 of this width that
  * lies half way between two probes still shows 0.11 of its height. */
@@ -28,7 +28,7 @@ typedef struct rot_ode_sight {
   double *y;   /* dim of each */
 } rot_ode_sight;
 
-struct rot_ode_probes {
+typedef struct rot_ode_probes {
   const rot_ode_params *p;
   size_t bins;                 /* of each coordinate; the last coordinate is time */
   double *low, *width, *since; /* of each coordinate; since: where the gap began, NaN: covered */
@@ -44,7 +44,7 @@ struct rot_ode_probes {
   double *values;
   double *scratch; /* 9 dim */
   double *states;  /* of the sights */
-};
+} rot_ode_probes;
 
 /* A smooth part of the path: a step, or the time between two of its nodes. */
 typedef struct rot_ode_piece {

@@ -4,9 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "engine/ode/accept.h"
-#include "engine/ode/law.h"
-
 /* At rest the components beyond the controlled ones go on: their integrals by Lobatto's four points
  * and Kronrod's three (Gander & Gautschi, BIT 40, 2000). */
 enum { HELD_POINTS = 7 };
@@ -15,38 +12,39 @@ static const double held_at[HELD_POINTS] = {
     0.5, 0.5 + 0.5 * 0.44721359549995793928, 0.5 + 0.5 * 0.81649658092772603273,
     1.0};
 
-rot_status rot_ode_held_slope(rot_ode_march *run, double t, double *drive, double *grip) {
-  if (rot_ode_slope_at(t, run->y, run->trial_slope, run) != GSL_SUCCESS) return run->status;
-  *drive = run->trial_slope[run->p->turn->driver];
+rot_status rot_ode_held_slope(rot_ode_rest *r, double t, double *drive, double *grip) {
+  if (rot_ode_slope_at(t, r->state->y, r->stepper->trial_slope, r->law) != GSL_SUCCESS)
+    return r->law->status;
+  *drive = r->stepper->trial_slope[r->law->p->turn->driver];
   if (!isfinite(*drive)) {
-    run->info->time_s = t;
+    r->law->info->time_s = t;
     return ROT_ERHS;
   }
-  *grip = fabs(*drive) - run->p->turn->holds;
-  if (run->forward ? t < run->grace : t > run->grace) *grip = fmin(*grip, 0.0);
+  *grip = fabs(*drive) - r->law->p->turn->holds;
+  if (rot_ode_is_before(r->clock, t, r->grace)) *grip = fmin(*grip, 0.0);
   return ROT_OK;
 }
 
 /* Seven points of a stretch at rest. The first loose one in *loose, HELD_POINTS if none; *apart is
  * how far the two rules differ. trial = y at its end, trial_slope the slope there. */
-static rot_status held_segment(rot_ode_march *run, double h, double drive[], double grip[],
-                               int *loose, double *apart) {
+static rot_status held_segment(rot_ode_rest *r, double h, double drive[], double grip[], int *loose,
+                               double *apart) {
   static const double kronrod[HELD_POINTS] = {77.0, 432.0, 625.0, 672.0, 625.0, 432.0, 77.0};
-  const size_t dim = run->p->dim, driver = run->p->turn->driver;
+  const size_t dim = r->law->p->dim, driver = r->law->p->turn->driver;
   double four = 0.0, seven = 0.0;
-  memcpy(run->trial, run->y, dim * sizeof *run->y);
+  memcpy(r->stepper->trial, r->state->y, dim * sizeof *r->state->y);
   *loose = HELD_POINTS;
   for (int k = 0; k < HELD_POINTS; k++) {
-    const double at = k + 1 < HELD_POINTS ? run->t + held_at[k] * h : run->t + h;
-    const rot_status status = rot_ode_held_slope(run, at, &drive[k], &grip[k]);
+    const double at = k + 1 < HELD_POINTS ? r->clock->t + held_at[k] * h : r->clock->t + h;
+    const rot_status status = rot_ode_held_slope(r, at, &drive[k], &grip[k]);
     if (status != ROT_OK) return status;
     if (grip[k] > 0.0 && *loose == HELD_POINTS) *loose = k;
-    for (size_t i = run->p->controlled; i < dim; i++) {
-      run->trial[i] += h * (kronrod[k] / 2940.0) * run->trial_slope[i];
+    for (size_t i = r->law->p->controlled; i < dim; i++) {
+      r->stepper->trial[i] += h * (kronrod[k] / 2940.0) * r->stepper->trial_slope[i];
     }
-    seven += kronrod[k] / 2940.0 * run->trial_slope[driver];
-    if (k == 0 || k == 6) four += run->trial_slope[driver] / 12.0;
-    if (k == 2 || k == 4) four += run->trial_slope[driver] * 5.0 / 12.0;
+    seven += kronrod[k] / 2940.0 * r->stepper->trial_slope[driver];
+    if (k == 0 || k == 6) four += r->stepper->trial_slope[driver] / 12.0;
+    if (k == 2 || k == 4) four += r->stepper->trial_slope[driver] * 5.0 / 12.0;
   }
   *apart = fabs(seven - four);
   return ROT_OK;
@@ -54,7 +52,7 @@ static rot_status held_segment(rot_ode_march *run, double h, double drive[], dou
 
 /* A peak between three points before `loose` that may reach over zero: *at is its place if it
  * does. */
-static rot_status peak_between(rot_ode_march *run, double h, int loose, const double grip[],
+static rot_status peak_between(rot_ode_rest *r, double h, int loose, const double grip[],
                                int *before, double *at) {
   *before = -1;
   for (int k = 1; k + 1 < HELD_POINTS && k < loose; k++) {
@@ -68,7 +66,7 @@ static rot_status peak_between(rot_ode_march *run, double h, int loose, const do
     const double room = fmax(grip[k] - grip[k - 1], grip[k] - grip[k + 1]);
     if (!(grip[k - 1] + off > -0.2 * room)) continue;
     double drive, there;
-    const rot_status status = rot_ode_held_slope(run, run->t + x * h, &drive, &there);
+    const rot_status status = rot_ode_held_slope(r, r->clock->t + x * h, &drive, &there);
     if (status != ROT_OK) return status;
     if (there > 0.0) {
       *before = x > held_at[k] ? k : k - 1;
@@ -80,15 +78,15 @@ static rot_status peak_between(rot_ode_march *run, double h, int loose, const do
 }
 
 /* From lo, held, to hi, loose: the first double at which it is loose (regula falsi, halved). */
-static rot_status find_loose(rot_ode_march *run, double lo, double hi, double grip_lo, double *at) {
+static rot_status find_loose(rot_ode_rest *r, double lo, double hi, double grip_lo, double *at) {
   double drive, grip_hi;
-  rot_status status = rot_ode_held_slope(run, hi, &drive, &grip_hi);
+  rot_status status = rot_ode_held_slope(r, hi, &drive, &grip_hi);
   for (int k = 0; k < 200 && status == ROT_OK; k++) {
     double mid = lo + (hi - lo) * (grip_lo / (grip_lo - grip_hi));
     if (k % 3 == 2 || !((mid > lo && mid < hi) || (mid < lo && mid > hi))) mid = 0.5 * (lo + hi);
     if (mid == lo || mid == hi) break;
     double grip;
-    status = rot_ode_held_slope(run, mid, &drive, &grip);
+    status = rot_ode_held_slope(r, mid, &drive, &grip);
     if (status != ROT_OK) break;
     if (grip > 0.0) {
       hi = mid;
@@ -102,57 +100,40 @@ static rot_status find_loose(rot_ode_march *run, double lo, double hi, double gr
   return status;
 }
 
-rot_status rot_ode_hold(rot_ode_march *run, double stop, int *broke_loose) {
-  const double whole = stop - run->t;
-  double h = whole / (isfinite(whole) ? (run->guide ? 8.0 : 4.0) : 1.0), most = h;
-  *broke_loose = 0;
-  while (run->t != stop && !*broke_loose) {
-    double drive[HELD_POINTS], grip[HELD_POINTS], apart = 0.0, end = run->t + h, at;
-    int loose, before = -1;
-    if (run->info->steps + run->info->rejected >= run->budget) {
-      run->info->time_s = run->t;
-      return ROT_EBUDGET;
-    }
-    rot_status status = rot_poll(run->hooks, 0.0);
-    if (status != ROT_OK) return status;
-    if (fabs(stop - end) <= 1e-6 * fabs(h) || (run->forward ? end > stop : end < stop) ||
-        end == run->t) {
-      end = stop;
-    }
-    const double width = end - run->t;
-    status = held_segment(run, width, drive, grip, &loose, &apart);
-    if (status != ROT_OK) return status;
-    const double size = fmax(run->p->turn->holds, fabs(drive[0]));
-    /* Points too far apart may pass over a stretch in which it breaks loose. */
-    const int too_long =
-        apart > 1e-7 * size && fabs(width) > 1e-5 * fabs(whole) && run->t + 0.5 * width != run->t;
-    if (too_long) {
-      run->info->rejected++;
-      h = 0.5 * width;
-      continue;
-    }
-    if (loose > 0) status = peak_between(run, width, loose, grip, &before, &at);
-    if (status != ROT_OK) return status;
-    if (loose < HELD_POINTS || before >= 0) {
-      /* The pieces before are done when the segment ends at the place itself. */
-      const int k = before >= 0 ? before : loose - 1;
-      const double hi = run->t + (before >= 0 ? at : held_at[loose]) * width;
-      if (k < 0) { /* loose from the start */
-        *broke_loose = 1;
-        return ROT_OK;
-      }
-      status = find_loose(run, run->t + held_at[k] * width, hi, grip[k], &end);
-      if (status != ROT_OK) return status;
-      const double grace = run->grace;
-      run->grace = run->forward ? INFINITY : -INFINITY; /* for the sums alone */
-      status = held_segment(run, end - run->t, drive, grip, &loose, &apart);
-      run->grace = grace;
-      if (status != ROT_OK) return status;
-      *broke_loose = 1;
-    }
-    status = rot_ode_accept(run, end, 0.0);
-    if (status != ROT_OK) return status;
-    h = copysign(fmin(fabs(most), 2.0 * fabs(h)), whole);
+rot_status rot_ode_hold(rot_ode_rest *r, double stop, double whole, double *h, double *end,
+                        int *broke_loose) {
+  const double t = r->clock->t;
+  double drive[HELD_POINTS], grip[HELD_POINTS], apart = 0.0, to = t + *h, at;
+  int loose, before = -1;
+  *end = NAN;
+  if (fabs(stop - to) <= 1e-6 * fabs(*h) || rot_ode_is_before(r->clock, stop, to) || to == t) {
+    to = stop;
   }
-  return ROT_OK;
+  const double width = to - t;
+  rot_status status = held_segment(r, width, drive, grip, &loose, &apart);
+  if (status != ROT_OK) return status;
+  const double size = fmax(r->law->p->turn->holds, fabs(drive[0]));
+  /* Points too far apart may pass over a stretch in which it breaks loose. */
+  if (apart > 1e-7 * size && fabs(width) > 1e-5 * fabs(whole) && t + 0.5 * width != t) {
+    r->law->info->rejected++;
+    *h = 0.5 * width;
+    return ROT_OK;
+  }
+  if (loose > 0) status = peak_between(r, width, loose, grip, &before, &at);
+  if (status != ROT_OK) return status;
+  if (loose < HELD_POINTS || before >= 0) {
+    /* The pieces before are done when the segment ends at the place itself. */
+    const int k = before >= 0 ? before : loose - 1;
+    const double hi = t + (before >= 0 ? at : held_at[loose]) * width;
+    *broke_loose = 1;
+    if (k < 0) return ROT_OK; /* from the start */
+    status = find_loose(r, t + held_at[k] * width, hi, grip[k], &to);
+    if (status != ROT_OK) return status;
+    const double grace = r->grace;
+    r->grace = r->clock->forward ? INFINITY : -INFINITY; /* for the sums alone */
+    status = held_segment(r, to - t, drive, grip, &loose, &apart);
+    r->grace = grace;
+  }
+  *end = to;
+  return status;
 }

@@ -2,12 +2,22 @@
 #ifndef ROT_ODE_REST_H
 #define ROT_ODE_REST_H
 
-#include "engine/ode/run.h"
+#include "engine/ode/step.h"
+
+typedef struct rot_ode_rest {
+  const rot_ode_clock *clock;
+  const rot_ode_state *state;
+  rot_ode_law *law;
+  rot_ode_stepper *stepper; /* trial and trial_slope: the state at the end of a segment */
+  double grace;             /* held up to here whatever drives */
+} rot_ode_rest;
 
 /* The slope that drives it from rest at t, and what it is beyond what holds: positive is loose. */
-rot_status rot_ode_held_slope(rot_ode_march *run, double t, double *drive, double *grip);
+rot_status rot_ode_held_slope(rot_ode_rest *r, double t, double *drive, double *grip);
 
-/* At rest, up to `stop` or to where it breaks loose. */
-rot_status rot_ode_hold(rot_ode_march *run, double stop, int *broke_loose);
+/* A segment of *h at rest, of `whole` up to `stop`. *end: where it ends, or where it breaks loose;
+ * the trial is its state. NaN: the segment was too long, *h is the next one, or loose already. */
+rot_status rot_ode_hold(rot_ode_rest *r, double stop, double whole, double *h, double *end,
+                        int *broke_loose);
 
 #endif

@@ -4,65 +4,87 @@
 #include <math.h>
 #include <string.h>
 
-#include "engine/ode/law.h"
 #include "engine/ode/norm.h"
 #include "ground/real.h"
 
+rot_status rot_ode_stepper_open(rot_ode_stepper *s) {
+  const size_t dim = s->law->p->dim;
+  s->system = (gsl_odeiv2_system){rot_ode_slope_at, NULL, dim, s->law};
+  if (s->method == ROT_METHOD_RADAU) {
+    s->radau = rot_radau_alloc(dim, s->law->p->controlled);
+  } else {
+    s->rk = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, dim);
+  }
+  return s->rk || s->radau ? ROT_OK : ROT_ENOMEM;
+}
+
+void rot_ode_stepper_close(rot_ode_stepper *s) {
+  if (s->rk) gsl_odeiv2_step_free(s->rk);
+  rot_radau_free(s->radau);
+}
+
+double rot_ode_gain(rot_method method, double parts) {
+  return pow(parts, method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0);
+}
+
 /* What Newton's iteration may leave in each component. */
-static void allow(rot_ode_march *run, double h, const double y[], const double slope[]) {
-  const rot_ode_params *p = run->p;
+static void allow(rot_ode_stepper *s, double h, const double y[], const double slope[]) {
+  const rot_ode_params *p = s->law->p;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
-    double size = fmax(run->largest[m], rot_ode_size(g, y));
-    if (run->largest[m] == 0.0) size = fabs(h) * rot_ode_rate(g, slope);
+    double size = fmax(s->state->largest[m], rot_ode_size(g, y));
+    if (s->state->largest[m] == 0.0) size = fabs(h) * rot_ode_rate(g, slope);
     if (g.norm == ROT_ODE_QUATERNION) size = 0.5;
     for (size_t i = 0; i < g.count; i++) {
-      run->allowed[g.first + i] = fmax(ROT_ODE_LEAST_SIZE, run->tolerance * size);
+      s->allowed[g.first + i] = fmax(ROT_ODE_LEAST_SIZE, s->tolerance * size);
     }
   }
 }
 
-rot_status rot_ode_attempt(rot_ode_march *run, double t, double h, const double y[],
+rot_status rot_ode_attempt(rot_ode_stepper *s, double t, double h, const double y[],
                            const double slope[]) {
-  const size_t dim = run->p->dim;
+  rot_ode_law *law = s->law;
+  const size_t dim = law->p->dim;
   int code;
-  run->status = ROT_OK;
-  run->n_called = 0;
-  run->attempts = run->called && run->method == ROT_METHOD_RK8PD && run->slides == NO_WALL;
-  memcpy(run->trial, y, dim * sizeof *y);
-  if (run->method == ROT_METHOD_RADAU) {
-    allow(run, h, y, slope);
-    code = rot_radau_step(run->radau, rot_ode_slope_at, run, t, h, run->trial, run->trial_error,
-                          slope, run->allowed);
-    if (code == ROT_RADAU_DIVERGED) return ROT_ESTEP;
-    if (code == GSL_SUCCESS) code = rot_ode_slope_at(t + h, run->trial, run->trial_slope, run);
-  } else {
-    code = gsl_odeiv2_step_apply(run->rk, t, h, run->trial, run->trial_error, slope,
-                                 run->trial_slope, &run->system);
+  law->status = ROT_OK;
+  s->calls.count = 0;
+  if (s->calls.data && s->method == ROT_METHOD_RK8PD && law->slides == NO_WALL) {
+    law->record = &s->calls;
   }
-  run->attempts = 0;
+  memcpy(s->trial, y, dim * sizeof *y);
+  if (s->method == ROT_METHOD_RADAU) {
+    allow(s, h, y, slope);
+    code = rot_radau_step(s->radau, rot_ode_slope_at, law, t, h, s->trial, s->trial_error, slope,
+                          s->allowed);
+    if (code == ROT_RADAU_DIVERGED) return ROT_ESTEP;
+    if (code == GSL_SUCCESS) code = rot_ode_slope_at(t + h, s->trial, s->trial_slope, law);
+  } else {
+    code = gsl_odeiv2_step_apply(s->rk, t, h, s->trial, s->trial_error, slope, s->trial_slope,
+                                 &s->system);
+  }
+  law->record = NULL;
   if (code == GSL_SUCCESS) return ROT_OK;
-  return run->status != ROT_OK ? run->status : ROT_ENOMEM;
+  return law->status != ROT_OK ? law->status : ROT_ENOMEM;
 }
 
-double rot_ode_trial_ratio(const rot_ode_march *run, double h) {
-  const rot_ode_params *p = run->p;
+double rot_ode_trial_ratio(const rot_ode_stepper *s, double h) {
+  const rot_ode_params *p = s->law->p;
   double ratio = 0.0;
   for (size_t i = 0; i < p->controlled; i++) {
-    if (!isfinite(run->trial[i])) return NAN;
+    if (!isfinite(s->trial[i])) return NAN;
   }
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     /* Breaking loose, what drives and what resists cancel: their rounding is no error of a step. */
     const double lost = p->turn && g.first == p->turn->watched ? fabs(h) : h * h;
-    const double error = fmax(0.0, rot_ode_apart(g, run->trial, run->trial_error) -
-                                       16.0 * ROT_EPS * run->noise * lost);
+    const double error =
+        fmax(0.0, rot_ode_apart(g, s->trial, s->trial_error) - 16.0 * ROT_EPS * s->noise * lost);
     /* Of its size so far, never of its size later: where errors grow with the motion, what is
      * small against the end is all there is at the start. */
     const double scale =
-        fmax(ROT_ODE_LEAST_SIZE, fmax(run->largest[m], rot_ode_size(g, run->trial)));
+        fmax(ROT_ODE_LEAST_SIZE, fmax(s->state->largest[m], rot_ode_size(g, s->trial)));
     const double noise = p->noise ? p->noise[m] * fabs(h) : 0.0;
-    const double allowed = run->tolerance * scale + noise;
+    const double allowed = s->tolerance * scale + noise;
     if (error != 0.0 && !(error / allowed <= ratio)) ratio = error / allowed;
   }
   return ratio;

@@ -11,13 +11,13 @@ void rot_ode_track_free(rot_ode_track *track) {
   track->room = 0;
 }
 
-rot_status rot_ode_track_node(rot_ode_track *track, const rot_ode_march *run) {
-  const size_t each = run->p->dim * run->p->controlled;
-  track->controlled = run->p->controlled;
-  track->nodes.dim = run->p->dim;
+rot_status rot_ode_track_node(rot_ode_track *track, const rot_ode_params *p, double t,
+                              const double y[], const double slope[]) {
+  const size_t each = p->dim * p->controlled;
+  track->controlled = p->controlled;
+  track->nodes.dim = p->dim;
   track->nodes.slopes = 1;
-  track->slid = track->slid || run->slides != NO_WALL;
-  if (rot_dense_insert(&track->nodes, track->nodes.count, run->t, run->y, run->slope) != ROT_OK) {
+  if (rot_dense_insert(&track->nodes, track->nodes.count, t, y, slope) != ROT_OK) {
     return ROT_ENOMEM;
   }
   if (track->room != track->nodes.room) {

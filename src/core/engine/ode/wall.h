@@ -6,26 +6,24 @@
 #ifndef ROT_ODE_WALL_H
 #define ROT_ODE_WALL_H
 
-#include "engine/ode/run.h"
+#include "engine/ode/law.h"
 
-/* Adds a wall that is not there yet, *added: whether it was. `below` and `above`: values on its two
- * sides, equal at a kink. component = dim: time. */
-rot_status rot_ode_add_wall(rot_ode_march *run, size_t component, double below, double above,
-                            int *added);
+/* Adds a wall that is not there yet; whether it did. `below` and `above`: values on its two
+ * sides, equal at a kink. component = dim: time. `size`: of a step, in time. */
+int rot_ode_add_wall(rot_ode_walls *walls, size_t component, double below, double above,
+                      double size);
 
-/* The sides of all walls where a run sets out. */
-rot_status rot_ode_choose_sides(rot_ode_march *run);
+/* The side of a wall, or of all, where a run sets out or a wall was added. */
+rot_status rot_ode_choose_side(rot_ode_law *law, rot_ode_state *state, size_t wall);
+rot_status rot_ode_choose_sides(rot_ode_law *law, rot_ode_state *state);
 
-/* run->y lies on the wall: the side that the motion goes on, or that it slides. */
-rot_status rot_ode_pass_wall(rot_ode_march *run, size_t wall);
-
-/* Whether the trial step ends beyond a wall that run->y lies before. */
-int rot_ode_passes_wall(const rot_ode_march *run);
+/* The state lies on the wall: the side that the motion goes on, or that it slides. */
+rot_status rot_ode_pass_wall(rot_ode_law *law, rot_ode_state *state, size_t wall);
 
 /* The first time wall before `stop`, or stop. */
-double rot_ode_next_stop(const rot_ode_march *run, double stop);
-/* Whether run->t is on a time wall that is still ahead; and past it. */
-int rot_ode_at_time_wall(const rot_ode_march *run);
-void rot_ode_pass_time(rot_ode_march *run);
+double rot_ode_next_stop(const rot_ode_law *law, double stop);
+/* Whether it is time for a time wall that is still ahead; and past it. */
+int rot_ode_at_time_wall(const rot_ode_law *law);
+void rot_ode_pass_time(rot_ode_law *law, rot_ode_state *state);
 
 #endif

@@ -1,0 +1,316 @@
+#include "engine/ode/advance.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "engine/ode/norm.h"
+#include "engine/ode/wall.h"
+#include "ground/real.h"
+
+enum { PARTS = 3 };               /* into which a finer run divides a step */
+enum { STEPS_PER_POLL = 4 };      /* a look at the clock is 25 ns, a step 350 ns and more */
+enum { REJECTED_PER_CHECK = 16 }; /* whether the right-hand side repeats itself */
+/* The error test of rk8pd ignores the first so many calls of an attempt beside its given slope.
+ * Where one of them meets another law, the later ones lie beside the motion. */
+enum { UNWEIGHED = 4 };
+
+/* A run that has to end here. */
+static rot_status end_here(rot_ode_march *run, rot_status why) {
+  run->info->time_s = run->clock.t;
+  return why;
+}
+
+/* Before a step: the budget, and every so many steps the caller. */
+static rot_status may_go_on(rot_ode_march *run, size_t steps_per_poll, double fraction) {
+  const size_t tried = run->info->steps + run->info->rejected;
+  if (tried >= run->budget) return end_here(run, ROT_EBUDGET);
+  return tried % steps_per_poll == 0 ? rot_poll(run->hooks, fraction) : ROT_OK;
+}
+
+/* ---- the end of a step ----------------------------------------------------------------------- */
+
+rot_status rot_ode_add_node(rot_ode_march *run) {
+  if (run->track) {
+    run->track->slid = run->track->slid || run->law.slides != NO_WALL;
+    const rot_status status =
+        rot_ode_track_node(run->track, run->p, run->clock.t, run->state.y, run->state.slope);
+    if (status != ROT_OK) return status;
+  }
+  return rot_ode_rows_node(&run->rows);
+}
+
+/* A slope that belongs to a state off the manifold by less than a part of what a step may err is
+ * kept. */
+static rot_status project(rot_ode_march *run) {
+  const rot_ode_params *p = run->p;
+  rot_ode_state *state = &run->state;
+  double *moved = run->scratch;
+  if (!p->project) return ROT_OK;
+  memcpy(moved, state->y, p->dim * sizeof *moved);
+  p->project(run->clock.t, state->y, p->ctx);
+  for (size_t i = 0; i < p->dim; i++) moved[i] = state->y[i] - moved[i];
+  for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    const rot_ode_group g = rot_ode_group_of(p, m);
+    const double size = fmax(state->largest[m], rot_ode_size(g, state->y));
+    const double by = rot_ode_apart(g, state->y, moved);
+    if (!(by <= 16.0 * ROT_EPS * size)) run->errors->moved[m] += by;
+    if (!(rot_ode_rate(g, moved) <= 1e-3 * run->stepper.tolerance * size)) state->slope_known = 0;
+  }
+  return rot_ode_know_slope(&run->law, state);
+}
+
+static void cover_calls(rot_ode_probes *probes, rot_ode_calls *calls, size_t controlled) {
+  for (size_t k = UNWEIGHED; k < calls->count; k++) {
+    const double *call = calls->data + k * (1 + controlled);
+    rot_ode_probes_cover(probes, call[0], call + 1);
+  }
+  calls->count = 0;
+}
+
+static void swap(double **a, double **b) {
+  double *was = *a;
+  *a = *b;
+  *b = was;
+}
+
+/* The trial, projected, becomes the state at t, and goes to all that follows the run. */
+static rot_status accept(rot_ode_march *run, double t, double error) {
+  enum { BLOCK = 512 };
+  rot_ode_state *state = &run->state;
+  if (run->rows.probes) cover_calls(run->rows.probes, &run->stepper.calls, run->p->controlled);
+  swap(&state->y, &run->stepper.trial);
+  swap(&state->slope, &run->stepper.trial_slope);
+  run->clock.t = t;
+  state->slope_known = 1;
+  rot_status status = project(run);
+  if (status != ROT_OK) return status;
+  for (size_t m = 0; m < rot_ode_measures(run->p); m++) {
+    const double size = rot_ode_size(rot_ode_group_of(run->p, m), state->y);
+    state->largest[m] = fmax(state->largest[m], size);
+  }
+  run->info->steps++;
+  status = rot_ode_trace_add(run->trace, t, error, state->y);
+  if (status == ROT_OK) status = rot_ode_add_node(run);
+  if (status != ROT_OK) return status;
+  return run->rows.dense.count >= BLOCK ? rot_ode_fill_rows(&run->rows, 0) : ROT_OK;
+}
+
+rot_status rot_ode_rest_until(rot_ode_march *run, double stop, int *broke_loose) {
+  const double whole = stop - run->clock.t;
+  const double most = whole / (isfinite(whole) ? (run->guide.trace ? 8.0 : 4.0) : 1.0);
+  double h = most, end;
+  *broke_loose = 0;
+  while (run->clock.t != stop && !*broke_loose) {
+    rot_status status = may_go_on(run, 1, 0.0);
+    if (status == ROT_OK) status = rot_ode_hold(&run->rest, stop, whole, &h, &end, broke_loose);
+    if (status == ROT_OK && !isnan(end)) {
+      status = accept(run, end, 0.0);
+      h = copysign(fmin(fabs(most), 2.0 * fabs(h)), whole);
+    }
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
+}
+
+/* ---- the length of steps --------------------------------------------------------------------- */
+
+typedef struct step_plan {
+  double h, target; /* target: the time at its end */
+  int as_wished;    /* not cut short by a target */
+} step_plan;
+
+/* The step that time will really take: rounding t each time lost 4e-14 in 300 steps. */
+static step_plan step_by(double t, double h) {
+  const double taken = (t + h) - t;
+  return (step_plan){taken, t + taken, 0};
+}
+
+static step_plan plan_step(rot_ode_march *run, double stop) {
+  const double t = run->clock.t, left = stop - t, wish = run->stepper.h, size = fabs(wish);
+  if (rot_ode_is_guided(&run->guide)) {
+    const double target = rot_ode_guided_aim(&run->guide, stop), h = target - t;
+    return fabs(h) > run->limit ? step_by(t, copysign(run->limit, left))
+                                : (step_plan){h, target, 0};
+  }
+  /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
+  if (size >= fabs(left) * (1.0 - 1e-10)) return (step_plan){left, stop, 0};
+  const double aim = size > 0.5 * fabs(left) ? 0.5 * left : copysign(size, left);
+  step_plan plan = step_by(t, aim);
+  plan.as_wished = aim == wish;
+  return plan;
+}
+
+/* What the error test makes of the next step, by the ratio of this one. */
+static double scaled(const rot_ode_march *run, double ratio) {
+  const double order = run->stepper.method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0;
+  return 0.9 * pow(ratio, -1.0 / order);
+}
+
+/* `why`: ROT_ERHS, or what a step too short means. The state may be about to leave the doubles. */
+static rot_status reject(rot_ode_march *run, double h, double factor, rot_status why) {
+  const double t = run->clock.t;
+  rot_ode_state *state = &run->state;
+  run->info->rejected++;
+  run->stepper.h = h * factor;
+  run->limit = fabs(run->stepper.h);
+  if (run->info->rejected % REJECTED_PER_CHECK == 0) {
+    const rot_status repeats = rot_ode_check_repeats(&run->law, state, run->scratch);
+    if (repeats != ROT_OK) return repeats;
+  }
+  /* As short as time can be resolved, or rounded back to what was just rejected. */
+  const double next = fabs((t + run->stepper.h) - t);
+  if (next > 0.0 && next < fabs(h)) return ROT_OK;
+  if (state->phase == ROT_ODE_LEAVING && run->p->turn->holds > 0.0) { /* driven by rounding: held */
+    run->rest.grace = t + 1e-9 * (run->clock.end - t);
+    *run->p->mode = 0;
+    state->phase = ROT_ODE_HELD;
+    state->slope_known = 0;
+    return ROT_OK;
+  }
+  for (size_t i = 0; i < run->p->controlled && why == ROT_ERHS; i++) {
+    if (fabs(state->y[i]) > 1e300 || fabs(state->slope[i]) > 1e300) why = ROT_ERANGE;
+  }
+  return why == ROT_ERHS ? why : end_here(run, why); /* time_s is where rhs failed */
+}
+
+/* ---- what a step passes ---------------------------------------------------------------------- */
+
+/* *ratio becomes that of a step that was cut at a wall. */
+static rot_status look_for_events(rot_ode_march *run, double *h, rot_ode_passage *what,
+                                  size_t *which, double *ratio) {
+  const double whole = *h;
+  const rot_status status = rot_ode_look_for_events(&run->search, h, what, which);
+  if (status != ROT_OK) return status;
+  if (*what == ROT_ODE_OTHER_SIDE) {
+    const size_t wall = rot_ode_wall_of(&run->search, *which);
+    const int side = run->search.watch[*which].side;
+    if (wall != NO_WALL) {
+      run->law.side[wall] = side;
+    } else {
+      run->state.phase = ROT_ODE_LEAVING;
+      *run->p->mode = side;
+    }
+    run->state.slope_known = 0;
+    *what = ROT_ODE_TRY_SHORTER;
+    *which = SIZE_MAX;
+  }
+  if (run->law.walls->count && *h != whole) *ratio = rot_ode_trial_ratio(&run->stepper, *h);
+  return ROT_OK;
+}
+
+/* The side of a wall that was added. */
+static rot_status join_wall(rot_ode_march *run) {
+  const size_t wall = run->law.walls->count - 1;
+  rot_status status = rot_ode_choose_side(&run->law, &run->state, wall);
+  if (run->law.slides == wall) {
+    rot_ode_growth_hold(run->growth, run->law.walls->wall[wall].component);
+  }
+  if (status == ROT_OK) status = rot_ode_know_slope(&run->law, &run->state);
+  /* That alone: an event that was just met has a zero here that is no new one. */
+  if (status == ROT_OK) rot_ode_arm_last(&run->search);
+  return rot_ode_may_retry(status) ? ROT_OK : status;
+}
+
+/* The rows so far lie on unknown sides of a wall that was added since: filled without it. */
+static rot_status close_rows(rot_ode_march *run) {
+  run->law.walls->count--;
+  rot_status status = rot_ode_fill_rows(&run->rows, 1);
+  run->law.walls->count++;
+  rot_ode_rows_begin(&run->rows);
+  run->state.slope_known = 0;
+  if (status == ROT_OK) status = rot_ode_know_slope(&run->law, &run->state);
+  return status == ROT_OK ? rot_ode_add_node(run) : status;
+}
+
+/* The step over h failed its error test, or was no step (`tried`). */
+static rot_status refuse(rot_ode_march *run, double h, double ratio, rot_status tried) {
+  const size_t walls = run->law.walls->count;
+  if (isnan(run->kinks.before)) {
+    rot_status status = rot_ode_look_for_kink(&run->kinks, h, ratio, tried == ROT_ESTEP);
+    const int added = run->law.walls->count != walls;
+    if (status == ROT_OK && added) status = join_wall(run);
+    if (status != ROT_OK) return status;
+    if (added || !isnan(run->kinks.before)) {
+      run->info->rejected++;
+      return ROT_OK;
+    }
+  }
+  const double less = isfinite(ratio) ? fmax(0.1, scaled(run, ratio)) : 0.1;
+  return reject(run, h, less, tried == ROT_OK ? ROT_ESTEP : tried);
+}
+
+static void note_error(rot_ode_march *run, double error, int unresolved) {
+  rot_ode_errors *e = run->errors;
+  e->found += error;
+  for (size_t m = rot_ode_steering(run->p); m < rot_ode_measures(run->p); m++) {
+    e->missed[m] += rot_ode_rate(rot_ode_group_of(run->p, m), run->stepper.trial_error);
+  }
+  if (!unresolved) return;
+  /* Radau's test is that of order 5, its result of order 9. */
+  const double missed = run->stepper.method == ROT_METHOD_RADAU ? pow(error, 1.2) : error;
+  e->unresolved += missed * missed;
+}
+
+rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot_ode_passage *what,
+                           size_t *which) {
+  rot_ode_state *state = &run->state;
+  rot_ode_stepper *stepper = &run->stepper;
+  const double t = run->clock.t;
+  *what = ROT_ODE_TRY_SHORTER;
+  rot_status status = may_go_on(run, STEPS_PER_POLL, fraction);
+  if (status == ROT_OK) status = rot_ode_know_slope(&run->law, state);
+  if (status != ROT_OK) return status;
+  const step_plan plan = plan_step(run, isnan(run->kinks.before) ? stop : run->kinks.before);
+  double h = plan.h;
+  if (t + h == t) return end_here(run, ROT_ESTEP);
+  status = rot_ode_attempt(stepper, t, h, state->y, state->slope);
+  if (status != ROT_OK && !rot_ode_may_retry(status)) return status;
+  double ratio = status == ROT_OK ? rot_ode_trial_ratio(stepper, h) : NAN;
+  /* Beyond a wall the step is no step of the motion, and its error none: up to the wall. */
+  const int early = status == ROT_OK && ratio > 1.0 && rot_ode_passes_wall(&run->search);
+  if (early) run->info->rejected++;
+  if (!early && !(ratio <= 1.0)) return refuse(run, h, ratio, status); /* NaN fails */
+  status = look_for_events(run, &h, what, which, &ratio);
+  if (status != ROT_OK && !rot_ode_may_retry(status)) return status;
+  if (status == ROT_OK && *what == ROT_ODE_TRY_SHORTER && !state->slope_known) return ROT_OK;
+  if (early && (status != ROT_OK || *what == ROT_ODE_TRY_SHORTER || !(ratio <= 1.0))) {
+    *what = ROT_ODE_TRY_SHORTER;
+    return reject(run, h, 0.5, status == ROT_OK ? ROT_ESTEP : status);
+  }
+  if (status != ROT_OK) return reject(run, plan.h, 0.5, status);
+  if (*what == ROT_ODE_TRY_SHORTER) return reject(run, plan.h, 0.1, ROT_ESTEP);
+  const double error = ratio * stepper->tolerance;
+  const int unresolved = rot_ode_is_unresolved(&run->guide, error);
+  if (unresolved && run->law.slides == NO_WALL && isnan(run->kinks.before)) {
+    const size_t walls = run->law.walls->count;
+    status = rot_ode_look_for_wall(&run->kinks, h);
+    const int added = run->law.walls->count != walls;
+    if (status == ROT_OK && added) status = join_wall(run);
+    if (status != ROT_OK) return status;
+    if (added) {
+      run->info->rejected++;
+      *what = ROT_ODE_TRY_SHORTER;
+      return close_rows(run);
+    }
+  }
+  note_error(run, error, unresolved);
+  run->limit = INFINITY;
+  state->phase = *what == ROT_ODE_CUT_SHORT ? ROT_ODE_CUT : ROT_ODE_MOVING;
+  const double grow = ratio > 0.0 ? scaled(run, ratio) : 5.0;
+  /* Up to a wall or to an event before it, which may be within a rounding of t. */
+  const double base = early ? copysign(fmax(fabs(h), 1e-3 * fabs(plan.h)), h) : plan.h;
+  const double wish = base * fmin(5.0, fmax(0.5, grow));
+  if (run->law.stiffness && rot_ode_is_stiff(&run->stiffness, plan.h, run->clock.end - t)) {
+    state->phase = ROT_ODE_STIFF;
+  }
+  /* A step cut short by a target says nothing against the longer one. */
+  if (fabs(wish) > fabs(stepper->h) || plan.as_wished) stepper->h = wish;
+  status = accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : t + h, error);
+  if (status == ROT_OK && run->growth) {
+    status = rot_ode_growth_step(run->growth, &run->law, state, run->track, run->clock.t - t,
+                                 stepper->trial, PARTS);
+  }
+  return status == ROT_OK && run->clock.t == run->kinks.before ? rot_ode_pass_kink(&run->kinks)
+                                                               : status;
+}

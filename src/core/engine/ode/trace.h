@@ -1,0 +1,37 @@
+/* The steps of a run on one side of the start, and as the reference of a run that divides them. */
+#ifndef ROT_ODE_TRACE_H
+#define ROT_ODE_TRACE_H
+
+#include "engine/ode/clock.h"
+
+/* Ends of the steps, outward: t, the error that the test found in the step that ends there (a part
+ * of the largest value), y[dim]. */
+typedef struct rot_ode_trace {
+  size_t dim, count, room;
+  int ended; /* by an event */
+  double *data;
+} rot_ode_trace;
+
+static inline const double *rot_ode_node(const rot_ode_trace *m, size_t i) {
+  return m->data + i * (2 + m->dim);
+}
+
+rot_status rot_ode_trace_add(rot_ode_trace *m, double t, double error, const double y[]);
+
+typedef struct rot_ode_guide {
+  const rot_ode_clock *clock;
+  const rot_ode_trace *trace; /* its steps are divided into `parts`; NULL: the error test rules */
+  size_t parts;
+  double gain; /* by what that lessens the error of a step */
+  size_t at;   /* the time lies from this node of it to the next */
+} rot_ode_guide;
+
+/* Whether there is a step of the guide here: it may have ended early, at an event. */
+int rot_ode_is_guided(const rot_ode_guide *g);
+/* The end of the next step before `stop`: equal parts of the steps of the guide. */
+double rot_ode_guided_aim(rot_ode_guide *g, double stop);
+/* A part of a step should have the error of the whole over the gain. Where it does not, the motion
+ * is too quick for these steps, or has a kink, and the error that the test found counts in full. */
+int rot_ode_is_unresolved(const rot_ode_guide *g, double error);
+
+#endif
