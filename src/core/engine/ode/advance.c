@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "engine/ode/norm.h"
-#include "engine/ode/wall.h"
 #include "ground/real.h"
 
 enum { PARTS = 3 };               /* into which a finer run divides a step */
@@ -55,7 +54,7 @@ static rot_status project(rot_ode_march *run) {
     const double size = fmax(state->largest[m], rot_ode_size(g, state->y));
     const double by = rot_ode_apart(g, state->y, moved);
     if (!(by <= 16.0 * ROT_EPS * size)) run->errors->moved[m] += by;
-    if (!(rot_ode_rate(g, moved) <= 1e-3 * run->stepper.tolerance * size)) state->slope_known = 0;
+    if (!(rot_ode_rate(g, moved) <= 1e-3 * run->step.tolerance * size)) state->slope_known = 0;
   }
   return rot_ode_know_slope(&run->law, state);
 }
@@ -78,9 +77,9 @@ static void swap(double **a, double **b) {
 static rot_status accept(rot_ode_march *run, double t, double error) {
   enum { BLOCK = 512 };
   rot_ode_state *state = &run->state;
-  if (run->rows.probes) cover_calls(run->rows.probes, &run->stepper.calls, run->p->controlled);
-  swap(&state->y, &run->stepper.trial);
-  swap(&state->slope, &run->stepper.trial_slope);
+  if (run->rows.probes) cover_calls(run->rows.probes, &run->step.calls, run->p->controlled);
+  swap(&state->y, &run->step.trial);
+  swap(&state->slope, &run->step.trial_slope);
   run->clock.t = t;
   state->slope_known = 1;
   rot_status status = project(run);
@@ -127,12 +126,10 @@ static step_plan step_by(double t, double h) {
 }
 
 static step_plan plan_step(rot_ode_march *run, double stop) {
-  const double t = run->clock.t, left = stop - t, wish = run->stepper.h, size = fabs(wish);
-  if (rot_ode_is_guided(&run->guide)) {
-    const double target = rot_ode_guided_aim(&run->guide, stop), h = target - t;
-    return fabs(h) > run->limit ? step_by(t, copysign(run->limit, left))
-                                : (step_plan){h, target, 0};
-  }
+  const double t = run->clock.t, left = stop - t, wish = run->step.h, size = fabs(wish);
+  const double guided = rot_ode_guided_aim(&run->guide, stop);
+  if (fabs(guided - t) > run->limit) return step_by(t, copysign(run->limit, left));
+  if (!isnan(guided)) return (step_plan){guided - t, guided, 0};
   /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
   if (size >= fabs(left) * (1.0 - 1e-10)) return (step_plan){left, stop, 0};
   const double aim = size > 0.5 * fabs(left) ? 0.5 * left : copysign(size, left);
@@ -143,7 +140,7 @@ static step_plan plan_step(rot_ode_march *run, double stop) {
 
 /* What the error test makes of the next step, by the ratio of this one. */
 static double scaled(const rot_ode_march *run, double ratio) {
-  const double order = run->stepper.method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0;
+  const double order = run->step.method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0;
   return 0.9 * pow(ratio, -1.0 / order);
 }
 
@@ -152,14 +149,14 @@ static rot_status reject(rot_ode_march *run, double h, double factor, rot_status
   const double t = run->clock.t;
   rot_ode_state *state = &run->state;
   run->info->rejected++;
-  run->stepper.h = h * factor;
-  run->limit = fabs(run->stepper.h);
+  run->step.h = h * factor;
+  run->limit = fabs(run->step.h);
   if (run->info->rejected % REJECTED_PER_CHECK == 0) {
     const rot_status repeats = rot_ode_check_repeats(&run->law, state, run->scratch);
     if (repeats != ROT_OK) return repeats;
   }
   /* As short as time can be resolved, or rounded back to what was just rejected. */
-  const double next = fabs((t + run->stepper.h) - t);
+  const double next = fabs((t + run->step.h) - t);
   if (next > 0.0 && next < fabs(h)) return ROT_OK;
   if (state->phase == ROT_ODE_LEAVING && run->p->turn->holds > 0.0) { /* driven by rounding: held */
     run->rest.grace = t + 1e-9 * (run->clock.end - t);
@@ -195,16 +192,18 @@ static rot_status look_for_events(rot_ode_march *run, double *h, rot_ode_passage
     *what = ROT_ODE_TRY_SHORTER;
     *which = SIZE_MAX;
   }
-  if (run->law.walls->count && *h != whole) *ratio = rot_ode_trial_ratio(&run->stepper, *h);
+  if (run->law.walls->count && *h != whole) *ratio = rot_ode_trial_ratio(&run->step, *h);
   return ROT_OK;
 }
 
-/* The side of a wall that was added. */
-static rot_status join_wall(rot_ode_march *run) {
-  const size_t wall = run->law.walls->count - 1;
-  rot_status status = rot_ode_choose_side(&run->law, &run->state, wall);
-  if (run->law.slides == wall) {
-    rot_ode_growth_hold(run->growth, run->law.walls->wall[wall].component);
+/* After a search that began with so many walls: the side of one that was added. */
+static rot_status join_wall(rot_ode_march *run, size_t known, rot_status searched, int *added) {
+  rot_status status = searched;
+  *added = run->law.walls->count != known;
+  if (status != ROT_OK || !*added) return status;
+  status = rot_ode_choose_side(&run->law, &run->state, known);
+  if (run->law.slides == known) {
+    rot_ode_growth_hold(run->growth, run->law.walls->wall[known].component);
   }
   if (status == ROT_OK) status = rot_ode_know_slope(&run->law, &run->state);
   /* That alone: an event that was just met has a zero here that is no new one. */
@@ -227,9 +226,9 @@ static rot_status close_rows(rot_ode_march *run) {
 static rot_status refuse(rot_ode_march *run, double h, double ratio, rot_status tried) {
   const size_t walls = run->law.walls->count;
   if (isnan(run->kinks.before)) {
+    int added;
     rot_status status = rot_ode_look_for_kink(&run->kinks, h, ratio, tried == ROT_ESTEP);
-    const int added = run->law.walls->count != walls;
-    if (status == ROT_OK && added) status = join_wall(run);
+    status = join_wall(run, walls, status, &added);
     if (status != ROT_OK) return status;
     if (added || !isnan(run->kinks.before)) {
       run->info->rejected++;
@@ -244,18 +243,18 @@ static void note_error(rot_ode_march *run, double error, int unresolved) {
   rot_ode_errors *e = run->errors;
   e->found += error;
   for (size_t m = rot_ode_steering(run->p); m < rot_ode_measures(run->p); m++) {
-    e->missed[m] += rot_ode_rate(rot_ode_group_of(run->p, m), run->stepper.trial_error);
+    e->missed[m] += rot_ode_rate(rot_ode_group_of(run->p, m), run->step.trial_error);
   }
   if (!unresolved) return;
   /* Radau's test is that of order 5, its result of order 9. */
-  const double missed = run->stepper.method == ROT_METHOD_RADAU ? pow(error, 1.2) : error;
+  const double missed = run->step.method == ROT_METHOD_RADAU ? pow(error, 1.2) : error;
   e->unresolved += missed * missed;
 }
 
 rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot_ode_passage *what,
                            size_t *which) {
   rot_ode_state *state = &run->state;
-  rot_ode_stepper *stepper = &run->stepper;
+  rot_ode_stepper *step = &run->step;
   const double t = run->clock.t;
   *what = ROT_ODE_TRY_SHORTER;
   rot_status status = may_go_on(run, STEPS_PER_POLL, fraction);
@@ -264,9 +263,9 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
   const step_plan plan = plan_step(run, isnan(run->kinks.before) ? stop : run->kinks.before);
   double h = plan.h;
   if (t + h == t) return end_here(run, ROT_ESTEP);
-  status = rot_ode_attempt(stepper, t, h, state->y, state->slope);
+  status = rot_ode_attempt(step, t, h, state->y, state->slope);
   if (status != ROT_OK && !rot_ode_may_retry(status)) return status;
-  double ratio = status == ROT_OK ? rot_ode_trial_ratio(stepper, h) : NAN;
+  double ratio = status == ROT_OK ? rot_ode_trial_ratio(step, h) : NAN;
   /* Beyond a wall the step is no step of the motion, and its error none: up to the wall. */
   const int early = status == ROT_OK && ratio > 1.0 && rot_ode_passes_wall(&run->search);
   if (early) run->info->rejected++;
@@ -280,13 +279,12 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
   }
   if (status != ROT_OK) return reject(run, plan.h, 0.5, status);
   if (*what == ROT_ODE_TRY_SHORTER) return reject(run, plan.h, 0.1, ROT_ESTEP);
-  const double error = ratio * stepper->tolerance;
+  const double error = ratio * step->tolerance;
   const int unresolved = rot_ode_is_unresolved(&run->guide, error);
   if (unresolved && run->law.slides == NO_WALL && isnan(run->kinks.before)) {
     const size_t walls = run->law.walls->count;
-    status = rot_ode_look_for_wall(&run->kinks, h);
-    const int added = run->law.walls->count != walls;
-    if (status == ROT_OK && added) status = join_wall(run);
+    int added;
+    status = join_wall(run, walls, rot_ode_look_for_wall(&run->kinks, h), &added);
     if (status != ROT_OK) return status;
     if (added) {
       run->info->rejected++;
@@ -305,11 +303,11 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
     state->phase = ROT_ODE_STIFF;
   }
   /* A step cut short by a target says nothing against the longer one. */
-  if (fabs(wish) > fabs(stepper->h) || plan.as_wished) stepper->h = wish;
+  if (fabs(wish) > fabs(step->h) || plan.as_wished) step->h = wish;
   status = accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : t + h, error);
   if (status == ROT_OK && run->growth) {
     status = rot_ode_growth_step(run->growth, &run->law, state, run->track, run->clock.t - t,
-                                 stepper->trial, PARTS);
+                                 step->trial, PARTS);
   }
   return status == ROT_OK && run->clock.t == run->kinks.before ? rot_ode_pass_kink(&run->kinks)
                                                                : status;

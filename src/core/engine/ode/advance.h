@@ -9,7 +9,6 @@
 #include "engine/ode/rest.h"
 #include "engine/ode/rows.h"
 #include "engine/ode/trace.h"
-#include "engine/ode/track.h"
 
 /* What the steps of a run say of its errors, of each measure where it is an array. */
 typedef struct rot_ode_errors {
@@ -30,7 +29,7 @@ typedef struct rot_ode_march {
   rot_ode_state state;
   rot_ode_stiffness stiffness;
   rot_ode_law law;
-  rot_ode_stepper stepper;
+  rot_ode_stepper step;
   rot_ode_search search;
   rot_ode_kink_search kinks;
   rot_ode_rest rest;

@@ -138,6 +138,13 @@ static double legendre_slope(const step *st, const double p[], size_t dim, size_
   return sum;
 }
 
+/* The first n components of the state at t. */
+static void legendre_states(const step *st, double t, size_t dim, size_t n, double y[]) {
+  double p[MOST_NODES + 1];
+  legendre_at(st, t, p);
+  for (size_t k = 0; k < n; k++) y[k] = legendre_state(st, p, dim, k);
+}
+
 /* The larger of two neighbouring coefficients, the last of them m: one of them may vanish. */
 static double pair(const step *st, size_t dim, size_t k, size_t m) {
   return fmax(fabs(st->c[m * dim + k]), fabs(st->c[(m - 1) * dim + k]));
@@ -242,12 +249,8 @@ static int solve(stages *g) {
 /* State of the sweep before, or of the run, at a time of the step. */
 static void state_at(const step *st, const rot_dense_form form[], size_t dim, size_t n, double t,
                      double y[]) {
-  double polynomial[MOST_NODES + 1];
-  if (st->s) legendre_at(st, t, polynomial);
-  for (size_t k = 0; k < n; k++) {
-    y[k] = st->s ? legendre_state(st, polynomial, dim, k)
-                 : rot_dense_at(&form[k], t, NULL, NULL, NULL);
-  }
+  if (st->s) legendre_states(st, t, dim, n, y);
+  for (size_t k = 0; k < n && !st->s; k++) y[k] = rot_dense_at(&form[k], t, NULL, NULL, NULL);
 }
 
 /* The sweep before at the nodes, moved by what the start has changed; end[]: by what that moves the
@@ -282,27 +285,35 @@ static int predict(const side *w, const step *st, const double start[], stages *
   return 1;
 }
 
-/* The slopes at the nodes: strictly inside the step, which may end at breaks. *good = 0: not
- * defined there. */
-static rot_status call(const side *w, const step *st, const double start[], stages *g, int *good) {
-  const size_t n = g->n;
+/* The law strictly inside the step, which may end at breaks, and on its sides of the walls. */
+static rot_status slope_in(const side *w, const step *st, double t, const double y[],
+                           double dydt[]) {
   const double after = nextafter(st->t, st->end), before = nextafter(st->end, st->t);
+  double x[MOST_DIM];
+  memcpy(x, y, w->p->dim * sizeof *y);
+  for (size_t k = 0; k < w->p->controlled; k++) x[k] = fmin(fmax(y[k], st->low[k]), st->high[k]);
+  t = st->end > st->t ? fmin(fmax(t, after), before) : fmax(fmin(t, after), before);
+  w->info->rhs_calls++;
+  rot_status status = w->p->rhs(t, x, dydt, w->p->ctx);
+  for (size_t k = 0; k < w->p->controlled && status == ROT_OK; k++) {
+    if (!isfinite(dydt[k])) status = ROT_ERHS;
+  }
+  return status;
+}
+
+/* The slopes at the nodes. *good = 0: not defined there. */
+static rot_status call(const side *w, const step *st, const double start[], stages *g, int *good) {
   double y[MOST_DIM];
   memcpy(y, start, g->dim * sizeof *y);
   *good = 0;
   for (size_t j = 0; j < g->r->s; j++) {
-    const double at = st->t + 0.5 * g->h * (1.0 + g->r->x[j]);
-    const double t = g->h > 0.0 ? fmin(fmax(at, after), before) : fmax(fmin(at, after), before);
-    for (size_t k = 0; k < n; k++) {
-      y[k] = fmin(fmax(g->y[j * n + k], st->low[k]), st->high[k]);
-      if (fabs(y[k] - g->y[j * n + k]) > BEYOND * w->size[k]) return ROT_OK;
+    for (size_t k = 0; k < g->n; k++) {
+      const double x = y[k] = g->y[j * g->n + k];
+      if (fabs(fmin(fmax(x, st->low[k]), st->high[k]) - x) > BEYOND * w->size[k]) return ROT_OK;
     }
-    w->info->rhs_calls++;
-    const rot_status status = w->p->rhs(t, y, g->f + j * g->dim, w->p->ctx);
+    const double t = st->t + 0.5 * g->h * (1.0 + g->r->x[j]);
+    const rot_status status = slope_in(w, st, t, y, g->f + j * g->dim);
     if (status != ROT_OK) return status == ROT_ERHS ? ROT_OK : status;
-    for (size_t k = 0; k < n; k++) {
-      if (!isfinite(g->f[j * g->dim + k])) return ROT_OK;
-    }
   }
   *good = 1;
   return ROT_OK;
@@ -359,8 +370,7 @@ static int meet_wall(step *st, size_t dim) {
     t += (st->level - legendre_state(st, polynomial, dim, k)) / slope;
     if (!(fabs(t - st->end) < 0.02 * fabs(st->h))) return 0;
   }
-  legendre_at(st, t, polynomial);
-  for (size_t i = 0; i < dim; i++) st->y[dim + i] = legendre_state(st, polynomial, dim, i);
+  legendre_states(st, t, dim, dim, st->y + dim);
   st->y[dim + k] = st->level;
   st->end = t;
   return 1;
@@ -422,11 +432,7 @@ static int meet_step(const side *w, step *st, double *off) {
   }
   if (!(least <= near)) return 0;
   st[-1].end = st->t = at;
-  double polynomial[MOST_NODES + 1];
-  legendre_at(st - 1, at, polynomial);
-  for (size_t k = 0; k < dim; k++) {
-    st[-1].y[dim + k] = legendre_state(st - 1, polynomial, dim, k);
-  }
+  legendre_states(st - 1, at, dim, dim, st[-1].y + dim);
   return 1;
 }
 
@@ -583,12 +589,7 @@ typedef struct solution {
 
 static void state_in(void *path, double t, double y[]) {
   const solution *v = path;
-  const size_t dim = v->w->p->dim;
-  double polynomial[MOST_NODES + 1];
-  legendre_at(v->st, t, polynomial);
-  for (size_t k = 0; k < v->w->p->controlled; k++) {
-    y[k] = legendre_state(v->st, polynomial, dim, k);
-  }
+  legendre_states(v->st, t, v->w->p->dim, v->w->p->controlled, y);
 }
 
 static int believed_in(void *path, double t, double y[], double slope[], double y_unsure[],
@@ -608,20 +609,7 @@ static int believed_in(void *path, double t, double y[], double slope[], double 
 
 static rot_status call_in(void *path, double t, const double y[], double dydt[]) {
   const solution *v = path;
-  const step *st = v->st;
-  const double after = nextafter(st->t, st->end), before = nextafter(st->end, st->t);
-  double x[MOST_DIM];
-  memcpy(x, y, v->w->p->dim * sizeof *y);
-  for (size_t k = 0; k < v->w->p->controlled; k++) {
-    x[k] = fmin(fmax(y[k], st->low[k]), st->high[k]);
-  }
-  t = st->end > st->t ? fmin(fmax(t, after), before) : fmax(fmin(t, after), before);
-  v->w->info->rhs_calls++;
-  rot_status status = v->w->p->rhs(t, x, dydt, v->w->p->ctx);
-  for (size_t k = 0; k < v->w->p->controlled && status == ROT_OK; k++) {
-    if (!isfinite(dydt[k])) status = ROT_ERHS;
-  }
-  return status;
+  return slope_in(v->w, v->st, t, y, dydt);
 }
 
 /* In any sweep, a node in a narrow change of the law leaves polynomials whose terms do not fall, so
@@ -680,15 +668,16 @@ static rot_status fill_rows(const side *w, const rot_ode_output *rows, rot_ode_p
   for (size_t k = 0; k < total && status == ROT_OK; k++) {
     const size_t row = forward ? rows->before + k : rows->before - 1 - k;
     const double t = rows->time_s[row];
-    double polynomial[MOST_NODES + 1], *y = rows->y + row * dim, slope = NAN;
+    double *y = rows->y + row * dim, slope = NAN;
     if (t == w->p->start_s || w->n_steps == 0) {
       memcpy(y, w->p->start, dim * sizeof *y);
     } else {
       while (i + 1 < w->n_steps && way * (t - w->steps[i].end) > 0.0) i++;
       const step *st = &w->steps[i];
-      legendre_at(st, t, polynomial);
-      for (size_t c = 0; c < dim; c++) {
-        y[c] = t == st->end ? st->y[dim + c] : legendre_state(st, polynomial, dim, c);
+      if (t == st->end) {
+        memcpy(y, st->y + dim, dim * sizeof *y);
+      } else {
+        legendre_states(st, t, dim, dim, y);
       }
       if (rows->slope) status = slope_of_row(w, st, probes, error, t, &slope);
     }
@@ -734,13 +723,12 @@ static rot_status sweep_sides(side sides[2], double last, double *part, double *
 rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_track track[2],
                              const rot_ode_walls *walls, const rot_ode_output *rows,
                              rot_ode_probes *probes, const rot_hooks *hooks, rot_info *info,
-                             double error[], double largest[], int *good) {
+                             int *good) {
   const size_t dim = p->dim;
   rule *rules = calloc(MOST_NODES + 1, sizeof *rules);
   double *scratch = calloc(4 * dim, sizeof *scratch), apart = INFINITY;
-  side sides[2];
+  side sides[2] = {{.p = p}, {.p = p}};
   rot_status status = rules && scratch ? ROT_OK : ROT_ENOMEM;
-  memset(sides, 0, sizeof sides);
   *good = 0;
   for (int forward = 0; forward < 2 && status == ROT_OK; forward++) {
     sides[forward] = (side){.p = p,
@@ -764,21 +752,22 @@ rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_track track[
     const double missed = MISSED_COUNT * sqrt(sides[0].missed + sides[1].missed);
     for (size_t i = 0; i < dim; i++) {
       const double size = scratch[i];
-      error[i] = part * sides[0].apart[i] + sides[0].left_out[i] + missed * size;
-      if (i < p->controlled && size > 0.0) worst = fmax(worst, error[i] / size);
+      rows->error[i] = part * sides[0].apart[i] + sides[0].left_out[i] + missed * size;
+      if (i < p->controlled && size > 0.0) worst = fmax(worst, rows->error[i] / size);
     }
     *good = worst <= fmax(p->accuracy, ROUNDING);
     solved = missed <= fmax(4.0 * p->accuracy, ROUNDING); /* sweeps lessen it by little */
   }
   for (int forward = 0; forward < 2; forward++) {
-    if (*good && status == ROT_OK && probes) status = probe_steps(&sides[forward], probes, error);
+    if (*good && status == ROT_OK && probes)
+      status = probe_steps(&sides[forward], probes, rows->error);
     if (*good && status == ROT_OK) {
-      status = fill_rows(&sides[forward], rows, probes, error, forward);
+      status = fill_rows(&sides[forward], rows, probes, rows->error, forward);
     }
     free(sides[forward].steps);
     free(sides[forward].data);
   }
-  for (size_t i = 0; i < dim && *good; i++) largest[i] = fmax(largest[i], scratch[i]);
+  for (size_t i = 0; i < dim && *good; i++) rows->largest[i] = fmax(rows->largest[i], scratch[i]);
   free(scratch);
   free(rules);
   return status;

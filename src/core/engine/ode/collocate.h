@@ -17,7 +17,6 @@
 
 #include "engine/ode/law.h"
 #include "engine/ode/rows.h"
-#include "engine/ode/track.h"
 
 enum { ROT_ODE_MOST_COLLOCATED = 4, ROT_ODE_MOST_COLLOCATED_ALL = 12 }; /* controlled; all */
 
@@ -29,6 +28,6 @@ enum { ROT_ODE_MOST_COLLOCATED = 4, ROT_ODE_MOST_COLLOCATED_ALL = 12 }; /* contr
 rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_track track[2],
                              const rot_ode_walls *walls, const rot_ode_output *rows,
                              rot_ode_probes *probes, const rot_hooks *hooks, rot_info *info,
-                             double error[], double largest[], int *good);
+                             int *good);
 
 #endif

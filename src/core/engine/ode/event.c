@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 
 #include "ground/real.h"
 
@@ -10,8 +9,10 @@
 typedef struct look {
   rot_ode_event event;
   double level;
-  int slides; /* the function is rot_ode_hold_of_slide() */
-  int kink;   /* need not be met exactly */
+  size_t wall; /* or NO_WALL */
+  int turns;   /* the switch */
+  int slides;  /* the function is rot_ode_hold_of_slide() */
+  int kink;    /* need not be met exactly */
 } look;
 
 static size_t first_wall(const rot_ode_params *p) { return (p->turn != NULL) + p->n_events; }
@@ -25,30 +26,22 @@ size_t rot_ode_wall_of(const rot_ode_search *in, size_t which) {
   return which >= first && which < watched(in) ? which - first : NO_WALL;
 }
 
-rot_ode_watch *rot_ode_watch_new(const rot_ode_params *p) {
-  return calloc(first_wall(p) + ROT_ODE_MOST_WALLS, sizeof(rot_ode_watch));
-}
-
 /* The switch counts as the first event, walls as the last. */
 static look look_at(const rot_ode_search *in, size_t which) {
   const rot_ode_switch *turn = in->law->p->turn;
-  const size_t wall = rot_ode_wall_of(in, which);
-  look l = {{NULL, 0, 0, ROT_EVENT_REVERSE, NULL, NULL, 0}, 0.0, 0, 0};
-  if (turn && which == 0) {
+  look l = {.wall = rot_ode_wall_of(in, which), .turns = turn && which == 0};
+  if (l.turns) {
     l.event.component = turn->watched;
-  } else if (wall != NO_WALL) {
-    l.event.component = in->law->walls->wall[wall].component;
-    l.level = rot_ode_wall_level(in->law, wall);
-    l.slides = in->law->side[wall] == 0;
-    l.kink = in->law->walls->wall[wall].below == in->law->walls->wall[wall].above;
+  } else if (l.wall != NO_WALL) {
+    const rot_ode_wall *w = &in->law->walls->wall[l.wall];
+    l.event.component = w->component;
+    l.level = in->law->side[l.wall] > 0 ? w->below : w->above;
+    l.slides = in->law->side[l.wall] == 0;
+    l.kink = w->below == w->above;
   } else {
     l.event = in->law->p->events[which - (turn != NULL)];
   }
   return l;
-}
-
-static int is_switch(const rot_ode_search *in, size_t which) {
-  return in->law->p->turn && which == 0;
 }
 
 static double value_at(rot_ode_search *in, const look *l, double t, const double y[]) {
@@ -81,16 +74,15 @@ static void arm(rot_ode_search *in, size_t k, int fired, double at) {
   const double way = rot_ode_way(in->clock);
   const look l = look_at(in, k);
   rot_ode_watch *w = &in->watch[k];
-  const size_t wall = rot_ode_wall_of(in, k);
   w->value = value_at(in, &l, in->clock->t, in->state->y);
-  if (wall != NO_WALL) { /* a slide lasts while its function is positive */
+  if (l.wall != NO_WALL) { /* a slide lasts while its function is positive */
     const int time = l.event.component == in->law->p->dim;
     w->fresh = !time && !l.slides && (fired || w->value == 0.0);
     if (w->fresh) w->value = 0.0;
-    w->side = time ? 0 : l.slides ? 1 : in->law->side[wall];
+    w->side = time ? 0 : l.slides ? 1 : in->law->side[l.wall];
     return;
   }
-  if (is_switch(in, k)) {
+  if (l.turns) {
     w->side = *in->law->p->mode;
     w->fresh = in->state->phase == ROT_ODE_LEAVING || in->state->phase == ROT_ODE_UNDECIDED;
     return;
@@ -101,8 +93,8 @@ static void arm(rot_ode_search *in, size_t k, int fired, double at) {
     w->side = l.event.side(*in->law->p->mode, l.event.component, in->law->p->ctx);
   }
   if (w->side == 0) {
-    w->side = sign_of(
-        way * rise_at(in, &l, in->clock->t, in->state->y, in->state->slope, in->stepper->h));
+    w->side =
+        sign_of(way * rise_at(in, &l, in->clock->t, in->state->y, in->state->slope, in->step->h));
   }
   w->fresh = w->value == 0.0 && w->side != 0;
 }
@@ -116,17 +108,14 @@ void rot_ode_arm_last(rot_ode_search *in) { arm(in, watched(in) - 1, 0, 0.0); }
 void rot_ode_watch_on(rot_ode_search *in, size_t passed) {
   for (size_t k = 0; k < watched(in); k++) {
     rot_ode_watch *w = &in->watch[k];
-    w->value = rot_ode_event_value(in, k);
-    if (rot_ode_wall_of(in, k) != NO_WALL && k != passed) {
-      w->fresh = 0;
-      continue;
-    }
+    const look l = look_at(in, k);
+    const double value = value_at(in, &l, in->clock->t, in->state->y);
     w->fresh = k == passed;
-    if (k == passed) {
-      w->value = 0.0;
+    w->value = w->fresh ? 0.0 : value;
+    if (w->fresh) {
       w->side = -w->side;
-    } else if (!is_switch(in, k) && w->value != 0.0) {
-      w->side = sign_of(w->value);
+    } else if (l.wall == NO_WALL && !l.turns && value != 0.0) {
+      w->side = sign_of(value);
     }
   }
 }
@@ -151,8 +140,8 @@ int rot_ode_passes_wall(const rot_ode_search *in) {
     const int fresh = in->watch[first_wall(law->p) + k].fresh;
     if (rot_ode_is_time(law, k) || side == 0 || fresh) continue;
     const size_t c = law->walls->wall[k].component;
-    const double level = rot_ode_wall_level(law, k);
-    const double from = in->state->y[c] - level, to = in->stepper->trial[c] - level;
+    const double level = look_at(in, first_wall(law->p) + k).level;
+    const double from = in->state->y[c] - level, to = in->step->trial[c] - level;
     if (side * from > 0.0 && side * to <= 0.0) return 1;
   }
   return 0;
@@ -178,18 +167,18 @@ static void aim(sight *s, const rot_ode_watch *at, double h) {
   const size_t i = s->at.event.component;
   s->h = h;
   s->w[0] = at->fresh ? 0.0 : s->side * at->value;
-  s->w[2] = s->side * value_at(in, &s->at, in->clock->t + h, in->stepper->trial);
+  s->w[2] = s->side * value_at(in, &s->at, in->clock->t + h, in->step->trial);
   if (is_function(&s->at)) return;
   s->w[1] = s->side * in->state->slope[i] * h;
-  s->w[3] = s->side * in->stepper->trial_slope[i] * h;
+  s->w[3] = s->side * in->step->trial_slope[i] * h;
 }
 
 static double seen(const sight *s, double x) {
   rot_ode_search *in = s->in;
   if (!is_function(&s->at)) return cubic(s->w, x);
   for (size_t i = 0; i < in->law->p->dim; i++) {
-    const double w[4] = {in->state->y[i], s->h * in->state->slope[i], in->stepper->trial[i],
-                         s->h * in->stepper->trial_slope[i]};
+    const double w[4] = {in->state->y[i], s->h * in->state->slope[i], in->step->trial[i],
+                         s->h * in->step->trial_slope[i]};
     in->between[i] = cubic(w, x);
   }
   return s->side * value_at(in, &s->at, in->clock->t + x * s->h, in->between);
@@ -198,11 +187,11 @@ static double seen(const sight *s, double x) {
 static rot_status attempt_part(sight *s, double h) {
   rot_ode_search *in = s->in;
   const rot_status status =
-      rot_ode_attempt(in->stepper, in->clock->t, h, in->state->y, in->state->slope);
+      rot_ode_attempt(in->step, in->clock->t, h, in->state->y, in->state->slope);
   if (status != ROT_OK) return status;
-  s->value = s->side * value_at(in, &s->at, in->clock->t + h, in->stepper->trial);
-  s->rise = s->side *
-            rise_at(in, &s->at, in->clock->t + h, in->stepper->trial, in->stepper->trial_slope, h);
+  s->value = s->side * value_at(in, &s->at, in->clock->t + h, in->step->trial);
+  s->rise =
+      s->side * rise_at(in, &s->at, in->clock->t + h, in->step->trial, in->step->trial_slope, h);
   return ROT_OK;
 }
 
@@ -272,12 +261,22 @@ static rot_status find_zero(sight *s, double *hi) {
     if (status != ROT_OK) return status;
   }
   *hi = x;
-  if (!is_function(&s->at) && !s->at.kink) in->stepper->trial[s->at.event.component] = s->at.level;
+  if (!is_function(&s->at) && !s->at.kink) in->step->trial[s->at.event.component] = s->at.level;
+  return ROT_OK;
+}
+
+/* Ends the step at this part of it where that is on the right side. */
+static rot_status cut(sight *s, double part, double *h, rot_ode_passage *what) {
+  const rot_status status = attempt_part(s, part * *h);
+  if (status != ROT_OK || !(s->value > 0.0)) return status;
+  *h *= part;
+  *what = ROT_ODE_CUT_SHORT;
   return ROT_OK;
 }
 
 /* The stretch begins at zero and the step ends on the wrong side: was it on the right one? */
 static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage *what) {
+  const int is_other = !s->at.turns;
   double best = 0.0, x = 0.0;
   for (int k = 1; k < 16; k++) {
     const double here = seen(s, k / 16.0);
@@ -287,37 +286,29 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
       x = k / 16.0;
     }
   }
-  if (best == 0.0 && !is_switch(s->in, which)) {
-    for (x = 1.0 / 32.0; best == 0.0 && x > 1e-9; x *= best > 0.0 ? 1.0 : 0.5) {
-      best = fmax(0.0, seen(s, x));
-    }
+  for (double near = 1.0 / 32.0; is_other && best == 0.0 && near > 1e-9; near *= 0.5) {
+    best = fmax(0.0, seen(s, near));
+    x = near;
   }
-  if (best == 0.0 && !is_switch(s->in, which)) {
-    /* The cubic may miss a short way out of a long step: ask the method itself. */
-    for (x = 0.25; x > 1e-4; x *= 0.25) {
-      const rot_status status = attempt_part(s, x * *h);
-      if (status != ROT_OK) return status;
-      if (s->value > 0.0) {
-        *h *= x;
-        *what = ROT_ODE_CUT_SHORT;
-        return ROT_OK;
-      }
-    }
-    const rot_status status = attempt_part(s, *h);
-    if (status != ROT_OK) return status;
-    /* It touched zero and went back. */
-    s->in->watch[which].side = -s->in->watch[which].side;
-    if (rot_ode_wall_of(s->in, which) != NO_WALL) *what = ROT_ODE_OTHER_SIDE;
+  if (best > 0.0) {
+    *what = ROT_ODE_TRY_SHORTER;
+    return cut(s, x, h, what);
+  }
+  if (!is_other) {
+    *what = ROT_ODE_TRY_SHORTER;
     return ROT_OK;
   }
-  *what = ROT_ODE_TRY_SHORTER;
-  if (best == 0.0) return ROT_OK;
-  const rot_status status = attempt_part(s, x * *h);
-  if (status == ROT_OK && s->value > 0.0) {
-    *h *= x;
-    *what = ROT_ODE_CUT_SHORT;
+  /* The cubic may miss a short way out of a long step: ask the method itself. */
+  for (x = 0.25; x > 1e-4; x *= 0.25) {
+    const rot_status status = cut(s, x, h, what);
+    if (status != ROT_OK || *what == ROT_ODE_CUT_SHORT) return status;
   }
-  return status;
+  const rot_status status = attempt_part(s, *h);
+  if (status != ROT_OK) return status;
+  /* It touched zero and went back. */
+  s->in->watch[which].side = -s->in->watch[which].side;
+  if (s->at.wall != NO_WALL) *what = ROT_ODE_OTHER_SIDE;
+  return ROT_OK;
 }
 
 /* Samples of a step shorter than this, of the span, resolve an event function. */
@@ -400,13 +391,12 @@ static rot_status look_for(rot_ode_search *in, size_t which, double *h, rot_ode_
   if (at->side == 0) return ROT_OK;
   aim(&s, at, *h);
   const double end = s.w[2];
-  if (is_switch(in, which) && at->fresh && s.w[1] == 0.0 && end == 0.0 && s.w[3] == 0.0) {
+  if (s.at.turns && at->fresh && s.w[1] == 0.0 && end == 0.0 && s.w[3] == 0.0) {
     return ROT_OK; /* still */
   }
   if (at->fresh && end <= 0.0) {
-    if (in->state->phase != ROT_ODE_UNDECIDED || !is_switch(in, which)) {
-      return counts ? leave_zero(&s, which, h, what) : ROT_OK;
-    }
+    const int guess = in->state->phase == ROT_ODE_UNDECIDED && s.at.turns;
+    if (!guess) return counts ? leave_zero(&s, which, h, what) : ROT_OK;
     at->side = -at->side;
     *what = ROT_ODE_OTHER_SIDE;
     return ROT_OK;

@@ -14,10 +14,10 @@ typedef struct rot_ode_watch {
 typedef struct rot_ode_search {
   const rot_ode_clock *clock;
   const rot_ode_state *state;
-  rot_ode_law *law;         /* its walls and their sides; what slides calls it */
-  rot_ode_stepper *stepper; /* takes parts of the trial step */
-  rot_ode_watch *watch;     /* the switch first, if there is one, then the events, then the walls */
-  double *between;          /* dim: a state within the step */
+  rot_ode_law *law;      /* its walls and their sides; what slides calls it */
+  rot_ode_stepper *step; /* takes parts of the trial step */
+  rot_ode_watch *watch;  /* the switch first, if there is one, then the events, then the walls */
+  double *between;       /* dim: a state within the step */
 } rot_ode_search;
 
 /* What was seen in a trial step. */
@@ -29,19 +29,14 @@ typedef enum rot_ode_passage {
   ROT_ODE_OTHER_SIDE   /* the same: the motion leaves the zero of *which to the other side */
 } rot_ode_passage;
 
-/* NULL: no memory. */
-rot_ode_watch *rot_ode_watch_new(const rot_ode_params *p);
-
 /* Which side of zero each event function is on where a stretch begins. The value that `fired` has
  * there, `at`, counts as zero (no event: SIZE_MAX). */
 void rot_ode_arm(rot_ode_search *in, size_t fired, double at);
 /* The last watch alone: a new wall's. */
 void rot_ode_arm_last(rot_ode_search *in);
-
 /* Looks for the first event in the trial step; *h becomes the step that is left. */
 rot_status rot_ode_look_for_events(rot_ode_search *in, double *h, rot_ode_passage *what,
                                    size_t *which);
-
 /* After a step was accepted: the values at its end. `passed`: the event it ended at, if the motion
  * goes on through it. */
 void rot_ode_watch_on(rot_ode_search *in, size_t passed);

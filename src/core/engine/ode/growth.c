@@ -1,6 +1,5 @@
 #include "engine/ode/growth.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,9 +37,7 @@ void rot_ode_growth_free(rot_ode_growth *g) {
 }
 
 void rot_ode_growth_set_out(rot_ode_growth *g) {
-  if (!g) return;
-  memset(g->spread, 0, g->n * g->n * sizeof *g->spread);
-  g->known = 0;
+  if (g) memset(g->spread, 0, g->n * g->n * sizeof *g->spread);
 }
 
 void rot_ode_growth_new_stretch(rot_ode_growth *g) {
@@ -82,13 +79,16 @@ static rot_status derivative(rot_ode_growth *growth, rot_ode_law *law, const rot
     for (size_t i = g.first; i < g.first + g.count; i++) {
       y[i] = state->y[i] + (passes_wall(law, i, state->y[i] + by) ? -by : by);
       const double step = y[i] - state->y[i];
-      int code = GSL_EBADFUNC;
-      if (step != 0.0) code = rot_ode_slope_at(law->clock->t, y, f, law);
-      if (step != 0.0 && code != GSL_SUCCESS && law->status != ROT_ERHS) return law->status;
-      for (size_t k = 0; k < n; k++) {
-        d[k * n + i] = code == GSL_SUCCESS ? (f[k] - state->slope[k]) / step : 0.0;
+      rot_status status = ROT_ERHS;
+      if (step != 0.0) status = rot_ode_slope_at(law, law->clock->t, y, f);
+      if (status != ROT_OK && status != ROT_ERHS) return status;
+      double *all = track ? track->derivative + (track->nodes.count - 1) * p->dim * n : NULL;
+      for (size_t k = 0; k < p->dim && all && status == ROT_OK; k++) {
+        all[k * n + i] = (f[k] - state->slope[k]) / step;
       }
-      if (track && code == GSL_SUCCESS) rot_ode_track_derivative(track, i, f, step);
+      for (size_t k = 0; k < n; k++) {
+        d[k * n + i] = status == ROT_OK ? (f[k] - state->slope[k]) / step : 0.0;
+      }
       y[i] = state->y[i];
     }
   }

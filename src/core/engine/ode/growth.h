@@ -5,7 +5,7 @@
 #define ROT_ODE_GROWTH_H
 
 #include "engine/ode/law.h"
-#include "engine/ode/track.h"
+#include "engine/ode/trace.h"
 
 enum { ROT_ODE_MOST_GROWTH = 32 }; /* controlled components; with more it is not followed */
 

@@ -1,11 +1,9 @@
 #include "engine/ode/kink.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/ode/wall.h"
 #include "ground/real.h"
 
 /* The slope is sampled at the ends of equal gaps. Over the gap with the kink the slope's slope
@@ -34,8 +32,7 @@ static double state_at(const path *w, double s, double y[]) {
 
 static rot_status slope_at(const path *w, double s, double dydt[]) {
   const double t = state_at(w, s, w->state);
-  rot_ode_slope_at(t, w->state, dydt, w->law);
-  return w->law->status;
+  return rot_ode_slope_at(w->law, t, w->state, dydt);
 }
 
 /* The zero in [0, 1] of the parabola through d at 0, 1/2, 1; NaN if there is none. */
@@ -56,29 +53,35 @@ static void apart_parabolas(const double l[SIDE], const double r[SIDE], double d
 
 static rot_status sample(const path *w) {
   const size_t dim = w->law->p->dim;
-  for (size_t i = 0; i <= GAPS; i++) {
-    rot_status status = ROT_OK;
-    if (i % GAPS) {
-      status = slope_at(w, (double)i / GAPS, w->sample + i * dim);
-    } else {
-      memcpy(w->sample + i * dim, w->slope[i / GAPS], dim * sizeof *w->sample);
-    }
-    if (status != ROT_OK) return status;
+  rot_status status = ROT_OK;
+  memcpy(w->sample, w->slope[0], dim * sizeof *w->sample);
+  memcpy(w->sample + GAPS * dim, w->slope[1], dim * sizeof *w->sample);
+  for (size_t i = 1; i < GAPS && status == ROT_OK; i++) {
+    status = slope_at(w, (double)i / GAPS, w->sample + i * dim);
   }
-  return ROT_OK;
+  return status;
+}
+
+/* Of component k of the samples: by what each gap changes it, and its largest size. */
+static double rises(const path *w, size_t k, double rise[GAPS]) {
+  const size_t dim = w->law->p->dim;
+  const double *f = w->sample + k;
+  double size = fabs(f[0]);
+  for (size_t i = 0; i < GAPS; i++, f += dim) {
+    size = fmax(size, fabs(f[dim]));
+    rise[i] = f[dim] - f[0];
+  }
+  return size;
 }
 
 /* The sharpest kink of the samples, as a part of the path, in component *which of the slope; NaN
  * where they show none. */
 static double sharpest(const path *w, size_t *which) {
-  const size_t dim = w->law->p->dim;
   double most = 0.0, s = NAN;
   *which = 0;
   for (size_t k = 0; k < w->law->p->controlled; k++) {
-    const double *f = w->sample + k;
-    double size = 0.0, rise[GAPS];
-    for (size_t i = 0; i <= GAPS; i++) size = fmax(size, fabs(f[i * dim]));
-    for (size_t i = 0; i < GAPS; i++) rise[i] = f[(i + 1) * dim] - f[i * dim];
+    double rise[GAPS];
+    const double size = rises(w, k, rise);
     for (size_t i = 1; i + 1 < GAPS; i++) {
       const double turn = rise[i + 1] - rise[i - 1], part = (rise[i + 1] - rise[i]) / turn;
       const double smooth = (i > 1 ? fabs(rise[i - 1] - rise[i - 2]) : 0.0) +
@@ -93,22 +96,21 @@ static double sharpest(const path *w, size_t *which) {
   return s;
 }
 
-/* ---- along one coordinate -------------------------------------------------------------------- */
-
 /* Component k of the slope at w->state, with coordinate i (dim: time) put to x; i = dim + 1: at x
  * along the path. */
 static rot_status slope_with(const path *w, double t, size_t i, double x, size_t k, double *f) {
   const size_t dim = w->law->p->dim;
+  rot_status status;
   if (i > dim) {
-    slope_at(w, x, w->sample);
+    status = slope_at(w, x, w->sample);
   } else {
     double *y = w->moved;
     memcpy(y, w->state, dim * sizeof *y);
     *(i < dim ? &y[i] : &t) = x;
-    rot_ode_slope_at(t, y, w->sample, w->law);
+    status = rot_ode_slope_at(w->law, t, y, w->sample);
   }
   *f = w->sample[k];
-  return w->law->status;
+  return status;
 }
 
 /* The difference of the parabolas on the two sides of *x along coordinate i, as `strength`, twice
@@ -142,21 +144,18 @@ static rot_status find(const path *w, double *s) {
 
 /* The gap of the samples over which component *which of the slope jumps; -1: there is none. */
 static int jump_gap(const path *w, size_t *which) {
-  const size_t dim = w->law->p->dim;
   double most = 0.0;
   int gap = -1;
   for (size_t k = 0; k < w->law->p->controlled; k++) {
-    const double *f = w->sample + k;
-    double size = 0.0, rise[GAPS];
-    for (size_t i = 0; i <= GAPS; i++) size = fmax(size, fabs(f[i * dim]));
-    for (size_t i = 0; i < GAPS; i++) rise[i] = fabs(f[(i + 1) * dim] - f[i * dim]);
+    double rise[GAPS];
+    const double size = rises(w, k, rise);
     for (int i = 0; i < GAPS; i++) {
       double beside = 0.0;
       for (int j = -2; j <= 2; j++) {
-        if (j && i + j >= 0 && i + j < GAPS) beside = fmax(beside, rise[i + j]);
+        if (j && i + j >= 0 && i + j < GAPS) beside = fmax(beside, fabs(rise[i + j]));
       }
-      if (rise[i] > fmax(SHARP / 2.0 * beside, most * size)) {
-        most = rise[i] / size;
+      if (fabs(rise[i]) > fmax(SHARP / 2.0 * beside, most * size)) {
+        most = fabs(rise[i]) / size;
         gap = i;
         *which = k;
       }
@@ -333,12 +332,12 @@ static rot_status close_in(rot_ode_kink_search *in, path *w) {
     last = t;
     t = w->t + s * w->h;
     if (fabs(t - last) < 1000.0 * fabs(apart)) break;
-    status = step_to(w, in->stepper, at, t - margin - at);
-    if (status != ROT_OK || !(rot_ode_trial_ratio(in->stepper, w->h) <= 1.0)) return status;
+    status = step_to(w, in->step, at, t - margin - at);
+    if (status != ROT_OK || !(rot_ode_trial_ratio(in->step, w->h) <= 1.0)) return status;
     memcpy(w->y[0], w->y[1], dim * sizeof *w->y[0]);
     memcpy(w->slope[0], w->slope[1], dim * sizeof *w->slope[0]);
     at = w->t + w->h;
-    status = step_to(w, in->stepper, at, 2.0 * margin);
+    status = step_to(w, in->step, at, 2.0 * margin);
     if (status == ROT_OK) status = find(w, &s);
     margin /= 32.0;
   } while (fabs(margin) > fabs(apart) / 1024.0);
@@ -359,11 +358,11 @@ static rot_status look(rot_ode_kink_search *in, double h, int walls_alone) {
   path w = path_with(in->law, scratch);
   w.t = in->clock->t;
   w.h = h;
-  w.wish = in->stepper->h;
+  w.wish = in->step->h;
   memcpy(w.y[0], in->state->y, size);
   memcpy(w.slope[0], in->state->slope, size);
-  memcpy(w.y[1], in->stepper->trial, size);
-  memcpy(w.slope[1], in->stepper->trial_slope, size);
+  memcpy(w.y[1], in->step->trial, size);
+  memcpy(w.slope[1], in->step->trial_slope, size);
   int added = 0;
   rot_status status = sample(&w);
   if (status == ROT_OK) {
@@ -388,7 +387,7 @@ enum { MOST_LOOKS = 6 };
 
 rot_status rot_ode_look_for_kink(rot_ode_kink_search *in, double h, double ratio, int diverged) {
   const rot_ode_state *state = in->state;
-  rot_ode_stepper *s = in->stepper;
+  rot_ode_stepper *s = in->step;
   const double t = in->clock->t;
   if (!in->found || !(ratio > KINK_RATIO || diverged) || in->law->slides != NO_WALL) return ROT_OK;
   if (state->phase != ROT_ODE_MOVING && state->phase != ROT_ODE_CUT) return ROT_OK;
@@ -400,21 +399,15 @@ rot_status rot_ode_look_for_kink(rot_ode_kink_search *in, double h, double ratio
   }
   if (diverged) { /* Newton's iteration: along the tangent */
     for (size_t i = 0; i < in->law->p->dim; i++) s->trial[i] = state->y[i] + h * state->slope[i];
-    const int code = rot_ode_slope_at(t + h, s->trial, s->trial_slope, in->law);
-    if (code != GSL_SUCCESS) return in->law->status == ROT_ERHS ? ROT_OK : in->law->status;
+    const rot_status status = rot_ode_slope_at(in->law, t + h, s->trial, s->trial_slope);
+    if (status != ROT_OK) return status == ROT_ERHS ? ROT_OK : status;
   }
   return look(in, h, s->method != ROT_METHOD_RK8PD);
 }
 
 rot_status rot_ode_pass_kink(rot_ode_kink_search *in) {
   rot_ode_kinks *k = in->found;
-  if (k->count == k->room) {
-    const size_t room = k->room ? 2 * k->room : 16;
-    double *time_s = realloc(k->time_s, room * sizeof *time_s);
-    if (!time_s) return ROT_ENOMEM;
-    k->time_s = time_s;
-    k->room = room;
-  }
+  if (rot_ode_make_room(&k->time_s, &k->room, k->count, 1) != ROT_OK) return ROT_ENOMEM;
   k->time_s[k->count++] = in->before;
   in->before = in->clock->t == in->behind ? NAN : in->behind;
   return ROT_OK;
@@ -474,15 +467,10 @@ rot_status rot_ode_look_at_sights(const rot_ode_params *p, const rot_ode_probes 
   const int first_mode = p->mode ? *p->mode : 0;
   rot_ode_clock clock = {p, NAN, NAN, 1, -INFINITY, INFINITY, 0};
   rot_ode_state state = {.phase = ROT_ODE_MOVING};
-  rot_ode_law law;
+  rot_ode_law law = {.p = p, .clock = &clock, .info = info, .walls = walls};
   rot_status status = ROT_OK;
   double *scratch = calloc((GAPS + 12) * dim, sizeof *scratch);
   if (!scratch) return ROT_ENOMEM;
-  memset(&law, 0, sizeof law);
-  law.p = p;
-  law.clock = &clock;
-  law.info = info;
-  law.walls = walls;
   law.kept = scratch + (GAPS + 8) * dim;
   law.beside = law.kept + dim;
   law.beyond = law.beside + dim;

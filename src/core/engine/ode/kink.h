@@ -17,7 +17,7 @@ typedef struct rot_ode_kink_search {
   const rot_ode_clock *clock;
   const rot_ode_state *state;
   rot_ode_law *law; /* walls are added */
-  rot_ode_stepper *stepper;
+  rot_ode_stepper *step;
   rot_ode_kinks *found;  /* takes those that are passed; NULL: none is looked for */
   double before, behind; /* just before and just after the next one; NaN: none is known */
   double looked_t;       /* where one was looked for last, `looks` times */
@@ -29,10 +29,8 @@ typedef struct rot_ode_kink_search {
  * other errs by less than the accuracy, and so far apart that the kink of any other run lies
  * between them, too; or a wall is added, whose side is unknown yet. */
 rot_status rot_ode_look_for_kink(rot_ode_kink_search *in, double h, double ratio, int diverged);
-
-/* The same for walls alone (engine/ode/wall.h), of a step that need not have been rejected. */
+/* The same for walls alone (engine/ode/law.h), of a step that need not have been rejected. */
 rot_status rot_ode_look_for_wall(rot_ode_kink_search *in, double h);
-
 /* It is the time before a kink, or behind it. */
 rot_status rot_ode_pass_kink(rot_ode_kink_search *in);
 

@@ -1,6 +1,5 @@
 #include "engine/ode/law.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -28,49 +27,97 @@ double rot_ode_keep_time(const rot_ode_law *law, double t) {
   return t;
 }
 
-int rot_ode_both_slopes(rot_ode_law *law, size_t wall, double t, const double y[], double below[],
-                        double above[]) {
+/* Slopes on both sides of a wall. */
+static rot_status both_slopes(rot_ode_law *law, size_t wall, double t, const double y[],
+                              double below[], double above[]) {
   const int side = law->side[wall];
   const size_t slides = law->slides;
   law->slides = NO_WALL;
   law->side[wall] = -1;
-  int code = rot_ode_slope_at(t, y, below, law);
+  rot_status status = rot_ode_slope_at(law, t, y, below);
   law->side[wall] = 1;
-  if (code == GSL_SUCCESS) code = rot_ode_slope_at(t, y, above, law);
+  if (status == ROT_OK) status = rot_ode_slope_at(law, t, y, above);
   law->side[wall] = side;
   law->slides = slides;
-  return code;
+  return status;
 }
 
-static int sliding_slope(rot_ode_law *law, double t, const double y[], double dydt[]) {
+static rot_status sliding_slope(rot_ode_law *law, double t, const double y[], double dydt[]) {
   const size_t c = law->walls->wall[law->slides].component;
   double *above = law->beyond;
-  const int code = rot_ode_both_slopes(law, law->slides, t, y, dydt, above);
-  if (code != GSL_SUCCESS) return code;
+  const rot_status status = both_slopes(law, law->slides, t, y, dydt, above);
+  if (status != ROT_OK) return status;
   const double apart = dydt[c] - above[c];
   const double part = apart != 0.0 ? fmin(1.0, fmax(0.0, dydt[c] / apart)) : 0.5;
   for (size_t i = 0; i < law->p->dim; i++) dydt[i] += part * (above[i] - dydt[i]);
   dydt[c] = 0.0;
-  return GSL_SUCCESS;
+  return ROT_OK;
 }
 
 double rot_ode_hold_of_slide(rot_ode_law *law, double t, const double y[]) {
   const size_t c = law->walls->wall[law->slides].component;
   const double way = rot_ode_way(law->clock);
   double *below = law->beside, *above = law->beyond;
-  if (rot_ode_both_slopes(law, law->slides, t, y, below, above) != GSL_SUCCESS) return NAN;
+  if (both_slopes(law, law->slides, t, y, below, above) != ROT_OK) return NAN;
   return fmin(way * below[c], -way * above[c]);
-}
-
-double rot_ode_wall_level(const rot_ode_law *law, size_t wall) {
-  const rot_ode_wall *w = &law->walls->wall[wall];
-  return law->side[wall] > 0 ? w->below : w->above;
 }
 
 /* ---- its calls ------------------------------------------------------------------------------- */
 
-int rot_ode_slope_at(double t, const double y[], double dydt[], void *ctx) {
-  rot_ode_law *law = ctx;
+static void note_stiffness(rot_ode_stiffness *s, double t, const double y[], const double f[]) {
+  const rot_ode_params *p = s->p;
+  if (t == s->t) {
+    double apart = 0.0, rise = 0.0;
+    for (size_t i = 0; i < p->controlled; i++) {
+      s->y[i] -= y[i];
+      s->f[i] -= f[i];
+    }
+    for (size_t m = 0; m < rot_ode_steering(p); m++) {
+      const rot_ode_group g = rot_ode_group_of(p, m);
+      const double size = fmax(ROT_ODE_LEAST_SIZE, fmax(s->largest[m], rot_ode_size(g, y)));
+      apart = fmax(apart, rot_ode_rate(g, s->y) / size);
+      rise = fmax(rise, rot_ode_rate(g, s->f) / size);
+    }
+    /* Differences at rounding level say nothing about stiffness. */
+    s->rate = apart > 64.0 * ROT_EPS ? rise / apart : 0.0;
+  }
+  s->t = t;
+  memcpy(s->y, y, p->controlled * sizeof *y);
+  memcpy(s->f, f, p->controlled * sizeof *f);
+}
+
+/* A stiff problem costs an explicit method steps that its error test would not need. */
+int rot_ode_is_stiff(rot_ode_stiffness *s, double h, double left) {
+  if (fabs(h) * s->rate > 4.0) {
+    s->stiff++;
+    s->calm = 0;
+  } else if (++s->calm >= 6) {
+    s->stiff = 0;
+  }
+  return s->stiff >= 15 && fabs(left) > 50.0 * fabs(h);
+}
+
+static rot_status call(rot_ode_law *law, double t, const double y[], double dydt[]) {
+  const rot_ode_params *p = law->p;
+  rot_ode_calls *record = law->record;
+  /* A trial state may have left the doubles: a law is not defined there, and is not called. */
+  for (size_t i = 0; i < p->controlled; i++) {
+    if (!isfinite(y[i])) return ROT_ERHS;
+  }
+  law->info->rhs_calls++;
+  if (record && record->count < ROT_ODE_CALLS) {
+    double *at = record->data + record->count++ * (1 + p->controlled);
+    at[0] = t;
+    memcpy(at + 1, y, p->controlled * sizeof *y);
+  }
+  const rot_status status = p->rhs(t, y, dydt, p->ctx);
+  for (size_t i = 0; i < p->controlled && status == ROT_OK; i++) {
+    if (!isfinite(dydt[i])) return ROT_ERHS;
+  }
+  return status;
+}
+
+rot_status rot_ode_slope_at(rot_ode_law *law, double t, const double y[], double dydt[]) {
   if (law->slides != NO_WALL) return sliding_slope(law, t, y, dydt);
   t = t < law->clock->after ? law->clock->after : t > law->clock->before ? law->clock->before : t;
   if (law->walls->count) {
@@ -78,35 +125,17 @@ int rot_ode_slope_at(double t, const double y[], double dydt[], void *ctx) {
     keep_sides(law, &t, law->kept);
     y = law->kept;
   }
-  /* A trial state may have left the doubles: a law is not defined there, and is not called. */
-  law->status = ROT_OK;
-  for (size_t i = 0; i < law->p->controlled; i++) {
-    if (!isfinite(y[i])) law->status = ROT_ERHS;
-  }
-  if (law->status == ROT_OK) {
-    law->info->rhs_calls++;
-    if (law->record && law->record->count < ROT_ODE_CALLS) {
-      double *call = law->record->data + law->record->count++ * (1 + law->p->controlled);
-      call[0] = t;
-      memcpy(call + 1, y, law->p->controlled * sizeof *y);
-    }
-    law->status = law->p->rhs(t, y, dydt, law->p->ctx);
-  }
-  for (size_t i = 0; i < law->p->controlled && law->status == ROT_OK; i++) {
-    if (!isfinite(dydt[i])) law->status = ROT_ERHS;
-  }
+  law->status = call(law, t, y, dydt);
   if (law->status == ROT_ERHS) law->info->time_s = t;
-  if (law->status != ROT_OK) return GSL_EBADFUNC; /* the only code at which rk8pd stops at once */
-  if (law->stiffness) rot_ode_stiffness_note(law->stiffness, t, y, dydt);
-  return GSL_SUCCESS;
+  if (law->status == ROT_OK && law->stiffness) note_stiffness(law->stiffness, t, y, dydt);
+  return law->status;
 }
 
 rot_status rot_ode_know_slope(rot_ode_law *law, rot_ode_state *state) {
   if (state->slope_known) return ROT_OK;
-  if (rot_ode_slope_at(law->clock->t, state->y, state->slope, law) != GSL_SUCCESS)
-    return law->status;
-  state->slope_known = 1;
-  return ROT_OK;
+  const rot_status status = rot_ode_slope_at(law, law->clock->t, state->y, state->slope);
+  state->slope_known = status == ROT_OK;
+  return status;
 }
 
 rot_status rot_ode_check_repeats(rot_ode_law *law, rot_ode_state *state, double work[]) {
@@ -114,9 +143,7 @@ rot_status rot_ode_check_repeats(rot_ode_law *law, rot_ode_state *state, double 
   const double may = fmax(1e-12, p->accuracy);
   state->slope_known = 0;
   rot_status status = rot_ode_know_slope(law, state);
-  if (status == ROT_OK && rot_ode_slope_at(law->clock->t, state->y, work, law) != GSL_SUCCESS) {
-    status = law->status;
-  }
+  if (status == ROT_OK) status = rot_ode_slope_at(law, law->clock->t, state->y, work);
   if (law->stiffness) law->stiffness->t = NAN; /* no two stages of a step */
   if (status == ROT_ERHS) return ROT_OK;       /* the step says so */
   for (size_t i = 0; i < p->controlled && status == ROT_OK; i++) {
@@ -125,4 +152,103 @@ rot_status rot_ode_check_repeats(rot_ode_law *law, rot_ode_state *state, double 
   }
   if (status == ROT_ERANDOM) law->info->time_s = law->clock->t;
   return status;
+}
+
+/* ---- sides ----------------------------------------------------------------------------------- */
+
+static void settle(rot_ode_law *law, rot_ode_state *state, size_t wall, int side) {
+  const rot_ode_wall *w = &law->walls->wall[wall];
+  law->side[wall] = side;
+  law->slides = side ? law->slides == wall ? NO_WALL : law->slides : wall;
+  state->slope_known = 0;
+  if (w->below == w->above) return;
+  if (side) {
+    state->y[w->component] = side > 0 ? w->above : w->below;
+  } else {
+    state->y[w->component] = w->below < 0.0 && w->above > 0.0 ? 0.0 : w->above;
+  }
+}
+
+rot_status rot_ode_pass_wall(rot_ode_law *law, rot_ode_state *state, size_t wall) {
+  const size_t c = law->walls->wall[wall].component;
+  const double way = rot_ode_way(law->clock);
+  const int was = law->side[wall];
+  double *below = law->beside, *above = law->beyond;
+  const rot_status status = both_slopes(law, wall, law->clock->t, state->y, below, above);
+  if (status != ROT_OK && status != ROT_ERHS) return status;
+  if (status == ROT_ERHS) {
+    settle(law, state, wall, was ? -was : 1); /* not defined beyond: the next step says so */
+    return ROT_OK;
+  }
+  const double down = way * below[c], up = way * above[c];
+  if (down > 0.0 && up < 0.0 && law->slides == NO_WALL) {
+    settle(law, state, wall, 0);
+  } else if (was > 0 || (was == 0 && down <= -up)) {
+    settle(law, state, wall, down > 0.0 && up > 0.0 ? 1 : -1);
+  } else {
+    settle(law, state, wall, up < 0.0 && down < 0.0 ? -1 : 1);
+  }
+  return ROT_OK;
+}
+
+rot_status rot_ode_choose_side(rot_ode_law *law, rot_ode_state *state, size_t k) {
+  const rot_ode_wall *w = &law->walls->wall[k];
+  const double x = rot_ode_is_time(law, k) ? law->clock->t : state->y[w->component];
+  const int later = rot_ode_is_time(law, k) && law->clock->forward ? x >= w->above : x > w->above;
+  law->side[k] = later ? 1 : -1;
+  if (rot_ode_is_time(law, k) || x < w->below || x > w->above) return ROT_OK;
+  law->side[k] = 0;
+  return rot_ode_pass_wall(law, state, k);
+}
+
+rot_status rot_ode_choose_sides(rot_ode_law *law, rot_ode_state *state) {
+  rot_status status = ROT_OK;
+  law->slides = NO_WALL;
+  memset(law->side, 0, sizeof law->side);
+  for (size_t k = 0; k < law->walls->count && status == ROT_OK; k++)
+    status = rot_ode_choose_side(law, state, k);
+  return status;
+}
+
+int rot_ode_add_wall(rot_ode_walls *walls, size_t component, double below, double above,
+                     double size) {
+  const double near = 1e-9 * (fabs(below) + fabs(size));
+  if (walls->count == ROT_ODE_MOST_WALLS) return 0;
+  for (size_t k = 0; k < walls->count; k++) {
+    const rot_ode_wall *w = &walls->wall[k];
+    if (w->component == component && above >= w->below - near && below <= w->above + near) return 0;
+  }
+  walls->wall[walls->count++] = (rot_ode_wall){component, below, above};
+  return 1;
+}
+
+double rot_ode_next_stop(const rot_ode_law *law, double stop) {
+  for (size_t k = 0; k < law->walls->count; k++) {
+    const rot_ode_wall *w = &law->walls->wall[k];
+    if (!rot_ode_is_time(law, k)) continue;
+    if (law->clock->forward ? law->side[k] < 0 && w->above < stop
+                            : law->side[k] > 0 && w->below > stop) {
+      stop = law->clock->forward ? w->above : w->below;
+    }
+  }
+  return stop;
+}
+
+static int at_time(const rot_ode_law *law, size_t k) {
+  const rot_ode_wall *w = &law->walls->wall[k];
+  return rot_ode_is_time(law, k) && law->side[k] == (law->clock->forward ? -1 : 1) &&
+         law->clock->t == (law->clock->forward ? w->above : w->below);
+}
+
+int rot_ode_at_time_wall(const rot_ode_law *law) {
+  int at = 0;
+  for (size_t k = 0; k < law->walls->count; k++) at |= at_time(law, k);
+  return at;
+}
+
+void rot_ode_pass_time(rot_ode_law *law, rot_ode_state *state) {
+  for (size_t k = 0; k < law->walls->count; k++) {
+    if (at_time(law, k)) law->side[k] = -law->side[k];
+  }
+  state->slope_known = 0;
 }

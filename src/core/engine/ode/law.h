@@ -1,13 +1,16 @@
 /* The right-hand side as the steps call it: between breaks, counted, finite, and with the state
- * kept on the sides of the walls (engine/ode/wall.h) on which it is. */
+ * kept on the sides of the walls on which it is.
+ *
+ * Walls: values of one component of the state, or times, where the right-hand side jumps or kinks,
+ * found in a run, known from then on. On either side of a wall the right-hand side is evaluated
+ * with the component kept on that side, so that a step sees no jump; the step that passes it ends
+ * on it. Where the slopes of both sides point to the wall the motion slides along it (Filippov,
+ * Differential Equations with Discontinuous Righthand Sides, 1988): sign(omega) is dry friction. */
 #ifndef ROT_ODE_LAW_H
 #define ROT_ODE_LAW_H
 
-#include "engine/ode/clock.h"
 #include "engine/ode/state.h"
-#include "engine/ode/stiff.h"
 
-/* Where the right-hand side jumps or kinks: see engine/ode/wall.h. */
 enum { ROT_ODE_MOST_WALLS = 1024 };
 #define NO_WALL ((size_t)-1)
 
@@ -28,6 +31,17 @@ typedef struct rot_ode_calls {
   double *data; /* NULL: not recorded */
 } rot_ode_calls;
 
+/* Whether stability limits the steps of an explicit method, by Hairer's test: the last two calls of
+ * a step are at the same time, the last stage and the result; the difference of their slopes over
+ * their own is what h times has a limit (Hairer, Norsett & Wanner, Solving ODEs II, IV.2). */
+typedef struct rot_ode_stiffness {
+  const rot_ode_params *p;
+  const double *largest; /* size of each measure so far */
+  double t, *y, *f;      /* of the last call; t is NaN where no call of this step is known */
+  double rate;           /* of the last step, in 1/s */
+  int stiff, calm;       /* steps one after the other */
+} rot_ode_stiffness;
+
 typedef struct rot_ode_law {
   const rot_ode_params *p;
   const rot_ode_clock *clock;     /* breaks */
@@ -46,25 +60,37 @@ static inline int rot_ode_is_time(const rot_ode_law *law, size_t wall) {
   return law->walls->wall[wall].component == law->p->dim;
 }
 
-/* The right-hand side in GSL's form. */
-int rot_ode_slope_at(double t, const double y[], double dydt[], void *law);
+rot_status rot_ode_slope_at(rot_ode_law *law, double t, const double y[], double dydt[]);
 
 /* The slope at the state, into it. */
 rot_status rot_ode_know_slope(rot_ode_law *law, rot_ode_state *state);
-
 /* ROT_ERANDOM where two calls at the state differ by more than the accuracy, of the slope: a law
  * that draws random numbers, or keeps count, has no solution that steps converge to. */
 rot_status rot_ode_check_repeats(rot_ode_law *law, rot_ode_state *state, double work[]);
 
 /* t as the sides of the walls in time allow. */
 double rot_ode_keep_time(const rot_ode_law *law, double t);
-
-/* Positive while it slides; the level of the wall that the next side begins at. */
+/* Positive while it slides. */
 double rot_ode_hold_of_slide(rot_ode_law *law, double t, const double y[]);
-double rot_ode_wall_level(const rot_ode_law *law, size_t wall);
 
-/* Slopes on both sides of a wall. */
-int rot_ode_both_slopes(rot_ode_law *law, size_t wall, double t, const double y[], double below[],
-                        double above[]);
+/* After a step of length h with so much time left: another method is to take over. */
+int rot_ode_is_stiff(rot_ode_stiffness *s, double h, double left);
+
+/* Adds a wall that is not there yet; whether it did. `below` and `above`: values on its two
+ * sides, equal at a kink. component = dim: time. `size`: of a step, in time. */
+int rot_ode_add_wall(rot_ode_walls *walls, size_t component, double below, double above,
+                     double size);
+
+/* The side of a wall, or of all, where a run sets out or a wall was added. */
+rot_status rot_ode_choose_side(rot_ode_law *law, rot_ode_state *state, size_t wall);
+rot_status rot_ode_choose_sides(rot_ode_law *law, rot_ode_state *state);
+/* The state lies on the wall: the side that the motion goes on, or that it slides. */
+rot_status rot_ode_pass_wall(rot_ode_law *law, rot_ode_state *state, size_t wall);
+
+/* The first time wall before `stop`, or stop. */
+double rot_ode_next_stop(const rot_ode_law *law, double stop);
+/* Whether it is time for a time wall that is still ahead; and past it. */
+int rot_ode_at_time_wall(const rot_ode_law *law);
+void rot_ode_pass_time(rot_ode_law *law, rot_ode_state *state);
 
 #endif

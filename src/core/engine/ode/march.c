@@ -1,13 +1,11 @@
 #include "engine/ode/march.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "engine/ode/norm.h"
-#include "engine/ode/wall.h"
 
 /* ---- stretches ------------------------------------------------------------------------------- */
 
@@ -22,7 +20,7 @@ static rot_status log_event(const rot_ode_march *run, rot_event event) {
 static rot_status choose_mode(rot_ode_march *run, int was) {
   const rot_ode_switch *turn = run->p->turn;
   int *mode = run->p->mode;
-  run->stepper.noise = 0.0;
+  run->step.noise = 0.0;
   run->state.phase = ROT_ODE_MOVING;
   if (!turn) return ROT_OK;
   const double w = run->state.y[turn->watched];
@@ -46,7 +44,7 @@ static rot_status choose_mode(rot_ode_march *run, int was) {
     double unused;
     *mode = -chosen;
     status = rot_ode_held_slope(&run->rest, run->clock.t, &drive, &unused);
-    run->stepper.noise = fabs(run->stepper.trial_slope[turn->watched]);
+    run->step.noise = fabs(run->step.trial_slope[turn->watched]);
   }
   *mode = chosen;
   if (status == ROT_OK && was == 0) status = log_event(run, ROT_EVENT_SLIP);
@@ -60,7 +58,7 @@ static rot_status choose_mode(rot_ode_march *run, int was) {
 static rot_status resolve_transient(rot_ode_march *run) {
   const rot_ode_params *p = run->p;
   const rot_ode_state *state = &run->state;
-  rot_ode_stepper *s = &run->stepper;
+  rot_ode_stepper *s = &run->step;
   double *y = s->trial, *rise = s->trial_slope;
   if (s->method != ROT_METHOD_RADAU || run->guide.trace) return ROT_OK;
   const rot_ode_group all = {0, p->controlled, ROT_ODE_VECTOR};
@@ -71,9 +69,8 @@ static rot_status resolve_transient(rot_ode_march *run) {
   const double d = fmin(h, fmax(1e-6 * h, 1e-7 * size / most));
   memcpy(y, state->y, p->dim * sizeof *y);
   for (size_t i = 0; i < p->controlled; i++) y[i] += way * d * state->slope[i];
-  if (rot_ode_slope_at(run->clock.t, y, rise, &run->law) != GSL_SUCCESS) {
-    return run->law.status == ROT_ERHS ? ROT_OK : run->law.status;
-  }
+  const rot_status status = rot_ode_slope_at(&run->law, run->clock.t, y, rise);
+  if (status != ROT_OK) return status == ROT_ERHS ? ROT_OK : status;
   for (size_t i = 0; i < p->controlled; i++) rise[i] -= state->slope[i];
   const double rate = rot_ode_rate(all, rise) / d / most;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
@@ -196,12 +193,14 @@ static void set_out(rot_ode_march *run, double end, int forward, int first_mode)
   run->state.phase = ROT_ODE_MOVING;
   run->state.slope_known = 0;
   run->clock = rot_ode_clock_at_start(p, end, forward);
-  run->stepper.h = (end - p->start_s) / 100.0;
+  run->step.h = (end - p->start_s) / 100.0;
   run->limit = INFINITY;
   run->guide.at = 0;
   run->rest.grace = forward ? -INFINITY : INFINITY;
   run->kinks.before = run->kinks.looked_t = NAN;
-  rot_ode_stiffness_begin(&run->stiffness);
+  run->stiffness.t = NAN;
+  run->stiffness.rate = 0.0;
+  run->stiffness.stiff = run->stiffness.calm = 0;
   rot_ode_growth_set_out(run->growth);
   rot_ode_rows_at_start(&run->rows);
 }
@@ -263,67 +262,49 @@ static rot_status march_to_both_sides(rot_ode_march *run, rot_ode_job *job) {
 
 /* ---- one run --------------------------------------------------------------------------------- */
 
-/* What each part knows of the others. */
-static void join_parts(rot_ode_march *run) {
+/* What each part knows of the others, and its states and slopes, dim each. NULL: no memory. */
+static double *assemble(rot_ode_march *run) {
   rot_ode_clock *clock = &run->clock;
   rot_ode_state *state = &run->state;
   rot_ode_law *law = &run->law;
-  rot_ode_stepper *stepper = &run->stepper;
-  run->stiffness.p = law->p = run->p;
-  run->stiffness.largest = state->largest;
-  law->clock = clock;
-  law->info = run->info;
-  stepper->law = run->search.law = run->kinks.law = run->rest.law = run->rows.law = law;
-  stepper->state = run->search.state = run->kinks.state = run->rest.state = run->rows.state = state;
-  run->search.stepper = run->kinks.stepper = run->rest.stepper = run->rows.stepper = stepper;
-  run->search.clock = run->kinks.clock = run->rest.clock = run->rows.clock = clock;
-  run->guide.clock = clock;
-}
-
-/* Its states and slopes, dim each; NULL: no memory. */
-static double *take_memory(rot_ode_march *run) {
-  double **part[] = {&run->state.y,
-                     &run->state.slope,
-                     &run->stepper.trial,
-                     &run->stepper.trial_error,
-                     &run->stepper.trial_slope,
-                     &run->stepper.allowed,
-                     &run->law.kept,
-                     &run->law.beside,
-                     &run->law.beyond,
-                     &run->stiffness.y,
-                     &run->stiffness.f,
-                     &run->search.between,
-                     &run->rows.row,
-                     &run->rows.change,
-                     &run->scratch};
+  rot_ode_stepper *step = &run->step;
+  rot_ode_rows *rows = &run->rows;
+  double **part[] = {&state->y,          &state->slope,        &step->trial,  &step->trial_error,
+                     &step->trial_slope, &step->allowed,       &law->kept,    &law->beside,
+                     &law->beyond,       &rows->row,           &rows->change, &run->stiffness.y,
+                     &run->stiffness.f,  &run->search.between, &run->scratch};
   const size_t parts = sizeof part / sizeof *part;
   double *memory = calloc(parts * run->p->dim, sizeof *memory);
   for (size_t k = 0; k < parts && memory; k++) *part[k] = memory + k * run->p->dim;
+  run->stiffness.p = law->p = run->p;
+  run->stiffness.largest = state->largest;
+  law->info = run->info;
+  law->clock = run->guide.clock = clock;
+  step->law = run->search.law = run->kinks.law = run->rest.law = rows->law = law;
+  step->state = run->search.state = run->kinks.state = run->rest.state = rows->state = state;
+  run->search.step = run->kinks.step = run->rest.step = rows->step = step;
+  run->search.clock = run->kinks.clock = run->rest.clock = rows->clock = clock;
   return memory;
 }
 
 void rot_ode_clear_report(rot_info *info) {
   info->status = ROT_OK;
   info->time_s = info->tolerance = info->step_s = 0.0;
-  info->rows_done = info->steps = info->rejected = info->rhs_calls = 0;
+  info->rows_done = info->steps = info->rejected = 0;
   info->method = ROT_METHOD_NONE;
 }
 
 rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *info) {
   const rot_ode_params *p = job->p;
-  const size_t dim = p->dim, calls = info->rhs_calls;
+  const size_t dim = p->dim;
   rot_ode_errors *errors = &job->errors;
   rot_ode_march run;
   memset(&run, 0, sizeof run);
   rot_ode_clear_report(info);
-  info->rhs_calls = calls;
   info->tolerance = job->tolerance;
   info->method = job->method;
   errors->found = errors->unresolved = 0.0;
-  memset(errors->share, 0, dim * sizeof *errors->share);
-  memset(errors->moved, 0, dim * sizeof *errors->moved);
-  memset(errors->missed, 0, dim * sizeof *errors->missed);
+  for (size_t m = 0; m < dim; m++) errors->share[m] = errors->moved[m] = errors->missed[m] = 0.0;
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     job->largest[m] = rot_ode_size(rot_ode_group_of(p, m), p->start);
   }
@@ -338,32 +319,32 @@ rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *
   run.law.walls = job->walls;
   run.law.slides = NO_WALL;
   if (job->stiff) run.law.stiffness = &run.stiffness;
-  run.stepper.method = job->method;
-  run.stepper.tolerance = job->tolerance;
+  run.step.method = job->method;
+  run.step.tolerance = job->tolerance;
   run.kinks.found = job->guide ? NULL : job->kinks;
   run.guide.parts = job->parts;
   run.guide.gain = rot_ode_gain(job->method, (double)job->parts);
   run.rows.out = job->rows;
+  if (!job->guide) run.rows.out.y = NULL;
   run.rows.share = errors->share;
-  run.rows.probes = job->rows.y ? job->probes : NULL;
+  run.rows.probes = job->guide ? job->probes : NULL;
   run.rows.dense.dim = dim;
   run.rows.dense.slopes = job->method == ROT_METHOD_RK8PD;
   run.rows.form = calloc(dim, sizeof *run.rows.form);
-  run.search.watch = rot_ode_watch_new(p);
-  if (run.rows.probes) run.stepper.calls.data = malloc(ROT_ODE_CALLS * (1 + dim) * sizeof(double));
-  join_parts(&run);
-  double *memory = take_memory(&run);
+  run.search.watch = calloc(ROT_ODE_MOST_WALLS + p->n_events + 1, sizeof *run.search.watch);
+  if (run.rows.probes) run.step.calls.data = malloc(ROT_ODE_CALLS * (1 + dim) * sizeof(double));
+  double *memory = assemble(&run);
   const int room =
-      memory && run.rows.form && run.search.watch && (!run.rows.probes || run.stepper.calls.data);
-  info->status = room ? rot_ode_stepper_open(&run.stepper) : ROT_ENOMEM;
+      memory && run.rows.form && run.search.watch && (!run.rows.probes || run.step.calls.data);
+  info->status = room ? rot_ode_stepper_open(&run.step) : ROT_ENOMEM;
   if (info->status == ROT_OK) info->status = march_to_both_sides(&run, job);
   errors->unresolved = sqrt(errors->unresolved);
   job->stiff = run.state.phase == ROT_ODE_STIFF;
-  rot_ode_stepper_close(&run.stepper);
+  rot_ode_stepper_close(&run.step);
   rot_dense_free(&run.rows.dense);
   free(run.rows.form);
   free(run.search.watch);
-  free(run.stepper.calls.data);
+  free(run.step.calls.data);
   free(memory);
   return info->status;
 }

@@ -8,7 +8,7 @@
 /* What is asked of a run, and where its results go. */
 typedef struct rot_ode_job {
   const rot_ode_params *p;
-  rot_ode_output rows;
+  rot_ode_output rows; /* of a run with a guide */
   rot_method method;
   double tolerance;
   size_t budget;
@@ -19,17 +19,16 @@ typedef struct rot_ode_job {
   rot_ode_kinks *kinks;       /* takes those of a run without a guide */
   rot_ode_walls *walls;       /* known; takes more */
   rot_ode_growth *growth;     /* of a run without a guide; NULL: not followed */
-  rot_ode_probes *probes;     /* NULL: none */
+  rot_ode_probes *probes;     /* the same; NULL: none */
   double *largest;            /* of each measure */
   rot_ode_errors errors;
   int stiff;      /* in: look for it; out: found */
   int first_mode; /* *p->mode where it sets out */
 } rot_ode_job;
 
-/* Adds to info->rhs_calls. */
 rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *info);
 
-/* All of a report but its measures, which are the caller's. */
+/* All of a report but its measures, which are the caller's, and the calls of all runs. */
 void rot_ode_clear_report(rot_info *info);
 
 #endif

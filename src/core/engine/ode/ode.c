@@ -26,10 +26,10 @@ static void note_apart(const rot_ode_params *p, const double a[], const double b
 
 /* Largest difference of each measure between two runs, where both have a step's end, at those on
  * either side of a row. */
-static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
-                        const rot_ode_trace *fine, int forward, size_t first, size_t rows,
-                        const double time_s[], double mend, double y_rows[], double change[],
-                        double apart[]) {
+static void differences(const rot_ode_trace *coarse, const rot_ode_trace *fine,
+                        const rot_ode_job *job, int forward, size_t first, size_t rows, double mend,
+                        double change[], double apart[]) {
+  const rot_ode_params *p = job->p;
   const double way = forward ? 1.0 : -1.0;
   size_t f = 0, row = 0;
   const double *last[2] = {NULL, NULL}; /* the pair before */
@@ -43,14 +43,15 @@ static void differences(const rot_ode_params *p, const rot_ode_trace *coarse,
     int seen_here = 0, seen_before = 0;
     while (row < rows) {
       const size_t at = forward ? first + row : first + rows - 1 - row;
-      const double t = time_s[at];
+      const double t = job->rows.time_s[at];
+      double *y = job->rows.y + at * p->dim;
       if (way * (t - a[0]) > 0.0) break;
       const double weight = last[0] ? (t - last_s) / (a[0] - last_s) : 1.0;
       for (size_t i = 0; mend > 0.0 && i < p->dim; i++) {
         const double before = last[0] ? last[1][i] - last[0][i] : 0.0, now = b[2 + i] - a[2 + i];
-        y_rows[at * p->dim + i] += mend * (before + weight * (now - before));
+        y[i] += mend * (before + weight * (now - before));
       }
-      if (mend > 0.0 && p->project) p->project(t, y_rows + at * p->dim, p->ctx);
+      if (mend > 0.0 && p->project) p->project(t, y, p->ctx);
       seen_here = 1;
       seen_before = seen_before || t != a[0];
       row++;
@@ -133,10 +134,8 @@ static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const
     const size_t first = forward ? fine->rows.before : 0;
     const size_t before = fine->rows.before < info->rows_done ? fine->rows.before : info->rows_done;
     const size_t rows = forward ? info->rows_done - before : before;
-    if (rows) {
-      differences(p, &coarse->trace[forward], &fine->trace[forward], forward, first, rows,
-                  fine->rows.time_s, mend, fine->rows.y, change, error);
-    }
+    differences(&coarse->trace[forward], &fine->trace[forward], fine, forward, first, rows, mend,
+                change, error);
   }
   *lost = 0;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
@@ -173,28 +172,30 @@ static void cut_traces(const rot_ode_job *coarse, size_t *n) {
   }
 }
 
-/* The run that chooses the steps, and with them the method. */
-static rot_status choose_steps(rot_ode_job *coarse, double tolerance, const rot_hooks *hooks,
-                               rot_info *info) {
-  const rot_method wanted = coarse->p->method;
-  coarse->method = wanted == ROT_METHOD_RADAU ? wanted : ROT_METHOD_RK8PD;
-  coarse->stiff = wanted == ROT_METHOD_NONE;
+/* Nothing more is to be called. */
+static int is_over(rot_status status) { return status == ROT_EUNWIND || status == ROT_ENOMEM; }
+
+static void run_with(rot_ode_job *coarse, rot_method method, double tolerance, int stiff,
+                     const rot_hooks *hooks, rot_info *info) {
+  coarse->method = method;
   coarse->tolerance = tolerance;
-  if (coarse->method == ROT_METHOD_RK8PD) {
-    rot_ode_run_once(coarse, hooks, info);
-    if (!coarse->stiff) return info->status;
+  coarse->stiff = stiff;
+  rot_ode_run_once(coarse, hooks, info);
+}
+
+/* The run that chooses the steps, and with them the method. */
+static void choose_steps(rot_ode_job *coarse, double tolerance, const rot_hooks *hooks,
+                         rot_info *info) {
+  const int any = coarse->p->method == ROT_METHOD_NONE;
+  if (coarse->p->method != ROT_METHOD_RADAU) {
+    run_with(coarse, ROT_METHOD_RK8PD, tolerance, any, hooks, info);
+    if (!coarse->stiff) return;
   }
   /* Its error test is that of order 5, the result has order 9. */
-  coarse->stiff = 0;
-  coarse->method = ROT_METHOD_RADAU;
-  coarse->tolerance = fmin(1e-3, pow(tolerance, 6.0 / 9.0));
-  rot_ode_run_once(coarse, hooks, info);
-  if (info->status == ROT_ESTEP && wanted == ROT_METHOD_NONE) {
-    coarse->method = ROT_METHOD_RK8PD;
-    coarse->tolerance = tolerance;
-    rot_ode_run_once(coarse, hooks, info);
+  run_with(coarse, ROT_METHOD_RADAU, fmin(1e-3, pow(tolerance, 6.0 / 9.0)), 0, hooks, info);
+  if (info->status == ROT_ESTEP && any) {
+    run_with(coarse, ROT_METHOD_RK8PD, tolerance, 0, hooks, info);
   }
-  return info->status;
 }
 
 static int compare(const void *a, const void *b) {
@@ -239,120 +240,132 @@ static int collocates(const rot_ode_params *p, const rot_ode_growth *growth) {
          p->n_events == 0 && !p->project && !p->at_break;
 }
 
-/* The result by collocation in the steps of the coarse run; *good = 0: there is none. */
-static rot_status collocate(const rot_ode_job *coarse, double y[], double slope[], double error[],
-                            double largest[], const rot_hooks *hooks, rot_info *info, int *good) {
-  const rot_ode_output rows = {coarse->rows.n, coarse->rows.before, coarse->rows.time_s, y, slope};
-  info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, &rows, coarse->probes,
-                                   hooks, info, error, largest, good);
-  if (!*good) return info->status;
+/* The result by collocation in the steps of the coarse run; 0: there is none. */
+static int collocate(const rot_ode_job *coarse, const rot_hooks *hooks, rot_info *info) {
+  const rot_ode_output *out = &coarse->rows;
+  int good;
+  info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, out, coarse->probes,
+                                   hooks, info, &good);
+  if (!good) return 0;
   for (size_t m = 0; m < coarse->p->dim; m++) {
-    error[m] += roundings_of(coarse, m, info->steps, largest[m]);
+    out->error[m] += roundings_of(coarse, m, info->steps, out->largest[m]);
   }
-  info->rows_done = coarse->rows.n;
-  info->time_s = coarse->rows.time_s[coarse->rows.n - 1];
-  return ROT_OK;
+  info->rows_done = out->n;
+  info->time_s = out->time_s[out->n - 1];
+  if (coarse->probes) rot_ode_probes_sift(coarse->probes, out->error);
+  return 1;
 }
 
-/* One choice of steps and what follows from it, with the walls known so far. */
-static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_probes *probes,
-                        size_t n, const double time_s[], double y[], double slope[], double error[],
-                        double largest[], const rot_hooks *hooks, rot_info *info) {
-  rot_ode_trace traces[3][2]; /* of the run that chose the steps, and of the last two */
-  rot_ode_track tracks[2];
-  double *scratch = calloc(7 * p->dim + 1, sizeof *scratch);
-  double tolerance;
-  size_t parts = first_parts(p, &tolerance);
-  rot_ode_kinks kinks = {0, 0, NULL, 0};
-  rot_ode_params split = *p;
-  rot_ode_job coarse;
-  memset(traces, 0, sizeof traces);
-  memset(tracks, 0, sizeof tracks);
-  memset(&coarse, 0, sizeof coarse);
-  info->status = scratch ? ROT_OK : ROT_ENOMEM;
-  coarse.p = p;
-  coarse.rows.time_s = time_s;
-  coarse.rows.n = n;
-  while (coarse.rows.before < n && time_s[coarse.rows.before] < p->start_s) coarse.rows.before++;
-  coarse.trace = traces[0];
-  coarse.parts = 1;
-  coarse.largest = scratch;
-  coarse.errors.share = scratch + p->dim;
-  coarse.errors.moved = scratch + 2 * p->dim;
-  coarse.errors.missed = scratch + 4 * p->dim;
-  coarse.first_mode = p->mode ? *p->mode : 0;
-  coarse.budget = p->max_steps / 2;
-  coarse.kinks = &kinks;
-  coarse.walls = walls;
-  coarse.probes = probes;
-  coarse.growth = rot_ode_growth_alloc(p);
-  if (collocates(p, coarse.growth)) coarse.track = tracks;
-  if (info->status == ROT_OK && n) choose_steps(&coarse, tolerance, hooks, info);
-  if (coarse.method == ROT_METHOD_RK8PD && kinks.count) {
-    const rot_status status = split_at_kinks(p, &kinks, &split);
-    if (status != ROT_OK) info->status = status;
-    coarse.p = &split;
-  }
-  const rot_info failure = *info;
-  if (probes && info->status == ROT_OK && n) rot_ode_probes_range(probes, traces[0]);
-  if (scratch) memcpy(largest, scratch, rot_ode_measures(p) * sizeof *largest);
-  if (info->status != ROT_OK) cut_traces(&coarse, &coarse.rows.n);
-
-  int hopeless = info->status == ROT_EUNWIND || info->status == ROT_ENOMEM ||
-                 (info->status != ROT_OK && coarse.trace[1].count == 0);
-  const int explicit = coarse.method == ROT_METHOD_RK8PD,
-            stepwise = !explicit || has_kinks(&coarse);
+/* The result by finer runs, of which the first divides the steps of the coarse one into `parts`.
+ * `scratch`: dim, then twice the integrals of the last two. */
+static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepwise,
+                   rot_ode_trace traces[2][2], double *scratch, const rot_hooks *hooks,
+                   rot_info *info) {
+  const rot_ode_params *p = coarse.p;
+  const rot_ode_trace *guide = coarse.trace;
+  const rot_ode_output out = coarse.rows;
   const double first = coarse.tolerance;
   double last = INFINITY;
-  if (stepwise) {
-    parts = 2;
-  } else if (walls->count) {
-    parts++; /* for WALL_MARGIN */
-  }
-  int solved = 0;
-  if (coarse.track && n && info->status == ROT_OK && !stepwise && !kinks.count) {
-    hopeless = collocate(&coarse, y, slope, error, largest, hooks, info, &solved) != ROT_OK;
-    if (solved && probes) rot_ode_probes_sift(probes, error);
-  }
-  coarse.track = NULL;
-  for (int k = 0; k < MOST_RUNS && n && !hopeless && !solved; k++) {
+  for (int k = 0; k < MOST_RUNS; k++) {
     rot_ode_job fine = coarse;
-    fine.guide = traces[0];
+    fine.guide = guide;
     fine.parts = parts;
-    fine.trace = traces[1 + k % 2];
-    fine.rows.y = y;
-    fine.rows.slope = mends(&fine) ? NULL : slope; /* slopes are those of the rows as they stay */
-    for (size_t i = 0; slope && i < n; i++) slope[i] = NAN;
-    fine.largest = largest;
-    fine.errors.missed = scratch + (size_t)(5 + k % 2) * p->dim;
+    fine.trace = traces[k % 2];
+    fine.rows.slope =
+        mends(&fine) ? NULL : out.slope; /* slopes are those of the rows as they stay */
+    for (size_t i = 0; out.slope && i < out.n; i++) out.slope[i] = NAN;
+    fine.largest = out.largest;
+    fine.errors.missed = scratch + (size_t)(1 + k % 2) * p->dim;
     fine.budget = p->max_steps;
     fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     rot_ode_run_once(&fine, hooks, info);
-    if (info->status == ROT_EUNWIND || info->status == ROT_ENOMEM) break;
+    if (is_over(info->status)) return;
     /* A step's rounding beside what its error test allows. */
     const double share = 4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
     double steps;
     int lost;
-    const double worst =
-        estimate(&coarse, &fine, info, share, scratch + 3 * p->dim, error, &steps, &lost);
-    if (probes) rot_ode_probes_sift(probes, error);
-    if (probes && probes->n_sights) break; /* other steps are needed */
+    const double worst = estimate(&coarse, &fine, info, share, scratch, out.error, &steps, &lost);
+    if (coarse.probes) {
+      rot_ode_probes_sift(coarse.probes, out.error);
+      if (coarse.probes->n_sights) return; /* other steps are needed */
+    }
     if (info->status != ROT_OK || worst <= p->accuracy || share > 0.3 || worst > 0.5 * last ||
         steps < 0.5 * worst) {
-      break;
+      return;
     }
     last = lost ? INFINITY : worst;
     const double ratio = pow(1.0 + 2.0 * steps / p->accuracy, 1.0 / 8.0);
     const double more = stepwise ? 2.0 : fmin(4.0, ratio);
     const size_t next = (size_t)fmax(ceil(more * (double)parts), (double)parts + 1.0);
-    if (info->steps * next > p->max_steps * parts) break;
+    if (info->steps * next > p->max_steps * parts) return;
     parts = next;
-    if (probes) rot_ode_probes_uncover(probes);
+    if (coarse.probes) rot_ode_probes_uncover(coarse.probes);
     if (stepwise || lost) coarse = fine;
   }
-  if (failure.status != ROT_OK && info->status == ROT_OK) {
-    info->status = failure.status;
-    info->time_s = failure.time_s;
+}
+
+/* One choice of steps and what follows from it, with the walls known so far. */
+static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_probes *probes,
+                        const rot_ode_output *out, const rot_hooks *hooks, rot_info *info) {
+  const size_t dim = p->dim;
+  rot_ode_trace traces[3][2] = {
+      {{.count = 0}}}; /* of the run that chose the steps, of the last two */
+  rot_ode_track tracks[2] = {{.slid = 0}};
+  double *scratch = calloc(7 * dim + 1, sizeof *scratch), tolerance;
+  size_t parts = first_parts(p, &tolerance);
+  rot_ode_kinks kinks = {0, 0, NULL, 0};
+  rot_ode_params split = *p;
+  rot_ode_job coarse = {.p = p,
+                        .rows = *out,
+                        .budget = p->max_steps / 2,
+                        .parts = 1,
+                        .trace = traces[0],
+                        .kinks = &kinks,
+                        .walls = walls,
+                        .growth = rot_ode_growth_alloc(p),
+                        .probes = probes,
+                        .largest = scratch,
+                        .first_mode = p->mode ? *p->mode : 0};
+  info->status = scratch ? ROT_OK : ROT_ENOMEM;
+  if (collocates(p, coarse.growth)) coarse.track = tracks;
+  if (scratch) {
+    coarse.errors.share = scratch + dim;
+    coarse.errors.moved = scratch + 2 * dim;
+    coarse.errors.missed = scratch + 3 * dim;
+    if (out->n) choose_steps(&coarse, tolerance, hooks, info);
+    memcpy(out->largest, scratch, rot_ode_measures(p) * sizeof *scratch);
+  }
+  const int explicit = coarse.method == ROT_METHOD_RK8PD;
+  if (explicit && kinks.count) {
+    const rot_status status = split_at_kinks(p, &kinks, &split);
+    if (status != ROT_OK) info->status = status;
+    coarse.p = &split;
+  }
+  const rot_info chosen = *info;
+  if (chosen.status != ROT_OK) {
+    cut_traces(&coarse, &coarse.rows.n);
+  } else if (probes && out->n) {
+    rot_ode_probes_range(probes, traces[0]);
+  }
+  const int stepwise = !explicit || has_kinks(&coarse);
+  if (stepwise) {
+    parts = 2;
+  } else if (walls->count) {
+    parts++; /* for WALL_MARGIN */
+  }
+  int hopeless = is_over(chosen.status) || (chosen.status != ROT_OK && traces[0][1].count == 0);
+  int solved = out->n == 0 || hopeless;
+  if (coarse.track && !solved && chosen.status == ROT_OK && !stepwise && !kinks.count) {
+    solved = collocate(&coarse, hooks, info);
+    hopeless = !solved && info->status != ROT_OK;
+  }
+  coarse.track = NULL;
+  if (!solved && !hopeless) {
+    refine(coarse, parts, tolerance, stepwise, traces + 1, scratch + 4 * dim, hooks, info);
+  }
+  if (chosen.status != ROT_OK && info->status == ROT_OK) {
+    info->status = chosen.status;
+    info->time_s = chosen.time_s;
   }
   if (hopeless) info->rows_done = 0;
   /* Backward runs log in reverse. */
@@ -415,8 +428,11 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   rot_ode_probes *probes = NULL;
   const int first_mode = p->mode ? *p->mode : 0;
   rot_status status = ROT_OK;
+  rot_ode_output out = {n, 0, time_s, y, slope, error, largest};
   walls.count = 0;
+  while (out.before < n && time_s[out.before] < p->start_s) out.before++;
   rot_ode_clear_report(info);
+  info->rhs_calls = 0;
   if (p->resolution > 0.0 && p->resolution < 1.0) {
     probes = rot_ode_probes_new(p);
     if (!probes) status = ROT_ENOMEM;
@@ -429,7 +445,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     const size_t known = walls.count;
     if (p->mode) *p->mode = first_mode;
     if (probes) rot_ode_probes_clear(probes);
-    status = solve(&now, &walls, probes, n, time_s, y, slope, error, largest, hooks, info);
+    status = solve(&now, &walls, probes, &out, hooks, info);
     const size_t sights = probes ? probes->n_sights : 0;
     /* A run that meets a wall unprepared may be far from the next one, which knows it. */
     const int unprepared = walls.count > known && !is_accurate(p, error, largest);

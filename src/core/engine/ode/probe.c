@@ -294,13 +294,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
 
 static rot_status keep_value(rot_ode_probes *q, double t, const double y[], const double dydt[]) {
   const size_t dim = q->p->dim, each = 1 + 2 * dim;
-  if (q->n_values == q->room) {
-    const size_t room = q->room ? 2 * q->room : 64;
-    double *more = realloc(q->values, room * each * sizeof *more);
-    if (!more) return ROT_ENOMEM;
-    q->values = more;
-    q->room = room;
-  }
+  if (rot_ode_make_room(&q->values, &q->room, q->n_values, each) != ROT_OK) return ROT_ENOMEM;
   double *at = q->values + q->n_values++ * each;
   at[0] = t;
   memcpy(at + 1, y, dim * sizeof *y);

@@ -1,6 +1,5 @@
 #include "engine/ode/rest.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,9 +12,9 @@ static const double held_at[HELD_POINTS] = {
     1.0};
 
 rot_status rot_ode_held_slope(rot_ode_rest *r, double t, double *drive, double *grip) {
-  if (rot_ode_slope_at(t, r->state->y, r->stepper->trial_slope, r->law) != GSL_SUCCESS)
-    return r->law->status;
-  *drive = r->stepper->trial_slope[r->law->p->turn->driver];
+  const rot_status status = rot_ode_slope_at(r->law, t, r->state->y, r->step->trial_slope);
+  if (status != ROT_OK) return status;
+  *drive = r->step->trial_slope[r->law->p->turn->driver];
   if (!isfinite(*drive)) {
     r->law->info->time_s = t;
     return ROT_ERHS;
@@ -32,7 +31,7 @@ static rot_status held_segment(rot_ode_rest *r, double h, double drive[], double
   static const double kronrod[HELD_POINTS] = {77.0, 432.0, 625.0, 672.0, 625.0, 432.0, 77.0};
   const size_t dim = r->law->p->dim, driver = r->law->p->turn->driver;
   double four = 0.0, seven = 0.0;
-  memcpy(r->stepper->trial, r->state->y, dim * sizeof *r->state->y);
+  memcpy(r->step->trial, r->state->y, dim * sizeof *r->state->y);
   *loose = HELD_POINTS;
   for (int k = 0; k < HELD_POINTS; k++) {
     const double at = k + 1 < HELD_POINTS ? r->clock->t + held_at[k] * h : r->clock->t + h;
@@ -40,11 +39,11 @@ static rot_status held_segment(rot_ode_rest *r, double h, double drive[], double
     if (status != ROT_OK) return status;
     if (grip[k] > 0.0 && *loose == HELD_POINTS) *loose = k;
     for (size_t i = r->law->p->controlled; i < dim; i++) {
-      r->stepper->trial[i] += h * (kronrod[k] / 2940.0) * r->stepper->trial_slope[i];
+      r->step->trial[i] += h * (kronrod[k] / 2940.0) * r->step->trial_slope[i];
     }
-    seven += kronrod[k] / 2940.0 * r->stepper->trial_slope[driver];
-    if (k == 0 || k == 6) four += r->stepper->trial_slope[driver] / 12.0;
-    if (k == 2 || k == 4) four += r->stepper->trial_slope[driver] * 5.0 / 12.0;
+    seven += kronrod[k] / 2940.0 * r->step->trial_slope[driver];
+    if (k == 0 || k == 6) four += r->step->trial_slope[driver] / 12.0;
+    if (k == 2 || k == 4) four += r->step->trial_slope[driver] * 5.0 / 12.0;
   }
   *apart = fabs(seven - four);
   return ROT_OK;

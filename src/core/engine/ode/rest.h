@@ -8,8 +8,8 @@ typedef struct rot_ode_rest {
   const rot_ode_clock *clock;
   const rot_ode_state *state;
   rot_ode_law *law;
-  rot_ode_stepper *stepper; /* trial and trial_slope: the state at the end of a segment */
-  double grace;             /* held up to here whatever drives */
+  rot_ode_stepper *step; /* trial and trial_slope: the state at the end of a segment */
+  double grace;          /* held up to here whatever drives */
 } rot_ode_rest;
 
 /* The slope that drives it from rest at t, and what it is beyond what holds: positive is loose. */

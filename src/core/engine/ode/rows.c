@@ -1,14 +1,9 @@
 #include "engine/ode/rows.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <string.h>
 
 #include "engine/ode/norm.h"
-
-size_t rot_ode_rows_total(const rot_ode_rows *r) {
-  return r->clock->forward ? r->out.n - r->out.before : r->out.before;
-}
 
 static size_t row_now(const rot_ode_rows *r) {
   return r->clock->forward ? r->out.before + r->done : r->out.before - 1 - r->done;
@@ -24,10 +19,10 @@ static void row_is(rot_ode_rows *r, const double y[], double slope) {
 
 void rot_ode_rows_at_start(rot_ode_rows *r) {
   const rot_ode_params *p = r->law->p;
-  const size_t total = rot_ode_rows_total(r);
+  r->total = r->clock->forward ? r->out.n - r->out.before : r->out.before;
   r->done = 0;
   r->probed_t = p->start_s;
-  while (r->out.y && r->done < total && r->out.time_s[row_now(r)] == p->start_s) {
+  while (r->out.y && r->done < r->total && r->out.time_s[row_now(r)] == p->start_s) {
     row_is(r, p->start, NAN);
   }
 }
@@ -51,7 +46,7 @@ rot_status rot_ode_rows_node(rot_ode_rows *r) {
 /* Radau steps over a transient that dies out within its first step, and the values at the steps'
  * ends do not show it; the slope where the stretch begins does. */
 static int in_transient(const rot_ode_rows *r, const double *node, double t) {
-  if (r->stepper->method != ROT_METHOD_RADAU || node[0] != r->stretch_t) return 0;
+  if (r->step->method != ROT_METHOD_RADAU || node[0] != r->stretch_t) return 0;
   for (size_t i = 0; i < r->law->p->controlled; i++) {
     double rise;
     rot_dense_at(&r->form[i], node[0], &rise, NULL, NULL);
@@ -70,7 +65,6 @@ static int in_transient(const rot_ode_rows *r, const double *node, double t) {
 typedef struct between {
   rot_ode_rows *r;
   size_t i;
-  int formed; /* r->form are its polynomials */
 } between;
 
 /* The cubic through the nodes. */
@@ -86,19 +80,18 @@ static void state_between(void *path, double t, double y[]) {
   }
 }
 
-static void form_between(between *w) {
-  if (w->formed) return;
-  for (size_t k = 0; k < w->r->law->p->dim; k++) {
-    w->r->form[k] = rot_dense_between(&w->r->dense, w->i, k);
+static void form(rot_ode_rows *r, size_t i) {
+  for (size_t k = 0; k < r->law->p->dim && r->formed != i; k++) {
+    r->form[k] = rot_dense_between(&r->dense, i, k);
   }
-  w->formed = 1;
+  r->formed = i;
 }
 
 static int believed_between(void *path, double t, double y[], double slope[], double y_unsure[],
                             double slope_unsure[]) {
-  between *w = path;
+  const between *w = path;
   rot_ode_rows *r = w->r;
-  form_between(w);
+  form(r, w->i);
   if (r->form[0].terms < 4 * (r->dense.slopes ? 2 : 1)) return 0;
   if (in_transient(r, rot_dense_node(&r->dense, w->i), t)) return 0;
   for (size_t k = 0; k < r->law->p->dim; k++) {
@@ -110,7 +103,7 @@ static int believed_between(void *path, double t, double y[], double slope[], do
 
 static rot_status call_between(void *path, double t, const double y[], double dydt[]) {
   const between *w = path;
-  return rot_ode_slope_at(t, y, dydt, w->r->law) == GSL_SUCCESS ? ROT_OK : w->r->law->status;
+  return rot_ode_slope_at(w->r->law, t, y, dydt);
 }
 
 /* No transient, which dies out within: then the slopes at the ends are far from that between. */
@@ -127,18 +120,12 @@ static int is_smooth(const between *w) {
 }
 
 /* Stages of rk8pd that its error test weighs; the step has covered what they called. */
-static const double stages[] = {0.0,
-                                59.0 / 400,
-                                0.375,
-                                93.0 / 200,
-                                5490023248.0 / 9719169821.0,
-                                0.65,
-                                1201146811.0 / 1299019798.0,
-                                1.0};
+static const double stages[] = {
+    0.0, 0.1475, 0.375, 0.465, 5490023248.0 / 9719169821.0, 0.65, 1201146811.0 / 1299019798.0, 1.0};
 
 static rot_ode_piece piece_between(between *w, int held) {
   const rot_dense *d = &w->r->dense;
-  const int explicit = w->r->stepper->method == ROT_METHOD_RK8PD && !held;
+  const int explicit = w->r->step->method == ROT_METHOD_RK8PD && !held;
   return (rot_ode_piece){.t = rot_dense_node(d, w->i)[0],
                          .end = rot_dense_node(d, w->i + 1)[0],
                          .held = held,
@@ -160,7 +147,7 @@ static rot_status probe_steps(rot_ode_rows *r, size_t last, int held) {
   for (size_t i = 0; r->probes && i < last && status == ROT_OK; i++) {
     const double end = rot_dense_node(&r->dense, i + 1)[0];
     if (way * (end - r->probed_t) <= 0.0) continue;
-    between w = {r, i, 0};
+    between w = {r, i};
     const rot_ode_piece piece = piece_between(&w, held);
     status = rot_ode_probe(r->probes, &piece);
     r->probed_t = end;
@@ -173,7 +160,7 @@ static double slope_of_row(rot_ode_rows *r, size_t i, double t, int held) {
   double slope = NAN;
   int known = 0;
   if (!r->out.slope || !r->probes) return slope;
-  between w = {r, i, 1};
+  between w = {r, i};
   const rot_ode_piece piece = piece_between(&w, held);
   if (rot_ode_probe_at(r->probes, &piece, t, r->change, &known) == ROT_OK && known) {
     slope = r->change[r->law->p->sloped];
@@ -213,7 +200,7 @@ static int mend(rot_ode_rows *r) {
   for (size_t i = 0; i < r->law->p->dim; i++) {
     r->row[i] = rot_dense_at(&form[i], t, NULL, NULL, NULL);
   }
-  if (rot_ode_slope_at(t, r->row, r->change, r->law) != GSL_SUCCESS) return 0;
+  if (rot_ode_slope_at(r->law, t, r->row, r->change) != ROT_OK) return 0;
   for (size_t i = 0; i < r->law->p->dim; i++) rot_dense_mend(&form[i], r->change[i]);
   return 1;
 }
@@ -226,12 +213,11 @@ static rot_status step_between(rot_ode_rows *r, size_t i, size_t rows) {
   const double mid = 0.5 * (a + b);
   const int split = rows > 2 && mid != a && mid != b;
   const double to = split ? mid : t;
-  const rot_status status = rot_ode_attempt(r->stepper, a, to - a, node + 1, node + 1 + p->dim);
+  const rot_status status = rot_ode_attempt(r->step, a, to - a, node + 1, node + 1 + p->dim);
   if (status != ROT_OK) return status;
-  if (split)
-    return rot_dense_insert(&r->dense, i + 1, mid, r->stepper->trial, r->stepper->trial_slope);
-  if (p->project) p->project(to, r->stepper->trial, p->ctx);
-  row_is(r, r->stepper->trial, r->dense.slopes ? r->stepper->trial_slope[p->sloped] : NAN);
+  if (split) return rot_dense_insert(&r->dense, i + 1, mid, r->step->trial, r->step->trial_slope);
+  if (p->project) p->project(to, r->step->trial, p->ctx);
+  row_is(r, r->step->trial, r->dense.slopes ? r->step->trial_slope[p->sloped] : NAN);
   return ROT_OK;
 }
 
@@ -241,10 +227,11 @@ rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_stretch) {
   if (!r->out.y) return ROT_OK;
   const int held = r->state->phase == ROT_ODE_HELD;
   const double way = rot_ode_way(r->clock);
-  const size_t beyond = whole_stretch ? 0 : BEYOND, total = rot_ode_rows_total(r);
-  size_t i = 0, formed = (size_t)-1;
+  const size_t beyond = whole_stretch ? 0 : BEYOND;
+  size_t i = 0;
+  r->formed = (size_t)-1;
   rot_status status = d->count > beyond ? probe_steps(r, d->count - 1 - beyond, held) : ROT_OK;
-  while (status == ROT_OK && r->done < total && d->count > beyond) {
+  while (status == ROT_OK && r->done < r->total && d->count > beyond) {
     const double t = r->out.time_s[row_now(r)];
     const size_t last = d->count - 1 - beyond;
     if (way * (t - rot_dense_node(d, last)[0]) > 0.0) break;
@@ -255,24 +242,21 @@ rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_stretch) {
       row_is(r, node + 1, inside ? node[1 + r->law->p->dim + r->law->p->sloped] : NAN);
       continue;
     }
-    if (formed != i) {
-      for (size_t k = 0; k < r->law->p->dim; k++) r->form[k] = rot_dense_between(d, i, k);
-      formed = i;
-    }
+    form(r, i);
     const int enough = held || r->form[0].terms >= 4 * (d->slopes ? 2 : 1);
     int filled = enough && !in_transient(r, node, t) && row_between(r, i, t, held);
     while (enough && !filled && mend(r)) filled = row_between(r, i, t, held);
     if (r->law->status != ROT_OK && r->law->status != ROT_ERHS) return r->law->status;
     if (filled) continue;
     size_t rows = 1;
-    while (r->done + rows < total && rows < 3) {
+    while (r->done + rows < r->total && rows < 3) {
       const double next = r->out.time_s[r->clock->forward ? row_now(r) + rows : row_now(r) - rows];
       if (way * (next - rot_dense_node(d, i + 1)[0]) >= 0.0) break;
       rows++;
     }
     const size_t count = d->count;
     status = step_between(r, i, rows);
-    if (d->count != count) formed = (size_t)-1;
+    if (d->count != count) r->formed = (size_t)-1;
   }
   if (!whole_stretch && d->count > BEYOND + BEHIND + 1) {
     rot_dense_drop(d, d->count - (BEYOND + BEHIND + 1));

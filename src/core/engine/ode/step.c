@@ -7,9 +7,14 @@
 #include "engine/ode/norm.h"
 #include "ground/real.h"
 
+/* In GSL's form; with another code rk8pd would not stop at once. */
+static int slope_at(double t, const double y[], double dydt[], void *law) {
+  return rot_ode_slope_at(law, t, y, dydt) == ROT_OK ? GSL_SUCCESS : GSL_EBADFUNC;
+}
+
 rot_status rot_ode_stepper_open(rot_ode_stepper *s) {
   const size_t dim = s->law->p->dim;
-  s->system = (gsl_odeiv2_system){rot_ode_slope_at, NULL, dim, s->law};
+  s->system = (gsl_odeiv2_system){slope_at, NULL, dim, s->law};
   if (s->method == ROT_METHOD_RADAU) {
     s->radau = rot_radau_alloc(dim, s->law->p->controlled);
   } else {
@@ -54,10 +59,10 @@ rot_status rot_ode_attempt(rot_ode_stepper *s, double t, double h, const double 
   memcpy(s->trial, y, dim * sizeof *y);
   if (s->method == ROT_METHOD_RADAU) {
     allow(s, h, y, slope);
-    code = rot_radau_step(s->radau, rot_ode_slope_at, law, t, h, s->trial, s->trial_error, slope,
-                          s->allowed);
+    code =
+        rot_radau_step(s->radau, slope_at, law, t, h, s->trial, s->trial_error, slope, s->allowed);
     if (code == ROT_RADAU_DIVERGED) return ROT_ESTEP;
-    if (code == GSL_SUCCESS) code = rot_ode_slope_at(t + h, s->trial, s->trial_slope, law);
+    if (code == GSL_SUCCESS) code = slope_at(t + h, s->trial, s->trial_slope, law);
   } else {
     code = gsl_odeiv2_step_apply(s->rk, t, h, s->trial, s->trial_error, slope, s->trial_slope,
                                  &s->system);

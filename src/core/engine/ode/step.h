@@ -36,7 +36,6 @@ static inline int rot_ode_may_retry(rot_status status) {
 
 /* Error of the trial step over what is allowed; NaN if it makes no sense. */
 double rot_ode_trial_ratio(const rot_ode_stepper *s, double h);
-
 /* By what the error of a step falls if the step is divided into so many. */
 double rot_ode_gain(rot_method method, double parts);
 

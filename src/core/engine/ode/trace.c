@@ -6,27 +6,24 @@
 
 #include "ground/real.h"
 
+rot_status rot_ode_make_room(double **data, size_t *room, size_t count, size_t each) {
+  if (count < *room) return ROT_OK;
+  const size_t more = *room ? 2 * *room : 64;
+  double *moved = realloc(*data, more * each * sizeof *moved);
+  if (!moved) return ROT_ENOMEM;
+  *data = moved;
+  *room = more;
+  return ROT_OK;
+}
+
 rot_status rot_ode_trace_add(rot_ode_trace *m, double t, double error, const double y[]) {
-  const size_t stride = 2 + m->dim;
-  if (m->count == m->room) {
-    const size_t room = m->room ? 2 * m->room : 64;
-    double *data = realloc(m->data, room * stride * sizeof *data);
-    if (!data) return ROT_ENOMEM;
-    m->data = data;
-    m->room = room;
-  }
-  double *node = m->data + m->count++ * stride;
+  const size_t each = 2 + m->dim;
+  if (rot_ode_make_room(&m->data, &m->room, m->count, each) != ROT_OK) return ROT_ENOMEM;
+  double *node = m->data + m->count++ * each;
   node[0] = t;
   node[1] = error;
   memcpy(node + 2, y, m->dim * sizeof *node);
   return ROT_OK;
-}
-
-int rot_ode_is_guided(const rot_ode_guide *g) {
-  const rot_ode_trace *m = g->trace;
-  const double start = g->clock->p->start_s;
-  return m && m->count &&
-         fabs(rot_ode_node(m, m->count - 1)[0] - start) > fabs(g->clock->t - start);
 }
 
 /* A step so much shorter than the one before is not divided: it passes a kink, and ends where its
@@ -37,7 +34,10 @@ int rot_ode_is_guided(const rot_ode_guide *g) {
  * runs meet at the same time, it falls in with the guide again. */
 double rot_ode_guided_aim(rot_ode_guide *g, double stop) {
   const rot_ode_trace *m = g->trace;
-  const double t = g->clock->t, way = rot_ode_way(g->clock);
+  const double t = g->clock->t, way = rot_ode_way(g->clock), start = g->clock->p->start_s;
+  if (!m || m->count == 0 || !(fabs(rot_ode_node(m, m->count - 1)[0] - start) > fabs(t - start))) {
+    return NAN;
+  }
   while (g->at + 2 < m->count && !rot_ode_is_before(g->clock, t, rot_ode_node(m, g->at + 1)[0])) {
     g->at++;
   }
@@ -64,4 +64,30 @@ int rot_ode_is_unresolved(const rot_ode_guide *g, double error) {
   }
   const double want = before / g->gain;
   return error > 4.0 * want && error > 64.0 * ROT_EPS;
+}
+
+void rot_ode_track_free(rot_ode_track *track) {
+  rot_dense_free(&track->nodes);
+  free(track->derivative);
+  track->derivative = NULL;
+  track->room = 0;
+}
+
+rot_status rot_ode_track_node(rot_ode_track *track, const rot_ode_params *p, double t,
+                              const double y[], const double slope[]) {
+  const size_t each = p->dim * p->controlled;
+  track->controlled = p->controlled;
+  track->nodes.dim = p->dim;
+  track->nodes.slopes = 1;
+  if (rot_dense_insert(&track->nodes, track->nodes.count, t, y, slope) != ROT_OK) {
+    return ROT_ENOMEM;
+  }
+  if (track->room != track->nodes.room) {
+    double *more = realloc(track->derivative, track->nodes.room * each * sizeof *more);
+    if (!more) return ROT_ENOMEM;
+    track->derivative = more;
+    track->room = track->nodes.room;
+  }
+  for (size_t i = 0; i < each; i++) track->derivative[(track->nodes.count - 1) * each + i] = NAN;
+  return ROT_OK;
 }

@@ -1,8 +1,13 @@
-/* The steps of a run on one side of the start, and as the reference of a run that divides them. */
+/* The trajectory of a run on one side of the start, as the reference of what follows: the ends of
+ * its steps, of a run that divides them; its nodes with derivatives, of collocation. */
 #ifndef ROT_ODE_TRACE_H
 #define ROT_ODE_TRACE_H
 
-#include "engine/ode/clock.h"
+#include "engine/ode/state.h"
+#include "maths/dense.h"
+
+/* Room for an item more, of so many numbers. */
+rot_status rot_ode_make_room(double **data, size_t *room, size_t count, size_t each);
 
 /* Ends of the steps, outward: t, the error that the test found in the step that ends there (a part
  * of the largest value), y[dim]. */
@@ -26,12 +31,25 @@ typedef struct rot_ode_guide {
   size_t at;   /* the time lies from this node of it to the next */
 } rot_ode_guide;
 
-/* Whether there is a step of the guide here: it may have ended early, at an event. */
-int rot_ode_is_guided(const rot_ode_guide *g);
-/* The end of the next step before `stop`: equal parts of the steps of the guide. */
+/* The end of the next step before `stop`: equal parts of the steps of the guide. NaN: there are no
+ * more; it may have ended early, at an event. */
 double rot_ode_guided_aim(rot_ode_guide *g, double stop);
 /* A part of a step should have the error of the whole over the gain. Where it does not, the motion
  * is too quick for these steps, or has a kink, and the error that the test found counts in full. */
 int rot_ode_is_unresolved(const rot_ode_guide *g, double error);
+
+/* All nodes, twins where a stretch begins, and the derivatives of dydt by the controlled components
+ * there, dim x controlled each; NaN where a stretch begins. */
+typedef struct rot_ode_track {
+  rot_dense nodes;
+  size_t controlled, room;
+  int slid; /* along a wall, somewhere */
+  double *derivative;
+} rot_ode_track;
+
+void rot_ode_track_free(rot_ode_track *track);
+/* A step's end, or the start of a stretch. */
+rot_status rot_ode_track_node(rot_ode_track *track, const rot_ode_params *p, double t,
+                              const double y[], const double slope[]);
 
 #endif

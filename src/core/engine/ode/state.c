@@ -1,4 +1,4 @@
-#include "engine/ode/clock.h"
+#include "engine/ode/state.h"
 
 #include <math.h>
 
