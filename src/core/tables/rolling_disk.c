@@ -10,8 +10,6 @@
 /* The state: attitude, omega in space, and the centre over the floor. */
 enum { OMEGA = 4, STATE = 7, PLACE = 7, DIM = 9 };
 
-static const char *const measures[] = {"attitude", "omega", NULL};
-
 static void cross(const double a[3], const double b[3], double out[3]) {
   out[0] = a[1] * b[2] - a[2] * b[1];
   out[1] = a[2] * b[0] - a[0] * b[2];
@@ -155,7 +153,7 @@ rot_status rot_rolling_disk_run(const rot_rolling_disk *p, double accuracy, size
                               .log = &events,
                               .project = renormalise};
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
-  rot_info_clear(info, measures);
+  rot_info_clear(info, NULL);
   *flat_s = NAN;
   if (!y) return info->status = ROT_ENOMEM;
   const rot_status status = rot_ode_run(&ode, n, time_s, y, NULL, errors, largest, hooks, info);

@@ -19,7 +19,7 @@
  * quaternion 1). `slope` may be NULL, or takes dydt[sloped] of each row, by
  * rhs itself: NaN where that is not known, at breaks among others. Times before start_s are
  * reached backwards. On failure, and after an event that ends the run, the first info->rows_done
- * rows are good. */
+ * rows are good. The measures of *info are the caller's: named before or after the run. */
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double slope[], double error[], double largest[], const rot_hooks *hooks,
                        rot_info *info);

@@ -125,7 +125,6 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
     const rot_status filled = fill_rows(&m, rows_n, y, rows, info);
     if (filled != ROT_OK) status = filled;
   }
-  rot_info_measures(info, rot_turning);
   for (size_t k = 0; k < 2; k++) {
     info->measure[k].largest = m.most[k];
     info->measure[k].error = error[k] + (k ? 0.0 : 4.0 * ROT_EPS * m.most[0]);

@@ -177,7 +177,6 @@ static void note_sizes(const motion *m, size_t n, const double time_s[], const d
                        const double error[], const double largest[], rot_info *info) {
   const double theta0 = m->scene->linear.theta0_rad;
   rot_measure *theta = &info->measure[ROT_THETA], *omega = &info->measure[ROT_OMEGA];
-  rot_info_measures(info, rot_turning);
   theta->largest = fmax(fabs(theta0), largest[TURNED] - fabs(theta0));
   for (size_t i = 0; i < n; i++) {
     theta->largest = fmax(theta->largest, fabs(theta0 + y[i * DIM + TURNED]));

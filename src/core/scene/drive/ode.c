@@ -417,7 +417,6 @@ static rot_status fill_rows(motion *m, size_t n, const double time_s[], double y
 static void note_errors(const motion *m, size_t n_groups, const double error[], rot_info *info,
                         rot_drive_ledger *sums) {
   const double *integral = error + n_groups;
-  rot_info_measures(info, rot_turning);
   info->measure[ROT_THETA].error = error[0] + 4.0 * ROT_EPS * m->most[0];
   info->measure[ROT_THETA].largest = m->most[0];
   info->measure[ROT_OMEGA].error = error[1];

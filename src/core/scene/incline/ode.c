@@ -495,7 +495,6 @@ static void note_errors(const motion *m, double accuracy, const rot_incline_colu
   const rot_incline_params *p = m->p;
   const double r = p->radius_m;
   const size_t n = info->rows_done;
-  rot_info_measures(info, rot_incline_measures);
   note_path(&info->measure[ROT_INCLINE_X], p->x0_m, error[TRAVEL], largest[TRAVEL], n, out->x_m);
   note_path(&info->measure[ROT_INCLINE_THETA], p->theta0_rad, error[TURN] / r, largest[TURN] / r, n,
             out->theta_rad);

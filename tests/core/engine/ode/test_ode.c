@@ -744,7 +744,23 @@ static void check_rise_out_of_nothing(void) {
   ROT_CHECK(seen_by.calls < 20000);
 }
 
+/* A caller names its measures before the run, or after it. */
+static void check_measures_stay(void) {
+  probe seen_by = quiet(1.0);
+  const double start[] = {1.0, 0.0}, t = 1.0;
+  const rot_ode_params p = problem(2, oscillator, &seen_by, start, 1e-9);
+  rot_info info;
+  rot_info_clear(&info, rot_turning);
+  info.measure[ROT_OMEGA].largest = 3.0;
+  ROT_CHECK_EQ_INT(
+      rot_ode_run(&p, 1, &t, result.y, NULL, result.error, result.largest, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT((long long)info.n_measures, 2);
+  ROT_CHECK(info.measure_names == rot_turning && info.measure[ROT_OMEGA].largest == 3.0);
+  ROT_CHECK(info.steps > 0 && info.rows_done == 1);
+}
+
 int main(void) {
+  check_measures_stay();
   check_random();
   check_order();
   check_estimate();
