@@ -118,8 +118,9 @@ static rot_status call(rot_ode_law *law, double t, const double y[], double dydt
 }
 
 rot_status rot_ode_slope_at(rot_ode_law *law, double t, const double y[], double dydt[]) {
+  const rot_ode_clock *clock = law->clock;
   if (law->slides != NO_WALL) return sliding_slope(law, t, y, dydt);
-  t = t < law->clock->after ? law->clock->after : t > law->clock->before ? law->clock->before : t;
+  t = t < clock->after ? clock->after : t > clock->before ? clock->before : t;
   if (law->walls->count) {
     memcpy(law->kept, y, law->p->dim * sizeof *y);
     keep_sides(law, &t, law->kept);

@@ -81,9 +81,8 @@ static void state_between(void *path, double t, double y[]) {
 }
 
 static void form(rot_ode_rows *r, size_t i) {
-  for (size_t k = 0; k < r->law->p->dim && r->formed != i; k++) {
-    r->form[k] = rot_dense_between(&r->dense, i, k);
-  }
+  if (r->formed == i) return;
+  for (size_t k = 0; k < r->law->p->dim; k++) r->form[k] = rot_dense_between(&r->dense, i, k);
   r->formed = i;
 }
 
