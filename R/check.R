@@ -122,7 +122,7 @@ check_number <- function(x, arg, unit, call, lower = -Inf, upper = Inf, open = F
     x >= lower && x <= upper && !(open && x == lower)) {
     return(x)
   }
-  if (is.object(x)) x <- as_si(x, unit, arg, call)
+  x <- if (is.object(x)) as_si(x, unit, arg, call) else quantity_of(x, arg, unit, call)
   if (!is_number(x) || length(x) != 1L || is.object(x)) {
     abort_rotdyn(
       c(
@@ -168,6 +168,7 @@ abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
 # A column of doubles; NA, also logical, is allowed.
 check_column <- function(x, arg, unit, call) {
   if (is.object(x)) x <- as_si(x, unit, arg, call)
+  if (is.list(x) || is.character(x)) x <- quantity_of(x, arg, unit, call)
   if (is.double(x) && !is.object(x)) return(if (is.null(dim(x))) x else as.vector(x))
   if ((is_number(x) && !is.object(x)) || (is.logical(x) && all(is.na(x)))) return(as.double(x))
   abort_rotdyn(

@@ -479,7 +479,7 @@ cli_record_verbs <- function() {
 
 cli_record <- function(db, motion, note = NULL, rows = "some") {
   if (!file.exists(db) || file.size(db) == 0) records_create(db)
-  record_run(db, motion, note = note, rows = rows)
+  records_add(db, motion, note = note, rows = rows)
 }
 
 cli_database <- function(path, state) {
@@ -496,7 +496,7 @@ cli_run_record <- function(words, options, state) {
   cli_each_scene(cli_scenes(words[-1L], options, state, "record"), state, function(scene) {
     motion <- trajectory(scene, options$times, options$accuracy, model)
     run <- cli_record(db, motion, options$note, options$rows)
-    known <- list_runs(db)
+    known <- records_list(db)
     list(table = known[known$run == run, ])
   })
 }
@@ -509,9 +509,9 @@ cli_run_runs <- function(words, options, state) {
   }
   if (length(words) == 1L) {
     if (isTRUE(options$scene)) abort_usage("`--scene` needs the name of a run", verb = "runs")
-    return(list(table = list_runs(db)))
+    return(list(table = records_list(db)))
   }
-  run <- read_run(db, words[2])
+  run <- records_read(db, words[2])
   if (isTRUE(options$scene)) {
     return(list(lines = strsplit(write_scene(run$scene), "\n", fixed = TRUE)[[1]]))
   }
@@ -520,9 +520,9 @@ cli_run_runs <- function(words, options, state) {
 
 cli_run_rerun <- function(words, options, state) {
   db <- cli_database(words[1], state)
-  runs <- if (length(words) > 1L) words[-1L] else list_runs(db)$run
+  runs <- if (length(words) > 1L) words[-1L] else records_list(db)$run
   again <- lapply(runs, function(run) {
-    result <- rerun(db, run, record = isTRUE(options$record))
+    result <- records_rerun(db, run, record = isTRUE(options$record))
     most <- if (nrow(result$where)) result$where[1, ]
     list(
       run = result$run, verdict = result$verdict, model = result$model[["now"]],
@@ -547,7 +547,9 @@ cli_list_verbs <- function() {
   list(
     plain("shapes", "the standard shapes, with their formulas", function() shapes()),
     plain("models", "every model, with its equations and limits", function() models()),
-    plain("columns", "the columns of all tables: unit, meaning", rotdyn_columns),
+    plain("columns", "the columns of all tables: unit, meaning", function() {
+      tibble::as_tibble(column_table())
+    }),
     cli_verb(
       "metadata", "[TABLE]", c(0, 1),
       "tables of units, constants, conventions, models, assumptions, cases",
@@ -557,7 +559,7 @@ cli_list_verbs <- function() {
       function(words, options, state) {
         if (!is.null(options$sql)) {
           if (length(words)) abort_usage("`--sql` writes all tables", verb = "metadata")
-          return(list(lines = strsplit(metadata_sql(dialect = options$sql), "\n", TRUE)[[1]]))
+          return(list(lines = strsplit(metadata(dialect = options$sql), "\n", TRUE)[[1]]))
         }
         known <- metadata()
         if (!length(words)) {

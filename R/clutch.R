@@ -7,9 +7,10 @@
 #'   omega = (I1 omega1 + I2 omega2)/(I1 + I2),  Q = (1/2) I1 I2/(I1 + I2) (omega1 - omega2)^2}
 #' for any clutch. An infinite capacity is the instantaneous engagement.
 #'
-#' @param inertia_1_kg_m2,inertia_2_kg_m2 Moments of inertia, greater than 0.
+#' @param body_1,body_2 Bodies (their Izz counts), lists of bodies, or moments of inertia in kg m^2,
+#'   greater than 0.
 #' @param capacity_n_m Torque of the slipping clutch, at least 0; Inf for instantaneous engagement.
-#' @param omega1_rad_per_s,omega2_rad_per_s Speeds at the start.
+#' @param omega_1_rad_per_s,omega_2_rad_per_s Speeds at the start.
 #' @param ... Not used; names after it must be given in full.
 #' @param torque_1_n_m,torque_2_n_m Constant torques on the bodies.
 #' @return A tibble with one row for each engagement (arguments have length 1 or n):
@@ -23,17 +24,19 @@
 #' @seealso [scene_clutch()] for the motion itself.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), section 16-6.
 #' @examples
-#' clutch_engagement(2, 3, capacity_n_m = c(6, 12, Inf), omega1_rad_per_s = 10)
+#' clutch_engagement(
+#'   body_disk(4, 1), 3, capacity_n_m = c(6, 12, Inf), omega_1_rad_per_s = 10
+#' )
 #' @export
-clutch_engagement <- function(inertia_1_kg_m2, inertia_2_kg_m2, capacity_n_m, omega1_rad_per_s,
-                              omega2_rad_per_s = 0, ..., torque_1_n_m = 0, torque_2_n_m = 0) {
+clutch_engagement <- function(body_1, body_2, capacity_n_m, omega_1_rad_per_s,
+                              omega_2_rad_per_s = 0, ..., torque_1_n_m = 0, torque_2_n_m = 0) {
   call <- check_no_dots(...)
-  check_supplied(c("inertia_1_kg_m2", "inertia_2_kg_m2", "capacity_n_m", "omega1_rad_per_s"), call)
+  check_supplied(c("body_1", "body_2", "capacity_n_m", "omega_1_rad_per_s"), call)
   columns <- check_columns_of(
     list(
-      inertia_1_kg_m2 = inertia_1_kg_m2, inertia_2_kg_m2 = inertia_2_kg_m2,
-      capacity_n_m = capacity_n_m, torque_1_n_m = torque_1_n_m, torque_2_n_m = torque_2_n_m,
-      omega1_rad_per_s = omega1_rad_per_s, omega2_rad_per_s = omega2_rad_per_s
+      body_1 = body_1, body_2 = body_2, capacity_n_m = capacity_n_m, torque_1_n_m = torque_1_n_m,
+      torque_2_n_m = torque_2_n_m, omega_1_rad_per_s = omega_1_rad_per_s,
+      omega_2_rad_per_s = omega_2_rad_per_s
     ),
     c("kg*m^2", "kg*m^2", "N*m", "N*m", "N*m", "rad/s", "rad/s"), call
   )

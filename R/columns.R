@@ -257,6 +257,8 @@ column_list <- list(
   c("slow_precession_rad_per_s", "rad/s", "rate of slow steady precession, exact"),
   c("fast_precession_rad_per_s", "rad/s", "rate of fast steady precession, exact"),
   c("nutation_period_s", "s", "released at rest: time between two rests of the axis"),
+  c("sleeping_spin_rad_per_s", "rad/s",
+    "least spin at which it stands upright stably; 0: it hangs"),
   c("lowest_angle_deg", "degree", "released at rest: angle from the upward vertical, turned back"),
   c("mean_precession_rad_per_s", "rad/s", "released at rest: mean rate of precession"),
   c("impulse_n_s", "N s", "impulse on the body"),
@@ -543,21 +545,6 @@ column_table <- function() {
 }
 columns_read <- new.env(parent = emptyenv())
 
-#' The dictionary of columns
-#'
-#' All columns returned by the functions of the package, with unit and meaning.
-#'
-#' @return A tibble with the columns `r describe_columns(c("name", "unit", "meaning"))`
-#' @seealso [trajectory()], [inertia_table()], [rolling_table()].
-#' @concept units
-#' @concept columns
-#' @examples
-#' rotdyn_columns()
-#' @export
-rotdyn_columns <- function() {
-  tibble::as_tibble(column_table())
-}
-
 # For the help pages: an itemized list of columns. `meanings`: those of this page, by name.
 describe_columns <- function(names, meanings = NULL) {
   table <- column_table()
@@ -628,7 +615,8 @@ rolling_columns <- c(
 )
 energy_columns <- c(
   "moment_of_inertia_kg_m2", "omega_rad_per_s", "translational_kinetic_energy_j",
-  "rotational_kinetic_energy_j", "total_kinetic_energy_j", "rotational_energy_fraction"
+  "rotational_kinetic_energy_j", "total_kinetic_energy_j", "rotational_energy_fraction",
+  "translational_energy_fraction"
 )
 inertia_columns <- c(
   "moment_of_inertia_kg_m2", "axis", "ixx_kg_m2", "iyy_kg_m2", "izz_kg_m2", "beta",
@@ -683,7 +671,7 @@ precession_columns <- c(
 )
 nutation_columns <- c(
   "slow_precession_rad_per_s", "fast_precession_rad_per_s", "nutation_period_s",
-  "lowest_angle_deg", "mean_precession_rad_per_s"
+  "lowest_angle_deg", "mean_precession_rad_per_s", "sleeping_spin_rad_per_s"
 )
 projectile_columns <- c(
   "east_m", "north_m", "up_m", "east_m_per_s", "north_m_per_s", "up_m_per_s", "deflection_east_m",

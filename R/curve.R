@@ -233,7 +233,8 @@ print.rot_curve <- function(x, ...) {
 #'   \cos\varphi = -\frac{2 (h/A - 1)}{3 + \beta},\quad \cos\varphi = \frac{2}{3 + \beta}}{
 #'   h = A (2 + (1 + beta)/2),  cos(phi) = -2 (h/A - 1)/(3 + beta),  cos(phi) = 2/(3 + beta)}
 #'
-#' @param beta I/(m r^2) of the body, at least 0: 0 slides, 2/5 for a ball.
+#' @param body A round body, a list of them, names of shapes such as `"sphere"`, or numbers: `beta =
+#'   I/(m r^2)`, at least 0, where 0 slides.
 #' @param radius_m Radius of the circle of the body's centre: that of the loop minus the body's.
 #' @param height_m Height of the centre at the start, over its lowest place.
 #' @param ... Not used: an unknown argument is an error.
@@ -247,38 +248,39 @@ print.rot_curve <- function(x, ...) {
 #' @seealso [roll_on_curve()] for the whole motion.
 #' @examples
 #' # A ball in a loop of 0.5 m: 2.7 times the radius of its centre's circle.
-#' loop_start_height(2 / 5, 0.5 - 0.02)
-#' loop_leaving_angle(2 / 5, 0.48, height_m = c(0.4, 1, 1.296))
+#' loop_start_height(body_sphere(0.1, 0.02), 0.5 - 0.02)
+#' loop_leaving_angle("sphere", 0.48, height_m = c(0.4, 1, 1.296))
 #' hill_leaving_angle(c(0, 2 / 5))
 #' @export
-loop_start_height <- function(beta, radius_m, ...) {
+loop_start_height <- function(body, radius_m, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("beta", "radius_m"), call)
-  x <- loop_columns(list(beta = beta, radius_m = radius_m), call)
-  x$radius_m * (2.5 + x$beta / 2)
+  check_supplied(c("body", "radius_m"), call)
+  x <- loop_columns(list(body = body, radius_m = radius_m), call)
+  x$radius_m * (2.5 + x$body / 2)
 }
 
 #' @rdname loop_start_height
 #' @export
-loop_leaving_angle <- function(beta, radius_m, height_m, ...) {
+loop_leaving_angle <- function(body, radius_m, height_m, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("beta", "radius_m", "height_m"), call)
-  x <- loop_columns(list(beta = beta, radius_m = radius_m, height_m = height_m), call)
-  cosine <- -2 * ((x$height_m - x$radius_m) / x$radius_m) / (3 + x$beta)
+  check_supplied(c("body", "radius_m", "height_m"), call)
+  x <- loop_columns(list(body = body, radius_m = radius_m, height_m = height_m), call)
+  cosine <- -2 * ((x$height_m - x$radius_m) / x$radius_m) / (3 + x$body)
   angle <- suppressWarnings(acos(pmax(cosine, -1))) * 180 / pi
   ifelse(!is.na(cosine) & cosine >= 0, NaN, angle)
 }
 
 #' @rdname loop_start_height
 #' @export
-hill_leaving_angle <- function(beta, ...) {
+hill_leaving_angle <- function(body, ...) {
   call <- check_no_dots(...)
-  check_supplied("beta", call)
-  acos(2 / (3 + loop_columns(list(beta = beta), call)$beta)) * 180 / pi
+  check_supplied("body", call)
+  acos(2 / (3 + loop_columns(list(body = body), call)$body)) * 180 / pi
 }
 
+# A body by its beta.
 loop_columns <- function(columns, call) {
-  units <- c(beta = "1", radius_m = "m", height_m = "m")
+  units <- c(body = "1", radius_m = "m", height_m = "m")
   columns <- check_columns_of(columns, units[names(columns)], call)
   check_recyclable(columns, call)
   for (name in names(columns)) {

@@ -5,29 +5,50 @@
 #'   \beta = \frac{I}{m r^2}}{
 #'   K_trans = m v^2/2,  K_rot = beta m v^2/2,  beta = I/(m r^2)}
 #'
-#' @param mass_kg,radius_m,beta,speed_m_per_s Mass (at least 0), radius (greater than 0), `beta` (at
-#'   least 0) and speed: columns of length 1 or n.
-#' @param ... Not used: an unknown argument is an error.
-#' @return A tibble with one row for each body: the four arguments, then
+#' @param body A round body such as [body_sphere()], or a list of bodies; or names of shapes such as
+#'   `"hoop"` or numbers, `beta` (at least 0), with `mass_kg` and `radius_m` beside them.
+#' @param speed_m_per_s Speed of the centre: a column of length 1 or n.
+#' @param mass_kg,radius_m Mass (at least 0) and radius (greater than 0) where `body` has none.
+#'   Without them energies or the angular velocity are NA; the fractions depend on beta alone.
+#' @param ... Not used; names after it must be given in full.
+#' @return A tibble with one row for each body: mass, radius, beta and speed, then
 #'   `r describe_columns(energy_columns)`
 #'   NA in a row gives NA in the values that depend on it. Products have at most four roundings.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
-#'   `rotdyn_error_unit`.
+#'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Koenig's theorem: Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002),
 #'   section 1.2.
-#' @seealso [rolling_table()], [rotational_energy_fraction()], [augment.rot_trajectory()].
+#' @seealso [rolling_table()], [augment.rot_trajectory()].
 #' @concept kinetic energy
+#' @concept energy fraction
 #' @examples
-#' energy_partition(mass_kg = 1, radius_m = 0.1, beta = c(1, 0.5, 0.4), speed_m_per_s = 3)
+#' energy_partition(body_sphere(0.2, 0.05), speed_m_per_s = 3)
+#' energy_partition(c(1, 0.5, 0.4), speed_m_per_s = 3, mass_kg = 1, radius_m = 0.1)
+#' energy_partition(c("hoop", "disk"), 3)[c("beta", "rotational_energy_fraction")]
 #' @export
-energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s, ...) {
+energy_partition <- function(body, speed_m_per_s, ..., mass_kg = NULL, radius_m = NULL) {
   call <- check_no_dots(...)
-  check_supplied(c("mass_kg", "radius_m", "beta", "speed_m_per_s"), call)
+  check_supplied(c("body", "speed_m_per_s"), call)
+  are_bodies <- inherits(body, "rot_body") ||
+    (is.list(body) && any(vapply(body, inherits, NA, "rot_body")))
+  known <- if (are_bodies) {
+    if (!is.null(mass_kg) || !is.null(radius_m)) {
+      abort_rotdyn(
+        "{.arg {if (is.null(mass_kg)) 'radius_m' else 'mass_kg'}} is known of a body.", "argument",
+        call
+      )
+    }
+    columns_of_bodies(body, c("mass_kg", "radius_m", "beta"), "body", call)
+  } else {
+    list(
+      mass_kg = mass_kg %||% NA_real_, radius_m = radius_m %||% NA_real_,
+      beta = check_column(body, "body", "1", call)
+    )
+  }
   columns <- check_columns_of(
-    list(mass_kg = mass_kg, radius_m = radius_m, beta = beta, speed_m_per_s = speed_m_per_s),
-    c("kg", "m", "1", "m/s"), call
+    c(known, list(speed_m_per_s = speed_m_per_s)), c("kg", "m", "1", "m/s"), call
   )
   n <- check_recyclable(columns, call)
   check_not_negative(columns$mass_kg, "mass_kg", "kg", call)
@@ -37,8 +58,9 @@ energy_partition <- function(mass_kg, radius_m, beta, speed_m_per_s, ...) {
     ffi_energy_partition, columns$mass_kg, columns$radius_m, columns$beta, columns$speed_m_per_s
   )
   warn_beyond(values, columns, n, call)
-  fraction <- rotational_energy_fraction(columns$beta)
-  tibble::new_tibble(
-    lapply(c(columns, values, list(rotational_energy_fraction = fraction)), rep_len, n), nrow = n
+  fractions <- list(
+    rotational_energy_fraction = .Call(ffi_rolling_value, 3L, columns["beta"])[[1]],
+    translational_energy_fraction = .Call(ffi_rolling_value, 4L, columns["beta"])[[1]]
   )
+  tibble::new_tibble(lapply(c(columns, values, fractions), rep_len, n), nrow = n)
 }

@@ -72,7 +72,7 @@
 #' @source Borwein and Borwein, Pi and the AGM (1987), section 1.1; for the noise Harville, J. Am.
 #'   Stat. Assoc. 72, 320 (1977).
 #' @seealso [inertia_torsion()] for the moment of inertia, [pool_periods()] for hand timing,
-#'   [period()] for the period of a scene.
+#'   [period_of()] for the period of a scene.
 #' @concept period
 #' @concept pendulum
 #' @concept damping

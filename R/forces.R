@@ -48,7 +48,7 @@
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.2; for the
 #'   central axis Routh, Analytical Statics, vol. 1 (1896), chapter 7.
-#' @seealso [static_equilibrium()] for the reactions of supports, [torque_vector()].
+#' @seealso [static_equilibrium()] for the reactions of supports, [torque_of_force()].
 #' @concept torque
 #' @concept wrench
 #' @concept couple

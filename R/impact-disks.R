@@ -14,10 +14,10 @@
 #'   J = -u/(R1^2/I1 + R2^2/I2),  u = R1 omega1 + R2 omega2}
 #' The time that it takes, and the torque, are those of [clutch_engagement()] and [scene_clutch()].
 #'
-#' @param disk_1,disk_2 A `rot_body` (its Izz counts), or one moment of inertia in kg m^2, > 0.
+#' @param body_1,body_2 A `rot_body` (its Izz counts), or one moment of inertia in kg m^2, > 0.
 #' @param omega_1_rad_per_s,omega_2_rad_per_s Angular velocities before, in one sense for both.
-#' @param radius_1_m,radius_2_m Radii of the rims: the first greater than 0, the second not 0; a
-#'   negative one is a ring gear, whose rim lies around disk 1.
+#' @param radius_1_m,radius_2_m Radii of the rims, those of the bodies by default: the first greater
+#'   than 0, the second not 0; a negative one is a ring gear, whose rim lies around disk 1.
 #' @param restitution Share of the slip that the contact gives back, 0 to 1.
 #' @param largest_impulse_n_s The most that friction can give while the rims touch, `mu N` times the
 #'   time; Inf: until they roll on each other, as gears do.
@@ -40,8 +40,7 @@
 #' collision_ledger(lock)
 #' # Two gears mesh: the axles take an angular impulse.
 #' mesh <- rims_meet(
-#'   body_disk(2, 0.1), body_disk(8, 0.2), radius_1_m = 0.1, radius_2_m = 0.2,
-#'   omega_1_rad_per_s = 60, omega_2_rad_per_s = 0
+#'   body_disk(2, 0.1), body_disk(8, 0.2), omega_1_rad_per_s = 60, omega_2_rad_per_s = 0
 #' )
 #' collision_ledger(mesh)
 #' @name disks
@@ -49,10 +48,10 @@ NULL
 
 #' @rdname disks
 #' @export
-disks_lock <- function(disk_1, disk_2, omega_1_rad_per_s, omega_2_rad_per_s, ...) {
+disks_lock <- function(body_1, body_2, omega_1_rad_per_s, omega_2_rad_per_s, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("disk_1", "disk_2", "omega_1_rad_per_s", "omega_2_rad_per_s"), call)
-  inertia <- c(one_inertia(disk_1, "disk_1", call), one_inertia(disk_2, "disk_2", call))
+  check_supplied(c("body_1", "body_2", "omega_1_rad_per_s", "omega_2_rad_per_s"), call)
+  inertia <- c(one_inertia(body_1, "body_1", call), one_inertia(body_2, "body_2", call))
   columns <- impact_columns(list(
     omega_1_rad_per_s = omega_1_rad_per_s, omega_2_rad_per_s = omega_2_rad_per_s
   ), call)
@@ -70,13 +69,21 @@ disks_lock <- function(disk_1, disk_2, omega_1_rad_per_s, omega_2_rad_per_s, ...
 
 #' @rdname disks
 #' @export
-rims_meet <- function(disk_1, disk_2, radius_1_m, radius_2_m, omega_1_rad_per_s,
-                      omega_2_rad_per_s, restitution = 0, largest_impulse_n_s = Inf, ...) {
+rims_meet <- function(body_1, body_2, omega_1_rad_per_s, omega_2_rad_per_s, restitution = 0,
+                      largest_impulse_n_s = Inf, ..., radius_1_m = body_1, radius_2_m = body_2) {
   call <- check_no_dots(...)
-  check_supplied(c(
-    "disk_1", "disk_2", "radius_1_m", "radius_2_m", "omega_1_rad_per_s", "omega_2_rad_per_s"
-  ), call)
-  inertia <- c(one_inertia(disk_1, "disk_1", call), one_inertia(disk_2, "disk_2", call))
+  check_supplied(c("body_1", "body_2", "omega_1_rad_per_s", "omega_2_rad_per_s"), call)
+  alone <- c(
+    radius_1_m = missing(radius_1_m) && !inherits(body_1, "rot_body"),
+    radius_2_m = missing(radius_2_m) && !inherits(body_2, "rot_body")
+  )
+  if (any(alone)) {
+    abort_rotdyn(
+      "{.arg {names(alone)[alone]}} {?is/are} missing: a moment of inertia has no radius.",
+      "missing", call
+    )
+  }
+  inertia <- c(one_inertia(body_1, "body_1", call), one_inertia(body_2, "body_2", call))
   columns <- impact_columns(list(
     radius_1_m = radius_1_m, radius_2_m = radius_2_m, omega_1_rad_per_s = omega_1_rad_per_s,
     omega_2_rad_per_s = omega_2_rad_per_s, restitution = restitution,

@@ -95,7 +95,7 @@ incline_inputs <- function(parameters, time_s, call) {
       abort_rotdyn(c(
         "{.field {name}} is missing.",
         i = "The columns of {.arg parameters} are {.field {names(parameters)}}.",
-        i = if (name == "beta") "{.fn rolling_objects} and {.fn shapes} have it for bodies."
+        i = if (name == "beta") "{.fn rolling_table} and {.fn shapes} have it for bodies."
       ), "missing", call)
     }
   }

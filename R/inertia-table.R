@@ -1,9 +1,11 @@
 #' Moments of inertia of the standard shapes
 #'
-#' `inertia_objects()` lists the standard shapes at one mass and one size; `inertia_table()` gives
-#' the moments of inertia of each row of a table of objects, in one pass in C.
+#' The moments of inertia of each row of a table of bodies, in one pass in C; by default of all
+#' standard shapes at one mass and one size.
 #'
-#' @param objects One of:
+#' @param bodies One of:
+#'   * NULL: all standard shapes of [shapes()], or names of some, such as `c("disk", "rod")`, with
+#'     `mass_kg`, `radius_m` and `length_m`;
 #'   * a data frame with a column `object` (or `shape`) naming a standard shape, `mass_kg`, and the
 #'     sizes of the shapes that occur: `radius_m`, `length_m`, `outer_radius_m`, ..., as in their
 #'     constructors and in [shapes()]. The article's names (`solid_disk`, `solid_sphere`,
@@ -14,10 +16,11 @@
 #'     mass; for a [body_rod_end()] about its end, and for a [body_point()] about the axis at the
 #'     distance `radius_m`. The position of a body has no effect; after a rotation the moment is
 #'     about the new `z` axis, while `formula` is unchanged.
-#' @param mass_kg,radius_m,length_m Mass, radius and length of the standard objects. Their other
-#'   sizes are simple parts of these: inner radii are half of `radius_m`.
-#' @param ... Not used: an unknown argument is an error.
-#' @return A tibble: the columns of `objects` (of the default: last), then
+#' @param ... Not used; names after it must be given in full.
+#' @param mass_kg,radius_m,length_m Mass, radius and length of the standard shapes, where `bodies`
+#'   is NULL or names. Their other sizes are simple parts of these: inner radii are half of
+#'   `radius_m`.
+#' @return A tibble: the columns of `bodies` (of standard shapes: last), then
 #'   `r describe_columns(inertia_columns)`
 #'   The first moment is about `axis`, with its `formula`, and is that of [moment_of_inertia()] and
 #'   of scenes; the other three are about the centre of mass, along the own axes. `beta` is NA for
@@ -40,14 +43,27 @@
 #' @concept hoop
 #' @examples
 #' inertia_table()
+#' inertia_table(c("disk", "hoop", "sphere"), mass_kg = 2, radius_m = 0.25)
 #' inertia_table(data.frame(object = c("disk", "rod"), mass_kg = 2, radius_m = 0.3, length_m = 1.2))
 #' inertia_table(data.frame(
 #'   shape = "hollow_sphere", mass_kg = 1, outer_radius_m = 0.1, inner_radius_m = c(0, 0.05, 0.1)
 #' ))
 #' inertia_table(body_disk(2, 0.25))
 #' @export
-inertia_table <- function(objects = inertia_objects(), ...) {
+inertia_table <- function(bodies = NULL, ..., mass_kg = 1, radius_m = 0.1, length_m = 1) {
   call <- check_no_dots(...)
+  standard <- is.null(bodies) || is.character(bodies)
+  if (!standard && !(missing(mass_kg) && missing(radius_m) && missing(length_m))) {
+    abort_rotdyn(c(
+      "{.arg mass_kg}, {.arg radius_m} and {.arg length_m} are those of standard shapes.",
+      i = "Bodies and rows of a table have their own."
+    ), "argument", call)
+  }
+  objects <- if (standard) {
+    standard_objects(bodies, mass_kg, radius_m, length_m, call)
+  } else {
+    bodies
+  }
   if (inherits(objects, "rot_body")) objects <- list(objects)
   if (!is.data.frame(objects)) return(inertia_of_bodies(objects, call))
   name <- c(intersect(c("object", "shape"), names(objects)), NA)[1]
@@ -72,7 +88,7 @@ inertia_table <- function(objects = inertia_objects(), ...) {
   # The columns given, then the results in the order of the dictionary.
   kept <- setdiff(names(out), inertia_columns)
   columns <- c(kept, inertia_columns)
-  if (missing(objects)) {
+  if (standard) {
     first <- c("object", "mass_kg", "moment_of_inertia_kg_m2", "axis", "formula")
     columns <- c(first, setdiff(inertia_columns, first), setdiff(kept, first))
   }
@@ -149,10 +165,9 @@ abort_row <- function(fault, id, mass, beta, sizes, call) {
   abort_shape(fault, names, size, row, call)
 }
 
-#' @rdname inertia_table
-#' @export
-inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1, ...) {
-  call <- check_no_dots(...)
+# The standard shapes, or some by name, at one mass and one size.
+standard_objects <- function(names = NULL, mass_kg = 1, radius_m = 0.1, length_m = 1,
+                             call = rlang::caller_env()) {
   mass_kg <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)
   r <- check_number(radius_m, "radius_m", "m", call, lower = 0)
   l <- check_number(length_m, "length_m", "m", call, lower = 0)
@@ -169,17 +184,26 @@ inertia_objects <- function(mass_kg = 1, radius_m = 0.1, length_m = 1, ...) {
     ifelse(has, values[[name]], NA_real_)
   })
   names(sizes) <- names(values)
-  tibble::new_tibble(c(list(object = shapes$shape, mass_kg = rep(mass_kg, n)), sizes), nrow = n)
+  all <- tibble::new_tibble(
+    c(list(object = shapes$shape, mass_kg = rep(mass_kg, n)), sizes), nrow = n
+  )
+  if (is.null(names)) return(all)
+  id <- shape_ids(names, shapes)
+  check_known(names, id, rep(NA_real_, length(id)), call)
+  if (anyNA(names)) abort_rotdyn("{.arg bodies} has a missing name.", "value", call)
+  some <- all[id, ]
+  some$object <- names
+  some
 }
 
 inertia_of_bodies <- function(bodies, call) {
   if (!is.list(bodies) || !all(vapply(bodies, inherits, logical(1), "rot_body"))) {
     abort_rotdyn(c(
-      "{.arg objects} must be a data frame, a {.cls rot_body}, or a list of those.",
+      "{.arg bodies} must be a data frame, names of shapes, a {.cls rot_body}, or a list of those.",
       x = "It is {describe_value(bodies)}."
     ), "type", call)
   }
-  for (body in bodies) check_body(body, call, "objects")
+  for (body in bodies) check_body(body, call, "bodies")
   pick <- function(f) vapply(bodies, f, numeric(1))
   given <- unique(unlist(lapply(bodies, function(b) names(b$size_m))))
   known <- intersect(size_table()$name, c("radius_m", "length_m", given))

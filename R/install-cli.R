@@ -16,7 +16,7 @@
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_file` where the command cannot be written, or
 #'   another file of its name is there.
 #' @seealso [write_scene()] and [read_scene()] for scenes as files, [trajectory()],
-#'   [choose_model()], [rolling_table()], [record_run()].
+#'   [choose_model()], [rolling_table()], [records_add()].
 #' @concept shell
 #' @concept terminal
 #' @examples

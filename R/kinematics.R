@@ -28,13 +28,13 @@
 #'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for infinite numbers,
 #'   `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.1.
-#' @seealso [point_motion()] for a point of the body, [rad_per_s_from_rpm()] for rpm.
+#' @seealso [point_motion()] for a point of the body, [convert_angle()] for rpm and degrees.
 #' @examples
 #' # A centrifuge stops from 7000 rpm in 10 s: number of turns.
 #' down <- angular_motion(
-#'   omega0_rad_per_s = rad_per_s_from_rpm(7000), omega_rad_per_s = 0, time_s = 10
+#'   omega0_rad_per_s = convert_angle(7000, "rpm", "rad/s"), omega_rad_per_s = 0, time_s = 10
 #' )
-#' turns_from_rad(down$theta_rad)
+#' convert_angle(down$theta_rad, "rad", "turn")
 #'
 #' # A decelerated body passes 1 rad twice.
 #' angular_motion(theta_rad = 1, omega0_rad_per_s = 3, alpha_rad_per_s2 = -2)
@@ -99,89 +99,49 @@ check_finite_or_na <- function(x, arg, unit, call) {
 
 #' Motion of a point of a rotating body
 #'
-#' Speed and acceleration of a point of a rotating body. `point_motion()` returns a tibble, the
-#' other functions vectors, for use in `dplyr::mutate()`. Arguments have length 1 or n.
+#' Speed and acceleration of a point of a rotating body. Arguments have length 1 or n.
 #'
-#' | function | value |
-#' |---|---|
-#' | `tangential_speed()` | `omega r` |
-#' | `tangential_acceleration()` | `alpha r` |
-#' | `centripetal_acceleration()` | `omega^2 r` |
+#' \deqn{v = \omega r,\quad a_t = \alpha r,\quad a_c = \omega^2 r}{
+#'   v = omega r,  a_t = alpha r (tangential),  a_c = omega^2 r (centripetal)}
 #'
 #' @param omega_rad_per_s Angular velocity in rad/s.
+#' @param radius_m Distance from the axle in m, at least 0; or a round body, whose radius counts.
 #' @param alpha_rad_per_s2 Angular acceleration in rad/s^2.
-#' @param radius_m Distance from the axle in m, at least 0.
 #' @param ... Not used: an unknown argument is an error.
-#' @return `point_motion()`: a tibble of the arguments, then `r describe_columns(point_columns)`
-#'   The others: doubles. NA gives NA. Error: at most 3 ulp (2 ulp for the angle).
+#' @return A tibble of the arguments, then `r describe_columns(point_columns)`
+#'   NA gives NA. Error: at most 3 ulp (2 ulp for the angle). In `dplyr::mutate()` a column is
+#'   `point_motion(omega, r)$centripetal_acceleration_m_per_s2`.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
 #'   `rotdyn_error_value` for infinite numbers or a negative radius, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.9.
-#' @seealso [angular_motion()], [torque_of_force()] and [angular_momentum_of_point()].
-#' @concept centripetal
-#' @concept tangential
+#' @seealso [angular_motion()], [torque_of_force()] and [angular_momentum_of()].
+#' @concept centripetal acceleration
+#' @concept tangential speed
+#' @concept tangential acceleration
+#' @concept wheel
 #' @examples
-#' point_motion(omega_rad_per_s = 6, alpha_rad_per_s2 = -2.5, radius_m = c(0.1, 0.2, 0.3))
+#' point_motion(omega_rad_per_s = 6, radius_m = c(0.1, 0.2, 0.3), alpha_rad_per_s2 = -2.5)
 #' # A centrifuge in units of g:
-#' centripetal_acceleration(rad_per_s_from_rpm(7000), radius_m = 0.1) / 9.80665
+#' rate <- convert_angle(7000, "rpm", "rad/s")
+#' point_motion(rate, radius_m = 0.1)$centripetal_acceleration_m_per_s2 / 9.80665
 #' @export
-point_motion <- function(omega_rad_per_s, alpha_rad_per_s2, radius_m, ...) {
+point_motion <- function(omega_rad_per_s, radius_m, alpha_rad_per_s2 = 0, ...) {
   call <- check_no_dots(...)
-  check_supplied(setdiff(names(formals()), "..."), call)
+  check_supplied(c("omega_rad_per_s", "radius_m"), call)
   columns <- check_point_columns(
     list(
-      omega_rad_per_s = omega_rad_per_s, alpha_rad_per_s2 = alpha_rad_per_s2, radius_m = radius_m
+      omega_rad_per_s = omega_rad_per_s, radius_m = radius_m, alpha_rad_per_s2 = alpha_rad_per_s2
     ),
     call
   )
   n <- check_recyclable(columns, call)
-  values <- .Call(ffi_point_motion, columns[[1]], columns[[2]], columns[[3]])
+  values <- .Call(
+    ffi_point_motion, columns$omega_rad_per_s, columns$alpha_rad_per_s2, columns$radius_m
+  )
   warn_beyond(values, columns, n, call)
   tibble::new_tibble(lapply(c(columns, values), rep_len, n), nrow = n)
-}
-
-#' @rdname point_motion
-#' @export
-tangential_speed <- function(omega_rad_per_s, radius_m, ...) {
-  check_no_dots(...)
-  one_point_column(
-    list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m), "tangential_speed_m_per_s"
-  )
-}
-
-#' @rdname point_motion
-#' @export
-tangential_acceleration <- function(alpha_rad_per_s2, radius_m, ...) {
-  check_no_dots(...)
-  one_point_column(
-    list(alpha_rad_per_s2 = alpha_rad_per_s2, radius_m = radius_m),
-    "tangential_acceleration_m_per_s2"
-  )
-}
-
-#' @rdname point_motion
-#' @export
-centripetal_acceleration <- function(omega_rad_per_s, radius_m, ...) {
-  check_no_dots(...)
-  one_point_column(
-    list(omega_rad_per_s = omega_rad_per_s, radius_m = radius_m),
-    "centripetal_acceleration_m_per_s2"
-  )
-}
-
-# The other quantity does not affect the column wanted.
-one_point_column <- function(columns, wanted, call = parent.frame()) {
-  check_supplied(setdiff(names(formals(sys.function(-1L))), "..."), call)
-  columns <- check_point_columns(columns, call)
-  n <- check_recyclable(columns, call)
-  values <- .Call(
-    ffi_point_motion, columns$omega_rad_per_s %||% 0, columns$alpha_rad_per_s2 %||% 0,
-    columns$radius_m
-  )[wanted]
-  warn_beyond(values, columns, n, call)
-  values[[1]]
 }
 
 check_point_columns <- function(columns, call) {
@@ -193,65 +153,71 @@ check_point_columns <- function(columns, call) {
   columns
 }
 
-#' Units of angles
+#' Units of angles and angular velocities
 #'
 #' Degrees, turns and rpm to radians and rad/s, and back. The factors have 106 bits, so the error is
 #' at most 0.51 ulp (of `deg * pi / 180` in base R: 2 ulp).
 #'
-#' @param angle_deg,angle_rad,turns Angles in degrees, radians, full turns.
-#' @param omega_rpm,omega_rad_per_s Angular velocities in turns per minute, rad/s.
+#' @param x Numbers, or a `units` object.
+#' @param from,to Units of x and of the result: of an angle `"rad"`, `"degree"`, `"turn"`; of an
+#'   angular velocity `"rad/s"`, `"degree/s"`, `"turn/s"`, `"rpm"` (turns per minute). `"deg"`,
+#'   `"rev"` and plurals are the same.
+#' @param ... Not used: an unknown argument is an error.
 #' @return Doubles. NA stays NA; infinite values are unchanged.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.
-#' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_unit` (an angle to an
+#'   angular velocity, too), `rotdyn_error_value` for an unknown unit.
+#' @source NIST Special Publication 811 (2008), appendix B.8.
 #' @seealso [rotation_about()], [angular_motion()]. `units` objects are accepted wherever a unit
 #'   is in the name of an argument.
 #' @concept degrees
 #' @concept rpm
+#' @concept revolutions
 #' @examples
-#' rad_per_s_from_rpm(c(33 + 1 / 3, 45, 78))
-#' turns_from_rad(rad_from_deg(540))
-#' @name angle_units
-NULL
-
-#' @rdname angle_units
+#' convert_angle(c(33 + 1 / 3, 45, 78), "rpm", "rad/s")
+#' convert_angle(540, "degree", "turn")
 #' @export
-rad_from_deg <- function(angle_deg) {
-  convert_angle(angle_deg, "angle_deg", "degree", 0)
+convert_angle <- function(x, from, to, ...) {
+  call <- check_no_dots(...)
+  check_supplied(c("x", "from", "to"), call)
+  from <- check_angle_unit(from, "from", call)
+  to <- check_angle_unit(to, "to", call)
+  is_rate <- function(unit) unit == "rpm" || endsWith(unit, "/s")
+  if (is_rate(from) != is_rate(to)) {
+    kind <- function(unit) if (is_rate(unit)) "an angular velocity" else "an angle"
+    abort_rotdyn(
+      "{.val {from}} is the unit of {kind(from)}, {.val {to}} that of {kind(to)}.", "unit", call
+    )
+  }
+  x <- check_column(x, "x", from, call)
+  # The factors of angles are those of rates, too; rpm has its own.
+  ends <- if ("rpm" %in% c(from, to)) c(from, to) else sub("/s$", "", c(from, to))
+  place <- match(paste(ends, collapse = " "), angle_factors)
+  out <- if (!is.na(place)) {
+    .Call(ffi_convert_angle, x, place - 1)
+  } else {
+    # Rational parts of a turn: one product or one quotient.
+    parts <- angle_parts[c(from, to)]
+    if (from == to) x else if (parts[2] > parts[1]) x * (parts[[2]] / parts[[1]]) else
+      x / (parts[[1]] / parts[[2]])
+  }
+  attributes(out) <- NULL
+  warn_beyond(list(result = out), list(x = x), length(out), call)
+  out
 }
 
-#' @rdname angle_units
-#' @export
-deg_from_rad <- function(angle_rad) {
-  convert_angle(angle_rad, "angle_rad", "rad", 1)
+check_angle_unit <- function(x, arg, call) {
+  known <- c("rad", names(angle_parts)[1:2], "rad/s", names(angle_parts)[3:5])
+  if (is.character(x) && length(x) == 1L && !is.na(x) && is_readable_text(x)) {
+    x <- sub("^(radian|degree|turn)s", "\\1", x)
+    x <- sub("^radian", "rad", sub("^(rev|revolution)s?(?=/|$)", "turn", x, perl = TRUE))
+    x <- sub("^deg(?=/|$)", "degree", x, perl = TRUE)
+  }
+  check_string(x, arg, known, call)
 }
 
-#' @rdname angle_units
-#' @export
-rad_from_turns <- function(turns) {
-  convert_angle(turns, "turns", "turn", 2)
-}
-
-#' @rdname angle_units
-#' @export
-turns_from_rad <- function(angle_rad) {
-  convert_angle(angle_rad, "angle_rad", "rad", 3)
-}
-
-#' @rdname angle_units
-#' @export
-rad_per_s_from_rpm <- function(omega_rpm) {
-  convert_angle(omega_rpm, "omega_rpm", "rpm", 4)
-}
-
-#' @rdname angle_units
-#' @export
-rpm_from_rad_per_s <- function(omega_rad_per_s) {
-  convert_angle(omega_rad_per_s, "omega_rad_per_s", "rad/s", 5)
-}
-
-# `place` in ROT_ANGLE_UNIT_LIST of src/core/tables/kinematics.h, from 0.
-convert_angle <- function(x, arg, unit, place, call = parent.frame()) {
-  if (missing(x)) check_supplied(arg, call)
-  .Call(ffi_convert_angle, check_column(x, arg, unit, call), place)
-}
+# In the order of ROT_ANGLE_UNIT_LIST of src/core/tables/kinematics.h.
+angle_factors <- c("degree rad", "rad degree", "turn rad", "rad turn", "rpm rad/s", "rad/s rpm")
+# Of a turn, of a turn per second.
+angle_parts <- c(degree = 360, turn = 1, "degree/s" = 360, "turn/s" = 1, rpm = 60)

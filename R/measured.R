@@ -16,15 +16,11 @@
 #' @param dof Degrees of freedom of `u`, above 0; Inf where it is not from readings.
 #' @param name Name in budgets; by default the expression given.
 #' @param x,e1,e2 Measured numbers.
-#' @param ... For `print()` and `as.double()`: not used. For `correlation_of()` and `c()`: measured
-#'   numbers.
+#' @param ... For `print()` and `as.double()`: not used. For `c()`: measured numbers.
 #' @param digits For `format()`: digits of the uncertainty.
 #' @return `measured()`: an object of class `rot_measured`, a list with `value`, `u`, `dof`, `name`
 #'   and `parts`, the independent contributions by identity. `as.double()` gives the value, `c()`
 #'   the values of several, with their names.
-#'
-#'   `correlation_of()`: the matrix of correlations of measured numbers, from what they have in
-#'   common; 0 for one without uncertainty.
 #'
 #'   `format()`: the concise form, `127.732(71)`. NA, NaN and Inf are errors.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
@@ -42,7 +38,6 @@
 #' mass * radius^2
 #' # The same object is one quantity: nothing is left of it in a ratio.
 #' mass / mass
-#' correlation_of(m = mass, hoop = mass * radius^2)
 #' @export
 measured <- function(value, u, dof = Inf, name = NULL, ...) {
   call <- check_no_dots(...)
@@ -176,26 +171,6 @@ check_measured <- function(x, arg, call) {
     ), "type", call)
   }
   x
-}
-
-#' @rdname measured
-#' @export
-correlation_of <- function(...) {
-  call <- rlang::current_env()
-  given <- list(...)
-  if (length(given) == 1L && is.list(given[[1]]) && !inherits(given[[1]], "rot_measured")) {
-    given <- given[[1]]
-  }
-  given <- lapply(given, function(x) check_measured(x, "...", call))
-  labels <- rlang::names2(given)
-  own <- vapply(given, function(x) x$name, "")
-  covariance <- shares_matrix(given)
-  size <- sqrt(rowSums(covariance^2))
-  unit <- covariance / ifelse(size > 0, size, 1)
-  out <- tcrossprod(unit)
-  diag(out) <- ifelse(size > 0, 1, 0)
-  dimnames(out) <- rep(list(ifelse(nzchar(labels), labels, own)), 2)
-  out
 }
 
 # Rows: numbers; columns: contributions of the parts that any of them has.

@@ -4,22 +4,21 @@
 #' Metadata: units, constants, models and what they assume
 #'
 #' All that can be said of the numbers of this package, as tables with keys. The same tables are in
-#' the databases of [records_create()], and as a script of [metadata_sql()].
+#' the databases of [records_create()]. With `dialect` or `file` they are an SQL script: tables,
+#' rows and views, for those without R.
 #'
 #' An **assumption** says how it is enforced: `"refused"`: [choose_model()] refuses a scene that
 #' breaks it, such as the `counterexample` (text for [read_scene()]), with a reason that has the
 #' words in `names`; `"dropped"`: the effect is left out only where a bound on what that changes is
 #' below the accuracy asked; `"warned"`; or `"stated"`, by words alone.
 #'
-#' `check_metadata()` checks types, missing values, ranges, keys and references of all rows in R,
-#' without a database, as a database checks them.
-#'
-#' @param ... Not used: an unknown argument is an error.
-#' @param x Tables by name, as `metadata()` gives them.
-#' @return `metadata()`: a named list of tibbles. Every table has its key first:
+#' @param ... Not used; names after it must be given in full.
+#' @param dialect `"sqlite"`, `"postgresql"` or `"duckdb"`: an SQL script for that database.
+#' @param file Name of a file to which the script is written (SQLite's where no dialect is given).
+#' @return A named list of tibbles. Every table has its key first:
 #'   * `sources`, `units`, `constants` (with standard uncertainty), `conventions` (axis, sign, unit,
 #'     order, frame, time), `concepts`, `relations`;
-#'   * `quantities`: the columns of [rotdyn_columns()];
+#'   * `quantities`: all columns that functions of the package return, with unit and meaning;
 #'   * `constraints`, `effects`, `models` (of [models()]), `model_effects`: the effects that each
 #'     model takes;
 #'   * `assumptions`, `model_assumptions`: which model makes which;
@@ -27,12 +26,12 @@
 #'   * `programs`: published computations; `cases`: their cases, with text for [read_scene()] where
 #'     there is a scene; `case_values`: given and published values.
 #'
-#'   `check_metadata()`: `x`, invisibly.
-#' @section Errors: `rotdyn_error_metadata` of `check_metadata()`, with the tibble `faults` (table,
-#'   row, fault); `rotdyn_error_type`.
+#'   With `dialect` or `file`: the script, one text, invisibly if it is written to a file.
+#' @section Errors: `rotdyn_error_value` for an unknown dialect, `rotdyn_error_type`,
+#'   `rotdyn_error_file`.
 #' @source The article "Rotational Dynamics, Torque, and Angular Momentum" for the programs, and for
 #'   the concepts, relations and cases that are in its data model.
-#' @seealso [models()], [shapes()], [rotdyn_columns()], [records_create()].
+#' @seealso [models()], [shapes()], [records_create()].
 #' @concept dictionary
 #' @concept units
 #' @concept assumption
@@ -41,18 +40,21 @@
 #' names(known)
 #' known$constants
 #' subset(known$assumptions, enforced == "refused")[c("constraint_kind", "statement")]
-#' check_metadata(known)
+#' known$quantities
+#' substr(metadata(dialect = "duckdb"), 1, 200)
 #' @export
-metadata <- function(...) {
-  check_no_dots(...)
+metadata <- function(..., dialect = NULL, file = NULL) {
+  call <- check_no_dots(...)
+  if (!is.null(dialect) || !is.null(file)) {
+    return(metadata_sql(file, dialect %||% "sqlite", call))
+  }
   if (is.null(registry_texts$metadata)) registry_texts$metadata <- build_metadata()
   registry_texts$metadata
 }
 
-#' @rdname metadata
-#' @export
-check_metadata <- function(x = metadata(), ...) {
-  call <- check_no_dots(...)
+# Types, missing values, ranges, keys and references of all rows, without a database, as a database
+# checks them. Returns x.
+check_metadata <- function(x = metadata(), call = rlang::caller_env()) {
   if (!is.list(x) || is.object(x) || is.null(names(x))) {
     abort_rotdyn(c(
       "{.arg x} must be a named list of tables, as {.fn metadata} gives them.",
@@ -81,7 +83,7 @@ build_metadata <- function() {
     shape_names = "shape_names", cases = "cases", case_values = "case_values"
   ), function(name) read_table(name, tables[[name]]))
   known$case_values <- rbind(given_values(), known$case_values)
-  columns <- rotdyn_columns()
+  columns <- column_table()
   known$quantities <- tibble::tibble(
     quantity = columns$name, unit = ifelse(nzchar(columns$unit), columns$unit, NA),
     meaning = columns$meaning

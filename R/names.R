@@ -87,11 +87,13 @@ unit_hints <- function(names, angles = TRUE) {
   words <- unlist(strsplit(lower_case(names), "[^a-z]+"))
   hints <- c(
     if (angles && any(c("deg", "degree", "degrees") %in% words)) {
-      "Angles are in rad: {.fn rad_from_deg} converts degrees."
+      "Angles are in rad: {.code convert_angle(x, \"degree\", \"rad\")} converts degrees."
     },
-    if ("rpm" %in% words) "Speeds are in rad/s: {.fn rad_per_s_from_rpm} converts rpm.",
+    if ("rpm" %in% words) {
+      "Speeds are in rad/s: {.code convert_angle(x, \"rpm\", \"rad/s\")} converts rpm."
+    },
     if (any(c("turn", "turns", "rev", "revs", "revolutions") %in% words)) {
-      "Angles are in rad: {.fn rad_from_turns} converts turns."
+      "Angles are in rad: {.code convert_angle(x, \"turn\", \"rad\")} converts turns."
     },
     if ("hz" %in% words) "Rates are in rad/s: 2 pi times the frequency in Hz.",
     if (any(c("diameter", "d") %in% words)) "A radius is half the diameter.",

@@ -16,19 +16,23 @@
 #' its angle and released does not precess steadily: its axis falls, precesses faster, and rises
 #' again (nutation).
 #'
-#' @param tops A data frame with the columns `mass_kg`, `lever_arm_m` (from the fixed point to the
-#'   centre of mass, along the axis; negative: the centre of mass is on the other side),
-#'   `moment_of_inertia_kg_m2` (about the axis, I3), `spin_rad_per_s` (component of the angular
-#'   velocity along the axis, omega3; not 0). Its other columns are kept. `axis_angle_deg`,
-#'   `transverse_moment_kg_m2` or `gravity_m_per_s2` as columns replace the arguments.
+#' @param tops Tops, or gyroscopes. A [scene_pivot()] of a symmetric body, or a list of them: mass,
+#'   moments, lever arm, spin, angle and gravity are those of the scenes. A body with its axis along
+#'   z, or a list of bodies, with `spin_rad_per_s` and `lever_arm_m`. Or a data frame with the
+#'   columns `mass_kg`, `lever_arm_m` (from the fixed point to the centre of mass, along the axis;
+#'   negative: the centre of mass is on the other side), `moment_of_inertia_kg_m2` (about the axis,
+#'   I3), `spin_rad_per_s` (component of the angular velocity along the axis, omega3; not 0). Its
+#'   other columns are kept. `axis_angle_deg`, `transverse_moment_kg_m2` or `gravity_m_per_s2` as
+#'   columns replace the arguments. By default the three rotors of the article.
 #' @param axis_angle_deg Angle of the axis from the upward vertical in degrees, 0 to 180: one
 #'   number, or one for each row.
 #' @param transverse_moment_kg_m2 Moment of inertia about a line through the fixed point across the
 #'   axis, I1: at least half of I3. NA where it is not known.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
-#' @param moment_of_inertia_kg_m2,mass_kg,lever_arm_m For `sleeping_top_spin()`: as the columns.
-#' @param ... Not used: an unknown argument is an error.
-#' @return `precession_table()`: a tibble of the columns of `tops`, then
+#' @param ... Not used; names after it must be given in full.
+#' @param spin_rad_per_s,lever_arm_m With bodies: as the columns; the lever arm of a body is by
+#'   default the distance along z of its centre of mass from the origin.
+#' @return A tibble of the columns of `tops`, then
 #'   `r describe_columns(precession_columns)`
 #'   and, if a transverse moment is given, `r describe_columns(nutation_columns)`
 #'   Rates have the sign of the spin where `lever_arm_m` is positive: counterclockwise seen from
@@ -37,9 +41,6 @@
 #'   known for a horizontal axis only, and NaN elsewhere. NA gives NA in what depends on it. Errors
 #'   are a few roundings; those of the nutation are below 1e-14 unless the top is within 1e-8 of
 #'   sleeping.
-#'
-#'   `sleeping_top_spin()`: the least spin in rad/s at which the top stands upright in stable
-#'   equilibrium, `2 sqrt(I1 m g l)/I3`; 0 where the centre of mass hangs below the point.
 #' @section Errors: `rotdyn_error_type` (a column is missing, or no numbers), `rotdyn_error_size`,
 #'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`,
 #'   `rotdyn_error_argument`.
@@ -50,25 +51,29 @@
 #' @concept nutation
 #' @concept top
 #' @examples
-#' cases <- read.csv(system.file("extdata", "gyroscope_cases.csv", package = "rotdyn"))
-#' precession_table(cases)
+#' precession_table()
 #' # A top at 30 degrees: what the formula lacks, and how deep the axis falls when released.
-#' top <- data.frame(
-#'   mass_kg = 0.5, lever_arm_m = 0.08, moment_of_inertia_kg_m2 = 0.002, spin_rad_per_s = 60
-#' )
-#' precession_table(top, axis_angle_deg = 30, transverse_moment_kg_m2 = 0.0042)
-#' sleeping_top_spin(0.002, 0.0042, mass_kg = 0.5, lever_arm_m = 0.08)
+#' top <- place_body(body_cone(0.5, 0.04, 0.1), c(0, 0, 0.08))
+#' precession_table(top, axis_angle_deg = 30, spin_rad_per_s = 150)
+#' # The wheel of a bicycle on a rope, its axle level:
+#' precession_table(body_hoop(2, 0.3), spin_rad_per_s = 20, lever_arm_m = 0.1)
 #' @export
-precession_table <- function(tops, axis_angle_deg = 90, transverse_moment_kg_m2 = NA_real_,
-                             gravity_m_per_s2 = 9.80665, ...) {
+precession_table <- function(tops = NULL, axis_angle_deg = 90, transverse_moment_kg_m2 = NA_real_,
+                             gravity_m_per_s2 = 9.80665, ..., spin_rad_per_s, lever_arm_m) {
   call <- check_no_dots(...)
-  check_supplied("tops", call)
-  if (!is.data.frame(tops)) {
-    abort_rotdyn(c(
-      "{.arg tops} must be a data frame with a column {.field spin_rad_per_s}.",
-      x = "It is {describe_value(tops)}."
-    ), "type", call)
-  }
+  given <- c(
+    axis_angle_deg = !missing(axis_angle_deg),
+    transverse_moment_kg_m2 = !missing(transverse_moment_kg_m2),
+    gravity_m_per_s2 = !missing(gravity_m_per_s2), spin_rad_per_s = !missing(spin_rad_per_s),
+    lever_arm_m = !missing(lever_arm_m)
+  )
+  if (is.null(tops)) tops <- article_rotors()
+  beside <- list(
+    given = names(given)[given],
+    spin_rad_per_s = if (given[["spin_rad_per_s"]]) spin_rad_per_s,
+    lever_arm_m = if (given[["lever_arm_m"]]) lever_arm_m
+  )
+  tops <- table_of_tops(tops, beside, call)
   needed <- c("mass_kg", "lever_arm_m", "moment_of_inertia_kg_m2", "spin_rad_per_s")
   for (name in needed) if (is.null(tops[[name]])) abort_missing_column(name, tops, call)
   columns <- c(
@@ -87,11 +92,104 @@ precession_table <- function(tops, axis_angle_deg = 90, transverse_moment_kg_m2 
   check_rows_fit(columns, n, "tops", call)
   check_top_columns(columns, call)
   out <- as.list(tops)
-  values <- .Call(ffi_precession, unname(lapply(columns, rep_len, n)))
+  columns <- lapply(columns, rep_len, n)
+  values <- .Call(ffi_precession, unname(columns))
+  values$sleeping_spin_rad_per_s <- .Call(ffi_precession_sleeps, unname(columns[c(
+    "moment_of_inertia_kg_m2", "transverse_moment_kg_m2", "mass_kg", "lever_arm_m",
+    "gravity_m_per_s2"
+  )]))
   known <- any(!is.na(columns$transverse_moment_kg_m2))
   shown <- c(precession_columns, if (known) nutation_columns)
   out[shown] <- values[shown]
   tibble::new_tibble(out, nrow = n)
+}
+
+article_rotors <- function() {
+  utils::read.csv(
+    system.file("extdata", "gyroscope_cases.csv", package = "rotdyn", mustWork = TRUE)
+  )
+}
+
+# A row for each top. `beside`: the arguments that a body or a data frame has beside it.
+table_of_tops <- function(tops, beside, call) UseMethod("table_of_tops")
+
+#' @export
+table_of_tops.default <- function(tops, beside, call) {
+  abort_rotdyn(c(
+    "{.arg tops} must be scenes of {.fn scene_pivot}, bodies, or a data frame with a column
+     {.field spin_rad_per_s}.",
+    x = "It is {describe_value(tops)}."
+  ), "type", call)
+}
+
+#' @export
+table_of_tops.data.frame <- function(tops, beside, call) {
+  columns <- intersect(beside$given, c("spin_rad_per_s", "lever_arm_m"))
+  if (length(columns)) {
+    abort_rotdyn(
+      "{.arg {columns}} {?is a column/are columns} of a data frame of tops.", "argument", call
+    )
+  }
+  tops
+}
+
+#' @export
+table_of_tops.list <- function(tops, beside, call) {
+  if (length(tops) && all(vapply(tops, inherits, NA, "rot_body"))) {
+    return(table_of_bodies(tops, beside, call))
+  }
+  if (!length(tops) || !all(vapply(tops, inherits, NA, "rot_scene"))) {
+    return(table_of_tops.default(tops, beside, call))
+  }
+  do.call(rbind, lapply(tops, table_of_tops, beside, call))
+}
+
+#' @export
+table_of_tops.rot_body <- function(tops, beside, call) table_of_bodies(list(tops), beside, call)
+
+table_of_bodies <- function(bodies, beside, call) {
+  if ("transverse_moment_kg_m2" %in% beside$given) {
+    abort_rotdyn("{.arg transverse_moment_kg_m2} is known of a body.", "argument", call)
+  }
+  if (is.null(beside$spin_rad_per_s)) {
+    abort_rotdyn("{.arg spin_rad_per_s} is missing: it has no default.", "missing", call)
+  }
+  for (body in bodies) check_body(body, call, "tops")
+  number <- function(f) vapply(bodies, f, double(1), USE.NAMES = FALSE)
+  given <- check_columns_of(
+    list(
+      spin_rad_per_s = beside$spin_rad_per_s,
+      lever_arm_m = beside$lever_arm_m %||% number(function(body) body$centre_m[[3]])
+    ),
+    c("rad/s", "m"), call
+  )
+  x <- c(list(
+    mass_kg = number(function(body) body$mass_kg),
+    moment_of_inertia_kg_m2 = number(function(body) symmetric_moments(body, call)[1]),
+    across = number(function(body) symmetric_moments(body, call)[2])
+  ), given)
+  n <- check_recyclable(x, call)
+  x <- lapply(x, rep_len, n)
+  tibble::new_tibble(list(
+    mass_kg = x$mass_kg, lever_arm_m = x$lever_arm_m,
+    moment_of_inertia_kg_m2 = x$moment_of_inertia_kg_m2, spin_rad_per_s = x$spin_rad_per_s,
+    transverse_moment_kg_m2 = x$across + x$mass_kg * x$lever_arm_m^2
+  ), nrow = n)
+}
+
+# About the centre of mass: along z, across it.
+symmetric_moments <- function(body, call) {
+  tensor <- body$inertia_kg_m2
+  size <- sqrt(max(tensor) / body$mass_kg)
+  off <- max(abs(tensor[row(tensor) != col(tensor)]), abs(tensor[1] - tensor[5]))
+  if (off > 1e-9 * max(tensor) || any(abs(body$centre_m[1:2]) > 1e-9 * size)) {
+    abort_rotdyn(c(
+      "{.arg tops} must be bodies that are symmetric about the z axis.",
+      x = "The moments of a {.val {body$shape}} are {format_si(diag(tensor))} kg m^2, its centre of
+           mass is at {format_si(body$centre_m)} m."
+    ), "value", call)
+  }
+  tensor[c(9, 1)]
 }
 
 precession_units <- c(
@@ -134,23 +232,4 @@ check_top_columns <- function(columns, call) {
       x = "In row {bad[1]} it is less: no body has such moments."
     ), "value", call)
   }
-}
-
-#' @rdname precession_table
-#' @export
-sleeping_top_spin <- function(moment_of_inertia_kg_m2, transverse_moment_kg_m2, mass_kg,
-                              lever_arm_m, gravity_m_per_s2 = 9.80665, ...) {
-  call <- check_no_dots(...)
-  check_supplied(
-    c("moment_of_inertia_kg_m2", "transverse_moment_kg_m2", "mass_kg", "lever_arm_m"), call
-  )
-  columns <- list(
-    moment_of_inertia_kg_m2 = moment_of_inertia_kg_m2,
-    transverse_moment_kg_m2 = transverse_moment_kg_m2, mass_kg = mass_kg,
-    lever_arm_m = lever_arm_m, gravity_m_per_s2 = gravity_m_per_s2
-  )
-  columns <- check_columns_of(columns, precession_units[names(columns)], call)
-  check_recyclable(columns, call)
-  check_top_columns(columns, call)
-  .Call(ffi_precession_sleeps, unname(columns))
 }

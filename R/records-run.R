@@ -341,7 +341,7 @@ find_run <- function(db, run, call) {
   if (!rlang::is_string(run) || !grepl("^[0-9a-f-]{1,36}$", run)) {
     abort_rotdyn(c(
       "{.arg run} must be the name of a run.", x = "It is {describe_value(run)}.",
-      i = "{.fn list_runs} lists them."
+      i = "{.fn records_list} lists them."
     ), if (rlang::is_string(run)) "record" else "type", call)
   }
   found <- query(
@@ -352,7 +352,7 @@ find_run <- function(db, run, call) {
     abort_rotdyn(c(
       if (length(found)) "Several runs begin with {.val {run}}." else
         "There is no run {.val {run}}.",
-      i = "{.fn list_runs} lists them."
+      i = "{.fn records_list} lists them."
     ), "record", call)
   }
   found

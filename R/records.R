@@ -14,50 +14,48 @@ records_format <- 1L
 #' in [metadata()], and makes views with the names and the columns of the article's ten tables.
 #' Where the tables exist it adds what is new in this version and changes nothing.
 #'
-#' `record_run()` writes one run in one transaction: an interruption leaves all of it or nothing. The
-#' rows that are kept are the first, the last, those at the quarters, and those with the largest
+#' `records_add()` writes one run in one transaction: an interruption leaves all of it or nothing.
+#' The rows that are kept are the first, the last, those at the quarters, and those with the largest
 #' values; with `rows = "all"` every row is. NA, NaN, Inf and -0 are kept as such, TRUE and FALSE as
 #' 1 and 0; of columns of text a hash of each row's text, up to 10000 changes from row to row. The
 #' length of steps that was asked for (`step_s`) is kept.
 #'
-#' `rerun()` computes a record anew from the database alone. The verdict is `"identical"` if the
-#' hash of the columns is the same; `"within errors"` if the values kept differ by no more than the
-#' two error figures allow and the texts are the same; otherwise `"differs"`. `not_compared` names
-#' columns of which the record has no values: those of text that change more often, and in records
-#' of older versions those of text and of later bodies (`theta_3_rad`). Other versions of the
-#' package, of the compiler or of the processor may change last bits: `"within errors"` is what to
-#' expect of them.
+#' `records_rerun()` computes a record anew from the database alone. The verdict is `"identical"` if
+#' the hash of the columns is the same; `"within errors"` if the values kept differ by no more than
+#' the two error figures allow and the texts are the same; otherwise `"differs"`. `not_compared`
+#' names columns of which the record has no values: those of text that change more often, and in
+#' records of older versions those of text and of later bodies (`theta_3_rad`). Other versions of
+#' the package, of the compiler or of the processor may change last bits: `"within errors"` is what
+#' to expect of them.
 #'
-#' `records_check()` looks at keys, checks and references in R, at types and encodings, at the hashes
-#' of the scenes, whether every scene can be read and every run has its values; and at what SQLite
-#' says of its file.
+#' `records_check()` looks at keys, checks and references in R, at types and encodings, at the
+#' hashes of the scenes, whether every scene can be read and every run has its values; and at what
+#' SQLite says of its file.
 #'
-#' `metadata_sql()` writes tables, rows and views as a script, for those without R.
+#' `metadata(dialect = )` has tables, rows and views as a script, for those without R.
 #'
 #' @param con A DBI connection, or the name of an SQLite file.
 #' @param motion The result of [trajectory()].
-#' @param run Name of a run: 36 characters, as `record_run()` returned them, or their beginning, if
+#' @param run Name of a run: 36 characters, as `records_add()` returned them, or their beginning, if
 #'   it is that of no other run.
 #' @param ... Not used: an unknown argument is an error.
 #' @param note Any text, or NULL.
 #' @param rows `"some"` or `"all"`: which rows to keep.
-#' @param record For `rerun()`: whether to record the new run, too (it says what it repeats).
-#' @param file Name of a file, or NULL.
-#' @param dialect `"sqlite"`, `"postgresql"` or `"duckdb"`.
+#' @param record For `records_rerun()`: whether to record the new run, too (it says what it
+#'   repeats).
 #' @return
 #' * `records_create()`: the names of the tables and views that were made, invisibly.
-#' * `record_run()`: the name of the run.
-#' * `list_runs()`: a tibble with a row for each run, the oldest first.
-#' * `read_run()`: a list: the columns of `list_runs()`, `scene_text`, `scene`, `times_s`,
+#' * `records_add()`: the name of the run.
+#' * `records_list()`: a tibble with a row for each run, the oldest first.
+#' * `records_read()`: a list: the columns of `records_list()`, `scene_text`, `scene`, `times_s`,
 #'   `model_asked`, `max_steps`, `step_s` (NULL where none was asked for), `columns`, `result_hash`,
 #'   `errors` (a tibble: measure, size, error), `values` and `texts` (tibbles: quantity, row, value;
 #'   of texts the first 52 bits of a hash, in the rows where it changes) and `software` (a list).
-#' * `rerun()`: a list of class `rot_rerun`: `verdict`, `where` (a tibble with a row for each
-#'   quantity: the row where it differs most, the two values, and what the errors allow; the worst
-#'   first), `texts` (the rows in which texts differ, by column), `not_compared`, `run`, `model`,
-#'   `versions` and `motion`, the new trajectory.
+#' * `records_rerun()`: a list of class `rot_rerun`: `verdict`, `where` (a tibble with a row for
+#'   each quantity: the row where it differs most, the two values, and what the errors allow; the
+#'   worst first), `texts` (the rows in which texts differ, by column), `not_compared`, `run`,
+#'   `model`, `versions` and `motion`, the new trajectory.
 #' * `records_check()`: a tibble: check, holds, detail.
-#' * `metadata_sql()`: the script, invisibly if it is written to a file.
 #' @section Errors: `rotdyn_error_database` (a driver that is not known, no tables of records, a
 #'   newer format, what the database says), `rotdyn_error_record` (no such run, a model that exists
 #'   no more), `rotdyn_error_scene`, `rotdyn_error_type`, `rotdyn_error_package`: \pkg{DBI} is
@@ -71,9 +69,9 @@ records_format <- 1L
 #' lab <- tempfile(fileext = ".sqlite")
 #' records_create(lab)
 #' wheel <- scene_axle(body_disk(2, 0.25), 0.8, resistance(viscous_n_m_s = 0.03))
-#' run <- record_run(lab, trajectory(wheel, seq(0, 8, by = 0.1)), note = "bearing 3")
-#' list_runs(lab)
-#' rerun(lab, run)
+#' run <- records_add(lab, trajectory(wheel, seq(0, 8, by = 0.1)), note = "bearing 3")
+#' records_list(lab)
+#' records_rerun(lab, run)
 #' unlink(lab)
 #' @export
 records_create <- function(con, ...) {
@@ -97,7 +95,7 @@ records_create <- function(con, ...) {
 
 #' @rdname records_create
 #' @export
-record_run <- function(con, motion, ..., note = NULL, rows = "some") {
+records_add <- function(con, motion, ..., note = NULL, rows = "some") {
   call <- check_no_dots(...)
   check_supplied(c("con", "motion"), call)
   check_class(motion, "rot_trajectory", "motion", "Compute one with {.fn trajectory}.", call)
@@ -111,7 +109,7 @@ record_run <- function(con, motion, ..., note = NULL, rows = "some") {
 
 #' @rdname records_create
 #' @export
-list_runs <- function(con, ...) {
+records_list <- function(con, ...) {
   call <- check_no_dots(...)
   check_supplied("con", call)
   db <- open_records(con, call)
@@ -121,7 +119,7 @@ list_runs <- function(con, ...) {
 
 #' @rdname records_create
 #' @export
-read_run <- function(con, run, ...) {
+records_read <- function(con, run, ...) {
   call <- check_no_dots(...)
   check_supplied(c("con", "run"), call)
   db <- open_records(con, call)
@@ -131,7 +129,7 @@ read_run <- function(con, run, ...) {
 
 #' @rdname records_create
 #' @export
-rerun <- function(con, run, ..., record = FALSE) {
+records_rerun <- function(con, run, ..., record = FALSE) {
   call <- check_no_dots(...)
   check_supplied(c("con", "run"), call)
   record <- check_flag(record, "record", call)
@@ -143,7 +141,7 @@ rerun <- function(con, run, ..., record = FALSE) {
     abort_rotdyn(c(
       "The model of this run exists no more.",
       x = "It is {.val {old$model}}; {.val {known}} {?is/are} known to rotdyn {own_version()}.",
-      i = "{.fn read_run} gives the scene, for another model."
+      i = "{.fn records_read} gives the scene, for another model."
     ), "record", call)
   }
   motion <- withCallingHandlers(
@@ -212,13 +210,9 @@ records_check <- function(con, ...) {
   do.call(rbind, lapply(checks, tibble::as_tibble))
 }
 
-#' @rdname records_create
-#' @export
-metadata_sql <- function(file = NULL, dialect = c("sqlite", "postgresql", "duckdb"), ...) {
-  call <- check_no_dots(...)
-  dialect <- if (missing(dialect)) "sqlite" else {
-    check_string(dialect, "dialect", c("sqlite", "postgresql", "duckdb"), call)
-  }
+# Tables, rows and views as a script.
+metadata_sql <- function(file, dialect, call) {
+  dialect <- check_string(dialect, "dialect", c("sqlite", "postgresql", "duckdb"), call)
   known <- metadata()
   tables <- metadata_tables()
   rows <- unlist(lapply(names(known), function(name) insert_sql(known[[name]], tables[[name]]$sql)))

@@ -2,9 +2,9 @@
 #'
 #' Closed forms for columns of numbers.
 #'
-#' `spool_pull()`: a spool on a level floor is pulled by a string that leaves its inner radius r from
-#' below, at an angle alpha over the floor. It rolls towards the pull where cos(alpha) > r/R and
-#' away from it beyond this *critical angle*, at which the line of the string meets the contact.
+#' `spool_pull()`: a spool on a level floor is pulled by a string that leaves its inner radius r
+#' from below, at an angle alpha over the floor. It rolls towards the pull where cos(alpha) > r/R
+#' and away from it beyond this *critical angle*, at which the line of the string meets the contact.
 #' \deqn{a = \frac{T (\cos\alpha - r/R)}{m (1 + \beta)},\quad
 #'   f = -T\, \frac{\beta \cos\alpha + r/R}{1 + \beta},\quad N = m g - T \sin\alpha}{
 #'   a = T (cos(alpha) - r/R)/(m (1 + beta)),  f = -T (beta cos(alpha) + r/R)/(1 + beta),
@@ -32,14 +32,16 @@
 #' @param force_n The pull of the string, at least 0.
 #' @param angle_deg Angle of the string over the floor, 0 to 90 degrees; of a rod, from the
 #'   vertical, from `start_angle_deg` to 180 degrees.
-#' @param mass_kg,mass_1_kg,mass_2_kg Masses, greater than 0.
-#' @param radius_m Outer radius of a spool or yo-yo, radius of a pulley; > 0.
-#' @param inner_radius_m Radius of the string, > 0; of a spool below `radius_m`.
-#' @param beta I/(m R^2), at least 0.
+#' @param body A spool or a yo-yo: a round body such as [body_disk()], or a list of them. Its mass,
+#'   its outer radius R and `beta = I/(m R^2)` count.
+#' @param inner_radius_m Radius of the string, > 0; of a spool below that of the body.
+#' @param mass_1_kg,mass_2_kg Masses that hang on the pulley, greater than 0; or bodies.
+#' @param pulley A round body, or a list of them, whose moment of inertia and radius count.
 #' @param friction Coefficient of friction, at least 0; Inf: does not slip.
-#' @param moment_of_inertia_kg_m2 Of the pulley, at least 0.
+#' @param radius_m Outer radius of the spool or yo-yo, radius of the pulley, in m, > 0; NULL for
+#'   that of the body.
 #' @param bearing_torque_n_m Torque of dry friction in the bearing, at least 0.
-#' @param length_m Length of the rod, > 0.
+#' @param rod A [body_rod()] or [body_rod_end()], or a list of them.
 #' @param start_angle_deg Where it starts from rest, 0 to 180 degrees.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @param ... Not used: an unknown argument is an error.
@@ -62,29 +64,31 @@
 #' @concept chimney
 #' @examples
 #' # Forward, at the critical angle of 60 degrees, backward.
-#' spool_pull(5, c(0, 60, 80), mass_kg = 2, radius_m = 0.1, inner_radius_m = 0.05)
-#' yo_yo(0.05, radius_m = 0.03, inner_radius_m = 0.004)
-#' atwood_machine(1.1, 1, radius_m = 0.05, moment_of_inertia_kg_m2 = 1e-3,
-#'                bearing_torque_n_m = c(0, 0.02, 0.1))
-#' falling_rod(20, mass_kg = 1000, angle_deg = c(10, 35, 60, 90))
+#' spool_pull(body_disk(2, 0.1), 5, c(0, 60, 80), inner_radius_m = 0.05)
+#' yo_yo(body_disk(0.05, 0.03), inner_radius_m = 0.004)
+#' atwood_machine(1.1, 1, body_disk(0.8, 0.05), bearing_torque_n_m = c(0, 0.02, 0.1))
+#' falling_rod(body_rod(1000, 20), angle_deg = c(10, 35, 60, 90))
 #' @name relatives
 NULL
 
 #' @rdname relatives
 #' @export
-spool_pull <- function(force_n, angle_deg, mass_kg, radius_m, inner_radius_m, beta = 0.5,
-                       friction = Inf, ..., gravity_m_per_s2 = 9.80665) {
+spool_pull <- function(body, force_n, angle_deg, inner_radius_m, friction = Inf, ...,
+                       radius_m = NULL, gravity_m_per_s2 = 9.80665) {
   call <- check_no_dots(...)
-  check_supplied(c("force_n", "angle_deg", "mass_kg", "radius_m", "inner_radius_m"), call)
-  x <- relative_columns(list(
-    force_n = force_n, angle_deg = angle_deg, mass_kg = mass_kg, radius_m = radius_m,
-    inner_radius_m = inner_radius_m, beta = beta, friction = friction,
-    gravity_m_per_s2 = gravity_m_per_s2
+  check_supplied(c("body", "force_n", "angle_deg", "inner_radius_m"), call)
+  x <- relative_columns(c(
+    list(force_n = force_n, angle_deg = angle_deg),
+    columns_of_bodies(body, c("mass_kg", "radius_m", "beta"), "body", call, radius_m),
+    list(
+      inner_radius_m = inner_radius_m, friction = friction, gravity_m_per_s2 = gravity_m_per_s2
+    )
   ), call, angle = 90)
   wide <- which(x$inner_radius_m >= x$radius_m)
   if (length(wide)) {
     abort_rotdyn(c(
-      "{.arg inner_radius_m} must be below {.arg radius_m}.", x = "It is not in row {wide[1]}."
+      "{.arg inner_radius_m} must be below the radius of the body.",
+      x = "It is not in row {wide[1]}."
     ), "value", call)
   }
   share <- x$inner_radius_m / x$radius_m
@@ -115,13 +119,12 @@ spool_pull <- function(force_n, angle_deg, mass_kg, radius_m, inner_radius_m, be
 
 #' @rdname relatives
 #' @export
-yo_yo <- function(mass_kg, radius_m, inner_radius_m, beta = 0.5, ...,
-                  gravity_m_per_s2 = 9.80665) {
+yo_yo <- function(body, inner_radius_m, ..., radius_m = NULL, gravity_m_per_s2 = 9.80665) {
   call <- check_no_dots(...)
-  check_supplied(c("mass_kg", "radius_m", "inner_radius_m"), call)
-  x <- relative_columns(list(
-    mass_kg = mass_kg, radius_m = radius_m, inner_radius_m = inner_radius_m, beta = beta,
-    gravity_m_per_s2 = gravity_m_per_s2
+  check_supplied(c("body", "inner_radius_m"), call)
+  x <- relative_columns(c(
+    columns_of_bodies(body, c("mass_kg", "radius_m", "beta"), "body", call, radius_m),
+    list(inner_radius_m = inner_radius_m, gravity_m_per_s2 = gravity_m_per_s2)
   ), call)
   inertia <- x$beta * (x$radius_m / x$inner_radius_m)^2
   a <- x$gravity_m_per_s2 / (1 + inertia)
@@ -134,14 +137,16 @@ yo_yo <- function(mass_kg, radius_m, inner_radius_m, beta = 0.5, ...,
 
 #' @rdname relatives
 #' @export
-atwood_machine <- function(mass_1_kg, mass_2_kg, radius_m, moment_of_inertia_kg_m2 = 0,
-                           bearing_torque_n_m = 0, ..., gravity_m_per_s2 = 9.80665) {
+atwood_machine <- function(mass_1_kg, mass_2_kg, pulley, bearing_torque_n_m = 0, ...,
+                           radius_m = NULL, gravity_m_per_s2 = 9.80665) {
   call <- check_no_dots(...)
-  check_supplied(c("mass_1_kg", "mass_2_kg", "radius_m"), call)
-  x <- relative_columns(list(
-    mass_1_kg = mass_1_kg, mass_2_kg = mass_2_kg, radius_m = radius_m,
-    moment_of_inertia_kg_m2 = moment_of_inertia_kg_m2, bearing_torque_n_m = bearing_torque_n_m,
-    gravity_m_per_s2 = gravity_m_per_s2
+  check_supplied(c("mass_1_kg", "mass_2_kg", "pulley"), call)
+  x <- relative_columns(c(
+    list(mass_1_kg = mass_1_kg, mass_2_kg = mass_2_kg),
+    columns_of_bodies(
+      pulley, c("radius_m", "moment_of_inertia_kg_m2"), "pulley", call, radius_m
+    ),
+    list(bearing_torque_n_m = bearing_torque_n_m, gravity_m_per_s2 = gravity_m_per_s2)
   ), call)
   pull <- (x$mass_1_kg - x$mass_2_kg) * x$gravity_m_per_s2
   held <- x$bearing_torque_n_m / x$radius_m
@@ -156,13 +161,15 @@ atwood_machine <- function(mass_1_kg, mass_2_kg, radius_m, moment_of_inertia_kg_
 
 #' @rdname relatives
 #' @export
-falling_rod <- function(length_m, mass_kg, angle_deg, start_angle_deg = 0, ...,
-                        gravity_m_per_s2 = 9.80665) {
+falling_rod <- function(rod, angle_deg, start_angle_deg = 0, ..., gravity_m_per_s2 = 9.80665) {
   call <- check_no_dots(...)
-  check_supplied(c("length_m", "mass_kg", "angle_deg"), call)
-  x <- relative_columns(list(
-    length_m = length_m, mass_kg = mass_kg, angle_deg = angle_deg,
-    start_angle_deg = start_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
+  check_supplied(c("rod", "angle_deg"), call)
+  x <- relative_columns(c(
+    columns_of_rods(rod, call),
+    list(
+      angle_deg = angle_deg, start_angle_deg = start_angle_deg,
+      gravity_m_per_s2 = gravity_m_per_s2
+    )
   ), call, angle = 180)
   back <- which(x$angle_deg < x$start_angle_deg)
   if (length(back)) {
@@ -186,6 +193,18 @@ falling_rod <- function(length_m, mass_kg, angle_deg, start_angle_deg = 0, ...,
     hinge_along_n = weight * (cosine - 1.5 * drop), hinge_across_n = weight * sine / 4,
     bending_moment_n_m = weight * x$length_m * sine / 27, break_at_m = x$length_m / 3 + 0 * sine
   ), nrow = length(sine))
+}
+
+columns_of_rods <- function(rod, call) {
+  x <- columns_of_bodies(rod, "mass_kg", "rod", call)
+  if (inherits(rod, "rot_body")) rod <- list(rod)
+  not <- which(!vapply(rod, function(one) one$shape %in% c("rod", "rod_end"), NA))
+  if (length(not)) {
+    abort_rotdyn(c(
+      "{.arg rod} must be a {.fn body_rod}.", x = "It is a {.val {rod[[not[1]]]$shape}}."
+    ), "value", call)
+  }
+  c(list(length_m = vapply(rod, function(one) one$size_m[["length_m"]], double(1))), x)
 }
 
 sin_of <- function(angle_deg) .Call(ffi_lever, 1, 1, 1, as.double(angle_deg))

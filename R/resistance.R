@@ -20,8 +20,8 @@
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.5
 #'   (dissipation); Armstrong-Helouvry, Control of Machines with Friction (1991), chapter 2 (dry
 #'   friction).
-#' @seealso [scene_axle()] takes it, [stopping()] and [when()] for the coast-down, [brake()] for
-#'   a brake with an on-time, [clutch_engagement()].
+#' @seealso [scene_axle()] takes it, [stopping()] and [time_when()] for the coast-down, [brake()]
+#'   for a brake with an on-time, [clutch_engagement()].
 #' @concept brake
 #' @concept friction
 #' @concept drag

@@ -48,13 +48,13 @@
 #' # On ice the hoop slips first:
 #' summary(roll_race(incline_angle_deg = 20, length_m = 2, static_friction = 0.15))
 #' @export
-roll_race <- function(bodies = rolling_objects(), incline_angle_deg = 20, length_m = 1, ...,
+roll_race <- function(bodies = NULL, incline_angle_deg = 20, length_m = 1, ...,
                       radius_m = 0.1, static_friction = Inf, kinetic_friction = static_friction,
                       rolling_arm_m = 0, gravity_m_per_s2 = 9.80665, time_s = NULL,
                       frames = 61) {
   call <- rlang::current_env()
   check_no_dots(...)
-  objects <- rolling_bodies(bodies, "bodies", call)
+  objects <- if (is.null(bodies)) rolling_objects() else rolling_bodies(bodies, "bodies", call)
   n <- nrow(objects)
   given <- list(
     beta = NULL, radius_m = radius_m, incline_angle_deg = incline_angle_deg,

@@ -19,18 +19,17 @@
 #'
 #' @param time_s Times in s, which do not decrease; the motion starts at 0, earlier times are
 #'   reached backwards. Of the ball, of length 1 or n.
-#' @param mass_kg,radius_m Of the disk, of the ball: greater than 0.
+#' @param body A round body that rolls on its rim, such as [body_disk()] or [body_hoop()]; for
+#'   `ball_on_turntable()` a ball, such as [body_sphere()]; or a list of bodies (not for
+#'   `roll_disk()`). Its mass, radius and moments about its axis and across it count.
 #' @param spin_rad_per_s Rate about the own axis of the disk; of the ball, about the vertical.
 #' @param lean_deg Angle of the disk from upright, between -90 and 90; a positive one raises its
 #'   axis. At time 0 it heads along x, and its axis is along y, or leans towards z from there.
 #' @param yaw_rad_per_s,lean_rad_per_s Rates about the vertical and of the lean at time 0.
-#' @param axial,transverse Moments of inertia over m r^2, about the axis and about a diameter: 1/2
-#'   and 1/4 of a uniform disk, 1 and 1/2 of a hoop.
 #' @param accuracy Relative accuracy wanted of the disk's attitude and angular velocity, in (0, 1].
 #' @param turntable_rad_per_s Rate of the table.
 #' @param x_m,y_m,vx_m_per_s,vy_m_per_s Where the ball starts, from the table's axis, and its
 #'   velocity over the ground: that of the table under it is `(-Omega y, Omega x)`.
-#' @param beta I/(m r^2) of the ball, at least 0; 2/5 of a solid one.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @param ... Not used; names after it must be given in full.
 #' @return `roll_disk()`: a tibble with `time_s` and
@@ -55,28 +54,29 @@
 #' @examples
 #' # A coin that leans and goes round; its energy:
 #' coin <- roll_disk(
-#'   seq(0, 2, by = 0.1), radius_m = 0.012, mass_kg = 0.006, spin_rad_per_s = 40, lean_deg = 20
+#'   body_disk(0.006, 0.012), seq(0, 2, by = 0.1), spin_rad_per_s = 40, lean_deg = 20
 #' )
 #' coin[, c("time_s", "x_m", "y_m", "lean_rad", "friction_needed")]
 #' diff(range(coin$kinetic_energy_j + coin$potential_energy_j))
-#' rolling_disk_speed(c(0.012, 0.3), axial = c(0.5, 1), transverse = c(0.25, 0.5))
+#' rolling_disk_speed(list(body_disk(0.006, 0.012), body_hoop(1, 0.3)))
 #' # The ball goes round 2/7 as fast as the table, wherever it is put:
-#' ball_on_turntable(0:4, turntable_rad_per_s = 3.5, x_m = 0.3, vy_m_per_s = 0.1)
+#' ball_on_turntable(
+#'   body_sphere(0.033, 0.01), 0:4, turntable_rad_per_s = 3.5, x_m = 0.3, vy_m_per_s = 0.1
+#' )
 #' @name roll_disk
 NULL
 
 #' @rdname roll_disk
 #' @export
-roll_disk <- function(time_s, radius_m, mass_kg = 1, spin_rad_per_s = 0, ..., lean_deg = 0,
-                      yaw_rad_per_s = 0, lean_rad_per_s = 0, axial = 0.5, transverse = axial / 2,
-                      accuracy = 1e-9, gravity_m_per_s2 = 9.80665) {
+roll_disk <- function(body, time_s, spin_rad_per_s = 0, ..., lean_deg = 0, yaw_rad_per_s = 0,
+                      lean_rad_per_s = 0, accuracy = 1e-9, gravity_m_per_s2 = 9.80665) {
   call <- check_no_dots(...)
-  check_supplied(c("time_s", "radius_m"), call)
+  check_supplied(c("body", "time_s"), call)
+  check_body(body, call)
   time_s <- check_times(time_s, call)
-  above <- function(x, arg, unit) check_number(x, arg, unit, call, lower = 0, open = TRUE)
+  disk <- disk_columns(body, call)
   numbers <- c(
-    above(mass_kg, "mass_kg", "kg"), above(radius_m, "radius_m", "m"),
-    above(axial, "axial", "1"), above(transverse, "transverse", "1"),
+    disk$mass_kg, disk$radius_m, disk$axial, disk$transverse,
     check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0),
     check_number(lean_deg, "lean_deg", "degree", call, lower = -89.9, upper = 89.9) * pi / 180,
     check_number(spin_rad_per_s, "spin_rad_per_s", "rad/s", call),
@@ -101,24 +101,38 @@ roll_disk <- function(time_s, radius_m, mass_kg = 1, spin_rad_per_s = 0, ..., le
   )
 }
 
+# Of round bodies: moments over m r^2 about their axis and across it.
+disk_columns <- function(body, call) {
+  x <- columns_of_bodies(body, c("mass_kg", "radius_m", "beta"), "body", call)
+  if (inherits(body, "rot_body")) body <- list(body)
+  across <- vapply(body, function(one) {
+    check_rolls(one, call)
+    moment <- diag(one$inertia_kg_m2)
+    if (abs(moment[1] - moment[2]) > 1e-9 * moment[1]) {
+      abort_rotdyn("The moments of {.arg body} across its axis must be equal.", "value", call)
+    }
+    one$beta * (moment[[1]] / moment[[3]])
+  }, double(1))
+  bad <- which(!(x$mass_kg > 0 & across > 0))
+  if (length(bad)) {
+    abort_rotdyn(
+      "The mass and the moments of inertia of {.arg body} must be greater than 0.", "value", call
+    )
+  }
+  c(x[c("mass_kg", "radius_m")], list(axial = x$beta, transverse = across))
+}
+
 #' @rdname roll_disk
 #' @export
-rolling_disk_speed <- function(radius_m, axial = 0.5, transverse = axial / 2, ...,
-                               gravity_m_per_s2 = 9.80665) {
+rolling_disk_speed <- function(body, ..., gravity_m_per_s2 = 9.80665) {
   call <- check_no_dots(...)
-  check_supplied("radius_m", call)
-  if (missing(transverse) && !is.numeric(axial)) transverse <- 1 # the check names `axial`
-  x <- check_columns_of(list(
-    radius_m = radius_m, axial = axial, transverse = transverse,
-    gravity_m_per_s2 = gravity_m_per_s2
-  ), c(radius_m = "m", axial = "1", transverse = "1", gravity_m_per_s2 = "m/s^2"), call)
+  check_supplied("body", call)
+  gravity <- check_column(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call)
+  x <- c(disk_columns(body, call), list(gravity_m_per_s2 = gravity))
   n <- check_recyclable(x, call)
-  for (name in names(x)) {
-    open <- name != "gravity_m_per_s2"
-    bad <- which(x[[name]] < 0 | (open & x[[name]] == 0) | is.infinite(x[[name]]))
-    if (length(bad)) {
-      abort_domain(x[[name]][bad[1]], name, "1", call, 0, Inf, open, row = bad[1])
-    }
+  bad <- which(gravity < 0 | is.infinite(gravity))
+  if (length(bad)) {
+    abort_domain(gravity[bad[1]], "gravity_m_per_s2", "m/s^2", call, 0, Inf, FALSE, row = bad[1])
   }
   least <- .Call(ffi_rolling_disk_least, x$radius_m, x$axial, x$transverse, x$gravity_m_per_s2)
   tibble::new_tibble(
@@ -128,11 +142,14 @@ rolling_disk_speed <- function(radius_m, axial = 0.5, transverse = axial / 2, ..
 
 #' @rdname roll_disk
 #' @export
-ball_on_turntable <- function(time_s, turntable_rad_per_s, x_m, y_m = 0, vx_m_per_s = 0,
-                              vy_m_per_s = 0, ..., mass_kg = 1, radius_m = 0.02, beta = 0.4,
-                              spin_rad_per_s = 0) {
+ball_on_turntable <- function(body, time_s, turntable_rad_per_s, x_m, y_m = 0, vx_m_per_s = 0,
+                              vy_m_per_s = 0, ..., spin_rad_per_s = 0) {
   call <- check_no_dots(...)
-  check_supplied(c("time_s", "turntable_rad_per_s", "x_m"), call)
+  check_supplied(c("body", "time_s", "turntable_rad_per_s", "x_m"), call)
+  ball <- columns_of_bodies(body, c("mass_kg", "radius_m", "beta"), "body", call)
+  mass_kg <- ball$mass_kg
+  radius_m <- ball$radius_m
+  beta <- ball$beta
   units <- c(
     time_s = "s", turntable_rad_per_s = "rad/s", x_m = "m", y_m = "m", vx_m_per_s = "m/s",
     vy_m_per_s = "m/s", mass_kg = "kg", radius_m = "m", beta = "1", spin_rad_per_s = "rad/s"

@@ -8,20 +8,19 @@
 #'   a = g sin(alpha)/(1 + beta),  v = sqrt(2 g h/(1 + beta)),  K_rot/K = beta/(1 + beta),
 #'   K_trans/K = 1/(1 + beta)}
 #'
-#' @param objects A data frame with a column `beta` (at least 0; Inf takes the limit). Its other
+#' @param bodies A data frame with a column `beta` (at least 0; Inf takes the limit). Its other
 #'   columns are kept. Columns `incline_angle_deg`, `height_drop_m` or `gravity_m_per_s2` replace
 #'   the arguments. Or one body such as [body_sphere()], a list of bodies, or the names of shapes
-#'   whose `beta` does not depend on their size (see [shapes()]).
+#'   whose `beta` does not depend on their size (see [shapes()]). By default the five objects of the
+#'   article.
 #' @param incline_angle_deg Angle of the incline in degrees, -90 to 90: one number, or one for each
 #'   row. The sine is that of the exact angle in degrees: `sin(30 degrees)` is 0.5.
 #' @param height_drop_m Height lost from rest in m, at least 0: one number, or one for each row.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @param ... Not used: an unknown argument is an error.
-#' @return `rolling_table()`: a tibble (class `rot_rolling_table`, with an `autoplot()`) of the
-#'   columns of `objects`, then `r describe_columns(rolling_columns)`
+#' @return A tibble (class `rot_rolling_table`, with an `autoplot()`) of the
+#'   columns of `bodies`, then `r describe_columns(rolling_columns)`
 #'   NA in a row gives NA in the values that depend on it. At most four roundings each (5e-16).
-#'
-#'   `rolling_objects()`: a tibble with `object` and `beta` of five objects.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.
 #' @section Errors: `rotdyn_error_type` (no `beta`, or not numbers), `rotdyn_error_size`,
@@ -34,34 +33,35 @@
 #' rolling_table(c("hoop", "sphere"))
 #' rolling_table(list(ball = body_sphere(0.2, 0.05), pipe = body_thick_tube(2, 0.05, 0.04, 1)))
 #' @export
-rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, height_drop_m = 1,
+rolling_table <- function(bodies = NULL, incline_angle_deg = 20, height_drop_m = 1,
                           gravity_m_per_s2 = 9.80665, ...) {
   call <- check_no_dots(...)
-  objects <- rolling_bodies(objects, "objects", call)
+  bodies <- if (is.null(bodies)) rolling_objects() else rolling_bodies(bodies, "bodies", call)
   given <- c(
     incline_angle_deg = !missing(incline_angle_deg), height_drop_m = !missing(height_drop_m),
     gravity_m_per_s2 = !missing(gravity_m_per_s2)
   )
-  twice <- names(given)[given & names(given) %in% names(objects)]
+  twice <- names(given)[given & names(given) %in% names(bodies)]
   if (length(twice)) {
     warn_rotdyn(
       "{.arg {twice}} {?is/are} given both as column and as argument: the column is used.",
       "column", call
     )
   }
+  units <- rolling_units[names(rolling_units) != "body"]
   check_near_columns(
-    objects, names(rolling_units), unique(c(names(given)[given], names(objects))),
+    bodies, names(units), unique(c(names(given)[given], names(bodies))),
     column_table()$name, call
   )
   columns <- list(
-    beta = objects[["beta"]],
-    incline_angle_deg = objects[["incline_angle_deg"]] %||% incline_angle_deg,
-    height_drop_m = objects[["height_drop_m"]] %||% height_drop_m,
-    gravity_m_per_s2 = objects[["gravity_m_per_s2"]] %||% gravity_m_per_s2
+    beta = bodies[["beta"]],
+    incline_angle_deg = bodies[["incline_angle_deg"]] %||% incline_angle_deg,
+    height_drop_m = bodies[["height_drop_m"]] %||% height_drop_m,
+    gravity_m_per_s2 = bodies[["gravity_m_per_s2"]] %||% gravity_m_per_s2
   )
-  columns <- check_columns_of(columns, rolling_units, call)
-  n <- nrow(objects)
-  check_rows_fit(columns, n, "objects", call)
+  columns <- check_columns_of(columns, units, call)
+  n <- nrow(bodies)
+  check_rows_fit(columns, n, "bodies", call)
   values <- .Call(
     ffi_rolling_table, columns[[1]], columns[[2]], columns[[3]], columns[[4]],
     progress_bar("rolling")
@@ -70,8 +70,8 @@ rolling_table <- function(objects = rolling_objects(), incline_angle_deg = 20, h
   warn_fast(values, columns, n, call)
 
   # New columns are last, or replace those of the same name.
-  out <- as.list(objects)
-  if (inherits(objects[["beta"]], "units")) out$beta <- columns$beta
+  out <- as.list(bodies)
+  if (inherits(bodies[["beta"]], "units")) out$beta <- columns$beta
   out[names(values)] <- values
   tibble::new_tibble(out, nrow = n, class = "rot_rolling_table")
 }
@@ -136,8 +136,7 @@ rolling_round_bodies <- function(bodies, arg, call) {
   ), nrow = length(each))
 }
 
-#' @rdname rolling_table
-#' @export
+# Those of the article.
 rolling_objects <- function() {
   tibble::new_tibble(list(
     object = c("hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"),
@@ -154,72 +153,63 @@ rolling_objects <- function() {
 #' |---|---|
 #' | `rolling_acceleration()` | `g sin(angle)/(1 + beta)`, m/s^2 |
 #' | `rolling_final_speed()` | `sqrt(2 g h/(1 + beta))`, m/s |
-#' | `rotational_energy_fraction()` | `beta/(1 + beta)` |
-#' | `translational_energy_fraction()` | `1/(1 + beta)` |
 #' | `rolling_friction_coefficient()` | `tan\|angle\| beta/(1 + beta)`, the least for rolling |
 #'
-#' @param beta `I/(m r^2)`, at least 0. Inf takes the limit.
+#' @param body A round body such as [body_sphere()], a list of bodies, names of shapes such as
+#'   `"hoop"`, or numbers: `beta = I/(m r^2)`, at least 0, where Inf takes the limit.
 #' @inheritParams rolling_table
 #' @return Doubles, with NA where an argument is NA. Largest error: 2 ulp (3 ulp for the friction
 #'   coefficient).
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
-#'   the first value outside its domain, `rotdyn_error_unit`.
+#' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_size`,
+#'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
 #' @seealso [rolling_table()] for all of them, [energy_partition()].
 #' @concept incline
 #' @concept rolling
 #' @examples
-#' rolling_acceleration(beta = c(1, 0.5, 0.4), incline_angle_deg = 20)
-#' rolling_friction_coefficient(beta = 1, incline_angle_deg = 60)
+#' rolling_acceleration(c("hoop", "disk", "sphere"), incline_angle_deg = 20)
+#' rolling_final_speed(body_sphere(0.1, 0.02), height_drop_m = 0.5)
+#' rolling_friction_coefficient(1, incline_angle_deg = 60)
 #' @name rolling_functions
 NULL
 
 #' @rdname rolling_functions
 #' @export
-rolling_acceleration <- function(beta, incline_angle_deg = 20, gravity_m_per_s2 = 9.80665, ...) {
-  check_no_dots(...)
+rolling_acceleration <- function(body, incline_angle_deg, gravity_m_per_s2 = 9.80665, ...) {
+  call <- check_no_dots(...)
+  check_supplied(c("body", "incline_angle_deg"), call)
   by_row(1L, list(
-    beta = beta, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
-  ))
+    body = body, incline_angle_deg = incline_angle_deg, gravity_m_per_s2 = gravity_m_per_s2
+  ), call)
 }
 
 #' @rdname rolling_functions
 #' @export
-rolling_final_speed <- function(beta, height_drop_m = 1, gravity_m_per_s2 = 9.80665, ...) {
-  check_no_dots(...)
-  by_row(2L, list(beta = beta, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2))
+rolling_final_speed <- function(body, height_drop_m, gravity_m_per_s2 = 9.80665, ...) {
+  call <- check_no_dots(...)
+  check_supplied(c("body", "height_drop_m"), call)
+  by_row(2L, list(
+    body = body, height_drop_m = height_drop_m, gravity_m_per_s2 = gravity_m_per_s2
+  ), call)
 }
 
 #' @rdname rolling_functions
 #' @export
-rotational_energy_fraction <- function(beta, ...) {
-  check_no_dots(...)
-  by_row(3L, list(beta = beta))
-}
-
-#' @rdname rolling_functions
-#' @export
-translational_energy_fraction <- function(beta, ...) {
-  check_no_dots(...)
-  by_row(4L, list(beta = beta))
-}
-
-#' @rdname rolling_functions
-#' @export
-rolling_friction_coefficient <- function(beta, incline_angle_deg = 20, ...) {
-  check_no_dots(...)
-  by_row(5L, list(beta = beta, incline_angle_deg = incline_angle_deg))
+rolling_friction_coefficient <- function(body, incline_angle_deg, ...) {
+  call <- check_no_dots(...)
+  check_supplied(c("body", "incline_angle_deg"), call)
+  by_row(5L, list(body = body, incline_angle_deg = incline_angle_deg), call)
 }
 
 rolling_units <- c(
-  beta = "1", incline_angle_deg = "degree", height_drop_m = "m", gravity_m_per_s2 = "m/s^2"
+  beta = "1", body = "1", incline_angle_deg = "degree", height_drop_m = "m",
+  gravity_m_per_s2 = "m/s^2"
 )
 
-# Function number `which` of src/glue/rolling.c, for the caller's arguments.
-by_row <- function(which, columns, call = parent.frame()) {
-  if (eval(quote(missing(beta)), call)) check_supplied("beta", call)
+# Function number `which` of src/glue/rolling.c.
+by_row <- function(which, columns, call) {
   columns <- check_columns_of(columns, rolling_units[names(columns)], call)
   n <- check_recyclable(columns, call)
   values <- .Call(ffi_rolling_value, which, columns)

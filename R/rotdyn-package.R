@@ -33,7 +33,7 @@
 #' `r paste0("\\code{rotdyn_error_", names(error_kinds), "} (", error_kinds, ")", collapse = ", ")`.
 #'
 #' @seealso [scene_axle()] and [trajectory()] to begin with, [inertia_table()], [rolling_table()],
-#'   [models()], [rotdyn_columns()].
+#'   [models()], [metadata()].
 #' @keywords internal
 #' @useDynLib rotdyn, .registration = TRUE
 #' @importFrom generics glance augment

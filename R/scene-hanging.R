@@ -12,8 +12,8 @@
 #'   T1 = m1 (g - a),  T2 = m2 (g + a),  I omega' = (T1 - T2) r + resistance}
 #' and the applied torque of the motion is that of the rope on the pulley, `(T1 - T2) r`. Where a
 #' tension is negative the rope would be slack, and the motion another one: where a resistance slows
-#' down a pulley that winds a mass up. [trajectory()] and [when()] then warn, and the head of the
-#' motion says from which time on.
+#' down a pulley that winds a mass up. [trajectory()] and [time_when()] then warn, and the head of
+#' the motion says from which time on.
 #'
 #' @section Columns: The motion has those of [trajectory()], with torques and kinetic energy of the
 #'   pulley alone, and the angular momentum of all about the axle; and, for one mass,
@@ -31,11 +31,11 @@
 #'   all about the axle.
 #' @section Errors: those of [scene_axle()]; `rotdyn_error_missing` without `radius_m` for a body
 #'   that has no radius of its own about `axis`.
-#' @section Warnings: `rotdyn_warning_slack`, by [trajectory()] and [when()], if a rope would be
-#'   slack.
+#' @section Warnings: `rotdyn_warning_slack`, by [trajectory()] and [time_when()], if a rope would
+#'   be slack.
 #' @source Kleppner and Kolenkow, An Introduction to Mechanics, 2nd ed. (2014), chapter 7: Atwood's
 #'   machine with a massive pulley.
-#' @seealso [when()] for the time at which it has gone down so far.
+#' @seealso [time_when()] for the time at which it has gone down so far.
 #' @concept pulley
 #' @concept Atwood machine
 #' @examples
@@ -43,7 +43,7 @@
 #' well <- scene_hanging_mass(body_disk(2, 0.1), mass_kg = 0.5)
 #' trajectory(well, 0:2)[c("time_s", "height_m", "tension_n", "applied_torque_n_m")]
 #' # After 3 m:
-#' when(well, theta_rad = 3 / 0.1)
+#' time_when(well, theta_rad = 3 / 0.1)
 #' # Atwood's machine with a pulley without inertia.
 #' scene_hanging_mass(0, mass_kg = 1.1, radius_m = 0.05, counter_mass_kg = 1)
 #' @export

@@ -47,7 +47,7 @@
 #'   With air drag or a force also `r describe_columns(columns_of_motion("incline", TRUE))`
 #'   The error of the closed form is a bound. [summary()] has the largest velocities and the highest
 #'   place between the rows, too: the least x where the angle is positive, the largest where it is
-#'   negative, on the level the first one. [when()] finds the time of any value.
+#'   negative, on the level the first one. [time_when()] finds the time of any value.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
 #'   Inf where a number must be finite, a body without moment of inertia, one that is not round, and
 #'   one whose centre of mass is beside the axis on which it would roll),
@@ -63,7 +63,7 @@
 #' motion_events(motion)
 #' audit(motion)
 #' # The highest point of a body launched uphill:
-#' when(scene_incline(ball, 10, v0_m_per_s = -3), v_m_per_s = 0)
+#' time_when(scene_incline(ball, 10, v0_m_per_s = -3), v_m_per_s = 0)
 #' # Too little friction to roll on 60 degrees:
 #' scene_incline(body_hoop(1, 0.3), 60, static_friction = 0.5, kinetic_friction = 0.4)
 #' @export
@@ -133,7 +133,8 @@ print.rot_scene_incline <- function(x, ...) {
 #' What a body on an incline needs at rest and from rest not to slip, and what it does with the
 #' friction that it has. A body that rolls needs `mu = (beta |tan(angle)| + b/R)/(1 + beta)`, with
 #' the arm b of the rolling resistance. A body that the resistance holds at rest, where
-#' `|tan(angle)| <= b/R`, needs `mu = |tan(angle)|`: friction alone balances gravity along the slope.
+#' `|tan(angle)| <= b/R`, needs `mu = |tan(angle)|`: friction alone balances gravity along the
+#' slope.
 #'
 #' @param scene A [scene_incline()]. Its start does not count; a force and air drag of its own are
 #'   not taken.
@@ -192,7 +193,8 @@ friction_needed <- function(scene, ...) {
 #' The angle of an incline up to which a body that starts from rest rolls without slipping:
 #' `tan(angle) = mu_s (1 + beta)/beta`. The reverse of [rolling_friction_coefficient()].
 #'
-#' @param beta `I/(m r^2)`, at least 0; 0 gives 90 degrees, Inf the angle at which a block slides.
+#' @param body A round body, a list of bodies, names of shapes such as `"hoop"`, or numbers: `beta =
+#'   I/(m r^2)`, at least 0; 0 gives 90 degrees, Inf the angle at which a block slides.
 #' @param static_friction Coefficient of static friction, at least 0; Inf gives 90 degrees. Each
 #'   argument has length 1 or n.
 #' @param ... Not used: an unknown argument is an error.
@@ -203,17 +205,17 @@ friction_needed <- function(scene, ...) {
 #' @seealso [rolling_friction_coefficient()], [scene_incline()].
 #' @concept incline
 #' @examples
-#' rolling_critical_angle(beta = c(hoop = 1, disk = 0.5, sphere = 0.4), static_friction = 0.5)
+#' rolling_critical_angle(c("hoop", "disk", "sphere"), static_friction = 0.5)
 #' @export
-rolling_critical_angle <- function(beta, static_friction, ...) {
+rolling_critical_angle <- function(body, static_friction, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("beta", "static_friction"), call)
+  check_supplied(c("body", "static_friction"), call)
   columns <- check_columns_of(
-    list(beta = beta, static_friction = static_friction), c("1", "1"), call
+    list(body = body, static_friction = static_friction), c("1", "1"), call
   )
   check_recyclable(columns, call)
   for (name in names(columns)) check_not_negative(columns[[name]], name, "1", call)
-  .Call(ffi_incline_critical, columns$beta, columns$static_friction)
+  .Call(ffi_incline_critical, columns$body, columns$static_friction)
 }
 
 has_outer_force <- function(scene) {

@@ -18,7 +18,7 @@
 #' @return A `rot_scene_pendulum`, which is a `rot_scene_axle`.
 #' @section Errors: those of [scene_axle()].
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), section 11.
-#' @seealso [period()] at any amplitude, [when()] for passages, [torque_gravity()],
+#' @seealso [period_of()] at any amplitude, [time_when()] for passages, [torque_gravity()],
 #'   [scene_axle()].
 #' @concept pendulum
 #' @concept period

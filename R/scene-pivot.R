@@ -155,3 +155,34 @@ print.rot_scene_pivot <- function(x, ...) {
   )
   invisible(x)
 }
+
+# A symmetric top as a row of precession_table().
+#' @export
+table_of_tops.rot_scene_pivot <- function(tops, beside, call) {
+  check_scene(tops, call)
+  if (length(beside$given)) {
+    abort_rotdyn("{.arg {beside$given}} {?is/are} known of a scene.", "argument", call)
+  }
+  moments <- tops$moment_of_inertia_kg_m2
+  centre <- tops$centre_m
+  axis <- which.max(abs(if (any(centre != 0)) centre else tops$omega0_rad_per_s))
+  others <- setdiff(1:3, axis)
+  even <- abs(diff(moments[others])) <= 1e-9 * max(moments)
+  along <- all(abs(centre[others]) <= 1e-9 * max(abs(centre)))
+  if (!even || !along || !identical(tops$axes, c(1, 0, 0, 0)) || length(tops$rotors)) {
+    abort_rotdyn(c(
+      "{.arg tops} must be scenes of symmetric tops without rotors, the centre of mass on the axis
+       of symmetry.",
+      i = "{.fn trajectory} has the motion of any body."
+    ), "model", call)
+  }
+  own <- as.list(as.double(seq_len(3) == axis))
+  up <- unlist(.Call(ffi_attitude_turn, c(as.list(tops$attitude0), own), 1), use.names = FALSE)
+  tibble::new_tibble(list(
+    mass_kg = tops$mass_kg, lever_arm_m = centre[axis],
+    moment_of_inertia_kg_m2 = moments[axis], spin_rad_per_s = tops$omega0_rad_per_s[axis],
+    transverse_moment_kg_m2 = mean(moments[others]),
+    axis_angle_deg = atan2(sqrt(sum(up[1:2]^2)), up[3]) * 180 / pi,
+    gravity_m_per_s2 = tops$gravity_m_per_s2
+  ), nrow = 1L)
+}

@@ -192,7 +192,7 @@ print.rot_scene_rotors <- function(x, ...) {
 #'   Frequencies beyond double precision are NA.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_memory`.
 #' @source Meirovitch, Fundamentals of Vibrations (2001), chapter 7.
-#' @seealso [scene_rotors()], [autoplot.rot_shaft_modes()], [period()].
+#' @seealso [scene_rotors()], [autoplot.rot_shaft_modes()], [period_of()].
 #' @concept frequency
 #' @concept period
 #' @concept vibration

@@ -22,7 +22,7 @@
 #'   (see [choose_model()], model `axle_drag`).
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
-#' @seealso [when()], [motion_events()], [resistance()].
+#' @seealso [time_when()], [motion_events()], [resistance()].
 #' @concept brake
 #' @concept coast-down
 #' @concept terminal speed

@@ -52,8 +52,8 @@
 #'   carry `info`, with the time reached. An error, a condition, an interrupt or a time limit raised
 #'   in a torque function keeps its class.
 #' @source [models()] says for each model where its equations come from.
-#' @seealso [choose_model()], [audit()], [predict.rot_trajectory()], [motion_events()], [when()],
-#'   [compare_runs()], [autoplot.rot_trajectory()], [animate_motion()].
+#' @seealso [choose_model()], [audit()], [predict.rot_trajectory()], [motion_events()],
+#'   [time_when()], [compare_runs()], [autoplot.rot_trajectory()], [animate_motion()].
 #' @concept simulation
 #' @concept motion
 #' @examples
@@ -580,7 +580,7 @@ glance.rot_trajectory <- function(x, ...) {
 #'   [trajectory()].
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time` for infinite times, and those of
 #'   [trajectory()].
-#' @seealso [trajectory()], [when()].
+#' @seealso [trajectory()], [time_when()].
 #' @examples
 #' predict(spin_up(), time_s = c(7.5, NA, 1 / 3))
 #' @export
@@ -637,7 +637,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #'   and, of a [scene_drive()], `where`: the rotor or coupling. A motion that starts at rest, held
 #'   or free, has no event at the start. Models without events give none.
 #' @section Errors: `rotdyn_error_type`.
-#' @seealso [when()] for the time of an angle or a rate, [stopping()], [period()].
+#' @seealso [time_when()] for the time of an angle or a rate, [stopping()], [period_of()].
 #' @concept event
 #' @concept stick and slip
 #' @examples

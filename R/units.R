@@ -1,8 +1,15 @@
+# The number that an object stands for where one is asked for: see R/body-quantity.R.
+quantity_of <- function(x, arg, unit, call) UseMethod("quantity_of")
+
+#' @export
+quantity_of.default <- function(x, arg, unit, call) x
+
 # The value in SI units: a plain number is unchanged, a units object or a difftime is converted to
 # `unit` (in the notation of the units package).
 as_si <- function(x, unit, arg, call) {
   if (!is.object(x)) return(x)
   if (inherits(x, "rot_measured")) return(check_measured(x, arg, call)$value)
+  if (inherits(x, "rot_body")) return(quantity_of(x, arg, unit, call))
   if (inherits(x, "difftime")) {
     given <- attr(x, "units")
     known <- c("secs", "mins", "hours", "days", "weeks")

@@ -9,8 +9,7 @@ run_calls <- function(rounds) {
   damping <- rotdyn::resistance(spin_viscous)
   scene <- spin_scene()
   motion <- rotdyn::trajectory(scene, spin_times)
-  objects <- rotdyn::rolling_objects()
-  shapes <- rotdyn::inertia_objects()
+  objects <- rotdyn::rolling_table()[c("object", "beta")]
   g <- 9.80665
 
   one <- function(case, ours, plain = NULL) {
@@ -34,14 +33,9 @@ run_calls <- function(rounds) {
     one("summary(), 1000 rows", function() summary(motion)),
     one("audit(), 1000 rows", function() rotdyn::audit(motion)),
     one(
-      "rolling_acceleration(0.5)",
-      function() rotdyn::rolling_acceleration(0.5),
+      "rolling_acceleration(0.5, 20)",
+      function() rotdyn::rolling_acceleration(0.5, 20),
       function() g * sin(20 * pi / 180) / (1 + 0.5)
-    ),
-    one(
-      "rotational_energy_fraction(0.5)",
-      function() rotdyn::rotational_energy_fraction(0.5),
-      function() 0.5 / (1 + 0.5)
     ),
     one(
       "rolling_table(), 5 rows",
@@ -56,10 +50,10 @@ run_calls <- function(rounds) {
         ))
       }
     ),
-    one("inertia_table(), standard shapes", function() rotdyn::inertia_table(shapes)),
+    one("inertia_table(), standard shapes", function() rotdyn::inertia_table()),
     one(
-      "energy_partition(1, 0.1, 0.5, 3)",
-      function() rotdyn::energy_partition(1, 0.1, 0.5, 3),
+      "energy_partition(0.5, 3, mass_kg = 1, radius_m = 0.1)",
+      function() rotdyn::energy_partition(0.5, 3, mass_kg = 1, radius_m = 0.1),
       function() {
         data.frame(
           moment_of_inertia_kg_m2 = 0.5 * 1 * 0.1^2,

@@ -18,7 +18,7 @@ motion <- trajectory(
 )
 lab <- DBI::dbConnect(RSQLite::SQLite(), ":memory:")
 invisible(records_create(lab))
-invisible(record_run(lab, motion))
+invisible(records_add(lab, motion))
 rows_of <- function(con, table) {
   sql <- paste("SELECT", paste(names(table$columns), collapse = ", "), "FROM", table$sql)
   ns$plain_rows(DBI::dbGetQuery(con, sql), table)
@@ -194,9 +194,10 @@ if (!is.na(socket)) {
   invisible(records_create(con))
   same("PostgreSQL", con)
   views("PostgreSQL", con)
-  run <- record_run(con, motion)
-  again <- rerun(con, run)
-  good <- again$verdict == "identical" && all(records_check(con)$holds) && nrow(list_runs(con)) == 1
+  run <- records_add(con, motion)
+  again <- records_rerun(con, run)
+  good <- again$verdict == "identical" && all(records_check(con)$holds) &&
+    nrow(records_list(con)) == 1
   if (!good) failed <- failed + 1
   cat(if (good) "ok -" else "not ok -", "a run recorded and computed again:", again$verdict, "\n")
   # The run whose names wrong rows repeat.
@@ -209,13 +210,13 @@ if (!is.na(socket)) {
 }
 
 # DuckDB: the script, the rows of a run, and the wrong rows, a statement a line.
-script <- strsplit(metadata_sql(dialect = "duckdb"), ";\n", fixed = TRUE)[[1]]
+script <- strsplit(metadata(dialect = "duckdb"), ";\n", fixed = TRUE)[[1]]
 script <- c(script[!grepl("^(--|PRAGMA|BEGIN|COMMIT)", script)], unlist(lapply(
   c("scenes", "software", "runs", "run_values"), function(name) {
     ns$insert_sql(data[[name]], tables[[name]]$sql)
   }
 )))
-first <- metadata_sql(dialect = "duckdb")
+first <- metadata(dialect = "duckdb")
 script <- c(sub("^--[^\n]*\nBEGIN;\n", "", strsplit(first, ";\nCREATE", fixed = TRUE)[[1]][1]),
             script)
 writeLines(ns$json_canonical(list(

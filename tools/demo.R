@@ -140,7 +140,8 @@ row("time, wheels locked", sprintf(
   "%.5f s  (sd of one run %.5f s)", value[["time_locked_s"]], spread[["time_locked_s"]]
 ))
 row("beta of the cart, wheels locked", sprintf("%.4f +- %.4f", beta, u_beta))
-row("share of the energy in rotation", sprintf("%.4f", rotational_energy_fraction(beta)))
+row("share of the energy in rotation",
+  sprintf("%.4f", energy_partition(beta, 1)$rotational_energy_fraction))
 row("moment of inertia of a wheel, from the times", sprintf(
   "(%.4f +- %.4f) e-3 kg m^2", 1000 * inertia, 1000 * u_inertia
 ))

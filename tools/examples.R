@@ -6,9 +6,9 @@ printed <- utils::read.csv(arguments[2])
 
 knots <- torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0))
 rolling <- function() {
-  table <- rolling_table(rolling_objects())
+  table <- rolling_table()
   c(table[c("beta", "acceleration_m_per_s2", "final_speed_m_per_s", "rotational_energy_fraction")],
-    list(friction = rolling_friction_coefficient(table$beta)))
+    list(friction = rolling_friction_coefficient(table$beta, 20)))
 }
 # Two columns of a scene of each constraint.
 scenes_by_name <- function() {
@@ -97,8 +97,8 @@ expected <- switch(
     scene_axle(1, torque_gravity(1, 1), theta0_rad = 3), 10 * (0:100) / 100
   )[c("time_s", "theta_rad", "omega_rad_per_s")],
   julia = {
-    speed <- rolling_final_speed(rolling_objects()$beta)
-    table <- energy_partition(1, 0.1, rolling_objects()$beta, speed)
+    beta <- rolling_table()$beta
+    table <- energy_partition(beta, rolling_final_speed(beta, 1), mass_kg = 1, radius_m = 0.1)
     names(table) <- sub("_kinetic_", "_", names(table))
     table[c("beta", "speed_m_per_s", "omega_rad_per_s", "translational_energy_j",
             "rotational_energy_j", "total_energy_j")]

@@ -107,15 +107,15 @@ for (i in seq_len(scenes)) {
     if (!is.null(motion)) break
     left_out <- left_out + 1L
   }
-  record_run(con, motion)
+  records_add(con, motion)
 }
-stopifnot(setequal(list_runs(con)$constraint_kind, metadata()$constraints$constraint_kind))
+stopifnot(setequal(records_list(con)$constraint_kind, metadata()$constraints$constraint_kind))
 DBI::dbDisconnect(con)
 cat(scenes, "scenes recorded,", left_out, "without a motion left out\n")
 again <- file.path(folder, "again.R")
 writeLines(sprintf("library(rotdyn)
 con <- DBI::dbConnect(RSQLite::SQLite(), '%s')
-verdicts <- vapply(list_runs(con)$run, function(run) rerun(con, run)$verdict, '')
+verdicts <- vapply(records_list(con)$run, function(run) records_rerun(con, run)$verdict, '')
 print(table(verdicts))
 quit(status = !all(verdicts == 'identical'))", lab), again)
 r <- file.path(R.home("bin"), "Rscript")
@@ -127,10 +127,10 @@ cat(if (failed) "not ok -" else "ok -", "computed again in a new session\n")
 writeLines(sprintf("library(rotdyn)
 con <- DBI::dbConnect(RSQLite::SQLite(), '%s')
 motion <- trajectory(scene_axle(body_disk(2, 0.25), 0.8), 0:99)
-for (i in 1:3) record_run(con, motion)
+for (i in 1:3) records_add(con, motion)
 cat(Sys.getpid(), file = '%s')
-repeat record_run(con, motion)", lab, file.path(folder, "pid")), file.path(folder, "write.R"))
-before <- nrow(list_runs(lab))
+repeat records_add(con, motion)", lab, file.path(folder, "pid")), file.path(folder, "write.R"))
+before <- nrow(records_list(lab))
 for (i in seq_len(kills)) {
   unlink(file.path(folder, "pid"))
   system2(r, file.path(folder, "write.R"), wait = FALSE)
@@ -143,7 +143,7 @@ checked <- records_check(lab)
 sound <- all(checked$holds)
 failed <- failed || !sound
 cat(
-  if (sound) "ok -" else "not ok -", kills, "kills:", nrow(list_runs(lab)) - before,
+  if (sound) "ok -" else "not ok -", kills, "kills:", nrow(records_list(lab)) - before,
   "runs recorded, none torn\n"
 )
 if (!sound) print(as.data.frame(checked[!checked$holds, ]))

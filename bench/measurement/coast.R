@@ -80,7 +80,7 @@ for (d in designs) {
   if (d$what == "pulse") {
     turned <- trajectory(motion, d$end)$theta_rad
     angle <- seq(0.4, turned, by = 2 * pi / d$per_turn)
-    time_s <- vapply(angle, function(x) when(motion, theta_rad = x)$time_s[1], 0)
+    time_s <- vapply(angle, function(x) time_when(motion, theta_rad = x)$time_s[1], 0)
   } else {
     time_s <- seq(0, d$end, length.out = d$n)
     rows <- trajectory(motion, time_s)

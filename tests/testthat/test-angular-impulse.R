@@ -95,7 +95,7 @@ test_that("NA, and errors of the package's own", {
   expect_identical(dim(angular_impulse(1, double(), 1, body = 2)), c(0L, 5L))
   expect_error(angular_impulse(data.frame(time_s = 1:2), 0, 1), class = "rotdyn_error_type")
   expect_setequal(
-    setdiff(names(angular_impulse(1, 0, 1, body = 1)), rotdyn_columns()$name), character()
+    setdiff(names(angular_impulse(1, 0, 1, body = 1)), column_table()$name), character()
   )
 })
 

@@ -80,7 +80,7 @@ test_that("a row for each balance, its terms nested", {
       sums <- tapply(a$terms[[i]]$value, a$terms[[i]]$role, sum)
       for (role in names(sums)) expect_equal(a[[role]][i], sums[[role]])
     }
-    expect_setequal(setdiff(c(names(a), names(a$terms[[1]])), rotdyn_columns()$name), character())
+    expect_setequal(setdiff(c(names(a), names(a$terms[[1]])), column_table()$name), character())
   }
 })
 

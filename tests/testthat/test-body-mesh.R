@@ -525,7 +525,7 @@ test_that("the hull of a hollow thing is solid, far away and small too", {
 
 test_that("check_mesh() is a table of the dictionary", {
   check <- check_mesh(corner())
-  expect_setequal(setdiff(names(check), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(check), column_table()$name), character())
   expect_s3_class(check, "rot_mesh_check")
   expect_true(all(check$verdict == "holds"))
   open <- corner()

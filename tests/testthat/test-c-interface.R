@@ -46,7 +46,7 @@ test_that("a client package computes the bits that R computes", {
   said <- client_says(c(
     "stopifnot(identical(c_interface(), c(1L, 0L)))",
     "beta <- c(1, 0.5, 0.4, 2/3, 0)",
-    "stopifnot(identical(rolling(beta, 20), rotdyn::rolling_acceleration(beta)))",
+    "stopifnot(identical(rolling(beta, 20), rotdyn::rolling_acceleration(beta, 20)))",
     "scene <- rotdyn::scene_axle(0.0625, NULL, rotdyn::resistance(0.03), omega0_rad_per_s = 10)",
     "motion <- rotdyn::trajectory(scene, seq(0, 4, 0.1))",
     "stopifnot(identical(coasting(0.0625, 0.03, 10, seq(0, 4, 0.1)), motion$omega_rad_per_s))",

@@ -95,7 +95,7 @@ test_that("pulses are fitted by their times", {
   motion <- coasting(end = 9)
   angles <- seq(0, max(motion$theta_rad), by = pi)
   scene <- attr(motion, "run")$scene
-  times <- vapply(angles, function(x) when(motion, theta_rad = x)$time_s[1], 0)
+  times <- vapply(angles, function(x) time_when(motion, theta_rad = x)$time_s[1], 0)
   set.seed(4)
   pulses <- data.frame(t = times + stats::rnorm(length(times), 0, 2e-4))
   fit <- fit_coast_down(motion_record(pulses, time_s = t, pulses = 2))
@@ -387,7 +387,7 @@ test_that("a part of a fit is a table, and a damaged one is refused", {
 
 test_that("its columns are those of the dictionary, and it has a picture", {
   fit <- fit_coast_down(noisy(coasting(), 0.005), inertia = 0.0625)
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   for (table in list(fit, loss_budget(fit), retarding_torque(fit), compare_laws(fit),
                      residual_tests(fit))) {
     expect_setequal(setdiff(names(table), known), character())
@@ -403,7 +403,7 @@ test_that("what repeats every turn is not testable in one or two pulses a turn",
   }
   # The passage of each angle is found once for all records.
   all <- sort(unique(unlist(lapply(c(3, 4, 6, 1, 2), angles))))
-  met <- vapply(all, function(x) when(scene, theta_rad = x)$time_s[1], 0)
+  met <- vapply(all, function(x) time_when(scene, theta_rad = x)$time_s[1], 0)
   pulses <- function(per_turn, seed, uneven = 0) {
     angle <- angles(per_turn)
     wave <- uneven * cos(2 * pi * seq_along(angle) / per_turn - 1)

@@ -9,7 +9,7 @@ test_that("a level rod on an edge, by hand", {
   expect_equal(hit$omega_y_1_rad_per_s, -1.8 * 2.5 / 1.04, tolerance = 1e-15)
   expect_equal(hit$normal_loss_j, (1 - 1 / 16) * 4 / 1.04 / 2, tolerance = 1e-15)
   expect_false(any(grepl("_2_", names(hit))))
-  expect_setequal(setdiff(names(hit), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(hit), column_table()$name), character())
   # The same rod in other axes: the body is turned by its attitude.
   turned <- collide(
     body_rod(2, 1), velocity_1_m_per_s = c(0, 0, -2), normal = c(0, 0, 3),

@@ -17,7 +17,7 @@ test_that("the ledger of a bounce, by hand", {
   expect_equal(ledger$dissipated[4], 0.5 * 0.06 * 25 * (1 - 0.75^2) + sum(0.2625 * (
     29.9 + (29.9 - 0.2625 / 0.06 * 3.5)) / 2), tolerance = 1e-14)
   expect_true(all(ledger$verdict == "balanced"))
-  expect_setequal(setdiff(names(ledger), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(ledger), column_table()$name), character())
   centre <- collision_ledger(bounce(), about = "the centre")
   expect_equal(centre$supplied[3], 0.033 * -0.2625, tolerance = 1e-14)
   expect_equal(centre$verdict[3], "balanced")

@@ -1,12 +1,12 @@
 test_that("every function returns columns of the dictionary only", {
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   expect_false(anyDuplicated(known) > 0)
   scene <- article_scene()
   motion <- trajectory(scene, 0:3)
   returned <- list(
     motion, summary(motion), audit(motion), predict(motion, 1), models(),
-    choose_model(scene, 0:3), rolling_table(), rolling_objects(), inertia_table(),
-    inertia_objects(), energy_partition(2, 3, 0.5, 4), rotdyn_columns(),
+    choose_model(scene, 0:3), rolling_table(), inertia_table(),
+    standard_objects(), energy_partition(0.5, 4, mass_kg = 2, radius_m = 3), column_table(),
     inertia_table(body_disk(2, 3))
   )
   for (table in returned) {
@@ -15,7 +15,7 @@ test_that("every function returns columns of the dictionary only", {
 })
 
 test_that("so does every table about bodies, and those that a body keeps", {
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   corner <- rbind(c(0, 0, 0), c(1, 0, 0), c(0, 2, 0), c(0, 0, 3))
   mesh <- list(vertices = corner, faces = rbind(c(1, 3, 2), c(1, 2, 4), c(1, 4, 3), c(2, 3, 4)))
   check <- check_inertia(data.frame(ixx = c(0.0123, 1), iyy = c(0.0145, 1), izz = c(0.213, 1)))
@@ -42,7 +42,7 @@ test_that("so does every table about bodies, and those that a body keeps", {
 })
 
 test_that("so does every table about motion", {
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   scene <- scene_axle(body_disk(2, 0.25), torque_constant(1), resistance(0.1, coulomb_n_m = 0.2))
   motion <- trajectory(scene, 0:3)
   designs <- data.frame(moment_of_inertia_kg_m2 = c(0.05, 0.2))
@@ -53,7 +53,7 @@ test_that("so does every table about motion", {
     trajectory(rotors, 0:2), audit(trajectory(rotors, 0:2)), shaft_modes(rotors),
     clutch_engagement(2, 3, 6, 10), gear_train(c(0.01, 0.5), ratios = 5),
     angular_motion(theta_rad = 1, omega0_rad_per_s = 3, alpha_rad_per_s2 = -2),
-    point_motion(6, -2.5, 0.1)
+    point_motion(6, 0.1, -2.5)
   )
   for (table in returned) {
     expect_setequal(setdiff(names(table), known), character())
@@ -61,7 +61,7 @@ test_that("so does every table about motion", {
 })
 
 test_that("a name that carries a unit carries the unit of the dictionary", {
-  columns <- rotdyn_columns()
+  columns <- column_table()
   suffix <- c(
     "_s" = "s", "_rad" = "rad", "_rad_per_s" = "rad/s", "_n_m" = "N m", "_j" = "J", "_kg" = "kg",
     "_deg" = "degree", "_m_per_s2" = "m/s^2", "_kg_m2" = "kg m^2", "_kg_m2_per_s" = "kg m^2/s",
@@ -79,7 +79,7 @@ test_that("a name that carries a unit carries the unit of the dictionary", {
 })
 
 test_that("torque is never in joule", {
-  torque <- rotdyn_columns()
+  torque <- column_table()
   torque <- torque[grepl("torque", torque$name) & !grepl("impulse", torque$name), ]
   expect_equal(unique(torque$unit), "N m")
 })

@@ -15,7 +15,7 @@ test_that("every verb takes a free body", {
     expect_identical(is.na(again$qw), c(FALSE, TRUE, FALSE))
     expect_lt(attitude_difference(again[3, ], motion[1, ]), 1e-15)
     expect_true(all(motion_events(motion)$event == "flip"))
-    first <- when(motion, omega_y_rad_per_s = 0)
+    first <- time_when(motion, omega_y_rad_per_s = 0)
     expect_lt(abs(predict(motion, first$time_s)$omega_y_rad_per_s), 1e-8)
     expect_identical(nrow(motion[3:5, ]), 3L)
     expect_s3_class(motion[3:5, ], "rot_trajectory")

@@ -52,8 +52,8 @@ test_that("pendulums of any amplitude: passages and periods to 1e-14", {
       row$inertia, torque_gravity(1, row$k, gravity_m_per_s2 = 1), theta0_rad = row$theta0,
       omega0_rad_per_s = row$omega0
     )
-    got <- expect_no_warning(when(scene, theta_rad = row$value))
-    expect_digits(c(got$time_s, period(scene)$period_s), c(row$time_s, row$second), row)
+    got <- expect_no_warning(time_when(scene, theta_rad = row$value))
+    expect_digits(c(got$time_s, period_of(scene)$period_s), c(row$time_s, row$second), row)
   }
 })
 
@@ -63,9 +63,9 @@ test_that("oscillators of any damping: passages and cycles to 1e-14", {
       row$inertia, torque_spring(row$k), resistance(row$c), theta0_rad = row$theta0,
       omega0_rad_per_s = row$omega0
     )
-    got <- if (row$value == 1) when(scene, theta_rad = 0) else
-      when(scene, theta_rad = 0, occurrence = "all", until_s = 1.001 * row$time_s)
-    cycle <- period(scene)$period_s
+    got <- if (row$value == 1) time_when(scene, theta_rad = 0) else
+      time_when(scene, theta_rad = 0, occurrence = "all", until_s = 1.001 * row$time_s)
+    cycle <- period_of(scene)$period_s
     if (is.nan(cycle)) cycle <- Inf # overdamped
     expect_equal(nrow(got), row$value)
     expect_digits(c(got$time_s[row$value], cycle), c(row$time_s, row$second), row)

@@ -316,7 +316,7 @@ test_that("errors of curves", {
 })
 
 test_that("columns are in the dictionary", {
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   motion <- roll_on_curve(cos, 1, 2)
   expect_identical(setdiff(c(names(motion), names(summary(motion))), known), character())
 })

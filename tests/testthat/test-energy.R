@@ -1,5 +1,5 @@
 test_that("energies by hand: m = 2, r = 3, beta = 0.5, v = 4", {
-  table <- energy_partition(2, 3, 0.5, 4)
+  table <- energy_partition(0.5, 4, mass_kg = 2, radius_m = 3)
   expect_equal(table$translational_kinetic_energy_j, 16)
   expect_equal(table$rotational_kinetic_energy_j, 8)
   expect_equal(table$total_kinetic_energy_j, 24)
@@ -9,7 +9,7 @@ test_that("energies by hand: m = 2, r = 3, beta = 0.5, v = 4", {
 })
 
 test_that("the two parts are I omega^2/2 and m v^2/2", {
-  table <- energy_partition(mass_kg = c(2, 5), radius_m = c(3, 0.7), beta = c(1, 0.4), -6)
+  table <- energy_partition(c(1, 0.4), -6, mass_kg = c(2, 5), radius_m = c(3, 0.7))
   expect_equal(
     table$rotational_kinetic_energy_j,
     table$moment_of_inertia_kg_m2 * table$omega_rad_per_s^2 / 2
@@ -22,22 +22,24 @@ test_that("the two parts are I omega^2/2 and m v^2/2", {
 })
 
 test_that("NA in, NA out; what is impossible is an error; lengths recycle as a tibble's", {
-  expect_equal(energy_partition(2, 3, c(0.5, NA), 4)$rotational_kinetic_energy_j, c(8, NA))
-  expect_equal(nrow(energy_partition(numeric(), 3, 0.5, 4)), 0)
-  expect_error(energy_partition(1, 0, 1, 1), class = "rotdyn_error_value")
-  expect_error(energy_partition(-1, 1, 1, 1), class = "rotdyn_error_value")
-  expect_error(energy_partition(1, 1, -1, 1), class = "rotdyn_error_value")
-  expect_error(energy_partition(1:2, 1:3, 1, 1), class = "rotdyn_error_size")
+  expect_equal(energy_partition(c(0.5, NA), 4, mass_kg = 2,
+    radius_m = 3)$rotational_kinetic_energy_j, c(8, NA))
+  expect_equal(nrow(energy_partition(0.5, 4, mass_kg = numeric(), radius_m = 3)), 0)
+  expect_error(energy_partition(1, 1, mass_kg = 1, radius_m = 0), class = "rotdyn_error_value")
+  expect_error(energy_partition(1, 1, mass_kg = -1, radius_m = 1), class = "rotdyn_error_value")
+  expect_error(energy_partition(-1, 1, mass_kg = 1, radius_m = 1), class = "rotdyn_error_value")
+  expect_error(energy_partition(1, 1, mass_kg = 1:2, radius_m = 1:3), class = "rotdyn_error_size")
 })
 
 test_that("textbook: stopping a 40 kg solid cylinder that rolls at 6 m/s takes 1080 J", {
   # University Physics 1, section 11.1 (OpenStax).
-  expect_equal(energy_partition(40, 0.2, 0.5, 6)$total_kinetic_energy_j, 1080)
+  expect_equal(energy_partition(0.5, 6, mass_kg = 40, radius_m = 0.2)$total_kinetic_energy_j, 1080)
 })
 
 test_that("an energy that is a double is found; what is beyond is said", {
-  x <- suppressWarnings(energy_partition(1e300, 1, 1e-300, 1e10))
+  x <- suppressWarnings(energy_partition(1e-300, 1e10, mass_kg = 1e300, radius_m = 1))
   expect_equal(x$rotational_kinetic_energy_j, 5e19, tolerance = 1e-14)
-  expect_warning(energy_partition(1e200, 1e200, 0.5, 1e200), class = "rotdyn_warning_range")
-  expect_silent(energy_partition(NA, 1, 1, 1))
+  expect_warning(energy_partition(0.5, 1e200, mass_kg = 1e200, radius_m = 1e200),
+    class = "rotdyn_warning_range")
+  expect_silent(energy_partition(1, 1, mass_kg = NA, radius_m = 1))
 })

@@ -68,7 +68,7 @@ test_that("augment() adds samples and leave-one-out residuals of s.d. 1", {
   expect_equal(about$samples, 1000)
   expect_within(about$theta_scatter_rad, 1e-3, 0.1)
   expect_setequal(
-    setdiff(c(names(all), names(about), names(motion_events(motion))), rotdyn_columns()$name),
+    setdiff(c(names(all), names(about), names(motion_events(motion))), column_table()$name),
     character()
   )
 })

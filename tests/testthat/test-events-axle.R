@@ -1,17 +1,17 @@
 test_that("a pendulum turns and passes on time, and rotates", {
   scene <- scene_pendulum(body_point(1), 0.5, theta0_rad = 2)
-  cycle <- period(scene)$period_s
+  cycle <- period_of(scene)$period_s
   events <- motion_events(trajectory(scene, seq(0, 1.1 * cycle, length.out = 5)))
   expect_equal(events$event, c("passage", "turn", "passage", "turn"))
   expect_equal(events$time_s, cycle * 1:4 / 4, tolerance = 1e-14)
   round <- scene_pendulum(body_point(1), 0.5, omega0_rad_per_s = -20)
-  turn <- period(round)$period_s
+  turn <- period_of(round)$period_s
   events <- motion_events(trajectory(round, c(0, 3.5 * turn)))
   expect_equal(events$event, rep("passage", 3))
   expect_equal(events$time_s, turn * 1:3, tolerance = 1e-14)
   # Gravity that pulls up.
   up <- scene_pendulum(body_point(1), 0.5, theta0_rad = 3, gravity_m_per_s2 = -9.80665)
-  expect_equal(motion_events(trajectory(up, c(0, 1)))$time_s[1], period(up)$period_s / 4,
+  expect_equal(motion_events(trajectory(up, c(0, 1)))$time_s[1], period_of(up)$period_s / 4,
     tolerance = 1e-14)
 })
 
@@ -48,7 +48,7 @@ test_that("an audit has the potential energy as a change", {
   # mpmath: at K(sin^2 1) sqrt(I/(m g d)) the pendulum let go at 2 rad passes the lowest point; all
   # of m g d (1 - cos 2) is kinetic.
   scene <- scene_pendulum(body_point(1), 0.5, theta0_rad = 2)
-  got <- energy(scene, c(0, period(scene)$period_s / 4))
+  got <- energy(scene, c(0, period_of(scene)$period_s / 4))
   fallen <- 9.80665 * 0.5 * (1 - cos(2))
   expect_equal(got[["change of potential energy"]], -fallen, tolerance = 1e-14)
   expect_equal(got[["change of kinetic energy"]], fallen, tolerance = 1e-14)

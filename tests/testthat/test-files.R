@@ -3,7 +3,7 @@ test_that("names of files", {
   Encoding(bytes) <- "bytes"
   for (name in list(1, "", NA_character_, c("a", "b"), NULL, bytes)) {
     expect_error(write_scene(scene_axle(1, 1), name %||% list()), class = "rotdyn_error_type")
-    expect_error(metadata_sql(name %||% list()), class = "rotdyn_error_type")
+    expect_error(metadata(file = name %||% list()), class = "rotdyn_error_type")
   }
 })
 
@@ -13,7 +13,7 @@ test_that("what cannot be written says so, without a warning of R's own", {
     expect_error(
       expect_no_warning(write_scene(scene_axle(1, 1), name)), class = "rotdyn_error_file"
     )
-    expect_error(expect_no_warning(metadata_sql(name)), class = "rotdyn_error_file")
+    expect_error(expect_no_warning(metadata(file = name)), class = "rotdyn_error_file")
   }
   path <- tempfile()
   write_scene(scene_axle(1, 1), path)
@@ -26,7 +26,7 @@ test_that("a full disk is an error, and leaves neither a part nor a temporary fi
     full <- function(expr) expect_error(expr, "disk is full", class = "rotdyn_error_file")
     files <- function() list.files(disk, all.files = TRUE, no.. = TRUE)
     full(write_scene(long, file.path(disk, "a.json")))
-    full(metadata_sql(file.path(disk, "a.sql")))
+    full(metadata(file = file.path(disk, "a.sql")))
     expect_identical(files(), character())
     # A file that was there stays as it is.
     old <- file.path(disk, "old.json")
@@ -68,7 +68,7 @@ test_that("devices and pipes are written where they are, and checked", {
   skip_if(!file.exists("/dev/full"), "there is no /dev/full")
   wheel <- scene_axle(1, 1)
   expect_error(write_scene(wheel, "/dev/full"), "disk is full", class = "rotdyn_error_file")
-  expect_error(metadata_sql("/dev/full"), "disk is full", class = "rotdyn_error_file")
+  expect_error(metadata(file = "/dev/full"), "disk is full", class = "rotdyn_error_file")
   expect_no_error(write_scene(wheel, "/dev/null"))
   expect_true(.Call(ffi_file_special, "/dev/null"))
   expect_identical(cli("roll", "--out", "/dev/full")$status, 3L)

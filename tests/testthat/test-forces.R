@@ -119,7 +119,7 @@ test_that("textbook: torques and what they do", {
   vector <- force_torques(load_force(c(5, -2, 1), c(-2, 4, 0)))
   is("UP10-40", vector$torque_about_z_n_m)
   is("UP10-41", vector$torque_about_x_n_m)
-  expect_equal(torque_vector(c(5, -2, 1), c(-2, 4, 0))[["z"]], -16)
+  expect_equal(torque_of_force(c(5, -2, 1), position_m = c(-2, 4, 0))[["z"]], -16)
   disk <- body_disk(50, 1.5)
   is("UP10-43", torque_of_force(250, 1.5) / moment_of_inertia(disk, "z"))
   child <- moment_of_inertia(disk, "z") + 18 * 1.25^2
@@ -129,7 +129,7 @@ test_that("textbook: torques and what they do", {
   )
   is("UP10-46", resultant(stone)$torque_n_m / moment_of_inertia(body_disk(75, 0.28), "z"))
   slows <- angular_motion(
-    omega0_rad_per_s = rad_per_s_from_rpm(500), omega_rad_per_s = 0, time_s = 120
+    omega0_rad_per_s = convert_angle(500, "rpm", "rad/s"), omega_rad_per_s = 0, time_s = 120
   )
   is("UP10-47", 100 * slows$alpha_rad_per_s2)
   # A rod on its remaining string: the weight turns it about that end.
@@ -140,5 +140,7 @@ test_that("textbook: torques and what they do", {
   turn <- function(hours) 2 * pi / (hours * 3600)
   slow <- torque_of_force(4e7, 6.376e6) / earth
   is("CP10-06", (turn(24) - turn(28)) / slow)
-  is("UP11-20", angular_momentum_vector(15, c(0, -2000, 0), c(25e3, 25e3, 0))[["z"]])
+  is("UP11-20",
+    angular_momentum_of(15, velocity_m_per_s = c(0, -2000, 0),
+      position_m = c(25e3, 25e3, 0))[["z"]])
 })

@@ -216,16 +216,16 @@ test_that("every shaft of a train has its angle and rate", {
   expect_equal(x$theta_3_rad, -(1 + 20 * (0:3)^2) / 10, tolerance = 1e-15)
   expect_equal(predict(x, 0.5)$theta_2_rad, (1 + 20 * 0.25) / 5, tolerance = 1e-15)
   # omega_3 = -4 t
-  got <- when(scene, omega_3_rad_per_s = -2)
+  got <- time_when(scene, omega_3_rad_per_s = -2)
   expect_equal(got$time_s, 0.5, tolerance = 1e-14)
   expect_equal(got$direction, "down")
-  expect_error(when(scene, omega_4_rad_per_s = 1), class = "rotdyn_error_value")
+  expect_error(time_when(scene, omega_4_rad_per_s = 1), class = "rotdyn_error_value")
   expect_null(trajectory(scene_axle(1), 0:1)[["omega_2_rad_per_s"]])
   forged <- scene
   forged$ratios[1] <- 7
   expect_error(trajectory(forged, 1), class = "rotdyn_error_type")
   skip_if_not_installed("units")
-  again <- when(scene, omega_3_rad_per_s = units::set_units(-60 / pi, "rpm"))
+  again <- time_when(scene, omega_3_rad_per_s = units::set_units(-60 / pi, "rpm"))
   expect_equal(again$time_s, 0.5, tolerance = 1e-14)
 })
 

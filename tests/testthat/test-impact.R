@@ -96,20 +96,25 @@ test_that("disks that lock and rims that meet (University Physics 11.3)", {
   clutch <- clutch_engagement(1, 3, Inf, 600 * rpm, 0)
   expect_equal(lock$friction_loss_j, clutch$heat_j, tolerance = 1e-14)
   # Gears: 0.01 and 0.16 kg m^2, radii 0.1 and 0.2 m: slip 6 m/s, J = 6/(1 + 1/4).
-  mesh <- rims_meet(body_disk(2, 0.1), body_disk(8, 0.2), 0.1, 0.2, 60, 0)
+  mesh <- rims_meet(body_disk(2, 0.1), body_disk(8, 0.2), 60, 0)
   expect_equal(mesh$impulse_n_s, -4.8, tolerance = 1e-14)
   expect_equal(mesh$omega_1_rad_per_s, 12, tolerance = 1e-14)
   expect_equal(mesh$omega_2_rad_per_s, -6, tolerance = 1e-14)
-  ring <- rims_meet(1, 1, 0.1, -0.3, 10, 0)
+  ring <- rims_meet(1, 1, 10, 0, radius_1_m = 0.1, radius_2_m = -0.3)
   expect_equal(0.1 * ring$omega_1_rad_per_s, 0.3 * ring$omega_2_rad_per_s, tolerance = 1e-14)
-  slips <- rims_meet(1, 1, 0.1, 0.1, 100, 0, largest_impulse_n_s = c(1, NA))
+  slips <- rims_meet(
+    1, 1, 100, 0, largest_impulse_n_s = c(1, NA), radius_1_m = 0.1, radius_2_m = 0.1
+  )
   expect_identical(slips$locked, c(FALSE, NA))
   expect_equal(slips$omega_1_rad_per_s[1], 99.9, tolerance = 1e-14)
   for (hit in list(lock, mesh)) {
-    expect_setequal(setdiff(names(hit), rotdyn_columns()$name), character())
+    expect_setequal(setdiff(names(hit), column_table()$name), character())
   }
-  expect_error(rims_meet(1, 1, 0, 0.1, 1, 0), class = "rotdyn_error_value")
-  expect_error(rims_meet(1, 1, 0.1, 0, 1, 0), class = "rotdyn_error_value")
+  expect_error(rims_meet(1, 1, 1, 0, radius_1_m = 0, radius_2_m = 0.1),
+    class = "rotdyn_error_value")
+  expect_error(rims_meet(1, 1, 1, 0, radius_1_m = 0.1, radius_2_m = 0),
+    class = "rotdyn_error_value")
+  expect_error(rims_meet(1, 1, 1, 0), class = "rotdyn_error_missing")
   expect_error(disks_lock(1, -1, 1, 0), class = "rotdyn_error_value")
   expect_error(disks_lock(1, 1, 1), class = "rotdyn_error_missing")
 })
@@ -119,7 +124,7 @@ test_that("arguments are columns; bad ones name the row", {
   hit <- ball_bounce(ball, c(1, NA, 2), -1, 0, 0.5, 0.1)
   expect_identical(nrow(hit), 3L)
   expect_true(is.na(hit$vx_m_per_s[2]) && is.na(hit$grips[2]))
-  expect_setequal(setdiff(names(hit), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(hit), column_table()$name), character())
   expect_error(ball_bounce(ball, 1, -1, restitution = c(0.5, 1.1)), "row 2",
     class = "rotdyn_error_value")
   expect_error(ball_bounce(ball, 1, -1, restitution = -0.1), class = "rotdyn_error_value")

@@ -78,7 +78,7 @@ test_that("missing numbers, defaults, no rows", {
   expect_equal(marble$final_x_m, 15.75, tolerance = 1e-15)
   expect_identical(nrow(incline_table(lanes()[0, ], 1)), 0L)
   expect_named(incline_table(lanes()[0, ], 1), c(names(lanes()), incline_table_columns))
-  expect_setequal(setdiff(incline_table_columns, rotdyn_columns()$name), character())
+  expect_setequal(setdiff(incline_table_columns, column_table()$name), character())
 })
 
 test_that("bad rows are named", {

@@ -5,13 +5,13 @@ test_that("torsion and compound pendulum: closed forms, at any amplitude", {
   rod <- body_rod_end(0.2, 0.6)
   inertia <- 0.2 * 0.6^2 / 3
   for (amplitude in c(0, 0.3, 1, 2.5)) {
-    t <- period(scene_pendulum(rod, theta0_rad = amplitude))$period_s
+    t <- period_of(scene_pendulum(rod, theta0_rad = amplitude))$period_s
     got <- inertia_compound_pendulum(t, 0.2, 0.3, amplitude_rad = amplitude)
     expect_equal(got$value / inertia, 1, tolerance = 1e-13)
     expect_equal(got$centre$value, 0.2 * 0.6^2 / 12, tolerance = 1e-12)
   }
   # Without the correction: 1.1 % at 0.3 rad.
-  t <- period(scene_pendulum(rod, theta0_rad = 0.3))$period_s
+  t <- period_of(scene_pendulum(rod, theta0_rad = 0.3))$period_s
   expect_within(inertia_compound_pendulum(t, 0.2, 0.3)$value / inertia - 1, 0.0113, 0.02)
 })
 

@@ -1,13 +1,13 @@
 test_that("of the standard shapes the moments come first", {
   standard <- inertia_table()
   expect_named(standard[1:5], c("object", "mass_kg", "moment_of_inertia_kg_m2", "axis", "formula"))
-  given <- inertia_table(inertia_objects())
-  expect_named(given[1:3], names(inertia_objects())[1:3])
+  given <- inertia_table(standard_objects())
+  expect_named(given[1:3], names(standard_objects())[1:3])
   expect_equal(standard[names(given)], given)
 })
 
 test_that("the standard shapes, at m = 2, r = 3, l = 5", {
-  table <- inertia_table(inertia_objects(2, 3, 5))
+  table <- inertia_table(standard_objects(NULL, 2, 3, 5))
   want <- c(
     hoop = 18, disk = 9, sphere = 7.2, spherical_shell = 12, rod = 50 / 12, rod_end = 50 / 3,
     point = 18, sliding_point = 0
@@ -55,21 +55,21 @@ test_that("NA in, NA out; what is impossible is an error", {
 })
 
 test_that("every shape of the catalogue is in the list, with sizes it can have", {
-  objects <- inertia_objects(2, 0.3, 1.5)
+  objects <- standard_objects(NULL, 2, 0.3, 1.5)
   expect_setequal(objects$object, shapes()$shape)
   table <- inertia_table(objects)
   expect_true(all(is.finite(table$moment_of_inertia_kg_m2)))
   expect_true(all(is.finite(table$izz_kg_m2)))
   moments <- cbind(table$ixx_kg_m2, table$iyy_kg_m2, table$izz_kg_m2)
   expect_true(all(rowSums(moments) - 2 * moments >= -1e-15))
-  expect_true(nrow(inertia_table(inertia_objects(1, 0, 0))) == nrow(objects))
+  expect_true(nrow(inertia_table(standard_objects(NULL, 1, 0, 0))) == nrow(objects))
 })
 
 test_that("a row is what the constructor makes of it", {
   shapes <- names(test_sizes)
   rows <- do.call(rbind, lapply(shapes, function(shape) {
     sizes <- as.list(body_of_shape(shape, test_sizes[[shape]][[2]], mass_kg = 2.5)$size_m)
-    all <- setdiff(names(inertia_objects()), c("object", "mass_kg"))
+    all <- setdiff(names(standard_objects()), c("object", "mass_kg"))
     sizes[setdiff(all, names(sizes))] <- NA_real_
     as.data.frame(c(list(shape = shape, mass_kg = 2.5), sizes[all]))
   }))

@@ -29,9 +29,9 @@ test_that("any three of the five give the other two", {
 })
 
 test_that("the columns are those of the dictionary", {
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   expect_true(all(names(angular_motion(1, 2, 3)) %in% known))
-  expect_true(all(names(point_motion(1, 2, 3)) %in% known))
+  expect_true(all(names(point_motion(1, 3, 2)) %in% known))
 })
 
 test_that("two motions: the smaller time first, one row each, beside the rows with one", {
@@ -87,7 +87,7 @@ test_that("no motion, or many: NaN and one warning that names the rows", {
 
 test_that("no row, units, and what is not numbers", {
   expect_equal(nrow(angular_motion(numeric(), 1, 2)), 0)
-  expect_equal(nrow(point_motion(numeric(), 1, 2)), 0)
+  expect_equal(nrow(point_motion(numeric(), 2, 1)), 0)
   expect_error(angular_motion(1, 2), class = "rotdyn_error_missing")
   expect_error(angular_motion(), class = "rotdyn_error_missing")
   expect_error(angular_motion(1, 2, 3, 4), class = "rotdyn_error_size")
@@ -97,23 +97,25 @@ test_that("no row, units, and what is not numbers", {
     conditionMessage(expect_error(angular_motion(1:2, c(1, Inf), 3), class = "rotdyn_error_value")),
     "row 2"
   )
-  expect_error(point_motion(1, 2, -1), class = "rotdyn_error_value")
-  expect_error(point_motion(1, 2), class = "rotdyn_error_missing")
-  expect_error(tangential_speed(1), class = "rotdyn_error_missing")
-  expect_error(rad_from_deg(), class = "rotdyn_error_missing")
-  expect_error(rad_from_deg("a"), class = "rotdyn_error_type")
+  expect_error(point_motion(1, -1, 2), class = "rotdyn_error_value")
+  expect_error(point_motion(1), class = "rotdyn_error_missing")
+  expect_error(convert_angle(1, "rpm"), class = "rotdyn_error_missing")
+  expect_error(convert_angle(1, "rpm", "rad"), class = "rotdyn_error_unit")
+  expect_error(convert_angle(1, "Hz", "rad/s"), class = "rotdyn_error_value")
+  expect_error(convert_angle("a", "degree", "rad"), class = "rotdyn_error_type")
   skip_if_not_installed("units")
-  expect_equal(rad_from_turns(units::set_units(180, "degree")), pi)
-  expect_equal(rad_per_s_from_rpm(units::set_units(2, "turn/s")), 4 * pi)
-  expect_error(rad_from_deg(units::set_units(1, "m")), class = "rotdyn_error_unit")
+  expect_equal(convert_angle(units::set_units(180, "degree"), "turn", "rad"), pi)
+  expect_equal(convert_angle(units::set_units(2, "turn/s"), "rpm", "rad/s"), 4 * pi)
+  expect_error(convert_angle(units::set_units(1, "m"), "degree", "rad"),
+    class = "rotdyn_error_unit")
   expect_equal(
     angular_motion(units::set_units(180, "degree"), 0, time_s = 2)$alpha_rad_per_s2, pi / 2
   )
 })
 
 test_that("a point that goes round", {
-  point <- point_motion(6, c(-2.5, NA), 0.3)
-  expect_equal(names(point), c("omega_rad_per_s", "alpha_rad_per_s2", "radius_m", point_columns))
+  point <- point_motion(6, 0.3, c(-2.5, NA))
+  expect_equal(names(point), c("omega_rad_per_s", "radius_m", "alpha_rad_per_s2", point_columns))
   # mpmath, 60 digits.
   expect_ulps(point$tangential_speed_m_per_s[1], 1.7999999999999999334, 1)
   expect_ulps(point$tangential_acceleration_m_per_s2[1], -0.74999999999999997224, 1)
@@ -123,29 +125,37 @@ test_that("a point that goes round", {
   expect_equal(is.na(unlist(point[2, ])), !names(point) %in% c(
     "omega_rad_per_s", "radius_m", "tangential_speed_m_per_s", "centripetal_acceleration_m_per_s2"
   ), ignore_attr = TRUE)
-  expect_identical(tangential_speed(6, 0.3), point$tangential_speed_m_per_s[1])
-  expect_identical(tangential_acceleration(-2.5, 0.3), point$tangential_acceleration_m_per_s2[1])
-  expect_identical(centripetal_acceleration(6, 0.3), point$centripetal_acceleration_m_per_s2[1])
   skip_if_not_installed("dplyr")
   wheel <- data.frame(omega = c(1, 2, NA), r = c(3, 4, 5))
-  expect_equal(dplyr::mutate(wheel, v = tangential_speed(omega, r))$v, c(3, 8, NA))
-  expect_equal(dplyr::mutate(wheel, a = centripetal_acceleration(omega, r))$a, c(3, 16, NA))
+  expect_equal(dplyr::mutate(wheel, v = point_motion(omega, r)$tangential_speed_m_per_s)$v,
+    c(3, 8, NA))
+  expect_equal(dplyr::mutate(wheel, a = point_motion(omega, r)$centripetal_acceleration_m_per_s2)$a,
+    c(3, 16, NA))
 })
 
 test_that("units of angles there and back", {
-  expect_identical(rad_from_deg(c(180, -90, 0, NA)), c(pi, -pi / 2, 0, NA))
-  expect_identical(rad_from_turns(c(1, Inf)), c(2 * pi, Inf))
-  expect_identical(rad_per_s_from_rpm(60), 2 * pi)
+  expect_identical(convert_angle(c(180, -90, 0, NA), "degree", "rad"), c(pi, -pi / 2, 0, NA))
+  expect_identical(convert_angle(c(1, Inf), "turn", "rad"), c(2 * pi, Inf))
+  expect_identical(convert_angle(60, "rpm", "rad/s"), 2 * pi)
   # The factors, mpmath, 60 digits: 180/pi, 1/(2 pi), 30/pi, pi/30.
-  expect_identical(deg_from_rad(1), 57.29577951308232087680)
-  expect_identical(turns_from_rad(1), 0.15915494309189533577)
-  expect_identical(rpm_from_rad_per_s(1), 9.54929658551372014613)
-  expect_identical(rad_per_s_from_rpm(1), 0.10471975511965977462)
-  expect_identical(rad_from_deg(NA), NA_real_)
+  expect_identical(convert_angle(1, "rad", "degree"), 57.29577951308232087680)
+  expect_identical(convert_angle(1, "rad", "turn"), 0.15915494309189533577)
+  expect_identical(convert_angle(1, "rad/s", "rpm"), 9.54929658551372014613)
+  expect_identical(convert_angle(1, "rpm", "rad/s"), 0.10471975511965977462)
+  expect_identical(convert_angle(NA, "degree", "rad"), NA_real_)
+  # Rational ratios: one rounding.
+  expect_identical(convert_angle(c(540, 1), "deg", "turns"), c(1.5, 1 / 360))
+  expect_identical(convert_angle(1 / 3, "rev", "deg"), 120)
+  expect_identical(convert_angle(7, "rpm", "degree/s"), 42)
+  expect_identical(convert_angle(7, "turn/s", "rpm"), 420)
+  expect_identical(convert_angle(7, "degree/s", "rpm"), 7 / 6)
+  expect_identical(convert_angle(180, "degree/s", "rad/s"), pi)
+  expect_identical(convert_angle(2, "turn/s", "rad/s"), 4 * pi)
+  expect_warning(convert_angle(1e308, "turn", "degree"), class = "rotdyn_warning_range")
   x <- c(1e-300, 0.1, 7, 1e300)
-  expect_ulps(deg_from_rad(rad_from_deg(x)), x, 2)
-  expect_ulps(turns_from_rad(rad_from_turns(x)), x, 2)
-  expect_ulps(rpm_from_rad_per_s(rad_per_s_from_rpm(x)), x, 2)
+  expect_ulps(convert_angle(convert_angle(x, "degree", "rad"), "rad", "degree"), x, 2)
+  expect_ulps(convert_angle(convert_angle(x, "turn", "rad"), "rad", "turn"), x, 2)
+  expect_ulps(convert_angle(convert_angle(x, "rpm", "rad/s"), "rad/s", "rpm"), x, 2)
 })
 
 test_that("textbook parts: University Physics 1, chapter 10", {
@@ -156,7 +166,7 @@ test_that("textbook parts: University Physics 1, chapter 10", {
     omega0_rad_per_s = 9, omega_rad_per_s = 0, time_s = 30
   )$alpha_rad_per_s2)
   is("UP10-04", angular_motion(
-    omega0_rad_per_s = rad_per_s_from_rpm(7000), omega_rad_per_s = 0, time_s = 10
+    omega0_rad_per_s = convert_angle(7000, "rpm", "rad/s"), omega_rad_per_s = 0, time_s = 10
   )$theta_rad)
   from_rest <- angular_motion(300, 0, alpha_rad_per_s2 = 5)[2, ]
   is("UP10-06", from_rest$omega_rad_per_s)
@@ -165,33 +175,36 @@ test_that("textbook parts: University Physics 1, chapter 10", {
     omega0_rad_per_s = 2, alpha_rad_per_s2 = 1, time_s = 5
   )$theta_rad)
   # Friction holds him where omega^2 r <= mu g.
-  is("UP10-11", 0.5 * 9.8 / centripetal_acceleration(2.5, 1))
-  is("UP10-81", turns_from_rad(angular_motion(
-    omega0_rad_per_s = rad_per_s_from_rpm(100 / 3), omega_rad_per_s = 0, time_s = 60
-  )$theta_rad))
+  is("UP10-11", 0.5 * 9.8 / point_motion(2.5, 1)$centripetal_acceleration_m_per_s2)
+  is("UP10-81", convert_angle(angular_motion(
+    omega0_rad_per_s = convert_angle(100 / 3, "rpm", "rad/s"), omega_rad_per_s = 0, time_s = 60
+  )$theta_rad, "rad", "turns"))
 })
 
 test_that("a wheel that slows by 5 rpm a second (BYU Physics 121)", {
   cases <- utils::read.csv(shared("cases", "coastdown_damping", "cases.csv"))
   computed <- function(id) cases$computed[cases$id == id]
   stop <- angular_motion(
-    omega0_rad_per_s = rad_per_s_from_rpm(900), omega_rad_per_s = 0,
-    alpha_rad_per_s2 = rad_per_s_from_rpm(-5)
+    omega0_rad_per_s = convert_angle(900, "rpm", "rad/s"), omega_rad_per_s = 0,
+    alpha_rad_per_s2 = convert_angle(-5, "rpm", "rad/s")
   )
   expect_equal(stop$time_s, computed("byu_t"), tolerance = 1e-14)
-  expect_equal(turns_from_rad(stop$theta_rad), computed("byu_rev"), tolerance = 1e-14)
+  expect_equal(convert_angle(stop$theta_rad, "rad", "turn"), computed("byu_rev"), tolerance = 1e-14)
   after <- angular_motion(
-    theta_rad = rad_from_turns(1000), omega0_rad_per_s = rad_per_s_from_rpm(900),
-    alpha_rad_per_s2 = rad_per_s_from_rpm(-5)
+    theta_rad = convert_angle(1000, "turn", "rad"),
+    omega0_rad_per_s = convert_angle(900, "rpm", "rad/s"),
+    alpha_rad_per_s2 = convert_angle(-5, "rpm", "rad/s")
   )
-  expect_equal(rpm_from_rad_per_s(after$omega_rad_per_s[1]), computed("byu_1000"), tolerance = 1e-9)
+  expect_equal(convert_angle(after$omega_rad_per_s[1], "rad/s", "rpm"), computed("byu_1000"),
+    tolerance = 1e-9)
 })
 
 test_that("what exceeds double precision is said", {
   expect_warning(x <- point_motion(1e200, 1, 1), class = "rotdyn_warning_range")
   expect_equal(x$centripetal_acceleration_m_per_s2, Inf)
-  expect_warning(centripetal_acceleration(c(1, 1e200), 1), "row 2", class = "rotdyn_warning_range")
-  expect_silent(point_motion(1e160, 1e308, 1e-200))
+  expect_warning(point_motion(c(1, 1e200), 1)$centripetal_acceleration_m_per_s2, "row 2",
+    class = "rotdyn_warning_range")
+  expect_silent(point_motion(1e160, 1e-200, 1e308))
   expect_warning(
     angular_motion(omega0_rad_per_s = 1e308, alpha_rad_per_s2 = 1e308, time_s = 10),
     class = "rotdyn_warning_range"

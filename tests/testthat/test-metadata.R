@@ -11,7 +11,7 @@ test_that("all keys, ranges and references of the metadata hold", {
 
 test_that("what the package knows is read from there", {
   known <- metadata()
-  expect_identical(known$quantities$quantity, rotdyn_columns()$name)
+  expect_identical(known$quantities$quantity, column_table()$name)
   expect_identical(known$shapes$shape, shapes()$shape)
   own <- models()
   expect_true(all(known$models$model %in% own$model))

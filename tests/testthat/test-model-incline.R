@@ -145,7 +145,7 @@ test_that("every verb knows the incline", {
   scene <- scene_incline(ball(), 10, static_friction = 0.2, rolling_arm_m = 1e-3)
   expect_equal(choose_model(scene, 0:3)$model[1], "incline_exact")
   motion <- trajectory(scene, 0:3)
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   for (table in list(motion, summary(motion), augment(motion), work_precision(scene, 0:3))) {
     expect_setequal(setdiff(names(table), c(known, "x_error", "v_error")), character())
   }
@@ -193,15 +193,15 @@ test_that("rows of events: one for each, none twice, and every verb keeps them",
   expect_true(all(measured$covered %in% c(TRUE, NA)))
 })
 
-test_that("when() and the summary find what lies between the rows", {
+test_that("time_when() and the summary find what lies between the rows", {
   # v = -3 + g sin t/1.4 (rolling): up to 0.857 s, then down.
   up <- scene_incline(ball(), 30, v0_m_per_s = -3, gravity_m_per_s2 = 9.8)
   a <- 9.8 * 0.5 / 1.4
   motion <- trajectory(up, c(0, 5))
-  expect_equal(when(motion, v_m_per_s = 0)$time_s, 3 / a, tolerance = 1e-14)
-  expect_equal(when(up, x_m = 0, occurrence = "all", until_s = 9)$time_s, c(0, 6 / a),
+  expect_equal(time_when(motion, v_m_per_s = 0)$time_s, 3 / a, tolerance = 1e-14)
+  expect_equal(time_when(up, x_m = 0, occurrence = "all", until_s = 9)$time_s, c(0, 6 / a),
     tolerance = 1e-13)
-  expect_equal(when(up, x_m = -1)$time_s, (3 - sqrt(9 - 2 * a)) / a, tolerance = 1e-13)
+  expect_equal(time_when(up, x_m = -1)$time_s, (3 - sqrt(9 - 2 * a)) / a, tolerance = 1e-13)
   s <- summary(motion)
   expect_equal(c(s$highest_x_m, s$highest_x_time_s), c(-4.5 / a, 3 / a), tolerance = 1e-13)
   expect_equal(c(s$max_v_m_per_s, s$max_v_time_s), c(-3 + 5 * a, 5), tolerance = 1e-14)
@@ -210,7 +210,7 @@ test_that("when() and the summary find what lies between the rows", {
   s <- summary(trajectory(lane, c(0, 5)))
   expect_equal(s$max_angular_velocity_rad_per_s, 40)
   expect_equal(s$max_v_m_per_s, 0.4 / 1.4 * 0.11 * 40, tolerance = 1e-14)
-  expect_identical(when(lane, x_m = -1)$time_s, NA_real_)
+  expect_identical(time_when(lane, x_m = -1)$time_s, NA_real_)
 })
 
 test_that("air drag: the closed form of rolling with quadratic drag", {
@@ -224,11 +224,11 @@ test_that("air drag: the closed form of rolling with quadratic drag", {
   expect_equal(motion$x_m, 8.4 / 0.5 * log(cosh(s)), tolerance = 1e-11)
   expect_equal(motion$drag_force_n, -0.5 * motion$v_m_per_s^2, tolerance = 1e-14)
   expect_true(all(audit(motion)$verdict == "balanced"))
-  expect_equal(when(scene, v_m_per_s = 5)$time_s, 8.4 / 0.5 / top * atanh(5 / top),
+  expect_equal(time_when(scene, v_m_per_s = 5)$time_s, 8.4 / 0.5 / top * atanh(5 / top),
     tolerance = 1e-8)
   ledger <- augment(motion)
   expect_equal(ledger$dissipated_j, motion$drag_heat_j)
-  expect_setequal(setdiff(names(ledger), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(ledger), column_table()$name), character())
   # A rate that is wrong shows.
   motion$v_m_per_s[9] <- motion$v_m_per_s[9] * (1 + 1e-6)
   expect_equal(audit(motion)$verdict[1:2], c("unbalanced", "unbalanced"))
@@ -341,7 +341,7 @@ test_that("the rows of University Physics and College Physics about rolling", {
   cylinder <- scene_incline(body_cylinder(stops$m, 0.3, 1), 0, v0_m_per_s = stops$v)
   moving <- trajectory(cylinder, 1)
   up <- input("UP11-13")
-  top <- when(scene(up, v0_m_per_s = -up$v), v_m_per_s = 0)
+  top <- time_when(scene(up, v0_m_per_s = -up$v), v_m_per_s = 0)
   # On a truck that accelerates by a, the force on the cylinder is -m a in the truck's frame.
   bed <- scene_incline(of_beta(input("UP11-16")$beta), 0, radius_m = 0.1,
     force_n = function(time_s) -1.7)

@@ -26,7 +26,7 @@ test_that("unknown arguments are named with the nearest known one and the unit",
   expect_match(rolling, "incline_angle_deg")
   expect_no_match(rolling, "rad_from_deg")
   expect_match(said(resistance(viscosity = 1)), "viscous_n_m_s")
-  expect_match(said(energy_partition(1, 1, 1, 1, colour = 2)), "colour = 2")
+  expect_match(said(energy_partition(1, 1, mass_kg = 1, radius_m = 1, colour = 2)), "colour = 2")
 })
 
 test_that("every function of several arguments names unknown ones", {

@@ -1,6 +1,5 @@
 test_that("the gyroscopes of the article precess at m g l/(I3 omega3)", {
-  file <- system.file("extdata", "gyroscope_cases.csv", package = "rotdyn")
-  out <- precession_table(utils::read.csv(file))
+  out <- precession_table()
   # Products of the decimal figures, by hand.
   expect_equal(out$gravity_torque_n_m, c(0.392266, 0.980665, 2.353596), tolerance = 1e-15)
   expect_equal(out$spin_angular_momentum_kg_m2_per_s, c(1, 1.8, 2.4), tolerance = 1e-15)
@@ -43,7 +42,13 @@ test_that("tops at an angle: exact rates, what the formula lacks, the nutation",
 })
 
 test_that("the least spin of a sleeping top divides the stable from the falling", {
-  spin <- sleeping_top_spin(0.002, 0.0042, mass_kg = 0.5, lever_arm_m = 0.08)
+  least <- function(lever_arm_m) {
+    precession_table(
+      data.frame(mass_kg = 0.5, lever_arm_m, moment_of_inertia_kg_m2 = 0.002, spin_rad_per_s = 1),
+      transverse_moment_kg_m2 = 0.0042
+    )$sleeping_spin_rad_per_s
+  }
+  spin <- least(0.08)
   expect_equal(spin, 2 * sqrt(0.0042 * 0.5 * 0.08 * 9.80665) / 0.002, tolerance = 1e-15)
   top <- function(factor) {
     precession_table(
@@ -56,7 +61,7 @@ test_that("the least spin of a sleeping top divides the stable from the falling"
   }
   expect_lt(top(1.05), 0.05)
   expect_gt(top(0.95), 10)
-  expect_identical(sleeping_top_spin(0.002, 0.0042, 0.5, -0.08), 0)
+  expect_identical(least(-0.08), 0)
 })
 
 test_that("bad tops are refused with the row", {
@@ -66,7 +71,6 @@ test_that("bad tops are refused with the row", {
   expect_error(precession_table(top), "row 2", class = "rotdyn_error_value")
   expect_error(precession_table(top[-4]), class = "rotdyn_error_type")
   expect_error(precession_table(1), class = "rotdyn_error_type")
-  expect_error(precession_table(), class = "rotdyn_error_missing")
   expect_error(precession_table(top[1, ], axis_angle_deg = 181), class = "rotdyn_error_value")
   expect_error(precession_table(top[1, ], axis_angle_deg = 1:2), class = "rotdyn_error_size")
   expect_error(
@@ -79,4 +83,39 @@ test_that("bad tops are refused with the row", {
   expect_identical(out$precession_rad_per_s[2], NA_real_)
   expect_false(is.na(out$precession_rad_per_s[1]))
   expect_identical(nrow(precession_table(top[0, ])), 0L)
+})
+
+test_that("bodies and scenes are tops, too", {
+  # A cone on its tip: I3 = 3 m R^2/10, I1 about the tip 3 m (R^2/4 + h^2)/5, centre at 3 h/4.
+  cone <- body_cone(0.5, 0.04, 0.1)
+  top <- place_body(cone, c(0, 0, 0.075))
+  by_body <- precession_table(top, axis_angle_deg = 30, spin_rad_per_s = 150)
+  by_hand <- precession_table(
+    data.frame(
+      mass_kg = 0.5, lever_arm_m = 0.075, moment_of_inertia_kg_m2 = 0.3 * 0.5 * 0.04^2,
+      spin_rad_per_s = 150
+    ),
+    axis_angle_deg = 30, transverse_moment_kg_m2 = 0.6 * 0.5 * (0.04^2 / 4 + 0.1^2)
+  )
+  expect_equal(by_body[names(by_hand)], by_hand, tolerance = 1e-13)
+  scene <- scene_pivot(
+    top, c(0, 0, 150), attitude0 = attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
+  )
+  by_scene <- precession_table(scene)
+  expect_equal(by_scene[names(by_hand)], by_hand, tolerance = 1e-13)
+  expect_equal(by_scene$axis_angle_deg, 30, tolerance = 1e-14)
+  both <- precession_table(list(scene, update(scene, gravity_m_per_s2 = 1.6)))
+  expect_equal(both$precession_rad_per_s[2] / both$precession_rad_per_s[1], 1.6 / 9.80665)
+  # A wheel held beside its centre.
+  wheel <- precession_table(body_hoop(2, 0.3), spin_rad_per_s = c(20, 40), lever_arm_m = 0.1)
+  expect_equal(wheel$precession_rad_per_s, 9.80665 * 0.1 / (0.09 * c(20, 40)))
+  expect_equal(wheel$sleeping_spin_rad_per_s[1],
+               2 * sqrt((0.09 + 0.02) * 2 * 9.80665 * 0.1) / 0.18)
+  expect_error(precession_table(body_hoop(2, 0.3)), class = "rotdyn_error_missing")
+  expect_error(precession_table(body_box(1, 1, 2, 3), spin_rad_per_s = 1, lever_arm_m = 1),
+               class = "rotdyn_error_value")
+  expect_error(precession_table(scene, gravity_m_per_s2 = 1), class = "rotdyn_error_argument")
+  expect_error(precession_table(scene_pivot(body_box(1, 1, 2, 3), c(0, 0, 1),
+    pivot_m = c(0, 0, 1))),
+               class = "rotdyn_error_model")
 })

@@ -37,7 +37,7 @@ test_that("a disk with a weight on its axis is oblate, with far weights prolate"
 test_that("moments ascend and are sums of second moments", {
   axes <- principal_axes(body_tensor(2, c(0.3, 0.2, 0.25)))
   expect_named(axes, rotdyn:::principal_columns)
-  expect_equal(setdiff(names(axes), rotdyn_columns()$name), character())
+  expect_equal(setdiff(names(axes), column_table()$name), character())
   expect_equal(axes$axis, 1:3)
   expect_equal(axes$principal_moment_kg_m2, c(0.2, 0.25, 0.3), tolerance = 1e-15)
   expect_equal(axes$second_moment_kg_m2, c(0.175, 0.125, 0.075), tolerance = 1e-15)

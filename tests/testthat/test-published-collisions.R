@@ -37,7 +37,8 @@ test_that("OpenStax: collisions with what turns", {
   x <- of("UP11-38")
   pair <- data.frame(x_m = c(-x$r, x$r), y_m = 0, z_m = 0, mass_kg = x$m)
   of_one <- function(side) {
-    angular_momentum_vector(x$m, c(-side * x$v, 0, 0), c(0, side * x$r, 0))[[3]]
+    angular_momentum_of(x$m, velocity_m_per_s = c(-side * x$v, 0, 0),
+      position_m = c(0, side * x$r, 0))[[3]]
   }
   moment <- inertia_tensor(body_points(pair))["z", "z"]
   brought <- of_one(1) + of_one(-1)

@@ -18,7 +18,7 @@ energy_at <- function(moment, omega) start_of(moment, omega)$rotational_kinetic_
 # Omega after the angle, from rest.
 spun_over <- function(moment, torque, angle) {
   scene <- scene_axle(moment, torque_constant(torque))
-  trajectory(scene, when(scene, theta_rad = angle)$time_s[1])$omega_rad_per_s
+  trajectory(scene, time_when(scene, theta_rad = angle)$time_s[1])$omega_rad_per_s
 }
 
 test_that("OpenStax: angular accelerations that change", {
@@ -62,10 +62,10 @@ test_that("OpenStax: energy, work and power", {
   })
   is("UP10-28", function(x) energy_at(x$I, 2 * pi * x$rev_s))
   is("UP10-29", function(x) energy_at(body_sphere(x$M, x$R), 2 * pi / x$T))
-  is("UP10-60", function(x) spun_over(x$I, x$tau, rad_from_turns(x$rev)))
+  is("UP10-60", function(x) spun_over(x$I, x$tau, convert_angle(x$rev, "turn", "rad")))
   is("UP10-61", function(x) {
     # Power is proportional to the torque.
-    driven <- start_of(1, rad_per_s_from_rpm(x$rpm), torque = torque_constant(1))
+    driven <- start_of(1, convert_angle(x$rpm, "rpm", "rad/s"), torque = torque_constant(1))
     x$P / augment(driven)$power_w
   })
   is("UP10-71", function(x) spun_over(x$I, torque_of_force(x$F, x$R), x$d / x$R))
@@ -85,7 +85,7 @@ test_that("OpenStax: angular momentum", {
   })
   is("UP11-26", function(x) {
     blades <- moment_of_inertia(body_rod(x$M, x$L), "z")
-    torque <- torque_constant(blades * rad_per_s_from_rpm(x$rpm) / x$t)
+    torque <- torque_constant(blades * convert_angle(x$rpm, "rpm", "rad/s") / x$t)
     trajectory(scene_axle(blades, torque), 10)$angular_momentum_kg_m2_per_s
   })
   is("CP10-15", function(x) {

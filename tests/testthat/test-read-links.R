@@ -18,7 +18,7 @@ test_that("the example's links are told apart", {
   expect_match(links$suggestion[4], "^izz = 0.0213 instead of 213 .* every condition hold$")
   expect_equal(is.na(links$fault), c(TRUE, TRUE, TRUE, FALSE, TRUE))
   expect_equal(vapply(links$body, is.null, TRUE), c(TRUE, FALSE, FALSE, TRUE, FALSE))
-  expect_setequal(setdiff(names(links), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(links), column_table()$name), character())
   # A mesh leaves the reach open; a cylinder of 0.1 x 0.12 about its centre does not.
   expect_equal(links$reach_m[c(2, 5)], c(sqrt(0.1^2 + 0.06^2), NA))
 })

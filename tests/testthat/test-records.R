@@ -28,26 +28,27 @@ test_that("a run is recorded, listed, read and computed again", {
   on.exit(unlink(lab))
   expect_identical(records_create(lab), character())
   motion <- trajectory(wheel(), seq(0, 8, by = 0.01))
-  run <- record_run(lab, motion, note = "bearing 3 \u2014 it's \"new\"")
+  run <- records_add(lab, motion, note = "bearing 3 \u2014 it's \"new\"")
   expect_match(run, "^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$")
-  listed <- list_runs(lab)
+  listed <- records_list(lab)
   expect_identical(listed$run, run)
   expect_identical(listed$note, "bearing 3 \u2014 it's \"new\"")
   expect_identical(listed$row_count, 801)
   expect_identical(listed$scene_hash, scene_hash(wheel()))
   expect_identical(listed$verdict, "balanced")
-  record <- read_run(lab, substr(run, 1, 8))
+  record <- records_read(lab, substr(run, 1, 8))
   expect_identical(record$scene, wheel())
   expect_identical(record$times_s, motion$time_s)
   expect_identical(record$error, attr(motion, "run")$info$error)
   at <- record$values[record$values$quantity == "omega_rad_per_s", ]
   expect_identical(at$value, motion$omega_rad_per_s[at$row])
-  again <- rerun(lab, run)
+  again <- records_rerun(lab, run)
   expect_identical(again$verdict, "identical")
   expect_true(all(again$where$difference == 0))
   expect_output(print(again), "identical")
-  second <- rerun(lab, run, record = TRUE)$new_run
-  expect_identical(list_runs(lab)$repeats, c(NA, run)[match(list_runs(lab)$run, c(run, second))])
+  second <- records_rerun(lab, run, record = TRUE)$new_run
+  expect_identical(records_list(lab)$repeats,
+    c(NA, run)[match(records_list(lab)$run, c(run, second))])
   expect_true(all(records_check(lab)$holds))
 })
 
@@ -55,15 +56,15 @@ test_that("what was tampered with is found: where most, and by how much", {
   need()
   lab <- new_lab()
   on.exit(unlink(lab))
-  run <- record_run(lab, trajectory(wheel(), seq(0, 8, by = 0.5)))
+  run <- records_add(lab, trajectory(wheel(), seq(0, 8, by = 0.5)))
   hash <- strrep("0", 32)
   asked(lab, "UPDATE rot_run SET result_hash = ?", params = list(hash))
-  expect_identical(rerun(lab, run)$verdict, "within errors")
+  expect_identical(records_rerun(lab, run)$verdict, "within errors")
   asked(
     lab, "UPDATE rot_run_value SET value = value + 1e-6 WHERE quantity = 'omega_rad_per_s' AND
       place = (SELECT MAX(place) FROM rot_run_value)"
   )
-  again <- rerun(lab, run)
+  again <- records_rerun(lab, run)
   expect_identical(again$verdict, "differs")
   expect_identical(again$where$quantity[1], "omega_rad_per_s")
   expect_identical(again$where$row[1], 17)
@@ -71,7 +72,7 @@ test_that("what was tampered with is found: where most, and by how much", {
   expect_output(print(again), "omega_rad_per_s in row 17")
   # Another scene under the hash of the first.
   asked(lab, "UPDATE rot_scene SET json = replace(json, '0.03', '0.04')")
-  expect_identical(rerun(lab, run)$verdict, "differs")
+  expect_identical(records_rerun(lab, run)$verdict, "differs")
   checked <- records_check(lab)
   expect_false(checked$holds[checked$check == "hashes of the scenes"])
 })
@@ -95,10 +96,10 @@ test_that("scenes of every constraint come back identical in a new session", {
     scene_pendulum(body_rod_end(.1, 1), theta0_rad = 1),
     scene_gears(c(1, 2), 3, torque_n_m = c(1, 0))
   )
-  for (scene in scenes) record_run(lab, trajectory(scene, c(0, sort(exp(-1:-9)), 2)))
+  for (scene in scenes) records_add(lab, trajectory(scene, c(0, sort(exp(-1:-9)), 2)))
   code <- sprintf(
-    "library(rotdyn, lib.loc = '%s'); for (run in list_runs('%s')$run)
-      cat(rerun('%s', run)$verdict, '\n')",
+    "library(rotdyn, lib.loc = '%s'); for (run in records_list('%s')$run)
+      cat(records_rerun('%s', run)$verdict, '\n')",
     dirname(system.file(package = "rotdyn")), lab, lab
   )
   script <- tempfile(fileext = ".R")
@@ -150,16 +151,16 @@ test_that("the user's own columns and a choice of columns do no harm", {
   on.exit(unlink(lab))
   motion <- trajectory(wheel(), 0:8)
   motion$mine <- letters[1:9]
-  run <- record_run(lab, motion)
-  expect_false("mine" %in% read_run(lab, run)$columns)
-  expect_identical(rerun(lab, run)$verdict, "identical")
+  run <- records_add(lab, motion)
+  expect_false("mine" %in% records_read(lab, run)$columns)
+  expect_identical(records_rerun(lab, run)$verdict, "identical")
   fewer <- motion[c("time_s", "theta_rad", "omega_rad_per_s")]
-  expect_identical(rerun(lab, record_run(lab, fewer))$verdict, "identical")
+  expect_identical(records_rerun(lab, records_add(lab, fewer))$verdict, "identical")
   asked_model <- trajectory(wheel(), 0:8, model = "axle_rk8pd", accuracy = 1e-7)
-  run <- record_run(lab, asked_model, rows = "all")
-  expect_true(read_run(lab, run)$model_asked)
-  expect_identical(rerun(lab, run)$verdict, "identical")
-  kept <- read_run(lab, run)$values
+  run <- records_add(lab, asked_model, rows = "all")
+  expect_true(records_read(lab, run)$model_asked)
+  expect_identical(records_rerun(lab, run)$verdict, "identical")
+  kept <- records_read(lab, run)$values
   expect_identical(kept$value[kept$quantity == "theta_rad"], asked_model$theta_rad)
 })
 
@@ -219,31 +220,31 @@ test_that("SQLite refuses what breaks a key, with or without this package", {
 
 test_that("what is no database of records is refused", {
   need()
-  expect_error(list_runs(tempfile()), "no file", class = "rotdyn_error_database")
+  expect_error(records_list(tempfile()), "no file", class = "rotdyn_error_database")
   empty <- tempfile(fileext = ".sqlite")
   con <- DBI::dbConnect(RSQLite::SQLite(), empty)
   on.exit({
     DBI::dbDisconnect(con)
     unlink(c(empty, lab))
   })
-  expect_error(list_runs(con), "no tables", class = "rotdyn_error_database")
-  expect_error(list_runs(3), class = "rotdyn_error_type")
+  expect_error(records_list(con), "no tables", class = "rotdyn_error_database")
+  expect_error(records_list(3), class = "rotdyn_error_type")
   lab <- new_lab()
-  expect_error(read_run(lab, "abc"), "no run", class = "rotdyn_error_record")
-  expect_error(read_run(lab, "x' OR 1"), class = "rotdyn_error_record")
-  expect_error(record_run(lab, 3), class = "rotdyn_error_type")
+  expect_error(records_read(lab, "abc"), "no run", class = "rotdyn_error_record")
+  expect_error(records_read(lab, "x' OR 1"), class = "rotdyn_error_record")
+  expect_error(records_add(lab, 3), class = "rotdyn_error_type")
   old <- structure(list(), class = "PostgreSQLConnection")
   expect_error(records_create(old), "15 digits", class = "rotdyn_error_database")
   # A model that exists no more, and a newer format.
-  run <- record_run(lab, trajectory(wheel(), 0:2, model = "axle_linear"))
+  run <- records_add(lab, trajectory(wheel(), 0:2, model = "axle_linear"))
   asked(lab, "INSERT INTO rot_model SELECT 'axle_epicycles', constraint_kind, equations,
     assumptions, limits, requires, error, error_kind, source, cited FROM rot_model
     WHERE model = 'axle_linear'")
   asked(lab, "UPDATE rot_run SET model = 'axle_epicycles'")
-  expect_error(rerun(lab, run), "axle_epicycles", class = "rotdyn_error_record")
-  expect_identical(read_run(lab, run)$model, "axle_epicycles")
+  expect_error(records_rerun(lab, run), "axle_epicycles", class = "rotdyn_error_record")
+  expect_identical(records_read(lab, run)$model, "axle_epicycles")
   asked(lab, "UPDATE rot_format SET format = 2")
-  expect_error(list_runs(lab), "newer format", class = "rotdyn_error_database")
+  expect_error(records_list(lab), "newer format", class = "rotdyn_error_database")
   expect_error(records_create(lab), "newer format", class = "rotdyn_error_database")
 })
 
@@ -256,41 +257,41 @@ test_that("a file that is made anew, or that another program made", {
     unlink(lab)
   })
   motion <- trajectory(wheel(), 0:8)
-  for (i in 1:3) record_run(lab, motion)
+  for (i in 1:3) records_add(lab, motion)
   # The scene and the software are not in the new file.
   unlink(lab)
   records_create(lab)
-  run <- record_run(lab, motion)
-  expect_identical(list_runs(lab)$run, run)
-  expect_identical(rerun(lab, run)$verdict, "identical")
+  run <- records_add(lab, motion)
+  expect_identical(records_list(lab)$run, run)
+  expect_identical(records_rerun(lab, run)$verdict, "identical")
   # References that the connection does not keep are kept for the record.
   con <- DBI::dbConnect(RSQLite::SQLite(), lab)
   DBI::dbExecute(con, "PRAGMA foreign_keys = OFF")
-  record_run(con, motion)
+  records_add(con, motion)
   expect_identical(DBI::dbGetQuery(con, "PRAGMA foreign_keys")[[1]], 1L)
   # In the user's own transaction nothing is recorded, and nothing of it is lost.
   DBI::dbBegin(con)
   DBI::dbExecute(con, "UPDATE rot_run SET note = 'mine'")
-  expect_error(record_run(con, motion), "transaction", class = "rotdyn_error_database")
+  expect_error(records_add(con, motion), "transaction", class = "rotdyn_error_database")
   DBI::dbCommit(con)
-  expect_identical(list_runs(con)$note, rep("mine", 2))
+  expect_identical(records_list(con)$note, rep("mine", 2))
   # Another version's rows are completed, tables with other columns are refused.
   DBI::dbExecute(con, "UPDATE rot_format SET rotdyn_version = '0.0.1'")
-  record_run(con, motion)
+  records_add(con, motion)
   expect_identical(
     DBI::dbGetQuery(con, "SELECT rotdyn_version FROM rot_format")[[1]], own_version()
   )
   expect_true(all(records_check(con)$holds))
   DBI::dbExecute(con, "UPDATE rot_format SET format = 2")
-  expect_error(record_run(con, motion), "newer format", class = "rotdyn_error_database")
-  expect_error(record_run(lab, motion), "newer format", class = "rotdyn_error_database")
+  expect_error(records_add(con, motion), "newer format", class = "rotdyn_error_database")
+  expect_error(records_add(lab, motion), "newer format", class = "rotdyn_error_database")
   DBI::dbExecute(con, "UPDATE rot_format SET format = 1")
   DBI::dbExecute(con, "ALTER TABLE rot_run RENAME COLUMN times TO moments")
-  expect_error(record_run(lab, motion), "times", class = "rotdyn_error_database")
-  expect_identical(nrow(list_runs(con)), 3L)
+  expect_error(records_add(lab, motion), "times", class = "rotdyn_error_database")
+  expect_identical(nrow(records_list(con)), 3L)
   text <- tempfile()
   writeLines(rep("no database", 100), text)
-  expect_error(record_run(text, motion), "not a database", class = "rotdyn_error_database")
+  expect_error(records_add(text, motion), "not a database", class = "rotdyn_error_database")
   unlink(text)
 })
 
@@ -300,9 +301,9 @@ test_that("the text that is kept of a scene is that of the same bits", {
   on.exit(unlink(lab))
   hashes <- vapply(c(0, -0, 0, 1), function(omega) {
     scene <- scene_axle(body_disk(2, 0.25), 0.8, omega0_rad_per_s = omega)
-    run <- record_run(lab, trajectory(scene, 0:8))
-    expect_identical(read_run(lab, run)$scene_hash, scene_hash(scene))
-    expect_identical(rerun(lab, run)$verdict, "identical")
+    run <- records_add(lab, trajectory(scene, 0:8))
+    expect_identical(records_read(lab, run)$scene_hash, scene_hash(scene))
+    expect_identical(records_rerun(lab, run)$verdict, "identical")
     scene_hash(scene)
   }, "")
   expect_identical(hashes[1], hashes[3])
@@ -326,8 +327,8 @@ test_that("an open transaction and an interruption leave nothing of a run", {
     }), "pulled the plug", class = "rotdyn_error_database"
   )
   expect_identical(nrow(DBI::dbGetQuery(con, "SELECT * FROM rot_software")), 0L)
-  run <- record_run(con, motion)
-  expect_identical(list_runs(con)$run, run)
+  run <- records_add(con, motion)
+  expect_identical(records_list(con)$run, run)
   expect_true(DBI::dbIsValid(con))
 })
 
@@ -340,7 +341,7 @@ test_that("two sessions record at once", {
     "library(rotdyn, lib.loc = '%s')
     motion <- trajectory(scene_axle(1, 1), 0:9)
     invisible(file.create('%s'))
-    for (i in 1:20) record_run('%s', motion)
+    for (i in 1:20) records_add('%s', motion)
     invisible(file.create('%s'))",
     dirname(system.file(package = "rotdyn")), files[2], lab, files[3]
   ), files[1])
@@ -350,10 +351,10 @@ test_that("two sessions record at once", {
   }
   wait_for(files[2])
   motion <- trajectory(scene_axle(2, 1), 0:9)
-  for (i in 1:20) record_run(lab, motion)
+  for (i in 1:20) records_add(lab, motion)
   wait_for(files[3])
-  expect_identical(nrow(list_runs(lab)), 40L)
-  expect_length(unique(list_runs(lab)$scene_hash), 2)
+  expect_identical(nrow(records_list(lab)), 40L)
+  expect_length(unique(records_list(lab)$scene_hash), 2)
   expect_true(all(records_check(lab)$holds))
 })
 
@@ -372,12 +373,12 @@ test_that("metadata of another version are completed", {
 
 test_that("the script makes the same tables and rows", {
   need()
-  script <- metadata_sql()
+  script <- metadata(dialect = "sqlite")
   undated <- function(x) gsub("[0-9-]+T[0-9:]+Z", "a time", x)
-  expect_match(metadata_sql(dialect = "postgresql"), "DOUBLE PRECISION")
-  expect_error(metadata_sql(dialect = "oracle"), class = "rotdyn_error_value")
+  expect_match(metadata(dialect = "postgresql"), "DOUBLE PRECISION")
+  expect_error(metadata(dialect = "oracle"), class = "rotdyn_error_value")
   file <- tempfile(fileext = ".sql")
-  expect_identical(undated(metadata_sql(file)), undated(script))
+  expect_identical(undated(metadata(file = file)), undated(script))
   written <- paste(readLines(file, encoding = "UTF-8"), collapse = "\n")
   expect_identical(undated(written), undated(trimws(script)))
   con <- DBI::dbConnect(RSQLite::SQLite(), ":memory:")
@@ -392,8 +393,8 @@ test_that("the script makes the same tables and rows", {
     rows <- DBI::dbGetQuery(con, paste("SELECT * FROM", tables[[name]]$sql))
     expect_equal(as.list(rows), lapply(as.list(known[[name]]), unname), tolerance = 0)
   }
-  run <- record_run(con, trajectory(wheel(), 0:8))
-  expect_identical(rerun(con, run)$verdict, "identical")
+  run <- records_add(con, trajectory(wheel(), 0:8))
+  expect_identical(records_rerun(con, run)$verdict, "identical")
 })
 
 test_that("without the packages the error says what is missing", {
@@ -428,9 +429,9 @@ test_that("repeated times are recorded as often as they were asked for", {
     trajectory(scene_drive(list(1, 2), coupling_shaft(5), torque = list(1, NULL)), times)
   )
   for (motion in motions) {
-    run <- record_run(lab, motion)
-    expect_identical(read_run(lab, run)$times_s, times)
-    again <- rerun(lab, run)
+    run <- records_add(lab, motion)
+    expect_identical(records_read(lab, run)$times_s, times)
+    again <- records_rerun(lab, run)
     expect_identical(again$verdict, "identical")
     expect_identical(as.list(again$motion), as.list(motion))
   }
@@ -444,8 +445,8 @@ test_that("columns of all bodies are kept and compared, logical ones too", {
     c(1, 2, 3), c(1, 2, 0.1), rotors = list(rotor(c(1, 0, 0), 0.1, 5), rotor(c(0, 1, 0), 0.1, 7))
   )
   motion <- trajectory(craft, c(0, 1, 3))
-  run <- record_run(lab, motion)
-  kept <- read_run(lab, run)$values
+  run <- records_add(lab, motion)
+  kept <- records_read(lab, run)$values
   expect_setequal(kept$quantity, names(motion))
   expect_identical(
     kept$value[kept$quantity == "rotor_2_omega_rad_per_s"], motion$rotor_2_omega_rad_per_s
@@ -455,7 +456,7 @@ test_that("columns of all bodies are kept and compared, logical ones too", {
   expect_identical(words$unit, "rad/s")
   expect_match(words$meaning, "rotor 2")
   expect_true(all(records_check(lab)$holds))
-  again <- rerun(lab, run)
+  again <- records_rerun(lab, run)
   expect_identical(again$verdict, "identical")
   expect_identical(again$not_compared, character())
   # One value of the second rotor is another one, the hash is lost.
@@ -463,23 +464,23 @@ test_that("columns of all bodies are kept and compared, logical ones too", {
     asked(lab, "UPDATE rot_run SET result_hash = ?", params = list(strrep("0", 32)))
   }
   lose_hash()
-  expect_identical(rerun(lab, run)$verdict, "within errors")
+  expect_identical(records_rerun(lab, run)$verdict, "within errors")
   asked(lab, "UPDATE rot_run_value SET value = value * 1.00001 WHERE quantity =
     'rotor_2_omega_rad_per_s' AND place = 2")
-  again <- rerun(lab, run)
+  again <- records_rerun(lab, run)
   expect_identical(again$verdict, "differs")
   expect_identical(again$where$quantity[1], "rotor_2_omega_rad_per_s")
   # A column of a record without values says so.
   asked(lab, "DELETE FROM rot_run_value WHERE quantity = 'rotor_2_omega_rad_per_s'")
-  again <- rerun(lab, run)
+  again <- records_rerun(lab, run)
   expect_identical(again$not_compared, "rotor_2_omega_rad_per_s")
   expect_output(print(again), "unknown +rotor_2_omega_rad_per_s")
   # Whether a clutch is locked.
-  run <- record_run(lab, trajectory(scene_clutch(1, 2, 3, omega1_rad_per_s = 10), 0:8))
+  run <- records_add(lab, trajectory(scene_clutch(1, 2, 3, omega1_rad_per_s = 10), 0:8))
   lose_hash()
-  expect_identical(rerun(lab, run)$verdict, "within errors")
+  expect_identical(records_rerun(lab, run)$verdict, "within errors")
   asked(lab, "UPDATE rot_run_value SET value = 1 - value WHERE quantity = 'locked' AND place = 9")
-  expect_identical(rerun(lab, run)$verdict, "differs")
+  expect_identical(records_rerun(lab, run)$verdict, "differs")
 })
 
 test_that("what the dictionary lacks is described by the first body's column", {
@@ -504,7 +505,7 @@ test_that("sessions that make one database at once lose no run", {
     file.create(file.path('%s', paste0('ready', arguments)))
     while (!file.exists(file.path('%s', 'go'))) Sys.sleep(0.001)
     records_create('%s')
-    record_run('%s', motion)
+    records_add('%s', motion)
     file.create(file.path('%s', paste0('done', arguments)))",
     dirname(system.file(package = "rotdyn")), folder, folder, lab, lab, folder
   ), file.path(folder, "one.R"))
@@ -524,14 +525,14 @@ test_that("sessions that make one database at once lose no run", {
   file.create(file.path(folder, "go"))
   wait("^done")
   expect_length(list.files(folder, "^done"), 4L)
-  expect_identical(nrow(list_runs(lab)), 4L)
+  expect_identical(nrow(records_list(lab)), 4L)
   expect_true(all(records_check(lab)$holds))
   expect_length(list.files(folder, "rotdyn-", all.files = TRUE), 0L)
   # Two connections of one process: the tables that are there are kept.
   con <- DBI::dbConnect(RSQLite::SQLite(), lab)
   expect_identical(make_tables(list(con = con, dialect = "sqlite"), NULL), character())
   DBI::dbDisconnect(con)
-  expect_identical(nrow(list_runs(lab)), 4L)
+  expect_identical(nrow(records_list(lab)), 4L)
 })
 
 test_that("a full disk is named, and leaves no run and no file", {
@@ -540,13 +541,13 @@ test_that("a full disk is named, and leaves no run and no file", {
     full <- function(expr) expect_error(expr, "disk is full", class = "rotdyn_error_database")
     lab <- file.path(disk, "lab.sqlite")
     records_create(lab)
-    run <- record_run(lab, trajectory(wheel(), 0:8))
+    run <- records_add(lab, trajectory(wheel(), 0:8))
     long <- trajectory(wheel(), seq(0, 8, length.out = 20000))
-    full(record_run(lab, long, rows = "all"))
-    expect_identical(list_runs(lab)$run, run)
+    full(records_add(lab, long, rows = "all"))
+    expect_identical(records_list(lab)$run, run)
     con <- DBI::dbConnect(RSQLite::SQLite(), lab)
-    full(record_run(con, long, rows = "all"))
-    expect_identical(list_runs(con)$run, run)
+    full(records_add(con, long, rows = "all"))
+    expect_identical(records_list(con)$run, run)
     DBI::dbDisconnect(con)
     full(records_create(file.path(disk, "new.sqlite")))
     expect_identical(list.files(disk, all.files = TRUE, no.. = TRUE), "lab.sqlite")
@@ -563,7 +564,7 @@ test_that("damaged databases end in errors of the package", {
   on.exit(unlink(c(lab, copy)))
   copy <- tempfile(fileext = ".sqlite")
   motion <- trajectory(wheel(), 0:8)
-  run <- record_run(lab, motion, note = "a")
+  run <- records_add(lab, motion, note = "a")
   # Without the types and checks of the tables.
   kept <- c("rot_run", "rot_run_value", "rot_scene", "rot_software", "rot_format")
   con <- DBI::dbConnect(RSQLite::SQLite(), lab)
@@ -606,20 +607,20 @@ test_that("damaged databases end in errors of the package", {
   for (case in cases) {
     do.call(damage, case)
     expect_no_warning({
-      expect_true(outcome(read_run(copy, run)) %in% c("record", "scene"), label = case)
-      expect_true(outcome(rerun(copy, run)) %in% c("record", "scene"))
-      expect_identical(outcome(list_runs(copy)), "done")
+      expect_true(outcome(records_read(copy, run)) %in% c("record", "scene"), label = case)
+      expect_true(outcome(records_rerun(copy, run)) %in% c("record", "scene"))
+      expect_identical(outcome(records_list(copy)), "done")
       expect_false(all(records_check(copy)$holds) && !identical(case[[2]], "times") &&
                      !identical(case[[2]], "errors"))
     })
   }
   for (value in c(text, "NULL", "'one'", "x'ff'")) {
     damage("rot_format", "format", value)
-    expect_no_warning(expect_identical(outcome(list_runs(copy)), "database"))
-    expect_no_warning(expect_identical(outcome(record_run(copy, motion)), "database"))
+    expect_no_warning(expect_identical(outcome(records_list(copy)), "database"))
+    expect_no_warning(expect_identical(outcome(records_add(copy, motion)), "database"))
     damage("rot_format", "rotdyn_version", value)
-    expect_no_warning(expect_identical(outcome(list_runs(copy)), "done"))
-    expect_no_warning(expect_identical(outcome(record_run(copy, motion)), "done"))
+    expect_no_warning(expect_identical(outcome(records_list(copy)), "done"))
+    expect_no_warning(expect_identical(outcome(records_add(copy, motion)), "done"))
   }
 })
 
@@ -627,7 +628,7 @@ test_that("a scene that cannot be read is found by the check", {
   need()
   lab <- new_lab()
   on.exit(unlink(lab))
-  record_run(lab, trajectory(wheel(), 0:8))
+  records_add(lab, trajectory(wheel(), 0:8))
   text <- "{\"scene_axle\":{\"body\":-1}}"
   con <- DBI::dbConnect(RSQLite::SQLite(), lab)
   DBI::dbExecute(con, "UPDATE rot_scene SET json = ?, scene = ?", list(text, hash_text(text)))
@@ -643,18 +644,18 @@ test_that("the length of the steps is kept, and a run by steps is computed again
   on.exit(unlink(lab))
   scene <- scene_free(c(1, 2, 3), c(0.1, 2, 0.1))
   motion <- trajectory(scene, c(0, 1, 2), 1e-3, model = "free_rk4", step_s = 0.05)
-  run <- record_run(lab, motion)
-  expect_identical(read_run(lab, run)$step_s, 0.05)
-  expect_false("step_s" %in% read_run(lab, run)$values$quantity)
-  again <- rerun(lab, run, record = TRUE)
+  run <- records_add(lab, motion)
+  expect_identical(records_read(lab, run)$step_s, 0.05)
+  expect_false("step_s" %in% records_read(lab, run)$values$quantity)
+  again <- records_rerun(lab, run, record = TRUE)
   expect_identical(again$verdict, "identical")
   expect_identical(again$motion$omega_x_rad_per_s, motion$omega_x_rad_per_s)
-  expect_identical(rerun(lab, again$new_run)$verdict, "identical")
+  expect_identical(records_rerun(lab, again$new_run)$verdict, "identical")
   expect_true(all(records_check(lab)$holds))
   # Without it, as version 0.5.0 recorded: other steps.
   asked(lab, "DELETE FROM rot_run_value WHERE quantity = 'step_s'")
-  expect_null(read_run(lab, run)$step_s)
-  expect_false(rerun(lab, run)$verdict == "identical")
+  expect_null(records_read(lab, run)$step_s)
+  expect_false(records_rerun(lab, run)$verdict == "identical")
 })
 
 test_that("texts are compared row by row", {
@@ -666,28 +667,28 @@ test_that("texts are compared row by row", {
   )
   motion <- trajectory(scene, seq(0, 2, by = 0.25), event_rows = TRUE)
   expect_true("event" %in% names(motion))
-  run <- record_run(lab, motion)
-  again <- rerun(lab, run)
+  run <- records_add(lab, motion)
+  again <- records_rerun(lab, run)
   expect_identical(again$verdict, "identical")
   expect_identical(again$not_compared, character())
   expect_length(again$texts, 0L)
   named <- which(!is.na(motion$event))
-  texts <- read_run(lab, run)$texts
+  texts <- records_read(lab, run)$texts
   expect_identical(unique(texts$quantity), "event")
   # A record with another text in that row, and another hash.
   asked(lab, "UPDATE rot_run SET result_hash = ?", params = list(strrep("0", 32)))
-  expect_identical(rerun(lab, run)$verdict, "within errors")
+  expect_identical(records_rerun(lab, run)$verdict, "within errors")
   asked(lab, paste(
     "UPDATE rot_run_value SET value = value + 1 WHERE quantity = 'text of event' AND place =",
     named[1]
   ))
-  again <- rerun(lab, run)
+  again <- records_rerun(lab, run)
   expect_identical(again$verdict, "differs")
   expect_identical(again$texts, list(event = named[1]))
   expect_output(print(again), paste("event is another one in row", named[1]), fixed = TRUE)
   # A record of version 0.5.0 has no texts.
   asked(lab, "DELETE FROM rot_run_value WHERE quantity = 'text of event'")
-  again <- rerun(lab, run)
+  again <- records_rerun(lab, run)
   expect_identical(again$not_compared, "event")
   expect_identical(again$verdict, "within errors")
 })

@@ -29,7 +29,7 @@ test_that("a row for each body and time, and each is what its scene does", {
       bodies[[i]], 25, static_friction = 0.2, kinetic_friction = 0.15, rolling_arm_m = 0.002
     )
     mine <- race[race$lane == i, ]
-    finish <- when(scene, x_m = 3)$time_s
+    finish <- time_when(scene, x_m = 3)$time_s
     expect_equal(summary(race)$finish_time_s[summary(race)$object == names(bodies)[i]], finish,
       tolerance = 1e-13)
     there <- predict(trajectory(scene, 0:1), pmin(mine$time_s, finish))
@@ -40,7 +40,7 @@ test_that("a row for each body and time, and each is what its scene does", {
   }
   # The hoop needs 0.23, so it slides.
   expect_setequal(summary(race)$from_rest, c("slides", "rolls"))
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   expect_setequal(setdiff(c(names(race), names(summary(race))), c(known, "object")), character())
 })
 

@@ -43,8 +43,9 @@ test_that("the functions beneath agree with the table and work inside mutate()",
     rolling_acceleration(objects$beta, objects$incline_angle_deg), table$acceleration_m_per_s2
   )
   expect_identical(rolling_final_speed(objects$beta, 3), table$final_speed_m_per_s)
-  expect_identical(rotational_energy_fraction(objects$beta), table$rotational_energy_fraction)
-  expect_identical(translational_energy_fraction(objects$beta), table$translational_energy_fraction)
+  split <- energy_partition(objects$beta, 1)
+  expect_identical(split$rotational_energy_fraction, table$rotational_energy_fraction)
+  expect_identical(split$translational_energy_fraction, table$translational_energy_fraction)
   skip_if_not_installed("dplyr")
   mutated <- dplyr::mutate(objects, a = rolling_acceleration(beta, incline_angle_deg))
   expect_identical(mutated$a, table$acceleration_m_per_s2)
@@ -79,7 +80,7 @@ test_that("NA in, NA out, row by row", {
   table <- rolling_table(data.frame(beta = c(NA, 1), incline_angle_deg = c(20, NA)))
   expect_equal(is.na(table$acceleration_m_per_s2), c(TRUE, TRUE))
   expect_equal(is.na(table$final_speed_m_per_s), c(TRUE, FALSE))
-  expect_equal(rolling_acceleration(NA), NA_real_)
+  expect_equal(rolling_acceleration(NA, 20), NA_real_)
 })
 
 test_that("bad input is an error that names the row", {
@@ -94,7 +95,7 @@ test_that("bad input is an error that names the row", {
   expect_error(rolling_table(data.frame(x = 1)), class = "rotdyn_error_type")
   expect_error(rolling_table(TRUE), class = "rotdyn_error_type")
   expect_error(rolling_acceleration(1:2, 1:3), class = "rotdyn_error_size")
-  expect_error(rolling_acceleration("a"), class = "rotdyn_error_type")
+  expect_error(rolling_acceleration("a", 20), class = "rotdyn_error_value")
 })
 
 test_that("no row, one row, many rows", {
@@ -160,8 +161,9 @@ test_that("a number of a function or columns that do not exist are refused", {
   for (columns in list(1, list(1, 2))) expect_error(value(3L, columns), "of another function")
 })
 
-test_that("the height of a drop is 1 m unless given", {
+test_that("an angle and a height have no silent default", {
+  expect_error(rolling_final_speed(1), class = "rotdyn_error_missing")
+  expect_error(rolling_acceleration(1), class = "rotdyn_error_missing")
   # A hoop: v^2 = g h.
-  expect_equal(rolling_final_speed(1), sqrt(9.80665), tolerance = 1e-15)
-  expect_equal(rolling_final_speed(1, gravity_m_per_s2 = 4), 2, tolerance = 1e-15)
+  expect_equal(rolling_final_speed(1, 1, gravity_m_per_s2 = 4), 2, tolerance = 1e-15)
 })

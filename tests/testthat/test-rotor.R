@@ -242,7 +242,7 @@ test_that("every verb takes a body with rotors", {
   )
   expect_s3_class(summary(motion), "tbl_df")
   expect_true(is.na(summary(motion)$flip_time_s))
-  at <- when(motion, rotor_1_omega_rad_per_s = 10)
+  at <- time_when(motion, rotor_1_omega_rad_per_s = 10)
   expect_equal(
     trajectory(scene, at$time_s[1])$rotor_1_omega_rad_per_s, 10, tolerance = 1e-7
   )

@@ -126,7 +126,7 @@ test_that("verbs work on rows of several links, and texts come back", {
   again <- predict(motion, c(2.5, 2))
   expect_equal(again$link, c(1L, 2L, 1L, 2L))
   expect_equal(again$theta_rad[3:4], motion$theta_rad[3:4], tolerance = 1e-7)
-  down <- when(chain, theta_rad = 0, link = 1)
+  down <- time_when(chain, theta_rad = 0, link = 1)
   expect_equal(predict(motion, down$time_s)$theta_rad[1], 0, tolerance = 1e-7)
   expect_identical(read_scene(write_scene(chain)), chain)
   expect_snapshot(error = TRUE, {

@@ -1,7 +1,7 @@
 test_that("textbook: a bucket on a well, Atwood's machine", {
   # a = g/(1 + M/(2 m)) for a disk of M; v^2 = 2 a h.
   well <- scene_hanging_mass(body_disk(2, 0.1), 0.5, 0.1)
-  fallen <- when(well, theta_rad = 30)
+  fallen <- time_when(well, theta_rad = 30)
   expect_equal(fallen$time_s, sqrt(2 * 3 / (9.80665 / 3)), tolerance = 1e-14)
   expect_equal(0.1 * fallen$omega_rad_per_s, sqrt(2 * 9.80665 / 3 * 3), tolerance = 1e-14)
   # The energy of both is m g h; the pulley has I/(I + m r^2) = 2/3 of it.
@@ -78,7 +78,7 @@ test_that("tensions, heights and energies are those of each body, with a viscous
       expect_equal(
         ledger$torque_impulse_n_m_s + ledger$damping_impulse_n_m_s, own * omega, tolerance = 1e-11
       )
-      expect_setequal(setdiff(names(ledger), rotdyn_columns()$name), character())
+      expect_setequal(setdiff(names(ledger), column_table()$name), character())
     }
   }
 })
@@ -113,7 +113,7 @@ test_that("held at rest the tensions are the weights; a slowed one tells a slack
   expect_equal(brake$tension_n[1], 0.5 * (9.80665 - 0.2 * alpha), tolerance = 1e-13)
   expect_lt(brake$tension_n[1], 0)
   expect_match(tibble::tbl_sum(brake)[["Not valid"]], "slack from 3 s on.*-97.548")
-  expect_warning(when(wound, omega_rad_per_s = 0), class = "rotdyn_warning_slack")
+  expect_warning(time_when(wound, omega_rad_per_s = 0), class = "rotdyn_warning_slack")
 })
 
 test_that("the limit of a slack rope is where the tension is 0, on both sides", {
@@ -171,11 +171,12 @@ test_that("every verb knows pulley and masses", {
   )
   motion <- trajectory(scene, seq(0, 2, by = 0.5))
   # The highest place, between the rows: v^2/(2 a), a = g/3.
-  up <- when(motion, omega_rad_per_s = 0)
+  up <- time_when(motion, omega_rad_per_s = 0)
   expect_equal(up$time_s, 2 * 3 / 9.80665, tolerance = 1e-14)
   expect_equal(up$height_m, 4 * 3 / 2 / 9.80665, tolerance = 1e-13)
   expect_equal(
-    when(motion, height_m = 0, occurrence = "all")$time_s, c(0, 12 / 9.80665), tolerance = 1e-13
+    time_when(motion, height_m = 0, occurrence = "all")$time_s, c(0, 12 / 9.80665),
+    tolerance = 1e-13
   )
   expect_equal(predict(motion, 1)$tension_n, 0.5 * 9.80665 * 2 / 3, tolerance = 1e-14)
   # Of a pulley without inertia, too.
@@ -183,7 +184,7 @@ test_that("every verb knows pulley and masses", {
     scene_hanging_mass(0, 1.2, 0.1, counter_mass_kg = 1, omega0_rad_per_s = -20), c(0, 9)
   )
   expect_equal(
-    when(none, height_1_m = 0, occurrence = "all")$time_s, c(0, 4 / (0.2 / 2.2 * 9.80665)),
+    time_when(none, height_1_m = 0, occurrence = "all")$time_s, c(0, 4 / (0.2 / 2.2 * 9.80665)),
     tolerance = 1e-12
   )
   expect_equal(summary(none)$max_rotational_kinetic_energy_j, 0)

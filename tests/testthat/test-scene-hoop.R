@@ -142,7 +142,7 @@ test_that("verbs work on a hoop", {
   fine <- trajectory(bead, seq(0, 4, 1e-3))
   expect_equal(one$max_omega_rad_per_s, max(fine$omega_rad_per_s), tolerance = 1e-5)
   expect_equal(one$final_theta_rad, motion$theta_rad[5])
-  up <- when(bead, theta_rad = 0.5)
+  up <- time_when(bead, theta_rad = 0.5)
   expect_equal(predict(motion, up$time_s[1])$theta_rad, 0.5, tolerance = 1e-8)
   expect_equal(as.character(choose_model(bead, 0:4)$model[1]), "hoop_rk8pd")
   stiff <- hoop(1, theta0_rad = 1, drag_n_s_per_m = 1e6)

@@ -56,7 +56,7 @@ test_that("the critical angle is the reverse of the friction needed", {
   expect_identical(rolling_critical_angle(NA, 1), NA_real_)
   expect_error(rolling_critical_angle(-1, 1), class = "rotdyn_error_value")
   expect_error(rolling_critical_angle(1), class = "rotdyn_error_missing")
-  expect_error(rolling_critical_angle("a", 1), class = "rotdyn_error_type")
+  expect_error(rolling_critical_angle("a", 1), class = "rotdyn_error_value")
 })
 
 test_that("the friction that a scene needs, and what it does without it", {
@@ -97,7 +97,7 @@ test_that("the friction that a scene needs, and what it does without it", {
   expect_identical(at(2), "rests") # tan 2 degrees = 0.035 is less than b/R
   expect_identical(friction_needed(scene_incline(body_hoop(1, 1), 0))$from_rest, "rests")
   expect_identical(friction_needed(scene_incline(body_hoop(1, 1), 90))$friction_needed, Inf)
-  expect_setequal(setdiff(names(hoop), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(hoop), column_table()$name), character())
   expect_error(friction_needed(), class = "rotdyn_error_missing")
   expect_error(friction_needed(scene_axle(1)), class = "rotdyn_error_type")
   expect_error(friction_needed(scene_incline(body_hoop(1, 1), 9, drag_n_s_per_m = 1)),

@@ -98,7 +98,7 @@ test_that("the help of a family has every shape of it, with its formulas", {
 })
 
 test_that("the catalogue's columns are of the dictionary", {
-  expect_setequal(setdiff(names(shapes()), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(shapes()), column_table()$name), character())
   expect_identical(names(shapes()), rotdyn:::shape_columns)
 })
 

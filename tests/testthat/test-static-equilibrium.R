@@ -396,7 +396,7 @@ test_that("prints, columns and damaged results", {
   expect_output(print(beam()), "determinate: 3 unknowns, 3 equations")
   expect_output(print(ladder(0.5)), "friction left 12.7 %", fixed = TRUE)
   expect_output(print(ladder(0.3)), "slides: more friction is needed")
-  known <- rotdyn_columns()$name
+  known <- column_table()$name
   for (table in list(
     beam(), summary(beam()), reactions(beam()), load_factors(beam()), resultant(load_couple(1)),
     force_torques(load_force(c(1, 2, 3), c(1, 2, 3))), resultant(load_couple(c(1, 2, 3)))

@@ -20,7 +20,7 @@ test_that("constructors have the inputs of the core's table, with its defaults",
 test_that("the dictionary has the columns of the table, with their units", {
   for (constraint in by_table()) {
     table <- .Call(ffi_scene_table, constraint$id)
-    known <- rotdyn_columns()
+    known <- column_table()
     columns <- sub("^rotor_[0-9]+_", "rotor_1_", table$columns) # of all rotors, one entry
     expect_equal(setdiff(columns, known$name), character())
     expect_identical(known$unit[match(columns, known$name)], table$units)

@@ -30,7 +30,8 @@ test_that("hertz is not taken for rad/s", {
     scene_axle(1, omega0_rad_per_s = units::set_units(1, "kHz")), class = "rotdyn_error_unit"
   )
   expect_equal(torque_exponential(1, units::set_units(2, "Hz"))$x[2], 2)
-  expect_error(rad_per_s_from_rpm(units::set_units(1, "Hz")), class = "rotdyn_error_unit")
+  expect_error(convert_angle(units::set_units(1, "Hz"), "rpm", "rad/s"),
+    class = "rotdyn_error_unit")
   law <- torque_sinusoid(1, units::set_units(60, "rpm"))
   expect_equal(law$x[2], 2 * pi)
 })
@@ -43,7 +44,7 @@ test_that("a forged quantity is refused", {
     structure("a", class = "units", units = units(units::set_units(1, "m")))
   )
   for (x in forged) {
-    expect_error(rad_from_deg(x), class = "rotdyn_error")
+    expect_error(convert_angle(x, "degree", "rad"), class = "rotdyn_error")
     expect_error(trajectory(scene_axle(1), x), class = "rotdyn_error")
   }
 })

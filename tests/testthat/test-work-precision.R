@@ -13,7 +13,7 @@ test_that("every model that fits, at every accuracy it promises", {
   measured <- measure(accuracies = 10^-c(6, 9, 14))
   expect_s3_class(measured, "rot_work_precision")
   expect_equal(names(measured), work_precision_columns)
-  expect_setequal(setdiff(names(measured), rotdyn_columns()$name), character())
+  expect_setequal(setdiff(names(measured), column_table()$name), character())
   for (accuracy in 10^-c(6, 9, 14)) {
     choice <- choose_model(article_scene(), 0:8, accuracy)
     expect_setequal(measured$model[measured$accuracy == accuracy], choice$model[choice$applies])

@@ -89,8 +89,9 @@ if (requireNamespace("yyjsonr", quietly = TRUE)) {
   if (requireNamespace("RSQLite", quietly = TRUE)) {
     lab <- tempfile(fileext = ".sqlite")
     records_create(lab)
-    for (i in 1:5) record_run(lab, spin_up())
-    stopifnot(rerun(lab, list_runs(lab)$run[1])$verdict == "identical", records_check(lab)$holds)
+    for (i in 1:5) records_add(lab, spin_up())
+    stopifnot(records_rerun(lab, records_list(lab)$run[1])$verdict == "identical",
+      records_check(lab)$holds)
   }
 }
 cat("boundary: done\n")

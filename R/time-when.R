@@ -21,18 +21,18 @@
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_unit`;
 #'   `rotdyn_error_time` for a span of more than 10000 cycles; those of [trajectory()].
 #' @source Chandrupatla, Advances in Engineering Software 28 (1997) 145, for the zeros.
-#' @seealso [period()], [stopping()], [motion_events()].
+#' @seealso [period_of()], [stopping()], [motion_events()].
 #' @concept event
 #' @concept period
 #' @examples
-#' when(spin_up(), omega_rad_per_s = 10)
-#' when(spin_up(), omega_rad_per_s = 10, occurrence = "all")
+#' time_when(spin_up(), omega_rad_per_s = 10)
+#' time_when(spin_up(), omega_rad_per_s = 10, occurrence = "all")
 #' # The passages and the turning points of a damped pendulum.
 #' swing <- scene_pendulum(body_point(1), 0.8, resistance(0.1), theta0_rad = 2)
-#' when(swing, theta_rad = 0, occurrence = "all", until_s = 6)
-#' when(swing, omega_rad_per_s = 0, occurrence = "all", until_s = 6)
+#' time_when(swing, theta_rad = 0, occurrence = "all", until_s = 6)
+#' time_when(swing, omega_rad_per_s = 0, occurrence = "all", until_s = 6)
 #' @export
-when <- function(x, ..., occurrence = c("first", "all"), until_s = NULL, accuracy = 1e-9) {
+time_when <- function(x, ..., occurrence = c("first", "all"), until_s = NULL, accuracy = 1e-9) {
   call <- rlang::current_env()
   check_supplied("x", call)
   occurrence <- if (missing(occurrence)) {
@@ -119,7 +119,7 @@ asked_value <- function(scene, dots, call) {
   columns <- setdiff(names(dots), index)
   if (!named || length(columns) != 1L || anyDuplicated(names(dots))) {
     abort_rotdyn(c(
-      "Name one column and its value.", i = "Such as {.code when(x, omega_rad_per_s = 10)}."
+      "Name one column and its value.", i = "Such as {.code time_when(x, omega_rad_per_s = 10)}."
     ), "type", call)
   }
   body <- 1L
@@ -161,7 +161,7 @@ search_run <- function(run, asked, span, call) {
   if (is.null(grid)) {
     abort_rotdyn(c(
       "The span has too many cycles to be searched, more than 10000.",
-      i = "Shorten it, or use {.fn period}."
+      i = "Shorten it, or use {.fn period_of}."
     ), "time", call)
   }
   constraint <- constraint_of(run$scene)

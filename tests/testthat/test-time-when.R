@@ -37,7 +37,7 @@ oscillator <- function(c, ...) scene_axle(2, torque_spring(8), resistance(c), th
 test_that("a pendulum of any amplitude passes an angle on time", {
   for (i in seq_len(nrow(passed))) {
     row <- passed[i, ]
-    got <- when(pendulum(theta0_rad = row$theta0), theta_rad = row$theta)
+    got <- time_when(pendulum(theta0_rad = row$theta0), theta_rad = row$theta)
     expect_lte(abs(got$time_s / row$time_s - 1), 1e-14)
     expect_equal(got$direction, "down")
   }
@@ -47,7 +47,7 @@ test_that("an oscillator of any damping passes its rest angle on time", {
   for (i in seq_len(nrow(damped))) {
     row <- damped[i, ]
     scene <- oscillator(row$viscous, omega0_rad_per_s = row$omega0)
-    got <- when(scene, theta_rad = 0, occurrence = "all", until_s = 1.001 * row$time_s)
+    got <- time_when(scene, theta_rad = 0, occurrence = "all", until_s = 1.001 * row$time_s)
     expect_lte(abs(got$time_s[row$nth] / row$time_s - 1), 1e-14)
     expect_equal(nrow(got), row$nth)
   }
@@ -55,87 +55,89 @@ test_that("an oscillator of any damping passes its rest angle on time", {
 
 test_that("turning points, and the amplitude that is only touched", {
   scene <- pendulum(theta0_rad = 2)
-  cycle <- period(scene)$period_s
-  turns <- when(scene, omega_rad_per_s = 0, occurrence = "all", until_s = 2.2 * cycle)
+  cycle <- period_of(scene)$period_s
+  turns <- time_when(scene, omega_rad_per_s = 0, occurrence = "all", until_s = 2.2 * cycle)
   expect_equal(turns$time_s, (0:4) / 2 * cycle, tolerance = 1e-15)
   expect_equal(turns$theta_rad, 2 * (-1)^(0:4), tolerance = 1e-14)
-  tops <- when(scene, theta_rad = 2, occurrence = "all", until_s = 2.2 * cycle)
+  tops <- time_when(scene, theta_rad = 2, occurrence = "all", until_s = 2.2 * cycle)
   expect_equal(tops$time_s, (0:2) * cycle, tolerance = 1e-15)
-  expect_true(is.na(when(scene, theta_rad = 2.001)$time_s))
+  expect_true(is.na(time_when(scene, theta_rad = 2.001)$time_s))
 })
 
 test_that("the spin-up: its rows do not matter", {
   # mpmath: 1 + I/c log((tau/c - omega(1))/(tau/c - 10)).
-  few <- when(spin_up(time_s = 0:8), omega_rad_per_s = 10, occurrence = "all")
+  few <- time_when(spin_up(time_s = 0:8), omega_rad_per_s = 10, occurrence = "all")
   expect_equal(few$time_s[1], 1.4991359674257020701, tolerance = 1e-14)
   expect_equal(few$direction, c("up", "down"))
-  expect_equal(few, when(spin_up(), omega_rad_per_s = 10, occurrence = "all"), tolerance = 1e-12)
-  expect_equal(nrow(when(spin_up(time_s = 0:1), omega_rad_per_s = 10, occurrence = "all")), 0)
+  expect_equal(few, time_when(spin_up(), omega_rad_per_s = 10, occurrence = "all"),
+    tolerance = 1e-12)
+  expect_equal(nrow(time_when(spin_up(time_s = 0:1), omega_rad_per_s = 10, occurrence = "all")), 0)
 })
 
 test_that("integrated motions, bodies on a shaft, units, rest", {
   # The same motion by an integrator.
   law <- scene_axle(0.7, function(t, theta, omega) -3.1 * sin(theta), theta0_rad = 2)
-  got <- when(trajectory(law, c(0, 3), accuracy = 1e-10), theta_rad = -1)
+  got <- time_when(trajectory(law, c(0, 3), accuracy = 1e-10), theta_rad = -1)
   expect_equal(got$time_s, 1.2930271916223065802, tolerance = 1e-9)
   shaft <- scene_rotors(c(1, 1), 50, omega0_rad_per_s = c(2, 0))
   # omega_2 = 1 - cos(10 t)
-  got <- when(shaft, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 1)
+  got <- time_when(shaft, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 1)
   expect_equal(got$time_s, pi / 20 * c(1, 3, 5), tolerance = 1e-14)
   wheel <- scene_axle(2, resistance = resistance(coulomb_n_m = 0.5), omega0_rad_per_s = 10)
-  expect_equal(when(wheel, omega_rad_per_s = 0)$time_s, 40, tolerance = 1e-15)
-  expect_equal(when(wheel, omega_rad_per_s = 0)$direction, "reached")
+  expect_equal(time_when(wheel, omega_rad_per_s = 0)$time_s, 40, tolerance = 1e-15)
+  expect_equal(time_when(wheel, omega_rad_per_s = 0)$direction, "reached")
   skip_if_not_installed("units")
-  expect_equal(when(scene_axle(2, 1), omega_rad_per_s = units::set_units(30 / pi, "rpm"))$time_s, 2,
+  expect_equal(time_when(scene_axle(2, 1),
+    omega_rad_per_s = units::set_units(30 / pi, "rpm"))$time_s, 2,
     tolerance = 1e-14)
 })
 
 test_that("errors", {
   scene <- oscillator(0)
-  expect_error(when(3, theta_rad = 1), class = "rotdyn_error_type")
-  expect_error(when(scene), class = "rotdyn_error_type")
-  expect_error(when(scene, 3), class = "rotdyn_error_type")
-  expect_error(when(scene, theta_rad = 0, omega_rad_per_s = 0), class = "rotdyn_error_type")
-  expect_error(when(scene, theta = 0), class = "rotdyn_error_value")
-  expect_error(when(scene, time_s = 0), class = "rotdyn_error_value")
-  expect_error(when(scene, theta_rad = NA_real_), class = "rotdyn_error_value")
-  expect_error(when(scene, theta_rad = 0, occurrence = "all"), class = "rotdyn_error_type")
-  expect_error(when(scene, theta_rad = 3, until_s = 1e9), class = "rotdyn_error_time")
-  expect_error(when(spin_up(), theta_rad = 3, until_s = 1e9), class = "rotdyn_error_type")
-  expect_error(when(scene_rotors(c(1, 1), 1), theta_rad = 3), class = "rotdyn_error_type")
-  expect_error(when(scene_rotors(c(1, 1), 1), theta_rad = 3, rotor = 3),
+  expect_error(time_when(3, theta_rad = 1), class = "rotdyn_error_type")
+  expect_error(time_when(scene), class = "rotdyn_error_type")
+  expect_error(time_when(scene, 3), class = "rotdyn_error_type")
+  expect_error(time_when(scene, theta_rad = 0, omega_rad_per_s = 0), class = "rotdyn_error_type")
+  expect_error(time_when(scene, theta = 0), class = "rotdyn_error_value")
+  expect_error(time_when(scene, time_s = 0), class = "rotdyn_error_value")
+  expect_error(time_when(scene, theta_rad = NA_real_), class = "rotdyn_error_value")
+  expect_error(time_when(scene, theta_rad = 0, occurrence = "all"), class = "rotdyn_error_type")
+  expect_error(time_when(scene, theta_rad = 3, until_s = 1e9), class = "rotdyn_error_time")
+  expect_error(time_when(spin_up(), theta_rad = 3, until_s = 1e9), class = "rotdyn_error_type")
+  expect_error(time_when(scene_rotors(c(1, 1), 1), theta_rad = 3), class = "rotdyn_error_type")
+  expect_error(time_when(scene_rotors(c(1, 1), 1), theta_rad = 3, rotor = 3),
     class = "rotdyn_error_value")
 })
 
 test_that("passages of a shaft that swings fast, and drifts", {
   # omega_2 = 1 - cos(50 t): 1 is passed twice in each cycle.
   shaft <- scene_rotors(c(1, 1), 1250, omega0_rad_per_s = c(2, 0))
-  got <- when(shaft, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 10)
+  got <- time_when(shaft, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 10)
   expect_equal(got$time_s, (2 * (1:159) - 1) * pi / 100, tolerance = 1e-14)
   drive <- scene_drive(c(1, 1), coupling_shaft(1250), omega0_rad_per_s = c(2, 0))
-  got <- when(drive, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 10)
+  got <- time_when(drive, omega_rad_per_s = 1, rotor = 2, occurrence = "all", until_s = 10)
   expect_equal(got$time_s, (2 * (1:159) - 1) * pi / 100, tolerance = 1e-14)
-  expect_no_warning(first <- when(shaft, omega_rad_per_s = 1, rotor = 2))
+  expect_no_warning(first <- time_when(shaft, omega_rad_per_s = 1, rotor = 2))
   expect_equal(first$time_s, pi / 100, tolerance = 1e-14)
   # omega_2 = t - sin(50 t)/50: far more than 1000 cycles until it is 150.
   driven <- scene_rotors(c(1, 1), 1250, torque_n_m = c(2, 0))
   t <- 150
   for (i in 1:60) t <- t - (t - sin(50 * t) / 50 - 150) / (1 - cos(50 * t) + 0.1)
-  expect_equal(when(driven, omega_rad_per_s = 150, rotor = 2)$time_s, t, tolerance = 1e-12)
+  expect_equal(time_when(driven, omega_rad_per_s = 150, rotor = 2)$time_s, t, tolerance = 1e-12)
   # Behind a gear the same spring swings faster: k (1/J1 + N^2/J2).
   geared <- scene_drive(
     c(1, 1), coupling_shaft(100, ratio = 7), omega0_rad_per_s = c(7, -1)
   )
   swing <- sqrt(100 * 50)
   # The mean motion is that of J1 + J2/49 at the first; twist rate 7 - 7 (-1) = 14 at the start.
-  got <- when(geared, coupling_torque_n_m = 0, rotor = 1, occurrence = "all", until_s = 20)
+  got <- time_when(geared, coupling_torque_n_m = 0, rotor = 1, occurrence = "all", until_s = 20)
   expect_equal(got$time_s, (0:floor(20 * swing / pi)) * pi / swing, tolerance = 1e-12)
 })
 
 test_that("a motion that fades within the least of times", {
   # 1e-310 kg m^2: it stands after some 1e-310 s.
   scene <- scene_axle(1e-310, torque_constant(1), resistance(0.1, 0.1, 0.1, 0.1))
-  late <- when(scene, theta_rad = 1, until_s = 1)$time_s
+  late <- time_when(scene, theta_rad = 1, until_s = 1)$time_s
   # Then omega is where 1 = 0.1 (1 + w + w^2).
   expect_equal(late, 1 / ((sqrt(37) - 1) / 2), tolerance = 1e-12)
 })

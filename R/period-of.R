@@ -5,9 +5,9 @@
 #'
 #' \deqn{T = 4 \sqrt{I / (m g d)} \, K(\sin^2(A / 2))}{T = 4 sqrt(I/(m g d)) K(sin^2(A/2))}
 #' for a pendulum of amplitude A, with the complete elliptic integral K. An oscillator
-#' `I theta'' = -c theta' - k theta` has the cycle `2 pi / sqrt(k/I - (c/(2 I))^2)`, the time between
-#' two passages of the rest angle in the same sense. With damping the motion itself has no period:
-#' each cycle multiplies the amplitude by `amplitude_ratio`.
+#' `I theta'' = -c theta' - k theta` has the cycle `2 pi / sqrt(k/I - (c/(2 I))^2)`, the time
+#' between two passages of the rest angle in the same sense. With damping the motion itself has no
+#' period: each cycle multiplies the amplitude by `amplitude_ratio`.
 #'
 #' @param scene A [scene_axle()] or [scene_pendulum()].
 #' @return A tibble of one row with the columns
@@ -18,27 +18,27 @@
 #'   drag, dry friction); `"overdamped"` and `"none"` (NaN: nothing swings). `amplitude_rad` is NaN
 #'   where there is none.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where no closed form tells (a driven
-#'   motion, gravity with a spring): `when(scene, theta_rad = 0)` gives the passages.
+#'   motion, gravity with a spring): `time_when(scene, theta_rad = 0)` gives the passages.
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), sections 11 and 25. The integral by the
 #'   arithmetic-geometric mean to twice the precision, so that it holds beside the separatrix, too.
-#' @seealso [when()], [stopping()], [motion_events()].
+#' @seealso [time_when()], [stopping()], [motion_events()].
 #' @concept period
 #' @concept frequency
 #' @examples
 #' # A metre stick about its end: small swings, and let go from horizontal.
 #' stick <- function(angle) scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = angle)
-#' period(stick(0))
-#' period(stick(pi / 2))
+#' period_of(stick(0))
+#' period_of(stick(pi / 2))
 #' # A damped pendulum has no period, but cycles: from one turning point to the next but one.
 #' oiled <- scene_pendulum(body_point(1), 0.8, resistance(0.3), theta0_rad = 2)
-#' period(oiled)$kind
-#' turns <- when(oiled, omega_rad_per_s = 0, occurrence = "all", until_s = 12)
+#' period_of(oiled)$kind
+#' turns <- time_when(oiled, omega_rad_per_s = 0, occurrence = "all", until_s = 12)
 #' diff(turns$time_s, lag = 2)
 #' turns$theta_rad
 #' # A torsion pendulum in oil.
-#' period(scene_axle(0.02, torque_spring(0.5), resistance(0.01), theta0_rad = 0.3))
+#' period_of(scene_axle(0.02, torque_spring(0.5), resistance(0.01), theta0_rad = 0.3))
 #' @export
-period <- function(scene) {
+period_of <- function(scene) {
   call <- rlang::current_env()
   check_supplied("scene", call)
   check_scene_of(scene, "axle", call, "Describe one with {.fn scene_pendulum} or {.fn scene_axle}.")
@@ -48,7 +48,7 @@ period <- function(scene) {
     abort_rotdyn(c(
       "There is no closed form of the period of this motion.",
       x = "On it act: {paste(core_effects('axle', scene), collapse = ', ')}.",
-      i = "{.code when(scene, theta_rad = 0, until_s = ...)} gives the times of its passages."
+      i = "{.code time_when(scene, theta_rad = 0, until_s = ...)} gives the times of its passages."
     ), "model", call)
   }
   tibble::tibble(
