@@ -44,8 +44,8 @@
 #'   middle one -pi/2 to pi/2 (0 to pi where two axes are the same). The axis of no rotation is x.
 #'   `attitude_turn()`: `x, y, z`.
 #'
-#'   `attitude_difference()`: the angle in rad, 0 to pi, of the rotation that takes `from` to `to`; q
-#'   and -q are the same attitude.
+#'   `attitude_difference()`: the angle in rad, 0 to pi, of the rotation that takes `from` to `to`;
+#'   q and -q are the same attitude.
 #'
 #'   `attitude_compose()` is the product `first second`: an attitude `second` of a part in a body of
 #'   attitude `first`. `attitude_slerp()` turns at a constant rate, the short way.

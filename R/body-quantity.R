@@ -26,7 +26,7 @@ quantity_of.list <- function(x, arg, unit, call) {
 # Names of shapes, whatever their sizes.
 #' @export
 quantity_of.character <- function(x, arg, unit, call) {
-  if (unit != "1" || !arg %in% c("beta", "body")) return(x)
+  if (unit != "1" || arg != "body") return(x)
   rolling_shapes(x, arg, call)$beta
 }
 

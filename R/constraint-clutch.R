@@ -65,8 +65,8 @@ augment_clutch <- function(x, run, edges, call) {
   }
   c(
     list(
-      power_w = power(run$scene$torque_1, x$omega_1_rad_per_s) +
-        power(run$scene$torque_2, x$omega_2_rad_per_s)
+      power_w = power(run$scene$torque[[1]], x$omega_1_rad_per_s) +
+        power(run$scene$torque[[2]], x$omega_2_rad_per_s)
     ),
     as.list(as.data.frame(if (nrow(flows)) sweep(flows, 2, flows[1, ]) else flows))
   )

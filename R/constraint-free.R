@@ -134,7 +134,7 @@ attitude_distance <- function(got, want) {
 }
 
 call_free_laws <- function(scene, call) {
-  laws <- Filter(is.function, c(list(scene$torque_n_m), lapply(scene$rotors, `[[`, "torque_n_m")))
+  laws <- Filter(is.function, c(list(scene$torque), lapply(scene$rotors, `[[`, "torque")))
   if (!length(laws)) return(NULL)
   at <- list(scene$start_s, scene$omega0_rad_per_s, scene$attitude0)
   function() for (f in laws) do.call(f, at[seq_len(count_law_arguments(f, function(n) n))])
@@ -172,7 +172,7 @@ augment_free <- function(x, run, edges, call) {
 # The torque at each row, in its axes: a matrix of three columns.
 free_torque_at <- function(scene, x) {
   n <- nrow(x)
-  torque <- scene$torque_n_m
+  torque <- scene$torque
   if (is.function(torque)) {
     state <- do.call(cbind, unclass(x)[c("time_s", free_rates(""), quaternion_columns)])
     if (!n) return(matrix(0, 0, 3))
@@ -199,21 +199,21 @@ between_knots <- function(y, at, time_s) {
 # Those of scene_free(), of a scene with its fields.
 free_arguments <- function(x) {
   upright <- identical(x$attitude0, c(1, 0, 0, 0))
+  # The breaks of rotors are theirs.
+  own <- setdiff(x$breaks_s, unlist(lapply(x$rotors, `[[`, "breaks_s")))
   list(
     body = x$body, omega0_rad_per_s = x$omega0_rad_per_s, attitude0 = if (!upright) x$attitude0,
-    torque_n_m = x$torque_n_m, torque_axes = if (x$torque_axes == "space") "space",
-    damping_per_s = x$damping_per_s, rotors = x$rotors,
-    breaks_s = if (length(x$breaks_s)) x$breaks_s, start_s = x$start_s
+    torque = law_with_breaks(list(torque = x$torque, breaks_s = own)),
+    torque_axes = if (x$torque_axes == "space") "space", resistance = x$resistance,
+    rotors = x$rotors, start_s = x$start_s
   )
 }
 
-read_free <- function(body, omega0_rad_per_s, attitude0 = NULL, torque_n_m = NULL,
-                      torque_axes = "body", damping_per_s = 0, rotors = NULL, breaks_s = NULL,
-                      start_s = 0) {
+read_free <- function(body, omega0_rad_per_s, attitude0 = NULL, torque = NULL,
+                      torque_axes = "body", resistance = NULL, rotors = NULL, start_s = 0) {
   keep_attitude(scene_free(
-    body, omega0_rad_per_s, attitude0 = attitude0, torque_n_m = torque_n_m,
-    torque_axes = torque_axes, damping_per_s = damping_per_s, rotors = rotors,
-    breaks_s = breaks_s, start_s = start_s
+    body, omega0_rad_per_s, attitude0 = attitude0, torque = torque, torque_axes = torque_axes,
+    resistance = resistance, rotors = rotors, start_s = start_s
   ), attitude0)
 }
 

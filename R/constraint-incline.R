@@ -31,8 +31,8 @@ incline_constraint <- function() {
     ),
     slopes = slopes_incline,
     call_laws = function(scene, call) {
-      f <- scene$force_n
-      if (is.null(f)) return(NULL)
+      f <- scene$force
+      if (!is.function(f)) return(NULL)
       at <- list(scene$start_s, scene$x0_m, scene$v0_m_per_s)
       at <- at[seq_len(count_law_arguments(f, function(n) n))]
       function() do.call(f, at)

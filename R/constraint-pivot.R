@@ -96,12 +96,11 @@ lever_in_space <- function(scene, columns) {
 
 read_pivot <- function(body, omega0_rad_per_s, pivot_m = c(0, 0, 0), mass_kg = NULL,
                        centre_m = NULL, attitude0 = NULL, gravity_m_per_s2 = 9.80665,
-                       torque_n_m = NULL, torque_axes = "body", damping_per_s = 0,
-                       rotors = NULL, breaks_s = NULL, start_s = 0) {
+                       torque = NULL, torque_axes = "body", resistance = NULL, rotors = NULL,
+                       start_s = 0) {
   keep_attitude(scene_pivot(
     body, omega0_rad_per_s, pivot_m = pivot_m, mass_kg = mass_kg, centre_m = centre_m,
-    attitude0 = attitude0, gravity_m_per_s2 = gravity_m_per_s2, torque_n_m = torque_n_m,
-    torque_axes = torque_axes, damping_per_s = damping_per_s, rotors = rotors,
-    breaks_s = breaks_s, start_s = start_s
+    attitude0 = attitude0, gravity_m_per_s2 = gravity_m_per_s2, torque = torque,
+    torque_axes = torque_axes, resistance = resistance, rotors = rotors, start_s = start_s
   ), attitude0)
 }

@@ -46,8 +46,8 @@ rotors_constraint <- function() {
       list(
         bodies = x$bodies,
         stiffness_n_m_per_rad = x$stiffness_n_m_per_rad,
-        damping_n_m_s = zero(x$damping_n_m_s), torque_n_m = zero(x$torque_n_m),
-        viscous_n_m_s = zero(x$viscous_n_m_s), theta0_rad = zero(x$theta0_rad),
+        damping_n_m_s = zero(x$damping_n_m_s), torque = zero(x$torque),
+        resistance = zero(x$resistance), theta0_rad = zero(x$theta0_rad),
         omega0_rad_per_s = zero(x$omega0_rad_per_s), start_s = x$start_s
       )
     }, scene_rotors)),
@@ -63,7 +63,7 @@ rotors_constraint <- function() {
 form_of_rotors <- function() {
   form <- table_form(core_table("rotors"))
   between <- c("stiffness_n_m_per_rad", "damping_n_m_s")
-  each <- c("torque_n_m", "viscous_n_m_s", "theta0_rad", "omega0_rad_per_s")
+  each <- c("torque", "resistance", "theta0_rad", "omega0_rad_per_s")
   form[between] <- "numbers=moment_of_inertia_kg_m2-1"
   form[each] <- "numbers=moment_of_inertia_kg_m2"
   form
@@ -82,10 +82,10 @@ rotors_pace <- function(scene, sizes, model) {
   inertia <- scene$moment_of_inertia_kg_m2
   pace <- .Call(ffi_scene_pace, "rotors", scene, sizes)
   if (model == "rotors_rigid") {
-    pace$fades_s <- sum(inertia) / sum(scene$viscous_n_m_s)
+    pace$fades_s <- sum(inertia) / sum(scene$resistance)
     pace$swing_rad_per_s <- 0
   }
-  pace$drifts <- any(scene$torque_n_m != 0) || sum(inertia * scene$omega0_rad_per_s) != 0
+  pace$drifts <- any(scene$torque != 0) || sum(inertia * scene$omega0_rad_per_s) != 0
   pace
 }
 
@@ -94,7 +94,7 @@ augment_rotors <- function(x, run, edges, call) {
   if (is.null(flows)) return(NULL)
   if (nrow(flows)) flows <- sweep(flows, 2, flows[1, ])
   c(
-    list(power_w = run$scene$torque_n_m[x$rotor] * x$omega_rad_per_s),
+    list(power_w = run$scene$torque[x$rotor] * x$omega_rad_per_s),
     as.list(as.data.frame(flows[, colnames(flows) != "elastic_energy_j", drop = FALSE]))
   )
 }

@@ -13,8 +13,8 @@ draw_chain <- function(scene, theta = scene$theta0_rad) {
   d$key(quantity("m", what, shown(scene$mass_kg, "kg"), "weight"))
   d$key(quantity("theta", "angles at start", shown(scene$theta0_rad, "rad"), "resistance"))
   d$key(quantity("omega[0]", "rates at start", shown(scene$omega0_rad_per_s, "rad/s"), "speed"))
-  if (any(scene$joint_n_m_s > 0)) {
-    d$key(quantity("c", "viscous joints", shown(scene$joint_n_m_s, "N m s"), "resistance"))
+  if (any(scene$resistance > 0)) {
+    d$key(quantity("c", "viscous joints", shown(scene$resistance, "N m s"), "resistance"))
   }
   at <- chain_places(scene, rep_len(theta, n))
   half <- max(0.4, 0.15 + diff(range(at[, 1])) / 2, 0.15 + diff(range(at[, 2])) / 2)

@@ -43,13 +43,14 @@ draw_free <- function(scene) {
   arrow(omega, "omega", "angular velocity", size(omega, "rad/s"), "speed", 1.35, -0.12)
   arrow(momentum, "L", "angular momentum", size(momentum, "kg m^2/s"), "weight", 1.1, 0.12)
   draw_rotors(d, scene, view %*% turn)
-  torque <- scene$torque_n_m
+  torque <- scene$torque
   if (is.numeric(torque)) {
     if (scene$torque_axes == "space") torque <- as.vector(t(turn) %*% torque)
     arrow(torque, "tau", "torque", size(torque, "N m"), "torque", 1.2, 0.12)
   }
-  if (scene$damping_per_s != 0) {
-    d$key(quantity("gamma", "damping", value_text(scene$damping_per_s, "1/s"), "resistance"))
+  damping <- resistance_term(scene, "damping_per_s")
+  if (damping != 0) {
+    d$key(quantity("gamma", "damping", value_text(damping, "1/s"), "resistance"))
   }
   d$done(c(-1.5, 1.5, -1.5, 1.5), "the ellipsoid of the second moments; not to scale")
 }

@@ -24,8 +24,9 @@ draw_hoop <- function(scene, theta = scene$theta0_rad) {
   d$key(quantity("theta", "angle at start", value_text(scene$theta0_rad, "rad"), "resistance"))
   d$key(start_rate(scene))
   d$key(quantity("m*g", "weight of the bead", value_text(weight, "N"), "weight"))
-  if (scene$drag_n_s_per_m > 0) {
-    d$key(quantity("c", "drag", value_text(scene$drag_n_s_per_m, "N s/m"), "resistance"))
+  drag <- resistance_term(scene, "drag_n_s_per_m")
+  if (drag > 0) {
+    d$key(quantity("c", "drag", value_text(drag, "N s/m"), "resistance"))
   }
   if (scene$static_friction > 0) {
     d$key(quantity("mu[s]", "static friction", format_si(scene$static_friction), "resistance"))

@@ -49,11 +49,11 @@ draw_shafting <- function(scene, inertia, couplings, more = NULL, clutch_labels 
       add(mark("line", rbind(c(from, y[i]), c(to, y[i])), "dashed"))
     }
   }
-  torque <- scene[["torque_n_m"]]
+  torque <- scene[["torque"]]
   omega <- scene[["omega0_rad_per_s"]]
   acts <- function(i) {
-    if (is.numeric(torque)) rep_len(torque, n)[i] else if (is.list(scene[["torque"]])) {
-      law <- scene$torque[[i]]
+    if (is.numeric(torque)) rep_len(torque, n)[i] else if (is.list(torque)) {
+      law <- torque[[i]]
       if (is.null(law) || torque_is_zero(law)) 0 else torque_sign(law)
     } else 0
   }
@@ -137,7 +137,9 @@ shafting_quantities <- function(scene, inertia) {
     quantity("I[i]", "moment of inertia", value_text(inertia, "kg m^2")),
     of("stiffness_n_m_per_rad", "k[i]", "stiffness", "N m/rad", "spring"),
     of("damping_n_m_s", "", "damping between", "N m s", "spring"),
-    of("viscous_n_m_s", "", "damping outside", "N m s", "resistance"),
+    if (is.numeric(scene[["resistance"]])) {
+      of("resistance", "", "damping outside", "N m s", "resistance")
+    },
     if (!is.null(scene[["capacity_n_m"]])) {
       quantity(
         "T", "clutch", paste0(
@@ -151,7 +153,7 @@ shafting_quantities <- function(scene, inertia) {
         ), "resistance"
       )
     },
-    of("torque_n_m", "tau[i]", "torque", "N m", "torque"),
+    if (is.numeric(laws)) of("torque", "tau[i]", "torque", "N m", "torque"),
     if (length(acting)) {
       do.call(rbind, lapply(acting, function(i) {
         quantity(paste0("tau[", i, "]"), "torque", torque_text(laws[[i]]), "torque")

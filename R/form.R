@@ -37,7 +37,8 @@ torque_form <- list(.one_of = list(
 
 resistance_form <- list(
   .class = "rot_resistance", viscous_n_m_s = "number", quadratic_n_m_s2 = "number",
-  coulomb_n_m = "number", static_n_m = "number"
+  coulomb_n_m = "number", static_n_m = "number", damping_per_s = "number",
+  drag_n_s_per_m = "number", drag_n_s2_per_m2 = "number"
 )
 
 inertia_knots_form <- list(
@@ -66,8 +67,8 @@ brake_form <- c(list(.class = "rot_brake"), grip_parts)
 
 # Without a torque its motor keeps its speed.
 rotor_form <- list(
-  .class = "rot_rotor", axis = "numbers:3", inertia_kg_m2 = "number", omega_rad_per_s = "number",
-  torque_n_m = list(.optional = TRUE, .one_of = list(
+  .class = "rot_rotor", axis = "numbers:3", moment_of_inertia_kg_m2 = "number",
+  omega_rad_per_s = "number", torque = list(.optional = TRUE, .one_of = list(
     "number", "function", list(time_s = "sorted", torque_n_m = "numbers=time_s")
   )), breaks_s = "sorted"
 )

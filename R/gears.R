@@ -66,8 +66,10 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio, ...) {
 #'   `numeric()`.
 #' @param ... Not used; names after it must be given in full.
 #' @param efficiency Of each stage, in (0, 1]: one number or `n - 1`.
-#' @param torque_n_m Torque on each shaft: `n` numbers, or 0.
-#' @param viscous_n_m_s Viscous coefficient on each shaft, at least 0: one number or `n`.
+#' @param torque Torque on each shaft: `n` numbers in N m, or 0; for `scene_gears()` also a list of
+#'   `n` [torque] laws, with NULL for none.
+#' @param resistance [resistance()] of each shaft, or its viscous coefficient: one for all, or `n`.
+#'   `gear_train()` takes the viscous one alone.
 #' @return `gear_train()`: a tibble (class `rot_gear_train`, which `ggplot2::autoplot()` draws) with
 #'   one row for each shaft:
 #'   `r describe_columns(gear_columns)`
@@ -79,42 +81,43 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio, ...) {
 #' @concept gear
 #' @concept transmission
 #' @examples
-#' gear_train(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque_n_m = c(2, -4))
-#' scene <- scene_gears(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque_n_m = c(2, -4))
+#' gear_train(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque = c(2, -4))
+#' scene <- scene_gears(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque = c(2, -4))
 #' trajectory(scene, time_s = 0:3)
 #' @export
-gear_train <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, viscous_n_m_s = 0) {
+gear_train <- function(bodies, ratios, ..., efficiency = 1, torque = 0, resistance = 0) {
   call <- check_no_dots(...)
   check_supplied(c("bodies", "ratios"), call)
-  train_of(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call)
+  train_of(bodies, ratios, efficiency, torque, resistance, call)
 }
 
-train_of <- function(bodies, ratios, efficiency, torque_n_m, viscous_n_m_s, call) {
+train_of <- function(bodies, ratios, efficiency, torque, resistance, call) {
   inertia <- check_inertias(bodies, "bodies", call)
-  x <- check_train(length(inertia), ratios, efficiency, torque_n_m, viscous_n_m_s, call)
+  x <- check_train(
+    length(inertia), ratios, efficiency, check_torque_each(torque, "torque", length(inertia), call),
+    viscous_of_each(resistance, length(inertia), call), call
+  )
   train <- .Call(
-    ffi_train, inertia, x$ratios, x$efficiency, x$torque_n_m, x$viscous_n_m_s
+    ffi_train, inertia, x$ratios, x$efficiency, x$torque, x$resistance
   )
   columns <- c(list(shaft = seq_along(inertia)), train$columns)
   columns <- append(columns, list(moment_of_inertia_kg_m2 = inertia), 2L)
   warn_beyond(columns[-1], list(), length(inertia), call)
   tibble::new_tibble(
-    columns, nrow = length(inertia), torque_n_m = x$torque_n_m, efficiency = x$efficiency,
+    columns, nrow = length(inertia), torque_n_m = x$torque, efficiency = x$efficiency,
     law = train$law, class = "rot_gear_train"
   )
 }
 
 # The arguments but for the bodies, a number for each of n shafts or for each mesh.
-check_train <- function(n, ratios, efficiency, torque_n_m, viscous_n_m_s, call) {
+check_train <- function(n, ratios, efficiency, torque, resistance, call) {
   ratios <- check_between(ratios, "ratios", "1", n - 1L, -Inf, call)
   efficiency <- check_each(efficiency, "efficiency", "1", n - 1L, 0, call)
-  torque <- check_torque_each(torque_n_m, "torque_n_m", n, call)
-  viscous <- check_each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0, call)
   if (any(ratios == 0)) abort_rotdyn("{.arg ratios} must not be 0.", "value", call)
   bad <- which(efficiency <= 0 | efficiency > 1)
   if (length(bad)) abort_domain(efficiency[bad[1]], "efficiency", "1", call, 0, 1, TRUE)
   list(
-    ratios = ratios, efficiency = rep_len(efficiency, n - 1L), torque_n_m = torque,
-    viscous_n_m_s = viscous
+    ratios = ratios, efficiency = rep_len(efficiency, n - 1L), torque = torque,
+    resistance = resistance
   )
 }

@@ -10,6 +10,7 @@
 #' period: each cycle multiplies the amplitude by `amplitude_ratio`.
 #'
 #' @param scene A [scene_axle()] or [scene_pendulum()].
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble of one row with the columns
 #'   `r describe_columns(period_columns)`
 #'   `kind` is `"oscillation"`; `"rotation"` (the period is the time of a turn); `"rest"` (it hangs
@@ -38,8 +39,8 @@
 #' # A torsion pendulum in oil.
 #' period_of(scene_axle(0.02, torque_spring(0.5), resistance(0.01), theta0_rad = 0.3))
 #' @export
-period_of <- function(scene) {
-  call <- rlang::current_env()
+period_of <- function(scene, ...) {
+  call <- check_no_dots(...)
   check_supplied("scene", call)
   check_scene_of(scene, "axle", call, "Describe one with {.fn scene_pendulum} or {.fn scene_axle}.")
   x <- .Call(ffi_axle_period, scene)

@@ -28,7 +28,7 @@ autoplot.rot_estimate <- function(object, ..., units = NULL, base_size = 13) {
   units <- check_plot_units(units, call)
   with_torque <- !is.null(fit$asked$inertia) && !is.null(object[["net_torque_n_m"]])
   panels <- list(
-    c("angle (rad)", "theta", "rad"), c("angular velocity (rad/s)", "omega", "rad/s"),
+    c("angle (rad)", "theta", "rad"), c("angular velocity (rad/s)", "omega", "rad_per_s"),
     if (with_torque) c("net torque (N m)", "net_torque", "n_m") else
       c("angular acceleration (rad/s^2)", "alpha", "rad_per_s2")
   )

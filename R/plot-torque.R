@@ -107,62 +107,6 @@ check_range <- function(x, arg, unit, call) {
   x
 }
 
-# What a law depends on.
-law_variable <- function(law) {
-  if (inherits(law, "rot_torque_motor")) return("omega")
-  if (!inherits(law, "rot_torque_term")) return("time")
-  switch(law$kind, curve = "omega", spring = , gravity = "theta", "time")
-}
-
-# The law at many values of its variable: knots after a jump, terms as src/core/engine/term.h has
-# them.
-law_values <- function(law, at, call) {
-  if (inherits(law, "rot_torque_knots")) return(knot_sides(law, at)[, 2L])
-  if (inherits(law, "rot_torque_motor")) {
-    return(law$stall_torque_n_m * (1 - at / law$no_load_omega_rad_per_s))
-  }
-  if (inherits(law, "rot_torque_function")) {
-    return(vapply(at, function(t) {
-      value <- if (law$arguments == 3L) law$f(t, 0, 0) else law$f(t)
-      value <- if (length(value) == 1L) check_torques(value, 1L, call) else NA
-      if (!is.finite(value)) abort_torque_value(value, t, call)
-      value
-    }, double(1)))
-  }
-  x <- law$x
-  value <- switch(law$kind,
-    sinusoid = x[1] * cos(x[2] * at + x[3]),
-    exponential = x[1] * exp(-x[2] * (at - x[3])),
-    polynomial = polynomial_values(x, at),
-    curve = {
-      n <- x[1]
-      stats::approx(x[2:(n + 1)], x[(n + 2):(2 * n + 1)], at, rule = 2)$y
-    },
-    spring = -x[1] * (at - x[2]),
-    gravity = -x[1] * sin(at - x[2])
-  )
-  if (law_variable(law) == "time") value[at < law$from_s | at >= law$to_s] <- 0
-  value
-}
-
-polynomial_values <- function(x, at) {
-  n <- x[1]
-  degree <- x[2]
-  breaks <- x[2 + seq_len(n + 1)]
-  a <- matrix(x[-seq_len(n + 3)], n, degree, byrow = TRUE)
-  piece <- findInterval(at, breaks)
-  inside <- piece >= 1 & piece <= n
-  value <- double(length(at))
-  since <- at[inside] - breaks[piece[inside]]
-  for (j in rev(seq_len(degree))) value[inside] <- value[inside] * since + a[piece[inside], j]
-  value
-}
-
-breaks_of_law <- function(law) {
-  own <- if (inherits(law, "rot_torque_knots")) law$time_s else law$breaks_s
-  as.double(own[is.finite(own)])
-}
-
 # Points that a law was given by.
 law_points <- function(law) {
   if (inherits(law, "rot_torque_knots")) {

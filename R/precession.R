@@ -53,8 +53,9 @@
 #' @examples
 #' precession_table()
 #' # A top at 30 degrees: what the formula lacks, and how deep the axis falls when released.
-#' top <- place_body(body_cone(0.5, 0.04, 0.1), c(0, 0, 0.08))
-#' precession_table(top, axis_angle_deg = 30, spin_rad_per_s = 150)
+#' cone <- body_cone(0.5, 0.04, 0.1)
+#' on_tip <- place_body(cone, c(0, 0, 0.1), rotation_about("x", angle_deg = 180))
+#' precession_table(on_tip, axis_angle_deg = 30, spin_rad_per_s = 500)
 #' # The wheel of a bicycle on a rope, its axle level:
 #' precession_table(body_hoop(2, 0.3), spin_rad_per_s = 20, lever_arm_m = 0.1)
 #' @export

@@ -28,6 +28,11 @@
 #' * **Missing values**: functions of numbers give NA for NA, row by row. A description (a body, a
 #'   torque, a scene, a grid of times) must be complete.
 #'
+#' @section What do you want to do:
+#' `r reference_index()`
+#' Every object has a `print()`; scenes, bodies, laws, motions and tables have `autoplot()`, motions
+#' and fits `summary()` or `glance()`. [update()] changes one thing of a scene or of a body.
+#'
 #' @section Errors:
 #' Every error of the package has the class `rotdyn_error` and one of
 #' `r paste0("\\code{rotdyn_error_", names(error_kinds), "} (", error_kinds, ")", collapse = ", ")`.
@@ -39,3 +44,28 @@
 #' @importFrom generics glance augment
 #' @importFrom rlang .data
 "_PACKAGE"
+
+# What users do, and the functions for it: inst/metadata/reference.csv, with * for any ending.
+reference_table <- function() {
+  rows <- read_table("reference")
+  exports <- sort(getNamespaceExports("rotdyn"))
+  found <- lapply(rows$functions, function(pattern) {
+    exports[grepl(utils::glob2rx(pattern), exports)]
+  })
+  tibble::new_tibble(
+    list(section = rep(rows$section, lengths(found)), name = unlist(found)),
+    nrow = sum(lengths(found))
+  )
+}
+
+reference_index <- function() {
+  rows <- reference_table()
+  links <- tapply(
+    paste0("\\code{\\link{", rows$name, "}}"), factor(rows$section, unique(rows$section)), paste,
+    collapse = ", "
+  )
+  paste0(
+    "\\describe{\n",
+    paste0("\\item{", sentence(names(links)), "}{", links, "}", collapse = "\n"), "\n}"
+  )
+}

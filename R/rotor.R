@@ -14,16 +14,16 @@
 #'
 #' @param axis Direction of the axis in the body's axes: three numbers of any length, or `"x"`,
 #'   `"y"`, `"z"`. The rotor turns about it by the right-hand rule.
-#' @param inertia_kg_m2 Its moment of inertia J about the axis, more than 0. The body of
+#' @param moment_of_inertia_kg_m2 Its moment of inertia J about the axis, more than 0. The body of
 #'   [scene_free()] includes the rotor, locked: its mass and all its moments.
 #' @param omega_rad_per_s Its angular velocity W at the start, relative to the body.
-#' @param torque_n_m NULL: driven at that speed. Else the torque u of its motor on the rotor about
-#'   the axis: a number (0: it turns freely), a data frame with the columns `time_s` and
-#'   `torque_n_m` (linear between its times, 0 before and after; two rows at the same time make a
-#'   jump), or a function of `time_s`, or of `time_s`, `omega_rad_per_s` (of the body, in its axes)
-#'   and `attitude` (quaternion, scalar first), that returns one number.
-#' @param ... Not used; names after it must be given in full.
-#' @param breaks_s Times at which a torque function jumps or has a kink.
+#' @param torque NULL: driven at that speed. Else the torque u of its motor on the rotor about the
+#'   axis: a number (0: it turns freely), a [torque] law of the time, a data frame with the columns
+#'   `time_s` and `torque_n_m` (linear between its times, 0 before and after; two rows at the same
+#'   time make a jump), or a function of `time_s`, or of `time_s`, `omega_rad_per_s` (of the body,
+#'   in its axes) and `attitude` (quaternion, scalar first), that returns one number;
+#'   [torque_function()] gives it the times of its jumps and kinks.
+#' @param ... Not used: an unknown argument is an error.
 #' @return A `rot_rotor`.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (also NA, NaN and
 #'   Inf, and an axis that is not three numbers, or of length 0), `rotdyn_error_unit`,
@@ -43,35 +43,52 @@
 #' motion[c("time_s", "omega_z_rad_per_s", "rotor_1_omega_rad_per_s")]
 #' audit(motion)
 #' @export
-rotor <- function(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m = NULL, ..., breaks_s = NULL) {
+rotor <- function(axis, moment_of_inertia_kg_m2, omega_rad_per_s, torque = NULL, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("axis", "inertia_kg_m2", "omega_rad_per_s"), call)
-  new_rotor(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m, breaks_s, call)
+  check_supplied(c("axis", "moment_of_inertia_kg_m2", "omega_rad_per_s"), call)
+  new_rotor(axis, moment_of_inertia_kg_m2, omega_rad_per_s, torque, call)
 }
 
-new_rotor <- function(axis, inertia_kg_m2, omega_rad_per_s, torque, breaks_s, call) {
-  moment <- check_number(inertia_kg_m2, "inertia_kg_m2", "kg*m^2", call, lower = 0)
+new_rotor <- function(axis, moment_of_inertia_kg_m2, omega_rad_per_s, torque, call) {
+  moment <- check_number(
+    moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call, lower = 0
+  )
   if (moment == 0) {
-    abort_rotdyn("{.arg inertia_kg_m2} of a rotor must be more than 0.", "value", call)
+    abort_rotdyn("{.arg moment_of_inertia_kg_m2} of a rotor must be more than 0.", "value", call)
   }
-  torque <- motor_torque(torque, call)
+  law <- motor_torque(torque, call)
   x <- list(
-    axis = unit_axis(as_axis(axis, call), call), inertia_kg_m2 = moment,
+    axis = unit_axis(as_axis(axis, call), call), moment_of_inertia_kg_m2 = moment,
     omega_rad_per_s = check_number(omega_rad_per_s, "omega_rad_per_s", "rad/s", call),
-    torque_n_m = torque, breaks_s = breaks_of(torque, breaks_s, call)
+    torque = law$torque, breaks_s = law$breaks_s
   )
   class(x) <- "rot_rotor"
   x
 }
 
-# NULL, a number, a list of columns, or a function.
+# list(torque: NULL, a number, a list of columns or a function; breaks_s)
 motor_torque <- function(torque, call) {
-  if (is.function(torque)) {
-    torque_arguments(torque, call)
-    return(torque)
+  if (inherits(torque, "rot_torque_function")) {
+    return(list(torque = torque$f, breaks_s = breaks_of(torque, call)))
   }
-  if (is.list(torque)) return(torque_table(torque, "torque_n_m", call))
-  if (!is.null(torque)) check_number(torque, "torque_n_m", "N*m", call)
+  if (inherits(torque, "rot_torque")) {
+    check_law_of_time(check_form(torque, torque_form, "torque", "torque law", call), "torque", call)
+    if (torque_is_constant(torque)) return(motor_torque(torque$outside[1], call))
+    law <- torque
+    return(list(
+      torque = function(time_s) torque_of_time(law, time_s),
+      breaks_s = sort(unique(as.double(breaks_of_torque(law))))
+    ))
+  }
+  torque <- if (is.function(torque)) {
+    torque_arguments(torque, call)
+    torque
+  } else if (is.list(torque)) {
+    torque_table(torque, "torque_n_m", call)
+  } else if (!is.null(torque)) {
+    check_number(torque, "torque", "N*m", call)
+  }
+  list(torque = torque, breaks_s = breaks_of(torque, call))
 }
 
 # Rotors as an argument: NULL, a rotor, a list of them, or a data frame with a row for each.
@@ -100,7 +117,9 @@ with_rotor_breaks <- function(breaks_s, rotors) {
   if (length(own)) sort(unique(c(breaks_s, own))) else breaks_s
 }
 
-rotor_table_columns <- c("axis_x", "axis_y", "axis_z", "inertia_kg_m2", "omega_rad_per_s")
+rotor_table_columns <- c(
+  "axis_x", "axis_y", "axis_z", "moment_of_inertia_kg_m2", "omega_rad_per_s"
+)
 
 # With the column torque_n_m, where a rotor that is driven has NA, or without it.
 rotors_of_table <- function(table, call) {
@@ -110,8 +129,8 @@ rotors_of_table <- function(table, call) {
   lapply(seq_len(nrow(table)), function(i) {
     axis <- vapply(rotor_table_columns[1:3], function(name) as.double(table[[name]][i]), 0)
     new_rotor(
-      unname(axis), table$inertia_kg_m2[i], table$omega_rad_per_s[i],
-      if (!is.na(torque[i])) torque[i], NULL, call
+      unname(axis), table$moment_of_inertia_kg_m2[i], table$omega_rad_per_s[i],
+      if (!is.na(torque[i])) torque[i], call
     )
   })
 }
@@ -123,7 +142,9 @@ check_rotors <- function(rotors, inertia, call) {
     abort_rotdyn("A body with rotors must have a moment about each axis.", "value", call)
   }
   tensor <- free_tensor(inertia)
-  for (one in rotors) tensor <- tensor - one$inertia_kg_m2 * outer(one$axis, one$axis)
+  for (one in rotors) {
+    tensor <- tensor - one$moment_of_inertia_kg_m2 * outer(one$axis, one$axis)
+  }
   least <- min(eigen(tensor, symmetric = TRUE, only.values = TRUE)$values)
   if (least > 1e-12 * max(inertia$moment_of_inertia_kg_m2)) return(invisible())
   message <- c(
@@ -137,17 +158,19 @@ check_rotors <- function(rotors, inertia, call) {
   warn_rotdyn(c(message, i = "The equations are solved all the same."), "inertia", call)
 }
 
-is_driven <- function(rotor) is.null(rotor$torque_n_m)
+is_driven <- function(rotor) is.null(rotor$torque)
 
 # Their sum of J W a at the start, in body axes.
 rotor_momentum <- function(scene) {
   sum <- c(0, 0, 0)
-  for (one in scene$rotors) sum <- sum + one$inertia_kg_m2 * one$omega_rad_per_s * one$axis
+  for (one in scene$rotors) {
+    sum <- sum + one$moment_of_inertia_kg_m2 * one$omega_rad_per_s * one$axis
+  }
   sum
 }
 
 describe_rotor <- function(x) {
-  torque <- x$torque_n_m
+  torque <- x$torque
   drive <- if (is_driven(x)) {
     "driven"
   } else if (is.function(torque)) {
@@ -160,7 +183,8 @@ describe_rotor <- function(x) {
     paste("motor", format_si(torque), "N m")
   }
   paste0(
-    format_si(x$inertia_kg_m2), " kg m^2 about (", paste(format_si(x$axis), collapse = ", "),
+    format_si(x$moment_of_inertia_kg_m2), " kg m^2 about (",
+    paste(format_si(x$axis), collapse = ", "),
     "), ", format_si(x$omega_rad_per_s), " rad/s, ", drive
   )
 }
@@ -173,14 +197,16 @@ print.rot_rotor <- function(x, ...) {
 }
 
 rotor_arguments <- function(x) {
-  own <- setdiff(x$breaks_s, if (is.list(x$torque_n_m)) x$torque_n_m$time_s)
   list(
-    axis = x$axis, inertia_kg_m2 = x$inertia_kg_m2, omega_rad_per_s = x$omega_rad_per_s,
-    torque_n_m = x$torque_n_m,
-    breaks_s = if (length(own)) own
+    axis = x$axis, moment_of_inertia_kg_m2 = x$moment_of_inertia_kg_m2,
+    omega_rad_per_s = x$omega_rad_per_s, torque = law_with_breaks(x)
   )
 }
 
-read_rotor <- function(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m = NULL, breaks_s = NULL) {
-  rotor(axis, inertia_kg_m2, omega_rad_per_s, torque_n_m, breaks_s = breaks_s)
+# A function with breaks of its own as a law, that a constructor makes the scene again of.
+law_with_breaks <- function(x, name = "torque") {
+  law <- .subset2(x, name)
+  if (!is.function(law) || !length(x$breaks_s)) return(law)
+  new_torque("rot_torque_function", f = law, breaks_s = x$breaks_s, arguments = 1L,
+             vectorised = FALSE)
 }

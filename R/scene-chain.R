@@ -22,8 +22,8 @@
 #' @param links `"rods"`: uniform rods. `"points"`: massless rods with a point mass at the lower
 #'   end.
 #' @param omega0_rad_per_s Rate of each link at `start_s`; one number for all.
-#' @param joint_n_m_s Viscous torque in the joint above each link over the relative rate there, at
-#'   least 0; one number for all.
+#' @param resistance Viscous torque in the joint above each link over the relative rate there: a
+#'   `resistance(viscous_n_m_s = )` or a number in N m s, at least 0, for all, or one for each.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @param start_s Time at which the state above holds; earlier times are reached backwards.
 #' @return A `rot_scene_chain`, which is a `rot_scene`. Its trajectory has a row for each time and
@@ -46,7 +46,7 @@
 #' choose_model(scene_chain(c(0.3, 0.3), 0.1, 1e-4), time_s = 0:3, accuracy = 1e-6)
 #' @export
 scene_chain <- function(length_m, mass_kg, theta0_rad, ..., links = c("rods", "points"),
-                        omega0_rad_per_s = 0, joint_n_m_s = 0, gravity_m_per_s2 = 9.80665,
+                        omega0_rad_per_s = 0, resistance = 0, gravity_m_per_s2 = 9.80665,
                         start_s = 0) {
   scene_of_inputs("chain", check_no_dots(...))
 }

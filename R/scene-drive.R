@@ -11,9 +11,9 @@
 #' * `coupling_gear()`: rigid, without backlash: `omega_i = ratio omega_(i+1)`. Of the power that
 #'   enters it the share `efficiency` leaves it, whichever of its two shafts it comes from, as in
 #'   [scene_gears()]: rotor `i + 1` takes `ratio T efficiency` where `T omega_i > 0`,
-#'   `ratio T/efficiency` where `T omega_i < 0`. It is all of the power through the gear, the inertia
-#'   behind it included. A loss resists either rotation: at rest it holds like dry friction in
-#'   proportion to the torque that passes, so that a load may fail to drive its motor.
+#'   `ratio T/efficiency` where `T omega_i < 0`. It is all of the power through the gear, the
+#'   inertia behind it included. A loss resists either rotation: at rest it holds like dry friction
+#'   in proportion to the torque that passes, so that a load may fail to drive its motor.
 #' * `brake()`: a clutch to ground.
 #'
 #' `T` acts on rotor `i + 1` times `ratio`, on rotor `i` as `-T`; the housing takes the rest. A
@@ -152,7 +152,8 @@ new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
 #'   greater than 0.
 #' @param couplings A list of `n - 1` [couplings], in the order of the rotors, or one for all.
 #' @param ... Not used; names after it must be given in full.
-#' @param torque,resistance,brake What acts on each rotor: a list of `n`, with NULL for none. A
+#' @param torque,resistance,brake What acts on each rotor: a list of `n`, with NULL for none, or `n`
+#'   numbers. A
 #'   torque is a law (see [torque] and [torque-terms]), a function, or a number in N m; then a
 #'   [resistance()], a [brake()]. NULL for none at all; a single rotor needs no list.
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity at `start_s`: `n` numbers, or that
@@ -248,6 +249,7 @@ one_or_each <- function(x, arg, unit, n, call) {
 # A list of n, from NULL, from a list, or from what acts on a single rotor.
 one_each <- function(x, arg, n, call) {
   if (is.null(x)) return(rep(list(NULL), n))
+  if (is.numeric(x) && !is.object(x) && length(x) == n) x <- as.list(x)
   if (!is.list(x) || is.object(x)) {
     if (n == 1L) return(list(x))
     abort_rotdyn(c(

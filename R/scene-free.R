@@ -32,18 +32,19 @@
 #' @param attitude0 Attitude at `start_s`, body to space: NULL (the axes coincide), a row of
 #'   [attitude_from()], a 3 x 3 rotation matrix, or a quaternion `c(qw, qx, qy, qz)`. As there,
 #'   a quaternion of another length than 1 is normalised.
-#' @param torque_n_m Torque about the centre of mass: NULL, three numbers, a data frame with the
+#' @param torque Torque about the centre of mass: NULL, three numbers, a data frame with the
 #'   columns `time_s`, `x_n_m`, `y_n_m`, `z_n_m` (linear between its times, 0 before and after; two
-#'   rows at the same time make a jump), or a function of `time_s`, or of `time_s`,
-#'   `omega_rad_per_s` (body axes) and `attitude` (quaternion, scalar first), that returns three
-#'   numbers.
+#'   rows at the same time make a jump), a list of up to three laws of time by the names of their
+#'   axes, such as `list(x = torque_sinusoid(1, 2), z = 0.5)`, or a function of `time_s`, or of
+#'   `time_s`, `omega_rad_per_s` (body axes) and `attitude` (quaternion, scalar first), that returns
+#'   three numbers; [torque_function()] gives it the times of its jumps and kinks.
 #' @param torque_axes Axes of the components: `"body"` or `"space"`.
-#' @param damping_per_s The torque `-damping L`, which makes L fade as `exp(-damping t)`.
+#' @param resistance NULL, or `resistance(damping_per_s = )`: the torque `-damping L`, which makes L
+#'   fade as `exp(-damping t)`.
 #' @param rotors NULL, a [rotor()], a list of them, or a data frame with a row for each rotor and
-#'   the columns `axis_x`, `axis_y`, `axis_z`, `inertia_kg_m2`, `omega_rad_per_s`, as the arguments
-#'   of [rotor()]; `torque_n_m`, too, which is NA of a driven rotor. At most 16. `body` includes
-#'   them, locked.
-#' @param breaks_s Times at which a torque function jumps or has a kink.
+#'   the columns `axis_x`, `axis_y`, `axis_z`, `moment_of_inertia_kg_m2`, `omega_rad_per_s`, as the
+#'   arguments of [rotor()]; `torque_n_m`, too, which is NA of a driven rotor. At most 16. `body`
+#'   includes them, locked.
 #' @param start_s Time at which the state above holds; earlier times are reached backwards.
 #' @return A `rot_scene_free`, which is a `rot_scene`. Its trajectory has the columns
 #'   `r describe_columns(columns_of_motion("free"))`
@@ -74,7 +75,7 @@
 #' motion_events(motion)
 #' audit(motion)
 #' # A block with thrusters, in the axes of the body:
-#' block <- scene_free(body_box(10, 0.4, 0.6, 1), c(0, 0, 0.2), torque_n_m = c(0.01, 0, 0))
+#' block <- scene_free(body_box(10, 0.4, 0.6, 1), c(0, 0, 0.2), torque = c(0.01, 0, 0))
 #' trajectory(block, time_s = c(0, 30, 60))
 #' # A rotor along the middle axis keeps the nut from turning over:
 #' steady <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01), rotors = rotor(c(0, 1, 0), 0.05, 120))
@@ -88,36 +89,35 @@
 #' slew[c("time_s", "qw", "qz", "omega_z_rad_per_s", "rotor_1_omega_rad_per_s")]
 #' audit(slew)
 #' @export
-scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque_n_m = NULL,
-                       torque_axes = c("body", "space"), damping_per_s = 0, rotors = NULL,
-                       breaks_s = NULL, start_s = 0) {
+scene_free <- function(body, omega0_rad_per_s, ..., attitude0 = NULL, torque = NULL,
+                       torque_axes = c("body", "space"), resistance = NULL, rotors = NULL,
+                       start_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("body", "omega0_rad_per_s"), call)
   inertia <- free_inertia(body, call)
   scene <- c(list(body = body_of_inertia(inertia)), space_inputs(
-    omega0_rad_per_s, attitude0, torque_n_m, torque_axes, damping_per_s, rotors, breaks_s, start_s,
-    call
+    omega0_rad_per_s, attitude0, torque, torque_axes, resistance, rotors, start_s, call
   ))
   check_space_axes(scene, inertia, call)
   finish_scene("free", scene, call)
 }
 
 # The inputs that a body with a fixed point has, too.
-space_inputs <- function(omega0_rad_per_s, attitude0, torque_n_m, torque_axes, damping_per_s,
-                         rotors, breaks_s, start_s, call) {
+space_inputs <- function(omega0_rad_per_s, attitude0, torque, torque_axes, resistance, rotors,
+                         start_s, call) {
   omega0 <- check_finite(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call)
   if (length(omega0) != 3L) abort_size_of(omega0, "omega0_rad_per_s", 3L, call)
   both <- c("body", "space")
   axes <- if (identical(torque_axes, both)) "body" else {
     check_string(torque_axes, "torque_axes", both, call)
   }
-  torque <- space_torque(torque_n_m, breaks_s, call)
+  law <- space_torque(torque, call)
   rotors <- rotors_of(rotors, call)
   list(
     omega0_rad_per_s = omega0, attitude0 = start_attitude(attitude0, call),
-    torque_n_m = torque$torque_n_m, torque_axes = axes,
-    damping_per_s = check_number(damping_per_s, "damping_per_s", "1/s", call), rotors = rotors,
-    breaks_s = with_rotor_breaks(torque$breaks_s, rotors),
+    torque = law$torque, torque_axes = axes,
+    resistance = check_resistance(resistance, "damping_per_s", call), rotors = rotors,
+    breaks_s = with_rotor_breaks(law$breaks_s, rotors),
     start_s = check_number(start_s, "start_s", "s", call)
   )
 }
@@ -222,31 +222,60 @@ start_attitude <- function(attitude, call) {
   q
 }
 
-# list(torque_n_m: NULL, three numbers, a list of columns or a function; breaks_s)
-space_torque <- function(torque, breaks_s, call) {
+# list(torque: NULL, three numbers, a list of columns or a function; breaks_s)
+space_torque <- function(torque, call) {
+  if (inherits(torque, "rot_torque_function")) {
+    return(list(torque = torque$f, breaks_s = breaks_of(torque, call)))
+  }
+  if (inherits(torque, "rot_torque")) {
+    abort_rotdyn(c(
+      "{.arg torque} of a body in space must name an axis.",
+      x = "It is {describe_torque(torque)}.",
+      i = "Such as {.code torque = list(z = torque_sinusoid(1, 2))}."
+    ), "type", call)
+  }
+  if (is.list(torque) && !is.data.frame(torque) && length(torque) && !is.null(names(torque)) &&
+        all(names(torque) %in% c("x", "y", "z"))) {
+    return(torque_by_axes(torque, call))
+  }
   torque <- if (is.function(torque)) {
     torque_arguments(torque, call)
     torque
   } else if (is.list(torque)) {
     torque_table(torque, c("x_n_m", "y_n_m", "z_n_m"), call)
   } else if (!is.null(torque)) {
-    torque <- check_finite(torque, "torque_n_m", "N*m", call)
-    if (length(torque) != 3L) abort_size_of(torque, "torque_n_m", 3L, call)
+    torque <- check_finite(torque, "torque", "N*m", call)
+    if (length(torque) != 3L) abort_size_of(torque, "torque", 3L, call)
     if (any(torque != 0)) torque
   }
-  list(torque_n_m = torque, breaks_s = breaks_of(torque, breaks_s, call))
+  list(torque = torque, breaks_s = breaks_of(torque, call))
 }
 
-# Those given, and the times of a table.
-breaks_of <- function(torque, breaks_s, call) {
-  if (!is.null(breaks_s)) breaks_s <- check_finite(breaks_s, "breaks_s", "s", call)
-  sort(unique(c(double(), breaks_s, if (is.list(torque)) torque$time_s)))
+# Of a law with breaks of its own, or the times of a table.
+breaks_of <- function(torque, call) {
+  own <- if (inherits(torque, "rot_torque_function")) torque$breaks_s
+  sort(unique(c(double(), own, if (is.list(torque) && is.null(own)) torque[["time_s"]])))
+}
+
+# Laws of time along axes: numbers where all are constant, else a function of the time.
+torque_by_axes <- function(laws, call) {
+  laws <- lapply(laws[c("x", "y", "z")], as_torque, call)
+  for (axis in names(laws)) check_law_of_time(laws[[axis]], paste0("torque$", axis), call)
+  names(laws) <- c("x", "y", "z")
+  constant <- vapply(laws, torque_is_constant, NA)
+  if (all(constant)) {
+    return(space_torque(unname(vapply(laws, function(law) law$outside[1], 1)), call))
+  }
+  list(
+    torque = function(time_s) vapply(laws, torque_of_time, 1, time_s, USE.NAMES = FALSE),
+    breaks_s = sort(unique(unlist(lapply(laws, breaks_of_torque), use.names = FALSE)))
+  )
 }
 
 torque_arguments <- function(torque, call) {
   count_law_arguments(torque, function(n) {
     abort_rotdyn(c(
-      "The function {.arg torque_n_m} must have one argument, the time, or three.",
+      "The function {.arg torque} must have one argument, the time, or three.",
       x = "It has {n} argument{?s} without a default.",
       i = "{.code function(time_s, omega_rad_per_s, attitude)}"
     ), "type", call)
@@ -265,16 +294,16 @@ torque_table <- function(torque, columns, call) {
   time_s <- knots$time_s
   if (any(lengths(knots) != length(time_s)) || is.unsorted(time_s)) {
     abort_rotdyn(c(
-      "The times of {.arg torque_n_m} must not go back, with a torque each.",
+      "The times of {.arg torque} must not go back, with a torque each.",
       i = "Two rows at the same time make a jump."
     ), "time", call)
   }
   if (length(time_s) < 2L) {
-    abort_rotdyn("{.arg torque_n_m} needs two times at least.", "size", call)
+    abort_rotdyn("{.arg torque} needs two times at least.", "size", call)
   }
   if (time_s[1] == time_s[length(time_s)]) {
     abort_rotdyn(c(
-      "The times of {.arg torque_n_m} must span some time.",
+      "The times of {.arg torque} must span some time.",
       x = "All of them are {format(time_s[1])} s."
     ), "time", call)
   }
@@ -297,7 +326,7 @@ check_spin <- function(scene, inertia, call) {
     unlist(.Call(ffi_attitude_turn, as.list(c(inertia$axes, scene$omega0_rad_per_s)), 0))
   }
   along <- abs(omega[moments == 0])
-  if (any(along > 0) || !is.null(scene$torque_n_m)) {
+  if (any(along > 0) || !is.null(scene$torque)) {
     abort_rotdyn(c(
       "The body has an axis without moment of inertia: it can neither spin about it nor bear a
        torque.",
@@ -316,7 +345,7 @@ print.rot_scene_free <- function(x, ...) {
     "  body      ", shape_of(x$body), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2\n",
     "  torque    ", describe_free_torque(x), "\n",
-    if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
+    resistance_line(x),
     vapply(x$rotors, function(one) paste0("  rotor     ", describe_rotor(one), "\n"), ""),
     "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
     numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",
@@ -325,10 +354,14 @@ print.rot_scene_free <- function(x, ...) {
   invisible(x)
 }
 
+resistance_line <- function(x) {
+  if (!is.null(x$resistance)) paste0("  resists   ", describe_resistance(x$resistance), "\n")
+}
+
 shape_of <- function(body) if (inherits(body, "rot_body")) paste0(body$shape, ", ")
 
 describe_free_torque <- function(scene) {
-  torque <- scene$torque_n_m %||% c(0, 0, 0)
+  torque <- scene$torque %||% c(0, 0, 0)
   said <- if (is.function(torque)) {
     "an R function"
   } else if (is.list(torque)) {

@@ -3,17 +3,33 @@
 
 #' @rdname gear_train
 #' @inheritParams scene_axle
+#' @param brake NULL, or a list of `n` [brake()]s, with NULL for none.
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity of the first shaft at `start_s`.
 #' @return `scene_gears()`: a `rot_scene_gears`, which is a `rot_scene_axle`, of the first shaft.
 #'   Its motion has a column for the angle and one for the angular velocity of each other shaft:
-#'   `theta_2_rad`, `omega_2_rad_per_s`, ...; all angles are 0 where that of the first is.
+#'   `theta_2_rad`, `omega_2_rad_per_s`, ...; all angles are 0 where that of the first is. Where a
+#'   torque is not constant, a resistance not viscous, or there is a brake, the train is a
+#'   [scene_drive()].
 #' @export
-scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, viscous_n_m_s = 0,
-                        theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
+scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque = 0, resistance = 0,
+                        brake = NULL, theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("bodies", "ratios"), call)
   inertia <- check_inertias(bodies, "bodies", call)
-  x <- check_train(length(inertia), ratios, efficiency, torque_n_m, viscous_n_m_s, call)
+  n <- length(inertia)
+  loads <- family_loads(torque, resistance, brake, n, call)
+  x <- check_train(n, ratios, efficiency, loads$torque, loads$resistance, call)
+  if (loads$is_drive) {
+    gears <- Map(function(ratio, efficiency) coupling_gear(ratio, efficiency = efficiency),
+      x$ratios,
+                 x$efficiency)
+    return(scene_drive(
+      bodies, gears, torque = x$torque, resistance = x$resistance, brake = loads$brake,
+      theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call),
+      omega0_rad_per_s = check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
+      start_s = start_s
+    ))
+  }
   finish_scene("axle", c(
     list(bodies = plain_bodies(bodies, inertia) %||% inertia), x,
     list(
@@ -26,7 +42,7 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque_n_m = 0, vis
 
 train_of_scene <- function(scene) {
   train_of(
-    scene$bodies, scene$ratios, scene$efficiency, scene$torque_n_m, scene$viscous_n_m_s, NULL
+    scene$bodies, scene$ratios, scene$efficiency, scene$torque, scene$resistance, NULL
   )
 }
 

@@ -20,8 +20,8 @@
 #'   sign.
 #' @param ... Not used; names after it must be given in full.
 #' @param theta0_rad,omega0_rad_per_s Angle from the lowest point and its rate at `start_s`.
-#' @param drag_n_s_per_m Viscous drag c along the hoop, at least 0: the force `-c v` at `v = R
-#'   theta'`.
+#' @param resistance NULL, or `resistance(drag_n_s_per_m = )`: viscous drag c along the hoop, the
+#'   force `-c v` at `v = R theta'`.
 #' @param static_friction,kinetic_friction Coefficients of dry friction between bead and hoop, at
 #'   least 0; the kinetic one is at most the static one.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
@@ -40,14 +40,14 @@
 #' @concept bifurcation
 #' @examples
 #' # A hoop of 0.2 m that turns at 9 rad/s: the bead leaves the lowest point.
-#' bead <- scene_hoop(0.05, 0.2, 9, theta0_rad = 0.01, drag_n_s_per_m = 0.05)
-#' motion <- trajectory(bead, time_s = 0:8)
+#' bead <- scene_hoop(0.05, 0.2, 9, theta0_rad = 0.01, resistance = resistance(drag_n_s_per_m =
+#' 0.05)) motion <- trajectory(bead, time_s = 0:8)
 #' motion
 #' hoop_equilibria(bead)
 #' audit(motion)
 #' @export
 scene_hoop <- function(mass_kg, radius_m, hoop_omega_rad_per_s, ..., theta0_rad = 0,
-                       omega0_rad_per_s = 0, drag_n_s_per_m = 0, static_friction = 0,
+                       omega0_rad_per_s = 0, resistance = NULL, static_friction = 0,
                        kinetic_friction = static_friction, gravity_m_per_s2 = 9.80665,
                        start_s = 0) {
   scene_of_inputs("hoop", check_no_dots(...))

@@ -30,11 +30,11 @@
 #'   start rolls.
 #' @param rolling_arm_m Arm b of the rolling resistance in m, at least 0: the normal force acts
 #'   that far ahead of the centre.
-#' @param drag_n_s_per_m,drag_n_s2_per_m2 Air drag on the centre of mass, `(c1 + c2 |v|) v` against
-#'   the velocity: c1 in N s/m and c2 in N s^2/m^2, at least 0. The motion is then integrated.
-#' @param force_n NULL, or an R function that gives a force along the slope on the centre of mass,
-#'   in N, positive down: of `time_s`, or of `time_s, x_m, v_m_per_s`, one number each.
-#' @param force_breaks_s Times where `force_n` may jump or kink.
+#' @param resistance NULL, or `resistance(drag_n_s_per_m = , drag_n_s2_per_m2 = )`: air drag on the
+#'   centre of mass. The motion is then integrated.
+#' @param force A force along the slope on the centre of mass, in N, positive down: NULL, a number,
+#'   or an R function of `time_s`, or of `time_s, x_m, v_m_per_s`, that returns one number;
+#'   [force_function()] gives it the times of its jumps and kinks.
 #' @param radius_m Radius on which the body rolls, in m; NULL for that of the body.
 #' @param v0_m_per_s,omega0_rad_per_s Velocity down the slope and angular velocity at `start_s`;
 #'   `omega0_rad_per_s = NULL` for a start that rolls, `v0/radius`.
@@ -70,18 +70,70 @@
 scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
                           kinetic_friction = static_friction, rolling_arm_m = 0, radius_m = NULL,
                           v0_m_per_s = 0, omega0_rad_per_s = NULL, x0_m = 0, theta0_rad = 0,
-                          drag_n_s_per_m = 0, drag_n_s2_per_m2 = 0, force_n = NULL,
-                          force_breaks_s = NULL, gravity_m_per_s2 = 9.80665, start_s = 0) {
+                          resistance = NULL, force = NULL, gravity_m_per_s2 = 9.80665,
+                          start_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("body", "incline_angle_deg"), call)
   check_body(body, call)
   inertia <- one_inertia(body, "body", call)
   check_rolls(body, call)
   if (is.null(radius_m)) radius_m <- rolling_radius(body, inertia, call)
-  if (is.null(force_n) && !is.null(force_breaks_s)) {
-    abort_rotdyn("{.arg force_breaks_s} needs a {.arg force_n}.", "value", call)
-  }
+  breaks_s <- if (inherits(force, "rot_force_function")) force$breaks_s
+  if (!is.null(breaks_s)) force <- force$f
+  if (identical(force, 0)) force <- NULL
   scene_of_inputs("incline", call)
+}
+
+#' A force that an R function gives
+#'
+#' The law of a force in time, and perhaps in place and velocity, with the times at which it may
+#' jump or have a kink. Without them they are looked for.
+#'
+#' @param f A function of `time_s`, or of `time_s, x_m, v_m_per_s`, that returns one number in N.
+#' @param breaks_s Times at which the force or one of its derivatives may jump; NULL: they are
+#'   looked for.
+#' @param ... Not used: an unknown argument is an error.
+#' @return A `rot_force_function`, for [scene_incline()].
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`, `rotdyn_error_missing`,
+#'   `rotdyn_error_argument`.
+#' @source Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993),
+#'   section II.6 (discontinuities).
+#' @seealso [torque_function()].
+#' @concept force
+#' @examples
+#' push <- force_function(function(time_s) if (time_s < 1) 20 else 0, breaks_s = 1)
+#' block <- scene_incline(body_sphere(2, 0.1), 10, force = push)
+#' trajectory(block, time_s = 0:2)[c("time_s", "v_m_per_s", "applied_force_n")]
+#' @export
+force_function <- function(f, breaks_s = NULL, ...) {
+  call <- check_no_dots(...)
+  check_supplied("f", call)
+  if (!is.function(f)) {
+    abort_rotdyn(c(
+      "{.arg f} must be a function.", x = "It is {describe_value(f)}.",
+      i = "A constant force is a number."
+    ), "type", call)
+  }
+  count_law_arguments(f, function(n) {
+    abort_rotdyn(c(
+      "{.arg f} must be a function of {.code time_s}, or of {.code time_s, x_m, v_m_per_s}.",
+      x = "It has {n} argument{?s} without a default."
+    ), "type", call)
+  })
+  breaks_s <- sort(unique(check_finite(breaks_s %||% double(), "breaks_s", "s", call)))
+  structure(list(f = f, breaks_s = breaks_s), class = "rot_force_function")
+}
+
+#' @export
+print.rot_force_function <- function(x, ...) {
+  cat("<rot_force_function> ", describe_force(x$f), sep = "")
+  if (length(x$breaks_s)) cat(", breaks at ", paste(format_si(x$breaks_s), collapse = ", "), " s")
+  cat("\n")
+  invisible(x)
+}
+
+describe_force <- function(force) {
+  if (is.function(force)) "an R function" else paste(format_si(force), "N")
 }
 
 # The radius of a body whose beta is known: its own size where that gives beta, else from beta.
@@ -114,13 +166,8 @@ print.rot_scene_incline <- function(x, ...) {
     " kinetic; rolling needs ",
     format(rolling_friction_coefficient(beta, x$incline_angle_deg), digits = 4), "\n",
     if (x$rolling_arm_m > 0) paste0("  arm       ", format_si(x$rolling_arm_m), " m\n"),
-    if (x$drag_n_s_per_m > 0 || x$drag_n_s2_per_m2 > 0) {
-      paste0(
-        "  air drag  ", format_si(x$drag_n_s_per_m), " N s/m, ", format_si(x$drag_n_s2_per_m2),
-        " N s^2/m^2\n"
-      )
-    },
-    if (!is.null(x$force_n)) "  force     an R function\n",
+    resistance_line(x),
+    if (!is.null(x$force)) paste0("  force     ", describe_force(x$force), "\n"),
     "  start     v ", format_si(x$v0_m_per_s), " m/s, omega ", format_si(x$omega0_rad_per_s),
     " rad/s at ", format_si(x$start_s), " s\n",
     sep = ""
@@ -219,5 +266,5 @@ rolling_critical_angle <- function(body, static_friction, ...) {
 }
 
 has_outer_force <- function(scene) {
-  scene$drag_n_s_per_m != 0 || scene$drag_n_s2_per_m2 != 0 || !is.null(scene$force_n)
+  !is.null(scene$resistance) || !is.null(scene$force)
 }

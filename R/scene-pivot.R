@@ -74,8 +74,8 @@
 #' @export
 scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_kg = NULL,
                         centre_m = NULL, attitude0 = NULL, gravity_m_per_s2 = 9.80665,
-                        torque_n_m = NULL, torque_axes = c("body", "space"), damping_per_s = 0,
-                        rotors = NULL, breaks_s = NULL, start_s = 0) {
+                        torque = NULL, torque_axes = c("body", "space"), resistance = NULL,
+                        rotors = NULL, start_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("body", "omega0_rad_per_s"), call)
   gravity <- check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0)
@@ -86,8 +86,7 @@ scene_pivot <- function(body, omega0_rad_per_s, ..., pivot_m = c(0, 0, 0), mass_
       gravity_m_per_s2 = gravity
     ),
     space_inputs(
-      omega0_rad_per_s, attitude0, torque_n_m, torque_axes, damping_per_s, rotors, breaks_s,
-      start_s, call
+      omega0_rad_per_s, attitude0, torque, torque_axes, resistance, rotors, start_s, call
     )
   )
   if (!all(is.finite(held$mass_kg * gravity * held$centre_m))) {
@@ -146,8 +145,8 @@ print.rot_scene_pivot <- function(x, ...) {
     "  body      ", shape_of(x$body), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2 about the point\n",
     "  gravity   ", format_si(x$mass_kg), " kg at ", numbers(x$centre_m), " m from the point\n",
-    if (!is.null(x$torque_n_m)) paste0("  torque    ", describe_free_torque(x), "\n"),
-    if (x$damping_per_s != 0) paste0("  damping   ", format_si(x$damping_per_s), " 1/s\n"),
+    if (!is.null(x$torque)) paste0("  torque    ", describe_free_torque(x), "\n"),
+    resistance_line(x),
     vapply(x$rotors, function(one) paste0("  rotor     ", describe_rotor(one), "\n"), ""),
     "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
     numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",

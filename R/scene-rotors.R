@@ -17,14 +17,17 @@
 #'   one for each of the `n - 1` pieces; at least 0 (0: a piece that only damps, or no piece).
 #' @param damping_n_m_s Damping of the shaft between neighbours in N m s, likewise, at least 0.
 #' @param ... Not used; names after it must be given in full.
-#' @param torque_n_m Constant torque on each rotor from outside: `n` numbers, or 0.
-#' @param viscous_n_m_s Viscous coefficient of the bearing of each rotor, at least 0: one number or
-#'   `n`.
+#' @param torque Torque on each rotor from outside: `n` numbers in N m, 0 for none, or a list of `n`
+#'   [torque] laws, with NULL for none.
+#' @param resistance [resistance()] of the bearing of each rotor, or its viscous coefficient: one
+#'   for all, or `n`.
+#' @param brake NULL, or a list of `n` [brake()]s, with NULL for none.
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity of each rotor at `start_s`: one
 #'   number or `n`.
 #' @param start_s Time at which the state above holds.
-#' @return A `rot_scene_rotors`, which is a `rot_scene`. Its trajectory has one
-#'   row for each time and rotor:
+#' @return A `rot_scene_rotors`, which is a `rot_scene`. Where a torque is not constant, a
+#'   resistance not viscous, or there is a brake, the rotors are a [scene_drive()]. Its trajectory
+#'   has one row for each time and rotor:
 #'   `r describe_columns(columns_of_motion("rotors"))`
 #'   The error is an estimate: rounding times the accumulated phase, plus the momentum residual.
 #'   That of the rigid shaft is a bound.
@@ -39,11 +42,14 @@
 #' scene_rotors(c(1, 2), stiffness_n_m_per_rad = 1000, omega0_rad_per_s = c(1, 0.5))
 #' scene_rotors(
 #'   list(body_disk(4, 0.2), body_disk(1, 0.1), body_disk(6, 0.3)),
-#'   stiffness_n_m_per_rad = c(800, 1200), damping_n_m_s = 0.05, torque_n_m = c(2, 0, -2)
+#'   stiffness_n_m_per_rad = c(800, 1200), damping_n_m_s = 0.05, torque = c(2, 0, -2)
 #' )
+#' # A motor on the first: a drive.
+#' scene_rotors(c(1, 2), 1000, torque = list(torque_motor(5, 100), NULL))
 #' @export
-scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., torque_n_m = 0,
-                         viscous_n_m_s = 0, theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
+scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., torque = 0,
+                         resistance = 0, brake = NULL, theta0_rad = 0, omega0_rad_per_s = 0,
+                         start_s = 0) {
   call <- rlang::current_env()
   check_supplied(c("bodies", "stiffness_n_m_per_rad"), call)
   check_no_dots(...)
@@ -52,18 +58,60 @@ scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., 
   each <- function(x, arg, unit, size, lower = -Inf) {
     check_each(x, arg, unit, size, lower, call)
   }
+  stiffness <- check_between(
+    stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", n - 1L, 0, call
+  )
+  damping <- each(damping_n_m_s, "damping_n_m_s", "N*m*s", n - 1L, 0)
+  loads <- family_loads(torque, resistance, brake, n, call)
+  if (loads$is_drive) {
+    return(scene_drive(
+      bodies, Map(coupling_shaft, stiffness, damping), torque = loads$torque,
+      resistance = loads$resistance, brake = loads$brake,
+      theta0_rad = each(theta0_rad, "theta0_rad", "rad", n),
+      omega0_rad_per_s = each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n), start_s = start_s
+    ))
+  }
   finish_scene("rotors", list(
-    bodies = plain_bodies(bodies, inertia) %||% inertia,
-    stiffness_n_m_per_rad = check_between(
-      stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", n - 1L, 0, call
-    ),
-    damping_n_m_s = each(damping_n_m_s, "damping_n_m_s", "N*m*s", n - 1L, 0),
-    torque_n_m = check_torque_each(torque_n_m, "torque_n_m", n, call),
-    viscous_n_m_s = each(viscous_n_m_s, "viscous_n_m_s", "N*m*s", n, 0),
+    bodies = plain_bodies(bodies, inertia) %||% inertia, stiffness_n_m_per_rad = stiffness,
+    damping_n_m_s = damping, torque = loads$torque, resistance = loads$resistance,
     theta0_rad = each(theta0_rad, "theta0_rad", "rad", n),
     omega0_rad_per_s = each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n),
     start_s = check_number(start_s, "start_s", "s", call)
   ), call)
+}
+
+# What acts on n bodies about parallel axes: list(is_drive, torque, resistance, brake). Constant
+# torques and viscous coefficients are numbers; with anything else the bodies are a drive, whose
+# lists they are.
+family_loads <- function(torque, resistance, brake, n, call) {
+  laws <- if (is.null(torque) || (is.numeric(torque) && !is.list(torque))) {
+    check_torque_each(torque %||% 0, "torque", n, call)
+  } else {
+    lapply(one_each(torque, "torque", n, call), as_torque, call)
+  }
+  if (is.list(laws) && all(vapply(laws, torque_is_constant, NA))) {
+    laws <- vapply(laws, function(law) law$outside[1], 1)
+  }
+  terms <- if (is.list(resistance) && !is.object(resistance)) resistance else list(resistance)
+  plain <- all(vapply(terms, function(one) {
+    !inherits(one, "rot_resistance") || all(resisting_terms(one) == "viscous_n_m_s")
+  }, NA))
+  if (is.numeric(laws) && plain && is.null(brake)) {
+    return(list(
+      is_drive = FALSE, torque = laws, resistance = viscous_of_each(resistance, n, call)
+    ))
+  }
+  if (is.numeric(laws)) laws <- lapply(laws, torque_constant)
+  if (inherits(resistance, "rot_resistance") || is.numeric(resistance)) {
+    resistance <- rep_len(as.list(if (is.numeric(resistance)) resistance else terms), n)
+  }
+  if (inherits(brake, "rot_brake") && n > 1L) {
+    abort_rotdyn(c(
+      "{.arg brake} must be a list with one entry for each of the {n} bodies.",
+      i = "On the first alone: {.code list(brake, NULL)}."
+    ), "type", call)
+  }
+  list(is_drive = TRUE, torque = laws, resistance = resistance, brake = brake)
 }
 
 # Moments of inertia about the axle, from a list of bodies or numbers.
@@ -169,8 +217,8 @@ print.rot_scene_rotors <- function(x, ...) {
     "  inertia    ", list_of(x$moment_of_inertia_kg_m2), " kg m^2 about the shaft\n",
     "  stiffness  ", list_of(x$stiffness_n_m_per_rad), " N m/rad between neighbours\n",
     "  damping    ", list_of(x$damping_n_m_s), " N m s between neighbours, ",
-    list_of(x$viscous_n_m_s), " N m s outside\n",
-    "  torque     ", list_of(x$torque_n_m), " N m\n",
+    list_of(x$resistance), " N m s outside\n",
+    "  torque     ", list_of(x$torque), " N m\n",
     "  start      theta ", list_of(x$theta0_rad), " rad, omega ", list_of(x$omega0_rad_per_s),
     " rad/s at ", format_si(x$start_s), " s\n",
     sep = ""

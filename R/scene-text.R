@@ -19,7 +19,8 @@ scene_format <- 1
 #' moment (key `rot_body`): it computes the same; a mesh's triangles, for its picture, are left out.
 #' So is one that was joined more than some 25 times, one inside the other.
 #'
-#' What is an R function has no text: `force_n` and torque laws by function are refused.
+#' R functions have no text: forces and torque laws that are functions, or become one (laws along
+#' the axes of a body in space), are refused.
 #'
 #' @param scene A scene (see [scene_axle()]), or a `rot_body`.
 #' @param file Name of a file. `write_scene()`: NULL for none. `read_scene()`: also the text itself,
@@ -275,6 +276,7 @@ read_arguments <- function(name, read, x, call) {
       i = "Its keys are {.val {known}}."
     ), "scene", call)
   }
+  x <- of_this_version(name, x)
   unknown <- setdiff(names(x), known)
   if (length(unknown)) {
     near <- near_names(unknown, known)
@@ -294,6 +296,56 @@ read_arguments <- function(name, read, x, call) {
   )
 }
 
+# Keys that version 0.5.0 wrote, by the names of this one.
+of_this_version <- function(name, x) {
+  old <- old_keys[[name]]
+  if (is.null(old)) return(x)
+  for (key in intersect(names(old), names(x))) {
+    to <- old[[key]]
+    if (startsWith(to, "resistance$")) {
+      x$resistance[[sub("resistance$", "", to, fixed = TRUE)]] <- x[[key]]
+      x[[key]] <- NULL
+    } else if (nzchar(to) && !to %in% names(x)) {
+      names(x)[names(x) == key] <- to
+    } else if (!nzchar(to)) {
+      x[[key]] <- NULL
+    }
+  }
+  pair <- function(first, second) list(x[[first]] %||% 0, x[[second]] %||% 0)
+  if (name == "scene_clutch") {
+    pairs <- list(
+      torque = c("torque_1", "torque_2"), theta0_rad = c("theta1_rad", "theta2_rad"),
+      omega0_rad_per_s = c("omega1_rad_per_s", "omega2_rad_per_s")
+    )
+    for (to in names(pairs)) {
+      if (!any(pairs[[to]] %in% names(x))) next
+      both <- pair(pairs[[to]][1], pairs[[to]][2])
+      if (all(vapply(both, is.double, NA))) both <- unlist(both)
+      x[pairs[[to]]] <- NULL
+      x[[to]] <- both
+    }
+  }
+  x
+}
+
+# The times of tables follow from these.
+old_keys <- list(
+  scene_free = c(
+    torque_n_m = "torque", damping_per_s = "resistance$damping_per_s", breaks_s = ""
+  ),
+  scene_pivot = c(
+    torque_n_m = "torque", damping_per_s = "resistance$damping_per_s", breaks_s = ""
+  ),
+  rotor = c(inertia_kg_m2 = "moment_of_inertia_kg_m2", torque_n_m = "torque"),
+  scene_incline = c(
+    drag_n_s_per_m = "resistance$drag_n_s_per_m",
+    drag_n_s2_per_m2 = "resistance$drag_n_s2_per_m2"
+  ),
+  scene_rotors = c(torque_n_m = "torque", viscous_n_m_s = "resistance"),
+  scene_gears = c(torque_n_m = "torque", viscous_n_m_s = "resistance"),
+  scene_clutch = character()
+)
+
 # Of these, strings are never numbers.
 texts_of_names <- c("name", "shape", "formula", "source", "text", "kind", "method")
 
@@ -310,7 +362,9 @@ read_argument <- function(x, name, call) {
   }
   direct <- direct_readers()[[name]]
   if (!is.null(direct)) return(read_arguments(name, direct, x, call))
-  if (name %in% c("torque_n_m", "data", "size_m")) return(lapply(x, read_special))
+  if (name %in% c("data", "size_m") || (name == "torque" && !is.null(x[["time_s"]]))) {
+    return(lapply(x, read_special))
+  }
   read_node(x, readers, paste0("\"", name, "\""), call)
 }
 

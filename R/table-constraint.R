@@ -79,6 +79,7 @@ table_form <- function(maker) {
       body = body_form, torque = torque_form, tensor = tensor_form, torques = torques_form,
       laws = list(.each = torque_form), rotors = list(.each = rotor_form),
       resistance = resistance_form, resistances = list(.each = resistance_form),
+      viscous = "numbers", force = list(.one_of = list("number", "function")),
       brakes = list(.each = c(brake_form, .optional = TRUE)),
       couplings = list(.each = coupling_form), inertia = list(.one_of = list(body_form, "number")),
       changing = list(.one_of = list(body_form, "number", inertia_knots_form)),

@@ -52,9 +52,12 @@ check_input <- function(x, name, input, call) {
   if (is.null(x) && !input$required) return(NULL)
   if (input$form == "body") return(check_body(x, call, name))
   if (input$form %in% c("inertia", "changing")) return(check_moment(x, name, input, call))
-  if (input$form == "resistance") return(check_resistance(x, call))
+  if (input$form == "resistance") return(check_resistance(x, input$options, call))
+  if (input$form == "viscous") return(viscous_of_each(x, NULL, call))
+  if (input$form == "force") return(check_force(x, name, input, call))
   if (input$form == "vector_or_name") return(check_named_vector(x, name, input, call))
   if (input$form == "torque") return(check_torque(x, name, call))
+  if (input$form == "laws") return(check_laws(x, name, call))
   if (input$form == "function") return(check_law(x, name, input, call))
   if (!is.null(input$options)) {
     return(if (identical(x, input$options)) x[1] else check_string(x, name, input$options, call))
@@ -90,8 +93,8 @@ check_moment <- function(x, name, input, call) {
   )
 }
 
-check_resistance <- function(x, call) {
-  x <- as_resistance(x, call)
+check_resistance <- function(x, takes, call) {
+  x <- as_resistance(x, call, takes)
   if (resists(x)) x
 }
 
@@ -104,6 +107,25 @@ check_named_vector <- function(x, name, input, call) {
 check_torque <- function(x, name, call) {
   torque <- as_torque(x, call)
   if (!torque_is_none(torque)) torque
+}
+
+# A number, or a function.
+check_force <- function(x, name, input, call) {
+  if (!is.function(x)) return(check_number(x, name, input$unit, call))
+  check_law(x, name, input, call)
+}
+
+# A law for each body; the core counts them.
+check_laws <- function(x, name, call) {
+  if (!is.list(x) || is.object(x)) {
+    abort_rotdyn(c(
+      "{.arg {name}} must be a list with one entry for each body.",
+      x = "It is {describe_value(x)}.",
+      i = "What acts on the first alone: {.code list({name}, NULL)}."
+    ), "type", call)
+  }
+  laws <- lapply(unname(x), as_torque, call)
+  if (!all(vapply(laws, torque_is_none, NA))) laws
 }
 
 # A function of the time alone, or of the time and the state.

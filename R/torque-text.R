@@ -15,7 +15,7 @@ coupling_readers <- function() {
   list(
     coupling_shaft = coupling_shaft, coupling_clutch = coupling_clutch,
     coupling_gear = coupling_gear, brake = brake, principal_moments = read_principal,
-    rotor = read_rotor
+    rotor = rotor
   )
 }
 
@@ -187,5 +187,5 @@ text_node.rot_coupling <- function(x, where, call) {
 #' @export
 text_node.rot_rotor <- function(x, where, call) {
   if (is.function(x$torque_n_m)) abort_function_text(paste0(where, "$torque_n_m"), NULL, call)
-  node_or_abort(x, list(rotor = text_form(rotor_arguments, read_rotor)), where, call)
+  node_or_abort(x, list(rotor = text_form(rotor_arguments, rotor)), where, call)
 }

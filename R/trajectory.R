@@ -484,7 +484,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
     if (length(run$events$time_s)) c("Events" = describe_events(run$events)),
     if (!is.null(run$info$resolution)) {
       c("Law" = describe_resolution(run$info$resolution))
-    } else if (!is.null(run$info$step_s) && is.function(run$scene$torque_n_m)) {
+    } else if (!is.null(run$info$step_s) && is.function(run$scene[["torque"]])) {
       c("Law" = "an R function, called at the steps: what changes between them is missed")
     }
   )
@@ -684,7 +684,6 @@ motion_events.rot_trajectory <- function(x) {
 #'
 #' @inheritParams scene_axle
 #' @inheritParams trajectory
-#' @inheritParams resistance
 #' @return A `rot_trajectory`, as [trajectory()] gives.
 #' @section Errors: those of [scene_axle()] and [trajectory()].
 #' @source As for [trajectory()].
@@ -698,12 +697,13 @@ motion_events.rot_trajectory <- function(x) {
 #' @export
 spin_up <- function(body = body_disk(2, 0.25),
                     torque = torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)),
-                    viscous_n_m_s = 0.03, time_s = seq.int(0, 8, length.out = 1000), ...,
+                    resistance = 0.03, time_s = seq.int(0, 8, length.out = 1000), ...,
                     theta0_rad = 0, omega0_rad_per_s = 0, accuracy = 1e-9, model = NULL) {
   call <- environment()
   check_no_dots(...)
-  viscous <- check_number(viscous_n_m_s, "viscous_n_m_s", "N*m*s", call)
-  resistance <- new_resistance(viscous)
+  if (is.numeric(resistance)) {
+    resistance <- new_resistance(check_number(resistance, "resistance", "N*m*s", call))
+  }
   body <- body # given, for what describes the scene
   start_s <- 0
   axis <- c(0, 0, 1)

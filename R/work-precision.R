@@ -18,8 +18,8 @@
 #' @param time_s Output times in s, at least one.
 #' @param models Names of [models()], or NULL for every one that fits.
 #' @param steps_s Lengths of steps in s, for models whose steps are of fixed length: those in
-#'   `models`, or, where that is NULL, all that the scene has. Each length is a run. NULL: the models
-#'   named in `models` run once, with the step that [trajectory()] takes.
+#'   `models`, or, where that is NULL, all that the scene has. Each length is a run. NULL: the
+#'   models named in `models` run once, with the step that [trajectory()] takes.
 #' @param accuracies Accuracies to ask for, numbers in (0, 1].
 #' @param ... Not used; names after it must be given in full.
 #' @param peers A named list of functions of `scene`, `time_s` and `accuracy`. Each returns a list

@@ -40,11 +40,11 @@ cost_scenes <- function() {
     "a pendulum in oil" = scene_axle(1, torque_gravity(1, 1), resistance(0.1), 1),
     "a law of the state" = scene_axle(1, torque_function(state, breaks_s = double())),
     "stiff" = scene_axle(0.01, torque_knots(c(0, 8), c(0, 1)), resistance(10, 1)),
-    "8 rotors" = scene_rotors(as.list(rep(1, 8)), 1e4, 0, torque_n_m = c(1, rep(0, 7))),
+    "8 rotors" = scene_rotors(as.list(rep(1, 8)), 1e4, 0, torque = c(1, rep(0, 7))),
     "8 rotors, damped" = scene_rotors(
-      as.list(rep(1, 8)), 1e4, 1, torque_n_m = c(1, rep(0, 7)), viscous_n_m_s = (1:8) / 10
+      as.list(rep(1, 8)), 1e4, 1, torque = c(1, rep(0, 7)), resistance = (1:8) / 10
     ),
-    "a clutch" = scene_clutch(1, 2, 5, torque_1 = 1, omega1_rad_per_s = 10)
+    "a clutch" = scene_clutch(1, 2, 5, torque = list(1, NULL), omega0_rad_per_s = c(10, 0))
   )
 }
 

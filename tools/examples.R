@@ -33,8 +33,8 @@ scenes_by_name <- function() {
     of("swing", scene_axle(body_rod_end(1, 2), swing, theta0_rad = 2.5),
       c("theta_rad", "applied_torque_n_m")),
     of("clutch", scene_clutch(
-      body_disk(20, 0.15), 0.8, 60, static_capacity_n_m = 75, torque_1 = steps, torque_2 = -5,
-      omega1_rad_per_s = 15, engage_s = 0.25
+      body_disk(20, 0.15), 0.8, 60, static_capacity_n_m = 75, torque = list(steps, -5),
+      omega0_rad_per_s = c(15, 0), engage_s = 0.25
     ), c("omega_1_rad_per_s", "heat_j")),
     of("drive", scene_drive(
       list(0.4, 2, body_disk(3, 0.5)),
@@ -44,7 +44,7 @@ scenes_by_name <- function() {
       brake = list(NULL, NULL, brake(12, from_s = 1.5)), omega0_rad_per_s = c(150, 0, 0)
     ), c("omega_rad_per_s", "heat_j")),
     of("rotors", scene_rotors(
-      list(body_disk(4, 0.2), 0.005, 0.27), c(800, 1200), 0.05, torque_n_m = c(2, 0, -2)
+      list(body_disk(4, 0.2), 0.005, 0.27), c(800, 1200), 0.05, torque = c(2, 0, -2)
     ), c("theta_rad", "shaft_torque_n_m")),
     of("incline", scene_incline(
       body_tensor(2, diag(3) * 0.05), 10, static_friction = 0.2, kinetic_friction = 0.15,

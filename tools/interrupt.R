@@ -7,7 +7,7 @@ rotors <- function(n) {
   set.seed(1)
   scene_rotors(
     1 + stats::runif(n), 100 * (1 + stats::runif(n - 1L)), damping_n_m_s = stats::runif(n - 1L),
-    viscous_n_m_s = stats::runif(n), omega0_rad_per_s = stats::runif(n)
+    resistance = stats::runif(n), omega0_rad_per_s = stats::runif(n)
   )
 }
 
@@ -168,7 +168,7 @@ long_calls <- list(
   },
   free_integrator = function() {
     body <- body_box(1, 0.1, 0.2, 0.3)
-    scene <- scene_free(body, c(1, 2, 3), torque_n_m = function(time_s) c(sin(time_s), 0, 0))
+    scene <- scene_free(body, c(1, 2, 3), torque = function(time_s) c(sin(time_s), 0, 0))
     function() trajectory(scene, c(0, 1e5), max_steps = 1e9)
   },
   free_rows = function() {

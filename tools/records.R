@@ -44,13 +44,13 @@ makers <- list(
   pendulum = function() {
     scene_pendulum(body_rod_end(size(), size()), theta0_rad = stats::runif(1, -3, 3))
   },
-  gears = function() scene_gears(c(size(), size()), size(), efficiency = 0.9, torque_n_m = c(1, 0)),
+  gears = function() scene_gears(c(size(), size()), size(), efficiency = 0.9, torque = c(1, 0)),
   rotors = function() {
     scene_rotors(
       c(size(), size(), size()), 100 * size(), size() / 10, omega0_rad_per_s = stats::rnorm(3)
     )
   },
-  clutch = function() scene_clutch(size(), size(), size(), omega1_rad_per_s = 5 * size()),
+  clutch = function() scene_clutch(size(), size(), size(), omega0_rad_per_s = c(5 * size(), 0)),
   drive = function() {
     scene_drive(
       c(size(), size(), size()),
@@ -66,8 +66,7 @@ makers <- list(
   },
   free = function() {
     scene_free(
-      body_box(size(), size(), 1, 2), stats::rnorm(3),
-      torque_n_m = pick(NULL, stats::rnorm(3) / 10),
+      body_box(size(), size(), 1, 2), stats::rnorm(3), torque = pick(NULL, stats::rnorm(3) / 10),
       rotors = pick(NULL, rotor("z", 0.01, 100 * stats::rnorm(1)), list(
         rotor(stats::rnorm(3), 0.01, stats::rnorm(1), 0.01), rotor("x", 0.01, size())
       ))
@@ -82,13 +81,13 @@ makers <- list(
   hoop = function() {
     scene_hoop(
       size(), size(), stats::rnorm(1, 0, 5), theta0_rad = stats::runif(1, -2, 2),
-      drag_n_s_per_m = pick(0, 0.1), static_friction = pick(0, 0.1)
+      resistance = resistance(drag_n_s_per_m = pick(0, 0.1)), static_friction = pick(0, 0.1)
     )
   },
   chain = function() {
     scene_chain(
-      c(size(), size()), c(size(), size()), stats::runif(2, -1, 1), links = pick("rods", "points"),
-      joint_n_m_s = pick(0, 0.05)
+      c(size(), size()), c(size(), size()), stats::runif(2, -1, 1),
+      links = pick("rods", "points"), resistance = pick(0, 0.05)
     )
   }
 )

@@ -65,9 +65,9 @@ classes <- list(
     omega <- between(-5, 5, 3L)
     span <- power(-0.5, 1)
     list(scene_free(
-      i, omega, attitude0 = attitude(), torque_n_m = torque(max(i) * power(-1, 1.5), span),
+      i, omega, attitude0 = attitude(), torque = torque(max(i) * power(-1, 1.5), span),
       torque_axes = sample(c("body", "space"), 1L),
-      damping_per_s = if (chance(0.3)) power(-2, 0) else 0
+      resistance = resistance(damping_per_s = if (chance(0.3)) power(-2, 0) else 0)
     ), span)
   },
   free_rotors = function() {
@@ -77,18 +77,18 @@ classes <- list(
     spin <- min(i) * between(0.01, 0.2)
     list(scene_free(
       i, between(-3, 3, 3L), attitude0 = attitude(),
-      torque_n_m = if (chance(0.5)) torque(max(i) * power(-1, 0.7), span),
-      rotors = rotor(axis, spin, between(-20, 20), torque_n_m = spin * between(-5, 5))
+      torque = if (chance(0.5)) torque(max(i) * power(-1, 0.7), span),
+      rotors = rotor(axis, spin, between(-20, 20), torque = spin * between(-5, 5))
     ), span)
   },
   pivot = function() {
     i <- moments()
     span <- power(-0.5, 1)
     list(scene_pivot(
-      i, between(-5, 5, 3L), mass_kg = max(i) * power(-0.5, 0.5), centre_m = between(-0.5, 0.5, 3L),
-      attitude0 = attitude(),
-      torque_n_m = if (chance(0.6)) torque(max(i) * power(-1, 1), span),
-      damping_per_s = if (chance(0.3)) power(-2, 0) else 0
+      i, between(-5, 5, 3L), mass_kg = max(i) * power(-0.5, 0.5),
+      centre_m = between(-0.5, 0.5, 3L), attitude0 = attitude(),
+      torque = if (chance(0.6)) torque(max(i) * power(-1, 1), span),
+      resistance = resistance(damping_per_s = if (chance(0.3)) power(-2, 0) else 0)
     ), span)
   },
   axle = function() {
@@ -110,16 +110,16 @@ classes <- list(
     list(scene_rotors(
       i, i[-n] * vapply(seq_len(n - 1L), function(k) power(0, 3), 0),
       damping_n_m_s = if (chance(0.5)) i[-n] * power(-2, 0.3) else 0 * i[-n],
-      torque_n_m = i * between(-3, 3, n),
-      viscous_n_m_s = i * between(0, 0.5, n), omega0_rad_per_s = between(-5, 5, n)
+      torque = i * between(-3, 3, n), resistance = i * between(0, 0.5, n),
+      omega0_rad_per_s = between(-5, 5, n)
     ), power(-1, 2))
   },
   clutch = function() {
     i <- vapply(1:2, function(k) power(-1, 1), 0)
     list(scene_clutch(
       i[1], i[2], capacity_n_m = min(i) * power(0, 1),
-      torque_1 = if (chance(0.5)) i[1] * between(-3, 3), omega1_rad_per_s = either(power(0, 1.3)),
-      omega2_rad_per_s = between(-3, 3)
+      torque = list(if (chance(0.5)) i[1] * between(-3, 3), NULL),
+      omega0_rad_per_s = c(either(power(0, 1.3)), between(-3, 3))
     ), power(-0.5, 1))
   },
   drive = function() {

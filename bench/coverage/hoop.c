@@ -4,6 +4,8 @@
  *
  *   hoop [scenes per class] [seed] [class] */
 #include "contest.h"
+
+#include "engine/resistance.h"
 #include "scene/hoop/hoop.h"
 
 /* ---- random scenes --------------------------------------------------------------------------- */
@@ -25,10 +27,23 @@ static void frictionless(sample *s) {
   draw_rows(s, chance(0.4) ? -power(-0.5, 1.0) : 0.0, power(-0.5, 1.0));
 }
 
+/* A sample keeps its number where a number would be. */
+static void set_drag(sample *s, double x) {
+  const size_t at = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, "resistance");
+  rot_resistance *r = calloc(1, sizeof *r); /* until the program ends */
+  r->drag_n_s_per_m = s->x[at][0] = x;
+  s->given[at] = (rot_given){.is = ROT_INPUT_RESISTANCE, .n = 1, .object = r};
+}
+
+static double drag_of(const sample *s) {
+  const size_t at = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, "resistance");
+  return s->given[at].is ? s->x[at][0] : 0.0;
+}
+
 static void viscous(sample *s) {
   draw_hoop(s);
   const size_t mass = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, "mass_kg");
-  set_one(s, "drag_n_s_per_m", s->x[mass][0] * power(-2.0, 1.0));
+  set_drag(s, s->x[mass][0] * power(-2.0, 1.0));
   draw_rows(s, 0.0, power(-0.5, 1.0));
 }
 
@@ -127,7 +142,7 @@ static int truth(const sample *s, answer *out) {
   body b = {.inertia = mass * radius * radius,
             .pull = GIVEN("gravity_m_per_s2") / radius,
             .turn = GIVEN("hoop_omega_rad_per_s"),
-            .drag = GIVEN("drag_n_s_per_m") / mass,
+            .drag = drag_of(s) / mass,
             .holds = GIVEN("static_friction"),
             .face = 1};
   b.slides = s->given[kinetic].is ? s->x[kinetic][0] : b.holds;

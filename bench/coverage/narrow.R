@@ -170,7 +170,8 @@ scene_of <- function(case) {
       force <- law_of(case)
       scene_incline(
         body_sphere(case$mass / 1.4, 0.1), 0, static_friction = 1e6, kinetic_friction = 1e6,
-        v0_m_per_s = case$u0, force_n = function(time_s, x_m, v_m_per_s) {
+        v0_m_per_s = case$u0,
+        force = function(time_s, x_m, v_m_per_s) {
           force(time_s, x_m, v_m_per_s)
         }
       )
@@ -179,7 +180,8 @@ scene_of <- function(case) {
       f <- case$force
       moments <- case$mass * c(stats::runif(1, 0.55, 0.95), stats::runif(1, 0.55, 0.95), 1)
       scene_free(
-        moments, c(0, 0, case$u0), torque_n_m = function(time_s, omega, attitude) {
+        moments, c(0, 0, case$u0),
+        torque = function(time_s, omega, attitude) {
           x <- switch(case$of,
             time = time_s,
             angle = 2 * atan2(attitude[4], attitude[1]) %% pi,

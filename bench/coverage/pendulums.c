@@ -34,7 +34,7 @@ static size_t draw_chain(sample *s, int kind, double grade, double size, double 
 static void draw_joints(sample *s, size_t n, double low, double high) {
   double joint[MOST];
   for (size_t i = 0; i < n; i++) joint[i] = chance(0.2) ? 0.0 : power(low, high);
-  set(s, "joint_n_m_s", n, joint);
+  set(s, "resistance", n, joint);
 }
 
 static void points(sample *s) {
@@ -188,7 +188,7 @@ static int truth(const sample *s, answer *out) {
   const double *length = given(s, "length_m", &n), *mass = given(s, "mass_kg", &n_mass);
   const double *theta = given(s, "theta0_rad", &n_theta);
   const double *omega = given(s, "omega0_rad_per_s", &n_omega);
-  const double *joint = given(s, "joint_n_m_s", &n_joint);
+  const double *joint = given(s, "resistance", &n_joint);
   const quad gravity = given(s, "gravity_m_per_s2", &one)[0];
   const size_t links = rot_input_named(s->c->makers->n_inputs, s->c->makers->inputs, "links");
   const int rods_ = s->given[links].option == 0;

@@ -94,7 +94,7 @@ classes <- list(
     })
     list(
       scene = scene_gears(
-        inertia, ratios, efficiency = efficiency, torque_n_m = torque, viscous_n_m_s = viscous,
+        inertia, ratios, efficiency = efficiency, torque = torque, resistance = viscous,
         theta0_rad = theta0, omega0_rad_per_s = omega0, start_s = start
       ),
       line = chain_line(start, rotors, lapply(seq_len(n - 1L), function(i) {
@@ -232,8 +232,8 @@ classes <- list(
     rows <- rows_of(start, power(-1, 5))
     list(
       scene = scene_rotors(
-        inertia, stiffness, damping, torque_n_m = torque, viscous_n_m_s = viscous,
-        theta0_rad = theta, omega0_rad_per_s = omega, start_s = start
+        inertia, stiffness, damping, torque = torque, resistance = viscous, theta0_rad = theta,
+        omega0_rad_per_s = omega, start_s = start
       ),
       line = chain_line(start, lapply(seq_len(n), function(i) {
         rotor_line(inertia[i], theta[i], omega[i], viscous[i], constant = torque[i])
@@ -399,9 +399,9 @@ classes <- list(
     if (!exact) return(classes$clutch())
     list(
       scene = scene_clutch(
-        inertia[1], inertia[2], capacity, static_capacity_n_m = static, torque_1 = law,
-        torque_2 = torque_2, omega1_rad_per_s = omega[1], omega2_rad_per_s = omega[2],
-        theta1_rad = theta[1], theta2_rad = theta[2], engage_s = engage, start_s = start
+        inertia[1], inertia[2], capacity, static_capacity_n_m = static,
+        torque = list(law, torque_2), omega0_rad_per_s = c(omega[1], omega[2]),
+        theta0_rad = c(theta[1], theta[2]), engage_s = engage, start_s = start
       ),
       line = chain_line(start, list(
         rotor_line(inertia[1], theta[1], omega[1], pulses = line),

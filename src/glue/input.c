@@ -30,9 +30,13 @@ const char *ffi_input_form(const rot_input *input) {
   if (kinds & ROT_INPUT_ROTOR) return "rotors";
   if (kinds & ROT_INPUT_COUPLING) return "couplings";
   if (kinds & ROT_INPUT_BRAKE) return "brakes";
-  if (kinds & ROT_INPUT_RESISTANCE) return kinds & ROT_INPUT_LIST ? "resistances" : "resistance";
+  if (kinds & ROT_INPUT_RESISTANCE) {
+    return kinds & ROT_INPUT_NUMBERS ? "viscous"
+           : kinds & ROT_INPUT_LIST  ? "resistances"
+                                     : "resistance";
+  }
   if (kinds & ROT_INPUT_TABLE) return "torques";
-  if (kinds & ROT_INPUT_LAW) return "function";
+  if (kinds & ROT_INPUT_LAW) return kinds & ROT_INPUT_NUMBER ? "force" : "function";
   if (kinds & ROT_INPUT_CHOICE) return kinds & ROT_INPUT_VECTOR ? "vector_or_name" : "text";
   if (kinds & ROT_INPUT_TIMES) return "sorted";
   if (kinds & ROT_INPUT_VECTOR) return "numbers:3";
@@ -154,7 +158,7 @@ static int read_part(const rot_part *part, SEXP x, functions *f, rot_given *to) 
 static const rot_part *part_for(const rot_input *input, SEXP x) {
   if (!Rf_isObject(x)) {
     const int is = input->kinds & ROT_INPUT_TABLE && TYPEOF(x) == VECSXP;
-    return is ? rot_part_named("torque_n_m") : NULL;
+    return is ? rot_part_named("torque_table") : NULL;
   }
   SEXP classes = Rf_getAttrib(x, R_ClassSymbol);
   for (R_xlen_t i = 0; TYPEOF(classes) == STRSXP && i < XLENGTH(classes); i++) {

@@ -252,7 +252,8 @@ SEXP ffi_scene_fault(SEXP id, SEXP form, SEXP scene) {
 
 static SEXP options_of(const rot_input *input) {
   size_t n = 0;
-  if (!(input->kinds & ROT_INPUT_CHOICE)) return R_NilValue;
+  const int has = input->kinds & (ROT_INPUT_CHOICE | ROT_INPUT_RESISTANCE) && input->options;
+  if (!has) return R_NilValue;
   while (input->options[n]) n++;
   return texts(n, input->options);
 }

@@ -2,6 +2,7 @@
 #ifndef SCENE_KIT_H
 #define SCENE_KIT_H
 
+#include "engine/resistance.h"
 #include "rot_test.h"
 #include "scene/run.h"
 
@@ -12,6 +13,7 @@ typedef struct kit {
   const rot_maker *maker;
   rot_given given[ROT_MOST_INPUTS];
   double x[ROT_MOST_INPUTS][KIT_MOST];
+  rot_resistance resistance;
   void *scene;
   rot_refusal no;
   rot_store store;
@@ -44,6 +46,18 @@ static inline void kit_numbers(kit *k, const char *name, size_t n, const double 
 }
 
 static inline void kit_number(kit *k, const char *name, double x) { kit_numbers(k, name, 1, &x); }
+
+/* A resistance of one term. */
+static inline void kit_resist(kit *k, const char *term, double x) {
+  const rot_part *part = &rot_resistance_part;
+  rot_given given[ROT_MOST_INPUTS] = {0};
+  given[rot_input_named(part->n_inputs, part->inputs, term)] =
+      (rot_given){.is = ROT_INPUT_NUMBER, .n = 1, .x = &x};
+  ROT_CHECK(rot_inputs_check(part->n_inputs, part->inputs, given, &k->no) == ROT_OK);
+  ROT_CHECK(part->build(part, given, NULL, &k->resistance, &k->no) == ROT_OK);
+  k->given[kit_input(k, "resistance")] =
+      (rot_given){.is = ROT_INPUT_RESISTANCE, .n = 1, .object = &k->resistance};
+}
 
 static inline void kit_option(kit *k, const char *name, int option) {
   k->given[kit_input(k, name)] = (rot_given){.is = ROT_INPUT_CHOICE, .option = option};

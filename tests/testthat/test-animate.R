@@ -170,7 +170,7 @@ test_that("other motions in a plane are drawn at their angles", {
   same_turn <- function(got, want) expect_equal(sin((got - want) / 2), 0 * want, tolerance = 1e-9)
   t <- c(0, 0.2, 0.5)
   # Wheels of a train turn by theta/ratio: 5, then -3.
-  train <- frames_of(scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4)), t)
+  train <- frames_of(scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque = c(2, 0, -4)), t)
   theta <- train$rows$theta_rad
   for (i in 2:3) same_turn(spokes(train$frames[[i]]), theta[i] * c(1, 1 / 5, -1 / 15))
   # The masses of Atwood's machine move by equal lengths, the heavy one down.
@@ -190,7 +190,7 @@ test_that("other motions in a plane are drawn at their angles", {
     expect_equal(y / y[2], c(0.5^0.25, 1))
     expect_equal(y[2], 0.75 * cos(3 * t[i]))
   }
-  pair <- frames_of(scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 4), t)
+  pair <- frames_of(scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(4, 0)), t)
   y <- vapply(lines_of(pair$frames[[3]], "speed"), function(p) p[1, 2], 0)
   expect_equal(y[1], 0.75 * (2 / 3)^0.25 * cos(pair$rows$theta_1_rad[3]))
   drive <- frames_of(scene_drive(c(1, 2), coupling_shaft(50), omega0_rad_per_s = c(2, 2)), t)

@@ -66,8 +66,8 @@ test_that("rows that are one or none; what is no trajectory", {
 
 test_that("a row for each balance, its terms nested", {
   for (motion in list(
-    spin_up(time_s = 0:3), trajectory(scene_rotors(c(1, 2), 50, torque_n_m = c(3, 3)), 0:3),
-    trajectory(scene_clutch(1, 2, 3, omega1_rad_per_s = 9), 0:3)
+    spin_up(time_s = 0:3), trajectory(scene_rotors(c(1, 2), 50, torque = c(3, 3)), 0:3),
+    trajectory(scene_clutch(1, 2, 3, omega0_rad_per_s = c(9, 0)), 0:3)
   )) {
     a <- audit(motion)
     expect_s3_class(a, "rot_audit")
@@ -88,8 +88,8 @@ test_that("an audit prints its balances", {
   # Round numbers: I = 2, tau = 3.
   expect_snapshot({
     audit(trajectory(scene_axle(2, 3), c(0, 4)))
-    audit(trajectory(scene_rotors(c(1, 2), 8, torque_n_m = c(3, 3)), c(0, 1)))
-    audit(trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 2)))
+    audit(trajectory(scene_rotors(c(1, 2), 8, torque = c(3, 3)), c(0, 1)))
+    audit(trajectory(scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)), c(0, 2)))
   })
 })
 
@@ -172,7 +172,7 @@ test_that("an audit looks more closely at a law than the motion did", {
   }
   expect_gt(missed, 0)
   push <- function(t, x, v) ifelse(abs(x - 5.03) < 0.01, 4, 0)
-  ball <- scene_incline(body_sphere(1, 0.1), 0, static_friction = 1, v0_m_per_s = 1, force_n = push)
+  ball <- scene_incline(body_sphere(1, 0.1), 0, static_friction = 1, v0_m_per_s = 1, force = push)
   coarse <- trajectory(ball, c(0, 10), resolution = 0.02)
   expect_identical(coarse$v_m_per_s[2], 1)
   closer <- trajectory(ball, c(0, 10), resolution = 0.001)
@@ -186,7 +186,8 @@ test_that("the allowance is that of the error figure: not more, for each constra
   tilted <- attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
   driven <- function(time_s) 3 * sin(time_s)
   cases <- list(
-    list(scene_clutch(2, 0.5, 3, torque_1 = 1, omega1_rad_per_s = 20), c(400, 40), 1e-13),
+    list(scene_clutch(2, 0.5, 3, torque = list(1, NULL), omega0_rad_per_s = c(20, 0)), c(400, 40),
+      1e-13),
     list(scene_drive(c(1, 0.4), coupling_gear(2), torque = list(3, NULL)), c(100, 15), 1e-13),
     list(
       scene_drive(
@@ -199,7 +200,8 @@ test_that("the allowance is that of the error figure: not more, for each constra
       1e-13
     ),
     list(
-      scene_incline(body_sphere(2, 0.1), 30, v0_m_per_s = 2, drag_n_s2_per_m2 = 0.3), c(200, 40),
+      scene_incline(body_sphere(2, 0.1), 30, v0_m_per_s = 2,
+        resistance = resistance(drag_n_s2_per_m2 = 0.3)), c(200, 40),
       3e-11
     ),
     list(
@@ -210,7 +212,7 @@ test_that("the allowance is that of the error figure: not more, for each constra
     ),
     list(
       scene_pivot(
-        c(1, 1.5, 2), c(3, 1, 2), mass_kg = 1, centre_m = c(.1, .2, .3), torque_n_m = c(-1, 2, 0.5)
+        c(1, 1.5, 2), c(3, 1, 2), mass_kg = 1, centre_m = c(.1, .2, .3), torque = c(-1, 2, 0.5)
       ), c(10, 6), 1e-9
     )
   )

@@ -1,12 +1,12 @@
 test_that("rotors: work, heat and impulse by hand", {
   # Torques in proportion to the inertias: no twist, omega = t, theta = t^2 / 2.
-  driven <- augment(trajectory(scene_rotors(c(1, 2), 1e3, torque_n_m = c(1, 2)), c(0, 1, 3)))
+  driven <- augment(trajectory(scene_rotors(c(1, 2), 1e3, torque = c(1, 2)), c(0, 1, 3)))
   expect_equal(driven$work_j, rep(3 * c(0, 1, 9) / 2, each = 2), tolerance = 1e-13)
   expect_equal(driven$power_w, c(0, 0, 1, 2, 3, 6), tolerance = 1e-13)
   expect_equal(driven$torque_impulse_n_m_s, rep(c(0, 3, 9), each = 2))
   expect_equal(driven$dissipated_j, double(6))
   # d_i = J_i / 2: omega = 4 exp(-t / 2), and K = 24 exp(-t) goes into the bearings.
-  scene <- scene_rotors(c(1, 2), 1e3, viscous_n_m_s = c(0.5, 1), omega0_rad_per_s = 4)
+  scene <- scene_rotors(c(1, 2), 1e3, resistance = c(0.5, 1), omega0_rad_per_s = 4)
   coasting <- augment(trajectory(scene, c(0, 1, 3)))
   expect_equal(
     coasting$dissipated_j, rep(24 * (1 - exp(-c(0, 1, 3))), each = 2), tolerance = 1e-12
@@ -16,18 +16,19 @@ test_that("rotors: work, heat and impulse by hand", {
 
 test_that("a clutch: work, heat and impulse by hand", {
   # Nothing is carried before 100 s: omega_1 = 10 + 5/2 t.
-  open <- scene_clutch(2, 3, 12, torque_1 = 5, omega1_rad_per_s = 10, engage_s = 100)
+  open <- scene_clutch(2, 3, 12, torque = list(5, NULL), omega0_rad_per_s = c(10, 0),
+    engage_s = 100)
   rows <- augment(trajectory(open, c(1, 2, 4)))
   expect_equal(rows$power_w, 5 * (10 + 2.5 * c(1, 2, 4)), tolerance = 1e-14)
   expect_equal(rows$work_j, 5 * c(0, 10 + 1.25 * 3, 30 + 1.25 * 15), tolerance = 1e-13)
   expect_equal(rows$torque_impulse_n_m_s, 5 * c(0, 1, 3))
   # Slip 10 - 10 t under 12 N m: 60 J until it locks after 1 s, 45 J of them by 0.5 s.
-  slips <- augment(trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 0.5, 2)))
+  slips <- augment(trajectory(scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)), c(0, 0.5, 2)))
   expect_equal(slips$dissipated_j, c(0, 45, 60), tolerance = 1e-14)
 })
 
 test_that("summaries of rotors are those of the whole shaft", {
-  row <- summary(trajectory(scene_rotors(c(1, 2), 1e3, torque_n_m = c(1, 2)), c(0, 1, 3)))
+  row <- summary(trajectory(scene_rotors(c(1, 2), 1e3, torque = c(1, 2)), c(0, 1, 3)))
   expect_equal(row$moment_of_inertia_kg_m2, 3)
   expect_equal(row$max_angular_velocity_rad_per_s, 3, tolerance = 1e-13)
   expect_equal(row$max_angular_momentum_kg_m2_per_s, 9, tolerance = 1e-13)

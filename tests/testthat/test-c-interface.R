@@ -179,7 +179,7 @@ random_gears <- function() {
     one_of(as.list(stats::runif(n, 0.01, 1)), replicate(n, body_disk(1, 0.2), simplify = FALSE)),
     sample(c(-3, -0.7, 0.5, 2, 5.1), n - 1, TRUE),
     efficiency = if (n > 1) one_of(1, stats::runif(n - 1, 0.4, 1)) else 1,
-    torque_n_m = round(stats::rnorm(n), 2), viscous_n_m_s = one_of(0, stats::runif(n, 0, 0.3)),
+    torque = round(stats::rnorm(n), 2), resistance = one_of(0, stats::runif(n, 0, 0.3)),
     omega0_rad_per_s = stats::rnorm(1, sd = 5), start_s = one_of(0, 1)
   )
 }
@@ -188,7 +188,7 @@ random_rotors <- function() {
   n <- sample(2:4, 1)
   scene_rotors(
     lapply(seq_len(n), function(i) random_body()), 10^stats::runif(n - 1, 1, 9),
-    one_of(0, stats::runif(n - 1)), torque_n_m = stats::rnorm(n), viscous_n_m_s = one_of(0, 0.1),
+    one_of(0, stats::runif(n - 1)), torque = stats::rnorm(n), resistance = one_of(0, 0.1),
     theta0_rad = one_of(0, stats::rnorm(n)), omega0_rad_per_s = stats::rnorm(n)
   )
 }
@@ -198,8 +198,9 @@ random_clutch <- function() {
   steps <- torque_steps(c(1, 2, 4), stats::rnorm(3))
   scene_clutch(
     random_body(), random_body(), capacity, static_capacity_n_m = capacity * one_of(1, 1.4),
-    torque_1 = one_of(NULL, steps, steps + torque_pulse(c(0.5, 3), 1, 2) + 1),
-    torque_2 = one_of(NULL, stats::rnorm(1)), omega1_rad_per_s = 10, engage_s = one_of(-Inf, 0.7)
+    torque = list(one_of(NULL, steps, steps + torque_pulse(c(0.5, 3), 1, 2) + 1),
+      one_of(NULL, stats::rnorm(1))),
+    omega0_rad_per_s = c(10, 0), engage_s = one_of(-Inf, 0.7)
   )
 }
 
@@ -228,7 +229,7 @@ random_wheels <- function() {
   wheel <- function(torque) rotor(stats::rnorm(3), 1e-3, stats::rnorm(1, 0, 30), torque)
   one_of(
     NULL, NULL, wheel(NULL), list(wheel(NULL), rotor("y", 2e-3, 5, 0)),
-    list(wheel(1e-3), rotor("z", 1e-3, 4, motor, breaks_s = 2))
+    list(wheel(1e-3), rotor("z", 1e-3, 4, motor))
   )
 }
 
@@ -247,9 +248,10 @@ random_tensor <- function() {
 
 random_free <- function() {
   scene_free(
-    random_tensor(), stats::rnorm(3), attitude0 = random_attitude(), torque_n_m = random_torques(),
-    torque_axes = one_of("body", "space"), damping_per_s = one_of(0, 0.1),
-    rotors = random_wheels(), start_s = one_of(0, 1)
+    random_tensor(), stats::rnorm(3), attitude0 = random_attitude(), torque = random_torques(),
+    torque_axes = one_of("body", "space"),
+    resistance = resistance(damping_per_s = one_of(0, 0.1)), rotors = random_wheels(),
+    start_s = one_of(0, 1)
   )
 }
 
@@ -259,7 +261,8 @@ random_pivot <- function() {
   own <- inherits(body, "rot_body")
   arguments <- list(
     body, if (top) c(0, 0, one_of(60, 600)) else stats::rnorm(3), attitude0 = random_attitude(),
-    torque_n_m = if (!top) random_torques(), damping_per_s = if (top) 0 else one_of(0, 0.1),
+    torque = if (!top) random_torques(),
+    resistance = resistance(damping_per_s = if (top) 0 else one_of(0, 0.1)),
     rotors = if (!top) random_wheels(), gravity_m_per_s2 = one_of(9.8, 0)
   )
   where <- if (own) list(pivot_m = stats::rnorm(3)) else {
@@ -367,10 +370,11 @@ test_that("the audit of C is R's, number by number", {
   )
   scenes <- c(unlist(lapply(makers, some), recursive = FALSE), list(
     scene_incline(body_sphere(2, 0.1), 30, static_friction = 0.1, v0_m_per_s = 2),
-    scene_incline(body_disk(1, 0.2), 20, static_friction = 0.5, drag_n_s2_per_m2 = 0.3),
-    scene_hoop(1, 0.5, 6, theta0_rad = 0.3, drag_n_s_per_m = 0.2),
+    scene_incline(body_disk(1, 0.2), 20, static_friction = 0.5,
+      resistance = resistance(drag_n_s2_per_m2 = 0.3)),
+    scene_hoop(1, 0.5, 6, theta0_rad = 0.3, resistance = resistance(drag_n_s_per_m = 0.2)),
     scene_hoop(1, 0.5, 3, theta0_rad = 1, static_friction = 0.2),
-    scene_chain(c(1, 2), c(0.5, 0.4), theta0_rad = c(1, -0.5), joint_n_m_s = 0.01)
+    scene_chain(c(1, 2), c(0.5, 0.4), theta0_rad = c(1, -0.5), resistance = 0.01)
   ))
   for (scene in scenes) {
     time_s <- scene$start_s + c(0.25, 1, 3)

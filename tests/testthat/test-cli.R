@@ -260,7 +260,7 @@ test_that("scenes of every constraint are taken, alone and together", {
   skip_if_not_installed("yyjsonr")
   scenes <- list(
     rotors = scene_rotors(c(1, 2), stiffness_n_m_per_rad = 1000, omega0_rad_per_s = c(1, 0.5)),
-    clutch = scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10),
+    clutch = scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0)),
     drive = scene_drive(c(0.4, 2), coupling_shaft(400, 0.1), torque = list(5, -5)),
     incline = scene_incline(body_sphere(6, 0.11), 10, static_friction = 0.2),
     free = scene_free(body_box(1, 0.1, 0.2, 0.3), c(0.1, 5, 0.1)),

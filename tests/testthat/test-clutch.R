@@ -20,8 +20,7 @@ test_that("torques help or hinder it, and some clutches never lock", {
 })
 
 test_that("the table agrees with the motion", {
-  scene <- scene_clutch(0.3, 1.7, 4, torque_1 = 1, torque_2 = -2, omega1_rad_per_s = 30,
-                        omega2_rad_per_s = -5)
+  scene <- scene_clutch(0.3, 1.7, 4, torque = list(1, -2), omega0_rad_per_s = c(30, -5))
   row <- clutch_engagement(0.3, 1.7, 4, 30, -5, torque_1_n_m = 1, torque_2_n_m = -2)
   motion <- trajectory(scene, row$lock_time_s + 1, 1e-9)
   expect_equal(motion$heat_j, row$heat_j, tolerance = 1e-14)

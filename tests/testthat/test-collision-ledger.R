@@ -29,8 +29,10 @@ test_that("the ledger of a bounce, by hand", {
 test_that("every kind of collision balances about every point that it names", {
   hits <- list(
     bounce(tangential_restitution = 0.5), hinged_hit(body_rod(2, 1.2), 0.6, 1.1, 0.05, 30, 0.4, -1),
-    disks_lock(1, 3, 60, -10), rims_meet(1, 3, 0.1, 0.25, 60, 5),
-    rims_meet(1, 3, 0.1, -0.25, 60, 5, largest_impulse_n_s = 1),
+    disks_lock(1, 3, 60, -10), rims_meet(1, 3, 60, 5, radius_1_m = 0.1, radius_2_m = 0.25),
+    rims_meet(
+      1, 3, 60, 5, largest_impulse_n_s = 1, radius_1_m = 0.1, radius_2_m = -0.25
+    ),
     collide(
       body_box(1, 1, 2, 3), body_box(2, 1, 1, 1), velocity_1_m_per_s = c(1, 2, -3),
       omega_1_rad_per_s = c(1, 2, 3), normal = c(0.1, 0, 1), arm_1_m = c(0.5, 0.2, -1.4),

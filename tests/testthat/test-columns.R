@@ -46,7 +46,7 @@ test_that("so does every table about motion", {
   scene <- scene_axle(body_disk(2, 0.25), torque_constant(1), resistance(0.1, coulomb_n_m = 0.2))
   motion <- trajectory(scene, 0:3)
   designs <- data.frame(moment_of_inertia_kg_m2 = c(0.05, 0.2))
-  rotors <- scene_rotors(c(1, 2), 1000, 0.5, torque_n_m = c(3, 0))
+  rotors <- scene_rotors(c(1, 2), 1000, 0.5, torque = c(3, 0))
   returned <- list(
     motion_events(motion), augment(motion), glance(motion), stopping(scene),
     spin_up_table(designs, article_torque(), time_s = 8),

@@ -50,7 +50,7 @@ test_that("errors of shortcuts show the shortcut that the user called", {
   call_of <- function(expr) tryCatch(expr, error = function(e) as.character(conditionCall(e)[[1]]))
   expect_equal(call_of(spin_up(body = "a")), "spin_up")
   expect_equal(call_of(spin_up(time_s = NA)), "spin_up")
-  expect_equal(call_of(spin_up(viscous_n_m_s = "a")), "spin_up")
+  expect_equal(call_of(spin_up(resistance = "a")), "spin_up")
   expect_equal(call_of(spin_up(torque = function() 1)), "spin_up")
   expect_equal(call_of(scene_gears(1:2, 2, theta0_rad = "a")), "scene_gears")
   expect_equal(call_of(suppressWarnings(scene_gears(c(1e308, 1e308), 0.1))), "scene_gears")

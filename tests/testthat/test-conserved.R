@@ -30,10 +30,10 @@ test_that("several bodies: torques between them are internal", {
   damped <- scene_rotors(c(1, 2), 100, 0.5, omega0_rad_per_s = c(1, 0))
   expect_identical(conserved(damped)$conserved, c(FALSE, TRUE))
   expect_identical(
-    conserved(scene_clutch(2, 3, 12, omega1_rad_per_s = 10))$conserved, c(FALSE, TRUE)
+    conserved(scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)))$conserved, c(FALSE, TRUE)
   )
   expect_identical(
-    conserved(scene_clutch(2, 3, 12, torque_1 = 1))$conserved, c(FALSE, FALSE)
+    conserved(scene_clutch(2, 3, 12, torque = list(1, NULL)))$conserved, c(FALSE, FALSE)
   )
   geared <- scene_drive(list(1, 2), list(coupling_gear(3)), omega0_rad_per_s = c(3, 1))
   expect_identical(conserved(geared)$conserved, c(TRUE, FALSE))
@@ -66,7 +66,7 @@ test_that("the audit says the same, and checks it", {
     scene_axle(inertia_knots(c(0, 2), c(4, 1.2)), omega0_rad_per_s = 3),
     scene_pendulum(body_rod(1, 1), 0.5, theta0_rad = 1), scene_axle(2, 0, omega0_rad_per_s = 3),
     scene_axle(2, 1, resistance(0.1)), scene_rotors(c(1, 2), 100, omega0_rad_per_s = c(1, 0)),
-    scene_clutch(2, 3, 12, omega1_rad_per_s = 10),
+    scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)),
     scene_drive(list(1, 2), list(coupling_gear(3)), omega0_rad_per_s = c(3, 1)),
     scene_incline(body_sphere(6, 0.11), 10), scene_incline(body_sphere(6, 0.11), 0,
       static_friction = 0.2, v0_m_per_s = 8, omega0_rad_per_s = 0),
@@ -112,7 +112,7 @@ test_that("a collision, about each point", {
   expect_identical(kept(hit, "angular_momentum_z", "the hinge", row = 2), TRUE)
   expect_identical(kept(hit, "momentum_y", row = 2), FALSE)
   # Two axles push in opposite directions, and turn.
-  mesh <- conserved(rims_meet(0.01, 0.16, 0.1, 0.2, 60, 0))
+  mesh <- conserved(rims_meet(body_disk(2, 0.1), body_disk(8, 0.2), 60, 0))
   expect_identical(mesh$conserved, c(TRUE, FALSE, FALSE))
   expect_match(mesh$why[1], "cancel")
   balls <- collide(

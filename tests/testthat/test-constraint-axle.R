@@ -30,7 +30,7 @@ test_that("a scene knows its torque and what resists, whoever made it", {
   )
   well <- scene_hanging_mass(1, 3, 0.5, counter_mass_kg = 1, gravity_m_per_s2 = 10)
   expect_identical(torque(well), torque_constant(10))
-  train <- scene_gears(c(1, 4), 2, torque_n_m = c(3, -2), viscous_n_m_s = c(0.5, 1))
+  train <- scene_gears(c(1, 4), 2, torque = c(3, -2), resistance = c(0.5, 1))
   expect_identical(torque(train), torque_constant(2))
   expect_identical(resists(train), 0.75)
 })

@@ -4,7 +4,7 @@ motion_of <- function(scene, time_s, accuracy = 1e-9, model = NULL) {
 
 test_that("a clutch locks when and where it must", {
   # 12 N m on 2 and 3 kg m^2: 12 (1/2 + 1/3) = 10 rad/s^2, so 10 rad/s are gone after 1 s.
-  motion <- motion_of(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), c(0, 0.5, 1, 2))
+  motion <- motion_of(scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)), c(0, 0.5, 1, 2))
   expect_named(motion, columns_of_motion("clutch"))
   expect_equal(motion$omega_1_rad_per_s, c(10, 7, 4, 4), tolerance = 1e-15)
   expect_equal(motion$omega_2_rad_per_s, c(0, 2, 4, 4), tolerance = 1e-15)
@@ -20,9 +20,9 @@ test_that("a clutch locks when and where it must", {
 
 test_that("a locked clutch slips when the torque grows, and the audit balances", {
   scene <- scene_clutch(
-    2, 3, 12,
-    static_capacity_n_m = 15, omega1_rad_per_s = 10,
-    torque_1 = torque_knots(c(0, 2, 2, 3, 3, 9), c(0, 0, 50, 50, -5, -5)), engage_s = 0.25
+    2, 3, 12, static_capacity_n_m = 15, omega0_rad_per_s = c(10, 0),
+    torque = list(torque_knots(c(0, 2, 2, 3, 3, 9), c(0, 0, 50, 50, -5, -5)), NULL),
+    engage_s = 0.25
   )
   motion <- motion_of(scene, seq(0, 9, by = 0.25))
   # Locked, 3/5 of 50 N m is more than 15; afterwards 3/5 of 5 is not.
@@ -37,7 +37,7 @@ test_that("a locked clutch slips when the torque grows, and the audit balances",
 })
 
 test_that("there is no way back before the start", {
-  scene <- scene_clutch(2, 3, 12, omega1_rad_per_s = 10, start_s = 1)
+  scene <- scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0), start_s = 1)
   expect_error(motion_of(scene, 0:2), class = "rotdyn_error_time")
   expect_equal(motion_of(scene, 1:2)$omega_1_rad_per_s, c(10, 4), tolerance = 1e-15)
 })

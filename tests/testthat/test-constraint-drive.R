@@ -6,7 +6,7 @@ test_that("the time scales of drives and shafts are those of their rotors and co
   within(pace(shaft)$fades_s, 2 / (2 * 0.8))
   within(1 / pace(shaft)$swing_rad_per_s, 1 / sqrt(2 * 50 / 2))
   rigid <- rotdyn:::rotors_pace(
-    scene_rotors(c(2, 3), 50, viscous_n_m_s = c(0.5, 0.25)), c(omega = 2), "rotors_rigid"
+    scene_rotors(c(2, 3), 50, resistance = c(0.5, 0.25)), c(omega = 2), "rotors_rigid"
   )
   expect_equal(rigid$fades_s, 5 / 0.75)
 })

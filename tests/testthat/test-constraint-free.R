@@ -1,7 +1,7 @@
 nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
 driven <- scene_free(
-  c(1, 2, 3), c(0.3, 0.2, 1), damping_per_s = 0.01, torque_n_m = c(0.01, 0, 0.02),
-  attitude0 = attitude_from(c(1, 0.2, 0.3), "rotation_vector")
+  c(1, 2, 3), c(0.3, 0.2, 1), resistance = resistance(damping_per_s = 0.01),
+  torque = c(0.01, 0, 0.02), attitude0 = attitude_from(c(1, 0.2, 0.3), "rotation_vector")
 )
 
 test_that("every verb takes a free body", {
@@ -24,7 +24,8 @@ test_that("every verb takes a free body", {
 
 test_that("the audit balances energy, each component of L in space, and the norm", {
   for (motion in list(trajectory(nut, -3:20), trajectory(driven, -3:20),
-                      trajectory(scene_free(c(1, 2, 3), c(0.1, 1, 0), damping_per_s = 0.2), 0:9))) {
+                      trajectory(scene_free(c(1, 2, 3), c(0.1, 1, 0),
+                        resistance = resistance(damping_per_s = 0.2)), 0:9))) {
     report <- audit(motion)
     expect_identical(
       report$balance,
@@ -43,7 +44,7 @@ test_that("the audit balances energy, each component of L in space, and the norm
 })
 
 test_that("damping: heat and impulse in closed form, and integrated", {
-  scene <- scene_free(c(1, 2, 3), c(0.3, 1, 0.2), damping_per_s = 0.2)
+  scene <- scene_free(c(1, 2, 3), c(0.3, 1, 0.2), resistance = resistance(damping_per_s = 0.2))
   exact <- trajectory(scene, 0:10)
   expect_identical(trajectory_run(exact)$model, "free_exact")
   steps <- trajectory(scene, 0:10, model = "free_rk8pd", accuracy = 1e-11)
@@ -67,7 +68,7 @@ test_that("power is that of the torque, in any axes", {
   expect_equal(motion$work_j[501], work, tolerance = 1e-5)
   knots <- data.frame(time_s = c(0, 1, 2), x_n_m = 0, y_n_m = c(0, 1, 0), z_n_m = 0)
   push <- scene_free(
-    c(1, 2, 3), c(0.3, 0.2, 1), torque_n_m = knots, torque_axes = "space", breaks_s = 3
+    c(1, 2, 3), c(0.3, 0.2, 1), torque = knots, torque_axes = "space"
   )
   motion <- augment(trajectory(push, seq(0, 4, 0.005)))
   expect_equal(motion$torque_impulse_y_n_m_s[801], 1, tolerance = 1e-9)
@@ -79,13 +80,14 @@ test_that("power is that of the torque, in any axes", {
 test_that("what is conserved follows from what acts", {
   expect_identical(conserved(nut)$conserved, rep(TRUE, 4))
   expect_identical(conserved(driven)$conserved, rep(FALSE, 4))
-  lift <- scene_free(c(1, 2, 3), c(0, 1, 0), torque_n_m = c(0, 0, 2), torque_axes = "space")
+  lift <- scene_free(c(1, 2, 3), c(0, 1, 0), torque = c(0, 0, 2), torque_axes = "space")
   expect_identical(conserved(lift)$conserved, c(FALSE, TRUE, TRUE, FALSE))
   report <- audit(trajectory(lift, 0:3))
   expect_identical(report$conserved, c(FALSE, TRUE, TRUE, FALSE, NA))
   expect_true(all(report$verdict == "balanced"))
   expect_identical(
-    conserved(scene_free(c(1, 2, 3), c(0, 1, 0), damping_per_s = 1))$conserved, rep(FALSE, 4)
+    conserved(scene_free(c(1, 2, 3), c(0, 1, 0),
+      resistance = resistance(damping_per_s = 1)))$conserved, rep(FALSE, 4)
   )
 })
 
@@ -124,7 +126,7 @@ allowed <- function(motion) {
 
 test_that("correct forced motions are balanced at every accuracy, by allowances of its size", {
   # Impulses err by more than the momentum does: 4.4 times what was allowed without their own error.
-  scene <- scene_free(c(1, 1.5, 2), c(8, 1, 5), torque_n_m = c(-2, -12, -2))
+  scene <- scene_free(c(1, 1.5, 2), c(8, 1, 5), torque = c(-2, -12, -2))
   for (accuracy in 10^-(3:12)) {
     got <- allowed(trajectory(scene, c(0, 1), accuracy))
     expect_true(got$all)
@@ -144,7 +146,7 @@ test_that("an error of omega far below that of the attitude does not unbalance a
     y_n_m = c(0.2044, 0.01732, -0.9261, -1.149), z_n_m = c(0.7414, 0.7439, 0.04029, 0.7297)
   )
   scene <- scene_free(
-    c(1.354, 0.9843, 1.342), c(2.411, -1.175, -3.176), torque_n_m = pulse, torque_axes = "space",
+    c(1.354, 0.9843, 1.342), c(2.411, -1.175, -3.176), torque = pulse, torque_axes = "space",
     attitude0 = attitude_from(c(qw = 0.5055, qx = 0.3377, qy = 0.7664, qz = 0.2074) /
       sqrt(0.5055^2 + 0.3377^2 + 0.7664^2 + 0.2074^2), "quaternion", order = "wxyz")
   )

@@ -47,6 +47,6 @@ test_that("the time scales of an incline: v/g, m/c", {
   }
   expect_equal(pace(), 3 / 9.80665)
   expect_equal(pace(turning = 50), 5 / 9.80665)
-  expect_equal(pace(drag_n_s_per_m = 40), 2 / 40)
-  expect_equal(pace(drag_n_s2_per_m2 = 40), 2 / (40 * 3))
+  expect_equal(pace(resistance = resistance(drag_n_s_per_m = 40)), 2 / 40)
+  expect_equal(pace(resistance = resistance(drag_n_s2_per_m2 = 40)), 2 / (40 * 3))
 })

@@ -20,7 +20,7 @@ test_that("the motion is that of the 40-digit table", {
 test_that("even rows share an exponential where ten digits will do, and only there", {
   # Damped unevenly, so that there is no closed form of single modes.
   scene <- scene_rotors(
-    c(1, 0.4, 2), c(300, 450), c(0.2, 0), viscous_n_m_s = c(0, 0.3, 0.05),
+    c(1, 0.4, 2), c(300, 450), c(0.2, 0), resistance = c(0, 0.3, 0.05),
     omega0_rad_per_s = c(1, 2, -1)
   )
   time <- seq(0, 20, by = 0.01)
@@ -64,8 +64,8 @@ test_that("the motion agrees with an integrator of another house", {
   }
   time <- seq(0, 5, by = 0.25)
   other <- deSolve::ode(c(theta0, omega0), time, slope, NULL, rtol = 1e-11, atol = 1e-12)
-  scene <- scene_rotors(J, k, c, torque_n_m = tau, viscous_n_m_s = d, theta0_rad = theta0,
-                        omega0_rad_per_s = omega0)
+  scene <- scene_rotors(J, k, c, torque = tau, resistance = d, theta0_rad = theta0,
+    omega0_rad_per_s = omega0)
   motion <- motion_of(scene, time)
   expect_equal(motion$theta_rad, c(t(other[, 2:4])), tolerance = 1e-8)
   expect_equal(motion$omega_rad_per_s, c(t(other[, 5:7])), tolerance = 1e-8)
@@ -73,7 +73,7 @@ test_that("the motion agrees with an integrator of another house", {
 })
 
 test_that("a stiff shaft is rigid when that is good enough, and the bound holds", {
-  scene <- scene_rotors(c(1, 2), 1e10, torque_n_m = c(3, 0))
+  scene <- scene_rotors(c(1, 2), 1e10, torque = c(3, 0))
   time <- 1:5
   rigid <- motion_of(scene, time, 1e-4)
   exact <- motion_of(scene, time, 1e-9)
@@ -86,7 +86,7 @@ test_that("a stiff shaft is rigid when that is good enough, and the bound holds"
   expect_lte(max(abs(rigid$theta_rad - exact$theta_rad)), run$info$errors[["theta"]])
   expect_error(motion_of(scene, time, 1e-9, "rotors_rigid"), class = "rotdyn_error_model")
   expect_error(motion_of(scene, time, 1e-9, "axle_free"), class = "rotdyn_error_model")
-  soft <- scene_rotors(c(1, 2), 0, torque_n_m = c(3, 0))
+  soft <- scene_rotors(c(1, 2), 0, torque = c(3, 0))
   expect_equal(attr(motion_of(soft, time, 1), "run")$model, "rotors_modal")
 })
 
@@ -94,8 +94,8 @@ test_that("an audit balances, and finds an edited row", {
   time <- seq(0, 3, by = 0.1)
   scenes <- list(
     scene_rotors(c(1, 2), 1000, omega0_rad_per_s = c(1, 0.5)),
-    scene_rotors(c(1, 2, 0.5), c(1e8, 3e3), c(10, 0), torque_n_m = c(5, 0, -1)),
-    scene_rotors(c(1, 2, 0.5), c(1e3, 0), 0.5, viscous_n_m_s = c(0.2, 0, 0.7), theta0_rad = 1:3)
+    scene_rotors(c(1, 2, 0.5), c(1e8, 3e3), c(10, 0), torque = c(5, 0, -1)),
+    scene_rotors(c(1, 2, 0.5), c(1e3, 0), 0.5, resistance = c(0.2, 0, 0.7), theta0_rad = 1:3)
   )
   for (scene in scenes) {
     motion <- motion_of(scene, time)
@@ -107,7 +107,7 @@ test_that("an audit balances, and finds an edited row", {
     expect_equal(audited(motion)$verdict, "unbalanced")
     expect_true(is.na(attr(motion, "run")$info$error))
   }
-  stiff <- scene_rotors(c(1, 2), 1e12, viscous_n_m_s = c(0.3, 0), torque_n_m = c(2, 2))
+  stiff <- scene_rotors(c(1, 2), 1e12, resistance = c(0.3, 0), torque = c(2, 2))
   rigid <- motion_of(stiff, time, 1e-3)
   expect_equal(attr(rigid, "run")$model, "rotors_rigid")
   expect_gt(audited(rigid)$dissipated_j, 1)
@@ -135,8 +135,8 @@ test_that("a start that is not 0 rounds no phase away", {
   expect_lte(run_of(x)$info$error, 1e-13)
   # The same with dampers that couple the modes: to what is stated of the phase.
   shift <- function(start) {
-    scene <- scene_rotors(c(1, 2, 0.3), c(50, 4e3), c(1e-7, 0), viscous_n_m_s = c(0, 1e-6, 0),
-                          omega0_rad_per_s = c(1, -0.5, 0), start_s = start)
+    scene <- scene_rotors(c(1, 2, 0.3), c(50, 4e3), c(1e-7, 0), resistance = c(0, 1e-6, 0),
+      omega0_rad_per_s = c(1, -0.5, 0), start_s = start)
     suppressWarnings(trajectory(scene, start + 4096)) # the angle stays near 0
   }
   far <- shift(2^20)
@@ -175,12 +175,12 @@ test_that("many rotors can be interrupted, their modes and audit too", {
   }
   set.seed(1)
   scene <- scene_rotors(
-    1 + runif(n), 100 * (1 + runif(n - 1)), damping_n_m_s = runif(n - 1), viscous_n_m_s = runif(n),
+    1 + runif(n), 100 * (1 + runif(n - 1)), damping_n_m_s = runif(n - 1), resistance = runif(n),
     omega0_rad_per_s = runif(n)
   )
   limited(shaft_modes(scene))
   limited(trajectory(scene, 0:3))
-  small <- scene_rotors(1 + runif(120), 100 * (1 + runif(119)), 0.5, viscous_n_m_s = runif(120))
+  small <- scene_rotors(1 + runif(120), 100 * (1 + runif(119)), 0.5, resistance = runif(120))
   motion <- trajectory(small, 0:3)
   limited(audit(motion))
 })

@@ -1,5 +1,5 @@
 test_that("a chain is drawn from its pivot to its end", {
-  chain <- scene_chain(c(1, 3), 1, c(0.5, 2), links = "points", joint_n_m_s = 0.1)
+  chain <- scene_chain(c(1, 3), 1, c(0.5, 2), links = "points", resistance = 0.1)
   places <- chain_places(chain, c(0.5, 2))
   expect_equal(places[3, ], c(sin(0.5) + 3 * sin(2), -cos(0.5) - 3 * cos(2)) / 4)
   drawing <- draw_chain(chain)

@@ -3,7 +3,7 @@ test_that("a collision is drawn before and after, in one scale", {
   hits <- list(
     ball_bounce(body_sphere(0.06, 0.033), 20, -5, -300, 0.75, 0.5),
     hinged_hit(body_rod(2, 1.2), 0.6, 1.1, 0.05, 30, 0.4), disks_lock(1, 3, 60, 0),
-    rims_meet(1, 3, 0.1, 0.2, 60, 0),
+    rims_meet(1, 3, 60, 0, radius_1_m = 0.1, radius_2_m = 0.2),
     collide(body_rod(1, 1), velocity_1_m_per_s = c(0, 0, -3), normal = c(0, 0, 1),
       arm_1_m = c(-0.4, 0, -0.3), attitude_1 = rotation_about("y", angle_rad = -atan(0.75))),
     collide(body_sphere(1, 0.1), body_sphere(2, 0.1), velocity_1_m_per_s = c(0, 3, 0),

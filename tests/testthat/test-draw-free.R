@@ -1,6 +1,6 @@
 test_that("a free body is drawn as the ellipsoid of its second moments", {
   scene <- scene_free(
-    c(1, 2, 2.5), c(0, 0, 2), torque_n_m = c(1, 0, 0), damping_per_s = 0.1
+    c(1, 2, 2.5), c(0, 0, 2), torque = c(1, 0, 0), resistance = resistance(damping_per_s = 0.1)
   )
   drawing <- draw_free(scene)
   expect_true(all(c("I[1]", "omega", "L", "tau", "gamma") %in% drawing$quantities$symbol))

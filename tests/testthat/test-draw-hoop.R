@@ -1,7 +1,7 @@
 test_that("a hoop is drawn with its axis, bead and quantities", {
   skip_if_not_installed("ggplot2")
-  bead <- scene_hoop(0.05, 0.2, -9, theta0_rad = 1, omega0_rad_per_s = 2, drag_n_s_per_m = 0.1,
-                     static_friction = 0.2)
+  bead <- scene_hoop(0.05, 0.2, -9, theta0_rad = 1, omega0_rad_per_s = 2,
+    resistance = resistance(drag_n_s_per_m = 0.1), static_friction = 0.2)
   drawing <- draw_hoop(bead)
   expect_true(all(c("R", "Omega", "theta", "m*g", "c", "mu[s]") %in% drawing$quantities$symbol))
   fills <- Filter(function(one) one$type == "fill", drawing$marks)

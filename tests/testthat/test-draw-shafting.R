@@ -1,7 +1,7 @@
 chain <- function(scene) rotdyn:::constraint_of(scene)$drawing(scene)
 
 test_that("each rotor and each piece of shaft is drawn", {
-  look <- chain(scene_rotors(c(1, 2, 1), c(500, 0), torque_n_m = c(3, 0, -3)))
+  look <- chain(scene_rotors(c(1, 2, 1), c(500, 0), torque = c(3, 0, -3)))
   styles <- vapply(look$marks, function(one) one$style, "")
   types <- vapply(look$marks, function(one) one$type, "")
   expect_equal(sum(styles == "body" & types == "fill"), 3)
@@ -18,7 +18,7 @@ test_that("each rotor and each piece of shaft is drawn", {
 })
 
 test_that("a clutch is two plates, a gear two wheels in the ratio of their radii", {
-  look <- chain(scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10))
+  look <- chain(scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0)))
   expect_equal(sum(vapply(look$marks, function(one) one$style == "shaft", NA)), 2)
   key <- look$quantities
   expect_equal(key$value[key$symbol == "T"], "12 N m")

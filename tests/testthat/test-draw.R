@@ -12,9 +12,9 @@ test_that("every kind of scene draws without a warning, in letters of any size, 
     scene_pendulum(
       body_point(0.4), 0.5, resistance(0.01), theta0_rad = -3, omega0_rad_per_s = 1, torque = 1
     ),
-    scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4)),
-    scene_rotors(c(1, 2, 1), c(500, 0), torque_n_m = c(3, 0, -3)), scene_rotors(1:20, 500),
-    scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10, engage_s = 1)
+    scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque = c(2, 0, -4)),
+    scene_rotors(c(1, 2, 1), c(500, 0), torque = c(3, 0, -3)), scene_rotors(1:20, 500),
+    scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0), engage_s = 1)
   )
   for (scene in scenes) {
     for (size in or_long(24, c(13, 24))) {

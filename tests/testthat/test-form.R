@@ -59,8 +59,8 @@ test_that("a damaged part is named, at any depth", {
   cut$start_s <- NULL
   expect_error(trajectory(cut, 0:1), "start_s")
   cut <- scene_rotors(c(1, 2), 5)
-  cut$viscous_n_m_s <- 1
-  expect_error(trajectory(cut, 0:1), "viscous_n_m_s")
+  cut$resistance <- 1
+  expect_error(trajectory(cut, 0:1), "resistance")
   knots <- torque_knots(0:1, 0:1)
   knots$time_s <- c(1, 0)
   expect_error(scene_axle(1, knots), class = "rotdyn_error_type")

@@ -6,8 +6,8 @@ test_that("inertia is reflected with the square of the ratio", {
 })
 
 test_that("a train reflects everything to the first shaft", {
-  train <- gear_train(c(0.01, 0.5, 8), c(5, -2), efficiency = c(0.9, 0.8),
-                      torque_n_m = c(2, -4, -30), viscous_n_m_s = c(0.1, 0.5, 1))
+  train <- gear_train(c(0.01, 0.5, 8), c(5, -2), efficiency = c(0.9, 0.8), torque = c(2, -4, -30),
+    resistance = c(0.1, 0.5, 1))
   expect_named(train, gear_columns)
   expect_equal(train$ratio_to_first, c(1, 5, -10))
   expect_equal(train$reflected_inertia_kg_m2, c(0.01, 0.02, 0.08))
@@ -15,7 +15,7 @@ test_that("a train reflects everything to the first shaft", {
   # The third shaft turns backwards, so -30 N m drives: 2.4 N m reach the second, which needs 0.8.
   expect_equal(train$reflected_torque_n_m, c(2, -0.8 * 0.9, 3 * 0.72))
   # Alone, the load of 4 N m costs more than 4/5.
-  alone <- gear_train(c(0.01, 0.5), 5, efficiency = 0.9, torque_n_m = c(2, -4))
+  alone <- gear_train(c(0.01, 0.5), 5, efficiency = 0.9, torque = c(2, -4))
   expect_equal(alone$reflected_torque_n_m, c(2, -0.8 / 0.9))
   expect_error(gear_train(1:3, c(2, 0)), class = "rotdyn_error_value")
   expect_error(gear_train(1:3, 2, efficiency = 1.1), class = "rotdyn_error_value")
@@ -23,8 +23,8 @@ test_that("a train reflects everything to the first shaft", {
 })
 
 test_that("the scene of a train is its first shaft", {
-  scene <- scene_gears(c(0.01, 0.5), 5, torque_n_m = c(2, -4), viscous_n_m_s = c(0, 0.5),
-                       omega0_rad_per_s = 3)
+  scene <- scene_gears(c(0.01, 0.5), 5, torque = c(2, -4), resistance = c(0, 0.5),
+    omega0_rad_per_s = 3)
   expect_s3_class(scene, "rot_scene_axle")
   expect_equal(scene$moment_of_inertia_kg_m2, 0.03)
   expect_equal(axle_resistance(scene)$viscous_n_m_s, 0.02)
@@ -37,7 +37,7 @@ test_that("the scene of a train is its first shaft", {
 # before the mesh: 0.01 a = 0.9 (-0.8 - 0.02 a), a = -0.72/0.028.
 test_that("the loss takes from the side that drives, and the audit has it", {
   back <- trajectory(
-    scene_gears(c(0.01, 0.5), 5, efficiency = 0.9, torque_n_m = c(0, -4)), c(0, 1, 2)
+    scene_gears(c(0.01, 0.5), 5, efficiency = 0.9, torque = c(0, -4)), c(0, 1, 2)
   )
   a <- 0.72 / 0.028
   expect_equal(back$omega_rad_per_s, -a * 0:2, tolerance = 1e-14)
@@ -62,21 +62,21 @@ test_that("the loss takes from the side that drives, and the audit has it", {
 test_that("a mesh lets through the share of the power that its efficiency says, either way", {
   for (eta in c(0.3, 0.9, 0.99)) {
     driven <- trajectory(
-      scene_gears(c(0.01, 0.5), 5, efficiency = eta, torque_n_m = c(2, 0)), c(0, 3)
+      scene_gears(c(0.01, 0.5), 5, efficiency = eta, torque = c(2, 0)), c(0, 3)
     )
     first <- 0.5 * 0.01 * driven$omega_rad_per_s[2]^2
     second <- 0.5 * 0.5 * driven$omega_2_rad_per_s[2]^2
     expect_equal(second, eta * (2 * driven$theta_rad[2] - first), tolerance = 1e-13)
     # Power from the second shaft: its torque's work less its energy enters.
     back <- trajectory(
-      scene_gears(c(0.01, 0.5), 5, efficiency = eta, torque_n_m = c(0, 7)), c(0, 3)
+      scene_gears(c(0.01, 0.5), 5, efficiency = eta, torque = c(0, 7)), c(0, 3)
     )
     first <- 0.5 * 0.01 * back$omega_rad_per_s[2]^2
     second <- 0.5 * 0.5 * back$omega_2_rad_per_s[2]^2
     expect_equal(first, eta * (7 * back$theta_2_rad[2] - second), tolerance = 1e-13)
     # The first shaft braked at 2 N m, the inertia behind drives through the mesh.
     braked <- trajectory(
-      scene_gears(c(0.01, 0.5), 5, efficiency = eta, torque_n_m = c(-2, 0), omega0_rad_per_s = 50),
+      scene_gears(c(0.01, 0.5), 5, efficiency = eta, torque = c(-2, 0), omega0_rad_per_s = 50),
       c(0, 0.3)
     )
     change <- function(x, i) x[[i]][2]^2 - x[[i]][1]^2
@@ -116,8 +116,7 @@ test_that("trains with losses move as an independent integration", {
     eta <- runif(n - 1, 0.4, 0.98)
     sense <- sample(c(-1, 1), 1)
     scene <- scene_gears(
-      J, ratios, efficiency = eta, torque_n_m = tau, viscous_n_m_s = d,
-      omega0_rad_per_s = sense * 20
+      J, ratios, efficiency = eta, torque = tau, resistance = d, omega0_rad_per_s = sense * 20
     )
     curves <- curves + "curve" %in% core_effects("axle", scene)
     times <- c(0, 0.2, 0.7, 1.5, 4)
@@ -151,7 +150,7 @@ test_that("no train creates energy, whichever way it turns", {
     torque <- round(rnorm(n), 2) * 3
     scene <- scene_gears(
       runif(n, 0.01, 1), ratios = sample(c(-5, -2, 0.5, 2, 7), n - 1L, TRUE),
-      efficiency = runif(n - 1L, 0.4, 1), torque_n_m = torque, viscous_n_m_s = runif(n, 0, 0.1),
+      efficiency = runif(n - 1L, 0.4, 1), torque = torque, resistance = runif(n, 0, 0.1),
       omega0_rad_per_s = rnorm(1, sd = 3), start_s = 1
     )
     x <- trajectory(scene, c(1, 1.1, 1.7, 3, 9))
@@ -168,7 +167,7 @@ test_that("no train creates energy, whichever way it turns", {
 
 test_that("a train whose loss exceeds its torques stays at rest, and one without loss has none", {
   locked <- scene_gears(
-    c(0.01, 0.5, 0.2), c(50, -20), efficiency = 0.5, torque_n_m = c(1, -4, 3000)
+    c(0.01, 0.5, 0.2), c(50, -20), efficiency = 0.5, torque = c(1, -4, 3000)
   )
   x <- trajectory(locked, 0:3)
   expect_equal(x$omega_rad_per_s, rep(0, 4))
@@ -176,14 +175,14 @@ test_that("a train whose loss exceeds its torques stays at rest, and one without
   expect_equal(x$net_torque_n_m, rep(0, 4))
   expect_output(print(locked), "gears +loss of")
   expect_output(print(locked), "by a mesh of efficiency 0.5", fixed = TRUE)
-  without <- scene_gears(c(1, 2), 3, torque_n_m = c(1, 0))
+  without <- scene_gears(c(1, 2), 3, torque = c(1, 0))
   expect_no_match(paste(capture.output(print(without)), collapse = "\n"), "loss of")
-  lossless <- trajectory(scene_gears(c(1, 2), 3, torque_n_m = c(1, 0)), 1)
+  lossless <- trajectory(scene_gears(c(1, 2), 3, torque = c(1, 0)), 1)
   expect_equal(run_of(lossless)$model, "axle_linear")
 })
 
 test_that("a gear train prints its shafts with their ratios", {
-  scene <- scene_gears(c(0.01, 0.5, 2), ratios = c(5, -2), torque_n_m = c(1, 0, 0))
+  scene <- scene_gears(c(0.01, 0.5, 2), ratios = c(5, -2), torque = c(1, 0, 0))
   shown <- capture.output(print(scene))
   expect_equal(shown[1], "<rot_scene> a gear train")
   expect_match(shown[2], "^  shaft 1     0.01 kg m\\^2, ratio to the first 1$")
@@ -197,9 +196,9 @@ test_that("a ratio that nothing uses, and a torque that stands for several, are 
   expect_error(scene_gears(20, 60), class = "rotdyn_error_size")
   expect_error(gear_train(20, 60), class = "rotdyn_error_size")
   expect_equal(scene_gears(20, numeric())$moment_of_inertia_kg_m2, 20)
-  e <- expect_error(scene_gears(c(1, 9), 3, torque_n_m = 2), class = "rotdyn_error_size")
+  e <- expect_error(scene_gears(c(1, 9), 3, torque = 2), class = "rotdyn_error_size")
   expect_match(conditionMessage(e), "c(2, 0)", fixed = TRUE)
-  expect_equal(scene_gears(c(1, 9), 3, torque_n_m = 0)$torque_n_m, c(0, 0))
+  expect_equal(scene_gears(c(1, 9), 3, torque = 0)$torque, c(0, 0))
   e <- expect_error(scene_gears(c(1, 9), ratios = c(1, 3)), class = "rotdyn_error_size")
   expect_match(conditionMessage(e), "length 1.", fixed = TRUE)
   expect_no_match(conditionMessage(e), "or")
@@ -207,7 +206,7 @@ test_that("a ratio that nothing uses, and a torque that stands for several, are 
 
 test_that("every shaft of a train has its angle and rate", {
   scene <- scene_gears(
-    c(0.01, 0.5, 2), ratios = c(5, -2), torque_n_m = c(2, 0, 0), theta0_rad = 1
+    c(0.01, 0.5, 2), ratios = c(5, -2), torque = c(2, 0, 0), theta0_rad = 1
   )
   x <- trajectory(scene, 0:3)
   # By hand: alpha = 2/(0.01 + 0.5/25 + 2/100) = 40, N = 5 and -10.
@@ -233,7 +232,7 @@ test_that("every shaft of a train has its angle and rate", {
 # 7.1/1.6/0.71 N m nearly cancel.
 test_that("the error of a train covers the rounding of its sums", {
   scene <- scene_gears(
-    c(0.66, 0.07), 1.6, efficiency = 0.71, torque_n_m = c(-6.3, 7.1), omega0_rad_per_s = 0.2
+    c(0.66, 0.07), 1.6, efficiency = 0.71, torque = c(-6.3, 7.1), omega0_rad_per_s = 0.2
   )
   motion <- trajectory(scene, c(0.5, 2))
   errors <- attr(motion, "run")$info$errors
@@ -246,7 +245,7 @@ test_that("the error of a train covers the rounding of its sums", {
     errors[["omega"]]
   )
   expect_lt(attr(motion, "run")$info$error, 1e-12)
-  still <- trajectory(scene_gears(c(1, 2), 3, efficiency = 0.5, torque_n_m = c(1, -3)), 0:1)
+  still <- trajectory(scene_gears(c(1, 2), 3, efficiency = 0.5, torque = c(1, -3)), 0:1)
   expect_equal(attr(still, "run")$info$error, 0)
 })
 
@@ -263,8 +262,8 @@ test_that("the error of a train covers where a power flow changes its direction"
   )
   for (loss in names(truth)) {
     motion <- trajectory(scene_gears(
-      c(1, 1), 1, efficiency = 1 - as.numeric(loss), torque_n_m = c(0, 2),
-      viscous_n_m_s = c(0.1, 1), omega0_rad_per_s = 5
+      c(1, 1), 1, efficiency = 1 - as.numeric(loss), torque = c(0, 2), resistance = c(0.1, 1),
+      omega0_rad_per_s = 5
     ), c(0.5, 2, 4, 8))
     error <- attr(motion, "run")$info$errors[["omega"]]
     expect_lt(error, 1e-13)
@@ -275,8 +274,8 @@ test_that("the error of a train covers where a power flow changes its direction"
 # In 40 digits, as above: two power flows change their direction at 6.0692 and 6.0683 rad/s.
 test_that("the error of a train covers two changes of power flows that lie close together", {
   motion <- trajectory(scene_gears(
-    c(0.75, 0.73, 1.68), c(1, 1), efficiency = 1 - c(1e-5, 1e-8), torque_n_m = c(3.7, 2.8, -6.6),
-    viscous_n_m_s = c(1.43, 1.26, 0.75), omega0_rad_per_s = 10
+    c(0.75, 0.73, 1.68), c(1, 1), efficiency = 1 - c(1e-5, 1e-8), torque = c(3.7, 2.8, -6.6),
+    resistance = c(1.43, 1.26, 0.75), omega0_rad_per_s = 10
   ), c(0.2, 0.5, 1, 2))
   truth <- c(
     8.0378055416486358, 5.7902528407416813, 3.347565346436594, 1.1077875061826499

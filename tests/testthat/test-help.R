@@ -48,7 +48,7 @@ test_that("the equations of motion are set as equations", {
   pages <- help_pages()
   needed <- c(
     "scene_axle", "scene_pendulum", "scene_rotors", "scene_clutch", "scene_drive", "gear_train",
-    "scene_hanging_mass", "scene_incline", "inertia_knots", "resistance", "stopping", "period",
+    "scene_hanging_mass", "scene_incline", "inertia_knots", "resistance", "stopping", "period_of",
     "clutch_engagement", "energy_partition", "rolling_table", "angular_motion", "inertia_tensor",
     "parallel_axis", "audit", "torque_of_force"
   )
@@ -69,7 +69,7 @@ test_that("the words that people look for lead to the pages", {
   expect_contains <- function(word, page) {
     expect_true(all(page %in% found(word)), info = paste(word, "->", toString(found(word))))
   }
-  expect_contains("period", c("period", "scene_pendulum"))
+  expect_contains("period", c("period_of", "scene_pendulum"))
   expect_contains("brake", c("resistance", "couplings", "stopping"))
   expect_contains("disc", "body_plates")
   expect_contains("ring", c("body_plates", "body_shapes"))

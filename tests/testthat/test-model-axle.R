@@ -537,7 +537,7 @@ test_that("a damaged scene is an R error", {
   }
   rotors <- scene_rotors(c(1, 2), 1000, 0.5)
   for (path in c("bodies", "stiffness_n_m_per_rad")) damage(rotors, path, run_by_table(rotors))
-  clutch <- scene_clutch(1, 2, 3, omega1_rad_per_s = 10)
+  clutch <- scene_clutch(1, 2, 3, omega0_rad_per_s = c(10, 0))
   for (path in c("body_1", "body_2", "capacity_n_m")) damage(clutch, path, run_by_table(clutch))
 })
 

@@ -79,8 +79,8 @@ test_that("shafts and gears are rotors on one shaft", {
   )
   motion <- expect_same_motion(scene, t, "drive_modal", 1e-9)
   same <- trajectory(
-    scene_rotors(c(0.1, 0.5, 2), c(100, 40), torque_n_m = c(1, 2, -1), theta0_rad = c(1, 2, 3),
-                 omega0_rad_per_s = c(20, 4, 1)), t
+    scene_rotors(c(0.1, 0.5, 2), c(100, 40), torque = c(1, 2, -1), theta0_rad = c(1, 2, 3),
+      omega0_rad_per_s = c(20, 4, 1)), t
   )
   expect_equal(motion$theta_rad, same$theta_rad, tolerance = 1e-14)
   expect_equal(motion$coupling_torque_n_m, same$shaft_torque_n_m, tolerance = 1e-12)

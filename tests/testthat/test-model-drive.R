@@ -123,7 +123,7 @@ test_that("a clutch between a motor and a load sticks and slips as it must", {
 })
 
 test_that("constant torques: lock, slip and stick where a hand finds them", {
-  # As scene_clutch(2, 3, 12, omega1_rad_per_s = 10): 10 rad/s go at 12 (1/2 + 1/3) in 1 s.
+  # As scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)): 10 rad/s go at 12 (1/2 + 1/3) in 1 s.
   motion <- trajectory(
     scene_drive(c(2, 3), coupling_clutch(12), omega0_rad_per_s = c(10, 0)), c(0, 0.5, 1, 2),
     model = "drive_rk8pd"
@@ -543,8 +543,8 @@ test_that("a train with losses moves as scene_gears(), through rest and turning 
   time_s <- c(0.2, 0.5, 1.1, 3)
   for (train in trains) {
     want <- trajectory(scene_gears(
-      inertia, ratios, efficiency = eta, torque_n_m = train$tau,
-      viscous_n_m_s = train$viscous, omega0_rad_per_s = train$omega
+      inertia, ratios, efficiency = eta, torque = train$tau, resistance = train$viscous,
+      omega0_rad_per_s = train$omega
     ), time_s)
     viscous <- rep_len(train$viscous, 3)
     got <- trajectory(scene_drive(

@@ -94,8 +94,8 @@ test_that("symmetric bodies: Kane's closed form, and both senses of precession",
 })
 
 test_that("a torque that a function returns", {
-  steady <- scene_free(c(1, 2, 2.5), c(0.1, 0, 0.3), torque_n_m = c(0.02, 0, 0.01))
-  same <- scene_free(c(1, 2, 2.5), c(0.1, 0, 0.3), torque_n_m = function(t) c(0.02, 0, 0.01))
+  steady <- scene_free(c(1, 2, 2.5), c(0.1, 0, 0.3), torque = c(0.02, 0, 0.01))
+  same <- scene_free(c(1, 2, 2.5), c(0.1, 0, 0.3), torque = function(t) c(0.02, 0, 0.01))
   t <- c(0, 3, 7)
   a <- trajectory(steady, t, accuracy = 1e-11)
   b <- trajectory(same, t, accuracy = 1e-11)
@@ -103,16 +103,17 @@ test_that("a torque that a function returns", {
   expect_lt(max(attitude_difference(a, b)), 1e-10)
   # Against the spin: the torque -c omega of the body's own rates.
   drag <- scene_free(
-    c(2, 2, 2), c(0, 0, 3), torque_n_m = function(time_s, omega_rad_per_s, attitude) {
+    c(2, 2, 2), c(0, 0, 3),
+    torque = function(time_s, omega_rad_per_s, attitude) {
       stopifnot(abs(sum(attitude^2) - 1) < 1e-12)
       -0.5 * omega_rad_per_s
     }
   )
   slow <- trajectory(drag, c(0, 4))
   expect_equal(slow$omega_z_rad_per_s[2], 3 * exp(-1), tolerance = 1e-9)
-  bad <- scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = function(t) "much")
+  bad <- scene_free(c(1, 2, 3), c(0, 0, 1), torque = function(t) "much")
   expect_error(trajectory(bad, 0:1), class = "rotdyn_error_torque")
-  stops <- scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = function(t) stop("enough"))
+  stops <- scene_free(c(1, 2, 3), c(0, 0, 1), torque = function(t) stop("enough"))
   expect_error(trajectory(stops, 0:1), "enough")
   expect_error(trajectory(bad, 0:1, model = "free_exact"), class = "rotdyn_error_model")
 })
@@ -122,9 +123,9 @@ test_that("torques in space axes turn with the body", {
   at <- attitude_from(c(0.4, 0, 0), "rotation_vector")
   axis <- unlist(attitude_turn(at, c(0, 0, 1)))
   space <- scene_free(
-    c(2, 2, 3), c(0, 0, 1), attitude0 = at, torque_n_m = 0.3 * axis, torque_axes = "space"
+    c(2, 2, 3), c(0, 0, 1), attitude0 = at, torque = 0.3 * axis, torque_axes = "space"
   )
-  body <- scene_free(c(2, 2, 3), c(0, 0, 1), attitude0 = at, torque_n_m = c(0, 0, 0.3))
+  body <- scene_free(c(2, 2, 3), c(0, 0, 1), attitude0 = at, torque = c(0, 0, 0.3))
   a <- trajectory(space, 0:5)
   b <- trajectory(body, 0:5)
   expect_lt(max(attitude_difference(a, b)), 1e-8)
@@ -159,7 +160,7 @@ test_that("steps of fixed length run where they are named, and say what they are
   expect_error(
     trajectory(scene, t, model = "free_rk4", step_s = 0), class = "rotdyn_error_value"
   )
-  pushed <- scene_free(c(1, 2, 3), c(0.3, 2, 0.4), torque_n_m = function(t) c(sin(t), 0, 0.1))
+  pushed <- scene_free(c(1, 2, 3), c(0.3, 2, 0.4), torque = function(t) c(sin(t), 0, 0.1))
   expect_error(trajectory(pushed, t, model = "free_split"), class = "rotdyn_error_model")
   motion <- trajectory(pushed, t, model = "free_rk4", accuracy = 1, step_s = 0.01)
   want <- trajectory(pushed, t, accuracy = 1e-11)
@@ -174,7 +175,7 @@ test_that("steps of fixed length run where they are named, and say what they are
 test_that("a torque function may jump more often than 32 times", {
   law <- function(time_s) c(0, 0, sign(sin(4.9 * time_s)))
   motion <- trajectory(
-    scene_free(c(1, 1, 1), c(0, 0, 0), torque_n_m = law), seq(0, 40, by = 2)
+    scene_free(c(1, 1, 1), c(0, 0, 0), torque = law), seq(0, 40, by = 2)
   )
   turn <- (4.9 * motion$time_s / pi) %% 2
   triangle <- (1 - abs(1 - turn)) * pi / 4.9
@@ -192,16 +193,16 @@ test_that("laws of torques and of motors are called with the attitude, not its i
   moments <- c(1, 2, 2.5)
   omega0 <- c(1, 0.5, 2)
   scenes <- list(
-    scene_free(moments, omega0, attitude0 = q0, torque_n_m = look(c(0, 0, 0))),
+    scene_free(moments, omega0, attitude0 = q0, torque = look(c(0, 0, 0))),
     # No momentum of its own, no torque: it turns with the body.
     scene_free(
-      moments, omega0, attitude0 = q0, rotors = rotor(c(0, 0, 1), 1e-9, 0, torque_n_m = look(0))
+      moments, omega0, attitude0 = q0, rotors = rotor(c(0, 0, 1), 1e-9, 0, torque = look(0))
     )
   )
   # With products of inertia: the law is called in the body's axes, not in the principal ones.
   tensor <- matrix(c(3, 0.4, -0.3, 0.4, 4, 0.5, -0.3, 0.5, 5), 3)
   scenes <- c(scenes, list(
-    scene_free(tensor, omega0, attitude0 = q0, torque_n_m = look(c(0, 0, 0)))
+    scene_free(tensor, omega0, attitude0 = q0, torque = look(c(0, 0, 0)))
   ))
   for (scene in scenes) {
     seen <- NULL
@@ -238,7 +239,7 @@ test_that("steps of order 1 report at least their error", {
   for (k in 1:40) {
     scene <- scene_free(
       c(1, 1.6, 2) * stats::runif(1, 0.5, 2), stats::runif(3, -2, 2),
-      torque_n_m = stats::runif(3, -1, 1)
+      torque = stats::runif(3, -1, 1)
     )
     true <- trajectory(scene, c(0, 1), 1e-12)
     for (model in c("free_euler", "free_semi_implicit")) {

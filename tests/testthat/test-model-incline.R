@@ -215,7 +215,8 @@ test_that("time_when() and the summary find what lies between the rows", {
 
 test_that("air drag: the closed form of rolling with quadratic drag", {
   # M v' = m g sin - c v^2, M = 1.4 m: v = vt tanh(c vt t/M), x = M/c log cosh(...)
-  scene <- scene_incline(ball(), 30, drag_n_s2_per_m2 = 0.5, gravity_m_per_s2 = 9.8)
+  scene <- scene_incline(ball(), 30, resistance = resistance(drag_n_s2_per_m2 = 0.5),
+    gravity_m_per_s2 = 9.8)
   motion <- trajectory(scene, 0:8, accuracy = 1e-11)
   expect_identical(run_of(motion)$model, "incline_rk8pd")
   top <- sqrt(6 * 9.8 * 0.5 / 0.5)
@@ -238,7 +239,7 @@ test_that("a force of one's own: it breaks the rest, then the grip", {
   # On a level floor: rolls from F = m g b/R, slips from (beta F/m + g b/R)/(1 + beta) = mu_s g.
   push <- scene_incline(
     ball(), 0, static_friction = 0.3, kinetic_friction = 0.2, rolling_arm_m = 0.0022,
-    force_n = function(time_s) 20 * time_s, gravity_m_per_s2 = 10
+    force = function(time_s) 20 * time_s, gravity_m_per_s2 = 10
   )
   motion <- trajectory(push, 0:5)
   expect_equal(motion_events(motion)$event, c("roll", "slip"))
@@ -248,24 +249,31 @@ test_that("a force of one's own: it breaks the rest, then the grip", {
   expect_equal(motion$applied_force_n, 20 * motion$time_s, tolerance = 1e-14)
   # Of the state: a spring, m' x'' = -k x with 1.4 times the mass.
   spring <- scene_incline(
-    ball(), 0, v0_m_per_s = 1, force_n = function(time_s, x_m, v_m_per_s) -8.4 * 4 * x_m
+    ball(), 0, v0_m_per_s = 1, force = function(time_s, x_m, v_m_per_s) -8.4 * 4 * x_m
   )
   swing <- trajectory(spring, seq(0, 6, by = 0.5), accuracy = 1e-10, event_rows = TRUE)
   asked <- is.na(swing$event)
   expect_equal(swing$x_m[asked], sin(2 * swing$time_s[asked]) / 2, tolerance = 1e-9)
   expect_equal(motion_events(swing)$time_s, pi / 4 + pi / 2 * 0:3, tolerance = 1e-9)
   expect_error(
-    trajectory(scene_incline(ball(), 0, force_n = function(time_s) "a"), 0:1), "one number in N",
+    trajectory(scene_incline(ball(), 0, force = function(time_s) "a"), 0:1), "one number in N",
     class = "rotdyn_error_torque"
   )
   expect_error(
-    trajectory(scene_incline(ball(), 0, force_n = function(time_s) NaN), 0:1),
+    trajectory(scene_incline(ball(), 0, force = function(time_s) NaN), 0:1),
     class = "rotdyn_error_rhs"
   )
-  expect_error(scene_incline(ball(), 0, force_n = 3), class = "rotdyn_error_type")
-  expect_error(scene_incline(ball(), 0, force_n = function(a, b) 1), class = "rotdyn_error_type")
-  expect_error(scene_incline(ball(), 0, force_breaks_s = 3), class = "rotdyn_error_value")
-  expect_error(scene_incline(ball(), 0, drag_n_s_per_m = -1), class = "rotdyn_error_value")
+  expect_error(scene_incline(ball(), 0, force = "3"), class = "rotdyn_error_type")
+  # A number is constant: it rolls with 5/7 of force/m.
+  push <- trajectory(scene_incline(ball(), 0, force = 3), c(0, 2))
+  expect_equal(push$v_m_per_s[2], 2 * 3 * 5 / 7 / ball()$mass_kg, tolerance = 1e-12)
+  expect_error(scene_incline(ball(), 0, force = function(a, b) 1), class = "rotdyn_error_type")
+  expect_null(scene_incline(ball(), 0, force = 0)$force)
+  expect_error(force_function(3), class = "rotdyn_error_type")
+  expect_error(force_function(function(a, b) 1), class = "rotdyn_error_type")
+  expect_output(print(force_function(function(t) t, 2)), "breaks at 2 s")
+  expect_error(scene_incline(ball(), 0, resistance = resistance(drag_n_s_per_m = -1)),
+    class = "rotdyn_error_value")
   expect_output(print(push), "an R function")
 })
 
@@ -344,7 +352,7 @@ test_that("the rows of University Physics and College Physics about rolling", {
   top <- time_when(scene(up, v0_m_per_s = -up$v), v_m_per_s = 0)
   # On a truck that accelerates by a, the force on the cylinder is -m a in the truck's frame.
   bed <- scene_incline(of_beta(input("UP11-16")$beta), 0, radius_m = 0.1,
-    force_n = function(time_s) -1.7)
+    force = function(time_s) -1.7)
   truck <- trajectory(bed, 4)
   got <- c(
     "UP11-01" = friction_needed(scene_incline(body_hoop(1, 1), input("UP11-01")$theta_deg))$
@@ -373,8 +381,8 @@ test_that("friction and contact hold along every trajectory, closed form and int
       body_sphere(2, 0.2), stats::runif(1, -70, 70), static_friction = mu,
       kinetic_friction = mu * stats::runif(1, 0.5, 1), rolling_arm_m = sample(c(0, 0.01), 1),
       v0_m_per_s = stats::rnorm(1, 0, 3), omega0_rad_per_s = stats::rnorm(1, 0, 15),
-      drag_n_s_per_m = if (forced) 0.4 else 0,
-      force_n = if (forced) function(time_s) push * sin(2 * time_s)
+      resistance = resistance(drag_n_s_per_m = if (forced) 0.4 else 0),
+      force = if (forced) function(time_s) push * sin(2 * time_s)
     )
     motion <- trajectory(scene, seq(0, 4, length.out = 81))
     expect_true(all(audit(motion)$verdict == "balanced"))
@@ -399,7 +407,7 @@ test_that("a square wave of force needs no breaks, from its first jump on", {
     scene <- function(breaks) {
       scene_incline(
         body_sphere(1, 0.1), lane[2], static_friction = lane[1], rolling_arm_m = lane[3],
-        force_n = wave, force_breaks_s = breaks
+        force = force_function(wave, breaks)
       )
     }
     found <- trajectory(scene(NULL), t)
@@ -409,7 +417,7 @@ test_that("a square wave of force needs no breaks, from its first jump on", {
   }
   # Before the second jump it slips under a constant force: v = (F/m - mu g) t.
   slips <- trajectory(
-    scene_incline(body_sphere(1, 0.1), 0, static_friction = 0.05, force_n = wave), c(0, 1.5)
+    scene_incline(body_sphere(1, 0.1), 0, static_friction = 0.05, force = wave), c(0, 1.5)
   )
   expect_equal(slips$v_m_per_s[2], (5 - 0.05 * 9.80665) * 1.5, tolerance = 1e-12)
 })
@@ -418,8 +426,7 @@ test_that("a force that leaves rest by a jump slips where the jump is beyond the
   # At rest until 1 s; then 30 N on 1 kg: to roll it needs 2/7 of that, friction gives 2.9 N.
   push <- function(time_s) if (time_s < 1) 0 else 30
   motion <- trajectory(scene_incline(
-    body_sphere(1, 0.1), 0, static_friction = 0.3, rolling_arm_m = 0.001,
-    force_n = push
+    body_sphere(1, 0.1), 0, static_friction = 0.3, rolling_arm_m = 0.001, force = push
   ), c(0, 0.5, 2))
   expect_equal(motion$v_m_per_s[motion$time_s == 2], 30 - 0.3 * 9.80665, tolerance = 1e-10)
 })
@@ -449,7 +456,8 @@ test_that("a slip that passes zero without grip is an event, closed form and int
     expect_true(all(audit(motion)$verdict == "balanced"))
   }
   # With drag, too.
-  pushed <- trajectory(scene(drag_n_s_per_m = 0.01), c(0, 1), event_rows = TRUE)
+  pushed <- trajectory(scene(resistance = resistance(drag_n_s_per_m = 0.01)), c(0, 1),
+    event_rows = TRUE)
   expect_identical(pushed$event, c(NA, "slip_reverse", NA))
   expect_equal(pushed$time_s[2], at, tolerance = 1e-2)
   ledger <- augment(pushed)
@@ -478,7 +486,8 @@ test_that("infinite friction holds at 90 degrees, finite friction has no force t
   expect_equal(friction_needed(rack)$acceleration_m_per_s2, 9.80665 / 2, tolerance = 1e-14)
   expect_true(conserved(rack)$conserved[1])
   expect_true(all(audit(motion)$verdict == "balanced"))
-  damped <- trajectory(scene_incline(body_hoop(1, 0.1), 90, drag_n_s_per_m = 1e-13), c(0, 2))
+  damped <- trajectory(scene_incline(body_hoop(1, 0.1), 90,
+    resistance = resistance(drag_n_s_per_m = 1e-13)), c(0, 2))
   expect_equal(damped$v_m_per_s[2], 9.80665, tolerance = 1e-9)
   rows <- data.frame(beta = 1, radius_m = 0.1, incline_angle_deg = c(90, -90))
   expect_equal(incline_table(rows, 2)$final_v_m_per_s, c(1, -1) * 9.80665, tolerance = 1e-14)
@@ -551,7 +560,7 @@ test_that("event rows are for every scene", {
   free <- trajectory(scene_axle(1, torque_constant(1)), 0:1, event_rows = TRUE)
   expect_identical(free$event, c(NA_character_, NA))
   # Rows of several bodies stay together; a repeated time keeps its rows.
-  two <- scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
+  two <- scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0))
   motion <- trajectory(two, c(0, 0.5, 0.5, 3), event_rows = TRUE)
   expect_identical(motion$event, c(NA, NA, NA, "lock", NA))
   expect_equal(motion$time_s[4], 1, tolerance = 1e-15)

@@ -20,7 +20,7 @@ test_that("bars have the terms' lengths and meet where the motion balances", {
 test_that("terms of zero are left out, several changes follow each other", {
   drawn <- bars(audit(trajectory(scene_axle(2, 3), c(0, 4))))
   expect_false(any(grepl("heat", drawn$term)))
-  shaft <- bars(audit(trajectory(scene_rotors(c(1, 2), 8, torque_n_m = c(3, 3)), c(0, 1))))
+  shaft <- bars(audit(trajectory(scene_rotors(c(1, 2), 8, torque = c(3, 3)), c(0, 1))))
   energy <- shaft[shaft$panel == "energy (J)", ]
   change <- energy[energy$role == "change", ]
   expect_equal(change$from[2], change$to[1])

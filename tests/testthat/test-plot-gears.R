@@ -34,7 +34,7 @@ test_that("pulleys that turn alike stand apart, with a belt that touches both", 
 })
 
 test_that("a train and its scene draw without a warning", {
-  train <- gear_train(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4))
+  train <- gear_train(c(0.01, 0.5, 2), ratios = c(5, -3), torque = c(2, 0, -4))
   expect_s3_class(train, "rot_gear_train")
   for (size in c(13, 24)) {
     expect_silent(ggplot2::ggplotGrob(ggplot2::autoplot(train, base_size = size)))

@@ -18,8 +18,8 @@ test_that("the plot shows the numbers of the table", {
 
 test_that("rotors and a clutch draw without a warning, and show their numbers", {
   time <- seq(0, 2, by = 0.1)
-  rotors <- trajectory(scene_rotors(c(1, 2, 1), 50, torque_n_m = c(1, 0, 0)), time, 1e-9)
-  clutch <- trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), time, 1e-9)
+  rotors <- trajectory(scene_rotors(c(1, 2, 1), 50, torque = c(1, 0, 0)), time, 1e-9)
+  clutch <- trajectory(scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)), time, 1e-9)
   for (motion in list(rotors, clutch)) {
     expect_silent(built <- ggplot2::ggplot_build(ggplot2::autoplot(motion)))
     expect_gt(nrow(built$data[[1]]), 0)
@@ -44,7 +44,7 @@ test_that("the head of a panel is broken where it is longer than the panel is wi
 })
 
 test_that("six rotors have six colours", {
-  motion <- trajectory(scene_rotors(rep(1, 6), 50, torque_n_m = c(1, 0, 0, 0, 0, 0)), 0:5)
+  motion <- trajectory(scene_rotors(rep(1, 6), 50, torque = c(1, 0, 0, 0, 0, 0)), 0:5)
   expect_length(unique(layer_of(ggplot2::autoplot(motion), "GeomLine")$colour), 6)
 })
 
@@ -150,7 +150,7 @@ test_that("several runs are lines of their own: by name, by column, and bound to
 
 test_that("runs of other kinds, and what is no trajectory, are refused", {
   wheel <- spin_up(time_s = 0:2)
-  clutch <- trajectory(scene_clutch(2, 3, 12, omega1_rad_per_s = 10), 0:2)
+  clutch <- trajectory(scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)), 0:2)
   expect_error(compare_runs(wheel, clutch), class = "rotdyn_error_value")
   expect_error(compare_runs(a = wheel, a = wheel), class = "rotdyn_error_value")
   expect_error(compare_runs(a = wheel, b = 3), class = "rotdyn_error_type")

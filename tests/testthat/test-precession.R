@@ -88,18 +88,18 @@ test_that("bad tops are refused with the row", {
 test_that("bodies and scenes are tops, too", {
   # A cone on its tip: I3 = 3 m R^2/10, I1 about the tip 3 m (R^2/4 + h^2)/5, centre at 3 h/4.
   cone <- body_cone(0.5, 0.04, 0.1)
-  top <- place_body(cone, c(0, 0, 0.075))
-  by_body <- precession_table(top, axis_angle_deg = 30, spin_rad_per_s = 150)
+  top <- place_body(cone, c(0, 0, 0.1), rotation_about("x", angle_deg = 180))
+  by_body <- precession_table(top, axis_angle_deg = 30, spin_rad_per_s = 500)
   by_hand <- precession_table(
     data.frame(
       mass_kg = 0.5, lever_arm_m = 0.075, moment_of_inertia_kg_m2 = 0.3 * 0.5 * 0.04^2,
-      spin_rad_per_s = 150
+      spin_rad_per_s = 500
     ),
     axis_angle_deg = 30, transverse_moment_kg_m2 = 0.6 * 0.5 * (0.04^2 / 4 + 0.1^2)
   )
   expect_equal(by_body[names(by_hand)], by_hand, tolerance = 1e-13)
   scene <- scene_pivot(
-    top, c(0, 0, 150), attitude0 = attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
+    top, c(0, 0, 500), attitude0 = attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
   )
   by_scene <- precession_table(scene)
   expect_equal(by_scene[names(by_hand)], by_hand, tolerance = 1e-13)

@@ -85,7 +85,7 @@ test_that("runs end with their own errors and rows, not with the display's", {
 
 test_that("a time limit ends a run at the poll after it, not six polls later", {
   n <- 300
-  scene <- scene_rotors(rep(1:2, n / 2), rep(100, n - 1), viscous_n_m_s = rep(0.1, n))
+  scene <- scene_rotors(rep(1:2, n / 2), rep(100, n - 1), resistance = rep(0.1, n))
   polls <- 0
   gc() # before the limit: one that ends in a finalizer is lost
   setTimeLimit(elapsed = 0.12, transient = TRUE)

@@ -40,7 +40,7 @@ test_that("what needs words, or more than a closed form, takes the long road", {
   scenes <- list(
     scene_axle(disk, function(time_s) 1), # an R function
     scene_hanging_mass(disk, 1, 0.25), scene_gears(c(1, 2), 3), # columns that R adds
-    scene_incline(body_sphere(1, 1), 10, drag_n_s_per_m = 1), # integrated
+    scene_incline(body_sphere(1, 1), 10, resistance = resistance(drag_n_s_per_m = 1)), # integrated
     scene_rotors(c(1, 2), 5, theta0_rad = c(0, 1))
   )
   for (scene in scenes) expect_null(quick_trajectory(scene, as.double(time)))

@@ -84,7 +84,7 @@ test_that("scenes of every constraint come back identical in a new session", {
   tilt <- attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
   scenes <- list(
     wheel(), scene_rotors(c(1, 2), 1000, omega0_rad_per_s = c(1, .5)),
-    scene_clutch(2, 3, 12, omega1_rad_per_s = 10),
+    scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)),
     scene_drive(
       c(1, 2), list(coupling_clutch(2)), omega0_rad_per_s = c(3, 0), brake = list(NULL, brake(1))
     ),
@@ -94,7 +94,7 @@ test_that("scenes of every constraint come back identical in a new session", {
       c(.0042, .0042, .002), c(0, 0, 60), mass_kg = .5, centre_m = c(0, 0, .08), attitude0 = tilt
     ),
     scene_pendulum(body_rod_end(.1, 1), theta0_rad = 1),
-    scene_gears(c(1, 2), 3, torque_n_m = c(1, 0))
+    scene_gears(c(1, 2), 3, torque = c(1, 0))
   )
   for (scene in scenes) records_add(lab, trajectory(scene, c(0, sort(exp(-1:-9)), 2)))
   code <- sprintf(
@@ -476,7 +476,7 @@ test_that("columns of all bodies are kept and compared, logical ones too", {
   expect_identical(again$not_compared, "rotor_2_omega_rad_per_s")
   expect_output(print(again), "unknown +rotor_2_omega_rad_per_s")
   # Whether a clutch is locked.
-  run <- records_add(lab, trajectory(scene_clutch(1, 2, 3, omega1_rad_per_s = 10), 0:8))
+  run <- records_add(lab, trajectory(scene_clutch(1, 2, 3, omega0_rad_per_s = c(10, 0)), 0:8))
   lose_hash()
   expect_identical(records_rerun(lab, run)$verdict, "within errors")
   asked(lab, "UPDATE rot_run_value SET value = 1 - value WHERE quantity = 'locked' AND place = 9")

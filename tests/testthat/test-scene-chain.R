@@ -35,7 +35,7 @@ test_that("two pendulums move as Lagrange's equations say, in an inertial frame"
 
 test_that("places and velocities are those of the links", {
   chain <- scene_chain(c(1, 2, 0.5), c(1, 3, 2), c(0.3, -1, 2), omega0_rad_per_s = c(2, -1, 4),
-                       joint_n_m_s = c(0.1, 0.2, 0.3))
+    resistance = c(0.1, 0.2, 0.3))
   row <- trajectory(chain, 0)
   l <- c(1, 2, 0.5)
   t <- c(0.3, -1, 2)
@@ -83,14 +83,14 @@ test_that("small swings are a sum of modes with a bound, larger ones are integra
   expect_lt(off, summary(modes)$error)
   large <- choose_model(scene_chain(c(0.5, 0.3), c(2, 0.7), c(1, -2)), 0:3)
   expect_match(large$reason[large$model == "chain_modes"], "half a radian")
-  damped <- choose_model(scene_chain(c(0.5, 0.3), 1, 1e-6, joint_n_m_s = 1), 0:3, accuracy = 1e-3)
+  damped <- choose_model(scene_chain(c(0.5, 0.3), 1, 1e-6, resistance = 1), 0:3, accuracy = 1e-3)
   expect_match(damped$reason[damped$model == "chain_modes"], "viscous joints")
 })
 
 test_that("audits balance, and find what was edited", {
   for (chain in list(
     scene_chain(c(0.5, 0.3), c(2, 0.7), c(1, -2)),
-    scene_chain(c(0.5, 0.3, 0.4), 1, c(2, 1, 3), links = "points", joint_n_m_s = 0.02),
+    scene_chain(c(0.5, 0.3, 0.4), 1, c(2, 1, 3), links = "points", resistance = 0.02),
     scene_chain(c(0.5, 0.3), c(2, 0.7), c(1e-6, -2e-6)),
     scene_chain(c(1, 1), 1, 0, omega0_rad_per_s = c(3, -5), gravity_m_per_s2 = 0)
   )) {
@@ -104,9 +104,9 @@ test_that("audits balance, and find what was edited", {
     expect_equal(audit(motion[-n, ])$verdict, c(NA_character_, NA_character_))
   }
   expect_equal(conserved(scene_chain(1:2, 1, 0))$conserved, c(TRUE, FALSE))
-  expect_equal(conserved(scene_chain(1:2, 1, 0, joint_n_m_s = 1))$conserved, c(FALSE, FALSE))
+  expect_equal(conserved(scene_chain(1:2, 1, 0, resistance = 1))$conserved, c(FALSE, FALSE))
   expect_equal(conserved(scene_chain(1:2, 1, 0, gravity_m_per_s2 = 0))$conserved, c(TRUE, TRUE))
-  ledger <- augment(trajectory(scene_chain(1:2, 1, 1, joint_n_m_s = 0.3), 0:3))
+  ledger <- augment(trajectory(scene_chain(1:2, 1, 1, resistance = 0.3), 0:3))
   total <- function(x) x$kinetic_energy_j + x$potential_energy_j
   by_time <- rowsum(total(ledger), ledger$time_s)[, 1]
   heat <- ledger$dissipated_j[ledger$link == 1]

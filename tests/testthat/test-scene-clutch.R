@@ -1,6 +1,6 @@
 # The torque on body 1 in each interval, of a clutch that holds nothing.
 torques_between <- function(torque, time_s) {
-  motion <- trajectory(scene_clutch(2, 3, 0, torque_1 = torque), time_s)
+  motion <- trajectory(scene_clutch(2, 3, 0, torque = list(torque, NULL)), time_s)
   2 * diff(motion$omega_1_rad_per_s) / diff(time_s)
 }
 
@@ -14,7 +14,7 @@ test_that("stepped torques are taken apart at their jumps", {
 
 test_that("a clutch keeps what it was given, and what follows from it", {
   body <- body_disk(20, 0.15)
-  scene <- scene_clutch(body, 2, 60, torque_2 = -5)
+  scene <- scene_clutch(body, 2, 60, torque = list(NULL, -5))
   expect_identical(scene$body_1, body)
   expect_identical(scene$moment_of_inertia_kg_m2, c(20 * 0.15^2 / 2, 2))
   expect_identical(scene$static_capacity_n_m, 60)
@@ -35,10 +35,10 @@ test_that("what is no clutch is refused", {
   expect_error(scene_clutch(2, 3, 12, static_capacity_n_m = 11), class = "rotdyn_error_value")
   expect_error(scene_clutch(2, 3), class = "rotdyn_error_missing")
   expect_error(
-    scene_clutch(2, 3, 12, torque_1 = torque_knots(0:1, 0:1)), class = "rotdyn_error_torque"
+    scene_clutch(2, 3, 12, torque = list(torque_knots(0:1, 0:1), 1:2)), class = "rotdyn_error_size"
   )
   expect_error(
-    scene_clutch(2, 3, 12, torque_2 = function(time_s) 1), class = "rotdyn_error_torque"
+    scene_clutch(2, 3, 12, torque = list(NULL, "a")), class = "rotdyn_error_type"
   )
 })
 
@@ -57,7 +57,7 @@ test_that("numbers near the end of double precision end in an error of ours or a
   for (omega in c(1e300, 1e-300)) {
     got <- tryCatch(
       suppressWarnings(
-        trajectory(scene_clutch(1e300, 1e300, 1e300, omega1_rad_per_s = omega), c(0, 1))
+        trajectory(scene_clutch(1e300, 1e300, 1e300, omega0_rad_per_s = c(omega, 0)), c(0, 1))
       ),
       error = identity
     )

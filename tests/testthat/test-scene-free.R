@@ -14,28 +14,28 @@ test_that("a scene says what it is, and its parts are checked", {
     scene_free(c(1, 2, 3), c(0, 0, 1), torque_axes = "sky"), class = "rotdyn_error_value"
   )
   expect_error(
-    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = 1), class = "rotdyn_error_size"
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque = 1), class = "rotdyn_error_size"
   )
   expect_error(
-    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = function() 1), class = "rotdyn_error_type"
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque = function() 1), class = "rotdyn_error_type"
   )
   own <- function(time_s, size = 2) c(size, 0, 0) # as on an axle, its own business
   expect_equal(
-    trajectory(scene_free(c(2, 2, 2), c(0, 0, 0), torque_n_m = own), 3)$omega_x_rad_per_s, 3
+    trajectory(scene_free(c(2, 2, 2), c(0, 0, 0), torque = own), 3)$omega_x_rad_per_s, 3
   )
   expect_error(
-    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = data.frame(time_s = 0:1)),
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque = data.frame(time_s = 0:1)),
     class = "rotdyn_error_type"
   )
   knots <- data.frame(time_s = c(0, 0), x_n_m = 0, y_n_m = 0, z_n_m = 1) # no span
-  expect_error(scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = knots), class = "rotdyn_error_time")
+  expect_error(scene_free(c(1, 2, 3), c(0, 0, 1), torque = knots), class = "rotdyn_error_time")
 })
 
 test_that("a rod has no spin about itself, and turns steadily across it", {
   rod <- body_rod(0.3, 2)
   expect_error(scene_free(c(0, 1, 1), c(0.1, 1, 0)), class = "rotdyn_error_value")
   expect_error(
-    scene_free(c(0, 1, 1), c(0, 1, 0), torque_n_m = c(0, 1, 0)), class = "rotdyn_error_value"
+    scene_free(c(0, 1, 1), c(0, 1, 0), torque = c(0, 1, 0)), class = "rotdyn_error_value"
   )
   moments <- diag(scene_free(rod, c(0, 0, 0))$moment_of_inertia_kg_m2)
   across <- as.double(diag(moments) > 0)
@@ -101,7 +101,7 @@ test_that("two rows of a torque table at one time make a jump", {
   table <- data.frame(
     time_s = c(0, 1, 1, 3, 3), x_n_m = 0, y_n_m = 0, z_n_m = c(2, 2, 6, 6, 1)
   )
-  scene <- scene_free(c(2, 2, 2), c(0, 0, 0), torque_n_m = table)
+  scene <- scene_free(c(2, 2, 2), c(0, 0, 0), torque = table)
   for (model in c("free_rk8pd", "free_radau")) {
     motion <- trajectory(scene, c(0, 0.5, 1, 2, 3, 4), model = model)
     expect_equal(motion$angular_momentum_z_kg_m2_per_s, c(0, 1, 2, 8, 14, 14), tolerance = 1e-9)
@@ -117,7 +117,7 @@ test_that("two rows of a torque table at one time make a jump", {
   expect_equal(driven$angular_momentum_z_kg_m2_per_s, double(4), tolerance = 1e-9)
   expect_equal(driven$omega_z_rad_per_s, -c(0, 2, 8, 14) / 1.99, tolerance = 1e-9)
   expect_error(
-    scene_free(c(1, 2, 3), c(0, 0, 1), torque_n_m = table[5:1, ]), class = "rotdyn_error_time"
+    scene_free(c(1, 2, 3), c(0, 0, 1), torque = table[5:1, ]), class = "rotdyn_error_time"
   )
   expect_equal(read_scene(write_scene(scene))$knots, scene$knots)
 })
@@ -183,7 +183,7 @@ test_that("a law reads the attitude from body to space", {
     0.1 * c(1 - 2 * (y^2 + z^2), 2 * (x * y - w * z), 2 * (x * z + w * y))
   }
   quarter <- c(cos(pi / 8), sin(pi / 8), 0, 0)
-  scene <- scene_free(c(2, 2, 2), c(0, 1, 2), attitude0 = quarter, torque_n_m = law)
+  scene <- scene_free(c(2, 2, 2), c(0, 1, 2), attitude0 = quarter, torque = law)
   motion <- trajectory(scene, c(0, 1, 3))
   momentum <- motion$angular_momentum_x_kg_m2_per_s
   expect_equal(momentum - momentum[1], c(0, 0.1, 0.3), tolerance = 1e-8)

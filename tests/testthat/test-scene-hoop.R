@@ -33,7 +33,8 @@ test_that("the motion is that of the equation in an inertial frame", {
     k4 <- slope(y + h * k3)
     y <- y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
   }
-  bead <- hoop(9, theta0_rad = 0.4, omega0_rad_per_s = 1, drag_n_s_per_m = 0.3)
+  bead <- hoop(9, theta0_rad = 0.4, omega0_rad_per_s = 1,
+    resistance = resistance(drag_n_s_per_m = 0.3))
   motion <- trajectory(bead, c(0, 1), accuracy = 1e-11)
   expect_equal(motion$theta_rad[2], y[1], tolerance = 1e-9)
   expect_equal(motion$omega_rad_per_s[2], y[2], tolerance = 1e-9)
@@ -104,7 +105,7 @@ test_that("kinetic friction brakes a bead on a level turn as its equation says",
 
 test_that("audits balance, and find what was edited", {
   for (bead in list(
-    hoop(9, theta0_rad = 1, drag_n_s_per_m = 0.02),
+    hoop(9, theta0_rad = 1, resistance = resistance(drag_n_s_per_m = 0.02)),
     hoop(-4, theta0_rad = 3, static_friction = 0.2),
     hoop(7, omega0_rad_per_s = 20), hoop(0, theta0_rad = 2)
   )) {
@@ -118,7 +119,8 @@ test_that("audits balance, and find what was edited", {
     motion$theta_rad[7] <- motion$theta_rad[7] + 0.1
     expect_true("unbalanced" %in% audit(motion)$verdict)
   }
-  ledger <- augment(trajectory(hoop(9, theta0_rad = 1, drag_n_s_per_m = 0.02), 0:3))
+  ledger <- augment(trajectory(hoop(9, theta0_rad = 1,
+    resistance = resistance(drag_n_s_per_m = 0.02)), 0:3))
   expect_equal(
     diff(ledger$kinetic_energy_j + ledger$potential_energy_j),
     diff(ledger$work_j) - diff(ledger$dissipated_j), tolerance = 1e-9
@@ -128,13 +130,14 @@ test_that("audits balance, and find what was edited", {
 
 test_that("conserved() says what a hoop conserves", {
   expect_equal(conserved(hoop(9))$conserved, c(FALSE, TRUE, FALSE))
-  expect_equal(conserved(hoop(9, drag_n_s_per_m = 1))$conserved, c(FALSE, FALSE, FALSE))
+  expect_equal(conserved(hoop(9, resistance = resistance(drag_n_s_per_m = 1)))$conserved,
+    c(FALSE, FALSE, FALSE))
   expect_equal(conserved(hoop(0))$conserved, c(TRUE, TRUE, TRUE))
   expect_equal(conserved(hoop(0, static_friction = 1))$conserved, c(FALSE, FALSE, TRUE))
 })
 
 test_that("verbs work on a hoop", {
-  bead <- hoop(9, theta0_rad = 0.01, drag_n_s_per_m = 0.05)
+  bead <- hoop(9, theta0_rad = 0.01, resistance = resistance(drag_n_s_per_m = 0.05))
   motion <- trajectory(bead, 0:4)
   expect_equal(predict(motion, 2.5)$theta_rad, trajectory(bead, c(0, 2.5, 4))$theta_rad[2],
                tolerance = 1e-8)
@@ -145,7 +148,7 @@ test_that("verbs work on a hoop", {
   up <- time_when(bead, theta_rad = 0.5)
   expect_equal(predict(motion, up$time_s[1])$theta_rad, 0.5, tolerance = 1e-8)
   expect_equal(as.character(choose_model(bead, 0:4)$model[1]), "hoop_rk8pd")
-  stiff <- hoop(1, theta0_rad = 1, drag_n_s_per_m = 1e6)
+  stiff <- hoop(1, theta0_rad = 1, resistance = resistance(drag_n_s_per_m = 1e6))
   expect_equal(as.character(choose_model(stiff, 0:4)$model[1]), "hoop_radau")
   # Down a viscous hoop: theta' = -(g/R - W^2 cos) sin m/c.
   slow <- trajectory(stiff, c(0, 4))

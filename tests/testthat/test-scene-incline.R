@@ -100,7 +100,8 @@ test_that("the friction that a scene needs, and what it does without it", {
   expect_setequal(setdiff(names(hoop), column_table()$name), character())
   expect_error(friction_needed(), class = "rotdyn_error_missing")
   expect_error(friction_needed(scene_axle(1)), class = "rotdyn_error_type")
-  expect_error(friction_needed(scene_incline(body_hoop(1, 1), 9, drag_n_s_per_m = 1)),
+  expect_error(friction_needed(scene_incline(body_hoop(1, 1), 9,
+    resistance = resistance(drag_n_s_per_m = 1))),
     class = "rotdyn_error_value")
 })
 

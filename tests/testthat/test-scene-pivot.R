@@ -134,7 +134,7 @@ test_that("events, nutation and what is conserved", {
   )
   kept <- conserved(scene)
   expect_identical(kept$conserved, c(TRUE, FALSE, FALSE, TRUE))
-  expect_false(conserved(top(damping_per_s = 0.1))$conserved[1])
+  expect_false(conserved(top(resistance = resistance(damping_per_s = 0.1)))$conserved[1])
 })
 
 test_that("tops that are integrated have the turns of their closed form", {
@@ -172,10 +172,10 @@ test_that("highest and lowest are those of the centre of mass, on either side of
 
 test_that("torques, damping and bodies that are no tops are integrated", {
   t <- c(0, 0.5, 1)
-  damped <- trajectory(top(damping_per_s = 0.2), t)
+  damped <- trajectory(top(resistance = resistance(damping_per_s = 0.2)), t)
   expect_match(run_of(damped)$model, "pivot_rk8pd")
   expect_true(all(audit(damped)$verdict == "balanced"))
-  pushed <- trajectory(top(torque_n_m = c(0, 0, 0.01)), t)
+  pushed <- trajectory(top(torque = c(0, 0, 0.01)), t)
   # Along the axis of symmetry only the torque acts: I3 omega3' = torque.
   expect_equal(pushed$omega_z_rad_per_s, 60 + 0.01 / 0.002 * t, tolerance = 1e-9)
   box <- scene_pivot(body_box(1, 0.1, 0.2, 0.3), c(1, 2, 3), pivot_m = c(0.05, 0.1, 0.15))

@@ -3,7 +3,7 @@ test_that("numbers recycle, bodies count with their Izz", {
   expect_equal(scene$moment_of_inertia_kg_m2, c(9, 0.7, 1))
   expect_equal(scene$stiffness_n_m_per_rad, c(100, 100))
   expect_equal(scene$damping_n_m_s, c(1, 2))
-  expect_equal(scene$torque_n_m, c(0, 0, 0))
+  expect_equal(scene$torque, c(0, 0, 0))
   expect_s3_class(scene, "rot_scene")
 })
 
@@ -12,7 +12,7 @@ test_that("what is no shaft is refused", {
   expect_error(scene_rotors(double(), 10), class = "rotdyn_error_size")
   expect_error(scene_rotors(c(1, 2), -10), class = "rotdyn_error_value")
   expect_error(scene_rotors(c(1, 2, 3), c(1, 2, 3)), class = "rotdyn_error_size")
-  expect_error(scene_rotors(c(1, 2), 1, viscous_n_m_s = -1), class = "rotdyn_error_value")
+  expect_error(scene_rotors(c(1, 2), 1, resistance = -1), class = "rotdyn_error_value")
   expect_error(scene_rotors(c(1, 2), 1, omega0_rad_per_s = NA), class = "rotdyn_error_value")
   expect_error(scene_rotors(list("a", 2), 1), class = "rotdyn_error_type")
   expect_error(scene_rotors(c(1, 2)), class = "rotdyn_error_missing")
@@ -37,18 +37,18 @@ test_that("frequencies are those of the textbook", {
 
 test_that("a scene of rotors prints itself", {
   expect_output(
-    print(scene_rotors(c(1, 2, 4), c(800, 1200), 0.05, torque_n_m = c(2, 0, -2))),
+    print(scene_rotors(c(1, 2, 4), c(800, 1200), 0.05, torque = c(2, 0, -2))),
     "3 rotors on one shaft.*1, 2, 4 kg m\\^2.*800, 1200 N m/rad"
   )
 })
 
 test_that("a shaft to nowhere, and a torque that stands for several, are refused", {
   expect_error(scene_rotors(20, 60), class = "rotdyn_error_size")
-  expect_error(scene_rotors(c(1, 2), 60, torque_n_m = 2), class = "rotdyn_error_size")
+  expect_error(scene_rotors(c(1, 2), 60, torque = 2), class = "rotdyn_error_size")
 })
 
 test_that("the print has each torque in its place", {
-  shown <- capture.output(print(scene_rotors(c(1, 2, 3), 100, torque_n_m = c(0, 1, 0))))
+  shown <- capture.output(print(scene_rotors(c(1, 2, 3), 100, torque = c(0, 1, 0))))
   expect_match(shown, "torque     0, 1, 0 N m", fixed = TRUE, all = FALSE)
   expect_match(shown, "stiffness  100 N m/rad", fixed = TRUE, all = FALSE)
 })

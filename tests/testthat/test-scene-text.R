@@ -22,7 +22,8 @@ scenes_of_all <- function() {
     scene_axle(0.5, torque_knots(0:1, c(-0, 0), outside = "hold"), start_s = -1),
     scene_pendulum(body_point(2, .7), torque = torque_steps(0:1, c(0, 0))),
     scene_hanging_mass(0.1, 3, .2),
-    scene_clutch(2, 3, 12, torque_1 = torque_knots(0:1, c(0, 0)), omega1_rad_per_s = 1),
+    scene_clutch(2, 3, 12, torque = list(torque_knots(0:1, c(0, 0)), NULL),
+      omega0_rad_per_s = c(1, 0)),
     scene_drive(c(1, 2), coupling_gear(3), torque = list(torque_knots(0:1, c(0, 0)), NULL)),
     scene_axle(
       2, 3 * torque_knots(c(0, 1), c(1, 2), outside = "hold"), resistance(coulomb_n_m = .1)
@@ -31,17 +32,17 @@ scenes_of_all <- function() {
     scene_pendulum(body_point(2, .7), torque = torque_constant(2) + knots, gravity_m_per_s2 = 1.6),
     scene_hanging_mass(body_disk(1, .2), 3, .2, counter_mass_kg = 1),
     scene_hanging_mass(0.1, 3, .2, resistance = resistance(.1)),
-    scene_gears(c(1, 2, 3), c(2, -3), efficiency = .9, torque_n_m = c(1, 0, 0), viscous_n_m_s = .1),
+    scene_gears(c(1, 2, 3), c(2, -3), efficiency = .9, torque = c(1, 0, 0), resistance = .1),
     scene_gears(list(body_disk(1, .2), 3), 2, omega0_rad_per_s = 2),
     scene_gears(2, numeric()),
     scene_rotors(c(1, 2), 1000, omega0_rad_per_s = c(1, .5)),
     scene_rotors(
-      list(a = body_disk(4, .2), body_disk(1, .1), 3), c(800, 1200), .05, torque_n_m = c(2, 0, -2)
+      list(a = body_disk(4, .2), body_disk(1, .1), 3), c(800, 1200), .05, torque = c(2, 0, -2)
     ),
-    scene_clutch(2, 3, 12, omega1_rad_per_s = 10),
+    scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)),
     scene_clutch(
-      body_disk(20, .15), body_disk(40, .2), 60, static_capacity_n_m = 75, torque_2 = -5,
-      torque_1 = torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10)), engage_s = -1
+      body_disk(20, .15), body_disk(40, .2), 60, static_capacity_n_m = 75,
+      torque = list(torque_knots(c(0, 2, 2, 5), c(30, 30, -10, -10)), -5), engage_s = -1
     ),
     scene_drive(
       c(1, 2, 3),
@@ -56,23 +57,27 @@ scenes_of_all <- function() {
     scene_drive(list(body_disk(1, .1)), torque = 3),
     scene_incline(body_sphere(1, .1), 30, static_friction = .2, kinetic_friction = .15),
     scene_hoop(.05, .2, -9, theta0_rad = 1, static_friction = .2, kinetic_friction = .1),
-    scene_hoop(.05, .2, 9, theta0_rad = 1e-3, drag_n_s_per_m = .1, start_s = 1),
-    scene_chain(c(.3, .2), c(1, 2), c(1, -2), joint_n_m_s = c(0, .1)),
+    scene_hoop(.05, .2, 9, theta0_rad = 1e-3, resistance = resistance(drag_n_s_per_m = .1),
+      start_s = 1),
+    scene_chain(c(.3, .2), c(1, 2), c(1, -2), resistance = c(0, .1)),
     scene_chain(rep(.1, 3), .5, 1e-6, links = "points", omega0_rad_per_s = 1e-5),
-    scene_incline(body_disk(1, .1), 30, v0_m_per_s = 1, drag_n_s2_per_m2 = .01),
+    scene_incline(body_disk(1, .1), 30, v0_m_per_s = 1,
+      resistance = resistance(drag_n_s2_per_m2 = .01)),
     scene_free(body_box(1, .1, .2, .3), c(1, 2, 3)),
     scene_free(
-      c(1, 2, 2.5), c(.1, 2, .3), attitude0 = tilt, torque_axes = "space", damping_per_s = .1,
-      torque_n_m = data.frame(time_s = c(0, 1), x_n_m = 1:2, y_n_m = 0, z_n_m = 3)
+      c(1, 2, 2.5), c(.1, 2, .3), attitude0 = tilt, torque_axes = "space",
+      resistance = resistance(damping_per_s = .1),
+      torque = data.frame(time_s = c(0, 1), x_n_m = 1:2, y_n_m = 0, z_n_m = 3)
     ),
     scene_free(tensor, c(1, 2, 3), attitude0 = c(.3, .2, .1, .9) / sqrt(.95)),
     scene_free(
       place_body(body_box(1, .1, .2, .3), rotation = rotation_about(c(1, 2, 3), angle_rad = .7)),
-      c(1, 2, 3), torque_n_m = c(1, 2, 3)
+      c(1, 2, 3), torque = c(1, 2, 3)
     ),
     scene_free(c(1, 1, 2.5), c(.1, 2, .3), rotors = rotor(c(0, 0, 1), 0.02, 300)),
     scene_free(
-      body_box(10, .1, .2, .3), c(1, 2, 3), damping_per_s = .1, rotors = list(
+      body_box(10, .1, .2, .3), c(1, 2, 3), resistance = resistance(damping_per_s = .1),
+      rotors = list(
         rotor(c(1, 2, 3), 1e-4, 1 / 3, 0), rotor("y", 2e-4, -20, 0.01),
         rotor("z", 1e-4, 0, data.frame(time_s = c(0, 1 / 3), torque_n_m = c(0.1, 0.2)))
       )
@@ -188,8 +193,8 @@ test_that("R functions are refused by the name of the part", {
   }
   refused(scene_axle(1, f), "torque")
   refused(scene_axle(1, torque_constant(1) + f), "torque[[2]]")
-  refused(scene_incline(body_disk(1, .1), 10, force_n = f), "force_n")
-  refused(scene_free(c(1, 2, 2.5), c(1, 0, 0), torque_n_m = function(t) c(0, 0, 0)), "torque_n_m")
+  refused(scene_incline(body_disk(1, .1), 10, force = f), "force_n")
+  refused(scene_free(c(1, 2, 2.5), c(1, 0, 0), torque = function(t) c(0, 0, 0)), "torque_n_m")
   refused(
     scene_free(c(1, 2, 2.5), c(1, 0, 0), rotors = list(rotor("x", 0.1, 1), rotor("z", 0.1, 1, f))),
     "rotors[[2]]$torque_n_m"

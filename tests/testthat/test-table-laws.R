@@ -14,11 +14,11 @@ last_rates <- function(motion) {
 test_that("a law of time on a free body or a top takes few calls, and moves it as before", {
   of_state <- function(time_s, attitude, omega_rad_per_s) push(time_s)
   scenes <- list(
-    function(law) scene_free(c(1, 2, 3), c(1, 2, 0.5), torque_n_m = law),
-    function(law) scene_free(c(1, 2, 3), c(1, 2, 0.5), torque_n_m = law, torque_axes = "space"),
+    function(law) scene_free(c(1, 2, 3), c(1, 2, 0.5), torque = law),
+    function(law) scene_free(c(1, 2, 3), c(1, 2, 0.5), torque = law, torque_axes = "space"),
     function(law) {
       scene_pivot(
-        c(1, 1, 2), c(0, 0, 5), mass_kg = 1, centre_m = c(0, 0, 0.1), torque_n_m = law
+        c(1, 1, 2), c(0, 0, 5), mass_kg = 1, centre_m = c(0, 0, 0.1), torque = law
       )
     }
   )
@@ -38,25 +38,25 @@ test_that("a law of time on a free body or a top takes few calls, and moves it a
 test_that("what lies between the samples is found, down to the resolution", {
   at <- function(width, height, ...) {
     pulse <- function(t) c(0, 0, if (abs(t - 6.3) < width / 2) height else 0)
-    motion <- trajectory(scene_free(c(1, 1, 1), c(0, 0, 1), torque_n_m = pulse), c(0, 10), ...)
+    motion <- trajectory(scene_free(c(1, 1, 1), c(0, 0, 1), torque = pulse), c(0, 10), ...)
     motion$omega_z_rad_per_s[2]
   }
   expect_equal(at(0.06, 5), 1.3, tolerance = 1e-6)
   expect_equal(at(0.006, 50, resolution = 5e-4), 1.3, tolerance = 1e-6)
   bump <- function(t) c(0, 0, exp(-((t - 3) / 0.05)^2))
-  motion <- trajectory(scene_free(c(1, 1, 1), c(0, 0, 0), torque_n_m = bump), c(0, 10))
+  motion <- trajectory(scene_free(c(1, 1, 1), c(0, 0, 0), torque = bump), c(0, 10))
   expect_equal(motion$omega_z_rad_per_s[2], 0.05 * sqrt(pi), tolerance = 1e-9)
 })
 
 test_that("a force over time pushes a sphere by its integral", {
   law <- counted(function(t) 2 + sin(t))
-  ball <- function(f, ...) scene_incline(body_sphere(1, 0.1), 0, force_n = f, ...)
+  ball <- function(f, ...) scene_incline(body_sphere(1, 0.1), 0, force = f, ...)
   motion <- trajectory(ball(law$f), c(0, 4))
   # It rolls: 7/5 m v' = force.
   expect_equal(motion$v_m_per_s[2], (8 + 1 - cos(4)) / 1.4, tolerance = 1e-9)
   expect_lt(law$calls(), 500)
   steps <- counted(function(t) if (t < 1) 2 else 5)
-  motion <- trajectory(ball(steps$f, force_breaks_s = 1), c(0, 3))
+  motion <- trajectory(ball(force_function(steps$f, 1)), c(0, 3))
   expect_equal(motion$v_m_per_s[2], 12 / 1.4, tolerance = 1e-9)
   expect_lt(steps$calls(), 500)
 })
@@ -82,14 +82,14 @@ test_that("the torques of a drive are sampled, what clutches grip with is called
 
 test_that("a law that is not smooth is called after a bounded search", {
   rough <- counted(function(t) c(0, 0, abs(sin(40 * t))))
-  motion <- trajectory(scene_free(c(1, 1, 1), c(0, 0, 0), torque_n_m = rough$f), c(0, 10), 1e-6)
+  motion <- trajectory(scene_free(c(1, 1, 1), c(0, 0, 0), torque = rough$f), c(0, 10), 1e-6)
   whole <- floor(400 / pi)
   exact <- (2 * whole + 1 - cos(400 - whole * pi)) / 40
   expect_equal(motion$omega_z_rad_per_s[2], exact, tolerance = 1e-5)
 })
 
 test_that("what a law returns is checked where it is sampled, too", {
-  free <- function(f) trajectory(scene_free(c(1, 2, 3), c(1, 1, 1), torque_n_m = f), 0:2)
+  free <- function(f) trajectory(scene_free(c(1, 2, 3), c(1, 1, 1), torque = f), 0:2)
   for (f in list(
     function(t) 1, function(t) "a", function(t) NULL, function(t) c(1, 2, 3, 4),
     function(t) Sys.Date() + 0:2
@@ -100,6 +100,6 @@ test_that("what a law returns is checked where it is sampled, too", {
   expect_error(free(function(t) c(0, 0, NaN)), class = "rotdyn_error_torque")
   expect_error(free(function(t) stop("mine")), "mine")
   expect_error(free(function(t) stats::rnorm(3)), class = "rotdyn_error_random")
-  slope <- function(f) trajectory(scene_incline(body_sphere(1, 1), 10, force_n = f), 0:2)
+  slope <- function(f) trajectory(scene_incline(body_sphere(1, 1), 10, force = f), 0:2)
   expect_error(slope(function(t) c(1, 2)), "one number", class = "rotdyn_error_torque")
 })

@@ -120,7 +120,7 @@ test_that("passages of a shaft that swings fast, and drifts", {
   expect_no_warning(first <- time_when(shaft, omega_rad_per_s = 1, rotor = 2))
   expect_equal(first$time_s, pi / 100, tolerance = 1e-14)
   # omega_2 = t - sin(50 t)/50: far more than 1000 cycles until it is 150.
-  driven <- scene_rotors(c(1, 1), 1250, torque_n_m = c(2, 0))
+  driven <- scene_rotors(c(1, 1), 1250, torque = c(2, 0))
   t <- 150
   for (i in 1:60) t <- t - (t - sin(50 * t) / 50 - 150) / (1 - cos(50 * t) + 0.1)
   expect_equal(time_when(driven, omega_rad_per_s = 150, rotor = 2)$time_s, t, tolerance = 1e-12)

@@ -24,7 +24,7 @@ test_that("a law that draws random numbers is recognised at once, by its own cla
   }
   slips <- coupling_clutch(function(time_s) 2 + runif(1))
   fails(scene_drive(c(1, 1), slips, omega0_rad_per_s = 1:2))
-  fails(scene_free(1:3, c(1, 1, 1), torque_n_m = function(time_s, omega, attitude) rnorm(3)))
+  fails(scene_free(1:3, c(1, 1, 1), torque = function(time_s, omega, attitude) rnorm(3)))
   fails(scene_axle(1, of_state), model = "axle_radau")
   # From a rate on alone: the integrator sees it where its steps fail.
   late <- function(time_s, theta_rad, omega_rad_per_s) {

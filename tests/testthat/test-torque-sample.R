@@ -111,10 +111,10 @@ test_that("the time of a call is measured", {
     scene_axle(1, busy), scene_drive(c(1, 2), list(coupling_shaft(3)), torque = list(busy, NULL)),
     scene_drive(c(1, 2), list(coupling_shaft(3)), brake = list(NULL, brake(busy))),
     scene_drive(c(1, 2), list(grip)),
-    scene_incline(body_sphere(1, 0.1), 10, force_n = f),
-    scene_incline(body_sphere(1, 0.1), 10, force_n = function(time_s, x_m, v_m_per_s) f(time_s)),
-    scene_free(c(1, 2, 3), c(1, 1, 1), torque_n_m = g),
-    scene_pivot(c(1, 1, 2), c(0, 0, 5), mass_kg = 1, centre_m = c(0, 0, 0.1), torque_n_m = g)
+    scene_incline(body_sphere(1, 0.1), 10, force = f),
+    scene_incline(body_sphere(1, 0.1), 10, force = function(time_s, x_m, v_m_per_s) f(time_s)),
+    scene_free(c(1, 2, 3), c(1, 1, 1), torque = g),
+    scene_pivot(c(1, 1, 2), c(0, 0, 5), mass_kg = 1, centre_m = c(0, 0, 0.1), torque = g)
   )
   for (scene in slow) {
     expect_gte(seconds(scene), 0.002)

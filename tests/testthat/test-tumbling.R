@@ -70,7 +70,8 @@ test_that("the polhode closes, on the ellipsoid of energy; the herpolhode lies i
   space <- do.call(cbind, unclass(path)[free_rates("space_")])
   expect_equal(as.vector(space %*% c(0.5, 8, 0.9)), rep(32.52, 101), tolerance = 1e-14)
   expect_equal(polhode(scene_free(c(1, 2, 3), c(0, 0, 2)), 2)$time_s, c(0, pi))
-  expect_error(polhode(scene_free(c(1, 2, 3), c(0, 0, 2), damping_per_s = 1)),
+  expect_error(polhode(scene_free(c(1, 2, 3), c(0, 0, 2),
+    resistance = resistance(damping_per_s = 1))),
                class = "rotdyn_error_value")
   expect_error(polhode(scene_free(c(4, 5, 9), c(3, 0, 1))), class = "rotdyn_error_value")
   expect_error(polhode(scene_axle(1)), class = "rotdyn_error_value")

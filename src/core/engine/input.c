@@ -57,7 +57,7 @@ static size_t most_of(const rot_input inputs[], size_t input) {
 }
 
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input) {
-  if (given[input].is) return given[input].x[0];
+  if (given[input].x) return given[input].x[0];
   const size_t most = most_of(inputs, input);
   return most < input ? rot_input_number(inputs, given, most) : inputs[input].otherwise;
 }

@@ -5,12 +5,13 @@
 #include "body/compound.h"
 #include "body/parts.h"
 #include "engine/laws.h"
+#include "engine/resistance.h"
 #include "scene/axle/inputs.h"
 #include "scene/drive/inputs.h"
 #include "scene/free/parts.h"
 
 /* The lists of their folders. */
-enum { LISTS = 6 };
+enum { LISTS = 7 };
 
 static const rot_part *list_at(size_t k, size_t *n) {
   switch (k) {
@@ -19,6 +20,7 @@ static const rot_part *list_at(size_t k, size_t *n) {
   case 2: return (*n = rot_law_n_parts, rot_law_parts);
   case 3: return (*n = rot_axle_n_parts, rot_axle_parts);
   case 4: return (*n = rot_drive_n_parts, rot_drive_parts);
+  case 5: return (*n = 1, &rot_resistance_part);
   default: return (*n = rot_free_n_parts, rot_free_parts);
   }
 }

@@ -11,7 +11,7 @@ static rotdyn_object *clutch(void) {
   (void)rotdyn_set_number(scene, "body_1", 2.0);
   (void)rotdyn_set_number(scene, "body_2", 3.0);
   (void)rotdyn_set_number(scene, "capacity_n_m", 12.0);
-  (void)rotdyn_set_number(scene, "omega1_rad_per_s", 10.0);
+  (void)rotdyn_set_numbers(scene, "omega0_rad_per_s", 2, (double[]){10.0, 0.0});
   return scene;
 }
 
@@ -54,7 +54,7 @@ static void check_law(void) {
   (void)rotdyn_set_object(scene, "body", ball);
   (void)rotdyn_set_number(scene, "incline_angle_deg", 5.0);
   (void)rotdyn_set_number(scene, "static_friction", 0.4);
-  (void)rotdyn_set_law(scene, "force_n", push, NULL);
+  (void)rotdyn_set_law(scene, "force", push, NULL);
   for (int i = 3; i < 12; i += 4) {
     options.accuracy = pow(10.0, -i);
     ROT_CHECK_EQ_INT(rotdyn_scene_balance(scene, 3, time_s, &options, 0, &b, NULL), ROTDYN_OK);

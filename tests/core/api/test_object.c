@@ -329,7 +329,7 @@ static void check_refusals(void) {
       {"scene_rotors", "bodies", 3, {1.0, -1.0, 1.0}, "item 2"},
       {"scene_rotors", "stiffness_n_m_per_rad", 3, {1.0, 1.0, 1.0}, "must have 1 or 2"},
       {"scene_rotors", "stiffness_n_m_per_rad", 0, {-1.0}, "at least 0"},
-      {"scene_rotors", "torque_n_m", 0, {1.0}, "each of the 3"},
+      {"scene_rotors", "torque", 0, {1.0}, "each of the 3"},
       {"scene_rotors", "theta0_rad", 2, {1.0, 2.0}, "must have 1 or 3"},
       {"scene_clutch", "static_capacity_n_m", 0, {0.5}, "at least the slipping capacity"},
       {"scene_clutch", "engage_s", 0, {INFINITY}, "at most"},

@@ -73,7 +73,7 @@ static void check_refusals(void) {
   ROT_CHECK(rotdyn_set_number(scene, NULL, 1.0) == ROTDYN_EARGUMENT);
   ROT_CHECK(give(scene, "radius_m", sphere(2.0, 0.25)) == ROTDYN_EARGUMENT);
   ROT_CHECK(rotdyn_set_numbers(scene, "radius_m", 0, NULL) == ROTDYN_EARGUMENT);
-  ROT_CHECK(rotdyn_set_law(scene, "force_n", NULL, NULL) == ROTDYN_EARGUMENT);
+  ROT_CHECK(rotdyn_set_law(scene, "force", NULL, NULL) == ROTDYN_EARGUMENT);
 
   const struct {
     const char *input;
@@ -84,7 +84,7 @@ static void check_refusals(void) {
       {"incline_angle_deg", NAN, "finite"},      {"static_friction", -0.1, "at least 0"},
       {"static_friction", -INFINITY, "Inf"},     {"rolling_arm_m", INFINITY, "finite"},
       {"radius_m", 0.0, "greater than 0"},       {"gravity_m_per_s2", -1.0, "at least 0"},
-      {"drag_n_s_per_m", -1.0, "at least 0"},    {"start_s", INFINITY, "finite"},
+      {"start_s", INFINITY, "finite"},
       {"v0_m_per_s", 1e308, "double precision"},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
@@ -106,11 +106,11 @@ static void check_refusals(void) {
   ROT_CHECK(refused(scene, "kinetic_friction", "at most"));
   (void)rotdyn_unset(scene, "kinetic_friction");
   const double breaks[] = {1.0, 2.0, 2.0};
-  ROT_CHECK(rotdyn_set_numbers(scene, "force_breaks_s", 3, breaks) == ROTDYN_OK);
-  ROT_CHECK(refused(scene, "force_breaks_s", "increase"));
-  ROT_CHECK(rotdyn_set_numbers(scene, "force_breaks_s", 2, breaks) == ROTDYN_OK);
-  ROT_CHECK(refused(scene, "force_breaks_s", "force"));
-  ROT_CHECK(rotdyn_unset(scene, "force_breaks_s") == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_numbers(scene, "breaks_s", 3, breaks) == ROTDYN_OK);
+  ROT_CHECK(refused(scene, "breaks_s", "increase"));
+  ROT_CHECK(rotdyn_set_numbers(scene, "breaks_s", 2, breaks) == ROTDYN_OK);
+  ROT_CHECK(refused(scene, "breaks_s", "force"));
+  ROT_CHECK(rotdyn_unset(scene, "breaks_s") == ROTDYN_OK);
   ROT_CHECK(give(scene, "body", sphere(0.0, 0.25)) == ROTDYN_OK);
   ROT_CHECK(refused(scene, "body", "mass"));
   const double moments[] = {0.05, 0.05, 0.05};
@@ -219,8 +219,8 @@ static void check_law(void) {
   rotdyn_object *scene = slope(0.0);
   count c = {0, 0};
   const double breaks[] = {1.0};
-  ROT_CHECK(rotdyn_set_law(scene, "force_n", push, &c) == ROTDYN_OK);
-  ROT_CHECK(rotdyn_set_numbers(scene, "force_breaks_s", 1, breaks) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_law(scene, "force", push, &c) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_numbers(scene, "breaks_s", 1, breaks) == ROTDYN_OK);
   ROT_CHECK_REL(at(scene, "v_m_per_s", 3.0, NULL, &report), 7.0 / 2.8 * 2.0, 1e-12);
   ROT_CHECK(c.calls > 0 && report.law_calls > 0 && !report.error_is_bound);
   ROT_CHECK(report.model && !strcmp(report.model, "incline_rk8pd"));
@@ -272,9 +272,9 @@ static void check_numbers(void) {
   ROT_CHECK(rotdyn_set_numbers(scene, "theta0_rad", 2, theta0) == ROTDYN_OK);
   ROT_CHECK(refused(scene, "theta0_rad", "one for each length"));
   ROT_CHECK(rotdyn_set_numbers(scene, "theta0_rad", LINKS, theta0) == ROTDYN_OK);
-  ROT_CHECK(rotdyn_set_numbers(scene, "joint_n_m_s", 0, NULL) == ROTDYN_OK);
-  ROT_CHECK(refused(scene, "joint_n_m_s", "it has 0"));
-  ROT_CHECK(rotdyn_unset(scene, "joint_n_m_s") == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_numbers(scene, "resistance", 0, NULL) == ROTDYN_OK);
+  ROT_CHECK(refused(scene, "resistance", "it has 0"));
+  ROT_CHECK(rotdyn_unset(scene, "resistance") == ROTDYN_OK);
   theta[TIMES * LINKS] = kinetic[TIMES * LINKS] = 7.0;
   ROT_CHECK(rotdyn_scene_run(scene, TIMES, time_s, NULL, TIMES * LINKS, 2, names, columns,
                              &report) == ROTDYN_OK);
@@ -308,7 +308,7 @@ static void check_free(void) {
   ROT_CHECK_REL(at(scene, "omega_y_rad_per_s", 0.7, NULL, &report), 0.3 * sin(1.4), 4e-16);
   ROT_CHECK(!strcmp(report.model, "free_exact") && report.error_is_bound && report.error < 1e-13);
   /* A torque about the axis: omega3 = 2 + 0.35 t. */
-  ROT_CHECK(rotdyn_set_numbers(scene, "torque_n_m", 3, torque) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_numbers(scene, "torque", 3, torque) == ROTDYN_OK);
   ROT_CHECK_REL(at(scene, "omega_z_rad_per_s", 2.0, NULL, &report), 2.7, 1e-11);
   ROT_CHECK(!strcmp(report.model, "free_rk8pd") && !report.error_is_bound);
   /* In axes of space, of a body turned over: against it. */
@@ -338,7 +338,7 @@ static void check_free(void) {
   /* Turned axes: omega along a principal axis of a tensor that is not diagonal stays. */
   const double turned[] = {2.0, 1.64, 1.36, 0.0, 0.0, -0.48}; /* 1 about (0, 3, 4)/5, 2 across */
   (void)give(scene, "body", tensor(1.0, 6, turned));
-  (void)rotdyn_unset(scene, "torque_n_m");
+  (void)rotdyn_unset(scene, "torque");
   (void)rotdyn_set_numbers(scene, "omega0_rad_per_s", 3, across);
   ROT_CHECK_REL(at(scene, "omega_y_rad_per_s", 5.0, NULL, &report), 3.0, 1e-14);
   ROT_CHECK_REL(at(scene, "omega_z_rad_per_s", 5.0, NULL, &report), 4.0, 1e-14);
@@ -366,7 +366,7 @@ static void check_free_law(void) {
   double k = -1.0;
   rotdyn_report report;
   rotdyn_object *scene = spinning("scene_free", omega0, 0.0);
-  ROT_CHECK(rotdyn_set_law(scene, "torque_n_m", twist, &k) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_law(scene, "torque", twist, &k) == ROTDYN_OK);
   ROT_CHECK_REL(at(scene, "omega_z_rad_per_s", 3.0, NULL, &report), 2.0 * exp(-1.5), 1e-9);
   ROT_CHECK(report.law_calls > 0 && report.error < 1e-9);
   rotdyn_object_free(scene);
@@ -816,7 +816,7 @@ static void check_rotors(void) {
   /* So stiff that it turns as one: 4 kg m^2 under 3 N m. */
   (void)rotdyn_unset(scene, "theta0_rad");
   (void)rotdyn_set_number(scene, "stiffness_n_m_per_rad", 1e22);
-  (void)rotdyn_set_numbers(scene, "torque_n_m", 2, (double[]){3.0, 0.0});
+  (void)rotdyn_set_numbers(scene, "torque", 2, (double[]){3.0, 0.0});
   ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 2, time_s, NULL, 4, 4, names, columns, &report),
                    ROTDYN_OK);
   ROT_CHECK(!strcmp(report.model, "rotors_rigid") && report.error_is_bound);
@@ -826,8 +826,10 @@ static void check_rotors(void) {
 
 /* 2 and 3 kg m^2, 12 N m, 10 rad/s apart: they lock at 10/(6 + 4) s, at 4 rad/s. */
 static void check_clutch(void) {
-  static const char *const names[] = {"body_1", "body_2", "capacity_n_m", "omega1_rad_per_s"};
-  rotdyn_object *scene = part("scene_clutch", 4, names, (double[]){2.0, 3.0, 12.0, 10.0});
+  static const char *const names[] = {"body_1", "body_2", "capacity_n_m"};
+  rotdyn_object *scene = part("scene_clutch", 3, names, (double[]){2.0, 3.0, 12.0});
+  rotdyn_object *torques = rotdyn_object_new("list");
+  (void)rotdyn_set_numbers(scene, "omega0_rad_per_s", 2, (double[]){10.0, 0.0});
   rotdyn_report report;
   rotdyn_events events = ROTDYN_INIT(rotdyn_events);
   rotdyn_options options = ROTDYN_INIT(rotdyn_options);
@@ -850,18 +852,32 @@ static void check_clutch(void) {
   rotdyn_object *steps = rotdyn_object_new("torque_steps");
   (void)rotdyn_set_numbers(steps, "time_s", 2, (double[]){0.0, 0.5});
   (void)rotdyn_set_numbers(steps, "torque_n_m", 2, (double[]){8.0, 0.0});
-  (void)give(scene, "torque_1", steps);
+  (void)give(torques, NULL, steps);
+  (void)rotdyn_set_object(scene, "torque", torques);
+  ROT_CHECK(refused(scene, "torque", "each of the 2 bodies"));
+  (void)rotdyn_unset(torques, NULL); /* nothing on body 2 */
+  (void)rotdyn_set_object(scene, "torque", torques);
   ROT_CHECK_REL(at(scene, "omega_1_rad_per_s", 1.0, NULL, &report), 12.0, 1e-15);
-  (void)give(scene, "torque_2",
-             part("torque_sinusoid", 2,
-                  (const char *const[]){"amplitude_n_m", "angular_frequency_rad_per_s"},
-                  (double[]){1.0, 2.0}));
-  ROT_CHECK(refused(scene, "torque_2", "constant between jumps"));
+  rotdyn_object_free(torques);
   rotdyn_object *knots = rotdyn_object_new("torque_knots");
   (void)rotdyn_set_numbers(knots, "time_s", 2, (double[]){0.0, 0.5});
   (void)rotdyn_set_numbers(knots, "torque_n_m", 2, (double[]){8.0, 0.0});
-  (void)give(scene, "torque_2", knots);
-  ROT_CHECK(refused(scene, "torque_2", "constant between jumps"));
+  rotdyn_object *others[] = {
+      part("torque_sinusoid", 2,
+           (const char *const[]){"amplitude_n_m", "angular_frequency_rad_per_s"},
+           (double[]){1.0, 2.0}),
+      knots};
+  for (int i = 0; i < 2; i++) {
+    torques = rotdyn_object_new("list");
+    (void)rotdyn_unset(torques, NULL);
+    (void)give(torques, NULL, others[i]);
+    (void)give(scene, "torque", torques);
+    ROT_CHECK(refused(scene, "torque", "constant between jumps") &&
+              refused(scene, "torque", "item 2"));
+  }
+  (void)rotdyn_unset(scene, "torque");
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 10.0);
+  ROT_CHECK(refused(scene, "omega0_rad_per_s", "one for each body"));
   rotdyn_object_free(scene);
 }
 
@@ -1074,7 +1090,7 @@ static void check_threads(void) {
   rotdyn_object *scene = slope(12.0);
   job alone = {scene, 0.0}, jobs[THREADS];
   pthread_t thread[THREADS];
-  (void)rotdyn_set_number(scene, "drag_n_s_per_m", 0.5);
+  resist(scene, "drag_n_s_per_m", 0.5);
   (void)run_job(&alone);
   for (int i = 0; i < THREADS; i++) {
     jobs[i] = (job){scene, 0.0};

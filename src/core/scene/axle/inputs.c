@@ -13,34 +13,6 @@
 
 /* ---- parts ----------------------------------------------------------------------------------- */
 
-typedef struct resistance {
-  double viscous_n_m_s, quadratic_n_m_s2, coulomb_n_m, static_n_m;
-} resistance;
-
-enum { VISCOUS, QUADRATIC, COULOMB, STATIC };
-
-static const rot_input resistance_inputs[] = {
-    [VISCOUS] = ROT_NUMBER_INPUT("viscous_n_m_s", "N*m*s", 0, -DBL_MAX, 0, 0.0,
-                                 "torque over the angular velocity; below 0 it drives"),
-    [QUADRATIC] = ROT_NUMBER_INPUT("quadratic_n_m_s2", "N*m*s^2", 0, 0.0, 0, 0.0,
-                                   "torque over the square of the angular velocity"),
-    [COULOMB] = ROT_NUMBER_INPUT("coulomb_n_m", "N*m", 0, 0.0, 0, 0.0, "sliding friction"),
-    [STATIC] = ROT_NUMBER_INPUT("static_n_m", "N*m", 0, 0.0, 0, NAN,
-                                "largest static friction; default: the sliding one")};
-
-static rot_status build_resistance(const rot_part *part, const rot_given given[], rot_store *store,
-                                   void *to, rot_refusal *no) {
-  resistance *r = to;
-  (void)store;
-  r->viscous_n_m_s = rot_input_number(part->inputs, given, VISCOUS);
-  r->quadratic_n_m_s2 = rot_input_number(part->inputs, given, QUADRATIC);
-  r->coulomb_n_m = rot_input_number(part->inputs, given, COULOMB);
-  r->static_n_m = given[STATIC].is ? given[STATIC].x[0] : r->coulomb_n_m;
-  if (r->static_n_m >= r->coulomb_n_m) return ROT_OK;
-  return rot_refuse(no, STATIC, "must be at least the sliding friction, %g; it is %g",
-                    r->coulomb_n_m, r->static_n_m);
-}
-
 typedef struct inertia_knots {
   size_t n;
   const double *time_s, *inertia_kg_m2;
@@ -68,8 +40,6 @@ static rot_status build_knots(const rot_part *part, const rot_given given[], rot
 }
 
 const rot_part rot_axle_parts[] = {
-    {"resistance", ROT_INPUT_RESISTANCE, 4, resistance_inputs, sizeof(resistance),
-     build_resistance},
     {"inertia_knots", ROT_INPUT_INERTIA, 2, knots_inputs, sizeof(inertia_knots), build_knots},
 };
 const size_t rot_axle_n_parts = sizeof rot_axle_parts / sizeof *rot_axle_parts;
@@ -84,7 +54,7 @@ rot_status rot_axle_gather_breaks(rot_axle_scene *scene, rot_store *store) {
   return ROT_OK;
 }
 
-rot_status rot_axle_load(const rot_given *torque, const rot_given *resists, rot_store *store,
+rot_status rot_axle_load(const rot_given *torque, const rot_resistance *resists, rot_store *store,
                          rot_axle_scene *scene, rot_axle_own *own) {
   rot_loads loads;
   const rot_status status = rot_loads_of(torque, store, &loads);
@@ -97,12 +67,11 @@ rot_status rot_axle_load(const rot_given *torque, const rot_given *resists, rot_
   scene->n_breaks = loads.n_breaks;
   scene->breaks_s = loads.breaks_s;
   if (own) *own = (rot_axle_own){loads.n_breaks, loads.breaks_s};
-  if (resists && resists->is) {
-    const resistance *r = resists->object;
-    scene->viscous_n_m_s = r->viscous_n_m_s;
-    scene->quadratic_n_m_s2 = r->quadratic_n_m_s2;
-    scene->coulomb_n_m = r->coulomb_n_m;
-    scene->static_n_m = r->static_n_m;
+  if (resists) {
+    scene->viscous_n_m_s = resists->viscous_n_m_s;
+    scene->quadratic_n_m_s2 = resists->quadratic_n_m_s2;
+    scene->coulomb_n_m = resists->coulomb_n_m;
+    scene->static_n_m = resists->static_n_m;
   }
   scene->linear.viscous_n_m_s = scene->viscous_n_m_s + scene->motor_n_m_s;
   return rot_axle_gather_breaks(scene, store);
@@ -128,7 +97,7 @@ static const char *const points[] = {"centre", "origin", NULL};
 #define RESISTS                                                                                    \
   {                                                                                                \
     "resistance", "", ROT_INPUT_RESISTANCE, 0, ROT_NO_DOMAIN, NAN, "what resists the rotation",    \
-        NULL                                                                                       \
+        rot_axle_resistance                                                                        \
   }
 #define THETA0(words) ROT_NUMBER_INPUT("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, words)
 #define OMEGA0(words) ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, words)
@@ -182,10 +151,12 @@ static rot_status turns(double inertia, int computed, size_t input, rot_refusal 
 }
 
 /* The loads of a scene whose torque is input `torque`. */
-static rot_status load(const rot_given given[], size_t torque, size_t resists, rot_store *store,
-                       rot_axle_built *built, rot_refusal *no) {
-  const rot_status status =
-      rot_axle_load(&given[torque], &given[resists], store, &built->scene, &built->own);
+static rot_status load(const rot_input inputs[], const rot_given given[], size_t torque,
+                       size_t resists, rot_store *store, rot_axle_built *built, rot_refusal *no) {
+  rot_resistance terms;
+  rot_status status = rot_resistance_of(&inputs[resists], resists, &given[resists], &terms, no);
+  if (status != ROT_OK) return status;
+  status = rot_axle_load(&given[torque], &terms, store, &built->scene, &built->own);
   return status == ROT_EVALUE ? rot_refuse(no, torque, "adds up beyond double precision") : status;
 }
 
@@ -236,7 +207,7 @@ static rot_status build_axle(const rot_given given[], rot_store *store, void *to
   begin(axle_inputs, given, THETA, FROM, built);
   rot_status status = set_axis(given, AXLE, built->axis, no);
   if (status == ROT_OK) status = build_inertia(given, built, no);
-  return status == ROT_OK ? load(given, TORQUE, RESISTANCE, store, built, no) : status;
+  return status == ROT_OK ? load(axle_inputs, given, TORQUE, RESISTANCE, store, built, no) : status;
 }
 
 static const rot_derived axle_derived[] = {MOMENT(scene.linear.inertia_kg_m2), UNIT_AXIS};
@@ -300,7 +271,11 @@ static rot_status build_pendulum(const rot_given given[], rot_store *store, void
   if (status != ROT_OK) return status;
   const rot_given laws[] = {{.is = ROT_INPUT_TORQUE, .n = 1, .object = &pull}, given[P_TORQUE]};
   const rot_given all = {.is = ROT_INPUT_LIST, .n = given[P_TORQUE].is ? 2 : 1, .item = laws};
-  status = rot_axle_load(&all, &given[P_RESISTANCE], store, &built->scene, &built->own);
+  rot_resistance terms;
+  status = rot_resistance_of(&pendulum_inputs[P_RESISTANCE], P_RESISTANCE, &given[P_RESISTANCE],
+                             &terms, no);
+  if (status != ROT_OK) return status;
+  status = rot_axle_load(&all, &terms, store, &built->scene, &built->own);
   if (status != ROT_EVALUE) return status;
   return rot_refuse(no, P_TORQUE, "adds up beyond double precision");
 }
@@ -371,7 +346,11 @@ static rot_status build_hanging(const rot_given given[], rot_store *store, void 
     return rot_refuse(no, H_MASS, "has a weight whose torque exceeds double precision");
   }
   const rot_given weight = {.is = ROT_INPUT_NUMBER, .n = 1, .x = &torque};
-  return rot_axle_load(&weight, &given[H_RESISTANCE], store, &built->scene, &built->own);
+  rot_resistance terms;
+  status = rot_resistance_of(&hanging_inputs[H_RESISTANCE], H_RESISTANCE, &given[H_RESISTANCE],
+                             &terms, no);
+  if (status != ROT_OK) return status;
+  return rot_axle_load(&weight, &terms, store, &built->scene, &built->own);
 #undef VALUE
 }
 
@@ -395,10 +374,10 @@ static const rot_input gears_inputs[] = {
                       "of each stage, omega before it over omega behind it: one number, or one for "
                       "each; not 0"),
     [G_EFFICIENCY] = EACH("efficiency", "1", 0, 0.0, 1.0, 1, 1.0, "of each stage, likewise"),
-    [G_TORQUE] =
-        EACH("torque_n_m", "N*m", 0, -DBL_MAX, DBL_MAX, 0, 0.0, "on each shaft from outside"),
-    [G_VISCOUS] = EACH("viscous_n_m_s", "N*m*s", 0, 0.0, DBL_MAX, 0, 0.0,
-                       "of the bearings of each shaft: one number, or one for each"),
+    [G_TORQUE] = EACH("torque", "N*m", 0, -DBL_MAX, DBL_MAX, 0, 0.0, "on each shaft from outside"),
+    [G_VISCOUS] = {"resistance", "N*m*s", ROT_RESISTANCES, 0, 0.0, DBL_MAX, 0, 0.0,
+                   "viscous, of each shaft: numbers, resistances, one or a list",
+                   rot_viscous_resistance},
     [G_THETA] = THETA0("angle of the first shaft at the start"),
     [G_OMEGA] = OMEGA0("angular velocity of the first shaft at the start"),
     [G_FROM] = START,
@@ -422,14 +401,14 @@ static rot_status read_train(const rot_given given[], rot_store *store, rot_axle
   const struct {
     size_t input, n;
     double *to;
-  } each[] = {{G_RATIOS, meshes, ratio},
-              {G_EFFICIENCY, meshes, efficiency},
-              {G_TORQUE, n, torque},
-              {G_VISCOUS, n, viscous}};
+  } each[] = {{G_RATIOS, meshes, ratio}, {G_EFFICIENCY, meshes, efficiency}, {G_TORQUE, n, torque}};
   for (size_t i = 0; i < ROT_COUNT(each); i++) {
     status = rot_input_each(gears_inputs, given, each[i].input, each[i].n, each[i].to, no);
     if (status != ROT_OK) return status;
   }
+  status =
+      rot_resistance_each(&gears_inputs[G_VISCOUS], G_VISCOUS, &given[G_VISCOUS], n, viscous, no);
+  if (status != ROT_OK) return status;
   for (size_t i = 0; i < meshes; i++) {
     if (ratio[i] == 0.0) return rot_refuse(no, G_RATIOS, "must not be 0");
   }

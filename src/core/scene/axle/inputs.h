@@ -1,10 +1,10 @@
-/* The constructors of scenes on an axle; the parts that resist and the moments of inertia that
- * change. */
+/* The constructors of scenes on an axle; the moments of inertia that change. */
 #ifndef ROT_AXLE_INPUTS_H
 #define ROT_AXLE_INPUTS_H
 
 #include "engine/loads.h"
 #include "engine/model.h"
+#include "engine/resistance.h"
 #include "scene/axle/flows.h"
 #include "scene/axle/rope.h"
 #include "scene/axle/scene.h"
@@ -31,7 +31,7 @@ typedef struct rot_axle_built {
 enum { ROT_AXLE_MAKERS = 4 };
 extern const rot_maker rot_axle_makers[ROT_AXLE_MAKERS];
 
-/* resistance(), inertia_knots() */
+/* inertia_knots() */
 extern const rot_part rot_axle_parts[];
 extern const size_t rot_axle_n_parts;
 
@@ -41,8 +41,8 @@ double rot_axle_inertia_at(const rot_axle_scene *scene, double time_s);
 /* What acts on an axle: a torque and a resistance, each of which may be absent (`resistance` may be
  * NULL). The rest of the scene has been set. `own` may be NULL. ROT_EVALUE: the sum of the torques
  * is beyond double precision. */
-rot_status rot_axle_load(const rot_given *torque, const rot_given *resistance, rot_store *store,
-                         rot_axle_scene *scene, rot_axle_own *own);
+rot_status rot_axle_load(const rot_given *torque, const rot_resistance *resistance,
+                         rot_store *store, rot_axle_scene *scene, rot_axle_own *own);
 
 /* All breaks of a scene, those in it and those of what acts, in the store. */
 rot_status rot_axle_gather_breaks(rot_axle_scene *scene, rot_store *store);

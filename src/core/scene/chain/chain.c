@@ -6,6 +6,7 @@
 
 #include "engine/march.h"
 #include "engine/ode/system.h"
+#include "engine/resistance.h"
 #include "ground/real.h"
 #include "scene/chain/modes.h"
 
@@ -18,7 +19,7 @@ typedef struct chain {
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
 
-enum { LENGTH, MASS, LINKS, THETA0, OMEGA0, JOINT, GRAVITY, START, INPUTS };
+enum { LENGTH, MASS, LINKS, THETA0, OMEGA0, RESISTANCE, GRAVITY, START, INPUTS };
 
 static const char *const kinds[] = {"rods", "points", NULL};
 
@@ -34,8 +35,10 @@ static const rot_input inputs[INPUTS] = {
                      "angle of each link from the downward vertical at the start, or of all"),
     [OMEGA0] = INPUT("omega0_rad_per_s", "rad/s", ROT_INPUT_NUMBERS, 0, -DBL_MAX, 0, 0.0,
                      "rate of each link at the start, or of all"),
-    [JOINT] = INPUT("joint_n_m_s", "N*m*s", ROT_INPUT_NUMBERS, 0, 0.0, 0, 0.0,
-                    "viscous torque over the relative rate in the joint above each link, or all"),
+    [RESISTANCE] = {"resistance", "N*m*s", ROT_RESISTANCES, 0, 0.0, DBL_MAX, 0, 0.0,
+                    "viscous, to the relative rate in the joint above each link: numbers, "
+                    "resistances, one or a list",
+                    rot_viscous_resistance},
     [GRAVITY] = INPUT("gravity_m_per_s2", "m/s^2", ROT_INPUT_NUMBER, 0, 0.0, 0, 9.80665,
                       "acceleration of gravity"),
     [START] =
@@ -88,7 +91,10 @@ static rot_status build(const rot_given given[], rot_store *store, void *to, rot
   rot_status status = spread(given, MASS, n, c->mass_kg, no);
   if (status == ROT_OK) status = spread(given, THETA0, n, c->theta0_rad, no);
   if (status == ROT_OK) status = spread(given, OMEGA0, n, c->omega0_rad_per_s, no);
-  if (status == ROT_OK) status = spread(given, JOINT, n, links->joint_n_m_s, no);
+  if (status == ROT_OK) {
+    status = rot_resistance_each(&inputs[RESISTANCE], RESISTANCE, &given[RESISTANCE], n,
+                                 links->joint_n_m_s, no);
+  }
   if (status != ROT_OK) return status;
   if (!rot_links_masses(links, c->mass_kg)) {
     return rot_refuse(no, MASS, "must not differ beyond double precision, nor their sum exceed it");

@@ -9,32 +9,15 @@
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
 
-enum {
-  BODY_1,
-  BODY_2,
-  CAPACITY,
-  STATIC,
-  TORQUE_1,
-  TORQUE_2,
-  OMEGA_1,
-  OMEGA_2,
-  THETA_1,
-  THETA_2,
-  ENGAGE,
-  START
-};
+enum { BODY_1, BODY_2, CAPACITY, STATIC, TORQUE, THETA0, OMEGA0, ENGAGE, START };
 
 #define BODY(name)                                                                                 \
   {                                                                                                \
     name, "kg*m^2", ROT_BODY_KINDS, 1, 0.0, DBL_MAX, 1, NAN,                                       \
         "a body, of which Izz counts, or its moment of inertia", NULL                              \
   }
-#define TORQUE(name)                                                                               \
-  {                                                                                                \
-    name, "N*m", ROT_INPUT_NUMBER | ROT_INPUT_TORQUE | ROT_INPUT_LIST, 0, ROT_NO_DOMAIN, NAN,      \
-        "constant between jumps; a list is the sum of its laws", NULL                              \
-  }
-#define STATE(name, unit, words) ROT_NUMBER_INPUT(name, unit, 0, -DBL_MAX, 0, 0.0, words)
+#define STATE(name, unit, words)                                                                   \
+  { name, unit, ROT_INPUT_NUMBERS, 0, ROT_NO_DOMAIN, 0.0, words, NULL }
 
 const rot_input rot_clutch_inputs[ROT_CLUTCH_INPUTS] = {
     [BODY_1] = BODY("body_1"),
@@ -43,23 +26,26 @@ const rot_input rot_clutch_inputs[ROT_CLUTCH_INPUTS] = {
         ROT_NUMBER_INPUT("capacity_n_m", "N*m", 1, 0.0, 0, NAN, "torque of the slipping clutch"),
     [STATIC] = ROT_NUMBER_INPUT("static_capacity_n_m", "N*m", 0, 0.0, 0, NAN,
                                 "largest torque of the locked clutch; default: the slipping one's"),
-    [TORQUE_1] = TORQUE("torque_1"),
-    [TORQUE_2] = TORQUE("torque_2"),
-    [OMEGA_1] = STATE("omega1_rad_per_s", "rad/s", "of body 1 at the start"),
-    [OMEGA_2] = STATE("omega2_rad_per_s", "rad/s", "of body 2 at the start"),
-    [THETA_1] = STATE("theta1_rad", "rad", "of body 1 at the start"),
-    [THETA_2] = STATE("theta2_rad", "rad", "of body 2 at the start"),
+    [TORQUE] = {"torque", "N*m",
+                ROT_INPUT_NUMBER | ROT_INPUT_TORQUE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0,
+                ROT_NO_DOMAIN, NAN,
+                "constant between jumps: a list with a law, a sum of them (a list) or nothing for "
+                "each body",
+                NULL},
+    [THETA0] = STATE("theta0_rad", "rad", "of the two bodies at the start"),
+    [OMEGA0] = STATE("omega0_rad_per_s", "rad/s", "of the two bodies at the start"),
     [ENGAGE] = {"engage_s", "s", ROT_INPUT_LIMIT, 0, -INFINITY, DBL_MAX, 0, -INFINITY,
                 "the clutch is pressed from then on", NULL},
-    [START] = STATE("start_s", "s", "when the state above holds"),
+    [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
 };
 
 /* Value i + 1 holds from time i on. */
-static rot_status steps_of(const rot_given given[], size_t input, rot_store *store,
-                           rot_steps *steps, rot_refusal *no) {
+static rot_status steps_of(const rot_given *given, rot_store *store, rot_steps *steps,
+                           rot_refusal *no) {
   static const char *const words = "must be constant between jumps";
+  const size_t input = TORQUE;
   rot_loads loads;
-  const rot_status status = rot_loads_of(&given[input], store, &loads);
+  const rot_status status = rot_loads_of(given, store, &loads);
   if (status == ROT_EVALUE) return rot_refuse(no, input, "adds up beyond double precision");
   if (status != ROT_OK) return status;
   if (loads.n_terms || loads.knots.call || loads.motor_n_m_s != 0.0) {
@@ -83,19 +69,34 @@ static rot_status steps_of(const rot_given given[], size_t input, rot_store *sto
   return ROT_OK;
 }
 
+/* Two numbers, or 0 for both. */
+static rot_status both_of(const rot_given given[], size_t input, double x[2], rot_refusal *no) {
+  const rot_given *g = &given[input];
+  if (g->is && g->n != 2 && !(g->n == 1 && g->x[0] == 0.0)) {
+    return rot_refuse(no, input, "must have 2 numbers, one for each body; it has %zu", g->n);
+  }
+  for (size_t i = 0; i < 2; i++) x[i] = g->is ? g->x[g->n == 2 ? i : 0] : 0.0;
+  return ROT_OK;
+}
+
 rot_status rot_clutch_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   rot_clutch_params *p = to;
   memset(p, 0, sizeof *p);
 #define NUMBER(input) rot_input_number(rot_clutch_inputs, given, input)
-  for (size_t i = 0; i < 2; i++) {
-    rot_status status = rot_body_moments(given, BODY_1 + i, &p->inertia_kg_m2[i], no);
-    if (status == ROT_OK) {
-      status = steps_of(given, TORQUE_1 + i, store, &p->torque_n_m[i], no);
-    }
-    if (status != ROT_OK) return status;
-    p->omega0_rad_per_s[i] = NUMBER(OMEGA_1 + i);
-    p->theta0_rad[i] = NUMBER(THETA_1 + i);
+  const rot_given *torque = &given[TORQUE];
+  if (torque->is && !(torque->is == ROT_INPUT_LIST && torque->n == 2)) {
+    return rot_refuse(no, TORQUE, "must be a list with one item for each of the 2 bodies");
   }
+  rot_status status = both_of(given, THETA0, p->theta0_rad, no);
+  if (status == ROT_OK) status = both_of(given, OMEGA0, p->omega0_rad_per_s, no);
+  for (size_t i = 0; i < 2 && status == ROT_OK; i++) {
+    static const rot_given nothing = {0};
+    status = rot_body_moments(given, BODY_1 + i, &p->inertia_kg_m2[i], no);
+    if (status != ROT_OK) return status;
+    status = steps_of(torque->is ? &torque->item[i] : &nothing, store, &p->torque_n_m[i], no);
+    if (status == ROT_EVALUE) rot_refused_in(no, "item %zu", i + 1);
+  }
+  if (status != ROT_OK) return status;
   p->capacity_n_m = NUMBER(CAPACITY);
   p->static_n_m = given[STATIC].is ? NUMBER(STATIC) : p->capacity_n_m;
   if (p->static_n_m < p->capacity_n_m) {

@@ -5,7 +5,7 @@
 #include "engine/model.h"
 #include "scene/clutch/clutch.h"
 
-enum { ROT_CLUTCH_INPUTS = 12, ROT_CLUTCH_ALL_COLUMNS = 7, ROT_CLUTCH_MODELS = 1 };
+enum { ROT_CLUTCH_INPUTS = 9, ROT_CLUTCH_ALL_COLUMNS = 7, ROT_CLUTCH_MODELS = 1 };
 
 extern const rot_input rot_clutch_inputs[ROT_CLUTCH_INPUTS];
 extern const rot_column_of rot_clutch_all_columns[ROT_CLUTCH_ALL_COLUMNS];

@@ -135,7 +135,7 @@ const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS] = {
                 "the law",
                 NULL},
     [RESISTANCE] = {"resistance", "", ROT_INPUT_RESISTANCE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0,
-                    ROT_NO_DOMAIN, NAN, "likewise", NULL},
+                    ROT_NO_DOMAIN, NAN, "likewise", rot_axle_resistance},
     [BRAKE] = {"brake", "", ROT_INPUT_BRAKE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0, ROT_NO_DOMAIN,
                NAN, "likewise", NULL},
     [THETA0] = {"theta0_rad", "rad", ROT_INPUT_NUMBERS, 0, ROT_NO_DOMAIN, 0.0,
@@ -251,8 +251,11 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
     rotor[i].linear.theta0_rad = theta[i];
     rotor[i].linear.omega0_rad_per_s = omega[i];
     if (holds->is) brake[i] = *(const rot_drive_grip *)holds->object;
-    status = rot_axle_load(item_of(&given[TORQUE], i), item_of(&given[RESISTANCE], i), store,
-                           &rotor[i], NULL);
+    rot_resistance terms;
+    status = rot_resistance_of(&rot_drive_inputs[RESISTANCE], RESISTANCE,
+                               item_of(&given[RESISTANCE], i), &terms, no);
+    if (status != ROT_OK) return status;
+    status = rot_axle_load(item_of(&given[TORQUE], i), &terms, store, &rotor[i], NULL);
     if (status == ROT_EVALUE) {
       return rot_refuse(no, TORQUE, "item %zu adds up beyond double precision", i + 1);
     }

@@ -6,9 +6,11 @@
 
 #include "ground/sort.h"
 #include "body/inertia.h"
+#include "engine/resistance.h"
 #include "maths/attitude.h"
 
 const char *const rot_free_axes[] = {"body", "space", NULL};
+const char *const rot_free_resistance[] = {"damping_per_s", NULL};
 
 enum { BODY, OMEGA0, COMMON };
 
@@ -209,9 +211,13 @@ rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[]
   p->q0[0] = 1.0;
   if (of[ROT_FREE_ATTITUDE0].is) rot_free_read_attitude(of[ROT_FREE_ATTITUDE0].x, p->q0);
   p->in_space = of[ROT_FREE_AXES].is && of[ROT_FREE_AXES].option == 1;
-  p->damping_per_s = rot_input_number(inputs, given, common + ROT_FREE_DAMPING);
   p->start_s = rot_input_number(inputs, given, common + ROT_FREE_START);
-  rot_status status = read_torque(&of[ROT_FREE_TORQUE], common + ROT_FREE_TORQUE, built, no);
+  const size_t resists = common + ROT_FREE_RESISTANCE;
+  rot_resistance terms;
+  rot_status status = rot_resistance_of(&inputs[resists], resists, &given[resists], &terms, no);
+  if (status != ROT_OK) return status;
+  p->damping_per_s = terms.damping_per_s;
+  status = read_torque(&of[ROT_FREE_TORQUE], common + ROT_FREE_TORQUE, built, no);
   if (status == ROT_OK) status = read_rotors(rotors, common + ROT_FREE_ROTORS, built, no);
   if (status == ROT_OK) status = read_breaks(&of[ROT_FREE_BREAKS], rotors, store, p);
   return status == ROT_OK ? check_moments(p, common + ROT_FREE_ROTORS, no) : status;

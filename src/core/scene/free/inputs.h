@@ -23,7 +23,8 @@ double rot_free_start(const void *scene);
 
 /* ---- shared with bodies that have a fixed point ---------------------------------------------- */
 
-extern const char *const rot_free_axes[]; /* of the torque */
+extern const char *const rot_free_axes[];       /* of the torque */
+extern const char *const rot_free_resistance[]; /* its terms */
 
 /* clang-format off */
 #define ROT_FREE_ANY -DBL_MAX, DBL_MAX, 0
@@ -33,13 +34,13 @@ extern const char *const rot_free_axes[]; /* of the torque */
 #define ROT_FREE_COMMON_INPUTS                                                                     \
   {"attitude0", "1", ROT_INPUT_ATTITUDE, 0, ROT_FREE_ANY, NAN,                                     \
    "at the start, own axes to space, scalar first; default: 1, 0, 0, 0", NULL},                    \
-  {"torque_n_m", "N*m", ROT_INPUT_VECTOR | ROT_INPUT_TABLE | ROT_INPUT_LAW, 0, ROT_FREE_ANY, NAN,  \
+  {"torque", "N*m", ROT_INPUT_VECTOR | ROT_INPUT_TABLE | ROT_INPUT_LAW, 0, ROT_FREE_ANY, NAN,  \
    "constant, a table, or a law of time_s, omega_rad_per_s (3, own axes), attitude (4); default: " \
    "none", rot_free_arguments},                                                                    \
   {"torque_axes", "", ROT_INPUT_CHOICE, 0, ROT_FREE_ANY, NAN, "axes of the torque",                \
    rot_free_axes},                                                                                 \
-  {"damping_per_s", "1/s", ROT_INPUT_NUMBER, 0, ROT_FREE_ANY, 0.0,                                 \
-   "resistance over the angular momentum", NULL},                                                  \
+  {"resistance", "", ROT_INPUT_RESISTANCE, 0, ROT_FREE_ANY, NAN,                                   \
+   "a torque against the angular momentum", rot_free_resistance},                                  \
   {"rotors", "", ROT_INPUT_ROTOR | ROT_INPUT_LIST, 0, ROT_FREE_ANY, NAN,                           \
    "one rotor, or a list of at most 16; the body includes them, locked", NULL},                    \
   {"breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_FREE_ANY, NAN,                                         \
@@ -51,7 +52,7 @@ enum {
   ROT_FREE_ATTITUDE0,
   ROT_FREE_TORQUE,
   ROT_FREE_AXES,
-  ROT_FREE_DAMPING,
+  ROT_FREE_RESISTANCE,
   ROT_FREE_ROTORS,
   ROT_FREE_BREAKS,
   ROT_FREE_START

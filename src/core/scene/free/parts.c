@@ -55,10 +55,11 @@ enum { AXIS, INERTIA, OMEGA, TORQUE, BREAKS };
 static const rot_input rotor_inputs[] = {
     [AXIS] = {"axis", "1", ROT_INPUT_VECTOR, 1, ROT_NO_DOMAIN, NAN,
               "in the body's own axes, of any length", NULL},
-    [INERTIA] = ROT_NUMBER_INPUT("inertia_kg_m2", "kg*m^2", 1, 0.0, 1, NAN, "about its axis"),
+    [INERTIA] =
+        ROT_NUMBER_INPUT("moment_of_inertia_kg_m2", "kg*m^2", 1, 0.0, 1, NAN, "about its axis"),
     [OMEGA] = ROT_NUMBER_INPUT("omega_rad_per_s", "rad/s", 1, -DBL_MAX, 0, NAN,
                                "at the start, relative to the body"),
-    [TORQUE] = {"torque_n_m", "N*m", ROT_INPUT_NUMBER | ROT_INPUT_TABLE | ROT_INPUT_LAW, 0,
+    [TORQUE] = {"torque", "N*m", ROT_INPUT_NUMBER | ROT_INPUT_TABLE | ROT_INPUT_LAW, 0,
                 ROT_NO_DOMAIN, NAN, "of its motor, as that of a body; default: it keeps its speed",
                 rot_free_arguments},
     [BREAKS] = {"breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_NO_DOMAIN, NAN,
@@ -105,11 +106,11 @@ static rot_status build_moments(const rot_part *part, const rot_given given[], r
   return ROT_OK;
 }
 
-/* A table has no constructor in R: it has the name of the input that takes it. */
+/* A table has no constructor in R: there it is a data frame. */
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 const rot_part rot_free_parts[] = {{"rotor", ROT_INPUT_ROTOR, COUNT(rotor_inputs), rotor_inputs,
                                     sizeof(rot_free_rotor_of), build_rotor},
-                                   {"torque_n_m", ROT_INPUT_TABLE, COUNT(table_inputs),
+                                   {"torque_table", ROT_INPUT_TABLE, COUNT(table_inputs),
                                     table_inputs, sizeof(rot_free_table_of), build_table},
                                    {"principal_moments", ROT_INPUT_MOMENTS, COUNT(moments_inputs),
                                     moments_inputs, sizeof(rot_free_moments_of), build_moments}};

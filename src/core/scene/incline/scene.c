@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "engine/resistance.h"
+
 /* ---- inputs ---------------------------------------------------------------------------------- */
 
 enum {
@@ -17,13 +19,14 @@ enum {
   OMEGA0,
   X0,
   THETA0,
-  DRAG,
-  QUADRATIC,
+  RESISTANCE,
   FORCE,
   BREAKS,
   GRAVITY,
   START
 };
+
+static const char *const drag_terms[] = {"drag_n_s_per_m", "drag_n_s2_per_m2", NULL};
 
 const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS] = {
     [BODY] = {"body", "", ROT_INPUT_BODY, 1, ROT_NO_DOMAIN, NAN, "round about its own z axis",
@@ -48,14 +51,12 @@ const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS] = {
             "place along the slope at the start", NULL},
     [THETA0] = {"theta0_rad", "rad", ROT_INPUT_NUMBER, 0, ROT_NO_DOMAIN, 0.0, "angle at the start",
                 NULL},
-    [DRAG] = {"drag_n_s_per_m", "N*s/m", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 0.0,
-              "linear air drag on the centre of mass", NULL},
-    [QUADRATIC] = {"drag_n_s2_per_m2", "N*s^2/m^2", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 0.0,
-                   "quadratic air drag on the centre of mass", NULL},
-    [FORCE] = {"force_n", "N", ROT_INPUT_LAW, 0, ROT_NO_DOMAIN, NAN,
+    [RESISTANCE] = {"resistance", "", ROT_INPUT_RESISTANCE, 0, ROT_NO_DOMAIN, NAN,
+                    "air drag on the centre of mass", drag_terms},
+    [FORCE] = {"force", "N", ROT_INPUT_NUMBER | ROT_INPUT_LAW, 0, ROT_NO_DOMAIN, NAN,
                "along the slope on the centre of mass, positive down, of time_s, x_m, v_m_per_s",
                NULL},
-    [BREAKS] = {"force_breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_NO_DOMAIN, NAN,
+    [BREAKS] = {"breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_NO_DOMAIN, NAN,
                 "where the force may jump or kink", NULL},
     [GRAVITY] = {"gravity_m_per_s2", "m/s^2", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 9.80665,
                  "acceleration of gravity", NULL},
@@ -67,6 +68,12 @@ static rot_status call_force(double t, double x, double v, double *force, void *
   const rot_law *law = ctx;
   const double argument[] = {t, x, v};
   return law->call(argument, force, law->ctx);
+}
+
+static rot_status constant_force(const double argument[], double value[], void *ctx) {
+  (void)argument;
+  *value = *(const double *)ctx;
+  return ROT_OK;
 }
 
 rot_status rot_incline_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
@@ -117,14 +124,22 @@ rot_status rot_incline_build(const rot_given given[], rot_store *store, void *to
                       DBL_MIN);
   }
   p->start_s = NUMBER(START);
-  scene->drag_n_s_per_m = NUMBER(DRAG);
-  scene->drag_n_s2_per_m2 = NUMBER(QUADRATIC);
 #undef NUMBER
+  rot_resistance terms;
+  const rot_status status = rot_resistance_of(&rot_incline_inputs[RESISTANCE], RESISTANCE,
+                                              &given[RESISTANCE], &terms, no);
+  if (status != ROT_OK) return status;
+  scene->drag_n_s_per_m = terms.drag_n_s_per_m;
+  scene->drag_n_s2_per_m2 = terms.drag_n_s2_per_m2;
   if (given[BREAKS].is && given[BREAKS].n && !given[FORCE].is) {
     return rot_refuse(no, BREAKS, "needs a force");
   }
   if (given[FORCE].is) {
     built->law = given[FORCE].law;
+    if (given[FORCE].is == ROT_INPUT_NUMBER) {
+      built->force_n = given[FORCE].x[0];
+      built->law = (rot_law){constant_force, &built->force_n, 0.0};
+    }
     scene->force = call_force;
     scene->ctx = &built->law;
     scene->force_noise_n = built->law.noise;

@@ -17,7 +17,7 @@ enum {
   ROT_INCLINE_OUTER = ROT_INCLINE_DRAG | ROT_INCLINE_QUADRATIC | ROT_INCLINE_FORCE
 };
 
-enum { ROT_INCLINE_INPUTS = 16 };
+enum { ROT_INCLINE_INPUTS = 15 };
 
 extern const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS];
 
@@ -25,6 +25,7 @@ extern const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS];
 typedef struct rot_incline_built {
   rot_incline_scene scene;
   rot_law law;
+  double force_n; /* of a constant force */
 } rot_incline_built;
 
 /* rot_constraint.build and .start_s */

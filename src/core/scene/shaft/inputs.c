@@ -5,13 +5,14 @@
 #include <string.h>
 
 #include "body/parts.h"
+#include "engine/resistance.h"
 #include "scene/shaft/ledger.h"
 #include "scene/shaft/modal.h"
 #include "scene/shaft/rigid.h"
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
 
-enum { BODIES, STIFFNESS, DAMPING, TORQUE, VISCOUS, THETA0, OMEGA0, START };
+enum { BODIES, STIFFNESS, DAMPING, TORQUE, RESISTANCE, THETA0, OMEGA0, START };
 
 #define EACH(name, unit, required, low, otherwise, words)                                          \
   { name, unit, ROT_INPUT_NUMBERS, required, low, DBL_MAX, 0, otherwise, words, NULL }
@@ -23,9 +24,10 @@ const rot_input rot_shaft_inputs[ROT_SHAFT_INPUTS] = {
     [STIFFNESS] = EACH("stiffness_n_m_per_rad", "N*m/rad", 1, 0.0, NAN,
                        "of the shaft between neighbours: one number, or one for each piece"),
     [DAMPING] = EACH("damping_n_m_s", "N*m*s", 0, 0.0, 0.0, "between neighbours, likewise"),
-    [TORQUE] = EACH("torque_n_m", "N*m", 0, -DBL_MAX, 0.0, "constant, on each rotor from outside"),
-    [VISCOUS] = EACH("viscous_n_m_s", "N*m*s", 0, 0.0, 0.0,
-                     "of the bearing of each rotor: one number, or one for each"),
+    [TORQUE] = EACH("torque", "N*m", 0, -DBL_MAX, 0.0, "constant, on each rotor from outside"),
+    [RESISTANCE] = {"resistance", "N*m*s", ROT_RESISTANCES, 0, 0.0, DBL_MAX, 0, 0.0,
+                    "viscous, of each rotor: numbers, resistances, one or a list",
+                    rot_viscous_resistance},
     [THETA0] = EACH("theta0_rad", "rad", 0, -DBL_MAX, 0.0, "angles at the start, likewise"),
     [OMEGA0] = EACH("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0.0,
                     "angular velocities at the start, likewise"),
@@ -52,7 +54,6 @@ rot_status rot_shaft_build(const rot_given given[], rot_store *store, void *to, 
   } each[] = {{STIFFNESS, p->n - 1, &p->stiffness_n_m_per_rad},
               {DAMPING, p->n - 1, &p->damping_n_m_s},
               {TORQUE, p->n, &p->torque_n_m},
-              {VISCOUS, p->n, &p->viscous_n_m_s},
               {THETA0, p->n, &p->theta0_rad},
               {OMEGA0, p->n, &p->omega0_rad_per_s}};
   for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
@@ -62,6 +63,12 @@ rot_status rot_shaft_build(const rot_given given[], rot_store *store, void *to, 
     if (status != ROT_OK) return status;
     *each[i].to = x;
   }
+  double *viscous = rot_store_get(store, p->n, sizeof *viscous);
+  if (!viscous) return ROT_ENOMEM;
+  status = rot_resistance_each(&rot_shaft_inputs[RESISTANCE], RESISTANCE, &given[RESISTANCE], p->n,
+                               viscous, no);
+  if (status != ROT_OK) return status;
+  p->viscous_n_m_s = viscous;
   p->inertia_kg_m2 = inertia;
   p->start_s = rot_input_number(rot_shaft_inputs, given, START);
   return ROT_OK;

@@ -275,7 +275,7 @@ static void balances(void) {
     for (int i = 0; i < 4; i++) t[i] = 2.0 + 0.7 * i;
     kit *k = chain(n, length, n, mass, trial / 24, n, start, rate);
     if (!heavy) kit_number(k, "gravity_m_per_s2", 0.0);
-    kit_numbers(k, "joint_n_m_s", n, joint);
+    kit_numbers(k, "resistance", n, joint);
     kit_number(k, "start_s", 1.5);
     motion m = kit_run(k, NULL, 1e-9, 4, t);
     ROT_CHECK(ran(&m) && m.out.error < 1e-8);
@@ -332,7 +332,7 @@ static void stiff_joint(void) {
   const double one = 1.0, two = 2.0, t[2] = {1.0, 3.0};
   kit *k = chain(2, length, 1, &mass, 0, 1, &start, NULL),
       *rod = chain(1, &one, 1, &two, 0, 1, &start, NULL);
-  kit_numbers(k, "joint_n_m_s", 2, joint);
+  kit_numbers(k, "resistance", 2, joint);
   motion m = kit_run(k, NULL, 1e-8, 2, t), want = kit_run(rod, NULL, 1e-10, 2, t);
   ROT_CHECK(ran(&m) && !strcmp(m.out.model->id, "chain_radau"));
   for (size_t i = 0; i < 2; i++) {
@@ -461,14 +461,14 @@ static void time_scales(void) {
   k->c->pace(k->scene, sizes, &pace);
   ROT_CHECK(isinf(pace.fades_s));
   ROT_CHECK_REL(pace.swing_rad_per_s, 6.0 + sqrt(GRAVITY / 0.5), 1e-14);
-  kit_number(k, "joint_n_m_s", 0.1);
+  kit_number(k, "resistance", 0.1);
   ROT_CHECK(kit_build(k) == ROT_OK);
   k->c->pace(k->scene, sizes, &pace);
   ROT_CHECK_REL(pace.fades_s, 2.0 * 0.25 / 0.1, 1e-14);
   /* m l^2 (4/3 1/2; 1/2 1/3) has the inverse (1/3 -1/2; -1/2 4/3) 36/7 over m l^2. */
   kit_numbers(k, "length_m", 2, length);
   kit_option(k, "links", 0);
-  kit_numbers(k, "joint_n_m_s", 2, joint);
+  kit_numbers(k, "resistance", 2, joint);
   ROT_CHECK(kit_build(k) == ROT_OK);
   k->c->pace(k->scene, sizes, &pace);
   ROT_CHECK_REL(1.0 / pace.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0), 1e-13);
@@ -483,12 +483,12 @@ static void refused_inputs(void) {
   for (int i = 0; i < 17; i++) many[i] = 1.0;
   kit *k = chain(3, length, 1, &mass, 0, 1, &start, NULL);
   ROT_CHECK(kit_build(k) == ROT_OK);
-  const char *const lists[] = {"mass_kg", "theta0_rad", "omega0_rad_per_s", "joint_n_m_s"};
+  const char *const lists[] = {"mass_kg", "theta0_rad", "omega0_rad_per_s", "resistance"};
   for (int i = 0; i < 4; i++) {
     kit_numbers(k, lists[i], 3, many);
     ROT_CHECK(kit_build(k) == ROT_OK);
     kit_numbers(k, lists[i], 2, many);
-    ROT_CHECK(kit_refuses(k, lists[i], "3, one for each length"));
+    ROT_CHECK(kit_refuses(k, lists[i], i < 3 ? "3, one for each length" : "1 or 3 items"));
     kit_numbers(k, lists[i], 0, many);
     ROT_CHECK(kit_refuses(k, lists[i], "it has 0"));
     many[1] = NAN;
@@ -510,9 +510,9 @@ static void refused_inputs(void) {
   kit_numbers(k, "length_m", 2, zero);
   ROT_CHECK(kit_refuses(k, "length_m", "greater than 0"));
   kit_numbers(k, "length_m", 2, many);
-  kit_numbers(k, "joint_n_m_s", 2, below);
-  ROT_CHECK(kit_refuses(k, "joint_n_m_s", "at least 0"));
-  kit_unset(k, "joint_n_m_s");
+  kit_numbers(k, "resistance", 2, below);
+  ROT_CHECK(kit_refuses(k, "resistance", "at least 0"));
+  kit_unset(k, "resistance");
   kit_number(k, "gravity_m_per_s2", -1.0);
   ROT_CHECK(kit_refuses(k, "gravity_m_per_s2", "at least 0"));
   kit_unset(k, "gravity_m_per_s2");
@@ -549,7 +549,7 @@ static void refused_modes(void) {
     kit_number(k, "theta0_rad", i == 0 ? large : i == 1 ? turn : small);
     if (i == 2) kit_number(k, "gravity_m_per_s2", 0.0);
     if (i == 3) kit_unset(k, "gravity_m_per_s2");
-    if (i == 3) kit_number(k, "joint_n_m_s", 1e-3);
+    if (i == 3) kit_number(k, "resistance", 1e-3);
     m = kit_run(k, "chain_modes", 1e-3, 1, &t);
     ROT_CHECK(m.end == ROT_RUN_NO_MODEL);
     rot_choice_reason(k->c, &m.out.picked, sizeof text, text);

@@ -30,7 +30,7 @@ static int push(const double *argument, double *value, void *context) {
 
 static rotdyn_object *table(void) {
   const double time_s[] = {0.0, 5.0}, torque[] = {TORQUE, TORQUE};
-  rotdyn_object *of = rotdyn_object_new("torque_n_m");
+  rotdyn_object *of = rotdyn_object_new("torque_table");
   ROT_CHECK(rotdyn_set_numbers(of, "time_s", 2, time_s) == ROTDYN_OK);
   ROT_CHECK(rotdyn_set_numbers(of, "torque_n_m", 2, torque) == ROTDYN_OK);
   return of;
@@ -45,11 +45,11 @@ static rotdyn_object *wheel(motor by, double length, int *calls) {
   const double axis[] = {0.0, 0.0, length};
   rotdyn_object *of = rotdyn_object_new("rotor");
   ROT_CHECK(rotdyn_set_numbers(of, "axis", 3, axis) == ROTDYN_OK);
-  ROT_CHECK(rotdyn_set_number(of, "inertia_kg_m2", WHEEL) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(of, "moment_of_inertia_kg_m2", WHEEL) == ROTDYN_OK);
   ROT_CHECK(rotdyn_set_number(of, "omega_rad_per_s", 0.0) == ROTDYN_OK);
-  if (by == BY_NUMBER) ROT_CHECK(rotdyn_set_number(of, "torque_n_m", TORQUE) == ROTDYN_OK);
-  if (by == BY_TABLE) give(of, "torque_n_m", table(), ROTDYN_OK);
-  if (by == BY_LAW) ROT_CHECK(rotdyn_set_law(of, "torque_n_m", push, calls) == ROTDYN_OK);
+  if (by == BY_NUMBER) ROT_CHECK(rotdyn_set_number(of, "torque", TORQUE) == ROTDYN_OK);
+  if (by == BY_TABLE) give(of, "torque", table(), ROTDYN_OK);
+  if (by == BY_LAW) ROT_CHECK(rotdyn_set_law(of, "torque", push, calls) == ROTDYN_OK);
   return of;
 }
 
@@ -121,30 +121,30 @@ static void check_moments(void) {
 static void check_table(void) {
   const double time_s[] = {0.0, 2.0}, x[] = {0.0, 0.6}, zero[] = {0.0, 0.0}, back[] = {2.0, 0.0};
   const double ball[] = {1.0, 1.0, 1.0};
-  rotdyn_object *scene = body(), *of = rotdyn_object_new("torque_n_m");
+  rotdyn_object *scene = body(), *of = rotdyn_object_new("torque_table");
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   ROT_CHECK(rotdyn_set_numbers(scene, "body", 3, ball) == ROTDYN_OK);
   ROT_CHECK(rotdyn_set_numbers(of, "time_s", 2, time_s) == ROTDYN_OK);
   ROT_CHECK(rotdyn_set_numbers(of, "x_n_m", 2, x) == ROTDYN_OK);
   ROT_CHECK(rotdyn_set_numbers(of, "y_n_m", 2, zero) == ROTDYN_OK);
-  ROT_CHECK(rotdyn_set_object(scene, "torque_n_m", of) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_object(scene, "torque", of) == ROTDYN_OK);
   ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_EARGUMENT); /* no z */
   ROT_CHECK(strstr(report.reason, "z_n_m") && strstr(report.reason, "for each time"));
   ROT_CHECK(rotdyn_set_numbers(of, "z_n_m", 2, zero) == ROTDYN_OK);
-  ROT_CHECK(rotdyn_set_object(scene, "torque_n_m", of) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_object(scene, "torque", of) == ROTDYN_OK);
   ROT_CHECK_REL(at(scene, "omega_x_rad_per_s", 1.0), 0.15, 1e-12);
   ROT_CHECK_REL(at(scene, "omega_x_rad_per_s", 9.0), 0.6, 1e-12);
   ROT_CHECK(rotdyn_set_numbers(of, "time_s", 2, back) == ROTDYN_OK);
-  ROT_CHECK(rotdyn_set_object(scene, "torque_n_m", of) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_object(scene, "torque", of) == ROTDYN_OK);
   ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_EARGUMENT);
   ROT_CHECK(strstr(report.reason, "go back"));
   ROT_CHECK(rotdyn_set_numbers(of, "time_s", 2, zero) == ROTDYN_OK);
-  ROT_CHECK(rotdyn_set_object(scene, "torque_n_m", of) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_object(scene, "torque", of) == ROTDYN_OK);
   ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_EARGUMENT);
   ROT_CHECK(strstr(report.reason, "span"));
-  give(scene, "torque_n_m", table(), ROTDYN_OK); /* of a motor */
+  give(scene, "torque", table(), ROTDYN_OK); /* of a motor */
   ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_EARGUMENT);
-  ROT_CHECK(!strcmp(report.input, "torque_n_m") && strstr(report.reason, "x_n_m"));
+  ROT_CHECK(!strcmp(report.input, "torque") && strstr(report.reason, "x_n_m"));
   rotdyn_object_free(of);
   rotdyn_object_free(scene);
 }

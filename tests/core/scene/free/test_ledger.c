@@ -32,7 +32,7 @@ static void check_damped(void) {
   kit *k = kit_new("scene_free");
   vector(k, "body", 1.0, 2.0, 2.5);
   vector(k, "omega0_rad_per_s", 1e6, 2e6, -1e6);
-  kit_number(k, "damping_per_s", 0.3);
+  kit_resist(k, "damping_per_s", 0.3);
   motion m = kit_run(k, "free_exact", 1e-9, 3, t);
   ROT_CHECK(ran(&m) && largest(&m, HEAT) > 1e5 * largest(&m, IMPULSE));
   within(&m, HEAT, 32.0);

@@ -117,12 +117,12 @@ static void bifurcation(void) {
       ROT_CHECK_REL(angle - rest, 1e-5, 1e-6);
       /* With drag it ends there from elsewhere. */
       kit_number(k, "theta0_rad", 0.2);
-      kit_number(k, "drag_n_s_per_m", 0.6);
+      kit_resist(k, "drag_n_s_per_m", 0.6);
       at(k, 60.0, 1e-9, &angle, NULL);
       ROT_CHECK(fabs(angle - rest) < 1e-8);
     } else if (ratio < 0.99) {
       kit_number(k, "theta0_rad", 0.2);
-      kit_number(k, "drag_n_s_per_m", 0.6);
+      kit_resist(k, "drag_n_s_per_m", 0.6);
       double angle;
       at(k, 60.0, 1e-9, &angle, NULL);
       ROT_CHECK(fabs(angle) < 1e-8);
@@ -215,7 +215,7 @@ static void random_hoops(void) {
     const double accuracy = pow(10.0, uniform(-9.0, -4.0));
     double t[4];
     for (int i = 0; i < 4; i++) t[i] = 1.5 * (i + 1) + uniform(0.0, 1.0);
-    if (trial % 3) kit_number(k, "drag_n_s_per_m", uniform(0.0, 0.4));
+    if (trial % 3) kit_resist(k, "drag_n_s_per_m", uniform(0.0, 0.4));
     if (trial % 2) {
       const double mu = uniform(0.02, 0.5);
       kit_number(k, "static_friction", mu);
@@ -255,7 +255,7 @@ static void backwards(void) {
   ROT_CHECK(fabs(angle - 1.0) < 1e-9 && fabs(rate - 0.4) < 1e-9);
   /* With friction, while it slides: faster before. */
   kit_number(k, "static_friction", 0.3);
-  kit_number(k, "drag_n_s_per_m", 0.1);
+  kit_resist(k, "drag_n_s_per_m", 0.1);
   kit_number(k, "theta0_rad", 0.2);
   kit_number(k, "omega0_rad_per_s", 4.0);
   kit_number(k, "start_s", 0.0);
@@ -310,7 +310,7 @@ static void extremes(void) {
   /* Stiff drag: implicit steps. */
   kit_number(k, "gravity_m_per_s2", GRAVITY);
   kit_unset(k, "static_friction");
-  kit_number(k, "drag_n_s_per_m", 1e6);
+  kit_resist(k, "drag_n_s_per_m", 1e6);
   const double later[1] = {1000.0};
   m = kit_run(k, NULL, 1e-8, 1, later);
   ROT_CHECK(ran(&m) && !strcmp(m.out.model->id, "hoop_radau"));
@@ -330,8 +330,7 @@ static void refused_inputs(void) {
     const char *words;
   } wrong[] = {{"mass_kg", 0.0, "greater than 0"},       {"radius_m", -1.0, "greater than 0"},
                {"hoop_omega_rad_per_s", NAN, "finite"},  {"theta0_rad", INFINITY, "finite"},
-               {"omega0_rad_per_s", NAN, "finite"},      {"drag_n_s_per_m", -1.0, "at least 0"},
-               {"static_friction", -0.1, "at least 0"},  {"kinetic_friction", 0.2, "at most"},
+               {"omega0_rad_per_s", NAN, "finite"},      {"static_friction", -0.1, "at least 0"},  {"kinetic_friction", 0.2, "at most"},
                {"gravity_m_per_s2", -1.0, "at least 0"}, {"start_s", NAN, "finite"}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     const rot_given kept = k->given[kit_input(k, wrong[i].input)];
@@ -345,8 +344,10 @@ static void refused_inputs(void) {
   kit_unset(k, "mass_kg");
   ROT_CHECK(kit_refuses(k, "mass_kg", "missing"));
   kit_number(k, "mass_kg", 1e-300);
-  kit_number(k, "drag_n_s_per_m", 1e300);
+  kit_resist(k, "drag_n_s_per_m", 1e300);
   ROT_CHECK(kit_refuses(k, "mass_kg", "double precision"));
+  kit_resist(k, "viscous_n_m_s", 0.1);
+  ROT_CHECK(kit_refuses(k, "resistance", "takes `drag_n_s_per_m`"));
   kit_free(k);
 }
 
