@@ -59,7 +59,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_plus(rot_pair_dd a, rot_pair_dd b) {
 }
 
 ROT_INLINE rot_pair_dd rot_pair_dd_neg(rot_pair_dd a) {
-  return (rot_pair_dd){ROT_BOTH(0.0) - a.hi, ROT_BOTH(0.0) - a.lo};
+  return (rot_pair_dd){0.0 - a.hi, 0.0 - a.lo};
 }
 
 ROT_INLINE rot_pair_dd rot_pair_dd_sub(rot_pair_dd a, rot_pair_dd b) {
@@ -78,7 +78,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_mul1(rot_pair_dd a, rot_pair b) {
 
 /* By a power of two. */
 ROT_INLINE rot_pair_dd rot_pair_dd_scale(rot_pair_dd a, double by) {
-  return (rot_pair_dd){a.hi * ROT_BOTH(by), a.lo * ROT_BOTH(by)};
+  return (rot_pair_dd){a.hi * by, a.lo * by};
 }
 
 ROT_INLINE rot_pair_dd rot_pair_dd_div(rot_pair_dd a, rot_pair_dd b) {

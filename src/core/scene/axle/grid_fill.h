@@ -15,7 +15,7 @@ extern const double rot_axle_grid_series[ROT_GRID_TERMS];
 /* phi3(-z) to z^13: see scene/axle/grid.c. */
 ROT_INLINE rot_pair phi3_pair(rot_pair z, int terms) {
   rot_pair sum = ROT_BOTH(rot_axle_grid_series[terms - 1]);
-  for (int j = terms - 2; j >= 0; j--) sum = sum * z + ROT_BOTH(rot_axle_grid_series[j]);
+  for (int j = terms - 2; j >= 0; j--) sum = sum * z + rot_axle_grid_series[j];
   return sum;
 }
 
@@ -49,14 +49,14 @@ ROT_INLINE rot_pair fill_pair(const rot_axle_grid *grid, const chunk *k, int slo
   const rot_pair w = k->w0 + (k->A * s + k->g * e2);
   const rot_pair th = k->th0 + (s * (k->w0 + k->half_A * s) + k->g * e3);
   const rot_pair tau = sloping ? k->a * (k->end - t) + k->b * (t - k->start) : k->b;
-  const rot_pair drag = ROT_BOTH(0.0) - k->c * w, L = k->I * w;
+  const rot_pair drag = 0.0 - k->c * w, L = k->I * w;
   rot_store(theta + j, th);
   rot_store(omega + j, w);
   rot_store(applied + j, tau);
   rot_store(damping + j, drag);
   rot_store(net + j, tau + drag);
   rot_store(momentum + j, L);
-  rot_store(energy + j, ROT_BOTH(0.5) * L * w);
+  rot_store(energy + j, 0.5 * L * w);
   return rot_pair_abs(off);
 }
 

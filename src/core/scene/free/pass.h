@@ -21,24 +21,24 @@ typedef struct rot_free_block {
 /* ---- functions ------------------------------------------------------------------------------- */
 
 ROT_INLINE rot_pair rot_free_rounded(rot_pair x) { /* |x| < 2^51 */
-  return (x + ROT_BOTH(0x1.8p52)) - ROT_BOTH(0x1.8p52);
+  return (x + 0x1.8p52) - 0x1.8p52;
 }
 
 /* atan(x)/x for x^2 = z <= 0.19: fdlibm's polynomial. */
 ROT_INLINE rot_pair rot_free_arc(rot_pair z) {
   const rot_pair w = z * z;
-  const rot_pair even = ROT_BOTH(3.33333333333329318027e-01) +
-                        w * (ROT_BOTH(1.42857142725034663711e-01) +
-                             w * (ROT_BOTH(9.09088713343650656196e-02) +
-                                  w * (ROT_BOTH(6.66107313738753120669e-02) +
-                                       w * (ROT_BOTH(4.97687799461593236017e-02) +
-                                            w * ROT_BOTH(1.62858201153657823623e-02)))));
-  const rot_pair odd = ROT_BOTH(-1.99999999998764832476e-01) +
-                       w * (ROT_BOTH(-1.11111104054623557880e-01) +
-                            w * (ROT_BOTH(-7.69187620504482999495e-02) +
-                                 w * (ROT_BOTH(-5.83357013379057348645e-02) +
-                                      w * ROT_BOTH(-3.65315727442169155270e-02))));
-  return ROT_BOTH(1.0) - z * (even + z * odd);
+  const rot_pair even =
+      3.33333333333329318027e-01 +
+      w * (1.42857142725034663711e-01 +
+           w * (9.09088713343650656196e-02 +
+                w * (6.66107313738753120669e-02 +
+                     w * (4.97687799461593236017e-02 + w * 1.62858201153657823623e-02))));
+  const rot_pair odd =
+      -1.99999999998764832476e-01 +
+      w * (-1.11111104054623557880e-01 +
+           w * (-7.69187620504482999495e-02 +
+                w * (-5.83357013379057348645e-02 + w * (-3.65315727442169155270e-02))));
+  return 1.0 - z * (even + z * odd);
 }
 
 /* atan(x), 0 <= x <= 1. */
@@ -46,24 +46,24 @@ ROT_INLINE rot_pair rot_free_arctangent(rot_pair x) {
   const rot_pair one = ROT_BOTH(1.0), limit = ROT_BOTH(0.41421356237309503);
   const rot_pair folded = rot_pair_if_more(x, limit, (x - one) / (x + one), x);
   const rot_pair arc = folded * rot_free_arc(folded * folded);
-  return rot_pair_if_more(x, limit, ROT_BOTH(0x1.921fb54442d18p-1) + arc, arc);
+  return rot_pair_if_more(x, limit, 0x1.921fb54442d18p-1 + arc, arc);
 }
 
 /* sin(x), cos(x) for |x| <= pi/4: fdlibm's polynomials. */
 ROT_INLINE void rot_free_sine_cosine(rot_pair x, rot_pair *s, rot_pair *c) {
-  const rot_pair z = x * x, half = ROT_BOTH(0.5) * z, one = ROT_BOTH(1.0), w = one - half;
-  const rot_pair by_s = ROT_BOTH(8.33333333332248946124e-03) +
-                        z * (ROT_BOTH(-1.98412698298579493134e-04) +
-                             z * (ROT_BOTH(2.75573137070700676789e-06) +
-                                  z * (ROT_BOTH(-2.50507602534068634195e-08) +
-                                       z * ROT_BOTH(1.58969099521155010221e-10))));
-  const rot_pair by_c = ROT_BOTH(4.16666666666666019037e-02) +
-                        z * (ROT_BOTH(-1.38888888888741095749e-03) +
-                             z * (ROT_BOTH(2.48015872894767294178e-05) +
-                                  z * (ROT_BOTH(-2.75573143513906633035e-07) +
-                                       z * (ROT_BOTH(2.08757232129817482790e-09) +
-                                            z * ROT_BOTH(-1.13596475577881948265e-11)))));
-  *s = x + z * x * (ROT_BOTH(-1.66666666666666324348e-01) + z * by_s);
+  const rot_pair z = x * x, half = 0.5 * z, one = ROT_BOTH(1.0), w = one - half;
+  const rot_pair by_s =
+      8.33333333332248946124e-03 +
+      z * (-1.98412698298579493134e-04 +
+           z * (2.75573137070700676789e-06 +
+                z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
+  const rot_pair by_c =
+      4.16666666666666019037e-02 +
+      z * (-1.38888888888741095749e-03 +
+           z * (2.48015872894767294178e-05 +
+                z * (-2.75573143513906633035e-07 +
+                     z * (2.08757232129817482790e-09 + z * (-1.13596475577881948265e-11)))));
+  *s = x + z * x * (-1.66666666666666324348e-01 + z * by_s);
   *c = w + (((one - w) - half) + z * (z * by_c));
 }
 
@@ -80,16 +80,13 @@ ROT_INLINE void rot_free_quarters(rot_pair n, rot_pair *c, rot_pair *s) {
 }
 
 /* The remainder of n by 4, from -2 to 2. */
-ROT_INLINE rot_pair rot_free_fourth(rot_pair n) {
-  return n - ROT_BOTH(4.0) * rot_free_rounded(n * ROT_BOTH(0.25));
-}
+ROT_INLINE rot_pair rot_free_fourth(rot_pair n) { return n - 4.0 * rot_free_rounded(n * 0.25); }
 
 /* sin(x), cos(x) for |x| < 1e5. */
 ROT_INLINE void rot_free_any_sine_cosine(rot_pair x, rot_pair *s, rot_pair *c) {
-  const rot_pair n = rot_free_rounded(x * ROT_BOTH(0x1.45f306dc9c883p-1));
-  const rot_pair r =
-      ((x - n * ROT_BOTH(1.57079632673412561417e+00)) - n * ROT_BOTH(6.07710050630396597660e-11)) -
-      n * ROT_BOTH(2.02226624879595063154e-21);
+  const rot_pair n = rot_free_rounded(x * 0x1.45f306dc9c883p-1);
+  const rot_pair r = ((x - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
+                     n * 2.02226624879595063154e-21;
   rot_free_sine_cosine(r, s, c);
   rot_free_quarters(rot_free_fourth(n), c, s);
 }
@@ -105,7 +102,7 @@ ROT_INLINE rot_pair rot_free_rf(rot_pair x, rot_pair y) {
     dz = mean - z;
     const rot_pair far =
         rot_pair_max(rot_pair_max(rot_pair_abs(dx), rot_pair_abs(dy)), rot_pair_abs(dz));
-    const rot_pair close = ROT_BOTH(0.003) * mean;
+    const rot_pair close = 0.003 * mean;
     if (i == 60 || rot_pair_count_more(far, close) == 0) break;
     const rot_pair sx = rot_pair_sqrt(x), sy = rot_pair_sqrt(y), sz = rot_pair_sqrt(z);
     const rot_pair l = sx * (sy + sz) + sy * sz;
@@ -116,12 +113,10 @@ ROT_INLINE rot_pair rot_free_rf(rot_pair x, rot_pair y) {
   const rot_pair each = one / mean;
   dx *= each;
   dy *= each;
-  dz = ROT_BOTH(0.0) - (dx + dy);
+  dz = 0.0 - (dx + dy);
   const rot_pair e2 = dx * dy - dz * dz, e3 = dx * dy * dz, e22 = e2 * e2;
-  const rot_pair sum = (one - e2 * ROT_BOTH(1 / 10.0)) +
-                       (e3 * ROT_BOTH(1 / 14.0) + e22 * ROT_BOTH(1 / 24.0)) -
-                       (ROT_BOTH(3 / 44.0) * e2 * e3 +
-                        (ROT_BOTH(5 / 208.0) * e22 * e2 - ROT_BOTH(3 / 104.0) * e3 * e3));
+  const rot_pair sum = (one - e2 * (1 / 10.0)) + (e3 * (1 / 14.0) + e22 * (1 / 24.0)) -
+                       (3 / 44.0 * e2 * e3 + (5 / 208.0 * e22 * e2 - (3 / 104.0) * e3 * e3));
   return sum / rot_pair_sqrt(mean);
 }
 
@@ -136,10 +131,10 @@ ROT_INLINE rot_free_third rot_free_third_begin(rot_pair x, rot_pair y, rot_pair 
 }
 
 ROT_INLINE int rot_free_third_left(rot_free_third *t) {
-  const rot_pair mean = ROT_BOTH(0.2) * (t->x + t->y + t->z + (t->p + t->p));
+  const rot_pair mean = 0.2 * (t->x + t->y + t->z + (t->p + t->p));
   t->far = rot_pair_max(rot_pair_max(rot_pair_abs(mean - t->x), rot_pair_abs(mean - t->y)),
                         rot_pair_max(rot_pair_abs(mean - t->z), rot_pair_abs(mean - t->p)));
-  t->close = ROT_BOTH(0.008) * mean;
+  t->close = 0.008 * mean;
   return rot_pair_count_more(t->far, t->close);
 }
 
@@ -149,10 +144,10 @@ ROT_INLINE void rot_free_third_double(rot_free_third *t) {
   const rot_pair sx = rot_pair_sqrt(t->x), sy = rot_pair_sqrt(t->y), sz = rot_pair_sqrt(t->z);
   const rot_pair sp = rot_pair_sqrt(t->p);
   const rot_pair l = sx * (sy + sz) + sy * sz;
-  const rot_pair each = ROT_BOTH(1.0) / ((sp + sx) * (sp + sy) * (sp + sz));
+  const rot_pair each = 1.0 / ((sp + sx) * (sp + sy) * (sp + sz));
   const rot_pair more = t->part * each * rot_free_arc(t->delta * each * each);
   t->sum = rot_pair_if_more(far, close, t->sum + more, t->sum);
-  t->delta *= ROT_BOTH(1 / 64.0);
+  t->delta *= 1 / 64.0;
   t->part = rot_pair_if_more(far, close, t->part * quarter, t->part);
   t->x = rot_pair_if_more(far, close, quarter * (t->x + l), t->x);
   t->y = rot_pair_if_more(far, close, quarter * (t->y + l), t->y);
@@ -162,20 +157,19 @@ ROT_INLINE void rot_free_third_double(rot_free_third *t) {
 
 ROT_INLINE rot_pair rot_free_third_end(const rot_free_third *t) {
   const rot_pair one = ROT_BOTH(1.0);
-  const rot_pair mean = ROT_BOTH(0.2) * (t->x + t->y + t->z + (t->p + t->p)), each = one / mean;
+  const rot_pair mean = 0.2 * (t->x + t->y + t->z + (t->p + t->p)), each = one / mean;
   const rot_pair dx = (mean - t->x) * each, dy = (mean - t->y) * each, dz = (mean - t->z) * each;
-  const rot_pair dp = ROT_BOTH(-0.5) * (dx + dy + dz), xyz = dx * dy * dz, p2 = dp * dp;
-  const rot_pair e2 = dx * dy + dx * dz + dy * dz - ROT_BOTH(3.0) * p2;
-  const rot_pair e3 = xyz + ROT_BOTH(2.0) * e2 * dp + ROT_BOTH(4.0) * p2 * dp;
-  const rot_pair e4 = (ROT_BOTH(2.0) * xyz + e2 * dp + ROT_BOTH(3.0) * p2 * dp) * dp;
+  const rot_pair dp = -0.5 * (dx + dy + dz), xyz = dx * dy * dz, p2 = dp * dp;
+  const rot_pair e2 = dx * dy + dx * dz + dy * dz - 3.0 * p2;
+  const rot_pair e3 = xyz + 2.0 * e2 * dp + 4.0 * p2 * dp;
+  const rot_pair e4 = (2.0 * xyz + e2 * dp + 3.0 * p2 * dp) * dp;
   const rot_pair e5 = xyz * p2, e22 = e2 * e2;
-  const rot_pair series = (one + (ROT_BOTH(1 / 6.0) * e3 - ROT_BOTH(3 / 14.0) * e2)) +
-                          ((ROT_BOTH(9 / 88.0) * e22 - ROT_BOTH(3 / 22.0) * e4) +
-                           (ROT_BOTH(3 / 26.0) * e5 - ROT_BOTH(9 / 52.0) * e2 * e3)) +
-                          ((ROT_BOTH(3 / 40.0) * e3 * e3 - ROT_BOTH(1 / 16.0) * e22 * e2) +
-                           (ROT_BOTH(3 / 20.0) * e2 * e4 + ROT_BOTH(45 / 272.0) * e22 * e3) -
-                           ROT_BOTH(9 / 68.0) * (e3 * e4 + e2 * e5));
-  return t->part * series * each / rot_pair_sqrt(mean) + ROT_BOTH(6.0) * t->sum;
+  const rot_pair series =
+      (one + (1 / 6.0 * e3 - (3 / 14.0) * e2)) +
+      ((9 / 88.0 * e22 - (3 / 22.0) * e4) + (3 / 26.0 * e5 - (9 / 52.0) * e2 * e3)) +
+      ((3 / 40.0 * e3 * e3 - (1 / 16.0) * e22 * e2) +
+       (3 / 20.0 * e2 * e4 + (45 / 272.0) * e22 * e3) - (9 / 68.0) * (e3 * e4 + e2 * e5));
+  return t->part * series * each / rot_pair_sqrt(mean) + 6.0 * t->sum;
 }
 
 /* ---- the arithmetic-geometric mean ----------------------------------------------------------- */
@@ -204,8 +198,8 @@ ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_fre
     const rot_pair_dd more =
         rot_pair_dd_scale(rot_pair_dd_div(rot_pair_dd_mul(q, less), both), 0.5);
     /* the last mean gives K to 2^-108, and the next term of the sum is below 2^-104 of it */
-    const rot_pair apart = rot_pair_abs(a.hi - g.hi) * ROT_BOTH(0x1p52);
-    const rot_pair last = rot_pair_abs(more.hi) * ROT_BOTH(0x1p104);
+    const rot_pair apart = rot_pair_abs(a.hi - g.hi) * 0x1p52;
+    const rot_pair last = rot_pair_abs(more.hi) * 0x1p104;
     const rot_pair left =
         rot_pair_if_more(apart, a.hi, one, rot_pair_if_more(last, sum.hi, one, none));
     q = more;
@@ -278,7 +272,7 @@ ROT_INLINE void rot_free_thirds(const rot_free_swing *f, const rot_pair sn[2], c
     rot_free_third_double(&t[1]);
   }
   for (int k = 0; k < 2; k++) {
-    third[k] = sn[k] * sn[k] * sn[k] * ROT_BOTH(1 / 3.0) * rot_free_third_end(&t[k]);
+    third[k] = sn[k] * sn[k] * sn[k] * (1 / 3.0) * rot_free_third_end(&t[k]);
   }
 }
 
@@ -298,7 +292,7 @@ ROT_INLINE rot_pair rot_free_swing_at(const rot_free_swing *f, rot_pair u, rot_p
     size = rot_pair_if_more(f->near, none,
                             rot_pair_abs(turn) + rot_pair_abs(part) + rot_pair_abs(even), size);
   }
-  *rounding = ROT_BOTH(8.0) * rot_pair_abs(f->by) * size;
+  *rounding = 8.0 * rot_pair_abs(f->by) * size;
   return swing;
 }
 
@@ -349,8 +343,8 @@ ROT_INLINE void rot_free_order(rot_free_lanes *x, int k) {
 
 /* 2^k for 2^k <= x < 2^(k + 1): Rump, Ogita & Oishi, SIAM J. Sci. Comput. 31 (2009) 1269. */
 ROT_INLINE rot_pair rot_free_power_below(rot_pair x) {
-  const rot_pair q = ROT_BOTH(0x1p52 + 1.0) * x;
-  return rot_pair_abs(q - ROT_BOTH(1.0 - ROT_EPS) * q);
+  const rot_pair q = (0x1p52 + 1.0) * x;
+  return rot_pair_abs(q - (1.0 - ROT_EPS) * q);
 }
 
 ROT_INLINE rot_pair rot_free_within(rot_pair x, double low, double high, rot_pair good) {
@@ -452,7 +446,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   const rot_pair_dd dcmy = rot_pair_dd_mul(dcm, big_c), above = rot_pair_dd_mul(d31, distance);
   const rot_pair_dd under = rot_pair_dd_mul(dom, big_o);
   /* Lanes where it does not apply get those of another body. */
-  rot_pair good = rot_pair_if_more(above.hi, ROT_BOTH(1e-30) * dcmy.hi, lanes.good, none);
+  rot_pair good = rot_pair_if_more(above.hi, 1e-30 * dcmy.hi, lanes.good, none);
   good = rot_pair_if_more(big_o.hi, none, good, none);
   const rot_pair_dd other = {one, none};
   big_o = rot_pair_dd_if_more(good, none, big_o, other);
@@ -464,8 +458,8 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   const rot_pair_dd m =
       rot_pair_dd_if_more(good, none, rot_pair_dd_mul(under, each), rot_pair_dd_of(none));
   const rot_pair loss =
-      ROT_BOTH(4.0 * 0x1p-102) * (t1.hi + t3.hi) / rot_pair_if_more(good, none, distance.hi, one) +
-      ROT_BOTH(16.0 * 0x1p-102);
+      4.0 * 0x1p-102 * (t1.hi + t3.hi) / rot_pair_if_more(good, none, distance.hi, one) +
+      16.0 * 0x1p-102;
   const rot_pair_dd l2 =
       rot_pair_dd_plus(rot_pair_dd_plus(rot_pair_dd_mul1(e0, i0), rot_pair_dd_mul1(e1, i1)),
                        rot_pair_dd_mul1(e2, i2));
@@ -534,7 +528,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   rot_pair_dd start =
       rot_pair_dd_if_more(far, none, rot_pair_dd_sub(j.k, rot_pair_dd_of(w)), rot_pair_dd_of(w));
   start = rot_pair_dd_if_more(none, sn0, rot_pair_dd_neg(start), start);
-  const rot_pair start_error = ROT_BOTH(8.0 * ROT_EPS) * w;
+  const rot_pair start_error = 8.0 * ROT_EPS * w;
   /* tumbling_at() */
   const rot_pair_dd u = rot_pair_dd_add(rot_pair_dd_mul1(lambda, t), start);
   const rot_pair_dd period = rot_pair_dd_scale(j.k, 2.0);
@@ -571,7 +565,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   rot_free_turn(&f, leading, rot_pair_if_more(f.by_o, none, lo0, lc0), l10,
                 rot_pair_if_more(f.by_o, none, lc0, lo0), none, one, none, first);
   const rot_pair left = rot_free_fourth(turns);
-  const rot_pair odd = rot_pair_abs(left - ROT_BOTH(2.0) * rot_free_rounded(half * left));
+  const rot_pair odd = rot_pair_abs(left - 2.0 * rot_free_rounded(half * left));
   const rot_pair flips = rot_pair_if_more(odd, half, none - one, one);
   const rot_pair shown = rot_pair_if_more(f.by_o, none, flips, one);
   const rot_pair wo1 = amplitude_o * cn, wc1 = amplitude_c * dn, w11 = amplitude_1 * sn;
@@ -604,18 +598,17 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   const rot_pair cross_1 = d31.hi * wo1 * wc1;
   const rot_pair tilt = rot_pair_sqrt(cross_o * cross_o + cross_c * cross_c + cross_1 * cross_1);
   const rot_pair times = rot_pair_abs(turns) + one;
-  const rot_pair du = start_error + ROT_BOTH(8.0 * 0x1p-102) * rot_pair_abs(u.hi) +
+  const rot_pair du = start_error + (8.0 * 0x1p-102) * rot_pair_abs(u.hi) +
                       times * rot_pair_if_more(one, loss, loss, one);
   const rot_pair rate = rot_pair_sqrt(w0 * w0 + w1 * w1 + w2 * w2);
   const rot_pair part = rot_pair_abs(g * (sn * sn / (one + nu.hi * sn * sn) - j.mean.hi));
-  const rot_pair per_u =
-      rot_pair_if_more(ROT_BOTH(1e-3), du, ROT_BOTH(1.1) * (tilt / momentum.hi + part),
-                       rate + rate + rot_pair_abs(g)) /
-      lambda.hi;
-  const rot_pair by_psi = ROT_BOTH(8.0 * 0x1p-102) * rot_pair_abs(psi_size * t) +
-                          ROT_BOTH(4.0) * times * loss * rot_pair_abs(swing.by) +
-                          ROT_BOTH(ROT_EPS) * (rounding + rounding0);
-  const rot_pair error = ROT_BOTH(24.0 * ROT_EPS) + by_psi + per_u * du;
+  const rot_pair per_u = rot_pair_if_more(ROT_BOTH(1e-3), du, 1.1 * (tilt / momentum.hi + part),
+                                          rate + rate + rot_pair_abs(g)) /
+                         lambda.hi;
+  const rot_pair by_psi = 8.0 * 0x1p-102 * rot_pair_abs(psi_size * t) +
+                          4.0 * times * loss * rot_pair_abs(swing.by) +
+                          ROT_EPS * (rounding + rounding0);
+  const rot_pair error = 24.0 * ROT_EPS + by_psi + per_u * du;
   const rot_pair pi = ROT_BOTH(0x1.921fb54442d18p+1);
   rot_store(x->error + i, rot_pair_if_more(pi, error, error, pi));
   /* neither more than all nor NaN */
