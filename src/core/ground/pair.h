@@ -60,6 +60,13 @@ ROT_INLINE rot_pair rot_load(const double *x) {
 
 ROT_INLINE void rot_store(double *x, rot_pair pair) { memcpy(x, &pair, sizeof pair); }
 
+/* For one number by the text of a kernel: of a register of equal ones. */
+ROT_INLINE double rot_first(rot_pair pair) {
+  double x;
+  memcpy(&x, &pair, sizeof x);
+  return x;
+}
+
 #ifdef ROT_ALONE
 ROT_INLINE rot_pair rot_pair_sqrt(rot_pair x) { return sqrt(x); }
 ROT_INLINE rot_pair rot_pair_abs(rot_pair x) { return fabs(x); }
