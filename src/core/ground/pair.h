@@ -74,6 +74,7 @@ ROT_INLINE rot_pair rot_pair_max(rot_pair x, rot_pair y) { return x > y ? x : y;
 ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pair y) {
   return p > q ? x : y;
 }
+ROT_INLINE rot_pair rot_pair_if(rot_pair is, rot_pair x, rot_pair y) { return is > 0.0 ? x : y; }
 ROT_INLINE int rot_pair_count_more(rot_pair p, rot_pair q) { return p > q; }
 ROT_INLINE rot_pair rot_pair_decay(rot_pair x) { return exp(-x); }
 ROT_INLINE rot_pair rot_pair_log1p(rot_pair x) { return log1p(x); }
@@ -98,10 +99,18 @@ ROT_INLINE rot_pair rot_pair_abs(rot_pair x) {
 ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pair y) {
 #ifdef ROT_WIDE
   return _mm256_blendv_pd(y, x, _mm256_cmp_pd(p, q, _CMP_GT_OQ));
+#elif defined(__SSE2__)
+  const __m128d is = _mm_cmpgt_pd(p, q);
+  return _mm_or_pd(_mm_and_pd(is, x), _mm_andnot_pd(is, y));
 #else
   const rot_pair_bits is = (rot_pair_bits)(p > q);
   return (rot_pair)((is & (rot_pair_bits)x) | (~is & (rot_pair_bits)y));
 #endif
+}
+
+/* x where `is` > 0, y elsewhere. */
+ROT_INLINE rot_pair rot_pair_if(rot_pair is, rot_pair x, rot_pair y) {
+  return rot_pair_if_more(is, ROT_BOTH(0.0), x, y);
 }
 
 /* The larger of two; a NaN in x is ignored, a NaN in y is returned (maxpd). */
@@ -160,9 +169,9 @@ ROT_INLINE rot_pair rot_pair_log1p(rot_pair x) {
   const rot_pair none = ROT_BOTH(0.0), u = 1.0 + x;
   rot_pair k;
   const rot_pair m = rot_pair_split(u, &k);
-  const rot_pair f = rot_pair_if_more(k, none, m - 1.0, x);
+  const rot_pair f = rot_pair_if(k, m - 1.0, x);
   const rot_pair lost = rot_pair_if_more(u, ROT_BOTH(2.0), 1.0 - (u - x), x - (u - 1.0));
-  const rot_pair gone = rot_pair_if_more(k, none, lost / u, none);
+  const rot_pair gone = rot_pair_if(k, lost / u, none);
   const rot_pair s = f / (2.0 + f), z = s * s, w = z * z, half = 0.5 * f * f;
   const rot_pair odd =
       3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01);

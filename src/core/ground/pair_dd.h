@@ -99,9 +99,9 @@ ROT_INLINE rot_pair_dd rot_pair_dd_abs(rot_pair_dd a) {
   return (rot_pair_dd){rot_pair_abs(a.hi), rot_pair_if_more(none, a.hi, none - a.lo, a.lo)};
 }
 
-/* x where p > q, y elsewhere. */
-ROT_INLINE rot_pair_dd rot_pair_dd_if_more(rot_pair p, rot_pair q, rot_pair_dd x, rot_pair_dd y) {
-  return (rot_pair_dd){rot_pair_if_more(p, q, x.hi, y.hi), rot_pair_if_more(p, q, x.lo, y.lo)};
+/* x where `is` > 0, y elsewhere. */
+ROT_INLINE rot_pair_dd rot_pair_dd_if(rot_pair is, rot_pair_dd x, rot_pair_dd y) {
+  return (rot_pair_dd){rot_pair_if(is, x.hi, y.hi), rot_pair_if(is, x.lo, y.lo)};
 }
 
 #endif

@@ -93,15 +93,15 @@ ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, ro
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0), c = rot_load(x->c + i);
   const rot_pair lambda = rot_load(x->lambda + i);
   /* Lanes without an extremum get harmless numbers. */
-  const rot_pair rise = rot_pair_if_more(turns, none, b - a, one);
-  const rot_pair straight = rot_pair_if_more(turns, none, none - excess, none) * s / rise;
+  const rot_pair rise = rot_pair_if(turns, b - a, one);
+  const rot_pair straight = rot_pair_if(turns, none - excess, none) * s / rise;
   const rot_pair more = lambda * straight, tiny = ROT_BOTH(1e-290);
   const rot_pair at = rot_pair_if_more(
       more, tiny, straight * (rot_pair_log1p(more) / rot_pair_if_more(more, tiny, more, one)),
       straight);
-  const rot_pair inside = rot_pair_if_more(at, none, rot_pair_if_more(s, at, turns, none), none);
+  const rot_pair inside = rot_pair_if(at, rot_pair_if_more(s, at, turns, none), none);
   const rot_pair z = lambda * at, v = at * rot_load(x->inverse + i);
-  const rot_pair torque = a + (b - a) * (at / rot_pair_if_more(turns, none, s, one));
+  const rot_pair torque = a + (b - a) * (at / rot_pair_if(turns, s, one));
   const rot_pair most = rot_pair_max(rot_pair_abs(a), rot_pair_abs(b)), size = rot_pair_abs(w0);
   const weights w = weights_of(z);
   const rot_pair below = w0 * w.start + v * (a * w.near + torque * w.far);
@@ -114,16 +114,13 @@ ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, ro
                                                       16.0 * unit * (size + v * most));
   /* The end of the step is already noted; the extremum lies beyond it, up to rounding. */
   const rot_pair top = rot_load(x->omega_max + i), when = rot_load(x->omega_max_time_s + i);
-  const rot_pair beyond =
-      rot_pair_if_more(excess, none, rot_pair_if_more(stop, when, none, inside), none);
+  const rot_pair beyond = rot_pair_if(excess, rot_pair_if_more(stop, when, none, inside), none);
   const rot_pair higher = rot_pair_if_more(omega, top, inside, beyond);
-  rot_store(x->omega_max_time_s + i,
-            rot_pair_if_more(higher, none, rot_load(x->time_s + i) + at, when));
-  rot_store(x->omega_max + i, rot_pair_if_more(higher, none, rot_pair_max(omega, top), top));
+  rot_store(x->omega_max_time_s + i, rot_pair_if(higher, rot_load(x->time_s + i) + at, when));
+  rot_store(x->omega_max + i, rot_pair_if(higher, rot_pair_max(omega, top), top));
   const rot_pair low = rot_load(x->omega_min + i), worst = rot_load(x->worst_error + i);
-  rot_store(x->omega_min + i,
-            rot_pair_if_more(inside, none, rot_pair_if_more(low, omega, omega, low), low));
-  rot_store(x->worst_error + i, rot_pair_if_more(inside, none, rot_pair_max(error, worst), worst));
+  rot_store(x->omega_min + i, rot_pair_if(inside, rot_pair_if_more(low, omega, omega, low), low));
+  rot_store(x->worst_error + i, rot_pair_if(inside, rot_pair_max(error, worst), worst));
 }
 
 /* From where each axle is to the end of the piece, or to its own end. */
@@ -141,7 +138,7 @@ ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piec
     if (sloping && rot_pair_count_more(end, stop) > 0) {
       const rot_pair within =
           (A * (end - stop) + at_stop * (stop - piece->start_s)) / (piece->end_s - piece->start_s);
-      at_stop = rot_pair_if_more(end, stop, rot_pair_if_more(s, none, within, at_stop), at_stop);
+      at_stop = rot_pair_if_more(end, stop, rot_pair_if(s, within, at_stop), at_stop);
     }
     const rot_pair b = at_stop * scale;
     const rot_pair w0 = rot_load(x->omega + i), z = rot_load(x->lambda + i) * s;
@@ -152,7 +149,7 @@ ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piec
     const rot_pair theta =
         rot_load(x->theta + i) + s * (w0 * w.reach + v * (a * rest + b * w.last));
     const rot_pair most = most_n_m * rot_pair_abs(scale);
-    const rot_pair size = rot_pair_abs(w0), unit = rot_pair_if_more(s, none, eps, none);
+    const rot_pair size = rot_pair_abs(w0), unit = rot_pair_if(s, eps, none);
     const rot_pair before = rot_load(x->omega_error + i);
     const rot_pair error =
         before * w.start + unit * ((16.0 + 3.0 * z) * size * w.start + 16.0 * v * most * w.reach);
@@ -170,7 +167,7 @@ ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piec
     rot_store(x->omega_min + i, rot_pair_if_more(low, w1, w1, low));
     if (sloping) {
       const rot_pair c = rot_load(x->c + i), excess = a - c * w0;
-      const rot_pair turns = rot_pair_if_more(s, none, none - excess * (b - c * w1), none);
+      const rot_pair turns = rot_pair_if(s, none - excess * (b - c * w1), none);
       if (rot_pair_count_more(turns, none) > 0) {
         pass_turns(x, i, turns, stop, s, a, b, w0, excess);
       }
