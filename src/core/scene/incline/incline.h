@@ -13,6 +13,7 @@
 
 #include "engine/events.h"
 #include "ground/status.h"
+#include "scene/incline/contact.h"
 
 typedef struct rot_incline_params {
   double mass_kg, radius_m, inertia_kg_m2; /* > 0 */
@@ -116,7 +117,12 @@ rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double 
                              rot_incline_ledger *ledger);
 
 /* How much larger than what friction holds a force may be and is held: the rounding of both. */
-double rot_incline_holds(double angle_deg);
+double rot_incline_holds(double angle_deg, double sine, double cosine);
+rot_incline_contact rot_incline_contact_of(const rot_incline_params *p);
+
+/* Logs how the motion changes at a time. `turned`: it reverses, unless it comes to rest. */
+rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_ways from,
+                           rot_incline_ways to, int rested, int rests, int turned);
 
 /* The steepest angle in degrees at which a body of this beta = I/(m R^2) rolls from rest. */
 double rot_incline_critical_deg(double beta, double mu_static);

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "scene/incline/incline.h"
-#include "scene/incline/rest.h"
 #include "ground/real.h"
 #include "ground/share.h"
 
@@ -79,7 +78,8 @@ static inline kind kind_of(row *r) {
   return (kind)kinds[4 * still + 2 * ends + grips];
 }
 
-/* 0 where the numbers leave their range. `how` is a constant where this is called. */
+/* 0 where the numbers leave their range. `how` is a constant where this is called. rot_incline_to()
+ * takes 260 ns a row instead of 40: it knows events, resistance and copies of the state. */
 static inline int two_stretches(kind how, const row *r, const rot_incline_table_columns *out,
                                 size_t i) {
   const double spin = 1.0 / (1.0 + r->beta), own = r->beta * spin;
