@@ -47,9 +47,10 @@ enum { ROT_PAIR = 2 };
 
 #ifdef ROT_ALONE
 typedef double rot_pair;
+typedef unsigned long long rot_bits;
 #else
 typedef double rot_pair __attribute__((vector_size(ROT_PAIR * sizeof(double))));
-typedef long long rot_pair_bits __attribute__((vector_size(ROT_PAIR * sizeof(double))));
+typedef unsigned long long rot_bits __attribute__((vector_size(ROT_PAIR * sizeof(double))));
 #endif
 
 ROT_INLINE rot_pair rot_load(const double *x) {
@@ -59,6 +60,18 @@ ROT_INLINE rot_pair rot_load(const double *x) {
 }
 
 ROT_INLINE void rot_store(double *x, rot_pair pair) { memcpy(x, &pair, sizeof pair); }
+
+ROT_INLINE rot_bits rot_bits_of(rot_pair pair) {
+  rot_bits bits;
+  memcpy(&bits, &pair, sizeof bits);
+  return bits;
+}
+
+ROT_INLINE rot_pair rot_pair_of(rot_bits bits) {
+  rot_pair pair;
+  memcpy(&pair, &bits, sizeof pair);
+  return pair;
+}
 
 /* For one number by the text of a kernel: of a register of equal ones. */
 ROT_INLINE double rot_first(rot_pair pair) {
@@ -74,10 +87,7 @@ ROT_INLINE rot_pair rot_pair_max(rot_pair x, rot_pair y) { return x > y ? x : y;
 ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pair y) {
   return p > q ? x : y;
 }
-ROT_INLINE rot_pair rot_pair_if(rot_pair is, rot_pair x, rot_pair y) { return is > 0.0 ? x : y; }
 ROT_INLINE int rot_pair_count_more(rot_pair p, rot_pair q) { return p > q; }
-ROT_INLINE rot_pair rot_pair_decay(rot_pair x) { return exp(-x); }
-ROT_INLINE rot_pair rot_pair_log1p(rot_pair x) { return log1p(x); }
 #else
 
 /* The compiler does not vectorise sqrt(), which may set errno. */
@@ -92,7 +102,7 @@ ROT_INLINE rot_pair rot_pair_sqrt(rot_pair x) {
 }
 
 ROT_INLINE rot_pair rot_pair_abs(rot_pair x) {
-  return (rot_pair)((rot_pair_bits)x & ~(rot_pair_bits)ROT_BOTH(-0.0));
+  return rot_pair_of(rot_bits_of(x) & ~rot_bits_of(ROT_BOTH(-0.0)));
 }
 
 /* x where p > q, y elsewhere. */
@@ -103,14 +113,9 @@ ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pai
   const __m128d is = _mm_cmpgt_pd(p, q);
   return _mm_or_pd(_mm_and_pd(is, x), _mm_andnot_pd(is, y));
 #else
-  const rot_pair_bits is = (rot_pair_bits)(p > q);
-  return (rot_pair)((is & (rot_pair_bits)x) | (~is & (rot_pair_bits)y));
+  const rot_bits is = (rot_bits)(p > q);
+  return rot_pair_of((is & rot_bits_of(x)) | (~is & rot_bits_of(y)));
 #endif
-}
-
-/* x where `is` > 0, y elsewhere. */
-ROT_INLINE rot_pair rot_pair_if(rot_pair is, rot_pair x, rot_pair y) {
-  return rot_pair_if_more(is, ROT_BOTH(0.0), x, y);
 }
 
 /* The larger of two; a NaN in x is ignored, a NaN in y is returned (maxpd). */
@@ -136,6 +141,12 @@ ROT_INLINE int rot_pair_count_more(rot_pair p, rot_pair q) {
   return (p[0] > q[0]) + (p[1] > q[1]);
 #endif
 }
+#endif
+
+/* x where `is` > 0, y elsewhere. */
+ROT_INLINE rot_pair rot_pair_if(rot_pair is, rot_pair x, rot_pair y) {
+  return rot_pair_if_more(is, ROT_BOTH(0.0), x, y);
+}
 
 /* exp(-x) for 0 <= x <= 700, to 1 ulp. */
 ROT_INLINE rot_pair rot_pair_decay(rot_pair x) {
@@ -148,17 +159,17 @@ ROT_INLINE rot_pair rot_pair_decay(rot_pair x) {
   const rot_pair high =
       (1 / 3628800.0 + r * (1 / 39916800.0)) + r2 * (1 / 479001600.0 + r * (1 / 6227020800.0));
   const rot_pair e = 1.0 + (r + r2 * (low + r4 * (middle + r4 * high)));
-  return (rot_pair)((rot_pair_bits)e + ((rot_pair_bits)shifted << 52));
+  return rot_pair_of(rot_bits_of(e) + (rot_bits_of(shifted) << 52));
 }
 
 /* x = m 2^k with 1/sqrt(2) <= m < sqrt(2), for normal x > 0: the constant shifts the bits so that
  * the exponent changes at sqrt(2). */
 ROT_INLINE rot_pair rot_pair_split(rot_pair x, rot_pair *k) {
-  enum { TURN = 0x95f62 }; /* the exponent of 1 less that of 1/sqrt(2), in the upper half */
-  const long long turn = (long long)TURN << 32, one = 0x3ffLL << 52, low = (1LL << 52) - 1;
-  const rot_pair_bits bits = (rot_pair_bits)x + turn; /* > 0 */
-  *k = (rot_pair)((bits >> 52) | (rot_pair_bits)ROT_BOTH(0x1p52)) - (0x1p52 + 1023.0);
-  return (rot_pair)((bits & low) + (one - turn));
+  const unsigned long long one = 0x3ffULL << 52;
+  const unsigned long long turn = 0x95f62ULL << 32; /* upper half of 1 less that of 1/sqrt(2) */
+  const rot_bits bits = rot_bits_of(x) + turn;
+  *k = rot_pair_of((bits >> 52) | rot_bits_of(ROT_BOTH(0x1p52))) - (0x1p52 + 1023.0);
+  return rot_pair_of((bits & ((1ULL << 52) - 1)) + (one - turn));
 }
 
 /* log(1 + x) for 0 <= x <= 1e300, to 2 ulp. */
@@ -182,6 +193,5 @@ ROT_INLINE rot_pair rot_pair_log1p(rot_pair x) {
   return k * 6.93147180369123816490e-01 -
          ((half - (s * (half + rest) + (k * 1.90821492927058770002e-10 + gone))) - f);
 }
-#endif
 
 #endif
