@@ -38,26 +38,25 @@ double rot_incline_holds(double angle_deg, double sine, double cosine) {
   return holds + 2.0 * ROT_EPS * fabs(angle_deg * 0.017453292519943295 / sine) / cosine;
 }
 
-rot_incline_contact rot_incline_contact_of(const rot_incline_params *p) {
+void rot_incline_touch(const rot_incline_params *p, rot_incline_contact *out) {
   double sine, cosine;
   rot_sin_cos_deg(p->angle_deg, &sine, &cosine);
   const double normal = p->gravity_m_per_s2 * cosine;
-  const double beta = p->inertia_kg_m2 / p->mass_kg / p->radius_m / p->radius_m;
-  return (rot_incline_contact){.beta = beta,
-                               .own = 1.0 / (1.0 + 1.0 / beta),
-                               .spin = 1.0 / (1.0 + beta),
-                               .pull = p->gravity_m_per_s2 * sine,
-                               .slides = rot_incline_friction(p->mu_kinetic, normal),
-                               .grips = rot_incline_friction(p->mu_static, normal),
-                               .resists = p->arm_m / p->radius_m * normal,
-                               .holds = rot_incline_holds(p->angle_deg, sine, cosine)};
+  out->beta = p->inertia_kg_m2 / p->mass_kg / p->radius_m / p->radius_m;
+  out->own = 1.0 / (1.0 + 1.0 / out->beta);
+  out->spin = 1.0 / (1.0 + out->beta);
+  out->pull = p->gravity_m_per_s2 * sine;
+  out->slides = rot_incline_friction(p->mu_kinetic, normal);
+  out->grips = rot_incline_friction(p->mu_static, normal);
+  out->resists = p->arm_m / p->radius_m * normal;
+  out->holds = rot_incline_holds(p->angle_deg, sine, cosine);
 }
 
 static void begin(incline *c, const rot_incline_params *p) {
   const double v0 = p->v0_m_per_s, w0 = p->radius_m * p->omega0_rad_per_s;
   *c = (incline){0};
   c->p = p;
-  c->on = rot_incline_contact_of(p);
+  rot_incline_touch(p, &c->on);
   c->time_s = p->start_s;
   c->v = v0;
   c->w = w0;
@@ -71,8 +70,7 @@ static void begin(incline *c, const rot_incline_params *p) {
     c->mean = c->w = v0;
     c->w_error = c->mean_error = 4.0 * ROT_EPS * fabs(w0);
   }
-  c->at.slip = sign(c->slip);
-  c->at.spin = sign(c->w);
+  c->at = (rot_incline_ways){sign(c->slip), sign(c->w)};
   c->way = sign(v0);
   c->settled_s = p->start_s;
 }
@@ -249,6 +247,7 @@ static void spread(incline *c, const incline *from, double late) {
 
 rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_ways from,
                            rot_incline_ways to, int rested, int rests, int turned) {
+  if (!events) return ROT_OK;
   const struct {
     int happens;
     rot_event event;

@@ -304,7 +304,7 @@ static void begin(motion *m, const rot_incline_scene *scene, double span_s, doub
   const rot_incline_params *p = &scene->slope;
   const double v0 = p->v0_m_per_s, w0 = p->radius_m * p->omega0_rad_per_s;
   *m = (motion){.scene = scene, .p = p, .span_s = span_s};
-  m->on = rot_incline_contact_of(p);
+  rot_incline_touch(p, &m->on);
   const int rolls = fabs(v0 - w0) <= 4.0 * ROT_EPS * fabs(w0);
   y[SPEED] = v0;
   y[RIM] = rolls ? v0 : w0;
