@@ -118,6 +118,7 @@ rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double 
 
 /* How much larger than what friction holds a force may be and is held: the rounding of both. */
 double rot_incline_holds(double angle_deg, double sine, double cosine);
+/* The contact of a scene. */
 void rot_incline_touch(const rot_incline_params *p, rot_incline_contact *out);
 
 /* Logs how the motion changes at a time. `turned`: it reverses, unless it comes to rest. */
