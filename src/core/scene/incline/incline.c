@@ -439,23 +439,10 @@ static void note_sizes(const incline *c, double most[4]) {
   most[3] = fmax(most[3], fabs(at.omega));
 }
 
-static int in_domain(const rot_incline_params *p, double time_s) {
-  const double numbers[] = {p->mass_kg, p->radius_m,   p->inertia_kg_m2,    p->gravity_m_per_s2,
-                            p->arm_m,   p->v0_m_per_s, p->omega0_rad_per_s, time_s};
-  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-    if (!isfinite(numbers[i])) return 0;
-  }
-  const double slip = fabs(p->v0_m_per_s - p->radius_m * p->omega0_rad_per_s);
-  return p->mass_kg > 0.0 && p->radius_m > 0.0 && p->inertia_kg_m2 > 0.0 && p->arm_m >= 0.0 &&
-         p->gravity_m_per_s2 >= 0.0 && fabs(p->angle_deg) <= 90.0 && p->mu_kinetic >= 0.0 &&
-         p->mu_static >= p->mu_kinetic && time_s >= p->start_s &&
-         (isfinite(p->mu_kinetic) || slip <= 8.0 * ROT_EPS * fabs(p->v0_m_per_s));
-}
-
 rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end) {
   incline c;
   double most[4] = {0.0};
-  if (!in_domain(p, time_s)) return ROT_EVALUE;
+  if (!rot_incline_possible(p, time_s)) return ROT_EVALUE;
   begin(&c, p);
   enter(&c);
   note_sizes(&c, most);
