@@ -37,7 +37,7 @@ ROT_INLINE void fill_table(rot_axle_grid *grid, double lambda, int terms) {
   }
 }
 
-/* The rows from j on; returns how far off the grid they are. */
+/* The rows from j on, with the columns of rot_axle_row(); returns how far off the grid they are. */
 ROT_INLINE rot_pair fill_pair(const rot_axle_grid *grid, const rot_axle_law *k,
                               const rot_axle_state *from, const rot_axle_departure *go, int sloping,
                               size_t j, const double time_s[], const rot_axle_columns *out) {

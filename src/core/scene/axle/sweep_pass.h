@@ -1,5 +1,9 @@
 /* The kernel of scene/axle/sweep.c: a block of axles through one piece of the torque law. Compiled
- * for registers of two there and for registers of four in scene/axle/sweep_pass.c. */
+ * for registers of two there and for registers of four in scene/axle/sweep_pass.c.
+ *
+ * A row of any numbers goes by rot_axle_step(), whose products and divisions keep the digits of
+ * numbers of any size: 1190 ns for four pieces, against 65 here and 191 by this text for doubles
+ * (ROT_ALONE). */
 #ifndef ROT_AXLE_SWEEP_PASS_H
 #define ROT_AXLE_SWEEP_PASS_H
 
