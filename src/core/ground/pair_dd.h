@@ -59,7 +59,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_plus(rot_pair_dd a, rot_pair_dd b) {
 }
 
 ROT_INLINE rot_pair_dd rot_pair_dd_neg(rot_pair_dd a) {
-  return (rot_pair_dd){ROT_BOTH(0.0) - a.hi, ROT_BOTH(0.0) - a.lo};
+  return (rot_pair_dd){0.0 - a.hi, 0.0 - a.lo};
 }
 
 ROT_INLINE rot_pair_dd rot_pair_dd_sub(rot_pair_dd a, rot_pair_dd b) {
@@ -78,7 +78,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_mul1(rot_pair_dd a, rot_pair b) {
 
 /* By a power of two. */
 ROT_INLINE rot_pair_dd rot_pair_dd_scale(rot_pair_dd a, double by) {
-  return (rot_pair_dd){a.hi * ROT_BOTH(by), a.lo * ROT_BOTH(by)};
+  return (rot_pair_dd){a.hi * by, a.lo * by};
 }
 
 ROT_INLINE rot_pair_dd rot_pair_dd_div(rot_pair_dd a, rot_pair_dd b) {
@@ -99,9 +99,9 @@ ROT_INLINE rot_pair_dd rot_pair_dd_abs(rot_pair_dd a) {
   return (rot_pair_dd){rot_pair_abs(a.hi), rot_pair_if_more(none, a.hi, none - a.lo, a.lo)};
 }
 
-/* x where p > q, y elsewhere. */
-ROT_INLINE rot_pair_dd rot_pair_dd_if_more(rot_pair p, rot_pair q, rot_pair_dd x, rot_pair_dd y) {
-  return (rot_pair_dd){rot_pair_if_more(p, q, x.hi, y.hi), rot_pair_if_more(p, q, x.lo, y.lo)};
+/* x where `is` > 0, y elsewhere. */
+ROT_INLINE rot_pair_dd rot_pair_dd_if(rot_pair is, rot_pair_dd x, rot_pair_dd y) {
+  return (rot_pair_dd){rot_pair_if(is, x.hi, y.hi), rot_pair_if(is, x.lo, y.lo)};
 }
 
 #endif

@@ -84,19 +84,6 @@ static rot_axle_state arrive(const law *k, const rot_axle_state *from, const dep
   return to;
 }
 
-/* E2 and E3 of any short length; the series in two strands. */
-static double short_integrals(double lambda, double s, double *e3) {
-  const double z = lambda * s, zz = z * z;
-  int j = terms_for(z) - 2;
-  double even = rot_axle_grid_series[j + 1], odd = rot_axle_grid_series[j];
-  for (j -= 2; j >= 0; j -= 2) {
-    even = even * zz + rot_axle_grid_series[j + 1];
-    odd = odd * zz + rot_axle_grid_series[j];
-  }
-  *e3 = s * s * s * (even * z + odd);
-  return 0.5 * s * s - lambda * *e3;
-}
-
 rot_axle_state rot_axle_grid_step(const rot_axle_grid *grid, const rot_axle_params *p,
                                   const rot_axle_state *from, const rot_torque_piece *piece,
                                   double time_s) {
@@ -106,8 +93,9 @@ rot_axle_state rot_axle_grid_step(const rot_axle_grid *grid, const rot_axle_para
     return rot_axle_step(p, from, piece, time_s);
   }
   const departure go = depart(k, from);
-  double e3, e2 = short_integrals(k->lambda, s, &e3);
-  return arrive(k, from, &go, step_rounding(k, from, &go, s), time_s, s, e2, e3);
+  rot_pair e3, e2 = short_integrals(k->lambda, ROT_BOTH(s), terms_for(k->lambda * s), &e3);
+  return arrive(k, from, &go, step_rounding(k, from, &go, s), time_s, s, rot_first(e2),
+                rot_first(e3));
 }
 
 /* ---- the table ------------------------------------------------------------------------------ */

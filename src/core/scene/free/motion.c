@@ -1,8 +1,11 @@
+#define ROT_ALONE /* formulas of the lanes, for one body */
+
 #include "scene/free/motion.h"
 
 #include <math.h>
 
 #include "maths/attitude.h"
+#include "scene/free/pass.h"
 #include "ground/dd_trig.h"
 
 static const rot_dd none = {0.0, 0.0};
@@ -79,15 +82,6 @@ static void angles_of(const rot_free_motion *m, const double l[3], double *cos_t
   const double rho = hypot(l[x], l[y]), side = m->amplitude[lead] < 0.0 ? -1.0 : 1.0;
   half(l[m->r] / m->momentum, rho / m->momentum, cos_theta, sin_theta);
   half(fabs(l[lead]) / rho, (lead == x ? -side : side) * l[other] / rho, cos_chi, sin_chi);
-}
-
-/* The rotation about z by psi after that of L to z: its quaternion in the axes (x, y, z = r). */
-static void to_z(double cos_psi, double sin_psi, double ct, double st, double cc, double sc,
-                 double q[4]) {
-  q[0] = ct * (cos_psi * cc - sin_psi * sc);
-  q[1] = st * (cos_psi * cc + sin_psi * sc);
-  q[2] = st * (sin_psi * cc - cos_psi * sc);
-  q[3] = ct * (sin_psi * cc + cos_psi * sc);
 }
 
 /* Constants of a motion that is not steady. Next to the middle axis the other two rates are scaled
@@ -212,7 +206,7 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   for (int i = 0; i < 3; i++) l[i] = moment[i] * w[i];
   angles_of(out, l, &ct, &st, &cc, &sc);
   turn_by_quarters(out->quarter, &cc, &sc);
-  to_z(1.0, 0.0, ct, st, cc, sc, out->first);
+  rot_free_to_z(1.0, 0.0, ct, st, cc, sc, out->first);
   for (int i = 1; i < 4; i++) out->first[i] = -out->first[i];
   rot_jacobi_at(&out->jacobi, out->start, &sn, &cn, &dn);
   out->swing0 = swing_of_psi(out, out->start.hi, sn, cn, dn, &out->swing0_rounding);
@@ -417,7 +411,7 @@ static void tumbling_at(const rot_free_motion *m, rot_dd t, rot_free_state *out)
   double rounding;
   const double swing = swing_of_psi(m, r.hi, sn, cn, dn, &rounding);
   const double psi = rot_dd_less_double_turns(turned).hi + (swing - m->swing0);
-  to_z(cos(0.5 * psi), sin(0.5 * psi), ct, st, cc, sc, q);
+  rot_free_to_z(cos(0.5 * psi), sin(0.5 * psi), ct, st, cc, sc, q);
   rot_attitude_times(m->first, q, q);
   (void)rot_attitude_unit(q);
   for (int i = 0; i < 3; i++) v[(m->r + 1 + i) % 3] = q[1 + i];

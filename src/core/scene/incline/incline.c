@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "scene/incline/rest.h"
 #include "engine/march.h"
 #include "ground/real.h"
 
@@ -15,16 +14,13 @@ const char *const rot_incline_measures[] = {"x", "v", "theta", "omega", NULL};
  * smaller one. Paths are those since the start, forces those on 1 kg. */
 typedef struct incline {
   const rot_incline_params *p;
-  double beta, own, spin;              /* shares: beta/(1 + beta), 1/(1 + beta) */
-  double pull, slides, grips, resists; /* g sin; mu_kinetic, mu_static, arm/R times g cos */
-  double holds; /* a force this much larger than what friction holds is held */
+  rot_incline_contact on;
   double time_s;
   double x, v, turn, w, mean, slip, slip_heat, rolling_heat;
   double x_error, v_error, turn_error, w_error, mean_error, slip_error;
-  double settled_s; /* from here on the slip is known to be 0 while it rolls */
-  int slip_way;     /* sign of the slip; 0: the contact grips */
-  int spin_way;     /* sign of omega; 0: held by the resistance */
-  int way;          /* sign of v, from which it may reverse */
+  double settled_s;    /* from here on the slip is known to be 0 while it rolls */
+  rot_incline_ways at; /* spin without a resistance, too */
+  int way;             /* sign of v, from which it may reverse */
   double force, torque;
   double v_rate, w_rate, mean_rate, slip_rate;
   double v_rate_error, w_rate_error, mean_rate_error, slip_rate_error;
@@ -36,116 +32,85 @@ static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 
 /* The rounding of the products, and that of the angle, by which the tangent changes by
  * angle/(sin cos) as much: at its critical angle the body rolls. */
-static double holds_at(double angle_deg, double sine, double cosine) {
+double rot_incline_holds(double angle_deg, double sine, double cosine) {
   const double holds = 1.0 + 16.0 * ROT_EPS;
   if (sine * cosine == 0.0) return holds;
   return holds + 2.0 * ROT_EPS * fabs(angle_deg * 0.017453292519943295 / sine) / cosine;
 }
 
-double rot_incline_holds(double angle_deg) {
-  return holds_at(angle_deg, rot_sin_deg(angle_deg), rot_cos_deg(angle_deg));
+void rot_incline_touch(const rot_incline_params *p, rot_incline_contact *out) {
+  double sine, cosine;
+  rot_sin_cos_deg(p->angle_deg, &sine, &cosine);
+  const double normal = p->gravity_m_per_s2 * cosine;
+  out->beta = p->inertia_kg_m2 / p->mass_kg / p->radius_m / p->radius_m;
+  out->own = 1.0 / (1.0 + 1.0 / out->beta);
+  out->spin = 1.0 / (1.0 + out->beta);
+  out->pull = p->gravity_m_per_s2 * sine;
+  out->slides = rot_incline_friction(p->mu_kinetic, normal);
+  out->grips = rot_incline_friction(p->mu_static, normal);
+  out->resists = p->arm_m / p->radius_m * normal;
+  out->holds = rot_incline_holds(p->angle_deg, sine, cosine);
 }
 
 static void begin(incline *c, const rot_incline_params *p) {
-  double sine, cosine;
-  rot_sin_cos_deg(p->angle_deg, &sine, &cosine);
-  const double normal = p->gravity_m_per_s2 * cosine, v0 = p->v0_m_per_s;
-  const double w0 = p->radius_m * p->omega0_rad_per_s;
+  const double v0 = p->v0_m_per_s, w0 = p->radius_m * p->omega0_rad_per_s;
   *c = (incline){0};
   c->p = p;
-  c->beta = p->inertia_kg_m2 / p->mass_kg / p->radius_m / p->radius_m;
-  c->own = 1.0 / (1.0 + 1.0 / c->beta);
-  c->spin = 1.0 / (1.0 + c->beta);
-  c->pull = p->gravity_m_per_s2 * sine;
-  c->slides = rot_incline_friction(p->mu_kinetic, normal);
-  c->grips = rot_incline_friction(p->mu_static, normal);
-  c->resists = p->arm_m / p->radius_m * normal;
-  c->holds = holds_at(p->angle_deg, sine, cosine);
+  rot_incline_touch(p, &c->on);
   c->time_s = p->start_s;
   c->v = v0;
   c->w = w0;
   c->slip = v0 - w0;
-  c->mean = c->spin * v0 + c->own * w0;
+  c->mean = c->on.spin * v0 + c->on.own * w0;
   c->w_error = ROT_EPS * fabs(w0);
-  c->mean_error = 12.0 * ROT_EPS * (c->spin * fabs(v0) + c->own * fabs(w0));
+  c->mean_error = 12.0 * ROT_EPS * (c->on.spin * fabs(v0) + c->on.own * fabs(w0));
   c->slip_error = ROT_EPS * (fabs(w0) + fabs(c->slip));
   if (fabs(c->slip) <= 4.0 * ROT_EPS * fabs(w0)) {
     c->slip = 0.0;
     c->mean = c->w = v0;
     c->w_error = c->mean_error = 4.0 * ROT_EPS * fabs(w0);
   }
-  c->slip_way = sign(c->slip);
-  c->spin_way = sign(c->w);
+  c->at = (rot_incline_ways){sign(c->slip), sign(c->w)};
   c->way = sign(v0);
   c->settled_s = p->start_s;
 }
 
 /* ---- the forces of a stretch ----------------------------------------------------------------- */
 
-/* The friction that keeps the contact from slipping under this resistance. */
-static double needed(const incline *c, double torque) {
-  return c->own * c->pull + c->spin * torque;
-}
+static int held(const incline *c) { return rot_incline_held(&c->on, c->at); }
 
-/* From rest: what moves first. */
-static void leave_rest(incline *c) {
-  const rot_incline_ways to =
-      rot_incline_leave_rest(c->pull, c->grips, c->slides, c->resists, c->holds, c->own, c->spin);
-  c->slip_way = to.slip;
-  c->spin_way = to.spin;
-}
-
-/* The signs of what begins to move now. */
-static void find_ways(incline *c) {
-  if (c->slip_way == 0 && c->spin_way == 0 && c->mean == 0.0) {
-    leave_rest(c);
-  } else if (c->slip_way == 0) {
-    if (c->spin_way == 0) c->spin_way = sign(c->mean);
-    const double need = needed(c, c->spin_way * c->resists);
-    if (fabs(need) > c->grips * c->holds) c->slip_way = sign(need);
-  } else if (c->spin_way == 0 && c->slides > c->resists) {
-    c->spin_way = c->slip_way;
-  }
-}
-
-static int held(const incline *c) { return c->resists > 0.0 && c->spin_way == 0; }
-
-static int rests(const incline *c) {
-  return c->slip_way == 0 && c->spin_way == 0 && c->mean == 0.0;
-}
+static int rests(const incline *c) { return c->at.slip == 0 && c->at.spin == 0 && c->mean == 0.0; }
 
 /* Forces, rates and the rounding of the rates. */
 static void find_forces(incline *c) {
-  find_ways(c);
+  c->at = rests(c) ? rot_incline_leave_rest(&c->on, c->on.pull)
+                   : rot_incline_go_on(&c->on, c->at, c->on.pull, c->mean, 1, 0);
   c->v_rate = c->w_rate = c->mean_rate = c->slip_rate = 0.0;
   c->v_rate_error = c->w_rate_error = c->mean_rate_error = c->slip_rate_error = 0.0;
   if (rests(c)) {
-    c->force = c->torque = c->pull;
+    c->force = c->torque = c->on.pull;
     return;
   }
-  const double turns = fabs(c->pull) + c->resists;
-  c->torque = c->spin_way * c->resists;
-  c->mean_rate = c->spin * (c->pull - c->torque);
-  c->mean_rate_error = 12.0 * ROT_EPS * c->spin * turns;
-  if (c->slip_way == 0) {
-    c->force = needed(c, c->torque);
-    c->v_rate = c->w_rate = c->mean_rate;
+  const rot_incline_contact *on = &c->on;
+  const rot_incline_forces f = rot_incline_forces_of(on, on->pull, c->at);
+  c->force = f.friction;
+  c->torque = f.torque;
+  c->v_rate = f.v;
+  c->w_rate = f.w;
+  c->mean_rate = on->spin * (on->pull - f.torque);
+  c->mean_rate_error = 12.0 * ROT_EPS * on->spin * (fabs(on->pull) + on->resists);
+  if (c->at.slip == 0) {
     c->v_rate_error = c->w_rate_error = c->mean_rate_error;
     return;
   }
-  c->force = c->slip_way * c->slides;
-  c->v_rate = c->pull - c->force;
-  c->v_rate_error = 8.0 * ROT_EPS * (fabs(c->pull) + c->slides);
+  c->v_rate_error = 8.0 * ROT_EPS * (fabs(on->pull) + on->slides);
   if (held(c)) {
-    c->torque = c->force;
     c->slip_rate = c->v_rate;
     c->slip_rate_error = c->v_rate_error;
-    c->mean_rate = c->spin * c->v_rate;
-    c->mean_rate_error = c->spin * c->v_rate_error + 8.0 * ROT_EPS * fabs(c->mean_rate);
+    c->mean_rate_error = on->spin * c->v_rate_error + 8.0 * ROT_EPS * fabs(c->mean_rate);
     return;
   }
-  c->w_rate = (c->force - c->torque) / c->beta;
-  c->w_rate_error = 12.0 * ROT_EPS * (c->slides + c->resists) / c->beta;
+  c->w_rate_error = 12.0 * ROT_EPS * (on->slides + on->resists) / on->beta;
   c->slip_rate = c->v_rate - c->w_rate;
   c->slip_rate_error = c->v_rate_error + c->w_rate_error + ROT_EPS * fabs(c->slip_rate);
 }
@@ -158,11 +123,12 @@ static double zero_s(const incline *c, int way, double value, double rate) {
 }
 
 static void find_end(incline *c) {
-  const double slip = zero_s(c, c->slip_way, c->slip, c->slip_rate);
-  const double spin = c->resists > 0.0 ? zero_s(c, c->spin_way, c->w, c->w_rate) : (double)INFINITY;
+  const double slip = zero_s(c, c->at.slip, c->slip, c->slip_rate);
+  const double spin =
+      c->on.resists > 0.0 ? zero_s(c, c->at.spin, c->w, c->w_rate) : (double)INFINITY;
   /* Against a resistance, v is zero together with omega where it rolls, with the slip where omega
    * is held: those count. */
-  const double turn = c->resists > 0.0 && (c->slip_way == 0 || c->spin_way == 0)
+  const double turn = c->on.resists > 0.0 && (c->at.slip == 0 || c->at.spin == 0)
                           ? (double)INFINITY
                           : zero_s(c, c->way, c->v, c->v_rate);
   c->end_s = INFINITY;
@@ -219,12 +185,12 @@ static incline after(const incline *c, double time) {
   if (!held(c)) {
     move(s, c->w_rate, c->w_rate_error, &to.turn, &to.w, &to.turn_error, &to.w_error);
   }
-  if (c->slip_way == 0) {
+  if (c->at.slip == 0) {
     to.v = to.w = to.mean;
     to.v_error = to.w_error = to.mean_error;
     if (time < c->settled_s) {
-      to.v_error += c->own * c->slip_error;
-      to.w_error += c->spin * c->slip_error;
+      to.v_error += c->on.own * c->slip_error;
+      to.w_error += c->on.spin * c->slip_error;
     }
   } else {
     path = path_error = 0.0;
@@ -232,7 +198,7 @@ static incline after(const incline *c, double time) {
     /* Slip and spin keep their signs on the stretch: all parts of the heat are positive. */
     to.slip_heat += heat(m, fabs(c->force), 0.5 * s, fabs(c->slip + to.slip));
   }
-  if (c->spin_way != 0) to.rolling_heat += heat(m, c->resists, 0.5 * s, fabs(c->w + to.w));
+  if (c->at.spin != 0) to.rolling_heat += heat(m, c->on.resists, 0.5 * s, fabs(c->w + to.w));
   return to;
 }
 
@@ -241,21 +207,21 @@ static void end_slip(incline *c, const incline *from) {
   const double path = 0.5 * from->slip * (-from->slip / from->slip_rate);
   c->slip_heat = from->slip_heat + from->p->mass_kg * fabs(from->force) * fabs(path);
   c->slip = 0.0;
-  c->slip_way = 0;
+  c->at.slip = 0;
   /* Where omega is held, or zero within its error, too, the body is at rest. */
-  if (from->resists > 0.0 && (c->spin_way == 0 || fabs(c->mean) <= c->mean_error)) {
+  if (from->on.resists > 0.0 && (c->at.spin == 0 || fabs(c->mean) <= c->mean_error)) {
     c->mean = 0.0;
-    c->spin_way = 0;
+    c->at.spin = 0;
   }
 }
 
 /* At the rounded time, w (M, too, where it rolls) is not exactly 0. While it slips, M keeps its
  * value. */
 static void end_spin(incline *c) {
-  c->spin_way = 0;
+  c->at.spin = 0;
   c->w_error += fabs(c->w);
   c->w = 0.0;
-  if (c->slip_way != 0) return;
+  if (c->at.slip != 0) return;
   c->mean_error += fabs(c->mean);
   c->mean = 0.0;
 }
@@ -271,12 +237,33 @@ static void spread(incline *c, const incline *from, double late) {
   c->settled_s = c->time_s + late;
   c->v_error += v;
   c->w_error += w;
-  if (c->slip_way == 0) {
+  if (c->at.slip == 0) {
     /* It rolls: both speeds are the mean. Or it rests, after the event without an error. */
     c->v = c->w = c->mean;
     c->v_error = rests(c) ? v : c->mean_error;
     c->w_error = rests(c) ? w : c->mean_error;
   }
+}
+
+rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_ways from,
+                           rot_incline_ways to, int rested, int rests, int turned) {
+  if (!events) return ROT_OK;
+  const struct {
+    int happens;
+    rot_event event;
+  } log[] = {
+      {rests && !rested, ROT_EVENT_STICK},
+      {turned && !(rests && !rested), ROT_EVENT_REVERSE},
+      {!rests && to.slip == 0 && (from.slip != 0 || rested), ROT_EVENT_ROLL},
+      {from.slip == 0 && to.slip != 0, ROT_EVENT_SLIP},
+      {from.slip * to.slip < 0, ROT_EVENT_SLIP_REVERSES},
+  };
+  for (size_t i = 0; i < sizeof log / sizeof *log; i++) {
+    if (!log[i].happens) continue;
+    const rot_status status = rot_events_add(events, time_s, log[i].event);
+    if (status != ROT_OK) return status;
+  }
+  return ROT_OK;
 }
 
 /* Goes to the end of the stretch and enters the next one. */
@@ -292,26 +279,12 @@ static rot_status cross(incline *c, rot_events *events) {
     late += c->w_error / fabs(from.w_rate);
     end_spin(c);
   }
-  const int turned = from.ends == TURNS || (from.ends == SPIN_ENDS && from.slip_way == 0) ||
+  const int turned = from.ends == TURNS || (from.ends == SPIN_ENDS && from.at.slip == 0) ||
                      (from.ends == SLIP_ENDS && held(&from));
   if (turned) c->way = -from.way;
   enter(c);
   if (from.ends != TURNS) spread(c, &from, late);
-  rot_status status = ROT_OK;
-  if (rests(c)) {
-    status = rot_events_add(events, end, ROT_EVENT_STICK);
-  } else if (turned) {
-    status = rot_events_add(events, end, ROT_EVENT_REVERSE);
-  }
-  if (status == ROT_OK && from.slip_way != 0 && c->slip_way == 0 && !rests(c)) {
-    status = rot_events_add(events, end, ROT_EVENT_ROLL);
-  }
-  if (status == ROT_OK && from.slip_way == 0 && c->slip_way != 0) {
-    status = rot_events_add(events, end, ROT_EVENT_SLIP);
-  }
-  if (status == ROT_OK && from.slip_way * c->slip_way < 0) {
-    status = rot_events_add(events, end, ROT_EVENT_SLIP_REVERSES);
-  }
+  const rot_status status = rot_incline_log(events, end, from.at, c->at, 0, rests(c), turned);
   if (status != ROT_OK) return status;
   return isfinite(c->x) && isfinite(c->turn) ? ROT_OK : ROT_ERANGE;
 }
@@ -406,14 +379,14 @@ static rot_status fill_row(const incline *at_time, const rot_incline_columns *ou
   out->v_m_per_s[i] = at.v;
   out->theta_rad[i] = at.theta;
   out->omega_rad_per_s[i] = at.omega;
-  out->slip_speed_m_per_s[i] = now.slip_way == 0 ? 0.0 : now.slip;
+  out->slip_speed_m_per_s[i] = now.at.slip == 0 ? 0.0 : now.slip;
   out->friction_force_n[i] = -p->mass_kg * now.force + 0.0;
   out->translational_kinetic_energy_j[i] = 0.5 * p->mass_kg * at.v * at.v;
-  out->rotational_kinetic_energy_j[i] = 0.5 * p->mass_kg * now.beta * w * w;
-  out->potential_energy_j[i] = -p->mass_kg * now.pull * at.x + 0.0;
+  out->rotational_kinetic_energy_j[i] = 0.5 * p->mass_kg * now.on.beta * w * w;
+  out->potential_energy_j[i] = -p->mass_kg * now.on.pull * at.x + 0.0;
   out->slip_heat_j[i] = now.slip_heat;
   out->rolling_heat_j[i] = now.rolling_heat;
-  out->rolling[i] = now.slip_way == 0;
+  out->rolling[i] = now.at.slip == 0;
   note_state(&now, &at, info, now.time_s > p->start_s);
   return ROT_OK;
 }
@@ -466,33 +439,20 @@ static void note_sizes(const incline *c, double most[4]) {
   most[3] = fmax(most[3], fabs(at.omega));
 }
 
-static int in_domain(const rot_incline_params *p, double time_s) {
-  const double numbers[] = {p->mass_kg, p->radius_m,   p->inertia_kg_m2,    p->gravity_m_per_s2,
-                            p->arm_m,   p->v0_m_per_s, p->omega0_rad_per_s, time_s};
-  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-    if (!isfinite(numbers[i])) return 0;
-  }
-  const double slip = fabs(p->v0_m_per_s - p->radius_m * p->omega0_rad_per_s);
-  return p->mass_kg > 0.0 && p->radius_m > 0.0 && p->inertia_kg_m2 > 0.0 && p->arm_m >= 0.0 &&
-         p->gravity_m_per_s2 >= 0.0 && fabs(p->angle_deg) <= 90.0 && p->mu_kinetic >= 0.0 &&
-         p->mu_static >= p->mu_kinetic && time_s >= p->start_s &&
-         (isfinite(p->mu_kinetic) || slip <= 8.0 * ROT_EPS * fabs(p->v0_m_per_s));
-}
-
 rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end) {
   incline c;
   double most[4] = {0.0};
-  if (!in_domain(p, time_s)) return ROT_EVALUE;
+  if (!rot_incline_possible(p, time_s)) return ROT_EVALUE;
   begin(&c, p);
   enter(&c);
   note_sizes(&c, most);
   *end = (rot_incline_end){.roll_s = NAN};
   while (c.end_s <= time_s) {
-    const int slips = c.slip_way != 0;
+    const int slips = c.at.slip != 0;
     const double at = c.end_s;
     const rot_status status = cross(&c, NULL);
     if (status != ROT_OK) return status;
-    if (slips && c.slip_way == 0 && !rests(&c) && isnan(end->roll_s)) end->roll_s = at;
+    if (slips && c.at.slip == 0 && !rests(&c) && isnan(end->roll_s)) end->roll_s = at;
     note_sizes(&c, most);
   }
   c = after(&c, time_s);
@@ -501,8 +461,8 @@ rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_inclin
   rot_info info;
   rot_info_measures(&info, rot_incline_measures);
   note_state(&c, &at, &info, time_s > p->start_s);
-  *end = (rot_incline_end){at.x,           at.v,        at.theta, at.omega,       c.slip_heat,
-                           c.rolling_heat, end->roll_s, 0.0,      c.slip_way == 0};
+  *end = (rot_incline_end){at.x,           at.v,        at.theta, at.omega,      c.slip_heat,
+                           c.rolling_heat, end->roll_s, 0.0,      c.at.slip == 0};
   for (int i = 0; i < 4; i++) {
     end->error = fmax(end->error, rot_relative_error(info.measure[i].error, most[i]));
   }
@@ -516,13 +476,13 @@ static void add_flows(const incline *from, const incline *to, rot_incline_ledger
   const double s = to->time_s - from->time_s, m = from->p->mass_kg, r = from->p->radius_m;
   const double path = to->x - from->x;
   const double off = from->x_error + to->x_error + 4.0 * ROT_EPS * (fabs(from->x) + fabs(to->x));
-  sum->work_j += m * from->pull * path;
-  sum->work_rounding_j += m * fabs(from->pull) * (off + 8.0 * ROT_EPS * fabs(path));
-  sum->gravity_impulse_n_s += m * from->pull * s;
+  sum->work_j += m * from->on.pull * path;
+  sum->work_rounding_j += m * fabs(from->on.pull) * (off + 8.0 * ROT_EPS * fabs(path));
+  sum->gravity_impulse_n_s += m * from->on.pull * s;
   sum->friction_impulse_n_s -= m * from->force * s;
   sum->resistance_impulse_n_m_s += m * from->torque * r * s;
   const double rounding = 16.0 * ROT_EPS * m * (s + fabs(to->time_s));
-  sum->gravity_rounding_n_s += rounding * fabs(from->pull);
+  sum->gravity_rounding_n_s += rounding * fabs(from->on.pull);
   sum->friction_rounding_n_s += rounding * fabs(from->force);
   sum->resistance_rounding_n_m_s += rounding * fabs(from->torque) * r;
 }

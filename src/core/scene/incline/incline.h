@@ -12,7 +12,9 @@
 #include <stddef.h>
 
 #include "engine/events.h"
+#include "ground/real.h"
 #include "ground/status.h"
+#include "scene/incline/contact.h"
 
 typedef struct rot_incline_params {
   double mass_kg, radius_m, inertia_kg_m2; /* > 0 */
@@ -104,6 +106,17 @@ typedef struct rot_incline_end {
 
 rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end);
 
+/* Whether its numbers are in their domain. */
+static inline int rot_incline_possible(const rot_incline_params *p, double time_s) {
+  const double v0 = p->v0_m_per_s, slip = fabs(v0 - p->radius_m * p->omega0_rad_per_s);
+  return p->mass_kg > 0.0 && p->radius_m > 0.0 && p->inertia_kg_m2 > 0.0 && p->arm_m >= 0.0 &&
+         p->gravity_m_per_s2 >= 0.0 && fabs(p->angle_deg) <= 90.0 && p->mu_kinetic >= 0.0 &&
+         p->mu_static >= p->mu_kinetic && time_s >= p->start_s && isfinite(p->mass_kg) &&
+         isfinite(p->radius_m) && isfinite(p->inertia_kg_m2) && isfinite(p->gravity_m_per_s2) &&
+         isfinite(p->arm_m) && isfinite(v0) && isfinite(p->omega0_rad_per_s) && isfinite(time_s) &&
+         (isfinite(p->mu_kinetic) || slip <= 8.0 * ROT_EPS * fabs(v0));
+}
+
 typedef struct rot_incline_ledger {
   double work_j;                                    /* of gravity */
   double gravity_impulse_n_s, friction_impulse_n_s; /* along the slope */
@@ -116,7 +129,13 @@ rot_status rot_incline_flows(const rot_incline_params *p, double from_s, double 
                              rot_incline_ledger *ledger);
 
 /* How much larger than what friction holds a force may be and is held: the rounding of both. */
-double rot_incline_holds(double angle_deg);
+double rot_incline_holds(double angle_deg, double sine, double cosine);
+/* The contact of a scene. */
+void rot_incline_touch(const rot_incline_params *p, rot_incline_contact *out);
+
+/* Logs how the motion changes at a time. `turned`: it reverses, unless it comes to rest. */
+rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_ways from,
+                           rot_incline_ways to, int rested, int rests, int turned);
 
 /* The steepest angle in degrees at which a body of this beta = I/(m R^2) rolls from rest. */
 double rot_incline_critical_deg(double beta, double mu_static);

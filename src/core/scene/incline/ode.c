@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/incline/rest.h"
 #include "engine/ode/ode.h"
 #include "ground/real.h"
 
@@ -41,10 +40,7 @@ typedef struct change {
 typedef struct motion {
   const rot_incline_scene *scene;
   const rot_incline_params *p; /* of its slope */
-  double beta, own, spin;      /* shares: beta/(1 + beta), 1/(1 + beta) */
-  double gravity;              /* g sin; on 1 kg like all forces here */
-  double slides, grips, resists;
-  double holds; /* a force this much larger than what friction holds is held */
+  rot_incline_contact on;
   int mode;
   double most;       /* largest speed met */
   double beyond;     /* rounding of the speeds, ample */
@@ -61,21 +57,15 @@ static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 static int mode_of(ways at) { return 3 * (at.slip + 1) + at.spin + 1; }
 static ways ways_of(int mode) { return (ways){mode / 3 - 1, mode % 3 - 1}; }
 
-static int held(const motion *m, ways at) { return m->resists > 0.0 && at.spin == 0; }
+static int held(const motion *m, ways at) { return rot_incline_held(&m->on, at); }
 static int rests(const motion *m, ways at) { return held(m, at) && at.slip == 0; }
 
 /* ---- forces ---------------------------------------------------------------------------------- */
 
 typedef struct forces {
-  double applied, drag;          /* N */
-  double pull;                   /* of gravity, drag and force, on 1 kg */
-  double friction, torque, v, w; /* on 1 kg; the rates of v and w */
+  double applied, drag; /* N */
+  double pull;          /* of gravity, drag and force, on 1 kg */
 } forces;
-
-/* The friction that keeps the contact from slipping under this pull and resistance. */
-static double needed(const motion *m, double pull, double torque) {
-  return m->own * pull + m->spin * torque;
-}
 
 static rot_status pull_at(const motion *m, double t, double travel, double v, forces *f) {
   const rot_incline_scene *scene = m->scene;
@@ -86,27 +76,7 @@ static rot_status pull_at(const motion *m, double t, double travel, double v, fo
     if (status != ROT_OK) return status;
   }
   f->drag = -(scene->drag_n_s_per_m + scene->drag_n_s2_per_m2 * fabs(v)) * v;
-  f->pull = m->gravity + (f->applied + f->drag) / m->p->mass_kg;
-  return ROT_OK;
-}
-
-static rot_status forces_at(const motion *m, double t, double travel, double v, ways at,
-                            forces *f) {
-  const rot_status status = pull_at(m, t, travel, v, f);
-  if (status != ROT_OK) return status;
-  f->torque = at.spin * m->resists;
-  if (rests(m, at)) {
-    f->friction = f->torque = f->pull;
-    f->v = f->w = 0.0;
-  } else if (at.slip == 0) {
-    f->friction = needed(m, f->pull, f->torque);
-    f->v = f->w = m->spin * (f->pull - f->torque);
-  } else {
-    f->friction = at.slip * m->slides;
-    f->v = f->pull - f->friction;
-    if (held(m, at)) f->torque = f->friction;
-    f->w = held(m, at) ? 0.0 : (f->friction - f->torque) / m->beta;
-  }
+  f->pull = m->on.pull + (f->applied + f->drag) / m->p->mass_kg;
   return ROT_OK;
 }
 
@@ -116,20 +86,21 @@ static rot_status incline_rhs(double t, const double y[], double dydt[], void *c
   const double v = y[SPEED], w = y[RIM], mass = m->p->mass_kg;
   forces f;
   rot_status status = m->failed;
-  if (status == ROT_OK) status = forces_at(m, t, y[TRAVEL], v, at, &f);
+  if (status == ROT_OK) status = pull_at(m, t, y[TRAVEL], v, &f);
   if (status != ROT_OK) return status;
+  const rot_incline_forces on = rot_incline_forces_of(&m->on, f.pull, at);
   dydt[TRAVEL] = v;
   dydt[TURN] = w;
-  dydt[SPEED] = f.v;
-  dydt[RIM] = f.w;
-  dydt[SLIP_HEAT] = at.slip == 0 ? 0.0 : mass * f.friction * (v - w);
-  dydt[ROLLING_HEAT] = held(m, at) ? 0.0 : mass * f.torque * w;
+  dydt[SPEED] = on.v;
+  dydt[RIM] = on.w;
+  dydt[SLIP_HEAT] = at.slip == 0 ? 0.0 : mass * on.friction * (v - w);
+  dydt[ROLLING_HEAT] = held(m, at) ? 0.0 : mass * on.torque * w;
   dydt[DRAG_HEAT] = -f.drag * v;
   dydt[WORK] = f.applied * v;
-  dydt[FRICTION] = -mass * f.friction;
+  dydt[FRICTION] = -mass * on.friction;
   dydt[DRAG] = f.drag;
   dydt[FORCE] = f.applied;
-  dydt[RESISTANCE] = mass * f.torque * m->p->radius_m;
+  dydt[RESISTANCE] = mass * on.torque * m->p->radius_m;
   dydt[MODE] = 0.0;
   return ROT_OK;
 }
@@ -143,50 +114,22 @@ typedef enum cause { BEGINS, SLIP_ENDS, SPIN_ENDS, GRIP_ENDS, JUMPS } cause;
 static ways leave_rest(const motion *m, double pull, int lost) {
   const int way = sign(pull);
   ways at = {0, 0};
-  if (!lost || fabs(pull) > (1.0 + 1e-9) * m->holds * fmin(m->grips, m->resists)) {
-    return rot_incline_leave_rest(pull, m->grips, m->slides, m->resists, m->holds, m->own, m->spin);
+  if (!lost || fabs(pull) > (1.0 + 1e-9) * m->on.holds * fmin(m->on.grips, m->on.resists)) {
+    return rot_incline_leave_rest(&m->on, pull);
   }
-  if (m->resists <= m->grips) {
+  if (m->on.resists <= m->on.grips) {
     at.spin = way;
   } else {
     at.slip = way;
-    if (m->slides > m->resists) at.spin = way;
+    if (m->on.slides > m->on.resists) at.spin = way;
   }
   return at;
 }
 
 static ways find_ways(const motion *m, ways from, double pull, const double y[], int lost) {
-  ways at = from;
-  const int turns = m->resists > 0.0;
-  if (at.slip == 0 && turns && at.spin == 0 && y[SPEED] == 0.0) return leave_rest(m, pull, lost);
-  if (at.slip == 0) {
-    if (turns && at.spin == 0) at.spin = sign(y[SPEED]);
-    const double need = needed(m, pull, at.spin * m->resists);
-    if (lost || fabs(need) > m->grips * m->holds) at.slip = sign(need);
-  } else if (turns && at.spin == 0 && m->slides > m->resists) {
-    at.spin = at.slip;
-  }
-  return at;
-}
-
-static rot_status log_change(motion *m, double t, ways from, ways to, int turned) {
-  rot_status status = ROT_OK;
-  const int rested = rests(m, from), rest = rests(m, to);
-  if (rest && !rested) {
-    status = rot_events_add(m->events, t, ROT_EVENT_STICK);
-  } else if (turned) {
-    status = rot_events_add(m->events, t, ROT_EVENT_REVERSE);
-  }
-  if (status == ROT_OK && !rest && to.slip == 0 && (from.slip != 0 || rested)) {
-    status = rot_events_add(m->events, t, ROT_EVENT_ROLL);
-  }
-  if (status == ROT_OK && from.slip == 0 && to.slip != 0) {
-    status = rot_events_add(m->events, t, ROT_EVENT_SLIP);
-  }
-  if (status == ROT_OK && from.slip * to.slip < 0) {
-    status = rot_events_add(m->events, t, ROT_EVENT_SLIP_REVERSES);
-  }
-  return status;
+  const int turns = m->on.resists > 0.0;
+  if (rests(m, from) && y[SPEED] == 0.0) return leave_rest(m, pull, lost);
+  return rot_incline_go_on(&m->on, from, pull, y[SPEED], turns, lost);
 }
 
 static rot_status keep_change(motion *m, double t, const double y[]) {
@@ -216,13 +159,13 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
   if (why == SLIP_ENDS) {
     at.slip = 0;
     /* Where the contact does not grip, the slip passes zero and both speeds go on. */
-    const double need = fabs(needed(m, f.pull, at.spin * m->resists));
+    const double need = fabs(rot_incline_needed(&m->on, f.pull, at.spin * m->on.resists));
     if (held(m, from)) {
       y[SPEED] = y[RIM] = 0.0;
-    } else if (need <= m->grips * m->holds) {
-      y[SPEED] = y[RIM] = m->spin * y[SPEED] + m->own * y[RIM];
+    } else if (need <= m->on.grips * m->on.holds) {
+      y[SPEED] = y[RIM] = m->on.spin * y[SPEED] + m->on.own * y[RIM];
     }
-    if (m->resists > 0.0 && fabs(y[SPEED]) <= small(m)) {
+    if (m->on.resists > 0.0 && fabs(y[SPEED]) <= small(m)) {
       y[SPEED] = y[RIM] = 0.0;
       at.spin = 0;
     }
@@ -238,7 +181,8 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
   const int turned = y[SPEED] == 0.0 && y[RIM] == 0.0 && !rests(m, from) && !rests(m, at) &&
                      ((why == SPIN_ENDS && from.slip == 0) || (why == SLIP_ENDS && held(m, from)));
   if (why == BEGINS) return ROT_OK;
-  const rot_status logged = log_change(m, t, from, at, turned);
+  const rot_status logged =
+      rot_incline_log(m->events, t, from, at, rests(m, from), rests(m, at), turned);
   return logged == ROT_OK ? keep_change(m, t, y) : logged;
 }
 
@@ -292,7 +236,7 @@ static double spin_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
   const int spin = ways_of(m->mode).spin;
   (void)t;
-  return m->resists == 0.0 || spin == 0 ? 1.0 : signed_speed(y[RIM], spin);
+  return m->on.resists == 0.0 || spin == 0 ? 1.0 : signed_speed(y[RIM], spin);
 }
 
 /* A step that ends within a rounding of the zero hides it from the next one (one of 3000 random
@@ -308,7 +252,7 @@ static double spin_turned(double t, const double y[], void *ctx) {
   const motion *m = ctx;
   const int spin = ways_of(m->mode).spin;
   (void)t;
-  return m->resists == 0.0 || spin == 0 ? 1.0 : spin * y[RIM] + m->beyond;
+  return m->on.resists == 0.0 || spin == 0 ? 1.0 : spin * y[RIM] + m->beyond;
 }
 
 /* Against a resistance, v is zero together with omega where it rolls, with the slip where omega is
@@ -317,7 +261,7 @@ static double turn_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
   const ways at = ways_of(m->mode);
   (void)t;
-  return m->resists > 0.0 && (at.slip == 0 || at.spin == 0) ? 1.0 : y[SPEED];
+  return m->on.resists > 0.0 && (at.slip == 0 || at.spin == 0) ? 1.0 : y[SPEED];
 }
 
 /* 1: nothing pulls; below 0 the friction does not hold. */
@@ -331,14 +275,14 @@ static double margin_at(double t, const double y[], void *ctx) {
     m->failed = status;
     return 1.0;
   }
-  double most = m->grips, need = fabs(f.pull);
+  double most = m->on.grips, need = fabs(f.pull);
   if (rests(m, at)) {
-    most = most < m->resists ? most : m->resists;
+    most = most < m->on.resists ? most : m->on.resists;
   } else {
-    need = fabs(needed(m, f.pull, at.spin * m->resists));
+    need = fabs(rot_incline_needed(&m->on, f.pull, at.spin * m->on.resists));
   }
   if (isinf(most) || need == 0.0) return 1.0;
-  return most > 0.0 ? m->holds - need / most : -1.0;
+  return most > 0.0 ? m->on.holds - need / most : -1.0;
 }
 
 static void cross_break(double t, double y[], int forward, void *ctx) {
@@ -358,34 +302,25 @@ static void note_speed(double t, double y[], void *ctx) {
 
 static void begin(motion *m, const rot_incline_scene *scene, double span_s, double y[]) {
   const rot_incline_params *p = &scene->slope;
-  const double sine = rot_sin_deg(p->angle_deg), cosine = rot_cos_deg(p->angle_deg);
-  const double normal = p->gravity_m_per_s2 * cosine;
   const double v0 = p->v0_m_per_s, w0 = p->radius_m * p->omega0_rad_per_s;
   *m = (motion){.scene = scene, .p = p, .span_s = span_s};
-  m->beta = p->inertia_kg_m2 / p->mass_kg / p->radius_m / p->radius_m;
-  m->own = 1.0 / (1.0 + 1.0 / m->beta);
-  m->spin = 1.0 / (1.0 + m->beta);
-  m->gravity = p->gravity_m_per_s2 * sine;
-  m->slides = rot_incline_friction(p->mu_kinetic, normal);
-  m->grips = rot_incline_friction(p->mu_static, normal);
-  m->resists = p->arm_m / p->radius_m * normal;
-  m->holds = rot_incline_holds(p->angle_deg);
+  rot_incline_touch(p, &m->on);
   const int rolls = fabs(v0 - w0) <= 4.0 * ROT_EPS * fabs(w0);
   y[SPEED] = v0;
   y[RIM] = rolls ? v0 : w0;
   m->most = fmax(fabs(v0), fabs(w0));
-  m->beyond = 1e-13 * (m->most + (fabs(m->gravity) + m->slides) * span_s);
-  m->mode = mode_of((ways){rolls ? 0 : sign(v0 - w0), m->resists > 0.0 ? sign(y[RIM]) : 0});
+  m->beyond = 1e-13 * (m->most + (fabs(m->on.pull) + m->on.slides) * span_s);
+  m->mode = mode_of((ways){rolls ? 0 : sign(v0 - w0), m->on.resists > 0.0 ? sign(y[RIM]) : 0});
 }
 
 /* How far rounding may move the rates: the sum of what acts. Where a motion begins in it, no step
  * would pass its error test. */
 static void note_noise(motion *m, double pull) {
-  const double friction = ways_of(m->mode).slip == 0 ? fabs(pull) : m->slides;
-  const double sizes = fabs(m->gravity) + fabs(pull) + friction + m->resists;
+  const double friction = ways_of(m->mode).slip == 0 ? fabs(pull) : m->on.slides;
+  const double sizes = fabs(m->on.pull) + fabs(pull) + friction + m->on.resists;
   const double off = m->scene->force_noise_n / m->p->mass_kg;
   m->noise[SPEED] = 4.0 * ROT_EPS * sizes + off;
-  m->noise[RIM] = 4.0 * ROT_EPS * fmax(sizes, (friction + m->resists) / m->beta) + off;
+  m->noise[RIM] = 4.0 * ROT_EPS * fmax(sizes, (friction + m->on.resists) / m->on.beta) + off;
   m->noise[TRAVEL] = m->noise[SPEED] * m->span_s;
   m->noise[TURN] = m->noise[RIM] * m->span_s;
 }
@@ -412,17 +347,17 @@ static rot_status fill_row(const motion *m, size_t i, double t, const double y[]
   if (changed) y = changed->y;
   const double v = y[SPEED], w = at.slip == 0 ? v : y[RIM];
   forces f;
-  const rot_status status = forces_at(m, t, y[TRAVEL], v, at, &f);
+  const rot_status status = pull_at(m, t, y[TRAVEL], v, &f);
   if (status != ROT_OK) return status;
   out->x_m[i] = p->x0_m + y[TRAVEL];
   out->v_m_per_s[i] = v;
   out->theta_rad[i] = p->theta0_rad + y[TURN] / p->radius_m;
   out->omega_rad_per_s[i] = start ? p->omega0_rad_per_s : w / p->radius_m;
   out->slip_speed_m_per_s[i] = at.slip == 0 ? 0.0 : v - w;
-  out->friction_force_n[i] = -p->mass_kg * f.friction + 0.0;
+  out->friction_force_n[i] = -p->mass_kg * rot_incline_forces_of(&m->on, f.pull, at).friction + 0.0;
   out->translational_kinetic_energy_j[i] = 0.5 * p->mass_kg * v * v;
-  out->rotational_kinetic_energy_j[i] = 0.5 * p->mass_kg * m->beta * w * w;
-  out->potential_energy_j[i] = -p->mass_kg * m->gravity * out->x_m[i] + 0.0;
+  out->rotational_kinetic_energy_j[i] = 0.5 * p->mass_kg * m->on.beta * w * w;
+  out->potential_energy_j[i] = -p->mass_kg * m->on.pull * out->x_m[i] + 0.0;
   out->slip_heat_j[i] = y[SLIP_HEAT];
   out->rolling_heat_j[i] = y[ROLLING_HEAT];
   out->rolling[i] = at.slip == 0;

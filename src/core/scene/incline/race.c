@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "scene/incline/incline.h"
-#include "scene/incline/rest.h"
 #include "ground/real.h"
 
 /* Rows between two polls: some milliseconds. */
@@ -21,24 +20,23 @@ static void start(const rot_race_bodies *b, size_t i, slope *on, const rot_race_
   if (angle != on->angle) {
     on->angle = angle;
     rot_sin_cos_deg(angle, &on->sine, &on->cosine);
-    on->holds = rot_incline_holds(angle);
+    on->holds = rot_incline_holds(angle, on->sine, on->cosine);
   }
   const double normal = gravity * on->cosine, pull = gravity * on->sine;
-  const double grips = rot_incline_friction(mu_static, normal);
-  const double slides = rot_incline_friction(mu_kinetic, normal);
-  const double resists = beta > 0.0 ? arm / radius * normal : 0.0;
-  const double spin = 1.0 / (1.0 + beta), own = isinf(beta) ? 1.0 : beta * spin;
-  const rot_incline_ways way =
-      rot_incline_leave_rest(pull, grips, slides, resists, on->holds, own, spin);
+  const double resists = beta > 0.0 ? arm / radius * normal : 0.0, spin = 1.0 / (1.0 + beta);
+  const rot_incline_contact c = {beta,
+                                 isinf(beta) ? 1.0 : beta * spin,
+                                 spin,
+                                 pull,
+                                 rot_incline_friction(mu_kinetic, normal),
+                                 rot_incline_friction(mu_static, normal),
+                                 resists,
+                                 on->holds};
+  const rot_incline_ways way = rot_incline_leave_rest(&c, pull);
+  const rot_incline_forces f = rot_incline_forces_of(&c, pull, way);
   const double held = fabs(pull) <= resists * on->holds ? fabs(pull) : resists;
-  const double need = own * fabs(pull) + spin * held;
-  double rate = 0.0, turn = 0.0;
-  if (way.slip != 0) {
-    rate = pull - way.slip * slides;
-    turn = way.spin != 0 ? way.slip * (slides - resists) / beta : 0.0;
-  } else if (way.spin != 0) {
-    rate = turn = spin * (pull - way.spin * resists);
-  }
+  const double need = rot_incline_needed(&c, fabs(pull), held);
+  const double rate = way.slip != 0 || way.spin != 0 ? f.v : 0.0, turn = way.spin != 0 ? f.w : 0.0;
   const int known = !isnan(beta + radius + angle + gravity + arm + mu_static + mu_kinetic);
   out->acceleration_m_per_s2[i] = known ? rate : NAN;
   out->angular_acceleration_rad_per_s2[i] = !known ? NAN : beta == 0.0 ? 0.0 : turn / radius;

@@ -161,6 +161,29 @@ static void check_steps(void) {
   }
 }
 
+/* A row of the first chunk is the step to its time, to the last bit where the series are of one
+ * length: c s/I from 0.06 to 0.3. */
+static void check_bits(void) {
+  enum { ROWS = 64, FIRST = 14 };
+  double t[ROWS];
+  rot_info info;
+  rot_axle_grid grid;
+  const rot_torque_piece piece = {0.0, 4.0, 0.1, 0.8};
+  const rot_axle_params p = article(0.01875, 2.0);
+  const rot_axle_columns out = columns(fast);
+  const rot_axle_state start = rot_axle_start(&p);
+  rot_axle_state base = start;
+  for (int i = 0; i < ROWS; i++) t[i] = i / 64.0;
+  rot_info_clear(&info, rot_turning);
+  rot_axle_grid_begin(&grid);
+  rot_axle_grid_enter(&grid, &p, &piece);
+  ROT_CHECK_EQ_INT(rot_axle_grid_rows(&grid, &p, &base, &piece, ROWS, t, &out, &info), ROWS);
+  for (int i = FIRST; i < ROWS; i++) {
+    const rot_axle_state to = rot_axle_grid_step(&grid, &p, &start, &piece, t[i]);
+    ROT_CHECK(fast[0][i] == to.theta_rad && fast[1][i] == to.omega_rad_per_s);
+  }
+}
+
 /* fixed_axis_linear.csv, 40 digits: the last row of N on an even grid, which the state has reached
  * through every chunk, and one short step. */
 static void check_known_case(const double x[8], double *worst) {
@@ -223,6 +246,7 @@ int main(void) {
   check_other_grids();
   check_refusals();
   check_steps();
+  check_bits();
   check_known();
   check_by_hand();
   return rot_test_report("axle_grid");

@@ -1,13 +1,15 @@
-/* Many axles at once: against 50-digit values, against the rows of rot_axle_linear(), and every
- * outcome of a row or a run. */
+/* Many axles at once: against 50-digit values, against the rows of rot_axle_linear(), against the
+ * kernel for doubles, and every outcome of a row or a run. */
+#define ROT_ALONE
+
 #include "scene/axle/linear.h"
 #include "scene/axle/sweep.h"
 
 #include <stdlib.h>
 
-#include "ground/pair.h"
 #include "ground/real.h"
 #include "ground/share.h"
+#include "scene/axle/sweep_pass.h"
 #include "rot_test.h"
 
 enum { MOST = 140000 };
@@ -158,6 +160,48 @@ static void check_random(void) {
   printf("  random rows: widest bound %.2g\n", worst);
 }
 
+/* The kernel compiled for doubles gives the bits of registers. */
+static void check_doubles(void) {
+  enum { ROWS = ROT_AXLE_SWEEP_BLOCK };
+  static double x[6][ROWS];
+  static rot_axle_sweep_block b;
+  double *in[6];
+  unsigned long long seed = 9;
+  rot_info info;
+  for (int j = 0; j < 6; j++) in[j] = x[j];
+  for (int turn = 0; turn < 50; turn++) {
+    for (size_t i = 0; i < ROWS; i++) {
+      x[0][i] = 0.0625 * exp2(8.0 * uniform(&seed) - 4.0);
+      x[1][i] = x[0][i] * exp2(16.0 * uniform(&seed) - 12.0);
+      x[2][i] = 4.0 * uniform(&seed) - 2.0;
+      x[3][i] = 40.0 * uniform(&seed) - 20.0;
+      x[4][i] = 2.0 * uniform(&seed) - 1.0;
+      x[5][i] = 0.5 + 9.0 * uniform(&seed);
+      b.c[i] = x[1][i];
+      b.inverse[i] = 1.0 / x[0][i];
+      b.lambda[i] = x[1][i] / x[0][i];
+      b.scale[i] = x[2][i];
+      b.end_s[i] = x[5][i];
+      b.time_s[i] = b.omega_max_time_s[i] = 0.5;
+      b.theta[i] = x[4][i];
+      b.omega[i] = b.omega_max[i] = b.omega_min[i] = x[3][i];
+      b.theta_error[i] = b.omega_error[i] = b.worst_error[i] = 0.0;
+      b.theta_max[i] = fabs(x[4][i]);
+    }
+    const rot_axle_sweep_rows rows = rows_of(in, ROWS, 1, 0.5);
+    ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
+    for (size_t k = 1; k <= torque.n; k++) {
+      const rot_torque_piece piece = rot_torque_piece_at(&torque, k);
+      pass_block(&b, &piece, k > 1 ? piece.start_n_m : rot_torque_in_piece(&piece, 0.5));
+    }
+    for (size_t i = 0; i < ROWS; i++) {
+      ROT_CHECK(b.theta[i] == theta[i] && b.omega[i] == omega[i] &&
+                b.omega_max[i] == omega_max[i] && b.omega_max_time_s[i] == max_time[i] &&
+                b.omega_min[i] == omega_min[i]);
+    }
+  }
+}
+
 /* ---- endings -------------------------------------------------------------------------------- */
 
 static void check_bad_rows(void) {
@@ -271,16 +315,13 @@ static void check_scenes(void) {
   ROT_CHECK(status[0] == ROT_EVALUE && isnan(omega[0]) && isnan(error[0]));
 }
 
-/* The exponential of a pair, against the library's. */
+/* The exponential of the lanes, against the library's. */
 static void check_decay(void) {
   double worst = 0.0;
   for (double x = 0.0; x <= 700.0; x += x < 2.0 ? 0.0007 : 0.173) {
-    double two[2];
-    rot_store(two, rot_pair_decay(ROT_BOTH(x)));
-    worst = fmax(worst, rot_test_ulp(two[0], exp(-x)));
-    if (ROT_PAIR == 2) ROT_CHECK(two[0] == two[ROT_PAIR - 1]);
+    worst = fmax(worst, rot_test_ulp(rot_pair_decay(x), exp(-x)));
   }
-  printf("  exponential of a pair: %g ulp\n", worst);
+  printf("  exponential of the lanes: %g ulp\n", worst);
   ROT_CHECK(worst <= 2.0);
 }
 
@@ -288,6 +329,7 @@ int main(void) {
   check_decay();
   check_known();
   check_random();
+  check_doubles();
   check_bad_rows();
   check_many();
   check_scenes();

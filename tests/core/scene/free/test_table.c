@@ -1,5 +1,8 @@
 /* Tables of free bodies: against 110-digit values (the shared table) and the motion of one body,
- * registers of two against four, threads, neighbours, rows that the kernel leaves to others. */
+ * registers of two against four and against doubles, threads, neighbours, rows that the kernel
+ * leaves to others. */
+#define ROT_ALONE
+
 #include "scene/free/table.h"
 
 #include <stdlib.h>
@@ -7,6 +10,7 @@
 
 #include "maths/attitude.h"
 #include "scene/free/motion.h"
+#include "scene/free/pass.h"
 #include "rot_test.h"
 #include "ground/wide.h"
 #include "shared_table.h"
@@ -170,6 +174,29 @@ static void check_bits(table *x, table *y) {
   }
 }
 
+/* The kernel compiled for doubles. */
+static void check_doubles(const table *x) {
+  static rot_free_block b;
+  size_t good = 0;
+  for (size_t first = 0; first + ROT_FREE_BLOCK <= x->n; first += ROT_FREE_BLOCK) {
+    for (size_t l = 0; l < ROT_FREE_BLOCK; l++) {
+      for (size_t k = 0; k < 3; k++) b.moment[k][l] = x->in[k][first + l];
+      for (size_t k = 0; k < 3; k++) b.omega[k][l] = x->in[3 + k][first + l];
+      for (size_t k = 0; k < 4; k++) b.q[k][l] = x->in[6 + k][first + l];
+      b.time[l] = x->in[10][first + l];
+    }
+    rot_free_pass(&b);
+    for (size_t l = 0; l < ROT_FREE_BLOCK; l++) {
+      if (!(b.good[l] > 0.0)) continue;
+      good++;
+      for (size_t k = 0; k < 4; k++) ROT_CHECK(b.q[k][l] == x->out[k][first + l]);
+      for (size_t k = 0; k < 3; k++) ROT_CHECK(b.omega[k][l] == x->out[4 + k][first + l]);
+      ROT_CHECK(b.error[l] + 8.0 * ROT_EPS == x->out[7][first + l]);
+    }
+  }
+  ROT_CHECK(good > N / 2);
+}
+
 int main(void) {
   static table x, y;
   srand(5);
@@ -179,5 +206,6 @@ int main(void) {
   run(&x, 1);
   check_motion(&x);
   check_bits(&x, &y);
+  check_doubles(&x);
   return rot_test_report("free_table");
 }
