@@ -8,7 +8,7 @@
 #' A body at rest stays at rest while the other torques are at most `static_n_m`, and breaks loose
 #' when they exceed it.
 #'
-#' Each scene takes some of the terms, and refuses the others by name:
+#' Each scene takes some of the terms, which its help names, and refuses the others:
 #'
 #' | scene | terms |
 #' |---|---|
@@ -19,7 +19,6 @@
 #' | [scene_chain()] | `viscous_n_m_s`, of the joints |
 #' | [scene_free()], [scene_pivot()] | `damping_per_s` |
 #' | [scene_incline()] | `drag_n_s_per_m`, `drag_n_s2_per_m2` |
-#' | [scene_hoop()] | `drag_n_s_per_m` |
 #'
 #' @param viscous_n_m_s Viscous coefficient in N m s (N m per rad/s), one finite number. A negative
 #'   one drives: the motion grows without bound.

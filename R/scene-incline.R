@@ -127,7 +127,9 @@ force_function <- function(f, breaks_s = NULL, ...) {
 #' @export
 print.rot_force_function <- function(x, ...) {
   cat("<rot_force_function> ", describe_force(x$f), sep = "")
-  if (length(x$breaks_s)) cat(", breaks at ", paste(format_si(x$breaks_s), collapse = ", "), " s")
+  if (length(x$breaks_s)) {
+    cat(", breaks at ", paste(format_si(x$breaks_s), collapse = ", "), " s", sep = "")
+  }
   cat("\n")
   invisible(x)
 }

@@ -193,7 +193,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   if (!is.null(fit$dropped)) {
     info <- widen_error(info, fit$dropped$errors)
   }
-  if (info$kind == "none" && n && suspicious(info, record, accuracy)) {
+  if (info$kind == "none" && n && suspicious(info, record, accuracy, fit$dropped)) {
     info <- measure_on_the_way(info, fit, time_s, accuracy, max_steps, call)
   }
   if (!is.null(constraint$more_columns)) columns <- constraint$more_columns(columns, scene, time_s)
@@ -282,10 +282,11 @@ name_events <- function(result) {
 
 # Whether the largest values of the rows may be far below those on the way: the integrators know
 # theirs, a closed form has those of the rows; scenes by table are measured in the core.
-suspicious <- function(info, record, accuracy) {
+# The core looks there itself, but does not know what was left out.
+suspicious <- function(info, record, accuracy, dropped) {
   error <- info$error
   (error > 1e-13 || error > accuracy) && is.finite(error) && is.null(record$adapts) &&
-    is.null(record$by_table)
+    (is.null(record$by_table) || !is.null(dropped))
 }
 
 # The error figure with the largest values at more times, unevenly spaced so that no period of the

@@ -158,7 +158,7 @@ static int read_part(const rot_part *part, SEXP x, functions *f, rot_given *to) 
 static const rot_part *part_for(const rot_input *input, SEXP x) {
   if (!Rf_isObject(x)) {
     const int is = input->kinds & ROT_INPUT_TABLE && TYPEOF(x) == VECSXP;
-    return is ? rot_part_named("torque_table") : NULL;
+    return is ? rot_part_named("torque") : NULL;
   }
   SEXP classes = Rf_getAttrib(x, R_ClassSymbol);
   for (R_xlen_t i = 0; TYPEOF(classes) == STRSXP && i < XLENGTH(classes); i++) {

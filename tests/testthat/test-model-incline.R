@@ -265,8 +265,8 @@ test_that("a force of one's own: it breaks the rest, then the grip", {
   )
   expect_error(scene_incline(ball(), 0, force = "3"), class = "rotdyn_error_type")
   # A number is constant: it rolls with 5/7 of force/m.
-  push <- trajectory(scene_incline(ball(), 0, force = 3), c(0, 2))
-  expect_equal(push$v_m_per_s[2], 2 * 3 * 5 / 7 / ball()$mass_kg, tolerance = 1e-12)
+  even <- trajectory(scene_incline(ball(), 0, force = 3), c(0, 2))
+  expect_equal(even$v_m_per_s[2], 2 * 3 * 5 / 7 / ball()$mass_kg, tolerance = 1e-12)
   expect_error(scene_incline(ball(), 0, force = function(a, b) 1), class = "rotdyn_error_type")
   expect_null(scene_incline(ball(), 0, force = 0)$force)
   expect_error(force_function(3), class = "rotdyn_error_type")

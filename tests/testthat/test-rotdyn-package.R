@@ -12,7 +12,7 @@ test_that("every help page leads to others, and a search for a question finds it
     found <- names(Filter(function(text) any(grepl(word, text)), searched))
     expect_true(paste0(page, ".Rd") %in% found, info = paste(word, page))
   }
-  finds("period", "period")
+  finds("period", "period_of")
   finds("brake", "resistance")
   finds("disc", "body_plates")
   finds("ring", "body_plates")

@@ -22,7 +22,7 @@ test_that("what is no drive is refused, in the user's own call", {
   refuses(scene_drive(c(1, 2), coupling_gear(2), torque = 3), "type")
   refuses(scene_drive(c(1, 2), coupling_gear(2), torque = list(3)), "size")
   refuses(scene_drive(c(1, 2), coupling_gear(2), torque = list("3", NULL)), "type")
-  refuses(scene_drive(c(1, 2), coupling_gear(2), resistance = list(3, NULL)), "type")
+  refuses(scene_drive(c(1, 2), coupling_gear(2), resistance = list("3", NULL)), "type")
   refuses(scene_drive(c(1, 2), coupling_gear(2), brake = list(3, NULL)), "type")
   refuses(scene_drive(c(1, 2), coupling_gear(2), omega0_rad_per_s = c(1, 1)), "value")
   refuses(scene_drive(c(1, 2), coupling_gear(2), theta0_rad = 1:3), "size")

@@ -193,11 +193,11 @@ test_that("R functions are refused by the name of the part", {
   }
   refused(scene_axle(1, f), "torque")
   refused(scene_axle(1, torque_constant(1) + f), "torque[[2]]")
-  refused(scene_incline(body_disk(1, .1), 10, force = f), "force_n")
-  refused(scene_free(c(1, 2, 2.5), c(1, 0, 0), torque = function(t) c(0, 0, 0)), "torque_n_m")
+  refused(scene_incline(body_disk(1, .1), 10, force = f), "force")
+  refused(scene_free(c(1, 2, 2.5), c(1, 0, 0), torque = function(t) c(0, 0, 0)), "torque")
   refused(
     scene_free(c(1, 2, 2.5), c(1, 0, 0), rotors = list(rotor("x", 0.1, 1), rotor("z", 0.1, 1, f))),
-    "rotors[[2]]$torque_n_m"
+    "rotors[[2]]$torque"
   )
   refused(
     scene_drive(c(1, 2), list(coupling_clutch(f))), "couplings[[1]]$capacity_n_m"

@@ -44,9 +44,10 @@ test_that("every export has one place in the reference index", {
 
 test_that("an index stands before the unit, and units are those of the dictionary", {
   known <- c(
-    "m", "m2", "kg", "s", "kg_m2_per_s", "rad", "deg", "n", "j", "w", "n_m", "n_s", "n_m_s", "n_m_s2",
-    "kg_m", "kg_m2", "kg_m3", "rad_per_s", "rad_per_s2", "m_per_s", "m_per_s2", "per_s", "n_s_per_m",
-    "n_s2_per_m2", "n_per_m", "n_m_per_rad", "hz", "px", "u", "rpm", "turns", "deg_per_s"
+    "m", "m2", "kg", "s", "kg_m2_per_s", "rad", "deg", "n", "j", "w", "n_m", "n_s", "n_m_s",
+    "n_m_s2", "kg_m", "kg_m2", "kg_m3", "rad_per_s", "rad_per_s2", "m_per_s", "m_per_s2", "per_s",
+    "n_s_per_m", "n_s2_per_m2", "n_per_m", "n_m_per_rad", "hz", "px", "u", "rpm", "turns",
+    "deg_per_s"
   )
   is_unit <- paste0("_(", paste(known, collapse = "|"), ")$")
   columns <- metadata()$quantities$quantity

@@ -29,8 +29,8 @@ SCENES = """[
 ["clutch", {"scene_clutch": {
   "body_1": {"body_disk": {"mass_kg": 20, "radius_m": 0.15}}, "body_2": 0.8,
   "capacity_n_m": 60, "static_capacity_n_m": 75,
-  "torque_1": {"torque_steps": {"time_s": [0, 1.2], "torque_n_m": [30, -10]}}, "torque_2": -5,
-  "omega1_rad_per_s": 15, "engage_s": 0.25
+  "torque": [{"torque_steps": {"time_s": [0, 1.2], "torque_n_m": [30, -10]}}, -5],
+  "omega0_rad_per_s": [15, 0], "engage_s": 0.25
  }}, ["omega_1_rad_per_s", "heat_j"]],
 ["drive", {"scene_drive": {
   "bodies": [0.4, 2, {"body_disk": {"mass_kg": 3, "radius_m": 0.5}}],
@@ -48,7 +48,7 @@ SCENES = """[
  }}, ["omega_rad_per_s", "heat_j"]],
 ["rotors", {"scene_rotors": {
   "bodies": [{"body_disk": {"mass_kg": 4, "radius_m": 0.2}}, 0.005, 0.27],
-  "stiffness_n_m_per_rad": [800, 1200], "damping_n_m_s": 0.05, "torque_n_m": [2, 0, -2]
+  "stiffness_n_m_per_rad": [800, 1200], "damping_n_m_s": 0.05, "torque": [2, 0, -2]
  }}, ["theta_rad", "shaft_torque_n_m"]],
 ["incline", {"scene_incline": {
   "body": {"body_tensor": {"mass_kg": 2, "inertia_kg_m2": [0.05, 0.05, 0.05]}},
@@ -63,9 +63,10 @@ SCENES = """[
     {"place_body": {"body": {"body_points": {"data": {
       "mass_kg": [1, 1], "x_m": [0, 0], "y_m": [-1.5, 1.5], "z_m": 0}}}, "at_m": [0.1, 0, 0]}}]}},
   "omega0_rad_per_s": [0, 0, 0.01],
-  "rotors": [{"rotor": {"axis": [0, 0, 1], "inertia_kg_m2": 0.01, "omega_rad_per_s": 0,
-                        "torque_n_m": {"time_s": [0, 0.9, 1.1, 2],
-                                       "torque_n_m": [0.1, 0.1, -0.1, -0.1]}}}]
+  "rotors": [{"rotor": {"axis": [0, 0, 1], "moment_of_inertia_kg_m2": 0.01,
+                        "omega_rad_per_s": 0,
+                        "torque": {"time_s": [0, 0.9, 1.1, 2],
+                                   "torque_n_m": [0.1, 0.1, -0.1, -0.1]}}}]
  }}, ["omega_z_rad_per_s", "rotor_1_omega_rad_per_s"]],
 ["pivot", {"scene_pivot": {
   "body": {"body_tensor": {"mass_kg": 0.5, "inertia_kg_m2": [0.002, 0.002, 0.001],

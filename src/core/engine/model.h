@@ -6,6 +6,7 @@
 
 #include "engine/events.h"
 #include "engine/input.h"
+#include "engine/resistance.h"
 #include "ground/store.h"
 
 enum { ROT_MOST_EFFECTS = 16, ROT_MOST_MODELS = 16, ROT_MOST_COLUMNS = 64 };

@@ -40,6 +40,17 @@ const rot_part rot_resistance_part = {"resistance", ROT_INPUT_RESISTANCE,   TERM
 const char *const rot_axle_resistance[] = {"viscous_n_m_s", "quadratic_n_m_s2", "coulomb_n_m",
                                            "static_n_m", NULL};
 const char *const rot_viscous_resistance[] = {"viscous_n_m_s", NULL};
+const char *const rot_drag_resistance[] = {"drag_n_s_per_m", NULL};
+
+static void list_of(const rot_resistance *r, double x[TERMS]) {
+  x[VISCOUS] = r->viscous_n_m_s;
+  x[QUADRATIC] = r->quadratic_n_m_s2;
+  x[COULOMB] = r->coulomb_n_m;
+  x[STATIC] = r->static_n_m;
+  x[DAMPING] = r->damping_per_s;
+  x[DRAG] = r->drag_n_s_per_m;
+  x[DRAG_2] = r->drag_n_s2_per_m2;
+}
 
 static int takes(const rot_input *input, const char *term) {
   size_t i = 0;
@@ -59,6 +70,21 @@ rot_status rot_resistance_of(const rot_input *input, size_t at, const rot_given 
     if (x[i] == 0.0 || takes(input, inputs[i].name)) continue;
     return rot_refuse(no, at, "has the term `%s`, which this scene does not take: it takes `%s`%s",
                       inputs[i].name, input->options[0], input->options[1] ? " and others" : "");
+  }
+  return ROT_OK;
+}
+
+rot_status rot_resistance_numbers(size_t n, const rot_input of[], const rot_given given[],
+                                  double x[], rot_refusal *no) {
+  rot_input_numbers(n, of, given, x);
+  for (size_t i = 0; i < n; i++) {
+    rot_resistance terms;
+    double each[TERMS];
+    if (!(of[i].kinds & ROT_INPUT_RESISTANCE)) continue;
+    const rot_status status = rot_resistance_of(&of[i], i, &given[i], &terms, no);
+    if (status != ROT_OK) return status;
+    list_of(&terms, each);
+    x[i] = each[rot_input_named(TERMS, inputs, of[i].options[0])];
   }
   return ROT_OK;
 }

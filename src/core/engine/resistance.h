@@ -18,13 +18,21 @@ extern const rot_part rot_resistance_part;
 
 /* The terms of a torque about an axle: `options` of an input that takes these, by their names. */
 extern const char *const rot_axle_resistance[];
-/* Its viscous term alone. */
-extern const char *const rot_viscous_resistance[];
+/* Its viscous term alone; the linear drag on a centre of mass. */
+extern const char *const rot_viscous_resistance[], *const rot_drag_resistance[];
 
 /* (what an input was given) => its terms. Nothing: none. Refused: a term that is not among
  * input->options. `at`: the place of the input. */
 rot_status rot_resistance_of(const rot_input *input, size_t at, const rot_given *given,
                              rot_resistance *terms, rot_refusal *refusal);
+
+/* As rot_input_numbers(), where a resistance is the one term that its input takes. */
+rot_status rot_resistance_numbers(size_t n, const rot_input inputs[], const rot_given given[],
+                                  double x[], rot_refusal *refusal);
+
+/* An input that is a resistance of these terms. */
+#define ROT_RESISTANCE_INPUT(words, terms)                                                         \
+  { "resistance", "", ROT_INPUT_RESISTANCE, 0, 0.0, 0.0, 0, NAN, words, terms }
 
 /* The viscous coefficient of each of n bodies: from one or n numbers, from a resistance for all, or
  * from a list with a number, a resistance or nothing for each. */

@@ -1,6 +1,7 @@
 /* Terms of a resistance: built, taken or refused by name, one for each of several bodies. */
 #include "engine/resistance.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -102,9 +103,26 @@ static void check_each(void) {
 #undef EACH
 }
 
+/* Numbers and the one term of a resistance, in the order of the inputs. */
+static void check_numbers(void) {
+  const rot_input both[] = {ROT_NUMBER_INPUT("mass_kg", "kg", 1, 0.0, 1, NAN, "m"),
+                            ROT_RESISTANCE_INPUT("drag", rot_drag_resistance)};
+  const rot_resistance drag = {.drag_n_s_per_m = 0.5}, viscous = {.viscous_n_m_s = 0.5};
+  const double mass = 3.0;
+  double x[2];
+  rot_refusal no;
+  rot_given given[2] = {{.is = ROT_INPUT_NUMBER, .n = 1, .x = &mass}, {0}};
+  ROT_CHECK(rot_resistance_numbers(2, both, given, x, &no) == ROT_OK && x[0] == 3.0 && x[1] == 0.0);
+  given[1] = (rot_given){.is = ROT_INPUT_RESISTANCE, .n = 1, .object = &drag};
+  ROT_CHECK(rot_resistance_numbers(2, both, given, x, &no) == ROT_OK && x[0] == 3.0 && x[1] == 0.5);
+  given[1].object = &viscous;
+  ROT_CHECK(rot_resistance_numbers(2, both, given, x, &no) == ROT_EVALUE && no.input == 1);
+}
+
 int main(void) {
   check_terms();
   check_taken();
   check_each();
+  check_numbers();
   return rot_test_report("resistance");
 }

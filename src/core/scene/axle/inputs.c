@@ -94,11 +94,7 @@ static const char *const axes[] = {"z", "x", "y", NULL};
 static const char *const points[] = {"centre", "origin", NULL};
 
 /* The inputs that constructors share. */
-#define RESISTS                                                                                    \
-  {                                                                                                \
-    "resistance", "", ROT_INPUT_RESISTANCE, 0, ROT_NO_DOMAIN, NAN, "what resists the rotation",    \
-        rot_axle_resistance                                                                        \
-  }
+#define RESISTS       ROT_RESISTANCE_INPUT("what resists the rotation", rot_axle_resistance)
 #define THETA0(words) ROT_NUMBER_INPUT("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, words)
 #define OMEGA0(words) ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, words)
 #define START         ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, WHEN)

@@ -2,6 +2,7 @@
 #ifndef ROT_FREE_INPUTS_H
 #define ROT_FREE_INPUTS_H
 
+#include "engine/resistance.h"
 #include "scene/free/parts.h"
 
 enum { ROT_FREE_INPUTS = 9 };
@@ -39,8 +40,7 @@ extern const char *const rot_free_resistance[]; /* its terms */
    "none", rot_free_arguments},                                                                    \
   {"torque_axes", "", ROT_INPUT_CHOICE, 0, ROT_FREE_ANY, NAN, "axes of the torque",                \
    rot_free_axes},                                                                                 \
-  {"resistance", "", ROT_INPUT_RESISTANCE, 0, ROT_FREE_ANY, NAN,                                   \
-   "a torque against the angular momentum", rot_free_resistance},                                  \
+  ROT_RESISTANCE_INPUT("a torque against the angular momentum", rot_free_resistance),              \
   {"rotors", "", ROT_INPUT_ROTOR | ROT_INPUT_LIST, 0, ROT_FREE_ANY, NAN,                           \
    "one rotor, or a list of at most 16; the body includes them, locked", NULL},                    \
   {"breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_FREE_ANY, NAN,                                         \

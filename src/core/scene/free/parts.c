@@ -106,11 +106,11 @@ static rot_status build_moments(const rot_part *part, const rot_given given[], r
   return ROT_OK;
 }
 
-/* A table has no constructor in R: there it is a data frame. */
+/* A table has no constructor in R: it has the name of the input that takes it. */
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 const rot_part rot_free_parts[] = {{"rotor", ROT_INPUT_ROTOR, COUNT(rotor_inputs), rotor_inputs,
                                     sizeof(rot_free_rotor_of), build_rotor},
-                                   {"torque_table", ROT_INPUT_TABLE, COUNT(table_inputs),
+                                   {"torque", ROT_INPUT_TABLE, COUNT(table_inputs),
                                     table_inputs, sizeof(rot_free_table_of), build_table},
                                    {"principal_moments", ROT_INPUT_MOMENTS, COUNT(moments_inputs),
                                     moments_inputs, sizeof(rot_free_moments_of), build_moments}};

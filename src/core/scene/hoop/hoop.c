@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "engine/ode/system.h"
-#include "engine/resistance.h"
 
 typedef struct hoop {
   double mass, radius, turn, theta0, omega0, drag, mu_static, mu_kinetic, gravity, start;
@@ -15,15 +14,13 @@ typedef struct hoop {
 /* ---- inputs ---------------------------------------------------------------------------------- */
 
 /* clang-format off */
-enum { DRAG = 5 };
-static const char *const drags[] = {"drag_n_s_per_m", NULL};
 static const rot_input inputs[] = {
     ROT_NUMBER_INPUT("mass_kg", "kg", 1, 0.0, 1, NAN, "of the bead"),
     ROT_NUMBER_INPUT("radius_m", "m", 1, 0.0, 1, NAN, "of the hoop"),
     ROT_NUMBER_INPUT("hoop_omega_rad_per_s", "rad/s", 1, -DBL_MAX, 0, NAN, "about the vertical"),
     ROT_NUMBER_INPUT("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, "at the start, 0: lowest"),
     ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, "its rate at the start"),
-    {"resistance", "", ROT_INPUT_RESISTANCE, 0, 0.0, 0.0, 0, NAN, "drag along the hoop", drags},
+    ROT_RESISTANCE_INPUT("drag along the hoop", rot_drag_resistance),
     ROT_NUMBER_INPUT("static_friction", "1", 0, 0.0, 0, 0.0, "coefficient of dry friction at rest"),
     {"kinetic_friction", "1", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, NAN, "moving", rot_most_static},
     ROT_NUMBER_INPUT("gravity_m_per_s2", "m/s^2", 0, 0.0, 0, 9.80665, "acceleration of gravity"),
@@ -33,11 +30,7 @@ static const rot_input inputs[] = {
 static rot_status build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   (void)store;
   hoop *h = to;
-  rot_input_numbers(ROT_COUNT(inputs), inputs, given, to);
-  rot_resistance drag;
-  const rot_status status = rot_resistance_of(&inputs[DRAG], DRAG, &given[DRAG], &drag, no);
-  if (status != ROT_OK) return status;
-  h->drag = drag.drag_n_s_per_m;
+  if (rot_resistance_numbers(ROT_COUNT(inputs), inputs, given, to, no)) return ROT_EVALUE;
   h->inertia = h->mass * h->radius * h->radius;
   h->weight = h->mass * h->gravity * h->radius;
   const double rates = h->turn * h->turn + h->gravity / h->radius + h->drag / h->mass;

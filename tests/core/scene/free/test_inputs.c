@@ -30,7 +30,7 @@ static int push(const double *argument, double *value, void *context) {
 
 static rotdyn_object *table(void) {
   const double time_s[] = {0.0, 5.0}, torque[] = {TORQUE, TORQUE};
-  rotdyn_object *of = rotdyn_object_new("torque_table");
+  rotdyn_object *of = rotdyn_object_new("torque");
   ROT_CHECK(rotdyn_set_numbers(of, "time_s", 2, time_s) == ROTDYN_OK);
   ROT_CHECK(rotdyn_set_numbers(of, "torque_n_m", 2, torque) == ROTDYN_OK);
   return of;
@@ -121,7 +121,7 @@ static void check_moments(void) {
 static void check_table(void) {
   const double time_s[] = {0.0, 2.0}, x[] = {0.0, 0.6}, zero[] = {0.0, 0.0}, back[] = {2.0, 0.0};
   const double ball[] = {1.0, 1.0, 1.0};
-  rotdyn_object *scene = body(), *of = rotdyn_object_new("torque_table");
+  rotdyn_object *scene = body(), *of = rotdyn_object_new("torque");
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   ROT_CHECK(rotdyn_set_numbers(scene, "body", 3, ball) == ROTDYN_OK);
   ROT_CHECK(rotdyn_set_numbers(of, "time_s", 2, time_s) == ROTDYN_OK);
