@@ -76,7 +76,7 @@ angular_impulse <- function(torque, from_s = -Inf, to_s = Inf, ..., body = NULL,
     angular_impulse_n_m_s = parts[1, ], angular_impulse_error_n_m_s = parts[2, ]
   ))
   if (!is.null(inertia)) out$omega_change_rad_per_s <- parts[1, ] / inertia
-  tibble::new_tibble(out, nrow = n)
+  new_table(out, nrow = n)
 }
 
 check_of_time <- function(loads, call) {

@@ -98,7 +98,7 @@ attitude_from <- function(data, form, ..., order = NULL, sequence = NULL,
   columns <- form_columns(data, form, order, call)
   q <- read_attitude(form, columns, euler_sequence(form, sequence, call), "data", call)
   if (maps == "space_to_body") q[2:4] <- lapply(q[2:4], `-`)
-  tibble::new_tibble(q, nrow = length(q[[1]]))
+  new_table(q, nrow = length(q[[1]]))
 }
 
 #' @rdname attitude
@@ -112,7 +112,7 @@ attitude_to <- function(attitude, form, ..., sequence = NULL) {
   out <- .Call(ffi_attitude_to, match(form, names(attitude_forms)) - 1, q, code)
   names(out) <- c(attitude_forms[[form]], "gimbal_lock")
   if (form != "euler") out$gimbal_lock <- NULL
-  tibble::new_tibble(out, nrow = length(out[[1]]))
+  new_table(out, nrow = length(out[[1]]))
 }
 
 #' @rdname attitude
@@ -130,7 +130,7 @@ attitude_inverse <- function(attitude, ...) {
   check_supplied("attitude", call)
   q <- as_attitude(attitude, "attitude", call)
   q[2:4] <- lapply(q[2:4], `-`)
-  tibble::new_tibble(q, nrow = length(q[[1]]))
+  new_table(q, nrow = length(q[[1]]))
 }
 
 #' @rdname attitude
@@ -165,7 +165,7 @@ attitude_turn <- function(attitude, vector, axes = c("space", "body"), ...) {
   v <- named_columns(vector, c("x", "y", "z"), "vector", call)
   check_recyclable(c(q[1], v[1]), call)
   out <- .Call(ffi_attitude_turn, unname(c(q, v)), as.double(axes == "space"))
-  tibble::new_tibble(out, nrow = length(out[[1]]))
+  new_table(out, nrow = length(out[[1]]))
 }
 
 # ---- arguments ----------------------------------------------------------------------------------
@@ -299,5 +299,5 @@ pair_of_attitudes <- function(which, pair, more, call) {
   q <- Map(function(x, arg) as_attitude(x, arg, call), pair, names(pair))
   check_recyclable(c(lapply(q, `[[`, 1L), more), call)
   out <- .Call(ffi_attitude_pair, which, unname(c(q[[1]], q[[2]], more)))
-  tibble::new_tibble(out, nrow = length(out[[1]]))
+  new_table(out, nrow = length(out[[1]]))
 }

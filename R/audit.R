@@ -98,7 +98,7 @@ new_audit <- function(balances) {
   columns <- lapply(audit_columns, column)
   names(columns) <- audit_columns
   columns$terms <- lapply(balances, `[[`, "terms")
-  tibble::new_tibble(columns, nrow = length(balances), class = "rot_audit")
+  new_table(columns, nrow = length(balances), class = "rot_audit")
 }
 
 # One balance: change = supplied - dissipated, each numbers named in words. `about`: the point or
@@ -113,7 +113,7 @@ balance <- function(name, about, unit, change, supplied, dissipated, rounding) {
     residual = residual, rounding = rounding,
     conserved = NA,
     verdict = if (is.na(balanced)) NA_character_ else if (balanced) "balanced" else "unbalanced",
-    terms = tibble::new_tibble(list(
+    terms = new_table(list(
       term = names(parts) %||% rep(NA_character_, length(parts)),
       role = rep(
         c("supplied", "dissipated", "change"), lengths(list(supplied, dissipated, change))

@@ -48,7 +48,7 @@ axis_path <- function(x, axis = "z", ...) {
       c(tip[1:3], list(atan2(across, tip[[3]]), unwrap(azimuth))), axis_path_columns
     )
   )
-  tibble::new_tibble(out, nrow = nrow(x), class = "rot_axis_path")
+  new_table(out, nrow = nrow(x), class = "rot_axis_path")
 }
 
 # Angles that go on beyond a turn, each less than half a turn from the known one before.

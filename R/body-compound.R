@@ -220,7 +220,7 @@ combine_bodies <- function(parts, sign, name, call) {
     reach_m = max(away + pick("reach_m")),
     formula = "sum of C + m d d' about the common centre",
     provenance = "compound",
-    detail = list(parts = tibble::tibble(
+    detail = list(parts = as_table(
       shape = vapply(parts, function(b) b$shape, character(1)),
       mass_kg = sign * mass,
       x_m = centres[1, ], y_m = centres[2, ], z_m = centres[3, ]

@@ -277,7 +277,7 @@ found_table <- function(found) {
   note[of$key == "flat"] <- isTRUE(found$counts[["flat"]] > 0)
   verdict <- ifelse(fails & bad, "fails", ifelse(note, "note", "holds"))
   verdict[is.na(count)] <- "not checked"
-  out <- tibble::tibble(
+  out <- as_table(
     condition = of$condition, count = count, verdict = verdict, meaning = of$meaning
   )
   class(out) <- c("rot_mesh_check", class(out))

@@ -264,7 +264,7 @@ check_tensors <- function(given, mass_kg, size_m, object) {
   gather <- function(what, kind) {
     vapply(unlist(lapply(judged, `[[`, what)), identity, kind, USE.NAMES = FALSE)
   }
-  check <- tibble::new_tibble(
+  check <- new_table(
     list(
       row = rep(seq_len(n), rows),
       object = rep(object, rows),

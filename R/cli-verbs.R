@@ -104,7 +104,7 @@ cli_bind <- function(tables) {
     unlist(lapply(tables, function(table) table[[name]] %||% rep(NA, length(table[[1]]))),
            use.names = FALSE)
   })
-  tibble::new_tibble(stats::setNames(columns, names), nrow = length(columns[[1]]))
+  new_table(stats::setNames(columns, names), nrow = length(columns[[1]]))
 }
 
 # ---- an axle by options -------------------------------------------------------------------------
@@ -358,7 +358,7 @@ cli_rolling_bodies <- function(words, options, state, verb) {
     abort_usage("a table, `--beta` and `--objects` exclude each other", verb = verb)
   }
   if (given[1]) return(cli_read_table(words, state))
-  if (given[2]) return(tibble::tibble(beta = options$beta))
+  if (given[2]) return(as_table(beta = options$beta))
   if (given[3]) return(options$objects)
   rolling_objects()
 }
@@ -394,7 +394,7 @@ cli_run_inertia <- function(words, options, state) {
   found <- cli_shape(words, options, "inertia")
   if (is.null(options[["mass-kg"]])) abort_usage("`--mass-kg` is missing", verb = "inertia")
   row <- c(list(shape = found$shape, mass_kg = options[["mass-kg"]]), found$sizes)
-  list(table = inertia_table(tibble::new_tibble(row, nrow = 1L)))
+  list(table = inertia_table(new_table(row, nrow = 1L)))
 }
 
 cli_run_check_inertia <- function(words, options, state) {

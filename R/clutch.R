@@ -52,5 +52,5 @@ clutch_engagement <- function(body_1, body_2, capacity_n_m, omega_1_rad_per_s,
   locks <- list(lock_time_s = ifelse(is.finite(values$lock_time_s), 1, Inf)) # else it has no heat
   columns$capacity_n_m <- 1 # may be infinite
   warn_beyond(values, c(columns, locks), n, call)
-  tibble::new_tibble(lapply(values, rep_len, n), nrow = n)
+  new_table(lapply(values, rep_len, n), nrow = n)
 }

@@ -43,7 +43,7 @@ loss_budget <- function(fit, ..., run = 1) {
     upper = pmin(1, pmax(0, share + half))
   )
   if (is.na(inertia)) out$energy_over_inertia <- of$energy else out$energy_j <- of$energy * inertia
-  tibble::new_tibble(lapply(out, unname), nrow = length(share))
+  new_table(lapply(out, unname), nrow = length(share))
 }
 
 # Energies over the inertia: of each loss, the total, and their derivatives.
@@ -157,7 +157,7 @@ retarding_torque <- function(fit, omega_rad_per_s = NULL, ...) {
   )
   names(out)[2] <-
     if (is.na(coast_inertia(fit))) "deceleration_rad_per_s2" else "retarding_torque_n_m"
-  tibble::new_tibble(out, nrow = length(value))
+  new_table(out, nrow = length(value))
 }
 
 # Smallest and largest speed while it turns.
@@ -219,7 +219,7 @@ compare_laws <- function(fit, ...) {
   }
   scores <- vapply(sets, score, numeric(3))
   order <- order(scores[1, ])
-  tibble::tibble(
+  as_table(
     law = vapply(sets, paste, "", collapse = " + ")[order],
     parameters = as.integer(scores[2, order]),
     aicc_difference = scores[1, order] - min(scores[1, ]),
@@ -291,5 +291,5 @@ residual_tests <- function(fit, ...) {
       finding = if (p < 0.05) "differ: a variance between runs is added" else "none found"
     ))
   }
-  tibble::as_tibble(out)
+  table_from(out)
 }

@@ -188,7 +188,7 @@ predict.rot_coast_fit <- function(object, time_s = NULL, ..., run = 1, level = N
     out[[paste0(stem, "_lower")]] <- value - quantile * se
     out[[paste0(stem, "_upper")]] <- value + quantile * se
   }
-  tibble::new_tibble(out, nrow = length(time_s))
+  new_table(out, nrow = length(time_s))
 }
 
 #' @rdname predict.rot_coast_fit
@@ -206,7 +206,7 @@ augment.rot_coast_fit <- function(x, ...) {
       residual = run_residual(run, p, rows), omega_rad_per_s = rows$omega
     )
   })
-  tibble::as_tibble(do.call(rbind, parts))
+  table_from(do.call(rbind, parts))
 }
 
 # What the sensor's runout adds to the angle, and its slope.
@@ -242,7 +242,7 @@ glance.rot_coast_fit <- function(x, ...) {
   first <- fit$runs[[1]]
   number <- function(name) vapply(fit$runs, function(run) run$numbers[[name]], 0)
   size <- vapply(fit$runs, function(run) length(run$time_s), 0L)
-  tibble::tibble(
+  as_table(
     runs = length(fit$runs), samples = sum(size), dof = min(fit$pooled$dof),
     sigma = sqrt(sum(number("sigma")^2 * size) / sum(size)),
     sigma_unit = c("rad", "rad/s", "s")[first$kind + 1],

@@ -9,7 +9,7 @@ new_coast_fit <- function(runs, losses, load, inertia, runout, noise, level, cal
   )
   fit$limits <- stats::qt((1 + level) / 2, pooled$dof)
   rows <- coast_rows(fit)
-  tibble::new_tibble(rows, nrow = length(rows$loss), class = "rot_coast_fit", fit = fit)
+  new_table(rows, nrow = length(rows$loss), class = "rot_coast_fit", fit = fit)
 }
 
 # Weighted by the inverse of each run's covariance, with a variance between the runs where they

@@ -7,7 +7,7 @@
 #   normal, contact, and radius_m of a party: for drawings, or NULL
 # Each has one row, or one for each collision. What changes rows leaves a plain tibble.
 new_collision <- function(columns, n, parties, outside, about, normal = NULL, contact = NULL) {
-  tibble::new_tibble(
+  new_table(
     columns, nrow = n, class = "rot_collision",
     collision = list(
       parties = parties, outside = outside, about = about, normal = normal, contact = contact,
@@ -93,7 +93,7 @@ collision_ledger <- function(x, row = 1, about = NULL, ...) {
     out[c("balance", "about", "unit")], list(before = ledger$before, after = ledger$after),
     out[-(1:3)]
   )
-  tibble::new_tibble(
+  new_table(
     out, nrow = length(ledger$balances), class = "rot_ledger", energies = ledger$energies
   )
 }
@@ -271,7 +271,7 @@ draw_ledger <- function(x, collision, i, about, call) {
   list(
     balances = mark_conserved(balances, statements), keeps = statements,
     before = c(before, sum(column(1))), after = c(after, sum(column(2))),
-    energies = tibble::tibble(
+    energies = as_table(
       term = c(parts, names(losses)), before = c(column(1), 0, 0), after = c(column(2), losses)
     )
   )

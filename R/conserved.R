@@ -86,7 +86,7 @@ keeps_table <- function(statements) {
     unlist(lapply(statements, `[[`, name), use.names = FALSE)
   })
   names(columns) <- conserved_columns
-  tibble::new_tibble(columns, nrow = length(statements))
+  new_table(columns, nrow = length(statements))
 }
 
 # Each balance with the statement of its quantity. Conserved: nothing may be dissipated, and a

@@ -191,7 +191,7 @@ summary.rot_curve_motion <- function(object, ...) {
   call <- check_no_dots(...)
   run <- check_curve_motion(object, call)
   last <- run$last
-  tibble::new_tibble(list(
+  new_table(list(
     event = last$event, time_s = last$time_s, x_m = last$x_m, y_m = last$y_m,
     path_m = last$path_m, v_m_per_s = last$v_m_per_s, least_normal_n = run$least_normal,
     friction_needed = run$needed, error = run$error, error_kind = "estimate", finest = run$finest
@@ -891,7 +891,7 @@ new_curve_motion <- function(run, end, u, call) {
     error = if (total > 0) sums$error / total + 1e-15 else NaN, shape = cbind(at$x, at$y),
     finest = run$seen$finest
   )
-  tibble::new_tibble(columns, nrow = length(u), run = run, class = "rot_curve_motion")
+  new_table(columns, nrow = length(u), run = run, class = "rot_curve_motion")
 }
 
 check_curve_motion <- function(x, call) {

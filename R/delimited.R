@@ -197,7 +197,7 @@ read_delimited <- function(text, file, call) {
   })
   list(
     headings = headings, columns = full, odd = odd, above = lines[seq_len(top)],
-    dropped = tibble::tibble(
+    dropped = as_table(
       row = wrong,
       why = rep(paste("another number of cells than", width), length(wrong))
     ),

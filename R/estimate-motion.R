@@ -770,7 +770,7 @@ new_estimate <- function(fit, call) {
   fit$events <- estimate_events(fit, at)
   out <- estimate_rows(fit, at, fit$data$time_s, fit$data$segment)
   out$flag <- estimate_flags(fit)
-  tibble::new_tibble(
+  new_table(
     out, nrow = length(fit$data$time_s), class = "rot_estimate", estimate = fit
   )
 }
@@ -1029,7 +1029,7 @@ estimate_events <- function(fit, rows) {
   event[first == 2] <- ifelse(rests[first == 2], "stop", "switch")
   event[first == 3] <- "ramp"
   clean <- function(x, from = 2) replace(x, first >= from, 0)
-  tibble::new_tibble(list(
+  new_table(list(
     time_s = as.double(fit$breaks$time_s), time_se_s = column("time_error_s"), event = event,
     omega_jump_rad_per_s = clean(column("omega_jump")),
     omega_jump_se_rad_per_s = clean(root("v11")),

@@ -77,7 +77,7 @@ predict.rot_estimate <- function(object, time_s, ..., segment = NULL) {
   from[order] <- seq_along(order)
   out <- lapply(out, `[`, from)
   out$time_s <- as.double(time_s)
-  tibble::new_tibble(out, nrow = length(time_s))
+  new_table(out, nrow = length(time_s))
 }
 
 # The segment of each time, NA where none reaches it.
@@ -124,7 +124,7 @@ glance.rot_estimate <- function(x, ...) {
   check_no_dots(...)
   fit <- check_estimate(x, "x", call)
   scatter <- estimate_scatter(fit)
-  tibble::new_tibble(list(
+  new_table(list(
     samples = fit$samples, outliers = sum(fit$left_out), breaks = length(fit$breaks$time_s),
     order = fit$fit[1], log10_smoothness = log10(fit$fit[2]),
     smoothness = smoothness_words[fit$end + 1],
@@ -272,7 +272,7 @@ energy_loss <- function(estimate, from_s, to_s, ..., draws = 200, seed = 1) {
     low[known] <- loss[known] - t * se[known]
     high[known] <- loss[known] + t * se[known]
   }
-  tibble::new_tibble(list(
+  new_table(list(
     from_s = as.double(from_s), to_s = as.double(to_s), energy_loss_j = loss,
     energy_loss_se_j = se, energy_loss_low_j = low, energy_loss_high_j = high
   ), nrow = n)

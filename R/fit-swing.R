@@ -333,7 +333,7 @@ new_swing_fit <- function(swings, fit, damping, about) {
       from = if (is.null(fit)) "swings" else "fit", kind = about$kind,
       restoring = about$restoring, losses = about$losses,
       notes = as.character(swing_notes(swings, fit, out, about, amplitude)),
-      samples = tibble::tibble(time_s = about$time, measured = about$y),
+      samples = as_table(time_s = about$time, measured = about$y),
       motion = if (!is.null(fit)) {
         list(
           p = unname(fit$best), active = as.double(fit$best_active),

@@ -185,7 +185,7 @@ force_torques <- function(loads, about_m = NULL, ...) {
     torque_about_x_n_m = torque[1, ], torque_about_y_n_m = torque[2, ],
     torque_about_z_n_m = torque[3, ]
   )
-  tibble::new_tibble(c(unclass_columns(loads), columns, list(lever_arm_m = arms)),
+  new_table(c(unclass_columns(loads), columns, list(lever_arm_m = arms)),
                      nrow = nrow(loads))
 }
 
@@ -212,7 +212,7 @@ resultant <- function(loads, about_m = NULL, ...) {
   out$torque_error_n_m <- 2^-53 * n[5] * 4
   numbers <- out[vapply(out, is.numeric, NA)]
   warn_beyond(numbers, list(), 1L, call)
-  tibble::new_tibble(out, nrow = 1L)
+  new_table(out, nrow = 1L)
 }
 
 # ---- the table ----------------------------------------------------------------------------------
@@ -248,7 +248,7 @@ new_forces <- function(name, at, force, couple) {
   )
   if (!nrow(at)) columns <- c(list(character()), rep(list(double()), if (plane) 5L else 9L))
   names(columns) <- c("load", point_axes(plane), force_columns(plane), couple_columns(plane))
-  tibble::new_tibble(columns, nrow = nrow(at))
+  new_table(columns, nrow = nrow(at))
 }
 
 # A list of tables of forces.
@@ -293,7 +293,7 @@ read_forces <- function(x, call) {
   if (!is.character(name) || length(name) != nrow(x) || anyNA(name)) {
     abort_rotdyn("The column {.field load} must be names.", "type", call)
   }
-  tibble::new_tibble(c(list(load = name), columns), nrow = nrow(x))
+  new_table(c(list(load = name), columns), nrow = nrow(x))
 }
 
 bind_forces <- function(parts, call) {
@@ -311,7 +311,7 @@ bind_forces <- function(parts, call) {
     unlist(lapply(parts, function(part) part[[name]]), use.names = FALSE)
   })
   names(columns) <- names
-  tibble::new_tibble(columns, nrow = length(columns[[1]]))
+  new_table(columns, nrow = length(columns[[1]]))
 }
 
 # What forces() takes, as one table.

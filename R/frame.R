@@ -65,7 +65,7 @@ earth_projectile <- function(time_s, latitude_deg, east_m_per_s = 0, north_m_per
   ), call)
   out <- .Call(ffi_frame_projectile, unname(columns))
   n <- length(out[[1]])
-  tibble::new_tibble(c(lapply(columns[1:2], rep_len, n), out), nrow = n)
+  new_table(c(lapply(columns[1:2], rep_len, n), out), nrow = n)
 }
 
 #' @rdname earth_projectile
@@ -84,7 +84,7 @@ earth_drop <- function(height_m, latitude_deg, gravity_m_per_s2 = 9.80665,
     list(time_s), unname(columns[2]), list(0, 0, 0), unname(columns[3:4])
   ))
   turned <- 2 * columns$rotation_rad_per_s * time_s
-  tibble::new_tibble(c(
+  new_table(c(
     lapply(columns[1:2], rep_len, n),
     list(
       fall_time_s = time_s, deflection_east_m = way$deflection_east_m,
@@ -114,7 +114,7 @@ foucault_pendulum <- function(time_s, latitude_deg, length_m, east_m = 0, north_
   # The area that the swing sweeps, as seen from where its plane stands still: a b sqrt(pull).
   area <- columns$east_m * columns$north_m_per_s - columns$north_m * columns$east_m_per_s -
     rate * (columns$east_m^2 + columns$north_m^2)
-  tibble::new_tibble(c(
+  new_table(c(
     lapply(columns[1:2], rep_len, n), out,
     lapply(list(
       swing_period_s = 2 * pi / sqrt(pull + rate^2), plane_turn_s = 2 * pi / abs(rate),
@@ -249,7 +249,7 @@ carry <- function(motion, frame, axis, enters, call) {
   }
   keep <- setdiff(keep, drop)
   result[keep] <- out[keep]
-  tibble::new_tibble(result, nrow = n)
+  new_table(result, nrow = n)
 }
 
 # list(theta, omega, alpha) of the frame for each row.

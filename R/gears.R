@@ -103,7 +103,7 @@ train_of <- function(bodies, ratios, efficiency, torque, resistance, call) {
   columns <- c(list(shaft = seq_along(inertia)), train$columns)
   columns <- append(columns, list(moment_of_inertia_kg_m2 = inertia), 2L)
   warn_beyond(columns[-1], list(), length(inertia), call)
-  tibble::new_tibble(
+  new_table(
     columns, nrow = length(inertia), torque_n_m = x$torque, efficiency = x$efficiency,
     law = train$law, class = "rot_gear_train"
   )

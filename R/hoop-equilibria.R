@@ -32,7 +32,7 @@ hoop_equilibria <- function(scene, ...) {
   square <- c(pull - turn, -pull - turn, rep((turn - pull) * (1 + pull / turn), 2 * length(aside)))
   order <- order(theta)
   stable <- square > 0 | (theta == 0 & square == 0)
-  tibble::new_tibble(list(
+  new_table(list(
     theta_rad = theta[order], stable = stable[order],
     swing_rad_per_s = ifelse(stable, sqrt(pmax(square, 0)), NA_real_)[order],
     growth_per_s = ifelse(stable, NA_real_, sqrt(pmax(-square, 0)))[order]

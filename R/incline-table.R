@@ -60,9 +60,8 @@ incline_table <- function(parameters, time_s = NULL, ..., threads = 1) {
   columns <- incline_inputs(parameters, time_s, call)
   n <- nrow(parameters)
   out <- if (n) run_incline_table(columns, n, threads, call) else empty_incline_table()
-  data <- tibble::as_tibble(parameters)
+  data <- table_from(parameters, "rot_incline_table")
   data[incline_table_columns] <- out[incline_table_columns]
-  class(data) <- unique(c("rot_incline_table", class(data)))
   data
 }
 

@@ -284,7 +284,7 @@ bind_repairs <- function(repairs) {
     as.vector(unlist(parts), mode = kind)
   }
   each <- as.integer(unlist(changes))
-  tibble::new_tibble(list(
+  new_table(list(
     row = rep(seq_along(repairs), vapply(changes, sum, 0)),
     repair = rep(as.integer(unlist(lapply(changes, seq_along))), each),
     size = rep(gather("size", "double"), each),

@@ -92,7 +92,7 @@ inertia_table <- function(bodies = NULL, ..., mass_kg = 1, radius_m = 0.1, lengt
     first <- c("object", "mass_kg", "moment_of_inertia_kg_m2", "axis", "formula")
     columns <- c(first, setdiff(inertia_columns, first), setdiff(kept, first))
   }
-  tibble::new_tibble(out[columns], nrow = nrow(objects))
+  new_table(out[columns], nrow = nrow(objects))
 }
 
 check_shape_names <- function(given, column, rows, call) {
@@ -184,7 +184,7 @@ standard_objects <- function(names = NULL, mass_kg = 1, radius_m = 0.1, length_m
     ifelse(has, values[[name]], NA_real_)
   })
   names(sizes) <- names(values)
-  all <- tibble::new_tibble(
+  all <- new_table(
     c(list(object = shapes$shape, mass_kg = rep(mass_kg, n)), sizes), nrow = n
   )
   if (is.null(names)) return(all)
@@ -217,7 +217,7 @@ inertia_of_bodies <- function(bodies, call) {
   # Two shapes have their moment about an axis that is not through the centre.
   id <- shape_ids(vapply(bodies, axis_shape, ""), shape_table())
   about <- pick(moment_of_shape)
-  tibble::new_tibble(c(
+  new_table(c(
     list(object = vapply(bodies, function(b) b$shape, character(1)), mass_kg = mass),
     sizes,
     list(

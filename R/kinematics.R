@@ -68,7 +68,7 @@ angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_r
   values$root[kind <= 0] <- NA_integer_
   warn_beyond(values[names(columns)], list(), length(kind), call)
   warn_no_motion(values$row[kind == 0], values$row[kind < 0], call)
-  tibble::new_tibble(values[motion_columns], nrow = length(kind))
+  new_table(values[motion_columns], nrow = length(kind))
 }
 
 motion_units <- c(
@@ -141,7 +141,7 @@ point_motion <- function(omega_rad_per_s, radius_m, alpha_rad_per_s2 = 0, ...) {
     ffi_point_motion, columns$omega_rad_per_s, columns$alpha_rad_per_s2, columns$radius_m
   )
   warn_beyond(values, columns, n, call)
-  tibble::new_tibble(lapply(c(columns, values), rep_len, n), nrow = n)
+  new_table(lapply(c(columns, values), rep_len, n), nrow = n)
 }
 
 check_point_columns <- function(columns, call) {

@@ -84,7 +84,7 @@ build_metadata <- function() {
   ), function(name) read_table(name, tables[[name]]))
   known$case_values <- rbind(given_values(), known$case_values)
   columns <- column_table()
-  known$quantities <- tibble::tibble(
+  known$quantities <- as_table(
     quantity = columns$name, unit = ifelse(nzchar(columns$unit), columns$unit, NA),
     meaning = columns$meaning
   )
@@ -92,19 +92,19 @@ build_metadata <- function() {
   words <- read_table("constraint_concepts")
   ids <- vapply(own, function(constraint) constraint$id, "", USE.NAMES = FALSE)
   at <- match(ids, words$constraint_kind)
-  known$constraints <- tibble::tibble(
+  known$constraints <- as_table(
     constraint_kind = ids, concept = words$concept[at],
     meaning = ifelse(is.na(at), ids, words$meaning[at])
   )
   effects <- lapply(own, function(constraint) constraint$effects)
-  known$effects <- tibble::tibble(
+  known$effects <- as_table(
     constraint_kind = rep(ids, lengths(effects)),
     effect = unlist(lapply(effects, names), FALSE, FALSE),
     meaning = unlist(effects, FALSE, FALSE)
   )
   models <- models()
   models <- models[models$constraint %in% ids, ]
-  known$models <- tibble::tibble(
+  known$models <- as_table(
     model = models$model, constraint_kind = models$constraint, equations = models$equations,
     assumptions = models$assumptions, limits = models$limits, requires = models$requires,
     error = models$error, error_kind = models$error_kind,
@@ -113,12 +113,12 @@ build_metadata <- function() {
   takes <- unlist(lapply(own, function(constraint) {
     lapply(constraint$models, function(model) as.character(model$handles))
   }), FALSE, FALSE)
-  known$model_effects <- tibble::tibble(
+  known$model_effects <- as_table(
     model = rep(models$model, lengths(takes)),
     constraint_kind = rep(models$constraint, lengths(takes)), effect = as.character(unlist(takes))
   )
   shapes <- shapes()
-  known$shapes <- tibble::new_tibble(c(
+  known$shapes <- new_table(c(
     as.list(shapes)[c(
       "shape", "constructor", "dimension", "sizes", "ixx_formula", "iyy_formula", "izz_formula",
       "beta_formula", "origin", "axis", "formula"
@@ -142,7 +142,7 @@ read_table <- function(name, table = NULL) {
       rows[[column]] <- convert(rows[[column]])
     }
   }
-  tibble::as_tibble(rows)
+  table_from(rows)
 }
 
 # What is given of the article's cases: the data of the examples.
@@ -151,7 +151,7 @@ given_values <- function() {
     path <- system.file("extdata", file, package = "rotdyn", mustWork = TRUE)
     rows <- utils::read.csv(path)
     cases <- cases %||% rows$object
-    parts <- lapply(names(columns), function(column) tibble::tibble(
+    parts <- lapply(names(columns), function(column) as_table(
       model_case = cases, quantity = columns[[column]], at_s = 0, role = "given",
       value = as.double(rows[[column]]), tolerance = 0, place = NA_integer_, note = NA_character_
     ))
@@ -199,7 +199,7 @@ assumption_tables <- function(known, tables) {
   effects <- known$effects[use, ]
   at <- at[use]
   what <- sub("^an? ", "", effects$meaning)
-  refused <- tibble::tibble(
+  refused <- as_table(
     assumption = paste0(effects$constraint_kind, "_no_", effects$effect), place = NA_integer_,
     program = NA_character_, constraint_kind = effects$constraint_kind,
     kind = ifelse(is.na(at), "load", examples$kind[at]), statement = paste0("No ", what, "."),
@@ -212,7 +212,7 @@ assumption_tables <- function(known, tables) {
   said <- unlist(words)
   key <- paste0(of, "_", gsub("[^a-z]+", "_", tolower(said)))
   first <- !duplicated(key)
-  stated <- tibble::tibble(
+  stated <- as_table(
     assumption = key[first], place = NA_integer_, program = NA_character_,
     constraint_kind = of[first], kind = kind_of_words(said[first]),
     statement = paste0(sentence(said[first]), "."), enforced = "stated", effect = NA_character_,
@@ -232,7 +232,7 @@ assumption_tables <- function(known, tables) {
   }, given$constraint_kind, given$effect, given$enforced)
   rows <- c(stats::setNames(of_file, given$assumption),
             stats::setNames(missed[use], refused$assumption))
-  links <- tibble::tibble(
+  links <- as_table(
     model = c(as.character(unlist(rows)), rep(known$models$model, lengths(words))),
     assumption = c(rep(names(rows), lengths(rows)), key)
   )

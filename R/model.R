@@ -51,7 +51,7 @@ models <- function() {
   all <- unlist(lapply(constraints, function(constraint) constraint$models), recursive = FALSE)
   text <- function(field) vapply(all, function(m) m[[field]], character(1), USE.NAMES = FALSE)
   of <- lapply(constraints, function(constraint) rep(constraint$id, length(constraint$models)))
-  tibble::tibble(
+  as_table(
     model = text("id"),
     constraint = unlist(of, use.names = FALSE),
     equations = text("equations"),
@@ -238,7 +238,7 @@ choose_model <- function(scene, time_s, accuracy = 1e-9, ...) {
     unclass(table)[c("model", "applies", "error", "error_kind", "cost_s")],
     list(chosen = seq_len(n) == chosen, reason = reason)
   )
-  attributes(choice) <- list( # tibble::new_tibble() takes a third of the time of all
+  attributes(choice) <- list( # new_table() takes a third of the time of all
     names = names(choice), class = c("rot_model_choice", "tbl_df", "tbl", "data.frame"),
     row.names = c(NA_integer_, -n)
   )

@@ -435,12 +435,12 @@ build_record <- function(columns, n, call, counts_per_turn = NULL, pulses_per_tu
   order <- c("time_s", "theta_rad", "omega_rad_per_s", "pulses", "x_m", "y_m")
   out <- out[intersect(order, names(out))]
   out$segment <- segment
-  tibble::new_tibble(out, nrow = length(segment), class = "rot_record", record = info)
+  new_table(out, nrow = length(segment), class = "rot_record", record = info)
 }
 
 record_headings <- function(columns) {
   columns <- columns[names(columns) != "segment"]
-  tibble::tibble(
+  as_table(
     column = rep(names(columns), vapply(columns, function(x) length(x$heading), 0L)),
     heading = unlist(lapply(columns, `[[`, "heading"), use.names = FALSE),
     unit = rep(
@@ -509,8 +509,8 @@ record_rows <- function(columns, group, breaks, dropped) {
   new <- which(!is.na(starts))
   list(
     keep = keep, columns = columns, segment = segment, assumed = assumed,
-    dropped = tibble::tibble(row = gone, why = why[gone]),
-    breaks = tibble::tibble(segment = segment[new], time_s = time[new], why = starts[new])
+    dropped = as_table(row = gone, why = why[gone]),
+    breaks = as_table(segment = segment[new], time_s = time[new], why = starts[new])
   )
 }
 

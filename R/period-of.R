@@ -52,8 +52,8 @@ period_of <- function(scene, ...) {
       i = "{.code time_when(scene, theta_rad = 0, until_s = ...)} gives the times of its passages."
     ), "model", call)
   }
-  tibble::tibble(
+  new_table(list(
     period_s = x$period_s, kind = x$kind, amplitude_rad = x$amplitude_rad,
     amplitude_ratio = x$ratio
-  )
+  ), nrow = 1L)
 }

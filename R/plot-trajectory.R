@@ -93,7 +93,7 @@ compare_runs <- function(...) {
     unlist(lapply(runs, function(x) x[[column]] %||% rep(NA, nrow(x))), use.names = FALSE)
   })
   names(of) <- name
-  tibble::new_tibble(
+  new_table(
     c(list(run = factor(rep(name, n), levels = name)), rows), nrow = sum(n), runs = of,
     class = "rot_runs"
   )

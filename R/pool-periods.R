@@ -111,7 +111,7 @@ pool_periods <- function(time_s, swings = 1, group = NULL, ..., type_b_s = 0.03)
     list(
       period_s = new_measured(pooled, error, dof, "period"), between_s = shared,
       birge_ratio = birge,
-      groups = tibble::tibble(
+      groups = as_table(
         group = who, readings = count, period_s = mean, u_s = u, ratio = ratio, status = status
       )
     ),
@@ -221,7 +221,7 @@ fit_pivots <- function(period_s, distance_m, ..., distance_u_m = 0, period_u_s =
   structure(
     list(
       gyration_square_m2 = k2, gravity_m_per_s2 = gravity,
-      pivots = tibble::tibble(
+      pivots = as_table(
         distance_m = d, period_s = period,
         gravity_alone_m_per_s2 = 4 * pi^2 * (k2$value + d^2) / (period^2 * d),
         residual = fit$deleted, status = ifelse(used, "used", "outlier")

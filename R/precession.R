@@ -102,7 +102,7 @@ precession_table <- function(tops = NULL, axis_angle_deg = 90, transverse_moment
   known <- any(!is.na(columns$transverse_moment_kg_m2))
   shown <- c(precession_columns, if (known) nutation_columns)
   out[shown] <- values[shown]
-  tibble::new_tibble(out, nrow = n)
+  new_table(out, nrow = n)
 }
 
 article_rotors <- function() {
@@ -171,7 +171,7 @@ table_of_bodies <- function(bodies, beside, call) {
   ), given)
   n <- check_recyclable(x, call)
   x <- lapply(x, rep_len, n)
-  tibble::new_tibble(list(
+  new_table(list(
     mass_kg = x$mass_kg, lever_arm_m = x$lever_arm_m,
     moment_of_inertia_kg_m2 = x$moment_of_inertia_kg_m2, spin_rad_per_s = x$spin_rad_per_s,
     transverse_moment_kg_m2 = x$across + x$mass_kg * x$lever_arm_m^2

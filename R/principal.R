@@ -68,7 +68,7 @@ find_principal <- function(body, tolerance, call) {
     p$moment <- p$second[c(2, 1, 1)] + p$second[c(3, 3, 2)]
   }
   equal <- p$equal
-  tibble::new_tibble(
+  new_table(
     list(
       axis = 1:3,
       principal_moment_kg_m2 = p$moment,

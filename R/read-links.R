@@ -436,7 +436,7 @@ link_reach <- function(link) {
 links_table <- function(links, call) {
   rows <- lapply(links, link_row, call = call)
   column <- function(name, kind) vapply(rows, `[[`, kind, name)
-  tibble::new_tibble(list(
+  new_table(list(
     link = column("link", ""),
     mass_kg = column("mass_kg", 0),
     centre_x_m = vapply(rows, function(row) row$centre[1L], 0),

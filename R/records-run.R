@@ -312,7 +312,7 @@ read_errors <- function(text, call) {
   fits <- vapply(x, function(pair) is.double(pair) && length(pair) == 2L, NA)
   if (!all(fits)) abort_rotdyn("The errors of this run are damaged.", "record", call)
   number <- function(i) vapply(x, `[`, double(1), i, USE.NAMES = FALSE)
-  tibble::tibble(measure = names(x) %||% character(), size = number(1L), error = number(2L))
+  as_table(measure = names(x) %||% character(), size = number(1L), error = number(2L))
 }
 
 finite_or_na <- function(x) ifelse(is.finite(x), x, NA_real_)
@@ -333,7 +333,7 @@ run_list <- function(rows) {
     rows[[name]] <- if (is.list(rows[[name]])) NA_character_ else as.character(rows[[name]])
   }
   attr(rows, "damaged") <- NULL
-  tibble::as_tibble(rows)
+  table_from(rows)
 }
 
 # The full name of a run, from its beginning.
@@ -396,7 +396,7 @@ read_record <- function(db, run, call) {
   is_step <- values$quantity == "step_s"
   is_text <- startsWith(values$quantity, text_mark)
   of <- function(rows, names) {
-    tibble::tibble(quantity = names[rows], row = values$place[rows], value = number[rows])
+    as_table(quantity = names[rows], row = values$place[rows], value = number[rows])
   }
   c(as.list(listed), list(
     scene_text = rows$scenes$json, scene = scene,
@@ -501,9 +501,9 @@ compare_values <- function(old, motion, run) {
       then = then[at], now = now[at], difference = difference[at], allowed = allowed
     )
   })
-  where <- do.call(rbind, lapply(rows, tibble::as_tibble))
+  where <- do.call(rbind, lapply(rows, table_from))
   if (is.null(where)) {
-    where <- tibble::tibble(
+    where <- as_table(
       quantity = character(), row = double(), time_s = double(), then = double(), now = double(),
       difference = double(), allowed = double()
     )

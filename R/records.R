@@ -207,7 +207,7 @@ records_check <- function(con, ...) {
     broken <- query(db, "PRAGMA foreign_key_check", call = call)
     say("references of the file", nrow(broken) == 0L, first(as.character(broken[[1]])))
   }
-  do.call(rbind, lapply(checks, tibble::as_tibble))
+  do.call(rbind, lapply(checks, table_from))
 }
 
 # Tables, rows and views as a script.

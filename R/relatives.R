@@ -104,7 +104,7 @@ spool_pull <- function(body, force_n, angle_deg, inner_radius_m, friction = Inf,
   turn <- -(force * x$radius_m + x$force_n * x$inner_radius_m)
   rolls <- x$force_n * (cosine - share) / (x$mass_kg * (1 + x$beta))
   free <- lifts | slips
-  tibble::new_tibble(list(
+  new_table(list(
     acceleration_m_per_s2 = ifelse(free, (x$force_n * cosine + force) / x$mass_kg, rolls),
     alpha_rad_per_s2 = ifelse(free, turn / moment, rolls / x$radius_m),
     friction_force_n = force, normal_n = ifelse(lifts, 0, normal), friction_needed = needed,
@@ -128,7 +128,7 @@ yo_yo <- function(body, inner_radius_m, ..., radius_m = NULL, gravity_m_per_s2 =
   ), call)
   inertia <- x$beta * (x$radius_m / x$inner_radius_m)^2
   a <- x$gravity_m_per_s2 / (1 + inertia)
-  tibble::new_tibble(list(
+  new_table(list(
     acceleration_m_per_s2 = a, alpha_rad_per_s2 = a / x$inner_radius_m,
     # m (g - a) would cancel where the yo-yo falls almost freely.
     tension_n = x$mass_kg * x$gravity_m_per_s2 / (1 + 1 / inertia)
@@ -152,7 +152,7 @@ atwood_machine <- function(mass_1_kg, mass_2_kg, pulley, bearing_torque_n_m = 0,
   held <- x$bearing_torque_n_m / x$radius_m
   net <- ifelse(abs(pull) <= held, 0, pull - sign(pull) * held)
   a <- net / (x$mass_1_kg + x$mass_2_kg + x$moment_of_inertia_kg_m2 / x$radius_m^2)
-  tibble::new_tibble(list(
+  new_table(list(
     acceleration_m_per_s2 = a, tension_1_n = x$mass_1_kg * (x$gravity_m_per_s2 - a),
     tension_2_n = x$mass_2_kg * (x$gravity_m_per_s2 + a),
     motion = ifelse(net > 0, "1 goes down", ifelse(net < 0, "2 goes down", "stays"))
@@ -185,7 +185,7 @@ falling_rod <- function(rod, angle_deg, start_angle_deg = 0, ..., gravity_m_per_
   # cos(a) - cos(b) as a product, which does not cancel.
   drop <- 2 * sin_of((x$angle_deg + x$start_angle_deg) / 2) *
     sin_of((x$angle_deg - x$start_angle_deg) / 2)
-  tibble::new_tibble(list(
+  new_table(list(
     omega_rad_per_s = sqrt(3 * g / x$length_m * drop),
     alpha_rad_per_s2 = 1.5 * g / x$length_m * sine,
     tip_acceleration_m_per_s2 = g * sqrt((1.5 * sine)^2 + (3 * drop)^2),

@@ -93,10 +93,10 @@ roll_race <- function(bodies = NULL, incline_angle_deg = 20, length_m = 1, ...,
   rows <- .Call(ffi_incline_frames, starts, time_s, progress_bar("race"))
   own <- objects[setdiff(names(objects), names(rows))]
   who <- rows$lane
-  tibble::new_tibble(
+  new_table(
     c(lapply(own, function(column) rep.int(column, length(time_s))), rows),
     nrow = length(who), class = "rot_race",
-    race = list(objects = tibble::new_tibble(own, nrow = n), starts = starts, columns = columns)
+    race = list(objects = new_table(own, nrow = n), starts = starts, columns = columns)
   )
 }
 
@@ -166,7 +166,7 @@ summary.rot_race <- function(object, ...) {
       from_rest = ifelse(starts$rests, "rests", ifelse(slides, "slides", "rolls"))
     )
   )
-  tibble::new_tibble(
+  new_table(
     lapply(columns[!duplicated(names(columns))], `[`, order), nrow = length(order)
   )
 }

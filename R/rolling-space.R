@@ -94,7 +94,7 @@ roll_disk <- function(body, time_s, spin_rad_per_s = 0, ..., lean_deg = 0, yaw_r
     warn_rotdyn("The disk lies flat at {format_si(flat_s)} s.", "truncated", call)
   }
   structure(
-    tibble::new_tibble(columns, nrow = length(time_s)),
+    new_table(columns, nrow = length(time_s)),
     error = c(
       attitude_rad = result$ledger[1], omega = result$ledger[2], position_m = result$ledger[3]
     )
@@ -135,7 +135,7 @@ rolling_disk_speed <- function(body, ..., gravity_m_per_s2 = 9.80665) {
     abort_domain(gravity[bad[1]], "gravity_m_per_s2", "m/s^2", call, 0, Inf, FALSE, row = bad[1])
   }
   least <- .Call(ffi_rolling_disk_least, x$radius_m, x$axial, x$transverse, x$gravity_m_per_s2)
-  tibble::new_tibble(
+  new_table(
     list(least_speed_m_per_s = least * x$radius_m, least_spin_rad_per_s = least), nrow = n
   )
 }
@@ -189,7 +189,7 @@ ball_on_turntable <- function(body, time_s, turntable_rad_per_s, x_m, y_m = 0, v
   # r^2 - r0^2 as a product.
   work <- 0.5 * x$mass_kg * k * table * (dx * (at_x + x$x_m) + dy * (at_y + x$y_m))
   speed <- sqrt(x$vx_m_per_s^2 + x$vy_m_per_s^2)
-  tibble::new_tibble(list(
+  new_table(list(
     time_s = x$time_s, x_m = at_x, y_m = at_y, vx_m_per_s = vx, vy_m_per_s = vy,
     omega_x_rad_per_s = (table * at_x - vy) / x$radius_m,
     omega_y_rad_per_s = (table * at_y + vx) / x$radius_m,

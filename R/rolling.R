@@ -73,7 +73,7 @@ rolling_table <- function(bodies = NULL, incline_angle_deg = 20, height_drop_m =
   out <- as.list(bodies)
   if (inherits(bodies[["beta"]], "units")) out$beta <- columns$beta
   out[names(values)] <- values
-  tibble::new_tibble(out, nrow = n, class = "rot_rolling_table")
+  new_table(out, nrow = n, class = "rot_rolling_table")
 }
 
 # What rolls, as a data frame with the column beta: of bodies also object, mass_kg, radius_m.
@@ -108,7 +108,7 @@ rolling_shapes <- function(names, arg, call) {
     ), "value", call)
   }
   beta <- vapply(table$beta[id], function(text) eval(str2lang(text), baseenv()), double(1))
-  tibble::new_tibble(list(object = names, beta = unname(beta)), nrow = length(names))
+  new_table(list(object = names, beta = unname(beta)), nrow = length(names))
 }
 
 rolling_round_bodies <- function(bodies, arg, call) {
@@ -130,7 +130,7 @@ rolling_round_bodies <- function(bodies, arg, call) {
     )
   })
   column <- function(name) vapply(each, function(one) one[[name]], each[[1]][[name]])
-  tibble::new_tibble(list(
+  new_table(list(
     object = column("object"), beta = column("beta"), mass_kg = column("mass_kg"),
     radius_m = column("radius_m")
   ), nrow = length(each))
@@ -138,7 +138,7 @@ rolling_round_bodies <- function(bodies, arg, call) {
 
 # Those of the article.
 rolling_objects <- function() {
-  tibble::new_tibble(list(
+  new_table(list(
     object = c("hoop", "solid_disk", "solid_sphere", "thin_spherical_shell", "point_mass_sliding"),
     beta = shape_beta(c("hoop", "disk", "sphere", "spherical_shell", "sliding_point"))
   ), nrow = 5L)

@@ -52,7 +52,7 @@ reference_table <- function() {
   found <- lapply(rows$functions, function(pattern) {
     exports[grepl(utils::glob2rx(pattern), exports)]
   })
-  tibble::new_tibble(
+  new_table(
     list(section = rep(rows$section, lengths(found)), name = unlist(found)),
     nrow = sum(lengths(found))
   )

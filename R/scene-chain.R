@@ -82,7 +82,7 @@ chain_modes <- function(scene, ...) {
   if (is.null(modes)) {
     abort_rotdyn("The rates of the modes exceed double precision.", "range", call)
   }
-  tibble::new_tibble(list(
+  new_table(list(
     mode = rep(seq_len(n), each = n), natural_rad_per_s = rep(modes[[1]], each = n),
     period_s = rep(2 * pi / modes[[1]], each = n), link = rep(seq_len(n), n),
     relative_theta = as.vector(modes[[2]])

@@ -228,7 +228,7 @@ friction_needed <- function(scene, ...) {
   } else {
     NA_real_
   }
-  tibble::new_tibble(list(
+  new_table(list(
     friction_needed = start$friction_needed, static_friction = scene$static_friction,
     critical_angle_deg = critical,
     from_rest = if (start$slips) "slides" else if (start$rests) "rests" else "rolls",

@@ -177,7 +177,7 @@ table_of_tops.rot_scene_pivot <- function(tops, beside, call) {
   }
   own <- as.list(as.double(seq_len(3) == axis))
   up <- unlist(.Call(ffi_attitude_turn, c(as.list(tops$attitude0), own), 1), use.names = FALSE)
-  tibble::new_tibble(list(
+  new_table(list(
     mass_kg = tops$mass_kg, lever_arm_m = centre[axis],
     moment_of_inertia_kg_m2 = moments[axis], spin_rad_per_s = tops$omega0_rad_per_s[axis],
     transverse_moment_kg_m2 = mean(moments[others]),

@@ -258,7 +258,7 @@ shaft_modes <- function(scene, ...) {
   if (!result$info$kind %in% c("none", "range")) {
     abort_rotdyn("The modes were not computed: {result$info$text}.", result$info$kind, call)
   }
-  tibble::new_tibble(
+  new_table(
     list(mode = seq_along(frequencies), natural_rad_per_s = frequencies),
     nrow = length(frequencies),
     shaft = unclass(scene)[c("moment_of_inertia_kg_m2", "stiffness_n_m_per_rad")],

@@ -275,7 +275,7 @@ schema_faults <- function(x, tables) {
     check_table_rows(rows, table, x, tables, function(at, fault) report(name, at, fault))
   }
   parts <- function(part, none) c(none, unlist(lapply(faults, `[[`, part)))
-  tibble::tibble(
+  as_table(
     table = parts("table", character()), row = parts("row", integer()),
     fault = parts("fault", character())
   )

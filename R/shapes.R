@@ -309,7 +309,7 @@ shape_constructor <- function(shape) {
 #' @export
 shapes <- function() {
   table <- shape_table()
-  tibble::new_tibble(list(
+  new_table(list(
     shape = table$shape,
     family = table$family,
     constructor = shape_constructor(table$shape),

@@ -117,7 +117,7 @@ reactions <- function(x, ...) {
   check_supplied("x", call)
   rest <- check_equilibrium(x, "x", call)
   s <- rest$structure
-  tibble::new_tibble(list(
+  new_table(list(
     support = vapply(s$supports, `[[`, "", "name")[s$owner], component = s$component,
     value = rest$reaction, unit = ifelse(s$problem$is_couple > 0, "N m", "N"),
     determined = rest$determined, lowest = rest$lowest, highest = rest$highest, error = rest$error
@@ -157,7 +157,7 @@ summary.rot_equilibrium <- function(object, ...) {
   call <- check_no_dots(...)
   rest <- check_equilibrium(object, "object", call)
   state <- state_of(rest)
-  tibble::new_tibble(c(
+  new_table(c(
     list(verdict = state$verdict, unknowns = length(rest$reaction),
          rank = rest$rank, redundant = state$redundant, free_motions = state$free),
     list(condition_number = state$condition), margins_of(rest), list(
@@ -292,7 +292,7 @@ new_equilibrium <- function(structure, outline, name, call) {
   rest <- solve_statics(structure, call)
   if (!all(is.finite(rest$reaction))) abort_beyond("A reaction", call)
   rest <- c(rest, list(structure = structure, outline = outline, name = name))
-  tibble::new_tibble(
+  new_table(
     support_rows(rest), nrow = length(structure$supports), rest = rest, class = "rot_equilibrium"
   )
 }

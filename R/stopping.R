@@ -52,7 +52,7 @@ stopping <- function(scene, ...) {
     ), "model", call)
   }
   x <- .Call(ffi_axle_stopping, scene)
-  tibble::tibble(
+  as_table(
     stop_time_s = x[1], stop_theta_rad = x[2],
     terminal_omega_rad_per_s = if (is.finite(x[1])) 0 else terminal_omega(scene, x[3], call)
   )

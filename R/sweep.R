@@ -90,9 +90,8 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
            {cli::cli_vec(format(failed, trim = TRUE), list('vec-trunc' = 6))} {?is/are} NaN."
     ), "range", call)
   }
-  data <- tibble::as_tibble(parameters)
+  data <- table_from(parameters, "rot_spin_up_table")
   data[sweep_columns] <- out
-  class(data) <- unique(c("rot_spin_up_table", class(data)))
   data
 }
 

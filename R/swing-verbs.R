@@ -53,7 +53,7 @@ predict.rot_swing_fit <- function(object, time_s = NULL, ..., level = 0.95) {
   stem <- object$kind
   out <- list(time_s, value, rows$se[back], value - half, value + half)
   names(out) <- c("time_s", stem, paste0(stem, c("_se", "_lower", "_upper")))
-  tibble::new_tibble(out, nrow = length(time_s))
+  new_table(out, nrow = length(time_s))
 }
 
 check_swing_motion <- function(x, arg, call) {
@@ -89,7 +89,7 @@ augment.rot_swing_fit <- function(x, ...) {
   check_no_dots(...)
   check_swing_motion(x, "x", call)
   fitted <- swing_rows(x, x$samples$time_s, call)$value
-  tibble::new_tibble(list(
+  new_table(list(
     time_s = x$samples$time_s, measured = x$samples$measured, fitted = fitted,
     residual = x$samples$measured - fitted
   ), nrow = length(fitted))
@@ -119,7 +119,7 @@ glance.rot_swing_fit <- function(x, ...) {
     correlation_time_s = x$correlation_time_s, durbin_watson = x$durbin_watson,
     law_p = x$law_p, complete = x$law_complete
   ))
-  tibble::new_tibble(out, nrow = 1L)
+  new_table(out, nrow = 1L)
 }
 
 #' @rdname as_scene

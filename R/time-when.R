@@ -181,7 +181,7 @@ answer_when <- function(found, run, asked, first, call) {
     out
   })
   rows$time_s <- NULL
-  tibble::new_tibble(
+  new_table(
     c(list(time_s = found$time_s, direction = found$direction), rows), nrow = length(known)
   )
 }

@@ -547,7 +547,7 @@ describe_error <- function(run) {
 #' @export
 summary.rot_trajectory <- function(object, ...) {
   run <- check_trajectory(object, "object", rlang::current_env())
-  tibble::new_tibble(c(
+  new_table(c(
     constraint_of(run$scene)$summary(object, run),
     list(
       model = run$model,
@@ -674,7 +674,7 @@ motion_events.rot_trajectory <- function(x) {
     )
   }
   if (!is.null(events$where)) out$where <- events$where
-  tibble::new_tibble(out, nrow = length(out$time_s))
+  new_table(out, nrow = length(out$time_s))
 }
 
 #' Spin a body up

@@ -59,7 +59,7 @@ tumbling_table <- function(parameters, time_s, ..., threads = 1) {
   threads <- min(threads, .Call(ffi_axle_sweep_threads))
   out <- .Call(ffi_free_table, columns, threads, progress_bar("tumbling"))
   out <- lapply(out, function(x) if (anyNA(x)) replace(x, is.nan(x), NA_real_) else x)
-  data <- tibble::as_tibble(parameters)
+  data <- table_from(parameters)
   data[tumbling_columns] <- out
   data
 }

@@ -10,7 +10,8 @@
 #' and all of a sudden.
 #'
 #' @param body A `rot_body`, a 3 x 3 inertia tensor, three principal moments in kg m^2 about the
-#'   body's axes x, y and z, or a matrix with such a row for each body.
+#'   body's axes x, y and z, or a matrix with such a row for each body. Or a [scene_free()] without
+#'   torque, resistance and rotors, which knows its angular velocity.
 #' @param omega_rad_per_s Three components of the angular velocity in the body's axes, or a matrix
 #'   with such a row for each motion.
 #' @param ... Not used; names after it must be given in full.
@@ -27,13 +28,18 @@
 #' @concept tennis racket theorem
 #' @examples
 #' flip_time(c(1, 2, 3), c(0.01, 4, 0.01))
+#' flip_time(scene_free(c(1, 2, 3), c(0.01, 4, 0.01)))
 #' # A tenth of the disturbance, one more flip later:
 #' flip_time(c(1, 2, 3), cbind(10^-(1:6), 4, 0))
 #' flip_time(body_box(0.2, 0.02, 0.1, 0.2), c(0.1, 0.1, 10))
 #' @export
 flip_time <- function(body, omega_rad_per_s, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("body", "omega_rad_per_s"), call)
+  check_supplied("body", call)
+  if (inherits(body, "rot_scene")) {
+    return(flip_time_of_scene(body, missing(omega_rad_per_s), call))
+  }
+  check_supplied("omega_rad_per_s", call)
   rates <- rows_of_three(omega_rad_per_s, "omega_rad_per_s", "rad/s", call)
   table <- is.matrix(body) && is.numeric(body) && !is.object(body) &&
     !identical(dim(body), c(3L, 3L))
@@ -49,6 +55,20 @@ flip_time <- function(body, omega_rad_per_s, ...) {
   }
   check_recyclable(list(body = moments[[1]], omega_rad_per_s = rates[[1]]), call)
   .Call(ffi_free_flips, moments, rates)
+}
+
+flip_time_of_scene <- function(scene, alone, call) {
+  check_scene_of(scene, "free", call)
+  if (!alone) abort_rotdyn("{.arg omega_rad_per_s} is known of a scene.", "argument", call)
+  acts <- c(torque = "torque", resistance = "resistance", rotors = "rotors")
+  acts <- acts[!vapply(unclass(scene)[names(acts)], is.null, NA)]
+  if (length(acts)) {
+    abort_rotdyn(c(
+      "There is no closed form of the flips of a body with {.field {acts}}.",
+      i = "The events {.val flip} of {.fn trajectory} are theirs."
+    ), "model", call)
+  }
+  scene_flip_time(scene)
 }
 
 # Three columns of a vector of three numbers, or of a matrix.
@@ -90,6 +110,10 @@ rows_of_three <- function(x, arg, unit, call) {
 spin_stability <- function(body, ...) {
   call <- check_no_dots(...)
   check_supplied("body", call)
+  if (inherits(body, "rot_scene")) {
+    check_scene_of(body, "free", call)
+    body <- body$body
+  }
   inertia <- free_inertia(body, call)
   moments <- inertia$moment_of_inertia_kg_m2
   axes <- diag(3)
@@ -101,7 +125,7 @@ spin_stability <- function(body, ...) {
     if (any(abs(d) <= equal)) return(0)
     (d[1] / moments[-k][1]) * (d[2] / moments[-k][2])
   }, double(1))
-  tibble::tibble(
+  as_table(
     axis = 1:3,
     principal_moment_kg_m2 = moments,
     x = axes[1, ], y = axes[2, ], z = axes[3, ],

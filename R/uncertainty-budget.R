@@ -157,7 +157,7 @@ budget_of <- function(f, inputs, arg_names, correlation, level, draws, seed, cal
       value = y, u = stats::setNames(u, names(y)), dof = dof, level = level, interval = interval,
       interval_from = stats::setNames(from, names(y)),
       correlation = covariance / outer(scale, scale),
-      contributions = tibble::tibble(
+      contributions = as_table(
         output = rep(names(y), each = p), input = rep(own$name, length(y)),
         value = rep(part_values(inputs, own), length(y)), u = rep(own_u, length(y)),
         dof = rep(parts$dof, length(y)),
@@ -281,7 +281,7 @@ draw_budget <- function(evaluate, x, shares, parts, y, u, level, draws, seed, ca
     )
   })
   rows <- do.call(rbind, rows)
-  tibble::as_tibble(cbind(output = names(y), rows))
+  table_from(cbind(output = names(y), rows))
 }
 
 # All draws in one call where f takes vectors, else one by one.

@@ -484,7 +484,7 @@ new_work_precision <- function(rows, constraint, scene, time_s, least_batch_s, b
     unlist(c(list(empty[[name]] %||% double()), lapply(rows, `[[`, name)), use.names = FALSE)
   })
   names(columns) <- names
-  tibble::new_tibble(
+  new_table(
     columns, nrow = length(rows), class = "rot_work_precision",
     measured = list(
       rows = length(time_s),

@@ -116,7 +116,7 @@ by_r <- Filter(function(case) {
   data[[case$table]] <- rows
   refused <- tryCatch(
     {
-      check_metadata(data)
+      rotdyn:::check_metadata(data)
       FALSE
     },
     rotdyn_error_metadata = function(e) any(e$faults$table == case$table)

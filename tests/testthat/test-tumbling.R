@@ -76,3 +76,17 @@ test_that("the polhode closes, on the ellipsoid of energy; the herpolhode lies i
   expect_error(polhode(scene_free(c(4, 5, 9), c(3, 0, 1))), class = "rotdyn_error_value")
   expect_error(polhode(scene_axle(1)), class = "rotdyn_error_value")
 })
+
+test_that("a scene knows its body and its rates", {
+  nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
+  expect_identical(flip_time(nut), flip_time(c(1, 2, 3), c(0.01, 4, 0.01)))
+  turned <- scene_free(place_body(body_box(1, 1, 2, 3), c(0, 0, 0),
+    rotation_about("x", angle_deg = 30)),
+                       c(0.1, 3, 0.2))
+  expect_equal(flip_time(turned), diff(motion_events(trajectory(turned, c(0, 20)))$time_s)[1],
+               tolerance = 1e-9)
+  expect_identical(spin_stability(nut), spin_stability(c(1, 2, 3)))
+  expect_error(flip_time(nut, c(1, 1, 1)), class = "rotdyn_error_argument")
+  expect_error(flip_time(update(nut, torque = c(1, 0, 0))), class = "rotdyn_error_model")
+  expect_error(flip_time(scene_axle(1)), class = "rotdyn_error_type")
+})

@@ -84,8 +84,7 @@ static void check_refusals(void) {
       {"incline_angle_deg", NAN, "finite"},      {"static_friction", -0.1, "at least 0"},
       {"static_friction", -INFINITY, "Inf"},     {"rolling_arm_m", INFINITY, "finite"},
       {"radius_m", 0.0, "greater than 0"},       {"gravity_m_per_s2", -1.0, "at least 0"},
-      {"start_s", INFINITY, "finite"},
-      {"v0_m_per_s", 1e308, "double precision"},
+      {"start_s", INFINITY, "finite"},           {"v0_m_per_s", 1e308, "double precision"},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     ROT_CHECK(rotdyn_set_number(scene, wrong[i].input, wrong[i].value) == ROTDYN_OK);

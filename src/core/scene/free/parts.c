@@ -110,8 +110,8 @@ static rot_status build_moments(const rot_part *part, const rot_given given[], r
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 const rot_part rot_free_parts[] = {{"rotor", ROT_INPUT_ROTOR, COUNT(rotor_inputs), rotor_inputs,
                                     sizeof(rot_free_rotor_of), build_rotor},
-                                   {"torque", ROT_INPUT_TABLE, COUNT(table_inputs),
-                                    table_inputs, sizeof(rot_free_table_of), build_table},
+                                   {"torque", ROT_INPUT_TABLE, COUNT(table_inputs), table_inputs,
+                                    sizeof(rot_free_table_of), build_table},
                                    {"principal_moments", ROT_INPUT_MOMENTS, COUNT(moments_inputs),
                                     moments_inputs, sizeof(rot_free_moments_of), build_moments}};
 const size_t rot_free_n_parts = COUNT(rot_free_parts);

@@ -328,10 +328,15 @@ static void refused_inputs(void) {
     const char *input;
     double value;
     const char *words;
-  } wrong[] = {{"mass_kg", 0.0, "greater than 0"},       {"radius_m", -1.0, "greater than 0"},
-               {"hoop_omega_rad_per_s", NAN, "finite"},  {"theta0_rad", INFINITY, "finite"},
-               {"omega0_rad_per_s", NAN, "finite"},      {"static_friction", -0.1, "at least 0"},  {"kinetic_friction", 0.2, "at most"},
-               {"gravity_m_per_s2", -1.0, "at least 0"}, {"start_s", NAN, "finite"}};
+  } wrong[] = {{"mass_kg", 0.0, "greater than 0"},
+               {"radius_m", -1.0, "greater than 0"},
+               {"hoop_omega_rad_per_s", NAN, "finite"},
+               {"theta0_rad", INFINITY, "finite"},
+               {"omega0_rad_per_s", NAN, "finite"},
+               {"static_friction", -0.1, "at least 0"},
+               {"kinetic_friction", 0.2, "at most"},
+               {"gravity_m_per_s2", -1.0, "at least 0"},
+               {"start_s", NAN, "finite"}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     const rot_given kept = k->given[kit_input(k, wrong[i].input)];
     const double before = kept.is ? kept.x[0] : 0.0;
