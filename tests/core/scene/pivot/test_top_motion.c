@@ -255,7 +255,31 @@ static void check_wheels(void) {
   }
 }
 
+/* The attitude of Euler's angles is the product of three turns; the rates along their axes add. */
+static void check_euler(void) {
+  const double phi = 0.7, theta = 1.9, psi = -2.3, phi_rate = 1.5, theta_rate = -0.5, omega3 = 4.0;
+  const double first[4] = {cos(0.5 * phi), 0.0, 0.0, sin(0.5 * phi)};
+  const double second[4] = {cos(0.5 * theta), sin(0.5 * theta), 0.0, 0.0};
+  const double third[4] = {cos(0.5 * psi), 0.0, 0.0, sin(0.5 * psi)};
+  const double up[3] = {0.0, 0.0, 1.0}, along[3] = {1.0, 0.0, 0.0};
+  double q[4], node[4], vertical[3], line[3];
+  rot_top_start start;
+  rot_attitude_times(first, second, node);
+  rot_attitude_times(node, third, q);
+  rot_top_from_euler(phi, theta, psi, phi_rate, theta_rate, omega3, &start);
+  for (int i = 0; i < 4; i++) ROT_CHECK(fabs(start.q[i].hi - q[i]) <= 4e-16);
+  /* phi' turns about the vertical, theta' about the line of nodes. */
+  rot_attitude_to_space(node, along, line);
+  rot_attitude_to_body(q, line, line);
+  rot_attitude_to_body(q, up, vertical);
+  for (int i = 0; i < 2; i++) {
+    ROT_CHECK(fabs(start.omega[i].hi - phi_rate * vertical[i] - theta_rate * line[i]) <= 2e-15);
+  }
+  ROT_CHECK(start.omega[2].hi == omega3);
+}
+
 int main(void) {
+  check_euler();
   check_wheels();
   check_table();
   check_answers();
