@@ -1090,6 +1090,50 @@ static void check_threads(void) {
 static void check_threads(void) { ROT_CHECK(1); }
 #endif
 
+/* A law of the caller is called by the caller's own thread alone, however many are allowed. */
+#ifndef _WIN32
+static pthread_t caller;
+static int is_elsewhere = 0, watched_calls = 0;
+
+static int watched(const double *argument, double *value, void *context) {
+  (void)argument, (void)context;
+  watched_calls++;
+  is_elsewhere |= !pthread_equal(caller, pthread_self());
+  *value = 1.0;
+  return 0;
+}
+
+static void check_own_thread(void) {
+  enum { N = 64 };
+  static const char *const inputs[] = {"omega0_rad_per_s"}, *const names[] = {"omega_rad_per_s"};
+  rotdyn_object *scene = axle(0.5);
+  double omega0[N], time_s[N], x[N];
+  double *const columns[] = {x};
+  rotdyn_rows_in in = ROTDYN_INIT(rotdyn_rows_in);
+  rotdyn_rows_out out = ROTDYN_INIT(rotdyn_rows_out);
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  for (int i = 0; i < N; i++) omega0[i] = i, time_s[i] = 0.5;
+  ROT_CHECK(rotdyn_set_law(scene, "torque", watched, NULL) == ROTDYN_OK);
+  caller = pthread_self();
+  const rotdyn_column values[] = {{omega0, 1}};
+  in.time_s = (rotdyn_column){time_s, 1};
+  in.n_inputs = 1;
+  in.inputs = inputs;
+  in.values = values;
+  out.n_columns = 1;
+  out.names = names;
+  out.columns = columns;
+  options.threads = 4;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(scene, N, &in, &options, &out, &report), ROTDYN_OK);
+  ROT_CHECK(!is_elsewhere && watched_calls > N);
+  for (int i = 0; i < N; i++) ROT_CHECK(fabs(x[i] - (i + 1.0)) <= 1e-9 * (i + 1.0));
+  rotdyn_object_free(scene);
+}
+#else
+static void check_own_thread(void) { ROT_CHECK(1); }
+#endif
+
 int main(void) {
   check_refusals();
   check_closed_forms();
@@ -1115,5 +1159,6 @@ int main(void) {
   check_rows();
   check_times();
   check_threads();
+  check_own_thread();
   return rot_test_report("api scene");
 }

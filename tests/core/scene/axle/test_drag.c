@@ -350,6 +350,14 @@ static void check_refusals(void) {
   ROT_CHECK(r.status == ROT_OK && r.info.rows_done == 0);
 }
 
+/* The angle may leave the range of doubles before the rate does. */
+static void check_far(void) {
+  const double t[] = {1.0, 1e160};
+  const rot_axle_scene s = plain_scene(1.0, 1e-170, 1e150, 0.0);
+  go(&s, 2, t);
+  ROT_CHECK(r.status == ROT_ERANGE && r.info.rows_done == 1);
+}
+
 int main(void) {
   ROT_CHECK_EQ_INT(check_known_cases(&r, rot_axle_drag, 0), 16);
   check_mirrors(rot_axle_drag, 0);
@@ -369,5 +377,6 @@ int main(void) {
   check_motor();
   check_refusals();
   rot_events_free(&r.events);
+  check_far();
   return rot_test_report("axle_drag");
 }
