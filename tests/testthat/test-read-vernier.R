@@ -78,3 +78,16 @@ test_that("fields of a tar archive may fill their places, without a byte 0 behin
     rotdyn:::tar_files(bytes[1:1030], "x.tar", NULL), "damaged", class = "rotdyn_error_file"
   )
 })
+
+test_that("a tenth of the cells of a run may be no number, not more", {
+  skip_if_not_installed("xml2")
+  read_with <- function(bad) {
+    runs <- list(Latest = samples(40))
+    runs[[1]]$a[3 * seq_len(bad)] <- NA
+    lines <- gsub("\nNA\n", "\nfive\n", vernier_xml(runs), fixed = TRUE)
+    lines[lines == "NA"] <- "five"
+    read_motion(text_file(lines, ext = ".cmbl"))
+  }
+  expect_equal(sum(is.finite(read_with(4)$theta_rad)), 36)
+  expect_error(read_with(5), "no number", class = "rotdyn_error_file")
+})

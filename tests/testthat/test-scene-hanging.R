@@ -221,3 +221,11 @@ test_that("a tension below 0 is slack from 16 units of rounding of the weights o
   expect_no_warning(trajectory(wound(12), 0))
   expect_warning(trajectory(wound(24), 0), class = "rotdyn_warning_slack")
 })
+
+test_that("a round body's radius is taken about its axis, whichever way that points", {
+  disk <- body_disk(2, 0.25)
+  for (axis in list(c(0, 0, 1), c(0, 0, -1))) {
+    expect_equal(scene_hanging_mass(disk, 1, axis = axis)$radius_m, 0.25)
+  }
+  expect_error(scene_hanging_mass(disk, 1, axis = c(1, 0, 0)), class = "rotdyn_error_missing")
+})

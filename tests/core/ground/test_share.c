@@ -1,7 +1,9 @@
 /* Rows shared out: each is done once, whatever the part and the threads; a hook stops the rest. */
 #include "ground/share.h"
 
+#include <pthread.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "rot_test.h"
 
@@ -48,9 +50,37 @@ static void a_hook_stops(void) {
   }
 }
 
+/* Several threads are used where there are several: the first waits for another one. */
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+static pthread_t first_one;
+static int known = 0, several = 0;
+
+static int another_came(void) {
+  (void)pthread_mutex_lock(&lock);
+  if (!known) first_one = pthread_self(), known = 1;
+  several |= !pthread_equal(first_one, pthread_self());
+  const int came = several;
+  (void)pthread_mutex_unlock(&lock);
+  return came;
+}
+
+static void wait_for_another(const void *frame, size_t first, size_t last) {
+  const time_t begun = time(NULL);
+  (void)frame, (void)first, (void)last;
+  while (!another_came() && difftime(time(NULL), begun) < 20.0) {}
+}
+
+static void threads_are_used(void) {
+  rot_info info;
+  if (rot_share_threads() < 2) return;
+  ROT_CHECK(rot_share_rows(wait_for_another, NULL, 2, 1, 2, NULL, &info) == ROT_OK);
+  ROT_CHECK(several && info.rows_done == 2);
+}
+
 int main(void) {
   each_row_once();
   a_hook_stops();
   ROT_CHECK(rot_share_threads() >= 1);
+  threads_are_used();
   return rot_test_report("share");
 }
