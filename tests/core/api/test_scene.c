@@ -1134,6 +1134,24 @@ static void check_own_thread(void) {
 static void check_own_thread(void) { ROT_CHECK(1); }
 #endif
 
+/* The relative error is of the largest value between the times, from the earliest on. A wheel under
+ * 1 N m that turned back at -T/2 is where it was: theta = 0 in all rows, and 9/2 rad on the way. */
+static void check_sizes(void) {
+  rotdyn_object *scene = axle(1.0);
+  const double time_s[] = {-6.0, -1e-9};
+  double theta[2], *columns[] = {theta};
+  const char *const names[] = {"theta_rad"};
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  ROT_CHECK(rotdyn_set_number(scene, "torque", 1.0) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "omega0_rad_per_s", 3.0) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "theta0_rad", 0.0) == ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 2, time_s, NULL, 2, 1, names, columns, &report),
+                   ROTDYN_OK);
+  ROT_CHECK(fabs(theta[0]) <= 1e-14 && fabs(theta[1] + 3e-9) <= 1e-16);
+  ROT_CHECK(report.error <= 1e-13 && report.error >= 1e-16);
+  rotdyn_object_free(scene);
+}
+
 int main(void) {
   check_refusals();
   check_closed_forms();
@@ -1160,5 +1178,6 @@ int main(void) {
   check_times();
   check_threads();
   check_own_thread();
+  check_sizes();
   return rot_test_report("api scene");
 }
