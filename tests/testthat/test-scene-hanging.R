@@ -229,3 +229,15 @@ test_that("a round body's radius is taken about its axis, whichever way that poi
   }
   expect_error(scene_hanging_mass(disk, 1, axis = c(1, 0, 0)), class = "rotdyn_error_missing")
 })
+
+test_that("the slopes of both masses: one goes up where the other goes down", {
+  columns <- list(omega_rad_per_s = c(2, -1), alpha_rad_per_s2 = c(0.5, 0.5))
+  two <- rotdyn:::hanging_slopes(columns, scene_hanging_mass(0.05, 3, 0.1, counter_mass_kg = 2))
+  one <- rotdyn:::hanging_slopes(columns, scene_hanging_mass(0.05, 3, 0.1))
+  expect_length(one, 3)
+  expect_length(two, 6)
+  expect_false(anyNA(names(two)) || anyDuplicated(names(two)) > 0)
+  expect_equal(unname(two[[1]]), -unname(two[[4]]))
+  expect_equal(unname(two[[1]]), -columns$omega_rad_per_s)
+  expect_equal(unname(two[[2]]), c(1, -0.5))
+})
