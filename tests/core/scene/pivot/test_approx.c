@@ -262,11 +262,26 @@ static void check_pushed(void) {
   ROT_CHECK(counted > 250 && middle / counted < 1.5);
 }
 
+/* A torque is an effect along whichever axis. */
+static void check_torque_effect(void) {
+  const rot_constraint *pivot = rot_choice_constraint("pivot");
+  rot_free_params p = random_top(2, 0, 20.0);
+  const unsigned without = pivot->effects_of(&p);
+  unsigned with[3];
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) p.torque[k] = k == i ? 0.1 : 0.0;
+    with[i] = pivot->effects_of(&p);
+  }
+  ROT_CHECK(with[0] != without && (with[0] & without) == without);
+  ROT_CHECK(with[1] == with[0] && with[2] == with[0]);
+}
+
 int main(void) {
   check_bounds();
   check_by_hand();
   check_choice();
   check_bounds_by_digits();
   check_pushed();
+  check_torque_effect();
   return rot_test_report("pivot_approx");
 }

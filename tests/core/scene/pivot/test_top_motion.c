@@ -278,6 +278,21 @@ static void check_euler(void) {
   ROT_CHECK(start.omega[2].hi == omega3);
 }
 
+/* Released at rest, u'^2 = (u0 - u)(beta (1 - u^2) - a^2 (u0 - u)), so that the zeros are known: of
+ * the complement of the modulus the roundings of u3 - u2 cost as much as those of u3. */
+static void check_loss(void) {
+  const double i1 = 1.0, i3 = 0.5, weight = 2.0, theta = 1.0, omega3 = 5.0;
+  const double u = cos(theta), a = i3 * omega3 / i1, beta = 2.0 * weight / i1;
+  const double root = sqrt(a * a * a * a + 4.0 * beta * (beta - a * a * u));
+  const double low = (a * a - root) / (2.0 * beta), far = (a * a + root) / (2.0 * beta);
+  rot_top_start start;
+  rot_top_motion motion;
+  rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, omega3, &start);
+  ROT_CHECK(rot_top_begin(i1, i3, weight, &start, 0.0, &motion) == ROT_OK);
+  ROT_CHECK_REL(rot_top_nutates(&motion).lowest_cosine, low, 1e-14);
+  ROT_CHECK_REL(motion.m1_loss, 32.0 * ROT_DD_EPS * 2.0 * (1.0 + (far - u) / (far - low)), 1e-6);
+}
+
 int main(void) {
   check_euler();
   check_wheels();
@@ -288,5 +303,6 @@ int main(void) {
   check_restart();
   check_scaling();
   check_special();
+  check_loss();
   return rot_test_report("top_motion");
 }
