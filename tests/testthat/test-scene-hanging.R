@@ -241,3 +241,11 @@ test_that("the slopes of both masses: one goes up where the other goes down", {
   expect_equal(unname(two[[1]]), -columns$omega_rad_per_s)
   expect_equal(unname(two[[2]]), c(1, -0.5))
 })
+
+test_that("the columns of the masses are documented in the order of the table", {
+  for (counter in c(0, 2)) {
+    motion <- trajectory(scene_hanging_mass(0.05, 3, 0.1, counter_mass_kg = counter), 0:1)
+    named <- rotdyn:::hanging_names_of(1L + (counter > 0))
+    expect_identical(intersect(names(motion), named), named)
+  }
+})
