@@ -688,6 +688,34 @@ static void lowered_as_dense(void) {
   ROT_CHECK(compared > 250 && seen[0] > 20 && seen[5] > 20 && seen[2] + seen[3] > 10);
 }
 
+/* A switched torque is no impact: a jump of omega, one state more, has to pay for itself. And a small
+ * impact is one. */
+static void switch_or_impact(void) {
+  static samples of;
+  int switches = 0, impacts = 0;
+  for (int trial = 0; trial < 40; trial++) {
+    const double at = 4.0 + 0.02 * uniform();
+    for (int struck = 0; struck < 2; struck++) {
+      make_samples(&of, 400);
+      for (int i = 0; i < 400; i++) {
+        const double t = of.time[i], since = fmax(0.0, t - at);
+        of.theta[i] =
+            5.0 * t + 4.0 * since * since + (struck ? 0.5 * since : 0.0) + 1e-3 * normal();
+      }
+      const rot_smooth_finding how = {1, 0, 3, 4, 10};
+      rot_smooth_break breaks[10];
+      rot_smooth_fit fit;
+      size_t n = 0;
+      ROT_CHECK(rot_smooth_find(&of.record, &how, breaks, &n, NULL, &fit) == ROT_OK);
+      if (n != 1 || fabs(breaks[0].time_s - at) > 0.05) continue;
+      switches += !struck && breaks[0].first == 2;
+      impacts += struck && breaks[0].first == 1;
+    }
+  }
+  printf("of 40: %d switched torques, %d impacts\n", switches, impacts);
+  ROT_CHECK(switches >= 30 && impacts >= 30);
+}
+
 int main(void) {
 #ifdef __SIZEOF_FLOAT128__
   quadruple_precision();
@@ -701,5 +729,6 @@ int main(void) {
   refined();
   random_nodes();
   lowered_as_dense();
+  switch_or_impact();
   return rot_test_report("smooth");
 }
