@@ -496,14 +496,15 @@ test_that("variances between runs by REML: 0 of equal ones, half the squared dif
   expect_equal(between_variances(list(1, 2), spread), 0.5 - 1e-4, tolerance = 1e-3)
 })
 
-test_that("alpha of a fitted motion is the slope of its omega, under a weight, whatever is unknown", {
+test_that("alpha of a motion under a weight is the slope of its omega, whatever is unknown", {
   inertia <- 0.02
   up <- scene_hanging_mass(inertia, 0.5, 0.03, resistance = resistance(0.0004, 0, 0.01))
   up <- trajectory(up, seq(0, 4, by = 0.02))
   samples <- data.frame(time_s = up$time_s, theta_rad = up$theta_rad)
   for (unknown in c("inertia", "mass", "gravity")) {
     weight <- switch(unknown,
-      inertia = falling_weight(0.5, 0.03, until_s = 4), mass = falling_weight(NA, 0.03, until_s = 4),
+      inertia = falling_weight(0.5, 0.03, until_s = 4),
+      mass = falling_weight(NA, 0.03, until_s = 4),
       gravity = falling_weight(0.5, 0.03, gravity_m_per_s2 = NA, until_s = 4)
     )
     moment <- if (unknown == "inertia") NULL else inertia

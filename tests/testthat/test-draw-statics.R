@@ -113,5 +113,6 @@ test_that("the arrow of a pin ends at its point where it pushes, and leaves it w
   expect_true(rotdyn:::pushes(rest(pin), 1, c(-1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
   expect_true(rotdyn:::pushes(rest(pin), 1, c(0, 1, 0), c(1, 0, 0), c(0, 0, 0)))
   expect_false(rotdyn:::pushes(rest(pin), 1, c(1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
-  expect_true(rotdyn:::pushes(rest(support_surface(c(1, 0))), 1, c(1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
+  surface <- support_surface(c(1, 0))
+  expect_true(rotdyn:::pushes(rest(surface), 1, c(1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
 })

@@ -126,7 +126,7 @@ test_that("the ellipse of a swing from rest depends on how far it starts, not on
   )
 })
 
-test_that("the ellipse of a thrown swing turns by the area seen from where its plane stands still", {
+test_that("the ellipse of a swing turns by its area, seen from where its plane stands still", {
   # On the pole, rate -0.01 rad/s: 1 m by 0.02 m/s, and the frame's own turn, 0.01 x 1 m^2.
   rate <- function(spin) {
     foucault_pendulum(

@@ -118,7 +118,7 @@ static void as_scenes(void) {
   }
 }
 
-/* A spool with all its inertia at a huge radius neither rolls nor slips: friction takes the pull. */
+/* A spool with all its inertia at a huge radius stays: friction takes the whole pull. */
 static void infinite_beta(void) {
   race r;
   set(&r, 0, (double[]){INFINITY, 0.1, 30, 9.8, 0.6, 0.5, 0, 1});
