@@ -1,9 +1,16 @@
 /* Rows shared out: each is done once, whatever the part and the threads; a hook stops the rest. */
+/* fork(), alarm() */
+#define _POSIX_C_SOURCE 200809L
 #include "ground/share.h"
 
 #include <pthread.h>
 #include <stdlib.h>
 #include <time.h>
+
+#ifndef _WIN32
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 #include "rot_test.h"
 
@@ -77,10 +84,31 @@ static void threads_are_used(void) {
   ROT_CHECK(several && info.rows_done == 2);
 }
 
+/* A child that was forked after threads were used has none, and does not wait for them. */
+#ifndef _WIN32
+static void a_child_goes_alone(void) {
+  rot_info info;
+  int *done = calloc(64, sizeof *done), said = -1;
+  ROT_CHECK(rot_share_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK);
+  (void)fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    (void)alarm(20);
+    _exit(rot_share_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK && done[63] == 2 ? 0 : 1);
+  }
+  ROT_CHECK(child > 0 && waitpid(child, &said, 0) == child);
+  ROT_CHECK_EQ_INT(said, 0);
+  free(done);
+}
+#else
+static void a_child_goes_alone(void) { ROT_CHECK(1); }
+#endif
+
 int main(void) {
   each_row_once();
   a_hook_stops();
   ROT_CHECK(rot_share_threads() >= 1);
   threads_are_used();
+  a_child_goes_alone();
   return rot_test_report("share");
 }
