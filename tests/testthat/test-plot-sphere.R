@@ -51,7 +51,7 @@ test_that("the separatrix has the energy and the momentum of a turn about the mi
   }
   on.exit(put(drawing))
   put(function(shape, grid, paths, ..., dashed = NULL) seen <<- dashed)
-  moments <- c(1, 2, 3.5)
+  moments <- c(1, 2, 2.5)
   omega <- c(0.3, 4, 0.3)
   ggplot2::autoplot(polhode(scene_free(moments, omega)))
   energy <- sum(moments * omega^2)

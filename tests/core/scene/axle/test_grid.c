@@ -218,8 +218,8 @@ static void check_by_hand(void) {
   }
 }
 
-/* The bound of theta without torque or resistance, from above: five roundings of the way, and one of
- * each of the sums. */
+/* The bound of theta without torque or resistance, from above: five roundings of the way, and one
+ * of each of the sums. */
 static void check_bound(void) {
   double t[N];
   rot_info info;
