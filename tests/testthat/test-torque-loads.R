@@ -38,3 +38,11 @@ test_that("one law of knots is taken as it is, none is no torque", {
   expect_identical(rotdyn:::add_knots(list(knots)), knots)
   expect_identical(rotdyn:::add_knots(list())$outside, c(0, 0))
 })
+
+test_that("several laws of knots add up exactly, whatever cancels", {
+  held <- function(value) torque_knots(c(0, 2), c(value, value))
+  knots <- torque_loads(held(1e16) + held(1) + held(-1e16))$knots
+  expect_identical(unique(knots$torque_n_m), 1)
+  knots <- torque_loads(held(1e16) + held(0.75) + held(-1e16) + held(-0.5))$knots
+  expect_identical(unique(knots$torque_n_m), 0.25)
+})

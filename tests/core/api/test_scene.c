@@ -1152,6 +1152,22 @@ static void check_sizes(void) {
   rotdyn_object_free(scene);
 }
 
+/* A pivot so far away that the moments about it exceed doubles, a pulley without a radius. */
+static void check_far_pivot(void) {
+  const double moments[] = {1.0, 1.0, 2.0}, omega0[] = {0.0, 0.0, 1.0}, far[] = {1e200, 0.0, 0.0};
+  rotdyn_object *top = rotdyn_object_new("scene_pivot");
+  ROT_CHECK_EQ_INT(give(top, "body", tensor(2.0, 3, moments)), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(top, "omega0_rad_per_s", 3, omega0), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(top, "pivot_m", 3, far), ROTDYN_OK);
+  ROT_CHECK(refused(top, "pivot_m", "finite moments"));
+  rotdyn_object_free(top);
+  rotdyn_object *pulley = rotdyn_object_new("scene_hanging_mass");
+  ROT_CHECK_EQ_INT(rotdyn_set_number(pulley, "body", 0.1), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_number(pulley, "mass_kg", 1.0), ROTDYN_OK);
+  ROT_CHECK(refused(pulley, "radius_m", "no radius"));
+  rotdyn_object_free(pulley);
+}
+
 int main(void) {
   check_refusals();
   check_closed_forms();
@@ -1179,5 +1195,6 @@ int main(void) {
   check_threads();
   check_own_thread();
   check_sizes();
+  check_far_pivot();
   return rot_test_report("api scene");
 }
