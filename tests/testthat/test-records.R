@@ -710,3 +710,22 @@ test_that("a value that is missing in the record does not hide how far others ar
   expect_equal(where$difference, 1e-9, tolerance = 1e-6)
   expect_lt(where$allowed, 1e-14)
 })
+
+test_that("energies may differ by four times what the state may, and by four roundings", {
+  motion <- trajectory(scene_axle(1, 0.3), c(0, 1, 2))
+  run <- rotdyn:::trajectory_run(motion)
+  run$info$error <- 1e-9
+  old <- list(
+    errors = data.frame(measure = character(), error = double()), error = 0,
+    values = data.frame(
+      quantity = "rotational_kinetic_energy_j", row = 3,
+      value = motion$rotational_kinetic_energy_j[3]
+    )
+  )
+  size <- 0.5 * 0.6^2
+  eps <- .Machine$double.eps
+  allowed <- function() rotdyn:::compare_values(old, motion, run)$allowed
+  expect_within(allowed(), 4e-9 * size + 4 * eps * size, 1e-12)
+  run$info$error <- 0
+  expect_within(allowed(), 4 * eps * size, 1e-12)
+})
