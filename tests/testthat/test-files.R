@@ -133,8 +133,10 @@ test_that("a descriptor is written by its number: standard output of another pro
   skip_on_os("windows")
   library <- dirname(find.package("rotdyn"))
   code <- sprintf(
-    "loadNamespace('rotdyn', '%s'); invisible(rotdyn:::put_file(c('one', 'two'), '/dev/stdout'))",
-    library
+    paste0(
+      "loadNamespace('rotdyn', '%s'); ",
+      "invisible(.Call(rotdyn:::ffi_file_write, 1L, c('one', 'two')))"
+    ), library
   )
   said <- system2(
     file.path(R.home("bin"), "Rscript"), c("--vanilla", "-e", shQuote(code)), stdout = TRUE

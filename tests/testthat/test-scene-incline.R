@@ -128,3 +128,9 @@ test_that("a radius is the body's own where beta agrees to nine digits, else tha
   expect_equal(radius(0.3 * (1 + 1e-7)), 0.3 * (1 + 1e-7), tolerance = 1e-14)
   expect_equal(radius(0.2), 0.2, tolerance = 1e-14)
 })
+
+test_that("a critical angle of what is missing is missing", {
+  expect_identical(
+    rolling_critical_angle(c(NA, 1, NA), c(0.5, NA, NA)), rep(NA_real_, 3)
+  )
+})

@@ -293,6 +293,22 @@ static void check_loss(void) {
   ROT_CHECK_REL(motion.m1_loss, 32.0 * ROT_DD_EPS * 2.0 * (1.0 + (far - u) / (far - low)), 1e-6);
 }
 
+/* Wheels may turn the top on its axis as fast as their momentum over I1: so much more is the largest
+ * rate, with the same start. */
+static void check_rate(void) {
+  const double i1 = 2.0;
+  rot_top_start start;
+  rot_top_motion with, without;
+  rot_top_from_euler(0.3, 1.1, -0.4, 0.25, 0.5, 2.0, &start);
+  for (int side = -1; side <= 1; side += 2) {
+    const rot_dd h = {1.5 * side, 0.0}, weight = {3.0, 0.0};
+    ROT_CHECK(rot_top_begin(i1, 0.5, 3.0, &start, 0.0, &without) == ROT_OK);
+    ROT_CHECK(rot_top_begin_wheels(i1, 0.5, weight, h, &start, 0.0, &with) == ROT_OK);
+    ROT_CHECK_REL(ldexp(with.rate, with.exponent) - ldexp(without.rate, without.exponent), 0.75,
+                  1e-14);
+  }
+}
+
 int main(void) {
   check_euler();
   check_wheels();
@@ -304,5 +320,6 @@ int main(void) {
   check_scaling();
   check_special();
   check_loss();
+  check_rate();
   return rot_test_report("top_motion");
 }
