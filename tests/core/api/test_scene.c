@@ -1168,6 +1168,18 @@ static void check_far_pivot(void) {
   rotdyn_object_free(pulley);
 }
 
+/* A body rolls about its third axis: g sin(alpha)/(1 + I/(m r^2)). */
+static void check_rolling_axis(void) {
+  rotdyn_object *scene = rotdyn_object_new(NAME);
+  const double moments[] = {0.03, 0.02, 0.04};
+  rotdyn_report report;
+  ROT_CHECK(give(scene, "body", tensor(2.0, 3, moments)) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "radius_m", 0.2) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "incline_angle_deg", 30.0) == ROTDYN_OK);
+  ROT_CHECK_REL(at(scene, "v_m_per_s", 2.0, NULL, &report), 9.80665 / 1.5, 1e-14);
+  rotdyn_object_free(scene);
+}
+
 int main(void) {
   check_refusals();
   check_closed_forms();
@@ -1196,5 +1208,6 @@ int main(void) {
   check_own_thread();
   check_sizes();
   check_far_pivot();
+  check_rolling_axis();
   return rot_test_report("api scene");
 }

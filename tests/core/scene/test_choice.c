@@ -356,6 +356,18 @@ static void check_promises(void) {
   }
 }
 
+/* What is solved in modes promises little more. */
+static void check_estimates(void) {
+  size_t n;
+  const rot_constraint *const *list = rot_choice_constraints(&n);
+  for (size_t i = 0; i < n; i++) {
+    for (size_t k = 0; k < list[i]->n_models; k++) {
+      const rot_model *m = &list[i]->models[k];
+      if (m->error_kind == ROT_ESTIMATE && m->use == ROT_FREELY) ROT_CHECK(m->promise <= 1e-12);
+    }
+  }
+}
+
 int main(void) {
   check_lists();
   check_rules();
@@ -364,5 +376,6 @@ int main(void) {
   check_axle_reasons();
   check_shaft_and_clutch();
   check_promises();
+  check_estimates();
   return rot_test_report("choice");
 }

@@ -246,6 +246,22 @@ static void check_own_axes(void) {
   ROT_CHECK(fabs(r.angular_momentum_z_kg_m2_per_s[0] - l[2]) <= 2e-15);
 }
 
+/* Steps of fixed length cost as many steps as the time takes, each of them. */
+static void check_cost(void) {
+  const rot_free_params p = scene(1.0, 2.0, 2.5, 0.3, -1.2, 0.8);
+  double cost[2];
+  for (size_t k = 0; k < rot_free_constraint.n_models; k++) {
+    const rot_model *m = &rot_free_constraint.models[k];
+    if (strcmp(m->id, "free_rk4") && strcmp(m->id, "free_split")) continue;
+    for (int i = 0; i < 2; i++) {
+      const double t = i ? 1e5 : 1e4;
+      const rot_query query = {1, &t, 1e-6, 0.0};
+      cost[i] = m->cost_s(m, &p, &query);
+    }
+    ROT_CHECK(cost[1] > 9.0 * cost[0] && cost[1] < 11.0 * cost[0]);
+  }
+}
+
 int main(void) {
   check_exact_and_integrated();
   check_torque_on_a_ball();
@@ -253,5 +269,6 @@ int main(void) {
   check_flips();
   check_choice();
   check_own_axes();
+  check_cost();
   return rot_test_report("free");
 }
