@@ -293,8 +293,8 @@ static void check_loss(void) {
   ROT_CHECK_REL(motion.m1_loss, 32.0 * ROT_DD_EPS * 2.0 * (1.0 + (far - u) / (far - low)), 1e-6);
 }
 
-/* Wheels may turn the top on its axis as fast as their momentum over I1: so much more is the largest
- * rate, with the same start. */
+/* Wheels may turn the top on its axis as fast as their momentum over I1: so much more is the
+ * largest rate, with the same start. */
 static void check_rate(void) {
   const double i1 = 2.0;
   rot_top_start start;
