@@ -247,3 +247,10 @@ test_that("a law that was looked at between times is looked at four times as clo
     expect_identical(rotdyn:::look_closer(run), run)
   }
 })
+
+test_that("an audit prints one digit where one is asked for, and none is refused", {
+  a <- audit(trajectory(scene_axle(2, 3), c(0, 4)))
+  expect_output(print(a, digits = 1), "balanced")
+  expect_error(print(a, digits = 0), class = "rotdyn_error_value")
+  expect_error(print(a, digits = 23), class = "rotdyn_error_value")
+})
