@@ -143,3 +143,15 @@ test_that("segments that overlap in time need a number", {
   expect_lt(max(abs(each$omega_rad_per_s - rate(2)) / each$omega_se_rad_per_s), 4)
   expect_error(predict(motion, 2, segment = 3), class = "rotdyn_error_value")
 })
+
+test_that("glance tells the smoothness that was fitted", {
+  time <- seq(0, 4, by = 0.02)
+  set.seed(4)
+  estimate <- estimate_motion(data.frame(
+    time_s = time, theta_rad = 2 * sin(2 * time) + stats::rnorm(201, sd = 0.01)
+  ))
+  fit <- attr(estimate, "estimate")
+  one <- generics::glance(estimate)
+  expect_equal(one$order, fit$fit[1])
+  expect_equal(10^one$log10_smoothness, fit$fit[2])
+})

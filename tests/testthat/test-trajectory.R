@@ -234,3 +234,11 @@ test_that("an error larger than the motion is not known, and every verb says so"
   # Within the growth the figure is a number.
   expect_lt(glance(trajectory(chaotic, c(0, 20)))$error, 1e-9)
 })
+
+test_that("a motion is lost where its error is larger than the motion, and known", {
+  lost <- rotdyn:::is_lost
+  expect_true(lost(list(error = 1.5)))
+  expect_true(lost(list(error = 1 + 1e-9)))
+  expect_false(lost(list(error = 1)))
+  expect_false(lost(list(error = Inf)) || lost(list(error = NaN)))
+})
