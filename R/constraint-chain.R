@@ -26,7 +26,11 @@ chain_constraint <- function() {
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
       panel("height of the lower end (m)", c(y_m = ""))
     ),
-    drawing = draw_chain, frames = chain_frames
+    drawing = draw_chain, frames = chain_frames,
+    periods = function(scene, call) {
+      modes <- chain_modes(scene)
+      periods_of_modes(modes$natural_rad_per_s[!duplicated(modes$mode)])
+    }
   )
 }
 

@@ -85,7 +85,7 @@ test_that("torque is never in joule", {
 })
 
 test_that("the dictionary begins with the columns of the package, then those of constraints", {
-  table <- rotdyn_columns()
+  table <- column_table()
   own <- vapply(rotdyn:::column_list, `[[`, "", 1)
   expect_identical(head(table$name, length(own)), own)
 })

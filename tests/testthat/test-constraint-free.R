@@ -168,9 +168,9 @@ test_that("a torque that is a function is called with each row's time, rates and
     seen[[length(seen) + 1L]] <<- list(time_s, omega, attitude)
     c(time_s, omega[2], attitude[3])
   }
-  got <- rotdyn:::free_torque_at(list(torque_n_m = law), rows)
+  got <- rotdyn:::free_torque_at(list(torque = law), rows)
   expect_equal(got, rbind(c(0, 3, 0), c(2, 4, -0.5)), ignore_attr = TRUE)
   expect_equal(seen[[2]], list(2, c(2, 4, 6), c(0.5, 0.5, -0.5, 0.5)))
-  once <- rotdyn:::free_torque_at(list(torque_n_m = function(time_s) c(time_s, 1, 0)), rows)
+  once <- rotdyn:::free_torque_at(list(torque = function(time_s) c(time_s, 1, 0)), rows)
   expect_equal(once, rbind(c(0, 1, 0), c(2, 1, 0)), ignore_attr = TRUE)
 })

@@ -37,7 +37,7 @@ test_that("it draws without a warning in letters of any size; without values it 
 
 test_that("labels of many rows are made smaller until all fit the height of the picture", {
   size <- function(n, base = 13) {
-    scene <- scene_rotors(rep(1, n), 8, torque_n_m = c(3, rep(0.5, n - 1)))
+    scene <- scene_rotors(rep(1, n), 8, torque = c(3, rep(0.5, n - 1)))
     a <- audit(trajectory(scene, c(0, 1)))
     plot <- ggplot2::autoplot(a, base_size = base)
     small <- plot$theme$axis.text.y$size

@@ -10,11 +10,15 @@ tables <- function() {
   )
   list(
     motion = motion, summary = summary(motion), glance = glance(motion), augment = augment(motion),
-    events = motion_events(trajectory(scene_hoop(1, 1, 0, theta0_rad = 1, static_friction = 0.2), 0:9)),
+    events = motion_events(
+      trajectory(scene_hoop(1, 1, 0, theta0_rad = 1, static_friction = 0.2), 0:9)
+    ),
     first = time_when(motion, omega_rad_per_s = 10),
     all = time_when(motion, omega_rad_per_s = 10, occurrence = "all"),
     period = period_of(scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = 1)),
-    stop = stopping(scene_axle(2.5, resistance = resistance(coulomb_n_m = 1), omega0_rad_per_s = 9)),
+    stop = stopping(
+      scene_axle(2.5, resistance = resistance(coulomb_n_m = 1), omega0_rad_per_s = 9)
+    ),
     choice = choose_model(scene_axle(disk), 0:2), audit = audit(motion), models = models(),
     shapes = shapes(), conserved = conserved(nut), free = trajectory(nut, 0:3),
     pivot = trajectory(scene_pivot(disk, c(0, 0, 60), pivot_m = c(0, 0, -0.1)), 0:3),
@@ -71,7 +75,8 @@ test_that("no name is abbreviated, no line is too long, and the answer comes fir
         # Every column is there, whole: shown, or named below.
         text <- gsub("\\s+", " ", gsub("\n# +", " ", paste(lines, collapse = "\n")))
         for (column in names(x)) {
-          expect_true(grepl(paste0("(^|[ ,])", column, "([ ,]|$)"), text), info = paste(info, column))
+          whole <- grepl(paste0("(^|[ ,])", column, "([ ,]|$)"), text)
+          expect_true(whole, info = paste(info, column))
         }
       }
       rest <- lines[!startsWith(lines, "#")]
@@ -101,7 +106,8 @@ test_that("one row stands upright with units", {
 
 test_that("components that are rounding noise beside the others show as 0", {
   x <- new_table(list(
-    omega_x_rad_per_s = c(1, 1e-17), omega_y_rad_per_s = c(1e-17, 2), omega_z_rad_per_s = c(0, 1e-9),
+    omega_x_rad_per_s = c(1, 1e-17), omega_y_rad_per_s = c(1e-17, 2),
+    omega_z_rad_per_s = c(0, 1e-9),
     other = c(1e-17, 1)
   ), nrow = 2L)
   shown <- without_noise(x)

@@ -106,7 +106,7 @@ test_that("what a law returns is checked where it is sampled, too", {
 
 test_that("a force that is another one each time is refused", {
   set.seed(1)
-  scene <- scene_incline(body_sphere(1, 0.1), 10, force_n = function(time_s) stats::runif(1))
+  scene <- scene_incline(body_sphere(1, 0.1), 10, force = function(time_s) stats::runif(1))
   expect_error(trajectory(scene, c(0, 1)), "two values", class = "rotdyn_error_random")
   # Before a model is chosen, where the law is sampled.
   expect_error(
