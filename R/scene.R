@@ -17,6 +17,7 @@
 #' @param resistance A [resistance()], or NULL for none.
 #' @param theta0_rad,omega0_rad_per_s Angle and angular velocity at `start_s`.
 #' @param ... Not used; names after it must be given in full.
+#' @param brake NULL, or a [brake()]. It does not go with [inertia_knots()].
 #' @param start_s Time at which the state above holds. It does not depend on the output times;
 #'   earlier ones are reached backwards.
 #' @param axis Direction of the axle in the body's own axes: `"x"`, `"y"`, `"z"`, or three numbers
@@ -24,9 +25,10 @@
 #' @param through A point on the axle: NULL for the axle that the body names, `"centre"` (of mass),
 #'   `"origin"` (of the body's own axes), or three numbers in m in the own axes. Ignored unless
 #'   `body` is a `rot_body`.
-#' @return A `rot_scene_axle`, which is a `rot_scene`.
+#' @return A `rot_scene_axle`, which is a `rot_scene`; with a brake a [scene_drive()] of one rotor,
+#'   which has the heat of the brake.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
-#'   no moment of inertia), `rotdyn_error_unit`.
+#'   no moment of inertia, a brake on an inertia that changes), `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.3.
 #' @seealso [trajectory()] for the motion, [torque] and [torque-terms], [resistance()],
 #'   [stopping()], [scene_pendulum()], [autoplot.rot_scene()].
@@ -42,9 +44,14 @@
 #' )
 #' # A rod that turns about its end.
 #' scene_axle(body_rod_end(mass_kg = 1.5, length_m = 2), 0.8)
+#' # A grindstone that a brake stops from 2 s on.
+#' stone <- scene_axle(
+#'   body_disk(50, 0.3), torque_steps(c(0, 2), c(9, 0)), brake = brake(30, from_s = 2)
+#' )
+#' stopping(stone)
 #' @export
 scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
-                       omega0_rad_per_s = 0, ..., start_s = 0, axis = c(0, 0, 1),
+                       omega0_rad_per_s = 0, ..., brake = NULL, start_s = 0, axis = c(0, 0, 1),
                        through = NULL) {
   call <- environment()
   check_no_dots(...)
@@ -53,7 +60,27 @@ scene_axle <- function(body, torque = NULL, resistance = NULL, theta0_rad = 0,
   }
   scene <- scene_of_inputs("axle", call)
   if (is.null(through)) say_axle_in_centre(scene)
-  scene
+  if (is.null(brake)) scene else braked_axle(scene, brake, call)
+}
+
+# A drive of one rotor.
+braked_axle <- function(scene, brake, call) {
+  check_class(brake, "rot_brake", "brake", "Describe one with {.fn brake}.", call)
+  if (!is.null(changing_inertia(scene))) {
+    abort_rotdyn(c(
+      "A {.arg brake} does not go with a moment of inertia that changes in time.",
+      i = "A brake that always acts is {.code resistance(coulomb_n_m = )}."
+    ), "value", call)
+  }
+  body <- .subset2(scene, "body")
+  scene_drive(
+    # About this axle, which a drive does not know.
+    if (inherits(body, "rot_body")) scene$moment_of_inertia_kg_m2 else body,
+    torque = if (!is.null(scene$torque)) list(scene$torque),
+    resistance = if (!is.null(scene$resistance)) list(scene$resistance), brake = list(brake),
+    theta0_rad = scene$theta0_rad, omega0_rad_per_s = scene$omega0_rad_per_s,
+    start_s = scene$start_s
+  )
 }
 
 # The user may have meant the own axis parallel to the axle, where that misses the centre of mass.

@@ -97,3 +97,22 @@ test_that("a pendulum prints its body, its moment about the axle and the distanc
     print(scene_pendulum(body_rod(0.1, 1), 0.5)), "rod on a fixed axle.*the axle, 0.5 m from"
   )
 })
+
+test_that("a brake on an axle", {
+  # 0.8 N m for 2 s on 0.5 kg m^2 give 3.2 rad/s; 1.6 N m stop it in 1 s; the brake holds.
+  scene <- scene_axle(
+    0.5, torque_steps(c(0, 2), c(0.8, 0)), brake = brake(1.6, from_s = 2)
+  )
+  expect_s3_class(scene, "rot_scene_drive")
+  x <- trajectory(scene, c(0, 2, 2.5, 3, 9))
+  expect_equal(x$omega_rad_per_s, c(0, 3.2, 1.6, 0, 0), tolerance = 1e-9)
+  expect_equal(x$heat_j[5], 0.5 * 0.5 * 3.2^2, tolerance = 1e-9)
+  expect_equal(stopping(scene)$stop_time_s, 3, tolerance = 1e-9)
+  # About the axle that is named, not through the centre.
+  rod <- scene_axle(body_rod(3, 2), brake = brake(1), through = c(1, 0, 0), omega0_rad_per_s = 1)
+  expect_equal(rod$moment_of_inertia_kg_m2, 3 * 2^2 / 3, tolerance = 1e-14)
+  expect_error(
+    scene_axle(inertia_knots(0:1, 1:2), brake = brake(1)), class = "rotdyn_error_value"
+  )
+  expect_error(scene_axle(1, brake = 3), class = "rotdyn_error_type")
+})

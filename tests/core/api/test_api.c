@@ -178,7 +178,7 @@ static void check_models(void) {
     axle += !strcmp(m.constraint, "axle");
     n++;
   }
-  ROT_CHECK(axle == 10 && n > axle);
+  ROT_CHECK(axle == 13 && n > axle);
   ROT_CHECK_EQ_INT(rotdyn_model_at(n, &m), ROTDYN_EEND);
   ROT_CHECK_EQ_INT(rotdyn_model_at((size_t)-1, &m), ROTDYN_EEND);
 }
