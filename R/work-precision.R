@@ -45,10 +45,29 @@
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
-#' # Steps of fixed length beside the closed form: Euler, semi-implicit Euler, Runge-Kutta.
-#' block <- scene_free(c(1, 2, 3), c(0.1, 2, 0.1))
+#' # A right-hand side and a method of one's own, beside Euler, semi-implicit Euler and Runge-Kutta of
+#' # the package, and beside the closed form of the same pendulum.
+#' alpha <- function(time_s, theta_rad, omega_rad_per_s) -9.80665 * sin(theta_rad)
+#' mine <- scene_axle(1, alpha, theta0_rad = 1) # 1 kg m^2: the torque is the acceleration
+#' my_euler <- function(scene, time_s, accuracy, step_s = 0.01) {
+#'   t <- time_s[1]
+#'   theta <- 1
+#'   omega <- 0
+#'   rows <- lapply(time_s, function(end) {
+#'     while (t < end - step_s / 2) {
+#'       slope <- alpha(t, theta, omega)
+#'       theta <<- theta + step_s * omega
+#'       omega <<- omega + step_s * slope
+#'       t <<- t + step_s
+#'     }
+#'     c(theta, omega)
+#'   })
+#'   list(theta_rad = sapply(rows, `[`, 1), omega_rad_per_s = sapply(rows, `[`, 2))
+#' }
+#' exact <- scene_pendulum(body_point(1), 1, theta0_rad = 1)
 #' work_precision(
-#'   block, 0:5, accuracies = 1e-9, steps_s = c(0.01, 0.001), least_batch_s = 0.002, batches = 1
+#'   mine, 0:4, accuracies = 1e-9, steps_s = c(0.01, 0.001), peers = list(my_euler = my_euler),
+#'   reference = trajectory(exact, 0:4), least_batch_s = 0.002, batches = 1
 #' )
 #' @export
 work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6, 9, 12), ...,
